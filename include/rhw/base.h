@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: MIT
+// What every other header rests on: export, version, result codes and the hooks of a context.
+#ifndef RHW_BASE_H
+#define RHW_BASE_H
+
+#include <stdbool.h>
+#include <stddef.h>
+#include <stdint.h>
+
+#ifdef __cplusplus
+#define RHW_EXTERN_C extern "C"
+#else
+#define RHW_EXTERN_C extern
+#endif
+
+#if defined(RHW_BUILD_SHARED) || defined(RHW_BUILD_STATIC)
+#define RHW_API RHW_EXTERN_C __attribute__((visibility("default")))
+#else
+#define RHW_API RHW_EXTERN_C
+#endif
+
+/// Semantic version of the library; CMake reads these three lines.
+#define RHW_VERSION_MAJOR 0
+#define RHW_VERSION_MINOR 1
+#define RHW_VERSION_PATCH 0
+
+/// The version of the library that is linked, as "major.minor.patch".
+RHW_API const char *rhw_version(void);
+
+/// What the environment did to a call. Misuse (a programmer's error) is no result: it goes to the
+/// assert hook, and the call then does nothing.
+enum rhw_result {
+    RHW_OK = 0,
+    RHW_ERROR_OUT_OF_MEMORY, ///< the allocation hook returned NULL
+    RHW_ERROR_UNSUPPORTED,   ///< this build or this CPU cannot do what was asked
+    RHW_ERROR_THREAD,        ///< the operating system refused a thread
+    RHW_ERROR_MISUSE,        ///< the assert hook returned; the message went there
+};
+
+/// One short English sentence without a full stop; static storage.
+RHW_API const char *rhw_result_string(enum rhw_result result);
+
+/// Memory of a context. `allocate` returns `size` bytes aligned to `alignment` (a power of two, at most
+/// 4096) or NULL; it is called from the thread that calls the library and from its workers.
+struct rhw_allocator {
+    void *(*allocate)(void *user, size_t size, size_t alignment);
+    void (*release)(void *user, void *memory, size_t size);
+    void *user;
+};
+
+enum rhw_log_level { RHW_LOG_INFO, RHW_LOG_WARNING };
+
+/// Called with one line without a newline.
+typedef void rhw_log_function(void *user, enum rhw_log_level level, const char *message);
+
+/// Called on misuse with a message that says what was wrong. When it returns, the call that found the
+/// misuse returns without doing anything. The default prints the message to stderr and aborts.
+typedef void rhw_assert_function(void *user, const char *message);
+
+#endif

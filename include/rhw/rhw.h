@@ -1,0 +1,88 @@
+// SPDX-License-Identifier: MIT
+// The functions of the library, by subject. Include this one; shader.h as well where you write shaders.
+#ifndef RHW_RHW_H
+#define RHW_RHW_H
+
+#include "types.h"
+
+// Context -------------------------------------------------------------------------------------------
+
+/// Creates a context and its worker threads. On failure `*context` is NULL.
+RHW_API enum rhw_result rhw_context_create(const struct rhw_context_def *def, rhw_context **context);
+/// Destroys the context and everything in it. NULL is allowed.
+RHW_API void rhw_context_destroy(rhw_context *context);
+RHW_API int rhw_context_threads(const rhw_context *context);
+RHW_API enum rhw_isa rhw_context_isa(const rhw_context *context);
+/// "baseline", "avx2" or "avx512"; static storage.
+RHW_API const char *rhw_isa_name(enum rhw_isa isa);
+/// Whether this build has kernels for `isa` and this CPU runs them.
+RHW_API bool rhw_isa_supported(enum rhw_isa isa);
+
+// Buffers -------------------------------------------------------------------------------------------
+
+RHW_API enum rhw_result rhw_buffer_create(rhw_context *context, const struct rhw_buffer_def *def,
+                                          rhw_buffer *buffer);
+RHW_API void rhw_buffer_destroy(rhw_context *context, rhw_buffer buffer);
+/// Replaces `size` bytes at `offset`. Not while a recorded pass uses the buffer.
+RHW_API void rhw_buffer_write(rhw_context *context, rhw_buffer buffer, size_t offset, const void *data,
+                              size_t size);
+
+// Textures and samplers -----------------------------------------------------------------------------
+
+RHW_API enum rhw_result rhw_texture_create(rhw_context *context, const struct rhw_texture_def *def,
+                                           rhw_texture *texture);
+RHW_API void rhw_texture_destroy(rhw_context *context, rhw_texture texture);
+RHW_API int rhw_texture_width(const rhw_context *context, rhw_texture texture, int level);
+RHW_API int rhw_texture_height(const rhw_context *context, rhw_texture texture, int level);
+RHW_API int rhw_texture_mip_levels(const rhw_context *context, rhw_texture texture);
+RHW_API enum rhw_format rhw_texture_format(const rhw_context *context, rhw_texture texture);
+/// Replaces a whole level. Rows top to bottom, `row_pitch` bytes apart (0: tightly packed), texels in the
+/// texture's format.
+RHW_API void rhw_texture_write(rhw_context *context, rhw_texture texture, int level, const void *data,
+                               size_t row_pitch);
+/// Copies a level out, in the same layout as rhw_texture_write.
+RHW_API void rhw_texture_read(rhw_context *context, rhw_texture texture, int level, void *data,
+                              size_t row_pitch);
+/// Fills levels 1.. from level 0 with a box filter in linear light (odd sizes weighted exactly).
+RHW_API void rhw_texture_generate_mips(rhw_context *context, rhw_texture texture);
+
+RHW_API enum rhw_result rhw_sampler_create(rhw_context *context, const struct rhw_sampler_def *def,
+                                           rhw_sampler *sampler);
+RHW_API void rhw_sampler_destroy(rhw_context *context, rhw_sampler sampler);
+
+// Pipelines -----------------------------------------------------------------------------------------
+
+RHW_API enum rhw_result rhw_pipeline_create(rhw_context *context, const struct rhw_pipeline_def *def,
+                                            rhw_pipeline *pipeline);
+RHW_API void rhw_pipeline_destroy(rhw_context *context, rhw_pipeline pipeline);
+
+// Passes --------------------------------------------------------------------------------------------
+// Draws are recorded between begin and end; end runs them. One pass at a time per context. What a draw
+// uses (buffers, textures, samplers, pipelines) must live and stay unchanged until the pass has ended;
+// uniforms are copied when set. Viewport and scissor start as the whole target.
+
+RHW_API enum rhw_result rhw_pass_begin(rhw_context *context, const struct rhw_pass_def *def, rhw_pass *pass);
+RHW_API void rhw_pass_set_pipeline(rhw_context *context, rhw_pass pass, rhw_pipeline pipeline);
+RHW_API void rhw_pass_set_vertex_buffer(rhw_context *context, rhw_pass pass, int slot, rhw_buffer buffer,
+                                        size_t offset);
+RHW_API void rhw_pass_set_index_buffer(rhw_context *context, rhw_pass pass, rhw_buffer buffer,
+                                       enum rhw_index_type type, size_t offset);
+RHW_API void rhw_pass_set_uniforms(rhw_context *context, rhw_pass pass, const void *data, size_t size);
+/// A null texture unbinds the slot; sampling an unbound slot gives 0, 0, 0, 1.
+RHW_API void rhw_pass_set_texture(rhw_context *context, rhw_pass pass, int slot, rhw_texture texture,
+                                  rhw_sampler sampler);
+RHW_API void rhw_pass_set_viewport(rhw_context *context, rhw_pass pass, const struct rhw_viewport *viewport);
+RHW_API void rhw_pass_set_scissor(rhw_context *context, rhw_pass pass, const struct rhw_rect *scissor);
+RHW_API void rhw_pass_set_blend_constant(rhw_context *context, rhw_pass pass, const float constant[4]);
+/// Vertices `first`.. of the vertex buffers. A vertex outside its buffer reads 0, 0, 0, 1.
+RHW_API void rhw_pass_draw(rhw_context *context, rhw_pass pass, uint32_t first, uint32_t count,
+                           uint32_t first_instance, uint32_t instances);
+/// Indices `first`.. of the index buffer, `base_vertex` added to each. An index outside the index buffer
+/// reads 0.
+RHW_API void rhw_pass_draw_indexed(rhw_context *context, rhw_pass pass, uint32_t first, uint32_t count,
+                                   int32_t base_vertex, uint32_t first_instance, uint32_t instances);
+/// Runs the pass; the id is stale afterwards. `stats` may be NULL. On failure the attachments hold
+/// unspecified pixels.
+RHW_API enum rhw_result rhw_pass_end(rhw_context *context, rhw_pass pass, struct rhw_stats *stats);
+
+#endif

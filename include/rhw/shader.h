@@ -1,0 +1,85 @@
+// SPDX-License-Identifier: MIT
+// What a shader is written with: 8-lane vectors, the groups a shader function receives, texture sampling
+// and maths. Plain C on the compiler's vector types, so one source serves every instruction set.
+//
+// Compile shaders with -ffp-contract=off (the CMake and pkg-config packages add it): a fused multiply-add
+// would make their bytes depend on the machine.
+#ifndef RHW_SHADER_H
+#define RHW_SHADER_H
+
+#include "types.h"
+
+#if defined(__GNUC__) && !defined(__clang__)
+#pragma GCC diagnostic push
+#pragma GCC diagnostic ignored "-Wpsabi" // 8 lanes stay inside inline functions; no ABI is crossed
+#endif
+
+enum { RHW_LANES = 8 };
+
+/// 8 lanes. `+ - * / < <= == & |` work lane by lane; a comparison gives an rhw_int of −1 (true) and 0.
+typedef float rhw_float __attribute__((vector_size(32)));
+typedef int32_t rhw_int __attribute__((vector_size(32)));
+
+/// One bound texture and sampler; opaque to the shader, see rhw_sample.
+struct rhw_binding;
+
+/// 8 vertices. Pointers stay valid for the call only.
+struct rhw_vertex {
+    const rhw_float (*attribute)[4]; ///< [attribute][component]
+    rhw_int vertex_index, instance_index; ///< as the draw counts them: base vertex / first instance included
+    const void *uniforms;
+    const struct rhw_binding *textures; ///< [slot]
+    rhw_float position[4]; ///< out: homogeneous clip coordinates X, Y, Z, W
+    rhw_float *varying;    ///< out: [component]
+};
+
+/// 8 fragments. Lanes outside `mask` carry finite or non-finite rubbish and their results are ignored.
+struct rhw_fragment {
+    const rhw_float *varying;        ///< [component]
+    const rhw_float *ddx, *ddy;      ///< [component]: d/dx, d/dy per pixel, of varyings that asked for them
+    const void *uniforms;
+    const struct rhw_binding *textures; ///< [slot]
+    rhw_float (*color)[4];           ///< out: [target][channel]
+    rhw_int mask;                    ///< −1 live, 0 dead; clear lanes to discard them
+    rhw_float depth;                 ///< out, with RHW_USE_DEPTH; holds the interpolated depth on entry
+    rhw_float coord[4];              ///< x, y in pixels from the top left (centres at .5), z, 1/w
+    rhw_int front_facing;            ///< −1 or 0
+    rhw_int primitive, instance, draw; ///< triangle in its draw (per instance), instance, draw in its pass
+    rhw_float barycentric[3];        ///< a, b, c: weights in space
+    rhw_float barycentric_noperspective[3]; ///< r, s, t: weights on the screen
+    rhw_float barycentric_ddx[3], barycentric_ddy[3]; ///< of a, b, c per pixel
+};
+
+/// One vertex and one fragment, for the one-at-a-time form; fields as above.
+struct rhw_vertex1 {
+    const float (*attribute)[4];
+    int32_t vertex_index, instance_index;
+    const void *uniforms;
+    const struct rhw_binding *textures;
+    float position[4];
+    float *varying;
+};
+
+struct rhw_fragment1 {
+    const float *varying;
+    const float *ddx, *ddy;
+    const void *uniforms;
+    const struct rhw_binding *textures;
+    float (*color)[4];
+    bool discard; ///< out
+    float depth;
+    float coord[4];
+    bool front_facing;
+    int32_t primitive, instance, draw;
+    float barycentric[3], barycentric_noperspective[3];
+    float barycentric_ddx[3], barycentric_ddy[3];
+};
+
+#include "shader_math.h"
+#include "shader_sample.h"
+
+#if defined(__GNUC__) && !defined(__clang__)
+#pragma GCC diagnostic pop
+#endif
+
+#endif

@@ -1,0 +1,278 @@
+// SPDX-License-Identifier: MIT
+// Ids, enums and definition structs. Every `*_def` has a function that fills it with defaults; start
+// from that, so that a field added later has its default in your program too.
+#ifndef RHW_TYPES_H
+#define RHW_TYPES_H
+
+#include "base.h"
+
+/// Everything belongs to one context; different contexts may be used by different threads at once, one
+/// context by one thread at a time.
+typedef struct rhw_context rhw_context;
+
+/// Value ids. A zeroed id is the null id. Use after destroy is caught by the generation (misuse).
+typedef struct rhw_buffer { uint32_t index, generation; } rhw_buffer;
+typedef struct rhw_texture { uint32_t index, generation; } rhw_texture;
+typedef struct rhw_sampler { uint32_t index, generation; } rhw_sampler;
+typedef struct rhw_pipeline { uint32_t index, generation; } rhw_pipeline;
+typedef struct rhw_pass { uint32_t index, generation; } rhw_pass;
+
+enum {
+    RHW_MAX_TARGET_SIZE = 16384, ///< pixels, each way; see the overflow argument in src/limits.h
+    RHW_MAX_THREADS = 64,
+    RHW_MAX_COLOR_ATTACHMENTS = 8,
+    RHW_MAX_VERTEX_BUFFERS = 8,
+    RHW_MAX_ATTRIBUTES = 16,
+    RHW_MAX_VARYINGS = 16,
+    RHW_MAX_VARYING_COMPONENTS = 48,
+    RHW_MAX_TEXTURES = 16,       ///< texture slots of a draw
+    RHW_MAX_UNIFORM_SIZE = 65536 ///< bytes
+};
+
+/// Instruction sets the kernels are compiled for, slowest first. BASELINE is the specification: SSE2 on
+/// x86-64, NEON on 64-bit ARM, what the compiler was given elsewhere. All draw the same bytes.
+enum rhw_isa { RHW_ISA_BASELINE, RHW_ISA_AVX2, RHW_ISA_AVX512, RHW_ISA_COUNT };
+
+struct rhw_context_def {
+    int threads;      ///< 0 all cores; 1 the caller's thread alone; n the caller and n − 1 workers
+    enum rhw_isa isa; ///< highest to use; default RHW_ISA_COUNT: the best the CPU has
+    size_t bin_memory; ///< bytes of binned geometry kept before a pass is flushed to its tiles; 0 default
+    struct rhw_allocator allocator; ///< zeroed: malloc
+    rhw_log_function *log;          ///< NULL: silent
+    rhw_assert_function *assert_;   ///< NULL: print and abort
+    void *user;                     ///< first argument of log and assert_
+};
+
+/// Texel formats. Channels stand in memory in the order of the name, little endian.
+enum rhw_format {
+    RHW_FORMAT_NONE,
+    RHW_FORMAT_R8_UNORM,
+    RHW_FORMAT_RG8_UNORM,
+    RHW_FORMAT_RGBA8_UNORM,
+    RHW_FORMAT_RGBA8_SRGB, ///< colour channels stored with the sRGB transfer function, alpha linear
+    RHW_FORMAT_RGBA16_FLOAT,
+    RHW_FORMAT_R32_FLOAT,
+    RHW_FORMAT_RGBA32_FLOAT,
+    RHW_FORMAT_R32_UINT,  ///< target only: the bits of the first output, no blending, no filtering
+    RHW_FORMAT_D32_FLOAT, ///< depth
+    RHW_FORMAT_COUNT
+};
+
+/// Bytes per texel.
+RHW_API size_t rhw_format_size(enum rhw_format format);
+
+struct rhw_buffer_def {
+    size_t size;      ///< bytes, at least 1
+    const void *data; ///< copied; NULL: zeroed
+};
+
+/// A 2D texture: sampled, drawn into, or both (not in the same pass). Zeroed when created.
+struct rhw_texture_def {
+    enum rhw_format format;
+    int width, height; ///< 1..RHW_MAX_TARGET_SIZE
+    int mip_levels;    ///< 1; 0 means the full chain down to 1×1
+};
+
+enum rhw_filter { RHW_FILTER_NEAREST, RHW_FILTER_LINEAR };
+enum rhw_mip_filter { RHW_MIP_FILTER_NONE, RHW_MIP_FILTER_NEAREST, RHW_MIP_FILTER_LINEAR };
+enum rhw_address { RHW_ADDRESS_REPEAT, RHW_ADDRESS_MIRROR, RHW_ADDRESS_CLAMP, RHW_ADDRESS_BORDER };
+
+struct rhw_sampler_def {
+    enum rhw_filter min_filter, mag_filter; ///< LINEAR
+    enum rhw_mip_filter mip_filter;         ///< LINEAR: trilinear where the texture has levels
+    enum rhw_address address_u, address_v;  ///< REPEAT
+    float border[4];                        ///< for RHW_ADDRESS_BORDER, linear values; 0,0,0,0
+    float lod_bias, lod_min, lod_max;       ///< 0, 0, 1000
+};
+
+enum rhw_vertex_format {
+    RHW_VERTEX_FLOAT1, RHW_VERTEX_FLOAT2, RHW_VERTEX_FLOAT3, RHW_VERTEX_FLOAT4,
+    RHW_VERTEX_HALF1, RHW_VERTEX_HALF2, RHW_VERTEX_HALF3, RHW_VERTEX_HALF4,
+    RHW_VERTEX_UNORM8X1, RHW_VERTEX_UNORM8X2, RHW_VERTEX_UNORM8X3, RHW_VERTEX_UNORM8X4,
+    RHW_VERTEX_SNORM8X1, RHW_VERTEX_SNORM8X2, RHW_VERTEX_SNORM8X3, RHW_VERTEX_SNORM8X4,
+    RHW_VERTEX_UINT8X1, RHW_VERTEX_UINT8X2, RHW_VERTEX_UINT8X3, RHW_VERTEX_UINT8X4,
+    RHW_VERTEX_SINT8X1, RHW_VERTEX_SINT8X2, RHW_VERTEX_SINT8X3, RHW_VERTEX_SINT8X4,
+    RHW_VERTEX_UNORM16X1, RHW_VERTEX_UNORM16X2, RHW_VERTEX_UNORM16X3, RHW_VERTEX_UNORM16X4,
+    RHW_VERTEX_SNORM16X1, RHW_VERTEX_SNORM16X2, RHW_VERTEX_SNORM16X3, RHW_VERTEX_SNORM16X4,
+    RHW_VERTEX_UINT16X1, RHW_VERTEX_UINT16X2, RHW_VERTEX_UINT16X3, RHW_VERTEX_UINT16X4,
+    RHW_VERTEX_SINT16X1, RHW_VERTEX_SINT16X2, RHW_VERTEX_SINT16X3, RHW_VERTEX_SINT16X4,
+    RHW_VERTEX_FORMAT_COUNT
+};
+
+/// Bytes one value takes; the shader receives floats for every format (UINT and SINT: the integer's value).
+RHW_API size_t rhw_vertex_format_size(enum rhw_vertex_format format);
+
+/// Attribute i of `rhw_pipeline_def.attributes` arrives in the vertex function as `attribute[i]`;
+/// components the format lacks are 0, 0, 0, 1.
+struct rhw_attribute {
+    enum rhw_vertex_format format;
+    int buffer;      ///< index into rhw_pipeline_def.buffers
+    uint32_t offset; ///< bytes from the start of the element; no alignment is asked
+};
+
+struct rhw_vertex_layout {
+    uint32_t stride;   ///< bytes; 0: every vertex reads the same element
+    bool per_instance; ///< step once per instance instead of once per vertex
+};
+
+enum rhw_qualifier { RHW_SMOOTH, RHW_NOPERSPECTIVE, RHW_FLAT };
+
+/// One value that flows from the vertex to the fragment function. Components of all varyings stand one
+/// after the other in `varying[]` on both sides.
+struct rhw_varying {
+    int components; ///< 1..4
+    enum rhw_qualifier qualifier;
+    bool derivatives; ///< ask for d/dx and d/dy per pixel of these components
+};
+
+enum rhw_topology {
+    RHW_TRIANGLE_LIST,
+    RHW_TRIANGLE_STRIP,
+    RHW_TRIANGLE_FAN
+};
+enum rhw_index_type { RHW_INDEX_UINT8, RHW_INDEX_UINT16, RHW_INDEX_UINT32 };
+enum rhw_cull { RHW_CULL_NONE, RHW_CULL_FRONT, RHW_CULL_BACK };
+enum rhw_winding { RHW_COUNTER_CLOCKWISE, RHW_CLOCKWISE }; ///< as seen on the screen, y up
+enum rhw_compare {
+    RHW_COMPARE_NEVER, RHW_COMPARE_LESS, RHW_COMPARE_EQUAL, RHW_COMPARE_LESS_EQUAL,
+    RHW_COMPARE_GREATER, RHW_COMPARE_NOT_EQUAL, RHW_COMPARE_GREATER_EQUAL, RHW_COMPARE_ALWAYS
+};
+enum rhw_blend_factor {
+    RHW_BLEND_ZERO, RHW_BLEND_ONE,
+    RHW_BLEND_SRC, RHW_BLEND_ONE_MINUS_SRC, RHW_BLEND_SRC_ALPHA, RHW_BLEND_ONE_MINUS_SRC_ALPHA,
+    RHW_BLEND_DST, RHW_BLEND_ONE_MINUS_DST, RHW_BLEND_DST_ALPHA, RHW_BLEND_ONE_MINUS_DST_ALPHA,
+    RHW_BLEND_SRC_ALPHA_SATURATED, RHW_BLEND_CONSTANT, RHW_BLEND_ONE_MINUS_CONSTANT
+};
+enum rhw_blend_operation {
+    RHW_BLEND_ADD, RHW_BLEND_SUBTRACT, RHW_BLEND_REVERSE_SUBTRACT, RHW_BLEND_MIN, RHW_BLEND_MAX
+};
+
+struct rhw_blend_component {
+    enum rhw_blend_factor src, dst;
+    enum rhw_blend_operation operation;
+};
+
+/// Fixed-point and sRGB targets clamp the source to 0..1 before blending; sRGB targets blend in linear
+/// light (the destination is decoded, the result encoded).
+struct rhw_color_target {
+    enum rhw_format format;
+    bool blend;                              ///< false: the source replaces
+    struct rhw_blend_component color, alpha; ///< src × srcFactor op dst × dstFactor
+    uint8_t write_mask;                      ///< bit 0 red .. bit 3 alpha; default 15
+};
+
+enum rhw_depth_range { RHW_DEPTH_ZERO_TO_ONE, RHW_DEPTH_MINUS_ONE_TO_ONE };
+enum rhw_provoking { RHW_PROVOKING_FIRST, RHW_PROVOKING_LAST };
+
+/// Builtins a fragment function reads or writes beyond its varyings; only those asked for are filled.
+enum rhw_fragment_use {
+    RHW_USE_COORD = 1,       ///< coord: x, y, z, 1/w
+    RHW_USE_FACING = 2,      ///< front_facing
+    RHW_USE_IDS = 4,         ///< primitive, instance, draw
+    RHW_USE_BARYCENTRIC = 8, ///< barycentric (perspective) and barycentric_noperspective
+    RHW_USE_DISCARD = 16,    ///< may clear lanes of `mask`
+    RHW_USE_DEPTH = 32,      ///< writes depth
+    RHW_USE_BARYCENTRIC_DERIVATIVES = 64 ///< barycentric_ddx, barycentric_ddy
+};
+
+struct rhw_vertex;
+struct rhw_fragment;
+struct rhw_vertex1;
+struct rhw_fragment1;
+/// A shader function works on `count` groups of 8 lanes that stand one after the other.
+typedef void rhw_vertex_function(struct rhw_vertex *groups, int count);
+typedef void rhw_fragment_function(struct rhw_fragment *groups, int count);
+/// The one-at-a-time form: same pipeline, plain floats, slower.
+typedef void rhw_vertex1_function(struct rhw_vertex1 *vertex);
+typedef void rhw_fragment1_function(struct rhw_fragment1 *fragment);
+
+/// A vertex function, a fragment function and what flows between them. Index 0 (baseline) is enough; the
+/// same source compiled for other instruction sets may stand beside it, and the context takes the best
+/// entry at or below its own. The fragment function may be NULL: depth only.
+struct rhw_program {
+    rhw_vertex_function *vertex[RHW_ISA_COUNT];
+    rhw_fragment_function *fragment[RHW_ISA_COUNT];
+    rhw_vertex1_function *vertex1;     ///< used when every entry of `vertex` is NULL
+    rhw_fragment1_function *fragment1; ///< used when every entry of `fragment` is NULL
+    struct rhw_varying varyings[RHW_MAX_VARYINGS];
+    int varying_count;
+    uint32_t uses;         ///< or-ed rhw_fragment_use
+    uint32_t uniform_size; ///< bytes the functions read at `uniforms`; 0..RHW_MAX_UNIFORM_SIZE
+};
+
+struct rhw_pipeline_def {
+    struct rhw_program program;
+    struct rhw_attribute attributes[RHW_MAX_ATTRIBUTES];
+    int attribute_count;
+    struct rhw_vertex_layout buffers[RHW_MAX_VERTEX_BUFFERS];
+    int buffer_count;
+    enum rhw_topology topology;      ///< TRIANGLE_LIST
+    bool primitive_restart;          ///< the largest index of its type starts a new strip or fan
+    enum rhw_provoking provoking;    ///< FIRST
+    enum rhw_cull cull;              ///< NONE
+    enum rhw_winding front;          ///< COUNTER_CLOCKWISE
+    enum rhw_depth_range depth_range; ///< ZERO_TO_ONE
+    bool depth_test;                 ///< false: no test and no write, no depth attachment needed
+    enum rhw_compare depth_compare;  ///< LESS
+    bool depth_write;                ///< true
+    struct rhw_color_target targets[RHW_MAX_COLOR_ATTACHMENTS];
+    int target_count;
+};
+
+enum rhw_load { RHW_LOAD_CLEAR, RHW_LOAD_LOAD, RHW_LOAD_DISCARD };
+enum rhw_store { RHW_STORE_STORE, RHW_STORE_DISCARD };
+
+struct rhw_color_attachment {
+    rhw_texture texture; ///< level 0 is drawn into
+    enum rhw_load load;
+    enum rhw_store store;
+    float clear[4]; ///< linear values; R32_UINT: clear[0] is converted to an integer
+};
+
+struct rhw_depth_attachment {
+    bool enabled;
+    rhw_texture texture; ///< may be null when loaded by CLEAR and stored by DISCARD: it then needs no memory
+    enum rhw_load load;
+    enum rhw_store store;
+    float clear; ///< 1
+};
+
+struct rhw_pass_def {
+    int width, height; ///< of every attachment; 0: taken from the first attachment
+    struct rhw_color_attachment colors[RHW_MAX_COLOR_ATTACHMENTS];
+    int color_count;
+    struct rhw_depth_attachment depth;
+};
+
+struct rhw_viewport {
+    float x, y, width, height; ///< pixels from the top left; within ±RHW_MAX_TARGET_SIZE
+    float depth_min, depth_max; ///< 0..1; depth_min > depth_max reverses
+};
+
+struct rhw_rect { int x, y, width, height; }; ///< pixels
+
+/// What a pass did. Times are wall milliseconds of the whole stage, not a sum over threads.
+struct rhw_stats {
+    double front_ms;   ///< vertex fetch and shading, clip, cull, setup, binning
+    double back_ms;    ///< tiles: load, raster, shading, output, store
+    uint64_t draws, vertices_shaded;
+    uint64_t triangles_in, triangles_dropped; ///< dropped: a position was not finite
+    uint64_t triangles_clipped;    ///< cut by a plane
+    uint64_t triangles_culled;     ///< outside the view, facing away, of no area, or covering no sample
+    uint64_t triangles_rasterized;
+    uint64_t fragments_shaded;     ///< live lanes given to the fragment function
+    uint64_t fragment_groups;      ///< groups of 8 lanes that took
+    uint64_t flushes;              ///< times the bins were full before the pass ended
+    uint64_t memory_peak;          ///< bytes allocated by the context, highest so far
+    int threads, tiles;
+    enum rhw_isa isa;
+};
+
+RHW_API struct rhw_context_def rhw_context_def_default(void);
+RHW_API struct rhw_buffer_def rhw_buffer_def_default(void);
+RHW_API struct rhw_texture_def rhw_texture_def_default(void); ///< RGBA8_UNORM, 1 level
+RHW_API struct rhw_sampler_def rhw_sampler_def_default(void);
+RHW_API struct rhw_pipeline_def rhw_pipeline_def_default(void); ///< one RGBA8_UNORM target, depth test off
+RHW_API struct rhw_pass_def rhw_pass_def_default(void);         ///< clears to 0 and depth 1, keeps both
+
+#endif
