@@ -1,0 +1,152 @@
+// SPDX-License-Identifier: MIT
+// A model as the renderer wants it: plain structs and arrays in one allocation. Every index in it has been
+// checked, so who draws it needs no test of his own; what a file left out has been filled in on import.
+//
+// Conventions: right-handed, glTF's units; matrices column major, column vectors; texture coordinates u
+// right, v down, as rhw_sample takes them; colours linear unless an image says otherwise; front faces
+// counter-clockwise before the world matrix (a mirroring matrix turns them).
+#ifndef RHW_SCENE_MODEL_H
+#define RHW_SCENE_MODEL_H
+
+#include "rhw/types.h"
+
+enum rhw_primitive { RHW_PRIMITIVE_TRIANGLES, RHW_PRIMITIVE_LINES, RHW_PRIMITIVE_POINTS };
+
+enum { RHW_UV_SETS = 2 };
+
+/// One primitive kind, one material. Arrays have `vertex_count` elements; positions are finite.
+struct rhw_mesh {
+    const char *name; ///< "" where the file names none
+    enum rhw_primitive primitive;
+    uint32_t material; ///< always valid
+    uint32_t vertex_count;
+    uint32_t index_count; ///< 3, 2 or 1 per primitive; lists only, every index below vertex_count
+    uint32_t *indices;
+    float (*positions)[3];
+    float (*normals)[3];            ///< unit; never NULL for triangles, may be NULL for lines and points
+    float (*tangents)[4];           ///< unit xyz, w = ±1: bitangent = w · cross(normal, tangent); NULL: not needed
+    float (*uvs[RHW_UV_SETS])[2];   ///< NULL: the set is absent, read 0,0
+    float (*colors)[4];             ///< linear RGBA, multiplies the base colour; NULL: 1,1,1,1
+    float bounds_min[3], bounds_max[3]; ///< of the vertices that indices use
+};
+
+enum rhw_image_type {
+    RHW_IMAGE_RGBA8,  ///< 4 bytes
+    RHW_IMAGE_RGBA16, ///< 4 uint16_t, 65535 is 1
+    RHW_IMAGE_RGBA32F ///< 4 floats, always linear
+};
+
+/// Tightly packed rows, top to bottom. 8 and 16 bit texels are sRGB encoded where a colour slot (base
+/// colour, emissive) reads them and linear where another does; alpha is always linear.
+struct rhw_image {
+    const char *name; ///< file name or the name inside the model
+    enum rhw_image_type type;
+    uint32_t width, height; ///< 1..RHW_MAX_TARGET_SIZE
+    bool missing;           ///< could not be read: this is the checkered stand-in
+    bool used_as_color, used_as_data; ///< which kinds of slot read it; both may be set
+    bool has_alpha;         ///< some texel is not opaque
+    size_t size;            ///< bytes at texels
+    void *texels;
+};
+
+enum rhw_slot {
+    RHW_SLOT_BASE_COLOR,
+    RHW_SLOT_METALLIC_ROUGHNESS, ///< G roughness, B metallic
+    RHW_SLOT_NORMAL,             ///< tangent space, +Y up (against v)
+    RHW_SLOT_OCCLUSION,          ///< R
+    RHW_SLOT_EMISSIVE,
+    RHW_SLOT_COUNT
+};
+
+/// Where a material reads an image.
+struct rhw_texture_slot {
+    int32_t image; ///< −1: no texture, the factor alone
+    uint32_t uv_set; ///< 0..RHW_UV_SETS − 1
+    /// u' = t[0]·u + t[1]·v + t[2], v' = t[3]·u + t[4]·v + t[5] (KHR_texture_transform and its like).
+    float transform[6];
+    enum rhw_address address_u, address_v;
+    enum rhw_filter min_filter, mag_filter;
+    enum rhw_mip_filter mip_filter;
+};
+
+enum rhw_alpha_mode { RHW_ALPHA_OPAQUE, RHW_ALPHA_MASK, RHW_ALPHA_BLEND };
+
+/// Metallic-roughness as glTF 2.0 §3.9 defines it; other models of shading are converted on import.
+struct rhw_material {
+    const char *name;
+    float base_color[4];
+    float metallic, roughness;
+    float emissive[3]; ///< factor times strength
+    float normal_scale, occlusion_strength;
+    enum rhw_alpha_mode alpha_mode;
+    float alpha_cutoff; ///< for MASK: fragments whose alpha is below are discarded
+    bool unlit, double_sided;
+    struct rhw_texture_slot slots[RHW_SLOT_COUNT];
+};
+
+/// A mesh somewhere in the world. A node whose mesh has several materials gives several instances with
+/// one object id.
+struct rhw_instance {
+    const char *name; ///< of the node
+    uint32_t mesh;
+    uint32_t object; ///< 1.., one per node that draws
+    float world[16];
+    bool mirrored; ///< the determinant of `world` is negative
+};
+
+/// Looks along its own −Z with +Y up.
+struct rhw_model_camera {
+    const char *name;
+    float world[16];
+    bool orthographic;
+    float yfov;   ///< radians; perspective
+    float aspect; ///< width / height; 0: that of the picture
+    float xmag, ymag; ///< half width and half height; orthographic
+    float znear, zfar; ///< zfar 0: infinitely far
+};
+
+enum rhw_light_type { RHW_LIGHT_DIRECTIONAL, RHW_LIGHT_POINT, RHW_LIGHT_SPOT };
+
+/// KHR_lights_punctual.
+struct rhw_model_light {
+    const char *name;
+    enum rhw_light_type type;
+    float position[3];
+    float direction[3]; ///< unit; the way the light travels
+    float color[3];     ///< linear
+    float intensity;    ///< lux (directional) or candela
+    float range;        ///< 0: unlimited
+    float inner_cos, outer_cos; ///< cosines of the half angles of a spot's cone; inner_cos > outer_cos
+};
+
+struct rhw_model {
+    const char *path;   ///< as it was given
+    const char *format; ///< for example "glTF 2.0" or "Stanford Polygon Library (PLY)"
+    uint32_t mesh_count, material_count, image_count, instance_count, camera_count, light_count;
+    struct rhw_mesh *meshes;
+    struct rhw_material *materials;
+    struct rhw_image *images;
+    struct rhw_instance *instances;
+    struct rhw_model_camera *cameras;
+    struct rhw_model_light *lights;
+    float bounds_min[3], bounds_max[3]; ///< of all instances, in the world; min > max: nothing to draw
+    uint64_t triangles_stored, triangles_drawn; ///< in the meshes / after instancing
+    uint32_t warning_count, unsupported_count;
+    const char **warnings;    ///< what was wrong with the file and how it was met; one line each
+    const char **unsupported; ///< what the file has that is not drawn; one line each
+};
+
+/// Limits of an import. Zeroed: the defaults.
+struct rhw_model_limits {
+    unsigned seconds; ///< of CPU time; 0: 60
+    size_t memory;    ///< bytes of address space; 0: 3/4 of the machine's memory, at most 16 GiB
+};
+
+/// Reads a model file and its textures in a child process, so that no file can take the caller down.
+/// Returns NULL on failure with one line in `error` that names the cause (the path is not in it).
+/// `limits` may be NULL. Free with rhw_model_free.
+struct rhw_model *rhw_model_load(const char *path, const struct rhw_model_limits *limits, char *error,
+                                 size_t error_size);
+void rhw_model_free(struct rhw_model *model);
+
+#endif
