@@ -1,0 +1,268 @@
+// SPDX-License-Identifier: MIT
+// Option walk, help text, error lines and value parsers; see options.h. getopt_long does the parsing, with
+// its own messages switched off because they do not fit the one form of error line this program has.
+#include "options.h"
+
+#include "rhw/types.h"
+
+#include <ctype.h>
+#include <errno.h>
+#include <limits.h>
+#include <math.h>
+#include <stdarg.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+enum {
+    HELP_ID = 255,     // no letter, and below the ids that verbs use
+    HELP_COLUMN = 29,  // where explanations start
+    ERROR_LENGTH = 2048 // bytes; longer lines are cut
+};
+
+static void print_line(const char *subject, const char *prefix, const char *format, va_list arguments)
+{
+    char line[ERROR_LENGTH];
+    int used = snprintf(line, sizeof line, "rhw: %s: %s", subject, prefix);
+    if (used < 0)
+        return;
+    if ((size_t)used < sizeof line)
+        vsnprintf(line + used, sizeof line - (size_t)used, format, arguments);
+    for (char *c = line; *c; c++) {
+        if (iscntrl((unsigned char)*c))
+            *c = '?';
+    }
+    fprintf(stderr, "%s\n", line);
+}
+
+static bool is_optional(const struct rhw_tool_option *option)
+{
+    return option->argument && option->argument[0] == '[';
+}
+
+static void print_option(const struct rhw_tool_option *option)
+{
+    char left[96];
+    const char letter[] = {'-', (char)option->id, ',', ' ', 0};
+    const char *separator = !option->argument ? "" : is_optional(option) ? "[=" : " ";
+    snprintf(left, sizeof left, "  %s--%s%s%s", option->id < HELP_ID ? letter : "    ", option->name, separator,
+             option->argument ? option->argument + is_optional(option) : "");
+    int column = printf("%s", left);
+    for (const char *line = option->help; line; column = 0) {
+        if (column >= HELP_COLUMN - 1) {
+            putchar('\n');
+            column = 0;
+        }
+        const char *end = strchr(line, '\n');
+        const int length = end ? (int)(end - line) : (int)strlen(line);
+        printf("%*s%.*s\n", HELP_COLUMN - column, "", length, line);
+        line = end ? end + 1 : NULL;
+    }
+}
+
+// The word the user typed for a long option, without its value; getopt leaves only its place.
+static void report_bad_option(const struct rhw_tool_parser *parser, int kind)
+{
+    char name[128];
+    const char *word = parser->argv[optind - 1];
+    if (optopt && optopt < HELP_ID && strncmp(word, "--", 2) != 0)
+        snprintf(name, sizeof name, "-%c", optopt);
+    else
+        snprintf(name, sizeof name, "%.*s", (int)strcspn(word, "="), word);
+
+    const bool known = optopt != 0 && strchr(word, '=') != NULL;
+    const char *cause = kind == ':' ? "needs an argument" : known ? "takes no argument" : "no such option";
+    rhw_tool_error(name, "%s; see 'rhw %s --help'", cause, parser->verb->name);
+}
+
+void rhw_tool_parser_start(struct rhw_tool_parser *parser, const struct rhw_tool_verb *verb, int argc, char **argv)
+{
+    *parser = (struct rhw_tool_parser){.verb = verb, .argc = argc, .argv = argv};
+    char *letter = parser->shorts;
+    *letter++ = ':'; // tells a missing argument from an unknown option
+    const int count = verb->option_count < RHW_TOOL_OPTIONS_MAX ? verb->option_count : RHW_TOOL_OPTIONS_MAX;
+    for (int i = 0; i < count; i++) {
+        const struct rhw_tool_option *option = &verb->options[i];
+        const int argument = !option->argument     ? no_argument
+                             : is_optional(option) ? optional_argument
+                                                   : required_argument;
+        parser->longs[i] = (struct option){.name = option->name, .has_arg = argument, .val = option->id};
+        if (option->id < HELP_ID) {
+            *letter++ = (char)option->id;
+            if (argument == required_argument)
+                *letter++ = ':';
+        }
+    }
+    parser->longs[count] = (struct option){.name = "help", .has_arg = no_argument, .val = HELP_ID};
+    optind = 1;
+    opterr = 0;
+}
+
+int rhw_tool_parser_next(struct rhw_tool_parser *parser)
+{
+    const int id = getopt_long(parser->argc, parser->argv, parser->shorts, parser->longs, NULL);
+    parser->argument = optarg;
+    if (id == -1) {
+        parser->operands = parser->argv + optind;
+        parser->operand_count = parser->argc - optind;
+        return RHW_TOOL_OPTION_END;
+    }
+    if (id == HELP_ID) {
+        rhw_tool_print_help(parser->verb);
+        parser->status = RHW_TOOL_OK;
+        return RHW_TOOL_OPTION_STOP;
+    }
+    if (id == '?' || id == ':') {
+        report_bad_option(parser, id);
+        parser->status = RHW_TOOL_USAGE;
+        return RHW_TOOL_OPTION_STOP;
+    }
+    return id;
+}
+
+bool rhw_tool_parser_operands(const struct rhw_tool_parser *parser, int least, int most)
+{
+    const struct rhw_tool_verb *verb = parser->verb;
+    if (parser->operand_count < least) {
+        rhw_tool_error(verb->name, "expected %s; see 'rhw %s --help'", verb->operands, verb->name);
+        return false;
+    }
+    if (parser->operand_count > most) {
+        rhw_tool_error(parser->operands[most], "one argument too many; see 'rhw %s --help'", verb->name);
+        return false;
+    }
+    return true;
+}
+
+void rhw_tool_print_help(const struct rhw_tool_verb *verb)
+{
+    printf("Usage: rhw %s %s [option...]\n%s\n\n", verb->name, verb->operands, verb->summary);
+    for (int i = 0; i < verb->option_count; i++)
+        print_option(&verb->options[i]);
+    print_option(&(struct rhw_tool_option){"help", HELP_ID, NULL, "print this and exit"});
+    if (verb->notes)
+        printf("\n%s\n", verb->notes);
+}
+
+void rhw_tool_error(const char *subject, const char *format, ...)
+{
+    va_list arguments;
+    va_start(arguments, format);
+    print_line(subject, "", format, arguments);
+    va_end(arguments);
+}
+
+void rhw_tool_warning(const char *subject, const char *format, ...)
+{
+    va_list arguments;
+    va_start(arguments, format);
+    print_line(subject, "warning: ", format, arguments);
+    va_end(arguments);
+}
+
+bool rhw_tool_parse_int(const char *text, int least, int most, int *value)
+{
+    char *end;
+    errno = 0;
+    const long number = strtol(text, &end, 10);
+    if (end == text || *end || errno || number < least || number > most)
+        return false;
+    *value = (int)number;
+    return true;
+}
+
+bool rhw_tool_parse_float(const char *text, float *value)
+{
+    char *end;
+    const float number = strtof(text, &end);
+    if (end == text || *end || !isfinite(number))
+        return false;
+    *value = number;
+    return true;
+}
+
+bool rhw_tool_parse_floats(const char *text, int count, float *values)
+{
+    float parsed[16];
+    if (count > 16)
+        return false;
+    for (int i = 0; i < count; i++) {
+        char *end;
+        parsed[i] = strtof(text, &end);
+        if (end == text || !isfinite(parsed[i]) || *end != (i + 1 < count ? ',' : '\0'))
+            return false;
+        text = end + 1;
+    }
+    memcpy(values, parsed, (size_t)count * sizeof *values);
+    return true;
+}
+
+bool rhw_tool_parse_size(const char *text, int *width, int *height)
+{
+    const char *separator = strchr(text, 'x');
+    char first[16];
+    if (!separator || (size_t)(separator - text) >= sizeof first)
+        return false;
+    memcpy(first, text, (size_t)(separator - text));
+    first[separator - text] = '\0';
+    int parsed[2];
+    if (!rhw_tool_parse_int(first, 1, RHW_MAX_TARGET_SIZE, &parsed[0]) ||
+        !rhw_tool_parse_int(separator + 1, 1, RHW_MAX_TARGET_SIZE, &parsed[1]))
+        return false;
+    *width = parsed[0];
+    *height = parsed[1];
+    return true;
+}
+
+static int hex_digit(char c)
+{
+    const char *digits = "0123456789abcdef";
+    const char *found = c ? strchr(digits, tolower((unsigned char)c)) : NULL;
+    return found ? (int)(found - digits) : -1;
+}
+
+static bool parse_hex_color(const char *digits, float color[4])
+{
+    const size_t length = strlen(digits);
+    if (length != 3 && length != 6 && length != 8)
+        return false;
+    const size_t per_channel = length == 3 ? 1 : 2;
+    for (size_t i = 0; i < 4; i++) {
+        if (i * per_channel >= length) {
+            color[i] = 1.0f;
+            continue;
+        }
+        const int high = hex_digit(digits[i * per_channel]);
+        const int low = hex_digit(digits[i * per_channel + per_channel - 1]);
+        if (high < 0 || low < 0)
+            return false;
+        color[i] = (float)(high * 16 + low) / 255.0f;
+    }
+    return true;
+}
+
+bool rhw_tool_parse_color(const char *text, float color[4])
+{
+    float parsed[4] = {0.0f, 0.0f, 0.0f, 1.0f};
+    if (text[0] == '#') {
+        if (!parse_hex_color(text + 1, parsed))
+            return false;
+    } else if (!rhw_tool_parse_floats(text, 3, parsed) && !rhw_tool_parse_floats(text, 4, parsed)) {
+        return false;
+    }
+    for (int i = 0; i < 4; i++) {
+        if (parsed[i] < 0.0f || parsed[i] > 1.0f)
+            return false;
+    }
+    memcpy(color, parsed, sizeof parsed);
+    return true;
+}
+
+int rhw_tool_parse_name(const char *text, const char *const *names, int count)
+{
+    for (int i = 0; i < count; i++) {
+        if (strcmp(text, names[i]) == 0)
+            return i;
+    }
+    return -1;
+}
