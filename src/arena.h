@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: MIT
+// Memory that lives until the frame ends: a pointer that moves up through chunks. Chunks come from the
+// context and stay on reset, so that a warm frame allocates nothing. One arena per thread.
+#ifndef RHW_ARENA_H
+#define RHW_ARENA_H
+
+#include <stddef.h>
+#include <stdint.h>
+
+struct rhw_context;
+struct rhw_arena_chunk;
+
+struct rhw_arena {
+    _Alignas(64) unsigned char *cursor; // next free byte; RHW_CACHE_LINE, so that arenas in an array do not share one
+    unsigned char *end;                 // of the current chunk
+    struct rhw_arena_chunk *first, *current;
+    size_t used_before; // bytes handed out from the chunks before the current one since the reset
+    struct rhw_context *context;
+};
+
+// Allocates nothing.
+void rhw_arena_init(struct rhw_arena *arena, struct rhw_context *context);
+// Releases every chunk.
+void rhw_arena_destroy(struct rhw_arena *arena);
+// Forgets everything that was handed out; keeps the chunks.
+void rhw_arena_reset(struct rhw_arena *arena);
+// Bytes handed out since the reset, gaps included.
+size_t rhw_arena_used(const struct rhw_arena *arena);
+
+// The slow path of rhw_arena_alloc: takes the next chunk that is large enough, or a new one.
+void *rhw_arena_grow(struct rhw_arena *arena, size_t size, size_t align);
+
+// `size` undefined bytes aligned to `align`, a power of two of at most 4096; NULL when out of memory.
+static inline void *rhw_arena_alloc(struct rhw_arena *arena, size_t size, size_t align)
+{
+    const uintptr_t start = ((uintptr_t)arena->cursor + (align - 1)) & ~(uintptr_t)(align - 1);
+    if (start <= (uintptr_t)arena->end && size <= (uintptr_t)arena->end - start) {
+        unsigned char *const memory = arena->cursor + (start - (uintptr_t)arena->cursor);
+        arena->cursor = memory + size;
+        return memory;
+    }
+    return rhw_arena_grow(arena, size, align);
+}
+
+#endif

@@ -1,0 +1,21 @@
+// SPDX-License-Identifier: MIT
+// Storage of vertices and indices.
+#ifndef RHW_BUFFER_H
+#define RHW_BUFFER_H
+
+#include <stddef.h>
+
+struct rhw_context;
+
+// Readable zero bytes after the end of every buffer: a kernel may load whole vectors at the last byte.
+enum { RHW_BUFFER_PADDING = 64 };
+
+struct rhw_buffer_data {
+    unsigned char *bytes; // aligned to a cache line
+    size_t size;          // as the user gave it, without padding
+};
+
+// Releases what the item owns.
+void rhw_buffer_data_release(struct rhw_context *context, struct rhw_buffer_data *data);
+
+#endif

@@ -1,0 +1,18 @@
+// SPDX-License-Identifier: MIT
+// A pipeline as it was validated, with what every draw would otherwise work out again.
+#ifndef RHW_PIPELINE_H
+#define RHW_PIPELINE_H
+
+#include "rhw/types.h"
+
+struct rhw_pipeline_data {
+    struct rhw_pipeline_def def;
+    rhw_vertex_function *vertex;     // best entry for the context's instruction set; NULL: use program.vertex1
+    rhw_fragment_function *fragment; // likewise; NULL: program.fragment1, and when that is NULL too, depth only
+    int varying_components;          // of all varyings together
+    bool any_smooth, any_noperspective, any_flat, any_derivatives;
+    uint8_t component_qualifier[RHW_MAX_VARYING_COMPONENTS]; // enum rhw_qualifier
+    bool component_derivatives[RHW_MAX_VARYING_COMPONENTS];
+};
+
+#endif

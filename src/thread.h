@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: MIT
+// The little of pthreads that the library uses, so that another thread library needs one other file.
+#ifndef RHW_THREAD_H
+#define RHW_THREAD_H
+
+#include <pthread.h>
+#include <stdbool.h>
+#include <stdint.h>
+
+struct rhw_mutex { pthread_mutex_t handle; };
+struct rhw_condition { pthread_cond_t handle; };
+struct rhw_thread { pthread_t handle; };
+
+bool rhw_mutex_init(struct rhw_mutex *mutex);
+void rhw_mutex_destroy(struct rhw_mutex *mutex);
+void rhw_mutex_lock(struct rhw_mutex *mutex);
+void rhw_mutex_unlock(struct rhw_mutex *mutex);
+
+bool rhw_condition_init(struct rhw_condition *condition);
+void rhw_condition_destroy(struct rhw_condition *condition);
+void rhw_condition_wait(struct rhw_condition *condition, struct rhw_mutex *mutex);
+void rhw_condition_signal(struct rhw_condition *condition);
+void rhw_condition_broadcast(struct rhw_condition *condition);
+
+// False when the operating system refuses a thread. Signals of the program are blocked in it.
+bool rhw_thread_create(struct rhw_thread *thread, void *(*entry)(void *user), void *user);
+void rhw_thread_join(struct rhw_thread *thread);
+
+// Gives the core to another thread.
+void rhw_thread_yield(void);
+
+// Monotonic time in nanoseconds, for spin limits and statistics.
+uint64_t rhw_time_ns(void);
+
+// Tells the core that this is a spin loop.
+static inline void rhw_cpu_relax(void)
+{
+#if defined(__x86_64__) || defined(__i386__)
+    __builtin_ia32_pause();
+#elif defined(__aarch64__)
+    __asm__ volatile("yield");
+#endif
+}
+
+#endif
