@@ -1,0 +1,487 @@
+// SPDX-License-Identifier: MIT
+// The arithmetic of 8 lanes that C's operators lack: comparison, selection, rounding, conversion, small
+// vectors. Included by shader.h. All of it is IEEE 754 arithmetic without contraction, hence the same bits
+// on every instruction set. x86 intrinsics appear where compilers turn the plain form into scalar code.
+#ifndef RHW_SHADER_VECTOR_H
+#define RHW_SHADER_VECTOR_H
+
+#if defined(__AVX2__)
+#include <immintrin.h>
+#elif defined(__SSE2__)
+#include <emmintrin.h>
+#endif
+
+#include <string.h>
+
+#if defined(__SSE2__)
+/// 8 lanes seen as registers. Local to this header.
+union rhw_lanes {
+    rhw_float f;
+    rhw_int i;
+    __m128 half[2];
+    __m128i half_i[2];
+#if defined(__AVX2__)
+    __m256 full;
+    __m256i full_i;
+#endif
+};
+#endif
+
+// Making lanes --------------------------------------------------------------------------------------
+
+/// All 8 lanes equal.
+static inline rhw_float rhw_splat(float value)
+{
+    const rhw_float lanes = {value, value, value, value, value, value, value, value};
+    return lanes;
+}
+
+static inline rhw_int rhw_splat_int(int32_t value)
+{
+    const rhw_int lanes = {value, value, value, value, value, value, value, value};
+    return lanes;
+}
+
+/// 0, 1, .. 7.
+static inline rhw_int rhw_lane_index(void)
+{
+    const rhw_int lanes = {0, 1, 2, 3, 4, 5, 6, 7};
+    return lanes;
+}
+
+/// The bits of each lane, unchanged.
+static inline rhw_int rhw_bits(rhw_float a)
+{
+    return (rhw_int)a;
+}
+
+static inline rhw_float rhw_from_bits(rhw_int a)
+{
+    return (rhw_float)a;
+}
+
+/// 8 values that stand one after the other; no alignment is asked.
+static inline rhw_float rhw_load(const float *values)
+{
+    rhw_float lanes;
+    memcpy(&lanes, values, sizeof lanes);
+    return lanes;
+}
+
+static inline rhw_int rhw_load_int(const int32_t *values)
+{
+    rhw_int lanes;
+    memcpy(&lanes, values, sizeof lanes);
+    return lanes;
+}
+
+static inline void rhw_store(float *values, rhw_float lanes)
+{
+    memcpy(values, &lanes, sizeof lanes);
+}
+
+static inline void rhw_store_int(int32_t *values, rhw_int lanes)
+{
+    memcpy(values, &lanes, sizeof lanes);
+}
+
+// Comparison and selection --------------------------------------------------------------------------
+// The operators `<`, `<=`, .. give the same masks; gcc 12 without AVX makes scalar code of them.
+
+/// a < b lane by lane: −1 or 0. Any comparison with NaN gives 0.
+static inline rhw_int rhw_less(rhw_float a, rhw_float b)
+{
+#if defined(__AVX2__)
+    return (rhw_int)_mm256_cmp_ps((__m256)a, (__m256)b, _CMP_LT_OQ);
+#elif defined(__SSE2__)
+    union rhw_lanes x, y;
+    x.f = a;
+    y.f = b;
+    x.half[0] = _mm_cmplt_ps(x.half[0], y.half[0]);
+    x.half[1] = _mm_cmplt_ps(x.half[1], y.half[1]);
+    return x.i;
+#else
+    return a < b;
+#endif
+}
+
+/// a ≤ b.
+static inline rhw_int rhw_less_equal(rhw_float a, rhw_float b)
+{
+#if defined(__AVX2__)
+    return (rhw_int)_mm256_cmp_ps((__m256)a, (__m256)b, _CMP_LE_OQ);
+#elif defined(__SSE2__)
+    union rhw_lanes x, y;
+    x.f = a;
+    y.f = b;
+    x.half[0] = _mm_cmple_ps(x.half[0], y.half[0]);
+    x.half[1] = _mm_cmple_ps(x.half[1], y.half[1]);
+    return x.i;
+#else
+    return a <= b;
+#endif
+}
+
+/// a = b; 0 for NaN, so `rhw_equal(a, a)` tells numbers from NaN.
+static inline rhw_int rhw_equal(rhw_float a, rhw_float b)
+{
+#if defined(__AVX2__)
+    return (rhw_int)_mm256_cmp_ps((__m256)a, (__m256)b, _CMP_EQ_OQ);
+#elif defined(__SSE2__)
+    union rhw_lanes x, y;
+    x.f = a;
+    y.f = b;
+    x.half[0] = _mm_cmpeq_ps(x.half[0], y.half[0]);
+    x.half[1] = _mm_cmpeq_ps(x.half[1], y.half[1]);
+    return x.i;
+#else
+    return a == b;
+#endif
+}
+
+/// a < b of signed integers.
+static inline rhw_int rhw_less_int(rhw_int a, rhw_int b)
+{
+#if defined(__AVX2__)
+    return (rhw_int)_mm256_cmpgt_epi32((__m256i)b, (__m256i)a);
+#elif defined(__SSE2__)
+    union rhw_lanes x, y;
+    x.i = a;
+    y.i = b;
+    x.half_i[0] = _mm_cmplt_epi32(x.half_i[0], y.half_i[0]);
+    x.half_i[1] = _mm_cmplt_epi32(x.half_i[1], y.half_i[1]);
+    return x.i;
+#else
+    return a < b;
+#endif
+}
+
+static inline rhw_int rhw_equal_int(rhw_int a, rhw_int b)
+{
+#if defined(__AVX2__)
+    return (rhw_int)_mm256_cmpeq_epi32((__m256i)a, (__m256i)b);
+#elif defined(__SSE2__)
+    union rhw_lanes x, y;
+    x.i = a;
+    y.i = b;
+    x.half_i[0] = _mm_cmpeq_epi32(x.half_i[0], y.half_i[0]);
+    x.half_i[1] = _mm_cmpeq_epi32(x.half_i[1], y.half_i[1]);
+    return x.i;
+#else
+    return a == b;
+#endif
+}
+
+/// a where mask is −1, b where it is 0.
+static inline rhw_float rhw_select(rhw_int mask, rhw_float a, rhw_float b)
+{
+#if defined(__AVX2__)
+    return (rhw_float)_mm256_blendv_ps((__m256)b, (__m256)a, (__m256)mask);
+#else
+    return (rhw_float)((mask & (rhw_int)a) | (~mask & (rhw_int)b));
+#endif
+}
+
+static inline rhw_int rhw_select_int(rhw_int mask, rhw_int a, rhw_int b)
+{
+#if defined(__AVX2__)
+    return (rhw_int)_mm256_blendv_ps((__m256)b, (__m256)a, (__m256)mask);
+#else
+    return (mask & a) | (~mask & b);
+#endif
+}
+
+/// Bit i is set where lane i of the mask is −1.
+static inline int rhw_mask_bits(rhw_int mask)
+{
+#if defined(__AVX2__)
+    return _mm256_movemask_ps((__m256)mask);
+#elif defined(__SSE2__)
+    union rhw_lanes x;
+    x.i = mask;
+    return _mm_movemask_ps(x.half[0]) | _mm_movemask_ps(x.half[1]) << 4;
+#else
+    const rhw_int bit = {1, 2, 4, 8, 16, 32, 64, 128};
+    const rhw_int set = mask & bit;
+    return set[0] | set[1] | set[2] | set[3] | set[4] | set[5] | set[6] | set[7];
+#endif
+}
+
+static inline bool rhw_any(rhw_int mask)
+{
+    return rhw_mask_bits(mask) != 0;
+}
+
+static inline bool rhw_all(rhw_int mask)
+{
+    return rhw_mask_bits(mask) == 0xff;
+}
+
+/// a where a < b, else b: b when either is NaN, b when both are zeros.
+static inline rhw_float rhw_min(rhw_float a, rhw_float b)
+{
+#if defined(__AVX2__)
+    return (rhw_float)_mm256_min_ps((__m256)a, (__m256)b);
+#elif defined(__SSE2__)
+    union rhw_lanes x, y;
+    x.f = a;
+    y.f = b;
+    x.half[0] = _mm_min_ps(x.half[0], y.half[0]);
+    x.half[1] = _mm_min_ps(x.half[1], y.half[1]);
+    return x.f;
+#else
+    return rhw_select(a < b, a, b);
+#endif
+}
+
+/// a where a > b, else b: b when either is NaN, b when both are zeros.
+static inline rhw_float rhw_max(rhw_float a, rhw_float b)
+{
+#if defined(__AVX2__)
+    return (rhw_float)_mm256_max_ps((__m256)a, (__m256)b);
+#elif defined(__SSE2__)
+    union rhw_lanes x, y;
+    x.f = a;
+    y.f = b;
+    x.half[0] = _mm_max_ps(x.half[0], y.half[0]);
+    x.half[1] = _mm_max_ps(x.half[1], y.half[1]);
+    return x.f;
+#else
+    return rhw_select(a > b, a, b);
+#endif
+}
+
+static inline rhw_int rhw_min_int(rhw_int a, rhw_int b)
+{
+#if defined(__AVX2__)
+    return (rhw_int)_mm256_min_epi32((__m256i)a, (__m256i)b);
+#else
+    return rhw_select_int(rhw_less_int(a, b), a, b);
+#endif
+}
+
+static inline rhw_int rhw_max_int(rhw_int a, rhw_int b)
+{
+#if defined(__AVX2__)
+    return (rhw_int)_mm256_max_epi32((__m256i)a, (__m256i)b);
+#else
+    return rhw_select_int(rhw_less_int(a, b), b, a);
+#endif
+}
+
+/// Within low..high; NaN gives low.
+static inline rhw_float rhw_clamp(rhw_float a, rhw_float low, rhw_float high)
+{
+    return rhw_min(rhw_max(a, low), high);
+}
+
+/// Within 0..1; NaN and −0 give 0.
+static inline rhw_float rhw_saturate(rhw_float a)
+{
+    return rhw_clamp(a, rhw_splat(0.0f), rhw_splat(1.0f));
+}
+
+// Sign, rounding, conversion ------------------------------------------------------------------------
+
+static inline rhw_float rhw_abs(rhw_float a)
+{
+    return (rhw_float)((rhw_int)a & 0x7fffffff);
+}
+
+/// The magnitude of `a` with the sign of `sign`.
+static inline rhw_float rhw_copysign(rhw_float a, rhw_float sign)
+{
+    return (rhw_float)(((rhw_int)a & 0x7fffffff) | ((rhw_int)sign & INT32_MIN));
+}
+
+/// −1, 0 or 1; NaN gives 0.
+static inline rhw_float rhw_sign(rhw_float a)
+{
+    const rhw_int one = (rhw_int)rhw_splat(1.0f);
+    const rhw_int other = rhw_less(rhw_splat(0.0f), a) | rhw_less(a, rhw_splat(0.0f));
+    return (rhw_float)(other & (one | ((rhw_int)a & INT32_MIN)));
+}
+
+/// The nearest float of a signed integer, ties to even.
+static inline rhw_float rhw_to_float(rhw_int a)
+{
+    return __builtin_convertvector(a, rhw_float);
+}
+
+/// Truncates; the value must lie within −2^31 ≤ a < 2^31 in every lane whose result is used. One
+/// instruction where rhw_to_int takes five.
+static inline rhw_int rhw_to_int_unchecked(rhw_float a)
+{
+#if defined(__AVX2__)
+    return (rhw_int)_mm256_cvttps_epi32((__m256)a);
+#elif defined(__SSE2__)
+    union rhw_lanes x;
+    x.f = a;
+    x.half_i[0] = _mm_cvttps_epi32(x.half[0]);
+    x.half_i[1] = _mm_cvttps_epi32(x.half[1]);
+    return x.i;
+#else
+    // Rubbish lanes become 0 first: the conversion of what does not fit is undefined in C.
+    const rhw_int fits = (a >= -2147483648.0f) & (a < 2147483648.0f);
+    return __builtin_convertvector((rhw_float)((rhw_int)a & fits), rhw_int);
+#endif
+}
+
+/// Truncates towards zero. Below −2^31 gives −2^31, from 2^31 on gives 2^31 − 1, NaN gives 0.
+static inline rhw_int rhw_to_int(rhw_float a)
+{
+    const rhw_int above = rhw_less_equal(rhw_splat(2147483648.0f), a);
+    const rhw_int below = rhw_less(a, rhw_splat(-2147483648.0f));
+    const rhw_int number = rhw_equal(a, a);
+    const rhw_int inside = rhw_to_int_unchecked((rhw_float)((rhw_int)a & number & ~above & ~below));
+    return inside | (above & INT32_MAX) | (below & INT32_MIN);
+}
+
+/// Towards zero.
+static inline rhw_float rhw_trunc(rhw_float a)
+{
+#if defined(__AVX2__)
+    return (rhw_float)_mm256_round_ps((__m256)a, _MM_FROUND_TO_ZERO | _MM_FROUND_NO_EXC);
+#else
+    // From 2^23 on every float is whole; the comparison is false for NaN, which passes through.
+    const rhw_int small = rhw_less(rhw_abs(a), rhw_splat(8388608.0f));
+    const rhw_float whole = rhw_to_float(rhw_to_int_unchecked((rhw_float)((rhw_int)a & small)));
+    return rhw_select(small, rhw_copysign(whole, a), a);
+#endif
+}
+
+/// The largest whole number ≤ a.
+static inline rhw_float rhw_floor(rhw_float a)
+{
+#if defined(__AVX2__)
+    return (rhw_float)_mm256_floor_ps((__m256)a);
+#else
+    const rhw_float whole = rhw_trunc(a);
+    return rhw_select(rhw_less(a, whole), whole - 1.0f, whole);
+#endif
+}
+
+/// The smallest whole number ≥ a.
+static inline rhw_float rhw_ceil(rhw_float a)
+{
+#if defined(__AVX2__)
+    return (rhw_float)_mm256_ceil_ps((__m256)a);
+#else
+    return -rhw_floor(-a);
+#endif
+}
+
+/// The nearest whole number, ties to even.
+static inline rhw_float rhw_round(rhw_float a)
+{
+#if defined(__AVX2__)
+    return (rhw_float)_mm256_round_ps((__m256)a, _MM_FROUND_TO_NEAREST_INT | _MM_FROUND_NO_EXC);
+#else
+    // Adding 2^23 leaves no room for a fraction, and the addition rounds as wanted.
+    const rhw_float magnitude = rhw_abs(a);
+    const rhw_int small = rhw_less(magnitude, rhw_splat(8388608.0f));
+    return rhw_select(small, rhw_copysign((magnitude + 8388608.0f) - 8388608.0f, a), a);
+#endif
+}
+
+/// a − floor(a): 0 ≤ result ≤ 1 (1 where a is negative and tiny).
+static inline rhw_float rhw_fract(rhw_float a)
+{
+    return a - rhw_floor(a);
+}
+
+/// a + (b − a) · t.
+static inline rhw_float rhw_mix(rhw_float a, rhw_float b, rhw_float t)
+{
+    return a + (b - a) * t;
+}
+
+/// 0 up to edge0, 1 from edge1 on, 3t² − 2t³ between them; edge0 < edge1.
+static inline rhw_float rhw_smoothstep(rhw_float edge0, rhw_float edge1, rhw_float a)
+{
+    const rhw_float t = rhw_saturate((a - edge0) / (edge1 - edge0));
+    return t * t * (3.0f - 2.0f * t);
+}
+
+/// Correctly rounded.
+static inline rhw_float rhw_sqrt(rhw_float a)
+{
+#if defined(__AVX2__)
+    return (rhw_float)_mm256_sqrt_ps((__m256)a);
+#elif defined(__SSE2__)
+    union rhw_lanes x;
+    x.f = a;
+    x.half[0] = _mm_sqrt_ps(x.half[0]);
+    x.half[1] = _mm_sqrt_ps(x.half[1]);
+    return x.f;
+#else
+    for (int i = 0; i < RHW_LANES; i++) {
+        a[i] = __builtin_sqrtf(a[i]);
+    }
+    return a;
+#endif
+}
+
+/// 1 / sqrt(a) by an IEEE square root and division: at most 1 ULP off.
+static inline rhw_float rhw_rsqrt(rhw_float a)
+{
+    return 1.0f / rhw_sqrt(a);
+}
+
+// Small vectors, one rhw_float per component --------------------------------------------------------
+
+static inline rhw_float rhw_dot2(const rhw_float a[2], const rhw_float b[2])
+{
+    return a[0] * b[0] + a[1] * b[1];
+}
+
+static inline rhw_float rhw_dot3(const rhw_float a[3], const rhw_float b[3])
+{
+    return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
+}
+
+static inline rhw_float rhw_dot4(const rhw_float a[4], const rhw_float b[4])
+{
+    return a[0] * b[0] + a[1] * b[1] + a[2] * b[2] + a[3] * b[3];
+}
+
+static inline rhw_float rhw_length2(const rhw_float a[2])
+{
+    return rhw_sqrt(rhw_dot2(a, a));
+}
+
+static inline rhw_float rhw_length3(const rhw_float a[3])
+{
+    return rhw_sqrt(rhw_dot3(a, a));
+}
+
+/// `result` may not be `a` or `b`.
+static inline void rhw_cross(const rhw_float a[3], const rhw_float b[3], rhw_float result[3])
+{
+    result[0] = a[1] * b[2] - a[2] * b[1];
+    result[1] = a[2] * b[0] - a[0] * b[2];
+    result[2] = a[0] * b[1] - a[1] * b[0];
+}
+
+/// A vector of length 1 along `a`; `result` may be `a`. Lengths between 1.1e−19 and 1.8e19 come out within
+/// 3 ULP of 1; the zero vector stays zero.
+static inline void rhw_normalize(const rhw_float a[3], rhw_float result[3])
+{
+    // The smallest normal float under the root instead of 0 keeps 0 · ∞ = NaN away.
+    const rhw_float scale = rhw_rsqrt(rhw_max(rhw_dot3(a, a), rhw_splat(1.17549435e-38f)));
+    result[0] = a[0] * scale;
+    result[1] = a[1] * scale;
+    result[2] = a[2] * scale;
+}
+
+/// The direction `incident` thrown back by a surface of unit normal `normal`: i − 2 (n·i) n. `result` may
+/// be `incident`.
+static inline void rhw_reflect(const rhw_float incident[3], const rhw_float normal[3], rhw_float result[3])
+{
+    const rhw_float twice = 2.0f * rhw_dot3(normal, incident);
+    result[0] = incident[0] - twice * normal[0];
+    result[1] = incident[1] - twice * normal[1];
+    result[2] = incident[2] - twice * normal[2];
+}
+
+#endif
