@@ -9,7 +9,7 @@
 
 #include "types.h"
 
-#if defined(__GNUC__) && !defined(__clang__)
+#if defined(__GNUC__)
 #pragma GCC diagnostic push
 #pragma GCC diagnostic ignored "-Wpsabi" // 8 lanes stay inside inline functions; no ABI is crossed
 #endif
@@ -78,7 +78,7 @@ struct rhw_fragment1 {
 #include "shader_math.h"
 #include "shader_sample.h"
 
-#if defined(__GNUC__) && !defined(__clang__)
+#if defined(__GNUC__)
 #pragma GCC diagnostic pop
 #endif
 

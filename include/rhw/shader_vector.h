@@ -43,7 +43,7 @@ static inline rhw_int rhw_splat_int(int32_t value)
 }
 
 /// 0, 1, .. 7.
-static inline rhw_int rhw_lane_index(void)
+static inline rhw_int rhw_lane_numbers(void)
 {
     const rhw_int lanes = {0, 1, 2, 3, 4, 5, 6, 7};
     return lanes;

@@ -1,0 +1,344 @@
+// SPDX-License-Identifier: MIT
+// The output merger: 8 fragments in a row against 8 texels of a tile. Replacing and the usual blending of
+// RGBA8 have roads of their own; every other combination goes through floats, one vector per channel.
+//
+// Texels of dead lanes are read and written back unchanged: a tile has one owner, and a load is cheaper
+// than a branch.
+#ifndef RHW_OUTPUT_TMPL_H
+#define RHW_OUTPUT_TMPL_H
+
+#include "../half.h"
+#include "../output.h"
+#include "../simd.h"
+#include "../srgb.h"
+
+// 2^23: from here on floats have no fraction, so adding it rounds a value of 0..255 to nearest, ties to
+// even, and leaves the integer in the low bits. The same on every instruction set, and needs no conversion.
+static const float output_magic = 0x1p23f;
+
+// 8 values of 0..1, each as an integer in the low byte of its lane, rubbish above.
+RHW_INLINE i8 output_unorm8(f8 value)
+{
+    return (i8)(value * 255.0f + output_magic);
+}
+
+// Puts four low bytes together. What stands above the byte in `r` is masked, in the others shifted out or
+// (in g and b) zero: the magic number's own bits lie in the top byte.
+RHW_INLINE i8 output_pack(i8 r, i8 g, i8 b, i8 a)
+{
+    return (r & 0xff) | (g << 8) | (b << 16) | (a << 24);
+}
+
+RHW_INLINE void output_store32(unsigned char *texels, i8 value, i8 mask)
+{
+    i8_store(texels, rhw_select_int(mask, value, i8_load(texels)));
+}
+
+// As above where the mask is not all or nothing per lane.
+RHW_INLINE void output_store32_bits(unsigned char *texels, i8 value, i8 mask)
+{
+    const i8 old = i8_load(texels);
+    i8_store(texels, old ^ ((old ^ value) & mask));
+}
+
+// The byte at `shift` of each lane as a float; exact.
+RHW_INLINE f8 output_byte(i8 texel, int shift)
+{
+    return rhw_to_float((i8)((texel >> shift) & 0xff));
+}
+
+// sRGB code of values in any range, in the low byte of each lane, zero above. See srgb.h.
+RHW_INLINE i8 output_srgb8(f8 linear)
+{
+    const i8 bits = (i8)rhw_clamp(linear, rhw_splat(0x1p-13f), rhw_splat(1.0f));
+    const i8 bucket = (bits >> 16) - RHW_SRGB_ENCODE_FIRST;
+#if defined(__AVX2__)
+    const i8 entry = (i8)_mm256_i32gather_epi32((const int *)rhw_srgb_encode_table, (__m256i)bucket, 4);
+#else
+    i8 entry;
+    for (int i = 0; i < RHW_LANES; i++) {
+        entry[i] = (int32_t)rhw_srgb_encode_table[bucket[i]];
+    }
+#endif
+    return (entry + (bits & 0xffff)) >> 16;
+}
+
+RHW_INLINE f8 output_srgb8_decode(i8 texel, int shift)
+{
+    const i8 code = (texel >> shift) & 0xff;
+#if defined(__AVX2__)
+    return (f8)_mm256_i32gather_ps(rhw_srgb_decode_table, (__m256i)code, 4);
+#else
+    f8 linear;
+    for (int i = 0; i < RHW_LANES; i++) {
+        linear[i] = rhw_srgb_decode_table[code[i]];
+    }
+    return linear;
+#endif
+}
+
+// RGBA8 blending with factors (SRC_ALPHA or ONE, ONE_MINUS_SRC_ALPHA), on the scale 0..255, which saves
+// the destination a division: result = source · 255 · factor + destination · (1 − source alpha).
+static inline void output_rgba8_over(const struct output_state *state, const f8 color[4], i8 mask,
+                                     unsigned char *texels)
+{
+    const i8 old = i8_load(texels);
+    const f8 alpha = rhw_saturate(color[3]);
+    const f8 keep = 1.0f - alpha;
+    const f8 color_scale = state->color_one ? rhw_splat(255.0f) : alpha * 255.0f;
+    const f8 alpha_scale = state->alpha_one ? rhw_splat(255.0f) : alpha * 255.0f;
+    f8 result[4];
+    for (int i = 0; i < 3; i++) {
+        result[i] = rhw_saturate(color[i]) * color_scale + output_byte(old, 8 * i) * keep;
+    }
+    result[3] = alpha * alpha_scale + rhw_to_float((i8)(((rhw_int)old >> 24) & 0xff)) * keep;
+    i8 byte[4];
+    for (int i = 0; i < 4; i++) { // ONE may carry the sum beyond 255
+        byte[i] = (i8)(rhw_min(result[i], rhw_splat(255.0f)) + output_magic);
+    }
+    const i8 packed = output_pack(byte[0], byte[1], byte[2], byte[3]);
+    const i8 written = mask & (i8)i8_splat((int32_t)state->texel_mask);
+    i8_store(texels, old ^ ((old ^ packed) & written));
+}
+
+// 8 texels of `channels` floats each (1 or 4) to one vector per channel, and back.
+static inline void output_load_floats(const unsigned char *texels, int channels, f8 value[4])
+{
+    float rows[RHW_LANES][4];
+    if (channels == 1) {
+        value[0] = f8_load(texels);
+        return;
+    }
+    memcpy(rows, texels, sizeof rows);
+    for (int i = 0; i < RHW_LANES; i++) {
+        for (int j = 0; j < 4; j++) {
+            value[j][i] = rows[i][j];
+        }
+    }
+}
+
+static inline void output_store_floats(unsigned char *texels, int channels, const f8 value[4], i8 mask)
+{
+    if (channels == 1) {
+        output_store32(texels, (i8)value[0], mask);
+        return;
+    }
+    float rows[4][RHW_LANES];
+    memcpy(rows, value, sizeof rows);
+    const int live = rhw_mask_bits(mask);
+    for (int i = 0; i < RHW_LANES; i++) {
+        if (live >> i & 1) {
+            const float texel[4] = {rows[0][i], rows[1][i], rows[2][i], rows[3][i]};
+            memcpy(texels + 16 * i, texel, sizeof texel);
+        }
+    }
+}
+
+static inline void output_load_halves(const unsigned char *texels, f8 value[4])
+{
+    for (int i = 0; i < RHW_LANES; i++) {
+        uint16_t texel[4];
+        memcpy(texel, texels + 8 * i, sizeof texel);
+        for (int j = 0; j < 4; j++) {
+            value[j][i] = rhw_half_to_float(texel[j]);
+        }
+    }
+}
+
+static inline void output_store_halves(unsigned char *texels, const f8 value[4], i8 mask)
+{
+    uint16_t rows[4][RHW_LANES];
+    for (int i = 0; i < 4; i++) {
+#if defined(__F16C__)
+        const __m128i half = _mm256_cvtps_ph((__m256)value[i], _MM_FROUND_TO_NEAREST_INT);
+        memcpy(rows[i], &half, sizeof rows[i]);
+#else
+        for (int j = 0; j < RHW_LANES; j++) {
+            rows[i][j] = rhw_half_from_float(value[i][j]);
+        }
+#endif
+    }
+    const int live = rhw_mask_bits(mask);
+    for (int i = 0; i < RHW_LANES; i++) {
+        if (live >> i & 1) {
+            const uint16_t texel[4] = {rows[0][i], rows[1][i], rows[2][i], rows[3][i]};
+            memcpy(texels + 8 * i, texel, sizeof texel);
+        }
+    }
+}
+
+// The destination in linear floats. Channels the format lacks read 0, 0, 0, 1.
+static inline void output_load(enum rhw_format format, const unsigned char *texels, f8 value[4])
+{
+    value[0] = value[1] = value[2] = rhw_splat(0.0f);
+    value[3] = rhw_splat(1.0f);
+    switch (format) {
+    case RHW_FORMAT_RGBA8_UNORM:
+    case RHW_FORMAT_RGBA8_SRGB: {
+        const i8 texel = i8_load(texels);
+        for (int i = 0; i < 3; i++) {
+            value[i] = format == RHW_FORMAT_RGBA8_SRGB ? output_srgb8_decode(texel, 8 * i)
+                                                       : output_byte(texel, 8 * i) / 255.0f;
+        }
+        value[3] = output_byte(texel, 24) / 255.0f;
+        break;
+    }
+    case RHW_FORMAT_RGBA16_FLOAT:
+        output_load_halves(texels, value);
+        break;
+    case RHW_FORMAT_R32_FLOAT:
+        output_load_floats(texels, 1, value);
+        break;
+    case RHW_FORMAT_RGBA32_FLOAT:
+        output_load_floats(texels, 4, value);
+        break;
+    default:
+        break;
+    }
+}
+
+static inline void output_store(const struct output_state *state, const f8 value[4], i8 mask,
+                                unsigned char *texels)
+{
+    switch (state->format) {
+    case RHW_FORMAT_RGBA8_UNORM:
+    case RHW_FORMAT_RGBA8_SRGB: {
+        i8 byte[4];
+        for (int i = 0; i < 4; i++) {
+            byte[i] = state->format == RHW_FORMAT_RGBA8_SRGB && i < 3 ? output_srgb8(value[i])
+                                                                      : output_unorm8(rhw_saturate(value[i]));
+        }
+        output_store32_bits(texels, output_pack(byte[0], byte[1], byte[2], byte[3]),
+                            mask & i8_splat((int32_t)state->texel_mask));
+        break;
+    }
+    case RHW_FORMAT_RGBA16_FLOAT:
+        output_store_halves(texels, value, mask);
+        break;
+    case RHW_FORMAT_R32_FLOAT:
+        output_store_floats(texels, 1, value, mask);
+        break;
+    case RHW_FORMAT_RGBA32_FLOAT:
+        output_store_floats(texels, 4, value, mask);
+        break;
+    default:
+        break;
+    }
+}
+
+// Factor of channel `i` (3: alpha).
+static inline f8 output_factor(const struct output_state *state, enum rhw_blend_factor factor,
+                               const f8 src[4], const f8 dst[4], int i)
+{
+    switch (factor) {
+    case RHW_BLEND_ZERO:
+        return rhw_splat(0.0f);
+    case RHW_BLEND_ONE:
+        return rhw_splat(1.0f);
+    case RHW_BLEND_SRC:
+        return src[i];
+    case RHW_BLEND_ONE_MINUS_SRC:
+        return 1.0f - src[i];
+    case RHW_BLEND_SRC_ALPHA:
+        return src[3];
+    case RHW_BLEND_ONE_MINUS_SRC_ALPHA:
+        return 1.0f - src[3];
+    case RHW_BLEND_DST:
+        return dst[i];
+    case RHW_BLEND_ONE_MINUS_DST:
+        return 1.0f - dst[i];
+    case RHW_BLEND_DST_ALPHA:
+        return dst[3];
+    case RHW_BLEND_ONE_MINUS_DST_ALPHA:
+        return 1.0f - dst[3];
+    case RHW_BLEND_SRC_ALPHA_SATURATED:
+        return i == 3 ? rhw_splat(1.0f) : rhw_min(src[3], 1.0f - dst[3]);
+    case RHW_BLEND_CONSTANT:
+        return rhw_splat(state->constant[i]);
+    case RHW_BLEND_ONE_MINUS_CONSTANT:
+        return rhw_splat(1.0f - state->constant[i]);
+    }
+    return rhw_splat(0.0f);
+}
+
+static inline f8 output_blend(const struct output_state *state, const f8 src[4], const f8 dst[4], int i)
+{
+    const struct rhw_blend_component *const component = i == 3 ? &state->alpha : &state->color;
+    if (component->operation == RHW_BLEND_MIN) { // MIN and MAX ignore the factors
+        return rhw_min(src[i], dst[i]);
+    }
+    if (component->operation == RHW_BLEND_MAX) {
+        return rhw_max(src[i], dst[i]);
+    }
+    const f8 a = src[i] * output_factor(state, component->src, src, dst, i);
+    const f8 b = dst[i] * output_factor(state, component->dst, src, dst, i);
+    switch (component->operation) {
+    case RHW_BLEND_SUBTRACT:
+        return a - b;
+    case RHW_BLEND_REVERSE_SUBTRACT:
+        return b - a;
+    default:
+        return a + b;
+    }
+}
+
+// Any format, any blending. Not inline: it is large and seldom hot.
+static __attribute__((noinline)) void output_generic(const struct output_state *state, const f8 color[4],
+                                                     const i8 *mask, unsigned char *texels)
+{
+    const bool normalized = state->format == RHW_FORMAT_RGBA8_UNORM || state->format == RHW_FORMAT_RGBA8_SRGB;
+    f8 src[4], dst[4], result[4];
+    output_load(state->format, texels, dst);
+    for (int i = 0; i < 4; i++) {
+        src[i] = normalized ? rhw_saturate(color[i]) : color[i];
+    }
+    for (int i = 0; i < 4; i++) {
+        const f8 value = state->blend ? output_blend(state, src, dst, i) : src[i];
+        // One NaN for all: the sign of the NaN that arithmetic makes differs between processors.
+        const f8 canonical = rhw_select(rhw_equal(value, value), value, (f8)i8_splat(0x7fc00000));
+        result[i] = state->write_mask >> i & 1 ? canonical : dst[i];
+    }
+    output_store(state, result, *mask, texels);
+}
+
+// Merges 8 fragments into the 8 texels at `texels`, in the target's format; lanes whose mask is 0 keep
+// theirs.
+static inline void output_group(const struct output_state *state, const f8 color[4], i8 mask,
+                                unsigned char *texels)
+{
+    switch (state->kind) {
+    case OUTPUT_NOTHING:
+        break;
+    case OUTPUT_RGBA8_REPLACE:
+    case OUTPUT_RGBA8_MASKED: {
+        i8 byte[4];
+        for (int i = 0; i < 4; i++) {
+            byte[i] = output_unorm8(rhw_saturate(color[i]));
+        }
+        const i8 packed = output_pack(byte[0], byte[1], byte[2], byte[3]);
+        if (state->kind == OUTPUT_RGBA8_REPLACE) {
+            output_store32(texels, packed, mask);
+        } else {
+            output_store32_bits(texels, packed, mask & i8_splat((int32_t)state->texel_mask));
+        }
+        break;
+    }
+    case OUTPUT_RGBA8_OVER:
+        output_rgba8_over(state, color, mask, texels);
+        break;
+    case OUTPUT_SRGB8_REPLACE: {
+        const i8 packed = output_pack(output_srgb8(color[0]), output_srgb8(color[1]), output_srgb8(color[2]),
+                                      output_unorm8(rhw_saturate(color[3])));
+        output_store32_bits(texels, packed, mask & i8_splat((int32_t)state->texel_mask));
+        break;
+    }
+    case OUTPUT_UINT_REPLACE:
+        output_store32(texels, (i8)color[0], mask);
+        break;
+    case OUTPUT_GENERIC:
+        output_generic(state, color, &mask, texels);
+        break;
+    }
+}
+
+#endif

@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: MIT
+// What the output merger needs to know about one colour target of one draw. The merger itself is a kernel
+// (kernels/output_tmpl.h); the decisions that hold for a whole draw are made here, once.
+#ifndef RHW_OUTPUT_H
+#define RHW_OUTPUT_H
+
+#include "rhw/types.h"
+
+// The road a draw takes through the merger.
+enum output_kind {
+    OUTPUT_NOTHING,       // write mask 0
+    OUTPUT_RGBA8_REPLACE, // all channels
+    OUTPUT_RGBA8_MASKED,  // some channels
+    OUTPUT_RGBA8_OVER,    // SRC_ALPHA or ONE, and ONE_MINUS_SRC_ALPHA, added
+    OUTPUT_SRGB8_REPLACE, // any channels
+    OUTPUT_UINT_REPLACE,
+    OUTPUT_GENERIC
+};
+
+struct output_state {
+    enum output_kind kind;
+    enum rhw_format format;
+    bool blend;             // false too where blending is replacement spelled out
+    bool color_one, alpha_one; // the source factor is ONE
+    uint8_t write_mask;     // only channels that the format has
+    uint32_t texel_mask;    // 8-bit formats: 0xff in each byte that is written
+    struct rhw_blend_component color, alpha;
+    float constant[4];      // clamped to 0..1 for UNORM and SRGB formats
+};
+
+// `target` is valid for its format; `constant` is the pass's blend constant.
+void rhw_output_prepare(struct output_state *state, const struct rhw_color_target *target,
+                        const float constant[4]);
+
+// The texel that clearing writes, in the first rhw_format_size(format) bytes of `texel`. Colour formats
+// round as the merger does; R32_UINT converts clear[0] with truncation and saturation, NaN to 0.
+void rhw_output_clear_value(enum rhw_format format, const float clear[4], unsigned char texel[16]);
+
+#endif
