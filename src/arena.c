@@ -1,0 +1,112 @@
+// SPDX-License-Identifier: MIT
+// Chunks of arenas. Each new one is twice as large as the last, up to a limit, so that a small frame costs
+// little and a large one few calls.
+#include "arena.h"
+
+#include "context.h"
+#include "limits.h"
+
+enum {
+    FIRST_CHUNK = 64 << 10, // bytes
+    LARGEST_CHUNK = 8 << 20 // bytes; also a whole number of huge pages. A larger request gets its own chunk.
+};
+
+// The header fills a cache line, so that the bytes behind it are aligned as the chunk is.
+struct rhw_arena_chunk {
+    _Alignas(RHW_CACHE_LINE) struct rhw_arena_chunk *next;
+    size_t size; // bytes, this header included
+};
+
+static unsigned char *chunk_bytes(struct rhw_arena_chunk *chunk)
+{
+    return (unsigned char *)(chunk + 1);
+}
+
+// No chunk: an empty range that is not NULL, so that 0 bytes can be handed out.
+static void use_nothing(struct rhw_arena *arena)
+{
+    arena->current = NULL;
+    arena->cursor = (unsigned char *)arena;
+    arena->end = arena->cursor;
+}
+
+static void use_chunk(struct rhw_arena *arena, struct rhw_arena_chunk *chunk)
+{
+    arena->current = chunk;
+    arena->cursor = chunk_bytes(chunk);
+    arena->end = (unsigned char *)chunk + chunk->size;
+}
+
+void rhw_arena_init(struct rhw_arena *arena, struct rhw_context *context)
+{
+    *arena = (struct rhw_arena){.context = context};
+    use_nothing(arena);
+}
+
+void rhw_arena_destroy(struct rhw_arena *arena)
+{
+    struct rhw_arena_chunk *chunk = arena->first;
+    while (chunk != NULL) {
+        struct rhw_arena_chunk *const next = chunk->next;
+        rhw_context_release(arena->context, chunk, chunk->size);
+        chunk = next;
+    }
+    rhw_arena_init(arena, arena->context);
+}
+
+void rhw_arena_reset(struct rhw_arena *arena)
+{
+    arena->used_before = 0;
+    if (arena->first != NULL)
+        use_chunk(arena, arena->first);
+}
+
+size_t rhw_arena_used(const struct rhw_arena *arena)
+{
+    if (arena->current == NULL)
+        return 0;
+    return arena->used_before + (size_t)(arena->cursor - chunk_bytes(arena->current));
+}
+
+// A chunk that holds `need` bytes behind its header; NULL when out of memory.
+static struct rhw_arena_chunk *create_chunk(struct rhw_arena *arena, size_t need)
+{
+    if (need > SIZE_MAX - sizeof(struct rhw_arena_chunk))
+        return NULL;
+    size_t size = FIRST_CHUNK;
+    if (arena->current != NULL)
+        size = arena->current->size < LARGEST_CHUNK / 2 ? arena->current->size * 2 : LARGEST_CHUNK;
+    if (size < need + sizeof(struct rhw_arena_chunk))
+        size = need + sizeof(struct rhw_arena_chunk);
+    struct rhw_arena_chunk *const chunk = rhw_context_allocate(arena->context, size, RHW_CACHE_LINE);
+    if (chunk == NULL)
+        return NULL;
+    *chunk = (struct rhw_arena_chunk){.size = size};
+    return chunk;
+}
+
+void *rhw_arena_grow(struct rhw_arena *arena, size_t size, size_t align)
+{
+    if (size > SIZE_MAX - align)
+        return NULL;
+    const size_t need = size + align; // where the chunk starts decides the gap; this always suffices
+    struct rhw_arena_chunk *const old = arena->current;
+    const size_t used = rhw_arena_used(arena);
+
+    // The next chunk of an earlier frame, when it is large enough; else a new one goes in front of it.
+    struct rhw_arena_chunk *chunk = old != NULL ? old->next : arena->first;
+    if (chunk == NULL || chunk->size - sizeof *chunk < need) {
+        struct rhw_arena_chunk *const created = create_chunk(arena, need);
+        if (created == NULL)
+            return NULL;
+        created->next = chunk;
+        if (old != NULL)
+            old->next = created;
+        else
+            arena->first = created;
+        chunk = created;
+    }
+    use_chunk(arena, chunk);
+    arena->used_before = used;
+    return rhw_arena_alloc(arena, size, align);
+}

@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: MIT
+// The table of texel formats. Vertex formats are regular, so that arithmetic serves them (format.h).
+#include "format.h"
+
+#include <assert.h>
+
+// Colour targets are the formats whose stored values the tiles convert to and from; R8 and RG8 are there to
+// be sampled (masks, roughness), not drawn into.
+static const struct rhw_format_info formats[RHW_FORMAT_COUNT] = {
+    [RHW_FORMAT_NONE] = {.name = "RHW_FORMAT_NONE"},
+    [RHW_FORMAT_R8_UNORM] = {"RHW_FORMAT_R8_UNORM", 1, 1, RHW_KIND_UNORM, false, false, true},
+    [RHW_FORMAT_RG8_UNORM] = {"RHW_FORMAT_RG8_UNORM", 2, 2, RHW_KIND_UNORM, false, false, true},
+    [RHW_FORMAT_RGBA8_UNORM] = {"RHW_FORMAT_RGBA8_UNORM", 4, 4, RHW_KIND_UNORM, true, true, true},
+    [RHW_FORMAT_RGBA8_SRGB] = {"RHW_FORMAT_RGBA8_SRGB", 4, 4, RHW_KIND_SRGB, true, true, true},
+    [RHW_FORMAT_RGBA16_FLOAT] = {"RHW_FORMAT_RGBA16_FLOAT", 8, 4, RHW_KIND_FLOAT, true, true, true},
+    [RHW_FORMAT_R32_FLOAT] = {"RHW_FORMAT_R32_FLOAT", 4, 1, RHW_KIND_FLOAT, true, true, true},
+    [RHW_FORMAT_RGBA32_FLOAT] = {"RHW_FORMAT_RGBA32_FLOAT", 16, 4, RHW_KIND_FLOAT, true, true, true},
+    [RHW_FORMAT_R32_UINT] = {"RHW_FORMAT_R32_UINT", 4, 1, RHW_KIND_UINT, true, false, false},
+    [RHW_FORMAT_D32_FLOAT] = {"RHW_FORMAT_D32_FLOAT", 4, 1, RHW_KIND_DEPTH, false, false, true},
+};
+
+_Static_assert(RHW_VERTEX_FORMAT_COUNT == 4 * RHW_TYPE_COUNT, "four vertex formats of each type");
+_Static_assert((int)RHW_VERTEX_HALF1 == 4 * RHW_TYPE_HALF && (int)RHW_VERTEX_UNORM8X1 == 4 * RHW_TYPE_UNORM8 &&
+                   (int)RHW_VERTEX_SINT8X1 == 4 * RHW_TYPE_SINT8 &&
+                   (int)RHW_VERTEX_UNORM16X1 == 4 * RHW_TYPE_UNORM16 &&
+                   (int)RHW_VERTEX_SINT16X1 == 4 * RHW_TYPE_SINT16,
+               "vertex types stand in the order of the formats");
+
+const struct rhw_format_info *rhw_format_info(enum rhw_format format)
+{
+    assert((unsigned)format < RHW_FORMAT_COUNT);
+    return &formats[format];
+}
+
+size_t rhw_format_size(enum rhw_format format)
+{
+    return rhw_format_valid(format) ? formats[format].size : 0;
+}
+
+size_t rhw_vertex_format_size(enum rhw_vertex_format format)
+{
+    if (!rhw_vertex_format_valid(format))
+        return 0;
+    return (size_t)rhw_vertex_format_components(format) *
+           (size_t)rhw_vertex_type_size(rhw_vertex_format_type(format));
+}

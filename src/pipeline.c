@@ -1,0 +1,217 @@
+// SPDX-License-Identifier: MIT
+// Pipelines: every rule about a definition is checked here, once, so that a draw need not look again.
+#include "pipeline.h"
+
+#include "context.h"
+#include "format.h"
+
+static const char *const create_name = "rhw_pipeline_create";
+
+static const uint32_t known_uses = RHW_USE_COORD | RHW_USE_FACING | RHW_USE_IDS | RHW_USE_BARYCENTRIC |
+                                   RHW_USE_DISCARD | RHW_USE_DEPTH | RHW_USE_BARYCENTRIC_DERIVATIVES;
+
+static bool check_range(const struct rhw_context *context, const char *field, long long value, long long low,
+                        long long high)
+{
+    return rhw_check(context, value >= low && value <= high, "%s: %s is %lld; it must be %lld..%lld", create_name,
+                     field, value, low, high);
+}
+
+static bool check_element(const struct rhw_context *context, const char *array, int index, const char *field,
+                          long long value, long long low, long long high)
+{
+    return rhw_check(context, value >= low && value <= high, "%s: %s[%d].%s is %lld; it must be %lld..%lld",
+                     create_name, array, index, field, value, low, high);
+}
+
+// Program ----------------------------------------------------------------------------------------------
+
+static bool check_functions(const struct rhw_context *context, const struct rhw_program *program)
+{
+    bool any_vertex = false;
+    bool any_fragment = false;
+    for (int i = 0; i < RHW_ISA_COUNT; i++) {
+        any_vertex |= program->vertex[i] != NULL;
+        any_fragment |= program->fragment[i] != NULL;
+    }
+    return rhw_check(context, any_vertex || program->vertex1 != NULL,
+                     "%s: program.vertex and program.vertex1 are NULL; one of them must be set", create_name) &&
+           rhw_check(context, !any_vertex || program->vertex[RHW_ISA_BASELINE] != NULL,
+                     "%s: program.vertex[RHW_ISA_BASELINE] is NULL; it must be set where another entry is",
+                     create_name) &&
+           rhw_check(context, !any_fragment || program->fragment[RHW_ISA_BASELINE] != NULL,
+                     "%s: program.fragment[RHW_ISA_BASELINE] is NULL; it must be set where another entry is",
+                     create_name);
+}
+
+static bool check_varyings(const struct rhw_context *context, const struct rhw_program *program)
+{
+    static const char *const array = "program.varyings";
+    if (!check_range(context, "program.varying_count", program->varying_count, 0, RHW_MAX_VARYINGS))
+        return false;
+    int components = 0;
+    for (int i = 0; i < program->varying_count; i++) {
+        const struct rhw_varying *const varying = &program->varyings[i];
+        if (!check_element(context, array, i, "components", varying->components, 1, 4) ||
+            !check_element(context, array, i, "qualifier", varying->qualifier, RHW_SMOOTH, RHW_FLAT))
+            return false;
+        components += varying->components;
+    }
+    return rhw_check(context, components <= RHW_MAX_VARYING_COMPONENTS,
+                     "%s: program.varyings have %d components together; they must have at most %d", create_name,
+                     components, RHW_MAX_VARYING_COMPONENTS);
+}
+
+static bool check_program(const struct rhw_context *context, const struct rhw_program *program)
+{
+    return check_functions(context, program) && check_varyings(context, program) &&
+           rhw_check(context, (program->uses & ~known_uses) == 0,
+                     "%s: program.uses is 0x%x; it must be or-ed from enum rhw_fragment_use (0x%x)", create_name,
+                     (unsigned)program->uses, (unsigned)known_uses) &&
+           check_range(context, "program.uniform_size", program->uniform_size, 0, RHW_MAX_UNIFORM_SIZE);
+}
+
+// Vertex input -----------------------------------------------------------------------------------------
+
+// As WebGPU has it, an attribute ends within its element, so that a wrong offset or stride is found here.
+static bool check_attribute(const struct rhw_context *context, const struct rhw_pipeline_def *def, int index)
+{
+    const struct rhw_attribute *const attribute = &def->attributes[index];
+    if (!check_element(context, "attributes", index, "format", attribute->format, 0,
+                       RHW_VERTEX_FORMAT_COUNT - 1) ||
+        !rhw_check(context, attribute->buffer >= 0 && attribute->buffer < def->buffer_count,
+                   "%s: attributes[%d].buffer is %d; it must be below buffer_count, which is %d", create_name,
+                   index, attribute->buffer, def->buffer_count))
+        return false;
+    const uint32_t stride = def->buffers[attribute->buffer].stride;
+    const size_t size = rhw_vertex_format_size(attribute->format);
+    return rhw_check(context, stride == 0 || (attribute->offset <= stride && size <= stride - attribute->offset),
+                     "%s: attributes[%d].offset is %u and its format takes %zu bytes; together they must stay "
+                     "within buffers[%d].stride, which is %u",
+                     create_name, index, (unsigned)attribute->offset, size, attribute->buffer, (unsigned)stride);
+}
+
+static bool check_vertex_input(const struct rhw_context *context, const struct rhw_pipeline_def *def)
+{
+    if (!check_range(context, "buffer_count", def->buffer_count, 0, RHW_MAX_VERTEX_BUFFERS) ||
+        !check_range(context, "attribute_count", def->attribute_count, 0, RHW_MAX_ATTRIBUTES))
+        return false;
+    for (int i = 0; i < def->attribute_count; i++) {
+        if (!check_attribute(context, def, i))
+            return false;
+    }
+    return true;
+}
+
+// Fixed functions --------------------------------------------------------------------------------------
+
+static bool check_states(const struct rhw_context *context, const struct rhw_pipeline_def *def)
+{
+    return check_range(context, "topology", def->topology, 0, RHW_TRIANGLE_FAN) &&
+           check_range(context, "provoking", def->provoking, 0, RHW_PROVOKING_LAST) &&
+           check_range(context, "cull", def->cull, 0, RHW_CULL_BACK) &&
+           check_range(context, "front", def->front, 0, RHW_CLOCKWISE) &&
+           check_range(context, "depth_range", def->depth_range, 0, RHW_DEPTH_MINUS_ONE_TO_ONE) &&
+           check_range(context, "depth_compare", def->depth_compare, 0, RHW_COMPARE_ALWAYS);
+}
+
+static bool check_blend(const struct rhw_context *context, int index, const char *src, const char *dst,
+                        const char *operation, const struct rhw_blend_component *blend)
+{
+    return check_element(context, "targets", index, src, blend->src, 0, RHW_BLEND_ONE_MINUS_CONSTANT) &&
+           check_element(context, "targets", index, dst, blend->dst, 0, RHW_BLEND_ONE_MINUS_CONSTANT) &&
+           check_element(context, "targets", index, operation, blend->operation, 0, RHW_BLEND_MAX);
+}
+
+static bool check_target(const struct rhw_context *context, int index, const struct rhw_color_target *target)
+{
+    if (!check_element(context, "targets", index, "format", target->format, RHW_FORMAT_NONE + 1,
+                       RHW_FORMAT_COUNT - 1))
+        return false;
+    const struct rhw_format_info *const format = rhw_format_info(target->format);
+    return rhw_check(context, format->color_target,
+                     "%s: targets[%d].format is %s; it must be a format that can be drawn into as colour",
+                     create_name, index, format->name) &&
+           rhw_check(context, !target->blend || format->blend,
+                     "%s: targets[%d].blend is true; it must be false for %s", create_name, index,
+                     format->name) &&
+           check_blend(context, index, "color.src", "color.dst", "color.operation", &target->color) &&
+           check_blend(context, index, "alpha.src", "alpha.dst", "alpha.operation", &target->alpha) &&
+           check_element(context, "targets", index, "write_mask", target->write_mask, 0, 15);
+}
+
+static bool check_targets(const struct rhw_context *context, const struct rhw_pipeline_def *def)
+{
+    if (!check_range(context, "target_count", def->target_count, 0, RHW_MAX_COLOR_ATTACHMENTS))
+        return false;
+    for (int i = 0; i < def->target_count; i++) {
+        if (!check_target(context, i, &def->targets[i]))
+            return false;
+    }
+    return true;
+}
+
+static bool check_create(const struct rhw_context *context, const struct rhw_pipeline_def *def,
+                         const rhw_pipeline *pipeline)
+{
+    return rhw_check(context, context != NULL, "%s: context is NULL", create_name) &&
+           rhw_check(context, def != NULL, "%s: def is NULL", create_name) &&
+           rhw_check(context, pipeline != NULL, "%s: pipeline is NULL", create_name) &&
+           check_program(context, &def->program) && check_vertex_input(context, def) &&
+           check_states(context, def) && check_targets(context, def);
+}
+
+// What draws need --------------------------------------------------------------------------------------
+
+static void resolve_functions(struct rhw_pipeline_data *data, enum rhw_isa isa)
+{
+    for (int i = RHW_ISA_BASELINE; i <= (int)isa; i++) {
+        if (data->def.program.vertex[i] != NULL)
+            data->vertex = data->def.program.vertex[i];
+        if (data->def.program.fragment[i] != NULL)
+            data->fragment = data->def.program.fragment[i];
+    }
+}
+
+static void lay_out_varyings(struct rhw_pipeline_data *data)
+{
+    int next = 0;
+    for (int i = 0; i < data->def.program.varying_count; i++) {
+        const struct rhw_varying *const varying = &data->def.program.varyings[i];
+        data->any_smooth |= varying->qualifier == RHW_SMOOTH;
+        data->any_noperspective |= varying->qualifier == RHW_NOPERSPECTIVE;
+        data->any_flat |= varying->qualifier == RHW_FLAT;
+        data->any_derivatives |= varying->derivatives;
+        for (int component = 0; component < varying->components; component++) {
+            data->component_qualifier[next] = (uint8_t)varying->qualifier;
+            data->component_derivatives[next] = varying->derivatives;
+            next++;
+        }
+    }
+    data->varying_components = next;
+}
+
+enum rhw_result rhw_pipeline_create(rhw_context *context, const struct rhw_pipeline_def *def,
+                                    rhw_pipeline *pipeline)
+{
+    if (pipeline != NULL)
+        *pipeline = (rhw_pipeline){0, 0};
+    if (!check_create(context, def, pipeline))
+        return RHW_ERROR_MISUSE;
+    rhw_pipeline id;
+    struct rhw_pipeline_data *const data =
+        rhw_pool_add(context, &context->pipelines, &id.index, &id.generation);
+    if (data == NULL)
+        return RHW_ERROR_OUT_OF_MEMORY;
+    data->def = *def;
+    resolve_functions(data, context->isa);
+    lay_out_varyings(data);
+    *pipeline = id;
+    return RHW_OK;
+}
+
+void rhw_pipeline_destroy(rhw_context *context, rhw_pipeline pipeline)
+{
+    if (rhw_context_pipeline(context, pipeline, "rhw_pipeline_destroy") != NULL)
+        rhw_pool_remove(&context->pipelines, pipeline.index);
+}

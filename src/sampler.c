@@ -1,0 +1,66 @@
+// SPDX-License-Identifier: MIT
+// Samplers: a validated copy of the definition.
+#include <math.h>
+
+#include "context.h"
+
+static const char *const create_name = "rhw_sampler_create";
+
+static bool check_enum(const struct rhw_context *context, const char *field, unsigned value, unsigned last)
+{
+    return rhw_check(context, value <= last, "%s: %s is %u; it must be 0..%u", create_name, field, value, last);
+}
+
+static bool check_finite(const struct rhw_context *context, const char *field, float value)
+{
+    return rhw_check(context, isfinite(value), "%s: %s is %g; it must be finite", create_name, field,
+                     (double)value);
+}
+
+static bool check_lod(const struct rhw_context *context, const struct rhw_sampler_def *def)
+{
+    return check_finite(context, "lod_bias", def->lod_bias) && check_finite(context, "lod_min", def->lod_min) &&
+           check_finite(context, "lod_max", def->lod_max) &&
+           rhw_check(context, def->lod_min <= def->lod_max,
+                     "%s: lod_min is %g and lod_max is %g; lod_min must not be above lod_max", create_name,
+                     (double)def->lod_min, (double)def->lod_max);
+}
+
+static bool check_create(const struct rhw_context *context, const struct rhw_sampler_def *def,
+                         const rhw_sampler *sampler)
+{
+    return rhw_check(context, context != NULL, "%s: context is NULL", create_name) &&
+           rhw_check(context, def != NULL, "%s: def is NULL", create_name) &&
+           rhw_check(context, sampler != NULL, "%s: sampler is NULL", create_name) &&
+           check_enum(context, "min_filter", def->min_filter, RHW_FILTER_LINEAR) &&
+           check_enum(context, "mag_filter", def->mag_filter, RHW_FILTER_LINEAR) &&
+           check_enum(context, "mip_filter", def->mip_filter, RHW_MIP_FILTER_LINEAR) &&
+           check_enum(context, "address_u", def->address_u, RHW_ADDRESS_BORDER) &&
+           check_enum(context, "address_v", def->address_v, RHW_ADDRESS_BORDER) &&
+           check_finite(context, "border[0]", def->border[0]) &&
+           check_finite(context, "border[1]", def->border[1]) &&
+           check_finite(context, "border[2]", def->border[2]) &&
+           check_finite(context, "border[3]", def->border[3]) && check_lod(context, def);
+}
+
+enum rhw_result rhw_sampler_create(rhw_context *context, const struct rhw_sampler_def *def, rhw_sampler *sampler)
+{
+    if (sampler != NULL)
+        *sampler = (rhw_sampler){0, 0};
+    if (!check_create(context, def, sampler))
+        return RHW_ERROR_MISUSE;
+    rhw_sampler id;
+    struct rhw_sampler_def *const data =
+        rhw_pool_add(context, &context->samplers, &id.index, &id.generation);
+    if (data == NULL)
+        return RHW_ERROR_OUT_OF_MEMORY;
+    *data = *def;
+    *sampler = id;
+    return RHW_OK;
+}
+
+void rhw_sampler_destroy(rhw_context *context, rhw_sampler sampler)
+{
+    if (rhw_context_sampler(context, sampler, "rhw_sampler_destroy") != NULL)
+        rhw_pool_remove(&context->samplers, sampler.index);
+}

@@ -1,0 +1,273 @@
+// SPDX-License-Identifier: MIT
+// Worker threads. A job is published by storing its number of tasks in `unclaimed`; whoever lowers that
+// number by one owns a task. The job's fields are plain: they are read only by a thread that has claimed a
+// task, and written only when no task of the last job is unfinished, so that no reader can meet a writer and
+// a late worker that wakes in the next job just takes part in it.
+//
+// Frames follow each other closely, and a sleeping thread costs tens of microseconds to wake. So a worker
+// that finds no task spins for a moment before it sleeps; where threads share cores it does not, because it
+// would take the core from the thread it waits for.
+#include "scheduler.h"
+
+#include <assert.h>
+#include <stdatomic.h>
+
+#include "context.h"
+#include "cpu.h"
+#include "limits.h"
+#include "thread.h"
+
+// Nanoseconds that a thread spins before it sleeps: about twice what falling asleep and waking cost.
+static const uint64_t spin_ns = 80000;
+
+enum {
+    RELAX_PER_CLOCK = 16, // spin steps between two looks at the clock, which costs as much as a few steps
+    YIELDS_WHEN_CROWDED = 4
+};
+
+struct worker {
+    struct rhw_scheduler *scheduler;
+    struct rhw_thread thread;
+    int number; // 1 .. threads − 1
+};
+
+struct rhw_scheduler {
+    // Written by every thread that claims a task, read by all that wait for one.
+    _Alignas(RHW_CACHE_LINE) _Atomic uint32_t unclaimed;
+
+    // Written by every thread once per job, when it finds nothing more to claim; the caller waits for 0.
+    _Alignas(RHW_CACHE_LINE) _Atomic uint32_t unfinished;
+
+    // Written by the caller between jobs; written by threads that go to sleep.
+    _Alignas(RHW_CACHE_LINE) rhw_task_function *task;
+    void *user;
+    uint32_t count;
+    int threads;
+    bool crowded; // more threads than cores
+    _Atomic bool quit;
+    _Atomic uint32_t sleepers;
+    _Atomic bool caller_sleeps;
+
+    struct rhw_mutex mutex; // guards going to sleep, nothing else
+    struct rhw_condition work; // workers sleep here
+    struct rhw_condition done; // the caller sleeps here
+    struct worker workers[]; // threads − 1
+};
+
+static size_t scheduler_size(int threads)
+{
+    return sizeof(struct rhw_scheduler) + (size_t)(threads - 1) * sizeof(struct worker);
+}
+
+// Runs tasks until none is left to claim.
+static void run_tasks(struct rhw_scheduler *scheduler, int worker)
+{
+    uint32_t finished = 0;
+    uint32_t unclaimed = atomic_load_explicit(&scheduler->unclaimed, memory_order_relaxed);
+    while (unclaimed != 0) {
+        // Acquire pairs with the release of the store that published the job (other claims in between
+        // continue its release sequence), so that the fields read below are this job's.
+        if (!atomic_compare_exchange_weak_explicit(&scheduler->unclaimed, &unclaimed, unclaimed - 1,
+                                                   memory_order_acquire, memory_order_relaxed)) {
+            rhw_cpu_relax();
+            continue;
+        }
+        scheduler->task(scheduler->user, (int)(scheduler->count - unclaimed), worker);
+        finished++;
+        unclaimed = atomic_load_explicit(&scheduler->unclaimed, memory_order_relaxed);
+    }
+    // Until this thread reports, the job cannot end and no other can start: all its tasks were of one job.
+    // Sequentially consistent against the caller, which announces its sleep and then looks once more.
+    if (finished != 0 && atomic_fetch_sub(&scheduler->unfinished, finished) == finished &&
+        atomic_load(&scheduler->caller_sleeps)) {
+        rhw_mutex_lock(&scheduler->mutex);
+        rhw_condition_signal(&scheduler->done);
+        rhw_mutex_unlock(&scheduler->mutex);
+    }
+}
+
+static bool work_waits(const struct rhw_scheduler *scheduler)
+{
+    return atomic_load(&scheduler->unclaimed) != 0 || atomic_load(&scheduler->quit);
+}
+
+static bool job_is_done(const struct rhw_scheduler *scheduler)
+{
+    return atomic_load(&scheduler->unfinished) == 0;
+}
+
+// Waits a moment for `ready`; false when it is time to sleep.
+static bool spin_until(const struct rhw_scheduler *scheduler, bool (*ready)(const struct rhw_scheduler *))
+{
+    if (scheduler->crowded) {
+        for (int i = 0; i < YIELDS_WHEN_CROWDED; i++) {
+            if (ready(scheduler))
+                return true;
+            rhw_thread_yield();
+        }
+        return ready(scheduler);
+    }
+    const uint64_t end = rhw_time_ns() + spin_ns;
+    do {
+        for (int i = 0; i < RELAX_PER_CLOCK; i++) {
+            if (ready(scheduler))
+                return true;
+            rhw_cpu_relax();
+        }
+    } while (rhw_time_ns() < end);
+    return ready(scheduler);
+}
+
+static void sleep_until_work(struct rhw_scheduler *scheduler)
+{
+    rhw_mutex_lock(&scheduler->mutex);
+    // Announce, then look: the caller publishes, then looks for sleepers. Both are sequentially consistent,
+    // so that one of the two sees the other.
+    atomic_fetch_add(&scheduler->sleepers, 1);
+    while (!work_waits(scheduler))
+        rhw_condition_wait(&scheduler->work, &scheduler->mutex);
+    atomic_fetch_sub(&scheduler->sleepers, 1);
+    rhw_mutex_unlock(&scheduler->mutex);
+}
+
+static void *worker_main(void *user)
+{
+    struct worker *const worker = user;
+    struct rhw_scheduler *const scheduler = worker->scheduler;
+    (void)rhw_cpu_float_enter();
+    while (!atomic_load(&scheduler->quit)) {
+        run_tasks(scheduler, worker->number);
+        if (!spin_until(scheduler, work_waits))
+            sleep_until_work(scheduler);
+    }
+    return NULL;
+}
+
+static void wake_workers(struct rhw_scheduler *scheduler, uint32_t wanted)
+{
+    const uint32_t sleepers = atomic_load(&scheduler->sleepers);
+    if (sleepers == 0)
+        return;
+    rhw_mutex_lock(&scheduler->mutex);
+    if (wanted >= sleepers) {
+        rhw_condition_broadcast(&scheduler->work);
+    } else {
+        for (uint32_t i = 0; i < wanted; i++)
+            rhw_condition_signal(&scheduler->work);
+    }
+    rhw_mutex_unlock(&scheduler->mutex);
+}
+
+// Joins the first `started` workers.
+static void stop_workers(struct rhw_scheduler *scheduler, int started)
+{
+    atomic_store(&scheduler->quit, true);
+    wake_workers(scheduler, UINT32_MAX);
+    for (int i = 0; i < started; i++)
+        rhw_thread_join(&scheduler->workers[i].thread);
+}
+
+static bool start_workers(struct rhw_scheduler *scheduler)
+{
+    for (int i = 0; i < scheduler->threads - 1; i++) {
+        struct worker *const worker = &scheduler->workers[i];
+        *worker = (struct worker){.scheduler = scheduler, .number = i + 1};
+        if (!rhw_thread_create(&worker->thread, worker_main, worker)) {
+            stop_workers(scheduler, i);
+            return false;
+        }
+    }
+    return true;
+}
+
+static bool init_locks(struct rhw_scheduler *scheduler)
+{
+    if (!rhw_mutex_init(&scheduler->mutex))
+        return false;
+    if (!rhw_condition_init(&scheduler->work)) {
+        rhw_mutex_destroy(&scheduler->mutex);
+        return false;
+    }
+    if (!rhw_condition_init(&scheduler->done)) {
+        rhw_condition_destroy(&scheduler->work);
+        rhw_mutex_destroy(&scheduler->mutex);
+        return false;
+    }
+    return true;
+}
+
+static void destroy_locks(struct rhw_scheduler *scheduler)
+{
+    rhw_condition_destroy(&scheduler->done);
+    rhw_condition_destroy(&scheduler->work);
+    rhw_mutex_destroy(&scheduler->mutex);
+}
+
+enum rhw_result rhw_scheduler_create(struct rhw_context *context, int threads, struct rhw_scheduler **scheduler)
+{
+    assert(threads >= 1 && threads <= RHW_MAX_THREADS);
+    *scheduler = NULL;
+    struct rhw_scheduler *const created =
+        rhw_context_allocate(context, scheduler_size(threads), _Alignof(struct rhw_scheduler));
+    if (created == NULL)
+        return RHW_ERROR_OUT_OF_MEMORY;
+    *created = (struct rhw_scheduler){.threads = threads, .crowded = threads > rhw_cpu_cores()};
+    if (!init_locks(created)) {
+        rhw_context_release(context, created, scheduler_size(threads));
+        return RHW_ERROR_THREAD;
+    }
+    if (!start_workers(created)) {
+        destroy_locks(created);
+        rhw_context_release(context, created, scheduler_size(threads));
+        return RHW_ERROR_THREAD;
+    }
+    *scheduler = created;
+    return RHW_OK;
+}
+
+void rhw_scheduler_destroy(struct rhw_context *context, struct rhw_scheduler *scheduler)
+{
+    if (scheduler == NULL)
+        return;
+    stop_workers(scheduler, scheduler->threads - 1);
+    destroy_locks(scheduler);
+    rhw_context_release(context, scheduler, scheduler_size(scheduler->threads));
+}
+
+static void wait_for_job(struct rhw_scheduler *scheduler)
+{
+    if (spin_until(scheduler, job_is_done))
+        return;
+    rhw_mutex_lock(&scheduler->mutex);
+    atomic_store(&scheduler->caller_sleeps, true);
+    while (!job_is_done(scheduler))
+        rhw_condition_wait(&scheduler->done, &scheduler->mutex);
+    atomic_store(&scheduler->caller_sleeps, false);
+    rhw_mutex_unlock(&scheduler->mutex);
+}
+
+void rhw_scheduler_run(struct rhw_scheduler *scheduler, rhw_task_function *task, void *user, int count)
+{
+    if (count <= 0)
+        return;
+    const uint64_t environment = rhw_cpu_float_enter();
+    if (scheduler->threads == 1 || count == 1) {
+        for (int i = 0; i < count; i++)
+            task(user, i, 0);
+    } else {
+        scheduler->task = task;
+        scheduler->user = user;
+        scheduler->count = (uint32_t)count;
+        atomic_store_explicit(&scheduler->unfinished, (uint32_t)count, memory_order_relaxed);
+        atomic_store(&scheduler->unclaimed, (uint32_t)count);
+        wake_workers(scheduler, (uint32_t)count - 1);
+        run_tasks(scheduler, 0);
+        wait_for_job(scheduler);
+    }
+    rhw_cpu_float_leave(environment);
+}
+
+int rhw_scheduler_threads(const struct rhw_scheduler *scheduler)
+{
+    return scheduler->threads;
+}
