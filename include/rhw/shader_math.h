@@ -1,8 +1,458 @@
 // SPDX-License-Identifier: MIT
-// Elementary functions for shader functions. Included by shader.h.
+// Elementary functions of 8 lanes, and of one float with the same bits. Included by shader.h.
+//
+// They are our own because a C library may answer differently on the next machine. Each uses IEEE
+// operations in a fixed order, no contraction and no table, so that every compiler and instruction set
+// gives the same bits. Polynomials are minimax fits (Remez) for the interval the reduction leaves.
+// Errors are the largest found against MPFR, over all floats where the function has one argument
+// (tests/unit/test_shader_math.c measures them again). Denormal arguments and results are exact cases like
+// any other. The sign and payload of a NaN result are unspecified.
 #ifndef RHW_SHADER_MATH_H
 #define RHW_SHADER_MATH_H
 
 #include "shader_vector.h"
+
+// Helpers -------------------------------------------------------------------------------------------
+
+/// 8 doubles for inner steps, as two halves: most instruction sets have no register for 8.
+typedef double rhw_double4 __attribute__((vector_size(32)));
+struct rhw_double8 {
+    rhw_double4 low, high;
+};
+
+static inline struct rhw_double8 rhw_to_double(rhw_float a)
+{
+    struct rhw_double8 result;
+#if defined(__AVX2__)
+    result.low = (rhw_double4)_mm256_cvtps_pd(_mm256_castps256_ps128((__m256)a));
+    result.high = (rhw_double4)_mm256_cvtps_pd(_mm256_extractf128_ps((__m256)a, 1));
+#else
+    for (int i = 0; i < 4; i++) {
+        result.low[i] = (double)a[i];
+        result.high[i] = (double)a[i + 4];
+    }
+#endif
+    return result;
+}
+
+static inline rhw_float rhw_from_double(struct rhw_double8 a)
+{
+#if defined(__AVX2__)
+    const __m256 low = _mm256_castps128_ps256(_mm256_cvtpd_ps((__m256d)a.low));
+    return (rhw_float)_mm256_insertf128_ps(low, _mm256_cvtpd_ps((__m256d)a.high), 1);
+#else
+    rhw_float result;
+    for (int i = 0; i < 4; i++) {
+        result[i] = (float)a.low[i];
+        result[i + 4] = (float)a.high[i];
+    }
+    return result;
+#endif
+}
+
+static inline rhw_float rhw_infinity(void)
+{
+    return (rhw_float)rhw_splat_int(0x7f800000);
+}
+
+static inline rhw_float rhw_nan(void)
+{
+    return (rhw_float)rhw_splat_int(0x7fc00000);
+}
+
+/// a · 2^n for −300 < n < 250, rounded once: the first factor keeps the product normal.
+static inline rhw_float rhw_scale_exp2(rhw_float a, rhw_int n)
+{
+    const rhw_int first = n >> 1;
+    return a * (rhw_float)((first + 127) << 23) * (rhw_float)((n - first + 127) << 23);
+}
+
+/// 2^f for |f| ≤ 0.501.
+static inline rhw_float rhw_exp2_fraction(rhw_float f)
+{
+    rhw_float q = f * 0.000154763024f + 0.00134002347f;
+    q = q * f + 0.00961800385f;
+    q = q * f + 0.055503279f;
+    q = q * f + 0.240226507f;
+    q = q * f + 0.693147182f;
+    return 1.0f + f * q;
+}
+
+// Exponential and logarithm -------------------------------------------------------------------------
+
+/// 2^a.
+static inline rhw_float rhw_exp2(rhw_float a)
+{
+    // Beyond these bounds the result is infinity or 0 already.
+    const rhw_float x = rhw_clamp(a, rhw_splat(-151.0f), rhw_splat(129.0f));
+    const rhw_float n = rhw_round(x);
+    const rhw_float result = rhw_scale_exp2(rhw_exp2_fraction(x - n), rhw_to_int_unchecked(n));
+    return rhw_select(rhw_equal(a, a), result, a);
+}
+
+/// e^a.
+static inline rhw_float rhw_exp(rhw_float a)
+{
+    const rhw_float x = rhw_clamp(a, rhw_splat(-105.0f), rhw_splat(90.0f));
+    const rhw_float n = rhw_round(x * 1.44269502f);
+    // ln 2 in two parts; the first has 11 significant bits, n has 8: their product is exact.
+    const rhw_float r = (x - n * 0.693115234375f) - n * 3.19461849e-05f;
+    rhw_float q = r * 0.00139505987f + 0.00836889632f;
+    q = q * r + 0.0416662022f;
+    q = q * r + 0.166665182f;
+    q = q * r + 0.5f;
+    const rhw_float result = rhw_scale_exp2(1.0f + (r + r * r * q), rhw_to_int_unchecked(n));
+    return rhw_select(rhw_equal(a, a), result, a);
+}
+
+/// a = m · 2^e with sqrt(1/2) ≤ m < sqrt(2), for finite a > 0; returns m.
+static inline rhw_float rhw_split_exponent(rhw_float a, rhw_float *e)
+{
+    const rhw_int tiny = rhw_less(a, rhw_splat(1.17549435e-38f)); // denormal
+    const rhw_int bits = (rhw_int)rhw_select(tiny, a * 8388608.0f, a) - 0x3f3504f3; // of sqrt(1/2)
+    *e = rhw_to_float((bits >> 23) + (tiny & -23));
+    return (rhw_float)((bits & 0x7fffff) + 0x3f3504f3);
+}
+
+/// `result` for 0 < a < infinity; what the logarithm is elsewhere.
+static inline rhw_float rhw_log_special(rhw_float a, rhw_float result)
+{
+    const rhw_int positive = rhw_less(rhw_splat(0.0f), a);
+    const rhw_float other = rhw_select(rhw_equal(a, rhw_splat(0.0f)), -rhw_infinity(), rhw_nan());
+    result = rhw_select(rhw_equal(a, rhw_infinity()), a, result);
+    return rhw_select(positive, result, other);
+}
+
+/// Logarithm to base 2. 0 gives −infinity, less gives NaN.
+static inline rhw_float rhw_log2(rhw_float a)
+{
+    rhw_float e;
+    const rhw_float f = rhw_split_exponent(a, &e) - 1.0f;
+    rhw_float q = f * -0.112882487f + 0.187608078f;
+    q = q * f - 0.190549925f;
+    q = q * f + 0.20433718f;
+    q = q * f - 0.239650175f;
+    q = q * f + 0.288582474f;
+    q = q * f - 0.36069563f;
+    q = q * f + 0.480897993f;
+    q = q * f - 0.721347392f;
+    // log2(e) = 1.44269502 + 1.92596e-8 is too coarse as one float.
+    return rhw_log_special(a, e + (f * 1.44269502f + f * (f * q + 1.92596299e-8f)));
+}
+
+/// Natural logarithm. 0 gives −infinity, less gives NaN.
+static inline rhw_float rhw_log(rhw_float a)
+{
+    rhw_float e;
+    const rhw_float f = rhw_split_exponent(a, &e) - 1.0f;
+    rhw_float q = f * -0.0786522627f + 0.128790736f;
+    q = q * f - 0.131253272f;
+    q = q * f + 0.14181444f;
+    q = q * f - 0.166249692f;
+    q = q * f + 0.200022817f;
+    q = q * f - 0.250007957f;
+    q = q * f + 0.333333164f;
+    const rhw_float square = f * f;
+    const rhw_float small = e * 3.19461849e-05f + (square * f * q - 0.5f * square);
+    return rhw_log_special(a, e * 0.693115234375f + (f + small));
+}
+
+/// log2 in double for one half of the lanes: m as rhw_split_exponent gives it.
+static inline rhw_double4 rhw_log2_double(rhw_double4 m, rhw_double4 e)
+{
+    // log2(m) = 2/ln2 · atanh(s), s = (m − 1)/(m + 1)
+    const rhw_double4 s = (m - 1.0) / (m + 1.0);
+    const rhw_double4 z = s * s;
+    rhw_double4 q = z * 0.28253534687468967 + 0.31993509897601885;
+    q = q * z + 0.41220839314282687;
+    q = q * z + 0.57707795328895595;
+    q = q * z + 0.96179669405739665;
+    return e + s * (2.8853900817779268 + z * q);
+}
+
+/// a^b with the special cases of C's pow: a negative `a` needs a whole `b` (else NaN); anything to the 0 is
+/// 1 and 1 to anything is 1, NaN included.
+static inline rhw_float rhw_pow(rhw_float a, rhw_float b)
+{
+    // b · log2|a| is formed in double: its fraction must keep 24 bits beside an integer part of 8.
+    const rhw_float magnitude = rhw_abs(a);
+    rhw_float e;
+    const struct rhw_double8 m = rhw_to_double(rhw_split_exponent(magnitude, &e));
+    const struct rhw_double8 exponent = rhw_to_double(e);
+    const struct rhw_double8 power = rhw_to_double(b);
+    struct rhw_double8 product;
+    product.low = power.low * rhw_log2_double(m.low, exponent.low);
+    product.high = power.high * rhw_log2_double(m.high, exponent.high);
+    const rhw_float coarse = rhw_clamp(rhw_from_double(product), rhw_splat(-151.0f), rhw_splat(129.0f));
+    const rhw_float n = rhw_round(coarse);
+    const struct rhw_double8 whole = rhw_to_double(n);
+    product.low -= whole.low;
+    product.high -= whole.high;
+    const rhw_float half = rhw_splat(0.501f); // the fraction of a product that was clamped is out of range
+    const rhw_float f = rhw_clamp(rhw_from_double(product), -half, half);
+    rhw_float result = rhw_scale_exp2(rhw_exp2_fraction(f), rhw_to_int_unchecked(n));
+
+    const rhw_float zero = rhw_splat(0.0f), one = rhw_splat(1.0f);
+    // |a| of 0 and infinity: 0 or infinity as b's sign says.
+    const rhw_int large = rhw_less(one, magnitude), grows = rhw_equal_int(large, rhw_less(zero, b));
+    const rhw_int extreme = rhw_equal(magnitude, zero) | rhw_equal(magnitude, rhw_infinity());
+    const rhw_int edge = extreme | rhw_equal(rhw_abs(b), rhw_infinity());
+    result = rhw_select(edge, rhw_select(grows, rhw_infinity(), zero), result);
+    // A negative base: the result takes its sign where b is odd.
+    const rhw_int is_whole = rhw_equal(rhw_floor(b), b);
+    const rhw_int odd = is_whole & ~rhw_equal(rhw_floor(0.5f * b), 0.5f * b);
+    result = (rhw_float)((rhw_int)result ^ ((rhw_int)a & odd & INT32_MIN));
+    const rhw_int negative = rhw_less(a, zero) & ~extreme;
+    result = rhw_select(negative & ~is_whole, rhw_nan(), result);
+    result = rhw_select(rhw_equal(a, a) & rhw_equal(b, b), result, rhw_nan());
+    const rhw_int unity = rhw_equal(magnitude, one) & rhw_equal(rhw_abs(b), rhw_infinity());
+    return rhw_select(rhw_equal(b, zero) | rhw_equal(a, one) | unity, one, result);
+}
+
+// Trigonometry --------------------------------------------------------------------------------------
+
+/// Reduces one |a| ≥ 2^15 by multiples of π/2 after M. Payne and R. Hanek (1983): only the bits of 2/π that
+/// matter modulo 4 are multiplied. Not finite: NaN.
+static inline float rhw_reduce_large(float a, int32_t *quadrant)
+{
+    // 2/π from the binary point on, after 32 zeros.
+    static const uint32_t words[8] = {0,          0xa2f9836e, 0x4e441529, 0xfc2757d1, 0xf534ddc0,
+                                      0xdb629599, 0x3c439041, 0xfe5163ab};
+    uint32_t bits;
+    memcpy(&bits, &a, sizeof bits);
+    const int exponent = (int)(bits >> 23 & 0xff) - 127;
+    *quadrant = 0;
+    if (exponent == 128) {
+        return a - a;
+    }
+    // |a| = m · 2^(exponent − 23). The window starts where a product bit is worth 2.
+    const uint64_t m = (bits & 0x7fffff) | 0x800000;
+    const int start = exponent - 25 + 32;
+    const uint32_t *const word = words + start / 32;
+    const int shift = start % 32;
+    uint64_t window[3];
+    for (int i = 0; i < 3; i++) {
+        window[i] = ((uint64_t)word[i] << 32 | word[i + 1]) >> (32 - shift) & 0xffffffffu;
+    }
+    // A number of turns, modulo 1, in units of 2^-64; the quadrant is its nearest quarter.
+    const uint64_t turns = (m * window[0] << 32) + m * window[1] + (m * window[2] >> 32);
+    const uint64_t nearest = (turns + ((uint64_t)1 << 61)) >> 62;
+    const int64_t rest = (int64_t)(turns - (nearest << 62));
+    const float r = (float)((double)rest * 3.4061215800304866e-19); // π/2 · 2^-62
+    *quadrant = bits >> 31 ? -(int32_t)nearest : (int32_t)nearest;
+    return bits >> 31 ? -r : r;
+}
+
+/// a = quadrant · π/2 + r; returns r, |r| ≤ 0.787.
+static inline rhw_float rhw_reduce(rhw_float a, rhw_int *quadrant)
+{
+    const rhw_int large = ~rhw_less(rhw_abs(a), rhw_splat(32768.0f));
+    const rhw_float x = (rhw_float)((rhw_int)a & ~large);
+    const rhw_float n = rhw_round(x * 0.636619747f);
+    // In double: π/2 in two parts, the first of 33 bits, whose product with n of 15 is exact.
+    struct rhw_double8 r = rhw_to_double(x);
+    const struct rhw_double8 count = rhw_to_double(n);
+    r.low = (r.low - count.low * 1.5707963267341256) - count.low * 6.077100506506192e-11;
+    r.high = (r.high - count.high * 1.5707963267341256) - count.high * 6.077100506506192e-11;
+    *quadrant = rhw_to_int_unchecked(n);
+    rhw_float rest = rhw_from_double(r);
+    if (rhw_any(large)) {
+        for (int i = 0; i < RHW_LANES; i++) {
+            if (large[i]) {
+                int32_t nearest;
+                rest[i] = rhw_reduce_large(a[i], &nearest);
+                (*quadrant)[i] = nearest;
+            }
+        }
+    }
+    // The double subtraction turns −0 into 0; arguments this small are their own remainder.
+    return rhw_select(rhw_less(rhw_abs(a), rhw_splat(0.7f)), a, rest);
+}
+
+/// sine and cosine for |r| ≤ 0.787.
+static inline rhw_float rhw_sin_core(rhw_float r)
+{
+    const rhw_float z = r * r;
+    return r + r * z * (-0.166666552f + z * (0.008332178f + z * -0.000195173197f));
+}
+
+static inline rhw_float rhw_cos_core(rhw_float r)
+{
+    const rhw_float z = r * r;
+    return 1.0f - (0.5f * z - z * z * (0.0416666456f + z * (-0.00138873688f + z * 2.44385556e-05f)));
+}
+
+/// Both at the price of little more than one; radians.
+static inline void rhw_sincos(rhw_float a, rhw_float *sine, rhw_float *cosine)
+{
+    rhw_int quadrant;
+    const rhw_float r = rhw_reduce(a, &quadrant);
+    const rhw_float s = rhw_sin_core(r), c = rhw_cos_core(r);
+    const rhw_int swap = -(quadrant & 1);
+    *sine = (rhw_float)((rhw_int)rhw_select(swap, c, s) ^ ((quadrant & 2) << 30));
+    *cosine = (rhw_float)((rhw_int)rhw_select(swap, s, c) ^ (((quadrant + 1) & 2) << 30));
+}
+
+/// Any finite argument is reduced exactly; infinity gives NaN.
+static inline rhw_float rhw_sin(rhw_float a)
+{
+    rhw_float sine, cosine;
+    rhw_sincos(a, &sine, &cosine);
+    return sine;
+}
+
+static inline rhw_float rhw_cos(rhw_float a)
+{
+    rhw_float sine, cosine;
+    rhw_sincos(a, &sine, &cosine);
+    return cosine;
+}
+
+static inline rhw_float rhw_tan(rhw_float a)
+{
+    rhw_float sine, cosine;
+    rhw_sincos(a, &sine, &cosine);
+    return sine / cosine;
+}
+
+/// The angle of the point (x, y), −π..π, with the special cases of C's atan2 for zeros and infinities.
+static inline rhw_float rhw_atan2(rhw_float y, rhw_float x)
+{
+    const rhw_float zero = rhw_splat(0.0f), one = rhw_splat(1.0f);
+    const rhw_float ax = rhw_abs(x), ay = rhw_abs(y);
+    const rhw_int steep = rhw_less(ax, ay);
+    rhw_float small = rhw_select(steep, ax, ay), large = rhw_select(steep, ay, ax);
+    // A quarter of both, so that their sum stays finite; what small loses is far below an ULP of the angle.
+    const rhw_int huge = rhw_less(rhw_splat(8.5e37f), large);
+    small = rhw_select(huge, 0.25f * small, small);
+    large = rhw_select(huge, 0.25f * large, large);
+    const rhw_int both_infinite = rhw_equal(small, rhw_infinity());
+    small = rhw_select(both_infinite, one, small);
+    large = rhw_select(both_infinite | rhw_equal(large, zero), one, large);
+    // Above tan(π/8): atan(t) = π/4 + atan((t − 1)/(t + 1)).
+    const rhw_int middle = rhw_less(0.414213562f * large, small);
+    const rhw_float t = rhw_select(middle, small - large, small) / rhw_select(middle, small + large, large);
+    const rhw_float z = t * t;
+    rhw_float q = z * -0.0608425736f + 0.105963752f;
+    q = q * z - 0.142439097f;
+    q = q * z + 0.199984938f;
+    q = q * z - 0.333333164f;
+    const rhw_float bent = t * z * q;
+    // Each constant in two floats, the smaller added to the small term.
+    rhw_float angle = rhw_select(middle, 0.785398185f + (t + (bent - 2.1855695e-8f)), t + bent);
+    angle = rhw_select(steep, 1.57079637f - (angle + 4.371139e-8f), angle);
+    const rhw_int left = (rhw_int)x >> 31; // −0 too
+    angle = rhw_select(left, 3.14159274f - (angle + 8.742278e-8f), angle);
+    angle = (rhw_float)((rhw_int)angle ^ ((rhw_int)y & INT32_MIN));
+    return rhw_select(rhw_equal(x, x) & rhw_equal(y, y), angle, rhw_nan());
+}
+
+static inline rhw_float rhw_atan(rhw_float a)
+{
+    return rhw_atan2(a, rhw_splat(1.0f));
+}
+
+/// s and the rest of asin(s) for 0 ≤ s ≤ 1/2: asin(s) = s + rest; z = s².
+static inline rhw_float rhw_asin_rest(rhw_float s, rhw_float z)
+{
+    rhw_float q = z * 0.037569508f + 0.0144005837f;
+    q = q * z + 0.0318178125f;
+    q = q * z + 0.0445157476f;
+    q = q * z + 0.0750051066f;
+    q = q * z + 0.166666597f;
+    return s * z * q;
+}
+
+/// NaN beyond −1..1.
+static inline rhw_float rhw_asin(rhw_float a)
+{
+    const rhw_float magnitude = rhw_abs(a);
+    const rhw_int outer = rhw_less(rhw_splat(0.5f), magnitude);
+    // asin(x) = π/2 − 2 asin(sqrt((1 − x)/2))
+    const rhw_float z = rhw_select(outer, 0.5f * (1.0f - magnitude), magnitude * magnitude);
+    const rhw_float s = rhw_select(outer, rhw_sqrt(z), magnitude);
+    const rhw_float rest = rhw_asin_rest(s, z);
+    const rhw_float far = 1.57079637f - (2.0f * s + (2.0f * rest + 4.371139e-8f));
+    return rhw_copysign(rhw_select(outer, far, s + rest), a);
+}
+
+/// NaN beyond −1..1.
+static inline rhw_float rhw_acos(rhw_float a)
+{
+    const rhw_float magnitude = rhw_abs(a);
+    const rhw_int outer = rhw_less(rhw_splat(0.5f), magnitude);
+    const rhw_float z = rhw_select(outer, 0.5f * (1.0f - magnitude), magnitude * magnitude);
+    const rhw_float s = rhw_select(outer, rhw_sqrt(z), magnitude);
+    const rhw_float rest = rhw_asin_rest(s, z);
+    const rhw_float twice = 2.0f * (s + rest);
+    const rhw_int left = (rhw_int)a >> 31;
+    const rhw_float far = rhw_select(left, 3.14159274f - (twice + 8.742278e-8f), twice);
+    const rhw_float signed_s = rhw_copysign(s, a), signed_rest = rhw_copysign(rest, a);
+    const rhw_float near = 1.57079637f - (signed_s + (signed_rest + 4.371139e-8f));
+    return rhw_select(outer, far, near);
+}
+
+// One at a time -------------------------------------------------------------------------------------
+// For one-at-a-time shader functions: the same bits as a lane of the function without the 1.
+
+static inline float rhw_exp2_1(float a)
+{
+    return rhw_exp2(rhw_splat(a))[0];
+}
+
+static inline float rhw_exp1(float a)
+{
+    return rhw_exp(rhw_splat(a))[0];
+}
+
+static inline float rhw_log2_1(float a)
+{
+    return rhw_log2(rhw_splat(a))[0];
+}
+
+static inline float rhw_log1(float a)
+{
+    return rhw_log(rhw_splat(a))[0];
+}
+
+static inline float rhw_sin1(float a)
+{
+    return rhw_sin(rhw_splat(a))[0];
+}
+
+static inline float rhw_cos1(float a)
+{
+    return rhw_cos(rhw_splat(a))[0];
+}
+
+static inline float rhw_tan1(float a)
+{
+    return rhw_tan(rhw_splat(a))[0];
+}
+
+static inline float rhw_atan1(float a)
+{
+    return rhw_atan(rhw_splat(a))[0];
+}
+
+static inline float rhw_asin1(float a)
+{
+    return rhw_asin(rhw_splat(a))[0];
+}
+
+static inline float rhw_acos1(float a)
+{
+    return rhw_acos(rhw_splat(a))[0];
+}
+
+static inline float rhw_pow1(float a, float b)
+{
+    return rhw_pow(rhw_splat(a), rhw_splat(b))[0];
+}
+
+static inline float rhw_atan2_1(float y, float x)
+{
+    return rhw_atan2(rhw_splat(y), rhw_splat(x))[0];
+}
 
 #endif
