@@ -349,14 +349,16 @@ struct rhw_camera rhw_camera_from_model(const struct rhw_model_camera *source, d
     } else {
         camera.yfov = (double)source->yfov;
         if ((double)source->aspect > aspect) {
-            // A narrower picture than the camera's: keep its width by a taller angle. atan by Newton's
-            // method on sin and cos, from the angle the file gives.
+            // A narrower picture than the camera's: keep its width by a taller angle. The arc tangent by
+            // iteration: (w c − s) / (c + w s) is the tangent t of what is missing, t / (1 + 0.28 t²) within
+            // 0.005 of its angle.
             const double wanted = tangent_of_half(camera.yfov) * (double)source->aspect / aspect;
             double degrees = camera.yfov * (90.0 / pi);
             for (int i = 0; i < 40; i++) {
                 double s, c;
                 sin_cos_degrees(degrees, &s, &c);
-                degrees += (wanted * c - s) / (c + wanted * s) * (180.0 / pi);
+                const double t = (wanted * c - s) / (c + wanted * s);
+                degrees += t / (1.0 + 0.28 * t * t) * (180.0 / pi);
             }
             camera.yfov = degrees * (pi / 90.0);
         }

@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: MIT
+// Puts the per-instruction-set copies of the built-in shaders into programs.
+#include "shaders.h"
+
+static const struct rhw_surface_shaders *const surface_shaders[RHW_ISA_COUNT] = {
+    [RHW_ISA_BASELINE] = &rhw_surface_shaders_baseline,
+#ifdef RHW_HAVE_X86_ISAS
+    [RHW_ISA_AVX2] = &rhw_surface_shaders_avx2,
+    [RHW_ISA_AVX512] = &rhw_surface_shaders_avx512,
+#endif
+};
+
+static const struct rhw_screen_shaders *const screen_shaders[RHW_ISA_COUNT] = {
+    [RHW_ISA_BASELINE] = &rhw_screen_shaders_baseline,
+#ifdef RHW_HAVE_X86_ISAS
+    [RHW_ISA_AVX2] = &rhw_screen_shaders_avx2,
+    [RHW_ISA_AVX512] = &rhw_screen_shaders_avx512,
+#endif
+};
+
+void rhw_program_surface(struct rhw_program *program, enum rhw_vertex_kind vertex, enum rhw_fragment_kind fragment)
+{
+    for (int isa = 0; isa < RHW_ISA_COUNT; isa++) {
+        if (surface_shaders[isa]) {
+            program->vertex[isa] = surface_shaders[isa]->vertex[vertex];
+            program->fragment[isa] = surface_shaders[isa]->fragment[fragment];
+        }
+    }
+    program->uniform_size = sizeof(struct rhw_surface);
+}
+
+void rhw_program_screen(struct rhw_program *program, enum rhw_screen_kind kind)
+{
+    for (int isa = 0; isa < RHW_ISA_COUNT; isa++) {
+        if (screen_shaders[isa]) {
+            program->vertex[isa] = screen_shaders[isa]->vertex;
+            program->fragment[isa] = screen_shaders[isa]->fragment[kind];
+        }
+    }
+    program->uses = RHW_USE_COORD;
+    program->uniform_size = kind == RHW_SCREEN_BACKDROP ? sizeof(struct rhw_backdrop) : sizeof(struct rhw_resolve);
+}

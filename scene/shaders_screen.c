@@ -1,0 +1,67 @@
+// SPDX-License-Identifier: MIT
+// The built-in shaders that cover the whole picture: the background and the resolve of samples to pixels.
+#include "rhw/shader.h"
+#include "shaders.h"
+
+// (−1, −1), (3, −1), (−1, 3): one triangle leaves no diagonal seam to shade twice. Depth 0 is far.
+static void screen_vertex(struct rhw_vertex *groups, int count)
+{
+    for (int g = 0; g < count; g++) {
+        const rhw_int i = groups[g].vertex_index;
+        groups[g].position[0] = rhw_to_float((i & 1) * 4 - 1);
+        groups[g].position[1] = rhw_to_float((i & 2) * 2 - 1);
+        groups[g].position[2] = rhw_splat(0.0f);
+        groups[g].position[3] = rhw_splat(1.0f);
+    }
+}
+
+static void backdrop_fragment(struct rhw_fragment *groups, int count)
+{
+    const struct rhw_backdrop *b = groups->uniforms;
+    for (int g = 0; g < count; g++) {
+        const rhw_float down = (groups[g].coord[1] + b->first_row) * b->inverse_height;
+        for (int c = 0; c < 4; c++) {
+            groups[g].color[0][c] = b->top[c] + (b->bottom[c] - b->top[c]) * down;
+        }
+    }
+}
+
+// A box filter: every sample of the pixel counts the same. Samples hold tone-mapped light, each mapped on
+// its own: an average of untouched light would let one bright sample of an edge outshine all others and
+// leave the edge as jagged as without supersampling.
+static void resolve_fragment(struct rhw_fragment *groups, int count)
+{
+    const struct rhw_resolve *r = groups->uniforms;
+    const float weight = 1.0f / (float)(r->side * r->side);
+    const rhw_float level = rhw_splat(0.0f);
+    for (int g = 0; g < count; g++) {
+        const rhw_float left = (groups[g].coord[0] - 0.5f) * (float)r->side + 0.5f;
+        const rhw_float top = (groups[g].coord[1] - 0.5f) * (float)r->side + 0.5f;
+        rhw_float sum[4] = {level, level, level, level};
+        for (int y = 0; y < r->side; y++) {
+            for (int x = 0; x < r->side; x++) {
+                const rhw_float uv[2] = {(left + (float)x) * r->inverse_size[0],
+                                         (top + (float)y) * r->inverse_size[1]};
+                rhw_float texel[4];
+                rhw_sample_lod(&groups[g].textures[0], uv, level, texel);
+                for (int c = 0; c < 4; c++) {
+                    sum[c] += texel[c];
+                }
+            }
+        }
+        rhw_float scale = rhw_splat(weight);
+        groups[g].color[0][3] = sum[3] * scale;
+        if (r->straight_alpha) {
+            const rhw_int some = rhw_less(rhw_splat(0.0f), sum[3]);
+            scale = rhw_select(some, 1.0f / sum[3], rhw_splat(0.0f));
+        }
+        for (int c = 0; c < 3; c++) {
+            groups[g].color[0][c] = sum[c] * scale;
+        }
+    }
+}
+
+const struct rhw_screen_shaders RHW_ISA_NAME(rhw_screen_shaders) = {
+    .vertex = screen_vertex,
+    .fragment = {[RHW_SCREEN_BACKDROP] = backdrop_fragment, [RHW_SCREEN_RESOLVE] = resolve_fragment},
+};
