@@ -5,23 +5,43 @@
 
 #include "rhw/types.h"
 
-enum { RHW_MAX_MIP_LEVELS = 15 };
+enum {
+    RHW_MAX_MIP_LEVELS = 15, // 16384 down to 1
+
+    // Bytes. Rows start on a cache line, so that tiles of different threads share none; memory goes on this
+    // far behind the last texel, so that the sampler may read texels in pairs.
+    RHW_ROW_ALIGNMENT = 64,
+    RHW_TEXEL_PADDING = 64
+};
 
 struct rhw_mip {
     unsigned char *texels; // linear rows, top to bottom; 64-byte aligned
     int width, height;
-    size_t row_pitch; // bytes
+    size_t row_pitch; // bytes, a multiple of RHW_ROW_ALIGNMENT
 };
 
 struct rhw_texture_data {
     enum rhw_format format;
     int levels;
     struct rhw_mip mip[RHW_MAX_MIP_LEVELS];
-    void *memory; // one allocation for all levels, made when it is first needed
+    void *memory; // one allocation for all levels; NULL while it is not needed (see rhw_texture_create)
     size_t memory_size;
 };
 
-// Box-filters levels 1.. from level 0 in linear light.
-void rhw_texture_data_generate_mips(const struct rhw_texture_data *texture);
+struct rhw_context;
+
+// Sets format, levels, sizes and pitches; no memory yet. `levels` 0 means the full chain. All arguments valid.
+void rhw_texture_data_init(struct rhw_texture_data *texture, enum rhw_format format, int width, int height,
+                           int levels);
+
+// Allocates and zeroes the memory of all levels when that has not happened yet. False when out of memory.
+bool rhw_texture_data_ensure(struct rhw_context *context, struct rhw_texture_data *texture);
+
+// Box-filters levels 1.. from level 0 in linear light. The memory must be there, and the format one that
+// is sampled. False when out of memory; the levels are unchanged then.
+bool rhw_texture_data_generate_mips(struct rhw_context *context, const struct rhw_texture_data *texture);
+
+// Levels of the chain from width × height down to 1 × 1.
+int rhw_mip_chain_length(int width, int height);
 
 #endif

@@ -1,0 +1,199 @@
+// SPDX-License-Identifier: MIT
+// Mip generation. Each level is the box-filtered level above, in linear light, in floats: levels are
+// rounded to the texture's format when stored, never in between, so that errors do not add up from level
+// to level. Odd sizes take the polyphase box of three texels, whose weights make every texel of the level
+// above count the same (W. Donnelly, "Non-power-of-two mipmapping", NVIDIA 2005).
+#include <string.h>
+
+#include "context.h"
+#include "format.h"
+#include "half.h"
+#include "limits.h"
+#include "srgb.h"
+#include "texture.h"
+
+// UNORM channels stand on the scale 0..255, on which averages of codes are exact for the first 8 levels.
+typedef float texel4 __attribute__((vector_size(16)));
+
+static texel4 load_texel(enum rhw_format format, const unsigned char *from)
+{
+    texel4 value = {0, 0, 0, 0};
+    uint16_t half[4];
+    switch (format) {
+    case RHW_FORMAT_R8_UNORM:
+        value[0] = from[0];
+        break;
+    case RHW_FORMAT_RG8_UNORM:
+        value[0] = from[0];
+        value[1] = from[1];
+        break;
+    case RHW_FORMAT_RGBA8_UNORM:
+        value = (texel4){from[0], from[1], from[2], from[3]};
+        break;
+    case RHW_FORMAT_RGBA8_SRGB:
+        value = (texel4){rhw_srgb_decode_table[from[0]], rhw_srgb_decode_table[from[1]],
+                         rhw_srgb_decode_table[from[2]], from[3]};
+        break;
+    case RHW_FORMAT_RGBA16_FLOAT:
+        memcpy(half, from, sizeof half);
+        for (int i = 0; i < 4; i++) {
+            value[i] = rhw_half_to_float(half[i]);
+        }
+        break;
+    case RHW_FORMAT_RGBA32_FLOAT:
+        memcpy(&value, from, sizeof value);
+        break;
+    default: { // one float
+        float first;
+        memcpy(&first, from, sizeof first);
+        value[0] = first;
+        break;
+    }
+    }
+    return value;
+}
+
+// To nearest, ties to even; the value lies within 0..255.
+static unsigned char round_code(float value)
+{
+    const float rounded = value + 0x1p23f;
+    uint32_t bits;
+    memcpy(&bits, &rounded, sizeof bits);
+    return (unsigned char)bits;
+}
+
+static void store_texel(enum rhw_format format, texel4 value, unsigned char *to)
+{
+    uint16_t half[4];
+    switch (format) {
+    case RHW_FORMAT_R8_UNORM:
+    case RHW_FORMAT_RG8_UNORM:
+    case RHW_FORMAT_RGBA8_UNORM:
+        for (size_t i = 0; i < rhw_format_size(format); i++) {
+            to[i] = round_code(value[i]);
+        }
+        break;
+    case RHW_FORMAT_RGBA8_SRGB:
+        for (int i = 0; i < 3; i++) {
+            to[i] = rhw_srgb_encode(value[i]);
+        }
+        to[3] = round_code(value[3]);
+        break;
+    case RHW_FORMAT_RGBA16_FLOAT:
+        for (int i = 0; i < 4; i++) {
+            half[i] = rhw_half_from_float(value[i]);
+        }
+        memcpy(to, half, sizeof half);
+        break;
+    case RHW_FORMAT_RGBA32_FLOAT:
+        memcpy(to, &value, sizeof value);
+        break;
+    default: {
+        const float first = value[0];
+        memcpy(to, &first, sizeof first);
+        break;
+    }
+    }
+}
+
+// What one texel of the smaller level takes along one axis: texels first, first + 1, .. of the larger.
+struct taps {
+    int first, count;
+    float weight[3];
+};
+
+static struct taps taps_of(int larger, int smaller, int i)
+{
+    if (larger == 1) {
+        return (struct taps){0, 1, {1.0f, 0.0f, 0.0f}};
+    }
+    if (larger % 2 == 0) {
+        return (struct taps){2 * i, 2, {0.5f, 0.5f, 0.0f}};
+    }
+    // The box is larger/smaller = 2 + 1/smaller texels wide and starts i/smaller into texel 2i.
+    const float width = (float)larger;
+    return (struct taps){2 * i, 3, {(float)(smaller - i) / width, (float)smaller / width, (float)(i + 1) / width}};
+}
+
+static texel4 filter(const texel4 *from, int pitch, const struct taps *x, const struct taps *y)
+{
+    texel4 sum = {0, 0, 0, 0};
+    for (int j = 0; j < y->count; j++) {
+        const texel4 *const row = from + (size_t)(y->first + j) * (size_t)pitch + x->first;
+        texel4 line = row[0] * x->weight[0];
+        for (int i = 1; i < x->count; i++) {
+            line += row[i] * x->weight[i];
+        }
+        sum += line * y->weight[j];
+    }
+    return sum;
+}
+
+// One level in `to` and, rounded, in the texture; `from` holds the level above.
+static void reduce(const struct rhw_texture_data *texture, int level, const texel4 *from, texel4 *to)
+{
+    const struct rhw_mip *const above = &texture->mip[level - 1], *const mip = &texture->mip[level];
+    const size_t size = rhw_format_size(texture->format);
+    for (int y = 0; y < mip->height; y++) {
+        const struct taps rows = taps_of(above->height, mip->height, y);
+        unsigned char *const stored = mip->texels + (size_t)y * mip->row_pitch;
+        for (int x = 0; x < mip->width; x++) {
+            const struct taps columns = taps_of(above->width, mip->width, x);
+            const texel4 value = filter(from, above->width, &columns, &rows);
+            to[(size_t)y * (size_t)mip->width + (size_t)x] = value;
+            store_texel(texture->format, value, stored + (size_t)x * size);
+        }
+    }
+}
+
+// Level 0 is widened three rows at a time: in floats it would take four times the memory of level 1.
+static void reduce_first(const struct rhw_texture_data *texture, texel4 *rows, texel4 *to)
+{
+    const struct rhw_mip *const above = &texture->mip[0], *const mip = &texture->mip[1];
+    const size_t size = rhw_format_size(texture->format);
+    for (int y = 0; y < mip->height; y++) {
+        struct taps taken = taps_of(above->height, mip->height, y);
+        for (int j = 0; j < taken.count; j++) {
+            const unsigned char *const from = above->texels + (size_t)(taken.first + j) * above->row_pitch;
+            for (int x = 0; x < above->width; x++) {
+                rows[(size_t)j * (size_t)above->width + (size_t)x] =
+                    load_texel(texture->format, from + (size_t)x * size);
+            }
+        }
+        taken.first = 0;
+        unsigned char *const stored = mip->texels + (size_t)y * mip->row_pitch;
+        for (int x = 0; x < mip->width; x++) {
+            const struct taps columns = taps_of(above->width, mip->width, x);
+            const texel4 value = filter(rows, above->width, &columns, &taken);
+            to[(size_t)y * (size_t)mip->width + (size_t)x] = value;
+            store_texel(texture->format, value, stored + (size_t)x * size);
+        }
+    }
+}
+
+static size_t texels_of(const struct rhw_texture_data *texture, int level)
+{
+    return level < texture->levels ? (size_t)texture->mip[level].width * (size_t)texture->mip[level].height : 0;
+}
+
+bool rhw_texture_data_generate_mips(struct rhw_context *context, const struct rhw_texture_data *texture)
+{
+    if (texture->levels == 1) {
+        return true;
+    }
+    // Levels 1, 3, .. and 2, 4, .. take turns in two buffers.
+    const size_t rows = 3 * (size_t)texture->mip[0].width;
+    const size_t odd = texels_of(texture, 1), even = texels_of(texture, 2);
+    const size_t size = (rows + odd + even) * sizeof(texel4);
+    texel4 *const memory = rhw_context_allocate(context, size, RHW_CACHE_LINE);
+    if (!memory) {
+        return false;
+    }
+    texel4 *const buffer[2] = {memory + rows + odd, memory + rows};
+    reduce_first(texture, memory, buffer[1]);
+    for (int level = 2; level < texture->levels; level++) {
+        reduce(texture, level, buffer[(level - 1) & 1], buffer[level & 1]);
+    }
+    rhw_context_release(context, memory, size);
+    return true;
+}

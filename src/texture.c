@@ -1,0 +1,205 @@
+// SPDX-License-Identifier: MIT
+// Textures: creation, upload and readback. Levels are linear rows in one allocation.
+#include "texture.h"
+
+#include <string.h>
+
+#include "context.h"
+#include "format.h"
+#include "limits.h"
+
+int rhw_mip_chain_length(int width, int height)
+{
+    int levels = 1;
+    for (int size = width > height ? width : height; size > 1; size >>= 1) {
+        levels++;
+    }
+    return levels;
+}
+
+void rhw_texture_data_init(struct rhw_texture_data *texture, enum rhw_format format, int width, int height,
+                           int levels)
+{
+    memset(texture, 0, sizeof *texture);
+    texture->format = format;
+    texture->levels = levels != 0 ? levels : rhw_mip_chain_length(width, height);
+    for (int i = 0; i < texture->levels; i++) {
+        struct rhw_mip *const mip = &texture->mip[i];
+        mip->width = width >> i > 1 ? width >> i : 1;
+        mip->height = height >> i > 1 ? height >> i : 1;
+        const size_t row = (size_t)mip->width * rhw_format_size(format);
+        mip->row_pitch = (row + RHW_ROW_ALIGNMENT - 1) & ~(size_t)(RHW_ROW_ALIGNMENT - 1);
+        texture->memory_size += mip->row_pitch * (size_t)mip->height;
+    }
+    texture->memory_size += RHW_TEXEL_PADDING;
+}
+
+bool rhw_texture_data_ensure(struct rhw_context *context, struct rhw_texture_data *texture)
+{
+    if (texture->memory) {
+        return true;
+    }
+    unsigned char *next = rhw_context_allocate(context, texture->memory_size, RHW_CACHE_LINE);
+    if (!next) {
+        return false;
+    }
+    memset(next, 0, texture->memory_size);
+    texture->memory = next;
+    for (int i = 0; i < texture->levels; i++) {
+        texture->mip[i].texels = next;
+        next += texture->mip[i].row_pitch * (size_t)texture->mip[i].height;
+    }
+    return true;
+}
+
+// Public functions ----------------------------------------------------------------------------------
+
+static bool check_size(const struct rhw_context *context, const char *field, int value)
+{
+    return rhw_check(context, value >= 1 && value <= RHW_MAX_TARGET_SIZE,
+                     "rhw_texture_create: %s is %d; it must be 1..%d", field, value, RHW_MAX_TARGET_SIZE);
+}
+
+static bool check_create(const struct rhw_context *context, const struct rhw_texture_def *def,
+                         const rhw_texture *texture)
+{
+    static const char *const where = "rhw_texture_create";
+    if (!rhw_check(context, context != NULL, "%s: context is NULL", where) ||
+        !rhw_check(context, def != NULL, "%s: def is NULL", where) ||
+        !rhw_check(context, texture != NULL, "%s: texture is NULL", where) ||
+        !rhw_check(context, rhw_format_valid(def->format), "%s: format is %d; not a texel format", where,
+                   (int)def->format) ||
+        !check_size(context, "width", def->width) || !check_size(context, "height", def->height)) {
+        return false;
+    }
+    const int chain = rhw_mip_chain_length(def->width, def->height);
+    return rhw_check(context, def->mip_levels >= 0 && def->mip_levels <= chain,
+                     "%s: mip_levels is %d; a %dx%d texture has 1..%d (0 means all)", where, def->mip_levels,
+                     def->width, def->height, chain);
+}
+
+enum rhw_result rhw_texture_create(rhw_context *context, const struct rhw_texture_def *def,
+                                   rhw_texture *texture)
+{
+    if (texture) {
+        *texture = (rhw_texture){0, 0};
+    }
+    if (!check_create(context, def, texture)) {
+        return RHW_ERROR_MISUSE;
+    }
+    rhw_texture id;
+    struct rhw_texture_data *const data = rhw_context_texture_add(context, &id);
+    if (!data) {
+        return RHW_ERROR_OUT_OF_MEMORY;
+    }
+    rhw_texture_data_init(data, def->format, def->width, def->height, def->mip_levels);
+    // Depth waits until someone reads or keeps it: most depth textures live in the tiles alone. Everything
+    // else will be written, and a lack of memory should show where there is a result to return.
+    if (def->format != RHW_FORMAT_D32_FLOAT && !rhw_texture_data_ensure(context, data)) {
+        rhw_context_texture_remove(context, id);
+        return RHW_ERROR_OUT_OF_MEMORY;
+    }
+    *texture = id;
+    return RHW_OK;
+}
+
+void rhw_texture_destroy(rhw_context *context, rhw_texture texture)
+{
+    if (rhw_context_texture(context, texture, "rhw_texture_destroy")) {
+        rhw_context_texture_remove(context, texture);
+    }
+}
+
+static bool check_level(const struct rhw_context *context, const struct rhw_texture_data *data, int level,
+                        const char *where)
+{
+    return rhw_check(context, level >= 0 && level < data->levels,
+                     "%s: level is %d; the texture has levels 0..%d", where, level, data->levels - 1);
+}
+
+int rhw_texture_width(const rhw_context *context, rhw_texture texture, int level)
+{
+    static const char *const where = "rhw_texture_width";
+    const struct rhw_texture_data *const data = rhw_context_texture(context, texture, where);
+    return data && check_level(context, data, level, where) ? data->mip[level].width : 0;
+}
+
+int rhw_texture_height(const rhw_context *context, rhw_texture texture, int level)
+{
+    static const char *const where = "rhw_texture_height";
+    const struct rhw_texture_data *const data = rhw_context_texture(context, texture, where);
+    return data && check_level(context, data, level, where) ? data->mip[level].height : 0;
+}
+
+int rhw_texture_mip_levels(const rhw_context *context, rhw_texture texture)
+{
+    const struct rhw_texture_data *const data =
+        rhw_context_texture(context, texture, "rhw_texture_mip_levels");
+    return data ? data->levels : 0;
+}
+
+enum rhw_format rhw_texture_format(const rhw_context *context, rhw_texture texture)
+{
+    const struct rhw_texture_data *const data = rhw_context_texture(context, texture, "rhw_texture_format");
+    return data ? data->format : RHW_FORMAT_NONE;
+}
+
+// Checks what write and read have in common and makes sure of the memory; NULL when the call must not go on.
+// *row is the bytes of a row, *pitch the distance of rows outside.
+static const struct rhw_mip *begin_copy(struct rhw_context *context, rhw_texture texture, int level,
+                                        const void *outside, size_t *row, size_t *pitch, const char *where)
+{
+    struct rhw_texture_data *const data = rhw_context_texture(context, texture, where);
+    if (!data || !check_level(context, data, level, where) ||
+        !rhw_check(context, outside != NULL, "%s: data is NULL", where)) {
+        return NULL;
+    }
+    const struct rhw_mip *const mip = &data->mip[level];
+    *row = (size_t)mip->width * rhw_format_size(data->format);
+    if (*pitch == 0) {
+        *pitch = *row;
+    }
+    if (!rhw_check(context, *pitch >= *row, "%s: row_pitch is %zu; a row of level %d has %zu bytes", where,
+                   *pitch, level, *row)) {
+        return NULL;
+    }
+    if (!rhw_texture_data_ensure(context, data)) {
+        rhw_context_log(context, RHW_LOG_WARNING, "%s: out of memory; nothing was copied", where);
+        return NULL;
+    }
+    return mip;
+}
+
+void rhw_texture_write(rhw_context *context, rhw_texture texture, int level, const void *data, size_t row_pitch)
+{
+    size_t row;
+    const struct rhw_mip *const mip =
+        begin_copy(context, texture, level, data, &row, &row_pitch, "rhw_texture_write");
+    for (int y = 0; mip && y < mip->height; y++) {
+        memcpy(mip->texels + (size_t)y * mip->row_pitch, (const unsigned char *)data + (size_t)y * row_pitch, row);
+    }
+}
+
+void rhw_texture_read(rhw_context *context, rhw_texture texture, int level, void *data, size_t row_pitch)
+{
+    size_t row;
+    const struct rhw_mip *const mip =
+        begin_copy(context, texture, level, data, &row, &row_pitch, "rhw_texture_read");
+    for (int y = 0; mip && y < mip->height; y++) {
+        memcpy((unsigned char *)data + (size_t)y * row_pitch, mip->texels + (size_t)y * mip->row_pitch, row);
+    }
+}
+
+void rhw_texture_generate_mips(rhw_context *context, rhw_texture texture)
+{
+    static const char *const where = "rhw_texture_generate_mips";
+    struct rhw_texture_data *const data = rhw_context_texture(context, texture, where);
+    if (!data || !rhw_check(context, rhw_format_info(data->format)->sampled,
+                            "%s: the texture is %s; that format is not filtered", where,
+                            rhw_format_info(data->format)->name)) {
+        return;
+    }
+    if (!rhw_texture_data_ensure(context, data) || !rhw_texture_data_generate_mips(context, data)) {
+        rhw_context_log(context, RHW_LOG_WARNING, "%s: out of memory; the levels are unchanged", where);
+    }
+}
