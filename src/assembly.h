@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: MIT
+// From a draw's vertices or indices to triangles: lists, strips, fans, restart.
+#ifndef RHW_ASSEMBLY_H
+#define RHW_ASSEMBLY_H
+
+#include <stdbool.h>
+#include <stdint.h>
+
+struct rhw_arena;
+struct rhw_draw;
+
+// Fills triangles_per_instance (and expanded, for strips and fans with primitive restart) of a draw of
+// `count` vertices or indices. False when out of memory.
+bool rhw_assembly_prepare(struct rhw_draw *draw, uint32_t count, struct rhw_arena *arena);
+
+// Vertex indices, base vertex included, of triangles first .. first + count − 1 of one instance.
+void rhw_assembly_fetch(const struct rhw_draw *draw, uint32_t first, uint32_t count, uint32_t (*triangles)[3]);
+
+#endif

@@ -1,0 +1,126 @@
+// SPDX-License-Identifier: MIT
+// Sutherland–Hodgman against six planes, in double. A cut is computed from the vertex inside to the vertex
+// outside, whichever order the triangle names them in: the two owners of a shared edge, which cut it by the
+// same planes in the same order, thus get the same point, bit for bit, and no crack opens between them.
+//
+// 0 <= Z <= W implies W >= 0; with the guard band, W = 0 is left only for the point (0, 0, 0, 0).
+#include "clip.h"
+
+#include <math.h>
+
+#include "limits.h"
+#include "pass.h"
+
+enum { PLANES = 6 };
+
+// Pixels from the target's origin, still times W: x = X·W, y = Y·W on the screen.
+struct corner {
+    double x, y, z, w;
+};
+
+static double distance(const struct corner *c, int plane)
+{
+    switch (plane) {
+    case 0:
+        return c->z;
+    case 1:
+        return c->w - c->z;
+    case 2:
+        return RHW_GUARD_BAND * c->w + c->x;
+    case 3:
+        return RHW_GUARD_BAND * c->w - c->x;
+    case 4:
+        return RHW_GUARD_BAND * c->w + c->y;
+    default:
+        return RHW_GUARD_BAND * c->w - c->y;
+    }
+}
+
+static struct corner cut(const struct corner *inside, double d_inside, const struct corner *outside, double d_outside)
+{
+    const double t = d_inside / (d_inside - d_outside);
+    return (struct corner){inside->x + t * (outside->x - inside->x), inside->y + t * (outside->y - inside->y),
+                           inside->z + t * (outside->z - inside->z), inside->w + t * (outside->w - inside->w)};
+}
+
+static int clip_plane(const struct corner *in, int count, int plane, struct corner *out)
+{
+    int n = 0;
+    for (int i = 0; i < count; i++) {
+        const struct corner *const a = &in[i], *const b = &in[i + 1 == count ? 0 : i + 1];
+        const double da = distance(a, plane), db = distance(b, plane);
+        if (da >= 0) {
+            out[n++] = *a;
+        }
+        if (da >= 0 && db < 0) {
+            out[n++] = cut(a, da, b, db);
+        } else if (da < 0 && db >= 0) {
+            out[n++] = cut(b, db, a, da);
+        }
+    }
+    return n;
+}
+
+// The nearest 1/256 pixel, ties to even; within the guard band.
+static int32_t snap(double pixels)
+{
+    const double limit = RHW_GUARD_BAND;
+    const double inside = pixels > limit ? limit : pixels >= -limit ? pixels : -limit;
+    return (int32_t)nearbyint(inside * RHW_SUBPIXEL);
+}
+
+bool rhw_clip_triangle(const struct rhw_draw_state *state, const struct rhw_vertex_record *const vertices[3],
+                       struct rhw_polygon *polygon)
+{
+    struct corner a[RHW_POLYGON_CORNERS + 1], b[RHW_POLYGON_CORNERS + 1];
+    for (int i = 0; i < 3; i++) {
+        const float *const p = vertices[i]->position;
+        const double w = (double)p[3];
+        a[i] = (struct corner){(double)p[0] * state->half_width + w * state->center_x,
+                               w * state->center_y - (double)p[1] * state->half_height, (double)p[2], w};
+    }
+    struct corner *in = a, *out = b;
+    int count = 3;
+    for (int plane = 0; plane < PLANES && count >= 3; plane++) {
+        count = clip_plane(in, count, plane, out);
+        struct corner *const swap = in;
+        in = out;
+        out = swap;
+    }
+    if (count < 3) {
+        return false;
+    }
+    polygon->count = count;
+    for (int i = 0; i < count; i++) {
+        if (!(in[i].w > 0)) {
+            return false;
+        }
+        polygon->x_24_8[i] = snap(in[i].x / in[i].w);
+        polygon->y_24_8[i] = snap(in[i].y / in[i].w);
+    }
+    // An original corner keeps the position its vertex was snapped to: other triangles share it.
+    for (int k = 0; k < 3; k++) {
+        const struct rhw_vertex_record *const v = vertices[k];
+        const double w = (double)v->position[3];
+        const double x = (double)v->position[0] * state->half_width + w * state->center_x;
+        const double y = w * state->center_y - (double)v->position[1] * state->half_height;
+        for (int i = 0; i < count && !(v->flags & RHW_VERTEX_UNSNAPPED); i++) {
+            if (in[i].w == w && in[i].x == x && in[i].y == y && in[i].z == (double)v->position[2]) {
+                polygon->x_24_8[i] = v->x_24_8;
+                polygon->y_24_8[i] = v->y_24_8;
+            }
+        }
+    }
+    return true;
+}
+
+int64_t rhw_polygon_area(const struct rhw_polygon *polygon)
+{
+    const int64_t x0 = polygon->x_24_8[0], y0 = polygon->y_24_8[0];
+    int64_t area = 0;
+    for (int i = 1; i + 1 < polygon->count; i++) {
+        area += (polygon->x_24_8[i] - x0) * (polygon->y_24_8[i + 1] - y0) -
+                (polygon->y_24_8[i] - y0) * (polygon->x_24_8[i + 1] - x0);
+    }
+    return area;
+}

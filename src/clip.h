@@ -1,0 +1,21 @@
+// SPDX-License-Identifier: MIT
+// Homogeneous clipping, and the snapping of positions.
+#ifndef RHW_CLIP_H
+#define RHW_CLIP_H
+
+#include <stdbool.h>
+
+#include "triangle.h"
+
+struct rhw_draw_state;
+
+// Clips a triangle against near, far and the guard band and snaps what is left. False when nothing is.
+// Only positions are clipped: values always come from the three original vertices, so clipping cannot show
+// in them.
+bool rhw_clip_triangle(const struct rhw_draw_state *state, const struct rhw_vertex_record *const vertices[3],
+                       struct rhw_polygon *polygon);
+
+// Twice the signed area of a polygon in 1/65536 square pixels; exact.
+int64_t rhw_polygon_area(const struct rhw_polygon *polygon);
+
+#endif

@@ -1,0 +1,125 @@
+// SPDX-License-Identifier: MIT
+// Coverage, exactly: the sign of integer edge functions at pixel centres, 8×8 pixels at a time.
+// Template: compiled once per instruction set.
+//
+// Edge i runs from corner i + 1 to corner i + 2, turned so that the inside is where
+//
+//     e(P) = a·(Px − x) + b·(Py − y)  > 0,     (x, y) the edge's first corner, all in 1/256 pixel,
+//
+// and = 0 too on a top or left edge (top-left rule; Direct3D 11.3 §3.4.2.1). Pixel centres are whole pixels
+// apart, so e = 256·q + r there with the same r everywhere, and e >= 0 exactly when q >= 0: the loops below
+// work on q. |a|, |b| <= 2^24 and |e| < 2^49 (limits.h); a block that an edge crosses has |q| < 2^28.
+
+#include "scratch.h"
+
+struct edge {
+    int32_t a, b; // change of q per pixel to the right, and down
+    int64_t q;    // at the centre of the tile's first pixel
+};
+
+// `tile_x`, `tile_y`: pixels. `sign` is −1 for a triangle whose corners turn the negative way.
+static struct edge make_edge(int32_t x0, int32_t y0, int32_t x1, int32_t y1, int32_t sign, int tile_x, int tile_y)
+{
+    const int32_t a = sign * (y0 - y1), b = sign * (x1 - x0);
+    const bool top_left = a > 0 || (a == 0 && b > 0);
+    const int64_t px = (int64_t)tile_x * RHW_SUBPIXEL + RHW_SUBPIXEL / 2;
+    const int64_t py = (int64_t)tile_y * RHW_SUBPIXEL + RHW_SUBPIXEL / 2;
+    const int64_t e = a * (px - x0) + b * (py - y0);
+    return (struct edge){a, b, (e - (top_left ? 0 : 1)) >> RHW_SUBPIXEL_BITS};
+}
+
+// Bit 8·row + column of the block whose first pixel is (x, y) in the tile. Rows outside row0 .. row1 − 1 may
+// be left out.
+static uint64_t triangle_mask(const struct edge edges[3], int x, int y, int row0, int row1)
+{
+    i8 q[3], step[3];
+    int crossing = 0;
+    for (int i = 0; i < 3; i++) {
+        const struct edge *const edge = &edges[i];
+        const int64_t corner = edge->q + (int64_t)edge->a * x + (int64_t)edge->b * y;
+        const int64_t span_a = (int64_t)edge->a * (RHW_BLOCK - 1), span_b = (int64_t)edge->b * (RHW_BLOCK - 1);
+        if (corner + (span_a > 0 ? span_a : 0) + (span_b > 0 ? span_b : 0) < 0) {
+            return 0;
+        }
+        if (corner + (span_a < 0 ? span_a : 0) + (span_b < 0 ? span_b : 0) >= 0) {
+            continue;
+        }
+        // An edge that crosses the block: corner is within the spans, so int32 holds it.
+        q[crossing] = i8_splat((int32_t)corner) + i8_splat(edge->a) * rhw_lane_index;
+        step[crossing++] = i8_splat(edge->b);
+    }
+    if (crossing == 0) {
+        return ~(uint64_t)0;
+    }
+    for (int i = crossing; i < 3; i++) {
+        q[i] = q[0];
+        step[i] = step[0];
+    }
+    uint64_t mask = 0;
+    for (int i = 0; i < 3; i++) {
+        q[i] += step[i] * i8_splat(row0);
+    }
+    for (int row = row0; row < row1; row++) {
+        const uint64_t outside = i8_sign_bits(q[0] | q[1] | q[2]);
+        mask |= (outside ^ 0xff) << (8 * row);
+        q[0] += step[0];
+        q[1] += step[1];
+        q[2] += step[2];
+    }
+    return mask;
+}
+
+// What a triangle, clipped or not, covers in one tile.
+struct coverage {
+    int count; // of triangles: 1, or the fan of a clipped polygon
+    struct edge edges[RHW_POLYGON_CORNERS - 2][3];
+};
+
+static void coverage_add(struct coverage *coverage, const int32_t x[3], const int32_t y[3], int32_t sign, int tile_x,
+                         int tile_y)
+{
+    struct edge *const edges = coverage->edges[coverage->count++];
+    for (int i = 0; i < 3; i++) {
+        const int j = i == 2 ? 0 : i + 1, k = i == 0 ? 2 : i - 1;
+        edges[i] = make_edge(x[j], y[j], x[k], y[k], sign, tile_x, tile_y);
+    }
+}
+
+static void coverage_setup(struct coverage *coverage, const struct rhw_chunk *chunk, const struct rhw_triangle *t,
+                           int tile_x, int tile_y)
+{
+    coverage->count = 0;
+    if (!(t->flags & RHW_TRIANGLE_POLYGON)) {
+        coverage_add(coverage, t->x_24_8, t->y_24_8, t->flags & RHW_TRIANGLE_NEGATIVE ? -1 : 1, tile_x, tile_y);
+        return;
+    }
+    const struct rhw_polygon *const p = &chunk->polygons[t->polygon];
+    for (int i = 1; i + 1 < p->count; i++) {
+        const int32_t x[3] = {p->x_24_8[0], p->x_24_8[i], p->x_24_8[i + 1]};
+        const int32_t y[3] = {p->y_24_8[0], p->y_24_8[i], p->y_24_8[i + 1]};
+        const int64_t area = (int64_t)(x[1] - x[0]) * (y[2] - y[0]) - (int64_t)(x[2] - x[0]) * (y[1] - y[0]);
+        if (area != 0) {
+            coverage_add(coverage, x, y, area < 0 ? -1 : 1, tile_x, tile_y);
+        }
+    }
+}
+
+static uint64_t coverage_mask(const struct coverage *coverage, int x, int y, int row0, int row1)
+{
+    uint64_t mask = triangle_mask(coverage->edges[0], x, y, row0, row1);
+    for (int i = 1; i < coverage->count; i++) {
+        mask ^= triangle_mask(coverage->edges[i], x, y, row0, row1);
+    }
+    return mask;
+}
+
+// The pixels of the block at (x, y) that are inside x0 .. x1 − 1, y0 .. y1 − 1 (tile coordinates; the block and
+// the rectangle overlap).
+static uint64_t rect_mask(int x, int y, int x0, int y0, int x1, int y1)
+{
+    const int left = x0 > x ? x0 - x : 0, right = x1 < x + RHW_BLOCK ? x1 - x : RHW_BLOCK;
+    const int top = y0 > y ? y0 - y : 0, bottom = y1 < y + RHW_BLOCK ? y1 - y : RHW_BLOCK;
+    const uint64_t row = (0xffu << left & 0xffu) & 0xffu >> (RHW_BLOCK - right);
+    const uint64_t rows = (~(uint64_t)0 << (8 * top)) & (~(uint64_t)0 >> (8 * (RHW_BLOCK - bottom)));
+    return row * 0x0101010101010101u & rows;
+}

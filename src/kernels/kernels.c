@@ -1,0 +1,13 @@
+// SPDX-License-Identifier: MIT
+// Compiled once per instruction set, with RHW_ISA_SUFFIX naming it.
+#include "kernels.h"
+
+#include "isa_name.h"
+
+#include "front_tmpl.h"
+#include "sample_tmpl.h"
+#include "tile_tmpl.h"
+
+extern const struct rhw_kernels RHW_ISA_NAME(rhw_kernels);
+
+const struct rhw_kernels RHW_ISA_NAME(rhw_kernels) = {.chunk = run_chunk, .tile = run_tile, .sample = sample};

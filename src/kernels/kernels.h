@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: MIT
+// The one table of functions that exist once per instruction set. Everything else of the library is compiled
+// once, for the baseline.
+#ifndef RHW_KERNELS_H
+#define RHW_KERNELS_H
+
+#include "rhw/shader.h"
+
+struct rhw_pass_state;
+struct rhw_chunk;
+
+struct rhw_kernels {
+    // The front end over one chunk: fetch, vertex function, clip, cull, snap, bin. False when out of memory.
+    bool (*chunk)(struct rhw_pass_state *pass, struct rhw_chunk *chunk, int worker);
+    // One tile of the back end, from load to store.
+    void (*tile)(struct rhw_pass_state *pass, int tile, int worker);
+    // Behind rhw_sample_grad and rhw_sample_lod.
+    void (*sample)(const struct rhw_binding *binding, const rhw_float uv[2], const rhw_float grad[4],
+                   const rhw_float *lod, rhw_float texel[4]);
+};
+
+// NULL where this build has no kernels for `isa`; RHW_ISA_BASELINE is always there.
+const struct rhw_kernels *rhw_kernels_for(enum rhw_isa isa);
+
+#endif

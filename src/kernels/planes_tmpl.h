@@ -1,0 +1,204 @@
+// SPDX-License-Identifier: MIT
+// The quantities that are linear on the screen, and the weights made from them. Template: compiled once per
+// instruction set.
+//
+// With the exact edge functions e_i of the snapped triangle, A their sum (twice the area) and w_i = 1/W_i:
+//
+//     S = 1/W = (e_0·w_0 + e_1·w_1 + e_2·w_2) / A,     b = (e_1·w_1 / A) / S,     c = (e_2·w_2 / A) / S,
+//     s = e_1 / A,    t = e_2 / A,                     Z/W = d_0 + e_1·(d_1 − d_0)/A + e_2·(d_2 − d_0)/A.
+//
+// All in double, each rounded once to float at the end: b and c, the only weights that interpolation needs
+// (a attribute is I_0 + b·(I_1 − I_0) + c·(I_2 − I_0)), carry half an ULP of float and nothing else worth
+// counting. docs/exactness.md adds up what follows.
+//
+// A linear quantity is evaluated as column + row, relative to a pixel that moves with the triangle, so that
+// moving it by whole pixels changes no bit. For slivers and extreme ratios of W those sums would cancel;
+// such triangles (`exact`) take their e_i as exact integers per pixel and combine after that.
+
+#include "scratch.h"
+
+struct plane {
+    double at, dx, dy; // value at the anchor's centre; change per pixel
+};
+
+struct planes {
+    int anchor_x, anchor_y; // pixels
+    bool exact;
+    struct plane z;          // depth
+    struct plane s, b, c;    // 1/W; (b·1/W), (c·1/W)
+    struct plane n1, n2;     // weights on the screen of vertices 1 and 2
+    struct plane e1, e2;     // exact integers
+    double z_base, z_e1, z_e2, s_base, s_e1, s_e2, b_e1, c_e2, n_e; // factors of e_1 and e_2, for `exact`
+};
+
+static struct plane combine(double base, double f1, struct plane e1, double f2, struct plane e2)
+{
+    return (struct plane){base + (f1 * e1.at + f2 * e2.at), f1 * e1.dx + f2 * e2.dx, f1 * e1.dy + f2 * e2.dy};
+}
+
+static struct plane scale(double f, struct plane e)
+{
+    return (struct plane){f * e.at, f * e.dx, f * e.dy};
+}
+
+// Edge function of the snapped triangle from corner j to corner k, at the anchor's centre; exact (limits.h).
+static struct plane edge_plane(const struct rhw_triangle *t, int j, int k, double sign, const struct planes *p)
+{
+    const double a = sign * (double)(t->y_24_8[j] - t->y_24_8[k]), b = sign * (double)(t->x_24_8[k] - t->x_24_8[j]);
+    const double px = (double)(p->anchor_x * RHW_SUBPIXEL + RHW_SUBPIXEL / 2 - t->x_24_8[j]);
+    const double py = (double)(p->anchor_y * RHW_SUBPIXEL + RHW_SUBPIXEL / 2 - t->y_24_8[j]);
+    return (struct plane){a * px + b * py, a * RHW_SUBPIXEL, b * RHW_SUBPIXEL};
+}
+
+static double absolute(double v)
+{
+    return v < 0 ? -v : v;
+}
+
+static void planes_snapped(struct planes *p, const struct rhw_triangle *t,
+                           const struct rhw_vertex_record *const v[3])
+{
+    p->anchor_x = t->x_24_8[0] >> RHW_SUBPIXEL_BITS;
+    p->anchor_y = t->y_24_8[0] >> RHW_SUBPIXEL_BITS;
+    const double x1 = t->x_24_8[1] - t->x_24_8[0], y1 = t->y_24_8[1] - t->y_24_8[0];
+    const double x2 = t->x_24_8[2] - t->x_24_8[0], y2 = t->y_24_8[2] - t->y_24_8[0];
+    const double signed_area = x1 * y2 - x2 * y1, sign = signed_area < 0 ? -1 : 1;
+    const double inverse_area = 1 / (sign * signed_area);
+    p->e1 = edge_plane(t, 2, 0, sign, p);
+    p->e2 = edge_plane(t, 0, 1, sign, p);
+    const double w0 = 1 / (double)v[0]->position[3], w1 = 1 / (double)v[1]->position[3], w2 = 1 / (double)v[2]->position[3];
+    const double d0 = (double)v[0]->depth;
+    p->z_base = d0;
+    p->z_e1 = ((double)v[1]->depth - d0) * inverse_area;
+    p->z_e2 = ((double)v[2]->depth - d0) * inverse_area;
+    p->s_base = w0;
+    p->s_e1 = (w1 - w0) * inverse_area;
+    p->s_e2 = (w2 - w0) * inverse_area;
+    p->b_e1 = w1 * inverse_area;
+    p->c_e2 = w2 * inverse_area;
+    p->n_e = inverse_area;
+    // Terms of the sums are below extent² · the largest w / A; the smallest S is the smallest w. Their ratio
+    // is how many bits cancel; 53 − 20 are more than the 24 + 6 that the bound needs.
+    const double width = absolute(x1) + absolute(x2), height = absolute(y1) + absolute(y2);
+    const double low = w0 < w1 ? (w0 < w2 ? w0 : w2) : (w1 < w2 ? w1 : w2);
+    const double high = w0 > w1 ? (w0 > w2 ? w0 : w2) : (w1 > w2 ? w1 : w2);
+    p->exact = (width + RHW_SUBPIXEL) * (height + RHW_SUBPIXEL) * inverse_area * high > 0x1p20 * low;
+    p->z = combine(p->z_base, p->z_e1, p->e1, p->z_e2, p->e2);
+    p->s = combine(p->s_base, p->s_e1, p->e1, p->s_e2, p->e2);
+    p->b = scale(p->b_e1, p->e1);
+    p->c = scale(p->c_e2, p->e2);
+    p->n1 = scale(p->n_e, p->e1);
+    p->n2 = scale(p->n_e, p->e2);
+}
+
+// Row i of the adjugate of M, whose rows are (x, y, w) of the vertices in pixels times W: with it,
+// (a, b, c)/W_P = M^-T · (x_P, y_P, 1). Olano and Greer 1997, Triangle Scan Conversion using 2D Homogeneous
+// Coordinates, §4.
+static struct plane adjugate_row(double m[3][3], int i)
+{
+    const double *const j = m[i == 2 ? 0 : i + 1], *const k = m[i == 0 ? 2 : i - 1];
+    return (struct plane){j[0] * k[1] - j[1] * k[0], j[1] * k[2] - j[2] * k[1], j[2] * k[0] - j[0] * k[2]};
+}
+
+// A vertex could not be snapped: the truth is the homogeneous triangle itself.
+static void planes_homogeneous(struct planes *p, const struct rhw_draw_state *state,
+                               const struct rhw_vertex_record *const v[3])
+{
+    *p = (struct planes){0};
+    // Relative to the viewport's centre, where clip coordinates are as precise as they came.
+    p->anchor_x = (int)state->center_x;
+    p->anchor_y = (int)state->center_y;
+    const double cx = state->center_x - (p->anchor_x + 0.5), cy = state->center_y - (p->anchor_y + 0.5);
+    double m[3][3];
+    for (int i = 0; i < 3; i++) {
+        const double w = (double)v[i]->position[3];
+        m[i][0] = (double)v[i]->position[0] * state->half_width + w * cx;
+        m[i][1] = w * cy - (double)v[i]->position[1] * state->half_height;
+        m[i][2] = w;
+    }
+    const struct plane row[3] = {adjugate_row(m, 0), adjugate_row(m, 1), adjugate_row(m, 2)};
+    const double determinant = m[0][0] * row[0].dx + m[0][1] * row[0].dy + m[0][2] * row[0].at;
+    const double inverse = 1 / determinant;
+    const struct plane a = scale(inverse, row[0]);
+    p->b = scale(inverse, row[1]);
+    p->c = scale(inverse, row[2]);
+    p->s = (struct plane){a.at + p->b.at + p->c.at, a.dx + p->b.dx + p->c.dx, a.dy + p->b.dy + p->c.dy};
+    p->n1 = scale((double)v[1]->position[3], p->b);
+    p->n2 = scale((double)v[2]->position[3], p->c);
+    const double z0 = (double)v[0]->position[2], z1 = (double)v[1]->position[2], z2 = (double)v[2]->position[2];
+    const double low = (double)state->viewport.depth_min, span = (double)state->viewport.depth_max - low;
+    p->z = (struct plane){low + span * (a.at * z0 + p->b.at * z1 + p->c.at * z2),
+                          span * (a.dx * z0 + p->b.dx * z1 + p->c.dx * z2),
+                          span * (a.dy * z0 + p->b.dy * z1 + p->c.dy * z2)};
+}
+
+// The lanes of one row of 8 pixels.
+struct lanes {
+    d8 dx; // pixels from the anchor
+    double dy;
+};
+
+static d8 evaluate(const struct plane *plane, struct lanes at)
+{
+    return d8_add(d8_mul(d8_splat(plane->dx), at.dx), d8_splat(plane->at + plane->dy * at.dy));
+}
+
+static d8 evaluate_sum(double base, double f1, d8 e1, double f2, d8 e2)
+{
+    return d8_add(d8_splat(base), d8_add(d8_mul(d8_splat(f1), e1), d8_mul(d8_splat(f2), e2)));
+}
+
+static f8 depth_at(const struct planes *p, struct lanes at)
+{
+    if (__builtin_expect(p->exact, 0)) {
+        return f8_from_d8(evaluate_sum(p->z_base, p->z_e1, evaluate(&p->e1, at), p->z_e2, evaluate(&p->e2, at)));
+    }
+    return f8_from_d8(evaluate(&p->z, at));
+}
+
+// 1/W and the perspective weights of vertices 1 and 2.
+struct weights {
+    f8 b, c;
+    d8 s, inverse_s;
+};
+
+static struct weights weights_at(const struct planes *p, struct lanes at)
+{
+    d8 s, b, c;
+    if (__builtin_expect(p->exact, 0)) {
+        const d8 e1 = evaluate(&p->e1, at), e2 = evaluate(&p->e2, at);
+        s = evaluate_sum(p->s_base, p->s_e1, e1, p->s_e2, e2);
+        b = d8_mul(d8_splat(p->b_e1), e1);
+        c = d8_mul(d8_splat(p->c_e2), e2);
+    } else {
+        s = evaluate(&p->s, at);
+        b = evaluate(&p->b, at);
+        c = evaluate(&p->c, at);
+    }
+    const d8 inverse = d8_div(d8_splat(1), s);
+    return (struct weights){f8_from_d8(d8_mul(b, inverse)), f8_from_d8(d8_mul(c, inverse)), s, inverse};
+}
+
+// Weights on the screen.
+static void screen_weights_at(const struct planes *p, struct lanes at, f8 *s, f8 *t)
+{
+    if (__builtin_expect(p->exact, 0)) {
+        *s = f8_from_d8(d8_mul(d8_splat(p->n_e), evaluate(&p->e1, at)));
+        *t = f8_from_d8(d8_mul(d8_splat(p->n_e), evaluate(&p->e2, at)));
+        return;
+    }
+    *s = f8_from_d8(evaluate(&p->n1, at));
+    *t = f8_from_d8(evaluate(&p->n2, at));
+}
+
+// Per pixel to the right (x) and down (y), of a weight q/S with q = b or c. The numerator of
+// d(q/S)/dx = (q_x·S − q·S_x)/S² does not depend on x, that of d/dy not on y: no cancellation per pixel.
+static void weight_derivatives(const struct plane *q, const struct planes *p, struct lanes at, d8 inverse_s, f8 *dx, f8 *dy)
+{
+    const struct plane *const s = &p->s;
+    const double nx = (q->dx * s->at - q->at * s->dx) + (q->dx * s->dy - q->dy * s->dx) * at.dy;
+    const d8 ny = d8_add(d8_splat(q->dy * s->at - q->at * s->dy), d8_mul(d8_splat(q->dy * s->dx - q->dx * s->dy), at.dx));
+    const d8 squared = d8_mul(inverse_s, inverse_s);
+    *dx = f8_from_d8(d8_mul(d8_splat(nx), squared));
+    *dy = f8_from_d8(d8_mul(ny, squared));
+}

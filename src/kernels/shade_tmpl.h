@@ -1,0 +1,294 @@
+// SPDX-License-Identifier: MIT
+// Fragments: groups of 8 are collected from any triangles of one draw, shaded with one call, then tested and
+// merged in the order they came. Template: compiled once per instruction set.
+
+#include "../shader_adapter.h"
+#include "output_tmpl.h"
+#include "planes_tmpl.h"
+#include "scratch.h"
+
+// How depth is tested for a draw.
+enum depth_mode {
+    DEPTH_NONE,
+    DEPTH_EARLY,       // tested and written before shading
+    DEPTH_LATE,        // after: the fragment function writes depth
+    DEPTH_EARLY_REJECT // tested before, tested again and written after: the fragment function may discard
+};
+
+// One worker's work on one tile.
+struct tile_work {
+    struct rhw_pass_state *pass;
+    struct rhw_tile_scratch *scratch;
+    struct rhw_counters *counters;
+    int x, y; // pixels of the tile's first pixel in the target
+
+    // Of the draw whose fragments are collected:
+    const struct rhw_draw *draw;
+    const struct rhw_draw_state *state;
+    const struct rhw_pipeline_data *pipeline;
+    enum depth_mode depth_mode;
+    bool shades; // there is a fragment function
+    int count;   // groups collected
+};
+
+// Of the triangle that is being drawn, made when its first fragments survive.
+struct triangle_values {
+    bool ready;
+    const struct rhw_vertex_record *v[3];
+    const float *provoking;
+    float i0[RHW_MAX_VARYING_COMPONENTS], d1[RHW_MAX_VARYING_COMPONENTS], d2[RHW_MAX_VARYING_COMPONENTS];
+};
+
+// Lanes for which `z compare old` holds.
+static i8 depth_passes(enum rhw_compare compare, f8 z, f8 old)
+{
+    switch (compare) {
+    case RHW_COMPARE_NEVER:
+        return i8_splat(0);
+    case RHW_COMPARE_LESS:
+        return z < old;
+    case RHW_COMPARE_EQUAL:
+        return z == old;
+    case RHW_COMPARE_LESS_EQUAL:
+        return z <= old;
+    case RHW_COMPARE_GREATER:
+        return z > old;
+    case RHW_COMPARE_NOT_EQUAL:
+        return z != old;
+    case RHW_COMPARE_GREATER_EQUAL:
+        return z >= old;
+    default:
+        return i8_splat(-1);
+    }
+}
+
+static float *depth_row(const struct tile_work *work, int x, int y)
+{
+    return &work->scratch->depth[y * RHW_TILE + x];
+}
+
+static f8 viewport_clamp(const struct rhw_draw_state *state, f8 z)
+{
+    const float a = state->viewport.depth_min, b = state->viewport.depth_max;
+    return f8_min(f8_max(z, f8_splat(a < b ? a : b)), f8_splat(a < b ? b : a));
+}
+
+// Tests 8 fragments and writes those that pass, if the pipeline writes.
+static i8 depth_test_and_write(const struct tile_work *work, int x, int y, f8 z, i8 mask)
+{
+    const struct rhw_pipeline_def *const def = &work->pipeline->def;
+    float *const row = depth_row(work, x, y);
+    const f8 old = f8_load(row);
+    const i8 pass = mask & depth_passes(def->depth_compare, z, old);
+    if (def->depth_write) {
+        f8_store(row, f8_select(pass, z, old));
+    }
+    return pass;
+}
+
+static void merge_group(const struct tile_work *work, int g)
+{
+    struct rhw_tile_scratch *const scratch = work->scratch;
+    const struct rhw_group_place place = scratch->places[g];
+    const struct rhw_fragment *const group = &scratch->groups[g];
+    const uint32_t uses = work->pipeline->def.program.uses;
+    i8 mask = i8_from_bits(place.bits);
+    if (uses & RHW_USE_DISCARD) {
+        mask &= group->mask < i8_splat(0);
+    }
+    if (work->depth_mode >= DEPTH_LATE) {
+        const f8 z = uses & RHW_USE_DEPTH ? viewport_clamp(work->state, group->depth) : group->depth;
+        mask = depth_test_and_write(work, place.x, place.y, z, mask);
+    }
+    for (int t = 0; t < work->pass->color_count; t++) {
+        const size_t texel = work->pass->colors[t].texel_size;
+        output_group(&work->state->outputs[t], (const f8 *)scratch->outputs[g][t], mask,
+                     scratch->color[t] + (size_t)(place.y * RHW_TILE + place.x) * texel);
+    }
+}
+
+// Shades and merges what was collected.
+static void flush(struct tile_work *work)
+{
+    struct rhw_tile_scratch *const scratch = work->scratch;
+    if (work->count == 0) {
+        return;
+    }
+    if (work->pipeline->fragment) {
+        work->pipeline->fragment(scratch->groups, work->count);
+    } else {
+        rhw_fragment1_run(work->pipeline, scratch->groups, work->count);
+    }
+    for (int g = 0; g < work->count; g++) {
+        merge_group(work, g);
+    }
+    work->counters->groups += (uint64_t)work->count;
+    work->count = 0;
+}
+
+static void set_draw(struct tile_work *work, const struct rhw_draw *draw)
+{
+    flush(work);
+    const struct rhw_draw_state *const state = draw->state;
+    const struct rhw_pipeline_data *const pipeline = state->pipeline;
+    const struct rhw_pipeline_def *const def = &pipeline->def;
+    const uint32_t uses = def->program.uses;
+    const bool monotonic = def->depth_compare == RHW_COMPARE_LESS || def->depth_compare == RHW_COMPARE_LESS_EQUAL ||
+                           def->depth_compare == RHW_COMPARE_GREATER || def->depth_compare == RHW_COMPARE_GREATER_EQUAL;
+    work->draw = draw;
+    work->state = state;
+    work->pipeline = pipeline;
+    work->shades = pipeline->fragment || def->program.fragment1;
+    // A fragment that fails an ordering test now fails it later too, as depth only moves that way meanwhile.
+    work->depth_mode = !def->depth_test                                    ? DEPTH_NONE
+                       : !work->shades || !(uses & (RHW_USE_DISCARD | RHW_USE_DEPTH)) ? DEPTH_EARLY
+                       : uses & RHW_USE_DEPTH || !monotonic                ? DEPTH_LATE
+                                                                           : DEPTH_EARLY_REJECT;
+    for (int g = 0; g < RHW_FRAGMENT_GROUPS; g++) {
+        struct rhw_fragment *const group = &work->scratch->groups[g];
+        const int offset = g * pipeline->varying_components;
+        group->varying = work->scratch->varyings + offset;
+        group->ddx = work->scratch->ddx + offset;
+        group->ddy = work->scratch->ddy + offset;
+        group->uniforms = state->uniforms;
+        group->textures = state->textures;
+        group->color = work->scratch->outputs[g];
+    }
+}
+
+static void prepare_values(const struct tile_work *work, const struct rhw_segment *segment,
+                           const struct rhw_triangle *t, struct triangle_values *values)
+{
+    const int components = work->pipeline->varying_components;
+    const float *const a = values->v[0]->varyings, *const b = values->v[1]->varyings, *const c = values->v[2]->varyings;
+    (void)segment;
+    (void)t;
+    values->provoking = work->pipeline->def.provoking == RHW_PROVOKING_FIRST ? a : c;
+    for (int i = 0; i < components; i++) {
+        values->i0[i] = a[i];
+        values->d1[i] = b[i] - a[i];
+        values->d2[i] = c[i] - a[i];
+    }
+    values->ready = true;
+}
+
+struct weight_slopes {
+    f8 b_dx, b_dy, c_dx, c_dy;
+};
+
+static void fill_varyings(const struct tile_work *work, int g, const struct triangle_values *values, f8 b, f8 c, f8 s,
+                          f8 t)
+{
+    const struct rhw_pipeline_data *const pipeline = work->pipeline;
+    const int components = pipeline->varying_components;
+    f8 *const out = work->scratch->varyings + g * components;
+    if (!pipeline->any_noperspective && !pipeline->any_flat) {
+        for (int i = 0; i < components; i++) {
+            out[i] = f8_splat(values->i0[i]) + (b * f8_splat(values->d1[i]) + c * f8_splat(values->d2[i]));
+        }
+        return;
+    }
+    for (int i = 0; i < components; i++) {
+        const bool smooth = pipeline->component_qualifier[i] == RHW_SMOOTH;
+        out[i] = pipeline->component_qualifier[i] == RHW_FLAT
+                     ? f8_splat(values->provoking[i])
+                     : f8_splat(values->i0[i]) + ((smooth ? b : s) * f8_splat(values->d1[i]) +
+                                                  (smooth ? c : t) * f8_splat(values->d2[i]));
+    }
+}
+
+static void fill_derivatives(const struct tile_work *work, int g, const struct triangle_values *values,
+                             const struct planes *planes, const struct weight_slopes *slopes)
+{
+    const struct rhw_pipeline_data *const pipeline = work->pipeline;
+    const int components = pipeline->varying_components;
+    for (int i = 0; i < components; i++) {
+        if (!pipeline->component_derivatives[i]) {
+            continue;
+        }
+        const int at = g * components + i;
+        const f8 d1 = f8_splat(values->d1[i]), d2 = f8_splat(values->d2[i]);
+        switch (pipeline->component_qualifier[i]) {
+        case RHW_SMOOTH:
+            work->scratch->ddx[at] = slopes->b_dx * d1 + slopes->c_dx * d2;
+            work->scratch->ddy[at] = slopes->b_dy * d1 + slopes->c_dy * d2;
+            break;
+        case RHW_NOPERSPECTIVE:
+            work->scratch->ddx[at] = f8_splat((float)planes->n1.dx) * d1 + f8_splat((float)planes->n2.dx) * d2;
+            work->scratch->ddy[at] = f8_splat((float)planes->n1.dy) * d1 + f8_splat((float)planes->n2.dy) * d2;
+            break;
+        default:
+            work->scratch->ddx[at] = work->scratch->ddy[at] = f8_splat(0);
+            break;
+        }
+    }
+}
+
+static void fill_barycentrics(f8 out[3], f8 b, f8 c)
+{
+    out[0] = (f8_splat(1) - b) - c;
+    out[1] = b;
+    out[2] = c;
+}
+
+// Adds 8 fragments of a row to those collected. `place` is in the tile.
+static void add_group(struct tile_work *work, const struct rhw_segment *segment, const struct rhw_triangle *t,
+                      const struct planes *planes, const struct triangle_values *values, struct lanes at,
+                      struct rhw_group_place place, f8 z)
+{
+    const struct rhw_pipeline_data *const pipeline = work->pipeline;
+    const uint32_t uses = pipeline->def.program.uses;
+    const int g = work->count;
+    struct rhw_fragment *const group = &work->scratch->groups[g];
+    const bool any_derivatives = pipeline->any_derivatives || uses & RHW_USE_BARYCENTRIC_DERIVATIVES;
+    const bool screen = pipeline->any_noperspective || uses & RHW_USE_BARYCENTRIC;
+    const bool perspective = pipeline->any_smooth || any_derivatives || uses & (RHW_USE_BARYCENTRIC | RHW_USE_COORD);
+    struct weights w = {.b = f8_splat(0)};
+    f8 s = f8_splat(0), r = s;
+    if (perspective) {
+        w = weights_at(planes, at);
+    }
+    if (screen) {
+        screen_weights_at(planes, at, &s, &r);
+    }
+    work->scratch->places[g] = place;
+    group->mask = i8_from_bits(place.bits);
+    group->depth = z;
+    fill_varyings(work, g, values, w.b, w.c, s, r);
+    if (any_derivatives) {
+        struct weight_slopes slopes;
+        weight_derivatives(&planes->b, planes, at, w.inverse_s, &slopes.b_dx, &slopes.b_dy);
+        weight_derivatives(&planes->c, planes, at, w.inverse_s, &slopes.c_dx, &slopes.c_dy);
+        fill_derivatives(work, g, values, planes, &slopes);
+        if (uses & RHW_USE_BARYCENTRIC_DERIVATIVES) {
+            const f8 zero = f8_splat(0);
+            fill_barycentrics(group->barycentric_ddx, slopes.b_dx, slopes.c_dx);
+            fill_barycentrics(group->barycentric_ddy, slopes.b_dy, slopes.c_dy);
+            group->barycentric_ddx[0] = (zero - slopes.b_dx) - slopes.c_dx;
+            group->barycentric_ddy[0] = (zero - slopes.b_dy) - slopes.c_dy;
+        }
+    }
+    if (uses & RHW_USE_COORD) {
+        const f8 half = f8_splat(0.5f);
+        group->coord[0] = __builtin_convertvector(i8_splat(work->x + place.x) + rhw_lane_index, f8) + half;
+        group->coord[1] = f8_splat((float)(work->y + place.y)) + half;
+        group->coord[2] = z;
+        group->coord[3] = f8_from_d8(w.s);
+    }
+    if (uses & RHW_USE_FACING) {
+        group->front_facing = i8_splat(t->flags & RHW_TRIANGLE_BACK ? 0 : -1);
+    }
+    if (uses & RHW_USE_IDS) {
+        group->primitive = i8_splat((int32_t)t->primitive);
+        group->instance = i8_splat((int32_t)(segment->draw->first_instance + segment->instance));
+        group->draw = i8_splat((int32_t)segment->draw->index);
+    }
+    if (uses & RHW_USE_BARYCENTRIC) {
+        fill_barycentrics(group->barycentric, w.b, w.c);
+        fill_barycentrics(group->barycentric_noperspective, s, r);
+    }
+    work->counters->fragments += (uint64_t)__builtin_popcount(place.bits);
+    if (++work->count == RHW_FRAGMENT_GROUPS) {
+        flush(work);
+    }
+}

@@ -1,0 +1,193 @@
+// SPDX-License-Identifier: MIT
+// Vertices: fetch from the buffers into 8 lanes, the vertex function, projection and snapping, and the record
+// that triangles read. Template: compiled once per instruction set.
+
+#include "../format.h"
+#include "../half.h"
+#include "../shader_adapter.h"
+#include "scratch.h"
+
+// One value of `type` with 1 to 4 components; the rest of `out` is left alone.
+static void fetch_lane(const unsigned char *p, enum rhw_vertex_type type, int components, float out[4])
+{
+    for (int c = 0; c < components; c++) {
+        uint16_t u16 = 0;
+        if (rhw_vertex_type_size(type) == 2) {
+            memcpy(&u16, p + 2 * c, sizeof u16);
+        }
+        switch (type) {
+        case RHW_TYPE_FLOAT:
+            memcpy(&out[c], p + 4 * c, sizeof out[c]);
+            break;
+        case RHW_TYPE_HALF:
+            out[c] = rhw_half_to_float(u16);
+            break;
+        case RHW_TYPE_UNORM8:
+            out[c] = (float)p[c] / 255.0f;
+            break;
+        case RHW_TYPE_SNORM8:
+            out[c] = (int8_t)p[c] == -128 ? -1.0f : (float)(int8_t)p[c] / 127.0f;
+            break;
+        case RHW_TYPE_UINT8:
+            out[c] = (float)p[c];
+            break;
+        case RHW_TYPE_SINT8:
+            out[c] = (float)(int8_t)p[c];
+            break;
+        case RHW_TYPE_UNORM16:
+            out[c] = (float)u16 / 65535.0f;
+            break;
+        case RHW_TYPE_SNORM16:
+            out[c] = (int16_t)u16 == -32768 ? -1.0f : (float)(int16_t)u16 / 32767.0f;
+            break;
+        case RHW_TYPE_UINT16:
+            out[c] = (float)u16;
+            break;
+        default:
+            out[c] = (float)(int16_t)u16;
+            break;
+        }
+    }
+}
+
+// One attribute of 8 vertices. `element` says which element of the stream each lane reads; a lane whose
+// element is not wholly inside the buffer reads 0, 0, 0, 1.
+static void fetch_attribute(const struct rhw_vertex_stream *stream, const struct rhw_attribute *attribute,
+                            uint32_t stride, const uint32_t element[8], f8 out[4])
+{
+    const enum rhw_vertex_type type = rhw_vertex_format_type(attribute->format);
+    const int components = rhw_vertex_format_components(attribute->format);
+    const size_t size = (size_t)(components * rhw_vertex_type_size(type));
+    const f8 missing = {0, 0, 0, 1, 0, 0, 0, 0};
+    f8 rows[8];
+    for (int lane = 0; lane < 8; lane++) {
+        float row[8];
+        const uint64_t offset = (uint64_t)element[lane] * stride + attribute->offset;
+        f8_store(row, missing);
+        if (offset <= stream->size && stream->size - offset >= size) {
+            const unsigned char *const p = stream->bytes + offset;
+            if (type == RHW_TYPE_FLOAT && components == 3) {
+                memcpy(row, p, 12);
+            } else {
+                fetch_lane(p, type, components, row);
+            }
+        }
+        rows[lane] = f8_load(row);
+    }
+    f8_transpose(rows);
+    memcpy(out, rows, 4 * sizeof *out);
+}
+
+// Clip coordinates to the header of the vertex records. z01: Z in the 0..W convention.
+static void project(const struct rhw_draw_state *state, const f8 position[4], f8 header[8])
+{
+    const f8 x = position[0], y = position[1], z = position[2], w = position[3];
+    const bool symmetric = state->pipeline->def.depth_range == RHW_DEPTH_MINUS_ONE_TO_ONE;
+    const f8 z01 = symmetric ? (z + w) * f8_splat(0.5f) : z;
+    const f8 zero = f8_splat(0);
+    const d8 wd = d8_from_f8(w);
+    const d8 sx = d8_add(d8_mul(d8_div(d8_from_f8(x), wd), d8_splat(state->half_width)), d8_splat(state->center_x));
+    const d8 sy = d8_sub(d8_splat(state->center_y), d8_mul(d8_div(d8_from_f8(y), wd), d8_splat(state->half_height)));
+    d8 depth = d8_div(d8_from_f8(z), wd);
+    if (symmetric) {
+        depth = d8_mul(d8_add(depth, d8_splat(1)), d8_splat(0.5));
+    }
+    const struct rhw_viewport *const v = &state->viewport;
+    const double span = (double)v->depth_max - (double)v->depth_min;
+    const f8 d = f8_from_d8(d8_add(d8_mul(depth, d8_splat(span)), d8_splat((double)v->depth_min)));
+    // In float the comparisons err by a rounding at 32768, a power of two: there the float is below or equal
+    // exactly when the double rounds to it or below.
+    const f8 fx = f8_from_d8(sx), fy = f8_from_d8(sy);
+    const f8 band = f8_splat((float)RHW_GUARD_BAND), far_depth = f8_splat(1e30f);
+    const i8 snapped = (w > zero) & (fx <= band) & (fx >= -band) & (fy <= band) & (fy >= -band) & (d < far_depth) &
+                       (d > -far_depth);
+    const i8 finite = (x - x == zero) & (y - y == zero) & (z - z == zero) & (w - w == zero);
+    i8 flags = (x < -w) & i8_splat(RHW_VERTEX_LEFT);
+    flags |= (x > w) & i8_splat(RHW_VERTEX_RIGHT);
+    flags |= (y < -w) & i8_splat(RHW_VERTEX_BOTTOM);
+    flags |= (y > w) & i8_splat(RHW_VERTEX_TOP);
+    flags |= (z01 < zero) & i8_splat(RHW_VERTEX_NEAR);
+    flags |= (z01 > w) & i8_splat(RHW_VERTEX_FAR);
+    flags |= ~snapped & i8_splat(RHW_VERTEX_UNSNAPPED);
+    flags |= ~finite & i8_splat(RHW_VERTEX_NOT_FINITE);
+    const double limit = RHW_GUARD_BAND;
+    const d8 unit = d8_splat(RHW_SUBPIXEL);
+    header[0] = (f8)i8_round_d8(d8_mul(d8_clamp(sx, -limit, limit), unit));
+    header[1] = (f8)i8_round_d8(d8_mul(d8_clamp(sy, -limit, limit), unit));
+    header[2] = d;
+    header[3] = (f8)flags;
+    header[4] = x;
+    header[5] = y;
+    header[6] = z01;
+    header[7] = w;
+}
+
+// Writes 8 vectors of 8 vertices as 8 floats of each vertex.
+static void scatter(f8 vectors[8], float *records, int stride)
+{
+    f8_transpose(vectors);
+    for (int lane = 0; lane < 8; lane++) {
+        f8_store(records + lane * stride, vectors[lane]);
+    }
+}
+
+static void store_records(const struct rhw_draw_state *state, const struct rhw_vertex *group, int stride, float *records)
+{
+    const int components = state->pipeline->varying_components;
+    f8 vectors[8];
+    project(state, group->position, vectors);
+    scatter(vectors, records, stride);
+    for (int c = 0; c < components; c += 8) {
+        const int n = components - c < 8 ? components - c : 8;
+        for (int i = 0; i < 8; i++) {
+            vectors[i] = i < n ? group->varying[c + i] : f8_splat(0);
+        }
+        scatter(vectors, records + 8 + c, stride);
+    }
+}
+
+// Shades `count` vertices, whose indices are scratch->unique, into the segment. `count` is rounded up to 8:
+// the last group repeats its last vertex, and the segment has room for it.
+static void shade_vertices(struct rhw_front_scratch *scratch, const struct rhw_segment *segment, uint32_t count)
+{
+    const struct rhw_draw_state *const state = segment->draw->state;
+    const struct rhw_pipeline_data *const pipeline = state->pipeline;
+    const struct rhw_pipeline_def *const def = &pipeline->def;
+    const uint32_t instance = segment->draw->first_instance + segment->instance;
+    const uint32_t total = (count + 7) / 8;
+    for (uint32_t i = count; i < 8 * total; i++) {
+        scratch->unique[i] = scratch->unique[count - 1];
+    }
+    for (uint32_t first = 0; first < total; first += RHW_VERTEX_GROUPS) {
+        const int groups = (int)(total - first < RHW_VERTEX_GROUPS ? total - first : RHW_VERTEX_GROUPS);
+        for (int g = 0; g < groups; g++) {
+            struct rhw_vertex *const group = &scratch->groups[g];
+            uint32_t element[8], instances[8];
+            memcpy(element, &scratch->unique[8 * (first + (uint32_t)g)], sizeof element);
+            for (int lane = 0; lane < 8; lane++) {
+                instances[lane] = instance;
+            }
+            for (int a = 0; a < def->attribute_count; a++) {
+                const struct rhw_attribute *const attribute = &def->attributes[a];
+                const struct rhw_vertex_layout *const layout = &def->buffers[attribute->buffer];
+                fetch_attribute(&state->streams[attribute->buffer], attribute, layout->stride,
+                                layout->per_instance ? instances : element, scratch->attributes[g][a]);
+            }
+            group->attribute = (const f8(*)[4])scratch->attributes[g];
+            group->vertex_index = i8_load(element);
+            group->instance_index = i8_load(instances);
+            group->uniforms = state->uniforms;
+            group->textures = state->textures;
+            group->varying = scratch->varyings + g * pipeline->varying_components;
+        }
+        if (pipeline->vertex) {
+            pipeline->vertex(scratch->groups, groups);
+        } else {
+            rhw_vertex1_run(pipeline, scratch->groups, groups);
+        }
+        for (int g = 0; g < groups; g++) {
+            store_records(state, &scratch->groups[g], segment->vertex_stride,
+                          segment->vertices + (size_t)(8 * (first + (uint32_t)g)) * (size_t)segment->vertex_stride);
+        }
+    }
+}

@@ -1,0 +1,531 @@
+// SPDX-License-Identifier: MIT
+// Recording: set_ functions change `pending`, a draw copies it when it changed. Running lives in pass_run.c.
+#include "pass.h"
+
+#include <math.h>
+#include <string.h>
+
+#include "assembly.h"
+#include "buffer.h"
+#include "context.h"
+#include "format.h"
+#include "kernels/kernels.h"
+#include "pass_run.h"
+
+enum rhw_result rhw_pass_state_create(struct rhw_context *context, struct rhw_pass_state **out)
+{
+    struct rhw_pass_state *const pass = rhw_context_allocate(context, sizeof *pass, RHW_CACHE_LINE);
+    *out = pass;
+    if (!pass) {
+        return RHW_ERROR_OUT_OF_MEMORY;
+    }
+    memset(pass, 0, sizeof *pass);
+    pass->context = context;
+    rhw_arena_init(&pass->arena, context);
+    return RHW_OK;
+}
+
+void rhw_pass_state_destroy(struct rhw_context *context, struct rhw_pass_state *pass)
+{
+    if (!pass) {
+        return;
+    }
+    rhw_pass_run_release(pass);
+    for (uint32_t i = 0; i < pass->draw_blocks; i++) {
+        rhw_context_release(context, pass->draws[i], RHW_DRAW_BLOCK * sizeof(struct rhw_draw));
+    }
+    rhw_context_release(context, pass->draws, pass->draw_block_capacity * sizeof *pass->draws);
+    rhw_arena_destroy(&pass->arena);
+    rhw_context_release(context, pass, sizeof *pass);
+}
+
+// The pass that `id` names, or NULL after reporting misuse.
+static struct rhw_pass_state *pass_of(rhw_context *context, rhw_pass id, const char *where)
+{
+    const bool live = context->pass_active && id.index == 1 && id.generation == context->pass_generation;
+    return rhw_check(context, live, "%s: the pass id is null or its pass has ended", where) ? context->pass : NULL;
+}
+
+static bool check_attachment(rhw_context *context, const struct rhw_pass_def *def, const char *name, int i,
+                             enum rhw_load load, enum rhw_store store)
+{
+    (void)def;
+    return rhw_check(context, (unsigned)load <= RHW_LOAD_DISCARD, "rhw_pass_begin: %s[%d].load is %d; not a load operation",
+                     name, i, (int)load) &&
+           rhw_check(context, (unsigned)store <= RHW_STORE_DISCARD,
+                     "rhw_pass_begin: %s[%d].store is %d; not a store operation", name, i, (int)store);
+}
+
+// Fills what an attachment with a texture has, and checks its size against the pass.
+static enum rhw_result attach(struct rhw_pass_state *pass, rhw_texture id, const char *name, int i,
+                              struct rhw_attachment *attachment)
+{
+    struct rhw_context *const context = pass->context;
+    struct rhw_texture_data *const texture = rhw_context_texture(context, id, "rhw_pass_begin");
+    if (!texture) {
+        return RHW_ERROR_MISUSE;
+    }
+    const int width = texture->mip[0].width, height = texture->mip[0].height;
+    if (pass->width == 0) {
+        pass->width = width;
+        pass->height = height;
+    }
+    if (!rhw_check(context, width == pass->width && height == pass->height,
+                   "rhw_pass_begin: %s[%d].texture is %dx%d; the pass is %dx%d", name, i, width, height,
+                   pass->width, pass->height)) {
+        return RHW_ERROR_MISUSE;
+    }
+    if (!rhw_texture_data_ensure(context, texture)) {
+        return RHW_ERROR_OUT_OF_MEMORY;
+    }
+    attachment->format = texture->format;
+    attachment->target = &texture->mip[0];
+    attachment->texel_size = rhw_format_size(texture->format);
+    return RHW_OK;
+}
+
+static enum rhw_result attach_color(struct rhw_pass_state *pass, const struct rhw_pass_def *def, int i)
+{
+    struct rhw_context *const context = pass->context;
+    const struct rhw_color_attachment *const color = &def->colors[i];
+    struct rhw_attachment *const attachment = &pass->colors[i];
+    if (!check_attachment(context, def, "colors", i, color->load, color->store)) {
+        return RHW_ERROR_MISUSE;
+    }
+    const enum rhw_result result = attach(pass, color->texture, "colors", i, attachment);
+    if (result != RHW_OK) {
+        return result;
+    }
+    const struct rhw_format_info *const info = rhw_format_info(attachment->format);
+    if (!rhw_check(context, info->color_target, "rhw_pass_begin: colors[%d].texture is %s; that is no colour target", i,
+                   info->name)) {
+        return RHW_ERROR_MISUSE;
+    }
+    attachment->load = color->load;
+    attachment->store = color->store;
+    rhw_output_clear_value(attachment->format, color->clear, attachment->clear);
+    pass->color_ids[i] = color->texture;
+    return RHW_OK;
+}
+
+static enum rhw_result attach_depth(struct rhw_pass_state *pass, const struct rhw_pass_def *def)
+{
+    struct rhw_context *const context = pass->context;
+    const struct rhw_depth_attachment *const depth = &def->depth;
+    pass->has_depth = depth->enabled;
+    pass->depth = (struct rhw_attachment){.format = RHW_FORMAT_D32_FLOAT, .texel_size = sizeof(float)};
+    pass->depth_id = depth->texture;
+    if (!depth->enabled) {
+        return RHW_OK;
+    }
+    if (!check_attachment(context, def, "depth", 0, depth->load, depth->store)) {
+        return RHW_ERROR_MISUSE;
+    }
+    if (depth->texture.index != 0) {
+        const enum rhw_result result = attach(pass, depth->texture, "depth", 0, &pass->depth);
+        if (result != RHW_OK) {
+            return result;
+        }
+        if (!rhw_check(context, pass->depth.format == RHW_FORMAT_D32_FLOAT,
+                       "rhw_pass_begin: depth.texture is %s; the depth attachment is RHW_FORMAT_D32_FLOAT",
+                       rhw_format_info(pass->depth.format)->name)) {
+            return RHW_ERROR_MISUSE;
+        }
+    } else if (!rhw_check(context, depth->load != RHW_LOAD_LOAD && depth->store == RHW_STORE_DISCARD,
+                          "rhw_pass_begin: depth.texture is null; without one depth is cleared and not stored")) {
+        return RHW_ERROR_MISUSE;
+    }
+    if (!rhw_check(context, depth->clear >= 0 && depth->clear <= 1, "rhw_pass_begin: depth.clear is %g; it is in 0..1",
+                   (double)depth->clear)) {
+        return RHW_ERROR_MISUSE;
+    }
+    pass->depth.load = depth->load;
+    pass->depth.store = depth->store;
+    memcpy(pass->depth.clear, &depth->clear, sizeof depth->clear);
+    return RHW_OK;
+}
+
+static void reset(struct rhw_pass_state *pass, const struct rhw_pass_def *def)
+{
+    rhw_arena_reset(&pass->arena);
+    pass->width = def->width;
+    pass->height = def->height;
+    pass->draw_count = 0;
+    pass->triangle_count = 0;
+    pass->current = NULL;
+    pass->out_of_memory = false;
+    pass->pipeline_bound = false;
+    pass->color_count = def->color_count;
+    memset(&pass->pending, 0, sizeof pass->pending);
+    pass->pending_changed = true;
+    for (int i = 0; i < RHW_MAX_TEXTURES; i++) {
+        pass->pending_textures[i] = (struct rhw_binding){.sample = pass->context->kernels->sample};
+    }
+    pass->textures_changed = true;
+}
+
+enum rhw_result rhw_pass_begin(rhw_context *context, const struct rhw_pass_def *def, rhw_pass *id)
+{
+    if (!rhw_check(context, context && def && id, "rhw_pass_begin: context, def and pass must not be NULL")) {
+        return RHW_ERROR_MISUSE;
+    }
+    *id = (rhw_pass){0, 0};
+    struct rhw_pass_state *const pass = context->pass;
+    if (!rhw_check(context, !context->pass_active, "rhw_pass_begin: a pass is being recorded; end it first") ||
+        !rhw_check(context, def->color_count >= 0 && def->color_count <= RHW_MAX_COLOR_ATTACHMENTS,
+                   "rhw_pass_begin: color_count is %d; it is in 0..%d", def->color_count, RHW_MAX_COLOR_ATTACHMENTS) ||
+        !rhw_check(context, def->color_count > 0 || def->depth.enabled, "rhw_pass_begin: the pass has no attachment")) {
+        return RHW_ERROR_MISUSE;
+    }
+    reset(pass, def);
+    enum rhw_result result = RHW_OK;
+    for (int i = 0; i < def->color_count && result == RHW_OK; i++) {
+        result = attach_color(pass, def, i);
+    }
+    if (result == RHW_OK) {
+        result = attach_depth(pass, def);
+    }
+    if (result != RHW_OK) {
+        return result;
+    }
+    if (!rhw_check(context, pass->width >= 1 && pass->width <= RHW_MAX_TARGET_SIZE && pass->height >= 1 &&
+                                pass->height <= RHW_MAX_TARGET_SIZE,
+                   "rhw_pass_begin: the size is %dx%d; each is in 1..%d", pass->width, pass->height,
+                   RHW_MAX_TARGET_SIZE)) {
+        return RHW_ERROR_MISUSE;
+    }
+    pass->tiles_x = (pass->width + RHW_TILE - 1) / RHW_TILE;
+    pass->tiles_y = (pass->height + RHW_TILE - 1) / RHW_TILE;
+    pass->pending.viewport = (struct rhw_viewport){0, 0, (float)pass->width, (float)pass->height, 0, 1};
+    pass->pending.scissor = (struct rhw_rect){0, 0, pass->width, pass->height};
+    context->pass_active = true;
+    context->pass_generation++;
+    *id = (rhw_pass){1, context->pass_generation};
+    return RHW_OK;
+}
+
+// A pipeline draws into what it was made for.
+static bool targets_match(const struct rhw_pass_state *pass, const struct rhw_pipeline_data *pipeline)
+{
+    struct rhw_context *const context = pass->context;
+    if (!rhw_check(context, pipeline->def.target_count == pass->color_count,
+                   "rhw_pass_set_pipeline: the pipeline has %d targets; the pass has %d colour attachments",
+                   pipeline->def.target_count, pass->color_count)) {
+        return false;
+    }
+    for (int i = 0; i < pass->color_count; i++) {
+        if (!rhw_check(context, pipeline->def.targets[i].format == pass->colors[i].format,
+                       "rhw_pass_set_pipeline: target %d is %s; the attachment is %s", i,
+                       rhw_format_info(pipeline->def.targets[i].format)->name,
+                       rhw_format_info(pass->colors[i].format)->name)) {
+            return false;
+        }
+    }
+    return rhw_check(context, pass->has_depth || !pipeline->def.depth_test,
+                     "rhw_pass_set_pipeline: the pipeline tests depth; the pass has no depth attachment");
+}
+
+void rhw_pass_set_pipeline(rhw_context *context, rhw_pass id, rhw_pipeline pipeline_id)
+{
+    struct rhw_pass_state *const pass = pass_of(context, id, "rhw_pass_set_pipeline");
+    const struct rhw_pipeline_data *const pipeline =
+        pass ? rhw_context_pipeline(context, pipeline_id, "rhw_pass_set_pipeline") : NULL;
+    if (pipeline && targets_match(pass, pipeline)) {
+        pass->pending.pipeline = pipeline;
+        pass->pending_changed = true;
+    }
+}
+
+void rhw_pass_set_vertex_buffer(rhw_context *context, rhw_pass id, int slot, rhw_buffer buffer_id, size_t offset)
+{
+    struct rhw_pass_state *const pass = pass_of(context, id, "rhw_pass_set_vertex_buffer");
+    const struct rhw_buffer_data *const buffer =
+        pass ? rhw_context_buffer(context, buffer_id, "rhw_pass_set_vertex_buffer") : NULL;
+    if (!buffer ||
+        !rhw_check(context, slot >= 0 && slot < RHW_MAX_VERTEX_BUFFERS,
+                   "rhw_pass_set_vertex_buffer: slot is %d; it is in 0..%d", slot, RHW_MAX_VERTEX_BUFFERS - 1) ||
+        !rhw_check(context, offset <= buffer->size, "rhw_pass_set_vertex_buffer: offset is %zu; the buffer has %zu bytes",
+                   offset, buffer->size)) {
+        return;
+    }
+    pass->pending.streams[slot] = (struct rhw_vertex_stream){buffer->bytes + offset, buffer->size - offset};
+    pass->pending_changed = true;
+}
+
+void rhw_pass_set_index_buffer(rhw_context *context, rhw_pass id, rhw_buffer buffer_id, enum rhw_index_type type,
+                               size_t offset)
+{
+    struct rhw_pass_state *const pass = pass_of(context, id, "rhw_pass_set_index_buffer");
+    const struct rhw_buffer_data *const buffer =
+        pass ? rhw_context_buffer(context, buffer_id, "rhw_pass_set_index_buffer") : NULL;
+    if (!buffer ||
+        !rhw_check(context, (unsigned)type <= RHW_INDEX_UINT32, "rhw_pass_set_index_buffer: type is %d; not an index type",
+                   (int)type) ||
+        !rhw_check(context, offset <= buffer->size, "rhw_pass_set_index_buffer: offset is %zu; the buffer has %zu bytes",
+                   offset, buffer->size)) {
+        return;
+    }
+    pass->pending.indices = buffer->bytes + offset;
+    pass->pending.index_bytes = buffer->size - offset;
+    pass->pending.index_type = type;
+    pass->pending_changed = true;
+}
+
+void rhw_pass_set_uniforms(rhw_context *context, rhw_pass id, const void *data, size_t size)
+{
+    struct rhw_pass_state *const pass = pass_of(context, id, "rhw_pass_set_uniforms");
+    if (!pass || !rhw_check(context, data || size == 0, "rhw_pass_set_uniforms: data is NULL and size is %zu", size) ||
+        !rhw_check(context, size <= RHW_MAX_UNIFORM_SIZE, "rhw_pass_set_uniforms: size is %zu; at most %d", size,
+                   RHW_MAX_UNIFORM_SIZE)) {
+        return;
+    }
+    void *const copy = rhw_arena_alloc(&pass->arena, size, RHW_CACHE_LINE);
+    if (!copy) {
+        pass->out_of_memory = true;
+        return;
+    }
+    if (size != 0) {
+        memcpy(copy, data, size);
+    }
+    pass->pending.uniforms = copy;
+    pass->pending.uniform_size = (uint32_t)size;
+    pass->pending_changed = true;
+}
+
+static bool is_attachment(const struct rhw_pass_state *pass, rhw_texture id)
+{
+    bool found = pass->has_depth && pass->depth_id.index == id.index;
+    for (int i = 0; i < pass->color_count; i++) {
+        found = found || pass->color_ids[i].index == id.index;
+    }
+    return found;
+}
+
+void rhw_pass_set_texture(rhw_context *context, rhw_pass id, int slot, rhw_texture texture_id, rhw_sampler sampler_id)
+{
+    struct rhw_pass_state *const pass = pass_of(context, id, "rhw_pass_set_texture");
+    if (!pass || !rhw_check(context, slot >= 0 && slot < RHW_MAX_TEXTURES,
+                            "rhw_pass_set_texture: slot is %d; it is in 0..%d", slot, RHW_MAX_TEXTURES - 1)) {
+        return;
+    }
+    struct rhw_binding binding = {.sample = context->kernels->sample};
+    if (texture_id.index != 0) {
+        struct rhw_texture_data *const texture = rhw_context_texture(context, texture_id, "rhw_pass_set_texture");
+        const struct rhw_sampler_def *const sampler =
+            texture ? rhw_context_sampler(context, sampler_id, "rhw_pass_set_texture") : NULL;
+        if (!sampler ||
+            !rhw_check(context, rhw_format_info(texture->format)->sampled,
+                       "rhw_pass_set_texture: the texture is %s; it cannot be sampled",
+                       rhw_format_info(texture->format)->name) ||
+            !rhw_check(context, !is_attachment(pass, texture_id),
+                       "rhw_pass_set_texture: the texture in slot %d is an attachment of this pass", slot)) {
+            return;
+        }
+        if (!rhw_texture_data_ensure(context, texture)) {
+            pass->out_of_memory = true;
+            return;
+        }
+        binding.texture = texture;
+        binding.sampler = sampler;
+    }
+    pass->pending_textures[slot] = binding;
+    pass->textures_changed = true;
+    pass->pending_changed = true;
+}
+
+void rhw_pass_set_viewport(rhw_context *context, rhw_pass id, const struct rhw_viewport *v)
+{
+    struct rhw_pass_state *const pass = pass_of(context, id, "rhw_pass_set_viewport");
+    if (!pass || !rhw_check(context, v != NULL, "rhw_pass_set_viewport: viewport is NULL")) {
+        return;
+    }
+    const float limit = RHW_MAX_TARGET_SIZE;
+    if (!rhw_check(context, v->width > 0 && v->height > 0 && v->width <= limit && v->height <= limit,
+                   "rhw_pass_set_viewport: the size is %gx%g; each is above 0 and at most %g", (double)v->width,
+                   (double)v->height, (double)limit) ||
+        !rhw_check(context, v->x >= -limit && v->x <= limit && v->y >= -limit && v->y <= limit,
+                   "rhw_pass_set_viewport: the corner is %g,%g; each is within ±%g", (double)v->x, (double)v->y,
+                   (double)limit) ||
+        !rhw_check(context, v->depth_min >= 0 && v->depth_min <= 1 && v->depth_max >= 0 && v->depth_max <= 1,
+                   "rhw_pass_set_viewport: the depth range is %g..%g; each end is in 0..1", (double)v->depth_min,
+                   (double)v->depth_max)) {
+        return;
+    }
+    pass->pending.viewport = *v;
+    pass->pending_changed = true;
+}
+
+void rhw_pass_set_scissor(rhw_context *context, rhw_pass id, const struct rhw_rect *scissor)
+{
+    struct rhw_pass_state *const pass = pass_of(context, id, "rhw_pass_set_scissor");
+    if (!pass || !rhw_check(context, scissor != NULL, "rhw_pass_set_scissor: scissor is NULL") ||
+        !rhw_check(context, scissor->width >= 0 && scissor->height >= 0,
+                   "rhw_pass_set_scissor: the size is %dx%d; neither is negative", scissor->width, scissor->height)) {
+        return;
+    }
+    pass->pending.scissor = *scissor;
+    pass->pending_changed = true;
+}
+
+void rhw_pass_set_blend_constant(rhw_context *context, rhw_pass id, const float constant[4])
+{
+    struct rhw_pass_state *const pass = pass_of(context, id, "rhw_pass_set_blend_constant");
+    if (pass && rhw_check(context, constant != NULL, "rhw_pass_set_blend_constant: constant is NULL")) {
+        memcpy(pass->pending.blend_constant, constant, sizeof pass->pending.blend_constant);
+        pass->pending_changed = true;
+    }
+}
+
+static int clamp_to(int64_t v, int low, int high)
+{
+    return v < low ? low : v > high ? high : (int)v;
+}
+
+// The pixels whose centres are inside the viewport, the scissor and the target.
+static struct rhw_rect clip_rect(const struct rhw_pass_state *pass, const struct rhw_viewport *v,
+                                 const struct rhw_rect *scissor)
+{
+    const int vx0 = (int)ceil((double)v->x - 0.5), vx1 = (int)ceil((double)v->x + (double)v->width - 0.5);
+    const int vy0 = (int)ceil((double)v->y - 0.5), vy1 = (int)ceil((double)v->y + (double)v->height - 0.5);
+    const int sx0 = clamp_to(scissor->x, 0, pass->width), sy0 = clamp_to(scissor->y, 0, pass->height);
+    const int sx1 = clamp_to((int64_t)scissor->x + scissor->width, 0, pass->width);
+    const int sy1 = clamp_to((int64_t)scissor->y + scissor->height, 0, pass->height);
+    const int x0 = vx0 > sx0 ? vx0 : sx0, y0 = vy0 > sy0 ? vy0 : sy0;
+    const int x1 = vx1 < sx1 ? vx1 : sx1, y1 = vy1 < sy1 ? vy1 : sy1;
+    return (struct rhw_rect){x0, y0, x1 > x0 ? x1 - x0 : 0, y1 > y0 ? y1 - y0 : 0};
+}
+
+// An immutable copy of what the next draw uses, shared by the draws between two changes.
+static const struct rhw_draw_state *snapshot(struct rhw_pass_state *pass)
+{
+    if (pass->current && !pass->pending_changed) {
+        return pass->current;
+    }
+    struct rhw_draw_state *const state = rhw_arena_alloc(&pass->arena, sizeof *state, RHW_CACHE_LINE);
+    if (!state) {
+        return NULL;
+    }
+    if (pass->textures_changed) {
+        struct rhw_binding *const textures = rhw_arena_alloc(&pass->arena, sizeof pass->pending_textures, RHW_CACHE_LINE);
+        if (!textures) {
+            return NULL;
+        }
+        memcpy(textures, pass->pending_textures, sizeof pass->pending_textures);
+        pass->pending.textures = textures;
+        pass->textures_changed = false;
+    }
+    *state = pass->pending;
+    state->scissor = clip_rect(pass, &state->viewport, &state->scissor);
+    for (int i = 0; i < pass->color_count && state->pipeline; i++) {
+        rhw_output_prepare(&state->outputs[i], &state->pipeline->def.targets[i], state->blend_constant);
+    }
+    state->half_width = (double)state->viewport.width / 2;
+    state->half_height = (double)state->viewport.height / 2;
+    state->center_x = (double)state->viewport.x + state->half_width;
+    state->center_y = (double)state->viewport.y + state->half_height;
+    pass->current = state;
+    pass->pending_changed = false;
+    return state;
+}
+
+// Room for one more draw.
+static struct rhw_draw *next_draw(struct rhw_pass_state *pass)
+{
+    const uint32_t block = pass->draw_count / RHW_DRAW_BLOCK;
+    if (block == pass->draw_block_capacity) {
+        const uint32_t capacity = block == 0 ? 16 : 2 * block;
+        struct rhw_draw **const blocks =
+            rhw_context_allocate(pass->context, capacity * sizeof *blocks, RHW_CACHE_LINE);
+        if (!blocks) {
+            return NULL;
+        }
+        if (pass->draws) {
+            memcpy(blocks, pass->draws, pass->draw_blocks * sizeof *blocks);
+            rhw_context_release(pass->context, pass->draws, block * sizeof *blocks);
+        }
+        pass->draws = blocks;
+        pass->draw_block_capacity = capacity;
+    }
+    if (block == pass->draw_blocks) {
+        pass->draws[block] =
+            rhw_context_allocate(pass->context, RHW_DRAW_BLOCK * sizeof(struct rhw_draw), RHW_CACHE_LINE);
+        if (!pass->draws[block]) {
+            return NULL;
+        }
+        pass->draw_blocks++;
+    }
+    return &pass->draws[block][pass->draw_count % RHW_DRAW_BLOCK];
+}
+
+static bool check_draw(const struct rhw_pass_state *pass, bool indexed, const char *where)
+{
+    struct rhw_context *const context = pass->context;
+    const struct rhw_draw_state *const pending = &pass->pending;
+    if (!rhw_check(context, pending->pipeline != NULL, "%s: no pipeline is set", where) ||
+        !rhw_check(context, !indexed || pending->indices, "%s: no index buffer is set", where) ||
+        !rhw_check(context, pending->uniform_size >= pending->pipeline->def.program.uniform_size,
+                   "%s: %u bytes of uniforms are set; the program reads %u", where, pending->uniform_size,
+                   pending->pipeline->def.program.uniform_size)) {
+        return false;
+    }
+    for (int i = 0; i < pending->pipeline->def.attribute_count; i++) {
+        const int slot = pending->pipeline->def.attributes[i].buffer;
+        if (!rhw_check(context, pending->streams[slot].bytes != NULL,
+                       "%s: no vertex buffer is set in slot %d, which attribute %d reads", where, slot, i)) {
+            return false;
+        }
+    }
+    return true;
+}
+
+static void record(rhw_context *context, rhw_pass id, const struct rhw_draw *draw, uint32_t count, const char *where)
+{
+    struct rhw_pass_state *const pass = pass_of(context, id, where);
+    if (!pass || !check_draw(pass, draw->indexed, where) || pass->out_of_memory) {
+        return;
+    }
+    const struct rhw_draw_state *const state = snapshot(pass);
+    struct rhw_draw *const slot = state ? next_draw(pass) : NULL;
+    if (!slot) {
+        pass->out_of_memory = true;
+        return;
+    }
+    *slot = *draw;
+    slot->state = state;
+    slot->index = pass->draw_count;
+    slot->first_triangle = pass->triangle_count;
+    if (!rhw_assembly_prepare(slot, count, &pass->arena)) {
+        pass->out_of_memory = true;
+        return;
+    }
+    pass->draw_count++;
+    pass->triangle_count += (uint64_t)slot->triangles_per_instance * slot->instances;
+}
+
+void rhw_pass_draw(rhw_context *context, rhw_pass id, uint32_t first, uint32_t count, uint32_t first_instance,
+                   uint32_t instances)
+{
+    const struct rhw_draw draw = {.first = first, .first_instance = first_instance, .instances = instances};
+    record(context, id, &draw, count, "rhw_pass_draw");
+}
+
+void rhw_pass_draw_indexed(rhw_context *context, rhw_pass id, uint32_t first, uint32_t count, int32_t base_vertex,
+                           uint32_t first_instance, uint32_t instances)
+{
+    const struct rhw_draw draw = {.first = first,
+                                  .base_vertex = (uint32_t)base_vertex,
+                                  .first_instance = first_instance,
+                                  .instances = instances,
+                                  .indexed = true};
+    record(context, id, &draw, count, "rhw_pass_draw_indexed");
+}
+
+enum rhw_result rhw_pass_end(rhw_context *context, rhw_pass id, struct rhw_stats *stats)
+{
+    struct rhw_pass_state *const pass = pass_of(context, id, "rhw_pass_end");
+    if (!pass) {
+        return RHW_ERROR_MISUSE;
+    }
+    context->pass_active = false;
+    return pass->out_of_memory ? RHW_ERROR_OUT_OF_MEMORY : rhw_pass_run(pass, stats);
+}

@@ -1,0 +1,142 @@
+// SPDX-License-Identifier: MIT
+// A pass: the draws recorded between begin and end, and how they become chunks for the front end and tiles
+// for the back end.
+//
+// The triangles of all draws stand in one line, in submission order, cut into chunks of at most
+// RHW_BATCH_TRIANGLES. Chunks go through the front end in any order on any thread; a tile then reads the
+// chunks in line order, so the picture does not depend on who did what. A chunk may span many small draws
+// (10,000 draws of 12 triangles are 59 chunks) and a large draw many chunks.
+#ifndef RHW_PASS_H
+#define RHW_PASS_H
+
+#include "arena.h"
+#include "limits.h"
+#include "output.h"
+#include "pipeline.h"
+#include "rhw/rhw.h"
+#include "rhw/shader.h"
+#include "texture.h"
+#include "triangle.h"
+
+struct rhw_vertex_stream {
+    const unsigned char *bytes; // buffer start plus binding offset
+    size_t size;                // bytes from there to the buffer's end
+};
+
+// Everything a draw needs that a set_ function changes. A draw points at an immutable copy.
+struct rhw_draw_state {
+    const struct rhw_pipeline_data *pipeline;
+    struct rhw_vertex_stream streams[RHW_MAX_VERTEX_BUFFERS];
+    const unsigned char *indices;
+    size_t index_bytes;
+    enum rhw_index_type index_type;
+    const void *uniforms;
+    uint32_t uniform_size;
+    const struct rhw_binding *textures; // RHW_MAX_TEXTURES of them
+    struct rhw_viewport viewport;
+    struct rhw_rect scissor; // already within target and viewport
+    float blend_constant[4];
+    struct output_state outputs[RHW_MAX_COLOR_ATTACHMENTS];
+    // Screen position of clip coordinates: x = X/W·half_width + center_x, y = center_y − Y/W·half_height.
+    double half_width, half_height, center_x, center_y;
+};
+
+struct rhw_draw {
+    const struct rhw_draw_state *state;
+    const uint32_t (*expanded)[3]; // vertex indices of strips and fans with restart; else NULL
+    uint32_t first, base_vertex, first_instance, instances;
+    uint32_t index;                   // of the draw in its pass
+    uint32_t triangles_per_instance;
+    uint64_t first_triangle;          // in the line of all triangles of the pass
+    bool indexed;
+};
+
+// The part of a chunk that belongs to one instance of one draw.
+struct rhw_segment {
+    const struct rhw_draw *draw;
+    uint32_t instance;
+    int vertex_stride; // floats
+    float *vertices;   // rhw_vertex_record by slot
+};
+
+struct rhw_chunk {
+    uint64_t first, count; // in the line of all triangles
+    uint32_t first_draw;   // the draw that triangle `first` belongs to
+    // Written by the front end:
+    struct rhw_segment *segments;
+    struct rhw_triangle *triangles;
+    struct rhw_polygon *polygons;
+    // Bins: tile (x, y) of the rectangle lists entries[offsets[i]] .. entries[offsets[i + 1] − 1], where
+    // i = (y − tile_y0)·(tile_x1 − tile_x0) + x − tile_x0; entries are numbers of triangles, rising.
+    int tile_x0, tile_y0, tile_x1, tile_y1;
+    uint32_t *offsets;
+    uint16_t *entries;
+};
+
+struct rhw_attachment {
+    enum rhw_format format;
+    enum rhw_load load;
+    enum rhw_store store;
+    const struct rhw_mip *target; // NULL: exists in the tile alone
+    unsigned char clear[16];      // one texel
+    size_t texel_size;
+};
+
+struct rhw_counters {
+    uint64_t vertices_shaded, dropped, clipped, culled, rasterized, fragments, groups;
+};
+
+struct rhw_front_scratch;
+struct rhw_tile_scratch;
+
+// One per thread; padded so that no two share a cache line.
+struct rhw_worker {
+    _Alignas(RHW_CACHE_LINE) struct rhw_arena arena; // what the front end made; reset when it was drawn
+    struct rhw_counters counters;
+    struct rhw_front_scratch *front;
+    struct rhw_tile_scratch *tile;
+};
+
+struct rhw_pass_state {
+    struct rhw_context *context;
+    int width, height, tiles_x, tiles_y;
+    int color_count;
+    struct rhw_attachment colors[RHW_MAX_COLOR_ATTACHMENTS];
+    bool has_depth;
+    struct rhw_attachment depth;
+    rhw_texture color_ids[RHW_MAX_COLOR_ATTACHMENTS], depth_id;
+
+    struct rhw_arena arena;        // states, uniforms, draws
+    struct rhw_draw_state pending; // what the next draw would use
+    bool pending_changed;
+    bool pipeline_bound;
+    rhw_pipeline pipeline_id;
+    struct rhw_binding pending_textures[RHW_MAX_TEXTURES];
+    bool textures_changed;
+    const struct rhw_draw_state *current; // last copy of `pending`
+    bool out_of_memory;
+
+    struct rhw_draw **draws; // grows; blocks of RHW_DRAW_BLOCK draws
+    uint32_t draw_blocks, draw_block_capacity, draw_count;
+    uint64_t triangle_count;
+
+    struct rhw_chunk *chunks; // of the wave under way
+    int chunk_count, chunk_capacity;
+    _Atomic bool failed; // a worker ran out of memory; written by workers, read after the wave
+
+    struct rhw_worker *workers;
+    bool first_wave, last_wave; // of this pass: load and store operations belong to these
+    struct rhw_mip transient_depth; // keeps depth between waves when the pass has no depth texture
+};
+
+enum { RHW_DRAW_BLOCK = 256 };
+
+static inline const struct rhw_draw *rhw_pass_draw_at(const struct rhw_pass_state *pass, uint32_t i)
+{
+    return &pass->draws[i / RHW_DRAW_BLOCK][i % RHW_DRAW_BLOCK];
+}
+
+enum rhw_result rhw_pass_state_create(struct rhw_context *context, struct rhw_pass_state **pass);
+void rhw_pass_state_destroy(struct rhw_context *context, struct rhw_pass_state *pass);
+
+#endif

@@ -1,0 +1,97 @@
+// SPDX-License-Identifier: MIT
+// A lane becomes a struct of plain floats and back. Nothing else differs from the 8-lane form, so both give
+// the same bytes.
+#include "shader_adapter.h"
+
+void rhw_vertex1_run(const struct rhw_pipeline_data *pipeline, struct rhw_vertex *groups, int count)
+{
+    const int attributes = pipeline->def.attribute_count, components = pipeline->varying_components;
+    for (int i = 0; i < count * RHW_LANES; i++) {
+        struct rhw_vertex *const group = &groups[i / RHW_LANES];
+        const int lane = i % RHW_LANES;
+        float attribute[RHW_MAX_ATTRIBUTES][4] = {{0}};
+        float varying[RHW_MAX_VARYING_COMPONENTS] = {0};
+        for (int a = 0; a < attributes; a++) {
+            for (int c = 0; c < 4; c++) {
+                attribute[a][c] = group->attribute[a][c][lane];
+            }
+        }
+        struct rhw_vertex1 one = {.attribute = (const float(*)[4])attribute,
+                                  .vertex_index = group->vertex_index[lane],
+                                  .instance_index = group->instance_index[lane],
+                                  .uniforms = group->uniforms,
+                                  .textures = group->textures,
+                                  .varying = varying};
+        pipeline->def.program.vertex1(&one);
+        for (int c = 0; c < 4; c++) {
+            group->position[c][lane] = one.position[c];
+        }
+        for (int c = 0; c < components; c++) {
+            group->varying[c][lane] = varying[c];
+        }
+    }
+}
+
+// The builtins that the program asked for.
+static void load_builtins(const struct rhw_fragment *group, int lane, uint32_t uses, struct rhw_fragment1 *one)
+{
+    one->depth = uses & RHW_USE_DEPTH ? group->depth[lane] : 0;
+    for (int c = 0; c < 4 && uses & RHW_USE_COORD; c++) {
+        one->coord[c] = group->coord[c][lane];
+    }
+    one->front_facing = uses & RHW_USE_FACING ? group->front_facing[lane] != 0 : false;
+    if (uses & RHW_USE_IDS) {
+        one->primitive = group->primitive[lane];
+        one->instance = group->instance[lane];
+        one->draw = group->draw[lane];
+    }
+    for (int c = 0; c < 3 && uses & RHW_USE_BARYCENTRIC; c++) {
+        one->barycentric[c] = group->barycentric[c][lane];
+        one->barycentric_noperspective[c] = group->barycentric_noperspective[c][lane];
+    }
+    for (int c = 0; c < 3 && uses & RHW_USE_BARYCENTRIC_DERIVATIVES; c++) {
+        one->barycentric_ddx[c] = group->barycentric_ddx[c][lane];
+        one->barycentric_ddy[c] = group->barycentric_ddy[c][lane];
+    }
+}
+
+static void run_fragment(const struct rhw_pipeline_data *pipeline, struct rhw_fragment *group, int lane)
+{
+    const int components = pipeline->varying_components, targets = pipeline->def.target_count;
+    const uint32_t uses = pipeline->def.program.uses;
+    float varying[RHW_MAX_VARYING_COMPONENTS], ddx[RHW_MAX_VARYING_COMPONENTS], ddy[RHW_MAX_VARYING_COMPONENTS];
+    float color[RHW_MAX_COLOR_ATTACHMENTS][4] = {{0}};
+    for (int c = 0; c < components; c++) {
+        varying[c] = group->varying[c][lane];
+        ddx[c] = pipeline->component_derivatives[c] ? group->ddx[c][lane] : 0;
+        ddy[c] = pipeline->component_derivatives[c] ? group->ddy[c][lane] : 0;
+    }
+    struct rhw_fragment1 one = {.varying = varying,
+                                .ddx = ddx,
+                                .ddy = ddy,
+                                .uniforms = group->uniforms,
+                                .textures = group->textures,
+                                .color = color};
+    load_builtins(group, lane, uses, &one);
+    pipeline->def.program.fragment1(&one);
+    for (int t = 0; t < targets; t++) {
+        for (int c = 0; c < 4; c++) {
+            group->color[t][c][lane] = color[t][c];
+        }
+    }
+    if (uses & RHW_USE_DEPTH) {
+        group->depth[lane] = one.depth;
+    }
+    if (one.discard) {
+        group->mask[lane] = 0;
+    }
+}
+
+void rhw_fragment1_run(const struct rhw_pipeline_data *pipeline, struct rhw_fragment *groups, int count)
+{
+    for (int i = 0; i < count * RHW_LANES; i++) {
+        if (groups[i / RHW_LANES].mask[i % RHW_LANES] != 0) {
+            run_fragment(pipeline, &groups[i / RHW_LANES], i % RHW_LANES);
+        }
+    }
+}

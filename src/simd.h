@@ -1,0 +1,252 @@
+// SPDX-License-Identifier: MIT
+// Wide types for kernels: 8 floats, 8 ints, 8 doubles, on the compiler's vector types. Arithmetic is written
+// with operators; what has no operator, or compiles badly from one, is wrapped here and nowhere else uses
+// intrinsics. Every wrapper gives the same bits on every instruction set.
+#ifndef RHW_SIMD_H
+#define RHW_SIMD_H
+
+#include <string.h>
+
+#include "rhw/shader.h"
+
+#if defined(__SSE2__)
+#include <immintrin.h>
+#endif
+
+#define RHW_INLINE static inline __attribute__((always_inline))
+
+typedef rhw_float f8;
+typedef rhw_int i8;
+
+// 8 doubles as two halves: no instruction set below AVX-512 has them in one register, and gcc spills
+// 64-byte vectors on the others.
+typedef double d4 __attribute__((vector_size(32)));
+typedef int64_t l4 __attribute__((vector_size(32)));
+typedef struct d8 {
+    d4 lo, hi;
+} d8;
+
+static const i8 rhw_lane_index = {0, 1, 2, 3, 4, 5, 6, 7};
+
+RHW_INLINE f8 f8_splat(float v)
+{
+    return (f8){v, v, v, v, v, v, v, v};
+}
+
+RHW_INLINE i8 i8_splat(int32_t v)
+{
+    return (i8){v, v, v, v, v, v, v, v};
+}
+
+RHW_INLINE d4 d4_splat(double v)
+{
+    return (d4){v, v, v, v};
+}
+
+RHW_INLINE d8 d8_splat(double v)
+{
+    return (d8){d4_splat(v), d4_splat(v)};
+}
+
+RHW_INLINE f8 f8_load(const void *p)
+{
+    f8 v;
+    memcpy(&v, p, sizeof v);
+    return v;
+}
+
+RHW_INLINE void f8_store(void *p, f8 v)
+{
+    memcpy(p, &v, sizeof v);
+}
+
+RHW_INLINE i8 i8_load(const void *p)
+{
+    i8 v;
+    memcpy(&v, p, sizeof v);
+    return v;
+}
+
+RHW_INLINE void i8_store(void *p, i8 v)
+{
+    memcpy(p, &v, sizeof v);
+}
+
+// a where mask is −1, b where it is 0.
+RHW_INLINE f8 f8_select(i8 mask, f8 a, f8 b)
+{
+#if defined(__AVX2__)
+    return (f8)_mm256_blendv_ps((__m256)b, (__m256)a, (__m256)mask);
+#else
+    return (f8)((mask & (i8)a) | (~mask & (i8)b));
+#endif
+}
+
+RHW_INLINE i8 i8_select(i8 mask, i8 a, i8 b)
+{
+    return (i8)f8_select(mask, (f8)a, (f8)b);
+}
+
+// Of equal values, or when one is NaN, the second: as SSE minps does.
+RHW_INLINE f8 f8_min(f8 a, f8 b)
+{
+#if defined(__AVX2__)
+    return (f8)_mm256_min_ps((__m256)a, (__m256)b);
+#else
+    return f8_select(a < b, a, b);
+#endif
+}
+
+RHW_INLINE f8 f8_max(f8 a, f8 b)
+{
+#if defined(__AVX2__)
+    return (f8)_mm256_max_ps((__m256)a, (__m256)b);
+#else
+    return f8_select(a > b, a, b);
+#endif
+}
+
+// Sign bits of the lanes, lane 0 in bit 0.
+RHW_INLINE unsigned i8_sign_bits(i8 v)
+{
+#if defined(__AVX2__)
+    return (unsigned)_mm256_movemask_ps((__m256)v);
+#elif defined(__SSE2__)
+    __m128 half[2];
+    memcpy(half, &v, sizeof v);
+    return (unsigned)_mm_movemask_ps(half[0]) | (unsigned)_mm_movemask_ps(half[1]) << 4;
+#else
+    unsigned bits = 0;
+    for (int i = 0; i < 8; i++) {
+        bits |= (unsigned)(v[i] < 0) << i;
+    }
+    return bits;
+#endif
+}
+
+// −1 in the lanes whose bit is set.
+RHW_INLINE i8 i8_from_bits(unsigned bits)
+{
+    const i8 bit = {1, 2, 4, 8, 16, 32, 64, 128};
+    return (i8_splat((int32_t)bits) & bit) == bit;
+}
+
+RHW_INLINE d8 d8_add(d8 a, d8 b)
+{
+    return (d8){a.lo + b.lo, a.hi + b.hi};
+}
+
+RHW_INLINE d8 d8_sub(d8 a, d8 b)
+{
+    return (d8){a.lo - b.lo, a.hi - b.hi};
+}
+
+RHW_INLINE d8 d8_mul(d8 a, d8 b)
+{
+    return (d8){a.lo * b.lo, a.hi * b.hi};
+}
+
+RHW_INLINE d8 d8_div(d8 a, d8 b)
+{
+    return (d8){a.lo / b.lo, a.hi / b.hi};
+}
+
+// Exact.
+RHW_INLINE d8 d8_from_f8(f8 v)
+{
+#if defined(__AVX2__)
+    return (d8){(d4)_mm256_cvtps_pd(_mm256_castps256_ps128((__m256)v)),
+                (d4)_mm256_cvtps_pd(_mm256_extractf128_ps((__m256)v, 1))};
+#else
+    return (d8){{v[0], v[1], v[2], v[3]}, {v[4], v[5], v[6], v[7]}};
+#endif
+}
+
+// Exact.
+RHW_INLINE d8 d8_from_i8(i8 v)
+{
+#if defined(__AVX2__)
+    return (d8){(d4)_mm256_cvtepi32_pd(_mm256_castsi256_si128((__m256i)v)),
+                (d4)_mm256_cvtepi32_pd(_mm256_extracti128_si256((__m256i)v, 1))};
+#else
+    return (d8){{v[0], v[1], v[2], v[3]}, {v[4], v[5], v[6], v[7]}};
+#endif
+}
+
+// Rounds to nearest, ties to even.
+RHW_INLINE f8 f8_from_d8(d8 v)
+{
+#if defined(__AVX2__)
+    return (f8)_mm256_insertf128_ps(_mm256_castps128_ps256(_mm256_cvtpd_ps((__m256d)v.lo)),
+                                    _mm256_cvtpd_ps((__m256d)v.hi), 1);
+#elif defined(__SSE2__)
+    __m128d h[4];
+    memcpy(h, &v, sizeof v);
+    const __m128 q[2] = {_mm_movelh_ps(_mm_cvtpd_ps(h[0]), _mm_cvtpd_ps(h[1])),
+                         _mm_movelh_ps(_mm_cvtpd_ps(h[2]), _mm_cvtpd_ps(h[3]))};
+    f8 r;
+    memcpy(&r, q, sizeof r);
+    return r;
+#else
+    return (f8){(float)v.lo[0], (float)v.lo[1], (float)v.lo[2], (float)v.lo[3],
+                (float)v.hi[0], (float)v.hi[1], (float)v.hi[2], (float)v.hi[3]};
+#endif
+}
+
+// Rounds to the nearest integer, ties to even, for |v| < 2^51: adding 1.5·2^52 leaves an integer in the
+// low bits of the significand, whatever instruction set adds.
+RHW_INLINE i8 i8_round_d8(d8 v)
+{
+    const d4 magic = d4_splat(6755399441055744.0);
+    const l4 lo = (l4)(v.lo + magic), hi = (l4)(v.hi + magic);
+    return (i8){(int32_t)lo[0], (int32_t)lo[1], (int32_t)lo[2], (int32_t)lo[3],
+                (int32_t)hi[0], (int32_t)hi[1], (int32_t)hi[2], (int32_t)hi[3]};
+}
+
+// Clamps; NaN becomes low.
+RHW_INLINE d8 d8_clamp(d8 v, double low, double high)
+{
+    const d4 l = d4_splat(low), h = d4_splat(high);
+    const l4 a = v.lo > l, b = v.hi > l;
+    v.lo = (d4)((a & (l4)v.lo) | (~a & (l4)l));
+    v.hi = (d4)((b & (l4)v.hi) | (~b & (l4)l));
+    const l4 c = v.lo < h, d = v.hi < h;
+    v.lo = (d4)((c & (l4)v.lo) | (~c & (l4)h));
+    v.hi = (d4)((d & (l4)v.hi) | (~d & (l4)h));
+    return v;
+}
+
+// Turns 8 vectors of one component each into 8 vectors of one lane each.
+RHW_INLINE void f8_transpose(f8 m[8])
+{
+#if defined(__AVX2__)
+    __m256 r[8], t[8];
+    memcpy(r, m, sizeof r);
+    for (int i = 0; i < 4; i++) {
+        t[2 * i] = _mm256_unpacklo_ps(r[2 * i], r[2 * i + 1]);
+        t[2 * i + 1] = _mm256_unpackhi_ps(r[2 * i], r[2 * i + 1]);
+    }
+    for (int i = 0; i < 2; i++) {
+        r[4 * i + 0] = _mm256_shuffle_ps(t[4 * i], t[4 * i + 2], 0x44);
+        r[4 * i + 1] = _mm256_shuffle_ps(t[4 * i], t[4 * i + 2], 0xEE);
+        r[4 * i + 2] = _mm256_shuffle_ps(t[4 * i + 1], t[4 * i + 3], 0x44);
+        r[4 * i + 3] = _mm256_shuffle_ps(t[4 * i + 1], t[4 * i + 3], 0xEE);
+    }
+    for (int i = 0; i < 4; i++) {
+        t[i] = _mm256_permute2f128_ps(r[i], r[i + 4], 0x20);
+        t[i + 4] = _mm256_permute2f128_ps(r[i], r[i + 4], 0x31);
+    }
+    memcpy(m, t, sizeof t);
+#else
+    float from[8][8], to[8][8];
+    memcpy(from, m, sizeof from);
+    for (int i = 0; i < 8; i++) {
+        for (int j = 0; j < 8; j++) {
+            to[i][j] = from[j][i];
+        }
+    }
+    memcpy(m, to, sizeof to);
+#endif
+}
+
+#endif

@@ -1,0 +1,68 @@
+// SPDX-License-Identifier: MIT
+// What the front end hands to the tiles: shaded vertices, triangles, and the polygons clipping leaves.
+#ifndef RHW_TRIANGLE_H
+#define RHW_TRIANGLE_H
+
+#include <stdint.h>
+
+// A shaded vertex as the tiles read it: this header, then the varyings' components, padded to 32 bytes.
+// All numbers of one vertex stand together because a triangle needs all of them at once.
+struct rhw_vertex_record {
+    int32_t x_24_8, y_24_8;   // snapped; meaningless with RHW_VERTEX_UNSNAPPED
+    float depth;              // after the viewport's depth range, rounded once
+    uint32_t flags;           // or-ed rhw_vertex_flag
+    float position[4];        // homogeneous clip coordinates, Z already in the 0..W convention
+    float varyings[];
+};
+
+// Sides of the view volume the vertex lies outside of, and what forbids the short path.
+enum rhw_vertex_flag {
+    RHW_VERTEX_LEFT = 1,
+    RHW_VERTEX_RIGHT = 2,
+    RHW_VERTEX_BOTTOM = 4,
+    RHW_VERTEX_TOP = 8,
+    RHW_VERTEX_NEAR = 16,
+    RHW_VERTEX_FAR = 32,
+    RHW_VERTEX_OUTSIDE = 63,
+    RHW_VERTEX_UNSNAPPED = 64, // W <= 0 or beyond the guard band
+    RHW_VERTEX_NOT_FINITE = 128,
+    RHW_VERTEX_CLIP = RHW_VERTEX_NEAR | RHW_VERTEX_FAR | RHW_VERTEX_UNSNAPPED
+};
+
+// Floats per vertex record.
+static inline int rhw_vertex_stride(int varying_components)
+{
+    return (8 + varying_components + 7) & ~7;
+}
+
+enum rhw_triangle_flag {
+    RHW_TRIANGLE_BACK = 1,      // faces away
+    RHW_TRIANGLE_NEGATIVE = 2,  // the vertices turn the other way on the screen
+    RHW_TRIANGLE_POLYGON = 4,   // clipped: coverage is that of `polygon`
+    RHW_TRIANGLE_UNSNAPPED = 8, // values come from the homogeneous triangle
+    RHW_TRIANGLE_CLAMP = 16     // depth may leave the viewport's range by a rounding: clamp it
+};
+
+// One cache line. Vertices stay in submission order.
+struct rhw_triangle {
+    _Alignas(64) int32_t x_24_8[3];
+    int32_t y_24_8[3];
+    uint32_t vertex[3];     // slots in the segment's vertices
+    uint32_t primitive;     // number in its draw and instance
+    uint32_t segment;       // of the chunk
+    uint32_t polygon;       // of the chunk, with RHW_TRIANGLE_POLYGON
+    uint16_t flags;
+    int16_t x0, y0, x1, y1; // pixels it may cover, within the scissor; x1 and y1 exclusive
+};
+
+// 3 corners and one more for each of 6 planes.
+enum { RHW_POLYGON_CORNERS = 9 };
+
+// Coverage of a clipped triangle: the parity of the fan of triangles (0, i, i + 1). The parity counts each
+// sample exactly once, even where snapping made the polygon slightly concave.
+struct rhw_polygon {
+    int32_t count;
+    int32_t x_24_8[RHW_POLYGON_CORNERS], y_24_8[RHW_POLYGON_CORNERS];
+};
+
+#endif
