@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Option walk, help text, error lines and value parsers; see options.h. getopt_long does the parsing, with
+// Option walk, help text and value parsers; see options.h. getopt_long does the parsing, with
 // its own messages switched off because they do not fit the one form of error line this program has.
 #include "options.h"
 
@@ -9,31 +9,15 @@
 #include <errno.h>
 #include <limits.h>
 #include <math.h>
-#include <stdarg.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
 enum {
-    HELP_ID = 255,     // no letter, and below the ids that verbs use
-    HELP_COLUMN = 29,  // where explanations start
-    ERROR_LENGTH = 2048 // bytes; longer lines are cut
+    LETTERS_END = 256,   // ids below are letters
+    HELP_ID = 'h',
+    HELP_COLUMN = 29     // where explanations start
 };
-
-static void print_line(const char *subject, const char *prefix, const char *format, va_list arguments)
-{
-    char line[ERROR_LENGTH];
-    int used = snprintf(line, sizeof line, "rhw: %s: %s", subject, prefix);
-    if (used < 0)
-        return;
-    if ((size_t)used < sizeof line)
-        vsnprintf(line + used, sizeof line - (size_t)used, format, arguments);
-    for (char *c = line; *c; c++) {
-        if (iscntrl((unsigned char)*c))
-            *c = '?';
-    }
-    fprintf(stderr, "%s\n", line);
-}
 
 static bool is_optional(const struct rhw_tool_option *option)
 {
@@ -45,7 +29,7 @@ static void print_option(const struct rhw_tool_option *option)
     char left[96];
     const char letter[] = {'-', (char)option->id, ',', ' ', 0};
     const char *separator = !option->argument ? "" : is_optional(option) ? "[=" : " ";
-    snprintf(left, sizeof left, "  %s--%s%s%s", option->id < HELP_ID ? letter : "    ", option->name, separator,
+    snprintf(left, sizeof left, "  %s--%s%s%s", option->id < LETTERS_END ? letter : "    ", option->name, separator,
              option->argument ? option->argument + is_optional(option) : "");
     int column = printf("%s", left);
     for (const char *line = option->help; line; column = 0) {
@@ -65,7 +49,7 @@ static void report_bad_option(const struct rhw_tool_parser *parser, int kind)
 {
     char name[128];
     const char *word = parser->argv[optind - 1];
-    if (optopt && optopt < HELP_ID && strncmp(word, "--", 2) != 0)
+    if (optopt && optopt < LETTERS_END && strncmp(word, "--", 2) != 0)
         snprintf(name, sizeof name, "-%c", optopt);
     else
         snprintf(name, sizeof name, "%.*s", (int)strcspn(word, "="), word);
@@ -87,12 +71,13 @@ void rhw_tool_parser_start(struct rhw_tool_parser *parser, const struct rhw_tool
                              : is_optional(option) ? optional_argument
                                                    : required_argument;
         parser->longs[i] = (struct option){.name = option->name, .has_arg = argument, .val = option->id};
-        if (option->id < HELP_ID) {
+        if (option->id < LETTERS_END) {
             *letter++ = (char)option->id;
             if (argument == required_argument)
                 *letter++ = ':';
         }
     }
+    *letter = HELP_ID;
     parser->longs[count] = (struct option){.name = "help", .has_arg = no_argument, .val = HELP_ID};
     optind = 1;
     opterr = 0;
@@ -142,22 +127,6 @@ void rhw_tool_print_help(const struct rhw_tool_verb *verb)
     print_option(&(struct rhw_tool_option){"help", HELP_ID, NULL, "print this and exit"});
     if (verb->notes)
         printf("\n%s\n", verb->notes);
-}
-
-void rhw_tool_error(const char *subject, const char *format, ...)
-{
-    va_list arguments;
-    va_start(arguments, format);
-    print_line(subject, "", format, arguments);
-    va_end(arguments);
-}
-
-void rhw_tool_warning(const char *subject, const char *format, ...)
-{
-    va_list arguments;
-    va_start(arguments, format);
-    print_line(subject, "warning: ", format, arguments);
-    va_end(arguments);
 }
 
 bool rhw_tool_parse_int(const char *text, int least, int most, int *value)
@@ -221,38 +190,25 @@ static int hex_digit(char c)
     return found ? (int)(found - digits) : -1;
 }
 
-static bool parse_hex_color(const char *digits, float color[4])
+bool rhw_tool_parse_color(const char *text, uint8_t color[3])
 {
-    const size_t length = strlen(digits);
-    if (length != 3 && length != 6 && length != 8)
+    static const struct { const char *name, *digits; } named[] = {
+        {"black", "000000"}, {"grey", "808080"}, {"gray", "808080"}, {"white", "ffffff"}};
+    for (size_t i = 0; i < sizeof named / sizeof *named; i++) {
+        if (strcmp(text, named[i].name) == 0)
+            text = named[i].digits;
+    }
+    text += text[0] == '#';
+    const size_t length = strlen(text);
+    if (length != 3 && length != 6)
         return false;
-    const size_t per_channel = length == 3 ? 1 : 2;
-    for (size_t i = 0; i < 4; i++) {
-        if (i * per_channel >= length) {
-            color[i] = 1.0f;
-            continue;
-        }
-        const int high = hex_digit(digits[i * per_channel]);
-        const int low = hex_digit(digits[i * per_channel + per_channel - 1]);
+    uint8_t parsed[3];
+    for (size_t i = 0; i < 3; i++) {
+        const int high = hex_digit(text[i * length / 3]);
+        const int low = hex_digit(text[i * length / 3 + length / 3 - 1]);
         if (high < 0 || low < 0)
             return false;
-        color[i] = (float)(high * 16 + low) / 255.0f;
-    }
-    return true;
-}
-
-bool rhw_tool_parse_color(const char *text, float color[4])
-{
-    float parsed[4] = {0.0f, 0.0f, 0.0f, 1.0f};
-    if (text[0] == '#') {
-        if (!parse_hex_color(text + 1, parsed))
-            return false;
-    } else if (!rhw_tool_parse_floats(text, 3, parsed) && !rhw_tool_parse_floats(text, 4, parsed)) {
-        return false;
-    }
-    for (int i = 0; i < 4; i++) {
-        if (parsed[i] < 0.0f || parsed[i] > 1.0f)
-            return false;
+        parsed[i] = (uint8_t)(high * 16 + low);
     }
     memcpy(color, parsed, sizeof parsed);
     return true;

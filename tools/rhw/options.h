@@ -4,9 +4,12 @@
 #ifndef RHW_OPTIONS_H
 #define RHW_OPTIONS_H
 
+#include "message.h"
+
 #include <getopt.h>
 #include <stdbool.h>
 #include <stddef.h>
+#include <stdint.h>
 
 /// Exit statuses of the program. A verb's entry point returns one of them.
 enum rhw_tool_status {
@@ -15,7 +18,7 @@ enum rhw_tool_status {
     RHW_TOOL_USAGE = 2   ///< the command line is wrong; nothing was done
 };
 
-/// One option. `--help` is added by the parser.
+/// One option. `--help` and `-h` are added by the parser.
 struct rhw_tool_option {
     const char *name;     ///< long name without dashes
     int id;               ///< a letter: the short form too; 256 or more: long form only
@@ -63,12 +66,6 @@ bool rhw_tool_parser_operands(const struct rhw_tool_parser *parser, int least, i
 /// Prints what `--help` prints, to stdout.
 void rhw_tool_print_help(const struct rhw_tool_verb *verb);
 
-/// One line on stderr: "rhw: SUBJECT: CAUSE". Control characters become '?', so it stays one line whatever
-/// a file is called. `subject` is a file, an option or a verb.
-void rhw_tool_error(const char *subject, const char *format, ...) __attribute__((format(printf, 2, 3)));
-/// The same with "warning: " before the cause.
-void rhw_tool_warning(const char *subject, const char *format, ...) __attribute__((format(printf, 2, 3)));
-
 /// Value parsers. The whole text must be the value; on failure nothing is stored and nothing printed.
 bool rhw_tool_parse_int(const char *text, int least, int most, int *value);
 /// Finite numbers only.
@@ -77,9 +74,8 @@ bool rhw_tool_parse_float(const char *text, float *value);
 bool rhw_tool_parse_floats(const char *text, int count, float *values);
 /// "WxH", each 1..RHW_MAX_TARGET_SIZE.
 bool rhw_tool_parse_size(const char *text, int *width, int *height);
-/// "#rgb", "#rrggbb", "#rrggbbaa" or "r,g,b[,a]" with numbers 0..1; both are sRGB-encoded colours, the alpha
-/// is 1 where none is given.
-bool rhw_tool_parse_color(const char *text, float color[4]);
+/// "rrggbb" or "rgb" in hexadecimal, with or without a '#' in front, or "black", "grey", "white".
+bool rhw_tool_parse_color(const char *text, uint8_t color[3]);
 /// The index of `text` among `count` names, or -1.
 int rhw_tool_parse_name(const char *text, const char *const *names, int count);
 

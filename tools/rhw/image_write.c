@@ -1,0 +1,117 @@
+// SPDX-License-Identifier: MIT
+// PNG and PPM encoders; see image_write.h. EXR stands in image_write_exr.c.
+#include "image_write.h"
+
+#include "message.h"
+
+#include <errno.h>
+#include <spng.h>
+#include <stdlib.h>
+#include <string.h>
+#include <strings.h>
+
+// Level 2 with the Up filter, measured on rendered pictures and on photographs at 1920×1080: within 10% of the
+// size of libspng's defaults (level 6, the best of five filters per row) at a quarter of the time.
+enum { PNG_LEVEL = 2, PNG_FILTER = SPNG_FILTER_CHOICE_UP };
+
+enum rhw_picture_format rhw_picture_format_of(const char *path)
+{
+    static const char *const endings[] = {".png", ".exr", ".ppm"};
+    const size_t length = strlen(path);
+    for (int i = 0; i < 3; i++) {
+        if (length > 4 && strcasecmp(path + length - 4, endings[i]) == 0)
+            return (enum rhw_picture_format)i;
+    }
+    return RHW_PICTURE_UNKNOWN;
+}
+
+static size_t row_size(const struct rhw_raster *raster)
+{
+    return (size_t)raster->width * (size_t)raster->channels * (size_t)(raster->bits / 8);
+}
+
+static int write_to_stream(spng_ctx *context, void *user, void *data, size_t size)
+{
+    (void)context;
+    return fwrite(data, 1, size, user) == size ? SPNG_OK : SPNG_IO_ERROR;
+}
+
+static int start_png(spng_ctx *context, const struct rhw_raster *raster)
+{
+    struct spng_ihdr header = {
+        .width = (uint32_t)raster->width,
+        .height = (uint32_t)raster->height,
+        .bit_depth = (uint8_t)raster->bits,
+        .color_type = raster->channels == 1   ? SPNG_COLOR_TYPE_GRAYSCALE
+                      : raster->channels == 3 ? SPNG_COLOR_TYPE_TRUECOLOR
+                                              : SPNG_COLOR_TYPE_TRUECOLOR_ALPHA,
+    };
+    int result = spng_set_ihdr(context, &header);
+    if (!result && raster->srgb)
+        result = spng_set_srgb(context, 0); // perceptual
+    if (!result && raster->comment[0]) {
+        struct spng_text text = {.type = SPNG_TEXT, .keyword = "Comment", .text = (char *)raster->comment};
+        text.length = strlen(raster->comment);
+        result = spng_set_text(context, &text, 1);
+    }
+    if (!result)
+        result = spng_set_option(context, SPNG_IMG_COMPRESSION_LEVEL, PNG_LEVEL);
+    if (!result)
+        result = spng_set_option(context, SPNG_FILTER_CHOICE, PNG_FILTER);
+    if (!result)
+        result = spng_encode_image(context, NULL, 0, SPNG_FMT_PNG, SPNG_ENCODE_PROGRESSIVE | SPNG_ENCODE_FINALIZE);
+    return result;
+}
+
+static int encode_png(spng_ctx *context, const struct rhw_raster *raster, void *row)
+{
+    int result = start_png(context, raster);
+    for (int y = 0; !result && y < raster->height; y++) {
+        raster->row(raster->user, y, row);
+        result = spng_encode_row(context, row, row_size(raster));
+    }
+    return result == SPNG_EOI ? SPNG_OK : result; // the last row reports the end of the image
+}
+
+bool rhw_png_write(struct rhw_output_file *file, const struct rhw_raster *raster)
+{
+    spng_ctx *context = spng_ctx_new(SPNG_CTX_ENCODER);
+    void *row = malloc(row_size(raster));
+    int result = context && row ? spng_set_png_stream(context, write_to_stream, file->stream) : SPNG_EMEM;
+    errno = 0;
+    if (!result)
+        result = encode_png(context, raster, row);
+    if (result)
+        rhw_tool_error(file->path, "%s", errno ? strerror(errno) : spng_strerror(result));
+    spng_ctx_free(context);
+    free(row);
+    return result == SPNG_OK;
+}
+
+// PPM wants the more significant byte first.
+static void swap_to_big_endian(uint16_t *samples, size_t count)
+{
+    for (size_t i = 0; i < count; i++) {
+        const uint8_t bytes[2] = {(uint8_t)(samples[i] >> 8), (uint8_t)samples[i]};
+        memcpy(&samples[i], bytes, sizeof bytes);
+    }
+}
+
+bool rhw_ppm_write(struct rhw_output_file *file, const struct rhw_raster *raster)
+{
+    const size_t size = row_size(raster);
+    void *row = malloc(size);
+    errno = row ? 0 : ENOMEM;
+    bool written = row && fprintf(file->stream, "P%d\n%d %d\n%d\n", raster->channels == 1 ? 5 : 6, raster->width,
+                                  raster->height, raster->bits == 8 ? 255 : 65535) > 0;
+    for (int y = 0; written && y < raster->height; y++) {
+        raster->row(raster->user, y, row);
+        if (raster->bits == 16)
+            swap_to_big_endian(row, size / 2);
+        written = fwrite(row, 1, size, file->stream) == size;
+    }
+    if (!written)
+        rhw_tool_error(file->path, "%s", strerror(errno ? errno : EIO));
+    free(row);
+    return written;
+}

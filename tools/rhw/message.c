@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: MIT
+// Lines on stderr; see message.h.
+#include "message.h"
+
+#include <ctype.h>
+#include <stdarg.h>
+#include <stdbool.h>
+#include <stdio.h>
+#include <string.h>
+#include <unistd.h>
+
+enum { LINE_LENGTH = 2048 }; // bytes; longer lines are cut
+
+static bool stage_shown;
+
+void rhw_tool_stage(const char *work, const char *subject)
+{
+    if (!isatty(STDERR_FILENO))
+        return;
+    fprintf(stderr, "\r\033[K%s %.200s", work, subject);
+    stage_shown = true;
+}
+
+void rhw_tool_stage_end(void)
+{
+    if (stage_shown)
+        fputs("\r\033[K", stderr);
+    stage_shown = false;
+}
+
+static void print_line(const char *subject, const char *prefix, const char *format, va_list arguments)
+{
+    char line[LINE_LENGTH];
+    const char *named = strcmp(subject, "-") == 0 ? "standard output" : subject;
+    const int used = snprintf(line, sizeof line, "rhw: %s: %s", named, prefix);
+    if (used < 0)
+        return;
+    if ((size_t)used < sizeof line)
+        vsnprintf(line + used, sizeof line - (size_t)used, format, arguments);
+    for (char *c = line; *c; c++) {
+        if (iscntrl((unsigned char)*c))
+            *c = '?';
+    }
+    rhw_tool_stage_end();
+    fprintf(stderr, "%s\n", line);
+}
+
+void rhw_tool_error(const char *subject, const char *format, ...)
+{
+    va_list arguments;
+    va_start(arguments, format);
+    print_line(subject, "", format, arguments);
+    va_end(arguments);
+}
+
+void rhw_tool_warning(const char *subject, const char *format, ...)
+{
+    va_list arguments;
+    va_start(arguments, format);
+    print_line(subject, "warning: ", format, arguments);
+    va_end(arguments);
+}
