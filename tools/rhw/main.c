@@ -1,0 +1,67 @@
+// SPDX-License-Identifier: MIT
+// The program: picks the verb, and sees to it that output that could not be written is an error.
+#include "options.h"
+#include "output_file.h"
+#include "rhw/base.h"
+#include "verbs.h"
+
+#include <errno.h>
+#include <stdio.h>
+#include <string.h>
+
+static const struct {
+    const char *name, *operands, *summary;
+    int (*run)(int argc, char **argv);
+} verbs[] = {
+    {"render", "MODEL -o OUT", "draw a model file and write the picture", rhw_tool_render},
+    {"compare", "A B", "differences of two pictures, in numbers and as a picture", rhw_tool_compare},
+    {"info", "MODEL", "what is in a model file", rhw_tool_info},
+};
+
+enum { VERB_COUNT = sizeof verbs / sizeof *verbs };
+
+static void print_program_help(void)
+{
+    printf("Usage: rhw VERB ... [option...]\n"
+           "rhw %s, a 3D renderer for the CPU: exact, the same bytes on every machine.\n\n",
+           rhw_version());
+    for (int i = 0; i < VERB_COUNT; i++)
+        printf("  rhw %-7s %-14s %s\n", verbs[i].name, verbs[i].operands, verbs[i].summary);
+    printf("\n  --help                   print this and exit; 'rhw VERB --help' explains a verb\n"
+           "  --version                print the version and exit\n\n"
+           "Exit status: 0, 1 when the work failed, 2 for a wrong command line.\n");
+}
+
+static int run(int argc, char **argv)
+{
+    if (argc < 2) {
+        fputs("rhw: no verb given; see 'rhw --help'\n", stderr);
+        return RHW_TOOL_USAGE;
+    }
+    const char *word = argv[1];
+    if (strcmp(word, "--version") == 0 || strcmp(word, "-V") == 0) {
+        printf("rhw %s\n", rhw_version());
+        return RHW_TOOL_OK;
+    }
+    if (strcmp(word, "--help") == 0 || strcmp(word, "-h") == 0) {
+        print_program_help();
+        return RHW_TOOL_OK;
+    }
+    for (int i = 0; i < VERB_COUNT; i++) {
+        if (strcmp(word, verbs[i].name) == 0)
+            return verbs[i].run(argc - 1, argv + 1);
+    }
+    rhw_tool_error(word, "no such %s; see 'rhw --help'", word[0] == '-' ? "option" : "verb");
+    return RHW_TOOL_USAGE;
+}
+
+int main(int argc, char **argv)
+{
+    rhw_output_files_guard();
+    const int status = run(argc, argv);
+    errno = 0;
+    if (fflush(stdout) == 0 && !ferror(stdout))
+        return status;
+    rhw_tool_error("-", "%s", strerror(errno ? errno : EIO));
+    return RHW_TOOL_FAILED;
+}
