@@ -1,0 +1,294 @@
+// SPDX-License-Identifier: MIT
+// Outputs as raster samples and EXR channels; see outputs.h. No function here may depend on the C library's
+// maths: files are to be the same bytes everywhere.
+#include "outputs.h"
+
+#include <math.h>
+#include <stdio.h>
+#include <string.h>
+
+static const char *const names[RHW_KIND_COUNT] = {"color", "depth",  "distance", "normal", "position",
+                                                  "uv",    "object", "triangle", "bary"};
+
+static const uint32_t drawn[RHW_KIND_COUNT] = {
+    RHW_OUTPUT_COLOR, RHW_OUTPUT_DEPTH,  RHW_OUTPUT_DISTANCE, RHW_OUTPUT_NORMAL,     RHW_OUTPUT_POSITION,
+    RHW_OUTPUT_UV,    RHW_OUTPUT_OBJECT, RHW_OUTPUT_TRIANGLE, RHW_OUTPUT_BARYCENTRIC};
+
+const char *rhw_output_name(enum rhw_output_kind kind)
+{
+    return names[kind];
+}
+
+static int find_name(const char *text, size_t length)
+{
+    for (int kind = 0; kind < RHW_KIND_COUNT; kind++) {
+        if (strlen(names[kind]) == length && memcmp(names[kind], text, length) == 0)
+            return kind;
+    }
+    return -1;
+}
+
+bool rhw_outputs_parse(const char *list, unsigned *kinds, const char **bad)
+{
+    unsigned found = 0;
+    for (const char *name = list;; name++) {
+        const size_t length = strcspn(name, ",");
+        const int kind = find_name(name, length);
+        if (kind >= 0) {
+            found |= 1u << kind;
+        } else if (length == 3 && memcmp(name, "all", 3) == 0) {
+            found = (1u << RHW_KIND_COUNT) - 1;
+        } else {
+            *bad = name;
+            return false;
+        }
+        name += length;
+        if (!*name)
+            break;
+    }
+    *kinds = found;
+    return true;
+}
+
+uint32_t rhw_outputs_needed(unsigned kinds, enum rhw_picture_format format)
+{
+    uint32_t needed = 0;
+    for (int kind = 0; kind < RHW_KIND_COUNT; kind++) {
+        if (!(kinds >> kind & 1))
+            continue;
+        if (kind == RHW_KIND_COLOR && format == RHW_PICTURE_EXR)
+            needed |= RHW_OUTPUT_LINEAR;
+        else
+            needed |= drawn[kind];
+    }
+    return needed;
+}
+
+// Rasters -------------------------------------------------------------------------------------------
+
+static void opaque_color_row(const void *user, int y, void *row)
+{
+    const struct rhw_output_raster *output = user;
+    const size_t width = (size_t)output->raster.width;
+    const uint8_t *from = output->pictures->color + (size_t)y * width * 4;
+    uint8_t *to = row;
+    for (size_t x = 0; x < width; x++, from += 4, to += 3)
+        memcpy(to, from, 3);
+}
+
+static void transparent_color_row(const void *user, int y, void *row)
+{
+    const struct rhw_output_raster *output = user;
+    const size_t size = (size_t)output->raster.width * 4;
+    memcpy(row, output->pictures->color + (size_t)y * size, size);
+}
+
+// 0..1 to the raster's bits, rounded to nearest; NaN gives 0.
+static void store(const struct rhw_output_raster *output, void *row, size_t index, float value)
+{
+    const float clamped = value > 0.0f ? value < 1.0f ? value : 1.0f : 0.0f;
+    if (output->raster.bits == 8)
+        ((uint8_t *)row)[index] = (uint8_t)(clamped * 255.0f + 0.5f);
+    else
+        ((uint16_t *)row)[index] = (uint16_t)(clamped * 65535.0f + 0.5f);
+}
+
+// Nearest white, farthest dark grey, nothing black.
+static void grey_row(const void *user, int y, void *row)
+{
+    const struct rhw_output_raster *output = user;
+    const float *from = output->floats + (size_t)y * (size_t)output->raster.width;
+    for (size_t x = 0; x < (size_t)output->raster.width; x++) {
+        const bool nothing = output->pictures->depth == output->floats ? from[x] >= 1.0f : !isfinite(from[x]);
+        store(output, row, x, nothing ? 0.0f : (from[x] - output->low[0]) * output->scale[0] + 1.0f);
+    }
+}
+
+static void vector_row(const void *user, int y, void *row)
+{
+    const struct rhw_output_raster *output = user;
+    const float *from = output->floats + (size_t)y * (size_t)output->raster.width * 4;
+    for (size_t x = 0; x < (size_t)output->raster.width; x++, from += 4) {
+        for (size_t i = 0; i < 3; i++)
+            store(output, row, x * 3 + i, from[3] > 0.0f ? (from[i] - output->low[i]) * output->scale[i] : 0.0f);
+    }
+}
+
+static void uv_row(const void *user, int y, void *row)
+{
+    const struct rhw_output_raster *output = user;
+    const float *from = output->floats + (size_t)y * (size_t)output->raster.width * 4;
+    for (size_t x = 0; x < (size_t)output->raster.width; x++, from += 4) {
+        for (size_t i = 0; i < 3; i++)
+            store(output, row, x * 3 + i, from[3] > 0.0f ? from[i] - floorf(from[i]) : 0.0f);
+    }
+}
+
+// A bijection of 32 bits (two rounds of multiply and shift), so neighbouring ids get unrelated colours; no
+// channel is darker than 55, so nothing is taken for the black of 'nothing is here'.
+static uint32_t scatter(uint32_t id)
+{
+    id = (id ^ id >> 16) * 0x7FEB352Du;
+    id = (id ^ id >> 15) * 0x846CA68Bu;
+    return id ^ id >> 16;
+}
+
+static void id_row(const void *user, int y, void *row)
+{
+    const struct rhw_output_raster *output = user;
+    const uint32_t *from = output->ids + (size_t)y * (size_t)output->raster.width;
+    for (size_t x = 0; x < (size_t)output->raster.width; x++) {
+        const uint32_t bits = scatter(from[x]);
+        for (size_t i = 0; i < 3; i++) {
+            const uint32_t level = from[x] ? 55 + (bits >> (8 * i) & 255) * 200 / 255 : 0;
+            store(output, row, x * 3 + i, (float)level / 255.0f);
+        }
+    }
+}
+
+// Range of the values that show something; an empty picture gives 0..1.
+static void find_range(const struct rhw_output_raster *output, float *least, float *most)
+{
+    const size_t count = (size_t)output->raster.width * (size_t)output->raster.height;
+    const bool is_depth = output->floats == output->pictures->depth;
+    *least = INFINITY;
+    *most = -INFINITY;
+    for (size_t i = 0; i < count; i++) {
+        const float value = output->floats[i];
+        if (!isfinite(value) || (is_depth && value >= 1.0f))
+            continue;
+        *least = value < *least ? value : *least;
+        *most = value > *most ? value : *most;
+    }
+    if (*least > *most) {
+        *least = 0.0f;
+        *most = 1.0f;
+    }
+}
+
+static void set_grey(struct rhw_output_raster *output, const char *name)
+{
+    float least, most;
+    find_range(output, &least, &most);
+    output->raster.channels = 1;
+    output->raster.row = grey_row;
+    output->low[0] = least;
+    output->scale[0] = most > least ? -0.9f / (most - least) : 0.0f;
+    snprintf(output->raster.comment, sizeof output->raster.comment,
+             "%s: white is %.9g, the grey of one tenth is %.9g, black is nothing", name, (double)least, (double)most);
+}
+
+static void set_vector(struct rhw_output_raster *output, const float *floats, const float low[3], const float high[3])
+{
+    output->floats = floats;
+    output->raster.row = vector_row;
+    for (int i = 0; i < 3; i++) {
+        output->low[i] = low[i];
+        output->scale[i] = high[i] > low[i] ? 1.0f / (high[i] - low[i]) : 0.0f;
+    }
+    snprintf(output->raster.comment, sizeof output->raster.comment, "0 to full: x %.9g to %.9g, y %.9g to %.9g, z %.9g to %.9g",
+             (double)low[0], (double)high[0], (double)low[1], (double)high[1], (double)low[2], (double)high[2]);
+}
+
+static void set_color(struct rhw_output_raster *output, bool transparent)
+{
+    output->raster.channels = transparent ? 4 : 3;
+    output->raster.srgb = true;
+    output->raster.row = transparent ? transparent_color_row : opaque_color_row;
+}
+
+static void set_ids(struct rhw_output_raster *output, const uint32_t *ids)
+{
+    output->ids = ids;
+    output->raster.row = id_row;
+}
+
+void rhw_output_rasterize(struct rhw_output_raster *output, const struct rhw_pictures *pictures,
+                          enum rhw_output_kind kind, int bits, bool transparent, const float bounds_min[3],
+                          const float bounds_max[3])
+{
+    static const float minus_one[3] = {-1, -1, -1}, zero[3] = {0, 0, 0}, one[3] = {1, 1, 1};
+    *output = (struct rhw_output_raster){.pictures = pictures};
+    const bool grey = kind == RHW_KIND_DEPTH || kind == RHW_KIND_DISTANCE;
+    output->raster = (struct rhw_raster){.width = pictures->width,
+                                         .height = pictures->height,
+                                         .channels = 3,
+                                         .bits = bits ? bits : grey ? 16 : 8,
+                                         .user = output};
+    switch (kind) {
+    case RHW_KIND_COLOR:
+        set_color(output, transparent);
+        break;
+    case RHW_KIND_DEPTH:
+        output->floats = pictures->depth;
+        set_grey(output, "NDC depth");
+        break;
+    case RHW_KIND_DISTANCE:
+        output->floats = pictures->distance;
+        set_grey(output, "distance along the view");
+        break;
+    case RHW_KIND_NORMAL:
+        set_vector(output, pictures->normal, minus_one, one);
+        break;
+    case RHW_KIND_POSITION:
+        set_vector(output, pictures->position, bounds_min, bounds_max);
+        break;
+    case RHW_KIND_UV:
+        output->floats = pictures->uv;
+        output->raster.row = uv_row;
+        break;
+    case RHW_KIND_OBJECT:
+        set_ids(output, pictures->object);
+        break;
+    case RHW_KIND_TRIANGLE:
+        set_ids(output, pictures->triangle);
+        break;
+    case RHW_KIND_BARY:
+    case RHW_KIND_COUNT:
+        set_vector(output, pictures->barycentric, zero, one);
+        break;
+    }
+}
+
+// EXR -----------------------------------------------------------------------------------------------
+
+static int add_channels(struct rhw_exr_channel *channels, int count, const char *const *channel_names, int added,
+                        const void *pixels, bool integer, int pixel_stride)
+{
+    for (int i = 0; i < added; i++) {
+        channels[count + i] = (struct rhw_exr_channel){.name = channel_names[i],
+                                                       .integer = integer,
+                                                       .first = (const uint8_t *)pixels + 4 * i,
+                                                       .pixel_stride = pixel_stride};
+    }
+    return count + added;
+}
+
+int rhw_outputs_exr_channels(const struct rhw_pictures *pictures, unsigned kinds,
+                             struct rhw_exr_channel channels[RHW_EXR_CHANNELS_MAX])
+{
+    const struct {
+        const char *names[4];
+        int count;
+        const void *pixels;
+        bool integer;
+        int pixel_stride;
+    } layers[RHW_KIND_COUNT] = {
+        [RHW_KIND_COLOR] = {{"R", "G", "B", "A"}, 4, pictures->linear, false, 16},
+        [RHW_KIND_DEPTH] = {{"depth.Z"}, 1, pictures->depth, false, 4},
+        [RHW_KIND_DISTANCE] = {{"distance.Z"}, 1, pictures->distance, false, 4},
+        [RHW_KIND_NORMAL] = {{"normal.X", "normal.Y", "normal.Z", "normal.A"}, 4, pictures->normal, false, 16},
+        [RHW_KIND_POSITION] = {{"position.X", "position.Y", "position.Z", "position.A"}, 4, pictures->position, false, 16},
+        [RHW_KIND_UV] = {{"uv.U", "uv.V"}, 2, pictures->uv, false, 16},
+        [RHW_KIND_OBJECT] = {{"object.id"}, 1, pictures->object, true, 4},
+        [RHW_KIND_TRIANGLE] = {{"triangle.id"}, 1, pictures->triangle, true, 4},
+        [RHW_KIND_BARY] = {{"bary.a", "bary.b", "bary.c"}, 3, pictures->barycentric, false, 16},
+    };
+    int count = 0;
+    for (int kind = 0; kind < RHW_KIND_COUNT; kind++) {
+        if (kinds >> kind & 1)
+            count = add_channels(channels, count, layers[kind].names, layers[kind].count, layers[kind].pixels,
+                                 layers[kind].integer, layers[kind].pixel_stride);
+    }
+    return count;
+}

@@ -1,0 +1,318 @@
+// SPDX-License-Identifier: MIT
+// The command line of rhw render: its options, what they mean, and which of them exclude each other. All of
+// it is checked before the model is opened, so that a mistake costs no time.
+#include "options.h"
+#include "output_file.h"
+#include "render_job.h"
+
+#include <stdio.h>
+#include <string.h>
+
+enum {
+    OPTION_OUT = 'o', OPTION_SIZE = 's', OPTION_QUIET = 'q', OPTION_THREADS = 'j',
+    OPTION_SAMPLES = 256, OPTION_CAMERA, OPTION_ORBIT, OPTION_FIT, OPTION_CAMERA_INDEX, OPTION_CAMERA_NAME,
+    OPTION_FOVY, OPTION_INTERPOLATE, OPTION_WIREFRAME, OPTION_BACKGROUND, OPTION_OUTPUT, OPTION_BITS,
+    OPTION_FORMAT, OPTION_LIGHTS, OPTION_EXPOSURE, OPTION_ISA, OPTION_STATS
+};
+
+static const struct rhw_tool_option options[] = {
+    {"out", OPTION_OUT, "OUT", "the file to write: .png, .exr or .ppm; '-' is standard output"},
+    {"size", OPTION_SIZE, "WxH", "pixels, each way 1..16384; default 1280x720"},
+    {"samples", OPTION_SAMPLES, "N", "samples per pixel of the colour: 1, 4, 9 or 16; default 1"},
+    {"output", OPTION_OUTPUT, "LIST", "what to write, separated by commas; default color (see below)"},
+    {"bits", OPTION_BITS, "N", "8 or 16 bits per sample of PNG and PPM; default: as the output needs"},
+    {"format", OPTION_FORMAT, "NAME", "png, exr or ppm, whatever OUT ends in"},
+    {"fit", OPTION_FIT, NULL, "fit the whole model into the picture, also when the file has cameras"},
+    {"orbit", OPTION_ORBIT, "AZ,EL",
+     "fit it from these angles in degrees: azimuth 0 is the front, 90 the\nright side; elevation 90 is straight "
+     "from above"},
+    {"camera", OPTION_CAMERA, "NUMBERS",
+     "eye, target and up (three numbers each) and the vertical field of\nview in degrees, separated by commas"},
+    {"camera-index", OPTION_CAMERA_INDEX, "N", "a camera of the file, counted from 0; see rhw info"},
+    {"camera-name", OPTION_CAMERA_NAME, "NAME", "a camera of the file"},
+    {"fovy", OPTION_FOVY, "DEGREES", "vertical field of view of a fitted camera; default 30"},
+    {"interpolate", OPTION_INTERPOLATE, "HOW", "smooth (right in perspective) or noperspective (to see the error)"},
+    {"wireframe", OPTION_WIREFRAME, "[KIND]", "edges over the shaded surface (over) or over a plain one (plain)"},
+    {"background", OPTION_BACKGROUND, "COLOR", "rrggbb in hexadecimal, black, grey, white, transparent or default"},
+    {"lights", OPTION_LIGHTS, "WHICH", "file (default: those of the file, if any) or default"},
+    {"exposure", OPTION_EXPOSURE, "STOPS", "brighter by this many factors of two; -20..20"},
+    {"threads", OPTION_THREADS, "N", "threads to use, 1..64; default: all cores. The picture is the same"},
+    {"isa", OPTION_ISA, "NAME", "instruction set: baseline, avx2 or avx512; default: the best there is.\n"
+                                "The picture is the same"},
+    {"stats", OPTION_STATS, "[FILE]", "write times and counts as JSON, to standard output without FILE"},
+    {"quiet", OPTION_QUIET, NULL, "no warnings"},
+};
+
+static const char notes[] =
+    "Outputs, and what they are in PNG and PPM (data is black where nothing is):\n"
+    "  color     the picture, sRGB encoded; with alpha on a transparent background\n"
+    "  depth     0 near to 1 far, linear on the screen; nearest white, farthest dark grey, 16 bits\n"
+    "  distance  along the view, in the model's units; shown as depth is\n"
+    "  normal    in the world, 0.5 + 0.5 n\n"
+    "  position  in the world, 0..1 from one end of the model's bounding box to the other\n"
+    "  uv        first texture coordinates without their integer part, in red and green\n"
+    "  object    a colour for each node that draws\n"
+    "  triangle  a colour for each triangle\n"
+    "  bary      the weights a, b, c of the three vertices in red, green and blue\n"
+    "  all       all of these\n"
+    "The ranges behind depth, distance and position stand in the PNG file as a comment.\n\n"
+    "With several outputs in PNG or PPM, color takes the name OUT and the others get theirs before the ending:\n"
+    "out.depth.png. If OUT has a {}, the name of the output takes its place. An EXR holds all outputs in one\n"
+    "file as numbers without any mapping: R G B A (light before tone mapping, premultiplied, without\n"
+    "background), depth.Z, distance.Z, normal.XYZA, position.XYZA, uv.UV, object.id, triangle.id (integers, 0\n"
+    "is nothing), bary.abc.\n\n"
+    "Without --fit, --orbit or --camera the file's first camera is taken, or else the model fitted.\n"
+    "A file appears whole or not at all.\n\n"
+    "Exit status: 0, 1 when the work failed, 2 for a wrong command line.";
+
+static const struct rhw_tool_verb verb = {
+    .name = "render",
+    .operands = "MODEL -o OUT",
+    .summary = "Draws a model file (glTF, OBJ, PLY, STL, FBX, 3DS, Collada and more) and writes the picture.",
+    .options = options,
+    .option_count = (int)(sizeof options / sizeof *options),
+    .notes = notes,
+};
+
+static bool choose_camera(struct rhw_render_job *job, enum rhw_camera_choice choice, const char *option)
+{
+    if (job->camera != RHW_CAMERA_AUTO && job->camera != choice) {
+        rhw_tool_error(option, "cannot be together with %s", job->camera_option);
+        return false;
+    }
+    job->camera = choice;
+    job->camera_option = option;
+    return true;
+}
+
+// The position of `argument` among `names` or a line that lists them.
+static int choose(const char *option, const char *argument, const char *const *names, int count)
+{
+    const int found = rhw_tool_parse_name(argument, names, count);
+    if (found >= 0)
+        return found;
+    char list[128] = "";
+    for (int i = 0; i < count; i++) {
+        strcat(list, i == 0 ? "" : i + 1 < count ? ", " : " or ");
+        strcat(list, names[i]);
+    }
+    rhw_tool_error(option, "'%s' is not %s", argument, list);
+    return -1;
+}
+
+static bool parse_isa(struct rhw_render_job *job, const char *argument)
+{
+    const char *names[RHW_ISA_COUNT];
+    for (int isa = 0; isa < RHW_ISA_COUNT; isa++)
+        names[isa] = rhw_isa_name((enum rhw_isa)isa);
+    const int isa = choose("--isa", argument, names, RHW_ISA_COUNT);
+    if (isa < 0)
+        return false;
+    job->isa = (enum rhw_isa)isa;
+    return true;
+}
+
+static bool parse_background(struct rhw_render_job *job, const char *argument)
+{
+    job->background = RHW_BACKGROUND_COLOR;
+    if (strcmp(argument, "transparent") == 0)
+        job->background = RHW_BACKGROUND_TRANSPARENT;
+    else if (strcmp(argument, "default") == 0)
+        job->background = RHW_BACKGROUND_DEFAULT;
+    else if (!rhw_tool_parse_color(argument, job->background_color)) {
+        rhw_tool_error("--background", "'%s' is not a colour (rrggbb, black, grey, white), transparent or default",
+                       argument);
+        return false;
+    }
+    return true;
+}
+
+static bool parse_camera_option(struct rhw_render_job *job, int id, const char *argument)
+{
+    float angles[2];
+    switch (id) {
+    case OPTION_CAMERA:
+        if (rhw_tool_parse_floats(argument, 10, job->look))
+            return choose_camera(job, RHW_CAMERA_LOOK, "--camera");
+        rhw_tool_error("--camera", "'%s' is not ten numbers: eye, target, up (x,y,z each) and fovy in degrees", argument);
+        return false;
+    case OPTION_ORBIT:
+        if (!rhw_tool_parse_floats(argument, 2, angles)) {
+            rhw_tool_error("--orbit", "'%s' is not two angles in degrees: azimuth,elevation", argument);
+            return false;
+        }
+        job->orbit = (struct rhw_orbit){angles[0], angles[1]};
+        return choose_camera(job, RHW_CAMERA_ORBIT, "--orbit");
+    case OPTION_CAMERA_INDEX:
+        if (rhw_tool_parse_int(argument, 0, 1 << 20, &job->camera_index))
+            return choose_camera(job, RHW_CAMERA_INDEX, "--camera-index");
+        rhw_tool_error("--camera-index", "'%s' is not a number from 0", argument);
+        return false;
+    case OPTION_CAMERA_NAME:
+        job->camera_name = argument;
+        return choose_camera(job, RHW_CAMERA_NAME, "--camera-name");
+    case OPTION_FOVY:
+        if (rhw_tool_parse_float(argument, &job->fovy) && job->fovy >= 0.01f && job->fovy <= 179.0f)
+            return true;
+        rhw_tool_error("--fovy", "'%s' is not an angle of 0.01 to 179 degrees", argument);
+        return false;
+    default: // fit: --orbit fits as well
+        return job->camera == RHW_CAMERA_ORBIT || choose_camera(job, RHW_CAMERA_FIT, "--fit");
+    }
+}
+
+static bool parse_picture_option(struct rhw_render_job *job, int id, const char *argument)
+{
+    static const char *const formats[] = {"png", "exr", "ppm"};
+    const char *bad;
+    int format;
+    switch (id) {
+    case OPTION_SIZE:
+        if (rhw_tool_parse_size(argument, &job->width, &job->height))
+            return true;
+        rhw_tool_error("--size", "'%s' is not WxH with both 1..%d", argument, RHW_MAX_TARGET_SIZE);
+        return false;
+    case OPTION_SAMPLES:
+        if (rhw_tool_parse_int(argument, 1, 16, &job->samples) &&
+            (job->samples == 1 || job->samples == 4 || job->samples == 9 || job->samples == 16))
+            return true;
+        rhw_tool_error("--samples", "'%s' is not 1, 4, 9 or 16", argument);
+        return false;
+    case OPTION_OUTPUT:
+        if (rhw_outputs_parse(argument, &job->kinds, &bad))
+            return true;
+        rhw_tool_error("--output", "'%.*s' is no output; see 'rhw render --help'", (int)strcspn(bad, ","), bad);
+        return false;
+    case OPTION_BITS:
+        if (rhw_tool_parse_int(argument, 8, 16, &job->bits) && (job->bits == 8 || job->bits == 16))
+            return true;
+        rhw_tool_error("--bits", "'%s' is not 8 or 16", argument);
+        return false;
+    default:
+        format = choose("--format", argument, formats, 3);
+        job->format = (enum rhw_picture_format)format;
+        return format >= 0;
+    }
+}
+
+static bool parse_look_option(struct rhw_render_job *job, int id, const char *argument)
+{
+    static const char *const qualifiers[] = {"smooth", "noperspective"}, *const wireframes[] = {"over", "plain"},
+                            *const lights[] = {"file", "default"};
+    int choice;
+    switch (id) {
+    case OPTION_INTERPOLATE:
+        choice = choose("--interpolate", argument, qualifiers, 2);
+        job->interpolate = choice == 1 ? RHW_NOPERSPECTIVE : RHW_SMOOTH;
+        return choice >= 0;
+    case OPTION_WIREFRAME:
+        choice = argument ? choose("--wireframe", argument, wireframes, 2) : 0;
+        job->wireframe = choice == 1 ? RHW_WIREFRAME_PLAIN : RHW_WIREFRAME_OVER;
+        return choice >= 0;
+    case OPTION_LIGHTS:
+        choice = choose("--lights", argument, lights, 2);
+        job->default_lights = choice == 1;
+        return choice >= 0;
+    case OPTION_EXPOSURE:
+        if (rhw_tool_parse_float(argument, &job->exposure) && job->exposure >= -20.0f && job->exposure <= 20.0f)
+            return true;
+        rhw_tool_error("--exposure", "'%s' is not a number of -20 to 20", argument);
+        return false;
+    default:
+        return parse_background(job, argument);
+    }
+}
+
+static bool parse_option(struct rhw_render_job *job, int id, const char *argument)
+{
+    switch (id) {
+    case OPTION_OUT:
+        job->out = argument;
+        return true;
+    case OPTION_QUIET:
+        job->quiet = true;
+        return true;
+    case OPTION_STATS:
+        job->stats = true;
+        job->stats_path = argument ? argument : "-";
+        return true;
+    case OPTION_ISA:
+        return parse_isa(job, argument);
+    case OPTION_THREADS:
+        if (rhw_tool_parse_int(argument, 1, RHW_MAX_THREADS, &job->threads))
+            return true;
+        rhw_tool_error("--threads", "'%s' is not a number of 1 to %d", argument, RHW_MAX_THREADS);
+        return false;
+    case OPTION_CAMERA: case OPTION_ORBIT: case OPTION_FIT: case OPTION_CAMERA_INDEX: case OPTION_CAMERA_NAME:
+    case OPTION_FOVY:
+        return parse_camera_option(job, id, argument);
+    case OPTION_INTERPOLATE: case OPTION_WIREFRAME: case OPTION_BACKGROUND: case OPTION_LIGHTS: case OPTION_EXPOSURE:
+        return parse_look_option(job, id, argument);
+    default:
+        return parse_picture_option(job, id, argument);
+    }
+}
+
+static bool check_together(struct rhw_render_job *job)
+{
+    if (!job->out) {
+        rhw_tool_error("render", "-o OUT is missing: where should the picture go?");
+        return false;
+    }
+    const bool to_stdout = strcmp(job->out, "-") == 0;
+    if (job->format == RHW_PICTURE_UNKNOWN)
+        job->format = to_stdout ? RHW_PICTURE_PNG : rhw_picture_format_of(job->out);
+    if (job->format == RHW_PICTURE_UNKNOWN) {
+        rhw_tool_error(job->out, "no format for this ending; name it .png, .exr or .ppm, or give --format");
+        return false;
+    }
+    if (to_stdout && job->stats && strcmp(job->stats_path, "-") == 0) {
+        rhw_tool_error("--stats", "standard output takes the picture already; give --stats=FILE");
+        return false;
+    }
+    if (to_stdout && job->format != RHW_PICTURE_EXR && (job->kinds & (job->kinds - 1))) {
+        rhw_tool_error("--output", "standard output takes one output only");
+        return false;
+    }
+    if (job->background == RHW_BACKGROUND_TRANSPARENT && job->format == RHW_PICTURE_PPM) {
+        rhw_tool_error("--background", "a PPM file cannot be transparent");
+        return false;
+    }
+    if (job->bits && job->format == RHW_PICTURE_EXR) {
+        rhw_tool_error("--bits", "an EXR file always holds 32 bits per sample");
+        return false;
+    }
+    const bool fitted = job->camera <= RHW_CAMERA_ORBIT;
+    if (job->fovy > 0.0f && !fitted) {
+        rhw_tool_error("--fovy", "cannot be together with %s", job->camera_option);
+        return false;
+    }
+    return true;
+}
+
+bool rhw_render_job_parse(struct rhw_render_job *job, int argc, char **argv, int *status)
+{
+    *job = (struct rhw_render_job){.format = RHW_PICTURE_UNKNOWN,
+                                   .width = 1280,
+                                   .height = 720,
+                                   .samples = 1,
+                                   .interpolate = RHW_SMOOTH,
+                                   .kinds = 1u << RHW_KIND_COLOR,
+                                   .isa = RHW_ISA_COUNT};
+    struct rhw_tool_parser parser;
+    rhw_tool_parser_start(&parser, &verb, argc, argv);
+    *status = RHW_TOOL_USAGE;
+    int id;
+    while ((id = rhw_tool_parser_next(&parser)) > 0) {
+        if (!parse_option(job, id, parser.argument))
+            return false;
+    }
+    if (id == RHW_TOOL_OPTION_STOP) {
+        *status = parser.status;
+        return false;
+    }
+    if (!rhw_tool_parser_operands(&parser, 1, 1) || !check_together(job))
+        return false;
+    job->model_path = parser.operands[0];
+    return true;
+}

@@ -1,0 +1,78 @@
+// SPDX-License-Identifier: MIT
+// What rhw render --stats writes: times by stage and what went through the pipeline, as JSON.
+#include "json.h"
+#include "message.h"
+#include "output_file.h"
+#include "render_job.h"
+
+#include <inttypes.h>
+#include <string.h>
+#include <sys/resource.h>
+
+static uint64_t process_memory_peak(void)
+{
+    struct rusage usage;
+    return getrusage(RUSAGE_SELF, &usage) == 0 ? (uint64_t)usage.ru_maxrss * 1024 : 0;
+}
+
+static void print_outputs(FILE *stream, unsigned kinds)
+{
+    const char *separator = "";
+    for (int kind = 0; kind < RHW_KIND_COUNT; kind++) {
+        if (kinds >> kind & 1) {
+            fprintf(stream, "%s\"%s\"", separator, rhw_output_name((enum rhw_output_kind)kind));
+            separator = ", ";
+        }
+    }
+}
+
+static void print_report(FILE *stream, const struct rhw_render_job *job, const struct rhw_model *model,
+                         const struct rhw_draw_stats *stats, const struct rhw_render_times *times)
+{
+    const struct rhw_stats *pipeline = &stats->pipeline;
+    const double lanes = (double)pipeline->fragment_groups * 8.0;
+    fputs("{\n  \"model\": ", stream);
+    rhw_json_string(stream, job->model_path);
+    fputs(",\n  \"model_format\": ", stream);
+    rhw_json_string(stream, model->format);
+    fprintf(stream, ",\n  \"width\": %d,\n  \"height\": %d,\n  \"samples\": %d,\n  \"outputs\": [", job->width,
+            job->height, job->samples);
+    print_outputs(stream, job->kinds);
+    fprintf(stream, "],\n  \"threads\": %d,\n  \"isa\": \"%s\",\n  \"times_ms\": {\n", pipeline->threads,
+            rhw_isa_name(pipeline->isa));
+    fprintf(stream, "    \"import\": %.3f,\n    \"upload\": %.3f,\n    \"front\": %.3f,\n    \"back\": %.3f,\n",
+            times->import_ms, stats->upload_ms, pipeline->front_ms, pipeline->back_ms);
+    fprintf(stream, "    \"resolve\": %.3f,\n    \"read\": %.3f,\n    \"encode\": %.3f,\n    \"total\": %.3f\n  },\n",
+            stats->resolve_ms, stats->read_ms, times->encode_ms, times->total_ms);
+    fprintf(stream,
+            "  \"triangles\": {\"in\": %" PRIu64 ", \"dropped\": %" PRIu64 ", \"clipped\": %" PRIu64
+            ", \"culled\": %" PRIu64 ", \"rasterized\": %" PRIu64 "},\n",
+            pipeline->triangles_in, pipeline->triangles_dropped, pipeline->triangles_clipped,
+            pipeline->triangles_culled, pipeline->triangles_rasterized);
+    fprintf(stream, "  \"draws\": %" PRIu64 ",\n  \"vertices_shaded\": %" PRIu64 ",\n", pipeline->draws,
+            pipeline->vertices_shaded);
+    fprintf(stream, "  \"fragments\": {\"shaded\": %" PRIu64 ", \"groups\": %" PRIu64 ", \"lane_occupancy\": %.4f},\n",
+            pipeline->fragments_shaded, pipeline->fragment_groups,
+            lanes > 0.0 ? (double)pipeline->fragments_shaded / lanes : 0.0);
+    fprintf(stream,
+            "  \"tiles\": %d,\n  \"flushes\": %" PRIu64 ",\n  \"memory_peak\": %" PRIu64
+            ",\n  \"process_memory_peak\": %" PRIu64 "\n}\n",
+            pipeline->tiles, pipeline->flushes, pipeline->memory_peak, process_memory_peak());
+}
+
+bool rhw_render_report(const struct rhw_render_job *job, const struct rhw_model *model,
+                       const struct rhw_draw_stats *stats, const struct rhw_render_times *times)
+{
+    if (strcmp(job->stats_path, "-") == 0) {
+        print_report(stdout, job, model, stats, times);
+        return true; // main reports what cannot be written to standard output
+    }
+    struct rhw_output_file file;
+    if (!rhw_output_file_open(&file, job->stats_path))
+        return false;
+    print_report(file.stream, job, model, stats, times);
+    const bool written = rhw_output_file_finish(&file) && rhw_output_file_commit(&file);
+    if (!written)
+        rhw_output_file_discard(&file);
+    return written;
+}
