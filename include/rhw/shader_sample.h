@@ -15,18 +15,43 @@ struct rhw_binding {
 };
 
 /// Samples with the level of detail that the derivatives give (OpenGL ES 3.0 §3.8.10: log2 of the longer
-/// of the two footprint axes). sRGB texels are decoded before they are filtered.
+/// of the two footprint axes), plus the sampler's bias, within its limits. sRGB texels are decoded before
+/// they are filtered. Any coordinate is allowed; one that is not finite samples somewhere in the texture.
 static inline void rhw_sample_grad(const struct rhw_binding *binding, const rhw_float uv[2],
                                    const rhw_float grad[4], rhw_float texel[4])
 {
     binding->sample(binding, uv, grad, (const rhw_float *)0, texel);
 }
 
-/// Samples at an explicit level of detail.
+/// Samples at an explicit level of detail, to which the sampler's bias and limits apply as well.
 static inline void rhw_sample_lod(const struct rhw_binding *binding, const rhw_float uv[2], rhw_float lod,
                                   rhw_float texel[4])
 {
     binding->sample(binding, uv, (const rhw_float *)0, &lod, texel);
+}
+
+/// rhw_sample_grad for one fragment: the same bits as a lane of it.
+static inline void rhw_sample1_grad(const struct rhw_binding *binding, const float uv[2], const float grad[4],
+                                    float texel[4])
+{
+    const rhw_float at[2] = {rhw_splat(uv[0]), rhw_splat(uv[1])};
+    const rhw_float slope[4] = {rhw_splat(grad[0]), rhw_splat(grad[1]), rhw_splat(grad[2]), rhw_splat(grad[3])};
+    rhw_float lanes[4];
+    rhw_sample_grad(binding, at, slope, lanes);
+    for (int i = 0; i < 4; i++) {
+        texel[i] = lanes[i][0];
+    }
+}
+
+/// rhw_sample_lod for one fragment.
+static inline void rhw_sample1_lod(const struct rhw_binding *binding, const float uv[2], float lod, float texel[4])
+{
+    const rhw_float at[2] = {rhw_splat(uv[0]), rhw_splat(uv[1])};
+    rhw_float lanes[4];
+    rhw_sample_lod(binding, at, rhw_splat(lod), lanes);
+    for (int i = 0; i < 4; i++) {
+        texel[i] = lanes[i][0];
+    }
 }
 
 #endif
