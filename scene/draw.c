@@ -1,0 +1,603 @@
+// SPDX-License-Identifier: MIT
+// The passes of a draw.
+//
+// Colour is tone-mapped in the fragment function and blended as displayed light, as viewers on the web do:
+// the background then keeps the colour it was given, unlit surfaces keep theirs, and a sample is four bytes.
+// Large pictures are drawn in bands of rows, so that samples never take more than `band_bytes`; the pipeline
+// promises that moving a triangle by whole pixels changes nothing, hence bands do not show.
+//
+// Depth is reversed (1 near, 0 far): floats are densest where perspective leaves least, at the far end.
+#include "draw.h"
+
+#include "color.h"
+#include "light.h"
+#include "surface.h"
+
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <time.h>
+
+enum {
+    BAND_BYTES = 1 << 28,
+    BAND_ROWS = 64, // bands are cut at multiples: tiles stay whole
+    TARGET_COUNT = RHW_DATA_OUTPUTS + 4
+};
+
+// sRGB codes of the default background, top and bottom.
+static const uint8_t gradient_top[3] = {134, 146, 160}, gradient_bottom[3] = {66, 72, 80};
+
+// A texture that is drawn into, kept from draw to draw.
+struct target {
+    rhw_texture texture;
+    enum rhw_format format;
+    int width, height;
+};
+
+struct rhw_scene {
+    struct rhw_upload upload;
+    struct rhw_surface_pipelines pipelines;
+    struct target targets[TARGET_COUNT];
+    rhw_sampler nearest;
+    double upload_ms;
+};
+
+// Which of rhw_scene.targets is what.
+enum { TARGET_SAMPLES, TARGET_LINEAR_SAMPLES, TARGET_COLOR, TARGET_LINEAR, TARGET_DATA };
+
+// The data outputs, by enum rhw_data_output.
+static const struct {
+    uint32_t output;
+    enum rhw_format format;
+} data_outputs[RHW_DATA_OUTPUTS] = {
+    [RHW_DATA_DEPTH] = {RHW_OUTPUT_DEPTH, RHW_FORMAT_R32_FLOAT},
+    [RHW_DATA_DISTANCE] = {RHW_OUTPUT_DISTANCE, RHW_FORMAT_R32_FLOAT},
+    [RHW_DATA_NORMAL] = {RHW_OUTPUT_NORMAL, RHW_FORMAT_RGBA32_FLOAT},
+    [RHW_DATA_POSITION] = {RHW_OUTPUT_POSITION, RHW_FORMAT_RGBA32_FLOAT},
+    [RHW_DATA_UV] = {RHW_OUTPUT_UV, RHW_FORMAT_RGBA32_FLOAT},
+    [RHW_DATA_OBJECT] = {RHW_OUTPUT_OBJECT, RHW_FORMAT_R32_UINT},
+    [RHW_DATA_TRIANGLE] = {RHW_OUTPUT_TRIANGLE, RHW_FORMAT_R32_UINT},
+    [RHW_DATA_BARYCENTRIC] = {RHW_OUTPUT_BARYCENTRIC, RHW_FORMAT_RGBA32_FLOAT},
+};
+
+// Everything one call of rhw_scene_draw works with.
+struct draw {
+    struct rhw_scene *scene;
+    const struct rhw_view *view;
+    struct rhw_pictures *pictures;
+    struct rhw_draw_stats stats;
+    struct rhw_lighting lighting;
+    struct rhw_frame frame;
+    double view_projection[16];
+    int side;                      // of the sample grid
+    int band_rows, first_row;      // of the picture
+    void *data[RHW_DATA_OUTPUTS];  // the pictures of data outputs
+};
+
+static double milliseconds(void)
+{
+    struct timespec now;
+    clock_gettime(CLOCK_MONOTONIC, &now);
+    return (double)now.tv_sec * 1e3 + (double)now.tv_nsec * 1e-6;
+}
+
+static int sample_side(int samples)
+{
+    for (int side = 1; side <= 4; side++) {
+        if (side * side == samples) {
+            return side;
+        }
+    }
+    return 0;
+}
+
+// View ----------------------------------------------------------------------------------------------
+
+struct rhw_view rhw_view_default(const struct rhw_model *model)
+{
+    struct rhw_view view = {.width = 1280, .height = 720, .samples = 1, .outputs = RHW_OUTPUT_COLOR};
+    view.camera = rhw_camera_fit(model, rhw_camera_default_orbit(model), rhw_camera_default_yfov(), 1280.0 / 720.0);
+    return view;
+}
+
+bool rhw_view_check(const struct rhw_view *view, char *error, size_t error_size)
+{
+    const int side = sample_side(view->samples);
+    const int limit = RHW_MAX_TARGET_SIZE;
+    const char *place = "";
+    if (view->width < 1 || view->height < 1 || view->width > limit || view->height > limit) {
+        snprintf(error, error_size, "size %dx%d: width and height must lie between 1 and %d", view->width,
+                 view->height, limit);
+    } else if (side == 0) {
+        snprintf(error, error_size, "samples %d: must be 1, 4, 9 or 16", view->samples);
+    } else if (view->width * side > limit || view->height * side > limit) {
+        snprintf(error, error_size, "size %dx%d with %d samples: %d times width and height must not exceed %d",
+                 view->width, view->height, view->samples, side, limit);
+    } else if (view->outputs == 0 || (view->outputs & ~(uint32_t)RHW_OUTPUT_ALL)) {
+        snprintf(error, error_size, "outputs: none, or unknown ones, asked for");
+    } else if (view->interpolate != RHW_SMOOTH && view->interpolate != RHW_NOPERSPECTIVE) {
+        snprintf(error, error_size, "interpolate: must be smooth or noperspective");
+    } else if (!(view->exposure >= -20.0 && view->exposure <= 20.0)) {
+        snprintf(error, error_size, "exposure: must lie between -20 and 20 stops");
+    } else {
+        const struct rhw_camera *c = &view->camera;
+        const bool infinite = c->zfar == 0.0 && !c->orthographic;
+        if (!(c->orthographic ? c->ymag > 0.0 : c->yfov > 0.0 && c->yfov < 3.14159)) {
+            place = c->orthographic ? "the height" : "the field of view";
+        } else if (!(infinite || c->zfar > c->znear) || !(c->orthographic || c->znear > 0.0)) {
+            place = "the distance of the near or far plane";
+        } else {
+            return true;
+        }
+        snprintf(error, error_size, "camera: %s is out of range", place);
+    }
+    return false;
+}
+
+void rhw_pictures_free(struct rhw_pictures *pictures)
+{
+    free(pictures->color);
+    free(pictures->linear);
+    free(pictures->depth);
+    free(pictures->distance);
+    free(pictures->normal);
+    free(pictures->position);
+    free(pictures->uv);
+    free(pictures->barycentric);
+    free(pictures->object);
+    free(pictures->triangle);
+    *pictures = (struct rhw_pictures){0};
+}
+
+// Scene ---------------------------------------------------------------------------------------------
+
+enum rhw_result rhw_scene_create(rhw_context *context, const struct rhw_model *model, struct rhw_scene **scene)
+{
+    const double start = milliseconds();
+    *scene = calloc(1, sizeof **scene);
+    if (!*scene) {
+        return RHW_ERROR_OUT_OF_MEMORY;
+    }
+    struct rhw_sampler_def sampler = rhw_sampler_def_default();
+    sampler.min_filter = sampler.mag_filter = RHW_FILTER_NEAREST;
+    sampler.mip_filter = RHW_MIP_FILTER_NONE;
+    sampler.address_u = sampler.address_v = RHW_ADDRESS_CLAMP;
+    enum rhw_result result = rhw_upload_create(context, model, &(*scene)->upload);
+    if (result == RHW_OK) {
+        result = rhw_sampler_create(context, &sampler, &(*scene)->nearest);
+        if (result != RHW_OK) {
+            rhw_upload_destroy(&(*scene)->upload);
+        }
+    }
+    if (result != RHW_OK) {
+        free(*scene);
+        *scene = NULL;
+        return result;
+    }
+    (*scene)->upload_ms = milliseconds() - start;
+    return RHW_OK;
+}
+
+void rhw_scene_destroy(struct rhw_scene *scene)
+{
+    if (!scene) {
+        return;
+    }
+    rhw_context *context = scene->upload.context;
+    rhw_surface_pipelines_destroy(context, &scene->pipelines);
+    for (int i = 0; i < TARGET_COUNT; i++) {
+        if (scene->targets[i].texture.generation) {
+            rhw_texture_destroy(context, scene->targets[i].texture);
+        }
+    }
+    rhw_sampler_destroy(context, scene->nearest);
+    rhw_upload_destroy(&scene->upload);
+    free(scene);
+}
+
+static enum rhw_result get_target(struct rhw_scene *scene, int which, enum rhw_format format, int width, int height)
+{
+    rhw_context *context = scene->upload.context;
+    struct target *target = &scene->targets[which];
+    if (target->texture.generation && target->format == format && target->width == width &&
+        target->height == height) {
+        return RHW_OK;
+    }
+    if (target->texture.generation) {
+        rhw_texture_destroy(context, target->texture);
+    }
+    *target = (struct target){.format = format, .width = width, .height = height};
+    struct rhw_texture_def def = rhw_texture_def_default();
+    def.format = format;
+    def.width = width;
+    def.height = height;
+    return rhw_texture_create(context, &def, &target->texture);
+}
+
+// Passes --------------------------------------------------------------------------------------------
+
+static void add_stats(struct rhw_stats *sum, const struct rhw_stats *pass)
+{
+    sum->front_ms += pass->front_ms;
+    sum->back_ms += pass->back_ms;
+    sum->draws += pass->draws;
+    sum->vertices_shaded += pass->vertices_shaded;
+    sum->triangles_in += pass->triangles_in;
+    sum->triangles_dropped += pass->triangles_dropped;
+    sum->triangles_clipped += pass->triangles_clipped;
+    sum->triangles_culled += pass->triangles_culled;
+    sum->triangles_rasterized += pass->triangles_rasterized;
+    sum->fragments_shaded += pass->fragments_shaded;
+    sum->fragment_groups += pass->fragment_groups;
+    sum->flushes += pass->flushes;
+    sum->memory_peak = pass->memory_peak > sum->memory_peak ? pass->memory_peak : sum->memory_peak;
+    sum->tiles = pass->tiles > sum->tiles ? pass->tiles : sum->tiles;
+    sum->threads = pass->threads;
+    sum->isa = pass->isa;
+}
+
+static void set_frame(struct draw *draw)
+{
+    const struct rhw_view *view = draw->view;
+    const struct rhw_camera *camera = &view->camera;
+    struct rhw_frame *frame = &draw->frame;
+    double matrix[16], projection[16];
+    rhw_camera_view(camera, matrix);
+    rhw_camera_projection(camera, (double)view->width / view->height, projection);
+    for (int c = 0; c < 4; c++) {
+        projection[4 * c + 2] = projection[4 * c + 3] - projection[4 * c + 2];
+    }
+    rhw_matrix_multiply(projection, matrix, draw->view_projection);
+    for (int i = 0; i < 3; i++) {
+        frame->eye[i] = (float)camera->eye[i];
+        frame->forward[i] = (float)-matrix[4 * i + 2];
+    }
+    frame->orthographic = camera->orthographic;
+    frame->light_count = (int32_t)draw->lighting.count;
+    frame->lights = draw->lighting.lights;
+    frame->environment = draw->lighting.environment;
+    frame->plain = view->wireframe == RHW_WIREFRAME_PLAIN;
+    for (int c = 0; c < 3; c++) {
+        frame->line_color[c] = rhw_color_decode(28);
+        frame->plain_color[c] = rhw_color_decode(226);
+    }
+}
+
+// Sizes that depend on the number of samples along a pixel's side.
+static void set_frame_samples(struct draw *draw, int side)
+{
+    draw->frame.samples = (float)side;
+    draw->frame.pixel[0] = (float)(2.0 / ((double)draw->view->width * side));
+    draw->frame.pixel[1] = (float)(2.0 / ((double)draw->view->height * side));
+    draw->frame.line_half_width = 0.6f * (float)side;
+}
+
+// The viewport of the whole picture, moved so that the band's first row is the target's.
+static void set_band_viewport(const struct draw *draw, rhw_pass pass, int side)
+{
+    const struct rhw_viewport viewport = {.x = 0.0f,
+                                          .y = -(float)(draw->first_row * side),
+                                          .width = (float)(draw->view->width * side),
+                                          .height = (float)(draw->view->height * side),
+                                          .depth_min = 0.0f,
+                                          .depth_max = 1.0f};
+    rhw_pass_set_viewport(draw->scene->upload.context, pass, &viewport);
+}
+
+static void set_background(const struct draw *draw, struct rhw_backdrop *backdrop)
+{
+    const struct rhw_view *view = draw->view;
+    *backdrop = (struct rhw_backdrop){.inverse_height = 1.0f / (float)(view->height * draw->side),
+                                      .first_row = (float)(draw->first_row * draw->side)};
+    if (view->background == RHW_BACKGROUND_TRANSPARENT) {
+        return;
+    }
+    const bool even = view->background == RHW_BACKGROUND_COLOR;
+    for (int c = 0; c < 3; c++) {
+        backdrop->top[c] = rhw_color_decode(even ? view->background_color[c] : gradient_top[c]);
+        backdrop->bottom[c] = rhw_color_decode(even ? view->background_color[c] : gradient_bottom[c]);
+    }
+    backdrop->top[3] = backdrop->bottom[3] = 1.0f;
+}
+
+// Records a triangle over the whole target; writes colour 0 alone.
+static enum rhw_result record_screen(struct draw *draw, rhw_pass pass, enum rhw_screen_kind kind,
+                                     const enum rhw_format *formats, int format_count, const void *uniforms,
+                                     rhw_pipeline *pipeline)
+{
+    rhw_context *context = draw->scene->upload.context;
+    struct rhw_pipeline_def def = rhw_pipeline_def_default();
+    rhw_program_screen(&def.program, kind);
+    def.target_count = format_count;
+    for (int i = 0; i < format_count; i++) {
+        def.targets[i] = (struct rhw_color_target){.format = formats[i], .write_mask = i == 0 ? 15 : 0};
+    }
+    const enum rhw_result result = rhw_pipeline_create(context, &def, pipeline);
+    if (result == RHW_OK) {
+        rhw_pass_set_pipeline(context, pass, *pipeline);
+        rhw_pass_set_uniforms(context, pass, uniforms, def.program.uniform_size);
+        rhw_pass_draw(context, pass, 0, 3, 0, 1);
+    }
+    return result;
+}
+
+// Ends a pass whatever came before, since only that gives it back.
+static enum rhw_result end_pass(struct draw *draw, rhw_pass pass, enum rhw_result so_far, struct rhw_stats *stats)
+{
+    const enum rhw_result result = rhw_pass_end(draw->scene->upload.context, pass, stats);
+    return so_far != RHW_OK ? so_far : result;
+}
+
+static enum rhw_result draw_samples(struct draw *draw, const enum rhw_format formats[2], int format_count)
+{
+    struct rhw_scene *scene = draw->scene;
+    rhw_context *context = scene->upload.context;
+    struct rhw_pass_def def = rhw_pass_def_default();
+    struct rhw_backdrop backdrop;
+    set_background(draw, &backdrop);
+    def.color_count = format_count;
+    for (int i = 0; i < format_count; i++) {
+        def.colors[i] = (struct rhw_color_attachment){.texture = scene->targets[TARGET_SAMPLES + i].texture};
+    }
+    memcpy(def.colors[0].clear, backdrop.top, sizeof backdrop.top);
+    def.depth = (struct rhw_depth_attachment){.enabled = true, .store = RHW_STORE_DISCARD, .clear = 0.0f};
+    rhw_pass pass;
+    enum rhw_result result = rhw_pass_begin(context, &def, &pass);
+    if (result != RHW_OK) {
+        return result;
+    }
+    rhw_pipeline screen = {0};
+    if (draw->view->background == RHW_BACKGROUND_DEFAULT) {
+        result = record_screen(draw, pass, RHW_SCREEN_BACKDROP, formats, format_count, &backdrop, &screen);
+    }
+    set_band_viewport(draw, pass, draw->side);
+    struct rhw_surface_pass surfaces = {.frame = &draw->frame,
+                                        .interpolate = draw->view->interpolate,
+                                        .wireframe = draw->view->wireframe,
+                                        .format_count = format_count};
+    memcpy(surfaces.formats, formats, (size_t)format_count * sizeof *formats);
+    memcpy(surfaces.view_projection, draw->view_projection, sizeof surfaces.view_projection);
+    if (result == RHW_OK) {
+        result = rhw_surfaces_record(&scene->upload, &scene->pipelines, &surfaces, pass);
+    }
+    struct rhw_stats stats = {0};
+    result = end_pass(draw, pass, result, &stats);
+    add_stats(&draw->stats.pipeline, &stats);
+    if (screen.generation) {
+        rhw_pipeline_destroy(context, screen);
+    }
+    return result;
+}
+
+static enum rhw_result resolve(struct draw *draw, int from, int to, enum rhw_format format, bool straight_alpha)
+{
+    struct rhw_scene *scene = draw->scene;
+    rhw_context *context = scene->upload.context;
+    enum rhw_result result = get_target(scene, to, format, draw->view->width, draw->band_rows);
+    if (result != RHW_OK) {
+        return result;
+    }
+    const struct target *source = &scene->targets[from];
+    const struct rhw_resolve uniforms = {
+        .side = draw->side,
+        .straight_alpha = straight_alpha,
+        .inverse_size = {1.0f / (float)source->width, 1.0f / (float)source->height}};
+    struct rhw_pass_def def = rhw_pass_def_default();
+    def.color_count = 1;
+    def.colors[0] = (struct rhw_color_attachment){.texture = scene->targets[to].texture, .load = RHW_LOAD_DISCARD};
+    def.depth = (struct rhw_depth_attachment){.enabled = false};
+    rhw_pass pass;
+    result = rhw_pass_begin(context, &def, &pass);
+    if (result != RHW_OK) {
+        return result;
+    }
+    rhw_pipeline pipeline = {0};
+    rhw_pass_set_texture(context, pass, 0, source->texture, scene->nearest);
+    result = record_screen(draw, pass, RHW_SCREEN_RESOLVE, &format, 1, &uniforms, &pipeline);
+    result = end_pass(draw, pass, result, NULL);
+    if (pipeline.generation) {
+        rhw_pipeline_destroy(context, pipeline);
+    }
+    return result;
+}
+
+static void read_band(struct draw *draw, int target, void *picture)
+{
+    const struct target *t = &draw->scene->targets[target];
+    const size_t row = (size_t)t->width * rhw_format_size(t->format);
+    rhw_texture_read(draw->scene->upload.context, t->texture, 0,
+                     (unsigned char *)picture + (size_t)draw->first_row * row, row);
+}
+
+static enum rhw_result draw_color_band(struct draw *draw)
+{
+    const bool linear = (draw->view->outputs & RHW_OUTPUT_LINEAR) != 0;
+    const bool transparent = draw->view->background == RHW_BACKGROUND_TRANSPARENT;
+    // Premultiplied colours of a transparent picture are divided by alpha later: 8 bits would not do.
+    const enum rhw_format formats[2] = {transparent ? RHW_FORMAT_RGBA16_FLOAT : RHW_FORMAT_RGBA8_SRGB,
+                                        RHW_FORMAT_RGBA32_FLOAT};
+    const int width = draw->view->width * draw->side, height = draw->band_rows * draw->side;
+    const double start = milliseconds();
+    enum rhw_result result = get_target(draw->scene, TARGET_SAMPLES, formats[0], width, height);
+    if (result == RHW_OK && linear) {
+        result = get_target(draw->scene, TARGET_LINEAR_SAMPLES, formats[1], width, height);
+    }
+    if (result == RHW_OK) {
+        result = draw_samples(draw, formats, linear ? 2 : 1);
+    }
+    const double drawn = milliseconds();
+    const bool resolve_color = draw->side > 1 || transparent;
+    if (result == RHW_OK && resolve_color) {
+        result = resolve(draw, TARGET_SAMPLES, TARGET_COLOR, RHW_FORMAT_RGBA8_SRGB, transparent);
+    }
+    if (result == RHW_OK && linear && draw->side > 1) {
+        result = resolve(draw, TARGET_LINEAR_SAMPLES, TARGET_LINEAR, RHW_FORMAT_RGBA32_FLOAT, false);
+    }
+    const double resolved = milliseconds();
+    if (result == RHW_OK && draw->pictures->color) {
+        read_band(draw, resolve_color ? TARGET_COLOR : TARGET_SAMPLES, draw->pictures->color);
+    }
+    if (result == RHW_OK && linear) {
+        read_band(draw, draw->side > 1 ? TARGET_LINEAR : TARGET_LINEAR_SAMPLES, draw->pictures->linear);
+    }
+    draw->stats.color_ms += drawn - start;
+    draw->stats.resolve_ms += resolved - drawn;
+    draw->stats.read_ms += milliseconds() - resolved;
+    return result;
+}
+
+static enum rhw_result draw_data_band(struct draw *draw)
+{
+    struct rhw_scene *scene = draw->scene;
+    const double start = milliseconds();
+    struct rhw_surface_pass surfaces = {.frame = &draw->frame, .interpolate = draw->view->interpolate};
+    struct rhw_pass_def def = rhw_pass_def_default();
+    def.color_count = 0;
+    def.depth = (struct rhw_depth_attachment){.enabled = true, .store = RHW_STORE_DISCARD, .clear = 0.0f};
+    for (int i = 0; i < RHW_DATA_OUTPUTS; i++) {
+        draw->frame.output_slot[i] = -1;
+        if (!draw->data[i]) {
+            continue;
+        }
+        const enum rhw_result result =
+            get_target(scene, TARGET_DATA + i, data_outputs[i].format, draw->view->width, draw->band_rows);
+        if (result != RHW_OK) {
+            return result;
+        }
+        struct rhw_color_attachment *color = &def.colors[def.color_count];
+        *color = (struct rhw_color_attachment){.texture = scene->targets[TARGET_DATA + i].texture};
+        color->clear[0] = i == RHW_DATA_DEPTH ? 1.0f : i == RHW_DATA_DISTANCE ? __builtin_inff() : 0.0f;
+        draw->frame.output_slot[i] = def.color_count;
+        surfaces.formats[def.color_count++] = data_outputs[i].format;
+        surfaces.data_outputs |= data_outputs[i].output;
+    }
+    surfaces.format_count = def.color_count;
+    memcpy(surfaces.view_projection, draw->view_projection, sizeof surfaces.view_projection);
+    rhw_pass pass;
+    enum rhw_result result = rhw_pass_begin(scene->upload.context, &def, &pass);
+    if (result != RHW_OK) {
+        return result;
+    }
+    set_band_viewport(draw, pass, 1);
+    result = rhw_surfaces_record(&scene->upload, &scene->pipelines, &surfaces, pass);
+    struct rhw_stats stats = {0};
+    result = end_pass(draw, pass, result, &stats);
+    add_stats(&draw->stats.pipeline, &stats);
+    const double drawn = milliseconds();
+    for (int i = 0; i < RHW_DATA_OUTPUTS && result == RHW_OK; i++) {
+        if (draw->data[i]) {
+            read_band(draw, TARGET_DATA + i, draw->data[i]);
+        }
+    }
+    draw->stats.data_ms += drawn - start;
+    draw->stats.read_ms += milliseconds() - drawn;
+    return result;
+}
+
+// Rows of a band when a row of the picture takes `row_bytes` of targets.
+static int choose_band(int height, size_t row_bytes)
+{
+    const size_t fit = (size_t)BAND_BYTES / row_bytes / BAND_ROWS * BAND_ROWS;
+    const size_t rows = fit > 0 ? fit : BAND_ROWS;
+    return rows >= (size_t)height ? height : (int)rows;
+}
+
+static enum rhw_result draw_bands(struct draw *draw, enum rhw_result (*draw_band)(struct draw *))
+{
+    enum rhw_result result = RHW_OK;
+    for (draw->first_row = 0; draw->first_row < draw->view->height && result == RHW_OK;
+         draw->first_row += draw->band_rows) {
+        result = draw_band(draw);
+    }
+    return result;
+}
+
+// A picture has room for whole bands; rows beyond the height are never looked at.
+static bool allocate_picture(const struct draw *draw, enum rhw_format format, void **picture)
+{
+    const size_t bands = ((size_t)draw->view->height + (size_t)draw->band_rows - 1) / (size_t)draw->band_rows;
+    *picture = malloc(bands * (size_t)draw->band_rows * (size_t)draw->view->width * rhw_format_size(format));
+    return *picture != NULL;
+}
+
+static enum rhw_result draw_color(struct draw *draw)
+{
+    const uint32_t outputs = draw->view->outputs;
+    if (!(outputs & (RHW_OUTPUT_COLOR | RHW_OUTPUT_LINEAR))) {
+        return RHW_OK;
+    }
+    const size_t per_sample = 8 + (outputs & RHW_OUTPUT_LINEAR ? 16 : 0);
+    const size_t samples = (size_t)draw->view->samples;
+    draw->band_rows = choose_band(draw->view->height, (size_t)draw->view->width * per_sample * samples);
+    void *color = NULL, *linear = NULL;
+    const bool allocated =
+        (!(outputs & RHW_OUTPUT_COLOR) || allocate_picture(draw, RHW_FORMAT_RGBA8_SRGB, &color)) &&
+        (!(outputs & RHW_OUTPUT_LINEAR) || allocate_picture(draw, RHW_FORMAT_RGBA32_FLOAT, &linear));
+    draw->pictures->color = color;
+    draw->pictures->linear = linear;
+    if (!allocated) {
+        return RHW_ERROR_OUT_OF_MEMORY;
+    }
+    draw->frame.write_linear = (outputs & RHW_OUTPUT_LINEAR) != 0;
+    set_frame_samples(draw, draw->side);
+    return draw_bands(draw, draw_color_band);
+}
+
+static enum rhw_result draw_data(struct draw *draw)
+{
+    size_t pixel = 0;
+    for (int i = 0; i < RHW_DATA_OUTPUTS; i++) {
+        pixel += draw->view->outputs & data_outputs[i].output ? rhw_format_size(data_outputs[i].format) : 0;
+    }
+    if (pixel == 0) {
+        return RHW_OK;
+    }
+    draw->band_rows = choose_band(draw->view->height, (size_t)draw->view->width * pixel);
+    bool allocated = true;
+    for (int i = 0; i < RHW_DATA_OUTPUTS; i++) {
+        if (draw->view->outputs & data_outputs[i].output) {
+            allocated = allocate_picture(draw, data_outputs[i].format, &draw->data[i]) && allocated;
+        }
+    }
+    struct rhw_pictures *pictures = draw->pictures;
+    pictures->depth = draw->data[RHW_DATA_DEPTH];
+    pictures->distance = draw->data[RHW_DATA_DISTANCE];
+    pictures->normal = draw->data[RHW_DATA_NORMAL];
+    pictures->position = draw->data[RHW_DATA_POSITION];
+    pictures->uv = draw->data[RHW_DATA_UV];
+    pictures->object = draw->data[RHW_DATA_OBJECT];
+    pictures->triangle = draw->data[RHW_DATA_TRIANGLE];
+    pictures->barycentric = draw->data[RHW_DATA_BARYCENTRIC];
+    if (!allocated) {
+        return RHW_ERROR_OUT_OF_MEMORY;
+    }
+    draw->frame.plain = 0;
+    draw->frame.write_linear = 0;
+    set_frame_samples(draw, 1);
+    return draw_bands(draw, draw_data_band);
+}
+
+enum rhw_result rhw_scene_draw(struct rhw_scene *scene, const struct rhw_view *view, struct rhw_pictures *pictures,
+                               struct rhw_draw_stats *stats)
+{
+    *pictures = (struct rhw_pictures){.width = view->width, .height = view->height};
+    struct draw draw = {.scene = scene, .view = view, .pictures = pictures, .side = sample_side(view->samples)};
+    draw.stats.upload_ms = scene->upload_ms;
+    enum rhw_result result = RHW_ERROR_OUT_OF_MEMORY;
+    if (rhw_lighting_create(&draw.lighting, scene->upload.model, &view->camera, view->default_lights,
+                            view->exposure)) {
+        set_frame(&draw);
+        result = draw_color(&draw);
+    }
+    if (result == RHW_OK) {
+        result = draw_data(&draw);
+    }
+    rhw_lighting_destroy(&draw.lighting);
+    if (result != RHW_OK) {
+        rhw_pictures_free(pictures);
+    }
+    if (stats) {
+        *stats = draw.stats;
+    }
+    return result;
+}

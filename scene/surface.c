@@ -1,0 +1,455 @@
+// SPDX-License-Identifier: MIT
+// Instances to draws. What a draw binds follows from three things alone: what the pass wants, what the
+// material has and what the mesh carries; attributes and varyings that nobody reads are left out.
+#include "surface.h"
+
+#include <stdlib.h>
+#include <string.h>
+
+static const double line_half_width = 0.75, point_half_width = 2.25; // pixels of the picture
+static const float data_blend_cutoff = 0.5f;
+
+// Order ---------------------------------------------------------------------------------------------
+
+static int compare_items(const void *left, const void *right)
+{
+    const struct rhw_surface_item *a = left, *b = right;
+    if (a->blended != b->blended) {
+        return a->blended ? 1 : -1;
+    }
+    if (a->distance < b->distance || a->distance > b->distance) {
+        const int nearer = a->distance < b->distance ? -1 : 1;
+        return a->blended ? -nearer : nearer;
+    }
+    return a->instance < b->instance ? -1 : a->instance > b->instance;
+}
+
+void rhw_surface_items_sort(struct rhw_surface_item *items, size_t count)
+{
+    qsort(items, count, sizeof *items, compare_items);
+}
+
+static void world_matrix(const struct rhw_instance *instance, double world[16])
+{
+    for (int i = 0; i < 16; i++) {
+        world[i] = (double)instance->world[i];
+    }
+}
+
+// Along the view, of the middle of the instance's box. Lower is nearer; for an orthographic camera too.
+static double item_distance(const struct rhw_frame *frame, const struct rhw_instance *instance,
+                            const struct rhw_mesh *mesh)
+{
+    double distance = 0.0;
+    for (int r = 0; r < 3; r++) {
+        double place = (double)instance->world[12 + r] - (double)frame->eye[r];
+        for (int c = 0; c < 3; c++) {
+            const double middle = 0.5 * ((double)mesh->bounds_min[c] + (double)mesh->bounds_max[c]);
+            place += (double)instance->world[4 * c + r] * middle;
+        }
+        distance += place * (double)frame->forward[r];
+    }
+    // A box whose corners overflow has no middle; NaN would leave the order to the sort's whim.
+    return distance - distance == 0.0 ? distance : 0.0;
+}
+
+// Layout of one draw --------------------------------------------------------------------------------
+
+static int32_t use_attribute(struct rhw_surface_key *key, const struct rhw_uploaded_mesh *mesh, int attribute)
+{
+    if (attribute < 0) {
+        return -1;
+    }
+    for (int32_t i = 0; i < key->attribute_count; i++) {
+        if (key->attributes[i][1] == (int32_t)mesh->attributes[attribute].offset) {
+            return i;
+        }
+    }
+    key->attributes[key->attribute_count][0] = (int32_t)mesh->attributes[attribute].format;
+    key->attributes[key->attribute_count][1] = (int32_t)mesh->attributes[attribute].offset;
+    return key->attribute_count++;
+}
+
+// Returns where the components begin.
+static int32_t add_varying(struct rhw_surface_key *key, int32_t components)
+{
+    int32_t first = 0;
+    for (int32_t i = 0; i < key->varying_count; i++) {
+        first += key->varyings[i];
+    }
+    key->varyings[key->varying_count++] = components;
+    return first;
+}
+
+// A set under a transform, shared with whoever asked for the same before. Streams are the last varyings.
+static int32_t use_stream(struct rhw_surface *s, struct rhw_surface_key *key, const struct rhw_uploaded_mesh *mesh,
+                          uint32_t set, const float transform[6])
+{
+    const int32_t attribute = use_attribute(key, mesh, mesh->uv[set]);
+    for (int32_t i = 0; i < s->stream_count; i++) {
+        if (s->streams[i].attribute == attribute &&
+            memcmp(s->streams[i].transform, transform, sizeof s->streams[i].transform) == 0) {
+            return s->varying_uv + 2 * i;
+        }
+    }
+    const int32_t at = add_varying(key, 2);
+    if (s->stream_count == 0) {
+        s->varying_uv = at;
+    }
+    struct rhw_uv_stream *stream = &s->streams[s->stream_count++];
+    stream->attribute = attribute;
+    memcpy(stream->transform, transform, sizeof stream->transform);
+    key->stream_count = s->stream_count;
+    return at;
+}
+
+static void use_slot(struct rhw_surface *s, struct rhw_surface_key *key, const struct rhw_uploaded_mesh *mesh,
+                     const struct rhw_material *material, enum rhw_slot slot)
+{
+    const struct rhw_texture_slot *source = &material->slots[slot];
+    if (source->image >= 0) {
+        s->slot_varying[slot] = use_stream(s, key, mesh, source->uv_set, source->transform);
+    }
+}
+
+static void set_matrices(struct rhw_surface *s, const struct rhw_surface_pass *def,
+                         const struct rhw_instance *instance)
+{
+    double world[16], clip[16], normal[9];
+    world_matrix(instance, world);
+    rhw_matrix_multiply(def->view_projection, world, clip);
+    rhw_matrix_normal(world, normal);
+    for (int i = 0; i < 16; i++) {
+        s->clip[i] = (float)clip[i];
+    }
+    for (int r = 0; r < 3; r++) {
+        for (int c = 0; c < 4; c++) {
+            s->world[4 * r + c] = instance->world[4 * c + r];
+        }
+    }
+    // Only directions count; scaled so that a tiny or huge matrix does not leave float's range.
+    double largest = 0.0;
+    for (int i = 0; i < 9; i++) {
+        const double magnitude = normal[i] < 0.0 ? -normal[i] : normal[i];
+        largest = magnitude > largest ? magnitude : largest;
+    }
+    for (int i = 0; i < 9; i++) {
+        s->normal[i] = largest > 0.0 ? (float)(normal[i] / largest) : 0.0f;
+    }
+    s->handedness = instance->mirrored ? -1.0f : 1.0f;
+}
+
+static void set_material(struct rhw_surface *s, const struct rhw_surface_pass *def,
+                         const struct rhw_material *material)
+{
+    memcpy(s->base_color, material->base_color, sizeof s->base_color);
+    memcpy(s->emissive, material->emissive, sizeof s->emissive);
+    s->metallic = material->metallic;
+    s->roughness = material->roughness;
+    s->normal_scale = material->normal_scale;
+    s->occlusion_strength = material->occlusion_strength;
+    s->double_sided = material->double_sided;
+    s->alpha_mode = (int32_t)material->alpha_mode;
+    if (material->alpha_mode == RHW_ALPHA_MASK) {
+        s->alpha_cutoff = material->alpha_cutoff;
+    } else if (material->alpha_mode == RHW_ALPHA_BLEND && def->data_outputs) {
+        s->alpha_cutoff = data_blend_cutoff;
+    }
+}
+
+static void use_position(struct rhw_surface *s, struct rhw_surface_key *key)
+{
+    s->varying_position = add_varying(key, 3);
+}
+
+static void use_normal(struct rhw_surface *s, struct rhw_surface_key *key, const struct rhw_uploaded_mesh *mesh)
+{
+    s->attribute_normal = use_attribute(key, mesh, mesh->normal);
+    if (s->attribute_normal >= 0) {
+        s->varying_normal = add_varying(key, 3);
+        key->uses |= s->double_sided && s->is_triangle ? RHW_USE_FACING : 0;
+    }
+}
+
+static void use_tangent(struct rhw_surface *s, struct rhw_surface_key *key, const struct rhw_uploaded_mesh *mesh)
+{
+    s->attribute_tangent = use_attribute(key, mesh, mesh->tangent);
+    if (s->attribute_tangent >= 0) {
+        s->varying_tangent = add_varying(key, 4);
+    }
+}
+
+static void use_color(struct rhw_surface *s, struct rhw_surface_key *key, const struct rhw_uploaded_mesh *mesh)
+{
+    s->attribute_color = use_attribute(key, mesh, mesh->color);
+    if (s->attribute_color >= 0) {
+        s->varying_color = add_varying(key, 4);
+    }
+}
+
+static void lay_out_color(struct rhw_surface *s, struct rhw_surface_key *key, const struct rhw_surface_pass *def,
+                          const struct rhw_uploaded_mesh *mesh, const struct rhw_material *material,
+                          const struct rhw_uploaded_material *uploaded)
+{
+    const bool plain = def->frame->plain != 0;
+    const bool lit = !plain && !material->unlit && mesh->normal >= 0;
+    const bool mapped = lit && mesh->tangent >= 0 && material->slots[RHW_SLOT_NORMAL].image >= 0;
+    if (lit) {
+        use_position(s, key);
+        use_normal(s, key, mesh);
+    }
+    if (mapped) {
+        use_tangent(s, key, mesh);
+    }
+    use_color(s, key, mesh);
+    if (mesh->kind == RHW_VERTEX_POINT) {
+        s->varying_disc = add_varying(key, 2);
+    }
+    if (mesh->kind == RHW_VERTEX_SURFACE) {
+        use_slot(s, key, mesh, material, RHW_SLOT_BASE_COLOR);
+        for (int slot = RHW_SLOT_METALLIC_ROUGHNESS; lit && slot < RHW_SLOT_COUNT; slot++) {
+            if (slot != RHW_SLOT_NORMAL || mapped) {
+                use_slot(s, key, mesh, material, (enum rhw_slot)slot);
+            }
+        }
+    }
+    s->occlusion_shared = uploaded->occlusion_shared;
+    const bool textured = uploaded->textured && mesh->kind == RHW_VERTEX_SURFACE;
+    key->fragment = !lit ? RHW_FRAGMENT_UNLIT
+                         : mapped ? RHW_FRAGMENT_MAPPED : textured ? RHW_FRAGMENT_TEXTURED : RHW_FRAGMENT_LIT;
+    key->blend = material->alpha_mode == RHW_ALPHA_BLEND && !plain;
+    if (def->wireframe != RHW_WIREFRAME_NONE && s->is_triangle) {
+        s->wireframe = 1;
+        key->uses |= RHW_USE_BARYCENTRIC | RHW_USE_BARYCENTRIC_DERIVATIVES;
+    }
+}
+
+static void lay_out_data(struct rhw_surface *s, struct rhw_surface_key *key, const struct rhw_surface_pass *def,
+                         const struct rhw_uploaded_mesh *mesh, const struct rhw_material *material)
+{
+    const uint32_t outputs = def->data_outputs;
+    const bool normal = (outputs & RHW_OUTPUT_NORMAL) && mesh->normal >= 0;
+    const bool mapped = normal && mesh->tangent >= 0 && material->slots[RHW_SLOT_NORMAL].image >= 0;
+    use_position(s, key);
+    if (normal) {
+        use_normal(s, key, mesh);
+    }
+    if (mapped) {
+        use_tangent(s, key, mesh);
+    }
+    if (s->alpha_cutoff > 0.0f) {
+        use_color(s, key, mesh);
+    }
+    if (mesh->kind == RHW_VERTEX_POINT) {
+        s->varying_disc = add_varying(key, 2);
+    }
+    if (mesh->kind == RHW_VERTEX_SURFACE) {
+        static const float identity[6] = {1.0f, 0.0f, 0.0f, 0.0f, 1.0f, 0.0f};
+        if (s->alpha_cutoff > 0.0f) {
+            use_slot(s, key, mesh, material, RHW_SLOT_BASE_COLOR);
+        }
+        if (mapped) {
+            use_slot(s, key, mesh, material, RHW_SLOT_NORMAL);
+        }
+        if ((outputs & RHW_OUTPUT_UV) && mesh->uv[0] >= 0) {
+            s->uv_varying = use_stream(s, key, mesh, 0, identity);
+        }
+    }
+    key->fragment = RHW_FRAGMENT_DATA;
+    key->uses |= outputs & (RHW_OUTPUT_DEPTH | RHW_OUTPUT_DISTANCE) ? RHW_USE_COORD : 0;
+    key->uses |= outputs & RHW_OUTPUT_TRIANGLE ? RHW_USE_IDS : 0;
+    key->uses |= outputs & RHW_OUTPUT_BARYCENTRIC ? RHW_USE_BARYCENTRIC : 0;
+}
+
+static void lay_out(const struct rhw_upload *upload, const struct rhw_surface_pass *def, uint32_t instance_index,
+                    struct rhw_surface *s, struct rhw_surface_key *key)
+{
+    const struct rhw_instance *instance = &upload->model->instances[instance_index];
+    const struct rhw_uploaded_mesh *mesh = &upload->meshes[instance->mesh];
+    const uint32_t material_index = upload->model->meshes[instance->mesh].material;
+    const struct rhw_material *material = &upload->model->materials[material_index];
+    memset(key, 0, sizeof *key);
+    *s = (struct rhw_surface){.frame = def->frame,
+                              .attribute_normal = -1,
+                              .attribute_tangent = -1,
+                              .attribute_color = -1,
+                              .varying_position = -1,
+                              .varying_normal = -1,
+                              .varying_tangent = -1,
+                              .varying_color = -1,
+                              .varying_disc = -1,
+                              .uv_varying = -1,
+                              .slot_varying = {-1, -1, -1, -1, -1}};
+    s->is_triangle = mesh->kind == RHW_VERTEX_SURFACE;
+    s->triangles_per_id = s->is_triangle ? 1 : 2;
+    s->object = instance->object;
+    s->first_triangle = upload->first_triangle[instance_index];
+    s->half_width = def->frame->samples *
+                    (float)(mesh->kind == RHW_VERTEX_LINE ? line_half_width : point_half_width);
+    set_matrices(s, def, instance);
+    set_material(s, def, material);
+
+    key->vertex = (int32_t)mesh->kind;
+    key->stride = (int32_t)mesh->stride;
+    key->interpolate = (int32_t)def->interpolate;
+    key->cull = s->double_sided || !s->is_triangle ? RHW_CULL_NONE : RHW_CULL_BACK;
+    key->front = instance->mirrored ? RHW_CLOCKWISE : RHW_COUNTER_CLOCKWISE;
+    key->format_count = def->format_count;
+    for (int i = 0; i < def->format_count; i++) {
+        key->formats[i] = (int32_t)def->formats[i];
+    }
+    use_attribute(key, mesh, 0);
+    if (mesh->kind == RHW_VERTEX_LINE) {
+        use_attribute(key, mesh, 1);
+    }
+    if (def->data_outputs) {
+        lay_out_data(s, key, def, mesh, material);
+    } else {
+        lay_out_color(s, key, def, mesh, material, &upload->materials[material_index]);
+    }
+    key->uses |= s->alpha_cutoff > 0.0f || s->varying_disc >= 0 ? RHW_USE_DISCARD : 0;
+}
+
+// Pipelines -----------------------------------------------------------------------------------------
+
+static struct rhw_pipeline_def pipeline_def(const struct rhw_surface_key *key)
+{
+    struct rhw_pipeline_def def = rhw_pipeline_def_default();
+    rhw_program_surface(&def.program, (enum rhw_vertex_kind)key->vertex, (enum rhw_fragment_kind)key->fragment);
+    def.program.uses = (uint32_t)key->uses;
+    def.program.varying_count = key->varying_count;
+    for (int i = 0; i < key->varying_count; i++) {
+        def.program.varyings[i] = (struct rhw_varying){.components = key->varyings[i],
+                                                       .qualifier = (enum rhw_qualifier)key->interpolate,
+                                                       .derivatives = i >= key->varying_count - key->stream_count};
+    }
+    def.attribute_count = key->attribute_count;
+    for (int i = 0; i < key->attribute_count; i++) {
+        def.attributes[i].format = (enum rhw_vertex_format)key->attributes[i][0];
+        def.attributes[i].buffer = 0;
+        def.attributes[i].offset = (uint32_t)key->attributes[i][1];
+    }
+    def.buffer_count = 1;
+    def.buffers[0].stride = (uint32_t)key->stride;
+    def.cull = (enum rhw_cull)key->cull;
+    def.front = (enum rhw_winding)key->front;
+    def.depth_test = true;
+    def.depth_compare = RHW_COMPARE_GREATER;
+    def.depth_write = !key->blend;
+    def.target_count = key->format_count;
+    for (int i = 0; i < key->format_count; i++) {
+        struct rhw_color_target *target = &def.targets[i];
+        target->format = (enum rhw_format)key->formats[i];
+        target->write_mask = 15;
+        target->blend = key->blend != 0;
+        // The shader's colours are premultiplied.
+        const struct rhw_blend_component over = {RHW_BLEND_ONE, RHW_BLEND_ONE_MINUS_SRC_ALPHA, RHW_BLEND_ADD};
+        target->color = target->alpha = over;
+    }
+    return def;
+}
+
+static enum rhw_result find_pipeline(rhw_context *context, struct rhw_surface_pipelines *pipelines,
+                                     const struct rhw_surface_key *key, rhw_pipeline *pipeline)
+{
+    for (uint32_t i = 0; i < pipelines->count; i++) {
+        if (memcmp(&pipelines->keys[i], key, sizeof *key) == 0) {
+            *pipeline = pipelines->ids[i];
+            return RHW_OK;
+        }
+    }
+    if (pipelines->count == pipelines->capacity) {
+        const uint32_t capacity = pipelines->capacity ? 2 * pipelines->capacity : 16;
+        struct rhw_surface_key *keys = realloc(pipelines->keys, capacity * sizeof *keys);
+        pipelines->keys = keys ? keys : pipelines->keys;
+        rhw_pipeline *ids = keys ? realloc(pipelines->ids, capacity * sizeof *ids) : NULL;
+        pipelines->ids = ids ? ids : pipelines->ids;
+        if (!keys || !ids) {
+            return RHW_ERROR_OUT_OF_MEMORY;
+        }
+        pipelines->capacity = capacity;
+    }
+    const struct rhw_pipeline_def def = pipeline_def(key);
+    const enum rhw_result result = rhw_pipeline_create(context, &def, pipeline);
+    if (result == RHW_OK) {
+        pipelines->keys[pipelines->count] = *key;
+        pipelines->ids[pipelines->count++] = *pipeline;
+    }
+    return result;
+}
+
+void rhw_surface_pipelines_destroy(rhw_context *context, struct rhw_surface_pipelines *pipelines)
+{
+    for (uint32_t i = 0; i < pipelines->count; i++) {
+        rhw_pipeline_destroy(context, pipelines->ids[i]);
+    }
+    free(pipelines->keys);
+    free(pipelines->ids);
+    *pipelines = (struct rhw_surface_pipelines){0};
+}
+
+// Recording -----------------------------------------------------------------------------------------
+
+static enum rhw_result record_instance(const struct rhw_upload *upload, struct rhw_surface_pipelines *pipelines,
+                                       const struct rhw_surface_pass *def, rhw_pass pass, uint32_t instance)
+{
+    rhw_context *context = upload->context;
+    struct rhw_surface surface;
+    struct rhw_surface_key key;
+    lay_out(upload, def, instance, &surface, &key);
+    const uint32_t mesh_index = upload->model->instances[instance].mesh;
+    const struct rhw_uploaded_mesh *mesh = &upload->meshes[mesh_index];
+    const struct rhw_uploaded_material *material = &upload->materials[upload->model->meshes[mesh_index].material];
+    rhw_pass_set_vertex_buffer(context, pass, 0, mesh->vertices, 0);
+    rhw_pass_set_index_buffer(context, pass, mesh->indices, RHW_INDEX_UINT32, 0);
+    rhw_pass_set_uniforms(context, pass, &surface, sizeof surface);
+    for (int s = 0; s < RHW_SLOT_COUNT; s++) {
+        if (surface.slot_varying[s] >= 0) {
+            rhw_pass_set_texture(context, pass, s, material->slots[s].texture, material->slots[s].sampler);
+        }
+    }
+    // A blended surface with two sides shows its far side through the near one: far side first.
+    const bool twice = key.blend && key.cull == RHW_CULL_NONE && surface.is_triangle;
+    for (int side = twice ? 0 : 1; side < 2; side++) {
+        if (twice) {
+            key.cull = side == 0 ? RHW_CULL_FRONT : RHW_CULL_BACK;
+        }
+        rhw_pipeline pipeline;
+        const enum rhw_result result = find_pipeline(context, pipelines, &key, &pipeline);
+        if (result != RHW_OK) {
+            return result;
+        }
+        rhw_pass_set_pipeline(context, pass, pipeline);
+        rhw_pass_draw_indexed(context, pass, 0, mesh->index_count, 0, 0, 1);
+    }
+    return RHW_OK;
+}
+
+enum rhw_result rhw_surfaces_record(const struct rhw_upload *upload, struct rhw_surface_pipelines *pipelines,
+                                    const struct rhw_surface_pass *def, rhw_pass pass)
+{
+    const struct rhw_model *model = upload->model;
+    struct rhw_surface_item *items = malloc(((size_t)model->instance_count + 1) * sizeof *items);
+    if (!items) {
+        return RHW_ERROR_OUT_OF_MEMORY;
+    }
+    size_t count = 0;
+    for (uint32_t i = 0; i < model->instance_count; i++) {
+        const struct rhw_mesh *mesh = &model->meshes[model->instances[i].mesh];
+        if (upload->meshes[model->instances[i].mesh].index_count == 0) {
+            continue;
+        }
+        const bool blend = model->materials[mesh->material].alpha_mode == RHW_ALPHA_BLEND;
+        items[count++] = (struct rhw_surface_item){
+            .instance = i,
+            .blended = blend && !def->data_outputs && !def->frame->plain,
+            .distance = item_distance(def->frame, &model->instances[i], mesh)};
+    }
+    rhw_surface_items_sort(items, count);
+    enum rhw_result result = RHW_OK;
+    for (size_t i = 0; i < count && result == RHW_OK; i++) {
+        result = record_instance(upload, pipelines, def, pass, items[i].instance);
+    }
+    free(items);
+    return result;
+}

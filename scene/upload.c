@@ -1,0 +1,350 @@
+// SPDX-License-Identifier: MIT
+// Meshes into interleaved buffers, images into textures with mip chains, material slots into samplers.
+//
+// Lines and points become quads here: 4 vertices each, which carry both ends of their line, so that the
+// vertex function can place the corners on the screen. Quads as vertices take more memory than instances
+// would, but instances of 4 vertices leave half of every group of 8 lanes empty.
+#include "upload.h"
+
+#include "color.h"
+
+#include <stdlib.h>
+#include <string.h>
+
+static void add_attribute(struct rhw_uploaded_mesh *mesh, enum rhw_vertex_format format)
+{
+    mesh->attributes[mesh->attribute_count++] = (struct rhw_attribute){.format = format, .offset = mesh->stride};
+    mesh->stride += (uint32_t)rhw_vertex_format_size(format);
+}
+
+static void lay_out(struct rhw_uploaded_mesh *mesh, const struct rhw_mesh *source)
+{
+    mesh->normal = mesh->tangent = mesh->color = mesh->uv[0] = mesh->uv[1] = -1;
+    add_attribute(mesh, RHW_VERTEX_FLOAT3);
+    if (source->primitive == RHW_PRIMITIVE_LINES) {
+        add_attribute(mesh, RHW_VERTEX_FLOAT3);
+    }
+    if (source->normals) {
+        mesh->normal = mesh->attribute_count;
+        add_attribute(mesh, RHW_VERTEX_FLOAT3);
+    }
+    if (source->colors) {
+        mesh->color = mesh->attribute_count;
+        add_attribute(mesh, RHW_VERTEX_FLOAT4);
+    }
+    if (source->primitive != RHW_PRIMITIVE_TRIANGLES) {
+        return;
+    }
+    if (source->tangents) {
+        mesh->tangent = mesh->attribute_count;
+        add_attribute(mesh, RHW_VERTEX_FLOAT4);
+    }
+    for (int set = 0; set < RHW_UV_SETS; set++) {
+        if (source->uvs[set]) {
+            mesh->uv[set] = mesh->attribute_count;
+            add_attribute(mesh, RHW_VERTEX_FLOAT2);
+        }
+    }
+}
+
+// `other` is the far end of a line.
+static void pack_vertex(const struct rhw_uploaded_mesh *mesh, const struct rhw_mesh *source, uint32_t v,
+                        uint32_t other, unsigned char *out)
+{
+    const struct rhw_attribute *attributes = mesh->attributes;
+    memcpy(out, source->positions[v], sizeof source->positions[v]);
+    if (source->primitive == RHW_PRIMITIVE_LINES) {
+        memcpy(out + attributes[1].offset, source->positions[other], sizeof source->positions[other]);
+    }
+    if (mesh->normal >= 0) {
+        memcpy(out + attributes[mesh->normal].offset, source->normals[v], sizeof source->normals[v]);
+    }
+    if (mesh->color >= 0) {
+        memcpy(out + attributes[mesh->color].offset, source->colors[v], sizeof source->colors[v]);
+    }
+    if (mesh->tangent >= 0) {
+        memcpy(out + attributes[mesh->tangent].offset, source->tangents[v], sizeof source->tangents[v]);
+    }
+    for (int set = 0; set < RHW_UV_SETS; set++) {
+        if (mesh->uv[set] >= 0) {
+            memcpy(out + attributes[mesh->uv[set]].offset, source->uvs[set][v], sizeof source->uvs[set][v]);
+        }
+    }
+}
+
+static enum rhw_result create_buffer(rhw_context *context, void *data, size_t size, rhw_buffer *buffer)
+{
+    struct rhw_buffer_def def = rhw_buffer_def_default();
+    def.size = size;
+    def.data = data;
+    return rhw_buffer_create(context, &def, buffer);
+}
+
+static enum rhw_result upload_triangles(rhw_context *context, const struct rhw_mesh *source,
+                                        struct rhw_uploaded_mesh *mesh)
+{
+    unsigned char *packed = malloc((size_t)source->vertex_count * mesh->stride);
+    if (!packed) {
+        return RHW_ERROR_OUT_OF_MEMORY;
+    }
+    for (uint32_t v = 0; v < source->vertex_count; v++) {
+        pack_vertex(mesh, source, v, v, packed + (size_t)v * mesh->stride);
+    }
+    enum rhw_result result =
+        create_buffer(context, packed, (size_t)source->vertex_count * mesh->stride, &mesh->vertices);
+    free(packed);
+    if (result == RHW_OK) {
+        result = create_buffer(context, source->indices, (size_t)source->index_count * sizeof *source->indices,
+                               &mesh->indices);
+    }
+    mesh->index_count = source->index_count;
+    return result;
+}
+
+static enum rhw_result upload_quads(rhw_context *context, const struct rhw_mesh *source,
+                                    struct rhw_uploaded_mesh *mesh)
+{
+    const uint32_t per_quad = source->primitive == RHW_PRIMITIVE_LINES ? 2 : 1;
+    const uint32_t quads = source->index_count / per_quad;
+    const size_t bytes = (size_t)quads * 4 * mesh->stride;
+    if (quads > UINT32_MAX / 6) {
+        return RHW_ERROR_UNSUPPORTED;
+    }
+    unsigned char *packed = malloc(bytes);
+    uint32_t *indices = malloc((size_t)quads * 6 * sizeof *indices);
+    if (!packed || !indices) {
+        free(packed);
+        free(indices);
+        return RHW_ERROR_OUT_OF_MEMORY;
+    }
+    static const uint32_t corners[6] = {0, 1, 2, 2, 1, 3};
+    for (uint32_t q = 0; q < quads; q++) {
+        const uint32_t *ends = &source->indices[q * per_quad];
+        for (uint32_t c = 0; c < 4; c++) {
+            const uint32_t end = per_quad == 2 ? c >> 1 : 0;
+            pack_vertex(mesh, source, ends[end], ends[per_quad - 1 - end], packed + ((size_t)q * 4 + c) * mesh->stride);
+        }
+        for (uint32_t i = 0; i < 6; i++) {
+            indices[(size_t)q * 6 + i] = q * 4 + corners[i];
+        }
+    }
+    enum rhw_result result = create_buffer(context, packed, bytes, &mesh->vertices);
+    if (result == RHW_OK) {
+        result = create_buffer(context, indices, (size_t)quads * 6 * sizeof *indices, &mesh->indices);
+    }
+    mesh->index_count = quads * 6;
+    free(packed);
+    free(indices);
+    return result;
+}
+
+static enum rhw_result upload_mesh(rhw_context *context, const struct rhw_mesh *source,
+                                   struct rhw_uploaded_mesh *mesh)
+{
+    static const enum rhw_vertex_kind kinds[] = {[RHW_PRIMITIVE_TRIANGLES] = RHW_VERTEX_SURFACE,
+                                                 [RHW_PRIMITIVE_LINES] = RHW_VERTEX_LINE,
+                                                 [RHW_PRIMITIVE_POINTS] = RHW_VERTEX_POINT};
+    mesh->kind = kinds[source->primitive];
+    lay_out(mesh, source);
+    if (source->vertex_count == 0 || source->index_count == 0) {
+        return RHW_OK; // index_count stays 0: nothing is drawn
+    }
+    return mesh->kind == RHW_VERTEX_SURFACE ? upload_triangles(context, source, mesh)
+                                            : upload_quads(context, source, mesh);
+}
+
+static bool image_needs_mips(const struct rhw_model *model, uint32_t image)
+{
+    for (uint32_t m = 0; m < model->material_count; m++) {
+        for (int s = 0; s < RHW_SLOT_COUNT; s++) {
+            const struct rhw_texture_slot *slot = &model->materials[m].slots[s];
+            if (slot->image == (int32_t)image && slot->mip_filter != RHW_MIP_FILTER_NONE) {
+                return true;
+            }
+        }
+    }
+    return false;
+}
+
+// 16-bit texels as floats: half floats would round them. The sRGB decoding of colours happens here, since
+// only 8-bit textures decode when they are sampled.
+static float *widen_texels(const struct rhw_image *image, bool decode)
+{
+    const size_t texels = (size_t)image->width * image->height;
+    const uint16_t *in = image->texels;
+    float *out = malloc(texels * 4 * sizeof *out);
+    for (size_t i = 0; out && i < texels; i += 2) {
+        const size_t count = texels - i < 2 ? 4 : 8;
+        rhw_float value = rhw_splat(0.0f);
+        for (size_t k = 0; k < count; k++) {
+            value[k] = (float)in[4 * i + k] / 65535.0f;
+        }
+        if (decode) {
+            const rhw_int is_color = {-1, -1, -1, 0, -1, -1, -1, 0};
+            value = rhw_select(is_color, rhw_color_decode8(value), value);
+        }
+        memcpy(&out[4 * i], &value, count * sizeof *out);
+    }
+    return out;
+}
+
+static enum rhw_result upload_texture(rhw_context *context, const struct rhw_image *image, bool as_color, bool mips,
+                                      rhw_texture *texture)
+{
+    struct rhw_texture_def def = rhw_texture_def_default();
+    def.width = (int)image->width;
+    def.height = (int)image->height;
+    def.mip_levels = mips ? 0 : 1;
+    def.format = as_color ? RHW_FORMAT_RGBA8_SRGB : RHW_FORMAT_RGBA8_UNORM;
+    const void *texels = image->texels;
+    float *widened = NULL;
+    if (image->type != RHW_IMAGE_RGBA8) {
+        def.format = RHW_FORMAT_RGBA32_FLOAT;
+    }
+    if (image->type == RHW_IMAGE_RGBA16) {
+        texels = widened = widen_texels(image, as_color);
+        if (!widened) {
+            return RHW_ERROR_OUT_OF_MEMORY;
+        }
+    }
+    const enum rhw_result result = rhw_texture_create(context, &def, texture);
+    if (result == RHW_OK) {
+        rhw_texture_write(context, *texture, 0, texels, 0);
+        if (mips) {
+            rhw_texture_generate_mips(context, *texture);
+        }
+    }
+    free(widened);
+    return result;
+}
+
+static enum rhw_result upload_image(struct rhw_upload *upload, uint32_t i)
+{
+    const struct rhw_image *image = &upload->model->images[i];
+    const bool mips = image_needs_mips(upload->model, i);
+    enum rhw_result result = RHW_OK;
+    if (image->used_as_color) {
+        result = upload_texture(upload->context, image, true, mips, &upload->images[i].color);
+    }
+    if (image->used_as_data && result == RHW_OK) {
+        result = upload_texture(upload->context, image, false, mips, &upload->images[i].data);
+    }
+    return result;
+}
+
+static bool same_place(const struct rhw_texture_slot *a, const struct rhw_texture_slot *b)
+{
+    return a->image == b->image && a->uv_set == b->uv_set && a->address_u == b->address_u &&
+           a->address_v == b->address_v && a->min_filter == b->min_filter && a->mag_filter == b->mag_filter &&
+           a->mip_filter == b->mip_filter && memcmp(a->transform, b->transform, sizeof a->transform) == 0;
+}
+
+static enum rhw_result upload_material(struct rhw_upload *upload, uint32_t m)
+{
+    const struct rhw_material *source = &upload->model->materials[m];
+    struct rhw_uploaded_material *material = &upload->materials[m];
+    for (int s = 0; s < RHW_SLOT_COUNT; s++) {
+        const struct rhw_texture_slot *slot = &source->slots[s];
+        if (slot->image < 0) {
+            continue;
+        }
+        const bool as_color = s == RHW_SLOT_BASE_COLOR || s == RHW_SLOT_EMISSIVE;
+        const struct rhw_uploaded_image *image = &upload->images[slot->image];
+        struct rhw_sampler_def def = rhw_sampler_def_default();
+        def.min_filter = slot->min_filter;
+        def.mag_filter = slot->mag_filter;
+        def.mip_filter = slot->mip_filter;
+        def.address_u = slot->address_u;
+        def.address_v = slot->address_v;
+        material->slots[s].texture = as_color ? image->color : image->data;
+        const enum rhw_result result = rhw_sampler_create(upload->context, &def, &material->slots[s].sampler);
+        if (result != RHW_OK) {
+            return result;
+        }
+        material->textured = material->textured || s != RHW_SLOT_NORMAL;
+    }
+    const struct rhw_texture_slot *rough = &source->slots[RHW_SLOT_METALLIC_ROUGHNESS];
+    material->occlusion_shared = rough->image >= 0 && same_place(rough, &source->slots[RHW_SLOT_OCCLUSION]);
+    return RHW_OK;
+}
+
+static void count_triangles(struct rhw_upload *upload)
+{
+    uint32_t next = 1;
+    for (uint32_t i = 0; i < upload->model->instance_count; i++) {
+        const struct rhw_mesh *mesh = &upload->model->meshes[upload->model->instances[i].mesh];
+        static const uint32_t corners[] = {
+            [RHW_PRIMITIVE_TRIANGLES] = 3, [RHW_PRIMITIVE_LINES] = 2, [RHW_PRIMITIVE_POINTS] = 1};
+        upload->first_triangle[i] = next;
+        next += mesh->index_count / corners[mesh->primitive];
+    }
+}
+
+enum rhw_result rhw_upload_create(rhw_context *context, const struct rhw_model *model, struct rhw_upload *upload)
+{
+    *upload = (struct rhw_upload){.context = context, .model = model};
+    // One more than needed: calloc(0) may return NULL.
+    upload->meshes = calloc((size_t)model->mesh_count + 1, sizeof *upload->meshes);
+    upload->images = calloc((size_t)model->image_count + 1, sizeof *upload->images);
+    upload->materials = calloc((size_t)model->material_count + 1, sizeof *upload->materials);
+    upload->first_triangle = calloc((size_t)model->instance_count + 1, sizeof *upload->first_triangle);
+    enum rhw_result result = RHW_OK;
+    if (!upload->meshes || !upload->images || !upload->materials || !upload->first_triangle) {
+        result = RHW_ERROR_OUT_OF_MEMORY;
+    }
+    for (uint32_t i = 0; i < model->mesh_count && result == RHW_OK; i++) {
+        result = upload_mesh(context, &model->meshes[i], &upload->meshes[i]);
+    }
+    for (uint32_t i = 0; i < model->image_count && result == RHW_OK; i++) {
+        result = upload_image(upload, i);
+    }
+    for (uint32_t i = 0; i < model->material_count && result == RHW_OK; i++) {
+        result = upload_material(upload, i);
+    }
+    if (result != RHW_OK) {
+        rhw_upload_destroy(upload);
+        return result;
+    }
+    count_triangles(upload);
+    return RHW_OK;
+}
+
+static void destroy_buffer(rhw_context *context, rhw_buffer buffer)
+{
+    if (buffer.generation) {
+        rhw_buffer_destroy(context, buffer);
+    }
+}
+
+static void destroy_texture(rhw_context *context, rhw_texture texture)
+{
+    if (texture.generation) {
+        rhw_texture_destroy(context, texture);
+    }
+}
+
+void rhw_upload_destroy(struct rhw_upload *upload)
+{
+    const struct rhw_model *model = upload->model;
+    for (uint32_t i = 0; upload->meshes && i < model->mesh_count; i++) {
+        destroy_buffer(upload->context, upload->meshes[i].vertices);
+        destroy_buffer(upload->context, upload->meshes[i].indices);
+    }
+    for (uint32_t i = 0; upload->images && i < model->image_count; i++) {
+        destroy_texture(upload->context, upload->images[i].color);
+        destroy_texture(upload->context, upload->images[i].data);
+    }
+    for (uint32_t i = 0; upload->materials && i < model->material_count; i++) {
+        for (int s = 0; s < RHW_SLOT_COUNT; s++) {
+            const rhw_sampler sampler = upload->materials[i].slots[s].sampler;
+            if (sampler.generation) {
+                rhw_sampler_destroy(upload->context, sampler);
+            }
+        }
+    }
+    free(upload->meshes);
+    free(upload->images);
+    free(upload->materials);
+    free(upload->first_triangle);
+    *upload = (struct rhw_upload){0};
+}

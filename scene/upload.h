@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: MIT
+// A model in the context's memory: what drawing code binds. Everything that does not depend on the view is
+// worked out here, once.
+#ifndef RHW_SCENE_UPLOAD_H
+#define RHW_SCENE_UPLOAD_H
+
+#include "model.h"
+#include "rhw/rhw.h"
+#include "shaders.h"
+
+enum { RHW_MESH_ATTRIBUTES = 6 };
+
+struct rhw_uploaded_mesh {
+    rhw_buffer vertices, indices; // one interleaved vertex buffer; 32-bit indices of a triangle list
+    uint32_t index_count;
+    enum rhw_vertex_kind kind;
+    struct rhw_attribute attributes[RHW_MESH_ATTRIBUTES];
+    int attribute_count;
+    uint32_t stride;
+    // Numbers of attributes; −1 where the mesh has none. Position is 0; the far end of a line is 1.
+    int normal, tangent, color, uv[RHW_UV_SETS];
+};
+
+struct rhw_uploaded_image {
+    rhw_texture color, data; // sRGB decoded / as it is; null where no slot reads it so
+};
+
+struct rhw_uploaded_slot {
+    rhw_texture texture; // null: no texture
+    rhw_sampler sampler;
+};
+
+struct rhw_uploaded_material {
+    struct rhw_uploaded_slot slots[RHW_SLOT_COUNT];
+    bool textured; // any slot but the normal map
+    bool occlusion_shared;
+};
+
+struct rhw_upload {
+    rhw_context *context;
+    const struct rhw_model *model;
+    struct rhw_uploaded_mesh *meshes;
+    struct rhw_uploaded_image *images;
+    struct rhw_uploaded_material *materials;
+    uint32_t *first_triangle; // of each instance: 1 + triangles, lines and points of those before it
+};
+
+/// On failure everything is released again.
+enum rhw_result rhw_upload_create(rhw_context *context, const struct rhw_model *model, struct rhw_upload *upload);
+void rhw_upload_destroy(struct rhw_upload *upload);
+
+#endif
