@@ -132,28 +132,81 @@ static void planes_homogeneous(struct planes *p, const struct rhw_draw_state *st
                           span * (a.dy * z0 + p->b.dy * z1 + p->c.dy * z2)};
 }
 
-// The lanes of one row of 8 pixels.
-struct lanes {
-    d8 dx; // pixels from the anchor
-    double dy;
+// A plane over a block of 8×8 pixels: value = column + row. Made once per block, so that a row of 8 pixels
+// costs one addition, and always by these operations, so that no bit depends on the road taken.
+struct block_plane {
+    d8 column;
+    double row[RHW_BLOCK];
 };
 
-static d8 evaluate(const struct plane *plane, struct lanes at)
+// Which block, relative to the anchor: dx of the columns, dy of the rows; pixels.
+struct block_place {
+    d8 dx, dy;
+};
+
+RHW_INLINE void plane_over(struct block_plane *out, const struct plane *plane, const struct block_place *at)
 {
-    return d8_add(d8_mul(d8_splat(plane->dx), at.dx), d8_splat(plane->at + plane->dy * at.dy));
+    out->column = d8_mul(d8_splat(plane->dx), at->dx);
+    const d8 row = d8_add(d8_splat(plane->at), d8_mul(d8_splat(plane->dy), at->dy));
+    memcpy(out->row, &row, sizeof out->row);
 }
 
-static d8 evaluate_sum(double base, double f1, d8 e1, double f2, d8 e2)
+RHW_INLINE d8 plane_row(const struct block_plane *plane, int row)
+{
+    return d8_add(plane->column, d8_splat(plane->row[row]));
+}
+
+RHW_INLINE d8 combine_rows(double base, double f1, d8 e1, double f2, d8 e2)
 {
     return d8_add(d8_splat(base), d8_add(d8_mul(d8_splat(f1), e1), d8_mul(d8_splat(f2), e2)));
 }
 
-static f8 depth_at(const struct planes *p, struct lanes at)
+// What a block needs of a triangle's planes. Which members are set: z by block_depth; s, b, c by
+// block_weights; n1, n2 by block_screen_weights; e1, e2 instead of all of them when the planes are exact.
+struct block_planes {
+    struct block_plane z, s, b, c, n1, n2, e1, e2;
+};
+
+RHW_INLINE void block_depth(struct block_planes *block, const struct planes *p, const struct block_place *at)
 {
     if (__builtin_expect(p->exact, 0)) {
-        return f8_from_d8(evaluate_sum(p->z_base, p->z_e1, evaluate(&p->e1, at), p->z_e2, evaluate(&p->e2, at)));
+        plane_over(&block->e1, &p->e1, at);
+        plane_over(&block->e2, &p->e2, at);
+    } else {
+        plane_over(&block->z, &p->z, at);
     }
-    return f8_from_d8(evaluate(&p->z, at));
+}
+
+RHW_INLINE void block_weights(struct block_planes *block, const struct planes *p, const struct block_place *at)
+{
+    if (__builtin_expect(p->exact, 0)) {
+        plane_over(&block->e1, &p->e1, at);
+        plane_over(&block->e2, &p->e2, at);
+    } else {
+        plane_over(&block->s, &p->s, at);
+        plane_over(&block->b, &p->b, at);
+        plane_over(&block->c, &p->c, at);
+    }
+}
+
+RHW_INLINE void block_screen_weights(struct block_planes *block, const struct planes *p, const struct block_place *at)
+{
+    if (__builtin_expect(p->exact, 0)) {
+        plane_over(&block->e1, &p->e1, at);
+        plane_over(&block->e2, &p->e2, at);
+    } else {
+        plane_over(&block->n1, &p->n1, at);
+        plane_over(&block->n2, &p->n2, at);
+    }
+}
+
+RHW_INLINE f8 depth_row(const struct planes *p, const struct block_planes *block, int row)
+{
+    if (__builtin_expect(p->exact, 0)) {
+        return f8_from_d8(
+            combine_rows(p->z_base, p->z_e1, plane_row(&block->e1, row), p->z_e2, plane_row(&block->e2, row)));
+    }
+    return f8_from_d8(plane_row(&block->z, row));
 }
 
 // 1/W and the perspective weights of vertices 1 and 2.
@@ -162,43 +215,44 @@ struct weights {
     d8 s, inverse_s;
 };
 
-static struct weights weights_at(const struct planes *p, struct lanes at)
+RHW_INLINE struct weights weights_row(const struct planes *p, const struct block_planes *block, int row)
 {
     d8 s, b, c;
     if (__builtin_expect(p->exact, 0)) {
-        const d8 e1 = evaluate(&p->e1, at), e2 = evaluate(&p->e2, at);
-        s = evaluate_sum(p->s_base, p->s_e1, e1, p->s_e2, e2);
+        const d8 e1 = plane_row(&block->e1, row), e2 = plane_row(&block->e2, row);
+        s = combine_rows(p->s_base, p->s_e1, e1, p->s_e2, e2);
         b = d8_mul(d8_splat(p->b_e1), e1);
         c = d8_mul(d8_splat(p->c_e2), e2);
     } else {
-        s = evaluate(&p->s, at);
-        b = evaluate(&p->b, at);
-        c = evaluate(&p->c, at);
+        s = plane_row(&block->s, row);
+        b = plane_row(&block->b, row);
+        c = plane_row(&block->c, row);
     }
     const d8 inverse = d8_div(d8_splat(1), s);
     return (struct weights){f8_from_d8(d8_mul(b, inverse)), f8_from_d8(d8_mul(c, inverse)), s, inverse};
 }
 
-// Weights on the screen.
-static void screen_weights_at(const struct planes *p, struct lanes at, f8 *s, f8 *t)
+// Weights on the screen of vertices 1 and 2.
+RHW_INLINE void screen_weights_row(const struct planes *p, const struct block_planes *block, int row, f8 *s, f8 *t)
 {
     if (__builtin_expect(p->exact, 0)) {
-        *s = f8_from_d8(d8_mul(d8_splat(p->n_e), evaluate(&p->e1, at)));
-        *t = f8_from_d8(d8_mul(d8_splat(p->n_e), evaluate(&p->e2, at)));
+        *s = f8_from_d8(d8_mul(d8_splat(p->n_e), plane_row(&block->e1, row)));
+        *t = f8_from_d8(d8_mul(d8_splat(p->n_e), plane_row(&block->e2, row)));
         return;
     }
-    *s = f8_from_d8(evaluate(&p->n1, at));
-    *t = f8_from_d8(evaluate(&p->n2, at));
+    *s = f8_from_d8(plane_row(&block->n1, row));
+    *t = f8_from_d8(plane_row(&block->n2, row));
 }
 
 // Per pixel to the right (x) and down (y), of a weight q/S with q = b or c. The numerator of
 // d(q/S)/dx = (q_x·S − q·S_x)/S² does not depend on x, that of d/dy not on y: no cancellation per pixel.
-static void weight_derivatives(const struct plane *q, const struct planes *p, struct lanes at, d8 inverse_s, f8 *dx, f8 *dy)
+static void weight_derivatives(const struct plane *q, const struct planes *p, d8 dx, double dy, d8 inverse_s, f8 *by_x,
+                               f8 *by_y)
 {
     const struct plane *const s = &p->s;
-    const double nx = (q->dx * s->at - q->at * s->dx) + (q->dx * s->dy - q->dy * s->dx) * at.dy;
-    const d8 ny = d8_add(d8_splat(q->dy * s->at - q->at * s->dy), d8_mul(d8_splat(q->dy * s->dx - q->dx * s->dy), at.dx));
+    const double nx = (q->dx * s->at - q->at * s->dx) + (q->dx * s->dy - q->dy * s->dx) * dy;
+    const d8 ny = d8_add(d8_splat(q->dy * s->at - q->at * s->dy), d8_mul(d8_splat(q->dy * s->dx - q->dx * s->dy), dx));
     const d8 squared = d8_mul(inverse_s, inverse_s);
-    *dx = f8_from_d8(d8_mul(d8_splat(nx), squared));
-    *dy = f8_from_d8(d8_mul(ny, squared));
+    *by_x = f8_from_d8(d8_mul(d8_splat(nx), squared));
+    *by_y = f8_from_d8(d8_mul(ny, squared));
 }

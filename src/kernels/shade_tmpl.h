@@ -28,11 +28,15 @@ struct tile_work {
     const struct rhw_pipeline_data *pipeline;
     enum depth_mode depth_mode;
     bool shades; // there is a fragment function
+    bool plain;  // smooth varyings are all the fragment function reads
     int count;   // groups collected
 };
 
-// Of the triangle that is being drawn, made when its first fragments survive.
-struct triangle_values {
+// The triangle that is being drawn, and what is made when its first fragments survive.
+struct triangle_work {
+    const struct rhw_segment *segment;
+    const struct rhw_triangle *t;
+    struct planes planes;
     bool ready;
     const struct rhw_vertex_record *v[3];
     const float *provoking;
@@ -62,7 +66,7 @@ static i8 depth_passes(enum rhw_compare compare, f8 z, f8 old)
     }
 }
 
-static float *depth_row(const struct tile_work *work, int x, int y)
+static float *stored_depth(const struct tile_work *work, int x, int y)
 {
     return &work->scratch->depth[y * RHW_TILE + x];
 }
@@ -77,7 +81,7 @@ static f8 viewport_clamp(const struct rhw_draw_state *state, f8 z)
 static i8 depth_test_and_write(const struct tile_work *work, int x, int y, f8 z, i8 mask)
 {
     const struct rhw_pipeline_def *const def = &work->pipeline->def;
-    float *const row = depth_row(work, x, y);
+    float *const row = stored_depth(work, x, y);
     const f8 old = f8_load(row);
     const i8 pass = mask & depth_passes(def->depth_compare, z, old);
     if (def->depth_write) {
@@ -139,6 +143,8 @@ static void set_draw(struct tile_work *work, const struct rhw_draw *draw)
     work->state = state;
     work->pipeline = pipeline;
     work->shades = pipeline->fragment || def->program.fragment1;
+    work->plain = !(uses & ~(uint32_t)(RHW_USE_DISCARD | RHW_USE_DEPTH)) && !pipeline->any_noperspective &&
+                  !pipeline->any_flat && !pipeline->any_derivatives;
     // A fragment that fails an ordering test now fails it later too, as depth only moves that way meanwhile.
     work->depth_mode = !def->depth_test                                    ? DEPTH_NONE
                        : !work->shades || !(uses & (RHW_USE_DISCARD | RHW_USE_DEPTH)) ? DEPTH_EARLY
@@ -156,58 +162,60 @@ static void set_draw(struct tile_work *work, const struct rhw_draw *draw)
     }
 }
 
-static void prepare_values(const struct tile_work *work, const struct rhw_segment *segment,
-                           const struct rhw_triangle *t, struct triangle_values *values)
+static void prepare_values(const struct tile_work *work, struct triangle_work *triangle)
 {
     const int components = work->pipeline->varying_components;
-    const float *const a = values->v[0]->varyings, *const b = values->v[1]->varyings, *const c = values->v[2]->varyings;
-    (void)segment;
-    (void)t;
-    values->provoking = work->pipeline->def.provoking == RHW_PROVOKING_FIRST ? a : c;
+    const float *const a = triangle->v[0]->varyings, *const b = triangle->v[1]->varyings,
+                *const c = triangle->v[2]->varyings;
+    triangle->provoking = work->pipeline->def.provoking == RHW_PROVOKING_FIRST ? a : c;
     for (int i = 0; i < components; i++) {
-        values->i0[i] = a[i];
-        values->d1[i] = b[i] - a[i];
-        values->d2[i] = c[i] - a[i];
+        triangle->i0[i] = a[i];
+        triangle->d1[i] = b[i] - a[i];
+        triangle->d2[i] = c[i] - a[i];
     }
-    values->ready = true;
+    triangle->ready = true;
 }
 
 struct weight_slopes {
     f8 b_dx, b_dy, c_dx, c_dy;
 };
 
-static void fill_varyings(const struct tile_work *work, int g, const struct triangle_values *values, f8 b, f8 c, f8 s,
-                          f8 t)
+RHW_INLINE f8 interpolate(const struct triangle_work *triangle, int i, f8 b, f8 c)
+{
+    return f8_splat(triangle->i0[i]) + (b * f8_splat(triangle->d1[i]) + c * f8_splat(triangle->d2[i]));
+}
+
+static void fill_varyings(const struct tile_work *work, f8 *out, const struct triangle_work *triangle, f8 b, f8 c,
+                          f8 s, f8 t)
 {
     const struct rhw_pipeline_data *const pipeline = work->pipeline;
-    const int components = pipeline->varying_components;
-    f8 *const out = work->scratch->varyings + g * components;
-    if (!pipeline->any_noperspective && !pipeline->any_flat) {
-        for (int i = 0; i < components; i++) {
-            out[i] = f8_splat(values->i0[i]) + (b * f8_splat(values->d1[i]) + c * f8_splat(values->d2[i]));
+    for (int i = 0; i < pipeline->varying_components; i++) {
+        switch (pipeline->component_qualifier[i]) {
+        case RHW_SMOOTH:
+            out[i] = interpolate(triangle, i, b, c);
+            break;
+        case RHW_NOPERSPECTIVE:
+            out[i] = interpolate(triangle, i, s, t);
+            break;
+        default:
+            out[i] = f8_splat(triangle->provoking[i]);
+            break;
         }
-        return;
-    }
-    for (int i = 0; i < components; i++) {
-        const bool smooth = pipeline->component_qualifier[i] == RHW_SMOOTH;
-        out[i] = pipeline->component_qualifier[i] == RHW_FLAT
-                     ? f8_splat(values->provoking[i])
-                     : f8_splat(values->i0[i]) + ((smooth ? b : s) * f8_splat(values->d1[i]) +
-                                                  (smooth ? c : t) * f8_splat(values->d2[i]));
     }
 }
 
-static void fill_derivatives(const struct tile_work *work, int g, const struct triangle_values *values,
-                             const struct planes *planes, const struct weight_slopes *slopes)
+static void fill_derivatives(const struct tile_work *work, int g, const struct triangle_work *triangle,
+                             const struct weight_slopes *slopes)
 {
     const struct rhw_pipeline_data *const pipeline = work->pipeline;
+    const struct planes *const planes = &triangle->planes;
     const int components = pipeline->varying_components;
     for (int i = 0; i < components; i++) {
         if (!pipeline->component_derivatives[i]) {
             continue;
         }
         const int at = g * components + i;
-        const f8 d1 = f8_splat(values->d1[i]), d2 = f8_splat(values->d2[i]);
+        const f8 d1 = f8_splat(triangle->d1[i]), d2 = f8_splat(triangle->d2[i]);
         switch (pipeline->component_qualifier[i]) {
         case RHW_SMOOTH:
             work->scratch->ddx[at] = slopes->b_dx * d1 + slopes->c_dx * d2;
@@ -224,68 +232,87 @@ static void fill_derivatives(const struct tile_work *work, int g, const struct t
     }
 }
 
-static void fill_barycentrics(f8 out[3], f8 b, f8 c)
+// Weights of three vertices, of which two are known; `sum` is 1, and 0 for their derivatives.
+static void fill_barycentrics(f8 out[3], float sum, f8 b, f8 c)
 {
-    out[0] = (f8_splat(1) - b) - c;
+    out[0] = (f8_splat(sum) - b) - c;
     out[1] = b;
     out[2] = c;
 }
 
-// Adds 8 fragments of a row to those collected. `place` is in the tile.
-static void add_group(struct tile_work *work, const struct rhw_segment *segment, const struct rhw_triangle *t,
-                      const struct planes *planes, const struct triangle_values *values, struct lanes at,
-                      struct rhw_group_place place, f8 z)
+static void fill_builtins(const struct tile_work *work, struct rhw_fragment *group, const struct triangle_work *triangle,
+                          struct rhw_group_place place, const struct weights *w, f8 s, f8 t)
 {
-    const struct rhw_pipeline_data *const pipeline = work->pipeline;
-    const uint32_t uses = pipeline->def.program.uses;
-    const int g = work->count;
-    struct rhw_fragment *const group = &work->scratch->groups[g];
-    const bool any_derivatives = pipeline->any_derivatives || uses & RHW_USE_BARYCENTRIC_DERIVATIVES;
-    const bool screen = pipeline->any_noperspective || uses & RHW_USE_BARYCENTRIC;
-    const bool perspective = pipeline->any_smooth || any_derivatives || uses & (RHW_USE_BARYCENTRIC | RHW_USE_COORD);
-    struct weights w = {.b = f8_splat(0)};
-    f8 s = f8_splat(0), r = s;
-    if (perspective) {
-        w = weights_at(planes, at);
-    }
-    if (screen) {
-        screen_weights_at(planes, at, &s, &r);
-    }
-    work->scratch->places[g] = place;
-    group->mask = i8_from_bits(place.bits);
-    group->depth = z;
-    fill_varyings(work, g, values, w.b, w.c, s, r);
-    if (any_derivatives) {
-        struct weight_slopes slopes;
-        weight_derivatives(&planes->b, planes, at, w.inverse_s, &slopes.b_dx, &slopes.b_dy);
-        weight_derivatives(&planes->c, planes, at, w.inverse_s, &slopes.c_dx, &slopes.c_dy);
-        fill_derivatives(work, g, values, planes, &slopes);
-        if (uses & RHW_USE_BARYCENTRIC_DERIVATIVES) {
-            const f8 zero = f8_splat(0);
-            fill_barycentrics(group->barycentric_ddx, slopes.b_dx, slopes.c_dx);
-            fill_barycentrics(group->barycentric_ddy, slopes.b_dy, slopes.c_dy);
-            group->barycentric_ddx[0] = (zero - slopes.b_dx) - slopes.c_dx;
-            group->barycentric_ddy[0] = (zero - slopes.b_dy) - slopes.c_dy;
-        }
-    }
+    const uint32_t uses = work->pipeline->def.program.uses;
     if (uses & RHW_USE_COORD) {
         const f8 half = f8_splat(0.5f);
         group->coord[0] = __builtin_convertvector(i8_splat(work->x + place.x) + rhw_lane_index, f8) + half;
         group->coord[1] = f8_splat((float)(work->y + place.y)) + half;
-        group->coord[2] = z;
-        group->coord[3] = f8_from_d8(w.s);
+        group->coord[2] = group->depth;
+        group->coord[3] = f8_from_d8(w->s);
     }
     if (uses & RHW_USE_FACING) {
-        group->front_facing = i8_splat(t->flags & RHW_TRIANGLE_BACK ? 0 : -1);
+        group->front_facing = i8_splat(triangle->t->flags & RHW_TRIANGLE_BACK ? 0 : -1);
     }
     if (uses & RHW_USE_IDS) {
-        group->primitive = i8_splat((int32_t)t->primitive);
-        group->instance = i8_splat((int32_t)(segment->draw->first_instance + segment->instance));
-        group->draw = i8_splat((int32_t)segment->draw->index);
+        const struct rhw_draw *const draw = triangle->segment->draw;
+        group->primitive = i8_splat((int32_t)triangle->t->primitive);
+        group->instance = i8_splat((int32_t)(draw->first_instance + triangle->segment->instance));
+        group->draw = i8_splat((int32_t)draw->index);
     }
     if (uses & RHW_USE_BARYCENTRIC) {
-        fill_barycentrics(group->barycentric, w.b, w.c);
-        fill_barycentrics(group->barycentric_noperspective, s, r);
+        fill_barycentrics(group->barycentric, 1, w->b, w->c);
+        fill_barycentrics(group->barycentric_noperspective, 1, s, t);
+    }
+}
+
+// Everything beyond smooth varyings: other qualifiers, derivatives, builtins.
+static void fill_group(const struct tile_work *work, int g, const struct triangle_work *triangle,
+                       const struct block_planes *block, const struct block_place *at, int row)
+{
+    const struct rhw_pipeline_data *const pipeline = work->pipeline;
+    const struct planes *const planes = &triangle->planes;
+    const uint32_t uses = pipeline->def.program.uses;
+    struct rhw_fragment *const group = &work->scratch->groups[g];
+    const struct weights w = weights_row(planes, block, row);
+    f8 s, t;
+    screen_weights_row(planes, block, row, &s, &t);
+    fill_varyings(work, work->scratch->varyings + g * pipeline->varying_components, triangle, w.b, w.c, s, t);
+    if (pipeline->any_derivatives || uses & RHW_USE_BARYCENTRIC_DERIVATIVES) {
+        double dy[RHW_BLOCK];
+        memcpy(dy, &at->dy, sizeof dy);
+        struct weight_slopes slopes;
+        weight_derivatives(&planes->b, planes, at->dx, dy[row], w.inverse_s, &slopes.b_dx, &slopes.b_dy);
+        weight_derivatives(&planes->c, planes, at->dx, dy[row], w.inverse_s, &slopes.c_dx, &slopes.c_dy);
+        fill_derivatives(work, g, triangle, &slopes);
+        if (uses & RHW_USE_BARYCENTRIC_DERIVATIVES) {
+            fill_barycentrics(group->barycentric_ddx, 0, slopes.b_dx, slopes.c_dx);
+            fill_barycentrics(group->barycentric_ddy, 0, slopes.b_dy, slopes.c_dy);
+        }
+    }
+    fill_builtins(work, group, triangle, work->scratch->places[g], &w, s, t);
+}
+
+// Adds 8 fragments, row `row` of the block, to those collected.
+RHW_INLINE void add_group(struct tile_work *work, const struct triangle_work *triangle, const struct block_planes *block,
+                          const struct block_place *at, int row, struct rhw_group_place place, f8 z)
+{
+    const int g = work->count;
+    struct rhw_fragment *const group = &work->scratch->groups[g];
+    work->scratch->places[g] = place;
+    group->mask = i8_from_bits(place.bits);
+    group->depth = z;
+    if (work->plain) {
+        const int components = work->pipeline->varying_components;
+        f8 *const out = work->scratch->varyings + g * components;
+        if (components != 0) {
+            const struct weights w = weights_row(&triangle->planes, block, row);
+            for (int i = 0; i < components; i++) {
+                out[i] = interpolate(triangle, i, w.b, w.c);
+            }
+        }
+    } else {
+        fill_group(work, g, triangle, block, at, row);
     }
     work->counters->fragments += (uint64_t)__builtin_popcount(place.bits);
     if (++work->count == RHW_FRAGMENT_GROUPS) {
