@@ -6,8 +6,6 @@
 // 0 <= Z <= W implies W >= 0; with the guard band, W = 0 is left only for the point (0, 0, 0, 0).
 #include "clip.h"
 
-#include <math.h>
-
 #include "limits.h"
 #include "pass.h"
 
@@ -61,12 +59,13 @@ static int clip_plane(const struct corner *in, int count, int plane, struct corn
     return n;
 }
 
-// The nearest 1/256 pixel, ties to even; within the guard band.
+// The nearest 1/256 pixel, ties to even; within the guard band. Adding 1.5·2^52, where a double's last bit is
+// worth 1, rounds as IEEE addition does; nearbyint would do the same through libm.
 static int32_t snap(double pixels)
 {
     const double limit = RHW_GUARD_BAND;
     const double inside = pixels > limit ? limit : pixels >= -limit ? pixels : -limit;
-    return (int32_t)nearbyint(inside * RHW_SUBPIXEL);
+    return (int32_t)((inside * RHW_SUBPIXEL + 0x1.8p52) - 0x1.8p52);
 }
 
 bool rhw_clip_triangle(const struct rhw_draw_state *state, const struct rhw_vertex_record *const vertices[3],

@@ -2,7 +2,6 @@
 // Recording: set_ functions change `pending`, a draw copies it when it changed. Running lives in pass_run.c.
 #include "pass.h"
 
-#include <math.h>
 #include <string.h>
 
 #include "assembly.h"
@@ -381,12 +380,20 @@ static int clamp_to(int64_t v, int low, int high)
     return v < low ? low : v > high ? high : (int)v;
 }
 
+// The first pixel whose centre is at or after `x`, which is within a few times ±RHW_MAX_TARGET_SIZE.
+static int first_pixel(double x)
+{
+    const double edge = x - 0.5;
+    const int towards_zero = (int)edge;
+    return (double)towards_zero < edge ? towards_zero + 1 : towards_zero;
+}
+
 // The pixels whose centres are inside the viewport, the scissor and the target.
 static struct rhw_rect clip_rect(const struct rhw_pass_state *pass, const struct rhw_viewport *v,
                                  const struct rhw_rect *scissor)
 {
-    const int vx0 = (int)ceil((double)v->x - 0.5), vx1 = (int)ceil((double)v->x + (double)v->width - 0.5);
-    const int vy0 = (int)ceil((double)v->y - 0.5), vy1 = (int)ceil((double)v->y + (double)v->height - 0.5);
+    const int vx0 = first_pixel(v->x), vx1 = first_pixel((double)v->x + (double)v->width);
+    const int vy0 = first_pixel(v->y), vy1 = first_pixel((double)v->y + (double)v->height);
     const int sx0 = clamp_to(scissor->x, 0, pass->width), sy0 = clamp_to(scissor->y, 0, pass->height);
     const int sx1 = clamp_to((int64_t)scissor->x + scissor->width, 0, pass->width);
     const int sy1 = clamp_to((int64_t)scissor->y + scissor->height, 0, pass->height);
