@@ -1,0 +1,21 @@
+// SPDX-License-Identifier: MIT
+// The measured errors as a Markdown table, and the file that keeps it.
+#ifndef EXACT_TABLE_H
+#define EXACT_TABLE_H
+
+#include <stdbool.h>
+#include <stdio.h>
+
+#include "judge.h"
+
+struct table_column {
+    const char *name; // of the renderer
+    const struct judge_results *results;
+};
+
+// Families by quantity, then kinds of values; one group of columns per renderer.
+void table_print(FILE *out, const struct table_column *columns, int count);
+// Replaces what stands between the marker lines of `path`; false with a line on stderr when that fails.
+bool table_write(const char *path, const struct table_column *columns, int count);
+
+#endif
