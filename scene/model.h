@@ -134,6 +134,7 @@ struct rhw_model {
     uint32_t warning_count, unsupported_count;
     const char **warnings;    ///< what was wrong with the file and how it was met; one line each
     const char **unsupported; ///< what the file has that is not drawn; one line each
+    size_t size; ///< bytes of the one allocation that all of this lives in
 };
 
 /// Limits of an import. Zeroed: the defaults.

@@ -1,0 +1,96 @@
+// SPDX-License-Identifier: MIT
+// Image files through stb_image. The size is read first, so that a small file cannot ask for more memory
+// than the largest texture takes. GIF and PIC are left out: no model format we read uses them, and their
+// decoders are where stb_image's known faults lie.
+#include "image_read.h"
+
+#include <limits.h>
+#include <stdlib.h>
+#include <string.h>
+
+// stb_image declares a function that it never defines; gcc says so at the end of the file.
+#pragma GCC diagnostic ignored "-Wunused-function"
+#define STB_IMAGE_IMPLEMENTATION
+#define STB_IMAGE_STATIC
+#define STBI_NO_STDIO
+#define STBI_NO_GIF
+#define STBI_NO_PIC
+#define STBI_MAX_DIMENSIONS 16384
+#include <stb_image.h>
+
+_Static_assert(STBI_MAX_DIMENSIONS == RHW_MAX_TARGET_SIZE, "a texture takes what can be decoded");
+
+void rhw_image_find_alpha(struct rhw_image *image)
+{
+    const size_t texels = (size_t)image->width * image->height;
+    bool found = false;
+    if (image->type == RHW_IMAGE_RGBA8) {
+        const uint8_t *alpha = (const uint8_t *)image->texels + 3;
+        for (size_t i = 0; i < texels && !found; i++)
+            found = alpha[4 * i] != UINT8_MAX;
+    } else if (image->type == RHW_IMAGE_RGBA16) {
+        const uint16_t *alpha = (const uint16_t *)image->texels + 3;
+        for (size_t i = 0; i < texels && !found; i++)
+            found = alpha[4 * i] != UINT16_MAX;
+    }
+    image->has_alpha = found; // Radiance HDR has none
+}
+
+const char *rhw_image_decode(const void *bytes, size_t size, struct rhw_image *image)
+{
+    if (size == 0)
+        return "the file is empty";
+    if (size > INT_MAX)
+        return "the file is too large";
+    const int length = (int)size;
+    int width = 0, height = 0, channels = 0;
+    if (!stbi_info_from_memory(bytes, length, &width, &height, &channels)) {
+        const char *reason = stbi_failure_reason();
+        return strcmp(reason, "unknown image type") == 0 ? "not an image format that can be read" : reason;
+    }
+    if (width < 1 || height < 1 || width > RHW_MAX_TARGET_SIZE || height > RHW_MAX_TARGET_SIZE)
+        return "width and height must be 1 to 16384";
+    enum rhw_image_type type = RHW_IMAGE_RGBA8;
+    size_t texel = 4;
+    void *texels = NULL;
+    if (stbi_is_hdr_from_memory(bytes, length)) {
+        type = RHW_IMAGE_RGBA32F;
+        texel = 16;
+        texels = stbi_loadf_from_memory(bytes, length, &width, &height, &channels, 4);
+    } else if (stbi_is_16_bit_from_memory(bytes, length)) {
+        type = RHW_IMAGE_RGBA16;
+        texel = 8;
+        texels = stbi_load_16_from_memory(bytes, length, &width, &height, &channels, 4);
+    } else {
+        texels = stbi_load_from_memory(bytes, length, &width, &height, &channels, 4);
+    }
+    if (texels == NULL)
+        return stbi_failure_reason();
+    image->type = type;
+    image->width = (uint32_t)width;
+    image->height = (uint32_t)height;
+    image->size = (size_t)width * (size_t)height * texel;
+    image->texels = texels;
+    rhw_image_find_alpha(image);
+    return NULL;
+}
+
+bool rhw_image_stand_in(struct rhw_image *image)
+{
+    enum { SIDE = 8 };
+    uint8_t(*texels)[4] = malloc(SIDE * SIDE * sizeof *texels);
+    if (texels == NULL)
+        return false;
+    for (int i = 0; i < SIDE * SIDE; i++) {
+        const bool magenta = (i / SIDE + i) % 2 == 0;
+        const uint8_t texel[4] = {magenta ? 255 : 0, 0, magenta ? 255 : 0, 255};
+        memcpy(texels[i], texel, sizeof texel);
+    }
+    image->type = RHW_IMAGE_RGBA8;
+    image->width = image->height = SIDE;
+    image->size = SIDE * SIDE * sizeof *texels;
+    image->texels = texels;
+    image->has_alpha = false;
+    image->missing = true;
+    return true;
+}

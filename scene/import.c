@@ -1,0 +1,337 @@
+// SPDX-License-Identifier: MIT
+// The model under construction: growing arrays, lines for the user, files, and the last step, which makes
+// the totals and leaves out what cannot be drawn.
+#include "import.h"
+
+#include <errno.h>
+#include <fcntl.h>
+#include <stdarg.h>
+#include <stdlib.h>
+#include <string.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+enum { MESSAGES = 64 }; // lines of each kind that are kept; a hostile file could make millions
+
+void *rhw_import_allocate(struct rhw_import *import, size_t count, size_t size)
+{
+    void *memory = calloc(count > 0 ? count : 1, size);
+    if (memory == NULL)
+        rhw_import_fail(import, "needs more memory than there is (%zu MiB more)", count / 1048576 * size);
+    return memory;
+}
+
+// One more element at the end of an array. Returns it zeroed.
+static void *grow(struct rhw_import *import, void *array, uint32_t *count, uint32_t *capacity, size_t size)
+{
+    void **elements = array;
+    if (*count == *capacity) {
+        if (*capacity >= UINT32_MAX / 2)
+            rhw_import_fail(import, "has too many parts");
+        const uint32_t larger = *capacity == 0 ? 16 : *capacity * 2;
+        void *moved = realloc(*elements, larger * size);
+        if (moved == NULL)
+            rhw_import_fail(import, "needs more memory than there is");
+        *elements = moved;
+        *capacity = larger;
+    }
+    void *element = (char *)*elements + *count * size;
+    memset(element, 0, size);
+    ++*count;
+    return element;
+}
+
+// Bytes of the well-formed UTF-8 character at `text`, or 0 (RFC 3629).
+static size_t utf8_length(const unsigned char *text, size_t left)
+{
+    const unsigned char lead = text[0];
+    const size_t length = lead < 0x80 ? 1 : lead < 0xc2 ? 0 : lead < 0xe0 ? 2 : lead < 0xf0 ? 3 : lead < 0xf5 ? 4 : 0;
+    if (length == 0 || length > left)
+        return 0;
+    for (size_t i = 1; i < length; i++)
+        if ((text[i] & 0xc0) != 0x80)
+            return 0;
+    if ((lead == 0xe0 && text[1] < 0xa0) || (lead == 0xed && text[1] > 0x9f) || (lead == 0xf0 && text[1] < 0x90)
+        || (lead == 0xf4 && text[1] > 0x8f))
+        return 0;
+    return length;
+}
+
+const char *rhw_import_string(struct rhw_import *import, const char *text, size_t length)
+{
+    length = text == NULL ? 0 : strnlen(text, length);
+    char *copy = rhw_import_allocate(import, length + 1, 1);
+    for (size_t i = 0; i < length;) {
+        const size_t character = utf8_length((const unsigned char *)text + i, length - i);
+        if (character == 0 || (unsigned char)text[i] < 32 || text[i] == 127) {
+            copy[i++] = '?';
+            continue;
+        }
+        memcpy(copy + i, text + i, character);
+        i += character;
+    }
+    return copy;
+}
+
+// Adds a line unless it is there already.
+static void add_line(struct rhw_import *import, const char ***lines, uint32_t *count, uint32_t *capacity,
+                     const char *format, va_list arguments)
+{
+    char line[512];
+    vsnprintf(line, sizeof line, format, arguments);
+    for (uint32_t i = 0; i < *count; i++)
+        if (strcmp((*lines)[i], line) == 0)
+            return;
+    if (*count > MESSAGES)
+        return;
+    const char **slot = grow(import, lines, count, capacity, sizeof *slot);
+    *slot = rhw_import_string(import, *count > MESSAGES ? "and more of the kind" : line, sizeof line);
+}
+
+void rhw_import_warn(struct rhw_import *import, const char *format, ...)
+{
+    va_list arguments;
+    va_start(arguments, format);
+    add_line(import, &import->model.warnings, &import->model.warning_count, &import->warning_capacity, format,
+             arguments);
+    va_end(arguments);
+}
+
+void rhw_import_unsupported(struct rhw_import *import, const char *format, ...)
+{
+    va_list arguments;
+    va_start(arguments, format);
+    add_line(import, &import->model.unsupported, &import->model.unsupported_count, &import->unsupported_capacity,
+             format, arguments);
+    va_end(arguments);
+}
+
+struct rhw_mesh *rhw_import_add_mesh(struct rhw_import *import)
+{
+    struct rhw_mesh *mesh = grow(import, &import->model.meshes, &import->model.mesh_count, &import->mesh_capacity,
+                                 sizeof *mesh);
+    mesh->name = "";
+    return mesh;
+}
+
+struct rhw_texture_slot rhw_import_slot_default(void)
+{
+    return (struct rhw_texture_slot){
+        .image = -1,
+        .transform = {1, 0, 0, 0, 1, 0},
+        .min_filter = RHW_FILTER_LINEAR,
+        .mag_filter = RHW_FILTER_LINEAR,
+        .mip_filter = RHW_MIP_FILTER_LINEAR,
+        .address_u = RHW_ADDRESS_REPEAT,
+        .address_v = RHW_ADDRESS_REPEAT,
+    };
+}
+
+struct rhw_material *rhw_import_add_material(struct rhw_import *import)
+{
+    struct rhw_material *material = grow(import, &import->model.materials, &import->model.material_count,
+                                         &import->material_capacity, sizeof *material);
+    *material = (struct rhw_material){
+        .name = "",
+        .base_color = {1, 1, 1, 1},
+        .metallic = 1,
+        .roughness = 1,
+        .normal_scale = 1,
+        .occlusion_strength = 1,
+        .alpha_cutoff = 0.5f,
+    };
+    for (int i = 0; i < RHW_SLOT_COUNT; i++)
+        material->slots[i] = rhw_import_slot_default();
+    return material;
+}
+
+struct rhw_instance *rhw_import_add_instance(struct rhw_import *import)
+{
+    struct rhw_instance *instance = grow(import, &import->model.instances, &import->model.instance_count,
+                                         &import->instance_capacity, sizeof *instance);
+    instance->name = "";
+    return instance;
+}
+
+struct rhw_model_camera *rhw_import_add_camera(struct rhw_import *import)
+{
+    struct rhw_model_camera *camera = grow(import, &import->model.cameras, &import->model.camera_count,
+                                           &import->camera_capacity, sizeof *camera);
+    camera->name = "";
+    return camera;
+}
+
+struct rhw_model_light *rhw_import_add_light(struct rhw_import *import)
+{
+    struct rhw_model_light *light = grow(import, &import->model.lights, &import->model.light_count,
+                                         &import->light_capacity, sizeof *light);
+    light->name = "";
+    return light;
+}
+
+int32_t rhw_import_add_image(struct rhw_import *import, const char *name, const struct rhw_import_source *source)
+{
+    struct rhw_image *image = grow(import, &import->model.images, &import->model.image_count,
+                                   &import->image_capacity, sizeof *image);
+    image->name = name;
+    struct rhw_import_source *place = grow(import, &import->sources, &import->source_count,
+                                           &import->source_capacity, sizeof *place);
+    *place = *source;
+    return (int32_t)(import->model.image_count - 1);
+}
+
+void *rhw_import_read_file(struct rhw_import *import, const char *path, size_t *size, const char **problem)
+{
+    // O_NONBLOCK: opening a named pipe must not wait for a writer.
+    const int descriptor = open(path, O_RDONLY | O_CLOEXEC | O_NONBLOCK);
+    if (descriptor < 0) {
+        *problem = strerror(errno);
+        return NULL;
+    }
+    struct stat status;
+    if (fstat(descriptor, &status) != 0 || !S_ISREG(status.st_mode)) {
+        *problem = "not a regular file";
+        close(descriptor);
+        return NULL;
+    }
+    *size = (size_t)status.st_size;
+    char *bytes = rhw_import_allocate(import, *size + 1, 1);
+    size_t done = 0;
+    while (done < *size) {
+        const ssize_t step = read(descriptor, bytes + done, *size - done);
+        if (step < 0 && errno == EINTR)
+            continue;
+        if (step <= 0)
+            break;
+        done += (size_t)step;
+    }
+    close(descriptor);
+    if (done < *size) {
+        *problem = "could not be read to its end";
+        free(bytes);
+        return NULL;
+    }
+    return bytes;
+}
+
+// The last step -------------------------------------------------------------------------------------
+
+static void extend(float least[3], float most[3], const float point[3])
+{
+    for (int c = 0; c < 3; c++) {
+        least[c] = point[c] < least[c] ? point[c] : least[c];
+        most[c] = point[c] > most[c] ? point[c] : most[c];
+    }
+}
+
+static void empty_bounds(float least[3], float most[3])
+{
+    for (int c = 0; c < 3; c++) {
+        least[c] = 3.4028234663852886e38f;
+        most[c] = -3.4028234663852886e38f;
+    }
+}
+
+static void bound_mesh(struct rhw_mesh *mesh)
+{
+    empty_bounds(mesh->bounds_min, mesh->bounds_max);
+    for (uint32_t i = 0; i < mesh->vertex_count; i++)
+        extend(mesh->bounds_min, mesh->bounds_max, mesh->positions[i]);
+}
+
+// Bounds of an instance in the world; false when some point leaves the range of floats.
+static bool bound_instance(const struct rhw_mesh *mesh, const float world[16], float least[3], float most[3])
+{
+    empty_bounds(least, most);
+    for (uint32_t i = 0; i < mesh->vertex_count; i++) {
+        float point[3];
+        rhw_import_transform(world, mesh->positions[i], point);
+        extend(least, most, point);
+    }
+    const float size[3] = {most[0] - least[0], most[1] - least[1], most[2] - least[2]};
+    return rhw_import_finite(world, 16) && rhw_import_finite(least, 3) && rhw_import_finite(most, 3)
+        && rhw_import_finite(size, 3);
+}
+
+static void keep_drawable_instances(struct rhw_import *import)
+{
+    struct rhw_model *model = &import->model;
+    uint32_t kept = 0;
+    empty_bounds(model->bounds_min, model->bounds_max);
+    for (uint32_t i = 0; i < model->instance_count; i++) {
+        struct rhw_instance *instance = &model->instances[i];
+        const struct rhw_mesh *mesh = &model->meshes[instance->mesh];
+        float least[3], most[3];
+        if (mesh->index_count == 0)
+            continue;
+        if (!bound_instance(mesh, instance->world, least, most)) {
+            rhw_import_warn(import, "node \"%s\" is left out: its place in the world is not finite", instance->name);
+            continue;
+        }
+        extend(model->bounds_min, model->bounds_max, least);
+        extend(model->bounds_min, model->bounds_max, most);
+        instance->mirrored = rhw_import_determinant(instance->world) < 0;
+        if (mesh->primitive == RHW_PRIMITIVE_TRIANGLES)
+            model->triangles_drawn += mesh->index_count / 3;
+        model->instances[kept++] = *instance;
+    }
+    model->instance_count = kept;
+}
+
+static void warn_of_missing_uvs(struct rhw_import *import)
+{
+    for (uint32_t i = 0; i < import->model.mesh_count; i++) {
+        const struct rhw_mesh *mesh = &import->model.meshes[i];
+        const struct rhw_material *material = &import->model.materials[mesh->material];
+        for (int k = 0; k < RHW_SLOT_COUNT; k++)
+            if (material->slots[k].image >= 0 && mesh->uvs[material->slots[k].uv_set] == NULL)
+                rhw_import_warn(import, "mesh \"%s\" lacks the texture coordinates its material \"%s\" reads",
+                                mesh->name, material->name);
+    }
+}
+
+static void mark_image_uses(struct rhw_model *model)
+{
+    for (uint32_t i = 0; i < model->material_count; i++)
+        for (int k = 0; k < RHW_SLOT_COUNT; k++) {
+            const int32_t image = model->materials[i].slots[k].image;
+            if (image >= 0 && (k == RHW_SLOT_BASE_COLOR || k == RHW_SLOT_EMISSIVE))
+                model->images[image].used_as_color = true;
+            else if (image >= 0)
+                model->images[image].used_as_data = true;
+        }
+}
+
+static void set_directory(struct rhw_import *import)
+{
+    const char *slash = strrchr(import->model.path, '/');
+    const size_t length = slash == NULL ? 0 : (size_t)(slash - import->model.path) + 1;
+    char *directory = rhw_import_allocate(import, length + 1, 1);
+    memcpy(directory, import->model.path, length);
+    import->directory = directory;
+}
+
+void rhw_import_run(struct rhw_import *import)
+{
+    unsigned char start[64] = {0};
+    FILE *file = fopen(import->model.path, "rb");
+    if (file == NULL)
+        rhw_import_fail(import, "cannot be opened: %s", strerror(errno));
+    const size_t size = fread(start, 1, sizeof start, file);
+    fclose(file);
+    set_directory(import);
+    struct rhw_model *model = &import->model;
+    if (rhw_import_is_gltf(model->path, start, size))
+        rhw_import_gltf(import);
+    else
+        rhw_import_assimp(import);
+    rhw_import_decode_images(import);
+    mark_image_uses(model);
+    warn_of_missing_uvs(import);
+    for (uint32_t i = 0; i < model->mesh_count; i++) {
+        bound_mesh(&model->meshes[i]);
+        if (model->meshes[i].primitive == RHW_PRIMITIVE_TRIANGLES)
+            model->triangles_stored += model->meshes[i].index_count / 3;
+    }
+    keep_drawable_instances(import);
+}

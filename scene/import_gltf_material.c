@@ -1,0 +1,201 @@
+// SPDX-License-Identifier: MIT
+// Materials, textures, samplers and images (§3.8, §3.9) and the extensions of them that are supported.
+#include <math.h>
+#include <string.h>
+
+#include "import_gltf.h"
+
+// Images --------------------------------------------------------------------------------------------
+
+static int32_t add_image(struct rhw_gltf *gltf, int64_t index)
+{
+    struct rhw_import *import = gltf->import;
+    const json_t *image = rhw_gltf_item(gltf, "images", index);
+    const char *uri = rhw_gltf_text(gltf, image, "uri");
+    const char *name = rhw_gltf_name(gltf, image);
+    const bool data = uri != NULL && strncmp(uri, "data:", 5) == 0;
+    struct rhw_import_source source = {.opacity_image = -1};
+    size_t stride = 0;
+    if (gltf->images[index] >= 0)
+        return gltf->images[index];
+    if (uri != NULL && !data) {
+        name = rhw_import_string(import, uri, strlen(uri));
+        source.file = rhw_import_find_file(import, uri);
+        source.problem = "No such file or directory";
+    } else if (data) {
+        source.bytes = rhw_gltf_data_uri(gltf, uri, &source.size);
+        source.problem = "its data URI is not valid base64";
+    } else if (json_object_get(image, "bufferView") != NULL) {
+        source.bytes = rhw_gltf_view(gltf, rhw_gltf_integer(gltf, image, "bufferView", -1), &source.size, &stride);
+    } else {
+        source.problem = "has neither a URI nor a bufferView";
+    }
+    if (name[0] == 0) {
+        char number[40];
+        snprintf(number, sizeof number, "images[%lld]", (long long)index);
+        name = rhw_import_string(import, number, sizeof number);
+    }
+    gltf->images[index] = rhw_import_add_image(import, name, &source);
+    return gltf->images[index];
+}
+
+// The stand-in for a texture that has no image which can be read.
+static int32_t add_missing(struct rhw_gltf *gltf, int64_t texture)
+{
+    char name[40];
+    snprintf(name, sizeof name, "textures[%lld]", (long long)texture);
+    const struct rhw_import_source source = {.opacity_image = -1, .problem = "has no PNG or JPEG image"};
+    return rhw_import_add_image(gltf->import, rhw_import_string(gltf->import, name, sizeof name), &source);
+}
+
+// Textures ------------------------------------------------------------------------------------------
+
+static enum rhw_address address(struct rhw_gltf *gltf, const json_t *sampler, const char *key)
+{
+    switch (rhw_gltf_integer(gltf, sampler, key, 10497)) {
+    case 33071: return RHW_ADDRESS_CLAMP;
+    case 33648: return RHW_ADDRESS_MIRROR;
+    default: return RHW_ADDRESS_REPEAT;
+    }
+}
+
+static void read_sampler(struct rhw_gltf *gltf, const json_t *sampler, struct rhw_texture_slot *slot)
+{
+    slot->address_u = address(gltf, sampler, "wrapS");
+    slot->address_v = address(gltf, sampler, "wrapT");
+    if (rhw_gltf_integer(gltf, sampler, "magFilter", 9729) == 9728)
+        slot->mag_filter = RHW_FILTER_NEAREST;
+    const int64_t minimum = rhw_gltf_integer(gltf, sampler, "minFilter", 9987);
+    const bool nearest = minimum == 9728 || minimum == 9984 || minimum == 9986;
+    slot->min_filter = nearest ? RHW_FILTER_NEAREST : RHW_FILTER_LINEAR;
+    slot->mip_filter = minimum == 9728 || minimum == 9729 ? RHW_MIP_FILTER_NONE
+        : minimum == 9984 || minimum == 9985              ? RHW_MIP_FILTER_NEAREST
+                                                          : RHW_MIP_FILTER_LINEAR;
+}
+
+// KHR_texture_transform: scaled, then turned, then moved.
+static void read_transform(struct rhw_gltf *gltf, const json_t *extension, struct rhw_texture_slot *slot)
+{
+    float offset[2] = {0, 0}, scale[2] = {1, 1};
+    rhw_gltf_floats(gltf, extension, "offset", offset, 2);
+    rhw_gltf_floats(gltf, extension, "scale", scale, 2);
+    const double rotation = rhw_gltf_number(gltf, extension, "rotation", 0);
+    const float c = (float)cos(rotation), s = (float)sin(rotation);
+    const float transform[6] = {c * scale[0], s * scale[1], offset[0], -s * scale[0], c * scale[1], offset[1]};
+    if (rhw_import_finite(transform, 6))
+        memcpy(slot->transform, transform, sizeof transform);
+}
+
+static void read_slot(struct rhw_gltf *gltf, const json_t *info, struct rhw_texture_slot *slot)
+{
+    if (info == NULL)
+        return;
+    const int64_t number = rhw_gltf_integer(gltf, info, "index", -1);
+    const json_t *texture = rhw_gltf_item(gltf, "textures", number);
+    const int64_t image = rhw_gltf_integer(gltf, texture, "source", -1);
+    const int64_t sampler = rhw_gltf_integer(gltf, texture, "sampler", -1);
+    const json_t *transform = rhw_gltf_extension(gltf, info, "KHR_texture_transform");
+    const int64_t own_set = rhw_gltf_integer(gltf, info, "texCoord", 0);
+    const int64_t set = rhw_gltf_integer(gltf, transform, "texCoord", own_set);
+    slot->image = image >= 0 ? add_image(gltf, image) : add_missing(gltf, number);
+    if (sampler >= 0)
+        read_sampler(gltf, rhw_gltf_item(gltf, "samplers", sampler), slot);
+    if (transform != NULL)
+        read_transform(gltf, transform, slot);
+    if (set < RHW_UV_SETS)
+        slot->uv_set = (uint32_t)set;
+    else
+        rhw_import_unsupported(gltf->import, "texture coordinate set %lld: set 0 is read instead", (long long)set);
+}
+
+// Materials -----------------------------------------------------------------------------------------
+
+static float limited(double value, double least, double most)
+{
+    return (float)(value >= least && value <= most ? value : value > most ? most : least); // NaN: least
+}
+
+static void read_metallic_roughness(struct rhw_gltf *gltf, const json_t *pbr, struct rhw_material *material)
+{
+    rhw_gltf_floats(gltf, pbr, "baseColorFactor", material->base_color, 4);
+    material->metallic = limited(rhw_gltf_number(gltf, pbr, "metallicFactor", 1), 0, 1);
+    material->roughness = limited(rhw_gltf_number(gltf, pbr, "roughnessFactor", 1), 0, 1);
+    read_slot(gltf, rhw_gltf_object(gltf, pbr, "baseColorTexture"), &material->slots[RHW_SLOT_BASE_COLOR]);
+    read_slot(gltf, rhw_gltf_object(gltf, pbr, "metallicRoughnessTexture"),
+              &material->slots[RHW_SLOT_METALLIC_ROUGHNESS]);
+}
+
+// KHR_materials_pbrSpecularGlossiness: how metallic a surface is follows from how much brighter its specular
+// colour is than the 4 % of a dielectric. Its specular-glossiness texture has no counterpart.
+static void read_specular_glossiness(struct rhw_gltf *gltf, const json_t *pbr, struct rhw_material *material)
+{
+    float diffuse[4] = {1, 1, 1, 1}, specular[3] = {1, 1, 1};
+    rhw_gltf_floats(gltf, pbr, "diffuseFactor", diffuse, 4);
+    rhw_gltf_floats(gltf, pbr, "specularFactor", specular, 3);
+    material->roughness = 1 - limited(rhw_gltf_number(gltf, pbr, "glossinessFactor", 1), 0, 1);
+    read_slot(gltf, rhw_gltf_object(gltf, pbr, "diffuseTexture"), &material->slots[RHW_SLOT_BASE_COLOR]);
+    const bool textured = rhw_gltf_object(gltf, pbr, "specularGlossinessTexture") != NULL;
+    float strongest = 0;
+    for (int c = 0; c < 3; c++)
+        strongest = specular[c] > strongest ? specular[c] : strongest;
+    const float diffuse_brightness = (diffuse[0] + diffuse[1] + diffuse[2]) / 3;
+    const float metallic = strongest <= 0.04f ? 0 : (strongest - 0.04f) / (strongest - 0.04f + diffuse_brightness);
+    material->metallic = textured ? 0 : limited((double)metallic, 0, 1);
+    for (int c = 0; c < 3; c++)
+        material->base_color[c] = diffuse[c] + (specular[c] - diffuse[c]) * material->metallic;
+    material->base_color[3] = diffuse[3];
+    if (textured)
+        rhw_import_unsupported(gltf->import, "specular-glossiness textures: the glossiness factor alone is used");
+}
+
+static void read_alpha(struct rhw_gltf *gltf, const json_t *object, struct rhw_material *material)
+{
+    const char *mode = rhw_gltf_text(gltf, object, "alphaMode");
+    if (mode != NULL && strcmp(mode, "MASK") == 0)
+        material->alpha_mode = RHW_ALPHA_MASK;
+    else if (mode != NULL && strcmp(mode, "BLEND") == 0)
+        material->alpha_mode = RHW_ALPHA_BLEND;
+    else if (mode != NULL && strcmp(mode, "OPAQUE") != 0)
+        rhw_import_warn(gltf->import, "material \"%s\" has an alphaMode that does not exist: drawn opaque",
+                        material->name);
+    material->alpha_cutoff = (float)rhw_gltf_number(gltf, object, "alphaCutoff", 0.5);
+}
+
+static void read_material(struct rhw_gltf *gltf, const json_t *object, struct rhw_material *material)
+{
+    const json_t *pbr = rhw_gltf_object(gltf, object, "pbrMetallicRoughness");
+    const json_t *gloss = rhw_gltf_extension(gltf, object, "KHR_materials_pbrSpecularGlossiness");
+    const json_t *normal = rhw_gltf_object(gltf, object, "normalTexture");
+    const json_t *occlusion = rhw_gltf_object(gltf, object, "occlusionTexture");
+    const json_t *strength = rhw_gltf_extension(gltf, object, "KHR_materials_emissive_strength");
+    material->name = rhw_gltf_name(gltf, object);
+    if (pbr == NULL && gloss != NULL)
+        read_specular_glossiness(gltf, gloss, material);
+    else
+        read_metallic_roughness(gltf, pbr, material);
+    read_slot(gltf, normal, &material->slots[RHW_SLOT_NORMAL]);
+    read_slot(gltf, occlusion, &material->slots[RHW_SLOT_OCCLUSION]);
+    read_slot(gltf, rhw_gltf_object(gltf, object, "emissiveTexture"), &material->slots[RHW_SLOT_EMISSIVE]);
+    material->normal_scale = (float)rhw_gltf_number(gltf, normal, "scale", 1);
+    material->occlusion_strength = limited(rhw_gltf_number(gltf, occlusion, "strength", 1), 0, 1);
+    rhw_gltf_floats(gltf, object, "emissiveFactor", material->emissive, 3);
+    for (int c = 0; c < 3; c++)
+        material->emissive[c] *= (float)rhw_gltf_number(gltf, strength, "emissiveStrength", 1);
+    read_alpha(gltf, object, material);
+    material->double_sided = rhw_gltf_flag(gltf, object, "doubleSided", false);
+    material->unlit = rhw_gltf_extension(gltf, object, "KHR_materials_unlit") != NULL;
+}
+
+uint32_t rhw_gltf_material(struct rhw_gltf *gltf, int64_t index)
+{
+    if (index >= 0)
+        rhw_gltf_item(gltf, "materials", index);
+    int32_t *made = index < 0 ? &gltf->default_material : &gltf->materials[index];
+    if (*made >= 0)
+        return (uint32_t)*made;
+    *made = (int32_t)gltf->import->model.material_count;
+    struct rhw_material *material = rhw_import_add_material(gltf->import);
+    if (index >= 0)
+        read_material(gltf, rhw_gltf_item(gltf, "materials", index), material);
+    return (uint32_t)*made;
+}

@@ -1,0 +1,278 @@
+// SPDX-License-Identifier: MIT
+// Completes one mesh: what a file gives becomes what struct rhw_mesh promises.
+#include <stdlib.h>
+#include <string.h>
+
+#include "import.h"
+
+static const uint32_t none = UINT32_MAX;
+
+static uint32_t corners_of(const struct rhw_mesh *mesh)
+{
+    return mesh->primitive == RHW_PRIMITIVE_TRIANGLES ? 3 : mesh->primitive == RHW_PRIMITIVE_LINES ? 2 : 1;
+}
+
+static void *gather(struct rhw_import *import, void *array, size_t size, const uint32_t *source, uint32_t count)
+{
+    if (array == NULL)
+        return NULL;
+    char *gathered = rhw_import_allocate(import, count, size);
+    for (uint32_t i = 0; i < count; i++)
+        memcpy(gathered + i * size, (const char *)array + source[i] * size, size);
+    free(array);
+    return gathered;
+}
+
+void rhw_import_gather_vertices(struct rhw_import *import, struct rhw_mesh *mesh, const uint32_t *source,
+                                uint32_t count)
+{
+    mesh->positions = gather(import, mesh->positions, sizeof *mesh->positions, source, count);
+    mesh->normals = gather(import, mesh->normals, sizeof *mesh->normals, source, count);
+    mesh->tangents = gather(import, mesh->tangents, sizeof *mesh->tangents, source, count);
+    for (int set = 0; set < RHW_UV_SETS; set++)
+        mesh->uvs[set] = gather(import, mesh->uvs[set], sizeof *mesh->uvs[set], source, count);
+    mesh->colors = gather(import, mesh->colors, sizeof *mesh->colors, source, count);
+    mesh->vertex_count = count;
+}
+
+// Numbers -------------------------------------------------------------------------------------------
+
+static void drop_infinite_primitives(struct rhw_import *import, struct rhw_mesh *mesh)
+{
+    if (rhw_import_finite(mesh->positions[0], 3 * (size_t)mesh->vertex_count))
+        return;
+    const uint32_t corners = corners_of(mesh);
+    uint32_t kept = 0;
+    for (uint32_t i = 0; i < mesh->index_count; i += corners) {
+        bool finite = true;
+        for (uint32_t k = 0; k < corners; k++)
+            finite = finite && rhw_import_finite(mesh->positions[mesh->indices[i + k]], 3);
+        for (uint32_t k = 0; k < corners && finite; k++)
+            mesh->indices[kept++] = mesh->indices[i + k];
+    }
+    if (kept < mesh->index_count)
+        rhw_import_warn(import, "mesh \"%s\": %u primitives with positions that are not finite are left out",
+                        mesh->name, (mesh->index_count - kept) / corners);
+    mesh->index_count = kept;
+}
+
+static void zero_what_is_not_finite(float *values, size_t count)
+{
+    if (values == NULL || rhw_import_finite(values, count))
+        return;
+    for (size_t i = 0; i < count; i++)
+        if (!rhw_import_finite(&values[i], 1))
+            values[i] = 0;
+}
+
+// Scales to length 1; false when there is no direction in it.
+static bool normalize(float vector[3])
+{
+    const double x = vector[0], y = vector[1], z = vector[2];
+    const double square = x * x + y * y + z * z;
+    if (!(square > 1e-60 && square < 1e60))
+        return false;
+    const double length = __builtin_sqrt(square);
+    vector[0] = (float)(x / length);
+    vector[1] = (float)(y / length);
+    vector[2] = (float)(z / length);
+    return true;
+}
+
+// Normals of the file as unit vectors. A mesh with a normal that has no direction loses them all.
+static void check_normals(struct rhw_import *import, struct rhw_mesh *mesh)
+{
+    bool good = mesh->normals != NULL;
+    for (uint32_t i = 0; i < mesh->vertex_count && good; i++)
+        good = normalize(mesh->normals[i]);
+    if (good || mesh->normals == NULL)
+        return;
+    rhw_import_warn(import, "mesh \"%s\" has normals of no length; they are made from its faces", mesh->name);
+    free(mesh->normals);
+    mesh->normals = NULL;
+}
+
+static void check_tangents(struct rhw_mesh *mesh)
+{
+    bool good = mesh->tangents != NULL && mesh->normals != NULL;
+    for (uint32_t i = 0; i < mesh->vertex_count && good; i++) {
+        good = normalize(mesh->tangents[i]);
+        mesh->tangents[i][3] = mesh->tangents[i][3] < 0 ? -1.0f : 1.0f;
+    }
+    if (good)
+        return;
+    free(mesh->tangents);
+    mesh->tangents = NULL;
+}
+
+// Vertices ------------------------------------------------------------------------------------------
+
+static void drop_unused_vertices(struct rhw_import *import, struct rhw_mesh *mesh)
+{
+    uint32_t *place = rhw_import_allocate(import, mesh->vertex_count, sizeof *place);
+    uint32_t used = 0;
+    for (uint32_t i = 0; i < mesh->index_count; i++) {
+        used += place[mesh->indices[i]] == 0;
+        place[mesh->indices[i]] = 1;
+    }
+    if (used == mesh->vertex_count) {
+        free(place);
+        return;
+    }
+    uint32_t *source = rhw_import_allocate(import, used, sizeof *source);
+    uint32_t next = 0;
+    for (uint32_t i = 0; i < mesh->vertex_count; i++)
+        if (place[i] != 0) {
+            source[next] = i;
+            place[i] = next++;
+        }
+    for (uint32_t i = 0; i < mesh->index_count; i++)
+        mesh->indices[i] = place[mesh->indices[i]];
+    rhw_import_gather_vertices(import, mesh, source, used);
+    free(source);
+    free(place);
+}
+
+// A table of vertices by content; slots hold a vertex or none. Twice as many slots as vertices keep the
+// runs of occupied slots short.
+struct vertex_table {
+    uint32_t *slots;
+    uint32_t mask;
+};
+
+static struct vertex_table make_table(struct rhw_import *import, uint32_t vertices)
+{
+    size_t size = 16;
+    while (size < (size_t)vertices * 2)
+        size *= 2;
+    struct vertex_table table = {rhw_import_allocate(import, size, sizeof(uint32_t)), (uint32_t)(size - 1)};
+    memset(table.slots, 0xff, size * sizeof(uint32_t));
+    return table;
+}
+
+static uint64_t mix(uint64_t hash, const void *bytes, size_t size)
+{
+    for (size_t i = 0; i < size; i += sizeof(uint32_t)) {
+        uint32_t word;
+        memcpy(&word, (const char *)bytes + i, sizeof word);
+        hash = (hash ^ word) * 0x9e3779b97f4a7c15u;
+        hash ^= hash >> 29;
+    }
+    return hash;
+}
+
+uint32_t *rhw_import_weld_positions(struct rhw_import *import, const struct rhw_mesh *mesh)
+{
+    uint32_t *group = rhw_import_allocate(import, mesh->vertex_count, sizeof *group);
+    struct vertex_table table = make_table(import, mesh->vertex_count);
+    for (uint32_t i = 0; i < mesh->vertex_count; i++) {
+        const float *p = mesh->positions[i];
+        const float key[3] = {p[0] + 0.0f, p[1] + 0.0f, p[2] + 0.0f}; // −0 and 0 are one place
+        uint32_t slot = (uint32_t)mix(0, key, sizeof key) & table.mask;
+        for (; table.slots[slot] != none; slot = (slot + 1) & table.mask) {
+            const float *q = mesh->positions[table.slots[slot]];
+            if (q[0] == p[0] && q[1] == p[1] && q[2] == p[2])
+                break;
+        }
+        if (table.slots[slot] == none)
+            table.slots[slot] = i;
+        group[i] = table.slots[slot];
+    }
+    free(table.slots);
+    return group;
+}
+
+// The arrays of a mesh as bytes, for comparing whole vertices.
+struct vertex_bytes {
+    const char *arrays[6];
+    size_t sizes[6];
+    int count;
+};
+
+static struct vertex_bytes bytes_of(const struct rhw_mesh *mesh)
+{
+    struct vertex_bytes bytes = {.count = 0};
+    const void *arrays[] = {mesh->positions, mesh->normals, mesh->tangents, mesh->uvs[0], mesh->uvs[1], mesh->colors};
+    const size_t sizes[] = {12, 12, 16, 8, 8, 16};
+    for (int i = 0; i < 6; i++)
+        if (arrays[i] != NULL) {
+            bytes.arrays[bytes.count] = arrays[i];
+            bytes.sizes[bytes.count++] = sizes[i];
+        }
+    return bytes;
+}
+
+static bool same_vertex(const struct vertex_bytes *bytes, uint32_t a, uint32_t b)
+{
+    for (int i = 0; i < bytes->count; i++)
+        if (memcmp(bytes->arrays[i] + a * bytes->sizes[i], bytes->arrays[i] + b * bytes->sizes[i], bytes->sizes[i]) != 0)
+            return false;
+    return true;
+}
+
+// Makes one vertex of all that are equal in every attribute.
+static void join_vertices(struct rhw_import *import, struct rhw_mesh *mesh)
+{
+    const struct vertex_bytes bytes = bytes_of(mesh);
+    struct vertex_table table = make_table(import, mesh->vertex_count);
+    uint32_t *place = rhw_import_allocate(import, mesh->vertex_count, sizeof *place);
+    uint32_t *source = rhw_import_allocate(import, mesh->vertex_count, sizeof *source);
+    uint32_t count = 0;
+    for (uint32_t i = 0; i < mesh->vertex_count; i++) {
+        uint64_t hash = 0;
+        for (int k = 0; k < bytes.count; k++)
+            hash = mix(hash, bytes.arrays[k] + i * bytes.sizes[k], bytes.sizes[k]);
+        uint32_t slot = (uint32_t)hash & table.mask;
+        while (table.slots[slot] != none && !same_vertex(&bytes, table.slots[slot], i))
+            slot = (slot + 1) & table.mask;
+        if (table.slots[slot] == none) {
+            table.slots[slot] = i;
+            place[i] = count;
+            source[count++] = i;
+        } else {
+            place[i] = place[table.slots[slot]];
+        }
+    }
+    if (count < mesh->vertex_count) {
+        for (uint32_t i = 0; i < mesh->index_count; i++)
+            mesh->indices[i] = place[mesh->indices[i]];
+        rhw_import_gather_vertices(import, mesh, source, count);
+    }
+    free(table.slots);
+    free(place);
+    free(source);
+}
+
+void rhw_import_complete_mesh(struct rhw_import *import, uint32_t index, enum rhw_import_normals normals, bool join)
+{
+    struct rhw_mesh *mesh = &import->model.meshes[index];
+    if (mesh->vertex_count == 0)
+        mesh->index_count = 0;
+    mesh->index_count -= mesh->index_count % corners_of(mesh);
+    if (mesh->index_count > 0)
+        drop_infinite_primitives(import, mesh);
+    drop_unused_vertices(import, mesh);
+    if (mesh->vertex_count == 0)
+        return;
+    for (int set = 0; set < RHW_UV_SETS; set++)
+        zero_what_is_not_finite((float *)mesh->uvs[set], 2 * (size_t)mesh->vertex_count);
+    zero_what_is_not_finite((float *)mesh->colors, 4 * (size_t)mesh->vertex_count);
+    check_normals(import, mesh);
+    check_tangents(mesh);
+    if (join)
+        join_vertices(import, mesh);
+    if (mesh->primitive != RHW_PRIMITIVE_TRIANGLES)
+        return;
+    if (mesh->normals == NULL) {
+        rhw_import_make_normals(import, mesh, normals);
+        if (normals == RHW_IMPORT_FLAT)
+            join_vertices(import, mesh); // the triangles of one flat face share their vertices again
+    }
+    const struct rhw_texture_slot *slot = &import->model.materials[mesh->material].slots[RHW_SLOT_NORMAL];
+    if (slot->image < 0 || mesh->uvs[slot->uv_set] == NULL) {
+        free(mesh->tangents);
+        mesh->tangents = NULL;
+    } else if (mesh->tangents == NULL) {
+        rhw_import_make_tangents(import, mesh, slot);
+    }
+}

@@ -1,0 +1,328 @@
+// SPDX-License-Identifier: MIT
+// Normals and tangents for meshes that lack them. Only + − × ÷ and square roots are used, so the result is
+// the same everywhere; sums are made in double.
+#include <stdlib.h>
+#include <string.h>
+
+#include "import.h"
+
+// cos 60°: two faces that meet at a sharper angle have an edge between them that is meant to be seen.
+// Neighbours on anything modelled as round meet at less; the faces of boxes and the rims of pipes at more.
+static const double crease_cosine = 0.5;
+
+// Around one point. Faces are compared pair by pair; where more meet, only a hostile file makes the pairs
+// count, and all faces are averaged.
+enum { MOST_FACES = 256 };
+
+static void subtract(const float a[3], const float b[3], double difference[3])
+{
+    for (int c = 0; c < 3; c++)
+        difference[c] = (double)a[c] - (double)b[c];
+}
+
+static double dot(const double a[3], const double b[3])
+{
+    return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
+}
+
+static void cross(const double a[3], const double b[3], double product[3])
+{
+    product[0] = a[1] * b[2] - a[2] * b[1];
+    product[1] = a[2] * b[0] - a[0] * b[2];
+    product[2] = a[0] * b[1] - a[1] * b[0];
+}
+
+// Scales to length 1, or to 0 when there is no direction. Squares of doubles made of floats stay in range.
+static void unit(double vector[3])
+{
+    const double length = __builtin_sqrt(dot(vector, vector));
+    const double scale = length > 0 ? 1 / length : 0;
+    for (int c = 0; c < 3; c++)
+        vector[c] *= scale;
+}
+
+static void to_normal(const double sum[3], float normal[3])
+{
+    double direction[3] = {sum[0], sum[1], sum[2]};
+    unit(direction);
+    const bool none = direction[0] == 0 && direction[1] == 0 && direction[2] == 0;
+    for (int c = 0; c < 3; c++)
+        normal[c] = none ? (c == 2 ? 1.0f : 0.0f) : (float)direction[c];
+}
+
+static void face_normal(const struct rhw_mesh *mesh, uint32_t first_corner, double normal[3])
+{
+    const uint32_t *corner = mesh->indices + first_corner;
+    double a[3], b[3];
+    subtract(mesh->positions[corner[1]], mesh->positions[corner[0]], a);
+    subtract(mesh->positions[corner[2]], mesh->positions[corner[0]], b);
+    unit(a); // the product of two long edges of a large mesh could leave the range
+    unit(b);
+    cross(a, b, normal);
+    unit(normal);
+}
+
+static void make_flat(struct rhw_import *import, struct rhw_mesh *mesh)
+{
+    const uint32_t corners = mesh->index_count;
+    rhw_import_gather_vertices(import, mesh, mesh->indices, corners);
+    mesh->normals = rhw_import_allocate(import, corners, sizeof *mesh->normals);
+    for (uint32_t i = 0; i < corners; i++)
+        mesh->indices[i] = i;
+    for (uint32_t i = 0; i < corners; i += 3) {
+        double normal[3];
+        face_normal(mesh, i, normal);
+        to_normal(normal, mesh->normals[i]);
+        memcpy(mesh->normals[i + 1], mesh->normals[i], sizeof mesh->normals[i]);
+        memcpy(mesh->normals[i + 2], mesh->normals[i], sizeof mesh->normals[i]);
+    }
+}
+
+// Smooth --------------------------------------------------------------------------------------------
+
+struct smoothing {
+    const struct rhw_mesh *mesh;
+    const double (*faces)[3]; // unit normals
+    uint32_t *start;          // of the corners around point p: start[p] .. start[p + 1]
+    uint32_t *corners;
+    uint32_t *source;         // of the new vertices: the vertex they were made from
+    float (*normals)[3];
+    uint32_t count, capacity; // new vertices
+};
+
+// What a face adds to the normal at one of its corners: sin α / (|a| |b|) along its normal, where a and b are
+// the edges at that corner (Max, Weights for computing vertex normals from facet normals, 1999; exact where the
+// points lie on a sphere).
+static void corner_weight(const struct smoothing *smoothing, uint32_t corner, double weighted[3])
+{
+    const uint32_t *indices = smoothing->mesh->indices;
+    const uint32_t first = corner / 3 * 3;
+    const float *here = smoothing->mesh->positions[indices[corner]];
+    double a[3], b[3];
+    subtract(smoothing->mesh->positions[indices[first + (corner + 1) % 3]], here, a);
+    subtract(smoothing->mesh->positions[indices[first + (corner + 2) % 3]], here, b);
+    const double a_length = __builtin_sqrt(dot(a, a)), b_length = __builtin_sqrt(dot(b, b));
+    unit(a);
+    unit(b);
+    cross(a, b, weighted);
+    const double scale = a_length > 0 && b_length > 0 ? 1 / a_length / b_length : 0;
+    for (int c = 0; c < 3; c++)
+        weighted[c] *= scale;
+}
+
+// The new vertex with this source and normal among those made since `first`.
+static uint32_t find_or_add(struct smoothing *smoothing, uint32_t first, uint32_t source, const float normal[3])
+{
+    for (uint32_t i = first; i < smoothing->count; i++)
+        if (smoothing->source[i] == source && memcmp(smoothing->normals[i], normal, sizeof smoothing->normals[i]) == 0)
+            return i;
+    smoothing->source[smoothing->count] = source;
+    memcpy(smoothing->normals[smoothing->count], normal, sizeof smoothing->normals[0]);
+    return smoothing->count++;
+}
+
+// Gives the corners around one point their new vertices in `place`.
+static void smooth_point(struct smoothing *smoothing, const uint32_t *corners, uint32_t count, uint32_t *place)
+{
+    double weights[MOST_FACES][3];
+    const double (*faces)[3] = smoothing->faces;
+    const uint32_t first = smoothing->count;
+    double sum[3] = {0, 0, 0};
+    for (uint32_t i = 0; i < count; i++) {
+        double weight[3];
+        corner_weight(smoothing, corners[i], weight);
+        for (int c = 0; c < 3; c++)
+            sum[c] += weight[c];
+        if (count <= MOST_FACES)
+            memcpy(weights[i], weight, sizeof weight);
+    }
+    double axis[3] = {sum[0], sum[1], sum[2]};
+    unit(axis);
+    // All faces within 30° of one axis are within 60° of each other: the common case needs no pairs.
+    bool even = true;
+    for (uint32_t i = 0; i < count && even; i++)
+        even = dot(axis, faces[corners[i] / 3]) >= 0.8660254037844387;
+    for (uint32_t i = 0; i < count; i++) {
+        const double *mine = faces[corners[i] / 3];
+        double total[3] = {sum[0], sum[1], sum[2]};
+        if (!even && count <= MOST_FACES && dot(mine, mine) > 0) {
+            memset(total, 0, sizeof total);
+            for (uint32_t k = 0; k < count; k++)
+                if (dot(mine, faces[corners[k] / 3]) >= crease_cosine)
+                    for (int c = 0; c < 3; c++)
+                        total[c] += weights[k][c];
+        }
+        float normal[3];
+        to_normal(total, normal);
+        place[corners[i]] = find_or_add(smoothing, first, smoothing->mesh->indices[corners[i]], normal);
+    }
+}
+
+// Sorts corners by the point they stand at (counting sort).
+static void sort_corners(struct rhw_import *import, struct smoothing *smoothing)
+{
+    const struct rhw_mesh *mesh = smoothing->mesh;
+    uint32_t *group = rhw_import_weld_positions(import, mesh);
+    smoothing->start = rhw_import_allocate(import, (size_t)mesh->vertex_count + 2, sizeof *smoothing->start);
+    smoothing->corners = rhw_import_allocate(import, mesh->index_count, sizeof *smoothing->corners);
+    uint32_t *next = smoothing->start + 1;
+    for (uint32_t i = 0; i < mesh->index_count; i++)
+        next[group[mesh->indices[i]] + 1]++;
+    for (uint32_t i = 0; i < mesh->vertex_count; i++)
+        next[i + 1] += next[i];
+    for (uint32_t i = 0; i < mesh->index_count; i++)
+        smoothing->corners[next[group[mesh->indices[i]]]++] = i;
+    free(group);
+}
+
+static void make_smooth(struct rhw_import *import, struct rhw_mesh *mesh)
+{
+    struct smoothing smoothing = {.mesh = mesh};
+    double(*faces)[3] = rhw_import_allocate(import, mesh->index_count / 3, sizeof *faces);
+    for (uint32_t i = 0; i < mesh->index_count; i += 3)
+        face_normal(mesh, i, faces[i / 3]);
+    smoothing.faces = (const double(*)[3])faces;
+    sort_corners(import, &smoothing);
+    smoothing.source = rhw_import_allocate(import, mesh->index_count, sizeof *smoothing.source);
+    smoothing.normals = rhw_import_allocate(import, mesh->index_count, sizeof *smoothing.normals);
+    uint32_t *place = rhw_import_allocate(import, mesh->index_count, sizeof *place);
+    for (uint32_t point = 0; point < mesh->vertex_count; point++) {
+        const uint32_t first = smoothing.start[point], end = smoothing.start[point + 1];
+        smooth_point(&smoothing, smoothing.corners + first, end - first, place);
+    }
+    rhw_import_gather_vertices(import, mesh, smoothing.source, smoothing.count);
+    mesh->normals = smoothing.normals;
+    free(mesh->indices);
+    mesh->indices = place;
+    free(faces);
+    free(smoothing.start);
+    free(smoothing.corners);
+    free(smoothing.source);
+}
+
+void rhw_import_make_normals(struct rhw_import *import, struct rhw_mesh *mesh, enum rhw_import_normals kind)
+{
+    if (kind == RHW_IMPORT_FLAT)
+        make_flat(import, mesh);
+    else
+        make_smooth(import, mesh);
+}
+
+// Tangents ------------------------------------------------------------------------------------------
+
+// The angle whose cosine is `cosine`, in radians; error below 7e-5 (Abramowitz and Stegun 4.4.45), ample for a
+// weight, and the same on every machine.
+static double angle_of(double cosine)
+{
+    const double x = cosine < 0 ? -cosine : cosine;
+    const double clamped = x > 1 ? 1 : x;
+    const double polynomial = 1.5707288 + clamped * (-0.2121144 + clamped * (0.0742610 - 0.0187293 * clamped));
+    const double angle = __builtin_sqrt(1 - clamped) * polynomial;
+    return cosine < 0 ? 3.14159265358979324 - angle : angle;
+}
+
+static double corner_angle(const struct rhw_mesh *mesh, uint32_t corner)
+{
+    const uint32_t first = corner / 3 * 3;
+    const float *here = mesh->positions[mesh->indices[corner]];
+    double a[3], b[3];
+    subtract(mesh->positions[mesh->indices[first + (corner + 1) % 3]], here, a);
+    subtract(mesh->positions[mesh->indices[first + (corner + 2) % 3]], here, b);
+    unit(a);
+    unit(b);
+    return angle_of(dot(a, b));
+}
+
+// Direction of growing u on a triangle, and on which side growing −v lies: 1, −1, or 0 when the texture
+// coordinates span no area.
+static int face_tangent(const struct rhw_mesh *mesh, const struct rhw_texture_slot *slot, uint32_t first, double tangent[3])
+{
+    const uint32_t *corner = mesh->indices + first;
+    double edges[2][3], u[3], v[3];
+    subtract(mesh->positions[corner[1]], mesh->positions[corner[0]], edges[0]);
+    subtract(mesh->positions[corner[2]], mesh->positions[corner[0]], edges[1]);
+    for (int k = 0; k < 3; k++) {
+        const float *uv = mesh->uvs[slot->uv_set][corner[k]];
+        u[k] = (double)slot->transform[0] * (double)uv[0] + (double)slot->transform[1] * (double)uv[1];
+        v[k] = -((double)slot->transform[3] * (double)uv[0] + (double)slot->transform[4] * (double)uv[1]);
+    }
+    const double du1 = u[1] - u[0], dv1 = v[1] - v[0], du2 = u[2] - u[0], dv2 = v[2] - v[0];
+    const double area = du1 * dv2 - du2 * dv1;
+    const int side = area > 0 ? 1 : area < 0 ? -1 : 0;
+    for (int c = 0; c < 3; c++)
+        tangent[c] = (edges[0][c] * dv2 - edges[1][c] * dv1) * side;
+    unit(tangent);
+    return side;
+}
+
+// Vertices where texture coordinates that run one way meet mirrored ones are doubled, so that each has one
+// tangent frame. Sets tangents[v][3].
+static void split_mirrored(struct rhw_import *import, struct rhw_mesh *mesh, const signed char *sides)
+{
+    uint32_t *mirrored = rhw_import_allocate(import, mesh->vertex_count, sizeof *mirrored);
+    unsigned char *seen = rhw_import_allocate(import, mesh->vertex_count, 1);
+    for (uint32_t i = 0; i < mesh->index_count; i++)
+        seen[mesh->indices[i]] |= sides[i / 3] < 0 ? 2 : sides[i / 3] > 0 ? 1 : 0;
+    uint32_t count = mesh->vertex_count;
+    for (uint32_t i = 0; i < mesh->vertex_count; i++)
+        mirrored[i] = seen[i] == 3 ? count++ : i;
+    uint32_t *source = rhw_import_allocate(import, count, sizeof *source);
+    for (uint32_t i = 0; i < mesh->vertex_count; i++)
+        source[i] = source[mirrored[i]] = i;
+    for (uint32_t i = 0; i < mesh->index_count; i++)
+        if (sides[i / 3] < 0)
+            mesh->indices[i] = mirrored[mesh->indices[i]];
+    const uint32_t before = mesh->vertex_count;
+    rhw_import_gather_vertices(import, mesh, source, count);
+    mesh->tangents = rhw_import_allocate(import, count, sizeof *mesh->tangents);
+    for (uint32_t i = 0; i < count; i++)
+        mesh->tangents[i][3] = i >= before || seen[source[i]] == 2 ? -1.0f : 1.0f;
+    free(mirrored);
+    free(seen);
+    free(source);
+}
+
+static void set_tangent(const float normal[3], const double sum[3], float tangent[4])
+{
+    const double n[3] = {normal[0], normal[1], normal[2]};
+    double t[3] = {sum[0], sum[1], sum[2]};
+    const double along = dot(n, t);
+    for (int c = 0; c < 3; c++)
+        t[c] -= along * n[c];
+    if (!(dot(t, t) > 1e-12)) { // no direction in it: any that is at right angles to the normal
+        const double x[3] = {1, 0, 0}, y[3] = {0, 1, 0};
+        cross(n, n[0] * n[0] < 0.5 ? x : y, t);
+    }
+    unit(t);
+    for (int c = 0; c < 3; c++)
+        tangent[c] = (float)t[c];
+}
+
+void rhw_import_make_tangents(struct rhw_import *import, struct rhw_mesh *mesh, const struct rhw_texture_slot *slot)
+{
+    const uint32_t triangles = mesh->index_count / 3;
+    double(*faces)[3] = rhw_import_allocate(import, triangles, sizeof *faces);
+    signed char *sides = rhw_import_allocate(import, triangles, 1);
+    for (uint32_t i = 0; i < triangles; i++)
+        sides[i] = (signed char)face_tangent(mesh, slot, 3 * i, faces[i]);
+    split_mirrored(import, mesh, sides);
+    double(*sums)[3] = rhw_import_allocate(import, mesh->vertex_count, sizeof *sums);
+    for (uint32_t i = 0; i < mesh->index_count; i++) {
+        // As MikkTSpace does: the face's tangent in the vertex's own plane, weighted by the corner's angle.
+        const float *normal = mesh->normals[mesh->indices[i]];
+        const double n[3] = {normal[0], normal[1], normal[2]};
+        const double along = dot(n, faces[i / 3]);
+        double projected[3];
+        for (int c = 0; c < 3; c++)
+            projected[c] = faces[i / 3][c] - along * n[c];
+        unit(projected);
+        const double angle = corner_angle(mesh, i);
+        for (int c = 0; c < 3; c++)
+            sums[mesh->indices[i]][c] += projected[c] * angle;
+    }
+    for (uint32_t i = 0; i < mesh->vertex_count; i++)
+        set_tangent(mesh->normals[i], sums[i], mesh->tangents[i]);
+    free(faces);
+    free(sides);
+    free(sums);
+}

@@ -1,0 +1,267 @@
+// SPDX-License-Identifier: MIT
+// Runs an import in a child process of its own and takes the finished model from it.
+//
+// Model files come from anywhere, and the libraries that read them are large: a file may make them crash,
+// hang or ask for all memory. None of that can reach the caller: the child has limits on time and memory,
+// and what comes back is bytes that are checked from end to end. They travel in an anonymous memory file,
+// which the parent maps and uses in place.
+#define _GNU_SOURCE // memfd_create
+#include <errno.h>
+#include <fcntl.h>
+#include <signal.h>
+#include <stdarg.h>
+#include <stdlib.h>
+#include <string.h>
+#include <sys/mman.h>
+#include <sys/prctl.h>
+#include <sys/resource.h>
+#include <sys/stat.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include "import.h"
+#include "import_blob.h"
+
+#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
+#define SANITIZED 1
+#elif defined(__has_feature)
+#if __has_feature(address_sanitizer) || __has_feature(thread_sanitizer) || __has_feature(memory_sanitizer)
+#define SANITIZED 1
+#endif
+#endif
+
+enum {
+    DEFAULT_SECONDS = 60,
+    WALL_FACTOR = 5, // the wall clock may run this many times longer: a loaded machine is no hang
+    EXIT_MODEL = 0,  // the output holds a model
+    EXIT_MESSAGE = 3 // the output holds one line
+};
+
+static bool sanitized(void)
+{
+#ifdef SANITIZED
+    return true;
+#else
+    return false;
+#endif
+}
+
+// Child ---------------------------------------------------------------------------------------------
+
+_Noreturn void rhw_import_fail(struct rhw_import *import, const char *format, ...)
+{
+    char line[512];
+    va_list arguments;
+    va_start(arguments, format);
+    vsnprintf(line, sizeof line, format, arguments);
+    va_end(arguments);
+    // A name from the file may hold anything; the line must stay one line.
+    for (char *c = line; *c != 0; c++)
+        if ((unsigned char)*c < 32 || *c == 127)
+            *c = '?';
+    fputs(line, import->output);
+    fflush(import->output);
+    _exit(EXIT_MESSAGE);
+}
+
+// A soft limit never above the hard one that we were started with.
+static rlim_t soft_limit(rlim_t wanted, rlim_t hard)
+{
+    return hard == RLIM_INFINITY || wanted < hard ? wanted : hard;
+}
+
+static void limit_core(void)
+{
+    const struct rlimit none = {0, 0};
+    setrlimit(RLIMIT_CORE, &none);
+}
+
+static void limit_time(unsigned seconds)
+{
+    struct rlimit limit;
+    if (getrlimit(RLIMIT_CPU, &limit) == 0) {
+        limit.rlim_cur = soft_limit(seconds, limit.rlim_max);
+        setrlimit(RLIMIT_CPU, &limit);
+    }
+    alarm(seconds * WALL_FACTOR);
+}
+
+static void limit_memory(size_t bytes)
+{
+    struct rlimit limit;
+    if (getrlimit(RLIMIT_AS, &limit) == 0) {
+        limit.rlim_cur = soft_limit(bytes, limit.rlim_max);
+        setrlimit(RLIMIT_AS, &limit);
+    }
+}
+
+static size_t default_memory(void)
+{
+    const long pages = sysconf(_SC_PHYS_PAGES), page = sysconf(_SC_PAGE_SIZE);
+    const size_t most = (size_t)16 << 30;
+    if (pages <= 0 || page <= 0)
+        return most;
+    const size_t share = (size_t)pages / 4 * 3 * (size_t)page;
+    return share < most ? share : most;
+}
+
+static void restrict_child(const struct rhw_model_limits *limits)
+{
+    const unsigned seconds = limits->seconds > 0 ? limits->seconds : DEFAULT_SECONDS;
+    prctl(PR_SET_PDEATHSIG, SIGKILL);
+    limit_core();
+    if (!sanitized()) // their shadow memory takes terabytes of address space
+        limit_memory(limits->memory > 0 ? limits->memory : default_memory());
+    sigset_t none;
+    sigemptyset(&none);
+    sigprocmask(SIG_SETMASK, &none, NULL);
+    static const int deadly[] = {SIGXCPU, SIGALRM, SIGABRT, SIGTERM, SIGINT};
+    for (size_t i = 0; i < sizeof deadly / sizeof deadly[0]; i++)
+        signal(deadly[i], SIG_DFL);
+    limit_time(seconds);
+}
+
+// What the libraries print is not part of our one line. Under a sanitizer its report must be seen.
+static void silence(void)
+{
+    const int null = open("/dev/null", O_RDWR | O_CLOEXEC);
+    if (null < 0)
+        return;
+    dup2(null, STDIN_FILENO);
+    dup2(null, STDOUT_FILENO);
+    if (!sanitized())
+        dup2(null, STDERR_FILENO);
+}
+
+_Noreturn static void run_child(const char *path, const struct rhw_model_limits *limits, int descriptor)
+{
+    struct rhw_import import = {.model.path = path, .output = fdopen(descriptor, "wb")};
+    if (import.output == NULL)
+        abort();
+    restrict_child(limits);
+    silence();
+    rhw_import_run(&import);
+    if (!rhw_blob_write(&import.model, import.output)) {
+        rewind(import.output);
+        if (ftruncate(descriptor, 0) != 0)
+            abort();
+        rhw_import_fail(&import, "there is not enough memory for the model");
+    }
+    _exit(EXIT_MODEL);
+}
+
+// Parent --------------------------------------------------------------------------------------------
+
+static bool refuse(char *error, size_t error_size, const char *format, ...)
+    __attribute__((format(printf, 3, 4)));
+
+static bool refuse(char *error, size_t error_size, const char *format, ...)
+{
+    va_list arguments;
+    va_start(arguments, format);
+    vsnprintf(error, error_size, format, arguments);
+    va_end(arguments);
+    return false;
+}
+
+static bool file_acceptable(const char *path, char *error, size_t error_size)
+{
+    struct stat status;
+    if (stat(path, &status) != 0)
+        return refuse(error, error_size, "cannot be opened: %s", strerror(errno));
+    if (S_ISDIR(status.st_mode))
+        return refuse(error, error_size, "is a directory");
+    if (!S_ISREG(status.st_mode))
+        return refuse(error, error_size, "is not a regular file");
+    if (status.st_size == 0)
+        return refuse(error, error_size, "the file is empty");
+    if (access(path, R_OK) != 0)
+        return refuse(error, error_size, "cannot be opened: %s", strerror(errno));
+    return true;
+}
+
+// Whether the child said that it finished; else `error` says how it ended.
+static bool child_finished(int status, int descriptor, const struct rhw_model_limits *limits, char *error,
+                           size_t error_size)
+{
+    if (WIFEXITED(status) && WEXITSTATUS(status) == EXIT_MODEL)
+        return true;
+    if (WIFEXITED(status) && WEXITSTATUS(status) == EXIT_MESSAGE) {
+        char line[512];
+        const ssize_t length = pread(descriptor, line, sizeof line - 1, 0);
+        line[length > 0 ? length : 0] = 0;
+        return refuse(error, error_size, "%s", line[0] != 0 ? line : "import failed");
+    }
+    const unsigned seconds = limits->seconds > 0 ? limits->seconds : DEFAULT_SECONDS;
+    if (WIFSIGNALED(status)) {
+        const int number = WTERMSIG(status);
+        if (number == SIGXCPU)
+            return refuse(error, error_size, "import took more than %u s of processor time", seconds);
+        if (number == SIGALRM)
+            return refuse(error, error_size, "import took more than %u s", seconds * WALL_FACTOR);
+        if (number == SIGKILL)
+            return refuse(error, error_size, "import was killed (signal 9), perhaps for want of memory");
+        return refuse(error, error_size, "import crashed (signal %d)", number);
+    }
+    return refuse(error, error_size, "import crashed (exit status %d)", WEXITSTATUS(status));
+}
+
+static struct rhw_model *map_model(int descriptor, char *error, size_t error_size)
+{
+    struct stat status;
+    if (fstat(descriptor, &status) != 0 || status.st_size < (off_t)sizeof(struct rhw_model)) {
+        refuse(error, error_size, "import sent no model");
+        return NULL;
+    }
+    const size_t size = (size_t)status.st_size;
+    void *mapping = mmap(NULL, size, PROT_READ | PROT_WRITE, MAP_PRIVATE, descriptor, 0);
+    if (mapping == MAP_FAILED) {
+        refuse(error, error_size, "there is not enough memory for the model");
+        return NULL;
+    }
+    struct rhw_model *model = rhw_blob_read(mapping, size);
+    if (model == NULL) {
+        munmap(mapping, size);
+        refuse(error, error_size, "import sent a damaged model");
+        return NULL;
+    }
+    model->size = size;
+    return model;
+}
+
+struct rhw_model *rhw_model_load(const char *path, const struct rhw_model_limits *limits, char *error,
+                                 size_t error_size)
+{
+    static const struct rhw_model_limits defaults = {0};
+    if (limits == NULL)
+        limits = &defaults;
+    if (!file_acceptable(path, error, error_size))
+        return NULL;
+    const int descriptor = memfd_create("rhw-model", MFD_CLOEXEC);
+    if (descriptor < 0) {
+        refuse(error, error_size, "import could not start: %s", strerror(errno));
+        return NULL;
+    }
+    const pid_t child = fork();
+    if (child == 0)
+        run_child(path, limits, descriptor);
+    int status = 0;
+    pid_t waited = child;
+    if (child > 0)
+        do
+            waited = waitpid(child, &status, 0);
+        while (waited < 0 && errno == EINTR);
+    struct rhw_model *model = NULL;
+    if (waited < 0)
+        refuse(error, error_size, "import could not start: %s", strerror(errno));
+    else if (child_finished(status, descriptor, limits, error, error_size))
+        model = map_model(descriptor, error, error_size);
+    close(descriptor);
+    return model;
+}
+
+void rhw_model_free(struct rhw_model *model)
+{
+    if (model != NULL)
+        munmap(model, model->size); // the model stands at the start of its mapping
+}

@@ -1,0 +1,329 @@
+// SPDX-License-Identifier: MIT
+// Textures of a model: finding the file that a name means, decoding all images side by side, and the two
+// conversions that other shading models than glTF's need: opacity maps and height maps.
+#include <dirent.h>
+#include <pthread.h>
+#include <stdatomic.h>
+#include <stdlib.h>
+#include <string.h>
+#include <strings.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include "image_read.h"
+#include "import.h"
+
+// Finding files -------------------------------------------------------------------------------------
+
+static bool is_file(const char *path)
+{
+    struct stat status;
+    return stat(path, &status) == 0 && S_ISREG(status.st_mode);
+}
+
+static int hex_digit(char c)
+{
+    return c >= '0' && c <= '9' ? c - '0' : c >= 'a' && c <= 'f' ? c - 'a' + 10 : c >= 'A' && c <= 'F' ? c - 'A' + 10 : -1;
+}
+
+static void decode_percent(char *text)
+{
+    char *out = text;
+    for (const char *in = text; *in != 0; out++) {
+        const int high = in[0] == '%' ? hex_digit(in[1]) : -1, low = high >= 0 ? hex_digit(in[2]) : -1;
+        *out = low > 0 || high > 0 ? (char)(high * 16 + low) : *in;
+        in += low > 0 || high > 0 ? 3 : 1;
+    }
+    *out = 0;
+}
+
+static char *join(struct rhw_import *import, const char *directory, const char *name)
+{
+    const size_t length = strlen(directory) + strlen(name) + 1;
+    char *path = rhw_import_allocate(import, length, 1);
+    snprintf(path, length, "%s%s", directory, name);
+    return path;
+}
+
+// Replaces the last component of `path` by an entry of its directory that differs in case alone.
+static bool match_case(char *path, const char *component)
+{
+    const size_t length = strlen(component);
+    path[component - path - 1] = 0;
+    DIR *directory = opendir(component - 1 == path ? "/" : path);
+    path[component - path - 1] = '/';
+    if (directory == NULL)
+        return false;
+    bool found = false;
+    for (const struct dirent *entry = readdir(directory); entry != NULL && !found; entry = readdir(directory))
+        if (strlen(entry->d_name) == length && strcasecmp(entry->d_name, component) == 0) {
+            memcpy(path + (component - path), entry->d_name, length);
+            found = true;
+        }
+    closedir(directory);
+    return found;
+}
+
+// `path` or what differs from it in the case of its components, from the directory of the model on.
+static bool exists_in_some_case(char *path, size_t known)
+{
+    if (is_file(path))
+        return true;
+    for (char *component = path + known; component != NULL && *component != 0;) {
+        char *slash = strchr(component, '/');
+        if (slash != NULL)
+            *slash = 0;
+        const bool dots = strcmp(component, ".") == 0 || strcmp(component, "..") == 0 || *component == 0;
+        const bool there = dots || access(path, F_OK) == 0 || match_case(path, component);
+        if (slash != NULL)
+            *slash = '/';
+        if (!there)
+            return false;
+        component = slash == NULL ? NULL : slash + 1;
+    }
+    return is_file(path);
+}
+
+const char *rhw_import_find_file(struct rhw_import *import, const char *name)
+{
+    if (strncmp(name, "file://", 7) == 0)
+        name += 7;
+    const char *directory = import->directory[0] != 0 ? import->directory : "./";
+    char *plain = join(import, "", name), *decoded = join(import, "", name);
+    decode_percent(decoded);
+    for (int round = 0; round < 2; round++) {
+        char *const names[] = {plain, decoded};
+        for (int i = 0; i < 2; i++) {
+            char *path = names[i][0] == '/' ? names[i] : join(import, directory, names[i]);
+            if (is_file(path))
+                return path;
+        }
+        for (int i = 0; i < 2; i++)
+            for (char *c = names[i]; *c != 0; c++)
+                *c = *c == '\\' ? '/' : *c;
+    }
+    char *path = join(import, directory, decoded);
+    if (exists_in_some_case(path, strlen(directory)))
+        return path;
+    // Paths of the machine that the model was made on: what stands beside the model is meant.
+    const char *slash = strrchr(decoded, '/');
+    path = join(import, directory, slash == NULL ? decoded : slash + 1);
+    return exists_in_some_case(path, strlen(directory)) ? path : NULL;
+}
+
+// Decoding ------------------------------------------------------------------------------------------
+
+struct decoding {
+    struct rhw_import *import;
+    const char **problems; // per image; written by the thread that took the image
+    atomic_uint next;      // the next image that nobody has taken
+};
+
+static const char *decode_image(struct rhw_import *import, uint32_t index)
+{
+    struct rhw_image *image = &import->model.images[index];
+    const struct rhw_import_source *source = &import->sources[index];
+    const char *problem = source->problem != NULL ? source->problem : "is not there";
+    if (source->raw_width > 0) {
+        image->type = RHW_IMAGE_RGBA8;
+        image->width = source->raw_width;
+        image->height = source->raw_height;
+        image->size = source->size;
+        image->texels = (void *)source->bytes;
+        rhw_image_find_alpha(image);
+        return NULL;
+    }
+    if (source->bytes != NULL)
+        return rhw_image_decode(source->bytes, source->size, image);
+    if (source->file == NULL)
+        return problem;
+    size_t size = 0;
+    void *bytes = rhw_import_read_file(import, source->file, &size, &problem);
+    if (bytes == NULL)
+        return problem;
+    problem = rhw_image_decode(bytes, size, image);
+    free(bytes);
+    return problem;
+}
+
+static void *decode_some(void *argument)
+{
+    struct decoding *decoding = argument;
+    for (;;) {
+        const uint32_t index = atomic_fetch_add(&decoding->next, 1);
+        if (index >= decoding->import->model.image_count)
+            return NULL;
+        decoding->problems[index] = decode_image(decoding->import, index);
+    }
+}
+
+// Threads beside this one. ThreadSanitizer allows none in the child of a process that had some.
+static int helper_count(uint32_t images)
+{
+    enum { MOST = 7 };
+#ifdef __SANITIZE_THREAD__
+    return 0;
+#elif defined(__has_feature)
+#if __has_feature(thread_sanitizer)
+    return 0;
+#endif
+#endif
+    const long processors = sysconf(_SC_NPROCESSORS_ONLN);
+    long count = processors - 1 < (long)images - 1 ? processors - 1 : (long)images - 1;
+    count = count > MOST ? MOST : count;
+    return count > 0 ? (int)count : 0;
+}
+
+// Conversions ---------------------------------------------------------------------------------------
+
+static bool make_rgba8(struct rhw_import *import, struct rhw_image *image)
+{
+    if (image->type != RHW_IMAGE_RGBA16)
+        return image->type == RHW_IMAGE_RGBA8;
+    const size_t values = (size_t)image->width * image->height * 4;
+    const uint16_t *wide = image->texels;
+    uint8_t *narrow = rhw_import_allocate(import, values, 1);
+    for (size_t i = 0; i < values; i++)
+        narrow[i] = (uint8_t)((wide[i] * 255u + 32767u) / 65535u);
+    free(image->texels);
+    image->texels = narrow;
+    image->size = values;
+    image->type = RHW_IMAGE_RGBA8;
+    return true;
+}
+
+// Alpha := the opacity map at the nearest texel: its own alpha if it has one, else its brightness.
+static void apply_opacity(struct rhw_import *import, struct rhw_image *image, struct rhw_image *opacity, bool white)
+{
+    if (opacity->missing || !make_rgba8(import, image) || !make_rgba8(import, opacity))
+        return;
+    const bool alpha = opacity->has_alpha;
+    uint8_t *texels = image->texels;
+    const uint8_t *map = opacity->texels;
+    for (uint32_t y = 0; y < image->height; y++)
+        for (uint32_t x = 0; x < image->width; x++) {
+            const size_t column = (size_t)x * opacity->width / image->width;
+            const size_t row = (size_t)y * opacity->height / image->height;
+            const uint8_t *texel = map + (row * opacity->width + column) * 4;
+            const int brightness = (texel[0] + texel[1] + texel[2]) / 3;
+            uint8_t *target = texels + ((size_t)y * image->width + x) * 4;
+            target[3] = alpha ? texel[3] : (uint8_t)brightness;
+            if (white)
+                memset(target, UINT8_MAX, 3);
+        }
+    rhw_image_find_alpha(image);
+}
+
+static bool is_grey(const struct rhw_image *image)
+{
+    enum { TOLERANCE = 8 }; // of 255; JPEG does not keep grey exactly
+    const uint8_t *texels = image->texels;
+    const size_t count = (size_t)image->width * image->height;
+    for (size_t i = 0; i < count; i++) {
+        const int red = texels[4 * i], green = texels[4 * i + 1], blue = texels[4 * i + 2];
+        if (abs(red - green) > TOLERANCE || abs(green - blue) > TOLERANCE)
+            return false;
+    }
+    return true;
+}
+
+// Normals of a height field: central differences, the whole range of heights as high as 4 texels are wide.
+static void height_to_normals(struct rhw_import *import, struct rhw_image *image)
+{
+    if (image->missing || !make_rgba8(import, image) || !is_grey(image))
+        return;
+    const float scale = 4.0f / 255 / 2;
+    const uint32_t width = image->width, height = image->height;
+    const uint8_t *heights = image->texels;
+    uint8_t *normals = rhw_import_allocate(import, image->size, 1);
+    for (uint32_t y = 0; y < height; y++)
+        for (uint32_t x = 0; x < width; x++) {
+            const size_t row = (size_t)y * width;
+            const int left = heights[(row + (x + width - 1) % width) * 4];
+            const int right = heights[(row + (x + 1) % width) * 4];
+            const int above = heights[((size_t)((y + height - 1) % height) * width + x) * 4];
+            const int below = heights[((size_t)((y + 1) % height) * width + x) * 4];
+            const float dx = (float)(left - right) * scale, dy = (float)(below - above) * scale;
+            const float length = __builtin_sqrtf(dx * dx + dy * dy + 1);
+            const float normal[3] = {dx / length, dy / length, 1 / length};
+            for (int c = 0; c < 3; c++)
+                normals[(row + x) * 4 + (size_t)c] = (uint8_t)(normal[c] * 127.5f + 128.0f);
+            normals[(row + x) * 4 + 3] = UINT8_MAX;
+        }
+    free(image->texels);
+    image->texels = normals;
+    image->has_alpha = false;
+}
+
+// Whether nearly all texels are either there or not, as in the cut-out leaves of a tree.
+static bool is_cut_out(const struct rhw_image *image)
+{
+    const uint8_t *alpha = (const uint8_t *)image->texels + 3;
+    const size_t count = (size_t)image->width * image->height;
+    size_t between = 0;
+    for (size_t i = 0; i < count; i++)
+        between += alpha[4 * i] > 16 && alpha[4 * i] < 239;
+    return image->type == RHW_IMAGE_RGBA8 && between <= count / 10;
+}
+
+// Materials with an opacity map: a cut-out needs no sorting by distance, which blending does.
+static void choose_alpha_modes(struct rhw_import *import)
+{
+    for (uint32_t i = 0; i < import->model.material_count; i++) {
+        struct rhw_material *material = &import->model.materials[i];
+        const int32_t image = material->slots[RHW_SLOT_BASE_COLOR].image;
+        if (image < 0 || import->sources[image].opacity_image < 0 || material->base_color[3] < 1)
+            continue;
+        if (!import->model.images[image].has_alpha)
+            material->alpha_mode = RHW_ALPHA_OPAQUE;
+        else if (is_cut_out(&import->model.images[image]))
+            material->alpha_mode = RHW_ALPHA_MASK;
+    }
+}
+
+// A stand-in is for colours to show that something is missing; as a normal or a roughness it would lie.
+static void drop_missing_data(struct rhw_model *model)
+{
+    for (uint32_t i = 0; i < model->material_count; i++)
+        for (int k = 0; k < RHW_SLOT_COUNT; k++) {
+            struct rhw_material *material = &model->materials[i];
+            struct rhw_texture_slot *slot = &material->slots[k];
+            if (k == RHW_SLOT_BASE_COLOR || slot->image < 0 || !model->images[slot->image].missing)
+                continue;
+            slot->image = -1;
+            if (k == RHW_SLOT_EMISSIVE)
+                material->emissive[0] = material->emissive[1] = material->emissive[2] = 0;
+        }
+}
+
+void rhw_import_decode_images(struct rhw_import *import)
+{
+    enum { MOST_HELPERS = 8 };
+    struct rhw_model *model = &import->model;
+    struct decoding decoding = {import, NULL, 0};
+    decoding.problems = rhw_import_allocate(import, model->image_count, sizeof *decoding.problems);
+    pthread_t helpers[MOST_HELPERS];
+    const int wanted = helper_count(model->image_count);
+    int started = 0;
+    while (started < wanted && pthread_create(&helpers[started], NULL, decode_some, &decoding) == 0)
+        started++;
+    decode_some(&decoding);
+    for (int i = 0; i < started; i++)
+        pthread_join(helpers[i], NULL);
+    for (uint32_t i = 0; i < model->image_count; i++) {
+        if (decoding.problems[i] == NULL)
+            continue;
+        rhw_import_warn(import, "texture \"%s\": %s", model->images[i].name, decoding.problems[i]);
+        if (!rhw_image_stand_in(&model->images[i]))
+            rhw_import_fail(import, "needs more memory than there is");
+    }
+    for (uint32_t i = 0; i < model->image_count; i++) {
+        if (import->sources[i].opacity_image >= 0)
+            apply_opacity(import, &model->images[i], &model->images[import->sources[i].opacity_image],
+                          import->sources[i].white);
+        if (import->sources[i].height)
+            height_to_normals(import, &model->images[i]);
+    }
+    choose_alpha_modes(import);
+    drop_missing_data(model);
+}
