@@ -1,0 +1,38 @@
+# SPDX-License-Identifier: MIT
+# cmake -D SOURCE=FILE -D PAGES=A;B -P quotes.cmake: every C block of the pages is a verbatim part of the
+# source, and every page has one. So what the pages show is what is compiled and run.
+cmake_policy(SET CMP0007 NEW)
+
+# Bytes that mean something in a CMake list are taken out of both sides alike.
+function(read_plain path result)
+  file(READ "${path}" text)
+  string(REPLACE ";" "<semicolon>" text "${text}")
+  string(REPLACE "[" "<open>" text "${text}")
+  string(REPLACE "]" "<close>" text "${text}")
+  set(${result} "${text}" PARENT_SCOPE)
+endfunction()
+
+read_plain("${SOURCE}" source)
+foreach(page ${PAGES})
+  read_plain("${page}" text)
+  set(found 0)
+  while(TRUE)
+    string(FIND "${text}" "```c\n" start)
+    if(start EQUAL -1)
+      break()
+    endif()
+    math(EXPR start "${start} + 5")
+    string(SUBSTRING "${text}" ${start} -1 text)
+    string(FIND "${text}" "```" end)
+    string(SUBSTRING "${text}" 0 ${end} block)
+    string(SUBSTRING "${text}" ${end} -1 text)
+    string(FIND "${source}" "${block}" place)
+    if(place EQUAL -1)
+      message(FATAL_ERROR "${page}: this block is no part of ${SOURCE}:\n${block}")
+    endif()
+    math(EXPR found "${found} + 1")
+  endwhile()
+  if(found EQUAL 0)
+    message(FATAL_ERROR "${page}: no C block found")
+  endif()
+endforeach()
