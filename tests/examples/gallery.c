@@ -80,7 +80,8 @@ int main(int argc, char **argv)
         fprintf(stderr, "usage: gallery COMMITTED DRAWN\n");
         return 2;
     }
-    const int status = read_image(argv[1], &committed) && read_image(argv[2], &drawn) ? compare(&committed, &drawn) : 1;
+    const bool good = read_image(argv[1], &committed) && read_image(argv[2], &drawn);
+    const int status = good ? compare(&committed, &drawn) : 1;
     free(committed.rgb);
     free(drawn.rgb);
     return status;

@@ -17,9 +17,9 @@ static void draw_floats(void)
     rhw_context_destroy(context);
 }
 
-// The camera written down a second time: at distance 1.5·√2 from the origin, looking along (0, −1, −1)/√2. The
-// float products of the lesson's matrix differ from this by rounding, which may move a vertex by a snapping
-// step; so the clip coordinates come from the lesson and are only checked here.
+// The camera written down a second time: at distance 1.5·√2 from the origin, looking along (0, −1, −1)/√2.
+// The float products of the lesson's matrix differ from this by rounding, which may move a vertex by a
+// snapping step; so the clip coordinates come from the lesson and are only checked here.
 static void clip_coordinates(float clip[6][4])
 {
     rhw_float attributes[2][4], varyings[4];
@@ -105,7 +105,8 @@ static void inverse_matrix(void **state)
 {
     (void)state;
     const struct rhw_viewport panel = panel_viewport(PIPELINE, 1);
-    const struct matrix view = view_matrix(), projection = projection_matrix(), viewport = viewport_matrix(&panel);
+    const struct matrix view = view_matrix(), projection = projection_matrix();
+    const struct matrix viewport = viewport_matrix(&panel);
     const struct matrix clip = multiply(&projection, &view), screen = multiply(&viewport, &clip);
     const struct matrix inverse = invert(screen);
     const struct matrix identity = multiply(&screen, &inverse);
