@@ -174,7 +174,7 @@ struct fit {
     double tan_x, tan_y;
     double x_plus, x_minus; // max of x + tan_x z, min of x − tan_x z
     double y_plus, y_minus;
-    double z_max;
+    double z_min, z_max;
     uint64_t count;
 };
 
@@ -186,6 +186,7 @@ static void fit_vertex(struct fit *fit, const double p[3])
     fit->x_minus = values[1] < fit->x_minus ? values[1] : fit->x_minus;
     fit->y_plus = values[2] > fit->y_plus ? values[2] : fit->y_plus;
     fit->y_minus = values[3] < fit->y_minus ? values[3] : fit->y_minus;
+    fit->z_min = p[2] < fit->z_min ? p[2] : fit->z_min;
     fit->z_max = p[2] > fit->z_max ? p[2] : fit->z_max;
     fit->count++;
 }
@@ -275,6 +276,7 @@ struct rhw_camera rhw_camera_fit(const struct rhw_model *model, struct rhw_orbit
                       .x_minus = DBL_MAX,
                       .y_plus = -DBL_MAX,
                       .y_minus = DBL_MAX,
+                      .z_min = DBL_MAX,
                       .z_max = -DBL_MAX};
     fit_model(model, axes, &fit);
     double place[3] = {0.0, 0.0, 4.0}, distance = 4.0; // in camera axes
@@ -286,15 +288,18 @@ struct rhw_camera rhw_camera_fit(const struct rhw_model *model, struct rhw_orbit
         place[0] = 0.5 * (fit.x_plus + fit.x_minus);
         place[1] = 0.5 * (fit.y_plus + fit.y_minus);
         place[2] = z_x > z_y ? z_x : z_y;
-        distance = place[2] - fit.z_max;
-        // A single point, or a line seen end on, has no size: step back far enough for floats to tell.
+        // All of a long model may lie in the picture as seen from its own near end: stay off by a fifth of its
+        // length. A single point has no length: step back far enough for floats to tell.
         double scale = 0.0;
         for (int i = 0; i < 3; i++) {
             const double magnitude = place[i] < 0.0 ? -place[i] : place[i];
             scale = magnitude > scale ? magnitude : scale;
         }
-        if (distance <= 1e-5 * scale || distance <= 1e-30) {
-            distance = scale > 0.0 ? 0.1 * scale : 4.0;
+        const double length = fit.z_max - fit.z_min;
+        const double least = length > 1e-5 * scale ? 0.2 * length : scale > 0.0 ? 0.1 * scale : 4.0;
+        distance = place[2] - fit.z_max;
+        if (distance < least && (length > 1e-5 * scale || distance <= 1e-5 * scale)) {
+            distance = least;
             place[2] = fit.z_max + distance;
         }
     }

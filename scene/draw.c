@@ -21,7 +21,7 @@
 enum {
     BAND_BYTES = 1 << 28,
     BAND_ROWS = 64, // bands are cut at multiples: tiles stay whole
-    TARGET_COUNT = RHW_DATA_OUTPUTS + 4
+    TARGET_COUNT = RHW_DATA_OUTPUTS + 5
 };
 
 // sRGB codes of the default background, top and bottom.
@@ -43,7 +43,7 @@ struct rhw_scene {
 };
 
 // Which of rhw_scene.targets is what.
-enum { TARGET_SAMPLES, TARGET_LINEAR_SAMPLES, TARGET_COLOR, TARGET_LINEAR, TARGET_DATA };
+enum { TARGET_SAMPLES, TARGET_LINEAR_SAMPLES, TARGET_COLOR, TARGET_LINEAR, TARGET_DISPLAY, TARGET_DATA };
 
 // The data outputs, by enum rhw_data_output.
 static const struct {
@@ -138,6 +138,7 @@ void rhw_pictures_free(struct rhw_pictures *pictures)
 {
     free(pictures->color);
     free(pictures->linear);
+    free(pictures->display);
     free(pictures->depth);
     free(pictures->distance);
     free(pictures->normal);
@@ -269,7 +270,7 @@ static void set_frame_samples(struct draw *draw, int side)
     draw->frame.samples = (float)side;
     draw->frame.pixel[0] = (float)(2.0 / ((double)draw->view->width * side));
     draw->frame.pixel[1] = (float)(2.0 / ((double)draw->view->height * side));
-    draw->frame.line_half_width = 0.6f * (float)side;
+    draw->frame.line_half_width = 0.65f * (float)side;
 }
 
 // The viewport of the whole picture, moved so that the band's first row is the target's.
@@ -362,6 +363,12 @@ static enum rhw_result draw_samples(struct draw *draw, const enum rhw_format for
     }
     struct rhw_stats stats = {0};
     result = end_pass(draw, pass, result, &stats);
+    if (screen.generation && result == RHW_OK) { // the background is no part of the model
+        stats.draws--;
+        stats.vertices_shaded -= 3;
+        stats.triangles_in--;
+        stats.triangles_rasterized--;
+    }
     add_stats(&draw->stats.pipeline, &stats);
     if (screen.generation) {
         rhw_pipeline_destroy(context, screen);
@@ -409,40 +416,53 @@ static void read_band(struct draw *draw, int target, void *picture)
                      (unsigned char *)picture + (size_t)draw->first_row * row, row);
 }
 
+// Reads the band of a picture, from the samples where one is the whole pixel.
+static enum rhw_result finish_band(struct draw *draw, int samples, int resolved, enum rhw_format format,
+                                   bool straight_alpha, void *picture)
+{
+    const double start = milliseconds();
+    const struct target *source = &draw->scene->targets[samples];
+    const bool needed = draw->side > 1 || straight_alpha || source->format != format;
+    const enum rhw_result result = needed ? resolve(draw, samples, resolved, format, straight_alpha) : RHW_OK;
+    const double read = milliseconds();
+    if (result == RHW_OK) {
+        read_band(draw, needed ? resolved : samples, picture);
+    }
+    draw->stats.resolve_ms += read - start;
+    draw->stats.read_ms += milliseconds() - read;
+    return result;
+}
+
 static enum rhw_result draw_color_band(struct draw *draw)
 {
-    const bool linear = (draw->view->outputs & RHW_OUTPUT_LINEAR) != 0;
+    struct rhw_pictures *pictures = draw->pictures;
     const bool transparent = draw->view->background == RHW_BACKGROUND_TRANSPARENT;
     // Premultiplied colours of a transparent picture are divided by alpha later: 8 bits would not do.
-    const enum rhw_format formats[2] = {transparent ? RHW_FORMAT_RGBA16_FLOAT : RHW_FORMAT_RGBA8_SRGB,
+    const enum rhw_format formats[2] = {pictures->display ? RHW_FORMAT_RGBA32_FLOAT
+                                        : transparent     ? RHW_FORMAT_RGBA16_FLOAT
+                                                          : RHW_FORMAT_RGBA8_SRGB,
                                         RHW_FORMAT_RGBA32_FLOAT};
     const int width = draw->view->width * draw->side, height = draw->band_rows * draw->side;
     const double start = milliseconds();
     enum rhw_result result = get_target(draw->scene, TARGET_SAMPLES, formats[0], width, height);
-    if (result == RHW_OK && linear) {
+    if (result == RHW_OK && pictures->linear) {
         result = get_target(draw->scene, TARGET_LINEAR_SAMPLES, formats[1], width, height);
     }
     if (result == RHW_OK) {
-        result = draw_samples(draw, formats, linear ? 2 : 1);
+        result = draw_samples(draw, formats, pictures->linear ? 2 : 1);
     }
-    const double drawn = milliseconds();
-    const bool resolve_color = draw->side > 1 || transparent;
-    if (result == RHW_OK && resolve_color) {
-        result = resolve(draw, TARGET_SAMPLES, TARGET_COLOR, RHW_FORMAT_RGBA8_SRGB, transparent);
+    draw->stats.color_ms += milliseconds() - start;
+    if (result == RHW_OK && pictures->color) {
+        result = finish_band(draw, TARGET_SAMPLES, TARGET_COLOR, RHW_FORMAT_RGBA8_SRGB, transparent, pictures->color);
     }
-    if (result == RHW_OK && linear && draw->side > 1) {
-        result = resolve(draw, TARGET_LINEAR_SAMPLES, TARGET_LINEAR, RHW_FORMAT_RGBA32_FLOAT, false);
+    if (result == RHW_OK && pictures->display) {
+        result = finish_band(draw, TARGET_SAMPLES, TARGET_DISPLAY, RHW_FORMAT_RGBA32_FLOAT, transparent,
+                             pictures->display);
     }
-    const double resolved = milliseconds();
-    if (result == RHW_OK && draw->pictures->color) {
-        read_band(draw, resolve_color ? TARGET_COLOR : TARGET_SAMPLES, draw->pictures->color);
+    if (result == RHW_OK && pictures->linear) {
+        result = finish_band(draw, TARGET_LINEAR_SAMPLES, TARGET_LINEAR, RHW_FORMAT_RGBA32_FLOAT, false,
+                             pictures->linear);
     }
-    if (result == RHW_OK && linear) {
-        read_band(draw, draw->side > 1 ? TARGET_LINEAR : TARGET_LINEAR_SAMPLES, draw->pictures->linear);
-    }
-    draw->stats.color_ms += drawn - start;
-    draw->stats.resolve_ms += resolved - drawn;
-    draw->stats.read_ms += milliseconds() - resolved;
     return result;
 }
 
@@ -523,22 +543,24 @@ static bool allocate_picture(const struct draw *draw, enum rhw_format format, vo
 static enum rhw_result draw_color(struct draw *draw)
 {
     const uint32_t outputs = draw->view->outputs;
-    if (!(outputs & (RHW_OUTPUT_COLOR | RHW_OUTPUT_LINEAR))) {
+    if (!(outputs & (RHW_OUTPUT_COLOR | RHW_OUTPUT_LINEAR | RHW_OUTPUT_DISPLAY))) {
         return RHW_OK;
     }
-    const size_t per_sample = 8 + (outputs & RHW_OUTPUT_LINEAR ? 16 : 0);
+    const size_t per_sample = (outputs & RHW_OUTPUT_DISPLAY ? 16 : 8) + (outputs & RHW_OUTPUT_LINEAR ? 16 : 0);
     const size_t samples = (size_t)draw->view->samples;
     draw->band_rows = choose_band(draw->view->height, (size_t)draw->view->width * per_sample * samples);
-    void *color = NULL, *linear = NULL;
+    void *color = NULL, *linear = NULL, *display = NULL;
     const bool allocated =
         (!(outputs & RHW_OUTPUT_COLOR) || allocate_picture(draw, RHW_FORMAT_RGBA8_SRGB, &color)) &&
-        (!(outputs & RHW_OUTPUT_LINEAR) || allocate_picture(draw, RHW_FORMAT_RGBA32_FLOAT, &linear));
+        (!(outputs & RHW_OUTPUT_LINEAR) || allocate_picture(draw, RHW_FORMAT_RGBA32_FLOAT, &linear)) &&
+        (!(outputs & RHW_OUTPUT_DISPLAY) || allocate_picture(draw, RHW_FORMAT_RGBA32_FLOAT, &display));
     draw->pictures->color = color;
     draw->pictures->linear = linear;
+    draw->pictures->display = display;
     if (!allocated) {
         return RHW_ERROR_OUT_OF_MEMORY;
     }
-    draw->frame.write_linear = (outputs & RHW_OUTPUT_LINEAR) != 0;
+    draw->frame.write_linear = linear != NULL;
     set_frame_samples(draw, draw->side);
     return draw_bands(draw, draw_color_band);
 }
