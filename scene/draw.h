@@ -23,7 +23,8 @@ enum rhw_output {
     RHW_OUTPUT_OBJECT = 128,    ///< R32_UINT: rhw_instance.object; 0 where nothing is
     RHW_OUTPUT_TRIANGLE = 256,  ///< R32_UINT: 1 + number of the triangle (line, point) in the model, instances counted in their order
     RHW_OUTPUT_BARYCENTRIC = 512, ///< RGBA32F: perspective-correct a, b, c; w as above
-    RHW_OUTPUT_ALL = 1023
+    RHW_OUTPUT_DISPLAY = 1024,  ///< RGBA32F: COLOR before it is sRGB encoded and rounded to 8 bits
+    RHW_OUTPUT_ALL = 2047
 };
 
 enum rhw_wireframe {
@@ -61,7 +62,7 @@ bool rhw_view_check(const struct rhw_view *view, char *error, size_t error_size)
 struct rhw_pictures {
     int width, height;
     uint8_t *color;   ///< [4]
-    float *linear;    ///< [4]
+    float *linear, *display; ///< [4]
     float *depth, *distance;
     float *normal, *position, *uv, *barycentric; ///< [4]
     uint32_t *object, *triangle;
@@ -73,7 +74,9 @@ struct rhw_draw_stats {
     double upload_ms;  ///< of rhw_scene_create: buffers, textures, mip chains
     double color_ms, data_ms, resolve_ms; ///< wall time of the passes
     double read_ms;    ///< copying the pictures out
-    struct rhw_stats pipeline; ///< sums over the colour and data passes; memory_peak, tiles: the largest
+    /// Sums over the colour and data passes; memory_peak, tiles: the largest. The triangle of the background
+    /// is not counted, its fragments are.
+    struct rhw_stats pipeline;
 };
 
 struct rhw_scene; ///< an uploaded model
