@@ -3,6 +3,8 @@
 // maths: files are to be the same bytes everywhere.
 #include "outputs.h"
 
+#include "rhw/shader.h"
+
 #include <math.h>
 #include <stdio.h>
 #include <string.h>
@@ -50,7 +52,7 @@ bool rhw_outputs_parse(const char *list, unsigned *kinds, const char **bad)
     return true;
 }
 
-uint32_t rhw_outputs_needed(unsigned kinds, enum rhw_picture_format format)
+uint32_t rhw_outputs_needed(unsigned kinds, enum rhw_picture_format format, int bits)
 {
     uint32_t needed = 0;
     for (int kind = 0; kind < RHW_KIND_COUNT; kind++) {
@@ -58,6 +60,8 @@ uint32_t rhw_outputs_needed(unsigned kinds, enum rhw_picture_format format)
             continue;
         if (kind == RHW_KIND_COLOR && format == RHW_PICTURE_EXR)
             needed |= RHW_OUTPUT_LINEAR;
+        else if (kind == RHW_KIND_COLOR && bits == 16)
+            needed |= RHW_OUTPUT_DISPLAY;
         else
             needed |= drawn[kind];
     }
@@ -83,14 +87,44 @@ static void transparent_color_row(const void *user, int y, void *row)
     memcpy(row, output->pictures->color + (size_t)y * size, size);
 }
 
+// The sRGB transfer function (IEC 61966-2-1) with the library's own power.
+static rhw_float encode(rhw_float linear)
+{
+    const rhw_float curve = 1.055f * rhw_pow(linear, rhw_splat(1.0f / 2.4f)) - 0.055f;
+    return rhw_select(rhw_less_equal(linear, rhw_splat(0.0031308f)), linear * 12.92f, curve);
+}
+
+static uint16_t to_16_bits(float value)
+{
+    const float clamped = value > 0.0f ? value < 1.0f ? value : 1.0f : 0.0f;
+    return (uint16_t)(clamped * 65535.0f + 0.5f);
+}
+
+static void fine_color_row(const void *user, int y, void *row)
+{
+    const struct rhw_output_raster *output = user;
+    const int width = output->raster.width, channels = output->raster.channels;
+    const float *from = output->pictures->display + (size_t)y * (size_t)width * 4;
+    uint16_t *to = row;
+    for (int x = 0; x < width; x += 2, from += 8) {
+        const int pixels = x + 1 < width ? 2 : 1;
+        rhw_float linear = rhw_splat(0.0f);
+        memcpy(&linear, from, (size_t)pixels * 4 * sizeof *from);
+        const rhw_float encoded = encode(linear);
+        for (int i = 0; i < pixels; i++) {
+            for (int c = 0; c < channels; c++)
+                *to++ = to_16_bits(c < 3 ? encoded[4 * i + c] : linear[4 * i + c]);
+        }
+    }
+}
+
 // 0..1 to the raster's bits, rounded to nearest; NaN gives 0.
 static void store(const struct rhw_output_raster *output, void *row, size_t index, float value)
 {
-    const float clamped = value > 0.0f ? value < 1.0f ? value : 1.0f : 0.0f;
     if (output->raster.bits == 8)
-        ((uint8_t *)row)[index] = (uint8_t)(clamped * 255.0f + 0.5f);
+        ((uint8_t *)row)[index] = (uint8_t)((value > 0.0f ? value < 1.0f ? value : 1.0f : 0.0f) * 255.0f + 0.5f);
     else
-        ((uint16_t *)row)[index] = (uint16_t)(clamped * 65535.0f + 0.5f);
+        ((uint16_t *)row)[index] = to_16_bits(value);
 }
 
 // Nearest white, farthest dark grey, nothing black.
@@ -194,7 +228,9 @@ static void set_color(struct rhw_output_raster *output, bool transparent)
 {
     output->raster.channels = transparent ? 4 : 3;
     output->raster.srgb = true;
-    output->raster.row = transparent ? transparent_color_row : opaque_color_row;
+    output->raster.row = output->raster.bits == 16 ? fine_color_row
+                         : transparent             ? transparent_color_row
+                                                   : opaque_color_row;
 }
 
 static void set_ids(struct rhw_output_raster *output, const uint32_t *ids)

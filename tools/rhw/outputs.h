@@ -19,8 +19,8 @@ const char *rhw_output_name(enum rhw_output_kind kind);
 /// "color,depth" or "all" to a set of 1 << kind. False when a name is unknown; `*bad` is that name's start.
 bool rhw_outputs_parse(const char *list, unsigned *kinds, const char **bad);
 
-/// What has to be drawn (enum rhw_output) for those kinds in that format.
-uint32_t rhw_outputs_needed(unsigned kinds, enum rhw_picture_format format);
+/// What has to be drawn (enum rhw_output) for those kinds in that format with that many bits, 0 the default.
+uint32_t rhw_outputs_needed(unsigned kinds, enum rhw_picture_format format, int bits);
 
 /// A picture of one output as a raster; must live while the raster is written.
 struct rhw_output_raster {

@@ -179,7 +179,7 @@ static bool set_view(struct render *render)
     memcpy(view->background_color, job->background_color, sizeof view->background_color);
     view->default_lights = job->default_lights;
     view->exposure = (double)job->exposure;
-    view->outputs = rhw_outputs_needed(job->kinds, job->format);
+    view->outputs = rhw_outputs_needed(job->kinds, job->format, job->bits);
     if (!choose_camera(render, &view->camera))
         return false;
     if (rhw_view_check(view, error, sizeof error))

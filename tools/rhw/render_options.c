@@ -282,6 +282,12 @@ static bool check_together(struct rhw_render_job *job)
         rhw_tool_error("--bits", "an EXR file always holds 32 bits per sample");
         return false;
     }
+    const int side = job->samples == 16 ? 4 : job->samples == 9 ? 3 : job->samples == 4 ? 2 : 1;
+    if (job->width * side > RHW_MAX_TARGET_SIZE || job->height * side > RHW_MAX_TARGET_SIZE) {
+        rhw_tool_error("--samples", "%d are too many for %dx%d: %d times each must not exceed %d", job->samples,
+                       job->width, job->height, side, RHW_MAX_TARGET_SIZE);
+        return false;
+    }
     const bool fitted = job->camera <= RHW_CAMERA_ORBIT;
     if (job->fovy > 0.0f && !fitted) {
         rhw_tool_error("--fovy", "cannot be together with %s", job->camera_option);
