@@ -1,0 +1,21 @@
+// SPDX-License-Identifier: MIT
+// Shaders that are compiled once per instruction set, as a program does that wants them fast: the tests
+// check that every copy draws the same bytes.
+#ifndef RHW_TEST_ISA_SHADERS_H
+#define RHW_TEST_ISA_SHADERS_H
+
+#include <rhw/rhw.h>
+
+/// Fills every entry of `program->vertex` and `program->fragment` that this build has.
+/// Vertex: clip position from attribute 0, varyings 0..3 from attribute 1.
+/// Fragment: arithmetic that contraction or a reassociated sum would change, on varyings 0..3.
+void isa_shaders_fill(struct rhw_program *program);
+
+#define DECLARE_ISA(isa)                                                                                      \
+    void isa_shader_vertex_##isa(struct rhw_vertex *groups, int count);                                       \
+    void isa_shader_fragment_##isa(struct rhw_fragment *groups, int count)
+DECLARE_ISA(baseline);
+DECLARE_ISA(avx2);
+DECLARE_ISA(avx512);
+
+#endif
