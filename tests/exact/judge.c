@@ -184,7 +184,6 @@ struct fragment {
     struct judge_results *results;
     const struct oracle_triangle *triangle;
     struct tally_place at;
-    bool inside; // all three edge values have the sign they have inside
     int pixel;
 };
 
@@ -199,9 +198,9 @@ static double error_of(const struct fragment *f, const struct oracle_form *form,
 static double measure(const struct fragment *f, enum quantity quantity, const struct oracle_form *form, float got,
                       int component)
 {
-    // Outside of its own triangle, and on the screen where W changes sign, a value is no mean of the vertex
-    // values: it exceeds them as far as the weights exceed 1, and so does the scale of the error.
-    const bool mean = f->inside && (f->triangle->snapped || quantity == QUANTITY_SMOOTH || quantity == QUANTITY_SPACE);
+    // On the screen, where W changes sign, a value is no mean of the vertex values: it exceeds them as far as
+    // the weights exceed 1, and so does the scale of the error.
+    const bool mean = f->triangle->snapped || quantity == QUANTITY_SMOOTH || quantity == QUANTITY_SPACE;
     const double scale = form->vertex_max * (mean ? 1 : fmax(1, oracle_largest_weight(form, &f->judge->sample)));
     if (scale > largest_value) {
         return 0; // differences of such values are no floats any more: nothing is promised
@@ -302,12 +301,8 @@ static void compare_equal(const struct fragment *f, const struct probe_image *im
 static void compare_fragment(struct fragment *f, const struct probe_image *image)
 {
     struct judge *const j = f->judge;
-    f->inside = true;
-    for (int i = 0; i < 3; i++) {
-        f->inside = f->inside && mpz_sgn(j->sample.e[i]) >= 0;
-    }
     f->results->fragments++;
-    f->results->outside += !f->inside;
+    f->results->outside += !j->sample.inside;
     f->results->family_fragments[f->at.family]++;
     compare_values(f, image);
     if (image->space && image->screen) {
@@ -318,7 +313,7 @@ static void compare_fragment(struct fragment *f, const struct probe_image *image
     }
     compare_equal(f, image);
     compare_weights(f, image);
-    if ((f->at.x * 5 + f->at.y * 3) % f->mode->derivative_stride == 0) {
+    if (j->sample.inside && (f->at.x * 5 + f->at.y * 3) % f->mode->derivative_stride == 0) {
         compare_derivatives(f, image);
     }
 }

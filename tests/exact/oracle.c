@@ -56,12 +56,12 @@ void oracle_form_clear(struct oracle_form *f)
 
 void oracle_sample_init(struct oracle_sample *s)
 {
-    mpz_inits(s->e[0], s->e[1], s->e[2], NULL);
+    mpz_inits(s->e[0], s->e[1], s->e[2], s->line[0], s->line[1], s->line[2], NULL);
 }
 
 void oracle_sample_clear(struct oracle_sample *s)
 {
-    mpz_clears(s->e[0], s->e[1], s->e[2], NULL);
+    mpz_clears(s->e[0], s->e[1], s->e[2], s->line[0], s->line[1], s->line[2], NULL);
 }
 
 // Writes v[i] = out[i]·2^exponent with one exponent for all and returns it.
@@ -416,9 +416,20 @@ int oracle_cover_row(const struct oracle_triangle *t, int y, int x[ORACLE_CORNER
     return count;
 }
 
-static void sample_doubles(struct oracle_sample *s)
+// Snapping may move the polygon of a cut triangle over samples that are off the triangle itself, by less than
+// 1/256 pixel. There the triangle's border goes on: an edge value below 0 counts as 0. Without that, values would
+// leave the range of the vertices, and 1/W, next to the horizon, any range at all.
+static void finish_sample(struct oracle_sample *s, const struct oracle_triangle *t)
 {
+    s->inside = true;
     for (int i = 0; i < 3; i++) {
+        const bool off = mpz_sgn(s->line[i]) < 0;
+        s->inside = s->inside && !off;
+        if (off && t->clipped) {
+            mpz_set_ui(s->e[i], 0);
+        } else {
+            mpz_set(s->e[i], s->line[i]);
+        }
         s->e_d[i] = mpz_get_d(s->e[i]);
     }
 }
@@ -426,21 +437,21 @@ static void sample_doubles(struct oracle_sample *s)
 void oracle_sample_at(struct oracle_sample *s, const struct oracle_triangle *t, int x, int y)
 {
     for (int i = 0; i < 3; i++) {
-        mpz_mul_si(s->e[i], t->edge[i][1], y);
-        mpz_add(s->e[i], s->e[i], t->edge[i][2]);
+        mpz_mul_si(s->line[i], t->edge[i][1], y);
+        mpz_add(s->line[i], s->line[i], t->edge[i][2]);
         if (x >= 0) {
-            mpz_addmul_ui(s->e[i], t->edge[i][0], (unsigned long)x);
+            mpz_addmul_ui(s->line[i], t->edge[i][0], (unsigned long)x);
         }
     }
-    sample_doubles(s);
+    finish_sample(s, t);
 }
 
 void oracle_sample_right(struct oracle_sample *s, const struct oracle_triangle *t)
 {
     for (int i = 0; i < 3; i++) {
-        mpz_add(s->e[i], s->e[i], t->edge[i][0]);
+        mpz_add(s->line[i], s->line[i], t->edge[i][0]);
     }
-    sample_doubles(s);
+    finish_sample(s, t);
 }
 
 // Both sums of the form, exactly.

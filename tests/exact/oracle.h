@@ -62,8 +62,10 @@ struct oracle_triangle {
 
 // Edge values at one sample, exact and as doubles that are correct to one rounding.
 struct oracle_sample {
-    mpz_t e[3];
+    mpz_t line[3]; // of the lines through the edges
+    mpz_t e[3];    // the same, or 0 where a cut triangle's sample is off the triangle
     double e_d[3];
+    bool inside;   // no line is below 0
 };
 
 void oracle_triangle_init(struct oracle_triangle *t);

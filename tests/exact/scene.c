@@ -11,7 +11,7 @@ enum { SMALL = 128, ODD_WIDTH = 131, ODD_HEIGHT = 117, LARGE = 16384 };
 
 static const char *const family_names[FAMILY_COUNT] = {
     "ordinary", "sliver", "micro", "large", "perspective", "near_far", "guard_band",
-    "behind", "everything", "cut_sliver", "fan", "strip", "grid", "cut_grid",
+    "behind", "everything", "cut_sliver", "horizon", "fan", "strip", "grid", "cut_grid",
 };
 
 static const char *const kind_names[VALUE_KINDS] = {
@@ -283,6 +283,23 @@ static void make_cut_slivers(struct scene *s, struct random *r)
     }
 }
 
+// Two triangles from behind the eye almost to the horizon. With an odd height of the target the horizon is a row
+// of pixel centres, and snapping moves the far edge onto it: 1/W is next to 0 there.
+static void make_horizon(struct scene *s, struct random *r)
+{
+    const double far = random_scale(r, 4, 24), height = random_scale(r, -6, 0), near = random_scale(r, -4, 0);
+    const double shift = random_between(r, -1, 1);
+    static const int order[6][2] = {{0, 0}, {1, 0}, {0, 1}, {1, 0}, {1, 1}, {0, 1}};
+    for (int i = 0; i < 6; i++) {
+        const double w = order[i][1] ? far : -1, z = s->view.minus_one_to_one ? w - 2 * near : w - near;
+        const double position[4] = {(order[i][0] ? 1 : -1) * fabs(w) + shift, -height, z, w};
+        struct scene_vertex *const v = add(s);
+        for (int k = 0; k < 4; k++) {
+            v->position[k] = (float)position[k];
+        }
+    }
+}
+
 // A convex ring around a centre. Consecutive vertices are less than half a turn apart, so triangles of a
 // fan turn the same way, unless snapping turns a very thin one.
 static void make_fan(struct scene *s, struct random *r)
@@ -409,7 +426,7 @@ void scene_make(struct scene *s, enum family family, uint64_t seed, uint64_t ind
 {
     static make_function *const make[FAMILY_COUNT] = {
         make_ordinary, make_slivers,    make_micro,       make_large, make_perspective, make_near_far, make_guard_band,
-        make_behind,   make_everything, make_cut_slivers, make_fan,   make_strip,       make_grid,     make_cut_grid,
+        make_behind,   make_everything, make_cut_slivers, make_horizon, make_fan,   make_strip,       make_grid,     make_cut_grid,
     };
     struct random r = random_start(seed, (uint64_t)family, index);
     s->family = family;

@@ -34,6 +34,7 @@ enum family {
     FAMILY_BEHIND,      // vertices at and behind W = 0
     FAMILY_EVERYTHING,  // all of it at once
     FAMILY_CUT_SLIVER,  // slivers that are cut
+    FAMILY_HORIZON,     // floors from behind the eye to the horizon, which lies on a row of pixel centres
     FAMILY_FAN,
     FAMILY_STRIP,
     FAMILY_GRID,
