@@ -65,7 +65,8 @@ static void checker(struct rhw_fragment *groups, int count)
 static struct rhw_viewport panel_viewport(int panel, int scale)
 {
     const float size = (float)(SIZE * scale);
-    return (struct rhw_viewport){(float)((panel * COLUMNS - LEFT) * scale), (float)(-TOP * scale), size, size, 0, 1};
+    const float x = (float)((panel * COLUMNS - LEFT) * scale), y = (float)(-TOP * scale);
+    return (struct rhw_viewport){x, y, size, size, 0, 1};
 }
 
 static rhw_pipeline make_pipeline(rhw_context *context, rhw_fragment_function *paint, enum rhw_format format,

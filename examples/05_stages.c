@@ -419,7 +419,8 @@ static void print_pixel(const struct recovered *ours, const struct pixel *pipeli
                (double)pipeline->space[k]);
     }
     for (int k = 0; k < 2; k++) {
-        printf("  %c                         %14.9f   %14.9f\n", 'u' + k, ours->uv[k], (double)pipeline->smooth_uv[k]);
+        printf("  %c                         %14.9f   %14.9f\n", 'u' + k, ours->uv[k],
+               (double)pipeline->smooth_uv[k]);
     }
 }
 

@@ -70,8 +70,8 @@ static void check_panel(enum way way, const float clip[6][4])
             const double values[3] = {(double)corner[0].uv[k], (double)corner[1].uv[k], (double)corner[2].uv[k]};
             const double truth = ref_mix(way == SCREEN ? weights.screen : weights.space, values);
             if (way == WORLD) {
-                // Not the pipeline's promise. The corners here are not snapped: half a step of 1/256 pixel is 1.1e−5
-                // of the square's far edge, 180 pixels long; depth and matrix are 32-bit.
+                // Not the pipeline's promise: the lesson's corners are not snapped, and half a step of 1/256
+                // pixel is 1.1e−5 of the square's far edge, 180 pixels long; depth and matrix are 32-bit.
                 lesson_close((double)value[k], truth, 2e-5);
             } else {
                 lesson_near(k == 0 ? "u" : "v", x, y, value[k], truth, 1);
