@@ -29,6 +29,10 @@ void rhw_texture_data_init(struct rhw_texture_data *texture, enum rhw_format for
         mip->height = height >> i > 1 ? height >> i : 1;
         const size_t row = (size_t)mip->width * rhw_format_size(format);
         mip->row_pitch = (row + RHW_ROW_ALIGNMENT - 1) & ~(size_t)(RHW_ROW_ALIGNMENT - 1);
+        mip->scale_x = (float)mip->width * 65536.0f;
+        mip->scale_y = (float)mip->height * 65536.0f;
+        mip->interior = mip->width > 1 && mip->height > 1 ? (mip->width - 2) << 16 | (mip->height - 2) : -1;
+        mip->step = 1 << 16 | (int32_t)(mip->row_pitch / 4);
         texture->memory_size += mip->row_pitch * (size_t)mip->height;
     }
     texture->memory_size += RHW_TEXEL_PADDING;

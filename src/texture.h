@@ -18,6 +18,12 @@ struct rhw_mip {
     unsigned char *texels; // linear rows, top to bottom; 64-byte aligned
     int width, height;
     size_t row_pitch; // bytes, a multiple of RHW_ROW_ALIGNMENT
+
+    // For the sampler's fixed-point road (4-byte formats), which would spend a tenth of its time making them:
+    float scale_x, scale_y; // size · 2^16
+    int32_t interior;       // (width − 2) << 16 | (height − 2): the last texel with both neighbours;
+                            // negative where a side is 1
+    int32_t step;           // 1 << 16 | texels per row
 };
 
 struct rhw_texture_data {

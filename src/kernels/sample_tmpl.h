@@ -4,7 +4,7 @@
 // other on the screen nearly always do. A lane's result never depends on the other lanes.
 //
 // Coordinates are folded into 0..1 by the address mode before they meet the size of a level: the fold is
-// exact for any finite coordinate, and what is not finite becomes 0, so that no texel outside is touched.
+// exact for any finite coordinate, and what is not finite lands on an edge, so that no texel outside is touched.
 #ifndef RHW_SAMPLE_TMPL_H
 #define RHW_SAMPLE_TMPL_H
 
@@ -20,14 +20,14 @@ struct sample_source {
     f8 s, t;
 };
 
-// Folded into 0..1, or −1..2 with a border, where only what lies outside the texture matters. NaN becomes
-// the lower bound.
+// Folded into 0..1, or −1..2 with a border, where only what lies outside the texture matters. What is not
+// finite lands on a bound.
 static inline f8 sample_fold(enum rhw_address address, f8 u)
 {
     const f8 zero = rhw_splat(0.0f), one = rhw_splat(1.0f);
     switch (address) {
     case RHW_ADDRESS_REPEAT:
-        return rhw_clamp(u - rhw_floor(u), zero, one);
+        return rhw_min(u - rhw_floor(u), one); // never negative; 1 where it is NaN
     case RHW_ADDRESS_MIRROR: {
         const f8 period = u - 2.0f * rhw_floor(0.5f * u); // 0..2
         return rhw_clamp(1.0f - rhw_abs(period - 1.0f), zero, one);
@@ -197,29 +197,282 @@ static inline void sample_level(const struct sample_source *source, int level, e
     }
 }
 
-// log2 within 2^-16, exact at powers of two: the level of detail needs no more. Denormals and 0 give −127 or
-// less than that, infinity 128.
-static inline f8 sample_log2(f8 a)
+// RGBA8 in fixed point ------------------------------------------------------------------------------
+// The usual case. A texel's four codes stand as 16-bit numbers with 7 fraction bits, two in each 32-bit
+// lane, and are mixed with weights of 15 bits: one multiplication serves two channels, and no step is off by
+// more than 2^-8 of a code. Equal texels mix to exactly themselves.
+
+typedef int16_t s16 __attribute__((vector_size(32)));
+typedef uint32_t u8 __attribute__((vector_size(32)));
+
+struct sample_codes {
+    i8 rb; // red in the lower, blue in the upper half, 8.7
+    i8 ga;
+};
+
+// Where 8 lanes meet one level.
+struct sample_place {
+    i8 xy;                 // top left texel of the four: x in the upper, y in the lower half, from −1
+    i8 weight_x, weight_y; // of the right and the lower texels, 0.15, in both halves
+};
+
+// (a · b + 2^14) >> 15 of signed 16-bit numbers; the lanes of `b` are not negative.
+RHW_INLINE s16 sample_scale(s16 a, s16 b)
 {
-    const i8 bits = (i8)a;
-    const f8 t = (f8)((bits & 0x7fffff) | 0x3f800000) - 1.0f;
-    const f8 curve = ((0.0451637469f * t - 0.148464322f) * t + 0.267204642f) * t - 0.441921592f;
-    return rhw_to_float((bits >> 23) - 127) + (t + t * (t - 1.0f) * curve);
+#if defined(__AVX2__)
+    return (s16)_mm256_mulhrs_epi16((__m256i)a, (__m256i)b);
+#elif defined(__SSE2__)
+    union rhw_lanes x, y;
+    x.i = (i8)a;
+    y.i = (i8)b;
+    for (int i = 0; i < 2; i++) { // the product's bits 15.. and the bit below, which rounds
+        const __m128i high = _mm_mulhi_epi16(x.half_i[i], y.half_i[i]);
+        const __m128i low = _mm_mullo_epi16(x.half_i[i], y.half_i[i]);
+        const __m128i floor = _mm_or_si128(_mm_slli_epi16(high, 1), _mm_srli_epi16(low, 15));
+        x.half_i[i] = _mm_add_epi16(floor, _mm_srli_epi16(_mm_slli_epi16(low, 1), 15));
+    }
+    return (s16)x.i;
+#else
+    for (int i = 0; i < 2 * RHW_LANES; i++) {
+        a[i] = (int16_t)((a[i] * b[i] + (1 << 14)) >> 15);
+    }
+    return a;
+#endif
 }
 
-// Level of detail after OpenGL ES 3.0 §3.8.10, biased and limited by the sampler. Half the logarithm of the
-// squared length spares the square root.
-static inline f8 sample_lod(const struct sample_source *source, const f8 *grad, const f8 *lod)
+RHW_INLINE i8 sample_mix_half(i8 a, i8 b, i8 weight)
 {
-    const struct rhw_sampler_def *const sampler = source->sampler;
-    f8 level = lod ? *lod : rhw_splat(0.0f);
-    if (grad) {
-        const float width = (float)source->texture->mip[0].width, height = (float)source->texture->mip[0].height;
-        const f8 ux = grad[0] * width, vx = grad[1] * height;
-        const f8 uy = grad[2] * width, vy = grad[3] * height;
-        level = 0.5f * sample_log2(rhw_max(ux * ux + vx * vx, uy * uy + vy * vy));
+    return (i8)((s16)a + sample_scale((s16)b - (s16)a, (s16)weight));
+}
+
+RHW_INLINE struct sample_codes sample_mix_codes(struct sample_codes a, struct sample_codes b, i8 weight)
+{
+    return (struct sample_codes){sample_mix_half(a.rb, b.rb, weight), sample_mix_half(a.ga, b.ga, weight)};
+}
+
+RHW_INLINE struct sample_codes sample_widen(i8 texel)
+{
+    return (struct sample_codes){(texel << 7) & 0x7f807f80, (i8)(((u8)texel >> 1) & 0x7f807f80u)};
+}
+
+// The fraction of 16.16 numbers, less its last bit, in both halves.
+RHW_INLINE i8 sample_weight(i8 number)
+{
+#if defined(__AVX2__)
+    const __m256i low_half = _mm256_setr_epi8(0, 1, 0, 1, 4, 5, 4, 5, 8, 9, 8, 9, 12, 13, 12, 13, //
+                                              0, 1, 0, 1, 4, 5, 4, 5, 8, 9, 8, 9, 12, 13, 12, 13);
+    return (i8)_mm256_srli_epi16(_mm256_shuffle_epi8((__m256i)number, low_half), 1);
+#else
+    const i8 weight = (number >> 1) & 0x7fff;
+    return weight | (weight << 16);
+#endif
+}
+
+// Coordinates in texels, 16.16, at most 16384 · 2^16 = 2^30. A negative one is truncated to the texel
+// edge where flooring would give the neighbour with the whole weight on this one.
+RHW_INLINE struct sample_place sample_place(const struct sample_source *source, const struct rhw_mip *mip)
+{
+    const i8 x = rhw_to_int_unchecked(source->s * mip->scale_x - 32768.0f);
+    const i8 y = rhw_to_int_unchecked(source->t * mip->scale_y - 32768.0f);
+#if defined(__AVX2__)
+    const i8 xy = (i8)_mm256_blend_epi16(_mm256_srli_epi32((__m256i)y, 16), (__m256i)x, 0xaa);
+#else
+    const i8 xy = (x & ~0xffff) | (i8)((u8)y >> 16);
+#endif
+    return (struct sample_place){xy, sample_weight(x), sample_weight(y)};
+}
+
+// Whether the four texels of every lane lie side by side in the level. −1 is large as an unsigned number.
+RHW_INLINE bool sample_is_interior(i8 xy, int32_t interior)
+{
+#if defined(__AVX2__)
+    const __m256i over = _mm256_subs_epu16((__m256i)xy, _mm256_set1_epi32(interior));
+    return interior >= 0 && _mm256_testz_si256(over, over);
+#else
+    const i8 x = xy >> 16, y = (xy << 16) >> 16;
+    return interior >= 0 && !rhw_any((xy >> 31) | (y >> 31) | rhw_less_int(i8_splat(interior >> 16), x) |
+                                     rhw_less_int(i8_splat(interior & 0xffff), y));
+#endif
+}
+
+// y · texels per row + x, of x and y inside the level: all three fit 16 bits.
+RHW_INLINE i8 sample_index(i8 xy, int32_t step)
+{
+#if defined(__AVX2__)
+    return (i8)_mm256_madd_epi16((__m256i)xy, _mm256_set1_epi32(step));
+#else
+    return (xy & 0xffff) * (step & 0xffff) + (xy >> 16);
+#endif
+}
+
+// 8 numbers in memory: one store and 8 loads cost less than taking the lanes out of a register, which gcc
+// does unless kept from it.
+RHW_INLINE void sample_spill(i8 lanes, uint32_t numbers[RHW_LANES])
+{
+    memcpy(numbers, &lanes, sizeof lanes);
+    __asm__("" : "+m"(*(uint32_t(*)[RHW_LANES])numbers));
+}
+
+// The texels with these numbers, and their right neighbours.
+RHW_INLINE void sample_load_pairs(const unsigned char *texels, const uint32_t at[RHW_LANES], i8 *left, i8 *right)
+{
+#if defined(__SSE2__)
+    __m128 pair[4];
+    for (int i = 0; i < 4; i++) {
+        const void *const first = texels + (size_t)at[2 * i] * 4, *const second = texels + (size_t)at[2 * i + 1] * 4;
+        pair[i] = _mm_loadh_pi(_mm_castsi128_ps(_mm_loadl_epi64(first)), second);
     }
-    return rhw_clamp(level + sampler->lod_bias, rhw_splat(sampler->lod_min), rhw_splat(sampler->lod_max));
+    union rhw_lanes l, r;
+#if defined(__AVX2__)
+    const __m256 even = _mm256_insertf128_ps(_mm256_castps128_ps256(pair[0]), pair[2], 1);
+    const __m256 odd = _mm256_insertf128_ps(_mm256_castps128_ps256(pair[1]), pair[3], 1);
+    l.full = _mm256_shuffle_ps(even, odd, 0x88);
+    r.full = _mm256_shuffle_ps(even, odd, 0xdd);
+#else
+    for (int i = 0; i < 2; i++) {
+        l.half[i] = _mm_shuffle_ps(pair[2 * i], pair[2 * i + 1], 0x88);
+        r.half[i] = _mm_shuffle_ps(pair[2 * i], pair[2 * i + 1], 0xdd);
+    }
+#endif
+    *left = l.i;
+    *right = r.i;
+#else
+    for (int i = 0; i < RHW_LANES; i++) {
+        int32_t pair[2];
+        memcpy(pair, texels + (size_t)at[i] * 4, sizeof pair);
+        (*left)[i] = pair[0];
+        (*right)[i] = pair[1];
+    }
+#endif
+}
+
+RHW_INLINE i8 sample_load_codes(const unsigned char *texels, i8 index)
+{
+#if defined(__AVX2__)
+    return (i8)_mm256_i32gather_epi32((const int *)(const void *)texels, (__m256i)index, 4);
+#else
+    uint32_t at[RHW_LANES];
+    int32_t texel[RHW_LANES];
+    memcpy(at, &index, sizeof at);
+    for (int i = 0; i < RHW_LANES; i++) {
+        memcpy(&texel[i], texels + (size_t)at[i] * 4, sizeof texel[i]);
+    }
+    return i8_load(texel);
+#endif
+}
+
+// The four texels of each lane where some lie across an edge.
+static __attribute__((noinline)) void sample_corners_wrapped(const struct rhw_sampler_def *sampler,
+                                                             const struct rhw_mip *mip, const i8 *xy, i8 corner[4])
+{
+    const i8 x = *xy >> 16, y = (*xy << 16) >> 16;
+    const i8 x0 = sample_wrap(sampler->address_u, x, mip->width) << 16;
+    const i8 x1 = sample_wrap(sampler->address_u, x + 1, mip->width) << 16;
+    const i8 y0 = sample_wrap(sampler->address_v, y, mip->height);
+    const i8 y1 = sample_wrap(sampler->address_v, y + 1, mip->height);
+    corner[0] = sample_load_codes(mip->texels, sample_index(x0 | y0, mip->step));
+    corner[1] = sample_load_codes(mip->texels, sample_index(x1 | y0, mip->step));
+    corner[2] = sample_load_codes(mip->texels, sample_index(x0 | y1, mip->step));
+    corner[3] = sample_load_codes(mip->texels, sample_index(x1 | y1, mip->step));
+}
+
+RHW_INLINE struct sample_codes sample_bilinear_codes(const struct sample_source *source, const struct rhw_mip *mip)
+{
+    const struct sample_place place = sample_place(source, mip);
+    i8 corner[4];
+    if (__builtin_expect(sample_is_interior(place.xy, mip->interior), 1)) {
+        uint32_t at[RHW_LANES];
+        sample_spill(sample_index(place.xy, mip->step), at);
+        sample_load_pairs(mip->texels, at, &corner[0], &corner[1]);
+        sample_load_pairs(mip->texels + mip->row_pitch, at, &corner[2], &corner[3]);
+    } else {
+        const i8 xy = place.xy;
+        sample_corners_wrapped(source->sampler, mip, &xy, corner);
+    }
+    const struct sample_codes above =
+        sample_mix_codes(sample_widen(corner[0]), sample_widen(corner[1]), place.weight_x);
+    const struct sample_codes below =
+        sample_mix_codes(sample_widen(corner[2]), sample_widen(corner[3]), place.weight_x);
+    return sample_mix_codes(above, below, place.weight_y);
+}
+
+// One level, and where any lane in `live` has a weight the next one. A weight of 0 leaves a lane as it is.
+RHW_INLINE struct sample_codes sample_trilinear_codes(const struct sample_source *source, int level, i8 weight,
+                                                      i8 live)
+{
+    const struct rhw_mip *const mip = &source->texture->mip[level];
+    const struct sample_codes fine = sample_bilinear_codes(source, mip);
+    if (!rhw_any(rhw_less_int(i8_splat(0), weight & live))) {
+        return fine;
+    }
+    return sample_mix_codes(fine, sample_bilinear_codes(source, mip + 1), weight);
+}
+
+// Lanes at different levels, one level after the other.
+static __attribute__((noinline)) void sample_mixed_codes(const struct sample_source *source, const i8 *level,
+                                                         const i8 *weight, struct sample_codes *result)
+{
+    result->rb = result->ga = i8_splat(0);
+    for (unsigned todo = 0xff; todo != 0;) {
+        const int first = (*level)[__builtin_ctz(todo)];
+        const i8 same = rhw_equal_int(*level, i8_splat(first));
+        todo &= ~(unsigned)rhw_mask_bits(same);
+        const struct sample_codes codes = sample_trilinear_codes(source, first, *weight, same);
+        result->rb = rhw_select_int(same, codes.rb, result->rb);
+        result->ga = rhw_select_int(same, codes.ga, result->ga);
+    }
+}
+
+// Code 8.7 / (255 · 128); codes without fraction give c / 255 correctly rounded.
+RHW_INLINE f8 sample_from_code(i8 code)
+{
+    const f8 c = rhw_to_float(code);
+    return c * 0x1p-15f + c * 1.19676784e-07f;
+}
+
+// RGBA8_UNORM, LINEAR, no border, at levels of detail that the texture has: `detail` in 16.16.
+RHW_INLINE void sample_detail_codes(const struct sample_source *source, i8 detail, f8 texel[4])
+{
+    const i8 level = detail >> 16, weight = sample_weight(detail);
+    const int first = level[0];
+    struct sample_codes result;
+    if (__builtin_expect(rhw_all(rhw_equal_int(level, i8_splat(first))), 1)) {
+        result = sample_trilinear_codes(source, first, weight, i8_splat(-1));
+    } else {
+        const i8 levels = level, weights = weight;
+        sample_mixed_codes(source, &levels, &weights, &result);
+    }
+    texel[0] = sample_from_code(result.rb & 0xffff);
+    texel[1] = sample_from_code(result.ga & 0xffff);
+    texel[2] = sample_from_code(result.rb >> 16);
+    texel[3] = sample_from_code(result.ga >> 16);
+}
+
+// Level of detail and the whole ---------------------------------------------------------------------
+
+// log2(a) / 2 within 2^-17, exact at powers of four: the level of detail needs no more. The bits of a float,
+// read as a number, are its logarithm but for the curve between powers of two. 0 gives −63.5, infinity 64.
+RHW_INLINE f8 sample_half_log2(f8 a)
+{
+    const i8 bits = (i8)a;
+    const f8 straight = rhw_to_float(bits) * 0x1p-24f - 63.5f;
+    const f8 t = (f8)((bits & 0x7fffff) | 0x3f800000) - 1.0f;
+    const f8 curve = ((0.02258187345f * t - 0.074232161f) * t + 0.133602321f) * t - 0.220960796f;
+    return straight + (t * t - t) * curve;
+}
+
+// Level of detail after OpenGL ES 3.0 §3.8.10, biased but not yet limited. Half the logarithm of the squared
+// length spares the square root.
+RHW_INLINE f8 sample_detail(const struct sample_source *source, const f8 *grad, const f8 *lod)
+{
+    const float bias = source->sampler->lod_bias;
+    if (!grad) {
+        return (lod ? *lod : rhw_splat(0.0f)) + bias;
+    }
+    const float width = (float)source->texture->mip[0].width, height = (float)source->texture->mip[0].height;
+    const f8 ux = grad[0] * width, vx = grad[1] * height;
+    const f8 uy = grad[2] * width, vy = grad[3] * height;
+    return sample_half_log2(rhw_max(ux * ux + vx * vx, uy * uy + vy * vy)) + bias;
 }
 
 // All lanes at the levels that `level` names, by one filter; `fraction` of the way to the next level where
@@ -247,40 +500,64 @@ static inline void sample_levels(const struct sample_source *source, i8 level, f
     }
 }
 
+// Everything but the fixed-point road. `limits` bound the biased level of detail: the sampler's, then those
+// of the texture.
+static __attribute__((noinline)) void sample_any(const struct sample_source *source, const f8 *grad, const f8 *lod,
+                                                 float last, f8 texel[4])
+{
+    const struct rhw_sampler_def *const sampler = source->sampler;
+    const f8 zero = rhw_splat(0.0f);
+    const f8 detail = rhw_clamp(sample_detail(source, grad, lod), rhw_splat(sampler->lod_min),
+                                rhw_splat(sampler->lod_max));
+    const f8 within = rhw_clamp(detail, zero, rhw_splat(last));
+    const bool blended = sampler->mip_filter == RHW_MIP_FILTER_LINEAR;
+    const f8 level = blended ? rhw_floor(within) : rhw_max(rhw_ceil(within - 0.5f), zero);
+    const f8 fraction = blended ? within - level : zero;
+    sample_levels(source, rhw_to_int_unchecked(level), fraction, sampler->min_filter, texel);
+    const i8 magnified = rhw_less_equal(detail, zero);
+    if (sampler->mag_filter != sampler->min_filter && rhw_any(magnified)) {
+        f8 large[4];
+        sample_level(source, 0, sampler->mag_filter, large);
+        for (int i = 0; i < 4; i++) {
+            texel[i] = rhw_select(magnified, large[i], texel[i]);
+        }
+    }
+}
+
+RHW_INLINE float sample_clamp1(float value, float low, float high)
+{
+    return value < low ? low : value > high ? high : value;
+}
+
 static void sample(const struct rhw_binding *binding, const rhw_float uv[2], const rhw_float grad[4],
                    const rhw_float *lod, rhw_float texel[4])
 {
     const struct rhw_texture_data *const texture = binding->texture;
     const struct rhw_sampler_def *const sampler = binding->sampler;
-    texel[0] = texel[1] = texel[2] = rhw_splat(0.0f);
-    texel[3] = rhw_splat(1.0f);
     if (!texture) {
+        texel[0] = texel[1] = texel[2] = rhw_splat(0.0f);
+        texel[3] = rhw_splat(1.0f);
         return;
     }
     const struct sample_source source = {texture, sampler, sample_fold(sampler->address_u, uv[0]),
                                          sample_fold(sampler->address_v, uv[1])};
-    const f8 zero = rhw_splat(0.0f);
-    const bool one_level = texture->levels == 1 || sampler->mip_filter == RHW_MIP_FILTER_NONE;
-    if (one_level && sampler->min_filter == sampler->mag_filter) {
-        sample_level(&source, 0, sampler->min_filter, texel);
+    const float last = sampler->mip_filter == RHW_MIP_FILTER_NONE ? 0.0f : (float)(texture->levels - 1);
+    const bool codes = texture->format == RHW_FORMAT_RGBA8_UNORM && sampler->min_filter == RHW_FILTER_LINEAR &&
+                       sampler->mag_filter == RHW_FILTER_LINEAR &&
+                       sampler->mip_filter != RHW_MIP_FILTER_NEAREST &&
+                       sampler->address_u != RHW_ADDRESS_BORDER && sampler->address_v != RHW_ADDRESS_BORDER;
+    if (!codes) {
+        sample_any(&source, grad, lod, last, texel);
         return;
     }
-    const f8 detail = sample_lod(&source, grad, lod);
-    const f8 last = rhw_splat((float)(one_level ? 0 : texture->levels - 1));
-    const f8 within = rhw_clamp(detail, zero, last);
-    const bool blended = sampler->mip_filter == RHW_MIP_FILTER_LINEAR;
-    const f8 level = blended ? rhw_floor(within) : rhw_max(rhw_ceil(within - 0.5f), zero);
-    const f8 fraction = blended ? within - level : zero;
-    const i8 number = rhw_to_int_unchecked(level);
-    sample_levels(&source, number, fraction, sampler->min_filter, texel);
-    const i8 magnified = rhw_less_equal(detail, zero);
-    if (sampler->mag_filter != sampler->min_filter && rhw_any(magnified)) {
-        f8 large[4];
-        sample_level(&source, 0, sampler->mag_filter, large);
-        for (int i = 0; i < 4; i++) {
-            texel[i] = rhw_select(magnified, large[i], texel[i]);
-        }
+    i8 detail = i8_splat(0);
+    if (last > 0.0f) {
+        const float low = sample_clamp1(sampler->lod_min, 0.0f, last);
+        const float high = sample_clamp1(sampler->lod_max, 0.0f, last);
+        detail = rhw_to_int_unchecked(
+            rhw_clamp(sample_detail(&source, grad, lod), rhw_splat(low), rhw_splat(high)) * 65536.0f);
     }
+    sample_detail_codes(&source, detail, texel);
 }
 
 #endif
