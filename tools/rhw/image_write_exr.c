@@ -12,8 +12,8 @@
 #include <stdlib.h>
 #include <string.h>
 
-// Measured on all outputs of a 1280×960 picture: level 2 is within 6% of the size of level 4, OpenEXR's
-// default, in two thirds of the time.
+// Measured on all outputs of a 1280×960 picture of a machine: level 2 takes three quarters of the time of
+// level 4, OpenEXR's default, for a file that is 2% larger; level 1 is no faster.
 enum { ZIP_LEVEL = 2, THREADS_MAX = 64 };
 
 struct encoder {

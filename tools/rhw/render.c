@@ -14,6 +14,8 @@
 
 enum { WARNINGS_SHOWN = 8 };
 
+static const double degree = 3.14159265358979323846 / 180.0;
+
 struct render {
     struct rhw_render_job job;
     struct rhw_model *model;
@@ -133,33 +135,32 @@ static bool look_from_numbers(const struct render *render, struct rhw_camera *ca
     char error[256];
     for (int i = 0; i < 9; i++)
         vectors[i / 3][i % 3] = (double)render->job.look[i];
-    const double yfov = (double)render->job.look[9] * (3.14159265358979323846 / 180.0);
+    const double yfov = (double)render->job.look[9] * degree;
     if (rhw_camera_look(camera, render->model, vectors[0], vectors[1], vectors[2], yfov, error, sizeof error))
         return true;
     rhw_tool_error("--camera", "%s", error);
     return false;
 }
 
+static struct rhw_camera fit_camera(const struct render *render)
+{
+    const struct rhw_render_job *job = &render->job;
+    const struct rhw_orbit orbit =
+        job->camera == RHW_CAMERA_ORBIT ? job->orbit : rhw_camera_default_orbit(render->model);
+    const double yfov = job->fovy > 0.0f ? (double)job->fovy * degree : rhw_camera_default_yfov();
+    return rhw_camera_fit(render->model, orbit, yfov, (double)job->width / (double)job->height);
+}
+
 static bool choose_camera(const struct render *render, struct rhw_camera *camera)
 {
     const struct rhw_render_job *job = &render->job;
-    const struct rhw_model *model = render->model;
-    const double aspect = (double)job->width / (double)job->height;
     if (job->camera == RHW_CAMERA_LOOK)
         return look_from_numbers(render, camera);
-    if (job->camera != RHW_CAMERA_FIT && job->camera != RHW_CAMERA_ORBIT) {
-        const struct rhw_model_camera *found = find_camera(job, model);
-        if (found) {
-            *camera = rhw_camera_from_model(found, aspect);
-            return true;
-        }
-        if (job->camera != RHW_CAMERA_AUTO)
-            return report_missing_camera(job, model);
-    }
-    const struct rhw_orbit orbit = job->camera == RHW_CAMERA_ORBIT ? job->orbit : rhw_camera_default_orbit(model);
-    const double yfov = job->fovy > 0.0f ? (double)job->fovy * (3.14159265358979323846 / 180.0)
-                                         : rhw_camera_default_yfov();
-    *camera = rhw_camera_fit(model, orbit, yfov, aspect);
+    const bool fitted = job->camera == RHW_CAMERA_FIT || job->camera == RHW_CAMERA_ORBIT;
+    const struct rhw_model_camera *found = fitted ? NULL : find_camera(job, render->model);
+    if (!fitted && !found && job->camera != RHW_CAMERA_AUTO)
+        return report_missing_camera(job, render->model);
+    *camera = found ? rhw_camera_from_model(found, (double)job->width / (double)job->height) : fit_camera(render);
     return true;
 }
 
@@ -195,6 +196,22 @@ static void log_line(void *user, enum rhw_log_level level, const char *message)
         rhw_tool_warning(job->model_path, "%s", message);
 }
 
+// Nothing was seen. Who asked for that view gets it, with a warning; but a camera that merely stands in the
+// file, as many exporters leave one, is no reason for an empty picture.
+static enum rhw_result draw_again(struct render *render)
+{
+    const struct rhw_render_job *job = &render->job;
+    const bool refit = job->camera == RHW_CAMERA_AUTO && find_camera(job, render->model);
+    if (!job->quiet)
+        rhw_tool_warning(job->model_path, refit ? "its camera sees nothing of the model, which is fitted instead"
+                                                : "nothing of the model is in the picture");
+    if (!refit)
+        return RHW_OK;
+    render->view.camera = fit_camera(render);
+    rhw_pictures_free(&render->pictures);
+    return rhw_scene_draw(render->scene, &render->view, &render->pictures, &render->stats);
+}
+
 static bool draw(struct render *render)
 {
     struct rhw_context_def def = rhw_context_def_default();
@@ -208,6 +225,8 @@ static bool draw(struct render *render)
         result = rhw_scene_create(render->context, render->model, &render->scene);
     if (result == RHW_OK)
         result = rhw_scene_draw(render->scene, &render->view, &render->pictures, &render->stats);
+    if (result == RHW_OK && render->stats.pipeline.triangles_rasterized == 0)
+        result = draw_again(render);
     rhw_tool_stage_end();
     if (result != RHW_OK)
         rhw_tool_error(render->job.model_path, "%s", rhw_result_string(result));
@@ -274,8 +293,6 @@ static int run(struct render *render)
         return RHW_TOOL_USAGE;
     if (!draw(render) || !write_files(render))
         return RHW_TOOL_FAILED;
-    if (render->stats.pipeline.triangles_rasterized == 0 && !job->quiet)
-        rhw_tool_warning(job->model_path, "nothing of the model is in the picture");
     render->times.total_ms = now_ms() - start;
     if (job->stats && !rhw_render_report(job, render->model, &render->stats, &render->times))
         return RHW_TOOL_FAILED;

@@ -61,7 +61,8 @@ static const char notes[] =
     "file as numbers without any mapping: R G B A (light before tone mapping, premultiplied, without\n"
     "background), depth.Z, distance.Z, normal.XYZA, position.XYZA, uv.UV, object.id, triangle.id (integers, 0\n"
     "is nothing), bary.abc.\n\n"
-    "Without --fit, --orbit or --camera the file's first camera is taken, or else the model fitted.\n"
+    "Without --fit, --orbit or --camera the file's first camera is taken; where there is none, or it sees nothing of\n"
+    "the model, the model is fitted into the picture.\n"
     "A file appears whole or not at all.\n\n"
     "Exit status: 0, 1 when the work failed, 2 for a wrong command line.";
 
