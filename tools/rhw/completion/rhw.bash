@@ -1,0 +1,83 @@
+# SPDX-License-Identifier: MIT
+# Completion of rhw for bash: verbs, options, the values of options, and files where a file is wanted.
+
+_rhw_words() { # CURRENT WORD...: those that begin with CURRENT
+    local current=$1
+    shift
+    mapfile -t COMPREPLY < <(compgen -W "$*" -- "$current")
+}
+
+# A list separated by commas: completes what follows the last comma.
+_rhw_list() { # CURRENT WORD...
+    local current=$1 before=
+    shift
+    [[ $current == *,* ]] && before=${current%,*},
+    mapfile -t COMPREPLY < <(compgen -P "$before" -W "$*" -- "${current##*,}")
+    compopt -o nospace 2>/dev/null
+}
+
+_rhw_files() { # CURRENT
+    compopt -o filenames 2>/dev/null
+    mapfile -t COMPREPLY < <(compgen -f -- "$1")
+}
+
+_rhw_render() { # CURRENT PREVIOUS
+    case $2 in
+    --output) _rhw_list "$1" color depth distance normal position uv object triangle bary all ;;
+    --samples) _rhw_words "$1" 1 4 9 16 ;;
+    --bits) _rhw_words "$1" 8 16 ;;
+    --format) _rhw_words "$1" png exr ppm ;;
+    --interpolate) _rhw_words "$1" smooth noperspective ;;
+    --background) _rhw_words "$1" default transparent black grey white ;;
+    --lights) _rhw_words "$1" file default ;;
+    --isa) _rhw_words "$1" baseline avx2 avx512 ;;
+    --size | -s) _rhw_words "$1" 1280x720 1920x1080 1024x1024 3840x2160 ;;
+    --orbit | --camera | --camera-index | --camera-name | --fovy | --exposure | --threads | -j) ;;
+    *)
+        if [[ $1 == -* ]]; then
+            _rhw_words "$1" --out --size --samples --output --bits --format --fit --orbit --camera --camera-index \
+                --camera-name --fovy --interpolate --wireframe --background --lights --exposure --threads --isa \
+                --stats --quiet --help
+        else
+            _rhw_files "$1"
+        fi
+        ;;
+    esac
+}
+
+_rhw_compare() {
+    case $2 in
+    --tolerance | -t) ;;
+    *)
+        if [[ $1 == -* ]]; then
+            _rhw_words "$1" --difference --tolerance --json --help
+        else
+            _rhw_files "$1"
+        fi
+        ;;
+    esac
+}
+
+_rhw_info() {
+    if [[ $1 == -* ]]; then
+        _rhw_words "$1" --json --help
+    else
+        _rhw_files "$1"
+    fi
+}
+
+_rhw() {
+    local current=${COMP_WORDS[COMP_CWORD]} previous=${COMP_WORDS[COMP_CWORD - 1]}
+    COMPREPLY=()
+    if ((COMP_CWORD == 1)); then
+        _rhw_words "$current" render compare info --help --version
+        return
+    fi
+    case ${COMP_WORDS[1]} in
+    render) _rhw_render "$current" "$previous" ;;
+    compare) _rhw_compare "$current" "$previous" ;;
+    info) _rhw_info "$current" "$previous" ;;
+    esac
+}
+
+complete -F _rhw rhw
