@@ -1,0 +1,207 @@
+#!/bin/sh
+# SPDX-License-Identifier: MIT
+# rhw render does what its help says: names, formats, sizes, outputs, statistics; and models that cannot be
+# drawn end in one line.
+. "$(dirname "$0")/harness.sh"
+make_cube cube
+view="--size 96x64"
+
+# Byte OFFSET, COUNT bytes of a file, as decimal numbers on one line.
+bytes() {
+    echo $(od -A n -t u1 -j "$2" -N "$3" "$1")
+}
+
+equal() { # A B: as pictures
+    "$rhw" compare "$1" "$2" >/dev/null 2>&1
+}
+
+# PNG: size, bits and colour type stand in the header at 16..25.
+succeed render cube.obj $view -o a.png
+check "PNG header" test "$(bytes a.png 16 10)" = "0 0 0 96 0 0 0 64 8 2"
+succeed render cube.obj $view -o t.png --background transparent
+check "transparent PNG header" test "$(bytes t.png 16 10)" = "0 0 0 96 0 0 0 64 8 6"
+succeed render cube.obj $view -o d.png --output depth
+check "depth is 16 bit grey" test "$(bytes d.png 24 2)" = "16 0"
+succeed render cube.obj $view -o d8.png --output depth --bits 8
+check "depth in 8 bits" test "$(bytes d8.png 24 2)" = "8 0"
+succeed render cube.obj $view -o n16.png --output normal --bits 16
+check "normals in 16 bits" test "$(bytes n16.png 24 2)" = "16 2"
+succeed render cube.obj -o A.PNG
+check "default size" test "$(bytes A.PNG 16 8)" = "0 0 5 0 0 0 2 208"
+
+# The same picture through every door.
+succeed render cube.obj $view -o a.ppm
+check "PPM header" test "$(head -c 13 a.ppm | tr '\n' ' ')" = "P6 96 64 255 "
+check "PPM equals PNG" equal a.ppm a.png
+run render cube.obj $view -o -
+check "standard output is the PNG file" cmp -s a.png "$folder/log/out"
+succeed render cube.obj $view --format png -o plain
+check "--format names the format" cmp -s a.png plain
+succeed render $view -o again.png cube.obj
+check "options stand anywhere" cmp -s a.png again.png
+succeed render cube.obj $view -o c16.png --bits 16
+check "16 bit colour" test "$(bytes c16.png 24 2)" = "16 2"
+check "16 bit colour rounds to the 8 bit one" "$rhw" compare a.png c16.png --tolerance 0.501/255 >"$folder/log/compare"
+if equal a.png c16.png; then
+    fail "16 bit colour has no more precision than 8 bits"
+fi
+
+# Any number of threads, any instruction set, the same bytes.
+succeed render cube.obj $view -o all.exr --output all
+for threads in 1 2 5 64; do
+    succeed render cube.obj $view -o same.png --threads $threads
+    check "$threads threads" cmp -s a.png same.png
+    succeed render cube.obj $view -o same.exr --output all --threads $threads
+    check "$threads threads, EXR" cmp -s all.exr same.exr
+done
+for isa in baseline avx2 avx512; do
+    run render cube.obj $view -o same.png --isa $isa
+    if [ $status = 0 ]; then
+        check "isa $isa" cmp -s a.png same.png
+    else
+        check "isa $isa is missing" grep -q "^rhw: --isa: this computer or this build has no $isa" "$folder/log/err"
+    fi
+done
+
+# Several outputs: names, and a single one of them is the same picture.
+mkdir set
+succeed render cube.obj $view -o set/x.png --output all
+check "names of a set" test "$(ls set | tr '\n' ' ')" = \
+    "x.bary.png x.depth.png x.distance.png x.normal.png x.object.png x.png x.position.png x.triangle.png x.uv.png "
+check "depth in a set" cmp -s set/x.depth.png d.png
+check "colour in a set" cmp -s set/x.png a.png
+mkdir braces
+succeed render cube.obj $view -o 'braces/a-{}.v1.ppm' --output color,uv
+check "names with braces" test "$(ls braces | tr '\n' ' ')" = "a-color.v1.ppm a-uv.v1.ppm "
+succeed render cube.obj $view -o 'braces/{}.png' --output bary
+check "one name with braces" test -f braces/bary.png
+for output in normal position uv object triangle bary; do
+    for other in normal position uv object triangle bary; do
+        [ $output = $other ] || ! equal set/x.$output.png set/x.$other.png || fail "$output and $other look alike"
+    done
+done
+
+# EXR: all layers, and those of a part alone are the same numbers.
+succeed compare all.exr all.exr
+for channel in R G B A depth.Z distance.Z normal.X normal.Y normal.Z normal.A position.X position.Y position.Z \
+    position.A uv.U uv.V object.id triangle.id bary.a bary.b bary.c; do
+    check "EXR channel $channel" grep -q "^$channel " "$folder/log/out"
+done
+check "21 EXR channels" test "$(wc -l <"$folder/log/out")" = 23
+succeed render cube.obj $view -o some.exr --output depth,triangle
+refuse 1 "some.exr: has no channel" compare all.exr some.exr
+
+# Options that must show in the picture.
+differs() { # DESCRIPTION OPTION...
+    checks=$((checks + 1))
+    description=$1
+    shift
+    succeed render cube.obj $view -o other.png "$@"
+    equal a.png other.png && fail "$description does not show"
+}
+differs "--samples" --samples 16
+differs "--wireframe" --wireframe
+differs "--wireframe=plain" --wireframe=plain
+differs "--orbit" --orbit 200,10
+differs "--camera" --camera 0,0,9,0,0,0,0,1,0,30
+differs "--fovy" --fovy 80
+differs "--background" --background black
+differs "--exposure" --exposure=-2
+succeed render cube.obj $view -o other.png --fit
+check "--fit is the default here" equal a.png other.png
+succeed render cube.obj $view -o other.png --output uv --camera 0,0,4,0,0,0,0,1,0,60
+succeed render cube.obj $view -o wrong.png --output uv --camera 3,3,3,0,0,0,0,1,0,60 --interpolate noperspective
+succeed render cube.obj $view -o right.png --output uv --camera 3,3,3,0,0,0,0,1,0,60
+equal wrong.png right.png && fail "--interpolate does not show"
+succeed render cube.obj $view -o color.ppm --background '#fF8001'
+check "background colour" test "$(bytes color.ppm 13 3)" = "255 128 1"
+succeed render cube.obj $view -o color.ppm --background grey
+check "background by name" test "$(bytes color.ppm 13 3)" = "128 128 128"
+
+# Cameras of the file: the first looks away, the second at the triangle.
+cat >cameras.gltf <<'GLTF'
+{"asset": {"version": "2.0"}, "scene": 0, "scenes": [{"nodes": [0, 1, 2]}],
+ "nodes": [{"mesh": 0}, {"name": "away", "camera": 0, "translation": [0, 0, -5]},
+           {"name": "front", "camera": 0, "translation": [0, 0, 5]}],
+ "cameras": [{"type": "perspective", "perspective": {"yfov": 0.5, "znear": 0.1}}],
+ "meshes": [{"primitives": [{"attributes": {"POSITION": 0}}]}],
+ "accessors": [{"bufferView": 0, "componentType": 5126, "count": 3, "type": "VEC3", "min": [0, 0, 0], "max": [1, 1, 0]}],
+ "bufferViews": [{"buffer": 0, "byteLength": 36}],
+ "buffers": [{"byteLength": 36, "uri": "data:application/octet-stream;base64,AAAAAAAAAAAAAAAAAACAPwAAAAAAAAAAAAAAAAAAgD8AAAAA"}]}
+GLTF
+succeed render cameras.gltf $view -o front.png --camera-index 1
+succeed render cameras.gltf $view -o name.png --camera-name front
+check "index and name choose the same camera" cmp -s front.png name.png
+succeed render cameras.gltf $view -o fit.png --fit
+equal front.png fit.png && fail "--camera-index does not show"
+run render cameras.gltf $view -o first.png
+check "a camera that sees nothing is not taken" equal first.png fit.png
+check "and said so" grep -q "^rhw: cameras.gltf: warning: its camera sees nothing" "$folder/log/err"
+run render cameras.gltf $view -o first.png --camera-index 0
+check "unless it was asked for" grep -q "^rhw: cameras.gltf: warning: nothing of the model is in" "$folder/log/err"
+refuse 2 "--camera-index: cameras.gltf has the cameras 0..1 only" render cameras.gltf -o x.png --camera-index 2
+refuse 2 "--camera-name: cameras.gltf has no camera named 'side'" render cameras.gltf -o x.png --camera-name side
+
+# Statistics.
+succeed render cube.obj $view -o s.png --stats=s.json --threads 2 --isa baseline --output color,normal
+run render cube.obj $view -o s.png --stats --threads 2 --isa baseline
+check "statistics on standard output" grep -q '"triangles": {"in": 12, ' "$folder/log/out"
+for key in model model_format width height samples outputs threads isa times_ms import upload front back resolve read \
+    encode total triangles in dropped clipped culled rasterized draws vertices_shaded fragments shaded groups \
+    lane_occupancy tiles flushes memory_peak process_memory_peak; do
+    check "statistics have $key" grep -q "\"$key\": " s.json
+done
+check "statistics name the outputs" grep -q '"outputs": \["color", "normal"\]' s.json
+check "statistics name threads" grep -q '"threads": 2,' s.json
+check "statistics name the isa" grep -q '"isa": "baseline"' s.json
+if command -v python3 >/dev/null 2>&1; then
+    check "statistics are JSON" python3 -c 'import json, sys
+s = json.load(open("s.json"))
+t = s["times_ms"]
+f = s["fragments"]
+assert sum(v for k, v in t.items() if k != "total") <= t["total"] * 1.01, t
+assert 0 < f["shaded"] <= 8 * f["groups"], f
+assert abs(f["lane_occupancy"] - f["shaded"] / (8 * f["groups"])) < 1e-3, f
+n = s["triangles"]
+assert n["in"] == 24 and n["culled"] + n["rasterized"] + n["dropped"] == 24, n
+assert s["process_memory_peak"] > s["memory_peak"] > 96 * 64 * 4, s'
+fi
+cp cube.obj "$(printf 'a"b\\c\td\351.obj')"
+run render "$(printf 'a"b\\c\td\351.obj')" $view -o s.png --stats
+check "a strange name" test $status = 0
+check "a strange name in JSON" grep -qF '"model": "a\"b\\c\u0009d\ufffd.obj"' "$folder/log/out"
+
+# A terminal sees what goes on, and nothing of it remains.
+if command -v script >/dev/null 2>&1; then
+    script -qec "'$rhw' render cube.obj $view -o s.png" "$folder/log/typescript" >/dev/null 2>&1 </dev/null
+    check "progress on a terminal" grep -q "reading cube.obj" "$folder/log/typescript"
+fi
+
+# Models that cannot be drawn.
+: >empty.obj
+echo "just words" >words.txt
+echo "just words" >words.glb
+printf 'v 0 0 0\nv 1 0 0\nv 0 1 0\n' >points.obj
+printf 'glTF\2\0\0\0\100\0\0\0' >cut.glb
+mkdir folder.obj
+refuse 1 "none.obj: No such file or directory|none.obj: .*" render none.obj -o x.png
+for model in empty.obj words.txt words.glb points.obj cut.glb folder.obj; do
+    refuse 1 "$model: " render $model -o x.png
+done
+printf 'v 0 0 0\nv 1 0 0\nv nan 1 0\nv 0 1 0\nf 1 2 3\nf 1 2 4\n' >nan.obj
+run render nan.obj $view -o x.png
+check "NaN vertices end in a status, not a crash" test $status -le 1
+cat >missing.mtl <<'MTL'
+newmtl m
+map_Kd not-there.png
+MTL
+printf 'mtllib missing.mtl\nv 0 0 0\nv 1 0 0\nv 0 1 0\nvt 0 0\nvt 1 0\nvt 0 1\nusemtl m\nf 1/1 2/2 3/3\n' >missing.obj
+run render missing.obj $view -o x.png
+check "a missing texture is no failure" test $status = 0
+check "a missing texture is a warning" grep -q "^rhw: missing.obj: warning: .*not-there.png" "$folder/log/err"
+succeed render missing.obj $view -o x.png --quiet
+run render cube.obj $view -o x.png --camera 0,0,9,0,0,18,0,1,0,30
+check "nothing in view is a warning" grep -q "^rhw: cube.obj: warning: nothing of the model is in the picture" "$folder/log/err"
+no_temporary_files
+
+finish

@@ -1,0 +1,84 @@
+#!/bin/sh
+# SPDX-License-Identifier: MIT
+# Wrong command lines: status 2, one line that names the thing and the rule, nothing done.
+. "$(dirname "$0")/harness.sh"
+make_cube cube
+
+refuse 2 "no verb given"
+refuse 2 "draw: no such verb" draw cube.obj
+refuse 2 "--verbose: no such option" --verbose
+
+succeed --version
+check "version" grep -Eq '^rhw [0-9]+\.[0-9]+\.[0-9]+$' "$folder/log/out"
+succeed --help
+for verb in render compare info; do
+    check "help lists $verb" grep -Eq "^  rhw $verb " "$folder/log/out"
+done
+for verb in render compare info; do
+    succeed $verb --help
+    check "help of $verb" grep -q "^Usage: rhw $verb" "$folder/log/out"
+    check "help of $verb states the statuses" grep -q "status" "$folder/log/out"
+    refuse 2 "--no-such-thing: no such option" $verb --no-such-thing
+    refuse 2 "-Z: no such option" $verb -Z
+    refuse 2 "$verb: expected " $verb
+done
+
+refuse 2 "render: -o OUT is missing" render cube.obj
+refuse 2 "extra: one argument too many" render cube.obj extra -o a.png
+refuse 2 "-o: needs an argument|--out: needs an argument" render cube.obj -o
+refuse 2 "--quiet: takes no argument" render cube.obj -o a.png --quiet=1
+refuse 2 "--si.*: needs an argument" render cube.obj -o a.png --size
+
+for size in 0x10 10x0 16385x1 1x16385 -1x5 10 x 10x 10x10x10 1e3x5 99999999999x1 ''; do
+    refuse 2 "--size: '$size' is not WxH with both 1..16384" render cube.obj -o a.png --size "$size"
+done
+for samples in 0 2 3 17 x -4 4.0; do
+    refuse 2 "--samples: '$samples' is not 1, 4, 9 or 16" render cube.obj -o a.png --samples=$samples
+done
+refuse 2 "--samples: 4 are too many for 8193x10: 2 times" render cube.obj -o a.png --samples 4 --size 8193x10
+for threads in 0 65 -1 two; do
+    refuse 2 "--threads: '$threads' is not a number of 1 to 64" render cube.obj -o a.png --threads=$threads
+done
+refuse 2 "--isa: 'mmx' is not baseline, avx2 or avx512" render cube.obj -o a.png --isa mmx
+refuse 2 "--interpolate: 'flat' is not smooth or noperspective" render cube.obj -o a.png --interpolate flat
+refuse 2 "--wireframe: 'red' is not over or plain" render cube.obj -o a.png --wireframe=red
+for color in redd '#12' 12345g 1234567 ''; do
+    refuse 2 "--background: '$color' is not a colour" render cube.obj -o a.png --background "$color"
+done
+refuse 2 "--output: 'colour' is no output" render cube.obj -o a.png --output depth,colour,normal
+refuse 2 "--output: '' is no output" render cube.obj -o a.png --output depth,
+refuse 2 "--bits: '10' is not 8 or 16" render cube.obj -o a.png --bits 10
+refuse 2 "--format: 'jpg' is not png, exr or ppm" render cube.obj -o a.png --format jpg
+refuse 2 "--exposure: '21' is not a number of -20 to 20" render cube.obj -o a.png --exposure 21
+refuse 2 "--exposure: 'nan' is not" render cube.obj -o a.png --exposure nan
+refuse 2 "--lights: 'none' is not file or default" render cube.obj -o a.png --lights none
+refuse 2 "--fovy: '180' is not an angle" render cube.obj -o a.png --fovy 180
+
+refuse 2 "--camera: '1,2,3' is not ten numbers" render cube.obj -o a.png --camera 1,2,3
+refuse 2 "--camera: .* is not ten numbers" render cube.obj -o a.png --camera 0,0,5,0,0,0,0,1,0,30,1
+refuse 2 "--camera: .* is not ten numbers" render cube.obj -o a.png --camera 0,0,inf,0,0,0,0,1,0,30
+refuse 2 "--camera: " render cube.obj -o a.png --camera 1,1,1,1,1,1,0,1,0,30
+refuse 2 "--camera: " render cube.obj -o a.png --camera 0,0,5,0,0,0,0,1,0,180
+refuse 2 "--orbit: '30' is not two angles" render cube.obj -o a.png --orbit 30
+refuse 2 "--orbit: cannot be together with --camera" render cube.obj -o a.png --camera 0,0,5,0,0,0,0,1,0,30 --orbit 1,2
+refuse 2 "--fovy: cannot be together with --camera" render cube.obj -o a.png --camera 0,0,5,0,0,0,0,1,0,30 --fovy 30
+refuse 2 "--camera-index: '-1' is not a number" render cube.obj -o a.png --camera-index=-1
+refuse 2 "--camera-index: cube.obj has no cameras" render cube.obj -o a.png --camera-index 0
+refuse 2 "--camera-name: cube.obj has no cameras" render cube.obj -o a.png --camera-name front
+
+refuse 2 "a.jpg: no format for this ending" render cube.obj -o a.jpg
+refuse 2 "png: no format for this ending" render cube.obj -o png
+refuse 2 ".png: no format for this ending" render cube.obj -o .png
+refuse 2 "--background: a PPM file cannot be transparent" render cube.obj -o a.ppm --background transparent
+refuse 2 "--bits: an EXR file always holds 32 bits" render cube.obj -o a.exr --bits 16
+refuse 2 "--stats: standard output takes the picture" render cube.obj -o - --stats
+refuse 2 "--output: standard output takes one output" render cube.obj -o - --output color,depth
+
+refuse 2 "compare: expected A B" compare a.png
+refuse 2 "c.png: one argument too many" compare a.png b.png c.png
+refuse 2 "--tolerance: 'x' is not a number" compare a.png b.png --tolerance x
+refuse 2 "--tolerance: '-1' is not a number" compare a.png b.png --tolerance=-1
+refuse 2 "--tolerance: '1/0' is not a number" compare a.png b.png --tolerance 1/0
+refuse 2 "d.exr: a difference picture is named" compare a.png b.png --difference d.exr
+
+finish
