@@ -29,6 +29,8 @@ struct tile_work {
     enum depth_mode depth_mode;
     bool shades; // there is a fragment function
     bool plain;  // smooth varyings are all the fragment function reads
+    bool needs_depth; // depth is tested or given to the fragment function
+    bool keeps_depth; // and the collected groups carry it
     int count;   // groups collected
 };
 
@@ -90,11 +92,11 @@ static i8 depth_test_and_write(const struct tile_work *work, int x, int y, f8 z,
     return pass;
 }
 
-static void merge_group(const struct tile_work *work, int g)
+// Lanes of group g that are still live after discarding and the late depth test.
+static unsigned finish_depth(const struct tile_work *work, int g)
 {
-    struct rhw_tile_scratch *const scratch = work->scratch;
-    const struct rhw_group_place place = scratch->places[g];
-    const struct rhw_fragment *const group = &scratch->groups[g];
+    const struct rhw_group_place place = work->scratch->places[g];
+    const struct rhw_fragment *const group = &work->scratch->groups[g];
     const uint32_t uses = work->pipeline->def.program.uses;
     i8 mask = i8_from_bits(place.bits);
     if (uses & RHW_USE_DISCARD) {
@@ -104,10 +106,26 @@ static void merge_group(const struct tile_work *work, int g)
         const f8 z = uses & RHW_USE_DEPTH ? viewport_clamp(work->state, group->depth) : group->depth;
         mask = depth_test_and_write(work, place.x, place.y, z, mask);
     }
-    for (int t = 0; t < work->pass->color_count; t++) {
-        const size_t texel = work->pass->colors[t].texel_size;
-        output_group(&work->state->outputs[t], (const f8 *)scratch->outputs[g][t], mask,
-                     scratch->color[t] + (size_t)(place.y * RHW_TILE + place.x) * texel);
+    return i8_sign_bits(mask);
+}
+
+// Merges what was shaded into target t. `kind` is the target's, a constant where a call names one.
+RHW_INLINE void merge_target(const struct tile_work *work, int t, enum output_kind kind)
+{
+    struct output_state state = work->state->outputs[t];
+    state.kind = kind;
+    const size_t texel = kind == OUTPUT_RGBA8_REPLACE || kind == OUTPUT_RGBA8_OVER ? 4 : work->pass->colors[t].texel_size;
+    unsigned char *const texels = work->scratch->color[t];
+    const struct rhw_group_place *const places = work->scratch->places;
+    for (int g = 0, count = work->count; g < count; g++) {
+        const struct rhw_group_place place = places[g];
+        unsigned char *const to = texels + (size_t)(place.y * RHW_TILE + place.x) * texel;
+        const f8 *const color = work->scratch->outputs[g][t];
+        if (kind == OUTPUT_RGBA8_REPLACE && place.bits == 0xff) {
+            output_group(&state, color, i8_splat(-1), to);
+        } else {
+            output_group(&state, color, i8_from_bits(place.bits), to);
+        }
     }
 }
 
@@ -123,8 +141,20 @@ static void flush(struct tile_work *work)
     } else {
         rhw_fragment1_run(work->pipeline, scratch->groups, work->count);
     }
-    for (int g = 0; g < work->count; g++) {
-        merge_group(work, g);
+    if (work->depth_mode >= DEPTH_LATE || work->pipeline->def.program.uses & RHW_USE_DISCARD) {
+        for (int g = 0; g < work->count; g++) {
+            scratch->places[g].bits = finish_depth(work, g);
+        }
+    }
+    for (int t = 0; t < work->pass->color_count; t++) {
+        const enum output_kind kind = work->state->outputs[t].kind;
+        if (kind == OUTPUT_RGBA8_REPLACE) {
+            merge_target(work, t, OUTPUT_RGBA8_REPLACE);
+        } else if (kind == OUTPUT_RGBA8_OVER) {
+            merge_target(work, t, OUTPUT_RGBA8_OVER);
+        } else {
+            merge_target(work, t, kind);
+        }
     }
     work->counters->groups += (uint64_t)work->count;
     work->count = 0;
@@ -150,6 +180,8 @@ static void set_draw(struct tile_work *work, const struct rhw_draw *draw)
                        : !work->shades || !(uses & (RHW_USE_DISCARD | RHW_USE_DEPTH)) ? DEPTH_EARLY
                        : uses & RHW_USE_DEPTH || !monotonic                ? DEPTH_LATE
                                                                            : DEPTH_EARLY_REJECT;
+    work->keeps_depth = work->depth_mode >= DEPTH_LATE || uses & (RHW_USE_COORD | RHW_USE_DEPTH);
+    work->needs_depth = work->depth_mode != DEPTH_NONE || work->keeps_depth;
     for (int g = 0; g < RHW_FRAGMENT_GROUPS; g++) {
         struct rhw_fragment *const group = &work->scratch->groups[g];
         const int offset = g * pipeline->varying_components;
@@ -293,29 +325,38 @@ static void fill_group(const struct tile_work *work, int g, const struct triangl
     fill_builtins(work, group, triangle, work->scratch->places[g], &w, s, t);
 }
 
-// Adds 8 fragments, row `row` of the block, to those collected.
-RHW_INLINE void add_group(struct tile_work *work, const struct triangle_work *triangle, const struct block_planes *block,
-                          const struct block_place *at, int row, struct rhw_group_place place, f8 z)
+// Collects the rows of a block whose bits are set in `mask`; z: their depths, where depth is kept. `plain` is
+// work->plain, a constant where a call names it.
+RHW_INLINE void add_rows(struct tile_work *work, const struct triangle_work *triangle, const struct block_planes *block,
+                         const struct block_place *at, int x, int y, uint64_t mask, const f8 z[RHW_BLOCK], bool plain)
 {
-    const int g = work->count;
-    struct rhw_fragment *const group = &work->scratch->groups[g];
-    work->scratch->places[g] = place;
-    group->mask = i8_from_bits(place.bits);
-    group->depth = z;
-    if (work->plain) {
-        const int components = work->pipeline->varying_components;
-        f8 *const out = work->scratch->varyings + g * components;
-        if (components != 0) {
+    struct rhw_tile_scratch *const scratch = work->scratch;
+    const int components = work->pipeline->varying_components;
+    const bool keeps_depth = work->keeps_depth;
+    work->counters->fragments += (uint64_t)__builtin_popcountll(mask);
+    while (mask != 0) {
+        const int shift = __builtin_ctzll(mask) & 56, row = shift / 8;
+        const unsigned bits = (unsigned)(mask >> shift) & 0xff;
+        const int g = work->count;
+        struct rhw_fragment *const group = &scratch->groups[g];
+        mask &= ~((uint64_t)0xff << shift);
+        scratch->places[g] = (struct rhw_group_place){x, y + row, bits};
+        group->mask = i8_from_bits(bits);
+        if (keeps_depth) {
+            group->depth = z[row];
+        }
+        if (!plain) {
+            fill_group(work, g, triangle, block, at, row);
+        } else if (components != 0) {
             const struct weights w = weights_row(&triangle->planes, block, row);
+            f8 *const out = scratch->varyings + g * components;
             for (int i = 0; i < components; i++) {
                 out[i] = interpolate(triangle, i, w.b, w.c);
             }
         }
-    } else {
-        fill_group(work, g, triangle, block, at, row);
-    }
-    work->counters->fragments += (uint64_t)__builtin_popcount(place.bits);
-    if (++work->count == RHW_FRAGMENT_GROUPS) {
-        flush(work);
+        work->count = g + 1;
+        if (g + 1 == RHW_FRAGMENT_GROUPS) {
+            flush(work);
+        }
     }
 }

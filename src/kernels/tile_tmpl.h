@@ -5,51 +5,80 @@
 #include "coverage_tmpl.h"
 #include "shade_tmpl.h"
 
-// A block: depth of 8 rows, then what survives is collected for shading.
+// Tests depth of the block's pixels in `mask`, early; returns those that pass. `compare` and `write` are
+// constants where a call names them.
+RHW_INLINE uint64_t test_block(const struct tile_work *work, const struct planes *planes, const struct block_planes *block,
+                               int x, int y, uint64_t mask, enum rhw_compare compare, bool write)
+{
+    float *const stored = stored_depth(work, x, y);
+    uint64_t passed = 0;
+    while (mask != 0) {
+        const int shift = __builtin_ctzll(mask) & 56, row = shift / 8;
+        float *const texels = stored + row * RHW_TILE;
+        const f8 z = depth_row(planes, block, row), old = f8_load(texels);
+        const i8 pass = i8_from_bits((unsigned)(mask >> shift) & 0xff) & depth_passes(compare, z, old);
+        if (write) {
+            f8_store(texels, f8_select(pass, z, old));
+        }
+        passed |= (uint64_t)i8_sign_bits(pass) << shift;
+        mask &= ~((uint64_t)0xff << shift);
+    }
+    return passed;
+}
+
+// The same on any road but the commonest, which is in draw_block: keeps depth for the fragments, clamps it.
+static uint64_t depth_block(const struct tile_work *work, const struct triangle_work *triangle,
+                            const struct block_planes *block, int x, int y, uint64_t mask, f8 z[RHW_BLOCK])
+{
+    uint64_t passed = 0;
+    for (int row = 0; row < RHW_BLOCK; row++) {
+        unsigned bits = (unsigned)(mask >> (8 * row)) & 0xff;
+        z[row] = depth_row(&triangle->planes, block, row);
+        if (triangle->t->flags & RHW_TRIANGLE_CLAMP) {
+            z[row] = viewport_clamp(work->state, z[row]);
+        }
+        if (work->depth_mode == DEPTH_EARLY) {
+            bits = i8_sign_bits(depth_test_and_write(work, x, y + row, z[row], i8_from_bits(bits)));
+        } else if (work->depth_mode == DEPTH_EARLY_REJECT) {
+            bits &= i8_sign_bits(
+                depth_passes(work->pipeline->def.depth_compare, z[row], f8_load(stored_depth(work, x, y + row))));
+        }
+        passed |= (uint64_t)bits << (8 * row);
+    }
+    return passed;
+}
+
+// A block: depth first, then what survives is collected for shading.
 static void draw_block(struct tile_work *work, struct triangle_work *triangle, int x, int y, uint64_t mask)
 {
     const struct planes *const planes = &triangle->planes;
-    const bool clamp = triangle->t->flags & RHW_TRIANGLE_CLAMP, shades = work->shades;
-    const bool needs_depth =
-        work->depth_mode != DEPTH_NONE || work->pipeline->def.program.uses & (RHW_USE_COORD | RHW_USE_DEPTH);
+    const struct rhw_pipeline_def *const def = &work->pipeline->def;
     const struct block_place at = {d8_from_i8(i8_splat(work->x + x - planes->anchor_x) + rhw_lane_index),
                                    d8_from_i8(i8_splat(work->y + y - planes->anchor_y) + rhw_lane_index)};
     struct block_planes block;
-    bool weights_ready = false;
-    block.z.column = d8_splat(0);
-    if (needs_depth) {
+    f8 z[RHW_BLOCK];
+    if (work->needs_depth) {
         block_depth(&block, planes, &at);
+        if (work->keeps_depth || triangle->t->flags & RHW_TRIANGLE_CLAMP) {
+            mask = depth_block(work, triangle, &block, x, y, mask, z);
+        } else if (def->depth_compare == RHW_COMPARE_LESS && def->depth_write) {
+            mask = test_block(work, planes, &block, x, y, mask, RHW_COMPARE_LESS, true);
+        } else {
+            mask = test_block(work, planes, &block, x, y, mask, def->depth_compare, def->depth_write);
+        }
     }
-    for (; mask != 0; mask &= ~((uint64_t)0xff << (__builtin_ctzll(mask) & 56))) {
-        const int row = __builtin_ctzll(mask) / 8;
-        unsigned bits = (unsigned)(mask >> (8 * row)) & 0xff;
-        f8 z = f8_splat(0);
-        if (needs_depth) {
-            z = depth_row(planes, &block, row);
-            if (clamp) {
-                z = viewport_clamp(work->state, z);
-            }
-        }
-        if (work->depth_mode == DEPTH_EARLY) {
-            bits = i8_sign_bits(depth_test_and_write(work, x, y + row, z, i8_from_bits(bits)));
-        } else if (work->depth_mode == DEPTH_EARLY_REJECT) {
-            bits &= i8_sign_bits(
-                depth_passes(work->pipeline->def.depth_compare, z, f8_load(stored_depth(work, x, y + row))));
-        }
-        if (bits == 0 || !shades) {
-            continue;
-        }
-        if (!weights_ready) {
-            weights_ready = true;
-            block_weights(&block, planes, &at);
-            if (!work->plain) {
-                block_screen_weights(&block, planes, &at);
-            }
-            if (!triangle->ready) {
-                prepare_values(work, triangle);
-            }
-        }
-        add_group(work, triangle, &block, &at, row, (struct rhw_group_place){x, y + row, bits}, z);
+    if (mask == 0 || !work->shades) {
+        return;
+    }
+    if (!triangle->ready) {
+        prepare_values(work, triangle);
+    }
+    block_weights(&block, planes, &at);
+    if (work->plain) {
+        add_rows(work, triangle, &block, &at, x, y, mask, z, true);
+    } else {
+        block_screen_weights(&block, planes, &at);
+        add_rows(work, triangle, &block, &at, x, y, mask, z, false);
     }
 }
 
