@@ -3,7 +3,8 @@
 // outside, whichever order the triangle names them in: the two owners of a shared edge, which cut it by the
 // same planes in the same order, thus get the same point, bit for bit, and no crack opens between them.
 //
-// 0 <= Z <= W implies W >= 0; with the guard band, W = 0 is left only for the point (0, 0, 0, 0).
+// Z here is in the range 0..W whatever the pipeline's: (Z + W)/2 of floats is exact in double unless their
+// exponents are far apart. 0 <= Z <= W implies W >= 0; with the guard band, W = 0 is left only for the point (0, 0, 0, 0).
 #include "clip.h"
 
 #include "limits.h"
@@ -68,15 +69,22 @@ static int32_t snap(double pixels)
     return (int32_t)((inside * RHW_SUBPIXEL + 0x1.8p52) - 0x1.8p52);
 }
 
+// The vertex in pixels times W.
+static struct corner corner_of(const struct rhw_draw_state *state, const struct rhw_vertex_record *v)
+{
+    const float *const p = v->position;
+    const double z = (double)p[2], w = (double)p[3];
+    const bool symmetric = state->pipeline->def.depth_range == RHW_DEPTH_MINUS_ONE_TO_ONE;
+    return (struct corner){(double)p[0] * state->half_width + w * state->center_x,
+                           w * state->center_y - (double)p[1] * state->half_height, symmetric ? (z + w) * 0.5 : z, w};
+}
+
 bool rhw_clip_triangle(const struct rhw_draw_state *state, const struct rhw_vertex_record *const vertices[3],
                        struct rhw_polygon *polygon)
 {
     struct corner a[RHW_POLYGON_CORNERS + 1], b[RHW_POLYGON_CORNERS + 1];
     for (int i = 0; i < 3; i++) {
-        const float *const p = vertices[i]->position;
-        const double w = (double)p[3];
-        a[i] = (struct corner){(double)p[0] * state->half_width + w * state->center_x,
-                               w * state->center_y - (double)p[1] * state->half_height, (double)p[2], w};
+        a[i] = corner_of(state, vertices[i]);
     }
     struct corner *in = a, *out = b;
     int count = 3;
@@ -100,11 +108,9 @@ bool rhw_clip_triangle(const struct rhw_draw_state *state, const struct rhw_vert
     // An original corner keeps the position its vertex was snapped to: other triangles share it.
     for (int k = 0; k < 3; k++) {
         const struct rhw_vertex_record *const v = vertices[k];
-        const double w = (double)v->position[3];
-        const double x = (double)v->position[0] * state->half_width + w * state->center_x;
-        const double y = w * state->center_y - (double)v->position[1] * state->half_height;
+        const struct corner c = corner_of(state, v);
         for (int i = 0; i < count && !(v->flags & RHW_VERTEX_UNSNAPPED); i++) {
-            if (in[i].w == w && in[i].x == x && in[i].y == y && in[i].z == (double)v->position[2]) {
+            if (in[i].w == c.w && in[i].x == c.x && in[i].y == c.y && in[i].z == c.z) {
                 polygon->x_24_8[i] = v->x_24_8;
                 polygon->y_24_8[i] = v->y_24_8;
             }

@@ -426,6 +426,10 @@ static const struct rhw_draw_state *snapshot(struct rhw_pass_state *pass)
     for (int i = 0; i < pass->color_count && state->pipeline; i++) {
         rhw_output_prepare(&state->outputs[i], &state->pipeline->def.targets[i], state->blend_constant);
     }
+    const double span = (double)state->viewport.depth_max - (double)state->viewport.depth_min;
+    const bool symmetric = state->pipeline && state->pipeline->def.depth_range == RHW_DEPTH_MINUS_ONE_TO_ONE;
+    state->depth_low = (double)state->viewport.depth_min + (symmetric ? span / 2 : 0);
+    state->depth_span = symmetric ? span / 2 : span;
     state->half_width = (double)state->viewport.width / 2;
     state->half_height = (double)state->viewport.height / 2;
     state->center_x = (double)state->viewport.x + state->half_width;

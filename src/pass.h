@@ -37,6 +37,8 @@ struct rhw_draw_state {
     struct rhw_rect scissor; // already within target and viewport
     float blend_constant[4];
     struct output_state outputs[RHW_MAX_COLOR_ATTACHMENTS];
+    // Depth after the viewport's range: depth_low + depth_span·Z/W, whatever range of Z the pipeline has.
+    double depth_low, depth_span;
     // Screen position of clip coordinates: x = X/W·half_width + center_x, y = center_y − Y/W·half_height.
     double half_width, half_height, center_x, center_y;
 };

@@ -9,9 +9,9 @@
 // All numbers of one vertex stand together because a triangle needs all of them at once.
 struct rhw_vertex_record {
     int32_t x_24_8, y_24_8;   // snapped; meaningless with RHW_VERTEX_UNSNAPPED
-    float depth;              // after the viewport's depth range, rounded once
+    float depth;              // after the viewport's depth range, rounded: for culling and clamping
     uint32_t flags;           // or-ed rhw_vertex_flag
-    float position[4];        // homogeneous clip coordinates, Z already in the 0..W convention
+    float position[4];        // homogeneous clip coordinates
     float varyings[];
 };
 

@@ -82,8 +82,12 @@ static bool setup_clipped(struct rhw_front_scratch *scratch, struct rhw_counters
         counters->dropped++;
         return false;
     }
+    // Corners that are cut are snapped on their own: a triangle without area can leave a polygon with one.
+    const int64_t x1 = v[1]->x_24_8 - v[0]->x_24_8, y1 = v[1]->y_24_8 - v[0]->y_24_8;
+    const int64_t x2 = v[2]->x_24_8 - v[0]->x_24_8, y2 = v[2]->y_24_8 - v[0]->y_24_8;
+    const bool empty = !(any & RHW_VERTEX_UNSNAPPED) && x1 * y2 == x2 * y1;
     struct rhw_polygon *const polygon = &scratch->polygons[scratch->polygon_count];
-    if (all & RHW_VERTEX_OUTSIDE || !rhw_clip_triangle(state, v, polygon)) {
+    if (empty || (all & RHW_VERTEX_OUTSIDE) || !rhw_clip_triangle(state, v, polygon)) {
         counters->culled++;
         return false;
     }
@@ -91,18 +95,18 @@ static bool setup_clipped(struct rhw_front_scratch *scratch, struct rhw_counters
     const int64_t area = rhw_polygon_area(polygon);
     triangle->flags = (uint16_t)(RHW_TRIANGLE_POLYGON | RHW_TRIANGLE_CLAMP |
                                  (any & RHW_VERTEX_UNSNAPPED ? RHW_TRIANGLE_UNSNAPPED : 0));
-    int32_t x0 = polygon->x_24_8[0], x1 = x0, y0 = polygon->y_24_8[0], y1 = y0;
+    int32_t low_x = polygon->x_24_8[0], high_x = low_x, low_y = polygon->y_24_8[0], high_y = low_y;
     for (int i = 1; i < polygon->count; i++) {
-        x0 = min_int(x0, polygon->x_24_8[i]);
-        x1 = max_int(x1, polygon->x_24_8[i]);
-        y0 = min_int(y0, polygon->y_24_8[i]);
-        y1 = max_int(y1, polygon->y_24_8[i]);
+        low_x = min_int(low_x, polygon->x_24_8[i]);
+        high_x = max_int(high_x, polygon->x_24_8[i]);
+        low_y = min_int(low_y, polygon->y_24_8[i]);
+        high_y = max_int(high_y, polygon->y_24_8[i]);
     }
     const struct rhw_rect *const scissor = &state->scissor;
-    triangle->x0 = (int16_t)max_int(first_center(x0), scissor->x);
-    triangle->y0 = (int16_t)max_int(first_center(y0), scissor->y);
-    triangle->x1 = (int16_t)min_int(past_center(x1), scissor->x + scissor->width);
-    triangle->y1 = (int16_t)min_int(past_center(y1), scissor->y + scissor->height);
+    triangle->x0 = (int16_t)max_int(first_center(low_x), scissor->x);
+    triangle->y0 = (int16_t)max_int(first_center(low_y), scissor->y);
+    triangle->x1 = (int16_t)min_int(past_center(high_x), scissor->x + scissor->width);
+    triangle->y1 = (int16_t)min_int(past_center(high_y), scissor->y + scissor->height);
     if (area == 0 || !facing(&state->pipeline->def, area < 0, &triangle->flags) || triangle->x0 >= triangle->x1 ||
         triangle->y0 >= triangle->y1) {
         counters->culled++;

@@ -8,8 +8,8 @@
 //     s = e_1 / A,    t = e_2 / A,                     Z/W = d_0 + e_1·(d_1 − d_0)/A + e_2·(d_2 − d_0)/A.
 //
 // All in double, each rounded once to float at the end: b and c, the only weights that interpolation needs
-// (a attribute is I_0 + b·(I_1 − I_0) + c·(I_2 − I_0)), carry half an ULP of float and nothing else worth
-// counting. docs/exactness.md adds up what follows.
+// (an attribute is I_0 − (b·(I_0 − I_1) + c·(I_0 − I_2)), which keeps even a constant −0), carry half an ULP
+// of float and nothing else worth counting. docs/exactness.md adds up what follows.
 //
 // A linear quantity is evaluated as column + row, relative to a pixel that moves with the triangle, so that
 // moving it by whole pixels changes no bit. For slivers and extreme ratios of W those sums would cancel;
@@ -21,6 +21,9 @@ struct plane {
     double at, dx, dy; // value at the anchor's centre; change per pixel
 };
 
+// A clipped triangle is cut and snapped anew, so its coverage may reach past the triangle by less than 1/256
+// pixel. There a weight would be negative and, next to the horizon, 1/W zero: weights below 0 count as 0, and
+// the others are divided by what is left. `a` and the vertices' W and depth·W are for these pixels alone.
 struct planes {
     int anchor_x, anchor_y; // pixels
     bool exact;
@@ -28,6 +31,8 @@ struct planes {
     struct plane s, b, c;    // 1/W; (b·1/W), (c·1/W)
     struct plane n1, n2;     // weights on the screen of vertices 1 and 2
     struct plane e1, e2;     // exact integers
+    struct plane a;          // (a·1/W), of clipped triangles
+    double w[3], zw[3], area, a_e0; // of clipped triangles
     double z_base, z_e1, z_e2, s_base, s_e1, s_e2, b_e1, c_e2, n_e; // factors of e_1 and e_2, for `exact`
 };
 
@@ -55,7 +60,22 @@ static double absolute(double v)
     return v < 0 ? -v : v;
 }
 
-static void planes_snapped(struct planes *p, const struct rhw_triangle *t,
+static double depth_of(const struct rhw_draw_state *state, const struct rhw_vertex_record *v)
+{
+    return state->depth_low + state->depth_span * ((double)v->position[2] / (double)v->position[3]);
+}
+
+// What only clipped triangles need.
+static void planes_vertices(struct planes *p, const struct rhw_draw_state *state,
+                            const struct rhw_vertex_record *const v[3])
+{
+    for (int i = 0; i < 3; i++) {
+        p->w[i] = (double)v[i]->position[3];
+        p->zw[i] = state->depth_low * p->w[i] + state->depth_span * (double)v[i]->position[2];
+    }
+}
+
+static void planes_snapped(struct planes *p, const struct rhw_draw_state *state, const struct rhw_triangle *t,
                            const struct rhw_vertex_record *const v[3])
 {
     p->anchor_x = t->x_24_8[0] >> RHW_SUBPIXEL_BITS;
@@ -67,10 +87,10 @@ static void planes_snapped(struct planes *p, const struct rhw_triangle *t,
     p->e1 = edge_plane(t, 2, 0, sign, p);
     p->e2 = edge_plane(t, 0, 1, sign, p);
     const double w0 = 1 / (double)v[0]->position[3], w1 = 1 / (double)v[1]->position[3], w2 = 1 / (double)v[2]->position[3];
-    const double d0 = (double)v[0]->depth;
+    const double d0 = depth_of(state, v[0]);
     p->z_base = d0;
-    p->z_e1 = ((double)v[1]->depth - d0) * inverse_area;
-    p->z_e2 = ((double)v[2]->depth - d0) * inverse_area;
+    p->z_e1 = (depth_of(state, v[1]) - d0) * inverse_area;
+    p->z_e2 = (depth_of(state, v[2]) - d0) * inverse_area;
     p->s_base = w0;
     p->s_e1 = (w1 - w0) * inverse_area;
     p->s_e2 = (w2 - w0) * inverse_area;
@@ -89,6 +109,12 @@ static void planes_snapped(struct planes *p, const struct rhw_triangle *t,
     p->c = scale(p->c_e2, p->e2);
     p->n1 = scale(p->n_e, p->e1);
     p->n2 = scale(p->n_e, p->e2);
+    if (t->flags & RHW_TRIANGLE_POLYGON) {
+        planes_vertices(p, state, v);
+        p->area = sign * signed_area;
+        p->a_e0 = w0 * inverse_area;
+        p->a = scale(p->a_e0, edge_plane(t, 1, 2, sign, p));
+    }
 }
 
 // Row i of the adjugate of M, whose rows are (x, y, w) of the vertices in pixels times W: with it,
@@ -125,11 +151,11 @@ static void planes_homogeneous(struct planes *p, const struct rhw_draw_state *st
     p->s = (struct plane){a.at + p->b.at + p->c.at, a.dx + p->b.dx + p->c.dx, a.dy + p->b.dy + p->c.dy};
     p->n1 = scale((double)v[1]->position[3], p->b);
     p->n2 = scale((double)v[2]->position[3], p->c);
-    const double z0 = (double)v[0]->position[2], z1 = (double)v[1]->position[2], z2 = (double)v[2]->position[2];
-    const double low = (double)state->viewport.depth_min, span = (double)state->viewport.depth_max - low;
-    p->z = (struct plane){low + span * (a.at * z0 + p->b.at * z1 + p->c.at * z2),
-                          span * (a.dx * z0 + p->b.dx * z1 + p->c.dx * z2),
-                          span * (a.dy * z0 + p->b.dy * z1 + p->c.dy * z2)};
+    p->a = a;
+    planes_vertices(p, state, v);
+    p->z = (struct plane){a.at * p->zw[0] + p->b.at * p->zw[1] + p->c.at * p->zw[2],
+                          a.dx * p->zw[0] + p->b.dx * p->zw[1] + p->c.dx * p->zw[2],
+                          a.dy * p->zw[0] + p->b.dy * p->zw[1] + p->c.dy * p->zw[2]};
 }
 
 // A plane over a block of 8×8 pixels: value = column + row. Made once per block, so that a row of 8 pixels
@@ -242,6 +268,93 @@ RHW_INLINE void screen_weights_row(const struct planes *p, const struct block_pl
     }
     *s = f8_from_d8(plane_row(&block->n1, row));
     *t = f8_from_d8(plane_row(&block->n2, row));
+}
+
+// Whether some pixel of a block of a clipped triangle may have a weight below 0: a plane is least in a corner.
+static bool block_is_cut(const struct planes *p, const struct block_place *at)
+{
+    const struct plane *const planes[3] = {&p->a, &p->b, &p->c};
+    bool cut = p->exact;
+    for (int i = 0; i < 3; i++) {
+        const double corner = planes[i]->at + planes[i]->dx * at->dx.lo[0] + planes[i]->dy * at->dy.lo[0];
+        const double dx = planes[i]->dx * (RHW_BLOCK - 1), dy = planes[i]->dy * (RHW_BLOCK - 1);
+        cut = cut || !(corner + (dx < 0 ? dx : 0) + (dy < 0 ? dy : 0) >= 0);
+    }
+    return cut;
+}
+
+// The values of a row in the lanes where a weight is below 0; see struct planes.
+struct cut_row {
+    i8 lanes;
+    f8 z, n1, n2;
+    struct weights weights;
+};
+
+static d8 at_least_zero(d8 v, l4 below[2])
+{
+    const l4 lo = v.lo < d4_splat(0), hi = v.hi < d4_splat(0);
+    below[0] |= lo;
+    below[1] |= hi;
+    return (d8){(d4)(~lo & (l4)v.lo), (d4)(~hi & (l4)v.hi)};
+}
+
+static d8 weigh(const double f[3], d8 a, d8 b, d8 c)
+{
+    return d8_add(d8_add(d8_mul(d8_splat(f[0]), a), d8_mul(d8_splat(f[1]), b)), d8_mul(d8_splat(f[2]), c));
+}
+
+static __attribute__((noinline)) void cut_row(const struct planes *p, const struct block_place *place, int row,
+                                              struct cut_row *out)
+{
+    double dy[RHW_BLOCK];
+    memcpy(dy, &place->dy, sizeof dy);
+    const struct block_place at = {place->dx, d8_splat(dy[row])};
+    struct block_plane over[3];
+    d8 a, b, c;
+    if (p->exact) { // integers: e_0 is what e_1 and e_2 leave of the area
+        plane_over(&over[1], &p->e1, &at);
+        plane_over(&over[2], &p->e2, &at);
+        const d8 e1 = plane_row(&over[1], 0), e2 = plane_row(&over[2], 0);
+        a = d8_mul(d8_splat(p->a_e0), d8_sub(d8_sub(d8_splat(p->area), e1), e2));
+        b = d8_mul(d8_splat(p->b_e1), e1);
+        c = d8_mul(d8_splat(p->c_e2), e2);
+    } else {
+        plane_over(&over[0], &p->a, &at);
+        plane_over(&over[1], &p->b, &at);
+        plane_over(&over[2], &p->c, &at);
+        a = plane_row(&over[0], 0);
+        b = plane_row(&over[1], 0);
+        c = plane_row(&over[2], 0);
+    }
+    l4 below[2] = {{0}, {0}};
+    a = at_least_zero(a, below);
+    b = at_least_zero(b, below);
+    c = at_least_zero(c, below);
+    const d8 sum = d8_add(d8_add(a, b), c), inverse = d8_div(d8_splat(1), sum);
+    const d8 screen = d8_div(d8_splat(1), weigh(p->w, a, b, c));
+    out->lanes = (i8){(int32_t)below[0][0], (int32_t)below[0][1], (int32_t)below[0][2], (int32_t)below[0][3],
+                      (int32_t)below[1][0], (int32_t)below[1][1], (int32_t)below[1][2], (int32_t)below[1][3]};
+    out->z = f8_from_d8(d8_mul(weigh(p->zw, a, b, c), screen));
+    out->n1 = f8_from_d8(d8_mul(d8_mul(d8_splat(p->w[1]), b), screen));
+    out->n2 = f8_from_d8(d8_mul(d8_mul(d8_splat(p->w[2]), c), screen));
+    out->weights = (struct weights){f8_from_d8(d8_mul(b, inverse)), f8_from_d8(d8_mul(c, inverse)), d8_mul(sum, screen),
+                                    inverse};
+}
+
+static d8 d8_select(i8 mask, d8 a, d8 b)
+{
+    for (int i = 0; i < 4; i++) {
+        b.lo[i] = mask[i] ? a.lo[i] : b.lo[i];
+        b.hi[i] = mask[i + 4] ? a.hi[i] : b.hi[i];
+    }
+    return b;
+}
+
+static struct weights cut_weights(const struct cut_row *cut, struct weights w)
+{
+    return (struct weights){f8_select(cut->lanes, cut->weights.b, w.b), f8_select(cut->lanes, cut->weights.c, w.c),
+                            d8_select(cut->lanes, cut->weights.s, w.s),
+                            d8_select(cut->lanes, cut->weights.inverse_s, w.inverse_s)};
 }
 
 // Per pixel to the right (x) and down (y), of a weight q/S with q = b or c. The numerator of

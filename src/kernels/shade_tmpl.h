@@ -202,8 +202,8 @@ static void prepare_values(const struct tile_work *work, struct triangle_work *t
     triangle->provoking = work->pipeline->def.provoking == RHW_PROVOKING_FIRST ? a : c;
     for (int i = 0; i < components; i++) {
         triangle->i0[i] = a[i];
-        triangle->d1[i] = b[i] - a[i];
-        triangle->d2[i] = c[i] - a[i];
+        triangle->d1[i] = a[i] - b[i];
+        triangle->d2[i] = a[i] - c[i];
     }
     triangle->ready = true;
 }
@@ -214,7 +214,7 @@ struct weight_slopes {
 
 RHW_INLINE f8 interpolate(const struct triangle_work *triangle, int i, f8 b, f8 c)
 {
-    return f8_splat(triangle->i0[i]) + (b * f8_splat(triangle->d1[i]) + c * f8_splat(triangle->d2[i]));
+    return f8_splat(triangle->i0[i]) - (b * f8_splat(triangle->d1[i]) + c * f8_splat(triangle->d2[i]));
 }
 
 static void fill_varyings(const struct tile_work *work, f8 *out, const struct triangle_work *triangle, f8 b, f8 c,
@@ -247,7 +247,7 @@ static void fill_derivatives(const struct tile_work *work, int g, const struct t
             continue;
         }
         const int at = g * components + i;
-        const f8 d1 = f8_splat(triangle->d1[i]), d2 = f8_splat(triangle->d2[i]);
+        const f8 d1 = f8_splat(-triangle->d1[i]), d2 = f8_splat(-triangle->d2[i]);
         switch (pipeline->component_qualifier[i]) {
         case RHW_SMOOTH:
             work->scratch->ddx[at] = slopes->b_dx * d1 + slopes->c_dx * d2;
@@ -300,15 +300,22 @@ static void fill_builtins(const struct tile_work *work, struct rhw_fragment *gro
 
 // Everything beyond smooth varyings: other qualifiers, derivatives, builtins.
 static void fill_group(const struct tile_work *work, int g, const struct triangle_work *triangle,
-                       const struct block_planes *block, const struct block_place *at, int row)
+                       const struct block_planes *block, const struct block_place *at, int row, bool is_cut)
 {
     const struct rhw_pipeline_data *const pipeline = work->pipeline;
     const struct planes *const planes = &triangle->planes;
     const uint32_t uses = pipeline->def.program.uses;
     struct rhw_fragment *const group = &work->scratch->groups[g];
-    const struct weights w = weights_row(planes, block, row);
+    struct weights w = weights_row(planes, block, row);
     f8 s, t;
     screen_weights_row(planes, block, row, &s, &t);
+    if (is_cut) {
+        struct cut_row cut;
+        cut_row(planes, at, row, &cut);
+        w = cut_weights(&cut, w);
+        s = f8_select(cut.lanes, cut.n1, s);
+        t = f8_select(cut.lanes, cut.n2, t);
+    }
     fill_varyings(work, work->scratch->varyings + g * pipeline->varying_components, triangle, w.b, w.c, s, t);
     if (pipeline->any_derivatives || uses & RHW_USE_BARYCENTRIC_DERIVATIVES) {
         double dy[RHW_BLOCK];
@@ -325,10 +332,11 @@ static void fill_group(const struct tile_work *work, int g, const struct triangl
     fill_builtins(work, group, triangle, work->scratch->places[g], &w, s, t);
 }
 
-// Collects the rows of a block whose bits are set in `mask`; z: their depths, where depth is kept. `plain` is
-// work->plain, a constant where a call names it.
+// Collects the rows of a block whose bits are set in `mask`; z: their depths, where depth is kept. `plain`: work->plain
+// and not `is_cut`, which is block_is_cut; constants where a call names them.
 RHW_INLINE void add_rows(struct tile_work *work, const struct triangle_work *triangle, const struct block_planes *block,
-                         const struct block_place *at, int x, int y, uint64_t mask, const f8 z[RHW_BLOCK], bool plain)
+                         const struct block_place *at, int x, int y, uint64_t mask, const f8 z[RHW_BLOCK], bool plain,
+                         bool is_cut)
 {
     struct rhw_tile_scratch *const scratch = work->scratch;
     const int components = work->pipeline->varying_components;
@@ -346,7 +354,7 @@ RHW_INLINE void add_rows(struct tile_work *work, const struct triangle_work *tri
             group->depth = z[row];
         }
         if (!plain) {
-            fill_group(work, g, triangle, block, at, row);
+            fill_group(work, g, triangle, block, at, row, is_cut);
         } else if (components != 0) {
             const struct weights w = weights_row(&triangle->planes, block, row);
             f8 *const out = scratch->varyings + g * components;

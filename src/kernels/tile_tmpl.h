@@ -28,12 +28,18 @@ RHW_INLINE uint64_t test_block(const struct tile_work *work, const struct planes
 
 // The same on any road but the commonest, which is in draw_block: keeps depth for the fragments, clamps it.
 static uint64_t depth_block(const struct tile_work *work, const struct triangle_work *triangle,
-                            const struct block_planes *block, int x, int y, uint64_t mask, f8 z[RHW_BLOCK])
+                            const struct block_planes *block, const struct block_place *at, int x, int y, uint64_t mask,
+                            bool is_cut, f8 z[RHW_BLOCK])
 {
     uint64_t passed = 0;
     for (int row = 0; row < RHW_BLOCK; row++) {
         unsigned bits = (unsigned)(mask >> (8 * row)) & 0xff;
         z[row] = depth_row(&triangle->planes, block, row);
+        if (is_cut && bits != 0) {
+            struct cut_row cut;
+            cut_row(&triangle->planes, at, row, &cut);
+            z[row] = f8_select(cut.lanes, cut.z, z[row]);
+        }
         if (triangle->t->flags & RHW_TRIANGLE_CLAMP) {
             z[row] = viewport_clamp(work->state, z[row]);
         }
@@ -55,12 +61,13 @@ static void draw_block(struct tile_work *work, struct triangle_work *triangle, i
     const struct rhw_pipeline_def *const def = &work->pipeline->def;
     const struct block_place at = {d8_from_i8(i8_splat(work->x + x - planes->anchor_x) + rhw_lane_index),
                                    d8_from_i8(i8_splat(work->y + y - planes->anchor_y) + rhw_lane_index)};
+    const bool is_cut = triangle->t->flags & RHW_TRIANGLE_POLYGON && block_is_cut(planes, &at);
     struct block_planes block;
     f8 z[RHW_BLOCK];
     if (work->needs_depth) {
         block_depth(&block, planes, &at);
         if (work->keeps_depth || triangle->t->flags & RHW_TRIANGLE_CLAMP) {
-            mask = depth_block(work, triangle, &block, x, y, mask, z);
+            mask = depth_block(work, triangle, &block, &at, x, y, mask, is_cut, z);
         } else if (def->depth_compare == RHW_COMPARE_LESS && def->depth_write) {
             mask = test_block(work, planes, &block, x, y, mask, RHW_COMPARE_LESS, true);
         } else {
@@ -74,11 +81,11 @@ static void draw_block(struct tile_work *work, struct triangle_work *triangle, i
         prepare_values(work, triangle);
     }
     block_weights(&block, planes, &at);
-    if (work->plain) {
-        add_rows(work, triangle, &block, &at, x, y, mask, z, true);
+    if (work->plain && !is_cut) {
+        add_rows(work, triangle, &block, &at, x, y, mask, z, true, false);
     } else {
         block_screen_weights(&block, planes, &at);
-        add_rows(work, triangle, &block, &at, x, y, mask, z, false);
+        add_rows(work, triangle, &block, &at, x, y, mask, z, false, is_cut);
     }
 }
 
@@ -90,7 +97,7 @@ static void setup_planes(const struct tile_work *work, struct triangle_work *tri
     if (triangle->t->flags & RHW_TRIANGLE_UNSNAPPED) {
         planes_homogeneous(&triangle->planes, work->state, triangle->v);
     } else {
-        planes_snapped(&triangle->planes, triangle->t, triangle->v);
+        planes_snapped(&triangle->planes, work->state, triangle->t, triangle->v);
     }
 }
 

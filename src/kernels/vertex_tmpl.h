@@ -78,12 +78,12 @@ static void fetch_attribute(const struct rhw_vertex_stream *stream, const struct
     memcpy(out, rows, 4 * sizeof *out);
 }
 
-// Clip coordinates to the header of the vertex records. z01: Z in the 0..W convention.
+// Clip coordinates to the header of the vertex records.
 static void project(const struct rhw_draw_state *state, const f8 position[4], f8 header[8])
 {
     const f8 x = position[0], y = position[1], z = position[2], w = position[3];
     const bool symmetric = state->pipeline->def.depth_range == RHW_DEPTH_MINUS_ONE_TO_ONE;
-    const f8 z01 = symmetric ? (z + w) * f8_splat(0.5f) : z;
+    const f8 near = symmetric ? -w : f8_splat(0);
     const f8 zero = f8_splat(0);
     const d8 wd = d8_from_f8(w);
     const d8 sx = d8_add(d8_mul(d8_div(d8_from_f8(x), wd), d8_splat(state->half_width)), d8_splat(state->center_x));
@@ -106,8 +106,8 @@ static void project(const struct rhw_draw_state *state, const f8 position[4], f8
     flags |= (x > w) & i8_splat(RHW_VERTEX_RIGHT);
     flags |= (y < -w) & i8_splat(RHW_VERTEX_BOTTOM);
     flags |= (y > w) & i8_splat(RHW_VERTEX_TOP);
-    flags |= (z01 < zero) & i8_splat(RHW_VERTEX_NEAR);
-    flags |= (z01 > w) & i8_splat(RHW_VERTEX_FAR);
+    flags |= (z < near) & i8_splat(RHW_VERTEX_NEAR);
+    flags |= (z > w) & i8_splat(RHW_VERTEX_FAR);
     flags |= ~snapped & i8_splat(RHW_VERTEX_UNSNAPPED);
     flags |= ~finite & i8_splat(RHW_VERTEX_NOT_FINITE);
     const double limit = RHW_GUARD_BAND;
@@ -118,7 +118,7 @@ static void project(const struct rhw_draw_state *state, const f8 position[4], f8
     header[3] = (f8)flags;
     header[4] = x;
     header[5] = y;
-    header[6] = z01;
+    header[6] = z;
     header[7] = w;
 }
 
