@@ -152,7 +152,7 @@ static double facing(const struct rhw_model *model, int axis)
 
 struct rhw_orbit rhw_camera_default_orbit(const struct rhw_model *model)
 {
-    const double flat = 0.03;
+    const double flat = 0.06;
     double extent[3], largest = 0.0;
     for (int i = 0; i < 3; i++) {
         extent[i] = (double)model->bounds_max[i] - (double)model->bounds_min[i];

@@ -546,7 +546,7 @@ static enum rhw_result draw_color(struct draw *draw)
     if (!(outputs & (RHW_OUTPUT_COLOR | RHW_OUTPUT_LINEAR | RHW_OUTPUT_DISPLAY))) {
         return RHW_OK;
     }
-    const size_t per_sample = (outputs & RHW_OUTPUT_DISPLAY ? 16 : 8) + (outputs & RHW_OUTPUT_LINEAR ? 16 : 0);
+    const size_t per_sample = (outputs & RHW_OUTPUT_DISPLAY ? 16u : 8u) + (outputs & RHW_OUTPUT_LINEAR ? 16u : 0u);
     const size_t samples = (size_t)draw->view->samples;
     draw->band_rows = choose_band(draw->view->height, (size_t)draw->view->width * per_sample * samples);
     void *color = NULL, *linear = NULL, *display = NULL;

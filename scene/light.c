@@ -19,11 +19,11 @@ static const double key_direction[3] = {-0.50, 0.62, 0.60};
 static const double key_color[3] = {0.56, 0.535, 0.50}; // radiance of white that faces it
 static const double key_size = 0.012;
 static const double sky_color[3] = {0.31, 0.33, 0.36};
-static const double ground_color[3] = {0.155, 0.145, 0.135};
+static const double ground_color[3] = {0.18, 0.17, 0.16};
 static const double lobe_sharpness = 9.0;
 static const struct studio_lobe studio_lobes[RHW_LOBES] = {
     {{-0.55, 0.75, 0.35}, {1.55, 1.50, 1.42}}, // large, above and to the left
-    {{0.90, 0.15, 0.40}, {0.62, 0.70, 0.80}},  // fill from the right
+    {{0.80, 0.12, 0.55}, {0.62, 0.70, 0.80}},  // fill from the right
     {{0.30, 0.55, -0.80}, {1.10, 1.15, 1.25}}, // rim from behind
 };
 
