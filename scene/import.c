@@ -21,6 +21,19 @@ void *rhw_import_allocate(struct rhw_import *import, size_t count, size_t size)
     return memory;
 }
 
+void rhw_import_reserve(struct rhw_import *import, void *array, size_t *capacity, size_t needed, size_t size)
+{
+    void **elements = array;
+    if (needed <= *capacity)
+        return;
+    const size_t larger = needed > *capacity * 2 ? needed + 16 : *capacity * 2;
+    void *moved = realloc(*elements, larger * size);
+    if (moved == NULL)
+        rhw_import_fail(import, "needs more memory than there is");
+    *elements = moved;
+    *capacity = larger;
+}
+
 // One more element at the end of an array. Returns it zeroed.
 static void *grow(struct rhw_import *import, void *array, uint32_t *count, uint32_t *capacity, size_t size)
 {
@@ -323,6 +336,10 @@ void rhw_import_run(struct rhw_import *import)
     struct rhw_model *model = &import->model;
     if (rhw_import_is_gltf(model->path, start, size))
         rhw_import_gltf(import);
+    else if (rhw_import_is_ply(start, size))
+        rhw_import_ply(import);
+    else if (rhw_import_is_obj(model->path))
+        rhw_import_obj(import);
     else
         rhw_import_assimp(import);
     rhw_import_decode_images(import);

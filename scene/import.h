@@ -43,6 +43,8 @@ void rhw_import_unsupported(struct rhw_import *import, const char *format, ...)
 
 /// Zeroed memory for `count` elements of `size` bytes; fails the import when there is none. Never NULL.
 void *rhw_import_allocate(struct rhw_import *import, size_t count, size_t size);
+/// Makes room for `needed` elements in a growing array; what is new is not zeroed.
+void rhw_import_reserve(struct rhw_import *import, void *array, size_t *capacity, size_t needed, size_t size);
 /// A copy of at most `length` bytes as one line of valid UTF-8: what is neither becomes '?'.
 const char *rhw_import_string(struct rhw_import *import, const char *text, size_t length);
 /// The whole of a regular file, or NULL with a reason in `problem`.
@@ -61,6 +63,10 @@ struct rhw_texture_slot rhw_import_slot_default(void);
 // The readers.
 bool rhw_import_is_gltf(const char *path, const unsigned char *start, size_t size);
 void rhw_import_gltf(struct rhw_import *import);
+bool rhw_import_is_obj(const char *path);
+void rhw_import_obj(struct rhw_import *import);
+bool rhw_import_is_ply(const unsigned char *start, size_t size);
+void rhw_import_ply(struct rhw_import *import);
 void rhw_import_assimp(struct rhw_import *import);
 
 /// Reads import->model.path completely. What comes out may be sent to the parent.
@@ -92,6 +98,9 @@ void rhw_import_gather_vertices(struct rhw_import *import, struct rhw_mesh *mesh
 uint32_t *rhw_import_weld_positions(struct rhw_import *import, const struct rhw_mesh *mesh);
 void rhw_import_make_normals(struct rhw_import *import, struct rhw_mesh *mesh, enum rhw_import_normals kind);
 void rhw_import_make_tangents(struct rhw_import *import, struct rhw_mesh *mesh, const struct rhw_texture_slot *slot);
+
+/// Cuts a polygon of 3 or more corners (indices of positions) into count − 2 triangles: places in `corners`.
+void rhw_import_triangulate(const float (*positions)[3], const uint32_t *corners, uint32_t count, uint32_t *triangles);
 
 // Small mathematics (import_math.c). Matrices column major.
 void rhw_import_identity(float matrix[16]);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Every format but glTF 2.0, through assimp's C API: meshes, nodes, cameras and lights.
+// Every format that has no reader of its own here, through assimp's C API: meshes, nodes, cameras and lights.
 //
 // Of assimp's post-processing only what nothing else can do is used: polygons are cut into triangles and
 // primitive kinds separated. Normals, tangents and joined vertices are made by import_mesh.c: its passes are
@@ -103,6 +103,16 @@ static void copy_indices(struct reader *reader, const struct aiMesh *source, str
     }
 }
 
+// Vertices without faces are a cloud of points.
+static void make_points(struct reader *reader, struct rhw_mesh *mesh)
+{
+    mesh->primitive = RHW_PRIMITIVE_POINTS;
+    mesh->index_count = mesh->vertex_count;
+    mesh->indices = rhw_import_allocate(reader->import, mesh->vertex_count, sizeof *mesh->indices);
+    for (uint32_t i = 0; i < mesh->vertex_count; i++)
+        mesh->indices[i] = i;
+}
+
 // An alpha that is 0 everywhere means a format without alpha, not an invisible mesh.
 static void fix_alpha(struct rhw_mesh *mesh)
 {
@@ -132,6 +142,8 @@ static void add_mesh(struct reader *reader, uint32_t index)
     mesh.colors = copy_colors(import, source->mColors[0], count);
     fix_alpha(&mesh);
     copy_indices(reader, source, &mesh);
+    if (mesh.index_count == 0)
+        make_points(reader, &mesh);
     if (source->mNumBones > 0)
         rhw_import_unsupported(import, "skins: drawn in the pose the meshes are stored in");
     if (source->mNumAnimMeshes > 0)

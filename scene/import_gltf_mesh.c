@@ -263,6 +263,10 @@ static bool make_primitive(struct primitive *primitive, const char *name, const 
                         primitive->number);
         return false;
     }
+    const json_t *positions = rhw_gltf_item(gltf, "accessors", rhw_gltf_integer(gltf, primitive->attributes, "POSITION", -1));
+    if (json_object_get(positions, "bufferView") == NULL
+        && rhw_gltf_extension(gltf, primitive->object, "KHR_draco_mesh_compression") != NULL)
+        refuse(primitive, "needs the glTF extension KHR_draco_mesh_compression, which is not supported");
     read_attributes(primitive);
     read_topology(primitive);
     apply_morphs(primitive, weights);

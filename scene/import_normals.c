@@ -82,32 +82,33 @@ static void make_flat(struct rhw_import *import, struct rhw_mesh *mesh)
 
 struct smoothing {
     const struct rhw_mesh *mesh;
-    const double (*faces)[3]; // unit normals
-    uint32_t *start;          // of the corners around point p: start[p] .. start[p + 1]
+    double (*faces)[3]; // unit normals
+    double *weights;    // of each corner
+    uint32_t *start;    // of the corners around point p: start[p] .. start[p + 1]
     uint32_t *corners;
-    uint32_t *source;         // of the new vertices: the vertex they were made from
+    uint32_t *source;   // of the new vertices: the vertex they were made from
     float (*normals)[3];
-    uint32_t count, capacity; // new vertices
+    uint32_t count;     // new vertices
 };
 
-// What a face adds to the normal at one of its corners: sin α / (|a| |b|) along its normal, where a and b are
-// the edges at that corner (Max, Weights for computing vertex normals from facet normals, 1999; exact where the
-// points lie on a sphere).
-static void corner_weight(const struct smoothing *smoothing, uint32_t corner, double weighted[3])
+// The normal of a face, and what it weighs at its corners: sin α / (|a| |b|), where a and b are the edges at
+// that corner and α lies between them (Max, Weights for computing vertex normals from facet normals, 1999; exact
+// where the points lie on a sphere). |a × b| / (|a|² |b|²) is the same; fourth powers of floats fit a double.
+static void weigh_face(struct smoothing *smoothing, uint32_t first)
 {
-    const uint32_t *indices = smoothing->mesh->indices;
-    const uint32_t first = corner / 3 * 3;
-    const float *here = smoothing->mesh->positions[indices[corner]];
-    double a[3], b[3];
-    subtract(smoothing->mesh->positions[indices[first + (corner + 1) % 3]], here, a);
-    subtract(smoothing->mesh->positions[indices[first + (corner + 2) % 3]], here, b);
-    const double a_length = __builtin_sqrt(dot(a, a)), b_length = __builtin_sqrt(dot(b, b));
-    unit(a);
-    unit(b);
-    cross(a, b, weighted);
-    const double scale = a_length > 0 && b_length > 0 ? 1 / a_length / b_length : 0;
+    const struct rhw_mesh *mesh = smoothing->mesh;
+    const uint32_t *corner = mesh->indices + first;
+    double edges[3][3], squares[3], normal[3];
+    for (int k = 0; k < 3; k++) {
+        subtract(mesh->positions[corner[(k + 1) % 3]], mesh->positions[corner[k]], edges[k]);
+        squares[k] = dot(edges[k], edges[k]);
+    }
+    cross(edges[0], edges[1], normal);
+    const double length = __builtin_sqrt(dot(normal, normal));
     for (int c = 0; c < 3; c++)
-        weighted[c] *= scale;
+        smoothing->faces[first / 3][c] = length > 0 ? normal[c] / length : 0;
+    for (int k = 0; k < 3; k++)
+        smoothing->weights[first + (uint32_t)k] = length > 0 ? length / (squares[k] * squares[(k + 2) % 3]) : 0;
 }
 
 // The new vertex with this source and normal among those made since `first`.
@@ -121,39 +122,44 @@ static uint32_t find_or_add(struct smoothing *smoothing, uint32_t first, uint32_
     return smoothing->count++;
 }
 
+// Sum over the corners whose faces are no further than a crease from `axis`; NULL: over all.
+static void sum_faces(const struct smoothing *smoothing, const uint32_t *corners, uint32_t count, const double *axis,
+                      double sum[3])
+{
+    memset(sum, 0, 3 * sizeof *sum);
+    for (uint32_t i = 0; i < count; i++) {
+        const double *face = smoothing->faces[corners[i] / 3];
+        if (axis != NULL && dot(axis, face) < crease_cosine)
+            continue;
+        for (int c = 0; c < 3; c++)
+            sum[c] += face[c] * smoothing->weights[corners[i]];
+    }
+}
+
 // Gives the corners around one point their new vertices in `place`.
 static void smooth_point(struct smoothing *smoothing, const uint32_t *corners, uint32_t count, uint32_t *place)
 {
-    double weights[MOST_FACES][3];
-    const double (*faces)[3] = smoothing->faces;
     const uint32_t first = smoothing->count;
-    double sum[3] = {0, 0, 0};
-    for (uint32_t i = 0; i < count; i++) {
-        double weight[3];
-        corner_weight(smoothing, corners[i], weight);
-        for (int c = 0; c < 3; c++)
-            sum[c] += weight[c];
-        if (count <= MOST_FACES)
-            memcpy(weights[i], weight, sizeof weight);
-    }
-    double axis[3] = {sum[0], sum[1], sum[2]};
+    double all[3], axis[3];
+    float normal[3];
+    sum_faces(smoothing, corners, count, NULL, all);
+    memcpy(axis, all, sizeof axis);
     unit(axis);
+    to_normal(all, normal);
     // All faces within 30° of one axis are within 60° of each other: the common case needs no pairs.
-    bool even = true;
-    for (uint32_t i = 0; i < count && even; i++)
-        even = dot(axis, faces[corners[i] / 3]) >= 0.8660254037844387;
+    uint32_t near = 0;
+    while (near < count && dot(axis, smoothing->faces[corners[near] / 3]) >= 0.8660254037844387)
+        near++;
+    const bool even = near == count || count > MOST_FACES;
     for (uint32_t i = 0; i < count; i++) {
-        const double *mine = faces[corners[i] / 3];
-        double total[3] = {sum[0], sum[1], sum[2]};
-        if (!even && count <= MOST_FACES && dot(mine, mine) > 0) {
-            memset(total, 0, sizeof total);
-            for (uint32_t k = 0; k < count; k++)
-                if (dot(mine, faces[corners[k] / 3]) >= crease_cosine)
-                    for (int c = 0; c < 3; c++)
-                        total[c] += weights[k][c];
+        const double *mine = smoothing->faces[corners[i] / 3];
+        double sum[3];
+        if (!even && dot(mine, mine) > 0) {
+            sum_faces(smoothing, corners, count, mine, sum);
+            to_normal(sum, normal);
+        } else if (!even) {
+            to_normal(all, normal);
         }
-        float normal[3];
-        to_normal(total, normal);
         place[corners[i]] = find_or_add(smoothing, first, smoothing->mesh->indices[corners[i]], normal);
     }
 }
@@ -178,10 +184,10 @@ static void sort_corners(struct rhw_import *import, struct smoothing *smoothing)
 static void make_smooth(struct rhw_import *import, struct rhw_mesh *mesh)
 {
     struct smoothing smoothing = {.mesh = mesh};
-    double(*faces)[3] = rhw_import_allocate(import, mesh->index_count / 3, sizeof *faces);
+    smoothing.faces = rhw_import_allocate(import, mesh->index_count / 3, sizeof *smoothing.faces);
+    smoothing.weights = rhw_import_allocate(import, mesh->index_count, sizeof *smoothing.weights);
     for (uint32_t i = 0; i < mesh->index_count; i += 3)
-        face_normal(mesh, i, faces[i / 3]);
-    smoothing.faces = (const double(*)[3])faces;
+        weigh_face(&smoothing, i);
     sort_corners(import, &smoothing);
     smoothing.source = rhw_import_allocate(import, mesh->index_count, sizeof *smoothing.source);
     smoothing.normals = rhw_import_allocate(import, mesh->index_count, sizeof *smoothing.normals);
@@ -194,7 +200,8 @@ static void make_smooth(struct rhw_import *import, struct rhw_mesh *mesh)
     mesh->normals = smoothing.normals;
     free(mesh->indices);
     mesh->indices = place;
-    free(faces);
+    free(smoothing.faces);
+    free(smoothing.weights);
     free(smoothing.start);
     free(smoothing.corners);
     free(smoothing.source);

@@ -8,6 +8,7 @@
 #define _GNU_SOURCE // memfd_create
 #include <errno.h>
 #include <fcntl.h>
+#include <locale.h>
 #include <signal.h>
 #include <stdarg.h>
 #include <stdlib.h>
@@ -112,6 +113,7 @@ static void restrict_child(const struct rhw_model_limits *limits)
     limit_core();
     if (!sanitized()) // their shadow memory takes terabytes of address space
         limit_memory(limits->memory > 0 ? limits->memory : default_memory());
+    setlocale(LC_ALL, "C"); // numbers in files have points
     sigset_t none;
     sigemptyset(&none);
     sigprocmask(SIG_SETMASK, &none, NULL);
