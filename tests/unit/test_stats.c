@@ -1,0 +1,145 @@
+// SPDX-License-Identifier: MIT
+// The numbers a pass reports, against scenes whose counts are known.
+#include "harness.h"
+
+#include <math.h>
+#include <string.h>
+
+enum { SIZE = 128 };
+
+static const float white[4] = {1, 1, 1, 1};
+
+// n copies of each kind of triangle, so that a count gone to the wrong place shows.
+static void test_every_triangle_is_counted_once(void **state)
+{
+    (void)state;
+    const float kinds[6][3][4] = {
+        {{-0.5f, -0.5f, 0.5f, 1}, {0.5f, -0.5f, 0.5f, 1}, {-0.5f, 0.5f, 0.5f, 1}},      // drawn
+        {{NAN, -0.5f, 0.5f, 1}, {0.5f, -0.5f, 0.5f, 1}, {-0.5f, 0.5f, 0.5f, 1}},        // dropped
+        {{-0.5f, -0.5f, -0.5f, 1}, {0.5f, -0.5f, 0.5f, 1}, {-0.5f, 0.5f, 0.5f, 1}},     // clipped, drawn
+        {{-0.5f, -0.5f, -0.5f, 1}, {0.5f, -0.5f, -0.5f, 1}, {-0.5f, 0.5f, -0.5f, 1}},   // outside
+        {{-0.5f, 0.5f, 0.5f, 1}, {0.5f, -0.5f, 0.5f, 1}, {-0.5f, -0.5f, 0.5f, 1}},      // facing away
+        {{-0.5f, -0.5f, 0.5f, 1}, {0, 0, 0.5f, 1}, {0.5f, 0.5f, 0.5f, 1}},              // of no area
+    };
+    const int copies[6] = {1, 2, 4, 8, 16, 32};
+    struct rig rig;
+    rig_open(&rig, SIZE, SIZE);
+    rig.pipeline.cull = RHW_CULL_BACK;
+    struct rig_vertex vertices[3 * 63];
+    int count = 0;
+    for (int kind = 0; kind < 6; kind++) {
+        for (int n = 0; n < copies[kind]; n++) {
+            for (int i = 0; i < 3; i++, count++) {
+                memcpy(vertices[count].position, kinds[kind][i], sizeof kinds[kind][i]);
+                memcpy(vertices[count].value, white, sizeof white);
+            }
+        }
+    }
+    rig_draw_once(&rig, vertices, count);
+    const struct rhw_stats *stats = &rig.stats;
+    assert_int_equal(stats->draws, 1);
+    assert_int_equal(stats->triangles_in, 63);
+    assert_int_equal(stats->triangles_dropped, 2);
+    assert_int_equal(stats->triangles_clipped, 4);
+    assert_int_equal(stats->triangles_culled, 8 + 16 + 32);
+    assert_int_equal(stats->triangles_rasterized, 1 + 4);
+    assert_true(stats->vertices_shaded >= 189 && stats->vertices_shaded < 256);
+    assert_int_equal(stats->threads, 2);
+    assert_int_equal(stats->tiles, 4);
+    assert_int_equal(stats->isa, rhw_context_isa(rig.context));
+    assert_true(stats->front_ms >= 0 && stats->back_ms >= 0);
+    assert_true(isfinite(stats->front_ms + stats->back_ms));
+    rig_close(&rig);
+}
+
+static void test_a_triangle_between_the_samples_is_culled(void **state)
+{
+    (void)state;
+    struct rig rig;
+    rig_open(&rig, SIZE, SIZE);
+    struct rig_vertex tiny[6];
+    rig_rectangle(&rig, 10.625f, 10.625f, 11.375f, 11.375f, 0.5f, white, tiny);
+    rig_draw_once(&rig, tiny, 6);
+    assert_int_equal(rig.stats.triangles_in, 2);
+    assert_int_equal(rig.stats.triangles_culled, 2);
+    assert_int_equal(rig.stats.triangles_rasterized, 0);
+    rig_close(&rig);
+}
+
+static void test_fragments(void **state)
+{
+    (void)state;
+    struct rig rig;
+    rig_open(&rig, SIZE, SIZE);
+    struct rig_vertex rows[6];
+    for (int n = 0; n < 30; n++) {
+        rig_rectangle(&rig, 3, 5, (float)(4 + 4 * n), (float)(6 + 3 * n), 0.5f, white, rows);
+        rig_draw_once(&rig, rows, 6);
+        const uint64_t pixels = (uint64_t)(1 + 4 * n) * (uint64_t)(1 + 3 * n);
+        assert_int_equal(rig.stats.fragments_shaded, pixels);
+        // Groups of 8 lanes: never fewer than the pixels need, and the pipeline is wide.
+        assert_true(rig.stats.fragment_groups * 8 >= pixels);
+        assert_true(n < 10 || rig.stats.fragment_groups * 8 < 2 * pixels);
+    }
+    rig_close(&rig);
+}
+
+// Vertices that triangles share are shaded once where an index names them again soon.
+static void test_shared_vertices(void **state)
+{
+    (void)state;
+    struct rig rig;
+    rig_open(&rig, SIZE, SIZE);
+    enum { CELLS = 20 };
+    struct rig_vertex grid[(CELLS + 1) * (CELLS + 1)];
+    uint16_t indices[CELLS * CELLS * 6];
+    for (int i = 0; i < (CELLS + 1) * (CELLS + 1); i++) {
+        rig_place(&rig, (float)(i % (CELLS + 1) * 6), (float)(i / (CELLS + 1) * 6), 0.5f, 1, grid[i].position);
+        memcpy(grid[i].value, white, sizeof white);
+    }
+    for (int i = 0; i < CELLS * CELLS; i++) {
+        const int a = i / CELLS * (CELLS + 1) + i % CELLS;
+        const int corners[6] = {a, a + 1, a + CELLS + 1, a + CELLS + 1, a + 1, a + CELLS + 2};
+        for (int k = 0; k < 6; k++)
+            indices[6 * i + k] = (uint16_t)corners[k];
+    }
+    rig_begin(&rig);
+    rig_use_pipeline(&rig);
+    rig_use_vertices(&rig, 0, grid, sizeof grid);
+    rig_use_indices(&rig, RHW_INDEX_UINT16, indices, sizeof indices);
+    rhw_pass_draw_indexed(rig.context, rig.recording, 0, CELLS * CELLS * 6, 0, 0, 1);
+    rig_end(&rig);
+    assert_int_equal(rig.stats.triangles_in, CELLS * CELLS * 2);
+    assert_true(rig.stats.vertices_shaded >= (CELLS + 1) * (CELLS + 1));
+    assert_true(rig.stats.vertices_shaded < CELLS * CELLS * 2); // without reuse it would be 6 a cell
+    rig_close(&rig);
+}
+
+static void test_stats_start_anew(void **state)
+{
+    (void)state;
+    struct rig rig;
+    rig_open(&rig, SIZE, SIZE);
+    struct rig_vertex all[6];
+    rig_cover(&rig, 0.5f, white, all);
+    for (int n = 0; n < 3; n++) {
+        rig_draw_once(&rig, all, 6);
+        assert_int_equal(rig.stats.triangles_in, 2);
+        assert_int_equal(rig.stats.fragments_shaded, SIZE * SIZE);
+    }
+    rig_begin(&rig);
+    assert_int_equal(rhw_pass_end(rig.context, rig.recording, NULL), RHW_OK);
+    rig_close(&rig);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(test_every_triangle_is_counted_once),
+        cmocka_unit_test(test_a_triangle_between_the_samples_is_culled),
+        cmocka_unit_test(test_fragments),
+        cmocka_unit_test(test_shared_vertices),
+        cmocka_unit_test(test_stats_start_anew),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}
