@@ -9,10 +9,11 @@
 #include <string.h>
 
 #include "judge.h"
+#include "peer_gles.h"
 #include "probe.h"
 #include "table.h"
 
-enum { MAX_JOBS = 64 };
+enum { MAX_JOBS = 64, MAX_PEERS = 4 };
 
 // ULP of the largest vertex value. What DESIGN promises for attributes and depth; the others follow from the
 // same arithmetic and are held to the same number.
@@ -34,6 +35,9 @@ struct options {
     enum rhw_isa isa;
     struct judge_mode mode;
     const char *table; // file whose table is rewritten
+    const char *peer[MAX_PEERS]; // drivers to measure as well
+    int peer_count;
+    uint64_t peer_fragments;
 };
 
 // One thread with a context of its own; it takes every jobs-th scene.
@@ -45,14 +49,15 @@ struct worker {
     bool failed;
 };
 
-static uint64_t budget(const struct options *o, int family)
+// A family's part of so many fragments.
+static uint64_t budget(const struct options *o, int family, uint64_t fragments)
 {
     uint64_t total = 0;
     for (int i = 0; i < FAMILY_COUNT; i++) {
         total += (uint64_t)share[i];
     }
-    const uint64_t all = o->family == FAMILY_COUNT ? o->fragments * (uint64_t)share[family] / total : o->fragments;
-    return (o->family == FAMILY_COUNT || (int)o->family == family ? all : 0) / (uint64_t)o->jobs;
+    return o->family == FAMILY_COUNT ? fragments * (uint64_t)share[family] / total
+                                     : (int)o->family == family ? fragments : 0;
 }
 
 static void *work(void *argument)
@@ -64,7 +69,7 @@ static void *work(void *argument)
     struct scene *const scene = malloc(sizeof *scene);
     w->failed = !probe || !judge || !scene;
     for (int family = 0; family < FAMILY_COUNT; family++) {
-        const uint64_t enough = budget(o, family);
+        const uint64_t enough = budget(o, family, o->fragments) / (uint64_t)o->jobs;
         for (uint64_t i = (uint64_t)w->number; w->results->family_fragments[family] < enough && !w->failed;
              i += (uint64_t)o->jobs) {
             scene_make(scene, (enum family)family, o->seed, o->index + i);
@@ -89,6 +94,16 @@ static void print_replay(const struct tally_place *at)
            at->x, at->y);
 }
 
+static bool within_bound(const struct tally *t, const char *what, enum quantity quantity)
+{
+    if (t->worst <= bound) {
+        return true;
+    }
+    printf("FAILED: %s, %s: %.4g ULP, component %d\n", what, judge_quantity_name(quantity), t->worst, t->at.component);
+    print_replay(&t->at);
+    return false;
+}
+
 static bool report(const struct judge_results *r)
 {
     bool good = r->fragments != 0;
@@ -105,22 +120,56 @@ static bool report(const struct judge_results *r)
     }
     for (int f = 0; f < FAMILY_COUNT; f++) {
         for (int q = 0; q < QUANTITY_COUNT; q++) {
-            const struct tally *const t = &r->quantity[f][q];
-            if (!(t->worst <= bound)) {
-                good = false;
-                printf("FAILED: %s, %s: %.4g ULP, component %d\n", scene_family_name((enum family)f),
-                       judge_quantity_name((enum quantity)q), t->worst, t->at.component);
-                print_replay(&t->at);
+            good = within_bound(&r->quantity[f][q], scene_family_name((enum family)f), (enum quantity)q) && good;
+        }
+    }
+    for (int k = 0; k < VALUE_KINDS; k++) {
+        good = within_bound(&r->kind[k][0], scene_kind_name((enum value_kind)k), QUANTITY_SMOOTH) && good;
+        good = within_bound(&r->kind[k][1], scene_kind_name((enum value_kind)k), QUANTITY_NOPERSPECTIVE) && good;
+    }
+    return good;
+}
+
+// The same scenes through a peer, as far as it can draw them. Odd scenes are off the 1/256 grid: only what is
+// cut counts there.
+static bool measure_peer(const struct options *o, const char *driver, struct judge_results *results)
+{
+    const char *why;
+    struct peer *const peer = peer_open(driver, &why);
+    struct judge *const judge = judge_create();
+    struct scene *const scene = malloc(sizeof *scene);
+    if (!peer) {
+        fprintf(stderr, "exactness: %s is not measured: %s\n", driver, why);
+    }
+    bool good = peer && judge && scene;
+    for (int family = 0; family < FAMILY_COUNT && good; family++) {
+        const uint64_t enough = budget(o, family, o->peer_fragments);
+        for (uint64_t i = 0; results->family_fragments[family] < enough && good; i++) {
+            scene_make(scene, (enum family)family, o->seed, o->index + i);
+            if (peer_can_draw(scene)) {
+                judge_prepare(judge, scene);
+                const struct probe_image *const image = peer_draw(peer, scene);
+                good = image != NULL;
+                if (image) {
+                    const struct judge_mode mode = {.peer = true, .derivative_stride = 1};
+                    judge_compare(judge, image, &mode, results);
+                }
             }
         }
     }
+    if (good) {
+        printf("%s: %s, %llu fragments\n", driver, peer_name(peer), (unsigned long long)results->fragments);
+    }
+    free(scene);
+    judge_destroy(judge);
+    peer_close(peer);
     return good;
 }
 
 static int measure_all(const struct options *o)
 {
     static struct worker workers[MAX_JOBS];
-    struct judge_results *const all = calloc((size_t)o->jobs, sizeof *all);
+    struct judge_results *const all = calloc((size_t)(o->jobs + o->peer_count), sizeof *all);
     bool failed = !all;
     int started = 0;
     for (; started < o->jobs && !failed; started++) {
@@ -140,42 +189,57 @@ static int measure_all(const struct options *o)
     for (int i = 1; i < o->jobs; i++) {
         judge_merge(&all[0], &all[i]);
     }
-    const struct table_column column = {"rhw", &all[0]};
-    table_print(stdout, &column, 1);
+    struct table_column column[1 + MAX_PEERS] = {{"rhw", &all[0]}};
+    int columns = 1;
+    for (int i = 0; i < o->peer_count; i++) {
+        if (measure_peer(o, o->peer[i], &all[o->jobs + i])) {
+            column[columns++] = (struct table_column){o->peer[i], &all[o->jobs + i]};
+        }
+    }
+    table_print(stdout, column, columns);
     bool good = report(&all[0]);
     if (o->table) {
-        good = table_write(o->table, &column, 1) && good;
+        good = table_write(o->table, column, columns) && good;
     }
     free(all);
     return good ? 0 : 1;
 }
 
+// One scene again, with everything about one pixel: as librhw draws it or as the first peer named does.
 static int replay(const struct options *o)
 {
+    const char *why = "";
     struct probe *const probe = probe_create(1, o->isa);
+    struct peer *const peer = o->peer_count != 0 ? peer_open(o->peer[0], &why) : NULL;
     struct judge *const judge = judge_create();
     struct scene *const scene = calloc(1, sizeof *scene);
     struct judge_results *const results = calloc(1, sizeof *results);
+    struct judge_mode mode = o->mode;
+    mode.peer = o->peer_count != 0;
     int status = 1;
-    if (probe && judge && scene && results) {
+    if (mode.peer && !peer) {
+        fprintf(stderr, "exactness: %s: %s\n", o->peer[0], why);
+    } else if (probe && judge && scene && results) {
         scene_make(scene, o->family, o->seed, o->index);
         judge_prepare(judge, scene);
-        const struct probe_image *const image = probe_draw(probe, scene);
+        const struct probe_image *const image = peer ? peer_draw(peer, scene) : probe_draw(probe, scene);
         if (image) {
-            printf("%s: viewport %g %g %g %g, depth %g..%g%s, target %d×%d\n", probe_isa_name(probe),
-                   (double)scene->view.x, (double)scene->view.y, (double)scene->view.width,
-                   (double)scene->view.height, (double)scene->view.depth_min, (double)scene->view.depth_max,
-                   scene->view.minus_one_to_one ? ", Z from -W" : "", image->width, image->height);
+            printf("%s: viewport %g %g %g %g, depth %g..%g%s, target %d×%d\n",
+                   peer ? peer_name(peer) : probe_isa_name(probe), (double)scene->view.x, (double)scene->view.y,
+                   (double)scene->view.width, (double)scene->view.height, (double)scene->view.depth_min,
+                   (double)scene->view.depth_max, scene->view.minus_one_to_one ? ", Z from -W" : "", image->width,
+                   image->height);
             if (o->x >= 0 && o->y >= 0 && o->x < image->width && o->y < image->height) {
                 judge_explain(judge, image, o->x, o->y);
             }
-            judge_compare(judge, image, &o->mode, results);
+            judge_compare(judge, image, &mode, results);
             status = report(results) ? 0 : 1;
         }
     }
     free(results);
     free(scene);
     judge_destroy(judge);
+    peer_close(peer);
     probe_destroy(probe);
     return status;
 }
@@ -184,7 +248,8 @@ static int usage(void)
 {
     fprintf(stderr, "usage: exactness [--fragments N] [--family NAME] [--seed N] [--jobs N] [--isa NAME]\n"
                     "                 [--integers] [--derivatives EVERY] [--table FILE]\n"
-                    "       exactness --family NAME --index N [--seed N] [--at X,Y]\n");
+                    "                 [--peer DRIVER]... [--peer-fragments N]\n"
+                    "       exactness --family NAME --index N [--seed N] [--at X,Y] [--peer DRIVER]\n");
     return 2;
 }
 
@@ -203,6 +268,8 @@ static bool parse_option(struct options *o, const char *name, const char *value)
     const bool is_number = parse_number(value, &number);
     if (strcmp(name, "--fragments") == 0) {
         o->fragments = number;
+    } else if (strcmp(name, "--peer-fragments") == 0) {
+        o->peer_fragments = number;
     } else if (strcmp(name, "--seed") == 0) {
         o->seed = number;
     } else if (strcmp(name, "--index") == 0) {
@@ -224,6 +291,9 @@ static bool parse_option(struct options *o, const char *name, const char *value)
         return isa < RHW_ISA_COUNT;
     } else if (strcmp(name, "--at") == 0) {
         return sscanf(value, "%d,%d", &o->x, &o->y) == 2;
+    } else if (strcmp(name, "--peer") == 0) {
+        o->peer[o->peer_count] = value;
+        return ++o->peer_count < MAX_PEERS;
     } else if (strcmp(name, "--table") == 0) {
         o->table = value;
         return true;
@@ -235,7 +305,7 @@ static bool parse_option(struct options *o, const char *name, const char *value)
 
 int main(int argc, char **argv)
 {
-    struct options o = {.seed = 1, .fragments = 1000000, .family = FAMILY_COUNT, .x = -1, .y = -1, .jobs = 1,
+    struct options o = {.seed = 1, .fragments = 1000000, .peer_fragments = 1000000, .family = FAMILY_COUNT, .x = -1, .y = -1, .jobs = 1,
                         .isa = RHW_ISA_COUNT, .mode = {.derivative_stride = 8}};
     for (int i = 1; i < argc; i++) {
         if (strcmp(argv[i], "--integers") == 0) {

@@ -195,21 +195,23 @@ static double error_of(const struct fragment *f, const struct oracle_form *form,
     return f->mode->integers || !(slack < doubt) ? oracle_error(form, s, got, unit) : error;
 }
 
-static double measure(const struct fragment *f, enum quantity quantity, const struct oracle_form *form, float got,
-                      int component)
+// Negative: nothing is promised for such values, and nothing was measured.
+static double value_error(const struct fragment *f, bool screen, const struct oracle_form *form, float got)
 {
     // On the screen, where W changes sign, a value is no mean of the vertex values: it exceeds them as far as
     // the weights exceed 1, and so does the scale of the error.
-    const bool mean = f->triangle->snapped || quantity == QUANTITY_SMOOTH || quantity == QUANTITY_SPACE;
+    const bool mean = f->triangle->snapped || !screen;
     const double scale = form->vertex_max * (mean ? 1 : fmax(1, oracle_largest_weight(form, &f->judge->sample)));
-    if (scale > largest_value) {
-        return 0; // differences of such values are no floats any more: nothing is promised
+    return scale > largest_value ? -1 : error_of(f, form, (double)got, oracle_ulp(scale));
+}
+
+static void measure(const struct fragment *f, struct tally *tally, double error, int component)
+{
+    if (error >= 0 || isnan(error)) {
+        struct tally_place at = f->at;
+        at.component = component;
+        tally_add(tally, error, &at);
     }
-    const double error = error_of(f, form, (double)got, oracle_ulp(scale));
-    struct tally_place at = f->at;
-    at.component = component;
-    tally_add(&f->results->quantity[f->at.family][quantity], error, &at);
-    return error;
 }
 
 static void compare_values(const struct fragment *f, const struct probe_image *image)
@@ -226,10 +228,11 @@ static void compare_values(const struct fragment *f, const struct probe_image *i
                 }
                 continue;
             }
-            const double error = measure(f, q == 0 ? QUANTITY_SMOOTH : QUANTITY_NOPERSPECTIVE, &forms[i], got, i);
-            struct tally_place at = f->at;
-            at.component = i;
-            tally_add(&f->results->kind[j->scene->kind[i]][q], error, &at);
+            const double error = value_error(f, q == 1, &forms[i], got);
+            measure(f, &f->results->kind[j->scene->kind[i]][q], error, i);
+            if (j->scene->kind[i] <= VALUE_OPPOSITE) {
+                measure(f, &f->results->quantity[f->at.family][QUANTITY_SMOOTH + q], error, i);
+            }
         }
     }
 }
@@ -237,9 +240,10 @@ static void compare_values(const struct fragment *f, const struct probe_image *i
 static void compare_weights(const struct fragment *f, const struct probe_image *image)
 {
     struct judge *const j = f->judge;
+    struct tally *const tallies = f->results->quantity[f->at.family];
     for (int i = 0; i < 3; i++) {
-        measure(f, QUANTITY_SPACE, &j->space[i], image->space[f->pixel][i], i);
-        measure(f, QUANTITY_SCREEN, &j->screen[i], image->screen[f->pixel][i], i);
+        measure(f, &tallies[QUANTITY_SPACE], value_error(f, false, &j->space[i], image->space[f->pixel][i]), i);
+        measure(f, &tallies[QUANTITY_SCREEN], value_error(f, true, &j->screen[i], image->screen[f->pixel][i]), i);
     }
 }
 

@@ -40,7 +40,7 @@ struct judge_results {
     uint64_t family_fragments[FAMILY_COUNT];
     uint64_t unequal[EQUALITY_COUNT];
     struct tally_place unequal_at[EQUALITY_COUNT]; // the first one
-    struct tally quantity[FAMILY_COUNT][QUANTITY_COUNT];
+    struct tally quantity[FAMILY_COUNT][QUANTITY_COUNT]; // smooth, noperspective: kinds up to VALUE_OPPOSITE
     struct tally kind[VALUE_KINDS][2]; // smooth, noperspective; all families
 };
 

@@ -16,6 +16,7 @@ enum value_kind {
     VALUE_SIGNED,   // −1..1
     VALUE_OFFSET,   // 10^6 + small
     VALUE_OPPOSITE, // ± almost the same power of two: rounding hurts most
+    // What other renderers may refuse; measured by kind alone.
     VALUE_DENORMAL, // below the normal range of a float
     VALUE_HUGE,     // up to 10^38
     VALUE_WIDE,     // magnitudes that have nothing to do with each other
