@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: MIT
+// The library's kernel templates and the maths header, compiled once per instruction set, in the shape tests
+// want them: one function per call, no pipeline around.
+#ifndef RHW_TEST_ISA_TEMPLATES_H
+#define RHW_TEST_ISA_TEMPLATES_H
+
+#include <rhw/shader.h>
+
+struct output_state;
+
+enum isa_function {
+    ISA_EXP2, ISA_EXP, ISA_LOG2, ISA_LOG, ISA_SIN, ISA_COS, ISA_TAN, ISA_ASIN, ISA_ACOS, ISA_ATAN,
+    ISA_SQRT, ISA_RSQRT, ISA_FLOOR, ISA_CEIL, ISA_TRUNC, ISA_ROUND, ISA_FRACT, ISA_SIGN, ISA_SATURATE,
+    ISA_TO_INT, ///< the integer's bits
+    ISA_POW, ISA_ATAN2, ISA_MIN, ISA_MAX, ISA_LESS, ISA_LESS_EQUAL, ISA_EQUAL, ///< two arguments
+    ISA_FUNCTION_COUNT
+};
+
+struct isa_templates {
+    /// Merges 8 fragments; see output_group.
+    void (*output)(const struct output_state *state, const rhw_float color[4], const rhw_int *mask,
+                   unsigned char *texels);
+    /// result[i] = function(a[i], b[i]) of `count` numbers, a multiple of 8.
+    void (*apply)(enum isa_function function, const float *a, const float *b, float *result, int count);
+};
+
+/// NULL where this build or this CPU lacks `isa`.
+const struct isa_templates *isa_templates_for(enum rhw_isa isa);
+
+#endif
