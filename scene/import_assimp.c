@@ -12,6 +12,8 @@
 #include <assimp/postprocess.h>
 #include <math.h>
 #include <string.h>
+#include <sys/resource.h>
+#include <sys/stat.h>
 
 _Static_assert(sizeof(ai_real) == sizeof(float), "assimp is built with single precision");
 
@@ -348,13 +350,32 @@ static void add_light(struct reader *reader, const struct aiLight *source, const
 
 // Entry ---------------------------------------------------------------------------------------------
 
+// Limits the memory of assimp by the size of the file, and sets back what was before. A few hundred bytes that
+// ask for gigabytes would otherwise be given them all.
+static struct rlimit limit_memory(struct rhw_import *import)
+{
+    const rlim_t base = (rlim_t)1 << 30, per_byte = 64;
+    struct stat status;
+    struct rlimit before, limit;
+    getrlimit(RLIMIT_AS, &before);
+    limit = before;
+    if (before.rlim_cur != RLIM_INFINITY && stat(import->model.path, &status) == 0) { // a sanitizer needs infinity
+        const rlim_t wanted = base + per_byte * (rlim_t)status.st_size;
+        limit.rlim_cur = wanted < before.rlim_cur ? wanted : before.rlim_cur;
+        setrlimit(RLIMIT_AS, &limit);
+    }
+    return before;
+}
+
 static const struct aiScene *read_scene(struct rhw_import *import)
 {
     struct aiPropertyStore *properties = aiCreatePropertyStore();
     aiSetImportPropertyInteger(properties, AI_CONFIG_IMPORT_NO_SKELETON_MESHES, 1);
     aiSetImportPropertyInteger(properties, AI_CONFIG_IMPORT_FBX_PRESERVE_PIVOTS, 0);
+    const struct rlimit before = limit_memory(import);
     const struct aiScene *scene = aiImportFileExWithProperties(
         import->model.path, aiProcess_Triangulate | aiProcess_SortByPType | aiProcess_GenUVCoords, NULL, properties);
+    setrlimit(RLIMIT_AS, &before);
     if (scene != NULL)
         return scene;
     const char *error = aiGetErrorString();
@@ -368,7 +389,10 @@ static const struct aiScene *read_scene(struct rhw_import *import)
 static const char *format_of(struct rhw_import *import)
 {
     const char *dot = strrchr(import->model.path, '.');
-    const struct aiImporterDesc *description = dot == NULL ? NULL : aiGetImporterDesc(dot + 1);
+    char extension[16] = "";
+    for (size_t i = 0; dot != NULL && i < sizeof extension - 1 && dot[1 + i] != 0; i++)
+        extension[i] = (char)(dot[1 + i] >= 'A' && dot[1 + i] <= 'Z' ? dot[1 + i] + 32 : dot[1 + i]);
+    const struct aiImporterDesc *description = aiGetImporterDesc(extension);
     if (description == NULL)
         return "unknown";
     const size_t length = strlen(description->mName);

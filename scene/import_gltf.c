@@ -203,9 +203,12 @@ static void parse_binary(struct rhw_gltf *gltf, const unsigned char *bytes, size
 static void check_version(struct rhw_gltf *gltf)
 {
     const json_t *asset = rhw_gltf_object(gltf, gltf->root, "asset");
+    const json_t *number = json_object_get(asset, "version"); // glTF 1.0 allowed a number
+    if (json_is_number(number))
+        rhw_import_fail(gltf->import, "is glTF %.1f, which is not supported; only 2.0 is", json_number_value(number));
     const char *version = asset == NULL ? NULL : rhw_gltf_text(gltf, asset, "version");
     const char *least = asset == NULL ? NULL : rhw_gltf_text(gltf, asset, "minVersion");
-    if (version == NULL)
+    if (version == NULL || version[0] == 0)
         rhw_import_fail(gltf->import, "is no glTF 2.0: it has no asset version");
     if (strncmp(version, "2.", 2) != 0)
         rhw_import_fail(gltf->import, "is glTF %s, which is not supported; only 2.0 is", version);

@@ -151,9 +151,7 @@ static void parse_header(struct ply *ply, struct rhw_text *text)
         } else if (rhw_word_is(word, "comment")) {
             if (rhw_text_word(&line, &word) && rhw_word_is(word, "TextureFile") && ply->texture.length == 0)
                 ply->texture = rhw_text_rest(line);
-        } else if (!rhw_word_is(word, "ply") && !rhw_word_is(word, "obj_info")) {
-            refuse_header(ply, text->line, "is not a PLY header line");
-        }
+        } // "ply", "obj_info" and what exporters have invented
     }
     rhw_import_fail(ply->import, "the PLY header has no end_header");
 }

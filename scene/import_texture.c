@@ -88,6 +88,8 @@ const char *rhw_import_find_file(struct rhw_import *import, const char *name)
 {
     if (strncmp(name, "file://", 7) == 0)
         name += 7;
+    if (strncmp(name, "//", 2) == 0) // Blender: relative to the model
+        name += 2;
     const char *directory = import->directory[0] != 0 ? import->directory : "./";
     char *plain = join(import, "", name), *decoded = join(import, "", name);
     decode_percent(decoded);
@@ -105,10 +107,16 @@ const char *rhw_import_find_file(struct rhw_import *import, const char *name)
     char *path = join(import, directory, decoded);
     if (exists_in_some_case(path, strlen(directory)))
         return path;
-    // Paths of the machine that the model was made on: what stands beside the model is meant.
+    // Paths of the machine that the model was made on: what stands beside the model is meant, or in one of the
+    // folders that archives of models have.
+    static const char *const folders[] = {"", "textures/", "../textures/"};
     const char *slash = strrchr(decoded, '/');
-    path = join(import, directory, slash == NULL ? decoded : slash + 1);
-    return exists_in_some_case(path, strlen(directory)) ? path : NULL;
+    for (size_t i = 0; i < sizeof folders / sizeof folders[0]; i++) {
+        path = join(import, join(import, directory, folders[i]), slash == NULL ? decoded : slash + 1);
+        if (exists_in_some_case(path, strlen(directory)))
+            return path;
+    }
+    return NULL;
 }
 
 // Decoding ------------------------------------------------------------------------------------------
