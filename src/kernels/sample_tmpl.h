@@ -451,10 +451,11 @@ RHW_INLINE void sample_detail_codes(const struct sample_source *source, i8 detai
 // Level of detail and the whole ---------------------------------------------------------------------
 
 // log2(a) / 2 within 2^-17, exact at powers of four: the level of detail needs no more. The bits of a float,
-// read as a number, are its logarithm but for the curve between powers of two. 0 gives −63.5, infinity 64.
+// read as a number, are its logarithm but for the curve between powers of two. 0 gives −63.5, infinity and
+// NaN 64: the bits of a NaN differ between processors.
 RHW_INLINE f8 sample_half_log2(f8 a)
 {
-    const i8 bits = (i8)a;
+    const i8 bits = (i8)rhw_min(a, rhw_splat(3.4028235e38f));
     const f8 straight = rhw_to_float(bits) * 0x1p-24f - 63.5f;
     const f8 t = (f8)((bits & 0x7fffff) | 0x3f800000) - 1.0f;
     const f8 curve = ((0.02258187345f * t - 0.074232161f) * t + 0.133602321f) * t - 0.220960796f;

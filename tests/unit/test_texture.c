@@ -1,0 +1,727 @@
+// SPDX-License-Identifier: MIT
+// Textures: storage, mip generation and sampling. The model below is written from the formulas of OpenGL ES
+// 3.0 §3.8.10, one texel at a time in double, and shares nothing with the library. Samples are taken through
+// the kernel table, so that every instruction set is judged by itself and against the baseline.
+#include "harness.h"
+#include "reference.h"
+
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "context.h"
+#include "kernels/kernels.h"
+#include "texture.h"
+
+static const enum rhw_format sampled_formats[] = {
+    RHW_FORMAT_R8_UNORM,     RHW_FORMAT_RG8_UNORM, RHW_FORMAT_RGBA8_UNORM,  RHW_FORMAT_RGBA8_SRGB,
+    RHW_FORMAT_RGBA16_FLOAT, RHW_FORMAT_R32_FLOAT, RHW_FORMAT_RGBA32_FLOAT, RHW_FORMAT_D32_FLOAT};
+enum { SAMPLED_FORMATS = sizeof sampled_formats / sizeof sampled_formats[0] };
+
+// The model -----------------------------------------------------------------------------------------
+
+// One texel as it stands in memory, in linear doubles.
+static void decode(enum rhw_format format, const unsigned char *texel, double value[4])
+{
+    uint16_t half[4];
+    float word[4];
+    value[0] = value[1] = value[2] = 0;
+    value[3] = 1;
+    switch (format) {
+    case RHW_FORMAT_R8_UNORM:
+    case RHW_FORMAT_RG8_UNORM:
+    case RHW_FORMAT_RGBA8_UNORM:
+    case RHW_FORMAT_RGBA8_SRGB:
+        for (size_t c = 0; c < rhw_format_size(format); c++) {
+            value[c] = texel[c] / 255.0;
+            if (format == RHW_FORMAT_RGBA8_SRGB && c < 3) {
+                value[c] = ref_srgb_decode(value[c]);
+            }
+        }
+        break;
+    case RHW_FORMAT_RGBA16_FLOAT:
+        memcpy(half, texel, sizeof half);
+        for (int c = 0; c < 4; c++) {
+            value[c] = ref_half(half[c]);
+        }
+        break;
+    case RHW_FORMAT_RGBA32_FLOAT:
+        memcpy(word, texel, sizeof word);
+        for (int c = 0; c < 4; c++) {
+            value[c] = (double)word[c];
+        }
+        break;
+    default:
+        memcpy(word, texel, sizeof word[0]);
+        value[0] = (double)word[0];
+        break;
+    }
+}
+
+// A texel by its number on an endless plane.
+static void model_texel(const struct rhw_texture_data *texture, const struct rhw_sampler_def *sampler, int level,
+                        long x, long y, double value[4])
+{
+    const struct rhw_mip *const mip = &texture->mip[level];
+    const enum rhw_address mode[2] = {sampler->address_u, sampler->address_v};
+    const long size[2] = {mip->width, mip->height};
+    long at[2] = {x, y};
+    for (int i = 0; i < 2; i++) {
+        const long n = size[i];
+        long period;
+        switch (mode[i]) {
+        case RHW_ADDRESS_REPEAT:
+            at[i] = (at[i] % n + n) % n;
+            break;
+        case RHW_ADDRESS_MIRROR:
+            period = (at[i] % (2 * n) + 2 * n) % (2 * n);
+            at[i] = period < n ? period : 2 * n - 1 - period;
+            break;
+        case RHW_ADDRESS_CLAMP:
+            at[i] = at[i] < 0 ? 0 : at[i] >= n ? n - 1 : at[i];
+            break;
+        case RHW_ADDRESS_BORDER:
+            if (at[i] < 0 || at[i] >= n) {
+                for (int c = 0; c < 4; c++) {
+                    value[c] = (double)sampler->border[c];
+                }
+                return;
+            }
+            break;
+        }
+    }
+    decode(texture->format,
+           mip->texels + (size_t)at[1] * mip->row_pitch + (size_t)at[0] * rhw_format_size(texture->format), value);
+}
+
+static void model_level(const struct rhw_texture_data *texture, const struct rhw_sampler_def *sampler, int level,
+                        enum rhw_filter filter, double u, double v, double value[4])
+{
+    const double x = u * texture->mip[level].width, y = v * texture->mip[level].height;
+    if (filter == RHW_FILTER_NEAREST) {
+        model_texel(texture, sampler, level, (long)floor(x), (long)floor(y), value);
+        return;
+    }
+    const double left = floor(x - 0.5), top = floor(y - 0.5);
+    const double fx = x - 0.5 - left, fy = y - 0.5 - top;
+    for (int c = 0; c < 4; c++) {
+        value[c] = 0;
+    }
+    for (int corner = 0; corner < 4; corner++) {
+        double texel[4];
+        model_texel(texture, sampler, level, (long)left + (corner & 1), (long)top + (corner >> 1), texel);
+        const double weight = (corner & 1 ? fx : 1 - fx) * (corner >> 1 ? fy : 1 - fy);
+        for (int c = 0; c < 4; c++) {
+            value[c] += weight * texel[c];
+        }
+    }
+}
+
+static void model_sample(const struct rhw_texture_data *texture, const struct rhw_sampler_def *sampler, double u,
+                         double v, double lod, double value[4])
+{
+    const double lambda = fmin(fmax(lod + (double)sampler->lod_bias, (double)sampler->lod_min), (double)sampler->lod_max);
+    const int last = texture->levels - 1;
+    if (lambda <= 0 && sampler->mag_filter != sampler->min_filter) {
+        model_level(texture, sampler, 0, sampler->mag_filter, u, v, value);
+        return;
+    }
+    const double within = fmin(fmax(lambda, 0), last);
+    if (sampler->mip_filter == RHW_MIP_FILTER_NONE) {
+        model_level(texture, sampler, 0, sampler->min_filter, u, v, value);
+    } else if (sampler->mip_filter == RHW_MIP_FILTER_NEAREST) {
+        model_level(texture, sampler, (int)ceil(within + 0.5) - 1, sampler->min_filter, u, v, value);
+    } else {
+        const int level = (int)within;
+        double coarse[4];
+        model_level(texture, sampler, level, sampler->min_filter, u, v, value);
+        model_level(texture, sampler, level < last ? level + 1 : last, sampler->min_filter, u, v, coarse);
+        for (int c = 0; c < 4; c++) {
+            value[c] += (within - level) * (coarse[c] - value[c]);
+        }
+    }
+}
+
+// What the tests sample -----------------------------------------------------------------------------
+
+static struct rhw_sampler_def default_sampler(void)
+{
+    return rhw_sampler_def_default();
+}
+
+// A texture with random texels in every level: numbers within ±4 where the format is a float.
+static rhw_texture random_texture(rhw_context *context, enum rhw_format format, int width, int height, int levels,
+                                  uint64_t *random)
+{
+    struct rhw_texture_def def = rhw_texture_def_default();
+    def.format = format;
+    def.width = width;
+    def.height = height;
+    def.mip_levels = levels;
+    rhw_texture texture;
+    assert_int_equal(rhw_texture_create(context, &def, &texture), RHW_OK);
+    const size_t size = rhw_format_size(format);
+    for (int level = 0; level < rhw_texture_mip_levels(context, texture); level++) {
+        const size_t count = (size_t)rhw_texture_width(context, texture, level) *
+                             (size_t)rhw_texture_height(context, texture, level) * size;
+        unsigned char *const texels = malloc(count);
+        for (size_t i = 0; i < count; i += size) {
+            for (size_t c = 0; c < size; c++) {
+                texels[i + c] = (unsigned char)rig_random(random);
+            }
+            for (size_t c = 0; format == RHW_FORMAT_RGBA16_FLOAT && c < 4; c++) {
+                texels[i + 2 * c + 1] = (unsigned char)(rig_random_int(random, 0x44) | rig_random_int(random, 2) << 7);
+            }
+            for (size_t c = 0; format >= RHW_FORMAT_R32_FLOAT && c < size / 4; c++) {
+                const float value = rig_random_float(random, -4.0f, 4.0f);
+                memcpy(texels + i + 4 * c, &value, sizeof value);
+            }
+        }
+        rhw_texture_write(context, texture, level, texels, 0);
+        free(texels);
+    }
+    return texture;
+}
+
+static struct rhw_binding bind(rhw_context *context, rhw_texture texture, const struct rhw_sampler_def *sampler,
+                               enum rhw_isa isa)
+{
+    const struct rhw_texture_data *const data = rhw_context_texture(context, texture, "test");
+    return (struct rhw_binding){rhw_kernels_for(isa)->sample, data, sampler};
+}
+
+// How far a filtered sample may be off: 8-bit formats are filtered with 15-bit weights, and coordinates
+// carry 24 bits, of which a level 64 texels wide takes 6.
+static double tolerance(enum rhw_format format)
+{
+    return format < RHW_FORMAT_RGBA16_FLOAT ? 1e-4 : 4e-5;
+}
+
+// Coordinates whose products with the test's sizes are exact in float and stay clear of texel edges and
+// centres, where a rounding would decide.
+static float clear_coordinate(uint64_t *random)
+{
+    return ((float)rig_random_int(random, 4096 * 6) + 0.375f) / 4096.0f - 3.0f;
+}
+
+static float clear_lod(uint64_t *random)
+{
+    return ((float)rig_random_int(random, 9 * 16) + 0.25f) / 16.0f - 1.5f;
+}
+
+// Every isa's result, which must be the same bits, in `texel`.
+static void sample_all_isas(struct rhw_binding *binding, const rhw_float uv[2], const rhw_float grad[4],
+                            const rhw_float *lod, rhw_float texel[4])
+{
+    binding->sample = rhw_kernels_for(RHW_ISA_BASELINE)->sample;
+    binding->sample(binding, uv, grad, lod, texel);
+    for (int isa = RHW_ISA_BASELINE + 1; isa < RHW_ISA_COUNT; isa++) {
+        if (rhw_isa_supported((enum rhw_isa)isa)) {
+            rhw_float other[4];
+            binding->sample = rhw_kernels_for((enum rhw_isa)isa)->sample;
+            binding->sample(binding, uv, grad, lod, other);
+            assert_memory_equal(other, texel, sizeof other);
+        }
+    }
+}
+
+static void random_sampler(uint64_t *random, struct rhw_sampler_def *sampler)
+{
+    *sampler = default_sampler();
+    if (rig_random_int(random, 3) == 0) { // the road of RGBA8 stays well used
+        sampler->address_u = (enum rhw_address)rig_random_int(random, 3);
+        sampler->address_v = (enum rhw_address)rig_random_int(random, 3);
+        return;
+    }
+    sampler->min_filter = (enum rhw_filter)rig_random_int(random, 2);
+    sampler->mag_filter = (enum rhw_filter)rig_random_int(random, 2);
+    sampler->mip_filter = (enum rhw_mip_filter)rig_random_int(random, 3);
+    sampler->address_u = (enum rhw_address)rig_random_int(random, 4);
+    sampler->address_v = (enum rhw_address)rig_random_int(random, 4);
+    for (int c = 0; c < 4; c++) {
+        sampler->border[c] = rig_random_float(random, -1, 1);
+    }
+    sampler->lod_bias = (float)rig_random_int(random, 5) - 2.0f;
+    sampler->lod_min = rig_random_int(random, 4) == 0 ? 0.6875f : -1000.0f;
+    sampler->lod_max = rig_random_int(random, 4) == 0 ? 1.8125f : 1000.0f;
+}
+
+static void expect_sample(const struct rhw_texture_data *texture, const struct rhw_sampler_def *sampler, float u,
+                          float v, double lod, const rhw_float texel[4], int lane, double allowed)
+{
+    double expected[4];
+    model_sample(texture, sampler, (double)u, (double)v, lod, expected);
+    for (int c = 0; c < 4; c++) {
+        if (!(fabs((double)texel[c][lane] - expected[c]) <= allowed)) {
+            fail_msg("format %d, %dx%d, min %d mag %d mip %d, address %d %d, at %g %g lod %g: channel %d is %.9g, "
+                     "not %.9g",
+                     (int)texture->format, texture->mip[0].width, texture->mip[0].height, (int)sampler->min_filter,
+                     (int)sampler->mag_filter, (int)sampler->mip_filter, (int)sampler->address_u,
+                     (int)sampler->address_v, (double)u, (double)v, lod, c, (double)texel[c][lane], expected[c]);
+        }
+    }
+}
+
+// Tests: sampling -----------------------------------------------------------------------------------
+
+// The order of sizes matters to nothing: some are powers of two, some odd, some have a side of 1.
+static const int sizes[][2] = {{64, 64}, {16, 32}, {8, 8}, {4, 1}, {1, 8}, {2, 2}, {1, 1}, {48, 20}, {5, 3}, {33, 1}};
+enum { SIZES = sizeof sizes / sizeof sizes[0] };
+
+static void test_samples_follow_the_model(void **state)
+{
+    (void)state;
+    struct rig rig;
+    rig_open(&rig, 8, 8);
+    uint64_t random = 1;
+    for (int n = 0; n < 40 * SAMPLED_FORMATS * SIZES; n++) {
+        const enum rhw_format format = sampled_formats[n % SAMPLED_FORMATS];
+        const int *const size = sizes[n / SAMPLED_FORMATS % SIZES];
+        const rhw_texture texture = random_texture(rig.context, format, size[0], size[1], n & 1, &random);
+        struct rhw_sampler_def sampler;
+        random_sampler(&random, &sampler);
+        struct rhw_binding binding = bind(rig.context, texture, &sampler, RHW_ISA_BASELINE);
+        for (int repeat = 0; repeat < 8; repeat++) {
+            rhw_float uv[2], lod, texel[4];
+            const float common = clear_lod(&random);
+            for (int i = 0; i < RHW_LANES; i++) { // lanes near each other, or anywhere
+                uv[0][i] = i == 0 || repeat & 1 ? clear_coordinate(&random) : uv[0][i - 1] + 1.0f / 1024;
+                uv[1][i] = i == 0 || repeat & 1 ? clear_coordinate(&random) : uv[1][i - 1];
+                lod[i] = repeat & 2 ? clear_lod(&random) : common;
+            }
+            sample_all_isas(&binding, uv, NULL, &lod, texel);
+            for (int i = 0; i < RHW_LANES; i++) {
+                expect_sample(binding.texture, &sampler, uv[0][i], uv[1][i], (double)lod[i], texel, i,
+                              tolerance(format));
+            }
+        }
+        rhw_texture_destroy(rig.context, texture);
+    }
+    rig_close(&rig);
+}
+
+static void test_derivatives_choose_the_level(void **state)
+{
+    (void)state;
+    struct rig rig;
+    rig_open(&rig, 8, 8);
+    uint64_t random = 2;
+    for (int n = 0; n < 400; n++) {
+        const enum rhw_format format = n & 1 ? RHW_FORMAT_RGBA8_UNORM : RHW_FORMAT_RGBA32_FLOAT;
+        const rhw_texture texture = random_texture(rig.context, format, 64, n & 2 ? 16 : 64, 0, &random);
+        struct rhw_sampler_def sampler = default_sampler();
+        sampler.lod_bias = n & 4 ? 0.5f : 0.0f;
+        struct rhw_binding binding = bind(rig.context, texture, &sampler, RHW_ISA_BASELINE);
+        const struct rhw_texture_data *const data = binding.texture;
+        rhw_float uv[2], grad[4], texel[4];
+        const float scale = exp2f(rig_random_float(&random, -7, 1));
+        for (int i = 0; i < RHW_LANES; i++) {
+            uv[0][i] = clear_coordinate(&random);
+            uv[1][i] = clear_coordinate(&random);
+            for (int g = 0; g < 4; g++) {
+                grad[g][i] = rig_random_float(&random, -scale, scale);
+            }
+        }
+        sample_all_isas(&binding, uv, grad, NULL, texel);
+        for (int i = 0; i < RHW_LANES; i++) {
+            const double w = data->mip[0].width, h = data->mip[0].height;
+            const double dx = hypot((double)grad[0][i] * w, (double)grad[1][i] * h);
+            const double dy = hypot((double)grad[2][i] * w, (double)grad[3][i] * h);
+            expect_sample(data, &sampler, uv[0][i], uv[1][i], log2(fmax(dx, dy)), texel, i,
+                          format == RHW_FORMAT_RGBA8_UNORM ? 1.5e-4 : 6e-4); // texels differ by up to 8
+        }
+        rhw_texture_destroy(rig.context, texture);
+    }
+    rig_close(&rig);
+}
+
+// At a texel's centre, filtered or not, the sample is the texel: UNORM codes as the float nearest to c/255,
+// sRGB codes as the float nearest to the formula.
+static void test_texel_centres_are_exact(void **state)
+{
+    (void)state;
+    struct rig rig;
+    rig_open(&rig, 8, 8);
+    unsigned char codes[16][16][4];
+    for (int i = 0; i < 256; i++) {
+        const unsigned char code = (unsigned char)i;
+        memcpy(codes[i / 16][i % 16], (unsigned char[4]){code, code, code, code}, 4);
+    }
+    for (int n = 0; n < 16; n++) {
+        struct rhw_texture_def def = rhw_texture_def_default();
+        def.format = n & 1 ? RHW_FORMAT_RGBA8_SRGB : RHW_FORMAT_RGBA8_UNORM;
+        def.width = def.height = 16;
+        def.mip_levels = n & 2 ? 0 : 1;
+        struct rhw_sampler_def sampler = default_sampler();
+        sampler.min_filter = sampler.mag_filter = n & 4 ? RHW_FILTER_NEAREST : RHW_FILTER_LINEAR;
+        sampler.address_u = n & 8 ? RHW_ADDRESS_BORDER : RHW_ADDRESS_REPEAT;
+        rhw_texture texture;
+        assert_int_equal(rhw_texture_create(rig.context, &def, &texture), RHW_OK);
+        rhw_texture_write(rig.context, texture, 0, codes, 0);
+        struct rhw_binding binding = bind(rig.context, texture, &sampler, RHW_ISA_BASELINE);
+        for (int i = 0; i < 256; i++) {
+            const rhw_float uv[2] = {rhw_splat(((float)(i % 16) + 0.5f) / 16), rhw_splat(((float)(i / 16) + 0.5f) / 16)};
+            const rhw_float lod = rhw_splat(0.0f);
+            rhw_float texel[4];
+            sample_all_isas(&binding, uv, NULL, &lod, texel);
+            const float linear = (float)(i / 255.0), decoded = (float)ref_srgb_decode(i / 255.0);
+            for (int c = 0; c < 4; c++) {
+                assert_true(texel[c][3] == (n & 1 && c < 3 ? decoded : linear));
+            }
+        }
+        rhw_texture_destroy(rig.context, texture);
+    }
+    rig_close(&rig);
+}
+
+// A texture of one colour has that colour everywhere, to the bit, at any level of detail.
+static void test_one_colour_stays_one_colour(void **state)
+{
+    (void)state;
+    struct rig rig;
+    rig_open(&rig, 8, 8);
+    uint64_t random = 3;
+    for (int code = 0; code < 256; code++) {
+        struct rhw_texture_def def = rhw_texture_def_default();
+        def.width = 16;
+        def.height = 7;
+        def.mip_levels = 0;
+        def.format = code & 1 ? RHW_FORMAT_RGBA8_UNORM : RHW_FORMAT_RGBA8_SRGB;
+        rhw_texture texture;
+        assert_int_equal(rhw_texture_create(rig.context, &def, &texture), RHW_OK);
+        unsigned char texels[16 * 7 * 4];
+        memset(texels, code, sizeof texels);
+        rhw_texture_write(rig.context, texture, 0, texels, 0);
+        rhw_texture_generate_mips(rig.context, texture);
+        const struct rhw_sampler_def sampler = default_sampler();
+        struct rhw_binding binding = bind(rig.context, texture, &sampler, RHW_ISA_BASELINE);
+        for (int n = 0; n < 16; n++) {
+            rhw_float uv[2], lod, texel[4];
+            for (int i = 0; i < RHW_LANES; i++) {
+                uv[0][i] = rig_random_float(&random, -3, 3);
+                uv[1][i] = rig_random_float(&random, -3, 3);
+                lod[i] = rig_random_float(&random, -1, 5);
+            }
+            sample_all_isas(&binding, uv, NULL, &lod, texel);
+            const float linear = (float)(code / 255.0), decoded = (float)ref_srgb_decode(code / 255.0);
+            for (int i = 0; i < RHW_LANES; i++) {
+                assert_true(texel[0][i] == (code & 1 ? linear : decoded));
+                assert_true(texel[3][i] == linear);
+            }
+        }
+        rhw_texture_destroy(rig.context, texture);
+    }
+    rig_close(&rig);
+}
+
+// What a lane gets does not depend on its neighbours, and the one-at-a-time form gives the same bits.
+static void test_lanes_are_independent(void **state)
+{
+    (void)state;
+    struct rig rig;
+    rig_open(&rig, 8, 8);
+    uint64_t random = 4;
+    for (int n = 0; n < 600; n++) {
+        const rhw_texture texture =
+            random_texture(rig.context, sampled_formats[n % SAMPLED_FORMATS], 32, 32, 0, &random);
+        struct rhw_sampler_def sampler;
+        random_sampler(&random, &sampler);
+        struct rhw_binding binding = bind(rig.context, texture, &sampler, RHW_ISA_BASELINE);
+        rhw_float uv[2], grad[4], lod, texel[4];
+        for (int i = 0; i < RHW_LANES; i++) {
+            uv[0][i] = rig_random_float(&random, -2, 2);
+            uv[1][i] = rig_random_float(&random, -2, 2);
+            lod[i] = n & 8 ? (float)rig_random_int(&random, 7) : rig_random_float(&random, -2, 8);
+            for (int g = 0; g < 4; g++) {
+                grad[g][i] = rig_random_float(&random, -0.1f, 0.1f);
+            }
+        }
+        sample_all_isas(&binding, uv, n & 1 ? grad : NULL, &lod, texel);
+        for (int i = 0; i < RHW_LANES; i++) {
+            const float at[2] = {uv[0][i], uv[1][i]};
+            const float slope[4] = {grad[0][i], grad[1][i], grad[2][i], grad[3][i]};
+            float single[4];
+            if (n & 1) {
+                rhw_sample1_grad(&binding, at, slope, single);
+            } else {
+                rhw_sample1_lod(&binding, at, lod[i], single);
+            }
+            for (int c = 0; c < 4; c++) {
+                const float lane = texel[c][i];
+                assert_memory_equal(&single[c], &lane, sizeof lane);
+            }
+        }
+        rhw_texture_destroy(rig.context, texture);
+    }
+    rig_close(&rig);
+}
+
+// Any bits as coordinates, slopes and levels: nothing outside the texture is read (a sanitizer sees that),
+// and what comes out lies between the texels.
+static void test_hostile_coordinates(void **state)
+{
+    (void)state;
+    struct rig rig;
+    rig_open(&rig, 8, 8);
+    static const float special[] = {NAN,   INFINITY, -INFINITY, 3e38f,       -3e38f, 1e-45f,        -1e-45f,  0.0f,
+                                    -0.0f, 1.0f,     -1.0f,     0.99999994f, 2.0f,   2147483648.0f, 16777217.0f};
+    uint64_t random = 5;
+    for (int n = 0; n < 300; n++) {
+        const int *const size = sizes[n % SIZES];
+        const enum rhw_format format = n & 1 ? RHW_FORMAT_RGBA8_UNORM : sampled_formats[n / 2 % 4];
+        const rhw_texture texture = random_texture(rig.context, format, size[0], size[1], 0, &random);
+        struct rhw_sampler_def sampler;
+        random_sampler(&random, &sampler);
+        memset(sampler.border, 0, sizeof sampler.border);
+        struct rhw_binding binding = bind(rig.context, texture, &sampler, RHW_ISA_BASELINE);
+        for (int repeat = 0; repeat < 20; repeat++) {
+            rhw_float in[7], texel[4];
+            for (int j = 0; j < 7; j++) {
+                for (int i = 0; i < RHW_LANES; i++) {
+                    const uint32_t bits = (uint32_t)rig_random(&random);
+                    float value;
+                    memcpy(&value, &bits, sizeof value);
+                    in[j][i] = rig_random_int(&random, 3) ? value : special[rig_random_int(&random, 15)];
+                }
+            }
+            sample_all_isas(&binding, in, repeat & 1 ? in + 2 : NULL, repeat & 2 ? &in[6] : NULL, texel);
+            for (int i = 0; i < RHW_LANES; i++) {
+                for (int c = 0; c < 4; c++) {
+                    assert_true(texel[c][i] >= 0.0f && texel[c][i] <= 1.0f);
+                }
+            }
+        }
+        rhw_texture_destroy(rig.context, texture);
+    }
+    rig_close(&rig);
+}
+
+static void test_an_unbound_slot_samples_opaque_black(void **state)
+{
+    (void)state;
+    for (int isa = 0; isa < RHW_ISA_COUNT; isa++) {
+        if (rhw_isa_supported((enum rhw_isa)isa)) {
+            const struct rhw_binding binding = {rhw_kernels_for((enum rhw_isa)isa)->sample, NULL, NULL};
+            const float uv[2] = {0.3f, NAN}, expected[4] = {0, 0, 0, 1};
+            float texel[4];
+            rhw_sample1_lod(&binding, uv, 2.0f, texel);
+            assert_memory_equal(texel, expected, sizeof texel);
+        }
+    }
+}
+
+// Tests: mips ---------------------------------------------------------------------------------------
+
+// How much of texel j of `larger` the texel i of `smaller` covers along one axis, in shares of 1.
+static double coverage(int larger, int smaller, int i, int j)
+{
+    const double width = (double)larger / smaller;
+    const double low = fmax(i * width, j), high = fmin((i + 1) * width, j + 1);
+    return fmax(high - low, 0) / width;
+}
+
+// The level below `from`, in unrounded linear values.
+static double *model_reduce(const double *from, int width, int height, int to_width, int to_height)
+{
+    double *const to = calloc((size_t)to_width * (size_t)to_height * 4, sizeof *to);
+    for (int y = 0; y < to_height; y++) {
+        for (int x = 0; x < to_width; x++) {
+            for (int j = 0; j < height; j++) {
+                for (int i = 0; i < width; i++) {
+                    const double share = coverage(height, to_height, y, j) * coverage(width, to_width, x, i);
+                    for (int c = 0; c < 4; c++) {
+                        to[(y * to_width + x) * 4 + c] += share * from[(j * width + i) * 4 + c];
+                    }
+                }
+            }
+        }
+    }
+    return to;
+}
+
+// A stored texel against the value it should hold: half a step of its format, and a little for the float
+// arithmetic on the way.
+static void expect_texel(enum rhw_format format, const unsigned char *texel, const double value[4])
+{
+    double stored[4];
+    decode(format, texel, stored);
+    const int channels = format == RHW_FORMAT_R8_UNORM || format == RHW_FORMAT_R32_FLOAT || format == RHW_FORMAT_D32_FLOAT ? 1
+                         : format == RHW_FORMAT_RG8_UNORM                                                                ? 2
+                                                                                                                         : 4;
+    for (int c = 0; c < channels; c++) {
+        double error, allowed;
+        if (format == RHW_FORMAT_RGBA8_SRGB && c < 3) {
+            error = (ref_srgb_encode(stored[c]) - ref_srgb_encode(value[c])) * 255;
+            allowed = 0.501;
+        } else if (format <= RHW_FORMAT_RGBA8_SRGB) {
+            error = (stored[c] - value[c]) * 255;
+            allowed = 0.5001;
+        } else {
+            error = stored[c] - value[c];
+            allowed = format == RHW_FORMAT_RGBA16_FLOAT ? fmax(fabs(value[c]), 6.2e-5) * 0x1.01p-11 : 2e-6;
+        }
+        if (!(fabs(error) <= allowed)) {
+            fail_msg("format %d: a texel of %.9g is stored as %.9g", (int)format, value[c], stored[c]);
+        }
+    }
+}
+
+static void test_mips_are_box_filtered_in_linear_light(void **state)
+{
+    (void)state;
+    static const int mip_sizes[][2] = {{8, 8}, {16, 4}, {7, 5}, {1, 9}, {13, 1}, {6, 3}, {1, 1}, {31, 2}, {23, 17}};
+    struct rig rig;
+    rig_open(&rig, 8, 8);
+    uint64_t random = 6;
+    for (int n = 0; n < SAMPLED_FORMATS * (int)(sizeof mip_sizes / sizeof mip_sizes[0]); n++) {
+        const enum rhw_format format = sampled_formats[n % SAMPLED_FORMATS];
+        int width = mip_sizes[n / SAMPLED_FORMATS][0], height = mip_sizes[n / SAMPLED_FORMATS][1];
+        const rhw_texture texture = random_texture(rig.context, format, width, height, 0, &random);
+        const struct rhw_texture_data *const data = rhw_context_texture(rig.context, texture, "test");
+        rhw_texture_generate_mips(rig.context, texture);
+        double *values = malloc((size_t)(width * height * 4) * sizeof *values);
+        for (int i = 0; i < width * height; i++) {
+            decode(format,
+                   data->mip[0].texels + (size_t)(i / width) * data->mip[0].row_pitch +
+                       (size_t)(i % width) * rhw_format_size(format),
+                   values + 4 * i);
+        }
+        for (int level = 1; level < data->levels; level++) {
+            const struct rhw_mip *const mip = &data->mip[level];
+            double *const next = model_reduce(values, width, height, mip->width, mip->height);
+            free(values);
+            values = next;
+            width = mip->width;
+            height = mip->height;
+            for (int i = 0; i < width * height; i++) {
+                expect_texel(format,
+                             mip->texels + (size_t)(i / width) * mip->row_pitch +
+                                 (size_t)(i % width) * rhw_format_size(format),
+                             values + 4 * i);
+            }
+        }
+        assert_int_equal(width * height, 1);
+        free(values);
+        rhw_texture_destroy(rig.context, texture);
+    }
+    rig_close(&rig);
+}
+
+// Tests: storage ------------------------------------------------------------------------------------
+
+static void test_write_and_read_keep_every_byte(void **state)
+{
+    (void)state;
+    struct rig rig;
+    rig_open(&rig, 8, 8);
+    uint64_t random = 7;
+    for (int format = RHW_FORMAT_R8_UNORM; format < RHW_FORMAT_COUNT; format++) {
+        struct rhw_texture_def def = rhw_texture_def_default();
+        def.format = (enum rhw_format)format;
+        def.width = 13;
+        def.height = 6;
+        def.mip_levels = 0;
+        rhw_texture texture;
+        assert_int_equal(rhw_texture_create(rig.context, &def, &texture), RHW_OK);
+        assert_int_equal(rhw_texture_mip_levels(rig.context, texture), 4);
+        assert_int_equal(rhw_texture_format(rig.context, texture), format);
+        for (int level = 0; level < 4; level++) {
+            const int width = rhw_texture_width(rig.context, texture, level);
+            const int height = rhw_texture_height(rig.context, texture, level);
+            assert_int_equal(width, 13 >> level);
+            assert_int_equal(height, level == 3 ? 1 : 6 >> level);
+            const size_t row = (size_t)width * rhw_format_size(def.format), pitch = row + 5;
+            unsigned char in[13 * 16 * 6], out[(13 * 16 + 5) * 6];
+            memset(out, 0xa5, sizeof out);
+            rhw_texture_read(rig.context, texture, level, out, 0);
+            for (size_t i = 0; i < row * (size_t)height; i++) {
+                assert_int_equal(out[i], 0); // zeroed when created
+                in[i] = (unsigned char)rig_random(&random);
+            }
+            rhw_texture_write(rig.context, texture, level, in, 0);
+            memset(out, 0xa5, sizeof out);
+            rhw_texture_read(rig.context, texture, level, out, pitch);
+            for (size_t i = 0; i < pitch * (size_t)height; i++) {
+                const size_t x = i % pitch, y = i / pitch;
+                assert_int_equal(out[i], x < row ? in[y * row + x] : 0xa5);
+            }
+            rhw_texture_write(rig.context, texture, level, out, pitch);
+            rhw_texture_read(rig.context, texture, level, out, 0);
+            assert_memory_equal(out, in, row * (size_t)height);
+        }
+        rhw_texture_destroy(rig.context, texture);
+    }
+    rig_close(&rig);
+}
+
+static void expect_misuse(struct rig *rig, int count, const char *words)
+{
+    assert_int_equal(rig->misuses, count);
+    assert_non_null(strstr(rig->message, words));
+    rig->misuses = 0;
+}
+
+static void test_misuse_is_named(void **state)
+{
+    (void)state;
+    struct rig rig;
+    rig_open(&rig, 8, 8);
+    rhw_context *const context = rig.context;
+    const struct rhw_texture_def good = {RHW_FORMAT_RGBA8_UNORM, 4, 4, 0};
+    const struct {
+        struct rhw_texture_def def;
+        const char *words;
+    } bad[] = {
+        {{RHW_FORMAT_NONE, 4, 4, 1}, "format"},
+        {{RHW_FORMAT_COUNT, 4, 4, 1}, "format"},
+        {{RHW_FORMAT_RGBA8_UNORM, 0, 4, 1}, "width is 0"},
+        {{RHW_FORMAT_RGBA8_UNORM, 4, 16385, 1}, "height is 16385"},
+        {{RHW_FORMAT_RGBA8_UNORM, 4, -1, 1}, "height is -1"},
+        {{RHW_FORMAT_RGBA8_UNORM, 4, 4, 4}, "mip_levels is 4"},
+        {{RHW_FORMAT_RGBA8_UNORM, 4, 4, -1}, "mip_levels is -1"},
+    };
+    rhw_texture texture;
+    for (size_t i = 0; i < sizeof bad / sizeof bad[0]; i++) {
+        texture.index = 9;
+        assert_int_equal(rhw_texture_create(context, &bad[i].def, &texture), RHW_ERROR_MISUSE);
+        assert_int_equal(texture.index, 0);
+        expect_misuse(&rig, 1, bad[i].words);
+    }
+    assert_int_equal(rhw_texture_create(context, &good, &texture), RHW_OK);
+    unsigned char texels[64];
+    rhw_texture_write(context, texture, 3, texels, 0);
+    expect_misuse(&rig, 1, "level is 3");
+    rhw_texture_read(context, texture, -1, texels, 0);
+    expect_misuse(&rig, 1, "level is -1");
+    rhw_texture_write(context, texture, 0, NULL, 0);
+    expect_misuse(&rig, 1, "data is NULL");
+    rhw_texture_write(context, texture, 0, texels, 15);
+    expect_misuse(&rig, 1, "row_pitch is 15");
+    assert_int_equal(rhw_texture_width(context, texture, 3), 0);
+    expect_misuse(&rig, 1, "level is 3");
+    rhw_texture_destroy(context, texture);
+    rhw_texture_destroy(context, texture);
+    expect_misuse(&rig, 1, "rhw_texture_destroy");
+    const struct rhw_texture_def ids = {RHW_FORMAT_R32_UINT, 4, 4, 0};
+    assert_int_equal(rhw_texture_create(context, &ids, &texture), RHW_OK);
+    rhw_texture_generate_mips(context, texture);
+    expect_misuse(&rig, 1, "RHW_FORMAT_R32_UINT");
+    rig_close(&rig);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(test_samples_follow_the_model),
+        cmocka_unit_test(test_derivatives_choose_the_level),
+        cmocka_unit_test(test_texel_centres_are_exact),
+        cmocka_unit_test(test_one_colour_stays_one_colour),
+        cmocka_unit_test(test_lanes_are_independent),
+        cmocka_unit_test(test_hostile_coordinates),
+        cmocka_unit_test(test_an_unbound_slot_samples_opaque_black),
+        cmocka_unit_test(test_mips_are_box_filtered_in_linear_light),
+        cmocka_unit_test(test_write_and_read_keep_every_byte),
+        cmocka_unit_test(test_misuse_is_named),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}
