@@ -7,6 +7,7 @@
 #include "assembly.h"
 #include "buffer.h"
 #include "context.h"
+#include "cpu.h"
 #include "format.h"
 #include "kernels/kernels.h"
 #include "pass_run.h"
@@ -55,6 +56,16 @@ static bool check_attachment(rhw_context *context, const struct rhw_pass_def *de
                      "rhw_pass_begin: %s[%d].store is %d; not a store operation", name, i, (int)store);
 }
 
+// Among the first `count` colours and, when `depth` is set, the depth attachment.
+static bool is_attachment(const struct rhw_pass_state *pass, rhw_texture id, int count, bool depth)
+{
+    bool found = depth && pass->depth_id.index == id.index;
+    for (int i = 0; i < count; i++) {
+        found = found || pass->color_ids[i].index == id.index;
+    }
+    return found;
+}
+
 // Fills what an attachment with a texture has, and checks its size against the pass.
 static enum rhw_result attach(struct rhw_pass_state *pass, rhw_texture id, const char *name, int i,
                               struct rhw_attachment *attachment)
@@ -74,9 +85,6 @@ static enum rhw_result attach(struct rhw_pass_state *pass, rhw_texture id, const
                    pass->width, pass->height)) {
         return RHW_ERROR_MISUSE;
     }
-    if (!rhw_texture_data_ensure(context, texture)) {
-        return RHW_ERROR_OUT_OF_MEMORY;
-    }
     attachment->format = texture->format;
     attachment->target = &texture->mip[0];
     attachment->texel_size = rhw_format_size(texture->format);
@@ -91,6 +99,10 @@ static enum rhw_result attach_color(struct rhw_pass_state *pass, const struct rh
     if (!check_attachment(context, def, "colors", i, color->load, color->store)) {
         return RHW_ERROR_MISUSE;
     }
+    if (!rhw_check(context, !is_attachment(pass, color->texture, i, false),
+                   "rhw_pass_begin: colors[%d].texture is another attachment too; each needs its own", i)) {
+        return RHW_ERROR_MISUSE;
+    }
     const enum rhw_result result = attach(pass, color->texture, "colors", i, attachment);
     if (result != RHW_OK) {
         return result;
@@ -102,7 +114,9 @@ static enum rhw_result attach_color(struct rhw_pass_state *pass, const struct rh
     }
     attachment->load = color->load;
     attachment->store = color->store;
+    const uint64_t environment = rhw_cpu_float_enter();
     rhw_output_clear_value(attachment->format, color->clear, attachment->clear);
+    rhw_cpu_float_leave(environment);
     pass->color_ids[i] = color->texture;
     return RHW_OK;
 }
@@ -291,15 +305,6 @@ void rhw_pass_set_uniforms(rhw_context *context, rhw_pass id, const void *data, 
     pass->pending_changed = true;
 }
 
-static bool is_attachment(const struct rhw_pass_state *pass, rhw_texture id)
-{
-    bool found = pass->has_depth && pass->depth_id.index == id.index;
-    for (int i = 0; i < pass->color_count; i++) {
-        found = found || pass->color_ids[i].index == id.index;
-    }
-    return found;
-}
-
 void rhw_pass_set_texture(rhw_context *context, rhw_pass id, int slot, rhw_texture texture_id, rhw_sampler sampler_id)
 {
     struct rhw_pass_state *const pass = pass_of(context, id, "rhw_pass_set_texture");
@@ -316,12 +321,8 @@ void rhw_pass_set_texture(rhw_context *context, rhw_pass id, int slot, rhw_textu
             !rhw_check(context, rhw_format_info(texture->format)->sampled,
                        "rhw_pass_set_texture: the texture is %s; it cannot be sampled",
                        rhw_format_info(texture->format)->name) ||
-            !rhw_check(context, !is_attachment(pass, texture_id),
+            !rhw_check(context, !is_attachment(pass, texture_id, pass->color_count, pass->has_depth),
                        "rhw_pass_set_texture: the texture in slot %d is an attachment of this pass", slot)) {
-            return;
-        }
-        if (!rhw_texture_data_ensure(context, texture)) {
-            pass->out_of_memory = true;
             return;
         }
         binding.texture = texture;
@@ -492,10 +493,12 @@ static bool check_draw(const struct rhw_pass_state *pass, bool indexed, const ch
 static void record(rhw_context *context, rhw_pass id, const struct rhw_draw *draw, uint32_t count, const char *where)
 {
     struct rhw_pass_state *const pass = pass_of(context, id, where);
-    if (!pass || !check_draw(pass, draw->indexed, where) || pass->out_of_memory) {
+    if (!pass || pass->out_of_memory || !check_draw(pass, draw->indexed, where)) {
         return;
     }
+    const uint64_t environment = rhw_cpu_float_enter(); // viewport and blend constant are converted in it
     const struct rhw_draw_state *const state = snapshot(pass);
+    rhw_cpu_float_leave(environment);
     struct rhw_draw *const slot = state ? next_draw(pass) : NULL;
     if (!slot) {
         pass->out_of_memory = true;

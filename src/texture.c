@@ -5,6 +5,7 @@
 #include <string.h>
 
 #include "context.h"
+#include "cpu.h"
 #include "format.h"
 #include "limits.h"
 
@@ -38,11 +39,9 @@ void rhw_texture_data_init(struct rhw_texture_data *texture, enum rhw_format for
     texture->memory_size += RHW_TEXEL_PADDING;
 }
 
-bool rhw_texture_data_ensure(struct rhw_context *context, struct rhw_texture_data *texture)
+// Zeroed memory of all levels. False when out of memory.
+static bool allocate_levels(struct rhw_context *context, struct rhw_texture_data *texture)
 {
-    if (texture->memory) {
-        return true;
-    }
     unsigned char *next = rhw_context_allocate(context, texture->memory_size, RHW_CACHE_LINE);
     if (!next) {
         return false;
@@ -97,9 +96,7 @@ enum rhw_result rhw_texture_create(rhw_context *context, const struct rhw_textur
         return RHW_ERROR_OUT_OF_MEMORY;
     }
     rhw_texture_data_init(data, def->format, def->width, def->height, def->mip_levels);
-    // Depth waits until someone reads or keeps it: most depth textures live in the tiles alone. Everything
-    // else will be written, and a lack of memory should show where there is a result to return.
-    if (def->format != RHW_FORMAT_D32_FLOAT && !rhw_texture_data_ensure(context, data)) {
+    if (!allocate_levels(context, data)) {
         rhw_context_texture_remove(context, id);
         return RHW_ERROR_OUT_OF_MEMORY;
     }
@@ -148,7 +145,7 @@ enum rhw_format rhw_texture_format(const rhw_context *context, rhw_texture textu
     return data ? data->format : RHW_FORMAT_NONE;
 }
 
-// Checks what write and read have in common and makes sure of the memory; NULL when the call must not go on.
+// Checks what write and read have in common; NULL when the call must not go on.
 // *row is the bytes of a row, *pitch the distance of rows outside.
 static const struct rhw_mip *begin_copy(struct rhw_context *context, rhw_texture texture, int level,
                                         const void *outside, size_t *row, size_t *pitch, const char *where)
@@ -165,10 +162,6 @@ static const struct rhw_mip *begin_copy(struct rhw_context *context, rhw_texture
     }
     if (!rhw_check(context, *pitch >= *row, "%s: row_pitch is %zu; a row of level %d has %zu bytes", where,
                    *pitch, level, *row)) {
-        return NULL;
-    }
-    if (!rhw_texture_data_ensure(context, data)) {
-        rhw_context_log(context, RHW_LOG_WARNING, "%s: out of memory; nothing was copied", where);
         return NULL;
     }
     return mip;
@@ -194,16 +187,17 @@ void rhw_texture_read(rhw_context *context, rhw_texture texture, int level, void
     }
 }
 
-void rhw_texture_generate_mips(rhw_context *context, rhw_texture texture)
+enum rhw_result rhw_texture_generate_mips(rhw_context *context, rhw_texture texture)
 {
     static const char *const where = "rhw_texture_generate_mips";
     struct rhw_texture_data *const data = rhw_context_texture(context, texture, where);
     if (!data || !rhw_check(context, rhw_format_info(data->format)->sampled,
                             "%s: the texture is %s; that format is not filtered", where,
                             rhw_format_info(data->format)->name)) {
-        return;
+        return RHW_ERROR_MISUSE;
     }
-    if (!rhw_texture_data_ensure(context, data) || !rhw_texture_data_generate_mips(context, data)) {
-        rhw_context_log(context, RHW_LOG_WARNING, "%s: out of memory; the levels are unchanged", where);
-    }
+    const uint64_t environment = rhw_cpu_float_enter();
+    const bool done = rhw_texture_data_generate_mips(context, data);
+    rhw_cpu_float_leave(environment);
+    return done ? RHW_OK : RHW_ERROR_OUT_OF_MEMORY;
 }

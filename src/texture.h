@@ -40,9 +40,6 @@ struct rhw_context;
 void rhw_texture_data_init(struct rhw_texture_data *texture, enum rhw_format format, int width, int height,
                            int levels);
 
-// Allocates and zeroes the memory of all levels when that has not happened yet. False when out of memory.
-bool rhw_texture_data_ensure(struct rhw_context *context, struct rhw_texture_data *texture);
-
 // Box-filters levels 1.. from level 0 in linear light. The memory must be there, and the format one that
 // is sampled. False when out of memory; the levels are unchanged then.
 bool rhw_texture_data_generate_mips(struct rhw_context *context, const struct rhw_texture_data *texture);

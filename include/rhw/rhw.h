@@ -43,8 +43,9 @@ RHW_API void rhw_texture_write(rhw_context *context, rhw_texture texture, int le
 /// Copies a level out, in the same layout as rhw_texture_write.
 RHW_API void rhw_texture_read(rhw_context *context, rhw_texture texture, int level, void *data,
                               size_t row_pitch);
-/// Fills levels 1.. from level 0 with a box filter in linear light (odd sizes weighted exactly).
-RHW_API void rhw_texture_generate_mips(rhw_context *context, rhw_texture texture);
+/// Fills levels 1.. from level 0 with a box filter in linear light (odd sizes weighted exactly). Without
+/// memory for that the levels stay as they are.
+RHW_API enum rhw_result rhw_texture_generate_mips(rhw_context *context, rhw_texture texture);
 
 RHW_API enum rhw_result rhw_sampler_create(rhw_context *context, const struct rhw_sampler_def *def,
                                            rhw_sampler *sampler);

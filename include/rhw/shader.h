@@ -7,18 +7,8 @@
 #ifndef RHW_SHADER_H
 #define RHW_SHADER_H
 
+#include "shader_lanes.h"
 #include "types.h"
-
-#if defined(__GNUC__)
-#pragma GCC diagnostic push
-#pragma GCC diagnostic ignored "-Wpsabi" // 8 lanes stay inside inline functions; no ABI is crossed
-#endif
-
-enum { RHW_LANES = 8 };
-
-/// 8 lanes. `+ - * / < <= == & |` work lane by lane; a comparison gives an rhw_int of −1 (true) and 0.
-typedef float rhw_float __attribute__((vector_size(32)));
-typedef int32_t rhw_int __attribute__((vector_size(32)));
 
 /// One bound texture and sampler; opaque to the shader, see rhw_sample.
 struct rhw_binding;
@@ -77,9 +67,5 @@ struct rhw_fragment1 {
 
 #include "shader_math.h"
 #include "shader_sample.h"
-
-#if defined(__GNUC__)
-#pragma GCC diagnostic pop
-#endif
 
 #endif

@@ -12,6 +12,11 @@
 
 #include "shader_vector.h"
 
+#if defined(__GNUC__)
+#pragma GCC diagnostic push
+#pragma GCC diagnostic ignored "-Wpsabi" // 8 lanes stay inside inline functions; no ABI is crossed
+#endif
+
 // Helpers -------------------------------------------------------------------------------------------
 
 /// 8 doubles for inner steps, as two halves: most instruction sets have no register for 8.
@@ -454,5 +459,9 @@ static inline float rhw_atan2_1(float y, float x)
 {
     return rhw_atan2(rhw_splat(y), rhw_splat(x))[0];
 }
+
+#if defined(__GNUC__)
+#pragma GCC diagnostic pop
+#endif
 
 #endif

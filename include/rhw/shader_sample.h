@@ -3,6 +3,13 @@
 #ifndef RHW_SHADER_SAMPLE_H
 #define RHW_SHADER_SAMPLE_H
 
+#include "shader_vector.h"
+
+#if defined(__GNUC__)
+#pragma GCC diagnostic push
+#pragma GCC diagnostic ignored "-Wpsabi" // 8 lanes stay inside inline functions; no ABI is crossed
+#endif
+
 /// What is bound to one texture slot: the function that samples it, chosen with the context's instruction
 /// set, and its private data. Coordinates u right, v down: (0,0) is the top left corner of the first texel
 /// in memory, (1,1) the bottom right corner of the last.
@@ -53,5 +60,9 @@ static inline void rhw_sample1_lod(const struct rhw_binding *binding, const floa
         texel[i] = lanes[i][0];
     }
 }
+
+#if defined(__GNUC__)
+#pragma GCC diagnostic pop
+#endif
 
 #endif

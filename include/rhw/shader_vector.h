@@ -5,13 +5,21 @@
 #ifndef RHW_SHADER_VECTOR_H
 #define RHW_SHADER_VECTOR_H
 
+#include "shader_lanes.h"
+
 #if defined(__AVX2__)
 #include <immintrin.h>
 #elif defined(__SSE2__)
 #include <emmintrin.h>
 #endif
 
+#include <stdbool.h>
 #include <string.h>
+
+#if defined(__GNUC__)
+#pragma GCC diagnostic push
+#pragma GCC diagnostic ignored "-Wpsabi" // 8 lanes stay inside inline functions; no ABI is crossed
+#endif
 
 #if defined(__SSE2__)
 /// 8 lanes seen as registers. Local to this header.
@@ -483,5 +491,9 @@ static inline void rhw_reflect(const rhw_float incident[3], const rhw_float norm
     result[1] = incident[1] - twice * normal[1];
     result[2] = incident[2] - twice * normal[2];
 }
+
+#if defined(__GNUC__)
+#pragma GCC diagnostic pop
+#endif
 
 #endif

@@ -188,10 +188,12 @@ static enum rhw_result do_everything(struct meter *meter, struct rig *rig, int t
     result = make_objects(&work);
     if (result == RHW_OK)
         result = make_pipelines(&work);
+    static unsigned char texels[SIZE * SIZE * 4];
     if (result == RHW_OK) {
-        static unsigned char texels[SIZE * SIZE * 4];
         rhw_texture_write(work.context, work.image, 0, texels, 0);
-        rhw_texture_generate_mips(work.context, work.image);
+        result = rhw_texture_generate_mips(work.context, work.image);
+    }
+    if (result == RHW_OK) {
         result = draw_everything(&work);
         if (result == RHW_OK)
             rhw_texture_read(work.context, work.color, 0, texels, 0);

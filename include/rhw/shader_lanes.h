@@ -1,0 +1,14 @@
+// SPDX-License-Identifier: MIT
+// The 8-lane types every shader header rests on. Included by shader.h.
+#ifndef RHW_SHADER_LANES_H
+#define RHW_SHADER_LANES_H
+
+#include <stdint.h>
+
+enum { RHW_LANES = 8 };
+
+/// 8 lanes. `+ - * / < <= == & |` work lane by lane; a comparison gives an rhw_int of −1 (true) and 0.
+typedef float rhw_float __attribute__((vector_size(32)));
+typedef int32_t rhw_int __attribute__((vector_size(32)));
+
+#endif
