@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: MIT
+// What the golden tests share: the hash, the table, and the configurations that must all give one image.
+#ifndef RHW_TEST_GOLDEN_H
+#define RHW_TEST_GOLDEN_H
+
+#include <rhw/rhw.h>
+
+/// FNV-1a, 64 bits.
+#define GOLDEN_HASH_START UINT64_C(0xcbf29ce484222325)
+uint64_t golden_hash(uint64_t hash, const void *data, size_t size);
+
+struct golden_set {
+    int count;
+    const char *(*name)(int number);
+    /// Draws image `number` in a context of that definition; 0 where it cannot be drawn here (skipped).
+    uint64_t (*hash)(int number, const struct rhw_context_def *def);
+};
+
+/// `PROGRAM TABLE [--update]`: the exit status.
+int golden_main(const struct golden_set *set, int argc, char **argv);
+
+#endif
