@@ -430,7 +430,7 @@ static inline rhw_float rhw_sqrt(rhw_float a)
 #endif
 }
 
-/// 1 / sqrt(a) by an IEEE square root and division: at most 1 ULP off.
+/// 1 / sqrt(a) by an IEEE square root and division: at most 1.5 ULP off.
 static inline rhw_float rhw_rsqrt(rhw_float a)
 {
     return 1.0f / rhw_sqrt(a);

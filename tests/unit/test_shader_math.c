@@ -95,7 +95,7 @@ static const struct row {
     {ISA_SIN, "sin", mpfr_sin, 1.6, -20, 20},        {ISA_COS, "cos", mpfr_cos, 1.6, -20, 20},
     {ISA_TAN, "tan", mpfr_tan, 3.5, -10, 10},        {ISA_ASIN, "asin", mpfr_asin, 1.7, -1, 1},
     {ISA_ACOS, "acos", mpfr_acos, 1.1, -1, 1},       {ISA_ATAN, "atan", mpfr_atan, 2.0, -4, 4},
-    {ISA_SQRT, "sqrt", mpfr_sqrt, 0.5, 0, 4},        {ISA_RSQRT, "rsqrt", reciprocal_root, 1.01, 0, 4},
+    {ISA_SQRT, "sqrt", mpfr_sqrt, 0.5, 0, 4},        {ISA_RSQRT, "rsqrt", reciprocal_root, 1.5, 0, 4},
 };
 enum { ROWS = sizeof rows / sizeof rows[0] };
 
