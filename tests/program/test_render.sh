@@ -181,11 +181,11 @@ fi
 : >empty.obj
 echo "just words" >words.txt
 echo "just words" >words.glb
-printf 'v 0 0 0\nv 1 0 0\nv 0 1 0\n' >points.obj
+printf 'o nothing\nvn 0 0 1\n' >bare.obj
 printf 'glTF\2\0\0\0\100\0\0\0' >cut.glb
 mkdir folder.obj
 refuse 1 "none.obj: No such file or directory|none.obj: .*" render none.obj -o x.png
-for model in empty.obj words.txt words.glb points.obj cut.glb folder.obj; do
+for model in empty.obj words.txt words.glb bare.obj cut.glb folder.obj; do
     refuse 1 "$model: " render $model -o x.png
 done
 printf 'v 0 0 0\nv 1 0 0\nv nan 1 0\nv 0 1 0\nf 1 2 3\nf 1 2 4\n' >nan.obj
