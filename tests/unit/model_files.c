@@ -1,0 +1,128 @@
+// SPDX-License-Identifier: MIT
+#include "model_files.h"
+
+#include <math.h>
+#include <setjmp.h>
+#include <stdarg.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <dirent.h>
+#include <unistd.h>
+
+#include <cmocka.h>
+
+static char directory[64];
+
+int make_directory(void **state)
+{
+    (void)state;
+    strcpy(directory, "/tmp/rhw-test-XXXXXX");
+    return mkdtemp(directory) == NULL ? -1 : 0;
+}
+
+int remove_directory(void **state)
+{
+    (void)state;
+    DIR *listing = opendir(directory);
+    if (listing == NULL)
+        return -1;
+    for (const struct dirent *entry = readdir(listing); entry != NULL; entry = readdir(listing))
+        if (entry->d_name[0] != '.')
+            unlink(path_of(entry->d_name));
+    closedir(listing);
+    return rmdir(directory);
+}
+
+const char *path_of(const char *name)
+{
+    static char path[512];
+    snprintf(path, sizeof path, "%s/%s", directory, name);
+    return path;
+}
+
+void write_bytes(const char *name, const void *bytes, size_t size)
+{
+    FILE *file = fopen(path_of(name), "wb");
+    assert_non_null(file);
+    assert_int_equal(fwrite(bytes, 1, size, file), size);
+    assert_int_equal(fclose(file), 0);
+}
+
+void write_text(const char *name, const char *text)
+{
+    write_bytes(name, text, strlen(text));
+}
+
+void write_format(const char *name, const char *format, ...)
+{
+    FILE *file = fopen(path_of(name), "wb");
+    assert_non_null(file);
+    va_list arguments;
+    va_start(arguments, format);
+    assert_true(vfprintf(file, format, arguments) > 0);
+    va_end(arguments);
+    assert_int_equal(fclose(file), 0);
+}
+
+struct rhw_model *load(const char *name)
+{
+    char error[512] = "";
+    struct rhw_model *model = rhw_model_load(path_of(name), NULL, error, sizeof error);
+    if (model == NULL)
+        fail_msg("%s: %s", name, error);
+    return model;
+}
+
+struct rhw_model *load_text(const char *name, const char *text)
+{
+    write_text(name, text);
+    return load(name);
+}
+
+void expect_refused(const char *name, const char *cause)
+{
+    char error[512] = "";
+    struct rhw_model *model = rhw_model_load(path_of(name), NULL, error, sizeof error);
+    if (model != NULL)
+        fail_msg("%s was accepted; expected: %s", name, cause);
+    if (strstr(error, cause) == NULL)
+        fail_msg("%s: \"%s\" does not hold \"%s\"", name, error, cause);
+    if (strchr(error, '\n') != NULL)
+        fail_msg("%s: more than one line: %s", name, error);
+}
+
+bool has_warning(const struct rhw_model *model, const char *part)
+{
+    for (uint32_t i = 0; i < model->warning_count; i++)
+        if (strstr(model->warnings[i], part) != NULL)
+            return true;
+    return false;
+}
+
+const char *data_uri(const void *bytes, size_t size)
+{
+    static const char digits[] = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
+    static char texts[4][16384];
+    static int next;
+    char *text = texts[next++ % 4], *out = text;
+    const unsigned char *in = bytes;
+    assert_true(size * 4 / 3 + 64 < sizeof texts[0]);
+    out += sprintf(out, "data:application/octet-stream;base64,");
+    for (size_t i = 0; i < size; i += 3) {
+        const unsigned a = in[i], b = i + 1 < size ? in[i + 1] : 0, c = i + 2 < size ? in[i + 2] : 0;
+        *out++ = digits[a >> 2];
+        *out++ = digits[(a & 3) << 4 | b >> 4];
+        *out++ = i + 1 < size ? digits[(b & 15) << 2 | c >> 6] : '=';
+        *out++ = i + 2 < size ? digits[c & 63] : '=';
+    }
+    *out = 0;
+    return text;
+}
+
+void assert_floats(const float *values, const float *expected, int count, float tolerance)
+{
+    for (int i = 0; i < count; i++)
+        if (!(fabsf(values[i] - expected[i]) <= tolerance))
+            fail_msg("value %d is %.9g, not %.9g", i, (double)values[i], (double)expected[i]);
+}

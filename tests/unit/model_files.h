@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: MIT
+// Model files that a test writes to a directory of its own and loads.
+#ifndef RHW_TEST_MODEL_FILES_H
+#define RHW_TEST_MODEL_FILES_H
+
+#include "model.h"
+
+/// cmocka group setup and teardown: makes and removes the directory.
+int make_directory(void **state);
+int remove_directory(void **state);
+
+/// Path of a file in the directory; valid until the next call.
+const char *path_of(const char *name);
+void write_bytes(const char *name, const void *bytes, size_t size);
+void write_text(const char *name, const char *text);
+/// Loads a file that must load; a test fails with the importer's line.
+struct rhw_model *load(const char *name);
+struct rhw_model *load_text(const char *name, const char *text);
+/// Loads a file that must not load and checks that the line holds `cause`.
+void expect_refused(const char *name, const char *cause);
+bool has_warning(const struct rhw_model *model, const char *part);
+
+/// Bytes as a data URI; valid until the next call but three.
+const char *data_uri(const void *bytes, size_t size);
+/// Writes a file from a printf format.
+void write_format(const char *name, const char *format, ...) __attribute__((format(printf, 2, 3)));
+
+void assert_floats(const float *values, const float *expected, int count, float tolerance);
+
+#endif

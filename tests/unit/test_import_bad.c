@@ -1,0 +1,204 @@
+// SPDX-License-Identifier: MIT
+// Files that are no models, or hostile ones: one line that names the cause, and nothing worse.
+#include "model_files.h"
+
+#include <setjmp.h>
+#include <stdarg.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <sys/stat.h>
+#include <time.h>
+#include <unistd.h>
+
+#include <cmocka.h>
+
+static const struct {
+    const char *name, *text, *cause;
+} bad_files[] = {
+    {"empty.gltf", "", "the file is empty"},
+    {"words.gltf", "this is no JSON", "is not valid JSON: line 1"},
+    {"open.gltf", "{\"asset\":{\"version\":\"2.0\"}", "is not valid JSON"},
+    {"array.gltf", "[1,2,3]", "not an object"},
+    {"nothing.gltf", "{}", "no asset version"},
+    {"old.gltf", "{\"asset\":{\"version\":\"1.0\"}}", "is glTF 1.0, which is not supported"},
+    {"older.gltf", "{\"asset\":{\"version\":1.0}}", "is glTF 1.0, which is not supported"},
+    {"new.gltf", "{\"asset\":{\"version\":\"2.1\",\"minVersion\":\"2.1\"}}", "at least glTF 2.1"},
+    {"draco.gltf", "{\"asset\":{\"version\":\"2.0\"},\"extensionsRequired\":[\"KHR_draco_mesh_compression\"]}",
+     "requires the glTF extension KHR_draco_mesh_compression"},
+    {"cycle.gltf", "{\"asset\":{\"version\":\"2.0\"},\"nodes\":[{\"children\":[1]},{\"children\":[0]}]}", "the node graph has a cycle"},
+    {"self.gltf", "{\"asset\":{\"version\":\"2.0\"},\"nodes\":[{\"children\":[0]}]}", "the node graph has a cycle"},
+    {"parents.gltf", "{\"asset\":{\"version\":\"2.0\"},\"nodes\":[{\"children\":[2]},{\"children\":[2]},{}]}", "nodes[2] has two parents"},
+    {"child.gltf", "{\"asset\":{\"version\":\"2.0\"},\"nodes\":[{\"children\":[7]}]}", "a node that does not exist"},
+    {"mesh.gltf", "{\"asset\":{\"version\":\"2.0\"},\"nodes\":[{\"mesh\":3}]}", "meshes[3], but there are 0"},
+    {"types.gltf", "{\"asset\":{\"version\":\"2.0\"},\"nodes\":{}}", "\"nodes\" must be an array"},
+    {"null.gltf", "{\"asset\":{\"version\":\"2.0\"},\"nodes\":[null]}", "nodes[0] must be an object"},
+    {"matrix.gltf", "{\"asset\":{\"version\":\"2.0\"},\"nodes\":[{\"matrix\":[1,2]}]}", "\"matrix\" must have 16 numbers"},
+    {"count.gltf",
+     "{\"asset\":{\"version\":\"2.0\"},\"nodes\":[{\"mesh\":0}],\"meshes\":[{\"primitives\":[{\"attributes\":{\"POSITION\":0}}]}],"
+     "\"accessors\":[{\"componentType\":5126,\"type\":\"VEC3\",\"count\":4000000000}]}",
+     "has 4000000000 elements and no data"},
+    {"past.gltf",
+     "{\"asset\":{\"version\":\"2.0\"},\"nodes\":[{\"mesh\":0}],\"meshes\":[{\"primitives\":[{\"attributes\":{\"POSITION\":0}}]}],"
+     "\"accessors\":[{\"bufferView\":0,\"componentType\":5126,\"type\":\"VEC3\",\"count\":2}],"
+     "\"bufferViews\":[{\"buffer\":0,\"byteLength\":12}],\"buffers\":[{\"byteLength\":12,\"uri\":\"data:;base64,AAAAAAAAAAAAAAAA\"}]}",
+     "accessors[0] reaches past the end of bufferViews[0]"},
+    {"view.gltf",
+     "{\"asset\":{\"version\":\"2.0\"},\"nodes\":[{\"mesh\":0}],\"meshes\":[{\"primitives\":[{\"attributes\":{\"POSITION\":0}}]}],"
+     "\"accessors\":[{\"bufferView\":0,\"componentType\":5126,\"type\":\"VEC3\",\"count\":1}],"
+     "\"bufferViews\":[{\"buffer\":0,\"byteOffset\":9007199254740992,\"byteLength\":12}],"
+     "\"buffers\":[{\"byteLength\":12,\"uri\":\"data:;base64,AAAAAAAAAAAAAAAA\"}]}",
+     "bufferViews[0] reaches past the end"},
+    {"index.gltf",
+     "{\"asset\":{\"version\":\"2.0\"},\"nodes\":[{\"mesh\":0}],\"meshes\":[{\"primitives\":[{\"attributes\":{\"POSITION\":0},\"indices\":1}]}],"
+     "\"accessors\":[{\"componentType\":5126,\"type\":\"VEC3\",\"count\":2},{\"bufferView\":0,\"componentType\":5121,\"type\":\"SCALAR\",\"count\":3}],"
+     "\"bufferViews\":[{\"buffer\":0,\"byteLength\":3}],\"buffers\":[{\"byteLength\":3,\"uri\":\"data:;base64,AAEJ\"}]}",
+     "index 9 is outside its 2 vertices"},
+    {"bin.gltf",
+     "{\"asset\":{\"version\":\"2.0\"},\"nodes\":[{\"mesh\":0}],\"meshes\":[{\"primitives\":[{\"attributes\":{\"POSITION\":0}}]}],"
+     "\"accessors\":[{\"bufferView\":0,\"componentType\":5126,\"type\":\"VEC3\",\"count\":1}],"
+     "\"bufferViews\":[{\"buffer\":0,\"byteLength\":12}],\"buffers\":[{\"byteLength\":12,\"uri\":\"gone\\n.bin\"}]}",
+     "\"gone?.bin\": No such file"},
+    {"short.glb", "glTF\2", "truncated"},
+    {"zero.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 0 1 2\n", "line 4: indices start at 1"},
+    {"far.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 4\n", "vertex 4 of 3"},
+    {"back.obj", "v 0 0 0\nf -1 -2 -3\n", "line 2: an index reaches back"},
+    {"huge.obj", "v 0 0 0\nf 1 1 99999999999999999999\n", "of 1"},
+    {"junk.obj", "hello\n", "has no vertices"},
+    {"count.ply", "ply\nformat ascii 1.0\nelement vertex 4000000000\nproperty float x\nproperty float y\nproperty float z\nend_header\n0 0 0\n",
+     "is truncated"},
+    {"endless.ply", "ply\nformat ascii 1.0\n", "no end_header"},
+    {"index.ply",
+     "ply\nformat ascii 1.0\nelement vertex 1\nproperty float x\nproperty float y\nproperty float z\n"
+     "element face 1\nproperty list uchar int vertex_indices\nend_header\n0 0 0\n3 0 0 -1\n",
+     "face 0 refers to vertex -1 of 1"},
+    {"text.xyzzy", "not a model\n", "is not a model in a format that can be read"},
+    {"solid.stl", "solid", "cannot be read"},
+};
+
+static void test_bad_files(void **state)
+{
+    (void)state;
+    for (size_t i = 0; i < sizeof bad_files / sizeof bad_files[0]; i++) {
+        write_text(bad_files[i].name, bad_files[i].text);
+        expect_refused(bad_files[i].name, bad_files[i].cause);
+    }
+}
+
+static void test_no_files(void **state)
+{
+    (void)state;
+    expect_refused("does not exist.gltf", "No such file");
+    expect_refused("", "is a directory");
+    assert_int_equal(mkfifo(path_of("pipe.obj"), 0600), 0);
+    expect_refused("pipe.obj", "is not a regular file");
+}
+
+// A texture that is a pipe must not be waited for.
+static void test_pipe_as_texture(void **state)
+{
+    (void)state;
+    assert_int_equal(mkfifo(path_of("pipe.png"), 0600), 0);
+    write_text("pipe.mtl", "newmtl m\nmap_Kd pipe.png\n");
+    struct rhw_model *model = load_text("piped.obj", "mtllib pipe.mtl\nusemtl m\nv 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n");
+    assert_true(has_warning(model, "pipe.png"));
+    assert_true(model->images[0].missing);
+    rhw_model_free(model);
+}
+
+static void test_not_finite(void **state)
+{
+    (void)state;
+    struct rhw_model *model = load_text("nan.obj",
+        "v 0 0 0\nv 1 0 0\nv 0 1 0\nv nan 0 0\nv 1e999 0 0\nf 1 2 3\nf 1 2 4\nf 1 5 3\n");
+    assert_int_equal(model->triangles_drawn, 1);
+    assert_true(has_warning(model, "2 primitives with positions that are not finite"));
+    rhw_model_free(model);
+    // Points that no face uses may be anything; a matrix that leaves the range of floats drops its node.
+    model = load_text("far.gltf",
+        "{\"asset\":{\"version\":\"2.0\"},\"nodes\":[{\"mesh\":0},{\"mesh\":0,\"translation\":[1,1,1],\"scale\":[3e38,3e38,3e38]},"
+        "{\"mesh\":0,\"matrix\":[1e39,0,0,0,0,1,0,0,0,0,1,0,0,0,0,1]}],"
+        "\"meshes\":[{\"primitives\":[{\"attributes\":{\"POSITION\":0}}]}],"
+        "\"accessors\":[{\"componentType\":5126,\"type\":\"VEC3\",\"count\":3}]}");
+    assert_int_equal(model->instance_count, 2);
+    assert_true(has_warning(model, "not finite"));
+    rhw_model_free(model);
+}
+
+static void test_nothing_to_draw(void **state)
+{
+    (void)state;
+    struct rhw_model *model = load_text("bare.gltf", "{\"asset\":{\"version\":\"2.0\"}}");
+    assert_int_equal(model->instance_count, 0);
+    assert_true(model->bounds_min[0] > model->bounds_max[0]);
+    rhw_model_free(model);
+}
+
+// 20,000 nodes, each the child of the one before: deep, but no cycle.
+static void test_deep_tree(void **state)
+{
+    (void)state;
+    FILE *file = fopen(path_of("deep.gltf"), "w");
+    assert_non_null(file);
+    fputs("{\"asset\":{\"version\":\"2.0\"},\"nodes\":[", file);
+    for (int i = 1; i < 20000; i++)
+        fprintf(file, "{\"children\":[%d]},", i);
+    fputs("{}]}", file);
+    assert_int_equal(fclose(file), 0);
+    rhw_model_free(load("deep.gltf"));
+}
+
+// Little text that asks for much work: a thousand primitives that each use one of 16 million points.
+static void write_slow_file(void)
+{
+    FILE *file = fopen(path_of("slow.gltf"), "w");
+    assert_non_null(file);
+    fputs("{\"asset\":{\"version\":\"2.0\"},\"nodes\":[{\"mesh\":0}],\"accessors\":[{\"componentType\":5126,\"type\":\"VEC3\","
+          "\"count\":16777216},{\"componentType\":5125,\"type\":\"SCALAR\",\"count\":1}],\"meshes\":[{\"primitives\":[", file);
+    for (int i = 0; i < 1000; i++)
+        fprintf(file, "%s{\"mode\":0,\"attributes\":{\"POSITION\":0},\"indices\":1}", i > 0 ? "," : "");
+    fputs("]}]}", file);
+    assert_int_equal(fclose(file), 0);
+}
+
+static void test_limits(void **state)
+{
+    (void)state;
+    char error[512] = "";
+    write_slow_file();
+    const struct rhw_model_limits time_limit = {.seconds = 1};
+    struct timespec start, end;
+    clock_gettime(CLOCK_MONOTONIC, &start);
+    assert_null(rhw_model_load(path_of("slow.gltf"), &time_limit, error, sizeof error));
+    clock_gettime(CLOCK_MONOTONIC, &end);
+    assert_true(end.tv_sec - start.tv_sec < 20);
+    assert_non_null(strstr(error, "import took more than 1 s"));
+}
+
+// Under a sanitizer the limit is off: its shadow memory would exceed any.
+static void test_memory_limit(void **state)
+{
+    (void)state;
+#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
+    skip();
+#elif defined(__has_feature)
+#if __has_feature(address_sanitizer) || __has_feature(thread_sanitizer)
+    skip();
+#endif
+#endif
+    char error[512] = "";
+    write_slow_file();
+    const struct rhw_model_limits memory_limit = {.memory = (size_t)128 << 20};
+    assert_null(rhw_model_load(path_of("slow.gltf"), &memory_limit, error, sizeof error));
+    assert_non_null(strstr(error, "needs more memory"));
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(test_bad_files),       cmocka_unit_test(test_no_files),        cmocka_unit_test(test_pipe_as_texture),
+        cmocka_unit_test(test_not_finite),      cmocka_unit_test(test_nothing_to_draw), cmocka_unit_test(test_deep_tree),
+        cmocka_unit_test(test_limits),          cmocka_unit_test(test_memory_limit),
+    };
+    return cmocka_run_group_tests(tests, make_directory, remove_directory);
+}
