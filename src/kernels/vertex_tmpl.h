@@ -66,8 +66,10 @@ static void fetch_attribute(const struct rhw_vertex_stream *stream, const struct
         f8_store(row, missing);
         if (offset <= stream->size && stream->size - offset >= size) {
             const unsigned char *const p = stream->bytes + offset;
-            if (type == RHW_TYPE_FLOAT && components == 3) {
-                memcpy(row, p, 12);
+            if (type == RHW_TYPE_FLOAT && components == 3) { // the commonest two without a loop
+                memcpy(row, p, 3 * sizeof *row);
+            } else if (type == RHW_TYPE_FLOAT && components == 4) {
+                memcpy(row, p, 4 * sizeof *row);
             } else {
                 fetch_lane(p, type, components, row);
             }
