@@ -10,6 +10,7 @@
 #include <string.h>
 
 #include "context.h"
+#include "half.h"
 #include "kernels/kernels.h"
 #include "texture.h"
 
@@ -374,6 +375,40 @@ static void test_texel_centres_are_exact(void **state)
     rig_close(&rig);
 }
 
+// All 65536 halves come out as the float they are: denormals, infinities and (quiet) NaN too.
+static void test_every_half_is_converted_exactly(void **state)
+{
+    (void)state;
+    struct rig rig;
+    rig_open(&rig, 8, 8);
+    struct rhw_texture_def def = rhw_texture_def_default();
+    def.format = RHW_FORMAT_RGBA16_FLOAT;
+    def.width = def.height = 128;
+    rhw_texture texture;
+    assert_int_equal(rhw_texture_create(rig.context, &def, &texture), RHW_OK);
+    uint16_t *const halves = malloc(65536 * sizeof *halves);
+    for (int i = 0; i < 65536; i++) {
+        halves[i] = (uint16_t)i;
+    }
+    rhw_texture_write(rig.context, texture, 0, halves, 0);
+    struct rhw_sampler_def sampler = default_sampler();
+    sampler.min_filter = sampler.mag_filter = RHW_FILTER_NEAREST;
+    struct rhw_binding binding = bind(rig.context, texture, &sampler, RHW_ISA_BASELINE);
+    for (int i = 0; i < 65536 / 4; i++) {
+        const rhw_float uv[2] = {rhw_splat(((float)(i % 128) + 0.5f) / 128), rhw_splat(((float)(i / 128) + 0.5f) / 128)};
+        const rhw_float lod = rhw_splat(0.0f);
+        rhw_float texel[4];
+        sample_all_isas(&binding, uv, NULL, &lod, texel);
+        for (int c = 0; c < 4; c++) {
+            const float expected = rhw_half_to_float(halves[4 * i + c]), lane = texel[c][6];
+            assert_memory_equal(&lane, &expected, sizeof lane);
+        }
+    }
+    free(halves);
+    rhw_texture_destroy(rig.context, texture);
+    rig_close(&rig);
+}
+
 // A texture of one colour has that colour everywhere, to the bit, at any level of detail.
 static void test_one_colour_stays_one_colour(void **state)
 {
@@ -715,6 +750,7 @@ int main(void)
         cmocka_unit_test(test_samples_follow_the_model),
         cmocka_unit_test(test_derivatives_choose_the_level),
         cmocka_unit_test(test_texel_centres_are_exact),
+        cmocka_unit_test(test_every_half_is_converted_exactly),
         cmocka_unit_test(test_one_colour_stays_one_colour),
         cmocka_unit_test(test_lanes_are_independent),
         cmocka_unit_test(test_hostile_coordinates),
