@@ -265,8 +265,10 @@ static void compare_depth(const struct fragment *f, const struct probe_image *im
         error = (got == low && truth < (double)low) || (got == high && truth > (double)high) ? 0 : error;
     }
     tally_add(&f->results->quantity[f->at.family][QUANTITY_DEPTH], error, &f->at);
-    const double inverse_w = fmax(j->inverse_w.vertex_max, fabs(oracle_value(&j->inverse_w, &j->sample)));
-    const double w_error = error_of(f, &j->inverse_w, (double)image->space[f->pixel][3], oracle_ulp(inverse_w));
+    const double least = oracle_least_inverse_w(f->triangle), inverse_w = oracle_value(&j->inverse_w, &j->sample);
+    const double got_w = (double)image->space[f->pixel][3];
+    const double w_unit = oracle_ulp(fmax(j->inverse_w.vertex_max, fabs(inverse_w)));
+    const double w_error = j->sample.linear && inverse_w < least ? fabs(got_w - least) / w_unit : error_of(f, &j->inverse_w, got_w, w_unit);
     tally_add(&f->results->quantity[f->at.family][QUANTITY_INVERSE_W], w_error, &f->at);
 }
 

@@ -56,12 +56,12 @@ void oracle_form_clear(struct oracle_form *f)
 
 void oracle_sample_init(struct oracle_sample *s)
 {
-    mpz_inits(s->e[0], s->e[1], s->e[2], s->line[0], s->line[1], s->line[2], NULL);
+    mpz_inits(s->e[0], s->e[1], s->e[2], s->line[0], s->line[1], s->line[2], s->sum, NULL);
 }
 
 void oracle_sample_clear(struct oracle_sample *s)
 {
-    mpz_clears(s->e[0], s->e[1], s->e[2], s->line[0], s->line[1], s->line[2], NULL);
+    mpz_clears(s->e[0], s->e[1], s->e[2], s->line[0], s->line[1], s->line[2], s->sum, NULL);
 }
 
 // Writes v[i] = out[i]·2^exponent with one exponent for all and returns it.
@@ -258,6 +258,7 @@ static void set_inverse_w(mpz_t under, const struct oracle_triangle *t, int i)
 void oracle_form_smooth(struct oracle_form *f, const struct oracle_triangle *t, const float value[3])
 {
     f->exponent = to_integers(3, value, f->over);
+    f->screen = false;
     for (int i = 0; i < 3; i++) {
         if (t->snapped) {
             set_inverse_w(f->under[i], t, i);
@@ -273,6 +274,7 @@ void oracle_form_smooth(struct oracle_form *f, const struct oracle_triangle *t, 
 void oracle_form_noperspective(struct oracle_form *f, const struct oracle_triangle *t, const float value[3])
 {
     f->exponent = to_integers(3, value, f->over);
+    f->screen = !t->snapped;
     for (int i = 0; i < 3; i++) {
         if (t->snapped) {
             mpz_set_ui(f->under[i], 1);
@@ -301,17 +303,21 @@ static void map_range(struct oracle_form *f, struct oracle_triangle *t, long uni
     f->exponent = unit + (f->exponent < 0 ? f->exponent : 0);
 }
 
-// The largest depth among the vertices as far as they are in view: 0..1 before the viewport's range.
+// The largest depth that the vertices span as far as they are in view. Behind the eye depth runs through
+// infinity, so that the visible part may reach either end of the range.
 static double largest_depth(const struct oracle_triangle *t)
 {
-    const struct oracle_view *const v = &t->view;
+    const double low = (double)t->view.depth_min, high = (double)t->view.depth_max;
     double max = 0;
     for (int i = 0; i < 3; i++) {
         const double w = (double)t->position[i][3];
-        double z = w > 0 ? (double)t->position[i][2] / w : 1;
-        z = v->minus_one_to_one ? (z + 1) / 2 : z;
+        if (!(w > 0)) {
+            return fmax(low, high);
+        }
+        double z = (double)t->position[i][2] / w;
+        z = t->view.minus_one_to_one ? (z + 1) / 2 : z;
         z = z < 0 ? 0 : z > 1 ? 1 : z;
-        max = fmax(max, (double)v->depth_min + ((double)v->depth_max - (double)v->depth_min) * z);
+        max = fmax(max, low + (high - low) * z);
     }
     return max;
 }
@@ -319,6 +325,7 @@ static double largest_depth(const struct oracle_triangle *t)
 void oracle_form_depth(struct oracle_form *f, struct oracle_triangle *t)
 {
     f->exponent = t->z_exponent - t->w_exponent;
+    f->screen = !t->snapped;
     for (int i = 0; i < 3; i++) {
         if (t->snapped) {
             set_inverse_w(f->over[i], t, i);
@@ -346,6 +353,7 @@ void oracle_form_depth(struct oracle_form *f, struct oracle_triangle *t)
 void oracle_form_inverse_w(struct oracle_form *f, const struct oracle_triangle *t)
 {
     f->exponent = -t->w_exponent;
+    f->screen = !t->snapped;
     f->vertex_max = 0;
     for (int i = 0; i < 3; i++) {
         if (t->snapped) {
@@ -417,20 +425,29 @@ int oracle_cover_row(const struct oracle_triangle *t, int y, int x[ORACLE_CORNER
 }
 
 // Snapping may move the polygon of a cut triangle over samples that are off the triangle itself, by less than
-// 1/256 pixel. There the triangle's border goes on: an edge value below 0 counts as 0. Without that, values would
-// leave the range of the vertices, and 1/W, next to the horizon, any range at all.
+// 1/256 pixel. There the triangle's border goes on: an edge value below 0 counts as 0, or values would leave the
+// range of the vertices. Should the border be at or behind the eye there, what is linear on the screen goes on
+// being linear instead: with a vertex behind the eye it has no range to leave.
 static void finish_sample(struct oracle_sample *s, const struct oracle_triangle *t)
 {
     s->inside = true;
     for (int i = 0; i < 3; i++) {
         const bool off = mpz_sgn(s->line[i]) < 0;
         s->inside = s->inside && !off;
+        mpz_set(s->e[i], s->line[i]);
         if (off && t->clipped) {
             mpz_set_ui(s->e[i], 0);
-        } else {
-            mpz_set(s->e[i], s->line[i]);
         }
         s->e_d[i] = mpz_get_d(s->e[i]);
+        s->line_d[i] = mpz_get_d(s->line[i]);
+    }
+    s->linear = false;
+    if (!s->inside && !t->snapped) { // W of the border is Σ e_i·W_i / Σ e_i
+        mpz_set_ui(s->sum, 0);
+        for (int i = 0; i < 3; i++) {
+            mpz_addmul(s->sum, s->e[i], t->w[i]);
+        }
+        s->linear = mpz_sgn(s->sum) <= 0;
     }
 }
 
@@ -457,12 +474,13 @@ void oracle_sample_right(struct oracle_sample *s, const struct oracle_triangle *
 // Both sums of the form, exactly.
 static void sums(const struct oracle_form *f, const struct oracle_sample *s, mpz_t over, mpz_t under)
 {
-    mpz_mul(over, s->e[0], f->over[0]);
-    mpz_addmul(over, s->e[1], f->over[1]);
-    mpz_addmul(over, s->e[2], f->over[2]);
-    mpz_mul(under, s->e[0], f->under[0]);
-    mpz_addmul(under, s->e[1], f->under[1]);
-    mpz_addmul(under, s->e[2], f->under[2]);
+    mpz_set_ui(over, 0);
+    mpz_set_ui(under, 0);
+    for (int i = 0; i < 3; i++) {
+        mpz_srcptr e = f->screen && s->linear ? s->line[i] : s->e[i];
+        mpz_addmul(over, e, f->over[i]);
+        mpz_addmul(under, e, f->under[i]);
+    }
 }
 
 // a / b, correct to three roundings whatever their size.
@@ -472,6 +490,15 @@ static double quotient(const mpz_t a, const mpz_t b, long exponent)
     const double x = mpz_get_d_2exp(&a_exponent, a), y = mpz_get_d_2exp(&b_exponent, b);
     const long total = a_exponent - b_exponent + exponent;
     return ldexp(x / y, total > 5000 ? 5000 : total < -5000 ? -5000 : (int)total);
+}
+
+double oracle_least_inverse_w(const struct oracle_triangle *t)
+{
+    double w = 0;
+    for (int i = 0; i < 3; i++) {
+        w = fmax(w, (double)t->position[i][3]);
+    }
+    return 1 / w;
 }
 
 double oracle_value(const struct oracle_form *f, const struct oracle_sample *s)
@@ -512,8 +539,9 @@ double oracle_error_fast(const struct oracle_form *f, const struct oracle_sample
                          double *slack)
 {
     double over = 0, under = 0, over_size = 0, under_size = 0;
+    const double *const e = f->screen && s->linear ? s->line_d : s->e_d;
     for (int i = 0; i < 3; i++) {
-        const double n = s->e_d[i] * f->over_d[i], d = s->e_d[i] * f->under_d[i];
+        const double n = e[i] * f->over_d[i], d = e[i] * f->under_d[i];
         over += n;
         under += d;
         over_size += fabs(n);
@@ -532,8 +560,9 @@ double oracle_error_fast(const struct oracle_form *f, const struct oracle_sample
 double oracle_largest_weight(const struct oracle_form *f, const struct oracle_sample *s)
 {
     double largest_term = 0, under = 0;
+    const double *const e = f->screen && s->linear ? s->line_d : s->e_d;
     for (int i = 0; i < 3; i++) {
-        const double term = s->e_d[i] * f->under_d[i];
+        const double term = e[i] * f->under_d[i];
         largest_term = fmax(largest_term, fabs(term));
         under += term;
     }
@@ -549,6 +578,7 @@ double oracle_derivative(const struct oracle_form *f, const struct oracle_triang
     oracle_sample_init(&step);
     for (int i = 0; i < 3; i++) {
         mpz_set(step.e[i], t->edge[i][axis]);
+        mpz_set(step.line[i], t->edge[i][axis]);
     }
     sums(f, s, over, under);
     sums(f, &step, over_step, under_step);

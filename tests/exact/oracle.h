@@ -39,6 +39,7 @@ struct oracle_form {
     long exponent;
     double over_d[3], under_d[3]; // correct to one rounding; over_d includes 2^exponent
     double vertex_max;            // largest magnitude among the vertex values the form interpolates
+    bool screen;                  // of a homogeneous triangle, and linear on the screen
 };
 
 struct oracle_triangle {
@@ -64,8 +65,10 @@ struct oracle_triangle {
 struct oracle_sample {
     mpz_t line[3]; // of the lines through the edges
     mpz_t e[3];    // the same, or 0 where a cut triangle's sample is off the triangle
-    double e_d[3];
+    mpz_t sum;
+    double line_d[3], e_d[3];
     bool inside;   // no line is below 0
+    bool linear;   // forms that are linear on the screen take `line` instead of `e`
 };
 
 void oracle_triangle_init(struct oracle_triangle *t);
@@ -98,6 +101,9 @@ void oracle_rows(const struct oracle_triangle *t, int *y0, int *y1);
 // Edge values at the centre of pixel (x, y), and one pixel further right.
 void oracle_sample_at(struct oracle_sample *s, const struct oracle_triangle *t, int x, int y);
 void oracle_sample_right(struct oracle_sample *s, const struct oracle_triangle *t);
+
+// The least 1/W that the triangle's points in front of the eye have; the linear 1/W does not go below it.
+double oracle_least_inverse_w(const struct oracle_triangle *t);
 
 // The value at a sample, correctly computed to within 2^-40 of the form's largest vertex value.
 double oracle_value(const struct oracle_form *f, const struct oracle_sample *s);

@@ -159,9 +159,9 @@ static void form_value(mpq_t value, const struct oracle_form *f, const struct or
     mpq_set_ui(value, 0, 1);
     mpz_set_ui(mpq_denref(value), 0);
     for (int i = 0; i < 3; i++) {
-        mpz_mul(p, s->e[i], f->over[i]);
+        mpz_mul(p, f->screen && s->linear ? s->line[i] : s->e[i], f->over[i]);
         mpz_add(mpq_numref(value), mpq_numref(value), p);
-        mpz_mul(p, s->e[i], f->under[i]);
+        mpz_mul(p, f->screen && s->linear ? s->line[i] : s->e[i], f->under[i]);
         mpz_add(mpq_denref(value), mpq_denref(value), p);
     }
     mpq_canonicalize(value);

@@ -2,21 +2,24 @@
 // See table.h.
 #include "table.h"
 
-#include <math.h>
 #include <stdlib.h>
 #include <string.h>
+
+enum { MAX_COLUMNS = 8 };
 
 static const char *const begin_marker = "<!-- exactness table: written by script/exactness -->\n";
 static const char *const end_marker = "<!-- end of exactness table -->\n";
 
-static void print_number(FILE *out, double v)
+static void print_number(FILE *out, double v, const char *behind)
 {
-    if (isinf(v)) {
-        fprintf(out, " inf");
-    } else if (v >= 1000) {
-        fprintf(out, " %.0f", v);
+    if (v >= 0x1p35) {
+        fprintf(out, "∞%s", behind); // not a number, infinite, or as good as
+    } else if (v >= 1e6) {
+        fprintf(out, "%.0f M%s", v / 1e6, behind);
+    } else if (v >= 1e4) {
+        fprintf(out, "%.0f k%s", v / 1e3, behind);
     } else {
-        fprintf(out, v >= 100 ? " %.0f" : v >= 10 ? " %.1f" : " %.2f", v);
+        fprintf(out, v >= 100 ? "%.0f%s" : v >= 10 ? "%.1f%s" : "%.2f%s", v, behind);
     }
 }
 
@@ -24,66 +27,96 @@ static void print_number(FILE *out, double v)
 static void print_count(FILE *out, uint64_t v)
 {
     if (v >= 10000000) {
-        fprintf(out, " %.0f M", (double)v / 1e6);
+        fprintf(out, "%.0f M", (double)v / 1e6);
     } else if (v >= 10000) {
-        fprintf(out, " %.0f k", (double)v / 1e3);
+        fprintf(out, "%.0f k", (double)v / 1e3);
     } else {
-        fprintf(out, " %d", (int)v);
+        fprintf(out, "%d", (int)v);
     }
 }
 
-static void print_tally(FILE *out, const struct tally *t)
+static void print_row(FILE *out, const char *name, const struct tally *const *tallies, int count)
 {
-    if (t->count == 0) {
-        fprintf(out, " – | – | – | – |");
-        return;
+    fprintf(out, "| %s | ", name);
+    print_count(out, tallies[0]->count);
+    for (int i = 0; i < count; i++) {
+        const struct tally *const t = tallies[i];
+        fprintf(out, " | ");
+        if (t->count == 0) {
+            fprintf(out, "–");
+            continue;
+        }
+        print_number(out, tally_percentile(t, 0.5), ", ");
+        print_number(out, tally_percentile(t, 0.99), ", ");
+        print_number(out, t->worst, "");
     }
-    print_count(out, t->count);
-    fprintf(out, " |");
-    print_number(out, tally_percentile(t, 0.5));
-    fprintf(out, " |");
-    print_number(out, tally_percentile(t, 0.99));
-    fprintf(out, " |");
-    print_number(out, t->worst);
-    fprintf(out, " |");
+    fprintf(out, " |\n");
 }
 
 static void print_header(FILE *out, const char *first, const struct table_column *columns, int count)
 {
-    fprintf(out, "| %s |", first);
+    fprintf(out, "| %s | values |", first);
     for (int i = 0; i < count; i++) {
-        fprintf(out, " %s: values | median | p99 | worst |", columns[i].name);
+        fprintf(out, " %s |", columns[i].name);
     }
-    fprintf(out, "\n|---|");
+    fprintf(out, "\n|---|---:|");
     for (int i = 0; i < count; i++) {
-        fprintf(out, "---:|---:|---:|---:|");
+        fprintf(out, "---:|");
+    }
+    fprintf(out, "\n");
+}
+
+static void print_quantity(FILE *out, enum quantity quantity, const struct table_column *columns, int count)
+{
+    print_header(out, judge_quantity_name(quantity), columns, count);
+    struct tally *const sum = calloc((size_t)count, sizeof *sum);
+    const struct tally *cell[MAX_COLUMNS];
+    for (int family = 0; family < FAMILY_COUNT && sum; family++) {
+        for (int i = 0; i < count; i++) {
+            cell[i] = &columns[i].results->quantity[family][quantity];
+            tally_merge(&sum[i], cell[i]);
+        }
+        print_row(out, scene_family_name((enum family)family), cell, count);
+    }
+    for (int i = 0; i < count; i++) {
+        cell[i] = &sum[i];
+    }
+    if (sum) {
+        print_row(out, "**all**", cell, count);
+    }
+    free(sum);
+    fprintf(out, "\n");
+}
+
+static void print_kinds(FILE *out, enum quantity quantity, const struct table_column *columns, int count)
+{
+    char title[64];
+    snprintf(title, sizeof title, "%s, vertex values", judge_quantity_name(quantity));
+    print_header(out, title, columns, count);
+    for (int kind = 0; kind < VALUE_CONSTANT; kind++) {
+        const struct tally *cell[MAX_COLUMNS];
+        for (int i = 0; i < count; i++) {
+            cell[i] = &columns[i].results->kind[kind][quantity];
+        }
+        print_row(out, scene_kind_name((enum value_kind)kind), cell, count);
     }
     fprintf(out, "\n");
 }
 
 void table_print(FILE *out, const struct table_column *columns, int count)
 {
-    print_header(out, "triangles, quantity", columns, count);
-    for (int family = 0; family < FAMILY_COUNT; family++) {
-        for (int quantity = 0; quantity < QUANTITY_COUNT; quantity++) {
-            fprintf(out, "| %s, %s |", scene_family_name((enum family)family),
-                    judge_quantity_name((enum quantity)quantity));
-            for (int i = 0; i < count; i++) {
-                print_tally(out, &columns[i].results->quantity[family][quantity]);
-            }
-            fprintf(out, "\n");
-        }
+    for (int i = 0; i < count; i++) {
+        fprintf(out, "%s%s: ", i == 0 ? "Fragments: " : "; ", columns[i].name);
+        print_count(out, columns[i].results->fragments);
     }
-    fprintf(out, "\n");
-    print_header(out, "values, qualifier", columns, count);
-    for (int kind = 0; kind < VALUE_KINDS; kind++) {
-        for (int q = 0; q < 2 && kind != VALUE_CONSTANT; q++) {
-            fprintf(out, "| %s, %s |", scene_kind_name((enum value_kind)kind), judge_quantity_name((enum quantity)q));
-            for (int i = 0; i < count; i++) {
-                print_tally(out, &columns[i].results->kind[kind][q]);
-            }
-            fprintf(out, "\n");
-        }
+    fprintf(out, ". Each cell: median, 99th percentile, worst, in ULP of the largest vertex value.\n\n");
+    for (int quantity = 0; quantity <= QUANTITY_INVERSE_W; quantity++) {
+        print_quantity(out, (enum quantity)quantity, columns, count);
+    }
+    print_kinds(out, QUANTITY_SMOOTH, columns, count);
+    print_kinds(out, QUANTITY_NOPERSPECTIVE, columns, count);
+    for (int quantity = QUANTITY_SPACE; quantity < QUANTITY_COUNT; quantity++) {
+        print_quantity(out, (enum quantity)quantity, columns, 1); // peers do not tell
     }
 }
 

@@ -13,7 +13,7 @@ struct table_column {
     const struct judge_results *results;
 };
 
-// Families by quantity, then kinds of values; one group of columns per renderer.
+// One table per quantity, a row per family; then one per kind of vertex values. A column per renderer, at most 8.
 void table_print(FILE *out, const struct table_column *columns, int count);
 // Replaces what stands between the marker lines of `path`; false with a line on stderr when that fails.
 bool table_write(const char *path, const struct table_column *columns, int count);
