@@ -159,7 +159,7 @@ static enum rhw_result draw_everything(struct work *work)
     rhw_pass_set_vertex_buffer(work->context, pass, 0, work->vertices, 0);
     rhw_pass_set_index_buffer(work->context, pass, work->indices, RHW_INDEX_UINT16, 0);
     rhw_pass_set_texture(work->context, pass, 0, work->image, work->sampler);
-    for (int i = 0; i < 300; i++) {
+    for (int i = 0; i < DRAWS; i++) {
         const struct texture_uniforms uniforms = {(float)i};
         rhw_pass_set_uniforms(work->context, pass, &uniforms, sizeof uniforms);
         rhw_pass_set_pipeline(work->context, pass, work->pipelines[i & 1]);
@@ -175,7 +175,7 @@ static enum rhw_result do_everything(struct meter *meter, struct rig *rig, int t
 {
     struct rhw_context_def def = rhw_context_def_default();
     def.threads = threads;
-    def.bin_memory = 1 << 18; // several flushes
+    def.bin_memory = 1 << 16; // several flushes
     def.allocator = (struct rhw_allocator){take, give, meter};
     def.assert_ = rig_misuse;
     def.user = rig;
