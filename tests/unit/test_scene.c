@@ -853,6 +853,37 @@ static void test_lines_and_points(void **state)
     }
 }
 
+// A line that begins before the camera and ends behind it leaves the picture on the side it heads for.
+static void test_line_through_the_near_plane(void **state)
+{
+    (void)state;
+    struct tiny t;
+    make_tiny(&t);
+    uint32_t ends[2] = {0, 1};
+    t.mesh.normals = NULL;
+    t.mesh.primitive = RHW_PRIMITIVE_LINES;
+    t.mesh.indices = ends;
+    t.mesh.index_count = 2;
+    memset(t.positions[0], 0, sizeof t.positions[0]);
+    t.positions[1][0] = 2.0f;
+    t.positions[1][1] = 0.0f;
+    t.positions[1][2] = 20.0f;
+    set_bounds(&t);
+    struct rhw_view view = tiny_view(&t, 64);
+    view.camera = (struct rhw_camera){.eye = {0, 0, 5}, .up = {0, 1, 0}, .yfov = 1.0, .znear = 0.1, .zfar = 50.0};
+    for (int swapped = 0; swapped < 2; swapped++) {
+        ends[0] = (uint32_t)swapped;
+        ends[1] = (uint32_t)(1 - swapped);
+        struct rhw_pictures p = draw_model(&t.model, &view);
+        for (int x = 0; x < 64; x++) {
+            const bool white = p.color[4 * (64 * 32 + x)] == 255;
+            assert_true(white == (x >= 31)); // the end's cap reaches 0.75 to the left of the middle
+            assert_true(p.color[4 * (64 * 20 + x)] != 255);
+        }
+        rhw_pictures_free(&p);
+    }
+}
+
 static void test_wireframe_marks_edges(void **state)
 {
     (void)state;
@@ -964,6 +995,7 @@ int main(void)
         cmocka_unit_test(test_data_outputs),
         cmocka_unit_test(test_normal_map),
         cmocka_unit_test(test_lines_and_points),
+        cmocka_unit_test(test_line_through_the_near_plane),
         cmocka_unit_test(test_wireframe_marks_edges),
         cmocka_unit_test(test_pictures_do_not_depend_on_the_machine),
         cmocka_unit_test(test_view_rules),
