@@ -17,11 +17,11 @@ enum rhw_output {
     RHW_OUTPUT_LINEAR = 2,      ///< light before tone mapping, RGBA32F, premultiplied, without background
     RHW_OUTPUT_DEPTH = 4,       ///< R32F: NDC depth, 0 near to 1 far; 1 where nothing is
     RHW_OUTPUT_DISTANCE = 8,    ///< R32F: world units along the view axis; +infinity where nothing is
-    RHW_OUTPUT_NORMAL = 16,     ///< RGBA32F: unit world normal as shaded, turned to the viewer; w 1, or all 0 where nothing is
+    RHW_OUTPUT_NORMAL = 16,     ///< RGBA32F: unit world normal as shaded, turned to the viewer; w 1; else all 0
     RHW_OUTPUT_POSITION = 32,   ///< RGBA32F: world position; w as above
     RHW_OUTPUT_UV = 64,         ///< RGBA32F: first texture coordinate set u, v, then 0; w as above
     RHW_OUTPUT_OBJECT = 128,    ///< R32_UINT: rhw_instance.object; 0 where nothing is
-    RHW_OUTPUT_TRIANGLE = 256,  ///< R32_UINT: 1 + number of the triangle (line, point) in the model, instances counted in their order
+    RHW_OUTPUT_TRIANGLE = 256,  ///< R32_UINT: 1 + number of the triangle (line, point), instances in their order
     RHW_OUTPUT_BARYCENTRIC = 512, ///< RGBA32F: perspective-correct a, b, c; w as above
     RHW_OUTPUT_DISPLAY = 1024,  ///< RGBA32F: COLOR before it is sRGB encoded and rounded to 8 bits
     RHW_OUTPUT_ALL = 2047

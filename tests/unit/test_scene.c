@@ -386,7 +386,8 @@ static double brdf(const double n[3], const double v[3], const double l[3], doub
     normalize3(h);
     const double a2 = pow(roughness, 4.0), nl = fmax(dot3(n, l), 0.0), nv = dot3(n, v), nh = dot3(n, h);
     const double d = a2 / (pi * pow(nh * nh * (a2 - 1.0) + 1.0, 2.0));
-    const double g = 2.0 * nl / (nl + sqrt(a2 + (1.0 - a2) * nl * nl)) * 2.0 * nv / (nv + sqrt(a2 + (1.0 - a2) * nv * nv));
+    const double g = 2.0 * nl / (nl + sqrt(a2 + (1.0 - a2) * nl * nl)) * 2.0 * nv /
+                     (nv + sqrt(a2 + (1.0 - a2) * nv * nv));
     const double f0 = 0.04 * (1.0 - metallic) + base * metallic;
     const double f = f0 + (1.0 - f0) * pow(1.0 - dot3(v, h), 5.0);
     return nl <= 0.0 ? 0.0 : nl * ((1.0 - f) * base * (1.0 - metallic) / pi + f * d * g / (4.0 * nl * nv));
