@@ -303,6 +303,19 @@ static d8 weigh(const double f[3], d8 a, d8 b, d8 c)
     return d8_add(d8_add(d8_mul(d8_splat(f[0]), a), d8_mul(d8_splat(f[1]), b)), d8_mul(d8_splat(f[2]), c));
 }
 
+static d8 d8_where(const l4 mask[2], d8 a, d8 b)
+{
+    return (d8){(d4)((mask[0] & (l4)a.lo) | (~mask[0] & (l4)b.lo)), (d4)((mask[1] & (l4)a.hi) | (~mask[1] & (l4)b.hi))};
+}
+
+// The first row of a block.
+static d8 plane_at(const struct plane *plane, const struct block_place *at)
+{
+    struct block_plane over;
+    plane_over(&over, plane, at);
+    return plane_row(&over, 0);
+}
+
 static __attribute__((noinline)) void cut_row(const struct planes *p, const struct block_place *place, int row,
                                               struct cut_row *out)
 {
@@ -331,14 +344,19 @@ static __attribute__((noinline)) void cut_row(const struct planes *p, const stru
     b = at_least_zero(b, below);
     c = at_least_zero(c, below);
     const d8 sum = d8_add(d8_add(a, b), c), inverse = d8_div(d8_splat(1), sum);
-    const d8 screen = d8_div(d8_splat(1), weigh(p->w, a, b, c));
+    const d8 w = weigh(p->w, a, b, c), screen = d8_div(d8_splat(1), w);
+    // The triangle's border may be at or behind the eye here (w <= 0; then the planes are homogeneous and not
+    // `exact`): what is linear on the screen goes on linearly, 1/W down to the least that the triangle has.
+    const l4 seen[2] = {w.lo > d4_splat(0), w.hi > d4_splat(0)};
+    const double w_max = p->w[0] > p->w[1] ? (p->w[0] > p->w[2] ? p->w[0] : p->w[2]) : (p->w[1] > p->w[2] ? p->w[1] : p->w[2]);
+    const d8 least = d8_clamp(plane_at(&p->s, &at), 1 / w_max, 0x1p1000);
     out->lanes = (i8){(int32_t)below[0][0], (int32_t)below[0][1], (int32_t)below[0][2], (int32_t)below[0][3],
                       (int32_t)below[1][0], (int32_t)below[1][1], (int32_t)below[1][2], (int32_t)below[1][3]};
-    out->z = f8_from_d8(d8_mul(weigh(p->zw, a, b, c), screen));
-    out->n1 = f8_from_d8(d8_mul(d8_mul(d8_splat(p->w[1]), b), screen));
-    out->n2 = f8_from_d8(d8_mul(d8_mul(d8_splat(p->w[2]), c), screen));
-    out->weights = (struct weights){f8_from_d8(d8_mul(b, inverse)), f8_from_d8(d8_mul(c, inverse)), d8_mul(sum, screen),
-                                    inverse};
+    out->z = f8_from_d8(d8_where(seen, d8_mul(weigh(p->zw, a, b, c), screen), plane_at(&p->z, &at)));
+    out->n1 = f8_from_d8(d8_where(seen, d8_mul(d8_mul(d8_splat(p->w[1]), b), screen), plane_at(&p->n1, &at)));
+    out->n2 = f8_from_d8(d8_where(seen, d8_mul(d8_mul(d8_splat(p->w[2]), c), screen), plane_at(&p->n2, &at)));
+    out->weights = (struct weights){f8_from_d8(d8_mul(b, inverse)), f8_from_d8(d8_mul(c, inverse)),
+                                    d8_where(seen, d8_mul(sum, screen), least), inverse};
 }
 
 static d8 d8_select(i8 mask, d8 a, d8 b)
