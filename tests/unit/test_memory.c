@@ -83,7 +83,7 @@ struct work {
     rhw_pipeline pipelines[2];
 };
 
-enum { SIZE = 96, VERTICES = 60 };
+enum { SIZE = 48, VERTICES = 120, DRAWS = 80 };
 
 static enum rhw_result make_objects(struct work *work)
 {
