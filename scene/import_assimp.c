@@ -187,7 +187,8 @@ static void add_node(struct reader *reader, const struct aiNode *node, const flo
         memcpy(instance->world, world, sizeof world);
     }
     for (uint32_t i = 0; i < node->mNumChildren; i++)
-        add_node(reader, node->mChildren[i], world);
+        if (node->mChildren[i] != NULL) // the reader of RAW files leaves gaps
+            add_node(reader, node->mChildren[i], world);
     reader->depth--;
 }
 
@@ -202,7 +203,7 @@ static bool find_node(const struct aiNode *node, const struct aiString *name, co
         return true;
     }
     for (uint32_t i = 0; i < node->mNumChildren; i++)
-        if (find_node(node->mChildren[i], name, here, world))
+        if (node->mChildren[i] != NULL && find_node(node->mChildren[i], name, here, world))
             return true;
     return false;
 }
