@@ -336,7 +336,7 @@ void rhw_import_run(struct rhw_import *import)
     struct rhw_model *model = &import->model;
     if (rhw_import_is_gltf(model->path, start, size))
         rhw_import_gltf(import);
-    else if (rhw_import_is_ply(start, size))
+    else if (rhw_import_is_ply(model->path, start, size))
         rhw_import_ply(import);
     else if (rhw_import_is_obj(model->path))
         rhw_import_obj(import);

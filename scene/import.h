@@ -65,7 +65,7 @@ bool rhw_import_is_gltf(const char *path, const unsigned char *start, size_t siz
 void rhw_import_gltf(struct rhw_import *import);
 bool rhw_import_is_obj(const char *path);
 void rhw_import_obj(struct rhw_import *import);
-bool rhw_import_is_ply(const unsigned char *start, size_t size);
+bool rhw_import_is_ply(const char *path, const unsigned char *start, size_t size);
 void rhw_import_ply(struct rhw_import *import);
 void rhw_import_assimp(struct rhw_import *import);
 

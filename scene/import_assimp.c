@@ -79,7 +79,8 @@ static void *copy_colors(struct rhw_import *import, const struct aiColor4D *colo
         for (int c = 0; c < 3; c++) {
             const bool in_range = encoded[c] >= 0 && encoded[c] <= 1;
             const int byte = in_range ? (int)(encoded[c] * 255 + 0.5f) : 0;
-            const bool from_byte = in_range && encoded[c] - (float)byte / 255 < 1e-6f && encoded[c] - (float)byte / 255 > -1e-6f;
+            const float error = encoded[c] - (float)byte / 255;
+            const bool from_byte = in_range && error < 1e-6f && error > -1e-6f;
             copy[i][c] = from_byte ? table[byte] : rhw_import_from_srgb(encoded[c]);
         }
         copy[i][3] = colors[i].a;
@@ -89,7 +90,9 @@ static void *copy_colors(struct rhw_import *import, const struct aiColor4D *colo
 
 static void copy_indices(struct reader *reader, const struct aiMesh *source, struct rhw_mesh *mesh)
 {
-    const uint32_t corners = mesh->primitive == RHW_PRIMITIVE_TRIANGLES ? 3 : mesh->primitive == RHW_PRIMITIVE_LINES ? 2 : 1;
+    const uint32_t corners = mesh->primitive == RHW_PRIMITIVE_TRIANGLES ? 3
+        : mesh->primitive == RHW_PRIMITIVE_LINES                        ? 2
+                                                                        : 1;
     if (source->mNumFaces > UINT32_MAX / 3)
         rhw_import_fail(reader->import, "has too many faces");
     mesh->indices = rhw_import_allocate(reader->import, (size_t)source->mNumFaces * corners, sizeof *mesh->indices);
@@ -99,7 +102,8 @@ static void copy_indices(struct reader *reader, const struct aiMesh *source, str
             continue; // an empty face
         for (uint32_t k = 0; k < corners; k++) {
             if (face->mIndices[k] >= source->mNumVertices)
-                rhw_import_fail(reader->import, "a face refers to vertex %u of %u", face->mIndices[k], source->mNumVertices);
+                rhw_import_fail(reader->import, "a face refers to vertex %u of %u", face->mIndices[k],
+                                source->mNumVertices);
             mesh->indices[mesh->index_count++] = face->mIndices[k];
         }
     }
@@ -131,9 +135,10 @@ static void add_mesh(struct reader *reader, uint32_t index)
     struct rhw_import *import = reader->import;
     const uint32_t count = source->mNumVertices;
     struct rhw_mesh mesh = {.name = rhw_assimp_string(import, &source->mName), .vertex_count = count};
-    mesh.primitive = source->mPrimitiveTypes & (aiPrimitiveType_TRIANGLE | aiPrimitiveType_POLYGON) ? RHW_PRIMITIVE_TRIANGLES
-        : source->mPrimitiveTypes & aiPrimitiveType_LINE                                          ? RHW_PRIMITIVE_LINES
-                                                                                                  : RHW_PRIMITIVE_POINTS;
+    const unsigned kinds = source->mPrimitiveTypes;
+    mesh.primitive = kinds & (aiPrimitiveType_TRIANGLE | aiPrimitiveType_POLYGON) ? RHW_PRIMITIVE_TRIANGLES
+        : kinds & aiPrimitiveType_LINE                                            ? RHW_PRIMITIVE_LINES
+                                                                                  : RHW_PRIMITIVE_POINTS;
     mesh.material = material_of(reader, source);
     if (source->mVertices == NULL)
         mesh.vertex_count = 0;
@@ -314,7 +319,8 @@ static void add_light(struct reader *reader, const struct aiLight *source, const
 {
     struct rhw_import *import = reader->import;
     struct rhw_model_light light = {.name = rhw_assimp_string(import, &source->mName)};
-    if (source->mType != aiLightSource_DIRECTIONAL && source->mType != aiLightSource_POINT && source->mType != aiLightSource_SPOT) {
+    if (source->mType != aiLightSource_DIRECTIONAL && source->mType != aiLightSource_POINT
+        && source->mType != aiLightSource_SPOT) {
         rhw_import_unsupported(import, "ambient and area lights: left out");
         return;
     }
@@ -327,7 +333,8 @@ static void add_light(struct reader *reader, const struct aiLight *source, const
     place(reader, &source->mName, world);
     rhw_import_transform(world, position, light.position);
     for (int row = 0; row < 3; row++)
-        light.direction[row] = world[row] * direction[0] + world[4 + row] * direction[1] + world[8 + row] * direction[2];
+        light.direction[row] = world[row] * direction[0] + world[4 + row] * direction[1]
+            + world[8 + row] * direction[2];
     const bool directed = unit(light.direction);
     if (!directed)
         memcpy(light.direction, (const float[3]){0, 0, -1}, sizeof light.direction);

@@ -10,7 +10,8 @@
 
 const char *rhw_assimp_string(struct rhw_import *import, const struct aiString *string)
 {
-    return rhw_import_string(import, string->data, string->length < sizeof string->data ? string->length : sizeof string->data - 1);
+    const size_t most = sizeof string->data - 1;
+    return rhw_import_string(import, string->data, string->length < most ? string->length : most);
 }
 
 struct reader {
@@ -24,7 +25,8 @@ struct reader {
 static void get_float(const struct reader *reader, const char *key, float *value)
 {
     float read = 0;
-    if (aiGetMaterialFloatArray(reader->source, key, 0, 0, &read, NULL) == aiReturn_SUCCESS && rhw_import_finite(&read, 1))
+    if (aiGetMaterialFloatArray(reader->source, key, 0, 0, &read, NULL) == aiReturn_SUCCESS
+        && rhw_import_finite(&read, 1))
         *value = read;
 }
 
@@ -111,7 +113,8 @@ static void read_texture(const struct reader *reader, enum aiTextureType type, s
     enum aiTextureMapMode modes[3] = {aiTextureMapMode_Wrap, aiTextureMapMode_Wrap, aiTextureMapMode_Wrap};
     unsigned set = 0;
     if (texture->name != NULL
-        || aiGetMaterialTexture(reader->source, type, 0, &path, &mapping, &set, NULL, NULL, modes, NULL) != aiReturn_SUCCESS
+        || aiGetMaterialTexture(reader->source, type, 0, &path, &mapping, &set, NULL, NULL, modes, NULL)
+            != aiReturn_SUCCESS
         || path.length == 0)
         return;
     const struct aiTexture *inside = embedded(reader, path.data);

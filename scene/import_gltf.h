@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: MIT
 // The parts of the glTF 2.0 reader. It stands beside assimp's because assimp 5.2.5 loses what a correct picture
-// needs: RGB vertex colours arrive with alpha 0, quantised attributes as their raw bytes, texture transforms
-// folded into another convention, cutoffs and cameras rounded through it, skins and morph weights unapplied;
-// and each primitive gets a copy of the whole of a shared accessor. Paragraph numbers are those of the
-// glTF 2.0 specification.
+// needs: RGB vertex colours arrive with alpha 0, texture coordinates in 8 or 16 bit as NaN or rubbish, texture
+// transforms folded into another convention; skins and morph weights are left to the caller. Paragraph numbers
+// are those of the glTF 2.0 specification.
 #ifndef RHW_SCENE_IMPORT_GLTF_H
 #define RHW_SCENE_IMPORT_GLTF_H
 

@@ -240,7 +240,8 @@ static void apply_sparse(struct rhw_gltf *gltf, const struct accessor *accessor,
         rhw_import_fail(gltf->import, "accessors[%lld]: sparse indices must be unsigned integers", number);
     const size_t element = component_size(accessor->type) * (size_t)accessor->components;
     size_t place_stride = 0, content_stride = 0;
-    const unsigned char *place = elements(gltf, accessor, places, (uint32_t)count, component_size((int)type), &place_stride);
+    const unsigned char *place =
+        elements(gltf, accessor, places, (uint32_t)count, component_size((int)type), &place_stride);
     const unsigned char *content = elements(gltf, accessor, contents, (uint32_t)count, element, &content_stride);
     for (int64_t i = 0; i < count; i++) {
         const uint32_t target = read_integer(place, (int)type);
@@ -282,7 +283,8 @@ float *rhw_gltf_read_floats(struct rhw_gltf *gltf, int64_t index, int least, int
 uint32_t *rhw_gltf_read_integers(struct rhw_gltf *gltf, int64_t index, int width, uint32_t *count)
 {
     const struct accessor accessor = open_accessor(gltf, index);
-    const bool is_unsigned = accessor.type == TYPE_UINT8 || accessor.type == TYPE_UINT16 || accessor.type == TYPE_UINT32;
+    const bool is_unsigned =
+        accessor.type == TYPE_UINT8 || accessor.type == TYPE_UINT16 || accessor.type == TYPE_UINT32;
     if (accessor.components != width || !is_unsigned || accessor.sparse != NULL)
         rhw_import_fail(gltf->import, "accessors[%lld] must hold %d unsigned integer%s per element",
                         (long long)index, width, width == 1 ? "" : "s");

@@ -24,7 +24,8 @@ _Noreturn static void refuse(const struct primitive *primitive, const char *prob
 // Attributes ----------------------------------------------------------------------------------------
 
 // An attribute with one element per vertex, or NULL when there is none.
-static void *attribute(const struct primitive *primitive, const json_t *attributes, const char *name, int least, int width)
+static void *attribute(const struct primitive *primitive, const json_t *attributes, const char *name, int least,
+                       int width)
 {
     const int64_t accessor = rhw_gltf_integer(primitive->gltf, attributes, name, -1);
     if (accessor < 0)
@@ -263,7 +264,8 @@ static bool make_primitive(struct primitive *primitive, const char *name, const 
                         primitive->number);
         return false;
     }
-    const json_t *positions = rhw_gltf_item(gltf, "accessors", rhw_gltf_integer(gltf, primitive->attributes, "POSITION", -1));
+    const int64_t accessor = rhw_gltf_integer(gltf, primitive->attributes, "POSITION", -1);
+    const json_t *positions = rhw_gltf_item(gltf, "accessors", accessor);
     if (json_object_get(positions, "bufferView") == NULL
         && rhw_gltf_extension(gltf, primitive->object, "KHR_draco_mesh_compression") != NULL)
         refuse(primitive, "needs the glTF extension KHR_draco_mesh_compression, which is not supported");

@@ -145,7 +145,8 @@ static void add_light(struct rhw_gltf *gltf, int64_t index, const float world[16
     struct rhw_model_light light = {.name = rhw_gltf_name(gltf, object), .color = {1, 1, 1}};
     const char *type = rhw_gltf_text(gltf, object, "type");
     const json_t *spot = rhw_gltf_object(gltf, object, "spot");
-    const bool known = type != NULL && (strcmp(type, "directional") == 0 || strcmp(type, "point") == 0 || strcmp(type, "spot") == 0);
+    const bool known = type != NULL
+        && (strcmp(type, "directional") == 0 || strcmp(type, "point") == 0 || strcmp(type, "spot") == 0);
     light.type = !known || type[0] == 'p' ? RHW_LIGHT_POINT : type[0] == 's' ? RHW_LIGHT_SPOT : RHW_LIGHT_DIRECTIONAL;
     rhw_gltf_floats(gltf, object, "color", light.color, 3);
     light.intensity = (float)rhw_gltf_number(gltf, object, "intensity", 1);

@@ -45,9 +45,9 @@ struct option {
 static const struct option *find_option(struct rhw_word word)
 {
     static const struct option options[] = {
-        {"-o", 0, 3},     {"-s", 0, 3},      {"-t", 0, 3},      {"-mm", 0, 2},      {"-bm", 0, 1},         {"-boost", 0, 1},
-        {"-texres", 1, 0}, {"-clamp", 1, 0}, {"-blendu", 1, 0}, {"-blendv", 1, 0},  {"-imfchan", 1, 0},    {"-cc", 1, 0},
-        {"-type", 1, 0},  {"-colorspace", 1, 0},
+        {"-o", 0, 3},      {"-s", 0, 3},      {"-t", 0, 3},       {"-mm", 0, 2},     {"-bm", 0, 1},
+        {"-boost", 0, 1},  {"-texres", 1, 0}, {"-clamp", 1, 0},   {"-blendu", 1, 0}, {"-blendv", 1, 0},
+        {"-imfchan", 1, 0}, {"-cc", 1, 0},    {"-type", 1, 0},    {"-colorspace", 1, 0},
     };
     for (size_t i = 0; i < sizeof options / sizeof options[0]; i++)
         if (key_is(word, options[i].name))

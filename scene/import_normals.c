@@ -242,7 +242,8 @@ static double corner_angle(const struct rhw_mesh *mesh, uint32_t corner)
 
 // Direction of growing u on a triangle, and on which side growing −v lies: 1, −1, or 0 when the texture
 // coordinates span no area.
-static int face_tangent(const struct rhw_mesh *mesh, const struct rhw_texture_slot *slot, uint32_t first, double tangent[3])
+static int face_tangent(const struct rhw_mesh *mesh, const struct rhw_texture_slot *slot, uint32_t first,
+                        double tangent[3])
 {
     const uint32_t *corner = mesh->indices + first;
     double edges[2][3], u[3], v[3];

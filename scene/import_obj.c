@@ -154,7 +154,8 @@ static struct part *find_part(struct obj *obj, const struct part_key *key)
     for (size_t i = obj->part_count; i > obj->first_part; i--) {
         const struct part_key *other = &obj->parts[i - 1].key;
         if (other->material == key->material && other->smoothing == key->smoothing
-            && other->primitive == key->primitive && other->has_uv == key->has_uv && other->has_normal == key->has_normal)
+            && other->primitive == key->primitive && other->has_uv == key->has_uv
+            && other->has_normal == key->has_normal)
             return &obj->parts[i - 1];
     }
     rhw_import_reserve(obj->import, &obj->parts, &obj->part_capacity, obj->part_count + 1, sizeof *obj->parts);
@@ -174,10 +175,11 @@ static void add_element(struct obj *obj, enum rhw_primitive primitive, const str
     struct part *part = find_part(obj, &key);
     if (part->corner_count + count > UINT32_MAX)
         refuse(obj, "has too many faces");
-    rhw_import_reserve(obj->import, &part->corners, &part->corner_capacity, part->corner_count + count, sizeof *part->corners);
+    const size_t total = part->corner_count + count;
+    rhw_import_reserve(obj->import, &part->corners, &part->corner_capacity, total, sizeof *part->corners);
     rhw_import_reserve(obj->import, &part->sizes, &part->size_capacity, part->size_count + 1, sizeof *part->sizes);
     memcpy(part->corners + part->corner_count, corners, count * sizeof *corners);
-    part->corner_count += count;
+    part->corner_count = total;
     part->sizes[part->size_count++] = count;
 }
 
@@ -207,8 +209,8 @@ static void start_object(struct obj *obj, const char *name)
     if (!empty) {
         if (obj->object_count >= INT_MAX)
             refuse(obj, "has too many objects");
-        rhw_import_reserve(obj->import, &obj->objects, &obj->object_capacity, obj->object_count + 1, sizeof *obj->objects);
         obj->object_count++;
+        rhw_import_reserve(obj->import, &obj->objects, &obj->object_capacity, obj->object_count, sizeof *obj->objects);
     }
     obj->objects[obj->object_count - 1] = name;
     obj->first_part = obj->part_count;
@@ -236,7 +238,8 @@ static void read_libraries(struct obj *obj, struct rhw_line line)
     while (rhw_text_word(&line, &name)) {
         while (name.start[name.length - 1] == '\\' && rhw_text_word(&line, &more))
             name.length = (size_t)(more.start + more.length - name.start);
-        obj->libraries_complete = rhw_mtl_read(obj->import, &obj->mtl, library_name(obj, name)) && obj->libraries_complete;
+        const bool found = rhw_mtl_read(obj->import, &obj->mtl, library_name(obj, name));
+        obj->libraries_complete = obj->libraries_complete && found;
     }
 }
 
@@ -377,7 +380,8 @@ static void add_part(struct obj *obj, struct part *part)
     instance->mesh = import->model.mesh_count - 1;
     instance->object = part->key.object + 1;
     rhw_import_identity(instance->world);
-    rhw_import_complete_mesh(import, instance->mesh, part->key.smoothing == SMOOTHING_OFF ? RHW_IMPORT_FLAT : RHW_IMPORT_SMOOTH, true);
+    const bool flat = part->key.smoothing == SMOOTHING_OFF;
+    rhw_import_complete_mesh(import, instance->mesh, flat ? RHW_IMPORT_FLAT : RHW_IMPORT_SMOOTH, true);
 }
 
 // A file of vertices alone is a cloud of points.

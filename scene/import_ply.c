@@ -4,6 +4,7 @@
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
+#include <strings.h>
 
 #include "import_phong.h"
 #include "import_text.h"
@@ -51,9 +52,15 @@ struct ply {
 
 // Header --------------------------------------------------------------------------------------------
 
-bool rhw_import_is_ply(const unsigned char *start, size_t size)
+static bool has_magic(const unsigned char *start, size_t size)
 {
     return size >= 4 && memcmp(start, "ply", 3) == 0 && (start[3] == '\n' || start[3] == '\r');
+}
+
+bool rhw_import_is_ply(const char *path, const unsigned char *start, size_t size)
+{
+    const char *dot = strrchr(path, '.');
+    return has_magic(start, size) || (dot != NULL && strcasecmp(dot, ".ply") == 0);
 }
 
 static enum type parse_type(struct rhw_word word)
@@ -330,7 +337,8 @@ static void reserve_indices(struct ply *ply, size_t more)
 {
     if (ply->index_count + more > UINT32_MAX)
         rhw_import_fail(ply->import, "has too many faces");
-    rhw_import_reserve(ply->import, &ply->mesh.indices, &ply->index_capacity, ply->index_count + more, sizeof(uint32_t));
+    const size_t total = ply->index_count + more;
+    rhw_import_reserve(ply->import, &ply->mesh.indices, &ply->index_capacity, total, sizeof *ply->mesh.indices);
 }
 
 // One polygon of the file, and texture coordinates of its corners.
@@ -356,7 +364,8 @@ static void add_face(struct ply *ply, struct face *face)
     const bool wedged = face->wedge_count >= 2 * face->count;
     if (wedged || ply->wedges != NULL) {
         const size_t before = ply->wedge_capacity;
-        rhw_import_reserve(ply->import, &ply->wedges, &ply->wedge_capacity, ply->index_count + corners, sizeof *ply->wedges);
+        const size_t total = ply->index_count + corners;
+        rhw_import_reserve(ply->import, &ply->wedges, &ply->wedge_capacity, total, sizeof *ply->wedges);
         memset(ply->wedges + before, 0, (ply->wedge_capacity - before) * sizeof *ply->wedges);
     }
     for (size_t i = 0; i < corners; i++) {
@@ -375,6 +384,25 @@ static bool is_index_list(const struct property *property)
         && (rhw_word_is(property->name, "vertex_indices") || rhw_word_is(property->name, "vertex_index"));
 }
 
+// Room is made as the numbers come: a count alone must not ask for memory.
+static void read_corners(struct ply *ply, const struct property *property, struct face *face)
+{
+    face->count = read_count(ply, property);
+    for (int64_t k = 0; k < face->count; k++) {
+        rhw_import_reserve(ply->import, &face->corners, &face->corner_capacity, (size_t)k + 1, sizeof *face->corners);
+        face->corners[k] = checked_index(ply, read_number(ply, property->type));
+    }
+}
+
+static void read_wedges(struct ply *ply, const struct property *property, struct face *face)
+{
+    face->wedge_count = read_count(ply, property);
+    for (int64_t k = 0; k < face->wedge_count; k++) {
+        rhw_import_reserve(ply->import, &face->wedges, &face->wedge_capacity, (size_t)k + 1, sizeof *face->wedges);
+        face->wedges[k] = (float)read_number(ply, property->type);
+    }
+}
+
 static void read_faces(struct ply *ply, const struct element *element)
 {
     struct face face = {.count = 0};
@@ -382,21 +410,12 @@ static void read_faces(struct ply *ply, const struct element *element)
         face.count = face.wedge_count = 0;
         for (int i = 0; i < element->property_count; i++) {
             const struct property *property = &element->properties[i];
-            if (is_index_list(property)) {
-                face.count = read_count(ply, property);
-                for (int64_t k = 0; k < face.count; k++) {
-                    rhw_import_reserve(ply->import, &face.corners, &face.corner_capacity, (size_t)k + 1, sizeof *face.corners);
-                    face.corners[k] = checked_index(ply, read_number(ply, property->type));
-                }
-            } else if (property->count_type != TYPE_NONE && rhw_word_is(property->name, "texcoord")) {
-                face.wedge_count = read_count(ply, property);
-                for (int64_t k = 0; k < face.wedge_count; k++) {
-                    rhw_import_reserve(ply->import, &face.wedges, &face.wedge_capacity, (size_t)k + 1, sizeof *face.wedges);
-                    face.wedges[k] = (float)read_number(ply, property->type);
-                }
-            } else {
+            if (is_index_list(property))
+                read_corners(ply, property, &face);
+            else if (property->count_type != TYPE_NONE && rhw_word_is(property->name, "texcoord"))
+                read_wedges(ply, property, &face);
+            else
                 skip_property(ply, property);
-            }
         }
         add_face(ply, &face);
     }
@@ -575,6 +594,8 @@ void rhw_import_ply(struct rhw_import *import)
     char *bytes = rhw_import_read_file(import, import->model.path, &size, &problem);
     if (bytes == NULL)
         rhw_import_fail(import, "cannot be read: %s", problem);
+    if (!has_magic((const unsigned char *)bytes, size))
+        rhw_import_fail(import, "is no PLY file: it does not begin with \"ply\"");
     import->model.format = "PLY";
     ply.text = (struct rhw_text){bytes, bytes + size, 0};
     ply.end = (const unsigned char *)bytes + size;

@@ -67,6 +67,7 @@ static const struct {
     {"junk.obj", "hello\n", "has no vertices"},
     {"count.ply", "ply\nformat ascii 1.0\nelement vertex 4000000000\nproperty float x\nproperty float y\nproperty float z\nend_header\n0 0 0\n",
      "is truncated"},
+    {"magic.ply", "plx\nformat ascii 1.0\n", "does not begin with \"ply\""},
     {"endless.ply", "ply\nformat ascii 1.0\n", "no end_header"},
     {"index.ply",
      "ply\nformat ascii 1.0\nelement vertex 1\nproperty float x\nproperty float y\nproperty float z\n"
