@@ -130,7 +130,8 @@ static int run(const struct fuzz *fuzz, const char *const arguments[])
     if (child == 0) {
         // A group of its own: where it has to be stopped, its children are stopped with it.
         setpgid(0, 0);
-        const int in = open("/dev/null", O_RDONLY), out = open("../stdout", O_WRONLY | O_CREAT | O_TRUNC, 0600);
+        const int in = open("/dev/null", O_RDONLY),
+                  out = open("../stdout", O_WRONLY | O_CREAT | O_TRUNC, 0600);
         const int err = open("../stderr", O_WRONLY | O_CREAT | O_TRUNC, 0600);
         if (in < 0 || out < 0 || err < 0 || dup2(in, 0) < 0 || dup2(out, 1) < 0 || dup2(err, 2) < 0)
             _exit(125);
@@ -215,14 +216,16 @@ static bool check_files(bool picture, char *problem, size_t size)
 }
 
 // One run of one verb. What is named in `problem` is what was promised and not kept.
-static bool check_run(struct fuzz *fuzz, const char *const arguments[], bool render, char *problem, size_t size)
+static bool check_run(struct fuzz *fuzz, const char *const arguments[], bool render, char *problem,
+                      size_t size)
 {
     fuzz->runs++;
     const int status = run(fuzz, arguments);
     if (status == -1)
         snprintf(problem, size, "it takes longer than %d s", TIME_LIMIT);
     else if (status > 1)
-        snprintf(problem, size, status > 128 ? "signal %d" : "exit status %d", status > 128 ? status - 128 : status);
+        snprintf(problem, size, status > 128 ? "signal %d" : "exit status %d",
+                 status > 128 ? status - 128 : status);
     if (status != 0 && status != 1) {
         unlink("out.png");
         return false;
@@ -234,7 +237,8 @@ static bool check_run(struct fuzz *fuzz, const char *const arguments[], bool ren
 static bool check_model(struct fuzz *fuzz, const char *model, const char *name)
 {
     const char *const info[] = {fuzz->rhw, "info", model, NULL};
-    const char *const render[] = {fuzz->rhw, "render", model, "-o", "out.png", "--size", "32x32", "--threads", "2", NULL};
+    const char *const render[] = {fuzz->rhw, "render", model,       "-o", "out.png",
+                                  "--size",  "32x32",  "--threads", "2",  NULL};
     char problem[1024] = "";
     if (check_run(fuzz, info, false, problem, sizeof problem) &&
         check_run(fuzz, render, true, problem, sizeof problem))
@@ -249,8 +253,9 @@ static bool check_image(struct fuzz *fuzz, const char *image)
 {
     char material[1200];
     const int length = snprintf(material, sizeof material, "newmtl m\nmap_Kd image.png\n");
-    static const char square[] = "mtllib square.mtl\nv -1 -1 0\nv 1 -1 0\nv 1 1 0\nv -1 1 0\nvt 0 0\nvt 1 0\nvt 1 1\n"
-                                 "vt 0 1\nusemtl m\nf 1/1 2/2 3/3 4/4\n";
+    static const char square[] =
+        "mtllib square.mtl\nv -1 -1 0\nv 1 -1 0\nv 1 1 0\nv -1 1 0\nvt 0 0\nvt 1 0\nvt 1 1\n"
+        "vt 0 1\nusemtl m\nf 1/1 2/2 3/3 4/4\n";
     size_t size;
     unsigned char *data = load(image, &size);
     save("../image.png", data, size);
@@ -284,7 +289,8 @@ static void flip_bytes(unsigned char *data, size_t size)
 // Values that sit on the edges of what readers check.
 static void plant_integer(unsigned char *data, size_t size)
 {
-    static const uint32_t values[] = {0, 1, 0x7f, 0xff, 0x7fff, 0xffff, 0x7fffffff, 0x80000000, 0xfffffffe, 0xffffffff,
+    static const uint32_t values[] = {0,          1,          0x7f,       0xff,       0x7fff,
+                                      0xffff,     0x7fffffff, 0x80000000, 0xfffffffe, 0xffffffff,
                                       0x7f800000, 0x7fc00000, 0x00000100, 0x3fffffff, 0x55555556};
     const uint32_t value = values[pick(sizeof values / sizeof *values)];
     const size_t width = (size_t)1 << pick(3);
@@ -295,8 +301,11 @@ static void plant_integer(unsigned char *data, size_t size)
 // Replaces the number that stands at or after some place of a text by another one of any length.
 static size_t plant_number(unsigned char *data, size_t size, size_t room)
 {
-    static const char *const numbers[] = {"-1", "0", "1e39", "-1e39", "nan", "inf", "4294967295", "2147483648", "65536",
-                                          "18446744073709551616", "1e-46", "0.1.2", "--3", "999999999999", "", "[]", "\"a\"", "null"};
+    static const char *const numbers[] = {
+        "-1",    "0",          "1e39",       "-1e39",        "nan",
+        "inf",   "4294967295", "2147483648", "65536",        "18446744073709551616",
+        "1e-46", "0.1.2",      "--3",        "999999999999", "",
+        "[]",    "\"a\"",      "null"};
     size_t at = size > 0 ? pick((uint32_t)size) : 0;
     while (at < size && !isdigit(data[at]))
         at++;
@@ -410,7 +419,8 @@ int main(int argc, char **argv)
         collect(&fuzz, argv[i]);
     qsort(fuzz.files, (size_t)fuzz.file_count, sizeof *fuzz.files, compare_files);
     snprintf(fuzz.folder, sizeof fuzz.folder, "fuzz-XXXXXX");
-    if (mkdtemp(fuzz.folder) == NULL || chdir(fuzz.folder) != 0 || mkdir("work", 0700) != 0 || chdir("work") != 0)
+    if (mkdtemp(fuzz.folder) == NULL || chdir(fuzz.folder) != 0 || mkdir("work", 0700) != 0 ||
+        chdir("work") != 0)
         die("cannot make", fuzz.folder);
     if (mutates) {
         random_state = strtoull(argv[4], NULL, 0);

@@ -46,7 +46,8 @@ static float random_float(uint64_t *state, float low, float high)
 }
 
 // A triangle of the octahedron, divided `depth` times, its corners pushed out to the sphere.
-static void add_sphere_part(struct mesh *mesh, const float a[3], const float b[3], const float c[3], int depth)
+static void add_sphere_part(struct mesh *mesh, const float a[3], const float b[3], const float c[3],
+                            int depth)
 {
     if (depth == 0) {
         // Coordinates for a texture: those of the position.
@@ -169,10 +170,12 @@ static void make_dust(struct mesh *mesh)
 
 static const struct scene scenes[] = {
     {"ball", make_ball, GOLDEN_LIT, 3, RHW_FORMAT_RGBA8_SRGB, RHW_SMOOTH, false, true},
-    {"ball-of-131072-triangles", make_fine_ball, GOLDEN_LIT, 2.5f, RHW_FORMAT_RGBA32_FLOAT, RHW_SMOOTH, false, true},
+    {"ball-of-131072-triangles", make_fine_ball, GOLDEN_LIT, 2.5f, RHW_FORMAT_RGBA32_FLOAT, RHW_SMOOTH, false,
+     true},
     {"inside-the-ball", make_ball, GOLDEN_LIT, 0.5f, RHW_FORMAT_RGBA16_FLOAT, RHW_SMOOTH, false, false},
     {"floor", make_floor, GOLDEN_TEXTURE, 0.5f, RHW_FORMAT_RGBA8_SRGB, RHW_SMOOTH, false, false},
-    {"ball-noperspective", make_coarse_ball, GOLDEN_TEXTURE, 1.5f, RHW_FORMAT_RGBA8_UNORM, RHW_NOPERSPECTIVE, false, true},
+    {"ball-noperspective", make_coarse_ball, GOLDEN_TEXTURE, 1.5f, RHW_FORMAT_RGBA8_UNORM, RHW_NOPERSPECTIVE,
+     false, true},
     {"glass", make_glass, GOLDEN_GLASS, 4, RHW_FORMAT_RGBA8_SRGB, RHW_SMOOTH, true, false},
     {"glass-around-the-eye", make_glass, GOLDEN_GLASS, 0, RHW_FORMAT_RGBA32_FLOAT, RHW_FLAT, true, false},
     {"dust", make_dust, GOLDEN_GLASS, 3, RHW_FORMAT_RGBA8_UNORM, RHW_SMOOTH, false, false},
@@ -217,13 +220,15 @@ static rhw_pipeline make_pipeline(rhw_context *context, const struct scene *scen
     def.targets[0].blend = scene->blend;
     def.targets[0].color =
         (struct rhw_blend_component){RHW_BLEND_SRC_ALPHA, RHW_BLEND_ONE_MINUS_SRC_ALPHA, RHW_BLEND_ADD};
-    def.targets[0].alpha = (struct rhw_blend_component){RHW_BLEND_ONE, RHW_BLEND_ONE_MINUS_SRC_ALPHA, RHW_BLEND_ADD};
+    def.targets[0].alpha =
+        (struct rhw_blend_component){RHW_BLEND_ONE, RHW_BLEND_ONE_MINUS_SRC_ALPHA, RHW_BLEND_ADD};
     rhw_pipeline pipeline;
     check(rhw_pipeline_create(context, &def, &pipeline), scene->name);
     return pipeline;
 }
 
-static rhw_texture make_texture(rhw_context *context, enum rhw_format format, int width, int height, int levels)
+static rhw_texture make_texture(rhw_context *context, enum rhw_format format, int width, int height,
+                                int levels)
 {
     struct rhw_texture_def def = rhw_texture_def_default();
     def.format = format;
@@ -296,7 +301,8 @@ static uint64_t hash_scene(int number, const struct rhw_context_def *def)
     void *color;
     float *depth;
     draw(&scenes[number], def, &color, &depth);
-    uint64_t hash = golden_hash(GOLDEN_HASH_START, color, rhw_format_size(scenes[number].format) * WIDTH * HEIGHT);
+    uint64_t hash =
+        golden_hash(GOLDEN_HASH_START, color, rhw_format_size(scenes[number].format) * WIDTH * HEIGHT);
     hash = golden_hash(hash, depth, sizeof *depth * WIDTH * HEIGHT);
     free(color);
     free(depth);

@@ -68,11 +68,12 @@ static uint64_t hash_model(int number, const struct rhw_context_def *def)
         exit(2);
     }
     uint64_t hash = GOLDEN_HASH_START;
-    const void *const planes[] = {pictures.color, pictures.depth, pictures.distance, pictures.object, pictures.triangle};
+    const void *const planes[] = {pictures.color, pictures.depth, pictures.distance, pictures.object,
+                                  pictures.triangle};
     for (int i = 0; i < 5; i++)
         hash = hash_plane(hash, planes[i], 4);
-    const void *const wide[] = {pictures.linear, pictures.display,  pictures.normal,
-                                pictures.position, pictures.uv, pictures.barycentric};
+    const void *const wide[] = {pictures.linear,   pictures.display, pictures.normal,
+                                pictures.position, pictures.uv,      pictures.barycentric};
     for (int i = 0; i < 6; i++)
         hash = hash_plane(hash, wide[i], 16);
     rhw_pictures_free(&pictures);

@@ -88,7 +88,8 @@ int golden_main(const struct golden_set *set, int argc, char **argv)
         } else if (look_up(table, set->name(i)) == hash) {
             passed++;
         } else {
-            printf("%s: %016" PRIx64 ", not %016" PRIx64 "\n", set->name(i), hash, look_up(table, set->name(i)));
+            printf("%s: %016" PRIx64 ", not %016" PRIx64 "\n", set->name(i), hash,
+                   look_up(table, set->name(i)));
             failed++;
         }
     }

@@ -36,8 +36,8 @@ struct rig {
     struct rhw_pipeline_def pipeline; ///< what the next rig_use_pipeline creates
     rhw_pass recording;
     struct rhw_stats stats; ///< of the last rig_end
-    int misuses;            ///< calls of the assert hook; rig_close wants 0: a test that expects some resets it
-    char message[256];      ///< of the last one
+    int misuses;       ///< calls of the assert hook; rig_close wants 0: a test that expects some resets it
+    char message[256]; ///< of the last one
     struct rig_objects objects;
     void *pixels; ///< of the last rig_read
 };

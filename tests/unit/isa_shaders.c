@@ -4,7 +4,7 @@
 
 #include <rhw/shader.h>
 
-#define PASTE(name, suffix) name##_##suffix
+#define PASTE(name, suffix)  name##_##suffix
 #define EXPAND(name, suffix) PASTE(name, suffix)
 
 void EXPAND(isa_shader_vertex, RHW_ISA_SUFFIX)(struct rhw_vertex *groups, int count)

@@ -11,8 +11,8 @@
 /// Fragment: arithmetic that contraction or a reassociated sum would change, on varyings 0..3.
 void isa_shaders_fill(struct rhw_program *program);
 
-#define DECLARE_ISA(isa)                                                                                      \
-    void isa_shader_vertex_##isa(struct rhw_vertex *groups, int count);                                       \
+#define DECLARE_ISA(isa)                                                \
+    void isa_shader_vertex_##isa(struct rhw_vertex *groups, int count); \
     void isa_shader_fragment_##isa(struct rhw_fragment *groups, int count)
 DECLARE_ISA(baseline);
 DECLARE_ISA(avx2);

@@ -60,8 +60,8 @@ struct ref_weights ref_weights_homogeneous(const double v[3][3], double x, doubl
     double sum = 0;
     for (int i = 0; i < 3; i++) {
         const double *p = v[(i + 1) % 3], *q = v[(i + 2) % 3];
-        weights.space[i] = x * (p[1] * q[2] - p[2] * q[1]) + y * (p[2] * q[0] - p[0] * q[2]) +
-                           (p[0] * q[1] - p[1] * q[0]);
+        weights.space[i] =
+            x * (p[1] * q[2] - p[2] * q[1]) + y * (p[2] * q[0] - p[0] * q[2]) + (p[0] * q[1] - p[1] * q[0]);
         sum += weights.space[i];
     }
     for (int i = 0; i < 3; i++) {

@@ -65,9 +65,9 @@ static void test_textures_are_zeroed_when_created(void **state)
 static void test_load_keeps_what_was_there(void **state)
 {
     (void)state;
-    const enum rhw_format formats[] = {
-        RHW_FORMAT_RGBA8_UNORM, RHW_FORMAT_RGBA8_SRGB,   RHW_FORMAT_RGBA16_FLOAT,
-        RHW_FORMAT_R32_FLOAT,   RHW_FORMAT_RGBA32_FLOAT, RHW_FORMAT_R32_UINT};
+    const enum rhw_format formats[] = {RHW_FORMAT_RGBA8_UNORM,  RHW_FORMAT_RGBA8_SRGB,
+                                       RHW_FORMAT_RGBA16_FLOAT, RHW_FORMAT_R32_FLOAT,
+                                       RHW_FORMAT_RGBA32_FLOAT, RHW_FORMAT_R32_UINT};
     struct rig rig;
     rig_open(&rig, 75, 130);
     for (size_t f = 0; f < sizeof formats / sizeof *formats; f++) {
@@ -87,7 +87,8 @@ static void test_load_keeps_what_was_there(void **state)
             const size_t x = i % 75, y = i / 75;
             const bool drawn = x >= 20 && x < 40 && y >= 30 && y < 70;
             const unsigned char *seen = after + i * texel;
-            assert_true(memcmp(seen, drawn ? after + (30 * 75 + 20) * texel : before + i * texel, texel) == 0);
+            assert_true(memcmp(seen, drawn ? after + (30 * 75 + 20) * texel : before + i * texel, texel) ==
+                        0);
         }
         free(before);
     }
@@ -143,7 +144,8 @@ static void test_pass_size_may_be_given(void **state)
 static void test_tiles_at_every_size(void **state)
 {
     (void)state;
-    const int sizes[][2] = {{1, 1}, {1, 200}, {200, 1}, {7, 9}, {8, 8}, {63, 65}, {64, 64}, {65, 63}, {129, 200}};
+    const int sizes[][2] = {{1, 1},   {1, 200}, {200, 1}, {7, 9},    {8, 8},
+                            {63, 65}, {64, 64}, {65, 63}, {129, 200}};
     for (size_t s = 0; s < sizeof sizes / sizeof *sizes; s++) {
         struct rig rig;
         rig_open(&rig, sizes[s][0], sizes[s][1]);

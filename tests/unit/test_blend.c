@@ -258,11 +258,32 @@ static void test_half_floats_on_write(void **state)
     rig_open(&rig, 1, 1);
     rig_set_target(&rig, 0, RHW_FORMAT_RGBA16_FLOAT);
     rig.pipeline.program.varyings[0].qualifier = RHW_FLAT;
-    const struct { float value; uint16_t bits; } rows[] = {
-        {0, 0}, {-0.0f, 0x8000}, {1, 0x3c00}, {-2, 0xc000}, {65504, 0x7bff}, {65519, 0x7bff}, {65520, 0x7c00},
-        {1e10f, 0x7c00}, {-1e10f, 0xfc00}, {INFINITY, 0x7c00}, {0x1p-24f, 1}, {0x1p-25f, 0}, {0x1.8p-24f, 2},
-        {0x1.000002p-25f, 1}, {0x1p-14f, 0x0400}, {0x1.ff8p-15f, 0x03ff}, {0x1.ffcp-15f, 0x0400}, {1 + 0x1p-11f, 0x3c00},
-        {1 + 0x1.8p-10f, 0x3c02}, {1 + 0x1.2p-11f, 0x3c01}, {0x1.fffp-15f, 0x0400}, {1e-40f, 0},
+    const struct {
+        float value;
+        uint16_t bits;
+    } rows[] = {
+        {0, 0},
+        {-0.0f, 0x8000},
+        {1, 0x3c00},
+        {-2, 0xc000},
+        {65504, 0x7bff},
+        {65519, 0x7bff},
+        {65520, 0x7c00},
+        {1e10f, 0x7c00},
+        {-1e10f, 0xfc00},
+        {INFINITY, 0x7c00},
+        {0x1p-24f, 1},
+        {0x1p-25f, 0},
+        {0x1.8p-24f, 2},
+        {0x1.000002p-25f, 1},
+        {0x1p-14f, 0x0400},
+        {0x1.ff8p-15f, 0x03ff},
+        {0x1.ffcp-15f, 0x0400},
+        {1 + 0x1p-11f, 0x3c00},
+        {1 + 0x1.8p-10f, 0x3c02},
+        {1 + 0x1.2p-11f, 0x3c01},
+        {0x1.fffp-15f, 0x0400},
+        {1e-40f, 0},
     };
     for (size_t i = 0; i < sizeof rows / sizeof *rows; i++) {
         for (int by_clear = 0; by_clear < 2; by_clear++) {
@@ -319,7 +340,8 @@ static void test_write_mask(void **state)
                 static const unsigned char zero[4] = {0};
                 for (int i = 0; i < 20 * 20; i++) {
                     for (int c = 0; c < 4; c++) {
-                        const bool written = memcmp(bytes + ((size_t)i * 4 + (size_t)c) * channel, zero, channel) != 0;
+                        const bool written =
+                            memcmp(bytes + ((size_t)i * 4 + (size_t)c) * channel, zero, channel) != 0;
                         assert_int_equal(written, mask >> c & 1);
                     }
                 }
@@ -351,8 +373,8 @@ static void test_eight_targets_each_with_its_own_state(void **state)
             rig_set_target(&rig, t, t == 5 ? RHW_FORMAT_R32_FLOAT : RHW_FORMAT_RGBA32_FLOAT);
         struct rhw_color_target *target = &rig.pipeline.targets[t];
         target->blend = t % 2 == 1;
-        target->color = (struct rhw_blend_component){RHW_BLEND_ONE, t % 4 == 1 ? RHW_BLEND_ONE : RHW_BLEND_ZERO,
-                                                     RHW_BLEND_ADD};
+        target->color = (struct rhw_blend_component){
+            RHW_BLEND_ONE, t % 4 == 1 ? RHW_BLEND_ONE : RHW_BLEND_ZERO, RHW_BLEND_ADD};
         target->alpha = (struct rhw_blend_component){RHW_BLEND_ZERO, RHW_BLEND_ONE, RHW_BLEND_ADD};
         target->write_mask = (uint8_t)(15 - t);
         for (int c = 0; c < 4; c++)
@@ -395,7 +417,8 @@ static void test_integer_target(void **state)
     rig.pass.colors[0].clear[0] = 70000;
     struct rig_vertex columns[18];
     for (int i = 0; i < 3; i++)
-        rig_rectangle(&rig, (float)i * 8, 0, (float)i * 8 + 8, 32, 0.5f, (const float[4]){0}, columns + 6 * i);
+        rig_rectangle(&rig, (float)i * 8, 0, (float)i * 8 + 8, 32, 0.5f, (const float[4]){0},
+                      columns + 6 * i);
     rig_draw_once(&rig, columns, 18);
     const uint32_t *texels = rig_read(&rig, rig.pass.colors[0].texture);
     for (int y = 0; y < 32; y++) {

@@ -39,7 +39,8 @@ static void set_counting(struct rig *rig)
 {
     rig_set_target(rig, 0, RHW_FORMAT_R32_FLOAT);
     rig->pipeline.targets[0].blend = true;
-    rig->pipeline.targets[0].color = (struct rhw_blend_component){RHW_BLEND_ONE, RHW_BLEND_ONE, RHW_BLEND_ADD};
+    rig->pipeline.targets[0].color =
+        (struct rhw_blend_component){RHW_BLEND_ONE, RHW_BLEND_ONE, RHW_BLEND_ADD};
 }
 
 static void mixed_fragment(struct rhw_fragment *groups, int count)
@@ -90,9 +91,9 @@ static struct clip_row random_row(uint64_t *random, double low_z, double high_z,
     struct clip_row row;
     memset(&row, 0, sizeof row);
     for (int i = 0; i < 3; i++) {
-        const double point[3] = {
-            (double)rig_random_float(random, -1, 1) * spread, (double)rig_random_float(random, -1, 1) * spread,
-            (double)rig_random_float(random, (float)low_z, (float)high_z)};
+        const double point[3] = {(double)rig_random_float(random, -1, 1) * spread,
+                                 (double)rig_random_float(random, -1, 1) * spread,
+                                 (double)rig_random_float(random, (float)low_z, (float)high_z)};
         project(&eye, point, row.vertices[i].position);
         to_screen(row.vertices[i].position, row.screen[i]);
         for (int c = 0; c < 3; c++) {
@@ -235,10 +236,14 @@ static void check_sphere(double nearest, double farthest, uint64_t seed, enum rh
     for (int j = 0; j <= ROWS; j++) {
         for (int i = 0; i < COLUMNS; i++) {
             const bool pole = j == 0 || j == ROWS;
-            const double u = (i + (pole ? 0 : (double)rig_random_float(&random, -0.2f, 0.2f))) * 6.283185307179586 / COLUMNS;
-            const double v = (j + (pole ? 0 : (double)rig_random_float(&random, -0.2f, 0.2f))) * 3.141592653589793 / ROWS;
-            const double radius = pole ? farthest : nearest * pow(farthest / nearest, (double)rig_random_float(&random, 0, 1));
-            const double s[3] = {pole ? 0 : sin(v) * cos(u), pole ? (j ? -1 : 1) : cos(v), pole ? 0 : sin(v) * sin(u)};
+            const double u = (i + (pole ? 0 : (double)rig_random_float(&random, -0.2f, 0.2f))) *
+                             6.283185307179586 / COLUMNS;
+            const double v =
+                (j + (pole ? 0 : (double)rig_random_float(&random, -0.2f, 0.2f))) * 3.141592653589793 / ROWS;
+            const double radius =
+                pole ? farthest : nearest * pow(farthest / nearest, (double)rig_random_float(&random, 0, 1));
+            const double s[3] = {pole ? 0 : sin(v) * cos(u), pole ? (j ? -1 : 1) : cos(v),
+                                 pole ? 0 : sin(v) * sin(u)};
             // Poles lie off the view's axis, so that the eye looks at an ordinary part.
             points[j][i][0] = radius * (s[0] * cos(turn) - s[1] * sin(turn));
             points[j][i][1] = radius * (s[0] * sin(turn) + s[1] * cos(turn));
@@ -269,7 +274,8 @@ static void check_sphere(double nearest, double farthest, uint64_t seed, enum rh
     const float *counts = rig_read(&rig, rig.pass.colors[0].texture);
     for (int i = 0; i < SIZE * SIZE; i++) {
         if (counts[i] != 1)
-            fail_msg("seed %d: pixel %d,%d is drawn %g times", (int)seed, i % SIZE, i / SIZE, (double)counts[i]);
+            fail_msg("seed %d: pixel %d,%d is drawn %g times", (int)seed, i % SIZE, i / SIZE,
+                     (double)counts[i]);
     }
     rig_close(&rig);
 }
@@ -295,7 +301,8 @@ static void test_no_cracks_across_near_and_far(void **state)
         struct rig rig;
         rig_open(&rig, SIZE, SIZE);
         set_counting(&rig);
-        const double height = (double)rig_random_float(&random, 0.1f, 2), roll = (double)rig_random_float(&random, 0, 6);
+        const double height = (double)rig_random_float(&random, 0.1f, 2),
+                     roll = (double)rig_random_float(&random, 0, 6);
         const struct camera camera = {0.25, 20, 1.25};
         static double points[CELLS + 1][CELLS + 1][3];
         for (int j = 0; j <= CELLS; j++) {
@@ -330,7 +337,8 @@ static void test_no_cracks_across_near_and_far(void **state)
             const bool surely = w > camera.near * 1.05 && w < camera.far * 0.95;
             const bool surely_not = w < camera.near * 0.95 || w > camera.far * 1.05;
             if (counts[i] > 1 || (surely && counts[i] != 1) || (surely_not && counts[i] != 0))
-                fail_msg("plane %d: pixel %d,%d (W %.3g) is drawn %g times", n, i % SIZE, i / SIZE, w, (double)counts[i]);
+                fail_msg("plane %d: pixel %d,%d (W %.3g) is drawn %g times", n, i % SIZE, i / SIZE, w,
+                         (double)counts[i]);
             once += counts[i] == 1;
         }
         assert_true(once > 1000);
@@ -345,7 +353,7 @@ static void test_w_of_zero_and_less_is_ordinary(void **state)
     struct rig rig;
     rig_open(&rig, SIZE, SIZE);
     const float rows[][3][4] = {
-        {{0, 0, 0, 0}, {1, 0, 0, 0}, {0, 1, 0, 0}},            // all at the eye
+        {{0, 0, 0, 0}, {1, 0, 0, 0}, {0, 1, 0, 0}},                 // all at the eye
         {{-1, -1, 0.5f, -1}, {3, -1, 0.5f, -1}, {-1, 3, 0.5f, -1}}, // all behind it
         {{0, 0, 0, 0}, {0, 0, 0, 0}, {0, 0, 0, 0}},
         {{-1, -1, -0.5f, -1}, {3, -1, -0.5f, -1}, {-1, 3, -0.5f, -1}}, // behind, with Z/W in range
@@ -405,9 +413,8 @@ static void test_huge_and_tiny_coordinates(void **state)
     const float scales[] = {3e38f, 1e30f, 1e20f, 1e-20f, 1e-30f, 1e-38f, 1e-44f};
     for (size_t n = 0; n < sizeof scales / sizeof *scales; n++) {
         const float s = scales[n];
-        const struct rig_vertex triangle[3] = {{{-s, -s, 0, s}, {1, 1, 1, 1}},
-                                               {{s, -s, 0, s}, {1, 1, 1, 1}},
-                                               {{-s, s, 0, s}, {1, 1, 1, 1}}};
+        const struct rig_vertex triangle[3] = {
+            {{-s, -s, 0, s}, {1, 1, 1, 1}}, {{s, -s, 0, s}, {1, 1, 1, 1}}, {{-s, s, 0, s}, {1, 1, 1, 1}}};
         rig_draw_once(&rig, triangle, 3);
         const float(*pixels)[4] = rig_read_float4(&rig);
         for (int y = 0; y < SIZE; y++) {
@@ -421,7 +428,8 @@ static void test_huge_and_tiny_coordinates(void **state)
     for (int n = 0; n < 2000; n++) {
         struct rig_vertex vertices[3] = {0};
         for (int i = 0; i < 12; i++) {
-            const float magnitude = ldexpf(rig_random_float(&random, -1, 1), rig_random_int(&random, 270) - 145);
+            const float magnitude =
+                ldexpf(rig_random_float(&random, -1, 1), rig_random_int(&random, 270) - 145);
             vertices[i / 4].position[i % 4] = rig_random_int(&random, 8) ? magnitude : 0;
         }
         rig_draw_once(&rig, vertices, 3);

@@ -158,9 +158,12 @@ static void test_viewport_depth_range(void **state)
     rig_open(&rig, 32, 32);
     rig_set_depth(&rig);
     rig.pipeline.depth_compare = RHW_COMPARE_ALWAYS;
-    const struct { float min, max, z, expected; } rows[] = {
-        {0, 1, 0.25f, 0.25f}, {0.5f, 0.75f, 0, 0.5f}, {0.5f, 0.75f, 1, 0.75f}, {0.5f, 0.75f, 0.5f, 0.625f},
-        {0.75f, 0.25f, 0, 0.75f}, {0.75f, 0.25f, 1, 0.25f}, {0.75f, 0.25f, 0.25f, 0.625f}, {0.5f, 0.5f, 0.3f, 0.5f},
+    const struct {
+        float min, max, z, expected;
+    } rows[] = {
+        {0, 1, 0.25f, 0.25f},          {0.5f, 0.75f, 0, 0.5f},   {0.5f, 0.75f, 1, 0.75f},
+        {0.5f, 0.75f, 0.5f, 0.625f},   {0.75f, 0.25f, 0, 0.75f}, {0.75f, 0.25f, 1, 0.25f},
+        {0.75f, 0.25f, 0.25f, 0.625f}, {0.5f, 0.5f, 0.3f, 0.5f},
     };
     for (size_t i = 0; i < sizeof rows / sizeof *rows; i++) {
         draw_with_viewport(&rig, &(struct rhw_viewport){0, 0, 32, 32, rows[i].min, rows[i].max}, rows[i].z);

@@ -98,13 +98,18 @@ static void test_positions_snap_to_nearest_even(void **state)
     rig_open(&rig, 16, 16);
     // A right edge near the centre of pixel 4, in 1/256 pixel: half a step above the centre the tie goes to the
     // even side, which is the centre itself, and a right edge on a centre does not have it.
-    const struct { double edge_8; bool covered; } rows[] = {
-        {4 * 256 + 127.25, false}, {4 * 256 + 127.5, false}, {4 * 256 + 128, false}, {4 * 256 + 128.25, false},
-        {4 * 256 + 128.5, false},  {4 * 256 + 128.75, true}, {4 * 256 + 129, true},  {4 * 256 + 129.5, true},
+    const struct {
+        double edge_8;
+        bool covered;
+    } rows[] = {
+        {4 * 256 + 127.25, false}, {4 * 256 + 127.5, false}, {4 * 256 + 128, false},
+        {4 * 256 + 128.25, false}, {4 * 256 + 128.5, false}, {4 * 256 + 128.75, true},
+        {4 * 256 + 129, true},     {4 * 256 + 129.5, true},
     };
     for (size_t i = 0; i < sizeof rows / sizeof *rows; i++) {
         struct rig_vertex square[6];
-        rig_rectangle(&rig, 1, 1, (float)(rows[i].edge_8 / 256), 8, 0.5f, (const float[4]){1, 1, 1, 1}, square);
+        rig_rectangle(&rig, 1, 1, (float)(rows[i].edge_8 / 256), 8, 0.5f, (const float[4]){1, 1, 1, 1},
+                      square);
         rig_draw_once(&rig, square, 6);
         const float(*pixels)[4] = rig_read_float4(&rig);
         assert_true(pixels[4 * 16 + 3][0] == 1);
@@ -142,7 +147,8 @@ static void set_counting(struct rig *rig)
 {
     rig_set_target(rig, 0, RHW_FORMAT_R32_FLOAT);
     rig->pipeline.targets[0].blend = true;
-    rig->pipeline.targets[0].color = (struct rhw_blend_component){RHW_BLEND_ONE, RHW_BLEND_ONE, RHW_BLEND_ADD};
+    rig->pipeline.targets[0].color =
+        (struct rhw_blend_component){RHW_BLEND_ONE, RHW_BLEND_ONE, RHW_BLEND_ADD};
 }
 
 static void expect_all_once(struct rig *rig)
@@ -225,8 +231,8 @@ static void test_a_fan_of_needles(void **state)
     place_8(&rig, 50 * 256 + 128, 50 * 256 + 128, &vertices[0]);
     for (int i = 0; i <= RIM; i++) {
         const double angle = (i % RIM) * 6.283185307179586 / RIM;
-        place_8(&rig, 50 * 256 + (int64_t)(90 * 256 * cos(angle)), 50 * 256 + (int64_t)(90 * 256 * sin(angle)),
-                &vertices[i + 1]);
+        place_8(&rig, 50 * 256 + (int64_t)(90 * 256 * cos(angle)),
+                50 * 256 + (int64_t)(90 * 256 * sin(angle)), &vertices[i + 1]);
     }
     rig_draw_once(&rig, vertices, RIM + 2);
     expect_all_once(&rig);

@@ -82,7 +82,8 @@ static void make_scene(struct rig *rig, struct scene *scene)
 
 static void draw_scene(struct rig *rig, const struct scene *scene)
 {
-    const struct rhw_blend_component over = {RHW_BLEND_SRC_ALPHA, RHW_BLEND_ONE_MINUS_SRC_ALPHA, RHW_BLEND_ADD};
+    const struct rhw_blend_component over = {RHW_BLEND_SRC_ALPHA, RHW_BLEND_ONE_MINUS_SRC_ALPHA,
+                                             RHW_BLEND_ADD};
     struct rhw_program *program = &rig->pipeline.program;
     program->varyings[0].derivatives = true;
     rig->pass.colors[0].clear[2] = 0.25f;

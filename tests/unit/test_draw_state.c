@@ -196,7 +196,8 @@ static void test_blend_constant_changes_between_draws(void **state)
     struct rig rig;
     open_rig(&rig);
     rig.pipeline.targets[0].blend = true;
-    rig.pipeline.targets[0].color = (struct rhw_blend_component){RHW_BLEND_CONSTANT, RHW_BLEND_ZERO, RHW_BLEND_ADD};
+    rig.pipeline.targets[0].color =
+        (struct rhw_blend_component){RHW_BLEND_CONSTANT, RHW_BLEND_ZERO, RHW_BLEND_ADD};
     rig.pipeline.targets[0].alpha = rig.pipeline.targets[0].color;
     rig_begin(&rig);
     rig_use_pipeline(&rig);
@@ -210,7 +211,8 @@ static void test_blend_constant_changes_between_draws(void **state)
     const float(*pixels)[4] = rig_read_float4(&rig);
     for (int x = 0; x < 64; x++) {
         const float i = (float)(x / 8);
-        assert_true(pixels[x][0] == 2 * i && pixels[x][1] == 10 && pixels[x][2] == 40 && pixels[x][3] == 3 * i * i);
+        assert_true(pixels[x][0] == 2 * i && pixels[x][1] == 10 && pixels[x][2] == 40 &&
+                    pixels[x][3] == 3 * i * i);
     }
     rig_close(&rig);
 }

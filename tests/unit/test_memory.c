@@ -313,10 +313,8 @@ static void test_the_stats_know_the_peak(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_everything_is_returned),
-        cmocka_unit_test(test_out_of_memory_once),
-        cmocka_unit_test(test_out_of_memory_from_then_on),
-        cmocka_unit_test(test_warm_passes_do_not_allocate),
+        cmocka_unit_test(test_everything_is_returned),     cmocka_unit_test(test_out_of_memory_once),
+        cmocka_unit_test(test_out_of_memory_from_then_on), cmocka_unit_test(test_warm_passes_do_not_allocate),
         cmocka_unit_test(test_the_stats_know_the_peak),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);

@@ -349,7 +349,10 @@ static void test_pass_definitions(void **state)
         case 10: def.depth.clear = 1.5f; break;
         case 11: def.depth.clear = NAN; break;
         case 12: def.depth.texture = (rhw_texture){0}; break; // stored where nothing is
-        case 13: def.depth.texture = (rhw_texture){0}, def.depth.store = RHW_STORE_DISCARD, def.depth.load = RHW_LOAD_LOAD; break;
+        case 13:
+            def.depth.texture = (rhw_texture){0}, def.depth.store = RHW_STORE_DISCARD,
+            def.depth.load = RHW_LOAD_LOAD;
+            break;
         case 14:
             def.color_count = 0;
             def.width = RHW_MAX_TARGET_SIZE + 1, def.height = 8;
@@ -397,9 +400,9 @@ static void test_pass_state(void **state)
     rhw_pass_set_texture(context, rig.recording, 0, rig.pass.colors[0].texture, sampler);
     rig_expect_misuse(&rig, "rhw_pass_set_texture"); // it is drawn into
     const struct rhw_viewport viewports[] = {
-        {0, 0, 0, 8, 0, 1},        {0, 0, 8, -8, 0, 1},        {0, 0, 8, 8, -0.5f, 1}, {0, 0, 8, 8, 0, 2},
-        {NAN, 0, 8, 8, 0, 1},      {0, 0, INFINITY, 8, 0, 1},  {0, 0, 8, 8, NAN, 1},   {0, 1e9f, 8, 8, 0, 1},
-        {0, 0, 8, NAN, 0, 1},      {-16385, 0, 8, 8, 0, 1},
+        {0, 0, 0, 8, 0, 1},   {0, 0, 8, -8, 0, 1},       {0, 0, 8, 8, -0.5f, 1}, {0, 0, 8, 8, 0, 2},
+        {NAN, 0, 8, 8, 0, 1}, {0, 0, INFINITY, 8, 0, 1}, {0, 0, 8, 8, NAN, 1},   {0, 1e9f, 8, 8, 0, 1},
+        {0, 0, 8, NAN, 0, 1}, {-16385, 0, 8, 8, 0, 1},
     };
     for (size_t i = 0; i < sizeof viewports / sizeof *viewports; i++) {
         rhw_pass_set_viewport(context, rig.recording, &viewports[i]);
@@ -503,7 +506,7 @@ static void test_context_definitions(void **state)
         case 0: def.threads = -1; break;
         case 1: def.threads = RHW_MAX_THREADS + 1; break;
         case 2: def.isa = (enum rhw_isa)(RHW_ISA_COUNT + 1); break;
-        case 3: def.isa = (enum rhw_isa)-1; break;
+        case 3: def.isa = (enum rhw_isa) - 1; break;
         default: def.allocator.release = release_nothing;
         }
         rhw_context *context = (rhw_context *)&rig;

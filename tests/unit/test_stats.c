@@ -14,12 +14,12 @@ static void test_every_triangle_is_counted_once(void **state)
 {
     (void)state;
     const float kinds[6][3][4] = {
-        {{-0.5f, -0.5f, 0.5f, 1}, {0.5f, -0.5f, 0.5f, 1}, {-0.5f, 0.5f, 0.5f, 1}},      // drawn
-        {{NAN, -0.5f, 0.5f, 1}, {0.5f, -0.5f, 0.5f, 1}, {-0.5f, 0.5f, 0.5f, 1}},        // dropped
-        {{-0.5f, -0.5f, -0.5f, 1}, {0.5f, -0.5f, 0.5f, 1}, {-0.5f, 0.5f, 0.5f, 1}},     // clipped, drawn
-        {{-0.5f, -0.5f, -0.5f, 1}, {0.5f, -0.5f, -0.5f, 1}, {-0.5f, 0.5f, -0.5f, 1}},   // outside
-        {{-0.5f, 0.5f, 0.5f, 1}, {0.5f, -0.5f, 0.5f, 1}, {-0.5f, -0.5f, 0.5f, 1}},      // facing away
-        {{-0.5f, -0.5f, 0.5f, 1}, {0, 0, 0.5f, 1}, {0.5f, 0.5f, 0.5f, 1}},              // of no area
+        {{-0.5f, -0.5f, 0.5f, 1}, {0.5f, -0.5f, 0.5f, 1}, {-0.5f, 0.5f, 0.5f, 1}},    // drawn
+        {{NAN, -0.5f, 0.5f, 1}, {0.5f, -0.5f, 0.5f, 1}, {-0.5f, 0.5f, 0.5f, 1}},      // dropped
+        {{-0.5f, -0.5f, -0.5f, 1}, {0.5f, -0.5f, 0.5f, 1}, {-0.5f, 0.5f, 0.5f, 1}},   // clipped, drawn
+        {{-0.5f, -0.5f, -0.5f, 1}, {0.5f, -0.5f, -0.5f, 1}, {-0.5f, 0.5f, -0.5f, 1}}, // outside
+        {{-0.5f, 0.5f, 0.5f, 1}, {0.5f, -0.5f, 0.5f, 1}, {-0.5f, -0.5f, 0.5f, 1}},    // facing away
+        {{-0.5f, -0.5f, 0.5f, 1}, {0, 0, 0.5f, 1}, {0.5f, 0.5f, 0.5f, 1}},            // of no area
     };
     const int copies[6] = {1, 2, 4, 8, 16, 32};
     struct rig rig;
@@ -94,7 +94,8 @@ static void test_shared_vertices(void **state)
     struct rig_vertex grid[(CELLS + 1) * (CELLS + 1)];
     uint16_t indices[CELLS * CELLS * 6];
     for (int i = 0; i < (CELLS + 1) * (CELLS + 1); i++) {
-        rig_place(&rig, (float)(i % (CELLS + 1) * 6), (float)(i / (CELLS + 1) * 6), 0.5f, 1, grid[i].position);
+        rig_place(&rig, (float)(i % (CELLS + 1) * 6), (float)(i / (CELLS + 1) * 6), 0.5f, 1,
+                  grid[i].position);
         memcpy(grid[i].value, white, sizeof white);
     }
     for (int i = 0; i < CELLS * CELLS; i++) {

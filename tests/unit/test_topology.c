@@ -42,8 +42,8 @@ static void make_zigzag(const struct rig *rig, int count, struct rig_vertex *ver
 // Points around a centre; vertex 0 is the centre.
 static void make_wheel(const struct rig *rig, int count, struct rig_vertex *vertices)
 {
-    static const float rim[8][2] = {{1, 0}, {0.75f, -0.75f}, {0, -1}, {-0.75f, -0.75f},
-                                    {-1, 0}, {-0.75f, 0.75f}, {0, 1}, {0.75f, 0.75f}};
+    static const float rim[8][2] = {{1, 0},  {0.75f, -0.75f}, {0, -1}, {-0.75f, -0.75f},
+                                    {-1, 0}, {-0.75f, 0.75f}, {0, 1},  {0.75f, 0.75f}};
     for (int i = 0; i < count; i++) {
         const float *p = rim[(i + 7) % 8];
         const float scale = i == 0 ? 0 : 30;
@@ -113,7 +113,8 @@ static void test_strips_and_fans_are_their_triangles(void **state)
                 rig_draw_once(&rig, vertices, count);
                 assert_int_equal(rig.stats.triangles_in, triangles);
                 if (rig_hash(&rig, 0) != expected)
-                    fail_msg("topology %d, provoking %d, %d vertices differ from the list", t, provoking, count);
+                    fail_msg("topology %d, provoking %d, %d vertices differ from the list", t, provoking,
+                             count);
             }
         }
     }

@@ -54,7 +54,8 @@ static void open_rig(struct rig *rig, rhw_fragment_function *fragment)
     rig->pipeline.program.varyings[2] = (struct rhw_varying){1, RHW_FLAT, false};
     rig->pipeline.program.varying_count = 3;
     rig->pipeline.program.uses = RHW_USE_COORD;
-    rig->pipeline.attributes[1] = (struct rhw_attribute){RHW_VERTEX_FLOAT3, 0, offsetof(struct sample_vertex, smooth)};
+    rig->pipeline.attributes[1] =
+        (struct rhw_attribute){RHW_VERTEX_FLOAT3, 0, offsetof(struct sample_vertex, smooth)};
     rig->pipeline.buffers[0].stride = sizeof(struct sample_vertex);
 }
 
@@ -164,7 +165,8 @@ static void test_derivatives_follow_the_formulas(void **state)
             for (int k = 0; k < 3; k++) {
                 const double unit[3] = {k == 0, k == 1, k == 2};
                 for (int axis = 0; axis < 2; axis++) {
-                    steepest_smooth = fmax(steepest_smooth, fabs(ref_derivative(&t.reference, x, y, unit, axis)));
+                    steepest_smooth =
+                        fmax(steepest_smooth, fabs(ref_derivative(&t.reference, x, y, unit, axis)));
                     steepest_affine = fmax(steepest_affine, fabs(ref_derivative(&affine, x, y, unit, axis)));
                 }
             }
@@ -317,7 +319,8 @@ static void many_fragment(struct rhw_fragment *groups, int count)
     for (int g = 0; g < count; g++) {
         for (int t = 0; t < 8; t++) {
             for (int c = 0; c < 4; c++)
-                groups[g].color[t][c] = groups[g].varying[t * 4 + c] - groups[g].varying[(t * 4 + c + 16) % MANY];
+                groups[g].color[t][c] =
+                    groups[g].varying[t * 4 + c] - groups[g].varying[(t * 4 + c + 16) % MANY];
         }
     }
 }
@@ -332,7 +335,8 @@ static void test_all_components(void **state)
     const int components[16] = {4, 3, 2, 1, 4, 4, 3, 3, 2, 4, 1, 4, 4, 3, 2, 4};
     int qualifier_of[MANY], at = 0;
     for (int v = 0; v < 16; v++) {
-        rig.pipeline.program.varyings[v] = (struct rhw_varying){components[v], (enum rhw_qualifier)(v % 3), false};
+        rig.pipeline.program.varyings[v] =
+            (struct rhw_varying){components[v], (enum rhw_qualifier)(v % 3), false};
         for (int c = 0; c < components[v]; c++)
             qualifier_of[at++] = v % 3;
     }
@@ -343,8 +347,8 @@ static void test_all_components(void **state)
     struct ref_triangle reference = {{-256, 15000, 2000}, {300, 4000, 16000}, {1, 2, 4}, {0}};
     struct rig_vertex vertices[3] = {0};
     for (int i = 0; i < 3; i++)
-        rig_place(&rig, (float)reference.x_8[i] / 256, (float)reference.y_8[i] / 256, 0.5f, (float)reference.w[i],
-                  vertices[i].position);
+        rig_place(&rig, (float)reference.x_8[i] / 256, (float)reference.y_8[i] / 256, 0.5f,
+                  (float)reference.w[i], vertices[i].position);
     rig_draw_once(&rig, vertices, 3);
     for (int t = 0; t < 8; t++) {
         const float(*texels)[4] = (rig_read(&rig, rig.pass.colors[t].texture), rig.pixels);

@@ -91,11 +91,11 @@ static double sint16_value(uint32_t bits)
 }
 
 static const struct format_row families[] = {
-    {RHW_VERTEX_FLOAT1, 4, float_value},     {RHW_VERTEX_HALF1, 2, half_value},
-    {RHW_VERTEX_UNORM8X1, 1, unorm8_value},  {RHW_VERTEX_SNORM8X1, 1, snorm8_value},
-    {RHW_VERTEX_UINT8X1, 1, uint_value},     {RHW_VERTEX_SINT8X1, 1, sint8_value},
+    {RHW_VERTEX_FLOAT1, 4, float_value},      {RHW_VERTEX_HALF1, 2, half_value},
+    {RHW_VERTEX_UNORM8X1, 1, unorm8_value},   {RHW_VERTEX_SNORM8X1, 1, snorm8_value},
+    {RHW_VERTEX_UINT8X1, 1, uint_value},      {RHW_VERTEX_SINT8X1, 1, sint8_value},
     {RHW_VERTEX_UNORM16X1, 2, unorm16_value}, {RHW_VERTEX_SNORM16X1, 2, snorm16_value},
-    {RHW_VERTEX_UINT16X1, 2, uint_value},    {RHW_VERTEX_SINT16X1, 2, sint16_value},
+    {RHW_VERTEX_UINT16X1, 2, uint_value},     {RHW_VERTEX_SINT16X1, 2, sint16_value},
 };
 
 // A fixed-point value may be one rounding off the nearest float; its ends are exact, and so is all else.
@@ -154,7 +154,8 @@ static void test_every_format(void **state)
         for (int components = 1; components <= 4; components++) {
             // Odd steps visit every pattern of 8 bits in every component; floats spread over all exponents.
             const uint32_t step = families[f].bytes == 4 ? 0x10305u * 16 + 1 : 1;
-            check_patterns(&rig, &families[f], components, families[f].bytes == 4 ? 0x3f000000 : 0xff80, step);
+            check_patterns(&rig, &families[f], components, families[f].bytes == 4 ? 0x3f000000 : 0xff80,
+                           step);
         }
         if (families[f].bytes == 2) {
             for (uint32_t start = 0; start < 65536; start += SIZE * SIZE)
@@ -169,7 +170,8 @@ static void test_sizes_and_texel_sizes(void **state)
     (void)state;
     for (size_t f = 0; f < sizeof families / sizeof *families; f++) {
         for (int components = 1; components <= 4; components++) {
-            const enum rhw_vertex_format format = families[f].first + (enum rhw_vertex_format)(components - 1);
+            const enum rhw_vertex_format format =
+                families[f].first + (enum rhw_vertex_format)(components - 1);
             assert_int_equal(rhw_vertex_format_size(format), families[f].bytes * components);
         }
     }
@@ -235,7 +237,7 @@ static void test_buffers_strides_offsets_and_instances(void **state)
     rig_set_program(&rig, sum_vertex, rig_fragment_pass);
     rig.pipeline.program.varyings[0].qualifier = RHW_FLAT;
     const struct rhw_attribute attributes[5] = {
-        {RHW_VERTEX_FLOAT2, 0, 3}, {RHW_VERTEX_HALF1, 1, 1},   {RHW_VERTEX_UNORM8X2, 1, 4},
+        {RHW_VERTEX_FLOAT2, 0, 3}, {RHW_VERTEX_HALF1, 1, 1},    {RHW_VERTEX_UNORM8X2, 1, 4},
         {RHW_VERTEX_FLOAT3, 2, 1}, {RHW_VERTEX_SINT16X1, 3, 0},
     };
     memcpy(rig.pipeline.attributes, attributes, sizeof attributes);
