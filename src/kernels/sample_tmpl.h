@@ -206,6 +206,18 @@ static inline void sample_bilinear(const struct sample_source *source, const str
     }
 }
 
+// &texture->mip[level], found by a loop where an index would do: the processor predicts when the loop ends and
+// starts to load texels before it has worked out the level of detail, which saves a quarter of the time.
+RHW_INLINE const struct rhw_mip *sample_mip(const struct rhw_texture_data *texture, int level)
+{
+    const struct rhw_mip *mip = texture->mip;
+    for (int i = 0; i < level; i++) {
+        mip++;
+        __asm__("" : "+r"(mip)); // or the compiler would see through it
+    }
+    return mip;
+}
+
 // RGBA8 in fixed point ------------------------------------------------------------------------------
 // The usual case. A texel's four codes stand as 16-bit numbers with 7 fraction bits, two in each 32-bit
 // lane, and are mixed with weights of 15 bits: one multiplication serves two channels, and no step is off by
@@ -408,13 +420,22 @@ RHW_INLINE struct sample_codes sample_bilinear_codes(const struct sample_source 
     return sample_mix_codes(above, below, place.weight_y);
 }
 
+RHW_INLINE bool sample_any_bit(i8 bits)
+{
+#if defined(__AVX2__)
+    return !_mm256_testz_si256((__m256i)bits, (__m256i)bits);
+#else
+    return rhw_any(~rhw_equal_int(bits, i8_splat(0)));
+#endif
+}
+
 // One level, and where any lane in `live` has a weight the next one. A weight of 0 leaves a lane as it is.
 RHW_INLINE struct sample_codes sample_trilinear_codes(const struct sample_source *source, int level, i8 weight,
                                                       i8 live)
 {
-    const struct rhw_mip *const mip = &source->texture->mip[level];
+    const struct rhw_mip *const mip = sample_mip(source->texture, level);
     const struct sample_codes fine = sample_bilinear_codes(source, mip);
-    if (!rhw_any(rhw_less_int(i8_splat(0), weight & live))) {
+    if (!sample_any_bit(weight & live)) {
         return fine;
     }
     return sample_mix_codes(fine, sample_bilinear_codes(source, mip + 1), weight);
@@ -502,8 +523,9 @@ RHW_INLINE f8 sample_half_log2(f8 a)
     const i8 bits = (i8)rhw_min(a, rhw_splat(3.4028235e38f));
     const f8 straight = rhw_to_float(bits) * 0x1p-24f - 63.5f;
     const f8 t = (f8)((bits & 0x7fffff) | 0x3f800000) - 1.0f;
-    const f8 curve = ((0.02258187345f * t - 0.074232161f) * t + 0.133602321f) * t - 0.220960796f;
-    return straight + (t * t - t) * curve;
+    const f8 square = t * t;
+    const f8 curve = (0.133602321f * t - 0.220960796f) + square * (0.02258187345f * t - 0.074232161f);
+    return straight + (square - t) * curve;
 }
 
 // Level of detail after OpenGL ES 3.0 §3.8.10, biased but not yet limited. Half the logarithm of the squared
@@ -514,15 +536,15 @@ RHW_INLINE f8 sample_detail(const struct sample_source *source, const f8 *grad, 
     if (!grad) {
         return (lod ? *lod : rhw_splat(0.0f)) + bias;
     }
-    const float width = (float)source->texture->mip[0].width, height = (float)source->texture->mip[0].height;
-    const f8 ux = grad[0] * width, vx = grad[1] * height;
-    const f8 uy = grad[2] * width, vy = grad[3] * height;
-    return sample_half_log2(rhw_max(ux * ux + vx * vx, uy * uy + vy * vy)) + bias;
+    const struct rhw_mip *const mip = &source->texture->mip[0]; // whose scale is 2^16 too large
+    const f8 ux = grad[0] * mip->scale_x, vx = grad[1] * mip->scale_y;
+    const f8 uy = grad[2] * mip->scale_x, vy = grad[3] * mip->scale_y;
+    return sample_half_log2(rhw_max(ux * ux + vx * vx, uy * uy + vy * vy)) + (bias - 16.0f);
 }
 
-static inline void sample_level(const struct sample_source *source, int level, enum rhw_filter filter, f8 texel[4])
+static inline void sample_level(const struct sample_source *source, const struct rhw_mip *mip, enum rhw_filter filter,
+                                f8 texel[4])
 {
-    const struct rhw_mip *const mip = &source->texture->mip[level];
     if (filter == RHW_FILTER_LINEAR && source->texture->format == RHW_FORMAT_RGBA8_SRGB && !source->border) {
         sample_bilinear_srgb(source, mip, texel);
     } else if (filter == RHW_FILTER_LINEAR) {
@@ -542,11 +564,12 @@ static inline void sample_levels(const struct sample_source *source, i8 level, f
         const int first = level[__builtin_ctz(todo)];
         const i8 same = rhw_equal_int(level, i8_splat(first));
         todo &= ~(unsigned)rhw_mask_bits(same);
+        const struct rhw_mip *const mip = sample_mip(source->texture, first);
         f8 fine[4];
-        sample_level(source, first, filter, fine);
+        sample_level(source, mip, filter, fine);
         if (rhw_any(same & between)) {
             f8 coarse[4];
-            sample_level(source, first + 1, filter, coarse);
+            sample_level(source, mip + 1, filter, coarse);
             for (int i = 0; i < 4; i++) {
                 fine[i] = rhw_select(between, rhw_mix(fine[i], coarse[i], fraction), fine[i]);
             }
@@ -574,16 +597,11 @@ static __attribute__((noinline)) void sample_any(const struct sample_source *sou
     const i8 magnified = rhw_less_equal(detail, zero);
     if (sampler->mag_filter != sampler->min_filter && rhw_any(magnified)) {
         f8 large[4];
-        sample_level(source, 0, sampler->mag_filter, large);
+        sample_level(source, &source->texture->mip[0], sampler->mag_filter, large);
         for (int i = 0; i < 4; i++) {
             texel[i] = rhw_select(magnified, large[i], texel[i]);
         }
     }
-}
-
-RHW_INLINE float sample_clamp1(float value, float low, float high)
-{
-    return value < low ? low : value > high ? high : value;
 }
 
 static void sample(const struct rhw_binding *binding, const rhw_float uv[2], const rhw_float grad[4],
@@ -609,10 +627,9 @@ static void sample(const struct rhw_binding *binding, const rhw_float uv[2], con
     }
     i8 detail = i8_splat(0);
     if (last > 0.0f) {
-        const float low = sample_clamp1(sampler->lod_min, 0.0f, last);
-        const float high = sample_clamp1(sampler->lod_max, 0.0f, last);
-        detail = rhw_to_int_unchecked(
-            rhw_clamp(sample_detail(&source, grad, lod), rhw_splat(low), rhw_splat(high)) * 65536.0f);
+        const f8 biased = rhw_clamp(sample_detail(&source, grad, lod), rhw_splat(sampler->lod_min),
+                                    rhw_splat(sampler->lod_max));
+        detail = rhw_to_int_unchecked(rhw_clamp(biased, rhw_splat(0.0f), rhw_splat(last)) * 65536.0f);
     }
     sample_detail_codes(&source, detail, texel);
 }

@@ -531,6 +531,33 @@ static void test_hostile_coordinates(void **state)
     rig_close(&rig);
 }
 
+// Slopes that are not numbers, of either sign, mean the last level, as endless ones do.
+static void test_a_nan_slope_means_the_last_level(void **state)
+{
+    (void)state;
+    static const uint32_t slopes[] = {0x7fc00000, 0xffc00000, 0x7f800001, 0xffffffff, 0x7f800000, 0xff800000};
+    struct rig rig;
+    rig_open(&rig, 8, 8);
+    uint64_t random = 9;
+    for (int n = 0; n < 2; n++) {
+        const enum rhw_format format = n ? RHW_FORMAT_RGBA8_UNORM : RHW_FORMAT_RGBA32_FLOAT;
+        const rhw_texture texture = random_texture(rig.context, format, 64, 64, 0, &random);
+        const struct rhw_sampler_def sampler = default_sampler();
+        struct rhw_binding binding = bind(rig.context, texture, &sampler, RHW_ISA_BASELINE);
+        for (size_t i = 0; i < sizeof slopes / sizeof slopes[0]; i++) {
+            const rhw_float uv[2] = {rhw_splat(0.3f), rhw_splat(0.8f)}, lod = rhw_splat(6.0f);
+            const rhw_float slope = rhw_from_bits(rhw_splat_int((int32_t)slopes[i]));
+            const rhw_float grad[4] = {slope, slope, slope, slope};
+            rhw_float texel[4], last[4];
+            sample_all_isas(&binding, uv, grad, NULL, texel);
+            sample_all_isas(&binding, uv, NULL, &lod, last);
+            assert_memory_equal(texel, last, sizeof last);
+        }
+        rhw_texture_destroy(rig.context, texture);
+    }
+    rig_close(&rig);
+}
+
 static void test_an_unbound_slot_samples_opaque_black(void **state)
 {
     (void)state;
@@ -754,6 +781,7 @@ int main(void)
         cmocka_unit_test(test_one_colour_stays_one_colour),
         cmocka_unit_test(test_lanes_are_independent),
         cmocka_unit_test(test_hostile_coordinates),
+        cmocka_unit_test(test_a_nan_slope_means_the_last_level),
         cmocka_unit_test(test_an_unbound_slot_samples_opaque_black),
         cmocka_unit_test(test_mips_are_box_filtered_in_linear_light),
         cmocka_unit_test(test_write_and_read_keep_every_byte),
