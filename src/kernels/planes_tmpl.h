@@ -16,14 +16,23 @@
 // such triangles (`exact`) take their e_i as exact integers per pixel and combine after that.
 
 #include "scratch.h"
+#include "wide_tmpl.h"
 
 struct plane {
     double at, dx, dy; // value at the anchor's centre; change per pixel
 };
 
+// The numerators of d(q/S)/dx = (q_x·S − q·S_x)/S² and d(q/S)/dy, which are linear: the one does not depend on x, the
+// other not on y. No cancellation per pixel.
+struct slope {
+    double x, x_dy; // d/dx: x + x_dy·dy
+    double y, y_dx;
+};
+
 // A clipped triangle is cut and snapped anew, so its coverage may reach past the triangle by less than 1/256
 // pixel. There a weight would be negative and, next to the horizon, 1/W zero: weights below 0 count as 0, and
-// the others are divided by what is left. `a` and the vertices' W and depth·W are for these pixels alone.
+// the others are divided by what is left. `a` and the vertices' W and depth·W are for these pixels alone. A clipped
+// triangle without area has no weights at all: it takes the values of its vertex with the largest W.
 struct planes {
     int anchor_x, anchor_y; // pixels
     bool exact;
@@ -33,6 +42,11 @@ struct planes {
     struct plane e1, e2;     // exact integers
     struct plane a;          // (a·1/W), of clipped triangles
     double w[3], zw[3], area, a_e0; // of clipped triangles
+    bool homogeneous;        // a vertex is not snapped
+    bool wide;               // weights come from `edge` alone, in wide arithmetic
+    struct wide_plane edge[3];
+    double edge_scale;       // e_i·edge_scale = a, b, c over W
+    struct slope b_slope, c_slope; // of homogeneous triangles
     double z_base, z_e1, z_e2, s_base, s_e1, s_e2, b_e1, c_e2, n_e; // factors of e_1 and e_2, for `exact`
 };
 
@@ -75,11 +89,27 @@ static void planes_vertices(struct planes *p, const struct rhw_draw_state *state
     }
 }
 
+static int nearest_vertex(const struct planes *p)
+{
+    return p->w[0] >= p->w[1] && p->w[0] >= p->w[2] ? 0 : p->w[1] >= p->w[2] ? 1 : 2;
+}
+
+// Of clipped triangles without area.
+static void planes_without_area(struct planes *p)
+{
+    p->wide = true;
+    p->edge_scale = 1 / p->w[nearest_vertex(p)];
+    memset(p->edge, 0, sizeof p->edge);
+    p->edge[nearest_vertex(p)].at.hi = 1;
+    p->b_slope = p->c_slope = (struct slope){0};
+}
+
 static void planes_snapped(struct planes *p, const struct rhw_draw_state *state, const struct rhw_triangle *t,
                            const struct rhw_vertex_record *const v[3])
 {
     p->anchor_x = t->x_24_8[0] >> RHW_SUBPIXEL_BITS;
     p->anchor_y = t->y_24_8[0] >> RHW_SUBPIXEL_BITS;
+    p->homogeneous = p->wide = false;
     const double x1 = t->x_24_8[1] - t->x_24_8[0], y1 = t->y_24_8[1] - t->y_24_8[0];
     const double x2 = t->x_24_8[2] - t->x_24_8[0], y2 = t->y_24_8[2] - t->y_24_8[0];
     const double signed_area = x1 * y2 - x2 * y1, sign = signed_area < 0 ? -1 : 1;
@@ -114,48 +144,64 @@ static void planes_snapped(struct planes *p, const struct rhw_draw_state *state,
         p->area = sign * signed_area;
         p->a_e0 = w0 * inverse_area;
         p->a = scale(p->a_e0, edge_plane(t, 1, 2, sign, p));
+        if (signed_area == 0) {
+            planes_without_area(p);
+        }
     }
 }
 
-// Row i of the adjugate of M, whose rows are (x, y, w) of the vertices in pixels times W: with it,
-// (a, b, c)/W_P = M^-T · (x_P, y_P, 1). Olano and Greer 1997, Triangle Scan Conversion using 2D Homogeneous
-// Coordinates, §4.
-static struct plane adjugate_row(double m[3][3], int i)
-{
-    const double *const j = m[i == 2 ? 0 : i + 1], *const k = m[i == 0 ? 2 : i - 1];
-    return (struct plane){j[0] * k[1] - j[1] * k[0], j[1] * k[2] - j[2] * k[1], j[2] * k[0] - j[0] * k[2]};
-}
-
-// A vertex could not be snapped: the truth is the homogeneous triangle itself.
+// A vertex could not be snapped: the truth is the homogeneous triangle itself. With M whose columns are the
+// vertices as (x, y, w), in pixels times W, (a, b, c)/W = M^-1 · (x_P, y_P, 1); rows of the adjugate of M are edges
+// (Olano and Greer 1997, Triangle Scan Conversion using 2D Homogeneous Coordinates, §4).
 static void planes_homogeneous(struct planes *p, const struct rhw_draw_state *state,
                                const struct rhw_vertex_record *const v[3])
 {
-    *p = (struct planes){0};
+    *p = (struct planes){.homogeneous = true};
     // Relative to the viewport's centre, where clip coordinates are as precise as they came.
     p->anchor_x = (int)state->center_x;
     p->anchor_y = (int)state->center_y;
+    const double half_width = state->half_width, half_height = state->half_height;
     const double cx = state->center_x - (p->anchor_x + 0.5), cy = state->center_y - (p->anchor_y + 0.5);
-    double m[3][3];
+    double corner[3][3], m[3][3]; // X, Y, W; x, y, w
     for (int i = 0; i < 3; i++) {
-        const double w = (double)v[i]->position[3];
-        m[i][0] = (double)v[i]->position[0] * state->half_width + w * cx;
-        m[i][1] = w * cy - (double)v[i]->position[1] * state->half_height;
-        m[i][2] = w;
+        corner[i][0] = (double)v[i]->position[0];
+        corner[i][1] = (double)v[i]->position[1];
+        corner[i][2] = m[i][2] = (double)v[i]->position[3];
+        m[i][0] = corner[i][0] * half_width + m[i][2] * cx;
+        m[i][1] = m[i][2] * cy - corner[i][1] * half_height;
     }
-    const struct plane row[3] = {adjugate_row(m, 0), adjugate_row(m, 1), adjugate_row(m, 2)};
-    const double determinant = m[0][0] * row[0].dx + m[0][1] * row[0].dy + m[0][2] * row[0].at;
-    const double inverse = 1 / determinant;
-    const struct plane a = scale(inverse, row[0]);
-    p->b = scale(inverse, row[1]);
-    p->c = scale(inverse, row[2]);
-    p->s = (struct plane){a.at + p->b.at + p->c.at, a.dx + p->b.dx + p->c.dx, a.dy + p->b.dy + p->c.dy};
-    p->n1 = scale((double)v[1]->position[3], p->b);
-    p->n2 = scale((double)v[2]->position[3], p->c);
-    p->a = a;
     planes_vertices(p, state, v);
-    p->z = (struct plane){a.at * p->zw[0] + p->b.at * p->zw[1] + p->c.at * p->zw[2],
-                          a.dx * p->zw[0] + p->b.dx * p->zw[1] + p->c.dx * p->zw[2],
-                          a.dy * p->zw[0] + p->b.dy * p->zw[1] + p->c.dy * p->zw[2]};
+    const struct wide determinant = wide_determinant(corner);
+    if (determinant.hi == 0) {
+        planes_without_area(p);
+        return;
+    }
+    const double inverse = 1 / (-(half_width * half_height) * determinant.hi); // the map to pixels turns y over
+    struct plane row[3];
+    double size = 0;
+    for (int i = 0; i < 3; i++) {
+        const struct wide_plane *const e = &p->edge[i];
+        p->edge[i] = wide_edge(corner[i == 2 ? 0 : i + 1], corner[i == 0 ? 2 : i - 1], half_width, half_height, cx, cy);
+        row[i] = scale(inverse, (struct plane){e->at.hi, e->dx.hi, e->dy.hi});
+        size += absolute(row[i].at) + absolute(row[i].dx) * (half_width + 1) + absolute(row[i].dy) * (half_height + 1);
+    }
+    // Terms of the sums over the least 1/W: how much cancels, see planes_snapped.
+    p->wide = size * p->w[nearest_vertex(p)] > 0x1p22;
+    p->edge_scale = inverse;
+    p->a = row[0];
+    p->b = row[1];
+    p->c = row[2];
+    p->s = (struct plane){p->a.at + p->b.at + p->c.at, p->a.dx + p->b.dx + p->c.dx, p->a.dy + p->b.dy + p->c.dy};
+    p->n1 = scale(p->w[1], p->b);
+    p->n2 = scale(p->w[2], p->c);
+    p->z = (struct plane){p->a.at * p->zw[0] + p->b.at * p->zw[1] + p->c.at * p->zw[2],
+                          p->a.dx * p->zw[0] + p->b.dx * p->zw[1] + p->c.dx * p->zw[2],
+                          p->a.dy * p->zw[0] + p->b.dy * p->zw[1] + p->c.dy * p->zw[2]};
+    // q_x·S − q·S_x with q = b, S = a + b + c, where (b_x·a − b·a_x) and the like are vertices over the determinant.
+    p->b_slope = (struct slope){inverse * (m[2][1] - m[0][1]), inverse * (m[0][2] - m[2][2]),
+                                inverse * (m[0][0] - m[2][0]), inverse * (m[2][2] - m[0][2])};
+    p->c_slope = (struct slope){inverse * (m[0][1] - m[1][1]), inverse * (m[1][2] - m[0][2]),
+                                inverse * (m[1][0] - m[0][0]), inverse * (m[0][2] - m[1][2])};
 }
 
 // A plane over a block of 8×8 pixels: value = column + row. Made once per block, so that a row of 8 pixels
@@ -274,7 +320,7 @@ RHW_INLINE void screen_weights_row(const struct planes *p, const struct block_pl
 static bool block_is_cut(const struct planes *p, const struct block_place *at)
 {
     const struct plane *const planes[3] = {&p->a, &p->b, &p->c};
-    bool cut = p->exact;
+    bool cut = p->exact || p->wide;
     for (int i = 0; i < 3; i++) {
         const double corner = planes[i]->at + planes[i]->dx * at->dx.lo[0] + planes[i]->dy * at->dy.lo[0];
         const double dx = planes[i]->dx * (RHW_BLOCK - 1), dy = planes[i]->dy * (RHW_BLOCK - 1);
@@ -283,7 +329,7 @@ static bool block_is_cut(const struct planes *p, const struct block_place *at)
     return cut;
 }
 
-// The values of a row in the lanes where a weight is below 0; see struct planes.
+// The values of a row in the lanes where a weight is below 0, and of `wide` planes in all; see struct planes.
 struct cut_row {
     i8 lanes;
     f8 z, n1, n2;
@@ -324,7 +370,13 @@ static __attribute__((noinline)) void cut_row(const struct planes *p, const stru
     const struct block_place at = {place->dx, d8_splat(dy[row])};
     struct block_plane over[3];
     d8 a, b, c;
-    if (p->exact) { // integers: e_0 is what e_1 and e_2 leave of the area
+    l4 below[2] = {{0}, {0}};
+    if (p->wide) {
+        a = d8_mul(wide_row(&p->edge[0], at.dx, dy[row]), d8_splat(p->edge_scale));
+        b = d8_mul(wide_row(&p->edge[1], at.dx, dy[row]), d8_splat(p->edge_scale));
+        c = d8_mul(wide_row(&p->edge[2], at.dx, dy[row]), d8_splat(p->edge_scale));
+        below[0] = below[1] = (l4){-1, -1, -1, -1};
+    } else if (p->exact) { // integers: e_0 is what e_1 and e_2 leave of the area
         plane_over(&over[1], &p->e1, &at);
         plane_over(&over[2], &p->e2, &at);
         const d8 e1 = plane_row(&over[1], 0), e2 = plane_row(&over[2], 0);
@@ -339,7 +391,6 @@ static __attribute__((noinline)) void cut_row(const struct planes *p, const stru
         b = plane_row(&over[1], 0);
         c = plane_row(&over[2], 0);
     }
-    l4 below[2] = {{0}, {0}};
     a = at_least_zero(a, below);
     b = at_least_zero(b, below);
     c = at_least_zero(c, below);
@@ -348,8 +399,7 @@ static __attribute__((noinline)) void cut_row(const struct planes *p, const stru
     // The triangle's border may be at or behind the eye here (w <= 0; then the planes are homogeneous and not
     // `exact`): what is linear on the screen goes on linearly, 1/W down to the least that the triangle has.
     const l4 seen[2] = {w.lo > d4_splat(0), w.hi > d4_splat(0)};
-    const double w_max = p->w[0] > p->w[1] ? (p->w[0] > p->w[2] ? p->w[0] : p->w[2]) : (p->w[1] > p->w[2] ? p->w[1] : p->w[2]);
-    const d8 least = d8_clamp(plane_at(&p->s, &at), 1 / w_max, 0x1p1000);
+    const d8 least = d8_clamp(plane_at(&p->s, &at), 1 / p->w[nearest_vertex(p)], 0x1p1000);
     out->lanes = (i8){(int32_t)below[0][0], (int32_t)below[0][1], (int32_t)below[0][2], (int32_t)below[0][3],
                       (int32_t)below[1][0], (int32_t)below[1][1], (int32_t)below[1][2], (int32_t)below[1][3]};
     out->z = f8_from_d8(d8_where(seen, d8_mul(weigh(p->zw, a, b, c), screen), plane_at(&p->z, &at)));
@@ -375,15 +425,16 @@ static struct weights cut_weights(const struct cut_row *cut, struct weights w)
                             d8_select(cut->lanes, cut->weights.inverse_s, w.inverse_s)};
 }
 
-// Per pixel to the right (x) and down (y), of a weight q/S with q = b or c. The numerator of
-// d(q/S)/dx = (q_x·S − q·S_x)/S² does not depend on x, that of d/dy not on y: no cancellation per pixel.
-static void weight_derivatives(const struct plane *q, const struct planes *p, d8 dx, double dy, d8 inverse_s, f8 *by_x,
-                               f8 *by_y)
+static struct slope slope_of(const struct plane *q, const struct plane *s)
 {
-    const struct plane *const s = &p->s;
-    const double nx = (q->dx * s->at - q->at * s->dx) + (q->dx * s->dy - q->dy * s->dx) * dy;
-    const d8 ny = d8_add(d8_splat(q->dy * s->at - q->at * s->dy), d8_mul(d8_splat(q->dy * s->dx - q->dx * s->dy), dx));
+    return (struct slope){q->dx * s->at - q->at * s->dx, q->dx * s->dy - q->dy * s->dx, q->dy * s->at - q->at * s->dy,
+                          q->dy * s->dx - q->dx * s->dy};
+}
+
+// Per pixel to the right (x) and down (y), of a weight whose numerators are given.
+static void weight_derivatives(struct slope slope, d8 dx, double dy, d8 inverse_s, f8 *by_x, f8 *by_y)
+{
     const d8 squared = d8_mul(inverse_s, inverse_s);
-    *by_x = f8_from_d8(d8_mul(d8_splat(nx), squared));
-    *by_y = f8_from_d8(d8_mul(ny, squared));
+    *by_x = f8_from_d8(d8_mul(d8_splat(slope.x + slope.x_dy * dy), squared));
+    *by_y = f8_from_d8(d8_mul(d8_add(d8_splat(slope.y), d8_mul(d8_splat(slope.y_dx), dx)), squared));
 }

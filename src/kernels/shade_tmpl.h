@@ -321,8 +321,10 @@ static void fill_group(const struct tile_work *work, int g, const struct triangl
         double dy[RHW_BLOCK];
         memcpy(dy, &at->dy, sizeof dy);
         struct weight_slopes slopes;
-        weight_derivatives(&planes->b, planes, at->dx, dy[row], w.inverse_s, &slopes.b_dx, &slopes.b_dy);
-        weight_derivatives(&planes->c, planes, at->dx, dy[row], w.inverse_s, &slopes.c_dx, &slopes.c_dy);
+        const struct slope b = planes->homogeneous || planes->wide ? planes->b_slope : slope_of(&planes->b, &planes->s);
+        const struct slope c = planes->homogeneous || planes->wide ? planes->c_slope : slope_of(&planes->c, &planes->s);
+        weight_derivatives(b, at->dx, dy[row], w.inverse_s, &slopes.b_dx, &slopes.b_dy);
+        weight_derivatives(c, at->dx, dy[row], w.inverse_s, &slopes.c_dx, &slopes.c_dy);
         fill_derivatives(work, g, triangle, &slopes);
         if (uses & RHW_USE_BARYCENTRIC_DERIVATIVES) {
             fill_barycentrics(group->barycentric_ddx, 0, slopes.b_dx, slopes.c_dx);
