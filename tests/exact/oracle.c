@@ -189,6 +189,20 @@ static bool set_homogeneous_edges(struct oracle_triangle *t)
     return t->turn != 0;
 }
 
+// A triangle without area has no weights. When it is cut, its corners are snapped one by one and may span some
+// area all the same, which nobody else fills: it then has the values of its vertex with the largest W.
+static void set_one_vertex_edges(struct oracle_triangle *t)
+{
+    int nearest = 0;
+    for (int i = 0; i < 3; i++) {
+        for (int j = 0; j < 3; j++) {
+            mpz_set_ui(t->edge[i][j], 0);
+        }
+        nearest = t->position[i][3] > t->position[nearest][3] ? i : nearest;
+    }
+    mpz_set_ui(t->edge[nearest][2], 1);
+}
+
 // Comparisons of floats are exact.
 static bool in_depth_range(const struct oracle_triangle *t)
 {
@@ -222,17 +236,17 @@ void oracle_triangle_set(struct oracle_triangle *t, const struct oracle_view *vi
     }
     t->w_exponent = to_integers(3, w, t->w);
     t->z_exponent = to_integers(3, z, t->z);
-    if (!(t->snapped ? set_snapped_edges(t) : set_homogeneous_edges(t))) {
-        t->empty = true;
-        return;
-    }
+    const bool has_area = t->snapped ? set_snapped_edges(t) : set_homogeneous_edges(t);
     if (t->snapped && in_depth_range(t)) {
-        t->corner_count = 3;
+        t->corner_count = has_area ? 3 : 0;
         memcpy(t->corner_24_8, t->vertex_24_8, sizeof t->vertex_24_8);
     } else {
         oracle_clip(t);
     }
     t->empty = t->corner_count < 3;
+    if (!has_area) {
+        set_one_vertex_edges(t);
+    }
 }
 
 // Takes over[], under[] and exponent and fills in the doubles beside them.

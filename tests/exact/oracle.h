@@ -45,7 +45,7 @@ struct oracle_form {
 struct oracle_triangle {
     float position[3][4];
     struct oracle_view view;
-    bool empty;     // not finite, outside, or of no area: covers nothing
+    bool empty;     // not finite, outside, or of no area and not cut: covers nothing
     bool clipped;   // coverage is that of the clipped polygon
     bool snapped;   // values come from the snapped positions
     bool ambiguous; // a cut corner is too near a rounding tie for any implementation to be held to it

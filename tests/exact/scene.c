@@ -257,6 +257,23 @@ static void make_everything(struct scene *s, struct random *r)
     }
 }
 
+// A sliver a few float ULP thin along a line of pixel centres: from a centre in a direction of small integers to
+// a vertex that cannot be snapped. Weights are quotients of almost nothing by almost nothing here.
+static void place_thinnest(const struct scene *s, struct scene_vertex v[3], struct random *r, double near)
+{
+    const double x = random_below(r, s->view.target_width) + 0.5, y = random_below(r, s->view.target_height) + 0.5;
+    const double dx = random_below(r, 9) - 4, dy = random_below(r, 9) - 4;
+    const double far = random_chance(r, 0.5) ? 0x1p17 : 20, w = few_bits(s, random_scale(r, 0, 6));
+    place(s, &v[0], x, y, random_between(r, 0, 1), w);
+    place(s, &v[1], x + far * dx, y + far * dy, random_between(r, 0, 1), far < 100 ? -few_bits(s, near) : w);
+    place(s, &v[2], x + 7 * dx, y + 7 * dy, random_between(r, 0, 1), few_bits(s, random_scale(r, 0, 6)));
+    for (int k = 0; k < 2; k++) {
+        for (int steps = random_below(r, 4); steps > 0; steps--) {
+            v[2].position[k] = nextafterf(v[2].position[k], random_sign(r) > 0 ? 1e30F : -1e30F);
+        }
+    }
+}
+
 // Thin triangles that are cut: with a vertex behind the eye, with one beyond the guard band, or with all three
 // on the screen and the near and far planes between them. The third vertex is a point of the line through the
 // others, moved a little.
@@ -268,9 +285,10 @@ static void make_cut_slivers(struct scene *s, struct random *r)
         struct scene_vertex *const v = &s->vertex[s->vertex_count];
         s->vertex_count += 3;
         place_in_front(s, &v[0], r, near);
-        switch (random_below(r, 3)) {
+        switch (random_below(r, 4)) {
         case 0: place_behind(s, &v[1], r, near); break;
         case 1: place_outside(s, &v[1], r, random_between(r, 0, 1), random_scale(r, 0, 6)); break;
+        case 2: place_thinnest(s, v, r, near); continue;
         default:
             place(s, &v[0], pick_x(s, r), pick_y(s, r), random_between(r, -1, 1), random_scale(r, 0, 6));
             place(s, &v[1], pick_x(s, r), pick_y(s, r), random_between(r, 0, 2), random_scale(r, 0, 6));
