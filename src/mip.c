@@ -129,45 +129,45 @@ static texel4 filter(const texel4 *from, int pitch, const struct taps *x, const 
     return sum;
 }
 
-// One level in `to` and, rounded, in the texture; `from` holds the level above.
-static void reduce(const struct rhw_texture_data *texture, int level, const texel4 *from, texel4 *to)
+// Row y of a level, in `to` and, rounded, in the texture. `from` holds rows of the level above, which
+// `rows` counts from its start.
+static void reduce_row(const struct rhw_texture_data *texture, int level, int y, const texel4 *from,
+                       const struct taps *rows, texel4 *to)
 {
     const struct rhw_mip *const above = &texture->mip[level - 1], *const mip = &texture->mip[level];
     const size_t size = rhw_format_size(texture->format);
-    for (int y = 0; y < mip->height; y++) {
-        const struct taps rows = taps_of(above->height, mip->height, y);
-        unsigned char *const stored = mip->texels + (size_t)y * mip->row_pitch;
-        for (int x = 0; x < mip->width; x++) {
-            const struct taps columns = taps_of(above->width, mip->width, x);
-            const texel4 value = filter(from, above->width, &columns, &rows);
-            to[(size_t)y * (size_t)mip->width + (size_t)x] = value;
-            store_texel(texture->format, value, stored + (size_t)x * size);
-        }
+    unsigned char *const stored = mip->texels + (size_t)y * mip->row_pitch;
+    texel4 *const row = to + (size_t)y * (size_t)mip->width;
+    for (int x = 0; x < mip->width; x++) {
+        const struct taps columns = taps_of(above->width, mip->width, x);
+        row[x] = filter(from, above->width, &columns, rows);
+        store_texel(texture->format, row[x], stored + (size_t)x * size);
     }
 }
 
-// Level 0 is widened three rows at a time: in floats it would take four times the memory of level 1.
-static void reduce_first(const struct rhw_texture_data *texture, texel4 *rows, texel4 *to)
+static void reduce(const struct rhw_texture_data *texture, int level, const texel4 *from, texel4 *to)
 {
-    const struct rhw_mip *const above = &texture->mip[0], *const mip = &texture->mip[1];
-    const size_t size = rhw_format_size(texture->format);
-    for (int y = 0; y < mip->height; y++) {
-        struct taps taken = taps_of(above->height, mip->height, y);
-        for (int j = 0; j < taken.count; j++) {
-            const unsigned char *const from = above->texels + (size_t)(taken.first + j) * above->row_pitch;
-            for (int x = 0; x < above->width; x++) {
-                rows[(size_t)j * (size_t)above->width + (size_t)x] =
-                    load_texel(texture->format, from + (size_t)x * size);
+    for (int y = 0; y < texture->mip[level].height; y++) {
+        const struct taps rows = taps_of(texture->mip[level - 1].height, texture->mip[level].height, y);
+        reduce_row(texture, level, y, from, &rows, to);
+    }
+}
+
+// Level 0 is widened to floats a few rows at a time: whole, it would take four times the memory of level 1.
+static void reduce_first(const struct rhw_texture_data *texture, texel4 *widened, texel4 *to)
+{
+    const struct rhw_mip *const above = &texture->mip[0];
+    const size_t size = rhw_format_size(texture->format), width = (size_t)above->width;
+    for (int y = 0; y < texture->mip[1].height; y++) {
+        struct taps rows = taps_of(above->height, texture->mip[1].height, y);
+        for (int j = 0; j < rows.count; j++) {
+            const unsigned char *const from = above->texels + (size_t)(rows.first + j) * above->row_pitch;
+            for (size_t x = 0; x < width; x++) {
+                widened[(size_t)j * width + x] = load_texel(texture->format, from + x * size);
             }
         }
-        taken.first = 0;
-        unsigned char *const stored = mip->texels + (size_t)y * mip->row_pitch;
-        for (int x = 0; x < mip->width; x++) {
-            const struct taps columns = taps_of(above->width, mip->width, x);
-            const texel4 value = filter(rows, above->width, &columns, &taken);
-            to[(size_t)y * (size_t)mip->width + (size_t)x] = value;
-            store_texel(texture->format, value, stored + (size_t)x * size);
-        }
+        rows.first = 0;
+        reduce_row(texture, 1, y, widened, &rows, to);
     }
 }
 
