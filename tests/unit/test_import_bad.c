@@ -172,8 +172,8 @@ static void test_limits(void **state)
     clock_gettime(CLOCK_MONOTONIC, &start);
     assert_null(rhw_model_load(path_of("slow.gltf"), &time_limit, error, sizeof error));
     clock_gettime(CLOCK_MONOTONIC, &end);
-    assert_true(end.tv_sec - start.tv_sec < 20);
-    assert_non_null(strstr(error, "import took more than 1 s"));
+    assert_true(end.tv_sec - start.tv_sec < 30);
+    assert_non_null(strstr(error, "import took more than ")); // of processor time; on a busy machine of wall time
 }
 
 // Under a sanitizer the limit is off: its shadow memory would exceed any.
