@@ -22,13 +22,17 @@ static const struct rhw_tool_option options[] = {
 };
 
 static const char notes[] =
-    "Reads PNG (8 and 16 bit), PPM, PGM and EXR. Samples of PNG and PPM are taken as fractions of full scale, so\n"
-    "that 8 and 16 bit files can be compared, a missing alpha channel is opaque; those of EXR are taken as they\n"
+    "Reads PNG (8 and 16 bit), PPM, PGM and EXR. Samples of PNG and PPM are taken as fractions of full "
+    "scale, so\n"
+    "that 8 and 16 bit files can be compared, a missing alpha channel is opaque; those of EXR are taken as "
+    "they\n"
     "are and compared channel by channel. Two NaNs are equal, a NaN and a number differ without limit.\n"
     "PSNR refers to full scale, for EXR to the largest value that A has in the channel.\n"
-    "The picture is black where A and B are equal; else from blue (1/1024 or less) over green, yellow and red to\n"
+    "The picture is black where A and B are equal; else from blue (1/1024 or less) over green, yellow and "
+    "red to\n"
     "white (1/2 or more of full scale) by the largest difference of the pixel's channels.\n\n"
-    "Exit status: 0 when no sample differs by more than the tolerance, 1 when one does or a file cannot be read,\n"
+    "Exit status: 0 when no sample differs by more than the tolerance, 1 when one does or a file cannot be "
+    "read,\n"
     "2 for a wrong command line.";
 
 static const struct rhw_tool_verb verb = {
@@ -82,7 +86,8 @@ static bool match_channels(struct comparison *comparison)
     const struct rhw_loaded_image *a = &comparison->a, *b = &comparison->b;
     for (int i = 0; i < b->channel_count; i++) {
         if (rhw_image_find_channel(a, b->channels[i].name) < 0) {
-            rhw_tool_error(comparison->path_a, "has no channel %s, which the other file has", b->channels[i].name);
+            rhw_tool_error(comparison->path_a, "has no channel %s, which the other file has",
+                           b->channels[i].name);
             return false;
         }
     }
@@ -108,12 +113,13 @@ static bool check_comparable(const struct comparison *comparison)
 {
     const struct rhw_loaded_image *a = &comparison->a, *b = &comparison->b;
     if (a->encoded != b->encoded) {
-        rhw_tool_error(comparison->path_b, "an EXR file compares with EXR files only, its numbers are not encoded");
+        rhw_tool_error(comparison->path_b,
+                       "an EXR file compares with EXR files only, its numbers are not encoded");
         return false;
     }
     if (a->width != b->width || a->height != b->height) {
-        rhw_tool_error(comparison->path_b, "is %dx%d, but %s is %dx%d", b->width, b->height, comparison->path_a,
-                       a->width, a->height);
+        rhw_tool_error(comparison->path_b, "is %dx%d, but %s is %dx%d", b->width, b->height,
+                       comparison->path_a, a->width, a->height);
         return false;
     }
     return true;
@@ -133,8 +139,8 @@ static void find_peak(const struct rhw_loaded_image *image, struct channel_diffe
 }
 
 // One row of one channel; marks differing pixels.
-static void compare_row(struct comparison *comparison, struct channel_difference *channel, int y, const double *a,
-                        const double *b, bool *differs)
+static void compare_row(struct comparison *comparison, struct channel_difference *channel, int y,
+                        const double *a, const double *b, bool *differs)
 {
     const int width = comparison->a.width;
     for (int x = 0; x < width; x++) {
@@ -247,9 +253,10 @@ static void print_json(const struct comparison *comparison)
     rhw_json_number(stdout, comparison->max);
     fputs(",\n  \"tolerance\": ", stdout);
     rhw_json_number(stdout, comparison->tolerance);
-    printf(",\n  \"pass\": %s,\n  \"differing_pixels\": %llu,\n  \"worst_pixel\": [%d, %d],\n  \"channels\": [",
-           comparison->max <= comparison->tolerance ? "true" : "false", (unsigned long long)comparison->differing,
-           comparison->worst_x, comparison->worst_y);
+    printf(
+        ",\n  \"pass\": %s,\n  \"differing_pixels\": %llu,\n  \"worst_pixel\": [%d, %d],\n  \"channels\": [",
+        comparison->max <= comparison->tolerance ? "true" : "false",
+        (unsigned long long)comparison->differing, comparison->worst_x, comparison->worst_y);
     for (int c = 0; c < comparison->channel_count; c++) {
         const struct channel_difference *channel = &comparison->channels[c];
         printf("%s\n    {\"name\": ", c ? "," : "");
@@ -276,7 +283,8 @@ static void print_table(const struct comparison *comparison)
     }
     if (comparison->differing)
         printf("%llu of %llu pixels differ, most at %d,%d by %g\n", (unsigned long long)comparison->differing,
-               (unsigned long long)comparison->pixels, comparison->worst_x, comparison->worst_y, comparison->max);
+               (unsigned long long)comparison->pixels, comparison->worst_x, comparison->worst_y,
+               comparison->max);
     else
         printf("all %llu pixels are equal\n", (unsigned long long)comparison->pixels);
 }
@@ -285,7 +293,8 @@ static bool load_and_compare(struct comparison *comparison)
 {
     if (comparison->difference_path && !rhw_output_file_check(comparison->difference_path))
         return false;
-    if (!rhw_image_load(&comparison->a, comparison->path_a) || !rhw_image_load(&comparison->b, comparison->path_b))
+    if (!rhw_image_load(&comparison->a, comparison->path_a) ||
+        !rhw_image_load(&comparison->b, comparison->path_b))
         return false;
     return check_comparable(comparison) && match_channels(comparison) && compare_pixels(comparison) &&
            (!comparison->difference_path || write_difference(comparison));
@@ -314,7 +323,8 @@ static bool parse_option(struct comparison *comparison, int id, const char *argu
     switch (id) {
     case OPTION_DIFFERENCE:
         comparison->difference_path = argument;
-        if (rhw_picture_format_of(argument) == RHW_PICTURE_PNG || rhw_picture_format_of(argument) == RHW_PICTURE_PPM)
+        if (rhw_picture_format_of(argument) == RHW_PICTURE_PNG ||
+            rhw_picture_format_of(argument) == RHW_PICTURE_PPM)
             return true;
         rhw_tool_error(argument, "a difference picture is named .png or .ppm");
         return false;
@@ -323,9 +333,7 @@ static bool parse_option(struct comparison *comparison, int id, const char *argu
             return true;
         rhw_tool_error("--tolerance", "'%s' is not a number or a fraction, 0 or above", argument);
         return false;
-    default:
-        comparison->json = true;
-        return true;
+    default: comparison->json = true; return true;
     }
 }
 

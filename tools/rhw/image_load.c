@@ -66,7 +66,8 @@ static int decode_png(struct rhw_loaded_image *image, spng_ctx *context, FILE *s
     image->width = (int)header.width;
     image->height = (int)header.height;
     image->full_scale = header.bit_depth == 16 ? 65535.0 : 255.0;
-    return describe_rgba(image, 4, header.bit_depth == 16 ? RHW_SAMPLE_U16 : RHW_SAMPLE_U8) ? SPNG_OK : SPNG_EMEM;
+    return describe_rgba(image, 4, header.bit_depth == 16 ? RHW_SAMPLE_U16 : RHW_SAMPLE_U8) ? SPNG_OK
+                                                                                            : SPNG_EMEM;
 }
 
 static bool load_png(struct rhw_loaded_image *image, const char *path, FILE *stream)
@@ -100,7 +101,8 @@ static bool read_number(FILE *stream, int most, int *number)
     return digits > 0 && value <= most;
 }
 
-static bool read_ppm_samples(FILE *stream, bool text, int most, enum rhw_sample_type type, void *memory, size_t count)
+static bool read_ppm_samples(FILE *stream, bool text, int most, enum rhw_sample_type type, void *memory,
+                             size_t count)
 {
     if (!text && fread(memory, sample_size(type), count, stream) != count)
         return false;
@@ -133,7 +135,8 @@ static bool load_ppm(struct rhw_loaded_image *image, const char *path, FILE *str
     if (!read_number(stream, RHW_MAX_TARGET_SIZE, &image->width) ||
         !read_number(stream, RHW_MAX_TARGET_SIZE, &image->height) || !read_number(stream, 65535, &most) ||
         image->width < 1 || image->height < 1 || most < 1) {
-        rhw_tool_error(path, "not a valid PPM header: expected width and height of 1..%d and a maximum of 1..65535",
+        rhw_tool_error(path,
+                       "not a valid PPM header: expected width and height of 1..%d and a maximum of 1..65535",
                        RHW_MAX_TARGET_SIZE);
         return false;
     }
@@ -146,7 +149,8 @@ static bool load_ppm(struct rhw_loaded_image *image, const char *path, FILE *str
         return false;
     }
     if (!read_ppm_samples(stream, kind < '5', most, type, image->memory, count)) {
-        rhw_tool_error(path, feof(stream) ? "the PPM file ends too early" : "a sample of the PPM file is out of range");
+        rhw_tool_error(path, feof(stream) ? "the PPM file ends too early"
+                                          : "a sample of the PPM file is out of range");
         return false;
     }
     return true;
@@ -207,16 +211,10 @@ static double read_sample(const uint8_t *sample, enum rhw_sample_type type)
     uint32_t u32;
     float number;
     switch (type) {
-    case RHW_SAMPLE_U8:
-        return *sample;
-    case RHW_SAMPLE_U16:
-        memcpy(&u16, sample, sizeof u16);
-        return u16;
-    case RHW_SAMPLE_U32:
-        memcpy(&u32, sample, sizeof u32);
-        return u32;
-    case RHW_SAMPLE_FLOAT:
-        break;
+    case RHW_SAMPLE_U8: return *sample;
+    case RHW_SAMPLE_U16: memcpy(&u16, sample, sizeof u16); return u16;
+    case RHW_SAMPLE_U32: memcpy(&u32, sample, sizeof u32); return u32;
+    case RHW_SAMPLE_FLOAT: break;
     }
     memcpy(&number, sample, sizeof number);
     return (double)number;
@@ -227,9 +225,11 @@ void rhw_image_row(const struct rhw_loaded_image *image, int channel, int y, dou
     const struct rhw_image_channel *source = &image->channels[channel];
     for (int x = 0; x < image->width; x++) {
         const uint8_t *first = source->first;
-        row[x] = first ? read_sample(first + (size_t)y * source->row_stride + (size_t)x * source->pixel_stride,
-                                     source->type) / image->full_scale
-                       : 1.0;
+        row[x] = first
+                     ? read_sample(first + (size_t)y * source->row_stride + (size_t)x * source->pixel_stride,
+                                   source->type) /
+                           image->full_scale
+                     : 1.0;
     }
 }
 

@@ -15,13 +15,13 @@ enum { RHW_IMAGE_CHANNELS_MAX = 128, RHW_CHANNEL_NAME_MAX = 256 };
 struct rhw_image_channel {
     char name[RHW_CHANNEL_NAME_MAX];
     enum rhw_sample_type type;
-    const uint8_t *first; ///< top left sample; NULL: the channel is 1 everywhere
+    const uint8_t *first;            ///< top left sample; NULL: the channel is 1 everywhere
     size_t pixel_stride, row_stride; ///< bytes
 };
 
 struct rhw_loaded_image {
     int width, height; ///< 1..RHW_MAX_TARGET_SIZE
-    bool encoded;  ///< PNG, PPM: R, G, B, A in fractions of full scale; false: EXR, the file's own channels
+    bool encoded; ///< PNG, PPM: R, G, B, A in fractions of full scale; false: EXR, the file's own channels
     double full_scale; ///< what a stored sample is divided by: 65535/65535 and 255/255 give the same bits
     struct rhw_image_channel *channels;
     int channel_count;

@@ -84,8 +84,10 @@ static exr_result_t decode_chunk(struct decoder *decoder, const exr_chunk_info_t
         const int channel = rhw_image_find_channel(image, target->channel_name);
         if (channel < 0 || x + target->width > image->width || y + target->height > image->height)
             return EXR_ERR_CORRUPT_CHUNK;
-        const size_t offset = ((size_t)channel * (size_t)image->height + (size_t)y) * (size_t)image->width + (size_t)x;
-        target->user_data_type = image->channels[channel].type == RHW_SAMPLE_U32 ? EXR_PIXEL_UINT : EXR_PIXEL_FLOAT;
+        const size_t offset =
+            ((size_t)channel * (size_t)image->height + (size_t)y) * (size_t)image->width + (size_t)x;
+        target->user_data_type =
+            image->channels[channel].type == RHW_SAMPLE_U32 ? EXR_PIXEL_UINT : EXR_PIXEL_FLOAT;
         target->user_bytes_per_element = 4;
         target->user_pixel_stride = 4;
         target->user_line_stride = 4 * image->width;

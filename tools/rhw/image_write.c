@@ -59,7 +59,8 @@ static int start_png(spng_ctx *context, const struct rhw_raster *raster)
     if (!result)
         result = spng_set_option(context, SPNG_FILTER_CHOICE, PNG_FILTER);
     if (!result)
-        result = spng_encode_image(context, NULL, 0, SPNG_FMT_PNG, SPNG_ENCODE_PROGRESSIVE | SPNG_ENCODE_FINALIZE);
+        result =
+            spng_encode_image(context, NULL, 0, SPNG_FMT_PNG, SPNG_ENCODE_PROGRESSIVE | SPNG_ENCODE_FINALIZE);
     return result;
 }
 
@@ -102,8 +103,8 @@ bool rhw_ppm_write(struct rhw_output_file *file, const struct rhw_raster *raster
     const size_t size = row_size(raster);
     void *row = malloc(size);
     errno = row ? 0 : ENOMEM;
-    bool written = row && fprintf(file->stream, "P%d\n%d %d\n%d\n", raster->channels == 1 ? 5 : 6, raster->width,
-                                  raster->height, raster->bits == 8 ? 255 : 65535) > 0;
+    bool written = row && fprintf(file->stream, "P%d\n%d %d\n%d\n", raster->channels == 1 ? 5 : 6,
+                                  raster->width, raster->height, raster->bits == 8 ? 255 : 65535) > 0;
     for (int y = 0; written && y < raster->height; y++) {
         raster->row(raster->user, y, row);
         if (raster->bits == 16)

@@ -18,9 +18,9 @@ typedef void rhw_raster_row(const void *user, int y, void *row);
 
 struct rhw_raster {
     int width, height;
-    int channels; ///< 1 grey, 3 RGB, 4 RGBA with straight alpha
-    int bits;     ///< 8 or 16
-    bool srgb;    ///< samples are sRGB-encoded colours; false: numbers
+    int channels;      ///< 1 grey, 3 RGB, 4 RGBA with straight alpha
+    int bits;          ///< 8 or 16
+    bool srgb;         ///< samples are sRGB-encoded colours; false: numbers
     char comment[160]; ///< kept in the file where the format can; "" for none
     rhw_raster_row *row;
     const void *user;
@@ -28,8 +28,8 @@ struct rhw_raster {
 
 /// One channel of an EXR file; 4 bytes per sample.
 struct rhw_exr_channel {
-    const char *name; ///< "layer.channel", or "R", "G", "B", "A"
-    bool integer;     ///< uint32_t, else float
+    const char *name;  ///< "layer.channel", or "R", "G", "B", "A"
+    bool integer;      ///< uint32_t, else float
     const void *first; ///< sample of the top left pixel
     int pixel_stride;  ///< bytes; rows are tightly packed
 };
@@ -39,7 +39,7 @@ bool rhw_png_write(struct rhw_output_file *file, const struct rhw_raster *raster
 /// Binary: P5 for one channel, P6 for three. Four are misuse.
 bool rhw_ppm_write(struct rhw_output_file *file, const struct rhw_raster *raster);
 /// Scan lines, ZIP compression on `threads` threads; the bytes do not depend on their number.
-bool rhw_exr_write(struct rhw_output_file *file, int width, int height, const struct rhw_exr_channel *channels,
-                   int channel_count, int threads);
+bool rhw_exr_write(struct rhw_output_file *file, int width, int height,
+                   const struct rhw_exr_channel *channels, int channel_count, int threads);
 
 #endif

@@ -38,8 +38,8 @@ static void ignore_message(exr_const_context_t context, exr_result_t code, const
 }
 
 // OpenEXRCore writes from front to back, and at the end once more into the table of chunk offsets.
-static int64_t write_at(exr_const_context_t context, void *user, const void *data, uint64_t size, uint64_t offset,
-                        exr_stream_error_func_ptr_t fail)
+static int64_t write_at(exr_const_context_t context, void *user, const void *data, uint64_t size,
+                        uint64_t offset, exr_stream_error_func_ptr_t fail)
 {
     struct encoder *encoder = user;
     FILE *stream = encoder->file->stream;
@@ -98,7 +98,8 @@ static exr_result_t prepare_chunk(struct encoder *encoder, exr_encode_pipeline_t
         const struct rhw_exr_channel *source = find_channel(encoder, target->channel_name);
         target->user_pixel_stride = source->pixel_stride;
         target->user_line_stride = source->pixel_stride * encoder->width;
-        target->encode_from_ptr = (const uint8_t *)source->first + (size_t)y * (size_t)target->user_line_stride;
+        target->encode_from_ptr =
+            (const uint8_t *)source->first + (size_t)y * (size_t)target->user_line_stride;
     }
     if (!result && first) {
         result = exr_encoding_choose_default_routines(encoder->context, 0, pipeline);
@@ -153,8 +154,8 @@ static exr_result_t write_header(struct encoder *encoder)
     for (int i = 0; !result && i < encoder->channel_count; i++) {
         const struct rhw_exr_channel *channel = &encoder->channels[i];
         result = exr_add_channel(encoder->context, part, channel->name,
-                                 channel->integer ? EXR_PIXEL_UINT : EXR_PIXEL_FLOAT, EXR_PERCEPTUALLY_LOGARITHMIC,
-                                 1, 1);
+                                 channel->integer ? EXR_PIXEL_UINT : EXR_PIXEL_FLOAT,
+                                 EXR_PERCEPTUALLY_LOGARITHMIC, 1, 1);
     }
     if (!result)
         result = exr_write_header(encoder->context);
@@ -176,8 +177,8 @@ static void encode_on_threads(struct encoder *encoder, int threads)
         pthread_join(workers[i], NULL);
 }
 
-bool rhw_exr_write(struct rhw_output_file *file, int width, int height, const struct rhw_exr_channel *channels,
-                   int channel_count, int threads)
+bool rhw_exr_write(struct rhw_output_file *file, int width, int height,
+                   const struct rhw_exr_channel *channels, int channel_count, int threads)
 {
     if (!file->seekable) {
         rhw_tool_error(file->path, "an EXR file needs a place that can be written twice; give a file");
@@ -205,6 +206,7 @@ bool rhw_exr_write(struct rhw_output_file *file, int width, int height, const st
     }
     if (encoder.result)
         rhw_tool_error(file->path, "%s",
-                       encoder.cause ? strerror(encoder.cause) : exr_get_default_error_message(encoder.result));
+                       encoder.cause ? strerror(encoder.cause)
+                                     : exr_get_default_error_message(encoder.result));
     return encoder.result == EXR_ERR_SUCCESS;
 }

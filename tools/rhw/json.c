@@ -9,7 +9,12 @@
 static int utf8_length(const unsigned char *text)
 {
     const unsigned char first = text[0];
-    const int length = first < 0x80 ? 1 : first < 0xC2 ? 0 : first < 0xE0 ? 2 : first < 0xF0 ? 3 : first < 0xF5 ? 4 : 0;
+    const int length = first < 0x80   ? 1
+                       : first < 0xC2 ? 0
+                       : first < 0xE0 ? 2
+                       : first < 0xF0 ? 3
+                       : first < 0xF5 ? 4
+                                      : 0;
     for (int i = 1; i < length; i++) {
         if ((text[i] & 0xC0) != 0x80)
             return 0;

@@ -14,9 +14,9 @@
 #include <string.h>
 
 enum {
-    LETTERS_END = 256,   // ids below are letters
+    LETTERS_END = 256, // ids below are letters
     HELP_ID = 'h',
-    HELP_COLUMN = 29     // where explanations start
+    HELP_COLUMN = 29 // where explanations start
 };
 
 static bool is_optional(const struct rhw_tool_option *option)
@@ -29,8 +29,8 @@ static void print_option(const struct rhw_tool_option *option)
     char left[96];
     const char letter[] = {'-', (char)option->id, ',', ' ', 0};
     const char *separator = !option->argument ? "" : is_optional(option) ? "[=" : " ";
-    snprintf(left, sizeof left, "  %s--%s%s%s", option->id < LETTERS_END ? letter : "    ", option->name, separator,
-             option->argument ? option->argument + is_optional(option) : "");
+    snprintf(left, sizeof left, "  %s--%s%s%s", option->id < LETTERS_END ? letter : "    ", option->name,
+             separator, option->argument ? option->argument + is_optional(option) : "");
     int column = printf("%s", left);
     for (const char *line = option->help; line; column = 0) {
         if (column >= HELP_COLUMN - 1) {
@@ -59,7 +59,8 @@ static void report_bad_option(const struct rhw_tool_parser *parser, int kind)
     rhw_tool_error(name, "%s; see 'rhw %s --help'", cause, parser->verb->name);
 }
 
-void rhw_tool_parser_start(struct rhw_tool_parser *parser, const struct rhw_tool_verb *verb, int argc, char **argv)
+void rhw_tool_parser_start(struct rhw_tool_parser *parser, const struct rhw_tool_verb *verb, int argc,
+                           char **argv)
 {
     *parser = (struct rhw_tool_parser){.verb = verb, .argc = argc, .argv = argv};
     char *letter = parser->shorts;
@@ -192,8 +193,9 @@ static int hex_digit(char c)
 
 bool rhw_tool_parse_color(const char *text, uint8_t color[3])
 {
-    static const struct { const char *name, *digits; } named[] = {
-        {"black", "000000"}, {"grey", "808080"}, {"gray", "808080"}, {"white", "ffffff"}};
+    static const struct {
+        const char *name, *digits;
+    } named[] = {{"black", "000000"}, {"grey", "808080"}, {"gray", "808080"}, {"white", "ffffff"}};
     for (size_t i = 0; i < sizeof named / sizeof *named; i++) {
         if (strcmp(text, named[i].name) == 0)
             text = named[i].digits;

@@ -58,7 +58,8 @@ enum {
 };
 
 /// Starts a walk. argv[0] is the verb's name.
-void rhw_tool_parser_start(struct rhw_tool_parser *parser, const struct rhw_tool_verb *verb, int argc, char **argv);
+void rhw_tool_parser_start(struct rhw_tool_parser *parser, const struct rhw_tool_verb *verb, int argc,
+                           char **argv);
 /// The id of the next option, or END or STOP. `verb` must outlive the walk.
 int rhw_tool_parser_next(struct rhw_tool_parser *parser);
 /// Reports a wrong number of operands. True when it is within `least`..`most`.

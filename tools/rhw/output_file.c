@@ -16,8 +16,8 @@
 #include <unistd.h>
 
 enum {
-    PENDING_MAX = 16,       // files open at a time: every kind of picture, the statistics, and room
-    BUFFER_SIZE = 1 << 18,  // bytes; encoders write in pieces of a few KiB
+    PENDING_MAX = 16,      // files open at a time: every kind of picture, the statistics, and room
+    BUFFER_SIZE = 1 << 18, // bytes; encoders write in pieces of a few KiB
     NAME_ATTEMPTS = 1000
 };
 

@@ -122,7 +122,8 @@ static void fine_color_row(const void *user, int y, void *row)
 static void store(const struct rhw_output_raster *output, void *row, size_t index, float value)
 {
     if (output->raster.bits == 8)
-        ((uint8_t *)row)[index] = (uint8_t)((value > 0.0f ? value < 1.0f ? value : 1.0f : 0.0f) * 255.0f + 0.5f);
+        ((uint8_t *)row)[index] =
+            (uint8_t)((value > 0.0f ? value < 1.0f ? value : 1.0f : 0.0f) * 255.0f + 0.5f);
     else
         ((uint16_t *)row)[index] = to_16_bits(value);
 }
@@ -144,7 +145,8 @@ static void vector_row(const void *user, int y, void *row)
     const float *from = output->floats + (size_t)y * (size_t)output->raster.width * 4;
     for (size_t x = 0; x < (size_t)output->raster.width; x++, from += 4) {
         for (size_t i = 0; i < 3; i++)
-            store(output, row, x * 3 + i, from[3] > 0.0f ? (from[i] - output->low[i]) * output->scale[i] : 0.0f);
+            store(output, row, x * 3 + i,
+                  from[3] > 0.0f ? (from[i] - output->low[i]) * output->scale[i] : 0.0f);
     }
 }
 
@@ -209,10 +211,12 @@ static void set_grey(struct rhw_output_raster *output, const char *name)
     output->low[0] = least;
     output->scale[0] = most > least ? -0.9f / (most - least) : 0.0f;
     snprintf(output->raster.comment, sizeof output->raster.comment,
-             "%s: white is %.9g, the grey of one tenth is %.9g, black is nothing", name, (double)least, (double)most);
+             "%s: white is %.9g, the grey of one tenth is %.9g, black is nothing", name, (double)least,
+             (double)most);
 }
 
-static void set_vector(struct rhw_output_raster *output, const float *floats, const float low[3], const float high[3])
+static void set_vector(struct rhw_output_raster *output, const float *floats, const float low[3],
+                       const float high[3])
 {
     output->floats = floats;
     output->raster.row = vector_row;
@@ -220,8 +224,9 @@ static void set_vector(struct rhw_output_raster *output, const float *floats, co
         output->low[i] = low[i];
         output->scale[i] = high[i] > low[i] ? 1.0f / (high[i] - low[i]) : 0.0f;
     }
-    snprintf(output->raster.comment, sizeof output->raster.comment, "0 to full: x %.9g to %.9g, y %.9g to %.9g, z %.9g to %.9g",
-             (double)low[0], (double)high[0], (double)low[1], (double)high[1], (double)low[2], (double)high[2]);
+    snprintf(output->raster.comment, sizeof output->raster.comment,
+             "0 to full: x %.9g to %.9g, y %.9g to %.9g, z %.9g to %.9g", (double)low[0], (double)high[0],
+             (double)low[1], (double)high[1], (double)low[2], (double)high[2]);
 }
 
 static void set_color(struct rhw_output_raster *output, bool transparent)
@@ -249,12 +254,12 @@ void rhw_output_rasterize(struct rhw_output_raster *output, const struct rhw_pic
     output->raster = (struct rhw_raster){.width = pictures->width,
                                          .height = pictures->height,
                                          .channels = 3,
-                                         .bits = bits ? bits : grey ? 16 : 8,
+                                         .bits = bits   ? bits
+                                                 : grey ? 16
+                                                        : 8,
                                          .user = output};
     switch (kind) {
-    case RHW_KIND_COLOR:
-        set_color(output, transparent);
-        break;
+    case RHW_KIND_COLOR: set_color(output, transparent); break;
     case RHW_KIND_DEPTH:
         output->floats = pictures->depth;
         set_grey(output, "NDC depth");
@@ -263,33 +268,23 @@ void rhw_output_rasterize(struct rhw_output_raster *output, const struct rhw_pic
         output->floats = pictures->distance;
         set_grey(output, "distance along the view");
         break;
-    case RHW_KIND_NORMAL:
-        set_vector(output, pictures->normal, minus_one, one);
-        break;
-    case RHW_KIND_POSITION:
-        set_vector(output, pictures->position, bounds_min, bounds_max);
-        break;
+    case RHW_KIND_NORMAL: set_vector(output, pictures->normal, minus_one, one); break;
+    case RHW_KIND_POSITION: set_vector(output, pictures->position, bounds_min, bounds_max); break;
     case RHW_KIND_UV:
         output->floats = pictures->uv;
         output->raster.row = uv_row;
         break;
-    case RHW_KIND_OBJECT:
-        set_ids(output, pictures->object);
-        break;
-    case RHW_KIND_TRIANGLE:
-        set_ids(output, pictures->triangle);
-        break;
+    case RHW_KIND_OBJECT: set_ids(output, pictures->object); break;
+    case RHW_KIND_TRIANGLE: set_ids(output, pictures->triangle); break;
     case RHW_KIND_BARY:
-    case RHW_KIND_COUNT:
-        set_vector(output, pictures->barycentric, zero, one);
-        break;
+    case RHW_KIND_COUNT: set_vector(output, pictures->barycentric, zero, one); break;
     }
 }
 
 // EXR -----------------------------------------------------------------------------------------------
 
-static int add_channels(struct rhw_exr_channel *channels, int count, const char *const *channel_names, int added,
-                        const void *pixels, bool integer, int pixel_stride)
+static int add_channels(struct rhw_exr_channel *channels, int count, const char *const *channel_names,
+                        int added, const void *pixels, bool integer, int pixel_stride)
 {
     for (int i = 0; i < added; i++) {
         channels[count + i] = (struct rhw_exr_channel){.name = channel_names[i],
@@ -314,7 +309,8 @@ int rhw_outputs_exr_channels(const struct rhw_pictures *pictures, unsigned kinds
         [RHW_KIND_DEPTH] = {{"depth.Z"}, 1, pictures->depth, false, 4},
         [RHW_KIND_DISTANCE] = {{"distance.Z"}, 1, pictures->distance, false, 4},
         [RHW_KIND_NORMAL] = {{"normal.X", "normal.Y", "normal.Z", "normal.A"}, 4, pictures->normal, false, 16},
-        [RHW_KIND_POSITION] = {{"position.X", "position.Y", "position.Z", "position.A"}, 4, pictures->position, false, 16},
+        [RHW_KIND_POSITION] =
+            {{"position.X", "position.Y", "position.Z", "position.A"}, 4, pictures->position, false, 16},
         [RHW_KIND_UV] = {{"uv.U", "uv.V"}, 2, pictures->uv, false, 16},
         [RHW_KIND_OBJECT] = {{"object.id"}, 1, pictures->object, true, 4},
         [RHW_KIND_TRIANGLE] = {{"triangle.id"}, 1, pictures->triangle, true, 4},

@@ -96,7 +96,8 @@ static bool import_model(struct render *render)
     for (uint32_t i = 0; i < count && i < WARNINGS_SHOWN; i++)
         rhw_tool_warning(job->model_path, "%s", render->model->warnings[i]);
     if (count > WARNINGS_SHOWN)
-        rhw_tool_warning(job->model_path, "%u more warnings; rhw info prints them all", count - WARNINGS_SHOWN);
+        rhw_tool_warning(job->model_path, "%u more warnings; rhw info prints them all",
+                         count - WARNINGS_SHOWN);
     if (!(render->model->bounds_min[0] <= render->model->bounds_max[0])) {
         rhw_tool_error(job->model_path, "the file has nothing to draw");
         return false;
@@ -105,13 +106,15 @@ static bool import_model(struct render *render)
 }
 
 // The camera the job names in the file, or NULL when there is none.
-static const struct rhw_model_camera *find_camera(const struct rhw_render_job *job, const struct rhw_model *model)
+static const struct rhw_model_camera *find_camera(const struct rhw_render_job *job,
+                                                  const struct rhw_model *model)
 {
     if (job->camera == RHW_CAMERA_AUTO)
         return model->camera_count && job->fovy == 0.0f ? &model->cameras[0] : NULL;
     for (uint32_t i = 0; i < model->camera_count; i++) {
-        const bool wanted = job->camera == RHW_CAMERA_INDEX ? i == (uint32_t)job->camera_index
-                                                            : strcmp(model->cameras[i].name, job->camera_name) == 0;
+        const bool wanted = job->camera == RHW_CAMERA_INDEX
+                                ? i == (uint32_t)job->camera_index
+                                : strcmp(model->cameras[i].name, job->camera_name) == 0;
         if (wanted)
             return &model->cameras[i];
     }
@@ -123,7 +126,8 @@ static bool report_missing_camera(const struct rhw_render_job *job, const struct
     if (model->camera_count == 0)
         rhw_tool_error(job->camera_option, "%s has no cameras", job->model_path);
     else if (job->camera == RHW_CAMERA_INDEX)
-        rhw_tool_error(job->camera_option, "%s has the cameras 0..%u only", job->model_path, model->camera_count - 1);
+        rhw_tool_error(job->camera_option, "%s has the cameras 0..%u only", job->model_path,
+                       model->camera_count - 1);
     else
         rhw_tool_error(job->camera_option, "%s has no camera named '%s'", job->model_path, job->camera_name);
     return false;
@@ -160,7 +164,8 @@ static bool choose_camera(const struct render *render, struct rhw_camera *camera
     const struct rhw_model_camera *found = fitted ? NULL : find_camera(job, render->model);
     if (!fitted && !found && job->camera != RHW_CAMERA_AUTO)
         return report_missing_camera(job, render->model);
-    *camera = found ? rhw_camera_from_model(found, (double)job->width / (double)job->height) : fit_camera(render);
+    *camera =
+        found ? rhw_camera_from_model(found, (double)job->width / (double)job->height) : fit_camera(render);
     return true;
 }
 
@@ -203,8 +208,9 @@ static enum rhw_result draw_again(struct render *render)
     const struct rhw_render_job *job = &render->job;
     const bool refit = job->camera == RHW_CAMERA_AUTO && find_camera(job, render->model);
     if (!job->quiet)
-        rhw_tool_warning(job->model_path, refit ? "its camera sees nothing of the model, which is fitted instead"
-                                                : "nothing of the model is in the picture");
+        rhw_tool_warning(job->model_path,
+                         refit ? "its camera sees nothing of the model, which is fitted instead"
+                               : "nothing of the model is in the picture");
     if (!refit)
         return RHW_OK;
     render->view.camera = fit_camera(render);
@@ -245,9 +251,11 @@ static bool encode_raster(struct render *render, struct rhw_output_file *file, e
 {
     const struct rhw_render_job *job = &render->job;
     struct rhw_output_raster output;
-    rhw_output_rasterize(&output, &render->pictures, kind, job->bits, job->background == RHW_BACKGROUND_TRANSPARENT,
-                         render->model->bounds_min, render->model->bounds_max);
-    return job->format == RHW_PICTURE_PNG ? rhw_png_write(file, &output.raster) : rhw_ppm_write(file, &output.raster);
+    rhw_output_rasterize(&output, &render->pictures, kind, job->bits,
+                         job->background == RHW_BACKGROUND_TRANSPARENT, render->model->bounds_min,
+                         render->model->bounds_max);
+    return job->format == RHW_PICTURE_PNG ? rhw_png_write(file, &output.raster)
+                                          : rhw_ppm_write(file, &output.raster);
 }
 
 // All files are complete before the first gets its name, so that a full disk leaves none of them.
@@ -264,8 +272,9 @@ static bool write_files(struct render *render)
         if (!written)
             break;
         render->file_count++;
-        written = (render->job.format == RHW_PICTURE_EXR ? encode_exr(render, file)
-                                                          : encode_raster(render, file, (enum rhw_output_kind)kind)) &&
+        written = (render->job.format == RHW_PICTURE_EXR
+                       ? encode_exr(render, file)
+                       : encode_raster(render, file, (enum rhw_output_kind)kind)) &&
                   rhw_output_file_finish(file);
     }
     rhw_tool_stage_end();

@@ -9,10 +9,27 @@
 #include <string.h>
 
 enum {
-    OPTION_OUT = 'o', OPTION_SIZE = 's', OPTION_QUIET = 'q', OPTION_THREADS = 'j',
-    OPTION_SAMPLES = 256, OPTION_CAMERA, OPTION_ORBIT, OPTION_FIT, OPTION_CAMERA_INDEX, OPTION_CAMERA_NAME,
-    OPTION_FOVY, OPTION_INTERPOLATE, OPTION_WIREFRAME, OPTION_BACKGROUND, OPTION_OUTPUT, OPTION_BITS,
-    OPTION_FORMAT, OPTION_LIGHTS, OPTION_EXPOSURE, OPTION_ISA, OPTION_STATS
+    OPTION_OUT = 'o',
+    OPTION_SIZE = 's',
+    OPTION_QUIET = 'q',
+    OPTION_THREADS = 'j',
+    OPTION_SAMPLES = 256,
+    OPTION_CAMERA,
+    OPTION_ORBIT,
+    OPTION_FIT,
+    OPTION_CAMERA_INDEX,
+    OPTION_CAMERA_NAME,
+    OPTION_FOVY,
+    OPTION_INTERPOLATE,
+    OPTION_WIREFRAME,
+    OPTION_BACKGROUND,
+    OPTION_OUTPUT,
+    OPTION_BITS,
+    OPTION_FORMAT,
+    OPTION_LIGHTS,
+    OPTION_EXPOSURE,
+    OPTION_ISA,
+    OPTION_STATS
 };
 
 static const struct rhw_tool_option options[] = {
@@ -24,21 +41,27 @@ static const struct rhw_tool_option options[] = {
     {"format", OPTION_FORMAT, "NAME", "png, exr or ppm, whatever OUT ends in"},
     {"fit", OPTION_FIT, NULL, "fit the whole model into the picture, also when the file has cameras"},
     {"orbit", OPTION_ORBIT, "AZ,EL",
-     "fit it from these angles in degrees: azimuth 0 is the front, 90 the\nright side; elevation 90 is straight "
+     "fit it from these angles in degrees: azimuth 0 is the front, 90 the\nright side; elevation 90 is "
+     "straight "
      "from above"},
     {"camera", OPTION_CAMERA, "NUMBERS",
-     "eye, target and up (three numbers each) and the vertical field of\nview in degrees, separated by commas"},
+     "eye, target and up (three numbers each) and the vertical field of\nview in degrees, separated by "
+     "commas"},
     {"camera-index", OPTION_CAMERA_INDEX, "N", "a camera of the file, counted from 0; see rhw info"},
     {"camera-name", OPTION_CAMERA_NAME, "NAME", "a camera of the file"},
     {"fovy", OPTION_FOVY, "DEGREES", "vertical field of view of a fitted camera; default 30"},
-    {"interpolate", OPTION_INTERPOLATE, "HOW", "smooth (right in perspective) or noperspective (to see the error)"},
-    {"wireframe", OPTION_WIREFRAME, "[KIND]", "edges over the shaded surface (over) or over a plain one (plain)"},
-    {"background", OPTION_BACKGROUND, "COLOR", "rrggbb in hexadecimal, black, grey, white, transparent or default"},
+    {"interpolate", OPTION_INTERPOLATE, "HOW",
+     "smooth (right in perspective) or noperspective (to see the error)"},
+    {"wireframe", OPTION_WIREFRAME, "[KIND]",
+     "edges over the shaded surface (over) or over a plain one (plain)"},
+    {"background", OPTION_BACKGROUND, "COLOR",
+     "rrggbb in hexadecimal, black, grey, white, transparent or default"},
     {"lights", OPTION_LIGHTS, "WHICH", "file (default: those of the file, if any) or default"},
     {"exposure", OPTION_EXPOSURE, "STOPS", "brighter by this many factors of two; -20..20"},
     {"threads", OPTION_THREADS, "N", "threads to use, 1..64; default: all cores. The picture is the same"},
-    {"isa", OPTION_ISA, "NAME", "instruction set: baseline, avx2 or avx512; default: the best there is.\n"
-                                "The picture is the same"},
+    {"isa", OPTION_ISA, "NAME",
+     "instruction set: baseline, avx2 or avx512; default: the best there is.\n"
+     "The picture is the same"},
     {"stats", OPTION_STATS, "[FILE]", "write times and counts as JSON, to standard output without FILE"},
     {"quiet", OPTION_QUIET, NULL, "no warnings"},
 };
@@ -56,12 +79,16 @@ static const char notes[] =
     "  bary      the weights a, b, c of the three vertices in red, green and blue\n"
     "  all       all of these\n"
     "The ranges behind depth, distance and position stand in the PNG file as a comment.\n\n"
-    "With several outputs in PNG or PPM, color takes the name OUT and the others get theirs before the ending:\n"
-    "out.depth.png. If OUT has a {}, the name of the output takes its place. An EXR holds all outputs in one\n"
+    "With several outputs in PNG or PPM, color takes the name OUT and the others get theirs before the "
+    "ending:\n"
+    "out.depth.png. If OUT has a {}, the name of the output takes its place. An EXR holds all outputs in "
+    "one\n"
     "file as numbers without any mapping: R G B A (light before tone mapping, premultiplied, without\n"
-    "background), depth.Z, distance.Z, normal.XYZA, position.XYZA, uv.UV, object.id, triangle.id (integers, 0\n"
+    "background), depth.Z, distance.Z, normal.XYZA, position.XYZA, uv.UV, object.id, triangle.id (integers, "
+    "0\n"
     "is nothing), bary.abc.\n\n"
-    "Without --fit, --orbit or --camera the file's first camera is taken; where there is none, or it sees nothing of\n"
+    "Without --fit, --orbit or --camera the file's first camera is taken; where there is none, or it sees "
+    "nothing of\n"
     "the model, the model is fitted into the picture.\n"
     "A file appears whole or not at all.\n\n"
     "Exit status: 0, 1 when the work failed, 2 for a wrong command line.";
@@ -121,8 +148,8 @@ static bool parse_background(struct rhw_render_job *job, const char *argument)
     else if (strcmp(argument, "default") == 0)
         job->background = RHW_BACKGROUND_DEFAULT;
     else if (!rhw_tool_parse_color(argument, job->background_color)) {
-        rhw_tool_error("--background", "'%s' is not a colour (rrggbb, black, grey, white), transparent or default",
-                       argument);
+        rhw_tool_error("--background",
+                       "'%s' is not a colour (rrggbb, black, grey, white), transparent or default", argument);
         return false;
     }
     return true;
@@ -135,7 +162,8 @@ static bool parse_camera_option(struct rhw_render_job *job, int id, const char *
     case OPTION_CAMERA:
         if (rhw_tool_parse_floats(argument, 10, job->look))
             return choose_camera(job, RHW_CAMERA_LOOK, "--camera");
-        rhw_tool_error("--camera", "'%s' is not ten numbers: eye, target, up (x,y,z each) and fovy in degrees", argument);
+        rhw_tool_error("--camera",
+                       "'%s' is not ten numbers: eye, target, up (x,y,z each) and fovy in degrees", argument);
         return false;
     case OPTION_ORBIT:
         if (!rhw_tool_parse_floats(argument, 2, angles)) {
@@ -182,7 +210,8 @@ static bool parse_picture_option(struct rhw_render_job *job, int id, const char 
     case OPTION_OUTPUT:
         if (rhw_outputs_parse(argument, &job->kinds, &bad))
             return true;
-        rhw_tool_error("--output", "'%.*s' is no output; see 'rhw render --help'", (int)strcspn(bad, ","), bad);
+        rhw_tool_error("--output", "'%.*s' is no output; see 'rhw render --help'", (int)strcspn(bad, ","),
+                       bad);
         return false;
     case OPTION_BITS:
         if (rhw_tool_parse_int(argument, 8, 16, &job->bits) && (job->bits == 8 || job->bits == 16))
@@ -198,8 +227,8 @@ static bool parse_picture_option(struct rhw_render_job *job, int id, const char 
 
 static bool parse_look_option(struct rhw_render_job *job, int id, const char *argument)
 {
-    static const char *const qualifiers[] = {"smooth", "noperspective"}, *const wireframes[] = {"over", "plain"},
-                            *const lights[] = {"file", "default"};
+    static const char *const qualifiers[] = {"smooth", "noperspective"},
+                             *const wireframes[] = {"over", "plain"}, *const lights[] = {"file", "default"};
     int choice;
     switch (id) {
     case OPTION_INTERPOLATE:
@@ -215,42 +244,42 @@ static bool parse_look_option(struct rhw_render_job *job, int id, const char *ar
         job->default_lights = choice == 1;
         return choice >= 0;
     case OPTION_EXPOSURE:
-        if (rhw_tool_parse_float(argument, &job->exposure) && job->exposure >= -20.0f && job->exposure <= 20.0f)
+        if (rhw_tool_parse_float(argument, &job->exposure) && job->exposure >= -20.0f &&
+            job->exposure <= 20.0f)
             return true;
         rhw_tool_error("--exposure", "'%s' is not a number of -20 to 20", argument);
         return false;
-    default:
-        return parse_background(job, argument);
+    default: return parse_background(job, argument);
     }
 }
 
 static bool parse_option(struct rhw_render_job *job, int id, const char *argument)
 {
     switch (id) {
-    case OPTION_OUT:
-        job->out = argument;
-        return true;
-    case OPTION_QUIET:
-        job->quiet = true;
-        return true;
+    case OPTION_OUT: job->out = argument; return true;
+    case OPTION_QUIET: job->quiet = true; return true;
     case OPTION_STATS:
         job->stats = true;
         job->stats_path = argument ? argument : "-";
         return true;
-    case OPTION_ISA:
-        return parse_isa(job, argument);
+    case OPTION_ISA: return parse_isa(job, argument);
     case OPTION_THREADS:
         if (rhw_tool_parse_int(argument, 1, RHW_MAX_THREADS, &job->threads))
             return true;
         rhw_tool_error("--threads", "'%s' is not a number of 1 to %d", argument, RHW_MAX_THREADS);
         return false;
-    case OPTION_CAMERA: case OPTION_ORBIT: case OPTION_FIT: case OPTION_CAMERA_INDEX: case OPTION_CAMERA_NAME:
-    case OPTION_FOVY:
-        return parse_camera_option(job, id, argument);
-    case OPTION_INTERPOLATE: case OPTION_WIREFRAME: case OPTION_BACKGROUND: case OPTION_LIGHTS: case OPTION_EXPOSURE:
-        return parse_look_option(job, id, argument);
-    default:
-        return parse_picture_option(job, id, argument);
+    case OPTION_CAMERA:
+    case OPTION_ORBIT:
+    case OPTION_FIT:
+    case OPTION_CAMERA_INDEX:
+    case OPTION_CAMERA_NAME:
+    case OPTION_FOVY: return parse_camera_option(job, id, argument);
+    case OPTION_INTERPOLATE:
+    case OPTION_WIREFRAME:
+    case OPTION_BACKGROUND:
+    case OPTION_LIGHTS:
+    case OPTION_EXPOSURE: return parse_look_option(job, id, argument);
+    default: return parse_picture_option(job, id, argument);
     }
 }
 
@@ -285,8 +314,8 @@ static bool check_together(struct rhw_render_job *job)
     }
     const int side = job->samples == 16 ? 4 : job->samples == 9 ? 3 : job->samples == 4 ? 2 : 1;
     if (job->width * side > RHW_MAX_TARGET_SIZE || job->height * side > RHW_MAX_TARGET_SIZE) {
-        rhw_tool_error("--samples", "%d are too many for %dx%d: %d times each must not exceed %d", job->samples,
-                       job->width, job->height, side, RHW_MAX_TARGET_SIZE);
+        rhw_tool_error("--samples", "%d are too many for %dx%d: %d times each must not exceed %d",
+                       job->samples, job->width, job->height, side, RHW_MAX_TARGET_SIZE);
         return false;
     }
     const bool fitted = job->camera <= RHW_CAMERA_ORBIT;

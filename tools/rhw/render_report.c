@@ -35,14 +35,16 @@ static void print_report(FILE *stream, const struct rhw_render_job *job, const s
     rhw_json_string(stream, job->model_path);
     fputs(",\n  \"model_format\": ", stream);
     rhw_json_string(stream, model->format);
-    fprintf(stream, ",\n  \"width\": %d,\n  \"height\": %d,\n  \"samples\": %d,\n  \"outputs\": [", job->width,
-            job->height, job->samples);
+    fprintf(stream, ",\n  \"width\": %d,\n  \"height\": %d,\n  \"samples\": %d,\n  \"outputs\": [",
+            job->width, job->height, job->samples);
     print_outputs(stream, job->kinds);
     fprintf(stream, "],\n  \"threads\": %d,\n  \"isa\": \"%s\",\n  \"times_ms\": {\n", pipeline->threads,
             rhw_isa_name(pipeline->isa));
-    fprintf(stream, "    \"import\": %.3f,\n    \"upload\": %.3f,\n    \"front\": %.3f,\n    \"back\": %.3f,\n",
+    fprintf(stream,
+            "    \"import\": %.3f,\n    \"upload\": %.3f,\n    \"front\": %.3f,\n    \"back\": %.3f,\n",
             times->import_ms, stats->upload_ms, pipeline->front_ms, pipeline->back_ms);
-    fprintf(stream, "    \"resolve\": %.3f,\n    \"read\": %.3f,\n    \"encode\": %.3f,\n    \"total\": %.3f\n  },\n",
+    fprintf(stream,
+            "    \"resolve\": %.3f,\n    \"read\": %.3f,\n    \"encode\": %.3f,\n    \"total\": %.3f\n  },\n",
             stats->resolve_ms, stats->read_ms, times->encode_ms, times->total_ms);
     fprintf(stream,
             "  \"triangles\": {\"in\": %" PRIu64 ", \"dropped\": %" PRIu64 ", \"clipped\": %" PRIu64
@@ -51,7 +53,9 @@ static void print_report(FILE *stream, const struct rhw_render_job *job, const s
             pipeline->triangles_culled, pipeline->triangles_rasterized);
     fprintf(stream, "  \"draws\": %" PRIu64 ",\n  \"vertices_shaded\": %" PRIu64 ",\n", pipeline->draws,
             pipeline->vertices_shaded);
-    fprintf(stream, "  \"fragments\": {\"shaded\": %" PRIu64 ", \"groups\": %" PRIu64 ", \"lane_occupancy\": %.4f},\n",
+    fprintf(stream,
+            "  \"fragments\": {\"shaded\": %" PRIu64 ", \"groups\": %" PRIu64
+            ", \"lane_occupancy\": %.4f},\n",
             pipeline->fragments_shaded, pipeline->fragment_groups,
             lanes > 0.0 ? (double)pipeline->fragments_shaded / lanes : 0.0);
     fprintf(stream,
