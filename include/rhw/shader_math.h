@@ -76,11 +76,9 @@ static inline rhw_float rhw_scale_exp2(rhw_float a, rhw_int n)
 /// 2^f for |f| ≤ 0.501.
 static inline rhw_float rhw_exp2_fraction(rhw_float f)
 {
-    rhw_float q = f * 0.000154763024f + 0.00134002347f;
-    q = q * f + 0.00961800385f;
-    q = q * f + 0.055503279f;
-    q = q * f + 0.240226507f;
-    q = q * f + 0.693147182f;
+    const rhw_float square = f * f;
+    const rhw_float upper = (0.00961800385f * f + 0.055503279f) + square * (0.000154763024f * f + 0.00134002347f);
+    const rhw_float q = 0.693147182f + f * (0.240226507f + f * upper);
     return 1.0f + f * q;
 }
 
@@ -171,21 +169,18 @@ static inline rhw_double4 rhw_log2_double(rhw_double4 m, rhw_double4 e)
     // log2(m) = 2/ln2 · atanh(s), s = (m − 1)/(m + 1)
     const rhw_double4 s = (m - 1.0) / (m + 1.0);
     const rhw_double4 z = s * s;
-    rhw_double4 q = z * 0.28253534687468967 + 0.31993509897601885;
-    q = q * z + 0.41220839314282687;
-    q = q * z + 0.57707795328895595;
-    q = q * z + 0.96179669405739665;
+    const rhw_double4 square = z * z;
+    const rhw_double4 q = (z * 0.57707795328895595 + 0.96179669405739665) +
+                          square * ((z * 0.31993509897601885 + 0.41220839314282687) + square * 0.28253534687468967);
     return e + s * (2.8853900817779268 + z * q);
 }
 
-/// a^b with the special cases of C's pow: a negative `a` needs a whole `b` (else NaN); anything to the 0 is
-/// 1 and 1 to anything is 1, NaN included. Largest error found 1.4 ULP.
-static inline rhw_float rhw_pow(rhw_float a, rhw_float b)
+/// a^b for finite a > 0 and finite b.
+static inline rhw_float rhw_pow_positive(rhw_float a, rhw_float b)
 {
-    // b · log2|a| is formed in double: its fraction must keep 24 bits beside an integer part of 8.
-    const rhw_float magnitude = rhw_abs(a);
+    // b · log2(a) is formed in double: its fraction must keep 24 bits beside an integer part of 8.
     rhw_float e;
-    const struct rhw_double8 m = rhw_to_double(rhw_split_exponent(magnitude, &e));
+    const struct rhw_double8 m = rhw_to_double(rhw_split_exponent(a, &e));
     const struct rhw_double8 exponent = rhw_to_double(e);
     const struct rhw_double8 power = rhw_to_double(b);
     struct rhw_double8 product;
@@ -198,9 +193,13 @@ static inline rhw_float rhw_pow(rhw_float a, rhw_float b)
     product.high -= whole.high;
     const rhw_float half = rhw_splat(0.501f); // the fraction of a product that was clamped is out of range
     const rhw_float f = rhw_clamp(rhw_from_double(product), -half, half);
-    rhw_float result = rhw_scale_exp2(rhw_exp2_fraction(f), rhw_to_int_unchecked(n));
+    return rhw_scale_exp2(rhw_exp2_fraction(f), rhw_to_int_unchecked(n));
+}
 
-    const rhw_float zero = rhw_splat(0.0f), one = rhw_splat(1.0f);
+/// `result` is |a|^b where rhw_pow_positive gives it, rubbish elsewhere.
+static inline rhw_float rhw_pow_special(rhw_float a, rhw_float b, rhw_float result)
+{
+    const rhw_float zero = rhw_splat(0.0f), one = rhw_splat(1.0f), magnitude = rhw_abs(a);
     // |a| of 0 and infinity: 0 or infinity as b's sign says.
     const rhw_int large = rhw_less(one, magnitude), grows = rhw_equal_int(large, rhw_less(zero, b));
     const rhw_int extreme = rhw_equal(magnitude, zero) | rhw_equal(magnitude, rhw_infinity());
@@ -215,6 +214,21 @@ static inline rhw_float rhw_pow(rhw_float a, rhw_float b)
     result = rhw_select(rhw_equal(a, a) & rhw_equal(b, b), result, rhw_nan());
     const rhw_int unity = rhw_equal(magnitude, one) & rhw_equal(rhw_abs(b), rhw_infinity());
     return rhw_select(rhw_equal(b, zero) | rhw_equal(a, one) | unity, one, result);
+}
+
+/// a^b with the special cases of C's pow: a negative `a` needs a whole `b` (else NaN); anything to the 0 is
+/// 1 and 1 to anything is 1, NaN included. Largest error found 1.4 ULP.
+static inline rhw_float rhw_pow(rhw_float a, rhw_float b)
+{
+    const rhw_float result = rhw_pow_positive(rhw_abs(a), b);
+    // What shading asks for, 0 <= a and 0 < b, both finite, read off the bits: −0 is not among it.
+    const rhw_int end = rhw_splat_int(0x7f800000), bits = (rhw_int)a;
+    const rhw_int usual = ~(bits >> 31) & rhw_less_int(bits, end) & rhw_less_int(rhw_splat_int(0), (rhw_int)b) &
+                          rhw_less_int((rhw_int)b, end);
+    if (rhw_all(usual)) {
+        return (rhw_float)((rhw_int)result & ~rhw_equal_int(bits, rhw_splat_int(0)));
+    }
+    return rhw_pow_special(a, b, result);
 }
 
 // Trigonometry --------------------------------------------------------------------------------------
