@@ -207,11 +207,11 @@ static enum rhw_result upload_texture(rhw_context *context, const struct rhw_ima
             return RHW_ERROR_OUT_OF_MEMORY;
         }
     }
-    const enum rhw_result result = rhw_texture_create(context, &def, texture);
+    enum rhw_result result = rhw_texture_create(context, &def, texture);
     if (result == RHW_OK) {
         rhw_texture_write(context, *texture, 0, texels, 0);
         if (mips) {
-            rhw_texture_generate_mips(context, *texture);
+            result = rhw_texture_generate_mips(context, *texture);
         }
     }
     free(widened);

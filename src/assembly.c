@@ -55,13 +55,13 @@ static void elements(enum rhw_topology topology, enum rhw_provoking provoking, u
 }
 
 // Number of indices up to the next restart index or the end.
-static uint32_t run_length(const struct rhw_draw *draw, uint32_t at, uint32_t count)
+static uint64_t run_length(const struct rhw_draw *draw, uint64_t at, uint64_t count)
 {
     const uint32_t restart = draw->state->index_type == RHW_INDEX_UINT8    ? UINT8_MAX
                              : draw->state->index_type == RHW_INDEX_UINT16 ? UINT16_MAX
                                                                            : UINT32_MAX;
-    uint32_t n = 0;
-    while (at + n < count && index_at(draw->state, (uint64_t)draw->first + at + n) != restart) {
+    uint64_t n = 0;
+    while (at + n < count && index_at(draw->state, draw->first + at + n) != restart) {
         n++;
     }
     return n;
@@ -71,18 +71,19 @@ static uint32_t run_length(const struct rhw_draw *draw, uint32_t at, uint32_t co
 static bool expand(struct rhw_draw *draw, uint32_t count, struct rhw_arena *arena)
 {
     const struct rhw_pipeline_def *const def = &draw->state->pipeline->def;
-    uint32_t(*const out)[3] = rhw_arena_alloc(arena, (size_t)(count < 3 ? 1 : count - 2) * sizeof *out, RHW_CACHE_LINE);
+    const uint64_t size = (uint64_t)(count < 3 ? 1 : count - 2) * 3 * sizeof(uint32_t);
+    uint32_t(*const out)[3] = size > SIZE_MAX ? NULL : rhw_arena_alloc(arena, (size_t)size, RHW_CACHE_LINE);
     if (!out) {
         return false;
     }
     uint32_t triangles = 0;
-    for (uint32_t at = 0; at < count;) {
-        const uint32_t run = run_length(draw, at, count);
+    for (uint64_t at = 0; at < count;) {
+        const uint64_t run = run_length(draw, at, count);
         for (uint32_t t = 0; t + 2 < run; t++) {
             uint32_t e[3];
             elements(def->topology, def->provoking, t, e);
             for (int i = 0; i < 3; i++) {
-                out[triangles][i] = index_at(draw->state, (uint64_t)draw->first + at + e[i]) + draw->base_vertex;
+                out[triangles][i] = index_at(draw->state, draw->first + at + e[i]) + draw->base_vertex;
             }
             triangles++;
         }

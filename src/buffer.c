@@ -62,7 +62,7 @@ enum rhw_result rhw_buffer_create(rhw_context *context, const struct rhw_buffer_
 void rhw_buffer_destroy(rhw_context *context, rhw_buffer buffer)
 {
     struct rhw_buffer_data *const data = rhw_context_buffer(context, buffer, "rhw_buffer_destroy");
-    if (data == NULL)
+    if (data == NULL || !rhw_pool_check_idle(context, &context->buffers, buffer.index, "rhw_buffer_destroy"))
         return;
     rhw_buffer_data_release(context, data);
     rhw_pool_remove(&context->buffers, buffer.index);
@@ -72,7 +72,7 @@ void rhw_buffer_write(rhw_context *context, rhw_buffer buffer, size_t offset, co
 {
     static const char *const where = "rhw_buffer_write";
     struct rhw_buffer_data *const target = rhw_context_buffer(context, buffer, where);
-    if (target == NULL)
+    if (target == NULL || !rhw_pool_check_idle(context, &context->buffers, buffer.index, where))
         return;
     if (!rhw_check(context, offset <= target->size && size <= target->size - offset,
                    "%s: offset is %zu and size is %zu; together they must stay within the buffer's %zu bytes",

@@ -8,6 +8,7 @@
 #include "context.h"
 #include "format.h"
 #include "half.h"
+#include "output.h"
 #include "limits.h"
 #include "srgb.h"
 #include "texture.h"
@@ -64,6 +65,9 @@ static unsigned char round_code(float value)
 
 static void store_texel(enum rhw_format format, texel4 value, unsigned char *to)
 {
+    for (int i = 0; i < 4; i++) {
+        value[i] = rhw_canonical(value[i]);
+    }
     uint16_t half[4];
     switch (format) {
     case RHW_FORMAT_R8_UNORM:

@@ -103,7 +103,7 @@ static uint32_t uint_from_float(float value)
 
 // The merger stores every NaN as this one, because the sign of the NaN that arithmetic makes differs
 // between processors.
-static float canonical(float value)
+float rhw_canonical(float value)
 {
     static const uint32_t quiet = 0x7fc00000;
     if (value != value) {
@@ -117,7 +117,7 @@ void rhw_output_clear_value(enum rhw_format format, const float clear[4], unsign
     float value[4];
     uint16_t half[4];
     for (int i = 0; i < 4; i++) {
-        value[i] = canonical(clear[i]);
+        value[i] = rhw_canonical(clear[i]);
         half[i] = rhw_half_from_float(value[i]);
     }
     memset(texel, 0, 16);

@@ -36,4 +36,7 @@ void rhw_output_prepare(struct output_state *state, const struct rhw_color_targe
 // round as the merger does; R32_UINT converts clear[0] with truncation and saturation, NaN to 0.
 void rhw_output_clear_value(enum rhw_format format, const float clear[4], unsigned char texel[16]);
 
+// The value, or one quiet NaN for every NaN: which NaN an operation gives depends on the processor.
+float rhw_canonical(float value);
+
 #endif

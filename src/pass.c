@@ -42,14 +42,16 @@ void rhw_pass_state_destroy(struct rhw_context *context, struct rhw_pass_state *
 // The pass that `id` names, or NULL after reporting misuse.
 static struct rhw_pass_state *pass_of(rhw_context *context, rhw_pass id, const char *where)
 {
+    if (!rhw_check(context, context != NULL, "%s: context is NULL", where)) {
+        return NULL;
+    }
     const bool live = context->pass_active && id.index == 1 && id.generation == context->pass_generation;
     return rhw_check(context, live, "%s: the pass id is null or its pass has ended", where) ? context->pass : NULL;
 }
 
-static bool check_attachment(rhw_context *context, const struct rhw_pass_def *def, const char *name, int i,
-                             enum rhw_load load, enum rhw_store store)
+static bool check_attachment(rhw_context *context, const char *name, int i, enum rhw_load load,
+                             enum rhw_store store)
 {
-    (void)def;
     return rhw_check(context, (unsigned)load <= RHW_LOAD_DISCARD, "rhw_pass_begin: %s[%d].load is %d; not a load operation",
                      name, i, (int)load) &&
            rhw_check(context, (unsigned)store <= RHW_STORE_DISCARD,
@@ -96,7 +98,7 @@ static enum rhw_result attach_color(struct rhw_pass_state *pass, const struct rh
     struct rhw_context *const context = pass->context;
     const struct rhw_color_attachment *const color = &def->colors[i];
     struct rhw_attachment *const attachment = &pass->colors[i];
-    if (!check_attachment(context, def, "colors", i, color->load, color->store)) {
+    if (!check_attachment(context, "colors", i, color->load, color->store)) {
         return RHW_ERROR_MISUSE;
     }
     if (!rhw_check(context, !is_attachment(pass, color->texture, i, false),
@@ -131,7 +133,7 @@ static enum rhw_result attach_depth(struct rhw_pass_state *pass, const struct rh
     if (!depth->enabled) {
         return RHW_OK;
     }
-    if (!check_attachment(context, def, "depth", 0, depth->load, depth->store)) {
+    if (!check_attachment(context, "depth", 0, depth->load, depth->store)) {
         return RHW_ERROR_MISUSE;
     }
     if (depth->texture.index != 0) {
@@ -144,7 +146,7 @@ static enum rhw_result attach_depth(struct rhw_pass_state *pass, const struct rh
                        rhw_format_info(pass->depth.format)->name)) {
             return RHW_ERROR_MISUSE;
         }
-    } else if (!rhw_check(context, depth->load != RHW_LOAD_LOAD && depth->store == RHW_STORE_DISCARD,
+    } else if (!rhw_check(context, depth->load == RHW_LOAD_CLEAR && depth->store == RHW_STORE_DISCARD,
                           "rhw_pass_begin: depth.texture is null; without one depth is cleared and not stored")) {
         return RHW_ERROR_MISUSE;
     }
@@ -167,7 +169,6 @@ static void reset(struct rhw_pass_state *pass, const struct rhw_pass_def *def)
     pass->triangle_count = 0;
     pass->current = NULL;
     pass->out_of_memory = false;
-    pass->pipeline_bound = false;
     pass->color_count = def->color_count;
     memset(&pass->pending, 0, sizeof pass->pending);
     pass->pending_changed = true;
@@ -213,6 +214,12 @@ enum rhw_result rhw_pass_begin(rhw_context *context, const struct rhw_pass_def *
     pass->pending.scissor = (struct rhw_rect){0, 0, pass->width, pass->height};
     context->pass_active = true;
     context->pass_generation++;
+    for (int i = 0; i < pass->color_count; i++) {
+        rhw_pool_use(context, &context->textures, pass->color_ids[i].index);
+    }
+    if (pass->has_depth && pass->depth_id.index != 0) {
+        rhw_pool_use(context, &context->textures, pass->depth_id.index);
+    }
     *id = (rhw_pass){1, context->pass_generation};
     return RHW_OK;
 }
@@ -244,6 +251,7 @@ void rhw_pass_set_pipeline(rhw_context *context, rhw_pass id, rhw_pipeline pipel
     const struct rhw_pipeline_data *const pipeline =
         pass ? rhw_context_pipeline(context, pipeline_id, "rhw_pass_set_pipeline") : NULL;
     if (pipeline && targets_match(pass, pipeline)) {
+        rhw_pool_use(context, &context->pipelines, pipeline_id.index);
         pass->pending.pipeline = pipeline;
         pass->pending_changed = true;
     }
@@ -261,6 +269,7 @@ void rhw_pass_set_vertex_buffer(rhw_context *context, rhw_pass id, int slot, rhw
                    offset, buffer->size)) {
         return;
     }
+    rhw_pool_use(context, &context->buffers, buffer_id.index);
     pass->pending.streams[slot] = (struct rhw_vertex_stream){buffer->bytes + offset, buffer->size - offset};
     pass->pending_changed = true;
 }
@@ -278,6 +287,7 @@ void rhw_pass_set_index_buffer(rhw_context *context, rhw_pass id, rhw_buffer buf
                    offset, buffer->size)) {
         return;
     }
+    rhw_pool_use(context, &context->buffers, buffer_id.index);
     pass->pending.indices = buffer->bytes + offset;
     pass->pending.index_bytes = buffer->size - offset;
     pass->pending.index_type = type;
@@ -325,6 +335,8 @@ void rhw_pass_set_texture(rhw_context *context, rhw_pass id, int slot, rhw_textu
                        "rhw_pass_set_texture: the texture in slot %d is an attachment of this pass", slot)) {
             return;
         }
+        rhw_pool_use(context, &context->textures, texture_id.index);
+        rhw_pool_use(context, &context->samplers, sampler_id.index);
         binding.texture = texture;
         binding.sampler = sampler;
     }
@@ -431,6 +443,9 @@ static const struct rhw_draw_state *snapshot(struct rhw_pass_state *pass)
     const bool symmetric = state->pipeline && state->pipeline->def.depth_range == RHW_DEPTH_MINUS_ONE_TO_ONE;
     state->depth_low = (double)state->viewport.depth_min + (symmetric ? span / 2 : 0);
     state->depth_span = symmetric ? span / 2 : span;
+    const struct rhw_viewport *const v = &state->viewport;
+    state->depth_least = v->depth_min < v->depth_max ? v->depth_min : v->depth_max;
+    state->depth_most = v->depth_min < v->depth_max ? v->depth_max : v->depth_min;
     state->half_width = (double)state->viewport.width / 2;
     state->half_height = (double)state->viewport.height / 2;
     state->center_x = (double)state->viewport.x + state->half_width;

@@ -39,6 +39,7 @@ struct rhw_draw_state {
     struct output_state outputs[RHW_MAX_COLOR_ATTACHMENTS];
     // Depth after the viewport's range: depth_low + depth_span·Z/W, whatever range of Z the pipeline has.
     double depth_low, depth_span;
+    float depth_least, depth_most; // the viewport's depth range in order
     // Screen position of clip coordinates: x = X/W·half_width + center_x, y = center_y − Y/W·half_height.
     double half_width, half_height, center_x, center_y;
 };
@@ -111,8 +112,6 @@ struct rhw_pass_state {
     struct rhw_arena arena;        // states, uniforms, draws
     struct rhw_draw_state pending; // what the next draw would use
     bool pending_changed;
-    bool pipeline_bound;
-    rhw_pipeline pipeline_id;
     struct rhw_binding pending_textures[RHW_MAX_TEXTURES];
     bool textures_changed;
     const struct rhw_draw_state *current; // last copy of `pending`
@@ -124,6 +123,7 @@ struct rhw_pass_state {
 
     struct rhw_chunk *chunks; // of the wave under way
     int chunk_count, chunk_capacity;
+    int round; // the first chunk of those that the front end is given at once
     _Atomic bool failed; // a worker ran out of memory; written by workers, read after the wave
 
     struct rhw_worker *workers;

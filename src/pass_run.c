@@ -71,14 +71,17 @@ void rhw_pass_run_release(struct rhw_pass_state *pass)
                         pass->transient_depth.row_pitch * (size_t)pass->transient_depth.height);
 }
 
-// Triangles per chunk: at least four chunks for every thread, so that no thread waits long for the last.
+// Triangles per chunk: at least four chunks for every thread, so that no thread waits long for the last; and so
+// few on large targets that the bins of a chunk stay below 8 MiB even when every triangle covers every tile.
 static uint64_t chunk_size(const struct rhw_pass_state *pass)
 {
     const uint64_t share = pass->triangle_count / (uint64_t)(4 * pass->context->threads) + 1;
-    return share < 128 ? 128 : share < RHW_BATCH_TRIANGLES ? share : RHW_BATCH_TRIANGLES;
+    const uint64_t size = share < 128 ? 128 : share < RHW_BATCH_TRIANGLES ? share : RHW_BATCH_TRIANGLES;
+    const uint64_t most = ((uint64_t)4 << 20) / (uint64_t)(pass->tiles_x * pass->tiles_y);
+    return size < most ? size : most;
 }
 
-// Most bytes the front end can make of one triangle of this draw, without clipping and without reuse.
+// Bytes the front end makes of one triangle of this draw without reuse of vertices, bins apart.
 static size_t triangle_bytes(const struct rhw_draw *draw)
 {
     const int stride = rhw_vertex_stride(draw->state->pipeline->varying_components);
@@ -105,6 +108,11 @@ static bool add_chunk(struct rhw_pass_state *pass, struct rhw_chunk chunk)
     return true;
 }
 
+static size_t bin_limit(const struct rhw_pass_state *pass)
+{
+    return pass->context->bin_memory ? pass->context->bin_memory : default_bin_memory;
+}
+
 // Where in the line of triangles the next wave starts.
 struct position {
     uint64_t triangle;
@@ -114,7 +122,7 @@ struct position {
 // Cuts the next wave into chunks. False when out of memory.
 static bool cut_wave(struct rhw_pass_state *pass, struct position *at)
 {
-    const size_t limit = pass->context->bin_memory ? pass->context->bin_memory : default_bin_memory;
+    const size_t limit = bin_limit(pass);
     const uint64_t size = chunk_size(pass);
     size_t bytes = 0;
     pass->chunk_count = 0;
@@ -138,7 +146,7 @@ static bool cut_wave(struct rhw_pass_state *pass, struct position *at)
 static void run_chunk(void *user, int index, int worker)
 {
     struct rhw_pass_state *const pass = user;
-    if (!pass->context->kernels->chunk(pass, &pass->chunks[index], worker)) {
+    if (!pass->context->kernels->chunk(pass, &pass->chunks[pass->round + index], worker)) {
         pass->failed = true;
     }
 }
@@ -147,6 +155,47 @@ static void run_tile(void *user, int index, int worker)
 {
     struct rhw_pass_state *const pass = user;
     pass->context->kernels->tile(pass, index, worker);
+}
+
+static size_t arenas_used(const struct rhw_pass_state *pass)
+{
+    size_t bytes = 0;
+    for (int i = 0; i < pass->context->threads; i++) {
+        bytes += rhw_arena_used(&pass->workers[i].arena);
+    }
+    return bytes;
+}
+
+// Runs the front end over the wave's chunks, in rounds whose size follows from what the chunks so far took: how
+// many bins a triangle fills is known only then. When the memory is used up the wave ends early and `at` goes back
+// to the first chunk left. Where a wave ends may depend on the threads; what is drawn does not depend on waves.
+static bool run_front(struct rhw_pass_state *pass, struct position *at)
+{
+    struct rhw_context *const context = pass->context;
+    const size_t limit = bin_limit(pass);
+    const int least = 8 * context->threads;
+    int round = least;
+    for (int done = 0; done < pass->chunk_count; done += round) {
+        const size_t used = arenas_used(pass);
+        if (done != 0 && used >= limit) {
+            at->triangle = pass->chunks[done].first;
+            at->draw = pass->chunks[done].first_draw;
+            pass->chunk_count = done;
+            return true;
+        }
+        if (done != 0) {
+            const size_t fits = (limit - used) / (2 * (used / (size_t)done + 1));
+            round = fits < (size_t)least ? least : fits < INT32_MAX ? (int)fits : INT32_MAX;
+        }
+        const int left = pass->chunk_count - done;
+        round = round < left ? round : left;
+        pass->round = done;
+        rhw_scheduler_run(context->scheduler, run_chunk, pass, round);
+        if (pass->failed) {
+            return false;
+        }
+    }
+    return true;
 }
 
 // Memory for depth that has no texture, needed only when a second wave must find it again.
@@ -207,12 +256,11 @@ enum rhw_result rhw_pass_run(struct rhw_pass_state *pass, struct rhw_stats *stat
         if (!cut_wave(pass, &at)) {
             return RHW_ERROR_OUT_OF_MEMORY;
         }
-        pass->last_wave = at.triangle == pass->triangle_count;
-        if (!pass->last_wave && !transient_depth_ready(pass)) {
+        if (!run_front(pass, &at)) {
             return RHW_ERROR_OUT_OF_MEMORY;
         }
-        rhw_scheduler_run(context->scheduler, run_chunk, pass, pass->chunk_count);
-        if (pass->failed) {
+        pass->last_wave = at.triangle == pass->triangle_count;
+        if (!pass->last_wave && !transient_depth_ready(pass)) {
             return RHW_ERROR_OUT_OF_MEMORY;
         }
         const double middle = milliseconds();

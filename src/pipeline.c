@@ -212,6 +212,7 @@ enum rhw_result rhw_pipeline_create(rhw_context *context, const struct rhw_pipel
 
 void rhw_pipeline_destroy(rhw_context *context, rhw_pipeline pipeline)
 {
-    if (rhw_context_pipeline(context, pipeline, "rhw_pipeline_destroy") != NULL)
+    if (rhw_context_pipeline(context, pipeline, "rhw_pipeline_destroy") != NULL &&
+        rhw_pool_check_idle(context, &context->pipelines, pipeline.index, "rhw_pipeline_destroy"))
         rhw_pool_remove(&context->pipelines, pipeline.index);
 }

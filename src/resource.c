@@ -11,6 +11,8 @@
 struct slot {
     uint32_t generation; // of the item that is live or, when none is, of the next one
     uint32_t next_free;  // LIVE, or the index of the next free slot (0: the last)
+    uint32_t used;       // generation of the last pass that recorded a use; 0: none yet
+    uint32_t padding;    // to 16 bytes, so that the items behind the slots are aligned
 };
 
 static const uint32_t live = UINT32_MAX;
@@ -41,7 +43,6 @@ static struct slot *slot_at(const struct rhw_pool *pool, uint32_t index)
     return (struct slot *)pool->chunks[place.chunk] + place.offset;
 }
 
-// Slots are 8 bytes and a chunk has at least 16, so that the items behind them are aligned as the block is.
 static void *item_at(const struct rhw_pool *pool, uint32_t index)
 {
     const struct place place = place_of(index);
@@ -97,6 +98,7 @@ void *rhw_pool_add(struct rhw_context *context, struct rhw_pool *pool, uint32_t 
         return NULL;
     struct slot *const slot = slot_at(pool, taken);
     slot->next_free = live;
+    slot->used = 0;
     *index = taken;
     *generation = slot->generation;
     return memset(item_at(pool, taken), 0, pool->item_size);
@@ -134,6 +136,19 @@ void *rhw_pool_get(const struct rhw_context *context, const struct rhw_pool *poo
         return NULL;
     }
     return item_at(pool, index);
+}
+
+void rhw_pool_use(const struct rhw_context *context, const struct rhw_pool *pool, uint32_t index)
+{
+    slot_at(pool, index)->used = context->pass_generation;
+}
+
+bool rhw_pool_check_idle(const struct rhw_context *context, const struct rhw_pool *pool, uint32_t index,
+                         const char *where)
+{
+    const bool busy = context->pass_active && slot_at(pool, index)->used == context->pass_generation;
+    return rhw_check(context, !busy, "%s: %s %u is used by the pass being recorded; end that first", where,
+                     pool->noun, (unsigned)index);
 }
 
 void *rhw_pool_next(const struct rhw_pool *pool, uint32_t *index)

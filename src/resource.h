@@ -35,6 +35,11 @@ void rhw_pool_remove(struct rhw_pool *pool, uint32_t index);
 // NULL when the id is null, was never given out, or is stale; that is reported as misuse of `where`.
 void *rhw_pool_get(const struct rhw_context *context, const struct rhw_pool *pool, uint32_t index,
                    uint32_t generation, const char *where);
+// Notes that the pass being recorded uses the live item.
+void rhw_pool_use(const struct rhw_context *context, const struct rhw_pool *pool, uint32_t index);
+// False, and misuse of `where`, when the pass being recorded uses the live item.
+bool rhw_pool_check_idle(const struct rhw_context *context, const struct rhw_pool *pool, uint32_t index,
+                         const char *where);
 // Walks the live items: the first one after *index, which is updated; NULL at the end. Start with 0.
 void *rhw_pool_next(const struct rhw_pool *pool, uint32_t *index);
 

@@ -61,6 +61,7 @@ enum rhw_result rhw_sampler_create(rhw_context *context, const struct rhw_sample
 
 void rhw_sampler_destroy(rhw_context *context, rhw_sampler sampler)
 {
-    if (rhw_context_sampler(context, sampler, "rhw_sampler_destroy") != NULL)
+    if (rhw_context_sampler(context, sampler, "rhw_sampler_destroy") != NULL &&
+        rhw_pool_check_idle(context, &context->samplers, sampler.index, "rhw_sampler_destroy"))
         rhw_pool_remove(&context->samplers, sampler.index);
 }

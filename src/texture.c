@@ -24,6 +24,7 @@ void rhw_texture_data_init(struct rhw_texture_data *texture, enum rhw_format for
     memset(texture, 0, sizeof *texture);
     texture->format = format;
     texture->levels = levels != 0 ? levels : rhw_mip_chain_length(width, height);
+    uint64_t size = RHW_TEXEL_PADDING;
     for (int i = 0; i < texture->levels; i++) {
         struct rhw_mip *const mip = &texture->mip[i];
         mip->width = width >> i > 1 ? width >> i : 1;
@@ -34,14 +35,18 @@ void rhw_texture_data_init(struct rhw_texture_data *texture, enum rhw_format for
         mip->scale_y = (float)mip->height * 65536.0f;
         mip->interior = mip->width > 1 && mip->height > 1 ? (mip->width - 2) << 16 | (mip->height - 2) : -1;
         mip->step = 1 << 16 | (int32_t)(mip->row_pitch / 4);
-        texture->memory_size += mip->row_pitch * (size_t)mip->height;
+        size += (uint64_t)mip->row_pitch * (uint64_t)mip->height;
     }
-    texture->memory_size += RHW_TEXEL_PADDING;
+    // 4 GiB and more do not fit where addresses have 32 bits: allocate_levels refuses SIZE_MAX.
+    texture->memory_size = size > SIZE_MAX ? SIZE_MAX : (size_t)size;
 }
 
 // Zeroed memory of all levels. False when out of memory.
 static bool allocate_levels(struct rhw_context *context, struct rhw_texture_data *texture)
 {
+    if (texture->memory_size == SIZE_MAX) {
+        return false;
+    }
     unsigned char *next = rhw_context_allocate(context, texture->memory_size, RHW_CACHE_LINE);
     if (!next) {
         return false;
@@ -106,7 +111,8 @@ enum rhw_result rhw_texture_create(rhw_context *context, const struct rhw_textur
 
 void rhw_texture_destroy(rhw_context *context, rhw_texture texture)
 {
-    if (rhw_context_texture(context, texture, "rhw_texture_destroy")) {
+    if (rhw_context_texture(context, texture, "rhw_texture_destroy") &&
+        rhw_pool_check_idle(context, &context->textures, texture.index, "rhw_texture_destroy")) {
         rhw_context_texture_remove(context, texture);
     }
 }
@@ -151,8 +157,8 @@ static const struct rhw_mip *begin_copy(struct rhw_context *context, rhw_texture
                                         const void *outside, size_t *row, size_t *pitch, const char *where)
 {
     struct rhw_texture_data *const data = rhw_context_texture(context, texture, where);
-    if (!data || !check_level(context, data, level, where) ||
-        !rhw_check(context, outside != NULL, "%s: data is NULL", where)) {
+    if (!data || !rhw_pool_check_idle(context, &context->textures, texture.index, where) ||
+        !check_level(context, data, level, where) || !rhw_check(context, outside != NULL, "%s: data is NULL", where)) {
         return NULL;
     }
     const struct rhw_mip *const mip = &data->mip[level];
@@ -191,7 +197,8 @@ enum rhw_result rhw_texture_generate_mips(rhw_context *context, rhw_texture text
 {
     static const char *const where = "rhw_texture_generate_mips";
     struct rhw_texture_data *const data = rhw_context_texture(context, texture, where);
-    if (!data || !rhw_check(context, rhw_format_info(data->format)->sampled,
+    if (!data || !rhw_pool_check_idle(context, &context->textures, texture.index, where) ||
+        !rhw_check(context, rhw_format_info(data->format)->sampled,
                             "%s: the texture is %s; that format is not filtered", where,
                             rhw_format_info(data->format)->name)) {
         return RHW_ERROR_MISUSE;

@@ -103,15 +103,18 @@ static bool setup_clipped(struct rhw_front_scratch *scratch, struct rhw_counters
         high_y = max_int(high_y, polygon->y_24_8[i]);
     }
     const struct rhw_rect *const scissor = &state->scissor;
-    triangle->x0 = (int16_t)max_int(first_center(low_x), scissor->x);
-    triangle->y0 = (int16_t)max_int(first_center(low_y), scissor->y);
-    triangle->x1 = (int16_t)min_int(past_center(high_x), scissor->x + scissor->width);
-    triangle->y1 = (int16_t)min_int(past_center(high_y), scissor->y + scissor->height);
-    if (area == 0 || !facing(&state->pipeline->def, area < 0, &triangle->flags) || triangle->x0 >= triangle->x1 ||
-        triangle->y0 >= triangle->y1) {
+    const int px0 = max_int(first_center(low_x), scissor->x);
+    const int py0 = max_int(first_center(low_y), scissor->y);
+    const int px1 = min_int(past_center(high_x), scissor->x + scissor->width);
+    const int py1 = min_int(past_center(high_y), scissor->y + scissor->height);
+    if (area == 0 || !facing(&state->pipeline->def, area < 0, &triangle->flags) || px0 >= px1 || py0 >= py1) {
         counters->culled++;
         return false;
     }
+    triangle->x0 = (int16_t)px0;
+    triangle->y0 = (int16_t)py0;
+    triangle->x1 = (int16_t)px1;
+    triangle->y1 = (int16_t)py1;
     triangle->polygon = (uint32_t)scratch->polygon_count++;
     for (int i = 0; i < 3; i++) {
         triangle->x_24_8[i] = v[i]->x_24_8;
@@ -202,9 +205,10 @@ static void setup8(struct rhw_front_scratch *scratch, struct rhw_counters *count
     const unsigned drawn = easy & ~outside & nonzero & ~facing_away & covers;
     counters->culled += popcount(easy & ~drawn);
 
-    const float low = def->depth_test ? (state->viewport.depth_min < state->viewport.depth_max ? state->viewport.depth_min : state->viewport.depth_max) : -1e30f;
-    const float high = def->depth_test ? (state->viewport.depth_min < state->viewport.depth_max ? state->viewport.depth_max : state->viewport.depth_min) : 1e30f;
-    const unsigned clamp = i8_sign_bits((lanes.depth_min < f8_splat(low + 1e-6f)) | (lanes.depth_max > f8_splat(high - 1e-6f)));
+    // A rounding may carry interpolated depth past the viewport's range, where a vertex is next to its ends.
+    const float margin = 0x1p-20f;
+    const unsigned clamp = i8_sign_bits((lanes.depth_min < f8_splat(state->depth_least + margin)) |
+                                        (lanes.depth_max > f8_splat(state->depth_most - margin)));
     // Submission order is kept: easy and hard lanes are stored as they come.
     for (unsigned left = drawn | hard; left != 0; left &= left - 1) {
         const int lane = __builtin_ctz(left);

@@ -75,8 +75,7 @@ static float *stored_depth(const struct tile_work *work, int x, int y)
 
 static f8 viewport_clamp(const struct rhw_draw_state *state, f8 z)
 {
-    const float a = state->viewport.depth_min, b = state->viewport.depth_max;
-    return f8_min(f8_max(z, f8_splat(a < b ? a : b)), f8_splat(a < b ? b : a));
+    return f8_min(f8_max(z, f8_splat(state->depth_least)), f8_splat(state->depth_most));
 }
 
 // Tests 8 fragments and writes those that pass, if the pipeline writes.

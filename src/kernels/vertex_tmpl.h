@@ -90,13 +90,8 @@ static void project(const struct rhw_draw_state *state, const f8 position[4], f8
     const d8 wd = d8_from_f8(w);
     const d8 sx = d8_add(d8_mul(d8_div(d8_from_f8(x), wd), d8_splat(state->half_width)), d8_splat(state->center_x));
     const d8 sy = d8_sub(d8_splat(state->center_y), d8_mul(d8_div(d8_from_f8(y), wd), d8_splat(state->half_height)));
-    d8 depth = d8_div(d8_from_f8(z), wd);
-    if (symmetric) {
-        depth = d8_mul(d8_add(depth, d8_splat(1)), d8_splat(0.5));
-    }
-    const struct rhw_viewport *const v = &state->viewport;
-    const double span = (double)v->depth_max - (double)v->depth_min;
-    const f8 d = f8_from_d8(d8_add(d8_mul(depth, d8_splat(span)), d8_splat((double)v->depth_min)));
+    const f8 d = f8_from_d8(d8_add(d8_splat(state->depth_low),
+                                   d8_mul(d8_splat(state->depth_span), d8_div(d8_from_f8(z), wd))));
     // In float the comparisons err by a rounding at 32768, a power of two: there the float is below or equal
     // exactly when the double rounds to it or below.
     const f8 fx = f8_from_d8(sx), fy = f8_from_d8(sy);
