@@ -81,5 +81,9 @@ printf 'P6\n99999999999999999999 2\n255\n' >wide.ppm
 refuse 1 "wide.ppm: not a valid PPM header" compare wide.ppm a.ppm
 printf 'P3\n1 1\n7\n8 0 0\n' >range.ppm
 refuse 1 "range.ppm: a sample of the PPM file is out of range" compare range.ppm a.ppm
+printf 'P6\n1 1\n7\n\000\010\000' >range.ppm
+refuse 1 "range.ppm: a sample of the PPM file is out of range" compare range.ppm a.ppm
+printf 'P5\n1 1\n300\n\001\055' >range.pgm
+refuse 1 "range.pgm: a sample of the PPM file is out of range" compare range.pgm a.ppm
 
 finish

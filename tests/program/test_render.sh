@@ -33,6 +33,8 @@ check "default size" test "$(bytes A.PNG 16 8)" = "0 0 5 0 0 0 2 208"
 succeed render cube.obj $view -o a.ppm
 check "PPM header" test "$(head -c 13 a.ppm | tr '\n' ' ')" = "P6 96 64 255 "
 check "PPM equals PNG" equal a.ppm a.png
+succeed render cube.obj $view -o n16.ppm --output normal --bits 16
+check "PPM equals PNG in 16 bits" equal n16.ppm n16.png
 run render cube.obj $view -o -
 check "standard output is the PNG file" cmp -s a.png "$folder/log/out"
 succeed render cube.obj $view --format png -o plain

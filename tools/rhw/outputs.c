@@ -88,7 +88,7 @@ static void transparent_color_row(const void *user, int y, void *row)
 }
 
 // The sRGB transfer function (IEC 61966-2-1) with the library's own power.
-static rhw_float encode(rhw_float linear)
+static inline rhw_float encode(rhw_float linear)
 {
     const rhw_float curve = 1.055f * rhw_pow(linear, rhw_splat(1.0f / 2.4f)) - 0.055f;
     return rhw_select(rhw_less_equal(linear, rhw_splat(0.0031308f)), linear * 12.92f, curve);

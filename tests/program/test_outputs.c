@@ -1,0 +1,226 @@
+// SPDX-License-Identifier: MIT
+// What each output becomes in a PNG or PPM, held to the formulas that rhw render --help states, on pictures
+// of a few pixels made by hand.
+#include "outputs.h"
+
+#include <math.h>
+#include <setjmp.h>
+#include <stdarg.h>
+#include <stddef.h>
+#include <string.h>
+
+#include <cmocka.h>
+
+enum { WIDTH = 3, HEIGHT = 2, PIXELS = WIDTH * HEIGHT };
+
+static const float bounds_min[3] = {-1.0f, 0.0f, 10.0f}, bounds_max[3] = {3.0f, 0.0f, 20.0f};
+
+// The samples of a whole picture as 16 bit numbers, whatever it has.
+static void rasterize(const struct rhw_pictures *pictures, enum rhw_output_kind kind, int bits,
+                      bool transparent, struct rhw_output_raster *output, uint16_t *samples)
+{
+    rhw_output_rasterize(output, pictures, kind, bits, transparent, bounds_min, bounds_max);
+    const struct rhw_raster *raster = &output->raster;
+    assert_int_equal(raster->width, WIDTH);
+    assert_int_equal(raster->height, HEIGHT);
+    uint16_t row[WIDTH * 4];
+    for (int y = 0; y < HEIGHT; y++) {
+        raster->row(raster->user, y, row);
+        for (int i = 0; i < WIDTH * raster->channels; i++) {
+            *samples++ = raster->bits == 8 ? ((const uint8_t *)row)[i] : row[i];
+        }
+    }
+}
+
+static void test_color(void **state)
+{
+    (void)state;
+    uint8_t color[PIXELS][4];
+    for (int i = 0; i < PIXELS * 4; i++) {
+        color[i / 4][i % 4] = (uint8_t)(i * 10);
+    }
+    struct rhw_pictures pictures = {.width = WIDTH, .height = HEIGHT, .color = color[0]};
+    struct rhw_output_raster output;
+    uint16_t samples[PIXELS * 4];
+    rasterize(&pictures, RHW_KIND_COLOR, 0, false, &output, samples);
+    assert_int_equal(output.raster.channels, 3);
+    assert_int_equal(output.raster.bits, 8);
+    assert_true(output.raster.srgb);
+    for (int i = 0; i < PIXELS * 3; i++) {
+        assert_int_equal(samples[i], color[i / 3][i % 3]);
+    }
+    rasterize(&pictures, RHW_KIND_COLOR, 8, true, &output, samples);
+    assert_int_equal(output.raster.channels, 4);
+    for (int i = 0; i < PIXELS * 4; i++) {
+        assert_int_equal(samples[i], color[i / 4][i % 4]);
+    }
+}
+
+// Against IEC 61966-2-1 in double; the last pixel of an odd row stands alone in its vector.
+static void test_fine_color(void **state)
+{
+    (void)state;
+    float display[PIXELS][4];
+    for (int i = 0; i < PIXELS * 4; i++) {
+        display[i / 4][i % 4] = (float)(i * i) / 500.0f; // 0 .. 1.058, dark values dense
+    }
+    const struct rhw_pictures pictures = {.width = WIDTH, .height = HEIGHT, .display = display[0]};
+    struct rhw_output_raster output;
+    uint16_t samples[PIXELS * 4];
+    rasterize(&pictures, RHW_KIND_COLOR, 16, true, &output, samples);
+    assert_int_equal(output.raster.bits, 16);
+    for (int i = 0; i < PIXELS * 4; i++) {
+        const double linear = fmin((double)display[i / 4][i % 4], 1.0);
+        const double encoded = linear <= 0.0031308 ? 12.92 * linear : 1.055 * pow(linear, 1.0 / 2.4) - 0.055;
+        const double expected = (i % 4 == 3 ? linear : encoded) * 65535.0;
+        assert_true(fabs(samples[i] - expected) <= 0.51);
+    }
+    uint16_t opaque[PIXELS * 3];
+    rasterize(&pictures, RHW_KIND_COLOR, 16, false, &output, opaque);
+    for (int i = 0; i < PIXELS * 3; i++) {
+        assert_int_equal(opaque[i], samples[i / 3 * 4 + i % 3]);
+    }
+}
+
+static void test_depth_and_distance(void **state)
+{
+    (void)state;
+    float depth[PIXELS] = {0.25f, 0.5f, 0.75f, 1.0f, 0.375f, 0.25f};
+    float distance[PIXELS] = {2.0f, 3.0f, 4.0f, INFINITY, 2.5f, 2.0f};
+    const struct rhw_pictures pictures = {
+        .width = WIDTH, .height = HEIGHT, .depth = depth, .distance = distance};
+    // 1 at the nearest, 0.1 at the farthest, linear between; 0 where nothing is.
+    const double expected[PIXELS] = {1.0, 0.55, 0.1, 0.0, 0.775, 1.0};
+    const enum rhw_output_kind kinds[2] = {RHW_KIND_DEPTH, RHW_KIND_DISTANCE};
+    for (int k = 0; k < 2; k++) {
+        struct rhw_output_raster output;
+        uint16_t samples[PIXELS];
+        rasterize(&pictures, kinds[k], 0, false, &output, samples);
+        assert_int_equal(output.raster.channels, 1);
+        assert_int_equal(output.raster.bits, 16);
+        assert_false(output.raster.srgb);
+        for (int i = 0; i < PIXELS; i++) {
+            assert_true(fabs(samples[i] - expected[i] * 65535.0) <= 0.51);
+        }
+        assert_non_null(strstr(output.raster.comment, k == 0 ? "white is 0.25" : "white is 2,"));
+        assert_non_null(strstr(output.raster.comment, k == 0 ? "one tenth is 0.75" : "one tenth is 4,"));
+        rasterize(&pictures, kinds[k], 8, false, &output, samples);
+        for (int i = 0; i < PIXELS; i++) {
+            assert_true(fabs(samples[i] - expected[i] * 255.0) <= 0.51);
+        }
+    }
+}
+
+static void test_depth_of_nothing_and_of_one_plane(void **state)
+{
+    (void)state;
+    float depth[PIXELS] = {1.0f, 1.0f, 1.0f, 1.0f, 1.0f, 1.0f};
+    const struct rhw_pictures pictures = {.width = WIDTH, .height = HEIGHT, .depth = depth};
+    struct rhw_output_raster output;
+    uint16_t samples[PIXELS];
+    rasterize(&pictures, RHW_KIND_DEPTH, 0, false, &output, samples);
+    for (int i = 0; i < PIXELS; i++) {
+        assert_int_equal(samples[i], 0);
+    }
+    depth[2] = depth[4] = 0.5f;
+    rasterize(&pictures, RHW_KIND_DEPTH, 0, false, &output, samples);
+    for (int i = 0; i < PIXELS; i++) {
+        assert_int_equal(samples[i], i == 2 || i == 4 ? 65535 : 0);
+    }
+}
+
+static void test_vectors(void **state)
+{
+    (void)state;
+    float vectors[PIXELS][4] = {{-1.0f, 0.0f, 1.0f, 1.0f}, {0.5f, -0.5f, 0.0f, 1.0f},
+                                {0.0f, 0.0f, 0.0f, 0.0f},  {3.0f, 5.0f, 20.0f, 1.0f},
+                                {1.0f, 0.0f, 15.0f, 1.0f}, {NAN, NAN, NAN, 1.0f}};
+    const struct rhw_pictures pictures = {.width = WIDTH,
+                                          .height = HEIGHT,
+                                          .normal = vectors[0],
+                                          .position = vectors[0],
+                                          .barycentric = vectors[0]};
+    struct rhw_output_raster output;
+    uint16_t samples[PIXELS][3];
+    rasterize(&pictures, RHW_KIND_NORMAL, 0, false, &output, samples[0]);
+    assert_int_equal(output.raster.bits, 8);
+    const uint16_t normals[3][3] = {{0, 128, 255}, {191, 64, 128}, {0, 0, 0}};
+    assert_memory_equal(samples, normals, sizeof normals);
+    // x −1..3, y without extent, z 10..20
+    rasterize(&pictures, RHW_KIND_POSITION, 0, false, &output, samples[0]);
+    const uint16_t positions[3][3] = {{255, 0, 255}, {128, 0, 128}, {0, 0, 0}};
+    assert_memory_equal(samples[3], positions, sizeof positions);
+    rasterize(&pictures, RHW_KIND_BARY, 0, false, &output, samples[0]);
+    const uint16_t weights[3][3] = {{0, 0, 255}, {128, 0, 0}, {0, 0, 0}};
+    assert_memory_equal(samples, weights, sizeof weights);
+}
+
+static void test_uv(void **state)
+{
+    (void)state;
+    float uv[PIXELS][4] = {{0.2f, 0.4f, 0, 1},  {1.2f, -0.6f, 0, 1},   {0.2f, 0.4f, 0, 0},
+                           {-3.0f, 7.0f, 0, 1}, {NAN, INFINITY, 0, 1}, {0.999999f, 0.5f, 0, 1}};
+    const struct rhw_pictures pictures = {.width = WIDTH, .height = HEIGHT, .uv = uv[0]};
+    struct rhw_output_raster output;
+    uint16_t samples[PIXELS][3];
+    rasterize(&pictures, RHW_KIND_UV, 0, false, &output, samples[0]);
+    const uint16_t expected[PIXELS][3] = {{51, 102, 0}, {51, 102, 0}, {0, 0, 0},
+                                          {0, 0, 0},    {0, 0, 0},    {255, 128, 0}};
+    assert_memory_equal(samples, expected, sizeof expected);
+}
+
+// Distinct colours, none of them near the black of nothing, and the same ones for ever.
+static void test_ids(void **state)
+{
+    (void)state;
+    static uint32_t ids[PIXELS] = {0, 1, 2, 3, 1, UINT32_MAX};
+    const struct rhw_pictures pictures = {.width = WIDTH, .height = HEIGHT, .object = ids, .triangle = ids};
+    struct rhw_output_raster output;
+    uint16_t objects[PIXELS][3], triangles[PIXELS][3];
+    rasterize(&pictures, RHW_KIND_OBJECT, 0, false, &output, objects[0]);
+    rasterize(&pictures, RHW_KIND_TRIANGLE, 0, false, &output, triangles[0]);
+    assert_memory_equal(objects, triangles, sizeof objects);
+    const uint16_t expected[4][3] = {{0, 0, 0}, {205, 167, 162}, {156, 80, 69}, {228, 237, 244}};
+    assert_memory_equal(objects, expected, sizeof expected);
+    assert_memory_equal(objects[4], objects[1], sizeof objects[1]);
+    for (int i = 0; i < 3; i++) {
+        assert_in_range(objects[5][i], 55, 255);
+    }
+}
+
+static void test_names_and_needs(void **state)
+{
+    (void)state;
+    unsigned kinds = 99;
+    const char *bad = NULL;
+    assert_true(rhw_outputs_parse("color,depth,depth", &kinds, &bad));
+    assert_int_equal(kinds, 1u << RHW_KIND_COLOR | 1u << RHW_KIND_DEPTH);
+    assert_int_equal(rhw_outputs_needed(kinds, RHW_PICTURE_PNG, 0), RHW_OUTPUT_COLOR | RHW_OUTPUT_DEPTH);
+    assert_int_equal(rhw_outputs_needed(kinds, RHW_PICTURE_PPM, 16), RHW_OUTPUT_DISPLAY | RHW_OUTPUT_DEPTH);
+    assert_int_equal(rhw_outputs_needed(kinds, RHW_PICTURE_EXR, 0), RHW_OUTPUT_LINEAR | RHW_OUTPUT_DEPTH);
+    assert_false(rhw_outputs_parse("color,dept", &kinds, &bad));
+    assert_string_equal(bad, "dept");
+    assert_false(rhw_outputs_parse("color,", &kinds, &bad));
+    assert_false(rhw_outputs_parse("", &kinds, &bad));
+    assert_true(rhw_outputs_parse("all", &kinds, &bad));
+    assert_int_equal(kinds, (1u << RHW_KIND_COUNT) - 1);
+    for (int kind = 0; kind < RHW_KIND_COUNT; kind++) {
+        assert_true(rhw_outputs_parse(rhw_output_name((enum rhw_output_kind)kind), &kinds, &bad));
+        assert_int_equal(kinds, 1u << kind);
+    }
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(test_color),
+        cmocka_unit_test(test_fine_color),
+        cmocka_unit_test(test_depth_and_distance),
+        cmocka_unit_test(test_depth_of_nothing_and_of_one_plane),
+        cmocka_unit_test(test_vectors),
+        cmocka_unit_test(test_uv),
+        cmocka_unit_test(test_ids),
+        cmocka_unit_test(test_names_and_needs),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}
