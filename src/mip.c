@@ -21,16 +21,12 @@ static texel4 load_texel(enum rhw_format format, const unsigned char *from)
     texel4 value = {0, 0, 0, 0};
     uint16_t half[4];
     switch (format) {
-    case RHW_FORMAT_R8_UNORM:
-        value[0] = from[0];
-        break;
+    case RHW_FORMAT_R8_UNORM: value[0] = from[0]; break;
     case RHW_FORMAT_RG8_UNORM:
         value[0] = from[0];
         value[1] = from[1];
         break;
-    case RHW_FORMAT_RGBA8_UNORM:
-        value = (texel4){from[0], from[1], from[2], from[3]};
-        break;
+    case RHW_FORMAT_RGBA8_UNORM: value = (texel4){from[0], from[1], from[2], from[3]}; break;
     case RHW_FORMAT_RGBA8_SRGB:
         value = (texel4){rhw_srgb_decode_table[from[0]], rhw_srgb_decode_table[from[1]],
                          rhw_srgb_decode_table[from[2]], from[3]};
@@ -41,9 +37,7 @@ static texel4 load_texel(enum rhw_format format, const unsigned char *from)
             value[i] = rhw_half_to_float(half[i]);
         }
         break;
-    case RHW_FORMAT_RGBA32_FLOAT:
-        memcpy(&value, from, sizeof value);
-        break;
+    case RHW_FORMAT_RGBA32_FLOAT: memcpy(&value, from, sizeof value); break;
     default: { // one float
         float first;
         memcpy(&first, from, sizeof first);
@@ -89,9 +83,7 @@ static void store_texel(enum rhw_format format, texel4 value, unsigned char *to)
         }
         memcpy(to, half, sizeof half);
         break;
-    case RHW_FORMAT_RGBA32_FLOAT:
-        memcpy(to, &value, sizeof value);
-        break;
+    case RHW_FORMAT_RGBA32_FLOAT: memcpy(to, &value, sizeof value); break;
     default: {
         const float first = value[0];
         memcpy(to, &first, sizeof first);
@@ -116,7 +108,8 @@ static struct taps taps_of(int larger, int smaller, int i)
     }
     // The box is larger/smaller = 2 + 1/smaller texels wide and starts i/smaller into texel 2i.
     const float width = (float)larger;
-    return (struct taps){2 * i, 3, {(float)(smaller - i) / width, (float)smaller / width, (float)(i + 1) / width}};
+    return (struct taps){
+        2 * i, 3, {(float)(smaller - i) / width, (float)smaller / width, (float)(i + 1) / width}};
 }
 
 static texel4 filter(const texel4 *from, int pitch, const struct taps *x, const struct taps *y)
@@ -177,7 +170,8 @@ static void reduce_first(const struct rhw_texture_data *texture, texel4 *widened
 
 static size_t texels_of(const struct rhw_texture_data *texture, int level)
 {
-    return level < texture->levels ? (size_t)texture->mip[level].width * (size_t)texture->mip[level].height : 0;
+    return level < texture->levels ? (size_t)texture->mip[level].width * (size_t)texture->mip[level].height
+                                   : 0;
 }
 
 bool rhw_texture_data_generate_mips(struct rhw_context *context, const struct rhw_texture_data *texture)

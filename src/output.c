@@ -12,12 +12,9 @@ static uint8_t format_channels(enum rhw_format format)
     switch (format) {
     case RHW_FORMAT_R8_UNORM:
     case RHW_FORMAT_R32_FLOAT:
-    case RHW_FORMAT_R32_UINT:
-        return 1;
-    case RHW_FORMAT_RG8_UNORM:
-        return 3;
-    default:
-        return 15;
+    case RHW_FORMAT_R32_UINT: return 1;
+    case RHW_FORMAT_RG8_UNORM: return 3;
+    default: return 15;
     }
 }
 
@@ -135,16 +132,12 @@ void rhw_output_clear_value(enum rhw_format format, const float clear[4], unsign
         }
         texel[3] = unorm8_from_float(value[3]);
         break;
-    case RHW_FORMAT_RGBA16_FLOAT:
-        memcpy(texel, half, sizeof half);
-        break;
+    case RHW_FORMAT_RGBA16_FLOAT: memcpy(texel, half, sizeof half); break;
     case RHW_FORMAT_R32_UINT: {
         const uint32_t bits = uint_from_float(clear[0]);
         memcpy(texel, &bits, sizeof bits);
         break;
     }
-    default:
-        memcpy(texel, value, sizeof value);
-        break;
+    default: memcpy(texel, value, sizeof value); break;
     }
 }

@@ -20,12 +20,12 @@ enum output_kind {
 struct output_state {
     enum output_kind kind;
     enum rhw_format format;
-    bool blend;             // false too where blending is replacement spelled out
+    bool blend;                // false too where blending is replacement spelled out
     bool color_one, alpha_one; // the source factor is ONE
-    uint8_t write_mask;     // only channels that the format has
-    uint32_t texel_mask;    // 8-bit formats: 0xff in each byte that is written
+    uint8_t write_mask;        // only channels that the format has
+    uint32_t texel_mask;       // 8-bit formats: 0xff in each byte that is written
     struct rhw_blend_component color, alpha;
-    float constant[4];      // clamped to 0..1 for UNORM and SRGB formats
+    float constant[4]; // clamped to 0..1 for UNORM and SRGB formats
 };
 
 // `target` is valid for its format; `constant` is the pass's blend constant.

@@ -158,7 +158,8 @@ static const struct rhw_mip *begin_copy(struct rhw_context *context, rhw_texture
 {
     struct rhw_texture_data *const data = rhw_context_texture(context, texture, where);
     if (!data || !rhw_pool_check_idle(context, &context->textures, texture.index, where) ||
-        !check_level(context, data, level, where) || !rhw_check(context, outside != NULL, "%s: data is NULL", where)) {
+        !check_level(context, data, level, where) ||
+        !rhw_check(context, outside != NULL, "%s: data is NULL", where)) {
         return NULL;
     }
     const struct rhw_mip *const mip = &data->mip[level];
@@ -173,13 +174,15 @@ static const struct rhw_mip *begin_copy(struct rhw_context *context, rhw_texture
     return mip;
 }
 
-void rhw_texture_write(rhw_context *context, rhw_texture texture, int level, const void *data, size_t row_pitch)
+void rhw_texture_write(rhw_context *context, rhw_texture texture, int level, const void *data,
+                       size_t row_pitch)
 {
     size_t row;
     const struct rhw_mip *const mip =
         begin_copy(context, texture, level, data, &row, &row_pitch, "rhw_texture_write");
     for (int y = 0; mip && y < mip->height; y++) {
-        memcpy(mip->texels + (size_t)y * mip->row_pitch, (const unsigned char *)data + (size_t)y * row_pitch, row);
+        memcpy(mip->texels + (size_t)y * mip->row_pitch, (const unsigned char *)data + (size_t)y * row_pitch,
+               row);
     }
 }
 
@@ -199,8 +202,8 @@ enum rhw_result rhw_texture_generate_mips(rhw_context *context, rhw_texture text
     struct rhw_texture_data *const data = rhw_context_texture(context, texture, where);
     if (!data || !rhw_pool_check_idle(context, &context->textures, texture.index, where) ||
         !rhw_check(context, rhw_format_info(data->format)->sampled,
-                            "%s: the texture is %s; that format is not filtered", where,
-                            rhw_format_info(data->format)->name)) {
+                   "%s: the texture is %s; that format is not filtered", where,
+                   rhw_format_info(data->format)->name)) {
         return RHW_ERROR_MISUSE;
     }
     const uint64_t environment = rhw_cpu_float_enter();

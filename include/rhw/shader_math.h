@@ -77,7 +77,8 @@ static inline rhw_float rhw_scale_exp2(rhw_float a, rhw_int n)
 static inline rhw_float rhw_exp2_fraction(rhw_float f)
 {
     const rhw_float square = f * f;
-    const rhw_float upper = (0.00961800385f * f + 0.055503279f) + square * (0.000154763024f * f + 0.00134002347f);
+    const rhw_float upper =
+        (0.00961800385f * f + 0.055503279f) + square * (0.000154763024f * f + 0.00134002347f);
     const rhw_float q = 0.693147182f + f * (0.240226507f + f * upper);
     return 1.0f + f * q;
 }
@@ -112,7 +113,7 @@ static inline rhw_float rhw_exp(rhw_float a)
 /// a = m · 2^e with sqrt(1/2) ≤ m < sqrt(2), for finite a > 0; returns m.
 static inline rhw_float rhw_split_exponent(rhw_float a, rhw_float *e)
 {
-    const rhw_int tiny = rhw_less(a, rhw_splat(1.17549435e-38f)); // denormal
+    const rhw_int tiny = rhw_less(a, rhw_splat(1.17549435e-38f));                   // denormal
     const rhw_int bits = (rhw_int)rhw_select(tiny, a * 8388608.0f, a) - 0x3f3504f3; // of sqrt(1/2)
     *e = rhw_to_float((bits >> 23) + (tiny & -23));
     return (rhw_float)((bits & 0x7fffff) + 0x3f3504f3);
@@ -170,8 +171,9 @@ static inline rhw_double4 rhw_log2_double(rhw_double4 m, rhw_double4 e)
     const rhw_double4 s = (m - 1.0) / (m + 1.0);
     const rhw_double4 z = s * s;
     const rhw_double4 square = z * z;
-    const rhw_double4 q = (z * 0.57707795328895595 + 0.96179669405739665) +
-                          square * ((z * 0.31993509897601885 + 0.41220839314282687) + square * 0.28253534687468967);
+    const rhw_double4 q =
+        (z * 0.57707795328895595 + 0.96179669405739665) +
+        square * ((z * 0.31993509897601885 + 0.41220839314282687) + square * 0.28253534687468967);
     return e + s * (2.8853900817779268 + z * q);
 }
 
@@ -223,8 +225,8 @@ static inline rhw_float rhw_pow(rhw_float a, rhw_float b)
     const rhw_float result = rhw_pow_positive(rhw_abs(a), b);
     // What shading asks for, 0 <= a and 0 < b, both finite, read off the bits: −0 is not among it.
     const rhw_int end = rhw_splat_int(0x7f800000), bits = (rhw_int)a;
-    const rhw_int usual = ~(bits >> 31) & rhw_less_int(bits, end) & rhw_less_int(rhw_splat_int(0), (rhw_int)b) &
-                          rhw_less_int((rhw_int)b, end);
+    const rhw_int usual = ~(bits >> 31) & rhw_less_int(bits, end) &
+                          rhw_less_int(rhw_splat_int(0), (rhw_int)b) & rhw_less_int((rhw_int)b, end);
     if (rhw_all(usual)) {
         return (rhw_float)((rhw_int)result & ~rhw_equal_int(bits, rhw_splat_int(0)));
     }
@@ -238,8 +240,8 @@ static inline rhw_float rhw_pow(rhw_float a, rhw_float b)
 static inline float rhw_reduce_large(float a, int32_t *quadrant)
 {
     // 2/π from the binary point on, after 32 zeros.
-    static const uint32_t words[8] = {0,          0xa2f9836e, 0x4e441529, 0xfc2757d1, 0xf534ddc0,
-                                      0xdb629599, 0x3c439041, 0xfe5163ab};
+    static const uint32_t words[8] = {0,          0xa2f9836e, 0x4e441529, 0xfc2757d1,
+                                      0xf534ddc0, 0xdb629599, 0x3c439041, 0xfe5163ab};
     uint32_t bits;
     memcpy(&bits, &a, sizeof bits);
     const int exponent = (int)(bits >> 23 & 0xff) - 127;

@@ -42,7 +42,8 @@ static inline void rhw_sample1_grad(const struct rhw_binding *binding, const flo
                                     float texel[4])
 {
     const rhw_float at[2] = {rhw_splat(uv[0]), rhw_splat(uv[1])};
-    const rhw_float slope[4] = {rhw_splat(grad[0]), rhw_splat(grad[1]), rhw_splat(grad[2]), rhw_splat(grad[3])};
+    const rhw_float slope[4] = {rhw_splat(grad[0]), rhw_splat(grad[1]), rhw_splat(grad[2]),
+                                rhw_splat(grad[3])};
     rhw_float lanes[4];
     rhw_sample_grad(binding, at, slope, lanes);
     for (int i = 0; i < 4; i++) {
@@ -51,7 +52,8 @@ static inline void rhw_sample1_grad(const struct rhw_binding *binding, const flo
 }
 
 /// rhw_sample_lod for one fragment.
-static inline void rhw_sample1_lod(const struct rhw_binding *binding, const float uv[2], float lod, float texel[4])
+static inline void rhw_sample1_lod(const struct rhw_binding *binding, const float uv[2], float lod,
+                                   float texel[4])
 {
     const rhw_float at[2] = {rhw_splat(uv[0]), rhw_splat(uv[1])};
     rhw_float lanes[4];

@@ -183,17 +183,10 @@ static inline void output_load(enum rhw_format format, const unsigned char *texe
         value[3] = output_byte(texel, 24) / 255.0f;
         break;
     }
-    case RHW_FORMAT_RGBA16_FLOAT:
-        output_load_halves(texels, value);
-        break;
-    case RHW_FORMAT_R32_FLOAT:
-        output_load_floats(texels, 1, value);
-        break;
-    case RHW_FORMAT_RGBA32_FLOAT:
-        output_load_floats(texels, 4, value);
-        break;
-    default:
-        break;
+    case RHW_FORMAT_RGBA16_FLOAT: output_load_halves(texels, value); break;
+    case RHW_FORMAT_R32_FLOAT: output_load_floats(texels, 1, value); break;
+    case RHW_FORMAT_RGBA32_FLOAT: output_load_floats(texels, 4, value); break;
+    default: break;
     }
 }
 
@@ -212,17 +205,10 @@ static inline void output_store(const struct output_state *state, const f8 value
                             mask & i8_splat((int32_t)state->texel_mask));
         break;
     }
-    case RHW_FORMAT_RGBA16_FLOAT:
-        output_store_halves(texels, value, mask);
-        break;
-    case RHW_FORMAT_R32_FLOAT:
-        output_store_floats(texels, 1, value, mask);
-        break;
-    case RHW_FORMAT_RGBA32_FLOAT:
-        output_store_floats(texels, 4, value, mask);
-        break;
-    default:
-        break;
+    case RHW_FORMAT_RGBA16_FLOAT: output_store_halves(texels, value, mask); break;
+    case RHW_FORMAT_R32_FLOAT: output_store_floats(texels, 1, value, mask); break;
+    case RHW_FORMAT_RGBA32_FLOAT: output_store_floats(texels, 4, value, mask); break;
+    default: break;
     }
 }
 
@@ -231,32 +217,19 @@ static inline f8 output_factor(const struct output_state *state, enum rhw_blend_
                                const f8 src[4], const f8 dst[4], int i)
 {
     switch (factor) {
-    case RHW_BLEND_ZERO:
-        return rhw_splat(0.0f);
-    case RHW_BLEND_ONE:
-        return rhw_splat(1.0f);
-    case RHW_BLEND_SRC:
-        return src[i];
-    case RHW_BLEND_ONE_MINUS_SRC:
-        return 1.0f - src[i];
-    case RHW_BLEND_SRC_ALPHA:
-        return src[3];
-    case RHW_BLEND_ONE_MINUS_SRC_ALPHA:
-        return 1.0f - src[3];
-    case RHW_BLEND_DST:
-        return dst[i];
-    case RHW_BLEND_ONE_MINUS_DST:
-        return 1.0f - dst[i];
-    case RHW_BLEND_DST_ALPHA:
-        return dst[3];
-    case RHW_BLEND_ONE_MINUS_DST_ALPHA:
-        return 1.0f - dst[3];
-    case RHW_BLEND_SRC_ALPHA_SATURATED:
-        return i == 3 ? rhw_splat(1.0f) : rhw_min(src[3], 1.0f - dst[3]);
-    case RHW_BLEND_CONSTANT:
-        return rhw_splat(state->constant[i]);
-    case RHW_BLEND_ONE_MINUS_CONSTANT:
-        return rhw_splat(1.0f - state->constant[i]);
+    case RHW_BLEND_ZERO: return rhw_splat(0.0f);
+    case RHW_BLEND_ONE: return rhw_splat(1.0f);
+    case RHW_BLEND_SRC: return src[i];
+    case RHW_BLEND_ONE_MINUS_SRC: return 1.0f - src[i];
+    case RHW_BLEND_SRC_ALPHA: return src[3];
+    case RHW_BLEND_ONE_MINUS_SRC_ALPHA: return 1.0f - src[3];
+    case RHW_BLEND_DST: return dst[i];
+    case RHW_BLEND_ONE_MINUS_DST: return 1.0f - dst[i];
+    case RHW_BLEND_DST_ALPHA: return dst[3];
+    case RHW_BLEND_ONE_MINUS_DST_ALPHA: return 1.0f - dst[3];
+    case RHW_BLEND_SRC_ALPHA_SATURATED: return i == 3 ? rhw_splat(1.0f) : rhw_min(src[3], 1.0f - dst[3]);
+    case RHW_BLEND_CONSTANT: return rhw_splat(state->constant[i]);
+    case RHW_BLEND_ONE_MINUS_CONSTANT: return rhw_splat(1.0f - state->constant[i]);
     }
     return rhw_splat(0.0f);
 }
@@ -273,12 +246,9 @@ static inline f8 output_blend(const struct output_state *state, const f8 src[4],
     const f8 a = src[i] * output_factor(state, component->src, src, dst, i);
     const f8 b = dst[i] * output_factor(state, component->dst, src, dst, i);
     switch (component->operation) {
-    case RHW_BLEND_SUBTRACT:
-        return a - b;
-    case RHW_BLEND_REVERSE_SUBTRACT:
-        return b - a;
-    default:
-        return a + b;
+    case RHW_BLEND_SUBTRACT: return a - b;
+    case RHW_BLEND_REVERSE_SUBTRACT: return b - a;
+    default: return a + b;
     }
 }
 
@@ -307,8 +277,7 @@ static inline void output_group(const struct output_state *state, const f8 color
                                 unsigned char *texels)
 {
     switch (state->kind) {
-    case OUTPUT_NOTHING:
-        break;
+    case OUTPUT_NOTHING: break;
     case OUTPUT_RGBA8_REPLACE:
     case OUTPUT_RGBA8_MASKED: {
         i8 byte[4];
@@ -323,21 +292,15 @@ static inline void output_group(const struct output_state *state, const f8 color
         }
         break;
     }
-    case OUTPUT_RGBA8_OVER:
-        output_rgba8_over(state, color, mask, texels);
-        break;
+    case OUTPUT_RGBA8_OVER: output_rgba8_over(state, color, mask, texels); break;
     case OUTPUT_SRGB8_REPLACE: {
         const i8 packed = output_pack(output_srgb8(color[0]), output_srgb8(color[1]), output_srgb8(color[2]),
                                       output_unorm8(rhw_saturate(color[3])));
         output_store32_bits(texels, packed, mask & i8_splat((int32_t)state->texel_mask));
         break;
     }
-    case OUTPUT_UINT_REPLACE:
-        output_store32(texels, (i8)color[0], mask);
-        break;
-    case OUTPUT_GENERIC:
-        output_generic(state, color, &mask, texels);
-        break;
+    case OUTPUT_UINT_REPLACE: output_store32(texels, (i8)color[0], mask); break;
+    case OUTPUT_GENERIC: output_generic(state, color, &mask, texels); break;
     }
 }
 

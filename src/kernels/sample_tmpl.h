@@ -3,8 +3,9 @@
 // and addresses are the same for all of them and the arithmetic stays vector arithmetic; lanes next to each
 // other on the screen nearly always do. A lane's result never depends on the other lanes.
 //
-// Coordinates are folded into 0..1 by the address mode before they meet the size of a level: the fold is
-// exact for any finite coordinate, and what is not finite lands on an edge, so that no texel outside is touched.
+// Coordinates are folded into 0..1 by the address mode before they meet the size of a level: the fold rounds
+// to 2^-24 at most, however large the coordinate, and what is not finite lands on an edge, so that no texel
+// outside is touched.
 #ifndef RHW_SAMPLE_TMPL_H
 #define RHW_SAMPLE_TMPL_H
 
@@ -12,6 +13,7 @@
 #include "../srgb.h"
 #include "../texture.h"
 
+// 16 lanes of 16 bits, 8 lanes of 32.
 typedef int16_t s16 __attribute__((vector_size(32)));
 typedef uint32_t u8 __attribute__((vector_size(32)));
 
@@ -29,16 +31,13 @@ static inline f8 sample_fold(enum rhw_address address, f8 u)
 {
     const f8 zero = rhw_splat(0.0f), one = rhw_splat(1.0f);
     switch (address) {
-    case RHW_ADDRESS_REPEAT:
-        return rhw_min(u - rhw_floor(u), one); // never negative; 1 where it is NaN
+    case RHW_ADDRESS_REPEAT: return rhw_min(u - rhw_floor(u), one); // never negative; 1 where it is NaN
     case RHW_ADDRESS_MIRROR: {
         const f8 period = u - 2.0f * rhw_floor(0.5f * u); // 0..2
         return rhw_clamp(1.0f - rhw_abs(period - 1.0f), zero, one);
     }
-    case RHW_ADDRESS_BORDER:
-        return rhw_clamp(u, rhw_splat(-1.0f), rhw_splat(2.0f));
-    default:
-        return rhw_clamp(u, zero, one);
+    case RHW_ADDRESS_BORDER: return rhw_clamp(u, rhw_splat(-1.0f), rhw_splat(2.0f));
+    default: return rhw_clamp(u, zero, one);
     }
 }
 
@@ -72,15 +71,16 @@ RHW_INLINE f8 sample_half(i8 half)
 {
     const i8 magnitude = half & 0x7fff;
     const i8 finite = (i8)((f8)(magnitude << 13) * 0x1p112f);
-    const i8 special = rhw_less_int(i8_splat(0x7bff), magnitude), nan = rhw_less_int(i8_splat(0x7c00), magnitude);
+    const i8 special = rhw_less_int(i8_splat(0x7bff), magnitude),
+             nan = rhw_less_int(i8_splat(0x7c00), magnitude);
     return (f8)(finite | (special & 0x7f800000) | (nan & 0x400000) | ((half & 0x8000) << 16));
 }
 
 // Texels (x, y) of a level as floats, colour linear.
 static inline void sample_fetch(enum rhw_format format, const struct rhw_mip *mip, i8 x, i8 y, f8 texel[4])
 {
-    const size_t size = format == RHW_FORMAT_R8_UNORM    ? 1
-                        : format == RHW_FORMAT_RG8_UNORM ? 2
+    const size_t size = format == RHW_FORMAT_R8_UNORM       ? 1
+                        : format == RHW_FORMAT_RG8_UNORM    ? 2
                         : format == RHW_FORMAT_RGBA16_FLOAT ? 8
                         : format == RHW_FORMAT_RGBA32_FLOAT ? 16
                                                             : 4;
@@ -152,8 +152,8 @@ static inline void sample_fetch(enum rhw_format format, const struct rhw_mip *mi
 }
 
 // As sample_fetch, for texel numbers that may lie outside the level.
-static inline void sample_fetch_wrapped(const struct sample_source *source, const struct rhw_mip *mip, i8 x, i8 y,
-                                        f8 texel[4])
+static inline void sample_fetch_wrapped(const struct sample_source *source, const struct rhw_mip *mip, i8 x,
+                                        i8 y, f8 texel[4])
 {
     const struct rhw_sampler_def *const sampler = source->sampler;
     sample_fetch(source->texture->format, mip, sample_wrap(sampler->address_u, x, mip->width),
@@ -332,12 +332,14 @@ RHW_INLINE void sample_spill(i8 lanes, uint32_t numbers[RHW_LANES])
 }
 
 // The texels with these numbers, and their right neighbours.
-RHW_INLINE void sample_load_pairs(const unsigned char *texels, const uint32_t at[RHW_LANES], i8 *left, i8 *right)
+RHW_INLINE void sample_load_pairs(const unsigned char *texels, const uint32_t at[RHW_LANES], i8 *left,
+                                  i8 *right)
 {
 #if defined(__SSE2__)
     __m128 pair[4];
     for (int i = 0; i < 4; i++) {
-        const void *const first = texels + (size_t)at[2 * i] * 4, *const second = texels + (size_t)at[2 * i + 1] * 4;
+        const void *const first = texels + (size_t)at[2 * i] * 4, *const second =
+                                                                      texels + (size_t)at[2 * i + 1] * 4;
         pair[i] = _mm_loadh_pi(_mm_castsi128_ps(_mm_loadl_epi64(first)), second);
     }
     union rhw_lanes l, r;
@@ -381,7 +383,8 @@ RHW_INLINE i8 sample_load_codes(const unsigned char *texels, i8 index)
 
 // The four texels of each lane where some lie across an edge.
 static __attribute__((noinline)) void sample_corners_wrapped(const struct rhw_sampler_def *sampler,
-                                                             const struct rhw_mip *mip, const i8 *xy, i8 corner[4])
+                                                             const struct rhw_mip *mip, const i8 *xy,
+                                                             i8 corner[4])
 {
     const i8 x = *xy >> 16, y = (*xy << 16) >> 16;
     const i8 x0 = sample_wrap(sampler->address_u, x, mip->width) << 16;
@@ -408,7 +411,8 @@ RHW_INLINE void sample_corners(const struct sample_source *source, const struct 
     }
 }
 
-RHW_INLINE struct sample_codes sample_bilinear_codes(const struct sample_source *source, const struct rhw_mip *mip)
+RHW_INLINE struct sample_codes sample_bilinear_codes(const struct sample_source *source,
+                                                     const struct rhw_mip *mip)
 {
     const struct sample_place place = sample_place(source, mip);
     i8 corner[4];
@@ -430,8 +434,8 @@ RHW_INLINE bool sample_any_bit(i8 bits)
 }
 
 // One level, and where any lane in `live` has a weight the next one. A weight of 0 leaves a lane as it is.
-RHW_INLINE struct sample_codes sample_trilinear_codes(const struct sample_source *source, int level, i8 weight,
-                                                      i8 live)
+RHW_INLINE struct sample_codes sample_trilinear_codes(const struct sample_source *source, int level,
+                                                      i8 weight, i8 live)
 {
     const struct rhw_mip *const mip = sample_mip(source->texture, level);
     const struct sample_codes fine = sample_bilinear_codes(source, mip);
@@ -497,7 +501,8 @@ RHW_INLINE f8 sample_decode(i8 texel, int shift)
 #endif
 }
 
-static inline void sample_bilinear_srgb(const struct sample_source *source, const struct rhw_mip *mip, f8 texel[4])
+static inline void sample_bilinear_srgb(const struct sample_source *source, const struct rhw_mip *mip,
+                                        f8 texel[4])
 {
     const struct sample_place place = sample_place(source, mip);
     i8 corner[4];
@@ -509,7 +514,8 @@ static inline void sample_bilinear_srgb(const struct sample_source *source, cons
         for (int i = 0; i < 4; i++) {
             value[i] = c < 3 ? sample_decode(corner[i], 8 * c) : sample_unorm8((corner[i] >> 24) & 0xff);
         }
-        texel[c] = rhw_mix(rhw_mix(value[0], value[1], weight_x), rhw_mix(value[2], value[3], weight_x), weight_y);
+        texel[c] =
+            rhw_mix(rhw_mix(value[0], value[1], weight_x), rhw_mix(value[2], value[3], weight_x), weight_y);
     }
 }
 
@@ -542,8 +548,8 @@ RHW_INLINE f8 sample_detail(const struct sample_source *source, const f8 *grad, 
     return sample_half_log2(rhw_max(ux * ux + vx * vx, uy * uy + vy * vy)) + (bias - 16.0f);
 }
 
-static inline void sample_level(const struct sample_source *source, const struct rhw_mip *mip, enum rhw_filter filter,
-                                f8 texel[4])
+static inline void sample_level(const struct sample_source *source, const struct rhw_mip *mip,
+                                enum rhw_filter filter, f8 texel[4])
 {
     if (filter == RHW_FILTER_LINEAR && source->texture->format == RHW_FORMAT_RGBA8_SRGB && !source->border) {
         sample_bilinear_srgb(source, mip, texel);
@@ -556,10 +562,11 @@ static inline void sample_level(const struct sample_source *source, const struct
 
 // All lanes at the levels that `level` names, by one filter; `fraction` of the way to the next level where
 // it is above 0.
-static inline void sample_levels(const struct sample_source *source, i8 level, f8 fraction, enum rhw_filter filter,
-                                 f8 texel[4])
+static inline void sample_levels(const struct sample_source *source, i8 level, f8 fraction,
+                                 enum rhw_filter filter, f8 texel[4])
 {
     const i8 between = rhw_less(rhw_splat(0.0f), fraction);
+    texel[0] = texel[1] = texel[2] = texel[3] = rhw_splat(0.0f);
     for (unsigned todo = 0xff; todo != 0;) {
         const int first = level[__builtin_ctz(todo)];
         const i8 same = rhw_equal_int(level, i8_splat(first));
@@ -580,15 +587,14 @@ static inline void sample_levels(const struct sample_source *source, i8 level, f
     }
 }
 
-// Everything but the fixed-point road. `limits` bound the biased level of detail: the sampler's, then those
-// of the texture.
-static __attribute__((noinline)) void sample_any(const struct sample_source *source, const f8 *grad, const f8 *lod,
-                                                 float last, f8 texel[4])
+// Everything but the fixed-point road. `last` is the last level that may be used.
+static __attribute__((noinline)) void sample_any(const struct sample_source *source, const f8 *grad,
+                                                 const f8 *lod, float last, f8 texel[4])
 {
     const struct rhw_sampler_def *const sampler = source->sampler;
     const f8 zero = rhw_splat(0.0f);
-    const f8 detail = rhw_clamp(sample_detail(source, grad, lod), rhw_splat(sampler->lod_min),
-                                rhw_splat(sampler->lod_max));
+    const f8 detail =
+        rhw_clamp(sample_detail(source, grad, lod), rhw_splat(sampler->lod_min), rhw_splat(sampler->lod_max));
     const f8 within = rhw_clamp(detail, zero, rhw_splat(last));
     const bool blended = sampler->mip_filter == RHW_MIP_FILTER_LINEAR;
     const f8 level = blended ? rhw_floor(within) : rhw_max(rhw_ceil(within - 0.5f), zero);
@@ -615,11 +621,12 @@ static void sample(const struct rhw_binding *binding, const rhw_float uv[2], con
         return;
     }
     const struct sample_source source = {
-        texture, sampler, sampler->address_u == RHW_ADDRESS_BORDER || sampler->address_v == RHW_ADDRESS_BORDER,
+        texture, sampler,
+        sampler->address_u == RHW_ADDRESS_BORDER || sampler->address_v == RHW_ADDRESS_BORDER,
         sample_fold(sampler->address_u, uv[0]), sample_fold(sampler->address_v, uv[1])};
     const float last = sampler->mip_filter == RHW_MIP_FILTER_NONE ? 0.0f : (float)(texture->levels - 1);
-    const bool codes = texture->format == RHW_FORMAT_RGBA8_UNORM && sampler->min_filter == RHW_FILTER_LINEAR &&
-                       sampler->mag_filter == RHW_FILTER_LINEAR &&
+    const bool codes = texture->format == RHW_FORMAT_RGBA8_UNORM &&
+                       sampler->min_filter == RHW_FILTER_LINEAR && sampler->mag_filter == RHW_FILTER_LINEAR &&
                        sampler->mip_filter != RHW_MIP_FILTER_NEAREST && !source.border;
     if (!codes) {
         sample_any(&source, grad, lod, last, texel);

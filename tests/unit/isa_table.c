@@ -15,15 +15,11 @@ const struct isa_templates *isa_templates_for(enum rhw_isa isa)
         return NULL;
     }
     switch (isa) {
-    case RHW_ISA_BASELINE:
-        return &isa_templates_baseline;
+    case RHW_ISA_BASELINE: return &isa_templates_baseline;
 #ifdef RHW_HAVE_X86_ISAS
-    case RHW_ISA_AVX2:
-        return &isa_templates_avx2;
-    case RHW_ISA_AVX512:
-        return &isa_templates_avx512;
+    case RHW_ISA_AVX2: return &isa_templates_avx2;
+    case RHW_ISA_AVX512: return &isa_templates_avx512;
 #endif
-    default:
-        return NULL;
+    default: return NULL;
     }
 }

@@ -9,10 +9,33 @@
 struct output_state;
 
 enum isa_function {
-    ISA_EXP2, ISA_EXP, ISA_LOG2, ISA_LOG, ISA_SIN, ISA_COS, ISA_TAN, ISA_ASIN, ISA_ACOS, ISA_ATAN,
-    ISA_SQRT, ISA_RSQRT, ISA_FLOOR, ISA_CEIL, ISA_TRUNC, ISA_ROUND, ISA_FRACT, ISA_SIGN, ISA_SATURATE,
+    ISA_EXP2,
+    ISA_EXP,
+    ISA_LOG2,
+    ISA_LOG,
+    ISA_SIN,
+    ISA_COS,
+    ISA_TAN,
+    ISA_ASIN,
+    ISA_ACOS,
+    ISA_ATAN,
+    ISA_SQRT,
+    ISA_RSQRT,
+    ISA_FLOOR,
+    ISA_CEIL,
+    ISA_TRUNC,
+    ISA_ROUND,
+    ISA_FRACT,
+    ISA_SIGN,
+    ISA_SATURATE,
     ISA_TO_INT, ///< the integer's bits
-    ISA_POW, ISA_ATAN2, ISA_MIN, ISA_MAX, ISA_LESS, ISA_LESS_EQUAL, ISA_EQUAL, ///< two arguments
+    ISA_POW,
+    ISA_ATAN2,
+    ISA_MIN,
+    ISA_MAX,
+    ISA_LESS,
+    ISA_LESS_EQUAL,
+    ISA_EQUAL, ///< two arguments
     ISA_FUNCTION_COUNT
 };
 

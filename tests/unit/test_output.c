@@ -102,7 +102,8 @@ static double half_value(unsigned bits)
 {
     const int exponent = (int)(bits >> 10 & 31);
     const double significand = bits & 0x3ff;
-    const double magnitude = exponent == 0 ? ldexp(significand, -24) : ldexp(1024 + significand, exponent - 25);
+    const double magnitude =
+        exponent == 0 ? ldexp(significand, -24) : ldexp(1024 + significand, exponent - 25);
     return bits & 0x8000 ? -magnitude : magnitude;
 }
 
@@ -153,7 +154,7 @@ static struct rhw_color_target opaque(enum rhw_format format)
     return (struct rhw_color_target){.format = format, .color = copy, .alpha = copy, .write_mask = 15};
 }
 
-static const enum rhw_format formats[] = {RHW_FORMAT_RGBA8_UNORM, RHW_FORMAT_RGBA8_SRGB,
+static const enum rhw_format formats[] = {RHW_FORMAT_RGBA8_UNORM,  RHW_FORMAT_RGBA8_SRGB,
                                           RHW_FORMAT_RGBA16_FLOAT, RHW_FORMAT_R32_FLOAT,
                                           RHW_FORMAT_RGBA32_FLOAT, RHW_FORMAT_R32_UINT};
 enum { FORMATS = sizeof formats / sizeof formats[0], TEXELS = 8, TEXEL_BYTES = 16 };
@@ -163,14 +164,10 @@ static float awkward_float(uint64_t *random)
 {
     static const float special[] = {0.0f, -0.0f, 1.0f, INFINITY, -INFINITY, NAN, 0.5f, 1.5f, -1.0f, 65520.0f};
     switch (rig_random_int(random, 4)) {
-    case 0:
-        return from_bits((uint32_t)rig_random(random));
-    case 1:
-        return special[rig_random_int(random, (int)(sizeof special / sizeof special[0]))];
-    case 2:
-        return ((float)rig_random_int(random, 256) + 0.5f) / 255.0f;
-    default:
-        return rig_random_float(random, -0.1f, 1.1f);
+    case 0: return from_bits((uint32_t)rig_random(random));
+    case 1: return special[rig_random_int(random, (int)(sizeof special / sizeof special[0]))];
+    case 2: return ((float)rig_random_int(random, 256) + 0.5f) / 255.0f;
+    default: return rig_random_float(random, -0.1f, 1.1f);
     }
 }
 
@@ -215,7 +212,8 @@ static void test_every_isa_writes_the_same_bytes(void **state)
     uint64_t random = 7;
     for (int n = 0; n < 30000; n++) {
         const struct rhw_color_target target = random_target(&random);
-        const float constant[4] = {rig_random_float(&random, -0.5f, 1.5f), 0.25f, 1.0f, awkward_float(&random)};
+        const float constant[4] = {rig_random_float(&random, -0.5f, 1.5f), 0.25f, 1.0f,
+                                   awkward_float(&random)};
         struct output_state output;
         rhw_output_prepare(&output, &target, constant);
         rhw_float color[4];
@@ -258,9 +256,10 @@ static void test_nothing_else_is_written(void **state)
         memcpy(texels, before, sizeof before);
         baseline->output(&output, color, &mask, texels);
         const size_t size = rhw_format_size(target.format);
-        const size_t channel = target.format == RHW_FORMAT_RGBA8_UNORM || target.format == RHW_FORMAT_RGBA8_SRGB ? 1
-                               : target.format == RHW_FORMAT_RGBA16_FLOAT                                      ? 2
-                                                                                                               : 4;
+        const size_t channel =
+            target.format == RHW_FORMAT_RGBA8_UNORM || target.format == RHW_FORMAT_RGBA8_SRGB ? 1
+            : target.format == RHW_FORMAT_RGBA16_FLOAT                                        ? 2
+                                                                                              : 4;
         for (size_t i = 0; i < sizeof before; i++) {
             const bool inside = i / size < TEXELS, live = inside && mask[i / size];
             if (!live || !(target.write_mask >> (i % size / channel) & 1)) {
@@ -295,7 +294,8 @@ static void test_replacing_rounds_each_format(void **state)
             baseline->output(&output, color, &all, texels);
             for (int i = 0; i < TEXELS; i++) {
                 const unsigned char *const texel = texels + (size_t)i * rhw_format_size(formats[f]);
-                const int channels = formats[f] == RHW_FORMAT_R32_FLOAT || formats[f] == RHW_FORMAT_R32_UINT ? 1 : 4;
+                const int channels =
+                    formats[f] == RHW_FORMAT_R32_FLOAT || formats[f] == RHW_FORMAT_R32_UINT ? 1 : 4;
                 for (int c = 0; c < channels; c++) {
                     const float value = color[c][i], number = isnan(value) ? from_bits(0x7fc00000) : value;
                     uint16_t half;
@@ -303,21 +303,15 @@ static void test_replacing_rounds_each_format(void **state)
                     memcpy(&half, texel + 2 * c, sizeof half);
                     memcpy(&word, texel + (channels == 1 ? 0 : 4 * c) % 16, sizeof word);
                     switch (formats[f]) {
-                    case RHW_FORMAT_RGBA8_UNORM:
-                        assert_int_equal(texel[c], unorm8(value));
-                        break;
+                    case RHW_FORMAT_RGBA8_UNORM: assert_int_equal(texel[c], unorm8(value)); break;
                     case RHW_FORMAT_RGBA8_SRGB:
                         assert_int_equal(texel[c], c < 3 ? rhw_srgb_encode(value) : unorm8(value));
                         break;
-                    case RHW_FORMAT_RGBA16_FLOAT:
-                        assert_int_equal(half, rhw_half_from_float(number));
-                        break;
+                    case RHW_FORMAT_RGBA16_FLOAT: assert_int_equal(half, rhw_half_from_float(number)); break;
                     case RHW_FORMAT_R32_UINT: // bits, NaN or not
                         assert_int_equal(word, to_bits(value));
                         break;
-                    default:
-                        assert_int_equal(word, to_bits(number));
-                        break;
+                    default: assert_int_equal(word, to_bits(number)); break;
                     }
                 }
             }
@@ -373,9 +367,9 @@ static void test_blending_keeps_every_destination_code(void **state)
         for (int generic = 0; generic < 2; generic++) {
             struct rhw_color_target target = opaque(formats[f]);
             target.blend = true;
-            target.color = target.alpha = (struct rhw_blend_component){
-                RHW_BLEND_SRC_ALPHA, RHW_BLEND_ONE_MINUS_SRC_ALPHA,
-                generic ? RHW_BLEND_REVERSE_SUBTRACT : RHW_BLEND_ADD};
+            target.color = target.alpha =
+                (struct rhw_blend_component){RHW_BLEND_SRC_ALPHA, RHW_BLEND_ONE_MINUS_SRC_ALPHA,
+                                             generic ? RHW_BLEND_REVERSE_SUBTRACT : RHW_BLEND_ADD};
             struct output_state output;
             rhw_output_prepare(&output, &target, constant);
             for (int code = 0; code < 256; code++) {
@@ -416,8 +410,14 @@ static void test_clear_values_are_what_drawing_writes(void **state)
     static const struct {
         float value;
         uint32_t word;
-    } integers[] = {{0, 0}, {7.9f, 7}, {-3, 0}, {16777216, 16777216}, {4294967040.0f, 4294967040u},
-                    {1e30f, UINT32_MAX}, {INFINITY, UINT32_MAX}, {NAN, 0}};
+    } integers[] = {{0, 0},
+                    {7.9f, 7},
+                    {-3, 0},
+                    {16777216, 16777216},
+                    {4294967040.0f, 4294967040u},
+                    {1e30f, UINT32_MAX},
+                    {INFINITY, UINT32_MAX},
+                    {NAN, 0}};
     for (size_t i = 0; i < sizeof integers / sizeof integers[0]; i++) {
         const float value[4] = {integers[i].value, 0, 0, 0};
         unsigned char cleared[16];

@@ -87,11 +87,11 @@ static const struct row {
     enum isa_function function;
     const char *name;
     mpfr_function *exact;
-    double stated;     // ULP, as the header says
-    float low, high;   // where samples lie dense
+    double stated;   // ULP, as the header says
+    float low, high; // where samples lie dense
 } rows[] = {
     {ISA_EXP2, "exp2", mpfr_exp2, 1.25, -130, 130},  {ISA_EXP, "exp", mpfr_exp, 1.05, -90, 90},
-    {ISA_LOG2, "log2", mpfr_log2, 1.25, 0.4f, 2.2f},  {ISA_LOG, "log", mpfr_log, 0.95, 0.4f, 2.2f},
+    {ISA_LOG2, "log2", mpfr_log2, 1.25, 0.4f, 2.2f}, {ISA_LOG, "log", mpfr_log, 0.95, 0.4f, 2.2f},
     {ISA_SIN, "sin", mpfr_sin, 1.6, -20, 20},        {ISA_COS, "cos", mpfr_cos, 1.6, -20, 20},
     {ISA_TAN, "tan", mpfr_tan, 3.5, -10, 10},        {ISA_ASIN, "asin", mpfr_asin, 1.7, -1, 1},
     {ISA_ACOS, "acos", mpfr_acos, 1.1, -1, 1},       {ISA_ATAN, "atan", mpfr_atan, 2.0, -4, 4},
@@ -119,9 +119,10 @@ static struct worst measure(const struct row *row, const float *a, int count)
 // A batch of arguments: all bit patterns evenly, the interval of most use, then what is special.
 static void fill_arguments(float *a, int round, float low, float high)
 {
-    static const float special[] = {0.0f, -0.0f, 1.0f, -1.0f, INFINITY, -INFINITY, NAN, FLT_MIN, -FLT_MIN, FLT_MAX,
-                                    -FLT_MAX, 1e-45f, -1e-45f, 0.5f, 2.0f, 128.0f, -149.0f, -150.0f, 88.72284f,
-                                    -103.97208f, 1.57079637f, 3.14159274f, 32768.0f, 16367173.0f};
+    static const float special[] = {0.0f,      -0.0f,       1.0f,        -1.0f,       INFINITY, -INFINITY,
+                                    NAN,       FLT_MIN,     -FLT_MIN,    FLT_MAX,     -FLT_MAX, 1e-45f,
+                                    -1e-45f,   0.5f,        2.0f,        128.0f,      -149.0f,  -150.0f,
+                                    88.72284f, -103.97208f, 1.57079637f, 3.14159274f, 32768.0f, 16367173.0f};
     uint64_t random = (uint64_t)round;
     for (int i = 0; i < BATCH; i++) {
         a[i] = i & 1 ? from_bits((uint32_t)rig_random(&random)) : rig_random_float(&random, low, high);
@@ -156,11 +157,11 @@ static void test_known_worst_arguments(void **state)
         enum isa_function function;
         float argument;
     } cases[] = {
-        {ISA_EXP2, 0x1.3019a4p+3f},   {ISA_EXP, 0x1.819edap+5f},   {ISA_LOG2, 0x1.5b7f4cp+0f},
-        {ISA_LOG, 0x1.913acep+0f},    {ISA_SIN, -0x1.a171e6p+43f}, {ISA_COS, -0x1.79a694p+9f},
-        {ISA_TAN, -0x1.13881cp+72f},  {ISA_ATAN, 0x1.aa08f2p-2f},  {ISA_ASIN, 0x1.015c9ap-1f},
-        {ISA_ACOS, 0x1.23f1p-1f},     {ISA_SIN, 0x1.921fb6p+1f},   {ISA_COS, 0x1.921fb6p+0f},
-        {ISA_SIN, 0x1.6ac5b2p+62f},   {ISA_COS, 0x1.6ac5b2p+62f},  {ISA_TAN, 0x1.6ac5b2p+62f},
+        {ISA_EXP2, 0x1.3019a4p+3f},  {ISA_EXP, 0x1.819edap+5f},   {ISA_LOG2, 0x1.5b7f4cp+0f},
+        {ISA_LOG, 0x1.913acep+0f},   {ISA_SIN, -0x1.a171e6p+43f}, {ISA_COS, -0x1.79a694p+9f},
+        {ISA_TAN, -0x1.13881cp+72f}, {ISA_ATAN, 0x1.aa08f2p-2f},  {ISA_ASIN, 0x1.015c9ap-1f},
+        {ISA_ACOS, 0x1.23f1p-1f},    {ISA_SIN, 0x1.921fb6p+1f},   {ISA_COS, 0x1.921fb6p+0f},
+        {ISA_SIN, 0x1.6ac5b2p+62f},  {ISA_COS, 0x1.6ac5b2p+62f},  {ISA_TAN, 0x1.6ac5b2p+62f},
     };
     for (size_t i = 0; i < sizeof cases / sizeof cases[0]; i++) {
         for (int r = 0; r < ROWS; r++) {
@@ -171,7 +172,8 @@ static void test_known_worst_arguments(void **state)
                 }
                 const struct worst worst = measure(&rows[r], a, RHW_LANES);
                 if (!(worst.ulp <= rows[r].stated)) {
-                    fail_msg("%s(%a) = %a is %.3f ULP off", rows[r].name, (double)worst.a, (double)worst.got, worst.ulp);
+                    fail_msg("%s(%a) = %a is %.3f ULP off", rows[r].name, (double)worst.a, (double)worst.got,
+                             worst.ulp);
                 }
             }
         }
@@ -191,7 +193,8 @@ static void fill_pairs(float *a, float *b, int round, bool power)
             break;
         case 1: // results all over the range
             a[i] = rig_random_float(&random, 0.01f, 30.0f);
-            b[i] = power ? rig_random_float(&random, -150, 150) / log2f(a[i]) : rig_random_float(&random, -30, 30);
+            b[i] = power ? rig_random_float(&random, -150, 150) / log2f(a[i])
+                         : rig_random_float(&random, -30, 30);
             break;
         case 2: // whole exponents, negative bases
             a[i] = rig_random_float(&random, -4, 4);
@@ -222,8 +225,8 @@ static void check_pairs(enum isa_function function, const char *name,
         const double ulp = ulp_error(result[i], x);
         note(worst, ulp, a[i], b[i], result[i]);
         if (!(ulp <= stated)) {
-            fail_msg("%s(%a, %a) = %a is %.3f ULP off; the header states %.2f", name, (double)a[i], (double)b[i],
-                     (double)result[i], ulp, stated);
+            fail_msg("%s(%a, %a) = %a is %.3f ULP off; the header states %.2f", name, (double)a[i],
+                     (double)b[i], (double)result[i], ulp, stated);
         }
     }
     mpfr_clears(x, y, (mpfr_ptr)0);
@@ -247,9 +250,10 @@ static void test_pow_and_atan2_keep_the_error_they_state(void **state)
 static void test_special_cases_are_those_of_c(void **state)
 {
     (void)state;
-    static const float special[] = {0.0f,  -0.0f,    1.0f,      -1.0f, 2.0f,   -2.0f,   3.0f,     -3.0f, 0.5f,    -0.5f,
-                                    INFINITY, -INFINITY, NAN,   1e-45f, -1e-45f, FLT_MAX, -FLT_MAX, 1e30f, 2.5f,    -2.5f,
-                                    16777215.0f, -16777215.0f, 1.00000012f, 0.99999994f};
+    static const float special[] = {0.0f, -0.0f,  1.0f,        -1.0f,        2.0f,        -2.0f,
+                                    3.0f, -3.0f,  0.5f,        -0.5f,        INFINITY,    -INFINITY,
+                                    NAN,  1e-45f, -1e-45f,     FLT_MAX,      -FLT_MAX,    1e30f,
+                                    2.5f, -2.5f,  16777215.0f, -16777215.0f, 1.00000012f, 0.99999994f};
     enum { COUNT = sizeof special / sizeof special[0] };
     float a[COUNT * COUNT], b[COUNT * COUNT];
     for (int i = 0; i < COUNT * COUNT; i++) {
@@ -271,41 +275,28 @@ static int32_t to_int(float a)
 static float plain(enum isa_function function, float a, float b)
 {
     switch (function) {
-    case ISA_FLOOR:
-        return floorf(a);
-    case ISA_CEIL:
-        return ceilf(a);
-    case ISA_TRUNC:
-        return truncf(a);
-    case ISA_ROUND:
-        return rintf(a);
-    case ISA_FRACT:
-        return a - floorf(a);
-    case ISA_SIGN:
-        return a > 0 ? 1.0f : a < 0 ? -1.0f : 0.0f;
-    case ISA_SATURATE:
-        return a > 1 ? 1.0f : a > 0 ? a : 0.0f;
-    case ISA_TO_INT:
-        return from_bits((uint32_t)to_int(a));
-    case ISA_MIN:
-        return a < b ? a : b;
-    case ISA_MAX:
-        return a > b ? a : b;
-    case ISA_LESS:
-        return from_bits(a < b ? UINT32_MAX : 0);
-    case ISA_LESS_EQUAL:
-        return from_bits(a <= b ? UINT32_MAX : 0);
-    default:
-        return from_bits(a == b ? UINT32_MAX : 0);
+    case ISA_FLOOR: return floorf(a);
+    case ISA_CEIL: return ceilf(a);
+    case ISA_TRUNC: return truncf(a);
+    case ISA_ROUND: return rintf(a);
+    case ISA_FRACT: return a - floorf(a);
+    case ISA_SIGN: return a > 0 ? 1.0f : a < 0 ? -1.0f : 0.0f;
+    case ISA_SATURATE: return a > 1 ? 1.0f : a > 0 ? a : 0.0f;
+    case ISA_TO_INT: return from_bits((uint32_t)to_int(a));
+    case ISA_MIN: return a < b ? a : b;
+    case ISA_MAX: return a > b ? a : b;
+    case ISA_LESS: return from_bits(a < b ? UINT32_MAX : 0);
+    case ISA_LESS_EQUAL: return from_bits(a <= b ? UINT32_MAX : 0);
+    default: return from_bits(a == b ? UINT32_MAX : 0);
     }
 }
 
 static void test_lane_arithmetic_is_that_of_c(void **state)
 {
     (void)state;
-    static const enum isa_function functions[] = {
-        ISA_FLOOR, ISA_CEIL, ISA_TRUNC, ISA_ROUND, ISA_FRACT, ISA_SIGN,       ISA_SATURATE,
-        ISA_TO_INT, ISA_MIN, ISA_MAX,   ISA_LESS,  ISA_LESS_EQUAL, ISA_EQUAL};
+    static const enum isa_function functions[] = {ISA_FLOOR, ISA_CEIL,       ISA_TRUNC,  ISA_ROUND, ISA_FRACT,
+                                                  ISA_SIGN,  ISA_SATURATE,   ISA_TO_INT, ISA_MIN,   ISA_MAX,
+                                                  ISA_LESS,  ISA_LESS_EQUAL, ISA_EQUAL};
     const struct isa_templates *const baseline = isa_templates_for(RHW_ISA_BASELINE);
     for (int round = 0; round < 20; round++) {
         float a[BATCH], b[BATCH], result[BATCH];
@@ -319,9 +310,10 @@ static void test_lane_arithmetic_is_that_of_c(void **state)
             for (int i = 0; i < BATCH; i++) {
                 const float expected = plain(functions[f], a[i], b[i]);
                 const bool number = functions[f] < ISA_TO_INT; // NaN for NaN will do
-                if (!(number && isnan(expected) && isnan(result[i])) && to_bits(result[i]) != to_bits(expected)) {
-                    fail_msg("function %d of %a, %a is %a, not %a", (int)functions[f], (double)a[i], (double)b[i],
-                             (double)result[i], (double)expected);
+                if (!(number && isnan(expected) && isnan(result[i])) &&
+                    to_bits(result[i]) != to_bits(expected)) {
+                    fail_msg("function %d of %a, %a is %a, not %a", (int)functions[f], (double)a[i],
+                             (double)b[i], (double)result[i], (double)expected);
                 }
             }
         }
@@ -414,7 +406,8 @@ static void test_every_isa_gives_the_same_bits(void **state)
             for (int i = 0; i < BATCH; i++) {
                 if (!same(result[i], expected[i])) {
                     fail_msg("%s: function %d of %a, %a is %a, baseline %a", rhw_isa_name((enum rhw_isa)isa),
-                             (int)function, (double)a[i], (double)b[i], (double)result[i], (double)expected[i]);
+                             (int)function, (double)a[i], (double)b[i], (double)result[i],
+                             (double)expected[i]);
                 }
             }
         }

@@ -60,8 +60,8 @@ static void decode(enum rhw_format format, const unsigned char *texel, double va
 }
 
 // A texel by its number on an endless plane.
-static void model_texel(const struct rhw_texture_data *texture, const struct rhw_sampler_def *sampler, int level,
-                        long x, long y, double value[4])
+static void model_texel(const struct rhw_texture_data *texture, const struct rhw_sampler_def *sampler,
+                        int level, long x, long y, double value[4])
 {
     const struct rhw_mip *const mip = &texture->mip[level];
     const enum rhw_address mode[2] = {sampler->address_u, sampler->address_v};
@@ -71,16 +71,12 @@ static void model_texel(const struct rhw_texture_data *texture, const struct rhw
         const long n = size[i];
         long period;
         switch (mode[i]) {
-        case RHW_ADDRESS_REPEAT:
-            at[i] = (at[i] % n + n) % n;
-            break;
+        case RHW_ADDRESS_REPEAT: at[i] = (at[i] % n + n) % n; break;
         case RHW_ADDRESS_MIRROR:
             period = (at[i] % (2 * n) + 2 * n) % (2 * n);
             at[i] = period < n ? period : 2 * n - 1 - period;
             break;
-        case RHW_ADDRESS_CLAMP:
-            at[i] = at[i] < 0 ? 0 : at[i] >= n ? n - 1 : at[i];
-            break;
+        case RHW_ADDRESS_CLAMP: at[i] = at[i] < 0 ? 0 : at[i] >= n ? n - 1 : at[i]; break;
         case RHW_ADDRESS_BORDER:
             if (at[i] < 0 || at[i] >= n) {
                 for (int c = 0; c < 4; c++) {
@@ -92,11 +88,12 @@ static void model_texel(const struct rhw_texture_data *texture, const struct rhw
         }
     }
     decode(texture->format,
-           mip->texels + (size_t)at[1] * mip->row_pitch + (size_t)at[0] * rhw_format_size(texture->format), value);
+           mip->texels + (size_t)at[1] * mip->row_pitch + (size_t)at[0] * rhw_format_size(texture->format),
+           value);
 }
 
-static void model_level(const struct rhw_texture_data *texture, const struct rhw_sampler_def *sampler, int level,
-                        enum rhw_filter filter, double u, double v, double value[4])
+static void model_level(const struct rhw_texture_data *texture, const struct rhw_sampler_def *sampler,
+                        int level, enum rhw_filter filter, double u, double v, double value[4])
 {
     const double x = u * texture->mip[level].width, y = v * texture->mip[level].height;
     if (filter == RHW_FILTER_NEAREST) {
@@ -118,10 +115,11 @@ static void model_level(const struct rhw_texture_data *texture, const struct rhw
     }
 }
 
-static void model_sample(const struct rhw_texture_data *texture, const struct rhw_sampler_def *sampler, double u,
-                         double v, double lod, double value[4])
+static void model_sample(const struct rhw_texture_data *texture, const struct rhw_sampler_def *sampler,
+                         double u, double v, double lod, double value[4])
 {
-    const double lambda = fmin(fmax(lod + (double)sampler->lod_bias, (double)sampler->lod_min), (double)sampler->lod_max);
+    const double lambda =
+        fmin(fmax(lod + (double)sampler->lod_bias, (double)sampler->lod_min), (double)sampler->lod_max);
     const int last = texture->levels - 1;
     if (lambda <= 0 && sampler->mag_filter != sampler->min_filter) {
         model_level(texture, sampler, 0, sampler->mag_filter, u, v, value);
@@ -151,8 +149,8 @@ static struct rhw_sampler_def default_sampler(void)
 }
 
 // A texture with random texels in every level: numbers within ±4 where the format is a float.
-static rhw_texture random_texture(rhw_context *context, enum rhw_format format, int width, int height, int levels,
-                                  uint64_t *random)
+static rhw_texture random_texture(rhw_context *context, enum rhw_format format, int width, int height,
+                                  int levels, uint64_t *random)
 {
     struct rhw_texture_def def = rhw_texture_def_default();
     def.format = format;
@@ -171,7 +169,8 @@ static rhw_texture random_texture(rhw_context *context, enum rhw_format format, 
                 texels[i + c] = (unsigned char)rig_random(random);
             }
             for (size_t c = 0; format == RHW_FORMAT_RGBA16_FLOAT && c < 4; c++) {
-                texels[i + 2 * c + 1] = (unsigned char)(rig_random_int(random, 0x44) | rig_random_int(random, 2) << 7);
+                texels[i + 2 * c + 1] =
+                    (unsigned char)(rig_random_int(random, 0x44) | rig_random_int(random, 2) << 7);
             }
             for (size_t c = 0; format >= RHW_FORMAT_R32_FLOAT && c < size / 4; c++) {
                 const float value = rig_random_float(random, -4.0f, 4.0f);
@@ -184,8 +183,8 @@ static rhw_texture random_texture(rhw_context *context, enum rhw_format format, 
     return texture;
 }
 
-static struct rhw_binding bind(rhw_context *context, rhw_texture texture, const struct rhw_sampler_def *sampler,
-                               enum rhw_isa isa)
+static struct rhw_binding bind(rhw_context *context, rhw_texture texture,
+                               const struct rhw_sampler_def *sampler, enum rhw_isa isa)
 {
     const struct rhw_texture_data *const data = rhw_context_texture(context, texture, "test");
     return (struct rhw_binding){rhw_kernels_for(isa)->sample, data, sampler};
@@ -247,18 +246,19 @@ static void random_sampler(uint64_t *random, struct rhw_sampler_def *sampler)
     sampler->lod_max = rig_random_int(random, 4) == 0 ? 1.8125f : 1000.0f;
 }
 
-static void expect_sample(const struct rhw_texture_data *texture, const struct rhw_sampler_def *sampler, float u,
-                          float v, double lod, const rhw_float texel[4], int lane, double allowed)
+static void expect_sample(const struct rhw_texture_data *texture, const struct rhw_sampler_def *sampler,
+                          float u, float v, double lod, const rhw_float texel[4], int lane, double allowed)
 {
     double expected[4];
     model_sample(texture, sampler, (double)u, (double)v, lod, expected);
     for (int c = 0; c < 4; c++) {
         if (!(fabs((double)texel[c][lane] - expected[c]) <= allowed)) {
-            fail_msg("format %d, %dx%d, min %d mag %d mip %d, address %d %d, at %g %g lod %g: channel %d is %.9g, "
-                     "not %.9g",
-                     (int)texture->format, texture->mip[0].width, texture->mip[0].height, (int)sampler->min_filter,
-                     (int)sampler->mag_filter, (int)sampler->mip_filter, (int)sampler->address_u,
-                     (int)sampler->address_v, (double)u, (double)v, lod, c, (double)texel[c][lane], expected[c]);
+            fail_msg(
+                "format %d, %dx%d, min %d mag %d mip %d, address %d %d, at %g %g lod %g: channel %d is %.9g, "
+                "not %.9g",
+                (int)texture->format, texture->mip[0].width, texture->mip[0].height, (int)sampler->min_filter,
+                (int)sampler->mag_filter, (int)sampler->mip_filter, (int)sampler->address_u,
+                (int)sampler->address_v, (double)u, (double)v, lod, c, (double)texel[c][lane], expected[c]);
         }
     }
 }
@@ -266,7 +266,8 @@ static void expect_sample(const struct rhw_texture_data *texture, const struct r
 // Tests: sampling -----------------------------------------------------------------------------------
 
 // The order of sizes matters to nothing: some are powers of two, some odd, some have a side of 1.
-static const int sizes[][2] = {{64, 64}, {16, 32}, {8, 8}, {4, 1}, {1, 8}, {2, 2}, {1, 1}, {48, 20}, {5, 3}, {33, 1}};
+static const int sizes[][2] = {{64, 64}, {16, 32}, {8, 8},   {4, 1}, {1, 8},
+                               {2, 2},   {1, 1},   {48, 20}, {5, 3}, {33, 1}};
 enum { SIZES = sizeof sizes / sizeof sizes[0] };
 
 static void test_samples_follow_the_model(void **state)
@@ -361,7 +362,8 @@ static void test_texel_centres_are_exact(void **state)
         rhw_texture_write(rig.context, texture, 0, codes, 0);
         struct rhw_binding binding = bind(rig.context, texture, &sampler, RHW_ISA_BASELINE);
         for (int i = 0; i < 256; i++) {
-            const rhw_float uv[2] = {rhw_splat(((float)(i % 16) + 0.5f) / 16), rhw_splat(((float)(i / 16) + 0.5f) / 16)};
+            const rhw_float uv[2] = {rhw_splat(((float)(i % 16) + 0.5f) / 16),
+                                     rhw_splat(((float)(i / 16) + 0.5f) / 16)};
             const rhw_float lod = rhw_splat(0.0f);
             rhw_float texel[4];
             sample_all_isas(&binding, uv, NULL, &lod, texel);
@@ -395,7 +397,8 @@ static void test_every_half_is_converted_exactly(void **state)
     sampler.min_filter = sampler.mag_filter = RHW_FILTER_NEAREST;
     struct rhw_binding binding = bind(rig.context, texture, &sampler, RHW_ISA_BASELINE);
     for (int i = 0; i < 65536 / 4; i++) {
-        const rhw_float uv[2] = {rhw_splat(((float)(i % 128) + 0.5f) / 128), rhw_splat(((float)(i / 128) + 0.5f) / 128)};
+        const rhw_float uv[2] = {rhw_splat(((float)(i % 128) + 0.5f) / 128),
+                                 rhw_splat(((float)(i / 128) + 0.5f) / 128)};
         const rhw_float lod = rhw_splat(0.0f);
         rhw_float texel[4];
         sample_all_isas(&binding, uv, NULL, &lod, texel);
@@ -498,8 +501,9 @@ static void test_hostile_coordinates(void **state)
     (void)state;
     struct rig rig;
     rig_open(&rig, 8, 8);
-    static const float special[] = {NAN,   INFINITY, -INFINITY, 3e38f,       -3e38f, 1e-45f,        -1e-45f,  0.0f,
-                                    -0.0f, 1.0f,     -1.0f,     0.99999994f, 2.0f,   2147483648.0f, 16777217.0f};
+    static const float special[] = {NAN,    INFINITY,    -INFINITY, 3e38f,         -3e38f,
+                                    1e-45f, -1e-45f,     0.0f,      -0.0f,         1.0f,
+                                    -1.0f,  0.99999994f, 2.0f,      2147483648.0f, 16777217.0f};
     uint64_t random = 5;
     for (int n = 0; n < 300; n++) {
         const int *const size = sizes[n % SIZES];
@@ -607,9 +611,10 @@ static void expect_texel(enum rhw_format format, const unsigned char *texel, con
 {
     double stored[4];
     decode(format, texel, stored);
-    const int channels = format == RHW_FORMAT_R8_UNORM || format == RHW_FORMAT_R32_FLOAT || format == RHW_FORMAT_D32_FLOAT ? 1
-                         : format == RHW_FORMAT_RG8_UNORM                                                                ? 2
-                                                                                                                         : 4;
+    const int channels =
+        format == RHW_FORMAT_R8_UNORM || format == RHW_FORMAT_R32_FLOAT || format == RHW_FORMAT_D32_FLOAT ? 1
+        : format == RHW_FORMAT_RG8_UNORM                                                                  ? 2
+                                                                                                          : 4;
     for (int c = 0; c < channels; c++) {
         double error, allowed;
         if (format == RHW_FORMAT_RGBA8_SRGB && c < 3) {
@@ -631,7 +636,8 @@ static void expect_texel(enum rhw_format format, const unsigned char *texel, con
 static void test_mips_are_box_filtered_in_linear_light(void **state)
 {
     (void)state;
-    static const int mip_sizes[][2] = {{8, 8}, {16, 4}, {7, 5}, {1, 9}, {13, 1}, {6, 3}, {1, 1}, {31, 2}, {23, 17}};
+    static const int mip_sizes[][2] = {{8, 8}, {16, 4}, {7, 5},  {1, 9},  {13, 1},
+                                       {6, 3}, {1, 1},  {31, 2}, {23, 17}};
     struct rig rig;
     rig_open(&rig, 8, 8);
     uint64_t random = 6;
