@@ -173,7 +173,7 @@ static bool run_front(struct rhw_pass_state *pass, struct position *at)
 {
     struct rhw_context *const context = pass->context;
     const size_t limit = bin_limit(pass);
-    const int least = 8 * context->threads;
+    const int least = context->threads;
     int round = least;
     for (int done = 0; done < pass->chunk_count; done += round) {
         const size_t used = arenas_used(pass);
