@@ -27,15 +27,23 @@ if [ "$(id -u)" != 0 ]; then
     refuse 1 "fixed.png: Permission denied" render cube.obj -o fixed.png
 fi
 
-# A device takes no temporary file, and must not be replaced by one.
-ln -s /dev/full full.png
-ln -s /dev/full full.exr
-ln -s /dev/full full.ppm
-refuse 1 "full.png: No space left on device" render cube.obj $small -o full.png
-refuse 1 "full.ppm: No space left on device" render cube.obj $small -o full.ppm
-refuse 1 "full.exr: an EXR file needs a place" render cube.obj $small -o full.exr
-check "the device is still there" test -c /dev/full
-check "the link is still one" test -L full.png
+# A device takes no temporary file, and must not be replaced by one. Root gets a device of this folder: a program
+# that is broken here must not take the system's away.
+full=/dev/full
+[ "$(id -u)" != 0 ] || full=$folder/full
+[ "$(id -u)" != 0 ] || mknod "$full" c 1 7 2>/dev/null || true
+if [ "$(head -c 1 "$full" 2>/dev/null | od -A n -t u1 | tr -d ' ')" = 0 ]; then
+    ln -s "$full" full.png
+    ln -s "$full" full.exr
+    ln -s "$full" full.ppm
+    refuse 1 "full.png: No space left on device" render cube.obj $small -o full.png
+    refuse 1 "full.ppm: No space left on device" render cube.obj $small -o full.ppm
+    refuse 1 "full.exr: an EXR file needs a place" render cube.obj $small -o full.exr
+    check "the device is still there" test -c "$full"
+    check "the link is still one" test -L full.png
+else
+    echo "no device may be opened in $folder: writing to one is not tested" >&2
+fi
 checks=$((checks + 1))
 status=0
 "$rhw" render cube.obj $small -o - >/dev/full 2>"$folder/log/err" || status=$?
