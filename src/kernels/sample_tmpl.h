@@ -9,13 +9,7 @@
 #ifndef RHW_SAMPLE_TMPL_H
 #define RHW_SAMPLE_TMPL_H
 
-#include "../simd.h"
-#include "../srgb.h"
-#include "../texture.h"
-
-// 16 lanes of 16 bits, 8 lanes of 32.
-typedef int16_t s16 __attribute__((vector_size(32)));
-typedef uint32_t u8 __attribute__((vector_size(32)));
+#include "texel_tmpl.h"
 
 // What one call needs at every level. s and t are folded coordinates.
 struct sample_source {
@@ -24,132 +18,6 @@ struct sample_source {
     bool border; // along u or v
     f8 s, t;
 };
-
-// Folded into 0..1, or −1..2 with a border, where only what lies outside the texture matters. What is not
-// finite lands on a bound.
-static inline f8 sample_fold(enum rhw_address address, f8 u)
-{
-    const f8 zero = rhw_splat(0.0f), one = rhw_splat(1.0f);
-    switch (address) {
-    case RHW_ADDRESS_REPEAT: return rhw_min(u - rhw_floor(u), one); // never negative; 1 where it is NaN
-    case RHW_ADDRESS_MIRROR: {
-        const f8 period = u - 2.0f * rhw_floor(0.5f * u); // 0..2
-        return rhw_clamp(1.0f - rhw_abs(period - 1.0f), zero, one);
-    }
-    case RHW_ADDRESS_BORDER: return rhw_clamp(u, rhw_splat(-1.0f), rhw_splat(2.0f));
-    default: return rhw_clamp(u, zero, one);
-    }
-}
-
-// Texel numbers that may lie one outside a level, into it. A repeated or mirrored edge is already exact:
-// folding leaves −1 and `size` only for the neighbour across the edge. Border texels are clamped as well,
-// and replaced after the fetch.
-static inline i8 sample_wrap(enum rhw_address address, i8 i, int size)
-{
-    if (address == RHW_ADDRESS_REPEAT) {
-        const i8 n = i8_splat(size);
-        return i + (n & (i >> 31)) - (n & ~rhw_less_int(i, n));
-    }
-    return rhw_max_int(rhw_min_int(i, i8_splat(size - 1)), i8_splat(0));
-}
-
-static inline i8 sample_outside(i8 i, int size)
-{
-    return (i >> 31) | ~rhw_less_int(i, i8_splat(size));
-}
-
-// c / 255 correctly rounded for whole c of 0..255: 1/255 = 1/256 + 1/65280.
-RHW_INLINE f8 sample_unorm8(i8 code)
-{
-    const f8 c = rhw_to_float(code);
-    return c * 0x1p-8f + c * 1.53186284e-05f;
-}
-
-// As rhw_half_to_float. Read as a float, the shifted bits are 2^112 times too small, denormals included;
-// infinity and NaN get the exponent that the product lacks, NaN its quiet bit.
-RHW_INLINE f8 sample_half(i8 half)
-{
-    const i8 magnitude = half & 0x7fff;
-    const i8 finite = (i8)((f8)(magnitude << 13) * 0x1p112f);
-    const i8 special = rhw_less_int(i8_splat(0x7bff), magnitude),
-             nan = rhw_less_int(i8_splat(0x7c00), magnitude);
-    return (f8)(finite | (special & 0x7f800000) | (nan & 0x400000) | ((half & 0x8000) << 16));
-}
-
-// Texels (x, y) of a level as floats, colour linear.
-static inline void sample_fetch(enum rhw_format format, const struct rhw_mip *mip, i8 x, i8 y, f8 texel[4])
-{
-    const size_t size = format == RHW_FORMAT_R8_UNORM       ? 1
-                        : format == RHW_FORMAT_RG8_UNORM    ? 2
-                        : format == RHW_FORMAT_RGBA16_FLOAT ? 8
-                        : format == RHW_FORMAT_RGBA32_FLOAT ? 16
-                                                            : 4;
-    const unsigned char *from[RHW_LANES];
-    for (int i = 0; i < RHW_LANES; i++) {
-        from[i] = mip->texels + (size_t)y[i] * mip->row_pitch + (size_t)x[i] * size;
-    }
-    texel[1] = texel[2] = rhw_splat(0.0f);
-    texel[3] = rhw_splat(1.0f);
-    switch (format) {
-    case RHW_FORMAT_R8_UNORM:
-    case RHW_FORMAT_RG8_UNORM: {
-        i8 code[2];
-        for (int i = 0; i < RHW_LANES; i++) {
-            code[0][i] = from[i][0];
-            code[1][i] = from[i][size - 1];
-        }
-        texel[0] = sample_unorm8(code[0]);
-        texel[1] = size == 2 ? sample_unorm8(code[1]) : texel[1];
-        break;
-    }
-    case RHW_FORMAT_RGBA8_UNORM:
-    case RHW_FORMAT_RGBA8_SRGB: {
-        i8 code;
-        for (int i = 0; i < RHW_LANES; i++) {
-            memcpy((char *)&code + 4 * i, from[i], 4);
-        }
-        if (format == RHW_FORMAT_RGBA8_UNORM) {
-            for (int j = 0; j < 3; j++) {
-                texel[j] = sample_unorm8((code >> (8 * j)) & 0xff);
-            }
-        } else {
-            for (int i = 0; i < RHW_LANES; i++) {
-                texel[0][i] = rhw_srgb_decode_table[code[i] & 0xff];
-                texel[1][i] = rhw_srgb_decode_table[code[i] >> 8 & 0xff];
-                texel[2][i] = rhw_srgb_decode_table[code[i] >> 16 & 0xff];
-            }
-        }
-        texel[3] = sample_unorm8((code >> 24) & 0xff);
-        break;
-    }
-    case RHW_FORMAT_RGBA16_FLOAT: {
-        int32_t half[2][RHW_LANES];
-        for (int i = 0; i < RHW_LANES; i++) {
-            memcpy(&half[0][i], from[i], 4);
-            memcpy(&half[1][i], from[i] + 4, 4);
-        }
-        for (int j = 0; j < 2; j++) {
-            texel[2 * j] = sample_half(i8_load(half[j]) & 0xffff);
-            texel[2 * j + 1] = sample_half((i8)((u8)i8_load(half[j]) >> 16));
-        }
-        break;
-    }
-    case RHW_FORMAT_RGBA32_FLOAT:
-        for (int i = 0; i < RHW_LANES; i++) {
-            float value[4];
-            memcpy(value, from[i], sizeof value);
-            for (int j = 0; j < 4; j++) {
-                texel[j][i] = value[j];
-            }
-        }
-        break;
-    default: // R32_FLOAT, D32_FLOAT
-        for (int i = 0; i < RHW_LANES; i++) {
-            memcpy((char *)&texel[0] + 4 * i, from[i], 4);
-        }
-        break;
-    }
-}
 
 // As sample_fetch, for texel numbers that may lie outside the level.
 static inline void sample_fetch_wrapped(const struct sample_source *source, const struct rhw_mip *mip, i8 x,
@@ -313,24 +181,6 @@ RHW_INLINE bool sample_is_interior(i8 xy, int32_t interior)
 #endif
 }
 
-// y · texels per row + x, of x and y inside the level: all three fit 16 bits.
-RHW_INLINE i8 sample_index(i8 xy, int32_t step)
-{
-#if defined(__AVX2__)
-    return (i8)_mm256_madd_epi16((__m256i)xy, _mm256_set1_epi32(step));
-#else
-    return (xy & 0xffff) * (step & 0xffff) + (xy >> 16);
-#endif
-}
-
-// 8 numbers in memory: one store and 8 loads cost less than taking the lanes out of a register, which gcc
-// does unless kept from it.
-RHW_INLINE void sample_spill(i8 lanes, uint32_t numbers[RHW_LANES])
-{
-    memcpy(numbers, &lanes, sizeof lanes);
-    __asm__("" : "+m"(*(uint32_t(*)[RHW_LANES])numbers));
-}
-
 // The texels with these numbers, and their right neighbours.
 RHW_INLINE void sample_load_pairs(const unsigned char *texels, const uint32_t at[RHW_LANES], i8 *left,
                                   i8 *right)
@@ -366,21 +216,6 @@ RHW_INLINE void sample_load_pairs(const unsigned char *texels, const uint32_t at
 #endif
 }
 
-RHW_INLINE i8 sample_load_codes(const unsigned char *texels, i8 index)
-{
-#if defined(__AVX2__)
-    return (i8)_mm256_i32gather_epi32((const int *)(const void *)texels, (__m256i)index, 4);
-#else
-    uint32_t at[RHW_LANES];
-    int32_t texel[RHW_LANES];
-    memcpy(at, &index, sizeof at);
-    for (int i = 0; i < RHW_LANES; i++) {
-        memcpy(&texel[i], texels + (size_t)at[i] * 4, sizeof texel[i]);
-    }
-    return i8_load(texel);
-#endif
-}
-
 // The four texels of each lane where some lie across an edge.
 static __attribute__((noinline)) void sample_corners_wrapped(const struct rhw_sampler_def *sampler,
                                                              const struct rhw_mip *mip, const i8 *xy,
@@ -391,10 +226,10 @@ static __attribute__((noinline)) void sample_corners_wrapped(const struct rhw_sa
     const i8 x1 = sample_wrap(sampler->address_u, x + 1, mip->width) << 16;
     const i8 y0 = sample_wrap(sampler->address_v, y, mip->height);
     const i8 y1 = sample_wrap(sampler->address_v, y + 1, mip->height);
-    corner[0] = sample_load_codes(mip->texels, sample_index(x0 | y0, mip->step));
-    corner[1] = sample_load_codes(mip->texels, sample_index(x1 | y0, mip->step));
-    corner[2] = sample_load_codes(mip->texels, sample_index(x0 | y1, mip->step));
-    corner[3] = sample_load_codes(mip->texels, sample_index(x1 | y1, mip->step));
+    corner[0] = sample_load_words(mip->texels, sample_index(x0 | y0, mip->step));
+    corner[1] = sample_load_words(mip->texels, sample_index(x1 | y0, mip->step));
+    corner[2] = sample_load_words(mip->texels, sample_index(x0 | y1, mip->step));
+    corner[3] = sample_load_words(mip->texels, sample_index(x1 | y1, mip->step));
 }
 
 RHW_INLINE void sample_corners(const struct sample_source *source, const struct rhw_mip *mip,
@@ -485,22 +320,7 @@ RHW_INLINE void sample_detail_codes(const struct sample_source *source, i8 detai
     texel[3] = sample_from_code(result.ga >> 16);
 }
 
-// The other road of 4-byte texels: sRGB, decoded by table before the filter. A gather costs 12 cycles on
-// a Zen 3 and a polynomial as exact as the table more.
-RHW_INLINE f8 sample_decode(i8 texel, int shift)
-{
-    const i8 code = (texel >> shift) & 0xff;
-#if defined(__AVX2__)
-    return (f8)_mm256_i32gather_ps(rhw_srgb_decode_table, (__m256i)code, 4);
-#else
-    f8 linear;
-    for (int i = 0; i < RHW_LANES; i++) {
-        linear[i] = rhw_srgb_decode_table[code[i]];
-    }
-    return linear;
-#endif
-}
-
+// The other road of 4-byte texels: sRGB, decoded before the filter and mixed in floats.
 static inline void sample_bilinear_srgb(const struct sample_source *source, const struct rhw_mip *mip,
                                         f8 texel[4])
 {
