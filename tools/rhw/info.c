@@ -121,7 +121,7 @@ static void print_cameras_and_lights(const struct rhw_model *model)
         if (camera->orthographic)
             printf("orthographic %.4g x %.4g", 2 * (double)camera->xmag, 2 * (double)camera->ymag);
         else
-            printf("perspective, fovy %.4g", (double)camera->yfov);
+            printf("perspective, fovy %.4g degrees", (double)camera->yfov * 57.29577951308232);
         printf(", near %.4g, far %.4g  \"%s\"\n", (double)camera->znear, (double)camera->zfar, camera->name);
     }
     if (model->light_count > 0)
@@ -269,7 +269,7 @@ static void json_cameras(const struct rhw_model *model)
             json_float("xmag", camera->xmag);
             json_float("ymag", camera->ymag);
         } else {
-            json_float("fovy", camera->yfov);
+            json_float("fovy_degrees", (float)((double)camera->yfov * 57.29577951308232));
         }
         json_float("near", camera->znear);
         json_float("far", camera->zfar);
