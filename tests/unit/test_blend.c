@@ -401,8 +401,14 @@ static void test_eight_targets_each_with_its_own_state(void **state)
 
 static void bits_fragment(struct rhw_fragment *groups, int count)
 {
+    // A signalling NaN for every primitive.
     for (int g = 0; g < count; g++)
-        groups[g].color[0][0] = (rhw_float)(groups[g].primitive * 0x01010101 + (int32_t)0x7fc00001);
+        groups[g].color[0][0] = (rhw_float)(groups[g].primitive * 0x00010101 + 0x7fa00001);
+}
+
+static uint32_t pattern(uint32_t primitive)
+{
+    return primitive * 0x00010101u + 0x7fa00001u;
 }
 
 // R32_UINT takes the bits of the first output, signalling NaNs and all.
@@ -426,9 +432,9 @@ static void test_integer_target(void **state)
         for (uint32_t i = 0; i < 3; i++) {
             // The lower left corner belongs to the first triangle of a column, the upper right to the second.
             if (y > 24)
-                assert_int_equal(texels[(uint32_t)y * 32 + i * 8], 0x7fc00001 + 0x01010101 * 2 * i);
+                assert_int_equal(texels[(uint32_t)y * 32 + i * 8], pattern(2 * i));
             if (y < 8)
-                assert_int_equal(texels[(uint32_t)y * 32 + i * 8 + 7], 0x7fc00001 + 0x01010101 * (2 * i + 1));
+                assert_int_equal(texels[(uint32_t)y * 32 + i * 8 + 7], pattern(2 * i + 1));
         }
     }
     rig_close(&rig);
