@@ -48,10 +48,12 @@ static void place(const struct scene *s, struct scene_vertex *v, double x, doubl
     v->position[3] = (float)w;
 }
 
-// Positions on the 1/256 grid and values of W with few bits make X, Y and W exact floats.
+// Positions on the 1/256 grid and values of W with few bits make X, Y and W exact floats. Every other mesh of
+// these stands on half pixels, where samples on edges and corners are the rule.
 static double grid(const struct scene *s, double pixels)
 {
-    return s->index % 2 ? pixels : rint(pixels * 256) / 256;
+    const double steps = s->mesh && s->index % 4 == 2 ? 2 : 256;
+    return s->index % 2 ? pixels : rint(pixels * steps) / steps;
 }
 
 static double few_bits(const struct scene *s, double w)
@@ -141,20 +143,23 @@ static void make_perspective(struct scene *s, struct random *r)
     }
 }
 
-// The third vertex lies a few 1/256 pixel off the line through the others.
+// The third vertex lies a few 1/256 pixel off the line through the others, which passes through the target and
+// ends up to 16384 pixels away.
 static void make_slivers(struct scene *s, struct random *r)
 {
     for (int n = 0; n < 48; n++) {
-        const double x0 = pick_x(s, r), y0 = pick_y(s, r), x1 = pick_x(s, r), y1 = pick_y(s, r);
-        const double along = random_between(r, -0.3, 1.3);
-        const double w_range = random_between(r, 0, 6);
+        const double x = pick_x(s, r), y = pick_y(s, r), angle = random_between(r, 0, 6.28);
+        const double before = random_scale(r, 0, n % 2 ? 6 : 13.9), after = -random_scale(r, 0, n % 2 ? 6 : 13.9);
+        const double along = before + random_between(r, -0.3, 1.3) * (after - before);
+        const double at[3] = {before, after, along < -16000 ? -16000 : along > 16000 ? 16000 : along};
+        const double log2_ratio = random_between(r, 0, 20);
         const double off_x = random_between(r, -4, 4) / 256, off_y = random_between(r, -4, 4) / 256;
-        const double x[3] = {x0, x1, x0 + along * (x1 - x0) + off_x}, y[3] = {y0, y1, y0 + along * (y1 - y0) + off_y};
         const int turn = random_below(r, 3);
         for (int i = 0; i < 3; i++) {
             const int k = (i + turn) % 3;
-            place(s, add(s), grid(s, x[k]), grid(s, y[k]), random_between(r, 0, 1),
-                  few_bits(s, random_scale(r, 0, w_range)));
+            place(s, add(s), grid(s, x + at[k] * cos(angle) + (k == 2 ? off_x : 0)),
+                  grid(s, y + at[k] * sin(angle) + (k == 2 ? off_y : 0)), random_between(r, 0, 1),
+                  few_bits(s, random_scale(r, 0, log2_ratio)));
         }
     }
 }
