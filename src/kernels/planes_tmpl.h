@@ -46,7 +46,7 @@ struct planes {
     bool wide;               // weights come from `edge` alone, in wide arithmetic
     struct wide_plane edge[3];
     double edge_scale;       // e_i·edge_scale = a, b, c over W
-    struct slope b_slope, c_slope; // of homogeneous triangles
+    struct slope b_slope, c_slope; // of snapped triangles by planes_slopes, when they are asked for
     double z_base, z_e1, z_e2, s_base, s_e1, s_e2, b_e1, c_e2, n_e; // factors of e_1 and e_2, for `exact`
 };
 
@@ -425,10 +425,34 @@ static struct weights cut_weights(const struct cut_row *cut, struct weights w)
                             d8_select(cut->lanes, cut->weights.inverse_s, w.inverse_s)};
 }
 
-static struct slope slope_of(const struct plane *q, const struct plane *s)
+// Of a snapped triangle. With T = e_0·w_0 + e_1·w_1 + e_2·w_2, d(e_1·w_1/T)/dx = w_1·(Σ w_i·(a_1·e_i − a_i·e_1))/T²;
+// a_1·e_0 − a_0·e_1 is 0 at vertex 2, does not depend on x, and changes by the area with y, and so on around the
+// triangle: what is left are heights over vertices, which are exact.
+static struct slope slope_snapped(const struct rhw_triangle *t, const struct planes *p, double factor, int self,
+                                  const double w[3])
 {
-    return (struct slope){q->dx * s->at - q->at * s->dx, q->dx * s->dy - q->dy * s->dx, q->dy * s->at - q->at * s->dy,
-                          q->dy * s->dx - q->dx * s->dy};
+    const int next = self == 1 ? 2 : 0, other = self == 1 ? 0 : 1; // self, next, other: around the triangle
+    const double px = (double)(p->anchor_x * RHW_SUBPIXEL + RHW_SUBPIXEL / 2);
+    const double py = (double)(p->anchor_y * RHW_SUBPIXEL + RHW_SUBPIXEL / 2);
+    const double f = factor * w[self] * RHW_SUBPIXEL;
+    return (struct slope){f * (w[next] * (py - t->y_24_8[other]) - w[other] * (py - t->y_24_8[next])),
+                          f * (w[next] - w[other]) * RHW_SUBPIXEL,
+                          f * (w[other] * (px - t->x_24_8[next]) - w[next] * (px - t->x_24_8[other])),
+                          f * (w[other] - w[next]) * RHW_SUBPIXEL};
+}
+
+// Sets the slopes of b and c, which planes_homogeneous sets itself.
+static void planes_slopes(struct planes *p, const struct rhw_triangle *t, const struct rhw_vertex_record *const v[3])
+{
+    if (p->homogeneous || p->wide) {
+        return;
+    }
+    const double w[3] = {1 / (double)v[0]->position[3], 1 / (double)v[1]->position[3], 1 / (double)v[2]->position[3]};
+    const double x1 = t->x_24_8[1] - t->x_24_8[0], y1 = t->y_24_8[1] - t->y_24_8[0];
+    const double x2 = t->x_24_8[2] - t->x_24_8[0], y2 = t->y_24_8[2] - t->y_24_8[0];
+    const double factor = x1 * y2 < x2 * y1 ? -p->n_e : p->n_e; // one over the signed area
+    p->b_slope = slope_snapped(t, p, factor, 1, w);
+    p->c_slope = slope_snapped(t, p, factor, 2, w);
 }
 
 // Per pixel to the right (x) and down (y), of a weight whose numerators are given.

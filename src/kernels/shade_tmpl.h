@@ -204,6 +204,10 @@ static void prepare_values(const struct tile_work *work, struct triangle_work *t
         triangle->d1[i] = a[i] - b[i];
         triangle->d2[i] = a[i] - c[i];
     }
+    if (work->pipeline->any_derivatives ||
+        work->pipeline->def.program.uses & RHW_USE_BARYCENTRIC_DERIVATIVES) {
+        planes_slopes(&triangle->planes, triangle->t, triangle->v);
+    }
     triangle->ready = true;
 }
 
@@ -320,10 +324,8 @@ static void fill_group(const struct tile_work *work, int g, const struct triangl
         double dy[RHW_BLOCK];
         memcpy(dy, &at->dy, sizeof dy);
         struct weight_slopes slopes;
-        const struct slope b = planes->homogeneous || planes->wide ? planes->b_slope : slope_of(&planes->b, &planes->s);
-        const struct slope c = planes->homogeneous || planes->wide ? planes->c_slope : slope_of(&planes->c, &planes->s);
-        weight_derivatives(b, at->dx, dy[row], w.inverse_s, &slopes.b_dx, &slopes.b_dy);
-        weight_derivatives(c, at->dx, dy[row], w.inverse_s, &slopes.c_dx, &slopes.c_dy);
+        weight_derivatives(planes->b_slope, at->dx, dy[row], w.inverse_s, &slopes.b_dx, &slopes.b_dy);
+        weight_derivatives(planes->c_slope, at->dx, dy[row], w.inverse_s, &slopes.c_dx, &slopes.c_dy);
         fill_derivatives(work, g, triangle, &slopes);
         if (uses & RHW_USE_BARYCENTRIC_DERIVATIVES) {
             fill_barycentrics(group->barycentric_ddx, 0, slopes.b_dx, slopes.c_dx);
