@@ -7,7 +7,9 @@
 #include <string.h>
 
 static const float triangle[3][8] = { // X, Y, Z, W; red, green, blue, alpha
-    {-0.8f, -0.8f, 0, 1, 1, 0, 0, 1}, {2.4f, -2.4f, 0, 3, 0, 1, 0, 1}, {0, 0.8f, 0, 1, 0, 0, 1, 1}};
+    {-0.8f, -0.8f, 0, 1, 1, 0, 0, 1},
+    {2.4f, -2.4f, 0, 3, 0, 1, 0, 1},
+    {0, 0.8f, 0, 1, 0, 0, 1, 1}};
 
 static void vertex(struct rhw_vertex1 *v)
 {

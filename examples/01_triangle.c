@@ -137,7 +137,8 @@ static void explain(const uint8_t *naive, const uint8_t *correct)
         const float *p = triangle[i].camera;
         const float x = p[0] / p[2], y = p[1] / p[2];
         printf("  %c     %4g %4g   %4g  %7.4f  %7.4f  %7.3f  %7.3f\n", 'A' + i, (double)p[0], (double)p[1],
-               (double)p[2], (double)x, (double)y, (double)((1 + x) / 2 * SIZE), (double)((1 + y) / 2 * SIZE));
+               (double)p[2], (double)x, (double)y, (double)((1 + x) / 2 * SIZE),
+               (double)((1 + y) / 2 * SIZE));
     }
     const size_t pixel = (size_t)(240 * SIZE + 260) * 4;
     printf("pixel 260, 240: naive %d %d %d, correct %d %d %d: the green corner is nearest and gets more\n",

@@ -18,7 +18,16 @@
 #include "picture.h"
 
 // A panel is a window into a square view of SIZE × SIZE pixels, from column LEFT and row TOP on.
-enum { SIZE = 720, LEFT = 116, TOP = 208, COLUMNS = 512, ROWS = 288, FIELDS = 10, SCALE = 4, SCALE_LEVELS = 3 };
+enum {
+    SIZE = 720,
+    LEFT = 116,
+    TOP = 208,
+    COLUMNS = 512,
+    ROWS = 288,
+    FIELDS = 10,
+    SCALE = 4,
+    SCALE_LEVELS = 3
+};
 
 struct corner {
     float camera[3];

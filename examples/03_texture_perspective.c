@@ -209,7 +209,8 @@ static void sample_texture(struct rhw_fragment *groups, int count)
 {
     for (int i = 0; i < count; i++) {
         struct rhw_fragment *fragment = &groups[i];
-        const rhw_float footprint[4] = {fragment->ddx[0], fragment->ddx[1], fragment->ddy[0], fragment->ddy[1]};
+        const rhw_float footprint[4] = {fragment->ddx[0], fragment->ddx[1], fragment->ddy[0],
+                                        fragment->ddy[1]};
         rhw_float uv[2];
         find_uv(fragment, uv);
         rhw_sample_grad(&fragment->textures[0], uv, footprint, fragment->color[0]);
@@ -231,7 +232,8 @@ static rhw_texture make_texture(rhw_context *context)
 {
     static uint8_t texels[TEXELS][TEXELS][4];
     static const uint8_t paper[2][4] = {{250, 248, 240, 255}, {226, 228, 226, 255}};
-    static const uint8_t line[4] = {70, 78, 90, 255}, blue[4] = {40, 110, 200, 255}, red[4] = {215, 60, 45, 255};
+    static const uint8_t line[4] = {70, 78, 90, 255}, blue[4] = {40, 110, 200, 255},
+                         red[4] = {215, 60, 45, 255};
     const int field = TEXELS / 8;
     for (int y = 0; y < TEXELS; y++) {
         for (int x = 0; x < TEXELS; x++) {
@@ -250,7 +252,8 @@ static rhw_texture make_texture(rhw_context *context)
     return texture;
 }
 
-static rhw_pipeline make_pipeline(rhw_context *context, rhw_fragment_function *fragment, enum rhw_format format)
+static rhw_pipeline make_pipeline(rhw_context *context, rhw_fragment_function *fragment,
+                                  enum rhw_format format)
 {
     struct rhw_pipeline_def def = rhw_pipeline_def_default();
     def.program = (struct rhw_program){
@@ -288,7 +291,8 @@ static void draw(rhw_context *context, rhw_fragment_function *fragment, rhw_text
     attachments.colors[0].clear[2] = 0.14f;
     rhw_pass pass;
     must(rhw_pass_begin(context, &attachments, &pass), "pass");
-    rhw_pass_set_pipeline(context, pass, make_pipeline(context, fragment, rhw_texture_format(context, target)));
+    rhw_pass_set_pipeline(context, pass,
+                          make_pipeline(context, fragment, rhw_texture_format(context, target)));
     rhw_pass_set_vertex_buffer(context, pass, 0, corners, 0);
     rhw_pass_set_texture(context, pass, 0, make_texture(context), trilinear);
     for (int way = 0; way < WAYS; way++) {
@@ -319,8 +323,8 @@ int main(int argc, char **argv)
 {
     const char *directory = argc > 1 ? argv[1] : ".";
     rhw_context *context = picture_context();
-    const rhw_texture picture = picture_target(context, RHW_FORMAT_RGBA8_SRGB, WAYS * SIZE * SCALE,
-                                               ROWS * SCALE, SCALE_LEVELS);
+    const rhw_texture picture =
+        picture_target(context, RHW_FORMAT_RGBA8_SRGB, WAYS * SIZE * SCALE, ROWS * SCALE, SCALE_LEVELS);
     draw(context, sample_texture, picture, SCALE);
     rhw_texture_generate_mips(context, picture);
     picture_save(context, picture, SCALE_LEVELS - 1, directory, "03_texture_perspective.png");
@@ -329,12 +333,13 @@ int main(int argc, char **argv)
     const rhw_texture coordinates = picture_target(context, RHW_FORMAT_RGBA32_FLOAT, WAYS * SIZE, ROWS, 1);
     draw(context, show_uv, coordinates, 1);
     rhw_texture_read(context, coordinates, 0, uv, 0);
-    const float screen = largest_difference((const float (*)[4])uv, SCREEN, PIPELINE);
-    const float world = largest_difference((const float (*)[4])uv, WORLD, PIPELINE);
+    const float screen = largest_difference((const float(*)[4])uv, SCREEN, PIPELINE);
+    const float world = largest_difference((const float(*)[4])uv, WORLD, PIPELINE);
     printf("largest difference from the pipeline's u and v:\n");
     printf("  weights of the screen            %.3f, %.1f fields of the grid\n", (double)screen,
            (double)(screen * 8));
-    printf("  weights from the world position  %.1e, from snapped corners and a 32-bit depth\n", (double)world);
+    printf("  weights from the world position  %.1e, from snapped corners and a 32-bit depth\n",
+           (double)world);
     rhw_context_destroy(context);
     return world < 2e-5f ? 0 : 1;
 }

@@ -20,9 +20,16 @@
 #include "plot.h"
 
 enum {
-    COLUMNS = 640, ROWS = 150, ROW = 75, COLUMN = 200, // the plane, and the pixel that is explained
-    MARGIN = 44, GAP = 24, WIDTH = COLUMNS + MARGIN + GAP, HEIGHT = 4 * (ROWS + GAP) + GAP,
-    SCALE = 4, SCALE_LEVELS = 3
+    COLUMNS = 640,
+    ROWS = 150,
+    ROW = 75,
+    COLUMN = 200, // the plane, and the pixel that is explained
+    MARGIN = 44,
+    GAP = 24,
+    WIDTH = COLUMNS + MARGIN + GAP,
+    HEIGHT = 4 * (ROWS + GAP) + GAP,
+    SCALE = 4,
+    SCALE_LEVELS = 3
 };
 
 static const float w_left = 1, w_right = 8;
@@ -84,8 +91,11 @@ static rhw_pipeline make_pipeline(rhw_context *context, rhw_fragment_function *f
                                   enum rhw_format format, int targets)
 {
     struct rhw_pipeline_def def = rhw_pipeline_def_default();
-    def.program = (struct rhw_program){.vertex = {place}, .fragment = {fragment},
-                                       .varyings = {{1, RHW_SMOOTH, false}}, .varying_count = 1, .uses = uses};
+    def.program = (struct rhw_program){.vertex = {place},
+                                       .fragment = {fragment},
+                                       .varyings = {{1, RHW_SMOOTH, false}},
+                                       .varying_count = 1,
+                                       .uses = uses};
     def.attributes[0] = (struct rhw_attribute){RHW_VERTEX_FLOAT4, 0, offsetof(struct corner, clip)};
     def.attributes[1] = (struct rhw_attribute){RHW_VERTEX_FLOAT1, 0, offsetof(struct corner, along)};
     def.attribute_count = 2;

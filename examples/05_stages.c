@@ -25,8 +25,12 @@
 #include "plot.h"
 
 enum {
-    SIZE = 256, COLUMN = 140, ROW = 170,            // the raster, and the pixel that is explained
-    PANEL = 300, SCALE = 4, SCALE_LEVELS = 3,       // the picture
+    SIZE = 256,
+    COLUMN = 140,
+    ROW = 170, // the raster, and the pixel that is explained
+    PANEL = 300,
+    SCALE = 4,
+    SCALE_LEVELS = 3, // the picture
     TARGETS = 4
 };
 
@@ -243,8 +247,8 @@ static void paint(struct rhw_fragment *groups, int count)
     }
 }
 
-static rhw_pipeline make_pipeline(rhw_context *context, rhw_fragment_function *fragment, enum rhw_topology topology,
-                                  enum rhw_format format, int targets)
+static rhw_pipeline make_pipeline(rhw_context *context, rhw_fragment_function *fragment,
+                                  enum rhw_topology topology, enum rhw_format format, int targets)
 {
     struct rhw_pipeline_def def = rhw_pipeline_def_default();
     def.program = (struct rhw_program){
@@ -400,8 +404,8 @@ static void print_steps(const struct polygon *polygon)
     for (int i = 0; i < polygon->count; i++) {
         double position[2];
         raster_position(&polygon->points[i], position);
-        printf("  P%d      %8g %8g   %lld, %lld\n", i, position[0], position[1], (long long)polygon->x_24_8[i],
-               (long long)polygon->y_24_8[i]);
+        printf("  P%d      %8g %8g   %lld, %lld\n", i, position[0], position[1],
+               (long long)polygon->x_24_8[i], (long long)polygon->y_24_8[i]);
     }
 }
 

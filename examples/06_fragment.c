@@ -83,14 +83,15 @@ static rhw_pipeline make_pipeline(rhw_context *context, enum rhw_format format)
     def.buffer_count = 1;
     def.targets[0].format = format;
     def.targets[0].blend = true;
-    def.targets[0].color = (struct rhw_blend_component){RHW_BLEND_SRC_ALPHA, RHW_BLEND_ONE_MINUS_SRC_ALPHA,
-                                                        RHW_BLEND_ADD};
+    def.targets[0].color =
+        (struct rhw_blend_component){RHW_BLEND_SRC_ALPHA, RHW_BLEND_ONE_MINUS_SRC_ALPHA, RHW_BLEND_ADD};
     rhw_pipeline pipeline;
     must(rhw_pipeline_create(context, &def, &pipeline), "pipeline");
     return pipeline;
 }
 
-static void draw_triangle(rhw_context *context, rhw_pass pass, enum answer kind, const struct corner corners[3])
+static void draw_triangle(rhw_context *context, rhw_pass pass, enum answer kind,
+                          const struct corner corners[3])
 {
     const int32_t uniforms = (int32_t)kind;
     const rhw_buffer buffer = picture_vertices(context, corners, 3 * sizeof *corners);
@@ -138,7 +139,8 @@ int main(int argc, char **argv)
     rhw_context *context = picture_context();
     const enum rhw_format format = RHW_FORMAT_RGBA8_SRGB;
     const rhw_texture plain = picture_target(context, format, PANELS * PANEL, PANEL, 1);
-    const rhw_texture fine = picture_target(context, format, PANELS * PANEL * SCALE, PANEL * SCALE, SCALE_LEVELS);
+    const rhw_texture fine =
+        picture_target(context, format, PANELS * PANEL * SCALE, PANEL * SCALE, SCALE_LEVELS);
     draw(context, plain, PANEL);
     draw(context, fine, PANEL * SCALE);
 

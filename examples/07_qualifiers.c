@@ -71,12 +71,12 @@ static void show_values(struct rhw_fragment *groups, int count)
     }
 }
 
-static rhw_pipeline make_pipeline(rhw_context *context, rhw_fragment_function *fragment, enum rhw_format format,
-                                  enum rhw_qualifier qualifier)
+static rhw_pipeline make_pipeline(rhw_context *context, rhw_fragment_function *fragment,
+                                  enum rhw_format format, enum rhw_qualifier qualifier)
 {
     struct rhw_pipeline_def def = rhw_pipeline_def_default();
-    def.program = (struct rhw_program){.vertex = {place}, .fragment = {fragment},
-                                       .varyings = {{4, qualifier, false}}, .varying_count = 1};
+    def.program = (struct rhw_program){
+        .vertex = {place}, .fragment = {fragment}, .varyings = {{4, qualifier, false}}, .varying_count = 1};
     def.attributes[0] = (struct rhw_attribute){RHW_VERTEX_FLOAT4, 0, offsetof(struct corner, clip)};
     def.attributes[1] = (struct rhw_attribute){RHW_VERTEX_FLOAT3, 0, offsetof(struct corner, color)};
     def.attributes[2] = (struct rhw_attribute){RHW_VERTEX_FLOAT1, 0, offsetof(struct corner, distance)};

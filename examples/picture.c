@@ -62,9 +62,9 @@ static uint8_t *find_palette(size_t pixels, const uint8_t *rgb, struct spng_plte
     for (size_t i = 0; i < pixels; i++) {
         const uint8_t *color = rgb + i * 3;
         uint32_t entry = 0;
-        while (entry < palette->n_entries && (palette->entries[entry].red != color[0] ||
-                                              palette->entries[entry].green != color[1] ||
-                                              palette->entries[entry].blue != color[2])) {
+        while (entry < palette->n_entries &&
+               (palette->entries[entry].red != color[0] || palette->entries[entry].green != color[1] ||
+                palette->entries[entry].blue != color[2])) {
             entry++;
         }
         if (entry == 256) {

@@ -18,13 +18,26 @@ struct glyph {
 };
 
 static const struct glyph glyphs[] = {
-    {'0', 6, "10303041414545363616160505010110"}, {'1', 5, "04262620"}, {'2', 6, "06464643430303000040"},
-    {'3', 6, "0646464040000343"}, {'4', 6, "060202424640"}, {'5', 6, "46060603034343404000"},
-    {'6', 6, "46060600004040434303"}, {'7', 6, "06464610"},
+    {'0', 6, "10303041414545363616160505010110"},
+    {'1', 5, "04262620"},
+    {'2', 6, "06464643430303000040"},
+    {'3', 6, "0646464040000343"},
+    {'4', 6, "060202424640"},
+    {'5', 6, "46060603034343404000"},
+    {'6', 6, "46060600004040434303"},
+    {'7', 6, "06464610"},
     {'8', 6, "103030414142423333131302020101103344444545363616160505040413"},
-    {'9', 6, "43030306064646404000"}, {'.', 3, "1010"}, {'/', 6, "0046"}, {'-', 6, "0343"},
-    {'=', 6, "02420444"}, {' ', 4, ""}, {'w', 6, "0410102323303044"}, {'z', 6, "044444000040"},
-    {'x', 6, "04400044"}, {'A', 6, "002626401232"}, {'B', 6, "0006063636454544443303333342424141303000"},
+    {'9', 6, "43030306064646404000"},
+    {'.', 3, "1010"},
+    {'/', 6, "0046"},
+    {'-', 6, "0343"},
+    {'=', 6, "02420444"},
+    {' ', 4, ""},
+    {'w', 6, "0410102323303044"},
+    {'z', 6, "044444000040"},
+    {'x', 6, "04400044"},
+    {'A', 6, "002626401232"},
+    {'B', 6, "0006063636454544443303333342424141303000"},
     {'C', 6, "361616050501011010303041"},
 };
 
@@ -117,8 +130,11 @@ static void paint(struct rhw_fragment *groups, int count)
 void plot_draw(struct plot *plot, rhw_context *context, rhw_pass pass, enum rhw_format format)
 {
     struct rhw_pipeline_def def = rhw_pipeline_def_default();
-    def.program = (struct rhw_program){.vertex = {place}, .fragment = {paint}, .varyings = {{3, RHW_FLAT, false}},
-                                       .varying_count = 1, .uniform_size = 2 * sizeof(float)};
+    def.program = (struct rhw_program){.vertex = {place},
+                                       .fragment = {paint},
+                                       .varyings = {{3, RHW_FLAT, false}},
+                                       .varying_count = 1,
+                                       .uniform_size = 2 * sizeof(float)};
     def.attributes[0] = (struct rhw_attribute){RHW_VERTEX_FLOAT2, 0, offsetof(struct plot_vertex, x)};
     def.attributes[1] = (struct rhw_attribute){RHW_VERTEX_FLOAT3, 0, offsetof(struct plot_vertex, color)};
     def.attribute_count = 2;
@@ -130,8 +146,8 @@ void plot_draw(struct plot *plot, rhw_context *context, rhw_pass pass, enum rhw_
     const size_t count = (size_t)plot->strokes * 6;
     const float size[2] = {(float)plot->width, (float)plot->height};
     rhw_pass_set_pipeline(context, pass, pipeline);
-    rhw_pass_set_vertex_buffer(context, pass, 0,
-                               picture_vertices(context, plot->vertices, count * sizeof plot->vertices[0]), 0);
+    rhw_pass_set_vertex_buffer(
+        context, pass, 0, picture_vertices(context, plot->vertices, count * sizeof plot->vertices[0]), 0);
     rhw_pass_set_uniforms(context, pass, size, sizeof size);
     rhw_pass_draw(context, pass, 0, (uint32_t)count, 0, 1);
     plot->strokes = 0;

@@ -106,7 +106,8 @@ static void camera_axes(const struct rhw_camera *camera, double right[3], double
     const double nearly_parallel = 1e-12 * dot(wanted, wanted);
     if (!normalize(wanted) || dot(right, right) <= nearly_parallel || !normalize(right)) {
         // Looking along `up`: take the axis that is furthest from the view instead.
-        const double other[3] = {0.0, back[1] * back[1] < 0.5 ? 1.0 : 0.0, back[1] * back[1] < 0.5 ? 0.0 : -1.0};
+        const double other[3] = {0.0, back[1] * back[1] < 0.5 ? 1.0 : 0.0,
+                                 back[1] * back[1] < 0.5 ? 0.0 : -1.0};
         cross(other, back, right);
         normalize(right);
     }
@@ -121,8 +122,8 @@ double rhw_camera_default_yfov(void)
 static void transform_point(const float m[16], const float p[3], double result[3])
 {
     for (int i = 0; i < 3; i++) {
-        result[i] = (double)m[i] * (double)p[0] + (double)m[4 + i] * (double)p[1] + (double)m[8 + i] * (double)p[2] +
-                    (double)m[12 + i];
+        result[i] = (double)m[i] * (double)p[0] + (double)m[4 + i] * (double)p[1] +
+                    (double)m[8 + i] * (double)p[2] + (double)m[12 + i];
     }
 }
 
@@ -218,7 +219,8 @@ static void fit_model(const struct rhw_model *model, const double axes[3][3], st
             double q[3];
             for (int r = 0; r < 3; r++) {
                 used = used && p[r] >= mesh->bounds_min[r] && p[r] <= mesh->bounds_max[r];
-                q[r] = rows[r][0] * (double)p[0] + rows[r][1] * (double)p[1] + rows[r][2] * (double)p[2] + rows[r][3];
+                q[r] = rows[r][0] * (double)p[0] + rows[r][1] * (double)p[1] + rows[r][2] * (double)p[2] +
+                       rows[r][3];
             }
             if (used && finite3(q)) {
                 fit_vertex(fit, q);
@@ -256,7 +258,8 @@ static void fit_planes(struct rhw_camera *camera, const struct rhw_model *model)
     camera->znear = nearest * 0.999 > closest && nearest <= furthest ? nearest * 0.999 : closest;
 }
 
-struct rhw_camera rhw_camera_fit(const struct rhw_model *model, struct rhw_orbit orbit, double yfov, double aspect)
+struct rhw_camera rhw_camera_fit(const struct rhw_model *model, struct rhw_orbit orbit, double yfov,
+                                 double aspect)
 {
     double sin_a, cos_a, sin_e, cos_e;
     sin_cos_degrees(orbit.azimuth, &sin_a, &cos_a);
@@ -267,7 +270,8 @@ struct rhw_camera rhw_camera_fit(const struct rhw_model *model, struct rhw_orbit
     const double up[3] = {-sin_e * sin_a, cos_e, -sin_e * cos_a};
     double right[3];
     cross(up, back, right);
-    const double axes[3][3] = {{right[0], right[1], right[2]}, {up[0], up[1], up[2]}, {back[0], back[1], back[2]}};
+    const double axes[3][3] = {
+        {right[0], right[1], right[2]}, {up[0], up[1], up[2]}, {back[0], back[1], back[2]}};
 
     const double tan_y = tangent_of_half(yfov) * (1.0 - 2.0 * fit_margin);
     struct fit fit = {.tan_x = tan_y * aspect,

@@ -12,14 +12,16 @@
 struct rhw_camera {
     double eye[3], target[3], up[3];
     bool orthographic;
-    double yfov; ///< radians, the whole angle from the bottom to the top of the picture; perspective
-    double ymag; ///< half the height of the picture in the world; orthographic
+    double yfov;        ///< radians, the whole angle from the bottom to the top of the picture; perspective
+    double ymag;        ///< half the height of the picture in the world; orthographic
     double znear, zfar; ///< distances along the view; zfar 0: infinitely far (perspective only)
 };
 
 /// Degrees. Azimuth 0 looks at the model's front (from +Z), 90 from its left hand side (+X); elevation 90
 /// looks straight down (−Y).
-struct rhw_orbit { double azimuth, elevation; };
+struct rhw_orbit {
+    double azimuth, elevation;
+};
 
 /// 30 degrees: long enough a lens to keep proportions, short enough to show depth.
 double rhw_camera_default_yfov(void);
@@ -31,7 +33,8 @@ struct rhw_orbit rhw_camera_default_orbit(const struct rhw_model *model);
 /// The camera at those angles that is as near as it can be with every vertex of the model in the picture
 /// and a margin of 4% around it; near and far planes enclose the model. A model without vertices gets a
 /// camera that looks at the origin.
-struct rhw_camera rhw_camera_fit(const struct rhw_model *model, struct rhw_orbit orbit, double yfov, double aspect);
+struct rhw_camera rhw_camera_fit(const struct rhw_model *model, struct rhw_orbit orbit, double yfov,
+                                 double aspect);
 
 /// Perspective from `eye` to `target`, planes around the model. False with one line in `error` when the
 /// numbers make no camera: not finite, eye equals target, yfov (radians) outside 0.01..179 degrees.

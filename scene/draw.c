@@ -69,9 +69,9 @@ struct draw {
     struct rhw_lighting lighting;
     struct rhw_frame frame;
     double view_projection[16];
-    int side;                      // of the sample grid
-    int band_rows, first_row;      // of the picture
-    void *data[RHW_DATA_OUTPUTS];  // the pictures of data outputs
+    int side;                     // of the sample grid
+    int band_rows, first_row;     // of the picture
+    void *data[RHW_DATA_OUTPUTS]; // the pictures of data outputs
 };
 
 static double milliseconds(void)
@@ -96,7 +96,8 @@ static int sample_side(int samples)
 struct rhw_view rhw_view_default(const struct rhw_model *model)
 {
     struct rhw_view view = {.width = 1280, .height = 720, .samples = 1, .outputs = RHW_OUTPUT_COLOR};
-    view.camera = rhw_camera_fit(model, rhw_camera_default_orbit(model), rhw_camera_default_yfov(), 1280.0 / 720.0);
+    view.camera =
+        rhw_camera_fit(model, rhw_camera_default_orbit(model), rhw_camera_default_yfov(), 1280.0 / 720.0);
     return view;
 }
 
@@ -111,8 +112,9 @@ bool rhw_view_check(const struct rhw_view *view, char *error, size_t error_size)
     } else if (side == 0) {
         snprintf(error, error_size, "samples %d: must be 1, 4, 9 or 16", view->samples);
     } else if (view->width * side > limit || view->height * side > limit) {
-        snprintf(error, error_size, "size %dx%d with %d samples: %d times width and height must not exceed %d",
-                 view->width, view->height, view->samples, side, limit);
+        snprintf(error, error_size,
+                 "size %dx%d with %d samples: %d times width and height must not exceed %d", view->width,
+                 view->height, view->samples, side, limit);
     } else if (view->outputs == 0 || (view->outputs & ~(uint32_t)RHW_OUTPUT_ALL)) {
         snprintf(error, error_size, "outputs: none, or unknown ones, asked for");
     } else if (view->interpolate != RHW_SMOOTH && view->interpolate != RHW_NOPERSPECTIVE) {
@@ -152,7 +154,8 @@ void rhw_pictures_free(struct rhw_pictures *pictures)
 
 // Scene ---------------------------------------------------------------------------------------------
 
-enum rhw_result rhw_scene_create(rhw_context *context, const struct rhw_model *model, struct rhw_scene **scene)
+enum rhw_result rhw_scene_create(rhw_context *context, const struct rhw_model *model,
+                                 struct rhw_scene **scene)
 {
     const double start = milliseconds();
     *scene = calloc(1, sizeof **scene);
@@ -196,7 +199,8 @@ void rhw_scene_destroy(struct rhw_scene *scene)
     free(scene);
 }
 
-static enum rhw_result get_target(struct rhw_scene *scene, int which, enum rhw_format format, int width, int height)
+static enum rhw_result get_target(struct rhw_scene *scene, int which, enum rhw_format format, int width,
+                                  int height)
 {
     rhw_context *context = scene->upload.context;
     struct target *target = &scene->targets[which];
@@ -323,7 +327,8 @@ static enum rhw_result record_screen(struct draw *draw, rhw_pass pass, enum rhw_
 }
 
 // Ends a pass whatever came before, since only that gives it back.
-static enum rhw_result end_pass(struct draw *draw, rhw_pass pass, enum rhw_result so_far, struct rhw_stats *stats)
+static enum rhw_result end_pass(struct draw *draw, rhw_pass pass, enum rhw_result so_far,
+                                struct rhw_stats *stats)
 {
     const enum rhw_result result = rhw_pass_end(draw->scene->upload.context, pass, stats);
     return so_far != RHW_OK ? so_far : result;
@@ -376,7 +381,8 @@ static enum rhw_result draw_samples(struct draw *draw, const enum rhw_format for
     return result;
 }
 
-static enum rhw_result resolve(struct draw *draw, int from, int to, enum rhw_format format, bool straight_alpha)
+static enum rhw_result resolve(struct draw *draw, int from, int to, enum rhw_format format,
+                               bool straight_alpha)
 {
     struct rhw_scene *scene = draw->scene;
     rhw_context *context = scene->upload.context;
@@ -391,7 +397,8 @@ static enum rhw_result resolve(struct draw *draw, int from, int to, enum rhw_for
         .inverse_size = {1.0f / (float)source->width, 1.0f / (float)source->height}};
     struct rhw_pass_def def = rhw_pass_def_default();
     def.color_count = 1;
-    def.colors[0] = (struct rhw_color_attachment){.texture = scene->targets[to].texture, .load = RHW_LOAD_DISCARD};
+    def.colors[0] =
+        (struct rhw_color_attachment){.texture = scene->targets[to].texture, .load = RHW_LOAD_DISCARD};
     def.depth = (struct rhw_depth_attachment){.enabled = false};
     rhw_pass pass;
     result = rhw_pass_begin(context, &def, &pass);
@@ -453,7 +460,8 @@ static enum rhw_result draw_color_band(struct draw *draw)
     }
     draw->stats.color_ms += milliseconds() - start;
     if (result == RHW_OK && pictures->color) {
-        result = finish_band(draw, TARGET_SAMPLES, TARGET_COLOR, RHW_FORMAT_RGBA8_SRGB, transparent, pictures->color);
+        result = finish_band(draw, TARGET_SAMPLES, TARGET_COLOR, RHW_FORMAT_RGBA8_SRGB, transparent,
+                             pictures->color);
     }
     if (result == RHW_OK && pictures->display) {
         result = finish_band(draw, TARGET_SAMPLES, TARGET_DISPLAY, RHW_FORMAT_RGBA32_FLOAT, transparent,
@@ -546,7 +554,8 @@ static enum rhw_result draw_color(struct draw *draw)
     if (!(outputs & (RHW_OUTPUT_COLOR | RHW_OUTPUT_LINEAR | RHW_OUTPUT_DISPLAY))) {
         return RHW_OK;
     }
-    const size_t per_sample = (outputs & RHW_OUTPUT_DISPLAY ? 16u : 8u) + (outputs & RHW_OUTPUT_LINEAR ? 16u : 0u);
+    const size_t per_sample =
+        (outputs & RHW_OUTPUT_DISPLAY ? 16u : 8u) + (outputs & RHW_OUTPUT_LINEAR ? 16u : 0u);
     const size_t samples = (size_t)draw->view->samples;
     draw->band_rows = choose_band(draw->view->height, (size_t)draw->view->width * per_sample * samples);
     void *color = NULL, *linear = NULL, *display = NULL;
@@ -599,11 +608,12 @@ static enum rhw_result draw_data(struct draw *draw)
     return draw_bands(draw, draw_data_band);
 }
 
-enum rhw_result rhw_scene_draw(struct rhw_scene *scene, const struct rhw_view *view, struct rhw_pictures *pictures,
-                               struct rhw_draw_stats *stats)
+enum rhw_result rhw_scene_draw(struct rhw_scene *scene, const struct rhw_view *view,
+                               struct rhw_pictures *pictures, struct rhw_draw_stats *stats)
 {
     *pictures = (struct rhw_pictures){.width = view->width, .height = view->height};
-    struct draw draw = {.scene = scene, .view = view, .pictures = pictures, .side = sample_side(view->samples)};
+    struct draw draw = {
+        .scene = scene, .view = view, .pictures = pictures, .side = sample_side(view->samples)};
     draw.stats.upload_ms = scene->upload_ms;
     enum rhw_result result = RHW_ERROR_OUT_OF_MEMORY;
     if (rhw_lighting_create(&draw.lighting, scene->upload.model, &view->camera, view->default_lights,

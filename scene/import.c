@@ -58,14 +58,19 @@ static void *grow(struct rhw_import *import, void *array, uint32_t *count, uint3
 static size_t utf8_length(const unsigned char *text, size_t left)
 {
     const unsigned char lead = text[0];
-    const size_t length = lead < 0x80 ? 1 : lead < 0xc2 ? 0 : lead < 0xe0 ? 2 : lead < 0xf0 ? 3 : lead < 0xf5 ? 4 : 0;
+    const size_t length = lead < 0x80   ? 1
+                          : lead < 0xc2 ? 0
+                          : lead < 0xe0 ? 2
+                          : lead < 0xf0 ? 3
+                          : lead < 0xf5 ? 4
+                                        : 0;
     if (length == 0 || length > left)
         return 0;
     for (size_t i = 1; i < length; i++)
         if ((text[i] & 0xc0) != 0x80)
             return 0;
-    if ((lead == 0xe0 && text[1] < 0xa0) || (lead == 0xed && text[1] > 0x9f) || (lead == 0xf0 && text[1] < 0x90)
-        || (lead == 0xf4 && text[1] > 0x8f))
+    if ((lead == 0xe0 && text[1] < 0xa0) || (lead == 0xed && text[1] > 0x9f) ||
+        (lead == 0xf0 && text[1] < 0x90) || (lead == 0xf4 && text[1] > 0x8f))
         return 0;
     return length;
 }
@@ -114,15 +119,15 @@ void rhw_import_unsupported(struct rhw_import *import, const char *format, ...)
 {
     va_list arguments;
     va_start(arguments, format);
-    add_line(import, &import->model.unsupported, &import->model.unsupported_count, &import->unsupported_capacity,
-             format, arguments);
+    add_line(import, &import->model.unsupported, &import->model.unsupported_count,
+             &import->unsupported_capacity, format, arguments);
     va_end(arguments);
 }
 
 struct rhw_mesh *rhw_import_add_mesh(struct rhw_import *import)
 {
-    struct rhw_mesh *mesh = grow(import, &import->model.meshes, &import->model.mesh_count, &import->mesh_capacity,
-                                 sizeof *mesh);
+    struct rhw_mesh *mesh =
+        grow(import, &import->model.meshes, &import->model.mesh_count, &import->mesh_capacity, sizeof *mesh);
     mesh->name = "";
     return mesh;
 }
@@ -182,13 +187,14 @@ struct rhw_model_light *rhw_import_add_light(struct rhw_import *import)
     return light;
 }
 
-int32_t rhw_import_add_image(struct rhw_import *import, const char *name, const struct rhw_import_source *source)
+int32_t rhw_import_add_image(struct rhw_import *import, const char *name,
+                             const struct rhw_import_source *source)
 {
     struct rhw_image *image = grow(import, &import->model.images, &import->model.image_count,
                                    &import->image_capacity, sizeof *image);
     image->name = name;
-    struct rhw_import_source *place = grow(import, &import->sources, &import->source_count,
-                                           &import->source_capacity, sizeof *place);
+    struct rhw_import_source *place =
+        grow(import, &import->sources, &import->source_count, &import->source_capacity, sizeof *place);
     *place = *source;
     return (int32_t)(import->model.image_count - 1);
 }
@@ -262,8 +268,8 @@ static bool bound_instance(const struct rhw_mesh *mesh, const float world[16], f
         extend(least, most, point);
     }
     const float size[3] = {most[0] - least[0], most[1] - least[1], most[2] - least[2]};
-    return rhw_import_finite(world, 16) && rhw_import_finite(least, 3) && rhw_import_finite(most, 3)
-        && rhw_import_finite(size, 3);
+    return rhw_import_finite(world, 16) && rhw_import_finite(least, 3) && rhw_import_finite(most, 3) &&
+           rhw_import_finite(size, 3);
 }
 
 static void keep_drawable_instances(struct rhw_import *import)
@@ -278,7 +284,8 @@ static void keep_drawable_instances(struct rhw_import *import)
         if (mesh->index_count == 0)
             continue;
         if (!bound_instance(mesh, instance->world, least, most)) {
-            rhw_import_warn(import, "node \"%s\" is left out: its place in the world is not finite", instance->name);
+            rhw_import_warn(import, "node \"%s\" is left out: its place in the world is not finite",
+                            instance->name);
             continue;
         }
         extend(model->bounds_min, model->bounds_max, least);

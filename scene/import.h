@@ -16,10 +16,10 @@ struct rhw_import_source {
     const char *file;  ///< path to read, or NULL
     const void *bytes; ///< encoded image in memory, or NULL; neither: the stand-in
     size_t size;
-    const char *problem;   ///< why there is neither
-    bool height;           ///< a height map: becomes a normal map unless it already looks like one
-    int32_t opacity_image; ///< image whose alpha or brightness becomes the alpha of this one; −1
-    bool white;            ///< with opacity_image: the colour becomes white
+    const char *problem;            ///< why there is neither
+    bool height;                    ///< a height map: becomes a normal map unless it already looks like one
+    int32_t opacity_image;          ///< image whose alpha or brightness becomes the alpha of this one; −1
+    bool white;                     ///< with opacity_image: the colour becomes white
     uint32_t raw_width, raw_height; ///< not 0: `bytes` are RGBA8 texels already
 };
 
@@ -37,7 +37,8 @@ struct rhw_import {
 _Noreturn void rhw_import_fail(struct rhw_import *import, const char *format, ...)
     __attribute__((format(printf, 2, 3)));
 /// Adds a line to the warnings / the unsupported things of the model, once.
-void rhw_import_warn(struct rhw_import *import, const char *format, ...) __attribute__((format(printf, 2, 3)));
+void rhw_import_warn(struct rhw_import *import, const char *format, ...)
+    __attribute__((format(printf, 2, 3)));
 void rhw_import_unsupported(struct rhw_import *import, const char *format, ...)
     __attribute__((format(printf, 2, 3)));
 
@@ -57,7 +58,8 @@ struct rhw_instance *rhw_import_add_instance(struct rhw_import *import);
 struct rhw_model_camera *rhw_import_add_camera(struct rhw_import *import);
 struct rhw_model_light *rhw_import_add_light(struct rhw_import *import);
 /// Adds an image to be decoded at the end of the import; returns its index.
-int32_t rhw_import_add_image(struct rhw_import *import, const char *name, const struct rhw_import_source *source);
+int32_t rhw_import_add_image(struct rhw_import *import, const char *name,
+                             const struct rhw_import_source *source);
 struct rhw_texture_slot rhw_import_slot_default(void);
 
 // The readers.
@@ -90,17 +92,20 @@ enum rhw_import_normals {
 
 /// Completes a mesh whose arrays hold what the file had: drops what is not finite and vertices nobody uses,
 /// joins equal vertices if asked, makes normals and, where the material's normal map needs them, tangents.
-void rhw_import_complete_mesh(struct rhw_import *import, uint32_t mesh, enum rhw_import_normals normals, bool join);
+void rhw_import_complete_mesh(struct rhw_import *import, uint32_t mesh, enum rhw_import_normals normals,
+                              bool join);
 /// Gives every corner of the triangles the vertex `source[corner]`, and each such vertex its own copy.
 void rhw_import_gather_vertices(struct rhw_import *import, struct rhw_mesh *mesh, const uint32_t *source,
                                 uint32_t count);
 /// `group[v]` = the lowest vertex whose position equals that of v.
 uint32_t *rhw_import_weld_positions(struct rhw_import *import, const struct rhw_mesh *mesh);
 void rhw_import_make_normals(struct rhw_import *import, struct rhw_mesh *mesh, enum rhw_import_normals kind);
-void rhw_import_make_tangents(struct rhw_import *import, struct rhw_mesh *mesh, const struct rhw_texture_slot *slot);
+void rhw_import_make_tangents(struct rhw_import *import, struct rhw_mesh *mesh,
+                              const struct rhw_texture_slot *slot);
 
 /// Cuts a polygon of 3 or more corners (indices of positions) into count − 2 triangles: places in `corners`.
-void rhw_import_triangulate(const float (*positions)[3], const uint32_t *corners, uint32_t count, uint32_t *triangles);
+void rhw_import_triangulate(const float (*positions)[3], const uint32_t *corners, uint32_t count,
+                            uint32_t *triangles);
 
 // Small mathematics (import_math.c). Matrices column major.
 void rhw_import_identity(float matrix[16]);

@@ -20,8 +20,9 @@ _Static_assert(sizeof(ai_real) == sizeof(float), "assimp is built with single pr
 struct reader {
     struct rhw_import *import;
     const struct aiScene *scene;
-    uint32_t *meshes;         // model mesh by assimp mesh
-    int32_t (*materials)[2];  // model material by assimp material, without and with vertex colours; −1: not made
+    uint32_t *meshes; // model mesh by assimp mesh
+    int32_t (
+        *materials)[2]; // model material by assimp material, without and with vertex colours; −1: not made
     uint32_t objects;
     uint32_t depth;
 };
@@ -91,11 +92,12 @@ static void *copy_colors(struct rhw_import *import, const struct aiColor4D *colo
 static void copy_indices(struct reader *reader, const struct aiMesh *source, struct rhw_mesh *mesh)
 {
     const uint32_t corners = mesh->primitive == RHW_PRIMITIVE_TRIANGLES ? 3
-        : mesh->primitive == RHW_PRIMITIVE_LINES                        ? 2
+                             : mesh->primitive == RHW_PRIMITIVE_LINES   ? 2
                                                                         : 1;
     if (source->mNumFaces > UINT32_MAX / 3)
         rhw_import_fail(reader->import, "has too many faces");
-    mesh->indices = rhw_import_allocate(reader->import, (size_t)source->mNumFaces * corners, sizeof *mesh->indices);
+    mesh->indices =
+        rhw_import_allocate(reader->import, (size_t)source->mNumFaces * corners, sizeof *mesh->indices);
     for (uint32_t i = 0; i < source->mNumFaces; i++) {
         const struct aiFace *face = &source->mFaces[i];
         if (face->mNumIndices != corners)
@@ -137,7 +139,7 @@ static void add_mesh(struct reader *reader, uint32_t index)
     struct rhw_mesh mesh = {.name = rhw_assimp_string(import, &source->mName), .vertex_count = count};
     const unsigned kinds = source->mPrimitiveTypes;
     mesh.primitive = kinds & (aiPrimitiveType_TRIANGLE | aiPrimitiveType_POLYGON) ? RHW_PRIMITIVE_TRIANGLES
-        : kinds & aiPrimitiveType_LINE                                            ? RHW_PRIMITIVE_LINES
+                     : kinds & aiPrimitiveType_LINE                               ? RHW_PRIMITIVE_LINES
                                                                                   : RHW_PRIMITIVE_POINTS;
     mesh.material = material_of(reader, source);
     if (source->mVertices == NULL)
@@ -198,7 +200,8 @@ static void add_node(struct reader *reader, const struct aiNode *node, const flo
 }
 
 // World matrix of the node with this name; the identity where there is none.
-static bool find_node(const struct aiNode *node, const struct aiString *name, const float parent[16], float world[16])
+static bool find_node(const struct aiNode *node, const struct aiString *name, const float parent[16],
+                      float world[16])
 {
     float here[16];
     copy_matrix(&node->mTransformation, here);
@@ -232,7 +235,8 @@ static void cross(const float a[3], const float b[3], float product[3])
 
 static bool unit(float vector[3])
 {
-    const float length = __builtin_sqrtf(vector[0] * vector[0] + vector[1] * vector[1] + vector[2] * vector[2]);
+    const float length =
+        __builtin_sqrtf(vector[0] * vector[0] + vector[1] * vector[1] + vector[2] * vector[2]);
     if (!(length > 1e-20f && length < 1e20f))
         return false;
     for (int c = 0; c < 3; c++)
@@ -267,7 +271,8 @@ static void add_camera(struct reader *reader, const struct aiCamera *source)
     camera.znear = source->mClipPlaneNear > 0 ? source->mClipPlaneNear : 0.01f;
     camera.zfar = source->mClipPlaneFar > camera.znear ? source->mClipPlaneFar : 0;
     const bool lens = camera.orthographic ? camera.zfar > 0 : camera.yfov > 0 && camera.yfov < 3.14159f;
-    if (seen && upright && lens && rhw_import_finite(camera.world, 16) && rhw_import_determinant(camera.world) != 0)
+    if (seen && upright && lens && rhw_import_finite(camera.world, 16) &&
+        rhw_import_determinant(camera.world) != 0)
         *rhw_import_add_camera(import) = camera;
     else
         rhw_import_warn(import, "camera \"%s\" is not valid: left out", camera.name);
@@ -310,8 +315,9 @@ static void set_strength(struct rhw_model_light *light, const struct aiLight *so
         const double difference = (double)light->position[c] - (double)middle[c];
         square += difference * difference;
     }
-    const double attenuation = (double)source->mAttenuationConstant + (double)source->mAttenuationLinear * sqrt(square)
-        + (double)source->mAttenuationQuadratic * square;
+    const double attenuation = (double)source->mAttenuationConstant +
+                               (double)source->mAttenuationLinear * sqrt(square) +
+                               (double)source->mAttenuationQuadratic * square;
     light->intensity = (float)(pi * square / (attenuation > 1 ? attenuation : 1));
 }
 
@@ -319,13 +325,13 @@ static void add_light(struct reader *reader, const struct aiLight *source, const
 {
     struct rhw_import *import = reader->import;
     struct rhw_model_light light = {.name = rhw_assimp_string(import, &source->mName)};
-    if (source->mType != aiLightSource_DIRECTIONAL && source->mType != aiLightSource_POINT
-        && source->mType != aiLightSource_SPOT) {
+    if (source->mType != aiLightSource_DIRECTIONAL && source->mType != aiLightSource_POINT &&
+        source->mType != aiLightSource_SPOT) {
         rhw_import_unsupported(import, "ambient and area lights: left out");
         return;
     }
     light.type = source->mType == aiLightSource_DIRECTIONAL ? RHW_LIGHT_DIRECTIONAL
-        : source->mType == aiLightSource_POINT              ? RHW_LIGHT_POINT
+                 : source->mType == aiLightSource_POINT     ? RHW_LIGHT_POINT
                                                             : RHW_LIGHT_SPOT;
     float world[16];
     const float position[3] = {source->mPosition.x, source->mPosition.y, source->mPosition.z};
@@ -333,8 +339,8 @@ static void add_light(struct reader *reader, const struct aiLight *source, const
     place(reader, &source->mName, world);
     rhw_import_transform(world, position, light.position);
     for (int row = 0; row < 3; row++)
-        light.direction[row] = world[row] * direction[0] + world[4 + row] * direction[1]
-            + world[8 + row] * direction[2];
+        light.direction[row] =
+            world[row] * direction[0] + world[4 + row] * direction[1] + world[8 + row] * direction[2];
     const bool directed = unit(light.direction);
     if (!directed)
         memcpy(light.direction, (const float[3]){0, 0, -1}, sizeof light.direction);
@@ -347,9 +353,9 @@ static void add_light(struct reader *reader, const struct aiLight *source, const
     if (!(light.inner_cos > light.outer_cos))
         light.inner_cos = light.outer_cos + 1e-4f;
     set_strength(&light, source, middle);
-    const bool good = (directed || light.type == RHW_LIGHT_POINT) && rhw_import_finite(light.position, 3)
-        && rhw_import_finite(light.color, 3) && rhw_import_finite(&light.intensity, 1)
-        && light.color[0] + light.color[1] + light.color[2] > 0 && light.intensity > 0;
+    const bool good = (directed || light.type == RHW_LIGHT_POINT) && rhw_import_finite(light.position, 3) &&
+                      rhw_import_finite(light.color, 3) && rhw_import_finite(&light.intensity, 1) &&
+                      light.color[0] + light.color[1] + light.color[2] > 0 && light.intensity > 0;
     if (good)
         *rhw_import_add_light(import) = light;
     else
@@ -367,7 +373,8 @@ static struct rlimit limit_memory(struct rhw_import *import)
     struct rlimit before, limit;
     getrlimit(RLIMIT_AS, &before);
     limit = before;
-    if (before.rlim_cur != RLIM_INFINITY && stat(import->model.path, &status) == 0) { // a sanitizer needs infinity
+    if (before.rlim_cur != RLIM_INFINITY &&
+        stat(import->model.path, &status) == 0) { // a sanitizer needs infinity
         const rlim_t wanted = base + per_byte * (rlim_t)status.st_size;
         limit.rlim_cur = wanted < before.rlim_cur ? wanted : before.rlim_cur;
         setrlimit(RLIMIT_AS, &limit);
@@ -382,7 +389,8 @@ static const struct aiScene *read_scene(struct rhw_import *import)
     aiSetImportPropertyInteger(properties, AI_CONFIG_IMPORT_FBX_PRESERVE_PIVOTS, 0);
     const struct rlimit before = limit_memory(import);
     const struct aiScene *scene = aiImportFileExWithProperties(
-        import->model.path, aiProcess_Triangulate | aiProcess_SortByPType | aiProcess_GenUVCoords, NULL, properties);
+        import->model.path, aiProcess_Triangulate | aiProcess_SortByPType | aiProcess_GenUVCoords, NULL,
+        properties);
     setrlimit(RLIMIT_AS, &before);
     if (scene != NULL)
         return scene;

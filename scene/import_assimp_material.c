@@ -25,15 +25,16 @@ struct reader {
 static void get_float(const struct reader *reader, const char *key, float *value)
 {
     float read = 0;
-    if (aiGetMaterialFloatArray(reader->source, key, 0, 0, &read, NULL) == aiReturn_SUCCESS
-        && rhw_import_finite(&read, 1))
+    if (aiGetMaterialFloatArray(reader->source, key, 0, 0, &read, NULL) == aiReturn_SUCCESS &&
+        rhw_import_finite(&read, 1))
         *value = read;
 }
 
 static int get_integer(const struct reader *reader, const char *key, int fallback)
 {
     int value = 0;
-    return aiGetMaterialIntegerArray(reader->source, key, 0, 0, &value, NULL) == aiReturn_SUCCESS ? value : fallback;
+    return aiGetMaterialIntegerArray(reader->source, key, 0, 0, &value, NULL) == aiReturn_SUCCESS ? value
+                                                                                                  : fallback;
 }
 
 static bool get_color(const struct reader *reader, const char *key, float color[3])
@@ -51,10 +52,12 @@ static bool get_color(const struct reader *reader, const char *key, float color[
 // Textures ------------------------------------------------------------------------------------------
 
 // assimp keeps uncompressed textures as BGRA.
-static void raw_texels(struct rhw_import *import, const struct aiTexture *texture, struct rhw_import_source *source)
+static void raw_texels(struct rhw_import *import, const struct aiTexture *texture,
+                       struct rhw_import_source *source)
 {
     const size_t count = (size_t)texture->mWidth * texture->mHeight;
-    if (texture->mWidth == 0 || texture->mWidth > RHW_MAX_TARGET_SIZE || texture->mHeight > RHW_MAX_TARGET_SIZE) {
+    if (texture->mWidth == 0 || texture->mWidth > RHW_MAX_TARGET_SIZE ||
+        texture->mHeight > RHW_MAX_TARGET_SIZE) {
         source->problem = "width and height must be 1 to 16384";
         return;
     }
@@ -84,17 +87,19 @@ static const struct aiTexture *embedded(const struct reader *reader, const char 
 
 static enum rhw_address address(enum aiTextureMapMode mode)
 {
-    return mode == aiTextureMapMode_Clamp ? RHW_ADDRESS_CLAMP
-        : mode == aiTextureMapMode_Mirror ? RHW_ADDRESS_MIRROR
-        : mode == aiTextureMapMode_Decal  ? RHW_ADDRESS_BORDER
-                                          : RHW_ADDRESS_REPEAT;
+    return mode == aiTextureMapMode_Clamp    ? RHW_ADDRESS_CLAMP
+           : mode == aiTextureMapMode_Mirror ? RHW_ADDRESS_MIRROR
+           : mode == aiTextureMapMode_Decal  ? RHW_ADDRESS_BORDER
+                                             : RHW_ADDRESS_REPEAT;
 }
 
 // assimp scales, then turns about the middle of the image, then moves, with v upward; ours is downward.
-static void read_transform(const struct reader *reader, enum aiTextureType type, struct rhw_texture_slot *slot)
+static void read_transform(const struct reader *reader, enum aiTextureType type,
+                           struct rhw_texture_slot *slot)
 {
     struct aiUVTransform t;
-    if (aiGetMaterialUVTransform(reader->source, _AI_MATKEY_UVTRANSFORM_BASE, (unsigned)type, 0, &t) != aiReturn_SUCCESS)
+    if (aiGetMaterialUVTransform(reader->source, _AI_MATKEY_UVTRANSFORM_BASE, (unsigned)type, 0, &t) !=
+        aiReturn_SUCCESS)
         return;
     const float c = (float)cos((double)t.mRotation), s = (float)sin((double)t.mRotation);
     const float x = t.mScaling.x, y = t.mScaling.y;
@@ -106,16 +111,17 @@ static void read_transform(const struct reader *reader, enum aiTextureType type,
 }
 
 // The first texture of a type, if there is one and `texture` is not taken yet.
-static void read_texture(const struct reader *reader, enum aiTextureType type, struct rhw_phong_texture *texture)
+static void read_texture(const struct reader *reader, enum aiTextureType type,
+                         struct rhw_phong_texture *texture)
 {
     struct aiString path;
     enum aiTextureMapping mapping = aiTextureMapping_UV;
     enum aiTextureMapMode modes[3] = {aiTextureMapMode_Wrap, aiTextureMapMode_Wrap, aiTextureMapMode_Wrap};
     unsigned set = 0;
-    if (texture->name != NULL
-        || aiGetMaterialTexture(reader->source, type, 0, &path, &mapping, &set, NULL, NULL, modes, NULL)
-            != aiReturn_SUCCESS
-        || path.length == 0)
+    if (texture->name != NULL ||
+        aiGetMaterialTexture(reader->source, type, 0, &path, &mapping, &set, NULL, NULL, modes, NULL) !=
+            aiReturn_SUCCESS ||
+        path.length == 0)
         return;
     const struct aiTexture *inside = embedded(reader, path.data);
     texture->name = rhw_assimp_string(reader->import, &path);
@@ -157,8 +163,8 @@ static void read_textures(const struct reader *reader, struct rhw_phong *phong)
             rhw_import_unsupported(reader->import, "%s textures: not used", unused[i].name);
 }
 
-uint32_t rhw_assimp_material(struct rhw_import *import, const struct aiScene *scene, const struct aiMaterial *source,
-                             bool colored)
+uint32_t rhw_assimp_material(struct rhw_import *import, const struct aiScene *scene,
+                             const struct aiMaterial *source, bool colored)
 {
     const struct reader reader = {import, scene, source};
     struct rhw_phong phong = rhw_phong_default();
@@ -166,7 +172,8 @@ uint32_t rhw_assimp_material(struct rhw_import *import, const struct aiScene *sc
     if (aiGetMaterialString(source, "?mat.name", 0, 0, &name) == aiReturn_SUCCESS)
         phong.name = rhw_assimp_string(import, &name);
     phong.colored = colored;
-    phong.described = get_color(&reader, "$clr.base", phong.diffuse) || get_color(&reader, "$clr.diffuse", phong.diffuse);
+    phong.described =
+        get_color(&reader, "$clr.base", phong.diffuse) || get_color(&reader, "$clr.diffuse", phong.diffuse);
     if (strcmp(phong.name, AI_DEFAULT_MATERIAL_NAME) == 0)
         phong.described = false;
     get_color(&reader, "$clr.specular", phong.specular);

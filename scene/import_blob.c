@@ -19,11 +19,11 @@ struct layout;
 
 struct field {
     enum field_kind kind;
-    size_t pointer;       // offset of the pointer in its struct
-    size_t count;         // offset of the count, a uint32_t or, for bytes, a size_t
-    size_t element;       // bytes per element
-    bool wide;            // the count is a size_t
-    bool required;        // NULL is no valid value
+    size_t pointer;              // offset of the pointer in its struct
+    size_t count;                // offset of the count, a uint32_t or, for bytes, a size_t
+    size_t element;              // bytes per element
+    bool wide;                   // the count is a size_t
+    bool required;               // NULL is no valid value
     const struct layout *layout; // of the elements; NULL: no pointers in them
 };
 
@@ -32,11 +32,19 @@ struct layout {
     const struct field *fields;
 };
 
-#define STRING(type, name) {FIELD_STRING, offsetof(struct type, name), 0, 1, false, true, NULL}
-#define ARRAY(type, name, counter, size, required) \
-    {FIELD_ARRAY, offsetof(struct type, name), offsetof(struct type, counter), size, false, required, NULL}
-#define STRUCTS(type, name, counter, size, layout) \
-    {FIELD_ARRAY, offsetof(struct type, name), offsetof(struct type, counter), size, false, true, layout}
+#define STRING(type, name)                                                 \
+    {                                                                      \
+        FIELD_STRING, offsetof(struct type, name), 0, 1, false, true, NULL \
+    }
+#define ARRAY(type, name, counter, size, required)                                                       \
+    {                                                                                                    \
+        FIELD_ARRAY, offsetof(struct type, name), offsetof(struct type, counter), size, false, required, \
+            NULL                                                                                         \
+    }
+#define STRUCTS(type, name, counter, size, layout)                                                          \
+    {                                                                                                       \
+        FIELD_ARRAY, offsetof(struct type, name), offsetof(struct type, counter), size, false, true, layout \
+    }
 #define COUNT(array) (sizeof(array) / sizeof((array)[0]))
 
 static const struct field mesh_fields[] = {
@@ -221,7 +229,7 @@ static bool mesh_valid(const struct rhw_mesh *mesh, const struct rhw_model *mode
     if ((unsigned)mesh->primitive > RHW_PRIMITIVE_POINTS || mesh->material >= model->material_count)
         return false;
     const uint32_t corners = mesh->primitive == RHW_PRIMITIVE_TRIANGLES ? 3
-        : mesh->primitive == RHW_PRIMITIVE_LINES                        ? 2
+                             : mesh->primitive == RHW_PRIMITIVE_LINES   ? 2
                                                                         : 1;
     if (mesh->index_count % corners != 0)
         return false;
@@ -236,8 +244,8 @@ static bool mesh_valid(const struct rhw_mesh *mesh, const struct rhw_model *mode
 static bool image_valid(const struct rhw_image *image)
 {
     static const size_t texel_size[] = {4, 8, 16};
-    if ((unsigned)image->type > RHW_IMAGE_RGBA32F || image->width - 1 >= RHW_MAX_TARGET_SIZE
-        || image->height - 1 >= RHW_MAX_TARGET_SIZE)
+    if ((unsigned)image->type > RHW_IMAGE_RGBA32F || image->width - 1 >= RHW_MAX_TARGET_SIZE ||
+        image->height - 1 >= RHW_MAX_TARGET_SIZE)
         return false;
     return image->size == (size_t)image->width * image->height * texel_size[image->type];
 }
@@ -248,10 +256,12 @@ static bool material_valid(const struct rhw_material *material, const struct rhw
         return false;
     for (int i = 0; i < RHW_SLOT_COUNT; i++) {
         const struct rhw_texture_slot *slot = &material->slots[i];
-        if (slot->image < -1 || (slot->image >= 0 && (uint32_t)slot->image >= model->image_count)
-            || slot->uv_set >= RHW_UV_SETS || (unsigned)slot->address_u > RHW_ADDRESS_BORDER
-            || (unsigned)slot->address_v > RHW_ADDRESS_BORDER || (unsigned)slot->min_filter > RHW_FILTER_LINEAR
-            || (unsigned)slot->mag_filter > RHW_FILTER_LINEAR || (unsigned)slot->mip_filter > RHW_MIP_FILTER_LINEAR)
+        if (slot->image < -1 || (slot->image >= 0 && (uint32_t)slot->image >= model->image_count) ||
+            slot->uv_set >= RHW_UV_SETS || (unsigned)slot->address_u > RHW_ADDRESS_BORDER ||
+            (unsigned)slot->address_v > RHW_ADDRESS_BORDER ||
+            (unsigned)slot->min_filter > RHW_FILTER_LINEAR ||
+            (unsigned)slot->mag_filter > RHW_FILTER_LINEAR ||
+            (unsigned)slot->mip_filter > RHW_MIP_FILTER_LINEAR)
             return false;
     }
     return true;
@@ -281,7 +291,8 @@ struct rhw_model *rhw_blob_read(void *bytes, size_t size)
 {
     struct reader reader = {bytes, size, 0};
     struct rhw_model *model = read_array(&reader, 1, sizeof *model, ALIGNMENT);
-    if (model == NULL || !read_fields(&reader, &model_layout, (unsigned char *)model) || reader.cursor != size)
+    if (model == NULL || !read_fields(&reader, &model_layout, (unsigned char *)model) ||
+        reader.cursor != size)
         return NULL;
     return model_valid(model) ? model : NULL;
 }

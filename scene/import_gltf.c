@@ -7,22 +7,12 @@
 #include <string.h>
 #include <strings.h>
 
-enum {
-    GLB_MAGIC = 0x46546c67,
-    GLB_JSON = 0x4e4f534a,
-    GLB_BIN = 0x004e4942,
-    GLB_HEADER = 12,
-    GLB_CHUNK = 8
-};
+enum { GLB_MAGIC = 0x46546c67, GLB_JSON = 0x4e4f534a, GLB_BIN = 0x004e4942, GLB_HEADER = 12, GLB_CHUNK = 8 };
 
 // Extensions that are drawn as they are meant.
 static const char *const known_extensions[] = {
-    "KHR_lights_punctual",
-    "KHR_materials_emissive_strength",
-    "KHR_materials_pbrSpecularGlossiness",
-    "KHR_materials_unlit",
-    "KHR_mesh_quantization",
-    "KHR_texture_transform",
+    "KHR_lights_punctual", "KHR_materials_emissive_strength", "KHR_materials_pbrSpecularGlossiness",
+    "KHR_materials_unlit", "KHR_mesh_quantization",           "KHR_texture_transform",
 };
 
 // Typed access --------------------------------------------------------------------------------------
@@ -99,7 +89,8 @@ int64_t rhw_gltf_integer(struct rhw_gltf *gltf, const json_t *object, const char
     return (int64_t)number;
 }
 
-bool rhw_gltf_floats(struct rhw_gltf *gltf, const json_t *object, const char *key, float *values, size_t count)
+bool rhw_gltf_floats(struct rhw_gltf *gltf, const json_t *object, const char *key, float *values,
+                     size_t count)
 {
     const json_t *array = rhw_gltf_array(gltf, object, key);
     if (array == NULL)
@@ -122,7 +113,8 @@ json_t *rhw_gltf_extension(struct rhw_gltf *gltf, const json_t *object, const ch
 
 const char *rhw_gltf_name(struct rhw_gltf *gltf, const json_t *object)
 {
-    const char *name = json_string_value(json_object_get(object, "name")); // of no consequence: never an error
+    const char *name =
+        json_string_value(json_object_get(object, "name")); // of no consequence: never an error
     return rhw_import_string(gltf->import, name, name == NULL ? 0 : strlen(name));
 }
 
@@ -149,7 +141,8 @@ bool rhw_import_is_gltf(const char *path, const unsigned char *start, size_t siz
     if (size >= 4 && memcmp(start, "glTF", 4) == 0)
         return true;
     const char *dot = strrchr(path, '.');
-    return dot != NULL && (strcasecmp(dot, ".gltf") == 0 || strcasecmp(dot, ".glb") == 0 || strcasecmp(dot, ".vrm") == 0);
+    return dot != NULL &&
+           (strcasecmp(dot, ".gltf") == 0 || strcasecmp(dot, ".glb") == 0 || strcasecmp(dot, ".vrm") == 0);
 }
 
 static uint32_t little_endian(const unsigned char *bytes)
@@ -205,7 +198,8 @@ static void check_version(struct rhw_gltf *gltf)
     const json_t *asset = rhw_gltf_object(gltf, gltf->root, "asset");
     const json_t *number = json_object_get(asset, "version"); // glTF 1.0 allowed a number
     if (json_is_number(number))
-        rhw_import_fail(gltf->import, "is glTF %.1f, which is not supported; only 2.0 is", json_number_value(number));
+        rhw_import_fail(gltf->import, "is glTF %.1f, which is not supported; only 2.0 is",
+                        json_number_value(number));
     const char *version = asset == NULL ? NULL : rhw_gltf_text(gltf, asset, "version");
     const char *least = asset == NULL ? NULL : rhw_gltf_text(gltf, asset, "minVersion");
     if (version == NULL || version[0] == 0)
@@ -274,6 +268,7 @@ void rhw_import_gltf(struct rhw_import *import)
     gltf.images = none_made(&gltf, "images");
     const size_t animations = rhw_gltf_count(&gltf, "animations");
     if (animations > 0)
-        rhw_import_unsupported(import, "%zu animation%s: drawn at rest", animations, animations == 1 ? "" : "s");
+        rhw_import_unsupported(import, "%zu animation%s: drawn at rest", animations,
+                               animations == 1 ? "" : "s");
     rhw_gltf_scene(&gltf);
 }

@@ -43,15 +43,16 @@ struct rhw_gltf {
 };
 
 // Reading JSON. What is absent gives the fallback; what has the wrong type fails the import by name.
-json_t *rhw_gltf_object(struct rhw_gltf *gltf, const json_t *object, const char *key); ///< or NULL
-json_t *rhw_gltf_array(struct rhw_gltf *gltf, const json_t *object, const char *key);  ///< or NULL
+json_t *rhw_gltf_object(struct rhw_gltf *gltf, const json_t *object, const char *key);   ///< or NULL
+json_t *rhw_gltf_array(struct rhw_gltf *gltf, const json_t *object, const char *key);    ///< or NULL
 const char *rhw_gltf_text(struct rhw_gltf *gltf, const json_t *object, const char *key); ///< or NULL
 bool rhw_gltf_flag(struct rhw_gltf *gltf, const json_t *object, const char *key, bool fallback);
 double rhw_gltf_number(struct rhw_gltf *gltf, const json_t *object, const char *key, double fallback);
 /// A whole number of 0 .. 2^53, or `fallback` (which may be −1).
 int64_t rhw_gltf_integer(struct rhw_gltf *gltf, const json_t *object, const char *key, int64_t fallback);
 /// Exactly `count` numbers; false when the key is absent.
-bool rhw_gltf_floats(struct rhw_gltf *gltf, const json_t *object, const char *key, float *values, size_t count);
+bool rhw_gltf_floats(struct rhw_gltf *gltf, const json_t *object, const char *key, float *values,
+                     size_t count);
 json_t *rhw_gltf_extension(struct rhw_gltf *gltf, const json_t *object, const char *name); ///< or NULL
 /// Name of an object as the model keeps it; "" where it has none.
 const char *rhw_gltf_name(struct rhw_gltf *gltf, const json_t *object);

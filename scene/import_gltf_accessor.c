@@ -33,12 +33,12 @@ struct accessor {
 
 static int base64_digit(int c)
 {
-    return c >= 'A' && c <= 'Z' ? c - 'A'
-        : c >= 'a' && c <= 'z'  ? c - 'a' + 26
-        : c >= '0' && c <= '9'  ? c - '0' + 52
-        : c == '+' || c == '-'  ? 62
-        : c == '/' || c == '_'  ? 63
-                                : -1;
+    return c >= 'A' && c <= 'Z'   ? c - 'A'
+           : c >= 'a' && c <= 'z' ? c - 'a' + 26
+           : c >= '0' && c <= '9' ? c - '0' + 52
+           : c == '+' || c == '-' ? 62
+           : c == '/' || c == '_' ? 63
+                                  : -1;
 }
 
 unsigned char *rhw_gltf_data_uri(struct rhw_gltf *gltf, const char *uri, size_t *size)
@@ -111,7 +111,8 @@ const unsigned char *rhw_gltf_view(struct rhw_gltf *gltf, int64_t index, size_t 
     if (length < 0)
         rhw_import_fail(gltf->import, "bufferViews[%lld] has no byteLength", (long long)index);
     if ((uint64_t)offset > buffer->size || (uint64_t)length > buffer->size - (uint64_t)offset)
-        rhw_import_fail(gltf->import, "bufferViews[%lld] reaches past the end of its buffer", (long long)index);
+        rhw_import_fail(gltf->import, "bufferViews[%lld] reaches past the end of its buffer",
+                        (long long)index);
     if (step > 252)
         rhw_import_fail(gltf->import, "bufferViews[%lld]: byteStride must be 4 to 252", (long long)index);
     *size = (size_t)length;
@@ -123,10 +124,10 @@ const unsigned char *rhw_gltf_view(struct rhw_gltf *gltf, int64_t index, size_t 
 
 static size_t component_size(int type)
 {
-    return type == TYPE_INT8 || type == TYPE_UINT8 ? 1
-        : type == TYPE_INT16 || type == TYPE_UINT16 ? 2
-        : type == TYPE_UINT32 || type == TYPE_FLOAT ? 4
-                                                    : 0;
+    return type == TYPE_INT8 || type == TYPE_UINT8     ? 1
+           : type == TYPE_INT16 || type == TYPE_UINT16 ? 2
+           : type == TYPE_UINT32 || type == TYPE_FLOAT ? 4
+                                                       : 0;
 }
 
 static int component_count(const char *name)
@@ -142,8 +143,8 @@ static int component_count(const char *name)
 }
 
 // `count` elements of `element` bytes in a view, from `offset` on.
-static const unsigned char *elements(struct rhw_gltf *gltf, const struct accessor *accessor, const json_t *object,
-                                     uint32_t count, size_t element, size_t *stride)
+static const unsigned char *elements(struct rhw_gltf *gltf, const struct accessor *accessor,
+                                     const json_t *object, uint32_t count, size_t element, size_t *stride)
 {
     size_t size = 0, step = 0;
     const int64_t view = rhw_gltf_integer(gltf, object, "bufferView", -1);
@@ -171,14 +172,16 @@ static struct accessor open_accessor(struct rhw_gltf *gltf, int64_t index)
     accessor.sparse = rhw_gltf_object(gltf, object, "sparse");
     const size_t element = component_size(accessor.type) * (size_t)accessor.components;
     if (element == 0)
-        rhw_import_fail(gltf->import, "accessors[%lld] has a type or componentType that does not exist", number);
+        rhw_import_fail(gltf->import, "accessors[%lld] has a type or componentType that does not exist",
+                        number);
     if (count < 1 || count > most_elements)
         rhw_import_fail(gltf->import, "accessors[%lld]: its count must be at least 1", number);
     accessor.count = (uint32_t)count;
     if (json_object_get(object, "bufferView") != NULL)
         accessor.bytes = elements(gltf, &accessor, object, accessor.count, element, &accessor.stride);
     else if (count > most_without_data)
-        rhw_import_fail(gltf->import, "accessors[%lld] has %lld elements and no data", number, (long long)count);
+        rhw_import_fail(gltf->import, "accessors[%lld] has %lld elements and no data", number,
+                        (long long)count);
     return accessor;
 }
 
@@ -242,12 +245,13 @@ static void apply_sparse(struct rhw_gltf *gltf, const struct accessor *accessor,
     size_t place_stride = 0, content_stride = 0;
     const unsigned char *place =
         elements(gltf, accessor, places, (uint32_t)count, component_size((int)type), &place_stride);
-    const unsigned char *content = elements(gltf, accessor, contents, (uint32_t)count, element, &content_stride);
+    const unsigned char *content =
+        elements(gltf, accessor, contents, (uint32_t)count, element, &content_stride);
     for (int64_t i = 0; i < count; i++) {
         const uint32_t target = read_integer(place, (int)type);
         if (target >= accessor->count)
-            rhw_import_fail(gltf->import, "accessors[%lld]: sparse index %u is outside its %u elements", number,
-                            target, accessor->count);
+            rhw_import_fail(gltf->import, "accessors[%lld]: sparse index %u is outside its %u elements",
+                            number, target, accessor->count);
         read_element(accessor, content, values + (size_t)target * (size_t)width);
         place += place_stride;
         content += content_stride;
@@ -258,8 +262,8 @@ float *rhw_gltf_read_floats(struct rhw_gltf *gltf, int64_t index, int least, int
 {
     const struct accessor accessor = open_accessor(gltf, index);
     if (accessor.components < least || accessor.components > width)
-        rhw_import_fail(gltf->import, "accessors[%lld] has %d components where %d are needed", (long long)index,
-                        accessor.components, width);
+        rhw_import_fail(gltf->import, "accessors[%lld] has %d components where %d are needed",
+                        (long long)index, accessor.components, width);
     float *values = rhw_import_allocate(gltf->import, accessor.count, (size_t)width * sizeof *values);
     const unsigned char *bytes = accessor.bytes;
     for (uint32_t i = 0; i < accessor.count; i++) {

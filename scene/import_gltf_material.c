@@ -26,7 +26,8 @@ static int32_t add_image(struct rhw_gltf *gltf, int64_t index)
         source.bytes = rhw_gltf_data_uri(gltf, uri, &source.size);
         source.problem = "its data URI is not valid base64";
     } else if (json_object_get(image, "bufferView") != NULL) {
-        source.bytes = rhw_gltf_view(gltf, rhw_gltf_integer(gltf, image, "bufferView", -1), &source.size, &stride);
+        source.bytes =
+            rhw_gltf_view(gltf, rhw_gltf_integer(gltf, image, "bufferView", -1), &source.size, &stride);
     } else {
         source.problem = "has neither a URI nor a bufferView";
     }
@@ -68,9 +69,9 @@ static void read_sampler(struct rhw_gltf *gltf, const json_t *sampler, struct rh
     const int64_t minimum = rhw_gltf_integer(gltf, sampler, "minFilter", 9987);
     const bool nearest = minimum == 9728 || minimum == 9984 || minimum == 9986;
     slot->min_filter = nearest ? RHW_FILTER_NEAREST : RHW_FILTER_LINEAR;
-    slot->mip_filter = minimum == 9728 || minimum == 9729 ? RHW_MIP_FILTER_NONE
-        : minimum == 9984 || minimum == 9985              ? RHW_MIP_FILTER_NEAREST
-                                                          : RHW_MIP_FILTER_LINEAR;
+    slot->mip_filter = minimum == 9728 || minimum == 9729   ? RHW_MIP_FILTER_NONE
+                       : minimum == 9984 || minimum == 9985 ? RHW_MIP_FILTER_NEAREST
+                                                            : RHW_MIP_FILTER_LINEAR;
 }
 
 // KHR_texture_transform: scaled, then turned, then moved.
@@ -81,7 +82,8 @@ static void read_transform(struct rhw_gltf *gltf, const json_t *extension, struc
     rhw_gltf_floats(gltf, extension, "scale", scale, 2);
     const double rotation = rhw_gltf_number(gltf, extension, "rotation", 0);
     const float c = (float)cos(rotation), s = (float)sin(rotation);
-    const float transform[6] = {c * scale[0], s * scale[1], offset[0], -s * scale[0], c * scale[1], offset[1]};
+    const float transform[6] = {c * scale[0],  s * scale[1], offset[0],
+                                -s * scale[0], c * scale[1], offset[1]};
     if (rhw_import_finite(transform, 6))
         memcpy(slot->transform, transform, sizeof transform);
 }
@@ -105,7 +107,8 @@ static void read_slot(struct rhw_gltf *gltf, const json_t *info, struct rhw_text
     if (set < RHW_UV_SETS)
         slot->uv_set = (uint32_t)set;
     else
-        rhw_import_unsupported(gltf->import, "texture coordinate set %lld: set 0 is read instead", (long long)set);
+        rhw_import_unsupported(gltf->import, "texture coordinate set %lld: set 0 is read instead",
+                               (long long)set);
 }
 
 // Materials -----------------------------------------------------------------------------------------
@@ -139,13 +142,15 @@ static void read_specular_glossiness(struct rhw_gltf *gltf, const json_t *pbr, s
     for (int c = 0; c < 3; c++)
         strongest = specular[c] > strongest ? specular[c] : strongest;
     const float diffuse_brightness = (diffuse[0] + diffuse[1] + diffuse[2]) / 3;
-    const float metallic = strongest <= 0.04f ? 0 : (strongest - 0.04f) / (strongest - 0.04f + diffuse_brightness);
+    const float metallic =
+        strongest <= 0.04f ? 0 : (strongest - 0.04f) / (strongest - 0.04f + diffuse_brightness);
     material->metallic = textured ? 0 : limited((double)metallic, 0, 1);
     for (int c = 0; c < 3; c++)
         material->base_color[c] = diffuse[c] + (specular[c] - diffuse[c]) * material->metallic;
     material->base_color[3] = diffuse[3];
     if (textured)
-        rhw_import_unsupported(gltf->import, "specular-glossiness textures: the glossiness factor alone is used");
+        rhw_import_unsupported(gltf->import,
+                               "specular-glossiness textures: the glossiness factor alone is used");
 }
 
 static void read_alpha(struct rhw_gltf *gltf, const json_t *object, struct rhw_material *material)

@@ -24,8 +24,8 @@ _Noreturn static void refuse(const struct primitive *primitive, const char *prob
 // Attributes ----------------------------------------------------------------------------------------
 
 // An attribute with one element per vertex, or NULL when there is none.
-static void *attribute(const struct primitive *primitive, const json_t *attributes, const char *name, int least,
-                       int width)
+static void *attribute(const struct primitive *primitive, const json_t *attributes, const char *name,
+                       int least, int width)
 {
     const int64_t accessor = rhw_gltf_integer(primitive->gltf, attributes, name, -1);
     if (accessor < 0)
@@ -34,7 +34,8 @@ static void *attribute(const struct primitive *primitive, const json_t *attribut
     float *values = rhw_gltf_read_floats(primitive->gltf, accessor, least, width, &count);
     if (count != primitive->mesh.vertex_count) {
         char problem[96];
-        snprintf(problem, sizeof problem, "%s has %u elements, POSITION %u", name, count, primitive->mesh.vertex_count);
+        snprintf(problem, sizeof problem, "%s has %u elements, POSITION %u", name, count,
+                 primitive->mesh.vertex_count);
         refuse(primitive, problem);
     }
     return values;
@@ -89,7 +90,8 @@ static void make_list(struct primitive *primitive, int mode, const uint32_t *in,
         return;
     if (elements > UINT32_MAX / 4)
         refuse(primitive, "has too many indices");
-    mesh->indices = rhw_import_allocate(primitive->gltf->import, (size_t)elements * corners, sizeof *mesh->indices);
+    mesh->indices =
+        rhw_import_allocate(primitive->gltf->import, (size_t)elements * corners, sizeof *mesh->indices);
     mesh->index_count = elements * corners;
     for (uint32_t i = 0; i < elements; i++) {
         uint32_t *out = mesh->indices + (size_t)i * corners;
@@ -114,9 +116,9 @@ static void read_topology(struct primitive *primitive)
     const int64_t mode = rhw_gltf_integer(primitive->gltf, primitive->object, "mode", MODE_TRIANGLES);
     if (mode > MODE_FAN)
         refuse(primitive, "has a mode that does not exist");
-    mesh->primitive = mode == MODE_POINTS ? RHW_PRIMITIVE_POINTS
-        : mode <= MODE_LINE_STRIP         ? RHW_PRIMITIVE_LINES
-                                          : RHW_PRIMITIVE_TRIANGLES;
+    mesh->primitive = mode == MODE_POINTS       ? RHW_PRIMITIVE_POINTS
+                      : mode <= MODE_LINE_STRIP ? RHW_PRIMITIVE_LINES
+                                                : RHW_PRIMITIVE_TRIANGLES;
     uint32_t count = 0;
     uint32_t *indices = read_indices(primitive, &count);
     if (mode == MODE_POINTS || mode == MODE_LINES || mode == MODE_TRIANGLES) {
@@ -185,7 +187,8 @@ static float (*joint_matrices(struct rhw_gltf *gltf, int64_t skin_index, size_t 
         const json_t *joint = json_array_get(joints, i);
         const double node = json_is_number(joint) ? json_number_value(joint) : -1;
         if (!(node >= 0 && node < (double)rhw_gltf_count(gltf, "nodes")))
-            rhw_import_fail(gltf->import, "skins[%lld] has a joint that does not exist", (long long)skin_index);
+            rhw_import_fail(gltf->import, "skins[%lld] has a joint that does not exist",
+                            (long long)skin_index);
         if (i < bind_count)
             rhw_import_multiply(gltf->nodes[(size_t)node].world, binds + 16 * i, matrices[i]);
         else
@@ -260,14 +263,14 @@ static bool make_primitive(struct primitive *primitive, const char *name, const 
         refuse(primitive, "must be an object");
     primitive->attributes = rhw_gltf_object(gltf, primitive->object, "attributes");
     if (json_object_get(primitive->attributes, "POSITION") == NULL) {
-        rhw_import_warn(gltf->import, "meshes[%d].primitives[%d] has no positions: not drawn", primitive->mesh_number,
-                        primitive->number);
+        rhw_import_warn(gltf->import, "meshes[%d].primitives[%d] has no positions: not drawn",
+                        primitive->mesh_number, primitive->number);
         return false;
     }
     const int64_t accessor = rhw_gltf_integer(gltf, primitive->attributes, "POSITION", -1);
     const json_t *positions = rhw_gltf_item(gltf, "accessors", accessor);
-    if (json_object_get(positions, "bufferView") == NULL
-        && rhw_gltf_extension(gltf, primitive->object, "KHR_draco_mesh_compression") != NULL)
+    if (json_object_get(positions, "bufferView") == NULL &&
+        rhw_gltf_extension(gltf, primitive->object, "KHR_draco_mesh_compression") != NULL)
         refuse(primitive, "needs the glTF extension KHR_draco_mesh_compression, which is not supported");
     read_attributes(primitive);
     read_topology(primitive);
@@ -275,7 +278,8 @@ static bool make_primitive(struct primitive *primitive, const char *name, const 
     if (skin >= 0)
         apply_skin(primitive, skin, world);
     primitive->mesh.name = name;
-    primitive->mesh.material = rhw_gltf_material(gltf, rhw_gltf_integer(gltf, primitive->object, "material", -1));
+    primitive->mesh.material =
+        rhw_gltf_material(gltf, rhw_gltf_integer(gltf, primitive->object, "material", -1));
     *rhw_import_add_mesh(gltf->import) = primitive->mesh;
     rhw_import_complete_mesh(gltf->import, gltf->import->model.mesh_count - 1, RHW_IMPORT_FLAT, false);
     return true;
@@ -297,7 +301,8 @@ struct rhw_gltf_meshes rhw_gltf_mesh(struct rhw_gltf *gltf, const json_t *node, 
     json_t *part;
     json_array_foreach(rhw_gltf_array(gltf, object, "primitives"), i, part)
     {
-        struct primitive primitive = {.gltf = gltf, .object = part, .mesh_number = (int)index, .number = (int)i};
+        struct primitive primitive = {
+            .gltf = gltf, .object = part, .mesh_number = (int)index, .number = (int)i};
         meshes.count += make_primitive(&primitive, name, weights, skin, world);
     }
     if (shared)

@@ -116,7 +116,8 @@ static void add_camera(struct rhw_gltf *gltf, const json_t *node, const float wo
     const json_t *perspective = rhw_gltf_object(gltf, object, "perspective");
     const json_t *orthographic = rhw_gltf_object(gltf, object, "orthographic");
     const json_t *lens = orthographic != NULL ? orthographic : perspective;
-    struct rhw_model_camera camera = {.name = rhw_gltf_name(gltf, object), .orthographic = orthographic != NULL};
+    struct rhw_model_camera camera = {.name = rhw_gltf_name(gltf, object),
+                                      .orthographic = orthographic != NULL};
     if (camera.name[0] == 0)
         camera.name = rhw_gltf_name(gltf, node);
     memcpy(camera.world, world, sizeof camera.world);
@@ -126,10 +127,11 @@ static void add_camera(struct rhw_gltf *gltf, const json_t *node, const float wo
     camera.aspect = (float)rhw_gltf_number(gltf, lens, "aspectRatio", 0);
     camera.xmag = (float)rhw_gltf_number(gltf, lens, "xmag", 0);
     camera.ymag = (float)rhw_gltf_number(gltf, lens, "ymag", 0);
-    const bool good = camera.orthographic
-        ? camera.xmag != 0 && camera.ymag != 0 && camera.zfar > camera.znear && camera.znear >= 0
-        : camera.yfov > 0 && camera.yfov < 3.14159f && camera.aspect >= 0 && camera.znear > 0
-            && (camera.zfar == 0 || camera.zfar > camera.znear);
+    const bool good =
+        camera.orthographic
+            ? camera.xmag != 0 && camera.ymag != 0 && camera.zfar > camera.znear && camera.znear >= 0
+            : camera.yfov > 0 && camera.yfov < 3.14159f && camera.aspect >= 0 && camera.znear > 0 &&
+                  (camera.zfar == 0 || camera.zfar > camera.znear);
     if (good && rhw_import_finite(world, 16) && rhw_import_determinant(world) != 0)
         *rhw_import_add_camera(gltf->import) = camera;
     else
@@ -138,16 +140,20 @@ static void add_camera(struct rhw_gltf *gltf, const json_t *node, const float wo
 
 static void add_light(struct rhw_gltf *gltf, int64_t index, const float world[16])
 {
-    const json_t *list = rhw_gltf_array(gltf, rhw_gltf_extension(gltf, gltf->root, "KHR_lights_punctual"), "lights");
+    const json_t *list =
+        rhw_gltf_array(gltf, rhw_gltf_extension(gltf, gltf->root, "KHR_lights_punctual"), "lights");
     const json_t *object = json_array_get(list, (size_t)index);
     if (!json_is_object(object))
-        rhw_import_fail(gltf->import, "refers to light %lld, but there are %zu", (long long)index, json_array_size(list));
+        rhw_import_fail(gltf->import, "refers to light %lld, but there are %zu", (long long)index,
+                        json_array_size(list));
     struct rhw_model_light light = {.name = rhw_gltf_name(gltf, object), .color = {1, 1, 1}};
     const char *type = rhw_gltf_text(gltf, object, "type");
     const json_t *spot = rhw_gltf_object(gltf, object, "spot");
-    const bool known = type != NULL
-        && (strcmp(type, "directional") == 0 || strcmp(type, "point") == 0 || strcmp(type, "spot") == 0);
-    light.type = !known || type[0] == 'p' ? RHW_LIGHT_POINT : type[0] == 's' ? RHW_LIGHT_SPOT : RHW_LIGHT_DIRECTIONAL;
+    const bool known = type != NULL && (strcmp(type, "directional") == 0 || strcmp(type, "point") == 0 ||
+                                        strcmp(type, "spot") == 0);
+    light.type = !known || type[0] == 'p' ? RHW_LIGHT_POINT
+                 : type[0] == 's'         ? RHW_LIGHT_SPOT
+                                          : RHW_LIGHT_DIRECTIONAL;
     rhw_gltf_floats(gltf, object, "color", light.color, 3);
     light.intensity = (float)rhw_gltf_number(gltf, object, "intensity", 1);
     light.range = (float)rhw_gltf_number(gltf, object, "range", 0);
@@ -157,8 +163,8 @@ static void add_light(struct rhw_gltf *gltf, int64_t index, const float world[16
     const float length = __builtin_sqrtf(world[8] * world[8] + world[9] * world[9] + world[10] * world[10]);
     for (int c = 0; c < 3; c++)
         light.direction[c] = length > 0 ? -world[8 + c] / length : c == 2 ? -1.0f : 0.0f;
-    const bool good = known && light.intensity >= 0 && light.range >= 0 && rhw_import_finite(world, 16)
-        && rhw_import_finite(light.color, 3) && rhw_import_finite(&light.intensity, 1);
+    const bool good = known && light.intensity >= 0 && light.range >= 0 && rhw_import_finite(world, 16) &&
+                      rhw_import_finite(light.color, 3) && rhw_import_finite(&light.intensity, 1);
     if (light.inner_cos <= light.outer_cos)
         light.inner_cos = light.outer_cos + 1e-4f;
     if (good)

@@ -35,8 +35,8 @@ void rhw_import_transform(const float matrix[16], const float point[3], float re
 float rhw_import_determinant(const float matrix[16])
 {
     const float *a = matrix, *b = matrix + 4, *c = matrix + 8;
-    return a[0] * (b[1] * c[2] - b[2] * c[1]) - a[1] * (b[0] * c[2] - b[2] * c[0])
-        + a[2] * (b[0] * c[1] - b[1] * c[0]);
+    return a[0] * (b[1] * c[2] - b[2] * c[1]) - a[1] * (b[0] * c[2] - b[2] * c[0]) +
+           a[2] * (b[0] * c[1] - b[1] * c[0]);
 }
 
 float rhw_import_from_srgb(float value)

@@ -12,7 +12,8 @@ static uint32_t corners_of(const struct rhw_mesh *mesh)
     return mesh->primitive == RHW_PRIMITIVE_TRIANGLES ? 3 : mesh->primitive == RHW_PRIMITIVE_LINES ? 2 : 1;
 }
 
-static void *gather(struct rhw_import *import, void *array, size_t size, const uint32_t *source, uint32_t count)
+static void *gather(struct rhw_import *import, void *array, size_t size, const uint32_t *source,
+                    uint32_t count)
 {
     if (array == NULL)
         return NULL;
@@ -192,7 +193,8 @@ struct vertex_bytes {
 static struct vertex_bytes bytes_of(const struct rhw_mesh *mesh)
 {
     struct vertex_bytes bytes = {.count = 0};
-    const void *arrays[] = {mesh->positions, mesh->normals, mesh->tangents, mesh->uvs[0], mesh->uvs[1], mesh->colors};
+    const void *arrays[] = {mesh->positions, mesh->normals, mesh->tangents,
+                            mesh->uvs[0],    mesh->uvs[1],  mesh->colors};
     const size_t sizes[] = {12, 12, 16, 8, 8, 16};
     for (int i = 0; i < 6; i++)
         if (arrays[i] != NULL) {
@@ -205,7 +207,8 @@ static struct vertex_bytes bytes_of(const struct rhw_mesh *mesh)
 static bool same_vertex(const struct vertex_bytes *bytes, uint32_t a, uint32_t b)
 {
     for (int i = 0; i < bytes->count; i++)
-        if (memcmp(bytes->arrays[i] + a * bytes->sizes[i], bytes->arrays[i] + b * bytes->sizes[i], bytes->sizes[i]) != 0)
+        if (memcmp(bytes->arrays[i] + a * bytes->sizes[i], bytes->arrays[i] + b * bytes->sizes[i],
+                   bytes->sizes[i]) != 0)
             return false;
     return true;
 }
@@ -243,7 +246,8 @@ static void join_vertices(struct rhw_import *import, struct rhw_mesh *mesh)
     free(source);
 }
 
-void rhw_import_complete_mesh(struct rhw_import *import, uint32_t index, enum rhw_import_normals normals, bool join)
+void rhw_import_complete_mesh(struct rhw_import *import, uint32_t index, enum rhw_import_normals normals,
+                              bool join)
 {
     struct rhw_mesh *mesh = &import->model.meshes[index];
     if (mesh->vertex_count == 0)

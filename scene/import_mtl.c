@@ -45,9 +45,9 @@ struct option {
 static const struct option *find_option(struct rhw_word word)
 {
     static const struct option options[] = {
-        {"-o", 0, 3},      {"-s", 0, 3},      {"-t", 0, 3},       {"-mm", 0, 2},     {"-bm", 0, 1},
-        {"-boost", 0, 1},  {"-texres", 1, 0}, {"-clamp", 1, 0},   {"-blendu", 1, 0}, {"-blendv", 1, 0},
-        {"-imfchan", 1, 0}, {"-cc", 1, 0},    {"-type", 1, 0},    {"-colorspace", 1, 0},
+        {"-o", 0, 3},       {"-s", 0, 3},      {"-t", 0, 3},     {"-mm", 0, 2},         {"-bm", 0, 1},
+        {"-boost", 0, 1},   {"-texres", 1, 0}, {"-clamp", 1, 0}, {"-blendu", 1, 0},     {"-blendv", 1, 0},
+        {"-imfchan", 1, 0}, {"-cc", 1, 0},     {"-type", 1, 0},  {"-colorspace", 1, 0},
     };
     for (size_t i = 0; i < sizeof options / sizeof options[0]; i++)
         if (key_is(word, options[i].name))
@@ -85,15 +85,21 @@ static void read_texture(struct rhw_import *import, struct rhw_line line, struct
         memcpy(texture->slot.transform, transform, sizeof transform);
 }
 
-static bool read_map(struct rhw_import *import, struct rhw_word key, struct rhw_line line, struct rhw_phong *phong)
+static bool read_map(struct rhw_import *import, struct rhw_word key, struct rhw_line line,
+                     struct rhw_phong *phong)
 {
     const struct {
         const char *key;
         struct rhw_phong_texture *texture;
     } maps[] = {
-        {"map_Kd", &phong->color},   {"map_d", &phong->opacity_map}, {"map_opacity", &phong->opacity_map},
-        {"map_bump", &phong->height}, {"bump", &phong->height},       {"norm", &phong->normal},
-        {"map_Ke", &phong->emissive_map}, {"map_emissive", &phong->emissive_map},
+        {"map_Kd", &phong->color},
+        {"map_d", &phong->opacity_map},
+        {"map_opacity", &phong->opacity_map},
+        {"map_bump", &phong->height},
+        {"bump", &phong->height},
+        {"norm", &phong->normal},
+        {"map_Ke", &phong->emissive_map},
+        {"map_emissive", &phong->emissive_map},
     };
     for (size_t i = 0; i < sizeof maps / sizeof maps[0]; i++)
         if (key_is(key, maps[i].key)) {
@@ -108,8 +114,8 @@ static void note_unused_map(struct rhw_import *import, struct rhw_word key)
     static const struct {
         const char *key, *name;
     } maps[] = {
-        {"map_Ks", "specular"},  {"map_Ns", "shininess"}, {"refl", "reflection"}, {"map_refl", "reflection"},
-        {"disp", "displacement"}, {"map_Pr", "roughness"}, {"map_Pm", "metallic"},  {"map_Ps", "sheen"},
+        {"map_Ks", "specular"},   {"map_Ns", "shininess"}, {"refl", "reflection"}, {"map_refl", "reflection"},
+        {"disp", "displacement"}, {"map_Pr", "roughness"}, {"map_Pm", "metallic"}, {"map_Ps", "sheen"},
     };
     for (size_t i = 0; i < sizeof maps / sizeof maps[0]; i++)
         if (key_is(key, maps[i].key))

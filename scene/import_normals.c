@@ -86,9 +86,9 @@ struct smoothing {
     double *weights;    // of each corner
     uint32_t *start;    // of the corners around point p: start[p] .. start[p + 1]
     uint32_t *corners;
-    uint32_t *source;   // of the new vertices: the vertex they were made from
+    uint32_t *source; // of the new vertices: the vertex they were made from
     float (*normals)[3];
-    uint32_t count;     // new vertices
+    uint32_t count; // new vertices
 };
 
 // The normal of a face, and what it weighs at its corners: sin α / (|a| |b|), where a and b are the edges at
@@ -108,14 +108,17 @@ static void weigh_face(struct smoothing *smoothing, uint32_t first)
     for (int c = 0; c < 3; c++)
         smoothing->faces[first / 3][c] = length > 0 ? normal[c] / length : 0;
     for (int k = 0; k < 3; k++)
-        smoothing->weights[first + (uint32_t)k] = length > 0 ? length / (squares[k] * squares[(k + 2) % 3]) : 0;
+        smoothing->weights[first + (uint32_t)k] =
+            length > 0 ? length / (squares[k] * squares[(k + 2) % 3]) : 0;
 }
 
 // The new vertex with this source and normal among those made since `first`.
-static uint32_t find_or_add(struct smoothing *smoothing, uint32_t first, uint32_t source, const float normal[3])
+static uint32_t find_or_add(struct smoothing *smoothing, uint32_t first, uint32_t source,
+                            const float normal[3])
 {
     for (uint32_t i = first; i < smoothing->count; i++)
-        if (smoothing->source[i] == source && memcmp(smoothing->normals[i], normal, sizeof smoothing->normals[i]) == 0)
+        if (smoothing->source[i] == source &&
+            memcmp(smoothing->normals[i], normal, sizeof smoothing->normals[i]) == 0)
             return i;
     smoothing->source[smoothing->count] = source;
     memcpy(smoothing->normals[smoothing->count], normal, sizeof smoothing->normals[0]);
@@ -123,8 +126,8 @@ static uint32_t find_or_add(struct smoothing *smoothing, uint32_t first, uint32_
 }
 
 // Sum over the corners whose faces are no further than a crease from `axis`; NULL: over all.
-static void sum_faces(const struct smoothing *smoothing, const uint32_t *corners, uint32_t count, const double *axis,
-                      double sum[3])
+static void sum_faces(const struct smoothing *smoothing, const uint32_t *corners, uint32_t count,
+                      const double *axis, double sum[3])
 {
     memset(sum, 0, 3 * sizeof *sum);
     for (uint32_t i = 0; i < count; i++) {
@@ -137,7 +140,8 @@ static void sum_faces(const struct smoothing *smoothing, const uint32_t *corners
 }
 
 // Gives the corners around one point their new vertices in `place`.
-static void smooth_point(struct smoothing *smoothing, const uint32_t *corners, uint32_t count, uint32_t *place)
+static void smooth_point(struct smoothing *smoothing, const uint32_t *corners, uint32_t count,
+                         uint32_t *place)
 {
     const uint32_t first = smoothing->count;
     double all[3], axis[3];
@@ -223,7 +227,8 @@ static double angle_of(double cosine)
 {
     const double x = cosine < 0 ? -cosine : cosine;
     const double clamped = x > 1 ? 1 : x;
-    const double polynomial = 1.5707288 + clamped * (-0.2121144 + clamped * (0.0742610 - 0.0187293 * clamped));
+    const double polynomial =
+        1.5707288 + clamped * (-0.2121144 + clamped * (0.0742610 - 0.0187293 * clamped));
     const double angle = __builtin_sqrt(1 - clamped) * polynomial;
     return cosine < 0 ? 3.14159265358979324 - angle : angle;
 }
@@ -306,7 +311,8 @@ static void set_tangent(const float normal[3], const double sum[3], float tangen
         tangent[c] = (float)t[c];
 }
 
-void rhw_import_make_tangents(struct rhw_import *import, struct rhw_mesh *mesh, const struct rhw_texture_slot *slot)
+void rhw_import_make_tangents(struct rhw_import *import, struct rhw_mesh *mesh,
+                              const struct rhw_texture_slot *slot)
 {
     const uint32_t triangles = mesh->index_count / 3;
     double(*faces)[3] = rhw_import_allocate(import, triangles, sizeof *faces);

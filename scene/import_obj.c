@@ -39,7 +39,8 @@ struct obj {
     struct rhw_import *import;
     struct rhw_text text;
     float (*positions)[3], (*colors)[3], (*uvs)[2], (*normals)[3];
-    size_t position_count, position_capacity, color_capacity, uv_count, uv_capacity, normal_count, normal_capacity;
+    size_t position_count, position_capacity, color_capacity, uv_count, uv_capacity, normal_count,
+        normal_capacity;
     bool colored;
     const char **objects; // names
     size_t object_count, object_capacity;
@@ -77,11 +78,13 @@ static void read_position(struct obj *obj, struct rhw_line line)
     if (obj->position_count >= INT_MAX)
         refuse(obj, "has too many vertices");
     const size_t index = obj->position_count++;
-    rhw_import_reserve(obj->import, &obj->positions, &obj->position_capacity, index + 1, sizeof *obj->positions);
+    rhw_import_reserve(obj->import, &obj->positions, &obj->position_capacity, index + 1,
+                       sizeof *obj->positions);
     memcpy(obj->positions[index], values, sizeof obj->positions[index]);
     if (count < 6 && !obj->colored)
         return;
-    rhw_import_reserve(obj->import, &obj->colors, &obj->color_capacity, obj->position_capacity, sizeof *obj->colors);
+    rhw_import_reserve(obj->import, &obj->colors, &obj->color_capacity, obj->position_capacity,
+                       sizeof *obj->colors);
     for (size_t i = obj->colored ? index : 0; i <= index; i++) // those before had none: white
         obj->colors[i][0] = obj->colors[i][1] = obj->colors[i][2] = 1;
     obj->colored = true;
@@ -104,7 +107,8 @@ static void read_normal(struct obj *obj, struct rhw_line line)
     float values[3];
     if (rhw_text_numbers(&line, values, 3) < 3)
         refuse(obj, "a normal needs three numbers");
-    rhw_import_reserve(obj->import, &obj->normals, &obj->normal_capacity, obj->normal_count + 1, sizeof *obj->normals);
+    rhw_import_reserve(obj->import, &obj->normals, &obj->normal_capacity, obj->normal_count + 1,
+                       sizeof *obj->normals);
     memcpy(obj->normals[obj->normal_count++], values, sizeof values);
 }
 
@@ -153,19 +157,22 @@ static struct part *find_part(struct obj *obj, const struct part_key *key)
 {
     for (size_t i = obj->part_count; i > obj->first_part; i--) {
         const struct part_key *other = &obj->parts[i - 1].key;
-        if (other->material == key->material && other->smoothing == key->smoothing
-            && other->primitive == key->primitive && other->has_uv == key->has_uv
-            && other->has_normal == key->has_normal)
+        if (other->material == key->material && other->smoothing == key->smoothing &&
+            other->primitive == key->primitive && other->has_uv == key->has_uv &&
+            other->has_normal == key->has_normal)
             return &obj->parts[i - 1];
     }
-    rhw_import_reserve(obj->import, &obj->parts, &obj->part_capacity, obj->part_count + 1, sizeof *obj->parts);
+    rhw_import_reserve(obj->import, &obj->parts, &obj->part_capacity, obj->part_count + 1,
+                       sizeof *obj->parts);
     obj->parts[obj->part_count] = (struct part){.key = *key};
     return &obj->parts[obj->part_count++];
 }
 
-static void add_element(struct obj *obj, enum rhw_primitive primitive, const struct corner *corners, uint32_t count)
+static void add_element(struct obj *obj, enum rhw_primitive primitive, const struct corner *corners,
+                        uint32_t count)
 {
-    struct part_key key = {(uint32_t)obj->object_count - 1, obj->material, SMOOTHING_NOT_SAID, primitive, true, true};
+    struct part_key key = {
+        (uint32_t)obj->object_count - 1, obj->material, SMOOTHING_NOT_SAID, primitive, true, true};
     for (uint32_t i = 0; i < count; i++) {
         key.has_uv = key.has_uv && corners[i].uv != none;
         key.has_normal = key.has_normal && corners[i].normal != none;
@@ -177,7 +184,8 @@ static void add_element(struct obj *obj, enum rhw_primitive primitive, const str
         refuse(obj, "has too many faces");
     const size_t total = part->corner_count + count;
     rhw_import_reserve(obj->import, &part->corners, &part->corner_capacity, total, sizeof *part->corners);
-    rhw_import_reserve(obj->import, &part->sizes, &part->size_capacity, part->size_count + 1, sizeof *part->sizes);
+    rhw_import_reserve(obj->import, &part->sizes, &part->size_capacity, part->size_count + 1,
+                       sizeof *part->sizes);
     memcpy(part->corners + part->corner_count, corners, count * sizeof *corners);
     part->corner_count = total;
     part->sizes[part->size_count++] = count;
@@ -188,7 +196,8 @@ static void read_element(struct obj *obj, enum rhw_primitive primitive, struct r
     struct rhw_word word;
     uint32_t count = 0;
     while (rhw_text_word(&line, &word) && word.start[0] != '#') {
-        rhw_import_reserve(obj->import, &obj->polygon, &obj->polygon_capacity, count + (size_t)1, sizeof *obj->polygon);
+        rhw_import_reserve(obj->import, &obj->polygon, &obj->polygon_capacity, count + (size_t)1,
+                           sizeof *obj->polygon);
         obj->polygon[count++] = read_corner(obj, word);
     }
     if (primitive == RHW_PRIMITIVE_TRIANGLES && count >= 3)
@@ -210,7 +219,8 @@ static void start_object(struct obj *obj, const char *name)
         if (obj->object_count >= INT_MAX)
             refuse(obj, "has too many objects");
         obj->object_count++;
-        rhw_import_reserve(obj->import, &obj->objects, &obj->object_capacity, obj->object_count, sizeof *obj->objects);
+        rhw_import_reserve(obj->import, &obj->objects, &obj->object_capacity, obj->object_count,
+                           sizeof *obj->objects);
     }
     obj->objects[obj->object_count - 1] = name;
     obj->first_part = obj->part_count;
@@ -296,7 +306,8 @@ static void check_corners(struct obj *obj, struct part *part)
     for (size_t i = 0; i < part->corner_count; i++) {
         const struct corner *corner = &part->corners[i];
         if (corner->position >= obj->position_count)
-            rhw_import_fail(obj->import, "a face refers to vertex %u of %zu", corner->position + 1, obj->position_count);
+            rhw_import_fail(obj->import, "a face refers to vertex %u of %zu", corner->position + 1,
+                            obj->position_count);
         has_uv = has_uv && corner->uv < obj->uv_count;
         has_normal = has_normal && corner->normal < obj->normal_count;
     }

@@ -57,19 +57,21 @@ static bool same_text(const char *a, const char *b)
 }
 
 // The image with this source, new or shared with another slot.
-static int32_t find_or_add(struct rhw_import *import, const char *name, const struct rhw_import_source *source)
+static int32_t find_or_add(struct rhw_import *import, const char *name,
+                           const struct rhw_import_source *source)
 {
     for (uint32_t i = 0; i < import->source_count; i++) {
         const struct rhw_import_source *other = &import->sources[i];
-        if (same_text(other->file, source->file) && other->bytes == source->bytes && other->height == source->height
-            && other->opacity_image == source->opacity_image && other->white == source->white
-            && strcmp(import->model.images[i].name, name) == 0)
+        if (same_text(other->file, source->file) && other->bytes == source->bytes &&
+            other->height == source->height && other->opacity_image == source->opacity_image &&
+            other->white == source->white && strcmp(import->model.images[i].name, name) == 0)
             return (int32_t)i;
     }
     return rhw_import_add_image(import, name, source);
 }
 
-static bool set_slot(struct rhw_import *import, const struct rhw_phong_texture *texture, struct rhw_texture_slot *slot)
+static bool set_slot(struct rhw_import *import, const struct rhw_phong_texture *texture,
+                     struct rhw_texture_slot *slot)
 {
     if (texture->name == NULL)
         return false;
@@ -79,7 +81,8 @@ static bool set_slot(struct rhw_import *import, const struct rhw_phong_texture *
 }
 
 // The base colour's image gets the opacity map as its alpha; without one, the map becomes a white image.
-static void set_opacity_map(struct rhw_import *import, const struct rhw_phong *phong, struct rhw_material *material)
+static void set_opacity_map(struct rhw_import *import, const struct rhw_phong *phong,
+                            struct rhw_material *material)
 {
     const struct rhw_phong_texture *map = &phong->opacity_map;
     if (map->name == NULL)
@@ -119,7 +122,8 @@ static void set_surface(const struct rhw_phong *phong, struct rhw_material *mate
     material->unlit = phong->unlit;
 }
 
-static void set_opacity(struct rhw_import *import, const struct rhw_phong *phong, struct rhw_material *material)
+static void set_opacity(struct rhw_import *import, const struct rhw_phong *phong,
+                        struct rhw_material *material)
 {
     float opacity = limited(phong->opacity, 0, 1);
     if (opacity == 0) {

@@ -15,8 +15,8 @@ struct rhw_phong_texture {
 /// What the file says. Start from rhw_phong_default.
 struct rhw_phong {
     const char *name;
-    bool described; ///< `diffuse` is from the file
-    bool colored;   ///< the mesh has vertex colours
+    bool described;                             ///< `diffuse` is from the file
+    bool colored;                               ///< the mesh has vertex colours
     float diffuse[3], specular[3], emissive[3]; ///< sRGB
     float opacity;
     float shininess;           ///< Phong's exponent; 0: not said

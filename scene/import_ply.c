@@ -9,7 +9,17 @@
 #include "import_phong.h"
 #include "import_text.h"
 
-enum type { TYPE_NONE, TYPE_INT8, TYPE_UINT8, TYPE_INT16, TYPE_UINT16, TYPE_INT32, TYPE_UINT32, TYPE_FLOAT, TYPE_DOUBLE };
+enum type {
+    TYPE_NONE,
+    TYPE_INT8,
+    TYPE_UINT8,
+    TYPE_INT16,
+    TYPE_UINT16,
+    TYPE_INT32,
+    TYPE_UINT32,
+    TYPE_FLOAT,
+    TYPE_DOUBLE
+};
 
 enum encoding { ASCII, LITTLE_ENDIAN_BINARY, BIG_ENDIAN_BINARY };
 
@@ -69,10 +79,10 @@ static enum type parse_type(struct rhw_word word)
         const char *name;
         enum type type;
     } names[] = {
-        {"char", TYPE_INT8},     {"uchar", TYPE_UINT8},   {"short", TYPE_INT16},     {"ushort", TYPE_UINT16},
-        {"int", TYPE_INT32},     {"uint", TYPE_UINT32},   {"float", TYPE_FLOAT},     {"double", TYPE_DOUBLE},
-        {"int8", TYPE_INT8},     {"uint8", TYPE_UINT8},   {"int16", TYPE_INT16},     {"uint16", TYPE_UINT16},
-        {"int32", TYPE_INT32},   {"uint32", TYPE_UINT32}, {"float32", TYPE_FLOAT},   {"float64", TYPE_DOUBLE},
+        {"char", TYPE_INT8},   {"uchar", TYPE_UINT8},   {"short", TYPE_INT16},   {"ushort", TYPE_UINT16},
+        {"int", TYPE_INT32},   {"uint", TYPE_UINT32},   {"float", TYPE_FLOAT},   {"double", TYPE_DOUBLE},
+        {"int8", TYPE_INT8},   {"uint8", TYPE_UINT8},   {"int16", TYPE_INT16},   {"uint16", TYPE_UINT16},
+        {"int32", TYPE_INT32}, {"uint32", TYPE_UINT32}, {"float32", TYPE_FLOAT}, {"float64", TYPE_DOUBLE},
     };
     for (size_t i = 0; i < sizeof names / sizeof names[0]; i++)
         if (rhw_word_is(word, names[i].name))
@@ -99,8 +109,9 @@ static void parse_element(struct ply *ply, struct rhw_line line, unsigned number
     if (ply->element_count == MOST_ELEMENTS)
         refuse_header(ply, number, "has too many elements");
     struct element *element = &ply->elements[ply->element_count++];
-    if (!rhw_text_word(&line, &element->name) || !rhw_text_word(&line, &word) || !rhw_word_number(word, &count, &length)
-        || !(count >= 0 && count < UINT32_MAX) || count != floor(count))
+    if (!rhw_text_word(&line, &element->name) || !rhw_text_word(&line, &word) ||
+        !rhw_word_number(word, &count, &length) || !(count >= 0 && count < UINT32_MAX) ||
+        count != floor(count))
         refuse_header(ply, number, "an element needs a name and a count");
     element->count = (int64_t)count;
     element->properties = rhw_import_allocate(ply->import, MOST_PROPERTIES, sizeof *element->properties);
@@ -118,7 +129,8 @@ static void parse_property(struct ply *ply, struct rhw_line line, unsigned numbe
     if (list) {
         good = rhw_text_word(&line, &word);
         property.count_type = good ? parse_type(word) : TYPE_NONE;
-        good = property.count_type != TYPE_NONE && property.count_type < TYPE_FLOAT && rhw_text_word(&line, &word);
+        good = property.count_type != TYPE_NONE && property.count_type < TYPE_FLOAT &&
+               rhw_text_word(&line, &word);
     }
     property.type = good ? parse_type(word) : TYPE_NONE;
     if (property.type == TYPE_NONE || !rhw_text_word(&line, &property.name))
@@ -244,10 +256,29 @@ static enum target target_of(struct rhw_word name)
         const char *name;
         enum target target;
     } names[] = {
-        {"x", X},          {"y", Y},          {"z", Z},          {"nx", NX},       {"ny", NY},      {"nz", NZ},
-        {"u", U},          {"v", V},          {"s", U},          {"t", V},         {"texture_u", U}, {"texture_v", V},
-        {"red", RED},      {"green", GREEN},  {"blue", BLUE},    {"alpha", ALPHA}, {"r", RED},      {"g", GREEN},
-        {"b", BLUE},       {"a", ALPHA},      {"diffuse_red", RED}, {"diffuse_green", GREEN}, {"diffuse_blue", BLUE},
+        {"x", X},
+        {"y", Y},
+        {"z", Z},
+        {"nx", NX},
+        {"ny", NY},
+        {"nz", NZ},
+        {"u", U},
+        {"v", V},
+        {"s", U},
+        {"t", V},
+        {"texture_u", U},
+        {"texture_v", V},
+        {"red", RED},
+        {"green", GREEN},
+        {"blue", BLUE},
+        {"alpha", ALPHA},
+        {"r", RED},
+        {"g", GREEN},
+        {"b", BLUE},
+        {"a", ALPHA},
+        {"diffuse_red", RED},
+        {"diffuse_green", GREEN},
+        {"diffuse_blue", BLUE},
         {"diffuse_alpha", ALPHA},
     };
     for (size_t i = 0; i < sizeof names / sizeof names[0]; i++)
@@ -277,7 +308,8 @@ static void allocate_vertices(struct ply *ply, const bool present[TARGETS], uint
         mesh->colors = rhw_import_allocate(ply->import, count, sizeof *mesh->colors);
 }
 
-static void store_vertex(struct rhw_mesh *mesh, uint32_t i, const float values[TARGETS], const float linear[256])
+static void store_vertex(struct rhw_mesh *mesh, uint32_t i, const float values[TARGETS],
+                         const float linear[256])
 {
     memcpy(mesh->positions[i], values + X, sizeof mesh->positions[i]);
     if (mesh->normals != NULL)
@@ -338,7 +370,8 @@ static void reserve_indices(struct ply *ply, size_t more)
     if (ply->index_count + more > UINT32_MAX)
         rhw_import_fail(ply->import, "has too many faces");
     const size_t total = ply->index_count + more;
-    rhw_import_reserve(ply->import, &ply->mesh.indices, &ply->index_capacity, total, sizeof *ply->mesh.indices);
+    rhw_import_reserve(ply->import, &ply->mesh.indices, &ply->index_capacity, total,
+                       sizeof *ply->mesh.indices);
 }
 
 // One polygon of the file, and texture coordinates of its corners.
@@ -358,7 +391,8 @@ static void add_face(struct ply *ply, struct face *face)
         return;
     const uint32_t count = (uint32_t)face->count;
     const size_t corners = 3 * (size_t)(count - 2);
-    rhw_import_reserve(ply->import, &face->triangles, &face->triangle_capacity, corners, sizeof *face->triangles);
+    rhw_import_reserve(ply->import, &face->triangles, &face->triangle_capacity, corners,
+                       sizeof *face->triangles);
     rhw_import_triangulate((const float(*)[3])ply->mesh.positions, face->corners, count, face->triangles);
     reserve_indices(ply, corners);
     const bool wedged = face->wedge_count >= 2 * face->count;
@@ -380,8 +414,8 @@ static void add_face(struct ply *ply, struct face *face)
 
 static bool is_index_list(const struct property *property)
 {
-    return property->count_type != TYPE_NONE
-        && (rhw_word_is(property->name, "vertex_indices") || rhw_word_is(property->name, "vertex_index"));
+    return property->count_type != TYPE_NONE &&
+           (rhw_word_is(property->name, "vertex_indices") || rhw_word_is(property->name, "vertex_index"));
 }
 
 // Room is made as the numbers come: a count alone must not ask for memory.
@@ -389,7 +423,8 @@ static void read_corners(struct ply *ply, const struct property *property, struc
 {
     face->count = read_count(ply, property);
     for (int64_t k = 0; k < face->count; k++) {
-        rhw_import_reserve(ply->import, &face->corners, &face->corner_capacity, (size_t)k + 1, sizeof *face->corners);
+        rhw_import_reserve(ply->import, &face->corners, &face->corner_capacity, (size_t)k + 1,
+                           sizeof *face->corners);
         face->corners[k] = checked_index(ply, read_number(ply, property->type));
     }
 }
@@ -398,7 +433,8 @@ static void read_wedges(struct ply *ply, const struct property *property, struct
 {
     face->wedge_count = read_count(ply, property);
     for (int64_t k = 0; k < face->wedge_count; k++) {
-        rhw_import_reserve(ply->import, &face->wedges, &face->wedge_capacity, (size_t)k + 1, sizeof *face->wedges);
+        rhw_import_reserve(ply->import, &face->wedges, &face->wedge_capacity, (size_t)k + 1,
+                           sizeof *face->wedges);
         face->wedges[k] = (float)read_number(ply, property->type);
     }
 }
@@ -465,13 +501,16 @@ static void read_edges(struct ply *ply, const struct element *element)
         double ends[2] = {-1, -1};
         for (int i = 0; i < element->property_count; i++) {
             const struct property *property = &element->properties[i];
-            const int end = rhw_word_is(property->name, "vertex1") ? 0 : rhw_word_is(property->name, "vertex2") ? 1 : -1;
+            const int end = rhw_word_is(property->name, "vertex1")   ? 0
+                            : rhw_word_is(property->name, "vertex2") ? 1
+                                                                     : -1;
             if (end >= 0 && property->count_type == TYPE_NONE)
                 ends[end] = read_number(ply, property->type);
             else
                 skip_property(ply, property);
         }
-        rhw_import_reserve(ply->import, &ply->edges, &ply->edge_capacity, ply->edge_count + 2, sizeof *ply->edges);
+        rhw_import_reserve(ply->import, &ply->edges, &ply->edge_capacity, ply->edge_count + 2,
+                           sizeof *ply->edges);
         ply->edges[ply->edge_count++] = checked_index(ply, ends[0]);
         ply->edges[ply->edge_count++] = checked_index(ply, ends[1]);
     }

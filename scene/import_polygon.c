@@ -32,7 +32,8 @@ static void newell(const float (*positions)[3], const uint32_t *corners, uint32_
     }
 }
 
-static void flatten(struct polygon *polygon, const float (*positions)[3], const uint32_t *corners, uint32_t count)
+static void flatten(struct polygon *polygon, const float (*positions)[3], const uint32_t *corners,
+                    uint32_t count)
 {
     double normal[3];
     newell(positions, corners, count, normal);
@@ -60,8 +61,9 @@ static bool is_ear(const struct polygon *polygon, uint32_t i)
         return false;
     for (uint32_t k = 0; k < count; k++) {
         const double *p = polygon->points[ring[k]];
-        const bool corner = memcmp(p, a, sizeof polygon->points[0]) == 0 || memcmp(p, b, sizeof polygon->points[0]) == 0
-            || memcmp(p, c, sizeof polygon->points[0]) == 0;
+        const bool corner = memcmp(p, a, sizeof polygon->points[0]) == 0 ||
+                            memcmp(p, b, sizeof polygon->points[0]) == 0 ||
+                            memcmp(p, c, sizeof polygon->points[0]) == 0;
         if (!corner && area(a, b, p) >= 0 && area(b, c, p) >= 0 && area(c, a, p) >= 0)
             return false;
     }
@@ -98,7 +100,8 @@ static void fan(uint32_t count, uint32_t *triangles)
         emit(triangles + 3 * (size_t)(i - 2), 0, i - 1, i);
 }
 
-void rhw_import_triangulate(const float (*positions)[3], const uint32_t *corners, uint32_t count, uint32_t *triangles)
+void rhw_import_triangulate(const float (*positions)[3], const uint32_t *corners, uint32_t count,
+                            uint32_t *triangles)
 {
     struct polygon polygon;
     if (count <= 3 || count > MOST_CORNERS) {

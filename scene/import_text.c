@@ -19,7 +19,8 @@ static bool is_digit(char c)
 }
 
 // UTF-16 to UTF-8; what is no character becomes '?'.
-static struct rhw_text convert_wide(struct rhw_import *import, const unsigned char *bytes, size_t size, bool big)
+static struct rhw_text convert_wide(struct rhw_import *import, const unsigned char *bytes, size_t size,
+                                    bool big)
 {
     char *out = rhw_import_allocate(import, size / 2 + 1, 3), *next = out;
     for (size_t i = 2; i + 1 < size; i += 2) {
@@ -122,7 +123,9 @@ static bool read_special(struct rhw_word word, double *value, size_t *length)
     const char *name = word.start + sign;
     if (word.length - sign < 3 || (strncasecmp(name, "nan", 3) != 0 && strncasecmp(name, "inf", 3) != 0))
         return false;
-    *value = strncasecmp(name, "nan", 3) == 0 ? (double)NAN : word.start[0] == '-' ? -(double)INFINITY : (double)INFINITY;
+    *value = strncasecmp(name, "nan", 3) == 0 ? (double)NAN
+             : word.start[0] == '-'           ? -(double)INFINITY
+                                              : (double)INFINITY;
     *length = word.length;
     return true;
 }

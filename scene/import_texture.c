@@ -23,10 +23,10 @@ static bool is_file(const char *path)
 
 static int hex_digit(char c)
 {
-    return c >= '0' && c <= '9' ? c - '0'
-        : c >= 'a' && c <= 'f'  ? c - 'a' + 10
-        : c >= 'A' && c <= 'F'  ? c - 'A' + 10
-                                : -1;
+    return c >= '0' && c <= '9'   ? c - '0'
+           : c >= 'a' && c <= 'f' ? c - 'a' + 10
+           : c >= 'A' && c <= 'F' ? c - 'A' + 10
+                                  : -1;
 }
 
 static void decode_percent(char *text)
@@ -204,7 +204,8 @@ static bool make_rgba8(struct rhw_import *import, struct rhw_image *image)
 }
 
 // Alpha := the opacity map at the nearest texel: its own alpha if it has one, else its brightness.
-static void apply_opacity(struct rhw_import *import, struct rhw_image *image, struct rhw_image *opacity, bool white)
+static void apply_opacity(struct rhw_import *import, struct rhw_image *image, struct rhw_image *opacity,
+                          bool white)
 {
     if (opacity->missing || !make_rgba8(import, image) || !make_rgba8(import, opacity))
         return;

@@ -37,7 +37,8 @@ static void to_world(const double view[16], const double direction[3], float wor
 {
     double length2 = 0.0, turned[3];
     for (int i = 0; i < 3; i++) {
-        turned[i] = view[4 * i] * direction[0] + view[4 * i + 1] * direction[1] + view[4 * i + 2] * direction[2];
+        turned[i] =
+            view[4 * i] * direction[0] + view[4 * i + 1] * direction[1] + view[4 * i + 2] * direction[2];
         length2 += turned[i] * turned[i];
     }
     const double length = __builtin_sqrt(length2);

@@ -23,10 +23,10 @@ struct rhw_mesh {
     uint32_t index_count; ///< 3, 2 or 1 per primitive; lists only, every index below vertex_count
     uint32_t *indices;
     float (*positions)[3];
-    float (*normals)[3];            ///< unit; never NULL for triangles, may be NULL for lines and points
-    float (*tangents)[4];           ///< unit xyz, w = ±1: bitangent = w · cross(normal, tangent); NULL: not needed
-    float (*uvs[RHW_UV_SETS])[2];   ///< NULL: the set is absent, read 0,0
-    float (*colors)[4];             ///< linear RGBA, multiplies the base colour; NULL: 1,1,1,1
+    float (*normals)[3];  ///< unit; never NULL for triangles, may be NULL for lines and points
+    float (*tangents)[4]; ///< unit xyz, w = ±1: bitangent = w · cross(normal, tangent); NULL: not needed
+    float (*uvs[RHW_UV_SETS])[2];       ///< NULL: the set is absent, read 0,0
+    float (*colors)[4];                 ///< linear RGBA, multiplies the base colour; NULL: 1,1,1,1
     float bounds_min[3], bounds_max[3]; ///< of the vertices that indices use
 };
 
@@ -41,11 +41,11 @@ enum rhw_image_type {
 struct rhw_image {
     const char *name; ///< file name or the name inside the model
     enum rhw_image_type type;
-    uint32_t width, height; ///< 1..RHW_MAX_TARGET_SIZE
-    bool missing;           ///< could not be read: this is the checkered stand-in
+    uint32_t width, height;           ///< 1..RHW_MAX_TARGET_SIZE
+    bool missing;                     ///< could not be read: this is the checkered stand-in
     bool used_as_color, used_as_data; ///< which kinds of slot read it; both may be set
-    bool has_alpha;         ///< some texel is not opaque
-    size_t size;            ///< bytes at texels
+    bool has_alpha;                   ///< some texel is not opaque
+    size_t size;                      ///< bytes at texels
     void *texels;
 };
 
@@ -60,7 +60,7 @@ enum rhw_slot {
 
 /// Where a material reads an image.
 struct rhw_texture_slot {
-    int32_t image; ///< −1: no texture, the factor alone
+    int32_t image;   ///< −1: no texture, the factor alone
     uint32_t uv_set; ///< 0..RHW_UV_SETS − 1
     /// u' = t[0]·u + t[1]·v + t[2], v' = t[3]·u + t[4]·v + t[5] (KHR_texture_transform and its like).
     float transform[6];
@@ -99,9 +99,9 @@ struct rhw_model_camera {
     const char *name;
     float world[16];
     bool orthographic;
-    float yfov;   ///< radians; perspective
-    float aspect; ///< width / height; 0: that of the picture
-    float xmag, ymag; ///< half width and half height; orthographic
+    float yfov;        ///< radians; perspective
+    float aspect;      ///< width / height; 0: that of the picture
+    float xmag, ymag;  ///< half width and half height; orthographic
     float znear, zfar; ///< zfar 0: infinitely far
 };
 
@@ -112,10 +112,10 @@ struct rhw_model_light {
     const char *name;
     enum rhw_light_type type;
     float position[3];
-    float direction[3]; ///< unit; the way the light travels
-    float color[3];     ///< linear
-    float intensity;    ///< lux (directional) or candela
-    float range;        ///< 0: unlimited
+    float direction[3];         ///< unit; the way the light travels
+    float color[3];             ///< linear
+    float intensity;            ///< lux (directional) or candela
+    float range;                ///< 0: unlimited
     float inner_cos, outer_cos; ///< cosines of the half angles of a spot's cone; inner_cos > outer_cos
 };
 
@@ -134,7 +134,7 @@ struct rhw_model {
     uint32_t warning_count, unsupported_count;
     const char **warnings;    ///< what was wrong with the file and how it was met; one line each
     const char **unsupported; ///< what the file has that is not drawn; one line each
-    size_t size; ///< bytes of the one allocation that all of this lives in
+    size_t size;              ///< bytes of the one allocation that all of this lives in
 };
 
 /// Limits of an import. Zeroed: the defaults.

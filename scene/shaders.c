@@ -18,7 +18,8 @@ static const struct rhw_screen_shaders *const screen_shaders[RHW_ISA_COUNT] = {
 #endif
 };
 
-void rhw_program_surface(struct rhw_program *program, enum rhw_vertex_kind vertex, enum rhw_fragment_kind fragment)
+void rhw_program_surface(struct rhw_program *program, enum rhw_vertex_kind vertex,
+                         enum rhw_fragment_kind fragment)
 {
     for (int isa = 0; isa < RHW_ISA_COUNT; isa++) {
         if (surface_shaders[isa]) {
@@ -38,5 +39,6 @@ void rhw_program_screen(struct rhw_program *program, enum rhw_screen_kind kind)
         }
     }
     program->uses = RHW_USE_COORD;
-    program->uniform_size = kind == RHW_SCREEN_BACKDROP ? sizeof(struct rhw_backdrop) : sizeof(struct rhw_resolve);
+    program->uniform_size =
+        kind == RHW_SCREEN_BACKDROP ? sizeof(struct rhw_backdrop) : sizeof(struct rhw_resolve);
 }

@@ -12,8 +12,8 @@
 #include "rhw/types.h"
 
 enum {
-    RHW_LOBES = 3,        // soft boxes of the environment
-    RHW_UV_STREAMS = 6,   // one for each texture slot at most, and the untransformed set 0
+    RHW_LOBES = 3,      // soft boxes of the environment
+    RHW_UV_STREAMS = 6, // one for each texture slot at most, and the untransformed set 0
     RHW_DATA_OUTPUTS = 8
 };
 
@@ -23,9 +23,9 @@ struct rhw_shader_light {
     float position[3];
     float direction[3]; // unit, towards the light (directional), or the way it shines (spot)
     float color[3];
-    float inverse_range;            // 0: unlimited
-    float spot_scale, spot_offset;  // of the cosine: KHR_lights_punctual's recommended falloff
-    float size;                     // added to the squared roughness, as a light of some extent does
+    float inverse_range;           // 0: unlimited
+    float spot_scale, spot_offset; // of the cosine: KHR_lights_punctual's recommended falloff
+    float size;                    // added to the squared roughness, as a light of some extent does
 };
 
 // The surroundings: a ground and a sky with a soft horizon, and soft boxes of light with the shape of a
@@ -35,30 +35,36 @@ struct rhw_environment {
     float sky[3], ground[3];
     float lobe_direction[RHW_LOBES][3];
     float lobe_color[RHW_LOBES][3];
-    float sharpness;     // of every lobe
-    float diffuse[3];    // a lobe's irradiance / π at cosine t: diffuse[0] + diffuse[1] t + diffuse[2] t²
+    float sharpness;  // of every lobe
+    float diffuse[3]; // a lobe's irradiance / π at cosine t: diffuse[0] + diffuse[1] t + diffuse[2] t²
 };
 
 // Constant over a pass.
 struct rhw_frame {
     float eye[3];
-    float forward[3];  // unit, the way the camera looks
+    float forward[3]; // unit, the way the camera looks
     int32_t orthographic;
-    float pixel[2];    // size of a pixel in NDC
-    float samples;     // side of the sample grid: pixels of the pass per pixel of the picture
+    float pixel[2]; // size of a pixel in NDC
+    float samples;  // side of the sample grid: pixels of the pass per pixel of the picture
     int32_t light_count;
     const struct rhw_shader_light *lights;
     struct rhw_environment environment;
-    int32_t write_linear; // color[1] takes the light before tone mapping
-    float line_color[3], plain_color[3]; // wireframe
-    float line_half_width; // pixels of the pass
-    int32_t plain;         // wireframe over an even surface
+    int32_t write_linear;                  // color[1] takes the light before tone mapping
+    float line_color[3], plain_color[3];   // wireframe
+    float line_half_width;                 // pixels of the pass
+    int32_t plain;                         // wireframe over an even surface
     int32_t output_slot[RHW_DATA_OUTPUTS]; // enum rhw_data_output to colour attachment; −1: not wanted
 };
 
 enum rhw_data_output {
-    RHW_DATA_DEPTH, RHW_DATA_DISTANCE, RHW_DATA_NORMAL, RHW_DATA_POSITION, RHW_DATA_UV, RHW_DATA_OBJECT,
-    RHW_DATA_TRIANGLE, RHW_DATA_BARYCENTRIC
+    RHW_DATA_DEPTH,
+    RHW_DATA_DISTANCE,
+    RHW_DATA_NORMAL,
+    RHW_DATA_POSITION,
+    RHW_DATA_UV,
+    RHW_DATA_OBJECT,
+    RHW_DATA_TRIANGLE,
+    RHW_DATA_BARYCENTRIC
 };
 
 // A texture coordinate set under a transform; slots that share both share a stream.
@@ -81,7 +87,7 @@ struct rhw_surface {
 
     int32_t slot_varying[RHW_SLOT_COUNT]; // where the stream of a slot begins; −1: no texture
     int32_t uv_varying;                   // untransformed set 0, for the data pass
-    int32_t occlusion_shared; // occlusion reads the texel that metallic-roughness read
+    int32_t occlusion_shared;             // occlusion reads the texel that metallic-roughness read
     float base_color[4], emissive[3];
     float metallic, roughness, normal_scale, occlusion_strength;
     int32_t alpha_mode; // enum rhw_alpha_mode
@@ -109,9 +115,9 @@ struct rhw_resolve {
 };
 
 enum rhw_fragment_kind {
-    RHW_FRAGMENT_LIT,        // no textures
-    RHW_FRAGMENT_TEXTURED,   // any textures but a normal map
-    RHW_FRAGMENT_MAPPED,     // a normal map too
+    RHW_FRAGMENT_LIT,      // no textures
+    RHW_FRAGMENT_TEXTURED, // any textures but a normal map
+    RHW_FRAGMENT_MAPPED,   // a normal map too
     RHW_FRAGMENT_UNLIT,
     RHW_FRAGMENT_DATA,
     RHW_FRAGMENT_KINDS
@@ -132,12 +138,13 @@ struct rhw_screen_shaders {
 // Attribute 0 of surfaces is the position. Lines and points: 4 vertices per quad, attributes 0 position of
 // this end, 1 position of the other end (lines), then colour and normal where present; vertex_index & 3
 // tells the corner.
-void rhw_program_surface(struct rhw_program *program, enum rhw_vertex_kind vertex, enum rhw_fragment_kind fragment);
+void rhw_program_surface(struct rhw_program *program, enum rhw_vertex_kind vertex,
+                         enum rhw_fragment_kind fragment);
 void rhw_program_screen(struct rhw_program *program, enum rhw_screen_kind kind);
 
-#define RHW_SHADER_PASTE(name, suffix) name##_##suffix
+#define RHW_SHADER_PASTE(name, suffix)  name##_##suffix
 #define RHW_SHADER_EXPAND(name, suffix) RHW_SHADER_PASTE(name, suffix)
-#define RHW_ISA_NAME(name) RHW_SHADER_EXPAND(name, RHW_ISA_SUFFIX)
+#define RHW_ISA_NAME(name)              RHW_SHADER_EXPAND(name, RHW_ISA_SUFFIX)
 
 extern const struct rhw_surface_shaders rhw_surface_shaders_baseline, rhw_surface_shaders_avx2,
     rhw_surface_shaders_avx512;

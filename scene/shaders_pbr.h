@@ -17,8 +17,8 @@ static const float rhw_inverse_pi = 0.31830988618f;
 /// What one fragment reflects, before any light is looked at. Vectors are unit and point away from the surface.
 struct rhw_reflector {
     rhw_float normal[3], view[3];
-    rhw_float n_dot_v;   // at least 1/1024
-    rhw_float alpha;     // roughness squared
+    rhw_float n_dot_v;    // at least 1/1024
+    rhw_float alpha;      // roughness squared
     rhw_float diffuse[3]; // base colour of what is not metal
     rhw_float f0[3];      // reflectance head on
 };
@@ -36,8 +36,8 @@ static inline rhw_float rhw_smith(rhw_float cosine, rhw_float alpha2)
 }
 
 /// Fills `reflector` from base colour, metallic and roughness; normal and view are already in it.
-static inline void rhw_reflector_set(struct rhw_reflector *reflector, const rhw_float base[3], rhw_float metallic,
-                                     rhw_float roughness)
+static inline void rhw_reflector_set(struct rhw_reflector *reflector, const rhw_float base[3],
+                                     rhw_float metallic, rhw_float roughness)
 {
     const rhw_float dielectric = rhw_splat(0.04f);
     for (int c = 0; c < 3; c++) {
@@ -47,8 +47,8 @@ static inline void rhw_reflector_set(struct rhw_reflector *reflector, const rhw_
     // Below 0.045 the highlight of a light without extent is smaller than a pixel and flickers.
     const rhw_float rough = rhw_clamp(roughness, rhw_splat(0.045f), rhw_splat(1.0f));
     reflector->alpha = rough * rough;
-    reflector->n_dot_v = rhw_clamp(rhw_dot3(reflector->normal, reflector->view), rhw_splat(1.0f / 1024.0f),
-                                   rhw_splat(1.0f));
+    reflector->n_dot_v =
+        rhw_clamp(rhw_dot3(reflector->normal, reflector->view), rhw_splat(1.0f / 1024.0f), rhw_splat(1.0f));
 }
 
 /// Adds the light that arrives from `to_light` (unit) with irradiance `irradiance` (on a surface that faces
@@ -110,7 +110,8 @@ static inline void rhw_environment_diffuse(const struct rhw_environment *e, cons
     for (int i = 0; i < RHW_LOBES; i++) {
         const float *d = e->lobe_direction[i], *color = e->lobe_color[i];
         const rhw_float t = normal[0] * d[0] + normal[1] * d[1] + normal[2] * d[2];
-        const rhw_float value = rhw_max(e->diffuse[0] + t * (e->diffuse[1] + t * e->diffuse[2]), rhw_splat(0.0f));
+        const rhw_float value =
+            rhw_max(e->diffuse[0] + t * (e->diffuse[1] + t * e->diffuse[2]), rhw_splat(0.0f));
         for (int c = 0; c < 3; c++) {
             irradiance[c] += color[c] * value;
         }
@@ -119,7 +120,8 @@ static inline void rhw_environment_diffuse(const struct rhw_environment *e, cons
 
 /// How much of even surroundings a GGX surface mirrors, f0 · scale + bias: B. Karis's fit, "Physically
 /// based shading on mobile" (2014).
-static inline void rhw_environment_brdf(rhw_float roughness, rhw_float n_dot_v, rhw_float *scale, rhw_float *bias)
+static inline void rhw_environment_brdf(rhw_float roughness, rhw_float n_dot_v, rhw_float *scale,
+                                        rhw_float *bias)
 {
     const rhw_float r0 = 1.0f - roughness;
     const rhw_float r1 = 0.0425f - 0.0275f * roughness;
@@ -157,7 +159,8 @@ static inline void rhw_tone_map(rhw_float color[3])
 {
     const float start = 0.8f - 0.04f, desaturation = 0.15f, rest = 1.0f - start;
     const rhw_float low = rhw_min(color[0], rhw_min(color[1], color[2]));
-    const rhw_float offset = rhw_select(rhw_less(low, rhw_splat(0.08f)), low - 6.25f * low * low, rhw_splat(0.04f));
+    const rhw_float offset =
+        rhw_select(rhw_less(low, rhw_splat(0.08f)), low - 6.25f * low * low, rhw_splat(0.04f));
     for (int c = 0; c < 3; c++) {
         color[c] = color[c] - offset;
     }

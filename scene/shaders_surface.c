@@ -173,7 +173,8 @@ ALWAYS_INLINE void sample_slot(const struct rhw_fragment *f, int at, enum rhw_sl
 }
 
 // Base colour with alpha; clears the lanes of `mask` that the alpha test or the disc of a point discards.
-ALWAYS_INLINE void base_color(struct rhw_fragment *f, const struct rhw_surface *s, bool textured, rhw_float color[4])
+ALWAYS_INLINE void base_color(struct rhw_fragment *f, const struct rhw_surface *s, bool textured,
+                              rhw_float color[4])
 {
     for (int c = 0; c < 4; c++) {
         color[c] = rhw_splat(s->base_color[c]);
@@ -204,7 +205,8 @@ ALWAYS_INLINE void base_color(struct rhw_fragment *f, const struct rhw_surface *
 }
 
 // Unit, towards the eye.
-ALWAYS_INLINE void view_direction(const struct rhw_frame *frame, const rhw_float position[3], rhw_float view[3])
+ALWAYS_INLINE void view_direction(const struct rhw_frame *frame, const rhw_float position[3],
+                                  rhw_float view[3])
 {
     if (frame->orthographic) {
         for (int c = 0; c < 3; c++) {
@@ -423,7 +425,8 @@ ALWAYS_INLINE void write_distance(struct rhw_fragment *f, const struct rhw_surfa
 
 ALWAYS_INLINE void write_ids(struct rhw_fragment *f, const struct rhw_surface *s)
 {
-    const int object = s->frame->output_slot[RHW_DATA_OBJECT], triangle = s->frame->output_slot[RHW_DATA_TRIANGLE];
+    const int object = s->frame->output_slot[RHW_DATA_OBJECT],
+              triangle = s->frame->output_slot[RHW_DATA_TRIANGLE];
     if (object >= 0) {
         f->color[object][0] = (rhw_float)rhw_splat_int((int32_t)s->object);
     }
@@ -455,8 +458,8 @@ static void data_fragment(struct rhw_fragment *groups, int count)
         write_vector(f, slots[RHW_DATA_POSITION], position[0], position[1], position[2]);
         if (slots[RHW_DATA_UV] >= 0) {
             const int at = s->uv_varying;
-            write_vector(f, slots[RHW_DATA_UV], at < 0 ? zero : f->varying[at], at < 0 ? zero : f->varying[at + 1],
-                         zero);
+            write_vector(f, slots[RHW_DATA_UV], at < 0 ? zero : f->varying[at],
+                         at < 0 ? zero : f->varying[at + 1], zero);
         }
         if (slots[RHW_DATA_BARYCENTRIC] >= 0) {
             const rhw_float *b = f->barycentric;

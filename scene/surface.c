@@ -82,8 +82,8 @@ static int32_t add_varying(struct rhw_surface_key *key, int32_t components)
 }
 
 // A set under a transform, shared with whoever asked for the same before. Streams are the last varyings.
-static int32_t use_stream(struct rhw_surface *s, struct rhw_surface_key *key, const struct rhw_uploaded_mesh *mesh,
-                          uint32_t set, const float transform[6])
+static int32_t use_stream(struct rhw_surface *s, struct rhw_surface_key *key,
+                          const struct rhw_uploaded_mesh *mesh, uint32_t set, const float transform[6])
 {
     const int32_t attribute = use_attribute(key, mesh, mesh->uv[set]);
     for (int32_t i = 0; i < s->stream_count; i++) {
@@ -162,7 +162,8 @@ static void use_position(struct rhw_surface *s, struct rhw_surface_key *key)
     s->varying_position = add_varying(key, 3);
 }
 
-static void use_normal(struct rhw_surface *s, struct rhw_surface_key *key, const struct rhw_uploaded_mesh *mesh)
+static void use_normal(struct rhw_surface *s, struct rhw_surface_key *key,
+                       const struct rhw_uploaded_mesh *mesh)
 {
     s->attribute_normal = use_attribute(key, mesh, mesh->normal);
     if (s->attribute_normal >= 0) {
@@ -171,7 +172,8 @@ static void use_normal(struct rhw_surface *s, struct rhw_surface_key *key, const
     }
 }
 
-static void use_tangent(struct rhw_surface *s, struct rhw_surface_key *key, const struct rhw_uploaded_mesh *mesh)
+static void use_tangent(struct rhw_surface *s, struct rhw_surface_key *key,
+                        const struct rhw_uploaded_mesh *mesh)
 {
     s->attribute_tangent = use_attribute(key, mesh, mesh->tangent);
     if (s->attribute_tangent >= 0) {
@@ -179,7 +181,8 @@ static void use_tangent(struct rhw_surface *s, struct rhw_surface_key *key, cons
     }
 }
 
-static void use_color(struct rhw_surface *s, struct rhw_surface_key *key, const struct rhw_uploaded_mesh *mesh)
+static void use_color(struct rhw_surface *s, struct rhw_surface_key *key,
+                      const struct rhw_uploaded_mesh *mesh)
 {
     s->attribute_color = use_attribute(key, mesh, mesh->color);
     if (s->attribute_color >= 0) {
@@ -187,9 +190,9 @@ static void use_color(struct rhw_surface *s, struct rhw_surface_key *key, const 
     }
 }
 
-static void lay_out_color(struct rhw_surface *s, struct rhw_surface_key *key, const struct rhw_surface_pass *def,
-                          const struct rhw_uploaded_mesh *mesh, const struct rhw_material *material,
-                          const struct rhw_uploaded_material *uploaded)
+static void lay_out_color(struct rhw_surface *s, struct rhw_surface_key *key,
+                          const struct rhw_surface_pass *def, const struct rhw_uploaded_mesh *mesh,
+                          const struct rhw_material *material, const struct rhw_uploaded_material *uploaded)
 {
     const bool plain = def->frame->plain != 0;
     const bool lit = !plain && !material->unlit && mesh->normal >= 0;
@@ -215,8 +218,10 @@ static void lay_out_color(struct rhw_surface *s, struct rhw_surface_key *key, co
     }
     s->occlusion_shared = uploaded->occlusion_shared;
     const bool textured = uploaded->textured && mesh->kind == RHW_VERTEX_SURFACE;
-    key->fragment = !lit ? RHW_FRAGMENT_UNLIT
-                         : mapped ? RHW_FRAGMENT_MAPPED : textured ? RHW_FRAGMENT_TEXTURED : RHW_FRAGMENT_LIT;
+    key->fragment = !lit       ? RHW_FRAGMENT_UNLIT
+                    : mapped   ? RHW_FRAGMENT_MAPPED
+                    : textured ? RHW_FRAGMENT_TEXTURED
+                               : RHW_FRAGMENT_LIT;
     key->blend = material->alpha_mode == RHW_ALPHA_BLEND && !plain;
     if (def->wireframe != RHW_WIREFRAME_NONE && s->is_triangle) {
         s->wireframe = 1;
@@ -224,8 +229,9 @@ static void lay_out_color(struct rhw_surface *s, struct rhw_surface_key *key, co
     }
 }
 
-static void lay_out_data(struct rhw_surface *s, struct rhw_surface_key *key, const struct rhw_surface_pass *def,
-                         const struct rhw_uploaded_mesh *mesh, const struct rhw_material *material)
+static void lay_out_data(struct rhw_surface *s, struct rhw_surface_key *key,
+                         const struct rhw_surface_pass *def, const struct rhw_uploaded_mesh *mesh,
+                         const struct rhw_material *material)
 {
     const uint32_t outputs = def->data_outputs;
     const bool normal = (outputs & RHW_OUTPUT_NORMAL) && mesh->normal >= 0;
@@ -261,8 +267,8 @@ static void lay_out_data(struct rhw_surface *s, struct rhw_surface_key *key, con
     key->uses |= outputs & RHW_OUTPUT_BARYCENTRIC ? RHW_USE_BARYCENTRIC : 0;
 }
 
-static void lay_out(const struct rhw_upload *upload, const struct rhw_surface_pass *def, uint32_t instance_index,
-                    struct rhw_surface *s, struct rhw_surface_key *key)
+static void lay_out(const struct rhw_upload *upload, const struct rhw_surface_pass *def,
+                    uint32_t instance_index, struct rhw_surface *s, struct rhw_surface_key *key)
 {
     const struct rhw_instance *instance = &upload->model->instances[instance_index];
     const struct rhw_uploaded_mesh *mesh = &upload->meshes[instance->mesh];
@@ -284,8 +290,8 @@ static void lay_out(const struct rhw_upload *upload, const struct rhw_surface_pa
     s->triangles_per_id = s->is_triangle ? 1 : 2;
     s->object = instance->object;
     s->first_triangle = upload->first_triangle[instance_index];
-    s->half_width = def->frame->samples *
-                    (float)(mesh->kind == RHW_VERTEX_LINE ? line_half_width : point_half_width);
+    s->half_width =
+        def->frame->samples * (float)(mesh->kind == RHW_VERTEX_LINE ? line_half_width : point_half_width);
     set_matrices(s, def, instance);
     set_material(s, def, material);
 
@@ -315,13 +321,15 @@ static void lay_out(const struct rhw_upload *upload, const struct rhw_surface_pa
 static struct rhw_pipeline_def pipeline_def(const struct rhw_surface_key *key)
 {
     struct rhw_pipeline_def def = rhw_pipeline_def_default();
-    rhw_program_surface(&def.program, (enum rhw_vertex_kind)key->vertex, (enum rhw_fragment_kind)key->fragment);
+    rhw_program_surface(&def.program, (enum rhw_vertex_kind)key->vertex,
+                        (enum rhw_fragment_kind)key->fragment);
     def.program.uses = (uint32_t)key->uses;
     def.program.varying_count = key->varying_count;
     for (int i = 0; i < key->varying_count; i++) {
-        def.program.varyings[i] = (struct rhw_varying){.components = key->varyings[i],
-                                                       .qualifier = (enum rhw_qualifier)key->interpolate,
-                                                       .derivatives = i >= key->varying_count - key->stream_count};
+        def.program.varyings[i] =
+            (struct rhw_varying){.components = key->varyings[i],
+                                 .qualifier = (enum rhw_qualifier)key->interpolate,
+                                 .derivatives = i >= key->varying_count - key->stream_count};
     }
     def.attribute_count = key->attribute_count;
     for (int i = 0; i < key->attribute_count; i++) {
@@ -390,7 +398,8 @@ void rhw_surface_pipelines_destroy(rhw_context *context, struct rhw_surface_pipe
 
 // Recording -----------------------------------------------------------------------------------------
 
-static enum rhw_result record_instance(const struct rhw_upload *upload, struct rhw_surface_pipelines *pipelines,
+static enum rhw_result record_instance(const struct rhw_upload *upload,
+                                       struct rhw_surface_pipelines *pipelines,
                                        const struct rhw_surface_pass *def, rhw_pass pass, uint32_t instance)
 {
     rhw_context *context = upload->context;
@@ -399,7 +408,8 @@ static enum rhw_result record_instance(const struct rhw_upload *upload, struct r
     lay_out(upload, def, instance, &surface, &key);
     const uint32_t mesh_index = upload->model->instances[instance].mesh;
     const struct rhw_uploaded_mesh *mesh = &upload->meshes[mesh_index];
-    const struct rhw_uploaded_material *material = &upload->materials[upload->model->meshes[mesh_index].material];
+    const struct rhw_uploaded_material *material =
+        &upload->materials[upload->model->meshes[mesh_index].material];
     rhw_pass_set_vertex_buffer(context, pass, 0, mesh->vertices, 0);
     rhw_pass_set_index_buffer(context, pass, mesh->indices, RHW_INDEX_UINT32, 0);
     rhw_pass_set_uniforms(context, pass, &surface, sizeof surface);
@@ -440,10 +450,10 @@ enum rhw_result rhw_surfaces_record(const struct rhw_upload *upload, struct rhw_
             continue;
         }
         const bool blend = model->materials[mesh->material].alpha_mode == RHW_ALPHA_BLEND;
-        items[count++] = (struct rhw_surface_item){
-            .instance = i,
-            .blended = blend && !def->data_outputs && !def->frame->plain,
-            .distance = item_distance(def->frame, &model->instances[i], mesh)};
+        items[count++] =
+            (struct rhw_surface_item){.instance = i,
+                                      .blended = blend && !def->data_outputs && !def->frame->plain,
+                                      .distance = item_distance(def->frame, &model->instances[i], mesh)};
     }
     rhw_surface_items_sort(items, count);
     enum rhw_result result = RHW_OK;

@@ -21,7 +21,7 @@ struct rhw_surface_pass {
 struct rhw_surface_key {
     int32_t vertex, fragment;
     int32_t attribute_count, stride, attributes[RHW_MESH_ATTRIBUTES][2]; // format, offset
-    int32_t varying_count, varyings[RHW_MAX_VARYINGS]; // components
+    int32_t varying_count, varyings[RHW_MAX_VARYINGS];                   // components
     int32_t stream_count; // the last varyings, which need derivatives
     int32_t interpolate, uses, cull, front, blend;
     int32_t format_count, formats[RHW_MAX_COLOR_ATTACHMENTS];

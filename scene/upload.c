@@ -13,7 +13,8 @@
 
 static void add_attribute(struct rhw_uploaded_mesh *mesh, enum rhw_vertex_format format)
 {
-    mesh->attributes[mesh->attribute_count++] = (struct rhw_attribute){.format = format, .offset = mesh->stride};
+    mesh->attributes[mesh->attribute_count++] =
+        (struct rhw_attribute){.format = format, .offset = mesh->stride};
     mesh->stride += (uint32_t)rhw_vertex_format_size(format);
 }
 
@@ -94,8 +95,8 @@ static enum rhw_result upload_triangles(rhw_context *context, const struct rhw_m
         create_buffer(context, packed, (size_t)source->vertex_count * mesh->stride, &mesh->vertices);
     free(packed);
     if (result == RHW_OK) {
-        result = create_buffer(context, source->indices, (size_t)source->index_count * sizeof *source->indices,
-                               &mesh->indices);
+        result = create_buffer(context, source->indices,
+                               (size_t)source->index_count * sizeof *source->indices, &mesh->indices);
     }
     mesh->index_count = source->index_count;
     return result;
@@ -122,7 +123,8 @@ static enum rhw_result upload_quads(rhw_context *context, const struct rhw_mesh 
         const uint32_t *ends = &source->indices[q * per_quad];
         for (uint32_t c = 0; c < 4; c++) {
             const uint32_t end = per_quad == 2 ? c >> 1 : 0;
-            pack_vertex(mesh, source, ends[end], ends[per_quad - 1 - end], packed + ((size_t)q * 4 + c) * mesh->stride);
+            pack_vertex(mesh, source, ends[end], ends[per_quad - 1 - end],
+                        packed + ((size_t)q * 4 + c) * mesh->stride);
         }
         for (uint32_t i = 0; i < 6; i++) {
             indices[(size_t)q * 6 + i] = q * 4 + corners[i];
@@ -188,8 +190,8 @@ static float *widen_texels(const struct rhw_image *image, bool decode)
     return out;
 }
 
-static enum rhw_result upload_texture(rhw_context *context, const struct rhw_image *image, bool as_color, bool mips,
-                                      rhw_texture *texture)
+static enum rhw_result upload_texture(rhw_context *context, const struct rhw_image *image, bool as_color,
+                                      bool mips, rhw_texture *texture)
 {
     struct rhw_texture_def def = rhw_texture_def_default();
     def.width = (int)image->width;
@@ -280,7 +282,8 @@ static void count_triangles(struct rhw_upload *upload)
     }
 }
 
-enum rhw_result rhw_upload_create(rhw_context *context, const struct rhw_model *model, struct rhw_upload *upload)
+enum rhw_result rhw_upload_create(rhw_context *context, const struct rhw_model *model,
+                                  struct rhw_upload *upload)
 {
     *upload = (struct rhw_upload){.context = context, .model = model};
     // One more than needed: calloc(0) may return NULL.

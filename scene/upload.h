@@ -46,7 +46,8 @@ struct rhw_upload {
 };
 
 /// On failure everything is released again.
-enum rhw_result rhw_upload_create(rhw_context *context, const struct rhw_model *model, struct rhw_upload *upload);
+enum rhw_result rhw_upload_create(rhw_context *context, const struct rhw_model *model,
+                                  struct rhw_upload *upload);
 void rhw_upload_destroy(struct rhw_upload *upload);
 
 #endif

@@ -11,8 +11,9 @@ struct rhw_context;
 struct rhw_arena_chunk;
 
 struct rhw_arena {
-    _Alignas(64) unsigned char *cursor; // next free byte; RHW_CACHE_LINE, so that arenas in an array do not share one
-    unsigned char *end;                 // of the current chunk
+    _Alignas(64) unsigned char
+        *cursor;        // next free byte; RHW_CACHE_LINE, so that arenas in an array do not share one
+    unsigned char *end; // of the current chunk
     struct rhw_arena_chunk *first, *current;
     size_t used_before; // bytes handed out from the chunks before the current one since the reset
     struct rhw_context *context;

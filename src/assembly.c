@@ -11,8 +11,7 @@
 static uint32_t index_at(const struct rhw_draw_state *state, uint64_t i)
 {
     switch (state->index_type) {
-    case RHW_INDEX_UINT8:
-        return i < state->index_bytes ? state->indices[i] : 0;
+    case RHW_INDEX_UINT8: return i < state->index_bytes ? state->indices[i] : 0;
     case RHW_INDEX_UINT16: {
         uint16_t v = 0;
         if (i < state->index_bytes / 2) {
@@ -120,7 +119,8 @@ void rhw_assembly_fetch(const struct rhw_draw *draw, uint32_t first, uint32_t co
     const uint64_t end = (uint64_t)draw->first + 3 * ((uint64_t)first + count);
     if (draw->indexed && def->topology == RHW_TRIANGLE_LIST && state->index_type == RHW_INDEX_UINT32 &&
         end <= state->index_bytes / 4) { // the common case, without a branch per index
-        memcpy(triangles, state->indices + 4 * ((uint64_t)draw->first + 3 * (uint64_t)first), count * sizeof *triangles);
+        memcpy(triangles, state->indices + 4 * ((uint64_t)draw->first + 3 * (uint64_t)first),
+               count * sizeof *triangles);
         for (uint32_t t = 0; draw->base_vertex != 0 && t < count; t++) {
             for (int i = 0; i < 3; i++) {
                 triangles[t][i] += draw->base_vertex;
@@ -132,8 +132,9 @@ void rhw_assembly_fetch(const struct rhw_draw *draw, uint32_t first, uint32_t co
         uint32_t e[3];
         elements(def->topology, def->provoking, first + t, e);
         for (int i = 0; i < 3; i++) {
-            triangles[t][i] = draw->indexed ? index_at(state, (uint64_t)draw->first + e[i]) + draw->base_vertex
-                                            : draw->first + e[i];
+            triangles[t][i] = draw->indexed
+                                  ? index_at(state, (uint64_t)draw->first + e[i]) + draw->base_vertex
+                                  : draw->first + e[i];
         }
     }
 }

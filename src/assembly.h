@@ -14,6 +14,7 @@ struct rhw_draw;
 bool rhw_assembly_prepare(struct rhw_draw *draw, uint32_t count, struct rhw_arena *arena);
 
 // Vertex indices, base vertex included, of triangles first .. first + count − 1 of one instance.
-void rhw_assembly_fetch(const struct rhw_draw *draw, uint32_t first, uint32_t count, uint32_t (*triangles)[3]);
+void rhw_assembly_fetch(const struct rhw_draw *draw, uint32_t first, uint32_t count,
+                        uint32_t (*triangles)[3]);
 
 #endif

@@ -47,8 +47,7 @@ enum rhw_result rhw_buffer_create(rhw_context *context, const struct rhw_buffer_
     if (!check_create(context, def, buffer))
         return RHW_ERROR_MISUSE;
     rhw_buffer id;
-    struct rhw_buffer_data *const data =
-        rhw_pool_add(context, &context->buffers, &id.index, &id.generation);
+    struct rhw_buffer_data *const data = rhw_pool_add(context, &context->buffers, &id.index, &id.generation);
     if (data == NULL)
         return RHW_ERROR_OUT_OF_MEMORY;
     if (!fill(context, data, def)) {

@@ -20,26 +20,22 @@ struct corner {
 static double distance(const struct corner *c, int plane)
 {
     switch (plane) {
-    case 0:
-        return c->z;
-    case 1:
-        return c->w - c->z;
-    case 2:
-        return RHW_GUARD_BAND * c->w + c->x;
-    case 3:
-        return RHW_GUARD_BAND * c->w - c->x;
-    case 4:
-        return RHW_GUARD_BAND * c->w + c->y;
-    default:
-        return RHW_GUARD_BAND * c->w - c->y;
+    case 0: return c->z;
+    case 1: return c->w - c->z;
+    case 2: return RHW_GUARD_BAND * c->w + c->x;
+    case 3: return RHW_GUARD_BAND * c->w - c->x;
+    case 4: return RHW_GUARD_BAND * c->w + c->y;
+    default: return RHW_GUARD_BAND * c->w - c->y;
     }
 }
 
-static struct corner cut(const struct corner *inside, double d_inside, const struct corner *outside, double d_outside)
+static struct corner cut(const struct corner *inside, double d_inside, const struct corner *outside,
+                         double d_outside)
 {
     const double t = d_inside / (d_inside - d_outside);
     return (struct corner){inside->x + t * (outside->x - inside->x), inside->y + t * (outside->y - inside->y),
-                           inside->z + t * (outside->z - inside->z), inside->w + t * (outside->w - inside->w)};
+                           inside->z + t * (outside->z - inside->z),
+                           inside->w + t * (outside->w - inside->w)};
 }
 
 static int clip_plane(const struct corner *in, int count, int plane, struct corner *out)
@@ -76,7 +72,8 @@ static struct corner corner_of(const struct rhw_draw_state *state, const struct 
     const double z = (double)p[2], w = (double)p[3];
     const bool symmetric = state->pipeline->def.depth_range == RHW_DEPTH_MINUS_ONE_TO_ONE;
     return (struct corner){(double)p[0] * state->half_width + w * state->center_x,
-                           w * state->center_y - (double)p[1] * state->half_height, symmetric ? (z + w) * 0.5 : z, w};
+                           w * state->center_y - (double)p[1] * state->half_height,
+                           symmetric ? (z + w) * 0.5 : z, w};
 }
 
 bool rhw_clip_triangle(const struct rhw_draw_state *state, const struct rhw_vertex_record *const vertices[3],

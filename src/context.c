@@ -20,8 +20,8 @@
 #include "scheduler.h"
 
 enum {
-    MESSAGE_SIZE = 512,     // bytes of a log or misuse line; a longer one is cut
-    HUGE_PAGE = 2 << 20,    // bytes
+    MESSAGE_SIZE = 512,      // bytes of a log or misuse line; a longer one is cut
+    HUGE_PAGE = 2 << 20,     // bytes
     LARGEST_ALIGNMENT = 4096 // bytes; what base.h promises to allocation hooks
 };
 
@@ -143,21 +143,24 @@ static bool check_context(const struct rhw_context *context, const char *where)
     return rhw_check(context, context != NULL, "%s: context is NULL", where);
 }
 
-struct rhw_buffer_data *rhw_context_buffer(const struct rhw_context *context, rhw_buffer id, const char *where)
+struct rhw_buffer_data *rhw_context_buffer(const struct rhw_context *context, rhw_buffer id,
+                                           const char *where)
 {
     if (!check_context(context, where))
         return NULL;
     return rhw_pool_get(context, &context->buffers, id.index, id.generation, where);
 }
 
-struct rhw_texture_data *rhw_context_texture(const struct rhw_context *context, rhw_texture id, const char *where)
+struct rhw_texture_data *rhw_context_texture(const struct rhw_context *context, rhw_texture id,
+                                             const char *where)
 {
     if (!check_context(context, where))
         return NULL;
     return rhw_pool_get(context, &context->textures, id.index, id.generation, where);
 }
 
-struct rhw_sampler_def *rhw_context_sampler(const struct rhw_context *context, rhw_sampler id, const char *where)
+struct rhw_sampler_def *rhw_context_sampler(const struct rhw_context *context, rhw_sampler id,
+                                            const char *where)
 {
     if (!check_context(context, where))
         return NULL;

@@ -61,9 +61,12 @@ __attribute__((format(printf, 3, 4))) bool rhw_check(const struct rhw_context *c
 
 // Lookup by id. `where` is the public function that was called; a null or stale id is reported as its
 // misuse and gives NULL. Items do not move while they live.
-struct rhw_buffer_data *rhw_context_buffer(const struct rhw_context *context, rhw_buffer id, const char *where);
-struct rhw_texture_data *rhw_context_texture(const struct rhw_context *context, rhw_texture id, const char *where);
-struct rhw_sampler_def *rhw_context_sampler(const struct rhw_context *context, rhw_sampler id, const char *where);
+struct rhw_buffer_data *rhw_context_buffer(const struct rhw_context *context, rhw_buffer id,
+                                           const char *where);
+struct rhw_texture_data *rhw_context_texture(const struct rhw_context *context, rhw_texture id,
+                                             const char *where);
+struct rhw_sampler_def *rhw_context_sampler(const struct rhw_context *context, rhw_sampler id,
+                                            const char *where);
 struct rhw_pipeline_data *rhw_context_pipeline(const struct rhw_context *context, rhw_pipeline id,
                                                const char *where);
 

@@ -15,7 +15,9 @@
 #include <cpuid.h>
 #include <xmmintrin.h>
 
-struct cpuid_registers { uint32_t eax, ebx, ecx, edx; };
+struct cpuid_registers {
+    uint32_t eax, ebx, ecx, edx;
+};
 
 // All zero for a leaf the CPU does not have.
 static struct cpuid_registers read_cpuid(uint32_t leaf)

@@ -20,7 +20,8 @@ static const struct rhw_format_info formats[RHW_FORMAT_COUNT] = {
 };
 
 _Static_assert(RHW_VERTEX_FORMAT_COUNT == 4 * RHW_TYPE_COUNT, "four vertex formats of each type");
-_Static_assert((int)RHW_VERTEX_HALF1 == 4 * RHW_TYPE_HALF && (int)RHW_VERTEX_UNORM8X1 == 4 * RHW_TYPE_UNORM8 &&
+_Static_assert((int)RHW_VERTEX_HALF1 == 4 * RHW_TYPE_HALF &&
+                   (int)RHW_VERTEX_UNORM8X1 == 4 * RHW_TYPE_UNORM8 &&
                    (int)RHW_VERTEX_SINT8X1 == 4 * RHW_TYPE_SINT8 &&
                    (int)RHW_VERTEX_UNORM16X1 == 4 * RHW_TYPE_UNORM16 &&
                    (int)RHW_VERTEX_SINT16X1 == 4 * RHW_TYPE_SINT16,

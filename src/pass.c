@@ -46,14 +46,15 @@ static struct rhw_pass_state *pass_of(rhw_context *context, rhw_pass id, const c
         return NULL;
     }
     const bool live = context->pass_active && id.index == 1 && id.generation == context->pass_generation;
-    return rhw_check(context, live, "%s: the pass id is null or its pass has ended", where) ? context->pass : NULL;
+    return rhw_check(context, live, "%s: the pass id is null or its pass has ended", where) ? context->pass
+                                                                                            : NULL;
 }
 
 static bool check_attachment(rhw_context *context, const char *name, int i, enum rhw_load load,
                              enum rhw_store store)
 {
-    return rhw_check(context, (unsigned)load <= RHW_LOAD_DISCARD, "rhw_pass_begin: %s[%d].load is %d; not a load operation",
-                     name, i, (int)load) &&
+    return rhw_check(context, (unsigned)load <= RHW_LOAD_DISCARD,
+                     "rhw_pass_begin: %s[%d].load is %d; not a load operation", name, i, (int)load) &&
            rhw_check(context, (unsigned)store <= RHW_STORE_DISCARD,
                      "rhw_pass_begin: %s[%d].store is %d; not a store operation", name, i, (int)store);
 }
@@ -110,8 +111,8 @@ static enum rhw_result attach_color(struct rhw_pass_state *pass, const struct rh
         return result;
     }
     const struct rhw_format_info *const info = rhw_format_info(attachment->format);
-    if (!rhw_check(context, info->color_target, "rhw_pass_begin: colors[%d].texture is %s; that is no colour target", i,
-                   info->name)) {
+    if (!rhw_check(context, info->color_target,
+                   "rhw_pass_begin: colors[%d].texture is %s; that is no colour target", i, info->name)) {
         return RHW_ERROR_MISUSE;
     }
     attachment->load = color->load;
@@ -146,12 +147,13 @@ static enum rhw_result attach_depth(struct rhw_pass_state *pass, const struct rh
                        rhw_format_info(pass->depth.format)->name)) {
             return RHW_ERROR_MISUSE;
         }
-    } else if (!rhw_check(context, depth->load == RHW_LOAD_CLEAR && depth->store == RHW_STORE_DISCARD,
-                          "rhw_pass_begin: depth.texture is null; without one depth is cleared and not stored")) {
+    } else if (!rhw_check(
+                   context, depth->load == RHW_LOAD_CLEAR && depth->store == RHW_STORE_DISCARD,
+                   "rhw_pass_begin: depth.texture is null; without one depth is cleared and not stored")) {
         return RHW_ERROR_MISUSE;
     }
-    if (!rhw_check(context, depth->clear >= 0 && depth->clear <= 1, "rhw_pass_begin: depth.clear is %g; it is in 0..1",
-                   (double)depth->clear)) {
+    if (!rhw_check(context, depth->clear >= 0 && depth->clear <= 1,
+                   "rhw_pass_begin: depth.clear is %g; it is in 0..1", (double)depth->clear)) {
         return RHW_ERROR_MISUSE;
     }
     pass->depth.load = depth->load;
@@ -185,10 +187,13 @@ enum rhw_result rhw_pass_begin(rhw_context *context, const struct rhw_pass_def *
     }
     *id = (rhw_pass){0, 0};
     struct rhw_pass_state *const pass = context->pass;
-    if (!rhw_check(context, !context->pass_active, "rhw_pass_begin: a pass is being recorded; end it first") ||
+    if (!rhw_check(context, !context->pass_active,
+                   "rhw_pass_begin: a pass is being recorded; end it first") ||
         !rhw_check(context, def->color_count >= 0 && def->color_count <= RHW_MAX_COLOR_ATTACHMENTS,
-                   "rhw_pass_begin: color_count is %d; it is in 0..%d", def->color_count, RHW_MAX_COLOR_ATTACHMENTS) ||
-        !rhw_check(context, def->color_count > 0 || def->depth.enabled, "rhw_pass_begin: the pass has no attachment")) {
+                   "rhw_pass_begin: color_count is %d; it is in 0..%d", def->color_count,
+                   RHW_MAX_COLOR_ATTACHMENTS) ||
+        !rhw_check(context, def->color_count > 0 || def->depth.enabled,
+                   "rhw_pass_begin: the pass has no attachment")) {
         return RHW_ERROR_MISUSE;
     }
     reset(pass, def);
@@ -202,8 +207,9 @@ enum rhw_result rhw_pass_begin(rhw_context *context, const struct rhw_pass_def *
     if (result != RHW_OK) {
         return result;
     }
-    if (!rhw_check(context, pass->width >= 1 && pass->width <= RHW_MAX_TARGET_SIZE && pass->height >= 1 &&
-                                pass->height <= RHW_MAX_TARGET_SIZE,
+    if (!rhw_check(context,
+                   pass->width >= 1 && pass->width <= RHW_MAX_TARGET_SIZE && pass->height >= 1 &&
+                       pass->height <= RHW_MAX_TARGET_SIZE,
                    "rhw_pass_begin: the size is %dx%d; each is in 1..%d", pass->width, pass->height,
                    RHW_MAX_TARGET_SIZE)) {
         return RHW_ERROR_MISUSE;
@@ -257,16 +263,19 @@ void rhw_pass_set_pipeline(rhw_context *context, rhw_pass id, rhw_pipeline pipel
     }
 }
 
-void rhw_pass_set_vertex_buffer(rhw_context *context, rhw_pass id, int slot, rhw_buffer buffer_id, size_t offset)
+void rhw_pass_set_vertex_buffer(rhw_context *context, rhw_pass id, int slot, rhw_buffer buffer_id,
+                                size_t offset)
 {
     struct rhw_pass_state *const pass = pass_of(context, id, "rhw_pass_set_vertex_buffer");
     const struct rhw_buffer_data *const buffer =
         pass ? rhw_context_buffer(context, buffer_id, "rhw_pass_set_vertex_buffer") : NULL;
     if (!buffer ||
         !rhw_check(context, slot >= 0 && slot < RHW_MAX_VERTEX_BUFFERS,
-                   "rhw_pass_set_vertex_buffer: slot is %d; it is in 0..%d", slot, RHW_MAX_VERTEX_BUFFERS - 1) ||
-        !rhw_check(context, offset <= buffer->size, "rhw_pass_set_vertex_buffer: offset is %zu; the buffer has %zu bytes",
-                   offset, buffer->size)) {
+                   "rhw_pass_set_vertex_buffer: slot is %d; it is in 0..%d", slot,
+                   RHW_MAX_VERTEX_BUFFERS - 1) ||
+        !rhw_check(context, offset <= buffer->size,
+                   "rhw_pass_set_vertex_buffer: offset is %zu; the buffer has %zu bytes", offset,
+                   buffer->size)) {
         return;
     }
     rhw_pool_use(context, &context->buffers, buffer_id.index);
@@ -274,17 +283,18 @@ void rhw_pass_set_vertex_buffer(rhw_context *context, rhw_pass id, int slot, rhw
     pass->pending_changed = true;
 }
 
-void rhw_pass_set_index_buffer(rhw_context *context, rhw_pass id, rhw_buffer buffer_id, enum rhw_index_type type,
-                               size_t offset)
+void rhw_pass_set_index_buffer(rhw_context *context, rhw_pass id, rhw_buffer buffer_id,
+                               enum rhw_index_type type, size_t offset)
 {
     struct rhw_pass_state *const pass = pass_of(context, id, "rhw_pass_set_index_buffer");
     const struct rhw_buffer_data *const buffer =
         pass ? rhw_context_buffer(context, buffer_id, "rhw_pass_set_index_buffer") : NULL;
     if (!buffer ||
-        !rhw_check(context, (unsigned)type <= RHW_INDEX_UINT32, "rhw_pass_set_index_buffer: type is %d; not an index type",
-                   (int)type) ||
-        !rhw_check(context, offset <= buffer->size, "rhw_pass_set_index_buffer: offset is %zu; the buffer has %zu bytes",
-                   offset, buffer->size)) {
+        !rhw_check(context, (unsigned)type <= RHW_INDEX_UINT32,
+                   "rhw_pass_set_index_buffer: type is %d; not an index type", (int)type) ||
+        !rhw_check(context, offset <= buffer->size,
+                   "rhw_pass_set_index_buffer: offset is %zu; the buffer has %zu bytes", offset,
+                   buffer->size)) {
         return;
     }
     rhw_pool_use(context, &context->buffers, buffer_id.index);
@@ -297,9 +307,10 @@ void rhw_pass_set_index_buffer(rhw_context *context, rhw_pass id, rhw_buffer buf
 void rhw_pass_set_uniforms(rhw_context *context, rhw_pass id, const void *data, size_t size)
 {
     struct rhw_pass_state *const pass = pass_of(context, id, "rhw_pass_set_uniforms");
-    if (!pass || !rhw_check(context, data || size == 0, "rhw_pass_set_uniforms: data is NULL and size is %zu", size) ||
-        !rhw_check(context, size <= RHW_MAX_UNIFORM_SIZE, "rhw_pass_set_uniforms: size is %zu; at most %d", size,
-                   RHW_MAX_UNIFORM_SIZE)) {
+    if (!pass ||
+        !rhw_check(context, data || size == 0, "rhw_pass_set_uniforms: data is NULL and size is %zu", size) ||
+        !rhw_check(context, size <= RHW_MAX_UNIFORM_SIZE, "rhw_pass_set_uniforms: size is %zu; at most %d",
+                   size, RHW_MAX_UNIFORM_SIZE)) {
         return;
     }
     void *const copy = rhw_arena_alloc(&pass->arena, size, RHW_CACHE_LINE);
@@ -315,7 +326,8 @@ void rhw_pass_set_uniforms(rhw_context *context, rhw_pass id, const void *data, 
     pass->pending_changed = true;
 }
 
-void rhw_pass_set_texture(rhw_context *context, rhw_pass id, int slot, rhw_texture texture_id, rhw_sampler sampler_id)
+void rhw_pass_set_texture(rhw_context *context, rhw_pass id, int slot, rhw_texture texture_id,
+                          rhw_sampler sampler_id)
 {
     struct rhw_pass_state *const pass = pass_of(context, id, "rhw_pass_set_texture");
     if (!pass || !rhw_check(context, slot >= 0 && slot < RHW_MAX_TEXTURES,
@@ -324,7 +336,8 @@ void rhw_pass_set_texture(rhw_context *context, rhw_pass id, int slot, rhw_textu
     }
     struct rhw_binding binding = {.sample = context->kernels->sample};
     if (texture_id.index != 0) {
-        struct rhw_texture_data *const texture = rhw_context_texture(context, texture_id, "rhw_pass_set_texture");
+        struct rhw_texture_data *const texture =
+            rhw_context_texture(context, texture_id, "rhw_pass_set_texture");
         const struct rhw_sampler_def *const sampler =
             texture ? rhw_context_sampler(context, sampler_id, "rhw_pass_set_texture") : NULL;
         if (!sampler ||
@@ -353,14 +366,14 @@ void rhw_pass_set_viewport(rhw_context *context, rhw_pass id, const struct rhw_v
     }
     const float limit = RHW_MAX_TARGET_SIZE;
     if (!rhw_check(context, v->width > 0 && v->height > 0 && v->width <= limit && v->height <= limit,
-                   "rhw_pass_set_viewport: the size is %gx%g; each is above 0 and at most %g", (double)v->width,
-                   (double)v->height, (double)limit) ||
+                   "rhw_pass_set_viewport: the size is %gx%g; each is above 0 and at most %g",
+                   (double)v->width, (double)v->height, (double)limit) ||
         !rhw_check(context, v->x >= -limit && v->x <= limit && v->y >= -limit && v->y <= limit,
-                   "rhw_pass_set_viewport: the corner is %g,%g; each is within ±%g", (double)v->x, (double)v->y,
-                   (double)limit) ||
+                   "rhw_pass_set_viewport: the corner is %g,%g; each is within ±%g", (double)v->x,
+                   (double)v->y, (double)limit) ||
         !rhw_check(context, v->depth_min >= 0 && v->depth_min <= 1 && v->depth_max >= 0 && v->depth_max <= 1,
-                   "rhw_pass_set_viewport: the depth range is %g..%g; each end is in 0..1", (double)v->depth_min,
-                   (double)v->depth_max)) {
+                   "rhw_pass_set_viewport: the depth range is %g..%g; each end is in 0..1",
+                   (double)v->depth_min, (double)v->depth_max)) {
         return;
     }
     pass->pending.viewport = *v;
@@ -372,7 +385,8 @@ void rhw_pass_set_scissor(rhw_context *context, rhw_pass id, const struct rhw_re
     struct rhw_pass_state *const pass = pass_of(context, id, "rhw_pass_set_scissor");
     if (!pass || !rhw_check(context, scissor != NULL, "rhw_pass_set_scissor: scissor is NULL") ||
         !rhw_check(context, scissor->width >= 0 && scissor->height >= 0,
-                   "rhw_pass_set_scissor: the size is %dx%d; neither is negative", scissor->width, scissor->height)) {
+                   "rhw_pass_set_scissor: the size is %dx%d; neither is negative", scissor->width,
+                   scissor->height)) {
         return;
     }
     pass->pending.scissor = *scissor;
@@ -426,7 +440,8 @@ static const struct rhw_draw_state *snapshot(struct rhw_pass_state *pass)
         return NULL;
     }
     if (pass->textures_changed) {
-        struct rhw_binding *const textures = rhw_arena_alloc(&pass->arena, sizeof pass->pending_textures, RHW_CACHE_LINE);
+        struct rhw_binding *const textures =
+            rhw_arena_alloc(&pass->arena, sizeof pass->pending_textures, RHW_CACHE_LINE);
         if (!textures) {
             return NULL;
         }
@@ -505,7 +520,8 @@ static bool check_draw(const struct rhw_pass_state *pass, bool indexed, const ch
     return true;
 }
 
-static void record(rhw_context *context, rhw_pass id, const struct rhw_draw *draw, uint32_t count, const char *where)
+static void record(rhw_context *context, rhw_pass id, const struct rhw_draw *draw, uint32_t count,
+                   const char *where)
 {
     struct rhw_pass_state *const pass = pass_of(context, id, where);
     if (!pass || pass->out_of_memory || !check_draw(pass, draw->indexed, where)) {
@@ -538,8 +554,8 @@ void rhw_pass_draw(rhw_context *context, rhw_pass id, uint32_t first, uint32_t c
     record(context, id, &draw, count, "rhw_pass_draw");
 }
 
-void rhw_pass_draw_indexed(rhw_context *context, rhw_pass id, uint32_t first, uint32_t count, int32_t base_vertex,
-                           uint32_t first_instance, uint32_t instances)
+void rhw_pass_draw_indexed(rhw_context *context, rhw_pass id, uint32_t first, uint32_t count,
+                           int32_t base_vertex, uint32_t first_instance, uint32_t instances)
 {
     const struct rhw_draw draw = {.first = first,
                                   .base_vertex = (uint32_t)base_vertex,

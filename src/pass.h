@@ -48,9 +48,9 @@ struct rhw_draw {
     const struct rhw_draw_state *state;
     const uint32_t (*expanded)[3]; // vertex indices of strips and fans with restart; else NULL
     uint32_t first, base_vertex, first_instance, instances;
-    uint32_t index;                   // of the draw in its pass
+    uint32_t index; // of the draw in its pass
     uint32_t triangles_per_instance;
-    uint64_t first_triangle;          // in the line of all triangles of the pass
+    uint64_t first_triangle; // in the line of all triangles of the pass
     bool indexed;
 };
 
@@ -123,11 +123,11 @@ struct rhw_pass_state {
 
     struct rhw_chunk *chunks; // of the wave under way
     int chunk_count, chunk_capacity;
-    int round; // the first chunk of those that the front end is given at once
+    int round;           // the first chunk of those that the front end is given at once
     _Atomic bool failed; // a worker ran out of memory; written by workers, read after the wave
 
     struct rhw_worker *workers;
-    bool first_wave, last_wave; // of this pass: load and store operations belong to these
+    bool first_wave, last_wave;     // of this pass: load and store operations belong to these
     struct rhw_mip transient_depth; // keeps depth between waves when the pass has no depth texture
 };
 

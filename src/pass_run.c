@@ -26,7 +26,8 @@ static bool workers_ready(struct rhw_pass_state *pass)
 {
     struct rhw_context *const context = pass->context;
     if (!pass->workers) {
-        pass->workers = rhw_context_allocate(context, (size_t)context->threads * sizeof *pass->workers, RHW_CACHE_LINE);
+        pass->workers =
+            rhw_context_allocate(context, (size_t)context->threads * sizeof *pass->workers, RHW_CACHE_LINE);
         if (!pass->workers) {
             return false;
         }
@@ -129,7 +130,8 @@ static bool cut_wave(struct rhw_pass_state *pass, struct position *at)
     while (at->triangle < pass->triangle_count && (bytes < limit || pass->chunk_count == 0)) {
         const uint64_t left = pass->triangle_count - at->triangle;
         const struct rhw_draw *draw = rhw_pass_draw_at(pass, at->draw);
-        while (at->triangle >= draw->first_triangle + (uint64_t)draw->triangles_per_instance * draw->instances) {
+        while (at->triangle >=
+               draw->first_triangle + (uint64_t)draw->triangles_per_instance * draw->instances) {
             draw = rhw_pass_draw_at(pass, ++at->draw);
         }
         const struct rhw_chunk chunk = {
@@ -205,7 +207,8 @@ static bool transient_depth_ready(struct rhw_pass_state *pass)
         return true;
     }
     struct rhw_mip *const mip = &pass->transient_depth;
-    const size_t pitch = ((size_t)pass->width * sizeof(float) + RHW_CACHE_LINE - 1) & ~(size_t)(RHW_CACHE_LINE - 1);
+    const size_t pitch =
+        ((size_t)pass->width * sizeof(float) + RHW_CACHE_LINE - 1) & ~(size_t)(RHW_CACHE_LINE - 1);
     if (!mip->texels || mip->row_pitch * (size_t)mip->height < pitch * (size_t)pass->height) {
         rhw_context_release(pass->context, mip->texels, mip->row_pitch * (size_t)mip->height);
         mip->texels = rhw_context_allocate(pass->context, pitch * (size_t)pass->height, RHW_CACHE_LINE);

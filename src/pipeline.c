@@ -13,8 +13,8 @@ static const uint32_t known_uses = RHW_USE_COORD | RHW_USE_FACING | RHW_USE_IDS 
 static bool check_range(const struct rhw_context *context, const char *field, long long value, long long low,
                         long long high)
 {
-    return rhw_check(context, value >= low && value <= high, "%s: %s is %lld; it must be %lld..%lld", create_name,
-                     field, value, low, high);
+    return rhw_check(context, value >= low && value <= high, "%s: %s is %lld; it must be %lld..%lld",
+                     create_name, field, value, low, high);
 }
 
 static bool check_element(const struct rhw_context *context, const char *array, int index, const char *field,
@@ -35,7 +35,8 @@ static bool check_functions(const struct rhw_context *context, const struct rhw_
         any_fragment |= program->fragment[i] != NULL;
     }
     return rhw_check(context, any_vertex || program->vertex1 != NULL,
-                     "%s: program.vertex and program.vertex1 are NULL; one of them must be set", create_name) &&
+                     "%s: program.vertex and program.vertex1 are NULL; one of them must be set",
+                     create_name) &&
            rhw_check(context, !any_vertex || program->vertex[RHW_ISA_BASELINE] != NULL,
                      "%s: program.vertex[RHW_ISA_BASELINE] is NULL; it must be set where another entry is",
                      create_name) &&
@@ -58,16 +59,16 @@ static bool check_varyings(const struct rhw_context *context, const struct rhw_p
         components += varying->components;
     }
     return rhw_check(context, components <= RHW_MAX_VARYING_COMPONENTS,
-                     "%s: program.varyings have %d components together; they must have at most %d", create_name,
-                     components, RHW_MAX_VARYING_COMPONENTS);
+                     "%s: program.varyings have %d components together; they must have at most %d",
+                     create_name, components, RHW_MAX_VARYING_COMPONENTS);
 }
 
 static bool check_program(const struct rhw_context *context, const struct rhw_program *program)
 {
     return check_functions(context, program) && check_varyings(context, program) &&
            rhw_check(context, (program->uses & ~known_uses) == 0,
-                     "%s: program.uses is 0x%x; it must be or-ed from enum rhw_fragment_use (0x%x)", create_name,
-                     (unsigned)program->uses, (unsigned)known_uses) &&
+                     "%s: program.uses is 0x%x; it must be or-ed from enum rhw_fragment_use (0x%x)",
+                     create_name, (unsigned)program->uses, (unsigned)known_uses) &&
            check_range(context, "program.uniform_size", program->uniform_size, 0, RHW_MAX_UNIFORM_SIZE);
 }
 
@@ -85,10 +86,11 @@ static bool check_attribute(const struct rhw_context *context, const struct rhw_
         return false;
     const uint32_t stride = def->buffers[attribute->buffer].stride;
     const size_t size = rhw_vertex_format_size(attribute->format);
-    return rhw_check(context, stride == 0 || (attribute->offset <= stride && size <= stride - attribute->offset),
-                     "%s: attributes[%d].offset is %u and its format takes %zu bytes; together they must stay "
-                     "within buffers[%d].stride, which is %u",
-                     create_name, index, (unsigned)attribute->offset, size, attribute->buffer, (unsigned)stride);
+    return rhw_check(
+        context, stride == 0 || (attribute->offset <= stride && size <= stride - attribute->offset),
+        "%s: attributes[%d].offset is %u and its format takes %zu bytes; together they must stay "
+        "within buffers[%d].stride, which is %u",
+        create_name, index, (unsigned)attribute->offset, size, attribute->buffer, (unsigned)stride);
 }
 
 static bool check_vertex_input(const struct rhw_context *context, const struct rhw_pipeline_def *def)

@@ -7,7 +7,7 @@
 
 struct rhw_pipeline_data {
     struct rhw_pipeline_def def;
-    rhw_vertex_function *vertex;     // best entry for the context's instruction set; NULL: use program.vertex1
+    rhw_vertex_function *vertex; // best entry for the context's instruction set; NULL: use program.vertex1
     rhw_fragment_function *fragment; // likewise; NULL: program.fragment1, and when that is NULL too, depth only
     int varying_components;          // of all varyings together
     bool any_smooth, any_noperspective, any_flat, any_derivatives;

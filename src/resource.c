@@ -57,8 +57,8 @@ static size_t chunk_size(const struct rhw_pool *pool, int chunk)
 
 void rhw_pool_init(struct rhw_pool *pool, const char *noun, size_t item_size)
 {
-    *pool = (struct rhw_pool){
-        .noun = noun, .item_size = (item_size + ITEM_ALIGNMENT - 1) & ~(size_t)(ITEM_ALIGNMENT - 1)};
+    *pool = (struct rhw_pool){.noun = noun,
+                              .item_size = (item_size + ITEM_ALIGNMENT - 1) & ~(size_t)(ITEM_ALIGNMENT - 1)};
 }
 
 void rhw_pool_destroy(struct rhw_context *context, struct rhw_pool *pool)

@@ -3,7 +3,7 @@
 #include "rhw/rhw.h"
 
 #define TEXT_OF(x) #x
-#define TEXT(x) TEXT_OF(x)
+#define TEXT(x)    TEXT_OF(x)
 
 const char *rhw_version(void)
 {

@@ -8,7 +8,8 @@ static const char *const create_name = "rhw_sampler_create";
 
 static bool check_enum(const struct rhw_context *context, const char *field, unsigned value, unsigned last)
 {
-    return rhw_check(context, value <= last, "%s: %s is %u; it must be 0..%u", create_name, field, value, last);
+    return rhw_check(context, value <= last, "%s: %s is %u; it must be 0..%u", create_name, field, value,
+                     last);
 }
 
 static bool check_finite(const struct rhw_context *context, const char *field, float value)
@@ -19,8 +20,8 @@ static bool check_finite(const struct rhw_context *context, const char *field, f
 
 static bool check_lod(const struct rhw_context *context, const struct rhw_sampler_def *def)
 {
-    return check_finite(context, "lod_bias", def->lod_bias) && check_finite(context, "lod_min", def->lod_min) &&
-           check_finite(context, "lod_max", def->lod_max) &&
+    return check_finite(context, "lod_bias", def->lod_bias) &&
+           check_finite(context, "lod_min", def->lod_min) && check_finite(context, "lod_max", def->lod_max) &&
            rhw_check(context, def->lod_min <= def->lod_max,
                      "%s: lod_min is %g and lod_max is %g; lod_min must not be above lod_max", create_name,
                      (double)def->lod_min, (double)def->lod_max);
@@ -43,15 +44,15 @@ static bool check_create(const struct rhw_context *context, const struct rhw_sam
            check_finite(context, "border[3]", def->border[3]) && check_lod(context, def);
 }
 
-enum rhw_result rhw_sampler_create(rhw_context *context, const struct rhw_sampler_def *def, rhw_sampler *sampler)
+enum rhw_result rhw_sampler_create(rhw_context *context, const struct rhw_sampler_def *def,
+                                   rhw_sampler *sampler)
 {
     if (sampler != NULL)
         *sampler = (rhw_sampler){0, 0};
     if (!check_create(context, def, sampler))
         return RHW_ERROR_MISUSE;
     rhw_sampler id;
-    struct rhw_sampler_def *const data =
-        rhw_pool_add(context, &context->samplers, &id.index, &id.generation);
+    struct rhw_sampler_def *const data = rhw_pool_add(context, &context->samplers, &id.index, &id.generation);
     if (data == NULL)
         return RHW_ERROR_OUT_OF_MEMORY;
     *data = *def;

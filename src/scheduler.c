@@ -48,10 +48,10 @@ struct rhw_scheduler {
     _Atomic uint32_t sleepers;
     _Atomic bool caller_sleeps;
 
-    struct rhw_mutex mutex; // guards going to sleep, nothing else
+    struct rhw_mutex mutex;    // guards going to sleep, nothing else
     struct rhw_condition work; // workers sleep here
     struct rhw_condition done; // the caller sleeps here
-    struct worker workers[]; // threads − 1
+    struct worker workers[];   // threads − 1
 };
 
 static size_t scheduler_size(int threads)
@@ -203,7 +203,8 @@ static void destroy_locks(struct rhw_scheduler *scheduler)
     rhw_mutex_destroy(&scheduler->mutex);
 }
 
-enum rhw_result rhw_scheduler_create(struct rhw_context *context, int threads, struct rhw_scheduler **scheduler)
+enum rhw_result rhw_scheduler_create(struct rhw_context *context, int threads,
+                                     struct rhw_scheduler **scheduler)
 {
     assert(threads >= 1 && threads <= RHW_MAX_THREADS);
     *scheduler = NULL;

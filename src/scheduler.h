@@ -13,7 +13,8 @@ struct rhw_scheduler;
 typedef void rhw_task_function(void *user, int index, int worker);
 
 // `threads` counts the caller; 1 makes no thread at all.
-enum rhw_result rhw_scheduler_create(struct rhw_context *context, int threads, struct rhw_scheduler **scheduler);
+enum rhw_result rhw_scheduler_create(struct rhw_context *context, int threads,
+                                     struct rhw_scheduler **scheduler);
 // Joins the workers. NULL is allowed.
 void rhw_scheduler_destroy(struct rhw_context *context, struct rhw_scheduler *scheduler);
 

@@ -33,7 +33,8 @@ void rhw_vertex1_run(const struct rhw_pipeline_data *pipeline, struct rhw_vertex
 }
 
 // The builtins that the program asked for.
-static void load_builtins(const struct rhw_fragment *group, int lane, uint32_t uses, struct rhw_fragment1 *one)
+static void load_builtins(const struct rhw_fragment *group, int lane, uint32_t uses,
+                          struct rhw_fragment1 *one)
 {
     one->depth = uses & RHW_USE_DEPTH ? group->depth[lane] : 0;
     for (int c = 0; c < 4 && uses & RHW_USE_COORD; c++) {
@@ -59,7 +60,8 @@ static void run_fragment(const struct rhw_pipeline_data *pipeline, struct rhw_fr
 {
     const int components = pipeline->varying_components, targets = pipeline->def.target_count;
     const uint32_t uses = pipeline->def.program.uses;
-    float varying[RHW_MAX_VARYING_COMPONENTS], ddx[RHW_MAX_VARYING_COMPONENTS], ddy[RHW_MAX_VARYING_COMPONENTS];
+    float varying[RHW_MAX_VARYING_COMPONENTS], ddx[RHW_MAX_VARYING_COMPONENTS],
+        ddy[RHW_MAX_VARYING_COMPONENTS];
     float color[RHW_MAX_COLOR_ATTACHMENTS][4] = {{0}};
     for (int c = 0; c < components; c++) {
         varying[c] = group->varying[c][lane];

@@ -7,9 +7,15 @@
 #include <stdbool.h>
 #include <stdint.h>
 
-struct rhw_mutex { pthread_mutex_t handle; };
-struct rhw_condition { pthread_cond_t handle; };
-struct rhw_thread { pthread_t handle; };
+struct rhw_mutex {
+    pthread_mutex_t handle;
+};
+struct rhw_condition {
+    pthread_cond_t handle;
+};
+struct rhw_thread {
+    pthread_t handle;
+};
 
 bool rhw_mutex_init(struct rhw_mutex *mutex);
 void rhw_mutex_destroy(struct rhw_mutex *mutex);

@@ -8,10 +8,10 @@
 // A shaded vertex as the tiles read it: this header, then the varyings' components, padded to 32 bytes.
 // All numbers of one vertex stand together because a triangle needs all of them at once.
 struct rhw_vertex_record {
-    int32_t x_24_8, y_24_8;   // snapped; meaningless with RHW_VERTEX_UNSNAPPED
-    float depth;              // after the viewport's depth range, rounded: for culling and clamping
-    uint32_t flags;           // or-ed rhw_vertex_flag
-    float position[4];        // homogeneous clip coordinates
+    int32_t x_24_8, y_24_8; // snapped; meaningless with RHW_VERTEX_UNSNAPPED
+    float depth;            // after the viewport's depth range, rounded: for culling and clamping
+    uint32_t flags;         // or-ed rhw_vertex_flag
+    float position[4];      // homogeneous clip coordinates
     float varyings[];
 };
 
@@ -47,10 +47,10 @@ enum rhw_triangle_flag {
 struct rhw_triangle {
     _Alignas(64) int32_t x_24_8[3];
     int32_t y_24_8[3];
-    uint32_t vertex[3];     // slots in the segment's vertices
-    uint32_t primitive;     // number in its draw and instance
-    uint32_t segment;       // of the chunk
-    uint32_t polygon;       // of the chunk, with RHW_TRIANGLE_POLYGON
+    uint32_t vertex[3]; // slots in the segment's vertices
+    uint32_t primitive; // number in its draw and instance
+    uint32_t segment;   // of the chunk
+    uint32_t polygon;   // of the chunk, with RHW_TRIANGLE_POLYGON
     uint16_t flags;
     int16_t x0, y0, x1, y1; // pixels it may cover, within the scissor; x1 and y1 exclusive
 };

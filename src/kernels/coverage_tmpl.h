@@ -18,7 +18,8 @@ struct edge {
 };
 
 // `tile_x`, `tile_y`: pixels. `sign` is −1 for a triangle whose corners turn the negative way.
-static struct edge make_edge(int32_t x0, int32_t y0, int32_t x1, int32_t y1, int32_t sign, int tile_x, int tile_y)
+static struct edge make_edge(int32_t x0, int32_t y0, int32_t x1, int32_t y1, int32_t sign, int tile_x,
+                             int tile_y)
 {
     const int32_t a = sign * (y0 - y1), b = sign * (x1 - x0);
     const bool top_left = a > 0 || (a == 0 && b > 0);
@@ -37,7 +38,8 @@ static uint64_t triangle_mask(const struct edge edges[3], int x, int y, int row0
     for (int i = 0; i < 3; i++) {
         const struct edge *const edge = &edges[i];
         const int64_t corner = edge->q + (int64_t)edge->a * x + (int64_t)edge->b * y;
-        const int64_t span_a = (int64_t)edge->a * (RHW_BLOCK - 1), span_b = (int64_t)edge->b * (RHW_BLOCK - 1);
+        const int64_t span_a = (int64_t)edge->a * (RHW_BLOCK - 1),
+                      span_b = (int64_t)edge->b * (RHW_BLOCK - 1);
         if (corner + (span_a > 0 ? span_a : 0) + (span_b > 0 ? span_b : 0) < 0) {
             return 0;
         }
@@ -75,8 +77,8 @@ struct coverage {
     struct edge edges[RHW_POLYGON_CORNERS - 2][3];
 };
 
-static void coverage_add(struct coverage *coverage, const int32_t x[3], const int32_t y[3], int32_t sign, int tile_x,
-                         int tile_y)
+static void coverage_add(struct coverage *coverage, const int32_t x[3], const int32_t y[3], int32_t sign,
+                         int tile_x, int tile_y)
 {
     struct edge *const edges = coverage->edges[coverage->count++];
     for (int i = 0; i < 3; i++) {
@@ -85,12 +87,13 @@ static void coverage_add(struct coverage *coverage, const int32_t x[3], const in
     }
 }
 
-static void coverage_setup(struct coverage *coverage, const struct rhw_chunk *chunk, const struct rhw_triangle *t,
-                           int tile_x, int tile_y)
+static void coverage_setup(struct coverage *coverage, const struct rhw_chunk *chunk,
+                           const struct rhw_triangle *t, int tile_x, int tile_y)
 {
     coverage->count = 0;
     if (!(t->flags & RHW_TRIANGLE_POLYGON)) {
-        coverage_add(coverage, t->x_24_8, t->y_24_8, t->flags & RHW_TRIANGLE_NEGATIVE ? -1 : 1, tile_x, tile_y);
+        coverage_add(coverage, t->x_24_8, t->y_24_8, t->flags & RHW_TRIANGLE_NEGATIVE ? -1 : 1, tile_x,
+                     tile_y);
         return;
     }
     const struct rhw_polygon *const p = &chunk->polygons[t->polygon];

@@ -68,7 +68,8 @@ static bool facing(const struct rhw_pipeline_def *def, bool negative, uint16_t *
 // The road of a triangle that a plane cuts or that has a vertex that cannot be snapped. Counts what it
 // refuses.
 static bool setup_clipped(struct rhw_front_scratch *scratch, struct rhw_counters *counters,
-                          const struct rhw_segment *segment, const uint32_t slots[3], struct rhw_triangle *triangle)
+                          const struct rhw_segment *segment, const uint32_t slots[3],
+                          struct rhw_triangle *triangle)
 {
     const struct rhw_draw_state *const state = segment->draw->state;
     const struct rhw_vertex_record *v[3];
@@ -129,7 +130,8 @@ struct corner_lanes {
     f8 depth_min, depth_max;
 };
 
-static struct corner_lanes load_corners(const struct rhw_segment *segment, const uint32_t (*slots)[3], int count)
+static struct corner_lanes load_corners(const struct rhw_segment *segment, const uint32_t (*slots)[3],
+                                        int count)
 {
     struct corner_lanes lanes;
     for (int corner = 0; corner < 3; corner++) {
@@ -185,7 +187,8 @@ static void setup8(struct rhw_front_scratch *scratch, struct rhw_counters *count
     const uint32_t(*const slots)[3] = (const uint32_t(*)[3]) & scratch->corners[first];
     const struct corner_lanes lanes = load_corners(segment, slots, count);
     const unsigned live = 0xffu >> (8 - count);
-    const unsigned hard = live & ~i8_sign_bits((lanes.flags_any & i8_splat(RHW_VERTEX_CLIP | RHW_VERTEX_NOT_FINITE)) == 0);
+    const unsigned hard =
+        live & ~i8_sign_bits((lanes.flags_any & i8_splat(RHW_VERTEX_CLIP | RHW_VERTEX_NOT_FINITE)) == 0);
     const unsigned outside = ~i8_sign_bits((lanes.flags_all & i8_splat(RHW_VERTEX_OUTSIDE)) == 0);
 
     unsigned negative, nonzero;
@@ -195,10 +198,16 @@ static void setup8(struct rhw_front_scratch *scratch, struct rhw_counters *count
 
     const struct rhw_rect *const s = &state->scissor;
     const i8 half = i8_splat(RHW_SUBPIXEL / 2), one = i8_splat(1);
-    const i8 x0 = i8_max((i8_min(i8_min(lanes.x[0], lanes.x[1]), lanes.x[2]) + half - one) >> RHW_SUBPIXEL_BITS, i8_splat(s->x));
-    const i8 y0 = i8_max((i8_min(i8_min(lanes.y[0], lanes.y[1]), lanes.y[2]) + half - one) >> RHW_SUBPIXEL_BITS, i8_splat(s->y));
-    const i8 x1 = i8_min((i8_max(i8_max(lanes.x[0], lanes.x[1]), lanes.x[2]) + half) >> RHW_SUBPIXEL_BITS, i8_splat(s->x + s->width));
-    const i8 y1 = i8_min((i8_max(i8_max(lanes.y[0], lanes.y[1]), lanes.y[2]) + half) >> RHW_SUBPIXEL_BITS, i8_splat(s->y + s->height));
+    const i8 x0 =
+        i8_max((i8_min(i8_min(lanes.x[0], lanes.x[1]), lanes.x[2]) + half - one) >> RHW_SUBPIXEL_BITS,
+               i8_splat(s->x));
+    const i8 y0 =
+        i8_max((i8_min(i8_min(lanes.y[0], lanes.y[1]), lanes.y[2]) + half - one) >> RHW_SUBPIXEL_BITS,
+               i8_splat(s->y));
+    const i8 x1 = i8_min((i8_max(i8_max(lanes.x[0], lanes.x[1]), lanes.x[2]) + half) >> RHW_SUBPIXEL_BITS,
+                         i8_splat(s->x + s->width));
+    const i8 y1 = i8_min((i8_max(i8_max(lanes.y[0], lanes.y[1]), lanes.y[2]) + half) >> RHW_SUBPIXEL_BITS,
+                         i8_splat(s->y + s->height));
     const unsigned covers = i8_sign_bits((x0 < x1) & (y0 < y1));
 
     const unsigned easy = live & ~hard;
@@ -239,8 +248,9 @@ static void setup8(struct rhw_front_scratch *scratch, struct rhw_counters *count
 }
 
 // `first_primitive`: of the segment's first triangle in its draw and instance.
-static bool run_segment(struct rhw_front_scratch *scratch, struct rhw_worker *worker, const struct rhw_draw *draw,
-                        uint32_t instance, uint32_t first_primitive, uint32_t count)
+static bool run_segment(struct rhw_front_scratch *scratch, struct rhw_worker *worker,
+                        const struct rhw_draw *draw, uint32_t instance, uint32_t first_primitive,
+                        uint32_t count)
 {
     const uint32_t segment_index = (uint32_t)scratch->segment_count++;
     struct rhw_segment *const segment = &scratch->segments[segment_index];
@@ -248,14 +258,16 @@ static bool run_segment(struct rhw_front_scratch *scratch, struct rhw_worker *wo
     const uint32_t vertices = find_unique(scratch, count);
     const int stride = rhw_vertex_stride(draw->state->pipeline->varying_components);
     const size_t size = (size_t)((vertices + 7) & ~7u) * (size_t)stride * sizeof(float);
-    *segment = (struct rhw_segment){draw, instance, stride, rhw_arena_alloc(&worker->arena, size, RHW_CACHE_LINE)};
+    *segment =
+        (struct rhw_segment){draw, instance, stride, rhw_arena_alloc(&worker->arena, size, RHW_CACHE_LINE)};
     if (!segment->vertices) {
         return false;
     }
     shade_vertices(scratch, segment, vertices);
     worker->counters.vertices_shaded += vertices;
     for (uint32_t i = 0; i < count; i += 8) {
-        setup8(scratch, &worker->counters, segment_index, i, (int)(count - i < 8 ? count - i : 8), first_primitive + i);
+        setup8(scratch, &worker->counters, segment_index, i, (int)(count - i < 8 ? count - i : 8),
+               first_primitive + i);
     }
     return true;
 }
@@ -287,7 +299,8 @@ static bool bin(struct rhw_chunk *chunk, int triangle_count, struct rhw_arena *a
     struct tile_span all = {1 << 20, 1 << 20, -1, -1};
     for (int t = 0; t < triangle_count; t++) {
         const struct tile_span s = span_of(&chunk->triangles[t]);
-        all = (struct tile_span){min_int(all.x0, s.x0), min_int(all.y0, s.y0), max_int(all.x1, s.x1), max_int(all.y1, s.y1)};
+        all = (struct tile_span){min_int(all.x0, s.x0), min_int(all.y0, s.y0), max_int(all.x1, s.x1),
+                                 max_int(all.y1, s.y1)};
     }
     chunk->tile_x0 = all.x0;
     chunk->tile_y0 = all.y0;
@@ -339,7 +352,8 @@ static bool run_chunk(struct rhw_pass_state *pass, struct rhw_chunk *chunk, int 
     const uint64_t end = chunk->first + chunk->count;
     for (uint32_t d = chunk->first_draw; at < end; d++) {
         const struct rhw_draw *const draw = rhw_pass_draw_at(pass, d);
-        const uint64_t draw_end = draw->first_triangle + (uint64_t)draw->triangles_per_instance * draw->instances;
+        const uint64_t draw_end =
+            draw->first_triangle + (uint64_t)draw->triangles_per_instance * draw->instances;
         while (at < end && at < draw_end) {
             const uint64_t in_draw = at - draw->first_triangle;
             const uint32_t instance = (uint32_t)(in_draw / draw->triangles_per_instance);
@@ -353,9 +367,13 @@ static bool run_chunk(struct rhw_pass_state *pass, struct rhw_chunk *chunk, int 
         }
     }
     struct rhw_arena *const arena = &worker->arena;
-    chunk->segments = keep(arena, scratch->segments, (size_t)scratch->segment_count * sizeof *chunk->segments);
-    chunk->triangles = keep(arena, scratch->triangles, (size_t)scratch->triangle_count * sizeof *chunk->triangles);
-    chunk->polygons = keep(arena, scratch->polygons, (size_t)scratch->polygon_count * sizeof *chunk->polygons);
+    chunk->segments =
+        keep(arena, scratch->segments, (size_t)scratch->segment_count * sizeof *chunk->segments);
+    chunk->triangles =
+        keep(arena, scratch->triangles, (size_t)scratch->triangle_count * sizeof *chunk->triangles);
+    chunk->polygons =
+        keep(arena, scratch->polygons, (size_t)scratch->polygon_count * sizeof *chunk->polygons);
     worker->counters.rasterized += (uint64_t)scratch->triangle_count;
-    return chunk->segments && chunk->triangles && chunk->polygons && bin(chunk, scratch->triangle_count, arena);
+    return chunk->segments && chunk->triangles && chunk->polygons &&
+           bin(chunk, scratch->triangle_count, arena);
 }

@@ -4,7 +4,7 @@
 #define RHW_ISA_NAME_H
 
 #define RHW_ISA_JOIN2(name, suffix) name##_##suffix
-#define RHW_ISA_JOIN(name, suffix) RHW_ISA_JOIN2(name, suffix)
-#define RHW_ISA_NAME(name) RHW_ISA_JOIN(name, RHW_ISA_SUFFIX)
+#define RHW_ISA_JOIN(name, suffix)  RHW_ISA_JOIN2(name, suffix)
+#define RHW_ISA_NAME(name)          RHW_ISA_JOIN(name, RHW_ISA_SUFFIX)
 
 #endif

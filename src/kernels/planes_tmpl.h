@@ -36,16 +36,16 @@ struct slope {
 struct planes {
     int anchor_x, anchor_y; // pixels
     bool exact;
-    struct plane z;          // depth
-    struct plane s, b, c;    // 1/W; (b·1/W), (c·1/W)
-    struct plane n1, n2;     // weights on the screen of vertices 1 and 2
-    struct plane e1, e2;     // exact integers
-    struct plane a;          // (a·1/W), of clipped triangles
+    struct plane z;                 // depth
+    struct plane s, b, c;           // 1/W; (b·1/W), (c·1/W)
+    struct plane n1, n2;            // weights on the screen of vertices 1 and 2
+    struct plane e1, e2;            // exact integers
+    struct plane a;                 // (a·1/W), of clipped triangles
     double w[3], zw[3], area, a_e0; // of clipped triangles
-    bool homogeneous;        // a vertex is not snapped
-    bool wide;               // weights come from `edge` alone, in wide arithmetic
+    bool homogeneous;               // a vertex is not snapped
+    bool wide;                      // weights come from `edge` alone, in wide arithmetic
     struct wide_plane edge[3];
-    double edge_scale;       // e_i·edge_scale = a, b, c over W
+    double edge_scale;             // e_i·edge_scale = a, b, c over W
     struct slope b_slope, c_slope; // of snapped triangles by planes_slopes, when they are asked for
     double z_base, z_e1, z_e2, s_base, s_e1, s_e2, b_e1, c_e2, n_e; // factors of e_1 and e_2, for `exact`
 };
@@ -61,9 +61,11 @@ static struct plane scale(double f, struct plane e)
 }
 
 // Edge function of the snapped triangle from corner j to corner k, at the anchor's centre; exact (limits.h).
-static struct plane edge_plane(const struct rhw_triangle *t, int j, int k, double sign, const struct planes *p)
+static struct plane edge_plane(const struct rhw_triangle *t, int j, int k, double sign,
+                               const struct planes *p)
 {
-    const double a = sign * (double)(t->y_24_8[j] - t->y_24_8[k]), b = sign * (double)(t->x_24_8[k] - t->x_24_8[j]);
+    const double a = sign * (double)(t->y_24_8[j] - t->y_24_8[k]),
+                 b = sign * (double)(t->x_24_8[k] - t->x_24_8[j]);
     const double px = (double)(p->anchor_x * RHW_SUBPIXEL + RHW_SUBPIXEL / 2 - t->x_24_8[j]);
     const double py = (double)(p->anchor_y * RHW_SUBPIXEL + RHW_SUBPIXEL / 2 - t->y_24_8[j]);
     return (struct plane){a * px + b * py, a * RHW_SUBPIXEL, b * RHW_SUBPIXEL};
@@ -116,7 +118,8 @@ static void planes_snapped(struct planes *p, const struct rhw_draw_state *state,
     const double inverse_area = 1 / (sign * signed_area);
     p->e1 = edge_plane(t, 2, 0, sign, p);
     p->e2 = edge_plane(t, 0, 1, sign, p);
-    const double w0 = 1 / (double)v[0]->position[3], w1 = 1 / (double)v[1]->position[3], w2 = 1 / (double)v[2]->position[3];
+    const double w0 = 1 / (double)v[0]->position[3], w1 = 1 / (double)v[1]->position[3],
+                 w2 = 1 / (double)v[2]->position[3];
     const double d0 = depth_of(state, v[0]);
     p->z_base = d0;
     p->z_e1 = (depth_of(state, v[1]) - d0) * inverse_area;
@@ -176,14 +179,17 @@ static void planes_homogeneous(struct planes *p, const struct rhw_draw_state *st
         planes_without_area(p);
         return;
     }
-    const double inverse = 1 / (-(half_width * half_height) * determinant.hi); // the map to pixels turns y over
+    const double inverse =
+        1 / (-(half_width * half_height) * determinant.hi); // the map to pixels turns y over
     struct plane row[3];
     double size = 0;
     for (int i = 0; i < 3; i++) {
         const struct wide_plane *const e = &p->edge[i];
-        p->edge[i] = wide_edge(corner[i == 2 ? 0 : i + 1], corner[i == 0 ? 2 : i - 1], half_width, half_height, cx, cy);
+        p->edge[i] = wide_edge(corner[i == 2 ? 0 : i + 1], corner[i == 0 ? 2 : i - 1], half_width,
+                               half_height, cx, cy);
         row[i] = scale(inverse, (struct plane){e->at.hi, e->dx.hi, e->dy.hi});
-        size += absolute(row[i].at) + absolute(row[i].dx) * (half_width + 1) + absolute(row[i].dy) * (half_height + 1);
+        size += absolute(row[i].at) + absolute(row[i].dx) * (half_width + 1) +
+                absolute(row[i].dy) * (half_height + 1);
     }
     // Terms of the sums over the least 1/W: how much cancels, see planes_snapped.
     p->wide = size * p->w[nearest_vertex(p)] > 0x1p22;
@@ -191,7 +197,8 @@ static void planes_homogeneous(struct planes *p, const struct rhw_draw_state *st
     p->a = row[0];
     p->b = row[1];
     p->c = row[2];
-    p->s = (struct plane){p->a.at + p->b.at + p->c.at, p->a.dx + p->b.dx + p->c.dx, p->a.dy + p->b.dy + p->c.dy};
+    p->s =
+        (struct plane){p->a.at + p->b.at + p->c.at, p->a.dx + p->b.dx + p->c.dx, p->a.dy + p->b.dy + p->c.dy};
     p->n1 = scale(p->w[1], p->b);
     p->n2 = scale(p->w[2], p->c);
     p->z = (struct plane){p->a.at * p->zw[0] + p->b.at * p->zw[1] + p->c.at * p->zw[2],
@@ -249,7 +256,8 @@ RHW_INLINE void block_depth(struct block_planes *block, const struct planes *p, 
     }
 }
 
-RHW_INLINE void block_weights(struct block_planes *block, const struct planes *p, const struct block_place *at)
+RHW_INLINE void block_weights(struct block_planes *block, const struct planes *p,
+                              const struct block_place *at)
 {
     if (__builtin_expect(p->exact, 0)) {
         plane_over(&block->e1, &p->e1, at);
@@ -261,7 +269,8 @@ RHW_INLINE void block_weights(struct block_planes *block, const struct planes *p
     }
 }
 
-RHW_INLINE void block_screen_weights(struct block_planes *block, const struct planes *p, const struct block_place *at)
+RHW_INLINE void block_screen_weights(struct block_planes *block, const struct planes *p,
+                                     const struct block_place *at)
 {
     if (__builtin_expect(p->exact, 0)) {
         plane_over(&block->e1, &p->e1, at);
@@ -275,8 +284,8 @@ RHW_INLINE void block_screen_weights(struct block_planes *block, const struct pl
 RHW_INLINE f8 depth_row(const struct planes *p, const struct block_planes *block, int row)
 {
     if (__builtin_expect(p->exact, 0)) {
-        return f8_from_d8(
-            combine_rows(p->z_base, p->z_e1, plane_row(&block->e1, row), p->z_e2, plane_row(&block->e2, row)));
+        return f8_from_d8(combine_rows(p->z_base, p->z_e1, plane_row(&block->e1, row), p->z_e2,
+                                       plane_row(&block->e2, row)));
     }
     return f8_from_d8(plane_row(&block->z, row));
 }
@@ -305,7 +314,8 @@ RHW_INLINE struct weights weights_row(const struct planes *p, const struct block
 }
 
 // Weights on the screen of vertices 1 and 2.
-RHW_INLINE void screen_weights_row(const struct planes *p, const struct block_planes *block, int row, f8 *s, f8 *t)
+RHW_INLINE void screen_weights_row(const struct planes *p, const struct block_planes *block, int row, f8 *s,
+                                   f8 *t)
 {
     if (__builtin_expect(p->exact, 0)) {
         *s = f8_from_d8(d8_mul(d8_splat(p->n_e), plane_row(&block->e1, row)));
@@ -351,7 +361,8 @@ static d8 weigh(const double f[3], d8 a, d8 b, d8 c)
 
 static d8 d8_where(const l4 mask[2], d8 a, d8 b)
 {
-    return (d8){(d4)((mask[0] & (l4)a.lo) | (~mask[0] & (l4)b.lo)), (d4)((mask[1] & (l4)a.hi) | (~mask[1] & (l4)b.hi))};
+    return (d8){(d4)((mask[0] & (l4)a.lo) | (~mask[0] & (l4)b.lo)),
+                (d4)((mask[1] & (l4)a.hi) | (~mask[1] & (l4)b.hi))};
 }
 
 // The first row of a block.
@@ -362,8 +373,8 @@ static d8 plane_at(const struct plane *plane, const struct block_place *at)
     return plane_row(&over, 0);
 }
 
-static __attribute__((noinline)) void cut_row(const struct planes *p, const struct block_place *place, int row,
-                                              struct cut_row *out)
+static __attribute__((noinline)) void cut_row(const struct planes *p, const struct block_place *place,
+                                              int row, struct cut_row *out)
 {
     double dy[RHW_BLOCK];
     memcpy(dy, &place->dy, sizeof dy);
@@ -420,7 +431,8 @@ static d8 d8_select(i8 mask, d8 a, d8 b)
 
 static struct weights cut_weights(const struct cut_row *cut, struct weights w)
 {
-    return (struct weights){f8_select(cut->lanes, cut->weights.b, w.b), f8_select(cut->lanes, cut->weights.c, w.c),
+    return (struct weights){f8_select(cut->lanes, cut->weights.b, w.b),
+                            f8_select(cut->lanes, cut->weights.c, w.c),
                             d8_select(cut->lanes, cut->weights.s, w.s),
                             d8_select(cut->lanes, cut->weights.inverse_s, w.inverse_s)};
 }
@@ -428,8 +440,8 @@ static struct weights cut_weights(const struct cut_row *cut, struct weights w)
 // Of a snapped triangle. With T = e_0·w_0 + e_1·w_1 + e_2·w_2, d(e_1·w_1/T)/dx = w_1·(Σ w_i·(a_1·e_i − a_i·e_1))/T²;
 // a_1·e_0 − a_0·e_1 is 0 at vertex 2, does not depend on x, and changes by the area with y, and so on around the
 // triangle: what is left are heights over vertices, which are exact.
-static struct slope slope_snapped(const struct rhw_triangle *t, const struct planes *p, double factor, int self,
-                                  const double w[3])
+static struct slope slope_snapped(const struct rhw_triangle *t, const struct planes *p, double factor,
+                                  int self, const double w[3])
 {
     const int next = self == 1 ? 2 : 0, other = self == 1 ? 0 : 1; // self, next, other: around the triangle
     const double px = (double)(p->anchor_x * RHW_SUBPIXEL + RHW_SUBPIXEL / 2);
@@ -442,12 +454,14 @@ static struct slope slope_snapped(const struct rhw_triangle *t, const struct pla
 }
 
 // Sets the slopes of b and c, which planes_homogeneous sets itself.
-static void planes_slopes(struct planes *p, const struct rhw_triangle *t, const struct rhw_vertex_record *const v[3])
+static void planes_slopes(struct planes *p, const struct rhw_triangle *t,
+                          const struct rhw_vertex_record *const v[3])
 {
     if (p->homogeneous || p->wide) {
         return;
     }
-    const double w[3] = {1 / (double)v[0]->position[3], 1 / (double)v[1]->position[3], 1 / (double)v[2]->position[3]};
+    const double w[3] = {1 / (double)v[0]->position[3], 1 / (double)v[1]->position[3],
+                         1 / (double)v[2]->position[3]};
     const double x1 = t->x_24_8[1] - t->x_24_8[0], y1 = t->y_24_8[1] - t->y_24_8[0];
     const double x2 = t->x_24_8[2] - t->x_24_8[0], y2 = t->y_24_8[2] - t->y_24_8[0];
     const double factor = x1 * y2 < x2 * y1 ? -p->n_e : p->n_e; // one over the signed area

@@ -28,7 +28,8 @@ struct rhw_front_scratch {
     struct rhw_vertex groups[RHW_VERTEX_GROUPS];
     f8 attributes[RHW_VERTEX_GROUPS][RHW_MAX_ATTRIBUTES][4];
     f8 varyings[RHW_VERTEX_GROUPS * RHW_MAX_VARYING_COMPONENTS];
-    uint32_t corners[RHW_BATCH_TRIANGLES + 8][3]; // vertex indices, then slots; 8 more so that a group may over-read
+    uint32_t corners[RHW_BATCH_TRIANGLES + 8]
+                    [3]; // vertex indices, then slots; 8 more so that a group may over-read
     uint32_t unique[3 * RHW_BATCH_TRIANGLES + 8]; // vertex index by slot
     struct rhw_segment segments[RHW_BATCH_TRIANGLES];
     struct rhw_polygon polygons[RHW_BATCH_TRIANGLES];

@@ -27,11 +27,11 @@ struct tile_work {
     const struct rhw_draw_state *state;
     const struct rhw_pipeline_data *pipeline;
     enum depth_mode depth_mode;
-    bool shades; // there is a fragment function
-    bool plain;  // smooth varyings are all the fragment function reads
+    bool shades;      // there is a fragment function
+    bool plain;       // smooth varyings are all the fragment function reads
     bool needs_depth; // depth is tested or given to the fragment function
     bool keeps_depth; // and the collected groups carry it
-    int count;   // groups collected
+    int count;        // groups collected
 };
 
 // The triangle that is being drawn, and what is made when its first fragments survive.
@@ -49,22 +49,14 @@ struct triangle_work {
 static i8 depth_passes(enum rhw_compare compare, f8 z, f8 old)
 {
     switch (compare) {
-    case RHW_COMPARE_NEVER:
-        return i8_splat(0);
-    case RHW_COMPARE_LESS:
-        return z < old;
-    case RHW_COMPARE_EQUAL:
-        return z == old;
-    case RHW_COMPARE_LESS_EQUAL:
-        return z <= old;
-    case RHW_COMPARE_GREATER:
-        return z > old;
-    case RHW_COMPARE_NOT_EQUAL:
-        return z != old;
-    case RHW_COMPARE_GREATER_EQUAL:
-        return z >= old;
-    default:
-        return i8_splat(-1);
+    case RHW_COMPARE_NEVER: return i8_splat(0);
+    case RHW_COMPARE_LESS: return z < old;
+    case RHW_COMPARE_EQUAL: return z == old;
+    case RHW_COMPARE_LESS_EQUAL: return z <= old;
+    case RHW_COMPARE_GREATER: return z > old;
+    case RHW_COMPARE_NOT_EQUAL: return z != old;
+    case RHW_COMPARE_GREATER_EQUAL: return z >= old;
+    default: return i8_splat(-1);
     }
 }
 
@@ -113,7 +105,8 @@ RHW_INLINE void merge_target(const struct tile_work *work, int t, enum output_ki
 {
     struct output_state state = work->state->outputs[t];
     state.kind = kind;
-    const size_t texel = kind == OUTPUT_RGBA8_REPLACE || kind == OUTPUT_RGBA8_OVER ? 4 : work->pass->colors[t].texel_size;
+    const size_t texel =
+        kind == OUTPUT_RGBA8_REPLACE || kind == OUTPUT_RGBA8_OVER ? 4 : work->pass->colors[t].texel_size;
     unsigned char *const texels = work->scratch->color[t];
     const struct rhw_group_place *const places = work->scratch->places;
     for (int g = 0, count = work->count; g < count; g++) {
@@ -166,8 +159,9 @@ static void set_draw(struct tile_work *work, const struct rhw_draw *draw)
     const struct rhw_pipeline_data *const pipeline = state->pipeline;
     const struct rhw_pipeline_def *const def = &pipeline->def;
     const uint32_t uses = def->program.uses;
-    const bool monotonic = def->depth_compare == RHW_COMPARE_LESS || def->depth_compare == RHW_COMPARE_LESS_EQUAL ||
-                           def->depth_compare == RHW_COMPARE_GREATER || def->depth_compare == RHW_COMPARE_GREATER_EQUAL;
+    const bool monotonic =
+        def->depth_compare == RHW_COMPARE_LESS || def->depth_compare == RHW_COMPARE_LESS_EQUAL ||
+        def->depth_compare == RHW_COMPARE_GREATER || def->depth_compare == RHW_COMPARE_GREATER_EQUAL;
     work->draw = draw;
     work->state = state;
     work->pipeline = pipeline;
@@ -175,10 +169,10 @@ static void set_draw(struct tile_work *work, const struct rhw_draw *draw)
     work->plain = !(uses & ~(uint32_t)(RHW_USE_DISCARD | RHW_USE_DEPTH)) && !pipeline->any_noperspective &&
                   !pipeline->any_flat && !pipeline->any_derivatives;
     // A fragment that fails an ordering test now fails it later too, as depth only moves that way meanwhile.
-    work->depth_mode = !def->depth_test                                    ? DEPTH_NONE
+    work->depth_mode = !def->depth_test                                               ? DEPTH_NONE
                        : !work->shades || !(uses & (RHW_USE_DISCARD | RHW_USE_DEPTH)) ? DEPTH_EARLY
-                       : uses & RHW_USE_DEPTH || !monotonic                ? DEPTH_LATE
-                                                                           : DEPTH_EARLY_REJECT;
+                       : uses & RHW_USE_DEPTH || !monotonic                           ? DEPTH_LATE
+                                                                                      : DEPTH_EARLY_REJECT;
     work->keeps_depth = work->depth_mode >= DEPTH_LATE || uses & (RHW_USE_COORD | RHW_USE_DEPTH);
     work->needs_depth = work->depth_mode != DEPTH_NONE || work->keeps_depth;
     for (int g = 0; g < RHW_FRAGMENT_GROUPS; g++) {
@@ -197,7 +191,7 @@ static void prepare_values(const struct tile_work *work, struct triangle_work *t
 {
     const int components = work->pipeline->varying_components;
     const float *const a = triangle->v[0]->varyings, *const b = triangle->v[1]->varyings,
-                *const c = triangle->v[2]->varyings;
+                       *const c = triangle->v[2]->varyings;
     triangle->provoking = work->pipeline->def.provoking == RHW_PROVOKING_FIRST ? a : c;
     for (int i = 0; i < components; i++) {
         triangle->i0[i] = a[i];
@@ -220,21 +214,15 @@ RHW_INLINE f8 interpolate(const struct triangle_work *triangle, int i, f8 b, f8 
     return f8_splat(triangle->i0[i]) - (b * f8_splat(triangle->d1[i]) + c * f8_splat(triangle->d2[i]));
 }
 
-static void fill_varyings(const struct tile_work *work, f8 *out, const struct triangle_work *triangle, f8 b, f8 c,
-                          f8 s, f8 t)
+static void fill_varyings(const struct tile_work *work, f8 *out, const struct triangle_work *triangle, f8 b,
+                          f8 c, f8 s, f8 t)
 {
     const struct rhw_pipeline_data *const pipeline = work->pipeline;
     for (int i = 0; i < pipeline->varying_components; i++) {
         switch (pipeline->component_qualifier[i]) {
-        case RHW_SMOOTH:
-            out[i] = interpolate(triangle, i, b, c);
-            break;
-        case RHW_NOPERSPECTIVE:
-            out[i] = interpolate(triangle, i, s, t);
-            break;
-        default:
-            out[i] = f8_splat(triangle->provoking[i]);
-            break;
+        case RHW_SMOOTH: out[i] = interpolate(triangle, i, b, c); break;
+        case RHW_NOPERSPECTIVE: out[i] = interpolate(triangle, i, s, t); break;
+        default: out[i] = f8_splat(triangle->provoking[i]); break;
         }
     }
 }
@@ -257,12 +245,12 @@ static void fill_derivatives(const struct tile_work *work, int g, const struct t
             work->scratch->ddy[at] = slopes->b_dy * d1 + slopes->c_dy * d2;
             break;
         case RHW_NOPERSPECTIVE:
-            work->scratch->ddx[at] = f8_splat((float)planes->n1.dx) * d1 + f8_splat((float)planes->n2.dx) * d2;
-            work->scratch->ddy[at] = f8_splat((float)planes->n1.dy) * d1 + f8_splat((float)planes->n2.dy) * d2;
+            work->scratch->ddx[at] =
+                f8_splat((float)planes->n1.dx) * d1 + f8_splat((float)planes->n2.dx) * d2;
+            work->scratch->ddy[at] =
+                f8_splat((float)planes->n1.dy) * d1 + f8_splat((float)planes->n2.dy) * d2;
             break;
-        default:
-            work->scratch->ddx[at] = work->scratch->ddy[at] = f8_splat(0);
-            break;
+        default: work->scratch->ddx[at] = work->scratch->ddy[at] = f8_splat(0); break;
         }
     }
 }
@@ -275,8 +263,9 @@ static void fill_barycentrics(f8 out[3], float sum, f8 b, f8 c)
     out[2] = c;
 }
 
-static void fill_builtins(const struct tile_work *work, struct rhw_fragment *group, const struct triangle_work *triangle,
-                          struct rhw_group_place place, const struct weights *w, f8 s, f8 t)
+static void fill_builtins(const struct tile_work *work, struct rhw_fragment *group,
+                          const struct triangle_work *triangle, struct rhw_group_place place,
+                          const struct weights *w, f8 s, f8 t)
 {
     const uint32_t uses = work->pipeline->def.program.uses;
     if (uses & RHW_USE_COORD) {
@@ -337,9 +326,9 @@ static void fill_group(const struct tile_work *work, int g, const struct triangl
 
 // Collects the rows of a block whose bits are set in `mask`; z: their depths, where depth is kept. `plain`: work->plain
 // and not `is_cut`, which is block_is_cut; constants where a call names them.
-RHW_INLINE void add_rows(struct tile_work *work, const struct triangle_work *triangle, const struct block_planes *block,
-                         const struct block_place *at, int x, int y, uint64_t mask, const f8 z[RHW_BLOCK], bool plain,
-                         bool is_cut)
+RHW_INLINE void add_rows(struct tile_work *work, const struct triangle_work *triangle,
+                         const struct block_planes *block, const struct block_place *at, int x, int y,
+                         uint64_t mask, const f8 z[RHW_BLOCK], bool plain, bool is_cut)
 {
     struct rhw_tile_scratch *const scratch = work->scratch;
     const int components = work->pipeline->varying_components;

@@ -7,8 +7,9 @@
 
 // Tests depth of the block's pixels in `mask`, early; returns those that pass. `compare` and `write` are
 // constants where a call names them.
-RHW_INLINE uint64_t test_block(const struct tile_work *work, const struct planes *planes, const struct block_planes *block,
-                               int x, int y, uint64_t mask, enum rhw_compare compare, bool write)
+RHW_INLINE uint64_t test_block(const struct tile_work *work, const struct planes *planes,
+                               const struct block_planes *block, int x, int y, uint64_t mask,
+                               enum rhw_compare compare, bool write)
 {
     float *const stored = stored_depth(work, x, y);
     uint64_t passed = 0;
@@ -28,8 +29,8 @@ RHW_INLINE uint64_t test_block(const struct tile_work *work, const struct planes
 
 // The same on any road but the commonest, which is in draw_block: keeps depth for the fragments, clamps it.
 static uint64_t depth_block(const struct tile_work *work, const struct triangle_work *triangle,
-                            const struct block_planes *block, const struct block_place *at, int x, int y, uint64_t mask,
-                            bool is_cut, f8 z[RHW_BLOCK])
+                            const struct block_planes *block, const struct block_place *at, int x, int y,
+                            uint64_t mask, bool is_cut, f8 z[RHW_BLOCK])
 {
     uint64_t passed = 0;
     for (int row = 0; row < RHW_BLOCK; row++) {
@@ -46,8 +47,8 @@ static uint64_t depth_block(const struct tile_work *work, const struct triangle_
         if (work->depth_mode == DEPTH_EARLY) {
             bits = i8_sign_bits(depth_test_and_write(work, x, y + row, z[row], i8_from_bits(bits)));
         } else if (work->depth_mode == DEPTH_EARLY_REJECT) {
-            bits &= i8_sign_bits(
-                depth_passes(work->pipeline->def.depth_compare, z[row], f8_load(stored_depth(work, x, y + row))));
+            bits &= i8_sign_bits(depth_passes(work->pipeline->def.depth_compare, z[row],
+                                              f8_load(stored_depth(work, x, y + row))));
         }
         passed |= (uint64_t)bits << (8 * row);
     }
@@ -123,7 +124,8 @@ static void draw_triangle(struct tile_work *work, const struct rhw_chunk *chunk,
     for (int y = y0 & -RHW_BLOCK; y < y1; y += RHW_BLOCK) {
         const int row0 = max_int(y0 - y, 0), row1 = min_int(y1 - y, RHW_BLOCK);
         for (int x = x0 & -RHW_BLOCK; x < x1; x += RHW_BLOCK) {
-            const uint64_t mask = coverage_mask(&coverage, x, y, row0, row1) & rect_mask(x, y, x0, y0, x1, y1);
+            const uint64_t mask =
+                coverage_mask(&coverage, x, y, row0, row1) & rect_mask(x, y, x0, y0, x1, y1);
             if (mask == 0) {
                 continue;
             }
@@ -146,8 +148,8 @@ static void fill_texels(unsigned char *texels, const unsigned char *texel, size_
 }
 
 // `tile`: the attachment's storage in the scratch, RHW_TILE texels per row.
-static void load_attachment(const struct tile_work *work, const struct rhw_attachment *attachment, unsigned char *tile,
-                            int width, int height)
+static void load_attachment(const struct tile_work *work, const struct rhw_attachment *attachment,
+                            unsigned char *tile, int width, int height)
 {
     static const unsigned char zero[16] = {0};
     const size_t size = attachment->texel_size;
@@ -174,7 +176,8 @@ static void store_attachment(const struct tile_work *work, const struct rhw_atta
         return;
     }
     for (int y = 0; y < height; y++) {
-        unsigned char *const to = mip->texels + (size_t)(work->y + y) * mip->row_pitch + (size_t)work->x * size;
+        unsigned char *const to =
+            mip->texels + (size_t)(work->y + y) * mip->row_pitch + (size_t)work->x * size;
         memcpy(to, tile + (size_t)y * RHW_TILE * size, (size_t)width * size);
     }
 }
@@ -204,7 +207,8 @@ static void run_tile(struct rhw_pass_state *pass, int tile, int worker)
                              .counters = &pass->workers[worker].counters,
                              .x = tile_x * RHW_TILE,
                              .y = tile_y * RHW_TILE};
-    const int width = min_int(pass->width - work.x, RHW_TILE), height = min_int(pass->height - work.y, RHW_TILE);
+    const int width = min_int(pass->width - work.x, RHW_TILE),
+              height = min_int(pass->height - work.y, RHW_TILE);
     for (int i = 0; i < pass->color_count; i++) {
         load_attachment(&work, &pass->colors[i], scratch->color[i], width, height);
     }
@@ -213,10 +217,12 @@ static void run_tile(struct rhw_pass_state *pass, int tile, int worker)
     }
     for (int i = 0; i < pass->chunk_count; i++) {
         const struct rhw_chunk *const chunk = &pass->chunks[i];
-        if (tile_x < chunk->tile_x0 || tile_x >= chunk->tile_x1 || tile_y < chunk->tile_y0 || tile_y >= chunk->tile_y1) {
+        if (tile_x < chunk->tile_x0 || tile_x >= chunk->tile_x1 || tile_y < chunk->tile_y0 ||
+            tile_y >= chunk->tile_y1) {
             continue;
         }
-        const int bin = (tile_y - chunk->tile_y0) * (chunk->tile_x1 - chunk->tile_x0) + tile_x - chunk->tile_x0;
+        const int bin =
+            (tile_y - chunk->tile_y0) * (chunk->tile_x1 - chunk->tile_x0) + tile_x - chunk->tile_x0;
         const uint32_t end = chunk->offsets[bin + 1];
         for (uint32_t e = chunk->offsets[bin]; e < end; e++) {
             prefetch(chunk, e, end);

@@ -16,36 +16,18 @@ static void fetch_lane(const unsigned char *p, enum rhw_vertex_type type, int co
             memcpy(&u16, p + 2 * c, sizeof u16);
         }
         switch (type) {
-        case RHW_TYPE_FLOAT:
-            memcpy(&out[c], p + 4 * c, sizeof out[c]);
-            break;
-        case RHW_TYPE_HALF:
-            out[c] = rhw_half_to_float(u16);
-            break;
-        case RHW_TYPE_UNORM8:
-            out[c] = (float)p[c] / 255.0f;
-            break;
-        case RHW_TYPE_SNORM8:
-            out[c] = (int8_t)p[c] == -128 ? -1.0f : (float)(int8_t)p[c] / 127.0f;
-            break;
-        case RHW_TYPE_UINT8:
-            out[c] = (float)p[c];
-            break;
-        case RHW_TYPE_SINT8:
-            out[c] = (float)(int8_t)p[c];
-            break;
-        case RHW_TYPE_UNORM16:
-            out[c] = (float)u16 / 65535.0f;
-            break;
+        case RHW_TYPE_FLOAT: memcpy(&out[c], p + 4 * c, sizeof out[c]); break;
+        case RHW_TYPE_HALF: out[c] = rhw_half_to_float(u16); break;
+        case RHW_TYPE_UNORM8: out[c] = (float)p[c] / 255.0f; break;
+        case RHW_TYPE_SNORM8: out[c] = (int8_t)p[c] == -128 ? -1.0f : (float)(int8_t)p[c] / 127.0f; break;
+        case RHW_TYPE_UINT8: out[c] = (float)p[c]; break;
+        case RHW_TYPE_SINT8: out[c] = (float)(int8_t)p[c]; break;
+        case RHW_TYPE_UNORM16: out[c] = (float)u16 / 65535.0f; break;
         case RHW_TYPE_SNORM16:
             out[c] = (int16_t)u16 == -32768 ? -1.0f : (float)(int16_t)u16 / 32767.0f;
             break;
-        case RHW_TYPE_UINT16:
-            out[c] = (float)u16;
-            break;
-        default:
-            out[c] = (float)(int16_t)u16;
-            break;
+        case RHW_TYPE_UINT16: out[c] = (float)u16; break;
+        default: out[c] = (float)(int16_t)u16; break;
         }
     }
 }
@@ -88,16 +70,18 @@ static void project(const struct rhw_draw_state *state, const f8 position[4], f8
     const f8 near = symmetric ? -w : f8_splat(0);
     const f8 zero = f8_splat(0);
     const d8 wd = d8_from_f8(w);
-    const d8 sx = d8_add(d8_mul(d8_div(d8_from_f8(x), wd), d8_splat(state->half_width)), d8_splat(state->center_x));
-    const d8 sy = d8_sub(d8_splat(state->center_y), d8_mul(d8_div(d8_from_f8(y), wd), d8_splat(state->half_height)));
-    const f8 d = f8_from_d8(d8_add(d8_splat(state->depth_low),
-                                   d8_mul(d8_splat(state->depth_span), d8_div(d8_from_f8(z), wd))));
+    const d8 sx =
+        d8_add(d8_mul(d8_div(d8_from_f8(x), wd), d8_splat(state->half_width)), d8_splat(state->center_x));
+    const d8 sy =
+        d8_sub(d8_splat(state->center_y), d8_mul(d8_div(d8_from_f8(y), wd), d8_splat(state->half_height)));
+    const f8 d = f8_from_d8(
+        d8_add(d8_splat(state->depth_low), d8_mul(d8_splat(state->depth_span), d8_div(d8_from_f8(z), wd))));
     // In float the comparisons err by a rounding at 32768, a power of two: there the float is below or equal
     // exactly when the double rounds to it or below.
     const f8 fx = f8_from_d8(sx), fy = f8_from_d8(sy);
     const f8 band = f8_splat((float)RHW_GUARD_BAND), far_depth = f8_splat(1e30f);
-    const i8 snapped = (w > zero) & (fx <= band) & (fx >= -band) & (fy <= band) & (fy >= -band) & (d < far_depth) &
-                       (d > -far_depth);
+    const i8 snapped = (w > zero) & (fx <= band) & (fx >= -band) & (fy <= band) & (fy >= -band) &
+                       (d < far_depth) & (d > -far_depth);
     const i8 finite = (x - x == zero) & (y - y == zero) & (z - z == zero) & (w - w == zero);
     i8 flags = (x < -w) & i8_splat(RHW_VERTEX_LEFT);
     flags |= (x > w) & i8_splat(RHW_VERTEX_RIGHT);
@@ -128,7 +112,8 @@ static void scatter(f8 vectors[8], float *records, int stride)
     }
 }
 
-static void store_records(const struct rhw_draw_state *state, const struct rhw_vertex *group, int stride, float *records)
+static void store_records(const struct rhw_draw_state *state, const struct rhw_vertex *group, int stride,
+                          float *records)
 {
     const int components = state->pipeline->varying_components;
     f8 vectors[8];
@@ -145,7 +130,8 @@ static void store_records(const struct rhw_draw_state *state, const struct rhw_v
 
 // Shades `count` vertices, whose indices are scratch->unique, into the segment. `count` is rounded up to 8:
 // the last group repeats its last vertex, and the segment has room for it.
-static void shade_vertices(struct rhw_front_scratch *scratch, const struct rhw_segment *segment, uint32_t count)
+static void shade_vertices(struct rhw_front_scratch *scratch, const struct rhw_segment *segment,
+                           uint32_t count)
 {
     const struct rhw_draw_state *const state = segment->draw->state;
     const struct rhw_pipeline_data *const pipeline = state->pipeline;
@@ -184,7 +170,8 @@ static void shade_vertices(struct rhw_front_scratch *scratch, const struct rhw_s
         }
         for (int g = 0; g < groups; g++) {
             store_records(state, &scratch->groups[g], segment->vertex_stride,
-                          segment->vertices + (size_t)(8 * (first + (uint32_t)g)) * (size_t)segment->vertex_stride);
+                          segment->vertices +
+                              (size_t)(8 * (first + (uint32_t)g)) * (size_t)segment->vertex_stride);
         }
     }
 }

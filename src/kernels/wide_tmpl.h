@@ -58,8 +58,8 @@ struct wide_plane {
 // The edge from vertex j to vertex k of a homogeneous triangle, of whose vertices X, Y, W are given. With the map M
 // from there to pixels times W it is (M·V_j × M·V_k)·P, taken apart so that the cross product is one of floats, which
 // is exact. `cx`, `cy`: the viewport's centre, pixels from the anchor's centre.
-static struct wide_plane wide_edge(const double j[3], const double k[3], double half_width, double half_height, double cx,
-                                   double cy)
+static struct wide_plane wide_edge(const double j[3], const double k[3], double half_width,
+                                   double half_height, double cx, double cy)
 {
     struct wide cross[3];
     for (int i = 0; i < 3; i++) {

@@ -21,10 +21,10 @@ static const double bound = 8;
 
 // How a budget of fragments is shared out. Families of tiny triangles cost up to 60 times more per fragment.
 static const int share[FAMILY_COUNT] = {
-    [FAMILY_ORDINARY] = 40, [FAMILY_SLIVER] = 3, [FAMILY_MICRO] = 1, [FAMILY_LARGE] = 40,
-    [FAMILY_PERSPECTIVE] = 60, [FAMILY_NEAR_FAR] = 30, [FAMILY_GUARD_BAND] = 20, [FAMILY_BEHIND] = 30,
-    [FAMILY_EVERYTHING] = 20, [FAMILY_CUT_SLIVER] = 12, [FAMILY_HORIZON] = 10, [FAMILY_FAN] = 10,
-    [FAMILY_STRIP] = 10, [FAMILY_GRID] = 10, [FAMILY_CUT_GRID] = 10,
+    [FAMILY_ORDINARY] = 40,    [FAMILY_SLIVER] = 3,      [FAMILY_MICRO] = 1,       [FAMILY_LARGE] = 40,
+    [FAMILY_PERSPECTIVE] = 60, [FAMILY_NEAR_FAR] = 30,   [FAMILY_GUARD_BAND] = 20, [FAMILY_BEHIND] = 30,
+    [FAMILY_EVERYTHING] = 20,  [FAMILY_CUT_SLIVER] = 12, [FAMILY_HORIZON] = 10,    [FAMILY_FAN] = 10,
+    [FAMILY_STRIP] = 10,       [FAMILY_GRID] = 10,       [FAMILY_CUT_GRID] = 10,
 };
 
 struct options {
@@ -34,7 +34,7 @@ struct options {
     int x, y, jobs;
     enum rhw_isa isa;
     struct judge_mode mode;
-    const char *table; // file whose table is rewritten
+    const char *table;           // file whose table is rewritten
     const char *peer[MAX_PEERS]; // drivers to measure as well
     int peer_count;
     uint64_t peer_fragments;
@@ -56,8 +56,9 @@ static uint64_t budget(const struct options *o, int family, uint64_t fragments)
     for (int i = 0; i < FAMILY_COUNT; i++) {
         total += (uint64_t)share[i];
     }
-    return o->family == FAMILY_COUNT ? fragments * (uint64_t)share[family] / total
-                                     : (int)o->family == family ? fragments : 0;
+    return o->family == FAMILY_COUNT  ? fragments * (uint64_t)share[family] / total
+           : (int)o->family == family ? fragments
+                                      : 0;
 }
 
 static void *work(void *argument)
@@ -90,8 +91,8 @@ static void *work(void *argument)
 static void print_replay(const struct tally_place *at)
 {
     printf("    exactness --family %s --seed %llu --index %llu --at %d,%d\n",
-           scene_family_name((enum family)at->family), (unsigned long long)at->seed, (unsigned long long)at->index,
-           at->x, at->y);
+           scene_family_name((enum family)at->family), (unsigned long long)at->seed,
+           (unsigned long long)at->index, at->x, at->y);
 }
 
 static bool within_bound(const struct tally *t, const char *what, enum quantity quantity)
@@ -99,7 +100,8 @@ static bool within_bound(const struct tally *t, const char *what, enum quantity 
     if (t->worst <= bound) {
         return true;
     }
-    printf("FAILED: %s, %s: %.4g ULP, component %d\n", what, judge_quantity_name(quantity), t->worst, t->at.component);
+    printf("FAILED: %s, %s: %.4g ULP, component %d\n", what, judge_quantity_name(quantity), t->worst,
+           t->at.component);
     print_replay(&t->at);
     return false;
 }
@@ -107,9 +109,11 @@ static bool within_bound(const struct tally *t, const char *what, enum quantity 
 static bool report(const struct judge_results *r)
 {
     bool good = r->fragments != 0;
-    printf("\n%llu scenes, %llu triangles, %llu fragments; %llu of them off their cut triangle; %llu scenes left "
-           "out for a corner on a rounding tie\n", (unsigned long long)r->scenes, (unsigned long long)r->triangles,
-           (unsigned long long)r->fragments, (unsigned long long)r->outside, (unsigned long long)r->ambiguous);
+    printf("\n%llu scenes, %llu triangles, %llu fragments; %llu of them off their cut triangle; %llu scenes "
+           "left "
+           "out for a corner on a rounding tie\n",
+           (unsigned long long)r->scenes, (unsigned long long)r->triangles, (unsigned long long)r->fragments,
+           (unsigned long long)r->outside, (unsigned long long)r->ambiguous);
     for (int i = 0; i < EQUALITY_COUNT; i++) {
         if (r->unequal[i] != 0) {
             good = false;
@@ -120,12 +124,14 @@ static bool report(const struct judge_results *r)
     }
     for (int f = 0; f < FAMILY_COUNT; f++) {
         for (int q = 0; q < QUANTITY_COUNT; q++) {
-            good = within_bound(&r->quantity[f][q], scene_family_name((enum family)f), (enum quantity)q) && good;
+            good =
+                within_bound(&r->quantity[f][q], scene_family_name((enum family)f), (enum quantity)q) && good;
         }
     }
     for (int k = 0; k < VALUE_KINDS; k++) {
         good = within_bound(&r->kind[k][0], scene_kind_name((enum value_kind)k), QUANTITY_SMOOTH) && good;
-        good = within_bound(&r->kind[k][1], scene_kind_name((enum value_kind)k), QUANTITY_NOPERSPECTIVE) && good;
+        good =
+            within_bound(&r->kind[k][1], scene_kind_name((enum value_kind)k), QUANTITY_NOPERSPECTIVE) && good;
     }
     return good;
 }
@@ -225,10 +231,10 @@ static int replay(const struct options *o)
         const struct probe_image *const image = peer ? peer_draw(peer, scene) : probe_draw(probe, scene);
         if (image) {
             printf("%s: viewport %g %g %g %g, depth %g..%g%s, target %d×%d\n",
-                   peer ? peer_name(peer) : probe_isa_name(probe), (double)scene->view.x, (double)scene->view.y,
-                   (double)scene->view.width, (double)scene->view.height, (double)scene->view.depth_min,
-                   (double)scene->view.depth_max, scene->view.minus_one_to_one ? ", Z from -W" : "", image->width,
-                   image->height);
+                   peer ? peer_name(peer) : probe_isa_name(probe), (double)scene->view.x,
+                   (double)scene->view.y, (double)scene->view.width, (double)scene->view.height,
+                   (double)scene->view.depth_min, (double)scene->view.depth_max,
+                   scene->view.minus_one_to_one ? ", Z from -W" : "", image->width, image->height);
             if (o->x >= 0 && o->y >= 0 && o->x < image->width && o->y < image->height) {
                 judge_explain(judge, image, o->x, o->y);
             }
@@ -305,8 +311,15 @@ static bool parse_option(struct options *o, const char *name, const char *value)
 
 int main(int argc, char **argv)
 {
-    struct options o = {.seed = 1, .fragments = 1000000, .peer_fragments = 1000000, .family = FAMILY_COUNT, .x = -1, .y = -1, .jobs = 1,
-                        .isa = RHW_ISA_COUNT, .mode = {.derivative_stride = 8}};
+    struct options o = {.seed = 1,
+                        .fragments = 1000000,
+                        .peer_fragments = 1000000,
+                        .family = FAMILY_COUNT,
+                        .x = -1,
+                        .y = -1,
+                        .jobs = 1,
+                        .isa = RHW_ISA_COUNT,
+                        .mode = {.derivative_stride = 8}};
     for (int i = 1; i < argc; i++) {
         if (strcmp(argv[i], "--integers") == 0) {
             o.mode.integers = true;

@@ -22,7 +22,8 @@ struct judge {
     bool ambiguous;
     int16_t owner[MAX_PIXELS]; // the last triangle that covers a pixel, or −1
     int16_t count[MAX_PIXELS];
-    struct oracle_form smooth[SCENE_VALUES], noperspective[SCENE_VALUES], depth, inverse_w, space[3], screen[3];
+    struct oracle_form smooth[SCENE_VALUES], noperspective[SCENE_VALUES], depth, inverse_w, space[3],
+        screen[3];
     struct oracle_sample sample;
 };
 
@@ -153,7 +154,8 @@ static struct tally_place place_of(const struct judge *j, int triangle, int x, i
     return (struct tally_place){(int)s->family, triangle, x, y, component, s->seed, s->index};
 }
 
-static void unequal(const struct judge *j, struct judge_results *r, enum equality what, int triangle, int x, int y)
+static void unequal(const struct judge *j, struct judge_results *r, enum equality what, int triangle, int x,
+                    int y)
 {
     if (r->unequal[what]++ == 0) {
         r->unequal_at[what] = place_of(j, triangle, x, y, 0);
@@ -201,7 +203,8 @@ static double value_error(const struct fragment *f, bool screen, const struct or
     // On the screen, where W changes sign, a value is no mean of the vertex values: it exceeds them as far as
     // the weights exceed 1, and so does the scale of the error.
     const bool mean = f->triangle->snapped || !screen;
-    const double scale = form->vertex_max * (mean ? 1 : fmax(1, oracle_largest_weight(form, &f->judge->sample)));
+    const double scale =
+        form->vertex_max * (mean ? 1 : fmax(1, oracle_largest_weight(form, &f->judge->sample)));
     return scale > largest_value ? -1 : error_of(f, form, (double)got, oracle_ulp(scale));
 }
 
@@ -242,8 +245,10 @@ static void compare_weights(const struct fragment *f, const struct probe_image *
     struct judge *const j = f->judge;
     struct tally *const tallies = f->results->quantity[f->at.family];
     for (int i = 0; i < 3; i++) {
-        measure(f, &tallies[QUANTITY_SPACE], value_error(f, false, &j->space[i], image->space[f->pixel][i]), i);
-        measure(f, &tallies[QUANTITY_SCREEN], value_error(f, true, &j->screen[i], image->screen[f->pixel][i]), i);
+        measure(f, &tallies[QUANTITY_SPACE], value_error(f, false, &j->space[i], image->space[f->pixel][i]),
+                i);
+        measure(f, &tallies[QUANTITY_SCREEN], value_error(f, true, &j->screen[i], image->screen[f->pixel][i]),
+                i);
     }
 }
 
@@ -265,10 +270,12 @@ static void compare_depth(const struct fragment *f, const struct probe_image *im
         error = (got == low && truth < (double)low) || (got == high && truth > (double)high) ? 0 : error;
     }
     tally_add(&f->results->quantity[f->at.family][QUANTITY_DEPTH], error, &f->at);
-    const double least = oracle_least_inverse_w(f->triangle), inverse_w = oracle_value(&j->inverse_w, &j->sample);
+    const double least = oracle_least_inverse_w(f->triangle),
+                 inverse_w = oracle_value(&j->inverse_w, &j->sample);
     const double got_w = (double)image->space[f->pixel][3];
     const double w_unit = oracle_ulp(fmax(j->inverse_w.vertex_max, fabs(inverse_w)));
-    const double w_error = j->sample.linear && inverse_w < least ? fabs(got_w - least) / w_unit : error_of(f, &j->inverse_w, got_w, w_unit);
+    const double w_error = j->sample.linear && inverse_w < least ? fabs(got_w - least) / w_unit
+                                                                 : error_of(f, &j->inverse_w, got_w, w_unit);
     tally_add(&f->results->quantity[f->at.family][QUANTITY_INVERSE_W], w_error, &f->at);
 }
 
@@ -283,8 +290,8 @@ static void compare_derivatives(const struct fragment *f, const struct probe_ima
             struct tally_place at = f->at;
             at.component = 2 * i + axis;
             if (size < 0x1p127) { // beyond that a float cannot say it
-                tally_add(&f->results->quantity[f->at.family][QUANTITY_DERIVATIVE], fabs(got - truth) / oracle_ulp(size),
-                          &at);
+                tally_add(&f->results->quantity[f->at.family][QUANTITY_DERIVATIVE],
+                          fabs(got - truth) / oracle_ulp(size), &at);
             }
         }
     }
@@ -404,7 +411,8 @@ void judge_merge(struct judge_results *into, const struct judge_results *from)
     }
 }
 
-static void explain_value(const char *name, const struct oracle_form *form, const struct oracle_sample *s, float got)
+static void explain_value(const char *name, const struct oracle_form *form, const struct oracle_sample *s,
+                          float got)
 {
     const double truth = oracle_value(form, s), unit = oracle_ulp(form->vertex_max);
     printf("  %-14s expected %.17g got %.9g: %.4f ULP of %.9g\n", name, truth, (double)got,
@@ -422,12 +430,12 @@ void judge_explain(struct judge *j, const struct probe_image *image, int x, int 
         if (n != triangle && n != (int)image->flat[pixel][2] - 1) {
             continue;
         }
-        printf("triangle %d: %s%s%s%s\n", n, t->snapped ? "snapped" : "homogeneous", t->clipped ? ", clipped" : "",
-               t->empty ? ", empty" : "", t->ambiguous ? ", ambiguous" : "");
+        printf("triangle %d: %s%s%s%s\n", n, t->snapped ? "snapped" : "homogeneous",
+               t->clipped ? ", clipped" : "", t->empty ? ", empty" : "", t->ambiguous ? ", ambiguous" : "");
         for (int i = 0; i < 3; i++) {
             const struct scene_vertex *const v = vertex_of(j, n, i);
-            printf("  vertex %a %a %a %a", (double)v->position[0], (double)v->position[1], (double)v->position[2],
-                   (double)v->position[3]);
+            printf("  vertex %a %a %a %a", (double)v->position[0], (double)v->position[1],
+                   (double)v->position[2], (double)v->position[3]);
             if (t->snapped) {
                 printf("  at %d/256, %d/256", t->vertex_24_8[i][0], t->vertex_24_8[i][1]);
             }
@@ -444,8 +452,10 @@ void judge_explain(struct judge *j, const struct probe_image *image, int x, int 
         explain_value("1/W", &j->inverse_w, &j->sample, image->space ? image->space[pixel][3] : 0);
         explain_value("depth", &j->depth, &j->sample, image->screen ? image->screen[pixel][3] : 0);
         for (int i = 0; i < 3; i++) {
-            explain_value("space weight", &j->space[i], &j->sample, image->space ? image->space[pixel][i] : 0);
-            explain_value("screen weight", &j->screen[i], &j->sample, image->screen ? image->screen[pixel][i] : 0);
+            explain_value("space weight", &j->space[i], &j->sample,
+                          image->space ? image->space[pixel][i] : 0);
+            explain_value("screen weight", &j->screen[i], &j->sample,
+                          image->screen ? image->screen[pixel][i] : 0);
         }
         for (int i = 0; i < SCENE_VALUES; i++) {
             printf("  %s values %.9g %.9g %.9g\n", scene_kind_name(j->scene->kind[i]),
@@ -453,7 +463,8 @@ void judge_explain(struct judge *j, const struct probe_image *image, int x, int 
                    (double)vertex_of(j, n, 2)->value[i]);
             explain_value("smooth", &j->smooth[i], &j->sample, image->smooth[pixel][i]);
             if (image->noperspective) {
-                explain_value("noperspective", &j->noperspective[i], &j->sample, image->noperspective[pixel][i]);
+                explain_value("noperspective", &j->noperspective[i], &j->sample,
+                              image->noperspective[pixel][i]);
             }
         }
     }

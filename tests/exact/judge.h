@@ -29,7 +29,7 @@ enum equality {
     EQUAL_FLAT,
     EQUAL_CONSTANT,
     EQUAL_FACING,
-    EQUAL_DEPTH,    // the depth attachment and the fragment's depth
+    EQUAL_DEPTH, // the depth attachment and the fragment's depth
     EQUALITY_COUNT
 };
 
@@ -39,9 +39,9 @@ struct judge_results {
     uint64_t outside;   // fragments of a cut triangle that snapping moved off the triangle itself
     uint64_t family_fragments[FAMILY_COUNT];
     uint64_t unequal[EQUALITY_COUNT];
-    struct tally_place unequal_at[EQUALITY_COUNT]; // the first one
+    struct tally_place unequal_at[EQUALITY_COUNT];       // the first one
     struct tally quantity[FAMILY_COUNT][QUANTITY_COUNT]; // smooth, noperspective: kinds up to VALUE_OPPOSITE
-    struct tally kind[VALUE_KINDS][2]; // smooth, noperspective; all families
+    struct tally kind[VALUE_KINDS][2];                   // smooth, noperspective; all families
 };
 
 struct judge_mode {

@@ -215,7 +215,8 @@ static bool in_depth_range(const struct oracle_triangle *t)
     return true;
 }
 
-void oracle_triangle_set(struct oracle_triangle *t, const struct oracle_view *view, const float position[3][4])
+void oracle_triangle_set(struct oracle_triangle *t, const struct oracle_view *view,
+                         const float position[3][4])
 {
     t->view = *view;
     t->empty = t->clipped = t->ambiguous = false;
@@ -399,7 +400,8 @@ void oracle_rows(const struct oracle_triangle *t, int *y0, int *y1)
         bottom = y > bottom ? y : bottom;
     }
     const int view_top = (int)v->y > 0 ? (int)v->y : 0;
-    const int view_bottom = v->y + v->height < (float)v->target_height ? (int)(v->y + v->height) : v->target_height;
+    const int view_bottom =
+        v->y + v->height < (float)v->target_height ? (int)(v->y + v->height) : v->target_height;
     *y0 = (top >> 8) > view_top ? top >> 8 : view_top;
     *y1 = (bottom >> 8) + 1 < view_bottom ? (bottom >> 8) + 1 : view_bottom;
     *y1 = *y1 < *y0 ? *y0 : *y1;
@@ -566,7 +568,8 @@ double oracle_error_fast(const struct oracle_form *f, const struct oracle_sample
     const double value = over / under;
     const double over_slack = 8 * rounding * over_size, under_slack = 8 * rounding * under_size;
     const double room = fabs(under) - under_slack;
-    *slack = room > 0 ? ((over_slack + fabs(value) * under_slack) / room + 4 * rounding * fabs(value)) * 1.001 / unit
+    *slack = room > 0 ? ((over_slack + fabs(value) * under_slack) / room + 4 * rounding * fabs(value)) *
+                            1.001 / unit
                       : (double)INFINITY;
     return fabs(got - value) / unit;
 }

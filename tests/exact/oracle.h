@@ -27,7 +27,7 @@ struct oracle_view {
     int target_width, target_height; // pixels
     float x, y, width, height;       // viewport, pixels from the top left of the target
     float depth_min, depth_max;
-    bool minus_one_to_one;           // OpenGL's depth convention in clip space
+    bool minus_one_to_one; // OpenGL's depth convention in clip space
 };
 
 // 3 corners and one more for each of 6 planes.
@@ -67,8 +67,8 @@ struct oracle_sample {
     mpz_t e[3];    // the same, or 0 where a cut triangle's sample is off the triangle
     mpz_t sum;
     double line_d[3], e_d[3];
-    bool inside;   // no line is below 0
-    bool linear;   // forms that are linear on the screen take `line` instead of `e`
+    bool inside; // no line is below 0
+    bool linear; // forms that are linear on the screen take `line` instead of `e`
 };
 
 void oracle_triangle_init(struct oracle_triangle *t);
@@ -83,7 +83,8 @@ void oracle_sample_clear(struct oracle_sample *s);
 bool oracle_snap(const struct oracle_view *view, const float position[4], int32_t xy_24_8[2]);
 
 // Takes the clip-space positions of a triangle and works out everything that does not depend on the sample.
-void oracle_triangle_set(struct oracle_triangle *t, const struct oracle_view *view, const float position[3][4]);
+void oracle_triangle_set(struct oracle_triangle *t, const struct oracle_view *view,
+                         const float position[3][4]);
 
 void oracle_form_smooth(struct oracle_form *f, const struct oracle_triangle *t, const float value[3]);
 void oracle_form_noperspective(struct oracle_form *f, const struct oracle_triangle *t, const float value[3]);

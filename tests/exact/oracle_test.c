@@ -13,8 +13,8 @@
 #include "oracle.h"
 #include "random.h"
 
-static const struct oracle_view small_view = {.target_width = 16, .target_height = 16, .width = 16, .height = 16,
-                                              .depth_max = 1};
+static const struct oracle_view small_view = {
+    .target_width = 16, .target_height = 16, .width = 16, .height = 16, .depth_max = 1};
 
 // The clip position that lands on (x, y), in 1/256 pixel, of a 16×16 target; exact for dyadic w.
 static void place(float position[4], int x_24_8, int y_24_8, double z, double w)

@@ -171,15 +171,20 @@ static bool make_program(const struct peer *p)
     const char *const extension =
         p->noperspective ? "#extension GL_NV_shader_noperspective_interpolation : require\n" : "";
     const char *const vertex[] = {
-        version, extension, precise,
-        "layout(location = 0) in vec4 position; layout(location = 1) in vec4 value; layout(location = 2) in float name;\n"
+        version,
+        extension,
+        precise,
+        "layout(location = 0) in vec4 position; layout(location = 1) in vec4 value; layout(location = 2) in "
+        "float name;\n"
         "smooth out vec4 varying_smooth; flat out float varying_name;\n",
         p->noperspective ? "noperspective out vec4 varying_screen;\n" : "",
         "void main() { gl_Position = position; varying_smooth = value; varying_name = name;\n",
         p->noperspective ? "varying_screen = value; }" : "}",
     };
     const char *const fragment[] = {
-        version, extension, precise,
+        version,
+        extension,
+        precise,
         "smooth in vec4 varying_smooth; flat in float varying_name;\n"
         "layout(location = 0) out vec4 out_smooth; layout(location = 1) out vec4 out_name;\n"
         "layout(location = 2) out vec4 out_space; layout(location = 3) out vec4 out_screen;\n"
@@ -191,7 +196,8 @@ static bool make_program(const struct peer *p)
     };
     const GLuint program = gl->create_program();
     const GLuint vertex_shader = compile(gl, GL_VERTEX_SHADER, vertex, sizeof vertex / sizeof *vertex);
-    const GLuint fragment_shader = compile(gl, GL_FRAGMENT_SHADER, fragment, sizeof fragment / sizeof *fragment);
+    const GLuint fragment_shader =
+        compile(gl, GL_FRAGMENT_SHADER, fragment, sizeof fragment / sizeof *fragment);
     GLint ok = 0;
     if (vertex_shader && fragment_shader) {
         gl->attach_shader(program, vertex_shader);
@@ -222,16 +228,20 @@ static bool make_targets(const struct peer *p)
     gl->bind_buffer(GL_ARRAY_BUFFER, buffer);
     const struct peer_vertex *const start = NULL;
     const GLsizei stride = sizeof *start;
-    gl->vertex_attrib_pointer(0, 4, GL_FLOAT, GL_FALSE, stride, (const void *)offsetof(struct peer_vertex, position));
-    gl->vertex_attrib_pointer(1, SCENE_VALUES, GL_FLOAT, GL_FALSE, stride, (const void *)offsetof(struct peer_vertex, value));
-    gl->vertex_attrib_pointer(2, 1, GL_FLOAT, GL_FALSE, stride, (const void *)offsetof(struct peer_vertex, name));
+    gl->vertex_attrib_pointer(0, 4, GL_FLOAT, GL_FALSE, stride,
+                              (const void *)offsetof(struct peer_vertex, position));
+    gl->vertex_attrib_pointer(1, SCENE_VALUES, GL_FLOAT, GL_FALSE, stride,
+                              (const void *)offsetof(struct peer_vertex, value));
+    gl->vertex_attrib_pointer(2, 1, GL_FLOAT, GL_FALSE, stride,
+                              (const void *)offsetof(struct peer_vertex, name));
     for (GLuint i = 0; i < 3; i++) {
         gl->enable_vertex_attrib_array(i);
     }
     gl->disable(GL_DEPTH_TEST);
     gl->disable(GL_CULL_FACE);
     gl->disable(GL_DITHER);
-    return gl->check_framebuffer_status(GL_FRAMEBUFFER) == GL_FRAMEBUFFER_COMPLETE && gl->get_error() == GL_NO_ERROR;
+    return gl->check_framebuffer_status(GL_FRAMEBUFFER) == GL_FRAMEBUFFER_COMPLETE &&
+           gl->get_error() == GL_NO_ERROR;
 }
 
 struct peer *peer_open(const char *driver, const char **why)
@@ -314,9 +324,10 @@ const struct probe_image *peer_draw(struct peer *p, const struct scene *scene)
             to->name = (float)(t + 1);
         }
     }
-    gl->buffer_data(GL_ARRAY_BUFFER, (GLsizeiptr)(3 * (size_t)scene->triangle_count * sizeof *p->vertex), p->vertex,
-                    GL_STREAM_DRAW);
-    gl->viewport((GLint)v->x, v->target_height - (GLint)(v->y + v->height), (GLsizei)v->width, (GLsizei)v->height);
+    gl->buffer_data(GL_ARRAY_BUFFER, (GLsizeiptr)(3 * (size_t)scene->triangle_count * sizeof *p->vertex),
+                    p->vertex, GL_STREAM_DRAW);
+    gl->viewport((GLint)v->x, v->target_height - (GLint)(v->y + v->height), (GLsizei)v->width,
+                 (GLsizei)v->height);
     gl->depth_range_f(v->depth_min, v->depth_max);
     gl->clear_color(0, 0, 0, 0);
     gl->clear(GL_COLOR_BUFFER_BIT);

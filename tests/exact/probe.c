@@ -220,13 +220,15 @@ const struct probe_image *probe_draw(struct probe *p, const struct scene *scene)
     def.depth.enabled = true;
     def.depth.texture = s->depth;
     def.depth.clear = 1;
-    rhw_buffer_write(p->context, p->vertices, 0, scene->vertex, sizeof *scene->vertex * (size_t)scene->vertex_count);
+    rhw_buffer_write(p->context, p->vertices, 0, scene->vertex,
+                     sizeof *scene->vertex * (size_t)scene->vertex_count);
     if (rhw_pass_begin(p->context, &def, &pass) != RHW_OK) {
         return NULL;
     }
     rhw_pass_set_pipeline(p->context, pass, p->pipeline[scene->topology][view->minus_one_to_one]);
     rhw_pass_set_vertex_buffer(p->context, pass, 0, p->vertices, 0);
-    const struct rhw_viewport viewport = {view->x, view->y, view->width, view->height, view->depth_min, view->depth_max};
+    const struct rhw_viewport viewport = {view->x,      view->y,         view->width,
+                                          view->height, view->depth_min, view->depth_max};
     rhw_pass_set_viewport(p->context, pass, &viewport);
     rhw_pass_draw(p->context, pass, 0, (uint32_t)scene->vertex_count, 0, 1);
     if (rhw_pass_end(p->context, pass, NULL) != RHW_OK) {

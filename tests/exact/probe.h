@@ -13,12 +13,12 @@ typedef float probe_pixel[4];
 struct probe_image {
     int width, height;
     const probe_pixel *smooth, *noperspective; // the four values of the scene
-    const probe_pixel *flat;          // two flat values, 1 + number of the triangle, 1 front or 2 back facing
-    const probe_pixel *space;         // a, b, c, 1/W
-    const probe_pixel *screen;        // r, s, t, depth
-    const probe_pixel *ddx, *ddy;     // of `smooth`, per pixel
-    const float *count;               // fragments that landed here
-    const float *depth;               // the depth attachment
+    const probe_pixel *flat;      // two flat values, 1 + number of the triangle, 1 front or 2 back facing
+    const probe_pixel *space;     // a, b, c, 1/W
+    const probe_pixel *screen;    // r, s, t, depth
+    const probe_pixel *ddx, *ddy; // of `smooth`, per pixel
+    const float *count;           // fragments that landed here
+    const float *depth;           // the depth attachment
 };
 
 struct probe;

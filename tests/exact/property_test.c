@@ -69,7 +69,8 @@ static bool snapped_area(const struct scene *s, int triangle, int64_t *area)
             return false;
         }
     }
-    *area = (int64_t)(v[1][0] - v[0][0]) * (v[2][1] - v[0][1]) - (int64_t)(v[2][0] - v[0][0]) * (v[1][1] - v[0][1]);
+    *area = (int64_t)(v[1][0] - v[0][0]) * (v[2][1] - v[0][1]) -
+            (int64_t)(v[2][0] - v[0][0]) * (v[1][1] - v[0][1]);
     return true;
 }
 
@@ -103,7 +104,8 @@ static void find_outline(const struct scene *s, struct outline *o)
             oracle_snap(&s->view, vertex_of(s, t, i)->position, from);
             oracle_snap(&s->view, vertex_of(s, t, (i + 1) % 3)->position, to);
             int twin = 0;
-            while (twin < o->count && (memcmp(o->from[twin], to, sizeof to) || memcmp(o->to[twin], from, sizeof from))) {
+            while (twin < o->count &&
+                   (memcmp(o->from[twin], to, sizeof to) || memcmp(o->to[twin], from, sizeof from))) {
                 twin++;
             }
             if (twin < o->count) {
@@ -179,7 +181,8 @@ static double edge_distance(const struct oracle_triangle *t, int x, int y)
 // the two triangles cover, once, up to the rounding of the corners along the outline.
 static void make_floor(struct scene *s, struct random *r, int cells)
 {
-    const double height = random_scale(r, -5, 0), extent = random_scale(r, 2, 8), turn = random_between(r, 0, 6.28);
+    const double height = random_scale(r, -5, 0), extent = random_scale(r, 2, 8),
+                 turn = random_between(r, 0, 6.28);
     const double near = random_scale(r, -8, -3), tilt = random_between(r, -0.3, 0.3);
     struct random jitter = random_start(r->state, 1, 2);
     struct scene_vertex corner[17 * 17];
@@ -189,7 +192,8 @@ static void make_floor(struct scene *s, struct random *r, int cells)
         const bool rim = column == 0 || row == 0 || column == cells || row == cells;
         const double wobble_u = rim ? 0 : random_between(&jitter, -0.3, 0.3);
         const double wobble_v = rim ? 0 : random_between(&jitter, -0.3, 0.3);
-        const double u = ((column + wobble_u) / cells - 0.5) * extent, v = ((row + wobble_v) / cells - 0.5) * extent;
+        const double u = ((column + wobble_u) / cells - 0.5) * extent,
+                     v = ((row + wobble_v) / cells - 0.5) * extent;
         const double x = u * cos(turn) - v * sin(turn), depth = u * sin(turn) + v * cos(turn);
         corner[i].position[0] = (float)x;
         corner[i].position[1] = (float)(-height + tilt * x);
@@ -237,7 +241,8 @@ static void test_cut_edges_cover_once(void **state)
             const int x = i % image->width, y = i / image->width;
             check(image->count[i] <= 1, &scene, x, y);
             if (image->count[i] != saved_count[i]) {
-                check(edge_distance(&half[0], x, y) < 1.0 / 64 || edge_distance(&half[1], x, y) < 1.0 / 64, &scene, x, y);
+                check(edge_distance(&half[0], x, y) < 1.0 / 64 || edge_distance(&half[1], x, y) < 1.0 / 64,
+                      &scene, x, y);
             }
             covered += image->count[i] != 0;
         }
@@ -277,9 +282,10 @@ static bool same_pixel(const struct probe_image *a, int i, const struct probe_im
     return a->count[i] == b->count[k] && same_bits(a->depth[i], b->depth[k]) &&
            !memcmp(a->smooth[i], b->smooth[k], sizeof *a->smooth) &&
            !memcmp(a->noperspective[i], b->noperspective[k], sizeof *a->noperspective) &&
-           !memcmp(a->flat[i], b->flat[k], sizeof *a->flat) && !memcmp(a->space[i], b->space[k], sizeof *a->space) &&
-           !memcmp(a->screen[i], b->screen[k], sizeof *a->screen) && !memcmp(a->ddx[i], b->ddx[k], sizeof *a->ddx) &&
-           !memcmp(a->ddy[i], b->ddy[k], sizeof *a->ddy);
+           !memcmp(a->flat[i], b->flat[k], sizeof *a->flat) &&
+           !memcmp(a->space[i], b->space[k], sizeof *a->space) &&
+           !memcmp(a->screen[i], b->screen[k], sizeof *a->screen) &&
+           !memcmp(a->ddx[i], b->ddx[k], sizeof *a->ddx) && !memcmp(a->ddy[i], b->ddy[k], sizeof *a->ddy);
 }
 
 // Moving the viewport by whole pixels moves the picture and changes no bit of any number in it, across tiles
@@ -291,7 +297,8 @@ static void test_translation_changes_nothing(void **state)
     assert_non_null(second);
     int checked = 0;
     for (int family = 0; family < FAMILY_COUNT; family++) {
-        for (uint64_t index = 0; index < 24 && !cuts((enum family)family) && family != FAMILY_LARGE; index++) {
+        for (uint64_t index = 0; index < 24 && !cuts((enum family)family) && family != FAMILY_LARGE;
+             index++) {
             struct random r = random_start(SEED, 99, index);
             scene_make(&scene, (enum family)family, SEED, index);
             const int width = scene.view.target_width, height = scene.view.target_height;
@@ -352,7 +359,8 @@ static void test_clipping_does_not_show(void **state)
             scene.view.depth_min = 0;
             scene.view.depth_max = 1;
             scene.view.minus_one_to_one = false;
-            for (int i = 0; i < scene.vertex_count; i++) { // depths 1/4, 1/2, 3/4 that stretch to −1/2, 1/2, 3/2
+            for (int i = 0; i < scene.vertex_count;
+                 i++) { // depths 1/4, 1/2, 3/4 that stretch to −1/2, 1/2, 3/2
                 const float w = scene.vertex[i].position[3];
                 scene.vertex[i].position[2] = w * (0.25F + 0.25F * (float)(i % 3));
             }
@@ -399,9 +407,11 @@ static void test_values_stay_in_range(void **state)
                     const float c = vertex_of(&scene, t, 2)->value[k];
                     const double low = (double)fminf(a, fminf(b, c)), high = (double)fmaxf(a, fmaxf(b, c));
                     const double room = 8 * oracle_ulp(fmax(fabs(low), fabs(high)));
-                    const double smooth = (double)image->smooth[i][k], flat = (double)image->noperspective[i][k];
+                    const double smooth = (double)image->smooth[i][k],
+                                 flat = (double)image->noperspective[i][k];
                     check(smooth >= low - room && smooth <= high + room, &scene, x, y);
-                    check(cuts((enum family)family) || (flat >= low - room && flat <= high + room), &scene, x, y);
+                    check(cuts((enum family)family) || (flat >= low - room && flat <= high + room), &scene, x,
+                          y);
                     checked++;
                 }
             }

@@ -10,8 +10,8 @@
 enum { SMALL = 128, ODD_WIDTH = 131, ODD_HEIGHT = 117, LARGE = 16384 };
 
 static const char *const family_names[FAMILY_COUNT] = {
-    "ordinary", "sliver", "micro", "large", "perspective", "near_far", "guard_band",
-    "behind", "everything", "cut_sliver", "horizon", "fan", "strip", "grid", "cut_grid",
+    "ordinary",   "sliver",     "micro",   "large", "perspective", "near_far", "guard_band", "behind",
+    "everything", "cut_sliver", "horizon", "fan",   "strip",       "grid",     "cut_grid",
 };
 
 static const char *const kind_names[VALUE_KINDS] = {
@@ -85,10 +85,12 @@ static void make_values(struct scene *s, struct random *r)
         {VALUE_OPPOSITE, VALUE_UNIT, VALUE_HUGE, VALUE_WIDE},
     };
     memcpy(s->kind, sets[s->index / 2 % 2], sizeof s->kind);
-    const double constant = random_sign(r) * random_scale(r, -140, 126), power = ldexp(1, random_below(r, 200) - 100);
+    const double constant = random_sign(r) * random_scale(r, -140, 126),
+                 power = ldexp(1, random_below(r, 200) - 100);
     for (int i = 0; i < s->vertex_count; i++) {
         for (int k = 0; k < SCENE_VALUES; k++) {
-            s->vertex[i].value[k] = (float)make_value(r, s->kind[k], s->kind[k] == VALUE_OPPOSITE ? power : constant);
+            s->vertex[i].value[k] =
+                (float)make_value(r, s->kind[k], s->kind[k] == VALUE_OPPOSITE ? power : constant);
         }
         s->vertex[i].flat[0] = (float)random_between(r, -1, 1);
         s->vertex[i].flat[1] = (float)(random_sign(r) * random_scale(r, -149, 127));
@@ -129,7 +131,8 @@ static double pick_y(const struct scene *s, struct random *r)
 static void make_ordinary(struct scene *s, struct random *r)
 {
     for (int i = 0; i < 3; i++) {
-        place(s, add(s), pick_x(s, r), pick_y(s, r), random_between(r, 0, 1), few_bits(s, random_scale(r, -2, 3)));
+        place(s, add(s), pick_x(s, r), pick_y(s, r), random_between(r, 0, 1),
+              few_bits(s, random_scale(r, -2, 3)));
     }
 }
 
@@ -149,7 +152,8 @@ static void make_slivers(struct scene *s, struct random *r)
 {
     for (int n = 0; n < 48; n++) {
         const double x = pick_x(s, r), y = pick_y(s, r), angle = random_between(r, 0, 6.28);
-        const double before = random_scale(r, 0, n % 2 ? 6 : 13.9), after = -random_scale(r, 0, n % 2 ? 6 : 13.9);
+        const double before = random_scale(r, 0, n % 2 ? 6 : 13.9),
+                     after = -random_scale(r, 0, n % 2 ? 6 : 13.9);
         const double along = before + random_between(r, -0.3, 1.3) * (after - before);
         const double at[3] = {before, after, along < -16000 ? -16000 : along > 16000 ? 16000 : along};
         const double log2_ratio = random_between(r, 0, 20);
@@ -169,8 +173,9 @@ static void make_micro(struct scene *s, struct random *r)
     for (int n = 0; n < SCENE_VERTICES / 3 && n < SCENE_TRIANGLES; n++) {
         const double x = pick_x(s, r), y = pick_y(s, r), size = random_scale(r, -6, 0);
         for (int i = 0; i < 3; i++) {
-            place(s, add(s), grid(s, x + random_between(r, -size, size)), grid(s, y + random_between(r, -size, size)),
-                  random_between(r, 0, 1), few_bits(s, random_scale(r, 0, 4)));
+            place(s, add(s), grid(s, x + random_between(r, -size, size)),
+                  grid(s, y + random_between(r, -size, size)), random_between(r, 0, 1),
+                  few_bits(s, random_scale(r, 0, 4)));
         }
     }
 }
@@ -180,7 +185,8 @@ static void make_large(struct scene *s, struct random *r)
 {
     const double turn = random_between(r, 0, 6.28);
     for (int i = 0; i < 3; i++) {
-        const double angle = turn + i * 2.09 + random_between(r, -0.6, 0.6), distance = random_scale(r, 6, 13.9);
+        const double angle = turn + i * 2.09 + random_between(r, -0.6, 0.6),
+                     distance = random_scale(r, 6, 13.9);
         const double x = s->view.target_width / 2 + distance * cos(angle);
         const double y = s->view.target_height / 2 + distance * sin(angle);
         const double w = s->index % 2 ? random_scale(r, 0, 8) : exp2(random_below(r, 8));
@@ -191,7 +197,8 @@ static void make_large(struct scene *s, struct random *r)
 static void make_near_far(struct scene *s, struct random *r)
 {
     for (int i = 0; i < 3; i++) {
-        const double z = random_chance(r, 0.5) ? random_between(r, -1, 2) : random_sign(r) * random_scale(r, -8, 12);
+        const double z =
+            random_chance(r, 0.5) ? random_between(r, -1, 2) : random_sign(r) * random_scale(r, -8, 12);
         place(s, add(s), pick_x(s, r), pick_y(s, r), z, few_bits(s, random_scale(r, -2, 4)));
     }
 }
@@ -257,7 +264,9 @@ static void make_everything(struct scene *s, struct random *r)
         case 0: place_behind(s, v, r, near); break;
         case 1: place_in_front(s, v, r, near); break;
         case 2: place_outside(s, v, r, random_between(r, -1, 2), random_scale(r, -8, 8)); break;
-        default: place(s, v, pick_x(s, r), pick_y(s, r), random_between(r, -1, 2), random_scale(r, -8, 8)); break;
+        default:
+            place(s, v, pick_x(s, r), pick_y(s, r), random_between(r, -1, 2), random_scale(r, -8, 8));
+            break;
         }
     }
 }
@@ -266,7 +275,8 @@ static void make_everything(struct scene *s, struct random *r)
 // a vertex that cannot be snapped. Weights are quotients of almost nothing by almost nothing here.
 static void place_thinnest(const struct scene *s, struct scene_vertex v[3], struct random *r, double near)
 {
-    const double x = random_below(r, s->view.target_width) + 0.5, y = random_below(r, s->view.target_height) + 0.5;
+    const double x = random_below(r, s->view.target_width) + 0.5,
+                 y = random_below(r, s->view.target_height) + 0.5;
     const double dx = random_below(r, 9) - 4, dy = random_below(r, 9) - 4;
     const double far = random_chance(r, 0.5) ? 0x1p17 : 20, w = few_bits(s, random_scale(r, 0, 6));
     place(s, &v[0], x, y, random_between(r, 0, 1), w);
@@ -352,7 +362,8 @@ static void make_fan(struct scene *s, struct random *r)
 static void make_strip(struct scene *s, struct random *r)
 {
     const int count = 4 + random_below(r, 60);
-    const double step = random_between(r, 2, 30), top = random_between(r, 5, 40), height = random_between(r, 2, 60);
+    const double step = random_between(r, 2, 30), top = random_between(r, 5, 40),
+                 height = random_between(r, 2, 60);
     s->topology = RHW_TRIANGLE_STRIP;
     for (int i = 0; i < count; i++) {
         const double x = -5 + step * (i / 2 + random_between(r, 0, 0.4));
@@ -392,7 +403,8 @@ static void make_grid(struct scene *s, struct random *r)
     for (int i = 0; i < (columns + 1) * (rows + 1); i++) {
         const double x = x0 + width * (i % (columns + 1) + random_between(r, 0, 0.4));
         const double y = y0 + height * (i / (columns + 1) + random_between(r, 0, 0.4));
-        place(s, &corner[i], grid(s, x), grid(s, y), random_between(r, 0, 1), few_bits(s, random_scale(r, 0, 3)));
+        place(s, &corner[i], grid(s, x), grid(s, y), random_between(r, 0, 1),
+              few_bits(s, random_scale(r, 0, 3)));
     }
     grid_triangles(s, columns, rows, corner);
 }
@@ -402,18 +414,22 @@ static void make_grid(struct scene *s, struct random *r)
 static void make_cut_grid(struct scene *s, struct random *r)
 {
     const int columns = 1 + random_below(r, 16), rows = 1 + random_below(r, 16);
-    const double near = random_scale(r, -10, -2), height = random_scale(r, -6, 1), tilt = random_between(r, -0.5, 0.5);
-    const double extent = random_scale(r, 0, 6), turn = random_between(r, 0, 6.28), far = random_scale(r, 0, 6);
+    const double near = random_scale(r, -10, -2), height = random_scale(r, -6, 1),
+                 tilt = random_between(r, -0.5, 0.5);
+    const double extent = random_scale(r, 0, 6), turn = random_between(r, 0, 6.28),
+                 far = random_scale(r, 0, 6);
     struct scene_vertex corner[17 * 17];
     memset(corner, 0, sizeof corner);
     for (int i = 0; i < (columns + 1) * (rows + 1); i++) {
         const double u = (i % (columns + 1) + random_between(r, 0, 0.4)) / columns - 0.5;
         const double v = (i / (columns + 1) + random_between(r, 0, 0.4)) / rows - 0.5;
-        const double x = extent * (u * cos(turn) - v * sin(turn)), depth = extent * (u * sin(turn) + v * cos(turn));
+        const double x = extent * (u * cos(turn) - v * sin(turn)),
+                     depth = extent * (u * sin(turn) + v * cos(turn));
         const double y = -height + tilt * x, w = depth + height * 0.3;
         corner[i].position[0] = (float)(1.5 * x);
         corner[i].position[1] = (float)(1.5 * y);
-        corner[i].position[2] = (float)((w - near) * far / (far + near) * (s->view.minus_one_to_one ? 1.5 : 1));
+        corner[i].position[2] =
+            (float)((w - near) * far / (far + near) * (s->view.minus_one_to_one ? 1.5 : 1));
         corner[i].position[3] = (float)w;
     }
     grid_triangles(s, columns, rows, corner);
@@ -423,8 +439,10 @@ static void make_view(struct scene *s, struct random *r)
 {
     const bool odd = s->index % 2;
     struct oracle_view *const v = &s->view;
-    *v = (struct oracle_view){.target_width = odd ? ODD_WIDTH : SMALL, .target_height = odd ? ODD_HEIGHT : SMALL,
-                              .depth_max = 1, .minus_one_to_one = random_chance(r, 0.5)};
+    *v = (struct oracle_view){.target_width = odd ? ODD_WIDTH : SMALL,
+                              .target_height = odd ? ODD_HEIGHT : SMALL,
+                              .depth_max = 1,
+                              .minus_one_to_one = random_chance(r, 0.5)};
     v->width = odd ? ODD_WIDTH : SMALL;
     v->height = odd ? ODD_HEIGHT : SMALL;
     if (s->family == FAMILY_LARGE) {
@@ -448,8 +466,9 @@ typedef void make_function(struct scene *s, struct random *r);
 void scene_make(struct scene *s, enum family family, uint64_t seed, uint64_t index)
 {
     static make_function *const make[FAMILY_COUNT] = {
-        make_ordinary, make_slivers,    make_micro,       make_large, make_perspective, make_near_far, make_guard_band,
-        make_behind,   make_everything, make_cut_slivers, make_horizon, make_fan,   make_strip,       make_grid,     make_cut_grid,
+        make_ordinary, make_slivers,    make_micro,  make_large,      make_perspective,
+        make_near_far, make_guard_band, make_behind, make_everything, make_cut_slivers,
+        make_horizon,  make_fan,        make_strip,  make_grid,       make_cut_grid,
     };
     struct random r = random_start(seed, (uint64_t)family, index);
     s->family = family;

@@ -39,7 +39,7 @@ enum family {
     FAMILY_FAN,
     FAMILY_STRIP,
     FAMILY_GRID,
-    FAMILY_CUT_GRID,    // a grid that the near plane and the guard band cut
+    FAMILY_CUT_GRID, // a grid that the near plane and the guard band cut
     FAMILY_COUNT
 };
 

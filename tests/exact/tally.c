@@ -40,7 +40,8 @@ void tally_merge(struct tally *into, const struct tally *from)
     for (int i = 0; i < TALLY_BINS; i++) {
         into->bin[i] += from->bin[i];
     }
-    if (from->worst > into->worst || (from->worst == into->worst && from->count != 0 && earlier(&from->at, &into->at))) {
+    if (from->worst > into->worst ||
+        (from->worst == into->worst && from->count != 0 && earlier(&from->at, &into->at))) {
         into->worst = from->worst;
         into->at = from->at;
     }
@@ -53,8 +54,8 @@ double tally_percentile(const struct tally *t, double part)
     for (int i = 0; i < TALLY_BINS; i++) {
         sum += t->bin[i];
         if ((double)sum >= wanted) {
-            const double high =
-                ldexp(1 + (double)(i % TALLY_PER_OCTAVE + 1) / TALLY_PER_OCTAVE, i / TALLY_PER_OCTAVE + TALLY_LOWEST);
+            const double high = ldexp(1 + (double)(i % TALLY_PER_OCTAVE + 1) / TALLY_PER_OCTAVE,
+                                      i / TALLY_PER_OCTAVE + TALLY_LOWEST);
             return high < t->worst ? high : t->worst;
         }
     }

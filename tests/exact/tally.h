@@ -6,8 +6,12 @@
 #include <stdint.h>
 
 // Bins are 1/64 of a power of two wide, from 2^-12 to 2^36 ULP: a percentile is right to 1.6 %.
-enum { TALLY_LOWEST = -12, TALLY_HIGHEST = 36, TALLY_PER_OCTAVE = 64,
-       TALLY_BINS = (TALLY_HIGHEST - TALLY_LOWEST) * TALLY_PER_OCTAVE };
+enum {
+    TALLY_LOWEST = -12,
+    TALLY_HIGHEST = 36,
+    TALLY_PER_OCTAVE = 64,
+    TALLY_BINS = (TALLY_HIGHEST - TALLY_LOWEST) * TALLY_PER_OCTAVE
+};
 
 // Names one number of one fragment; see scene.h for family, seed and index.
 struct tally_place {

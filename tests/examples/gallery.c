@@ -68,7 +68,8 @@ static int compare(const struct image *a, const struct image *b)
         }
     }
     if (different > 0) {
-        fprintf(stderr, "%zu pixels differ, the first at %zu, %zu\n", different, first % a->width, first / a->width);
+        fprintf(stderr, "%zu pixels differ, the first at %zu, %zu\n", different, first % a->width,
+                first / a->width);
     }
     return different > 0;
 }

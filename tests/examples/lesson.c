@@ -26,8 +26,8 @@ void lesson_near(const char *what, int column, int row, float value, double trut
     const double ulp = ldexp(1, exponent - 24);
     const double difference = fabs((double)value - truth);
     if (!(difference <= 8 * ulp)) {
-        fail_msg("%s at %d, %d is %.9g, but the formula gives %.9g: %g ULP apart", what, column, row, (double)value,
-                 truth, difference / ulp);
+        fail_msg("%s at %d, %d is %.9g, but the formula gives %.9g: %g ULP apart", what, column, row,
+                 (double)value, truth, difference / ulp);
     }
 }
 
@@ -42,7 +42,8 @@ bool lesson_covered(const struct ref_triangle *triangle, int column, int row, bo
 {
     const bool covered = ref_covers(triangle, column, row);
     if (covered != drawn) {
-        fail_msg("pixel %d, %d is %s", column, row, drawn ? "drawn, but not covered" : "covered, but not drawn");
+        fail_msg("pixel %d, %d is %s", column, row,
+                 drawn ? "drawn, but not covered" : "covered, but not drawn");
     }
     return covered;
 }

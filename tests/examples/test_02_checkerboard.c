@@ -80,7 +80,8 @@ static void checkerboard(void **state)
         }
         const bool light = (fmod(5 * st[0], 1) < 0.5) == (fmod(5 * st[1], 1) < 0.5);
         if (fields[y][x][0] != (light ? 0.90f : 0.04f)) {
-            fail_msg("pixel %d, %d with s = %f, t = %f is not %s", x, y, st[0], st[1], light ? "light" : "dark");
+            fail_msg("pixel %d, %d with s = %f, t = %f is not %s", x, y, st[0], st[1],
+                     light ? "light" : "dark");
         }
         light_pixels[half] += light;
         dark_pixels[half] += !light;

@@ -34,7 +34,7 @@ static void clip_coordinates(float clip[6][4])
     const struct rhw_viewport panel = panel_viewport(SCREEN, 1);
     const struct uniforms uniforms = make_uniforms(SCREEN, &panel);
     struct rhw_vertex vertex = {
-        .attribute = (const rhw_float (*)[4])attributes, .uniforms = &uniforms, .varying = varyings};
+        .attribute = (const rhw_float(*)[4])attributes, .uniforms = &uniforms, .varying = varyings};
     place(&vertex, 1);
     for (int i = 0; i < 6; i++) {
         for (int k = 0; k < 4; k++) {
@@ -67,7 +67,8 @@ static void check_panel(enum way way, const float clip[6][4])
         const struct corner *corner = &square[in[0] ? 0 : 3];
         const struct ref_weights weights = lesson_weights(&halves[in[0] ? 0 : 1], x, y);
         for (int k = 0; k < 2; k++) {
-            const double values[3] = {(double)corner[0].uv[k], (double)corner[1].uv[k], (double)corner[2].uv[k]};
+            const double values[3] = {(double)corner[0].uv[k], (double)corner[1].uv[k],
+                                      (double)corner[2].uv[k]};
             const double truth = ref_mix(way == SCREEN ? weights.screen : weights.space, values);
             if (way == WORLD) {
                 // Not the pipeline's promise: the lesson's corners are not snapped, and half a step of 1/256
@@ -88,7 +89,7 @@ static void three_ways(void **state)
     clip_coordinates(clip);
     draw_floats();
     for (int way = 0; way < WAYS; way++) {
-        check_panel((enum way)way, (const float (*)[4])clip);
+        check_panel((enum way)way, (const float(*)[4])clip);
     }
 }
 
@@ -96,7 +97,7 @@ static void differences(void **state)
 {
     (void)state;
     draw_floats();
-    const float (*uv)[4] = (const float (*)[4])found[0];
+    const float(*uv)[4] = (const float(*)[4])found[0];
     assert_true(largest_difference(uv, WORLD, PIPELINE) < 2e-5f);
     assert_true(largest_difference(uv, SCREEN, PIPELINE) > 0.1f);
 }

@@ -30,7 +30,7 @@ static void formulas(void **state)
         for (int k = 0; k < 12; k++) {
             clip[k / 4][k % 4] = plane[i * 3 + k / 4].clip[k % 4];
         }
-        halves[i] = lesson_triangle((const float (*)[4])clip, &viewport);
+        halves[i] = lesson_triangle((const float(*)[4])clip, &viewport);
     }
     for (int i = 0; i < COLUMNS * ROWS; i++) {
         const int x = i % COLUMNS, y = i / COLUMNS;

@@ -34,8 +34,8 @@ static void cut_points(void **state)
         {0.8125, -0.5, 0, 1, 0, 0.25, 0.75}, // a quarter of B, three quarters of C
         {-0.75, -0.8125, 0, 1, 0.5, 0, 0.5}, // half A, half C
     };
-    static const int64_t snapped[4][2] = {{72 * 256, 116 * 256}, {160 * 256, 19661}, {232 * 256, 192 * 256},
-                                          {32 * 256, 232 * 256}};
+    static const int64_t snapped[4][2] = {
+        {72 * 256, 116 * 256}, {160 * 256, 19661}, {232 * 256, 192 * 256}, {32 * 256, 232 * 256}};
     assert_int_equal(polygon.count, 4);
     for (int i = 0; i < 4; i++) {
         for (int k = 0; k < 7; k++) {
@@ -66,7 +66,8 @@ static void homogeneous_triangle(void **state)
             continue;
         }
         count++;
-        const struct ref_weights truth = ref_weights_homogeneous((const double (*)[3])vertices, x + 0.5, y + 0.5);
+        const struct ref_weights truth =
+            ref_weights_homogeneous((const double(*)[3])vertices, x + 0.5, y + 0.5);
         const struct recovered ours = recover(&polygon, x, y);
         for (int k = 0; k < 3; k++) {
             lesson_near("weight in space", x, y, pixel->space[k], truth.space[k], 1);

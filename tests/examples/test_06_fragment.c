@@ -32,7 +32,7 @@ static struct ref_triangle expected_triangle(const struct corner corners[3], int
         clip[i][3] = 1;
     }
     const struct rhw_viewport viewport = {(float)(panel * PANEL), 0, PANEL, PANEL, 0, 1};
-    return lesson_triangle((const float (*)[4])clip, &viewport);
+    return lesson_triangle((const float(*)[4])clip, &viewport);
 }
 
 // Source over destination where the triangle covers the pixel; W = 1, so the weights of screen and space agree.
@@ -109,7 +109,8 @@ static void supersampled(void **state)
     rhw_context *context = picture_context();
     const rhw_texture floats =
         picture_target(context, RHW_FORMAT_RGBA32_FLOAT, PANELS * FINE, FINE, SCALE_LEVELS);
-    const rhw_texture encoded = picture_target(context, RHW_FORMAT_RGBA8_SRGB, PANELS * FINE, FINE, SCALE_LEVELS);
+    const rhw_texture encoded =
+        picture_target(context, RHW_FORMAT_RGBA8_SRGB, PANELS * FINE, FINE, SCALE_LEVELS);
     draw(context, floats, FINE);
     draw(context, encoded, FINE);
     rhw_texture_read(context, floats, 0, samples, 0);

@@ -39,9 +39,29 @@ static void test_numbers(void **state)
 {
     (void)state;
     static const char *const samples[] = {
-        "0", "-0", "1", "+1", ".5", "-.5e1", "5.", "1e3", "1E-3", "0.1", "3.4028235e38", "1e-45", "1.17549435e-38",
-        "123456789012345678901234567890", "0.000000000000000000000000000001", "9007199254740993", "1e22", "1e23", "1e400",
-        "4.35", "0.30000000000000004", "-12.75", "1e-007",
+        "0",
+        "-0",
+        "1",
+        "+1",
+        ".5",
+        "-.5e1",
+        "5.",
+        "1e3",
+        "1E-3",
+        "0.1",
+        "3.4028235e38",
+        "1e-45",
+        "1.17549435e-38",
+        "123456789012345678901234567890",
+        "0.000000000000000000000000000001",
+        "9007199254740993",
+        "1e22",
+        "1e23",
+        "1e400",
+        "4.35",
+        "0.30000000000000004",
+        "-12.75",
+        "1e-007",
     };
     for (size_t i = 0; i < sizeof samples / sizeof samples[0]; i++)
         assert_true(number_of(samples[i]) == strtod(samples[i], NULL));
@@ -66,8 +86,8 @@ static void test_numbers(void **state)
 static double area_of(const float (*points)[3], const uint32_t *corners)
 {
     const float *a = points[corners[0]], *b = points[corners[1]], *c = points[corners[2]];
-    return 0.5 * (((double)b[0] - (double)a[0]) * ((double)c[1] - (double)a[1])
-                  - ((double)b[1] - (double)a[1]) * ((double)c[0] - (double)a[0]));
+    return 0.5 * (((double)b[0] - (double)a[0]) * ((double)c[1] - (double)a[1]) -
+                  ((double)b[1] - (double)a[1]) * ((double)c[0] - (double)a[0]));
 }
 
 // Stars have corners that turn both ways: the triangles must cover them once and nothing else.
@@ -81,7 +101,8 @@ static void test_polygons(void **state)
         const uint32_t count = 4 + next_random() % (CORNERS - 4);
         double whole = 0, sum = 0;
         for (uint32_t i = 0; i < count; i++) {
-            const double angle = 6.283185307179586 * i / count, radius = 0.2 + (next_random() % 1000) / 1000.0;
+            const double angle = 6.283185307179586 * i / count,
+                         radius = 0.2 + (next_random() % 1000) / 1000.0;
             points[i][0] = (float)(radius * cos(angle));
             points[i][1] = (float)(radius * sin(angle));
             points[i][2] = 3;
@@ -117,8 +138,10 @@ static void test_obj_cube(void **state)
     for (uint32_t i = 0; i < mesh->index_count; i += 3) {
         const float *a = mesh->positions[mesh->indices[i]], *b = mesh->positions[mesh->indices[i + 1]],
                     *c = mesh->positions[mesh->indices[i + 2]];
-        const float u[3] = {b[0] - a[0], b[1] - a[1], b[2] - a[2]}, v[3] = {c[0] - a[0], c[1] - a[1], c[2] - a[2]};
-        const float normal[3] = {u[1] * v[2] - u[2] * v[1], u[2] * v[0] - u[0] * v[2], u[0] * v[1] - u[1] * v[0]};
+        const float u[3] = {b[0] - a[0], b[1] - a[1], b[2] - a[2]},
+                    v[3] = {c[0] - a[0], c[1] - a[1], c[2] - a[2]};
+        const float normal[3] = {u[1] * v[2] - u[2] * v[1], u[2] * v[0] - u[0] * v[2],
+                                 u[0] * v[1] - u[1] * v[0]};
         for (uint32_t k = 0; k < 3; k++)
             assert_floats(mesh->normals[mesh->indices[i + k]], normal, 3, 1e-6f);
     }
@@ -151,7 +174,8 @@ static void test_obj_smooth(void **state)
 static void test_obj_syntax(void **state)
 {
     (void)state;
-    struct rhw_model *model = load_text("syntax.obj",
+    struct rhw_model *model = load_text(
+        "syntax.obj",
         "# comment\r\no first\r\nv .5 -.25e1 1e-1\rv 1 0 0\nv 0 1 0\nvt 0.25 0.75\nvt 1 0\nvt 0 1\nvn 0 0 2\n"
         "f -3/1/1 -2/2/-1 \\\n -1/3/1\no second part\nf 1 2 3\nl 1 2 3\np 1 2\n");
     assert_int_equal(model->instance_count, 4);
@@ -167,7 +191,8 @@ static void test_obj_syntax(void **state)
     assert_int_equal(model->meshes[3].primitive, RHW_PRIMITIVE_POINTS);
     rhw_model_free(model);
     // UTF-16 with its mark, and vertices alone.
-    const unsigned char wide[] = {0xff, 0xfe, 'v', 0, ' ', 0, '1', 0, ' ', 0, '2', 0, ' ', 0, '3', 0, '\n', 0};
+    const unsigned char wide[] = {0xff, 0xfe, 'v', 0,   ' ', 0,   '1', 0,    ' ',
+                                  0,    '2',  0,   ' ', 0,   '3', 0,   '\n', 0};
     write_bytes("wide.obj", wide, sizeof wide);
     model = load("wide.obj");
     assert_int_equal(model->meshes[0].primitive, RHW_PRIMITIVE_POINTS);
@@ -180,9 +205,10 @@ static void test_obj_materials(void **state)
     (void)state;
     write_text("a b.mtl", "newmtl red one\nKd 1 0 0\nNs 30\nKs 1 1 1\nd 0.5\nTr 0.9\n"
                           "newmtl textured\nKd 0 0 0\nmap_Kd -s 2 3 1 -o .5 -clamp on no file.png\n");
-    struct rhw_model *model = load_text("materials.obj",
-        "mtllib a b.mtl\nv 0 0 0 1 0.5 0\nv 1 0 0\nv 0 1 0\nvt 0 0\nvt 1 0\nvt 0 1\n"
-        "usemtl red one\nf 1 2 3\nusemtl textured\nf 1/1 2/2 3/3\nusemtl red one\nf 3 2 1\n");
+    struct rhw_model *model =
+        load_text("materials.obj",
+                  "mtllib a b.mtl\nv 0 0 0 1 0.5 0\nv 1 0 0\nv 0 1 0\nvt 0 0\nvt 1 0\nvt 0 1\n"
+                  "usemtl red one\nf 1 2 3\nusemtl textured\nf 1/1 2/2 3/3\nusemtl red one\nf 3 2 1\n");
     assert_int_equal(model->mesh_count, 2); // both runs of red are one
     assert_int_equal(model->meshes[0].index_count, 6);
     const struct rhw_material *red = &model->materials[model->meshes[0].material];
@@ -196,7 +222,8 @@ static void test_obj_materials(void **state)
     const struct rhw_mesh *mesh = &model->meshes[0];
     for (uint32_t i = 0; i < mesh->vertex_count; i++) {
         const bool origin = mesh->positions[i][0] == 0 && mesh->positions[i][1] == 0;
-        assert_floats(mesh->colors[i], origin ? (const float[]){1, 0.21404114f, 0, 1} : (const float[]){1, 1, 1, 1}, 4, 1e-6f);
+        assert_floats(mesh->colors[i],
+                      origin ? (const float[]){1, 0.21404114f, 0, 1} : (const float[]){1, 1, 1, 1}, 4, 1e-6f);
     }
     const struct rhw_texture_slot *slot = &textured->slots[RHW_SLOT_BASE_COLOR];
     assert_floats(textured->base_color, (const float[]){1, 1, 1, 1}, 4, 0);
@@ -209,7 +236,8 @@ static void test_obj_materials(void **state)
 // PLY -----------------------------------------------------------------------------------------------
 
 static const char ply_header[] =
-    "ply\nformat %s 1.0\ncomment made by a test\nelement vertex 4\nproperty float x\nproperty double y\nproperty short z\n"
+    "ply\nformat %s 1.0\ncomment made by a test\nelement vertex 4\nproperty float x\nproperty double "
+    "y\nproperty short z\n"
     "property uchar red\nproperty uchar green\nproperty uchar blue\nproperty float quality\n"
     "element face 1\nproperty uchar flags\nproperty list uchar int vertex_indices\nend_header\n";
 
@@ -265,8 +293,9 @@ static void test_ply(void **state)
     check_ply(load("big.ply"));
     char text[1024];
     const int length = snprintf(text, sizeof text, ply_header, "ascii");
-    snprintf(text + length, sizeof text - (size_t)length,
-             "0 0 -7 255 128 0 5\n1 0 -7 255 128 0 5\n1 .5 -7 255 128 0 5 0 0.5\n-7 255 128 0 5\n9 4 0 1 2 3");
+    snprintf(
+        text + length, sizeof text - (size_t)length,
+        "0 0 -7 255 128 0 5\n1 0 -7 255 128 0 5\n1 .5 -7 255 128 0 5 0 0.5\n-7 255 128 0 5\n9 4 0 1 2 3");
     check_ply(load_text("ascii.ply", text));
     text[strlen(text) - 4] = 0;
     write_text("short.ply", text);
@@ -276,9 +305,11 @@ static void test_ply(void **state)
 static void test_ply_elements(void **state)
 {
     (void)state;
-    struct rhw_model *model = load_text("strips.ply",
+    struct rhw_model *model = load_text(
+        "strips.ply",
         "ply\nformat ascii 1.0\nelement vertex 4\nproperty float x\nproperty float y\nproperty float z\n"
-        "element tristrips 1\nproperty list int int vertex_indices\nelement edge 2\nproperty int vertex1\nproperty int vertex2\n"
+        "element tristrips 1\nproperty list int int vertex_indices\nelement edge 2\nproperty int "
+        "vertex1\nproperty int vertex2\n"
         "end_header\n0 0 0 1 0 0 0 1 0 1 1 0\n8 0 1 2 3 -1 3 2 1\n0 1 2 3\n");
     assert_int_equal(model->mesh_count, 2);
     assert_int_equal(model->meshes[0].primitive, RHW_PRIMITIVE_LINES);
@@ -292,9 +323,11 @@ static void test_ply_elements(void **state)
     rhw_model_free(model);
     // Texture coordinates per corner: the shared edge has two of each.
     model = load_text("wedges.ply",
-        "ply\nformat ascii 1.0\ncomment TextureFile lost.png\nelement vertex 4\nproperty float x\nproperty float y\nproperty float z\n"
-        "element face 2\nproperty list uchar int vertex_indices\nproperty list uchar float texcoord\nend_header\n"
-        "0 0 0\n1 0 0\n1 1 0\n0 1 0\n3 0 1 2 6 0 0 1 0 1 1\n3 0 2 3 6 .5 0 1 1 0 1\n");
+                      "ply\nformat ascii 1.0\ncomment TextureFile lost.png\nelement vertex 4\nproperty float "
+                      "x\nproperty float y\nproperty float z\n"
+                      "element face 2\nproperty list uchar int vertex_indices\nproperty list uchar float "
+                      "texcoord\nend_header\n"
+                      "0 0 0\n1 0 0\n1 1 0\n0 1 0\n3 0 1 2 6 0 0 1 0 1 1\n3 0 2 3 6 .5 0 1 1 0 1\n");
     assert_int_equal(model->meshes[0].vertex_count, 5);
     assert_true(has_warning(model, "lost.png"));
     rhw_model_free(model);
@@ -305,19 +338,33 @@ static void test_ply_elements(void **state)
 static size_t write_blob(unsigned char *bytes, size_t capacity)
 {
     uint32_t indices[3] = {0, 1, 2};
-    float positions[3][3] = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}, normals[3][3] = {{0, 0, 1}, {0, 0, 1}, {0, 0, 1}};
+    float positions[3][3] = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}},
+          normals[3][3] = {{0, 0, 1}, {0, 0, 1}, {0, 0, 1}};
     uint8_t texel[4] = {1, 2, 3, 4};
-    struct rhw_mesh mesh = {.name = "mesh", .vertex_count = 3, .index_count = 3, .indices = indices,
-                            .positions = positions, .normals = normals};
+    struct rhw_mesh mesh = {.name = "mesh",
+                            .vertex_count = 3,
+                            .index_count = 3,
+                            .indices = indices,
+                            .positions = positions,
+                            .normals = normals};
     struct rhw_material material = {.name = "material"};
     for (int i = 0; i < RHW_SLOT_COUNT; i++)
         material.slots[i] = (struct rhw_texture_slot){.image = i == 0 ? 0 : -1};
     struct rhw_image image = {.name = "image", .width = 1, .height = 1, .size = 4, .texels = texel};
     struct rhw_instance instance = {.name = "node"};
     const char *warning = "a warning";
-    struct rhw_model model = {.path = "p", .format = "f", .mesh_count = 1, .material_count = 1, .image_count = 1,
-                              .instance_count = 1, .meshes = &mesh, .materials = &material, .images = &image,
-                              .instances = &instance, .warning_count = 1, .warnings = &warning};
+    struct rhw_model model = {.path = "p",
+                              .format = "f",
+                              .mesh_count = 1,
+                              .material_count = 1,
+                              .image_count = 1,
+                              .instance_count = 1,
+                              .meshes = &mesh,
+                              .materials = &material,
+                              .images = &image,
+                              .instances = &instance,
+                              .warning_count = 1,
+                              .warnings = &warning};
     FILE *file = tmpfile();
     assert_non_null(file);
     assert_true(rhw_blob_write(&model, file));
@@ -369,9 +416,11 @@ static void test_blob(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_numbers),       cmocka_unit_test(test_polygons),   cmocka_unit_test(test_obj_cube),
-        cmocka_unit_test(test_obj_smooth),    cmocka_unit_test(test_obj_syntax), cmocka_unit_test(test_obj_materials),
-        cmocka_unit_test(test_ply),           cmocka_unit_test(test_ply_elements), cmocka_unit_test(test_blob),
+        cmocka_unit_test(test_numbers),    cmocka_unit_test(test_polygons),
+        cmocka_unit_test(test_obj_cube),   cmocka_unit_test(test_obj_smooth),
+        cmocka_unit_test(test_obj_syntax), cmocka_unit_test(test_obj_materials),
+        cmocka_unit_test(test_ply),        cmocka_unit_test(test_ply_elements),
+        cmocka_unit_test(test_blob),
     };
     return cmocka_run_group_tests(tests, make_directory, remove_directory);
 }

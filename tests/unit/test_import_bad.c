@@ -24,40 +24,55 @@ static const struct {
     {"old.gltf", "{\"asset\":{\"version\":\"1.0\"}}", "is glTF 1.0, which is not supported"},
     {"older.gltf", "{\"asset\":{\"version\":1.0}}", "is glTF 1.0, which is not supported"},
     {"new.gltf", "{\"asset\":{\"version\":\"2.1\",\"minVersion\":\"2.1\"}}", "at least glTF 2.1"},
-    {"draco.gltf", "{\"asset\":{\"version\":\"2.0\"},\"extensionsRequired\":[\"KHR_draco_mesh_compression\"]}",
+    {"draco.gltf",
+     "{\"asset\":{\"version\":\"2.0\"},\"extensionsRequired\":[\"KHR_draco_mesh_compression\"]}",
      "requires the glTF extension KHR_draco_mesh_compression"},
-    {"cycle.gltf", "{\"asset\":{\"version\":\"2.0\"},\"nodes\":[{\"children\":[1]},{\"children\":[0]}]}", "the node graph has a cycle"},
-    {"self.gltf", "{\"asset\":{\"version\":\"2.0\"},\"nodes\":[{\"children\":[0]}]}", "the node graph has a cycle"},
-    {"parents.gltf", "{\"asset\":{\"version\":\"2.0\"},\"nodes\":[{\"children\":[2]},{\"children\":[2]},{}]}", "nodes[2] has two parents"},
-    {"child.gltf", "{\"asset\":{\"version\":\"2.0\"},\"nodes\":[{\"children\":[7]}]}", "a node that does not exist"},
+    {"cycle.gltf", "{\"asset\":{\"version\":\"2.0\"},\"nodes\":[{\"children\":[1]},{\"children\":[0]}]}",
+     "the node graph has a cycle"},
+    {"self.gltf", "{\"asset\":{\"version\":\"2.0\"},\"nodes\":[{\"children\":[0]}]}",
+     "the node graph has a cycle"},
+    {"parents.gltf", "{\"asset\":{\"version\":\"2.0\"},\"nodes\":[{\"children\":[2]},{\"children\":[2]},{}]}",
+     "nodes[2] has two parents"},
+    {"child.gltf", "{\"asset\":{\"version\":\"2.0\"},\"nodes\":[{\"children\":[7]}]}",
+     "a node that does not exist"},
     {"mesh.gltf", "{\"asset\":{\"version\":\"2.0\"},\"nodes\":[{\"mesh\":3}]}", "meshes[3], but there are 0"},
     {"types.gltf", "{\"asset\":{\"version\":\"2.0\"},\"nodes\":{}}", "\"nodes\" must be an array"},
     {"null.gltf", "{\"asset\":{\"version\":\"2.0\"},\"nodes\":[null]}", "nodes[0] must be an object"},
-    {"matrix.gltf", "{\"asset\":{\"version\":\"2.0\"},\"nodes\":[{\"matrix\":[1,2]}]}", "\"matrix\" must have 16 numbers"},
+    {"matrix.gltf", "{\"asset\":{\"version\":\"2.0\"},\"nodes\":[{\"matrix\":[1,2]}]}",
+     "\"matrix\" must have 16 numbers"},
     {"count.gltf",
-     "{\"asset\":{\"version\":\"2.0\"},\"nodes\":[{\"mesh\":0}],\"meshes\":[{\"primitives\":[{\"attributes\":{\"POSITION\":0}}]}],"
+     "{\"asset\":{\"version\":\"2.0\"},\"nodes\":[{\"mesh\":0}],\"meshes\":[{\"primitives\":[{\"attributes\":"
+     "{\"POSITION\":0}}]}],"
      "\"accessors\":[{\"componentType\":5126,\"type\":\"VEC3\",\"count\":4000000000}]}",
      "has 4000000000 elements and no data"},
     {"past.gltf",
-     "{\"asset\":{\"version\":\"2.0\"},\"nodes\":[{\"mesh\":0}],\"meshes\":[{\"primitives\":[{\"attributes\":{\"POSITION\":0}}]}],"
+     "{\"asset\":{\"version\":\"2.0\"},\"nodes\":[{\"mesh\":0}],\"meshes\":[{\"primitives\":[{\"attributes\":"
+     "{\"POSITION\":0}}]}],"
      "\"accessors\":[{\"bufferView\":0,\"componentType\":5126,\"type\":\"VEC3\",\"count\":2}],"
-     "\"bufferViews\":[{\"buffer\":0,\"byteLength\":12}],\"buffers\":[{\"byteLength\":12,\"uri\":\"data:;base64,AAAAAAAAAAAAAAAA\"}]}",
+     "\"bufferViews\":[{\"buffer\":0,\"byteLength\":12}],\"buffers\":[{\"byteLength\":12,\"uri\":\"data:;"
+     "base64,AAAAAAAAAAAAAAAA\"}]}",
      "accessors[0] reaches past the end of bufferViews[0]"},
     {"view.gltf",
-     "{\"asset\":{\"version\":\"2.0\"},\"nodes\":[{\"mesh\":0}],\"meshes\":[{\"primitives\":[{\"attributes\":{\"POSITION\":0}}]}],"
+     "{\"asset\":{\"version\":\"2.0\"},\"nodes\":[{\"mesh\":0}],\"meshes\":[{\"primitives\":[{\"attributes\":"
+     "{\"POSITION\":0}}]}],"
      "\"accessors\":[{\"bufferView\":0,\"componentType\":5126,\"type\":\"VEC3\",\"count\":1}],"
      "\"bufferViews\":[{\"buffer\":0,\"byteOffset\":9007199254740992,\"byteLength\":12}],"
      "\"buffers\":[{\"byteLength\":12,\"uri\":\"data:;base64,AAAAAAAAAAAAAAAA\"}]}",
      "bufferViews[0] reaches past the end"},
     {"index.gltf",
-     "{\"asset\":{\"version\":\"2.0\"},\"nodes\":[{\"mesh\":0}],\"meshes\":[{\"primitives\":[{\"attributes\":{\"POSITION\":0},\"indices\":1}]}],"
-     "\"accessors\":[{\"componentType\":5126,\"type\":\"VEC3\",\"count\":2},{\"bufferView\":0,\"componentType\":5121,\"type\":\"SCALAR\",\"count\":3}],"
-     "\"bufferViews\":[{\"buffer\":0,\"byteLength\":3}],\"buffers\":[{\"byteLength\":3,\"uri\":\"data:;base64,AAEJ\"}]}",
+     "{\"asset\":{\"version\":\"2.0\"},\"nodes\":[{\"mesh\":0}],\"meshes\":[{\"primitives\":[{\"attributes\":"
+     "{\"POSITION\":0},\"indices\":1}]}],"
+     "\"accessors\":[{\"componentType\":5126,\"type\":\"VEC3\",\"count\":2},{\"bufferView\":0,"
+     "\"componentType\":5121,\"type\":\"SCALAR\",\"count\":3}],"
+     "\"bufferViews\":[{\"buffer\":0,\"byteLength\":3}],\"buffers\":[{\"byteLength\":3,\"uri\":\"data:;"
+     "base64,AAEJ\"}]}",
      "index 9 is outside its 2 vertices"},
     {"bin.gltf",
-     "{\"asset\":{\"version\":\"2.0\"},\"nodes\":[{\"mesh\":0}],\"meshes\":[{\"primitives\":[{\"attributes\":{\"POSITION\":0}}]}],"
+     "{\"asset\":{\"version\":\"2.0\"},\"nodes\":[{\"mesh\":0}],\"meshes\":[{\"primitives\":[{\"attributes\":"
+     "{\"POSITION\":0}}]}],"
      "\"accessors\":[{\"bufferView\":0,\"componentType\":5126,\"type\":\"VEC3\",\"count\":1}],"
-     "\"bufferViews\":[{\"buffer\":0,\"byteLength\":12}],\"buffers\":[{\"byteLength\":12,\"uri\":\"gone\\n.bin\"}]}",
+     "\"bufferViews\":[{\"buffer\":0,\"byteLength\":12}],\"buffers\":[{\"byteLength\":12,\"uri\":\"gone\\n."
+     "bin\"}]}",
      "\"gone?.bin\": No such file"},
     {"short.glb", "glTF\2", "truncated"},
     {"zero.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 0 1 2\n", "line 4: indices start at 1"},
@@ -65,7 +80,9 @@ static const struct {
     {"back.obj", "v 0 0 0\nf -1 -2 -3\n", "line 2: an index reaches back"},
     {"huge.obj", "v 0 0 0\nf 1 1 99999999999999999999\n", "of 1"},
     {"junk.obj", "hello\n", "has no vertices"},
-    {"count.ply", "ply\nformat ascii 1.0\nelement vertex 4000000000\nproperty float x\nproperty float y\nproperty float z\nend_header\n0 0 0\n",
+    {"count.ply",
+     "ply\nformat ascii 1.0\nelement vertex 4000000000\nproperty float x\nproperty float y\nproperty float "
+     "z\nend_header\n0 0 0\n",
      "is truncated"},
     {"magic.ply", "plx\nformat ascii 1.0\n", "does not begin with \"ply\""},
     {"endless.ply", "ply\nformat ascii 1.0\n", "no end_header"},
@@ -101,7 +118,8 @@ static void test_pipe_as_texture(void **state)
     (void)state;
     assert_int_equal(mkfifo(path_of("pipe.png"), 0600), 0);
     write_text("pipe.mtl", "newmtl m\nmap_Kd pipe.png\n");
-    struct rhw_model *model = load_text("piped.obj", "mtllib pipe.mtl\nusemtl m\nv 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n");
+    struct rhw_model *model =
+        load_text("piped.obj", "mtllib pipe.mtl\nusemtl m\nv 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n");
     assert_true(has_warning(model, "pipe.png"));
     assert_true(model->images[0].missing);
     rhw_model_free(model);
@@ -110,17 +128,17 @@ static void test_pipe_as_texture(void **state)
 static void test_not_finite(void **state)
 {
     (void)state;
-    struct rhw_model *model = load_text("nan.obj",
-        "v 0 0 0\nv 1 0 0\nv 0 1 0\nv nan 0 0\nv 1e999 0 0\nf 1 2 3\nf 1 2 4\nf 1 5 3\n");
+    struct rhw_model *model = load_text(
+        "nan.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nv nan 0 0\nv 1e999 0 0\nf 1 2 3\nf 1 2 4\nf 1 5 3\n");
     assert_int_equal(model->triangles_drawn, 1);
     assert_true(has_warning(model, "2 primitives with positions that are not finite"));
     rhw_model_free(model);
     // Points that no face uses may be anything; a matrix that leaves the range of floats drops its node.
-    model = load_text("far.gltf",
-        "{\"asset\":{\"version\":\"2.0\"},\"nodes\":[{\"mesh\":0},{\"mesh\":0,\"translation\":[1,1,1],\"scale\":[3e38,3e38,3e38]},"
-        "{\"mesh\":0,\"matrix\":[1e39,0,0,0,0,1,0,0,0,0,1,0,0,0,0,1]}],"
-        "\"meshes\":[{\"primitives\":[{\"attributes\":{\"POSITION\":0}}]}],"
-        "\"accessors\":[{\"componentType\":5126,\"type\":\"VEC3\",\"count\":3}]}");
+    model = load_text("far.gltf", "{\"asset\":{\"version\":\"2.0\"},\"nodes\":[{\"mesh\":0},{\"mesh\":0,"
+                                  "\"translation\":[1,1,1],\"scale\":[3e38,3e38,3e38]},"
+                                  "{\"mesh\":0,\"matrix\":[1e39,0,0,0,0,1,0,0,0,0,1,0,0,0,0,1]}],"
+                                  "\"meshes\":[{\"primitives\":[{\"attributes\":{\"POSITION\":0}}]}],"
+                                  "\"accessors\":[{\"componentType\":5126,\"type\":\"VEC3\",\"count\":3}]}");
     assert_int_equal(model->instance_count, 2);
     assert_true(has_warning(model, "not finite"));
     rhw_model_free(model);
@@ -154,8 +172,11 @@ static void write_slow_file(void)
 {
     FILE *file = fopen(path_of("slow.gltf"), "w");
     assert_non_null(file);
-    fputs("{\"asset\":{\"version\":\"2.0\"},\"nodes\":[{\"mesh\":0}],\"accessors\":[{\"componentType\":5126,\"type\":\"VEC3\","
-          "\"count\":16777216},{\"componentType\":5125,\"type\":\"SCALAR\",\"count\":1}],\"meshes\":[{\"primitives\":[", file);
+    fputs("{\"asset\":{\"version\":\"2.0\"},\"nodes\":[{\"mesh\":0}],\"accessors\":[{\"componentType\":5126,"
+          "\"type\":\"VEC3\","
+          "\"count\":16777216},{\"componentType\":5125,\"type\":\"SCALAR\",\"count\":1}],\"meshes\":[{"
+          "\"primitives\":[",
+          file);
     for (int i = 0; i < 1000; i++)
         fprintf(file, "%s{\"mode\":0,\"attributes\":{\"POSITION\":0},\"indices\":1}", i > 0 ? "," : "");
     fputs("]}]}", file);
@@ -173,7 +194,8 @@ static void test_limits(void **state)
     assert_null(rhw_model_load(path_of("slow.gltf"), &time_limit, error, sizeof error));
     clock_gettime(CLOCK_MONOTONIC, &end);
     assert_true(end.tv_sec - start.tv_sec < 30);
-    assert_non_null(strstr(error, "import took more than ")); // of processor time; on a busy machine of wall time
+    assert_non_null(
+        strstr(error, "import took more than ")); // of processor time; on a busy machine of wall time
 }
 
 // Under a sanitizer the limit is off: its shadow memory would exceed any.
@@ -197,8 +219,9 @@ static void test_memory_limit(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_bad_files),       cmocka_unit_test(test_no_files),        cmocka_unit_test(test_pipe_as_texture),
-        cmocka_unit_test(test_not_finite),      cmocka_unit_test(test_nothing_to_draw), cmocka_unit_test(test_deep_tree),
+        cmocka_unit_test(test_bad_files),       cmocka_unit_test(test_no_files),
+        cmocka_unit_test(test_pipe_as_texture), cmocka_unit_test(test_not_finite),
+        cmocka_unit_test(test_nothing_to_draw), cmocka_unit_test(test_deep_tree),
         cmocka_unit_test(test_limits),          cmocka_unit_test(test_memory_limit),
     };
     return cmocka_run_group_tests(tests, make_directory, remove_directory);

@@ -20,14 +20,16 @@ static void write_primitive(const char *name, int mode, const uint8_t *indices, 
     unsigned char bytes[sizeof square + 16] = {0};
     memcpy(bytes, square, sizeof square);
     memcpy(bytes + sizeof square, indices, (size_t)count);
-    write_format(name,
-                 "{\"asset\":{\"version\":\"2.0\"},\"scene\":0,\"scenes\":[{\"nodes\":[0]}],\"nodes\":[{\"mesh\":0}],"
-                 "\"meshes\":[{\"primitives\":[{\"attributes\":{\"POSITION\":0},\"indices\":1,\"mode\":%d}]}],"
-                 "\"accessors\":[{\"bufferView\":0,\"componentType\":5126,\"count\":4,\"type\":\"VEC3\"},"
-                 "{\"bufferView\":1,\"componentType\":5121,\"count\":%d,\"type\":\"SCALAR\"}],"
-                 "\"bufferViews\":[{\"buffer\":0,\"byteLength\":48},{\"buffer\":0,\"byteOffset\":48,\"byteLength\":16}],"
-                 "\"buffers\":[{\"byteLength\":64,\"uri\":\"%s\"}]}",
-                 mode, count, data_uri(bytes, sizeof bytes));
+    write_format(
+        name,
+        "{\"asset\":{\"version\":\"2.0\"},\"scene\":0,\"scenes\":[{\"nodes\":[0]}],\"nodes\":[{\"mesh\":0}],"
+        "\"meshes\":[{\"primitives\":[{\"attributes\":{\"POSITION\":0},\"indices\":1,\"mode\":%d}]}],"
+        "\"accessors\":[{\"bufferView\":0,\"componentType\":5126,\"count\":4,\"type\":\"VEC3\"},"
+        "{\"bufferView\":1,\"componentType\":5121,\"count\":%d,\"type\":\"SCALAR\"}],"
+        "\"bufferViews\":[{\"buffer\":0,\"byteLength\":48},{\"buffer\":0,\"byteOffset\":48,\"byteLength\":16}"
+        "],"
+        "\"buffers\":[{\"byteLength\":64,\"uri\":\"%s\"}]}",
+        mode, count, data_uri(bytes, sizeof bytes));
 }
 
 // A square with texture coordinates, one material, and `extra` members at the top level.
@@ -37,35 +39,39 @@ static void write_square(const char *name, const char *material, const char *ext
     memcpy(bytes, square, sizeof square);
     memcpy(bytes + sizeof square, square_uv, sizeof square_uv);
     memcpy(bytes + sizeof square + sizeof square_uv, (const uint8_t[]){0, 1, 2, 0, 2, 3}, 6);
-    write_format(name,
-                 "{\"asset\":{\"version\":\"2.0\"},\"scenes\":[{\"nodes\":[0]}],\"nodes\":[{\"mesh\":0}],"
-                 "\"meshes\":[{\"primitives\":[{\"attributes\":{\"POSITION\":0,\"TEXCOORD_0\":1},\"indices\":2,"
-                 "\"material\":0}]}],\"materials\":[%s],"
-                 "\"accessors\":[{\"bufferView\":0,\"componentType\":5126,\"count\":4,\"type\":\"VEC3\"},"
-                 "{\"bufferView\":0,\"byteOffset\":48,\"componentType\":5126,\"count\":4,\"type\":\"VEC2\"},"
-                 "{\"bufferView\":0,\"byteOffset\":80,\"componentType\":5121,\"count\":6,\"type\":\"SCALAR\"}],"
-                 "\"bufferViews\":[{\"buffer\":0,\"byteLength\":88}],"
-                 "\"buffers\":[{\"byteLength\":88,\"uri\":\"%s\"}]%s}",
-                 material, data_uri(bytes, sizeof bytes), extra);
+    write_format(
+        name,
+        "{\"asset\":{\"version\":\"2.0\"},\"scenes\":[{\"nodes\":[0]}],\"nodes\":[{\"mesh\":0}],"
+        "\"meshes\":[{\"primitives\":[{\"attributes\":{\"POSITION\":0,\"TEXCOORD_0\":1},\"indices\":2,"
+        "\"material\":0}]}],\"materials\":[%s],"
+        "\"accessors\":[{\"bufferView\":0,\"componentType\":5126,\"count\":4,\"type\":\"VEC3\"},"
+        "{\"bufferView\":0,\"byteOffset\":48,\"componentType\":5126,\"count\":4,\"type\":\"VEC2\"},"
+        "{\"bufferView\":0,\"byteOffset\":80,\"componentType\":5121,\"count\":6,\"type\":\"SCALAR\"}],"
+        "\"bufferViews\":[{\"buffer\":0,\"byteLength\":88}],"
+        "\"buffers\":[{\"byteLength\":88,\"uri\":\"%s\"}]%s}",
+        material, data_uri(bytes, sizeof bytes), extra);
 }
 
 // An image of 2×1 pixels, red and half transparent green, as TGA: no checksum to compute.
-static const unsigned char tga[] = {0, 0, 2, 0, 0, 0, 0, 0, 0, 0, 0, 0, 2, 0, 1, 0, 32, 40, 0, 0, 255, 255, 0, 255, 0, 128};
+static const unsigned char tga[] = {0, 0, 2, 0,  0,  0, 0, 0,   0,   0, 0,   0, 2,
+                                    0, 1, 0, 32, 40, 0, 0, 255, 255, 0, 255, 0, 128};
 
 static void test_hierarchy(void **state)
 {
     (void)state;
     const float triangle[9] = {0, 0, 0, 1, 0, 0, 0, 1, 0};
-    write_format("tree.gltf",
-                 "{\"asset\":{\"version\":\"2.0\"},\"scenes\":[{\"nodes\":[0,3]}],\"nodes\":["
-                 "{\"name\":\"root\",\"translation\":[10,0,0],\"scale\":[2,2,2],\"children\":[1,2]},"
-                 "{\"name\":\"turned\",\"rotation\":[0,0,0.70710678,0.70710678],\"mesh\":0},"
-                 "{\"name\":\"moved\",\"matrix\":[1,0,0,0,0,1,0,0,0,0,1,0,5,6,7,1],\"mesh\":0},"
-                 "{\"name\":\"mirror\",\"scale\":[-1,1,1],\"mesh\":0},{\"name\":\"outside the scene\",\"mesh\":0}],"
-                 "\"meshes\":[{\"primitives\":[{\"attributes\":{\"POSITION\":0}}]}],"
-                 "\"accessors\":[{\"bufferView\":0,\"componentType\":5126,\"count\":3,\"type\":\"VEC3\"}],"
-                 "\"bufferViews\":[{\"buffer\":0,\"byteLength\":36}],\"buffers\":[{\"byteLength\":36,\"uri\":\"%s\"}]}",
-                 data_uri(triangle, sizeof triangle));
+    write_format(
+        "tree.gltf",
+        "{\"asset\":{\"version\":\"2.0\"},\"scenes\":[{\"nodes\":[0,3]}],\"nodes\":["
+        "{\"name\":\"root\",\"translation\":[10,0,0],\"scale\":[2,2,2],\"children\":[1,2]},"
+        "{\"name\":\"turned\",\"rotation\":[0,0,0.70710678,0.70710678],\"mesh\":0},"
+        "{\"name\":\"moved\",\"matrix\":[1,0,0,0,0,1,0,0,0,0,1,0,5,6,7,1],\"mesh\":0},"
+        "{\"name\":\"mirror\",\"scale\":[-1,1,1],\"mesh\":0},{\"name\":\"outside the scene\",\"mesh\":0}],"
+        "\"meshes\":[{\"primitives\":[{\"attributes\":{\"POSITION\":0}}]}],"
+        "\"accessors\":[{\"bufferView\":0,\"componentType\":5126,\"count\":3,\"type\":\"VEC3\"}],"
+        "\"bufferViews\":[{\"buffer\":0,\"byteLength\":36}],\"buffers\":[{\"byteLength\":36,\"uri\":\"%s\"}]"
+        "}",
+        data_uri(triangle, sizeof triangle));
     struct rhw_model *model = load("tree.gltf");
     assert_int_equal(model->mesh_count, 1);
     assert_int_equal(model->instance_count, 3);
@@ -125,13 +131,15 @@ static void test_flat_normals(void **state)
         float positions[4][3];
         uint16_t indices[6];
     } fold = {{{0, 0, 0}, {0, 1, 0}, {1, 0, 0}, {0, 0, 1}}, {0, 2, 1, 0, 1, 3}};
-    write_format("fold.gltf",
-                 "{\"asset\":{\"version\":\"2.0\"},\"scenes\":[{\"nodes\":[0]}],\"nodes\":[{\"mesh\":0}],"
-                 "\"meshes\":[{\"primitives\":[{\"attributes\":{\"POSITION\":0},\"indices\":1}]}],"
-                 "\"accessors\":[{\"bufferView\":0,\"componentType\":5126,\"count\":4,\"type\":\"VEC3\"},"
-                 "{\"bufferView\":0,\"byteOffset\":48,\"componentType\":5123,\"count\":6,\"type\":\"SCALAR\"}],"
-                 "\"bufferViews\":[{\"buffer\":0,\"byteLength\":60}],\"buffers\":[{\"byteLength\":60,\"uri\":\"%s\"}]}",
-                 data_uri(&fold, sizeof fold));
+    write_format(
+        "fold.gltf",
+        "{\"asset\":{\"version\":\"2.0\"},\"scenes\":[{\"nodes\":[0]}],\"nodes\":[{\"mesh\":0}],"
+        "\"meshes\":[{\"primitives\":[{\"attributes\":{\"POSITION\":0},\"indices\":1}]}],"
+        "\"accessors\":[{\"bufferView\":0,\"componentType\":5126,\"count\":4,\"type\":\"VEC3\"},"
+        "{\"bufferView\":0,\"byteOffset\":48,\"componentType\":5123,\"count\":6,\"type\":\"SCALAR\"}],"
+        "\"bufferViews\":[{\"buffer\":0,\"byteLength\":60}],\"buffers\":[{\"byteLength\":60,\"uri\":\"%s\"}]"
+        "}",
+        data_uri(&fold, sizeof fold));
     struct rhw_model *model = load("fold.gltf");
     const struct rhw_mesh *mesh = &model->meshes[0];
     assert_int_equal(mesh->vertex_count, 6);
@@ -155,15 +163,18 @@ static void test_attribute_formats(void **state)
         {{1, 0, 0}, {32768, 0}, {0, 102, 0, 9}},
         {{0, 1, 0}, {65535, 65535}, {255, 255, 255, 9}},
     };
-    write_format("packed.gltf",
-                 "{\"asset\":{\"version\":\"2.0\"},\"scenes\":[{\"nodes\":[0]}],\"nodes\":[{\"mesh\":0}],"
-                 "\"meshes\":[{\"primitives\":[{\"attributes\":{\"POSITION\":0,\"TEXCOORD_1\":1,\"COLOR_0\":2}}]}],"
-                 "\"accessors\":[{\"bufferView\":0,\"componentType\":5126,\"count\":3,\"type\":\"VEC3\"},"
-                 "{\"bufferView\":0,\"byteOffset\":12,\"componentType\":5123,\"normalized\":true,\"count\":3,\"type\":\"VEC2\"},"
-                 "{\"bufferView\":0,\"byteOffset\":16,\"componentType\":5121,\"normalized\":true,\"count\":3,\"type\":\"VEC3\"}],"
-                 "\"bufferViews\":[{\"buffer\":0,\"byteLength\":60,\"byteStride\":20}],"
-                 "\"buffers\":[{\"byteLength\":60,\"uri\":\"%s\"}]}",
-                 data_uri(vertices, sizeof vertices));
+    write_format(
+        "packed.gltf",
+        "{\"asset\":{\"version\":\"2.0\"},\"scenes\":[{\"nodes\":[0]}],\"nodes\":[{\"mesh\":0}],"
+        "\"meshes\":[{\"primitives\":[{\"attributes\":{\"POSITION\":0,\"TEXCOORD_1\":1,\"COLOR_0\":2}}]}],"
+        "\"accessors\":[{\"bufferView\":0,\"componentType\":5126,\"count\":3,\"type\":\"VEC3\"},"
+        "{\"bufferView\":0,\"byteOffset\":12,\"componentType\":5123,\"normalized\":true,\"count\":3,\"type\":"
+        "\"VEC2\"},"
+        "{\"bufferView\":0,\"byteOffset\":16,\"componentType\":5121,\"normalized\":true,\"count\":3,\"type\":"
+        "\"VEC3\"}],"
+        "\"bufferViews\":[{\"buffer\":0,\"byteLength\":60,\"byteStride\":20}],"
+        "\"buffers\":[{\"byteLength\":60,\"uri\":\"%s\"}]}",
+        data_uri(vertices, sizeof vertices));
     struct rhw_model *model = load("packed.gltf");
     const struct rhw_mesh *mesh = &model->meshes[0];
     assert_null(mesh->uvs[0]);
@@ -183,14 +194,16 @@ static void test_sparse(void **state)
         uint32_t place;
         float value[3];
     } data = {{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}, 2, {7, 8, 9}};
-    write_format("sparse.gltf",
-                 "{\"asset\":{\"version\":\"2.0\"},\"scenes\":[{\"nodes\":[0]}],\"nodes\":[{\"mesh\":0}],"
-                 "\"meshes\":[{\"primitives\":[{\"attributes\":{\"POSITION\":0}}]}],"
-                 "\"accessors\":[{\"bufferView\":0,\"componentType\":5126,\"count\":3,\"type\":\"VEC3\",\"sparse\":"
-                 "{\"count\":1,\"indices\":{\"bufferView\":0,\"byteOffset\":36,\"componentType\":5125},"
-                 "\"values\":{\"bufferView\":0,\"byteOffset\":40}}}],"
-                 "\"bufferViews\":[{\"buffer\":0,\"byteLength\":52}],\"buffers\":[{\"byteLength\":52,\"uri\":\"%s\"}]}",
-                 data_uri(&data, sizeof data));
+    write_format(
+        "sparse.gltf",
+        "{\"asset\":{\"version\":\"2.0\"},\"scenes\":[{\"nodes\":[0]}],\"nodes\":[{\"mesh\":0}],"
+        "\"meshes\":[{\"primitives\":[{\"attributes\":{\"POSITION\":0}}]}],"
+        "\"accessors\":[{\"bufferView\":0,\"componentType\":5126,\"count\":3,\"type\":\"VEC3\",\"sparse\":"
+        "{\"count\":1,\"indices\":{\"bufferView\":0,\"byteOffset\":36,\"componentType\":5125},"
+        "\"values\":{\"bufferView\":0,\"byteOffset\":40}}}],"
+        "\"bufferViews\":[{\"buffer\":0,\"byteLength\":52}],\"buffers\":[{\"byteLength\":52,\"uri\":\"%s\"}]"
+        "}",
+        data_uri(&data, sizeof data));
     struct rhw_model *model = load("sparse.gltf");
     assert_floats(model->meshes[0].positions[2], data.value, 3, 0);
     assert_floats(model->meshes[0].positions[1], data.positions[1], 3, 0);
@@ -202,17 +215,21 @@ static void test_material(void **state)
     (void)state;
     char extra[1024];
     snprintf(extra, sizeof extra,
-             ",\"textures\":[{\"source\":0,\"sampler\":0},{\"source\":1}],\"images\":[{\"uri\":\"%s\"},{\"uri\":\"not there.png\"}],"
+             ",\"textures\":[{\"source\":0,\"sampler\":0},{\"source\":1}],\"images\":[{\"uri\":\"%s\"},{"
+             "\"uri\":\"not there.png\"}],"
              "\"samplers\":[{\"wrapS\":33071,\"wrapT\":33648,\"magFilter\":9728,\"minFilter\":9985}]",
              data_uri(tga, sizeof tga));
-    write_square("material.gltf",
-                 "{\"name\":\"m\",\"pbrMetallicRoughness\":{\"baseColorFactor\":[0.5,0.25,1,0.75],\"metallicFactor\":0.3,"
-                 "\"roughnessFactor\":0.6,\"baseColorTexture\":{\"index\":0,\"extensions\":{\"KHR_texture_transform\":"
-                 "{\"offset\":[0.5,0.25],\"rotation\":1.5707963267948966,\"scale\":[2,3]}}}},"
-                 "\"normalTexture\":{\"index\":1,\"scale\":0.5},\"emissiveFactor\":[1,0.5,0],"
-                 "\"alphaMode\":\"MASK\",\"alphaCutoff\":0.3,\"doubleSided\":true,"
-                 "\"extensions\":{\"KHR_materials_unlit\":{},\"KHR_materials_emissive_strength\":{\"emissiveStrength\":4}}}",
-                 extra);
+    write_square(
+        "material.gltf",
+        "{\"name\":\"m\",\"pbrMetallicRoughness\":{\"baseColorFactor\":[0.5,0.25,1,0.75],\"metallicFactor\":"
+        "0.3,"
+        "\"roughnessFactor\":0.6,\"baseColorTexture\":{\"index\":0,\"extensions\":{\"KHR_texture_transform\":"
+        "{\"offset\":[0.5,0.25],\"rotation\":1.5707963267948966,\"scale\":[2,3]}}}},"
+        "\"normalTexture\":{\"index\":1,\"scale\":0.5},\"emissiveFactor\":[1,0.5,0],"
+        "\"alphaMode\":\"MASK\",\"alphaCutoff\":0.3,\"doubleSided\":true,"
+        "\"extensions\":{\"KHR_materials_unlit\":{},\"KHR_materials_emissive_strength\":{"
+        "\"emissiveStrength\":4}}}",
+        extra);
     struct rhw_model *model = load("material.gltf");
     const struct rhw_material *material = &model->materials[0];
     const struct rhw_texture_slot *slot = &material->slots[RHW_SLOT_BASE_COLOR];
@@ -261,7 +278,8 @@ static void test_tangents(void **state)
 {
     (void)state;
     char extra[512];
-    snprintf(extra, sizeof extra, ",\"textures\":[{\"source\":0}],\"images\":[{\"uri\":\"%s\"}]", data_uri(tga, sizeof tga));
+    snprintf(extra, sizeof extra, ",\"textures\":[{\"source\":0}],\"images\":[{\"uri\":\"%s\"}]",
+             data_uri(tga, sizeof tga));
     write_square("tangents.gltf", "{\"normalTexture\":{\"index\":0}}", extra);
     struct rhw_model *model = load("tangents.gltf");
     const struct rhw_mesh *mesh = &model->meshes[0];
@@ -269,8 +287,10 @@ static void test_tangents(void **state)
     for (uint32_t i = 0; i < mesh->vertex_count; i++)
         assert_floats(mesh->tangents[i], (const float[]){1, 0, 0, 1}, 4, 1e-6f);
     rhw_model_free(model);
-    write_square("tangents.gltf",
-                 "{\"normalTexture\":{\"index\":0,\"extensions\":{\"KHR_texture_transform\":{\"scale\":[-1,1]}}}}", extra);
+    write_square(
+        "tangents.gltf",
+        "{\"normalTexture\":{\"index\":0,\"extensions\":{\"KHR_texture_transform\":{\"scale\":[-1,1]}}}}",
+        extra);
     model = load("tangents.gltf");
     for (uint32_t i = 0; i < model->meshes[0].vertex_count; i++)
         assert_floats(model->meshes[0].tangents[i], (const float[]){-1, 0, 0, -1}, 4, 1e-6f);
@@ -280,13 +300,18 @@ static void test_tangents(void **state)
 static void test_cameras_and_lights(void **state)
 {
     (void)state;
-    struct rhw_model *model = load_text("look.gltf",
-        "{\"asset\":{\"version\":\"2.0\"},\"extensionsRequired\":[\"KHR_lights_punctual\"],\"scenes\":[{\"nodes\":[0,1,2]}],"
+    struct rhw_model *model = load_text(
+        "look.gltf",
+        "{\"asset\":{\"version\":\"2.0\"},\"extensionsRequired\":[\"KHR_lights_punctual\"],\"scenes\":[{"
+        "\"nodes\":[0,1,2]}],"
         "\"nodes\":[{\"camera\":0,\"translation\":[1,2,3]},{\"camera\":1},"
-        "{\"rotation\":[0.70710678,0,0,0.70710678],\"translation\":[0,5,0],\"extensions\":{\"KHR_lights_punctual\":{\"light\":0}}}],"
-        "\"cameras\":[{\"name\":\"eye\",\"type\":\"perspective\",\"perspective\":{\"yfov\":0.5,\"znear\":0.25,\"aspectRatio\":2}},"
+        "{\"rotation\":[0.70710678,0,0,0.70710678],\"translation\":[0,5,0],\"extensions\":{\"KHR_lights_"
+        "punctual\":{\"light\":0}}}],"
+        "\"cameras\":[{\"name\":\"eye\",\"type\":\"perspective\",\"perspective\":{\"yfov\":0.5,\"znear\":0."
+        "25,\"aspectRatio\":2}},"
         "{\"type\":\"orthographic\",\"orthographic\":{\"xmag\":3,\"ymag\":2,\"znear\":1,\"zfar\":9}}],"
-        "\"extensions\":{\"KHR_lights_punctual\":{\"lights\":[{\"type\":\"spot\",\"color\":[1,0.5,0],\"intensity\":20,"
+        "\"extensions\":{\"KHR_lights_punctual\":{\"lights\":[{\"type\":\"spot\",\"color\":[1,0.5,0],"
+        "\"intensity\":20,"
         "\"range\":7,\"spot\":{\"innerConeAngle\":0,\"outerConeAngle\":1.0471975511965976}}]}}}");
     assert_int_equal(model->camera_count, 2);
     assert_string_equal(model->cameras[0].name, "eye");
@@ -322,15 +347,18 @@ static void test_poses(void **state)
     const char *uri = data_uri(&data, sizeof data);
     const char *format =
         "{\"asset\":{\"version\":\"2.0\"},\"scenes\":[{\"nodes\":[0,1,2]}],"
-        "\"nodes\":[{\"mesh\":0,\"translation\":[100,0,0]%s},{\"translation\":[0,0,1]},{\"translation\":[0,0,3]}],"
+        "\"nodes\":[{\"mesh\":0,\"translation\":[100,0,0]%s},{\"translation\":[0,0,1]},{\"translation\":[0,0,"
+        "3]}],"
         "\"skins\":[{\"joints\":[1,2]}],"
-        "\"meshes\":[{\"weights\":[0.5],\"primitives\":[{\"attributes\":{\"POSITION\":0,\"JOINTS_0\":2,\"WEIGHTS_0\":3},"
+        "\"meshes\":[{\"weights\":[0.5],\"primitives\":[{\"attributes\":{\"POSITION\":0,\"JOINTS_0\":2,"
+        "\"WEIGHTS_0\":3},"
         "\"targets\":[{\"POSITION\":1}]}]}],"
         "\"accessors\":[{\"bufferView\":0,\"componentType\":5126,\"count\":3,\"type\":\"VEC3\"},"
         "{\"bufferView\":0,\"byteOffset\":36,\"componentType\":5126,\"count\":3,\"type\":\"VEC3\"},"
         "{\"bufferView\":0,\"byteOffset\":72,\"componentType\":5121,\"count\":3,\"type\":\"VEC4\"},"
         "{\"bufferView\":0,\"byteOffset\":84,\"componentType\":5126,\"count\":3,\"type\":\"VEC4\"}],"
-        "\"bufferViews\":[{\"buffer\":0,\"byteLength\":132}],\"buffers\":[{\"byteLength\":132,\"uri\":\"%s\"}]}";
+        "\"bufferViews\":[{\"buffer\":0,\"byteLength\":132}],\"buffers\":[{\"byteLength\":132,\"uri\":\"%s\"}"
+        "]}";
     char text[4096];
     snprintf(text, sizeof text, format, "", uri);
     struct rhw_model *model = load_text("morph.gltf", text);
@@ -351,10 +379,11 @@ static void test_glb_and_file_names(void **state)
 {
     (void)state;
     const float triangle[9] = {0, 0, 0, 1, 0, 0, 0, 1, 0};
-    const char *json = "{\"asset\":{\"version\":\"2.0\"},\"scenes\":[{\"nodes\":[0]}],\"nodes\":[{\"mesh\":0}],"
-                       "\"meshes\":[{\"primitives\":[{\"attributes\":{\"POSITION\":0}}]}],"
-                       "\"accessors\":[{\"bufferView\":0,\"componentType\":5126,\"count\":3,\"type\":\"VEC3\"}],"
-                       "\"bufferViews\":[{\"buffer\":0,\"byteLength\":36}],\"buffers\":[{\"byteLength\":36%s}]}";
+    const char *json =
+        "{\"asset\":{\"version\":\"2.0\"},\"scenes\":[{\"nodes\":[0]}],\"nodes\":[{\"mesh\":0}],"
+        "\"meshes\":[{\"primitives\":[{\"attributes\":{\"POSITION\":0}}]}],"
+        "\"accessors\":[{\"bufferView\":0,\"componentType\":5126,\"count\":3,\"type\":\"VEC3\"}],"
+        "\"bufferViews\":[{\"buffer\":0,\"byteLength\":36}],\"buffers\":[{\"byteLength\":36%s}]}";
     char text[1024] = {0};
     unsigned char glb[1200] = "glTF\2\0\0\0";
     snprintf(text, sizeof text, json, "");
@@ -384,11 +413,16 @@ static void test_glb_and_file_names(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_hierarchy),         cmocka_unit_test(test_topologies),
-        cmocka_unit_test(test_flat_normals),      cmocka_unit_test(test_attribute_formats),
-        cmocka_unit_test(test_sparse),            cmocka_unit_test(test_material),
-        cmocka_unit_test(test_missing_texture),   cmocka_unit_test(test_tangents),
-        cmocka_unit_test(test_cameras_and_lights), cmocka_unit_test(test_poses),
+        cmocka_unit_test(test_hierarchy),
+        cmocka_unit_test(test_topologies),
+        cmocka_unit_test(test_flat_normals),
+        cmocka_unit_test(test_attribute_formats),
+        cmocka_unit_test(test_sparse),
+        cmocka_unit_test(test_material),
+        cmocka_unit_test(test_missing_texture),
+        cmocka_unit_test(test_tangents),
+        cmocka_unit_test(test_cameras_and_lights),
+        cmocka_unit_test(test_poses),
         cmocka_unit_test(test_glb_and_file_names),
     };
     return cmocka_run_group_tests(tests, make_directory, remove_directory);

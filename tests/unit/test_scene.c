@@ -74,10 +74,20 @@ static void make_tiny(struct tiny *t)
         t->uvs[v][1] = 0.5f - corners[v][1] * 0.5f;
     }
     memcpy(t->indices, order, sizeof order);
-    t->mesh = (struct rhw_mesh){.name = "square", .vertex_count = 4, .index_count = 6, .indices = t->indices,
-                                .positions = t->positions, .normals = t->normals, .uvs = {t->uvs, NULL}};
-    t->material = (struct rhw_material){.name = "m", .base_color = {1, 1, 1, 1}, .roughness = 1, .normal_scale = 1,
-                                        .occlusion_strength = 1, .alpha_cutoff = 0.5f, .unlit = true};
+    t->mesh = (struct rhw_mesh){.name = "square",
+                                .vertex_count = 4,
+                                .index_count = 6,
+                                .indices = t->indices,
+                                .positions = t->positions,
+                                .normals = t->normals,
+                                .uvs = {t->uvs, NULL}};
+    t->material = (struct rhw_material){.name = "m",
+                                        .base_color = {1, 1, 1, 1},
+                                        .roughness = 1,
+                                        .normal_scale = 1,
+                                        .occlusion_strength = 1,
+                                        .alpha_cutoff = 0.5f,
+                                        .unlit = true};
     for (int s = 0; s < RHW_SLOT_COUNT; s++) {
         t->material.slots[s] = (struct rhw_texture_slot){.image = -1, .transform = {1, 0, 0, 0, 1, 0}};
     }
@@ -85,11 +95,23 @@ static void make_tiny(struct tiny *t)
         t->instances[i] = (struct rhw_instance){.name = "n", .object = i + 1};
         identity(t->instances[i].world);
     }
-    t->image = (struct rhw_image){.name = "i", .width = 2, .height = 2, .used_as_color = true,
-                                  .used_as_data = true, .size = sizeof t->texels, .texels = t->texels};
-    t->model = (struct rhw_model){.path = "tiny", .format = "none", .mesh_count = 1, .material_count = 1,
-                                  .image_count = 1, .instance_count = 1, .meshes = &t->mesh,
-                                  .materials = &t->material, .images = &t->image, .instances = t->instances,
+    t->image = (struct rhw_image){.name = "i",
+                                  .width = 2,
+                                  .height = 2,
+                                  .used_as_color = true,
+                                  .used_as_data = true,
+                                  .size = sizeof t->texels,
+                                  .texels = t->texels};
+    t->model = (struct rhw_model){.path = "tiny",
+                                  .format = "none",
+                                  .mesh_count = 1,
+                                  .material_count = 1,
+                                  .image_count = 1,
+                                  .instance_count = 1,
+                                  .meshes = &t->mesh,
+                                  .materials = &t->material,
+                                  .images = &t->image,
+                                  .instances = t->instances,
                                   .lights = &t->light};
     set_bounds(t);
 }
@@ -99,8 +121,8 @@ static struct rhw_view tiny_view(const struct tiny *t, int size)
 {
     struct rhw_view view = rhw_view_default(&t->model);
     view.width = view.height = size;
-    view.camera = (struct rhw_camera){.eye = {0, 0, 5}, .up = {0, 1, 0}, .orthographic = true, .ymag = 2.0,
-                                      .znear = 1.0, .zfar = 9.0};
+    view.camera = (struct rhw_camera){
+        .eye = {0, 0, 5}, .up = {0, 1, 0}, .orthographic = true, .ymag = 2.0, .znear = 1.0, .zfar = 9.0};
     view.background = RHW_BACKGROUND_COLOR;
     view.background_color[0] = 10;
     view.background_color[1] = 200;
@@ -130,7 +152,8 @@ static void assert_pixel(const uint8_t *pixel, int r, int g, int b, int a)
     const int expected[4] = {r, g, b, a};
     for (int c = 0; c < 4; c++) {
         if (pixel[c] != expected[c]) {
-            fail_msg("pixel %d %d %d %d instead of %d %d %d %d", pixel[0], pixel[1], pixel[2], pixel[3], r, g, b, a);
+            fail_msg("pixel %d %d %d %d instead of %d %d %d %d", pixel[0], pixel[1], pixel[2], pixel[3], r, g,
+                     b, a);
         }
     }
 }
@@ -203,8 +226,10 @@ static void test_fit_angles(void **state)
     (void)state;
     struct tiny t;
     make_tiny(&t);
-    const double cases[][5] = {{0, 0, 0, 0, 1}, {90, 0, 1, 0, 0}, {180, 0, 0, 0, -1}, {-90, 0, -1, 0, 0},
-                               {0, 90, 0, 1, 0}, {30, 20, 0.469846310392954, 0.342020143325669, 0.813797681349374}};
+    const double cases[][5] = {
+        {0, 0, 0, 0, 1},    {90, 0, 1, 0, 0},
+        {180, 0, 0, 0, -1}, {-90, 0, -1, 0, 0},
+        {0, 90, 0, 1, 0},   {30, 20, 0.469846310392954, 0.342020143325669, 0.813797681349374}};
     for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
         const struct rhw_orbit orbit = {cases[i][0], cases[i][1]};
         const struct rhw_camera camera = rhw_camera_fit(&t.model, orbit, 0.5, 1.0);
@@ -341,7 +366,8 @@ static void test_normal_matrix(void **state)
         for (int t = 0; t < 2; t++) {
             double product = 0.0;
             for (int r = 0; r < 3; r++) {
-                product += turned[r] * (m[r] * tangents[t][0] + m[4 + r] * tangents[t][1] + m[8 + r] * tangents[t][2]);
+                product += turned[r] *
+                           (m[r] * tangents[t][0] + m[4 + r] * tangents[t][1] + m[8 + r] * tangents[t][2]);
             }
             assert_close(product, 0.0, 1e-9);
         }
@@ -386,8 +412,8 @@ static double brdf(const double n[3], const double v[3], const double l[3], doub
     normalize3(h);
     const double a2 = pow(roughness, 4.0), nl = fmax(dot3(n, l), 0.0), nv = dot3(n, v), nh = dot3(n, h);
     const double d = a2 / (pi * pow(nh * nh * (a2 - 1.0) + 1.0, 2.0));
-    const double g = 2.0 * nl / (nl + sqrt(a2 + (1.0 - a2) * nl * nl)) * 2.0 * nv /
-                     (nv + sqrt(a2 + (1.0 - a2) * nv * nv));
+    const double g =
+        2.0 * nl / (nl + sqrt(a2 + (1.0 - a2) * nl * nl)) * 2.0 * nv / (nv + sqrt(a2 + (1.0 - a2) * nv * nv));
     const double f0 = 0.04 * (1.0 - metallic) + base * metallic;
     const double f = f0 + (1.0 - f0) * pow(1.0 - dot3(v, h), 5.0);
     return nl <= 0.0 ? 0.0 : nl * ((1.0 - f) * base * (1.0 - metallic) / pi + f * d * g / (4.0 * nl * nv));
@@ -396,7 +422,8 @@ static double brdf(const double n[3], const double v[3], const double l[3], doub
 static void test_reflection_against_gltf_appendix_b(void **state)
 {
     (void)state;
-    const double lights[][3] = {{0, 0, 1}, {1, 0.2, 0.7}, {-0.9, 0.1, 0.2}, {0.1, -0.3, 0.95}, {0.2, 0.1, -1}};
+    const double lights[][3] = {
+        {0, 0, 1}, {1, 0.2, 0.7}, {-0.9, 0.1, 0.2}, {0.1, -0.3, 0.95}, {0.2, 0.1, -1}};
     const double views[][3] = {{0, 0, 1}, {-1, -0.2, 0.7}, {0.3, 0.8, 0.1}};
     const double materials[][3] = {{0.8, 0.0, 0.5}, {0.8, 1.0, 0.3}, {0.2, 0.5, 1.0}, {0.9, 1.0, 0.05}};
     const double normal[3] = {0, 0, 1};
@@ -568,8 +595,13 @@ static void test_spot_and_range(void **state)
     (void)state;
     struct tiny t;
     make_tiny(&t);
-    t.light = (struct rhw_model_light){.type = RHW_LIGHT_SPOT, .position = {0, 0, 4}, .direction = {0, 0, -1},
-                                       .color = {1, 1, 1}, .intensity = 5, .range = 8, .inner_cos = 0.95f,
+    t.light = (struct rhw_model_light){.type = RHW_LIGHT_SPOT,
+                                       .position = {0, 0, 4},
+                                       .direction = {0, 0, -1},
+                                       .color = {1, 1, 1},
+                                       .intensity = 5,
+                                       .range = 8,
+                                       .inner_cos = 0.95f,
                                        .outer_cos = 0.8f};
     t.model.light_count = 1;
     const struct rhw_view view = tiny_view(&t, 8);
@@ -701,7 +733,8 @@ static void test_texture_transform_and_mask(void **state)
     (void)state;
     struct tiny t;
     make_tiny(&t);
-    static const uint8_t texels[4][4] = {{255, 0, 0, 255}, {0, 255, 0, 255}, {0, 0, 255, 255}, {9, 9, 9, 100}};
+    static const uint8_t texels[4][4] = {
+        {255, 0, 0, 255}, {0, 255, 0, 255}, {0, 0, 255, 255}, {9, 9, 9, 100}};
     memcpy(t.texels, texels, sizeof texels);
     struct rhw_texture_slot *slot = &t.material.slots[RHW_SLOT_BASE_COLOR];
     slot->image = 0;
@@ -756,7 +789,7 @@ static void test_data_outputs(void **state)
     for (int orthographic = 0; orthographic < 2; orthographic++) {
         struct rhw_view view = tiny_view(&t, 8);
         view.outputs = RHW_OUTPUT_ALL & ~(RHW_OUTPUT_COLOR | RHW_OUTPUT_LINEAR);
-        view.samples = 4; // has no say in data
+        view.samples = 4;          // has no say in data
         view.camera.eye[2] = -5.0; // from behind
         if (!orthographic) {
             view.camera.orthographic = false;
@@ -871,7 +904,8 @@ static void test_line_through_the_near_plane(void **state)
     t.positions[1][2] = 20.0f;
     set_bounds(&t);
     struct rhw_view view = tiny_view(&t, 64);
-    view.camera = (struct rhw_camera){.eye = {0, 0, 5}, .up = {0, 1, 0}, .yfov = 1.0, .znear = 0.1, .zfar = 50.0};
+    view.camera =
+        (struct rhw_camera){.eye = {0, 0, 5}, .up = {0, 1, 0}, .yfov = 1.0, .znear = 0.1, .zfar = 50.0};
     for (int swapped = 0; swapped < 2; swapped++) {
         ends[0] = (uint32_t)swapped;
         ends[1] = (uint32_t)(1 - swapped);

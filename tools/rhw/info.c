@@ -34,8 +34,8 @@ static const char *const primitive_names[] = {"triangles", "lines", "points"};
 static const char *const image_type_names[] = {"RGBA8", "RGBA16", "RGBA32F"};
 static const char *const alpha_names[] = {"opaque", "mask", "blend"};
 static const char *const light_names[] = {"directional", "point", "spot"};
-static const char *const slot_names[RHW_SLOT_COUNT] = {"base_color", "metallic_roughness", "normal", "occlusion",
-                                                       "emissive"};
+static const char *const slot_names[RHW_SLOT_COUNT] = {"base_color", "metallic_roughness", "normal",
+                                                       "occlusion", "emissive"};
 static const uint32_t corners[] = {3, 2, 1};
 
 static uint32_t object_count(const struct rhw_model *model)
@@ -54,8 +54,8 @@ static bool anything_drawn(const struct rhw_model *model)
 static const char *use_of(const struct rhw_image *image)
 {
     return image->used_as_color && image->used_as_data ? "color and data"
-        : image->used_as_color                         ? "color"
-        : image->used_as_data                          ? "data"
+           : image->used_as_color                      ? "color"
+           : image->used_as_data                       ? "data"
                                                        : "not used";
 }
 
@@ -67,10 +67,10 @@ static void print_meshes(const struct rhw_model *model)
     for (uint32_t i = 0; i < model->mesh_count; i++) {
         const struct rhw_mesh *mesh = &model->meshes[i];
         printf("  %3" PRIu32 "  %" PRIu32 " %s, %" PRIu32 " vertices, material %" PRIu32 "%s%s%s%s%s", i,
-               mesh->index_count / corners[mesh->primitive], primitive_names[mesh->primitive], mesh->vertex_count,
-               mesh->material, mesh->normals != NULL ? ", normals" : "", mesh->tangents != NULL ? ", tangents" : "",
-               mesh->uvs[0] != NULL ? ", uv 0" : "", mesh->uvs[1] != NULL ? ", uv 1" : "",
-               mesh->colors != NULL ? ", colors" : "");
+               mesh->index_count / corners[mesh->primitive], primitive_names[mesh->primitive],
+               mesh->vertex_count, mesh->material, mesh->normals != NULL ? ", normals" : "",
+               mesh->tangents != NULL ? ", tangents" : "", mesh->uvs[0] != NULL ? ", uv 0" : "",
+               mesh->uvs[1] != NULL ? ", uv 1" : "", mesh->colors != NULL ? ", colors" : "");
         printf(mesh->name[0] != 0 ? "  \"%s\"\n" : "%s\n", mesh->name);
     }
 }
@@ -128,9 +128,9 @@ static void print_cameras_and_lights(const struct rhw_model *model)
         printf("\nlights: %" PRIu32 "\n", model->light_count);
     for (uint32_t i = 0; i < model->light_count; i++) {
         const struct rhw_model_light *light = &model->lights[i];
-        printf("  %3" PRIu32 "  %s, color %.3g %.3g %.3g, intensity %.4g  \"%s\"\n", i, light_names[light->type],
-               (double)light->color[0], (double)light->color[1], (double)light->color[2], (double)light->intensity,
-               light->name);
+        printf("  %3" PRIu32 "  %s, color %.3g %.3g %.3g, intensity %.4g  \"%s\"\n", i,
+               light_names[light->type], (double)light->color[0], (double)light->color[1],
+               (double)light->color[2], (double)light->intensity, light->name);
     }
 }
 
@@ -146,11 +146,12 @@ static void print_text(const struct rhw_model *model)
 {
     const float *least = model->bounds_min, *most = model->bounds_max;
     printf("%s: %s\n\n", model->path, model->format);
-    printf("triangles: %" PRIu64 " drawn, %" PRIu64 " stored\n", model->triangles_drawn, model->triangles_stored);
+    printf("triangles: %" PRIu64 " drawn, %" PRIu64 " stored\n", model->triangles_drawn,
+           model->triangles_stored);
     printf("objects:   %" PRIu32 " (%" PRIu32 " draws)\n", object_count(model), model->instance_count);
     if (anything_drawn(model))
-        printf("bounds:    %.6g %.6g %.6g to %.6g %.6g %.6g\n", (double)least[0], (double)least[1], (double)least[2],
-               (double)most[0], (double)most[1], (double)most[2]);
+        printf("bounds:    %.6g %.6g %.6g to %.6g %.6g %.6g\n", (double)least[0], (double)least[1],
+               (double)least[2], (double)most[0], (double)most[1], (double)most[2]);
     else
         printf("bounds:    none, there is nothing to draw\n");
     print_meshes(model);
@@ -203,9 +204,10 @@ static void json_meshes(const struct rhw_model *model)
         const struct rhw_mesh *mesh = &model->meshes[i];
         json_next(i);
         json_named(mesh->name);
-        printf(", \"primitive\": \"%s\", \"count\": %" PRIu32 ", \"vertices\": %" PRIu32 ", \"material\": %" PRIu32,
-               primitive_names[mesh->primitive], mesh->index_count / corners[mesh->primitive], mesh->vertex_count,
-               mesh->material);
+        printf(", \"primitive\": \"%s\", \"count\": %" PRIu32 ", \"vertices\": %" PRIu32
+               ", \"material\": %" PRIu32,
+               primitive_names[mesh->primitive], mesh->index_count / corners[mesh->primitive],
+               mesh->vertex_count, mesh->material);
         json_flag("normals", mesh->normals != NULL);
         json_flag("tangents", mesh->tangents != NULL);
         json_flag("uv0", mesh->uvs[0] != NULL);
@@ -246,8 +248,8 @@ static void json_images(const struct rhw_model *model)
         const struct rhw_image *image = &model->images[i];
         json_next(i);
         json_named(image->name);
-        printf(", \"width\": %" PRIu32 ", \"height\": %" PRIu32 ", \"type\": \"%s\"", image->width, image->height,
-               image_type_names[image->type]);
+        printf(", \"width\": %" PRIu32 ", \"height\": %" PRIu32 ", \"type\": \"%s\"", image->width,
+               image->height, image_type_names[image->type]);
         json_flag("alpha", image->has_alpha);
         json_flag("missing", image->missing);
         json_flag("color", image->used_as_color);
@@ -313,8 +315,8 @@ static void print_json(const struct rhw_model *model)
     rhw_json_string(stdout, model->path);
     printf(",\n  \"format\": ");
     rhw_json_string(stdout, model->format);
-    printf(",\n  \"triangles_drawn\": %" PRIu64 ",\n  \"triangles_stored\": %" PRIu64 ",\n  \"objects\": %" PRIu32
-           ",\n  \"draws\": %" PRIu32,
+    printf(",\n  \"triangles_drawn\": %" PRIu64 ",\n  \"triangles_stored\": %" PRIu64
+           ",\n  \"objects\": %" PRIu32 ",\n  \"draws\": %" PRIu32,
            model->triangles_drawn, model->triangles_stored, object_count(model), model->instance_count);
     printf(",\n  \"bounds\": ");
     if (anything_drawn(model)) {
