@@ -267,8 +267,3 @@ void rhw_scheduler_run(struct rhw_scheduler *scheduler, rhw_task_function *task,
     }
     rhw_cpu_float_leave(environment);
 }
-
-int rhw_scheduler_threads(const struct rhw_scheduler *scheduler)
-{
-    return scheduler->threads;
-}

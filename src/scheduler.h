@@ -22,6 +22,4 @@ void rhw_scheduler_destroy(struct rhw_context *context, struct rhw_scheduler *sc
 // the caller. Tasks run in any order and may not call this function. Indices are claimed in rising order.
 void rhw_scheduler_run(struct rhw_scheduler *scheduler, rhw_task_function *task, void *user, int count);
 
-int rhw_scheduler_threads(const struct rhw_scheduler *scheduler);
-
 #endif

@@ -30,7 +30,7 @@ struct rhw_texture_data {
     enum rhw_format format;
     int levels;
     struct rhw_mip mip[RHW_MAX_MIP_LEVELS];
-    void *memory; // one allocation for all levels; NULL while it is not needed (see rhw_texture_create)
+    void *memory; // one allocation for all levels
     size_t memory_size;
 };
 

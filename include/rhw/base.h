@@ -41,7 +41,8 @@ enum rhw_result {
 RHW_API const char *rhw_result_string(enum rhw_result result);
 
 /// Memory of a context. `allocate` returns `size` bytes aligned to `alignment` (a power of two, at most
-/// 4096) or NULL; it is called from the thread that calls the library and from its workers.
+/// 4096) or NULL. Both functions are called by the thread that calls the library and by its workers, at the same
+/// time: they must be thread-safe. `size` of release is that of allocate.
 struct rhw_allocator {
     void *(*allocate)(void *user, size_t size, size_t alignment);
     void (*release)(void *user, void *memory, size_t size);
@@ -50,10 +51,11 @@ struct rhw_allocator {
 
 enum rhw_log_level { RHW_LOG_INFO, RHW_LOG_WARNING };
 
-/// Called with one line without a newline.
+/// Called with one line without a newline, which lives for the call, on the thread that called the library.
 typedef void rhw_log_function(void *user, enum rhw_log_level level, const char *message);
 
-/// Called on misuse with a message that says what was wrong. When it returns, the call that found the
+/// Called on misuse with a message that says what was wrong, which lives for the call, on the thread that called
+/// the library; it must not call the library. When it returns, the call that found the
 /// misuse returns without doing anything. The default prints the message to stderr and aborts.
 typedef void rhw_assert_function(void *user, const char *message);
 

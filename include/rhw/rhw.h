@@ -63,11 +63,16 @@ RHW_API void rhw_pipeline_destroy(rhw_context *context, rhw_pipeline pipeline);
 // uniforms are copied when set. Viewport and scissor start as the whole target.
 
 RHW_API enum rhw_result rhw_pass_begin(rhw_context *context, const struct rhw_pass_def *def, rhw_pass *pass);
+/// State lasts until it is set again: it survives draws and a change of pipeline. A call that is misuse leaves it.
+/// The pipeline's targets must have the formats of the attachments, in order.
 RHW_API void rhw_pass_set_pipeline(rhw_context *context, rhw_pass pass, rhw_pipeline pipeline);
+/// `slot`: 0..RHW_MAX_VERTEX_BUFFERS − 1; `offset`: bytes to element 0.
 RHW_API void rhw_pass_set_vertex_buffer(rhw_context *context, rhw_pass pass, int slot, rhw_buffer buffer,
                                         size_t offset);
+/// `offset`: bytes to index 0.
 RHW_API void rhw_pass_set_index_buffer(rhw_context *context, rhw_pass pass, rhw_buffer buffer,
                                        enum rhw_index_type type, size_t offset);
+/// Copies `size` bytes, at most RHW_MAX_UNIFORM_SIZE; at a draw they must be at least the program's uniform_size.
 RHW_API void rhw_pass_set_uniforms(rhw_context *context, rhw_pass pass, const void *data, size_t size);
 /// A null texture unbinds the slot; sampling an unbound slot gives 0, 0, 0, 1.
 RHW_API void rhw_pass_set_texture(rhw_context *context, rhw_pass pass, int slot, rhw_texture texture,
@@ -83,7 +88,7 @@ RHW_API void rhw_pass_draw(rhw_context *context, rhw_pass pass, uint32_t first, 
 RHW_API void rhw_pass_draw_indexed(rhw_context *context, rhw_pass pass, uint32_t first, uint32_t count,
                                    int32_t base_vertex, uint32_t first_instance, uint32_t instances);
 /// Runs the pass; the id is stale afterwards. `stats` may be NULL. On failure the attachments hold
-/// unspecified pixels.
+/// unspecified pixels and `stats` is as it was.
 RHW_API enum rhw_result rhw_pass_end(rhw_context *context, rhw_pass pass, struct rhw_stats *stats);
 
 #endif

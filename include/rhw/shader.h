@@ -29,12 +29,12 @@ struct rhw_fragment {
     const rhw_float *ddx, *ddy;      ///< [component]: d/dx, d/dy per pixel, of varyings that asked for them
     const void *uniforms;
     const struct rhw_binding *textures; ///< [slot]
-    rhw_float (*color)[4];           ///< out: [target][channel]
+    rhw_float (*color)[4];           ///< out: [target][channel]; not initialized
     rhw_int mask;                    ///< −1 live, 0 dead; clear lanes to discard them
     rhw_float depth;                 ///< out, with RHW_USE_DEPTH; holds the interpolated depth on entry
     rhw_float coord[4];              ///< x, y in pixels from the top left (centres at .5), z, 1/w
     rhw_int front_facing;            ///< −1 or 0
-    rhw_int primitive, instance, draw; ///< triangle in its draw (per instance), instance, draw in its pass
+    rhw_int primitive, instance, draw; ///< triangle in its draw (per instance), instance (first_instance included), draw in its pass
     rhw_float barycentric[3];        ///< a, b, c: weights in space
     rhw_float barycentric_noperspective[3]; ///< r, s, t: weights on the screen
     rhw_float barycentric_ddx[3], barycentric_ddy[3]; ///< of a, b, c per pixel

@@ -180,7 +180,7 @@ static inline rhw_int rhw_equal_int(rhw_int a, rhw_int b)
 #endif
 }
 
-/// a where mask is −1, b where it is 0.
+/// a where mask is −1, b where it is 0. What another mask gives depends on the instruction set: compare first.
 static inline rhw_float rhw_select(rhw_int mask, rhw_float a, rhw_float b)
 {
 #if defined(__AVX2__)

@@ -18,7 +18,7 @@ typedef struct rhw_pipeline { uint32_t index, generation; } rhw_pipeline;
 typedef struct rhw_pass { uint32_t index, generation; } rhw_pass;
 
 enum {
-    RHW_MAX_TARGET_SIZE = 16384, ///< pixels, each way; see the overflow argument in src/limits.h
+    RHW_MAX_TARGET_SIZE = 16384, ///< pixels, each way; beyond it integer edge functions could overflow
     RHW_MAX_THREADS = 64,
     RHW_MAX_COLOR_ATTACHMENTS = 8,
     RHW_MAX_VERTEX_BUFFERS = 8,
@@ -255,7 +255,8 @@ struct rhw_rect { int x, y, width, height; }; ///< pixels
 struct rhw_stats {
     double front_ms;   ///< vertex fetch and shading, clip, cull, setup, binning
     double back_ms;    ///< tiles: load, raster, shading, output, store
-    uint64_t draws, vertices_shaded;
+    uint64_t draws;
+    uint64_t vertices_shaded; ///< this, fragment_groups and flushes may vary with the number of threads
     uint64_t triangles_in, triangles_dropped; ///< dropped: a position was not finite
     uint64_t triangles_clipped;    ///< cut by a plane
     uint64_t triangles_culled;     ///< outside the view, facing away, of no area, or covering no sample
