@@ -8,7 +8,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-enum { WIDTH = 333, HEIGHT = 271, SMALL = 6000, LARGE = 60 };
+enum { WIDTH = 233, HEIGHT = 171, SMALL = 4000, LARGE = 40 };
 
 struct scene {
     struct rig_vertex small[3 * SMALL], large[3 * LARGE];
@@ -176,7 +176,7 @@ static void test_thread_counts(void **state)
     for (int threads = 1; threads <= 16; threads++) {
         struct rhw_context_def def = rhw_context_def_default();
         def.threads = threads;
-        const struct outcome outcome = run(&def, threads < 4 ? 4 : 1);
+        const struct outcome outcome = run(&def, threads < 4 ? 2 : 1);
         assert_int_equal(outcome.stats.threads, threads);
         expect_same(&outcome, &expected, "thread count", threads);
     }
