@@ -114,7 +114,8 @@ static inline rhw_float rhw_exp(rhw_float a)
 static inline rhw_float rhw_split_exponent(rhw_float a, rhw_float *e)
 {
     const rhw_int tiny = rhw_less(a, rhw_splat(1.17549435e-38f));                   // denormal
-    const rhw_int bits = (rhw_int)rhw_select(tiny, a * 8388608.0f, a) - 0x3f3504f3; // of sqrt(1/2)
+    const rhw_uint pattern = (rhw_uint)rhw_select(tiny, a * 8388608.0f, a);
+    const rhw_int bits = (rhw_int)(pattern - 0x3f3504f3u); // of sqrt(1/2); a negative `a` wraps
     *e = rhw_to_float((bits >> 23) + (tiny & -23));
     return (rhw_float)((bits & 0x7fffff) + 0x3f3504f3);
 }
