@@ -151,9 +151,11 @@ static void make_perspective(struct scene *s, struct random *r)
 static void make_slivers(struct scene *s, struct random *r)
 {
     for (int n = 0; n < 48; n++) {
-        const double x = pick_x(s, r), y = pick_y(s, r), angle = random_between(r, 0, 6.28);
-        const double before = random_scale(r, 0, n % 2 ? 6 : 13.9),
-                     after = -random_scale(r, 0, n % 2 ? 6 : 13.9);
+        const bool deep = n % 4 == 0; // a pixel centre is at the far end, where the sum behind 1/W cancels
+        const double x = deep ? floor(pick_x(s, r)) + 0.5 : pick_x(s, r), angle = random_between(r, 0, 6.28);
+        const double y = deep ? floor(pick_y(s, r)) + 0.5 : pick_y(s, r);
+        const double before = deep ? 0 : random_scale(r, 0, n % 2 ? 6 : 13.9);
+        const double after = -random_scale(r, 0, n % 2 ? 6 : 13.9);
         const double along = before + random_between(r, -0.3, 1.3) * (after - before);
         const double at[3] = {before, after, along < -16000 ? -16000 : along > 16000 ? 16000 : along};
         const double log2_ratio = random_between(r, 0, 20);
@@ -163,7 +165,7 @@ static void make_slivers(struct scene *s, struct random *r)
             const int k = (i + turn) % 3;
             place(s, add(s), grid(s, x + at[k] * cos(angle) + (k == 2 ? off_x : 0)),
                   grid(s, y + at[k] * sin(angle) + (k == 2 ? off_y : 0)), random_between(r, 0, 1),
-                  few_bits(s, random_scale(r, 0, log2_ratio)));
+                  few_bits(s, deep ? exp2(k == 0 ? log2_ratio : 0) : random_scale(r, 0, log2_ratio)));
         }
     }
 }
