@@ -314,16 +314,16 @@ RHW_INLINE struct weights weights_row(const struct planes *p, const struct block
 }
 
 // Weights on the screen of vertices 1 and 2.
-RHW_INLINE void screen_weights_row(const struct planes *p, const struct block_planes *block, int row, f8 *s,
-                                   f8 *t)
+RHW_INLINE void screen_weights_row(const struct planes *p, const struct block_planes *block, int row, d8 *s,
+                                   d8 *t)
 {
     if (__builtin_expect(p->exact, 0)) {
-        *s = f8_from_d8(d8_mul(d8_splat(p->n_e), plane_row(&block->e1, row)));
-        *t = f8_from_d8(d8_mul(d8_splat(p->n_e), plane_row(&block->e2, row)));
+        *s = d8_mul(d8_splat(p->n_e), plane_row(&block->e1, row));
+        *t = d8_mul(d8_splat(p->n_e), plane_row(&block->e2, row));
         return;
     }
-    *s = f8_from_d8(plane_row(&block->n1, row));
-    *t = f8_from_d8(plane_row(&block->n2, row));
+    *s = plane_row(&block->n1, row);
+    *t = plane_row(&block->n2, row);
 }
 
 // Whether some pixel of a block of a clipped triangle may have a weight below 0: a plane is least in a corner.
@@ -342,16 +342,17 @@ static bool block_is_cut(const struct planes *p, const struct block_place *at)
 // The values of a row in the lanes where a weight is below 0, and of `wide` planes in all; see struct planes.
 struct cut_row {
     i8 lanes;
-    f8 z, n1, n2;
+    f8 z;
+    d8 n1, n2;
     struct weights weights;
 };
 
+// A weight of −0 becomes 0 as well: two of them would turn a constant −0 into 0.
 static d8 at_least_zero(d8 v, l4 below[2])
 {
-    const l4 lo = v.lo < d4_splat(0), hi = v.hi < d4_splat(0);
-    below[0] |= lo;
-    below[1] |= hi;
-    return (d8){(d4)(~lo & (l4)v.lo), (d4)(~hi & (l4)v.hi)};
+    below[0] |= v.lo < d4_splat(0);
+    below[1] |= v.hi < d4_splat(0);
+    return (d8){(d4)((v.lo > d4_splat(0)) & (l4)v.lo), (d4)((v.hi > d4_splat(0)) & (l4)v.hi)};
 }
 
 static d8 weigh(const double f[3], d8 a, d8 b, d8 c)
@@ -414,8 +415,8 @@ static __attribute__((noinline)) void cut_row(const struct planes *p, const stru
     out->lanes = (i8){(int32_t)below[0][0], (int32_t)below[0][1], (int32_t)below[0][2], (int32_t)below[0][3],
                       (int32_t)below[1][0], (int32_t)below[1][1], (int32_t)below[1][2], (int32_t)below[1][3]};
     out->z = f8_from_d8(d8_where(seen, d8_mul(weigh(p->zw, a, b, c), screen), plane_at(&p->z, &at)));
-    out->n1 = f8_from_d8(d8_where(seen, d8_mul(d8_mul(d8_splat(p->w[1]), b), screen), plane_at(&p->n1, &at)));
-    out->n2 = f8_from_d8(d8_where(seen, d8_mul(d8_mul(d8_splat(p->w[2]), c), screen), plane_at(&p->n2, &at)));
+    out->n1 = d8_where(seen, d8_mul(d8_mul(d8_splat(p->w[1]), b), screen), plane_at(&p->n1, &at));
+    out->n2 = d8_where(seen, d8_mul(d8_mul(d8_splat(p->w[2]), c), screen), plane_at(&p->n2, &at));
     out->weights = (struct weights){f8_from_d8(d8_mul(b, inverse)), f8_from_d8(d8_mul(c, inverse)),
                                     d8_where(seen, d8_mul(sum, screen), least), inverse};
 }

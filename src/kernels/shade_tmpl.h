@@ -227,6 +227,24 @@ static void fill_varyings(const struct tile_work *work, f8 *out, const struct tr
     }
 }
 
+// Noperspective varyings of a triangle with a vertex that is not snapped. Weights on the screen may have any size and
+// either sign there, and what float loses while they cancel would pass the bound: in double, rounded once. The added 0
+// keeps a constant −0, whose differences times negative weights are −0.
+static __attribute__((noinline)) void fill_homogeneous(const struct tile_work *work, f8 *out,
+                                                       const struct triangle_work *triangle, d8 s, d8 t)
+{
+    const struct rhw_pipeline_data *const pipeline = work->pipeline;
+    for (int i = 0; i < pipeline->varying_components; i++) {
+        if (pipeline->component_qualifier[i] == RHW_NOPERSPECTIVE) {
+            const double i0 = (double)triangle->v[0]->varyings[i],
+                         d1 = i0 - (double)triangle->v[1]->varyings[i],
+                         d2 = i0 - (double)triangle->v[2]->varyings[i];
+            const d8 change = d8_add(d8_mul(s, d8_splat(d1)), d8_mul(t, d8_splat(d2)));
+            out[i] = f8_from_d8(d8_sub(d8_splat(i0), d8_add(change, d8_splat(0))));
+        }
+    }
+}
+
 static void fill_derivatives(const struct tile_work *work, int g, const struct triangle_work *triangle,
                              const struct weight_slopes *slopes)
 {
@@ -299,16 +317,21 @@ static void fill_group(const struct tile_work *work, int g, const struct triangl
     const uint32_t uses = pipeline->def.program.uses;
     struct rhw_fragment *const group = &work->scratch->groups[g];
     struct weights w = weights_row(planes, block, row);
-    f8 s, t;
-    screen_weights_row(planes, block, row, &s, &t);
+    d8 wide_s, wide_t;
+    screen_weights_row(planes, block, row, &wide_s, &wide_t);
     if (is_cut) {
         struct cut_row cut;
         cut_row(planes, at, row, &cut);
         w = cut_weights(&cut, w);
-        s = f8_select(cut.lanes, cut.n1, s);
-        t = f8_select(cut.lanes, cut.n2, t);
+        wide_s = d8_select(cut.lanes, cut.n1, wide_s);
+        wide_t = d8_select(cut.lanes, cut.n2, wide_t);
     }
-    fill_varyings(work, work->scratch->varyings + g * pipeline->varying_components, triangle, w.b, w.c, s, t);
+    const f8 s = f8_from_d8(wide_s), t = f8_from_d8(wide_t);
+    f8 *const varyings = work->scratch->varyings + g * pipeline->varying_components;
+    fill_varyings(work, varyings, triangle, w.b, w.c, s, t);
+    if (planes->homogeneous && pipeline->any_noperspective) {
+        fill_homogeneous(work, varyings, triangle, wide_s, wide_t);
+    }
     if (pipeline->any_derivatives || uses & RHW_USE_BARYCENTRIC_DERIVATIVES) {
         double dy[RHW_BLOCK];
         memcpy(dy, &at->dy, sizeof dy);

@@ -252,7 +252,7 @@ static void test_cut_edges_cover_once(void **state)
     oracle_triangle_clear(&half[1]);
 }
 
-// Equal at the three vertices: bit-equal at every sample, cut or not.
+// Equal at the three vertices: bit-equal at every sample, cut or not; −0 too.
 static void test_constants_survive(void **state)
 {
     (void)state;
@@ -260,6 +260,10 @@ static void test_constants_survive(void **state)
     for (int family = 0; family < FAMILY_COUNT; family++) {
         for (uint64_t index = 0; index < 40; index++) {
             scene_make(&scene, (enum family)family, SEED, index);
+            scene.kind[0] = VALUE_CONSTANT;
+            for (int i = 0; i < scene.vertex_count; i++) {
+                scene.vertex[i].value[0] = -0.0F;
+            }
             const struct probe_image *const image = draw(&scene);
             for (int k = 0; k < SCENE_VALUES; k++) {
                 for (int i = 0; i < image->width * image->height && scene.kind[k] == VALUE_CONSTANT; i++) {
