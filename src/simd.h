@@ -199,13 +199,32 @@ RHW_INLINE i8 i8_round_d8(d8 v)
 {
     const d4 magic = d4_splat(6755399441055744.0);
     const l4 lo = (l4)(v.lo + magic), hi = (l4)(v.hi + magic);
+#if defined(__AVX2__) // gcc takes the lanes one by one
+    const __m256 low_words = _mm256_shuffle_ps((__m256)lo, (__m256)hi, 0x88);
+    return (i8)_mm256_permute4x64_epi64((__m256i)low_words, 0xD8);
+#elif defined(__SSE2__)
+    __m128 q[4];
+    memcpy(q, &lo, sizeof lo);
+    memcpy(q + 2, &hi, sizeof hi);
+    const __m128 low_words[2] = {_mm_shuffle_ps(q[0], q[1], 0x88), _mm_shuffle_ps(q[2], q[3], 0x88)};
+    i8 r;
+    memcpy(&r, low_words, sizeof r);
+    return r;
+#else
     return (i8){(int32_t)lo[0], (int32_t)lo[1], (int32_t)lo[2], (int32_t)lo[3],
                 (int32_t)hi[0], (int32_t)hi[1], (int32_t)hi[2], (int32_t)hi[3]};
+#endif
 }
 
 // Clamps; NaN becomes low.
 RHW_INLINE d8 d8_clamp(d8 v, double low, double high)
 {
+#if defined(__AVX2__) // max and min give their second operand when one is NaN
+    const __m256d l = _mm256_set1_pd(low), h = _mm256_set1_pd(high);
+    v.lo = (d4)_mm256_min_pd(_mm256_max_pd((__m256d)v.lo, l), h);
+    v.hi = (d4)_mm256_min_pd(_mm256_max_pd((__m256d)v.hi, l), h);
+    return v;
+#else
     const d4 l = d4_splat(low), h = d4_splat(high);
     const l4 a = v.lo > l, b = v.hi > l;
     v.lo = (d4)((a & (l4)v.lo) | (~a & (l4)l));
@@ -214,6 +233,47 @@ RHW_INLINE d8 d8_clamp(d8 v, double low, double high)
     v.lo = (d4)((c & (l4)v.lo) | (~c & (l4)h));
     v.hi = (d4)((d & (l4)v.hi) | (~d & (l4)h));
     return v;
+#endif
+}
+
+// 4 floats at each of 8 places, as 4 vectors of one component each.
+RHW_INLINE void f8_load_columns(const void *const place[8], f8 column[4])
+{
+#if defined(__SSE2__)
+    __m128 q[8];
+    for (int i = 0; i < 8; i++) {
+        q[i] = _mm_loadu_ps((const float *)place[i]);
+    }
+#endif
+#if defined(__AVX2__)
+    __m256 r[4], t[4];
+    for (int i = 0; i < 4; i++) {
+        r[i] = _mm256_insertf128_ps(_mm256_castps128_ps256(q[i]), q[i + 4], 1);
+    }
+    for (int i = 0; i < 2; i++) {
+        t[2 * i] = _mm256_unpacklo_ps(r[2 * i], r[2 * i + 1]);
+        t[2 * i + 1] = _mm256_unpackhi_ps(r[2 * i], r[2 * i + 1]);
+    }
+    column[0] = (f8)_mm256_shuffle_ps(t[0], t[2], 0x44);
+    column[1] = (f8)_mm256_shuffle_ps(t[0], t[2], 0xEE);
+    column[2] = (f8)_mm256_shuffle_ps(t[1], t[3], 0x44);
+    column[3] = (f8)_mm256_shuffle_ps(t[1], t[3], 0xEE);
+#elif defined(__SSE2__)
+    _MM_TRANSPOSE4_PS(q[0], q[1], q[2], q[3]);
+    _MM_TRANSPOSE4_PS(q[4], q[5], q[6], q[7]);
+    for (int c = 0; c < 4; c++) {
+        const __m128 halves[2] = {q[c], q[c + 4]};
+        memcpy(&column[c], halves, sizeof halves);
+    }
+#else
+    for (int i = 0; i < 8; i++) {
+        float row[4];
+        memcpy(row, place[i], sizeof row);
+        for (int c = 0; c < 4; c++) {
+            column[c][i] = row[c];
+        }
+    }
+#endif
 }
 
 // Turns 8 vectors of one component each into 8 vectors of one lane each.
@@ -237,6 +297,19 @@ RHW_INLINE void f8_transpose(f8 m[8])
         t[i + 4] = _mm256_permute2f128_ps(r[i], r[i + 4], 0x31);
     }
     memcpy(m, t, sizeof t);
+#elif defined(__SSE2__)
+    __m128 q[16]; // row i is q[2i], q[2i + 1]
+    memcpy(q, m, sizeof q);
+    _MM_TRANSPOSE4_PS(q[0], q[2], q[4], q[6]);
+    _MM_TRANSPOSE4_PS(q[1], q[3], q[5], q[7]);
+    _MM_TRANSPOSE4_PS(q[8], q[10], q[12], q[14]);
+    _MM_TRANSPOSE4_PS(q[9], q[11], q[13], q[15]);
+    for (int i = 0; i < 4; i++) { // the off-diagonal quarters change places
+        const __m128 upper = q[2 * i + 1];
+        q[2 * i + 1] = q[2 * i + 8];
+        q[2 * i + 8] = upper;
+    }
+    memcpy(m, q, sizeof q);
 #else
     float from[8][8], to[8][8];
     memcpy(from, m, sizeof from);

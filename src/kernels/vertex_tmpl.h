@@ -32,34 +32,55 @@ static void fetch_lane(const unsigned char *p, enum rhw_vertex_type type, int co
     }
 }
 
-// One attribute of 8 vertices. `element` says which element of the stream each lane reads; a lane whose
-// element is not wholly inside the buffer reads 0, 0, 0, 1.
-static void fetch_attribute(const struct rhw_vertex_stream *stream, const struct rhw_attribute *attribute,
-                            uint32_t stride, const uint32_t element[8], f8 out[4])
+// One attribute of 8 vertices, the slow way. `element` says which element of the stream each lane reads; a lane
+// whose element is not wholly inside the buffer reads 0, 0, 0, 1.
+static __attribute__((noinline)) void fetch_lanes(const struct rhw_vertex_stream *stream,
+                                                  const struct rhw_attribute *attribute, uint32_t stride,
+                                                  const uint32_t element[8], f8 out[4])
 {
     const enum rhw_vertex_type type = rhw_vertex_format_type(attribute->format);
     const int components = rhw_vertex_format_components(attribute->format);
     const size_t size = (size_t)(components * rhw_vertex_type_size(type));
-    const f8 missing = {0, 0, 0, 1, 0, 0, 0, 0};
-    f8 rows[8];
+    float rows[8][4];
+    const void *places[8];
     for (int lane = 0; lane < 8; lane++) {
-        float row[8];
         const uint64_t offset = (uint64_t)element[lane] * stride + attribute->offset;
-        f8_store(row, missing);
+        rows[lane][0] = rows[lane][1] = rows[lane][2] = 0;
+        rows[lane][3] = 1;
         if (offset <= stream->size && stream->size - offset >= size) {
-            const unsigned char *const p = stream->bytes + offset;
-            if (type == RHW_TYPE_FLOAT && components == 3) { // the commonest two without a loop
-                memcpy(row, p, 3 * sizeof *row);
-            } else if (type == RHW_TYPE_FLOAT && components == 4) {
-                memcpy(row, p, 4 * sizeof *row);
-            } else {
-                fetch_lane(p, type, components, row);
-            }
+            fetch_lane(stream->bytes + offset, type, components, rows[lane]);
         }
-        rows[lane] = f8_load(row);
+        places[lane] = rows[lane];
     }
-    f8_transpose(rows);
-    memcpy(out, rows, 4 * sizeof *out);
+    f8_load_columns(places, out);
+}
+
+// One attribute of 8 vertices. Floats that have 16 bytes of the buffer from where they start are loaded as 4
+// floats whatever they are; what is not theirs is replaced.
+static void fetch_attribute(const struct rhw_vertex_stream *stream, const struct rhw_attribute *attribute,
+                            uint32_t stride, const uint32_t element[8], f8 out[4])
+{
+    uint32_t last = element[0];
+    for (int lane = 1; lane < 8; lane++) {
+        last = element[lane] > last ? element[lane] : last;
+    }
+    const uint64_t end = (uint64_t)last * stride + attribute->offset + 4 * sizeof(float);
+    if (rhw_vertex_format_type(attribute->format) != RHW_TYPE_FLOAT || end > stream->size) {
+        fetch_lanes(stream, attribute, stride, element, out);
+        return;
+    }
+    const unsigned char *const bytes = stream->bytes + attribute->offset;
+    const void *places[8];
+    for (int lane = 0; lane < 8; lane++) {
+        places[lane] = bytes + (size_t)element[lane] * stride;
+    }
+    f8_load_columns(places, out);
+    switch (rhw_vertex_format_components(attribute->format)) {
+    case 1: out[1] = f8_splat(0); // fall through
+    case 2: out[2] = f8_splat(0); // fall through
+    case 3: out[3] = f8_splat(1); // fall through
+    default: break;
+    }
 }
 
 // Clip coordinates to the header of the vertex records.
