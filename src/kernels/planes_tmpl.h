@@ -22,6 +22,14 @@ struct plane {
     double at, dx, dy; // value at the anchor's centre; change per pixel
 };
 
+// The four that every fragment needs stand side by side in one vector, so that a triangle is set up once for all
+// of them.
+enum quantity { QUANTITY_S, QUANTITY_B, QUANTITY_C, QUANTITY_Z }; // 1/W; b·(1/W); c·(1/W); depth
+
+struct linear {
+    d4 at, dx, dy; // by quantity: value at the anchor's centre; change per pixel
+};
+
 // The numerators of d(q/S)/dx = (q_x·S − q·S_x)/S² and d(q/S)/dy, which are linear: the one does not depend on x, the
 // other not on y. No cancellation per pixel.
 struct slope {
@@ -36,24 +44,19 @@ struct slope {
 struct planes {
     int anchor_x, anchor_y; // pixels
     bool exact;
-    struct plane z;                 // depth
-    struct plane s, b, c;           // 1/W; (b·1/W), (c·1/W)
-    struct plane n1, n2;            // weights on the screen of vertices 1 and 2
-    struct plane e1, e2;            // exact integers
-    struct plane a;                 // (a·1/W), of clipped triangles
-    double w[3], zw[3], area, a_e0; // of clipped triangles
-    bool homogeneous;               // a vertex is not snapped
-    bool wide;                      // weights come from `edge` alone, in wide arithmetic
+    struct linear linear;
+    struct plane n1, n2;             // weights on the screen of vertices 1 and 2
+    struct plane e1, e2;             // exact integers
+    d4 base, f1, f2;                 // by quantity: base + f1·e_1 + f2·e_2, for `exact`
+    double sign, area, inverse_area; // of snapped triangles; the area is doubled, and positive
+    struct plane a;                  // (a·1/W), of clipped triangles
+    double w[3], zw[3], a_e0;        // of clipped triangles
+    bool homogeneous;                // a vertex is not snapped
+    bool wide;                       // weights come from `edge` alone, in wide arithmetic
     struct wide_plane edge[3];
     double edge_scale;             // e_i·edge_scale = a, b, c over W
     struct slope b_slope, c_slope; // of snapped triangles by planes_slopes, when they are asked for
-    double z_base, z_e1, z_e2, s_base, s_e1, s_e2, b_e1, c_e2, n_e; // factors of e_1 and e_2, for `exact`
 };
-
-static struct plane combine(double base, double f1, struct plane e1, double f2, struct plane e2)
-{
-    return (struct plane){base + (f1 * e1.at + f2 * e2.at), f1 * e1.dx + f2 * e2.dx, f1 * e1.dy + f2 * e2.dy};
-}
 
 static struct plane scale(double f, struct plane e)
 {
@@ -74,11 +77,6 @@ static struct plane edge_plane(const struct rhw_triangle *t, int j, int k, doubl
 static double absolute(double v)
 {
     return v < 0 ? -v : v;
-}
-
-static double depth_of(const struct rhw_draw_state *state, const struct rhw_vertex_record *v)
-{
-    return state->depth_low + state->depth_span * ((double)v->position[2] / (double)v->position[3]);
 }
 
 // What only clipped triangles need.
@@ -106,51 +104,77 @@ static void planes_without_area(struct planes *p)
     p->b_slope = p->c_slope = (struct slope){0};
 }
 
-static void planes_snapped(struct planes *p, const struct rhw_draw_state *state, const struct rhw_triangle *t,
-                           const struct rhw_vertex_record *const v[3])
+RHW_INLINE struct plane linear_plane(const struct linear *linear, enum quantity q)
+{
+    return (struct plane){linear->at[q], linear->dx[q], linear->dy[q]};
+}
+
+static double least3(d4 v)
+{
+    return v[0] < v[1] ? (v[0] < v[2] ? v[0] : v[2]) : (v[1] < v[2] ? v[1] : v[2]);
+}
+
+static double most3(d4 v)
+{
+    return v[0] > v[1] ? (v[0] > v[2] ? v[0] : v[2]) : (v[1] > v[2] ? v[1] : v[2]);
+}
+
+// What every snapped triangle needs. The anchor is the pixel of vertex 0.
+RHW_INLINE void planes_linear(struct planes *p, const struct rhw_draw_state *state,
+                              const struct rhw_triangle *t, const struct rhw_vertex_record *const v[3])
 {
     p->anchor_x = t->x_24_8[0] >> RHW_SUBPIXEL_BITS;
     p->anchor_y = t->y_24_8[0] >> RHW_SUBPIXEL_BITS;
-    p->homogeneous = p->wide = false;
     const double x1 = t->x_24_8[1] - t->x_24_8[0], y1 = t->y_24_8[1] - t->y_24_8[0];
     const double x2 = t->x_24_8[2] - t->x_24_8[0], y2 = t->y_24_8[2] - t->y_24_8[0];
     const double signed_area = x1 * y2 - x2 * y1, sign = signed_area < 0 ? -1 : 1;
-    const double inverse_area = 1 / (sign * signed_area);
-    p->e1 = edge_plane(t, 2, 0, sign, p);
-    p->e2 = edge_plane(t, 0, 1, sign, p);
-    const double w0 = 1 / (double)v[0]->position[3], w1 = 1 / (double)v[1]->position[3],
-                 w2 = 1 / (double)v[2]->position[3];
-    const double d0 = depth_of(state, v[0]);
-    p->z_base = d0;
-    p->z_e1 = (depth_of(state, v[1]) - d0) * inverse_area;
-    p->z_e2 = (depth_of(state, v[2]) - d0) * inverse_area;
-    p->s_base = w0;
-    p->s_e1 = (w1 - w0) * inverse_area;
-    p->s_e2 = (w2 - w0) * inverse_area;
-    p->b_e1 = w1 * inverse_area;
-    p->c_e2 = w2 * inverse_area;
-    p->n_e = inverse_area;
+    // Edges 2 → 0 and 0 → 1 at the anchor's centre, seen from vertex 0; exact (limits.h).
+    const double px = RHW_SUBPIXEL / 2 - (t->x_24_8[0] & (RHW_SUBPIXEL - 1));
+    const double py = RHW_SUBPIXEL / 2 - (t->y_24_8[0] & (RHW_SUBPIXEL - 1));
+    const double a1 = sign * y2, b1 = -sign * x2, a2 = -sign * y1, b2 = sign * x1;
+    p->e1 = (struct plane){a1 * px + b1 * py, a1 * RHW_SUBPIXEL, b1 * RHW_SUBPIXEL};
+    p->e2 = (struct plane){a2 * px + b2 * py, a2 * RHW_SUBPIXEL, b2 * RHW_SUBPIXEL};
+    const d4 below = {(double)v[0]->position[3], (double)v[1]->position[3], (double)v[2]->position[3],
+                      sign * signed_area};
+    const d4 above = {(double)v[0]->position[2], (double)v[1]->position[2], (double)v[2]->position[2], 0};
+    const d4 w = d4_splat(1) / below; // and one over the area
+    const d4 d = d4_splat(state->depth_low) + d4_splat(state->depth_span) * (above / below);
+    p->sign = sign;
+    p->area = below[3];
+    p->inverse_area = w[3];
+    p->base = (d4){w[0], 0, 0, d[0]};
+    p->f1 = (d4){w[1] - w[0], w[1], 0, d[1] - d[0]} * d4_splat(w[3]);
+    p->f2 = (d4){w[2] - w[0], 0, w[2], d[2] - d[0]} * d4_splat(w[3]);
+    p->linear.at = p->base + (p->f1 * d4_splat(p->e1.at) + p->f2 * d4_splat(p->e2.at));
+    p->linear.dx = p->f1 * d4_splat(p->e1.dx) + p->f2 * d4_splat(p->e2.dx);
+    p->linear.dy = p->f1 * d4_splat(p->e1.dy) + p->f2 * d4_splat(p->e2.dy);
     // Terms of the sums are below extent² · the largest w / A; the smallest S is the smallest w. Their ratio
     // is how many bits cancel; 53 − 20 are more than the 24 + 6 that the bound needs.
     const double width = absolute(x1) + absolute(x2), height = absolute(y1) + absolute(y2);
-    const double low = w0 < w1 ? (w0 < w2 ? w0 : w2) : (w1 < w2 ? w1 : w2);
-    const double high = w0 > w1 ? (w0 > w2 ? w0 : w2) : (w1 > w2 ? w1 : w2);
-    p->exact = (width + RHW_SUBPIXEL) * (height + RHW_SUBPIXEL) * inverse_area * high > 0x1p20 * low;
-    p->z = combine(p->z_base, p->z_e1, p->e1, p->z_e2, p->e2);
-    p->s = combine(p->s_base, p->s_e1, p->e1, p->s_e2, p->e2);
-    p->b = scale(p->b_e1, p->e1);
-    p->c = scale(p->c_e2, p->e2);
-    p->n1 = scale(p->n_e, p->e1);
-    p->n2 = scale(p->n_e, p->e2);
+    p->exact = (width + RHW_SUBPIXEL) * (height + RHW_SUBPIXEL) * w[3] * most3(w) > 0x1p20 * least3(w);
+}
+
+static void planes_snapped(struct planes *p, const struct rhw_draw_state *state, const struct rhw_triangle *t,
+                           const struct rhw_vertex_record *const v[3])
+{
+    p->homogeneous = p->wide = false;
+    planes_linear(p, state, t, v);
+    p->n1 = scale(p->inverse_area, p->e1);
+    p->n2 = scale(p->inverse_area, p->e2);
     if (t->flags & RHW_TRIANGLE_POLYGON) {
         planes_vertices(p, state, v);
-        p->area = sign * signed_area;
-        p->a_e0 = w0 * inverse_area;
-        p->a = scale(p->a_e0, edge_plane(t, 1, 2, sign, p));
-        if (signed_area == 0) {
+        p->a_e0 = p->base[QUANTITY_S] * p->inverse_area;
+        p->a = scale(p->a_e0, edge_plane(t, 1, 2, p->sign, p));
+        if (p->area == 0) {
             planes_without_area(p);
         }
     }
+}
+
+// The four quantities from the weights over W.
+static d4 linear_of(const struct planes *p, double a, double b, double c)
+{
+    return (d4){a + b + c, b, c, a * p->zw[0] + b * p->zw[1] + c * p->zw[2]};
 }
 
 // A vertex could not be snapped: the truth is the homogeneous triangle itself. With M whose columns are the
@@ -195,15 +219,11 @@ static void planes_homogeneous(struct planes *p, const struct rhw_draw_state *st
     p->wide = size * p->w[nearest_vertex(p)] > 0x1p22;
     p->edge_scale = inverse;
     p->a = row[0];
-    p->b = row[1];
-    p->c = row[2];
-    p->s =
-        (struct plane){p->a.at + p->b.at + p->c.at, p->a.dx + p->b.dx + p->c.dx, p->a.dy + p->b.dy + p->c.dy};
-    p->n1 = scale(p->w[1], p->b);
-    p->n2 = scale(p->w[2], p->c);
-    p->z = (struct plane){p->a.at * p->zw[0] + p->b.at * p->zw[1] + p->c.at * p->zw[2],
-                          p->a.dx * p->zw[0] + p->b.dx * p->zw[1] + p->c.dx * p->zw[2],
-                          p->a.dy * p->zw[0] + p->b.dy * p->zw[1] + p->c.dy * p->zw[2]};
+    p->linear = (struct linear){linear_of(p, row[0].at, row[1].at, row[2].at),
+                                linear_of(p, row[0].dx, row[1].dx, row[2].dx),
+                                linear_of(p, row[0].dy, row[1].dy, row[2].dy)};
+    p->n1 = scale(p->w[1], row[1]);
+    p->n2 = scale(p->w[2], row[2]);
     // q_x·S − q·S_x with q = b, S = a + b + c, where (b_x·a − b·a_x) and the like are vertices over the determinant.
     p->b_slope = (struct slope){inverse * (m[2][1] - m[0][1]), inverse * (m[0][2] - m[2][2]),
                                 inverse * (m[0][0] - m[2][0]), inverse * (m[2][2] - m[0][2])};
@@ -235,9 +255,10 @@ RHW_INLINE d8 plane_row(const struct block_plane *plane, int row)
     return d8_add(plane->column, d8_splat(plane->row[row]));
 }
 
-RHW_INLINE d8 combine_rows(double base, double f1, d8 e1, double f2, d8 e2)
+RHW_INLINE d8 combine_rows(const struct planes *p, enum quantity q, d8 e1, d8 e2)
 {
-    return d8_add(d8_splat(base), d8_add(d8_mul(d8_splat(f1), e1), d8_mul(d8_splat(f2), e2)));
+    return d8_add(d8_splat(p->base[q]),
+                  d8_add(d8_mul(d8_splat(p->f1[q]), e1), d8_mul(d8_splat(p->f2[q]), e2)));
 }
 
 // What a block needs of a triangle's planes. Which members are set: z by block_depth; s, b, c by
@@ -252,7 +273,8 @@ RHW_INLINE void block_depth(struct block_planes *block, const struct planes *p, 
         plane_over(&block->e1, &p->e1, at);
         plane_over(&block->e2, &p->e2, at);
     } else {
-        plane_over(&block->z, &p->z, at);
+        const struct plane z = linear_plane(&p->linear, QUANTITY_Z);
+        plane_over(&block->z, &z, at);
     }
 }
 
@@ -263,9 +285,11 @@ RHW_INLINE void block_weights(struct block_planes *block, const struct planes *p
         plane_over(&block->e1, &p->e1, at);
         plane_over(&block->e2, &p->e2, at);
     } else {
-        plane_over(&block->s, &p->s, at);
-        plane_over(&block->b, &p->b, at);
-        plane_over(&block->c, &p->c, at);
+        const struct plane s = linear_plane(&p->linear, QUANTITY_S), b = linear_plane(&p->linear, QUANTITY_B),
+                           c = linear_plane(&p->linear, QUANTITY_C);
+        plane_over(&block->s, &s, at);
+        plane_over(&block->b, &b, at);
+        plane_over(&block->c, &c, at);
     }
 }
 
@@ -284,8 +308,8 @@ RHW_INLINE void block_screen_weights(struct block_planes *block, const struct pl
 RHW_INLINE f8 depth_row(const struct planes *p, const struct block_planes *block, int row)
 {
     if (__builtin_expect(p->exact, 0)) {
-        return f8_from_d8(combine_rows(p->z_base, p->z_e1, plane_row(&block->e1, row), p->z_e2,
-                                       plane_row(&block->e2, row)));
+        return f8_from_d8(
+            combine_rows(p, QUANTITY_Z, plane_row(&block->e1, row), plane_row(&block->e2, row)));
     }
     return f8_from_d8(plane_row(&block->z, row));
 }
@@ -301,9 +325,9 @@ RHW_INLINE struct weights weights_row(const struct planes *p, const struct block
     d8 s, b, c;
     if (__builtin_expect(p->exact, 0)) {
         const d8 e1 = plane_row(&block->e1, row), e2 = plane_row(&block->e2, row);
-        s = combine_rows(p->s_base, p->s_e1, e1, p->s_e2, e2);
-        b = d8_mul(d8_splat(p->b_e1), e1);
-        c = d8_mul(d8_splat(p->c_e2), e2);
+        s = combine_rows(p, QUANTITY_S, e1, e2);
+        b = d8_mul(d8_splat(p->f1[QUANTITY_B]), e1);
+        c = d8_mul(d8_splat(p->f2[QUANTITY_C]), e2);
     } else {
         s = plane_row(&block->s, row);
         b = plane_row(&block->b, row);
@@ -318,8 +342,8 @@ RHW_INLINE void screen_weights_row(const struct planes *p, const struct block_pl
                                    d8 *t)
 {
     if (__builtin_expect(p->exact, 0)) {
-        *s = d8_mul(d8_splat(p->n_e), plane_row(&block->e1, row));
-        *t = d8_mul(d8_splat(p->n_e), plane_row(&block->e2, row));
+        *s = d8_mul(d8_splat(p->inverse_area), plane_row(&block->e1, row));
+        *t = d8_mul(d8_splat(p->inverse_area), plane_row(&block->e2, row));
         return;
     }
     *s = plane_row(&block->n1, row);
@@ -329,11 +353,12 @@ RHW_INLINE void screen_weights_row(const struct planes *p, const struct block_pl
 // Whether some pixel of a block of a clipped triangle may have a weight below 0: a plane is least in a corner.
 static bool block_is_cut(const struct planes *p, const struct block_place *at)
 {
-    const struct plane *const planes[3] = {&p->a, &p->b, &p->c};
+    const struct plane planes[3] = {p->a, linear_plane(&p->linear, QUANTITY_B),
+                                    linear_plane(&p->linear, QUANTITY_C)};
     bool cut = p->exact || p->wide;
     for (int i = 0; i < 3; i++) {
-        const double corner = planes[i]->at + planes[i]->dx * at->dx.lo[0] + planes[i]->dy * at->dy.lo[0];
-        const double dx = planes[i]->dx * (RHW_BLOCK - 1), dy = planes[i]->dy * (RHW_BLOCK - 1);
+        const double corner = planes[i].at + planes[i].dx * at->dx.lo[0] + planes[i].dy * at->dy.lo[0];
+        const double dx = planes[i].dx * (RHW_BLOCK - 1), dy = planes[i].dy * (RHW_BLOCK - 1);
         cut = cut || !(corner + (dx < 0 ? dx : 0) + (dy < 0 ? dy : 0) >= 0);
     }
     return cut;
@@ -367,10 +392,10 @@ static d8 d8_where(const l4 mask[2], d8 a, d8 b)
 }
 
 // The first row of a block.
-static d8 plane_at(const struct plane *plane, const struct block_place *at)
+static d8 plane_at(struct plane plane, const struct block_place *at)
 {
     struct block_plane over;
-    plane_over(&over, plane, at);
+    plane_over(&over, &plane, at);
     return plane_row(&over, 0);
 }
 
@@ -380,7 +405,6 @@ static __attribute__((noinline)) void cut_row(const struct planes *p, const stru
     double dy[RHW_BLOCK];
     memcpy(dy, &place->dy, sizeof dy);
     const struct block_place at = {place->dx, d8_splat(dy[row])};
-    struct block_plane over[3];
     d8 a, b, c;
     l4 below[2] = {{0}, {0}};
     if (p->wide) {
@@ -389,19 +413,14 @@ static __attribute__((noinline)) void cut_row(const struct planes *p, const stru
         c = d8_mul(wide_row(&p->edge[2], at.dx, dy[row]), d8_splat(p->edge_scale));
         below[0] = below[1] = (l4){-1, -1, -1, -1};
     } else if (p->exact) { // integers: e_0 is what e_1 and e_2 leave of the area
-        plane_over(&over[1], &p->e1, &at);
-        plane_over(&over[2], &p->e2, &at);
-        const d8 e1 = plane_row(&over[1], 0), e2 = plane_row(&over[2], 0);
+        const d8 e1 = plane_at(p->e1, &at), e2 = plane_at(p->e2, &at);
         a = d8_mul(d8_splat(p->a_e0), d8_sub(d8_sub(d8_splat(p->area), e1), e2));
-        b = d8_mul(d8_splat(p->b_e1), e1);
-        c = d8_mul(d8_splat(p->c_e2), e2);
+        b = d8_mul(d8_splat(p->f1[QUANTITY_B]), e1);
+        c = d8_mul(d8_splat(p->f2[QUANTITY_C]), e2);
     } else {
-        plane_over(&over[0], &p->a, &at);
-        plane_over(&over[1], &p->b, &at);
-        plane_over(&over[2], &p->c, &at);
-        a = plane_row(&over[0], 0);
-        b = plane_row(&over[1], 0);
-        c = plane_row(&over[2], 0);
+        a = plane_at(p->a, &at);
+        b = plane_at(linear_plane(&p->linear, QUANTITY_B), &at);
+        c = plane_at(linear_plane(&p->linear, QUANTITY_C), &at);
     }
     a = at_least_zero(a, below);
     b = at_least_zero(b, below);
@@ -411,12 +430,14 @@ static __attribute__((noinline)) void cut_row(const struct planes *p, const stru
     // The triangle's border may be at or behind the eye here (w <= 0; then the planes are homogeneous and not
     // `exact`): what is linear on the screen goes on linearly, 1/W down to the least that the triangle has.
     const l4 seen[2] = {w.lo > d4_splat(0), w.hi > d4_splat(0)};
-    const d8 least = d8_clamp(plane_at(&p->s, &at), 1 / p->w[nearest_vertex(p)], 0x1p1000);
+    const d8 least =
+        d8_clamp(plane_at(linear_plane(&p->linear, QUANTITY_S), &at), 1 / p->w[nearest_vertex(p)], 0x1p1000);
     out->lanes = (i8){(int32_t)below[0][0], (int32_t)below[0][1], (int32_t)below[0][2], (int32_t)below[0][3],
                       (int32_t)below[1][0], (int32_t)below[1][1], (int32_t)below[1][2], (int32_t)below[1][3]};
-    out->z = f8_from_d8(d8_where(seen, d8_mul(weigh(p->zw, a, b, c), screen), plane_at(&p->z, &at)));
-    out->n1 = d8_where(seen, d8_mul(d8_mul(d8_splat(p->w[1]), b), screen), plane_at(&p->n1, &at));
-    out->n2 = d8_where(seen, d8_mul(d8_mul(d8_splat(p->w[2]), c), screen), plane_at(&p->n2, &at));
+    out->z = f8_from_d8(d8_where(seen, d8_mul(weigh(p->zw, a, b, c), screen),
+                                 plane_at(linear_plane(&p->linear, QUANTITY_Z), &at)));
+    out->n1 = d8_where(seen, d8_mul(d8_mul(d8_splat(p->w[1]), b), screen), plane_at(p->n1, &at));
+    out->n2 = d8_where(seen, d8_mul(d8_mul(d8_splat(p->w[2]), c), screen), plane_at(p->n2, &at));
     out->weights = (struct weights){f8_from_d8(d8_mul(b, inverse)), f8_from_d8(d8_mul(c, inverse)),
                                     d8_where(seen, d8_mul(sum, screen), least), inverse};
 }
@@ -465,7 +486,7 @@ static void planes_slopes(struct planes *p, const struct rhw_triangle *t,
                          1 / (double)v[2]->position[3]};
     const double x1 = t->x_24_8[1] - t->x_24_8[0], y1 = t->y_24_8[1] - t->y_24_8[0];
     const double x2 = t->x_24_8[2] - t->x_24_8[0], y2 = t->y_24_8[2] - t->y_24_8[0];
-    const double factor = x1 * y2 < x2 * y1 ? -p->n_e : p->n_e; // one over the signed area
+    const double factor = x1 * y2 < x2 * y1 ? -p->inverse_area : p->inverse_area; // one over the signed area
     p->b_slope = slope_snapped(t, p, factor, 1, w);
     p->c_slope = slope_snapped(t, p, factor, 2, w);
 }
