@@ -30,17 +30,24 @@ static const i8 rhw_lane_index = {0, 1, 2, 3, 4, 5, 6, 7};
 
 RHW_INLINE f8 f8_splat(float v)
 {
-    return (f8){v, v, v, v, v, v, v, v};
+    return rhw_splat(v);
 }
 
 RHW_INLINE i8 i8_splat(int32_t v)
 {
-    return (i8){v, v, v, v, v, v, v, v};
+    return rhw_splat_int(v);
 }
 
 RHW_INLINE d4 d4_splat(double v)
 {
+#if defined(__SSE2__) && !defined(__AVX2__)
+    const __m128d halves[2] = {_mm_set1_pd(v), _mm_set1_pd(v)};
+    d4 lanes;
+    memcpy(&lanes, halves, sizeof lanes);
+    return lanes;
+#else
     return (d4){v, v, v, v};
+#endif
 }
 
 RHW_INLINE d8 d8_splat(double v)
@@ -75,35 +82,23 @@ RHW_INLINE void i8_store(void *p, i8 v)
 // a where mask is −1, b where it is 0.
 RHW_INLINE f8 f8_select(i8 mask, f8 a, f8 b)
 {
-#if defined(__AVX2__)
-    return (f8)_mm256_blendv_ps((__m256)b, (__m256)a, (__m256)mask);
-#else
-    return (f8)((mask & (i8)a) | (~mask & (i8)b));
-#endif
+    return rhw_select(mask, a, b);
 }
 
 RHW_INLINE i8 i8_select(i8 mask, i8 a, i8 b)
 {
-    return (i8)f8_select(mask, (f8)a, (f8)b);
+    return rhw_select_int(mask, a, b);
 }
 
 // Of equal values, or when one is NaN, the second: as SSE minps does.
 RHW_INLINE f8 f8_min(f8 a, f8 b)
 {
-#if defined(__AVX2__)
-    return (f8)_mm256_min_ps((__m256)a, (__m256)b);
-#else
-    return f8_select(a < b, a, b);
-#endif
+    return rhw_min(a, b);
 }
 
 RHW_INLINE f8 f8_max(f8 a, f8 b)
 {
-#if defined(__AVX2__)
-    return (f8)_mm256_max_ps((__m256)a, (__m256)b);
-#else
-    return f8_select(a > b, a, b);
-#endif
+    return rhw_max(a, b);
 }
 
 // Sign bits of the lanes, lane 0 in bit 0.
@@ -128,7 +123,24 @@ RHW_INLINE unsigned i8_sign_bits(i8 v)
 RHW_INLINE i8 i8_from_bits(unsigned bits)
 {
     const i8 bit = {1, 2, 4, 8, 16, 32, 64, 128};
-    return (i8_splat((int32_t)bits) & bit) == bit;
+    return rhw_equal_int(i8_splat((int32_t)bits) & bit, bit);
+}
+
+// a < b: −1 or 0, and 0 for NaN. gcc 12 without AVX makes scalar code of the operator.
+RHW_INLINE l4 d4_less(d4 a, d4 b)
+{
+#if defined(__SSE2__) && !defined(__AVX2__)
+    __m128d x[2], y[2];
+    memcpy(x, &a, sizeof x);
+    memcpy(y, &b, sizeof y);
+    x[0] = _mm_cmplt_pd(x[0], y[0]);
+    x[1] = _mm_cmplt_pd(x[1], y[1]);
+    l4 mask;
+    memcpy(&mask, x, sizeof mask);
+    return mask;
+#else
+    return a < b;
+#endif
 }
 
 RHW_INLINE d8 d8_add(d8 a, d8 b)
@@ -157,6 +169,14 @@ RHW_INLINE d8 d8_from_f8(f8 v)
 #if defined(__AVX2__)
     return (d8){(d4)_mm256_cvtps_pd(_mm256_castps256_ps128((__m256)v)),
                 (d4)_mm256_cvtps_pd(_mm256_extractf128_ps((__m256)v, 1))};
+#elif defined(__SSE2__)
+    __m128 half[2];
+    memcpy(half, &v, sizeof v);
+    const __m128d quarter[4] = {_mm_cvtps_pd(half[0]), _mm_cvtps_pd(_mm_movehl_ps(half[0], half[0])),
+                                _mm_cvtps_pd(half[1]), _mm_cvtps_pd(_mm_movehl_ps(half[1], half[1]))};
+    d8 result;
+    memcpy(&result, quarter, sizeof result);
+    return result;
 #else
     return (d8){{v[0], v[1], v[2], v[3]}, {v[4], v[5], v[6], v[7]}};
 #endif
@@ -168,6 +188,15 @@ RHW_INLINE d8 d8_from_i8(i8 v)
 #if defined(__AVX2__)
     return (d8){(d4)_mm256_cvtepi32_pd(_mm256_castsi256_si128((__m256i)v)),
                 (d4)_mm256_cvtepi32_pd(_mm256_extracti128_si256((__m256i)v, 1))};
+#elif defined(__SSE2__)
+    __m128i half[2];
+    memcpy(half, &v, sizeof v);
+    const __m128d quarter[4] = {
+        _mm_cvtepi32_pd(half[0]), _mm_cvtepi32_pd(_mm_unpackhi_epi64(half[0], half[0])),
+        _mm_cvtepi32_pd(half[1]), _mm_cvtepi32_pd(_mm_unpackhi_epi64(half[1], half[1]))};
+    d8 result;
+    memcpy(&result, quarter, sizeof result);
+    return result;
 #else
     return (d8){{v[0], v[1], v[2], v[3]}, {v[4], v[5], v[6], v[7]}};
 #endif
@@ -223,6 +252,15 @@ RHW_INLINE d8 d8_clamp(d8 v, double low, double high)
     const __m256d l = _mm256_set1_pd(low), h = _mm256_set1_pd(high);
     v.lo = (d4)_mm256_min_pd(_mm256_max_pd((__m256d)v.lo, l), h);
     v.hi = (d4)_mm256_min_pd(_mm256_max_pd((__m256d)v.hi, l), h);
+    return v;
+#elif defined(__SSE2__)
+    const __m128d l = _mm_set1_pd(low), h = _mm_set1_pd(high);
+    __m128d quarter[4];
+    memcpy(quarter, &v, sizeof v);
+    for (int i = 0; i < 4; i++) {
+        quarter[i] = _mm_min_pd(_mm_max_pd(quarter[i], l), h);
+    }
+    memcpy(&v, quarter, sizeof v);
     return v;
 #else
     const d4 l = d4_splat(low), h = d4_splat(high);

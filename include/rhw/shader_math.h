@@ -32,6 +32,13 @@ static inline struct rhw_double8 rhw_to_double(rhw_float a)
 #if defined(__AVX2__)
     result.low = (rhw_double4)_mm256_cvtps_pd(_mm256_castps256_ps128((__m256)a));
     result.high = (rhw_double4)_mm256_cvtps_pd(_mm256_extractf128_ps((__m256)a, 1));
+#elif defined(__SSE2__)
+    union rhw_lanes x;
+    x.f = a;
+    const __m128d quarter[4] = {
+        _mm_cvtps_pd(x.half[0]), _mm_cvtps_pd(_mm_movehl_ps(x.half[0], x.half[0])),
+        _mm_cvtps_pd(x.half[1]), _mm_cvtps_pd(_mm_movehl_ps(x.half[1], x.half[1]))};
+    memcpy(&result, quarter, sizeof result);
 #else
     for (int i = 0; i < 4; i++) {
         result.low[i] = (double)a[i];
@@ -46,6 +53,14 @@ static inline rhw_float rhw_from_double(struct rhw_double8 a)
 #if defined(__AVX2__)
     const __m256 low = _mm256_castps128_ps256(_mm256_cvtpd_ps((__m256d)a.low));
     return (rhw_float)_mm256_insertf128_ps(low, _mm256_cvtpd_ps((__m256d)a.high), 1);
+#elif defined(__SSE2__)
+    __m128d quarter[4];
+    memcpy(quarter, &a, sizeof a);
+    union rhw_lanes x;
+    for (int i = 0; i < 2; i++) {
+        x.half[i] = _mm_movelh_ps(_mm_cvtpd_ps(quarter[2 * i]), _mm_cvtpd_ps(quarter[2 * i + 1]));
+    }
+    return x.f;
 #else
     rhw_float result;
     for (int i = 0; i < 4; i++) {

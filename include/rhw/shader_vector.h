@@ -40,14 +40,27 @@ union rhw_lanes {
 /// All 8 lanes equal.
 static inline rhw_float rhw_splat(float value)
 {
+#if defined(__SSE2__) && !defined(__AVX2__)
+    // gcc 12 stores the plain form lane by lane and loads what it stored, which stalls.
+    union rhw_lanes x;
+    x.half[0] = x.half[1] = _mm_set1_ps(value);
+    return x.f;
+#else
     const rhw_float lanes = {value, value, value, value, value, value, value, value};
     return lanes;
+#endif
 }
 
 static inline rhw_int rhw_splat_int(int32_t value)
 {
+#if defined(__SSE2__) && !defined(__AVX2__)
+    union rhw_lanes x;
+    x.half_i[0] = x.half_i[1] = _mm_set1_epi32(value);
+    return x.i;
+#else
     const rhw_int lanes = {value, value, value, value, value, value, value, value};
     return lanes;
+#endif
 }
 
 /// 0, 1, .. 7.

@@ -375,9 +375,10 @@ struct cut_row {
 // A weight of −0 becomes 0 as well: two of them would turn a constant −0 into 0.
 static d8 at_least_zero(d8 v, l4 below[2])
 {
-    below[0] |= v.lo < d4_splat(0);
-    below[1] |= v.hi < d4_splat(0);
-    return (d8){(d4)((v.lo > d4_splat(0)) & (l4)v.lo), (d4)((v.hi > d4_splat(0)) & (l4)v.hi)};
+    const d4 zero = d4_splat(0);
+    below[0] |= d4_less(v.lo, zero);
+    below[1] |= d4_less(v.hi, zero);
+    return (d8){(d4)(d4_less(zero, v.lo) & (l4)v.lo), (d4)(d4_less(zero, v.hi) & (l4)v.hi)};
 }
 
 static d8 weigh(const double f[3], d8 a, d8 b, d8 c)
@@ -429,7 +430,7 @@ static __attribute__((noinline)) void cut_row(const struct planes *p, const stru
     const d8 w = weigh(p->w, a, b, c), screen = d8_div(d8_splat(1), w);
     // The triangle's border may be at or behind the eye here (w <= 0; then the planes are homogeneous and not
     // `exact`): what is linear on the screen goes on linearly, 1/W down to the least that the triangle has.
-    const l4 seen[2] = {w.lo > d4_splat(0), w.hi > d4_splat(0)};
+    const l4 seen[2] = {d4_less(d4_splat(0), w.lo), d4_less(d4_splat(0), w.hi)};
     const d8 least =
         d8_clamp(plane_at(linear_plane(&p->linear, QUANTITY_S), &at), 1 / p->w[nearest_vertex(p)], 0x1p1000);
     out->lanes = (i8){(int32_t)below[0][0], (int32_t)below[0][1], (int32_t)below[0][2], (int32_t)below[0][3],

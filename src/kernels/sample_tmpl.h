@@ -363,8 +363,9 @@ RHW_INLINE f8 sample_detail(const struct sample_source *source, const f8 *grad, 
         return (lod ? *lod : rhw_splat(0.0f)) + bias;
     }
     const struct rhw_mip *const mip = &source->texture->mip[0]; // whose scale is 2^16 too large
-    const f8 ux = grad[0] * mip->scale_x, vx = grad[1] * mip->scale_y;
-    const f8 uy = grad[2] * mip->scale_x, vy = grad[3] * mip->scale_y;
+    const f8 scale_x = f8_splat(mip->scale_x), scale_y = f8_splat(mip->scale_y);
+    const f8 ux = grad[0] * scale_x, vx = grad[1] * scale_y;
+    const f8 uy = grad[2] * scale_x, vy = grad[3] * scale_y;
     return sample_half_log2(rhw_max(ux * ux + vx * vx, uy * uy + vy * vy)) + (bias - 16.0f);
 }
 
