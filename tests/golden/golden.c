@@ -1,311 +1,72 @@
 // SPDX-License-Identifier: MIT
-// Whole images, held against hashes that stand in the repository: a few scenes made here from arithmetic
-// that is the same everywhere. Every scene is drawn at several thread counts, on every instruction set the
-// CPU has and with small bins; all must give the bytes that the hash was taken of. What a build with another
-// compiler or for another architecture draws is thereby held against this one.
+// Whole images, held against hashes that stand in the repository. Every scene is drawn at several thread
+// counts, on every instruction set the CPU has and with small bins; all must give the bytes that the hash was
+// taken of. What a build with another compiler or for another architecture draws is thereby held against this
+// one: script/determinism does that.
 //
 //   golden TABLE            compares; lines of TABLE are "HASH NAME"
 //   golden TABLE --update   writes the table, after a change that was meant
-//   golden --show NAME FILE writes one scene as PPM, to look at it
+//   golden TABLE --matrix   see golden.h
+//   golden --show NAME FILE writes one scene as PPM, to look at it: its images in a row
 #include "golden.h"
-#include "golden_shaders.h"
+#include "golden_scenes.h"
+#include "half.h"
 
-#include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
-enum { WIDTH = 400, HEIGHT = 300 };
-
-struct vertex {
-    float position[3], value[4];
-};
-
-struct mesh {
-    struct vertex *vertices;
-    int count, capacity;
-};
-
-static void add(struct mesh *mesh, const float position[3], const float value[4])
-{
-    if (mesh->count == mesh->capacity) {
-        mesh->capacity = mesh->capacity ? 2 * mesh->capacity : 1024;
-        mesh->vertices = realloc(mesh->vertices, sizeof *mesh->vertices * (size_t)mesh->capacity);
-    }
-    struct vertex *vertex = &mesh->vertices[mesh->count++];
-    memcpy(vertex->position, position, sizeof vertex->position);
-    memcpy(vertex->value, value, sizeof vertex->value);
-}
-
-static float random_float(uint64_t *state, float low, float high)
-{
-    uint64_t z = (*state += UINT64_C(0x9e3779b97f4a7c15));
-    z = (z ^ (z >> 30)) * UINT64_C(0xbf58476d1ce4e5b9);
-    z = (z ^ (z >> 27)) * UINT64_C(0x94d049bb133111eb);
-    return low + (high - low) * ((float)((z ^ (z >> 31)) >> 40) / 16777216.0f);
-}
-
-// A triangle of the octahedron, divided `depth` times, its corners pushed out to the sphere.
-static void add_sphere_part(struct mesh *mesh, const float a[3], const float b[3], const float c[3],
-                            int depth)
-{
-    if (depth == 0) {
-        // Coordinates for a texture: those of the position.
-        add(mesh, a, (const float[4]){a[0], a[1], 0, 0});
-        add(mesh, b, (const float[4]){b[0], b[1], 0, 0});
-        add(mesh, c, (const float[4]){c[0], c[1], 0, 0});
-        return;
-    }
-    const float *corner[3] = {a, b, c};
-    float middle[3][3];
-    for (int i = 0; i < 3; i++) {
-        const float *p = corner[i], *q = corner[(i + 1) % 3];
-        float sum[3], square = 0;
-        for (int k = 0; k < 3; k++) {
-            sum[k] = p[k] + q[k];
-            square += sum[k] * sum[k];
-        }
-        for (int k = 0; k < 3; k++)
-            middle[i][k] = sum[k] / sqrtf(square);
-    }
-    add_sphere_part(mesh, a, middle[0], middle[2], depth - 1);
-    add_sphere_part(mesh, b, middle[1], middle[0], depth - 1);
-    add_sphere_part(mesh, c, middle[2], middle[1], depth - 1);
-    add_sphere_part(mesh, middle[0], middle[1], middle[2], depth - 1);
-}
-
-static void make_sphere(struct mesh *mesh, int depth)
-{
-    for (int octant = 0; octant < 8; octant++) {
-        const float x = octant & 1 ? -1 : 1, y = octant & 2 ? -1 : 1, z = octant & 4 ? -1 : 1;
-        const float px[3] = {x, 0, 0}, py[3] = {0, y, 0}, pz[3] = {0, 0, z};
-        if (x * y * z > 0)
-            add_sphere_part(mesh, px, py, pz, depth);
-        else
-            add_sphere_part(mesh, px, pz, py, depth);
-    }
-}
-
-// A floor that starts behind the eye and goes on beyond the far plane.
-static void make_floor(struct mesh *mesh)
-{
-    static const float corners[6][2] = {{-60, 40}, {60, 40}, {-60, -90}, {-60, -90}, {60, 40}, {60, -90}};
-    for (int i = 0; i < 6; i++) {
-        const float position[3] = {corners[i][0], -1, corners[i][1]};
-        const float uv[4] = {corners[i][0] * 0.25f, corners[i][1] * 0.25f, 0, 0};
-        add(mesh, position, uv);
-    }
-}
-
-static void make_shards(struct mesh *mesh, int count, float size, float alpha)
-{
-    uint64_t random = 7;
-    for (int i = 0; i < count; i++) {
-        float center[3], value[4];
-        for (int c = 0; c < 3; c++)
-            center[c] = random_float(&random, -1.5f, 1.5f);
-        for (int c = 0; c < 3; c++)
-            value[c] = random_float(&random, 0, 1);
-        value[3] = alpha;
-        for (int k = 0; k < 3; k++) {
-            float position[3];
-            for (int c = 0; c < 3; c++)
-                position[c] = center[c] + random_float(&random, -size, size);
-            add(mesh, position, value);
-        }
-    }
-}
-
-// Eye on the z axis looking down −z, 4:3, about 46 degrees high; near 0.1, far 60.
-static struct golden_uniforms make_uniforms(float distance)
-{
-    const float near = 0.1f, far = 60, focal = 2.3652225f;
-    // From the side that the eye sees: the front of a ball, or its inside at the back.
-    struct golden_uniforms uniforms = {.eye = {0, 0, distance, 1}, .light = {0.48f, 0.6f, 0.64f, 0}};
-    if (distance < 1)
-        uniforms.light[2] = -uniforms.light[2];
-    uniforms.matrix[0] = focal * 0.75f;
-    uniforms.matrix[5] = focal;
-    uniforms.matrix[10] = -far / (far - near);
-    uniforms.matrix[11] = -1;
-    uniforms.matrix[14] = (distance - near) * far / (far - near);
-    uniforms.matrix[15] = distance;
-    return uniforms;
-}
-
 struct scene {
     const char *name;
-    void (*make)(struct mesh *mesh);
-    enum golden_shader shader;
-    float distance;
-    enum rhw_format format;
-    enum rhw_qualifier qualifier;
-    bool blend, cull;
+    golden_draw_function *draw;
+    int number;
 };
 
-static void make_coarse_ball(struct mesh *mesh)
-{
-    make_sphere(mesh, 1);
-}
-
-static void make_ball(struct mesh *mesh)
-{
-    make_sphere(mesh, 4);
-}
-
-static void make_fine_ball(struct mesh *mesh)
-{
-    make_sphere(mesh, 7); // 131,072 triangles
-}
-
-static void make_glass(struct mesh *mesh)
-{
-    make_shards(mesh, 1500, 0.5f, 0.375f);
-}
-
-static void make_dust(struct mesh *mesh)
-{
-    make_shards(mesh, 60000, 0.02f, 1);
-}
-
-static const struct scene scenes[] = {
-    {"ball", make_ball, GOLDEN_LIT, 3, RHW_FORMAT_RGBA8_SRGB, RHW_SMOOTH, false, true},
-    {"ball-of-131072-triangles", make_fine_ball, GOLDEN_LIT, 2.5f, RHW_FORMAT_RGBA32_FLOAT, RHW_SMOOTH, false,
-     true},
-    {"inside-the-ball", make_ball, GOLDEN_LIT, 0.5f, RHW_FORMAT_RGBA16_FLOAT, RHW_SMOOTH, false, false},
-    {"floor", make_floor, GOLDEN_TEXTURE, 0.5f, RHW_FORMAT_RGBA8_SRGB, RHW_SMOOTH, false, false},
-    {"ball-noperspective", make_coarse_ball, GOLDEN_TEXTURE, 1.5f, RHW_FORMAT_RGBA8_UNORM, RHW_NOPERSPECTIVE,
-     false, true},
-    {"glass", make_glass, GOLDEN_GLASS, 4, RHW_FORMAT_RGBA8_SRGB, RHW_SMOOTH, true, false},
-    {"glass-around-the-eye", make_glass, GOLDEN_GLASS, 0, RHW_FORMAT_RGBA32_FLOAT, RHW_FLAT, true, false},
-    {"dust", make_dust, GOLDEN_GLASS, 3, RHW_FORMAT_RGBA8_UNORM, RHW_SMOOTH, false, false},
+static const struct scene features[] = {
+    {"blend", golden_blend_draw, 0},       {"write-masks", golden_write_mask_draw, 0},
+    {"formats", golden_formats_draw, 0},   {"passes", golden_passes_draw, 0},
+    {"depth", golden_depth_draw, 0},       {"culling", golden_culling_draw, 0},
+    {"topology", golden_topology_draw, 0}, {"viewports", golden_viewport_draw, 0},
+    {"clipping", golden_clipping_draw, 0},
 };
-enum { SCENES = sizeof scenes / sizeof *scenes };
+enum { FEATURES = sizeof features / sizeof *features, MAX_SCENES = FEATURES + 16 };
 
-void golden_shaders_fill(struct rhw_program *program, enum golden_shader shader)
+static struct scene scenes[MAX_SCENES];
+static int scene_count;
+
+static void list_scenes(void)
 {
-    golden_shaders_baseline(program, RHW_ISA_BASELINE, shader);
-#ifdef RHW_HAVE_X86_ISAS
-    golden_shaders_avx2(program, RHW_ISA_AVX2, shader);
-    golden_shaders_avx512(program, RHW_ISA_AVX512, shader);
-#endif
+    for (int i = 0; golden_shape_name(i) != NULL; i++)
+        scenes[scene_count++] = (struct scene){golden_shape_name(i), golden_shape_draw, i};
+    for (int i = 0; i < FEATURES; i++)
+        scenes[scene_count++] = features[i];
 }
 
-static void check(enum rhw_result result, const char *what)
-{
-    if (result != RHW_OK) {
-        fprintf(stderr, "golden: %s: %s\n", what, rhw_result_string(result));
-        exit(2);
-    }
-}
-
-static rhw_pipeline make_pipeline(rhw_context *context, const struct scene *scene)
-{
-    struct rhw_pipeline_def def = rhw_pipeline_def_default();
-    golden_shaders_fill(&def.program, scene->shader);
-    def.program.varyings[0] = (struct rhw_varying){3, scene->qualifier, true};
-    def.program.varyings[1] = (struct rhw_varying){4, scene->qualifier, true};
-    def.program.varying_count = 2;
-    def.program.uses = scene->shader == GOLDEN_GLASS ? RHW_USE_DISCARD : 0;
-    def.program.uniform_size = sizeof(struct golden_uniforms);
-    def.attributes[0] = (struct rhw_attribute){RHW_VERTEX_FLOAT3, 0, offsetof(struct vertex, position)};
-    def.attributes[1] = (struct rhw_attribute){RHW_VERTEX_FLOAT4, 0, offsetof(struct vertex, value)};
-    def.attribute_count = 2;
-    def.buffers[0].stride = sizeof(struct vertex);
-    def.buffer_count = 1;
-    def.cull = scene->cull ? RHW_CULL_BACK : RHW_CULL_NONE;
-    def.depth_test = true;
-    def.depth_write = !scene->blend;
-    def.targets[0].format = scene->format;
-    def.targets[0].blend = scene->blend;
-    def.targets[0].color =
-        (struct rhw_blend_component){RHW_BLEND_SRC_ALPHA, RHW_BLEND_ONE_MINUS_SRC_ALPHA, RHW_BLEND_ADD};
-    def.targets[0].alpha =
-        (struct rhw_blend_component){RHW_BLEND_ONE, RHW_BLEND_ONE_MINUS_SRC_ALPHA, RHW_BLEND_ADD};
-    rhw_pipeline pipeline;
-    check(rhw_pipeline_create(context, &def, &pipeline), scene->name);
-    return pipeline;
-}
-
-static rhw_texture make_texture(rhw_context *context, enum rhw_format format, int width, int height,
-                                int levels)
-{
-    struct rhw_texture_def def = rhw_texture_def_default();
-    def.format = format;
-    def.width = width;
-    def.height = height;
-    def.mip_levels = levels;
-    rhw_texture texture;
-    check(rhw_texture_create(context, &def, &texture), "texture");
-    return texture;
-}
-
-// A checkerboard with a hue that changes, of odd sizes.
-static rhw_texture make_checker(rhw_context *context)
-{
-    enum { W = 75, H = 50 };
-    unsigned char texels[H][W][4];
-    for (int y = 0; y < H; y++) {
-        for (int x = 0; x < W; x++) {
-            const int dark = (x / 15 + y / 10) % 2;
-            texels[y][x][0] = (unsigned char)(dark ? 30 : 255 - y);
-            texels[y][x][1] = (unsigned char)(dark ? 60 + x : 240);
-            texels[y][x][2] = (unsigned char)(dark ? 90 : 3 * x);
-            texels[y][x][3] = 255;
-        }
-    }
-    const rhw_texture texture = make_texture(context, RHW_FORMAT_RGBA8_SRGB, W, H, 0);
-    rhw_texture_write(context, texture, 0, texels, 0);
-    rhw_texture_generate_mips(context, texture);
-    return texture;
-}
-
-// Draws the scene; *color (of the scene's format) and *depth are the caller's.
-static void draw(const struct scene *scene, const struct rhw_context_def *def, void **color, float **depth)
+// False where this machine cannot make the threads.
+static bool draw(int number, const struct rhw_context_def *def, struct golden_images *images)
 {
     rhw_context *context;
-    check(rhw_context_create(def, &context), scene->name);
-    struct mesh mesh = {0};
-    scene->make(&mesh);
-    rhw_buffer buffer;
-    const struct rhw_buffer_def buffer_def = {sizeof *mesh.vertices * (size_t)mesh.count, mesh.vertices};
-    check(rhw_buffer_create(context, &buffer_def, &buffer), scene->name);
-    const struct rhw_sampler_def sampler_def = rhw_sampler_def_default();
-    rhw_sampler sampler;
-    check(rhw_sampler_create(context, &sampler_def, &sampler), scene->name);
-    const rhw_texture target = make_texture(context, scene->format, WIDTH, HEIGHT, 1);
-    const rhw_texture depth_target = make_texture(context, RHW_FORMAT_D32_FLOAT, WIDTH, HEIGHT, 1);
-    struct rhw_pass_def pass_def = rhw_pass_def_default();
-    pass_def.colors[0] = (struct rhw_color_attachment){.texture = target, .clear = {0.05f, 0.1f, 0.2f, 1}};
-    pass_def.color_count = 1;
-    pass_def.depth = (struct rhw_depth_attachment){.enabled = true, .texture = depth_target, .clear = 1};
-    rhw_pass pass;
-    check(rhw_pass_begin(context, &pass_def, &pass), scene->name);
-    rhw_pass_set_pipeline(context, pass, make_pipeline(context, scene));
-    rhw_pass_set_vertex_buffer(context, pass, 0, buffer, 0);
-    rhw_pass_set_texture(context, pass, 0, make_checker(context), sampler);
-    const struct golden_uniforms uniforms = make_uniforms(scene->distance);
-    rhw_pass_set_uniforms(context, pass, &uniforms, sizeof uniforms);
-    rhw_pass_draw(context, pass, 0, (uint32_t)mesh.count, 0, 1);
-    check(rhw_pass_end(context, pass, NULL), scene->name);
-    *color = malloc(rhw_format_size(scene->format) * WIDTH * HEIGHT);
-    *depth = malloc(sizeof **depth * WIDTH * HEIGHT);
-    rhw_texture_read(context, target, 0, *color, 0);
-    rhw_texture_read(context, depth_target, 0, *depth, 0);
-    free(mesh.vertices);
+    const enum rhw_result result = rhw_context_create(def, &context);
+    if (result == RHW_ERROR_THREAD)
+        return false;
+    golden_check(result, scenes[number].name);
+    scenes[number].draw(context, scenes[number].number, images);
     rhw_context_destroy(context);
+    return true;
 }
 
 static uint64_t hash_scene(int number, const struct rhw_context_def *def)
 {
-    void *color;
-    float *depth;
-    draw(&scenes[number], def, &color, &depth);
-    uint64_t hash =
-        golden_hash(GOLDEN_HASH_START, color, rhw_format_size(scenes[number].format) * WIDTH * HEIGHT);
-    hash = golden_hash(hash, depth, sizeof *depth * WIDTH * HEIGHT);
-    free(color);
-    free(depth);
+    struct golden_images images = {0};
+    if (!draw(number, def, &images))
+        return 0;
+    uint64_t hash = GOLDEN_HASH_START;
+    for (int i = 0; i < images.count; i++) {
+        const struct golden_image *image = &images.image[i];
+        hash = golden_hash(hash, image->pixels,
+                           rhw_format_size(image->format) * (size_t)image->width * (size_t)image->height);
+    }
+    golden_images_free(&images);
     return hash;
 }
 
@@ -314,35 +75,89 @@ static const char *scene_name(int number)
     return scenes[number].name;
 }
 
+// A value of a linear image on the way to 8 bits; NaN is black. The square root is near enough to sRGB's curve.
+static unsigned char display(float linear)
+{
+    const float encoded = linear > 0 ? linear < 1 ? __builtin_sqrtf(linear) : 1.0f : 0.0f;
+    return (unsigned char)(255.0f * encoded + 0.5f);
+}
+
+static void show_pixel(const struct golden_image *image, size_t pixel, unsigned char rgb[3])
+{
+    const unsigned char *at = (const unsigned char *)image->pixels + pixel * rhw_format_size(image->format);
+    float value[4] = {0};
+    uint32_t bits;
+    switch (image->format) {
+    case RHW_FORMAT_R8_UNORM: rgb[0] = rgb[1] = rgb[2] = at[0]; return;
+    case RHW_FORMAT_RG8_UNORM: memcpy(rgb, (const unsigned char[]){at[0], at[1], 0}, 3); return;
+    case RHW_FORMAT_RGBA8_UNORM:
+    case RHW_FORMAT_RGBA8_SRGB: memcpy(rgb, at, 3); return;
+    case RHW_FORMAT_R32_UINT: // a colour for each number
+        memcpy(&bits, at, sizeof bits);
+        bits *= UINT32_C(0x9e3779b1);
+        memcpy(rgb,
+               (const unsigned char[]){(unsigned char)(bits >> 24), (unsigned char)(bits >> 16),
+                                       (unsigned char)(bits >> 8)},
+               3);
+        return;
+    case RHW_FORMAT_RGBA16_FLOAT:
+        for (int c = 0; c < 3; c++) {
+            uint16_t half;
+            memcpy(&half, at + 2 * c, sizeof half);
+            value[c] = rhw_half_to_float(half);
+        }
+        break;
+    case RHW_FORMAT_RGBA32_FLOAT: memcpy(value, at, 12); break;
+    default: // one float
+        memcpy(value, at, 4);
+        value[1] = value[2] = value[0];
+    }
+    for (int c = 0; c < 3; c++)
+        rgb[c] = display(value[c]);
+}
+
 static int show(const char *name, const char *file)
 {
-    for (int i = 0; i < SCENES; i++) {
-        if (strcmp(scenes[i].name, name) != 0)
-            continue;
-        struct scene scene = scenes[i];
-        scene.format = RHW_FORMAT_RGBA8_SRGB;
-        const struct rhw_context_def def = rhw_context_def_default();
-        void *color;
-        float *depth;
-        draw(&scene, &def, &color, &depth);
-        FILE *stream = fopen(file, "wb");
-        if (stream == NULL)
-            return 2;
-        fprintf(stream, "P6\n%d %d\n255\n", WIDTH, HEIGHT);
-        for (int p = 0; p < WIDTH * HEIGHT; p++)
-            fwrite((const unsigned char *)color + 4 * p, 1, 3, stream);
-        free(color);
-        free(depth);
-        return fclose(stream) != 0;
+    int number = 0;
+    while (number < scene_count && strcmp(scenes[number].name, name) != 0)
+        number++;
+    struct golden_images images = {0};
+    const struct rhw_context_def def = rhw_context_def_default();
+    if (number == scene_count || !draw(number, &def, &images)) {
+        fprintf(stderr, "golden: there is no scene %s\n", name);
+        return 2;
     }
-    fprintf(stderr, "golden: there is no scene %s\n", name);
-    return 2;
+    int width = 0, height = 0;
+    for (int i = 0; i < images.count; i++) {
+        width += images.image[i].width + (i > 0 ? 4 : 0);
+        height = images.image[i].height > height ? images.image[i].height : height;
+    }
+    FILE *stream = fopen(file, "wb");
+    if (stream == NULL)
+        return 2;
+    fprintf(stream, "P6\n%d %d\n255\n", width, height);
+    for (int y = 0; y < height; y++) {
+        for (int i = 0; i < images.count; i++) {
+            const struct golden_image *image = &images.image[i];
+            unsigned char rgb[3] = {255, 255, 255};
+            for (int x = 0; i > 0 && x < 4; x++)
+                fwrite(rgb, 1, 3, stream);
+            for (int x = 0; x < image->width; x++) {
+                if (y < image->height)
+                    show_pixel(image, (size_t)y * (size_t)image->width + (size_t)x, rgb);
+                fwrite(rgb, 1, 3, stream);
+            }
+        }
+    }
+    golden_images_free(&images);
+    return fclose(stream) != 0;
 }
 
 int main(int argc, char **argv)
 {
+    list_scenes();
     if (argc == 4 && strcmp(argv[1], "--show") == 0)
         return show(argv[2], argv[3]);
-    const struct golden_set set = {SCENES, scene_name, hash_scene};
+    const struct golden_set set = {scene_count, scene_name, hash_scene};
     return golden_main(&set, argc, argv);
 }

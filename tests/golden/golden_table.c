@@ -66,13 +66,67 @@ static uint64_t look_up(FILE *table, const char *name)
     return 0;
 }
 
+// One cell of the matrix: true where every scene matched every time.
+static bool print_cell(const struct golden_set *set, FILE *table, struct rhw_context_def *def, int repeats)
+{
+    int matched = 0;
+    uint64_t whole = GOLDEN_HASH_START;
+    for (int i = 0; i < set->count; i++) {
+        const uint64_t wanted = look_up(table, set->name(i));
+        bool same = true;
+        for (int repeat = 0; repeat < repeats; repeat++) {
+            def->bin_memory = repeat % 2 ? 1 << 16 : 0;
+            const uint64_t hash = set->hash(i, def);
+            whole = repeat == 0 ? golden_hash(whole, &hash, sizeof hash) : whole;
+            if (hash != wanted) {
+                fprintf(stderr, "%s, %s, %d threads, repeat %d: %016" PRIx64 ", not %016" PRIx64 "\n",
+                        set->name(i), rhw_isa_name(def->isa), def->threads, repeat, hash, wanted);
+                same = false;
+            }
+        }
+        matched += same;
+    }
+    printf("%s %d %d %d %016" PRIx64 "\n", rhw_isa_name(def->isa), def->threads, matched, set->count, whole);
+    fflush(stdout);
+    return matched == set->count;
+}
+
+static int print_matrix(const struct golden_set *set, FILE *table, const char *threads, int repeats)
+{
+    bool same = true;
+    for (int isa = 0; isa < RHW_ISA_COUNT; isa++) {
+        if (!rhw_isa_supported((enum rhw_isa)isa))
+            continue;
+        const char *at = threads;
+        while (*at != '\0') {
+            char *end;
+            struct rhw_context_def def = rhw_context_def_default();
+            def.isa = (enum rhw_isa)isa;
+            def.threads = (int)strtol(at, &end, 10);
+            if (end == at || def.threads < 1 || repeats < 1) {
+                fprintf(stderr, "golden: threads %s or repeats %d out of range\n", threads, repeats);
+                return 2;
+            }
+            same = print_cell(set, table, &def, repeats) && same;
+            at = *end == ',' ? end + 1 : end;
+        }
+    }
+    return same ? 0 : 1;
+}
+
 int golden_main(const struct golden_set *set, int argc, char **argv)
 {
     const bool update = argc == 3 && strcmp(argv[2], "--update") == 0;
-    FILE *table = argc == 2 || update ? fopen(argv[1], update ? "w" : "r") : NULL;
+    const bool matrix = argc == 5 && strcmp(argv[2], "--matrix") == 0;
+    FILE *table = argc == 2 || update || matrix ? fopen(argv[1], update ? "w" : "r") : NULL;
     if (table == NULL) {
-        fprintf(stderr, "usage: %s TABLE [--update]\n", argv[0]);
+        fprintf(stderr, "usage: %s TABLE [--update | --matrix THREADS REPEATS]\n", argv[0]);
         return 2;
+    }
+    if (matrix) {
+        const int status = print_matrix(set, table, argv[3], atoi(argv[4]));
+        fclose(table);
+        return status;
     }
     int passed = 0, failed = 0, skipped = 0;
     for (int i = 0; i < set->count; i++) {

@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: MIT
+// Puts the copies of the golden shaders into programs; see golden_cells.h and golden_shaders.h.
+#include "golden_cells.h"
+
+#include "golden_shaders.h"
+
+void golden_shaders_fill(struct rhw_program *program, enum golden_shader shader)
+{
+    golden_shaders_baseline(program, RHW_ISA_BASELINE, shader);
+#ifdef RHW_HAVE_X86_ISAS
+    golden_shaders_avx2(program, RHW_ISA_AVX2, shader);
+    golden_shaders_avx512(program, RHW_ISA_AVX512, shader);
+#endif
+}
+
+void golden_cells_fill(struct rhw_program *program, enum golden_cell_vertex vertex,
+                       enum golden_cell_fragment fragment)
+{
+    static const uint32_t uses[GOLDEN_CELL_FRAGMENTS] = {
+        [GOLDEN_CELL_FACING] = RHW_USE_FACING,
+        [GOLDEN_CELL_IDS] = RHW_USE_IDS,
+        [GOLDEN_CELL_BUILTINS] = RHW_USE_COORD | RHW_USE_FACING | RHW_USE_IDS | RHW_USE_BARYCENTRIC |
+                                 RHW_USE_BARYCENTRIC_DERIVATIVES,
+        [GOLDEN_CELL_HEIGHTS] = RHW_USE_DISCARD | RHW_USE_DEPTH,
+    };
+    golden_cells_baseline(program, RHW_ISA_BASELINE, vertex, fragment);
+#ifdef RHW_HAVE_X86_ISAS
+    golden_cells_avx2(program, RHW_ISA_AVX2, vertex, fragment);
+    golden_cells_avx512(program, RHW_ISA_AVX512, vertex, fragment);
+#endif
+    program->uses = uses[fragment];
+    if (fragment == GOLDEN_CELL_VALUE || fragment == GOLDEN_CELL_MATHS)
+        program->uniform_size = sizeof(struct golden_cell_uniforms);
+}
+
+struct rhw_pipeline_def golden_cells_def(enum golden_cell_fragment fragment, enum rhw_format format)
+{
+    struct rhw_pipeline_def def = rhw_pipeline_def_default();
+    golden_cells_fill(&def.program, GOLDEN_CELL_PLAIN, fragment);
+    def.program.varyings[0] = (struct rhw_varying){4, RHW_SMOOTH, true};
+    def.program.varying_count = 1;
+    def.attributes[0] =
+        (struct rhw_attribute){RHW_VERTEX_FLOAT4, 0, offsetof(struct golden_vertex, position)};
+    def.attributes[1] = (struct rhw_attribute){RHW_VERTEX_FLOAT4, 0, offsetof(struct golden_vertex, value)};
+    def.attribute_count = 2;
+    def.buffers[0].stride = sizeof(struct golden_vertex);
+    def.buffer_count = 1;
+    def.targets[0].format = format;
+    return def;
+}

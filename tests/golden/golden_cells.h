@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: MIT
+// Shaders of the scenes that lay a feature out in cells, compiled once per instruction set.
+#ifndef RHW_TEST_GOLDEN_CELLS_H
+#define RHW_TEST_GOLDEN_CELLS_H
+
+#include <rhw/rhw.h>
+
+struct golden_vertex {
+    float position[4]; ///< clip coordinates
+    float value[4];
+};
+
+enum golden_cell_vertex {
+    GOLDEN_CELL_PLAIN, ///< attribute 0 is the position, 1 the varyings 0..3
+    GOLDEN_CELL_INSTANCED, ///< as PLAIN; attribute 2: offset x, y, scale; 3: factor of the value; varying 4, 5: ids
+    GOLDEN_CELL_SCREEN, ///< no attributes: a triangle over the viewport; varyings 0, 1 run over it from 0 to 1
+    GOLDEN_CELL_VERTICES
+};
+
+enum golden_cell_fragment {
+    GOLDEN_CELL_VALUE,    ///< varyings 0..3 to every target
+    GOLDEN_CELL_FACING,   ///< the same; back faces get the complement
+    GOLDEN_CELL_TEXTURE,  ///< texture 0 at varyings 0, 1 with their derivatives
+    GOLDEN_CELL_LEVEL,    ///< texture 0 at varyings 0, 1; level of detail in varying 2
+    GOLDEN_CELL_IDS,      ///< a colour of primitive, instance and draw; as integers in targets 1, 2, 3
+    GOLDEN_CELL_BUILTINS, ///< coord, both barycentrics, their derivatives, those of the varyings, facing
+    GOLDEN_CELL_HEIGHTS,  ///< moves the depth by waves, discards discs, shades by derivatives
+    GOLDEN_CELL_MATHS,    ///< a function for each of 8×4 cells, over arguments that uniforms scale
+    GOLDEN_CELL_FRAGMENTS
+};
+
+struct golden_cell_uniforms {
+    int32_t targets;
+    float low, high; ///< arguments of MATHS
+    int32_t bits;    ///< they are bit patterns: the whole range of floats
+};
+
+void golden_cells_fill(struct rhw_program *program, enum golden_cell_vertex vertex,
+                       enum golden_cell_fragment fragment);
+
+/// PLAIN vertices in one buffer of struct golden_vertex, four smooth varyings with derivatives, one target.
+struct rhw_pipeline_def golden_cells_def(enum golden_cell_fragment fragment, enum rhw_format format);
+
+// One per instruction set; golden_cells_fill is who calls them.
+void golden_cells_baseline(struct rhw_program *program, enum rhw_isa isa, enum golden_cell_vertex vertex,
+                           enum golden_cell_fragment fragment);
+void golden_cells_avx2(struct rhw_program *program, enum rhw_isa isa, enum golden_cell_vertex vertex,
+                       enum golden_cell_fragment fragment);
+void golden_cells_avx512(struct rhw_program *program, enum rhw_isa isa, enum golden_cell_vertex vertex,
+                         enum golden_cell_fragment fragment);
+
+#endif
