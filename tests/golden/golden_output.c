@@ -148,6 +148,8 @@ void golden_formats_draw(rhw_context *context, int number, struct golden_images 
     for (int row = 0; row < 6; row++) {
         for (int column = 0; column < 4; column++) { // replaced; flat; blended; the largest of both
             def.program.varyings[0].qualifier = column == 1 ? RHW_FLAT : RHW_SMOOTH;
+            // The bits of a NaN that arithmetic makes are the processor's own; only an integer target shows them.
+            def.targets[COUNT - 1].write_mask = row >= 4 && column != 1 ? 0 : 15;
             for (int i = 0; i < COUNT - 1; i++) {
                 def.targets[i].blend = column >= 2;
                 def.targets[i].color = def.targets[i].alpha = (struct rhw_blend_component){
