@@ -1,13 +1,9 @@
 // SPDX-License-Identifier: MIT
-// See peer_gles.h. EGL and GLES are opened at run time, without a display server, so that the tests neither
-// need nor link them. Four-channel float targets take the numbers of a fragment as they are.
+// See peer_gles.h. Four-channel float targets take the numbers of a fragment as they are.
 #include "peer_gles.h"
 
-#include <EGL/egl.h>
-#include <EGL/eglext.h>
-#include <GLES3/gl3.h>
-#include <dlfcn.h>
-#include <stdio.h>
+#include "gles.h"
+
 #include <stdlib.h>
 #include <string.h>
 
@@ -19,158 +15,22 @@ struct peer_vertex {
     float position[4], value[SCENE_VALUES], name;
 };
 
-struct gl {
-    PFNGLGETSTRINGPROC get_string;
-    PFNGLGETERRORPROC get_error;
-    PFNGLCREATESHADERPROC create_shader;
-    PFNGLSHADERSOURCEPROC shader_source;
-    PFNGLCOMPILESHADERPROC compile_shader;
-    PFNGLGETSHADERIVPROC get_shader_iv;
-    PFNGLCREATEPROGRAMPROC create_program;
-    PFNGLATTACHSHADERPROC attach_shader;
-    PFNGLLINKPROGRAMPROC link_program;
-    PFNGLGETPROGRAMIVPROC get_program_iv;
-    PFNGLUSEPROGRAMPROC use_program;
-    PFNGLGENBUFFERSPROC gen_buffers;
-    PFNGLBINDBUFFERPROC bind_buffer;
-    PFNGLBUFFERDATAPROC buffer_data;
-    PFNGLVERTEXATTRIBPOINTERPROC vertex_attrib_pointer;
-    PFNGLENABLEVERTEXATTRIBARRAYPROC enable_vertex_attrib_array;
-    PFNGLGENFRAMEBUFFERSPROC gen_framebuffers;
-    PFNGLBINDFRAMEBUFFERPROC bind_framebuffer;
-    PFNGLGENRENDERBUFFERSPROC gen_renderbuffers;
-    PFNGLBINDRENDERBUFFERPROC bind_renderbuffer;
-    PFNGLRENDERBUFFERSTORAGEPROC renderbuffer_storage;
-    PFNGLFRAMEBUFFERRENDERBUFFERPROC framebuffer_renderbuffer;
-    PFNGLCHECKFRAMEBUFFERSTATUSPROC check_framebuffer_status;
-    PFNGLDRAWBUFFERSPROC draw_buffers;
-    PFNGLREADBUFFERPROC read_buffer;
-    PFNGLREADPIXELSPROC read_pixels;
-    PFNGLVIEWPORTPROC viewport;
-    PFNGLDEPTHRANGEFPROC depth_range_f;
-    PFNGLCLEARCOLORPROC clear_color;
-    PFNGLCLEARPROC clear;
-    PFNGLDISABLEPROC disable;
-    PFNGLDRAWARRAYSPROC draw_arrays;
-};
-
 struct peer {
-    void *library;
-    PFNEGLTERMINATEPROC terminate;
-    EGLDisplay display;
-    struct gl gl;
+    struct gles gl;
     bool noperspective;
-    char name[256];
     float memory[TARGETS][WIDTH * HEIGHT][4], row[WIDTH][4];
     struct peer_vertex vertex[3 * SCENE_TRIANGLES];
     struct probe_image image;
 };
 
-static bool load(struct gl *gl, PFNEGLGETPROCADDRESSPROC find)
-{
-    const struct {
-        const char *name;
-        void *at;
-    } names[] = {
-        {"glGetString", &gl->get_string},
-        {"glGetError", &gl->get_error},
-        {"glCreateShader", &gl->create_shader},
-        {"glShaderSource", &gl->shader_source},
-        {"glCompileShader", &gl->compile_shader},
-        {"glGetShaderiv", &gl->get_shader_iv},
-        {"glCreateProgram", &gl->create_program},
-        {"glAttachShader", &gl->attach_shader},
-        {"glLinkProgram", &gl->link_program},
-        {"glGetProgramiv", &gl->get_program_iv},
-        {"glUseProgram", &gl->use_program},
-        {"glGenBuffers", &gl->gen_buffers},
-        {"glBindBuffer", &gl->bind_buffer},
-        {"glBufferData", &gl->buffer_data},
-        {"glVertexAttribPointer", &gl->vertex_attrib_pointer},
-        {"glEnableVertexAttribArray", &gl->enable_vertex_attrib_array},
-        {"glGenFramebuffers", &gl->gen_framebuffers},
-        {"glBindFramebuffer", &gl->bind_framebuffer},
-        {"glGenRenderbuffers", &gl->gen_renderbuffers},
-        {"glBindRenderbuffer", &gl->bind_renderbuffer},
-        {"glRenderbufferStorage", &gl->renderbuffer_storage},
-        {"glFramebufferRenderbuffer", &gl->framebuffer_renderbuffer},
-        {"glCheckFramebufferStatus", &gl->check_framebuffer_status},
-        {"glDrawBuffers", &gl->draw_buffers},
-        {"glReadBuffer", &gl->read_buffer},
-        {"glReadPixels", &gl->read_pixels},
-        {"glViewport", &gl->viewport},
-        {"glDepthRangef", &gl->depth_range_f},
-        {"glClearColor", &gl->clear_color},
-        {"glClear", &gl->clear},
-        {"glDisable", &gl->disable},
-        {"glDrawArrays", &gl->draw_arrays},
-    };
-    for (size_t i = 0; i < sizeof names / sizeof *names; i++) {
-        const __eglMustCastToProperFunctionPointerType function = find(names[i].name);
-        if (!function) {
-            return false;
-        }
-        memcpy(names[i].at, &function, sizeof function);
-    }
-    return true;
-}
-
-// A function of the EGL library itself.
-static bool find_symbol(void *library, const char *name, void *function)
-{
-    void *const symbol = dlsym(library, name);
-    memcpy(function, &symbol, sizeof symbol);
-    return symbol != NULL;
-}
-
-static bool open_context(struct peer *p, PFNEGLGETPROCADDRESSPROC *find)
-{
-    PFNEGLGETPLATFORMDISPLAYPROC get_platform_display;
-    PFNEGLINITIALIZEPROC initialize;
-    PFNEGLBINDAPIPROC bind_api;
-    PFNEGLCHOOSECONFIGPROC choose_config;
-    PFNEGLCREATECONTEXTPROC create_context;
-    PFNEGLMAKECURRENTPROC make_current;
-    if (!find_symbol(p->library, "eglGetProcAddress", find) ||
-        !find_symbol(p->library, "eglGetPlatformDisplay", &get_platform_display) ||
-        !find_symbol(p->library, "eglInitialize", &initialize) ||
-        !find_symbol(p->library, "eglBindAPI", &bind_api) ||
-        !find_symbol(p->library, "eglChooseConfig", &choose_config) ||
-        !find_symbol(p->library, "eglCreateContext", &create_context) ||
-        !find_symbol(p->library, "eglMakeCurrent", &make_current) ||
-        !find_symbol(p->library, "eglTerminate", &p->terminate)) {
-        return false;
-    }
-    const EGLint config_want[] = {EGL_RENDERABLE_TYPE, EGL_OPENGL_ES3_BIT, EGL_SURFACE_TYPE, 0, EGL_NONE};
-    const EGLint context_want[] = {EGL_CONTEXT_MAJOR_VERSION, 3, EGL_NONE};
-    EGLConfig config;
-    EGLint count = 0;
-    p->display = get_platform_display(EGL_PLATFORM_SURFACELESS_MESA, EGL_DEFAULT_DISPLAY, NULL);
-    if (p->display == EGL_NO_DISPLAY || !initialize(p->display, NULL, NULL) || !bind_api(EGL_OPENGL_ES_API) ||
-        !choose_config(p->display, config_want, &config, 1, &count) || count == 0) {
-        return false;
-    }
-    const EGLContext context = create_context(p->display, config, EGL_NO_CONTEXT, context_want);
-    return context != EGL_NO_CONTEXT && make_current(p->display, EGL_NO_SURFACE, EGL_NO_SURFACE, context);
-}
-
-static GLuint compile(const struct gl *gl, GLenum type, const char *const *lines, int count)
-{
-    GLint ok = 0;
-    const GLuint shader = gl->create_shader(type);
-    gl->shader_source(shader, count, lines, NULL);
-    gl->compile_shader(shader);
-    gl->get_shader_iv(shader, GL_COMPILE_STATUS, &ok);
-    return ok ? shader : 0;
-}
-
 static bool make_program(const struct peer *p)
 {
-    const struct gl *const gl = &p->gl;
+    enum { PIECES = 7 };
+    const struct gles *const gl = &p->gl;
     const char *const version = "#version 300 es\n", *const precise = "precision highp float;\n";
     const char *const extension =
         p->noperspective ? "#extension GL_NV_shader_noperspective_interpolation : require\n" : "";
-    const char *const vertex[] = {
+    const char *const vertex[PIECES] = {
         version,
         extension,
         precise,
@@ -181,7 +41,7 @@ static bool make_program(const struct peer *p)
         "void main() { gl_Position = position; varying_smooth = value; varying_name = name;\n",
         p->noperspective ? "varying_screen = value; }" : "}",
     };
-    const char *const fragment[] = {
+    const char *const fragment[PIECES] = {
         version,
         extension,
         precise,
@@ -194,24 +54,14 @@ static bool make_program(const struct peer *p)
         "out_space = vec4(0, 0, 0, gl_FragCoord.w); out_screen = vec4(0, 0, 0, gl_FragCoord.z);\n",
         p->noperspective ? "out_noperspective = varying_screen; }" : "out_noperspective = vec4(0); }",
     };
-    const GLuint program = gl->create_program();
-    const GLuint vertex_shader = compile(gl, GL_VERTEX_SHADER, vertex, sizeof vertex / sizeof *vertex);
-    const GLuint fragment_shader =
-        compile(gl, GL_FRAGMENT_SHADER, fragment, sizeof fragment / sizeof *fragment);
-    GLint ok = 0;
-    if (vertex_shader && fragment_shader) {
-        gl->attach_shader(program, vertex_shader);
-        gl->attach_shader(program, fragment_shader);
-        gl->link_program(program);
-        gl->get_program_iv(program, GL_LINK_STATUS, &ok);
-    }
-    gl->use_program(ok ? program : 0);
-    return ok;
+    const GLuint program = gles_program(gl, vertex, fragment, PIECES, NULL, 0);
+    gl->use_program(program);
+    return program != 0;
 }
 
 static bool make_targets(const struct peer *p)
 {
-    const struct gl *const gl = &p->gl;
+    const struct gles *const gl = &p->gl;
     GLuint framebuffer, buffer, color[TARGETS];
     GLenum attachment[TARGETS];
     gl->gen_framebuffers(1, &framebuffer);
@@ -247,47 +97,32 @@ static bool make_targets(const struct peer *p)
 struct peer *peer_open(const char *driver, const char **why)
 {
     struct peer *const p = calloc(1, sizeof *p);
-    PFNEGLGETPROCADDRESSPROC find;
     *why = "out of memory";
-    if (!p) {
+    if (!p || !gles_open(&p->gl, driver, why)) {
+        free(p);
         return NULL;
     }
-    setenv("LIBGL_ALWAYS_SOFTWARE", "1", 1);
-    setenv("GALLIUM_DRIVER", driver, 1);
-    p->library = dlopen("libEGL.so.1", RTLD_NOW | RTLD_LOCAL);
-    if (!p->library || !open_context(p, &find)) {
-        *why = p->library ? "EGL gives no context without a window" : "no libEGL.so.1";
-        peer_close(p);
-        return NULL;
+    const char *const extensions = (const char *)p->gl.get_string(GL_EXTENSIONS);
+    p->noperspective = extensions && strstr(extensions, "GL_NV_shader_noperspective_interpolation");
+    if (make_program(p) && make_targets(p)) {
+        return p;
     }
-    if (load(&p->gl, find)) {
-        const char *const extensions = (const char *)p->gl.get_string(GL_EXTENSIONS);
-        p->noperspective = extensions && strstr(extensions, "GL_NV_shader_noperspective_interpolation");
-        snprintf(p->name, sizeof p->name, "%s, %s", (const char *)p->gl.get_string(GL_RENDERER),
-                 (const char *)p->gl.get_string(GL_VERSION));
-        if (make_program(p) && make_targets(p) && strstr(p->name, driver)) {
-            return p;
-        }
-    }
-    *why = "no such driver, or it lacks float targets";
+    *why = "it lacks float targets";
     peer_close(p);
     return NULL;
 }
 
 void peer_close(struct peer *p)
 {
-    if (p && p->terminate && p->display) {
-        p->terminate(p->display);
-    }
-    if (p && p->library) {
-        dlclose(p->library);
+    if (p) {
+        gles_close(&p->gl);
     }
     free(p);
 }
 
 const char *peer_name(const struct peer *p)
 {
-    return p->name;
+    return p->gl.name;
 }
 
 bool peer_can_draw(const struct scene *scene)
@@ -313,7 +148,7 @@ static void read_target(struct peer *p, int target, int width, int height)
 
 const struct probe_image *peer_draw(struct peer *p, const struct scene *scene)
 {
-    const struct gl *const gl = &p->gl;
+    const struct gles *const gl = &p->gl;
     const struct oracle_view *const v = &scene->view;
     for (int t = 0; t < scene->triangle_count; t++) {
         for (int i = 0; i < 3; i++) {

@@ -11,16 +11,16 @@ refuse 2 "--verbose: no such option" --verbose
 succeed --version
 check "version" grep -Eq '^rhw [0-9]+\.[0-9]+\.[0-9]+$' "$folder/log/out"
 succeed --help
-for verb in render compare info; do
+for verb in render compare info bench; do
     check "help lists $verb" grep -Eq "^  rhw $verb " "$folder/log/out"
 done
-for verb in render compare info; do
+for verb in render compare info bench; do
     succeed $verb --help
     check "help of $verb" grep -q "^Usage: rhw $verb" "$folder/log/out"
     check "help of $verb states the statuses" grep -q "status" "$folder/log/out"
     refuse 2 "--no-such-thing: no such option" $verb --no-such-thing
     refuse 2 "-Z: no such option" $verb -Z
-    refuse 2 "$verb: expected " $verb
+    [ $verb = bench ] || refuse 2 "$verb: expected " $verb
 done
 
 refuse 2 "render: -o OUT is missing" render cube.obj
@@ -73,6 +73,17 @@ refuse 2 "--background: a PPM file cannot be transparent" render cube.obj -o a.p
 refuse 2 "--bits: an EXR file always holds 32 bits" render cube.obj -o a.exr --bits 16
 refuse 2 "--stats: standard output takes the picture" render cube.obj -o - --stats
 refuse 2 "--output: standard output takes one output" render cube.obj -o - --output color,depth
+
+refuse 2 "scene: one argument too many" bench scene
+refuse 2 "--scene: there is no scene 'fil_flat'" bench --scene fill_color,fil_flat
+refuse 2 "--scene: there is no scene ''" bench --scene ''
+refuse 2 "--size: '16385x1' is not WxH" bench --size 16385x1
+refuse 2 "--frames: '0' is not a number of 1 to 10000" bench --frames 0
+refuse 2 "--threads: '65' is not a number of 1 to 64" bench --threads 65
+refuse 2 "--isa: 'mmx' is not baseline, avx2 or avx512" bench --isa mmx
+refuse 2 "--peer: 'd3d' is not llvmpipe, softpipe or none" bench --peer d3d
+refuse 2 "--peer-threads: '33' is not a number of 1 to 32" bench --peer-threads 33
+refuse 2 "--csv: standard output takes one of --json and --csv" bench --json --csv
 
 refuse 2 "compare: expected A B" compare a.png
 refuse 2 "c.png: one argument too many" compare a.png b.png c.png

@@ -16,6 +16,7 @@ static const struct {
     {"render", "MODEL -o OUT", "draw a model file and write the picture", rhw_tool_render},
     {"compare", "A B", "differences of two pictures, in numbers and as a picture", rhw_tool_compare},
     {"info", "MODEL", "what is in a model file", rhw_tool_info},
+    {"bench", "", "time scenes, beside another renderer where there is one", rhw_tool_bench},
 };
 
 enum { VERB_COUNT = sizeof verbs / sizeof *verbs };

@@ -122,7 +122,8 @@ bool rhw_tool_parser_operands(const struct rhw_tool_parser *parser, int least, i
 
 void rhw_tool_print_help(const struct rhw_tool_verb *verb)
 {
-    printf("Usage: rhw %s %s [option...]\n%s\n\n", verb->name, verb->operands, verb->summary);
+    printf("Usage: rhw %s%s%s [option...]\n%s\n\n", verb->name, verb->operands[0] ? " " : "", verb->operands,
+           verb->summary);
     for (int i = 0; i < verb->option_count; i++)
         print_option(&verb->options[i]);
     print_option(&(struct rhw_tool_option){"help", HELP_ID, NULL, "print this and exit"});

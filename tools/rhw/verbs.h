@@ -6,5 +6,6 @@
 int rhw_tool_render(int argc, char **argv);
 int rhw_tool_compare(int argc, char **argv);
 int rhw_tool_info(int argc, char **argv);
+int rhw_tool_bench(int argc, char **argv);
 
 #endif

@@ -66,17 +66,33 @@ _rhw_info() {
     fi
 }
 
+_rhw_bench() {
+    case $2 in
+    --scene) _rhw_list "$1" $(rhw bench --list 2>/dev/null | cut -d ' ' -f 1) ;;
+    --isa) _rhw_words "$1" baseline avx2 avx512 ;;
+    --peer) _rhw_words "$1" llvmpipe softpipe none ;;
+    --size | -s) _rhw_words "$1" 1280x720 1920x1080 3840x2160 ;;
+    --save) _rhw_files "$1" ;;
+    --frames | --threads | -j | --peer-threads) ;;
+    *)
+        _rhw_words "$1" --scene --list --size --frames --threads --isa --peer --peer-threads --json --csv --save \
+            --help
+        ;;
+    esac
+}
+
 _rhw() {
     local current=${COMP_WORDS[COMP_CWORD]} previous=${COMP_WORDS[COMP_CWORD - 1]}
     COMPREPLY=()
     if ((COMP_CWORD == 1)); then
-        _rhw_words "$current" render compare info --help --version
+        _rhw_words "$current" render compare info bench --help --version
         return
     fi
     case ${COMP_WORDS[1]} in
     render) _rhw_render "$current" "$previous" ;;
     compare) _rhw_compare "$current" "$previous" ;;
     info) _rhw_info "$current" "$previous" ;;
+    bench) _rhw_bench "$current" "$previous" ;;
     esac
 }
 

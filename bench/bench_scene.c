@@ -1,0 +1,188 @@
+// SPDX-License-Identifier: MIT
+// The list of scenes and the memory of one; see bench_scene.h.
+#include "bench_scene.h"
+
+#include "scene_floor.h"
+#include "scene_model.h"
+#include "scene_sphere.h"
+
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+const struct bench_scene_entry bench_scene_entries[] = {
+    {"fill_flat", "8 floors over the whole picture, one colour each", bench_make_floor, BENCH_FLOOR_FLAT},
+    {"fill_color", "the same, interpolated colours", bench_make_floor, BENCH_FLOOR_COLOR},
+    {"fill_blend", "the same, blended by source alpha", bench_make_floor, BENCH_FLOOR_BLEND},
+    {"fill_tex", "the same, a trilinear texture of 1024x1024", bench_make_floor, BENCH_FLOOR_TEXTURE},
+    {"overdraw", "fill_tex with a depth test: 8 opaque layers, far to near", bench_make_floor,
+     BENCH_FLOOR_OVERDRAW},
+    {"sphere_10k", "bumpy sphere of 10,000 triangles, Blinn-Phong per pixel", bench_make_sphere,
+     BENCH_SPHERE_10K},
+    {"sphere_1m", "the same of 1,000,000 triangles", bench_make_sphere, BENCH_SPHERE_1M},
+    {"sphere_1m_tex", "the same with a trilinear texture", bench_make_sphere, BENCH_SPHERE_1M_TEXTURE},
+    {"sphere_1m_depth", "the same, depth only", bench_make_sphere, BENCH_SPHERE_1M_DEPTH},
+    {"bunny_lit", "Stanford bunny, Blinn-Phong per pixel", bench_make_model, BENCH_MODEL_BUNNY},
+    {"bunny_depth", "the same, depth only", bench_make_model, BENCH_MODEL_BUNNY_DEPTH},
+};
+const int bench_scene_entry_count = (int)(sizeof bench_scene_entries / sizeof *bench_scene_entries);
+
+static const uint32_t components[BENCH_ATTRIBUTES] = {3, 3, 2, 4};
+
+bool bench_scene_make(const struct bench_scene_entry *entry, struct bench_scene *scene, int width, int height,
+                      char *why, size_t why_size)
+{
+    *scene = (struct bench_scene){.has_color = true};
+    snprintf(why, why_size, "out of memory");
+    if (entry->make(entry, scene, width, height, why, why_size)) {
+        return true;
+    }
+    bench_scene_free(scene);
+    return false;
+}
+
+void bench_scene_free(struct bench_scene *scene)
+{
+    for (uint32_t i = 0; scene->meshes && i < scene->mesh_count; i++) {
+        free(scene->meshes[i].vertices);
+        free(scene->meshes[i].indices);
+    }
+    for (uint32_t i = 0; scene->textures && i < scene->texture_count; i++) {
+        for (int level = 0; level < BENCH_MIP_LEVELS; level++) {
+            free(scene->textures[i].texels[level]);
+        }
+    }
+    free(scene->meshes);
+    free(scene->textures);
+    free(scene->draws);
+    *scene = (struct bench_scene){0};
+}
+
+bool bench_scene_allocate(struct bench_scene *scene)
+{
+    // One more than needed: calloc(0) may return NULL.
+    scene->meshes = calloc((size_t)scene->mesh_count + 1, sizeof *scene->meshes);
+    scene->textures = calloc((size_t)scene->texture_count + 1, sizeof *scene->textures);
+    scene->draws = calloc((size_t)scene->draw_count + 1, sizeof *scene->draws);
+    return scene->meshes && scene->textures && scene->draws;
+}
+
+uint32_t bench_mesh_stride(const struct bench_mesh *mesh)
+{
+    uint32_t stride = 0;
+    for (int a = 0; a < BENCH_ATTRIBUTES; a++) {
+        stride += mesh->has[a] ? components[a] : 0;
+    }
+    return stride;
+}
+
+bool bench_mesh_allocate(struct bench_mesh *mesh, uint32_t vertex_count, uint32_t index_count)
+{
+    mesh->vertex_count = vertex_count;
+    mesh->index_count = index_count;
+    mesh->vertices = calloc((size_t)vertex_count * bench_mesh_stride(mesh), sizeof *mesh->vertices);
+    mesh->indices = calloc(index_count, sizeof *mesh->indices);
+    return mesh->vertices && mesh->indices;
+}
+
+bool bench_texture_allocate(struct bench_texture *texture, int width, int height)
+{
+    texture->width = width;
+    texture->height = height;
+    for (texture->levels = 0; texture->levels < BENCH_MIP_LEVELS; texture->levels++) {
+        const int level = texture->levels;
+        const int w = width >> level, h = height >> level;
+        if (w == 0 && h == 0) {
+            break;
+        }
+        texture->texels[level] = malloc((size_t)(w ? w : 1) * (size_t)(h ? h : 1) * 4);
+        if (!texture->texels[level]) {
+            return false;
+        }
+    }
+    return true;
+}
+
+static int level_size(int size, int level)
+{
+    return size >> level ? size >> level : 1;
+}
+
+// Box of 2×2; of odd sizes the last row or column counts for nothing, which no scene here can see.
+static void fill_level(struct bench_texture *texture, int level)
+{
+    const int above = level_size(texture->width, level - 1), rows = level_size(texture->height, level - 1);
+    const int width = level_size(texture->width, level), height = level_size(texture->height, level);
+    const uint8_t *const from = texture->texels[level - 1];
+    uint8_t *to = texture->texels[level];
+    for (int y = 0; y < height; y++) {
+        const int y0 = 2 * y, y1 = 2 * y + 1 < rows ? 2 * y + 1 : y0;
+        for (int x = 0; x < width; x++) {
+            const int x0 = 2 * x, x1 = 2 * x + 1 < above ? 2 * x + 1 : x0;
+            for (int c = 0; c < 4; c++) {
+                const int sum = from[4 * (y0 * above + x0) + c] + from[4 * (y0 * above + x1) + c] +
+                                from[4 * (y1 * above + x0) + c] + from[4 * (y1 * above + x1) + c];
+                *to++ = (uint8_t)((sum + 2) / 4);
+            }
+        }
+    }
+}
+
+void bench_texture_fill_mips(struct bench_texture *texture)
+{
+    for (int level = 1; level < texture->levels; level++) {
+        fill_level(texture, level);
+    }
+}
+
+// Squares of 32 texels in two colours that drift over the texture, so that a texel fetched from the wrong
+// place shows.
+bool bench_texture_checker(struct bench_texture *texture)
+{
+    enum { SIZE = 1024, SQUARE = 32 };
+    if (!bench_texture_allocate(texture, SIZE, SIZE)) {
+        return false;
+    }
+    uint8_t *to = texture->texels[0];
+    for (int y = 0; y < SIZE; y++) {
+        for (int x = 0; x < SIZE; x++, to += 4) {
+            const bool light = ((x / SQUARE ^ y / SQUARE) & 1) != 0;
+            to[0] = (uint8_t)(light ? 230 - x / 16 : 40 + x / 16);
+            to[1] = (uint8_t)(light ? 225 : 60 + y / 16);
+            to[2] = (uint8_t)(light ? 215 - y / 16 : 110);
+            to[3] = 255;
+        }
+    }
+    bench_texture_fill_mips(texture);
+    return true;
+}
+
+struct bench_uniforms bench_look(const struct rhw_camera *camera, double aspect, const double world[16])
+{
+    double view[16], projection[16], both[16], clip[16];
+    rhw_camera_view(camera, view);
+    rhw_camera_projection(camera, aspect, projection);
+    rhw_matrix_multiply(projection, view, both);
+    rhw_matrix_multiply(both, world, clip);
+    struct bench_uniforms u = {
+        .shininess = 40.0f,
+        .light = {0.48f, 0.64f, 0.6f},
+        .ambient = 0.15f,
+        .color = {1.0f, 1.0f, 1.0f, 1.0f},
+        .specular = 0.35f,
+    };
+    for (int c = 0; c < 4; c++) {
+        for (int r = 0; r < 4; r++) {
+            // The camera's depth is 0..1; −1..1 is 2 Z − W.
+            const double value = r == 2 ? 2.0 * clip[4 * c + 2] - clip[4 * c + 3] : clip[4 * c + r];
+            u.clip[4 * c + r] = (float)value;
+        }
+        for (int r = 0; r < 3; r++) {
+            u.world[4 * r + c] = (float)world[4 * c + r];
+        }
+    }
+    for (int i = 0; i < 3; i++) {
+        u.eye[i] = (float)camera->eye[i];
+    }
+    return u;
+}

@@ -1,0 +1,310 @@
+// SPDX-License-Identifier: MIT
+// A Mesa driver under measurement, through OpenGL ES 3. It draws into a renderbuffer, which llvmpipe and
+// softpipe keep as rows of RGBA8 in memory, as rhw does; glFinish waits until they stand there. What reading
+// back costs on top (glReadPixels copies once more) is not counted.
+#include "renderer.h"
+
+#include "gles.h"
+#include "shaders_bench.h"
+#include "shaders_glsl.h"
+
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+struct gles_shader {
+    GLuint program;
+    GLint uniforms;
+};
+
+struct gles_state {
+    struct gles gl;
+    const struct bench_scene *scene;
+    int width, height;
+    struct gles_shader shaders[BENCH_SHADERS]; // made when first needed, kept
+    GLuint show_depth;                         // program of read_depth; 0: not made yet
+    GLuint framebuffer, color, depth;          // a renderbuffer and a texture
+    GLuint *arrays, *vertices, *indices;       // per mesh
+    GLuint *textures;
+};
+
+// Scenes -------------------------------------------------------------------------------------------
+
+static void make_mesh(struct gles_state *s, uint32_t i)
+{
+    static const GLint components[BENCH_ATTRIBUTES] = {3, 3, 2, 4};
+    const struct gles *const gl = &s->gl;
+    const struct bench_mesh *const mesh = &s->scene->meshes[i];
+    const size_t stride = bench_mesh_stride(mesh) * sizeof(float);
+    gl->bind_vertex_array(s->arrays[i]);
+    gl->bind_buffer(GL_ARRAY_BUFFER, s->vertices[i]);
+    gl->buffer_data(GL_ARRAY_BUFFER, (GLsizeiptr)(mesh->vertex_count * stride), mesh->vertices,
+                    GL_STATIC_DRAW);
+    gl->bind_buffer(GL_ELEMENT_ARRAY_BUFFER, s->indices[i]);
+    gl->buffer_data(GL_ELEMENT_ARRAY_BUFFER, (GLsizeiptr)(mesh->index_count * sizeof *mesh->indices),
+                    mesh->indices, GL_STATIC_DRAW);
+    const char *offset = NULL;
+    for (GLuint a = 0; a < BENCH_ATTRIBUTES; a++) {
+        if (mesh->has[a]) {
+            gl->vertex_attrib_pointer(a, components[a], GL_FLOAT, GL_FALSE, (GLsizei)stride, offset);
+            gl->enable_vertex_attrib_array(a);
+            offset += (size_t)components[a] * sizeof(float);
+        }
+    }
+}
+
+static void make_texture(struct gles_state *s, uint32_t i)
+{
+    const struct gles *const gl = &s->gl;
+    const struct bench_texture *const texture = &s->scene->textures[i];
+    gl->bind_texture(GL_TEXTURE_2D, s->textures[i]);
+    gl->tex_storage_2d(GL_TEXTURE_2D, texture->levels, GL_RGBA8, texture->width, texture->height);
+    for (int level = 0; level < texture->levels; level++) {
+        const int width = texture->width >> level, height = texture->height >> level;
+        gl->tex_sub_image_2d(GL_TEXTURE_2D, level, 0, 0, width ? width : 1, height ? height : 1, GL_RGBA,
+                             GL_UNSIGNED_BYTE, texture->texels[level]);
+    }
+    gl->tex_parameter_i(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_LINEAR_MIPMAP_LINEAR);
+    gl->tex_parameter_i(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_LINEAR);
+}
+
+static bool make_shader(struct gles_state *s, enum bench_shader shader)
+{
+    const char *vertex[BENCH_GLSL_PIECES], *fragment[BENCH_GLSL_PIECES];
+    char log[200] = "does not link";
+    struct gles_shader *const made = &s->shaders[shader];
+    if (made->program) {
+        return true;
+    }
+    bench_glsl(shader, vertex, fragment);
+    made->program = gles_program(&s->gl, vertex, fragment, BENCH_GLSL_PIECES, log, sizeof log);
+    if (!made->program) {
+        fprintf(stderr, "%s: shader %d: %s\n", s->gl.name, (int)shader, log);
+        return false;
+    }
+    made->uniforms = s->gl.get_uniform_location(made->program, "u");
+    return true;
+}
+
+static bool make_targets(struct gles_state *s)
+{
+    const struct gles *const gl = &s->gl;
+    gl->gen_framebuffers(1, &s->framebuffer);
+    gl->bind_framebuffer(GL_FRAMEBUFFER, s->framebuffer);
+    if (s->scene->has_color) {
+        gl->gen_renderbuffers(1, &s->color);
+        gl->bind_renderbuffer(GL_RENDERBUFFER, s->color);
+        gl->renderbuffer_storage(GL_RENDERBUFFER, GL_RGBA8, s->width, s->height);
+        gl->framebuffer_renderbuffer(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_RENDERBUFFER, s->color);
+    }
+    // In every scene: without depth llvmpipe drops what an opaque triangle hides in a tile of 64×64, and would
+    // draw one of 8 floors.
+    gl->gen_textures(1, &s->depth);
+    gl->bind_texture(GL_TEXTURE_2D, s->depth);
+    gl->tex_storage_2d(GL_TEXTURE_2D, 1, GL_DEPTH_COMPONENT32F, s->width, s->height);
+    gl->tex_parameter_i(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_NEAREST);
+    gl->tex_parameter_i(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_NEAREST);
+    gl->framebuffer_texture_2d(GL_FRAMEBUFFER, GL_DEPTH_ATTACHMENT, GL_TEXTURE_2D, s->depth, 0);
+    const GLenum target = s->scene->has_color ? GL_COLOR_ATTACHMENT0 : GL_NONE;
+    gl->draw_buffers(1, &target);
+    return gl->check_framebuffer_status(GL_FRAMEBUFFER) == GL_FRAMEBUFFER_COMPLETE;
+}
+
+// State that no draw of the scene changes.
+static void set_state(const struct gles_state *s)
+{
+    const struct gles *const gl = &s->gl;
+    const struct bench_scene *const scene = s->scene;
+    (scene->depth_test ? gl->enable : gl->disable)(GL_DEPTH_TEST);
+    (scene->blends ? gl->enable : gl->disable)(GL_BLEND);
+    gl->blend_func(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA);
+    gl->depth_func(GL_LESS);
+    gl->disable(GL_DITHER);
+    gl->viewport(0, 0, s->width, s->height);
+    gl->clear_color(scene->clear[0], scene->clear[1], scene->clear[2], scene->clear[3]);
+}
+
+static bool take(struct bench_renderer *renderer, const struct bench_scene *scene, int width, int height)
+{
+    struct gles_state *const s = renderer->state;
+    const struct gles *const gl = &s->gl;
+    s->scene = scene;
+    s->width = width;
+    s->height = height;
+    s->arrays = calloc((size_t)scene->mesh_count + 1, sizeof *s->arrays);
+    s->vertices = calloc((size_t)scene->mesh_count + 1, sizeof *s->vertices);
+    s->indices = calloc((size_t)scene->mesh_count + 1, sizeof *s->indices);
+    s->textures = calloc((size_t)scene->texture_count + 1, sizeof *s->textures);
+    if (!s->arrays || !s->vertices || !s->indices || !s->textures || !make_targets(s)) {
+        return false;
+    }
+    gl->gen_vertex_arrays((GLsizei)scene->mesh_count, s->arrays);
+    gl->gen_buffers((GLsizei)scene->mesh_count, s->vertices);
+    gl->gen_buffers((GLsizei)scene->mesh_count, s->indices);
+    gl->gen_textures((GLsizei)scene->texture_count, s->textures);
+    for (uint32_t i = 0; i < scene->mesh_count; i++) {
+        make_mesh(s, i);
+    }
+    for (uint32_t i = 0; i < scene->texture_count; i++) {
+        make_texture(s, i);
+    }
+    for (uint32_t i = 0; i < scene->draw_count; i++) {
+        if (!make_shader(s, scene->draws[i].shader)) {
+            return false;
+        }
+    }
+    set_state(s);
+    return gl->get_error() == GL_NO_ERROR;
+}
+
+static void release(struct bench_renderer *renderer)
+{
+    struct gles_state *const s = renderer->state;
+    const struct gles *const gl = &s->gl;
+    if (s->arrays && s->vertices && s->indices && s->textures) {
+        gl->delete_vertex_arrays((GLsizei)s->scene->mesh_count, s->arrays); // 0 is ignored
+        gl->delete_buffers((GLsizei)s->scene->mesh_count, s->vertices);
+        gl->delete_buffers((GLsizei)s->scene->mesh_count, s->indices);
+        gl->delete_textures((GLsizei)s->scene->texture_count, s->textures);
+    }
+    gl->delete_framebuffers(1, &s->framebuffer);
+    gl->delete_renderbuffers(1, &s->color);
+    gl->delete_textures(1, &s->depth);
+    free(s->arrays);
+    free(s->vertices);
+    free(s->indices);
+    free(s->textures);
+    s->arrays = s->vertices = s->indices = s->textures = NULL;
+    s->framebuffer = s->color = s->depth = 0;
+}
+
+// Frames -------------------------------------------------------------------------------------------
+
+static bool frame(struct bench_renderer *renderer)
+{
+    const struct gles_state *const s = renderer->state;
+    const struct gles *const gl = &s->gl;
+    const struct bench_scene *const scene = s->scene;
+    const GLenum depth = GL_DEPTH_ATTACHMENT;
+    gl->clear((scene->has_color ? GL_COLOR_BUFFER_BIT : 0) | GL_DEPTH_BUFFER_BIT);
+    for (uint32_t i = 0; i < scene->draw_count; i++) {
+        const struct bench_draw *const draw = &scene->draws[i];
+        const struct gles_shader *const shader = &s->shaders[draw->shader];
+        gl->use_program(shader->program);
+        gl->uniform_4fv(shader->uniforms, sizeof draw->uniforms / (4 * sizeof(float)), draw->uniforms.clip);
+        gl->bind_vertex_array(s->arrays[draw->mesh]);
+        if (draw->texture >= 0) {
+            gl->bind_texture(GL_TEXTURE_2D, s->textures[draw->texture]);
+        }
+        (draw->cull_back ? gl->enable : gl->disable)(GL_CULL_FACE);
+        gl->draw_elements(GL_TRIANGLES, (GLsizei)scene->meshes[draw->mesh].index_count, GL_UNSIGNED_INT,
+                          NULL);
+    }
+    if (scene->has_color) {
+        gl->invalidate_framebuffer(GL_FRAMEBUFFER, 1, &depth);
+    }
+    gl->finish();
+    return gl->get_error() == GL_NO_ERROR;
+}
+
+// Rows come bottom up.
+static void flip(void *pixels, void *row, size_t row_size, int height)
+{
+    for (int y = 0; y < height / 2; y++) {
+        char *const a = (char *)pixels + (size_t)y * row_size;
+        char *const b = (char *)pixels + (size_t)(height - 1 - y) * row_size;
+        memcpy(row, a, row_size);
+        memcpy(a, b, row_size);
+        memcpy(b, row, row_size);
+    }
+}
+
+// GLES gives no depth to a program, but it lets a shader sample it.
+static bool read_depth(struct gles_state *s, float *depth)
+{
+    static const char vertex[] = "#version 300 es\n"
+                                 "void main() { gl_Position = vec4(gl_VertexID == 1 ? 3.0 : -1.0,\n"
+                                 "    gl_VertexID == 2 ? 3.0 : -1.0, 0.0, 1.0); }\n";
+    static const char fragment[] = "#version 300 es\n"
+                                   "precision highp float; precision highp sampler2D;\n"
+                                   "uniform sampler2D base; layout(location = 0) out vec4 target;\n"
+                                   "void main() { target = texelFetch(base, ivec2(gl_FragCoord.xy), 0); }\n";
+    const struct gles *const gl = &s->gl;
+    const char *const sources[2] = {vertex, fragment};
+    const size_t count = (size_t)s->width * (size_t)s->height;
+    float *const pixels = malloc((count + 1) * 4 * sizeof *pixels);
+    GLuint framebuffer, array, target;
+    if (!s->show_depth) {
+        s->show_depth = gles_program(gl, &sources[0], &sources[1], 1, NULL, 0);
+    }
+    if (!pixels || !s->show_depth) {
+        free(pixels);
+        return false;
+    }
+    gl->gen_framebuffers(1, &framebuffer);
+    gl->bind_framebuffer(GL_FRAMEBUFFER, framebuffer);
+    gl->gen_renderbuffers(1, &target);
+    gl->bind_renderbuffer(GL_RENDERBUFFER, target);
+    gl->renderbuffer_storage(GL_RENDERBUFFER, GL_RGBA32F, s->width, s->height);
+    gl->framebuffer_renderbuffer(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_RENDERBUFFER, target);
+    gl->gen_vertex_arrays(1, &array);
+    gl->bind_vertex_array(array);
+    gl->bind_texture(GL_TEXTURE_2D, s->depth);
+    gl->use_program(s->show_depth);
+    gl->disable(GL_DEPTH_TEST);
+    gl->disable(GL_CULL_FACE);
+    gl->draw_arrays(GL_TRIANGLES, 0, 3);
+    gl->read_pixels(0, 0, s->width, s->height, GL_RGBA, GL_FLOAT, pixels);
+    for (size_t i = 0; i < count; i++) {
+        depth[i] = pixels[4 * i];
+    }
+    flip(depth, pixels, (size_t)s->width * sizeof *depth, s->height);
+    free(pixels);
+    gl->delete_vertex_arrays(1, &array);
+    gl->delete_framebuffers(1, &framebuffer);
+    gl->delete_renderbuffers(1, &target);
+    gl->bind_framebuffer(GL_FRAMEBUFFER, s->framebuffer);
+    set_state(s);
+    return gl->get_error() == GL_NO_ERROR;
+}
+
+static bool read_color(struct gles_state *s, uint8_t *color)
+{
+    const size_t row_size = (size_t)s->width * 4;
+    void *const row = malloc(row_size);
+    if (!row) {
+        return false;
+    }
+    s->gl.read_pixels(0, 0, s->width, s->height, GL_RGBA, GL_UNSIGNED_BYTE, color);
+    flip(color, row, row_size, s->height);
+    free(row);
+    return s->gl.get_error() == GL_NO_ERROR;
+}
+
+static bool read_image(struct bench_renderer *renderer, struct bench_image *image)
+{
+    struct gles_state *const s = renderer->state;
+    return (!image->color || read_color(s, image->color)) && (!image->depth || read_depth(s, image->depth));
+}
+
+static void close_gles(struct bench_renderer *renderer)
+{
+    struct gles_state *const s = renderer->state;
+    gles_close(&s->gl);
+    free(s);
+    *renderer = (struct bench_renderer){0};
+}
+
+bool bench_open_gles(struct bench_renderer *renderer, const char *driver, const char **why)
+{
+    struct gles_state *const s = calloc(1, sizeof *s);
+    *why = "out of memory";
+    if (!s || !gles_open(&s->gl, driver, why)) {
+        free(s);
+        return false;
+    }
+    *renderer = (struct bench_renderer){
+        .state = s, .take = take, .frame = frame, .read = read_image, .release = release, .close = close_gles};
+    snprintf(renderer->name, sizeof renderer->name, "%.150s", s->gl.name);
+    return true;
+}

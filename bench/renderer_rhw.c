@@ -1,0 +1,259 @@
+// SPDX-License-Identifier: MIT
+// rhw under measurement. Textures and buffers are made when a scene is taken; a frame records and runs one
+// pass, as a program does that draws a scene again and again.
+#include "renderer.h"
+
+#include "rhw/rhw.h"
+#include "shaders_bench.h"
+
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+struct rhw_state {
+    rhw_context *context;
+    const struct bench_scene *scene;
+    int width, height;
+    rhw_buffer *vertices, *indices; // per mesh
+    rhw_texture *textures;
+    rhw_sampler sampler;
+    rhw_pipeline pipelines[BENCH_SHADERS][2]; // [shader][culls back faces]
+    rhw_texture color, depth;
+};
+
+static bool make_buffer(rhw_context *context, const void *data, size_t size, rhw_buffer *buffer)
+{
+    const struct rhw_buffer_def def = {.size = size, .data = data};
+    return rhw_buffer_create(context, &def, buffer) == RHW_OK;
+}
+
+static bool make_meshes(struct rhw_state *s)
+{
+    for (uint32_t i = 0; i < s->scene->mesh_count; i++) {
+        const struct bench_mesh *const mesh = &s->scene->meshes[i];
+        const size_t vertex_size = bench_mesh_stride(mesh) * sizeof *mesh->vertices;
+        if (!make_buffer(s->context, mesh->vertices, mesh->vertex_count * vertex_size, &s->vertices[i]) ||
+            !make_buffer(s->context, mesh->indices, mesh->index_count * sizeof *mesh->indices,
+                         &s->indices[i])) {
+            return false;
+        }
+    }
+    return true;
+}
+
+static bool make_textures(struct rhw_state *s)
+{
+    for (uint32_t i = 0; i < s->scene->texture_count; i++) {
+        const struct bench_texture *const texture = &s->scene->textures[i];
+        struct rhw_texture_def def = rhw_texture_def_default();
+        def.width = texture->width;
+        def.height = texture->height;
+        def.mip_levels = texture->levels;
+        if (rhw_texture_create(s->context, &def, &s->textures[i]) != RHW_OK) {
+            return false;
+        }
+        for (int level = 0; level < texture->levels; level++) {
+            rhw_texture_write(s->context, s->textures[i], level, texture->texels[level], 0);
+        }
+    }
+    return true;
+}
+
+static bool make_target(struct rhw_state *s, enum rhw_format format, rhw_texture *target)
+{
+    struct rhw_texture_def def = rhw_texture_def_default();
+    def.format = format;
+    def.width = s->width;
+    def.height = s->height;
+    return rhw_texture_create(s->context, &def, target) == RHW_OK;
+}
+
+static void set_attributes(struct rhw_pipeline_def *def, const struct bench_mesh *mesh, uint32_t reads)
+{
+    static const enum rhw_vertex_format formats[BENCH_ATTRIBUTES] = {RHW_VERTEX_FLOAT3, RHW_VERTEX_FLOAT3,
+                                                                     RHW_VERTEX_FLOAT2, RHW_VERTEX_FLOAT4};
+    uint32_t offset = 0;
+    for (int a = 0; a < BENCH_ATTRIBUTES; a++) {
+        if (reads >> a & 1) {
+            def->attributes[def->attribute_count++] =
+                (struct rhw_attribute){.format = formats[a], .offset = offset};
+        }
+        offset += mesh->has[a] ? (uint32_t)rhw_vertex_format_size(formats[a]) : 0;
+    }
+    def->buffers[0].stride = offset;
+    def->buffer_count = 1;
+}
+
+// The meshes that a shader draws are laid out alike within a scene, so one pipeline serves them.
+static bool make_pipeline(struct rhw_state *s, const struct bench_draw *draw)
+{
+    struct rhw_pipeline_def def = rhw_pipeline_def_default();
+    bench_program(&def.program, draw->shader);
+    set_attributes(&def, &s->scene->meshes[draw->mesh], bench_shader_attributes[draw->shader]);
+    def.depth_range = RHW_DEPTH_MINUS_ONE_TO_ONE;
+    def.cull = draw->cull_back ? RHW_CULL_BACK : RHW_CULL_NONE;
+    def.depth_test = s->scene->depth_test;
+    def.target_count = s->scene->has_color;
+    const struct rhw_blend_component over = {RHW_BLEND_SRC_ALPHA, RHW_BLEND_ONE_MINUS_SRC_ALPHA,
+                                             RHW_BLEND_ADD};
+    def.targets[0].blend = s->scene->blends;
+    def.targets[0].color = def.targets[0].alpha = over;
+    return rhw_pipeline_create(s->context, &def, &s->pipelines[draw->shader][draw->cull_back]) == RHW_OK;
+}
+
+static bool make_pipelines(struct rhw_state *s)
+{
+    for (uint32_t i = 0; i < s->scene->draw_count; i++) {
+        const struct bench_draw *const draw = &s->scene->draws[i];
+        if (s->pipelines[draw->shader][draw->cull_back].generation == 0 && !make_pipeline(s, draw)) {
+            return false;
+        }
+    }
+    return true;
+}
+
+static bool take(struct bench_renderer *renderer, const struct bench_scene *scene, int width, int height)
+{
+    struct rhw_state *const s = renderer->state;
+    s->scene = scene;
+    s->width = width;
+    s->height = height;
+    s->vertices = calloc((size_t)scene->mesh_count + 1, sizeof *s->vertices);
+    s->indices = calloc((size_t)scene->mesh_count + 1, sizeof *s->indices);
+    s->textures = calloc((size_t)scene->texture_count + 1, sizeof *s->textures);
+    const struct rhw_sampler_def sampler = rhw_sampler_def_default();
+    return s->vertices && s->indices && s->textures &&
+           rhw_sampler_create(s->context, &sampler, &s->sampler) == RHW_OK &&
+           (!scene->has_color || make_target(s, RHW_FORMAT_RGBA8_UNORM, &s->color)) &&
+           (scene->has_color || make_target(s, RHW_FORMAT_D32_FLOAT, &s->depth)) && make_meshes(s) &&
+           make_textures(s) && make_pipelines(s);
+}
+
+// Depth is the result where there is no colour, and else nothing that anybody keeps.
+static struct rhw_pass_def pass_of(const struct rhw_state *s)
+{
+    struct rhw_pass_def def = rhw_pass_def_default();
+    def.width = s->width;
+    def.height = s->height;
+    def.color_count = s->scene->has_color;
+    def.colors[0].texture = s->color;
+    memcpy(def.colors[0].clear, s->scene->clear, sizeof def.colors[0].clear);
+    def.depth.enabled = true;
+    def.depth.texture = s->depth;
+    def.depth.store = s->scene->has_color ? RHW_STORE_DISCARD : RHW_STORE_STORE;
+    return def;
+}
+
+static bool frame(struct bench_renderer *renderer)
+{
+    const struct rhw_state *const s = renderer->state;
+    const struct bench_scene *const scene = s->scene;
+    struct rhw_stats stats;
+    const struct rhw_pass_def def = pass_of(s);
+    rhw_pass pass;
+    if (rhw_pass_begin(s->context, &def, &pass) != RHW_OK) {
+        return false;
+    }
+    for (uint32_t i = 0; i < scene->draw_count; i++) {
+        const struct bench_draw *const draw = &scene->draws[i];
+        rhw_pass_set_pipeline(s->context, pass, s->pipelines[draw->shader][draw->cull_back]);
+        rhw_pass_set_vertex_buffer(s->context, pass, 0, s->vertices[draw->mesh], 0);
+        rhw_pass_set_index_buffer(s->context, pass, s->indices[draw->mesh], RHW_INDEX_UINT32, 0);
+        rhw_pass_set_uniforms(s->context, pass, &draw->uniforms, sizeof draw->uniforms);
+        if (draw->texture >= 0) {
+            rhw_pass_set_texture(s->context, pass, 0, s->textures[draw->texture], s->sampler);
+        }
+        rhw_pass_draw_indexed(s->context, pass, 0, scene->meshes[draw->mesh].index_count, 0, 0, 1);
+    }
+    const enum rhw_result result = rhw_pass_end(s->context, pass, &stats);
+    renderer->fragments = result == RHW_OK ? stats.fragments_shaded : 0;
+    return result == RHW_OK;
+}
+
+static bool read_image(struct bench_renderer *renderer, struct bench_image *image)
+{
+    const struct rhw_state *const s = renderer->state;
+    if (image->color) {
+        rhw_texture_read(s->context, s->color, 0, image->color, 0);
+    }
+    if (image->depth) {
+        rhw_texture_read(s->context, s->depth, 0, image->depth, 0);
+    }
+    return true;
+}
+
+static void drop_texture(const struct rhw_state *s, rhw_texture texture)
+{
+    if (texture.generation) {
+        rhw_texture_destroy(s->context, texture);
+    }
+}
+
+static void drop_buffer(const struct rhw_state *s, rhw_buffer buffer)
+{
+    if (buffer.generation) {
+        rhw_buffer_destroy(s->context, buffer);
+    }
+}
+
+static void release(struct bench_renderer *renderer)
+{
+    struct rhw_state *const s = renderer->state;
+    for (uint32_t i = 0; s->vertices && s->indices && i < s->scene->mesh_count; i++) {
+        drop_buffer(s, s->vertices[i]);
+        drop_buffer(s, s->indices[i]);
+    }
+    for (uint32_t i = 0; s->textures && i < s->scene->texture_count; i++) {
+        drop_texture(s, s->textures[i]);
+    }
+    for (int i = 0; i < 2 * BENCH_SHADERS; i++) {
+        if (s->pipelines[i / 2][i % 2].generation) {
+            rhw_pipeline_destroy(s->context, s->pipelines[i / 2][i % 2]);
+        }
+    }
+    drop_texture(s, s->color);
+    drop_texture(s, s->depth);
+    if (s->sampler.generation) {
+        rhw_sampler_destroy(s->context, s->sampler);
+    }
+    free(s->vertices);
+    free(s->indices);
+    free(s->textures);
+    *s = (struct rhw_state){.context = s->context};
+}
+
+static void close_rhw(struct bench_renderer *renderer)
+{
+    struct rhw_state *const s = renderer->state;
+    if (s) {
+        rhw_context_destroy(s->context);
+    }
+    free(s);
+    *renderer = (struct bench_renderer){0};
+}
+
+bool bench_open_rhw(struct bench_renderer *renderer, int threads, enum rhw_isa isa, const char **why)
+{
+    struct rhw_state *const s = calloc(1, sizeof *s);
+    struct rhw_context_def def = rhw_context_def_default();
+    def.threads = threads;
+    def.isa = isa;
+    const enum rhw_result result = s ? rhw_context_create(&def, &s->context) : RHW_ERROR_OUT_OF_MEMORY;
+    *why = rhw_result_string(result);
+    if (result != RHW_OK) {
+        free(s);
+        return false;
+    }
+    *renderer = (struct bench_renderer){.state = s,
+                                        .threads = rhw_context_threads(s->context),
+                                        .isa = rhw_context_isa(s->context),
+                                        .take = take,
+                                        .frame = frame,
+                                        .read = read_image,
+                                        .release = release,
+                                        .close = close_rhw};
+    snprintf(renderer->name, sizeof renderer->name, "rhw %s %s, %d thread%s", rhw_version(),
+             rhw_isa_name(rhw_context_isa(s->context)), rhw_context_threads(s->context),
+             rhw_context_threads(s->context) == 1 ? "" : "s");
+    return true;
+}

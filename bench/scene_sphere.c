@@ -1,0 +1,121 @@
+// SPDX-License-Identifier: MIT
+// See scene_sphere.h. The radius is 1 + 0.05 sin 20θ sin 20φ (θ from the pole, φ around it), so that a third
+// of the triangles faces the camera and neighbours differ in size and facing.
+#include "scene_sphere.h"
+
+#include <math.h>
+#include <string.h>
+
+static const double pi = 3.14159265358979323846;
+static const double turn = 0.6; // radians, about y
+
+static const struct rhw_camera camera = {
+    .eye = {0.0, 0.0, 2.6},
+    .up = {0.0, 1.0, 0.0},
+    .yfov = 0.8,
+    .znear = 0.1,
+    .zfar = 10.0,
+};
+
+static void place_vertex(const struct bench_mesh *mesh, double theta, double phi, float *to)
+{
+    const double st = sin(theta), ct = cos(theta), sp = sin(phi), cp = cos(phi);
+    const double r = 1.0 + 0.05 * sin(20.0 * theta) * sin(20.0 * phi);
+    const double r_theta = cos(20.0 * theta) * sin(20.0 * phi); // 0.05 · 20 = 1
+    const double r_phi = sin(20.0 * theta) * cos(20.0 * phi);
+    const double out[3] = {st * cp, ct, st * sp};
+    const double south[3] = {ct * cp, -st, ct * sp}, east[3] = {-sp, 0.0, cp};
+    // At the poles the bumps vanish and so does the slope along φ.
+    const double slope = st > 1e-9 ? r_phi / st : 0.0;
+    double normal[3], length = 0.0;
+    for (int c = 0; c < 3; c++) {
+        normal[c] = r * out[c] - r_theta * south[c] - slope * east[c];
+        length += normal[c] * normal[c];
+    }
+    for (int c = 0; c < 3; c++) {
+        *to++ = (float)(r * out[c]);
+    }
+    if (mesh->has[BENCH_NORMAL]) {
+        for (int c = 0; c < 3; c++) {
+            *to++ = (float)(normal[c] / sqrt(length));
+        }
+    }
+    if (mesh->has[BENCH_UV]) {
+        *to++ = (float)(phi / pi * 2.0);
+        *to++ = (float)(theta / pi * 2.0);
+    }
+}
+
+static bool make_mesh(struct bench_mesh *mesh, uint32_t stacks, uint32_t slices)
+{
+    if (!bench_mesh_allocate(mesh, (stacks + 1) * (slices + 1), 6 * stacks * slices)) {
+        return false;
+    }
+    const uint32_t stride = bench_mesh_stride(mesh);
+    float *to = mesh->vertices;
+    for (uint32_t i = 0; i <= stacks; i++) {
+        for (uint32_t k = 0; k <= slices; k++, to += stride) {
+            place_vertex(mesh, pi * i / stacks, 2.0 * pi * k / slices, to);
+        }
+    }
+    uint32_t *index = mesh->indices;
+    for (uint32_t i = 0; i < stacks; i++) {
+        for (uint32_t k = 0; k < slices; k++) {
+            const uint32_t a = i * (slices + 1) + k, b = a + slices + 1;
+            const uint32_t quad[6] = {a, a + 1, b, a + 1, b + 1, b};
+            memcpy(index, quad, sizeof quad);
+            index += 6;
+        }
+    }
+    return true;
+}
+
+static void set_tolerance(struct bench_tolerance *tolerance, enum bench_sphere_variant variant)
+{
+    tolerance->color = 2;
+    tolerance->outliers = variant == BENCH_SPHERE_10K ? 0.001 : 0.01;
+    tolerance->depth = 1e-5;
+    tolerance->reason = "vertices that fall between two subpixel positions are snapped to either";
+    if (variant == BENCH_SPHERE_1M_TEXTURE) {
+        tolerance->color = 24;
+        tolerance->outliers = 0.05;
+    }
+}
+
+bool bench_make_sphere(const struct bench_scene_entry *entry, struct bench_scene *scene, int width,
+                       int height, char *why, size_t why_size)
+{
+    (void)why, (void)why_size; // nothing but memory can fail
+    const enum bench_sphere_variant variant = (enum bench_sphere_variant)entry->variant;
+    const bool depth_only = variant == BENCH_SPHERE_1M_DEPTH, textured = variant == BENCH_SPHERE_1M_TEXTURE;
+    const uint32_t stacks = variant == BENCH_SPHERE_10K ? 50 : 500;
+    scene->mesh_count = scene->draw_count = 1;
+    scene->texture_count = textured;
+    scene->depth_test = true;
+    scene->has_color = !depth_only;
+    scene->unit = BENCH_TRIANGLES;
+    set_tolerance(&scene->tolerance, variant);
+    if (!bench_scene_allocate(scene) || (textured && !bench_texture_checker(&scene->textures[0]))) {
+        return false;
+    }
+    struct bench_mesh *const mesh = &scene->meshes[0];
+    mesh->has[BENCH_POSITION] = true;
+    mesh->has[BENCH_NORMAL] = !depth_only;
+    mesh->has[BENCH_UV] = textured;
+    if (!make_mesh(mesh, stacks, 2 * stacks)) {
+        return false;
+    }
+    scene->work = mesh->index_count / 3;
+    const double world[16] = {cos(turn), 0, -sin(turn), 0, 0, 1, 0, 0,
+                              sin(turn), 0, cos(turn),  0, 0, 0, 0, 1};
+    struct bench_draw *const draw = &scene->draws[0];
+    *draw = (struct bench_draw){.shader = depth_only ? BENCH_SHADER_DEPTH
+                                          : textured ? BENCH_SHADER_LIT_TEXTURE
+                                                     : BENCH_SHADER_LIT,
+                                .texture = textured ? 0 : -1,
+                                .cull_back = true,
+                                .uniforms = bench_look(&camera, (double)width / (double)height, world)};
+    const float color[4] = {0.85f, 0.55f, 0.3f, 1.0f};
+    memcpy(draw->uniforms.color, color, sizeof color);
+    return true;
+}

@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: MIT
+// See shaders_bench.h; this puts the functions of every instruction set into a program. They stand in
+// shaders_lanes.c.
+#include "shaders_bench.h"
+
+static const struct bench_shader_table *const tables[RHW_ISA_COUNT] = {
+    [RHW_ISA_BASELINE] = &bench_shader_table_baseline,
+#ifdef RHW_HAVE_X86_ISAS
+    [RHW_ISA_AVX2] = &bench_shader_table_avx2,
+    [RHW_ISA_AVX512] = &bench_shader_table_avx512,
+#endif
+};
+
+enum { P = 1 << BENCH_POSITION, N = 1 << BENCH_NORMAL, T = 1 << BENCH_UV, C = 1 << BENCH_COLOR };
+
+const uint32_t bench_shader_attributes[BENCH_SHADERS] = {
+    [BENCH_SHADER_FLAT] = P,    [BENCH_SHADER_COLOR] = P | C,           [BENCH_SHADER_TEXTURE] = P | T,
+    [BENCH_SHADER_LIT] = P | N, [BENCH_SHADER_LIT_TEXTURE] = P | N | T, [BENCH_SHADER_LIT_MASKED] = P | N | T,
+    [BENCH_SHADER_DEPTH] = P,
+};
+
+static void add_varying(struct rhw_program *program, int components, bool derivatives)
+{
+    program->varyings[program->varying_count++] =
+        (struct rhw_varying){.components = components, .derivatives = derivatives};
+}
+
+void bench_program(struct rhw_program *program, enum bench_shader shader)
+{
+    *program = (struct rhw_program){.uniform_size = sizeof(struct bench_uniforms)};
+    for (int isa = 0; isa < RHW_ISA_COUNT; isa++) {
+        if (tables[isa]) {
+            program->vertex[isa] = tables[isa]->vertex[shader];
+            program->fragment[isa] = tables[isa]->fragment[shader];
+        }
+    }
+    const uint32_t attributes = bench_shader_attributes[shader];
+    if (attributes & C) {
+        add_varying(program, 4, false);
+    }
+    if (attributes & N) {
+        add_varying(program, 3, false); // normal
+        add_varying(program, 3, false); // position
+    }
+    if (attributes & T) {
+        add_varying(program, 2, true);
+    }
+    program->uses = shader == BENCH_SHADER_LIT_MASKED ? RHW_USE_DISCARD : 0;
+}

@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: MIT
+// The 8-lane form of the benchmark's shaders; shaders_glsl.h has their twins.
+#ifndef BENCH_SHADERS_BENCH_H
+#define BENCH_SHADERS_BENCH_H
+
+#include "bench_scene.h"
+#include "rhw/types.h"
+
+// Which vertex attributes a shader reads: bit 1 << enum bench_attribute.
+extern const uint32_t bench_shader_attributes[BENCH_SHADERS];
+
+// Functions of every instruction set, varyings and uniform size. Attribute i of the pipeline is the i-th that
+// the shader reads.
+void bench_program(struct rhw_program *program, enum bench_shader shader);
+
+struct bench_shader_table {
+    rhw_vertex_function *vertex[BENCH_SHADERS];
+    rhw_fragment_function *fragment[BENCH_SHADERS]; // NULL: depth only
+};
+extern const struct bench_shader_table bench_shader_table_baseline, bench_shader_table_avx2,
+    bench_shader_table_avx512;
+
+#endif

@@ -1,0 +1,75 @@
+// SPDX-License-Identifier: MIT
+// See shaders_glsl.h. The pieces are: version and interface, the common functions, main.
+#include "shaders_glsl.h"
+
+static const char vertex_head[] = "#version 300 es\n"
+                                  "precision highp float;\n"
+                                  "layout(location = 0) in vec3 position;\n"
+                                  "layout(location = 1) in vec3 normal;\n"
+                                  "layout(location = 2) in vec2 uv;\n"
+                                  "layout(location = 3) in vec4 color;\n"
+                                  "uniform vec4 u[11];\n";
+
+static const char vertex_common[] =
+    "void to_clip() { gl_Position = u[0] * position.x + u[1] * position.y + u[2] * position.z + u[3]; }\n"
+    "vec3 to_world(vec4 p) { return vec3(dot(u[4], p), dot(u[5], p), dot(u[6], p)); }\n";
+
+static const char fragment_head[] = "#version 300 es\n"
+                                    "precision highp float;\n"
+                                    "uniform vec4 u[11];\n"
+                                    "uniform sampler2D base;\n"
+                                    "layout(location = 0) out vec4 target;\n";
+
+static const char fragment_common[] =
+    "vec3 shade(vec3 normal, vec3 position, vec3 base_color) {\n"
+    "    vec3 n = normalize(normal), v = normalize(u[7].xyz - position), h = normalize(v + u[8].xyz);\n"
+    "    float n_dot_l = max(dot(n, u[8].xyz), 0.0), n_dot_h = max(dot(n, h), 0.0);\n"
+    "    float gloss = u[10].x * pow(n_dot_h, u[7].w);\n"
+    "    return base_color * (u[8].w + (1.0 - u[8].w) * n_dot_l) + vec3(gloss);\n"
+    "}\n";
+
+static const struct {
+    const char *vertex, *fragment;
+} mains[BENCH_SHADERS] = {
+    [BENCH_SHADER_FLAT] = {"void main() { to_clip(); }\n", "void main() { target = u[9]; }\n"},
+    [BENCH_SHADER_COLOR] = {"out vec4 varying_color;\n"
+                            "void main() { to_clip(); varying_color = color; }\n",
+                            "in vec4 varying_color;\n"
+                            "void main() { target = varying_color; }\n"},
+    [BENCH_SHADER_TEXTURE] = {"out vec2 varying_uv;\n"
+                              "void main() { to_clip(); varying_uv = uv; }\n",
+                              "in vec2 varying_uv;\n"
+                              "void main() { target = texture(base, varying_uv); }\n"},
+    [BENCH_SHADER_LIT] =
+        {"out vec3 varying_normal, varying_position;\n"
+         "void main() { to_clip(); varying_normal = to_world(vec4(normal, 0.0));\n"
+         "varying_position = to_world(vec4(position, 1.0)); }\n",
+         "in vec3 varying_normal, varying_position;\n"
+         "void main() { target = vec4(shade(varying_normal, varying_position, u[9].rgb), 1.0); }\n"},
+    [BENCH_SHADER_LIT_TEXTURE] =
+        {"out vec3 varying_normal, varying_position; out vec2 varying_uv;\n"
+         "void main() { to_clip(); varying_normal = to_world(vec4(normal, 0.0));\n"
+         "varying_position = to_world(vec4(position, 1.0)); varying_uv = uv; }\n",
+         "in vec3 varying_normal, varying_position; in vec2 varying_uv;\n"
+         "void main() { vec3 texel = texture(base, varying_uv).rgb;\n"
+         "target = vec4(shade(varying_normal, varying_position, texel * u[9].rgb), 1.0); }\n"},
+    [BENCH_SHADER_LIT_MASKED] =
+        {"out vec3 varying_normal, varying_position; out vec2 varying_uv;\n"
+         "void main() { to_clip(); varying_normal = to_world(vec4(normal, 0.0));\n"
+         "varying_position = to_world(vec4(position, 1.0)); varying_uv = uv; }\n",
+         "in vec3 varying_normal, varying_position; in vec2 varying_uv;\n"
+         "void main() { vec4 texel = texture(base, varying_uv); if (texel.a < u[10].y) discard;\n"
+         "target = vec4(shade(varying_normal, varying_position, texel.rgb * u[9].rgb), 1.0); }\n"},
+    [BENCH_SHADER_DEPTH] = {"void main() { to_clip(); }\n", "void main() { }\n"},
+};
+
+void bench_glsl(enum bench_shader shader, const char *vertex[BENCH_GLSL_PIECES],
+                const char *fragment[BENCH_GLSL_PIECES])
+{
+    vertex[0] = vertex_head;
+    vertex[1] = vertex_common;
+    vertex[2] = mains[shader].vertex;
+    fragment[0] = fragment_head;
+    fragment[1] = fragment_common;
+    fragment[2] = mains[shader].fragment;
+}

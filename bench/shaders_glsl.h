@@ -1,0 +1,15 @@
+// SPDX-License-Identifier: MIT
+// The GLSL ES 3.00 form of the benchmark's shaders.
+#ifndef BENCH_SHADERS_GLSL_H
+#define BENCH_SHADERS_GLSL_H
+
+#include "bench_scene.h"
+
+enum { BENCH_GLSL_PIECES = 3 };
+
+// Source text in pieces. Attributes have the location of their enum bench_attribute; `u` is an array of vec4
+// that holds a struct bench_uniforms, `base` the texture.
+void bench_glsl(enum bench_shader shader, const char *vertex[BENCH_GLSL_PIECES],
+                const char *fragment[BENCH_GLSL_PIECES]);
+
+#endif

@@ -1,0 +1,200 @@
+// SPDX-License-Identifier: MIT
+// The benchmark's shaders on 8 lanes, compiled once per instruction set: what a user who cares for speed
+// writes. Every formula has its twin in shaders_glsl.c; pow is exp2 of a product, as GLSL defines it.
+#include "shaders.h"
+#include "shaders_bench.h"
+
+#include "rhw/shader.h"
+
+#define ALWAYS_INLINE static inline __attribute__((always_inline))
+
+// Vertices ------------------------------------------------------------------------------------------
+
+ALWAYS_INLINE void to_clip(const struct bench_uniforms *u, const rhw_float p[4], rhw_float clip[4])
+{
+    for (int r = 0; r < 4; r++) {
+        clip[r] = u->clip[r] * p[0] + u->clip[4 + r] * p[1] + u->clip[8 + r] * p[2] + u->clip[12 + r];
+    }
+}
+
+// Normal, then position in the world.
+ALWAYS_INLINE void to_world(const struct bench_uniforms *u, const rhw_float p[4], const rhw_float n[4],
+                            rhw_float *varying)
+{
+    for (int r = 0; r < 3; r++) {
+        const float *const row = &u->world[4 * r];
+        varying[r] = row[0] * n[0] + row[1] * n[1] + row[2] * n[2];
+        varying[3 + r] = row[0] * p[0] + row[1] * p[1] + row[2] * p[2] + row[3];
+    }
+}
+
+static void position_vertex(struct rhw_vertex *groups, int count)
+{
+    for (int g = 0; g < count; g++) {
+        struct rhw_vertex *const v = &groups[g];
+        to_clip(v->uniforms, v->attribute[0], v->position);
+    }
+}
+
+static void color_vertex(struct rhw_vertex *groups, int count)
+{
+    for (int g = 0; g < count; g++) {
+        struct rhw_vertex *const v = &groups[g];
+        to_clip(v->uniforms, v->attribute[0], v->position);
+        for (int c = 0; c < 4; c++) {
+            v->varying[c] = v->attribute[1][c];
+        }
+    }
+}
+
+static void texture_vertex(struct rhw_vertex *groups, int count)
+{
+    for (int g = 0; g < count; g++) {
+        struct rhw_vertex *const v = &groups[g];
+        to_clip(v->uniforms, v->attribute[0], v->position);
+        v->varying[0] = v->attribute[1][0];
+        v->varying[1] = v->attribute[1][1];
+    }
+}
+
+static void lit_vertex(struct rhw_vertex *groups, int count)
+{
+    for (int g = 0; g < count; g++) {
+        struct rhw_vertex *const v = &groups[g];
+        to_clip(v->uniforms, v->attribute[0], v->position);
+        to_world(v->uniforms, v->attribute[0], v->attribute[1], v->varying);
+    }
+}
+
+static void lit_texture_vertex(struct rhw_vertex *groups, int count)
+{
+    for (int g = 0; g < count; g++) {
+        struct rhw_vertex *const v = &groups[g];
+        to_clip(v->uniforms, v->attribute[0], v->position);
+        to_world(v->uniforms, v->attribute[0], v->attribute[1], v->varying);
+        v->varying[6] = v->attribute[2][0];
+        v->varying[7] = v->attribute[2][1];
+    }
+}
+
+// Fragments -----------------------------------------------------------------------------------------
+
+static void flat_fragment(struct rhw_fragment *groups, int count)
+{
+    const struct bench_uniforms *const u = groups->uniforms;
+    for (int g = 0; g < count; g++) {
+        for (int c = 0; c < 4; c++) {
+            groups[g].color[0][c] = rhw_splat(u->color[c]);
+        }
+    }
+}
+
+static void color_fragment(struct rhw_fragment *groups, int count)
+{
+    for (int g = 0; g < count; g++) {
+        for (int c = 0; c < 4; c++) {
+            groups[g].color[0][c] = groups[g].varying[c];
+        }
+    }
+}
+
+// Texture 0 at the coordinates that begin at varying `at`.
+ALWAYS_INLINE void sample(const struct rhw_fragment *f, int at, rhw_float texel[4])
+{
+    const rhw_float gradient[4] = {f->ddx[at], f->ddx[at + 1], f->ddy[at], f->ddy[at + 1]};
+    rhw_sample_grad(&f->textures[0], &f->varying[at], gradient, texel);
+}
+
+static void texture_fragment(struct rhw_fragment *groups, int count)
+{
+    for (int g = 0; g < count; g++) {
+        sample(&groups[g], 0, groups[g].color[0]);
+    }
+}
+
+// Blinn-Phong with one directional light.
+ALWAYS_INLINE void shade(const struct rhw_fragment *f, const struct bench_uniforms *u,
+                         const rhw_float base[3], rhw_float color[4])
+{
+    rhw_float normal[3], view[3], half[3];
+    rhw_normalize(f->varying, normal);
+    for (int c = 0; c < 3; c++) {
+        view[c] = u->eye[c] - f->varying[3 + c];
+    }
+    rhw_normalize(view, view);
+    for (int c = 0; c < 3; c++) {
+        half[c] = view[c] + u->light[c];
+    }
+    rhw_normalize(half, half);
+    const rhw_float zero = rhw_splat(0.0f);
+    const rhw_float n_dot_l =
+        rhw_max(normal[0] * u->light[0] + normal[1] * u->light[1] + normal[2] * u->light[2], zero);
+    const rhw_float n_dot_h = rhw_max(rhw_dot3(normal, half), zero);
+    const rhw_float gloss = u->specular * rhw_exp2(u->shininess * rhw_log2(n_dot_h));
+    const rhw_float diffuse = u->ambient + (1.0f - u->ambient) * n_dot_l;
+    for (int c = 0; c < 3; c++) {
+        color[c] = base[c] * diffuse + gloss;
+    }
+    color[3] = rhw_splat(1.0f);
+}
+
+static void lit_fragment(struct rhw_fragment *groups, int count)
+{
+    const struct bench_uniforms *const u = groups->uniforms;
+    const rhw_float base[3] = {rhw_splat(u->color[0]), rhw_splat(u->color[1]), rhw_splat(u->color[2])};
+    for (int g = 0; g < count; g++) {
+        shade(&groups[g], u, base, groups[g].color[0]);
+    }
+}
+
+ALWAYS_INLINE void shade_textured(struct rhw_fragment *groups, int count, bool masked)
+{
+    const struct bench_uniforms *const u = groups->uniforms;
+    for (int g = 0; g < count; g++) {
+        struct rhw_fragment *const f = &groups[g];
+        rhw_float texel[4];
+        sample(f, 6, texel);
+        if (masked) {
+            f->mask &= rhw_less_equal(rhw_splat(u->cutoff), texel[3]);
+            if (!rhw_any(f->mask)) {
+                continue;
+            }
+        }
+        for (int c = 0; c < 3; c++) {
+            texel[c] = texel[c] * u->color[c];
+        }
+        shade(f, u, texel, f->color[0]);
+    }
+}
+
+static void lit_texture_fragment(struct rhw_fragment *groups, int count)
+{
+    shade_textured(groups, count, false);
+}
+
+static void lit_masked_fragment(struct rhw_fragment *groups, int count)
+{
+    shade_textured(groups, count, true);
+}
+
+const struct bench_shader_table RHW_ISA_NAME(bench_shader_table) = {
+    .vertex =
+        {
+            [BENCH_SHADER_FLAT] = position_vertex,
+            [BENCH_SHADER_COLOR] = color_vertex,
+            [BENCH_SHADER_TEXTURE] = texture_vertex,
+            [BENCH_SHADER_LIT] = lit_vertex,
+            [BENCH_SHADER_LIT_TEXTURE] = lit_texture_vertex,
+            [BENCH_SHADER_LIT_MASKED] = lit_texture_vertex,
+            [BENCH_SHADER_DEPTH] = position_vertex,
+        },
+    .fragment =
+        {
+            [BENCH_SHADER_FLAT] = flat_fragment,
+            [BENCH_SHADER_COLOR] = color_fragment,
+            [BENCH_SHADER_TEXTURE] = texture_fragment,
+            [BENCH_SHADER_LIT] = lit_fragment,
+            [BENCH_SHADER_LIT_TEXTURE] = lit_texture_fragment,
+            [BENCH_SHADER_LIT_MASKED] = lit_masked_fragment,
+        },
+};

@@ -1,0 +1,41 @@
+#!/bin/sh
+# SPDX-License-Identifier: MIT
+# rhw bench at a tiny size: every form of output, with the peer where there is one and without.
+. "$(dirname "$0")/harness.sh"
+
+tiny="--size 96x54 --frames 2"
+
+succeed bench --list
+check "list names the scenes" test "$(grep -cE '^(fill_flat|overdraw|sphere_1m_depth|bunny_lit) ' "$folder/log/out")" = 4
+
+succeed bench $tiny --peer none --scene fill --threads 2
+check "table has its rows" test "$(grep -cE '^fill_(flat|color|blend|tex) ' "$folder/log/out")" = 4
+check "no ratio without a peer" sh -c "! grep -q ratio '$folder/log/out'"
+
+succeed bench $tiny --peer none --scene fill_flat,sphere_10k --threads 1 --csv
+check "csv: head and one line per scene" test "$(wc -l <"$folder/log/out")" = 3
+check "csv: equal number of fields" test "$(awk -F, '{print NF}' "$folder/log/out" | sort -u | wc -l)" = 1
+
+succeed bench $tiny --peer none --scene fill_flat --json=a.json --csv=a.csv
+check "files beside the table" test -s a.json -a -s a.csv -a -s "$folder/log/out"
+check "json names the scene" grep -q '"name": "fill_flat", "rhw_ms": [0-9.]*' a.json
+
+mkdir pictures
+succeed bench $tiny --peer none --scene sphere_1m_depth,fill_tex --save pictures
+check "pictures" test -s pictures/sphere_1m_depth_rhw.png -a -s pictures/fill_tex_rhw.png
+refuse 1 "missing: is no folder" bench $tiny --scene fill_tex --save missing
+refuse 1 "missing/a.json: " bench $tiny --peer none --scene fill_tex --json=missing/a.json --csv=b.csv
+
+# The peer, or one line that says why there is none.
+run bench $tiny --scene fill_blend,sphere_10k --json
+check "with the peer: status" test "$status" = 0
+if grep -q 'not compared with' "$folder/log/err"; then
+    check "without Mesa: one line" test "$(wc -l <"$folder/log/err")" = 1
+    check "without Mesa: no peers" grep -q '"peers": {}' "$folder/log/out"
+else
+    check "with the peer: quiet" test ! -s "$folder/log/err"
+    check "with the peer: ratio" grep -q '"peers": {"llvmpipe": {"ms": [0-9.]*, "ratio": [0-9.]*,.*"agrees": true' "$folder/log/out"
+fi
+no_temporary_files
+
+finish

@@ -1,0 +1,319 @@
+// SPDX-License-Identifier: MIT
+// rhw bench: the scenes of bench/, drawn by rhw and by a peer in turn, timed and compared.
+#include "bench_job.h"
+#include "image_write.h"
+#include "message.h"
+#include "options.h"
+#include "rhw/rhw.h"
+#include "verbs.h"
+
+#include <stdlib.h>
+#include <string.h>
+#include <unistd.h>
+
+// In the order in which they take turns.
+enum { ALL_THREADS, OTHERS, RENDERERS_MAX = 3 };
+
+struct bench {
+    struct rhw_bench_job job;
+    struct rhw_bench_report report;
+    struct bench_renderer renderers[RENDERERS_MAX];
+    int renderer_count;
+    int one, peer; // numbers of renderers; −1: there is none
+    struct bench_image images[RENDERERS_MAX];
+    bool table; // print rows as they come
+    bool failed;
+};
+
+// The machine ---------------------------------------------------------------------------------------
+
+// The CPU as the system names it.
+static void find_cpu(char *name, size_t size)
+{
+    char line[256];
+    FILE *const file = fopen("/proc/cpuinfo", "r");
+    snprintf(name, size, "unknown CPU");
+    while (file && fgets(line, sizeof line, file)) {
+        const char *const colon = strchr(line, ':');
+        if (strncmp(line, "model name", 10) == 0 && colon) {
+            snprintf(name, size, "%.*s", (int)strcspn(colon + 2, "\n"), colon + 2);
+            break;
+        }
+    }
+    if (file)
+        fclose(file);
+}
+
+static bool open_rhw(struct bench *bench, int threads)
+{
+    const char *why;
+    if (!bench_open_rhw(&bench->renderers[bench->renderer_count], threads, bench->job.isa, &why)) {
+        rhw_tool_error("bench", "%s", why);
+        return false;
+    }
+    bench->renderer_count++;
+    return true;
+}
+
+// A machine without the peer is no failure: rhw is then timed alone.
+static void open_peer(struct bench *bench)
+{
+    const struct rhw_bench_job *const job = &bench->job;
+    char number[16];
+    const char *why;
+    bench->peer = -1;
+    if (!job->peer)
+        return;
+    if (job->peer_threads) {
+        snprintf(number, sizeof number, "%d", job->peer_threads);
+        setenv("LP_NUM_THREADS", number, 1);
+    }
+    if (!bench_open_gles(&bench->renderers[bench->renderer_count], job->peer, &why)) {
+        rhw_tool_warning(job->peer, "not compared with: %s", why);
+        return;
+    }
+    bench->peer = bench->renderer_count++;
+    snprintf(bench->report.peer_name, sizeof bench->report.peer_name, "%s",
+             bench->renderers[bench->peer].name);
+}
+
+static bool open_renderers(struct bench *bench)
+{
+    struct rhw_bench_report *const report = &bench->report;
+    if (!open_rhw(bench, bench->job.threads))
+        return false;
+    report->threads = bench->renderers[ALL_THREADS].threads;
+    report->isa = bench->renderers[ALL_THREADS].isa;
+    bench->one = report->threads > 1 ? OTHERS : -1;
+    if (bench->one >= 0 && !open_rhw(bench, 1))
+        return false;
+    open_peer(bench);
+    return true;
+}
+
+// Pictures ------------------------------------------------------------------------------------------
+
+static void free_images(struct bench *bench)
+{
+    for (int i = 0; i < RENDERERS_MAX; i++) {
+        free(bench->images[i].color);
+        free(bench->images[i].depth);
+        bench->images[i] = (struct bench_image){0};
+    }
+}
+
+static bool read_images(struct bench *bench, const struct bench_scene *scene)
+{
+    const size_t pixels = (size_t)bench->job.width * (size_t)bench->job.height;
+    for (int i = 0; i < bench->renderer_count; i++) {
+        struct bench_image *const image = &bench->images[i];
+        *image = (struct bench_image){.width = bench->job.width, .height = bench->job.height};
+        image->color = scene->has_color ? malloc(4 * pixels) : NULL;
+        image->depth = scene->has_color ? NULL : malloc(pixels * sizeof *image->depth);
+        if ((!image->color && !image->depth) || !bench->renderers[i].read(&bench->renderers[i], image)) {
+            rhw_tool_error(bench->renderers[i].name, "its picture cannot be read");
+            return false;
+        }
+    }
+    return true;
+}
+
+static void color_row(const void *user, int y, void *row)
+{
+    const struct bench_image *const image = user;
+    const size_t size = 4 * (size_t)image->width;
+    memcpy(row, image->color + (size_t)y * size, size);
+}
+
+static void depth_row(const void *user, int y, void *row)
+{
+    const struct bench_image *const image = user;
+    const float *const from = image->depth + (size_t)y * (size_t)image->width;
+    uint16_t *const to = row;
+    for (int x = 0; x < image->width; x++)
+        to[x] = (uint16_t)(from[x] * 65535.0f + 0.5f);
+}
+
+static bool save_image(const char *folder, const char *scene, const char *renderer,
+                       const struct bench_image *image)
+{
+    char path[4096];
+    struct rhw_output_file file;
+    const bool color = image->color != NULL;
+    const struct rhw_raster raster = {.width = image->width,
+                                      .height = image->height,
+                                      .channels = color ? 4 : 1,
+                                      .bits = color ? 8 : 16,
+                                      .srgb = color,
+                                      .row = color ? color_row : depth_row,
+                                      .user = image};
+    snprintf(path, sizeof path, "%s/%s_%s.png", folder, scene, renderer);
+    if (!rhw_output_file_open(&file, path))
+        return false;
+    if (rhw_png_write(&file, &raster) && rhw_output_file_finish(&file))
+        return rhw_output_file_commit(&file);
+    rhw_output_file_discard(&file);
+    return false;
+}
+
+static bool save_images(const struct bench *bench, const char *scene)
+{
+    return save_image(bench->job.save, scene, "rhw", &bench->images[ALL_THREADS]) &&
+           (bench->peer < 0 ||
+            save_image(bench->job.save, scene, bench->job.peer, &bench->images[bench->peer]));
+}
+
+// rhw's own promise, while the pictures are at hand: the number of threads changes no byte.
+static bool same_for_threads(const struct bench *bench)
+{
+    const struct bench_image *const a = &bench->images[ALL_THREADS];
+    const size_t pixels = (size_t)a->width * (size_t)a->height;
+    if (bench->one < 0)
+        return true;
+    const struct bench_image *const b = &bench->images[bench->one];
+    return a->color ? memcmp(a->color, b->color, 4 * pixels) == 0
+                    : memcmp(a->depth, b->depth, pixels * sizeof *a->depth) == 0;
+}
+
+// Scenes --------------------------------------------------------------------------------------------
+
+static bool check_images(struct bench *bench, const struct bench_scene *scene,
+                         struct rhw_bench_result *result)
+{
+    const char *const name = result->entry->name;
+    if (!read_images(bench, scene) || (bench->job.save && !save_images(bench, name)))
+        return false;
+    if (!same_for_threads(bench)) {
+        rhw_tool_error(name, "the picture differs with the number of threads");
+        return false;
+    }
+    if (scene->shades_all && (double)bench->renderers[ALL_THREADS].fragments < scene->work) {
+        rhw_tool_error(name, "fewer fragments were shaded than there are");
+        bench->failed = true;
+    }
+    if (bench->peer >= 0) {
+        char text[256];
+        result->agreement =
+            bench_agree(&bench->images[ALL_THREADS], &bench->images[bench->peer], &scene->tolerance);
+        rhw_bench_describe(result, text, sizeof text);
+        if (!result->agreement.agrees) {
+            rhw_tool_error(name, "the picture differs from that of %s: %s", bench->job.peer, text);
+            bench->failed = true;
+        }
+    }
+    return true;
+}
+
+static bool measure_scene(struct bench *bench, const struct bench_scene *scene,
+                          struct rhw_bench_result *result)
+{
+    struct bench_time times[RENDERERS_MAX];
+    int failed = 0, taken = 0;
+    bool works = true;
+    for (; works && taken < bench->renderer_count; taken++) {
+        struct bench_renderer *const renderer = &bench->renderers[taken];
+        works = renderer->take(renderer, scene, bench->job.width, bench->job.height);
+        if (!works)
+            rhw_tool_error(renderer->name, "cannot take the scene %s", result->entry->name);
+    }
+    if (works && !bench_measure(bench->renderers, bench->renderer_count, bench->job.frames, times, &failed)) {
+        rhw_tool_error(bench->renderers[failed].name, "cannot draw the scene %s", result->entry->name);
+        works = false;
+    }
+    works = works && check_images(bench, scene, result);
+    free_images(bench);
+    while (taken-- > 0)
+        bench->renderers[taken].release(&bench->renderers[taken]);
+    if (!works)
+        return false;
+    result->all = times[ALL_THREADS];
+    result->has_one = bench->one >= 0;
+    result->has_peer = bench->peer >= 0;
+    if (result->has_one)
+        result->one = times[bench->one];
+    if (result->has_peer)
+        result->peer = times[bench->peer];
+    return true;
+}
+
+static void run_scene(struct bench *bench, const struct bench_scene_entry *entry)
+{
+    struct rhw_bench_report *const report = &bench->report;
+    struct rhw_bench_result *const result = &report->results[report->result_count];
+    struct bench_scene scene;
+    char why[512];
+    rhw_tool_stage("measuring", entry->name);
+    if (!bench_scene_make(entry, &scene, bench->job.width, bench->job.height, why, sizeof why)) {
+        rhw_tool_warning(entry->name, "left out: %s", why);
+        return;
+    }
+    *result = (struct rhw_bench_result){
+        .entry = entry, .unit = scene.unit, .work = scene.work, .tolerance = scene.tolerance};
+    const bool works = measure_scene(bench, &scene, result);
+    bench_scene_free(&scene);
+    rhw_tool_stage_end();
+    if (!works) {
+        bench->failed = true;
+        return;
+    }
+    report->result_count++;
+    if (bench->table)
+        rhw_bench_print_row(report, result);
+}
+
+static bool write_report(const struct rhw_bench_report *report, const char *path,
+                         void (*print)(FILE *stream, const struct rhw_bench_report *report))
+{
+    struct rhw_output_file file;
+    if (!path) {
+        print(stdout, report);
+        return true;
+    }
+    if (!rhw_output_file_open(&file, path))
+        return false;
+    print(file.stream, report);
+    if (rhw_output_file_finish(&file))
+        return rhw_output_file_commit(&file);
+    rhw_output_file_discard(&file);
+    return false;
+}
+
+static void run_scenes(struct bench *bench)
+{
+    const struct rhw_bench_job *const job = &bench->job;
+    bench->table = !(job->json && !job->json_path) && !(job->csv && !job->csv_path);
+    if (bench->table)
+        rhw_bench_print_head(&bench->report);
+    for (int i = 0; i < bench_scene_entry_count; i++) {
+        if (job->wanted[i])
+            run_scene(bench, &bench_scene_entries[i]);
+    }
+    if ((job->json && !write_report(&bench->report, job->json_path, rhw_bench_print_json)) ||
+        (job->csv && !write_report(&bench->report, job->csv_path, rhw_bench_print_csv)))
+        bench->failed = true;
+}
+
+int rhw_tool_bench(int argc, char **argv)
+{
+    bool go;
+    struct bench *const bench = calloc(1, sizeof *bench);
+    if (!bench) {
+        rhw_tool_error("bench", "out of memory");
+        return RHW_TOOL_FAILED;
+    }
+    int status = rhw_bench_options(argc, argv, &bench->job, &go);
+    if (go) {
+        bench->report.job = &bench->job;
+        bench->report.cores = (int)sysconf(_SC_NPROCESSORS_ONLN);
+        find_cpu(bench->report.cpu, sizeof bench->report.cpu);
+        if (open_renderers(bench))
+            run_scenes(bench);
+        else
+            bench->failed = true;
+        status = bench->failed ? RHW_TOOL_FAILED : RHW_TOOL_OK;
+    }
+    while (bench->renderer_count-- > 0)
+        bench->renderers[bench->renderer_count].close(&bench->renderers[bench->renderer_count]);
+    free(bench);
+    return status;
+}

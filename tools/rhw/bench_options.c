@@ -1,0 +1,201 @@
+// SPDX-License-Identifier: MIT
+// The command line of rhw bench.
+#include "bench_job.h"
+#include "options.h"
+#include "output_file.h"
+#include "rhw/rhw.h"
+
+#include <string.h>
+#include <sys/stat.h>
+
+enum {
+    OPTION_SIZE = 's',
+    OPTION_THREADS = 'j',
+    OPTION_SCENE = 256,
+    OPTION_LIST,
+    OPTION_FRAMES,
+    OPTION_ISA,
+    OPTION_PEER,
+    OPTION_PEER_THREADS,
+    OPTION_JSON,
+    OPTION_CSV,
+    OPTION_SAVE
+};
+
+static const struct rhw_tool_option options[] = {
+    {"scene", OPTION_SCENE, "LIST",
+     "scenes to draw, separated by commas; the beginning of names stands for\nall of them; default: every "
+     "scene"},
+    {"list", OPTION_LIST, NULL, "list the scenes and exit"},
+    {"size", OPTION_SIZE, "WxH", "pixels, each way 1..16384; default 1920x1080"},
+    {"frames", OPTION_FRAMES, "N", "frames that count, 1..10000, after 3 that do not; default 15"},
+    {"threads", OPTION_THREADS, "N",
+     "threads of rhw, 1..64; default: all cores; one thread is timed as well"},
+    {"isa", OPTION_ISA, "NAME", "baseline, avx2 or avx512; default: the best there is"},
+    {"peer", OPTION_PEER, "NAME", "what to compare with: llvmpipe (the default), softpipe or none"},
+    {"peer-threads", OPTION_PEER_THREADS, "N", "threads of llvmpipe, 1..32; default: all cores"},
+    {"json", OPTION_JSON, "[FILE]", "print the results as JSON instead of a table, or write it to FILE"},
+    {"csv", OPTION_CSV, "[FILE]", "the same as comma-separated values"},
+    {"save", OPTION_SAVE, "DIR", "write the pictures of rhw and of the peer to DIR, which must exist"},
+};
+
+static const char notes[] =
+    "A frame is clear, draw and the finished image in memory. Renderers take turns, frame by frame; the "
+    "table\n"
+    "gives medians, the ratio is the peer's time over that of rhw with all threads. The pictures must "
+    "agree:\n"
+    "the same pixels covered, colours within 1/255 but for the exceptions that docs/performance.md "
+    "explains.\n\n"
+    "Exit status: 0, 1 when a picture differs or a renderer fails, 2 for a wrong command line.";
+
+static const struct rhw_tool_verb verb = {
+    .name = "bench",
+    .operands = "",
+    .summary = "Times the scenes of docs/performance.md, beside another renderer where the machine has one.",
+    .options = options,
+    .option_count = (int)(sizeof options / sizeof *options),
+    .notes = notes,
+};
+
+// Marks the scene of that name, or else all whose names begin so.
+static bool want_scene(struct rhw_bench_job *job, const char *name, size_t length)
+{
+    bool found = false;
+    for (int whole = 1; whole >= 0 && !found; whole--) {
+        for (int i = 0; i < bench_scene_entry_count && length > 0; i++) {
+            const char *const candidate = bench_scene_entries[i].name;
+            if (strncmp(candidate, name, length) == 0 && (!whole || candidate[length] == '\0')) {
+                job->wanted[i] = found = true;
+            }
+        }
+    }
+    if (!found)
+        rhw_tool_error("--scene", "there is no scene '%.*s'; see 'rhw bench --list'", (int)length, name);
+    return found;
+}
+
+static bool parse_scenes(struct rhw_bench_job *job, const char *list)
+{
+    for (;;) {
+        const size_t length = strcspn(list, ",");
+        if (!want_scene(job, list, length))
+            return false;
+        if (list[length] == '\0')
+            return true;
+        list += length + 1;
+    }
+}
+
+static bool parse_number(const char *option, const char *text, int least, int most, int *value)
+{
+    if (rhw_tool_parse_int(text, least, most, value))
+        return true;
+    rhw_tool_error(option, "'%s' is not a number of %d to %d", text, least, most);
+    return false;
+}
+
+static bool parse_isa(struct rhw_bench_job *job, const char *text)
+{
+    const char *names[RHW_ISA_COUNT];
+    for (int isa = 0; isa < RHW_ISA_COUNT; isa++)
+        names[isa] = rhw_isa_name((enum rhw_isa)isa);
+    const int isa = rhw_tool_parse_name(text, names, RHW_ISA_COUNT);
+    if (isa < 0) {
+        rhw_tool_error("--isa", "'%s' is not baseline, avx2 or avx512", text);
+        return false;
+    }
+    job->isa = (enum rhw_isa)isa;
+    return true;
+}
+
+static bool parse_peer(struct rhw_bench_job *job, const char *text)
+{
+    static const char *const names[] = {"llvmpipe", "softpipe", "none"};
+    const int peer = rhw_tool_parse_name(text, names, 3);
+    if (peer < 0) {
+        rhw_tool_error("--peer", "'%s' is not llvmpipe, softpipe or none", text);
+        return false;
+    }
+    job->peer = peer < 2 ? names[peer] : NULL;
+    return true;
+}
+
+static bool parse_size(struct rhw_bench_job *job, const char *text)
+{
+    if (rhw_tool_parse_size(text, &job->width, &job->height))
+        return true;
+    rhw_tool_error("--size", "'%s' is not WxH with both 1..%d", text, RHW_MAX_TARGET_SIZE);
+    return false;
+}
+
+// Known before anything is drawn: minutes would be lost.
+static bool can_write(const struct rhw_bench_job *job)
+{
+    struct stat folder;
+    if (job->save && (stat(job->save, &folder) != 0 || !S_ISDIR(folder.st_mode))) {
+        rhw_tool_error(job->save, "is no folder to save pictures in");
+        return false;
+    }
+    return (!job->json_path || rhw_output_file_check(job->json_path)) &&
+           (!job->csv_path || rhw_output_file_check(job->csv_path));
+}
+
+static bool take_option(struct rhw_bench_job *job, int id, const char *argument)
+{
+    switch (id) {
+    case OPTION_SCENE: return parse_scenes(job, argument);
+    case OPTION_SIZE: return parse_size(job, argument);
+    case OPTION_FRAMES: return parse_number("--frames", argument, 1, BENCH_FRAMES_MAX, &job->frames);
+    case OPTION_THREADS: return parse_number("--threads", argument, 1, RHW_MAX_THREADS, &job->threads);
+    case OPTION_ISA: return parse_isa(job, argument);
+    case OPTION_PEER: return parse_peer(job, argument);
+    case OPTION_PEER_THREADS: return parse_number("--peer-threads", argument, 1, 32, &job->peer_threads);
+    case OPTION_JSON: job->json = true, job->json_path = argument; return true;
+    case OPTION_CSV: job->csv = true, job->csv_path = argument; return true;
+    case OPTION_SAVE: job->save = argument; return true;
+    default: return true;
+    }
+}
+
+static void print_list(void)
+{
+    for (int i = 0; i < bench_scene_entry_count; i++)
+        printf("%-16s %s\n", bench_scene_entries[i].name, bench_scene_entries[i].what);
+}
+
+int rhw_bench_options(int argc, char **argv, struct rhw_bench_job *job, bool *go)
+{
+    struct rhw_tool_parser parser;
+    *job = (struct rhw_bench_job){
+        .width = 1920, .height = 1080, .frames = 15, .isa = RHW_ISA_COUNT, .peer = "llvmpipe"};
+    *go = false;
+    rhw_tool_parser_start(&parser, &verb, argc, argv);
+    bool list = false, chosen = false;
+    int id;
+    while ((id = rhw_tool_parser_next(&parser)) > 0) {
+        if (!take_option(job, id, parser.argument))
+            return RHW_TOOL_USAGE;
+        list = list || id == OPTION_LIST;
+        chosen = chosen || id == OPTION_SCENE;
+    }
+    if (id == RHW_TOOL_OPTION_STOP)
+        return parser.status;
+    if (!rhw_tool_parser_operands(&parser, 0, 0))
+        return RHW_TOOL_USAGE;
+    if (job->json && job->csv && !job->json_path && !job->csv_path) {
+        rhw_tool_error("--csv", "standard output takes one of --json and --csv");
+        return RHW_TOOL_USAGE;
+    }
+    if (job->isa != RHW_ISA_COUNT && !rhw_isa_supported(job->isa)) {
+        rhw_tool_error("--isa", "this CPU does not run %s", rhw_isa_name(job->isa));
+        return RHW_TOOL_FAILED;
+    }
+    if (!can_write(job))
+        return RHW_TOOL_FAILED;
+    for (int i = 0; i < bench_scene_entry_count && !chosen; i++)
+        job->wanted[i] = true;
+    if (list)
+        print_list();
+    *go = !list;
+    return RHW_TOOL_OK;
+}
