@@ -43,4 +43,10 @@ static inline void *rhw_arena_alloc(struct rhw_arena *arena, size_t size, size_t
     return rhw_arena_grow(arena, size, align);
 }
 
+// Takes back what lies behind `end`, which points into or just past the last thing that was handed out.
+static inline void rhw_arena_trim(struct rhw_arena *arena, void *end)
+{
+    arena->cursor = end;
+}
+
 #endif

@@ -82,7 +82,7 @@ static bool expand(struct rhw_draw *draw, uint32_t count, struct rhw_arena *aren
             uint32_t e[3];
             elements(def->topology, def->provoking, t, e);
             for (int i = 0; i < 3; i++) {
-                out[triangles][i] = index_at(draw->state, draw->first + at + e[i]) + draw->base_vertex;
+                out[triangles][i] = index_at(draw->state, draw->first + at + e[i]);
             }
             triangles++;
         }
@@ -108,33 +108,74 @@ bool rhw_assembly_prepare(struct rhw_draw *draw, uint32_t count, struct rhw_aren
     return true;
 }
 
-void rhw_assembly_fetch(const struct rhw_draw *draw, uint32_t first, uint32_t count, uint32_t (*triangles)[3])
+// Elements at .. at + count − 1 of a draw: what its index buffer holds there, 0 past its end; or the positions
+// themselves.
+static void read_elements(const struct rhw_draw *draw, uint64_t at, uint32_t count, uint32_t *out)
+{
+    const struct rhw_draw_state *const state = draw->state;
+    if (!draw->indexed) {
+        for (uint32_t i = 0; i < count; i++) {
+            out[i] = (uint32_t)at + i;
+        }
+        return;
+    }
+    const size_t size = state->index_type == RHW_INDEX_UINT8    ? 1
+                        : state->index_type == RHW_INDEX_UINT16 ? 2
+                                                                : 4;
+    const uint64_t held = state->index_bytes / size;
+    const uint32_t inside = at >= held ? 0 : held - at < count ? (uint32_t)(held - at) : count;
+    const unsigned char *const bytes = state->indices + (inside == 0 ? 0 : (size_t)at * size);
+    switch (state->index_type) {
+    case RHW_INDEX_UINT8:
+        for (uint32_t i = 0; i < inside; i++) {
+            out[i] = bytes[i];
+        }
+        break;
+    case RHW_INDEX_UINT16:
+        for (uint32_t i = 0; i < inside; i++) {
+            uint16_t v;
+            memcpy(&v, bytes + 2 * (size_t)i, sizeof v);
+            out[i] = v;
+        }
+        break;
+    default: memcpy(out, bytes, inside * sizeof *out); break;
+    }
+    memset(out + inside, 0, (count - inside) * sizeof *out);
+}
+
+const uint32_t (*rhw_assembly_fetch(const struct rhw_draw *draw, uint32_t first, uint32_t count,
+                                    uint32_t (*room)[3]))[3]
 {
     if (draw->expanded) {
-        memcpy(triangles, draw->expanded + first, count * sizeof *triangles);
-        return;
+        return draw->expanded + first;
     }
     const struct rhw_draw_state *const state = draw->state;
     const struct rhw_pipeline_def *const def = &state->pipeline->def;
-    const uint64_t end = (uint64_t)draw->first + 3 * ((uint64_t)first + count);
-    if (draw->indexed && def->topology == RHW_TRIANGLE_LIST && state->index_type == RHW_INDEX_UINT32 &&
-        end <= state->index_bytes / 4) { // the common case, without a branch per index
-        memcpy(triangles, state->indices + 4 * ((uint64_t)draw->first + 3 * (uint64_t)first),
-               count * sizeof *triangles);
-        for (uint32_t t = 0; draw->base_vertex != 0 && t < count; t++) {
-            for (int i = 0; i < 3; i++) {
-                triangles[t][i] += draw->base_vertex;
+    if (def->topology == RHW_TRIANGLE_LIST) {
+        const uint64_t at = (uint64_t)draw->first + 3 * (uint64_t)first;
+        if (draw->indexed && state->index_type == RHW_INDEX_UINT32 &&
+            at + 3 * (uint64_t)count <= state->index_bytes / 4) { // the common case
+            const unsigned char *const bytes = state->indices + 4 * at;
+            if ((uintptr_t)bytes % _Alignof(uint32_t) == 0) {
+                return (const uint32_t(*)[3])(const void *)bytes;
             }
         }
-        return;
+        read_elements(draw, at, 3 * count, room[0]);
+        return (const uint32_t(*)[3])room;
     }
+    // Triangle t of a strip or fan has the elements t + 1 and t + 2 and one more. They are read to the end of the
+    // room, and a triangle ends before those of the next: 3·t + 2 < (2·count − 2) + t + 1 for all but the last.
+    uint32_t *const elements_read = &room[0][0] + (2 * (size_t)count - 2);
+    read_elements(draw, (uint64_t)draw->first + first, count + 2, elements_read);
+    uint32_t hub;
+    read_elements(draw, draw->first, 1, &hub);
     for (uint32_t t = 0; t < count; t++) {
+        const uint32_t near[3] = {elements_read[t], elements_read[t + 1], elements_read[t + 2]};
         uint32_t e[3];
         elements(def->topology, def->provoking, first + t, e);
         for (int i = 0; i < 3; i++) {
-            triangles[t][i] = draw->indexed
-                                  ? index_at(state, (uint64_t)draw->first + e[i]) + draw->base_vertex
-                                  : draw->first + e[i];
+            room[t][i] = e[i] >= first + t ? near[e[i] - first - t] : hub;
         }
     }
+    return (const uint32_t(*)[3])room;
 }

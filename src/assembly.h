@@ -13,8 +13,9 @@ struct rhw_draw;
 // `count` vertices or indices. False when out of memory.
 bool rhw_assembly_prepare(struct rhw_draw *draw, uint32_t count, struct rhw_arena *arena);
 
-// Vertex indices, base vertex included, of triangles first .. first + count − 1 of one instance.
-void rhw_assembly_fetch(const struct rhw_draw *draw, uint32_t first, uint32_t count,
-                        uint32_t (*triangles)[3]);
+// Vertex indices, base vertex not included, of triangles first .. first + count − 1 of one instance: in the draw's
+// index buffer where they stand there as they are needed, else in `room`.
+const uint32_t (*rhw_assembly_fetch(const struct rhw_draw *draw, uint32_t first, uint32_t count,
+                                    uint32_t (*room)[3]))[3];
 
 #endif

@@ -44,7 +44,7 @@ static bool workers_ready(struct rhw_pass_state *pass)
                 return false;
             }
             memset(worker->front->cache, 0, sizeof worker->front->cache);
-            worker->front->epoch = 0;
+            worker->front->stamp = 1;
         }
         if (!worker->tile) {
             worker->tile = rhw_context_allocate(context, sizeof *worker->tile, 4096);

@@ -101,6 +101,24 @@ RHW_INLINE f8 f8_max(f8 a, f8 b)
     return rhw_max(a, b);
 }
 
+RHW_INLINE i8 i8_min(i8 a, i8 b)
+{
+#if defined(__AVX2__)
+    return (i8)_mm256_min_epi32((__m256i)a, (__m256i)b);
+#else
+    return i8_select(a < b, a, b);
+#endif
+}
+
+RHW_INLINE i8 i8_max(i8 a, i8 b)
+{
+#if defined(__AVX2__)
+    return (i8)_mm256_max_epi32((__m256i)a, (__m256i)b);
+#else
+    return i8_select(a > b, a, b);
+#endif
+}
+
 // Sign bits of the lanes, lane 0 in bit 0.
 RHW_INLINE unsigned i8_sign_bits(i8 v)
 {

@@ -2,29 +2,69 @@
 // The front end over one chunk: assembly, vertex reuse, culling and setup of 8 triangles at a time, clipping,
 // binning. Template: compiled once per instruction set.
 
+#include <stddef.h>
+
 #include "../assembly.h"
 #include "../clip.h"
 #include "scratch.h"
 #include "vertex_tmpl.h"
 
-// Turns the vertex indices in scratch->corners into slots and lists each slot's index in scratch->unique.
-static uint32_t find_unique(struct rhw_front_scratch *scratch, uint32_t triangles)
+// The least and the greatest index of a run.
+static void index_range(const struct rhw_run *run, uint32_t *low, uint32_t *high)
 {
-    if (++scratch->epoch == 0) { // every 2^32 segments the epochs start anew
-        memset(scratch->cache, 0, sizeof scratch->cache);
-        scratch->epoch = 1;
+    const uint32_t *const corners = &run->corners[0][0];
+    uint32_t least = UINT32_MAX, most = 0;
+    for (uint32_t i = 0; i < 3 * run->count; i++) { // compilers make this 8 lanes wide
+        least = corners[i] < least ? corners[i] : least;
+        most = corners[i] > most ? corners[i] : most;
     }
-    const uint32_t epoch = scratch->epoch;
-    uint32_t *const corners = &scratch->corners[0][0];
+    *low = least;
+    *high = most;
+}
+
+// Gives each vertex a slot at its first use, through a direct-mapped table. An entry counts when this run made it:
+// its stamp is this run's first plus the slot.
+static uint32_t look_up_slots(struct rhw_front_scratch *scratch, struct rhw_run *run, uint32_t base_vertex,
+                              uint32_t (*slots)[3])
+{
+    if (scratch->stamp > UINT32_MAX - 3 * RHW_BATCH_TRIANGLES) { // every 2^32 vertices the stamps start anew
+        memset(scratch->cache, 0, sizeof scratch->cache);
+        scratch->stamp = 1;
+    }
+    const uint32_t first_stamp = scratch->stamp;
+    const uint32_t *const corners = &run->corners[0][0];
+    uint32_t *const out = &slots[0][0];
     uint32_t count = 0;
-    for (uint32_t i = 0; i < 3 * triangles; i++) {
+    for (uint32_t i = 0; i < 3 * run->count; i++) {
         const uint32_t index = corners[i];
         struct rhw_cache_entry *const entry = &scratch->cache[index % RHW_VERTEX_CACHE];
-        if (entry->index != index || entry->epoch != epoch) {
-            *entry = (struct rhw_cache_entry){index, count, epoch};
-            scratch->unique[count++] = index;
+        if (entry->index != index || entry->stamp < first_stamp) {
+            *entry = (struct rhw_cache_entry){index, first_stamp + count};
+            scratch->unique[count++] = index + base_vertex;
         }
-        corners[i] = entry->slot;
+        out[i] = entry->stamp - first_stamp;
+    }
+    scratch->stamp = first_stamp + count;
+    run->corners = (const uint32_t(*)[3])slots;
+    run->first_slot = 0;
+    return count;
+}
+
+// Lists the vertices that a run shades in scratch->unique, in the order of their slots. Where the indices lie close
+// together, as a mesh's mostly do, every vertex between the least and the greatest is shaded and no table is needed:
+// a closed mesh has a vertex for every two triangles, so that few are shaded in vain.
+static uint32_t list_vertices(struct rhw_front_scratch *scratch, struct rhw_run *run,
+                              const struct rhw_draw *draw, uint32_t (*slots)[3])
+{
+    uint32_t low, high;
+    index_range(run, &low, &high);
+    if (high - low >= (draw->indexed ? 3 * run->count / 4 : 3 * run->count)) {
+        return look_up_slots(scratch, run, draw->base_vertex, slots);
+    }
+    run->first_slot = low;
+    const uint32_t count = high - low + 1;
+    for (uint32_t i = 0; i < count; i++) {
+        scratch->unique[i] = low + draw->base_vertex + i;
     }
     return count;
 }
@@ -66,16 +106,15 @@ static bool facing(const struct rhw_pipeline_def *def, bool negative, uint16_t *
 }
 
 // The road of a triangle that a plane cuts or that has a vertex that cannot be snapped. Counts what it
-// refuses.
+// refuses. Corners and vertices of `triangle` are set, the rest is found here.
 static bool setup_clipped(struct rhw_front_scratch *scratch, struct rhw_counters *counters,
-                          const struct rhw_segment *segment, const uint32_t slots[3],
-                          struct rhw_triangle *triangle)
+                          const struct rhw_segment *segment, struct rhw_triangle *triangle)
 {
     const struct rhw_draw_state *const state = segment->draw->state;
     const struct rhw_vertex_record *v[3];
     uint32_t any = 0, all = ~0u;
     for (int i = 0; i < 3; i++) {
-        v[i] = record_at(segment, slots[i]);
+        v[i] = record_at(segment, triangle->vertex[i]);
         any |= v[i]->flags;
         all &= v[i]->flags;
     }
@@ -117,11 +156,18 @@ static bool setup_clipped(struct rhw_front_scratch *scratch, struct rhw_counters
     triangle->x1 = (int16_t)px1;
     triangle->y1 = (int16_t)py1;
     triangle->polygon = (uint32_t)scratch->polygon_count++;
-    for (int i = 0; i < 3; i++) {
-        triangle->x_24_8[i] = v[i]->x_24_8;
-        triangle->y_24_8[i] = v[i]->y_24_8;
-    }
     return true;
+}
+
+struct tile_span {
+    int x0, y0, x1, y1; // inclusive
+};
+
+// The tiles that the pixels of a triangle lie in, a byte for each of x0, y0, x1, y1.
+static uint32_t span_of(const struct rhw_triangle *t)
+{
+    return (uint32_t)(t->x0 >> RHW_TILE_LOG2) | (uint32_t)(t->y0 >> RHW_TILE_LOG2) << 8 |
+           (uint32_t)((t->x1 - 1) >> RHW_TILE_LOG2) << 16 | (uint32_t)((t->y1 - 1) >> RHW_TILE_LOG2) << 24;
 }
 
 // 8 triangles side by side.
@@ -130,45 +176,55 @@ struct corner_lanes {
     f8 depth_min, depth_max;
 };
 
-static struct corner_lanes load_corners(const struct rhw_segment *segment, const uint32_t (*slots)[3],
-                                        int count)
+static struct corner_lanes load_corners(const struct rhw_corner *vertices, uint32_t first,
+                                        const uint32_t (*corners)[3])
 {
     struct corner_lanes lanes;
     for (int corner = 0; corner < 3; corner++) {
-        f8 header[8];
+        const void *places[8];
+        f8 column[4];
         for (int lane = 0; lane < 8; lane++) {
-            // Lanes past the end repeat the last triangle; they are masked away below.
-            header[lane] = f8_load(record_at(segment, slots[lane < count ? lane : count - 1][corner]));
+            places[lane] = &vertices[corners[lane][corner] - first];
         }
-        f8_transpose(header);
-        lanes.x[corner] = (i8)header[0];
-        lanes.y[corner] = (i8)header[1];
-        const i8 flags = (i8)header[3];
+        f8_load_columns(places, column);
+        lanes.x[corner] = (i8)column[0];
+        lanes.y[corner] = (i8)column[1];
+        const i8 flags = (i8)column[3];
         lanes.flags_any = corner == 0 ? flags : lanes.flags_any | flags;
         lanes.flags_all = corner == 0 ? flags : lanes.flags_all & flags;
-        lanes.depth_min = corner == 0 ? header[2] : f8_min(lanes.depth_min, header[2]);
-        lanes.depth_max = corner == 0 ? header[2] : f8_max(lanes.depth_max, header[2]);
+        lanes.depth_min = corner == 0 ? column[2] : f8_min(lanes.depth_min, column[2]);
+        lanes.depth_max = corner == 0 ? column[2] : f8_max(lanes.depth_max, column[2]);
     }
     return lanes;
 }
 
-static i8 i8_min(i8 a, i8 b)
+static i8 i8_min3(const i8 v[3])
 {
-    return i8_select(a < b, a, b);
+    return i8_min(i8_min(v[0], v[1]), v[2]);
 }
 
-static i8 i8_max(i8 a, i8 b)
+static i8 i8_max3(const i8 v[3])
 {
-    return i8_select(a > b, a, b);
+    return i8_max(i8_max(v[0], v[1]), v[2]);
 }
 
-// Signs of twice the areas of 8 snapped triangles: bits of the negative and of the nonzero ones. Differences
-// are below 2^24 and products below 2^48: exact in double.
+// Signs of twice the areas of 8 snapped triangles: bits of the negative and of the nonzero ones.
 static void area_signs(const struct corner_lanes *lanes, unsigned *negative, unsigned *nonzero)
 {
-    const d8 ax = d8_from_i8(lanes->x[1] - lanes->x[0]), ay = d8_from_i8(lanes->y[1] - lanes->y[0]);
-    const d8 bx = d8_from_i8(lanes->x[2] - lanes->x[0]), by = d8_from_i8(lanes->y[2] - lanes->y[0]);
-    const f8 area = f8_from_d8(d8_sub(d8_mul(ax, by), d8_mul(bx, ay))); // a nonzero integer stays nonzero
+    const i8 ax = lanes->x[1] - lanes->x[0], ay = lanes->y[1] - lanes->y[0];
+    const i8 bx = lanes->x[2] - lanes->x[0], by = lanes->y[2] - lanes->y[0];
+    const i8 size = (ax ^ ax >> 31) | (ay ^ ay >> 31) | (bx ^ bx >> 31) | (by ^ by >> 31);
+    if (i8_sign_bits(size > i8_splat(INT16_MAX)) == 0) {
+        // Differences fit 16 bits: the products stay within 2^30, and their difference is 2^31 only if all four
+        // factors are -2^15 and one of them 2^15.
+        const i8 area = ax * by - bx * ay;
+        *negative = i8_sign_bits(area);
+        *nonzero = i8_sign_bits(area != 0);
+        return;
+    }
+    // Differences are below 2^24 and products below 2^48: exact in double.
+    const f8 area = f8_from_d8(d8_sub(d8_mul(d8_from_i8(ax), d8_from_i8(by)),   //
+                                      d8_mul(d8_from_i8(bx), d8_from_i8(ay)))); // not 0 stays not 0
     *negative = i8_sign_bits(area < f8_splat(0));
     *nonzero = i8_sign_bits((area < f8_splat(0)) | (area > f8_splat(0)));
 }
@@ -178,97 +234,173 @@ static unsigned popcount(unsigned bits)
     return (unsigned)__builtin_popcount(bits);
 }
 
-static void setup8(struct rhw_front_scratch *scratch, struct rhw_counters *counters, uint32_t segment_index,
-                   uint32_t first, int count, uint32_t first_primitive)
+// The pixels that 8 triangles may cover, within the scissor; x1 and y1 exclusive.
+struct pixel_lanes {
+    i8 x0, y0, x1, y1;
+};
+
+static struct pixel_lanes pixels_of(const struct corner_lanes *lanes, const struct rhw_rect *scissor)
 {
-    const struct rhw_segment *const segment = &scratch->segments[segment_index];
+    const i8 half = i8_splat(RHW_SUBPIXEL / 2), less = i8_splat(RHW_SUBPIXEL / 2 - 1);
+    return (struct pixel_lanes){
+        i8_max((i8_min3(lanes->x) + less) >> RHW_SUBPIXEL_BITS, i8_splat(scissor->x)),
+        i8_max((i8_min3(lanes->y) + less) >> RHW_SUBPIXEL_BITS, i8_splat(scissor->y)),
+        i8_min((i8_max3(lanes->x) + half) >> RHW_SUBPIXEL_BITS, i8_splat(scissor->x + scissor->width)),
+        i8_min((i8_max3(lanes->y) + half) >> RHW_SUBPIXEL_BITS, i8_splat(scissor->y + scissor->height))};
+}
+
+// As span_of. A target has at most 256 tiles each way.
+static i8 spans_of(const struct pixel_lanes *p)
+{
+    const i8 one = i8_splat(1);
+    return (p->x0 >> RHW_TILE_LOG2) | (p->y0 >> RHW_TILE_LOG2) << 8 | ((p->x1 - one) >> RHW_TILE_LOG2) << 16 |
+           ((p->y1 - one) >> RHW_TILE_LOG2) << 24;
+}
+
+// 8 struct rhw_triangle in two halves: first word by word, then triangle by triangle.
+struct triangle_words {
+    f8 low[8], high[8];
+};
+
+_Static_assert(offsetof(struct rhw_triangle, y_24_8) == 12 && offsetof(struct rhw_triangle, vertex) == 24 &&
+                   offsetof(struct rhw_triangle, primitive) == 36 &&
+                   offsetof(struct rhw_triangle, segment) == 40 &&
+                   offsetof(struct rhw_triangle, polygon) == 44 &&
+                   offsetof(struct rhw_triangle, flags) == 48 && offsetof(struct rhw_triangle, x0) == 50 &&
+                   offsetof(struct rhw_triangle, y0) == 52 && offsetof(struct rhw_triangle, x1) == 54 &&
+                   offsetof(struct rhw_triangle, y1) == 56 && sizeof(struct rhw_triangle) == 64,
+               "fill_words writes struct rhw_triangle word by word");
+
+static void fill_words(struct triangle_words *words, const struct corner_lanes *lanes,
+                       const struct pixel_lanes *pixels, i8 flags, const uint32_t (*corners)[3],
+                       uint32_t first_slot, uint32_t first_primitive, uint32_t segment)
+{
+    const void *places[8];
+    for (int lane = 0; lane < 8; lane++) {
+        places[lane] = corners[lane];
+    }
+    f8 vertex[4], *const low = words->low, *const high = words->high;
+    f8_load_columns(places, vertex);
+    for (int i = 0; i < 3; i++) {
+        vertex[i] = (f8)((i8)vertex[i] - i8_splat((int32_t)first_slot));
+        low[i] = (f8)lanes->x[i];
+        low[3 + i] = (f8)lanes->y[i];
+    }
+    low[6] = vertex[0];
+    low[7] = vertex[1];
+    high[0] = vertex[2];
+    high[1] = (f8)(i8_splat((int32_t)first_primitive) + rhw_lane_index);
+    high[2] = (f8)i8_splat((int32_t)segment);
+    high[3] = high[7] = f8_splat(0);
+    high[4] = (f8)(flags | pixels->x0 << 16); // little-endian, as every machine with these lanes is
+    high[5] = (f8)(pixels->y0 | pixels->x1 << 16);
+    high[6] = (f8)pixels->y1;
+    f8_transpose(low);
+    f8_transpose(high);
+}
+
+// Where the triangles of a chunk go: room for all of them.
+struct output {
+    struct rhw_triangle *triangles;
+    int count;
+};
+
+// Culls 8 triangles and adds what is left to `out`, in submission order. Reads one triangle more of `corners`.
+static void setup8(struct rhw_front_scratch *scratch, struct rhw_counters *counters, uint32_t run_index,
+                   const uint32_t (*corners)[3], uint32_t first_primitive, unsigned live, struct output *out)
+{
+    const struct rhw_run *const run = &scratch->runs[run_index];
+    const struct rhw_segment *const segment = &scratch->segments[run_index];
     const struct rhw_draw_state *const state = segment->draw->state;
     const struct rhw_pipeline_def *const def = &state->pipeline->def;
-    const uint32_t(*const slots)[3] = (const uint32_t(*)[3]) & scratch->corners[first];
-    const struct corner_lanes lanes = load_corners(segment, slots, count);
-    const unsigned live = 0xffu >> (8 - count);
-    const unsigned hard =
-        live & ~i8_sign_bits((lanes.flags_any & i8_splat(RHW_VERTEX_CLIP | RHW_VERTEX_NOT_FINITE)) == 0);
-    const unsigned outside = ~i8_sign_bits((lanes.flags_all & i8_splat(RHW_VERTEX_OUTSIDE)) == 0);
-
+    const struct corner_lanes lanes =
+        load_corners(scratch->vertices + run->first_vertex, run->first_slot, corners);
+    const struct pixel_lanes pixels = pixels_of(&lanes, &state->scissor);
     unsigned negative, nonzero;
     area_signs(&lanes, &negative, &nonzero);
     const unsigned back = def->front == RHW_COUNTER_CLOCKWISE ? ~negative : negative;
     const unsigned facing_away = def->cull == RHW_CULL_NONE ? 0 : def->cull == RHW_CULL_BACK ? back : ~back;
-
-    const struct rhw_rect *const s = &state->scissor;
-    const i8 half = i8_splat(RHW_SUBPIXEL / 2), one = i8_splat(1);
-    const i8 x0 =
-        i8_max((i8_min(i8_min(lanes.x[0], lanes.x[1]), lanes.x[2]) + half - one) >> RHW_SUBPIXEL_BITS,
-               i8_splat(s->x));
-    const i8 y0 =
-        i8_max((i8_min(i8_min(lanes.y[0], lanes.y[1]), lanes.y[2]) + half - one) >> RHW_SUBPIXEL_BITS,
-               i8_splat(s->y));
-    const i8 x1 = i8_min((i8_max(i8_max(lanes.x[0], lanes.x[1]), lanes.x[2]) + half) >> RHW_SUBPIXEL_BITS,
-                         i8_splat(s->x + s->width));
-    const i8 y1 = i8_min((i8_max(i8_max(lanes.y[0], lanes.y[1]), lanes.y[2]) + half) >> RHW_SUBPIXEL_BITS,
-                         i8_splat(s->y + s->height));
-    const unsigned covers = i8_sign_bits((x0 < x1) & (y0 < y1));
-
+    const unsigned covers = i8_sign_bits((pixels.x0 < pixels.x1) & (pixels.y0 < pixels.y1));
+    const unsigned outside = ~i8_sign_bits((lanes.flags_all & i8_splat(RHW_VERTEX_OUTSIDE)) == 0);
+    const unsigned hard =
+        live & ~i8_sign_bits((lanes.flags_any & i8_splat(RHW_VERTEX_CLIP | RHW_VERTEX_NOT_FINITE)) == 0);
     const unsigned easy = live & ~hard;
     const unsigned drawn = easy & ~outside & nonzero & ~facing_away & covers;
     counters->culled += popcount(easy & ~drawn);
-
+    if ((drawn | hard) == 0) {
+        return;
+    }
     // A rounding may carry interpolated depth past the viewport's range, where a vertex is next to its ends.
     const float margin = 0x1p-20f;
-    const unsigned clamp = i8_sign_bits((lanes.depth_min < f8_splat(state->depth_least + margin)) |
-                                        (lanes.depth_max > f8_splat(state->depth_most - margin)));
-    // Submission order is kept: easy and hard lanes are stored as they come.
+    const i8 clamp = (lanes.depth_min < f8_splat(state->depth_least + margin)) |
+                     (lanes.depth_max > f8_splat(state->depth_most - margin));
+    const i8 flags = (i8_from_bits(back) & i8_splat(RHW_TRIANGLE_BACK)) |
+                     (i8_from_bits(negative) & i8_splat(RHW_TRIANGLE_NEGATIVE)) |
+                     (clamp & i8_splat(RHW_TRIANGLE_CLAMP));
+    struct triangle_words words;
+    fill_words(&words, &lanes, &pixels, flags, corners, run->first_slot, first_primitive, run_index);
+    uint32_t spans[8];
+    i8_store(spans, spans_of(&pixels));
     for (unsigned left = drawn | hard; left != 0; left &= left - 1) {
         const int lane = __builtin_ctz(left);
-        struct rhw_triangle *const t = &scratch->triangles[scratch->triangle_count];
+        struct rhw_triangle *const t = &out->triangles[out->count];
+        memcpy(t, &words.low[lane], 32);
+        memcpy((unsigned char *)t + 32, &words.high[lane], 32);
+        scratch->spans[out->count] = spans[lane];
         if (hard >> lane & 1) {
-            if (!setup_clipped(scratch, counters, segment, slots[lane], t)) {
+            if (!setup_clipped(scratch, counters, segment, t)) {
                 continue;
             }
-        } else {
-            for (int i = 0; i < 3; i++) {
-                t->x_24_8[i] = lanes.x[i][lane];
-                t->y_24_8[i] = lanes.y[i][lane];
-            }
-            t->x0 = (int16_t)x0[lane];
-            t->y0 = (int16_t)y0[lane];
-            t->x1 = (int16_t)x1[lane];
-            t->y1 = (int16_t)y1[lane];
-            t->flags = (uint16_t)((back >> lane & 1 ? RHW_TRIANGLE_BACK : 0) |
-                                  (negative >> lane & 1 ? RHW_TRIANGLE_NEGATIVE : 0) |
-                                  (clamp >> lane & 1 ? RHW_TRIANGLE_CLAMP : 0));
-            t->polygon = 0;
+            scratch->spans[out->count] = span_of(t);
         }
-        memcpy(t->vertex, slots[lane], sizeof t->vertex);
-        t->primitive = first_primitive + (uint32_t)lane;
-        t->segment = segment_index;
-        scratch->triangle_count++;
+        out->count++;
     }
 }
 
-// `first_primitive`: of the segment's first triangle in its draw and instance.
-static bool run_segment(struct rhw_front_scratch *scratch, struct rhw_worker *worker,
-                        const struct rhw_draw *draw, uint32_t instance, uint32_t first_primitive,
-                        uint32_t count)
+static void setup_run(struct rhw_front_scratch *scratch, struct rhw_counters *counters, uint32_t run_index,
+                      struct output *out)
 {
-    const uint32_t segment_index = (uint32_t)scratch->segment_count++;
-    struct rhw_segment *const segment = &scratch->segments[segment_index];
-    rhw_assembly_fetch(draw, first_primitive, count, scratch->corners);
-    const uint32_t vertices = find_unique(scratch, count);
+    const struct rhw_run *const run = &scratch->runs[run_index];
+    uint32_t i = 0;
+    for (; i + 8 < run->count; i += 8) {
+        setup8(scratch, counters, run_index, run->corners + i, run->first_primitive + i, 0xff, out);
+    }
+    // The last ones are repeated, so that setup8 reads nothing else behind them.
+    uint32_t corners[9][3];
+    const uint32_t left = run->count - i;
+    for (uint32_t lane = 0; lane < 9; lane++) {
+        memcpy(corners[lane], run->corners[i + (lane < left ? lane : left - 1)], sizeof *corners);
+    }
+    setup8(scratch, counters, run_index, (const uint32_t(*)[3])corners, run->first_primitive + i,
+           0xffu >> (8 - left), out);
+}
+
+// Assembles and shades. `first_primitive`: of the run's first triangle in its draw and instance.
+static bool start_run(struct rhw_front_scratch *scratch, struct rhw_worker *worker,
+                      const struct rhw_draw *draw, uint32_t instance, uint32_t first_primitive,
+                      uint32_t count)
+{
+    struct rhw_segment *const segment = &scratch->segments[scratch->run_count];
+    struct rhw_run *const run = &scratch->runs[scratch->run_count];
+    uint32_t(*const corners)[3] = scratch->corners + scratch->corner_count;
+    *run = (struct rhw_run){.corners = rhw_assembly_fetch(draw, first_primitive, count, corners),
+                            .count = count,
+                            .first_primitive = first_primitive,
+                            .first_vertex = scratch->vertex_count};
+    const uint32_t vertices = list_vertices(scratch, run, draw, corners);
+    const uint32_t room = (vertices + 7) & ~7u;
     const int stride = rhw_vertex_stride(draw->state->pipeline->varying_components);
-    const size_t size = (size_t)((vertices + 7) & ~7u) * (size_t)stride * sizeof(float);
+    const size_t size = (size_t)room * (size_t)stride * sizeof(float);
     *segment =
         (struct rhw_segment){draw, instance, stride, rhw_arena_alloc(&worker->arena, size, RHW_CACHE_LINE)};
     if (!segment->vertices) {
         return false;
     }
-    shade_vertices(scratch, segment, vertices);
+    shade_vertices(scratch, segment, scratch->vertices + run->first_vertex, vertices);
     worker->counters.vertices_shaded += vertices;
-    for (uint32_t i = 0; i < count; i += 8) {
-        setup8(scratch, &worker->counters, segment_index, i, (int)(count - i < 8 ? count - i : 8),
-               first_primitive + i);
-    }
+    scratch->run_count++;
+    scratch->corner_count += count;
+    scratch->vertex_count += room;
     return true;
 }
 
@@ -282,34 +414,52 @@ static void *keep(struct rhw_arena *arena, const void *from, size_t size)
     return to;
 }
 
-struct tile_span {
-    int x0, y0, x1, y1; // inclusive
-};
-
-static struct tile_span span_of(const struct rhw_triangle *t)
+static struct tile_span unpack(uint32_t span)
 {
-    return (struct tile_span){t->x0 >> RHW_TILE_LOG2, t->y0 >> RHW_TILE_LOG2, (t->x1 - 1) >> RHW_TILE_LOG2,
-                              (t->y1 - 1) >> RHW_TILE_LOG2};
+    return (struct tile_span){(int)(span & 0xff), (int)(span >> 8 & 0xff), (int)(span >> 16 & 0xff),
+                              (int)(span >> 24)};
+}
+
+// The tiles that some of the spans meet. Bytes are compared 32 at a time; the array has room for that.
+static struct tile_span unite(uint32_t *spans, int count)
+{
+    enum { STEP = 8 };
+    unsigned char least[4 * STEP], most[4 * STEP];
+    memset(least, 0xff, sizeof least);
+    memset(most, 0, sizeof most);
+    for (int i = count; i < ((count + STEP - 1) & -STEP); i++) {
+        spans[i] = spans[count - 1];
+    }
+    for (int t = 0; t < count; t += STEP) {
+        const unsigned char *const bytes = (const unsigned char *)(spans + t);
+        for (int i = 0; i < 4 * STEP; i++) {
+            least[i] = bytes[i] < least[i] ? bytes[i] : least[i];
+            most[i] = bytes[i] > most[i] ? bytes[i] : most[i];
+        }
+    }
+    struct tile_span all = {255, 255, 0, 0};
+    for (int i = 0; i < 4 * STEP; i += 4) {
+        all = (struct tile_span){min_int(all.x0, least[i]), min_int(all.y0, least[i + 1]),
+                                 max_int(all.x1, most[i + 2]), max_int(all.y1, most[i + 3])};
+    }
+    return all;
 }
 
 // Counting sort of triangles by tile: counts, sums, then entries. offsets[i] runs from the start of bin i to
-// its end while entries are placed, which is where bin i + 1 starts; hence the shift by one.
-static bool bin(struct rhw_chunk *chunk, int triangle_count, struct rhw_arena *arena)
+// its end while entries are placed, which is where bin i + 1 starts; hence the shift by one. Most triangles lie in
+// one tile.
+static bool bin(struct rhw_chunk *chunk, uint32_t *spans, int triangle_count, struct rhw_arena *arena)
 {
-    struct tile_span all = {1 << 20, 1 << 20, -1, -1};
-    for (int t = 0; t < triangle_count; t++) {
-        const struct tile_span s = span_of(&chunk->triangles[t]);
-        all = (struct tile_span){min_int(all.x0, s.x0), min_int(all.y0, s.y0), max_int(all.x1, s.x1),
-                                 max_int(all.y1, s.y1)};
+    if (triangle_count == 0) {
+        chunk->tile_x0 = chunk->tile_y0 = chunk->tile_x1 = chunk->tile_y1 = 0;
+        return true;
     }
+    const struct tile_span all = unite(spans, triangle_count);
     chunk->tile_x0 = all.x0;
     chunk->tile_y0 = all.y0;
     chunk->tile_x1 = all.x1 + 1;
     chunk->tile_y1 = all.y1 + 1;
-    if (triangle_count == 0) {
-        return true;
-    }
-    const int width = all.x1 - all.x0 + 1;
+    const int width = all.x1 - all.x0 + 1, origin = all.y0 * width + all.x0;
     const size_t tiles = (size_t)width * (size_t)(all.y1 - all.y0 + 1);
     uint32_t *const offsets = rhw_arena_alloc(arena, (tiles + 2) * sizeof *offsets, RHW_CACHE_LINE);
     if (!offsets) {
@@ -317,37 +467,48 @@ static bool bin(struct rhw_chunk *chunk, int triangle_count, struct rhw_arena *a
     }
     memset(offsets, 0, (tiles + 2) * sizeof *offsets);
     for (int t = 0; t < triangle_count; t++) {
-        const struct tile_span s = span_of(&chunk->triangles[t]);
-        for (int y = s.y0; y <= s.y1; y++) {
-            for (int x = s.x0; x <= s.x1; x++) {
-                offsets[(y - all.y0) * width + x - all.x0 + 2]++;
+        const struct tile_span s = unpack(spans[t]);
+        uint32_t *const count = offsets + (s.y0 * width + s.x0 - origin + 2);
+        if ((spans[t] & 0xffff) == spans[t] >> 16) {
+            ++*count;
+            continue;
+        }
+        for (int y = 0; y <= s.y1 - s.y0; y++) {
+            for (int x = 0; x <= s.x1 - s.x0; x++) {
+                count[y * width + x]++;
             }
         }
     }
     for (size_t i = 2; i < tiles + 2; i++) {
         offsets[i] += offsets[i - 1];
     }
-    chunk->entries = rhw_arena_alloc(arena, offsets[tiles + 1] * sizeof *chunk->entries, RHW_CACHE_LINE);
-    if (!chunk->entries) {
+    uint16_t *const entries =
+        rhw_arena_alloc(arena, offsets[tiles + 1] * sizeof *chunk->entries, RHW_CACHE_LINE);
+    if (!entries) {
         return false;
     }
     for (int t = 0; t < triangle_count; t++) {
-        const struct tile_span s = span_of(&chunk->triangles[t]);
-        for (int y = s.y0; y <= s.y1; y++) {
-            for (int x = s.x0; x <= s.x1; x++) {
-                chunk->entries[offsets[(y - all.y0) * width + x - all.x0 + 1]++] = (uint16_t)t;
+        const struct tile_span s = unpack(spans[t]);
+        uint32_t *const end = offsets + (s.y0 * width + s.x0 - origin + 1);
+        if ((spans[t] & 0xffff) == spans[t] >> 16) {
+            entries[(*end)++] = (uint16_t)t;
+            continue;
+        }
+        for (int y = 0; y <= s.y1 - s.y0; y++) {
+            for (int x = 0; x <= s.x1 - s.x0; x++) {
+                entries[end[y * width + x]++] = (uint16_t)t;
             }
         }
     }
     chunk->offsets = offsets;
+    chunk->entries = entries;
     return true;
 }
 
-static bool run_chunk(struct rhw_pass_state *pass, struct rhw_chunk *chunk, int worker_index)
+// Assembles and shades what the chunk has of each instance of each draw.
+static bool start_runs(const struct rhw_pass_state *pass, const struct rhw_chunk *chunk,
+                       struct rhw_worker *worker)
 {
-    struct rhw_worker *const worker = &pass->workers[worker_index];
-    struct rhw_front_scratch *const scratch = worker->front;
-    scratch->triangle_count = scratch->segment_count = scratch->polygon_count = 0;
     uint64_t at = chunk->first;
     const uint64_t end = chunk->first + chunk->count;
     for (uint32_t d = chunk->first_draw; at < end; d++) {
@@ -360,20 +521,39 @@ static bool run_chunk(struct rhw_pass_state *pass, struct rhw_chunk *chunk, int 
             const uint32_t first = (uint32_t)(in_draw % draw->triangles_per_instance);
             uint32_t count = draw->triangles_per_instance - first;
             count = end - at < count ? (uint32_t)(end - at) : count;
-            if (!run_segment(scratch, worker, draw, instance, first, count)) {
+            if (!start_run(worker->front, worker, draw, instance, first, count)) {
                 return false;
             }
             at += count;
         }
     }
+    return true;
+}
+
+static bool run_chunk(struct rhw_pass_state *pass, struct rhw_chunk *chunk, int worker_index)
+{
+    struct rhw_worker *const worker = &pass->workers[worker_index];
     struct rhw_arena *const arena = &worker->arena;
-    chunk->segments =
-        keep(arena, scratch->segments, (size_t)scratch->segment_count * sizeof *chunk->segments);
-    chunk->triangles =
-        keep(arena, scratch->triangles, (size_t)scratch->triangle_count * sizeof *chunk->triangles);
+    struct rhw_front_scratch *const scratch = worker->front;
+    scratch->run_count = scratch->polygon_count = 0;
+    scratch->corner_count = scratch->vertex_count = 0;
+    if (!start_runs(pass, chunk, worker)) {
+        return false;
+    }
+    // Room for all triangles; what culling leaves of it goes back.
+    struct output out = {.triangles =
+                             rhw_arena_alloc(arena, chunk->count * sizeof *out.triangles, RHW_CACHE_LINE)};
+    if (!out.triangles) {
+        return false;
+    }
+    for (int i = 0; i < scratch->run_count; i++) {
+        setup_run(scratch, &worker->counters, (uint32_t)i, &out);
+    }
+    rhw_arena_trim(arena, out.triangles + out.count);
+    chunk->triangles = out.triangles;
+    chunk->segments = keep(arena, scratch->segments, (size_t)scratch->run_count * sizeof *chunk->segments);
     chunk->polygons =
         keep(arena, scratch->polygons, (size_t)scratch->polygon_count * sizeof *chunk->polygons);
-    worker->counters.rasterized += (uint64_t)scratch->triangle_count;
-    return chunk->segments && chunk->triangles && chunk->polygons &&
-           bin(chunk, scratch->triangle_count, arena);
+    worker->counters.rasterized += (uint64_t)out.count;
+    return chunk->segments && chunk->polygons && bin(chunk, scratch->spans, out.count, arena);
 }

@@ -12,30 +12,48 @@ enum {
     // Groups of 8 vertices per call of the vertex function: enough to hide the call, few enough that their
     // attributes and varyings stay in the first cache level.
     RHW_VERTEX_GROUPS = 8,
-    // Entries of the post-transform cache, a power of two. Direct mapped by vertex index: it holds a whole
-    // batch of a mesh whose indices are local, and a miss only shades a vertex twice.
+    // Entries of the table that finds vertices again, a power of two. Direct mapped by vertex index: a miss only
+    // shades a vertex twice.
     RHW_VERTEX_CACHE = 8192,
     // Groups of 8 fragments per call of the fragment function.
     RHW_FRAGMENT_GROUPS = 16
 };
 
 struct rhw_cache_entry {
-    uint32_t index, slot, epoch; // live when epoch is the scratch's
+    uint32_t index, stamp; // see look_up_slots
+};
+
+// What culling and setup read of a vertex: the first 16 bytes of its record, next to each other.
+struct rhw_corner {
+    int32_t x_24_8, y_24_8;
+    float depth;
+    uint32_t flags;
+};
+
+// The part of a chunk that belongs to one instance of one draw, on its way to a segment.
+struct rhw_run {
+    const uint32_t (*corners)[3]; // in the draw's index buffer or in the scratch
+    uint32_t first_slot;          // the corner whose slot is 0; the others follow
+    uint32_t count, first_primitive;
+    uint32_t first_vertex; // its slot 0 in rhw_front_scratch.vertices
 };
 
 struct rhw_front_scratch {
-    _Alignas(64) struct rhw_triangle triangles[RHW_BATCH_TRIANGLES];
-    struct rhw_vertex groups[RHW_VERTEX_GROUPS];
+    _Alignas(64) struct rhw_vertex groups[RHW_VERTEX_GROUPS];
     f8 attributes[RHW_VERTEX_GROUPS][RHW_MAX_ATTRIBUTES][4];
     f8 varyings[RHW_VERTEX_GROUPS * RHW_MAX_VARYING_COMPONENTS];
-    uint32_t corners[RHW_BATCH_TRIANGLES + 8]
-                    [3]; // vertex indices, then slots; 8 more so that a group may over-read
-    uint32_t unique[3 * RHW_BATCH_TRIANGLES + 8]; // vertex index by slot
+    uint32_t unique[3 * RHW_BATCH_TRIANGLES + 8]; // vertex index by slot, of the run under way
+    struct rhw_cache_entry cache[RHW_VERTEX_CACHE];
+    uint32_t stamp;
+    // Of all runs of the chunk. Each run's vertices fill up groups of 8.
+    uint32_t corners[RHW_BATCH_TRIANGLES][3];
+    struct rhw_corner vertices[(3 + 7) * RHW_BATCH_TRIANGLES];
+    struct rhw_run runs[RHW_BATCH_TRIANGLES];
     struct rhw_segment segments[RHW_BATCH_TRIANGLES];
     struct rhw_polygon polygons[RHW_BATCH_TRIANGLES];
-    struct rhw_cache_entry cache[RHW_VERTEX_CACHE];
-    uint32_t epoch;
-    int triangle_count, segment_count, polygon_count;
+    uint32_t spans[RHW_BATCH_TRIANGLES]; // tiles of each triangle, see span_of
+    uint32_t corner_count, vertex_count;
+    int run_count, polygon_count;
 };
 
 // Where the 8 fragments of a group stand, and what is needed of them after the fragment function.

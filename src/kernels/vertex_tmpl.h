@@ -133,13 +133,17 @@ static void scatter(f8 vectors[8], float *records, int stride)
     }
 }
 
+// Writes the records of 8 vertices, and what culling reads of them once more into `corners`.
 static void store_records(const struct rhw_draw_state *state, const struct rhw_vertex *group, int stride,
-                          float *records)
+                          float *records, struct rhw_corner *corners)
 {
     const int components = state->pipeline->varying_components;
     f8 vectors[8];
     project(state, group->position, vectors);
     scatter(vectors, records, stride);
+    for (int lane = 0; lane < 8; lane++) {
+        memcpy(&corners[lane], &vectors[lane], sizeof *corners);
+    }
     for (int c = 0; c < components; c += 8) {
         const int n = components - c < 8 ? components - c : 8;
         for (int i = 0; i < 8; i++) {
@@ -150,9 +154,9 @@ static void store_records(const struct rhw_draw_state *state, const struct rhw_v
 }
 
 // Shades `count` vertices, whose indices are scratch->unique, into the segment. `count` is rounded up to 8:
-// the last group repeats its last vertex, and the segment has room for it.
+// the last group repeats its last vertex, and there is room for it.
 static void shade_vertices(struct rhw_front_scratch *scratch, const struct rhw_segment *segment,
-                           uint32_t count)
+                           struct rhw_corner *corners, uint32_t count)
 {
     const struct rhw_draw_state *const state = segment->draw->state;
     const struct rhw_pipeline_data *const pipeline = state->pipeline;
@@ -192,7 +196,8 @@ static void shade_vertices(struct rhw_front_scratch *scratch, const struct rhw_s
         for (int g = 0; g < groups; g++) {
             store_records(state, &scratch->groups[g], segment->vertex_stride,
                           segment->vertices +
-                              (size_t)(8 * (first + (uint32_t)g)) * (size_t)segment->vertex_stride);
+                              (size_t)(8 * (first + (uint32_t)g)) * (size_t)segment->vertex_stride,
+                          corners + 8 * (first + (uint32_t)g));
         }
     }
 }

@@ -234,6 +234,91 @@ static void test_index_types_offsets_and_base_vertex(void **state)
     rig_close(&rig);
 }
 
+enum { LONG_TRIANGLES = 2000, LONG_INDICES = 3 * LONG_TRIANGLES, LONG_BASE = 11 };
+
+// Small triangles all over the target: vertices that follow each other stand close together.
+static void make_trail(const struct rig *rig, int count, struct rig_vertex *vertices)
+{
+    uint32_t random = 1;
+    float x = 32, y = 32;
+    for (int i = 0; i < count; i++) {
+        random = random * 1664525 + 1013904223;
+        x += (float)(random >> 24) / 32 - (x > 60 ? 7 : x < 4 ? 1 : 4);
+        y += (float)(random >> 16 & 255) / 32 - (y > 60 ? 7 : y < 4 ? 1 : 4);
+        rig_place(rig, x, y, 0.5f, 1, vertices[i].position);
+        vertices[i].value[0] = (float)(i + 1);
+        vertices[i].value[1] = (float)(i % 97);
+        vertices[i].value[2] = vertices[i].value[3] = 0;
+    }
+}
+
+static void test_primitives_count_through_long_draws(void **state)
+{
+    (void)state;
+    struct rig rig;
+    open_rig(&rig);
+    static struct rig_vertex vertices[LONG_INDICES];
+    make_trail(&rig, LONG_INDICES, vertices);
+    for (int i = 0; i < LONG_INDICES; i++)
+        vertices[i].value[1] = (float)(i / 3 + 1);
+    rig_draw_once(&rig, vertices, LONG_INDICES);
+    const float(*pixels)[4] = rig_read_float4(&rig);
+    for (int i = 0; i < SIZE * SIZE; i++)
+        assert_true(pixels[i][0] == pixels[i][3]);
+    rig_close(&rig);
+}
+
+// Draws so long that they are cut into several batches, with indices that stay close together and with
+// indices that jump, from buffers that are and are not aligned: vertices are found again in different ways.
+static void test_long_draws_are_their_triangles(void **state)
+{
+    (void)state;
+    struct rig rig;
+    open_rig(&rig);
+    static struct rig_vertex vertices[LONG_INDICES + LONG_BASE], expanded[LONG_INDICES];
+    static unsigned char data[2 + 4 * LONG_INDICES];
+    make_trail(&rig, LONG_INDICES + LONG_BASE, vertices);
+    for (int variant = 0; variant < 3 * 2 * 2 * 2 * 2; variant++) {
+        const enum rhw_topology topology = (enum rhw_topology)(variant / 16);
+        const bool jumps = variant & 1, aligned = variant & 2;
+        const int base = variant & 4 ? LONG_BASE : 0;
+        const enum rhw_index_type type = variant & 8 ? RHW_INDEX_UINT32 : RHW_INDEX_UINT16;
+        unsigned char *const indices = data + (aligned ? 0 : 2);
+        int index[LONG_INDICES];
+        for (int i = 0; i < LONG_INDICES; i++) {
+            index[i] = jumps ? i * 5 % LONG_INDICES : i / 4 + i * 7 % 5;
+            store_index(indices, type, i, (uint32_t)index[i]);
+        }
+        for (int n = 0; n < LONG_TRIANGLES; n++) {
+            int corner[3];
+            triangle_of(topology, n, corner);
+            for (int i = 0; i < 3; i++) {
+                expanded[3 * n + i] = vertices[index[corner[i]] + base];
+                memcpy(expanded[3 * n + i].value, vertices[index[corner[0]] + base].value, 16);
+            }
+        }
+        rig.pipeline.topology = RHW_TRIANGLE_LIST;
+        rig_draw_once(&rig, expanded, LONG_INDICES);
+        const uint64_t expected = rig_hash(&rig, 0);
+        rig.pipeline.topology = topology;
+        rig_begin(&rig);
+        rig_use_pipeline(&rig);
+        rig_use_vertices(&rig, 0, vertices, sizeof vertices);
+        const struct rhw_buffer_def def = {.size = sizeof data, .data = data};
+        rhw_buffer buffer;
+        assert_int_equal(rhw_buffer_create(rig.context, &def, &buffer), RHW_OK);
+        rhw_pass_set_index_buffer(rig.context, rig.recording, buffer, type, aligned ? 0 : 2);
+        const uint32_t count = topology == RHW_TRIANGLE_LIST ? LONG_INDICES : LONG_TRIANGLES + 2;
+        rhw_pass_draw_indexed(rig.context, rig.recording, 0, count, base, 0, 1);
+        rig_end(&rig);
+        rhw_buffer_destroy(rig.context, buffer);
+        assert_int_equal(rig.stats.triangles_in, LONG_TRIANGLES);
+        if (rig_hash(&rig, 0) != expected)
+            fail_msg("variant %d differs from the list of its triangles", variant);
+    }
+    rig_close(&rig);
+}
+
 static void test_primitive_restart(void **state)
 {
     (void)state;
@@ -420,6 +505,8 @@ int main(void)
         cmocka_unit_test(test_a_strip_faces_one_way),
         cmocka_unit_test(test_incomplete_triangles_are_nothing),
         cmocka_unit_test(test_index_types_offsets_and_base_vertex),
+        cmocka_unit_test(test_primitives_count_through_long_draws),
+        cmocka_unit_test(test_long_draws_are_their_triangles),
         cmocka_unit_test(test_primitive_restart),
         cmocka_unit_test(test_restart_is_tested_before_the_base_vertex),
         cmocka_unit_test(test_without_restart_the_largest_index_is_an_index),
