@@ -4,13 +4,17 @@
 // see the fragment again.
 #include <errno.h>
 #include <pthread.h>
+#include <signal.h>
+#include <stdatomic.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
+#include <threads.h>
 
 #include "judge.h"
 #include "peer_gles.h"
 #include "probe.h"
+#include "progress.h"
 #include "table.h"
 
 enum { MAX_JOBS = 64, MAX_PEERS = 4 };
@@ -51,7 +55,19 @@ struct worker {
     pthread_t thread;
     struct judge_results *results;
     bool failed;
+    // Written by the worker, read by the thread that waits for it.
+    _Atomic double part; // done, 0..1
+    atomic_bool ended;
 };
+
+// Set by an interrupt: whoever measures stops after its scene, and what it has is printed.
+static volatile sig_atomic_t interrupted;
+
+static void interrupt(int signal)
+{
+    (void)signal;
+    interrupted = 1;
+}
 
 // A family's part of so many fragments.
 static uint64_t budget(const struct options *o, int family, uint64_t fragments)
@@ -65,6 +81,39 @@ static uint64_t budget(const struct options *o, int family, uint64_t fragments)
                                       : 0;
 }
 
+// What is left to do of a measurement: the next scene of every family. Families take turns, so that time goes evenly
+// with the part that is done.
+struct agenda {
+    uint64_t enough[FAMILY_COUNT]; // fragments
+    uint64_t next[FAMILY_COUNT];   // scene
+    double part;                   // done of the family that is furthest behind
+};
+
+static struct agenda agenda_start(const struct options *o, uint64_t fragments, int jobs, int number)
+{
+    struct agenda a = {.part = 0};
+    for (int family = 0; family < FAMILY_COUNT; family++) {
+        a.enough[family] = budget(o, family, fragments) / (uint64_t)jobs;
+        a.next[family] = (uint64_t)number;
+    }
+    return a;
+}
+
+// The family whose turn it is; FAMILY_COUNT at the end.
+static enum family agenda_turn(struct agenda *a, const struct judge_results *results)
+{
+    enum family turn = FAMILY_COUNT;
+    a->part = 1;
+    for (int family = 0; family < FAMILY_COUNT; family++) {
+        const uint64_t enough = a->enough[family], done = results->family_fragments[family];
+        if (done < enough && (double)done / (double)enough < a->part) {
+            a->part = (double)done / (double)enough;
+            turn = (enum family)family;
+        }
+    }
+    return interrupted ? FAMILY_COUNT : turn;
+}
+
 static void *work(void *argument)
 {
     struct worker *const w = argument;
@@ -72,23 +121,23 @@ static void *work(void *argument)
     struct probe *const probe = probe_create(1, o->isa);
     struct judge *const judge = judge_create();
     struct scene *const scene = malloc(sizeof *scene);
+    struct agenda agenda = agenda_start(o, o->fragments, o->jobs, w->number);
     w->failed = !probe || !judge || !scene;
-    for (int family = 0; family < FAMILY_COUNT; family++) {
-        const uint64_t enough = budget(o, family, o->fragments) / (uint64_t)o->jobs;
-        for (uint64_t i = (uint64_t)w->number; w->results->family_fragments[family] < enough && !w->failed;
-             i += (uint64_t)o->jobs) {
-            scene_make(scene, (enum family)family, o->seed, o->index + i);
-            judge_prepare(judge, scene);
-            const struct probe_image *const image = probe_draw(probe, scene);
-            w->failed = !image;
-            if (image) {
-                judge_compare(judge, image, &o->mode, w->results);
-            }
+    for (enum family family; !w->failed && (family = agenda_turn(&agenda, w->results)) != FAMILY_COUNT;) {
+        scene_make(scene, family, o->seed, o->index + agenda.next[family]);
+        agenda.next[family] += (uint64_t)o->jobs;
+        judge_prepare(judge, scene);
+        const struct probe_image *const image = probe_draw(probe, scene);
+        w->failed = !image;
+        if (image) {
+            judge_compare(judge, image, &o->mode, w->results);
         }
+        atomic_store_explicit(&w->part, agenda.part, memory_order_relaxed);
     }
     free(scene);
     judge_destroy(judge);
     probe_destroy(probe);
+    atomic_store(&w->ended, true);
     return NULL;
 }
 
@@ -142,33 +191,36 @@ static bool report(const struct judge_results *r)
 
 // The same scenes through a peer, as far as it can draw them. Odd scenes are off the 1/256 grid: only what is
 // cut counts there.
-static bool measure_peer(const struct options *o, const char *driver, struct judge_results *results)
+static bool measure_peer(const struct options *o, const char *driver, struct judge_results *results,
+                         char *title, size_t size)
 {
     const char *why;
     struct peer *const peer = peer_open(driver, &why);
     struct judge *const judge = judge_create();
     struct scene *const scene = malloc(sizeof *scene);
+    struct agenda agenda = agenda_start(o, o->peer_fragments, 1, 0);
+    struct progress progress;
     if (!peer) {
         fprintf(stderr, "exactness: %s is not measured: %s\n", driver, why);
     }
+    progress_start(&progress, driver);
     bool good = peer && judge && scene;
-    for (int family = 0; family < FAMILY_COUNT && good; family++) {
-        const uint64_t enough = budget(o, family, o->peer_fragments);
-        for (uint64_t i = 0; results->family_fragments[family] < enough && good; i++) {
-            scene_make(scene, (enum family)family, o->seed, o->index + i);
-            if (peer_can_draw(scene)) {
-                judge_prepare(judge, scene);
-                const struct probe_image *const image = peer_draw(peer, scene);
-                good = image != NULL;
-                if (image) {
-                    const struct judge_mode mode = {.peer = true, .derivative_stride = 1};
-                    judge_compare(judge, image, &mode, results);
-                }
+    for (enum family family; good && (family = agenda_turn(&agenda, results)) != FAMILY_COUNT;) {
+        scene_make(scene, family, o->seed, o->index + agenda.next[family]++);
+        if (peer_can_draw(scene)) {
+            judge_prepare(judge, scene);
+            const struct probe_image *const image = peer_draw(peer, scene);
+            good = image != NULL;
+            if (image) {
+                const struct judge_mode mode = {.peer = true, .derivative_stride = 1};
+                judge_compare(judge, image, &mode, results);
             }
         }
+        progress_say(&progress, agenda.part);
     }
+    progress_end(&progress);
     if (good) {
-        printf("%s: %s, %llu fragments\n", driver, peer_name(peer), (unsigned long long)results->fragments);
+        snprintf(title, size, "%s", peer_name(peer));
     }
     free(scene);
     judge_destroy(judge);
@@ -176,40 +228,83 @@ static bool measure_peer(const struct options *o, const char *driver, struct jud
     return good;
 }
 
-static int measure_all(const struct options *o)
+// Waits for the workers and says meanwhile how far they are.
+static void wait_for(struct worker *workers, int count)
+{
+    struct progress progress;
+    progress_start(&progress, "rhw");
+    for (int ended = 0; ended < count;) {
+        double part = 1;
+        ended = 0;
+        for (int i = 0; i < count; i++) {
+            const bool has_ended = atomic_load(&workers[i].ended);
+            const double done = has_ended ? 1 : atomic_load_explicit(&workers[i].part, memory_order_relaxed);
+            part = done < part ? done : part;
+            ended += has_ended;
+        }
+        progress_say(&progress, part);
+        if (ended < count) {
+            thrd_sleep(&(struct timespec){.tv_nsec = 20000000}, NULL);
+        }
+    }
+    progress_end(&progress);
+    for (int i = 0; i < count; i++) {
+        pthread_join(workers[i].thread, NULL);
+    }
+}
+
+// Measures librhw with all workers; the sum is in results[0].
+static bool measure(const struct options *o, struct judge_results *results)
 {
     static struct worker workers[MAX_JOBS];
-    struct judge_results *const all = calloc((size_t)(o->jobs + o->peer_count), sizeof *all);
-    bool failed = !all;
     int started = 0;
-    for (; started < o->jobs && !failed; started++) {
-        workers[started] = (struct worker){.options = o, .number = started, .results = &all[started]};
-        failed = pthread_create(&workers[started].thread, NULL, work, &workers[started]) != 0;
-        started -= failed;
+    bool failed = false;
+    while (started < o->jobs && !failed) {
+        struct worker *const w = &workers[started];
+        w->options = o;
+        w->number = started;
+        w->results = &results[started];
+        failed = pthread_create(&w->thread, NULL, work, w) != 0;
+        started += !failed;
     }
+    wait_for(workers, started);
     for (int i = 0; i < started; i++) {
-        pthread_join(workers[i].thread, NULL);
         failed = failed || workers[i].failed;
+        if (i > 0) {
+            judge_merge(&results[0], &results[i]);
+        }
     }
-    if (failed) {
+    return !failed;
+}
+
+static int measure_all(const struct options *o)
+{
+    struct judge_results *const all = calloc((size_t)(o->jobs + o->peer_count), sizeof *all);
+    signal(SIGINT, interrupt);
+    signal(SIGTERM, interrupt);
+    if (!all || !measure(o, all)) {
         fprintf(stderr, "exactness: out of memory or threads\n");
         free(all);
         return 1;
     }
-    for (int i = 1; i < o->jobs; i++) {
-        judge_merge(&all[0], &all[i]);
-    }
-    struct table_column column[1 + MAX_PEERS] = {{"rhw", &all[0]}};
+    char title[1 + MAX_PEERS][256];
+    snprintf(title[0], sizeof title[0], "rhw %d.%d.%d", RHW_VERSION_MAJOR, RHW_VERSION_MINOR,
+             RHW_VERSION_PATCH);
+    struct table_column column[1 + MAX_PEERS] = {{"rhw", title[0], &all[0]}};
     int columns = 1;
-    for (int i = 0; i < o->peer_count; i++) {
-        if (measure_peer(o, o->peer[i], &all[o->jobs + i])) {
-            column[columns++] = (struct table_column){o->peer[i], &all[o->jobs + i]};
+    for (int i = 0; i < o->peer_count && !interrupted; i++) {
+        if (measure_peer(o, o->peer[i], &all[o->jobs + i], title[columns], sizeof title[columns])) {
+            column[columns] = (struct table_column){o->peer[i], title[columns], &all[o->jobs + i]};
+            columns++;
         }
     }
-    table_print(stdout, column, columns);
+    table_print(stdout, column, columns, bound);
     bool good = report(&all[0]);
-    if (o->table) {
-        good = table_write(o->table, column, columns) && good;
+    if (interrupted) {
+        fprintf(stderr, "exactness: interrupted; no file was changed\n");
+        good = false;
+    } else if (o->table) {
+        good = table_write(o->table, column, columns, bound) && good;
     }
     free(all);
     return good ? 0 : 1;

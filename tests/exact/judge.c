@@ -187,6 +187,7 @@ struct fragment {
     const struct oracle_triangle *triangle;
     struct tally_place at;
     int pixel;
+    bool whole; // no plane of the view cuts the triangle
 };
 
 static double error_of(const struct fragment *f, const struct oracle_form *form, double got, double unit)
@@ -223,6 +224,9 @@ static void compare_values(const struct fragment *f, const struct probe_image *i
     const probe_pixel *const images[2] = {image->smooth, image->noperspective};
     for (int q = 0; q < 2; q++) {
         const struct oracle_form *const forms = q == 0 ? j->smooth : j->noperspective;
+        if (q == 1 && f->mode->peer && !f->whole) {
+            continue;
+        }
         for (int i = 0; i < SCENE_VALUES && images[q]; i++) {
             const float got = images[q][f->pixel][i];
             if (j->scene->kind[i] == VALUE_CONSTANT) {
@@ -331,6 +335,18 @@ static void compare_fragment(struct fragment *f, const struct probe_image *image
     }
 }
 
+// −W <= X, Y, Z <= W at every vertex: peers have OpenGL's depth convention.
+static bool inside_view(const struct oracle_triangle *t)
+{
+    bool inside = true;
+    for (int i = 0; i < 3; i++) {
+        for (int k = 0; k < 3; k++) {
+            inside = inside && fabsf(t->position[i][k]) <= t->position[i][3];
+        }
+    }
+    return inside;
+}
+
 static void compare_triangle(struct judge *j, int number, const struct probe_image *image,
                              const struct judge_mode *mode, struct judge_results *r)
 {
@@ -338,7 +354,7 @@ static void compare_triangle(struct judge *j, int number, const struct probe_ima
     int y0, y1;
     oracle_rows(t, &y0, &y1);
     bool ready = false;
-    struct fragment f = {.judge = j, .mode = mode, .results = r, .triangle = t};
+    struct fragment f = {.judge = j, .mode = mode, .results = r, .triangle = t, .whole = inside_view(t)};
     for (int y = y0; y < y1; y++) {
         int run[ORACLE_CORNERS];
         const int ends = oracle_cover_row(t, y, run);

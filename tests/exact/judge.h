@@ -45,7 +45,9 @@ struct judge_results {
 };
 
 struct judge_mode {
-    bool peer;             // another renderer: its own coverage, triangles on the grid only
+    // Another renderer: its own coverage, triangles on the grid only, noperspective only where no plane of the view
+    // cuts (docs/exactness.md says why).
+    bool peer;
     bool integers;         // every value through the integers, not only where doubles leave a doubt
     int derivative_stride; // check derivatives at one pixel of so many
 };

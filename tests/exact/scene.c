@@ -150,7 +150,8 @@ static void make_perspective(struct scene *s, struct random *r)
 // ends up to 16384 pixels away.
 static void make_slivers(struct scene *s, struct random *r)
 {
-    for (int n = 0; n < 48; n++) {
+    // Hardly any covers more than a few samples: many at a time, or drawing would be all the work.
+    for (int n = 0; n < 480; n++) {
         const bool deep = n % 4 == 0; // a pixel centre is at the far end, where the sum behind 1/W cancels
         const double x = deep ? floor(pick_x(s, r)) + 0.5 : pick_x(s, r), angle = random_between(r, 0, 6.28);
         const double y = deep ? floor(pick_y(s, r)) + 0.5 : pick_y(s, r);

@@ -5,6 +5,8 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "document.h"
+
 enum { MAX_COLUMNS = 8 };
 
 static const char *const begin_marker = "<!-- exactness table: written by script/exactness -->\n";
@@ -35,9 +37,8 @@ static void print_count(FILE *out, uint64_t v)
     }
 }
 
-static void print_row(FILE *out, const char *name, const struct tally *const *tallies, int count)
+static void print_cells(FILE *out, const struct tally *const *tallies, int count)
 {
-    fprintf(out, "| %s | ", name);
     print_count(out, tallies[0]->count);
     for (int i = 0; i < count; i++) {
         const struct tally *const t = tallies[i];
@@ -55,117 +56,115 @@ static void print_row(FILE *out, const char *name, const struct tally *const *ta
 
 static void print_header(FILE *out, const char *first, const struct table_column *columns, int count)
 {
-    fprintf(out, "| %s | values |", first);
+    fprintf(out, "| %s values |", first);
     for (int i = 0; i < count; i++) {
         fprintf(out, " %s |", columns[i].name);
     }
-    fprintf(out, "\n|---|---:|");
+    fprintf(out, "\n|---|");
+    for (const char *bar = strchr(first, '|'); bar; bar = strchr(bar + 1, '|')) {
+        fprintf(out, "---:|");
+    }
     for (int i = 0; i < count; i++) {
         fprintf(out, "---:|");
     }
     fprintf(out, "\n");
 }
 
-static void print_quantity(FILE *out, enum quantity quantity, const struct table_column *columns, int count)
+// How many columns know the quantity: peers tell no weights and no derivatives.
+static int columns_of(enum quantity quantity, int count)
 {
-    print_header(out, judge_quantity_name(quantity), columns, count);
-    struct tally *const sum = calloc((size_t)count, sizeof *sum);
-    const struct tally *cell[MAX_COLUMNS];
-    for (int family = 0; family < FAMILY_COUNT && sum; family++) {
+    return quantity <= QUANTITY_INVERSE_W ? count : 1;
+}
+
+static void print_overview(FILE *out, const struct table_column *columns, int count, const double *bound)
+{
+    print_header(out, "all families | bound |", columns, count);
+    struct tally *const sum = malloc((size_t)count * sizeof *sum);
+    for (int quantity = 0; quantity < QUANTITY_COUNT && sum; quantity++) {
+        const struct tally *cell[MAX_COLUMNS];
+        memset(sum, 0, (size_t)count * sizeof *sum);
         for (int i = 0; i < count; i++) {
-            cell[i] = &columns[i].results->quantity[family][quantity];
-            tally_merge(&sum[i], cell[i]);
+            for (int family = 0; family < FAMILY_COUNT && i < columns_of((enum quantity)quantity, count);
+                 family++) {
+                tally_merge(&sum[i], &columns[i].results->quantity[family][quantity]);
+            }
+            cell[i] = &sum[i];
         }
-        print_row(out, scene_family_name((enum family)family), cell, count);
-    }
-    for (int i = 0; i < count; i++) {
-        cell[i] = &sum[i];
-    }
-    if (sum) {
-        print_row(out, "**all**", cell, count);
+        fprintf(out, "| %s | %g | ", judge_quantity_name((enum quantity)quantity), bound[quantity]);
+        print_cells(out, cell, count);
     }
     free(sum);
+    fprintf(out, "\n");
+}
+
+static void print_quantity(FILE *out, enum quantity quantity, const struct table_column *columns, int count)
+{
+    char title[64];
+    snprintf(title, sizeof title, "%s |", judge_quantity_name(quantity));
+    print_header(out, title, columns, count);
+    for (int family = 0; family < FAMILY_COUNT; family++) {
+        const struct tally *cell[MAX_COLUMNS];
+        for (int i = 0; i < count; i++) {
+            cell[i] = &columns[i].results->quantity[family][quantity];
+        }
+        fprintf(out, "| %s | ", scene_family_name((enum family)family));
+        print_cells(out, cell, count);
+    }
     fprintf(out, "\n");
 }
 
 static void print_kinds(FILE *out, enum quantity quantity, const struct table_column *columns, int count)
 {
     char title[64];
-    snprintf(title, sizeof title, "%s, vertex values", judge_quantity_name(quantity));
+    snprintf(title, sizeof title, "%s, vertex values |", judge_quantity_name(quantity));
     print_header(out, title, columns, count);
     for (int kind = 0; kind < VALUE_CONSTANT; kind++) {
         const struct tally *cell[MAX_COLUMNS];
         for (int i = 0; i < count; i++) {
             cell[i] = &columns[i].results->kind[kind][quantity];
         }
-        print_row(out, scene_kind_name((enum value_kind)kind), cell, count);
+        fprintf(out, "| %s | ", scene_kind_name((enum value_kind)kind));
+        print_cells(out, cell, count);
     }
     fprintf(out, "\n");
 }
 
-void table_print(FILE *out, const struct table_column *columns, int count)
+void table_print(FILE *out, const struct table_column *columns, int count, const double *bound)
 {
+    fprintf(out, "Each cell: median, 99th percentile, worst. Fragments:");
     for (int i = 0; i < count; i++) {
-        fprintf(out, "%s%s: ", i == 0 ? "Fragments: " : "; ", columns[i].name);
+        fprintf(out, " %s: ", columns[i].title);
         print_count(out, columns[i].results->fragments);
+        fputs(i + 1 < count ? ";" : ".\n\n", out);
     }
-    fprintf(out, ". Each cell: median, 99th percentile, worst, in ULP of the largest vertex value.\n\n");
+    print_overview(out, columns, count, bound);
+    fprintf(out, "<details>\n<summary>By family of triangles, and by kind of vertex values</summary>\n\n");
     for (int quantity = 0; quantity <= QUANTITY_INVERSE_W; quantity++) {
         print_quantity(out, (enum quantity)quantity, columns, count);
     }
     print_kinds(out, QUANTITY_SMOOTH, columns, count);
     print_kinds(out, QUANTITY_NOPERSPECTIVE, columns, count);
-    for (int quantity = QUANTITY_SPACE; quantity < QUANTITY_COUNT; quantity++) {
-        print_quantity(out, (enum quantity)quantity, columns, 1); // peers do not tell
+    for (int quantity = QUANTITY_INVERSE_W + 1; quantity < QUANTITY_COUNT; quantity++) {
+        print_quantity(out, (enum quantity)quantity, columns, columns_of((enum quantity)quantity, count));
     }
+    fprintf(out, "</details>\n\n");
 }
 
-// The whole file with a terminating zero, or NULL.
-static char *read_all(const char *path)
+// What document_replace calls.
+struct printout {
+    const struct table_column *columns;
+    int count;
+    const double *bound;
+};
+
+static void print_all(FILE *out, const void *argument)
 {
-    FILE *const in = fopen(path, "rb");
-    char *text = NULL;
-    if (in && fseek(in, 0, SEEK_END) == 0) {
-        const long size = ftell(in);
-        rewind(in);
-        text = size >= 0 ? malloc((size_t)size + 1) : NULL;
-        if (text && fread(text, 1, (size_t)size, in) == (size_t)size) {
-            text[size] = 0;
-        } else {
-            free(text);
-            text = NULL;
-        }
-    }
-    if (in) {
-        fclose(in);
-    }
-    return text;
+    const struct printout *const p = argument;
+    table_print(out, p->columns, p->count, p->bound);
 }
 
-bool table_write(const char *path, const struct table_column *columns, int count)
+bool table_write(const char *path, const struct table_column *columns, int count, const double *bound)
 {
-    char *const text = read_all(path);
-    char *const begin = text ? strstr(text, begin_marker) : NULL;
-    const char *const end = begin ? strstr(begin, end_marker) : NULL;
-    char beside[4096];
-    bool ok = false;
-    if (!end || snprintf(beside, sizeof beside, "%s.new", path) >= (int)sizeof beside) {
-        fprintf(stderr, "exactness: %s: cannot be read or lacks the two marker lines of the table\n", path);
-        free(text);
-        return false;
-    }
-    FILE *const out = fopen(beside, "wb");
-    if (out) {
-        fwrite(text, 1, (size_t)(begin - text) + strlen(begin_marker), out);
-        table_print(out, columns, count);
-        fputs(end, out);
-        ok = !ferror(out);
-        ok = fclose(out) == 0 && ok && rename(beside, path) == 0;
-    }
-    if (!ok) {
-        fprintf(stderr, "exactness: %s: cannot be written\n", path);
-        remove(beside);
-    }
-    free(text);
-    return ok;
+    const struct printout printout = {columns, count, bound};
+    return document_replace(path, begin_marker, end_marker, print_all, &printout);
 }

@@ -3,13 +3,12 @@
 // arithmetic of shader_vector.h against C; and every instruction set against the baseline, bit for bit.
 #include "harness.h"
 #include "isa_templates.h"
+#include "math_reference.h"
 
 #include <float.h>
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
-
-#include <mpfr.h>
 
 enum { BATCH = 4096 };
 
@@ -29,41 +28,6 @@ static uint32_t to_bits(float value)
 
 // Error measurement ---------------------------------------------------------------------------------
 
-typedef int mpfr_function(mpfr_t result, const mpfr_t a, mpfr_rnd_t rounding);
-
-// Distance of `got` from the exact `want` in units in the last place of `want`; where `want` is 0, not
-// finite or NaN, 0 for the one right answer and infinity for all others.
-static double ulp_error(float got, const mpfr_t want)
-{
-    if (mpfr_nan_p(want)) {
-        return isnan(got) ? 0 : INFINITY;
-    }
-    if (mpfr_inf_p(want) || mpfr_zero_p(want)) {
-        const float exact = mpfr_get_flt(want, MPFR_RNDN);
-        return to_bits(got) == to_bits(exact) ? 0 : INFINITY;
-    }
-    if (isnan(got)) {
-        return INFINITY;
-    }
-    if (isinf(got) && got == mpfr_get_flt(want, MPFR_RNDN)) {
-        return 0;
-    }
-    long exponent = mpfr_get_exp(want); // want = m · 2^exponent, 0.5 <= m < 1
-    exponent = exponent < -125 ? -125 : exponent;
-    mpfr_t error;
-    mpfr_init2(error, 100);
-    if (isinf(got)) { // as good as the next float after the largest
-        mpfr_set_d(error, copysign(0x1p128, (double)got), MPFR_RNDN);
-    } else {
-        mpfr_set_flt(error, got, MPFR_RNDN);
-    }
-    mpfr_sub(error, error, want, MPFR_RNDN);
-    mpfr_mul_2si(error, error, 24 - exponent, MPFR_RNDN);
-    const double result = fabs(mpfr_get_d(error, MPFR_RNDN));
-    mpfr_clear(error);
-    return result;
-}
-
 struct worst {
     double ulp;
     float a, b, got;
@@ -76,30 +40,7 @@ static void note(struct worst *worst, double ulp, float a, float b, float got)
     }
 }
 
-// mpfr_rec_sqrt gives +infinity for −0, IEEE 754 −infinity.
-static int reciprocal_root(mpfr_t result, const mpfr_t a, mpfr_rnd_t rounding)
-{
-    mpfr_sqrt(result, a, rounding);
-    return mpfr_ui_div(result, 1, result, rounding);
-}
-
-static const struct row {
-    enum isa_function function;
-    const char *name;
-    mpfr_function *exact;
-    double stated;   // ULP, as the header says
-    float low, high; // where samples lie dense
-} rows[] = {
-    {ISA_EXP2, "exp2", mpfr_exp2, 1.25, -130, 130},  {ISA_EXP, "exp", mpfr_exp, 1.05, -90, 90},
-    {ISA_LOG2, "log2", mpfr_log2, 1.25, 0.4f, 2.2f}, {ISA_LOG, "log", mpfr_log, 0.95, 0.4f, 2.2f},
-    {ISA_SIN, "sin", mpfr_sin, 1.6, -20, 20},        {ISA_COS, "cos", mpfr_cos, 1.6, -20, 20},
-    {ISA_TAN, "tan", mpfr_tan, 3.5, -10, 10},        {ISA_ASIN, "asin", mpfr_asin, 1.7, -1, 1},
-    {ISA_ACOS, "acos", mpfr_acos, 1.1, -1, 1},       {ISA_ATAN, "atan", mpfr_atan, 2.0, -4, 4},
-    {ISA_SQRT, "sqrt", mpfr_sqrt, 0.5, 0, 4},        {ISA_RSQRT, "rsqrt", reciprocal_root, 1.5, 0, 4},
-};
-enum { ROWS = sizeof rows / sizeof rows[0] };
-
-static struct worst measure(const struct row *row, const float *a, int count)
+static struct worst measure(const struct math_function *row, const float *a, int count)
 {
     const struct isa_templates *const baseline = isa_templates_for(RHW_ISA_BASELINE);
     float result[BATCH];
@@ -110,7 +51,7 @@ static struct worst measure(const struct row *row, const float *a, int count)
     for (int i = 0; i < count; i++) {
         mpfr_set_flt(exact, a[i], MPFR_RNDN);
         row->exact(exact, exact, MPFR_RNDN);
-        note(&worst, ulp_error(result[i], exact), a[i], 0, result[i]);
+        note(&worst, math_ulp_error(result[i], exact), a[i], 0, result[i]);
     }
     mpfr_clear(exact);
     return worst;
@@ -133,18 +74,18 @@ static void fill_arguments(float *a, int round, float low, float high)
 static void test_functions_keep_the_error_they_state(void **state)
 {
     (void)state;
-    for (int r = 0; r < ROWS; r++) {
+    for (int r = 0; r < MATH_FUNCTIONS; r++) {
         struct worst worst = {-1, 0, 0, 0};
         for (int round = 0; round < 12; round++) {
             float a[BATCH];
-            fill_arguments(a, round, rows[r].low, rows[r].high);
-            const struct worst here = measure(&rows[r], a, BATCH);
+            fill_arguments(a, round, math_functions[r].low, math_functions[r].high);
+            const struct worst here = measure(&math_functions[r], a, BATCH);
             note(&worst, here.ulp, here.a, 0, here.got);
         }
-        print_message("%-6s %.3f ULP at %a\n", rows[r].name, worst.ulp, (double)worst.a);
-        if (!(worst.ulp <= rows[r].stated)) {
-            fail_msg("%s(%a) = %a is %.3f ULP off; the header states %.2f", rows[r].name, (double)worst.a,
-                     (double)worst.got, worst.ulp, rows[r].stated);
+        print_message("%-6s %.3f ULP at %a\n", math_functions[r].name, worst.ulp, (double)worst.a);
+        if (!(worst.ulp <= math_functions[r].stated)) {
+            fail_msg("%s(%a) = %a is %.3f ULP off; the header states %.2f", math_functions[r].name,
+                     (double)worst.a, (double)worst.got, worst.ulp, math_functions[r].stated);
         }
     }
 }
@@ -164,16 +105,16 @@ static void test_known_worst_arguments(void **state)
         {ISA_SIN, 0x1.6ac5b2p+62f},  {ISA_COS, 0x1.6ac5b2p+62f},  {ISA_TAN, 0x1.6ac5b2p+62f},
     };
     for (size_t i = 0; i < sizeof cases / sizeof cases[0]; i++) {
-        for (int r = 0; r < ROWS; r++) {
-            if (rows[r].function == cases[i].function) {
+        for (int r = 0; r < MATH_FUNCTIONS; r++) {
+            if (math_functions[r].function == cases[i].function) {
                 float a[RHW_LANES];
                 for (int lane = 0; lane < RHW_LANES; lane++) {
                     a[lane] = cases[i].argument;
                 }
-                const struct worst worst = measure(&rows[r], a, RHW_LANES);
-                if (!(worst.ulp <= rows[r].stated)) {
-                    fail_msg("%s(%a) = %a is %.3f ULP off", rows[r].name, (double)worst.a, (double)worst.got,
-                             worst.ulp);
+                const struct worst worst = measure(&math_functions[r], a, RHW_LANES);
+                if (!(worst.ulp <= math_functions[r].stated)) {
+                    fail_msg("%s(%a) = %a is %.3f ULP off", math_functions[r].name, (double)worst.a,
+                             (double)worst.got, worst.ulp);
                 }
             }
         }
@@ -208,25 +149,24 @@ static void fill_pairs(float *a, float *b, int round, bool power)
     }
 }
 
-static void check_pairs(enum isa_function function, const char *name,
-                        int (*exact)(mpfr_t, const mpfr_t, const mpfr_t, mpfr_rnd_t), const float *a,
-                        const float *b, int count, double stated, struct worst *worst)
+static void check_pairs(const struct math_function2 *f, const float *a, const float *b, int count,
+                        struct worst *worst)
 {
     const struct isa_templates *const baseline = isa_templates_for(RHW_ISA_BASELINE);
     float result[BATCH];
-    baseline->apply(function, a, b, result, count);
+    baseline->apply(f->function, a, b, result, count);
     mpfr_t x, y;
     mpfr_init2(x, 60);
     mpfr_init2(y, 24);
     for (int i = 0; i < count; i++) {
         mpfr_set_flt(x, a[i], MPFR_RNDN);
         mpfr_set_flt(y, b[i], MPFR_RNDN);
-        exact(x, x, y, MPFR_RNDN);
-        const double ulp = ulp_error(result[i], x);
+        f->exact(x, x, y, MPFR_RNDN);
+        const double ulp = math_ulp_error(result[i], x);
         note(worst, ulp, a[i], b[i], result[i]);
-        if (!(ulp <= stated)) {
-            fail_msg("%s(%a, %a) = %a is %.3f ULP off; the header states %.2f", name, (double)a[i],
-                     (double)b[i], (double)result[i], ulp, stated);
+        if (!(ulp <= f->stated)) {
+            fail_msg("%s(%a, %a) = %a is %.3f ULP off; the header states %.2f", f->name, (double)a[i],
+                     (double)b[i], (double)result[i], ulp, f->stated);
         }
     }
     mpfr_clears(x, y, (mpfr_ptr)0);
@@ -235,16 +175,16 @@ static void check_pairs(enum isa_function function, const char *name,
 static void test_pow_and_atan2_keep_the_error_they_state(void **state)
 {
     (void)state;
-    struct worst power = {-1, 0, 0, 0}, angle = {-1, 0, 0, 0};
-    for (int round = 0; round < 10; round++) {
-        float a[BATCH], b[BATCH];
-        fill_pairs(a, b, round, true);
-        check_pairs(ISA_POW, "pow", mpfr_pow, a, b, BATCH, 1.4, &power);
-        fill_pairs(a, b, round, false);
-        check_pairs(ISA_ATAN2, "atan2", mpfr_atan2, a, b, BATCH, 2.0, &angle);
+    for (int f = 0; f < MATH_FUNCTIONS2; f++) {
+        struct worst worst = {-1, 0, 0, 0};
+        for (int round = 0; round < 10; round++) {
+            float a[BATCH], b[BATCH];
+            fill_pairs(a, b, round, math_functions2[f].function == ISA_POW);
+            check_pairs(&math_functions2[f], a, b, BATCH, &worst);
+        }
+        print_message("%-6s %.3f ULP at %a, %a\n", math_functions2[f].name, worst.ulp, (double)worst.a,
+                      (double)worst.b);
     }
-    print_message("pow    %.3f ULP at %a, %a\n", power.ulp, (double)power.a, (double)power.b);
-    print_message("atan2  %.3f ULP at %a, %a\n", angle.ulp, (double)angle.a, (double)angle.b);
 }
 
 static void test_special_cases_are_those_of_c(void **state)
@@ -261,35 +201,12 @@ static void test_special_cases_are_those_of_c(void **state)
         b[i] = special[i % COUNT];
     }
     struct worst worst = {-1, 0, 0, 0};
-    check_pairs(ISA_POW, "pow", mpfr_pow, a, b, COUNT * COUNT, 1.4, &worst);
-    check_pairs(ISA_ATAN2, "atan2", mpfr_atan2, a, b, COUNT * COUNT, 2.0, &worst);
+    for (int f = 0; f < MATH_FUNCTIONS2; f++) {
+        check_pairs(&math_functions2[f], a, b, COUNT * COUNT, &worst);
+    }
 }
 
 // Lane arithmetic -----------------------------------------------------------------------------------
-
-static int32_t to_int(float a)
-{
-    return isnan(a) ? 0 : a >= 0x1p31f ? INT32_MAX : a < -0x1p31f ? INT32_MIN : (int32_t)a;
-}
-
-static float plain(enum isa_function function, float a, float b)
-{
-    switch (function) {
-    case ISA_FLOOR: return floorf(a);
-    case ISA_CEIL: return ceilf(a);
-    case ISA_TRUNC: return truncf(a);
-    case ISA_ROUND: return rintf(a);
-    case ISA_FRACT: return a - floorf(a);
-    case ISA_SIGN: return a > 0 ? 1.0f : a < 0 ? -1.0f : 0.0f;
-    case ISA_SATURATE: return a > 1 ? 1.0f : a > 0 ? a : 0.0f;
-    case ISA_TO_INT: return from_bits((uint32_t)to_int(a));
-    case ISA_MIN: return a < b ? a : b;
-    case ISA_MAX: return a > b ? a : b;
-    case ISA_LESS: return from_bits(a < b ? UINT32_MAX : 0);
-    case ISA_LESS_EQUAL: return from_bits(a <= b ? UINT32_MAX : 0);
-    default: return from_bits(a == b ? UINT32_MAX : 0);
-    }
-}
 
 static void test_lane_arithmetic_is_that_of_c(void **state)
 {
@@ -308,7 +225,7 @@ static void test_lane_arithmetic_is_that_of_c(void **state)
         for (size_t f = 0; f < sizeof functions / sizeof functions[0]; f++) {
             baseline->apply(functions[f], a, b, result, BATCH);
             for (int i = 0; i < BATCH; i++) {
-                const float expected = plain(functions[f], a[i], b[i]);
+                const float expected = math_plain(functions[f], a[i], b[i]);
                 const bool number = functions[f] < ISA_TO_INT; // NaN for NaN will do
                 if (!(number && isnan(expected) && isnan(result[i])) &&
                     to_bits(result[i]) != to_bits(expected)) {
