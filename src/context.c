@@ -183,6 +183,7 @@ struct rhw_texture_data *rhw_context_texture_add(struct rhw_context *context, rh
 static void release_texture(struct rhw_context *context, struct rhw_texture_data *texture)
 {
     rhw_context_release(context, texture->memory, texture->memory_size);
+    rhw_context_release(context, texture->linear_memory, texture->linear_size);
 }
 
 void rhw_context_texture_remove(struct rhw_context *context, rhw_texture id)

@@ -11,6 +11,7 @@
 #include "format.h"
 #include "kernels/kernels.h"
 #include "pass_run.h"
+#include "srgb_texture.h"
 
 enum rhw_result rhw_pass_state_create(struct rhw_context *context, struct rhw_pass_state **out)
 {
@@ -88,6 +89,7 @@ static enum rhw_result attach(struct rhw_pass_state *pass, rhw_texture id, const
                    pass->width, pass->height)) {
         return RHW_ERROR_MISUSE;
     }
+    texture->linear_is_current = false;
     attachment->format = texture->format;
     attachment->target = &texture->mip[0];
     attachment->texel_size = rhw_format_size(texture->format);
@@ -348,6 +350,7 @@ void rhw_pass_set_texture(rhw_context *context, rhw_pass id, int slot, rhw_textu
                        "rhw_pass_set_texture: the texture in slot %d is an attachment of this pass", slot)) {
             return;
         }
+        pass->out_of_memory = !rhw_texture_linearize(context, texture) || pass->out_of_memory;
         rhw_pool_use(context, &context->textures, texture_id.index);
         rhw_pool_use(context, &context->samplers, sampler_id.index);
         binding.texture = texture;

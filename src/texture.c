@@ -177,10 +177,14 @@ static const struct rhw_mip *begin_copy(struct rhw_context *context, rhw_texture
 void rhw_texture_write(rhw_context *context, rhw_texture texture, int level, const void *data,
                        size_t row_pitch)
 {
+    static const char *const where = "rhw_texture_write";
     size_t row;
-    const struct rhw_mip *const mip =
-        begin_copy(context, texture, level, data, &row, &row_pitch, "rhw_texture_write");
-    for (int y = 0; mip && y < mip->height; y++) {
+    const struct rhw_mip *const mip = begin_copy(context, texture, level, data, &row, &row_pitch, where);
+    if (!mip) {
+        return;
+    }
+    rhw_context_texture(context, texture, where)->linear_is_current = false;
+    for (int y = 0; y < mip->height; y++) {
         memcpy(mip->texels + (size_t)y * mip->row_pitch, (const unsigned char *)data + (size_t)y * row_pitch,
                row);
     }
@@ -209,5 +213,6 @@ enum rhw_result rhw_texture_generate_mips(rhw_context *context, rhw_texture text
     const uint64_t environment = rhw_cpu_float_enter();
     const bool done = rhw_texture_data_generate_mips(context, data);
     rhw_cpu_float_leave(environment);
+    data->linear_is_current = false;
     return done ? RHW_OK : RHW_ERROR_OUT_OF_MEMORY;
 }

@@ -16,6 +16,7 @@ enum {
 
 struct rhw_mip {
     unsigned char *texels; // linear rows, top to bottom; 64-byte aligned
+    unsigned char *linear; // RGBA8_SRGB that has been bound: see srgb_texture.h; rows twice as long
     int width, height;
     size_t row_pitch; // bytes, a multiple of RHW_ROW_ALIGNMENT
 
@@ -32,6 +33,9 @@ struct rhw_texture_data {
     struct rhw_mip mip[RHW_MAX_MIP_LEVELS];
     void *memory; // one allocation for all levels
     size_t memory_size;
+    void *linear_memory; // of all mip[].linear; NULL until a pass samples the texture
+    size_t linear_size;
+    bool linear_is_current; // no texel has changed since
 };
 
 struct rhw_context;

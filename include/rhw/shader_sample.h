@@ -23,7 +23,9 @@ struct rhw_binding {
 
 /// Samples with the level of detail that the derivatives give (OpenGL ES 3.0 §3.8.10: log2 of the longer
 /// of the two footprint axes), plus the sampler's bias, within its limits. sRGB texels are decoded before
-/// they are filtered. Any coordinate is allowed; one that is not finite samples somewhere in the texture.
+/// they are filtered, and where both filters are LINEAR and no border is met they are held to 15 bits: at most
+/// 1/20 of the distance between two codes off, with 0 and 255 exact. Any coordinate is allowed; one that is not
+/// finite samples somewhere in the texture.
 static inline void rhw_sample_grad(const struct rhw_binding *binding, const rhw_float uv[2],
                                    const rhw_float grad[4], rhw_float texel[4])
 {

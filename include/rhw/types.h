@@ -66,7 +66,8 @@ struct rhw_buffer_def {
     const void *data; ///< copied; NULL: zeroed
 };
 
-/// A 2D texture: sampled, drawn into, or both (not in the same pass). Zeroed when created.
+/// A 2D texture: sampled, drawn into, or both (not in the same pass). Zeroed when created. It takes the bytes of its
+/// texels, rows rounded up to 64; an RGBA8_SRGB texture that a pass samples takes 8 bytes a texel more from then on.
 struct rhw_texture_def {
     enum rhw_format format;
     int width, height; ///< 1..RHW_MAX_TARGET_SIZE

@@ -86,13 +86,14 @@ RHW_INLINE const struct rhw_mip *sample_mip(const struct rhw_texture_data *textu
     return mip;
 }
 
-// RGBA8 in fixed point ------------------------------------------------------------------------------
-// The usual case. A texel's four codes stand as 16-bit numbers with 7 fraction bits, two in each 32-bit
-// lane, and are mixed with weights of 15 bits: one multiplication serves two channels, and no step is off by
-// more than 2^-8 of a code. Equal texels mix to exactly themselves.
+// 8 bits in fixed point -----------------------------------------------------------------------------
+// The usual case. A texel's four channels stand as 16-bit numbers, 255 · 128 for 1, two in each 32-bit lane,
+// and are mixed with weights of 15 bits: one multiplication serves two channels, and no step is off by more
+// than half a unit. Equal texels mix to exactly themselves. RGBA8_UNORM is widened when it is loaded;
+// RGBA8_SRGB stands so in memory, decoded (srgb_texture.h).
 
 struct sample_codes {
-    i8 rb; // red in the lower, blue in the upper half, 8.7
+    i8 rb; // red in the lower, blue in the upper half
     i8 ga;
 };
 
@@ -216,46 +217,80 @@ RHW_INLINE void sample_load_pairs(const unsigned char *texels, const uint32_t at
 #endif
 }
 
+// The same of linear texels.
+RHW_INLINE void sample_load_linear_pairs(const unsigned char *texels, const uint32_t at[RHW_LANES],
+                                         struct sample_codes *left, struct sample_codes *right)
+{
+    const void *place[RHW_LANES];
+    for (int i = 0; i < RHW_LANES; i++) {
+        place[i] = texels + (size_t)at[i] * RHW_LINEAR_TEXEL;
+    }
+    f8 column[4];
+    f8_load_columns(place, column);
+    *left = (struct sample_codes){(i8)column[0], (i8)column[1]};
+    *right = (struct sample_codes){(i8)column[2], (i8)column[3]};
+}
+
+// The texels at these places.
+RHW_INLINE struct sample_codes sample_load_codes(const struct rhw_mip *mip, i8 xy, bool linear)
+{
+    const i8 index = sample_index(xy, mip->step);
+    if (linear) {
+        return (struct sample_codes){sample_load_words(mip->linear, index + index),
+                                     sample_load_words(mip->linear + 4, index + index)};
+    }
+    return sample_widen(sample_load_words(mip->texels, index));
+}
+
 // The four texels of each lane where some lie across an edge.
 static __attribute__((noinline)) void sample_corners_wrapped(const struct rhw_sampler_def *sampler,
                                                              const struct rhw_mip *mip, const i8 *xy,
-                                                             i8 corner[4])
+                                                             bool linear, struct sample_codes corner[4])
 {
     const i8 x = *xy >> 16, y = (*xy << 16) >> 16;
     const i8 x0 = sample_wrap(sampler->address_u, x, mip->width) << 16;
     const i8 x1 = sample_wrap(sampler->address_u, x + 1, mip->width) << 16;
     const i8 y0 = sample_wrap(sampler->address_v, y, mip->height);
     const i8 y1 = sample_wrap(sampler->address_v, y + 1, mip->height);
-    corner[0] = sample_load_words(mip->texels, sample_index(x0 | y0, mip->step));
-    corner[1] = sample_load_words(mip->texels, sample_index(x1 | y0, mip->step));
-    corner[2] = sample_load_words(mip->texels, sample_index(x0 | y1, mip->step));
-    corner[3] = sample_load_words(mip->texels, sample_index(x1 | y1, mip->step));
+    corner[0] = sample_load_codes(mip, x0 | y0, linear);
+    corner[1] = sample_load_codes(mip, x1 | y0, linear);
+    corner[2] = sample_load_codes(mip, x0 | y1, linear);
+    corner[3] = sample_load_codes(mip, x1 | y1, linear);
 }
 
 RHW_INLINE void sample_corners(const struct sample_source *source, const struct rhw_mip *mip,
-                               const struct sample_place *place, i8 corner[4])
+                               const struct sample_place *place, bool linear, struct sample_codes corner[4])
 {
-    if (__builtin_expect(sample_is_interior(place->xy, mip->interior), 1)) {
-        uint32_t at[RHW_LANES];
-        sample_spill(sample_index(place->xy, mip->step), at);
-        sample_load_pairs(mip->texels, at, &corner[0], &corner[1]);
-        sample_load_pairs(mip->texels + mip->row_pitch, at, &corner[2], &corner[3]);
-    } else {
+    if (__builtin_expect(!sample_is_interior(place->xy, mip->interior), 0)) {
         const i8 xy = place->xy; // a copy, so that the one in registers stays there
-        sample_corners_wrapped(source->sampler, mip, &xy, corner);
+        sample_corners_wrapped(source->sampler, mip, &xy, linear, corner);
+        return;
+    }
+    uint32_t at[RHW_LANES];
+    sample_spill(sample_index(place->xy, mip->step), at);
+    if (linear) {
+        sample_load_linear_pairs(mip->linear, at, &corner[0], &corner[1]);
+        sample_load_linear_pairs(mip->linear + (RHW_LINEAR_TEXEL / 4) * mip->row_pitch, at, &corner[2],
+                                 &corner[3]);
+    } else {
+        i8 texel[4];
+        sample_load_pairs(mip->texels, at, &texel[0], &texel[1]);
+        sample_load_pairs(mip->texels + mip->row_pitch, at, &texel[2], &texel[3]);
+        for (int i = 0; i < 4; i++) {
+            corner[i] = sample_widen(texel[i]);
+        }
     }
 }
 
+// `linear`: the texels are RGBA8_SRGB; a constant where a call names it, here and below.
 RHW_INLINE struct sample_codes sample_bilinear_codes(const struct sample_source *source,
-                                                     const struct rhw_mip *mip)
+                                                     const struct rhw_mip *mip, bool linear)
 {
     const struct sample_place place = sample_place(source, mip);
-    i8 corner[4];
-    sample_corners(source, mip, &place, corner);
-    const struct sample_codes above =
-        sample_mix_codes(sample_widen(corner[0]), sample_widen(corner[1]), place.weight_x);
-    const struct sample_codes below =
-        sample_mix_codes(sample_widen(corner[2]), sample_widen(corner[3]), place.weight_x);
+    struct sample_codes corner[4];
+    sample_corners(source, mip, &place, linear, corner);
+    const struct sample_codes above = sample_mix_codes(corner[0], corner[1], place.weight_x);
+    const struct sample_codes below = sample_mix_codes(corner[2], corner[3], place.weight_x);
     return sample_mix_codes(above, below, place.weight_y);
 }
 
@@ -270,26 +305,27 @@ RHW_INLINE bool sample_any_bit(i8 bits)
 
 // One level, and where any lane in `live` has a weight the next one. A weight of 0 leaves a lane as it is.
 RHW_INLINE struct sample_codes sample_trilinear_codes(const struct sample_source *source, int level,
-                                                      i8 weight, i8 live)
+                                                      i8 weight, i8 live, bool linear)
 {
     const struct rhw_mip *const mip = sample_mip(source->texture, level);
-    const struct sample_codes fine = sample_bilinear_codes(source, mip);
+    const struct sample_codes fine = sample_bilinear_codes(source, mip, linear);
     if (!sample_any_bit(weight & live)) {
         return fine;
     }
-    return sample_mix_codes(fine, sample_bilinear_codes(source, mip + 1), weight);
+    return sample_mix_codes(fine, sample_bilinear_codes(source, mip + 1, linear), weight);
 }
 
 // Lanes at different levels, one level after the other.
 static __attribute__((noinline)) void sample_mixed_codes(const struct sample_source *source, const i8 *level,
-                                                         const i8 *weight, struct sample_codes *result)
+                                                         const i8 *weight, bool linear,
+                                                         struct sample_codes *result)
 {
     result->rb = result->ga = i8_splat(0);
     for (unsigned todo = 0xff; todo != 0;) {
         const int first = (*level)[__builtin_ctz(todo)];
         const i8 same = rhw_equal_int(*level, i8_splat(first));
         todo &= ~(unsigned)rhw_mask_bits(same);
-        const struct sample_codes codes = sample_trilinear_codes(source, first, *weight, same);
+        const struct sample_codes codes = sample_trilinear_codes(source, first, *weight, same, linear);
         result->rb = rhw_select_int(same, codes.rb, result->rb);
         result->ga = rhw_select_int(same, codes.ga, result->ga);
     }
@@ -302,41 +338,27 @@ RHW_INLINE f8 sample_from_code(i8 code)
     return c * 0x1p-15f + c * 1.19676784e-07f;
 }
 
-// RGBA8_UNORM, LINEAR, no border, at levels of detail that the texture has: `detail` in 16.16.
-RHW_INLINE void sample_detail_codes(const struct sample_source *source, i8 detail, f8 texel[4])
+RHW_INLINE void sample_unpack_codes(struct sample_codes codes, f8 texel[4])
+{
+    texel[0] = sample_from_code(codes.rb & 0xffff);
+    texel[1] = sample_from_code(codes.ga & 0xffff);
+    texel[2] = sample_from_code(codes.rb >> 16);
+    texel[3] = sample_from_code(codes.ga >> 16);
+}
+
+// LINEAR, no border, at levels of detail that the texture has: `detail` in 16.16.
+RHW_INLINE void sample_detail_codes(const struct sample_source *source, i8 detail, bool linear, f8 texel[4])
 {
     const i8 level = detail >> 16, weight = sample_weight(detail);
     const int first = level[0];
     struct sample_codes result;
     if (__builtin_expect(rhw_all(rhw_equal_int(level, i8_splat(first))), 1)) {
-        result = sample_trilinear_codes(source, first, weight, i8_splat(-1));
+        result = sample_trilinear_codes(source, first, weight, i8_splat(-1), linear);
     } else {
         const i8 levels = level, weights = weight;
-        sample_mixed_codes(source, &levels, &weights, &result);
+        sample_mixed_codes(source, &levels, &weights, linear, &result);
     }
-    texel[0] = sample_from_code(result.rb & 0xffff);
-    texel[1] = sample_from_code(result.ga & 0xffff);
-    texel[2] = sample_from_code(result.rb >> 16);
-    texel[3] = sample_from_code(result.ga >> 16);
-}
-
-// The other road of 4-byte texels: sRGB, decoded before the filter and mixed in floats.
-static inline void sample_bilinear_srgb(const struct sample_source *source, const struct rhw_mip *mip,
-                                        f8 texel[4])
-{
-    const struct sample_place place = sample_place(source, mip);
-    i8 corner[4];
-    sample_corners(source, mip, &place, corner);
-    const f8 weight_x = rhw_to_float(place.weight_x & 0x7fff) * 0x1p-15f;
-    const f8 weight_y = rhw_to_float(place.weight_y & 0x7fff) * 0x1p-15f;
-    for (int c = 0; c < 4; c++) {
-        f8 value[4];
-        for (int i = 0; i < 4; i++) {
-            value[i] = c < 3 ? sample_decode(corner[i], 8 * c) : sample_unorm8((corner[i] >> 24) & 0xff);
-        }
-        texel[c] =
-            rhw_mix(rhw_mix(value[0], value[1], weight_x), rhw_mix(value[2], value[3], weight_x), weight_y);
-    }
+    sample_unpack_codes(result, texel);
 }
 
 // Level of detail and the whole ---------------------------------------------------------------------
@@ -373,7 +395,7 @@ static inline void sample_level(const struct sample_source *source, const struct
                                 enum rhw_filter filter, f8 texel[4])
 {
     if (filter == RHW_FILTER_LINEAR && source->texture->format == RHW_FORMAT_RGBA8_SRGB && !source->border) {
-        sample_bilinear_srgb(source, mip, texel);
+        sample_unpack_codes(sample_bilinear_codes(source, mip, true), texel);
     } else if (filter == RHW_FILTER_LINEAR) {
         sample_bilinear(source, mip, texel);
     } else {
@@ -446,7 +468,8 @@ static void sample(const struct rhw_binding *binding, const rhw_float uv[2], con
         sampler->address_u == RHW_ADDRESS_BORDER || sampler->address_v == RHW_ADDRESS_BORDER,
         sample_fold(sampler->address_u, uv[0]), sample_fold(sampler->address_v, uv[1])};
     const float last = sampler->mip_filter == RHW_MIP_FILTER_NONE ? 0.0f : (float)(texture->levels - 1);
-    const bool codes = texture->format == RHW_FORMAT_RGBA8_UNORM &&
+    const bool linear = texture->format == RHW_FORMAT_RGBA8_SRGB;
+    const bool codes = (linear || texture->format == RHW_FORMAT_RGBA8_UNORM) &&
                        sampler->min_filter == RHW_FILTER_LINEAR && sampler->mag_filter == RHW_FILTER_LINEAR &&
                        sampler->mip_filter != RHW_MIP_FILTER_NEAREST && !source.border;
     if (!codes) {
@@ -459,7 +482,11 @@ static void sample(const struct rhw_binding *binding, const rhw_float uv[2], con
                                     rhw_splat(sampler->lod_max));
         detail = rhw_to_int_unchecked(rhw_clamp(biased, rhw_splat(0.0f), rhw_splat(last)) * 65536.0f);
     }
-    sample_detail_codes(&source, detail, texel);
+    if (linear) {
+        sample_detail_codes(&source, detail, true, texel);
+    } else {
+        sample_detail_codes(&source, detail, false, texel);
+    }
 }
 
 #endif

@@ -6,6 +6,7 @@
 
 #include "../simd.h"
 #include "../srgb.h"
+#include "../srgb_texture.h"
 #include "../texture.h"
 
 // 16 lanes of 16 bits, 8 lanes of 32.

@@ -1,0 +1,21 @@
+// SPDX-License-Identifier: MIT
+// The linear copy of an RGBA8_SRGB texture: what the sampler filters.
+#ifndef RHW_SRGB_TEXTURE_H
+#define RHW_SRGB_TEXTURE_H
+
+#include <stdbool.h>
+
+struct rhw_context;
+struct rhw_texture_data;
+
+enum {
+    // The number for 1. A code c of 255 becomes 128·c where nothing is decoded, so that alpha and RGBA8_UNORM
+    // texels, which the sampler widens the same way, stay exact.
+    RHW_LINEAR_ONE = 255 * 128,
+    RHW_LINEAR_TEXEL = 8 // bytes: red, blue, green, alpha, 16 bits each
+};
+
+// Makes the copy, or renews it where texels have changed; nothing for other formats. False when out of memory.
+bool rhw_texture_linearize(struct rhw_context *context, struct rhw_texture_data *texture);
+
+#endif
