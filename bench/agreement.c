@@ -52,7 +52,8 @@ struct bench_agreement bench_agree(const struct bench_image *a, const struct ben
     } else {
         compare_depths(&result, a->depth, b->depth, tolerance);
     }
-    const double allowed = tolerance->outliers * (double)result.pixels;
+    // Rounded up: a share of a small picture would be no pixel at all.
+    const double allowed = ceil(tolerance->outliers * (double)result.pixels);
     result.agrees = (double)(result.coverage + result.outliers) <= allowed;
     return result;
 }

@@ -3,6 +3,7 @@
 #include "bench_scene.h"
 
 #include "scene_floor.h"
+#include "scene_latency.h"
 #include "scene_model.h"
 #include "scene_sphere.h"
 
@@ -24,6 +25,12 @@ const struct bench_scene_entry bench_scene_entries[] = {
     {"sphere_1m_depth", "the same, depth only", bench_make_sphere, BENCH_SPHERE_1M_DEPTH},
     {"bunny_lit", "Stanford bunny, Blinn-Phong per pixel", bench_make_model, BENCH_MODEL_BUNNY},
     {"bunny_depth", "the same, depth only", bench_make_model, BENCH_MODEL_BUNNY_DEPTH},
+    {"sponza", "Sponza: 262k triangles, 25 materials, textures, alpha test", bench_make_model,
+     BENCH_MODEL_SPONZA},
+    {"empty", "a frame that is cleared and nothing else", bench_make_latency, BENCH_LATENCY_EMPTY},
+    {"draws_10k", "10,000 draws of 12 triangles with uniforms of their own", bench_make_latency,
+     BENCH_LATENCY_DRAWS},
+    {"context", "creating and destroying a context of rhw", bench_make_latency, BENCH_LATENCY_CONTEXT},
 };
 const int bench_scene_entry_count = (int)(sizeof bench_scene_entries / sizeof *bench_scene_entries);
 

@@ -68,12 +68,12 @@ struct bench_draw {
     struct bench_uniforms uniforms;
 };
 
-// How far two images may be apart and still show the same; agreement.h says how it is measured.
+// How far two images may be apart and still show the same; agreement.h says how it is measured. The makers
+// say why where it is more than 1/255 and no pixel.
 struct bench_tolerance {
-    int color;          // 1/255
-    double outliers;    // fraction of pixels that may differ by more, or be covered in one image only
-    double depth;       // of the depth range
-    const char *reason; // why it is not 1/255 and none; NULL where it is
+    int color;       // 1/255
+    double outliers; // fraction of pixels that may differ by more, or be covered in one image only
+    double depth;    // of the depth range
 };
 
 // What the rate of a scene counts.
@@ -87,7 +87,8 @@ struct bench_scene {
     bool has_color, depth_test, blends;
     // Every fragment is to be shaded, hidden or not: fewer than `work` fragments are a failure.
     bool shades_all;
-    float clear[4]; // alpha 0, which no shader writes: it tells what is covered
+    bool opens_context; // no picture: the time is that of opening and closing rhw itself
+    float clear[4];     // alpha 0, which no shader writes: it tells what is covered
     struct bench_tolerance tolerance;
     enum bench_unit unit;
     double work; // units per frame

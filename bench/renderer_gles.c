@@ -57,6 +57,9 @@ static void make_texture(struct gles_state *s, uint32_t i)
 {
     const struct gles *const gl = &s->gl;
     const struct bench_texture *const texture = &s->scene->textures[i];
+    if (!texture->texels[0]) {
+        return; // of a slot that no draw reads
+    }
     gl->bind_texture(GL_TEXTURE_2D, s->textures[i]);
     gl->tex_storage_2d(GL_TEXTURE_2D, texture->levels, GL_RGBA8, texture->width, texture->height);
     for (int level = 0; level < texture->levels; level++) {

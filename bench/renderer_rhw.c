@@ -12,6 +12,7 @@
 
 struct rhw_state {
     rhw_context *context;
+    struct rhw_context_def def;
     const struct bench_scene *scene;
     int width, height;
     rhw_buffer *vertices, *indices; // per mesh
@@ -45,6 +46,9 @@ static bool make_textures(struct rhw_state *s)
 {
     for (uint32_t i = 0; i < s->scene->texture_count; i++) {
         const struct bench_texture *const texture = &s->scene->textures[i];
+        if (!texture->texels[0]) {
+            continue; // of a slot that no draw reads
+        }
         struct rhw_texture_def def = rhw_texture_def_default();
         def.width = texture->width;
         def.height = texture->height;
@@ -144,11 +148,22 @@ static struct rhw_pass_def pass_of(const struct rhw_state *s)
     return def;
 }
 
+static bool open_and_close(const struct rhw_context_def *def)
+{
+    rhw_context *context;
+    const enum rhw_result result = rhw_context_create(def, &context);
+    rhw_context_destroy(context);
+    return result == RHW_OK;
+}
+
 static bool frame(struct bench_renderer *renderer)
 {
     const struct rhw_state *const s = renderer->state;
     const struct bench_scene *const scene = s->scene;
     struct rhw_stats stats;
+    if (scene->opens_context) {
+        return open_and_close(&s->def);
+    }
     const struct rhw_pass_def def = pass_of(s);
     rhw_pass pass;
     if (rhw_pass_begin(s->context, &def, &pass) != RHW_OK) {
@@ -219,7 +234,7 @@ static void release(struct bench_renderer *renderer)
     free(s->vertices);
     free(s->indices);
     free(s->textures);
-    *s = (struct rhw_state){.context = s->context};
+    *s = (struct rhw_state){.context = s->context, .def = s->def};
 }
 
 static void close_rhw(struct bench_renderer *renderer)
@@ -244,6 +259,7 @@ bool bench_open_rhw(struct bench_renderer *renderer, int threads, enum rhw_isa i
         free(s);
         return false;
     }
+    s->def = def;
     *renderer = (struct bench_renderer){.state = s,
                                         .threads = rhw_context_threads(s->context),
                                         .isa = rhw_context_isa(s->context),

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // See scene_model.h. A file that this machine lacks is no failure of the benchmark: the scene is left out,
-// with a line that says where it was looked for.
+// with a line that says where it was looked for. Colours are drawn as the texels stand in the file, without
+// conversion between sRGB and linear light: both renderers would do that alike, and the shading is no physics.
 #include "scene_model.h"
 
 #include <stdio.h>
@@ -9,9 +10,12 @@
 #include <unistd.h>
 
 static const char bunny_path[] = "/usr/share/glmark2/models/bunny.obj"; // Debian: glmark2-data
+static const char sponza_path[] = "gltf/sponza/Sponza.gltf";            // in the folder of models
 
-static void copy_vertices(const struct rhw_mesh *from, struct bench_mesh *to)
+static void copy_vertices(const struct rhw_mesh *from, const struct rhw_material *material,
+                          struct bench_mesh *to)
 {
+    const float *const t = material->slots[RHW_SLOT_BASE_COLOR].transform;
     float *out = to->vertices;
     for (uint32_t v = 0; v < from->vertex_count; v++) {
         memcpy(out, from->positions[v], sizeof from->positions[v]);
@@ -21,70 +25,149 @@ static void copy_vertices(const struct rhw_mesh *from, struct bench_mesh *to)
             out += 3;
         }
         if (to->has[BENCH_UV]) {
-            memcpy(out, from->uvs[0] ? from->uvs[0][v] : (const float[2]){0}, 2 * sizeof *out);
-            out += 2;
+            const float *const uv = from->uvs[0][v];
+            *out++ = t[0] * uv[0] + t[1] * uv[1] + t[2];
+            *out++ = t[3] * uv[0] + t[4] * uv[1] + t[5];
         }
     }
     memcpy(to->indices, from->indices, (size_t)from->index_count * sizeof *to->indices);
 }
 
-// The file's one mesh, from the front, a little from above.
-static bool make_bunny(struct bench_scene *scene, const struct rhw_model *model, bool depth_only,
-                       double aspect)
+static bool make_texture(const struct rhw_image *image, struct bench_texture *texture)
 {
-    const struct rhw_mesh *const source = &model->meshes[0];
-    const struct rhw_camera camera =
-        rhw_camera_fit(model, (struct rhw_orbit){.azimuth = 0.0, .elevation = 10.0}, 0.5, aspect);
-    scene->mesh_count = scene->draw_count = 1;
+    if (image->type != RHW_IMAGE_RGBA8 ||
+        !bench_texture_allocate(texture, (int)image->width, (int)image->height)) {
+        return false;
+    }
+    memcpy(texture->texels[0], image->texels, image->size);
+    bench_texture_fill_mips(texture);
+    return true;
+}
+
+static struct bench_draw make_draw(const struct rhw_model *model, const struct rhw_instance *instance,
+                                   const struct rhw_camera *camera, double aspect)
+{
+    const struct rhw_material *const material = &model->materials[model->meshes[instance->mesh].material];
+    const struct rhw_texture_slot *const base = &material->slots[RHW_SLOT_BASE_COLOR];
+    double world[16];
+    for (int i = 0; i < 16; i++) {
+        world[i] = (double)instance->world[i];
+    }
+    struct bench_draw draw = {.shader = BENCH_SHADER_LIT,
+                              .mesh = instance->mesh,
+                              .texture = -1,
+                              .cull_back = !material->double_sided,
+                              .uniforms = bench_look(camera, aspect, world)};
+    if (base->image >= 0 && model->meshes[instance->mesh].uvs[0]) {
+        draw.texture = base->image;
+        draw.shader =
+            material->alpha_mode == RHW_ALPHA_MASK ? BENCH_SHADER_LIT_MASKED : BENCH_SHADER_LIT_TEXTURE;
+    }
+    draw.uniforms.cutoff = material->alpha_cutoff;
+    return draw;
+}
+
+// Every instance a draw, in the order of the file. Images that no base colour uses stay empty.
+static bool make_scene(struct bench_scene *scene, const struct rhw_model *model,
+                       const struct rhw_camera *camera, double aspect)
+{
+    scene->mesh_count = model->mesh_count;
+    scene->texture_count = model->image_count;
+    scene->draw_count = model->instance_count;
     scene->depth_test = true;
-    scene->has_color = !depth_only;
     scene->unit = BENCH_TRIANGLES;
-    scene->work = source->index_count / 3;
-    scene->tolerance = (struct bench_tolerance){
-        .color = 2,
-        .outliers = 0.002,
-        .depth = 1e-5,
-        .reason = "vertices that fall between two subpixel positions are snapped to either",
-    };
+    scene->work = (double)model->triangles_drawn;
     if (!bench_scene_allocate(scene)) {
         return false;
     }
-    struct bench_mesh *const mesh = &scene->meshes[0];
-    mesh->has[BENCH_POSITION] = true;
-    mesh->has[BENCH_NORMAL] = !depth_only;
-    if (!bench_mesh_allocate(mesh, source->vertex_count, source->index_count)) {
+    for (uint32_t i = 0; i < scene->draw_count; i++) {
+        scene->draws[i] = make_draw(model, &model->instances[i], camera, aspect);
+        const int32_t image = scene->draws[i].texture;
+        if (image >= 0 && !scene->textures[image].texels[0] &&
+            !make_texture(&model->images[image], &scene->textures[image])) {
+            return false;
+        }
+    }
+    for (uint32_t i = 0; i < scene->mesh_count; i++) {
+        const struct rhw_mesh *const source = &model->meshes[i];
+        struct bench_mesh *const mesh = &scene->meshes[i];
+        mesh->has[BENCH_POSITION] = true;
+        mesh->has[BENCH_NORMAL] = scene->has_color;
+        mesh->has[BENCH_UV] = scene->has_color && source->uvs[0] && model->image_count;
+        if (!bench_mesh_allocate(mesh, source->vertex_count, source->index_count)) {
+            return false;
+        }
+        copy_vertices(source, &model->materials[source->material], mesh);
+    }
+    return true;
+}
+
+// From the front, a little from above, as large as it fits.
+static bool make_bunny(struct bench_scene *scene, const struct rhw_model *model, bool depth_only,
+                       double aspect)
+{
+    const struct rhw_camera camera =
+        rhw_camera_fit(model, (struct rhw_orbit){.azimuth = 0.0, .elevation = 10.0}, 0.5, aspect);
+    scene->has_color = !depth_only;
+    scene->tolerance = (struct bench_tolerance){.outliers = 5e-5, .depth = 1e-3};
+    if (!make_scene(scene, model, &camera, aspect)) {
         return false;
     }
-    copy_vertices(source, mesh);
-    double world[16];
-    for (int i = 0; i < 16; i++) {
-        world[i] = (double)model->instances[0].world[i];
-    }
-    scene->draws[0] = (struct bench_draw){.shader = depth_only ? BENCH_SHADER_DEPTH : BENCH_SHADER_LIT,
-                                          .texture = -1,
-                                          .cull_back = true,
-                                          .uniforms = bench_look(&camera, aspect, world)};
     const float color[4] = {0.75f, 0.65f, 0.55f, 1.0f};
     memcpy(scene->draws[0].uniforms.color, color, sizeof color);
+    if (depth_only) {
+        scene->draws[0].shader = BENCH_SHADER_DEPTH;
+    }
     return true;
+}
+
+// Along the nave from one end.
+static bool make_sponza(struct bench_scene *scene, const struct rhw_model *model, double aspect)
+{
+    static const struct rhw_camera camera = {
+        .eye = {6.8, 2.2, -0.5},
+        .target = {0.0, 3.2, -0.1},
+        .up = {0.0, 1.0, 0.0},
+        .yfov = 1.0,
+        .znear = 0.1,
+        .zfar = 50.0,
+    };
+    // Where a texel stands near the cutoff of the alpha test, either side of it is right.
+    scene->tolerance = (struct bench_tolerance){.color = 6, .outliers = 5e-4};
+    return make_scene(scene, model, &camera, aspect);
+}
+
+// "../shared/models" of who works on rhw, or where the environment says.
+static void find_model(char *path, size_t size, bool bunny)
+{
+    const char *const folder = getenv("RHW_MODELS");
+    if (bunny) {
+        snprintf(path, size, "%s", bunny_path);
+    } else {
+        snprintf(path, size, "%s/%s", folder ? folder : "../shared/models", sponza_path);
+    }
 }
 
 bool bench_make_model(const struct bench_scene_entry *entry, struct bench_scene *scene, int width, int height,
                       char *why, size_t why_size)
 {
-    char error[256];
-    if (access(bunny_path, R_OK) != 0) {
-        snprintf(why, why_size, "there is no %s", bunny_path);
+    char path[4096], error[256];
+    const double aspect = (double)width / (double)height;
+    const bool bunny = entry->variant != BENCH_MODEL_SPONZA;
+    find_model(path, sizeof path, bunny);
+    if (access(path, R_OK) != 0) {
+        snprintf(why, why_size, "there is no %.300s%s", path,
+                 bunny ? "" : "; RHW_MODELS names the folder of models");
         return false;
     }
-    struct rhw_model *const model = rhw_model_load(bunny_path, NULL, error, sizeof error);
+    struct rhw_model *const model = rhw_model_load(path, NULL, error, sizeof error);
     if (!model || model->instance_count == 0) {
-        snprintf(why, why_size, "%s: %s", bunny_path, model ? "nothing to draw" : error);
+        snprintf(why, why_size, "%.300s: %s", path, model ? "nothing to draw" : error);
         rhw_model_free(model);
         return false;
     }
-    const bool made =
-        make_bunny(scene, model, entry->variant == BENCH_MODEL_BUNNY_DEPTH, (double)width / (double)height);
+    const bool made = bunny ? make_bunny(scene, model, entry->variant == BENCH_MODEL_BUNNY_DEPTH, aspect)
+                            : make_sponza(scene, model, aspect);
     rhw_model_free(model);
     return made;
 }

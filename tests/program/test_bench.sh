@@ -6,7 +6,7 @@
 tiny="--size 96x54 --frames 2"
 
 succeed bench --list
-check "list names the scenes" test "$(grep -cE '^(fill_flat|overdraw|sphere_1m_depth|bunny_lit) ' "$folder/log/out")" = 4
+check "list names the scenes" test "$(grep -cE "^(fill_flat|overdraw|sphere_1m_depth|bunny_lit|sponza|context) " "$folder/log/out")" = 6
 
 succeed bench $tiny --peer none --scene fill --threads 2
 check "table has its rows" test "$(grep -cE '^fill_(flat|color|blend|tex) ' "$folder/log/out")" = 4
@@ -26,8 +26,15 @@ check "pictures" test -s pictures/sphere_1m_depth_rhw.png -a -s pictures/fill_te
 refuse 1 "missing: is no folder" bench $tiny --scene fill_tex --save missing
 refuse 1 "missing/a.json: " bench $tiny --peer none --scene fill_tex --json=missing/a.json --csv=b.csv
 
+# A model that is not there leaves its scene out, and nothing else.
+status=0
+RHW_MODELS=$folder/none "$rhw" bench $tiny --peer none --scene sponza,empty --csv >"$folder/log/out" 2>"$folder/log/err" || status=$?
+check "no model: status" test "$status" = 0
+check "no model: one line" grep -q '^rhw: sponza: warning: left out: there is no .*/none/gltf' "$folder/log/err"
+check "no model: the others" grep -q '^empty,' "$folder/log/out"
+
 # The peer, or one line that says why there is none.
-run bench $tiny --scene fill_blend,sphere_10k --json
+run bench $tiny --scene fill_blend,sphere_10k,empty,draws_10k,context --json
 check "with the peer: status" test "$status" = 0
 if grep -q 'not compared with' "$folder/log/err"; then
     check "without Mesa: one line" test "$(wc -l <"$folder/log/err")" = 1

@@ -1,0 +1,78 @@
+// SPDX-License-Identifier: MIT
+// See scene_latency.h. The 10,000 draws are cubes in a field of 100 × 100, each with a matrix and a colour of
+// its own; they are small, so that pixels do not count.
+#include "scene_latency.h"
+
+#include <math.h>
+#include <string.h>
+
+enum { SIDE = 100, FACES = 6 };
+
+static const double size = 0.1; // half an edge; cubes stand 1.6 apart
+
+static const struct rhw_camera camera = {
+    .eye = {0.0, 60.0, 110.0},
+    .up = {0.0, 1.0, 0.0},
+    .yfov = 0.8,
+    .znear = 1.0,
+    .zfar = 300.0,
+};
+
+// Four vertices per face; `axis` is the one that the face looks along.
+static bool make_cube(struct bench_mesh *mesh)
+{
+    mesh->has[BENCH_POSITION] = mesh->has[BENCH_NORMAL] = true;
+    if (!bench_mesh_allocate(mesh, 4 * FACES, 6 * FACES)) {
+        return false;
+    }
+    float *to = mesh->vertices;
+    for (int face = 0; face < FACES; face++) {
+        const int axis = face / 2, u = (axis + 1) % 3, v = (axis + 2) % 3;
+        const float sign = face & 1 ? 1.0f : -1.0f;
+        for (int i = 0; i < 4; i++, to += 6) {
+            to[axis] = sign;
+            to[u] = (i & 1 ? 1.0f : -1.0f) * sign; // keeps the winding of the opposite face
+            to[v] = i & 2 ? 1.0f : -1.0f;
+            to[3 + axis] = sign;
+        }
+        const uint32_t first = (uint32_t)(4 * face);
+        const uint32_t quad[6] = {first, first + 1, first + 3, first, first + 3, first + 2};
+        memcpy(mesh->indices + 6 * face, quad, sizeof quad);
+    }
+    return true;
+}
+
+static void place_cube(struct bench_draw *draw, int number, double aspect)
+{
+    const int column = number % SIDE, row = number / SIDE;
+    const double turn = 0.37 * number, c = size * cos(turn), s = size * sin(turn);
+    const double x = 1.6 * (column - 0.5 * (SIDE - 1)), z = 1.6 * (row - 0.5 * (SIDE - 1));
+    const double world[16] = {c, 0, -s, 0, 0, size, 0, 0, s, 0, c, 0, x, 0, z, 1};
+    *draw = (struct bench_draw){.shader = BENCH_SHADER_LIT,
+                                .texture = -1,
+                                .cull_back = true,
+                                .uniforms = bench_look(&camera, aspect, world)};
+    const float color[4] = {0.2f + 0.006f * (float)column, 0.5f, 0.8f - 0.006f * (float)row, 1.0f};
+    memcpy(draw->uniforms.color, color, sizeof color);
+}
+
+bool bench_make_latency(const struct bench_scene_entry *entry, struct bench_scene *scene, int width,
+                        int height, char *why, size_t why_size)
+{
+    (void)why, (void)why_size; // nothing but memory can fail
+    const bool draws = entry->variant == BENCH_LATENCY_DRAWS;
+    scene->opens_context = entry->variant == BENCH_LATENCY_CONTEXT;
+    scene->depth_test = true;
+    scene->mesh_count = draws;
+    scene->draw_count = draws ? SIDE * SIDE : 0;
+    scene->unit = BENCH_DRAWS;
+    scene->work = scene->draw_count;
+    scene->tolerance.outliers = draws ? 5e-5 : 0.0;
+    if (!bench_scene_allocate(scene) || (draws && !make_cube(&scene->meshes[0]))) {
+        return false;
+    }
+    for (uint32_t i = 0; i < scene->draw_count; i++) {
+        place_cube(&scene->draws[i], (int)i, (double)width / (double)height);
+    }
+    return true;
+}
