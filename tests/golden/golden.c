@@ -23,11 +23,31 @@ struct scene {
 };
 
 static const struct scene features[] = {
-    {"blend", golden_blend_draw, 0},       {"write-masks", golden_write_mask_draw, 0},
-    {"formats", golden_formats_draw, 0},   {"passes", golden_passes_draw, 0},
-    {"depth", golden_depth_draw, 0},       {"culling", golden_culling_draw, 0},
-    {"topology", golden_topology_draw, 0}, {"viewports", golden_viewport_draw, 0},
+    {"blend", golden_blend_draw, 0},
+    {"write-masks", golden_write_mask_draw, 0},
+    {"formats", golden_formats_draw, 0},
+    {"passes", golden_passes_draw, 0},
+    {"depth", golden_depth_draw, 0},
+    {"culling", golden_culling_draw, 0},
+    {"topology", golden_topology_draw, 0},
+    {"viewports", golden_viewport_draw, 0},
     {"clipping", golden_clipping_draw, 0},
+    {"vertex-formats", golden_vertex_format_draw, 0},
+    {"instances", golden_instances_draw, 0},
+    {"samplers", golden_sampler_draw, 0},
+    {"texels", golden_texel_draw, 0},
+    {"chain", golden_chain_draw, 0},
+    {"builtins", golden_builtins_draw, 0},
+    {"heights", golden_heights_draw, 0},
+    {"maths", golden_maths_draw, 0},
+    {"maths-of-all-floats", golden_maths_draw, 1},
+    {"one-at-a-time", golden_single_draw, 0},
+    {"gallery", golden_gallery_draw, 0},
+    {"gallery-wireframe-over", golden_gallery_draw, 1},
+    {"gallery-orthographic", golden_gallery_draw, 2},
+    {"gallery-wireframe-plain", golden_gallery_draw, 3},
+    {"spot", golden_model_draw, 0},
+    {"spider", golden_model_draw, 1},
 };
 enum { FEATURES = sizeof features / sizeof *features, MAX_SCENES = FEATURES + 16 };
 
@@ -153,10 +173,21 @@ static int show(const char *name, const char *file)
     return fclose(stream) != 0;
 }
 
+// The folder models/ beside the table; --show is run from the root of the repository.
+static void find_models(const char *table)
+{
+    static char path[1000];
+    const char *const end = strrchr(table, '/');
+    snprintf(path, sizeof path, "%.*smodels", end ? (int)(end - table) + 1 : 0, table);
+    golden_models_at(path);
+}
+
 int main(int argc, char **argv)
 {
     list_scenes();
-    if (argc == 4 && strcmp(argv[1], "--show") == 0)
+    const bool shows = argc == 4 && strcmp(argv[1], "--show") == 0;
+    find_models(shows || argc < 2 ? "tests/golden/" : argv[1]);
+    if (shows)
         return show(argv[2], argv[3]);
     const struct golden_set set = {scene_count, scene_name, hash_scene};
     return golden_main(&set, argc, argv);

@@ -25,4 +25,26 @@ golden_draw_function golden_topology_draw; ///< lists, strips, fans, restart, pr
 golden_draw_function golden_viewport_draw; ///< viewports off the grid and off the target, scissors
 golden_draw_function golden_clipping_draw; ///< each plane, behind the eye, far outside; by qualifier
 
+// golden_vertices.c
+golden_draw_function golden_vertex_format_draw; ///< all vertex formats, odd strides and offsets
+golden_draw_function golden_instances_draw;     ///< per-instance attributes, first instance, ids
+
+// golden_textures.c
+golden_draw_function golden_sampler_draw; ///< addresses, filters, mip filters, level bounds, bias, border
+golden_draw_function golden_texel_draw;   ///< every sampled format and every level of odd sizes
+golden_draw_function golden_chain_draw;   ///< what one pass draws, the next samples
+
+// golden_fragments.c
+golden_draw_function golden_builtins_draw; ///< coordinates, weights, derivatives, ids as floats and integers
+golden_draw_function golden_heights_draw;  ///< fragment depth, discard, derivatives
+golden_draw_function golden_maths_draw; ///< shader maths; 0: ordinary arguments, 1: the whole range of floats
+golden_draw_function golden_single_draw; ///< the one-at-a-time form of vertex and fragment functions
+
+// golden_gallery.c: models as `rhw render` draws them, with all its outputs
+golden_draw_function golden_gallery_draw; ///< every kind of material and light; numbers are views
+golden_draw_function golden_model_draw;   ///< real models that stand in models/; numbers are models
+
+/// Where models/ stands; set before the first draw.
+void golden_models_at(const char *folder);
+
 #endif

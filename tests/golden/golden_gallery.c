@@ -1,0 +1,353 @@
+// SPDX-License-Identifier: MIT
+// Golden scenes of models, drawn as `rhw render` draws them: by the built-in shaders of scene/, with every output
+// it has. The gallery is made here and has every kind of material, primitive and light; the others are real
+// models, which models/ carries decoded.
+#include "golden_model_file.h"
+#include "golden_scenes.h"
+
+#include "draw.h"
+
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+enum { IMAGE_COLORS, IMAGE_BUMPS, IMAGE_ROUGHNESS, IMAGE_GLOW, IMAGES, IMAGE_SIDE = 32 };
+enum { MATERIALS = 12, BALL = 0, PLATE, LINES, POINTS, MESHES, GRID = 12 };
+
+static const char *folder;
+
+void golden_models_at(const char *path)
+{
+    folder = path;
+}
+
+// A ball as six curved faces with coordinates of their own; a plate is one flat face. Tangents follow u.
+static void make_faces(struct rhw_mesh *mesh, int faces)
+{
+    mesh->vertex_count = (uint32_t)(faces * (GRID + 1) * (GRID + 1));
+    mesh->index_count = (uint32_t)(faces * GRID * GRID * 6);
+    mesh->positions = golden_allocate(mesh->vertex_count, sizeof *mesh->positions);
+    mesh->normals = golden_allocate(mesh->vertex_count, sizeof *mesh->normals);
+    mesh->tangents = golden_allocate(mesh->vertex_count, sizeof *mesh->tangents);
+    mesh->colors = golden_allocate(mesh->vertex_count, sizeof *mesh->colors);
+    mesh->indices = golden_allocate(mesh->index_count, sizeof *mesh->indices);
+    for (int set = 0; set < RHW_UV_SETS; set++)
+        mesh->uvs[set] = golden_allocate(mesh->vertex_count, sizeof *mesh->uvs[set]);
+    uint32_t v = 0, i = 0;
+    for (int face = 0; face < faces; face++) {
+        const int axis = face / 2, along_u = (axis + 1) % 3, along_v = (axis + 2) % 3;
+        const float side = face % 2 ? -1.0f : 1.0f;
+        for (uint32_t at = 0; at < (GRID + 1) * (GRID + 1); at++, v++) {
+            const float x = (float)(at % (GRID + 1)) / GRID * 2 - 1,
+                        y = (float)(at / (GRID + 1)) / GRID * 2 - 1;
+            float p[3];
+            p[axis] = faces == 1 ? 0 : side;
+            p[along_u] = x * side;
+            p[along_v] = y;
+            const float length = faces == 1 ? 1 : __builtin_sqrtf(p[0] * p[0] + p[1] * p[1] + p[2] * p[2]);
+            float slope = 0, square = 0, tangent[3];
+            for (int c = 0; c < 3; c++) {
+                mesh->positions[v][c] = p[c] / length;
+                mesh->normals[v][c] = faces == 1 ? (c == axis ? 1.0f : 0.0f) : p[c] / length;
+            }
+            slope = mesh->normals[v][along_u] * side;
+            for (int c = 0; c < 3; c++) {
+                tangent[c] = (c == along_u ? side : 0) - slope * mesh->normals[v][c];
+                square += tangent[c] * tangent[c];
+            }
+            for (int c = 0; c < 3; c++) {
+                mesh->tangents[v][c] = tangent[c] / __builtin_sqrtf(square);
+                mesh->colors[v][c] = c == face % 3 ? 1.0f : 0.75f + 0.25f * x * y;
+            }
+            mesh->tangents[v][3] = -1;
+            mesh->colors[v][3] = 1;
+            mesh->uvs[0][v][0] = 0.5f + 0.5f * x;
+            mesh->uvs[0][v][1] = 0.5f - 0.5f * y;
+            mesh->uvs[1][v][0] = x;
+            mesh->uvs[1][v][1] = y * 1.5f;
+            if (at % (GRID + 1) < GRID && at / (GRID + 1) < GRID) {
+                const uint32_t corner[6] = {v, v + 1, v + GRID + 1, v + GRID + 1, v + 1, v + GRID + 2};
+                memcpy(mesh->indices + i, corner, sizeof corner);
+                i += 6;
+            }
+        }
+    }
+}
+
+// A spiral of points, as a chain of lines or one by one.
+static void make_spiral(struct rhw_mesh *mesh, enum rhw_primitive primitive)
+{
+    enum { COUNT = 40 };
+    mesh->primitive = primitive;
+    mesh->vertex_count = COUNT;
+    mesh->index_count = primitive == RHW_PRIMITIVE_LINES ? 2 * (COUNT - 1) : COUNT;
+    mesh->positions = golden_allocate(COUNT, sizeof *mesh->positions);
+    mesh->colors = golden_allocate(COUNT, sizeof *mesh->colors);
+    mesh->indices = golden_allocate(mesh->index_count, sizeof *mesh->indices);
+    float x = 1, y = 0;
+    for (uint32_t i = 0; i < COUNT; i++) {
+        const float color[4] = {(float)i / COUNT, 0.2f, 1 - (float)i / COUNT, 1};
+        const float position[3] = {x, (float)i / COUNT * 2 - 1, y};
+        memcpy(mesh->positions[i], position, sizeof position);
+        memcpy(mesh->colors[i], color, sizeof color);
+        const float turned = x * 0.75f - y * 0.6f;
+        y = x * 0.6f + y * 0.75f;
+        x = turned;
+    }
+    for (uint32_t i = 0; i < mesh->index_count; i++)
+        mesh->indices[i] = primitive == RHW_PRIMITIVE_LINES ? (i + 1) / 2 : i;
+}
+
+static void make_images(struct rhw_image *images)
+{
+    static const enum rhw_image_type types[IMAGES] = {RHW_IMAGE_RGBA8, RHW_IMAGE_RGBA8, RHW_IMAGE_RGBA16,
+                                                      RHW_IMAGE_RGBA32F};
+    static const size_t sizes[] = {[RHW_IMAGE_RGBA8] = 4, [RHW_IMAGE_RGBA16] = 8, [RHW_IMAGE_RGBA32F] = 16};
+    for (int i = 0; i < IMAGES; i++) {
+        images[i] =
+            (struct rhw_image){.name = "", .type = types[i], .width = IMAGE_SIDE, .height = IMAGE_SIDE};
+        images[i].used_as_color = i == IMAGE_COLORS || i == IMAGE_GLOW;
+        images[i].used_as_data = i == IMAGE_BUMPS || i == IMAGE_ROUGHNESS;
+        images[i].has_alpha = i == IMAGE_COLORS;
+        images[i].size = IMAGE_SIDE * IMAGE_SIDE * sizes[types[i]];
+        images[i].texels = golden_allocate(images[i].size, 1);
+    }
+    for (int i = 0; i < IMAGE_SIDE * IMAGE_SIDE; i++) {
+        const int x = i % IMAGE_SIDE, y = i / IMAGE_SIDE;
+        const bool dark = (x / 4 + y / 4) % 2;
+        unsigned char *const color = (unsigned char *)images[IMAGE_COLORS].texels + 4 * i;
+        unsigned char *const bump = (unsigned char *)images[IMAGE_BUMPS].texels + 4 * i;
+        uint16_t *const rough = (uint16_t *)images[IMAGE_ROUGHNESS].texels + 4 * i;
+        float *const glow = (float *)images[IMAGE_GLOW].texels + 4 * i;
+        for (int c = 0; c < 3; c++) {
+            color[c] = (unsigned char)(dark ? 40 + 60 * c : 250 - (c == 1 ? 4 * x : 3 * y));
+            rough[c] = (uint16_t)(c == 1 ? 2000 * x : c == 2 ? (y / 8 % 2) * 65535 : 65535 - 1500 * y);
+            glow[c] = x % 8 == 3 ? 1.5f * (float)c : 0.0f;
+        }
+        color[3] = (unsigned char)(255 * (x / 4 % 4) / 3);
+        bump[0] = (unsigned char)(x % 8 < 4 ? 96 : 160);
+        bump[1] = (unsigned char)(y % 8 < 4 ? 96 : 160);
+        bump[2] = 240;
+        bump[3] = 255;
+        rough[3] = 65535;
+        glow[3] = 1;
+    }
+}
+
+static void bind(struct rhw_material *material, enum rhw_slot slot, int image)
+{
+    material->slots[slot].image = image;
+}
+
+static void make_materials(struct rhw_material *materials)
+{
+    for (int m = 0; m < MATERIALS; m++) {
+        materials[m] =
+            (struct rhw_material){.name = "",
+                                  .base_color = {0.9f, 0.6f - 0.04f * (float)m, 0.1f * (float)m, 1},
+                                  .metallic = (float)(m % 3) * 0.5f,
+                                  .roughness = 0.15f + 0.07f * (float)m,
+                                  .normal_scale = 1,
+                                  .occlusion_strength = 0.75f,
+                                  .alpha_cutoff = 0.5f};
+        for (int s = 0; s < RHW_SLOT_COUNT; s++) {
+            // Coordinates turned, scaled and moved; another address and filter for each.
+            materials[m].slots[s] =
+                (struct rhw_texture_slot){.image = -1,
+                                          .uv_set = (uint32_t)(m % RHW_UV_SETS),
+                                          .transform = {m % 2 ? 0.8f : 1, m % 2 ? 0.6f : 0, 0.1f,
+                                                        m % 2 ? -0.6f : 0, m % 2 ? 0.8f : 1, 0},
+                                          .address_u = (enum rhw_address)(m % 3),
+                                          .address_v = (enum rhw_address)((m + 1) % 3),
+                                          .min_filter = (enum rhw_filter)((m + 1) % 2),
+                                          .mag_filter = RHW_FILTER_LINEAR,
+                                          .mip_filter = (enum rhw_mip_filter)(m % 3)};
+        }
+    }
+    bind(&materials[3], RHW_SLOT_BASE_COLOR, IMAGE_COLORS);
+    bind(&materials[4], RHW_SLOT_BASE_COLOR, IMAGE_COLORS);
+    bind(&materials[4], RHW_SLOT_NORMAL, IMAGE_BUMPS);
+    bind(&materials[5], RHW_SLOT_NORMAL, IMAGE_BUMPS);
+    bind(&materials[5], RHW_SLOT_METALLIC_ROUGHNESS, IMAGE_ROUGHNESS);
+    bind(&materials[5], RHW_SLOT_OCCLUSION, IMAGE_ROUGHNESS);
+    bind(&materials[6], RHW_SLOT_EMISSIVE, IMAGE_GLOW);
+    materials[6].emissive[0] = materials[6].emissive[2] = 0.8f;
+    materials[7].unlit = true;
+    bind(&materials[7], RHW_SLOT_BASE_COLOR, IMAGE_COLORS);
+    materials[8].alpha_mode = RHW_ALPHA_MASK;
+    materials[8].double_sided = true;
+    bind(&materials[8], RHW_SLOT_BASE_COLOR, IMAGE_COLORS);
+    materials[9].alpha_mode = RHW_ALPHA_BLEND;
+    materials[9].base_color[3] = 0.6f;
+    materials[10].alpha_mode = RHW_ALPHA_BLEND;
+    bind(&materials[10], RHW_SLOT_BASE_COLOR, IMAGE_COLORS);
+    materials[11].unlit = true;
+}
+
+static void place(struct rhw_instance *instance, uint32_t mesh, int column, int row, float scale)
+{
+    *instance = (struct rhw_instance){.mesh = mesh};
+    // Turned by the angle whose sine is 0.6; every third is mirrored.
+    const float mirror = (column + row) % 3 == 2 ? -scale : scale;
+    const float world[16] = {0.8f * mirror,
+                             0,
+                             -0.6f * mirror,
+                             0,
+                             0,
+                             scale,
+                             0,
+                             0,
+                             0.6f * scale,
+                             0,
+                             0.8f * scale,
+                             0,
+                             2.2f * (float)column,
+                             -2.2f * (float)row,
+                             0.3f * (float)row,
+                             1};
+    memcpy(instance->world, world, sizeof world);
+}
+
+static void make_lights(struct rhw_model *model)
+{
+    static const struct rhw_model_light lights[] = {
+        {"", RHW_LIGHT_DIRECTIONAL, {0}, {-0.48f, -0.6f, -0.64f}, {1, 0.95f, 0.9f}, 2, 0, 0, 0},
+        {"", RHW_LIGHT_POINT, {1, -1, 3}, {0, 0, -1}, {0.3f, 0.6f, 1}, 40, 9, 0, 0},
+        {"", RHW_LIGHT_SPOT, {6, 2, 5}, {0, -0.6f, -0.8f}, {1, 0.4f, 0.3f}, 90, 0, 0.95f, 0.8f},
+    };
+    model->light_count = 3;
+    model->lights = golden_allocate(3, sizeof *lights);
+    memcpy(model->lights, lights, sizeof lights);
+}
+
+static const struct rhw_model *make_gallery(void)
+{
+    struct rhw_model *const model = golden_allocate(1, sizeof *model);
+    enum { COPIES = MATERIALS + 3 };
+    model->image_count = IMAGES;
+    model->material_count = MATERIALS;
+    model->mesh_count = COPIES;
+    model->instance_count = COPIES;
+    model->images = golden_allocate(IMAGES, sizeof *model->images);
+    model->materials = golden_allocate(MATERIALS, sizeof *model->materials);
+    model->meshes = golden_allocate(COPIES, sizeof *model->meshes);
+    model->instances = golden_allocate(COPIES, sizeof *model->instances);
+    make_images(model->images);
+    make_materials(model->materials);
+    struct rhw_mesh shapes[MESHES] = {{.name = ""}, {.name = ""}, {.name = ""}, {.name = ""}};
+    make_faces(&shapes[BALL], 6);
+    make_faces(&shapes[PLATE], 1);
+    make_spiral(&shapes[LINES], RHW_PRIMITIVE_LINES);
+    make_spiral(&shapes[POINTS], RHW_PRIMITIVE_POINTS);
+    for (int i = 0; i < COPIES; i++) {
+        static const int extra[3] = {PLATE, LINES, POINTS};
+        const int shape = i < MATERIALS ? BALL : extra[i - MATERIALS];
+        model->meshes[i] = shapes[shape];
+        model->meshes[i].material = (uint32_t)(i < MATERIALS ? i : shape == PLATE ? 8 : 11);
+        if (i % 4 != 1 && shape == BALL)
+            model->meshes[i].colors = NULL; // they colour every fourth ball
+        place(&model->instances[i], (uint32_t)i, i % 5, i / 5, 1);
+    }
+    make_lights(model);
+    golden_model_complete(model);
+    return model;
+}
+
+// A camera of the file: in front of the middle, a little turned.
+static struct rhw_model_camera file_camera(bool orthographic)
+{
+    struct rhw_model_camera camera = {.name = "", .orthographic = orthographic};
+    camera.aspect = 2;
+    camera.xmag = 6;
+    camera.ymag = 4;
+    camera.znear = 0.5f;
+    camera.zfar = 40;
+    const float world[16] = {0.8f, 0, -0.6f, 0, 0, 1, 0, 0, 0.6f, 0, 0.8f, 0, 14, -1.5f, 12, 1};
+    memcpy(camera.world, world, sizeof world);
+    return camera;
+}
+
+static void give(struct golden_images *images, enum rhw_format format, const struct rhw_pictures *pictures,
+                 void *pixels)
+{
+    if (pixels == NULL)
+        return;
+    const size_t size = rhw_format_size(format) * (size_t)pictures->width * (size_t)pictures->height;
+    void *const copy = golden_allocate(size, 1);
+    memcpy(copy, pixels, size);
+    golden_give(images, format, pictures->width, pictures->height, copy);
+}
+
+static void draw_model(rhw_context *context, const struct rhw_model *model, const struct rhw_view *view,
+                       struct golden_images *images)
+{
+    char error[256];
+    if (!rhw_view_check(view, error, sizeof error)) {
+        fprintf(stderr, "golden: %s\n", error);
+        exit(2);
+    }
+    struct rhw_scene *scene;
+    struct rhw_pictures p;
+    golden_check(rhw_scene_create(context, model, &scene), "model");
+    golden_check(rhw_scene_draw(scene, view, &p, NULL), "model");
+    give(images, RHW_FORMAT_RGBA8_SRGB, &p, p.color);
+    float *const wide[] = {p.linear, p.display, p.normal, p.position, p.uv, p.barycentric};
+    for (int i = 0; i < 6; i++)
+        give(images, RHW_FORMAT_RGBA32_FLOAT, &p, wide[i]);
+    give(images, RHW_FORMAT_R32_FLOAT, &p, p.depth);
+    give(images, RHW_FORMAT_R32_FLOAT, &p, p.distance);
+    give(images, RHW_FORMAT_R32_UINT, &p, p.object);
+    give(images, RHW_FORMAT_R32_UINT, &p, p.triangle);
+    rhw_pictures_free(&p);
+    rhw_scene_destroy(scene);
+}
+
+void golden_gallery_draw(rhw_context *context, int number, struct golden_images *images)
+{
+    static const struct rhw_model *model;
+    if (model == NULL)
+        model = make_gallery();
+    struct rhw_view view = rhw_view_default(model);
+    view.width = number == 3 ? 120 : 200;
+    view.height = number == 3 ? 160 : 130;
+    view.outputs = number % 2 ? RHW_OUTPUT_COLOR | RHW_OUTPUT_LINEAR | RHW_OUTPUT_DISPLAY : RHW_OUTPUT_ALL;
+    static const int samples[] = {4, 1, 1, 9};
+    view.samples = samples[number];
+    const double aspect = (double)view.width / view.height;
+    struct rhw_model_camera camera = file_camera(number == 2);
+    camera.yfov = 0.25f; // the narrower picture takes a taller angle
+    view.camera = number < 2 ? rhw_camera_fit(model, (struct rhw_orbit){25, 15}, 0.5, aspect)
+                             : rhw_camera_from_model(&camera, aspect);
+    if (number == 1) {
+        view.default_lights = true;
+        view.wireframe = RHW_WIREFRAME_OVER;
+        view.background = RHW_BACKGROUND_TRANSPARENT;
+    } else if (number == 2) {
+        view.exposure = -0.7;
+        view.background = RHW_BACKGROUND_COLOR;
+        memcpy(view.background_color, (const uint8_t[]){70, 20, 40}, 3);
+    } else if (number == 3) {
+        view.interpolate = RHW_NOPERSPECTIVE;
+        view.wireframe = RHW_WIREFRAME_PLAIN;
+    }
+    draw_model(context, model, &view, images);
+}
+
+void golden_model_draw(rhw_context *context, int number, struct golden_images *images)
+{
+    static const char *const names[] = {"spot", "spider"};
+    static const struct rhw_model *models[2];
+    if (models[number] == NULL) {
+        char path[1024];
+        snprintf(path, sizeof path, "%s/%s.rhwg", folder, names[number]);
+        models[number] = golden_model_file_read(path);
+    }
+    struct rhw_view view = rhw_view_default(models[number]);
+    view.width = 160;
+    view.height = 120;
+    view.samples = 4;
+    view.outputs = RHW_OUTPUT_ALL;
+    view.camera =
+        rhw_camera_fit(models[number], (struct rhw_orbit){number == 0 ? 215 : 30, 20}, 0.5, 160.0 / 120);
+    draw_model(context, models[number], &view, images);
+}
