@@ -542,7 +542,7 @@ static bool run_chunk(struct rhw_pass_state *pass, struct rhw_chunk *chunk, int 
     }
     // Room for all triangles; what culling leaves of it goes back.
     struct output out = {.triangles =
-                             rhw_arena_alloc(arena, chunk->count * sizeof *out.triangles, RHW_CACHE_LINE)};
+                             rhw_arena_alloc(arena, (size_t)chunk->count * sizeof *out.triangles, RHW_CACHE_LINE)};
     if (!out.triangles) {
         return false;
     }
