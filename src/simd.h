@@ -17,6 +17,7 @@
 
 typedef rhw_float f8;
 typedef rhw_int i8;
+typedef float f4 __attribute__((vector_size(16)));
 
 // 8 doubles as two halves: no instruction set below AVX-512 has them in one register, and gcc spills
 // 64-byte vectors on the others.
@@ -292,19 +293,13 @@ RHW_INLINE d8 d8_clamp(d8 v, double low, double high)
 #endif
 }
 
-// 4 floats at each of 8 places, as 4 vectors of one component each.
-RHW_INLINE void f8_load_columns(const void *const place[8], f8 column[4])
+// Turns 8 rows of 4 floats into 4 vectors of one component each.
+RHW_INLINE void f4_columns(const f4 row[8], f8 column[4])
 {
-#if defined(__SSE2__)
-    __m128 q[8];
-    for (int i = 0; i < 8; i++) {
-        q[i] = _mm_loadu_ps((const float *)place[i]);
-    }
-#endif
 #if defined(__AVX2__)
     __m256 r[4], t[4];
     for (int i = 0; i < 4; i++) {
-        r[i] = _mm256_insertf128_ps(_mm256_castps128_ps256(q[i]), q[i + 4], 1);
+        r[i] = _mm256_insertf128_ps(_mm256_castps128_ps256((__m128)row[i]), (__m128)row[i + 4], 1);
     }
     for (int i = 0; i < 2; i++) {
         t[2 * i] = _mm256_unpacklo_ps(r[2 * i], r[2 * i + 1]);
@@ -315,6 +310,8 @@ RHW_INLINE void f8_load_columns(const void *const place[8], f8 column[4])
     column[2] = (f8)_mm256_shuffle_ps(t[1], t[3], 0x44);
     column[3] = (f8)_mm256_shuffle_ps(t[1], t[3], 0xEE);
 #elif defined(__SSE2__)
+    __m128 q[8];
+    memcpy(q, row, sizeof q);
     _MM_TRANSPOSE4_PS(q[0], q[1], q[2], q[3]);
     _MM_TRANSPOSE4_PS(q[4], q[5], q[6], q[7]);
     for (int c = 0; c < 4; c++) {
@@ -323,13 +320,21 @@ RHW_INLINE void f8_load_columns(const void *const place[8], f8 column[4])
     }
 #else
     for (int i = 0; i < 8; i++) {
-        float row[4];
-        memcpy(row, place[i], sizeof row);
         for (int c = 0; c < 4; c++) {
-            column[c][i] = row[c];
+            column[c][i] = row[i][c];
         }
     }
 #endif
+}
+
+// 4 floats at each of 8 places, as 4 vectors of one component each.
+RHW_INLINE void f8_load_columns(const void *const place[8], f8 column[4])
+{
+    f4 row[8];
+    for (int i = 0; i < 8; i++) {
+        memcpy(&row[i], place[i], sizeof row[i]);
+    }
+    f4_columns(row, column);
 }
 
 // Turns 8 vectors of one component each into 8 vectors of one lane each.

@@ -221,12 +221,12 @@ RHW_INLINE void sample_load_pairs(const unsigned char *texels, const uint32_t at
 RHW_INLINE void sample_load_linear_pairs(const unsigned char *texels, const uint32_t at[RHW_LANES],
                                          struct sample_codes *left, struct sample_codes *right)
 {
-    const void *place[RHW_LANES];
+    f4 row[RHW_LANES];
     for (int i = 0; i < RHW_LANES; i++) {
-        place[i] = texels + (size_t)at[i] * RHW_LINEAR_TEXEL;
+        memcpy(&row[i], texels + (size_t)at[i] * RHW_LINEAR_TEXEL, sizeof row[i]);
     }
     f8 column[4];
-    f8_load_columns(place, column);
+    f4_columns(row, column);
     *left = (struct sample_codes){(i8)column[0], (i8)column[1]};
     *right = (struct sample_codes){(i8)column[2], (i8)column[3]};
 }
