@@ -21,9 +21,10 @@ enum {
     // Inside a block that an edge crosses |e / 256| stays below 2·2^24·8 = 2^28: int32 is exact there.
     RHW_BLOCK = 8,
 
-    // Triangles of one front-end batch: enough to amortize the per-tile offsets of its bins, few enough
-    // that a thread's shaded vertices stay in the second cache level for common vertex sizes.
-    RHW_BATCH_TRIANGLES = 2048,
+    // Triangles of one front-end batch: enough that a mesh shades few vertices in two of them (rows of a grid, 1000
+    // quads wide: 1.25 times instead of 2 with 2048), few enough that its vertices stay in the second cache level
+    // for common vertex sizes. Below 2^16, the numbers that bins hold.
+    RHW_BATCH_TRIANGLES = 8192,
 
     // Bytes; a cache line, so that two threads never write the same one.
     RHW_CACHE_LINE = 64
