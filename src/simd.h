@@ -341,11 +341,10 @@ RHW_INLINE void f8_load_columns(const void *const place[8], f8 column[4])
 RHW_INLINE void f8_transpose(f8 m[8])
 {
 #if defined(__AVX2__)
-    __m256 r[8], t[8];
-    memcpy(r, m, sizeof r);
+    __m256 r[8], t[8]; // no memcpy to or from these: gcc would keep them in memory
     for (int i = 0; i < 4; i++) {
-        t[2 * i] = _mm256_unpacklo_ps(r[2 * i], r[2 * i + 1]);
-        t[2 * i + 1] = _mm256_unpackhi_ps(r[2 * i], r[2 * i + 1]);
+        t[2 * i] = _mm256_unpacklo_ps((__m256)m[2 * i], (__m256)m[2 * i + 1]);
+        t[2 * i + 1] = _mm256_unpackhi_ps((__m256)m[2 * i], (__m256)m[2 * i + 1]);
     }
     for (int i = 0; i < 2; i++) {
         r[4 * i + 0] = _mm256_shuffle_ps(t[4 * i], t[4 * i + 2], 0x44);
@@ -354,10 +353,9 @@ RHW_INLINE void f8_transpose(f8 m[8])
         r[4 * i + 3] = _mm256_shuffle_ps(t[4 * i + 1], t[4 * i + 3], 0xEE);
     }
     for (int i = 0; i < 4; i++) {
-        t[i] = _mm256_permute2f128_ps(r[i], r[i + 4], 0x20);
-        t[i + 4] = _mm256_permute2f128_ps(r[i], r[i + 4], 0x31);
+        m[i] = (f8)_mm256_permute2f128_ps(r[i], r[i + 4], 0x20);
+        m[i + 4] = (f8)_mm256_permute2f128_ps(r[i], r[i + 4], 0x31);
     }
-    memcpy(m, t, sizeof t);
 #elif defined(__SSE2__)
     __m128 q[16]; // row i is q[2i], q[2i + 1]
     memcpy(q, m, sizeof q);
