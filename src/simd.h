@@ -104,20 +104,12 @@ RHW_INLINE f8 f8_max(f8 a, f8 b)
 
 RHW_INLINE i8 i8_min(i8 a, i8 b)
 {
-#if defined(__AVX2__)
-    return (i8)_mm256_min_epi32((__m256i)a, (__m256i)b);
-#else
-    return i8_select(a < b, a, b);
-#endif
+    return rhw_min_int(a, b);
 }
 
 RHW_INLINE i8 i8_max(i8 a, i8 b)
 {
-#if defined(__AVX2__)
-    return (i8)_mm256_max_epi32((__m256i)a, (__m256i)b);
-#else
-    return i8_select(a > b, a, b);
-#endif
+    return rhw_max_int(a, b);
 }
 
 // Sign bits of the lanes, lane 0 in bit 0.

@@ -214,19 +214,19 @@ static void area_signs(const struct corner_lanes *lanes, unsigned *negative, uns
     const i8 ax = lanes->x[1] - lanes->x[0], ay = lanes->y[1] - lanes->y[0];
     const i8 bx = lanes->x[2] - lanes->x[0], by = lanes->y[2] - lanes->y[0];
     const i8 size = (ax ^ ax >> 31) | (ay ^ ay >> 31) | (bx ^ bx >> 31) | (by ^ by >> 31);
-    if (i8_sign_bits(size > i8_splat(INT16_MAX)) == 0) {
+    if (i8_sign_bits(rhw_less_int(i8_splat(INT16_MAX), size)) == 0) {
         // Differences fit 16 bits: the products stay within 2^30, and their difference is 2^31 only if all four
         // factors are -2^15 and one of them 2^15.
         const i8 area = ax * by - bx * ay;
         *negative = i8_sign_bits(area);
-        *nonzero = i8_sign_bits(area != 0);
+        *nonzero = ~i8_sign_bits(rhw_equal_int(area, i8_splat(0)));
         return;
     }
     // Differences are below 2^24 and products below 2^48: exact in double.
     const f8 area = f8_from_d8(d8_sub(d8_mul(d8_from_i8(ax), d8_from_i8(by)),   //
                                       d8_mul(d8_from_i8(bx), d8_from_i8(ay)))); // not 0 stays not 0
-    *negative = i8_sign_bits(area < f8_splat(0));
-    *nonzero = i8_sign_bits((area < f8_splat(0)) | (area > f8_splat(0)));
+    *negative = i8_sign_bits(rhw_less(area, f8_splat(0)));
+    *nonzero = ~i8_sign_bits(rhw_equal(area, f8_splat(0)));
 }
 
 static unsigned popcount(unsigned bits)
@@ -320,10 +320,13 @@ static void setup8(struct rhw_front_scratch *scratch, struct rhw_counters *count
     area_signs(&lanes, &negative, &nonzero);
     const unsigned back = def->front == RHW_COUNTER_CLOCKWISE ? ~negative : negative;
     const unsigned facing_away = def->cull == RHW_CULL_NONE ? 0 : def->cull == RHW_CULL_BACK ? back : ~back;
-    const unsigned covers = i8_sign_bits((pixels.x0 < pixels.x1) & (pixels.y0 < pixels.y1));
-    const unsigned outside = ~i8_sign_bits((lanes.flags_all & i8_splat(RHW_VERTEX_OUTSIDE)) == 0);
+    const unsigned covers =
+        i8_sign_bits(rhw_less_int(pixels.x0, pixels.x1) & rhw_less_int(pixels.y0, pixels.y1));
+    const unsigned outside =
+        ~i8_sign_bits(rhw_equal_int(lanes.flags_all & i8_splat(RHW_VERTEX_OUTSIDE), i8_splat(0)));
     const unsigned hard =
-        live & ~i8_sign_bits((lanes.flags_any & i8_splat(RHW_VERTEX_CLIP | RHW_VERTEX_NOT_FINITE)) == 0);
+        live & ~i8_sign_bits(rhw_equal_int(
+                   lanes.flags_any & i8_splat(RHW_VERTEX_CLIP | RHW_VERTEX_NOT_FINITE), i8_splat(0)));
     const unsigned easy = live & ~hard;
     const unsigned drawn = easy & ~outside & nonzero & ~facing_away & covers;
     counters->culled += popcount(easy & ~drawn);
@@ -332,8 +335,8 @@ static void setup8(struct rhw_front_scratch *scratch, struct rhw_counters *count
     }
     // A rounding may carry interpolated depth past the viewport's range, where a vertex is next to its ends.
     const float margin = 0x1p-20f;
-    const i8 clamp = (lanes.depth_min < f8_splat(state->depth_least + margin)) |
-                     (lanes.depth_max > f8_splat(state->depth_most - margin));
+    const i8 clamp = rhw_less(lanes.depth_min, f8_splat(state->depth_least + margin)) |
+                     rhw_less(f8_splat(state->depth_most - margin), lanes.depth_max);
     const i8 flags = (i8_from_bits(back) & i8_splat(RHW_TRIANGLE_BACK)) |
                      (i8_from_bits(negative) & i8_splat(RHW_TRIANGLE_NEGATIVE)) |
                      (clamp & i8_splat(RHW_TRIANGLE_CLAMP));

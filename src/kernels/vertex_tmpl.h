@@ -101,15 +101,17 @@ static void project(const struct rhw_draw_state *state, const f8 position[4], f8
     // exactly when the double rounds to it or below.
     const f8 fx = f8_from_d8(sx), fy = f8_from_d8(sy);
     const f8 band = f8_splat((float)RHW_GUARD_BAND), far_depth = f8_splat(1e30f);
-    const i8 snapped = (w > zero) & (fx <= band) & (fx >= -band) & (fy <= band) & (fy >= -band) &
-                       (d < far_depth) & (d > -far_depth);
-    const i8 finite = (x - x == zero) & (y - y == zero) & (z - z == zero) & (w - w == zero);
-    i8 flags = (x < -w) & i8_splat(RHW_VERTEX_LEFT);
-    flags |= (x > w) & i8_splat(RHW_VERTEX_RIGHT);
-    flags |= (y < -w) & i8_splat(RHW_VERTEX_BOTTOM);
-    flags |= (y > w) & i8_splat(RHW_VERTEX_TOP);
-    flags |= (z < near) & i8_splat(RHW_VERTEX_NEAR);
-    flags |= (z > w) & i8_splat(RHW_VERTEX_FAR);
+    const i8 snapped = rhw_less(zero, w) & rhw_less_equal(fx, band) & rhw_less_equal(-band, fx) &
+                       rhw_less_equal(fy, band) & rhw_less_equal(-band, fy) & rhw_less(d, far_depth) &
+                       rhw_less(-far_depth, d);
+    const i8 finite =
+        rhw_equal(x - x, zero) & rhw_equal(y - y, zero) & rhw_equal(z - z, zero) & rhw_equal(w - w, zero);
+    i8 flags = rhw_less(x, -w) & i8_splat(RHW_VERTEX_LEFT);
+    flags |= rhw_less(w, x) & i8_splat(RHW_VERTEX_RIGHT);
+    flags |= rhw_less(y, -w) & i8_splat(RHW_VERTEX_BOTTOM);
+    flags |= rhw_less(w, y) & i8_splat(RHW_VERTEX_TOP);
+    flags |= rhw_less(z, near) & i8_splat(RHW_VERTEX_NEAR);
+    flags |= rhw_less(w, z) & i8_splat(RHW_VERTEX_FAR);
     flags |= ~snapped & i8_splat(RHW_VERTEX_UNSNAPPED);
     flags |= ~finite & i8_splat(RHW_VERTEX_NOT_FINITE);
     const double limit = RHW_GUARD_BAND;
