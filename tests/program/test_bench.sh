@@ -45,4 +45,18 @@ else
 fi
 no_temporary_files
 
+# The chart of the README: a bar for each scene that a peer drew.
+cat >results.csv <<'CSV'
+scene,rhw_ms,rhw_min_ms,rhw_max_ms,peer,peer_ms,ratio
+fill_flat,2.0,1.9,2.2,llvmpipe,12.0,6.0
+bunny_lit,5.0,4.9,5.2,llvmpipe,19.0,3.8
+context,0.1,0.1,0.1,,,
+CSV
+"$root/script/bench_chart" results.csv >chart.svg
+check "chart: two bars" test "$(grep -c '<rect class="bar"' chart.svg)" = 2
+check "chart: labels" test "$(grep -cE '>(6.0|3.8)× ' chart.svg)" = 2
+if command -v xmllint >/dev/null 2>&1; then
+    check "chart: well-formed" xmllint --noout chart.svg
+fi
+
 finish
