@@ -332,10 +332,13 @@ static bool near_to(float a, float b, double vertex_max)
     return fabs((double)a - (double)b) <= 8 * oracle_ulp(vertex_max);
 }
 
-// Smooth and noperspective values of both pictures are the same to within the bound.
+// Smooth and noperspective values of both pictures are the same to within the bound, flat ones to the bit.
 static bool values_agree(const struct probe_image *a, const struct probe_image *b, int pixel)
 {
     const int t = triangle_at(a, pixel);
+    if (memcmp(a->flat[pixel], b->flat[pixel], 2 * sizeof(float)) != 0) {
+        return false;
+    }
     for (int k = 0; k < SCENE_VALUES; k++) {
         double max = 0;
         for (int i = 0; i < 3; i++) {
