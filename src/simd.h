@@ -23,6 +23,7 @@ typedef float f4 __attribute__((vector_size(16)));
 // 64-byte vectors on the others.
 typedef double d4 __attribute__((vector_size(32)));
 typedef int64_t l4 __attribute__((vector_size(32)));
+typedef int32_t i4 __attribute__((vector_size(16)));
 typedef struct d8 {
     d4 lo, hi;
 } d8;
@@ -37,6 +38,18 @@ RHW_INLINE f8 f8_splat(float v)
 RHW_INLINE i8 i8_splat(int32_t v)
 {
     return rhw_splat_int(v);
+}
+
+RHW_INLINE i4 i4_splat(int32_t v)
+{
+    return (i4){v, v, v, v};
+}
+
+RHW_INLINE i4 i4_load(const void *p)
+{
+    i4 v;
+    memcpy(&v, p, sizeof v);
+    return v;
 }
 
 RHW_INLINE d4 d4_splat(double v)
@@ -327,6 +340,19 @@ RHW_INLINE void f8_load_columns(const void *const place[8], f8 column[4])
         memcpy(&row[i], place[i], sizeof row[i]);
     }
     f4_columns(row, column);
+}
+
+// Turns 4 vectors of 4 quantities each into 4 vectors of one quantity each.
+RHW_INLINE void d4_transpose(d4 m[4])
+{
+    const d4 a = __builtin_shufflevector(m[0], m[1], 0, 4, 2, 6),
+             b = __builtin_shufflevector(m[0], m[1], 1, 5, 3, 7);
+    const d4 c = __builtin_shufflevector(m[2], m[3], 0, 4, 2, 6),
+             d = __builtin_shufflevector(m[2], m[3], 1, 5, 3, 7);
+    m[0] = __builtin_shufflevector(a, c, 0, 1, 4, 5);
+    m[1] = __builtin_shufflevector(b, d, 0, 1, 4, 5);
+    m[2] = __builtin_shufflevector(a, c, 2, 3, 6, 7);
+    m[3] = __builtin_shufflevector(b, d, 2, 3, 6, 7);
 }
 
 // Turns 8 vectors of one component each into 8 vectors of one lane each.

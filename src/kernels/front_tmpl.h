@@ -249,6 +249,13 @@ static struct pixel_lanes pixels_of(const struct corner_lanes *lanes, const stru
         i8_min((i8_max3(lanes->y) + half) >> RHW_SUBPIXEL_BITS, i8_splat(scissor->y + scissor->height))};
 }
 
+// Those of less than RHW_BLOCK pixels each way, which hold at most RHW_BLOCK centres.
+static i8 small_lanes(const struct corner_lanes *lanes)
+{
+    const i8 size = i8_splat(RHW_BLOCK * RHW_SUBPIXEL);
+    return (i8_max3(lanes->x) - i8_min3(lanes->x) < size) & (i8_max3(lanes->y) - i8_min3(lanes->y) < size);
+}
+
 // As span_of. A target has at most 256 tiles each way.
 static i8 spans_of(const struct pixel_lanes *p)
 {
@@ -339,7 +346,8 @@ static void setup8(struct rhw_front_scratch *scratch, struct rhw_counters *count
                      rhw_less(f8_splat(state->depth_most - margin), lanes.depth_max);
     const i8 flags = (i8_from_bits(back) & i8_splat(RHW_TRIANGLE_BACK)) |
                      (i8_from_bits(negative) & i8_splat(RHW_TRIANGLE_NEGATIVE)) |
-                     (clamp & i8_splat(RHW_TRIANGLE_CLAMP));
+                     (clamp & i8_splat(RHW_TRIANGLE_CLAMP)) |
+                     (small_lanes(&lanes) & ~clamp & i8_splat(RHW_TRIANGLE_SMALL));
     struct triangle_words words;
     fill_words(&words, &lanes, &pixels, flags, corners, run->first_slot, first_primitive, run_index);
     uint32_t spans[8];

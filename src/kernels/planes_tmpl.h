@@ -123,6 +123,7 @@ static double most3(d4 v)
 RHW_INLINE void planes_linear(struct planes *p, const struct rhw_draw_state *state,
                               const struct rhw_triangle *t, const struct rhw_vertex_record *const v[3])
 {
+    p->homogeneous = p->wide = false;
     p->anchor_x = t->x_24_8[0] >> RHW_SUBPIXEL_BITS;
     p->anchor_y = t->y_24_8[0] >> RHW_SUBPIXEL_BITS;
     const double x1 = t->x_24_8[1] - t->x_24_8[0], y1 = t->y_24_8[1] - t->y_24_8[0];
@@ -157,7 +158,6 @@ RHW_INLINE void planes_linear(struct planes *p, const struct rhw_draw_state *sta
 static void planes_snapped(struct planes *p, const struct rhw_draw_state *state, const struct rhw_triangle *t,
                            const struct rhw_vertex_record *const v[3])
 {
-    p->homogeneous = p->wide = false;
     planes_linear(p, state, t, v);
     p->n1 = scale(p->inverse_area, p->e1);
     p->n2 = scale(p->inverse_area, p->e2);

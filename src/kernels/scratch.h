@@ -16,7 +16,9 @@ enum {
     // shades a vertex twice.
     RHW_VERTEX_CACHE = 8192,
     // Groups of 8 fragments per call of the fragment function.
-    RHW_FRAGMENT_GROUPS = 16
+    RHW_FRAGMENT_GROUPS = 16,
+    // Triangles whose fragments may wait for a group at the same time: 7 that wait, and the one that adds to them.
+    RHW_PACKED_TRIANGLES = 8
 };
 
 struct rhw_cache_entry {
@@ -56,21 +58,37 @@ struct rhw_front_scratch {
     int run_count, polygon_count;
 };
 
-// Where the 8 fragments of a group stand, and what is needed of them after the fragment function.
+// Where the 8 fragments of a group stand. A texel of the tile has the number y·RHW_TILE + x.
 struct rhw_group_place {
-    int x, y;      // in the tile
-    unsigned bits; // live lanes
+    uint16_t at[8]; // of the lanes; of 8 in a row the first alone is set
+    uint8_t bits;   // live lanes
+    bool packed;    // from anywhere, where not 8 in a row
+};
+
+// What is kept of a triangle until its last fragment has found a group.
+struct rhw_packed_triangle {
+    d4 at, dx, dy;        // struct linear
+    d4 slope, slope_step; // numerators of d/dx and d/dy of b, then of c; see struct slope
+    const float *varyings[3];
+    int anchor_x, anchor_y; // pixels, in the tile
+    int32_t front_facing, primitive, instance, draw;
 };
 
 struct rhw_tile_scratch {
     _Alignas(64) unsigned char color[RHW_MAX_COLOR_ATTACHMENTS][RHW_TILE * RHW_TILE * 16];
     float depth[RHW_TILE * RHW_TILE];
+    // The window, see window_tmpl.h.
+    uint64_t pending[RHW_TILE]; // by row: pixels with a fragment in the window
     struct rhw_fragment groups[RHW_FRAGMENT_GROUPS];
     struct rhw_group_place places[RHW_FRAGMENT_GROUPS];
+    struct rhw_packed_triangle packed[RHW_PACKED_TRIANGLES];
+    uint16_t open_at[8]; // fragments that wait for a group: texel, and number in `packed`
+    uint8_t open_triangle[8];
     f8 varyings[RHW_FRAGMENT_GROUPS * RHW_MAX_VARYING_COMPONENTS];
     f8 ddx[RHW_FRAGMENT_GROUPS * RHW_MAX_VARYING_COMPONENTS];
     f8 ddy[RHW_FRAGMENT_GROUPS * RHW_MAX_VARYING_COMPONENTS];
     f8 outputs[RHW_FRAGMENT_GROUPS][RHW_MAX_COLOR_ATTACHMENTS][4];
+    i8 constant[RHW_MAX_COLOR_ATTACHMENTS]; // see constant_tmpl.h: 8 texels of RGBA8 targets that are replaced
 };
 
 #endif

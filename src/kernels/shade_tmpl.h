@@ -1,156 +1,9 @@
 // SPDX-License-Identifier: MIT
-// Fragments: groups of 8 are collected from any triangles of one draw, shaded with one call, then tested and
-// merged in the order they came. Template: compiled once per instruction set.
+// Groups of 8 fragments in a row of one triangle: what large triangles are shaded in. A block of 8 rows is filled at
+// once, step by step, so that what a step needs of the triangle is loaded once for all rows.
+// Template: compiled once per instruction set.
 
-#include "../shader_adapter.h"
-#include "output_tmpl.h"
-#include "planes_tmpl.h"
-#include "scratch.h"
-
-// How depth is tested for a draw.
-enum depth_mode {
-    DEPTH_NONE,
-    DEPTH_EARLY,       // tested and written before shading
-    DEPTH_LATE,        // after: the fragment function writes depth
-    DEPTH_EARLY_REJECT // tested before, tested again and written after: the fragment function may discard
-};
-
-// One worker's work on one tile.
-struct tile_work {
-    struct rhw_pass_state *pass;
-    struct rhw_tile_scratch *scratch;
-    struct rhw_counters *counters;
-    int x, y; // pixels of the tile's first pixel in the target
-
-    // Of the draw whose fragments are collected:
-    const struct rhw_draw *draw;
-    const struct rhw_draw_state *state;
-    const struct rhw_pipeline_data *pipeline;
-    enum depth_mode depth_mode;
-    bool shades;      // there is a fragment function
-    bool plain;       // smooth varyings are all the fragment function reads
-    bool needs_depth; // depth is tested or given to the fragment function
-    bool keeps_depth; // and the collected groups carry it
-    int count;        // groups collected
-};
-
-// The triangle that is being drawn, and what is made when its first fragments survive.
-struct triangle_work {
-    const struct rhw_segment *segment;
-    const struct rhw_triangle *t;
-    struct planes planes;
-    bool ready;
-    const struct rhw_vertex_record *v[3];
-    const float *provoking;
-    float i0[RHW_MAX_VARYING_COMPONENTS], d1[RHW_MAX_VARYING_COMPONENTS], d2[RHW_MAX_VARYING_COMPONENTS];
-};
-
-// Lanes for which `z compare old` holds.
-static i8 depth_passes(enum rhw_compare compare, f8 z, f8 old)
-{
-    switch (compare) {
-    case RHW_COMPARE_NEVER: return i8_splat(0);
-    case RHW_COMPARE_LESS: return z < old;
-    case RHW_COMPARE_EQUAL: return z == old;
-    case RHW_COMPARE_LESS_EQUAL: return z <= old;
-    case RHW_COMPARE_GREATER: return z > old;
-    case RHW_COMPARE_NOT_EQUAL: return z != old;
-    case RHW_COMPARE_GREATER_EQUAL: return z >= old;
-    default: return i8_splat(-1);
-    }
-}
-
-static float *stored_depth(const struct tile_work *work, int x, int y)
-{
-    return &work->scratch->depth[y * RHW_TILE + x];
-}
-
-static f8 viewport_clamp(const struct rhw_draw_state *state, f8 z)
-{
-    return f8_min(f8_max(z, f8_splat(state->depth_least)), f8_splat(state->depth_most));
-}
-
-// Tests 8 fragments and writes those that pass, if the pipeline writes.
-static i8 depth_test_and_write(const struct tile_work *work, int x, int y, f8 z, i8 mask)
-{
-    const struct rhw_pipeline_def *const def = &work->pipeline->def;
-    float *const row = stored_depth(work, x, y);
-    const f8 old = f8_load(row);
-    const i8 pass = mask & depth_passes(def->depth_compare, z, old);
-    if (def->depth_write) {
-        f8_store(row, f8_select(pass, z, old));
-    }
-    return pass;
-}
-
-// Lanes of group g that are still live after discarding and the late depth test.
-static unsigned finish_depth(const struct tile_work *work, int g)
-{
-    const struct rhw_group_place place = work->scratch->places[g];
-    const struct rhw_fragment *const group = &work->scratch->groups[g];
-    const uint32_t uses = work->pipeline->def.program.uses;
-    i8 mask = i8_from_bits(place.bits);
-    if (uses & RHW_USE_DISCARD) {
-        mask &= group->mask < i8_splat(0);
-    }
-    if (work->depth_mode >= DEPTH_LATE) {
-        const f8 z = uses & RHW_USE_DEPTH ? viewport_clamp(work->state, group->depth) : group->depth;
-        mask = depth_test_and_write(work, place.x, place.y, z, mask);
-    }
-    return i8_sign_bits(mask);
-}
-
-// Merges what was shaded into target t. `kind` is the target's, a constant where a call names one.
-RHW_INLINE void merge_target(const struct tile_work *work, int t, enum output_kind kind)
-{
-    struct output_state state = work->state->outputs[t];
-    state.kind = kind;
-    const size_t texel =
-        kind == OUTPUT_RGBA8_REPLACE || kind == OUTPUT_RGBA8_OVER ? 4 : work->pass->colors[t].texel_size;
-    unsigned char *const texels = work->scratch->color[t];
-    const struct rhw_group_place *const places = work->scratch->places;
-    for (int g = 0, count = work->count; g < count; g++) {
-        const struct rhw_group_place place = places[g];
-        unsigned char *const to = texels + (size_t)(place.y * RHW_TILE + place.x) * texel;
-        const f8 *const color = work->scratch->outputs[g][t];
-        if (kind == OUTPUT_RGBA8_REPLACE && place.bits == 0xff) {
-            output_group(&state, color, i8_splat(-1), to);
-        } else {
-            output_group(&state, color, i8_from_bits(place.bits), to);
-        }
-    }
-}
-
-// Shades and merges what was collected.
-static void flush(struct tile_work *work)
-{
-    struct rhw_tile_scratch *const scratch = work->scratch;
-    if (work->count == 0) {
-        return;
-    }
-    if (work->pipeline->fragment) {
-        work->pipeline->fragment(scratch->groups, work->count);
-    } else {
-        rhw_fragment1_run(work->pipeline, scratch->groups, work->count);
-    }
-    if (work->depth_mode >= DEPTH_LATE || work->pipeline->def.program.uses & RHW_USE_DISCARD) {
-        for (int g = 0; g < work->count; g++) {
-            scratch->places[g].bits = finish_depth(work, g);
-        }
-    }
-    for (int t = 0; t < work->pass->color_count; t++) {
-        const enum output_kind kind = work->state->outputs[t].kind;
-        if (kind == OUTPUT_RGBA8_REPLACE) {
-            merge_target(work, t, OUTPUT_RGBA8_REPLACE);
-        } else if (kind == OUTPUT_RGBA8_OVER) {
-            merge_target(work, t, OUTPUT_RGBA8_OVER);
-        } else {
-            merge_target(work, t, kind);
-        }
-    }
-    work->counters->groups += (uint64_t)work->count;
-    work->count = 0;
-}
+#include "pack_tmpl.h"
 
 static void set_draw(struct tile_work *work, const struct rhw_draw *draw)
 {
@@ -166,8 +19,12 @@ static void set_draw(struct tile_work *work, const struct rhw_draw *draw)
     work->state = state;
     work->pipeline = pipeline;
     work->shades = pipeline->fragment || def->program.fragment1;
-    work->plain = !(uses & ~(uint32_t)(RHW_USE_DISCARD | RHW_USE_DEPTH)) && !pipeline->any_noperspective &&
-                  !pipeline->any_flat && !pipeline->any_derivatives;
+    const bool smooth = !pipeline->any_noperspective && !pipeline->any_flat;
+    const uint32_t identity = RHW_USE_DISCARD | RHW_USE_DEPTH | RHW_USE_FACING | RHW_USE_IDS;
+    work->constant = work->shades && uses == 0 && pipeline->varying_components == 0;
+    work->constant_ready = false;
+    work->smooth = smooth && !(uses & ~identity);
+    work->packs = work->smooth && !work->constant;
     // A fragment that fails an ordering test now fails it later too, as depth only moves that way meanwhile.
     work->depth_mode = !def->depth_test                                               ? DEPTH_NONE
                        : !work->shades || !(uses & (RHW_USE_DISCARD | RHW_USE_DEPTH)) ? DEPTH_EARLY
@@ -281,18 +138,11 @@ static void fill_barycentrics(f8 out[3], float sum, f8 b, f8 c)
     out[2] = c;
 }
 
-static void fill_builtins(const struct tile_work *work, struct rhw_fragment *group,
-                          const struct triangle_work *triangle, struct rhw_group_place place,
-                          const struct weights *w, f8 s, f8 t)
+// What all fragments of a triangle share.
+RHW_INLINE void fill_identity(const struct tile_work *work, struct rhw_fragment *group,
+                              const struct triangle_work *triangle)
 {
     const uint32_t uses = work->pipeline->def.program.uses;
-    if (uses & RHW_USE_COORD) {
-        const f8 half = f8_splat(0.5f);
-        group->coord[0] = __builtin_convertvector(i8_splat(work->x + place.x) + rhw_lane_index, f8) + half;
-        group->coord[1] = f8_splat((float)(work->y + place.y)) + half;
-        group->coord[2] = group->depth;
-        group->coord[3] = f8_from_d8(w->s);
-    }
     if (uses & RHW_USE_FACING) {
         group->front_facing = i8_splat(triangle->t->flags & RHW_TRIANGLE_BACK ? 0 : -1);
     }
@@ -302,13 +152,28 @@ static void fill_builtins(const struct tile_work *work, struct rhw_fragment *gro
         group->instance = i8_splat((int32_t)(draw->first_instance + triangle->segment->instance));
         group->draw = i8_splat((int32_t)draw->index);
     }
+}
+
+static void fill_builtins(const struct tile_work *work, struct rhw_fragment *group,
+                          const struct triangle_work *triangle, int at, const struct weights *w, f8 s, f8 t)
+{
+    const uint32_t uses = work->pipeline->def.program.uses;
+    if (uses & RHW_USE_COORD) {
+        const f8 half = f8_splat(0.5f);
+        group->coord[0] =
+            __builtin_convertvector(i8_splat(work->x + at % RHW_TILE) + rhw_lane_index, f8) + half;
+        group->coord[1] = f8_splat((float)(work->y + at / RHW_TILE)) + half;
+        group->coord[2] = group->depth;
+        group->coord[3] = f8_from_d8(w->s);
+    }
     if (uses & RHW_USE_BARYCENTRIC) {
         fill_barycentrics(group->barycentric, 1, w->b, w->c);
         fill_barycentrics(group->barycentric_noperspective, 1, s, t);
     }
+    fill_identity(work, group, triangle);
 }
 
-// Everything beyond smooth varyings: other qualifiers, derivatives, builtins.
+// One group with everything that a fragment function may ask for.
 static void fill_group(const struct tile_work *work, int g, const struct triangle_work *triangle,
                        const struct block_planes *block, const struct block_place *at, int row, bool is_cut)
 {
@@ -344,42 +209,136 @@ static void fill_group(const struct tile_work *work, int g, const struct triangl
             fill_barycentrics(group->barycentric_ddy, 0, slopes.b_dy, slopes.c_dy);
         }
     }
-    fill_builtins(work, group, triangle, work->scratch->places[g], &w, s, t);
+    fill_builtins(work, group, triangle, work->scratch->places[g].at[0], &w, s, t);
 }
 
-// Collects the rows of a block whose bits are set in `mask`; z: their depths, where depth is kept. `plain`: work->plain
-// and not `is_cut`, which is block_is_cut; constants where a call names them.
-RHW_INLINE void add_rows(struct tile_work *work, const struct triangle_work *triangle,
-                         const struct block_planes *block, const struct block_place *at, int x, int y,
-                         uint64_t mask, const f8 z[RHW_BLOCK], bool plain, bool is_cut)
+// Rows of a block that become groups: their numbers, and their bits.
+struct block_rows {
+    int count;
+    uint8_t row[RHW_BLOCK], bits[RHW_BLOCK];
+};
+
+// Fills groups `first` on with smooth varyings and, where they are asked for, derivatives.
+RHW_INLINE void fill_rows(struct tile_work *work, const struct triangle_work *triangle,
+                          const struct block_planes *block, const struct block_place *at,
+                          const struct block_rows *rows, int first, bool derivatives)
+{
+    const struct rhw_pipeline_data *const pipeline = work->pipeline;
+    const struct planes *const planes = &triangle->planes;
+    const int components = pipeline->varying_components, count = rows->count;
+    f8 b[RHW_BLOCK], c[RHW_BLOCK], b_dx[RHW_BLOCK], b_dy[RHW_BLOCK], c_dx[RHW_BLOCK], c_dy[RHW_BLOCK];
+    double dy[RHW_BLOCK];
+    memcpy(dy, &at->dy, sizeof dy);
+    for (int n = 0; n < count; n++) {
+        const struct weights w = weights_row(planes, block, rows->row[n]);
+        b[n] = w.b;
+        c[n] = w.c;
+        if (derivatives) {
+            weight_derivatives(planes->b_slope, at->dx, dy[rows->row[n]], w.inverse_s, &b_dx[n], &b_dy[n]);
+            weight_derivatives(planes->c_slope, at->dx, dy[rows->row[n]], w.inverse_s, &c_dx[n], &c_dy[n]);
+        }
+    }
+    f8 *const varyings = work->scratch->varyings + first * components;
+    for (int i = 0; i < components; i++) {
+        const f8 i0 = f8_splat(triangle->i0[i]), d1 = f8_splat(triangle->d1[i]),
+                 d2 = f8_splat(triangle->d2[i]);
+        for (int n = 0; n < count; n++) {
+            varyings[n * components + i] = i0 - (b[n] * d1 + c[n] * d2);
+        }
+    }
+    if (!derivatives) {
+        return;
+    }
+    f8 *const ddx = work->scratch->ddx + first * components, *const ddy =
+                                                                 work->scratch->ddy + first * components;
+    for (int i = 0; i < components; i++) {
+        const f8 d1 = f8_splat(-triangle->d1[i]), d2 = f8_splat(-triangle->d2[i]);
+        for (int n = 0; n < count && pipeline->component_derivatives[i]; n++) {
+            ddx[n * components + i] = b_dx[n] * d1 + c_dx[n] * d2;
+            ddy[n * components + i] = b_dy[n] * d1 + c_dy[n] * d2;
+        }
+    }
+}
+
+// The rows of a block as groups, `count` of which fit into the window; none of their pixels is pending. z: their
+// depths, where depth is kept.
+static void add_rows(struct tile_work *work, const struct triangle_work *triangle,
+                     const struct block_planes *block, const struct block_place *at, int x, int y,
+                     const struct block_rows *rows, const f8 z[RHW_BLOCK], bool is_cut)
 {
     struct rhw_tile_scratch *const scratch = work->scratch;
-    const int components = work->pipeline->varying_components;
-    const bool keeps_depth = work->keeps_depth;
-    work->counters->fragments += (uint64_t)__builtin_popcountll(mask);
+    const int first = work->count;
+    for (int n = 0; n < rows->count; n++) {
+        const int row = rows->row[n];
+        struct rhw_group_place *const place = &scratch->places[first + n];
+        struct rhw_fragment *const group = &scratch->groups[first + n];
+        place->at[0] = (uint16_t)((y + row) * RHW_TILE + x);
+        place->bits = rows->bits[n];
+        place->packed = false;
+        scratch->pending[y + row] |= (uint64_t)rows->bits[n] << x;
+        group->mask = i8_from_bits(rows->bits[n]);
+        if (work->keeps_depth) {
+            group->depth = z[row];
+        }
+        if (work->smooth) {
+            fill_identity(work, group, triangle);
+        }
+    }
+    if (!work->smooth || is_cut) {
+        for (int n = 0; n < rows->count; n++) {
+            fill_group(work, first + n, triangle, block, at, rows->row[n], is_cut);
+        }
+    } else if (work->pipeline->any_derivatives) {
+        fill_rows(work, triangle, block, at, rows, first, true);
+    } else if (work->pipeline->varying_components != 0) {
+        fill_rows(work, triangle, block, at, rows, first, false);
+    }
+    work->count = first + rows->count;
+    if (work->count == RHW_FRAGMENT_GROUPS) {
+        shade_window(work);
+    }
+}
+
+static bool any_pending(const struct tile_work *work, int x, int y, uint64_t mask)
+{
+    uint64_t taken = 0;
+    for (int row = 0; row < RHW_BLOCK; row++) {
+        taken |= work->scratch->pending[y + row] >> x & mask >> (8 * row) & 0xff;
+    }
+    return taken != 0;
+}
+
+// Collects the fragments of a block whose bits are set in `mask`: rows with few of them are packed.
+static void collect_block(struct tile_work *work, struct triangle_work *triangle,
+                          const struct block_planes *block, const struct block_place *at, int x, int y,
+                          uint64_t mask, const f8 z[RHW_BLOCK], bool is_cut)
+{
+    enum { PACK_MOST = 4 }; // measured: packing costs as much as a group of its own at 4 to 5 fragments
+    const bool packs = work->packs && !is_cut && !triangle->planes.exact;
+    struct block_rows rows;
+    rows.count = 0;
+    if (any_pending(work, x, y, mask)) {
+        flush(work);
+    }
     while (mask != 0) {
         const int shift = __builtin_ctzll(mask) & 56, row = shift / 8;
         const unsigned bits = (unsigned)(mask >> shift) & 0xff;
-        const int g = work->count;
-        struct rhw_fragment *const group = &scratch->groups[g];
         mask &= ~((uint64_t)0xff << shift);
-        scratch->places[g] = (struct rhw_group_place){x, y + row, bits};
-        group->mask = i8_from_bits(bits);
-        if (keeps_depth) {
-            group->depth = z[row];
-        }
-        if (!plain) {
-            fill_group(work, g, triangle, block, at, row, is_cut);
-        } else if (components != 0) {
-            const struct weights w = weights_row(&triangle->planes, block, row);
-            f8 *const out = scratch->varyings + g * components;
-            for (int i = 0; i < components; i++) {
-                out[i] = interpolate(triangle, i, w.b, w.c);
+        if (packs && __builtin_popcount(bits) <= PACK_MOST) {
+            if (triangle->packed < 0) {
+                pack_triangle(work, triangle);
             }
-        }
-        work->count = g + 1;
-        if (g + 1 == RHW_FRAGMENT_GROUPS) {
-            flush(work);
+            pack_row(work, triangle, x, y + row, bits);
+        } else {
+            rows.row[rows.count] = (uint8_t)row;
+            rows.bits[rows.count++] = (uint8_t)bits;
         }
     }
+    if (rows.count == 0) {
+        return;
+    }
+    if (work->count + rows.count > RHW_FRAGMENT_GROUPS) {
+        shade_window(work);
+    }
+    add_rows(work, triangle, block, at, x, y, &rows, z, is_cut);
 }

@@ -1,0 +1,153 @@
+// SPDX-License-Identifier: MIT
+// A triangle in a tile, block by block of 8×8 pixels: coverage, depth, and what survives is collected for shading.
+// Template: compiled once per instruction set.
+
+#include "constant_tmpl.h"
+#include "coverage_tmpl.h"
+
+static float *stored_depth(const struct tile_work *work, int x, int y)
+{
+    return &work->scratch->depth[y * RHW_TILE + x];
+}
+
+// Tests depth of the block's pixels in `mask`, early; returns those that pass. `compare` and `write` are
+// constants where a call names them.
+RHW_INLINE uint64_t test_block(const struct tile_work *work, const struct planes *planes,
+                               const struct block_planes *block, int x, int y, uint64_t mask,
+                               enum rhw_compare compare, bool write)
+{
+    float *const stored = stored_depth(work, x, y);
+    uint64_t passed = 0;
+    while (mask != 0) {
+        const int shift = __builtin_ctzll(mask) & 56, row = shift / 8;
+        float *const texels = stored + row * RHW_TILE;
+        const f8 z = depth_row(planes, block, row), old = f8_load(texels);
+        const i8 pass = i8_from_bits((unsigned)(mask >> shift) & 0xff) & depth_passes(compare, z, old);
+        if (write) {
+            f8_store(texels, f8_select(pass, z, old));
+        }
+        passed |= (uint64_t)i8_sign_bits(pass) << shift;
+        mask &= ~((uint64_t)0xff << shift);
+    }
+    return passed;
+}
+
+// The same on any road but the commonest, which is in draw_block: keeps depth for the fragments, clamps it.
+static uint64_t depth_block(const struct tile_work *work, const struct triangle_work *triangle,
+                            const struct block_planes *block, const struct block_place *at, int x, int y,
+                            uint64_t mask, bool is_cut, f8 z[RHW_BLOCK])
+{
+    uint64_t passed = 0;
+    for (int row = 0; row < RHW_BLOCK; row++) {
+        unsigned bits = (unsigned)(mask >> (8 * row)) & 0xff;
+        z[row] = depth_row(&triangle->planes, block, row);
+        if (is_cut && bits != 0) {
+            struct cut_row cut;
+            cut_row(&triangle->planes, at, row, &cut);
+            z[row] = f8_select(cut.lanes, cut.z, z[row]);
+        }
+        if (triangle->t->flags & RHW_TRIANGLE_CLAMP) {
+            z[row] = viewport_clamp(work->state, z[row]);
+        }
+        if (work->depth_mode == DEPTH_EARLY) {
+            const struct rhw_pipeline_def *const def = &work->pipeline->def;
+            f8 stored = f8_load(stored_depth(work, x, y + row));
+            bits = i8_sign_bits(
+                depth_test(def->depth_compare, def->depth_write, z[row], i8_from_bits(bits), &stored));
+            f8_store(stored_depth(work, x, y + row), stored);
+        } else if (work->depth_mode == DEPTH_EARLY_REJECT) {
+            bits &= i8_sign_bits(depth_passes(work->pipeline->def.depth_compare, z[row],
+                                              f8_load(stored_depth(work, x, y + row))));
+        }
+        passed |= (uint64_t)bits << (8 * row);
+    }
+    return passed;
+}
+
+static void load_vertices(struct triangle_work *triangle)
+{
+    for (int i = 0; i < 3; i++) {
+        triangle->v[i] = record_at(triangle->segment, triangle->t->vertex[i]);
+    }
+}
+
+static void setup_planes(const struct tile_work *work, struct triangle_work *triangle)
+{
+    load_vertices(triangle);
+    triangle->planes_ready = true;
+    if (triangle->t->flags & RHW_TRIANGLE_UNSNAPPED) {
+        planes_homogeneous(&triangle->planes, work->state, triangle->v);
+    } else {
+        planes_snapped(&triangle->planes, work->state, triangle->t, triangle->v);
+    }
+}
+
+// A block: depth first, then what survives is collected for shading.
+static void draw_block(struct tile_work *work, struct triangle_work *triangle, int x, int y, uint64_t mask)
+{
+    if (work->constant && !work->needs_depth) { // no number of the triangle is wanted
+        work->counters->fragments += (uint64_t)__builtin_popcountll(mask);
+        constant_block(work, x, y, mask);
+        return;
+    }
+    if (!triangle->planes_ready) {
+        setup_planes(work, triangle);
+    }
+    const struct planes *const planes = &triangle->planes;
+    const struct rhw_pipeline_def *const def = &work->pipeline->def;
+    const struct block_place at = {d8_from_i8(i8_splat(work->x + x - planes->anchor_x) + rhw_lane_index),
+                                   d8_from_i8(i8_splat(work->y + y - planes->anchor_y) + rhw_lane_index)};
+    const bool is_cut = triangle->t->flags & RHW_TRIANGLE_POLYGON && block_is_cut(planes, &at);
+    struct block_planes block;
+    f8 z[RHW_BLOCK];
+    if (work->needs_depth) {
+        block_depth(&block, planes, &at);
+        if (work->keeps_depth || triangle->t->flags & RHW_TRIANGLE_CLAMP) {
+            mask = depth_block(work, triangle, &block, &at, x, y, mask, is_cut, z);
+        } else if (def->depth_compare == RHW_COMPARE_LESS && def->depth_write) {
+            mask = test_block(work, planes, &block, x, y, mask, RHW_COMPARE_LESS, true);
+        } else {
+            mask = test_block(work, planes, &block, x, y, mask, def->depth_compare, def->depth_write);
+        }
+    }
+    work->counters->fragments += work->shades ? (uint64_t)__builtin_popcountll(mask) : 0;
+    if (mask == 0 || !work->shades) {
+        return;
+    }
+    if (work->constant) {
+        constant_block(work, x, y, mask);
+        return;
+    }
+    if (!triangle->ready) {
+        prepare_values(work, triangle);
+    }
+    block_weights(&block, planes, &at);
+    if (!work->smooth || is_cut) {
+        block_screen_weights(&block, planes, &at);
+    }
+    collect_block(work, triangle, &block, &at, x, y, mask, z, is_cut);
+}
+
+// Draws any triangle: as much of it as is covered in the tile.
+static void draw_blocks(struct tile_work *work, const struct rhw_chunk *chunk, struct triangle_work *triangle)
+{
+    const struct rhw_triangle *const t = triangle->t;
+    // In the tile, and within what was covered.
+    const int x0 = max_int(t->x0 - work->x, 0), x1 = min_int(t->x1 - work->x, RHW_TILE);
+    const int y0 = max_int(t->y0 - work->y, 0), y1 = min_int(t->y1 - work->y, RHW_TILE);
+    struct coverage coverage;
+    coverage_setup(&coverage, chunk, t, work->x, work->y);
+    if (coverage.count == 0) {
+        return;
+    }
+    for (int y = y0 & -RHW_BLOCK; y < y1; y += RHW_BLOCK) {
+        const int row0 = max_int(y0 - y, 0), row1 = min_int(y1 - y, RHW_BLOCK);
+        for (int x = x0 & -RHW_BLOCK; x < x1; x += RHW_BLOCK) {
+            const uint64_t mask =
+                coverage_mask(&coverage, x, y, row0, row1) & rect_mask(x, y, x0, y0, x1, y1);
+            if (mask != 0) {
+                draw_block(work, triangle, x, y, mask);
+            }
+        }
+    }
+}

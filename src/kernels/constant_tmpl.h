@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: MIT
+// Draws whose fragment function receives nothing that differs between fragments: no varyings, no builtins. It is a
+// function of its inputs alone, so one call tells the colour of all, and the tile takes it at the speed of its memory.
+// Template: compiled once per instruction set.
+
+#include "shade_tmpl.h"
+
+static void constant_prepare(struct tile_work *work)
+{
+    struct rhw_tile_scratch *const scratch = work->scratch;
+    scratch->groups[0].mask = i8_splat(-1);
+    run_fragment_function(work, 1);
+    work->counters->groups++;
+    for (int t = 0; t < work->pass->color_count; t++) {
+        if (work->state->outputs[t].kind == OUTPUT_RGBA8_REPLACE) {
+            output_group(&work->state->outputs[t], scratch->outputs[0][t], i8_splat(-1),
+                         (unsigned char *)&scratch->constant[t]);
+        }
+    }
+    work->constant_ready = true;
+}
+
+// Merges the pixels of a block whose bits are set in `mask`.
+static void constant_block(struct tile_work *work, int x, int y, uint64_t mask)
+{
+    struct rhw_tile_scratch *const scratch = work->scratch;
+    if (!work->constant_ready) {
+        constant_prepare(work);
+    }
+    for (int t = 0; t < work->pass->color_count; t++) {
+        const struct output_state *const state = &work->state->outputs[t];
+        const size_t size = work->pass->colors[t].texel_size;
+        unsigned char *const texels = scratch->color[t] + (size_t)(y * RHW_TILE + x) * size;
+        const i8 texel = scratch->constant[t];
+        for (int row = 0; row < RHW_BLOCK; row++) {
+            const unsigned bits = (unsigned)(mask >> (8 * row)) & 0xff;
+            unsigned char *const to = texels + (size_t)(row * RHW_TILE) * size;
+            if (state->kind != OUTPUT_RGBA8_REPLACE) {
+                output_group(state, scratch->outputs[0][t], i8_from_bits(bits), to);
+            } else if (bits == 0xff) {
+                i8_store(to, texel);
+            } else {
+                output_store32(to, texel, i8_from_bits(bits));
+            }
+        }
+    }
+}

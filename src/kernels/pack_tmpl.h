@@ -1,0 +1,212 @@
+// SPDX-License-Identifier: MIT
+// Groups packed from single fragments, of whatever triangles they are: where triangles are small, a group of 8
+// pixels in a row would be mostly empty and shading it mostly wasted. A fragment is evaluated as one vector over
+// quantities and one over components, then 8 of them are turned into lanes. Every number is made by the same
+// operations as in a row (shade_tmpl.h), so the road a fragment takes changes no bit.
+// Template: compiled once per instruction set.
+
+#include "planes_tmpl.h"
+#include "window_tmpl.h"
+
+// The triangle that is being drawn, and what is made when its first fragments survive.
+struct triangle_work {
+    const struct rhw_segment *segment;
+    const struct rhw_triangle *t;
+    bool planes_ready, ready; // `planes` are set; `provoking`, `i0`, `d1`, `d2` are
+    int packed;               // its number in the scratch, or −1
+    struct planes planes;
+    const struct rhw_vertex_record *v[3];
+    const float *provoking;
+    float i0[RHW_MAX_VARYING_COMPONENTS], d1[RHW_MAX_VARYING_COMPONENTS], d2[RHW_MAX_VARYING_COMPONENTS];
+};
+
+RHW_INLINE void pack_identity(const struct tile_work *work, struct rhw_fragment *group,
+                              const struct rhw_packed_triangle *const triangle[8])
+{
+    const uint32_t uses = work->pipeline->def.program.uses;
+    for (int lane = 0; lane < 8 && uses & RHW_USE_FACING; lane++) {
+        group->front_facing[lane] = triangle[lane]->front_facing;
+    }
+    for (int lane = 0; lane < 8 && uses & RHW_USE_IDS; lane++) {
+        group->primitive[lane] = triangle[lane]->primitive;
+        group->instance[lane] = triangle[lane]->instance;
+        group->draw[lane] = triangle[lane]->draw;
+    }
+}
+
+// Turns 8 vectors over the four quantities into four over the lanes.
+RHW_INLINE void quantity_lanes(const d4 value[8], d8 out[4])
+{
+    d4 low[4] = {value[0], value[1], value[2], value[3]}, high[4] = {value[4], value[5], value[6], value[7]};
+    d4_transpose(low);
+    d4_transpose(high);
+    for (int q = 0; q < 4; q++) {
+        out[q] = (d8){low[q], high[q]};
+    }
+}
+
+// Components i .. i + 7 of the 8 fragments, as one vector per component. A vertex record is padded to whole vectors.
+RHW_INLINE void pack_components(const struct rhw_packed_triangle *const triangle[8], int i, const float b[8],
+                                const float c[8], f8 out[8])
+{
+    for (int lane = 0; lane < 8; lane++) {
+        const float *const *const v = triangle[lane]->varyings;
+        const f8 i0 = f8_load(v[0] + i), d1 = i0 - f8_load(v[1] + i), d2 = i0 - f8_load(v[2] + i);
+        out[lane] = i0 - (f8_splat(b[lane]) * d1 + f8_splat(c[lane]) * d2);
+    }
+    f8_transpose(out);
+}
+
+// Their derivatives by x or y, whose weights' derivatives are b and c.
+RHW_INLINE void pack_slopes(const struct rhw_packed_triangle *const triangle[8], int i, const float b[8],
+                            const float c[8], f8 out[8])
+{
+    for (int lane = 0; lane < 8; lane++) {
+        const float *const *const v = triangle[lane]->varyings;
+        const f8 i0 = f8_load(v[0] + i), d1 = f8_load(v[1] + i) - i0, d2 = f8_load(v[2] + i) - i0;
+        out[lane] = f8_splat(b[lane]) * d1 + f8_splat(c[lane]) * d2;
+    }
+    f8_transpose(out);
+}
+
+static void pack_derivatives(const struct tile_work *work, int g,
+                             const struct rhw_packed_triangle *const triangle[8], const double x[8],
+                             const double y[8], d8 inverse_s)
+{
+    const struct rhw_pipeline_data *const pipeline = work->pipeline;
+    const int components = pipeline->varying_components;
+    const d8 squared = d8_mul(inverse_s, inverse_s);
+    d4 value[8];
+    for (int lane = 0; lane < 8; lane++) {
+        const d4 along = {y[lane], x[lane], y[lane], x[lane]};
+        value[lane] = triangle[lane]->slope + triangle[lane]->slope_step * along;
+    }
+    d8 numerator[4];
+    quantity_lanes(value, numerator);
+    float weight[4][8]; // b by x, b by y, c by x, c by y
+    for (int i = 0; i < 4; i++) {
+        f8_store(weight[i], f8_from_d8(d8_mul(numerator[i], squared)));
+    }
+    for (int i = 0; i < components; i += 8) {
+        f8 dx[8], dy[8];
+        pack_slopes(triangle, i, weight[0], weight[2], dx);
+        pack_slopes(triangle, i, weight[1], weight[3], dy);
+        for (int k = 0; k < 8 && i + k < components; k++) {
+            if (pipeline->component_derivatives[i + k]) {
+                work->scratch->ddx[g * components + i + k] = dx[k];
+                work->scratch->ddy[g * components + i + k] = dy[k];
+            }
+        }
+    }
+}
+
+// Makes a group of the 8 fragments that wait; `bits`: those that are not repetitions.
+static void pack_group(struct tile_work *work, unsigned bits)
+{
+    struct rhw_tile_scratch *const scratch = work->scratch;
+    const struct rhw_pipeline_data *const pipeline = work->pipeline;
+    const int g = work->count++, components = pipeline->varying_components;
+    struct rhw_group_place *const place = &scratch->places[g];
+    struct rhw_fragment *const group = &scratch->groups[g];
+    memcpy(place->at, scratch->open_at, sizeof place->at);
+    place->bits = (uint8_t)bits;
+    place->packed = true;
+    work->open_count = 0;
+    group->mask = i8_from_bits(bits);
+
+    const struct rhw_packed_triangle *triangle[8];
+    double x[8], y[8];
+    d4 value[8];
+    for (int lane = 0; lane < 8; lane++) {
+        const struct rhw_packed_triangle *const t = triangle[lane] =
+            &scratch->packed[scratch->open_triangle[lane]];
+        x[lane] = place->at[lane] % RHW_TILE - t->anchor_x;
+        y[lane] = place->at[lane] / RHW_TILE - t->anchor_y;
+        value[lane] = t->dx * d4_splat(x[lane]) + (t->at + t->dy * d4_splat(y[lane]));
+    }
+    d8 quantity[4];
+    quantity_lanes(value, quantity);
+    const d8 inverse_s = d8_div(d8_splat(1), quantity[QUANTITY_S]);
+    float b[8], c[8];
+    f8_store(b, f8_from_d8(d8_mul(quantity[QUANTITY_B], inverse_s)));
+    f8_store(c, f8_from_d8(d8_mul(quantity[QUANTITY_C], inverse_s)));
+    for (int i = 0; i < components; i += 8) {
+        f8 lanes[8];
+        pack_components(triangle, i, b, c, lanes);
+        for (int k = 0; k < 8 && i + k < components; k++) {
+            scratch->varyings[g * components + i + k] = lanes[k];
+        }
+    }
+    if (pipeline->any_derivatives) {
+        pack_derivatives(work, g, triangle, x, y, inverse_s);
+    }
+    if (work->keeps_depth) {
+        group->depth = viewport_clamp(work->state, f8_from_d8(quantity[QUANTITY_Z]));
+    }
+    pack_identity(work, group, triangle);
+}
+
+// Shades all that waits.
+static void flush(struct tile_work *work)
+{
+    struct rhw_tile_scratch *const scratch = work->scratch;
+    const int live = work->open_count;
+    if (live != 0) {
+        for (int i = live; i < 8; i++) {
+            scratch->open_at[i] = scratch->open_at[0];
+            scratch->open_triangle[i] = scratch->open_triangle[0];
+        }
+        pack_group(work, 0xffu >> (8 - live));
+    }
+    if (work->count != 0) {
+        shade_window(work);
+    }
+}
+
+// Copies what packing needs of a triangle.
+static void pack_triangle(struct tile_work *work, struct triangle_work *triangle)
+{
+    const struct planes *const planes = &triangle->planes;
+    triangle->packed = (int)(work->packed_count++ % RHW_PACKED_TRIANGLES);
+    struct rhw_packed_triangle *const to = &work->scratch->packed[triangle->packed];
+    to->at = planes->linear.at;
+    to->dx = planes->linear.dx;
+    to->dy = planes->linear.dy;
+    to->anchor_x = planes->anchor_x - work->x;
+    to->anchor_y = planes->anchor_y - work->y;
+    for (int i = 0; i < 3; i++) {
+        to->varyings[i] = triangle->v[i]->varyings;
+    }
+    if (work->pipeline->any_derivatives) {
+        const struct slope b = planes->b_slope, c = planes->c_slope;
+        to->slope = (d4){b.x, b.y, c.x, c.y};
+        to->slope_step = (d4){b.x_dy, b.y_dx, c.x_dy, c.y_dx};
+    }
+    if (work->pipeline->def.program.uses & (RHW_USE_FACING | RHW_USE_IDS)) {
+        const struct rhw_draw *const draw = triangle->segment->draw;
+        to->front_facing = triangle->t->flags & RHW_TRIANGLE_BACK ? 0 : -1;
+        to->primitive = (int32_t)triangle->t->primitive;
+        to->instance = (int32_t)(draw->first_instance + triangle->segment->instance);
+        to->draw = (int32_t)draw->index;
+    }
+}
+
+// Adds the fragments of a row whose bits are set; x, y: of bit 0, in the tile. None of their pixels is pending.
+RHW_INLINE void pack_row(struct tile_work *work, const struct triangle_work *triangle, int x, int y,
+                         unsigned bits)
+{
+    struct rhw_tile_scratch *const scratch = work->scratch;
+    for (; bits != 0; bits &= bits - 1) {
+        const int at_x = x + __builtin_ctz(bits), n = work->open_count;
+        scratch->pending[y] |= (uint64_t)1 << at_x;
+        scratch->open_at[n] = (uint16_t)(y * RHW_TILE + at_x);
+        scratch->open_triangle[n] = (uint8_t)triangle->packed;
+        work->open_count = n + 1;
+        if (n + 1 == 8) {
+            pack_group(work, 0xff);
+            if (work->count == RHW_FRAGMENT_GROUPS) {
+                shade_window(work);
+            }
+        }
+    }
+}

@@ -1,0 +1,190 @@
+// SPDX-License-Identifier: MIT
+// The window: groups of 8 fragments of one draw that wait to be shaded with one call. No two fragments in it
+// share a pixel, so within a window order means nothing: whichever way triangles fill the groups, and whichever
+// group is merged first, the picture is that of the order of submission. A fragment whose pixel is taken makes
+// the window close first. Template: compiled once per instruction set.
+
+#include "../shader_adapter.h"
+#include "output_tmpl.h"
+#include "scratch.h"
+
+// How depth is tested for a draw.
+enum depth_mode {
+    DEPTH_NONE,
+    DEPTH_EARLY,       // tested and written before shading
+    DEPTH_LATE,        // after: the fragment function writes depth
+    DEPTH_EARLY_REJECT // tested before, tested again and written after: the fragment function may discard
+};
+
+// One worker's work on one tile.
+struct tile_work {
+    struct rhw_pass_state *pass;
+    struct rhw_tile_scratch *scratch;
+    struct rhw_counters *counters;
+    int x, y; // pixels of the tile's first pixel in the target
+
+    // Of the draw whose fragments are collected:
+    const struct rhw_draw *draw;
+    const struct rhw_draw_state *state;
+    const struct rhw_pipeline_data *pipeline;
+    enum depth_mode depth_mode;
+    bool shades;      // there is a fragment function
+    bool constant;    // that receives nothing: one call tells the colour of all fragments
+    bool smooth;      // smooth varyings and their derivatives are all it needs the weights for
+    bool packs;       // its groups can be packed
+    bool needs_depth; // depth is tested or given to the fragment function
+    bool keeps_depth; // and the collected groups carry it
+
+    bool constant_ready; // and it was made
+
+    int count;             // groups in the window
+    int open_count;        // fragments that wait for a group
+    unsigned packed_count; // triangles packed so far
+};
+
+// Lanes for which `z compare old` holds.
+RHW_INLINE i8 depth_passes(enum rhw_compare compare, f8 z, f8 old)
+{
+    switch (compare) {
+    case RHW_COMPARE_NEVER: return i8_splat(0);
+    case RHW_COMPARE_LESS: return z < old;
+    case RHW_COMPARE_EQUAL: return z == old;
+    case RHW_COMPARE_LESS_EQUAL: return z <= old;
+    case RHW_COMPARE_GREATER: return z > old;
+    case RHW_COMPARE_NOT_EQUAL: return z != old;
+    case RHW_COMPARE_GREATER_EQUAL: return z >= old;
+    default: return i8_splat(-1);
+    }
+}
+
+static f8 viewport_clamp(const struct rhw_draw_state *state, f8 z)
+{
+    return f8_min(f8_max(z, f8_splat(state->depth_least)), f8_splat(state->depth_most));
+}
+
+// Tests 8 fragments against `stored` and gives those that pass; `stored` then holds what is to be stored.
+RHW_INLINE i8 depth_test(enum rhw_compare compare, bool write, f8 z, i8 mask, f8 *stored)
+{
+    const i8 pass = mask & depth_passes(compare, z, *stored);
+    if (write) {
+        *stored = f8_select(pass, z, *stored);
+    }
+    return pass;
+}
+
+// Lanes of group g that are still live after discarding and the late depth test.
+static unsigned finish_depth(const struct tile_work *work, int g)
+{
+    const struct rhw_pipeline_def *const def = &work->pipeline->def;
+    const struct rhw_group_place *const place = &work->scratch->places[g];
+    const struct rhw_fragment *const group = &work->scratch->groups[g];
+    const uint32_t uses = def->program.uses;
+    i8 mask = i8_from_bits(place->bits);
+    if (uses & RHW_USE_DISCARD) {
+        mask &= group->mask < i8_splat(0);
+    }
+    if (work->depth_mode < DEPTH_LATE) {
+        return i8_sign_bits(mask);
+    }
+    const f8 z = uses & RHW_USE_DEPTH ? viewport_clamp(work->state, group->depth) : group->depth;
+    float *const depth = work->scratch->depth;
+    if (!place->packed) {
+        f8 stored = f8_load(depth + place->at[0]);
+        mask = depth_test(def->depth_compare, def->depth_write, z, mask, &stored);
+        f8_store(depth + place->at[0], stored);
+        return i8_sign_bits(mask);
+    }
+    float lanes[8];
+    for (int i = 0; i < 8; i++) {
+        lanes[i] = depth[place->at[i]];
+    }
+    f8 stored = f8_load(lanes);
+    mask = depth_test(def->depth_compare, def->depth_write, z, mask, &stored);
+    f8_store(lanes, stored);
+    for (unsigned left = i8_sign_bits(mask); left != 0; left &= left - 1) {
+        const int lane = __builtin_ctz(left);
+        depth[place->at[lane]] = lanes[lane];
+    }
+    return i8_sign_bits(mask);
+}
+
+// Texels of a packed group, side by side for the merger, and back.
+RHW_INLINE void gather_texels(const struct rhw_group_place *place, const unsigned char *texels, size_t size,
+                              unsigned char *out)
+{
+    for (int i = 0; i < 8; i++) {
+        memcpy(out + (size_t)i * size, texels + place->at[i] * size, size);
+    }
+}
+
+RHW_INLINE void scatter_texels(const struct rhw_group_place *place, unsigned char *texels, size_t size,
+                               const unsigned char *from)
+{
+    for (unsigned left = place->bits; left != 0; left &= left - 1) {
+        const int lane = __builtin_ctz(left);
+        memcpy(texels + place->at[lane] * size, from + (size_t)lane * size, size);
+    }
+}
+
+// Merges what was shaded into target t. `kind` and `size` (bytes of a texel) are the target's, constants where a
+// call names them.
+RHW_INLINE void merge_target(const struct tile_work *work, int t, enum output_kind kind, size_t size)
+{
+    struct output_state state = work->state->outputs[t];
+    state.kind = kind;
+    unsigned char *const texels = work->scratch->color[t];
+    const struct rhw_group_place *const places = work->scratch->places;
+    for (int g = 0, count = work->count; g < count; g++) {
+        const struct rhw_group_place *const place = &places[g];
+        const f8 *const color = work->scratch->outputs[g][t];
+        if (place->packed) {
+            _Alignas(32) unsigned char lanes[8 * 16];
+            if (kind != OUTPUT_RGBA8_REPLACE) {
+                gather_texels(place, texels, size, lanes);
+            }
+            output_group(&state, color, i8_splat(-1), lanes);
+            scatter_texels(place, texels, size, lanes);
+        } else if (kind == OUTPUT_RGBA8_REPLACE && place->bits == 0xff) {
+            output_group(&state, color, i8_splat(-1), texels + place->at[0] * size);
+        } else {
+            output_group(&state, color, i8_from_bits(place->bits), texels + place->at[0] * size);
+        }
+    }
+}
+
+static void run_fragment_function(const struct tile_work *work, int count)
+{
+    if (work->pipeline->fragment) {
+        work->pipeline->fragment(work->scratch->groups, count);
+    } else {
+        rhw_fragment1_run(work->pipeline, work->scratch->groups, count);
+    }
+}
+
+// Shades and merges the groups of the window. Fragments without a group go on waiting.
+static void shade_window(struct tile_work *work)
+{
+    struct rhw_tile_scratch *const scratch = work->scratch;
+    run_fragment_function(work, work->count);
+    if (work->depth_mode >= DEPTH_LATE || work->pipeline->def.program.uses & RHW_USE_DISCARD) {
+        for (int g = 0; g < work->count; g++) {
+            scratch->places[g].bits = (uint8_t)finish_depth(work, g);
+        }
+    }
+    for (int t = 0; t < work->pass->color_count; t++) {
+        const enum output_kind kind = work->state->outputs[t].kind;
+        if (kind == OUTPUT_RGBA8_REPLACE) {
+            merge_target(work, t, OUTPUT_RGBA8_REPLACE, 4);
+        } else if (kind == OUTPUT_RGBA8_OVER) {
+            merge_target(work, t, OUTPUT_RGBA8_OVER, 4);
+        } else {
+            merge_target(work, t, kind, work->pass->colors[t].texel_size);
+        }
+    }
+    work->counters->groups += (uint64_t)work->count;
+    work->count = 0;
+    memset(scratch->pending, 0, sizeof scratch->pending);
+    for (int i = 0; i < work->open_count; i++) {
+        scratch->pending[scratch->open_at[i] / RHW_TILE] |= (uint64_t)1 << scratch->open_at[i] % RHW_TILE;
+    }
+}
