@@ -342,6 +342,12 @@ RHW_INLINE void f8_load_columns(const void *const place[8], f8 column[4])
     f4_columns(row, column);
 }
 
+// Exact.
+RHW_INLINE d4 d4_from_i4(i4 v)
+{
+    return __builtin_convertvector(v, d4);
+}
+
 // Turns 4 vectors of 4 quantities each into 4 vectors of one quantity each.
 RHW_INLINE void d4_transpose(d4 m[4])
 {

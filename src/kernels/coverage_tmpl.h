@@ -29,21 +29,38 @@ static struct edge make_edge(int32_t x0, int32_t y0, int32_t x1, int32_t y1, int
     return (struct edge){a, b, (e - (top_left ? 0 : 1)) >> RHW_SUBPIXEL_BITS};
 }
 
+// Where a square of pixels lies: `corner` is q at its first pixel, `last` the number of its last row and column.
+enum side { SIDE_OUTSIDE, SIDE_CROSSING, SIDE_INSIDE };
+
+static enum side edge_side(const struct edge *edge, int64_t corner, int last)
+{
+    const int64_t span_a = (int64_t)edge->a * last, span_b = (int64_t)edge->b * last;
+    if (corner + (span_a > 0 ? span_a : 0) + (span_b > 0 ? span_b : 0) < 0) {
+        return SIDE_OUTSIDE;
+    }
+    return corner + (span_a < 0 ? span_a : 0) + (span_b < 0 ? span_b : 0) >= 0 ? SIDE_INSIDE : SIDE_CROSSING;
+}
+
+// The edges of a triangle that cross the tile: where none does, all of it is covered.
+struct triangle_edges {
+    int count;
+    struct edge edges[3];
+};
+
 // Bit 8·row + column of the block whose first pixel is (x, y) in the tile. Rows outside row0 .. row1 − 1 may
 // be left out.
-static uint64_t triangle_mask(const struct edge edges[3], int x, int y, int row0, int row1)
+static uint64_t triangle_mask(const struct triangle_edges *triangle, int x, int y, int row0, int row1)
 {
     i8 q[3], step[3];
     int crossing = 0;
-    for (int i = 0; i < 3; i++) {
-        const struct edge *const edge = &edges[i];
+    for (int i = 0; i < triangle->count; i++) {
+        const struct edge *const edge = &triangle->edges[i];
         const int64_t corner = edge->q + (int64_t)edge->a * x + (int64_t)edge->b * y;
-        const int64_t span_a = (int64_t)edge->a * (RHW_BLOCK - 1),
-                      span_b = (int64_t)edge->b * (RHW_BLOCK - 1);
-        if (corner + (span_a > 0 ? span_a : 0) + (span_b > 0 ? span_b : 0) < 0) {
+        const enum side side = edge_side(edge, corner, RHW_BLOCK - 1);
+        if (side == SIDE_OUTSIDE) {
             return 0;
         }
-        if (corner + (span_a < 0 ? span_a : 0) + (span_b < 0 ? span_b : 0) >= 0) {
+        if (side == SIDE_INSIDE) {
             continue;
         }
         // An edge that crosses the block: corner is within the spans, so int32 holds it.
@@ -73,18 +90,27 @@ static uint64_t triangle_mask(const struct edge edges[3], int x, int y, int row0
 
 // What a triangle, clipped or not, covers in one tile.
 struct coverage {
-    int count; // of triangles: 1, or the fan of a clipped polygon
-    struct edge edges[RHW_POLYGON_CORNERS - 2][3];
+    int count; // of triangles that reach into the tile: of 1, or of the fan of a clipped polygon
+    struct triangle_edges triangles[RHW_POLYGON_CORNERS - 2];
 };
 
 static void coverage_add(struct coverage *coverage, const int32_t x[3], const int32_t y[3], int32_t sign,
                          int tile_x, int tile_y)
 {
-    struct edge *const edges = coverage->edges[coverage->count++];
+    struct triangle_edges *const triangle = &coverage->triangles[coverage->count];
+    triangle->count = 0;
     for (int i = 0; i < 3; i++) {
         const int j = i == 2 ? 0 : i + 1, k = i == 0 ? 2 : i - 1;
-        edges[i] = make_edge(x[j], y[j], x[k], y[k], sign, tile_x, tile_y);
+        const struct edge edge = make_edge(x[j], y[j], x[k], y[k], sign, tile_x, tile_y);
+        const enum side side = edge_side(&edge, edge.q, RHW_TILE - 1);
+        if (side == SIDE_OUTSIDE) {
+            return;
+        }
+        if (side == SIDE_CROSSING) {
+            triangle->edges[triangle->count++] = edge;
+        }
     }
+    coverage->count++;
 }
 
 static void coverage_setup(struct coverage *coverage, const struct rhw_chunk *chunk,
@@ -109,9 +135,9 @@ static void coverage_setup(struct coverage *coverage, const struct rhw_chunk *ch
 
 static uint64_t coverage_mask(const struct coverage *coverage, int x, int y, int row0, int row1)
 {
-    uint64_t mask = triangle_mask(coverage->edges[0], x, y, row0, row1);
-    for (int i = 1; i < coverage->count; i++) {
-        mask ^= triangle_mask(coverage->edges[i], x, y, row0, row1);
+    uint64_t mask = 0;
+    for (int i = 0; i < coverage->count; i++) {
+        mask ^= triangle_mask(&coverage->triangles[i], x, y, row0, row1);
     }
     return mask;
 }

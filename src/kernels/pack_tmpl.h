@@ -70,15 +70,17 @@ RHW_INLINE void pack_slopes(const struct rhw_packed_triangle *const triangle[8],
 }
 
 static void pack_derivatives(const struct tile_work *work, int g,
-                             const struct rhw_packed_triangle *const triangle[8], const double x[8],
-                             const double y[8], d8 inverse_s)
+                             const struct rhw_packed_triangle *const triangle[8], d8 inverse_s)
 {
     const struct rhw_pipeline_data *const pipeline = work->pipeline;
     const int components = pipeline->varying_components;
     const d8 squared = d8_mul(inverse_s, inverse_s);
     d4 value[8];
     for (int lane = 0; lane < 8; lane++) {
-        const d4 along = {y[lane], x[lane], y[lane], x[lane]};
+        const int at = work->scratch->lanes_at[g][lane];
+        const double x = at % RHW_TILE - triangle[lane]->anchor_x,
+                     y = at / RHW_TILE - triangle[lane]->anchor_y;
+        const d4 along = {y, x, y, x};
         value[lane] = triangle[lane]->slope + triangle[lane]->slope_step * along;
     }
     d8 numerator[4];
@@ -105,27 +107,16 @@ static void pack_group(struct tile_work *work, unsigned bits)
 {
     struct rhw_tile_scratch *const scratch = work->scratch;
     const struct rhw_pipeline_data *const pipeline = work->pipeline;
+    const struct rhw_packed_triangle *const *const triangle = scratch->open_triangle;
     const int g = work->count++, components = pipeline->varying_components;
-    struct rhw_group_place *const place = &scratch->places[g];
     struct rhw_fragment *const group = &scratch->groups[g];
-    memcpy(place->at, scratch->open_at, sizeof place->at);
-    place->bits = (uint8_t)bits;
-    place->packed = true;
+    memcpy(scratch->lanes_at[g], scratch->open_at, sizeof scratch->lanes_at[g]);
+    scratch->places[g] = (struct rhw_group_place){.bits = (uint8_t)bits, .packed = true};
     work->open_count = 0;
+    work->all_full = false;
     group->mask = i8_from_bits(bits);
-
-    const struct rhw_packed_triangle *triangle[8];
-    double x[8], y[8];
-    d4 value[8];
-    for (int lane = 0; lane < 8; lane++) {
-        const struct rhw_packed_triangle *const t = triangle[lane] =
-            &scratch->packed[scratch->open_triangle[lane]];
-        x[lane] = place->at[lane] % RHW_TILE - t->anchor_x;
-        y[lane] = place->at[lane] / RHW_TILE - t->anchor_y;
-        value[lane] = t->dx * d4_splat(x[lane]) + (t->at + t->dy * d4_splat(y[lane]));
-    }
     d8 quantity[4];
-    quantity_lanes(value, quantity);
+    quantity_lanes(scratch->open_value, quantity);
     const d8 inverse_s = d8_div(d8_splat(1), quantity[QUANTITY_S]);
     float b[8], c[8];
     f8_store(b, f8_from_d8(d8_mul(quantity[QUANTITY_B], inverse_s)));
@@ -133,12 +124,17 @@ static void pack_group(struct tile_work *work, unsigned bits)
     for (int i = 0; i < components; i += 8) {
         f8 lanes[8];
         pack_components(triangle, i, b, c, lanes);
-        for (int k = 0; k < 8 && i + k < components; k++) {
-            scratch->varyings[g * components + i + k] = lanes[k];
+        f8 *const out = scratch->varyings + g * components + i;
+        if (i + 8 <= components) {
+            memcpy(out, lanes, sizeof lanes);
+        } else {
+            for (int k = 0; k < components - i; k++) {
+                out[k] = lanes[k];
+            }
         }
     }
     if (pipeline->any_derivatives) {
-        pack_derivatives(work, g, triangle, x, y, inverse_s);
+        pack_derivatives(work, g, triangle, inverse_s);
     }
     if (work->keeps_depth) {
         group->depth = viewport_clamp(work->state, f8_from_d8(quantity[QUANTITY_Z]));
@@ -155,6 +151,7 @@ static void flush(struct tile_work *work)
         for (int i = live; i < 8; i++) {
             scratch->open_at[i] = scratch->open_at[0];
             scratch->open_triangle[i] = scratch->open_triangle[0];
+            scratch->open_value[i] = scratch->open_value[0];
         }
         pack_group(work, 0xffu >> (8 - live));
     }
@@ -169,9 +166,6 @@ static void pack_triangle(struct tile_work *work, struct triangle_work *triangle
     const struct planes *const planes = &triangle->planes;
     triangle->packed = (int)(work->packed_count++ % RHW_PACKED_TRIANGLES);
     struct rhw_packed_triangle *const to = &work->scratch->packed[triangle->packed];
-    to->at = planes->linear.at;
-    to->dx = planes->linear.dx;
-    to->dy = planes->linear.dy;
     to->anchor_x = planes->anchor_x - work->x;
     to->anchor_y = planes->anchor_y - work->y;
     for (int i = 0; i < 3; i++) {
@@ -196,16 +190,24 @@ RHW_INLINE void pack_row(struct tile_work *work, const struct triangle_work *tri
                          unsigned bits)
 {
     struct rhw_tile_scratch *const scratch = work->scratch;
+    const struct planes *const planes = &triangle->planes;
+    const struct rhw_packed_triangle *const packed = &scratch->packed[triangle->packed];
+    const uint64_t touched = block_bit(x, y) | block_bit(x + RHW_BLOCK - 1, y); // the row may start anywhere
+    work->touched |= touched;
+    const d4 row = planes->linear.at + planes->linear.dy * d4_splat((double)(y - packed->anchor_y));
     for (; bits != 0; bits &= bits - 1) {
         const int at_x = x + __builtin_ctz(bits), n = work->open_count;
-        scratch->pending[y] |= (uint64_t)1 << at_x;
-        scratch->open_at[n] = (uint16_t)(y * RHW_TILE + at_x);
-        scratch->open_triangle[n] = (uint8_t)triangle->packed;
+        const int at = y * RHW_TILE + at_x;
+        set_pending(scratch, at);
+        scratch->open_at[n] = (uint16_t)at;
+        scratch->open_triangle[n] = packed;
+        scratch->open_value[n] = planes->linear.dx * d4_splat((double)(at_x - packed->anchor_x)) + row;
         work->open_count = n + 1;
         if (n + 1 == 8) {
             pack_group(work, 0xff);
             if (work->count == RHW_FRAGMENT_GROUPS) {
                 shade_window(work);
+                work->touched |= touched;
             }
         }
     }

@@ -41,18 +41,23 @@ struct slope {
 // pixel. There a weight would be negative and, next to the horizon, 1/W zero: weights below 0 count as 0, and
 // the others are divided by what is left. `a` and the vertices' W and depth·W are for these pixels alone. A clipped
 // triangle without area has no weights at all: it takes the values of its vertex with the largest W.
+// Of a snapped triangle: the four quantities are base + f1·e_1 + f2·e_2.
+struct factors {
+    struct plane e1, e2; // exact integers
+    d4 base, f1, f2;
+    double area, inverse_area; // the doubled, positive area
+};
+
 struct planes {
     int anchor_x, anchor_y; // pixels
     bool exact;
     struct linear linear;
-    struct plane n1, n2;             // weights on the screen of vertices 1 and 2
-    struct plane e1, e2;             // exact integers
-    d4 base, f1, f2;                 // by quantity: base + f1·e_1 + f2·e_2, for `exact`
-    double sign, area, inverse_area; // of snapped triangles; the area is doubled, and positive
-    struct plane a;                  // (a·1/W), of clipped triangles
-    double w[3], zw[3], a_e0;        // of clipped triangles
-    bool homogeneous;                // a vertex is not snapped
-    bool wide;                       // weights come from `edge` alone, in wide arithmetic
+    struct plane n1, n2;      // weights on the screen of vertices 1 and 2
+    struct factors factors;   // of snapped triangles
+    struct plane a;           // (a·1/W), of clipped triangles
+    double w[3], zw[3], a_e0; // of clipped triangles
+    bool homogeneous;         // a vertex is not snapped
+    bool wide;                // weights come from `edge` alone, in wide arithmetic
     struct wide_plane edge[3];
     double edge_scale;             // e_i·edge_scale = a, b, c over W
     struct slope b_slope, c_slope; // of snapped triangles by planes_slopes, when they are asked for
@@ -61,17 +66,6 @@ struct planes {
 static struct plane scale(double f, struct plane e)
 {
     return (struct plane){f * e.at, f * e.dx, f * e.dy};
-}
-
-// Edge function of the snapped triangle from corner j to corner k, at the anchor's centre; exact (limits.h).
-static struct plane edge_plane(const struct rhw_triangle *t, int j, int k, double sign,
-                               const struct planes *p)
-{
-    const double a = sign * (double)(t->y_24_8[j] - t->y_24_8[k]),
-                 b = sign * (double)(t->x_24_8[k] - t->x_24_8[j]);
-    const double px = (double)(p->anchor_x * RHW_SUBPIXEL + RHW_SUBPIXEL / 2 - t->x_24_8[j]);
-    const double py = (double)(p->anchor_y * RHW_SUBPIXEL + RHW_SUBPIXEL / 2 - t->y_24_8[j]);
-    return (struct plane){a * px + b * py, a * RHW_SUBPIXEL, b * RHW_SUBPIXEL};
 }
 
 static double absolute(double v)
@@ -109,63 +103,73 @@ RHW_INLINE struct plane linear_plane(const struct linear *linear, enum quantity 
     return (struct plane){linear->at[q], linear->dx[q], linear->dy[q]};
 }
 
-static double least3(d4 v)
+static double least(double a, double b)
 {
-    return v[0] < v[1] ? (v[0] < v[2] ? v[0] : v[2]) : (v[1] < v[2] ? v[1] : v[2]);
+    return a < b ? a : b;
 }
 
-static double most3(d4 v)
+static double most(double a, double b)
 {
-    return v[0] > v[1] ? (v[0] > v[2] ? v[0] : v[2]) : (v[1] > v[2] ? v[1] : v[2]);
+    return a > b ? a : b;
 }
 
-// What every snapped triangle needs. The anchor is the pixel of vertex 0.
-RHW_INLINE void planes_linear(struct planes *p, const struct rhw_draw_state *state,
+// What every snapped triangle needs; false where its numbers must be made of exact integers, pixel by pixel. The anchor
+// is the pixel of vertex 0.
+RHW_INLINE bool planes_linear(struct planes *p, struct factors *f, const struct rhw_draw_state *state,
                               const struct rhw_triangle *t, const struct rhw_vertex_record *const v[3])
 {
     p->homogeneous = p->wide = false;
     p->anchor_x = t->x_24_8[0] >> RHW_SUBPIXEL_BITS;
     p->anchor_y = t->y_24_8[0] >> RHW_SUBPIXEL_BITS;
-    const double x1 = t->x_24_8[1] - t->x_24_8[0], y1 = t->y_24_8[1] - t->y_24_8[0];
-    const double x2 = t->x_24_8[2] - t->x_24_8[0], y2 = t->y_24_8[2] - t->y_24_8[0];
-    const double signed_area = x1 * y2 - x2 * y1, sign = signed_area < 0 ? -1 : 1;
+    const i4 x = i4_load(t->x_24_8), y = i4_load(t->y_24_8); // the fourth of each is another member
+    const i4 corner = __builtin_shufflevector(x, y, 0, 0, 4, 4);
+    const d4 turned = d4_from_i4(__builtin_shufflevector(x, y, 1, 2, 5, 6) - corner); // x1, x2, y1, y2
+    const double signed_area = turned[0] * turned[3] - turned[1] * turned[2], sign = signed_area < 0 ? -1 : 1;
+    const d4 side = turned * d4_splat(sign);
+    f->area = sign * signed_area;
     // Edges 2 → 0 and 0 → 1 at the anchor's centre, seen from vertex 0; exact (limits.h).
     const double px = RHW_SUBPIXEL / 2 - (t->x_24_8[0] & (RHW_SUBPIXEL - 1));
     const double py = RHW_SUBPIXEL / 2 - (t->y_24_8[0] & (RHW_SUBPIXEL - 1));
-    const double a1 = sign * y2, b1 = -sign * x2, a2 = -sign * y1, b2 = sign * x1;
-    p->e1 = (struct plane){a1 * px + b1 * py, a1 * RHW_SUBPIXEL, b1 * RHW_SUBPIXEL};
-    p->e2 = (struct plane){a2 * px + b2 * py, a2 * RHW_SUBPIXEL, b2 * RHW_SUBPIXEL};
+    f->e1 = (struct plane){side[3] * px - side[1] * py, side[3] * RHW_SUBPIXEL, -side[1] * RHW_SUBPIXEL};
+    f->e2 = (struct plane){side[0] * py - side[2] * px, -side[2] * RHW_SUBPIXEL, side[0] * RHW_SUBPIXEL};
     const d4 below = {(double)v[0]->position[3], (double)v[1]->position[3], (double)v[2]->position[3],
-                      sign * signed_area};
+                      f->area};
     const d4 above = {(double)v[0]->position[2], (double)v[1]->position[2], (double)v[2]->position[2], 0};
     const d4 w = d4_splat(1) / below; // and one over the area
     const d4 d = d4_splat(state->depth_low) + d4_splat(state->depth_span) * (above / below);
-    p->sign = sign;
-    p->area = below[3];
-    p->inverse_area = w[3];
-    p->base = (d4){w[0], 0, 0, d[0]};
-    p->f1 = (d4){w[1] - w[0], w[1], 0, d[1] - d[0]} * d4_splat(w[3]);
-    p->f2 = (d4){w[2] - w[0], 0, w[2], d[2] - d[0]} * d4_splat(w[3]);
-    p->linear.at = p->base + (p->f1 * d4_splat(p->e1.at) + p->f2 * d4_splat(p->e2.at));
-    p->linear.dx = p->f1 * d4_splat(p->e1.dx) + p->f2 * d4_splat(p->e2.dx);
-    p->linear.dy = p->f1 * d4_splat(p->e1.dy) + p->f2 * d4_splat(p->e2.dy);
+    f->inverse_area = w[3];
+    f->base = (d4){w[0], 0, 0, d[0]};
+    f->f1 = ((d4){w[1], w[1], 0, d[1]} - f->base) * d4_splat(w[3]);
+    f->f2 = ((d4){w[2], 0, w[2], d[2]} - f->base) * d4_splat(w[3]);
+    p->linear.at = f->base + (f->f1 * d4_splat(f->e1.at) + f->f2 * d4_splat(f->e2.at));
+    p->linear.dx = f->f1 * d4_splat(f->e1.dx) + f->f2 * d4_splat(f->e2.dx);
+    p->linear.dy = f->f1 * d4_splat(f->e1.dy) + f->f2 * d4_splat(f->e2.dy);
     // Terms of the sums are below extent² · the largest w / A; the smallest S is the smallest w. Their ratio
     // is how many bits cancel; 53 − 20 are more than the 24 + 6 that the bound needs.
-    const double width = absolute(x1) + absolute(x2), height = absolute(y1) + absolute(y2);
-    p->exact = (width + RHW_SUBPIXEL) * (height + RHW_SUBPIXEL) * w[3] * most3(w) > 0x1p20 * least3(w);
+    const double width = absolute(side[0]) + absolute(side[1]),
+                 height = absolute(side[2]) + absolute(side[3]);
+    return (width + RHW_SUBPIXEL) * (height + RHW_SUBPIXEL) * w[3] * most(most(w[0], w[1]), w[2]) <=
+           0x1p20 * least(least(w[0], w[1]), w[2]);
+}
+
+// The edge function of vertex 0: what the others leave of the area; exact.
+static struct plane edge_0(const struct factors *f)
+{
+    return (struct plane){f->area - f->e1.at - f->e2.at, -(f->e1.dx + f->e2.dx), -(f->e1.dy + f->e2.dy)};
 }
 
 static void planes_snapped(struct planes *p, const struct rhw_draw_state *state, const struct rhw_triangle *t,
                            const struct rhw_vertex_record *const v[3])
 {
-    planes_linear(p, state, t, v);
-    p->n1 = scale(p->inverse_area, p->e1);
-    p->n2 = scale(p->inverse_area, p->e2);
+    const struct factors *const f = &p->factors;
+    p->exact = !planes_linear(p, &p->factors, state, t, v);
+    p->n1 = scale(f->inverse_area, f->e1);
+    p->n2 = scale(f->inverse_area, f->e2);
     if (t->flags & RHW_TRIANGLE_POLYGON) {
         planes_vertices(p, state, v);
-        p->a_e0 = p->base[QUANTITY_S] * p->inverse_area;
-        p->a = scale(p->a_e0, edge_plane(t, 1, 2, p->sign, p));
-        if (p->area == 0) {
+        p->a_e0 = f->base[QUANTITY_S] * f->inverse_area;
+        p->a = scale(p->a_e0, edge_0(f));
+        if (f->area == 0) {
             planes_without_area(p);
         }
     }
@@ -257,8 +261,8 @@ RHW_INLINE d8 plane_row(const struct block_plane *plane, int row)
 
 RHW_INLINE d8 combine_rows(const struct planes *p, enum quantity q, d8 e1, d8 e2)
 {
-    return d8_add(d8_splat(p->base[q]),
-                  d8_add(d8_mul(d8_splat(p->f1[q]), e1), d8_mul(d8_splat(p->f2[q]), e2)));
+    return d8_add(d8_splat(p->factors.base[q]),
+                  d8_add(d8_mul(d8_splat(p->factors.f1[q]), e1), d8_mul(d8_splat(p->factors.f2[q]), e2)));
 }
 
 // What a block needs of a triangle's planes. Which members are set: z by block_depth; s, b, c by
@@ -270,8 +274,8 @@ struct block_planes {
 RHW_INLINE void block_depth(struct block_planes *block, const struct planes *p, const struct block_place *at)
 {
     if (__builtin_expect(p->exact, 0)) {
-        plane_over(&block->e1, &p->e1, at);
-        plane_over(&block->e2, &p->e2, at);
+        plane_over(&block->e1, &p->factors.e1, at);
+        plane_over(&block->e2, &p->factors.e2, at);
     } else {
         const struct plane z = linear_plane(&p->linear, QUANTITY_Z);
         plane_over(&block->z, &z, at);
@@ -282,8 +286,8 @@ RHW_INLINE void block_weights(struct block_planes *block, const struct planes *p
                               const struct block_place *at)
 {
     if (__builtin_expect(p->exact, 0)) {
-        plane_over(&block->e1, &p->e1, at);
-        plane_over(&block->e2, &p->e2, at);
+        plane_over(&block->e1, &p->factors.e1, at);
+        plane_over(&block->e2, &p->factors.e2, at);
     } else {
         const struct plane s = linear_plane(&p->linear, QUANTITY_S), b = linear_plane(&p->linear, QUANTITY_B),
                            c = linear_plane(&p->linear, QUANTITY_C);
@@ -297,8 +301,8 @@ RHW_INLINE void block_screen_weights(struct block_planes *block, const struct pl
                                      const struct block_place *at)
 {
     if (__builtin_expect(p->exact, 0)) {
-        plane_over(&block->e1, &p->e1, at);
-        plane_over(&block->e2, &p->e2, at);
+        plane_over(&block->e1, &p->factors.e1, at);
+        plane_over(&block->e2, &p->factors.e2, at);
     } else {
         plane_over(&block->n1, &p->n1, at);
         plane_over(&block->n2, &p->n2, at);
@@ -326,8 +330,8 @@ RHW_INLINE struct weights weights_row(const struct planes *p, const struct block
     if (__builtin_expect(p->exact, 0)) {
         const d8 e1 = plane_row(&block->e1, row), e2 = plane_row(&block->e2, row);
         s = combine_rows(p, QUANTITY_S, e1, e2);
-        b = d8_mul(d8_splat(p->f1[QUANTITY_B]), e1);
-        c = d8_mul(d8_splat(p->f2[QUANTITY_C]), e2);
+        b = d8_mul(d8_splat(p->factors.f1[QUANTITY_B]), e1);
+        c = d8_mul(d8_splat(p->factors.f2[QUANTITY_C]), e2);
     } else {
         s = plane_row(&block->s, row);
         b = plane_row(&block->b, row);
@@ -342,8 +346,8 @@ RHW_INLINE void screen_weights_row(const struct planes *p, const struct block_pl
                                    d8 *t)
 {
     if (__builtin_expect(p->exact, 0)) {
-        *s = d8_mul(d8_splat(p->inverse_area), plane_row(&block->e1, row));
-        *t = d8_mul(d8_splat(p->inverse_area), plane_row(&block->e2, row));
+        *s = d8_mul(d8_splat(p->factors.inverse_area), plane_row(&block->e1, row));
+        *t = d8_mul(d8_splat(p->factors.inverse_area), plane_row(&block->e2, row));
         return;
     }
     *s = plane_row(&block->n1, row);
@@ -414,10 +418,10 @@ static __attribute__((noinline)) void cut_row(const struct planes *p, const stru
         c = d8_mul(wide_row(&p->edge[2], at.dx, dy[row]), d8_splat(p->edge_scale));
         below[0] = below[1] = (l4){-1, -1, -1, -1};
     } else if (p->exact) { // integers: e_0 is what e_1 and e_2 leave of the area
-        const d8 e1 = plane_at(p->e1, &at), e2 = plane_at(p->e2, &at);
-        a = d8_mul(d8_splat(p->a_e0), d8_sub(d8_sub(d8_splat(p->area), e1), e2));
-        b = d8_mul(d8_splat(p->f1[QUANTITY_B]), e1);
-        c = d8_mul(d8_splat(p->f2[QUANTITY_C]), e2);
+        const d8 e1 = plane_at(p->factors.e1, &at), e2 = plane_at(p->factors.e2, &at);
+        a = d8_mul(d8_splat(p->a_e0), d8_sub(d8_sub(d8_splat(p->factors.area), e1), e2));
+        b = d8_mul(d8_splat(p->factors.f1[QUANTITY_B]), e1);
+        c = d8_mul(d8_splat(p->factors.f2[QUANTITY_C]), e2);
     } else {
         a = plane_at(p->a, &at);
         b = plane_at(linear_plane(&p->linear, QUANTITY_B), &at);
@@ -487,7 +491,8 @@ static void planes_slopes(struct planes *p, const struct rhw_triangle *t,
                          1 / (double)v[2]->position[3]};
     const double x1 = t->x_24_8[1] - t->x_24_8[0], y1 = t->y_24_8[1] - t->y_24_8[0];
     const double x2 = t->x_24_8[2] - t->x_24_8[0], y2 = t->y_24_8[2] - t->y_24_8[0];
-    const double factor = x1 * y2 < x2 * y1 ? -p->inverse_area : p->inverse_area; // one over the signed area
+    const double factor =
+        x1 * y2 < x2 * y1 ? -p->factors.inverse_area : p->factors.inverse_area; // one over the signed area
     p->b_slope = slope_snapped(t, p, factor, 1, w);
     p->c_slope = slope_snapped(t, p, factor, 2, w);
 }

@@ -60,14 +60,13 @@ struct rhw_front_scratch {
 
 // Where the 8 fragments of a group stand. A texel of the tile has the number y·RHW_TILE + x.
 struct rhw_group_place {
-    uint16_t at[8]; // of the lanes; of 8 in a row the first alone is set
-    uint8_t bits;   // live lanes
-    bool packed;    // from anywhere, where not 8 in a row
+    uint16_t at;  // of 8 in a row: the first
+    uint8_t bits; // live lanes
+    bool packed;  // from anywhere: `lanes_at` tells where
 };
 
 // What is kept of a triangle until its last fragment has found a group.
 struct rhw_packed_triangle {
-    d4 at, dx, dy;        // struct linear
     d4 slope, slope_step; // numerators of d/dx and d/dy of b, then of c; see struct slope
     const float *varyings[3];
     int anchor_x, anchor_y; // pixels, in the tile
@@ -78,12 +77,15 @@ struct rhw_tile_scratch {
     _Alignas(64) unsigned char color[RHW_MAX_COLOR_ATTACHMENTS][RHW_TILE * RHW_TILE * 16];
     float depth[RHW_TILE * RHW_TILE];
     // The window, see window_tmpl.h.
-    uint64_t pending[RHW_TILE]; // by row: pixels with a fragment in the window
+    uint8_t pending[RHW_TILE][RHW_TILE / 8]; // by row, a bit per pixel: those with a fragment in the window
     struct rhw_fragment groups[RHW_FRAGMENT_GROUPS];
     struct rhw_group_place places[RHW_FRAGMENT_GROUPS];
+    uint16_t lanes_at[RHW_FRAGMENT_GROUPS][8];
     struct rhw_packed_triangle packed[RHW_PACKED_TRIANGLES];
-    uint16_t open_at[8]; // fragments that wait for a group: texel, and number in `packed`
-    uint8_t open_triangle[8];
+    // Fragments that wait for a group: texel, triangle, and the four quantities.
+    uint16_t open_at[8];
+    const struct rhw_packed_triangle *open_triangle[8];
+    d4 open_value[8];
     f8 varyings[RHW_FRAGMENT_GROUPS * RHW_MAX_VARYING_COMPONENTS];
     f8 ddx[RHW_FRAGMENT_GROUPS * RHW_MAX_VARYING_COMPONENTS];
     f8 ddy[RHW_FRAGMENT_GROUPS * RHW_MAX_VARYING_COMPONENTS];

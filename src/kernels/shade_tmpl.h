@@ -32,6 +32,7 @@ static void set_draw(struct tile_work *work, const struct rhw_draw *draw)
                                                                                       : DEPTH_EARLY_REJECT;
     work->keeps_depth = work->depth_mode >= DEPTH_LATE || uses & (RHW_USE_COORD | RHW_USE_DEPTH);
     work->needs_depth = work->depth_mode != DEPTH_NONE || work->keeps_depth;
+    work->wants = work->keeps_depth || (work->smooth && uses & (RHW_USE_FACING | RHW_USE_IDS));
     for (int g = 0; g < RHW_FRAGMENT_GROUPS; g++) {
         struct rhw_fragment *const group = &work->scratch->groups[g];
         const int offset = g * pipeline->varying_components;
@@ -209,7 +210,7 @@ static void fill_group(const struct tile_work *work, int g, const struct triangl
             fill_barycentrics(group->barycentric_ddy, 0, slopes.b_dy, slopes.c_dy);
         }
     }
-    fill_builtins(work, group, triangle, work->scratch->places[g].at[0], &w, s, t);
+    fill_builtins(work, group, triangle, work->scratch->places[g].at, &w, s, t);
 }
 
 // Rows of a block that become groups: their numbers, and their bits.
@@ -218,8 +219,12 @@ struct block_rows {
     uint8_t row[RHW_BLOCK], bits[RHW_BLOCK];
 };
 
+// Of a block that is covered all over.
+static const struct block_rows all_rows = {
+    RHW_BLOCK, {0, 1, 2, 3, 4, 5, 6, 7}, {255, 255, 255, 255, 255, 255, 255, 255}};
+
 // Fills groups `first` on with smooth varyings and, where they are asked for, derivatives.
-RHW_INLINE void fill_rows(struct tile_work *work, const struct triangle_work *triangle,
+RHW_INLINE void fill_rows(const struct tile_work *work, const struct triangle_work *triangle,
                           const struct block_planes *block, const struct block_place *at,
                           const struct block_rows *rows, int first, bool derivatives)
 {
@@ -230,12 +235,13 @@ RHW_INLINE void fill_rows(struct tile_work *work, const struct triangle_work *tr
     double dy[RHW_BLOCK];
     memcpy(dy, &at->dy, sizeof dy);
     for (int n = 0; n < count; n++) {
-        const struct weights w = weights_row(planes, block, rows->row[n]);
+        const int row = rows == &all_rows ? n : rows->row[n];
+        const struct weights w = weights_row(planes, block, row);
         b[n] = w.b;
         c[n] = w.c;
         if (derivatives) {
-            weight_derivatives(planes->b_slope, at->dx, dy[rows->row[n]], w.inverse_s, &b_dx[n], &b_dy[n]);
-            weight_derivatives(planes->c_slope, at->dx, dy[rows->row[n]], w.inverse_s, &c_dx[n], &c_dy[n]);
+            weight_derivatives(planes->b_slope, at->dx, dy[row], w.inverse_s, &b_dx[n], &b_dy[n]);
+            weight_derivatives(planes->c_slope, at->dx, dy[row], w.inverse_s, &c_dx[n], &c_dy[n]);
         }
     }
     f8 *const varyings = work->scratch->varyings + first * components;
@@ -260,29 +266,39 @@ RHW_INLINE void fill_rows(struct tile_work *work, const struct triangle_work *tr
     }
 }
 
-// The rows of a block as groups, `count` of which fit into the window; none of their pixels is pending. z: their
-// depths, where depth is kept.
-static void add_rows(struct tile_work *work, const struct triangle_work *triangle,
-                     const struct block_planes *block, const struct block_place *at, int x, int y,
-                     const struct block_rows *rows, const f8 z[RHW_BLOCK], bool is_cut)
+// Depth, facing and ids of groups `first` on, for programs and tests that want them.
+static void fill_wanted(const struct tile_work *work, const struct triangle_work *triangle,
+                        const struct block_rows *rows, int first, const f8 z[RHW_BLOCK])
+{
+    for (int n = 0; n < rows->count; n++) {
+        struct rhw_fragment *const group = &work->scratch->groups[first + n];
+        if (work->keeps_depth) {
+            group->depth = z[rows->row[n]];
+        }
+        fill_identity(work, group, triangle);
+    }
+}
+
+// The rows of a block as groups, which fit into the window; none of their pixels is pending. z: their depths, where
+// depth is kept.
+RHW_INLINE void add_rows(struct tile_work *work, const struct triangle_work *triangle,
+                         const struct block_planes *block, const struct block_place *at, int x, int y,
+                         const struct block_rows *rows, const f8 z[RHW_BLOCK], bool is_cut)
 {
     struct rhw_tile_scratch *const scratch = work->scratch;
     const int first = work->count;
     for (int n = 0; n < rows->count; n++) {
         const int row = rows->row[n];
-        struct rhw_group_place *const place = &scratch->places[first + n];
-        struct rhw_fragment *const group = &scratch->groups[first + n];
-        place->at[0] = (uint16_t)((y + row) * RHW_TILE + x);
-        place->bits = rows->bits[n];
-        place->packed = false;
-        scratch->pending[y + row] |= (uint64_t)rows->bits[n] << x;
-        group->mask = i8_from_bits(rows->bits[n]);
-        if (work->keeps_depth) {
-            group->depth = z[row];
+        scratch->places[first + n] =
+            (struct rhw_group_place){.at = (uint16_t)((y + row) * RHW_TILE + x), .bits = rows->bits[n]};
+        if (rows != &all_rows) {
+            scratch->pending[y + row][x / 8] |= rows->bits[n];
+            work->all_full = work->all_full && rows->bits[n] == 0xff;
         }
-        if (work->smooth) {
-            fill_identity(work, group, triangle);
-        }
+        scratch->groups[first + n].mask = i8_from_bits(rows->bits[n]);
+    }
+    if (work->wants) {
+        fill_wanted(work, triangle, rows, first, z);
     }
     if (!work->smooth || is_cut) {
         for (int n = 0; n < rows->count; n++) {
@@ -299,13 +315,15 @@ static void add_rows(struct tile_work *work, const struct triangle_work *triangl
     }
 }
 
-static bool any_pending(const struct tile_work *work, int x, int y, uint64_t mask)
+// Whether some pixel of the block's that is set in `mask` is pending.
+RHW_INLINE bool any_pending(const struct tile_work *work, int x, int y, uint64_t mask)
 {
-    uint64_t taken = 0;
+    unsigned taken = 0;
     for (int row = 0; row < RHW_BLOCK; row++) {
-        taken |= work->scratch->pending[y + row] >> x & mask >> (8 * row) & 0xff;
+        const unsigned wanted = (unsigned)(mask >> (8 * row));
+        taken |= work->scratch->pending[y + row][x / 8] & wanted;
     }
-    return taken != 0;
+    return (taken & 0xff) != 0;
 }
 
 // Collects the fragments of a block whose bits are set in `mask`: rows with few of them are packed.
@@ -317,8 +335,17 @@ static void collect_block(struct tile_work *work, struct triangle_work *triangle
     const bool packs = work->packs && !is_cut && !triangle->planes.exact;
     struct block_rows rows;
     rows.count = 0;
-    if (any_pending(work, x, y, mask)) {
+    const uint64_t bit = block_bit(x, y);
+    if (work->whole & bit || (work->touched & bit && any_pending(work, x, y, mask))) {
         flush(work);
+    }
+    if (mask == ~(uint64_t)0) {
+        if (work->count > RHW_FRAGMENT_GROUPS - RHW_BLOCK) {
+            shade_window(work);
+        }
+        work->whole |= bit;
+        add_rows(work, triangle, block, at, x, y, &all_rows, z, is_cut);
+        return;
     }
     while (mask != 0) {
         const int shift = __builtin_ctzll(mask) & 56, row = shift / 8;
@@ -334,11 +361,11 @@ static void collect_block(struct tile_work *work, struct triangle_work *triangle
             rows.bits[rows.count++] = (uint8_t)bits;
         }
     }
-    if (rows.count == 0) {
-        return;
-    }
     if (work->count + rows.count > RHW_FRAGMENT_GROUPS) {
         shade_window(work);
     }
-    add_rows(work, triangle, block, at, x, y, &rows, z, is_cut);
+    work->touched |= bit;
+    if (rows.count != 0) {
+        add_rows(work, triangle, block, at, x, y, &rows, z, is_cut);
+    }
 }

@@ -34,7 +34,10 @@ RHW_INLINE void small_edges(struct small_edges *edges, const struct rhw_triangle
 static void small_collect(struct tile_work *work, struct triangle_work *triangle, int x, int y, unsigned bits)
 {
     work->counters->fragments += (unsigned)__builtin_popcount(bits);
-    if (work->scratch->pending[y] & (uint64_t)bits << x) {
+    uint64_t pending;
+    memcpy(&pending, work->scratch->pending[y], sizeof pending);
+    const uint64_t blocks = block_bit(x, y) | block_bit(x + RHW_BLOCK - 1, y);
+    if (pending >> x & bits || work->whole & blocks) {
         flush(work);
     }
     if (triangle->packed < 0) {
@@ -71,10 +74,11 @@ RHW_INLINE bool small_rows(struct tile_work *work, struct triangle_work *triangl
         }
         if (!triangle->planes_ready) {
             load_vertices(triangle);
-            planes_linear(planes, work->state, triangle->t, triangle->v);
-            if (planes->exact) {
+            struct factors factors;
+            if (!planes_linear(planes, &factors, work->state, triangle->t, triangle->v)) {
                 return false;
             }
+            planes->factors.inverse_area = factors.inverse_area; // for planes_slopes
             triangle->planes_ready = true;
             z_column = d8_mul(d8_splat(planes->linear.dx[QUANTITY_Z]),
                               d8_from_i8(i8_splat(work->x + place.x - planes->anchor_x) + rhw_lane_index));

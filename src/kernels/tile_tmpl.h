@@ -72,7 +72,8 @@ static void run_tile(struct rhw_pass_state *pass, int tile, int worker)
                              .scratch = scratch,
                              .counters = &pass->workers[worker].counters,
                              .x = tile_x * RHW_TILE,
-                             .y = tile_y * RHW_TILE};
+                             .y = tile_y * RHW_TILE,
+                             .all_full = true};
     const int width = min_int(pass->width - work.x, RHW_TILE),
               height = min_int(pass->height - work.y, RHW_TILE);
     for (int i = 0; i < pass->color_count; i++) {

@@ -32,11 +32,16 @@ struct tile_work {
     bool constant;    // that receives nothing: one call tells the colour of all fragments
     bool smooth;      // smooth varyings and their derivatives are all it needs the weights for
     bool packs;       // its groups can be packed
+    bool wants;       // the groups carry depth, facing or ids
     bool needs_depth; // depth is tested or given to the fragment function
     bool keeps_depth; // and the collected groups carry it
 
     bool constant_ready; // and it was made
 
+    // Blocks of the tile, bit 8·row + column: those that are in the window as a whole, and those of which `pending`
+    // knows pixels.
+    uint64_t whole, touched;
+    bool all_full;         // every group is 8 live pixels in a row
     int count;             // groups in the window
     int open_count;        // fragments that wait for a group
     unsigned packed_count; // triangles packed so far
@@ -89,40 +94,47 @@ static unsigned finish_depth(const struct tile_work *work, int g)
     const f8 z = uses & RHW_USE_DEPTH ? viewport_clamp(work->state, group->depth) : group->depth;
     float *const depth = work->scratch->depth;
     if (!place->packed) {
-        f8 stored = f8_load(depth + place->at[0]);
+        f8 stored = f8_load(depth + place->at);
         mask = depth_test(def->depth_compare, def->depth_write, z, mask, &stored);
-        f8_store(depth + place->at[0], stored);
+        f8_store(depth + place->at, stored);
         return i8_sign_bits(mask);
     }
+    const uint16_t *const at = work->scratch->lanes_at[g];
     float lanes[8];
     for (int i = 0; i < 8; i++) {
-        lanes[i] = depth[place->at[i]];
+        lanes[i] = depth[at[i]];
     }
     f8 stored = f8_load(lanes);
     mask = depth_test(def->depth_compare, def->depth_write, z, mask, &stored);
     f8_store(lanes, stored);
     for (unsigned left = i8_sign_bits(mask); left != 0; left &= left - 1) {
         const int lane = __builtin_ctz(left);
-        depth[place->at[lane]] = lanes[lane];
+        depth[at[lane]] = lanes[lane];
     }
     return i8_sign_bits(mask);
 }
 
 // Texels of a packed group, side by side for the merger, and back.
-RHW_INLINE void gather_texels(const struct rhw_group_place *place, const unsigned char *texels, size_t size,
+RHW_INLINE void gather_texels(const uint16_t at[8], const unsigned char *texels, size_t size,
                               unsigned char *out)
 {
     for (int i = 0; i < 8; i++) {
-        memcpy(out + (size_t)i * size, texels + place->at[i] * size, size);
+        memcpy(out + (size_t)i * size, texels + at[i] * size, size);
     }
 }
 
-RHW_INLINE void scatter_texels(const struct rhw_group_place *place, unsigned char *texels, size_t size,
+RHW_INLINE void scatter_texels(const uint16_t at[8], unsigned bits, unsigned char *texels, size_t size,
                                const unsigned char *from)
 {
-    for (unsigned left = place->bits; left != 0; left &= left - 1) {
-        const int lane = __builtin_ctz(left);
-        memcpy(texels + place->at[lane] * size, from + (size_t)lane * size, size);
+    if (bits == 0xff) {
+        for (int i = 0; i < 8; i++) {
+            memcpy(texels + at[i] * size, from + (size_t)i * size, size);
+        }
+        return;
+    }
+    for (; bits != 0; bits &= bits - 1) {
+        const int lane = __builtin_ctz(bits);
+        memcpy(texels + at[lane] * size, from + (size_t)lane * size, size);
     }
 }
 
@@ -132,23 +144,29 @@ RHW_INLINE void merge_target(const struct tile_work *work, int t, enum output_ki
 {
     struct output_state state = work->state->outputs[t];
     state.kind = kind;
-    unsigned char *const texels = work->scratch->color[t];
-    const struct rhw_group_place *const places = work->scratch->places;
-    for (int g = 0, count = work->count; g < count; g++) {
-        const struct rhw_group_place *const place = &places[g];
-        const f8 *const color = work->scratch->outputs[g][t];
-        if (place->packed) {
-            _Alignas(32) unsigned char lanes[8 * 16];
-            if (kind != OUTPUT_RGBA8_REPLACE) {
-                gather_texels(place, texels, size, lanes);
-            }
-            output_group(&state, color, i8_splat(-1), lanes);
-            scatter_texels(place, texels, size, lanes);
-        } else if (kind == OUTPUT_RGBA8_REPLACE && place->bits == 0xff) {
-            output_group(&state, color, i8_splat(-1), texels + place->at[0] * size);
-        } else {
-            output_group(&state, color, i8_from_bits(place->bits), texels + place->at[0] * size);
+    struct rhw_tile_scratch *const scratch = work->scratch;
+    unsigned char *const texels = scratch->color[t];
+    const struct rhw_group_place *place = scratch->places;
+    const int count = work->count;
+    if (kind == OUTPUT_RGBA8_REPLACE && work->all_full) {
+        for (int g = 0; g < count; g++) {
+            output_group(&state, scratch->outputs[g][t], i8_splat(-1), texels + place[g].at * size);
         }
+        return;
+    }
+    for (int g = 0; g < count; g++) {
+        const f8 *const color = scratch->outputs[g][t];
+        if (!place[g].packed) {
+            output_group(&state, color, i8_from_bits(place[g].bits), texels + place[g].at * size);
+            continue;
+        }
+        _Alignas(32) unsigned char lanes[8 * 16];
+        const uint16_t *const at = scratch->lanes_at[g];
+        if (kind != OUTPUT_RGBA8_REPLACE) {
+            gather_texels(at, texels, size, lanes);
+        }
+        output_group(&state, color, i8_splat(-1), lanes);
+        scatter_texels(at, place[g].bits, texels, size, lanes);
     }
 }
 
@@ -161,6 +179,31 @@ static void run_fragment_function(const struct tile_work *work, int count)
     }
 }
 
+RHW_INLINE uint64_t block_bit(int x, int y)
+{
+    return (uint64_t)1 << (y / RHW_BLOCK * (RHW_TILE / RHW_BLOCK) + x / RHW_BLOCK);
+}
+
+RHW_INLINE void set_pending(struct rhw_tile_scratch *scratch, int at)
+{
+    scratch->pending[0][at / 8] |= (uint8_t)(1u << at % 8);
+}
+
+// Forgets what is pending, but for fragments without a group.
+static void clear_pending(struct tile_work *work)
+{
+    struct rhw_tile_scratch *const scratch = work->scratch;
+    if (work->touched != 0) {
+        memset(scratch->pending, 0, sizeof scratch->pending);
+    }
+    work->whole = work->touched = 0;
+    for (int i = 0; i < work->open_count; i++) {
+        const int at = scratch->open_at[i];
+        set_pending(scratch, at);
+        work->touched |= block_bit(at % RHW_TILE, at / RHW_TILE);
+    }
+}
+
 // Shades and merges the groups of the window. Fragments without a group go on waiting.
 static void shade_window(struct tile_work *work)
 {
@@ -169,6 +212,7 @@ static void shade_window(struct tile_work *work)
     if (work->depth_mode >= DEPTH_LATE || work->pipeline->def.program.uses & RHW_USE_DISCARD) {
         for (int g = 0; g < work->count; g++) {
             scratch->places[g].bits = (uint8_t)finish_depth(work, g);
+            work->all_full = work->all_full && scratch->places[g].bits == 0xff;
         }
     }
     for (int t = 0; t < work->pass->color_count; t++) {
@@ -183,8 +227,6 @@ static void shade_window(struct tile_work *work)
     }
     work->counters->groups += (uint64_t)work->count;
     work->count = 0;
-    memset(scratch->pending, 0, sizeof scratch->pending);
-    for (int i = 0; i < work->open_count; i++) {
-        scratch->pending[scratch->open_at[i] / RHW_TILE] |= (uint64_t)1 << scratch->open_at[i] % RHW_TILE;
-    }
+    work->all_full = true;
+    clear_pending(work);
 }
