@@ -18,6 +18,9 @@
 typedef rhw_float f8;
 typedef rhw_int i8;
 typedef float f4 __attribute__((vector_size(16)));
+typedef uint32_t u8 __attribute__((vector_size(32)));
+// 16 numbers of 16 bits: two in each lane of an i8.
+typedef int16_t s16 __attribute__((vector_size(32)));
 
 // 8 doubles as two halves: no instruction set below AVX-512 has them in one register, and gcc spills
 // 64-byte vectors on the others.
@@ -402,6 +405,149 @@ RHW_INLINE void f8_transpose(f8 m[8])
         }
     }
     memcpy(m, to, sizeof to);
+#endif
+}
+
+// Two 16-bit halves in each lane ---------------------------------------------------------------------
+
+// (a · b + 2^14) >> 15 of signed 16-bit numbers; those of `b` are not negative.
+RHW_INLINE s16 s16_scale(s16 a, s16 b)
+{
+#if defined(__AVX2__)
+    return (s16)_mm256_mulhrs_epi16((__m256i)a, (__m256i)b);
+#elif defined(__SSE2__)
+    union rhw_lanes x, y;
+    x.i = (i8)a;
+    y.i = (i8)b;
+    for (int i = 0; i < 2; i++) { // an average with 0 is (n + 1) >> 1
+        const __m128i high = _mm_mulhi_epi16(x.half_i[i], y.half_i[i]);
+        const __m128i low = _mm_srli_epi16(_mm_mullo_epi16(x.half_i[i], y.half_i[i]), 14);
+        x.half_i[i] = _mm_add_epi16(_mm_add_epi16(high, high), _mm_avg_epu16(low, _mm_setzero_si128()));
+    }
+    return (s16)x.i;
+#else
+    for (int i = 0; i < 2 * RHW_LANES; i++) {
+        a[i] = (int16_t)((a[i] * b[i] + (1 << 14)) >> 15);
+    }
+    return a;
+#endif
+}
+
+// The sum of both products of a lane's halves, which are not negative, with those of the same number.
+RHW_INLINE i8 i8_dot_halves(i8 a, int32_t b)
+{
+#if defined(__AVX2__)
+    return (i8)_mm256_madd_epi16((__m256i)a, _mm256_set1_epi32(b));
+#elif defined(__SSE2__)
+    union rhw_lanes x;
+    x.i = a;
+    x.half_i[0] = _mm_madd_epi16(x.half_i[0], _mm_set1_epi32(b));
+    x.half_i[1] = _mm_madd_epi16(x.half_i[1], _mm_set1_epi32(b));
+    return x.i;
+#else
+    return (a & 0xffff) * (b & 0xffff) + (a >> 16) * (b >> 16);
+#endif
+}
+
+// The lower half of each lane in both halves, shifted one to the right.
+RHW_INLINE i8 i8_halve_lower(i8 a)
+{
+#if defined(__AVX2__)
+    const __m256i lower = _mm256_setr_epi8(0, 1, 0, 1, 4, 5, 4, 5, 8, 9, 8, 9, 12, 13, 12, 13, //
+                                           0, 1, 0, 1, 4, 5, 4, 5, 8, 9, 8, 9, 12, 13, 12, 13);
+    return (i8)_mm256_srli_epi16(_mm256_shuffle_epi8((__m256i)a, lower), 1);
+#else
+    const i8 half = (a >> 1) & 0x7fff;
+    return half | (half << 16);
+#endif
+}
+
+// The upper halves of `a`, and in the lower halves those of `b`.
+RHW_INLINE i8 i8_join_upper(i8 a, i8 b)
+{
+#if defined(__AVX2__)
+    return (i8)_mm256_blend_epi16(_mm256_srli_epi32((__m256i)b, 16), (__m256i)a, 0xaa);
+#else
+    return (a & ~0xffff) | (i8)((u8)b >> 16);
+#endif
+}
+
+// Whether every half, as an unsigned number, is at most that half of `limit`.
+RHW_INLINE bool i8_halves_within(i8 a, int32_t limit)
+{
+#if defined(__AVX2__)
+    const __m256i over = _mm256_subs_epu16((__m256i)a, _mm256_set1_epi32(limit));
+    return _mm256_testz_si256(over, over);
+#elif defined(__SSE2__)
+    union rhw_lanes x;
+    x.i = a;
+    const __m128i over = _mm_or_si128(_mm_subs_epu16(x.half_i[0], _mm_set1_epi32(limit)),
+                                      _mm_subs_epu16(x.half_i[1], _mm_set1_epi32(limit)));
+    return _mm_movemask_epi8(_mm_cmpeq_epi16(over, _mm_setzero_si128())) == 0xffff;
+#else
+    const u8 lower = (u8)a & 0xffff, upper = (u8)a >> 16;
+    return !rhw_any((i8)(lower > ((uint32_t)limit & 0xffff)) | (i8)(upper > ((uint32_t)limit >> 16)));
+#endif
+}
+
+RHW_INLINE bool i8_any_bit(i8 bits)
+{
+#if defined(__AVX2__)
+    return !_mm256_testz_si256((__m256i)bits, (__m256i)bits);
+#else
+    return rhw_any(~rhw_equal_int(bits, i8_splat(0)));
+#endif
+}
+
+// Loads from tables ---------------------------------------------------------------------------------
+
+// The 4-byte words with these numbers.
+RHW_INLINE i8 i8_gather(const void *words, i8 index)
+{
+#if defined(__AVX2__)
+    return (i8)_mm256_i32gather_epi32(words, (__m256i)index, 4);
+#else
+    uint32_t at[RHW_LANES];
+    int32_t word[RHW_LANES];
+    memcpy(at, &index, sizeof at);
+    for (int i = 0; i < RHW_LANES; i++) {
+        memcpy(&word[i], (const char *)words + (size_t)at[i] * 4, sizeof word[i]);
+    }
+    return i8_load(word);
+#endif
+}
+
+// The same, and the words behind them.
+RHW_INLINE void i8_load_pairs(const unsigned char *words, const uint32_t at[RHW_LANES], i8 *first, i8 *second)
+{
+#if defined(__SSE2__)
+    __m128 pair[4];
+    for (int i = 0; i < 4; i++) {
+        const void *const low = words + (size_t)at[2 * i] * 4, *const high =
+                                                                   words + (size_t)at[2 * i + 1] * 4;
+        pair[i] = _mm_loadh_pi(_mm_castsi128_ps(_mm_loadl_epi64(low)), high);
+    }
+    union rhw_lanes x, y;
+#if defined(__AVX2__)
+    const __m256 even = _mm256_insertf128_ps(_mm256_castps128_ps256(pair[0]), pair[2], 1);
+    const __m256 odd = _mm256_insertf128_ps(_mm256_castps128_ps256(pair[1]), pair[3], 1);
+    x.full = _mm256_shuffle_ps(even, odd, 0x88);
+    y.full = _mm256_shuffle_ps(even, odd, 0xdd);
+#else
+    for (int i = 0; i < 2; i++) {
+        x.half[i] = _mm_shuffle_ps(pair[2 * i], pair[2 * i + 1], 0x88);
+        y.half[i] = _mm_shuffle_ps(pair[2 * i], pair[2 * i + 1], 0xdd);
+    }
+#endif
+    *first = x.i;
+    *second = y.i;
+#else
+    for (int i = 0; i < RHW_LANES; i++) {
+        int32_t pair[2];
+        memcpy(pair, words + (size_t)at[i] * 4, sizeof pair);
+        (*first)[i] = pair[0];
+        (*second)[i] = pair[1];
+    }
 #endif
 }
 

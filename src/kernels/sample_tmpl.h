@@ -103,33 +103,9 @@ struct sample_place {
     i8 weight_x, weight_y; // of the right and the lower texels, 0.15, in both halves
 };
 
-// (a · b + 2^14) >> 15 of signed 16-bit numbers; the lanes of `b` are not negative.
-RHW_INLINE s16 sample_scale(s16 a, s16 b)
-{
-#if defined(__AVX2__)
-    return (s16)_mm256_mulhrs_epi16((__m256i)a, (__m256i)b);
-#elif defined(__SSE2__)
-    union rhw_lanes x, y;
-    x.i = (i8)a;
-    y.i = (i8)b;
-    for (int i = 0; i < 2; i++) { // the product's bits 15.. and the bit below, which rounds
-        const __m128i high = _mm_mulhi_epi16(x.half_i[i], y.half_i[i]);
-        const __m128i low = _mm_mullo_epi16(x.half_i[i], y.half_i[i]);
-        const __m128i floor = _mm_or_si128(_mm_slli_epi16(high, 1), _mm_srli_epi16(low, 15));
-        x.half_i[i] = _mm_add_epi16(floor, _mm_srli_epi16(_mm_slli_epi16(low, 1), 15));
-    }
-    return (s16)x.i;
-#else
-    for (int i = 0; i < 2 * RHW_LANES; i++) {
-        a[i] = (int16_t)((a[i] * b[i] + (1 << 14)) >> 15);
-    }
-    return a;
-#endif
-}
-
 RHW_INLINE i8 sample_mix_half(i8 a, i8 b, i8 weight)
 {
-    return (i8)((s16)a + sample_scale((s16)b - (s16)a, (s16)weight));
+    return (i8)((s16)a + s16_scale((s16)b - (s16)a, (s16)weight));
 }
 
 RHW_INLINE struct sample_codes sample_mix_codes(struct sample_codes a, struct sample_codes b, i8 weight)
@@ -142,82 +118,17 @@ RHW_INLINE struct sample_codes sample_widen(i8 texel)
     return (struct sample_codes){(texel << 7) & 0x7f807f80, (i8)(((u8)texel >> 1) & 0x7f807f80u)};
 }
 
-// The fraction of 16.16 numbers, less its last bit, in both halves.
-RHW_INLINE i8 sample_weight(i8 number)
-{
-#if defined(__AVX2__)
-    const __m256i low_half = _mm256_setr_epi8(0, 1, 0, 1, 4, 5, 4, 5, 8, 9, 8, 9, 12, 13, 12, 13, //
-                                              0, 1, 0, 1, 4, 5, 4, 5, 8, 9, 8, 9, 12, 13, 12, 13);
-    return (i8)_mm256_srli_epi16(_mm256_shuffle_epi8((__m256i)number, low_half), 1);
-#else
-    const i8 weight = (number >> 1) & 0x7fff;
-    return weight | (weight << 16);
-#endif
-}
-
 // Coordinates in texels, 16.16, at most 16384 · 2^16 = 2^30. A negative one is truncated to the texel
 // edge where flooring would give the neighbour with the whole weight on this one.
 RHW_INLINE struct sample_place sample_place(const struct sample_source *source, const struct rhw_mip *mip)
 {
     const i8 x = rhw_to_int_unchecked(source->s * mip->scale_x - 32768.0f);
     const i8 y = rhw_to_int_unchecked(source->t * mip->scale_y - 32768.0f);
-#if defined(__AVX2__)
-    const i8 xy = (i8)_mm256_blend_epi16(_mm256_srli_epi32((__m256i)y, 16), (__m256i)x, 0xaa);
-#else
-    const i8 xy = (x & ~0xffff) | (i8)((u8)y >> 16);
-#endif
-    return (struct sample_place){xy, sample_weight(x), sample_weight(y)};
+    // A weight is the fraction without its last bit.
+    return (struct sample_place){i8_join_upper(x, y), i8_halve_lower(x), i8_halve_lower(y)};
 }
 
-// Whether the four texels of every lane lie side by side in the level. −1 is large as an unsigned number.
-RHW_INLINE bool sample_is_interior(i8 xy, int32_t interior)
-{
-#if defined(__AVX2__)
-    const __m256i over = _mm256_subs_epu16((__m256i)xy, _mm256_set1_epi32(interior));
-    return interior >= 0 && _mm256_testz_si256(over, over);
-#else
-    const i8 x = xy >> 16, y = (xy << 16) >> 16;
-    return interior >= 0 && !rhw_any((xy >> 31) | (y >> 31) | rhw_less_int(i8_splat(interior >> 16), x) |
-                                     rhw_less_int(i8_splat(interior & 0xffff), y));
-#endif
-}
-
-// The texels with these numbers, and their right neighbours.
-RHW_INLINE void sample_load_pairs(const unsigned char *texels, const uint32_t at[RHW_LANES], i8 *left,
-                                  i8 *right)
-{
-#if defined(__SSE2__)
-    __m128 pair[4];
-    for (int i = 0; i < 4; i++) {
-        const void *const first = texels + (size_t)at[2 * i] * 4, *const second =
-                                                                      texels + (size_t)at[2 * i + 1] * 4;
-        pair[i] = _mm_loadh_pi(_mm_castsi128_ps(_mm_loadl_epi64(first)), second);
-    }
-    union rhw_lanes l, r;
-#if defined(__AVX2__)
-    const __m256 even = _mm256_insertf128_ps(_mm256_castps128_ps256(pair[0]), pair[2], 1);
-    const __m256 odd = _mm256_insertf128_ps(_mm256_castps128_ps256(pair[1]), pair[3], 1);
-    l.full = _mm256_shuffle_ps(even, odd, 0x88);
-    r.full = _mm256_shuffle_ps(even, odd, 0xdd);
-#else
-    for (int i = 0; i < 2; i++) {
-        l.half[i] = _mm_shuffle_ps(pair[2 * i], pair[2 * i + 1], 0x88);
-        r.half[i] = _mm_shuffle_ps(pair[2 * i], pair[2 * i + 1], 0xdd);
-    }
-#endif
-    *left = l.i;
-    *right = r.i;
-#else
-    for (int i = 0; i < RHW_LANES; i++) {
-        int32_t pair[2];
-        memcpy(pair, texels + (size_t)at[i] * 4, sizeof pair);
-        (*left)[i] = pair[0];
-        (*right)[i] = pair[1];
-    }
-#endif
-}
-
-// The same of linear texels.
+// The linear texels with these numbers, and their right neighbours.
 RHW_INLINE void sample_load_linear_pairs(const unsigned char *texels, const uint32_t at[RHW_LANES],
                                          struct sample_codes *left, struct sample_codes *right)
 {
@@ -236,10 +147,10 @@ RHW_INLINE struct sample_codes sample_load_codes(const struct rhw_mip *mip, i8 x
 {
     const i8 index = sample_index(xy, mip->step);
     if (linear) {
-        return (struct sample_codes){sample_load_words(mip->linear, index + index),
-                                     sample_load_words(mip->linear + 4, index + index)};
+        return (struct sample_codes){i8_gather(mip->linear, index + index),
+                                     i8_gather(mip->linear + 4, index + index)};
     }
-    return sample_widen(sample_load_words(mip->texels, index));
+    return sample_widen(i8_gather(mip->texels, index));
 }
 
 // The four texels of each lane where some lie across an edge.
@@ -261,7 +172,9 @@ static __attribute__((noinline)) void sample_corners_wrapped(const struct rhw_sa
 RHW_INLINE void sample_corners(const struct sample_source *source, const struct rhw_mip *mip,
                                const struct sample_place *place, bool linear, struct sample_codes corner[4])
 {
-    if (__builtin_expect(!sample_is_interior(place->xy, mip->interior), 0)) {
+    // Whether the four texels of every lane lie side by side in the level; −1 is large as an unsigned number.
+    const bool interior = mip->interior >= 0 && i8_halves_within(place->xy, mip->interior);
+    if (__builtin_expect(!interior, 0)) {
         const i8 xy = place->xy; // a copy, so that the one in registers stays there
         sample_corners_wrapped(source->sampler, mip, &xy, linear, corner);
         return;
@@ -274,8 +187,8 @@ RHW_INLINE void sample_corners(const struct sample_source *source, const struct 
                                  &corner[3]);
     } else {
         i8 texel[4];
-        sample_load_pairs(mip->texels, at, &texel[0], &texel[1]);
-        sample_load_pairs(mip->texels + mip->row_pitch, at, &texel[2], &texel[3]);
+        i8_load_pairs(mip->texels, at, &texel[0], &texel[1]);
+        i8_load_pairs(mip->texels + mip->row_pitch, at, &texel[2], &texel[3]);
         for (int i = 0; i < 4; i++) {
             corner[i] = sample_widen(texel[i]);
         }
@@ -294,22 +207,13 @@ RHW_INLINE struct sample_codes sample_bilinear_codes(const struct sample_source 
     return sample_mix_codes(above, below, place.weight_y);
 }
 
-RHW_INLINE bool sample_any_bit(i8 bits)
-{
-#if defined(__AVX2__)
-    return !_mm256_testz_si256((__m256i)bits, (__m256i)bits);
-#else
-    return rhw_any(~rhw_equal_int(bits, i8_splat(0)));
-#endif
-}
-
 // One level, and where any lane in `live` has a weight the next one. A weight of 0 leaves a lane as it is.
 RHW_INLINE struct sample_codes sample_trilinear_codes(const struct sample_source *source, int level,
                                                       i8 weight, i8 live, bool linear)
 {
     const struct rhw_mip *const mip = sample_mip(source->texture, level);
     const struct sample_codes fine = sample_bilinear_codes(source, mip, linear);
-    if (!sample_any_bit(weight & live)) {
+    if (!i8_any_bit(weight & live)) {
         return fine;
     }
     return sample_mix_codes(fine, sample_bilinear_codes(source, mip + 1, linear), weight);
@@ -349,7 +253,7 @@ RHW_INLINE void sample_unpack_codes(struct sample_codes codes, f8 texel[4])
 // LINEAR, no border, at levels of detail that the texture has: `detail` in 16.16.
 RHW_INLINE void sample_detail_codes(const struct sample_source *source, i8 detail, bool linear, f8 texel[4])
 {
-    const i8 level = detail >> 16, weight = sample_weight(detail);
+    const i8 level = detail >> 16, weight = i8_halve_lower(detail);
     const int first = level[0];
     struct sample_codes result;
     if (__builtin_expect(rhw_all(rhw_equal_int(level, i8_splat(first))), 1)) {

@@ -9,10 +9,6 @@
 #include "../srgb_texture.h"
 #include "../texture.h"
 
-// 16 lanes of 16 bits, 8 lanes of 32.
-typedef int16_t s16 __attribute__((vector_size(32)));
-typedef uint32_t u8 __attribute__((vector_size(32)));
-
 // Addresses -----------------------------------------------------------------------------------------
 
 // Folded into 0..1, or −1..2 with a border, where only what lies outside the texture matters. What is not
@@ -51,11 +47,7 @@ static inline i8 sample_outside(i8 i, int size)
 // y · texels per row + x, of x and y inside the level: all three fit 16 bits.
 RHW_INLINE i8 sample_index(i8 xy, int32_t step)
 {
-#if defined(__AVX2__)
-    return (i8)_mm256_madd_epi16((__m256i)xy, _mm256_set1_epi32(step));
-#else
-    return (xy & 0xffff) * (step & 0xffff) + (xy >> 16);
-#endif
+    return i8_dot_halves(xy, step);
 }
 
 // Loads ---------------------------------------------------------------------------------------------
@@ -66,22 +58,6 @@ RHW_INLINE void sample_spill(i8 lanes, uint32_t numbers[RHW_LANES])
 {
     memcpy(numbers, &lanes, sizeof lanes);
     __asm__("" : "+m"(*(uint32_t(*)[RHW_LANES])numbers));
-}
-
-// The 4-byte texels with these numbers.
-RHW_INLINE i8 sample_load_words(const unsigned char *texels, i8 index)
-{
-#if defined(__AVX2__)
-    return (i8)_mm256_i32gather_epi32((const int *)(const void *)texels, (__m256i)index, 4);
-#else
-    uint32_t at[RHW_LANES];
-    int32_t texel[RHW_LANES];
-    memcpy(at, &index, sizeof at);
-    for (int i = 0; i < RHW_LANES; i++) {
-        memcpy(&texel[i], texels + (size_t)at[i] * 4, sizeof texel[i]);
-    }
-    return i8_load(texel);
-#endif
 }
 
 // Formats -------------------------------------------------------------------------------------------
@@ -109,15 +85,7 @@ RHW_INLINE f8 sample_half(i8 half)
 RHW_INLINE f8 sample_decode(i8 texel, int shift)
 {
     const i8 code = (texel >> shift) & 0xff;
-#if defined(__AVX2__)
-    return (f8)_mm256_i32gather_ps(rhw_srgb_decode_table, (__m256i)code, 4);
-#else
-    f8 linear;
-    for (int i = 0; i < RHW_LANES; i++) {
-        linear[i] = rhw_srgb_decode_table[code[i]];
-    }
-    return linear;
-#endif
+    return (f8)i8_gather(rhw_srgb_decode_table, code);
 }
 
 // Texels (x, y) of a level as floats, colour linear.
@@ -131,7 +99,7 @@ static inline void sample_fetch(enum rhw_format format, const struct rhw_mip *mi
     texel[1] = texel[2] = rhw_splat(0.0f);
     texel[3] = rhw_splat(1.0f);
     if (size == 4) {
-        const i8 word = sample_load_words(mip->texels, sample_index((x << 16) | y, mip->step));
+        const i8 word = i8_gather(mip->texels, sample_index((x << 16) | y, mip->step));
         if (format != RHW_FORMAT_RGBA8_UNORM && format != RHW_FORMAT_RGBA8_SRGB) {
             texel[0] = (f8)word; // R32_FLOAT, D32_FLOAT
             return;
