@@ -19,7 +19,8 @@ enum {
 
     // Pixels. Coverage is decided per 8×8 block, whose mask is one 64-bit word, one byte per row of 8 lanes.
     // Inside a block that an edge crosses |e / 256| stays below 2·2^24·8 = 2^28: int32 is exact there.
-    RHW_BLOCK = 8,
+    RHW_BLOCK_LOG2 = 3,
+    RHW_BLOCK = 1 << RHW_BLOCK_LOG2,
 
     // Triangles of one front-end batch: enough that a mesh shades few vertices in two of them (rows of a grid, 1000
     // quads wide: 1.25 times instead of 2 with 2048), few enough that its vertices stay in the second cache level

@@ -351,6 +351,12 @@ RHW_INLINE d4 d4_from_i4(i4 v)
     return __builtin_convertvector(v, d4);
 }
 
+// v where the mask is −1, 0 where it is 0.
+RHW_INLINE d4 d4_keep(d4 v, l4 mask)
+{
+    return (d4)((l4)v & mask);
+}
+
 // Turns 4 vectors of 4 quantities each into 4 vectors of one quantity each.
 RHW_INLINE void d4_transpose(d4 m[4])
 {

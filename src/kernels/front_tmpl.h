@@ -552,8 +552,8 @@ static bool run_chunk(struct rhw_pass_state *pass, struct rhw_chunk *chunk, int 
         return false;
     }
     // Room for all triangles; what culling leaves of it goes back.
-    struct output out = {.triangles =
-                             rhw_arena_alloc(arena, (size_t)chunk->count * sizeof *out.triangles, RHW_CACHE_LINE)};
+    struct output out = {
+        .triangles = rhw_arena_alloc(arena, (size_t)chunk->count * sizeof *out.triangles, RHW_CACHE_LINE)};
     if (!out.triangles) {
         return false;
     }

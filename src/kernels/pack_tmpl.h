@@ -192,22 +192,21 @@ RHW_INLINE void pack_row(struct tile_work *work, const struct triangle_work *tri
     struct rhw_tile_scratch *const scratch = work->scratch;
     const struct planes *const planes = &triangle->planes;
     const struct rhw_packed_triangle *const packed = &scratch->packed[triangle->packed];
-    const uint64_t touched = block_bit(x, y) | block_bit(x + RHW_BLOCK - 1, y); // the row may start anywhere
-    work->touched |= touched;
     const d4 row = planes->linear.at + planes->linear.dy * d4_splat((double)(y - packed->anchor_y));
-    for (; bits != 0; bits &= bits - 1) {
+    const d4 dx = planes->linear.dx;
+    set_pending(work, x, y, bits);
+    while (bits != 0) {
         const int at_x = x + __builtin_ctz(bits), n = work->open_count;
-        const int at = y * RHW_TILE + at_x;
-        set_pending(scratch, at);
-        scratch->open_at[n] = (uint16_t)at;
+        scratch->open_at[n] = (uint16_t)(y * RHW_TILE + at_x);
         scratch->open_triangle[n] = packed;
-        scratch->open_value[n] = planes->linear.dx * d4_splat((double)(at_x - packed->anchor_x)) + row;
+        scratch->open_value[n] = dx * d4_splat((double)(at_x - packed->anchor_x)) + row;
         work->open_count = n + 1;
+        bits &= bits - 1;
         if (n + 1 == 8) {
             pack_group(work, 0xff);
             if (work->count == RHW_FRAGMENT_GROUPS) {
                 shade_window(work);
-                work->touched |= touched;
+                set_pending(work, x, y, bits);
             }
         }
     }

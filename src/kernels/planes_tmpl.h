@@ -138,9 +138,11 @@ RHW_INLINE bool planes_linear(struct planes *p, struct factors *f, const struct 
     const d4 w = d4_splat(1) / below; // and one over the area
     const d4 d = d4_splat(state->depth_low) + d4_splat(state->depth_span) * (above / below);
     f->inverse_area = w[3];
-    f->base = (d4){w[0], 0, 0, d[0]};
-    f->f1 = ((d4){w[1], w[1], 0, d[1]} - f->base) * d4_splat(w[3]);
-    f->f2 = ((d4){w[2], 0, w[2], d[2]} - f->base) * d4_splat(w[3]);
+    f->base = d4_keep(__builtin_shufflevector(w, d, 0, 0, 0, 4), (l4){-1, 0, 0, -1});
+    f->f1 =
+        (d4_keep(__builtin_shufflevector(w, d, 1, 1, 1, 5), (l4){-1, -1, 0, -1}) - f->base) * d4_splat(w[3]);
+    f->f2 =
+        (d4_keep(__builtin_shufflevector(w, d, 2, 2, 2, 6), (l4){-1, 0, -1, -1}) - f->base) * d4_splat(w[3]);
     p->linear.at = f->base + (f->f1 * d4_splat(f->e1.at) + f->f2 * d4_splat(f->e2.at));
     p->linear.dx = f->f1 * d4_splat(f->e1.dx) + f->f2 * d4_splat(f->e2.dx);
     p->linear.dy = f->f1 * d4_splat(f->e1.dy) + f->f2 * d4_splat(f->e2.dy);

@@ -292,7 +292,7 @@ RHW_INLINE void add_rows(struct tile_work *work, const struct triangle_work *tri
         scratch->places[first + n] =
             (struct rhw_group_place){.at = (uint16_t)((y + row) * RHW_TILE + x), .bits = rows->bits[n]};
         if (rows != &all_rows) {
-            scratch->pending[y + row][x / 8] |= rows->bits[n];
+            set_pending(work, x, y + row, rows->bits[n]);
             work->all_full = work->all_full && rows->bits[n] == 0xff;
         }
         scratch->groups[first + n].mask = i8_from_bits(rows->bits[n]);
@@ -336,7 +336,7 @@ static void collect_block(struct tile_work *work, struct triangle_work *triangle
     struct block_rows rows;
     rows.count = 0;
     const uint64_t bit = block_bit(x, y);
-    if (work->whole & bit || (work->touched & bit && any_pending(work, x, y, mask))) {
+    if (work->whole & bit || (work->rows_pending && any_pending(work, x, y, mask))) {
         flush(work);
     }
     if (mask == ~(uint64_t)0) {
@@ -364,7 +364,6 @@ static void collect_block(struct tile_work *work, struct triangle_work *triangle
     if (work->count + rows.count > RHW_FRAGMENT_GROUPS) {
         shade_window(work);
     }
-    work->touched |= bit;
     if (rows.count != 0) {
         add_rows(work, triangle, block, at, x, y, &rows, z, is_cut);
     }

@@ -34,10 +34,7 @@ RHW_INLINE void small_edges(struct small_edges *edges, const struct rhw_triangle
 static void small_collect(struct tile_work *work, struct triangle_work *triangle, int x, int y, unsigned bits)
 {
     work->counters->fragments += (unsigned)__builtin_popcount(bits);
-    uint64_t pending;
-    memcpy(&pending, work->scratch->pending[y], sizeof pending);
-    const uint64_t blocks = block_bit(x, y) | block_bit(x + RHW_BLOCK - 1, y);
-    if (pending >> x & bits || work->whole & blocks) {
+    if (row_is_pending(work, x, y, bits)) {
         flush(work);
     }
     if (triangle->packed < 0) {

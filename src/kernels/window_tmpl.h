@@ -38,9 +38,8 @@ struct tile_work {
 
     bool constant_ready; // and it was made
 
-    // Blocks of the tile, bit 8·row + column: those that are in the window as a whole, and those of which `pending`
-    // knows pixels.
-    uint64_t whole, touched;
+    uint64_t whole;        // blocks of the tile, bit 8·row + column, that are in the window as a whole
+    bool rows_pending;     // the scratch's `pending` has other pixels
     bool all_full;         // every group is 8 live pixels in a row
     int count;             // groups in the window
     int open_count;        // fragments that wait for a group
@@ -181,26 +180,38 @@ static void run_fragment_function(const struct tile_work *work, int count)
 
 RHW_INLINE uint64_t block_bit(int x, int y)
 {
-    return (uint64_t)1 << (y / RHW_BLOCK * (RHW_TILE / RHW_BLOCK) + x / RHW_BLOCK);
+    return (uint64_t)1 << ((y & -RHW_BLOCK) + (x >> RHW_BLOCK_LOG2));
 }
 
-RHW_INLINE void set_pending(struct rhw_tile_scratch *scratch, int at)
+// A row of pixels; x: of bit 0.
+RHW_INLINE void set_pending(struct tile_work *work, int x, int y, unsigned bits)
 {
-    scratch->pending[0][at / 8] |= (uint8_t)(1u << at % 8);
+    uint64_t row;
+    memcpy(&row, work->scratch->pending[y], sizeof row);
+    row |= (uint64_t)bits << x;
+    memcpy(work->scratch->pending[y], &row, sizeof row);
+    work->rows_pending = true;
+}
+
+RHW_INLINE bool row_is_pending(const struct tile_work *work, int x, int y, unsigned bits)
+{
+    uint64_t row;
+    memcpy(&row, work->scratch->pending[y], sizeof row);
+    return (row >> x & bits) != 0 ||
+           (work->whole != 0 && work->whole & (block_bit(x, y) | block_bit(x + RHW_BLOCK - 1, y)));
 }
 
 // Forgets what is pending, but for fragments without a group.
 static void clear_pending(struct tile_work *work)
 {
-    struct rhw_tile_scratch *const scratch = work->scratch;
-    if (work->touched != 0) {
-        memset(scratch->pending, 0, sizeof scratch->pending);
+    if (work->rows_pending) {
+        memset(work->scratch->pending, 0, sizeof work->scratch->pending);
     }
-    work->whole = work->touched = 0;
+    work->whole = 0;
+    work->rows_pending = false;
     for (int i = 0; i < work->open_count; i++) {
-        const int at = scratch->open_at[i];
-        set_pending(scratch, at);
-        work->touched |= block_bit(at % RHW_TILE, at / RHW_TILE);
+        const int at = work->scratch->open_at[i];
+        set_pending(work, at % RHW_TILE, at / RHW_TILE, 1);
     }
 }
 
