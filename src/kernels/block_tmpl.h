@@ -143,8 +143,10 @@ static void draw_blocks(struct tile_work *work, const struct rhw_chunk *chunk, s
     for (int y = y0 & -RHW_BLOCK; y < y1; y += RHW_BLOCK) {
         const int row0 = max_int(y0 - y, 0), row1 = min_int(y1 - y, RHW_BLOCK);
         for (int x = x0 & -RHW_BLOCK; x < x1; x += RHW_BLOCK) {
-            const uint64_t mask =
-                coverage_mask(&coverage, x, y, row0, row1) & rect_mask(x, y, x0, y0, x1, y1);
+            uint64_t mask = coverage_mask(&coverage, x, y, row0, row1);
+            if (work->scissored) {
+                mask &= rect_mask(x, y, x0, y0, x1, y1);
+            }
             if (mask != 0) {
                 draw_block(work, triangle, x, y, mask);
             }

@@ -12,9 +12,12 @@
 
 #include "scratch.h"
 
+_Static_assert((RHW_TILE - 1) % (RHW_BLOCK - 1) == 0, "coverage_add scales a block's extremes to the tile's");
+
 struct edge {
-    int32_t a, b; // change of q per pixel to the right, and down
-    int64_t q;    // at the centre of the tile's first pixel
+    int32_t a, b;      // change of q per pixel to the right, and down
+    int64_t q;         // at the centre of the tile's first pixel
+    int64_t low, high; // least and largest q of a block's pixels, less that of its first one
 };
 
 // `tile_x`, `tile_y`: pixels. `sign` is −1 for a triangle whose corners turn the negative way.
@@ -26,19 +29,9 @@ static struct edge make_edge(int32_t x0, int32_t y0, int32_t x1, int32_t y1, int
     const int64_t px = (int64_t)tile_x * RHW_SUBPIXEL + RHW_SUBPIXEL / 2;
     const int64_t py = (int64_t)tile_y * RHW_SUBPIXEL + RHW_SUBPIXEL / 2;
     const int64_t e = a * (px - x0) + b * (py - y0);
-    return (struct edge){a, b, (e - (top_left ? 0 : 1)) >> RHW_SUBPIXEL_BITS};
-}
-
-// Where a square of pixels lies: `corner` is q at its first pixel, `last` the number of its last row and column.
-enum side { SIDE_OUTSIDE, SIDE_CROSSING, SIDE_INSIDE };
-
-static enum side edge_side(const struct edge *edge, int64_t corner, int last)
-{
-    const int64_t span_a = (int64_t)edge->a * last, span_b = (int64_t)edge->b * last;
-    if (corner + (span_a > 0 ? span_a : 0) + (span_b > 0 ? span_b : 0) < 0) {
-        return SIDE_OUTSIDE;
-    }
-    return corner + (span_a < 0 ? span_a : 0) + (span_b < 0 ? span_b : 0) >= 0 ? SIDE_INSIDE : SIDE_CROSSING;
+    return (struct edge){a, b, (e - (top_left ? 0 : 1)) >> RHW_SUBPIXEL_BITS,
+                         (RHW_BLOCK - 1) * ((int64_t)min_int(a, 0) + min_int(b, 0)),
+                         (RHW_BLOCK - 1) * ((int64_t)max_int(a, 0) + max_int(b, 0))};
 }
 
 // The edges of a triangle that cross the tile: where none does, all of it is covered.
@@ -56,11 +49,10 @@ static uint64_t triangle_mask(const struct triangle_edges *triangle, int x, int 
     for (int i = 0; i < triangle->count; i++) {
         const struct edge *const edge = &triangle->edges[i];
         const int64_t corner = edge->q + (int64_t)edge->a * x + (int64_t)edge->b * y;
-        const enum side side = edge_side(edge, corner, RHW_BLOCK - 1);
-        if (side == SIDE_OUTSIDE) {
+        if (corner + edge->high < 0) {
             return 0;
         }
-        if (side == SIDE_INSIDE) {
+        if (corner + edge->low >= 0) {
             continue;
         }
         // An edge that crosses the block: corner is within the spans, so int32 holds it.
@@ -102,11 +94,11 @@ static void coverage_add(struct coverage *coverage, const int32_t x[3], const in
     for (int i = 0; i < 3; i++) {
         const int j = i == 2 ? 0 : i + 1, k = i == 0 ? 2 : i - 1;
         const struct edge edge = make_edge(x[j], y[j], x[k], y[k], sign, tile_x, tile_y);
-        const enum side side = edge_side(&edge, edge.q, RHW_TILE - 1);
-        if (side == SIDE_OUTSIDE) {
+        const int blocks = (RHW_TILE - 1) / (RHW_BLOCK - 1); // 63 pixels are 9 times 7
+        if (edge.q + edge.high * blocks < 0) {
             return;
         }
-        if (side == SIDE_CROSSING) {
+        if (edge.q + edge.low * blocks < 0) {
             triangle->edges[triangle->count++] = edge;
         }
     }

@@ -19,6 +19,10 @@ static void set_draw(struct tile_work *work, const struct rhw_draw *draw)
     work->state = state;
     work->pipeline = pipeline;
     work->shades = pipeline->fragment || def->program.fragment1;
+    const struct rhw_rect *const scissor = &state->scissor;
+    work->scissored = scissor->x > work->x || scissor->y > work->y ||
+                      scissor->x + scissor->width < work->x + RHW_TILE ||
+                      scissor->y + scissor->height < work->y + RHW_TILE;
     const bool smooth = !pipeline->any_noperspective && !pipeline->any_flat;
     const uint32_t identity = RHW_USE_DISCARD | RHW_USE_DEPTH | RHW_USE_FACING | RHW_USE_IDS;
     work->constant = work->shades && uses == 0 && pipeline->varying_components == 0;

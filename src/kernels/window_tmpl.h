@@ -28,6 +28,7 @@ struct tile_work {
     const struct rhw_draw_state *state;
     const struct rhw_pipeline_data *pipeline;
     enum depth_mode depth_mode;
+    bool scissored;   // the scissor, or the target's end, leaves out pixels of the tile
     bool shades;      // there is a fragment function
     bool constant;    // that receives nothing: one call tells the colour of all fragments
     bool smooth;      // smooth varyings and their derivatives are all it needs the weights for
@@ -198,7 +199,8 @@ RHW_INLINE bool row_is_pending(const struct tile_work *work, int x, int y, unsig
     uint64_t row;
     memcpy(&row, work->scratch->pending[y], sizeof row);
     return (row >> x & bits) != 0 ||
-           (work->whole != 0 && work->whole & (block_bit(x, y) | block_bit(x + RHW_BLOCK - 1, y)));
+           (work->whole != 0 &&
+            work->whole & (block_bit(x, y) | block_bit(min_int(x + RHW_BLOCK, RHW_TILE) - 1, y)));
 }
 
 // Forgets what is pending, but for fragments without a group.

@@ -207,6 +207,14 @@ static void test_values_are_of_their_kind(void **state)
     assert_true(mixed[VALUE_SIGNED] > 100 && mixed[VALUE_OPPOSITE] > 100 && mixed[VALUE_DENORMAL] > 100);
 }
 
+// Not byte for byte: a structure's padding is whatever the compiler left there.
+static bool same_view(const struct oracle_view *a, const struct oracle_view *b)
+{
+    return a->target_width == b->target_width && a->target_height == b->target_height && a->x == b->x &&
+           a->y == b->y && a->width == b->width && a->height == b->height && a->depth_min == b->depth_min &&
+           a->depth_max == b->depth_max && a->minus_one_to_one == b->minus_one_to_one;
+}
+
 static void test_a_scene_is_its_family_seed_and_index(void **state)
 {
     (void)state;
@@ -224,7 +232,7 @@ static void test_a_scene_is_its_family_seed_and_index(void **state)
                                 (size_t)scene.vertex_count * sizeof *scene.vertex);
             assert_memory_equal(scene.triangle, again.triangle,
                                 (size_t)scene.triangle_count * sizeof *scene.triangle);
-            assert_memory_equal(&scene.view, &again.view, sizeof scene.view);
+            assert_true(same_view(&scene.view, &again.view));
             scene_make(&again, (enum family)family, SEED + 1, index);
             assert_true(memcmp(scene.vertex, again.vertex, sizeof *scene.vertex) != 0);
         }
