@@ -55,6 +55,26 @@ RHW_INLINE i4 i4_load(const void *p)
     return v;
 }
 
+RHW_INLINE i4 i4_max(i4 a, i4 b)
+{
+    const i4 above = a > b;
+    return (a & above) | (b & ~above);
+}
+
+// Bit i: v[i] is negative.
+RHW_INLINE unsigned i4_sign_bits(i4 v)
+{
+#if defined __SSE2__
+    return (unsigned)_mm_movemask_ps((__m128)v);
+#else
+    unsigned bits = 0;
+    for (int i = 0; i < 4; i++) {
+        bits |= ((uint32_t)v[i] >> 31) << i;
+    }
+    return bits;
+#endif
+}
+
 RHW_INLINE d4 d4_splat(double v)
 {
 #if defined(__SSE2__) && !defined(__AVX2__)

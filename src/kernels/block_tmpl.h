@@ -82,7 +82,7 @@ static void setup_planes(const struct tile_work *work, struct triangle_work *tri
     }
 }
 
-// A block: depth first, then what survives is collected for shading.
+// A block, which may start at any pixel: depth first, then what survives is collected for shading.
 static void draw_block(struct tile_work *work, struct triangle_work *triangle, int x, int y, uint64_t mask)
 {
     if (work->constant && !work->needs_depth) { // no number of the triangle is wanted
@@ -118,34 +118,29 @@ static void draw_block(struct tile_work *work, struct triangle_work *triangle, i
         constant_block(work, x, y, mask);
         return;
     }
-    if (!triangle->ready) {
-        prepare_values(work, triangle);
-    }
-    block_weights(&block, planes, &at);
-    if (!work->smooth || is_cut) {
-        block_screen_weights(&block, planes, &at);
-    }
     collect_block(work, triangle, &block, &at, x, y, mask, z, is_cut);
 }
 
-// Draws any triangle: as much of it as is covered in the tile.
-static void draw_blocks(struct tile_work *work, const struct rhw_chunk *chunk, struct triangle_work *triangle)
+// Pixels of the tile; x1 and y1 exclusive.
+struct tile_rect {
+    int x0, y0, x1, y1;
+};
+
+// Draws any triangle: as much of it as is covered in the tile, which is in `rect`.
+static void draw_blocks(struct tile_work *work, const struct rhw_chunk *chunk, struct triangle_work *triangle,
+                        struct tile_rect rect)
 {
-    const struct rhw_triangle *const t = triangle->t;
-    // In the tile, and within what was covered.
-    const int x0 = max_int(t->x0 - work->x, 0), x1 = min_int(t->x1 - work->x, RHW_TILE);
-    const int y0 = max_int(t->y0 - work->y, 0), y1 = min_int(t->y1 - work->y, RHW_TILE);
     struct coverage coverage;
-    coverage_setup(&coverage, chunk, t, work->x, work->y);
+    coverage_setup(&coverage, chunk, triangle->t, work->x, work->y);
     if (coverage.count == 0) {
         return;
     }
-    for (int y = y0 & -RHW_BLOCK; y < y1; y += RHW_BLOCK) {
-        const int row0 = max_int(y0 - y, 0), row1 = min_int(y1 - y, RHW_BLOCK);
-        for (int x = x0 & -RHW_BLOCK; x < x1; x += RHW_BLOCK) {
+    for (int y = rect.y0 & -RHW_BLOCK; y < rect.y1; y += RHW_BLOCK) {
+        const int row0 = max_int(rect.y0 - y, 0), row1 = min_int(rect.y1 - y, RHW_BLOCK);
+        for (int x = rect.x0 & -RHW_BLOCK; x < rect.x1; x += RHW_BLOCK) {
             uint64_t mask = coverage_mask(&coverage, x, y, row0, row1);
             if (work->scissored) {
-                mask &= rect_mask(x, y, x0, y0, x1, y1);
+                mask &= rect_mask(x, y, rect.x0, rect.y0, rect.x1, rect.y1);
             }
             if (mask != 0) {
                 draw_block(work, triangle, x, y, mask);

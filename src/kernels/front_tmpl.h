@@ -249,10 +249,10 @@ static struct pixel_lanes pixels_of(const struct corner_lanes *lanes, const stru
         i8_min((i8_max3(lanes->y) + half) >> RHW_SUBPIXEL_BITS, i8_splat(scissor->y + scissor->height))};
 }
 
-// Those of less than RHW_BLOCK pixels each way, which hold at most RHW_BLOCK centres.
+// Those with RHW_TRIANGLE_SMALL by their size.
 static i8 small_lanes(const struct corner_lanes *lanes)
 {
-    const i8 size = i8_splat(RHW_BLOCK * RHW_SUBPIXEL);
+    const i8 size = i8_splat(RHW_TILE * RHW_SUBPIXEL);
     return (i8_max3(lanes->x) - i8_min3(lanes->x) < size) & (i8_max3(lanes->y) - i8_min3(lanes->y) < size);
 }
 

@@ -163,7 +163,7 @@ static void flush(struct tile_work *work)
 // Copies what packing needs of a triangle.
 static void pack_triangle(struct tile_work *work, struct triangle_work *triangle)
 {
-    const struct planes *const planes = &triangle->planes;
+    struct planes *const planes = &triangle->planes;
     triangle->packed = (int)(work->packed_count++ % RHW_PACKED_TRIANGLES);
     struct rhw_packed_triangle *const to = &work->scratch->packed[triangle->packed];
     to->anchor_x = planes->anchor_x - work->x;
@@ -172,6 +172,7 @@ static void pack_triangle(struct tile_work *work, struct triangle_work *triangle
         to->varyings[i] = triangle->v[i]->varyings;
     }
     if (work->pipeline->any_derivatives) {
+        planes_slopes(planes, triangle->t, triangle->v);
         const struct slope b = planes->b_slope, c = planes->c_slope;
         to->slope = (d4){b.x, b.y, c.x, c.y};
         to->slope_step = (d4){b.x_dy, b.y_dx, c.x_dy, c.y_dx};

@@ -322,36 +322,33 @@ RHW_INLINE void add_rows(struct tile_work *work, const struct triangle_work *tri
 // Whether some pixel of the block's that is set in `mask` is pending.
 RHW_INLINE bool any_pending(const struct tile_work *work, int x, int y, uint64_t mask)
 {
-    unsigned taken = 0;
-    for (int row = 0; row < RHW_BLOCK; row++) {
-        const unsigned wanted = (unsigned)(mask >> (8 * row));
-        taken |= work->scratch->pending[y + row][x / 8] & wanted;
+    const int x7 = x + RHW_BLOCK - 1, y7 = y + RHW_BLOCK - 1;
+    if (work->whole & (block_bit(x, y) | block_bit(x7, y) | block_bit(x, y7) | block_bit(x7, y7))) {
+        return true; // of a block that overlaps this one; it need not be the same pixels
+    }
+    uint64_t taken = 0;
+    for (int row = 0; row < RHW_BLOCK && work->rows_pending; row++) {
+        uint64_t pending;
+        memcpy(&pending, work->scratch->pending[y + row], sizeof pending);
+        taken |= pending >> x & mask >> (8 * row);
     }
     return (taken & 0xff) != 0;
 }
 
 // Collects the fragments of a block whose bits are set in `mask`: rows with few of them are packed.
-static void collect_block(struct tile_work *work, struct triangle_work *triangle,
-                          const struct block_planes *block, const struct block_place *at, int x, int y,
-                          uint64_t mask, const f8 z[RHW_BLOCK], bool is_cut)
+static void collect_block(struct tile_work *work, struct triangle_work *triangle, struct block_planes *block,
+                          const struct block_place *at, int x, int y, uint64_t mask, const f8 z[RHW_BLOCK],
+                          bool is_cut)
 {
-    enum { PACK_MOST = 4 }; // measured: packing costs as much as a group of its own at 4 to 5 fragments
+    enum { PACK_MOST = 3 }; // measured: from 4 fragments on a group of its own costs less
     const bool packs = work->packs && !is_cut && !triangle->planes.exact;
-    struct block_rows rows;
-    rows.count = 0;
-    const uint64_t bit = block_bit(x, y);
-    if (work->whole & bit || (work->rows_pending && any_pending(work, x, y, mask))) {
+    if (any_pending(work, x, y, mask)) {
         flush(work);
     }
-    if (mask == ~(uint64_t)0) {
-        if (work->count > RHW_FRAGMENT_GROUPS - RHW_BLOCK) {
-            shade_window(work);
-        }
-        work->whole |= bit;
-        add_rows(work, triangle, block, at, x, y, &all_rows, z, is_cut);
-        return;
-    }
-    while (mask != 0) {
+    const bool is_whole = mask == ~(uint64_t)0 && x % RHW_BLOCK == 0 && y % RHW_BLOCK == 0;
+    struct block_rows rows;
+    rows.count = 0;
+    while (mask != 0 && !is_whole) {
         const int shift = __builtin_ctzll(mask) & 56, row = shift / 8;
         const unsigned bits = (unsigned)(mask >> shift) & 0xff;
         mask &= ~((uint64_t)0xff << shift);
@@ -365,10 +362,23 @@ static void collect_block(struct tile_work *work, struct triangle_work *triangle
             rows.bits[rows.count++] = (uint8_t)bits;
         }
     }
-    if (work->count + rows.count > RHW_FRAGMENT_GROUPS) {
+    if (rows.count == 0 && !is_whole) {
+        return;
+    }
+    if (!triangle->ready) {
+        prepare_values(work, triangle);
+    }
+    block_weights(block, &triangle->planes, at);
+    if (!work->smooth || is_cut) {
+        block_screen_weights(block, &triangle->planes, at);
+    }
+    if (work->count + (is_whole ? RHW_BLOCK : rows.count) > RHW_FRAGMENT_GROUPS) {
         shade_window(work);
     }
-    if (rows.count != 0) {
+    if (is_whole) {
+        work->whole |= block_bit(x, y);
+        add_rows(work, triangle, block, at, x, y, &all_rows, z, is_cut);
+    } else {
         add_rows(work, triangle, block, at, x, y, &rows, z, is_cut);
     }
 }

@@ -1,18 +1,20 @@
 // SPDX-License-Identifier: MIT
-// Small triangles, at most 8×8 pixels: what meshes are made of. One step does coverage and depth of a row, in 8 lanes
-// that start where the triangle does; its fragments are packed into groups with those of its neighbours.
+// Triangles that are small beside a tile: what meshes are made of. Their edges fit into 32 bits, and their blocks of
+// 8×8 pixels start where the triangle does instead of at multiples of 8, so that few of them are mostly empty.
 // Template: compiled once per instruction set.
 
 #include "block_tmpl.h"
 
-// The edges at a row of 8 pixels: coverage_tmpl.h's q, and its change per row. Corners lie within 8 pixels of each
-// other and of the row: |a|, |b| < 2^11 and differences of positions below 2^12, so |e| < 2^24.
+// The edges of a triangle with RHW_TRIANGLE_SMALL, lane by lane; the fourth lane is of no edge. q, a, b are those of
+// coverage_tmpl.h, q at pixel (x, y) of the tile. Corners lie within 64 pixels of each other and within 72 of any pixel
+// of a block that reaches into their rectangle: |a|, |b| < 2^14, |e| < 2·2^14·72·256 < 2^30.
 struct small_edges {
-    i8 q[3], step[3];
+    int x, y;
+    i4 q, a, b;
 };
 
-// `x`, `y`: pixel of the first row's first lane, in the target.
-RHW_INLINE void small_edges(struct small_edges *edges, const struct rhw_triangle *t, int x, int y)
+RHW_INLINE struct small_edges small_edges_at(const struct tile_work *work, const struct rhw_triangle *t,
+                                             int x, int y)
 {
     const i4 x0 = i4_load(t->x_24_8),
              y0 = i4_load(t->y_24_8); // the fourth is another member, and is not used
@@ -21,14 +23,52 @@ RHW_INLINE void small_edges(struct small_edges *edges, const struct rhw_triangle
     const i4 turn = i4_splat(t->flags & RHW_TRIANGLE_NEGATIVE ? -1 : 0);
     const i4 a = ((y0 - y1) ^ turn) - turn, b = ((x1 - x0) ^ turn) - turn;
     const i4 top_left = (a > 0) | ((a == 0) & (b > 0));
-    const i4 px = i4_splat(x * RHW_SUBPIXEL + RHW_SUBPIXEL / 2),
-             py = i4_splat(y * RHW_SUBPIXEL + RHW_SUBPIXEL / 2);
+    const i4 px = i4_splat((work->x + x) * RHW_SUBPIXEL + RHW_SUBPIXEL / 2),
+             py = i4_splat((work->y + y) * RHW_SUBPIXEL + RHW_SUBPIXEL / 2);
     const i4 e = a * (px - x0) + b * (py - y0);
-    const i4 q = (e + ~top_left) >> RHW_SUBPIXEL_BITS; // −1 where it is neither top nor left
+    return (struct small_edges){x, y, (e + ~top_left) >> RHW_SUBPIXEL_BITS, a, b}; // −1: neither top nor left
+}
+
+// A row of 8 pixels, edge by edge.
+struct small_row {
+    i8 q[3], step[3];
+};
+
+RHW_INLINE struct small_row small_row_at(i4 q, i4 a, i4 b)
+{
+    struct small_row row;
     for (int i = 0; i < 3; i++) {
-        edges->q[i] = i8_splat(q[i]) + i8_splat(a[i]) * rhw_lane_index;
-        edges->step[i] = i8_splat(b[i]);
+        row.q[i] = i8_splat(q[i]) + i8_splat(a[i]) * rhw_lane_index;
+        row.step[i] = i8_splat(b[i]);
     }
+    return row;
+}
+
+// The lanes that are covered; goes on to the next row.
+RHW_INLINE unsigned small_row_next(struct small_row *row)
+{
+    const unsigned outside = i8_sign_bits(row->q[0] | row->q[1] | row->q[2]);
+    for (int i = 0; i < 3; i++) {
+        row->q[i] += row->step[i];
+    }
+    return ~outside;
+}
+
+// Bit 8·row + column of the block whose first pixel is (x, y) in the tile.
+RHW_INLINE uint64_t small_mask(const struct small_edges *edges, int x, int y)
+{
+    const i4 q = edges->q + edges->a * i4_splat(x - edges->x) + edges->b * i4_splat(y - edges->y);
+    const i4 last = i4_splat(RHW_BLOCK - 1), zero = i4_splat(0);
+    const i4 most = q + (i4_max(edges->a, zero) + i4_max(edges->b, zero)) * last;
+    if (i4_sign_bits(most) & 7) {
+        return 0;
+    }
+    struct small_row row = small_row_at(q, edges->a, edges->b);
+    uint64_t mask = 0;
+    for (int i = 0; i < RHW_BLOCK; i++) {
+        mask |= (uint64_t)(small_row_next(&row) & 0xff) << (8 * i);
+    }
+    return mask;
 }
 
 static void small_collect(struct tile_work *work, struct triangle_work *triangle, int x, int y, unsigned bits)
@@ -38,9 +78,6 @@ static void small_collect(struct tile_work *work, struct triangle_work *triangle
         flush(work);
     }
     if (triangle->packed < 0) {
-        if (work->pipeline->any_derivatives) {
-            planes_slopes(&triangle->planes, triangle->t, triangle->v);
-        }
         pack_triangle(work, triangle);
     }
     pack_row(work, triangle, x, y, bits);
@@ -58,14 +95,11 @@ RHW_INLINE bool small_rows(struct tile_work *work, struct triangle_work *triangl
                            bool tests, enum rhw_compare compare, bool write)
 {
     struct planes *const planes = &triangle->planes;
-    struct small_edges edges;
-    small_edges(&edges, triangle->t, work->x + place.x, work->y + place.y0);
+    const struct small_edges edges = small_edges_at(work, triangle->t, place.x, place.y0);
+    struct small_row row_edges = small_row_at(edges.q, edges.a, edges.b);
     d8 z_column = d8_splat(0);
     for (int y = place.y0; y < place.y1; y++) {
-        unsigned bits = ~i8_sign_bits(edges.q[0] | edges.q[1] | edges.q[2]) & place.columns;
-        for (int i = 0; i < 3; i++) {
-            edges.q[i] += edges.step[i];
-        }
+        unsigned bits = small_row_next(&row_edges) & place.columns;
         if (bits == 0) {
             continue;
         }
@@ -98,15 +132,13 @@ RHW_INLINE bool small_rows(struct tile_work *work, struct triangle_work *triangl
     return true;
 }
 
-// False where draw_blocks must draw it.
-static bool draw_small(struct tile_work *work, struct triangle_work *triangle)
+// Those of one block. False where draw_small_blocks must draw it.
+static bool draw_smallest(struct tile_work *work, struct triangle_work *triangle, struct tile_rect rect)
 {
-    const struct rhw_triangle *const t = triangle->t;
     const struct rhw_pipeline_def *const def = &work->pipeline->def;
-    const int x0 = max_int(t->x0 - work->x, 0), x1 = min_int(t->x1 - work->x, RHW_TILE);
-    const int x = min_int(x0, RHW_TILE - RHW_BLOCK); // so that 8 lanes stay in the tile
-    const struct small_place place = {x, max_int(t->y0 - work->y, 0), min_int(t->y1 - work->y, RHW_TILE),
-                                      (0xffu << (x0 - x)) & (0xffu >> (RHW_BLOCK - (x1 - x)))};
+    const int x = min_int(rect.x0, RHW_TILE - RHW_BLOCK); // so that 8 lanes stay in the tile
+    const struct small_place place = {x, rect.y0, rect.y1,
+                                      (0xffu << (rect.x0 - x)) & (0xffu >> (RHW_BLOCK - (rect.x1 - x)))};
     if (work->depth_mode == DEPTH_EARLY && def->depth_write && def->depth_compare == RHW_COMPARE_LESS) {
         return small_rows(work, triangle, place, true, RHW_COMPARE_LESS, true);
     }
@@ -115,6 +147,35 @@ static bool draw_small(struct tile_work *work, struct triangle_work *triangle)
                           work->depth_mode == DEPTH_EARLY && def->depth_write);
     }
     return small_rows(work, triangle, place, false, RHW_COMPARE_ALWAYS, false);
+}
+
+static void draw_small_blocks(struct tile_work *work, struct triangle_work *triangle, struct tile_rect rect)
+{
+    const struct small_edges edges = small_edges_at(work, triangle->t, rect.x0, rect.y0);
+    for (int y0 = rect.y0; y0 < rect.y1; y0 += RHW_BLOCK) {
+        const int y = min_int(y0, RHW_TILE - RHW_BLOCK); // so that the block stays in the tile
+        for (int x0 = rect.x0; x0 < rect.x1; x0 += RHW_BLOCK) {
+            const int x = min_int(x0, RHW_TILE - RHW_BLOCK);
+            uint64_t mask = small_mask(&edges, x, y);
+            if (work->scissored || x != x0 || y != y0) {
+                mask &= rect_mask(x, y, x0, y0, rect.x1, rect.y1);
+            }
+            if (mask != 0) {
+                draw_block(work, triangle, x, y, mask);
+            }
+        }
+    }
+}
+
+static void draw_small(struct tile_work *work, struct triangle_work *triangle, struct tile_rect rect)
+{
+    if (rect.x1 - rect.x0 <= RHW_BLOCK && rect.y1 - rect.y0 <= RHW_BLOCK && (work->packs || !work->shades)) {
+        if (draw_smallest(work, triangle, rect)) {
+            return;
+        }
+        triangle->planes_ready = false;
+    }
+    draw_small_blocks(work, triangle, rect);
 }
 
 static void draw_triangle(struct tile_work *work, const struct rhw_chunk *chunk, const struct rhw_triangle *t)
@@ -128,9 +189,11 @@ static void draw_triangle(struct tile_work *work, const struct rhw_chunk *chunk,
     if (triangle.segment->draw != work->draw) {
         set_draw(work, triangle.segment->draw);
     }
-    if (t->flags & RHW_TRIANGLE_SMALL && (work->packs || !work->shades) && draw_small(work, &triangle)) {
-        return;
+    const struct tile_rect rect = {max_int(t->x0 - work->x, 0), max_int(t->y0 - work->y, 0),
+                                   min_int(t->x1 - work->x, RHW_TILE), min_int(t->y1 - work->y, RHW_TILE)};
+    if (t->flags & RHW_TRIANGLE_SMALL) {
+        draw_small(work, &triangle, rect);
+    } else {
+        draw_blocks(work, chunk, &triangle, rect);
     }
-    triangle.planes_ready = false;
-    draw_blocks(work, chunk, &triangle);
 }
