@@ -221,10 +221,21 @@ static enum rhw_result get_target(struct rhw_scene *scene, int which, enum rhw_f
 
 // Passes --------------------------------------------------------------------------------------------
 
+static uint64_t larger(uint64_t a, uint64_t b)
+{
+    return a > b ? a : b;
+}
+
 static void add_stats(struct rhw_stats *sum, const struct rhw_stats *pass)
 {
+    sum->record_ms += pass->record_ms;
     sum->front_ms += pass->front_ms;
     sum->back_ms += pass->back_ms;
+    sum->front_busy_ms += pass->front_busy_ms;
+    sum->back_busy_ms += pass->back_busy_ms;
+    sum->vertex_busy_ms += pass->vertex_busy_ms;
+    sum->setup_busy_ms += pass->setup_busy_ms;
+    sum->bin_busy_ms += pass->bin_busy_ms;
     sum->draws += pass->draws;
     sum->vertices_shaded += pass->vertices_shaded;
     sum->triangles_in += pass->triangles_in;
@@ -232,10 +243,12 @@ static void add_stats(struct rhw_stats *sum, const struct rhw_stats *pass)
     sum->triangles_clipped += pass->triangles_clipped;
     sum->triangles_culled += pass->triangles_culled;
     sum->triangles_rasterized += pass->triangles_rasterized;
+    sum->bin_entries += pass->bin_entries;
     sum->fragments_shaded += pass->fragments_shaded;
     sum->fragment_groups += pass->fragment_groups;
     sum->flushes += pass->flushes;
-    sum->memory_peak = pass->memory_peak > sum->memory_peak ? pass->memory_peak : sum->memory_peak;
+    sum->memory_peak = larger(pass->memory_peak, sum->memory_peak);
+    sum->geometry_peak = larger(pass->geometry_peak, sum->geometry_peak);
     sum->tiles = pass->tiles > sum->tiles ? pass->tiles : sum->tiles;
     sum->threads = pass->threads;
     sum->isa = pass->isa;
@@ -373,6 +386,7 @@ static enum rhw_result draw_samples(struct draw *draw, const enum rhw_format for
         stats.vertices_shaded -= 3;
         stats.triangles_in--;
         stats.triangles_rasterized--;
+        stats.bin_entries -= (uint64_t)stats.tiles;
     }
     add_stats(&draw->stats.pipeline, &stats);
     if (screen.generation) {

@@ -75,7 +75,7 @@ struct rhw_draw_stats {
     double upload_ms;                     ///< of rhw_scene_create: buffers, textures, mip chains
     double color_ms, data_ms, resolve_ms; ///< wall time of the passes
     double read_ms;                       ///< copying the pictures out
-    /// Sums over the colour and data passes; memory_peak, tiles: the largest. The triangle of the background
+    /// Sums over the colour and data passes; peaks and tiles: the largest. The triangle of the background
     /// is not counted, its fragments are.
     struct rhw_stats pipeline;
 };

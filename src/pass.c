@@ -12,6 +12,7 @@
 #include "kernels/kernels.h"
 #include "pass_run.h"
 #include "srgb_texture.h"
+#include "thread.h"
 
 enum rhw_result rhw_pass_state_create(struct rhw_context *context, struct rhw_pass_state **out)
 {
@@ -167,6 +168,7 @@ static enum rhw_result attach_depth(struct rhw_pass_state *pass, const struct rh
 static void reset(struct rhw_pass_state *pass, const struct rhw_pass_def *def)
 {
     rhw_arena_reset(&pass->arena);
+    pass->begun_ns = rhw_time_ns();
     pass->width = def->width;
     pass->height = def->height;
     pass->draw_count = 0;

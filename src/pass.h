@@ -74,6 +74,7 @@ struct rhw_chunk {
     int tile_x0, tile_y0, tile_x1, tile_y1;
     uint32_t *offsets;
     uint16_t *entries;
+    uint32_t entry_count;
 };
 
 struct rhw_attachment {
@@ -86,7 +87,8 @@ struct rhw_attachment {
 };
 
 struct rhw_counters {
-    uint64_t vertices_shaded, dropped, clipped, culled, rasterized, fragments, groups;
+    uint64_t vertices_shaded, dropped, clipped, culled, rasterized, entries, fragments, groups;
+    uint64_t vertex_ns, setup_ns, bin_ns; // parts of the front end, as rhw_stats names them
 };
 
 struct rhw_front_scratch;
@@ -102,6 +104,7 @@ struct rhw_worker {
 
 struct rhw_pass_state {
     struct rhw_context *context;
+    uint64_t begun_ns;
     int width, height, tiles_x, tiles_y;
     int color_count;
     struct rhw_attachment colors[RHW_MAX_COLOR_ATTACHMENTS];

@@ -5,21 +5,19 @@
 #include "pass_run.h"
 
 #include <string.h>
-#include <time.h>
 
 #include "context.h"
 #include "kernels/kernels.h"
 #include "kernels/scratch.h"
 #include "pass.h"
 #include "scheduler.h"
+#include "thread.h"
 
 static const size_t default_bin_memory = (size_t)512 << 20; // bytes
 
-static double milliseconds(void)
+static double milliseconds(uint64_t ns)
 {
-    struct timespec t;
-    clock_gettime(CLOCK_MONOTONIC, &t);
-    return (double)t.tv_sec * 1e3 + (double)t.tv_nsec * 1e-6;
+    return (double)ns * 1e-6;
 }
 
 static bool workers_ready(struct rhw_pass_state *pass)
@@ -171,7 +169,7 @@ static size_t arenas_used(const struct rhw_pass_state *pass)
 // Runs the front end over the wave's chunks, in rounds whose size follows from what the chunks so far took: how
 // many bins a triangle fills is known only then. When the memory is used up the wave ends early and `at` goes back
 // to the first chunk left. Where a wave ends may depend on the threads; what is drawn does not depend on waves.
-static bool run_front(struct rhw_pass_state *pass, struct position *at)
+static bool run_front(struct rhw_pass_state *pass, struct position *at, struct rhw_stats *stats)
 {
     struct rhw_context *const context = pass->context;
     const size_t limit = bin_limit(pass);
@@ -192,7 +190,7 @@ static bool run_front(struct rhw_pass_state *pass, struct position *at)
         const int left = pass->chunk_count - done;
         round = round < left ? round : left;
         pass->round = done;
-        rhw_scheduler_run(context->scheduler, run_chunk, pass, round);
+        stats->front_busy_ms += milliseconds(rhw_scheduler_run(context->scheduler, run_chunk, pass, round));
         if (pass->failed) {
             return false;
         }
@@ -232,8 +230,12 @@ static void sum_counters(const struct rhw_pass_state *pass, struct rhw_stats *st
         stats->triangles_clipped += c->clipped;
         stats->triangles_culled += c->culled;
         stats->triangles_rasterized += c->rasterized;
+        stats->bin_entries += c->entries;
         stats->fragments_shaded += c->fragments;
         stats->fragment_groups += c->groups;
+        stats->vertex_busy_ms += milliseconds(c->vertex_ns);
+        stats->setup_busy_ms += milliseconds(c->setup_ns);
+        stats->bin_busy_ms += milliseconds(c->bin_ns);
     }
 }
 
@@ -243,7 +245,8 @@ enum rhw_result rhw_pass_run(struct rhw_pass_state *pass, struct rhw_stats *stat
     if (!workers_ready(pass)) {
         return RHW_ERROR_OUT_OF_MEMORY;
     }
-    struct rhw_stats s = {.draws = pass->draw_count,
+    struct rhw_stats s = {.record_ms = milliseconds(rhw_time_ns() - pass->begun_ns),
+                          .draws = pass->draw_count,
                           .triangles_in = pass->triangle_count,
                           .threads = context->threads,
                           .tiles = pass->tiles_x * pass->tiles_y,
@@ -251,7 +254,7 @@ enum rhw_result rhw_pass_run(struct rhw_pass_state *pass, struct rhw_stats *stat
     struct position at = {0, 0};
     pass->first_wave = true;
     do {
-        const double start = milliseconds();
+        const uint64_t start = rhw_time_ns();
         pass->failed = false;
         for (int i = 0; i < context->threads; i++) {
             rhw_arena_reset(&pass->workers[i].arena);
@@ -259,17 +262,19 @@ enum rhw_result rhw_pass_run(struct rhw_pass_state *pass, struct rhw_stats *stat
         if (!cut_wave(pass, &at)) {
             return RHW_ERROR_OUT_OF_MEMORY;
         }
-        if (!run_front(pass, &at)) {
+        if (!run_front(pass, &at, &s)) {
             return RHW_ERROR_OUT_OF_MEMORY;
         }
+        const size_t geometry = arenas_used(pass);
+        s.geometry_peak = geometry > s.geometry_peak ? geometry : s.geometry_peak;
         pass->last_wave = at.triangle == pass->triangle_count;
         if (!pass->last_wave && !transient_depth_ready(pass)) {
             return RHW_ERROR_OUT_OF_MEMORY;
         }
-        const double middle = milliseconds();
-        rhw_scheduler_run(context->scheduler, run_tile, pass, s.tiles);
-        s.front_ms += middle - start;
-        s.back_ms += milliseconds() - middle;
+        const uint64_t middle = rhw_time_ns();
+        s.back_busy_ms += milliseconds(rhw_scheduler_run(context->scheduler, run_tile, pass, s.tiles));
+        s.front_ms += milliseconds(middle - start);
+        s.back_ms += milliseconds(rhw_time_ns() - middle);
         s.flushes += !pass->last_wave;
         pass->first_wave = false;
     } while (!pass->last_wave);

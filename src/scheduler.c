@@ -37,6 +37,7 @@ struct rhw_scheduler {
 
     // Written by every thread once per job, when it finds nothing more to claim; the caller waits for 0.
     _Alignas(RHW_CACHE_LINE) _Atomic uint32_t unfinished;
+    _Atomic uint64_t busy_ns; // of the job, written likewise
 
     // Written by the caller between jobs; written by threads that go to sleep.
     _Alignas(RHW_CACHE_LINE) rhw_task_function *task;
@@ -63,6 +64,7 @@ static size_t scheduler_size(int threads)
 static void run_tasks(struct rhw_scheduler *scheduler, int worker)
 {
     uint32_t finished = 0;
+    uint64_t start = 0; // read once per thread and job: a look at the clock costs as much as a small task
     uint32_t unclaimed = atomic_load_explicit(&scheduler->unclaimed, memory_order_relaxed);
     while (unclaimed != 0) {
         // Acquire pairs with the release of the store that published the job (other claims in between
@@ -72,10 +74,13 @@ static void run_tasks(struct rhw_scheduler *scheduler, int worker)
             rhw_cpu_relax();
             continue;
         }
+        start = finished == 0 ? rhw_time_ns() : start;
         scheduler->task(scheduler->user, (int)(scheduler->count - unclaimed), worker);
         finished++;
         unclaimed = atomic_load_explicit(&scheduler->unclaimed, memory_order_relaxed);
     }
+    if (finished != 0)
+        atomic_fetch_add_explicit(&scheduler->busy_ns, rhw_time_ns() - start, memory_order_relaxed);
     // Until this thread reports, the job cannot end and no other can start: all its tasks were of one job.
     // Sequentially consistent against the caller, which announces its sleep and then looks once more.
     if (finished != 0 && atomic_fetch_sub(&scheduler->unfinished, finished) == finished &&
@@ -247,23 +252,29 @@ static void wait_for_job(struct rhw_scheduler *scheduler)
     rhw_mutex_unlock(&scheduler->mutex);
 }
 
-void rhw_scheduler_run(struct rhw_scheduler *scheduler, rhw_task_function *task, void *user, int count)
+uint64_t rhw_scheduler_run(struct rhw_scheduler *scheduler, rhw_task_function *task, void *user, int count)
 {
     if (count <= 0)
-        return;
+        return 0;
     const uint64_t environment = rhw_cpu_float_enter();
+    uint64_t busy_ns;
     if (scheduler->threads == 1 || count == 1) {
+        const uint64_t start = rhw_time_ns();
         for (int i = 0; i < count; i++)
             task(user, i, 0);
+        busy_ns = rhw_time_ns() - start;
     } else {
         scheduler->task = task;
         scheduler->user = user;
         scheduler->count = (uint32_t)count;
+        atomic_store_explicit(&scheduler->busy_ns, 0, memory_order_relaxed);
         atomic_store_explicit(&scheduler->unfinished, (uint32_t)count, memory_order_relaxed);
         atomic_store(&scheduler->unclaimed, (uint32_t)count);
         wake_workers(scheduler, (uint32_t)count - 1);
         run_tasks(scheduler, 0);
         wait_for_job(scheduler);
+        busy_ns = atomic_load_explicit(&scheduler->busy_ns, memory_order_relaxed);
     }
     rhw_cpu_float_leave(environment);
+    return busy_ns;
 }

@@ -20,6 +20,7 @@ void rhw_scheduler_destroy(struct rhw_context *context, struct rhw_scheduler *sc
 
 // Runs task(user, 0 .. count − 1, worker) and returns when all are done; what they wrote is then visible to
 // the caller. Tasks run in any order and may not call this function. Indices are claimed in rising order.
-void rhw_scheduler_run(struct rhw_scheduler *scheduler, rhw_task_function *task, void *user, int count);
+// Returns the nanoseconds that threads had tasks, added up over the threads.
+uint64_t rhw_scheduler_run(struct rhw_scheduler *scheduler, rhw_task_function *task, void *user, int count);
 
 #endif

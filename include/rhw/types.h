@@ -252,20 +252,29 @@ struct rhw_viewport {
 
 struct rhw_rect { int x, y, width, height; }; ///< pixels
 
-/// What a pass did. Times are wall milliseconds of the whole stage, not a sum over threads.
+/// What a pass did. Times of stages are wall milliseconds. Busy times are milliseconds of threads, added up over
+/// all of them: front_busy_ms / (threads × front_ms) is the part of its threads that the front end used. A thread
+/// that waits for a core counts as busy.
 struct rhw_stats {
+    double record_ms;  ///< from rhw_pass_begin to rhw_pass_end, whatever the program did meanwhile
     double front_ms;   ///< vertex fetch and shading, clip, cull, setup, binning
     double back_ms;    ///< tiles: load, raster, shading, output, store
+    double front_busy_ms, back_busy_ms;
+    double vertex_busy_ms; ///< of front_busy_ms: assembly, fetch, the vertex function, projection
+    double setup_busy_ms;  ///< of front_busy_ms: clip, cull, setup
+    double bin_busy_ms;    ///< of front_busy_ms: binning
     uint64_t draws;
     uint64_t vertices_shaded; ///< this, fragment_groups and flushes may vary with the number of threads
     uint64_t triangles_in, triangles_dropped; ///< dropped: a position was not finite
     uint64_t triangles_clipped;    ///< cut by a plane
     uint64_t triangles_culled;     ///< outside the view, facing away, of no area, or covering no sample
     uint64_t triangles_rasterized;
+    uint64_t bin_entries;          ///< tiles that triangles were drawn in, added up over the triangles
     uint64_t fragments_shaded;     ///< live lanes given to the fragment function
     uint64_t fragment_groups;      ///< groups of 8 lanes that took
     uint64_t flushes;              ///< times the bins were full before the pass ended
     uint64_t memory_peak;          ///< bytes allocated by the context, highest so far
+    uint64_t geometry_peak;        ///< of these, vertices, triangles and bins of this pass: the most at one time
     int threads, tiles;
     enum rhw_isa isa;
 };

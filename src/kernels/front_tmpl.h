@@ -6,6 +6,7 @@
 
 #include "../assembly.h"
 #include "../clip.h"
+#include "../thread.h"
 #include "scratch.h"
 #include "vertex_tmpl.h"
 
@@ -463,6 +464,7 @@ static bool bin(struct rhw_chunk *chunk, uint32_t *spans, int triangle_count, st
 {
     if (triangle_count == 0) {
         chunk->tile_x0 = chunk->tile_y0 = chunk->tile_x1 = chunk->tile_y1 = 0;
+        chunk->entry_count = 0;
         return true;
     }
     const struct tile_span all = unite(spans, triangle_count);
@@ -493,8 +495,9 @@ static bool bin(struct rhw_chunk *chunk, uint32_t *spans, int triangle_count, st
     for (size_t i = 2; i < tiles + 2; i++) {
         offsets[i] += offsets[i - 1];
     }
+    chunk->entry_count = offsets[tiles + 1];
     uint16_t *const entries =
-        rhw_arena_alloc(arena, offsets[tiles + 1] * sizeof *chunk->entries, RHW_CACHE_LINE);
+        rhw_arena_alloc(arena, chunk->entry_count * sizeof *chunk->entries, RHW_CACHE_LINE);
     if (!entries) {
         return false;
     }
@@ -548,9 +551,11 @@ static bool run_chunk(struct rhw_pass_state *pass, struct rhw_chunk *chunk, int 
     struct rhw_front_scratch *const scratch = worker->front;
     scratch->run_count = scratch->polygon_count = 0;
     scratch->corner_count = scratch->vertex_count = 0;
+    const uint64_t start = rhw_time_ns();
     if (!start_runs(pass, chunk, worker)) {
         return false;
     }
+    const uint64_t shaded = rhw_time_ns();
     // Room for all triangles; what culling leaves of it goes back.
     struct output out = {
         .triangles = rhw_arena_alloc(arena, (size_t)chunk->count * sizeof *out.triangles, RHW_CACHE_LINE)};
@@ -560,11 +565,19 @@ static bool run_chunk(struct rhw_pass_state *pass, struct rhw_chunk *chunk, int 
     for (int i = 0; i < scratch->run_count; i++) {
         setup_run(scratch, &worker->counters, (uint32_t)i, &out);
     }
+    const uint64_t ready = rhw_time_ns();
     rhw_arena_trim(arena, out.triangles + out.count);
     chunk->triangles = out.triangles;
     chunk->segments = keep(arena, scratch->segments, (size_t)scratch->run_count * sizeof *chunk->segments);
     chunk->polygons =
         keep(arena, scratch->polygons, (size_t)scratch->polygon_count * sizeof *chunk->polygons);
+    if (!chunk->segments || !chunk->polygons || !bin(chunk, scratch->spans, out.count, arena)) {
+        return false;
+    }
     worker->counters.rasterized += (uint64_t)out.count;
-    return chunk->segments && chunk->polygons && bin(chunk, scratch->spans, out.count, arena);
+    worker->counters.entries += chunk->entry_count;
+    worker->counters.vertex_ns += shaded - start;
+    worker->counters.setup_ns += ready - shaded;
+    worker->counters.bin_ns += rhw_time_ns() - ready;
+    return true;
 }

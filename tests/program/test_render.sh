@@ -148,9 +148,10 @@ refuse 2 "--camera-name: cameras.gltf has no camera named 'side'" render cameras
 succeed render cube.obj $view -o s.png --stats=s.json --threads 2 --isa baseline --output color,normal
 run render cube.obj $view -o s.png --stats --threads 2 --isa baseline
 check "statistics on standard output" grep -q '"triangles": {"in": 12, ' "$folder/log/out"
-for key in model model_format width height samples outputs threads isa times_ms import upload front back resolve read \
-    encode total triangles in dropped clipped culled rasterized draws vertices_shaded fragments shaded groups \
-    lane_occupancy tiles flushes memory_peak process_memory_peak; do
+for key in model model_format width height samples outputs threads isa times_ms import upload record front back \
+    resolve read encode total busy_ms vertex setup bin triangles in dropped clipped culled rasterized draws \
+    vertices_shaded fragments shaded groups lane_occupancy tiles bin_entries flushes geometry_peak memory_peak \
+    process_memory_peak; do
     check "statistics have $key" grep -q "\"$key\": " s.json
 done
 check "statistics name the outputs" grep -q '"outputs": \["color", "normal"\]' s.json
@@ -160,13 +161,17 @@ if command -v python3 >/dev/null 2>&1; then
     check "statistics are JSON" python3 -c 'import json, sys
 s = json.load(open("s.json"))
 t = s["times_ms"]
+b = s["busy_ms"]
+assert b["vertex"] + b["setup"] + b["bin"] <= b["front"] + 0.01, b
+assert 0 < b["front"] <= 2 * t["front"] + 0.01 and 0 < b["back"] <= 2 * t["back"] + 0.01, (b, t)
 f = s["fragments"]
 assert sum(v for k, v in t.items() if k != "total") <= t["total"] * 1.01, t
 assert 0 < f["shaded"] <= 8 * f["groups"], f
 assert abs(f["lane_occupancy"] - f["shaded"] / (8 * f["groups"])) < 1e-3, f
 n = s["triangles"]
 assert n["in"] == 24 and n["culled"] + n["rasterized"] + n["dropped"] == 24, n
-assert s["process_memory_peak"] > s["memory_peak"] > 96 * 64 * 4, s'
+assert n["rasterized"] <= s["bin_entries"] <= n["rasterized"] * s["tiles"], s
+assert s["process_memory_peak"] > s["memory_peak"] > s["geometry_peak"] + 96 * 64 * 4, s'
 fi
 cp cube.obj "$(printf 'a"b\\c\td\351.obj')"
 run render "$(printf 'a"b\\c\td\351.obj')" $view -o s.png --stats

@@ -4,8 +4,14 @@
 
 #include <math.h>
 #include <string.h>
+#include <time.h>
 
 enum { SIZE = 128 };
+
+static double milliseconds_between(const struct timespec *from, const struct timespec *to)
+{
+    return (double)(to->tv_sec - from->tv_sec) * 1e3 + (double)(to->tv_nsec - from->tv_nsec) * 1e-6;
+}
 
 static const float white[4] = {1, 1, 1, 1};
 
@@ -116,6 +122,58 @@ static void test_shared_vertices(void **state)
     rig_close(&rig);
 }
 
+// The sum of what the stages say is what went by, and their parts are parts.
+static void test_times_add_up(void **state)
+{
+    (void)state;
+    struct rig rig;
+    rig_open(&rig, SIZE, SIZE);
+    struct rig_vertex all[6];
+    rig_cover(&rig, 0.5f, white, all);
+    struct timespec from, begun, recorded, to;
+    clock_gettime(CLOCK_MONOTONIC, &from);
+    rig_begin(&rig);
+    clock_gettime(CLOCK_MONOTONIC, &begun);
+    rig_use_pipeline(&rig);
+    rig_use_vertices(&rig, 0, all, sizeof all);
+    for (int n = 0; n < 200; n++)
+        rhw_pass_draw(rig.context, rig.recording, 0, 6, 0, 1);
+    clock_gettime(CLOCK_MONOTONIC, &recorded);
+    rig_end(&rig);
+    clock_gettime(CLOCK_MONOTONIC, &to);
+    const struct rhw_stats *s = &rig.stats;
+    const double recording = milliseconds_between(&begun, &recorded),
+                 all_ms = milliseconds_between(&from, &to);
+    assert_true(s->front_ms > 0 && s->back_ms > 0);
+    assert_true(s->record_ms >= recording && s->record_ms + s->front_ms + s->back_ms <= all_ms);
+    assert_true(s->vertex_busy_ms > 0 && s->setup_busy_ms > 0 && s->bin_busy_ms > 0);
+    const double parts = s->vertex_busy_ms + s->setup_busy_ms + s->bin_busy_ms;
+    assert_true(parts <= s->front_busy_ms && s->front_busy_ms <= 2 * s->front_ms);
+    assert_true(s->back_busy_ms > 0 && s->back_busy_ms <= 2 * s->back_ms);
+    rig_close(&rig);
+}
+
+// Rectangles that lie in 1, 2, 4 and 6 of the tiles, two triangles each.
+static void test_bin_entries(void **state)
+{
+    (void)state;
+    struct rig rig;
+    rig_open(&rig, 3 * 64, 2 * 64);
+    const float rectangles[4][4] = {{3, 3, 60, 60}, {3, 3, 66, 60}, {60, 60, 68, 68}, {1, 1, 191, 127}};
+    const int entries[4] = {2, 4, 8, 12};
+    for (int i = 0; i < 4; i++) {
+        const float *r = rectangles[i];
+        struct rig_vertex vertices[6];
+        rig_rectangle(&rig, r[0], r[1], r[2], r[3], 0.5f, white, vertices);
+        rig_draw_once(&rig, vertices, 6);
+        assert_int_equal(rig.stats.bin_entries, entries[i]);
+        assert_true(rig.stats.geometry_peak >= 2 * 64 + 6 * 32);
+        assert_true(rig.stats.geometry_peak < 16384);
+        assert_true(rig.stats.geometry_peak < rig.stats.memory_peak);
+    }
+    rig_close(&rig);
+}
+
 static void test_stats_start_anew(void **state)
 {
     (void)state;
@@ -140,6 +198,8 @@ int main(void)
         cmocka_unit_test(test_a_triangle_between_the_samples_is_culled),
         cmocka_unit_test(test_fragments),
         cmocka_unit_test(test_shared_vertices),
+        cmocka_unit_test(test_times_add_up),
+        cmocka_unit_test(test_bin_entries),
         cmocka_unit_test(test_stats_start_anew),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);

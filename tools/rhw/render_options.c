@@ -62,7 +62,8 @@ static const struct rhw_tool_option options[] = {
     {"isa", OPTION_ISA, "NAME",
      "instruction set: baseline, avx2 or avx512; default: the best there is.\n"
      "The picture is the same"},
-    {"stats", OPTION_STATS, "[FILE]", "write times and counts as JSON, to standard output without FILE"},
+    {"stats", OPTION_STATS, "[FILE]",
+     "write the time of each stage, memory and counts as JSON, to standard output\nwithout FILE"},
     {"quiet", OPTION_QUIET, NULL, "no warnings"},
 };
 

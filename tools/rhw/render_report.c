@@ -26,6 +26,24 @@ static void print_outputs(FILE *stream, unsigned kinds)
     }
 }
 
+static void print_times(FILE *stream, const struct rhw_draw_stats *stats,
+                        const struct rhw_render_times *times)
+{
+    const struct rhw_stats *pipeline = &stats->pipeline;
+    fprintf(stream,
+            "  \"times_ms\": {\n    \"import\": %.3f,\n    \"upload\": %.3f,\n    \"record\": %.3f,\n"
+            "    \"front\": %.3f,\n    \"back\": %.3f,\n",
+            times->import_ms, stats->upload_ms, pipeline->record_ms, pipeline->front_ms, pipeline->back_ms);
+    fprintf(stream,
+            "    \"resolve\": %.3f,\n    \"read\": %.3f,\n    \"encode\": %.3f,\n    \"total\": %.3f\n  },\n",
+            stats->resolve_ms, stats->read_ms, times->encode_ms, times->total_ms);
+    fprintf(stream,
+            "  \"busy_ms\": {\"front\": %.3f, \"vertex\": %.3f, \"setup\": %.3f, \"bin\": %.3f, "
+            "\"back\": %.3f},\n",
+            pipeline->front_busy_ms, pipeline->vertex_busy_ms, pipeline->setup_busy_ms, pipeline->bin_busy_ms,
+            pipeline->back_busy_ms);
+}
+
 static void print_report(FILE *stream, const struct rhw_render_job *job, const struct rhw_model *model,
                          const struct rhw_draw_stats *stats, const struct rhw_render_times *times)
 {
@@ -38,14 +56,9 @@ static void print_report(FILE *stream, const struct rhw_render_job *job, const s
     fprintf(stream, ",\n  \"width\": %d,\n  \"height\": %d,\n  \"samples\": %d,\n  \"outputs\": [",
             job->width, job->height, job->samples);
     print_outputs(stream, job->kinds);
-    fprintf(stream, "],\n  \"threads\": %d,\n  \"isa\": \"%s\",\n  \"times_ms\": {\n", pipeline->threads,
+    fprintf(stream, "],\n  \"threads\": %d,\n  \"isa\": \"%s\",\n", pipeline->threads,
             rhw_isa_name(pipeline->isa));
-    fprintf(stream,
-            "    \"import\": %.3f,\n    \"upload\": %.3f,\n    \"front\": %.3f,\n    \"back\": %.3f,\n",
-            times->import_ms, stats->upload_ms, pipeline->front_ms, pipeline->back_ms);
-    fprintf(stream,
-            "    \"resolve\": %.3f,\n    \"read\": %.3f,\n    \"encode\": %.3f,\n    \"total\": %.3f\n  },\n",
-            stats->resolve_ms, stats->read_ms, times->encode_ms, times->total_ms);
+    print_times(stream, stats, times);
     fprintf(stream,
             "  \"triangles\": {\"in\": %" PRIu64 ", \"dropped\": %" PRIu64 ", \"clipped\": %" PRIu64
             ", \"culled\": %" PRIu64 ", \"rasterized\": %" PRIu64 "},\n",
@@ -58,10 +71,12 @@ static void print_report(FILE *stream, const struct rhw_render_job *job, const s
             ", \"lane_occupancy\": %.4f},\n",
             pipeline->fragments_shaded, pipeline->fragment_groups,
             lanes > 0.0 ? (double)pipeline->fragments_shaded / lanes : 0.0);
+    fprintf(stream, "  \"tiles\": %d,\n  \"bin_entries\": %" PRIu64 ",\n  \"flushes\": %" PRIu64 ",\n",
+            pipeline->tiles, pipeline->bin_entries, pipeline->flushes);
     fprintf(stream,
-            "  \"tiles\": %d,\n  \"flushes\": %" PRIu64 ",\n  \"memory_peak\": %" PRIu64
+            "  \"geometry_peak\": %" PRIu64 ",\n  \"memory_peak\": %" PRIu64
             ",\n  \"process_memory_peak\": %" PRIu64 "\n}\n",
-            pipeline->tiles, pipeline->flushes, pipeline->memory_peak, process_memory_peak());
+            pipeline->geometry_peak, pipeline->memory_peak, process_memory_peak());
 }
 
 bool rhw_render_report(const struct rhw_render_job *job, const struct rhw_model *model,
