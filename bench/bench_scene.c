@@ -5,6 +5,7 @@
 #include "scene_floor.h"
 #include "scene_latency.h"
 #include "scene_model.h"
+#include "scene_pbr.h"
 #include "scene_sphere.h"
 
 #include <stdio.h>
@@ -27,6 +28,9 @@ const struct bench_scene_entry bench_scene_entries[] = {
     {"bunny_depth", "the same, depth only", bench_make_model, BENCH_MODEL_BUNNY_DEPTH},
     {"sponza", "Sponza: 262k triangles, 25 materials, textures, alpha test", bench_make_model,
      BENCH_MODEL_SPONZA},
+    {"pbr_helmet", "DamagedHelmet: physically based, 5 textures", bench_make_pbr, BENCH_PBR_HELMET},
+    {"pbr_sponza", "Sponza: physically based, up to 3 textures, alpha test", bench_make_pbr,
+     BENCH_PBR_SPONZA},
     {"empty", "a frame that is cleared and nothing else", bench_make_latency, BENCH_LATENCY_EMPTY},
     {"draws_10k", "10,000 draws of 12 triangles with uniforms of their own", bench_make_latency,
      BENCH_LATENCY_DRAWS},
@@ -34,7 +38,7 @@ const struct bench_scene_entry bench_scene_entries[] = {
 };
 const int bench_scene_entry_count = (int)(sizeof bench_scene_entries / sizeof *bench_scene_entries);
 
-static const uint32_t components[BENCH_ATTRIBUTES] = {3, 3, 2, 4};
+static const uint32_t components[BENCH_ATTRIBUTES] = {3, 3, 2, 4, 4};
 
 bool bench_scene_make(const struct bench_scene_entry *entry, struct bench_scene *scene, int width, int height,
                       char *why, size_t why_size)
@@ -62,6 +66,7 @@ void bench_scene_free(struct bench_scene *scene)
     free(scene->meshes);
     free(scene->textures);
     free(scene->draws);
+    bench_surfaces_free(scene->surfaces);
     *scene = (struct bench_scene){0};
 }
 

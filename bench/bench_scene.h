@@ -21,6 +21,7 @@ enum bench_attribute {
     BENCH_NORMAL,   // 3
     BENCH_UV,       // 2
     BENCH_COLOR,    // 4
+    BENCH_TANGENT,  // 4
     BENCH_ATTRIBUTES
 };
 
@@ -34,6 +35,7 @@ struct bench_mesh {
 // RGBA8 with its whole mip chain; repeated, trilinear.
 struct bench_texture {
     int width, height, levels;
+    bool srgb; // colours are decoded before they are filtered
     uint8_t *texels[BENCH_MIP_LEVELS];
 };
 
@@ -46,6 +48,12 @@ enum bench_shader {
     BENCH_SHADER_LIT_TEXTURE, // Blinn-Phong, texel times colour
     BENCH_SHADER_LIT_MASKED,  // the same; a texel whose alpha is below the cutoff is discarded
     BENCH_SHADER_DEPTH,       // no colour at all
+    // The physically based shader of rhw with the textures that a material has. The 8-lane form is that of
+    // scene/, which `rhw render` draws with; see scene_pbr.h.
+    BENCH_SHADER_PBR_BASE,   // base colour
+    BENCH_SHADER_PBR_MAPPED, // metallic-roughness and normals too
+    BENCH_SHADER_PBR_MASKED, // the same; a texel whose alpha is below the cutoff is discarded, and both sides show
+    BENCH_SHADER_PBR_FULL, // mapped, occlusion and emission too
     BENCH_SHADERS
 };
 
@@ -63,7 +71,8 @@ struct bench_uniforms {
 struct bench_draw {
     enum bench_shader shader;
     uint32_t mesh;
-    int32_t texture; // −1: none
+    int texture_count;
+    uint32_t textures[BENCH_DRAW_TEXTURES]; // enum rhw_slot numbers those of the physically based shader
     bool cull_back;
     struct bench_uniforms uniforms;
 };
@@ -84,6 +93,7 @@ struct bench_scene {
     struct bench_mesh *meshes;
     struct bench_texture *textures;
     struct bench_draw *draws;
+    struct bench_surfaces *surfaces; // of the physically based shader, scene_pbr.h; NULL: none
     bool has_color, depth_test, blends;
     // Every fragment is to be shaded, hidden or not: fewer than `work` fragments are a failure.
     bool shades_all;

@@ -5,6 +5,7 @@
 #include "renderer.h"
 
 #include "gles.h"
+#include "scene_pbr.h"
 #include "shaders_bench.h"
 #include "shaders_glsl.h"
 
@@ -32,7 +33,7 @@ struct gles_state {
 
 static void make_mesh(struct gles_state *s, uint32_t i)
 {
-    static const GLint components[BENCH_ATTRIBUTES] = {3, 3, 2, 4};
+    static const GLint components[BENCH_ATTRIBUTES] = {3, 3, 2, 4, 4};
     const struct gles *const gl = &s->gl;
     const struct bench_mesh *const mesh = &s->scene->meshes[i];
     const size_t stride = bench_mesh_stride(mesh) * sizeof(float);
@@ -61,7 +62,8 @@ static void make_texture(struct gles_state *s, uint32_t i)
         return; // of a slot that no draw reads
     }
     gl->bind_texture(GL_TEXTURE_2D, s->textures[i]);
-    gl->tex_storage_2d(GL_TEXTURE_2D, texture->levels, GL_RGBA8, texture->width, texture->height);
+    gl->tex_storage_2d(GL_TEXTURE_2D, texture->levels, texture->srgb ? GL_SRGB8_ALPHA8 : GL_RGBA8,
+                       texture->width, texture->height);
     for (int level = 0; level < texture->levels; level++) {
         const int width = texture->width >> level, height = texture->height >> level;
         gl->tex_sub_image_2d(GL_TEXTURE_2D, level, 0, 0, width ? width : 1, height ? height : 1, GL_RGBA,
@@ -86,7 +88,27 @@ static bool make_shader(struct gles_state *s, enum bench_shader shader)
         return false;
     }
     made->uniforms = s->gl.get_uniform_location(made->program, "u");
+    s->gl.use_program(made->program);
+    for (int i = 0; i < BENCH_DRAW_TEXTURES; i++) {
+        const char name[] = {'m', 'a', 'p', (char)('0' + i), '\0'};
+        s->gl.uniform_1i(s->gl.get_uniform_location(made->program, name),
+                         i); // −1, of what is not read, is ignored
+    }
     return true;
+}
+
+// What stays the same over the frames of a scene.
+static void set_frame_uniforms(const struct gles_state *s)
+{
+    const struct gles *const gl = &s->gl;
+    const struct bench_frame_uniforms *const uniforms = &s->scene->surfaces->frame_uniforms;
+    for (int i = BENCH_SHADER_PBR_BASE; i < BENCH_SHADERS; i++) {
+        if (s->shaders[i].program) {
+            gl->use_program(s->shaders[i].program);
+            gl->uniform_4fv(gl->get_uniform_location(s->shaders[i].program, "f"),
+                            sizeof *uniforms / (4 * sizeof(float)), uniforms->eye);
+        }
+    }
 }
 
 static bool make_targets(struct gles_state *s)
@@ -97,7 +119,8 @@ static bool make_targets(struct gles_state *s)
     if (s->scene->has_color) {
         gl->gen_renderbuffers(1, &s->color);
         gl->bind_renderbuffer(GL_RENDERBUFFER, s->color);
-        gl->renderbuffer_storage(GL_RENDERBUFFER, GL_RGBA8, s->width, s->height);
+        gl->renderbuffer_storage(GL_RENDERBUFFER, s->scene->surfaces ? GL_SRGB8_ALPHA8 : GL_RGBA8, s->width,
+                                 s->height);
         gl->framebuffer_renderbuffer(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_RENDERBUFFER, s->color);
     }
     // In every scene: without depth llvmpipe drops what an opaque triangle hides in a tile of 64×64, and would
@@ -156,6 +179,9 @@ static bool take(struct bench_renderer *renderer, const struct bench_scene *scen
             return false;
         }
     }
+    if (scene->surfaces) {
+        set_frame_uniforms(s);
+    }
     set_state(s);
     return gl->get_error() == GL_NO_ERROR;
 }
@@ -183,6 +209,18 @@ static void release(struct bench_renderer *renderer)
 
 // Frames -------------------------------------------------------------------------------------------
 
+static void set_uniforms(const struct gles_state *s, uint32_t draw)
+{
+    const GLint at = s->shaders[s->scene->draws[draw].shader].uniforms;
+    if (s->scene->surfaces) {
+        const struct bench_surface_uniforms *const uniforms = &s->scene->surfaces->uniforms[draw];
+        s->gl.uniform_4fv(at, sizeof *uniforms / (4 * sizeof(float)), uniforms->clip);
+    } else {
+        const struct bench_uniforms *const uniforms = &s->scene->draws[draw].uniforms;
+        s->gl.uniform_4fv(at, sizeof *uniforms / (4 * sizeof(float)), uniforms->clip);
+    }
+}
+
 static bool frame(struct bench_renderer *renderer)
 {
     const struct gles_state *const s = renderer->state;
@@ -192,12 +230,12 @@ static bool frame(struct bench_renderer *renderer)
     gl->clear((scene->has_color ? GL_COLOR_BUFFER_BIT : 0) | GL_DEPTH_BUFFER_BIT);
     for (uint32_t i = 0; i < scene->draw_count; i++) {
         const struct bench_draw *const draw = &scene->draws[i];
-        const struct gles_shader *const shader = &s->shaders[draw->shader];
-        gl->use_program(shader->program);
-        gl->uniform_4fv(shader->uniforms, sizeof draw->uniforms / (4 * sizeof(float)), draw->uniforms.clip);
+        gl->use_program(s->shaders[draw->shader].program);
+        set_uniforms(s, i);
         gl->bind_vertex_array(s->arrays[draw->mesh]);
-        if (draw->texture >= 0) {
-            gl->bind_texture(GL_TEXTURE_2D, s->textures[draw->texture]);
+        for (int t = draw->texture_count - 1; t >= 0; t--) { // unit 0 last: it stays the active one
+            gl->active_texture(GL_TEXTURE0 + (GLenum)t);
+            gl->bind_texture(GL_TEXTURE_2D, s->textures[draw->textures[t]]);
         }
         (draw->cull_back ? gl->enable : gl->disable)(GL_CULL_FACE);
         gl->draw_elements(GL_TRIANGLES, (GLsizei)scene->meshes[draw->mesh].index_count, GL_UNSIGNED_INT,

@@ -4,7 +4,9 @@
 #include "renderer.h"
 
 #include "rhw/rhw.h"
+#include "scene_pbr.h"
 #include "shaders_bench.h"
+#include "surface.h"
 
 #include <stdio.h>
 #include <stdlib.h>
@@ -20,6 +22,8 @@ struct rhw_state {
     rhw_sampler sampler;
     rhw_pipeline pipelines[BENCH_SHADERS][2]; // [shader][culls back faces]
     rhw_texture color, depth;
+    struct rhw_upload upload; // of the model of a physically based scene, instead of the above
+    struct rhw_surface_pipelines surface_pipelines;
 };
 
 static bool make_buffer(rhw_context *context, const void *data, size_t size, rhw_buffer *buffer)
@@ -74,8 +78,8 @@ static bool make_target(struct rhw_state *s, enum rhw_format format, rhw_texture
 
 static void set_attributes(struct rhw_pipeline_def *def, const struct bench_mesh *mesh, uint32_t reads)
 {
-    static const enum rhw_vertex_format formats[BENCH_ATTRIBUTES] = {RHW_VERTEX_FLOAT3, RHW_VERTEX_FLOAT3,
-                                                                     RHW_VERTEX_FLOAT2, RHW_VERTEX_FLOAT4};
+    static const enum rhw_vertex_format formats[BENCH_ATTRIBUTES] = {
+        RHW_VERTEX_FLOAT3, RHW_VERTEX_FLOAT3, RHW_VERTEX_FLOAT2, RHW_VERTEX_FLOAT4, RHW_VERTEX_FLOAT4};
     uint32_t offset = 0;
     for (int a = 0; a < BENCH_ATTRIBUTES; a++) {
         if (reads >> a & 1) {
@@ -126,6 +130,10 @@ static bool take(struct bench_renderer *renderer, const struct bench_scene *scen
     s->indices = calloc((size_t)scene->mesh_count + 1, sizeof *s->indices);
     s->textures = calloc((size_t)scene->texture_count + 1, sizeof *s->textures);
     const struct rhw_sampler_def sampler = rhw_sampler_def_default();
+    if (scene->surfaces) {
+        return make_target(s, RHW_FORMAT_RGBA8_SRGB, &s->color) &&
+               rhw_upload_create(s->context, scene->surfaces->model, &s->upload) == RHW_OK;
+    }
     return s->vertices && s->indices && s->textures &&
            rhw_sampler_create(s->context, &sampler, &s->sampler) == RHW_OK &&
            (!scene->has_color || make_target(s, RHW_FORMAT_RGBA8_UNORM, &s->color)) &&
@@ -145,6 +153,7 @@ static struct rhw_pass_def pass_of(const struct rhw_state *s)
     def.depth.enabled = true;
     def.depth.texture = s->depth;
     def.depth.store = s->scene->has_color ? RHW_STORE_DISCARD : RHW_STORE_STORE;
+    def.depth.clear = s->scene->surfaces ? 0.0f : 1.0f; // surfaces: reversed
     return def;
 }
 
@@ -156,9 +165,34 @@ static bool open_and_close(const struct rhw_context_def *def)
     return result == RHW_OK;
 }
 
+static enum rhw_result record_surfaces(struct rhw_state *s, rhw_pass pass)
+{
+    const struct bench_surfaces *const surfaces = s->scene->surfaces;
+    struct rhw_surface_pass def = {
+        .frame = &surfaces->frame, .formats = {RHW_FORMAT_RGBA8_SRGB}, .format_count = 1};
+    memcpy(def.view_projection, surfaces->view_projection, sizeof def.view_projection);
+    return rhw_surfaces_record(&s->upload, &s->surface_pipelines, &def, pass);
+}
+
+static void record_draws(const struct rhw_state *s, rhw_pass pass)
+{
+    const struct bench_scene *const scene = s->scene;
+    for (uint32_t i = 0; i < scene->draw_count; i++) {
+        const struct bench_draw *const draw = &scene->draws[i];
+        rhw_pass_set_pipeline(s->context, pass, s->pipelines[draw->shader][draw->cull_back]);
+        rhw_pass_set_vertex_buffer(s->context, pass, 0, s->vertices[draw->mesh], 0);
+        rhw_pass_set_index_buffer(s->context, pass, s->indices[draw->mesh], RHW_INDEX_UINT32, 0);
+        rhw_pass_set_uniforms(s->context, pass, &draw->uniforms, sizeof draw->uniforms);
+        for (int t = 0; t < draw->texture_count; t++) {
+            rhw_pass_set_texture(s->context, pass, t, s->textures[draw->textures[t]], s->sampler);
+        }
+        rhw_pass_draw_indexed(s->context, pass, 0, scene->meshes[draw->mesh].index_count, 0, 0, 1);
+    }
+}
+
 static bool frame(struct bench_renderer *renderer)
 {
-    const struct rhw_state *const s = renderer->state;
+    struct rhw_state *const s = renderer->state;
     const struct bench_scene *const scene = s->scene;
     struct rhw_stats stats;
     if (scene->opens_context) {
@@ -169,18 +203,14 @@ static bool frame(struct bench_renderer *renderer)
     if (rhw_pass_begin(s->context, &def, &pass) != RHW_OK) {
         return false;
     }
-    for (uint32_t i = 0; i < scene->draw_count; i++) {
-        const struct bench_draw *const draw = &scene->draws[i];
-        rhw_pass_set_pipeline(s->context, pass, s->pipelines[draw->shader][draw->cull_back]);
-        rhw_pass_set_vertex_buffer(s->context, pass, 0, s->vertices[draw->mesh], 0);
-        rhw_pass_set_index_buffer(s->context, pass, s->indices[draw->mesh], RHW_INDEX_UINT32, 0);
-        rhw_pass_set_uniforms(s->context, pass, &draw->uniforms, sizeof draw->uniforms);
-        if (draw->texture >= 0) {
-            rhw_pass_set_texture(s->context, pass, 0, s->textures[draw->texture], s->sampler);
-        }
-        rhw_pass_draw_indexed(s->context, pass, 0, scene->meshes[draw->mesh].index_count, 0, 0, 1);
+    enum rhw_result recorded = RHW_OK;
+    if (scene->surfaces) {
+        recorded = record_surfaces(s, pass);
+    } else {
+        record_draws(s, pass);
     }
-    const enum rhw_result result = rhw_pass_end(s->context, pass, &stats);
+    const enum rhw_result ended = rhw_pass_end(s->context, pass, &stats);
+    const enum rhw_result result = recorded == RHW_OK ? ended : recorded;
     renderer->fragments = result == RHW_OK ? stats.fragments_shaded : 0;
     return result == RHW_OK;
 }
@@ -225,6 +255,10 @@ static void release(struct bench_renderer *renderer)
         if (s->pipelines[i / 2][i % 2].generation) {
             rhw_pipeline_destroy(s->context, s->pipelines[i / 2][i % 2]);
         }
+    }
+    rhw_surface_pipelines_destroy(s->context, &s->surface_pipelines);
+    if (s->upload.model) {
+        rhw_upload_destroy(&s->upload);
     }
     drop_texture(s, s->color);
     drop_texture(s, s->depth);

@@ -102,7 +102,7 @@ bool bench_make_floor(const struct bench_scene_entry *entry, struct bench_scene 
         struct bench_draw *const draw = &scene->draws[i];
         *draw = (struct bench_draw){.shader = shader,
                                     .mesh = (uint32_t)i,
-                                    .texture = scene->texture_count ? 0 : -1,
+                                    .texture_count = (int)scene->texture_count,
                                     .uniforms = bench_look(&camera, aspect, identity)};
         memcpy(draw->uniforms.color, layer_color[i], sizeof draw->uniforms.color);
     }

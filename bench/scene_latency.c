@@ -48,10 +48,8 @@ static void place_cube(struct bench_draw *draw, int number, double aspect)
     const double turn = 0.37 * number, c = size * cos(turn), s = size * sin(turn);
     const double x = 1.6 * (column - 0.5 * (SIDE - 1)), z = 1.6 * (row - 0.5 * (SIDE - 1));
     const double world[16] = {c, 0, -s, 0, 0, size, 0, 0, s, 0, c, 0, x, 0, z, 1};
-    *draw = (struct bench_draw){.shader = BENCH_SHADER_LIT,
-                                .texture = -1,
-                                .cull_back = true,
-                                .uniforms = bench_look(&camera, aspect, world)};
+    *draw = (struct bench_draw){
+        .shader = BENCH_SHADER_LIT, .cull_back = true, .uniforms = bench_look(&camera, aspect, world)};
     const float color[4] = {0.2f + 0.006f * (float)column, 0.5f, 0.8f - 0.006f * (float)row, 1.0f};
     memcpy(draw->uniforms.color, color, sizeof color);
 }

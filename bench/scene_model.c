@@ -10,7 +10,17 @@
 #include <unistd.h>
 
 static const char bunny_path[] = "/usr/share/glmark2/models/bunny.obj"; // Debian: glmark2-data
-static const char sponza_path[] = "gltf/sponza/Sponza.gltf";            // in the folder of models
+
+const char bench_sponza_path[] = "gltf/sponza/Sponza.gltf";
+
+const struct rhw_camera bench_sponza_camera = {
+    .eye = {6.8, 2.2, -0.5},
+    .target = {0.0, 3.2, -0.1},
+    .up = {0.0, 1.0, 0.0},
+    .yfov = 1.0,
+    .znear = 0.1,
+    .zfar = 50.0,
+};
 
 static void copy_vertices(const struct rhw_mesh *from, const struct rhw_material *material,
                           struct bench_mesh *to)
@@ -55,11 +65,11 @@ static struct bench_draw make_draw(const struct rhw_model *model, const struct r
     }
     struct bench_draw draw = {.shader = BENCH_SHADER_LIT,
                               .mesh = instance->mesh,
-                              .texture = -1,
                               .cull_back = !material->double_sided,
                               .uniforms = bench_look(camera, aspect, world)};
     if (base->image >= 0 && model->meshes[instance->mesh].uvs[0]) {
-        draw.texture = base->image;
+        draw.texture_count = 1;
+        draw.textures[0] = (uint32_t)base->image;
         draw.shader =
             material->alpha_mode == RHW_ALPHA_MASK ? BENCH_SHADER_LIT_MASKED : BENCH_SHADER_LIT_TEXTURE;
     }
@@ -82,8 +92,8 @@ static bool make_scene(struct bench_scene *scene, const struct rhw_model *model,
     }
     for (uint32_t i = 0; i < scene->draw_count; i++) {
         scene->draws[i] = make_draw(model, &model->instances[i], camera, aspect);
-        const int32_t image = scene->draws[i].texture;
-        if (image >= 0 && !scene->textures[image].texels[0] &&
+        const uint32_t image = scene->draws[i].textures[0];
+        if (scene->draws[i].texture_count && !scene->textures[image].texels[0] &&
             !make_texture(&model->images[image], &scene->textures[image])) {
             return false;
         }
@@ -121,49 +131,44 @@ static bool make_bunny(struct bench_scene *scene, const struct rhw_model *model,
     return true;
 }
 
-// Along the nave from one end.
 static bool make_sponza(struct bench_scene *scene, const struct rhw_model *model, double aspect)
 {
-    static const struct rhw_camera camera = {
-        .eye = {6.8, 2.2, -0.5},
-        .target = {0.0, 3.2, -0.1},
-        .up = {0.0, 1.0, 0.0},
-        .yfov = 1.0,
-        .znear = 0.1,
-        .zfar = 50.0,
-    };
     // Where a texel stands near the cutoff of the alpha test, either side of it is right.
     scene->tolerance = (struct bench_tolerance){.color = 6, .outliers = 5e-4};
-    return make_scene(scene, model, &camera, aspect);
+    return make_scene(scene, model, &bench_sponza_camera, aspect);
 }
 
-// "../shared/models" of who works on rhw, or where the environment says.
-static void find_model(char *path, size_t size, bool bunny)
-{
-    const char *const folder = getenv("RHW_MODELS");
-    if (bunny) {
-        snprintf(path, size, "%s", bunny_path);
-    } else {
-        snprintf(path, size, "%s/%s", folder ? folder : "../shared/models", sponza_path);
-    }
-}
-
-bool bench_make_model(const struct bench_scene_entry *entry, struct bench_scene *scene, int width, int height,
-                      char *why, size_t why_size)
+struct rhw_model *bench_model_load(const char *file, char *why, size_t why_size)
 {
     char path[4096], error[256];
-    const double aspect = (double)width / (double)height;
-    const bool bunny = entry->variant != BENCH_MODEL_SPONZA;
-    find_model(path, sizeof path, bunny);
+    const char *const folder = getenv("RHW_MODELS");
+    const bool absolute = file[0] == '/';
+    if (absolute) {
+        snprintf(path, sizeof path, "%s", file);
+    } else {
+        snprintf(path, sizeof path, "%s/%s", folder ? folder : "../shared/models", file);
+    }
     if (access(path, R_OK) != 0) {
         snprintf(why, why_size, "there is no %.300s%s", path,
-                 bunny ? "" : "; RHW_MODELS names the folder of models");
-        return false;
+                 absolute ? "" : "; RHW_MODELS names the folder of models");
+        return NULL;
     }
     struct rhw_model *const model = rhw_model_load(path, NULL, error, sizeof error);
     if (!model || model->instance_count == 0) {
         snprintf(why, why_size, "%.300s: %s", path, model ? "nothing to draw" : error);
         rhw_model_free(model);
+        return NULL;
+    }
+    return model;
+}
+
+bool bench_make_model(const struct bench_scene_entry *entry, struct bench_scene *scene, int width, int height,
+                      char *why, size_t why_size)
+{
+    const double aspect = (double)width / (double)height;
+    const bool bunny = entry->variant != BENCH_MODEL_SPONZA;
+    struct rhw_model *const model = bench_model_load(bunny ? bunny_path : bench_sponza_path, why, why_size);
+    if (!model) {
         return false;
     }
     const bool made = bunny ? make_bunny(scene, model, entry->variant == BENCH_MODEL_BUNNY_DEPTH, aspect)

@@ -109,7 +109,7 @@ bool bench_make_sphere(const struct bench_scene_entry *entry, struct bench_scene
     *draw = (struct bench_draw){.shader = depth_only ? BENCH_SHADER_DEPTH
                                           : textured ? BENCH_SHADER_LIT_TEXTURE
                                                      : BENCH_SHADER_LIT,
-                                .texture = textured ? 0 : -1,
+                                .texture_count = textured ? 1 : 0,
                                 .cull_back = true,
                                 .uniforms = bench_look(&camera, (double)width / (double)height, world)};
     const float color[4] = {0.85f, 0.55f, 0.3f, 1.0f};

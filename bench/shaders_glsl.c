@@ -66,6 +66,10 @@ static const struct {
 void bench_glsl(enum bench_shader shader, const char *vertex[BENCH_GLSL_PIECES],
                 const char *fragment[BENCH_GLSL_PIECES])
 {
+    if (shader >= BENCH_SHADER_PBR_BASE) {
+        bench_glsl_pbr(shader, vertex, fragment);
+        return;
+    }
     vertex[0] = vertex_head;
     vertex[1] = vertex_common;
     vertex[2] = mains[shader].vertex;

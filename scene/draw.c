@@ -257,23 +257,9 @@ static void add_stats(struct rhw_stats *sum, const struct rhw_stats *pass)
 static void set_frame(struct draw *draw)
 {
     const struct rhw_view *view = draw->view;
-    const struct rhw_camera *camera = &view->camera;
     struct rhw_frame *frame = &draw->frame;
-    double matrix[16], projection[16];
-    rhw_camera_view(camera, matrix);
-    rhw_camera_projection(camera, (double)view->width / view->height, projection);
-    for (int c = 0; c < 4; c++) {
-        projection[4 * c + 2] = projection[4 * c + 3] - projection[4 * c + 2];
-    }
-    rhw_matrix_multiply(projection, matrix, draw->view_projection);
-    for (int i = 0; i < 3; i++) {
-        frame->eye[i] = (float)camera->eye[i];
-        frame->forward[i] = (float)-matrix[4 * i + 2];
-    }
-    frame->orthographic = camera->orthographic;
-    frame->light_count = (int32_t)draw->lighting.count;
-    frame->lights = draw->lighting.lights;
-    frame->environment = draw->lighting.environment;
+    rhw_frame_look(frame, &view->camera, (double)view->width / view->height, &draw->lighting,
+                   draw->view_projection);
     frame->plain = view->wireframe == RHW_WIREFRAME_PLAIN;
     for (int c = 0; c < 3; c++) {
         frame->line_color[c] = rhw_color_decode(28);

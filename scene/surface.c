@@ -3,11 +3,35 @@
 // material has and what the mesh carries; attributes and varyings that nobody reads are left out.
 #include "surface.h"
 
+#include "light.h"
+
 #include <stdlib.h>
 #include <string.h>
 
 static const double line_half_width = 0.75, point_half_width = 2.25; // pixels of the picture
 static const float data_blend_cutoff = 0.5f;
+
+// View ----------------------------------------------------------------------------------------------
+
+void rhw_frame_look(struct rhw_frame *frame, const struct rhw_camera *camera, double aspect,
+                    const struct rhw_lighting *lighting, double view_projection[16])
+{
+    double matrix[16], projection[16];
+    rhw_camera_view(camera, matrix);
+    rhw_camera_projection(camera, aspect, projection);
+    for (int c = 0; c < 4; c++) {
+        projection[4 * c + 2] = projection[4 * c + 3] - projection[4 * c + 2];
+    }
+    rhw_matrix_multiply(projection, matrix, view_projection);
+    for (int i = 0; i < 3; i++) {
+        frame->eye[i] = (float)camera->eye[i];
+        frame->forward[i] = (float)-matrix[4 * i + 2];
+    }
+    frame->orthographic = camera->orthographic;
+    frame->light_count = (int32_t)lighting->count;
+    frame->lights = lighting->lights;
+    frame->environment = lighting->environment;
+}
 
 // Order ---------------------------------------------------------------------------------------------
 
@@ -51,6 +75,25 @@ static double item_distance(const struct rhw_frame *frame, const struct rhw_inst
     }
     // A box whose corners overflow has no middle; NaN would leave the order to the sort's whim.
     return distance - distance == 0.0 ? distance : 0.0;
+}
+
+size_t rhw_surface_items_list(const struct rhw_model *model, const struct rhw_frame *frame, bool blends,
+                              struct rhw_surface_item *items)
+{
+    size_t count = 0;
+    for (uint32_t i = 0; i < model->instance_count; i++) {
+        const struct rhw_mesh *mesh = &model->meshes[model->instances[i].mesh];
+        if (mesh->vertex_count == 0 || mesh->index_count == 0) {
+            continue;
+        }
+        const bool blend = model->materials[mesh->material].alpha_mode == RHW_ALPHA_BLEND;
+        items[count++] =
+            (struct rhw_surface_item){.instance = i,
+                                      .blended = blends && blend,
+                                      .distance = item_distance(frame, &model->instances[i], mesh)};
+    }
+    rhw_surface_items_sort(items, count);
+    return count;
 }
 
 // Layout of one draw --------------------------------------------------------------------------------
@@ -443,19 +486,8 @@ enum rhw_result rhw_surfaces_record(const struct rhw_upload *upload, struct rhw_
     if (!items) {
         return RHW_ERROR_OUT_OF_MEMORY;
     }
-    size_t count = 0;
-    for (uint32_t i = 0; i < model->instance_count; i++) {
-        const struct rhw_mesh *mesh = &model->meshes[model->instances[i].mesh];
-        if (upload->meshes[model->instances[i].mesh].index_count == 0) {
-            continue;
-        }
-        const bool blend = model->materials[mesh->material].alpha_mode == RHW_ALPHA_BLEND;
-        items[count++] =
-            (struct rhw_surface_item){.instance = i,
-                                      .blended = blend && !def->data_outputs && !def->frame->plain,
-                                      .distance = item_distance(def->frame, &model->instances[i], mesh)};
-    }
-    rhw_surface_items_sort(items, count);
+    const bool blends = !def->data_outputs && !def->frame->plain;
+    const size_t count = rhw_surface_items_list(model, def->frame, blends, items);
     enum rhw_result result = RHW_OK;
     for (size_t i = 0; i < count && result == RHW_OK; i++) {
         result = record_instance(upload, pipelines, def, pass, items[i].instance);

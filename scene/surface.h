@@ -6,6 +6,8 @@
 #include "draw.h"
 #include "upload.h"
 
+struct rhw_lighting;
+
 /// What a pass wants of every surface.
 struct rhw_surface_pass {
     const struct rhw_frame *frame; ///< must live until the pass has ended
@@ -16,6 +18,11 @@ struct rhw_surface_pass {
     int format_count;
     double view_projection[16]; ///< depth reversed
 };
+
+/// Sets what a frame has from the camera and the lights, which must outlive it, and `view_projection` for a
+/// picture of that aspect.
+void rhw_frame_look(struct rhw_frame *frame, const struct rhw_camera *camera, double aspect,
+                    const struct rhw_lighting *lighting, double view_projection[16]);
 
 /// Everything a pipeline is made from, as plain integers without padding, so that keys compare as bytes.
 struct rhw_surface_key {
@@ -46,6 +53,12 @@ struct rhw_surface_item {
     bool blended;
     double distance; ///< of the middle of its box along the view
 };
+
+/// The instances of the model that draw anything, in drawing order: opaque ones from front to back, then
+/// blended ones (none where `blends` is false: they count as opaque) from back to front. `items` has room
+/// for all instances. Returns how many there are.
+size_t rhw_surface_items_list(const struct rhw_model *model, const struct rhw_frame *frame, bool blends,
+                              struct rhw_surface_item *items);
 
 /// Puts items into drawing order; equal ones keep the order of their instances.
 void rhw_surface_items_sort(struct rhw_surface_item *items, size_t count);

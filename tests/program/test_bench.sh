@@ -6,7 +6,7 @@
 tiny="--size 96x54 --frames 2"
 
 succeed bench --list
-check "list names the scenes" test "$(grep -cE "^(fill_flat|overdraw|sphere_1m_depth|bunny_lit|sponza|context) " "$folder/log/out")" = 6
+check "list names the scenes" test "$(grep -cE "^(fill_flat|overdraw|sphere_1m_depth|bunny_lit|sponza|pbr_helmet|pbr_sponza|context) " "$folder/log/out")" = 8
 
 succeed bench $tiny --peer none --scene fill --threads 2
 check "table has its rows" test "$(grep -cE '^fill_(flat|color|blend|tex) ' "$folder/log/out")" = 4
@@ -28,9 +28,9 @@ refuse 1 "missing/a.json: " bench $tiny --peer none --scene fill_tex --json=miss
 
 # A model that is not there leaves its scene out, and nothing else.
 status=0
-RHW_MODELS=$folder/none "$rhw" bench $tiny --peer none --scene sponza,empty --csv >"$folder/log/out" 2>"$folder/log/err" || status=$?
+RHW_MODELS=$folder/none "$rhw" bench $tiny --peer none --scene sponza,pbr,empty --csv >"$folder/log/out" 2>"$folder/log/err" || status=$?
 check "no model: status" test "$status" = 0
-check "no model: one line" grep -q '^rhw: sponza: warning: left out: there is no .*/none/gltf' "$folder/log/err"
+check "no model: a line each" test "$(grep -cE '^rhw: (sponza|pbr_helmet|pbr_sponza): warning: left out: there is no .*/none/gltf' "$folder/log/err")" = 3
 check "no model: the others" grep -q '^empty,' "$folder/log/out"
 
 # The peer, or one line that says why there is none.
@@ -43,6 +43,24 @@ else
     check "with the peer: quiet" test ! -s "$folder/log/err"
     check "with the peer: ratio" grep -q '"peers": {"llvmpipe": {"ms": [0-9.]*, "ratio": [0-9.]*,.*"agrees": true' "$folder/log/out"
 fi
+
+# The built-in physically based shader against its twin in GLSL, on a model of our own in place of the two:
+# patches.gltf has a patch in every kind of material that the scenes have.
+mkdir -p models/gltf/sponza
+cp "$root/tests/program/patches.gltf" models/gltf/DamagedHelmet.glb
+cp "$root/tests/program/patches.gltf" models/gltf/sponza/Sponza.gltf
+status=0
+RHW_MODELS=$folder/work/models "$rhw" bench --size 320x180 --frames 1 --scene pbr --csv >"$folder/log/out" 2>"$folder/log/err" || status=$?
+check "physically based: status" test "$status" = 0
+check "physically based: pictures agree" sh -c "! grep -v 'not compared with' '$folder/log/err'"
+check "physically based: both scenes" test "$(grep -cE '^pbr_(helmet|sponza),' "$folder/log/out")" = 2
+
+# What the twin has no shader for is left out, not drawn differently.
+sed 's/"scale": \[1, 0.9, 0.4\]/"scale": [-1, 0.9, 0.4]/' "$root/tests/program/patches.gltf" >models/gltf/DamagedHelmet.glb
+status=0
+RHW_MODELS=$folder/work/models "$rhw" bench $tiny --peer none --scene pbr_helmet --csv >"$folder/log/out" 2>"$folder/log/err" || status=$?
+check "mirrored: status" test "$status" = 0
+check "mirrored: left out" grep -q '^rhw: pbr_helmet: warning: left out: a material or an instance' "$folder/log/err"
 no_temporary_files
 
 # The chart of the README: a bar for each scene that a peer drew.

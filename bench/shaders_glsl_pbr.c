@@ -1,0 +1,156 @@
+// SPDX-License-Identifier: MIT
+// The built-in physically based shader in GLSL ES 3.00: scene/shaders_surface.c and scene/shaders_pbr.h, formula by
+// formula and name by name, for the textures that the scenes have, one directional light and nothing mirrored. What a variant
+// does not need is left out when it is compiled, as it is there.
+#include "scene_pbr.h"
+#include "shaders_glsl.h"
+
+static const char vertex_main[] =
+    "precision highp float;\n"
+    "layout(location = 0) in vec3 position;\n"
+    "layout(location = 1) in vec3 normal;\n"
+    "layout(location = 2) in vec2 uv;\n"
+    "layout(location = 4) in vec4 tangent;\n"
+    "uniform vec4 u[13];\n"
+    "out vec3 varying_position, varying_normal; out vec2 varying_uv;\n"
+    "#ifdef MAPPED\n"
+    "out vec4 varying_tangent;\n"
+    "#endif\n"
+    "vec3 to_world(vec4 p) { return vec3(dot(u[4], p), dot(u[5], p), dot(u[6], p)); }\n"
+    "void main() {\n"
+    "    gl_Position = u[0] * position.x + u[1] * position.y + u[2] * position.z + u[3];\n"
+    "    varying_position = to_world(vec4(position, 1.0));\n"
+    "    varying_normal = normalize(u[7].xyz * normal.x + u[8].xyz * normal.y + u[9].xyz * normal.z);\n"
+    "    varying_uv = uv;\n"
+    "#ifdef MAPPED\n"
+    "    varying_tangent = vec4(normalize(to_world(vec4(tangent.xyz, 0.0))), tangent.w);\n"
+    "#endif\n"
+    "}\n";
+
+static const char fragment_formulas[] =
+    "precision highp float;\n"
+    "uniform vec4 u[13], f[16];\n"
+    "uniform sampler2D map0, map1, map2, map3, map4;\n"
+    "in vec3 varying_position, varying_normal; in vec2 varying_uv;\n"
+    "#ifdef MAPPED\n"
+    "in vec4 varying_tangent;\n"
+    "#endif\n"
+    "layout(location = 0) out vec4 target;\n"
+    "const float inverse_pi = 0.31830988618;\n"
+    "struct reflector { vec3 normal, view; float n_dot_v, alpha; vec3 diffuse, f0; };\n"
+    "float smith(float cosine, float alpha2) {\n"
+    "    return cosine + sqrt(alpha2 + (1.0 - alpha2) * (cosine * cosine));\n"
+    "}\n"
+    "vec3 reflect_light(reflector r, vec3 to_light, vec3 irradiance, float size) {\n"
+    "    float n_dot_l = clamp(dot(r.normal, to_light), 0.0, 1.0), l_dot_v = dot(to_light, r.view);\n"
+    "    float h_dot_v = sqrt(max(0.5 + 0.5 * l_dot_v, 1e-6));\n"
+    "    float n_dot_h = min((n_dot_l + r.n_dot_v) / (2.0 * h_dot_v), 1.0);\n"
+    "    float alpha = min(r.alpha + size, 1.0), alpha2 = alpha * alpha;\n"
+    "    float base = 1.0 - n_dot_h * n_dot_h * (1.0 - alpha2);\n"
+    "    float visibility = smith(n_dot_l, alpha2) * smith(r.n_dot_v, alpha2);\n"
+    "    float specular = alpha2 * inverse_pi / (base * base * visibility);\n"
+    "    float away = 1.0 - h_dot_v, away2 = away * away, fresnel = away2 * away2 * away;\n"
+    "    vec3 reflectance = r.f0 + (1.0 - r.f0) * fresnel;\n"
+    "    return irradiance * n_dot_l *\n"
+    "        ((1.0 - reflectance) * r.diffuse * inverse_pi + reflectance * specular);\n"
+    "}\n"
+    "vec3 environment_reflection(vec3 direction, float alpha) {\n"
+    "    float alpha2 = alpha * alpha, height = dot(direction, f[3].xyz);\n"
+    "    float above = 0.5 + 0.5 * height * inversesqrt(height * height + (0.03 + 1.2 * alpha2));\n"
+    "    vec3 radiance = f[5].rgb + (f[4].rgb - f[5].rgb) * above;\n"
+    "    float k = 1.0 / (1.0 + 2.0 * f[3].w * alpha2), exponent = k * (f[3].w * 1.44269504);\n"
+    "    for (int i = 0; i < 3; i++)\n"
+    "        radiance += f[9 + i].rgb * (k * exp2(exponent * (dot(direction, f[6 + i].xyz) - 1.0)));\n"
+    "    return radiance;\n"
+    "}\n"
+    "vec3 environment_diffuse(vec3 normal) {\n"
+    "    float above = 0.5 + 0.5 * dot(normal, f[3].xyz);\n"
+    "    vec3 irradiance = f[5].rgb + (f[4].rgb - f[5].rgb) * above;\n"
+    "    for (int i = 0; i < 3; i++) {\n"
+    "        float t = dot(normal, f[6 + i].xyz);\n"
+    "        irradiance += f[9 + i].rgb * max(f[12].x + t * (f[12].y + t * f[12].z), 0.0);\n"
+    "    }\n"
+    "    return irradiance;\n"
+    "}\n"
+    "vec2 environment_brdf(float roughness, float n_dot_v) {\n"
+    "    float r0 = 1.0 - roughness, r1 = 0.0425 - 0.0275 * roughness;\n"
+    "    float r2 = 1.04 - 0.572 * roughness, r3 = 0.022 * roughness - 0.04;\n"
+    "    float a = min(r0 * r0, exp2(-9.28 * n_dot_v)) * r0 + r1;\n"
+    "    return vec2(r2 - 1.04 * a, 1.04 * a + r3);\n"
+    "}\n"
+    "vec3 reflect_environment(reflector r, float roughness, float occlusion) {\n"
+    "    vec3 mirrored = environment_reflection(reflect(-r.view, r.normal), r.alpha);\n"
+    "    vec3 diffuse = environment_diffuse(r.normal);\n"
+    "    vec2 brdf = environment_brdf(roughness, r.n_dot_v);\n"
+    "    float lost = 1.0 / (brdf.x + brdf.y) - 1.0;\n"
+    "    vec3 single = r.f0 * brdf.x + brdf.y, specular = single * (1.0 + r.f0 * lost);\n"
+    "    return occlusion * (mirrored * specular + diffuse * r.diffuse * (1.0 - single));\n"
+    "}\n"
+    "vec3 tone_map(vec3 color) {\n"
+    "    const float start = 0.8 - 0.04, desaturation = 0.15, rest = 1.0 - start;\n"
+    "    float low = min(color.r, min(color.g, color.b));\n"
+    "    color -= low < 0.08 ? low - 6.25 * low * low : 0.04;\n"
+    "    float peak = max(color.r, max(color.g, color.b));\n"
+    "    if (peak <= start) return color;\n"
+    "    float new_peak = 1.0 - rest * rest / (peak + (rest - start)), scale = new_peak / peak;\n"
+    "    float grey = 1.0 - 1.0 / (desaturation * (peak - new_peak) + 1.0);\n"
+    "    return mix(color * scale, vec3(new_peak), grey);\n"
+    "}\n";
+
+static const char fragment_main[] =
+    "void main() {\n"
+    "    vec4 base = u[10] * texture(map0, varying_uv);\n"
+    "#ifdef MASKED\n"
+    "    if (base.a < u[11].w) discard;\n"
+    "#endif\n"
+    "    float metallic = u[12].x, roughness = u[12].y, occlusion = 1.0;\n"
+    "    vec3 emissive = u[11].rgb;\n"
+    "    reflector r;\n"
+    "    r.view = normalize(f[0].xyz - varying_position);\n"
+    "    r.normal = varying_normal;\n"
+    "#ifdef MAPPED\n"
+    "    vec4 texel = texture(map1, varying_uv);\n"
+    "    roughness *= texel.g;\n"
+    "    metallic *= texel.b;\n"
+    "    vec3 tangent = varying_tangent.xyz, bitangent = cross(r.normal, tangent);\n"
+    "    vec3 slope = texture(map2, varying_uv).xyz * 2.0 - 1.0;\n"
+    "    r.normal = slope.x * u[12].z * tangent + slope.y * u[12].z * varying_tangent.w * bitangent +\n"
+    "        slope.z * r.normal;\n"
+    "#endif\n"
+    "#ifdef FULL\n"
+    "    occlusion = 1.0 + u[12].w * (texture(map3, varying_uv).r - 1.0);\n"
+    "    emissive *= texture(map4, varying_uv).rgb;\n"
+    "#endif\n"
+    "    r.normal = normalize(r.normal);\n"
+    "#ifdef MASKED\n"
+    "    if (!gl_FrontFacing) r.normal = -r.normal;\n"
+    "#endif\n"
+    "    r.diffuse = base.rgb * (1.0 - metallic);\n"
+    "    r.f0 = mix(vec3(0.04), base.rgb, metallic);\n"
+    "    float rough = clamp(roughness, 0.045, 1.0);\n"
+    "    r.alpha = rough * rough;\n"
+    "    r.n_dot_v = clamp(dot(r.normal, r.view), 1.0 / 1024.0, 1.0);\n"
+    "    vec3 sum = emissive + reflect_environment(r, roughness, occlusion) +\n"
+    "        reflect_light(r, f[1].xyz, f[2].rgb, f[1].w);\n"
+    "    target = vec4(tone_map(sum), 1.0);\n"
+    "}\n";
+
+static const char *const heads[BENCH_SHADERS] = {
+    [BENCH_SHADER_PBR_BASE] = "#version 300 es\n",
+    [BENCH_SHADER_PBR_MAPPED] = "#version 300 es\n#define MAPPED\n",
+    [BENCH_SHADER_PBR_MASKED] = "#version 300 es\n#define MAPPED\n#define MASKED\n",
+    [BENCH_SHADER_PBR_FULL] = "#version 300 es\n#define MAPPED\n#define FULL\n",
+};
+
+_Static_assert(sizeof(struct bench_surface_uniforms) == 13 * 16, "`u` of the shaders");
+_Static_assert(sizeof(struct bench_frame_uniforms) <= 16 * 16, "`f` of the shaders");
+
+void bench_glsl_pbr(enum bench_shader shader, const char *vertex[BENCH_GLSL_PIECES],
+                    const char *fragment[BENCH_GLSL_PIECES])
+{
+    vertex[0] = fragment[0] = heads[shader];
+    vertex[1] = vertex_main;
+    vertex[2] = "";
+    fragment[1] = fragment_formulas;
+    fragment[2] = fragment_main;
+}
