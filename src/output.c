@@ -77,6 +77,7 @@ void rhw_output_prepare(struct output_state *state, const struct rhw_color_targe
     const bool normalized = is_normalized(target->format);
     state->blend = target->blend && target->format != RHW_FORMAT_R32_UINT &&
                    !(normalized && is_replacement(target->color) && is_replacement(target->alpha));
+    state->replaces = !state->blend && state->write_mask == format_channels(target->format);
     for (int i = 0; i < 4; i++) {
         state->texel_mask |= state->write_mask >> i & 1 ? 0xffu << 8 * i : 0;
         state->constant[i] = normalized ? saturate(constant[i]) : constant[i];

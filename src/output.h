@@ -22,6 +22,7 @@ struct output_state {
     enum rhw_format format;
     bool blend;                // false too where blending is replacement spelled out
     bool color_one, alpha_one; // the source factor is ONE
+    bool replaces;             // the whole texel, whatever it was
     uint8_t write_mask;        // only channels that the format has
     uint32_t texel_mask;       // 8-bit formats: 0xff in each byte that is written
     struct rhw_blend_component color, alpha;

@@ -7,6 +7,7 @@
 #include "assembly.h"
 #include "buffer.h"
 #include "context.h"
+#include "deferral.h"
 #include "cpu.h"
 #include "format.h"
 #include "kernels/kernels.h"
@@ -470,6 +471,7 @@ static const struct rhw_draw_state *snapshot(struct rhw_pass_state *pass)
     state->half_height = (double)state->viewport.height / 2;
     state->center_x = (double)state->viewport.x + state->half_width;
     state->center_y = (double)state->viewport.y + state->half_height;
+    state->deferral = rhw_deferral(state, pass->color_count);
     pass->current = state;
     pass->pending_changed = false;
     return state;

@@ -5,35 +5,24 @@
 #include "constant_tmpl.h"
 #include "coverage_tmpl.h"
 
-static float *stored_depth(const struct tile_work *work, int x, int y)
-{
-    return &work->scratch->depth[y * RHW_TILE + x];
-}
-
-// Tests depth of the block's pixels in `mask`, early; returns those that pass. `compare` and `write` are
-// constants where a call names them.
-RHW_INLINE uint64_t test_block(const struct tile_work *work, const struct planes *planes,
+// Tests depth of the block's pixels in `mask`, early; returns those that pass. `rule` is a constant where a call
+// names it.
+RHW_INLINE uint64_t test_block(struct tile_work *work, const struct planes *planes,
                                const struct block_planes *block, int x, int y, uint64_t mask,
-                               enum rhw_compare compare, bool write)
+                               const struct depth_rule rule)
 {
-    float *const stored = stored_depth(work, x, y);
     uint64_t passed = 0;
     while (mask != 0) {
         const int shift = __builtin_ctzll(mask) & 56, row = shift / 8;
-        float *const texels = stored + row * RHW_TILE;
-        const f8 z = depth_row(planes, block, row), old = f8_load(texels);
-        const i8 pass = i8_from_bits((unsigned)(mask >> shift) & 0xff) & depth_passes(compare, z, old);
-        if (write) {
-            f8_store(texels, f8_select(pass, z, old));
-        }
-        passed |= (uint64_t)i8_sign_bits(pass) << shift;
+        const f8 z = depth_row(planes, block, row);
+        passed |= (uint64_t)test_row(work, x, y + row, z, (unsigned)(mask >> shift) & 0xff, rule) << shift;
         mask &= ~((uint64_t)0xff << shift);
     }
     return passed;
 }
 
 // The same on any road but the commonest, which is in draw_block: keeps depth for the fragments, clamps it.
-static uint64_t depth_block(const struct tile_work *work, const struct triangle_work *triangle,
+static uint64_t depth_block(struct tile_work *work, const struct triangle_work *triangle,
                             const struct block_planes *block, const struct block_place *at, int x, int y,
                             uint64_t mask, bool is_cut, f8 z[RHW_BLOCK])
 {
@@ -49,15 +38,8 @@ static uint64_t depth_block(const struct tile_work *work, const struct triangle_
         if (triangle->t->flags & RHW_TRIANGLE_CLAMP) {
             z[row] = viewport_clamp(work->state, z[row]);
         }
-        if (work->depth_mode == DEPTH_EARLY) {
-            const struct rhw_pipeline_def *const def = &work->pipeline->def;
-            f8 stored = f8_load(stored_depth(work, x, y + row));
-            bits = i8_sign_bits(
-                depth_test(def->depth_compare, def->depth_write, z[row], i8_from_bits(bits), &stored));
-            f8_store(stored_depth(work, x, y + row), stored);
-        } else if (work->depth_mode == DEPTH_EARLY_REJECT) {
-            bits &= i8_sign_bits(depth_passes(work->pipeline->def.depth_compare, z[row],
-                                              f8_load(stored_depth(work, x, y + row))));
+        if (tests_early(work)) {
+            bits = test_row(work, x, y + row, z[row], bits, work->early);
         }
         passed |= (uint64_t)bits << (8 * row);
     }
@@ -94,7 +76,6 @@ static void draw_block(struct tile_work *work, struct triangle_work *triangle, i
         setup_planes(work, triangle);
     }
     const struct planes *const planes = &triangle->planes;
-    const struct rhw_pipeline_def *const def = &work->pipeline->def;
     const struct block_place at = {d8_from_i8(i8_splat(work->x + x - planes->anchor_x) + rhw_lane_index),
                                    d8_from_i8(i8_splat(work->y + y - planes->anchor_y) + rhw_lane_index)};
     const bool is_cut = triangle->t->flags & RHW_TRIANGLE_POLYGON && block_is_cut(planes, &at);
@@ -104,10 +85,10 @@ static void draw_block(struct tile_work *work, struct triangle_work *triangle, i
         block_depth(&block, planes, &at);
         if (work->keeps_depth || triangle->t->flags & RHW_TRIANGLE_CLAMP) {
             mask = depth_block(work, triangle, &block, &at, x, y, mask, is_cut, z);
-        } else if (def->depth_compare == RHW_COMPARE_LESS && def->depth_write) {
-            mask = test_block(work, planes, &block, x, y, mask, RHW_COMPARE_LESS, true);
+        } else if (is_plain_less(work->early)) {
+            mask = test_block(work, planes, &block, x, y, mask, plain_less);
         } else {
-            mask = test_block(work, planes, &block, x, y, mask, def->depth_compare, def->depth_write);
+            mask = test_block(work, planes, &block, x, y, mask, work->early);
         }
     }
     work->counters->fragments += work->shades ? (uint64_t)__builtin_popcountll(mask) : 0;
@@ -125,6 +106,13 @@ static void draw_block(struct tile_work *work, struct triangle_work *triangle, i
 struct tile_rect {
     int x0, y0, x1, y1;
 };
+
+// What a triangle may cover of the tile.
+RHW_INLINE struct tile_rect rect_of(const struct tile_work *work, const struct rhw_triangle *t)
+{
+    return (struct tile_rect){max_int(t->x0 - work->x, 0), max_int(t->y0 - work->y, 0),
+                              min_int(t->x1 - work->x, RHW_TILE), min_int(t->y1 - work->y, RHW_TILE)};
+}
 
 // Draws any triangle: as much of it as is covered in the tile, which is in `rect`.
 static void draw_blocks(struct tile_work *work, const struct rhw_chunk *chunk, struct triangle_work *triangle,

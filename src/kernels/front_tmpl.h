@@ -544,6 +544,17 @@ static bool start_runs(const struct rhw_pass_state *pass, const struct rhw_chunk
     return true;
 }
 
+static enum rhw_compare shared_deferral(const struct rhw_front_scratch *scratch)
+{
+    const enum rhw_compare first = scratch->segments[0].draw->state->deferral;
+    for (int i = 1; i < scratch->run_count; i++) {
+        if (scratch->segments[i].draw->state->deferral != first) {
+            return RHW_COMPARE_NEVER;
+        }
+    }
+    return first;
+}
+
 static bool run_chunk(struct rhw_pass_state *pass, struct rhw_chunk *chunk, int worker_index)
 {
     struct rhw_worker *const worker = &pass->workers[worker_index];
@@ -567,6 +578,7 @@ static bool run_chunk(struct rhw_pass_state *pass, struct rhw_chunk *chunk, int 
     }
     const uint64_t ready = rhw_time_ns();
     rhw_arena_trim(arena, out.triangles + out.count);
+    chunk->deferral = shared_deferral(scratch);
     chunk->triangles = out.triangles;
     chunk->segments = keep(arena, scratch->segments, (size_t)scratch->run_count * sizeof *chunk->segments);
     chunk->polygons =

@@ -17,6 +17,8 @@ enum {
     RHW_VERTEX_CACHE = 8192,
     // Groups of 8 fragments per call of the fragment function.
     RHW_FRAGMENT_GROUPS = 16,
+    // Triangles of a tile whose visibility is remembered from the first phase to the second.
+    RHW_DEFERRED_TRIANGLES = 32768,
     // Triangles whose fragments may wait for a group at the same time: 7 that wait, and the one that adds to them.
     RHW_PACKED_TRIANGLES = 8
 };
@@ -76,6 +78,8 @@ struct rhw_packed_triangle {
 struct rhw_tile_scratch {
     _Alignas(64) unsigned char color[RHW_MAX_COLOR_ATTACHMENTS][RHW_TILE * RHW_TILE * 16];
     float depth[RHW_TILE * RHW_TILE];
+    uint64_t open[RHW_TILE];                  // by row, a bit per pixel: see depth_tmpl.h
+    uint8_t seen[RHW_DEFERRED_TRIANGLES / 8]; // bit i: triangle i of the run under way passed a depth test
     // The window, see window_tmpl.h.
     uint8_t pending[RHW_TILE][RHW_TILE / 8]; // by row, a bit per pixel: those with a fragment in the window
     struct rhw_fragment groups[RHW_FRAGMENT_GROUPS];

@@ -90,9 +90,9 @@ struct small_place {
 };
 
 // False, with nothing drawn, where its numbers must be exact integers: a sliver. `tests`: depth is tested before
-// shading; `compare` and `write` are how, constants where a call names them.
+// shading; `rule` is how, a constant where a call names it.
 RHW_INLINE bool small_rows(struct tile_work *work, struct triangle_work *triangle, struct small_place place,
-                           bool tests, enum rhw_compare compare, bool write)
+                           bool tests, const struct depth_rule rule)
 {
     struct planes *const planes = &triangle->planes;
     const struct small_edges edges = small_edges_at(work, triangle->t, place.x, place.y0);
@@ -117,13 +117,8 @@ RHW_INLINE bool small_rows(struct tile_work *work, struct triangle_work *triangl
         if (tests) {
             const double row = planes->linear.at[QUANTITY_Z] +
                                planes->linear.dy[QUANTITY_Z] * (double)(work->y + y - planes->anchor_y);
-            float *const texels = stored_depth(work, place.x, y);
-            f8 stored = f8_load(texels);
-            bits = i8_sign_bits(depth_test(compare, write, f8_from_d8(d8_add(z_column, d8_splat(row))),
-                                           i8_from_bits(bits), &stored));
-            if (write) {
-                f8_store(texels, stored);
-            }
+            const f8 z = f8_from_d8(d8_add(z_column, d8_splat(row)));
+            bits = test_row(work, place.x, y, z, bits, rule);
         }
         if (bits != 0 && work->shades) {
             small_collect(work, triangle, place.x, y, bits);
@@ -135,18 +130,16 @@ RHW_INLINE bool small_rows(struct tile_work *work, struct triangle_work *triangl
 // Those of one block. False where draw_small_blocks must draw it.
 static bool draw_smallest(struct tile_work *work, struct triangle_work *triangle, struct tile_rect rect)
 {
-    const struct rhw_pipeline_def *const def = &work->pipeline->def;
     const int x = min_int(rect.x0, RHW_TILE - RHW_BLOCK); // so that 8 lanes stay in the tile
     const struct small_place place = {x, rect.y0, rect.y1,
                                       (0xffu << (rect.x0 - x)) & (0xffu >> (RHW_BLOCK - (rect.x1 - x)))};
-    if (work->depth_mode == DEPTH_EARLY && def->depth_write && def->depth_compare == RHW_COMPARE_LESS) {
-        return small_rows(work, triangle, place, true, RHW_COMPARE_LESS, true);
+    if (!tests_early(work)) {
+        return small_rows(work, triangle, place, false, work->early);
     }
-    if (work->depth_mode == DEPTH_EARLY || work->depth_mode == DEPTH_EARLY_REJECT) {
-        return small_rows(work, triangle, place, true, def->depth_compare,
-                          work->depth_mode == DEPTH_EARLY && def->depth_write);
+    if (is_plain_less(work->early)) {
+        return small_rows(work, triangle, place, true, plain_less);
     }
-    return small_rows(work, triangle, place, false, RHW_COMPARE_ALWAYS, false);
+    return small_rows(work, triangle, place, true, work->early);
 }
 
 static void draw_small_blocks(struct tile_work *work, struct triangle_work *triangle, struct tile_rect rect)
@@ -189,8 +182,10 @@ static void draw_triangle(struct tile_work *work, const struct rhw_chunk *chunk,
     if (triangle.segment->draw != work->draw) {
         set_draw(work, triangle.segment->draw);
     }
-    const struct tile_rect rect = {max_int(t->x0 - work->x, 0), max_int(t->y0 - work->y, 0),
-                                   min_int(t->x1 - work->x, RHW_TILE), min_int(t->y1 - work->y, RHW_TILE)};
+    if (work->skips) {
+        return;
+    }
+    const struct tile_rect rect = rect_of(work, t);
     if (t->flags & RHW_TRIANGLE_SMALL) {
         draw_small(work, &triangle, rect);
     } else {

@@ -129,8 +129,10 @@ static void prefetch_vertices(const struct rhw_chunk *chunk, uint32_t e, uint32_
     }
 }
 
-static void draw_bin(struct tile_work *work, const struct rhw_chunk *chunk, struct bin bin)
+// `number`: of the bin's first triangle among those that are drawn in two phases.
+static void draw_bin(struct tile_work *work, const struct rhw_chunk *chunk, struct bin bin, uint32_t number)
 {
+    uint8_t *const seen = work->scratch->seen;
     for (uint32_t e = bin.first; e < bin.first + RECORDS_AHEAD; e++) {
         prefetch_record(chunk, e, bin.end);
     }
@@ -138,10 +140,131 @@ static void draw_bin(struct tile_work *work, const struct rhw_chunk *chunk, stru
         prefetch_vertices(chunk, e, bin.end);
     }
     for (uint32_t e = bin.first; e < bin.end; e++) {
+        const uint32_t n = number + e - bin.first;
+        if (work->phase == PHASE_SHADE && !(seen[n / 8] >> n % 8 & 1)) {
+            continue;
+        }
         prefetch_record(chunk, e + RECORDS_AHEAD, bin.end);
         prefetch_vertices(chunk, e + VERTICES_AHEAD, bin.end);
+        work->hit = false;
         draw_triangle(work, chunk, &chunk->triangles[chunk->entries[e]]);
+        if (work->phase == PHASE_DEPTH && (work->hit || work->skips)) {
+            seen[n / 8] |= (uint8_t)(1u << n % 8);
+        }
     }
+}
+
+// Consecutive chunks: first .. end − 1.
+struct chunk_run {
+    int first, end;
+};
+
+static struct bin bin_in(const struct tile_work *work, int chunk)
+{
+    return bin_of(&work->pass->chunks[chunk], work->x / RHW_TILE, work->y / RHW_TILE);
+}
+
+// Bins of the tile in a run of chunks.
+static void draw_run(struct tile_work *work, struct chunk_run run, enum phase phase)
+{
+    const struct rhw_pass_state *const pass = work->pass;
+    uint32_t number = 0;
+    flush(work);
+    work->draw = NULL;
+    work->phase = phase;
+    for (int i = run.first; i < run.end; i++) {
+        const struct bin bin = bin_in(work, i);
+        if (bin.first != bin.end) {
+            draw_bin(work, &pass->chunks[i], bin, number);
+            number += bin.end - bin.first;
+        }
+    }
+}
+
+// Pixels that a triangle covers in the tile, at most and about.
+static double area_in_tile(const struct tile_work *work, const struct rhw_triangle *t)
+{
+    const struct tile_rect rect = rect_of(work, t);
+    const double rectangle = (rect.x1 - rect.x0) * (rect.y1 - rect.y0);
+    if (t->flags & RHW_TRIANGLE_POLYGON) {
+        return rectangle / 2;
+    }
+    const double x1 = t->x_24_8[1] - t->x_24_8[0], y1 = t->y_24_8[1] - t->y_24_8[0];
+    const double x2 = t->x_24_8[2] - t->x_24_8[0], y2 = t->y_24_8[2] - t->y_24_8[0];
+    return least(absolute(x1 * y2 - x2 * y1) / (2 * RHW_SUBPIXEL * RHW_SUBPIXEL), rectangle);
+}
+
+// Whether the triangles of a run lie above each other so much that shading what is hidden, half of which the depth
+// test would have stopped, costs more than drawing depth first: judged by the areas of some of them. Measured: depth
+// costs 3 ns a pixel and 60 ns a triangle more; shading 9 ns a pixel, with textures 18.
+static bool overdraws(const struct tile_work *work, struct chunk_run run)
+{
+    enum { SAMPLES = 64 };
+    const double tile = RHW_TILE * RHW_TILE, shading = 9, shading_textured = 18, depth = 3, triangle = 60;
+    uint32_t count = 0;
+    for (int i = run.first; i < run.end; i++) {
+        const struct bin bin = bin_in(work, i);
+        count += bin.end - bin.first;
+    }
+    const uint32_t step = count / SAMPLES + 1;
+    uint32_t next = 0; // of the bin under way
+    double area = 0;
+    for (int i = run.first; i < run.end; i++) {
+        const struct rhw_chunk *const chunk = &work->pass->chunks[i];
+        const struct bin bin = bin_in(work, i);
+        for (; next < bin.end - bin.first; next += step) {
+            area += step * area_in_tile(work, &chunk->triangles[chunk->entries[bin.first + next]]);
+        }
+        next -= bin.end - bin.first;
+    }
+    const struct rhw_draw *const draw = work->pass->chunks[run.first].segments[0].draw;
+    const double pixel = draw->state->pipeline->any_derivatives ? shading_textured : shading;
+    return (area - tile) / 2 * pixel > area * depth + count * triangle && count <= RHW_DEFERRED_TRIANGLES;
+}
+
+static void draw_deferred(struct tile_work *work, struct chunk_run run)
+{
+    memset(work->scratch->open, 0, sizeof work->scratch->open);
+    memset(work->scratch->seen, 0, sizeof work->scratch->seen);
+    draw_run(work, run, PHASE_DEPTH);
+    draw_run(work, run, PHASE_SHADE);
+}
+
+// From chunk `first` on, those that can be drawn depth first together, or that cannot; at least one.
+static struct chunk_run run_from(const struct rhw_pass_state *pass, int first)
+{
+    struct chunk_run run = {first, first + 1};
+    const enum rhw_compare deferral = pass->chunks[first].deferral;
+    while (run.end < pass->chunk_count && pass->chunks[run.end].deferral == deferral) {
+        run.end++;
+    }
+    return run;
+}
+
+static bool is_empty(const struct rhw_pass_state *pass, int tile_x, int tile_y)
+{
+    for (int i = 0; i < pass->chunk_count; i++) {
+        const struct bin bin = bin_of(&pass->chunks[i], tile_x, tile_y);
+        if (bin.first != bin.end) {
+            return false;
+        }
+    }
+    return true;
+}
+
+static void draw_tile(struct tile_work *work)
+{
+    const struct rhw_pass_state *const pass = work->pass;
+    for (int i = 0; i < pass->chunk_count;) {
+        const struct chunk_run run = run_from(pass, i);
+        if (pass->chunks[i].deferral != RHW_COMPARE_NEVER && overdraws(work, run)) {
+            draw_deferred(work, run);
+        } else {
+            draw_run(work, run, PHASE_ONLY);
+        }
+        i = run.end;
+    }
+    flush(work);
 }
 
 static void run_tile(struct rhw_pass_state *pass, int tile, int worker)
@@ -156,32 +279,28 @@ static void run_tile(struct rhw_pass_state *pass, int tile, int worker)
                              .all_full = true};
     const int width = min_int(pass->width - work.x, RHW_TILE),
               height = min_int(pass->height - work.y, RHW_TILE);
-    bool loaded = false;
-    for (int i = 0; i < pass->chunk_count; i++) {
-        const struct bin bin = bin_of(&pass->chunks[i], tile_x, tile_y);
-        if (bin.first == bin.end) {
-            continue;
+    struct rhw_attachment *const depth = pass->has_depth ? &pass->depth : NULL;
+    unsigned char *const depth_texels = (unsigned char *)scratch->depth;
+    if (is_empty(pass, tile_x, tile_y)) {
+        for (int i = 0; i < pass->color_count; i++) {
+            pass_through(&work, &pass->colors[i], width, height);
         }
-        for (int t = 0; t < pass->color_count && !loaded; t++) {
-            load_attachment(&work, &pass->colors[t], scratch->color[t], width, height);
+        if (depth) {
+            pass_through(&work, depth, width, height);
         }
-        if (pass->has_depth && !loaded) {
-            load_attachment(&work, &pass->depth, (unsigned char *)scratch->depth, width, height);
-        }
-        loaded = true;
-        draw_bin(&work, &pass->chunks[i], bin);
+        return;
     }
-    flush(&work);
-    for (int t = 0; t < pass->color_count; t++) {
-        if (loaded) {
-            store_attachment(&work, &pass->colors[t], scratch->color[t], width, height);
-        } else {
-            pass_through(&work, &pass->colors[t], width, height);
-        }
+    for (int i = 0; i < pass->color_count; i++) {
+        load_attachment(&work, &pass->colors[i], scratch->color[i], width, height);
     }
-    if (pass->has_depth && loaded) {
-        store_attachment(&work, &pass->depth, (const unsigned char *)scratch->depth, width, height);
-    } else if (pass->has_depth) {
-        pass_through(&work, &pass->depth, width, height);
+    if (depth) {
+        load_attachment(&work, depth, depth_texels, width, height);
+    }
+    draw_tile(&work);
+    for (int i = 0; i < pass->color_count; i++) {
+        store_attachment(&work, &pass->colors[i], scratch->color[i], width, height);
+    }
+    if (depth) {
+        store_attachment(&work, depth, depth_texels, width, height);
     }
 }

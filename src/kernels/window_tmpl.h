@@ -5,85 +5,15 @@
 // the window close first. Template: compiled once per instruction set.
 
 #include "../shader_adapter.h"
+#include "depth_tmpl.h"
 #include "output_tmpl.h"
-#include "scratch.h"
-
-// How depth is tested for a draw.
-enum depth_mode {
-    DEPTH_NONE,
-    DEPTH_EARLY,       // tested and written before shading
-    DEPTH_LATE,        // after: the fragment function writes depth
-    DEPTH_EARLY_REJECT // tested before, tested again and written after: the fragment function may discard
-};
-
-// One worker's work on one tile.
-struct tile_work {
-    struct rhw_pass_state *pass;
-    struct rhw_tile_scratch *scratch;
-    struct rhw_counters *counters;
-    int x, y; // pixels of the tile's first pixel in the target
-
-    // Of the draw whose fragments are collected:
-    const struct rhw_draw *draw;
-    const struct rhw_draw_state *state;
-    const struct rhw_pipeline_data *pipeline;
-    enum depth_mode depth_mode;
-    bool scissored;   // the scissor, or the target's end, leaves out pixels of the tile
-    bool shades;      // there is a fragment function
-    bool constant;    // that receives nothing: one call tells the colour of all fragments
-    bool smooth;      // smooth varyings and their derivatives are all it needs the weights for
-    bool packs;       // its groups can be packed
-    bool wants;       // the groups carry depth, facing or ids
-    bool needs_depth; // depth is tested or given to the fragment function
-    bool keeps_depth; // and the collected groups carry it
-
-    bool constant_ready; // and it was made
-
-    uint64_t whole;        // blocks of the tile, bit 8·row + column, that are in the window as a whole
-    bool rows_pending;     // the scratch's `pending` has other pixels
-    bool all_full;         // every group is 8 live pixels in a row
-    int count;             // groups in the window
-    int open_count;        // fragments that wait for a group
-    unsigned packed_count; // triangles packed so far
-};
-
-// Lanes for which `z compare old` holds.
-RHW_INLINE i8 depth_passes(enum rhw_compare compare, f8 z, f8 old)
-{
-    switch (compare) {
-    case RHW_COMPARE_NEVER: return i8_splat(0);
-    case RHW_COMPARE_LESS: return z < old;
-    case RHW_COMPARE_EQUAL: return z == old;
-    case RHW_COMPARE_LESS_EQUAL: return z <= old;
-    case RHW_COMPARE_GREATER: return z > old;
-    case RHW_COMPARE_NOT_EQUAL: return z != old;
-    case RHW_COMPARE_GREATER_EQUAL: return z >= old;
-    default: return i8_splat(-1);
-    }
-}
-
-static f8 viewport_clamp(const struct rhw_draw_state *state, f8 z)
-{
-    return f8_min(f8_max(z, f8_splat(state->depth_least)), f8_splat(state->depth_most));
-}
-
-// Tests 8 fragments against `stored` and gives those that pass; `stored` then holds what is to be stored.
-RHW_INLINE i8 depth_test(enum rhw_compare compare, bool write, f8 z, i8 mask, f8 *stored)
-{
-    const i8 pass = mask & depth_passes(compare, z, *stored);
-    if (write) {
-        *stored = f8_select(pass, z, *stored);
-    }
-    return pass;
-}
 
 // Lanes of group g that are still live after discarding and the late depth test.
-static unsigned finish_depth(const struct tile_work *work, int g)
+static unsigned finish_depth(struct tile_work *work, int g)
 {
-    const struct rhw_pipeline_def *const def = &work->pipeline->def;
     const struct rhw_group_place *const place = &work->scratch->places[g];
     const struct rhw_fragment *const group = &work->scratch->groups[g];
-    const uint32_t uses = def->program.uses;
+    const uint32_t uses = work->pipeline->def.program.uses;
     i8 mask = i8_from_bits(place->bits);
     if (uses & RHW_USE_DISCARD) {
         mask &= group->mask < i8_splat(0);
@@ -92,26 +22,10 @@ static unsigned finish_depth(const struct tile_work *work, int g)
         return i8_sign_bits(mask);
     }
     const f8 z = uses & RHW_USE_DEPTH ? viewport_clamp(work->state, group->depth) : group->depth;
-    float *const depth = work->scratch->depth;
     if (!place->packed) {
-        f8 stored = f8_load(depth + place->at);
-        mask = depth_test(def->depth_compare, def->depth_write, z, mask, &stored);
-        f8_store(depth + place->at, stored);
-        return i8_sign_bits(mask);
+        return test_row(work, place->at % RHW_TILE, place->at / RHW_TILE, z, i8_sign_bits(mask), work->late);
     }
-    const uint16_t *const at = work->scratch->lanes_at[g];
-    float lanes[8];
-    for (int i = 0; i < 8; i++) {
-        lanes[i] = depth[at[i]];
-    }
-    f8 stored = f8_load(lanes);
-    mask = depth_test(def->depth_compare, def->depth_write, z, mask, &stored);
-    f8_store(lanes, stored);
-    for (unsigned left = i8_sign_bits(mask); left != 0; left &= left - 1) {
-        const int lane = __builtin_ctz(left);
-        depth[at[lane]] = lanes[lane];
-    }
-    return i8_sign_bits(mask);
+    return test_texels(work, work->scratch->lanes_at[g], z, i8_sign_bits(mask), work->late);
 }
 
 // Texels of a packed group, side by side for the merger, and back.

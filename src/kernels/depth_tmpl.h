@@ -1,0 +1,173 @@
+// SPDX-License-Identifier: MIT
+// Depth tests of 8 fragments against a tile's depth. Template: compiled once per instruction set.
+//
+// Draws that any order would draw alike (defer.h) can be drawn in two phases, so that only what is seen is shaded: the
+// first leaves the least depth of all their triangles (with LESS; GREATER is its mirror image), the second shades the
+// fragments that have it. Of fragments with equal depth the first in submission order wins with LESS, the last with
+// LESS_EQUAL. The last needs no care: each is shaded and overwrites the one before. For the first, a pixel is `open`
+// from when the first phase writes it until its fragment is shaded; depth that was there before, or that a fragment
+// function which discards wrote, is nobody's to match.
+
+#include "scratch.h"
+
+// How depth is tested for a draw.
+enum depth_mode {
+    DEPTH_NONE,
+    DEPTH_EARLY,       // tested and written before shading
+    DEPTH_LATE,        // after: the fragment function writes depth
+    DEPTH_EARLY_REJECT // tested before, tested again and written after: the fragment function may discard
+};
+
+enum phase {
+    PHASE_ONLY,  // depth and shading, as submitted
+    PHASE_DEPTH, // the first of two: depth alone, of draws that do not discard
+    PHASE_SHADE
+};
+
+// What a test has to do with open pixels.
+enum open_rule {
+    OPEN_IGNORED,
+    OPEN_MARK, // what passes opens its pixel
+    OPEN_TAKE, // only open pixels pass; they are not open any more
+    OPEN_TRY,  // equal depth passes too where the pixel is open
+    OPEN_CLOSE // as OPEN_TRY; what passes closes its pixel
+};
+
+struct depth_rule {
+    enum rhw_compare compare;
+    bool write;
+    enum open_rule open;
+};
+
+// One worker's work on one tile.
+struct tile_work {
+    struct rhw_pass_state *pass;
+    struct rhw_tile_scratch *scratch;
+    struct rhw_counters *counters;
+    int x, y; // pixels of the tile's first pixel in the target
+    enum phase phase;
+    bool hit; // a fragment passed a test with OPEN_MARK
+
+    // Of the draw whose fragments are collected:
+    const struct rhw_draw *draw;
+    const struct rhw_draw_state *state;
+    const struct rhw_pipeline_data *pipeline;
+    enum depth_mode depth_mode;
+    struct depth_rule early, late; // late: after the fragment function
+    bool skips;                    // nothing of it is drawn in this phase
+    bool scissored;                // the scissor, or the target's end, leaves out pixels of the tile
+    bool shades;                   // there is a fragment function
+    bool constant;                 // that receives nothing: one call tells the colour of all fragments
+    bool smooth;                   // smooth varyings and their derivatives are all it needs the weights for
+    bool packs;                    // its groups can be packed
+    bool wants;                    // the groups carry depth, facing or ids
+    bool needs_depth;              // depth is tested or given to the fragment function
+    bool keeps_depth;              // and the collected groups carry it
+
+    bool constant_ready; // and it was made
+
+    uint64_t whole;        // blocks of the tile, bit 8·row + column, that are in the window as a whole
+    bool rows_pending;     // the scratch's `pending` has other pixels
+    bool all_full;         // every group is 8 live pixels in a row
+    int count;             // groups in the window
+    int open_count;        // fragments that wait for a group
+    unsigned packed_count; // triangles packed so far
+};
+
+// Lanes for which `z compare old` holds.
+RHW_INLINE i8 depth_passes(enum rhw_compare compare, f8 z, f8 old)
+{
+    switch (compare) {
+    case RHW_COMPARE_NEVER: return i8_splat(0);
+    case RHW_COMPARE_LESS: return z < old;
+    case RHW_COMPARE_EQUAL: return z == old;
+    case RHW_COMPARE_LESS_EQUAL: return z <= old;
+    case RHW_COMPARE_GREATER: return z > old;
+    case RHW_COMPARE_NOT_EQUAL: return z != old;
+    case RHW_COMPARE_GREATER_EQUAL: return z >= old;
+    default: return i8_splat(-1);
+    }
+}
+
+static f8 viewport_clamp(const struct rhw_draw_state *state, f8 z)
+{
+    return f8_min(f8_max(z, f8_splat(state->depth_least)), f8_splat(state->depth_most));
+}
+
+static float *stored_depth(const struct tile_work *work, int x, int y)
+{
+    return &work->scratch->depth[y * RHW_TILE + x];
+}
+
+static bool tests_early(const struct tile_work *work)
+{
+    return work->depth_mode == DEPTH_EARLY || work->depth_mode == DEPTH_EARLY_REJECT;
+}
+
+// The commonest rule, a constant for the loops that test.
+static const struct depth_rule plain_less = {RHW_COMPARE_LESS, true, OPEN_IGNORED};
+
+static bool is_plain_less(const struct depth_rule rule)
+{
+    return rule.compare == RHW_COMPARE_LESS && rule.write && rule.open == OPEN_IGNORED;
+}
+
+RHW_INLINE i8 passes(const struct depth_rule rule, f8 z, f8 stored, unsigned open)
+{
+    i8 pass = depth_passes(rule.compare, z, stored);
+    if (rule.open == OPEN_TAKE) {
+        pass &= i8_from_bits(open & 0xff);
+    } else if (rule.open >= OPEN_TRY) {
+        pass |= depth_passes(RHW_COMPARE_EQUAL, z, stored) & i8_from_bits(open & 0xff);
+    }
+    return pass;
+}
+
+// Tests the fragments of a row that are set in `bits`, x of the first; returns those that pass. `rule` is a constant
+// where a call names it.
+RHW_INLINE unsigned test_row(struct tile_work *work, int x, int y, f8 z, unsigned bits,
+                             const struct depth_rule rule)
+{
+    float *const texels = stored_depth(work, x, y);
+    uint64_t *const open = &work->scratch->open[y];
+    const f8 stored = f8_load(texels);
+    const i8 pass =
+        i8_from_bits(bits) & passes(rule, z, stored, rule.open >= OPEN_TAKE ? (unsigned)(*open >> x) : 0);
+    if (rule.write) {
+        f8_store(texels, f8_select(pass, z, stored));
+    }
+    const unsigned passed = i8_sign_bits(pass);
+    if (rule.open == OPEN_MARK) {
+        *open |= (uint64_t)passed << x;
+        work->hit = work->hit || passed != 0;
+    } else if (rule.open == OPEN_TAKE || rule.open == OPEN_CLOSE) {
+        *open &= ~((uint64_t)passed << x);
+    }
+    return passed;
+}
+
+// The same with 8 texels of the tile that lie anywhere, in a test after shading.
+static unsigned test_texels(struct tile_work *work, const uint16_t at[8], f8 z, unsigned bits,
+                            const struct depth_rule rule)
+{
+    struct rhw_tile_scratch *const scratch = work->scratch;
+    float stored[8];
+    unsigned open = 0;
+    for (int i = 0; i < 8; i++) {
+        stored[i] = scratch->depth[at[i]];
+        open |= (unsigned)(scratch->open[at[i] / RHW_TILE] >> at[i] % RHW_TILE & 1) << i;
+    }
+    const unsigned passed = i8_sign_bits(i8_from_bits(bits) & passes(rule, z, f8_load(stored), open));
+    float depth[8];
+    f8_store(depth, z);
+    for (unsigned left = passed; left != 0; left &= left - 1) {
+        const int lane = __builtin_ctz(left);
+        if (rule.write) {
+            scratch->depth[at[lane]] = depth[lane];
+        }
+        if (rule.open == OPEN_CLOSE) {
+            scratch->open[at[lane] / RHW_TILE] &= ~((uint64_t)1 << at[lane] % RHW_TILE);
+        }
+    }
+    return passed;
+}

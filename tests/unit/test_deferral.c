@@ -1,0 +1,218 @@
+// SPDX-License-Identifier: MIT
+// Opaque draws of a pass may be drawn depth first and shaded where they are seen. The picture is that of one triangle
+// after the other: also among equal depths, next to what was loaded, and with fragment functions that discard.
+#include "harness.h"
+
+#include <stdlib.h>
+#include <string.h>
+
+enum { SIZE = 128, DRAWS = 48, TRIANGLES = 3 };
+
+// What a draw does besides covering its triangles.
+enum kind { KIND_PLAIN, KIND_COORD, KIND_MASKED, KIND_MASKED_COORD, KIND_COUNT };
+
+struct layer {
+    enum kind kind;
+    struct rig_vertex vertices[3 * TRIANGLES];
+};
+
+static void coord_fragment(struct rhw_fragment *groups, int count)
+{
+    rig_fragment_pass(groups, count);
+    for (int g = 0; g < count; g++) {
+        groups[g].color[0][2] = groups[g].coord[2];
+    }
+}
+
+// Discards where the first value, which no two layers share, has an odd digit.
+static void discard_some(struct rhw_fragment *groups, int count)
+{
+    for (int g = 0; g < count; g++) {
+        const rhw_int digit = __builtin_convertvector(groups[g].varying[0] * 8.0f, rhw_int);
+        groups[g].mask &= (digit & 1) == 0;
+    }
+}
+
+static void masked_fragment(struct rhw_fragment *groups, int count)
+{
+    rig_fragment_pass(groups, count);
+    discard_some(groups, count);
+}
+
+static void masked_coord_fragment(struct rhw_fragment *groups, int count)
+{
+    coord_fragment(groups, count);
+    discard_some(groups, count);
+}
+
+static void use_kind(struct rig *rig, enum kind kind)
+{
+    static const struct {
+        rhw_fragment_function *fragment;
+        uint32_t uses;
+    } kinds[KIND_COUNT] = {
+        [KIND_PLAIN] = {rig_fragment_pass, 0},
+        [KIND_COORD] = {coord_fragment, RHW_USE_COORD},
+        [KIND_MASKED] = {masked_fragment, RHW_USE_DISCARD},
+        [KIND_MASKED_COORD] = {masked_coord_fragment, RHW_USE_DISCARD | RHW_USE_COORD},
+    };
+    rig_set_program(rig, rig_vertex_pass, kinds[kind].fragment);
+    rig->pipeline.program.uses = kinds[kind].uses;
+}
+
+// Large and small triangles, most of them at one of five depths, so that many fragments are equally deep.
+static void make_layers(const struct rig *rig, uint64_t *random, struct layer layers[DRAWS])
+{
+    for (int d = 0; d < DRAWS; d++) {
+        layers[d].kind = (enum kind)rig_random_int(random, KIND_COUNT);
+        for (int i = 0; i < TRIANGLES; i++) {
+            const float size = rig_random_int(random, 4) == 0 ? 20 : 2.0f * SIZE,
+                        flat = 0.25f * (float)rig_random_int(random, 5);
+            const float x = rig_random_float(random, -20, SIZE), y = rig_random_float(random, -20, SIZE);
+            const bool slanted = rig_random_int(random, 4) == 0;
+            for (int k = 0; k < 3; k++) {
+                struct rig_vertex *const v = &layers[d].vertices[3 * i + k];
+                const float depth = slanted ? rig_random_float(random, -0.25f, 1.25f) : flat;
+                rig_place(rig, x + rig_random_float(random, -size, size),
+                          y + rig_random_float(random, -size, size), depth,
+                          1 + (float)rig_random_int(random, 3), v->position);
+                for (int c = 0; c < 4; c++) {
+                    v->value[c] = rig_random_float(random, 0, 1);
+                }
+            }
+        }
+    }
+}
+
+struct picture {
+    float color[SIZE * SIZE][4], depth[SIZE * SIZE];
+    uint64_t shaded;
+};
+
+static void keep(struct rig *rig, struct picture *picture)
+{
+    memcpy(picture->color, rig_read_float4(rig), sizeof picture->color);
+    memcpy(picture->depth, rig_read_depth(rig), sizeof picture->depth);
+}
+
+static void draw_together(struct rig *rig, const struct layer layers[DRAWS], struct picture *picture)
+{
+    rig->pass.colors[0].load = rig->pass.depth.load = RHW_LOAD_CLEAR;
+    rig_begin(rig);
+    for (int d = 0; d < DRAWS; d++) {
+        use_kind(rig, layers[d].kind);
+        rig_draw(rig, layers[d].vertices, 3 * TRIANGLES);
+    }
+    rig_end(rig);
+    picture->shaded = rig->stats.fragments_shaded;
+    keep(rig, picture);
+}
+
+// A pass for every triangle: nothing can be put off.
+static void draw_one_by_one(struct rig *rig, const struct layer layers[DRAWS], struct picture *picture)
+{
+    rig->pass.colors[0].load = rig->pass.depth.load = RHW_LOAD_CLEAR;
+    picture->shaded = 0;
+    for (int i = 0; i < DRAWS * TRIANGLES; i++) {
+        use_kind(rig, layers[i / TRIANGLES].kind);
+        rig_draw_once(rig, &layers[i / TRIANGLES].vertices[3 * (i % TRIANGLES)], 3);
+        picture->shaded += rig->stats.fragments_shaded;
+        rig->pass.colors[0].load = rig->pass.depth.load = RHW_LOAD_LOAD;
+    }
+    keep(rig, picture);
+}
+
+static void assert_equal_pictures(const struct picture *a, const struct picture *b)
+{
+    for (int i = 0; i < SIZE * SIZE; i++) {
+        if (memcmp(a->color[i], b->color[i], sizeof a->color[i]) != 0 || a->depth[i] != b->depth[i]) {
+            fail_msg("pixel %d,%d: %g at depth %g, one by one %g at %g", i % SIZE, i / SIZE,
+                     (double)a->color[i][0], (double)a->depth[i], (double)b->color[i][0],
+                     (double)b->depth[i]);
+        }
+    }
+}
+
+static void open_rig(struct rig *rig, enum rhw_compare compare)
+{
+    rig_open(rig, SIZE, SIZE);
+    rig_set_depth(rig);
+    rig->pipeline.depth_compare = compare;
+    // A depth that layers have too: what was there before is not theirs.
+    rig->pass.depth.clear = compare == RHW_COMPARE_LESS || compare == RHW_COMPARE_LESS_EQUAL ? 0.75f : 0.25f;
+}
+
+static void test_the_picture_of_one_by_one(void **state)
+{
+    (void)state;
+    static const enum rhw_compare compares[] = {RHW_COMPARE_LESS, RHW_COMPARE_LESS_EQUAL, RHW_COMPARE_GREATER,
+                                                RHW_COMPARE_GREATER_EQUAL};
+    static struct picture together, alone;
+    static struct layer layers[DRAWS];
+    uint64_t random = 11;
+    for (int i = 0; i < 4; i++) {
+        struct rig rig;
+        open_rig(&rig, compares[i]);
+        for (int n = 0; n < 4; n++) {
+            make_layers(&rig, &random, layers);
+            draw_together(&rig, layers, &together);
+            draw_one_by_one(&rig, layers, &alone);
+            assert_equal_pictures(&together, &alone);
+            assert_true(together.shaded < alone.shaded); // something was put off
+        }
+        rig_close(&rig);
+    }
+}
+
+// A draw that blends, keeps some channels or does not write depth has its turn between the others.
+static void test_others_keep_their_turn(void **state)
+{
+    (void)state;
+    static struct picture together, alone;
+    static struct layer layers[DRAWS];
+    uint64_t random = 12;
+    struct rig rig;
+    open_rig(&rig, RHW_COMPARE_LESS);
+    for (int n = 0; n < 3; n++) {
+        rig.pipeline.targets[0].blend = n == 0;
+        rig.pipeline.targets[0].color =
+            (struct rhw_blend_component){RHW_BLEND_SRC_ALPHA, RHW_BLEND_ONE_MINUS_SRC_ALPHA, RHW_BLEND_ADD};
+        rig.pipeline.targets[0].write_mask = n == 1 ? 5 : 15;
+        rig.pipeline.depth_write = n != 2;
+        make_layers(&rig, &random, layers);
+        draw_together(&rig, layers, &together);
+        draw_one_by_one(&rig, layers, &alone);
+        assert_equal_pictures(&together, &alone);
+        assert_int_equal(together.shaded, alone.shaded);
+    }
+    rig_close(&rig);
+}
+
+// Layers from far to near that cover everything: only the last is shaded.
+static void test_what_is_hidden_is_not_shaded(void **state)
+{
+    (void)state;
+    struct rig rig;
+    rig_open(&rig, SIZE, SIZE);
+    rig_set_depth(&rig);
+    rig_begin(&rig);
+    for (int i = 0; i < 16; i++) {
+        struct rig_vertex all[6];
+        rig_cover(&rig, 1 - (float)(i + 1) / 32, (const float[4]){(float)i, 0, 0, 1}, all);
+        rig_draw(&rig, all, 6);
+    }
+    rig_end(&rig);
+    assert_true(rig_read_float4(&rig)[99][0] == 15);
+    assert_int_equal(rig.stats.fragments_shaded, SIZE * SIZE);
+    rig_close(&rig);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(test_the_picture_of_one_by_one),
+        cmocka_unit_test(test_others_keep_their_turn),
+        cmocka_unit_test(test_what_is_hidden_is_not_shaded),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}
