@@ -6,13 +6,15 @@
 #include <stdlib.h>
 #include <string.h>
 
-enum { SIZE = 128, DRAWS = 48, TRIANGLES = 3 };
+// Half the draws are 128 triangles, a chunk (pass_run.c): runs of draws end where chunks do.
+enum { SIZE = 128, DRAWS = 64, TRIANGLES = 4 };
 
 // What a draw does besides covering its triangles.
 enum kind { KIND_PLAIN, KIND_COORD, KIND_MASKED, KIND_MASKED_COORD, KIND_COUNT };
 
 struct layer {
     enum kind kind;
+    enum rhw_compare compare;
     struct rig_vertex vertices[3 * TRIANGLES];
 };
 
@@ -45,7 +47,7 @@ static void masked_coord_fragment(struct rhw_fragment *groups, int count)
     discard_some(groups, count);
 }
 
-static void use_kind(struct rig *rig, enum kind kind)
+static void use_layer(struct rig *rig, const struct layer *layer)
 {
     static const struct {
         rhw_fragment_function *fragment;
@@ -56,8 +58,9 @@ static void use_kind(struct rig *rig, enum kind kind)
         [KIND_MASKED] = {masked_fragment, RHW_USE_DISCARD},
         [KIND_MASKED_COORD] = {masked_coord_fragment, RHW_USE_DISCARD | RHW_USE_COORD},
     };
-    rig_set_program(rig, rig_vertex_pass, kinds[kind].fragment);
-    rig->pipeline.program.uses = kinds[kind].uses;
+    rig_set_program(rig, rig_vertex_pass, kinds[layer->kind].fragment);
+    rig->pipeline.program.uses = kinds[layer->kind].uses;
+    rig->pipeline.depth_compare = layer->compare;
 }
 
 // Large and small triangles, most of them at one of five depths, so that many fragments are equally deep.
@@ -65,6 +68,7 @@ static void make_layers(const struct rig *rig, uint64_t *random, struct layer la
 {
     for (int d = 0; d < DRAWS; d++) {
         layers[d].kind = (enum kind)rig_random_int(random, KIND_COUNT);
+        layers[d].compare = rig->pipeline.depth_compare;
         for (int i = 0; i < TRIANGLES; i++) {
             const float size = rig_random_int(random, 4) == 0 ? 20 : 2.0f * SIZE,
                         flat = 0.25f * (float)rig_random_int(random, 5);
@@ -100,7 +104,7 @@ static void draw_together(struct rig *rig, const struct layer layers[DRAWS], str
     rig->pass.colors[0].load = rig->pass.depth.load = RHW_LOAD_CLEAR;
     rig_begin(rig);
     for (int d = 0; d < DRAWS; d++) {
-        use_kind(rig, layers[d].kind);
+        use_layer(rig, &layers[d]);
         rig_draw(rig, layers[d].vertices, 3 * TRIANGLES);
     }
     rig_end(rig);
@@ -114,7 +118,7 @@ static void draw_one_by_one(struct rig *rig, const struct layer layers[DRAWS], s
     rig->pass.colors[0].load = rig->pass.depth.load = RHW_LOAD_CLEAR;
     picture->shaded = 0;
     for (int i = 0; i < DRAWS * TRIANGLES; i++) {
-        use_kind(rig, layers[i / TRIANGLES].kind);
+        use_layer(rig, &layers[i / TRIANGLES]);
         rig_draw_once(rig, &layers[i / TRIANGLES].vertices[3 * (i % TRIANGLES)], 3);
         picture->shaded += rig->stats.fragments_shaded;
         rig->pass.colors[0].load = rig->pass.depth.load = RHW_LOAD_LOAD;
@@ -164,6 +168,24 @@ static void test_the_picture_of_one_by_one(void **state)
     }
 }
 
+static void test_one_run_after_another(void **state)
+{
+    (void)state;
+    static struct picture together, alone;
+    static struct layer layers[DRAWS];
+    uint64_t random = 13;
+    struct rig rig;
+    open_rig(&rig, RHW_COMPARE_LESS);
+    make_layers(&rig, &random, layers);
+    for (int d = 0; d < DRAWS / 2; d++) {
+        layers[d].compare = RHW_COMPARE_LESS_EQUAL;
+    }
+    draw_together(&rig, layers, &together);
+    draw_one_by_one(&rig, layers, &alone);
+    assert_equal_pictures(&together, &alone);
+    rig_close(&rig);
+}
+
 // A draw that blends, keeps some channels or does not write depth has its turn between the others.
 static void test_others_keep_their_turn(void **state)
 {
@@ -211,6 +233,7 @@ int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(test_the_picture_of_one_by_one),
+        cmocka_unit_test(test_one_run_after_another),
         cmocka_unit_test(test_others_keep_their_turn),
         cmocka_unit_test(test_what_is_hidden_is_not_shaded),
     };
