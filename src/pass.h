@@ -63,8 +63,13 @@ struct rhw_segment {
     float *vertices;   // rhw_vertex_record by slot
 };
 
+// What the front end counts in a chunk: a chunk that is not drawn in its wave is run again in the next.
+struct rhw_front_counters {
+    uint64_t vertices_shaded, dropped, clipped, culled, rasterized, entries;
+};
+
 struct rhw_chunk {
-    uint64_t first, count; // in the line of all triangles
+    uint64_t first, count; // in the line of all triangles; the front end lowers a count whose bins are too large
     uint32_t first_draw;   // the draw that triangle `first` belongs to
     // Written by the front end:
     enum rhw_compare deferral; // of all its draws; RHW_COMPARE_NEVER where they differ
@@ -76,7 +81,7 @@ struct rhw_chunk {
     int tile_x0, tile_y0, tile_x1, tile_y1;
     uint32_t *offsets;
     uint16_t *entries;
-    uint32_t entry_count;
+    struct rhw_front_counters counters;
 };
 
 struct rhw_attachment {
@@ -89,7 +94,7 @@ struct rhw_attachment {
 };
 
 struct rhw_counters {
-    uint64_t vertices_shaded, dropped, clipped, culled, rasterized, entries, fragments, groups;
+    uint64_t fragments, groups;
     uint64_t vertex_ns, setup_ns, bin_ns; // parts of the front end, as rhw_stats names them
 };
 
@@ -128,10 +133,15 @@ struct rhw_pass_state {
 
     struct rhw_chunk *chunks; // of the wave under way
     int chunk_count, chunk_capacity;
-    int round;           // the first chunk of those that the front end is given at once
-    _Atomic bool failed; // a worker ran out of memory; written by workers, read after the wave
+    uint32_t entries_most; // of a chunk; at least one for every tile
 
-    struct rhw_worker *workers;
+    // Written by workers for every chunk, read when they look for the next:
+    _Alignas(RHW_CACHE_LINE) _Atomic size_t geometry; // bytes that the wave's chunks took
+    _Atomic int wave_end;                             // the chunks from here on wait for the next wave
+    _Atomic bool failed;                              // a worker ran out of memory
+
+
+    _Alignas(RHW_CACHE_LINE) struct rhw_worker *workers;
     bool first_wave, last_wave;     // of this pass: load and store operations belong to these
     struct rhw_mip transient_depth; // keeps depth between waves when the pass has no depth texture
 };

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
 // Waves: as many chunks as the bin memory holds go through the front end, then every tile draws them. Most
 // passes are one wave; a pass that is larger than the bins loads and stores its tiles between waves, so that
-// memory stays bounded whatever is drawn.
+// memory stays bounded whatever is drawn: by the bin memory and a quarter of it for the bins of the last chunks, and
+// a few megabytes per thread.
 #include "pass_run.h"
 
 #include <string.h>
@@ -14,6 +15,9 @@
 #include "thread.h"
 
 static const size_t default_bin_memory = (size_t)512 << 20; // bytes
+
+// 134 million triangles; a chunk that leaves nothing to draw takes hardly any of the bin memory.
+enum { WAVE_CHUNKS = 16384 };
 
 static double milliseconds(uint64_t ns)
 {
@@ -70,21 +74,25 @@ void rhw_pass_run_release(struct rhw_pass_state *pass)
                         pass->transient_depth.row_pitch * (size_t)pass->transient_depth.height);
 }
 
-// Triangles per chunk: at least four chunks for every thread, so that no thread waits long for the last; and so
-// few on large targets that the bins of a chunk stay below 8 MiB even when every triangle covers every tile.
+static size_t bin_limit(const struct rhw_pass_state *pass)
+{
+    return pass->context->bin_memory ? pass->context->bin_memory : default_bin_memory;
+}
+
+// Triangles per chunk: at least four chunks for every thread, so that no thread waits long for the last.
 static uint64_t chunk_size(const struct rhw_pass_state *pass)
 {
     const uint64_t share = pass->triangle_count / (uint64_t)(4 * pass->context->threads) + 1;
-    const uint64_t size = share < 128 ? 128 : share < RHW_BATCH_TRIANGLES ? share : RHW_BATCH_TRIANGLES;
-    const uint64_t most = ((uint64_t)4 << 20) / (uint64_t)(pass->tiles_x * pass->tiles_y);
-    return size < most ? size : most;
+    return share < 128 ? 128 : share < RHW_BATCH_TRIANGLES ? share : RHW_BATCH_TRIANGLES;
 }
 
-// Bytes the front end makes of one triangle of this draw without reuse of vertices, bins apart.
-static size_t triangle_bytes(const struct rhw_draw *draw)
+// Entries in the bins of one chunk. Chunks that are under way when the limit is reached pass it by this much each, all
+// threads' together by a quarter. As many as there are tiles must be allowed: one triangle may fill them all.
+static uint32_t entries_most(const struct rhw_pass_state *pass)
 {
-    const int stride = rhw_vertex_stride(draw->state->pipeline->varying_components);
-    return sizeof(struct rhw_triangle) + 16 + 3 * (size_t)stride * sizeof(float);
+    const size_t share = bin_limit(pass) / (4 * (size_t)pass->context->threads * sizeof(uint16_t));
+    const size_t tiles = (size_t)pass->tiles_x * (size_t)pass->tiles_y;
+    return share < tiles ? (uint32_t)tiles : share < UINT32_MAX ? (uint32_t)share : UINT32_MAX;
 }
 
 static bool add_chunk(struct rhw_pass_state *pass, struct rhw_chunk chunk)
@@ -107,47 +115,63 @@ static bool add_chunk(struct rhw_pass_state *pass, struct rhw_chunk chunk)
     return true;
 }
 
-static size_t bin_limit(const struct rhw_pass_state *pass)
-{
-    return pass->context->bin_memory ? pass->context->bin_memory : default_bin_memory;
-}
-
 // Where in the line of triangles the next wave starts.
 struct position {
     uint64_t triangle;
     uint32_t draw;
 };
 
-// Cuts the next wave into chunks. False when out of memory.
-static bool cut_wave(struct rhw_pass_state *pass, struct position *at)
+// Cuts what is left into chunks, as many as a wave takes at most. False when out of memory.
+static bool cut_wave(struct rhw_pass_state *pass, struct position at)
 {
-    const size_t limit = bin_limit(pass);
     const uint64_t size = chunk_size(pass);
-    size_t bytes = 0;
     pass->chunk_count = 0;
-    while (at->triangle < pass->triangle_count && (bytes < limit || pass->chunk_count == 0)) {
-        const uint64_t left = pass->triangle_count - at->triangle;
-        const struct rhw_draw *draw = rhw_pass_draw_at(pass, at->draw);
-        while (at->triangle >=
+    while (at.triangle < pass->triangle_count && pass->chunk_count < WAVE_CHUNKS) {
+        const uint64_t left = pass->triangle_count - at.triangle;
+        const struct rhw_draw *draw = rhw_pass_draw_at(pass, at.draw);
+        while (at.triangle >=
                draw->first_triangle + (uint64_t)draw->triangles_per_instance * draw->instances) {
-            draw = rhw_pass_draw_at(pass, ++at->draw);
+            draw = rhw_pass_draw_at(pass, ++at.draw);
         }
         const struct rhw_chunk chunk = {
-            .first = at->triangle, .count = left < size ? left : size, .first_draw = at->draw};
+            .first = at.triangle, .count = left < size ? left : size, .first_draw = at.draw};
         if (!add_chunk(pass, chunk)) {
             return false;
         }
-        bytes += chunk.count * triangle_bytes(draw);
-        at->triangle += chunk.count;
+        at.triangle += chunk.count;
     }
     return true;
 }
 
+static void end_wave(struct rhw_pass_state *pass, int end)
+{
+    int old = atomic_load(&pass->wave_end);
+    while (old > end && !atomic_compare_exchange_weak(&pass->wave_end, &old, end)) {
+    }
+}
+
+// Chunks are claimed in order. The wave ends before the first that finds the memory used up, or behind the first whose
+// bins were too large for all of its triangles; what others make of later chunks meanwhile is made again.
 static void run_chunk(void *user, int index, int worker)
 {
     struct rhw_pass_state *const pass = user;
-    if (!pass->context->kernels->chunk(pass, &pass->chunks[pass->round + index], worker)) {
+    struct rhw_chunk *const chunk = &pass->chunks[index];
+    const struct rhw_arena *const arena = &pass->workers[worker].arena;
+    if (index >= atomic_load_explicit(&pass->wave_end, memory_order_relaxed)) {
+        return;
+    }
+    if (index != 0 && atomic_load_explicit(&pass->geometry, memory_order_relaxed) >= bin_limit(pass)) {
+        end_wave(pass, index);
+        return;
+    }
+    const size_t used = rhw_arena_used(arena);
+    const uint64_t count = chunk->count;
+    if (!pass->context->kernels->chunk(pass, chunk, worker)) {
         pass->failed = true;
+    }
+    atomic_fetch_add_explicit(&pass->geometry, rhw_arena_used(arena) - used, memory_order_relaxed);
+    if (chunk->count < count) {
+        end_wave(pass, index + 1);
     }
 }
 
@@ -157,44 +181,46 @@ static void run_tile(void *user, int index, int worker)
     pass->context->kernels->tile(pass, index, worker);
 }
 
-static size_t arenas_used(const struct rhw_pass_state *pass)
+static void sum_front(const struct rhw_pass_state *pass, struct rhw_stats *stats)
 {
-    size_t bytes = 0;
-    for (int i = 0; i < pass->context->threads; i++) {
-        bytes += rhw_arena_used(&pass->workers[i].arena);
+    for (int i = 0; i < pass->chunk_count; i++) {
+        const struct rhw_front_counters *const c = &pass->chunks[i].counters;
+        stats->vertices_shaded += c->vertices_shaded;
+        stats->triangles_dropped += c->dropped;
+        stats->triangles_clipped += c->clipped;
+        stats->triangles_culled += c->culled;
+        stats->triangles_rasterized += c->rasterized;
+        stats->bin_entries += c->entries;
     }
-    return bytes;
 }
 
-// Runs the front end over the wave's chunks, in rounds whose size follows from what the chunks so far took: how
-// many bins a triangle fills is known only then. When the memory is used up the wave ends early and `at` goes back
-// to the first chunk left. Where a wave ends may depend on the threads; what is drawn does not depend on waves.
+// Runs the front end over the next wave, which starts at `at` and moves it to where it ended. Where that is may depend
+// on the threads; what is drawn does not depend on waves. False when out of memory.
 static bool run_front(struct rhw_pass_state *pass, struct position *at, struct rhw_stats *stats)
 {
     struct rhw_context *const context = pass->context;
-    const size_t limit = bin_limit(pass);
-    const int least = context->threads;
-    int round = least;
-    for (int done = 0; done < pass->chunk_count; done += round) {
-        const size_t used = arenas_used(pass);
-        if (done != 0 && used >= limit) {
-            at->triangle = pass->chunks[done].first;
-            at->draw = pass->chunks[done].first_draw;
-            pass->chunk_count = done;
-            return true;
-        }
-        if (done != 0) {
-            const size_t fits = (limit - used) / (2 * (used / (size_t)done + 1));
-            round = fits < (size_t)least ? least : fits < INT32_MAX ? (int)fits : INT32_MAX;
-        }
-        const int left = pass->chunk_count - done;
-        round = round < left ? round : left;
-        pass->round = done;
-        stats->front_busy_ms += milliseconds(rhw_scheduler_run(context->scheduler, run_chunk, pass, round));
-        if (pass->failed) {
-            return false;
-        }
+    for (int i = 0; i < context->threads; i++) {
+        rhw_arena_reset(&pass->workers[i].arena);
     }
+    if (!cut_wave(pass, *at)) {
+        return false;
+    }
+    pass->geometry = 0;
+    pass->wave_end = pass->chunk_count;
+    pass->failed = false;
+    stats->front_busy_ms +=
+        milliseconds(rhw_scheduler_run(context->scheduler, run_chunk, pass, pass->chunk_count));
+    if (pass->failed) {
+        return false;
+    }
+    pass->chunk_count = pass->wave_end;
+    if (pass->chunk_count != 0) {
+        const struct rhw_chunk *const last = &pass->chunks[pass->chunk_count - 1];
+        *at = (struct position){last->first + last->count, last->first_draw};
+    }
+    const size_t geometry = pass->geometry;
+    stats->geometry_peak = geometry > stats->geometry_peak ? geometry : stats->geometry_peak;
+    sum_front(pass, stats);
     return true;
 }
 
@@ -225,12 +251,6 @@ static void sum_counters(const struct rhw_pass_state *pass, struct rhw_stats *st
 {
     for (int i = 0; i < pass->context->threads; i++) {
         const struct rhw_counters *const c = &pass->workers[i].counters;
-        stats->vertices_shaded += c->vertices_shaded;
-        stats->triangles_dropped += c->dropped;
-        stats->triangles_clipped += c->clipped;
-        stats->triangles_culled += c->culled;
-        stats->triangles_rasterized += c->rasterized;
-        stats->bin_entries += c->entries;
         stats->fragments_shaded += c->fragments;
         stats->fragment_groups += c->groups;
         stats->vertex_busy_ms += milliseconds(c->vertex_ns);
@@ -252,21 +272,13 @@ enum rhw_result rhw_pass_run(struct rhw_pass_state *pass, struct rhw_stats *stat
                           .tiles = pass->tiles_x * pass->tiles_y,
                           .isa = context->isa};
     struct position at = {0, 0};
+    pass->entries_most = entries_most(pass);
     pass->first_wave = true;
     do {
         const uint64_t start = rhw_time_ns();
-        pass->failed = false;
-        for (int i = 0; i < context->threads; i++) {
-            rhw_arena_reset(&pass->workers[i].arena);
-        }
-        if (!cut_wave(pass, &at)) {
-            return RHW_ERROR_OUT_OF_MEMORY;
-        }
         if (!run_front(pass, &at, &s)) {
             return RHW_ERROR_OUT_OF_MEMORY;
         }
-        const size_t geometry = arenas_used(pass);
-        s.geometry_peak = geometry > s.geometry_peak ? geometry : s.geometry_peak;
         pass->last_wave = at.triangle == pass->triangle_count;
         if (!pass->last_wave && !transient_depth_ready(pass)) {
             return RHW_ERROR_OUT_OF_MEMORY;

@@ -108,8 +108,8 @@ static bool facing(const struct rhw_pipeline_def *def, bool negative, uint16_t *
 
 // The road of a triangle that a plane cuts or that has a vertex that cannot be snapped. Counts what it
 // refuses. Corners and vertices of `triangle` are set, the rest is found here.
-static bool setup_clipped(struct rhw_front_scratch *scratch, struct rhw_counters *counters,
-                          const struct rhw_segment *segment, struct rhw_triangle *triangle)
+static bool setup_clipped(struct rhw_front_scratch *scratch, const struct rhw_segment *segment,
+                          struct rhw_triangle *triangle)
 {
     const struct rhw_draw_state *const state = segment->draw->state;
     const struct rhw_vertex_record *v[3];
@@ -120,7 +120,7 @@ static bool setup_clipped(struct rhw_front_scratch *scratch, struct rhw_counters
         all &= v[i]->flags;
     }
     if (any & RHW_VERTEX_NOT_FINITE) {
-        counters->dropped++;
+        scratch->counters.dropped++;
         return false;
     }
     // Corners that are cut are snapped on their own: a triangle without area can leave a polygon with one.
@@ -129,10 +129,10 @@ static bool setup_clipped(struct rhw_front_scratch *scratch, struct rhw_counters
     const bool empty = !(any & RHW_VERTEX_UNSNAPPED) && x1 * y2 == x2 * y1;
     struct rhw_polygon *const polygon = &scratch->polygons[scratch->polygon_count];
     if (empty || (all & RHW_VERTEX_OUTSIDE) || !rhw_clip_triangle(state, v, polygon)) {
-        counters->culled++;
+        scratch->counters.culled++;
         return false;
     }
-    counters->clipped++;
+    scratch->counters.clipped++;
     const int64_t area = rhw_polygon_area(polygon);
     triangle->flags = (uint16_t)(RHW_TRIANGLE_POLYGON | RHW_TRIANGLE_CLAMP |
                                  (any & RHW_VERTEX_UNSNAPPED ? RHW_TRIANGLE_UNSNAPPED : 0));
@@ -149,7 +149,7 @@ static bool setup_clipped(struct rhw_front_scratch *scratch, struct rhw_counters
     const int px1 = min_int(past_center(high_x), scissor->x + scissor->width);
     const int py1 = min_int(past_center(high_y), scissor->y + scissor->height);
     if (area == 0 || !facing(&state->pipeline->def, area < 0, &triangle->flags) || px0 >= px1 || py0 >= py1) {
-        counters->culled++;
+        scratch->counters.culled++;
         return false;
     }
     triangle->x0 = (int16_t)px0;
@@ -314,8 +314,8 @@ struct output {
 };
 
 // Culls 8 triangles and adds what is left to `out`, in submission order. Reads one triangle more of `corners`.
-static void setup8(struct rhw_front_scratch *scratch, struct rhw_counters *counters, uint32_t run_index,
-                   const uint32_t (*corners)[3], uint32_t first_primitive, unsigned live, struct output *out)
+static void setup8(struct rhw_front_scratch *scratch, uint32_t run_index, const uint32_t (*corners)[3],
+                   uint32_t first_primitive, unsigned live, struct output *out)
 {
     const struct rhw_run *const run = &scratch->runs[run_index];
     const struct rhw_segment *const segment = &scratch->segments[run_index];
@@ -337,7 +337,7 @@ static void setup8(struct rhw_front_scratch *scratch, struct rhw_counters *count
                    lanes.flags_any & i8_splat(RHW_VERTEX_CLIP | RHW_VERTEX_NOT_FINITE), i8_splat(0)));
     const unsigned easy = live & ~hard;
     const unsigned drawn = easy & ~outside & nonzero & ~facing_away & covers;
-    counters->culled += popcount(easy & ~drawn);
+    scratch->counters.culled += popcount(easy & ~drawn);
     if ((drawn | hard) == 0) {
         return;
     }
@@ -360,7 +360,7 @@ static void setup8(struct rhw_front_scratch *scratch, struct rhw_counters *count
         memcpy((unsigned char *)t + 32, &words.high[lane], 32);
         scratch->spans[out->count] = spans[lane];
         if (hard >> lane & 1) {
-            if (!setup_clipped(scratch, counters, segment, t)) {
+            if (!setup_clipped(scratch, segment, t)) {
                 continue;
             }
             scratch->spans[out->count] = span_of(t);
@@ -369,13 +369,12 @@ static void setup8(struct rhw_front_scratch *scratch, struct rhw_counters *count
     }
 }
 
-static void setup_run(struct rhw_front_scratch *scratch, struct rhw_counters *counters, uint32_t run_index,
-                      struct output *out)
+static void setup_run(struct rhw_front_scratch *scratch, uint32_t run_index, struct output *out)
 {
     const struct rhw_run *const run = &scratch->runs[run_index];
     uint32_t i = 0;
     for (; i + 8 < run->count; i += 8) {
-        setup8(scratch, counters, run_index, run->corners + i, run->first_primitive + i, 0xff, out);
+        setup8(scratch, run_index, run->corners + i, run->first_primitive + i, 0xff, out);
     }
     // The last ones are repeated, so that setup8 reads nothing else behind them.
     uint32_t corners[9][3];
@@ -383,8 +382,8 @@ static void setup_run(struct rhw_front_scratch *scratch, struct rhw_counters *co
     for (uint32_t lane = 0; lane < 9; lane++) {
         memcpy(corners[lane], run->corners[i + (lane < left ? lane : left - 1)], sizeof *corners);
     }
-    setup8(scratch, counters, run_index, (const uint32_t(*)[3])corners, run->first_primitive + i,
-           0xffu >> (8 - left), out);
+    setup8(scratch, run_index, (const uint32_t(*)[3])corners, run->first_primitive + i, 0xffu >> (8 - left),
+           out);
 }
 
 // Assembles and shades. `first_primitive`: of the run's first triangle in its draw and instance.
@@ -409,7 +408,7 @@ static bool start_run(struct rhw_front_scratch *scratch, struct rhw_worker *work
         return false;
     }
     shade_vertices(scratch, segment, scratch->vertices + run->first_vertex, vertices);
-    worker->counters.vertices_shaded += vertices;
+    scratch->counters.vertices_shaded += vertices;
     scratch->run_count++;
     scratch->corner_count += count;
     scratch->vertex_count += room;
@@ -457,23 +456,48 @@ static struct tile_span unite(uint32_t *spans, int count)
     return all;
 }
 
+static void bound_bins(struct rhw_chunk *chunk, uint32_t *spans, int triangle_count)
+{
+    chunk->tile_x0 = chunk->tile_y0 = chunk->tile_x1 = chunk->tile_y1 = 0;
+    if (triangle_count != 0) {
+        const struct tile_span all = unite(spans, triangle_count);
+        chunk->tile_x0 = all.x0;
+        chunk->tile_y0 = all.y0;
+        chunk->tile_x1 = all.x1 + 1;
+        chunk->tile_y1 = all.y1 + 1;
+    }
+}
+
+static size_t tiles_of(const struct rhw_chunk *chunk)
+{
+    return (size_t)(chunk->tile_x1 - chunk->tile_x0) * (size_t)(chunk->tile_y1 - chunk->tile_y0);
+}
+
+// How many triangles, from the first on, have at most `most` entries in the bins. One always has.
+static int triangles_that_fit(const struct rhw_chunk *chunk, const uint32_t *spans, int triangle_count,
+                              uint32_t most)
+{
+    if ((size_t)triangle_count * tiles_of(chunk) <= most) {
+        return triangle_count;
+    }
+    uint32_t entries = 0; // below 2^13 triangles · 2^16 tiles
+    for (int t = 0; t < triangle_count; t++) {
+        const struct tile_span s = unpack(spans[t]);
+        entries += (uint32_t)((s.x1 - s.x0 + 1) * (s.y1 - s.y0 + 1));
+        if (entries > most) {
+            return t;
+        }
+    }
+    return triangle_count;
+}
+
 // Counting sort of triangles by tile: counts, sums, then entries. offsets[i] runs from the start of bin i to
 // its end while entries are placed, which is where bin i + 1 starts; hence the shift by one. Most triangles lie in
 // one tile.
-static bool bin(struct rhw_chunk *chunk, uint32_t *spans, int triangle_count, struct rhw_arena *arena)
+static bool bin(struct rhw_chunk *chunk, const uint32_t *spans, int triangle_count, struct rhw_arena *arena)
 {
-    if (triangle_count == 0) {
-        chunk->tile_x0 = chunk->tile_y0 = chunk->tile_x1 = chunk->tile_y1 = 0;
-        chunk->entry_count = 0;
-        return true;
-    }
-    const struct tile_span all = unite(spans, triangle_count);
-    chunk->tile_x0 = all.x0;
-    chunk->tile_y0 = all.y0;
-    chunk->tile_x1 = all.x1 + 1;
-    chunk->tile_y1 = all.y1 + 1;
-    const int width = all.x1 - all.x0 + 1, origin = all.y0 * width + all.x0;
-    const size_t tiles = (size_t)width * (size_t)(all.y1 - all.y0 + 1);
+    const int width = chunk->tile_x1 - chunk->tile_x0, origin = chunk->tile_y0 * width + chunk->tile_x0;
+    const size_t tiles = tiles_of(chunk);
     uint32_t *const offsets = rhw_arena_alloc(arena, (tiles + 2) * sizeof *offsets, RHW_CACHE_LINE);
     if (!offsets) {
         return false;
@@ -495,9 +519,9 @@ static bool bin(struct rhw_chunk *chunk, uint32_t *spans, int triangle_count, st
     for (size_t i = 2; i < tiles + 2; i++) {
         offsets[i] += offsets[i - 1];
     }
-    chunk->entry_count = offsets[tiles + 1];
+    chunk->counters.entries = offsets[tiles + 1];
     uint16_t *const entries =
-        rhw_arena_alloc(arena, chunk->entry_count * sizeof *chunk->entries, RHW_CACHE_LINE);
+        rhw_arena_alloc(arena, chunk->counters.entries * sizeof *chunk->entries, RHW_CACHE_LINE);
     if (!entries) {
         return false;
     }
@@ -555,41 +579,72 @@ static enum rhw_compare shared_deferral(const struct rhw_front_scratch *scratch)
     return first;
 }
 
-static bool run_chunk(struct rhw_pass_state *pass, struct rhw_chunk *chunk, int worker_index)
+// Where a triangle of the chunk stands in the line of all triangles.
+static uint64_t place_in_line(const struct rhw_front_scratch *scratch, const struct rhw_triangle *t)
 {
-    struct rhw_worker *const worker = &pass->workers[worker_index];
-    struct rhw_arena *const arena = &worker->arena;
+    const struct rhw_segment *const segment = &scratch->segments[t->segment];
+    const struct rhw_draw *const draw = segment->draw;
+    return draw->first_triangle + (uint64_t)segment->instance * draw->triangles_per_instance + t->primitive;
+}
+
+// Vertices and triangles of a chunk. False when out of memory.
+static bool make_triangles(const struct rhw_pass_state *pass, const struct rhw_chunk *chunk,
+                           struct rhw_worker *worker, struct output *out)
+{
     struct rhw_front_scratch *const scratch = worker->front;
     scratch->run_count = scratch->polygon_count = 0;
     scratch->corner_count = scratch->vertex_count = 0;
+    scratch->counters = (struct rhw_front_counters){0};
     const uint64_t start = rhw_time_ns();
     if (!start_runs(pass, chunk, worker)) {
         return false;
     }
     const uint64_t shaded = rhw_time_ns();
     // Room for all triangles; what culling leaves of it goes back.
-    struct output out = {
-        .triangles = rhw_arena_alloc(arena, (size_t)chunk->count * sizeof *out.triangles, RHW_CACHE_LINE)};
-    if (!out.triangles) {
+    out->count = 0;
+    out->triangles =
+        rhw_arena_alloc(&worker->arena, (size_t)chunk->count * sizeof *out->triangles, RHW_CACHE_LINE);
+    if (!out->triangles) {
         return false;
     }
     for (int i = 0; i < scratch->run_count; i++) {
-        setup_run(scratch, &worker->counters, (uint32_t)i, &out);
+        setup_run(scratch, (uint32_t)i, out);
     }
-    const uint64_t ready = rhw_time_ns();
-    rhw_arena_trim(arena, out.triangles + out.count);
+    rhw_arena_trim(&worker->arena, out->triangles + out->count);
+    scratch->counters.rasterized = (uint64_t)out->count;
+    worker->counters.vertex_ns += shaded - start;
+    worker->counters.setup_ns += rhw_time_ns() - shaded;
+    return true;
+}
+
+static bool run_chunk(struct rhw_pass_state *pass, struct rhw_chunk *chunk, int worker_index)
+{
+    struct rhw_worker *const worker = &pass->workers[worker_index];
+    struct rhw_arena *const arena = &worker->arena;
+    struct rhw_front_scratch *const scratch = worker->front;
+    struct output out;
+    if (!make_triangles(pass, chunk, worker, &out)) {
+        return false;
+    }
+    // Large triangles on a large target: the chunk ends where its bins are full. Doing it again costs nothing beside
+    // drawing that many entries, and its counters stay those of the triangles it has.
+    bound_bins(chunk, scratch->spans, out.count);
+    const int fit = triangles_that_fit(chunk, scratch->spans, out.count, pass->entries_most);
+    if (fit < out.count) {
+        chunk->count = place_in_line(scratch, &out.triangles[fit]) - chunk->first;
+        if (!make_triangles(pass, chunk, worker, &out)) {
+            return false;
+        }
+        bound_bins(chunk, scratch->spans, out.count);
+    }
+    const uint64_t start = rhw_time_ns();
+    chunk->counters = scratch->counters;
     chunk->deferral = shared_deferral(scratch);
     chunk->triangles = out.triangles;
     chunk->segments = keep(arena, scratch->segments, (size_t)scratch->run_count * sizeof *chunk->segments);
     chunk->polygons =
         keep(arena, scratch->polygons, (size_t)scratch->polygon_count * sizeof *chunk->polygons);
-    if (!chunk->segments || !chunk->polygons || !bin(chunk, scratch->spans, out.count, arena)) {
-        return false;
-    }
-    worker->counters.rasterized += (uint64_t)out.count;
-    worker->counters.entries += chunk->entry_count;
-    worker->counters.vertex_ns += shaded - start;
-    worker->counters.setup_ns += ready - shaded;
-    worker->counters.bin_ns += rhw_time_ns() - ready;
-    return true;
+    const bool binned = chunk->segments && chunk->polygons && bin(chunk, scratch->spans, out.count, arena);
+    worker->counters.bin_ns += rhw_time_ns() - start;
+    return binned;
 }

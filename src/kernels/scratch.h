@@ -58,6 +58,7 @@ struct rhw_front_scratch {
     uint32_t spans[RHW_BATCH_TRIANGLES]; // tiles of each triangle, see span_of
     uint32_t corner_count, vertex_count;
     int run_count, polygon_count;
+    struct rhw_front_counters counters;
 };
 
 // Where the 8 fragments of a group stand. A texel of the tile has the number y·RHW_TILE + x.
