@@ -107,6 +107,9 @@ struct rhw_worker {
     struct rhw_counters counters;
     struct rhw_front_scratch *front;
     struct rhw_tile_scratch *tile;
+    // The tiles this worker begins with. Written by it, and by others that have none left of their own.
+    _Alignas(RHW_CACHE_LINE) _Atomic int next_tile;
+    int end_tile; // exclusive
 };
 
 struct rhw_pass_state {

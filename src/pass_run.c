@@ -175,10 +175,36 @@ static void run_chunk(void *user, int index, int worker)
     }
 }
 
+// Every worker has tiles of its own, the same in every frame, and takes those of others when it has none left: memory
+// that the same core wrote last costs half as much to write again. There are as many calls as tiles, so each call finds
+// one: what others took before it is less than all.
 static void run_tile(void *user, int index, int worker)
 {
     struct rhw_pass_state *const pass = user;
-    pass->context->kernels->tile(pass, index, worker);
+    const int threads = pass->context->threads;
+    (void)index;
+    for (int i = 0; i < threads; i++) {
+        struct rhw_worker *const owner = &pass->workers[(worker + i) % threads];
+        if (atomic_load_explicit(&owner->next_tile, memory_order_relaxed) >= owner->end_tile) {
+            continue;
+        }
+        const int tile = atomic_fetch_add_explicit(&owner->next_tile, 1, memory_order_relaxed);
+        if (tile < owner->end_tile) {
+            pass->context->kernels->tile(pass, tile, worker);
+            return;
+        }
+    }
+}
+
+static uint64_t run_tiles(struct rhw_pass_state *pass)
+{
+    struct rhw_context *const context = pass->context;
+    const int tiles = pass->tiles_x * pass->tiles_y;
+    for (int i = 0; i < context->threads; i++) {
+        pass->workers[i].next_tile = (int)((int64_t)tiles * i / context->threads);
+        pass->workers[i].end_tile = (int)((int64_t)tiles * (i + 1) / context->threads);
+    }
+    return rhw_scheduler_run(context->scheduler, run_tile, pass, tiles);
 }
 
 static void sum_front(const struct rhw_pass_state *pass, struct rhw_stats *stats)
@@ -284,7 +310,7 @@ enum rhw_result rhw_pass_run(struct rhw_pass_state *pass, struct rhw_stats *stat
             return RHW_ERROR_OUT_OF_MEMORY;
         }
         const uint64_t middle = rhw_time_ns();
-        s.back_busy_ms += milliseconds(rhw_scheduler_run(context->scheduler, run_tile, pass, s.tiles));
+        s.back_busy_ms += milliseconds(run_tiles(pass));
         s.front_ms += milliseconds(middle - start);
         s.back_ms += milliseconds(rhw_time_ns() - middle);
         s.flushes += !pass->last_wave;
