@@ -498,21 +498,22 @@ RHW_INLINE i8 i8_join_upper(i8 a, i8 b)
 #endif
 }
 
-// Whether every half, as an unsigned number, is at most that half of `limit`.
-RHW_INLINE bool i8_halves_within(i8 a, int32_t limit)
+// How much every half, as an unsigned number, is above that half of `limit`; 0 where it is not.
+RHW_INLINE i8 i8_over_halves(i8 a, int32_t limit)
 {
 #if defined(__AVX2__)
-    const __m256i over = _mm256_subs_epu16((__m256i)a, _mm256_set1_epi32(limit));
-    return _mm256_testz_si256(over, over);
+    return (i8)_mm256_subs_epu16((__m256i)a, _mm256_set1_epi32(limit));
 #elif defined(__SSE2__)
     union rhw_lanes x;
     x.i = a;
-    const __m128i over = _mm_or_si128(_mm_subs_epu16(x.half_i[0], _mm_set1_epi32(limit)),
-                                      _mm_subs_epu16(x.half_i[1], _mm_set1_epi32(limit)));
-    return _mm_movemask_epi8(_mm_cmpeq_epi16(over, _mm_setzero_si128())) == 0xffff;
+    x.half_i[0] = _mm_subs_epu16(x.half_i[0], _mm_set1_epi32(limit));
+    x.half_i[1] = _mm_subs_epu16(x.half_i[1], _mm_set1_epi32(limit));
+    return x.i;
 #else
     const u8 lower = (u8)a & 0xffff, upper = (u8)a >> 16;
-    return !rhw_any((i8)(lower > ((uint32_t)limit & 0xffff)) | (i8)(upper > ((uint32_t)limit >> 16)));
+    const uint32_t lower_limit = (uint32_t)limit & 0xffff, upper_limit = (uint32_t)limit >> 16;
+    const u8 lower_over = (lower - lower_limit) & (u8)(lower > lower_limit);
+    return (i8)(lower_over | ((upper - upper_limit) & (u8)(upper > upper_limit)) << 16);
 #endif
 }
 
@@ -522,6 +523,78 @@ RHW_INLINE bool i8_any_bit(i8 bits)
     return !_mm256_testz_si256((__m256i)bits, (__m256i)bits);
 #else
     return rhw_any(~rhw_equal_int(bits, i8_splat(0)));
+#endif
+}
+
+// Whether a bit of `bits` is set that is set in `mask` too.
+RHW_INLINE bool i8_any_of(i8 bits, i8 mask)
+{
+#if defined(__AVX2__)
+    return !_mm256_testz_si256((__m256i)bits, (__m256i)mask);
+#else
+    return i8_any_bit(bits & mask);
+#endif
+}
+
+// −128 times the lower byte of each half.
+RHW_INLINE i8 i8_widen_even(i8 bytes)
+{
+#if defined(__AVX2__)
+    return (i8)_mm256_maddubs_epi16((__m256i)bytes, _mm256_set1_epi16(0x0080));
+#else
+    return (i8)((s16)(bytes & 0x00ff00ff) * (int16_t)-128);
+#endif
+}
+
+// −128 times the upper byte of each half.
+RHW_INLINE i8 i8_widen_odd(i8 bytes)
+{
+#if defined(__AVX2__)
+    return (i8)_mm256_maddubs_epi16((__m256i)bytes, _mm256_set1_epi16((int16_t)0x8000));
+#else
+    return (i8)((s16)(((u8)bytes >> 8) & 0x00ff00ff) * (int16_t)-128);
+#endif
+}
+
+// Lanes from other lanes ----------------------------------------------------------------------------
+
+// Whether i8_permute is an instruction.
+#if defined(__AVX2__)
+enum { I8_PERMUTES = 1 };
+#else
+enum { I8_PERMUTES = 0 };
+#endif
+
+// Lane lane[i] of `v` in each lane; lane numbers modulo 8.
+RHW_INLINE i8 i8_permute(i8 v, i8 lane)
+{
+#if defined(__AVX2__)
+    return (i8)_mm256_permutevar8x32_epi32((__m256i)v, (__m256i)lane);
+#else
+    i8 result;
+    for (int i = 0; i < RHW_LANES; i++) {
+        result[i] = v[lane[i] & 7];
+    }
+    return result;
+#endif
+}
+
+// The first lane, and the last one, in all lanes.
+RHW_INLINE i8 i8_splat_first(i8 v)
+{
+#if defined(__AVX2__)
+    return (i8)_mm256_broadcastd_epi32(_mm256_castsi256_si128((__m256i)v));
+#else
+    return i8_splat(v[0]);
+#endif
+}
+
+RHW_INLINE i8 i8_splat_last(i8 v)
+{
+#if defined(__AVX2__)
+    return (i8)_mm256_shuffle_epi32(_mm256_permute4x64_epi64((__m256i)v, 0xff), 0xff);
+#else
+    return i8_splat(v[RHW_LANES - 1]);
 #endif
 }
 

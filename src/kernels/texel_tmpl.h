@@ -8,6 +8,7 @@
 #include "../srgb.h"
 #include "../srgb_texture.h"
 #include "../texture.h"
+#include "constants_tmpl.h"
 
 // Addresses -----------------------------------------------------------------------------------------
 
@@ -16,8 +17,10 @@
 static inline f8 sample_fold(enum rhw_address address, f8 u)
 {
     const f8 zero = rhw_splat(0.0f), one = rhw_splat(1.0f);
+    if (__builtin_expect(address == RHW_ADDRESS_REPEAT, 1)) {
+        return rhw_min(u - rhw_floor(u), sample_constants()->one); // never negative; 1 where it is NaN
+    }
     switch (address) {
-    case RHW_ADDRESS_REPEAT: return rhw_min(u - rhw_floor(u), one); // never negative; 1 where it is NaN
     case RHW_ADDRESS_MIRROR: {
         const f8 period = u - 2.0f * rhw_floor(0.5f * u); // 0..2
         return rhw_clamp(1.0f - rhw_abs(period - 1.0f), zero, one);

@@ -206,6 +206,12 @@ static float clear_coordinate(uint64_t *random)
     return ((float)rig_random_int(random, 4096 * 6) + 0.375f) / 4096.0f - 3.0f;
 }
 
+// From one lane to the next: up to 2 texels of the widest texture, either way.
+static float clear_step(uint64_t *random)
+{
+    return (float)(rig_random_int(random, 257) - 128) / 4096.0f;
+}
+
 static float clear_lod(uint64_t *random)
 {
     return ((float)rig_random_int(random, 9 * 16) + 0.25f) / 16.0f - 1.5f;
@@ -288,9 +294,10 @@ static void test_samples_follow_the_model(void **state)
         for (int repeat = 0; repeat < 8; repeat++) {
             rhw_float uv[2], lod, texel[4];
             const float common = clear_lod(&random);
-            for (int i = 0; i < RHW_LANES; i++) { // lanes near each other, or anywhere
-                uv[0][i] = i == 0 || repeat & 1 ? clear_coordinate(&random) : uv[0][i - 1] + 1.0f / 1024;
-                uv[1][i] = i == 0 || repeat & 1 ? clear_coordinate(&random) : uv[1][i - 1];
+            const float du = clear_step(&random), dv = repeat & 4 ? clear_step(&random) : 0.0f;
+            for (int i = 0; i < RHW_LANES; i++) { // lanes on a line, often a row of texels, or anywhere
+                uv[0][i] = i == 0 || repeat & 1 ? clear_coordinate(&random) : uv[0][i - 1] + du;
+                uv[1][i] = i == 0 || repeat & 1 ? clear_coordinate(&random) : uv[1][i - 1] + dv;
                 lod[i] = repeat & 2 ? clear_lod(&random) : common;
             }
             sample_all_isas(&binding, uv, NULL, &lod, texel);

@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: MIT
+// Which mip levels a sample reads: the level of detail from slopes or as given, and the level it names.
+#ifndef RHW_LEVEL_TMPL_H
+#define RHW_LEVEL_TMPL_H
+
+#include "../texture.h"
+#include "constants_tmpl.h"
+
+// &texture->mip[level], found by a loop where an index would do: the processor predicts when the loop ends and
+// starts to load texels before it has worked out the level of detail, which saves a quarter of the time.
+RHW_INLINE const struct rhw_mip *sample_mip(const struct rhw_texture_data *texture, int level)
+{
+    const struct rhw_mip *mip = texture->mip;
+    for (; level > 0; level--) {
+        mip++;
+        __asm__("" : "+r"(mip)); // or the compiler would see through it
+    }
+    return mip;
+}
+
+// The last level that may be used.
+RHW_INLINE int sample_last_level(const struct rhw_texture_data *texture,
+                                 const struct rhw_sampler_def *sampler)
+{
+    return sampler->mip_filter == RHW_MIP_FILTER_NONE ? 0 : texture->levels - 1;
+}
+
+// log2(a) / 2 within 2^-17, exact at powers of four: the level of detail needs no more. The bits of a float,
+// read as a number, are its logarithm but for the curve between powers of two. 0 gives −63.5, infinity and
+// NaN 64: the bits of a NaN differ between processors.
+RHW_INLINE f8 sample_half_log2(f8 a)
+{
+    const struct sample_constants *const k = sample_constants();
+    const i8 bits = (i8)rhw_min(a, k->largest);
+    const f8 straight = rhw_to_float(bits) * k->log_scale + k->log_offset;
+    const f8 t = (f8)((bits & k->fraction_bits) | k->one_bits) - k->one;
+    const f8 square = t * t;
+    const f8 curve = (k->curve1 * t + k->curve0) + square * (k->curve3 * t + k->curve2);
+    return straight + (square - t) * curve;
+}
+
+// Level of detail after OpenGL ES 3.0 §3.8.10, biased but not yet limited. Half the logarithm of the squared
+// length spares the square root.
+RHW_INLINE f8 sample_detail(const struct rhw_texture_data *texture, const struct rhw_sampler_def *sampler,
+                            const f8 *grad, const f8 *lod)
+{
+    const float bias = sampler->lod_bias;
+    if (!grad) {
+        return (lod ? *lod : rhw_splat(0.0f)) + bias;
+    }
+    const struct rhw_mip *const mip = &texture->mip[0]; // whose scale is 2^16 too large
+    const f8 scale_x = f8_splat(mip->scale_x), scale_y = f8_splat(mip->scale_y);
+    const f8 ux = grad[0] * scale_x, vx = grad[1] * scale_y;
+    const f8 uy = grad[2] * scale_x, vy = grad[3] * scale_y;
+    return sample_half_log2(rhw_max(ux * ux + vx * vx, uy * uy + vy * vy)) + (bias - 16.0f);
+}
+
+#endif
