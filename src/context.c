@@ -74,33 +74,17 @@ void rhw_context_log(const struct rhw_context *context, enum rhw_log_level level
     context->log(context->user, level, message);
 }
 
-static void report_misuse(const struct rhw_context *context, const char *format, va_list arguments)
+void rhw_misuse(const struct rhw_context *context, const char *format, ...)
 {
     char message[MESSAGE_SIZE];
+    va_list arguments;
+    va_start(arguments, format);
     vsnprintf(message, sizeof message, format, arguments);
+    va_end(arguments);
     if (context == NULL)
         assert_default(NULL, message);
     else
         context->assert_(context->user, message);
-}
-
-void rhw_misuse(const struct rhw_context *context, const char *format, ...)
-{
-    va_list arguments;
-    va_start(arguments, format);
-    report_misuse(context, format, arguments);
-    va_end(arguments);
-}
-
-bool rhw_check(const struct rhw_context *context, bool condition, const char *format, ...)
-{
-    if (condition)
-        return true;
-    va_list arguments;
-    va_start(arguments, format);
-    report_misuse(context, format, arguments);
-    va_end(arguments);
-    return false;
 }
 
 // Hooks never see a size of 0, whose meaning differs between allocators.

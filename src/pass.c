@@ -179,6 +179,8 @@ static void reset(struct rhw_pass_state *pass, const struct rhw_pass_def *def)
     pass->color_count = def->color_count;
     memset(&pass->pending, 0, sizeof pass->pending);
     pass->pending_changed = true;
+    pass->uniforms = NULL;
+    pass->uniform_size = 0;
     for (int i = 0; i < RHW_MAX_TEXTURES; i++) {
         pass->pending_textures[i] = (struct rhw_binding){.sample = pass->context->kernels->sample};
     }
@@ -263,8 +265,8 @@ void rhw_pass_set_pipeline(rhw_context *context, rhw_pass id, rhw_pipeline pipel
         pass ? rhw_context_pipeline(context, pipeline_id, "rhw_pass_set_pipeline") : NULL;
     if (pipeline && targets_match(pass, pipeline)) {
         rhw_pool_use(context, &context->pipelines, pipeline_id.index);
+        pass->pending_changed |= pass->pending.pipeline != pipeline;
         pass->pending.pipeline = pipeline;
-        pass->pending_changed = true;
     }
 }
 
@@ -284,8 +286,11 @@ void rhw_pass_set_vertex_buffer(rhw_context *context, rhw_pass id, int slot, rhw
         return;
     }
     rhw_pool_use(context, &context->buffers, buffer_id.index);
-    pass->pending.streams[slot] = (struct rhw_vertex_stream){buffer->bytes + offset, buffer->size - offset};
-    pass->pending_changed = true;
+    struct rhw_vertex_stream *const stream = &pass->pending.streams[slot];
+    const unsigned char *const bytes = buffer->bytes + offset;
+    const size_t size = buffer->size - offset;
+    pass->pending_changed |= stream->bytes != bytes || stream->size != size;
+    *stream = (struct rhw_vertex_stream){bytes, size};
 }
 
 void rhw_pass_set_index_buffer(rhw_context *context, rhw_pass id, rhw_buffer buffer_id,
@@ -303,10 +308,14 @@ void rhw_pass_set_index_buffer(rhw_context *context, rhw_pass id, rhw_buffer buf
         return;
     }
     rhw_pool_use(context, &context->buffers, buffer_id.index);
-    pass->pending.indices = buffer->bytes + offset;
-    pass->pending.index_bytes = buffer->size - offset;
-    pass->pending.index_type = type;
-    pass->pending_changed = true;
+    struct rhw_draw_state *const pending = &pass->pending;
+    const unsigned char *const bytes = buffer->bytes + offset;
+    const size_t size = buffer->size - offset;
+    pass->pending_changed |=
+        pending->indices != bytes || pending->index_bytes != size || pending->index_type != type;
+    pending->indices = bytes;
+    pending->index_bytes = size;
+    pending->index_type = type;
 }
 
 void rhw_pass_set_uniforms(rhw_context *context, rhw_pass id, const void *data, size_t size)
@@ -326,9 +335,8 @@ void rhw_pass_set_uniforms(rhw_context *context, rhw_pass id, const void *data, 
     if (size != 0) {
         memcpy(copy, data, size);
     }
-    pass->pending.uniforms = copy;
-    pass->pending.uniform_size = (uint32_t)size;
-    pass->pending_changed = true;
+    pass->uniforms = copy;
+    pass->uniform_size = (uint32_t)size;
 }
 
 void rhw_pass_set_texture(rhw_context *context, rhw_pass id, int slot, rhw_texture texture_id,
@@ -359,9 +367,12 @@ void rhw_pass_set_texture(rhw_context *context, rhw_pass id, int slot, rhw_textu
         binding.texture = texture;
         binding.sampler = sampler;
     }
-    pass->pending_textures[slot] = binding;
-    pass->textures_changed = true;
-    pass->pending_changed = true;
+    struct rhw_binding *const pending = &pass->pending_textures[slot];
+    if (pending->texture != binding.texture || pending->sampler != binding.sampler) {
+        *pending = binding;
+        pass->textures_changed = true;
+        pass->pending_changed = true;
+    }
 }
 
 void rhw_pass_set_viewport(rhw_context *context, rhw_pass id, const struct rhw_viewport *v)
@@ -512,8 +523,8 @@ static bool check_draw(const struct rhw_pass_state *pass, bool indexed, const ch
     const struct rhw_draw_state *const pending = &pass->pending;
     if (!rhw_check(context, pending->pipeline != NULL, "%s: no pipeline is set", where) ||
         !rhw_check(context, !indexed || pending->indices, "%s: no index buffer is set", where) ||
-        !rhw_check(context, pending->uniform_size >= pending->pipeline->def.program.uniform_size,
-                   "%s: %u bytes of uniforms are set; the program reads %u", where, pending->uniform_size,
+        !rhw_check(context, pass->uniform_size >= pending->pipeline->def.program.uniform_size,
+                   "%s: %u bytes of uniforms are set; the program reads %u", where, pass->uniform_size,
                    pending->pipeline->def.program.uniform_size)) {
         return false;
     }
@@ -544,6 +555,7 @@ static void record(rhw_context *context, rhw_pass id, const struct rhw_draw *dra
     }
     *slot = *draw;
     slot->state = state;
+    slot->uniforms = pass->uniforms;
     slot->index = pass->draw_count;
     slot->first_triangle = pass->triangle_count;
     if (!rhw_assembly_prepare(slot, count, &pass->arena)) {

@@ -23,15 +23,14 @@ struct rhw_vertex_stream {
     size_t size;                // bytes from there to the buffer's end
 };
 
-// Everything a draw needs that a set_ function changes. A draw points at an immutable copy.
+// Everything a draw needs that a set_ function changes, but for uniforms. Draws point at an immutable copy, one and the
+// same as long as nothing of it changes: that keeps ten thousand draws with uniforms of their own in the cache.
 struct rhw_draw_state {
     const struct rhw_pipeline_data *pipeline;
     struct rhw_vertex_stream streams[RHW_MAX_VERTEX_BUFFERS];
     const unsigned char *indices;
     size_t index_bytes;
     enum rhw_index_type index_type;
-    const void *uniforms;
-    uint32_t uniform_size;
     const struct rhw_binding *textures; // RHW_MAX_TEXTURES of them
     struct rhw_viewport viewport;
     struct rhw_rect scissor; // already within target and viewport
@@ -47,6 +46,7 @@ struct rhw_draw_state {
 
 struct rhw_draw {
     const struct rhw_draw_state *state;
+    const void *uniforms;
     const uint32_t (*expanded)[3]; // vertex indices of strips and fans with restart; else NULL
     uint32_t first, base_vertex, first_instance, instances;
     uint32_t index; // of the draw in its pass
@@ -69,8 +69,9 @@ struct rhw_front_counters {
 };
 
 struct rhw_chunk {
-    uint64_t first, count; // in the line of all triangles; the front end lowers a count whose bins are too large
-    uint32_t first_draw;   // the draw that triangle `first` belongs to
+    uint64_t first,
+        count; // in the line of all triangles; the front end lowers a count whose bins are too large
+    uint32_t first_draw; // the draw that triangle `first` belongs to
     // Written by the front end:
     enum rhw_compare deferral; // of all its draws; RHW_COMPARE_NEVER where they differ
     struct rhw_segment *segments;
@@ -125,6 +126,8 @@ struct rhw_pass_state {
     struct rhw_arena arena;        // states, uniforms, draws
     struct rhw_draw_state pending; // what the next draw would use
     bool pending_changed;
+    const void *uniforms; // of the next draw
+    uint32_t uniform_size;
     struct rhw_binding pending_textures[RHW_MAX_TEXTURES];
     bool textures_changed;
     const struct rhw_draw_state *current; // last copy of `pending`
@@ -142,7 +145,6 @@ struct rhw_pass_state {
     _Alignas(RHW_CACHE_LINE) _Atomic size_t geometry; // bytes that the wave's chunks took
     _Atomic int wave_end;                             // the chunks from here on wait for the next wave
     _Atomic bool failed;                              // a worker ran out of memory
-
 
     _Alignas(RHW_CACHE_LINE) struct rhw_worker *workers;
     bool first_wave, last_wave;     // of this pass: load and store operations belong to these

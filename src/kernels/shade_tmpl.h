@@ -31,14 +31,11 @@ static void set_depth(struct tile_work *work, const struct rhw_pipeline_def *def
     }
 }
 
-static void set_draw(struct tile_work *work, const struct rhw_draw *draw)
+static void set_state(struct tile_work *work, const struct rhw_draw_state *state)
 {
-    flush(work);
-    const struct rhw_draw_state *const state = draw->state;
     const struct rhw_pipeline_data *const pipeline = state->pipeline;
     const struct rhw_pipeline_def *const def = &pipeline->def;
     const uint32_t uses = def->program.uses;
-    work->draw = draw;
     work->state = state;
     work->pipeline = pipeline;
     work->shades = (pipeline->fragment || def->program.fragment1) && work->phase != PHASE_DEPTH;
@@ -50,7 +47,6 @@ static void set_draw(struct tile_work *work, const struct rhw_draw *draw)
     const bool smooth = !pipeline->any_noperspective && !pipeline->any_flat;
     const uint32_t identity = RHW_USE_DISCARD | RHW_USE_DEPTH | RHW_USE_FACING | RHW_USE_IDS;
     work->constant = work->shades && uses == 0 && pipeline->varying_components == 0;
-    work->constant_ready = false;
     work->smooth = smooth && !(uses & ~identity);
     work->packs = work->smooth && !work->constant;
     set_depth(work, def);
@@ -64,9 +60,22 @@ static void set_draw(struct tile_work *work, const struct rhw_draw *draw)
         group->varying = work->scratch->varyings + offset;
         group->ddx = work->scratch->ddx + offset;
         group->ddy = work->scratch->ddy + offset;
-        group->uniforms = state->uniforms;
         group->textures = state->textures;
         group->color = work->scratch->outputs[g];
+    }
+}
+
+// Draws that differ in their uniforms alone have the same state.
+static void set_draw(struct tile_work *work, const struct rhw_draw *draw)
+{
+    flush(work);
+    if (!work->draw || work->draw->state != draw->state) {
+        set_state(work, draw->state);
+    }
+    work->draw = draw;
+    work->constant_ready = false;
+    for (int g = 0; g < RHW_FRAGMENT_GROUPS; g++) {
+        work->scratch->groups[g].uniforms = draw->uniforms;
     }
 }
 

@@ -186,7 +186,7 @@ static void shade_vertices(struct rhw_front_scratch *scratch, const struct rhw_s
             group->attribute = (const f8(*)[4])scratch->attributes[g];
             group->vertex_index = i8_load(element);
             group->instance_index = i8_load(instances);
-            group->uniforms = state->uniforms;
+            group->uniforms = segment->draw->uniforms;
             group->textures = state->textures;
             group->varying = scratch->varyings + g * pipeline->varying_components;
         }
