@@ -377,6 +377,26 @@ RHW_INLINE d4 d4_keep(d4 v, l4 mask)
     return (d4)((l4)v & mask);
 }
 
+RHW_INLINE d4 d4_select(l4 mask, d4 a, d4 b)
+{
+    return (d4)(((l4)a & mask) | ((l4)b & ~mask));
+}
+
+RHW_INLINE d4 d4_min(d4 a, d4 b)
+{
+    return d4_select(d4_less(a, b), a, b);
+}
+
+RHW_INLINE d4 d4_max(d4 a, d4 b)
+{
+    return d4_select(d4_less(b, a), a, b);
+}
+
+RHW_INLINE d4 d4_abs(d4 v)
+{
+    return (d4)((l4)v & INT64_MAX);
+}
+
 // Turns 4 vectors of 4 quantities each into 4 vectors of one quantity each.
 RHW_INLINE void d4_transpose(d4 m[4])
 {
