@@ -35,6 +35,8 @@ const struct bench_scene_entry bench_scene_entries[] = {
     {"draws_10k", "10,000 draws of 12 triangles with uniforms of their own", bench_make_latency,
      BENCH_LATENCY_DRAWS},
     {"context", "creating and destroying a context of rhw", bench_make_latency, BENCH_LATENCY_CONTEXT},
+    {"process", "rhw render of the bunny as a process, file to file", bench_make_latency,
+     BENCH_LATENCY_PROCESS},
 };
 const int bench_scene_entry_count = (int)(sizeof bench_scene_entries / sizeof *bench_scene_entries);
 
@@ -68,6 +70,11 @@ void bench_scene_free(struct bench_scene *scene)
     free(scene->draws);
     bench_surfaces_free(scene->surfaces);
     *scene = (struct bench_scene){0};
+}
+
+bool bench_scene_has_picture(const struct bench_scene *scene)
+{
+    return !scene->opens_context && !scene->renders_file;
 }
 
 bool bench_scene_allocate(struct bench_scene *scene)

@@ -97,7 +97,9 @@ struct bench_scene {
     bool has_color, depth_test, blends;
     // Every fragment is to be shaded, hidden or not: fewer than `work` fragments are a failure.
     bool shades_all;
-    bool opens_context; // no picture: the time is that of opening and closing rhw itself
+    // No picture to look at: the time is that of opening and closing rhw, or of the program that renders this file.
+    bool opens_context;
+    const char *renders_file;
     float clear[4];     // alpha 0, which no shader writes: it tells what is covered
     struct bench_tolerance tolerance;
     enum bench_unit unit;
@@ -119,6 +121,8 @@ extern const int bench_scene_entry_count;
 bool bench_scene_make(const struct bench_scene_entry *entry, struct bench_scene *scene, int width, int height,
                       char *why, size_t why_size);
 void bench_scene_free(struct bench_scene *scene);
+// Whether renderers draw it; else it is of rhw alone.
+bool bench_scene_has_picture(const struct bench_scene *scene);
 
 // For makers. Zeroed arrays of the numbers that the scene names; false without memory.
 bool bench_scene_allocate(struct bench_scene *scene);

@@ -3,6 +3,7 @@
 // pass, as a program does that draws a scene again and again.
 #include "renderer.h"
 
+#include "process.h"
 #include "rhw/rhw.h"
 #include "scene_pbr.h"
 #include "shaders_bench.h"
@@ -197,6 +198,10 @@ static bool frame(struct bench_renderer *renderer)
     struct rhw_stats stats;
     if (scene->opens_context) {
         return open_and_close(&s->def);
+    }
+    if (scene->renders_file) {
+        return bench_render_process(scene->renders_file, s->width, s->height, renderer->threads,
+                                    renderer->isa);
     }
     const struct rhw_pass_def def = pass_of(s);
     rhw_pass pass;

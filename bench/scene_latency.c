@@ -3,8 +3,13 @@
 // its own; they are small, so that pixels do not count.
 #include "scene_latency.h"
 
+#include "process.h"
+#include "scene_model.h"
+
 #include <math.h>
+#include <stdio.h>
 #include <string.h>
+#include <unistd.h>
 
 enum { SIDE = 100, FACES = 6 };
 
@@ -54,12 +59,23 @@ static void place_cube(struct bench_draw *draw, int number, double aspect)
     memcpy(draw->uniforms.color, color, sizeof color);
 }
 
+static bool choose_file(struct bench_scene *scene, char *why, size_t why_size)
+{
+    const bool there = access(bench_bunny_path, R_OK) == 0;
+    snprintf(why, why_size, there ? "this machine does not say where the program is" : "there is no %s",
+             bench_bunny_path);
+    scene->renders_file = bench_bunny_path;
+    return there && bench_can_start_itself();
+}
+
 bool bench_make_latency(const struct bench_scene_entry *entry, struct bench_scene *scene, int width,
                         int height, char *why, size_t why_size)
 {
-    (void)why, (void)why_size; // nothing but memory can fail
     const bool draws = entry->variant == BENCH_LATENCY_DRAWS;
     scene->opens_context = entry->variant == BENCH_LATENCY_CONTEXT;
+    if (entry->variant == BENCH_LATENCY_PROCESS && !choose_file(scene, why, why_size)) {
+        return false;
+    }
     scene->depth_test = true;
     scene->mesh_count = draws;
     scene->draw_count = draws ? SIDE * SIDE : 0;

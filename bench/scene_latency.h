@@ -1,11 +1,16 @@
 // SPDX-License-Identifier: MIT
-// Scenes of little work, in which what a frame, a draw or a context costs by itself shows.
+// Scenes of little work, in which what a frame, a draw, a context or a process costs by itself shows.
 #ifndef BENCH_SCENE_LATENCY_H
 #define BENCH_SCENE_LATENCY_H
 
 #include "bench_scene.h"
 
-enum bench_latency_variant { BENCH_LATENCY_EMPTY, BENCH_LATENCY_DRAWS, BENCH_LATENCY_CONTEXT };
+enum bench_latency_variant {
+    BENCH_LATENCY_EMPTY,
+    BENCH_LATENCY_DRAWS,
+    BENCH_LATENCY_CONTEXT,
+    BENCH_LATENCY_PROCESS
+};
 
 bool bench_make_latency(const struct bench_scene_entry *entry, struct bench_scene *scene, int width,
                         int height, char *why, size_t why_size);

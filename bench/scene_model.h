@@ -16,6 +16,7 @@ bool bench_make_model(const struct bench_scene_entry *entry, struct bench_scene 
 struct rhw_model *bench_model_load(const char *file, char *why, size_t why_size);
 
 extern const char bench_sponza_path[];
+extern const char bench_bunny_path[];
 extern const struct rhw_camera bench_sponza_camera; // along the nave from one end
 
 #endif

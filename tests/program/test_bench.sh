@@ -6,7 +6,7 @@
 tiny="--size 96x54 --frames 2"
 
 succeed bench --list
-check "list names the scenes" test "$(grep -cE "^(fill_flat|overdraw|sphere_1m_depth|bunny_lit|sponza|pbr_helmet|pbr_sponza|context) " "$folder/log/out")" = 8
+check "list names the scenes" test "$(grep -cE "^(fill_flat|overdraw|sphere_1m_depth|bunny_lit|sponza|pbr_helmet|pbr_sponza|context|process) " "$folder/log/out")" = 9
 
 succeed bench $tiny --peer none --scene fill --threads 2
 check "table has its rows" test "$(grep -cE '^fill_(flat|color|blend|tex) ' "$folder/log/out")" = 4
@@ -32,6 +32,21 @@ RHW_MODELS=$folder/none "$rhw" bench $tiny --peer none --scene sponza,pbr,empty 
 check "no model: status" test "$status" = 0
 check "no model: a line each" test "$(grep -cE '^rhw: (sponza|pbr_helmet|pbr_sponza): warning: left out: there is no .*/none/gltf' "$folder/log/err")" = 3
 check "no model: the others" grep -q '^empty,' "$folder/log/out"
+
+# The program as a process, where there is the bunny; it leaves no picture behind.
+mkdir -p leaves
+status=0
+TMPDIR=$folder/work/leaves "$rhw" bench $tiny --peer none --scene process --csv >"$folder/log/out" 2>"$folder/log/err" || status=$?
+check "process: status" test "$status" = 0
+if [ -r /usr/share/glmark2/models/bunny.obj ]; then
+    check "process: a row" grep -qE '^process,[0-9.]+,' "$folder/log/out"
+    status=0
+    TMPDIR=$folder/work/none "$rhw" bench $tiny --peer none --scene process >/dev/null 2>"$folder/log/err" || status=$?
+    check "process: what fails is told" test "$status" = 1
+else
+    check "process: left out" grep -q '^rhw: process: warning: left out: there is no ' "$folder/log/err"
+fi
+check "process: nothing left" test -z "$(ls leaves)"
 
 # The peer, or one line that says why there is none.
 run bench $tiny --scene fill_blend,sphere_10k,empty,draws_10k,context --json

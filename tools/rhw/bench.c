@@ -218,7 +218,7 @@ static bool measure_scene(struct bench *bench, const struct bench_scene *scene,
                           struct rhw_bench_result *result)
 {
     struct bench_time times[RENDERERS_MAX];
-    const bool with_peer = bench->peer >= 0 && !scene->opens_context; // the peer is the last
+    const bool with_peer = bench->peer >= 0 && bench_scene_has_picture(scene); // the peer is the last
     const int count = bench->renderer_count - (bench->peer >= 0 && !with_peer);
     int failed = 0, taken = 0;
     bool works = true;
@@ -232,7 +232,7 @@ static bool measure_scene(struct bench *bench, const struct bench_scene *scene,
         rhw_tool_error(bench->renderers[failed].name, "cannot draw the scene %s", result->entry->name);
         works = false;
     }
-    works = works && (scene->opens_context || check_images(bench, scene, result));
+    works = works && (!bench_scene_has_picture(scene) || check_images(bench, scene, result));
     free_images(bench);
     while (taken-- > 0)
         bench->renderers[taken].release(&bench->renderers[taken]);
