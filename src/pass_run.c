@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Waves: as many chunks as the bin memory holds go through the front end, then every tile draws them. Most
 // passes are one wave; a pass that is larger than the bins loads and stores its tiles between waves, so that
-// memory stays bounded whatever is drawn: by the bin memory and a quarter of it for the bins of the last chunks, and
+// geometry stays bounded whatever is drawn: by the bin memory and a quarter of it for the bins of the last chunks, and
 // a few megabytes per thread.
 #include "pass_run.h"
 
