@@ -454,6 +454,32 @@ RHW_INLINE void f8_transpose(f8 m[8])
 #endif
 }
 
+// Four channels of 8 texels, byte 0 of each from channel 0: rounded to nearest, ties to even; NaN and what is below 0
+// give 0, what is above 255 gives 255.
+RHW_INLINE i8 i8_bytes_from_f8(const f8 channel[4])
+{
+#if defined(__AVX2__)
+    const __m256 most = _mm256_set1_ps(255.0f);
+    __m256i rounded[4];
+    for (int i = 0; i < 4; i++) { // of a NaN the minimum is the second operand, and the integer INT32_MIN
+        rounded[i] = _mm256_cvtps_epi32(_mm256_min_ps(most, (__m256)channel[i]));
+    }
+    const __m256i bytes = _mm256_packus_epi16(_mm256_packs_epi32(rounded[0], rounded[1]),
+                                              _mm256_packs_epi32(rounded[2], rounded[3]));
+    const __m256i order = _mm256_setr_epi8(0, 4, 8, 12, 1, 5, 9, 13, 2, 6, 10, 14, 3, 7, 11, 15, //
+                                           0, 4, 8, 12, 1, 5, 9, 13, 2, 6, 10, 14, 3, 7, 11, 15);
+    return (i8)_mm256_shuffle_epi8(bytes, order);
+#else
+    // From 2^23 on floats have no fraction: adding it rounds, and leaves the integer in the low bits.
+    i8 texel = i8_splat(0);
+    for (int i = 0; i < 4; i++) {
+        const f8 value = f8_min(f8_max(channel[i], f8_splat(0.0f)), f8_splat(255.0f));
+        texel |= ((i8)(value + f8_splat(0x1p23f)) & 0xff) << (8 * i);
+    }
+    return texel;
+#endif
+}
+
 // Two 16-bit halves in each lane ---------------------------------------------------------------------
 
 // (a · b + 2^14) >> 15 of signed 16-bit numbers; those of `b` are not negative.

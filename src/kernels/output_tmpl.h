@@ -92,11 +92,7 @@ static inline void output_rgba8_over(const struct output_state *state, const f8 
         result[i] = rhw_saturate(color[i]) * color_scale + output_byte(old, 8 * i) * keep;
     }
     result[3] = alpha * alpha_scale + rhw_to_float((i8)(((rhw_int)old >> 24) & 0xff)) * keep;
-    i8 byte[4];
-    for (int i = 0; i < 4; i++) { // ONE may carry the sum beyond 255
-        byte[i] = (i8)(rhw_min(result[i], rhw_splat(255.0f)) + output_magic);
-    }
-    const i8 packed = output_pack(byte[0], byte[1], byte[2], byte[3]);
+    const i8 packed = i8_bytes_from_f8(result); // ONE may carry the sum beyond 255
     const i8 written = mask & (i8)i8_splat((int32_t)state->texel_mask);
     i8_store(texels, old ^ ((old ^ packed) & written));
 }
@@ -280,11 +276,11 @@ static inline void output_group(const struct output_state *state, const f8 color
     case OUTPUT_NOTHING: break;
     case OUTPUT_RGBA8_REPLACE:
     case OUTPUT_RGBA8_MASKED: {
-        i8 byte[4];
+        f8 scaled[4];
         for (int i = 0; i < 4; i++) {
-            byte[i] = output_unorm8(rhw_saturate(color[i]));
+            scaled[i] = color[i] * 255.0f;
         }
-        const i8 packed = output_pack(byte[0], byte[1], byte[2], byte[3]);
+        const i8 packed = i8_bytes_from_f8(scaled);
         if (state->kind == OUTPUT_RGBA8_REPLACE) {
             output_store32(texels, packed, mask);
         } else {
