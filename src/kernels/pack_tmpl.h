@@ -111,7 +111,8 @@ static void pack_group(struct tile_work *work, unsigned bits)
     const int g = work->count++, components = pipeline->varying_components;
     struct rhw_fragment *const group = &scratch->groups[g];
     memcpy(scratch->lanes_at[g], scratch->open_at, sizeof scratch->lanes_at[g]);
-    scratch->places[g] = (struct rhw_group_place){.bits = (uint8_t)bits, .packed = true};
+    scratch->places.bits[g] = (uint8_t)bits;
+    scratch->places.packed[g] = true;
     work->open_count = 0;
     work->all_full = false;
     group->mask = i8_from_bits(bits);

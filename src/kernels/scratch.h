@@ -61,11 +61,11 @@ struct rhw_front_scratch {
     struct rhw_front_counters counters;
 };
 
-// Where the 8 fragments of a group stand. A texel of the tile has the number y·RHW_TILE + x.
-struct rhw_group_place {
-    uint16_t at;  // of 8 in a row: the first
-    uint8_t bits; // live lanes
-    bool packed;  // from anywhere: `lanes_at` tells where
+// Where the 8 fragments of each group stand. A texel of the tile has the number y·RHW_TILE + x.
+struct rhw_group_places {
+    uint16_t at[RHW_FRAGMENT_GROUPS];  // of 8 in a row: the first
+    uint8_t bits[RHW_FRAGMENT_GROUPS]; // live lanes
+    bool packed[RHW_FRAGMENT_GROUPS];  // from anywhere: `lanes_at` tells where
 };
 
 // What is kept of a triangle until its last fragment has found a group.
@@ -84,7 +84,7 @@ struct rhw_tile_scratch {
     // The window, see window_tmpl.h.
     uint8_t pending[RHW_TILE][RHW_TILE / 8]; // by row, a bit per pixel: those with a fragment in the window
     struct rhw_fragment groups[RHW_FRAGMENT_GROUPS];
-    struct rhw_group_place places[RHW_FRAGMENT_GROUPS];
+    struct rhw_group_places places;
     uint16_t lanes_at[RHW_FRAGMENT_GROUPS][8];
     struct rhw_packed_triangle packed[RHW_PACKED_TRIANGLES];
     // Fragments that wait for a group: texel, triangle, and the four quantities.

@@ -244,7 +244,7 @@ static void fill_group(const struct tile_work *work, int g, const struct triangl
             fill_barycentrics(group->barycentric_ddy, 0, slopes.b_dy, slopes.c_dy);
         }
     }
-    fill_builtins(work, group, triangle, work->scratch->places[g].at, &w, s, t);
+    fill_builtins(work, group, triangle, work->scratch->places.at[g], &w, s, t);
 }
 
 // Rows of a block that become groups: their numbers, and their bits.
@@ -323,8 +323,9 @@ RHW_INLINE void add_rows(struct tile_work *work, const struct triangle_work *tri
     const int first = work->count;
     for (int n = 0; n < rows->count; n++) {
         const int row = rows->row[n];
-        scratch->places[first + n] =
-            (struct rhw_group_place){.at = (uint16_t)((y + row) * RHW_TILE + x), .bits = rows->bits[n]};
+        scratch->places.at[first + n] = (uint16_t)((y + row) * RHW_TILE + x);
+        scratch->places.bits[first + n] = rows->bits[n];
+        scratch->places.packed[first + n] = false;
         if (rows != &all_rows) {
             set_pending(work, x, y + row, rows->bits[n]);
             work->all_full = work->all_full && rows->bits[n] == 0xff;

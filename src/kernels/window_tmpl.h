@@ -11,10 +11,10 @@
 // Lanes of group g that are still live after discarding and the late depth test.
 static unsigned finish_depth(struct tile_work *work, int g)
 {
-    const struct rhw_group_place *const place = &work->scratch->places[g];
+    const struct rhw_group_places *const places = &work->scratch->places;
     const struct rhw_fragment *const group = &work->scratch->groups[g];
     const uint32_t uses = work->pipeline->def.program.uses;
-    i8 mask = i8_from_bits(place->bits);
+    i8 mask = i8_from_bits(places->bits[g]);
     if (uses & RHW_USE_DISCARD) {
         mask &= group->mask < i8_splat(0);
     }
@@ -22,8 +22,9 @@ static unsigned finish_depth(struct tile_work *work, int g)
         return i8_sign_bits(mask);
     }
     const f8 z = uses & RHW_USE_DEPTH ? viewport_clamp(work->state, group->depth) : group->depth;
-    if (!place->packed) {
-        return test_row(work, place->at % RHW_TILE, place->at / RHW_TILE, z, i8_sign_bits(mask), work->late);
+    if (!places->packed[g]) {
+        const int at = places->at[g];
+        return test_row(work, at % RHW_TILE, at / RHW_TILE, z, i8_sign_bits(mask), work->late);
     }
     return test_texels(work, work->scratch->lanes_at[g], z, i8_sign_bits(mask), work->late);
 }
@@ -60,18 +61,18 @@ RHW_INLINE void merge_target(const struct tile_work *work, int t, enum output_ki
     state.kind = kind;
     struct rhw_tile_scratch *const scratch = work->scratch;
     unsigned char *const texels = scratch->color[t];
-    const struct rhw_group_place *place = scratch->places;
+    const struct rhw_group_places *const places = &scratch->places;
     const int count = work->count;
     if (kind == OUTPUT_RGBA8_REPLACE && work->all_full) {
         for (int g = 0; g < count; g++) {
-            output_group(&state, scratch->outputs[g][t], i8_splat(-1), texels + place[g].at * size);
+            output_group(&state, scratch->outputs[g][t], i8_splat(-1), texels + places->at[g] * size);
         }
         return;
     }
     for (int g = 0; g < count; g++) {
         const f8 *const color = scratch->outputs[g][t];
-        if (!place[g].packed) {
-            output_group(&state, color, i8_from_bits(place[g].bits), texels + place[g].at * size);
+        if (!places->packed[g]) {
+            output_group(&state, color, i8_from_bits(places->bits[g]), texels + places->at[g] * size);
             continue;
         }
         _Alignas(32) unsigned char lanes[8 * 16];
@@ -80,7 +81,7 @@ RHW_INLINE void merge_target(const struct tile_work *work, int t, enum output_ki
             gather_texels(at, texels, size, lanes);
         }
         output_group(&state, color, i8_splat(-1), lanes);
-        scatter_texels(at, place[g].bits, texels, size, lanes);
+        scatter_texels(at, places->bits[g], texels, size, lanes);
     }
 }
 
@@ -138,8 +139,8 @@ static void shade_window(struct tile_work *work)
     run_fragment_function(work, work->count);
     if (work->depth_mode >= DEPTH_LATE || work->pipeline->def.program.uses & RHW_USE_DISCARD) {
         for (int g = 0; g < work->count; g++) {
-            scratch->places[g].bits = (uint8_t)finish_depth(work, g);
-            work->all_full = work->all_full && scratch->places[g].bits == 0xff;
+            scratch->places.bits[g] = (uint8_t)finish_depth(work, g);
+            work->all_full = work->all_full && scratch->places.bits[g] == 0xff;
         }
     }
     for (int t = 0; t < work->pass->color_count; t++) {
