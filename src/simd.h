@@ -567,6 +567,11 @@ RHW_INLINE bool i8_any_bit(i8 bits)
 {
 #if defined(__AVX2__)
     return !_mm256_testz_si256((__m256i)bits, (__m256i)bits);
+#elif defined(__SSE2__)
+    union rhw_lanes x;
+    x.i = bits;
+    const __m128i either = _mm_or_si128(x.half_i[0], x.half_i[1]);
+    return _mm_movemask_epi8(_mm_cmpeq_epi8(either, _mm_setzero_si128())) != 0xffff;
 #else
     return rhw_any(~rhw_equal_int(bits, i8_splat(0)));
 #endif
@@ -582,23 +587,28 @@ RHW_INLINE bool i8_any_of(i8 bits, i8 mask)
 #endif
 }
 
-// −128 times the lower byte of each half.
-RHW_INLINE i8 i8_widen_even(i8 bytes)
+// The lower byte of each half, and the upper one, times 128 or −128: pmaddubsw has signed factors.
+#if defined(__AVX2__)
+enum { I8_WIDENS_NEGATED = 1 };
+#else
+enum { I8_WIDENS_NEGATED = 0 };
+#endif
+
+RHW_INLINE i8 i8_widen_lower(i8 bytes)
 {
 #if defined(__AVX2__)
     return (i8)_mm256_maddubs_epi16((__m256i)bytes, _mm256_set1_epi16(0x0080));
 #else
-    return (i8)((s16)(bytes & 0x00ff00ff) * (int16_t)-128);
+    return (bytes << 7) & 0x7f807f80;
 #endif
 }
 
-// −128 times the upper byte of each half.
-RHW_INLINE i8 i8_widen_odd(i8 bytes)
+RHW_INLINE i8 i8_widen_upper(i8 bytes)
 {
 #if defined(__AVX2__)
     return (i8)_mm256_maddubs_epi16((__m256i)bytes, _mm256_set1_epi16((int16_t)0x8000));
 #else
-    return (i8)((s16)(((u8)bytes >> 8) & 0x00ff00ff) * (int16_t)-128);
+    return (i8)(((u8)bytes >> 1) & 0x7f807f80u);
 #endif
 }
 

@@ -7,8 +7,7 @@
 // Rounding moves a value by at most half of 1/32640, which is less than 1/20 of the distance between two sRGB
 // codes: they are closest at the dark end, where neighbours are 9.9/32640 apart.
 //
-// Red stands beside blue and green beside alpha because the sampler mixes two channels in 32 bits, and numbers are
-// negated because it keeps its own so (kernels/codes_tmpl.h).
+// Red stands beside blue and green beside alpha because the sampler mixes two channels in 32 bits.
 #include "srgb_texture.h"
 
 #include <string.h>
@@ -39,11 +38,11 @@ static bool allocate_levels(struct rhw_context *context, struct rhw_texture_data
     return true;
 }
 
-static void decode_row(const int16_t table[256], const unsigned char *from, unsigned char *to, size_t count)
+static void decode_row(const uint16_t table[256], const unsigned char *from, unsigned char *to, size_t count)
 {
     for (size_t i = 0; i < count; i++) {
         const unsigned char *const code = from + 4 * i;
-        const int16_t texel[4] = {table[code[0]], table[code[2]], table[code[1]], (int16_t)(-128 * code[3])};
+        const uint16_t texel[4] = {table[code[0]], table[code[2]], table[code[1]], (uint16_t)(code[3] << 7)};
         memcpy(to + RHW_LINEAR_TEXEL * i, texel, sizeof texel);
     }
 }
@@ -56,9 +55,9 @@ bool rhw_texture_linearize(struct rhw_context *context, struct rhw_texture_data 
     if (!texture->linear_memory && !allocate_levels(context, texture)) {
         return false;
     }
-    int16_t table[256];
+    uint16_t table[256];
     for (int i = 0; i < 256; i++) {
-        table[i] = (int16_t)(-0.5f - rhw_srgb_decode_table[i] * (float)RHW_LINEAR_ONE);
+        table[i] = (uint16_t)(rhw_srgb_decode_table[i] * (float)RHW_LINEAR_ONE + 0.5f);
     }
     for (int i = 0; i < texture->levels; i++) {
         const struct rhw_mip *const mip = &texture->mip[i];

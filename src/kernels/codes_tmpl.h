@@ -5,7 +5,7 @@
 // to exactly themselves. RGBA8_UNORM is widened when it is loaded; RGBA8_SRGB stands so in memory, decoded
 // (srgb_texture.h).
 //
-// Both are negated until the last mix: the instruction that widens bytes multiplies by −128 but not by 128.
+// With AVX2 the former are kept negated: the instruction that widens bytes multiplies by −128 but not by 128.
 //
 // Instructions are what a sample costs here, so lanes as most are, at the same two levels and away from the
 // edges, have a straight road of their own; within it, lanes in one row of texels another one.
@@ -27,36 +27,40 @@ struct sample_place {
     i8 weight_x, weight_y; // of the right and the lower texels, 0.15, in both halves
 };
 
-RHW_INLINE i8 sample_mix_half(i8 a, i8 b, i8 weight)
+// Whether codes are kept negated: where widening makes them so.
+RHW_INLINE bool sample_is_negated(bool linear)
 {
-    return (i8)((s16)a - s16_scale((s16)a - (s16)b, (s16)weight));
+    return I8_WIDENS_NEGATED && !linear;
 }
 
-RHW_INLINE struct sample_codes sample_mix_codes(struct sample_codes a, struct sample_codes b, i8 weight)
+// From here on `linear` says that the texels are RGBA8_SRGB; a constant where a call names it.
+RHW_INLINE i8 sample_mix_half(i8 a, i8 b, i8 weight, bool linear)
 {
-    return (struct sample_codes){sample_mix_half(a.rb, b.rb, weight), sample_mix_half(a.ga, b.ga, weight)};
+    if (sample_is_negated(linear)) { // so that halves are rounded the same way
+        return (i8)((s16)a - s16_scale((s16)a - (s16)b, (s16)weight));
+    }
+    return (i8)((s16)a + s16_scale((s16)b - (s16)a, (s16)weight));
 }
 
-// The same, and no longer negated.
-RHW_INLINE i8 sample_mix_half_last(i8 a, i8 b, i8 weight)
+RHW_INLINE struct sample_codes sample_mix_codes(struct sample_codes a, struct sample_codes b, i8 weight,
+                                                bool linear)
 {
-    return (i8)(s16_scale((s16)a - (s16)b, (s16)weight) - (s16)a);
+    return (struct sample_codes){sample_mix_half(a.rb, b.rb, weight, linear),
+                                 sample_mix_half(a.ga, b.ga, weight, linear)};
 }
 
-RHW_INLINE struct sample_codes sample_mix_codes_last(struct sample_codes a, struct sample_codes b, i8 weight)
+// The codes themselves.
+RHW_INLINE struct sample_codes sample_plain_codes(struct sample_codes a, bool linear)
 {
-    return (struct sample_codes){sample_mix_half_last(a.rb, b.rb, weight),
-                                 sample_mix_half_last(a.ga, b.ga, weight)};
-}
-
-RHW_INLINE struct sample_codes sample_negate_codes(struct sample_codes a)
-{
-    return (struct sample_codes){(i8)(-(s16)a.rb), (i8)(-(s16)a.ga)};
+    if (sample_is_negated(linear)) {
+        return (struct sample_codes){(i8)(-(s16)a.rb), (i8)(-(s16)a.ga)};
+    }
+    return a;
 }
 
 RHW_INLINE struct sample_codes sample_widen(i8 texel)
 {
-    return (struct sample_codes){i8_widen_even(texel), i8_widen_odd(texel)};
+    return (struct sample_codes){i8_widen_lower(texel), i8_widen_upper(texel)};
 }
 
 // Coordinates in texels, 16.16, at most 16384 · 2^16 = 2^30. A negative one is truncated to the texel
@@ -71,11 +75,11 @@ RHW_INLINE struct sample_place sample_place(const struct rhw_mip *mip, f8 s, f8 
 }
 
 RHW_INLINE struct sample_codes sample_mix_corners(const struct sample_codes corner[4],
-                                                  const struct sample_place *place)
+                                                  const struct sample_place *place, bool linear)
 {
-    const struct sample_codes above = sample_mix_codes(corner[0], corner[1], place->weight_x);
-    const struct sample_codes below = sample_mix_codes(corner[2], corner[3], place->weight_x);
-    return sample_mix_codes(above, below, place->weight_y);
+    const struct sample_codes above = sample_mix_codes(corner[0], corner[1], place->weight_x, linear);
+    const struct sample_codes below = sample_mix_codes(corner[2], corner[3], place->weight_x, linear);
+    return sample_mix_codes(above, below, place->weight_y, linear);
 }
 
 // Loads ---------------------------------------------------------------------------------------------
@@ -120,10 +124,11 @@ RHW_INLINE struct sample_codes sample_load_codes(const struct rhw_mip *mip, i8 x
 }
 
 // The four texels of each lane where some lie across an edge.
-RHW_INLINE void sample_corners_wrapped(const struct rhw_sampler_def *sampler, const struct rhw_mip *mip,
-                                       i8 xy, bool linear, struct sample_codes corner[4])
+static __attribute__((noinline)) void sample_corners_wrapped(const struct rhw_sampler_def *sampler,
+                                                             const struct rhw_mip *mip, const i8 *xy,
+                                                             bool linear, struct sample_codes corner[4])
 {
-    const i8 x = xy >> 16, y = (xy << 16) >> 16;
+    const i8 x = *xy >> 16, y = (*xy << 16) >> 16;
     const i8 x0 = sample_wrap(sampler->address_u, x, mip->width) << 16;
     const i8 x1 = sample_wrap(sampler->address_u, x + 1, mip->width) << 16;
     const i8 y0 = sample_wrap(sampler->address_v, y, mip->height);
@@ -168,27 +173,27 @@ RHW_INLINE struct sample_codes sample_interior_codes(const struct rhw_mip *mip,
         }
         if (!i8_any_of(offset, apart)) {
             sample_row_corners(mip, first, offset >> 16, corner);
-            return sample_mix_corners(corner, place);
+            return sample_mix_corners(corner, place, linear);
         }
     }
     uint32_t at[RHW_LANES];
     sample_spill(sample_index(place->xy, mip->step), at);
     sample_load_pairs(mip, 0, at, linear, &corner[0]);
     sample_load_pairs(mip, mip->row_pitch, at, linear, &corner[2]);
-    return sample_mix_corners(corner, place);
+    return sample_mix_corners(corner, place, linear);
 }
 
-// `linear`: the texels are RGBA8_SRGB; a constant where a call names it.
 RHW_INLINE struct sample_codes sample_bilinear_codes(const struct rhw_sampler_def *sampler,
                                                      const struct rhw_mip *mip, f8 s, f8 t, bool linear)
 {
     const struct sample_place place = sample_place(mip, s, t);
-    struct sample_codes corner[4];
     if (mip->interior >= 0 && !i8_any_bit(i8_over_halves(place.xy, mip->interior))) {
         return sample_interior_codes(mip, &place, linear);
     }
-    sample_corners_wrapped(sampler, mip, place.xy, linear, corner);
-    return sample_mix_corners(corner, &place);
+    const i8 xy = place.xy; // a copy, so that the one in registers stays there
+    struct sample_codes corner[4];
+    sample_corners_wrapped(sampler, mip, &xy, linear, corner);
+    return sample_mix_corners(corner, &place, linear);
 }
 
 // Code 8.7 / (255 · 128); codes without fraction give c / 255 correctly rounded.
@@ -221,12 +226,13 @@ RHW_INLINE void sample_codes_of_levels(const struct rhw_texture_data *texture,
         const struct rhw_mip *const mip = sample_mip(texture, first);
         struct sample_codes codes = sample_bilinear_codes(sampler, mip, s, t, linear);
         if (i8_any_bit(weight & same)) {
-            codes = sample_mix_codes(codes, sample_bilinear_codes(sampler, mip + 1, s, t, linear), weight);
+            codes = sample_mix_codes(codes, sample_bilinear_codes(sampler, mip + 1, s, t, linear), weight,
+                                     linear);
         }
         result.rb = rhw_select_int(same, codes.rb, result.rb);
         result.ga = rhw_select_int(same, codes.ga, result.ga);
     }
-    sample_unpack_codes(sample_negate_codes(result), texel);
+    sample_unpack_codes(sample_plain_codes(result, linear), texel);
 }
 
 static __attribute__((noinline)) void sample_codes_apart(const struct rhw_texture_data *texture,
@@ -274,6 +280,12 @@ RHW_INLINE void sample_codes(const struct rhw_texture_data *texture, const struc
     const i8 first = i8_splat_first(detail), weight = i8_halve_lower(detail);
     if (!i8_any_of(detail ^ first, sample_constants()->upper_half) && i8_any_of(weight, weight)) {
         const struct rhw_mip *const fine = sample_mip(texture, first[0] >> 16), *const coarse = fine + 1;
+        if (!I8_PERMUTES) { // 16-byte registers are too few for two levels at once
+            const struct sample_codes a = sample_bilinear_codes(sampler, fine, s, t, linear);
+            const struct sample_codes b = sample_bilinear_codes(sampler, coarse, s, t, linear);
+            sample_unpack_codes(sample_plain_codes(sample_mix_codes(a, b, weight, linear), linear), texel);
+            return;
+        }
         const struct sample_place near = sample_place(fine, s, t), far = sample_place(coarse, s, t);
         const i8 over = i8_over_halves(near.xy, fine->interior) | i8_over_halves(far.xy, coarse->interior);
         // The four texels of every lane lie side by side in both levels; if the coarser one has no side of 1, so
@@ -281,7 +293,7 @@ RHW_INLINE void sample_codes(const struct rhw_texture_data *texture, const struc
         if (coarse->interior >= 0 && !i8_any_of(over, over)) {
             const struct sample_codes a = sample_interior_codes(fine, &near, linear);
             const struct sample_codes b = sample_interior_codes(coarse, &far, linear);
-            sample_unpack_codes(sample_mix_codes_last(a, b, weight), texel);
+            sample_unpack_codes(sample_plain_codes(sample_mix_codes(a, b, weight, linear), linear), texel);
             return;
         }
     }

@@ -84,7 +84,7 @@ static inline void sample_level(const struct sample_source *source, const struct
     if (filter == RHW_FILTER_LINEAR && source->texture->format == RHW_FORMAT_RGBA8_SRGB && !source->border) {
         const struct sample_codes codes =
             sample_bilinear_codes(source->sampler, mip, source->s, source->t, true);
-        sample_unpack_codes(sample_negate_codes(codes), texel);
+        sample_unpack_codes(codes, texel);
     } else if (filter == RHW_FILTER_LINEAR) {
         sample_bilinear(source, mip, texel);
     } else {
