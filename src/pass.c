@@ -98,6 +98,16 @@ static enum rhw_result attach(struct rhw_pass_state *pass, rhw_texture id, const
     return RHW_OK;
 }
 
+// Every texel size divides RHW_CLEAR_BYTES.
+static void set_clear(struct rhw_attachment *attachment, const unsigned char *texel)
+{
+    memset(attachment->clear, 0, sizeof attachment->clear);
+    for (size_t i = 0; attachment->load == RHW_LOAD_CLEAR && i < sizeof attachment->clear;
+         i += attachment->texel_size) {
+        memcpy(attachment->clear + i, texel, attachment->texel_size);
+    }
+}
+
 static enum rhw_result attach_color(struct rhw_pass_state *pass, const struct rhw_pass_def *def, int i)
 {
     struct rhw_context *const context = pass->context;
@@ -122,8 +132,10 @@ static enum rhw_result attach_color(struct rhw_pass_state *pass, const struct rh
     attachment->load = color->load;
     attachment->store = color->store;
     const uint64_t environment = rhw_cpu_float_enter();
-    rhw_output_clear_value(attachment->format, color->clear, attachment->clear);
+    unsigned char texel[16];
+    rhw_output_clear_value(attachment->format, color->clear, texel);
     rhw_cpu_float_leave(environment);
+    set_clear(attachment, texel);
     pass->color_ids[i] = color->texture;
     return RHW_OK;
 }
@@ -162,7 +174,7 @@ static enum rhw_result attach_depth(struct rhw_pass_state *pass, const struct rh
     }
     pass->depth.load = depth->load;
     pass->depth.store = depth->store;
-    memcpy(pass->depth.clear, &depth->clear, sizeof depth->clear);
+    set_clear(&pass->depth, (const unsigned char *)&depth->clear);
     return RHW_OK;
 }
 

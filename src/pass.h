@@ -85,12 +85,16 @@ struct rhw_chunk {
     struct rhw_front_counters counters;
 };
 
+enum { RHW_CLEAR_BYTES = 32 };
+
 struct rhw_attachment {
     enum rhw_format format;
     enum rhw_load load;
     enum rhw_store store;
     const struct rhw_mip *target; // NULL: exists in the tile alone
-    unsigned char clear[16];      // one texel
+    // What a tile starts from where nothing is loaded, texels side by side: the clear value, or 0, which is undefined to
+    // the user and still the same bytes on every run.
+    unsigned char clear[RHW_CLEAR_BYTES];
     size_t texel_size;
 };
 

@@ -4,13 +4,6 @@
 
 #include "small_tmpl.h"
 
-// What a clear leaves, or the lack of a load: that is undefined to the user and still the same bytes on every run.
-static const unsigned char *clear_texel(const struct rhw_attachment *attachment)
-{
-    static const unsigned char zero[16] = {0};
-    return attachment->load == RHW_LOAD_CLEAR ? attachment->clear : zero;
-}
-
 static enum rhw_load load_of(const struct rhw_pass_state *pass, const struct rhw_attachment *attachment)
 {
     return pass->first_wave ? attachment->load : RHW_LOAD_LOAD;
@@ -21,18 +14,16 @@ static bool is_stored(const struct rhw_pass_state *pass, const struct rhw_attach
     return attachment->target && !(pass->last_wave && attachment->store == RHW_STORE_DISCARD);
 }
 
-static void fill_texels(unsigned char *texels, const unsigned char *texel, size_t size, size_t count)
+static void fill_bytes(unsigned char *to, const unsigned char pattern[RHW_CLEAR_BYTES], size_t bytes)
 {
-    unsigned char pattern[32]; // every texel size is a power of two up to 16
-    for (size_t i = 0; i < sizeof pattern; i += size) {
-        memcpy(pattern + i, texel, size);
-    }
     const i8 vector = i8_load(pattern);
-    size_t bytes = count * size;
-    for (; bytes >= sizeof pattern; bytes -= sizeof pattern, texels += sizeof pattern) {
-        i8_store(texels, vector);
+    size_t i = 0;
+    for (; i + sizeof vector <= bytes; i += sizeof vector) {
+        i8_store(to + i, vector);
     }
-    memcpy(texels, pattern, bytes);
+    for (; i < bytes; i++) {
+        to[i] = pattern[i % RHW_CLEAR_BYTES];
+    }
 }
 
 // Rows are short: a call of memcpy for each would cost as much as the copy.
@@ -59,7 +50,7 @@ static void load_attachment(const struct tile_work *work, const struct rhw_attac
 {
     const size_t size = attachment->texel_size;
     if (load_of(work->pass, attachment) != RHW_LOAD_LOAD) {
-        fill_texels(tile, clear_texel(attachment), size, RHW_TILE * RHW_TILE);
+        fill_bytes(tile, attachment->clear, RHW_TILE * RHW_TILE * size);
         return;
     }
     for (int y = 0; y < height; y++) {
@@ -88,8 +79,8 @@ static void pass_through(const struct tile_work *work, const struct rhw_attachme
         return;
     }
     for (int y = 0; y < height; y++) {
-        fill_texels(target_row(work, attachment, y), clear_texel(attachment), attachment->texel_size,
-                    (size_t)width);
+        fill_bytes(target_row(work, attachment, y), attachment->clear,
+                   (size_t)width * attachment->texel_size);
     }
 }
 
