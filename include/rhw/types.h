@@ -180,7 +180,10 @@ struct rhw_vertex;
 struct rhw_fragment;
 struct rhw_vertex1;
 struct rhw_fragment1;
-/// A shader function works on `count` groups of 8 lanes that stand one after the other.
+/// A shader function works on `count` groups of 8 lanes that stand one after the other. What it writes must follow from
+/// what it reads there, its uniforms and its textures alone: it is called on any thread, in any order, more than once for
+/// a vertex that several triangles share, not at all for a fragment that an opaque one hides, and once for a whole draw
+/// when it receives nothing that differs.
 typedef void rhw_vertex_function(struct rhw_vertex *groups, int count);
 typedef void rhw_fragment_function(struct rhw_fragment *groups, int count);
 /// The one-at-a-time form: same pipeline, plain floats, slower.
@@ -264,14 +267,14 @@ struct rhw_stats {
     double setup_busy_ms;  ///< of front_busy_ms: clip, cull, setup
     double bin_busy_ms;    ///< of front_busy_ms: binning
     uint64_t draws;
-    uint64_t vertices_shaded; ///< this, fragment_groups and flushes may vary with the number of threads
+    uint64_t vertices_shaded; ///< this, fragments, groups and flushes may vary with the number of threads
     uint64_t triangles_in, triangles_dropped; ///< dropped: a position was not finite
     uint64_t triangles_clipped;    ///< cut by a plane
     uint64_t triangles_culled;     ///< outside the view, facing away, of no area, or covering no sample
     uint64_t triangles_rasterized;
     uint64_t bin_entries;          ///< tiles that triangles were drawn in, added up over the triangles
-    uint64_t fragments_shaded;     ///< live lanes given to the fragment function
-    uint64_t fragment_groups;      ///< groups of 8 lanes that took
+    uint64_t fragments_shaded;     ///< samples that the fragment function's result was made for
+    uint64_t fragment_groups;      ///< groups of 8 lanes that it was called with
     uint64_t flushes;              ///< times the bins were full before the pass ended
     uint64_t memory_peak;          ///< bytes allocated by the context, highest so far
     uint64_t geometry_peak;        ///< of these, vertices, triangles and bins of this pass: the most at one time
