@@ -65,8 +65,9 @@ RHW_INLINE void batch_edges(struct batch *batch, const struct batch_words *words
                  b = ((words->x[j] - words->x[i]) ^ turn) - turn;
         const i8 zero = i8_splat(0);
         const i8 top_left = rhw_less_int(zero, a) | (rhw_equal_int(a, zero) & rhw_less_int(zero, b));
-        const i8 e = a * (px - words->x[i]) + b * (py - words->y[i]);
-        i8_store(batch->q[i], (e + ~top_left) >> RHW_SUBPIXEL_BITS); // −1 where it is neither top nor left
+        // Unsigned, because it may overflow in lanes of large triangles; −1 where it is neither top nor left.
+        const u8 e = (u8)a * (u8)(px - words->x[i]) + (u8)b * (u8)(py - words->y[i]) + (u8)~top_left;
+        i8_store(batch->q[i], (i8)e >> RHW_SUBPIXEL_BITS);
         i8_store(batch->a[i], a);
         i8_store(batch->b[i], b);
     }

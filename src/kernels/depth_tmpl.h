@@ -79,12 +79,12 @@ RHW_INLINE i8 depth_passes(enum rhw_compare compare, f8 z, f8 old)
 {
     switch (compare) {
     case RHW_COMPARE_NEVER: return i8_splat(0);
-    case RHW_COMPARE_LESS: return z < old;
-    case RHW_COMPARE_EQUAL: return z == old;
-    case RHW_COMPARE_LESS_EQUAL: return z <= old;
-    case RHW_COMPARE_GREATER: return z > old;
-    case RHW_COMPARE_NOT_EQUAL: return z != old;
-    case RHW_COMPARE_GREATER_EQUAL: return z >= old;
+    case RHW_COMPARE_LESS: return rhw_less(z, old);
+    case RHW_COMPARE_EQUAL: return rhw_equal(z, old);
+    case RHW_COMPARE_LESS_EQUAL: return rhw_less_equal(z, old);
+    case RHW_COMPARE_GREATER: return rhw_less(old, z);
+    case RHW_COMPARE_NOT_EQUAL: return ~rhw_equal(z, old);
+    case RHW_COMPARE_GREATER_EQUAL: return rhw_less_equal(old, z);
     default: return i8_splat(-1);
     }
 }

@@ -16,7 +16,7 @@ static unsigned finish_depth(struct tile_work *work, int g)
     const uint32_t uses = work->pipeline->def.program.uses;
     i8 mask = i8_from_bits(places->bits[g]);
     if (uses & RHW_USE_DISCARD) {
-        mask &= group->mask < i8_splat(0);
+        mask &= rhw_less_int(group->mask, i8_splat(0));
     }
     if (work->depth_mode < DEPTH_LATE) {
         return i8_sign_bits(mask);
