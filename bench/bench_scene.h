@@ -100,7 +100,7 @@ struct bench_scene {
     // No picture to look at: the time is that of opening and closing rhw, or of the program that renders this file.
     bool opens_context;
     const char *renders_file;
-    float clear[4];     // alpha 0, which no shader writes: it tells what is covered
+    float clear[4]; // alpha 0, which no shader writes: it tells what is covered
     struct bench_tolerance tolerance;
     enum bench_unit unit;
     double work; // units per frame

@@ -168,7 +168,8 @@ bool bench_make_model(const struct bench_scene_entry *entry, struct bench_scene 
 {
     const double aspect = (double)width / (double)height;
     const bool bunny = entry->variant != BENCH_MODEL_SPONZA;
-    struct rhw_model *const model = bench_model_load(bunny ? bench_bunny_path : bench_sponza_path, why, why_size);
+    struct rhw_model *const model =
+        bench_model_load(bunny ? bench_bunny_path : bench_sponza_path, why, why_size);
     if (!model) {
         return false;
     }

@@ -87,6 +87,7 @@ struct rhw_surface {
 
     int32_t slot_varying[RHW_SLOT_COUNT]; // where the stream of a slot begins; −1: no texture
     int32_t uv_varying;                   // untransformed set 0, for the data pass
+    uint32_t shared_slots;                // bits of those that are sampled at once, at the same coordinates
     int32_t occlusion_shared;             // occlusion reads the texel that metallic-roughness read
     float base_color[4], emissive[3];
     float metallic, roughness, normal_scale, occlusion_strength;

@@ -172,9 +172,31 @@ ALWAYS_INLINE void sample_slot(const struct rhw_fragment *f, int at, enum rhw_sl
     rhw_sample_grad(&f->textures[slot], uv, gradient, texel);
 }
 
+// Texels by slot; those of rhw_surface.shared_slots, once they have been sampled, wait for their use.
+typedef rhw_float slot_texels[RHW_SLOT_COUNT][4];
+
+ALWAYS_INLINE void sample_shared(const struct rhw_fragment *f, const struct rhw_surface *s,
+                                 slot_texels texels)
+{
+    if (s->shared_slots) {
+        const int at = s->slot_varying[__builtin_ctz(s->shared_slots)];
+        const rhw_float gradient[4] = {f->ddx[at], f->ddx[at + 1], f->ddy[at], f->ddy[at + 1]};
+        rhw_sample_slots(f->textures, s->shared_slots, &f->varying[at], gradient, texels);
+    }
+}
+
+ALWAYS_INLINE const rhw_float *slot_texel(const struct rhw_fragment *f, const struct rhw_surface *s,
+                                          enum rhw_slot slot, slot_texels texels)
+{
+    if (!(s->shared_slots >> slot & 1)) {
+        sample_slot(f, s->slot_varying[slot], slot, texels[slot]);
+    }
+    return texels[slot];
+}
+
 // Base colour with alpha; clears the lanes of `mask` that the alpha test or the disc of a point discards.
 ALWAYS_INLINE void base_color(struct rhw_fragment *f, const struct rhw_surface *s, bool textured,
-                              rhw_float color[4])
+                              slot_texels texels, rhw_float color[4])
 {
     for (int c = 0; c < 4; c++) {
         color[c] = rhw_splat(s->base_color[c]);
@@ -184,10 +206,8 @@ ALWAYS_INLINE void base_color(struct rhw_fragment *f, const struct rhw_surface *
             color[c] = color[c] * f->varying[s->varying_color + c];
         }
     }
-    const int at = s->slot_varying[RHW_SLOT_BASE_COLOR];
-    if (textured && at >= 0) {
-        rhw_float texel[4];
-        sample_slot(f, at, RHW_SLOT_BASE_COLOR, texel);
+    if (textured && s->slot_varying[RHW_SLOT_BASE_COLOR] >= 0) {
+        const rhw_float *texel = slot_texel(f, s, RHW_SLOT_BASE_COLOR, texels);
         for (int c = 0; c < 4; c++) {
             color[c] = color[c] * texel[c];
         }
@@ -222,16 +242,15 @@ ALWAYS_INLINE void view_direction(const struct rhw_frame *frame, const rhw_float
 
 // Unit, of the side that is seen.
 ALWAYS_INLINE void surface_normal(const struct rhw_fragment *f, const struct rhw_surface *s, bool mapped,
-                                  rhw_float normal[3])
+                                  slot_texels texels, rhw_float normal[3])
 {
     for (int c = 0; c < 3; c++) {
         normal[c] = f->varying[s->varying_normal + c];
     }
-    const int at = s->slot_varying[RHW_SLOT_NORMAL];
-    if (mapped && at >= 0) {
+    if (mapped && s->slot_varying[RHW_SLOT_NORMAL] >= 0) {
         const rhw_float *tangent = &f->varying[s->varying_tangent];
-        rhw_float texel[4], bitangent[3];
-        sample_slot(f, at, RHW_SLOT_NORMAL, texel);
+        const rhw_float *texel = slot_texel(f, s, RHW_SLOT_NORMAL, texels);
+        rhw_float bitangent[3];
         rhw_cross(normal, tangent, bitangent);
         const rhw_float x = (texel[0] * 2.0f - 1.0f) * s->normal_scale;
         const rhw_float y = (texel[1] * 2.0f - 1.0f) * s->normal_scale * tangent[3];
@@ -298,8 +317,12 @@ ALWAYS_INLINE void write_output(struct rhw_fragment *f, const struct rhw_surface
 
 ALWAYS_INLINE void shade_lit(struct rhw_fragment *f, const struct rhw_surface *s, bool textured, bool mapped)
 {
+    slot_texels texels;
     rhw_float base[4];
-    base_color(f, s, textured, base);
+    if (textured) {
+        sample_shared(f, s, texels);
+    }
+    base_color(f, s, textured, texels, base);
     if (!rhw_any(f->mask)) {
         return;
     }
@@ -308,20 +331,18 @@ ALWAYS_INLINE void shade_lit(struct rhw_fragment *f, const struct rhw_surface *s
     rhw_float occlusion = rhw_splat(1.0f);
     rhw_float emissive[3] = {rhw_splat(s->emissive[0]), rhw_splat(s->emissive[1]), rhw_splat(s->emissive[2])};
     if (textured) {
-        rhw_float texel[4];
         if (s->slot_varying[RHW_SLOT_METALLIC_ROUGHNESS] >= 0) {
-            sample_slot(f, s->slot_varying[RHW_SLOT_METALLIC_ROUGHNESS], RHW_SLOT_METALLIC_ROUGHNESS, texel);
+            const rhw_float *texel = slot_texel(f, s, RHW_SLOT_METALLIC_ROUGHNESS, texels);
             roughness = roughness * texel[1];
             metallic = metallic * texel[2];
         }
         if (s->slot_varying[RHW_SLOT_OCCLUSION] >= 0) {
-            if (!s->occlusion_shared) {
-                sample_slot(f, s->slot_varying[RHW_SLOT_OCCLUSION], RHW_SLOT_OCCLUSION, texel);
-            }
+            const rhw_float *texel = s->occlusion_shared ? texels[RHW_SLOT_METALLIC_ROUGHNESS]
+                                                         : slot_texel(f, s, RHW_SLOT_OCCLUSION, texels);
             occlusion = 1.0f + s->occlusion_strength * (texel[0] - 1.0f);
         }
         if (s->slot_varying[RHW_SLOT_EMISSIVE] >= 0) {
-            sample_slot(f, s->slot_varying[RHW_SLOT_EMISSIVE], RHW_SLOT_EMISSIVE, texel);
+            const rhw_float *texel = slot_texel(f, s, RHW_SLOT_EMISSIVE, texels);
             for (int c = 0; c < 3; c++) {
                 emissive[c] = emissive[c] * texel[c];
             }
@@ -330,7 +351,7 @@ ALWAYS_INLINE void shade_lit(struct rhw_fragment *f, const struct rhw_surface *s
     struct rhw_reflector reflector;
     const rhw_float *position = &f->varying[s->varying_position];
     view_direction(frame, position, reflector.view);
-    surface_normal(f, s, mapped, reflector.normal);
+    surface_normal(f, s, mapped, texels, reflector.normal);
     rhw_reflector_set(&reflector, base, metallic, roughness);
 
     rhw_float sum[3] = {emissive[0], emissive[1], emissive[2]};
@@ -375,8 +396,9 @@ static void unlit_fragment(struct rhw_fragment *groups, int count)
 {
     const struct rhw_surface *s = groups->uniforms;
     for (int g = 0; g < count; g++) {
+        slot_texels texels;
         rhw_float color[4], linear[4];
-        base_color(&groups[g], s, true, color);
+        base_color(&groups[g], s, true, texels, color);
         if (s->frame->plain) {
             for (int c = 0; c < 3; c++) {
                 color[c] = rhw_splat(s->frame->plain_color[c]);
@@ -443,15 +465,16 @@ static void data_fragment(struct rhw_fragment *groups, int count)
     const rhw_float zero = rhw_splat(0.0f);
     for (int g = 0; g < count; g++) {
         struct rhw_fragment *f = &groups[g];
+        slot_texels texels;
         if (s->alpha_cutoff > 0.0f || s->varying_disc >= 0) {
             rhw_float color[4];
-            base_color(f, s, true, color);
+            base_color(f, s, true, texels, color);
         }
         write_distance(f, s);
         write_ids(f, s);
         rhw_float normal[3] = {zero, zero, zero};
         if (slots[RHW_DATA_NORMAL] >= 0 && s->varying_normal >= 0) {
-            surface_normal(f, s, s->varying_tangent >= 0, normal);
+            surface_normal(f, s, s->varying_tangent >= 0, texels, normal);
         }
         write_vector(f, slots[RHW_DATA_NORMAL], normal[0], normal[1], normal[2]);
         const rhw_float *position = &f->varying[s->varying_position];

@@ -155,6 +155,19 @@ static void use_slot(struct rhw_surface *s, struct rhw_surface_key *key, const s
     }
 }
 
+// The slots that read the stream of the first one are sampled at once, where there are several.
+static uint32_t shared_slots(const struct rhw_surface *s)
+{
+    uint32_t slots = 0;
+    int32_t stream = -1;
+    for (int slot = 0; slot < RHW_SLOT_COUNT; slot++) {
+        const bool read = s->slot_varying[slot] >= 0 && !(slot == RHW_SLOT_OCCLUSION && s->occlusion_shared);
+        stream = stream < 0 && read ? s->slot_varying[slot] : stream;
+        slots |= read && s->slot_varying[slot] == stream ? 1u << slot : 0;
+    }
+    return slots & (slots - 1) ? slots : 0;
+}
+
 static void set_matrices(struct rhw_surface *s, const struct rhw_surface_pass *def,
                          const struct rhw_instance *instance)
 {
@@ -260,6 +273,7 @@ static void lay_out_color(struct rhw_surface *s, struct rhw_surface_key *key,
         }
     }
     s->occlusion_shared = uploaded->occlusion_shared;
+    s->shared_slots = lit ? shared_slots(s) : 0;
     const bool textured = uploaded->textured && mesh->kind == RHW_VERTEX_SURFACE;
     key->fragment = !lit       ? RHW_FRAGMENT_UNLIT
                     : mapped   ? RHW_FRAGMENT_MAPPED

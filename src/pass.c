@@ -194,7 +194,8 @@ static void reset(struct rhw_pass_state *pass, const struct rhw_pass_def *def)
     pass->uniforms = NULL;
     pass->uniform_size = 0;
     for (int i = 0; i < RHW_MAX_TEXTURES; i++) {
-        pass->pending_textures[i] = (struct rhw_binding){.sample = pass->context->kernels->sample};
+        pass->pending_textures[i] = (struct rhw_binding){
+            .sample = pass->context->kernels->sample, .sample_slots = pass->context->kernels->sample_slots};
     }
     pass->textures_changed = true;
 }
@@ -359,7 +360,8 @@ void rhw_pass_set_texture(rhw_context *context, rhw_pass id, int slot, rhw_textu
                             "rhw_pass_set_texture: slot is %d; it is in 0..%d", slot, RHW_MAX_TEXTURES - 1)) {
         return;
     }
-    struct rhw_binding binding = {.sample = context->kernels->sample};
+    struct rhw_binding binding = {.sample = context->kernels->sample,
+                                  .sample_slots = context->kernels->sample_slots};
     if (texture_id.index != 0) {
         struct rhw_texture_data *const texture =
             rhw_context_texture(context, texture_id, "rhw_pass_set_texture");

@@ -5,9 +5,10 @@
 #include "isa_name.h"
 
 #include "front_tmpl.h"
-#include "sample_tmpl.h"
+#include "sample_slots_tmpl.h"
 #include "tile_tmpl.h"
 
 extern const struct rhw_kernels RHW_ISA_NAME(rhw_kernels);
 
-const struct rhw_kernels RHW_ISA_NAME(rhw_kernels) = {.chunk = run_chunk, .tile = run_tile, .sample = sample};
+const struct rhw_kernels RHW_ISA_NAME(rhw_kernels) = {
+    .chunk = run_chunk, .tile = run_tile, .sample = sample, .sample_slots = sample_slots};

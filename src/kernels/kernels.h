@@ -17,6 +17,9 @@ struct rhw_kernels {
     // Behind rhw_sample_grad and rhw_sample_lod.
     void (*sample)(const struct rhw_binding *binding, const rhw_float uv[2], const rhw_float grad[4],
                    const rhw_float *lod, rhw_float texel[4]);
+    // Behind rhw_sample_slots.
+    void (*sample_slots)(const struct rhw_binding *bindings, uint32_t slots, const rhw_float uv[2],
+                         const rhw_float grad[4], rhw_float (*texels)[4]);
 };
 
 // NULL where this build has no kernels for `isa`; RHW_ISA_BASELINE is always there.

@@ -189,7 +189,8 @@ static struct rhw_binding bind(rhw_context *context, rhw_texture texture,
 {
     struct rhw_texture_data *const data = rhw_context_texture(context, texture, "test");
     assert_true(rhw_texture_linearize(context, data)); // as rhw_pass_set_texture does
-    return (struct rhw_binding){rhw_kernels_for(isa)->sample, data, sampler};
+    const struct rhw_kernels *const kernels = rhw_kernels_for(isa);
+    return (struct rhw_binding){kernels->sample, data, sampler, kernels->sample_slots};
 }
 
 // How far a filtered sample may be off: 8-bit formats are filtered with 15-bit weights, and coordinates
@@ -484,6 +485,81 @@ static void test_one_colour_stays_one_colour(void **state)
     rig_close(&rig);
 }
 
+// Coordinates and gradients within one level or across some, inside the texture or over its edges.
+static void random_footprint(uint64_t *random, rhw_float uv[2], rhw_float grad[4])
+{
+    const float spread = rig_random_int(random, 4) == 0 ? 1.0f : 0.01f;
+    const bool even = rig_random_int(random, 3) != 0;
+    const float size = rig_random_float(random, 0.001f, 0.2f);
+    const float u = rig_random_float(random, -2, 2), v = rig_random_float(random, -2, 2);
+    for (int i = 0; i < RHW_LANES; i++) {
+        uv[0][i] = u + spread * rig_random_float(random, -1, 1);
+        uv[1][i] = v + spread * rig_random_float(random, -1, 1);
+        for (int k = 0; k < 4; k++) {
+            grad[k][i] = size * (even ? 1.0f + 0.001f * (float)i : rig_random_float(random, -1, 1));
+        }
+    }
+}
+
+enum { SLOTS = 6 };
+
+// Every subset of the slots gives each of its textures the bits that it has alone, and leaves the others be.
+static void expect_slots_as_alone(const struct rhw_binding bindings[SLOTS], uint64_t *random)
+{
+    rhw_float uv[2], grad[4], texels[SLOTS][4];
+    const uint32_t slots = 1 + (uint32_t)rig_random_int(random, (1 << SLOTS) - 1);
+    random_footprint(random, uv, grad);
+    memset(texels, 0x5a, sizeof texels);
+    bindings[0].sample_slots(bindings, slots, uv, grad, texels);
+    for (int i = 0; i < SLOTS; i++) {
+        rhw_float alone[4];
+        memset(alone, 0x5a, sizeof alone);
+        if (slots >> i & 1) {
+            bindings[i].sample(&bindings[i], uv, grad, NULL, alone);
+        }
+        assert_memory_equal(texels[i], alone, sizeof alone);
+    }
+}
+
+// Textures of one size and of others, of every kind of format, with equal samplers and other ones, and none.
+static void test_slots_sampled_at_once(void **state)
+{
+    (void)state;
+    static const enum rhw_format formats[] = {RHW_FORMAT_RGBA8_UNORM, RHW_FORMAT_RGBA8_SRGB,
+                                              RHW_FORMAT_RGBA16_FLOAT};
+    struct rig rig;
+    rig_open(&rig, 8, 8);
+    uint64_t random = 11;
+    for (int round = 0; round < 45; round++) {
+        const enum rhw_isa isa = (enum rhw_isa)(round % RHW_ISA_COUNT);
+        struct rhw_sampler_def samplers[SLOTS];
+        struct rhw_binding bindings[SLOTS];
+        rhw_texture textures[SLOTS];
+        if (!rhw_isa_supported(isa)) {
+            continue;
+        }
+        random_sampler(&random, &samplers[0]);
+        for (int i = 0; i < SLOTS; i++) {
+            const bool other = rig_random_int(&random, 5) == 0;
+            textures[i] = random_texture(rig.context, formats[rig_random_int(&random, other ? 3 : 2)],
+                                         other ? 32 : 64, 64, 0, &random);
+            samplers[i] = samplers[0];
+            samplers[i].lod_bias += rig_random_int(&random, 6) == 0 ? 1.0f : 0.0f;
+            bindings[i] = bind(rig.context, textures[i], &samplers[i], isa);
+            if (rig_random_int(&random, 12) == 0) {
+                bindings[i].texture = bindings[i].sampler = NULL;
+            }
+        }
+        for (int n = 0; n < 100; n++) {
+            expect_slots_as_alone(bindings, &random);
+        }
+        for (int i = 0; i < SLOTS; i++) {
+            rhw_texture_destroy(rig.context, textures[i]);
+        }
+    }
+    rig_close(&rig);
+}
+
 static void texture_fragment(struct rhw_fragment *groups, int count)
 {
     for (int g = 0; g < count; g++) {
@@ -658,7 +734,7 @@ static void test_an_unbound_slot_samples_opaque_black(void **state)
     (void)state;
     for (int isa = 0; isa < RHW_ISA_COUNT; isa++) {
         if (rhw_isa_supported((enum rhw_isa)isa)) {
-            const struct rhw_binding binding = {rhw_kernels_for((enum rhw_isa)isa)->sample, NULL, NULL};
+            const struct rhw_binding binding = {.sample = rhw_kernels_for((enum rhw_isa)isa)->sample};
             const float uv[2] = {0.3f, NAN}, expected[4] = {0, 0, 0, 1};
             float texel[4];
             rhw_sample1_lod(&binding, uv, 2.0f, texel);
@@ -876,6 +952,7 @@ int main(void)
         cmocka_unit_test(test_texel_centres_are_exact),
         cmocka_unit_test(test_every_half_is_converted_exactly),
         cmocka_unit_test(test_one_colour_stays_one_colour),
+        cmocka_unit_test(test_slots_sampled_at_once),
         cmocka_unit_test(test_the_linear_copy_follows_the_texels),
         cmocka_unit_test(test_lanes_are_independent),
         cmocka_unit_test(test_hostile_coordinates),

@@ -1,0 +1,117 @@
+// SPDX-License-Identifier: MIT
+// Sampling several textures at one place, as a material does: base colour, normals, roughness, ... usually share
+// coordinates, size and sampler. Then the level of detail, the places in two levels and the weights are worked
+// out once, and the texels of one texture are on their way while another is filtered: those of a whole material
+// are too many for the caches.
+#ifndef RHW_SAMPLE_SLOTS_TMPL_H
+#define RHW_SAMPLE_SLOTS_TMPL_H
+
+#include "sample_tmpl.h"
+
+#include <string.h>
+
+// Where 8 lanes meet the two levels of every texture of a size.
+struct sample_spots {
+    int level;                     // the finer one
+    struct sample_place near, far; // in it, in the next
+    i8 weight;                     // of the next
+};
+
+// False where lanes need more than the straight road of sample_codes.
+RHW_INLINE bool sample_find_spots(const struct rhw_binding *binding, const f8 uv[2], const f8 *grad,
+                                  struct sample_spots *spots)
+{
+    const struct rhw_texture_data *const texture = binding->texture;
+    const struct rhw_sampler_def *const sampler = binding->sampler;
+    if (!texture || !sample_takes_codes(texture->format, sampler)) {
+        return false;
+    }
+    const f8 s = sample_fold(sampler->address_u, uv[0]), t = sample_fold(sampler->address_v, uv[1]);
+    const i8 detail = sample_detail_codes(texture, sampler, grad, NULL), first = i8_splat_first(detail);
+    spots->weight = i8_halve_lower(detail);
+    if (i8_any_of(detail ^ first, sample_constants()->upper_half) ||
+        !i8_any_of(spots->weight, spots->weight)) {
+        return false;
+    }
+    spots->level = first[0] >> 16;
+    const struct rhw_mip *const fine = sample_mip(texture, spots->level), *const coarse = fine + 1;
+    spots->near = sample_place(fine, s, t);
+    spots->far = sample_place(coarse, s, t);
+    const i8 over =
+        i8_over_halves(spots->near.xy, fine->interior) | i8_over_halves(spots->far.xy, coarse->interior);
+    return coarse->interior >= 0 && !i8_any_of(over, over);
+}
+
+// Whether what was found for one binding holds for another.
+RHW_INLINE bool sample_shares(const struct rhw_binding *found, const struct rhw_binding *binding)
+{
+    const struct rhw_texture_data *const a = found->texture, *const b = binding->texture;
+    return b && sample_takes_codes(b->format, binding->sampler) && a->levels == b->levels &&
+           a->mip[0].width == b->mip[0].width && a->mip[0].height == b->mip[0].height &&
+           memcmp(found->sampler, binding->sampler, sizeof(struct rhw_sampler_def)) == 0;
+}
+
+RHW_INLINE uint32_t sample_sharing(const struct rhw_binding *bindings, uint32_t slots,
+                                   const struct rhw_binding *found)
+{
+    uint32_t sharing = 0;
+    for (uint32_t todo = slots; todo != 0; todo &= todo - 1) {
+        const int slot = __builtin_ctz(todo);
+        sharing |= sample_shares(found, &bindings[slot]) ? 1u << slot : 0;
+    }
+    return sharing;
+}
+
+// Asks for the finer level's texels. Every second lane: neighbours mostly share cache lines.
+RHW_INLINE void sample_prefetch(const struct rhw_texture_data *texture, const struct sample_spots *spots)
+{
+    const struct rhw_mip *const mip = &texture->mip[spots->level];
+    const bool linear = texture->format == RHW_FORMAT_RGBA8_SRGB;
+    const unsigned char *const texels = linear ? mip->linear : mip->texels;
+    const size_t texel = linear ? RHW_LINEAR_TEXEL : 4, row = texel / 4 * mip->row_pitch;
+    uint32_t at[RHW_LANES];
+    sample_spill(sample_index(spots->near.xy, mip->step), at);
+    for (int i = 0; i < RHW_LANES; i += 2) {
+        __builtin_prefetch(texels + texel * at[i]);
+        __builtin_prefetch(texels + texel * at[i] + row);
+    }
+}
+
+RHW_INLINE void sample_spots_texel(const struct rhw_texture_data *texture, const struct sample_spots *spots,
+                                   bool linear, f8 texel[4])
+{
+    const struct rhw_mip *const fine = sample_mip(texture, spots->level);
+    const struct sample_codes a = sample_interior_codes(fine, &spots->near, linear);
+    const struct sample_codes b = sample_interior_codes(fine + 1, &spots->far, linear);
+    const struct sample_codes mixed = sample_mix_codes(a, b, spots->weight, linear);
+    sample_unpack_codes(sample_plain_codes(mixed, linear), texel);
+}
+
+// Bit n of `slots`: sample bindings[n] into texels[n].
+static void sample_slots(const struct rhw_binding *bindings, uint32_t slots, const rhw_float uv[2],
+                         const rhw_float grad[4], rhw_float (*texels)[4])
+{
+    const struct rhw_binding *const first = &bindings[__builtin_ctz(slots)];
+    struct sample_spots spots;
+    const uint32_t sharing =
+        sample_find_spots(first, uv, grad, &spots) ? sample_sharing(bindings, slots, first) : 0;
+    for (uint32_t todo = sharing; todo != 0; todo &= todo - 1) {
+        const int slot = __builtin_ctz(todo);
+        const uint32_t later = todo & (todo - 1);
+        const struct rhw_texture_data *const texture = bindings[slot].texture;
+        if (later) {
+            sample_prefetch(bindings[__builtin_ctz(later)].texture, &spots);
+        }
+        if (texture->format == RHW_FORMAT_RGBA8_SRGB) {
+            sample_spots_texel(texture, &spots, true, texels[slot]);
+        } else {
+            sample_spots_texel(texture, &spots, false, texels[slot]);
+        }
+    }
+    for (uint32_t alone = slots & ~sharing; alone != 0; alone &= alone - 1) {
+        const int slot = __builtin_ctz(alone);
+        sample(&bindings[slot], uv, grad, NULL, texels[slot]);
+    }
+}
+
+#endif
