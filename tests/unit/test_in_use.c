@@ -78,7 +78,6 @@ static void test_bins_are_bounded(void **state)
         memcpy(&vertices[3 * i], triangle, sizeof triangle);
     }
     rig.pipeline.program.fragment[0] = NULL; // binning is what counts
-    rig_set_depth(&rig);
     rig_draw_once(&rig, vertices, TRIANGLES * 3);
     assert_int_equal(rig.stats.triangles_rasterized, TRIANGLES);
     assert_true(rig.stats.flushes >= 1); // 2 MiB of entries, above 1 MiB of triangles and vertices

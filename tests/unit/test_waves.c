@@ -5,7 +5,7 @@
 
 #include <string.h>
 
-enum { SIZE = 320, TRIANGLES = 700, INSTANCES = 3, DRAWS = 2 };
+enum { SIZE = 320, TRIANGLES = 300, INSTANCES = 3, DRAWS = 2 };
 
 // Order shows: what a pixel gets depends on every blend before it.
 static void fill(struct rig *rig, struct rig_vertex *vertices, float most)
