@@ -25,7 +25,7 @@ const struct math_function math_functions[MATH_FUNCTIONS] = {
     {ISA_LOG, "log", 0.95, mpfr_log, log, 0.4f, 2.2f},
     {ISA_SIN, "sin", 1.6, mpfr_sin, sin, -20, 20},
     {ISA_COS, "cos", 1.6, mpfr_cos, cos, -20, 20},
-    {ISA_TAN, "tan", 3.5, mpfr_tan, tan, -10, 10},
+    {ISA_TAN, "tan", 3.6, mpfr_tan, tan, -10, 10},
     {ISA_ASIN, "asin", 1.7, mpfr_asin, asin, -1, 1},
     {ISA_ACOS, "acos", 1.1, mpfr_acos, acos, -1, 1},
     {ISA_ATAN, "atan", 2.0, mpfr_atan, atan, -4, 4},
