@@ -39,7 +39,7 @@ struct bench_texture {
     uint8_t *texels[BENCH_MIP_LEVELS];
 };
 
-// The pairs of shaders; both forms of each stand in shaders_bench.c (8 lanes) and shaders_glsl.c.
+// The pairs of shaders; both forms of each stand in shaders_lanes.c (8 lanes) and shaders_glsl.c.
 enum bench_shader {
     BENCH_SHADER_FLAT,        // one colour
     BENCH_SHADER_COLOR,       // interpolated colour

@@ -22,10 +22,10 @@ enum {
     RHW_BLOCK_LOG2 = 3,
     RHW_BLOCK = 1 << RHW_BLOCK_LOG2,
 
-    // Triangles of one front-end batch: enough that a mesh shades few vertices in two of them (rows of a grid, 1000
+    // Triangles of a chunk: enough that a mesh shades few vertices in two of them (rows of a grid, 1000
     // quads wide: 1.25 times instead of 2 with 2048), few enough that its vertices stay in the second cache level
     // for common vertex sizes. Below 2^16, the numbers that bins hold.
-    RHW_BATCH_TRIANGLES = 8192,
+    RHW_CHUNK_TRIANGLES = 8192,
 
     // Bytes; a cache line, so that two threads never write the same one.
     RHW_CACHE_LINE = 64

@@ -3,7 +3,7 @@
 // for the back end.
 //
 // The triangles of all draws stand in one line, in submission order, cut into chunks of at most
-// RHW_BATCH_TRIANGLES. Chunks go through the front end in any order on any thread; a tile then reads the
+// RHW_CHUNK_TRIANGLES. Chunks go through the front end in any order on any thread; a tile then reads the
 // chunks in line order, so the picture does not depend on who did what. A chunk may span many small draws
 // (10,000 draws of 12 triangles are 15 chunks) and a large draw many chunks.
 #ifndef RHW_PASS_H

@@ -16,8 +16,12 @@
 
 static const size_t default_bin_memory = (size_t)512 << 20; // bytes
 
-// 134 million triangles; a chunk that leaves nothing to draw takes hardly any of the bin memory.
-enum { WAVE_CHUNKS = 16384 };
+enum {
+    // Bounds the list of chunks: 134 million triangles, of which those that leave nothing to draw take hardly any bin
+    // memory.
+    WAVE_CHUNKS = 16384,
+    CHUNK_LEAST = 128 // triangles: below, binning a chunk costs as much as its triangles
+};
 
 static double milliseconds(uint64_t ns)
 {
@@ -83,7 +87,7 @@ static size_t bin_limit(const struct rhw_pass_state *pass)
 static uint64_t chunk_size(const struct rhw_pass_state *pass)
 {
     const uint64_t share = pass->triangle_count / (uint64_t)(4 * pass->context->threads) + 1;
-    return share < 128 ? 128 : share < RHW_BATCH_TRIANGLES ? share : RHW_BATCH_TRIANGLES;
+    return share < CHUNK_LEAST ? CHUNK_LEAST : share < RHW_CHUNK_TRIANGLES ? share : RHW_CHUNK_TRIANGLES;
 }
 
 // Entries in the bins of one chunk. Chunks that are under way when the limit is reached pass it by this much each, all

@@ -79,11 +79,12 @@ static void run_tasks(struct rhw_scheduler *scheduler, int worker)
         finished++;
         unclaimed = atomic_load_explicit(&scheduler->unclaimed, memory_order_relaxed);
     }
-    if (finished != 0)
-        atomic_fetch_add_explicit(&scheduler->busy_ns, rhw_time_ns() - start, memory_order_relaxed);
+    if (finished == 0)
+        return;
+    atomic_fetch_add_explicit(&scheduler->busy_ns, rhw_time_ns() - start, memory_order_relaxed);
     // Until this thread reports, the job cannot end and no other can start: all its tasks were of one job.
     // Sequentially consistent against the caller, which announces its sleep and then looks once more.
-    if (finished != 0 && atomic_fetch_sub(&scheduler->unfinished, finished) == finished &&
+    if (atomic_fetch_sub(&scheduler->unfinished, finished) == finished &&
         atomic_load(&scheduler->caller_sleeps)) {
         rhw_mutex_lock(&scheduler->mutex);
         rhw_condition_signal(&scheduler->done);

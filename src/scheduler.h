@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Worker threads of a context. One job at a time: `count` tasks, claimed one by one by the caller and the
-// workers, so that uneven tasks (tiles, batches) balance themselves.
+// workers, so that uneven tasks (tiles, chunks) balance themselves.
 #ifndef RHW_SCHEDULER_H
 #define RHW_SCHEDULER_H
 

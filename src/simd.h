@@ -43,36 +43,11 @@ RHW_INLINE i8 i8_splat(int32_t v)
     return rhw_splat_int(v);
 }
 
-RHW_INLINE i4 i4_splat(int32_t v)
-{
-    return (i4){v, v, v, v};
-}
-
 RHW_INLINE i4 i4_load(const void *p)
 {
     i4 v;
     memcpy(&v, p, sizeof v);
     return v;
-}
-
-RHW_INLINE i4 i4_max(i4 a, i4 b)
-{
-    const i4 above = a > b;
-    return (a & above) | (b & ~above);
-}
-
-// Bit i: v[i] is negative.
-RHW_INLINE unsigned i4_sign_bits(i4 v)
-{
-#if defined __SSE2__
-    return (unsigned)_mm_movemask_ps((__m128)v);
-#else
-    unsigned bits = 0;
-    for (int i = 0; i < 4; i++) {
-        bits |= ((uint32_t)v[i] >> 31) << i;
-    }
-    return bits;
-#endif
 }
 
 RHW_INLINE d4 d4_splat(double v)
@@ -120,11 +95,6 @@ RHW_INLINE void i8_store(void *p, i8 v)
 RHW_INLINE f8 f8_select(i8 mask, f8 a, f8 b)
 {
     return rhw_select(mask, a, b);
-}
-
-RHW_INLINE i8 i8_select(i8 mask, i8 a, i8 b)
-{
-    return rhw_select_int(mask, a, b);
 }
 
 // Of equal values, or when one is NaN, the second: as SSE minps does.

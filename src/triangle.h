@@ -41,7 +41,8 @@ enum rhw_triangle_flag {
     RHW_TRIANGLE_POLYGON = 4,   // clipped: coverage is that of `polygon`
     RHW_TRIANGLE_UNSNAPPED = 8, // values come from the homogeneous triangle
     RHW_TRIANGLE_CLAMP = 16,    // depth may leave the viewport's range by a rounding: clamp it
-    RHW_TRIANGLE_SMALL = 32     // none of the others but facing, and less than RHW_TILE pixels wide and high
+    RHW_TRIANGLE_SMALL =
+        32 // BACK and NEGATIVE apart none of the others, and less than RHW_TILE pixels wide and high
 };
 
 // One cache line. Vertices stay in submission order.

@@ -267,13 +267,13 @@ struct rhw_stats {
     double setup_busy_ms;  ///< of front_busy_ms: clip, cull, setup
     double bin_busy_ms;    ///< of front_busy_ms: binning
     uint64_t draws;
-    uint64_t vertices_shaded; ///< this, fragments, groups and flushes may vary with the number of threads
+    uint64_t vertices_shaded; ///< this, fragments_shaded, fragment_groups and flushes may vary with the threads
     uint64_t triangles_in, triangles_dropped; ///< dropped: a position was not finite
     uint64_t triangles_clipped;    ///< cut by a plane
     uint64_t triangles_culled;     ///< outside the view, facing away, of no area, or covering no sample
     uint64_t triangles_rasterized;
     uint64_t bin_entries;          ///< tiles that triangles were drawn in, added up over the triangles
-    uint64_t fragments_shaded;     ///< samples that the fragment function's result was made for
+    uint64_t fragments_shaded;     ///< samples that got a result of the fragment function; one call may serve many
     uint64_t fragment_groups;      ///< groups of 8 lanes that it was called with
     uint64_t flushes;              ///< times the bins were full before the pass ended
     uint64_t memory_peak;          ///< bytes allocated by the context, highest so far

@@ -8,15 +8,15 @@
 
 enum { BATCH = 8 };
 
-// Meaningful for triangles with RHW_TRIANGLE_SMALL alone. Edges: q, a, b are those of coverage_tmpl.h, q at pixel (x, y)
+// Meaningful for triangles with RHW_TRIANGLE_SMALL alone. Edges: q, a, b are those of coverage_tmpl.h, q at pixel (x, y0)
 // of the tile. Corners lie within 64 pixels of each other and within 72 of any pixel of a block that reaches into their
 // rectangle: |a|, |b| < 2^14, |e| < 2·2^14·72·256 < 2^30.
 struct batch {
     const struct rhw_triangle *triangle[BATCH];
     const struct rhw_vertex_record *vertex[BATCH][3];
-    int32_t x0[BATCH], y0[BATCH], x1[BATCH],
-        y1[BATCH]; // what they may cover of the tile: see struct tile_rect
-    int32_t x[BATCH], y[BATCH];
+    // What they may cover of the tile: see struct tile_rect.
+    int32_t x0[BATCH], y0[BATCH], x1[BATCH], y1[BATCH];
+    int32_t x[BATCH];
     int32_t q[3][BATCH], a[3][BATCH], b[3][BATCH];
     struct linear linear[BATCH];
     double inverse_area[BATCH];
@@ -72,7 +72,6 @@ RHW_INLINE void batch_edges(struct batch *batch, const struct batch_words *words
         i8_store(batch->b[i], b);
     }
     i8_store(batch->x, x);
-    i8_store(batch->y, words->y0);
     i8_store(batch->x0, words->x0);
     i8_store(batch->y0, words->y0);
     i8_store(batch->x1, words->x1);

@@ -21,7 +21,7 @@ RHW_INLINE uint64_t test_block(struct tile_work *work, const struct planes *plan
     return passed;
 }
 
-// The same on any road but the commonest, which is in draw_block: keeps depth for the fragments, clamps it.
+// The same where fragments keep their depth or it is clamped; test_block is the common road.
 static uint64_t depth_block(struct tile_work *work, const struct triangle_work *triangle,
                             const struct block_planes *block, const struct block_place *at, int x, int y,
                             uint64_t mask, bool is_cut, f8 z[RHW_BLOCK])

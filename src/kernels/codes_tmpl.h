@@ -12,7 +12,7 @@
 #ifndef RHW_CODES_TMPL_H
 #define RHW_CODES_TMPL_H
 
-#include "constants_tmpl.h"
+#include "sample_constants_tmpl.h"
 #include "level_tmpl.h"
 #include "texel_tmpl.h"
 

@@ -1,78 +1,14 @@
 // SPDX-License-Identifier: MIT
 // Depth tests of 8 fragments against a tile's depth. Template: compiled once per instruction set.
 //
-// Draws that any order would draw alike (defer.h) can be drawn in two phases, so that only what is seen is shaded: the
+// Draws that any order would draw alike (deferral.h) can be drawn in two phases, so that only what is seen is shaded: the
 // first leaves the least depth of all their triangles (with LESS; GREATER is its mirror image), the second shades the
 // fragments that have it. Of fragments with equal depth the first in submission order wins with LESS, the last with
 // LESS_EQUAL. The last needs no care: each is shaded and overwrites the one before. For the first, a pixel is `open`
 // from when the first phase writes it until its fragment is shaded; depth that was there before, or that a fragment
 // function which discards wrote, is nobody's to match.
 
-#include "scratch.h"
-
-// How depth is tested for a draw.
-enum depth_mode {
-    DEPTH_NONE,
-    DEPTH_EARLY,       // tested and written before shading
-    DEPTH_LATE,        // after: the fragment function writes depth
-    DEPTH_EARLY_REJECT // tested before, tested again and written after: the fragment function may discard
-};
-
-enum phase {
-    PHASE_ONLY,  // depth and shading, as submitted
-    PHASE_DEPTH, // the first of two: depth alone, of draws that do not discard
-    PHASE_SHADE
-};
-
-// What a test has to do with open pixels.
-enum open_rule {
-    OPEN_IGNORED,
-    OPEN_MARK, // what passes opens its pixel
-    OPEN_TAKE, // only open pixels pass; they are not open any more
-    OPEN_TRY,  // equal depth passes too where the pixel is open
-    OPEN_CLOSE // as OPEN_TRY; what passes closes its pixel
-};
-
-struct depth_rule {
-    enum rhw_compare compare;
-    bool write;
-    enum open_rule open;
-};
-
-// One worker's work on one tile.
-struct tile_work {
-    struct rhw_pass_state *pass;
-    struct rhw_tile_scratch *scratch;
-    struct rhw_counters *counters;
-    int x, y; // pixels of the tile's first pixel in the target
-    enum phase phase;
-    bool hit; // a fragment passed a test with OPEN_MARK
-
-    // Of the draw whose fragments are collected:
-    const struct rhw_draw *draw;
-    const struct rhw_draw_state *state;
-    const struct rhw_pipeline_data *pipeline;
-    enum depth_mode depth_mode;
-    struct depth_rule early, late; // late: after the fragment function
-    bool skips;                    // nothing of it is drawn in this phase
-    bool scissored;                // the scissor, or the target's end, leaves out pixels of the tile
-    bool shades;                   // there is a fragment function
-    bool constant;                 // that receives nothing: one call tells the colour of all fragments
-    bool smooth;                   // smooth varyings and their derivatives are all it needs the weights for
-    bool packs;                    // its groups can be packed
-    bool wants;                    // the groups carry depth, facing or ids
-    bool needs_depth;              // depth is tested or given to the fragment function
-    bool keeps_depth;              // and the collected groups carry it
-
-    bool constant_ready; // and it was made
-
-    uint64_t whole;        // blocks of the tile, bit 8·row + column, that are in the window as a whole
-    bool rows_pending;     // the scratch's `pending` has other pixels
-    bool all_full;         // every group is 8 live pixels in a row
-    int count;             // groups in the window
-    int open_count;        // fragments that wait for a group
-    unsigned packed_count; // triangles packed so far
-};
+#include "work_tmpl.h"
 
 // Lanes for which `z compare old` holds.
 RHW_INLINE i8 depth_passes(enum rhw_compare compare, f8 z, f8 old)

@@ -28,7 +28,7 @@ static void index_range(const struct rhw_run *run, uint32_t *low, uint32_t *high
 static uint32_t look_up_slots(struct rhw_front_scratch *scratch, struct rhw_run *run, uint32_t base_vertex,
                               uint32_t (*slots)[3])
 {
-    if (scratch->stamp > UINT32_MAX - 3 * RHW_BATCH_TRIANGLES) { // every 2^32 vertices the stamps start anew
+    if (scratch->stamp > UINT32_MAX - 3 * RHW_CHUNK_TRIANGLES) { // every 2^32 vertices the stamps start anew
         memset(scratch->cache, 0, sizeof scratch->cache);
         scratch->stamp = 1;
     }
@@ -70,12 +70,6 @@ static uint32_t list_vertices(struct rhw_front_scratch *scratch, struct rhw_run 
     return count;
 }
 
-static const struct rhw_vertex_record *record_at(const struct rhw_segment *segment, uint32_t slot)
-{
-    return (const struct rhw_vertex_record *)(const void *)(segment->vertices +
-                                                            (size_t)slot * (size_t)segment->vertex_stride);
-}
-
 // The pixels between two snapped coordinates whose centres lie between them: first, and one past the last.
 static int first_center(int32_t low_24_8)
 {
@@ -85,16 +79,6 @@ static int first_center(int32_t low_24_8)
 static int past_center(int32_t high_24_8)
 {
     return (high_24_8 + RHW_SUBPIXEL / 2) >> RHW_SUBPIXEL_BITS;
-}
-
-static int min_int(int a, int b)
-{
-    return a < b ? a : b;
-}
-
-static int max_int(int a, int b)
-{
-    return a > b ? a : b;
 }
 
 // Area and winding decide whether a triangle is drawn. On the screen y points down, so a triangle that is

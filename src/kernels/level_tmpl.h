@@ -4,7 +4,7 @@
 #define RHW_LEVEL_TMPL_H
 
 #include "../texture.h"
-#include "constants_tmpl.h"
+#include "sample_constants_tmpl.h"
 
 // &texture->mip[level], found by a loop where an index would do: the processor predicts when the loop ends and
 // starts to load texels before it has worked out the level of detail, which saves a quarter of the time.

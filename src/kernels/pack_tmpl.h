@@ -107,17 +107,17 @@ static void pack_group(struct tile_work *work, unsigned bits)
 {
     struct rhw_tile_scratch *const scratch = work->scratch;
     const struct rhw_pipeline_data *const pipeline = work->pipeline;
-    const struct rhw_packed_triangle *const *const triangle = scratch->open_triangle;
+    const struct rhw_packed_triangle *const *const triangle = scratch->waiting_triangle;
     const int g = work->count++, components = pipeline->varying_components;
     struct rhw_fragment *const group = &scratch->groups[g];
-    memcpy(scratch->lanes_at[g], scratch->open_at, sizeof scratch->lanes_at[g]);
+    memcpy(scratch->lanes_at[g], scratch->waiting_at, sizeof scratch->lanes_at[g]);
     scratch->places.bits[g] = (uint8_t)bits;
     scratch->places.packed[g] = true;
-    work->open_count = 0;
+    work->waiting_count = 0;
     work->all_full = false;
     group->mask = i8_from_bits(bits);
     d8 quantity[4];
-    quantity_lanes(scratch->open_value, quantity);
+    quantity_lanes(scratch->waiting_value, quantity);
     const d8 inverse_s = d8_div(d8_splat(1), quantity[QUANTITY_S]);
     float b[8], c[8];
     f8_store(b, f8_from_d8(d8_mul(quantity[QUANTITY_B], inverse_s)));
@@ -147,12 +147,12 @@ static void pack_group(struct tile_work *work, unsigned bits)
 static void flush(struct tile_work *work)
 {
     struct rhw_tile_scratch *const scratch = work->scratch;
-    const int live = work->open_count;
+    const int live = work->waiting_count;
     if (live != 0) {
         for (int i = live; i < 8; i++) {
-            scratch->open_at[i] = scratch->open_at[0];
-            scratch->open_triangle[i] = scratch->open_triangle[0];
-            scratch->open_value[i] = scratch->open_value[0];
+            scratch->waiting_at[i] = scratch->waiting_at[0];
+            scratch->waiting_triangle[i] = scratch->waiting_triangle[0];
+            scratch->waiting_value[i] = scratch->waiting_value[0];
         }
         pack_group(work, 0xffu >> (8 - live));
     }
@@ -198,11 +198,11 @@ RHW_INLINE void pack_row(struct tile_work *work, const struct triangle_work *tri
     const d4 dx = planes->linear.dx;
     set_pending(work, x, y, bits);
     while (bits != 0) {
-        const int at_x = x + __builtin_ctz(bits), n = work->open_count;
-        scratch->open_at[n] = (uint16_t)(y * RHW_TILE + at_x);
-        scratch->open_triangle[n] = packed;
-        scratch->open_value[n] = dx * d4_splat((double)(at_x - packed->anchor_x)) + row;
-        work->open_count = n + 1;
+        const int at_x = x + __builtin_ctz(bits), n = work->waiting_count;
+        scratch->waiting_at[n] = (uint16_t)(y * RHW_TILE + at_x);
+        scratch->waiting_triangle[n] = packed;
+        scratch->waiting_value[n] = dx * d4_splat((double)(at_x - packed->anchor_x)) + row;
+        work->waiting_count = n + 1;
         bits &= bits - 1;
         if (n + 1 == 8) {
             pack_group(work, 0xff);

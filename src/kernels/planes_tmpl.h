@@ -37,10 +37,6 @@ struct slope {
     double y, y_dx;
 };
 
-// A clipped triangle is cut and snapped anew, so its coverage may reach past the triangle by less than 1/256
-// pixel. There a weight would be negative and, next to the horizon, 1/W zero: weights below 0 count as 0, and
-// the others are divided by what is left. `a` and the vertices' W and depth·W are for these pixels alone. A clipped
-// triangle without area has no weights at all: it takes the values of its vertex with the largest W.
 // Of a snapped triangle: the four quantities are base + f1·e_1 + f2·e_2.
 struct factors {
     struct plane e1, e2; // exact integers
@@ -48,6 +44,10 @@ struct factors {
     double area, inverse_area; // the doubled, positive area
 };
 
+// A clipped triangle is cut and snapped anew, so its coverage may reach past the triangle by less than 1/256
+// pixel. There a weight would be negative and, next to the horizon, 1/W zero: weights below 0 count as 0, and
+// the others are divided by what is left. `a` and the vertices' W and depth·W are for these pixels alone. A clipped
+// triangle without area has no weights at all: it takes the values of its vertex with the largest W.
 struct planes {
     int anchor_x, anchor_y; // pixels
     bool exact;
@@ -115,9 +115,10 @@ static double most(double a, double b)
 
 // What every snapped triangle needs; false where its numbers must be made of exact integers, pixel by pixel. The anchor
 // is the pixel of vertex 0.
-RHW_INLINE bool planes_linear(struct planes *p, struct factors *f, const struct rhw_draw_state *state,
+RHW_INLINE bool planes_linear(struct planes *p, const struct rhw_draw_state *state,
                               const struct rhw_triangle *t, const struct rhw_vertex_record *const v[3])
 {
+    struct factors *const f = &p->factors;
     p->homogeneous = p->wide = false;
     p->anchor_x = t->x_24_8[0] >> RHW_SUBPIXEL_BITS;
     p->anchor_y = t->y_24_8[0] >> RHW_SUBPIXEL_BITS;
@@ -164,7 +165,7 @@ static void planes_snapped(struct planes *p, const struct rhw_draw_state *state,
                            const struct rhw_vertex_record *const v[3])
 {
     const struct factors *const f = &p->factors;
-    p->exact = !planes_linear(p, &p->factors, state, t, v);
+    p->exact = !planes_linear(p, state, t, v);
     p->n1 = scale(f->inverse_area, f->e1);
     p->n2 = scale(f->inverse_area, f->e2);
     if (t->flags & RHW_TRIANGLE_POLYGON) {
@@ -221,7 +222,7 @@ static void planes_homogeneous(struct planes *p, const struct rhw_draw_state *st
         size += absolute(row[i].at) + absolute(row[i].dx) * (half_width + 1) +
                 absolute(row[i].dy) * (half_height + 1);
     }
-    // Terms of the sums over the least 1/W: how much cancels, see planes_snapped.
+    // Terms of the sums over the least 1/W: how much cancels, see planes_linear.
     p->wide = size * p->w[nearest_vertex(p)] > 0x1p22;
     p->edge_scale = inverse;
     p->a = row[0];
@@ -384,7 +385,7 @@ static d8 at_least_zero(d8 v, l4 below[2])
     const d4 zero = d4_splat(0);
     below[0] |= d4_less(v.lo, zero);
     below[1] |= d4_less(v.hi, zero);
-    return (d8){(d4)(d4_less(zero, v.lo) & (l4)v.lo), (d4)(d4_less(zero, v.hi) & (l4)v.hi)};
+    return (d8){d4_keep(v.lo, d4_less(zero, v.lo)), d4_keep(v.hi, d4_less(zero, v.hi))};
 }
 
 static d8 weigh(const double f[3], d8 a, d8 b, d8 c)
@@ -394,8 +395,7 @@ static d8 weigh(const double f[3], d8 a, d8 b, d8 c)
 
 static d8 d8_where(const l4 mask[2], d8 a, d8 b)
 {
-    return (d8){(d4)((mask[0] & (l4)a.lo) | (~mask[0] & (l4)b.lo)),
-                (d4)((mask[1] & (l4)a.hi) | (~mask[1] & (l4)b.hi))};
+    return (d8){d4_select(mask[0], a.lo, b.lo), d4_select(mask[1], a.hi, b.hi)};
 }
 
 // The first row of a block.

@@ -15,9 +15,11 @@ enum {
     // Entries of the table that finds vertices again, a power of two. Direct mapped by vertex index: a miss only
     // shades a vertex twice.
     RHW_VERTEX_CACHE = 8192,
-    // Groups of 8 fragments per call of the fragment function.
+    // Groups of 8 fragments per call of the fragment function: two whole blocks; enough to hide the call, few enough
+    // that their varyings stay in the first cache level.
     RHW_FRAGMENT_GROUPS = 16,
-    // Triangles of a tile whose visibility is remembered from the first phase to the second.
+    // Triangles of a tile whose visibility is remembered from the first phase to the second: 4 KiB of bits. A longer run
+    // is drawn as submitted.
     RHW_DEFERRED_TRIANGLES = 32768,
     // Triangles whose fragments may wait for a group at the same time: 7 that wait, and the one that adds to them.
     RHW_PACKED_TRIANGLES = 8
@@ -46,16 +48,16 @@ struct rhw_front_scratch {
     _Alignas(64) struct rhw_vertex groups[RHW_VERTEX_GROUPS];
     f8 attributes[RHW_VERTEX_GROUPS][RHW_MAX_ATTRIBUTES][4];
     f8 varyings[RHW_VERTEX_GROUPS * RHW_MAX_VARYING_COMPONENTS];
-    uint32_t unique[3 * RHW_BATCH_TRIANGLES + 8]; // vertex index by slot, of the run under way
+    uint32_t unique[3 * RHW_CHUNK_TRIANGLES + 8]; // vertex index by slot, of the run under way
     struct rhw_cache_entry cache[RHW_VERTEX_CACHE];
     uint32_t stamp;
     // Of all runs of the chunk. Each run's vertices fill up groups of 8.
-    uint32_t corners[RHW_BATCH_TRIANGLES][3];
-    struct rhw_corner vertices[(3 + 7) * RHW_BATCH_TRIANGLES];
-    struct rhw_run runs[RHW_BATCH_TRIANGLES];
-    struct rhw_segment segments[RHW_BATCH_TRIANGLES];
-    struct rhw_polygon polygons[RHW_BATCH_TRIANGLES];
-    uint32_t spans[RHW_BATCH_TRIANGLES]; // tiles of each triangle, see span_of
+    uint32_t corners[RHW_CHUNK_TRIANGLES][3];
+    struct rhw_corner vertices[(3 + 7) * RHW_CHUNK_TRIANGLES];
+    struct rhw_run runs[RHW_CHUNK_TRIANGLES];
+    struct rhw_segment segments[RHW_CHUNK_TRIANGLES];
+    struct rhw_polygon polygons[RHW_CHUNK_TRIANGLES];
+    uint32_t spans[RHW_CHUNK_TRIANGLES]; // tiles of each triangle, see span_of
     uint32_t corner_count, vertex_count;
     int run_count, polygon_count;
     struct rhw_front_counters counters;
@@ -79,23 +81,40 @@ struct rhw_packed_triangle {
 struct rhw_tile_scratch {
     _Alignas(64) unsigned char color[RHW_MAX_COLOR_ATTACHMENTS][RHW_TILE * RHW_TILE * 16];
     float depth[RHW_TILE * RHW_TILE];
-    uint64_t open[RHW_TILE];                  // by row, a bit per pixel: see depth_tmpl.h
-    uint8_t seen[RHW_DEFERRED_TRIANGLES / 8]; // bit i: triangle i of the run under way passed a depth test
+    uint64_t open[RHW_TILE]; // by row, a bit per pixel: see depth_tmpl.h
+    uint8_t seen[RHW_DEFERRED_TRIANGLES /
+                 8]; // bit i: triangle i of the run under way is drawn in the second phase
     // The window, see window_tmpl.h.
-    uint8_t pending[RHW_TILE][RHW_TILE / 8]; // by row, a bit per pixel: those with a fragment in the window
+    uint64_t pending[RHW_TILE]; // by row, a bit per pixel: those with a fragment in the window
     struct rhw_fragment groups[RHW_FRAGMENT_GROUPS];
     struct rhw_group_places places;
     uint16_t lanes_at[RHW_FRAGMENT_GROUPS][8];
     struct rhw_packed_triangle packed[RHW_PACKED_TRIANGLES];
     // Fragments that wait for a group: texel, triangle, and the four quantities.
-    uint16_t open_at[8];
-    const struct rhw_packed_triangle *open_triangle[8];
-    d4 open_value[8];
+    uint16_t waiting_at[8];
+    const struct rhw_packed_triangle *waiting_triangle[8];
+    d4 waiting_value[8];
     f8 varyings[RHW_FRAGMENT_GROUPS * RHW_MAX_VARYING_COMPONENTS];
     f8 ddx[RHW_FRAGMENT_GROUPS * RHW_MAX_VARYING_COMPONENTS];
     f8 ddy[RHW_FRAGMENT_GROUPS * RHW_MAX_VARYING_COMPONENTS];
     f8 outputs[RHW_FRAGMENT_GROUPS][RHW_MAX_COLOR_ATTACHMENTS][4];
     i8 constant[RHW_MAX_COLOR_ATTACHMENTS]; // see constant_tmpl.h: 8 texels of RGBA8 targets that are replaced
 };
+
+static inline const struct rhw_vertex_record *record_at(const struct rhw_segment *segment, uint32_t slot)
+{
+    return (const struct rhw_vertex_record *)(const void *)(segment->vertices +
+                                                            (size_t)slot * (size_t)segment->vertex_stride);
+}
+
+static inline int min_int(int a, int b)
+{
+    return a < b ? a : b;
+}
+
+static inline int max_int(int a, int b)
+{
+    return a > b ? a : b;
+}
 
 #endif

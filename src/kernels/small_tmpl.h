@@ -37,7 +37,7 @@ RHW_INLINE uint64_t small_mask(const struct batch *batch, int i, int x, int y)
     struct small_row row;
     for (int e = 0; e < 3; e++) {
         const int a = batch->a[e][i], b = batch->b[e][i];
-        const int q = batch->q[e][i] + a * (x - batch->x[i]) + b * (y - batch->y[i]);
+        const int q = batch->q[e][i] + a * (x - batch->x[i]) + b * (y - batch->y0[i]);
         if (q + (RHW_BLOCK - 1) * (max_int(a, 0) + max_int(b, 0)) < 0) {
             return 0;
         }
@@ -76,7 +76,7 @@ RHW_INLINE void take_planes(struct triangle_work *triangle, const struct batch *
     triangle->planes_ready = true;
 }
 
-// Draws triangle i of the batch, which is not wider and higher than a block, row by row: coverage, depth, packing.
+// Draws triangle i of the batch, which is neither wider nor higher than a block, row by row: coverage, depth, packing.
 // `tests`: depth is tested before shading; `rule` is how, a constant where a call names it.
 RHW_INLINE void small_rows(struct tile_work *work, struct triangle_work *triangle, const struct batch *batch,
                            int i, bool tests, const struct depth_rule rule)
@@ -147,27 +147,5 @@ static void draw_small(struct tile_work *work, struct triangle_work *triangle, c
         draw_small_rows(work, triangle, batch, i);
     } else {
         draw_small_blocks(work, triangle, batch, i);
-    }
-}
-
-static void draw_triangle(struct tile_work *work, const struct rhw_chunk *chunk, const struct batch *batch,
-                          int i)
-{
-    struct triangle_work triangle;
-    triangle.t = batch->triangle[i];
-    triangle.segment = &chunk->segments[triangle.t->segment];
-    triangle.planes_ready = triangle.ready = false;
-    triangle.packed = -1;
-    triangle.provoking = NULL;
-    if (triangle.segment->draw != work->draw) {
-        set_draw(work, triangle.segment->draw);
-    }
-    if (work->skips) {
-        return;
-    }
-    if (triangle.t->flags & RHW_TRIANGLE_SMALL) {
-        draw_small(work, &triangle, batch, i);
-    } else {
-        draw_blocks(work, chunk, &triangle, rect_of(work, triangle.t));
     }
 }

@@ -8,7 +8,7 @@
 #include "../srgb.h"
 #include "../srgb_texture.h"
 #include "../texture.h"
-#include "constants_tmpl.h"
+#include "sample_constants_tmpl.h"
 
 // Addresses -----------------------------------------------------------------------------------------
 

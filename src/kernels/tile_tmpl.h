@@ -89,13 +89,14 @@ struct bin {
     uint32_t first, end;
 };
 
-static struct bin bin_of(const struct rhw_chunk *chunk, int tile_x, int tile_y)
+static struct bin bin_in(const struct tile_work *work, int chunk_number)
 {
-    if (tile_x < chunk->tile_x0 || tile_x >= chunk->tile_x1 || tile_y < chunk->tile_y0 ||
-        tile_y >= chunk->tile_y1) {
+    const struct rhw_chunk *const chunk = &work->pass->chunks[chunk_number];
+    const int x = work->x / RHW_TILE, y = work->y / RHW_TILE;
+    if (x < chunk->tile_x0 || x >= chunk->tile_x1 || y < chunk->tile_y0 || y >= chunk->tile_y1) {
         return (struct bin){0, 0};
     }
-    const int i = (tile_y - chunk->tile_y0) * (chunk->tile_x1 - chunk->tile_x0) + tile_x - chunk->tile_x0;
+    const int i = (y - chunk->tile_y0) * (chunk->tile_x1 - chunk->tile_x0) + x - chunk->tile_x0;
     return (struct bin){chunk->offsets[i], chunk->offsets[i + 1]};
 }
 
@@ -117,6 +118,28 @@ static void prefetch_vertices(const struct rhw_chunk *chunk, uint32_t e, uint32_
         for (int i = 0; i < 3; i++) {
             __builtin_prefetch(record_at(&chunk->segments[t->segment], t->vertex[i]));
         }
+    }
+}
+
+static void draw_triangle(struct tile_work *work, const struct rhw_chunk *chunk, const struct batch *batch,
+                          int i)
+{
+    struct triangle_work triangle;
+    triangle.t = batch->triangle[i];
+    triangle.segment = &chunk->segments[triangle.t->segment];
+    triangle.planes_ready = triangle.ready = false;
+    triangle.packed = -1;
+    triangle.provoking = NULL;
+    if (triangle.segment->draw != work->draw) {
+        set_draw(work, triangle.segment->draw);
+    }
+    if (work->skips) {
+        return;
+    }
+    if (triangle.t->flags & RHW_TRIANGLE_SMALL) {
+        draw_small(work, &triangle, batch, i);
+    } else {
+        draw_blocks(work, chunk, &triangle, rect_of(work, triangle.t));
     }
 }
 
@@ -174,11 +197,6 @@ struct chunk_run {
     int first, end;
 };
 
-static struct bin bin_in(const struct tile_work *work, int chunk)
-{
-    return bin_of(&work->pass->chunks[chunk], work->x / RHW_TILE, work->y / RHW_TILE);
-}
-
 // Bins of the tile in a run of chunks.
 static void draw_run(struct tile_work *work, struct chunk_run run, enum phase phase)
 {
@@ -215,11 +233,15 @@ static double area_in_tile(const struct tile_work *work, const struct rhw_triang
 static bool overdraws(const struct tile_work *work, struct chunk_run run)
 {
     enum { SAMPLES = 64 };
-    const double tile = RHW_TILE * RHW_TILE, shading = 9, shading_textured = 18, depth = 3, triangle = 60;
+    const double tile_pixels = RHW_TILE * RHW_TILE;
+    const double shading_ns = 9, textured_ns = 18, depth_ns = 3, triangle_ns = 60;
     uint32_t count = 0;
     for (int i = run.first; i < run.end; i++) {
         const struct bin bin = bin_in(work, i);
         count += bin.end - bin.first;
+    }
+    if (count > RHW_DEFERRED_TRIANGLES) {
+        return false;
     }
     const uint32_t step = count / SAMPLES + 1;
     uint32_t next = 0; // of the bin under way
@@ -233,8 +255,8 @@ static bool overdraws(const struct tile_work *work, struct chunk_run run)
         next -= bin.end - bin.first;
     }
     const struct rhw_draw *const draw = work->pass->chunks[run.first].segments[0].draw;
-    const double pixel = draw->state->pipeline->any_derivatives ? shading_textured : shading;
-    return (area - tile) / 2 * pixel > area * depth + count * triangle && count <= RHW_DEFERRED_TRIANGLES;
+    const double pixel_ns = draw->state->pipeline->any_derivatives ? textured_ns : shading_ns;
+    return (area - tile_pixels) / 2 * pixel_ns > area * depth_ns + count * triangle_ns;
 }
 
 static void draw_deferred(struct tile_work *work, struct chunk_run run)
@@ -256,10 +278,10 @@ static struct chunk_run run_from(const struct rhw_pass_state *pass, int first)
     return run;
 }
 
-static bool is_empty(const struct rhw_pass_state *pass, int tile_x, int tile_y)
+static bool is_empty(const struct tile_work *work)
 {
-    for (int i = 0; i < pass->chunk_count; i++) {
-        const struct bin bin = bin_of(&pass->chunks[i], tile_x, tile_y);
+    for (int i = 0; i < work->pass->chunk_count; i++) {
+        const struct bin bin = bin_in(work, i);
         if (bin.first != bin.end) {
             return false;
         }
@@ -296,7 +318,7 @@ static void run_tile(struct rhw_pass_state *pass, int tile, int worker)
               height = min_int(pass->height - work.y, RHW_TILE);
     struct rhw_attachment *const depth = pass->has_depth ? &pass->depth : NULL;
     unsigned char *const depth_texels = (unsigned char *)scratch->depth;
-    if (is_empty(pass, tile_x, tile_y)) {
+    if (is_empty(&work)) {
         for (int i = 0; i < pass->color_count; i++) {
             pass_through(&work, &pass->colors[i], width, height);
         }

@@ -102,20 +102,15 @@ RHW_INLINE uint64_t block_bit(int x, int y)
 // A row of pixels; x: of bit 0.
 RHW_INLINE void set_pending(struct tile_work *work, int x, int y, unsigned bits)
 {
-    uint64_t row;
-    memcpy(&row, work->scratch->pending[y], sizeof row);
-    row |= (uint64_t)bits << x;
-    memcpy(work->scratch->pending[y], &row, sizeof row);
+    work->scratch->pending[y] |= (uint64_t)bits << x;
     work->rows_pending = true;
 }
 
+// x: at most RHW_TILE − RHW_BLOCK.
 RHW_INLINE bool row_is_pending(const struct tile_work *work, int x, int y, unsigned bits)
 {
-    uint64_t row;
-    memcpy(&row, work->scratch->pending[y], sizeof row);
-    return (row >> x & bits) != 0 ||
-           (work->whole != 0 &&
-            work->whole & (block_bit(x, y) | block_bit(min_int(x + RHW_BLOCK, RHW_TILE) - 1, y)));
+    return (work->scratch->pending[y] >> x & bits) != 0 ||
+           (work->whole != 0 && work->whole & (block_bit(x, y) | block_bit(x + RHW_BLOCK - 1, y)));
 }
 
 // Forgets what is pending, but for fragments without a group.
@@ -126,8 +121,8 @@ static void clear_pending(struct tile_work *work)
     }
     work->whole = 0;
     work->rows_pending = false;
-    for (int i = 0; i < work->open_count; i++) {
-        const int at = work->scratch->open_at[i];
+    for (int i = 0; i < work->waiting_count; i++) {
+        const int at = work->scratch->waiting_at[i];
         set_pending(work, at % RHW_TILE, at / RHW_TILE, 1);
     }
 }

@@ -268,7 +268,7 @@ static void test_primitives_count_through_long_draws(void **state)
     rig_close(&rig);
 }
 
-// Draws so long that they are cut into several batches, with indices that stay close together and with
+// Draws so long that they are cut into several chunks, with indices that stay close together and with
 // indices that jump, from buffers that are and are not aligned: vertices are found again in different ways.
 static void test_long_draws_are_their_triangles(void **state)
 {

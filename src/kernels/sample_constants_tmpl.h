@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 // Constants of the sampler as whole vectors: an instruction then takes one from memory as an operand, where gcc
 // would spend one instruction to load a number into all lanes, or three if it is an integer.
-#ifndef RHW_CONSTANTS_TMPL_H
-#define RHW_CONSTANTS_TMPL_H
+#ifndef RHW_SAMPLE_CONSTANTS_TMPL_H
+#define RHW_SAMPLE_CONSTANTS_TMPL_H
 
 #include "../simd.h"
 
