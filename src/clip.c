@@ -116,13 +116,29 @@ bool rhw_clip_triangle(const struct rhw_draw_state *state, const struct rhw_vert
     return true;
 }
 
-int64_t rhw_polygon_area(const struct rhw_polygon *polygon)
+// Twice the area of triangle (0, i, i + 1) of the fan.
+static int64_t fan_area(const struct rhw_polygon *polygon, int i)
 {
     const int64_t x0 = polygon->x_24_8[0], y0 = polygon->y_24_8[0];
+    return (polygon->x_24_8[i] - x0) * (polygon->y_24_8[i + 1] - y0) -
+           (polygon->y_24_8[i] - y0) * (polygon->x_24_8[i + 1] - x0);
+}
+
+int64_t rhw_polygon_area(const struct rhw_polygon *polygon)
+{
     int64_t area = 0;
     for (int i = 1; i + 1 < polygon->count; i++) {
-        area += (polygon->x_24_8[i] - x0) * (polygon->y_24_8[i + 1] - y0) -
-                (polygon->y_24_8[i] - y0) * (polygon->x_24_8[i + 1] - x0);
+        area += fan_area(polygon, i);
     }
     return area;
+}
+
+bool rhw_polygon_is_flat(const struct rhw_polygon *polygon)
+{
+    for (int i = 1; i + 1 < polygon->count; i++) {
+        if (fan_area(polygon, i) != 0) {
+            return false;
+        }
+    }
+    return true;
 }

@@ -18,4 +18,8 @@ bool rhw_clip_triangle(const struct rhw_draw_state *state, const struct rhw_vert
 // Twice the signed area of a polygon in 1/65536 square pixels; exact.
 int64_t rhw_polygon_area(const struct rhw_polygon *polygon);
 
+// Whether every triangle of its fan has no area: it covers nothing. (A polygon that crosses itself may have none and
+// cover samples.)
+bool rhw_polygon_is_flat(const struct rhw_polygon *polygon);
+
 #endif

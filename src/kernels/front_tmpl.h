@@ -90,6 +90,15 @@ static bool facing(const struct rhw_pipeline_def *def, bool negative, uint16_t *
     return !(back ? def->cull == RHW_CULL_BACK : def->cull == RHW_CULL_FRONT);
 }
 
+// The determinant of the vertices' (X, Y, W): above 0 where they turn counter-clockwise with y up.
+static double homogeneous_turn(const struct rhw_vertex_record *const v[3])
+{
+    const float *const a = v[0]->position, *const b = v[1]->position, *const c = v[2]->position;
+    return (double)a[3] * ((double)b[0] * (double)c[1] - (double)b[1] * (double)c[0]) +
+           (double)b[3] * ((double)c[0] * (double)a[1] - (double)c[1] * (double)a[0]) +
+           (double)c[3] * ((double)a[0] * (double)b[1] - (double)a[1] * (double)b[0]);
+}
+
 // The road of a triangle that a plane cuts or that has a vertex that cannot be snapped. Counts what it
 // refuses. Corners and vertices of `triangle` are set, the rest is found here.
 static bool setup_clipped(struct rhw_front_scratch *scratch, const struct rhw_segment *segment,
@@ -110,14 +119,17 @@ static bool setup_clipped(struct rhw_front_scratch *scratch, const struct rhw_se
     // Corners that are cut are snapped on their own: a triangle without area can leave a polygon with one.
     const int64_t x1 = v[1]->x_24_8 - v[0]->x_24_8, y1 = v[1]->y_24_8 - v[0]->y_24_8;
     const int64_t x2 = v[2]->x_24_8 - v[0]->x_24_8, y2 = v[2]->y_24_8 - v[0]->y_24_8;
-    const bool empty = !(any & RHW_VERTEX_UNSNAPPED) && x1 * y2 == x2 * y1;
+    const bool snapped = !(any & RHW_VERTEX_UNSNAPPED), empty = snapped && x1 * y2 == x2 * y1;
     struct rhw_polygon *const polygon = &scratch->polygons[scratch->polygon_count];
     if (empty || (all & RHW_VERTEX_OUTSIDE) || !rhw_clip_triangle(state, v, polygon)) {
         scratch->counters.culled++;
         return false;
     }
     scratch->counters.clipped++;
-    const int64_t area = rhw_polygon_area(polygon);
+    // A thin polygon may cross itself once its corners are snapped: its halves turn opposite ways, and their areas may add
+    // up to nothing. So the winding is that of the triangle wherever it is known.
+    const int64_t area = snapped ? x1 * y2 - x2 * y1 : rhw_polygon_area(polygon);
+    const bool negative = area != 0 ? area < 0 : homogeneous_turn(v) > 0;
     triangle->flags = (uint16_t)(RHW_TRIANGLE_POLYGON | RHW_TRIANGLE_CLAMP |
                                  (any & RHW_VERTEX_UNSNAPPED ? RHW_TRIANGLE_UNSNAPPED : 0));
     int32_t low_x = polygon->x_24_8[0], high_x = low_x, low_y = polygon->y_24_8[0], high_y = low_y;
@@ -132,7 +144,8 @@ static bool setup_clipped(struct rhw_front_scratch *scratch, const struct rhw_se
     const int py0 = max_int(first_center(low_y), scissor->y);
     const int px1 = min_int(past_center(high_x), scissor->x + scissor->width);
     const int py1 = min_int(past_center(high_y), scissor->y + scissor->height);
-    if (area == 0 || !facing(&state->pipeline->def, area < 0, &triangle->flags) || px0 >= px1 || py0 >= py1) {
+    if (rhw_polygon_is_flat(polygon) || !facing(&state->pipeline->def, negative, &triangle->flags) ||
+        px0 >= px1 || py0 >= py1) {
         scratch->counters.culled++;
         return false;
     }

@@ -476,6 +476,30 @@ static void test_clipped_triangles_keep_the_winding(void **state)
     rig_close(&rig);
 }
 
+// What the near plane leaves of this sliver is a quad that crosses itself once its corners are snapped, and whose halves
+// have areas of opposite sign that add up to 0. (Found by script/exactness: near_far, seed 1, index 55759.)
+static void test_a_polygon_that_crosses_itself(void **state)
+{
+    (void)state;
+    static const struct rig_vertex sliver[3] = {
+        {{0x1.161cf4p-1f, 0x1.b75c6ep-2f, -0x1.c2fde8p+11f, 0x1.baa02ep-1f}, {1, 1, 1, 1}},
+        {{0x1.b27422p+0f, 0x1.06a594p+1f, -0x1.e506dcp+0f, 0x1.2bae9ap+1f}, {1, 1, 1, 1}},
+        {{-0x1.71fe02p+2f, -0x1.e67618p+1f, -0x1.016ea6p+2f, 0x1.052f18p+2f}, {1, 1, 1, 1}}};
+    struct rig rig;
+    rig_open(&rig, 131, 117);
+    rig.pipeline.depth_range = RHW_DEPTH_MINUS_ONE_TO_ONE;
+    for (int cull = 0; cull < 3; cull++) {
+        rig.pipeline.cull = (enum rhw_cull)cull;
+        rig_begin(&rig);
+        rhw_pass_set_viewport(rig.context, rig.recording, &(struct rhw_viewport){37, 19, 86, 92, 0, 1});
+        rig_draw(&rig, sliver, 3);
+        rig_end(&rig);
+        const bool drawn = rig.pipeline.cull != RHW_CULL_FRONT; // the triangle turns counter-clockwise
+        assert_true(rig_read_float4(&rig)[88 * 131 + 40][0] == (drawn ? 1.0f : 0.0f));
+    }
+    rig_close(&rig);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -488,6 +512,7 @@ int main(void)
         cmocka_unit_test(test_positions_that_are_not_finite_are_dropped),
         cmocka_unit_test(test_huge_and_tiny_coordinates),
         cmocka_unit_test(test_clipped_triangles_keep_the_winding),
+        cmocka_unit_test(test_a_polygon_that_crosses_itself),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
