@@ -518,7 +518,7 @@ static bool bin(struct rhw_chunk *chunk, const uint32_t *spans, int triangle_cou
     }
     chunk->counters.entries = offsets[tiles + 1];
     uint16_t *const entries =
-        rhw_arena_alloc(arena, chunk->counters.entries * sizeof *chunk->entries, RHW_CACHE_LINE);
+        rhw_arena_alloc(arena, (size_t)chunk->counters.entries * sizeof *chunk->entries, RHW_CACHE_LINE);
     if (!entries) {
         return false;
     }
