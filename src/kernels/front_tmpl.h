@@ -99,6 +99,21 @@ static double homogeneous_turn(const struct rhw_vertex_record *const v[3])
            (double)c[3] * ((double)a[0] * (double)b[1] - (double)a[1] * (double)b[0]);
 }
 
+// The winding on the screen. Corners that are cut are snapped on their own: a triangle without area may leave a polygon
+// with one, and a thin polygon may cross itself, so that its halves turn opposite ways and their areas add up to
+// nothing. So the triangle is asked first, then the polygon, then the triangle before it was snapped.
+static bool turns_negative(const struct rhw_vertex_record *const v[3], bool snapped,
+                           const struct rhw_polygon *polygon)
+{
+    const int64_t x1 = v[1]->x_24_8 - v[0]->x_24_8, y1 = v[1]->y_24_8 - v[0]->y_24_8;
+    const int64_t x2 = v[2]->x_24_8 - v[0]->x_24_8, y2 = v[2]->y_24_8 - v[0]->y_24_8;
+    int64_t area = snapped ? x1 * y2 - x2 * y1 : 0;
+    if (area == 0) {
+        area = rhw_polygon_area(polygon);
+    }
+    return area != 0 ? area < 0 : homogeneous_turn(v) > 0;
+}
+
 // The road of a triangle that a plane cuts or that has a vertex that cannot be snapped. Counts what it
 // refuses. Corners and vertices of `triangle` are set, the rest is found here.
 static bool setup_clipped(struct rhw_front_scratch *scratch, const struct rhw_segment *segment,
@@ -116,20 +131,13 @@ static bool setup_clipped(struct rhw_front_scratch *scratch, const struct rhw_se
         scratch->counters.dropped++;
         return false;
     }
-    // Corners that are cut are snapped on their own: a triangle without area can leave a polygon with one.
-    const int64_t x1 = v[1]->x_24_8 - v[0]->x_24_8, y1 = v[1]->y_24_8 - v[0]->y_24_8;
-    const int64_t x2 = v[2]->x_24_8 - v[0]->x_24_8, y2 = v[2]->y_24_8 - v[0]->y_24_8;
-    const bool snapped = !(any & RHW_VERTEX_UNSNAPPED), empty = snapped && x1 * y2 == x2 * y1;
     struct rhw_polygon *const polygon = &scratch->polygons[scratch->polygon_count];
-    if (empty || (all & RHW_VERTEX_OUTSIDE) || !rhw_clip_triangle(state, v, polygon)) {
+    if ((all & RHW_VERTEX_OUTSIDE) || !rhw_clip_triangle(state, v, polygon)) {
         scratch->counters.culled++;
         return false;
     }
     scratch->counters.clipped++;
-    // A thin polygon may cross itself once its corners are snapped: its halves turn opposite ways, and their areas may add
-    // up to nothing. So the winding is that of the triangle wherever it is known.
-    const int64_t area = snapped ? x1 * y2 - x2 * y1 : rhw_polygon_area(polygon);
-    const bool negative = area != 0 ? area < 0 : homogeneous_turn(v) > 0;
+    const bool negative = turns_negative(v, !(any & RHW_VERTEX_UNSNAPPED), polygon);
     triangle->flags = (uint16_t)(RHW_TRIANGLE_POLYGON | RHW_TRIANGLE_CLAMP |
                                  (any & RHW_VERTEX_UNSNAPPED ? RHW_TRIANGLE_UNSNAPPED : 0));
     int32_t low_x = polygon->x_24_8[0], high_x = low_x, low_y = polygon->y_24_8[0], high_y = low_y;

@@ -476,6 +476,23 @@ static void test_clipped_triangles_keep_the_winding(void **state)
     rig_close(&rig);
 }
 
+// Draws a triangle with Z from −W and tells whether a pixel is covered.
+static bool covers(const struct rig_vertex sliver[3], struct rhw_viewport viewport, enum rhw_cull cull, int x,
+                   int y)
+{
+    struct rig rig;
+    rig_open(&rig, 131, 117);
+    rig.pipeline.depth_range = RHW_DEPTH_MINUS_ONE_TO_ONE;
+    rig.pipeline.cull = cull;
+    rig_begin(&rig);
+    rhw_pass_set_viewport(rig.context, rig.recording, &viewport);
+    rig_draw(&rig, sliver, 3);
+    rig_end(&rig);
+    const bool covered = rig_read_float4(&rig)[y * 131 + x][0] == 1;
+    rig_close(&rig);
+    return covered;
+}
+
 // What the near plane leaves of this sliver is a quad that crosses itself once its corners are snapped, and whose halves
 // have areas of opposite sign that add up to 0. (Found by script/exactness: near_far, seed 1, index 55759.)
 static void test_a_polygon_that_crosses_itself(void **state)
@@ -485,19 +502,21 @@ static void test_a_polygon_that_crosses_itself(void **state)
         {{0x1.161cf4p-1f, 0x1.b75c6ep-2f, -0x1.c2fde8p+11f, 0x1.baa02ep-1f}, {1, 1, 1, 1}},
         {{0x1.b27422p+0f, 0x1.06a594p+1f, -0x1.e506dcp+0f, 0x1.2bae9ap+1f}, {1, 1, 1, 1}},
         {{-0x1.71fe02p+2f, -0x1.e67618p+1f, -0x1.016ea6p+2f, 0x1.052f18p+2f}, {1, 1, 1, 1}}};
-    struct rig rig;
-    rig_open(&rig, 131, 117);
-    rig.pipeline.depth_range = RHW_DEPTH_MINUS_ONE_TO_ONE;
-    for (int cull = 0; cull < 3; cull++) {
-        rig.pipeline.cull = (enum rhw_cull)cull;
-        rig_begin(&rig);
-        rhw_pass_set_viewport(rig.context, rig.recording, &(struct rhw_viewport){37, 19, 86, 92, 0, 1});
-        rig_draw(&rig, sliver, 3);
-        rig_end(&rig);
-        const bool drawn = rig.pipeline.cull != RHW_CULL_FRONT; // the triangle turns counter-clockwise
-        assert_true(rig_read_float4(&rig)[88 * 131 + 40][0] == (drawn ? 1.0f : 0.0f));
-    }
-    rig_close(&rig);
+    const struct rhw_viewport viewport = {37, 19, 86, 92, 0, 1};
+    assert_true(covers(sliver, viewport, RHW_CULL_NONE, 40, 88));
+    assert_true(covers(sliver, viewport, RHW_CULL_BACK, 40, 88)); // it turns counter-clockwise
+    assert_false(covers(sliver, viewport, RHW_CULL_FRONT, 40, 88));
+}
+
+// The snapped vertices of this one lie on a line, and its polygon has an area. (cut_sliver, seed 1, index 20449.)
+static void test_a_polygon_of_a_triangle_without_area(void **state)
+{
+    (void)state;
+    static const struct rig_vertex sliver[3] = {
+        {{0x1.ab5a12p+0f, -0x1.1075e6p+1f, -0x1.6be288p+1f, 0x1.24cb92p+1f}, {1, 1, 1, 1}},
+        {{0x1.897dd6p+1f, 0x1.e79a88p+0f, 0x1.0774fcp+2f, 0x1.d140dcp+1f}, {1, 1, 1, 1}},
+        {{0x1.c047c2p+1f, 0x1.910d88p+1f, 0x1.8f1906p+2f, 0x1.02e39cp+2f}, {1, 1, 1, 1}}};
+    assert_true(covers(sliver, (struct rhw_viewport){0, 0, 131, 117, 0, 1}, RHW_CULL_NONE, 119, 43));
 }
 
 int main(void)
@@ -513,6 +532,7 @@ int main(void)
         cmocka_unit_test(test_huge_and_tiny_coordinates),
         cmocka_unit_test(test_clipped_triangles_keep_the_winding),
         cmocka_unit_test(test_a_polygon_that_crosses_itself),
+        cmocka_unit_test(test_a_polygon_of_a_triangle_without_area),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
