@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: MIT
+// A model of one square in memory, which a test changes and draws, and numbers compared with a tolerance.
+#ifndef RHW_TEST_TINY_MODEL_H
+#define RHW_TEST_TINY_MODEL_H
+
+#include <setjmp.h>
+#include <stdarg.h>
+#include <stddef.h>
+#include <stdint.h>
+
+#include <cmocka.h>
+
+#include "draw.h"
+
+struct tiny {
+    struct rhw_model model;
+    struct rhw_mesh mesh;
+    struct rhw_material material;
+    struct rhw_instance instances[2];
+    struct rhw_model_light light;
+    struct rhw_image image;
+    uint8_t texels[4][4];
+    float positions[4][3], normals[4][3], tangents[4][4], uvs[4][2], colors[4][4];
+    uint32_t indices[6];
+};
+
+/// The square −1..1 in the plane z = 0 that faces +Z, white, unlit; texture coordinates 0..1 from its top left.
+void make_tiny(struct tiny *t);
+/// After `positions` were changed.
+void set_bounds(struct tiny *t);
+/// Orthographic, so that the square −1..1 is the middle half of an 8×8 picture: pixels 2..5.
+struct rhw_view tiny_view(const struct tiny *t, int size);
+
+void identity(float m[16]);
+void assert_close(double value, double expected, double tolerance);
+
+#endif
