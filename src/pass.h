@@ -69,8 +69,8 @@ struct rhw_front_counters {
 };
 
 struct rhw_chunk {
-    uint64_t first,
-        count; // in the line of all triangles; the front end lowers a count whose bins are too large
+    // In the line of all triangles; the front end lowers a count whose bins are too large.
+    uint64_t first, count;
     uint32_t first_draw; // the draw that triangle `first` belongs to
     // Written by the front end:
     enum rhw_compare deferral; // of all its draws; RHW_COMPARE_NEVER where they differ

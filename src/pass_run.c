@@ -16,12 +16,7 @@
 
 static const size_t default_bin_memory = (size_t)512 << 20; // bytes
 
-enum {
-    // Bounds the list of chunks: 134 million triangles, of which those that leave nothing to draw take hardly any bin
-    // memory.
-    WAVE_CHUNKS = 16384,
-    CHUNK_LEAST = 128 // triangles: below, binning a chunk costs as much as its triangles
-};
+enum { CHUNK_LEAST = 128 }; // triangles: below, binning a chunk costs as much as its triangles
 
 static double milliseconds(uint64_t ns)
 {
@@ -130,7 +125,7 @@ static bool cut_wave(struct rhw_pass_state *pass, struct position at)
 {
     const uint64_t size = chunk_size(pass);
     pass->chunk_count = 0;
-    while (at.triangle < pass->triangle_count && pass->chunk_count < WAVE_CHUNKS) {
+    while (at.triangle < pass->triangle_count && pass->chunk_count < RHW_WAVE_CHUNKS) {
         const uint64_t left = pass->triangle_count - at.triangle;
         const struct rhw_draw *draw = rhw_pass_draw_at(pass, at.draw);
         while (at.triangle >=

@@ -211,6 +211,13 @@ RHW_INLINE void sample_unpack_codes(struct sample_codes codes, f8 texel[4])
     texel[3] = sample_from_code(codes.ga >> 16);
 }
 
+// What two levels give, the second with this weight.
+RHW_INLINE void sample_mix_levels(struct sample_codes a, struct sample_codes b, i8 weight, bool linear,
+                                  f8 texel[4])
+{
+    sample_unpack_codes(sample_plain_codes(sample_mix_codes(a, b, weight, linear), linear), texel);
+}
+
 // Any lanes: one level after the other, each with the next where a lane has a weight there. A weight of 0
 // leaves a lane as it is.
 RHW_INLINE void sample_codes_of_levels(const struct rhw_texture_data *texture,
@@ -283,7 +290,7 @@ RHW_INLINE void sample_codes(const struct rhw_texture_data *texture, const struc
         if (!I8_PERMUTES) { // 16-byte registers are too few for two levels at once
             const struct sample_codes a = sample_bilinear_codes(sampler, fine, s, t, linear);
             const struct sample_codes b = sample_bilinear_codes(sampler, coarse, s, t, linear);
-            sample_unpack_codes(sample_plain_codes(sample_mix_codes(a, b, weight, linear), linear), texel);
+            sample_mix_levels(a, b, weight, linear, texel);
             return;
         }
         const struct sample_place near = sample_place(fine, s, t), far = sample_place(coarse, s, t);
@@ -293,7 +300,7 @@ RHW_INLINE void sample_codes(const struct rhw_texture_data *texture, const struc
         if (coarse->interior >= 0 && !i8_any_of(over, over)) {
             const struct sample_codes a = sample_interior_codes(fine, &near, linear);
             const struct sample_codes b = sample_interior_codes(coarse, &far, linear);
-            sample_unpack_codes(sample_plain_codes(sample_mix_codes(a, b, weight, linear), linear), texel);
+            sample_mix_levels(a, b, weight, linear, texel);
             return;
         }
     }

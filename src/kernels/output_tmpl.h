@@ -52,29 +52,13 @@ RHW_INLINE i8 output_srgb8(f8 linear)
 {
     const i8 bits = (i8)rhw_clamp(linear, rhw_splat(0x1p-13f), rhw_splat(1.0f));
     const i8 bucket = (bits >> 16) - RHW_SRGB_ENCODE_FIRST;
-#if defined(__AVX2__)
-    const i8 entry = (i8)_mm256_i32gather_epi32((const int *)rhw_srgb_encode_table, (__m256i)bucket, 4);
-#else
-    i8 entry;
-    for (int i = 0; i < RHW_LANES; i++) {
-        entry[i] = (int32_t)rhw_srgb_encode_table[bucket[i]];
-    }
-#endif
+    const i8 entry = i8_gather(rhw_srgb_encode_table, bucket);
     return (entry + (bits & 0xffff)) >> 16;
 }
 
 RHW_INLINE f8 output_srgb8_decode(i8 texel, int shift)
 {
-    const i8 code = (texel >> shift) & 0xff;
-#if defined(__AVX2__)
-    return (f8)_mm256_i32gather_ps(rhw_srgb_decode_table, (__m256i)code, 4);
-#else
-    f8 linear;
-    for (int i = 0; i < RHW_LANES; i++) {
-        linear[i] = rhw_srgb_decode_table[code[i]];
-    }
-    return linear;
-#endif
+    return (f8)i8_gather(rhw_srgb_decode_table, (texel >> shift) & 0xff);
 }
 
 // RGBA8 blending with factors (SRC_ALPHA or ONE, ONE_MINUS_SRC_ALPHA), on the scale 0..255, which saves

@@ -83,8 +83,7 @@ RHW_INLINE void sample_spots_texel(const struct rhw_texture_data *texture, const
     const struct rhw_mip *const fine = sample_mip(texture, spots->level);
     const struct sample_codes a = sample_interior_codes(fine, &spots->near, linear);
     const struct sample_codes b = sample_interior_codes(fine + 1, &spots->far, linear);
-    const struct sample_codes mixed = sample_mix_codes(a, b, spots->weight, linear);
-    sample_unpack_codes(sample_plain_codes(mixed, linear), texel);
+    sample_mix_levels(a, b, spots->weight, linear, texel);
 }
 
 // Bit n of `slots`: sample bindings[n] into texels[n].

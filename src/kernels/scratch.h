@@ -78,12 +78,19 @@ struct rhw_packed_triangle {
     int32_t front_facing, primitive, instance, draw;
 };
 
+// The triangles that a chunk has for a tile: chunk->entries[first] .. chunk->entries[end − 1].
+struct rhw_bin {
+    const struct rhw_chunk *chunk;
+    uint32_t first, end;
+};
+
 struct rhw_tile_scratch {
     _Alignas(64) unsigned char color[RHW_MAX_COLOR_ATTACHMENTS][RHW_TILE * RHW_TILE * 16];
     float depth[RHW_TILE * RHW_TILE];
     uint64_t open[RHW_TILE]; // by row, a bit per pixel: see depth_tmpl.h
     uint8_t seen[RHW_DEFERRED_TRIANGLES /
                  8]; // bit i: triangle i of the run under way is drawn in the second phase
+    struct rhw_bin bins[RHW_WAVE_CHUNKS]; // of the tile, those that are not empty
     // The window, see window_tmpl.h.
     uint64_t pending[RHW_TILE]; // by row, a bit per pixel: those with a fragment in the window
     struct rhw_fragment groups[RHW_FRAGMENT_GROUPS];

@@ -84,20 +84,22 @@ static void pass_through(const struct tile_work *work, const struct rhw_attachme
     }
 }
 
-// The triangles that a chunk has for a tile: entries[first] .. entries[end − 1].
-struct bin {
-    uint32_t first, end;
-};
-
-static struct bin bin_in(const struct tile_work *work, int chunk_number)
+// Lists the bins of the tile that are not empty, in the order of their chunks; returns how many there are.
+static int list_bins(const struct tile_work *work)
 {
-    const struct rhw_chunk *const chunk = &work->pass->chunks[chunk_number];
     const int x = work->x / RHW_TILE, y = work->y / RHW_TILE;
-    if (x < chunk->tile_x0 || x >= chunk->tile_x1 || y < chunk->tile_y0 || y >= chunk->tile_y1) {
-        return (struct bin){0, 0};
+    int count = 0;
+    for (int n = 0; n < work->pass->chunk_count; n++) {
+        const struct rhw_chunk *const chunk = &work->pass->chunks[n];
+        if (x < chunk->tile_x0 || x >= chunk->tile_x1 || y < chunk->tile_y0 || y >= chunk->tile_y1) {
+            continue;
+        }
+        const int i = (y - chunk->tile_y0) * (chunk->tile_x1 - chunk->tile_x0) + x - chunk->tile_x0;
+        if (chunk->offsets[i] != chunk->offsets[i + 1]) {
+            work->scratch->bins[count++] = (struct rhw_bin){chunk, chunk->offsets[i], chunk->offsets[i + 1]};
+        }
     }
-    const int i = (y - chunk->tile_y0) * (chunk->tile_x1 - chunk->tile_x0) + x - chunk->tile_x0;
-    return (struct bin){chunk->offsets[i], chunk->offsets[i + 1]};
+    return count;
 }
 
 // The triangles of a bin lie anywhere in their chunk: ask for what is drawn some batches later. Without this, a mesh
@@ -161,8 +163,9 @@ static void draw_batch(struct tile_work *work, const struct rhw_chunk *chunk, st
 }
 
 // `number`: of the bin's first triangle among those that are drawn in two phases.
-static void draw_bin(struct tile_work *work, const struct rhw_chunk *chunk, struct bin bin, uint32_t number)
+static void draw_bin(struct tile_work *work, const struct rhw_bin bin, uint32_t number)
 {
+    const struct rhw_chunk *const chunk = bin.chunk;
     const uint8_t *const seen = work->scratch->seen;
     struct batch batch;
     uint32_t numbers[BATCH];
@@ -192,25 +195,20 @@ static void draw_bin(struct tile_work *work, const struct rhw_chunk *chunk, stru
     }
 }
 
-// Consecutive chunks: first .. end − 1.
-struct chunk_run {
-    int first, end;
+// Some of the tile's bins, one after the other.
+struct bin_run {
+    const struct rhw_bin *first, *end;
 };
 
-// Bins of the tile in a run of chunks.
-static void draw_run(struct tile_work *work, struct chunk_run run, enum phase phase)
+static void draw_run(struct tile_work *work, struct bin_run run, enum phase phase)
 {
-    const struct rhw_pass_state *const pass = work->pass;
     uint32_t number = 0;
     flush(work);
     work->draw = NULL;
     work->phase = phase;
-    for (int i = run.first; i < run.end; i++) {
-        const struct bin bin = bin_in(work, i);
-        if (bin.first != bin.end) {
-            draw_bin(work, &pass->chunks[i], bin, number);
-            number += bin.end - bin.first;
-        }
+    for (const struct rhw_bin *bin = run.first; bin < run.end; bin++) {
+        draw_bin(work, *bin, number);
+        number += bin->end - bin->first;
     }
 }
 
@@ -230,15 +228,14 @@ static double area_in_tile(const struct tile_work *work, const struct rhw_triang
 // Whether the triangles of a run lie above each other so much that shading what is hidden, half of which the depth
 // test would have stopped, costs more than drawing depth first: judged by the areas of some of them. Measured: depth
 // costs 3 ns a pixel and 60 ns a triangle more; shading 9 ns a pixel, with textures 18.
-static bool overdraws(const struct tile_work *work, struct chunk_run run)
+static bool overdraws(const struct tile_work *work, struct bin_run run)
 {
     enum { SAMPLES = 64 };
     const double tile_pixels = RHW_TILE * RHW_TILE;
     const double shading_ns = 9, textured_ns = 18, depth_ns = 3, triangle_ns = 60;
     uint32_t count = 0;
-    for (int i = run.first; i < run.end; i++) {
-        const struct bin bin = bin_in(work, i);
-        count += bin.end - bin.first;
+    for (const struct rhw_bin *bin = run.first; bin < run.end; bin++) {
+        count += bin->end - bin->first;
     }
     if (count > RHW_DEFERRED_TRIANGLES) {
         return false;
@@ -246,20 +243,18 @@ static bool overdraws(const struct tile_work *work, struct chunk_run run)
     const uint32_t step = count / SAMPLES + 1;
     uint32_t next = 0; // of the bin under way
     double area = 0;
-    for (int i = run.first; i < run.end; i++) {
-        const struct rhw_chunk *const chunk = &work->pass->chunks[i];
-        const struct bin bin = bin_in(work, i);
-        for (; next < bin.end - bin.first; next += step) {
-            area += step * area_in_tile(work, &chunk->triangles[chunk->entries[bin.first + next]]);
+    for (const struct rhw_bin *bin = run.first; bin < run.end; bin++) {
+        for (; next < bin->end - bin->first; next += step) {
+            area += step * area_in_tile(work, &bin->chunk->triangles[bin->chunk->entries[bin->first + next]]);
         }
-        next -= bin.end - bin.first;
+        next -= bin->end - bin->first;
     }
-    const struct rhw_draw *const draw = work->pass->chunks[run.first].segments[0].draw;
+    const struct rhw_draw *const draw = run.first->chunk->segments[0].draw;
     const double pixel_ns = draw->state->pipeline->any_derivatives ? textured_ns : shading_ns;
     return (area - tile_pixels) / 2 * pixel_ns > area * depth_ns + count * triangle_ns;
 }
 
-static void draw_deferred(struct tile_work *work, struct chunk_run run)
+static void draw_deferred(struct tile_work *work, struct bin_run run)
 {
     memset(work->scratch->open, 0, sizeof work->scratch->open);
     memset(work->scratch->seen, 0, sizeof work->scratch->seen);
@@ -267,39 +262,26 @@ static void draw_deferred(struct tile_work *work, struct chunk_run run)
     draw_run(work, run, PHASE_SHADE);
 }
 
-// From chunk `first` on, those that can be drawn depth first together, or that cannot; at least one.
-static struct chunk_run run_from(const struct rhw_pass_state *pass, int first)
+// From `first` on, those that can be drawn depth first together, or that cannot; at least one.
+static struct bin_run run_from(const struct rhw_bin *first, const struct rhw_bin *end)
 {
-    struct chunk_run run = {first, first + 1};
-    const enum rhw_compare deferral = pass->chunks[first].deferral;
-    while (run.end < pass->chunk_count && pass->chunks[run.end].deferral == deferral) {
+    struct bin_run run = {first, first + 1};
+    while (run.end < end && run.end->chunk->deferral == first->chunk->deferral) {
         run.end++;
     }
     return run;
 }
 
-static bool is_empty(const struct tile_work *work)
+static void draw_bins(struct tile_work *work, const struct rhw_bin *first, const struct rhw_bin *end)
 {
-    for (int i = 0; i < work->pass->chunk_count; i++) {
-        const struct bin bin = bin_in(work, i);
-        if (bin.first != bin.end) {
-            return false;
-        }
-    }
-    return true;
-}
-
-static void draw_tile(struct tile_work *work)
-{
-    const struct rhw_pass_state *const pass = work->pass;
-    for (int i = 0; i < pass->chunk_count;) {
-        const struct chunk_run run = run_from(pass, i);
-        if (pass->chunks[i].deferral != RHW_COMPARE_NEVER && overdraws(work, run)) {
+    while (first < end) {
+        const struct bin_run run = run_from(first, end);
+        if (first->chunk->deferral != RHW_COMPARE_NEVER && overdraws(work, run)) {
             draw_deferred(work, run);
         } else {
             draw_run(work, run, PHASE_ONLY);
         }
-        i = run.end;
+        first = run.end;
     }
     flush(work);
 }
@@ -318,7 +300,8 @@ static void run_tile(struct rhw_pass_state *pass, int tile, int worker)
               height = min_int(pass->height - work.y, RHW_TILE);
     struct rhw_attachment *const depth = pass->has_depth ? &pass->depth : NULL;
     unsigned char *const depth_texels = (unsigned char *)scratch->depth;
-    if (is_empty(&work)) {
+    const int bins = list_bins(&work);
+    if (bins == 0) {
         for (int i = 0; i < pass->color_count; i++) {
             pass_through(&work, &pass->colors[i], width, height);
         }
@@ -333,7 +316,7 @@ static void run_tile(struct rhw_pass_state *pass, int tile, int worker)
     if (depth) {
         load_attachment(&work, depth, depth_texels, width, height);
     }
-    draw_tile(&work);
+    draw_bins(&work, scratch->bins, scratch->bins + bins);
     for (int i = 0; i < pass->color_count; i++) {
         store_attachment(&work, &pass->colors[i], scratch->color[i], width, height);
     }
