@@ -19,6 +19,8 @@ const struct bench_scene_entry bench_scene_entries[] = {
     {"fill_tex", "the same, a trilinear texture of 1024x1024", bench_make_floor, BENCH_FLOOR_TEXTURE},
     {"overdraw", "fill_tex with a depth test: 8 opaque layers, far to near", bench_make_floor,
      BENCH_FLOOR_OVERDRAW},
+    {"painter", "fill_tex again, where hidden fragments may be skipped", bench_make_floor,
+     BENCH_FLOOR_PAINTER},
     {"sphere_10k", "bumpy sphere of 10,000 triangles, Blinn-Phong per pixel", bench_make_sphere,
      BENCH_SPHERE_10K},
     {"sphere_1m", "the same of 1,000,000 triangles", bench_make_sphere, BENCH_SPHERE_1M},

@@ -149,6 +149,7 @@ static struct rhw_pass_def pass_of(const struct rhw_state *s)
     def.width = s->width;
     def.height = s->height;
     def.color_count = s->scene->has_color;
+    def.shades_hidden = s->scene->shades_all;
     def.colors[0].texture = s->color;
     memcpy(def.colors[0].clear, s->scene->clear, sizeof def.colors[0].clear);
     def.depth.enabled = true;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Which draws may be drawn depth first.
+// Which draws may be drawn depth first or backwards.
 #include "deferral.h"
 
 enum rhw_compare rhw_deferral(const struct rhw_draw_state *state, int color_count)
@@ -8,14 +8,19 @@ enum rhw_compare rhw_deferral(const struct rhw_draw_state *state, int color_coun
         return RHW_COMPARE_NEVER;
     }
     const struct rhw_pipeline_def *const def = &state->pipeline->def;
-    if (!def->depth_test || !def->depth_write || def->program.uses & RHW_USE_DEPTH ||
-        !(state->pipeline->fragment || def->program.fragment1)) {
+    if (!(state->pipeline->fragment || def->program.fragment1)) {
         return RHW_COMPARE_NEVER;
     }
     for (int i = 0; i < color_count; i++) {
         if (!state->outputs[i].replaces) {
             return RHW_COMPARE_NEVER;
         }
+    }
+    if (!def->depth_test) {
+        return def->program.uses & RHW_USE_DISCARD ? RHW_COMPARE_NEVER : RHW_COMPARE_ALWAYS;
+    }
+    if (!def->depth_write || def->program.uses & RHW_USE_DEPTH) {
+        return RHW_COMPARE_NEVER;
     }
     switch (def->depth_compare) {
     case RHW_COMPARE_LESS:

@@ -189,6 +189,7 @@ static void reset(struct rhw_pass_state *pass, const struct rhw_pass_def *def)
     pass->current = NULL;
     pass->out_of_memory = false;
     pass->color_count = def->color_count;
+    pass->shades_hidden = def->shades_hidden;
     memset(&pass->pending, 0, sizeof pass->pending);
     pass->pending_changed = true;
     pass->uniforms = NULL;
@@ -496,7 +497,7 @@ static const struct rhw_draw_state *snapshot(struct rhw_pass_state *pass)
     state->half_height = (double)state->viewport.height / 2;
     state->center_x = (double)state->viewport.x + state->half_width;
     state->center_y = (double)state->viewport.y + state->half_height;
-    state->deferral = rhw_deferral(state, pass->color_count);
+    state->deferral = pass->shades_hidden ? RHW_COMPARE_NEVER : rhw_deferral(state, pass->color_count);
     pass->current = state;
     pass->pending_changed = false;
     return state;

@@ -35,9 +35,8 @@ static inline struct rhw_double8 rhw_to_double(rhw_float a)
 #elif defined(__SSE2__)
     union rhw_lanes x;
     x.f = a;
-    const __m128d quarter[4] = {
-        _mm_cvtps_pd(x.half[0]), _mm_cvtps_pd(_mm_movehl_ps(x.half[0], x.half[0])),
-        _mm_cvtps_pd(x.half[1]), _mm_cvtps_pd(_mm_movehl_ps(x.half[1], x.half[1]))};
+    const __m128d quarter[4] = {_mm_cvtps_pd(x.half[0]), _mm_cvtps_pd(_mm_movehl_ps(x.half[0], x.half[0])),
+                                _mm_cvtps_pd(x.half[1]), _mm_cvtps_pd(_mm_movehl_ps(x.half[1], x.half[1]))};
     memcpy(&result, quarter, sizeof result);
 #else
     for (int i = 0; i < 4; i++) {
@@ -128,7 +127,7 @@ static inline rhw_float rhw_exp(rhw_float a)
 /// a = m · 2^e with sqrt(1/2) ≤ m < sqrt(2), for finite a > 0; returns m.
 static inline rhw_float rhw_split_exponent(rhw_float a, rhw_float *e)
 {
-    const rhw_int tiny = rhw_less(a, rhw_splat(1.17549435e-38f));                   // denormal
+    const rhw_int tiny = rhw_less(a, rhw_splat(1.17549435e-38f)); // denormal
     const rhw_uint pattern = (rhw_uint)rhw_select(tiny, a * 8388608.0f, a);
     const rhw_int bits = (rhw_int)(pattern - 0x3f3504f3u); // of sqrt(1/2); a negative `a` wraps
     *e = rhw_to_float((bits >> 23) + (tiny & -23));

@@ -246,6 +246,8 @@ struct rhw_pass_def {
     struct rhw_color_attachment colors[RHW_MAX_COLOR_ATTACHMENTS];
     int color_count;
     struct rhw_depth_attachment depth;
+    /// Shades opaque fragments that others of the pass hide, too: for measuring. The picture is the same.
+    bool shades_hidden;
 };
 
 struct rhw_viewport {

@@ -67,6 +67,12 @@ static void setup_planes(const struct tile_work *work, struct triangle_work *tri
 // A block, which may start at any pixel: depth first, then what survives is collected for shading.
 static void draw_block(struct tile_work *work, struct triangle_work *triangle, int x, int y, uint64_t mask)
 {
+    if (work->phase == PHASE_BACKWARDS) {
+        mask = take_block(work, x, y, mask);
+        if (mask == 0) {
+            return;
+        }
+    }
     if (work->constant && !work->needs_depth) { // no number of the triangle is wanted
         work->counters->fragments += (uint64_t)__builtin_popcountll(mask);
         constant_block(work, x, y, mask);

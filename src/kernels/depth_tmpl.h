@@ -7,6 +7,8 @@
 // LESS_EQUAL. The last needs no care: each is shaded and overwrites the one before. For the first, a pixel is `open`
 // from when the first phase writes it until its fragment is shaded; depth that was there before, or that a fragment
 // function which discards wrote, is nobody's to match.
+//
+// Without a depth test the last fragment wins: the triangles are drawn backwards, and a pixel is open until it is taken.
 
 #include "work_tmpl.h"
 
@@ -57,6 +59,26 @@ RHW_INLINE i8 passes(const struct depth_rule rule, f8 z, f8 stored, unsigned ope
         pass |= depth_passes(RHW_COMPARE_EQUAL, z, stored) & i8_from_bits(open & 0xff);
     }
     return pass;
+}
+
+// Of the pixels of a row set in `bits`, those that are open; they are not open any more.
+RHW_INLINE unsigned take_row(struct tile_work *work, int x, int y, unsigned bits)
+{
+    uint64_t *const open = &work->scratch->open[y];
+    bits &= (unsigned)(*open >> x);
+    *open &= ~((uint64_t)bits << x);
+    work->open_count -= __builtin_popcount(bits);
+    return bits;
+}
+
+// The same with a block: bit 8·row + column.
+static uint64_t take_block(struct tile_work *work, int x, int y, uint64_t mask)
+{
+    uint64_t taken = 0;
+    for (int row = 0; row < RHW_BLOCK; row++) {
+        taken |= (uint64_t)take_row(work, x, y + row, (unsigned)(mask >> (8 * row)) & 0xff) << (8 * row);
+    }
+    return taken;
 }
 
 // Tests the fragments of a row that are set in `bits`, x of the first; returns those that pass. `rule` is a constant

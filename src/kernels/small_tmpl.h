@@ -97,6 +97,8 @@ RHW_INLINE void small_rows(struct tile_work *work, struct triangle_work *triangl
                                planes->linear.dy[QUANTITY_Z] * (double)(work->y + y - planes->anchor_y);
             const f8 z = f8_from_d8(d8_add(z_column, d8_splat(row)));
             bits = test_row(work, x, y, z, bits, rule);
+        } else if (work->phase == PHASE_BACKWARDS) {
+            bits = take_row(work, x, y, bits);
         }
         if (bits != 0 && work->shades) {
             small_collect(work, triangle, x, y, bits);

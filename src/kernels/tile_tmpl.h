@@ -46,41 +46,42 @@ static unsigned char *target_row(const struct tile_work *work, const struct rhw_
 
 // `tile`: the attachment's storage in the scratch, RHW_TILE texels per row.
 static void load_attachment(const struct tile_work *work, const struct rhw_attachment *attachment,
-                            unsigned char *tile, int width, int height)
+                            unsigned char *tile)
 {
     const size_t size = attachment->texel_size;
     if (load_of(work->pass, attachment) != RHW_LOAD_LOAD) {
         fill_bytes(tile, attachment->clear, RHW_TILE * RHW_TILE * size);
         return;
     }
-    for (int y = 0; y < height; y++) {
-        copy_row(tile + (size_t)y * RHW_TILE * size, target_row(work, attachment, y), (size_t)width * size);
+    for (int y = 0; y < work->height; y++) {
+        copy_row(tile + (size_t)y * RHW_TILE * size, target_row(work, attachment, y),
+                 (size_t)work->width * size);
     }
 }
 
 static void store_attachment(const struct tile_work *work, const struct rhw_attachment *attachment,
-                             const unsigned char *tile, int width, int height)
+                             const unsigned char *tile)
 {
     const size_t size = attachment->texel_size;
     if (!is_stored(work->pass, attachment)) {
         return;
     }
-    for (int y = 0; y < height; y++) {
-        copy_row(target_row(work, attachment, y), tile + (size_t)y * RHW_TILE * size, (size_t)width * size);
+    for (int y = 0; y < work->height; y++) {
+        copy_row(target_row(work, attachment, y), tile + (size_t)y * RHW_TILE * size,
+                 (size_t)work->width * size);
     }
 }
 
 // A tile without triangles: what would be loaded and stored unchanged is left alone, what is cleared goes straight to
 // its target.
-static void pass_through(const struct tile_work *work, const struct rhw_attachment *attachment, int width,
-                         int height)
+static void pass_through(const struct tile_work *work, const struct rhw_attachment *attachment)
 {
     if (!is_stored(work->pass, attachment) || load_of(work->pass, attachment) == RHW_LOAD_LOAD) {
         return;
     }
-    for (int y = 0; y < height; y++) {
+    for (int y = 0; y < work->height; y++) {
         fill_bytes(target_row(work, attachment, y), attachment->clear,
-                   (size_t)width * attachment->texel_size);
+                   (size_t)work->width * attachment->texel_size);
     }
 }
 
@@ -106,19 +107,26 @@ static int list_bins(const struct tile_work *work)
 // in random order spends two thirds of its time waiting here.
 enum { RECORDS_AHEAD = 4 * BATCH, VERTICES_AHEAD = 2 * BATCH };
 
-static void prefetch_record(const struct rhw_chunk *chunk, uint32_t e, uint32_t end)
+// Triangle k of a bin in the order of drawing.
+RHW_INLINE const struct rhw_triangle *bin_triangle(const struct rhw_bin *bin, uint32_t k, enum phase phase)
 {
-    if (e < end) {
-        __builtin_prefetch(&chunk->triangles[chunk->entries[e]]);
+    const uint32_t e = phase == PHASE_BACKWARDS ? bin->end - 1 - k : bin->first + k;
+    return &bin->chunk->triangles[bin->chunk->entries[e]];
+}
+
+static void prefetch_record(const struct rhw_bin *bin, uint32_t k, enum phase phase)
+{
+    if (k < bin->end - bin->first) {
+        __builtin_prefetch(bin_triangle(bin, k, phase));
     }
 }
 
-static void prefetch_vertices(const struct rhw_chunk *chunk, uint32_t e, uint32_t end)
+static void prefetch_vertices(const struct rhw_bin *bin, uint32_t k, enum phase phase)
 {
-    if (e < end) {
-        const struct rhw_triangle *const t = &chunk->triangles[chunk->entries[e]];
+    if (k < bin->end - bin->first) {
+        const struct rhw_triangle *const t = bin_triangle(bin, k, phase);
         for (int i = 0; i < 3; i++) {
-            __builtin_prefetch(record_at(&chunk->segments[t->segment], t->vertex[i]));
+            __builtin_prefetch(record_at(&bin->chunk->segments[t->segment], t->vertex[i]));
         }
     }
 }
@@ -145,6 +153,12 @@ static void draw_triangle(struct tile_work *work, const struct rhw_chunk *chunk,
     }
 }
 
+// Whether what is left of a run is hidden.
+static bool is_hidden(const struct tile_work *work)
+{
+    return work->phase == PHASE_BACKWARDS && work->open_count == 0;
+}
+
 // Draws what a batch has; numbers: of its triangles among those that are drawn in two phases.
 static void draw_batch(struct tile_work *work, const struct rhw_chunk *chunk, struct batch *batch,
                        const uint32_t numbers[BATCH], int count)
@@ -153,7 +167,7 @@ static void draw_batch(struct tile_work *work, const struct rhw_chunk *chunk, st
         batch->triangle[i] = batch->triangle[0];
     }
     batch_setup(work, chunk, batch);
-    for (int i = 0; i < count; i++) {
+    for (int i = 0; i < count && !is_hidden(work); i++) {
         work->hit = false;
         draw_triangle(work, chunk, batch, i);
         if (work->phase == PHASE_DEPTH && (work->hit || work->skips)) {
@@ -163,35 +177,35 @@ static void draw_batch(struct tile_work *work, const struct rhw_chunk *chunk, st
 }
 
 // `number`: of the bin's first triangle among those that are drawn in two phases.
-static void draw_bin(struct tile_work *work, const struct rhw_bin bin, uint32_t number)
+static void draw_bin(struct tile_work *work, const struct rhw_bin *bin, uint32_t number)
 {
-    const struct rhw_chunk *const chunk = bin.chunk;
+    const enum phase phase = work->phase;
     const uint8_t *const seen = work->scratch->seen;
     struct batch batch;
     uint32_t numbers[BATCH];
     int count = 0;
-    for (uint32_t e = bin.first; e < bin.first + RECORDS_AHEAD; e++) {
-        prefetch_record(chunk, e, bin.end);
+    for (uint32_t k = 0; k < RECORDS_AHEAD; k++) {
+        prefetch_record(bin, k, phase);
     }
-    for (uint32_t e = bin.first; e < bin.first + VERTICES_AHEAD; e++) {
-        prefetch_vertices(chunk, e, bin.end);
+    for (uint32_t k = 0; k < VERTICES_AHEAD; k++) {
+        prefetch_vertices(bin, k, phase);
     }
-    for (uint32_t e = bin.first; e < bin.end; e++) {
-        const uint32_t n = number + e - bin.first;
-        if (work->phase == PHASE_SHADE && !(seen[n / 8] >> n % 8 & 1)) {
+    for (uint32_t k = 0; k < bin->end - bin->first && !is_hidden(work); k++) {
+        const uint32_t n = number + k;
+        if (phase == PHASE_SHADE && !(seen[n / 8] >> n % 8 & 1)) {
             continue;
         }
-        prefetch_record(chunk, e + RECORDS_AHEAD, bin.end);
-        prefetch_vertices(chunk, e + VERTICES_AHEAD, bin.end);
+        prefetch_record(bin, k + RECORDS_AHEAD, phase);
+        prefetch_vertices(bin, k + VERTICES_AHEAD, phase);
         numbers[count] = n;
-        batch.triangle[count++] = &chunk->triangles[chunk->entries[e]];
+        batch.triangle[count++] = bin_triangle(bin, k, phase);
         if (count == BATCH) {
-            draw_batch(work, chunk, &batch, numbers, count);
+            draw_batch(work, bin->chunk, &batch, numbers, count);
             count = 0;
         }
     }
     if (count != 0) {
-        draw_batch(work, chunk, &batch, numbers, count);
+        draw_batch(work, bin->chunk, &batch, numbers, count);
     }
 }
 
@@ -200,14 +214,19 @@ struct bin_run {
     const struct rhw_bin *first, *end;
 };
 
-static void draw_run(struct tile_work *work, struct bin_run run, enum phase phase)
+static void start_phase(struct tile_work *work, enum phase phase)
 {
-    uint32_t number = 0;
     flush(work);
     work->draw = NULL;
     work->phase = phase;
+}
+
+static void draw_run(struct tile_work *work, struct bin_run run, enum phase phase)
+{
+    uint32_t number = 0;
+    start_phase(work, phase);
     for (const struct rhw_bin *bin = run.first; bin < run.end; bin++) {
-        draw_bin(work, *bin, number);
+        draw_bin(work, bin, number);
         number += bin->end - bin->first;
     }
 }
@@ -231,7 +250,7 @@ static double area_in_tile(const struct tile_work *work, const struct rhw_triang
 static bool overdraws(const struct tile_work *work, struct bin_run run)
 {
     enum { SAMPLES = 64 };
-    const double tile_pixels = RHW_TILE * RHW_TILE;
+    const double tile_pixels = work->width * work->height;
     const double shading_ns = 9, textured_ns = 18, depth_ns = 3, triangle_ns = 60;
     uint32_t count = 0;
     for (const struct rhw_bin *bin = run.first; bin < run.end; bin++) {
@@ -262,7 +281,26 @@ static void draw_deferred(struct tile_work *work, struct bin_run run)
     draw_run(work, run, PHASE_SHADE);
 }
 
-// From `first` on, those that can be drawn depth first together, or that cannot; at least one.
+// Opens all pixels of the tile.
+static void open_all(struct tile_work *work)
+{
+    for (int y = 0; y < RHW_TILE; y++) {
+        work->scratch->open[y] = y < work->height ? ~(uint64_t)0 >> (RHW_TILE - work->width) : 0;
+    }
+    work->open_count = work->width * work->height;
+}
+
+// The last triangle first, until nothing of the tile is open.
+static void draw_backwards(struct tile_work *work, struct bin_run run)
+{
+    open_all(work);
+    start_phase(work, PHASE_BACKWARDS);
+    for (const struct rhw_bin *bin = run.end; bin > run.first && !is_hidden(work);) {
+        draw_bin(work, --bin, 0);
+    }
+}
+
+// From `first` on, those that can be drawn together depth first or backwards, or that cannot; at least one.
 static struct bin_run run_from(const struct rhw_bin *first, const struct rhw_bin *end)
 {
     struct bin_run run = {first, first + 1};
@@ -276,7 +314,10 @@ static void draw_bins(struct tile_work *work, const struct rhw_bin *first, const
 {
     while (first < end) {
         const struct bin_run run = run_from(first, end);
-        if (first->chunk->deferral != RHW_COMPARE_NEVER && overdraws(work, run)) {
+        const enum rhw_compare deferral = first->chunk->deferral;
+        if (deferral == RHW_COMPARE_ALWAYS) {
+            draw_backwards(work, run);
+        } else if (deferral != RHW_COMPARE_NEVER && overdraws(work, run)) {
             draw_deferred(work, run);
         } else {
             draw_run(work, run, PHASE_ONLY);
@@ -295,32 +336,32 @@ static void run_tile(struct rhw_pass_state *pass, int tile, int worker)
                              .counters = &pass->workers[worker].counters,
                              .x = tile_x * RHW_TILE,
                              .y = tile_y * RHW_TILE,
+                             .width = min_int(pass->width - tile_x * RHW_TILE, RHW_TILE),
+                             .height = min_int(pass->height - tile_y * RHW_TILE, RHW_TILE),
                              .all_full = true};
-    const int width = min_int(pass->width - work.x, RHW_TILE),
-              height = min_int(pass->height - work.y, RHW_TILE);
     struct rhw_attachment *const depth = pass->has_depth ? &pass->depth : NULL;
     unsigned char *const depth_texels = (unsigned char *)scratch->depth;
     const int bins = list_bins(&work);
     if (bins == 0) {
         for (int i = 0; i < pass->color_count; i++) {
-            pass_through(&work, &pass->colors[i], width, height);
+            pass_through(&work, &pass->colors[i]);
         }
         if (depth) {
-            pass_through(&work, depth, width, height);
+            pass_through(&work, depth);
         }
         return;
     }
     for (int i = 0; i < pass->color_count; i++) {
-        load_attachment(&work, &pass->colors[i], scratch->color[i], width, height);
+        load_attachment(&work, &pass->colors[i], scratch->color[i]);
     }
     if (depth) {
-        load_attachment(&work, depth, depth_texels, width, height);
+        load_attachment(&work, depth, depth_texels);
     }
     draw_bins(&work, scratch->bins, scratch->bins + bins);
     for (int i = 0; i < pass->color_count; i++) {
-        store_attachment(&work, &pass->colors[i], scratch->color[i], width, height);
+        store_attachment(&work, &pass->colors[i], scratch->color[i]);
     }
     if (depth) {
-        store_attachment(&work, depth, depth_texels, width, height);
+        store_attachment(&work, depth, depth_texels);
     }
 }

@@ -15,7 +15,8 @@ enum depth_mode {
 enum phase {
     PHASE_ONLY,  // depth and shading, as submitted
     PHASE_DEPTH, // the first of two: depth alone, of draws that do not discard
-    PHASE_SHADE
+    PHASE_SHADE,
+    PHASE_BACKWARDS // the last triangle first, where no depth is tested: pixels that are open
 };
 
 // What a test has to do with open pixels.
@@ -38,9 +39,11 @@ struct tile_work {
     struct rhw_pass_state *pass;
     struct rhw_tile_scratch *scratch;
     struct rhw_counters *counters;
-    int x, y; // pixels of the tile's first pixel in the target
+    int x, y;          // pixels of the tile's first pixel in the target
+    int width, height; // pixels of the tile: fewer at the target's end
     enum phase phase;
-    bool hit; // a fragment passed a test with OPEN_MARK
+    bool hit;       // a fragment passed a test with OPEN_MARK
+    int open_count; // open pixels, in PHASE_BACKWARDS
 
     // Of the draw whose fragments are collected:
     const struct rhw_draw *draw;

@@ -6,7 +6,7 @@
 tiny="--size 96x54 --frames 2"
 
 succeed bench --list
-check "list names the scenes" test "$(grep -cE "^(fill_flat|overdraw|sphere_1m_depth|bunny_lit|sponza|pbr_helmet|pbr_sponza|context|process) " "$folder/log/out")" = 9
+check "list names the scenes" test "$(grep -cE "^(fill_flat|overdraw|painter|sphere_1m_depth|bunny_lit|sponza|pbr_helmet|pbr_sponza|context|process) " "$folder/log/out")" = 10
 
 succeed bench $tiny --peer none --scene fill --threads 2
 check "table has its rows" test "$(grep -cE '^fill_(flat|color|blend|tex) ' "$folder/log/out")" = 4

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Opaque draws of a pass may be drawn depth first and shaded where they are seen. The picture is that of one triangle
+// Opaque draws of a pass may be drawn depth first, or backwards, and shaded where they are seen. The picture is that of one triangle
 // after the other: also among equal depths, next to what was loaded, and with fragment functions that discard.
 #include "harness.h"
 
@@ -186,6 +186,30 @@ static void test_one_run_after_another(void **state)
     rig_close(&rig);
 }
 
+// Without a depth test the last fragment wins; one that may be discarded keeps its turn.
+static void test_the_last_wins_without_depth(void **state)
+{
+    (void)state;
+    static struct picture together, alone;
+    static struct layer layers[DRAWS];
+    uint64_t random = 14;
+    struct rig rig;
+    open_rig(&rig, RHW_COMPARE_LESS);
+    rig.pipeline.depth_test = false;
+    for (int n = 0; n < 6; n++) {
+        make_layers(&rig, &random, layers);
+        for (int d = 0; d < DRAWS; d++) {
+            const bool turn = n >= 3 && d >= 40; // in the second chunk
+            layers[d].kind = turn ? KIND_MASKED : layers[d].kind == KIND_COORD ? KIND_COORD : KIND_PLAIN;
+        }
+        draw_together(&rig, layers, &together);
+        draw_one_by_one(&rig, layers, &alone);
+        assert_equal_pictures(&together, &alone);
+        assert_true(together.shaded < alone.shaded);
+    }
+    rig_close(&rig);
+}
+
 // A draw that blends, keeps some channels or does not write depth has its turn between the others.
 static void test_others_keep_their_turn(void **state)
 {
@@ -210,32 +234,52 @@ static void test_others_keep_their_turn(void **state)
     rig_close(&rig);
 }
 
-// Layers from far to near that cover everything: only the last is shaded.
-static void test_what_is_hidden_is_not_shaded(void **state)
+enum { LAYERS = 16 };
+
+// Layers from far to near that cover everything, on a target that ends within tiles: so many are shaded.
+static void assert_shaded(bool depth, bool shades_hidden, int layers)
 {
-    (void)state;
+    enum { WIDTH = 100, HEIGHT = 70 };
     struct rig rig;
-    rig_open(&rig, SIZE, SIZE);
-    rig_set_depth(&rig);
+    rig_open(&rig, WIDTH, HEIGHT);
+    if (depth) {
+        rig_set_depth(&rig);
+    }
+    rig.pass.shades_hidden = shades_hidden;
     rig_begin(&rig);
-    for (int i = 0; i < 16; i++) {
+    for (int i = 0; i < LAYERS; i++) {
         struct rig_vertex all[6];
-        rig_cover(&rig, 1 - (float)(i + 1) / 32, (const float[4]){(float)i, 0, 0, 1}, all);
+        rig_cover(&rig, 1 - (float)(i + 1) / (2 * LAYERS), (const float[4]){(float)i, 0, 0, 1}, all);
         rig_draw(&rig, all, 6);
     }
     rig_end(&rig);
-    assert_true(rig_read_float4(&rig)[99][0] == 15);
-    assert_int_equal(rig.stats.fragments_shaded, SIZE * SIZE);
+    for (int i = 0; i < WIDTH * HEIGHT; i++) {
+        assert_true(rig_read_float4(&rig)[i][0] == LAYERS - 1);
+    }
+    assert_int_equal(rig.stats.fragments_shaded, layers * WIDTH * HEIGHT);
     rig_close(&rig);
+}
+
+static void test_what_is_hidden_is_not_shaded(void **state)
+{
+    (void)state;
+    assert_shaded(true, false, 1);
+    assert_shaded(false, false, 1);
+}
+
+static void test_unless_the_pass_wants_it(void **state)
+{
+    (void)state;
+    assert_shaded(true, true, LAYERS);
+    assert_shaded(false, true, LAYERS);
 }
 
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_the_picture_of_one_by_one),
-        cmocka_unit_test(test_one_run_after_another),
-        cmocka_unit_test(test_others_keep_their_turn),
-        cmocka_unit_test(test_what_is_hidden_is_not_shaded),
+        cmocka_unit_test(test_the_picture_of_one_by_one),    cmocka_unit_test(test_one_run_after_another),
+        cmocka_unit_test(test_the_last_wins_without_depth),  cmocka_unit_test(test_others_keep_their_turn),
+        cmocka_unit_test(test_what_is_hidden_is_not_shaded), cmocka_unit_test(test_unless_the_pass_wants_it),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
