@@ -476,6 +476,59 @@ static void test_clipped_triangles_keep_the_winding(void **state)
     rig_close(&rig);
 }
 
+// A sliver that the near plane of Z from 0 cuts.
+static void make_sliver(uint64_t *random, struct rig_vertex vertices[3])
+{
+    memset(vertices, 0, 3 * sizeof *vertices);
+    const float t = rig_random_float(random, 0.1f, 0.9f),
+                breadth = ldexpf(rig_random_float(random, -1, 1), -5 - rig_random_int(random, 6));
+    float *const a = vertices[0].position, *const b = vertices[1].position, *const c = vertices[2].position;
+    for (int i = 0; i < 4; i++) {
+        a[i] = rig_random_float(random, i == 3 ? 0.5f : -3, i == 3 ? 4 : 3);
+        b[i] = rig_random_float(random, i == 3 ? 0.5f : -3, i == 3 ? 4 : 3);
+        c[i] = a[i] + t * (b[i] - a[i]) + breadth * rig_random_float(random, -1, 1);
+    }
+    a[2] = -rig_random_float(random, 0.1f, 8);
+}
+
+// Twice the area on the screen of the snapped vertices, in 1/65536 square pixels; y points down.
+static int64_t snapped_area(const struct rig_vertex vertices[3])
+{
+    int64_t x[3], y[3];
+    for (int i = 0; i < 3; i++) {
+        const double w = (double)vertices[i].position[3];
+        x[i] = (int64_t)nearbyint(((double)vertices[i].position[0] / w + 1) * SIZE / 2 * 256);
+        y[i] = (int64_t)nearbyint((1 - (double)vertices[i].position[1] / w) * SIZE / 2 * 256);
+    }
+    return (x[1] - x[0]) * (y[2] - y[0]) - (x[2] - x[0]) * (y[1] - y[0]);
+}
+
+// What is left of a sliver may cross itself and seem to turn the other way: the triangle itself is asked.
+static void test_clipped_slivers_keep_the_winding(void **state)
+{
+    (void)state;
+    struct rig rig;
+    rig_open(&rig, SIZE, SIZE);
+    uint64_t random = 29;
+    int drawn = 0;
+    for (int n = 0; n < 8000; n++) {
+        struct rig_vertex vertices[3];
+        make_sliver(&random, vertices);
+        const int64_t area = snapped_area(vertices);
+        rig.pipeline.cull = RHW_CULL_NONE;
+        rig_draw_once(&rig, vertices, 3);
+        const uint64_t shaded = rig.stats.fragments_shaded;
+        rig.pipeline.cull = area < 0 ? RHW_CULL_BACK : RHW_CULL_FRONT;
+        rig_draw_once(&rig, vertices, 3);
+        if (area != 0) {
+            assert_int_equal(rig.stats.fragments_shaded, shaded);
+            drawn += shaded != 0;
+        }
+    }
+    assert_true(drawn > 1000);
+    rig_close(&rig);
+}
+
 // Draws a triangle with Z from −W and tells whether a pixel is covered.
 static bool covers(const struct rig_vertex sliver[3], struct rhw_viewport viewport, enum rhw_cull cull, int x,
                    int y)
@@ -531,6 +584,7 @@ int main(void)
         cmocka_unit_test(test_positions_that_are_not_finite_are_dropped),
         cmocka_unit_test(test_huge_and_tiny_coordinates),
         cmocka_unit_test(test_clipped_triangles_keep_the_winding),
+        cmocka_unit_test(test_clipped_slivers_keep_the_winding),
         cmocka_unit_test(test_a_polygon_that_crosses_itself),
         cmocka_unit_test(test_a_polygon_of_a_triangle_without_area),
     };
