@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: MIT
+// In place of scene_model.c and scene_pbr.c where a build reads no model files.
+#include "scene_model.h"
+#include "scene_pbr.h"
+
+#include <stdio.h>
+
+const char bench_bunny_path[] = "";
+
+static bool make_nothing(char *why, size_t why_size)
+{
+    snprintf(why, why_size, "this build reads no model files");
+    return false;
+}
+
+bool bench_make_model(const struct bench_scene_entry *entry, struct bench_scene *scene, int width, int height,
+                      char *why, size_t why_size)
+{
+    (void)entry, (void)scene, (void)width, (void)height;
+    return make_nothing(why, why_size);
+}
+
+bool bench_make_pbr(const struct bench_scene_entry *entry, struct bench_scene *scene, int width, int height,
+                    char *why, size_t why_size)
+{
+    (void)entry, (void)scene, (void)width, (void)height;
+    return make_nothing(why, why_size);
+}
+
+void bench_surfaces_free(struct bench_surfaces *surfaces)
+{
+    (void)surfaces; // there are none
+}
