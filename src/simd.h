@@ -11,13 +11,17 @@
 
 #if defined(__SSE2__)
 #include <immintrin.h>
+#elif defined(__aarch64__)
+#include <arm_neon.h>
+#elif defined(__wasm_simd128__)
+#include <wasm_simd128.h>
 #endif
 
 #define RHW_INLINE static inline __attribute__((always_inline))
 
 typedef rhw_float f8;
 typedef rhw_int i8;
-typedef float f4 __attribute__((vector_size(16)));
+typedef rhw_float4 f4;
 typedef uint32_t u8 __attribute__((vector_size(32)));
 // 16 numbers of 16 bits: two in each lane of an i8.
 typedef int16_t s16 __attribute__((vector_size(32)));
@@ -26,7 +30,9 @@ typedef int16_t s16 __attribute__((vector_size(32)));
 // 64-byte vectors on the others.
 typedef double d4 __attribute__((vector_size(32)));
 typedef int64_t l4 __attribute__((vector_size(32)));
-typedef int32_t i4 __attribute__((vector_size(16)));
+typedef rhw_int4 i4;
+typedef int32_t i2 __attribute__((vector_size(8)));
+typedef int64_t l2 __attribute__((vector_size(16)));
 typedef struct d8 {
     d4 lo, hi;
 } d8;
@@ -52,13 +58,13 @@ RHW_INLINE i4 i4_load(const void *p)
 
 RHW_INLINE d4 d4_splat(double v)
 {
-#if defined(__SSE2__) && !defined(__AVX2__)
-    const __m128d halves[2] = {_mm_set1_pd(v), _mm_set1_pd(v)};
+#if defined(__AVX2__)
+    return (d4){v, v, v, v};
+#else
+    const rhw_double2 halves[2] = {{v, v}, {v, v}};
     d4 lanes;
     memcpy(&lanes, halves, sizeof lanes);
     return lanes;
-#else
-    return (d4){v, v, v, v};
 #endif
 }
 
@@ -127,12 +133,12 @@ RHW_INLINE unsigned i8_sign_bits(i8 v)
     __m128 half[2];
     memcpy(half, &v, sizeof v);
     return (unsigned)_mm_movemask_ps(half[0]) | (unsigned)_mm_movemask_ps(half[1]) << 4;
+#elif defined(__wasm_simd128__)
+    i4 half[2];
+    memcpy(half, &v, sizeof v);
+    return (unsigned)wasm_i32x4_bitmask((v128_t)half[0]) | (unsigned)wasm_i32x4_bitmask((v128_t)half[1]) << 4;
 #else
-    unsigned bits = 0;
-    for (int i = 0; i < 8; i++) {
-        bits |= (unsigned)(v[i] < 0) << i;
-    }
-    return bits;
+    return (unsigned)rhw_mask_bits(v >> 31);
 #endif
 }
 
@@ -146,17 +152,16 @@ RHW_INLINE i8 i8_from_bits(unsigned bits)
 // a < b: −1 or 0, and 0 for NaN. gcc 12 without AVX makes scalar code of the operator.
 RHW_INLINE l4 d4_less(d4 a, d4 b)
 {
-#if defined(__SSE2__) && !defined(__AVX2__)
-    __m128d x[2], y[2];
+#if defined(__AVX2__)
+    return a < b;
+#else
+    rhw_double2 x[2], y[2];
     memcpy(x, &a, sizeof x);
     memcpy(y, &b, sizeof y);
-    x[0] = _mm_cmplt_pd(x[0], y[0]);
-    x[1] = _mm_cmplt_pd(x[1], y[1]);
+    const l2 halves[2] = {x[0] < y[0], x[1] < y[1]};
     l4 mask;
-    memcpy(&mask, x, sizeof mask);
+    memcpy(&mask, halves, sizeof mask);
     return mask;
-#else
-    return a < b;
 #endif
 }
 
@@ -194,8 +199,26 @@ RHW_INLINE d8 d8_from_f8(f8 v)
     d8 result;
     memcpy(&result, quarter, sizeof result);
     return result;
+#elif defined(__wasm_simd128__)
+    v128_t half[2];
+    memcpy(half, &v, sizeof v);
+    const v128_t wide[4] = {wasm_f64x2_promote_low_f32x4(half[0]),
+                            wasm_f64x2_promote_low_f32x4(wasm_i64x2_shuffle(half[0], half[0], 1, 0)),
+                            wasm_f64x2_promote_low_f32x4(half[1]),
+                            wasm_f64x2_promote_low_f32x4(wasm_i64x2_shuffle(half[1], half[1], 1, 0))};
+    d8 result;
+    memcpy(&result, wide, sizeof result);
+    return result;
 #else
-    return (d8){{v[0], v[1], v[2], v[3]}, {v[4], v[5], v[6], v[7]}};
+    rhw_float2 quarter[4];
+    rhw_double2 wide[4];
+    memcpy(quarter, &v, sizeof v);
+    for (int i = 0; i < 4; i++) {
+        wide[i] = __builtin_convertvector(quarter[i], rhw_double2);
+    }
+    d8 result;
+    memcpy(&result, wide, sizeof result);
+    return result;
 #endif
 }
 
@@ -214,8 +237,26 @@ RHW_INLINE d8 d8_from_i8(i8 v)
     d8 result;
     memcpy(&result, quarter, sizeof result);
     return result;
+#elif defined(__wasm_simd128__)
+    v128_t half[2];
+    memcpy(half, &v, sizeof v);
+    const v128_t wide[4] = {wasm_f64x2_convert_low_i32x4(half[0]),
+                            wasm_f64x2_convert_low_i32x4(wasm_i64x2_shuffle(half[0], half[0], 1, 0)),
+                            wasm_f64x2_convert_low_i32x4(half[1]),
+                            wasm_f64x2_convert_low_i32x4(wasm_i64x2_shuffle(half[1], half[1], 1, 0))};
+    d8 result;
+    memcpy(&result, wide, sizeof result);
+    return result;
 #else
-    return (d8){{v[0], v[1], v[2], v[3]}, {v[4], v[5], v[6], v[7]}};
+    i2 quarter[4];
+    rhw_double2 wide[4];
+    memcpy(quarter, &v, sizeof v);
+    for (int i = 0; i < 4; i++) {
+        wide[i] = __builtin_convertvector(quarter[i], rhw_double2);
+    }
+    d8 result;
+    memcpy(&result, wide, sizeof result);
+    return result;
 #endif
 }
 
@@ -233,9 +274,23 @@ RHW_INLINE f8 f8_from_d8(d8 v)
     f8 r;
     memcpy(&r, q, sizeof r);
     return r;
+#elif defined(__wasm_simd128__)
+    v128_t quarter[4];
+    memcpy(quarter, &v, sizeof v);
+    for (int i = 0; i < 4; i++) {
+        quarter[i] = wasm_f32x4_demote_f64x2_zero(quarter[i]);
+    }
+    const v128_t halves[2] = {wasm_i64x2_shuffle(quarter[0], quarter[1], 0, 2),
+                              wasm_i64x2_shuffle(quarter[2], quarter[3], 0, 2)};
+    return f8_load(halves);
 #else
-    return (f8){(float)v.lo[0], (float)v.lo[1], (float)v.lo[2], (float)v.lo[3],
-                (float)v.hi[0], (float)v.hi[1], (float)v.hi[2], (float)v.hi[3]};
+    rhw_double2 quarter[4];
+    rhw_float2 narrow[4];
+    memcpy(quarter, &v, sizeof v);
+    for (int i = 0; i < 4; i++) {
+        narrow[i] = __builtin_convertvector(quarter[i], rhw_float2);
+    }
+    return f8_load(narrow);
 #endif
 }
 
@@ -257,8 +312,12 @@ RHW_INLINE i8 i8_round_d8(d8 v)
     memcpy(&r, low_words, sizeof r);
     return r;
 #else
-    return (i8){(int32_t)lo[0], (int32_t)lo[1], (int32_t)lo[2], (int32_t)lo[3],
-                (int32_t)hi[0], (int32_t)hi[1], (int32_t)hi[2], (int32_t)hi[3]};
+    i4 q[4];
+    memcpy(q, &lo, sizeof lo);
+    memcpy(q + 2, &hi, sizeof hi);
+    const i4 low_words[2] = {__builtin_shufflevector(q[0], q[1], 0, 2, 4, 6),
+                             __builtin_shufflevector(q[2], q[3], 0, 2, 4, 6)};
+    return i8_load(low_words);
 #endif
 }
 
@@ -281,15 +340,29 @@ RHW_INLINE d8 d8_clamp(d8 v, double low, double high)
     return v;
 #else
     const d4 l = d4_splat(low), h = d4_splat(high);
-    const l4 a = v.lo > l, b = v.hi > l;
+    const l4 a = d4_less(l, v.lo), b = d4_less(l, v.hi);
     v.lo = (d4)((a & (l4)v.lo) | (~a & (l4)l));
     v.hi = (d4)((b & (l4)v.hi) | (~b & (l4)l));
-    const l4 c = v.lo < h, d = v.hi < h;
+    const l4 c = d4_less(v.lo, h), d = d4_less(v.hi, h);
     v.lo = (d4)((c & (l4)v.lo) | (~c & (l4)h));
     v.hi = (d4)((d & (l4)v.hi) | (~d & (l4)h));
     return v;
 #endif
 }
+
+#if !defined(__SSE2__)
+RHW_INLINE void f4_transpose(f4 m[4])
+{
+    const f4 a = __builtin_shufflevector(m[0], m[1], 0, 4, 1, 5),
+             b = __builtin_shufflevector(m[0], m[1], 2, 6, 3, 7);
+    const f4 c = __builtin_shufflevector(m[2], m[3], 0, 4, 1, 5),
+             d = __builtin_shufflevector(m[2], m[3], 2, 6, 3, 7);
+    m[0] = __builtin_shufflevector(a, c, 0, 1, 4, 5);
+    m[1] = __builtin_shufflevector(a, c, 2, 3, 6, 7);
+    m[2] = __builtin_shufflevector(b, d, 0, 1, 4, 5);
+    m[3] = __builtin_shufflevector(b, d, 2, 3, 6, 7);
+}
+#endif
 
 // Turns 8 rows of 4 floats into 4 vectors of one component each.
 RHW_INLINE void f4_columns(const f4 row[8], f8 column[4])
@@ -317,10 +390,12 @@ RHW_INLINE void f4_columns(const f4 row[8], f8 column[4])
         memcpy(&column[c], halves, sizeof halves);
     }
 #else
-    for (int i = 0; i < 8; i++) {
-        for (int c = 0; c < 4; c++) {
-            column[c][i] = row[i][c];
-        }
+    f4 low[4] = {row[0], row[1], row[2], row[3]}, high[4] = {row[4], row[5], row[6], row[7]};
+    f4_transpose(low);
+    f4_transpose(high);
+    for (int c = 0; c < 4; c++) {
+        const f4 halves[2] = {low[c], high[c]};
+        column[c] = f8_load(halves);
     }
 #endif
 }
@@ -413,16 +488,45 @@ RHW_INLINE void f8_transpose(f8 m[8])
     }
     memcpy(m, q, sizeof q);
 #else
-    float from[8][8], to[8][8];
-    memcpy(from, m, sizeof from);
+    f4 q[2][2][4]; // by half of the rows and half of the columns
     for (int i = 0; i < 8; i++) {
-        for (int j = 0; j < 8; j++) {
-            to[i][j] = from[j][i];
-        }
+        memcpy(&q[i / 4][0][i % 4], &m[i], sizeof(f4));
+        memcpy(&q[i / 4][1][i % 4], (const char *)&m[i] + sizeof(f4), sizeof(f4));
     }
-    memcpy(m, to, sizeof to);
+    for (int i = 0; i < 4; i++) {
+        f4_transpose(q[i / 2][i % 2]);
+    }
+    for (int i = 0; i < 8; i++) {
+        const f4 halves[2] = {q[0][i / 4][i % 4], q[1][i / 4][i % 4]};
+        m[i] = f8_load(halves);
+    }
 #endif
 }
+
+// Four channels of 4 texels: see i8_bytes_from_f8.
+#if defined(__aarch64__)
+RHW_INLINE i4 i4_bytes_from_f4(const f4 channel[4])
+{
+    int16x4_t narrow[4];
+    for (int i = 0; i < 4; i++) { // saturates; 0 for NaN
+        narrow[i] = vqmovn_s32(vcvtnq_s32_f32((float32x4_t)channel[i]));
+    }
+    const uint8x16_t bytes = vcombine_u8(vqmovun_s16(vcombine_s16(narrow[0], narrow[1])),
+                                         vqmovun_s16(vcombine_s16(narrow[2], narrow[3])));
+    return (i4)__builtin_shufflevector(bytes, bytes, 0, 4, 8, 12, 1, 5, 9, 13, 2, 6, 10, 14, 3, 7, 11, 15);
+}
+#elif defined(__wasm_simd128__)
+RHW_INLINE i4 i4_bytes_from_f4(const f4 channel[4])
+{
+    v128_t rounded[4];
+    for (int i = 0; i < 4; i++) { // saturates; 0 for NaN
+        rounded[i] = wasm_i32x4_trunc_sat_f32x4(wasm_f32x4_nearest((v128_t)channel[i]));
+    }
+    const v128_t bytes = wasm_u8x16_narrow_i16x8(wasm_i16x8_narrow_i32x4(rounded[0], rounded[1]),
+                                                 wasm_i16x8_narrow_i32x4(rounded[2], rounded[3]));
+    return (i4)wasm_i8x16_shuffle(bytes, bytes, 0, 4, 8, 12, 1, 5, 9, 13, 2, 6, 10, 14, 3, 7, 11, 15);
+}
+#endif
 
 // Four channels of 8 texels, byte 0 of each from channel 0: rounded to nearest, ties to even; NaN and what is below 0
 // give 0, what is above 255 gives 255.
@@ -439,6 +543,14 @@ RHW_INLINE i8 i8_bytes_from_f8(const f8 channel[4])
     const __m256i order = _mm256_setr_epi8(0, 4, 8, 12, 1, 5, 9, 13, 2, 6, 10, 14, 3, 7, 11, 15, //
                                            0, 4, 8, 12, 1, 5, 9, 13, 2, 6, 10, 14, 3, 7, 11, 15);
     return (i8)_mm256_shuffle_epi8(bytes, order);
+#elif defined(__aarch64__) || defined(__wasm_simd128__)
+    f4 part[2][4];
+    for (int i = 0; i < 4; i++) {
+        memcpy(&part[0][i], &channel[i], sizeof(f4));
+        memcpy(&part[1][i], (const char *)&channel[i] + sizeof(f4), sizeof(f4));
+    }
+    const i4 halves[2] = {i4_bytes_from_f4(part[0]), i4_bytes_from_f4(part[1])};
+    return i8_load(halves);
 #else
     // From 2^23 on floats have no fraction: adding it rounds, and leaves the integer in the low bits.
     i8 texel = i8_splat(0);
@@ -467,11 +579,29 @@ RHW_INLINE s16 s16_scale(s16 a, s16 b)
         x.half_i[i] = _mm_add_epi16(_mm_add_epi16(high, high), _mm_avg_epu16(low, _mm_setzero_si128()));
     }
     return (s16)x.i;
-#else
-    for (int i = 0; i < 2 * RHW_LANES; i++) {
-        a[i] = (int16_t)((a[i] * b[i] + (1 << 14)) >> 15);
+#elif defined(__aarch64__)
+    int16x8_t x[2], y[2];
+    memcpy(x, &a, sizeof x);
+    memcpy(y, &b, sizeof y);
+    for (int i = 0; i < 2; i++) { // (2·a·b + 2^15) >> 16
+        x[i] = vqrdmulhq_s16(x[i], y[i]);
     }
+    memcpy(&a, x, sizeof a);
     return a;
+#elif defined(__wasm_simd128__)
+    v128_t x[2], y[2];
+    memcpy(x, &a, sizeof x);
+    memcpy(y, &b, sizeof y);
+    for (int i = 0; i < 2; i++) {
+        x[i] = wasm_i16x8_q15mulr_sat(x[i], y[i]);
+    }
+    memcpy(&a, x, sizeof a);
+    return a;
+#else
+    const i8 x = (i8)a, y = (i8)b, half = i8_splat(1 << 14);
+    const i8 low = ((x << 16 >> 16) * (y << 16 >> 16) + half) >> 15,
+             high = ((x >> 16) * (y >> 16) + half) >> 15;
+    return (s16)((low & 0xffff) | (high << 16));
 #endif
 }
 
@@ -526,10 +656,9 @@ RHW_INLINE i8 i8_over_halves(i8 a, int32_t limit)
     x.half_i[1] = _mm_subs_epu16(x.half_i[1], _mm_set1_epi32(limit));
     return x.i;
 #else
-    const u8 lower = (u8)a & 0xffff, upper = (u8)a >> 16;
-    const uint32_t lower_limit = (uint32_t)limit & 0xffff, upper_limit = (uint32_t)limit >> 16;
-    const u8 lower_over = (lower - lower_limit) & (u8)(lower > lower_limit);
-    return (i8)(lower_over | ((upper - upper_limit) & (u8)(upper > upper_limit)) << 16);
+    const i8 lower = (a & 0xffff) - (limit & 0xffff),
+             upper = (i8)((u8)a >> 16) - (int32_t)((uint32_t)limit >> 16);
+    return (lower & ~(lower >> 31)) | (upper & ~(upper >> 31)) << 16;
 #endif
 }
 
@@ -632,13 +761,12 @@ RHW_INLINE i8 i8_gather(const void *words, i8 index)
 #if defined(__AVX2__)
     return (i8)_mm256_i32gather_epi32(words, (__m256i)index, 4);
 #else
+    const int32_t *const from = words;
     uint32_t at[RHW_LANES];
-    int32_t word[RHW_LANES];
     memcpy(at, &index, sizeof at);
-    for (int i = 0; i < RHW_LANES; i++) {
-        memcpy(&word[i], (const char *)words + (size_t)at[i] * 4, sizeof word[i]);
-    }
-    return i8_load(word);
+    const i4 halves[2] = {{from[at[0]], from[at[1]], from[at[2]], from[at[3]]},
+                          {from[at[4]], from[at[5]], from[at[6]], from[at[7]]}};
+    return i8_load(halves);
 #endif
 }
 
@@ -667,12 +795,19 @@ RHW_INLINE void i8_load_pairs(const unsigned char *words, const uint32_t at[RHW_
     *first = x.i;
     *second = y.i;
 #else
-    for (int i = 0; i < RHW_LANES; i++) {
-        int32_t pair[2];
-        memcpy(pair, words + (size_t)at[i] * 4, sizeof pair);
-        (*first)[i] = pair[0];
-        (*second)[i] = pair[1];
+    i4 four[4], halves[2][2];
+    for (int i = 0; i < 4; i++) {
+        i2 pair[2];
+        memcpy(&pair[0], words + (size_t)at[2 * i] * 4, sizeof pair[0]);
+        memcpy(&pair[1], words + (size_t)at[2 * i + 1] * 4, sizeof pair[1]);
+        four[i] = __builtin_shufflevector(pair[0], pair[1], 0, 1, 2, 3);
     }
+    for (int i = 0; i < 2; i++) {
+        halves[0][i] = __builtin_shufflevector(four[2 * i], four[2 * i + 1], 0, 2, 4, 6);
+        halves[1][i] = __builtin_shufflevector(four[2 * i], four[2 * i + 1], 1, 3, 5, 7);
+    }
+    *first = i8_load(halves[0]);
+    *second = i8_load(halves[1]);
 #endif
 }
 

@@ -10,6 +10,9 @@ enum { RHW_LANES = 8 };
 /// 8 lanes. `+ - * / < <= == & |` work lane by lane; a comparison gives an rhw_int of −1 (true) and 0.
 typedef float rhw_float __attribute__((vector_size(32)));
 typedef int32_t rhw_int __attribute__((vector_size(32)));
+/// Half of them: what an instruction works on where registers have 16 bytes.
+typedef float rhw_float4 __attribute__((vector_size(16)));
+typedef int32_t rhw_int4 __attribute__((vector_size(16)));
 /// For sums of bit patterns, which may wrap.
 typedef uint32_t rhw_uint __attribute__((vector_size(32)));
 

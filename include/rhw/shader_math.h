@@ -22,6 +22,8 @@
 
 /// 8 doubles for inner steps, as two halves: most instruction sets have no register for 8.
 typedef double rhw_double4 __attribute__((vector_size(32)));
+typedef double rhw_double2 __attribute__((vector_size(16)));
+typedef float rhw_float2 __attribute__((vector_size(8)));
 struct rhw_double8 {
     rhw_double4 low, high;
 };
@@ -39,10 +41,13 @@ static inline struct rhw_double8 rhw_to_double(rhw_float a)
                                 _mm_cvtps_pd(x.half[1]), _mm_cvtps_pd(_mm_movehl_ps(x.half[1], x.half[1]))};
     memcpy(&result, quarter, sizeof result);
 #else
+    rhw_float2 quarter[4];
+    rhw_double2 wide[4];
+    memcpy(quarter, &a, sizeof a);
     for (int i = 0; i < 4; i++) {
-        result.low[i] = (double)a[i];
-        result.high[i] = (double)a[i + 4];
+        wide[i] = __builtin_convertvector(quarter[i], rhw_double2);
     }
+    memcpy(&result, wide, sizeof result);
 #endif
     return result;
 }
@@ -61,11 +66,14 @@ static inline rhw_float rhw_from_double(struct rhw_double8 a)
     }
     return x.f;
 #else
-    rhw_float result;
+    rhw_float2 quarter[4];
+    rhw_double2 wide[4];
+    memcpy(wide, &a, sizeof a);
     for (int i = 0; i < 4; i++) {
-        result[i] = (float)a.low[i];
-        result[i + 4] = (float)a.high[i];
+        quarter[i] = __builtin_convertvector(wide[i], rhw_float2);
     }
+    rhw_float result;
+    memcpy(&result, quarter, sizeof result);
     return result;
 #endif
 }

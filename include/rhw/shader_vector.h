@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
 // The arithmetic of 8 lanes that C's operators lack: comparison, selection, rounding, conversion, small
 // vectors. Included by shader.h. All of it is IEEE 754 arithmetic without contraction, hence the same bits
-// on every instruction set. x86 intrinsics appear where compilers turn the plain form into scalar code.
+// on every instruction set. Intrinsics, and halves of 4 lanes, appear where compilers turn the plain form into scalar
+// code: gcc 12 does for most of what stands here unless it has AVX.
 #ifndef RHW_SHADER_VECTOR_H
 #define RHW_SHADER_VECTOR_H
 
@@ -11,6 +12,10 @@
 #include <immintrin.h>
 #elif defined(__SSE2__)
 #include <emmintrin.h>
+#elif defined(__aarch64__)
+#include <arm_neon.h>
+#elif defined(__wasm_simd128__)
+#include <wasm_simd128.h>
 #endif
 
 #include <stdbool.h>
@@ -21,45 +26,58 @@
 #pragma GCC diagnostic ignored "-Wpsabi" // 8 lanes stay inside inline functions; no ABI is crossed
 #endif
 
-#if defined(__SSE2__)
 /// 8 lanes seen as registers. Local to this header.
 union rhw_lanes {
     rhw_float f;
     rhw_int i;
+#if defined(__SSE2__)
     __m128 half[2];
     __m128i half_i[2];
+#else
+    rhw_float4 half[2];
+    rhw_int4 half_i[2];
+#endif
 #if defined(__AVX2__)
     __m256 full;
     __m256i full_i;
 #endif
 };
-#endif
 
 // Making lanes --------------------------------------------------------------------------------------
 
 /// All 8 lanes equal.
 static inline rhw_float rhw_splat(float value)
 {
-#if defined(__SSE2__) && !defined(__AVX2__)
-    // gcc 12 stores the plain form lane by lane and loads what it stored, which stalls.
-    union rhw_lanes x;
-    x.half[0] = x.half[1] = _mm_set1_ps(value);
-    return x.f;
-#else
+#if defined(__AVX2__)
     const rhw_float lanes = {value, value, value, value, value, value, value, value};
     return lanes;
+#else
+    // gcc 12 stores the plain form lane by lane and loads what it stored, which stalls.
+    union rhw_lanes x;
+#if defined(__SSE2__)
+    x.half[0] = x.half[1] = _mm_set1_ps(value);
+#else
+    const rhw_float4 half = {value, value, value, value};
+    x.half[0] = x.half[1] = half;
+#endif
+    return x.f;
 #endif
 }
 
 static inline rhw_int rhw_splat_int(int32_t value)
 {
-#if defined(__SSE2__) && !defined(__AVX2__)
-    union rhw_lanes x;
-    x.half_i[0] = x.half_i[1] = _mm_set1_epi32(value);
-    return x.i;
-#else
+#if defined(__AVX2__)
     const rhw_int lanes = {value, value, value, value, value, value, value, value};
     return lanes;
+#else
+    union rhw_lanes x;
+#if defined(__SSE2__)
+    x.half_i[0] = x.half_i[1] = _mm_set1_epi32(value);
+#else
+    const rhw_int4 half = {value, value, value, value};
+    x.half_i[0] = x.half_i[1] = half;
+#endif
+    return x.i;
 #endif
 }
 
@@ -122,7 +140,12 @@ static inline rhw_int rhw_less(rhw_float a, rhw_float b)
     x.half[1] = _mm_cmplt_ps(x.half[1], y.half[1]);
     return x.i;
 #else
-    return a < b;
+    union rhw_lanes x, y;
+    x.f = a;
+    y.f = b;
+    x.half_i[0] = x.half[0] < y.half[0];
+    x.half_i[1] = x.half[1] < y.half[1];
+    return x.i;
 #endif
 }
 
@@ -139,7 +162,12 @@ static inline rhw_int rhw_less_equal(rhw_float a, rhw_float b)
     x.half[1] = _mm_cmple_ps(x.half[1], y.half[1]);
     return x.i;
 #else
-    return a <= b;
+    union rhw_lanes x, y;
+    x.f = a;
+    y.f = b;
+    x.half_i[0] = x.half[0] <= y.half[0];
+    x.half_i[1] = x.half[1] <= y.half[1];
+    return x.i;
 #endif
 }
 
@@ -156,7 +184,12 @@ static inline rhw_int rhw_equal(rhw_float a, rhw_float b)
     x.half[1] = _mm_cmpeq_ps(x.half[1], y.half[1]);
     return x.i;
 #else
-    return a == b;
+    union rhw_lanes x, y;
+    x.f = a;
+    y.f = b;
+    x.half_i[0] = x.half[0] == y.half[0];
+    x.half_i[1] = x.half[1] == y.half[1];
+    return x.i;
 #endif
 }
 
@@ -173,7 +206,12 @@ static inline rhw_int rhw_less_int(rhw_int a, rhw_int b)
     x.half_i[1] = _mm_cmplt_epi32(x.half_i[1], y.half_i[1]);
     return x.i;
 #else
-    return a < b;
+    union rhw_lanes x, y;
+    x.i = a;
+    y.i = b;
+    x.half_i[0] = x.half_i[0] < y.half_i[0];
+    x.half_i[1] = x.half_i[1] < y.half_i[1];
+    return x.i;
 #endif
 }
 
@@ -189,7 +227,12 @@ static inline rhw_int rhw_equal_int(rhw_int a, rhw_int b)
     x.half_i[1] = _mm_cmpeq_epi32(x.half_i[1], y.half_i[1]);
     return x.i;
 #else
-    return a == b;
+    union rhw_lanes x, y;
+    x.i = a;
+    y.i = b;
+    x.half_i[0] = x.half_i[0] == y.half_i[0];
+    x.half_i[1] = x.half_i[1] == y.half_i[1];
+    return x.i;
 #endif
 }
 
@@ -223,8 +266,14 @@ static inline int rhw_mask_bits(rhw_int mask)
     return _mm_movemask_ps(x.half[0]) | _mm_movemask_ps(x.half[1]) << 4;
 #else
     const rhw_int bit = {1, 2, 4, 8, 16, 32, 64, 128};
-    const rhw_int set = mask & bit;
-    return set[0] | set[1] | set[2] | set[3] | set[4] | set[5] | set[6] | set[7];
+    union rhw_lanes x;
+    x.i = mask & bit;
+    const rhw_int4 half = x.half_i[0] | x.half_i[1];
+#if defined(__aarch64__)
+    return vaddvq_s32((int32x4_t)half);
+#else
+    return half[0] | half[1] | half[2] | half[3];
+#endif
 #endif
 }
 
@@ -250,8 +299,15 @@ static inline rhw_float rhw_min(rhw_float a, rhw_float b)
     x.half[0] = _mm_min_ps(x.half[0], y.half[0]);
     x.half[1] = _mm_min_ps(x.half[1], y.half[1]);
     return x.f;
+#elif defined(__wasm_simd128__)
+    union rhw_lanes x, y;
+    x.f = a;
+    y.f = b;
+    x.half[0] = (rhw_float4)wasm_f32x4_pmin((v128_t)y.half[0], (v128_t)x.half[0]);
+    x.half[1] = (rhw_float4)wasm_f32x4_pmin((v128_t)y.half[1], (v128_t)x.half[1]);
+    return x.f;
 #else
-    return rhw_select(a < b, a, b);
+    return rhw_select(rhw_less(a, b), a, b);
 #endif
 }
 
@@ -267,8 +323,15 @@ static inline rhw_float rhw_max(rhw_float a, rhw_float b)
     x.half[0] = _mm_max_ps(x.half[0], y.half[0]);
     x.half[1] = _mm_max_ps(x.half[1], y.half[1]);
     return x.f;
+#elif defined(__wasm_simd128__)
+    union rhw_lanes x, y;
+    x.f = a;
+    y.f = b;
+    x.half[0] = (rhw_float4)wasm_f32x4_pmax((v128_t)y.half[0], (v128_t)x.half[0]);
+    x.half[1] = (rhw_float4)wasm_f32x4_pmax((v128_t)y.half[1], (v128_t)x.half[1]);
+    return x.f;
 #else
-    return rhw_select(a > b, a, b);
+    return rhw_select(rhw_less(b, a), a, b);
 #endif
 }
 
@@ -326,7 +389,21 @@ static inline rhw_float rhw_sign(rhw_float a)
 /// The nearest float of a signed integer, ties to even.
 static inline rhw_float rhw_to_float(rhw_int a)
 {
+#if defined(__AVX2__)
     return __builtin_convertvector(a, rhw_float);
+#elif defined(__SSE2__)
+    union rhw_lanes x;
+    x.i = a;
+    x.half[0] = _mm_cvtepi32_ps(x.half_i[0]);
+    x.half[1] = _mm_cvtepi32_ps(x.half_i[1]);
+    return x.f;
+#else
+    union rhw_lanes x;
+    x.i = a;
+    x.half[0] = __builtin_convertvector(x.half_i[0], rhw_float4);
+    x.half[1] = __builtin_convertvector(x.half_i[1], rhw_float4);
+    return x.f;
+#endif
 }
 
 /// Truncates; the value must lie within −2^31 ≤ a < 2^31 in every lane whose result is used. One
@@ -343,8 +420,12 @@ static inline rhw_int rhw_to_int_unchecked(rhw_float a)
     return x.i;
 #else
     // Rubbish lanes become 0 first: the conversion of what does not fit is undefined in C.
-    const rhw_int fits = (a >= -2147483648.0f) & (a < 2147483648.0f);
-    return __builtin_convertvector((rhw_float)((rhw_int)a & fits), rhw_int);
+    const rhw_int fits = rhw_less_equal(rhw_splat(-2147483648.0f), a) & rhw_less(a, rhw_splat(2147483648.0f));
+    union rhw_lanes x;
+    x.i = (rhw_int)a & fits;
+    x.half_i[0] = __builtin_convertvector(x.half[0], rhw_int4);
+    x.half_i[1] = __builtin_convertvector(x.half[1], rhw_int4);
+    return x.i;
 #endif
 }
 
@@ -363,6 +444,18 @@ static inline rhw_float rhw_trunc(rhw_float a)
 {
 #if defined(__AVX2__)
     return (rhw_float)_mm256_round_ps((__m256)a, _MM_FROUND_TO_ZERO | _MM_FROUND_NO_EXC);
+#elif defined(__aarch64__)
+    union rhw_lanes x;
+    x.f = a;
+    x.half[0] = vrndq_f32(x.half[0]);
+    x.half[1] = vrndq_f32(x.half[1]);
+    return x.f;
+#elif defined(__wasm_simd128__)
+    union rhw_lanes x;
+    x.f = a;
+    x.half[0] = (rhw_float4)wasm_f32x4_trunc((v128_t)x.half[0]);
+    x.half[1] = (rhw_float4)wasm_f32x4_trunc((v128_t)x.half[1]);
+    return x.f;
 #else
     // From 2^23 on every float is whole; the comparison is false for NaN, which passes through.
     const rhw_int small = rhw_less(rhw_abs(a), rhw_splat(8388608.0f));
@@ -376,6 +469,18 @@ static inline rhw_float rhw_floor(rhw_float a)
 {
 #if defined(__AVX2__)
     return (rhw_float)_mm256_floor_ps((__m256)a);
+#elif defined(__aarch64__)
+    union rhw_lanes x;
+    x.f = a;
+    x.half[0] = vrndmq_f32(x.half[0]);
+    x.half[1] = vrndmq_f32(x.half[1]);
+    return x.f;
+#elif defined(__wasm_simd128__)
+    union rhw_lanes x;
+    x.f = a;
+    x.half[0] = (rhw_float4)wasm_f32x4_floor((v128_t)x.half[0]);
+    x.half[1] = (rhw_float4)wasm_f32x4_floor((v128_t)x.half[1]);
+    return x.f;
 #else
     const rhw_float whole = rhw_trunc(a);
     return rhw_select(rhw_less(a, whole), whole - 1.0f, whole);
@@ -397,6 +502,18 @@ static inline rhw_float rhw_round(rhw_float a)
 {
 #if defined(__AVX2__)
     return (rhw_float)_mm256_round_ps((__m256)a, _MM_FROUND_TO_NEAREST_INT | _MM_FROUND_NO_EXC);
+#elif defined(__aarch64__)
+    union rhw_lanes x;
+    x.f = a;
+    x.half[0] = vrndnq_f32(x.half[0]);
+    x.half[1] = vrndnq_f32(x.half[1]);
+    return x.f;
+#elif defined(__wasm_simd128__)
+    union rhw_lanes x;
+    x.f = a;
+    x.half[0] = (rhw_float4)wasm_f32x4_nearest((v128_t)x.half[0]);
+    x.half[1] = (rhw_float4)wasm_f32x4_nearest((v128_t)x.half[1]);
+    return x.f;
 #else
     // Adding 2^23 leaves no room for a fraction, and the addition rounds as wanted.
     const rhw_float magnitude = rhw_abs(a);
@@ -434,6 +551,18 @@ static inline rhw_float rhw_sqrt(rhw_float a)
     x.f = a;
     x.half[0] = _mm_sqrt_ps(x.half[0]);
     x.half[1] = _mm_sqrt_ps(x.half[1]);
+    return x.f;
+#elif defined(__aarch64__)
+    union rhw_lanes x;
+    x.f = a;
+    x.half[0] = vsqrtq_f32(x.half[0]);
+    x.half[1] = vsqrtq_f32(x.half[1]);
+    return x.f;
+#elif defined(__wasm_simd128__)
+    union rhw_lanes x;
+    x.f = a;
+    x.half[0] = (rhw_float4)wasm_f32x4_sqrt((v128_t)x.half[0]);
+    x.half[1] = (rhw_float4)wasm_f32x4_sqrt((v128_t)x.half[1]);
     return x.f;
 #else
     for (int i = 0; i < RHW_LANES; i++) {
