@@ -55,6 +55,9 @@ static enum output_kind choose_kind(const struct output_state *state)
     if (state->format == RHW_FORMAT_RGBA8_UNORM && is_over(state->color) && is_over(state->alpha)) {
         return OUTPUT_RGBA8_OVER;
     }
+    if (!is_normalized(state->format) && state->replaces) {
+        return OUTPUT_FLOAT_REPLACE;
+    }
     return OUTPUT_GENERIC;
 }
 

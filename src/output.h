@@ -14,6 +14,7 @@ enum output_kind {
     OUTPUT_RGBA8_OVER,    // SRC_ALPHA or ONE, and ONE_MINUS_SRC_ALPHA, added
     OUTPUT_SRGB8_REPLACE, // any channels
     OUTPUT_UINT_REPLACE,
+    OUTPUT_FLOAT_REPLACE, // all channels of a float format
     OUTPUT_GENERIC
 };
 

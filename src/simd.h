@@ -350,7 +350,6 @@ RHW_INLINE d8 d8_clamp(d8 v, double low, double high)
 #endif
 }
 
-#if !defined(__SSE2__)
 RHW_INLINE void f4_transpose(f4 m[4])
 {
     const f4 a = __builtin_shufflevector(m[0], m[1], 0, 4, 1, 5),
@@ -362,7 +361,6 @@ RHW_INLINE void f4_transpose(f4 m[4])
     m[2] = __builtin_shufflevector(b, d, 0, 1, 4, 5);
     m[3] = __builtin_shufflevector(b, d, 2, 3, 6, 7);
 }
-#endif
 
 // Turns 8 rows of 4 floats into 4 vectors of one component each.
 RHW_INLINE void f4_columns(const f4 row[8], f8 column[4])
@@ -397,6 +395,30 @@ RHW_INLINE void f4_columns(const f4 row[8], f8 column[4])
         const f4 halves[2] = {low[c], high[c]};
         column[c] = f8_load(halves);
     }
+#endif
+}
+
+// And back.
+RHW_INLINE void f4_rows(const f8 column[4], f4 row[8])
+{
+#if defined(__AVX2__)
+    const __m256 a = _mm256_unpacklo_ps((__m256)column[0], (__m256)column[1]),
+                 b = _mm256_unpackhi_ps((__m256)column[0], (__m256)column[1]);
+    const __m256 c = _mm256_unpacklo_ps((__m256)column[2], (__m256)column[3]),
+                 d = _mm256_unpackhi_ps((__m256)column[2], (__m256)column[3]);
+    const __m256 pair[4] = {_mm256_shuffle_ps(a, c, 0x44), _mm256_shuffle_ps(a, c, 0xEE),
+                            _mm256_shuffle_ps(b, d, 0x44), _mm256_shuffle_ps(b, d, 0xEE)};
+    for (int i = 0; i < 4; i++) {
+        row[i] = (f4)_mm256_castps256_ps128(pair[i]);
+        row[i + 4] = (f4)_mm256_extractf128_ps(pair[i], 1);
+    }
+#else
+    for (int i = 0; i < 4; i++) {
+        memcpy(&row[i], &column[i], sizeof row[i]);
+        memcpy(&row[i + 4], (const char *)&column[i] + sizeof row[i], sizeof row[i]);
+    }
+    f4_transpose(row);
+    f4_transpose(row + 4);
 #endif
 }
 

@@ -81,68 +81,57 @@ static inline void output_rgba8_over(const struct output_state *state, const f8 
     i8_store(texels, old ^ ((old ^ packed) & written));
 }
 
-// 8 texels of `channels` floats each (1 or 4) to one vector per channel, and back.
-static inline void output_load_floats(const unsigned char *texels, int channels, f8 value[4])
+// A texel of four halves, and back.
+RHW_INLINE f4 output_load_half4(const unsigned char *texel)
 {
-    float rows[RHW_LANES][4];
-    if (channels == 1) {
-        value[0] = f8_load(texels);
-        return;
-    }
-    memcpy(rows, texels, sizeof rows);
-    for (int i = 0; i < RHW_LANES; i++) {
-        for (int j = 0; j < 4; j++) {
-            value[j][i] = rows[i][j];
-        }
-    }
-}
-
-static inline void output_store_floats(unsigned char *texels, int channels, const f8 value[4], i8 mask)
-{
-    if (channels == 1) {
-        output_store32(texels, (i8)value[0], mask);
-        return;
-    }
-    float rows[4][RHW_LANES];
-    memcpy(rows, value, sizeof rows);
-    const int live = rhw_mask_bits(mask);
-    for (int i = 0; i < RHW_LANES; i++) {
-        if (live >> i & 1) {
-            const float texel[4] = {rows[0][i], rows[1][i], rows[2][i], rows[3][i]};
-            memcpy(texels + 16 * i, texel, sizeof texel);
-        }
-    }
-}
-
-static inline void output_load_halves(const unsigned char *texels, f8 value[4])
-{
-    for (int i = 0; i < RHW_LANES; i++) {
-        uint16_t texel[4];
-        memcpy(texel, texels + 8 * i, sizeof texel);
-        for (int j = 0; j < 4; j++) {
-            value[j][i] = rhw_half_to_float(texel[j]);
-        }
-    }
-}
-
-static inline void output_store_halves(unsigned char *texels, const f8 value[4], i8 mask)
-{
-    uint16_t rows[4][RHW_LANES];
-    for (int i = 0; i < 4; i++) {
 #if defined(__F16C__)
-        const __m128i half = _mm256_cvtps_ph((__m256)value[i], _MM_FROUND_TO_NEAREST_INT);
-        memcpy(rows[i], &half, sizeof rows[i]);
+    return (f4)_mm_cvtph_ps(_mm_loadl_epi64((const __m128i *)(const void *)texel));
 #else
-        for (int j = 0; j < RHW_LANES; j++) {
-            rows[i][j] = rhw_half_from_float(value[i][j]);
-        }
+    uint16_t half[4];
+    memcpy(half, texel, sizeof half);
+    return (f4){rhw_half_to_float(half[0]), rhw_half_to_float(half[1]), rhw_half_to_float(half[2]),
+                rhw_half_to_float(half[3])};
 #endif
+}
+
+RHW_INLINE void output_store_half4(unsigned char *texel, f4 value)
+{
+#if defined(__F16C__)
+    _mm_storel_epi64((__m128i *)(void *)texel, _mm_cvtps_ph((__m128)value, _MM_FROUND_TO_NEAREST_INT));
+#else
+    const uint16_t half[4] = {rhw_half_from_float(value[0]), rhw_half_from_float(value[1]),
+                              rhw_half_from_float(value[2]), rhw_half_from_float(value[3])};
+    memcpy(texel, half, sizeof half);
+#endif
+}
+
+// 8 texels of four floats or halves to one vector per channel, and back.
+static inline void output_load_rows(const unsigned char *texels, bool half, f8 value[4])
+{
+    f4 row[RHW_LANES];
+    for (int i = 0; i < RHW_LANES; i++) {
+        if (half) {
+            row[i] = output_load_half4(texels + 8 * i);
+        } else {
+            memcpy(&row[i], texels + 16 * i, sizeof row[i]);
+        }
     }
+    f4_columns(row, value);
+}
+
+static inline void output_store_rows(unsigned char *texels, bool half, const f8 value[4], i8 mask)
+{
+    f4 row[RHW_LANES];
+    f4_rows(value, row);
     const int live = rhw_mask_bits(mask);
     for (int i = 0; i < RHW_LANES; i++) {
-        if (live >> i & 1) {
-            const uint16_t texel[4] = {rows[0][i], rows[1][i], rows[2][i], rows[3][i]};
-            memcpy(texels + 8 * i, texel, sizeof texel);
+        if (!(live >> i & 1)) {
+            continue;
+        }
+        if (half) {
+            output_store_half4(texels + 8 * i, row[i]);
+        } else {
+            memcpy(texels + 16 * i, &row[i], sizeof row[i]);
         }
     }
 }
@@ -163,9 +152,9 @@ static inline void output_load(enum rhw_format format, const unsigned char *texe
         value[3] = output_byte(texel, 24) / 255.0f;
         break;
     }
-    case RHW_FORMAT_RGBA16_FLOAT: output_load_halves(texels, value); break;
-    case RHW_FORMAT_R32_FLOAT: output_load_floats(texels, 1, value); break;
-    case RHW_FORMAT_RGBA32_FLOAT: output_load_floats(texels, 4, value); break;
+    case RHW_FORMAT_RGBA16_FLOAT: output_load_rows(texels, true, value); break;
+    case RHW_FORMAT_R32_FLOAT: value[0] = f8_load(texels); break;
+    case RHW_FORMAT_RGBA32_FLOAT: output_load_rows(texels, false, value); break;
     default: break;
     }
 }
@@ -185,9 +174,9 @@ static inline void output_store(const struct output_state *state, const f8 value
                             mask & i8_splat((int32_t)state->texel_mask));
         break;
     }
-    case RHW_FORMAT_RGBA16_FLOAT: output_store_halves(texels, value, mask); break;
-    case RHW_FORMAT_R32_FLOAT: output_store_floats(texels, 1, value, mask); break;
-    case RHW_FORMAT_RGBA32_FLOAT: output_store_floats(texels, 4, value, mask); break;
+    case RHW_FORMAT_RGBA16_FLOAT: output_store_rows(texels, true, value, mask); break;
+    case RHW_FORMAT_R32_FLOAT: output_store32(texels, (i8)value[0], mask); break;
+    case RHW_FORMAT_RGBA32_FLOAT: output_store_rows(texels, false, value, mask); break;
     default: break;
     }
 }
@@ -232,6 +221,12 @@ static inline f8 output_blend(const struct output_state *state, const f8 src[4],
     }
 }
 
+// One NaN for all: which one arithmetic makes differs between processors.
+RHW_INLINE f8 output_canonical(f8 value)
+{
+    return rhw_select(rhw_equal(value, value), value, (f8)i8_splat(0x7fc00000));
+}
+
 // Any format, any blending. Not inline: it is large and seldom hot.
 static __attribute__((noinline)) void output_generic(const struct output_state *state, const f8 color[4],
                                                      const i8 *mask, unsigned char *texels)
@@ -244,9 +239,7 @@ static __attribute__((noinline)) void output_generic(const struct output_state *
     }
     for (int i = 0; i < 4; i++) {
         const f8 value = state->blend ? output_blend(state, src, dst, i) : src[i];
-        // One NaN for all: the sign of the NaN that arithmetic makes differs between processors.
-        const f8 canonical = rhw_select(rhw_equal(value, value), value, (f8)i8_splat(0x7fc00000));
-        result[i] = state->write_mask >> i & 1 ? canonical : dst[i];
+        result[i] = state->write_mask >> i & 1 ? output_canonical(value) : dst[i];
     }
     output_store(state, result, *mask, texels);
 }
@@ -280,6 +273,14 @@ static inline void output_group(const struct output_state *state, const f8 color
         break;
     }
     case OUTPUT_UINT_REPLACE: output_store32(texels, (i8)color[0], mask); break;
+    case OUTPUT_FLOAT_REPLACE: {
+        f8 value[4];
+        for (int i = 0; i < 4; i++) {
+            value[i] = output_canonical(color[i]);
+        }
+        output_store(state, value, mask, texels);
+        break;
+    }
     case OUTPUT_GENERIC: output_generic(state, color, &mask, texels); break;
     }
 }
