@@ -116,42 +116,30 @@ static inline void sample_fetch(enum rhw_format format, const struct rhw_mip *mi
     }
     uint32_t at[RHW_LANES];
     sample_spill(y * (int32_t)(mip->row_pitch / size) + x, at);
-    float value[4][RHW_LANES] = {{0}};
-    int32_t word[2][RHW_LANES] = {{0}};
-    for (int i = 0; i < RHW_LANES; i++) {
-        const unsigned char *const from = mip->texels + at[i] * size;
-        if (size == 16) {
-            float one[4];
-            memcpy(one, from, sizeof one);
-            for (int c = 0; c < 4; c++) {
-                value[c][i] = one[c];
-            }
-        } else if (size == 8) {
-            memcpy(&word[0][i], from, 4);
-            memcpy(&word[1][i], from + 4, 4);
-        } else {
-            word[0][i] = from[0];
-            word[1][i] = from[size - 1];
+    if (size == 16) {
+        f4 row[RHW_LANES];
+        for (int i = 0; i < RHW_LANES; i++) {
+            memcpy(&row[i], mip->texels + at[i] * size, sizeof row[i]);
         }
-    }
-    const i8 first = i8_load(word[0]), second = i8_load(word[1]);
-    switch (format) {
-    case RHW_FORMAT_R8_UNORM: texel[0] = sample_unorm8(first); break;
-    case RHW_FORMAT_RG8_UNORM:
-        texel[0] = sample_unorm8(first);
-        texel[1] = sample_unorm8(second);
-        break;
-    case RHW_FORMAT_RGBA16_FLOAT:
-        texel[0] = sample_half(first & 0xffff);
-        texel[1] = sample_half((i8)((u8)first >> 16));
-        texel[2] = sample_half(second & 0xffff);
-        texel[3] = sample_half((i8)((u8)second >> 16));
-        break;
-    default:
-        for (int c = 0; c < 4; c++) {
-            texel[c] = f8_load(value[c]);
+        f4_columns(row, texel);
+    } else if (size == 8) {
+        i8 red_green, blue_alpha;
+        sample_spill(2 * i8_load(at), at);
+        i8_load_pairs(mip->texels, at, &red_green, &blue_alpha);
+        texel[0] = sample_half(red_green & 0xffff);
+        texel[1] = sample_half((i8)((u8)red_green >> 16));
+        texel[2] = sample_half(blue_alpha & 0xffff);
+        texel[3] = sample_half((i8)((u8)blue_alpha >> 16));
+    } else {
+        int32_t red[RHW_LANES], last[RHW_LANES];
+        for (int i = 0; i < RHW_LANES; i++) {
+            red[i] = mip->texels[at[i] * size];
+            last[i] = mip->texels[at[i] * size + size - 1];
         }
-        break;
+        texel[0] = sample_unorm8(i8_load(red));
+        if (format == RHW_FORMAT_RG8_UNORM) {
+            texel[1] = sample_unorm8(i8_load(last));
+        }
     }
 }
 
