@@ -214,9 +214,24 @@ struct bin_run {
     const struct rhw_bin *first, *end;
 };
 
+// Opens all pixels of the tile.
+static void open_all(struct tile_work *work)
+{
+    for (int y = 0; y < RHW_TILE; y++) {
+        work->scratch->open[y] = y < work->height ? ~(uint64_t)0 >> (RHW_TILE - work->width) : 0;
+    }
+    work->open_count = work->width * work->height;
+}
+
+// What waits is tested against the open pixels of its own phase: it is flushed before they change.
 static void start_phase(struct tile_work *work, enum phase phase)
 {
     flush(work);
+    if (phase == PHASE_DEPTH) {
+        memset(work->scratch->open, 0, sizeof work->scratch->open);
+    } else if (phase == PHASE_BACKWARDS) {
+        open_all(work);
+    }
     work->draw = NULL;
     work->phase = phase;
 }
@@ -275,27 +290,17 @@ static bool overdraws(const struct tile_work *work, struct bin_run run)
 
 static void draw_deferred(struct tile_work *work, struct bin_run run)
 {
-    memset(work->scratch->open, 0, sizeof work->scratch->open);
     memset(work->scratch->seen, 0, sizeof work->scratch->seen);
     draw_run(work, run, PHASE_DEPTH);
     draw_run(work, run, PHASE_SHADE);
 }
 
-// Opens all pixels of the tile.
-static void open_all(struct tile_work *work)
-{
-    for (int y = 0; y < RHW_TILE; y++) {
-        work->scratch->open[y] = y < work->height ? ~(uint64_t)0 >> (RHW_TILE - work->width) : 0;
-    }
-    work->open_count = work->width * work->height;
-}
-
 // The last triangle first, until nothing of the tile is open.
 static void draw_backwards(struct tile_work *work, struct bin_run run)
 {
-    open_all(work);
     start_phase(work, PHASE_BACKWARDS);
-    for (const struct rhw_bin *bin = run.end; bin > run.first && !is_hidden(work);) {
+    const struct rhw_bin *bin = run.end;
+    while (bin > run.first && !is_hidden(work)) {
         draw_bin(work, --bin, 0);
     }
 }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Opaque draws of a pass may be drawn depth first, or backwards, and shaded where they are seen. The picture is that of one triangle
-// after the other: also among equal depths, next to what was loaded, and with fragment functions that discard.
+// Opaque draws of a pass may be drawn depth first, or backwards, and shaded where they are seen. The picture is that of
+// one triangle after the other: also among equal depths, next to what was loaded, and with fragment functions that discard.
 #include "harness.h"
 
 #include <stdlib.h>
@@ -14,7 +14,7 @@ enum kind { KIND_PLAIN, KIND_COORD, KIND_MASKED, KIND_MASKED_COORD, KIND_COUNT }
 
 struct layer {
     enum kind kind;
-    enum rhw_compare compare;
+    enum rhw_compare compare; // RHW_COMPARE_ALWAYS: no depth test
     struct rig_vertex vertices[3 * TRIANGLES];
 };
 
@@ -60,6 +60,7 @@ static void use_layer(struct rig *rig, const struct layer *layer)
     };
     rig_set_program(rig, rig_vertex_pass, kinds[layer->kind].fragment);
     rig->pipeline.program.uses = kinds[layer->kind].uses;
+    rig->pipeline.depth_test = layer->compare != RHW_COMPARE_ALWAYS;
     rig->pipeline.depth_compare = layer->compare;
 }
 
@@ -68,7 +69,7 @@ static void make_layers(const struct rig *rig, uint64_t *random, struct layer la
 {
     for (int d = 0; d < DRAWS; d++) {
         layers[d].kind = (enum kind)rig_random_int(random, KIND_COUNT);
-        layers[d].compare = rig->pipeline.depth_compare;
+        layers[d].compare = rig->pipeline.depth_test ? rig->pipeline.depth_compare : RHW_COMPARE_ALWAYS;
         for (int i = 0; i < TRIANGLES; i++) {
             const float size = rig_random_int(random, 4) == 0 ? 20 : 2.0f * SIZE,
                         flat = 0.25f * (float)rig_random_int(random, 5);
@@ -210,6 +211,83 @@ static void test_the_last_wins_without_depth(void **state)
     rig_close(&rig);
 }
 
+// A triangle over the whole target.
+static void cover(const struct rig *rig, float depth, float value, struct rig_vertex vertices[3])
+{
+    const float corners[3][2] = {{-SIZE, -SIZE}, {3 * SIZE, -SIZE}, {-SIZE, 3 * SIZE}};
+    for (int i = 0; i < 3; i++) {
+        vertices[i] = (struct rig_vertex){.value = {value, value, value, 1}};
+        rig_place(rig, corners[i][0], corners[i][1], depth, 1, vertices[i].position);
+    }
+}
+
+// The last draw of a run with a depth test may discard, so its fragments wait for their test when the next run begins,
+// which has none. Small: few fragments, which wait.
+static void assert_next_run_covers(enum rhw_compare compare)
+{
+    struct rig rig;
+    open_rig(&rig, compare);
+    static struct layer layers[DRAWS];
+    for (int d = 0; d < DRAWS; d++) {
+        const bool second = d >= DRAWS / 2;
+        layers[d].kind = KIND_PLAIN;
+        layers[d].compare = second ? RHW_COMPARE_ALWAYS : compare;
+        for (int i = 0; i < TRIANGLES; i++) {
+            const float near = (float)(d * TRIANGLES + i) / (2 * DRAWS * TRIANGLES);
+            cover(&rig, compare == RHW_COMPARE_LESS ? 0.75f - near : 0.25f + near, second ? 2 : 1,
+                  &layers[d].vertices[3 * i]);
+        }
+    }
+    struct layer *const last = &layers[DRAWS / 2 - 1];
+    last->kind = KIND_MASKED;
+    for (int i = 0; i < 3 * TRIANGLES; i++) {
+        const float at[3][2] = {{8, 8}, {12, 8}, {8, 12}};
+        const float depth = compare == RHW_COMPARE_LESS ? 0.1f : 0.9f;
+        rig_place(&rig, at[i % 3][0], at[i % 3][1], depth, 1, last->vertices[i].position);
+    }
+    static struct picture together;
+    draw_together(&rig, layers, &together);
+    for (int i = 0; i < SIZE * SIZE; i++) {
+        assert_true(together.color[i][0] == 2);
+    }
+    rig_close(&rig);
+}
+
+static void test_a_run_without_depth_after_one_that_waits(void **state)
+{
+    (void)state;
+    assert_next_run_covers(RHW_COMPARE_LESS);
+    assert_next_run_covers(RHW_COMPARE_GREATER);
+}
+
+// Runs of every kind, one after the other, over what was there.
+static void test_runs_of_every_kind(void **state)
+{
+    (void)state;
+    static const enum rhw_compare kinds[] = {RHW_COMPARE_LESS, RHW_COMPARE_LESS_EQUAL, RHW_COMPARE_GREATER,
+                                             RHW_COMPARE_GREATER_EQUAL, RHW_COMPARE_ALWAYS};
+    static struct picture together, alone;
+    static struct layer layers[DRAWS];
+    uint64_t random = 15;
+    for (int first = 0; first < 5; first++) {
+        for (int second = 0; second < 5; second++) {
+            struct rig rig;
+            open_rig(&rig, kinds[first]);
+            make_layers(&rig, &random, layers);
+            for (int d = 0; d < DRAWS; d++) {
+                layers[d].compare = kinds[d < DRAWS / 2 ? first : second];
+                if (layers[d].compare == RHW_COMPARE_ALWAYS && layers[d].kind >= KIND_MASKED) {
+                    layers[d].kind = KIND_PLAIN;
+                }
+            }
+            draw_together(&rig, layers, &together);
+            draw_one_by_one(&rig, layers, &alone);
+            assert_equal_pictures(&together, &alone);
+            rig_close(&rig);
+        }
+    }
+}
+
 // A draw that blends, keeps some channels or does not write depth has its turn between the others.
 static void test_others_keep_their_turn(void **state)
 {
@@ -277,9 +355,14 @@ static void test_unless_the_pass_wants_it(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_the_picture_of_one_by_one),    cmocka_unit_test(test_one_run_after_another),
-        cmocka_unit_test(test_the_last_wins_without_depth),  cmocka_unit_test(test_others_keep_their_turn),
-        cmocka_unit_test(test_what_is_hidden_is_not_shaded), cmocka_unit_test(test_unless_the_pass_wants_it),
+        cmocka_unit_test(test_the_picture_of_one_by_one),
+        cmocka_unit_test(test_one_run_after_another),
+        cmocka_unit_test(test_the_last_wins_without_depth),
+        cmocka_unit_test(test_a_run_without_depth_after_one_that_waits),
+        cmocka_unit_test(test_runs_of_every_kind),
+        cmocka_unit_test(test_others_keep_their_turn),
+        cmocka_unit_test(test_what_is_hidden_is_not_shaded),
+        cmocka_unit_test(test_unless_the_pass_wants_it),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
