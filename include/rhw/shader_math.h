@@ -35,10 +35,10 @@ static inline struct rhw_double8 rhw_to_double(rhw_float a)
     result.low = (rhw_double4)_mm256_cvtps_pd(_mm256_castps256_ps128((__m256)a));
     result.high = (rhw_double4)_mm256_cvtps_pd(_mm256_extractf128_ps((__m256)a, 1));
 #elif defined(__SSE2__)
-    union rhw_lanes x;
-    x.f = a;
-    const __m128d quarter[4] = {_mm_cvtps_pd(x.half[0]), _mm_cvtps_pd(_mm_movehl_ps(x.half[0], x.half[0])),
-                                _mm_cvtps_pd(x.half[1]), _mm_cvtps_pd(_mm_movehl_ps(x.half[1], x.half[1]))};
+    __m128 half[2];
+    memcpy(half, &a, sizeof a);
+    const __m128d quarter[4] = {_mm_cvtps_pd(half[0]), _mm_cvtps_pd(_mm_movehl_ps(half[0], half[0])),
+                                _mm_cvtps_pd(half[1]), _mm_cvtps_pd(_mm_movehl_ps(half[1], half[1]))};
     memcpy(&result, quarter, sizeof result);
 #else
     rhw_float2 quarter[4];
@@ -60,11 +60,24 @@ static inline rhw_float rhw_from_double(struct rhw_double8 a)
 #elif defined(__SSE2__)
     __m128d quarter[4];
     memcpy(quarter, &a, sizeof a);
-    union rhw_lanes x;
+    __m128 half[2];
     for (int i = 0; i < 2; i++) {
-        x.half[i] = _mm_movelh_ps(_mm_cvtpd_ps(quarter[2 * i]), _mm_cvtpd_ps(quarter[2 * i + 1]));
+        half[i] = _mm_movelh_ps(_mm_cvtpd_ps(quarter[2 * i]), _mm_cvtpd_ps(quarter[2 * i + 1]));
     }
-    return x.f;
+    rhw_float result;
+    memcpy(&result, half, sizeof result);
+    return result;
+#elif defined(__wasm_simd128__)
+    v128_t quarter[4];
+    memcpy(quarter, &a, sizeof a);
+    for (int i = 0; i < 4; i++) {
+        quarter[i] = wasm_f32x4_demote_f64x2_zero(quarter[i]);
+    }
+    const v128_t half[2] = {wasm_i64x2_shuffle(quarter[0], quarter[1], 0, 2),
+                            wasm_i64x2_shuffle(quarter[2], quarter[3], 0, 2)};
+    rhw_float result;
+    memcpy(&result, half, sizeof result);
+    return result;
 #else
     rhw_float2 quarter[4];
     rhw_double2 wide[4];

@@ -26,21 +26,12 @@
 #pragma GCC diagnostic ignored "-Wpsabi" // 8 lanes stay inside inline functions; no ABI is crossed
 #endif
 
-/// 8 lanes seen as registers. Local to this header.
+/// 8 lanes seen as registers of 16 bytes. Local to the headers of rhw.
 union rhw_lanes {
     rhw_float f;
     rhw_int i;
-#if defined(__SSE2__)
-    __m128 half[2];
-    __m128i half_i[2];
-#else
     rhw_float4 half[2];
     rhw_int4 half_i[2];
-#endif
-#if defined(__AVX2__)
-    __m256 full;
-    __m256i full_i;
-#endif
 };
 
 // Making lanes --------------------------------------------------------------------------------------
@@ -53,13 +44,9 @@ static inline rhw_float rhw_splat(float value)
     return lanes;
 #else
     // gcc 12 stores the plain form lane by lane and loads what it stored, which stalls.
-    union rhw_lanes x;
-#if defined(__SSE2__)
-    x.half[0] = x.half[1] = _mm_set1_ps(value);
-#else
     const rhw_float4 half = {value, value, value, value};
+    union rhw_lanes x;
     x.half[0] = x.half[1] = half;
-#endif
     return x.f;
 #endif
 }
@@ -70,13 +57,9 @@ static inline rhw_int rhw_splat_int(int32_t value)
     const rhw_int lanes = {value, value, value, value, value, value, value, value};
     return lanes;
 #else
-    union rhw_lanes x;
-#if defined(__SSE2__)
-    x.half_i[0] = x.half_i[1] = _mm_set1_epi32(value);
-#else
     const rhw_int4 half = {value, value, value, value};
+    union rhw_lanes x;
     x.half_i[0] = x.half_i[1] = half;
-#endif
     return x.i;
 #endif
 }
@@ -132,13 +115,6 @@ static inline rhw_int rhw_less(rhw_float a, rhw_float b)
 {
 #if defined(__AVX2__)
     return (rhw_int)_mm256_cmp_ps((__m256)a, (__m256)b, _CMP_LT_OQ);
-#elif defined(__SSE2__)
-    union rhw_lanes x, y;
-    x.f = a;
-    y.f = b;
-    x.half[0] = _mm_cmplt_ps(x.half[0], y.half[0]);
-    x.half[1] = _mm_cmplt_ps(x.half[1], y.half[1]);
-    return x.i;
 #else
     union rhw_lanes x, y;
     x.f = a;
@@ -154,13 +130,6 @@ static inline rhw_int rhw_less_equal(rhw_float a, rhw_float b)
 {
 #if defined(__AVX2__)
     return (rhw_int)_mm256_cmp_ps((__m256)a, (__m256)b, _CMP_LE_OQ);
-#elif defined(__SSE2__)
-    union rhw_lanes x, y;
-    x.f = a;
-    y.f = b;
-    x.half[0] = _mm_cmple_ps(x.half[0], y.half[0]);
-    x.half[1] = _mm_cmple_ps(x.half[1], y.half[1]);
-    return x.i;
 #else
     union rhw_lanes x, y;
     x.f = a;
@@ -176,13 +145,6 @@ static inline rhw_int rhw_equal(rhw_float a, rhw_float b)
 {
 #if defined(__AVX2__)
     return (rhw_int)_mm256_cmp_ps((__m256)a, (__m256)b, _CMP_EQ_OQ);
-#elif defined(__SSE2__)
-    union rhw_lanes x, y;
-    x.f = a;
-    y.f = b;
-    x.half[0] = _mm_cmpeq_ps(x.half[0], y.half[0]);
-    x.half[1] = _mm_cmpeq_ps(x.half[1], y.half[1]);
-    return x.i;
 #else
     union rhw_lanes x, y;
     x.f = a;
@@ -198,13 +160,6 @@ static inline rhw_int rhw_less_int(rhw_int a, rhw_int b)
 {
 #if defined(__AVX2__)
     return (rhw_int)_mm256_cmpgt_epi32((__m256i)b, (__m256i)a);
-#elif defined(__SSE2__)
-    union rhw_lanes x, y;
-    x.i = a;
-    y.i = b;
-    x.half_i[0] = _mm_cmplt_epi32(x.half_i[0], y.half_i[0]);
-    x.half_i[1] = _mm_cmplt_epi32(x.half_i[1], y.half_i[1]);
-    return x.i;
 #else
     union rhw_lanes x, y;
     x.i = a;
@@ -219,13 +174,6 @@ static inline rhw_int rhw_equal_int(rhw_int a, rhw_int b)
 {
 #if defined(__AVX2__)
     return (rhw_int)_mm256_cmpeq_epi32((__m256i)a, (__m256i)b);
-#elif defined(__SSE2__)
-    union rhw_lanes x, y;
-    x.i = a;
-    y.i = b;
-    x.half_i[0] = _mm_cmpeq_epi32(x.half_i[0], y.half_i[0]);
-    x.half_i[1] = _mm_cmpeq_epi32(x.half_i[1], y.half_i[1]);
-    return x.i;
 #else
     union rhw_lanes x, y;
     x.i = a;
@@ -263,7 +211,11 @@ static inline int rhw_mask_bits(rhw_int mask)
 #elif defined(__SSE2__)
     union rhw_lanes x;
     x.i = mask;
-    return _mm_movemask_ps(x.half[0]) | _mm_movemask_ps(x.half[1]) << 4;
+    return _mm_movemask_ps((__m128)x.half[0]) | _mm_movemask_ps((__m128)x.half[1]) << 4;
+#elif defined(__wasm_simd128__)
+    union rhw_lanes x;
+    x.i = mask;
+    return (int)(wasm_i32x4_bitmask((v128_t)x.half_i[0]) | wasm_i32x4_bitmask((v128_t)x.half_i[1]) << 4);
 #else
     const rhw_int bit = {1, 2, 4, 8, 16, 32, 64, 128};
     union rhw_lanes x;
@@ -296,8 +248,8 @@ static inline rhw_float rhw_min(rhw_float a, rhw_float b)
     union rhw_lanes x, y;
     x.f = a;
     y.f = b;
-    x.half[0] = _mm_min_ps(x.half[0], y.half[0]);
-    x.half[1] = _mm_min_ps(x.half[1], y.half[1]);
+    x.half[0] = (rhw_float4)_mm_min_ps((__m128)x.half[0], (__m128)y.half[0]);
+    x.half[1] = (rhw_float4)_mm_min_ps((__m128)x.half[1], (__m128)y.half[1]);
     return x.f;
 #elif defined(__wasm_simd128__)
     union rhw_lanes x, y;
@@ -320,8 +272,8 @@ static inline rhw_float rhw_max(rhw_float a, rhw_float b)
     union rhw_lanes x, y;
     x.f = a;
     y.f = b;
-    x.half[0] = _mm_max_ps(x.half[0], y.half[0]);
-    x.half[1] = _mm_max_ps(x.half[1], y.half[1]);
+    x.half[0] = (rhw_float4)_mm_max_ps((__m128)x.half[0], (__m128)y.half[0]);
+    x.half[1] = (rhw_float4)_mm_max_ps((__m128)x.half[1], (__m128)y.half[1]);
     return x.f;
 #elif defined(__wasm_simd128__)
     union rhw_lanes x, y;
@@ -391,12 +343,6 @@ static inline rhw_float rhw_to_float(rhw_int a)
 {
 #if defined(__AVX2__)
     return __builtin_convertvector(a, rhw_float);
-#elif defined(__SSE2__)
-    union rhw_lanes x;
-    x.i = a;
-    x.half[0] = _mm_cvtepi32_ps(x.half_i[0]);
-    x.half[1] = _mm_cvtepi32_ps(x.half_i[1]);
-    return x.f;
 #else
     union rhw_lanes x;
     x.i = a;
@@ -415,8 +361,8 @@ static inline rhw_int rhw_to_int_unchecked(rhw_float a)
 #elif defined(__SSE2__)
     union rhw_lanes x;
     x.f = a;
-    x.half_i[0] = _mm_cvttps_epi32(x.half[0]);
-    x.half_i[1] = _mm_cvttps_epi32(x.half[1]);
+    x.half_i[0] = (rhw_int4)_mm_cvttps_epi32((__m128)x.half[0]);
+    x.half_i[1] = (rhw_int4)_mm_cvttps_epi32((__m128)x.half[1]);
     return x.i;
 #else
     // Rubbish lanes become 0 first: the conversion of what does not fit is undefined in C.
@@ -549,8 +495,8 @@ static inline rhw_float rhw_sqrt(rhw_float a)
 #elif defined(__SSE2__)
     union rhw_lanes x;
     x.f = a;
-    x.half[0] = _mm_sqrt_ps(x.half[0]);
-    x.half[1] = _mm_sqrt_ps(x.half[1]);
+    x.half[0] = (rhw_float4)_mm_sqrt_ps((__m128)x.half[0]);
+    x.half[1] = (rhw_float4)_mm_sqrt_ps((__m128)x.half[1]);
     return x.f;
 #elif defined(__aarch64__)
     union rhw_lanes x;

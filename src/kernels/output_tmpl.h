@@ -7,9 +7,8 @@
 #ifndef RHW_OUTPUT_TMPL_H
 #define RHW_OUTPUT_TMPL_H
 
-#include "../half.h"
 #include "../output.h"
-#include "../simd.h"
+#include "../simd_layout.h"
 #include "../srgb.h"
 
 // 2^23: from here on floats have no fraction, so adding it rounds a value of 0..255 to nearest, ties to
@@ -81,37 +80,13 @@ static inline void output_rgba8_over(const struct output_state *state, const f8 
     i8_store(texels, old ^ ((old ^ packed) & written));
 }
 
-// A texel of four halves, and back.
-RHW_INLINE f4 output_load_half4(const unsigned char *texel)
-{
-#if defined(__F16C__)
-    return (f4)_mm_cvtph_ps(_mm_loadl_epi64((const __m128i *)(const void *)texel));
-#else
-    uint16_t half[4];
-    memcpy(half, texel, sizeof half);
-    return (f4){rhw_half_to_float(half[0]), rhw_half_to_float(half[1]), rhw_half_to_float(half[2]),
-                rhw_half_to_float(half[3])};
-#endif
-}
-
-RHW_INLINE void output_store_half4(unsigned char *texel, f4 value)
-{
-#if defined(__F16C__)
-    _mm_storel_epi64((__m128i *)(void *)texel, _mm_cvtps_ph((__m128)value, _MM_FROUND_TO_NEAREST_INT));
-#else
-    const uint16_t half[4] = {rhw_half_from_float(value[0]), rhw_half_from_float(value[1]),
-                              rhw_half_from_float(value[2]), rhw_half_from_float(value[3])};
-    memcpy(texel, half, sizeof half);
-#endif
-}
-
 // 8 texels of four floats or halves to one vector per channel, and back.
 static inline void output_load_rows(const unsigned char *texels, bool half, f8 value[4])
 {
     f4 row[RHW_LANES];
     for (int i = 0; i < RHW_LANES; i++) {
         if (half) {
-            row[i] = output_load_half4(texels + 8 * i);
+            row[i] = f4_load_halves(texels + 8 * i);
         } else {
             memcpy(&row[i], texels + 16 * i, sizeof row[i]);
         }
@@ -129,7 +104,7 @@ static inline void output_store_rows(unsigned char *texels, bool half, const f8 
             continue;
         }
         if (half) {
-            output_store_half4(texels + 8 * i, row[i]);
+            f4_store_halves(texels + 8 * i, row[i]);
         } else {
             memcpy(texels + 16 * i, &row[i], sizeof row[i]);
         }

@@ -6,7 +6,7 @@
 
 #include "../limits.h"
 #include "../pass.h"
-#include "../simd.h"
+#include "../simd_layout.h"
 
 enum {
     // Groups of 8 vertices per call of the vertex function: enough to hide the call, few enough that their

@@ -121,8 +121,7 @@ static void fill_builtins(const struct tile_work *work, struct rhw_fragment *gro
     const uint32_t uses = work->pipeline->def.program.uses;
     if (uses & RHW_USE_COORD) {
         const f8 half = f8_splat(0.5f);
-        group->coord[0] =
-            __builtin_convertvector(i8_splat(work->x + at % RHW_TILE) + rhw_lane_index, f8) + half;
+        group->coord[0] = rhw_to_float(i8_splat(work->x + at % RHW_TILE) + rhw_lane_index) + half;
         group->coord[1] = f8_splat((float)(work->y + at / RHW_TILE)) + half;
         group->coord[2] = group->depth;
         group->coord[3] = f8_from_d8(w->s);

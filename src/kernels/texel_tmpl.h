@@ -4,7 +4,7 @@
 #ifndef RHW_TEXEL_TMPL_H
 #define RHW_TEXEL_TMPL_H
 
-#include "../simd.h"
+#include "../simd_layout.h"
 #include "../srgb.h"
 #include "../srgb_texture.h"
 #include "../texture.h"
