@@ -7,7 +7,7 @@
 
 const char bench_bunny_path[] = "";
 
-static bool make_nothing(char *why, size_t why_size)
+static bool refuse(char *why, size_t why_size)
 {
     snprintf(why, why_size, "this build reads no model files");
     return false;
@@ -17,14 +17,14 @@ bool bench_make_model(const struct bench_scene_entry *entry, struct bench_scene 
                       char *why, size_t why_size)
 {
     (void)entry, (void)scene, (void)width, (void)height;
-    return make_nothing(why, why_size);
+    return refuse(why, why_size);
 }
 
 bool bench_make_pbr(const struct bench_scene_entry *entry, struct bench_scene *scene, int width, int height,
                     char *why, size_t why_size)
 {
     (void)entry, (void)scene, (void)width, (void)height;
-    return make_nothing(why, why_size);
+    return refuse(why, why_size);
 }
 
 void bench_surfaces_free(struct bench_surfaces *surfaces)

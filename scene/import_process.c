@@ -192,7 +192,10 @@ static bool child_finished(int status, int descriptor, const struct rhw_model_li
         char line[512];
         const ssize_t length = pread(descriptor, line, sizeof line - 1, 0);
         line[length > 0 ? length : 0] = 0;
-        return refuse(error, error_size, "%s", line[0] != 0 ? line : "import failed");
+        return refuse(error, error_size, "%s",
+                      line[0] != 0
+                          ? line
+                          : "what was read could not be passed on; is there a limit on the size of files?");
     }
     const unsigned seconds = limits->seconds > 0 ? limits->seconds : DEFAULT_SECONDS;
     if (WIFSIGNALED(status)) {

@@ -437,8 +437,9 @@ RHW_INLINE i8 i8_gather(const void *words, i8 index)
 #else
     uint32_t at[RHW_LANES];
     memcpy(at, &index, sizeof at);
-    const i4 halves[2] = {{word_at(words, at[0]), word_at(words, at[1]), word_at(words, at[2]), word_at(words, at[3])},
-                          {word_at(words, at[4]), word_at(words, at[5]), word_at(words, at[6]), word_at(words, at[7])}};
+    const i4 halves[2] = {
+        {word_at(words, at[0]), word_at(words, at[1]), word_at(words, at[2]), word_at(words, at[3])},
+        {word_at(words, at[4]), word_at(words, at[5]), word_at(words, at[6]), word_at(words, at[7])}};
     return i8_load(halves);
 #endif
 }
@@ -449,8 +450,8 @@ RHW_INLINE void i8_load_pairs(const unsigned char *words, const uint32_t at[RHW_
 #if defined(__SSE2__)
     __m128 pair[4];
     for (int i = 0; i < 4; i++) {
-        const void *const low = words + (size_t)at[2 * i] * 4, *const high =
-                                                                   words + (size_t)at[2 * i + 1] * 4;
+        const void *const low = words + (size_t)at[2 * i] * 4;
+        const void *const high = words + (size_t)at[2 * i + 1] * 4;
         pair[i] = _mm_loadh_pi(_mm_castsi128_ps(_mm_loadl_epi64(low)), high);
     }
     union lanes x, y;

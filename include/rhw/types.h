@@ -246,7 +246,7 @@ struct rhw_pass_def {
     struct rhw_color_attachment colors[RHW_MAX_COLOR_ATTACHMENTS];
     int color_count;
     struct rhw_depth_attachment depth;
-    /// Shades opaque fragments that others of the pass hide, too: for measuring. The picture is the same.
+    /// Shades opaque fragments in their turn, also those that later ones hide: for measuring. The picture is the same.
     bool shades_hidden;
 };
 

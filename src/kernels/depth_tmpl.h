@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Depth tests of 8 fragments against a tile's depth. Template: compiled once per instruction set.
+// What of 8 fragments is seen: depth tests against a tile's depth, and pixels that are still open. Template: compiled
+// once per instruction set.
 //
 // Draws that any order would draw alike (deferral.h) can be drawn in two phases, so that only what is seen is shaded: the
 // first leaves the least depth of all their triangles (with LESS; GREATER is its mirror image), the second shades the

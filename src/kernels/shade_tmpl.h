@@ -214,8 +214,8 @@ RHW_INLINE void fill_rows(const struct tile_work *work, const struct triangle_wo
     if (!derivatives) {
         return;
     }
-    f8 *const ddx = work->scratch->ddx + first * components, *const ddy =
-                                                                 work->scratch->ddy + first * components;
+    f8 *const ddx = work->scratch->ddx + first * components;
+    f8 *const ddy = work->scratch->ddy + first * components;
     for (int i = 0; i < components; i++) {
         const f8 d1 = f8_splat(-triangle->d1[i]), d2 = f8_splat(-triangle->d2[i]);
         for (int n = 0; n < count && pipeline->component_derivatives[i]; n++) {

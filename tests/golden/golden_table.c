@@ -120,7 +120,10 @@ int golden_main(const struct golden_set *set, int argc, char **argv)
     const bool matrix = argc == 5 && strcmp(argv[2], "--matrix") == 0;
     FILE *table = argc == 2 || update || matrix ? fopen(argv[1], update ? "w" : "r") : NULL;
     if (table == NULL) {
-        fprintf(stderr, "usage: %s TABLE [--update | --matrix THREADS REPEATS]\n", argv[0]);
+        fprintf(stderr,
+                "usage: %s TABLE [--update | --matrix THREADS REPEATS]\n"
+                "       golden --show SCENE FILE\n",
+                argv[0]);
         return 2;
     }
     if (matrix) {

@@ -232,7 +232,8 @@ static int print_table(int width)
         {1920, 1080, 1, 0},   {1920, 1080, 10, 0},   {1920, 1080, 100, 0},
         {16384, 16384, 1, 0}, {16384, 16384, 10, 0}, {16384, 16384, 100, 0},
     };
-    puts("| triangles | target | ms | ms per million | front | back | flushes | geometry MiB | memory MiB |");
+    puts(
+        "| triangles | target | ms | ms per million | front | tiles | flushes | geometry MiB | memory MiB |");
     puts("|---|---|---|---|---|---|---|---|---|");
     for (size_t i = 0; i < sizeof rows / sizeof *rows; i++) {
         if (width == 0 || rows[i].width == width) {
@@ -272,10 +273,10 @@ int main(int argc, char **argv)
     if (argc == 2 && strcmp(argv[1], "quick") == 0) {
         return check_growth();
     }
-    const int width = argc == 2 ? atoi(argv[1]) : 0;
-    if (argc > 2 || (argc == 2 && width <= 0)) {
-        fputs("usage: growth [quick | WIDTH]\n", stderr);
+    const char *const width = argc == 2 ? argv[1] : "0";
+    if (argc > 2 || (argc == 2 && strcmp(width, "1920") != 0 && strcmp(width, "16384") != 0)) {
+        fputs("usage: growth [quick | 1920 | 16384]\n", stderr);
         return 2;
     }
-    return print_table(width);
+    return print_table(atoi(width));
 }

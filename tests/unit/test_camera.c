@@ -3,7 +3,6 @@
 #include "tiny_model.h"
 
 #include <math.h>
-#include <stdlib.h>
 #include <string.h>
 
 #include "surface.h"
@@ -35,11 +34,11 @@ static void test_fit_touches_the_margin(void **state)
 {
     (void)state;
     struct tiny t;
-    make_tiny(&t);
+    tiny_make(&t);
     t.positions[0][2] = 3.0f;
     t.positions[2][2] = -7.0f;
     t.positions[3][0] = 20.0f;
-    set_bounds(&t);
+    tiny_set_bounds(&t);
     t.instances[0].world[12] = 1000.0f;
     t.instances[0].world[5] = 2.0f;
     for (double azimuth = -200.0; azimuth < 400.0; azimuth += 37.0) {
@@ -64,7 +63,7 @@ static void test_fit_touches_the_margin(void **state)
                 const double least = 0.2 * (furthest - nearest);
                 assert_true(widest < 0.92 + 1e-9 && nearest > least - 1e-9);
                 if (nearest > least + 1e-9) {
-                    assert_close(widest, 0.92, 1e-9);
+                    tiny_assert_close(widest, 0.92, 1e-9);
                 }
             }
         }
@@ -75,7 +74,7 @@ static void test_fit_angles(void **state)
 {
     (void)state;
     struct tiny t;
-    make_tiny(&t);
+    tiny_make(&t);
     const double cases[][5] = {
         {0, 0, 0, 0, 1},    {90, 0, 1, 0, 0},
         {180, 0, 0, 0, -1}, {-90, 0, -1, 0, 0},
@@ -89,7 +88,7 @@ static void test_fit_angles(void **state)
             length += back[c] * back[c];
         }
         for (int c = 0; c < 3; c++) {
-            assert_close(back[c] / sqrt(length), cases[i][2 + c], 1e-12);
+            tiny_assert_close(back[c] / sqrt(length), cases[i][2 + c], 1e-12);
         }
     }
 }
@@ -99,13 +98,13 @@ static void test_fit_of_degenerate_models(void **state)
 {
     (void)state;
     struct tiny t;
-    make_tiny(&t);
+    tiny_make(&t);
     for (int what = 0; what < 3; what++) {
         for (int v = 0; v < 4; v++) {
             t.positions[v][0] = t.positions[v][1] = what == 2 ? 1e6f : 0.0f;
             t.positions[v][2] = what == 1 ? (float)v : 0.0f;
         }
-        set_bounds(&t);
+        tiny_set_bounds(&t);
         struct rhw_view view = tiny_view(&t, 8);
         view.camera = rhw_camera_fit(&t.model, (struct rhw_orbit){0, 0}, 0.5, 1.0);
         char error[200];
@@ -121,21 +120,21 @@ static void test_default_orbit_faces_flat_models(void **state)
 {
     (void)state;
     struct tiny t;
-    make_tiny(&t);
-    assert_close(rhw_camera_default_orbit(&t.model).azimuth, 0.0, 0.0);
-    assert_close(rhw_camera_default_orbit(&t.model).elevation, 0.0, 0.0);
+    tiny_make(&t);
+    tiny_assert_close(rhw_camera_default_orbit(&t.model).azimuth, 0.0, 0.0);
+    tiny_assert_close(rhw_camera_default_orbit(&t.model).elevation, 0.0, 0.0);
     t.indices[1] = 2;
     t.indices[2] = 1;
     t.indices[4] = 3;
     t.indices[5] = 2;
-    assert_close(rhw_camera_default_orbit(&t.model).azimuth, 180.0, 0.0);
+    tiny_assert_close(rhw_camera_default_orbit(&t.model).azimuth, 180.0, 0.0);
 }
 
 static void test_look_refuses_what_is_no_camera(void **state)
 {
     (void)state;
     struct tiny t;
-    make_tiny(&t);
+    tiny_make(&t);
     struct rhw_camera camera;
     char error[200];
     const double eye[3] = {1, 2, 3}, target[3] = {0, 0, 0}, up[3] = {0, 1, 0}, zero[3] = {0, 0, 0};
@@ -154,7 +153,7 @@ static void test_look_refuses_what_is_no_camera(void **state)
     for (int a = 0; a < 3; a++) {
         for (int b = 0; b < 3; b++) {
             const double product = m[a] * m[b] + m[4 + a] * m[4 + b] + m[8 + a] * m[8 + b];
-            assert_close(product, a == b, 1e-12);
+            tiny_assert_close(product, a == b, 1e-12);
         }
     }
 }
@@ -167,16 +166,16 @@ static void test_projection_against_formulas(void **state)
     view_projection(&camera, 1.5, m);
     const double near_top[3] = {2.0 * tan(0.55) * 1.5, 2.0 * tan(0.55), 8.0}, far_middle[3] = {0, 0, -40};
     project(m, near_top, ndc);
-    assert_close(ndc[0], 1.0, 1e-12);
-    assert_close(ndc[1], 1.0, 1e-12);
-    assert_close(ndc[2], 0.0, 1e-12);
+    tiny_assert_close(ndc[0], 1.0, 1e-12);
+    tiny_assert_close(ndc[1], 1.0, 1e-12);
+    tiny_assert_close(ndc[2], 0.0, 1e-12);
     project(m, far_middle, ndc);
-    assert_close(ndc[2], 1.0, 1e-12);
+    tiny_assert_close(ndc[2], 1.0, 1e-12);
     camera.zfar = 0.0;
     view_projection(&camera, 1.5, m);
     const double very_far[3] = {0, 0, -1e12};
     project(m, very_far, ndc);
-    assert_close(ndc[2], 1.0, 1e-11);
+    tiny_assert_close(ndc[2], 1.0, 1e-11);
 }
 
 // A camera whose frame is wider than the picture keeps its width.
@@ -184,17 +183,17 @@ static void test_file_camera_in_a_narrow_picture(void **state)
 {
     (void)state;
     struct rhw_model_camera source = {.yfov = 0.8f, .aspect = 2.0f, .znear = 0.1f, .zfar = 100.0f};
-    identity(source.world);
+    tiny_identity(source.world);
     for (double aspect = 0.01; aspect < 2.0; aspect *= 1.7) {
         const struct rhw_camera camera = rhw_camera_from_model(&source, aspect);
-        assert_close(tan(camera.yfov / 2.0) * aspect, tan((double)source.yfov / 2.0) * 2.0, 1e-9);
+        tiny_assert_close(tan(camera.yfov / 2.0) * aspect, tan((double)source.yfov / 2.0) * 2.0, 1e-9);
     }
-    assert_close(rhw_camera_from_model(&source, 3.0).yfov, (double)source.yfov, 0.0);
+    tiny_assert_close(rhw_camera_from_model(&source, 3.0).yfov, (double)source.yfov, 0.0);
     source.orthographic = true;
     source.xmag = 3.0f;
     source.ymag = 1.0f;
-    assert_close(rhw_camera_from_model(&source, 1.0).ymag, 3.0, 0.0);
-    assert_close(rhw_camera_from_model(&source, 6.0).ymag, 1.0, 0.0);
+    tiny_assert_close(rhw_camera_from_model(&source, 1.0).ymag, 3.0, 0.0);
+    tiny_assert_close(rhw_camera_from_model(&source, 6.0).ymag, 1.0, 0.0);
 }
 
 // A normal stays perpendicular to what lies in the surface, and on its outer side, under any matrix.
@@ -219,7 +218,7 @@ static void test_normal_matrix(void **state)
                 product += turned[r] *
                            (m[r] * tangents[t][0] + m[4 + r] * tangents[t][1] + m[8 + r] * tangents[t][2]);
             }
-            assert_close(product, 0.0, 1e-9);
+            tiny_assert_close(product, 0.0, 1e-9);
         }
         assert_true(outward > 0.0);
     }

@@ -515,15 +515,16 @@ static void test_clipped_slivers_keep_the_winding(void **state)
         struct rig_vertex vertices[3];
         make_sliver(&random, vertices);
         const int64_t area = snapped_area(vertices);
+        if (area == 0) {
+            continue;
+        }
         rig.pipeline.cull = RHW_CULL_NONE;
         rig_draw_once(&rig, vertices, 3);
         const uint64_t shaded = rig.stats.fragments_shaded;
         rig.pipeline.cull = area < 0 ? RHW_CULL_BACK : RHW_CULL_FRONT;
         rig_draw_once(&rig, vertices, 3);
-        if (area != 0) {
-            assert_int_equal(rig.stats.fragments_shaded, shaded);
-            drawn += shaded != 0;
-        }
+        assert_int_equal(rig.stats.fragments_shaded, shaded);
+        drawn += shaded != 0;
     }
     assert_true(drawn > 1000);
     rig_close(&rig);

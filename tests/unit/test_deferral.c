@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Opaque draws of a pass may be drawn depth first, or backwards, and shaded where they are seen. The picture is that of
-// one triangle after the other: also among equal depths, next to what was loaded, and with fragment functions that discard.
+// one triangle after the other: also among equal depths, next to what was loaded, and with fragment functions that
+// discard.
 #include "harness.h"
 
 #include <stdlib.h>

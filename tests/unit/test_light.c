@@ -3,7 +3,6 @@
 #include "tiny_model.h"
 
 #include <math.h>
-#include <stdlib.h>
 #include <string.h>
 
 #include "light.h"
@@ -70,7 +69,8 @@ static void test_reflection_against_gltf_appendix_b(void **state)
         for (int c = 0; c < 3; c++) {
             // The peak of a mirror is 1 / α⁴ high: there 1 − (n·h)² has few of its bits left.
             const double tolerance = m[2] < 0.1 ? 1e-2 : 1e-4;
-            assert_close((double)sum[c][3], c + (c + 1) * expected, 1e-5 + tolerance * (c + 1) * expected);
+            tiny_assert_close((double)sum[c][3], c + (c + 1) * expected,
+                              1e-5 + tolerance * (c + 1) * expected);
         }
     }
 }
@@ -109,8 +109,8 @@ static void test_tone_map_against_its_definition(void **state)
         neutral(expected);
         rhw_tone_map(color);
         for (int c = 0; c < 3; c++) {
-            assert_close((double)color[c][5], expected[c], 3e-6);
-            assert_close((double)color[c][0], 0.21, 1e-7);
+            tiny_assert_close((double)color[c][5], expected[c], 3e-6);
+            tiny_assert_close((double)color[c][0], 0.21, 1e-7);
         }
     }
 }
@@ -133,7 +133,7 @@ static void test_environment_irradiance(void **state)
 {
     (void)state;
     struct tiny t;
-    make_tiny(&t);
+    tiny_make(&t);
     struct rhw_lighting lighting;
     const struct rhw_view view = tiny_view(&t, 8);
     assert_true(rhw_lighting_create(&lighting, &t.model, &view.camera, false, 0.0));
@@ -156,7 +156,7 @@ static void test_environment_irradiance(void **state)
             normal[c] = rhw_splat((float)n[c]);
         }
         rhw_environment_diffuse(&e, normal, irradiance);
-        assert_close((double)irradiance[0][2], sum / pi, 0.03);
+        tiny_assert_close((double)irradiance[0][2], sum / pi, 0.03);
     }
     rhw_lighting_destroy(&lighting);
 }
@@ -166,7 +166,7 @@ static void test_environment_reflection(void **state)
 {
     (void)state;
     struct tiny t;
-    make_tiny(&t);
+    tiny_make(&t);
     struct rhw_lighting lighting;
     const struct rhw_view view = tiny_view(&t, 8);
     assert_true(rhw_lighting_create(&lighting, &t.model, &view.camera, false, 1.0));
@@ -182,7 +182,7 @@ static void test_environment_reflection(void **state)
     const double height = axis[1];
     const double above = 0.5 + 0.5 * height / sqrt(height * height + 0.03);
     const double sky = (double)e->ground[0] + (double)(e->sky[0] - e->ground[0]) * above;
-    assert_close((double)sharp[0][7], sky + lobes_at(e, axis), 1e-4);
+    tiny_assert_close((double)sharp[0][7], sky + lobes_at(e, axis), 1e-4);
     assert_true(rough[0][7] < 0.5f * sharp[0][7]);
     rhw_lighting_destroy(&lighting);
 }
@@ -192,7 +192,7 @@ static void test_exposure_follows_the_lights(void **state)
 {
     (void)state;
     struct tiny t;
-    make_tiny(&t);
+    tiny_make(&t);
     t.light = (struct rhw_model_light){.type = RHW_LIGHT_POINT, .position = {0, 0, 10}, .color = {1, 1, 1}};
     t.model.light_count = 1;
     const struct rhw_view view = tiny_view(&t, 8);
@@ -203,8 +203,8 @@ static void test_exposure_follows_the_lights(void **state)
         const rhw_float middle[3] = {rhw_splat(0.0f), rhw_splat(0.0f), rhw_splat(0.0f)};
         rhw_float to_light[3], irradiance[3];
         rhw_light_at(&lighting.lights[0], middle, to_light, irradiance);
-        assert_close((double)irradiance[1][0], 0.9 * pi, 1e-4);
-        assert_close((double)to_light[2][0], 1.0, 1e-6);
+        tiny_assert_close((double)irradiance[1][0], 0.9 * pi, 1e-4);
+        tiny_assert_close((double)to_light[2][0], 1.0, 1e-6);
         rhw_lighting_destroy(&lighting);
     }
 }
@@ -214,7 +214,7 @@ static void test_spot_and_range(void **state)
 {
     (void)state;
     struct tiny t;
-    make_tiny(&t);
+    tiny_make(&t);
     t.light = (struct rhw_model_light){.type = RHW_LIGHT_SPOT,
                                        .position = {0, 0, 4},
                                        .direction = {0, 0, -1},
@@ -238,7 +238,7 @@ static void test_spot_and_range(void **state)
         const double dx = points[i][0], dz = 4.0 - points[i][2], d2 = dx * dx + dz * dz;
         const double cone = fmin(fmax((dz / sqrt(d2) - 0.8) / (0.95 - 0.8), 0.0), 1.0);
         const double window = fmin(fmax(1.0 - pow(d2 / 64.0, 2.0), 0.0), 1.0);
-        assert_close((double)irradiance[0][0], scale * cone * cone * window / d2, 1e-4 * scale);
+        tiny_assert_close((double)irradiance[0][0], scale * cone * cone * window / d2, 1e-4 * scale);
     }
     rhw_lighting_destroy(&lighting);
 }

@@ -124,7 +124,8 @@ static void test_samples_follow_the_model(void **state)
     for (int n = 0; n < 40 * SAMPLED_FORMATS * SIZES; n++) {
         const enum rhw_format format = sampled_formats[n % SAMPLED_FORMATS];
         const int *const size = sizes[n / SAMPLED_FORMATS % SIZES];
-        const rhw_texture texture = random_texture(rig.context, format, size[0], size[1], n & 1, &random);
+        const rhw_texture texture =
+            model_random_texture(rig.context, format, size[0], size[1], n & 1, &random);
         struct rhw_sampler_def sampler;
         random_sampler(&random, &sampler);
         struct rhw_binding binding = bind(rig.context, texture, &sampler, RHW_ISA_BASELINE);
@@ -156,7 +157,8 @@ static void test_derivatives_choose_the_level(void **state)
     uint64_t random = 2;
     for (int n = 0; n < 400; n++) {
         const enum rhw_format format = n & 1 ? RHW_FORMAT_RGBA8_UNORM : RHW_FORMAT_RGBA32_FLOAT;
-        const rhw_texture texture = random_texture(rig.context, format, 64, n & 2 ? 16 : 64, 0, &random);
+        const rhw_texture texture =
+            model_random_texture(rig.context, format, 64, n & 2 ? 16 : 64, 0, &random);
         struct rhw_sampler_def sampler = default_sampler();
         sampler.lod_bias = n & 4 ? 0.5f : 0.0f;
         struct rhw_binding binding = bind(rig.context, texture, &sampler, RHW_ISA_BASELINE);
@@ -377,8 +379,8 @@ static void test_slots_sampled_at_once(void **state)
         random_sampler(&random, &samplers[0]);
         for (int i = 0; i < SLOTS; i++) {
             const bool other = rig_random_int(&random, 5) == 0;
-            textures[i] = random_texture(rig.context, formats[rig_random_int(&random, other ? 3 : 2)],
-                                         other ? 32 : 64, 64, 0, &random);
+            textures[i] = model_random_texture(rig.context, formats[rig_random_int(&random, other ? 3 : 2)],
+                                               other ? 32 : 64, 64, 0, &random);
             samplers[i] = samplers[0];
             samplers[i].lod_bias += rig_random_int(&random, 6) == 0 ? 1.0f : 0.0f;
             bindings[i] = bind(rig.context, textures[i], &samplers[i], isa);
@@ -464,7 +466,7 @@ static void test_lanes_are_independent(void **state)
     uint64_t random = 4;
     for (int n = 0; n < 600; n++) {
         const rhw_texture texture =
-            random_texture(rig.context, sampled_formats[n % SAMPLED_FORMATS], 32, 32, 0, &random);
+            model_random_texture(rig.context, sampled_formats[n % SAMPLED_FORMATS], 32, 32, 0, &random);
         struct rhw_sampler_def sampler;
         random_sampler(&random, &sampler);
         struct rhw_binding binding = bind(rig.context, texture, &sampler, RHW_ISA_BASELINE);
@@ -511,7 +513,7 @@ static void test_hostile_coordinates(void **state)
     for (int n = 0; n < 300; n++) {
         const int *const size = sizes[n % SIZES];
         const enum rhw_format format = n & 1 ? RHW_FORMAT_RGBA8_UNORM : sampled_formats[n / 2 % 4];
-        const rhw_texture texture = random_texture(rig.context, format, size[0], size[1], 0, &random);
+        const rhw_texture texture = model_random_texture(rig.context, format, size[0], size[1], 0, &random);
         struct rhw_sampler_def sampler;
         random_sampler(&random, &sampler);
         memset(sampler.border, 0, sizeof sampler.border);
@@ -548,7 +550,7 @@ static void test_a_nan_slope_means_the_last_level(void **state)
     uint64_t random = 9;
     for (int n = 0; n < 2; n++) {
         const enum rhw_format format = n ? RHW_FORMAT_RGBA8_UNORM : RHW_FORMAT_RGBA32_FLOAT;
-        const rhw_texture texture = random_texture(rig.context, format, 64, 64, 0, &random);
+        const rhw_texture texture = model_random_texture(rig.context, format, 64, 64, 0, &random);
         const struct rhw_sampler_def sampler = default_sampler();
         struct rhw_binding binding = bind(rig.context, texture, &sampler, RHW_ISA_BASELINE);
         for (size_t i = 0; i < sizeof slopes / sizeof slopes[0]; i++) {

@@ -3,7 +3,6 @@
 #include "tiny_model.h"
 
 #include <math.h>
-#include <stdlib.h>
 #include <string.h>
 
 #include "surface.h"
@@ -56,7 +55,7 @@ static void test_unlit_square(void **state)
 {
     (void)state;
     struct tiny t;
-    make_tiny(&t);
+    tiny_make(&t);
     t.material.base_color[0] = 1.0f;
     t.material.base_color[1] = 0.5f; // 188 in sRGB
     t.material.base_color[2] = 0.0f;
@@ -77,7 +76,7 @@ static void test_supersampling_averages_light(void **state)
 {
     (void)state;
     struct tiny t;
-    make_tiny(&t);
+    tiny_make(&t);
     for (int side = 1; side <= 4; side++) {
         struct rhw_view view = tiny_view(&t, 8);
         memset(view.background_color, 0, 3);
@@ -88,10 +87,11 @@ static void test_supersampling_averages_light(void **state)
         const double share = side == 1 ? 1.0 : side == 2 ? 0.5 : side == 3 ? 2.0 / 3.0 : 0.5;
         const double s = 1.055 * pow(share, 1.0 / 2.4) - 0.055;
         const uint8_t *row = &pictures.color[4 * 8 * 4];
-        assert_close(row[4 * 1], 255.0 * s, 0.6);
-        assert_close(row[4 * 3], 255.0, 0.0);
+        tiny_assert_close(row[4 * 1], 255.0 * s, 0.6);
+        tiny_assert_close(row[4 * 3], 255.0, 0.0);
         const double other = side == 1 ? 0.0 : side == 3 ? 1.0 / 3.0 : 0.5;
-        assert_close(row[4 * 5], other == 0.0 ? 0.0 : 255.0 * (1.055 * pow(other, 1.0 / 2.4) - 0.055), 0.6);
+        tiny_assert_close(row[4 * 5], other == 0.0 ? 0.0 : 255.0 * (1.055 * pow(other, 1.0 / 2.4) - 0.055),
+                          0.6);
         rhw_pictures_free(&pictures);
     }
 }
@@ -101,7 +101,7 @@ static void test_blending_is_sorted(void **state)
 {
     (void)state;
     struct tiny t;
-    make_tiny(&t);
+    tiny_make(&t);
     t.model.instance_count = 2;
     t.material.alpha_mode = RHW_ALPHA_BLEND;
     t.material.base_color[3] = 0.5f;
@@ -127,9 +127,9 @@ static void test_blending_is_sorted(void **state)
         const uint8_t *pixel = &pictures.color[4 * (8 * 4 + 4)];
         const float *linear = &pictures.linear[4 * (8 * 4 + 4)];
         const double front = nearer == 0 ? 0.5 : 0.25;
-        assert_close((double)linear[0], front, 1e-6);
-        assert_close((double)linear[2], 0.75 - front, 1e-6);
-        assert_close((double)linear[3], 0.75, 1e-6);
+        tiny_assert_close((double)linear[0], front, 1e-6);
+        tiny_assert_close((double)linear[2], 0.75 - front, 1e-6);
+        tiny_assert_close((double)linear[3], 0.75, 1e-6);
         assert_true(nearer == 0 ? pixel[0] > pixel[2] : pixel[2] > pixel[0]);
         rhw_pictures_free(&pictures);
     }
@@ -139,7 +139,7 @@ static void test_transparent_background_keeps_color_straight(void **state)
 {
     (void)state;
     struct tiny t;
-    make_tiny(&t);
+    tiny_make(&t);
     t.material.alpha_mode = RHW_ALPHA_BLEND;
     t.material.base_color[1] = 0.5f;
     t.material.base_color[3] = 0.125f;
@@ -159,7 +159,7 @@ static void test_texture_transform_and_mask(void **state)
 {
     (void)state;
     struct tiny t;
-    make_tiny(&t);
+    tiny_make(&t);
     static const uint8_t texels[4][4] = {
         {255, 0, 0, 255}, {0, 255, 0, 255}, {0, 0, 255, 255}, {9, 9, 9, 100}};
     memcpy(t.texels, texels, sizeof texels);
@@ -188,7 +188,7 @@ static void test_culling_and_mirroring(void **state)
 {
     (void)state;
     struct tiny t;
-    make_tiny(&t);
+    tiny_make(&t);
     for (int flags = 0; flags < 8; flags++) {
         const bool behind = flags & 1, mirrored = flags & 2;
         t.material.double_sided = flags & 4;
@@ -209,7 +209,7 @@ static void test_data_outputs(void **state)
 {
     (void)state;
     struct tiny t;
-    make_tiny(&t);
+    tiny_make(&t);
     t.material.double_sided = true;
     t.model.instance_count = 2;
     t.instances[1].world[12] = 40.0f; // out of view, but it counts triangles before nothing
@@ -225,23 +225,23 @@ static void test_data_outputs(void **state)
         struct rhw_pictures p = draw_model(&t.model, &view);
         assert_null(p.color);
         const int i = 8 * 3 + 2; // the camera's right is −x: pixel centre (1.5/2, 0.25)
-        assert_close((double)p.position[4 * i], 0.75, 1e-6);
-        assert_close((double)p.position[4 * i + 1], 0.25, 1e-6);
-        assert_close((double)p.position[4 * i + 2], 0.0, 1e-6);
-        assert_close((double)p.uv[4 * i], 0.875, 1e-6);
-        assert_close((double)p.uv[4 * i + 1], 0.375, 1e-6);
-        assert_close((double)p.distance[i], 5.0, 1e-5);
+        tiny_assert_close((double)p.position[4 * i], 0.75, 1e-6);
+        tiny_assert_close((double)p.position[4 * i + 1], 0.25, 1e-6);
+        tiny_assert_close((double)p.position[4 * i + 2], 0.0, 1e-6);
+        tiny_assert_close((double)p.uv[4 * i], 0.875, 1e-6);
+        tiny_assert_close((double)p.uv[4 * i + 1], 0.375, 1e-6);
+        tiny_assert_close((double)p.distance[i], 5.0, 1e-5);
         // d = f (z − n) / (z (f − n)) with n 1, f 9, z 5; orthographic (z − n) / (f − n).
-        assert_close((double)p.depth[i], orthographic ? 0.5 : 0.9, 1e-6);
-        assert_close((double)p.normal[4 * i + 2], -1.0, 1e-6); // turned to the viewer
+        tiny_assert_close((double)p.depth[i], orthographic ? 0.5 : 0.9, 1e-6);
+        tiny_assert_close((double)p.normal[4 * i + 2], -1.0, 1e-6); // turned to the viewer
         assert_int_equal(p.object[i], 1);
         assert_int_equal(p.triangle[i], 1); // x > y: below the diagonal
         assert_int_equal(p.triangle[8 * 2 + 4], 2);
         // Weights of (−1,−1), (1,−1), (1,1) at (0.75, 0.25).
-        assert_close((double)p.barycentric[4 * i], 0.125, 1e-6);
-        assert_close((double)p.barycentric[4 * i + 1], 0.25, 1e-6);
-        assert_close((double)p.barycentric[4 * i + 2], 0.625, 1e-6);
-        assert_close((double)p.barycentric[4 * i + 3], 1.0, 0.0);
+        tiny_assert_close((double)p.barycentric[4 * i], 0.125, 1e-6);
+        tiny_assert_close((double)p.barycentric[4 * i + 1], 0.25, 1e-6);
+        tiny_assert_close((double)p.barycentric[4 * i + 2], 0.625, 1e-6);
+        tiny_assert_close((double)p.barycentric[4 * i + 3], 1.0, 0.0);
         assert_true(isinf(p.distance[0]) && p.depth[0] == 1.0f && p.object[0] == 0 && p.triangle[0] == 0);
         assert_true(p.normal[2] == 0.0f && p.position[3] == 0.0f && p.uv[3] == 0.0f);
         rhw_pictures_free(&p);
@@ -254,7 +254,7 @@ static void test_normal_map(void **state)
 {
     (void)state;
     struct tiny t;
-    make_tiny(&t);
+    tiny_make(&t);
     t.material.unlit = false;
     t.material.slots[RHW_SLOT_NORMAL].image = 0;
     t.mesh.tangents = t.tangents;
@@ -270,9 +270,9 @@ static void test_normal_map(void **state)
         t.instances[0].mirrored = mirrored;
         struct rhw_pictures p = draw_model(&t.model, &view);
         const float *n = &p.normal[4 * (8 * 4 + 4)];
-        assert_close((double)n[0], (mirrored ? -1.0 : 1.0) * 0.70980392 / length, 1e-5);
-        assert_close((double)n[1], 0.42745098 / length, 1e-5); // the bitangent is not mirrored in x
-        assert_close((double)n[2], 0.70980392 / length, 1e-5);
+        tiny_assert_close((double)n[0], (mirrored ? -1.0 : 1.0) * 0.70980392 / length, 1e-5);
+        tiny_assert_close((double)n[1], 0.42745098 / length, 1e-5); // the bitangent is not mirrored in x
+        tiny_assert_close((double)n[2], 0.70980392 / length, 1e-5);
         rhw_pictures_free(&p);
     }
 }
@@ -282,7 +282,7 @@ static void test_lines_and_points(void **state)
 {
     (void)state;
     struct tiny t;
-    make_tiny(&t);
+    tiny_make(&t);
     uint32_t ends[2] = {0, 1};
     t.mesh.normals = NULL;
     t.mesh.indices = ends;
@@ -290,7 +290,7 @@ static void test_lines_and_points(void **state)
     t.positions[0][1] = 0.0f;
     t.positions[1][0] = 1.0f;
     t.positions[1][1] = 0.0f;
-    set_bounds(&t);
+    tiny_set_bounds(&t);
     t.mesh.index_count = 2;
     t.mesh.primitive = RHW_PRIMITIVE_LINES;
     const struct rhw_view view = tiny_view(&t, 64);
@@ -319,7 +319,7 @@ static void test_line_through_the_near_plane(void **state)
 {
     (void)state;
     struct tiny t;
-    make_tiny(&t);
+    tiny_make(&t);
     uint32_t ends[2] = {0, 1};
     t.mesh.normals = NULL;
     t.mesh.primitive = RHW_PRIMITIVE_LINES;
@@ -329,7 +329,7 @@ static void test_line_through_the_near_plane(void **state)
     t.positions[1][0] = 2.0f;
     t.positions[1][1] = 0.0f;
     t.positions[1][2] = 20.0f;
-    set_bounds(&t);
+    tiny_set_bounds(&t);
     struct rhw_view view = tiny_view(&t, 64);
     view.camera =
         (struct rhw_camera){.eye = {0, 0, 5}, .up = {0, 1, 0}, .yfov = 1.0, .znear = 0.1, .zfar = 50.0};
@@ -350,7 +350,7 @@ static void test_wireframe_marks_edges(void **state)
 {
     (void)state;
     struct tiny t;
-    make_tiny(&t);
+    tiny_make(&t);
     struct rhw_view view = tiny_view(&t, 64);
     view.wireframe = RHW_WIREFRAME_PLAIN;
     struct rhw_pictures p = draw_model(&t.model, &view);
@@ -367,7 +367,7 @@ static void test_pictures_do_not_depend_on_the_machine(void **state)
 {
     (void)state;
     struct tiny t;
-    make_tiny(&t);
+    tiny_make(&t);
     t.material.unlit = false;
     t.material.metallic = 0.4f;
     t.material.roughness = 0.3f;
@@ -403,7 +403,7 @@ static void test_view_rules(void **state)
 {
     (void)state;
     struct tiny t;
-    make_tiny(&t);
+    tiny_make(&t);
     char error[200];
     const struct rhw_view good = tiny_view(&t, 64);
     assert_true(rhw_view_check(&good, error, sizeof error));

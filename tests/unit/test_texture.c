@@ -77,7 +77,7 @@ static void test_mips_are_box_filtered_in_linear_light(void **state)
     for (int n = 0; n < SAMPLED_FORMATS * (int)(sizeof mip_sizes / sizeof mip_sizes[0]); n++) {
         const enum rhw_format format = sampled_formats[n % SAMPLED_FORMATS];
         int width = mip_sizes[n / SAMPLED_FORMATS][0], height = mip_sizes[n / SAMPLED_FORMATS][1];
-        const rhw_texture texture = random_texture(rig.context, format, width, height, 0, &random);
+        const rhw_texture texture = model_random_texture(rig.context, format, width, height, 0, &random);
         const struct rhw_texture_data *const data = rhw_context_texture(rig.context, texture, "test");
         rhw_texture_generate_mips(rig.context, texture);
         double *values = malloc((size_t)(width * height * 4) * sizeof *values);

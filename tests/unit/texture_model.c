@@ -132,8 +132,8 @@ void model_sample(const struct rhw_texture_data *texture, const struct rhw_sampl
     }
 }
 
-rhw_texture random_texture(rhw_context *context, enum rhw_format format, int width, int height, int levels,
-                           uint64_t *random)
+rhw_texture model_random_texture(rhw_context *context, enum rhw_format format, int width, int height,
+                                 int levels, uint64_t *random)
 {
     struct rhw_texture_def def = rhw_texture_def_default();
     def.format = format;

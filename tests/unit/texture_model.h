@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // What textures must hold and samples must be: written from the formulas of OpenGL ES 3.0 §3.8.10, one texel at a time
-// in double, and sharing nothing with the library.
+// in double, and sharing no formula with the library.
 #ifndef RHW_TEST_TEXTURE_MODEL_H
 #define RHW_TEST_TEXTURE_MODEL_H
 
@@ -17,7 +17,7 @@ void model_sample(const struct rhw_texture_data *texture, const struct rhw_sampl
                   double v, double lod, double value[4]);
 
 /// A texture with random texels in every level: numbers within ±4 where the format is a float.
-rhw_texture random_texture(rhw_context *context, enum rhw_format format, int width, int height, int levels,
-                           uint64_t *random);
+rhw_texture model_random_texture(rhw_context *context, enum rhw_format format, int width, int height,
+                                 int levels, uint64_t *random);
 
 #endif

@@ -5,20 +5,20 @@
 #include <math.h>
 #include <string.h>
 
-void assert_close(double value, double expected, double tolerance)
+void tiny_assert_close(double value, double expected, double tolerance)
 {
     if (!(fabs(value - expected) <= tolerance)) {
         fail_msg("%.9g instead of %.9g (tolerance %g)", value, expected, tolerance);
     }
 }
 
-void identity(float m[16])
+void tiny_identity(float m[16])
 {
     memset(m, 0, 16 * sizeof *m);
     m[0] = m[5] = m[10] = m[15] = 1.0f;
 }
 
-void set_bounds(struct tiny *t)
+void tiny_set_bounds(struct tiny *t)
 {
     for (int i = 0; i < 3; i++) {
         t->mesh.bounds_min[i] = t->mesh.bounds_max[i] = t->positions[0][i];
@@ -31,7 +31,7 @@ void set_bounds(struct tiny *t)
     }
 }
 
-void make_tiny(struct tiny *t)
+void tiny_make(struct tiny *t)
 {
     memset(t, 0, sizeof *t);
     static const float corners[4][2] = {{-1, -1}, {1, -1}, {1, 1}, {-1, 1}};
@@ -64,7 +64,7 @@ void make_tiny(struct tiny *t)
     }
     for (uint32_t i = 0; i < 2; i++) {
         t->instances[i] = (struct rhw_instance){.name = "n", .object = i + 1};
-        identity(t->instances[i].world);
+        tiny_identity(t->instances[i].world);
     }
     t->image = (struct rhw_image){.name = "i",
                                   .width = 2,
@@ -84,7 +84,7 @@ void make_tiny(struct tiny *t)
                                   .images = &t->image,
                                   .instances = t->instances,
                                   .lights = &t->light};
-    set_bounds(t);
+    tiny_set_bounds(t);
 }
 
 struct rhw_view tiny_view(const struct tiny *t, int size)

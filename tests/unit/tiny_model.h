@@ -25,13 +25,13 @@ struct tiny {
 };
 
 /// The square −1..1 in the plane z = 0 that faces +Z, white, unlit; texture coordinates 0..1 from its top left.
-void make_tiny(struct tiny *t);
+void tiny_make(struct tiny *t);
 /// After `positions` were changed.
-void set_bounds(struct tiny *t);
+void tiny_set_bounds(struct tiny *t);
 /// Orthographic, so that the square −1..1 is the middle half of an 8×8 picture: pixels 2..5.
 struct rhw_view tiny_view(const struct tiny *t, int size);
 
-void identity(float m[16]);
-void assert_close(double value, double expected, double tolerance);
+void tiny_identity(float m[16]);
+void tiny_assert_close(double value, double expected, double tolerance);
 
 #endif

@@ -136,7 +136,7 @@ bool rhw_tool_parse_int(const char *text, int least, int most, int *value)
     char *end;
     errno = 0;
     const long number = strtol(text, &end, 10);
-    if (end == text || *end || errno || number < least || number > most)
+    if (end == text || isspace((unsigned char)*text) || *end || errno || number < least || number > most)
         return false;
     *value = (int)number;
     return true;
