@@ -205,6 +205,17 @@ RHW_INLINE i8 i8_bytes_from_f8(const f8 channel[4])
 #endif
 }
 
+// 16-bit floats in the lower halves, zero above, as rhw_half_to_float: read as a float, the shifted bits are 2^112 times too small, denormals included;
+// infinity and NaN get the exponent that the product lacks, NaN its quiet bit.
+RHW_INLINE f8 f8_from_half(i8 half)
+{
+    const i8 magnitude = half & 0x7fff;
+    const i8 finite = (i8)((f8)(magnitude << 13) * 0x1p112f);
+    const i8 special = rhw_less_int(i8_splat(0x7bff), magnitude),
+             nan = rhw_less_int(i8_splat(0x7c00), magnitude);
+    return (f8)(finite | (special & 0x7f800000) | (nan & 0x400000) | ((half & 0x8000) << 16));
+}
+
 // Four 16-bit floats in memory, and back: rounded to nearest, ties to even.
 RHW_INLINE f4 f4_load_halves(const void *p)
 {

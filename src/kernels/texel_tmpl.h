@@ -72,17 +72,6 @@ RHW_INLINE f8 sample_unorm8(i8 code)
     return c * 0x1p-8f + c * 1.53186284e-05f;
 }
 
-// As rhw_half_to_float. Read as a float, the shifted bits are 2^112 times too small, denormals included;
-// infinity and NaN get the exponent that the product lacks, NaN its quiet bit.
-RHW_INLINE f8 sample_half(i8 half)
-{
-    const i8 magnitude = half & 0x7fff;
-    const i8 finite = (i8)((f8)(magnitude << 13) * 0x1p112f);
-    const i8 special = rhw_less_int(i8_splat(0x7bff), magnitude),
-             nan = rhw_less_int(i8_splat(0x7c00), magnitude);
-    return (f8)(finite | (special & 0x7f800000) | (nan & 0x400000) | ((half & 0x8000) << 16));
-}
-
 // Linear value of the sRGB code at `shift`. A gather costs 12 cycles on a Zen 3; a polynomial as exact as the
 // table costs more.
 RHW_INLINE f8 sample_decode(i8 texel, int shift)
@@ -126,10 +115,10 @@ static inline void sample_fetch(enum rhw_format format, const struct rhw_mip *mi
         i8 red_green, blue_alpha;
         sample_spill(2 * i8_load(at), at);
         i8_load_pairs(mip->texels, at, &red_green, &blue_alpha);
-        texel[0] = sample_half(red_green & 0xffff);
-        texel[1] = sample_half((i8)((u8)red_green >> 16));
-        texel[2] = sample_half(blue_alpha & 0xffff);
-        texel[3] = sample_half((i8)((u8)blue_alpha >> 16));
+        texel[0] = f8_from_half(red_green & 0xffff);
+        texel[1] = f8_from_half((i8)((u8)red_green >> 16));
+        texel[2] = f8_from_half(blue_alpha & 0xffff);
+        texel[3] = f8_from_half((i8)((u8)blue_alpha >> 16));
     } else {
         int32_t red[RHW_LANES], last[RHW_LANES];
         for (int i = 0; i < RHW_LANES; i++) {

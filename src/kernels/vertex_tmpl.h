@@ -55,8 +55,39 @@ static __attribute__((noinline)) void fetch_lanes(const struct rhw_vertex_stream
     f8_load_columns(places, out);
 }
 
-// One attribute of 8 vertices. Floats that have 16 bytes of the buffer from where they start are loaded as 4
-// floats whatever they are; what is not theirs is replaced.
+// Numbers of 8 or 16 bits as fetch_lane makes them, one of each lane: `code` has its bits, and above them rubbish.
+static f8 widen_code(enum rhw_vertex_type type, i8 code)
+{
+    switch (type) {
+    case RHW_TYPE_HALF: return f8_from_half(code & 0xffff);
+    case RHW_TYPE_UNORM8: return rhw_to_float(code & 0xff) / 255.0f;
+    case RHW_TYPE_SNORM8: return f8_max(rhw_to_float(code << 24 >> 24) / 127.0f, f8_splat(-1));
+    case RHW_TYPE_UINT8: return rhw_to_float(code & 0xff);
+    case RHW_TYPE_SINT8: return rhw_to_float(code << 24 >> 24);
+    case RHW_TYPE_UNORM16: return rhw_to_float(code & 0xffff) / 65535.0f;
+    case RHW_TYPE_SNORM16: return f8_max(rhw_to_float(code << 16 >> 16) / 32767.0f, f8_splat(-1));
+    case RHW_TYPE_UINT16: return rhw_to_float(code & 0xffff);
+    default: return rhw_to_float(code << 16 >> 16);
+    }
+}
+
+// Four numbers of 8 or 16 bits at each of 8 places.
+static void fetch_codes(const void *const place[8], enum rhw_vertex_type type, f8 out[4])
+{
+    const bool wide = rhw_vertex_type_size(type) == 2;
+    int32_t word[2][8];
+    for (int lane = 0; lane < 8; lane++) {
+        memcpy(&word[0][lane], place[lane], sizeof word[0][lane]);
+        memcpy(&word[1][lane], (const char *)place[lane] + (wide ? 4 : 0), sizeof word[1][lane]);
+    }
+    for (int c = 0; c < 4; c++) {
+        const i8 codes = i8_load(word[wide ? c / 2 : 0]);
+        out[c] = widen_code(type, codes >> (wide ? 16 * (c % 2) : 8 * c));
+    }
+}
+
+// One attribute of 8 vertices. Where the buffer has room for four components from where each starts, four are loaded,
+// however many there are; what is not theirs is replaced.
 static void fetch_attribute(const struct rhw_vertex_stream *stream, const struct rhw_attribute *attribute,
                             uint32_t stride, const uint32_t element[8], f8 out[4])
 {
@@ -64,8 +95,10 @@ static void fetch_attribute(const struct rhw_vertex_stream *stream, const struct
     for (int lane = 1; lane < 8; lane++) {
         last = element[lane] > last ? element[lane] : last;
     }
-    const uint64_t end = (uint64_t)last * stride + attribute->offset + 4 * sizeof(float);
-    if (rhw_vertex_format_type(attribute->format) != RHW_TYPE_FLOAT || end > stream->size) {
+    const enum rhw_vertex_type type = rhw_vertex_format_type(attribute->format);
+    const uint64_t end =
+        (uint64_t)last * stride + attribute->offset + 4 * (uint64_t)rhw_vertex_type_size(type);
+    if (end > stream->size) {
         fetch_lanes(stream, attribute, stride, element, out);
         return;
     }
@@ -74,7 +107,11 @@ static void fetch_attribute(const struct rhw_vertex_stream *stream, const struct
     for (int lane = 0; lane < 8; lane++) {
         places[lane] = bytes + (size_t)element[lane] * stride;
     }
-    f8_load_columns(places, out);
+    if (type == RHW_TYPE_FLOAT) {
+        f8_load_columns(places, out);
+    } else {
+        fetch_codes(places, type, out);
+    }
     switch (rhw_vertex_format_components(attribute->format)) {
     case 1: out[1] = f8_splat(0); // fall through
     case 2: out[2] = f8_splat(0); // fall through
