@@ -26,10 +26,12 @@ done
 refuse 2 "render: -o OUT is missing" render cube.obj
 refuse 2 "extra: one argument too many" render cube.obj extra -o a.png
 refuse 2 "-o: needs an argument|--out: needs an argument" render cube.obj -o
+refuse 2 "'': no format for this ending" render cube.obj -o ""
+refuse 1 "'': cannot be opened" render "" -o a.png
 refuse 2 "--quiet: takes no argument" render cube.obj -o a.png --quiet=1
 refuse 2 "--si.*: needs an argument" render cube.obj -o a.png --size
 
-for size in 0x10 10x0 16385x1 1x16385 -1x5 10 x 10x 10x10x10 1e3x5 99999999999x1 ''; do
+for size in 0x10 10x0 16385x1 1x16385 -1x5 10 x 10x 10x10x10 1e3x5 99999999999x1 ' 1x1' '1x 1' ''; do
     refuse 2 "--size: '$size' is not WxH with both 1..16384" render cube.obj -o a.png --size "$size"
 done
 for samples in 0 2 3 17 x -4 4.0; do

@@ -31,7 +31,7 @@ void rhw_tool_stage_end(void)
 static void print_line(const char *subject, const char *prefix, const char *format, va_list arguments)
 {
     char line[LINE_LENGTH];
-    const char *named = strcmp(subject, "-") == 0 ? "standard output" : subject;
+    const char *named = strcmp(subject, "-") == 0 ? "standard output" : *subject ? subject : "''";
     const int used = snprintf(line, sizeof line, "rhw: %s: %s", named, prefix);
     if (used < 0)
         return;
