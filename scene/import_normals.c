@@ -10,8 +10,8 @@
 // Neighbours on anything modelled as round meet at less; the faces of boxes and the rims of pipes at more.
 static const double crease_cosine = 0.5;
 
-// Around one point. Faces are compared pair by pair; where more meet, only a hostile file makes the pairs
-// count, and all faces are averaged.
+// Around one point. Faces are compared pair by pair; where more meet, as only a hostile file has it, all are
+// averaged.
 enum { MOST_FACES = 256 };
 
 static void subtract(const float a[3], const float b[3], double difference[3])
@@ -86,6 +86,7 @@ struct smoothing {
     double *weights;    // of each corner
     uint32_t *start;    // of the corners around point p: start[p] .. start[p + 1]
     uint32_t *corners;
+    uint32_t *point;  // of each vertex: those at the same place have the same
     uint32_t *source; // of the new vertices: the vertex they were made from
     float (*normals)[3];
     uint32_t count; // new vertices
@@ -125,46 +126,113 @@ static uint32_t find_or_add(struct smoothing *smoothing, uint32_t first, uint32_
     return smoothing->count++;
 }
 
+// Some of the corners around one point.
+struct faces {
+    const uint32_t *corners;
+    uint32_t count;
+};
+
+static const double *face_of(const struct smoothing *smoothing, uint32_t corner)
+{
+    return smoothing->faces[corner / 3];
+}
+
 // Sum over the corners whose faces are no further than a crease from `axis`; NULL: over all.
-static void sum_faces(const struct smoothing *smoothing, const uint32_t *corners, uint32_t count,
-                      const double *axis, double sum[3])
+static void sum_faces(const struct smoothing *smoothing, struct faces faces, const double *axis,
+                      double sum[3])
 {
     memset(sum, 0, 3 * sizeof *sum);
-    for (uint32_t i = 0; i < count; i++) {
-        const double *face = smoothing->faces[corners[i] / 3];
+    for (uint32_t i = 0; i < faces.count; i++) {
+        const double *face = face_of(smoothing, faces.corners[i]);
         if (axis != NULL && dot(axis, face) < crease_cosine)
             continue;
         for (int c = 0; c < 3; c++)
-            sum[c] += face[c] * smoothing->weights[corners[i]];
+            sum[c] += face[c] * smoothing->weights[faces.corners[i]];
+    }
+}
+
+static bool all_within(const struct smoothing *smoothing, struct faces faces, const double axis[3],
+                       double cosine)
+{
+    uint32_t near = 0;
+    while (near < faces.count && dot(axis, face_of(smoothing, faces.corners[near])) >= cosine)
+        near++;
+    return near == faces.count;
+}
+
+// Whether the faces of two corners at one point share an edge there, and it is no crease.
+static bool are_joined(const struct smoothing *smoothing, uint32_t a, uint32_t b)
+{
+    const uint32_t corners[2] = {a, b};
+    uint32_t ends[2][2]; // points at the other ends of each face's two edges
+    for (int i = 0; i < 2; i++) {
+        const uint32_t first = corners[i] / 3 * 3;
+        for (uint32_t k = 0; k < 2; k++)
+            ends[i][k] = smoothing->point[smoothing->mesh->indices[first + (corners[i] + 1 + k) % 3]];
+    }
+    const bool meet = ends[0][0] == ends[1][0] || ends[0][0] == ends[1][1] || ends[0][1] == ends[1][0] ||
+                      ends[0][1] == ends[1][1];
+    return meet && dot(face_of(smoothing, a), face_of(smoothing, b)) >= crease_cosine;
+}
+
+// Reorders the corners so that those whose faces are joined, one with the next, stand together; returns how many
+// there are of the first such group.
+static uint32_t gather_group(const struct smoothing *smoothing, uint32_t *corners, uint32_t count)
+{
+    uint32_t grouped = 1;
+    for (uint32_t i = 0; i < grouped; i++) {
+        for (uint32_t k = grouped; k < count; k++) {
+            if (are_joined(smoothing, corners[i], corners[k])) {
+                const uint32_t corner = corners[k];
+                corners[k] = corners[grouped];
+                corners[grouped++] = corner;
+            }
+        }
+    }
+    return grouped;
+}
+
+// Where all faces lie within 30° of one axis, no two are a crease apart: the common case, which needs no pairs.
+static bool are_even(const struct smoothing *smoothing, struct faces faces)
+{
+    double axis[3];
+    sum_faces(smoothing, faces, NULL, axis);
+    unit(axis);
+    return all_within(smoothing, faces, axis, 0.8660254037844387);
+}
+
+// A group has one normal, so that a ridge is not torn where it is a little sharper, unless its faces look away
+// from each other: those around the tip of a cone, which go with the faces that are near them.
+static void smooth_group(struct smoothing *smoothing, struct faces group, uint32_t first, uint32_t *place)
+{
+    double all[3], axis[3];
+    float normal[3];
+    sum_faces(smoothing, group, NULL, all);
+    memcpy(axis, all, sizeof axis);
+    unit(axis);
+    to_normal(all, normal);
+    const bool one = group.count > MOST_FACES || all_within(smoothing, group, axis, crease_cosine);
+    for (uint32_t i = 0; i < group.count; i++) {
+        const uint32_t corner = group.corners[i];
+        if (!one) {
+            double sum[3];
+            sum_faces(smoothing, group, face_of(smoothing, corner), sum);
+            to_normal(sum, normal);
+        }
+        place[corner] = find_or_add(smoothing, first, smoothing->mesh->indices[corner], normal);
     }
 }
 
 // Gives the corners around one point their new vertices in `place`.
-static void smooth_point(struct smoothing *smoothing, const uint32_t *corners, uint32_t count,
-                         uint32_t *place)
+static void smooth_point(struct smoothing *smoothing, uint32_t *corners, uint32_t count, uint32_t *place)
 {
     const uint32_t first = smoothing->count;
-    double all[3], axis[3];
-    float normal[3];
-    sum_faces(smoothing, corners, count, NULL, all);
-    memcpy(axis, all, sizeof axis);
-    unit(axis);
-    to_normal(all, normal);
-    // All faces within 30° of one axis are within 60° of each other: the common case needs no pairs.
-    uint32_t near = 0;
-    while (near < count && dot(axis, smoothing->faces[corners[near] / 3]) >= 0.8660254037844387)
-        near++;
-    const bool even = near == count || count > MOST_FACES;
-    for (uint32_t i = 0; i < count; i++) {
-        const double *mine = smoothing->faces[corners[i] / 3];
-        double sum[3];
-        if (!even && dot(mine, mine) > 0) {
-            sum_faces(smoothing, corners, count, mine, sum);
-            to_normal(sum, normal);
-        } else if (!even) {
-            to_normal(all, normal);
-        }
-        place[corners[i]] = find_or_add(smoothing, first, smoothing->mesh->indices[corners[i]], normal);
+    while (count > 0) {
+        const bool whole = count > MOST_FACES || are_even(smoothing, (struct faces){corners, count});
+        const uint32_t grouped = whole ? count : gather_group(smoothing, corners, count);
+        smooth_group(smoothing, (struct faces){corners, grouped}, first, place);
+        corners += grouped;
+        count -= grouped;
     }
 }
 
@@ -172,7 +240,7 @@ static void smooth_point(struct smoothing *smoothing, const uint32_t *corners, u
 static void sort_corners(struct rhw_import *import, struct smoothing *smoothing)
 {
     const struct rhw_mesh *mesh = smoothing->mesh;
-    uint32_t *group = rhw_import_weld_positions(import, mesh);
+    const uint32_t *const group = smoothing->point = rhw_import_weld_positions(import, mesh);
     smoothing->start = rhw_import_allocate(import, (size_t)mesh->vertex_count + 2, sizeof *smoothing->start);
     smoothing->corners = rhw_import_allocate(import, mesh->index_count, sizeof *smoothing->corners);
     uint32_t *next = smoothing->start + 1;
@@ -182,7 +250,6 @@ static void sort_corners(struct rhw_import *import, struct smoothing *smoothing)
         next[i + 1] += next[i];
     for (uint32_t i = 0; i < mesh->index_count; i++)
         smoothing->corners[next[group[mesh->indices[i]]]++] = i;
-    free(group);
 }
 
 static void make_smooth(struct rhw_import *import, struct rhw_mesh *mesh)
@@ -208,6 +275,7 @@ static void make_smooth(struct rhw_import *import, struct rhw_mesh *mesh)
     free(smoothing.weights);
     free(smoothing.start);
     free(smoothing.corners);
+    free(smoothing.point);
     free(smoothing.source);
 }
 

@@ -171,6 +171,45 @@ static void test_obj_smooth(void **state)
     rhw_model_free(model);
 }
 
+static int vertices_at_origin(const struct rhw_mesh *mesh)
+{
+    int count = 0;
+    for (uint32_t i = 0; i < mesh->vertex_count; i++) {
+        const float *const p = mesh->positions[i];
+        count += p[0] == 0 && p[1] == 0 && p[2] == 0;
+    }
+    return count;
+}
+
+// Three faces around a point, each 40° from the next and the outer ones 79° from each other: no edge between them is a
+// crease, so there is one normal, that of the middle one.
+static void test_a_ridge_is_not_torn(void **state)
+{
+    (void)state;
+    const char *ridge = "v 0 0 0\nv 1 -.2 0\nv 1 .2 0\nv 0 -.766 -.643\nv 0 .766 -.643\n"
+                        "f 1 4 2\nf 1 2 3\nf 1 3 5\n";
+    struct rhw_model *model = load_text("ridge.obj", ridge);
+    const struct rhw_mesh *const mesh = &model->meshes[0];
+    assert_int_equal(vertices_at_origin(mesh), 1);
+    for (uint32_t i = 0; i < mesh->vertex_count; i++) {
+        if (mesh->positions[i][0] == 0 && mesh->positions[i][1] == 0)
+            assert_true(mesh->normals[i][2] > 0.9f && fabsf(mesh->normals[i][1]) < 1e-6f);
+    }
+    rhw_model_free(model);
+}
+
+// The faces around the tip of a steep cone go with their neighbours: one normal for all would be the axis.
+static void test_a_tip_keeps_its_faces(void **state)
+{
+    (void)state;
+    const char *cone =
+        "v 0 0 0\nv 1 0 -4\nv .7 .7 -4\nv 0 1 -4\nv -.7 .7 -4\nv -1 0 -4\nv -.7 -.7 -4\nv 0 -1 -4\n"
+        "v .7 -.7 -4\nf 1 2 3\nf 1 3 4\nf 1 4 5\nf 1 5 6\nf 1 6 7\nf 1 7 8\nf 1 8 9\nf 1 9 2\n";
+    struct rhw_model *model = load_text("cone.obj", cone);
+    assert_int_equal(vertices_at_origin(&model->meshes[0]), 8);
+    rhw_model_free(model);
+}
+
 static void test_obj_syntax(void **state)
 {
     (void)state;
@@ -416,10 +455,16 @@ static void test_blob(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_numbers),    cmocka_unit_test(test_polygons),
-        cmocka_unit_test(test_obj_cube),   cmocka_unit_test(test_obj_smooth),
-        cmocka_unit_test(test_obj_syntax), cmocka_unit_test(test_obj_materials),
-        cmocka_unit_test(test_ply),        cmocka_unit_test(test_ply_elements),
+        cmocka_unit_test(test_numbers),
+        cmocka_unit_test(test_polygons),
+        cmocka_unit_test(test_obj_cube),
+        cmocka_unit_test(test_obj_smooth),
+        cmocka_unit_test(test_a_ridge_is_not_torn),
+        cmocka_unit_test(test_a_tip_keeps_its_faces),
+        cmocka_unit_test(test_obj_syntax),
+        cmocka_unit_test(test_obj_materials),
+        cmocka_unit_test(test_ply),
+        cmocka_unit_test(test_ply_elements),
         cmocka_unit_test(test_blob),
     };
     return cmocka_run_group_tests(tests, make_directory, remove_directory);
