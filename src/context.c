@@ -12,6 +12,7 @@
 #endif
 
 #include "buffer.h"
+#include "clean_tiles.h"
 #include "cpu.h"
 #include "kernels/kernels.h"
 #include "limits.h"
@@ -168,6 +169,7 @@ static void release_texture(struct rhw_context *context, struct rhw_texture_data
 {
     rhw_context_release(context, texture->memory, texture->memory_size);
     rhw_context_release(context, texture->linear_memory, texture->linear_size);
+    rhw_clean_tiles_release(context, texture);
 }
 
 void rhw_context_texture_remove(struct rhw_context *context, rhw_texture id)

@@ -94,11 +94,14 @@ static enum rhw_result attach(struct rhw_pass_state *pass, rhw_texture id, const
     texture->linear_is_current = false;
     attachment->format = texture->format;
     attachment->target = &texture->mip[0];
+    if (!rhw_clean_tiles_make(context, texture)) {
+        return RHW_ERROR_OUT_OF_MEMORY;
+    }
+    attachment->clean = texture->clean;
     attachment->texel_size = rhw_format_size(texture->format);
     return RHW_OK;
 }
 
-// Every texel size divides RHW_CLEAR_BYTES.
 static void set_clear(struct rhw_attachment *attachment, const unsigned char *texel)
 {
     memset(attachment->clear, 0, sizeof attachment->clear);

@@ -10,6 +10,7 @@
 #define RHW_PASS_H
 
 #include "arena.h"
+#include "clean_tiles.h"
 #include "limits.h"
 #include "output.h"
 #include "pipeline.h"
@@ -85,13 +86,12 @@ struct rhw_chunk {
     struct rhw_front_counters counters;
 };
 
-enum { RHW_CLEAR_BYTES = 32 };
-
 struct rhw_attachment {
     enum rhw_format format;
     enum rhw_load load;
     enum rhw_store store;
-    const struct rhw_mip *target; // NULL: exists in the tile alone
+    const struct rhw_mip *target;  // NULL: exists in the tile alone
+    struct rhw_clean_tiles *clean; // of a texture; NULL where there is none
     // What a tile starts from where nothing is loaded, texels side by side: the clear value, or 0, which is undefined to
     // the user and still the same bytes on every run.
     unsigned char clear[RHW_CLEAR_BYTES];

@@ -284,6 +284,13 @@ static void sum_counters(const struct rhw_pass_state *pass, struct rhw_stats *st
     }
 }
 
+static void expect_clean(struct rhw_attachment *attachment)
+{
+    if (attachment->load != RHW_LOAD_LOAD) {
+        rhw_clean_tiles_expect(attachment->clean, attachment->clear);
+    }
+}
+
 enum rhw_result rhw_pass_run(struct rhw_pass_state *pass, struct rhw_stats *stats)
 {
     struct rhw_context *const context = pass->context;
@@ -298,6 +305,10 @@ enum rhw_result rhw_pass_run(struct rhw_pass_state *pass, struct rhw_stats *stat
                           .isa = context->isa};
     struct position at = {0, 0};
     pass->entries_most = entries_most(pass);
+    for (int i = 0; i < pass->color_count; i++) {
+        expect_clean(&pass->colors[i]);
+    }
+    expect_clean(&pass->depth);
     pass->first_wave = true;
     do {
         const uint64_t start = rhw_time_ns();

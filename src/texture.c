@@ -4,6 +4,7 @@
 
 #include <string.h>
 
+#include "clean_tiles.h"
 #include "context.h"
 #include "cpu.h"
 #include "format.h"
@@ -183,7 +184,9 @@ void rhw_texture_write(rhw_context *context, rhw_texture texture, int level, con
     if (!mip) {
         return;
     }
-    rhw_context_texture(context, texture, where)->linear_is_current = false;
+    struct rhw_texture_data *const written = rhw_context_texture(context, texture, where);
+    written->linear_is_current = false;
+    rhw_clean_tiles_forget(written->clean);
     for (int y = 0; y < mip->height; y++) {
         memcpy(mip->texels + (size_t)y * mip->row_pitch, (const unsigned char *)data + (size_t)y * row_pitch,
                row);

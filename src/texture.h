@@ -35,7 +35,8 @@ struct rhw_texture_data {
     size_t memory_size;
     void *linear_memory; // of all mip[].linear; NULL until a pass samples the texture
     size_t linear_size;
-    bool linear_is_current; // no texel has changed since
+    bool linear_is_current;        // no texel has changed since
+    struct rhw_clean_tiles *clean; // NULL until a pass draws into the texture
 };
 
 struct rhw_context;

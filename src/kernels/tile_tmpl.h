@@ -66,18 +66,28 @@ static void store_attachment(const struct tile_work *work, const struct rhw_atta
     if (!is_stored(work->pass, attachment)) {
         return;
     }
+    if (attachment->clean) {
+        attachment->clean->is_clean[work->tile] = false;
+    }
     for (int y = 0; y < work->height; y++) {
         copy_row(target_row(work, attachment, y), tile + (size_t)y * RHW_TILE * size,
                  (size_t)work->width * size);
     }
 }
 
-// A tile without triangles: what would be loaded and stored unchanged is left alone, what is cleared goes straight to
-// its target.
+// A tile without triangles: what would be loaded and stored unchanged is left alone, and so is what is clean; what else
+// is cleared goes straight to its target.
 static void pass_through(const struct tile_work *work, const struct rhw_attachment *attachment)
 {
     if (!is_stored(work->pass, attachment) || load_of(work->pass, attachment) == RHW_LOAD_LOAD) {
         return;
+    }
+    if (attachment->clean) {
+        bool *const is_clean = &attachment->clean->is_clean[work->tile];
+        if (*is_clean) {
+            return;
+        }
+        *is_clean = true;
     }
     for (int y = 0; y < work->height; y++) {
         fill_bytes(target_row(work, attachment, y), attachment->clear,
@@ -339,6 +349,7 @@ static void run_tile(struct rhw_pass_state *pass, int tile, int worker)
     struct tile_work work = {.pass = pass,
                              .scratch = scratch,
                              .counters = &pass->workers[worker].counters,
+                             .tile = tile,
                              .x = tile_x * RHW_TILE,
                              .y = tile_y * RHW_TILE,
                              .width = min_int(pass->width - tile_x * RHW_TILE, RHW_TILE),

@@ -39,6 +39,7 @@ struct tile_work {
     struct rhw_pass_state *pass;
     struct rhw_tile_scratch *scratch;
     struct rhw_counters *counters;
+    int tile;          // its number, row by row
     int x, y;          // pixels of the tile's first pixel in the target
     int width, height; // pixels of the tile: fewer at the target's end
     enum phase phase;
@@ -51,6 +52,7 @@ struct tile_work {
     const struct rhw_pipeline_data *pipeline;
     enum depth_mode depth_mode;
     struct depth_rule early, late; // late: after the fragment function
+    int common;                    // which of the common rules `early` is, see depth_tmpl.h
     bool skips;                    // nothing of it is drawn in this phase
     bool scissored;                // the scissor, or the target's end, leaves out pixels of the tile
     bool shades;                   // there is a fragment function

@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: MIT
+// Which tiles of a texture hold nothing but one clear value. A pass that clears them to it and draws nothing there
+// leaves them alone: what most of a picture without much in it is, frame after frame.
+#ifndef RHW_CLEAN_TILES_H
+#define RHW_CLEAN_TILES_H
+
+#include <stdbool.h>
+#include <stddef.h>
+
+struct rhw_context;
+struct rhw_texture_data;
+
+enum { RHW_CLEAR_BYTES = 32 }; // every texel size divides it
+
+// Of a texture's first level, the one that is drawn into.
+struct rhw_clean_tiles {
+    size_t count;
+    unsigned char texels[RHW_CLEAR_BYTES]; // what clean tiles hold, texels side by side
+    bool is_clean[];                       // row by row; each is written by the thread that has the tile
+};
+
+// Makes the record of a texture that has none, with no tile clean. False when out of memory.
+bool rhw_clean_tiles_make(struct rhw_context *context, struct rhw_texture_data *texture);
+
+void rhw_clean_tiles_release(struct rhw_context *context, struct rhw_texture_data *texture);
+
+// From now on clean tiles are those that hold `texels`; `clean` may be NULL.
+void rhw_clean_tiles_expect(struct rhw_clean_tiles *clean, const unsigned char texels[RHW_CLEAR_BYTES]);
+
+// Texels have been written by other hands than a pass; `clean` may be NULL.
+void rhw_clean_tiles_forget(struct rhw_clean_tiles *clean);
+
+#endif
