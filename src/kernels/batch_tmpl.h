@@ -20,6 +20,7 @@ struct batch {
     int32_t q[3][BATCH], a[3][BATCH], b[3][BATCH];
     struct linear linear[BATCH];
     double inverse_area[BATCH];
+    int32_t anchor_x[BATCH], anchor_y[BATCH]; // as in struct planes
     unsigned inexact; // bit i: the numbers of triangle i must be exact integers, pixel by pixel: a sliver
 };
 
@@ -60,16 +61,10 @@ RHW_INLINE void batch_edges(struct batch *batch, const struct batch_words *words
     const i8 negative = i8_splat(RHW_TRIANGLE_NEGATIVE);
     const i8 turn = rhw_equal_int(words->flags & negative, negative);
     for (int i = 0; i < 3; i++) {
-        const int j = i == 2 ? 0 : i + 1;
-        const i8 a = ((words->y[i] - words->y[j]) ^ turn) - turn,
-                 b = ((words->x[j] - words->x[i]) ^ turn) - turn;
-        const i8 zero = i8_splat(0);
-        const i8 top_left = rhw_less_int(zero, a) | (rhw_equal_int(a, zero) & rhw_less_int(zero, b));
-        // Unsigned, because it may overflow in lanes of large triangles; −1 where it is neither top nor left.
-        const u8 e = (u8)a * (u8)(px - words->x[i]) + (u8)b * (u8)(py - words->y[i]) + (u8)~top_left;
-        i8_store(batch->q[i], (i8)e >> RHW_SUBPIXEL_BITS);
-        i8_store(batch->a[i], a);
-        i8_store(batch->b[i], b);
+        const struct edge_lanes edge = edge_lanes(words->x, words->y, i, turn, px, py);
+        i8_store(batch->q[i], edge.e >> RHW_SUBPIXEL_BITS);
+        i8_store(batch->a[i], edge.a);
+        i8_store(batch->b[i], edge.b);
     }
     i8_store(batch->x, x);
     i8_store(batch->x0, words->x0);
@@ -179,6 +174,8 @@ static void batch_setup(const struct tile_work *work, const struct rhw_chunk *ch
         }
         f8_load_columns(place, position[v]);
     }
+    i8_store(batch->anchor_x, words.x[0] >> RHW_SUBPIXEL_BITS);
+    i8_store(batch->anchor_y, words.y[0] >> RHW_SUBPIXEL_BITS);
     d8 low, span;
     batch_depth_range(segment, &low, &span);
     const i8 center = i8_splat(RHW_SUBPIXEL / 2), fraction = i8_splat(RHW_SUBPIXEL - 1);

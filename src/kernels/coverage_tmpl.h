@@ -10,6 +10,9 @@
 // apart, so e = 256·q + r there with the same r everywhere, and e >= 0 exactly when q >= 0: the loops below
 // work on q. |a|, |b| <= 2^24 and |e| < 2^49 (limits.h); a block that an edge crosses has |q| < 2^28.
 
+#ifndef RHW_COVERAGE_TMPL_H
+#define RHW_COVERAGE_TMPL_H
+
 #include "scratch.h"
 
 _Static_assert((RHW_TILE - 1) % (RHW_BLOCK - 1) == 0, "coverage_add scales a block's extremes to the tile's");
@@ -32,6 +35,26 @@ static struct edge make_edge(int32_t x0, int32_t y0, int32_t x1, int32_t y1, int
     return (struct edge){a, b, (e - (top_left ? 0 : 1)) >> RHW_SUBPIXEL_BITS,
                          (RHW_BLOCK - 1) * ((int64_t)min_int(a, 0) + min_int(b, 0)),
                          (RHW_BLOCK - 1) * ((int64_t)max_int(a, 0) + max_int(b, 0))};
+}
+
+// Edge i of 8 triangles at x, y, 1/256 pixel. Where corners lie within 64 pixels of each other and within 72 of x, y,
+// |a|, |b| < 2^14 and |e| < 2·2^14·72·256 < 2^30; in lanes of larger triangles it is rubbish.
+struct edge_lanes {
+    i8 a, b; // change of e per 1/256 pixel to the right, and down
+    i8 e;    // less 1 where the edge is neither top nor left: inside is where e >= 0
+};
+
+// `turn`: -1 for triangles whose corners turn the negative way, else 0.
+RHW_INLINE struct edge_lanes edge_lanes(const i8 corner_x[3], const i8 corner_y[3], int i, i8 turn, i8 x,
+                                        i8 y)
+{
+    const int j = i == 2 ? 0 : i + 1;
+    const i8 a = ((corner_y[i] - corner_y[j]) ^ turn) - turn, b = ((corner_x[j] - corner_x[i]) ^ turn) - turn;
+    const i8 zero = i8_splat(0);
+    const i8 top_left = rhw_less_int(zero, a) | (rhw_equal_int(a, zero) & rhw_less_int(zero, b));
+    // Unsigned, because it may overflow in lanes of large triangles.
+    const u8 e = (u8)a * (u8)(x - corner_x[i]) + (u8)b * (u8)(y - corner_y[i]) + (u8)~top_left;
+    return (struct edge_lanes){a, b, (i8)e};
 }
 
 // The edges of a triangle that cross the tile: where none does, all of it is covered.
@@ -144,3 +167,5 @@ static uint64_t rect_mask(int x, int y, int x0, int y0, int x1, int y1)
     const uint64_t rows = (~(uint64_t)0 << (8 * top)) & (~(uint64_t)0 >> (8 * (RHW_BLOCK - bottom)));
     return row * 0x0101010101010101u & rows;
 }
+
+#endif

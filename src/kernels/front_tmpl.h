@@ -7,7 +7,7 @@
 #include "../assembly.h"
 #include "../clip.h"
 #include "../thread.h"
-#include "scratch.h"
+#include "coverage_tmpl.h"
 #include "vertex_tmpl.h"
 
 // The least and the greatest index of a run.
@@ -262,6 +262,43 @@ static i8 small_lanes(const struct corner_lanes *lanes)
     return (i8_max3(lanes->x) - i8_min3(lanes->x) < size) & (i8_max3(lanes->y) - i8_min3(lanes->y) < size);
 }
 
+// Bits of those triangles that cover none of the few pixels in their rectangle: one of five, where triangles are of the
+// size of pixels. Rectangles of more than 3×3 pixels are not looked at.
+static unsigned uncovered(const struct corner_lanes *lanes, const struct pixel_lanes *pixels,
+                          unsigned negative)
+{
+    enum { MOST = 3 };
+    const i8 most = i8_splat(MOST), width = pixels->x1 - pixels->x0, height = pixels->y1 - pixels->y0;
+    const unsigned few =
+        ~i8_sign_bits(rhw_less_int(most, width) | rhw_less_int(most, height) | ~small_lanes(lanes));
+    if ((few & 0xff) == 0) {
+        return 0;
+    }
+    const i8 turn = i8_from_bits(negative), half = i8_splat(RHW_SUBPIXEL / 2);
+    const i8 x = (pixels->x0 << RHW_SUBPIXEL_BITS) + half, y = (pixels->y0 << RHW_SUBPIXEL_BITS) + half;
+    i8 row[3], right[3], down[3];
+    for (int i = 0; i < 3; i++) {
+        const struct edge_lanes edge = edge_lanes(lanes->x, lanes->y, i, turn, x, y);
+        row[i] = edge.e;
+        right[i] = edge.a << RHW_SUBPIXEL_BITS;
+        down[i] = edge.b << RHW_SUBPIXEL_BITS;
+    }
+    i8 outside = i8_splat(-1);
+    for (int dy = 0; dy < MOST; dy++) {
+        i8 e[3] = {row[0], row[1], row[2]};
+        for (int dx = 0; dx < MOST; dx++) {
+            outside &= e[0] | e[1] | e[2];
+            for (int i = 0; i < 3; i++) {
+                e[i] += right[i];
+            }
+        }
+        for (int i = 0; i < 3; i++) {
+            row[i] += down[i];
+        }
+    }
+    return few & i8_sign_bits(outside);
+}
+
 // As span_of. A target has at most 256 tiles each way.
 static i8 spans_of(const struct pixel_lanes *p)
 {
@@ -341,7 +378,10 @@ static void setup8(struct rhw_front_scratch *scratch, uint32_t run_index, const 
         live & ~i8_sign_bits(rhw_equal_int(
                    lanes.flags_any & i8_splat(RHW_VERTEX_CLIP | RHW_VERTEX_NOT_FINITE), i8_splat(0)));
     const unsigned easy = live & ~hard;
-    const unsigned drawn = easy & ~outside & nonzero & ~facing_away & covers;
+    unsigned drawn = easy & ~outside & nonzero & ~facing_away & covers;
+    if (drawn != 0) {
+        drawn &= ~uncovered(&lanes, &pixels, negative);
+    }
     scratch->counters.culled += popcount(easy & ~drawn);
     if ((drawn | hard) == 0) {
         return;

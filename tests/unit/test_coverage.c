@@ -51,6 +51,34 @@ static void test_edges_through_pixel_centres(void **state)
     rig_close(&rig);
 }
 
+// Triangles of less than 3 pixels each way, half of them with corners on pixel centres and edges: those that cover nothing
+// are counted as culled, whatever their rectangle has.
+static void test_tiny_triangles_that_cover_nothing_are_culled(void **state)
+{
+    (void)state;
+    struct rig rig;
+    rig_open(&rig, 32, 32);
+    uint64_t random = 41, culled = 0;
+    for (int n = 0; n < 4000; n++) {
+        const int step = n % 2 ? 1 : 128, at = 256 * rig_random_int(&random, 28);
+        struct ref_triangle t = {0};
+        for (int i = 0; i < 3; i++) {
+            t.x_8[i] = at + step * rig_random_int(&random, 768 / step);
+            t.y_8[i] = at + step * rig_random_int(&random, 768 / step);
+        }
+        check_triangle(&rig, &t);
+        bool covers = false;
+        for (int i = 0; i < 32 * 32; i++) {
+            covers = covers || ref_covers(&t, i % 32, i / 32);
+        }
+        assert_int_equal(rig.stats.triangles_rasterized, covers);
+        assert_int_equal(rig.stats.triangles_culled, !covers);
+        culled += !covers;
+    }
+    assert_in_range(culled, 400, 3600);
+    rig_close(&rig);
+}
+
 static void test_random_triangles(void **state)
 {
     (void)state;
@@ -243,6 +271,7 @@ int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(test_edges_through_pixel_centres),
+        cmocka_unit_test(test_tiny_triangles_that_cover_nothing_are_culled),
         cmocka_unit_test(test_random_triangles),
         cmocka_unit_test(test_slivers),
         cmocka_unit_test(test_positions_snap_to_nearest_even),
