@@ -30,6 +30,7 @@ typedef int16_t s16 __attribute__((vector_size(32)));
 // 64-byte vectors on the others.
 typedef double d4 __attribute__((vector_size(32)));
 typedef int64_t l4 __attribute__((vector_size(32)));
+typedef uint64_t ul4 __attribute__((vector_size(32)));
 typedef rhw_int4 i4;
 typedef int32_t i2 __attribute__((vector_size(8)));
 typedef int64_t l2 __attribute__((vector_size(16)));
@@ -47,6 +48,13 @@ RHW_INLINE f8 f8_splat(float v)
 RHW_INLINE i8 i8_splat(int32_t v)
 {
     return rhw_splat_int(v);
+}
+
+RHW_INLINE ul4 ul4_load(const void *p)
+{
+    ul4 v;
+    memcpy(&v, p, sizeof v);
+    return v;
 }
 
 RHW_INLINE i4 i4_load(const void *p)

@@ -171,15 +171,14 @@ RHW_INLINE i4 i4_bytes_from_f4(const f4 channel[4])
 }
 #endif
 
-// Four channels of 8 texels, byte 0 of each from channel 0: rounded to nearest, ties to even; NaN and what is below 0
-// give 0, what is above 255 gives 255.
-RHW_INLINE i8 i8_bytes_from_f8(const f8 channel[4])
+// Four channels of 8 texels, byte 0 of each from channel 0: rounded to nearest, ties to even; what is below 0 gives 0,
+// what is above 255 gives 255. For values below 2^31.
+RHW_INLINE i8 i8_bytes_from_small_f8(const f8 channel[4])
 {
 #if defined(__AVX2__)
-    const __m256 most = _mm256_set1_ps(255.0f);
     __m256i rounded[4];
-    for (int i = 0; i < 4; i++) { // of a NaN the minimum is the second operand, and the integer INT32_MIN
-        rounded[i] = _mm256_cvtps_epi32(_mm256_min_ps(most, (__m256)channel[i]));
+    for (int i = 0; i < 4; i++) {
+        rounded[i] = _mm256_cvtps_epi32((__m256)channel[i]);
     }
     const __m256i bytes = _mm256_packus_epi16(_mm256_packs_epi32(rounded[0], rounded[1]),
                                               _mm256_packs_epi32(rounded[2], rounded[3]));
@@ -202,6 +201,21 @@ RHW_INLINE i8 i8_bytes_from_f8(const f8 channel[4])
         texel |= ((i8)(value + f8_splat(0x1p23f)) & 0xff) << (8 * i);
     }
     return texel;
+#endif
+}
+
+// The same for any value; NaN gives 0.
+RHW_INLINE i8 i8_bytes_from_f8(const f8 channel[4])
+{
+#if defined(__AVX2__)
+    const __m256 most = _mm256_set1_ps(255.0f);
+    f8 small[4];
+    for (int i = 0; i < 4; i++) { // of a NaN the minimum is the second operand, and the integer INT32_MIN
+        small[i] = (f8)_mm256_min_ps(most, (__m256)channel[i]);
+    }
+    return i8_bytes_from_small_f8(small);
+#else
+    return i8_bytes_from_small_f8(channel);
 #endif
 }
 

@@ -21,6 +21,21 @@ RHW_INLINE uint64_t test_block(struct tile_work *work, const struct planes *plan
     return passed;
 }
 
+// The same by the rule of the draw.
+static uint64_t test_block_early(struct tile_work *work, const struct planes *planes,
+                                 const struct block_planes *block, int x, int y, uint64_t mask)
+{
+    switch (work->common) {
+    case RULE_LESS: return test_block(work, planes, block, x, y, mask, common_rules[RULE_LESS]);
+    case RULE_GREATER: return test_block(work, planes, block, x, y, mask, common_rules[RULE_GREATER]);
+    case RULE_MARK_LESS: return test_block(work, planes, block, x, y, mask, common_rules[RULE_MARK_LESS]);
+    case RULE_MARK_GREATER:
+        return test_block(work, planes, block, x, y, mask, common_rules[RULE_MARK_GREATER]);
+    case RULE_TAKE: return test_block(work, planes, block, x, y, mask, common_rules[RULE_TAKE]);
+    default: return test_block(work, planes, block, x, y, mask, work->early);
+    }
+}
+
 // The same where fragments keep their depth or it is clamped; test_block is the common road.
 static uint64_t depth_block(struct tile_work *work, const struct triangle_work *triangle,
                             const struct block_planes *block, const struct block_place *at, int x, int y,
@@ -46,6 +61,13 @@ static uint64_t depth_block(struct tile_work *work, const struct triangle_work *
     return passed;
 }
 
+RHW_INLINE struct block_place block_place(const struct tile_work *work, const struct planes *planes, int x,
+                                          int y)
+{
+    return (struct block_place){d8_from_i8(i8_splat(work->x + x - planes->anchor_x) + rhw_lane_index),
+                                d8_from_i8(i8_splat(work->y + y - planes->anchor_y) + rhw_lane_index)};
+}
+
 static void load_vertices(struct triangle_work *triangle)
 {
     for (int i = 0; i < 3; i++) {
@@ -69,9 +91,11 @@ static void draw_block(struct tile_work *work, struct triangle_work *triangle, i
 {
     if (work->phase == PHASE_BACKWARDS) {
         mask = take_block(work, x, y, mask);
-        if (mask == 0) {
-            return;
-        }
+    } else if (work->common == RULE_TAKE) {
+        mask &= block_bits(&work->scratch->open[y], x);
+    }
+    if (mask == 0) {
+        return;
     }
     if (work->constant && !work->needs_depth) { // no number of the triangle is wanted
         work->counters->fragments += (uint64_t)__builtin_popcountll(mask);
@@ -82,8 +106,7 @@ static void draw_block(struct tile_work *work, struct triangle_work *triangle, i
         setup_planes(work, triangle);
     }
     const struct planes *const planes = &triangle->planes;
-    const struct block_place at = {d8_from_i8(i8_splat(work->x + x - planes->anchor_x) + rhw_lane_index),
-                                   d8_from_i8(i8_splat(work->y + y - planes->anchor_y) + rhw_lane_index)};
+    const struct block_place at = block_place(work, planes, x, y);
     const bool is_cut = triangle->t->flags & RHW_TRIANGLE_POLYGON && block_is_cut(planes, &at);
     struct block_planes block;
     f8 z[RHW_BLOCK];
@@ -91,10 +114,8 @@ static void draw_block(struct tile_work *work, struct triangle_work *triangle, i
         block_depth(&block, planes, &at);
         if (work->keeps_depth || triangle->t->flags & RHW_TRIANGLE_CLAMP) {
             mask = depth_block(work, triangle, &block, &at, x, y, mask, is_cut, z);
-        } else if (is_plain_less(work->early)) {
-            mask = test_block(work, planes, &block, x, y, mask, plain_less);
         } else {
-            mask = test_block(work, planes, &block, x, y, mask, work->early);
+            mask = test_block_early(work, planes, &block, x, y, mask);
         }
     }
     work->counters->fragments += work->shades ? (uint64_t)__builtin_popcountll(mask) : 0;

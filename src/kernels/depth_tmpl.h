@@ -43,12 +43,26 @@ static bool tests_early(const struct tile_work *work)
     return work->depth_mode == DEPTH_EARLY || work->depth_mode == DEPTH_EARLY_REJECT;
 }
 
-// The commonest rule, a constant for the loops that test.
-static const struct depth_rule plain_less = {RHW_COMPARE_LESS, true, OPEN_IGNORED};
+// What opaque draws ask for, in one phase and in two: constants for the loops that test.
+enum common_rule { RULE_LESS, RULE_GREATER, RULE_MARK_LESS, RULE_MARK_GREATER, RULE_TAKE, RULE_OTHER };
 
-static bool is_plain_less(const struct depth_rule rule)
+static const struct depth_rule common_rules[RULE_OTHER] = {
+    [RULE_LESS] = {RHW_COMPARE_LESS, true, OPEN_IGNORED},
+    [RULE_GREATER] = {RHW_COMPARE_GREATER, true, OPEN_IGNORED},
+    [RULE_MARK_LESS] = {RHW_COMPARE_LESS, true, OPEN_MARK},
+    [RULE_MARK_GREATER] = {RHW_COMPARE_GREATER, true, OPEN_MARK},
+    [RULE_TAKE] = {RHW_COMPARE_EQUAL, false, OPEN_TAKE},
+};
+
+static enum common_rule common_rule(const struct depth_rule rule)
 {
-    return rule.compare == RHW_COMPARE_LESS && rule.write && rule.open == OPEN_IGNORED;
+    for (int i = 0; i < RULE_OTHER; i++) {
+        const struct depth_rule common = common_rules[i];
+        if (rule.compare == common.compare && rule.write == common.write && rule.open == common.open) {
+            return (enum common_rule)i;
+        }
+    }
+    return RULE_OTHER;
 }
 
 RHW_INLINE i8 passes(const struct depth_rule rule, f8 z, f8 stored, unsigned open)
@@ -72,7 +86,15 @@ RHW_INLINE unsigned take_row(struct tile_work *work, int x, int y, unsigned bits
     return bits;
 }
 
-// The same with a block: bit 8·row + column.
+// Of a bit per pixel by row, those of the block at x in 8 rows: bit 8·row + column.
+RHW_INLINE uint64_t block_bits(const uint64_t rows[RHW_BLOCK], int x)
+{
+    const ul4 byte = {0xff, 0xff, 0xff, 0xff}, upper = {0, 8, 16, 24}, lower = {32, 40, 48, 56};
+    const ul4 bits = (ul4_load(rows) >> x & byte) << upper | (ul4_load(rows + 4) >> x & byte) << lower;
+    return bits[0] | bits[1] | bits[2] | bits[3];
+}
+
+// take_row with a block.
 static uint64_t take_block(struct tile_work *work, int x, int y, uint64_t mask)
 {
     uint64_t taken = 0;
@@ -82,26 +104,38 @@ static uint64_t take_block(struct tile_work *work, int x, int y, uint64_t mask)
     return taken;
 }
 
-// Tests the fragments of a row that are set in `bits`, x of the first; returns those that pass. `rule` is a constant
-// where a call names it.
-RHW_INLINE unsigned test_row(struct tile_work *work, int x, int y, f8 z, unsigned bits,
-                             const struct depth_rule rule)
+// Tests the fragments of a row in the lanes of `live`, x of the first, and writes their depth; returns those that pass.
+// `rule` is a constant where a call names it.
+RHW_INLINE i8 test_lanes(struct tile_work *work, int x, int y, f8 z, i8 live, const struct depth_rule rule)
 {
     float *const texels = stored_depth(work, x, y);
-    uint64_t *const open = &work->scratch->open[y];
     const f8 stored = f8_load(texels);
-    const i8 pass =
-        i8_from_bits(bits) & passes(rule, z, stored, rule.open >= OPEN_TAKE ? (unsigned)(*open >> x) : 0);
+    const unsigned open = rule.open >= OPEN_TAKE ? (unsigned)(work->scratch->open[y] >> x) : 0;
+    const i8 pass = live & passes(rule, z, stored, open);
     if (rule.write) {
         f8_store(texels, f8_select(pass, z, stored));
     }
-    const unsigned passed = i8_sign_bits(pass);
+    return pass;
+}
+
+// What a test does to the open pixels of a row; `passed`: the lanes that passed it.
+RHW_INLINE void mark_row(struct tile_work *work, int x, int y, unsigned passed, const struct depth_rule rule)
+{
+    uint64_t *const open = &work->scratch->open[y];
     if (rule.open == OPEN_MARK) {
         *open |= (uint64_t)passed << x;
         work->hit = work->hit || passed != 0;
     } else if (rule.open == OPEN_TAKE || rule.open == OPEN_CLOSE) {
         *open &= ~((uint64_t)passed << x);
     }
+}
+
+// Both, with the fragments that are set in `bits`.
+RHW_INLINE unsigned test_row(struct tile_work *work, int x, int y, f8 z, unsigned bits,
+                             const struct depth_rule rule)
+{
+    const unsigned passed = i8_sign_bits(test_lanes(work, x, y, z, i8_from_bits(bits), rule));
+    mark_row(work, x, y, passed, rule);
     return passed;
 }
 

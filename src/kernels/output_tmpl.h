@@ -74,8 +74,8 @@ static inline void output_rgba8_over(const struct output_state *state, const f8 
     for (int i = 0; i < 3; i++) {
         result[i] = rhw_saturate(color[i]) * color_scale + output_byte(old, 8 * i) * keep;
     }
-    result[3] = alpha * alpha_scale + rhw_to_float((i8)(((rhw_int)old >> 24) & 0xff)) * keep;
-    const i8 packed = i8_bytes_from_f8(result); // ONE may carry the sum beyond 255
+    result[3] = alpha * alpha_scale + rhw_to_float((i8)((u8)old >> 24)) * keep;
+    const i8 packed = i8_bytes_from_small_f8(result); // ONE may carry the sum beyond 255
     const i8 written = mask & (i8)i8_splat((int32_t)state->texel_mask);
     i8_store(texels, old ^ ((old ^ packed) & written));
 }

@@ -327,10 +327,12 @@ struct weights {
     d8 s, inverse_s;
 };
 
-RHW_INLINE struct weights weights_row(const struct planes *p, const struct block_planes *block, int row)
+// `exact`: of the planes.
+RHW_INLINE struct weights weights_row(const struct planes *p, const struct block_planes *block, int row,
+                                      bool exact)
 {
     d8 s, b, c;
-    if (__builtin_expect(p->exact, 0)) {
+    if (exact) {
         const d8 e1 = plane_row(&block->e1, row), e2 = plane_row(&block->e2, row);
         s = combine_rows(p, QUANTITY_S, e1, e2);
         b = d8_mul(d8_splat(p->factors.f1[QUANTITY_B]), e1);

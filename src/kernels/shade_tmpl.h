@@ -141,7 +141,7 @@ static void fill_group(const struct tile_work *work, int g, const struct triangl
     const struct planes *const planes = &triangle->planes;
     const uint32_t uses = pipeline->def.program.uses;
     struct rhw_fragment *const group = &work->scratch->groups[g];
-    struct weights w = weights_row(planes, block, row);
+    struct weights w = weights_row(planes, block, row, planes->exact);
     d8 wide_s, wide_t;
     screen_weights_row(planes, block, row, &wide_s, &wide_t);
     if (is_cut) {
@@ -182,6 +182,29 @@ struct block_rows {
 static const struct block_rows all_rows = {
     RHW_BLOCK, {0, 1, 2, 3, 4, 5, 6, 7}, {255, 255, 255, 255, 255, 255, 255, 255}};
 
+// The perspective weights of the rows' groups, and their derivatives where they are asked for.
+struct row_weights {
+    f8 b[RHW_BLOCK], c[RHW_BLOCK], b_dx[RHW_BLOCK], b_dy[RHW_BLOCK], c_dx[RHW_BLOCK], c_dy[RHW_BLOCK];
+};
+
+RHW_INLINE void weigh_rows(struct row_weights *to, const struct planes *planes,
+                           const struct block_planes *block, const struct block_place *at,
+                           const struct block_rows *rows, bool derivatives, bool exact)
+{
+    double dy[RHW_BLOCK];
+    memcpy(dy, &at->dy, sizeof dy);
+    for (int n = 0; n < rows->count; n++) {
+        const int row = rows == &all_rows ? n : rows->row[n];
+        const struct weights w = weights_row(planes, block, row, exact);
+        to->b[n] = w.b;
+        to->c[n] = w.c;
+        if (derivatives) {
+            weight_derivatives(planes->b_slope, at->dx, dy[row], w.inverse_s, &to->b_dx[n], &to->b_dy[n]);
+            weight_derivatives(planes->c_slope, at->dx, dy[row], w.inverse_s, &to->c_dx[n], &to->c_dy[n]);
+        }
+    }
+}
+
 // Fills groups `first` on with smooth varyings and, where they are asked for, derivatives.
 RHW_INLINE void fill_rows(const struct tile_work *work, const struct triangle_work *triangle,
                           const struct block_planes *block, const struct block_place *at,
@@ -190,25 +213,18 @@ RHW_INLINE void fill_rows(const struct tile_work *work, const struct triangle_wo
     const struct rhw_pipeline_data *const pipeline = work->pipeline;
     const struct planes *const planes = &triangle->planes;
     const int components = pipeline->varying_components, count = rows->count;
-    f8 b[RHW_BLOCK], c[RHW_BLOCK], b_dx[RHW_BLOCK], b_dy[RHW_BLOCK], c_dx[RHW_BLOCK], c_dy[RHW_BLOCK];
-    double dy[RHW_BLOCK];
-    memcpy(dy, &at->dy, sizeof dy);
-    for (int n = 0; n < count; n++) {
-        const int row = rows == &all_rows ? n : rows->row[n];
-        const struct weights w = weights_row(planes, block, row);
-        b[n] = w.b;
-        c[n] = w.c;
-        if (derivatives) {
-            weight_derivatives(planes->b_slope, at->dx, dy[row], w.inverse_s, &b_dx[n], &b_dy[n]);
-            weight_derivatives(planes->c_slope, at->dx, dy[row], w.inverse_s, &c_dx[n], &c_dy[n]);
-        }
+    struct row_weights weights;
+    if (__builtin_expect(planes->exact, 0)) {
+        weigh_rows(&weights, planes, block, at, rows, derivatives, true);
+    } else {
+        weigh_rows(&weights, planes, block, at, rows, derivatives, false);
     }
     f8 *const varyings = work->scratch->varyings + first * components;
     for (int i = 0; i < components; i++) {
         const f8 i0 = f8_splat(triangle->i0[i]), d1 = f8_splat(triangle->d1[i]),
                  d2 = f8_splat(triangle->d2[i]);
         for (int n = 0; n < count; n++) {
-            varyings[n * components + i] = i0 - (b[n] * d1 + c[n] * d2);
+            varyings[n * components + i] = i0 - (weights.b[n] * d1 + weights.c[n] * d2);
         }
     }
     if (!derivatives) {
@@ -219,8 +235,8 @@ RHW_INLINE void fill_rows(const struct tile_work *work, const struct triangle_wo
     for (int i = 0; i < components; i++) {
         const f8 d1 = f8_splat(-triangle->d1[i]), d2 = f8_splat(-triangle->d2[i]);
         for (int n = 0; n < count && pipeline->component_derivatives[i]; n++) {
-            ddx[n * components + i] = b_dx[n] * d1 + c_dx[n] * d2;
-            ddy[n * components + i] = b_dy[n] * d1 + c_dy[n] * d2;
+            ddx[n * components + i] = weights.b_dx[n] * d1 + weights.c_dx[n] * d2;
+            ddy[n * components + i] = weights.b_dy[n] * d1 + weights.c_dy[n] * d2;
         }
     }
 }
@@ -244,18 +260,19 @@ RHW_INLINE void add_rows(struct tile_work *work, const struct triangle_work *tri
                          const struct block_planes *block, const struct block_place *at, int x, int y,
                          const struct block_rows *rows, const f8 z[RHW_BLOCK], bool is_cut)
 {
-    struct rhw_tile_scratch *const scratch = work->scratch;
     const int first = work->count;
+    struct rhw_group_places *const places = &work->scratch->places;
+    struct rhw_fragment *const groups = &work->scratch->groups[first];
     for (int n = 0; n < rows->count; n++) {
         const int row = rows->row[n];
-        scratch->places.at[first + n] = (uint16_t)((y + row) * RHW_TILE + x);
-        scratch->places.bits[first + n] = rows->bits[n];
-        scratch->places.packed[first + n] = false;
+        places->at[first + n] = (uint16_t)((y + row) * RHW_TILE + x);
+        places->bits[first + n] = rows->bits[n];
+        places->packed[first + n] = false;
         if (rows != &all_rows) {
             set_pending(work, x, y + row, rows->bits[n]);
             work->all_full = work->all_full && rows->bits[n] == 0xff;
         }
-        scratch->groups[first + n].mask = i8_from_bits(rows->bits[n]);
+        groups[n].mask = i8_from_bits(rows->bits[n]);
     }
     if (work->wants) {
         fill_wanted(work, triangle, rows, first, z);
@@ -282,11 +299,7 @@ RHW_INLINE bool any_pending(const struct tile_work *work, int x, int y, uint64_t
     if (work->whole & (block_bit(x, y) | block_bit(x7, y) | block_bit(x, y7) | block_bit(x7, y7))) {
         return true; // of a block that overlaps this one; it need not be the same pixels
     }
-    uint64_t taken = 0;
-    for (int row = 0; row < RHW_BLOCK && work->rows_pending; row++) {
-        taken |= work->scratch->pending[y + row] >> x & mask >> (8 * row);
-    }
-    return (taken & 0xff) != 0;
+    return work->rows_pending && (block_bits(&work->scratch->pending[y], x) & mask) != 0;
 }
 
 // Collects the fragments of a block whose bits are set in `mask`: rows with few of them are packed.

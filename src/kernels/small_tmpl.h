@@ -1,66 +1,94 @@
 // SPDX-License-Identifier: MIT
 // Triangles that are small beside a tile: what meshes are made of. Their edges fit into 32 bits, and their blocks of
-// 8×8 pixels start where the triangle does instead of at multiples of 8, so that few of them are mostly empty.
+// 8×8 pixels start where the triangle does instead of at multiples of 8, so that few of them are mostly empty. Coverage and
+// the early depth test of a row are one step: what is covered stays a mask of lanes.
 // Template: compiled once per instruction set.
 
 #include "batch_tmpl.h"
 
-// A row of 8 pixels, edge by edge.
-struct small_row {
+// A block in the tile, and the pixels of it that may be drawn; x1 and y1 exclusive.
+struct small_block {
+    int x, y, x0, y0, x1, y1;
+};
+
+// Edges at 8 pixels in a row, and what they change by to the next row.
+struct small_edges {
     i8 q[3], step[3];
 };
 
-// Of triangle i of the batch, at (x, y) of its edges.
-RHW_INLINE struct small_row small_row_first(const struct batch *batch, int i)
+// Of triangle i of the batch at the block's first column, row y0. False where the block is outside of one. `first`: it is
+// the triangle's first block.
+RHW_INLINE bool small_edges(struct small_edges *edges, const struct batch *batch, int i,
+                            const struct small_block *block, bool first)
 {
-    struct small_row row;
-    for (int e = 0; e < 3; e++) {
-        row.q[e] = i8_splat(batch->q[e][i]) + i8_splat(batch->a[e][i]) * rhw_lane_index;
-        row.step[e] = i8_splat(batch->b[e][i]);
-    }
-    return row;
-}
-
-// The lanes that are covered; goes on to the next row.
-RHW_INLINE unsigned small_row_next(struct small_row *row)
-{
-    const unsigned outside = i8_sign_bits(row->q[0] | row->q[1] | row->q[2]);
-    for (int i = 0; i < 3; i++) {
-        row->q[i] += row->step[i];
-    }
-    return ~outside;
-}
-
-// Bit 8·row + column of the block whose first pixel is (x, y) in the tile.
-RHW_INLINE uint64_t small_mask(const struct batch *batch, int i, int x, int y)
-{
-    struct small_row row;
     for (int e = 0; e < 3; e++) {
         const int a = batch->a[e][i], b = batch->b[e][i];
-        const int q = batch->q[e][i] + a * (x - batch->x[i]) + b * (y - batch->y0[i]);
-        if (q + (RHW_BLOCK - 1) * (max_int(a, 0) + max_int(b, 0)) < 0) {
-            return 0;
+        int q = batch->q[e][i];
+        if (!first) {
+            q += a * (block->x - batch->x[i]) + b * (block->y0 - batch->y0[i]);
+            if (q + (RHW_BLOCK - 1) * (max_int(a, 0) + max_int(b, 0)) < 0) {
+                return false;
+            }
         }
-        row.q[e] = i8_splat(q) + i8_splat(a) * rhw_lane_index;
-        row.step[e] = i8_splat(b);
+        edges->q[e] = i8_splat(q) + i8_splat(a) * rhw_lane_index;
+        edges->step[e] = i8_splat(b);
     }
-    uint64_t mask = 0;
-    for (int y_row = 0; y_row < RHW_BLOCK; y_row++) {
-        mask |= (uint64_t)(small_row_next(&row) & 0xff) << (8 * y_row);
-    }
-    return mask;
+    return true;
 }
 
-static void small_collect(struct tile_work *work, struct triangle_work *triangle, int x, int y, unsigned bits)
+// The pixels of the block that triangle i covers and that pass the depth test, which writes their depth; bit
+// 8·row + column. `first`: it is the triangle's first block; `tests`: there is an early test; `rule` is how, a constant where a call names it.
+RHW_INLINE uint64_t small_test(struct tile_work *work, const struct batch *batch, int i,
+                               const struct small_block *block, bool first, bool tests,
+                               const struct depth_rule rule)
 {
-    work->counters->fragments += (unsigned)__builtin_popcount(bits);
-    if (row_is_pending(work, x, y, bits)) {
-        flush(work);
+    struct small_edges edges;
+    if (!small_edges(&edges, batch, i, block, first)) {
+        return 0;
     }
-    if (triangle->packed < 0) {
-        pack_triangle(work, triangle);
+    const struct plane z = linear_plane(&batch->linear[i], QUANTITY_Z);
+    const i8 dx = i8_splat(work->x + block->x - batch->anchor_x[i]) + rhw_lane_index;
+    const d8 z_column = d8_mul(d8_splat(z.dx), d8_from_i8(dx));
+    double dy = work->y + block->y0 - batch->anchor_y[i];
+    // Negative where a column is not to be drawn.
+    const i8 sides = (rhw_lane_index - i8_splat(block->x0 - block->x)) |
+                     (i8_splat(block->x1 - block->x - 1) - rhw_lane_index);
+    uint64_t passed = 0;
+    for (int y = block->y0; y < block->y1; y++) {
+        i8 inside = ~((edges.q[0] | edges.q[1] | edges.q[2] | sides) >> 31);
+        if (tests) {
+            const f8 depth = f8_from_d8(d8_add(z_column, d8_splat(z.at + z.dy * dy)));
+            inside = test_lanes(work, block->x, y, depth, inside, rule);
+        }
+        const unsigned bits = i8_sign_bits(inside);
+        if (tests) {
+            mark_row(work, block->x, y, bits, rule);
+        }
+        passed |= (uint64_t)bits << (8 * (y - block->y));
+        for (int e = 0; e < 3; e++) {
+            edges.q[e] += edges.step[e];
+        }
+        dy += 1;
     }
-    pack_row(work, triangle, x, y, bits);
+    return passed;
+}
+
+// The same as the draw asks.
+RHW_INLINE uint64_t small_pixels(struct tile_work *work, const struct batch *batch, int i,
+                                 const struct small_block *block, bool first)
+{
+    if (!tests_early(work)) {
+        return small_test(work, batch, i, block, first, false, work->early);
+    }
+    switch (work->common) {
+    case RULE_LESS: return small_test(work, batch, i, block, first, true, common_rules[RULE_LESS]);
+    case RULE_GREATER: return small_test(work, batch, i, block, first, true, common_rules[RULE_GREATER]);
+    case RULE_MARK_LESS: return small_test(work, batch, i, block, first, true, common_rules[RULE_MARK_LESS]);
+    case RULE_MARK_GREATER:
+        return small_test(work, batch, i, block, first, true, common_rules[RULE_MARK_GREATER]);
+    case RULE_TAKE: return small_test(work, batch, i, block, first, true, common_rules[RULE_TAKE]);
+    default: return small_test(work, batch, i, block, first, true, work->early);
+    }
 }
 
 // Takes what packing needs of the planes from the batch.
@@ -68,70 +96,83 @@ RHW_INLINE void take_planes(struct triangle_work *triangle, const struct batch *
 {
     struct planes *const planes = &triangle->planes;
     planes->exact = planes->wide = planes->homogeneous = false;
-    planes->anchor_x = triangle->t->x_24_8[0] >> RHW_SUBPIXEL_BITS;
-    planes->anchor_y = triangle->t->y_24_8[0] >> RHW_SUBPIXEL_BITS;
+    planes->anchor_x = batch->anchor_x[i];
+    planes->anchor_y = batch->anchor_y[i];
     planes->linear = batch->linear[i];
     planes->factors.inverse_area = batch->inverse_area[i]; // for planes_slopes
     memcpy(triangle->v, batch->vertex[i], sizeof triangle->v);
     triangle->planes_ready = true;
 }
 
-// Draws triangle i of the batch, which is neither wider nor higher than a block, row by row: coverage, depth, packing.
-// `tests`: depth is tested before shading; `rule` is how, a constant where a call names it.
-RHW_INLINE void small_rows(struct tile_work *work, struct triangle_work *triangle, const struct batch *batch,
-                           int i, bool tests, const struct depth_rule rule)
+// Packs the pixels of a block.
+static void small_pack(struct tile_work *work, struct triangle_work *triangle, int x, int y, uint64_t mask)
 {
-    const int x0 = batch->x0[i], x = batch->x[i], end = batch->y1[i];
-    const unsigned columns = (0xffu << (x0 - x)) & (0xffu >> (RHW_BLOCK - (batch->x1[i] - x)));
-    const struct planes *const planes = &triangle->planes;
-    struct small_row edges = small_row_first(batch, i);
-    const d8 z_column = d8_mul(d8_splat(planes->linear.dx[QUANTITY_Z]),
-                               d8_from_i8(i8_splat(work->x + x - planes->anchor_x) + rhw_lane_index));
-    for (int y = batch->y0[i]; y < end; y++) {
-        unsigned bits = small_row_next(&edges) & columns;
-        if (bits == 0) {
-            continue;
-        }
-        if (tests) {
-            const double row = planes->linear.at[QUANTITY_Z] +
-                               planes->linear.dy[QUANTITY_Z] * (double)(work->y + y - planes->anchor_y);
-            const f8 z = f8_from_d8(d8_add(z_column, d8_splat(row)));
-            bits = test_row(work, x, y, z, bits, rule);
-        } else if (work->phase == PHASE_BACKWARDS) {
-            bits = take_row(work, x, y, bits);
-        }
-        if (bits != 0 && work->shades) {
-            small_collect(work, triangle, x, y, bits);
+    if (any_pending(work, x, y, mask)) {
+        flush(work);
+    }
+    if (triangle->packed < 0) {
+        pack_triangle(work, triangle);
+    }
+    for (; mask != 0; mask >>= RHW_BLOCK, y++) {
+        if (mask & 0xff) {
+            pack_row(work, triangle, x, y, (unsigned)mask & 0xff);
         }
     }
 }
 
-static void draw_small_rows(struct tile_work *work, struct triangle_work *triangle, const struct batch *batch,
-                            int i)
+// The pixels of triangle i in the block, of which the batch has all there is to know. `fits`: it has no others.
+RHW_INLINE void draw_small_block(struct tile_work *work, struct triangle_work *triangle,
+                                 const struct batch *batch, int i, const struct small_block *block, bool fits)
 {
-    if (!tests_early(work)) {
-        small_rows(work, triangle, batch, i, false, work->early);
-    } else if (is_plain_less(work->early)) {
-        small_rows(work, triangle, batch, i, true, plain_less);
-    } else {
-        small_rows(work, triangle, batch, i, true, work->early);
+    uint64_t mask = small_pixels(work, batch, i, block, fits);
+    if (work->phase == PHASE_BACKWARDS) {
+        mask = take_block(work, block->x, block->y, mask);
+    }
+    if (mask == 0 || !work->shades) {
+        return;
+    }
+    work->counters->fragments += (uint64_t)__builtin_popcountll(mask);
+    if (!triangle->planes_ready) {
+        take_planes(triangle, batch, i);
+    }
+    if (fits) {
+        small_pack(work, triangle, block->x, block->y, mask);
+        return;
+    }
+    const struct block_place at = block_place(work, &triangle->planes, block->x, block->y);
+    struct block_planes planes;
+    collect_block(work, triangle, &planes, &at, block->x, block->y, mask, NULL, false);
+}
+
+// A triangle that needs more than the batch has.
+RHW_INLINE void draw_other_block(struct tile_work *work, struct triangle_work *triangle,
+                                 const struct batch *batch, int i, const struct small_block *block)
+{
+    const uint64_t mask = small_test(work, batch, i, block, false, false, work->early);
+    if (mask != 0) {
+        draw_block(work, triangle, block->x, block->y, mask);
     }
 }
 
-static void draw_small_blocks(struct tile_work *work, struct triangle_work *triangle,
-                              const struct batch *batch, int i)
+// The block of triangle i from (x, y) on, moved where it would reach over the tile's end.
+RHW_INLINE struct small_block small_block(const struct batch *batch, int i, int x, int y)
 {
-    const int x1 = batch->x1[i], y1 = batch->y1[i];
-    for (int y0 = batch->y0[i]; y0 < y1; y0 += RHW_BLOCK) {
-        const int y = min_int(y0, RHW_TILE - RHW_BLOCK); // so that the block stays in the tile
-        for (int x0 = batch->x0[i]; x0 < x1; x0 += RHW_BLOCK) {
-            const int x = min_int(x0, RHW_TILE - RHW_BLOCK);
-            uint64_t mask = small_mask(batch, i, x, y);
-            if (work->scissored || x != x0 || y != y0) {
-                mask &= rect_mask(x, y, x0, y0, x1, y1);
-            }
-            if (mask != 0) {
-                draw_block(work, triangle, x, y, mask);
+    return (
+        struct small_block){min_int(x, RHW_TILE - RHW_BLOCK),     min_int(y, RHW_TILE - RHW_BLOCK),    x, y,
+                            min_int(x + RHW_BLOCK, batch->x1[i]), min_int(y + RHW_BLOCK, batch->y1[i])};
+}
+
+static __attribute__((noinline)) void draw_small_blocks(struct tile_work *work,
+                                                        struct triangle_work *triangle,
+                                                        const struct batch *batch, int i, bool taken)
+{
+    for (int y = batch->y0[i]; y < batch->y1[i]; y += RHW_BLOCK) {
+        for (int x = batch->x0[i]; x < batch->x1[i]; x += RHW_BLOCK) {
+            const struct small_block block = small_block(batch, i, x, y);
+            if (taken) {
+                draw_small_block(work, triangle, batch, i, &block, false);
+            } else {
+                draw_other_block(work, triangle, batch, i, &block);
             }
         }
     }
@@ -140,14 +181,12 @@ static void draw_small_blocks(struct tile_work *work, struct triangle_work *tria
 static void draw_small(struct tile_work *work, struct triangle_work *triangle, const struct batch *batch,
                        int i)
 {
-    // Where no screen weights are wanted, the batch has all there is to know.
+    // Where no screen weights are wanted the batch has all there is to know, but for depth that rows of 8 keep.
     const bool taken = (work->packs || !work->shades) && !(batch->inexact >> i & 1);
-    if (taken) {
-        take_planes(triangle, batch, i);
-    }
     if (taken && batch->x1[i] - batch->x0[i] <= RHW_BLOCK && batch->y1[i] - batch->y0[i] <= RHW_BLOCK) {
-        draw_small_rows(work, triangle, batch, i);
+        const struct small_block block = small_block(batch, i, batch->x0[i], batch->y0[i]);
+        draw_small_block(work, triangle, batch, i, &block, true);
     } else {
-        draw_small_blocks(work, triangle, batch, i);
+        draw_small_blocks(work, triangle, batch, i, taken && !work->keeps_depth);
     }
 }

@@ -27,6 +27,7 @@ static void set_depth(struct tile_work *work, const struct rhw_pipeline_def *def
         work->early.open = OPEN_TRY;
         work->late.open = OPEN_CLOSE;
     }
+    work->common = common_rule(work->early);
 }
 
 static void set_state(struct tile_work *work, const struct rhw_draw_state *state)

@@ -63,7 +63,9 @@ RHW_INLINE void merge_target(const struct tile_work *work, int t, enum output_ki
     unsigned char *const texels = scratch->color[t];
     const struct rhw_group_places *const places = &scratch->places;
     const int count = work->count;
-    if (kind == OUTPUT_RGBA8_REPLACE && work->all_full) {
+    const bool replaces = kind == OUTPUT_RGBA8_REPLACE;
+    if (work->all_full && (replaces || (kind == OUTPUT_RGBA8_OVER && state.texel_mask == UINT32_MAX))) {
+        state.texel_mask = UINT32_MAX; // known from here on
         for (int g = 0; g < count; g++) {
             output_group(&state, scratch->outputs[g][t], i8_splat(-1), texels + places->at[g] * size);
         }
@@ -104,13 +106,6 @@ RHW_INLINE void set_pending(struct tile_work *work, int x, int y, unsigned bits)
 {
     work->scratch->pending[y] |= (uint64_t)bits << x;
     work->rows_pending = true;
-}
-
-// x: at most RHW_TILE − RHW_BLOCK.
-RHW_INLINE bool row_is_pending(const struct tile_work *work, int x, int y, unsigned bits)
-{
-    return (work->scratch->pending[y] >> x & bits) != 0 ||
-           (work->whole != 0 && work->whole & (block_bit(x, y) | block_bit(x + RHW_BLOCK - 1, y)));
 }
 
 // Forgets what is pending, but for fragments without a group.
