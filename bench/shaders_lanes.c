@@ -112,9 +112,11 @@ static void texture_fragment(struct rhw_fragment *groups, int count)
     }
 }
 
-// Blinn-Phong with one directional light.
-ALWAYS_INLINE void shade(const struct rhw_fragment *f, const struct bench_uniforms *u,
-                         const rhw_float base[3], rhw_float color[4])
+// Blinn-Phong with one directional light, step by step over all groups: a group by itself is one long chain of
+// operations that wait for each other, and those of the next begin too late to fill the gaps.
+
+ALWAYS_INLINE void light(const struct rhw_fragment *f, const struct bench_uniforms *u, rhw_float *n_dot_l,
+                         rhw_float *n_dot_h)
 {
     rhw_float normal[3], view[3], half[3];
     rhw_normalize(f->varying, normal);
@@ -127,43 +129,65 @@ ALWAYS_INLINE void shade(const struct rhw_fragment *f, const struct bench_unifor
     }
     rhw_normalize(half, half);
     const rhw_float zero = rhw_splat(0.0f);
-    const rhw_float n_dot_l =
-        rhw_max(normal[0] * u->light[0] + normal[1] * u->light[1] + normal[2] * u->light[2], zero);
-    const rhw_float n_dot_h = rhw_max(rhw_dot3(normal, half), zero);
-    const rhw_float gloss = u->specular * rhw_exp2(u->shininess * rhw_log2(n_dot_h));
-    const rhw_float diffuse = u->ambient + (1.0f - u->ambient) * n_dot_l;
-    for (int c = 0; c < 3; c++) {
-        color[c] = base[c] * diffuse + gloss;
+    *n_dot_l = rhw_max(normal[0] * u->light[0] + normal[1] * u->light[1] + normal[2] * u->light[2], zero);
+    *n_dot_h = rhw_max(rhw_dot3(normal, half), zero);
+}
+
+// Groups of one step: few enough to keep what passes between steps near.
+enum { STEP = 8 };
+
+// `base`: one for each of `count` groups, at most STEP.
+ALWAYS_INLINE void shade(struct rhw_fragment *groups, int count, const struct bench_uniforms *u,
+                         const rhw_float (*base)[4])
+{
+    rhw_float n_dot_l[STEP], n_dot_h[STEP];
+    for (int g = 0; g < count; g++) {
+        light(&groups[g], u, &n_dot_l[g], &n_dot_h[g]);
     }
-    color[3] = rhw_splat(1.0f);
+    for (int g = 0; g < count; g++) {
+        n_dot_h[g] = u->shininess * rhw_log2(n_dot_h[g]);
+    }
+    for (int g = 0; g < count; g++) {
+        const rhw_float gloss = u->specular * rhw_exp2(n_dot_h[g]);
+        const rhw_float diffuse = u->ambient + (1.0f - u->ambient) * n_dot_l[g];
+        rhw_float *const color = groups[g].color[0];
+        for (int c = 0; c < 3; c++) {
+            color[c] = base[g][c] * diffuse + gloss;
+        }
+        color[3] = rhw_splat(1.0f);
+    }
 }
 
 static void lit_fragment(struct rhw_fragment *groups, int count)
 {
     const struct bench_uniforms *const u = groups->uniforms;
-    const rhw_float base[3] = {rhw_splat(u->color[0]), rhw_splat(u->color[1]), rhw_splat(u->color[2])};
-    for (int g = 0; g < count; g++) {
-        shade(&groups[g], u, base, groups[g].color[0]);
+    rhw_float base[STEP][4];
+    for (int g = 0; g < STEP; g++) {
+        for (int c = 0; c < 3; c++) {
+            base[g][c] = rhw_splat(u->color[c]);
+        }
+    }
+    for (; count > 0; groups += STEP, count -= STEP) {
+        shade(groups, count < STEP ? count : STEP, u, (const rhw_float(*)[4])base);
     }
 }
 
 ALWAYS_INLINE void shade_textured(struct rhw_fragment *groups, int count, bool masked)
 {
     const struct bench_uniforms *const u = groups->uniforms;
-    for (int g = 0; g < count; g++) {
-        struct rhw_fragment *const f = &groups[g];
-        rhw_float texel[4];
-        sample(f, 6, texel);
-        if (masked) {
-            f->mask &= rhw_less_equal(rhw_splat(u->cutoff), texel[3]);
-            if (!rhw_any(f->mask)) {
-                continue;
+    for (; count > 0; groups += STEP, count -= STEP) {
+        const int n = count < STEP ? count : STEP;
+        rhw_float texel[STEP][4];
+        for (int g = 0; g < n; g++) {
+            sample(&groups[g], 6, texel[g]);
+            if (masked) {
+                groups[g].mask &= rhw_less_equal(rhw_splat(u->cutoff), texel[g][3]);
+            }
+            for (int c = 0; c < 3; c++) {
+                texel[g][c] = texel[g][c] * u->color[c];
             }
         }
-        for (int c = 0; c < 3; c++) {
-            texel[c] = texel[c] * u->color[c];
-        }
-        shade(f, u, texel, f->color[0]);
+        shade(groups, n, u, (const rhw_float(*)[4])texel);
     }
 }
 

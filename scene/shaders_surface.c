@@ -175,13 +175,12 @@ ALWAYS_INLINE void sample_slot(const struct rhw_fragment *f, int at, enum rhw_sl
 // Texels by slot; those of rhw_surface.shared_slots, once they have been sampled, wait for their use.
 typedef rhw_float slot_texels[RHW_SLOT_COUNT][4];
 
-ALWAYS_INLINE void sample_shared(const struct rhw_fragment *f, const struct rhw_surface *s,
-                                 slot_texels texels)
+ALWAYS_INLINE void sample_shared(const struct rhw_fragment *groups, int count, const struct rhw_surface *s,
+                                 slot_texels *texels)
 {
     if (s->shared_slots) {
         const int at = s->slot_varying[__builtin_ctz(s->shared_slots)];
-        const rhw_float gradient[4] = {f->ddx[at], f->ddx[at + 1], f->ddy[at], f->ddy[at + 1]};
-        rhw_sample_slots(f->textures, s->shared_slots, &f->varying[at], gradient, texels);
+        rhw_sample_groups(groups, count, s->shared_slots, at, texels[0], RHW_SLOT_COUNT);
     }
 }
 
@@ -315,13 +314,11 @@ ALWAYS_INLINE void write_output(struct rhw_fragment *f, const struct rhw_surface
     }
 }
 
-ALWAYS_INLINE void shade_lit(struct rhw_fragment *f, const struct rhw_surface *s, bool textured, bool mapped)
+// `texels` has those of shared slots.
+ALWAYS_INLINE void shade_lit(struct rhw_fragment *f, const struct rhw_surface *s, bool textured, bool mapped,
+                             slot_texels texels)
 {
-    slot_texels texels;
     rhw_float base[4];
-    if (textured) {
-        sample_shared(f, s, texels);
-    }
     base_color(f, s, textured, texels, base);
     if (!rhw_any(f->mask)) {
         return;
@@ -371,24 +368,35 @@ static void lit_fragment(struct rhw_fragment *groups, int count)
 {
     const struct rhw_surface *s = groups->uniforms;
     for (int g = 0; g < count; g++) {
-        shade_lit(&groups[g], s, false, false);
+        slot_texels texels;
+        shade_lit(&groups[g], s, false, false, texels);
+    }
+}
+
+// Texels of several groups first, then their light: both are long chains of operations that wait for each other, and the
+// shorter a chain, the sooner the next begins beside it.
+ALWAYS_INLINE void shade_textured(struct rhw_fragment *groups, int count, bool mapped)
+{
+    enum { STEP = 8 };
+    const struct rhw_surface *s = groups->uniforms;
+    for (; count > 0; groups += STEP, count -= STEP) {
+        const int n = count < STEP ? count : STEP;
+        slot_texels texels[STEP];
+        sample_shared(groups, n, s, texels);
+        for (int g = 0; g < n; g++) {
+            shade_lit(&groups[g], s, true, mapped, texels[g]);
+        }
     }
 }
 
 static void textured_fragment(struct rhw_fragment *groups, int count)
 {
-    const struct rhw_surface *s = groups->uniforms;
-    for (int g = 0; g < count; g++) {
-        shade_lit(&groups[g], s, true, false);
-    }
+    shade_textured(groups, count, false);
 }
 
 static void mapped_fragment(struct rhw_fragment *groups, int count)
 {
-    const struct rhw_surface *s = groups->uniforms;
-    for (int g = 0; g < count; g++) {
-        shade_lit(&groups[g], s, true, true);
-    }
+    shade_textured(groups, count, true);
 }
 
 // The base colour as it is: neither light nor tone mapping changes it.

@@ -198,8 +198,10 @@ static void reset(struct rhw_pass_state *pass, const struct rhw_pass_def *def)
     pass->uniforms = NULL;
     pass->uniform_size = 0;
     for (int i = 0; i < RHW_MAX_TEXTURES; i++) {
-        pass->pending_textures[i] = (struct rhw_binding){
-            .sample = pass->context->kernels->sample, .sample_slots = pass->context->kernels->sample_slots};
+        pass->pending_textures[i] =
+            (struct rhw_binding){.sample = pass->context->kernels->sample,
+                                 .sample_slots = pass->context->kernels->sample_slots,
+                                 .sample_groups = pass->context->kernels->sample_groups};
     }
     pass->textures_changed = true;
 }
@@ -365,7 +367,8 @@ void rhw_pass_set_texture(rhw_context *context, rhw_pass id, int slot, rhw_textu
         return;
     }
     struct rhw_binding binding = {.sample = context->kernels->sample,
-                                  .sample_slots = context->kernels->sample_slots};
+                                  .sample_slots = context->kernels->sample_slots,
+                                  .sample_groups = context->kernels->sample_groups};
     if (texture_id.index != 0) {
         struct rhw_texture_data *const texture =
             rhw_context_texture(context, texture_id, "rhw_pass_set_texture");

@@ -68,4 +68,14 @@ struct rhw_fragment1 {
 #include "shader_math.h"
 #include "shader_sample.h"
 
+/// rhw_sample_slots for `count` groups of one call of a fragment function, at coordinates that are varyings with
+/// derivatives: varying `at` and the one after it. Group g has its texels of slot n in texels[g * stride + n]; all groups
+/// have the same textures. In less time than one group after the other: texels of all are on their way at once.
+static inline void rhw_sample_groups(const struct rhw_fragment *groups, int count, uint32_t slots, int at,
+                                     rhw_float (*texels)[4], int stride)
+{
+    const struct rhw_binding *const textures = groups->textures;
+    textures->sample_groups(textures, slots, groups, count, at, texels, stride);
+}
+
 #endif

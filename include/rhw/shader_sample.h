@@ -10,6 +10,8 @@
 #pragma GCC diagnostic ignored "-Wpsabi" // 8 lanes stay inside inline functions; no ABI is crossed
 #endif
 
+struct rhw_fragment;
+
 /// What is bound to one texture slot: the function that samples it, chosen with the context's instruction
 /// set, and its private data. Coordinates u right, v down: (0,0) is the top left corner of the first texel
 /// in memory, (1,1) the bottom right corner of the last.
@@ -22,6 +24,10 @@ struct rhw_binding {
     /// Bit n of `slots`, which is not 0: the sample with `grad` of bindings[n] into texels[n].
     void (*sample_slots)(const struct rhw_binding *bindings, uint32_t slots, const rhw_float uv[2],
                          const rhw_float grad[4], rhw_float (*texels)[4]);
+    /// The same for `count` groups at their varyings `at` and `at + 1`; of group g into texels[g * stride + n].
+    void (*sample_groups)(const struct rhw_binding *bindings, uint32_t slots,
+                          const struct rhw_fragment *groups, int count, int at, rhw_float (*texels)[4],
+                          int stride);
 };
 
 /// Samples with the level of detail that the derivatives give (OpenGL ES 3.0 §3.8.10: log2 of the longer

@@ -10,5 +10,8 @@
 
 extern const struct rhw_kernels RHW_ISA_NAME(rhw_kernels);
 
-const struct rhw_kernels RHW_ISA_NAME(rhw_kernels) = {
-    .chunk = run_chunk, .tile = run_tile, .sample = sample, .sample_slots = sample_slots};
+const struct rhw_kernels RHW_ISA_NAME(rhw_kernels) = {.chunk = run_chunk,
+                                                      .tile = run_tile,
+                                                      .sample = sample,
+                                                      .sample_slots = sample_slots,
+                                                      .sample_groups = sample_groups};

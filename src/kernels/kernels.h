@@ -20,6 +20,10 @@ struct rhw_kernels {
     // Behind rhw_sample_slots.
     void (*sample_slots)(const struct rhw_binding *bindings, uint32_t slots, const rhw_float uv[2],
                          const rhw_float grad[4], rhw_float (*texels)[4]);
+    // Behind rhw_sample_groups.
+    void (*sample_groups)(const struct rhw_binding *bindings, uint32_t slots,
+                          const struct rhw_fragment *groups, int count, int at, rhw_float (*texels)[4],
+                          int stride);
 };
 
 // NULL where this build has no kernels for `isa`; RHW_ISA_BASELINE is always there.

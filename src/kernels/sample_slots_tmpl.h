@@ -113,4 +113,82 @@ static void sample_slots(const struct rhw_binding *bindings, uint32_t slots, con
     }
 }
 
+RHW_INLINE void group_gradient(const struct rhw_fragment *group, int at, f8 grad[4])
+{
+    grad[0] = group->ddx[at];
+    grad[1] = group->ddx[at + 1];
+    grad[2] = group->ddy[at];
+    grad[3] = group->ddy[at + 1];
+}
+
+// Several groups at a time: few enough that their spots and texels stay in the first cache level.
+enum { SPOTS = 8 };
+
+// One texture at the spots of the groups whose bits are set in `found`. Meanwhile asks for texels of the next one.
+RHW_INLINE void sample_spots_groups(const struct rhw_texture_data *texture,
+                                    const struct rhw_texture_data *next,
+                                    const struct sample_spots spots[SPOTS], unsigned found, bool linear,
+                                    f8 (*texels)[4], int stride)
+{
+    for (; found != 0; found &= found - 1) {
+        const int g = __builtin_ctz(found);
+        if (next) {
+            sample_prefetch(next, &spots[g]);
+        }
+        sample_spots_texel(texture, &spots[g], linear, texels[g * stride]);
+    }
+}
+
+// At most SPOTS groups, where slots that share what is found for the first are `sharing`.
+static void sample_some_groups(const struct rhw_binding *bindings, uint32_t slots, uint32_t sharing,
+                               const struct rhw_fragment *groups, int count, int at, f8 (*texels)[4],
+                               int stride)
+{
+    const struct rhw_binding *const first = &bindings[__builtin_ctz(slots)];
+    struct sample_spots spots[SPOTS];
+    f8 grad[4];
+    unsigned found = 0;
+    for (int g = 0; g < count && sharing; g++) {
+        group_gradient(&groups[g], at, grad);
+        if (sample_find_spots(first, &groups[g].varying[at], grad, &spots[g])) {
+            found |= 1u << g;
+            sample_prefetch(first->texture, &spots[g]);
+        }
+    }
+    for (uint32_t todo = slots; todo != 0; todo &= todo - 1) {
+        const int slot = __builtin_ctz(todo);
+        const struct rhw_texture_data *const texture = bindings[slot].texture;
+        const unsigned straight = sharing >> slot & 1 ? found : 0;
+        const uint32_t later = sharing & todo & (todo - 1);
+        const struct rhw_texture_data *const next = later ? bindings[__builtin_ctz(later)].texture : NULL;
+        if (straight && texture->format == RHW_FORMAT_RGBA8_SRGB) {
+            sample_spots_groups(texture, next, spots, straight, true, texels + slot, stride);
+        } else if (straight) {
+            sample_spots_groups(texture, next, spots, straight, false, texels + slot, stride);
+        }
+        for (unsigned rest = ~straight & ((1u << count) - 1); rest != 0; rest &= rest - 1) {
+            const int g = __builtin_ctz(rest);
+            group_gradient(&groups[g], at, grad);
+            sample(&bindings[slot], &groups[g].varying[at], grad, NULL, texels[g * stride + slot]);
+        }
+    }
+}
+
+// See rhw_sample_groups.
+static void sample_groups(const struct rhw_binding *bindings, uint32_t slots,
+                          const struct rhw_fragment *groups, int count, int at, rhw_float (*texels)[4],
+                          int stride)
+{
+    const struct rhw_binding *const first = &bindings[__builtin_ctz(slots)];
+    const struct rhw_texture_data *const texture = first->texture;
+    // By itself a texture is sampled as fast one group after the other, where its texels are near.
+    const bool takes =
+        texture && (slots & (slots - 1)) != 0 && sample_takes_codes(texture->format, first->sampler);
+    const uint32_t sharing = takes ? sample_sharing(bindings, slots, first) : 0;
+    for (int g = 0; g < count; g += SPOTS) {
+        const int n = count - g < SPOTS ? count - g : SPOTS;
+        sample_some_groups(bindings, slots, sharing, groups + g, n, at, texels + g * stride, stride);
+    }
+}
+
 #endif

@@ -26,7 +26,8 @@ static struct rhw_binding bind(rhw_context *context, rhw_texture texture,
     struct rhw_texture_data *const data = rhw_context_texture(context, texture, "test");
     assert_true(rhw_texture_linearize(context, data)); // as rhw_pass_set_texture does
     const struct rhw_kernels *const kernels = rhw_kernels_for(isa);
-    return (struct rhw_binding){kernels->sample, data, sampler, kernels->sample_slots};
+    return (struct rhw_binding){kernels->sample, data, sampler, kernels->sample_slots,
+                                kernels->sample_groups};
 }
 
 // How far a filtered sample may be off: 8-bit formats are filtered with 15-bit weights, and coordinates
@@ -359,6 +360,44 @@ static void expect_slots_as_alone(const struct rhw_binding bindings[SLOTS], uint
     }
 }
 
+enum { GROUPS = 16, VARYINGS = 5 };
+
+// The same for any number of groups, at any varyings.
+static void expect_groups_as_alone(const struct rhw_binding bindings[SLOTS], uint64_t *random)
+{
+    static rhw_float varying[GROUPS][VARYINGS], ddx[GROUPS][VARYINGS], ddy[GROUPS][VARYINGS];
+    static rhw_float texels[GROUPS][SLOTS + 1][4];
+    const uint32_t slots = 1 + (uint32_t)rig_random_int(random, (1 << SLOTS) - 1);
+    const int count = 1 + rig_random_int(random, GROUPS), at = rig_random_int(random, VARYINGS - 1);
+    struct rhw_fragment groups[GROUPS];
+    memset(groups, 0, sizeof groups);
+    memset(texels, 0x5a, sizeof texels);
+    for (int g = 0; g < count; g++) {
+        rhw_float grad[4];
+        random_footprint(random, &varying[g][at], grad);
+        ddx[g][at] = grad[0];
+        ddx[g][at + 1] = grad[1];
+        ddy[g][at] = grad[2];
+        ddy[g][at + 1] = grad[3];
+        groups[g].varying = varying[g];
+        groups[g].ddx = ddx[g];
+        groups[g].ddy = ddy[g];
+        groups[g].textures = bindings;
+    }
+    rhw_sample_groups(groups, count, slots, at, texels[0], SLOTS + 1);
+    for (int g = 0; g < GROUPS; g++) {
+        for (int i = 0; i < SLOTS + 1; i++) {
+            rhw_float alone[4];
+            memset(alone, 0x5a, sizeof alone);
+            if (g < count && slots >> i & 1) {
+                const rhw_float grad[4] = {ddx[g][at], ddx[g][at + 1], ddy[g][at], ddy[g][at + 1]};
+                bindings[i].sample(&bindings[i], &varying[g][at], grad, NULL, alone);
+            }
+            assert_memory_equal(texels[g][i], alone, sizeof alone);
+        }
+    }
+}
+
 // Textures of one size and of others, of every kind of format, with equal samplers and other ones, and none.
 static void test_slots_sampled_at_once(void **state)
 {
@@ -390,6 +429,7 @@ static void test_slots_sampled_at_once(void **state)
         }
         for (int n = 0; n < 100; n++) {
             expect_slots_as_alone(bindings, &random);
+            expect_groups_as_alone(bindings, &random);
         }
         for (int i = 0; i < SLOTS; i++) {
             rhw_texture_destroy(rig.context, textures[i]);
