@@ -1,12 +1,10 @@
 // SPDX-License-Identifier: MIT
-// Meshes into interleaved buffers, images into textures with mip chains, material slots into samplers.
+// Meshes into interleaved buffers, material slots into textures (upload_image.h) and samplers.
 //
 // Lines and points become quads here: 4 vertices each, which carry both ends of their line, so that the
 // vertex function can place the corners on the screen. Quads as vertices take more memory than instances
 // would, but instances of 4 vertices leave half of every group of 8 lanes empty.
 #include "upload.h"
-
-#include "color.h"
 
 #include <stdlib.h>
 #include <string.h>
@@ -155,92 +153,6 @@ static enum rhw_result upload_mesh(rhw_context *context, const struct rhw_mesh *
                                             : upload_quads(context, source, mesh);
 }
 
-static bool image_needs_mips(const struct rhw_model *model, uint32_t image)
-{
-    for (uint32_t m = 0; m < model->material_count; m++) {
-        for (int s = 0; s < RHW_SLOT_COUNT; s++) {
-            const struct rhw_texture_slot *slot = &model->materials[m].slots[s];
-            if (slot->image == (int32_t)image && slot->mip_filter != RHW_MIP_FILTER_NONE) {
-                return true;
-            }
-        }
-    }
-    return false;
-}
-
-// 16-bit texels as floats: half floats would round them. The sRGB decoding of colours happens here, since
-// only 8-bit textures decode when they are sampled.
-static float *widen_texels(const struct rhw_image *image, bool decode)
-{
-    const size_t texels = (size_t)image->width * image->height;
-    const uint16_t *in = image->texels;
-    float *out = malloc(texels * 4 * sizeof *out);
-    for (size_t i = 0; out && i < texels; i += 2) {
-        const size_t count = texels - i < 2 ? 4 : 8;
-        rhw_float value = rhw_splat(0.0f);
-        for (size_t k = 0; k < count; k++) {
-            value[k] = (float)in[4 * i + k] / 65535.0f;
-        }
-        if (decode) {
-            const rhw_int is_color = {-1, -1, -1, 0, -1, -1, -1, 0};
-            value = rhw_select(is_color, rhw_color_decode8(value), value);
-        }
-        memcpy(&out[4 * i], &value, count * sizeof *out);
-    }
-    return out;
-}
-
-static enum rhw_result upload_texture(rhw_context *context, const struct rhw_image *image, bool as_color,
-                                      bool mips, rhw_texture *texture)
-{
-    struct rhw_texture_def def = rhw_texture_def_default();
-    def.width = (int)image->width;
-    def.height = (int)image->height;
-    def.mip_levels = mips ? 0 : 1;
-    def.format = as_color ? RHW_FORMAT_RGBA8_SRGB : RHW_FORMAT_RGBA8_UNORM;
-    const void *texels = image->texels;
-    float *widened = NULL;
-    if (image->type != RHW_IMAGE_RGBA8) {
-        def.format = RHW_FORMAT_RGBA32_FLOAT;
-    }
-    if (image->type == RHW_IMAGE_RGBA16) {
-        texels = widened = widen_texels(image, as_color);
-        if (!widened) {
-            return RHW_ERROR_OUT_OF_MEMORY;
-        }
-    }
-    enum rhw_result result = rhw_texture_create(context, &def, texture);
-    if (result == RHW_OK) {
-        rhw_texture_write(context, *texture, 0, texels, 0);
-        if (mips) {
-            result = rhw_texture_generate_mips(context, *texture);
-        }
-    }
-    free(widened);
-    return result;
-}
-
-static enum rhw_result upload_image(struct rhw_upload *upload, uint32_t i)
-{
-    const struct rhw_image *image = &upload->model->images[i];
-    const bool mips = image_needs_mips(upload->model, i);
-    enum rhw_result result = RHW_OK;
-    if (image->used_as_color) {
-        result = upload_texture(upload->context, image, true, mips, &upload->images[i].color);
-    }
-    if (image->used_as_data && result == RHW_OK) {
-        result = upload_texture(upload->context, image, false, mips, &upload->images[i].data);
-    }
-    return result;
-}
-
-static bool same_place(const struct rhw_texture_slot *a, const struct rhw_texture_slot *b)
-{
-    return a->image == b->image && a->uv_set == b->uv_set && a->address_u == b->address_u &&
-           a->address_v == b->address_v && a->min_filter == b->min_filter && a->mag_filter == b->mag_filter &&
-           a->mip_filter == b->mip_filter && memcmp(a->transform, b->transform, sizeof a->transform) == 0;
-}
-
 static enum rhw_result upload_material(struct rhw_upload *upload, uint32_t m)
 {
     const struct rhw_material *source = &upload->model->materials[m];
@@ -265,9 +177,16 @@ static enum rhw_result upload_material(struct rhw_upload *upload, uint32_t m)
         }
         material->textured = material->textured || s != RHW_SLOT_NORMAL;
     }
-    const struct rhw_texture_slot *rough = &source->slots[RHW_SLOT_METALLIC_ROUGHNESS];
-    material->occlusion_shared = rough->image >= 0 && same_place(rough, &source->slots[RHW_SLOT_OCCLUSION]);
-    return RHW_OK;
+    const enum rhw_occlusion occlusion = rhw_occlusion_of(upload->model, source);
+    material->occlusion_shared = occlusion != RHW_OCCLUSION_APART;
+    if (occlusion != RHW_OCCLUSION_COMBINED) {
+        return RHW_OK;
+    }
+    rhw_texture *const texture = &material->slots[RHW_SLOT_METALLIC_ROUGHNESS].texture;
+    const enum rhw_result result =
+        rhw_upload_combined(upload->context, upload->model, source, &upload->combined, texture);
+    material->slots[RHW_SLOT_OCCLUSION].texture = *texture;
+    return result;
 }
 
 static void count_triangles(struct rhw_upload *upload)
@@ -290,16 +209,18 @@ enum rhw_result rhw_upload_create(rhw_context *context, const struct rhw_model *
     upload->meshes = calloc((size_t)model->mesh_count + 1, sizeof *upload->meshes);
     upload->images = calloc((size_t)model->image_count + 1, sizeof *upload->images);
     upload->materials = calloc((size_t)model->material_count + 1, sizeof *upload->materials);
+    upload->combined.images = calloc((size_t)model->material_count + 1, sizeof *upload->combined.images);
     upload->first_triangle = calloc((size_t)model->instance_count + 1, sizeof *upload->first_triangle);
     enum rhw_result result = RHW_OK;
-    if (!upload->meshes || !upload->images || !upload->materials || !upload->first_triangle) {
+    if (!upload->meshes || !upload->images || !upload->materials || !upload->combined.images ||
+        !upload->first_triangle) {
         result = RHW_ERROR_OUT_OF_MEMORY;
     }
     for (uint32_t i = 0; i < model->mesh_count && result == RHW_OK; i++) {
         result = upload_mesh(context, &model->meshes[i], &upload->meshes[i]);
     }
     for (uint32_t i = 0; i < model->image_count && result == RHW_OK; i++) {
-        result = upload_image(upload, i);
+        result = rhw_upload_image(context, model, i, &upload->images[i]);
     }
     for (uint32_t i = 0; i < model->material_count && result == RHW_OK; i++) {
         result = upload_material(upload, i);
@@ -337,6 +258,9 @@ void rhw_upload_destroy(struct rhw_upload *upload)
         destroy_texture(upload->context, upload->images[i].color);
         destroy_texture(upload->context, upload->images[i].data);
     }
+    for (uint32_t i = 0; i < upload->combined.count; i++) {
+        destroy_texture(upload->context, upload->combined.images[i].texture);
+    }
     for (uint32_t i = 0; upload->materials && i < model->material_count; i++) {
         for (int s = 0; s < RHW_SLOT_COUNT; s++) {
             const rhw_sampler sampler = upload->materials[i].slots[s].sampler;
@@ -348,6 +272,7 @@ void rhw_upload_destroy(struct rhw_upload *upload)
     free(upload->meshes);
     free(upload->images);
     free(upload->materials);
+    free(upload->combined.images);
     free(upload->first_triangle);
     *upload = (struct rhw_upload){0};
 }

@@ -7,6 +7,7 @@
 #include "model.h"
 #include "rhw/rhw.h"
 #include "shaders.h"
+#include "upload_image.h"
 
 enum { RHW_MESH_ATTRIBUTES = 6 };
 
@@ -21,10 +22,6 @@ struct rhw_uploaded_mesh {
     int normal, tangent, color, uv[RHW_UV_SETS];
 };
 
-struct rhw_uploaded_image {
-    rhw_texture color, data; // sRGB decoded / as it is; null where no slot reads it so
-};
-
 struct rhw_uploaded_slot {
     rhw_texture texture; // null: no texture
     rhw_sampler sampler;
@@ -32,8 +29,8 @@ struct rhw_uploaded_slot {
 
 struct rhw_uploaded_material {
     struct rhw_uploaded_slot slots[RHW_SLOT_COUNT];
-    bool textured; // any slot but the normal map
-    bool occlusion_shared;
+    bool textured;         // any slot but the normal map
+    bool occlusion_shared; // its texture is that of metallic-roughness
 };
 
 struct rhw_upload {
@@ -42,6 +39,7 @@ struct rhw_upload {
     struct rhw_uploaded_mesh *meshes;
     struct rhw_uploaded_image *images;
     struct rhw_uploaded_material *materials;
+    struct rhw_combined_images combined;
     uint32_t *first_triangle; // of each instance: 1 + triangles, lines and points of those before it
 };
 

@@ -6,6 +6,7 @@
 #include <string.h>
 
 #include "surface.h"
+#include "upload_image.h"
 
 static struct rhw_pictures draw_model(const struct rhw_model *model, const struct rhw_view *view)
 {
@@ -181,6 +182,56 @@ static void test_texture_transform_and_mask(void **state)
     assert_pixel(&pictures.color[4 * (8 * 2 + 5)], 0, 0, 255, 255);
     assert_pixel(&pictures.color[4 * (8 * 5 + 2)], 0, 255, 0, 255);
     rhw_pictures_free(&pictures);
+}
+
+enum { SIDE = 8 };
+
+// Occlusion and roughness in two images of one size at one place become one texture; what must not be combined, because
+// it is read differently, gives the same picture where the difference does not matter.
+static void test_occlusion_and_roughness_are_combined(void **state)
+{
+    (void)state;
+    static uint8_t texels[2][SIDE * SIDE][4];
+    struct tiny t;
+    tiny_make(&t);
+    for (uint32_t i = 0, random = 5; i < sizeof texels; i++) {
+        random = random * 1664525u + 1013904223u;
+        texels[i / sizeof *texels][i / 4 % (SIDE * SIDE)][i % 4] = (uint8_t)(random >> 24);
+    }
+    struct rhw_image images[2];
+    for (int i = 0; i < 2; i++) {
+        images[i] = t.image;
+        images[i].width = images[i].height = SIDE;
+        images[i].size = sizeof texels[i];
+        images[i].texels = texels[i];
+    }
+    t.model.images = images;
+    t.model.image_count = 2;
+    t.material.unlit = false;
+    for (int s = RHW_SLOT_METALLIC_ROUGHNESS; s <= RHW_SLOT_OCCLUSION; s += 2) {
+        struct rhw_texture_slot *const slot = &t.material.slots[s];
+        slot->image = s == RHW_SLOT_OCCLUSION;
+        slot->mip_filter = RHW_MIP_FILTER_NONE;
+        slot->min_filter = slot->mag_filter = RHW_FILTER_NEAREST;
+    }
+    const struct rhw_view view = tiny_view(&t, 32);
+    assert_int_equal(rhw_occlusion_of(&t.model, &t.material), RHW_OCCLUSION_COMBINED);
+    struct rhw_pictures combined = draw_model(&t.model, &view);
+    t.material.slots[RHW_SLOT_OCCLUSION].address_u = RHW_ADDRESS_MIRROR; // all coordinates are within 0..1
+    assert_int_equal(rhw_occlusion_of(&t.model, &t.material), RHW_OCCLUSION_APART);
+    struct rhw_pictures apart = draw_model(&t.model, &view);
+    assert_memory_equal(combined.color, apart.color, 4 * 32 * 32);
+    t.material.slots[RHW_SLOT_OCCLUSION].image = -1;
+    struct rhw_pictures without = draw_model(&t.model, &view);
+    assert_memory_not_equal(combined.color, without.color, 4 * 32 * 32);
+    rhw_pictures_free(&combined);
+    rhw_pictures_free(&apart);
+    rhw_pictures_free(&without);
+    t.material.slots[RHW_SLOT_OCCLUSION] = t.material.slots[RHW_SLOT_METALLIC_ROUGHNESS];
+    assert_int_equal(rhw_occlusion_of(&t.model, &t.material), RHW_OCCLUSION_SHARED);
+    t.material.slots[RHW_SLOT_OCCLUSION].image = 1;
+    images[1].width = SIDE / 2;
+    assert_int_equal(rhw_occlusion_of(&t.model, &t.material), RHW_OCCLUSION_APART);
 }
 
 // One-sided surfaces vanish from behind, also when a mirroring matrix turns their winding.
@@ -439,6 +490,7 @@ int main(void)
         cmocka_unit_test(test_blending_is_sorted),
         cmocka_unit_test(test_transparent_background_keeps_color_straight),
         cmocka_unit_test(test_texture_transform_and_mask),
+        cmocka_unit_test(test_occlusion_and_roughness_are_combined),
         cmocka_unit_test(test_culling_and_mirroring),
         cmocka_unit_test(test_data_outputs),
         cmocka_unit_test(test_normal_map),
