@@ -81,7 +81,8 @@ enum rhw_occlusion rhw_occlusion_of(const struct rhw_model *model, const struct 
     if (rough->image == occlusion->image) {
         return RHW_OCCLUSION_SHARED;
     }
-    const struct rhw_image *const a = &model->images[rough->image], *const b = &model->images[occlusion->image];
+    const struct rhw_image *const a = &model->images[rough->image], *const b =
+                                                                        &model->images[occlusion->image];
     const bool alike = a->type == RHW_IMAGE_RGBA8 && b->type == RHW_IMAGE_RGBA8 && a->width == b->width &&
                        a->height == b->height;
     return alike ? RHW_OCCLUSION_COMBINED : RHW_OCCLUSION_APART;

@@ -212,7 +212,8 @@ RHW_INLINE void fill_rows(const struct tile_work *work, const struct triangle_wo
 {
     const struct rhw_pipeline_data *const pipeline = work->pipeline;
     const struct planes *const planes = &triangle->planes;
-    const int components = pipeline->varying_components, count = rows->count;
+    const int count = rows->count;
+    const ptrdiff_t components = pipeline->varying_components;
     struct row_weights weights;
     if (__builtin_expect(planes->exact, 0)) {
         weigh_rows(&weights, planes, block, at, rows, derivatives, true);
@@ -223,8 +224,9 @@ RHW_INLINE void fill_rows(const struct tile_work *work, const struct triangle_wo
     for (int i = 0; i < components; i++) {
         const f8 i0 = f8_splat(triangle->i0[i]), d1 = f8_splat(triangle->d1[i]),
                  d2 = f8_splat(triangle->d2[i]);
-        for (int n = 0; n < count; n++) {
-            varyings[n * components + i] = i0 - (weights.b[n] * d1 + weights.c[n] * d2);
+        f8 *to = varyings + i;
+        for (int n = 0; n < count; n++, to += components) {
+            *to = i0 - (weights.b[n] * d1 + weights.c[n] * d2);
         }
     }
     if (!derivatives) {
@@ -234,9 +236,12 @@ RHW_INLINE void fill_rows(const struct tile_work *work, const struct triangle_wo
     f8 *const ddy = work->scratch->ddy + first * components;
     for (int i = 0; i < components; i++) {
         const f8 d1 = f8_splat(-triangle->d1[i]), d2 = f8_splat(-triangle->d2[i]);
+        f8 *to_x = ddx + i, *to_y = ddy + i;
         for (int n = 0; n < count && pipeline->component_derivatives[i]; n++) {
-            ddx[n * components + i] = weights.b_dx[n] * d1 + weights.c_dx[n] * d2;
-            ddy[n * components + i] = weights.b_dy[n] * d1 + weights.c_dy[n] * d2;
+            *to_x = weights.b_dx[n] * d1 + weights.c_dx[n] * d2;
+            *to_y = weights.b_dy[n] * d1 + weights.c_dy[n] * d2;
+            to_x += components;
+            to_y += components;
         }
     }
 }
@@ -302,10 +307,11 @@ RHW_INLINE bool any_pending(const struct tile_work *work, int x, int y, uint64_t
     return work->rows_pending && (block_bits(&work->scratch->pending[y], x) & mask) != 0;
 }
 
-// Collects the fragments of a block whose bits are set in `mask`: rows with few of them are packed.
-static void collect_block(struct tile_work *work, struct triangle_work *triangle, struct block_planes *block,
-                          const struct block_place *at, int x, int y, uint64_t mask, const f8 z[RHW_BLOCK],
-                          bool is_cut)
+// Collects the fragments of a block whose bits are set in `mask`: rows with few of them are packed. Inline twice: as a
+// function of its own it costs a block of a large triangle 50 instructions.
+RHW_INLINE void collect_block(struct tile_work *work, struct triangle_work *triangle,
+                              struct block_planes *block, const struct block_place *at, int x, int y,
+                              uint64_t mask, const f8 z[RHW_BLOCK], bool is_cut)
 {
     enum { PACK_MOST = 3 }; // measured: from 4 fragments on a group of its own costs less
     const bool packs = work->packs && !is_cut && !triangle->planes.exact;
