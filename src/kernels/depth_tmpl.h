@@ -43,9 +43,6 @@ static bool tests_early(const struct tile_work *work)
     return work->depth_mode == DEPTH_EARLY || work->depth_mode == DEPTH_EARLY_REJECT;
 }
 
-// What opaque draws ask for, in one phase and in two: constants for the loops that test.
-enum common_rule { RULE_LESS, RULE_GREATER, RULE_MARK_LESS, RULE_MARK_GREATER, RULE_TAKE, RULE_OTHER };
-
 static const struct depth_rule common_rules[RULE_OTHER] = {
     [RULE_LESS] = {RHW_COMPARE_LESS, true, OPEN_IGNORED},
     [RULE_GREATER] = {RHW_COMPARE_GREATER, true, OPEN_IGNORED},

@@ -34,6 +34,9 @@ struct depth_rule {
     enum open_rule open;
 };
 
+// What opaque draws ask for, in one phase and in two: constants for the loops that test, see depth_tmpl.h.
+enum common_rule { RULE_LESS, RULE_GREATER, RULE_MARK_LESS, RULE_MARK_GREATER, RULE_TAKE, RULE_OTHER };
+
 // One worker's work on one tile.
 struct tile_work {
     struct rhw_pass_state *pass;
@@ -52,7 +55,7 @@ struct tile_work {
     const struct rhw_pipeline_data *pipeline;
     enum depth_mode depth_mode;
     struct depth_rule early, late; // late: after the fragment function
-    int common;                    // which of the common rules `early` is, see depth_tmpl.h
+    enum common_rule common;       // which of them `early` is
     bool skips;                    // nothing of it is drawn in this phase
     bool scissored;                // the scissor, or the target's end, leaves out pixels of the tile
     bool shades;                   // there is a fragment function
