@@ -81,8 +81,8 @@ enum rhw_occlusion rhw_occlusion_of(const struct rhw_model *model, const struct 
     if (rough->image == occlusion->image) {
         return RHW_OCCLUSION_SHARED;
     }
-    const struct rhw_image *const a = &model->images[rough->image], *const b =
-                                                                        &model->images[occlusion->image];
+    const struct rhw_image *const a = &model->images[rough->image];
+    const struct rhw_image *const b = &model->images[occlusion->image];
     const bool alike = a->type == RHW_IMAGE_RGBA8 && b->type == RHW_IMAGE_RGBA8 && a->width == b->width &&
                        a->height == b->height;
     return alike ? RHW_OCCLUSION_COMBINED : RHW_OCCLUSION_APART;
@@ -166,7 +166,7 @@ enum rhw_result rhw_upload_combined(rhw_context *context, const struct rhw_model
     *next = (struct rhw_combined_image){rough, occlusion, mips, {0, 0}};
     const enum rhw_result result =
         combine(context, &model->images[rough], &model->images[occlusion], mips, &next->texture);
-    combined->count += result == RHW_OK;
+    combined->count++; // also of one that is there without its mips
     *texture = next->texture;
     return result;
 }

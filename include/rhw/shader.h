@@ -68,9 +68,11 @@ struct rhw_fragment1 {
 #include "shader_math.h"
 #include "shader_sample.h"
 
-/// rhw_sample_slots for `count` groups of one call of a fragment function, at coordinates that are varyings with
-/// derivatives: varying `at` and the one after it. Group g has its texels of slot n in texels[g * stride + n]; all groups
-/// have the same textures. In less time than one group after the other: texels of all are on their way at once.
+/// rhw_sample_slots for `count` groups (at least one) of one call of a fragment function, at coordinates that are
+/// varyings with derivatives: components `at` and `at + 1`. Bit n of `slots` (at least one) samples textures[n] of group
+/// g into texels[g * stride + n], the same bits as rhw_sample_grad; `stride` is above the highest slot, and no other
+/// texel is written. In less time than one group after the other where there are several slots: texels of all groups
+/// are on their way at once.
 static inline void rhw_sample_groups(const struct rhw_fragment *groups, int count, uint32_t slots, int at,
                                      rhw_float (*texels)[4], int stride)
 {

@@ -24,7 +24,8 @@ struct rhw_binding {
     /// Bit n of `slots`, which is not 0: the sample with `grad` of bindings[n] into texels[n].
     void (*sample_slots)(const struct rhw_binding *bindings, uint32_t slots, const rhw_float uv[2],
                          const rhw_float grad[4], rhw_float (*texels)[4]);
-    /// The same for `count` groups at their varyings `at` and `at + 1`; of group g into texels[g * stride + n].
+    /// The same for `count` groups at components `at` and `at + 1` of their varyings; of group g into
+    /// texels[g * stride + n].
     void (*sample_groups)(const struct rhw_binding *bindings, uint32_t slots,
                           const struct rhw_fragment *groups, int count, int at, rhw_float (*texels)[4],
                           int stride);

@@ -10,7 +10,7 @@ enum { BATCH = 8 };
 
 // Meaningful for triangles with RHW_TRIANGLE_SMALL alone. Edges: q, a, b are those of coverage_tmpl.h, q at pixel (x, y0)
 // of the tile. Corners lie within 64 pixels of each other and within 72 of any pixel of a block that reaches into their
-// rectangle: |a|, |b| < 2^14, |e| < 2·2^14·72·256 < 2^30.
+// rectangle, as edge_lanes asks.
 struct batch {
     const struct rhw_triangle *triangle[BATCH];
     const struct rhw_vertex_record *vertex[BATCH][3];

@@ -37,8 +37,9 @@ static struct edge make_edge(int32_t x0, int32_t y0, int32_t x1, int32_t y1, int
                          (RHW_BLOCK - 1) * ((int64_t)max_int(a, 0) + max_int(b, 0))};
 }
 
-// Edge i of 8 triangles at x, y, 1/256 pixel. Where corners lie within 64 pixels of each other and within 72 of x, y,
-// |a|, |b| < 2^14 and |e| < 2·2^14·72·256 < 2^30; in lanes of larger triangles it is rubbish.
+// The edge of 8 triangles from corner i to corner i + 1, at x, y, 1/256 pixel. Where corners lie within 64 pixels of each
+// other and within 72 of the pixels looked at, |a|, |b| < 2^14 and |e| < 2·2^14·72·256 < 2^30; in lanes of larger
+// triangles, and of those far away, it is rubbish that may wrap: go on with it unsigned.
 struct edge_lanes {
     i8 a, b; // change of e per 1/256 pixel to the right, and down
     i8 e;    // less 1 where the edge is neither top nor left: inside is where e >= 0
@@ -52,7 +53,6 @@ RHW_INLINE struct edge_lanes edge_lanes(const i8 corner_x[3], const i8 corner_y[
     const i8 a = ((corner_y[i] - corner_y[j]) ^ turn) - turn, b = ((corner_x[j] - corner_x[i]) ^ turn) - turn;
     const i8 zero = i8_splat(0);
     const i8 top_left = rhw_less_int(zero, a) | (rhw_equal_int(a, zero) & rhw_less_int(zero, b));
-    // Unsigned, because it may overflow in lanes of large triangles.
     const u8 e = (u8)a * (u8)(x - corner_x[i]) + (u8)b * (u8)(y - corner_y[i]) + (u8)~top_left;
     return (struct edge_lanes){a, b, (i8)e};
 }

@@ -43,6 +43,7 @@ static bool tests_early(const struct tile_work *work)
     return work->depth_mode == DEPTH_EARLY || work->depth_mode == DEPTH_EARLY_REJECT;
 }
 
+// What enum common_rule names.
 static const struct depth_rule common_rules[RULE_OTHER] = {
     [RULE_LESS] = {RHW_COMPARE_LESS, true, OPEN_IGNORED},
     [RULE_GREATER] = {RHW_COMPARE_GREATER, true, OPEN_IGNORED},

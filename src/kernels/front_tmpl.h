@@ -262,8 +262,8 @@ static i8 small_lanes(const struct corner_lanes *lanes)
     return (i8_max3(lanes->x) - i8_min3(lanes->x) < size) & (i8_max3(lanes->y) - i8_min3(lanes->y) < size);
 }
 
-// Bits of those triangles that cover none of the few pixels in their rectangle: one of five, where triangles are of the
-// size of pixels. Rectangles of more than 3×3 pixels are not looked at.
+// Bits of those triangles that cover none of the few pixels in their rectangle: one of nine, where triangles are of the
+// size of pixels. Rectangles of more than 3×3 pixels are not looked at. Unsigned, see edge_lanes.
 static unsigned uncovered(const struct corner_lanes *lanes, const struct pixel_lanes *pixels,
                           unsigned negative)
 {
@@ -275,19 +275,20 @@ static unsigned uncovered(const struct corner_lanes *lanes, const struct pixel_l
         return 0;
     }
     const i8 turn = i8_from_bits(negative), half = i8_splat(RHW_SUBPIXEL / 2);
-    const i8 x = (pixels->x0 << RHW_SUBPIXEL_BITS) + half, y = (pixels->y0 << RHW_SUBPIXEL_BITS) + half;
-    i8 row[3], right[3], down[3];
+    const i8 x = (i8)((u8)pixels->x0 << RHW_SUBPIXEL_BITS) + half,
+             y = (i8)((u8)pixels->y0 << RHW_SUBPIXEL_BITS) + half;
+    u8 row[3], right[3], down[3];
     for (int i = 0; i < 3; i++) {
         const struct edge_lanes edge = edge_lanes(lanes->x, lanes->y, i, turn, x, y);
-        row[i] = edge.e;
-        right[i] = edge.a << RHW_SUBPIXEL_BITS;
-        down[i] = edge.b << RHW_SUBPIXEL_BITS;
+        row[i] = (u8)edge.e;
+        right[i] = (u8)edge.a << RHW_SUBPIXEL_BITS;
+        down[i] = (u8)edge.b << RHW_SUBPIXEL_BITS;
     }
     i8 outside = i8_splat(-1);
     for (int dy = 0; dy < MOST; dy++) {
-        i8 e[3] = {row[0], row[1], row[2]};
+        u8 e[3] = {row[0], row[1], row[2]};
         for (int dx = 0; dx < MOST; dx++) {
-            outside &= e[0] | e[1] | e[2];
+            outside &= (i8)(e[0] | e[1] | e[2]);
             for (int i = 0; i < 3; i++) {
                 e[i] += right[i];
             }

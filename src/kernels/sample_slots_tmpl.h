@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 // Sampling several textures at one place, as a material does: base colour, normals, roughness, ... usually share
 // coordinates, size and sampler. Then the level of detail, the places in two levels and the weights are worked
-// out once, and the texels of one texture are on their way while another is filtered: those of a whole material
-// are too many for the caches.
+// out once, and the texels of one texture are on their way while another is filtered, for one group or several:
+// those of a whole material are too many for the caches.
 #ifndef RHW_SAMPLE_SLOTS_TMPL_H
 #define RHW_SAMPLE_SLOTS_TMPL_H
 

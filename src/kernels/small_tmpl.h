@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Triangles that are small beside a tile: what meshes are made of. Their edges fit into 32 bits, and their blocks of
-// 8×8 pixels start where the triangle does instead of at multiples of 8, so that few of them are mostly empty. Coverage and
-// the early depth test of a row are one step: what is covered stays a mask of lanes.
+// 8×8 pixels start where the triangle does instead of at multiples of 8, so that few of them are mostly empty.
+// Coverage and the early depth test of a row are one step: what is covered stays a mask of lanes.
 // Template: compiled once per instruction set.
 
 #include "batch_tmpl.h"
@@ -16,15 +16,15 @@ struct small_edges {
     i8 q[3], step[3];
 };
 
-// Of triangle i of the batch at the block's first column, row y0. False where the block is outside of one. `first`: it is
-// the triangle's first block.
+// Of triangle i of the batch at the block's first column, row y0. False where the block is outside of one. `only`: the
+// triangle has no other block.
 RHW_INLINE bool small_edges(struct small_edges *edges, const struct batch *batch, int i,
-                            const struct small_block *block, bool first)
+                            const struct small_block *block, bool only)
 {
     for (int e = 0; e < 3; e++) {
         const int a = batch->a[e][i], b = batch->b[e][i];
         int q = batch->q[e][i];
-        if (!first) {
+        if (!only) {
             q += a * (block->x - batch->x[i]) + b * (block->y0 - batch->y0[i]);
             if (q + (RHW_BLOCK - 1) * (max_int(a, 0) + max_int(b, 0)) < 0) {
                 return false;
@@ -37,13 +37,14 @@ RHW_INLINE bool small_edges(struct small_edges *edges, const struct batch *batch
 }
 
 // The pixels of the block that triangle i covers and that pass the depth test, which writes their depth; bit
-// 8·row + column. `first`: it is the triangle's first block; `tests`: there is an early test; `rule` is how, a constant where a call names it.
+// 8·row + column. `only`: see small_edges; `tests`: there is an early test; `rule` is how, a constant where a call
+// names it.
 RHW_INLINE uint64_t small_test(struct tile_work *work, const struct batch *batch, int i,
-                               const struct small_block *block, bool first, bool tests,
+                               const struct small_block *block, bool only, bool tests,
                                const struct depth_rule rule)
 {
     struct small_edges edges;
-    if (!small_edges(&edges, batch, i, block, first)) {
+    if (!small_edges(&edges, batch, i, block, only)) {
         return 0;
     }
     const struct plane z = linear_plane(&batch->linear[i], QUANTITY_Z);
@@ -73,21 +74,21 @@ RHW_INLINE uint64_t small_test(struct tile_work *work, const struct batch *batch
     return passed;
 }
 
-// The same as the draw asks.
+// The same, tested by the rule of the draw.
 RHW_INLINE uint64_t small_pixels(struct tile_work *work, const struct batch *batch, int i,
-                                 const struct small_block *block, bool first)
+                                 const struct small_block *block, bool only)
 {
     if (!tests_early(work)) {
-        return small_test(work, batch, i, block, first, false, work->early);
+        return small_test(work, batch, i, block, only, false, work->early);
     }
     switch (work->common) {
-    case RULE_LESS: return small_test(work, batch, i, block, first, true, common_rules[RULE_LESS]);
-    case RULE_GREATER: return small_test(work, batch, i, block, first, true, common_rules[RULE_GREATER]);
-    case RULE_MARK_LESS: return small_test(work, batch, i, block, first, true, common_rules[RULE_MARK_LESS]);
+    case RULE_LESS: return small_test(work, batch, i, block, only, true, common_rules[RULE_LESS]);
+    case RULE_GREATER: return small_test(work, batch, i, block, only, true, common_rules[RULE_GREATER]);
+    case RULE_MARK_LESS: return small_test(work, batch, i, block, only, true, common_rules[RULE_MARK_LESS]);
     case RULE_MARK_GREATER:
-        return small_test(work, batch, i, block, first, true, common_rules[RULE_MARK_GREATER]);
-    case RULE_TAKE: return small_test(work, batch, i, block, first, true, common_rules[RULE_TAKE]);
-    default: return small_test(work, batch, i, block, first, true, work->early);
+        return small_test(work, batch, i, block, only, true, common_rules[RULE_MARK_GREATER]);
+    case RULE_TAKE: return small_test(work, batch, i, block, only, true, common_rules[RULE_TAKE]);
+    default: return small_test(work, batch, i, block, only, true, work->early);
     }
 }
 
@@ -120,11 +121,11 @@ static void small_pack(struct tile_work *work, struct triangle_work *triangle, i
     }
 }
 
-// The pixels of triangle i in the block, of which the batch has all there is to know. `fits`: it has no others.
+// The pixels of triangle i in the block, of which the batch has all there is to know. `only`: it has no others.
 RHW_INLINE void draw_small_block(struct tile_work *work, struct triangle_work *triangle,
-                                 const struct batch *batch, int i, const struct small_block *block, bool fits)
+                                 const struct batch *batch, int i, const struct small_block *block, bool only)
 {
-    uint64_t mask = small_pixels(work, batch, i, block, fits);
+    uint64_t mask = small_pixels(work, batch, i, block, only);
     if (work->phase == PHASE_BACKWARDS) {
         mask = take_block(work, block->x, block->y, mask);
     }
@@ -135,7 +136,7 @@ RHW_INLINE void draw_small_block(struct tile_work *work, struct triangle_work *t
     if (!triangle->planes_ready) {
         take_planes(triangle, batch, i);
     }
-    if (fits) {
+    if (only) {
         small_pack(work, triangle, block->x, block->y, mask);
         return;
     }
@@ -157,9 +158,9 @@ RHW_INLINE void draw_other_block(struct tile_work *work, struct triangle_work *t
 // The block of triangle i from (x, y) on, moved where it would reach over the tile's end.
 RHW_INLINE struct small_block small_block(const struct batch *batch, int i, int x, int y)
 {
-    return (
-        struct small_block){min_int(x, RHW_TILE - RHW_BLOCK),     min_int(y, RHW_TILE - RHW_BLOCK),    x, y,
-                            min_int(x + RHW_BLOCK, batch->x1[i]), min_int(y + RHW_BLOCK, batch->y1[i])};
+    const int first_x = min_int(x, RHW_TILE - RHW_BLOCK), first_y = min_int(y, RHW_TILE - RHW_BLOCK);
+    const int end_x = min_int(x + RHW_BLOCK, batch->x1[i]), end_y = min_int(y + RHW_BLOCK, batch->y1[i]);
+    return (struct small_block){first_x, first_y, x, y, end_x, end_y};
 }
 
 static __attribute__((noinline)) void draw_small_blocks(struct tile_work *work,
@@ -181,7 +182,8 @@ static __attribute__((noinline)) void draw_small_blocks(struct tile_work *work,
 static void draw_small(struct tile_work *work, struct triangle_work *triangle, const struct batch *batch,
                        int i)
 {
-    // Where no screen weights are wanted the batch has all there is to know, but for depth that rows of 8 keep.
+    // Where no screen weights are wanted the batch has all there is to know; groups that keep the depth of a row take
+    // it from draw_block.
     const bool taken = (work->packs || !work->shades) && !(batch->inexact >> i & 1);
     if (taken && batch->x1[i] - batch->x0[i] <= RHW_BLOCK && batch->y1[i] - batch->y0[i] <= RHW_BLOCK) {
         const struct small_block block = small_block(batch, i, batch->x0[i], batch->y0[i]);

@@ -34,7 +34,7 @@ struct depth_rule {
     enum open_rule open;
 };
 
-// What opaque draws ask for, in one phase and in two: constants for the loops that test, see depth_tmpl.h.
+// What opaque draws with LESS and GREATER ask for, in one phase and in two: constants for the loops that test.
 enum common_rule { RULE_LESS, RULE_GREATER, RULE_MARK_LESS, RULE_MARK_GREATER, RULE_TAKE, RULE_OTHER };
 
 // One worker's work on one tile.

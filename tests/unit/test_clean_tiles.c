@@ -8,7 +8,7 @@
 #include "context.h"
 #include "texture.h"
 
-// Three tiles by two, those at the ends cut off.
+// Three tiles by two, those at the ends cut off. A rig has two threads.
 enum { WIDTH = 150, HEIGHT = 80 };
 
 static const float white[4] = {1, 1, 1, 1}, gray[4] = {0.5f, 0.5f, 0.5f, 0.5f};
@@ -80,6 +80,37 @@ static void test_what_was_drawn_is_cleared(void **state)
     rig_close(&rig);
 }
 
+// A tile that is drawn in a later wave, or in an earlier one, is not clean; nor one whose drawing was not stored.
+static void test_waves_and_stores(void **state)
+{
+    (void)state;
+    struct rhw_context_def def = rhw_context_def_default();
+    def.threads = 2;
+    def.bin_memory = 1;
+    struct rig rig;
+    rig_open_with(&rig, WIDTH, HEIGHT, &def);
+    enum { SQUARES = 400 };
+    static struct rig_vertex squares[SQUARES][6];
+    for (int i = 0; i < SQUARES; i++) { // the tiles of the first row take turns, the second row is left alone
+        const float x = (float)(i * 7 % (WIDTH - 4));
+        rig_rectangle(&rig, x, 1, x + 4, 5, 0.5f, white, squares[i]);
+    }
+    clear(&rig, gray);
+    rig_draw_once(&rig, &squares[0][0], 6 * SQUARES);
+    assert_true(rig.stats.flushes > 0);
+    rig.pass.colors[0].store = RHW_STORE_DISCARD;
+    rig_draw_once(&rig, &squares[0][0], 6);
+    rig.pass.colors[0].store = RHW_STORE_STORE;
+    clear(&rig, gray);
+    expect_all(&rig, gray);
+    rig.pass.colors[0].load = RHW_LOAD_DISCARD; // what is undefined is 0
+    clear(&rig, gray);
+    rig.pass.colors[0].load = RHW_LOAD_CLEAR;
+    clear(&rig, gray);
+    expect_all(&rig, gray);
+    rig_close(&rig);
+}
+
 static void test_another_clear_value_is_written(void **state)
 {
     (void)state;
@@ -113,6 +144,7 @@ int main(void)
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(test_what_is_clean_is_left_alone),
         cmocka_unit_test(test_what_was_drawn_is_cleared),
+        cmocka_unit_test(test_waves_and_stores),
         cmocka_unit_test(test_another_clear_value_is_written),
         cmocka_unit_test(test_what_was_uploaded_is_cleared),
     };

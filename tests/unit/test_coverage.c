@@ -51,8 +51,8 @@ static void test_edges_through_pixel_centres(void **state)
     rig_close(&rig);
 }
 
-// Triangles of less than 3 pixels each way, half of them with corners on pixel centres and edges: those that cover nothing
-// are counted as culled, whatever their rectangle has.
+// Triangles of less than 3 pixels each way, half of them with corners on pixel centres and edges: those that cover
+// nothing are counted as culled, whatever their rectangle has.
 static void test_tiny_triangles_that_cover_nothing_are_culled(void **state)
 {
     (void)state;
@@ -76,6 +76,41 @@ static void test_tiny_triangles_that_cover_nothing_are_culled(void **state)
         culled += !covers;
     }
     assert_in_range(culled, 400, 3600);
+    rig_close(&rig);
+}
+
+// Tiny triangles set up beside huge ones, whose edge functions do not fit 32 bits, and a scissor that leaves out most of
+// them: what is drawn is what each draws alone.
+static void test_tiny_triangles_beside_huge_ones(void **state)
+{
+    (void)state;
+    struct rig rig;
+    rig_open(&rig, 64, 64);
+    uint64_t random = 43;
+    const struct rhw_rect scissor = {8, 8, 30, 30};
+    for (int n = 0; n < 300; n++) {
+        struct rig_vertex vertices[24];
+        struct ref_triangle t[8] = {0};
+        for (int i = 0; i < 24; i++) {
+            const int reach = i / 3 % 2 ? 600 : 15000 * 256, at = i / 3 % 2 ? 256 * (i / 3 * 6) : -reach / 2;
+            t[i / 3].x_8[i % 3] = at + rig_random_int(&random, reach);
+            t[i / 3].y_8[i % 3] = at + rig_random_int(&random, reach);
+            place_8(&rig, t[i / 3].x_8[i % 3], t[i / 3].y_8[i % 3], &vertices[i]);
+        }
+        rig_begin(&rig);
+        rhw_pass_set_scissor(rig.context, rig.recording, &scissor);
+        rig_draw(&rig, vertices, 24);
+        rig_end(&rig);
+        const float(*pixels)[4] = rig_read_float4(&rig);
+        for (int i = 0; i < 64 * 64; i++) {
+            const int x = i % 64, y = i / 64;
+            bool covered = false;
+            for (int k = 0; k < 8; k++) {
+                covered = covered || ref_covers(&t[k], x, y);
+            }
+            assert_int_equal(pixels[i][0] != 0, covered && x >= 8 && x < 38 && y >= 8 && y < 38);
+        }
+    }
     rig_close(&rig);
 }
 
@@ -272,6 +307,7 @@ int main(void)
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(test_edges_through_pixel_centres),
         cmocka_unit_test(test_tiny_triangles_that_cover_nothing_are_culled),
+        cmocka_unit_test(test_tiny_triangles_beside_huge_ones),
         cmocka_unit_test(test_random_triangles),
         cmocka_unit_test(test_slivers),
         cmocka_unit_test(test_positions_snap_to_nearest_even),

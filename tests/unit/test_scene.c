@@ -208,17 +208,24 @@ static void test_occlusion_and_roughness_are_combined(void **state)
     t.model.images = images;
     t.model.image_count = 2;
     t.material.unlit = false;
+    // The middle of the images alone, where no address mode shows, from near and far.
+    const float transform[6] = {0.5f, 0, 0.25f, 0, 0.5f, 0.25f};
     for (int s = RHW_SLOT_METALLIC_ROUGHNESS; s <= RHW_SLOT_OCCLUSION; s += 2) {
         struct rhw_texture_slot *const slot = &t.material.slots[s];
         slot->image = s == RHW_SLOT_OCCLUSION;
-        slot->mip_filter = RHW_MIP_FILTER_NONE;
-        slot->min_filter = slot->mag_filter = RHW_FILTER_NEAREST;
+        slot->mip_filter = RHW_MIP_FILTER_LINEAR;
+        slot->min_filter = slot->mag_filter = RHW_FILTER_LINEAR;
+        memcpy(slot->transform, transform, sizeof transform);
     }
-    const struct rhw_view view = tiny_view(&t, 32);
+    const struct rhw_view view = tiny_view(&t, 32), far = tiny_view(&t, 5);
     assert_int_equal(rhw_occlusion_of(&t.model, &t.material), RHW_OCCLUSION_COMBINED);
-    struct rhw_pictures combined = draw_model(&t.model, &view);
-    t.material.slots[RHW_SLOT_OCCLUSION].address_u = RHW_ADDRESS_MIRROR; // all coordinates are within 0..1
+    struct rhw_pictures combined = draw_model(&t.model, &view), far_combined = draw_model(&t.model, &far);
+    t.material.slots[RHW_SLOT_OCCLUSION].address_u = RHW_ADDRESS_MIRROR;
     assert_int_equal(rhw_occlusion_of(&t.model, &t.material), RHW_OCCLUSION_APART);
+    struct rhw_pictures far_apart = draw_model(&t.model, &far);
+    assert_memory_equal(far_combined.color, far_apart.color, 4 * 5 * 5);
+    rhw_pictures_free(&far_combined);
+    rhw_pictures_free(&far_apart);
     struct rhw_pictures apart = draw_model(&t.model, &view);
     assert_memory_equal(combined.color, apart.color, 4 * 32 * 32);
     t.material.slots[RHW_SLOT_OCCLUSION].image = -1;
