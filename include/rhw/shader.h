@@ -68,7 +68,7 @@ struct rhw_fragment1 {
 #include "shader_math.h"
 #include "shader_sample.h"
 
-/// rhw_sample_slots for `count` groups (at least one) of one call of a fragment function, at coordinates that are
+/// rhw_sample_slots for `count` groups (1..RHW_MAX_GROUPS) of one call of a fragment function, at coordinates that are
 /// varyings with derivatives: components `at` and `at + 1`. Bit n of `slots` (at least one) samples textures[n] of group
 /// g into texels[g * stride + n], the same bits as rhw_sample_grad; `stride` is above the highest slot, and no other
 /// texel is written. In less time than one group after the other where there are several slots: texels of all groups

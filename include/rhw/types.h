@@ -26,6 +26,7 @@ enum {
     RHW_MAX_VARYINGS = 16,
     RHW_MAX_VARYING_COMPONENTS = 48,
     RHW_MAX_TEXTURES = 16,       ///< texture slots of a draw
+    RHW_MAX_GROUPS = 16,         ///< groups of 8 lanes in one call of a shader function
     RHW_MAX_UNIFORM_SIZE = 65536 ///< bytes
 };
 
@@ -46,7 +47,7 @@ struct rhw_context_def {
 /// Texel formats. Channels stand in memory in the order of the name, little endian.
 enum rhw_format {
     RHW_FORMAT_NONE,
-    RHW_FORMAT_R8_UNORM,
+    RHW_FORMAT_R8_UNORM,  ///< sampled only, as RG8_UNORM; the others are drawn into too unless they say otherwise
     RHW_FORMAT_RG8_UNORM,
     RHW_FORMAT_RGBA8_UNORM,
     RHW_FORMAT_RGBA8_SRGB, ///< colour channels stored with the sRGB transfer function, alpha linear
@@ -180,10 +181,10 @@ struct rhw_vertex;
 struct rhw_fragment;
 struct rhw_vertex1;
 struct rhw_fragment1;
-/// A shader function works on `count` groups of 8 lanes that stand one after the other. What it writes must follow from
-/// what it reads there, its uniforms and its textures alone: it is called on any thread, in any order, more than once for
-/// a vertex that several triangles share, not at all for a fragment that an opaque one hides, and once for a whole draw
-/// when it receives nothing that differs.
+/// A shader function works on `count` groups of 8 lanes, 1..RHW_MAX_GROUPS, that stand one after the other. What it
+/// writes must follow from what it reads there, its uniforms and its textures alone: it is called on any thread, in any
+/// order, more than once for a vertex that several triangles share, not at all for a fragment that an opaque one hides,
+/// and once for a whole draw when it receives nothing that differs.
 typedef void rhw_vertex_function(struct rhw_vertex *groups, int count);
 typedef void rhw_fragment_function(struct rhw_fragment *groups, int count);
 /// The one-at-a-time form: same pipeline, plain floats, slower.

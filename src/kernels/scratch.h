@@ -10,14 +10,14 @@
 
 enum {
     // Groups of 8 vertices per call of the vertex function: enough to hide the call, few enough that their
-    // attributes and varyings stay in the first cache level.
+    // attributes and varyings stay in the first cache level. At most RHW_MAX_GROUPS.
     RHW_VERTEX_GROUPS = 8,
     // Entries of the table that finds vertices again, a power of two. Direct mapped by vertex index: a miss only
     // shades a vertex twice.
     RHW_VERTEX_CACHE = 8192,
     // Groups of 8 fragments per call of the fragment function: two whole blocks; enough to hide the call, few enough
     // that their varyings stay in the first cache level.
-    RHW_FRAGMENT_GROUPS = 16,
+    RHW_FRAGMENT_GROUPS = RHW_MAX_GROUPS,
     // Triangles of a tile whose visibility is remembered from the first phase to the second: 4 KiB of bits. A longer run
     // is drawn as submitted.
     RHW_DEFERRED_TRIANGLES = 32768,

@@ -129,6 +129,17 @@ static int choose(const char *option, const char *argument, const char *const *n
     return -1;
 }
 
+// `bad`: where an unknown name begins.
+static void refuse_output(const char *bad)
+{
+    char list[128] = "";
+    for (int kind = 0; kind < RHW_KIND_COUNT; kind++) {
+        strcat(list, rhw_output_name((enum rhw_output_kind)kind));
+        strcat(list, ", ");
+    }
+    rhw_tool_error("--output", "'%.*s' is no output; there are %sall", (int)strcspn(bad, ","), bad, list);
+}
+
 static bool parse_isa(struct rhw_render_job *job, const char *argument)
 {
     const char *names[RHW_ISA_COUNT];
@@ -211,8 +222,7 @@ static bool parse_picture_option(struct rhw_render_job *job, int id, const char 
     case OPTION_OUTPUT:
         if (rhw_outputs_parse(argument, &job->kinds, &bad))
             return true;
-        rhw_tool_error("--output", "'%.*s' is no output; see 'rhw render --help'", (int)strcspn(bad, ","),
-                       bad);
+        refuse_output(bad);
         return false;
     case OPTION_BITS:
         if (rhw_tool_parse_int(argument, 8, 16, &job->bits) && (job->bits == 8 || job->bits == 16))
