@@ -151,7 +151,7 @@ static bool make_draws(struct bench_scene *scene, const struct rhw_camera *camer
         draw->mesh = instance->mesh;
         draw->cull_back = !material->double_sided;
         for (int s = 0; s < draw->texture_count; s++) {
-            const bool as_color = s == RHW_SLOT_BASE_COLOR || s == RHW_SLOT_EMISSIVE;
+            const bool as_color = rhw_slot_is_color((enum rhw_slot)s);
             draw->textures[s] = 2 * (uint32_t)material->slots[s].image + (as_color ? 0 : 1);
         }
         scene->surfaces->uniforms[i] = make_uniforms(instance, material, camera, aspect);

@@ -315,7 +315,7 @@ static void mark_image_uses(struct rhw_model *model)
     for (uint32_t i = 0; i < model->material_count; i++)
         for (int k = 0; k < RHW_SLOT_COUNT; k++) {
             const int32_t image = model->materials[i].slots[k].image;
-            if (image >= 0 && (k == RHW_SLOT_BASE_COLOR || k == RHW_SLOT_EMISSIVE))
+            if (image >= 0 && rhw_slot_is_color((enum rhw_slot)k))
                 model->images[image].used_as_color = true;
             else if (image >= 0)
                 model->images[image].used_as_data = true;

@@ -58,6 +58,12 @@ enum rhw_slot {
     RHW_SLOT_COUNT
 };
 
+/// Whether images are read there as colours, decoded from sRGB, and not as data.
+static inline bool rhw_slot_is_color(enum rhw_slot slot)
+{
+    return slot == RHW_SLOT_BASE_COLOR || slot == RHW_SLOT_EMISSIVE;
+}
+
 /// Where a material reads an image.
 struct rhw_texture_slot {
     int32_t image;   ///< −1: no texture, the factor alone

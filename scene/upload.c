@@ -162,7 +162,7 @@ static enum rhw_result upload_material(struct rhw_upload *upload, uint32_t m)
         if (slot->image < 0) {
             continue;
         }
-        const bool as_color = s == RHW_SLOT_BASE_COLOR || s == RHW_SLOT_EMISSIVE;
+        const bool as_color = rhw_slot_is_color((enum rhw_slot)s);
         const struct rhw_uploaded_image *image = &upload->images[slot->image];
         struct rhw_sampler_def def = rhw_sampler_def_default();
         def.min_filter = slot->min_filter;

@@ -59,11 +59,6 @@ static enum rhw_result upload_texture(rhw_context *context, const struct rhw_ima
     return result;
 }
 
-static bool reads_data(enum rhw_slot slot)
-{
-    return slot != RHW_SLOT_BASE_COLOR && slot != RHW_SLOT_EMISSIVE;
-}
-
 static bool same_place(const struct rhw_texture_slot *a, const struct rhw_texture_slot *b)
 {
     return a->uv_set == b->uv_set && a->address_u == b->address_u && a->address_v == b->address_v &&
@@ -105,8 +100,8 @@ static struct image_wants wants_of(const struct rhw_model *model, uint32_t image
                 (combined && (s == RHW_SLOT_METALLIC_ROUGHNESS || s == RHW_SLOT_OCCLUSION))) {
                 continue;
             }
-            wants.color = wants.color || !reads_data((enum rhw_slot)s);
-            wants.data = wants.data || reads_data((enum rhw_slot)s);
+            bool *const wanted = rhw_slot_is_color((enum rhw_slot)s) ? &wants.color : &wants.data;
+            *wanted = true;
             wants.mips = wants.mips || slot->mip_filter != RHW_MIP_FILTER_NONE;
         }
     }

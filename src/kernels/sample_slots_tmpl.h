@@ -86,33 +86,6 @@ RHW_INLINE void sample_spots_texel(const struct rhw_texture_data *texture, const
     sample_mix_levels(a, b, spots->weight, linear, texel);
 }
 
-// Bit n of `slots`: sample bindings[n] into texels[n].
-static void sample_slots(const struct rhw_binding *bindings, uint32_t slots, const rhw_float uv[2],
-                         const rhw_float grad[4], rhw_float (*texels)[4])
-{
-    const struct rhw_binding *const first = &bindings[__builtin_ctz(slots)];
-    struct sample_spots spots;
-    const uint32_t sharing =
-        sample_find_spots(first, uv, grad, &spots) ? sample_sharing(bindings, slots, first) : 0;
-    for (uint32_t todo = sharing; todo != 0; todo &= todo - 1) {
-        const int slot = __builtin_ctz(todo);
-        const uint32_t later = todo & (todo - 1);
-        const struct rhw_texture_data *const texture = bindings[slot].texture;
-        if (later) {
-            sample_prefetch(bindings[__builtin_ctz(later)].texture, &spots);
-        }
-        if (texture->format == RHW_FORMAT_RGBA8_SRGB) {
-            sample_spots_texel(texture, &spots, true, texels[slot]);
-        } else {
-            sample_spots_texel(texture, &spots, false, texels[slot]);
-        }
-    }
-    for (uint32_t alone = slots & ~sharing; alone != 0; alone &= alone - 1) {
-        const int slot = __builtin_ctz(alone);
-        sample(&bindings[slot], uv, grad, NULL, texels[slot]);
-    }
-}
-
 RHW_INLINE void group_gradient(const struct rhw_fragment *group, int at, f8 grad[4])
 {
     grad[0] = group->ddx[at];
@@ -189,6 +162,14 @@ static void sample_groups(const struct rhw_binding *bindings, uint32_t slots,
         const int n = count - g < SPOTS ? count - g : SPOTS;
         sample_some_groups(bindings, slots, sharing, groups + g, n, at, texels + g * stride, stride);
     }
+}
+
+// See rhw_sample_slots: one group, whose coordinates need not be varyings.
+static void sample_slots(const struct rhw_binding *bindings, uint32_t slots, const rhw_float uv[2],
+                         const rhw_float grad[4], rhw_float (*texels)[4])
+{
+    const struct rhw_fragment group = {.varying = uv, .ddx = grad, .ddy = grad + 2};
+    sample_groups(bindings, slots, &group, 1, 0, texels, 0);
 }
 
 #endif

@@ -63,8 +63,8 @@ RHW_INLINE void merge_target(const struct tile_work *work, int t, enum output_ki
     unsigned char *const texels = scratch->color[t];
     const struct rhw_group_places *const places = &scratch->places;
     const int count = work->count;
-    const bool replaces = kind == OUTPUT_RGBA8_REPLACE;
-    if (work->all_full && (replaces || (kind == OUTPUT_RGBA8_OVER && state.texel_mask == UINT32_MAX))) {
+    const bool has_short_road = kind == OUTPUT_RGBA8_REPLACE || kind == OUTPUT_RGBA8_OVER;
+    if (has_short_road && work->all_full && state.texel_mask == UINT32_MAX) {
         state.texel_mask = UINT32_MAX; // known from here on
         for (int g = 0; g < count; g++) {
             output_group(&state, scratch->outputs[g][t], i8_splat(-1), texels + places->at[g] * size);

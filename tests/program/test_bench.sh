@@ -36,12 +36,12 @@ check "no model: the others" grep -q '^empty,' "$folder/log/out"
 # The program as a process, where there is the bunny; it leaves no picture behind.
 mkdir -p leaves
 status=0
-TMPDIR=$folder/work/leaves "$rhw" bench $tiny --peer none --scene process --csv >"$folder/log/out" 2>"$folder/log/err" || status=$?
+TMPDIR=$PWD/leaves "$rhw" bench $tiny --peer none --scene process --csv >"$folder/log/out" 2>"$folder/log/err" || status=$?
 check "process: status" test "$status" = 0
 if [ -r /usr/share/glmark2/models/bunny.obj ]; then
     check "process: a row" grep -qE '^process,[0-9.]+,' "$folder/log/out"
     status=0
-    TMPDIR=$folder/work/none "$rhw" bench $tiny --peer none --scene process >/dev/null 2>"$folder/log/err" || status=$?
+    TMPDIR=$PWD/none "$rhw" bench $tiny --peer none --scene process >/dev/null 2>"$folder/log/err" || status=$?
     check "process: what fails is told" test "$status" = 1
 else
     check "process: left out" grep -q '^rhw: process: warning: left out: there is no ' "$folder/log/err"
@@ -65,7 +65,7 @@ mkdir -p models/gltf/sponza
 cp "$root/tests/program/patches.gltf" models/gltf/DamagedHelmet.glb
 cp "$root/tests/program/patches.gltf" models/gltf/sponza/Sponza.gltf
 status=0
-RHW_MODELS=$folder/work/models "$rhw" bench --size 320x180 --frames 1 --scene pbr --csv >"$folder/log/out" 2>"$folder/log/err" || status=$?
+RHW_MODELS=$PWD/models "$rhw" bench --size 320x180 --frames 1 --scene pbr --csv >"$folder/log/out" 2>"$folder/log/err" || status=$?
 check "physically based: status" test "$status" = 0
 check "physically based: pictures agree" sh -c "! grep -v 'not compared with' '$folder/log/err'"
 check "physically based: both scenes" test "$(grep -cE '^pbr_(helmet|sponza),' "$folder/log/out")" = 2
@@ -73,7 +73,7 @@ check "physically based: both scenes" test "$(grep -cE '^pbr_(helmet|sponza),' "
 # What the twin has no shader for is left out, not drawn differently.
 sed 's/"scale": \[1, 0.9, 0.4\]/"scale": [-1, 0.9, 0.4]/' "$root/tests/program/patches.gltf" >models/gltf/DamagedHelmet.glb
 status=0
-RHW_MODELS=$folder/work/models "$rhw" bench $tiny --peer none --scene pbr_helmet --csv >"$folder/log/out" 2>"$folder/log/err" || status=$?
+RHW_MODELS=$PWD/models "$rhw" bench $tiny --peer none --scene pbr_helmet --csv >"$folder/log/out" 2>"$folder/log/err" || status=$?
 check "mirrored: status" test "$status" = 0
 check "mirrored: left out" grep -q '^rhw: pbr_helmet: warning: left out: a material or an instance' "$folder/log/err"
 no_temporary_files
