@@ -2,7 +2,7 @@
 // A triangle in a tile, block by block of 8×8 pixels: coverage, depth, and what survives is collected for shading.
 // Template: compiled once per instruction set.
 
-#include "constant_tmpl.h"
+#include "collect_tmpl.h"
 #include "coverage_tmpl.h"
 
 // Tests depth of the block's pixels in `mask`, early; returns those that pass. `rule` is a constant where a call
@@ -162,4 +162,5 @@ static void draw_blocks(struct tile_work *work, const struct rhw_chunk *chunk, s
             }
         }
     }
+    finish_loose(work, triangle);
 }

@@ -138,7 +138,7 @@ RHW_INLINE unsigned test_row(struct tile_work *work, int x, int y, f8 z, unsigne
 }
 
 // The same with 8 texels of the tile that lie anywhere, in a test after shading.
-static unsigned test_texels(struct tile_work *work, const uint16_t at[8], f8 z, unsigned bits,
+static unsigned test_texels(struct tile_work *work, const int32_t at[8], f8 z, unsigned bits,
                             const struct depth_rule rule)
 {
     struct rhw_tile_scratch *const scratch = work->scratch;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Groups packed from single fragments, of whatever triangles they are: where triangles are small, a group of 8
-// pixels in a row would be mostly empty and shading it mostly wasted. A fragment is evaluated as one vector over
+// Groups packed from single fragments, of whatever triangles they are: where triangles are small, groups of each by
+// itself would be mostly empty and shading them mostly wasted. A fragment is evaluated as one vector over
 // quantities and one over components, then 8 of them are turned into lanes. Every number is made by the same
 // operations as in a row (shade_tmpl.h), so the road a fragment takes changes no bit.
 // Template: compiled once per instruction set.
@@ -13,7 +13,7 @@ struct triangle_work {
     const struct rhw_segment *segment;
     const struct rhw_triangle *t;
     bool planes_ready, ready; // `planes` are set; `provoking`, `i0`, `d1`, `d2` are
-    int packed;               // its number in the scratch, or −1
+    int packed;               // its number in the scratch, of pack_triangle
     struct planes planes;
     const struct rhw_vertex_record *v[3];
     const float *provoking;
@@ -187,29 +187,22 @@ static void pack_triangle(struct tile_work *work, struct triangle_work *triangle
     }
 }
 
-// Adds the fragments of a row whose bits are set; x, y: of bit 0, in the tile. None of their pixels is pending.
-RHW_INLINE void pack_row(struct tile_work *work, const struct triangle_work *triangle, int x, int y,
-                         unsigned bits)
+// Adds a fragment; `at`: its texel.
+RHW_INLINE void pack_fragment(struct tile_work *work, const struct triangle_work *triangle, int at)
 {
     struct rhw_tile_scratch *const scratch = work->scratch;
-    const struct planes *const planes = &triangle->planes;
+    const struct linear *const linear = &triangle->planes.linear;
     const struct rhw_packed_triangle *const packed = &scratch->packed[triangle->packed];
-    const d4 row = planes->linear.at + planes->linear.dy * d4_splat((double)(y - packed->anchor_y));
-    const d4 dx = planes->linear.dx;
-    set_pending(work, x, y, bits);
-    while (bits != 0) {
-        const int at_x = x + __builtin_ctz(bits), n = work->waiting_count;
-        scratch->waiting_at[n] = (uint16_t)(y * RHW_TILE + at_x);
-        scratch->waiting_triangle[n] = packed;
-        scratch->waiting_value[n] = dx * d4_splat((double)(at_x - packed->anchor_x)) + row;
-        work->waiting_count = n + 1;
-        bits &= bits - 1;
-        if (n + 1 == 8) {
-            pack_group(work, 0xff);
-            if (work->count == RHW_FRAGMENT_GROUPS) {
-                shade_window(work);
-                set_pending(work, x, y, bits);
-            }
+    const double dx = at % RHW_TILE - packed->anchor_x, dy = at / RHW_TILE - packed->anchor_y;
+    const int n = work->waiting_count;
+    scratch->waiting_at[n] = at;
+    scratch->waiting_triangle[n] = packed;
+    scratch->waiting_value[n] = linear->dx * d4_splat(dx) + (linear->at + linear->dy * d4_splat(dy));
+    work->waiting_count = n + 1;
+    if (n + 1 == 8) {
+        pack_group(work, 0xff);
+        if (work->count == RHW_FRAGMENT_GROUPS) {
+            shade_window(work);
         }
     }
 }

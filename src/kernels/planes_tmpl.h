@@ -245,7 +245,7 @@ struct block_plane {
     double row[RHW_BLOCK];
 };
 
-// Which block, relative to the anchor: dx of the columns, dy of the rows; pixels.
+// Which block, relative to the anchor: dx of the columns, dy of the rows; pixels. Or which 8 pixels: dx and dy of each.
 struct block_place {
     d8 dx, dy;
 };
@@ -260,6 +260,13 @@ RHW_INLINE void plane_over(struct block_plane *out, const struct plane *plane, c
 RHW_INLINE d8 plane_row(const struct block_plane *plane, int row)
 {
     return d8_add(plane->column, d8_splat(plane->row[row]));
+}
+
+// The same for 8 pixels anywhere.
+RHW_INLINE d8 plane_lanes(const struct linear *linear, enum quantity q, const struct block_place *at)
+{
+    const d8 row = d8_add(d8_splat(linear->at[q]), d8_mul(d8_splat(linear->dy[q]), at->dy));
+    return d8_add(d8_mul(d8_splat(linear->dx[q]), at->dx), row);
 }
 
 RHW_INLINE d8 combine_rows(const struct planes *p, enum quantity q, d8 e1, d8 e2)
@@ -327,6 +334,12 @@ struct weights {
     d8 s, inverse_s;
 };
 
+RHW_INLINE struct weights weights_of(d8 s, d8 b, d8 c)
+{
+    const d8 inverse = d8_div(d8_splat(1), s);
+    return (struct weights){f8_from_d8(d8_mul(b, inverse)), f8_from_d8(d8_mul(c, inverse)), s, inverse};
+}
+
 // `exact`: of the planes.
 RHW_INLINE struct weights weights_row(const struct planes *p, const struct block_planes *block, int row,
                                       bool exact)
@@ -342,8 +355,14 @@ RHW_INLINE struct weights weights_row(const struct planes *p, const struct block
         b = plane_row(&block->b, row);
         c = plane_row(&block->c, row);
     }
-    const d8 inverse = d8_div(d8_splat(1), s);
-    return (struct weights){f8_from_d8(d8_mul(b, inverse)), f8_from_d8(d8_mul(c, inverse)), s, inverse};
+    return weights_of(s, b, c);
+}
+
+// The same for 8 pixels anywhere, of planes that are not `exact`.
+RHW_INLINE struct weights weights_lanes(const struct linear *linear, const struct block_place *at)
+{
+    return weights_of(plane_lanes(linear, QUANTITY_S, at), plane_lanes(linear, QUANTITY_B, at),
+                      plane_lanes(linear, QUANTITY_C, at));
 }
 
 // Weights on the screen of vertices 1 and 2.
@@ -502,9 +521,9 @@ static void planes_slopes(struct planes *p, const struct rhw_triangle *t,
 }
 
 // Per pixel to the right (x) and down (y), of a weight whose numerators are given.
-static void weight_derivatives(struct slope slope, d8 dx, double dy, d8 inverse_s, f8 *by_x, f8 *by_y)
+RHW_INLINE void weight_derivatives(struct slope slope, d8 dx, d8 dy, d8 inverse_s, f8 *by_x, f8 *by_y)
 {
     const d8 squared = d8_mul(inverse_s, inverse_s);
-    *by_x = f8_from_d8(d8_mul(d8_splat(slope.x + slope.x_dy * dy), squared));
+    *by_x = f8_from_d8(d8_mul(d8_add(d8_splat(slope.x), d8_mul(d8_splat(slope.x_dy), dy)), squared));
     *by_y = f8_from_d8(d8_mul(d8_add(d8_splat(slope.y), d8_mul(d8_splat(slope.y_dx), dx)), squared));
 }

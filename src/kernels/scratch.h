@@ -22,7 +22,9 @@ enum {
     // is drawn as submitted.
     RHW_DEFERRED_TRIANGLES = 32768,
     // Triangles whose fragments may wait for a group at the same time: 7 that wait, and the one that adds to them.
-    RHW_PACKED_TRIANGLES = 8
+    RHW_PACKED_TRIANGLES = 8,
+    // Fragments of one triangle that are collected before groups are made of them: those of two blocks.
+    RHW_LOOSE_FRAGMENTS = 128
 };
 
 struct rhw_cache_entry {
@@ -95,10 +97,12 @@ struct rhw_tile_scratch {
     uint64_t pending[RHW_TILE]; // by row, a bit per pixel: those with a fragment in the window
     struct rhw_fragment groups[RHW_FRAGMENT_GROUPS];
     struct rhw_group_places places;
-    uint16_t lanes_at[RHW_FRAGMENT_GROUPS][8];
+    int32_t lanes_at[RHW_FRAGMENT_GROUPS][8];
+    // Texels of the triangle's fragments that are not in the window yet, and room for a vector that begins there.
+    int32_t loose_at[RHW_LOOSE_FRAGMENTS + 8];
     struct rhw_packed_triangle packed[RHW_PACKED_TRIANGLES];
     // Fragments that wait for a group: texel, triangle, and the four quantities.
-    uint16_t waiting_at[8];
+    int32_t waiting_at[8];
     const struct rhw_packed_triangle *waiting_triangle[8];
     d4 waiting_value[8];
     f8 varyings[RHW_FRAGMENT_GROUPS * RHW_MAX_VARYING_COMPONENTS];

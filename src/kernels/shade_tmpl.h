@@ -161,8 +161,9 @@ static void fill_group(const struct tile_work *work, int g, const struct triangl
         double dy[RHW_BLOCK];
         memcpy(dy, &at->dy, sizeof dy);
         struct weight_slopes slopes;
-        weight_derivatives(planes->b_slope, at->dx, dy[row], w.inverse_s, &slopes.b_dx, &slopes.b_dy);
-        weight_derivatives(planes->c_slope, at->dx, dy[row], w.inverse_s, &slopes.c_dx, &slopes.c_dy);
+        const d8 row_dy = d8_splat(dy[row]);
+        weight_derivatives(planes->b_slope, at->dx, row_dy, w.inverse_s, &slopes.b_dx, &slopes.b_dy);
+        weight_derivatives(planes->c_slope, at->dx, row_dy, w.inverse_s, &slopes.c_dx, &slopes.c_dy);
         fill_derivatives(work, g, triangle, &slopes);
         if (uses & RHW_USE_BARYCENTRIC_DERIVATIVES) {
             fill_barycentrics(group->barycentric_ddx, 0, slopes.b_dx, slopes.c_dx);
@@ -182,12 +183,23 @@ struct block_rows {
 static const struct block_rows all_rows = {
     RHW_BLOCK, {0, 1, 2, 3, 4, 5, 6, 7}, {255, 255, 255, 255, 255, 255, 255, 255}};
 
-// The perspective weights of the rows' groups, and their derivatives where they are asked for.
-struct row_weights {
+// The perspective weights of some groups, and their derivatives where they are asked for.
+struct group_weights {
     f8 b[RHW_BLOCK], c[RHW_BLOCK], b_dx[RHW_BLOCK], b_dy[RHW_BLOCK], c_dx[RHW_BLOCK], c_dy[RHW_BLOCK];
 };
 
-RHW_INLINE void weigh_rows(struct row_weights *to, const struct planes *planes,
+RHW_INLINE void set_weights(struct group_weights *to, int n, const struct planes *planes,
+                            const struct weights *w, d8 dx, d8 dy, bool derivatives)
+{
+    to->b[n] = w->b;
+    to->c[n] = w->c;
+    if (derivatives) {
+        weight_derivatives(planes->b_slope, dx, dy, w->inverse_s, &to->b_dx[n], &to->b_dy[n]);
+        weight_derivatives(planes->c_slope, dx, dy, w->inverse_s, &to->c_dx[n], &to->c_dy[n]);
+    }
+}
+
+RHW_INLINE void weigh_rows(struct group_weights *to, const struct planes *planes,
                            const struct block_planes *block, const struct block_place *at,
                            const struct block_rows *rows, bool derivatives, bool exact)
 {
@@ -196,37 +208,23 @@ RHW_INLINE void weigh_rows(struct row_weights *to, const struct planes *planes,
     for (int n = 0; n < rows->count; n++) {
         const int row = rows == &all_rows ? n : rows->row[n];
         const struct weights w = weights_row(planes, block, row, exact);
-        to->b[n] = w.b;
-        to->c[n] = w.c;
-        if (derivatives) {
-            weight_derivatives(planes->b_slope, at->dx, dy[row], w.inverse_s, &to->b_dx[n], &to->b_dy[n]);
-            weight_derivatives(planes->c_slope, at->dx, dy[row], w.inverse_s, &to->c_dx[n], &to->c_dy[n]);
-        }
+        set_weights(to, n, planes, &w, at->dx, d8_splat(dy[row]), derivatives);
     }
 }
 
-// Fills groups `first` on with smooth varyings and, where they are asked for, derivatives.
-RHW_INLINE void fill_rows(const struct tile_work *work, const struct triangle_work *triangle,
-                          const struct block_planes *block, const struct block_place *at,
-                          const struct block_rows *rows, int first, bool derivatives)
+// Fills `count` groups from `first` on with smooth varyings and, where they are asked for, derivatives.
+RHW_INLINE void fill_smooth(const struct tile_work *work, const struct triangle_work *triangle,
+                            const struct group_weights *weights, int count, int first, bool derivatives)
 {
     const struct rhw_pipeline_data *const pipeline = work->pipeline;
-    const struct planes *const planes = &triangle->planes;
-    const int count = rows->count;
     const ptrdiff_t components = pipeline->varying_components;
-    struct row_weights weights;
-    if (__builtin_expect(planes->exact, 0)) {
-        weigh_rows(&weights, planes, block, at, rows, derivatives, true);
-    } else {
-        weigh_rows(&weights, planes, block, at, rows, derivatives, false);
-    }
     f8 *const varyings = work->scratch->varyings + first * components;
     for (int i = 0; i < components; i++) {
         const f8 i0 = f8_splat(triangle->i0[i]), d1 = f8_splat(triangle->d1[i]),
                  d2 = f8_splat(triangle->d2[i]);
         f8 *to = varyings + i;
         for (int n = 0; n < count; n++, to += components) {
-            *to = i0 - (weights.b[n] * d1 + weights.c[n] * d2);
+            *to = i0 - (weights->b[n] * d1 + weights->c[n] * d2);
         }
     }
     if (!derivatives) {
@@ -238,12 +236,26 @@ RHW_INLINE void fill_rows(const struct tile_work *work, const struct triangle_wo
         const f8 d1 = f8_splat(-triangle->d1[i]), d2 = f8_splat(-triangle->d2[i]);
         f8 *to_x = ddx + i, *to_y = ddy + i;
         for (int n = 0; n < count && pipeline->component_derivatives[i]; n++) {
-            *to_x = weights.b_dx[n] * d1 + weights.c_dx[n] * d2;
-            *to_y = weights.b_dy[n] * d1 + weights.c_dy[n] * d2;
+            *to_x = weights->b_dx[n] * d1 + weights->c_dx[n] * d2;
+            *to_y = weights->b_dy[n] * d1 + weights->c_dy[n] * d2;
             to_x += components;
             to_y += components;
         }
     }
+}
+
+// The rows as groups from `first` on.
+RHW_INLINE void fill_rows(const struct tile_work *work, const struct triangle_work *triangle,
+                          const struct block_planes *block, const struct block_place *at,
+                          const struct block_rows *rows, int first, bool derivatives)
+{
+    struct group_weights weights;
+    if (__builtin_expect(triangle->planes.exact, 0)) {
+        weigh_rows(&weights, &triangle->planes, block, at, rows, derivatives, true);
+    } else {
+        weigh_rows(&weights, &triangle->planes, block, at, rows, derivatives, false);
+    }
+    fill_smooth(work, triangle, &weights, rows->count, first, derivatives);
 }
 
 // Depth, facing and ids of groups `first` on, for programs and tests that want them.
@@ -294,64 +306,5 @@ RHW_INLINE void add_rows(struct tile_work *work, const struct triangle_work *tri
     work->count = first + rows->count;
     if (work->count == RHW_FRAGMENT_GROUPS) {
         shade_window(work);
-    }
-}
-
-// Whether some pixel of the block's that is set in `mask` is pending.
-RHW_INLINE bool any_pending(const struct tile_work *work, int x, int y, uint64_t mask)
-{
-    const int x7 = x + RHW_BLOCK - 1, y7 = y + RHW_BLOCK - 1;
-    if (work->whole & (block_bit(x, y) | block_bit(x7, y) | block_bit(x, y7) | block_bit(x7, y7))) {
-        return true; // of a block that overlaps this one; it need not be the same pixels
-    }
-    return work->rows_pending && (block_bits(&work->scratch->pending[y], x) & mask) != 0;
-}
-
-// Collects the fragments of a block whose bits are set in `mask`: rows with few of them are packed. Inline twice: as a
-// function of its own it costs a block of a large triangle 50 instructions.
-RHW_INLINE void collect_block(struct tile_work *work, struct triangle_work *triangle,
-                              struct block_planes *block, const struct block_place *at, int x, int y,
-                              uint64_t mask, const f8 z[RHW_BLOCK], bool is_cut)
-{
-    enum { PACK_MOST = 3 }; // measured: from 4 fragments on a group of its own costs less
-    const bool packs = work->packs && !is_cut && !triangle->planes.exact;
-    if (any_pending(work, x, y, mask)) {
-        flush(work);
-    }
-    const bool is_whole = mask == ~(uint64_t)0 && x % RHW_BLOCK == 0 && y % RHW_BLOCK == 0;
-    struct block_rows rows;
-    rows.count = 0;
-    while (mask != 0 && !is_whole) {
-        const int shift = __builtin_ctzll(mask) & 56, row = shift / 8;
-        const unsigned bits = (unsigned)(mask >> shift) & 0xff;
-        mask &= ~((uint64_t)0xff << shift);
-        if (packs && __builtin_popcount(bits) <= PACK_MOST) {
-            if (triangle->packed < 0) {
-                pack_triangle(work, triangle);
-            }
-            pack_row(work, triangle, x, y + row, bits);
-        } else {
-            rows.row[rows.count] = (uint8_t)row;
-            rows.bits[rows.count++] = (uint8_t)bits;
-        }
-    }
-    if (rows.count == 0 && !is_whole) {
-        return;
-    }
-    if (!triangle->ready) {
-        prepare_values(work, triangle);
-    }
-    block_weights(block, &triangle->planes, at);
-    if (!work->smooth || is_cut) {
-        block_screen_weights(block, &triangle->planes, at);
-    }
-    if (work->count + (is_whole ? RHW_BLOCK : rows.count) > RHW_FRAGMENT_GROUPS) {
-        shade_window(work);
-    }
-    if (is_whole) {
-        work->whole |= block_bit(x, y);
-        add_rows(work, triangle, block, at, x, y, &all_rows, z, is_cut);
-    } else {
-        add_rows(work, triangle, block, at, x, y, &rows, z, is_cut);
     }
 }

@@ -105,18 +105,15 @@ RHW_INLINE void take_planes(struct triangle_work *triangle, const struct batch *
     triangle->planes_ready = true;
 }
 
-// Packs the pixels of a block.
-static void small_pack(struct tile_work *work, struct triangle_work *triangle, int x, int y, uint64_t mask)
+// The pixels of the only block that a triangle has.
+RHW_INLINE void collect_small(struct tile_work *work, int x, int y, uint64_t mask)
 {
     if (any_pending(work, x, y, mask)) {
         flush(work);
     }
-    if (triangle->packed < 0) {
-        pack_triangle(work, triangle);
-    }
     for (; mask != 0; mask >>= RHW_BLOCK, y++) {
         if (mask & 0xff) {
-            pack_row(work, triangle, x, y, (unsigned)mask & 0xff);
+            add_loose(work, x, y, (unsigned)mask & 0xff);
         }
     }
 }
@@ -137,7 +134,7 @@ RHW_INLINE void draw_small_block(struct tile_work *work, struct triangle_work *t
         take_planes(triangle, batch, i);
     }
     if (only) {
-        small_pack(work, triangle, block->x, block->y, mask);
+        collect_small(work, block->x, block->y, mask);
         return;
     }
     const struct block_place at = block_place(work, &triangle->planes, block->x, block->y);
@@ -191,4 +188,5 @@ static void draw_small(struct tile_work *work, struct triangle_work *triangle, c
     } else {
         draw_small_blocks(work, triangle, batch, i, taken && !work->keeps_depth);
     }
+    finish_loose(work, triangle);
 }

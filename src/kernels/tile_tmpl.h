@@ -148,7 +148,6 @@ static void draw_triangle(struct tile_work *work, const struct rhw_chunk *chunk,
     triangle.t = batch->triangle[i];
     triangle.segment = &chunk->segments[triangle.t->segment];
     triangle.planes_ready = triangle.ready = false;
-    triangle.packed = -1;
     triangle.provoking = NULL;
     if (triangle.segment->draw != work->draw) {
         set_draw(work, triangle.segment->draw);

@@ -30,26 +30,26 @@ static unsigned finish_depth(struct tile_work *work, int g)
 }
 
 // Texels of a packed group, side by side for the merger, and back.
-RHW_INLINE void gather_texels(const uint16_t at[8], const unsigned char *texels, size_t size,
+RHW_INLINE void gather_texels(const int32_t at[8], const unsigned char *texels, size_t size,
                               unsigned char *out)
 {
     for (int i = 0; i < 8; i++) {
-        memcpy(out + (size_t)i * size, texels + at[i] * size, size);
+        memcpy(out + (size_t)i * size, texels + (size_t)at[i] * size, size);
     }
 }
 
-RHW_INLINE void scatter_texels(const uint16_t at[8], unsigned bits, unsigned char *texels, size_t size,
+RHW_INLINE void scatter_texels(const int32_t at[8], unsigned bits, unsigned char *texels, size_t size,
                                const unsigned char *from)
 {
     if (bits == 0xff) {
         for (int i = 0; i < 8; i++) {
-            memcpy(texels + at[i] * size, from + (size_t)i * size, size);
+            memcpy(texels + (size_t)at[i] * size, from + (size_t)i * size, size);
         }
         return;
     }
     for (; bits != 0; bits &= bits - 1) {
         const int lane = __builtin_ctz(bits);
-        memcpy(texels + at[lane] * size, from + (size_t)lane * size, size);
+        memcpy(texels + (size_t)at[lane] * size, from + (size_t)lane * size, size);
     }
 }
 
@@ -78,7 +78,7 @@ RHW_INLINE void merge_target(const struct tile_work *work, int t, enum output_ki
             continue;
         }
         _Alignas(32) unsigned char lanes[8 * 16];
-        const uint16_t *const at = scratch->lanes_at[g];
+        const int32_t *const at = scratch->lanes_at[g];
         if (kind != OUTPUT_RGBA8_REPLACE) {
             gather_texels(at, texels, size, lanes);
         }
@@ -108,13 +108,17 @@ RHW_INLINE void set_pending(struct tile_work *work, int x, int y, unsigned bits)
     work->rows_pending = true;
 }
 
-// Forgets what is pending, but for fragments without a group.
+// Forgets what is pending, but for fragments without a group. While a triangle has loose ones all pixels stay pending:
+// which of them need not costs more to tell than a window closed early.
 static void clear_pending(struct tile_work *work)
 {
+    work->whole = 0;
+    if (work->loose_count != 0) {
+        return;
+    }
     if (work->rows_pending) {
         memset(work->scratch->pending, 0, sizeof work->scratch->pending);
     }
-    work->whole = 0;
     work->rows_pending = false;
     for (int i = 0; i < work->waiting_count; i++) {
         const int at = work->scratch->waiting_at[i];

@@ -72,6 +72,7 @@ struct tile_work {
     bool rows_pending;     // the scratch's `pending` has other pixels
     bool all_full;         // every group is 8 live pixels in a row
     int count;             // groups in the window
-    int waiting_count;     // fragments that wait for a group
+    int loose_count;       // fragments of the triangle under way that are in no group, see collect_tmpl.h
+    int waiting_count;     // fragments of several triangles that wait for a group
     unsigned packed_count; // triangles packed so far
 };

@@ -1,0 +1,167 @@
+// SPDX-License-Identifier: MIT
+// What of a triangle is seen becomes groups. Rows of a block that are seen from end to end are groups as they stand. The
+// fragments of the others are loose: they are listed, and once the triangle is done every 8 of them make a group,
+// wherever in the tile they lie; the last few are packed with those of other triangles. Every number is made by the
+// same operations as in a row, so the road a fragment takes changes no bit.
+// Template: compiled once per instruction set.
+
+#include "constant_tmpl.h"
+
+// Whether some pixel of the block's that is set in `mask` is pending.
+RHW_INLINE bool any_pending(const struct tile_work *work, int x, int y, uint64_t mask)
+{
+    const int x7 = x + RHW_BLOCK - 1, y7 = y + RHW_BLOCK - 1;
+    if (work->whole & (block_bit(x, y) | block_bit(x7, y) | block_bit(x, y7) | block_bit(x7, y7))) {
+        return true; // of a block that overlaps this one; it need not be the same pixels
+    }
+    return work->rows_pending && (block_bits(&work->scratch->pending[y], x) & mask) != 0;
+}
+
+// Adds the loose fragments of a row; x, y: of bit 0, in the tile. None of their pixels is pending.
+RHW_INLINE void add_loose(struct tile_work *work, int x, int y, unsigned bits)
+{
+    int32_t *const loose = work->scratch->loose_at;
+    set_pending(work, x, y, bits);
+    while (bits != 0) { // a row is one run of pixels, seldom more
+        const unsigned lowest = bits & -bits, rest = bits + lowest;
+        const int first = __builtin_ctz(bits);
+        i8_store(&loose[work->loose_count], i8_splat(y * RHW_TILE + x + first) + rhw_lane_index);
+        work->loose_count += __builtin_ctz(rest) - first;
+        bits &= rest;
+    }
+}
+
+RHW_INLINE struct block_place loose_place(const struct tile_work *work, const struct planes *planes,
+                                          const int32_t at[8])
+{
+    const i8 texel = i8_load(at);
+    const i8 x = texel & i8_splat(RHW_TILE - 1), y = texel >> RHW_TILE_LOG2;
+    return (struct block_place){d8_from_i8(x - i8_splat(planes->anchor_x - work->x)),
+                                d8_from_i8(y - i8_splat(planes->anchor_y - work->y))};
+}
+
+// Groups `first` on of the fragments at `at`.
+RHW_INLINE void fill_loose(const struct tile_work *work, const struct triangle_work *triangle,
+                           const int32_t *at, int count, int first, bool derivatives)
+{
+    const struct planes *const planes = &triangle->planes;
+    struct group_weights weights;
+    for (int n = 0; n < count; n++) {
+        const struct block_place place = loose_place(work, planes, &at[8 * n]);
+        const struct weights w = weights_lanes(&planes->linear, &place);
+        set_weights(&weights, n, planes, &w, place.dx, place.dy, derivatives);
+        if (work->keeps_depth) {
+            const f8 z = f8_from_d8(plane_lanes(&planes->linear, QUANTITY_Z, &place));
+            work->scratch->groups[first + n].depth = viewport_clamp(work->state, z);
+        }
+    }
+    fill_smooth(work, triangle, &weights, count, first, derivatives);
+}
+
+// Adds groups of the fragments at `at`, 8 each, to the window.
+static void add_loose_groups(struct tile_work *work, struct triangle_work *triangle, const int32_t *at,
+                             int count)
+{
+    struct rhw_group_places *const places = &work->scratch->places;
+    if (!triangle->ready) {
+        prepare_values(work, triangle);
+    }
+    while (count != 0) {
+        const int first = work->count, n = min_int(min_int(count, RHW_FRAGMENT_GROUPS - first), RHW_BLOCK);
+        for (int g = first; g < first + n; g++) {
+            struct rhw_fragment *const group = &work->scratch->groups[g];
+            places->bits[g] = 0xff;
+            places->packed[g] = true;
+            memcpy(work->scratch->lanes_at[g], &at[8 * (g - first)], sizeof work->scratch->lanes_at[g]);
+            group->mask = i8_splat(-1);
+            if (work->wants) {
+                fill_identity(work, group, triangle);
+            }
+        }
+        if (work->pipeline->any_derivatives) {
+            fill_loose(work, triangle, at, n, first, true);
+        } else {
+            fill_loose(work, triangle, at, n, first, false);
+        }
+        work->all_full = false;
+        work->count = first + n;
+        if (work->count == RHW_FRAGMENT_GROUPS) {
+            shade_window(work);
+        }
+        count -= n;
+        at += 8 * n;
+    }
+}
+
+// Makes groups of the loose fragments that fill them; the others stay.
+static __attribute__((noinline)) void group_loose(struct tile_work *work, struct triangle_work *triangle)
+{
+    int32_t *const loose = work->scratch->loose_at;
+    const int groups = work->loose_count / 8, rest = work->loose_count % 8;
+    add_loose_groups(work, triangle, loose, groups);
+    memcpy(loose, &loose[8 * groups], 8 * sizeof *loose);
+    work->loose_count = rest;
+}
+
+// Lets go of all loose fragments of a triangle, which is done.
+static void finish_loose(struct tile_work *work, struct triangle_work *triangle)
+{
+    if (work->loose_count >= 8) {
+        group_loose(work, triangle);
+    }
+    if (work->loose_count != 0) {
+        pack_triangle(work, triangle);
+        for (int i = 0; i < work->loose_count; i++) {
+            pack_fragment(work, triangle, work->scratch->loose_at[i]);
+        }
+        work->loose_count = 0;
+    }
+}
+
+// Collects the fragments of a block whose bits are set in `mask`. Inline twice: as a function of its own it costs a
+// block of a large triangle 50 instructions.
+RHW_INLINE void collect_block(struct tile_work *work, struct triangle_work *triangle,
+                              struct block_planes *block, const struct block_place *at, int x, int y,
+                              uint64_t mask, const f8 z[RHW_BLOCK], bool is_cut)
+{
+    const bool packs = work->packs && !is_cut && !triangle->planes.exact;
+    if (any_pending(work, x, y, mask)) {
+        flush(work);
+    }
+    const bool is_whole = mask == ~(uint64_t)0 && x % RHW_BLOCK == 0 && y % RHW_BLOCK == 0;
+    if (work->loose_count > RHW_LOOSE_FRAGMENTS - RHW_BLOCK * RHW_BLOCK) {
+        group_loose(work, triangle);
+    }
+    struct block_rows rows;
+    rows.count = 0;
+    while (mask != 0 && !is_whole) {
+        const int shift = __builtin_ctzll(mask) & 56, row = shift / 8;
+        const unsigned bits = (unsigned)(mask >> shift) & 0xff;
+        mask &= ~((uint64_t)0xff << shift);
+        if (packs && bits != 0xff) {
+            add_loose(work, x, y + row, bits);
+        } else {
+            rows.row[rows.count] = (uint8_t)row;
+            rows.bits[rows.count++] = (uint8_t)bits;
+        }
+    }
+    if (rows.count == 0 && !is_whole) {
+        return;
+    }
+    if (!triangle->ready) {
+        prepare_values(work, triangle);
+    }
+    block_weights(block, &triangle->planes, at);
+    if (!work->smooth || is_cut) {
+        block_screen_weights(block, &triangle->planes, at);
+    }
+    if (work->count + (is_whole ? RHW_BLOCK : rows.count) > RHW_FRAGMENT_GROUPS) {
+        shade_window(work);
+    }
+    if (is_whole) {
+        work->whole |= block_bit(x, y);
+        add_rows(work, triangle, block, at, x, y, &all_rows, z, is_cut);
+    } else {
+        add_rows(work, triangle, block, at, x, y, &rows, z, is_cut);
+    }
+}
