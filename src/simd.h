@@ -57,6 +57,11 @@ RHW_INLINE ul4 ul4_load(const void *p)
     return v;
 }
 
+RHW_INLINE void ul4_store(void *p, ul4 v)
+{
+    memcpy(p, &v, sizeof v);
+}
+
 RHW_INLINE i4 i4_load(const void *p)
 {
     i4 v;

@@ -5,60 +5,68 @@
 #include "collect_tmpl.h"
 #include "coverage_tmpl.h"
 
-// Tests depth of the block's pixels in `mask`, early; returns those that pass. `rule` is a constant where a call
-// names it.
-RHW_INLINE uint64_t test_block(struct tile_work *work, const struct planes *planes,
-                               const struct block_planes *block, int x, int y, uint64_t mask,
-                               const struct depth_rule rule)
+// Tests the pixels of a block set in `mask`, whose depths are `z`; returns those that pass. `rule` is a constant where a
+// call names it, as is `whole`: all pixels are set.
+RHW_INLINE uint64_t test_rows(struct tile_work *work, const f8 z[RHW_BLOCK], int x, int y, uint64_t mask,
+                              const struct depth_rule rule, bool whole)
 {
-    uint64_t passed = 0;
-    while (mask != 0) {
-        const int shift = __builtin_ctzll(mask) & 56, row = shift / 8;
-        const f8 z = depth_row(planes, block, row);
-        passed |= (uint64_t)test_row(work, x, y + row, z, (unsigned)(mask >> shift) & 0xff, rule) << shift;
-        mask &= ~((uint64_t)0xff << shift);
-    }
-    return passed;
-}
-
-// The same by the rule of the draw.
-static uint64_t test_block_early(struct tile_work *work, const struct planes *planes,
-                                 const struct block_planes *block, int x, int y, uint64_t mask)
-{
-    switch (work->common) {
-    case RULE_LESS: return test_block(work, planes, block, x, y, mask, common_rules[RULE_LESS]);
-    case RULE_GREATER: return test_block(work, planes, block, x, y, mask, common_rules[RULE_GREATER]);
-    case RULE_MARK_LESS: return test_block(work, planes, block, x, y, mask, common_rules[RULE_MARK_LESS]);
-    case RULE_MARK_GREATER:
-        return test_block(work, planes, block, x, y, mask, common_rules[RULE_MARK_GREATER]);
-    case RULE_TAKE: return test_block(work, planes, block, x, y, mask, common_rules[RULE_TAKE]);
-    default: return test_block(work, planes, block, x, y, mask, work->early);
-    }
-}
-
-// The same where fragments keep their depth or it is clamped; test_block is the common road.
-static uint64_t depth_block(struct tile_work *work, const struct triangle_work *triangle,
-                            const struct block_planes *block, const struct block_place *at, int x, int y,
-                            uint64_t mask, bool is_cut, f8 z[RHW_BLOCK])
-{
+    float *texels = stored_depth(work, x, y);
     uint64_t passed = 0;
     for (int row = 0; row < RHW_BLOCK; row++) {
-        unsigned bits = (unsigned)(mask >> (8 * row)) & 0xff;
+        const i8 live = whole ? i8_splat(-1) : i8_from_bits((unsigned)(mask >> (8 * row)) & 0xff);
+        const i8 pass = test_lanes(texels, z[row], live, open_row(work, x, y + row, rule), rule);
+        passed |= (uint64_t)i8_sign_bits(pass) << (8 * row);
+        texels += RHW_TILE;
+    }
+    return settle_block(work, x, y, passed, rule);
+}
+
+RHW_INLINE uint64_t test_block(struct tile_work *work, const f8 z[RHW_BLOCK], int x, int y, uint64_t mask,
+                               const struct depth_rule rule)
+{
+    return mask == ~(uint64_t)0 ? test_rows(work, z, x, y, mask, rule, true)
+                                : test_rows(work, z, x, y, mask, rule, false);
+}
+
+// The same by the rule of the draw, before shading.
+static uint64_t test_block_early(struct tile_work *work, const f8 z[RHW_BLOCK], int x, int y, uint64_t mask)
+{
+    switch (work->common) {
+    case RULE_LESS: return test_block(work, z, x, y, mask, common_rules[RULE_LESS]);
+    case RULE_GREATER: return test_block(work, z, x, y, mask, common_rules[RULE_GREATER]);
+    case RULE_MARK_LESS: return test_block(work, z, x, y, mask, common_rules[RULE_MARK_LESS]);
+    case RULE_MARK_GREATER: return test_block(work, z, x, y, mask, common_rules[RULE_MARK_GREATER]);
+    case RULE_TAKE: return test_block(work, z, x, y, mask, common_rules[RULE_TAKE]);
+    default: return test_block(work, z, x, y, mask, work->early);
+    }
+}
+
+// The depths of a block; those of pixels outside `mask` are rubbish.
+RHW_INLINE void depth_rows(const struct tile_work *work, const struct triangle_work *triangle,
+                           const struct block_planes *block, const struct block_place *at, uint64_t mask,
+                           bool is_cut, f8 z[RHW_BLOCK])
+{
+    for (int row = 0; row < RHW_BLOCK; row++) {
         z[row] = depth_row(&triangle->planes, block, row);
-        if (is_cut && bits != 0) {
-            struct cut_row cut;
+    }
+    for (int row = 0; row < RHW_BLOCK && is_cut; row++) {
+        struct cut_row cut;
+        if (mask >> (8 * row) & 0xff) {
             cut_row(&triangle->planes, at, row, &cut);
             z[row] = f8_select(cut.lanes, cut.z, z[row]);
         }
-        if (triangle->t->flags & RHW_TRIANGLE_CLAMP) {
-            z[row] = viewport_clamp(work->state, z[row]);
-        }
-        if (tests_early(work)) {
-            bits = test_row(work, x, y + row, z[row], bits, work->early);
-        }
-        passed |= (uint64_t)bits << (8 * row);
     }
-    return passed;
+    for (int row = 0; row < RHW_BLOCK && triangle->t->flags & RHW_TRIANGLE_CLAMP; row++) {
+        z[row] = viewport_clamp(work->state, z[row]);
+    }
+}
+
+// Drawn backwards: the pixels of a block that nothing after it covers.
+static uint64_t take_backwards(struct tile_work *work, int x, int y, uint64_t mask)
+{
+    const uint64_t taken = take_block(work, x, y, mask);
+    work->open_count -= __builtin_popcountll(taken);
+    return taken;
 }
 
 RHW_INLINE struct block_place block_place(const struct tile_work *work, const struct planes *planes, int x,
@@ -90,7 +98,7 @@ static void setup_planes(const struct tile_work *work, struct triangle_work *tri
 static void draw_block(struct tile_work *work, struct triangle_work *triangle, int x, int y, uint64_t mask)
 {
     if (work->phase == PHASE_BACKWARDS) {
-        mask = take_block(work, x, y, mask);
+        mask = take_backwards(work, x, y, mask);
     } else if (work->common == RULE_TAKE) {
         mask &= block_bits(&work->scratch->open[y], x);
     }
@@ -112,10 +120,9 @@ static void draw_block(struct tile_work *work, struct triangle_work *triangle, i
     f8 z[RHW_BLOCK];
     if (work->needs_depth) {
         block_depth(&block, planes, &at);
-        if (work->keeps_depth || triangle->t->flags & RHW_TRIANGLE_CLAMP) {
-            mask = depth_block(work, triangle, &block, &at, x, y, mask, is_cut, z);
-        } else {
-            mask = test_block_early(work, planes, &block, x, y, mask);
+        depth_rows(work, triangle, &block, &at, mask, is_cut, z);
+        if (tests_early(work)) {
+            mask = test_block_early(work, z, x, y, mask);
         }
     }
     work->counters->fragments += work->shades ? (uint64_t)__builtin_popcountll(mask) : 0;

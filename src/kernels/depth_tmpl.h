@@ -66,22 +66,10 @@ static enum common_rule common_rule(const struct depth_rule rule)
 RHW_INLINE i8 passes(const struct depth_rule rule, f8 z, f8 stored, unsigned open)
 {
     i8 pass = depth_passes(rule.compare, z, stored);
-    if (rule.open == OPEN_TAKE) {
-        pass &= i8_from_bits(open & 0xff);
-    } else if (rule.open >= OPEN_TRY) {
+    if (rule.open >= OPEN_TRY) {
         pass |= depth_passes(RHW_COMPARE_EQUAL, z, stored) & i8_from_bits(open & 0xff);
     }
     return pass;
-}
-
-// Of the pixels of a row set in `bits`, those that are open; they are not open any more.
-RHW_INLINE unsigned take_row(struct tile_work *work, int x, int y, unsigned bits)
-{
-    uint64_t *const open = &work->scratch->open[y];
-    bits &= (unsigned)(*open >> x);
-    *open &= ~((uint64_t)bits << x);
-    work->open_count -= __builtin_popcount(bits);
-    return bits;
 }
 
 // Of a bit per pixel by row, those of the block at x in 8 rows: bit 8·row + column.
@@ -92,23 +80,31 @@ RHW_INLINE uint64_t block_bits(const uint64_t rows[RHW_BLOCK], int x)
     return bits[0] | bits[1] | bits[2] | bits[3];
 }
 
-// take_row with a block.
+// The other way round: sets or clears them.
+RHW_INLINE void change_block(uint64_t rows[RHW_BLOCK], int x, uint64_t bits, bool set)
+{
+    const ul4 byte = {0xff, 0xff, 0xff, 0xff}, upper = {0, 8, 16, 24}, lower = {32, 40, 48, 56};
+    const ul4 all = {bits, bits, bits, bits};
+    const ul4 first = (all >> upper & byte) << x, second = (all >> lower & byte) << x;
+    const ul4 old_first = ul4_load(rows), old_second = ul4_load(rows + 4);
+    ul4_store(rows, set ? old_first | first : old_first & ~first);
+    ul4_store(rows + 4, set ? old_second | second : old_second & ~second);
+}
+
+// Of the pixels of a block set in `mask`, those that are open; they are not open any more.
 static uint64_t take_block(struct tile_work *work, int x, int y, uint64_t mask)
 {
-    uint64_t taken = 0;
-    for (int row = 0; row < RHW_BLOCK; row++) {
-        taken |= (uint64_t)take_row(work, x, y + row, (unsigned)(mask >> (8 * row)) & 0xff) << (8 * row);
-    }
+    uint64_t *const open = &work->scratch->open[y];
+    const uint64_t taken = mask & block_bits(open, x);
+    change_block(open, x, taken, false);
     return taken;
 }
 
-// Tests the fragments of a row in the lanes of `live`, x of the first, and writes their depth; returns those that pass.
-// `rule` is a constant where a call names it.
-RHW_INLINE i8 test_lanes(struct tile_work *work, int x, int y, f8 z, i8 live, const struct depth_rule rule)
+// Tests the fragments of 8 texels in a row, `open` by the same bits, in the lanes of `live`, and writes their depth;
+// returns those that pass. `rule` is a constant where a call names it; settle_block has to follow where it tests before shading.
+RHW_INLINE i8 test_lanes(float *texels, f8 z, i8 live, unsigned open, const struct depth_rule rule)
 {
-    float *const texels = stored_depth(work, x, y);
     const f8 stored = f8_load(texels);
-    const unsigned open = rule.open >= OPEN_TAKE ? (unsigned)(work->scratch->open[y] >> x) : 0;
     const i8 pass = live & passes(rule, z, stored, open);
     if (rule.write) {
         f8_store(texels, f8_select(pass, z, stored));
@@ -116,28 +112,39 @@ RHW_INLINE i8 test_lanes(struct tile_work *work, int x, int y, f8 z, i8 live, co
     return pass;
 }
 
-// What a test does to the open pixels of a row; `passed`: the lanes that passed it.
-RHW_INLINE void mark_row(struct tile_work *work, int x, int y, unsigned passed, const struct depth_rule rule)
+// The open pixels of a row from x on, where a test has to know them.
+RHW_INLINE unsigned open_row(const struct tile_work *work, int x, int y, const struct depth_rule rule)
 {
-    uint64_t *const open = &work->scratch->open[y];
-    if (rule.open == OPEN_MARK) {
-        *open |= (uint64_t)passed << x;
-        work->hit = work->hit || passed != 0;
-    } else if (rule.open == OPEN_TAKE || rule.open == OPEN_CLOSE) {
-        *open &= ~((uint64_t)passed << x);
-    }
+    return rule.open >= OPEN_TRY ? (unsigned)(work->scratch->open[y] >> x) : 0;
 }
 
-// Both, with the fragments that are set in `bits`.
-RHW_INLINE unsigned test_row(struct tile_work *work, int x, int y, f8 z, unsigned bits,
-                             const struct depth_rule rule)
+// What a test does to the open pixels of a block whose pixels `passed` passed it; returns those that go on.
+RHW_INLINE uint64_t settle_block(struct tile_work *work, int x, int y, uint64_t passed,
+                                 const struct depth_rule rule)
 {
-    const unsigned passed = i8_sign_bits(test_lanes(work, x, y, z, i8_from_bits(bits), rule));
-    mark_row(work, x, y, passed, rule);
+    if (rule.open == OPEN_TAKE) {
+        return passed ? take_block(work, x, y, passed) : 0;
+    }
+    if (rule.open == OPEN_MARK && passed) {
+        change_block(&work->scratch->open[y], x, passed, true);
+        work->hit = true;
+    }
     return passed;
 }
 
-// The same with 8 texels of the tile that lie anywhere, in a test after shading.
+// Tests the fragments of a row that are set in `bits` after shading.
+static unsigned test_row(struct tile_work *work, int x, int y, f8 z, unsigned bits,
+                         const struct depth_rule rule)
+{
+    const unsigned passed = i8_sign_bits(
+        test_lanes(stored_depth(work, x, y), z, i8_from_bits(bits), open_row(work, x, y, rule), rule));
+    if (rule.open == OPEN_CLOSE) {
+        work->scratch->open[y] &= ~((uint64_t)passed << x);
+    }
+    return passed;
+}
+
+// The same with 8 texels of the tile that lie anywhere.
 static unsigned test_texels(struct tile_work *work, const int32_t at[8], f8 z, unsigned bits,
                             const struct depth_rule rule)
 {

@@ -54,24 +54,22 @@ RHW_INLINE uint64_t small_test(struct tile_work *work, const struct batch *batch
     // Negative where a column is not to be drawn.
     const i8 sides = (rhw_lane_index - i8_splat(block->x0 - block->x)) |
                      (i8_splat(block->x1 - block->x - 1) - rhw_lane_index);
+    float *texels = stored_depth(work, block->x, block->y0);
     uint64_t passed = 0;
     for (int y = block->y0; y < block->y1; y++) {
         i8 inside = ~((edges.q[0] | edges.q[1] | edges.q[2] | sides) >> 31);
         if (tests) {
             const f8 depth = f8_from_d8(d8_add(z_column, d8_splat(z.at + z.dy * dy)));
-            inside = test_lanes(work, block->x, y, depth, inside, rule);
+            inside = test_lanes(texels, depth, inside, open_row(work, block->x, y, rule), rule);
         }
-        const unsigned bits = i8_sign_bits(inside);
-        if (tests) {
-            mark_row(work, block->x, y, bits, rule);
-        }
-        passed |= (uint64_t)bits << (8 * (y - block->y));
+        passed |= (uint64_t)i8_sign_bits(inside) << (8 * (y - block->y));
         for (int e = 0; e < 3; e++) {
             edges.q[e] += edges.step[e];
         }
+        texels += RHW_TILE;
         dy += 1;
     }
-    return passed;
+    return tests ? settle_block(work, block->x, block->y, passed, rule) : passed;
 }
 
 // The same, tested by the rule of the draw.
@@ -124,7 +122,7 @@ RHW_INLINE void draw_small_block(struct tile_work *work, struct triangle_work *t
 {
     uint64_t mask = small_pixels(work, batch, i, block, only);
     if (work->phase == PHASE_BACKWARDS) {
-        mask = take_block(work, block->x, block->y, mask);
+        mask = take_backwards(work, block->x, block->y, mask);
     }
     if (mask == 0 || !work->shades) {
         return;
