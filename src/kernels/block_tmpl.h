@@ -133,7 +133,7 @@ static void draw_block(struct tile_work *work, struct triangle_work *triangle, i
         constant_block(work, x, y, mask);
         return;
     }
-    collect_block(work, triangle, &block, &at, x, y, mask, z, is_cut);
+    collect_block(work, triangle, &at, x, y, mask, z, is_cut);
 }
 
 // Pixels of the tile; x1 and y1 exclusive.
@@ -148,6 +148,60 @@ RHW_INLINE struct tile_rect rect_of(const struct tile_work *work, const struct r
                               min_int(t->x1 - work->x, RHW_TILE), min_int(t->y1 - work->y, RHW_TILE)};
 }
 
+// Whether triangles of the draw that cover the tile all over take the road below.
+RHW_INLINE bool takes_whole_tiles(const struct tile_work *work)
+{
+    return work->smooth && work->shades && !work->constant && !work->needs_depth && !work->wants &&
+           !work->scissored && work->phase == PHASE_ONLY;
+}
+
+RHW_INLINE void fill_whole_tile(struct tile_work *work, const struct triangle_work *triangle,
+                                bool derivatives)
+{
+    const struct planes *const planes = &triangle->planes;
+    const struct plane s = linear_plane(&planes->linear, QUANTITY_S),
+                       b = linear_plane(&planes->linear, QUANTITY_B),
+                       c = linear_plane(&planes->linear, QUANTITY_C);
+    for (int y = 0; y < RHW_TILE; y += RHW_BLOCK) {
+        struct block_planes block;
+        const d8 dy = block_place(work, planes, 0, y).dy;
+        plane_rows(&block.s, &s, dy);
+        plane_rows(&block.b, &b, dy);
+        plane_rows(&block.c, &c, dy);
+        for (int x = 0; x < RHW_TILE; x += RHW_BLOCK) {
+            const struct block_place at = {block_place(work, planes, x, y).dx, dy};
+            plane_columns(&block.s, &s, at.dx);
+            plane_columns(&block.b, &b, at.dx);
+            plane_columns(&block.c, &c, at.dx);
+            place_rows(work, &all_rows, work->count, x, y);
+            fill_steps(work, triangle, &block, &at, &all_rows, work->count, derivatives, false);
+            work->count += RHW_BLOCK;
+            if (work->count == RHW_FRAGMENT_GROUPS) {
+                shade_window(work);
+            }
+        }
+    }
+}
+
+// A triangle that covers the tile all over where no depth is tested, as in full-screen passes: what its blocks share is
+// done once. False where it takes the road of any other.
+static __attribute__((noinline)) bool draw_whole_tile(struct tile_work *work, struct triangle_work *triangle)
+{
+    setup_planes(work, triangle);
+    if (triangle->planes.exact || triangle->t->flags & RHW_TRIANGLE_POLYGON) {
+        return false;
+    }
+    flush(work); // its own groups fill windows without a rest
+    prepare_values(work, triangle);
+    if (work->pipeline->any_derivatives) {
+        fill_whole_tile(work, triangle, true);
+    } else {
+        fill_whole_tile(work, triangle, false);
+    }
+    work->counters->fragments += RHW_TILE * RHW_TILE;
+    return true;
+}
+
 // Draws any triangle: as much of it as is covered in the tile, which is in `rect`.
 static void draw_blocks(struct tile_work *work, const struct rhw_chunk *chunk, struct triangle_work *triangle,
                         struct tile_rect rect)
@@ -155,6 +209,9 @@ static void draw_blocks(struct tile_work *work, const struct rhw_chunk *chunk, s
     struct coverage coverage;
     coverage_setup(&coverage, chunk, triangle->t, work->x, work->y);
     if (coverage.count == 0) {
+        return;
+    }
+    if (takes_whole_tiles(work) && covers_tile(&coverage) && draw_whole_tile(work, triangle)) {
         return;
     }
     for (int y = rect.y0 & -RHW_BLOCK; y < rect.y1; y += RHW_BLOCK) {

@@ -121,8 +121,8 @@ static void finish_loose(struct tile_work *work, struct triangle_work *triangle)
 // Collects the fragments of a block whose bits are set in `mask`. Inline twice: as a function of its own it costs a
 // block of a large triangle 50 instructions.
 RHW_INLINE void collect_block(struct tile_work *work, struct triangle_work *triangle,
-                              struct block_planes *block, const struct block_place *at, int x, int y,
-                              uint64_t mask, const f8 z[RHW_BLOCK], bool is_cut)
+                              const struct block_place *at, int x, int y, uint64_t mask,
+                              const f8 z[RHW_BLOCK], bool is_cut)
 {
     const bool packs = work->packs && !is_cut && !triangle->planes.exact;
     if (any_pending(work, x, y, mask)) {
@@ -132,8 +132,7 @@ RHW_INLINE void collect_block(struct tile_work *work, struct triangle_work *tria
     if (work->loose_count > RHW_LOOSE_FRAGMENTS - RHW_BLOCK * RHW_BLOCK) {
         group_loose(work, triangle);
     }
-    struct block_rows rows;
-    rows.count = 0;
+    struct block_rows rows = {0};
     while (mask != 0 && !is_whole) {
         const int shift = __builtin_ctzll(mask) & 56, row = shift / 8;
         const unsigned bits = (unsigned)(mask >> shift) & 0xff;
@@ -151,17 +150,13 @@ RHW_INLINE void collect_block(struct tile_work *work, struct triangle_work *tria
     if (!triangle->ready) {
         prepare_values(work, triangle);
     }
-    block_weights(block, &triangle->planes, at);
-    if (!work->smooth || is_cut) {
-        block_screen_weights(block, &triangle->planes, at);
-    }
     if (work->count + (is_whole ? RHW_BLOCK : rows.count) > RHW_FRAGMENT_GROUPS) {
         shade_window(work);
     }
     if (is_whole) {
         work->whole |= block_bit(x, y);
-        add_rows(work, triangle, block, at, x, y, &all_rows, z, is_cut);
+        add_rows(work, triangle, at, x, y, &all_rows, z, is_cut);
     } else {
-        add_rows(work, triangle, block, at, x, y, &rows, z, is_cut);
+        add_rows(work, triangle, at, x, y, &rows, z, is_cut);
     }
 }

@@ -148,6 +148,11 @@ static void coverage_setup(struct coverage *coverage, const struct rhw_chunk *ch
     }
 }
 
+static bool covers_tile(const struct coverage *coverage)
+{
+    return coverage->count == 1 && coverage->triangles[0].count == 0;
+}
+
 static uint64_t coverage_mask(const struct coverage *coverage, int x, int y, int row0, int row1)
 {
     uint64_t mask = 0;

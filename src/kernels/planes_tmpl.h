@@ -250,11 +250,21 @@ struct block_place {
     d8 dx, dy;
 };
 
+RHW_INLINE void plane_columns(struct block_plane *out, const struct plane *plane, d8 dx)
+{
+    out->column = d8_mul(d8_splat(plane->dx), dx);
+}
+
+RHW_INLINE void plane_rows(struct block_plane *out, const struct plane *plane, d8 dy)
+{
+    const d8 row = d8_add(d8_splat(plane->at), d8_mul(d8_splat(plane->dy), dy));
+    memcpy(out->row, &row, sizeof out->row);
+}
+
 RHW_INLINE void plane_over(struct block_plane *out, const struct plane *plane, const struct block_place *at)
 {
-    out->column = d8_mul(d8_splat(plane->dx), at->dx);
-    const d8 row = d8_add(d8_splat(plane->at), d8_mul(d8_splat(plane->dy), at->dy));
-    memcpy(out->row, &row, sizeof out->row);
+    plane_columns(out, plane, at->dx);
+    plane_rows(out, plane, at->dy);
 }
 
 RHW_INLINE d8 plane_row(const struct block_plane *plane, int row)
@@ -292,10 +302,11 @@ RHW_INLINE void block_depth(struct block_planes *block, const struct planes *p, 
     }
 }
 
+// `exact`: of the planes.
 RHW_INLINE void block_weights(struct block_planes *block, const struct planes *p,
-                              const struct block_place *at)
+                              const struct block_place *at, bool exact)
 {
-    if (__builtin_expect(p->exact, 0)) {
+    if (exact) {
         plane_over(&block->e1, &p->factors.e1, at);
         plane_over(&block->e2, &p->factors.e2, at);
     } else {

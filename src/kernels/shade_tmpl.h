@@ -199,19 +199,6 @@ RHW_INLINE void set_weights(struct group_weights *to, int n, const struct planes
     }
 }
 
-RHW_INLINE void weigh_rows(struct group_weights *to, const struct planes *planes,
-                           const struct block_planes *block, const struct block_place *at,
-                           const struct block_rows *rows, bool derivatives, bool exact)
-{
-    double dy[RHW_BLOCK];
-    memcpy(dy, &at->dy, sizeof dy);
-    for (int n = 0; n < rows->count; n++) {
-        const int row = rows == &all_rows ? n : rows->row[n];
-        const struct weights w = weights_row(planes, block, row, exact);
-        set_weights(to, n, planes, &w, at->dx, d8_splat(dy[row]), derivatives);
-    }
-}
-
 // Fills `count` groups from `first` on with smooth varyings and, where they are asked for, derivatives.
 RHW_INLINE void fill_smooth(const struct tile_work *work, const struct triangle_work *triangle,
                             const struct group_weights *weights, int count, int first, bool derivatives)
@@ -244,18 +231,40 @@ RHW_INLINE void fill_smooth(const struct tile_work *work, const struct triangle_
     }
 }
 
-// The rows as groups from `first` on.
-RHW_INLINE void fill_rows(const struct tile_work *work, const struct triangle_work *triangle,
-                          const struct block_planes *block, const struct block_place *at,
-                          const struct block_rows *rows, int first, bool derivatives)
+// The rows as groups from `first` on, some at a time: while the weights of these wait for their divisions, the varyings of
+// those before are worked out. `exact`: of the planes.
+RHW_INLINE void fill_steps(const struct tile_work *work, const struct triangle_work *triangle,
+                           const struct block_planes *block, const struct block_place *at,
+                           const struct block_rows *rows, int first, bool derivatives, bool exact)
 {
-    struct group_weights weights;
-    if (__builtin_expect(triangle->planes.exact, 0)) {
-        weigh_rows(&weights, &triangle->planes, block, at, rows, derivatives, true);
-    } else {
-        weigh_rows(&weights, &triangle->planes, block, at, rows, derivatives, false);
+    enum { STEP = 4 };
+    const struct planes *const planes = &triangle->planes;
+    double dy[RHW_BLOCK];
+    memcpy(dy, &at->dy, sizeof dy);
+    for (int n = 0; n < rows->count; n += STEP) {
+        const int count = rows == &all_rows ? STEP : min_int(rows->count - n, STEP);
+        struct group_weights weights;
+        for (int k = 0; k < count; k++) {
+            const int row = rows == &all_rows ? n + k : rows->row[n + k];
+            const struct weights w = weights_row(planes, block, row, exact);
+            set_weights(&weights, k, planes, &w, at->dx, d8_splat(dy[row]), derivatives);
+        }
+        fill_smooth(work, triangle, &weights, count, first + n, derivatives);
     }
-    fill_smooth(work, triangle, &weights, rows->count, first, derivatives);
+}
+
+RHW_INLINE void fill_rows(const struct tile_work *work, const struct triangle_work *triangle,
+                          const struct block_place *at, const struct block_rows *rows, int first,
+                          bool derivatives)
+{
+    struct block_planes block;
+    if (__builtin_expect(triangle->planes.exact, 0)) {
+        block_weights(&block, &triangle->planes, at, true);
+        fill_steps(work, triangle, &block, at, rows, first, derivatives, true);
+    } else {
+        block_weights(&block, &triangle->planes, at, false);
+        fill_steps(work, triangle, &block, at, rows, first, derivatives, false);
+    }
 }
 
 // Depth, facing and ids of groups `first` on, for programs and tests that want them.
@@ -271,37 +280,56 @@ static void fill_wanted(const struct tile_work *work, const struct triangle_work
     }
 }
 
+// The rows of a block in groups `first` on with everything that a fragment function may ask for.
+static __attribute__((noinline)) void fill_groups(const struct tile_work *work,
+                                                  const struct triangle_work *triangle,
+                                                  const struct block_place *at, const struct block_rows *rows,
+                                                  int first, bool is_cut)
+{
+    struct block_planes block;
+    block_weights(&block, &triangle->planes, at, triangle->planes.exact);
+    block_screen_weights(&block, &triangle->planes, at);
+    for (int n = 0; n < rows->count; n++) {
+        fill_group(work, first + n, triangle, &block, at, rows->row[n], is_cut);
+    }
+}
+
+// Tells where groups `first` on stand: the rows of a block at (x, y).
+RHW_INLINE void place_rows(struct tile_work *work, const struct block_rows *rows, int first, int x, int y)
+{
+    struct rhw_group_places *const places = &work->scratch->places;
+    struct rhw_fragment *const groups = &work->scratch->groups[first];
+    memcpy(&places->bits[first], rows->bits, sizeof rows->bits);
+    memset(&places->packed[first], 0, sizeof rows->bits);
+    for (int n = 0; n < RHW_BLOCK; n++) {
+        places->at[first + n] = (uint16_t)(y * RHW_TILE + x + rows->row[n] * RHW_TILE);
+    }
+    for (int n = 0; n < rows->count; n++) {
+        groups[n].mask = rows == &all_rows ? i8_splat(-1) : i8_from_bits(rows->bits[n]);
+    }
+    for (int n = 0; n < rows->count && rows != &all_rows; n++) {
+        set_pending(work, x, y + rows->row[n], rows->bits[n]);
+        work->all_full = work->all_full && rows->bits[n] == 0xff;
+    }
+}
+
 // The rows of a block as groups, which fit into the window; none of their pixels is pending. z: their depths, where
 // depth is kept.
 RHW_INLINE void add_rows(struct tile_work *work, const struct triangle_work *triangle,
-                         const struct block_planes *block, const struct block_place *at, int x, int y,
-                         const struct block_rows *rows, const f8 z[RHW_BLOCK], bool is_cut)
+                         const struct block_place *at, int x, int y, const struct block_rows *rows,
+                         const f8 z[RHW_BLOCK], bool is_cut)
 {
     const int first = work->count;
-    struct rhw_group_places *const places = &work->scratch->places;
-    struct rhw_fragment *const groups = &work->scratch->groups[first];
-    for (int n = 0; n < rows->count; n++) {
-        const int row = rows->row[n];
-        places->at[first + n] = (uint16_t)((y + row) * RHW_TILE + x);
-        places->bits[first + n] = rows->bits[n];
-        places->packed[first + n] = false;
-        if (rows != &all_rows) {
-            set_pending(work, x, y + row, rows->bits[n]);
-            work->all_full = work->all_full && rows->bits[n] == 0xff;
-        }
-        groups[n].mask = i8_from_bits(rows->bits[n]);
-    }
+    place_rows(work, rows, first, x, y);
     if (work->wants) {
         fill_wanted(work, triangle, rows, first, z);
     }
     if (!work->smooth || is_cut) {
-        for (int n = 0; n < rows->count; n++) {
-            fill_group(work, first + n, triangle, block, at, rows->row[n], is_cut);
-        }
+        fill_groups(work, triangle, at, rows, first, is_cut);
     } else if (work->pipeline->any_derivatives) {
-        fill_rows(work, triangle, block, at, rows, first, true);
+        fill_rows(work, triangle, at, rows, first, true);
     } else if (work->pipeline->varying_components != 0) {
-        fill_rows(work, triangle, block, at, rows, first, false);
+        fill_rows(work, triangle, at, rows, first, false);
     }
     work->count = first + rows->count;
     if (work->count == RHW_FRAGMENT_GROUPS) {

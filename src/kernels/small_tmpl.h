@@ -136,8 +136,7 @@ RHW_INLINE void draw_small_block(struct tile_work *work, struct triangle_work *t
         return;
     }
     const struct block_place at = block_place(work, &triangle->planes, block->x, block->y);
-    struct block_planes planes;
-    collect_block(work, triangle, &planes, &at, block->x, block->y, mask, NULL, false);
+    collect_block(work, triangle, &at, block->x, block->y, mask, NULL, false);
 }
 
 // A triangle that needs more than the batch has.
