@@ -7,28 +7,17 @@
 
 #include "constant_tmpl.h"
 
-// Whether some pixel of the block's that is set in `mask` is pending.
-RHW_INLINE bool any_pending(const struct tile_work *work, int x, int y, uint64_t mask)
+// Adds the fragments of a row; x, y: of bit 0, in the tile. Returns how many loose ones there are then.
+RHW_INLINE int add_loose(int32_t *loose, int count, int x, int y, unsigned bits)
 {
-    const int x7 = x + RHW_BLOCK - 1, y7 = y + RHW_BLOCK - 1;
-    if (work->whole & (block_bit(x, y) | block_bit(x7, y) | block_bit(x, y7) | block_bit(x7, y7))) {
-        return true; // of a block that overlaps this one; it need not be the same pixels
-    }
-    return work->rows_pending && (block_bits(&work->scratch->pending[y], x) & mask) != 0;
-}
-
-// Adds the loose fragments of a row; x, y: of bit 0, in the tile. None of their pixels is pending.
-RHW_INLINE void add_loose(struct tile_work *work, int x, int y, unsigned bits)
-{
-    int32_t *const loose = work->scratch->loose_at;
-    set_pending(work, x, y, bits);
     while (bits != 0) { // a row is one run of pixels, seldom more
-        const unsigned lowest = bits & -bits, rest = bits + lowest;
+        const unsigned rest = bits + (bits & -bits);
         const int first = __builtin_ctz(bits);
-        i8_store(&loose[work->loose_count], i8_splat(y * RHW_TILE + x + first) + rhw_lane_index);
-        work->loose_count += __builtin_ctz(rest) - first;
+        i8_store(&loose[count], i8_splat(y * RHW_TILE + x + first) + rhw_lane_index);
+        count += __builtin_ctz(rest) - first;
         bits &= rest;
     }
+    return count;
 }
 
 RHW_INLINE struct block_place loose_place(const struct tile_work *work, const struct planes *planes,
@@ -125,25 +114,25 @@ RHW_INLINE void collect_block(struct tile_work *work, struct triangle_work *tria
                               const f8 z[RHW_BLOCK], bool is_cut)
 {
     const bool packs = work->packs && !is_cut && !triangle->planes.exact;
-    if (any_pending(work, x, y, mask)) {
-        flush(work);
-    }
-    const bool is_whole = mask == ~(uint64_t)0 && x % RHW_BLOCK == 0 && y % RHW_BLOCK == 0;
+    const bool is_whole = mask == ~(uint64_t)0;
+    pass_waiting(work, x, y, mask);
     if (work->loose_count > RHW_LOOSE_FRAGMENTS - RHW_BLOCK * RHW_BLOCK) {
         group_loose(work, triangle);
     }
     struct block_rows rows = {0};
+    int loose_count = work->loose_count;
     while (mask != 0 && !is_whole) {
         const int shift = __builtin_ctzll(mask) & 56, row = shift / 8;
         const unsigned bits = (unsigned)(mask >> shift) & 0xff;
         mask &= ~((uint64_t)0xff << shift);
         if (packs && bits != 0xff) {
-            add_loose(work, x, y + row, bits);
+            loose_count = add_loose(work->scratch->loose_at, loose_count, x, y + row, bits);
         } else {
             rows.row[rows.count] = (uint8_t)row;
             rows.bits[rows.count++] = (uint8_t)bits;
         }
     }
+    work->loose_count = loose_count;
     if (rows.count == 0 && !is_whole) {
         return;
     }
@@ -154,7 +143,6 @@ RHW_INLINE void collect_block(struct tile_work *work, struct triangle_work *tria
         shade_window(work);
     }
     if (is_whole) {
-        work->whole |= block_bit(x, y);
         add_rows(work, triangle, at, x, y, &all_rows, z, is_cut);
     } else {
         add_rows(work, triangle, at, x, y, &rows, z, is_cut);

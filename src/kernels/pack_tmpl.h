@@ -113,6 +113,9 @@ static void pack_group(struct tile_work *work, unsigned bits)
     memcpy(scratch->lanes_at[g], scratch->waiting_at, sizeof scratch->lanes_at[g]);
     scratch->places.bits[g] = (uint8_t)bits;
     scratch->places.packed[g] = true;
+    for (int i = 0; i < 8; i++) {
+        scratch->waiting[scratch->waiting_at[i] / RHW_TILE] = 0;
+    }
     work->waiting_count = 0;
     work->all_full = false;
     group->mask = i8_from_bits(bits);
@@ -143,18 +146,35 @@ static void pack_group(struct tile_work *work, unsigned bits)
     pack_identity(work, group, triangle);
 }
 
-// Shades all that waits.
-static void flush(struct tile_work *work)
+// Makes a group of the fragments that wait, however few.
+static __attribute__((noinline)) void pack_waiting(struct tile_work *work)
 {
     struct rhw_tile_scratch *const scratch = work->scratch;
     const int live = work->waiting_count;
-    if (live != 0) {
-        for (int i = live; i < 8; i++) {
-            scratch->waiting_at[i] = scratch->waiting_at[0];
-            scratch->waiting_triangle[i] = scratch->waiting_triangle[0];
-            scratch->waiting_value[i] = scratch->waiting_value[0];
-        }
-        pack_group(work, 0xffu >> (8 - live));
+    for (int i = live; i < 8; i++) {
+        scratch->waiting_at[i] = scratch->waiting_at[0];
+        scratch->waiting_triangle[i] = scratch->waiting_triangle[0];
+        scratch->waiting_value[i] = scratch->waiting_value[0];
+    }
+    pack_group(work, 0xffu >> (8 - live));
+    if (work->count == RHW_FRAGMENT_GROUPS) {
+        shade_window(work);
+    }
+}
+
+// Fragments that wait would be overtaken by later ones of the same pixels: those of a block that are set in `mask`.
+RHW_INLINE void pass_waiting(struct tile_work *work, int x, int y, uint64_t mask)
+{
+    if (work->waiting_count != 0 && block_bits(&work->scratch->waiting[y], x) & mask) {
+        pack_waiting(work);
+    }
+}
+
+// Shades all there is.
+static void flush(struct tile_work *work)
+{
+    if (work->waiting_count != 0) {
+        pack_waiting(work);
     }
     if (work->count != 0) {
         shade_window(work);
@@ -196,6 +216,7 @@ RHW_INLINE void pack_fragment(struct tile_work *work, const struct triangle_work
     const double dx = at % RHW_TILE - packed->anchor_x, dy = at / RHW_TILE - packed->anchor_y;
     const int n = work->waiting_count;
     scratch->waiting_at[n] = at;
+    scratch->waiting[at / RHW_TILE] |= (uint64_t)1 << at % RHW_TILE;
     scratch->waiting_triangle[n] = packed;
     scratch->waiting_value[n] = linear->dx * d4_splat(dx) + (linear->at + linear->dy * d4_splat(dy));
     work->waiting_count = n + 1;

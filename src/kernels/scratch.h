@@ -95,7 +95,6 @@ struct rhw_tile_scratch {
     uint8_t seen[RHW_DEFERRED_TRIANGLES / 8];
     struct rhw_bin bins[RHW_WAVE_CHUNKS]; // of the tile, those that are not empty
     // The window, see window_tmpl.h.
-    uint64_t pending[RHW_TILE]; // by row, a bit per pixel: those with a fragment in the window
     struct rhw_fragment groups[RHW_FRAGMENT_GROUPS];
     struct rhw_group_places places;
     int32_t lanes_at[RHW_FRAGMENT_GROUPS][8];
@@ -104,6 +103,7 @@ struct rhw_tile_scratch {
     struct rhw_packed_triangle packed[RHW_PACKED_TRIANGLES];
     // Fragments that wait for a group: texel, triangle, and the four quantities.
     int32_t waiting_at[8];
+    uint64_t waiting[RHW_TILE]; // by row, a bit per pixel: those that wait
     const struct rhw_packed_triangle *waiting_triangle[8];
     d4 waiting_value[8];
     f8 varyings[RHW_FRAGMENT_GROUPS * RHW_MAX_VARYING_COMPONENTS];

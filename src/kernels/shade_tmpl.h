@@ -308,13 +308,11 @@ RHW_INLINE void place_rows(struct tile_work *work, const struct block_rows *rows
         groups[n].mask = rows == &all_rows ? i8_splat(-1) : i8_from_bits(rows->bits[n]);
     }
     for (int n = 0; n < rows->count && rows != &all_rows; n++) {
-        set_pending(work, x, y + rows->row[n], rows->bits[n]);
         work->all_full = work->all_full && rows->bits[n] == 0xff;
     }
 }
 
-// The rows of a block as groups, which fit into the window; none of their pixels is pending. z: their depths, where
-// depth is kept.
+// The rows of a block as groups, which fit into the window. z: their depths, where depth is kept.
 RHW_INLINE void add_rows(struct tile_work *work, const struct triangle_work *triangle,
                          const struct block_place *at, int x, int y, const struct block_rows *rows,
                          const f8 z[RHW_BLOCK], bool is_cut)

@@ -47,28 +47,32 @@ RHW_INLINE uint64_t small_test(struct tile_work *work, const struct batch *batch
     if (!small_edges(&edges, batch, i, block, only)) {
         return 0;
     }
-    const struct plane z = linear_plane(&batch->linear[i], QUANTITY_Z);
-    const i8 dx = i8_splat(work->x + block->x - batch->anchor_x[i]) + rhw_lane_index;
-    const d8 z_column = d8_mul(d8_splat(z.dx), d8_from_i8(dx));
-    double dy = work->y + block->y0 - batch->anchor_y[i];
+    struct block_plane depth;
+    if (tests) {
+        const struct plane z = linear_plane(&batch->linear[i], QUANTITY_Z);
+        const i8 dx = i8_splat(work->x + block->x - batch->anchor_x[i]) + rhw_lane_index;
+        const i8 dy = i8_splat(work->y + block->y0 - batch->anchor_y[i]) + rhw_lane_index;
+        plane_columns(&depth, &z, d8_from_i8(dx));
+        plane_rows(&depth, &z, d8_from_i8(dy));
+    }
     // Negative where a column is not to be drawn.
     const i8 sides = (rhw_lane_index - i8_splat(block->x0 - block->x)) |
                      (i8_splat(block->x1 - block->x - 1) - rhw_lane_index);
     float *texels = stored_depth(work, block->x, block->y0);
     uint64_t passed = 0;
-    for (int y = block->y0; y < block->y1; y++) {
+    for (int row = 0; row < block->y1 - block->y0; row++) {
         i8 inside = ~((edges.q[0] | edges.q[1] | edges.q[2] | sides) >> 31);
         if (tests) {
-            const f8 depth = f8_from_d8(d8_add(z_column, d8_splat(z.at + z.dy * dy)));
-            inside = test_lanes(texels, depth, inside, open_row(work, block->x, y, rule), rule);
+            const unsigned open = open_row(work, block->x, block->y0 + row, rule);
+            inside = test_lanes(texels, f8_from_d8(plane_row(&depth, row)), inside, open, rule);
         }
-        passed |= (uint64_t)i8_sign_bits(inside) << (8 * (y - block->y));
+        passed |= (uint64_t)i8_sign_bits(inside) << (8 * row);
         for (int e = 0; e < 3; e++) {
             edges.q[e] += edges.step[e];
         }
         texels += RHW_TILE;
-        dy += 1;
     }
+    passed <<= 8 * (block->y0 - block->y);
     return tests ? settle_block(work, block->x, block->y, passed, rule) : passed;
 }
 
@@ -106,14 +110,12 @@ RHW_INLINE void take_planes(struct triangle_work *triangle, const struct batch *
 // The pixels of the only block that a triangle has.
 RHW_INLINE void collect_small(struct tile_work *work, int x, int y, uint64_t mask)
 {
-    if (any_pending(work, x, y, mask)) {
-        flush(work);
-    }
+    pass_waiting(work, x, y, mask);
+    int count = 0;
     for (; mask != 0; mask >>= RHW_BLOCK, y++) {
-        if (mask & 0xff) {
-            add_loose(work, x, y, (unsigned)mask & 0xff);
-        }
+        count = add_loose(work->scratch->loose_at, count, x, y, (unsigned)mask & 0xff);
     }
+    work->loose_count = count;
 }
 
 // The pixels of triangle i in the block, of which the batch has all there is to know. `only`: it has no others.

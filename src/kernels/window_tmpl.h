@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The window: groups of 8 fragments of one draw that wait to be shaded with one call. No two fragments in it
-// share a pixel, so within a window order means nothing: whichever way triangles fill the groups, and whichever
-// group is merged first, the picture is that of the order of submission. A fragment whose pixel is taken makes
-// the window close first. Template: compiled once per instruction set.
+// The window: groups of 8 fragments of one draw that wait to be shaded with one call. They are merged in the order in
+// which they came, so several of them may have fragments of the same pixel. Template: compiled once per instruction set.
 
 #include "../shader_adapter.h"
 #include "depth_tmpl.h"
@@ -96,36 +94,6 @@ static void run_fragment_function(const struct tile_work *work, int count)
     }
 }
 
-RHW_INLINE uint64_t block_bit(int x, int y)
-{
-    return (uint64_t)1 << ((y & -RHW_BLOCK) + (x >> RHW_BLOCK_LOG2));
-}
-
-// A row of pixels; x: of bit 0.
-RHW_INLINE void set_pending(struct tile_work *work, int x, int y, unsigned bits)
-{
-    work->scratch->pending[y] |= (uint64_t)bits << x;
-    work->rows_pending = true;
-}
-
-// Forgets what is pending, but for fragments without a group. While a triangle has loose ones all pixels stay pending:
-// which of them need not costs more to tell than a window closed early.
-static void clear_pending(struct tile_work *work)
-{
-    work->whole = 0;
-    if (work->loose_count != 0) {
-        return;
-    }
-    if (work->rows_pending) {
-        memset(work->scratch->pending, 0, sizeof work->scratch->pending);
-    }
-    work->rows_pending = false;
-    for (int i = 0; i < work->waiting_count; i++) {
-        const int at = work->scratch->waiting_at[i];
-        set_pending(work, at % RHW_TILE, at / RHW_TILE, 1);
-    }
-}
-
 // Shades and merges the groups of the window. Fragments without a group go on waiting.
 static void shade_window(struct tile_work *work)
 {
@@ -150,5 +118,4 @@ static void shade_window(struct tile_work *work)
     work->counters->groups += (uint64_t)work->count;
     work->count = 0;
     work->all_full = true;
-    clear_pending(work);
 }

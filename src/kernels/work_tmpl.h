@@ -68,8 +68,6 @@ struct tile_work {
 
     bool constant_ready; // and it was made
 
-    uint64_t whole;        // blocks of the tile, bit 8·row + column, that are in the window as a whole
-    bool rows_pending;     // the scratch's `pending` has other pixels
     bool all_full;         // every group is 8 live pixels in a row
     int count;             // groups in the window
     int loose_count;       // fragments of the triangle under way that are in no group, see collect_tmpl.h
