@@ -23,6 +23,18 @@ static double milliseconds(uint64_t ns)
     return (double)ns * 1e-6;
 }
 
+static void init_tile_scratch(struct rhw_tile_scratch *scratch)
+{
+    memset(scratch, 0, sizeof *scratch);
+    for (int bits = 0; bits < 256; bits++) {
+        int count = 0;
+        for (int lane = 0; lane < 8; lane++) {
+            scratch->lanes[bits][count] = (uint8_t)lane;
+            count += bits >> lane & 1;
+        }
+    }
+}
+
 static bool workers_ready(struct rhw_pass_state *pass)
 {
     struct rhw_context *const context = pass->context;
@@ -52,7 +64,7 @@ static bool workers_ready(struct rhw_pass_state *pass)
             if (!worker->tile) {
                 return false;
             }
-            memset(worker->tile, 0, sizeof *worker->tile);
+            init_tile_scratch(worker->tile);
         }
         worker->counters = (struct rhw_counters){0};
     }

@@ -151,6 +151,26 @@ RHW_INLINE unsigned i8_sign_bits(i8 v)
 #endif
 }
 
+// 8 bytes. gcc 12 makes a conversion of them one by one.
+RHW_INLINE i8 i8_load_bytes(const uint8_t *p)
+{
+#if defined(__AVX2__)
+    return (i8)_mm256_cvtepu8_epi32(_mm_loadl_epi64((const __m128i *)(const void *)p));
+#elif defined(__SSE2__)
+    const __m128i zero = _mm_setzero_si128();
+    const __m128i words = _mm_unpacklo_epi8(_mm_loadl_epi64((const __m128i *)(const void *)p), zero);
+    const __m128i halves[2] = {_mm_unpacklo_epi16(words, zero), _mm_unpackhi_epi16(words, zero)};
+    i8 v;
+    memcpy(&v, halves, sizeof v);
+    return v;
+#else
+    typedef uint8_t bytes8 __attribute__((vector_size(8)));
+    bytes8 v;
+    memcpy(&v, p, sizeof v);
+    return __builtin_convertvector(v, i8);
+#endif
+}
+
 // −1 in the lanes whose bit is set.
 RHW_INLINE i8 i8_from_bits(unsigned bits)
 {

@@ -1,24 +1,11 @@
 // SPDX-License-Identifier: MIT
-// What of a triangle is seen becomes groups. Rows of a block that are seen from end to end are groups as they stand. The
-// fragments of the others are loose: they are listed, and once the triangle is done every 8 of them make a group,
-// wherever in the tile they lie; the last few are packed with those of other triangles. Every number is made by the
+// What of a triangle is seen becomes groups. Blocks that are seen all over are 8 groups as they stand. The fragments of
+// others are loose: they are listed, and once the triangle is done every 8 of them make a group, wherever in the tile
+// they lie; the last few are packed with those of other triangles. Every number is made by the
 // same operations as in a row, so the road a fragment takes changes no bit.
 // Template: compiled once per instruction set.
 
 #include "constant_tmpl.h"
-
-// Adds the fragments of a row; x, y: of bit 0, in the tile. Returns how many loose ones there are then.
-RHW_INLINE int add_loose(int32_t *loose, int count, int x, int y, unsigned bits)
-{
-    while (bits != 0) { // a row is one run of pixels, seldom more
-        const unsigned rest = bits + (bits & -bits);
-        const int first = __builtin_ctz(bits);
-        i8_store(&loose[count], i8_splat(y * RHW_TILE + x + first) + rhw_lane_index);
-        count += __builtin_ctz(rest) - first;
-        bits &= rest;
-    }
-    return count;
-}
 
 RHW_INLINE struct block_place loose_place(const struct tile_work *work, const struct planes *planes,
                                           const int32_t at[8])
@@ -107,34 +94,43 @@ static void finish_loose(struct tile_work *work, struct triangle_work *triangle)
     }
 }
 
+// Adds the fragments of a block's first `rows` rows whose bits are set in `mask`.
+RHW_INLINE void collect_loose(struct tile_work *work, struct triangle_work *triangle, int x, int y, int rows,
+                              uint64_t mask)
+{
+    struct rhw_tile_scratch *const scratch = work->scratch;
+    pass_waiting(work, x, y, mask);
+    if (work->loose_count > RHW_LOOSE_FRAGMENTS - RHW_BLOCK * RHW_BLOCK) {
+        group_loose(work, triangle);
+    }
+    int count = work->loose_count;
+    for (int row = 0; row < rows; row++) { // no branch asks which are empty: who could tell
+        const unsigned bits = (unsigned)(mask >> (8 * row)) & 0xff;
+        const i8 texels = i8_load_bytes(scratch->lanes[bits]) + i8_splat((y + row) * RHW_TILE + x);
+        i8_store(&scratch->loose_at[count], texels);
+        count += __builtin_popcount(bits);
+    }
+    work->loose_count = count;
+}
+
 // Collects the fragments of a block whose bits are set in `mask`. Inline twice: as a function of its own it costs a
 // block of a large triangle 50 instructions.
 RHW_INLINE void collect_block(struct tile_work *work, struct triangle_work *triangle,
                               const struct block_place *at, int x, int y, uint64_t mask,
                               const f8 z[RHW_BLOCK], bool is_cut)
 {
-    const bool packs = work->packs && !is_cut && !triangle->planes.exact;
     const bool is_whole = mask == ~(uint64_t)0;
-    pass_waiting(work, x, y, mask);
-    if (work->loose_count > RHW_LOOSE_FRAGMENTS - RHW_BLOCK * RHW_BLOCK) {
-        group_loose(work, triangle);
-    }
-    struct block_rows rows = {0};
-    int loose_count = work->loose_count;
-    while (mask != 0 && !is_whole) {
-        const int shift = __builtin_ctzll(mask) & 56, row = shift / 8;
-        const unsigned bits = (unsigned)(mask >> shift) & 0xff;
-        mask &= ~((uint64_t)0xff << shift);
-        if (packs && bits != 0xff) {
-            loose_count = add_loose(work->scratch->loose_at, loose_count, x, y + row, bits);
-        } else {
-            rows.row[rows.count] = (uint8_t)row;
-            rows.bits[rows.count++] = (uint8_t)bits;
-        }
-    }
-    work->loose_count = loose_count;
-    if (rows.count == 0 && !is_whole) {
+    if (!is_whole && work->packs && !is_cut && !triangle->planes.exact) {
+        collect_loose(work, triangle, x, y, RHW_BLOCK, mask);
         return;
+    }
+    pass_waiting(work, x, y, mask);
+    struct block_rows rows = {0};
+    while (mask != 0 && !is_whole) {
+        const int shift = __builtin_ctzll(mask) & 56;
+        rows.row[rows.count] = (uint8_t)(shift / 8);
+        rows.bits[rows.count++] = (uint8_t)(mask >> shift & 0xff);
+        mask &= ~((uint64_t)0xff << shift);
     }
     if (!triangle->ready) {
         prepare_values(work, triangle);

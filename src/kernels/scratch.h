@@ -100,6 +100,7 @@ struct rhw_tile_scratch {
     int32_t lanes_at[RHW_FRAGMENT_GROUPS][8];
     // Texels of the triangle's fragments that are not in the window yet, and room for a vector that begins there.
     int32_t loose_at[RHW_LOOSE_FRAGMENTS + 8];
+    uint8_t lanes[256][8]; // by bits: which are set, one after the other
     struct rhw_packed_triangle packed[RHW_PACKED_TRIANGLES];
     // Fragments that wait for a group: texel, triangle, and the four quantities.
     int32_t waiting_at[8];

@@ -6,9 +6,10 @@
 
 #include "batch_tmpl.h"
 
-// A block in the tile, and the pixels of it that may be drawn; x1 and y1 exclusive.
+// A block in the tile, and the pixels of it that may be drawn; x1 and y1 exclusive. q: the edges at pixel (x, y0).
 struct small_block {
     int x, y, x0, y0, x1, y1;
+    int q[3];
 };
 
 // Edges at 8 pixels in a row, and what they change by to the next row.
@@ -16,37 +17,23 @@ struct small_edges {
     i8 q[3], step[3];
 };
 
-// Of triangle i of the batch at the block's first column, row y0. False where the block is outside of one. `only`: the
-// triangle has no other block.
-RHW_INLINE bool small_edges(struct small_edges *edges, const struct batch *batch, int i,
-                            const struct small_block *block, bool only)
+// Of triangle i of the batch at the block's first column, row y0.
+RHW_INLINE void small_edges(struct small_edges *edges, const struct batch *batch, int i,
+                            const struct small_block *block)
 {
     for (int e = 0; e < 3; e++) {
-        const int a = batch->a[e][i], b = batch->b[e][i];
-        int q = batch->q[e][i];
-        if (!only) {
-            q += a * (block->x - batch->x[i]) + b * (block->y0 - batch->y0[i]);
-            if (q + (RHW_BLOCK - 1) * (max_int(a, 0) + max_int(b, 0)) < 0) {
-                return false;
-            }
-        }
-        edges->q[e] = i8_splat(q) + i8_splat(a) * rhw_lane_index;
-        edges->step[e] = i8_splat(b);
+        edges->q[e] = i8_splat(block->q[e]) + i8_splat(batch->a[e][i]) * rhw_lane_index;
+        edges->step[e] = i8_splat(batch->b[e][i]);
     }
-    return true;
 }
 
 // The pixels of the block that triangle i covers and that pass the depth test, which writes their depth; bit
-// 8·row + column. `only`: see small_edges; `tests`: there is an early test; `rule` is how, a constant where a call
-// names it.
+// 8·row + column. `tests`: there is an early test; `rule` is how, a constant where a call names it.
 RHW_INLINE uint64_t small_test(struct tile_work *work, const struct batch *batch, int i,
-                               const struct small_block *block, bool only, bool tests,
-                               const struct depth_rule rule)
+                               const struct small_block *block, bool tests, const struct depth_rule rule)
 {
     struct small_edges edges;
-    if (!small_edges(&edges, batch, i, block, only)) {
-        return 0;
-    }
+    small_edges(&edges, batch, i, block);
     struct block_plane depth;
     if (tests) {
         const struct plane z = linear_plane(&batch->linear[i], QUANTITY_Z);
@@ -78,19 +65,18 @@ RHW_INLINE uint64_t small_test(struct tile_work *work, const struct batch *batch
 
 // The same, tested by the rule of the draw.
 RHW_INLINE uint64_t small_pixels(struct tile_work *work, const struct batch *batch, int i,
-                                 const struct small_block *block, bool only)
+                                 const struct small_block *block)
 {
     if (!tests_early(work)) {
-        return small_test(work, batch, i, block, only, false, work->early);
+        return small_test(work, batch, i, block, false, work->early);
     }
     switch (work->common) {
-    case RULE_LESS: return small_test(work, batch, i, block, only, true, common_rules[RULE_LESS]);
-    case RULE_GREATER: return small_test(work, batch, i, block, only, true, common_rules[RULE_GREATER]);
-    case RULE_MARK_LESS: return small_test(work, batch, i, block, only, true, common_rules[RULE_MARK_LESS]);
-    case RULE_MARK_GREATER:
-        return small_test(work, batch, i, block, only, true, common_rules[RULE_MARK_GREATER]);
-    case RULE_TAKE: return small_test(work, batch, i, block, only, true, common_rules[RULE_TAKE]);
-    default: return small_test(work, batch, i, block, only, true, work->early);
+    case RULE_LESS: return small_test(work, batch, i, block, true, common_rules[RULE_LESS]);
+    case RULE_GREATER: return small_test(work, batch, i, block, true, common_rules[RULE_GREATER]);
+    case RULE_MARK_LESS: return small_test(work, batch, i, block, true, common_rules[RULE_MARK_LESS]);
+    case RULE_MARK_GREATER: return small_test(work, batch, i, block, true, common_rules[RULE_MARK_GREATER]);
+    case RULE_TAKE: return small_test(work, batch, i, block, true, common_rules[RULE_TAKE]);
+    default: return small_test(work, batch, i, block, true, work->early);
     }
 }
 
@@ -107,22 +93,11 @@ RHW_INLINE void take_planes(struct triangle_work *triangle, const struct batch *
     triangle->planes_ready = true;
 }
 
-// The pixels of the only block that a triangle has.
-RHW_INLINE void collect_small(struct tile_work *work, int x, int y, uint64_t mask)
-{
-    pass_waiting(work, x, y, mask);
-    int count = 0;
-    for (; mask != 0; mask >>= RHW_BLOCK, y++) {
-        count = add_loose(work->scratch->loose_at, count, x, y, (unsigned)mask & 0xff);
-    }
-    work->loose_count = count;
-}
-
 // The pixels of triangle i in the block, of which the batch has all there is to know. `only`: it has no others.
 RHW_INLINE void draw_small_block(struct tile_work *work, struct triangle_work *triangle,
                                  const struct batch *batch, int i, const struct small_block *block, bool only)
 {
-    uint64_t mask = small_pixels(work, batch, i, block, only);
+    uint64_t mask = small_pixels(work, batch, i, block);
     if (work->phase == PHASE_BACKWARDS) {
         mask = take_backwards(work, block->x, block->y, mask);
     }
@@ -134,7 +109,7 @@ RHW_INLINE void draw_small_block(struct tile_work *work, struct triangle_work *t
         take_planes(triangle, batch, i);
     }
     if (only) {
-        collect_small(work, block->x, block->y, mask);
+        collect_loose(work, triangle, block->x, block->y, block->y1 - block->y, mask);
         return;
     }
     const struct block_place at = block_place(work, &triangle->planes, block->x, block->y);
@@ -145,27 +120,42 @@ RHW_INLINE void draw_small_block(struct tile_work *work, struct triangle_work *t
 RHW_INLINE void draw_other_block(struct tile_work *work, struct triangle_work *triangle,
                                  const struct batch *batch, int i, const struct small_block *block)
 {
-    const uint64_t mask = small_test(work, batch, i, block, false, false, work->early);
+    const uint64_t mask = small_test(work, batch, i, block, false, work->early);
     if (mask != 0) {
         draw_block(work, triangle, block->x, block->y, mask);
     }
 }
 
-// The block of triangle i from (x, y) on, moved where it would reach over the tile's end.
-RHW_INLINE struct small_block small_block(const struct batch *batch, int i, int x, int y)
+// The block of triangle i from (x, y) on, moved where it would reach over the tile's end. `only`: it has no others.
+RHW_INLINE struct small_block small_block(const struct batch *batch, int i, int x, int y, bool only)
 {
-    const int first_x = min_int(x, RHW_TILE - RHW_BLOCK), first_y = min_int(y, RHW_TILE - RHW_BLOCK);
-    const int end_x = min_int(x + RHW_BLOCK, batch->x1[i]), end_y = min_int(y + RHW_BLOCK, batch->y1[i]);
-    return (struct small_block){first_x, first_y, x, y, end_x, end_y};
+    struct small_block block = {min_int(x, RHW_TILE - RHW_BLOCK),
+                                min_int(y, RHW_TILE - RHW_BLOCK),
+                                x,
+                                y,
+                                min_int(x + RHW_BLOCK, batch->x1[i]),
+                                min_int(y + RHW_BLOCK, batch->y1[i]),
+                                {batch->q[0][i], batch->q[1][i], batch->q[2][i]}};
+    for (int e = 0; e < 3 && !only; e++) {
+        block.q[e] += batch->a[e][i] * (block.x - batch->x[i]) + batch->b[e][i] * (y - batch->y0[i]);
+    }
+    return block;
 }
 
 static __attribute__((noinline)) void draw_small_blocks(struct tile_work *work,
                                                         struct triangle_work *triangle,
                                                         const struct batch *batch, int i, bool taken)
 {
+    int rise[3]; // of the edges in a block, at most
+    for (int e = 0; e < 3; e++) {
+        rise[e] = (RHW_BLOCK - 1) * (max_int(batch->a[e][i], 0) + max_int(batch->b[e][i], 0));
+    }
     for (int y = batch->y0[i]; y < batch->y1[i]; y += RHW_BLOCK) {
         for (int x = batch->x0[i]; x < batch->x1[i]; x += RHW_BLOCK) {
-            const struct small_block block = small_block(batch, i, x, y);
+            const struct small_block block = small_block(batch, i, x, y, false);
+            if (((block.q[0] + rise[0]) | (block.q[1] + rise[1]) | (block.q[2] + rise[2])) < 0) {
+                continue; // an edge leaves it outside
+            }
             if (taken) {
                 draw_small_block(work, triangle, batch, i, &block, false);
             } else {
@@ -182,7 +172,7 @@ static void draw_small(struct tile_work *work, struct triangle_work *triangle, c
     // it from draw_block.
     const bool taken = (work->packs || !work->shades) && !(batch->inexact >> i & 1);
     if (taken && batch->x1[i] - batch->x0[i] <= RHW_BLOCK && batch->y1[i] - batch->y0[i] <= RHW_BLOCK) {
-        const struct small_block block = small_block(batch, i, batch->x0[i], batch->y0[i]);
+        const struct small_block block = small_block(batch, i, batch->x0[i], batch->y0[i], true);
         draw_small_block(work, triangle, batch, i, &block, true);
     } else {
         draw_small_blocks(work, triangle, batch, i, taken && !work->keeps_depth);
