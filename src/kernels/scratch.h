@@ -68,7 +68,7 @@ struct rhw_front_scratch {
 // Where the 8 fragments of each group stand. A texel of the tile has the number y·RHW_TILE + x. There is room to write
 // of 8 groups where the last stands.
 struct rhw_group_places {
-    uint16_t at[RHW_FRAGMENT_GROUPS + RHW_BLOCK];  // of 8 in a row: the first
+    int32_t at[RHW_FRAGMENT_GROUPS + RHW_BLOCK];   // of 8 in a row: the first
     uint8_t bits[RHW_FRAGMENT_GROUPS + RHW_BLOCK]; // live lanes
     bool packed[RHW_FRAGMENT_GROUPS + RHW_BLOCK];  // from anywhere: `lanes_at` tells where
 };

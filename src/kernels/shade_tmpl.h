@@ -301,9 +301,7 @@ RHW_INLINE void place_rows(struct tile_work *work, const struct block_rows *rows
     struct rhw_fragment *const groups = &work->scratch->groups[first];
     memcpy(&places->bits[first], rows->bits, sizeof rows->bits);
     memset(&places->packed[first], 0, sizeof rows->bits);
-    for (int n = 0; n < RHW_BLOCK; n++) {
-        places->at[first + n] = (uint16_t)(y * RHW_TILE + x + rows->row[n] * RHW_TILE);
-    }
+    i8_store(&places->at[first], (i8_load_bytes(rows->row) << RHW_TILE_LOG2) + i8_splat(y * RHW_TILE + x));
     for (int n = 0; n < rows->count; n++) {
         groups[n].mask = rows == &all_rows ? i8_splat(-1) : i8_from_bits(rows->bits[n]);
     }

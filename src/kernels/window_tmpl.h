@@ -65,14 +65,14 @@ RHW_INLINE void merge_target(const struct tile_work *work, int t, enum output_ki
     if (has_short_road && work->all_full && state.texel_mask == UINT32_MAX) {
         state.texel_mask = UINT32_MAX; // known from here on
         for (int g = 0; g < count; g++) {
-            output_group(&state, scratch->outputs[g][t], i8_splat(-1), texels + places->at[g] * size);
+            output_group(&state, scratch->outputs[g][t], i8_splat(-1), texels + (size_t)places->at[g] * size);
         }
         return;
     }
     for (int g = 0; g < count; g++) {
         const f8 *const color = scratch->outputs[g][t];
         if (!places->packed[g]) {
-            output_group(&state, color, i8_from_bits(places->bits[g]), texels + places->at[g] * size);
+            output_group(&state, color, i8_from_bits(places->bits[g]), texels + (size_t)places->at[g] * size);
             continue;
         }
         _Alignas(32) unsigned char lanes[8 * 16];
