@@ -53,13 +53,15 @@ static uint32_t look_up_slots(struct rhw_front_scratch *scratch, struct rhw_run 
 
 // Lists the vertices that a run shades in scratch->unique, in the order of their slots. Where the indices lie close
 // together, as a mesh's mostly do, every vertex between the least and the greatest is shaded and no table is needed:
-// a closed mesh has a vertex for every two triangles, so that few are shaded in vain.
+// a closed mesh has a vertex for every two triangles, so that few are shaded in vain. Small ones, which may have hard
+// edges and several vertices at a point, lose nothing: they fill few groups.
 static uint32_t list_vertices(struct rhw_front_scratch *scratch, struct rhw_run *run,
                               const struct rhw_draw *draw, uint32_t (*slots)[3])
 {
     uint32_t low, high;
     index_range(run, &low, &high);
-    if (high - low >= (draw->indexed ? 3 * run->count / 4 : 3 * run->count)) {
+    const bool is_small = run->count <= 16;
+    if (high - low >= (draw->indexed && !is_small ? 3 * run->count / 4 : 3 * run->count)) {
         return look_up_slots(scratch, run, draw->base_vertex, slots);
     }
     run->first_slot = low;

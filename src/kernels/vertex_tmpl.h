@@ -86,8 +86,8 @@ static void fetch_codes(const void *const place[8], enum rhw_vertex_type type, f
     }
 }
 
-// One attribute of 8 vertices. Where the buffer has room for four components from where each starts, four are loaded,
-// however many there are; what is not theirs is replaced.
+// One attribute of 8 vertices. Four components are loaded where each starts, however many there are, and what is not
+// theirs is replaced: what lies behind a buffer may be read too (buffer.h).
 static void fetch_attribute(const struct rhw_vertex_stream *stream, const struct rhw_attribute *attribute,
                             uint32_t stride, const uint32_t element[8], f8 out[4])
 {
@@ -96,8 +96,9 @@ static void fetch_attribute(const struct rhw_vertex_stream *stream, const struct
         last = element[lane] > last ? element[lane] : last;
     }
     const enum rhw_vertex_type type = rhw_vertex_format_type(attribute->format);
-    const uint64_t end =
-        (uint64_t)last * stride + attribute->offset + 4 * (uint64_t)rhw_vertex_type_size(type);
+    const int components = rhw_vertex_format_components(attribute->format);
+    const uint64_t end = (uint64_t)last * stride + attribute->offset +
+                         (uint64_t)components * (uint64_t)rhw_vertex_type_size(type);
     if (end > stream->size) {
         fetch_lanes(stream, attribute, stride, element, out);
         return;
@@ -112,7 +113,7 @@ static void fetch_attribute(const struct rhw_vertex_stream *stream, const struct
     } else {
         fetch_codes(places, type, out);
     }
-    switch (rhw_vertex_format_components(attribute->format)) {
+    switch (components) {
     case 1: out[1] = f8_splat(0); // fall through
     case 2: out[2] = f8_splat(0); // fall through
     case 3: out[3] = f8_splat(1); // fall through
