@@ -23,13 +23,14 @@ static double milliseconds(uint64_t ns)
     return (double)ns * 1e-6;
 }
 
+// Zero, but for the table of lanes.
 static void init_tile_scratch(struct rhw_tile_scratch *scratch)
 {
     memset(scratch, 0, sizeof *scratch);
     for (int bits = 0; bits < 256; bits++) {
         int count = 0;
         for (int lane = 0; lane < 8; lane++) {
-            scratch->lanes[bits][count] = (uint8_t)lane;
+            scratch->set_lanes[bits][count] = (uint8_t)lane;
             count += bits >> lane & 1;
         }
     }

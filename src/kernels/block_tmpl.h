@@ -148,11 +148,12 @@ RHW_INLINE struct tile_rect rect_of(const struct tile_work *work, const struct r
                               min_int(t->x1 - work->x, RHW_TILE), min_int(t->y1 - work->y, RHW_TILE)};
 }
 
-// Whether triangles of the draw that cover the tile all over take the road below.
-RHW_INLINE bool takes_whole_tiles(const struct tile_work *work)
+// Whether a triangle of the draw that covers the tile all over takes the road below.
+RHW_INLINE bool takes_whole_tile(const struct tile_work *work)
 {
+    const bool all_open = work->phase == PHASE_BACKWARDS && work->open_count == RHW_TILE * RHW_TILE;
     return work->smooth && work->shades && !work->constant && !work->needs_depth && !work->wants &&
-           !work->scissored && work->phase == PHASE_ONLY;
+           !work->scissored && (work->phase == PHASE_ONLY || all_open);
 }
 
 RHW_INLINE void fill_whole_tile(struct tile_work *work, const struct triangle_work *triangle,
@@ -199,6 +200,10 @@ static __attribute__((noinline)) bool draw_whole_tile(struct tile_work *work, st
         fill_whole_tile(work, triangle, false);
     }
     work->counters->fragments += RHW_TILE * RHW_TILE;
+    if (work->phase == PHASE_BACKWARDS) {
+        memset(work->scratch->open, 0, sizeof work->scratch->open);
+        work->open_count = 0;
+    }
     return true;
 }
 
@@ -211,7 +216,7 @@ static void draw_blocks(struct tile_work *work, const struct rhw_chunk *chunk, s
     if (coverage.count == 0) {
         return;
     }
-    if (takes_whole_tiles(work) && covers_tile(&coverage) && draw_whole_tile(work, triangle)) {
+    if (takes_whole_tile(work) && covers_tile(&coverage) && draw_whole_tile(work, triangle)) {
         return;
     }
     for (int y = rect.y0 & -RHW_BLOCK; y < rect.y1; y += RHW_BLOCK) {

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 // What of a triangle is seen becomes groups. Blocks that are seen all over are 8 groups as they stand. The fragments of
-// others are loose: they are listed, and once the triangle is done every 8 of them make a group, wherever in the tile
-// they lie; the last few are packed with those of other triangles. Every number is made by the
-// same operations as in a row, so the road a fragment takes changes no bit.
-// Template: compiled once per instruction set.
+// others are loose: they are listed, and once the triangle is done, or the list full, every 8 of them make a group,
+// wherever in the tile they lie; the last few are packed with those of other triangles. Triangles that cannot be packed
+// (state_tmpl.h; slivers, and blocks that are cut) have a group for every row. Every number is made by the same
+// operations as in a row, so the road a fragment takes changes no bit. Template: compiled once per instruction set.
 
 #include "constant_tmpl.h"
 
@@ -86,9 +86,9 @@ static void finish_loose(struct tile_work *work, struct triangle_work *triangle)
         group_loose(work, triangle);
     }
     if (work->loose_count != 0) {
-        pack_triangle(work, triangle);
+        const struct rhw_packed_triangle *const packed = pack_triangle(work, triangle);
         for (int i = 0; i < work->loose_count; i++) {
-            pack_fragment(work, triangle, work->scratch->loose_at[i]);
+            pack_fragment(work, &triangle->planes.linear, packed, work->scratch->loose_at[i]);
         }
         work->loose_count = 0;
     }
@@ -106,15 +106,33 @@ RHW_INLINE void collect_loose(struct tile_work *work, struct triangle_work *tria
     int count = work->loose_count;
     for (int row = 0; row < rows; row++) { // no branch asks which are empty: who could tell
         const unsigned bits = (unsigned)(mask >> (8 * row)) & 0xff;
-        const i8 texels = i8_load_bytes(scratch->lanes[bits]) + i8_splat((y + row) * RHW_TILE + x);
+        const i8 texels = i8_load_bytes(scratch->set_lanes[bits]) + i8_splat((y + row) * RHW_TILE + x);
         i8_store(&scratch->loose_at[count], texels);
         count += __builtin_popcount(bits);
     }
     work->loose_count = count;
 }
 
-// Collects the fragments of a block whose bits are set in `mask`. Inline twice: as a function of its own it costs a
-// block of a large triangle 50 instructions.
+// Adds a group for every row of a block of which some bits are set in `mask`.
+static __attribute__((noinline)) void collect_rows(struct tile_work *work,
+                                                   const struct triangle_work *triangle,
+                                                   const struct block_place *at, int x, int y, uint64_t mask,
+                                                   const f8 z[RHW_BLOCK], bool is_cut)
+{
+    struct block_rows rows = {0};
+    while (mask != 0) {
+        const int shift = __builtin_ctzll(mask) & 56;
+        rows.row[rows.count] = (uint8_t)(shift / 8);
+        rows.bits[rows.count++] = (uint8_t)(mask >> shift & 0xff);
+        mask &= ~((uint64_t)0xff << shift);
+    }
+    if (work->count + rows.count > RHW_FRAGMENT_GROUPS) {
+        shade_window(work);
+    }
+    add_rows(work, triangle, at, x, y, &rows, z, is_cut);
+}
+
+// Collects the fragments of a block whose bits are set in `mask`.
 RHW_INLINE void collect_block(struct tile_work *work, struct triangle_work *triangle,
                               const struct block_place *at, int x, int y, uint64_t mask,
                               const f8 z[RHW_BLOCK], bool is_cut)
@@ -125,22 +143,15 @@ RHW_INLINE void collect_block(struct tile_work *work, struct triangle_work *tria
         return;
     }
     pass_waiting(work, x, y, mask);
-    struct block_rows rows = {0};
-    while (mask != 0 && !is_whole) {
-        const int shift = __builtin_ctzll(mask) & 56;
-        rows.row[rows.count] = (uint8_t)(shift / 8);
-        rows.bits[rows.count++] = (uint8_t)(mask >> shift & 0xff);
-        mask &= ~((uint64_t)0xff << shift);
-    }
     if (!triangle->ready) {
         prepare_values(work, triangle);
     }
-    if (work->count + (is_whole ? RHW_BLOCK : rows.count) > RHW_FRAGMENT_GROUPS) {
+    if (!is_whole) {
+        collect_rows(work, triangle, at, x, y, mask, z, is_cut);
+        return;
+    }
+    if (work->count + RHW_BLOCK > RHW_FRAGMENT_GROUPS) {
         shade_window(work);
     }
-    if (is_whole) {
-        add_rows(work, triangle, at, x, y, &all_rows, z, is_cut);
-    } else {
-        add_rows(work, triangle, at, x, y, &rows, z, is_cut);
-    }
+    add_rows(work, triangle, at, x, y, &all_rows, z, is_cut);
 }

@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: MIT
-// Groups packed from single fragments, of whatever triangles they are: where triangles are small, groups of each by
-// itself would be mostly empty and shading them mostly wasted. A fragment is evaluated as one vector over
-// quantities and one over components, then 8 of them are turned into lanes. Every number is made by the same
-// operations as in a row (shade_tmpl.h), so the road a fragment takes changes no bit.
+// Groups packed from single fragments of several triangles: the few of each that its own groups leave over. A fragment is
+// evaluated as one vector over quantities and one over components, then 8 of them are turned into lanes. Every number is
+// made by the same operations as in a row (shade_tmpl.h), so the road a fragment takes changes no bit.
 // Template: compiled once per instruction set.
 
 #include "planes_tmpl.h"
@@ -13,7 +12,6 @@ struct triangle_work {
     const struct rhw_segment *segment;
     const struct rhw_triangle *t;
     bool planes_ready, ready; // `planes` are set; `provoking`, `i0`, `d1`, `d2` are
-    int packed;               // its number in the scratch, of pack_triangle
     struct planes planes;
     const struct rhw_vertex_record *v[3];
     const float *provoking;
@@ -63,7 +61,7 @@ RHW_INLINE void pack_slopes(const struct rhw_packed_triangle *const triangle[8],
 {
     for (int lane = 0; lane < 8; lane++) {
         const float *const *const v = triangle[lane]->varyings;
-        const f8 i0 = f8_load(v[0] + i), d1 = f8_load(v[1] + i) - i0, d2 = f8_load(v[2] + i) - i0;
+        const f8 i0 = f8_load(v[0] + i), d1 = -(i0 - f8_load(v[1] + i)), d2 = -(i0 - f8_load(v[2] + i));
         out[lane] = f8_splat(b[lane]) * d1 + f8_splat(c[lane]) * d2;
     }
     f8_transpose(out);
@@ -182,18 +180,20 @@ static void flush(struct tile_work *work)
 }
 
 // Copies what packing needs of a triangle.
-static void pack_triangle(struct tile_work *work, struct triangle_work *triangle)
+static const struct rhw_packed_triangle *pack_triangle(struct tile_work *work, struct triangle_work *triangle)
 {
     struct planes *const planes = &triangle->planes;
-    triangle->packed = (int)(work->packed_count++ % RHW_PACKED_TRIANGLES);
-    struct rhw_packed_triangle *const to = &work->scratch->packed[triangle->packed];
+    struct rhw_packed_triangle *const to =
+        &work->scratch->packed[work->packed_count++ % RHW_PACKED_TRIANGLES];
     to->anchor_x = planes->anchor_x - work->x;
     to->anchor_y = planes->anchor_y - work->y;
     for (int i = 0; i < 3; i++) {
         to->varyings[i] = triangle->v[i]->varyings;
     }
     if (work->pipeline->any_derivatives) {
-        planes_slopes(planes, triangle->t, triangle->v);
+        if (!triangle->ready) { // or prepare_values set them
+            planes_slopes(planes, triangle->t, triangle->v);
+        }
         const struct slope b = planes->b_slope, c = planes->c_slope;
         to->slope = (d4){b.x, b.y, c.x, c.y};
         to->slope_step = (d4){b.x_dy, b.y_dx, c.x_dy, c.y_dx};
@@ -205,14 +205,14 @@ static void pack_triangle(struct tile_work *work, struct triangle_work *triangle
         to->instance = (int32_t)(draw->first_instance + triangle->segment->instance);
         to->draw = (int32_t)draw->index;
     }
+    return to;
 }
 
-// Adds a fragment; `at`: its texel.
-RHW_INLINE void pack_fragment(struct tile_work *work, const struct triangle_work *triangle, int at)
+// Adds a fragment of a triangle whose planes are `linear`; `at`: its texel.
+RHW_INLINE void pack_fragment(struct tile_work *work, const struct linear *linear,
+                              const struct rhw_packed_triangle *packed, int at)
 {
     struct rhw_tile_scratch *const scratch = work->scratch;
-    const struct linear *const linear = &triangle->planes.linear;
-    const struct rhw_packed_triangle *const packed = &scratch->packed[triangle->packed];
     const double dx = at % RHW_TILE - packed->anchor_x, dy = at / RHW_TILE - packed->anchor_y;
     const int n = work->waiting_count;
     scratch->waiting_at[n] = at;

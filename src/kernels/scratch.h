@@ -65,8 +65,8 @@ struct rhw_front_scratch {
     struct rhw_front_counters counters;
 };
 
-// Where the 8 fragments of each group stand. A texel of the tile has the number y·RHW_TILE + x. There is room to write
-// of 8 groups where the last stands.
+// Where the 8 fragments of each group stand. A texel of the tile has the number y·RHW_TILE + x. place_rows always writes 8
+// entries, so there is room for 8 from the last group on.
 struct rhw_group_places {
     int32_t at[RHW_FRAGMENT_GROUPS + RHW_BLOCK];   // of 8 in a row: the first
     uint8_t bits[RHW_FRAGMENT_GROUPS + RHW_BLOCK]; // live lanes
@@ -100,7 +100,7 @@ struct rhw_tile_scratch {
     int32_t lanes_at[RHW_FRAGMENT_GROUPS][8];
     // Texels of the triangle's fragments that are not in the window yet, and room for a vector that begins there.
     int32_t loose_at[RHW_LOOSE_FRAGMENTS + 8];
-    uint8_t lanes[256][8]; // by bits: which are set, one after the other
+    uint8_t set_lanes[256][8]; // by bits: which are set, in order; behind them lanes of any number
     struct rhw_packed_triangle packed[RHW_PACKED_TRIANGLES];
     // Fragments that wait for a group: texel, triangle, and the four quantities.
     int32_t waiting_at[8];

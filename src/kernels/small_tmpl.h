@@ -6,7 +6,8 @@
 
 #include "batch_tmpl.h"
 
-// A block in the tile, and the pixels of it that may be drawn; x1 and y1 exclusive. q: the edges at pixel (x, y0).
+// A block in the tile, and the pixels of it that may be drawn; x1 and y1 exclusive. q: the edges at its first column, x,
+// in the first row that is drawn, y0.
 struct small_block {
     int x, y, x0, y0, x1, y1;
     int q[3];

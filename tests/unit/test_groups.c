@@ -1,0 +1,245 @@
+// SPDX-License-Identifier: MIT
+// Which fragments share a group, whose groups share a call, and what road a triangle takes to them does not show:
+// triangles of every size that are drawn together, blending over each other, give the picture of one after the other.
+#include "harness.h"
+
+#include <math.h>
+#include <string.h>
+
+enum { SIZE = 150, TRIANGLES = 300 }; // two tiles and a part of a third each way
+
+static void texel_fragment(struct rhw_fragment *groups, int count)
+{
+    for (int g = 0; g < count; g++) {
+        groups[g].color[0][0] = groups[g].ddx[0];
+        groups[g].color[0][1] = groups[g].ddy[1];
+        groups[g].color[0][2] = groups[g].varying[2];
+        groups[g].color[0][3] = groups[g].varying[3];
+    }
+}
+
+// Leaves out what has an odd digit, and wants to know where it is.
+static void masked_fragment(struct rhw_fragment *groups, int count)
+{
+    rig_fragment_pass(groups, count);
+    for (int g = 0; g < count; g++) {
+        const rhw_int digit = __builtin_convertvector(groups[g].varying[0] * 8.0f, rhw_int);
+        groups[g].mask &= (digit & 1) == 0;
+        groups[g].color[0][1] = groups[g].depth;
+    }
+}
+
+// As above, without where: the test of depth comes before, and once more after.
+static void sparse_fragment(struct rhw_fragment *groups, int count)
+{
+    rig_fragment_pass(groups, count);
+    for (int g = 0; g < count; g++) {
+        groups[g].mask &= groups[g].varying[1] > 0.3f;
+    }
+}
+
+static void identity_fragment(struct rhw_fragment *groups, int count)
+{
+    rig_fragment_pass(groups, count);
+    for (int g = 0; g < count; g++) {
+        groups[g].color[0][0] = (rhw_float)(groups[g].front_facing & 0x3f000000); // 0.5 or 0
+    }
+}
+
+enum program { PLAIN, DERIVATIVES, MASKED, SPARSE, IDENTITY, PROGRAMS };
+
+static void use_program(struct rig *rig, enum program program)
+{
+    static rhw_fragment_function *const fragments[PROGRAMS] = {
+        [PLAIN] = rig_fragment_pass,
+        [DERIVATIVES] = texel_fragment,
+        [MASKED] = masked_fragment,
+        [SPARSE] = sparse_fragment,
+        [IDENTITY] = identity_fragment,
+    };
+    rig_set_program(rig, rig_vertex_pass, fragments[program]);
+    rig->pipeline.program.varyings[0].derivatives = program == DERIVATIVES;
+    rig->pipeline.program.uses = program == MASKED     ? RHW_USE_DISCARD | RHW_USE_DEPTH
+                                 : program == SPARSE   ? RHW_USE_DISCARD
+                                 : program == IDENTITY ? RHW_USE_FACING
+                                                       : 0;
+}
+
+// Triangles near `extent` pixels, about a tenth as far from each other as they are large: every pixel is covered often.
+static void make_triangles(const struct rig *rig, float extent, uint64_t *random,
+                           struct rig_vertex vertices[3 * TRIANGLES])
+{
+    const float span = extent < 10 ? 3 * extent : SIZE + extent;
+    for (int i = 0; i < TRIANGLES; i++) {
+        const float x = 40 + rig_random_float(random, -0.3f * span, 0.7f * span);
+        const float y = 30 + rig_random_float(random, -0.3f * span, 0.7f * span);
+        for (int k = 0; k < 3; k++) {
+            struct rig_vertex *const v = &vertices[3 * i + k];
+            rig_place(rig, x + rig_random_float(random, -extent, extent),
+                      y + rig_random_float(random, -extent, extent), rig_random_float(random, 0, 1),
+                      rig_random_float(random, 1, 4), v->position);
+            for (int c = 0; c < 4; c++) {
+                v->value[c] = rig_random_float(random, 0, 1);
+            }
+        }
+    }
+}
+
+enum { MOST_BYTES = SIZE * SIZE * 16 };
+
+static size_t texel_size(enum rhw_format format)
+{
+    return format == RHW_FORMAT_RGBA8_UNORM ? 4 : 16;
+}
+
+static void draw_together(struct rig *rig, const struct rig_vertex *vertices, size_t texel, unsigned char *picture)
+{
+    rig->pass.colors[0].load = rig->pass.depth.load = RHW_LOAD_CLEAR;
+    rig_draw_once(rig, vertices, 3 * TRIANGLES);
+    memcpy(picture, rig_read(rig, rig->pass.colors[0].texture), SIZE * SIZE * texel);
+}
+
+static void draw_one_by_one(struct rig *rig, const struct rig_vertex *vertices, size_t texel,
+                            unsigned char *picture)
+{
+    rig->pass.colors[0].load = rig->pass.depth.load = RHW_LOAD_CLEAR;
+    for (int i = 0; i < TRIANGLES; i++) {
+        rig_draw_once(rig, &vertices[3 * i], 3);
+        rig->pass.colors[0].load = rig->pass.depth.load = RHW_LOAD_LOAD;
+    }
+    memcpy(picture, rig_read(rig, rig->pass.colors[0].texture), SIZE * SIZE * texel);
+}
+
+// Every program, with and without a depth test, triangles of every size: pixels, blocks, parts of a tile, several tiles.
+static void compare_roads(enum rhw_format format)
+{
+    static const float extents[] = {1, 2, 4, 9, 25, 70, 400};
+    static struct rig_vertex vertices[3 * TRIANGLES];
+    static unsigned char together[MOST_BYTES], alone[MOST_BYTES];
+    const size_t texel = texel_size(format);
+    uint64_t random = 71;
+    struct rig rig;
+    rig_open(&rig, SIZE, SIZE);
+    rig_set_target(&rig, 0, format);
+    rig_set_depth(&rig);
+    rig.pipeline.targets[0].blend = true;
+    rig.pipeline.targets[0].color = rig.pipeline.targets[0].alpha = (struct rhw_blend_component){
+        RHW_BLEND_SRC_ALPHA, RHW_BLEND_ONE_MINUS_SRC_ALPHA, RHW_BLEND_ADD};
+    for (int i = 0; i < 2 * PROGRAMS; i++) {
+        rig.pipeline.depth_test = i >= PROGRAMS;
+        for (size_t e = 0; e < sizeof extents / sizeof *extents; e++) {
+            use_program(&rig, (enum program)(i % PROGRAMS));
+            make_triangles(&rig, extents[e], &random, vertices);
+            draw_together(&rig, vertices, texel, together);
+            draw_one_by_one(&rig, vertices, texel, alone);
+            for (size_t p = 0; p < SIZE * SIZE; p++) {
+                if (memcmp(together + p * texel, alone + p * texel, texel) != 0) {
+                    fail_msg("program %d, triangles of %g pixels: pixel %zu,%zu differs", i % PROGRAMS,
+                             (double)extents[e], p % SIZE, p / SIZE);
+                }
+            }
+        }
+    }
+    rig_close(&rig);
+}
+
+static void test_together_as_one_by_one(void **state)
+{
+    (void)state;
+    compare_roads(RHW_FORMAT_RGBA32_FLOAT);
+}
+
+static void test_the_same_in_8_bits(void **state)
+{
+    (void)state;
+    compare_roads(RHW_FORMAT_RGBA8_UNORM);
+}
+
+// Moved by whole pixels, fragments of a triangle come to groups on other roads: their derivatives too are the same to
+// the bit, and those of a constant have the same sign of zero.
+static void test_moved_triangles(void **state)
+{
+    (void)state;
+    enum { AREA = 60 };
+    static float first[AREA * AREA][4];
+    uint64_t random = 5;
+    struct rig rig;
+    rig_open(&rig, SIZE, SIZE);
+    use_program(&rig, DERIVATIVES);
+    for (int n = 0; n < 60; n++) {
+        const float extent = rig_random_float(&random, 2, AREA);
+        float corner[3][3];
+        struct rig_vertex vertices[3];
+        for (int k = 0; k < 3; k++) {
+            corner[k][0] = floorf(256 * rig_random_float(&random, 0, extent)) / 256;
+            corner[k][1] = floorf(256 * rig_random_float(&random, 0, extent)) / 256;
+            corner[k][2] = (float)(1 << rig_random_int(&random, 4)); // so that every place is hit exactly
+            for (int c = 0; c < 4; c++) {
+                vertices[k].value[c] = c == 3 || n % 4 == 0 ? 0.7f : rig_random_float(&random, -1, 1);
+            }
+        }
+        for (int place = 0; place < 6; place++) {
+            const int dx = place * 37 % 83, dy = place * 29 % 67;
+            for (int k = 0; k < 3; k++) {
+                rig_place(&rig, corner[k][0] + (float)dx, corner[k][1] + (float)dy, 0.5f, corner[k][2],
+                          vertices[k].position);
+            }
+            rig_draw_once(&rig, vertices, 3);
+            const float(*pixels)[4] = rig_read_float4(&rig);
+            for (int y = 0; y < AREA; y++) {
+                const float(*row)[4] = pixels + (y + dy) * SIZE + dx;
+                if (place == 0) {
+                    memcpy(first[y * AREA], row, AREA * sizeof *row);
+                } else {
+                    assert_memory_equal(first[y * AREA], row, AREA * sizeof *row);
+                }
+            }
+        }
+    }
+    rig_close(&rig);
+}
+
+// A triangle over whole tiles takes a shorter road than the same triangle behind a scissor that leaves out half of every
+// tile: opaque, when it is the last of its pixels and nothing before it is drawn, and blended.
+static void test_whole_tiles(void **state)
+{
+    (void)state;
+    enum { TILES = 256 };
+    static float whole[TILES * TILES][4];
+    static const float corners[3][2] = {{-300, -40}, {900, -100}, {100, 1500}};
+    struct rig rig;
+    rig_open(&rig, TILES, TILES);
+    struct rig_vertex vertices[3];
+    for (int k = 0; k < 3; k++) {
+        rig_place(&rig, corners[k][0], corners[k][1], 0.5f, 1 + 3.0f * (float)k, vertices[k].position);
+        for (int c = 0; c < 4; c++) {
+            vertices[k].value[c] = (float)((7 * k + 3 * c) % 5);
+        }
+    }
+    for (int i = 0; i < 4; i++) {
+        use_program(&rig, i % 2 == 0 ? PLAIN : DERIVATIVES);
+        rig.pipeline.targets[0].blend = i >= 2;
+        rig.pipeline.targets[0].color.dst = RHW_BLEND_ONE;
+        rig_draw_once(&rig, vertices, 3);
+        memcpy(whole, rig_read_float4(&rig), sizeof whole);
+        rig_begin(&rig);
+        for (int column = 0; column < TILES; column += 32) { // halves of tiles
+            rhw_pass_set_scissor(rig.context, rig.recording, &(struct rhw_rect){column, 0, 32, TILES});
+            rig_draw(&rig, vertices, 3);
+        }
+        rig_end(&rig);
+        assert_memory_equal(rig_read_float4(&rig), whole, sizeof whole);
+    }
+    rig_close(&rig);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(test_together_as_one_by_one),
+        cmocka_unit_test(test_the_same_in_8_bits),
+        cmocka_unit_test(test_moved_triangles),
+        cmocka_unit_test(test_whole_tiles),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}
