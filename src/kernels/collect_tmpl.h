@@ -104,7 +104,8 @@ RHW_INLINE void collect_loose(struct tile_work *work, struct triangle_work *tria
         group_loose(work, triangle);
     }
     int count = work->loose_count;
-    for (int row = 0; row < rows; row++) { // no branch asks which are empty: who could tell
+    // Empty rows too: which are, a processor cannot predict, and a wrong guess costs more than a row.
+    for (int row = 0; row < rows; row++) {
         const unsigned bits = (unsigned)(mask >> (8 * row)) & 0xff;
         const i8 texels = i8_load_bytes(scratch->set_lanes[bits]) + i8_splat((y + row) * RHW_TILE + x);
         i8_store(&scratch->loose_at[count], texels);

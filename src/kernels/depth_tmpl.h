@@ -100,8 +100,9 @@ static uint64_t take_block(struct tile_work *work, int x, int y, uint64_t mask)
     return taken;
 }
 
-// Tests the fragments of 8 texels in a row in the lanes of `live`, and writes their depth; returns those that pass. Bit i of
-// `open`: texel i is open. `rule` is a constant where a call names it. Before shading settle_block has to follow.
+// Tests the fragments of 8 texels in a row in the lanes of `live`, and writes their depth; returns those that pass.
+// Bit i of `open`: texel i is open. `rule` is a constant where a call names it. Before shading settle_block has to
+// follow.
 RHW_INLINE i8 test_lanes(float *texels, f8 z, i8 live, unsigned open, const struct depth_rule rule)
 {
     const f8 stored = f8_load(texels);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// Groups packed from single fragments of several triangles: the few of each that its own groups leave over. A fragment is
-// evaluated as one vector over quantities and one over components, then 8 of them are turned into lanes. Every number is
-// made by the same operations as in a row (shade_tmpl.h), so the road a fragment takes changes no bit.
+// Groups packed from single fragments of several triangles: the few of each that its own groups leave over. A
+// fragment is evaluated as one vector over quantities and one over components, then 8 of them are turned into lanes.
+// Every number is made by the same operations as in a row (shade_tmpl.h), so the road a fragment takes changes no bit.
 // Template: compiled once per instruction set.
 
 #include "planes_tmpl.h"

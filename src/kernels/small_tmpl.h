@@ -40,8 +40,8 @@ RHW_INLINE uint64_t small_test(struct tile_work *work, const struct batch *batch
         const struct plane z = linear_plane(&batch->linear[i], QUANTITY_Z);
         const i8 dx = i8_splat(work->x + block->x - batch->anchor_x[i]) + rhw_lane_index;
         const i8 dy = i8_splat(work->y + block->y0 - batch->anchor_y[i]) + rhw_lane_index;
-        plane_columns(&depth, &z, d8_from_i8(dx));
-        plane_rows(&depth, &z, d8_from_i8(dy));
+        const struct block_place at = {d8_from_i8(dx), d8_from_i8(dy)};
+        plane_over(&depth, &z, &at);
     }
     // Negative where a column is not to be drawn.
     const i8 sides = (rhw_lane_index - i8_splat(block->x0 - block->x)) |

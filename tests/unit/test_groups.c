@@ -18,7 +18,7 @@ static void texel_fragment(struct rhw_fragment *groups, int count)
     }
 }
 
-// Leaves out what has an odd digit, and wants to know where it is.
+// Leaves out what has an odd digit, and shows the depth it was given: tested after shading.
 static void masked_fragment(struct rhw_fragment *groups, int count)
 {
     rig_fragment_pass(groups, count);
@@ -29,7 +29,7 @@ static void masked_fragment(struct rhw_fragment *groups, int count)
     }
 }
 
-// As above, without where: the test of depth comes before, and once more after.
+// Leaves some out, without a look at depth: tested before shading, and once more after.
 static void sparse_fragment(struct rhw_fragment *groups, int count)
 {
     rig_fragment_pass(groups, count);
@@ -51,11 +51,8 @@ enum program { PLAIN, DERIVATIVES, MASKED, SPARSE, IDENTITY, PROGRAMS };
 static void use_program(struct rig *rig, enum program program)
 {
     static rhw_fragment_function *const fragments[PROGRAMS] = {
-        [PLAIN] = rig_fragment_pass,
-        [DERIVATIVES] = texel_fragment,
-        [MASKED] = masked_fragment,
-        [SPARSE] = sparse_fragment,
-        [IDENTITY] = identity_fragment,
+        [PLAIN] = rig_fragment_pass, [DERIVATIVES] = texel_fragment, [MASKED] = masked_fragment,
+        [SPARSE] = sparse_fragment,  [IDENTITY] = identity_fragment,
     };
     rig_set_program(rig, rig_vertex_pass, fragments[program]);
     rig->pipeline.program.varyings[0].derivatives = program == DERIVATIVES;
@@ -65,7 +62,7 @@ static void use_program(struct rig *rig, enum program program)
                                                        : 0;
 }
 
-// Triangles near `extent` pixels, about a tenth as far from each other as they are large: every pixel is covered often.
+// Triangles of about `extent` pixels, so close together that pixels are covered many times.
 static void make_triangles(const struct rig *rig, float extent, uint64_t *random,
                            struct rig_vertex vertices[3 * TRIANGLES])
 {
@@ -92,7 +89,8 @@ static size_t texel_size(enum rhw_format format)
     return format == RHW_FORMAT_RGBA8_UNORM ? 4 : 16;
 }
 
-static void draw_together(struct rig *rig, const struct rig_vertex *vertices, size_t texel, unsigned char *picture)
+static void draw_together(struct rig *rig, const struct rig_vertex *vertices, size_t texel,
+                          unsigned char *picture)
 {
     rig->pass.colors[0].load = rig->pass.depth.load = RHW_LOAD_CLEAR;
     rig_draw_once(rig, vertices, 3 * TRIANGLES);
@@ -123,8 +121,8 @@ static void compare_roads(enum rhw_format format)
     rig_set_target(&rig, 0, format);
     rig_set_depth(&rig);
     rig.pipeline.targets[0].blend = true;
-    rig.pipeline.targets[0].color = rig.pipeline.targets[0].alpha = (struct rhw_blend_component){
-        RHW_BLEND_SRC_ALPHA, RHW_BLEND_ONE_MINUS_SRC_ALPHA, RHW_BLEND_ADD};
+    rig.pipeline.targets[0].color = rig.pipeline.targets[0].alpha =
+        (struct rhw_blend_component){RHW_BLEND_SRC_ALPHA, RHW_BLEND_ONE_MINUS_SRC_ALPHA, RHW_BLEND_ADD};
     for (int i = 0; i < 2 * PROGRAMS; i++) {
         rig.pipeline.depth_test = i >= PROGRAMS;
         for (size_t e = 0; e < sizeof extents / sizeof *extents; e++) {
