@@ -171,6 +171,33 @@ RHW_INLINE i8 i8_load_bytes(const uint8_t *p)
 #endif
 }
 
+// The lanes as 8 bytes, lane 0 in the lowest; each is 0 .. 255.
+RHW_INLINE uint64_t i8_to_bytes(i8 v)
+{
+    uint64_t bytes;
+#if defined(__SSE2__)
+    __m128i half[2];
+    memcpy(half, &v, sizeof v);
+    const __m128i words = _mm_packs_epi32(half[0], half[1]);
+    _mm_storel_epi64((__m128i *)(void *)&bytes, _mm_packus_epi16(words, words));
+#else
+    typedef uint8_t bytes8 __attribute__((vector_size(8)));
+    const bytes8 narrow = __builtin_convertvector(v, bytes8);
+    memcpy(&bytes, &narrow, sizeof bytes);
+#endif
+    return bytes;
+}
+
+// 2^n, for n of 0 .. 30.
+RHW_INLINE i8 i8_power2(i8 n)
+{
+#if defined(__AVX2__)
+    return (i8)_mm256_sllv_epi32(_mm256_set1_epi32(1), (__m256i)n);
+#else
+    return rhw_to_int_unchecked((f8)((n + i8_splat(127)) << 23)); // a float's exponent
+#endif
+}
+
 // −1 in the lanes whose bit is set.
 RHW_INLINE i8 i8_from_bits(unsigned bits)
 {

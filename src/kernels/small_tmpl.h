@@ -1,83 +1,129 @@
 // SPDX-License-Identifier: MIT
 // Triangles that are small beside a tile: what meshes are made of. Their edges fit into 32 bits, and their blocks of
-// 8×8 pixels start where the triangle does instead of at multiples of 8, so that few of them are mostly empty.
-// Coverage and the early depth test of a row are one step: what is covered stays a mask of lanes.
-// Template: compiled once per instruction set.
+// 8×8 pixels start where the triangle does instead of at multiples of 8, so that few of them are mostly empty. In one
+// that fits into a block, coverage and the early depth test of a row are one step: what is covered stays a mask of lanes.
+// Of others the rows are spans, so that no row is looked at where it is empty. Template: compiled once per instruction set.
 
-#include "batch_tmpl.h"
+#include "span_tmpl.h"
 
-// A block in the tile, and the pixels of it that may be drawn; x1 and y1 exclusive. q: the edges at its first column, x,
-// in the first row that is drawn, y0.
-struct small_block {
-    int x, y, x0, y0, x1, y1;
-    int q[3];
+// The parts of a triangle's depth over a block at x, and y.
+RHW_INLINE d8 small_columns(const struct tile_work *work, const struct batch *batch, int i, int x)
+{
+    const i8 dx = i8_splat(work->x + x - batch->anchor_x[i]) + rhw_lane_index;
+    return d8_mul(d8_splat(batch->linear[i].dx[QUANTITY_Z]), d8_from_i8(dx));
+}
+
+RHW_INLINE void small_rows(struct block_plane *depth, const struct tile_work *work, const struct batch *batch,
+                           int i, int y)
+{
+    const struct plane z = linear_plane(&batch->linear[i], QUANTITY_Z);
+    plane_rows(depth, &z, d8_from_i8(i8_splat(work->y + y - batch->anchor_y[i]) + rhw_lane_index));
+}
+
+// Of a triangle at 8 pixels in a row: the edges and what they change by to the next row, the columns that may be drawn
+// (negative where not), and the part of depth that depends on the column.
+struct strip {
+    i8 q[3], step[3], sides;
+    d8 depth;
 };
 
-// Edges at 8 pixels in a row, and what they change by to the next row.
-struct small_edges {
-    i8 q[3], step[3];
-};
-
-// Of triangle i of the batch at the block's first column, row y0.
-RHW_INLINE void small_edges(struct small_edges *edges, const struct batch *batch, int i,
-                            const struct small_block *block)
+// Of triangle i of the batch at column x of the tile, its first, row y0.
+RHW_INLINE void strip_setup(struct strip *strip, const struct tile_work *work, const struct batch *batch,
+                            int i, int x, bool tests)
 {
     for (int e = 0; e < 3; e++) {
-        edges->q[e] = i8_splat(block->q[e]) + i8_splat(batch->a[e][i]) * rhw_lane_index;
-        edges->step[e] = i8_splat(batch->b[e][i]);
+        strip->q[e] = i8_splat(batch->q[e][i]) + i8_splat(batch->a[e][i]) * rhw_lane_index;
+        strip->step[e] = i8_splat(batch->b[e][i]);
+    }
+    strip->sides =
+        (rhw_lane_index - i8_splat(batch->x0[i] - x)) | (i8_splat(batch->x1[i] - x - 1) - rhw_lane_index);
+    if (tests) {
+        strip->depth = small_columns(work, batch, i, x);
     }
 }
 
-// The pixels of the block that triangle i covers and that pass the depth test, which writes their depth; bit
-// 8·row + column. `tests`: there is an early test; `rule` is how, a constant where a call names it.
-RHW_INLINE uint64_t small_test(struct tile_work *work, const struct batch *batch, int i,
-                               const struct small_block *block, bool tests, const struct depth_rule rule)
+// The pixels that triangle i covers in rows y .. y1 − 1, 8 at most, and that pass the depth test, which writes their
+// depth, as a mask of the block that starts at row `top`. The strip goes on to row y1. `tests`: there is an early test;
+// `rule` is how, a constant where a call names it.
+RHW_INLINE uint64_t test_strip(struct tile_work *work, const struct batch *batch, int i, struct strip *strip,
+                               int x, int y, int y1, int top, bool tests, const struct depth_rule rule)
 {
-    struct small_edges edges;
-    small_edges(&edges, batch, i, block);
     struct block_plane depth;
     if (tests) {
-        const struct plane z = linear_plane(&batch->linear[i], QUANTITY_Z);
-        const i8 dx = i8_splat(work->x + block->x - batch->anchor_x[i]) + rhw_lane_index;
-        const i8 dy = i8_splat(work->y + block->y0 - batch->anchor_y[i]) + rhw_lane_index;
-        const struct block_place at = {d8_from_i8(dx), d8_from_i8(dy)};
-        plane_over(&depth, &z, &at);
+        depth.column = strip->depth;
+        small_rows(&depth, work, batch, i, y);
     }
-    // Negative where a column is not to be drawn.
-    const i8 sides = (rhw_lane_index - i8_splat(block->x0 - block->x)) |
-                     (i8_splat(block->x1 - block->x - 1) - rhw_lane_index);
-    float *texels = stored_depth(work, block->x, block->y0);
+    float *texels = stored_depth(work, x, y);
     uint64_t passed = 0;
-    for (int row = 0; row < block->y1 - block->y0; row++) {
-        i8 inside = ~((edges.q[0] | edges.q[1] | edges.q[2] | sides) >> 31);
+    for (int row = 0; row < y1 - y; row++) {
+        i8 inside = ~((strip->q[0] | strip->q[1] | strip->q[2] | strip->sides) >> 31);
         if (tests) {
-            const unsigned open = open_row(work, block->x, block->y0 + row, rule);
+            const unsigned open = open_row(work, x, y + row, rule);
             inside = test_lanes(texels, f8_from_d8(plane_row(&depth, row)), inside, open, rule);
         }
         passed |= (uint64_t)i8_sign_bits(inside) << (8 * row);
         for (int e = 0; e < 3; e++) {
-            edges.q[e] += edges.step[e];
+            strip->q[e] += strip->step[e];
         }
         texels += RHW_TILE;
     }
-    passed <<= 8 * (block->y0 - block->y);
-    return tests ? settle_block(work, block->x, block->y, passed, rule) : passed;
+    passed <<= 8 * (y - top);
+    return tests ? settle_block(work, x, top, passed, rule) : passed;
 }
 
-// The same, tested by the rule of the draw.
-RHW_INLINE uint64_t small_pixels(struct tile_work *work, const struct batch *batch, int i,
-                                 const struct small_block *block)
+// Of the pixels of a block set in `mask`, which is not 0, those that pass the depth test, which writes their depth.
+RHW_INLINE uint64_t test_covered(struct tile_work *work, const struct batch *batch, int i, int x, int y,
+                                 uint64_t mask, const struct depth_rule rule)
+{
+    struct block_plane depth;
+    depth.column = small_columns(work, batch, i, x);
+    small_rows(&depth, work, batch, i, y);
+    const int first = __builtin_ctzll(mask) / 8, last = 7 - __builtin_clzll(mask) / 8;
+    float *texels = stored_depth(work, x, y + first);
+    uint64_t passed = 0;
+    for (int row = first; row <= last; row++) {
+        const i8 live = i8_from_bits((unsigned)(mask >> (8 * row)) & 0xff);
+        const i8 pass = test_lanes(texels, f8_from_d8(plane_row(&depth, row)), live,
+                                   open_row(work, x, y + row, rule), rule);
+        passed |= (uint64_t)i8_sign_bits(pass) << (8 * row);
+        texels += RHW_TILE;
+    }
+    return settle_block(work, x, y, passed, rule);
+}
+
+// Both, tested by the rule of the draw.
+RHW_INLINE uint64_t strip_pixels(struct tile_work *work, const struct batch *batch, int i,
+                                 struct strip *strip, int x, int y, int y1, int top)
 {
     if (!tests_early(work)) {
-        return small_test(work, batch, i, block, false, work->early);
+        return test_strip(work, batch, i, strip, x, y, y1, top, false, work->early);
     }
     switch (work->common) {
-    case RULE_LESS: return small_test(work, batch, i, block, true, common_rules[RULE_LESS]);
-    case RULE_GREATER: return small_test(work, batch, i, block, true, common_rules[RULE_GREATER]);
-    case RULE_MARK_LESS: return small_test(work, batch, i, block, true, common_rules[RULE_MARK_LESS]);
-    case RULE_MARK_GREATER: return small_test(work, batch, i, block, true, common_rules[RULE_MARK_GREATER]);
-    case RULE_TAKE: return small_test(work, batch, i, block, true, common_rules[RULE_TAKE]);
-    default: return small_test(work, batch, i, block, true, work->early);
+    case RULE_LESS: return test_strip(work, batch, i, strip, x, y, y1, top, true, common_rules[RULE_LESS]);
+    case RULE_GREATER:
+        return test_strip(work, batch, i, strip, x, y, y1, top, true, common_rules[RULE_GREATER]);
+    case RULE_MARK_LESS:
+        return test_strip(work, batch, i, strip, x, y, y1, top, true, common_rules[RULE_MARK_LESS]);
+    case RULE_MARK_GREATER:
+        return test_strip(work, batch, i, strip, x, y, y1, top, true, common_rules[RULE_MARK_GREATER]);
+    case RULE_TAKE: return test_strip(work, batch, i, strip, x, y, y1, top, true, common_rules[RULE_TAKE]);
+    default: return test_strip(work, batch, i, strip, x, y, y1, top, true, work->early);
+    }
+}
+
+RHW_INLINE uint64_t covered_pixels(struct tile_work *work, const struct batch *batch, int i, int x, int y,
+                                   uint64_t mask)
+{
+    if (!tests_early(work)) {
+        return mask;
+    }
+    switch (work->common) {
+    case RULE_LESS: return test_covered(work, batch, i, x, y, mask, common_rules[RULE_LESS]);
+    case RULE_GREATER: return test_covered(work, batch, i, x, y, mask, common_rules[RULE_GREATER]);
+    case RULE_MARK_LESS: return test_covered(work, batch, i, x, y, mask, common_rules[RULE_MARK_LESS]);
+    case RULE_MARK_GREATER: return test_covered(work, batch, i, x, y, mask, common_rules[RULE_MARK_GREATER]);
+    case RULE_TAKE: return test_covered(work, batch, i, x, y, mask, common_rules[RULE_TAKE]);
+    default: return test_covered(work, batch, i, x, y, mask, work->early);
     }
 }
 
@@ -94,73 +140,79 @@ RHW_INLINE void take_planes(struct triangle_work *triangle, const struct batch *
     triangle->planes_ready = true;
 }
 
-// The pixels of triangle i in the block, of which the batch has all there is to know. `only`: it has no others.
-RHW_INLINE void draw_small_block(struct tile_work *work, struct triangle_work *triangle,
-                                 const struct batch *batch, int i, const struct small_block *block, bool only)
+// Whether any of the pixels of triangle i in a block that passed the early test, `mask`, are to be collected: they are
+// counted then, and the triangle is ready for it.
+RHW_INLINE bool takes_pixels(struct tile_work *work, struct triangle_work *triangle,
+                             const struct batch *batch, int i, int x, int y, uint64_t *mask)
 {
-    uint64_t mask = small_pixels(work, batch, i, block);
     if (work->phase == PHASE_BACKWARDS) {
-        mask = take_backwards(work, block->x, block->y, mask);
+        *mask = take_backwards(work, x, y, *mask);
     }
-    if (mask == 0 || !work->shades) {
-        return;
+    if (*mask == 0 || !work->shades) {
+        return false;
     }
-    work->counters->fragments += (uint64_t)__builtin_popcountll(mask);
+    work->counters->fragments += (uint64_t)__builtin_popcountll(*mask);
     if (!triangle->planes_ready) {
         take_planes(triangle, batch, i);
     }
-    if (only) {
-        collect_loose(work, triangle, block->x, block->y, block->y1 - block->y, mask);
+    return true;
+}
+
+// A triangle that fits into 8 columns, of which the batch has all there is to know. `only`: and into 8 rows.
+RHW_INLINE void draw_strip(struct tile_work *work, struct triangle_work *triangle, const struct batch *batch,
+                           int i, bool only)
+{
+    const int x = batch->x[i], end = batch->y1[i];
+    struct strip strip;
+    strip_setup(&strip, work, batch, i, x, tests_early(work));
+    for (int y = batch->y0[i]; y < end; y += RHW_BLOCK) {
+        const int y1 = only ? end : min_int(y + RHW_BLOCK, end), top = min_int(y, RHW_TILE - RHW_BLOCK);
+        uint64_t mask = strip_pixels(work, batch, i, &strip, x, y, y1, top);
+        if (takes_pixels(work, triangle, batch, i, x, top, &mask)) {
+            collect_loose(work, triangle, x, top, y1 - top, mask);
+        }
+        if (only) {
+            break;
+        }
+    }
+}
+
+static __attribute__((noinline)) void draw_tall_strip(struct tile_work *work, struct triangle_work *triangle,
+                                                      const struct batch *batch, int i)
+{
+    draw_strip(work, triangle, batch, i, false);
+}
+
+// One block of several. `taken`: the batch has all there is to know of the triangle.
+RHW_INLINE void draw_small_block(struct tile_work *work, struct triangle_work *triangle,
+                                 const struct batch *batch, int i, int x, int y, uint64_t mask, bool taken)
+{
+    if (!taken) {
+        draw_block(work, triangle, x, y, mask);
         return;
     }
-    const struct block_place at = block_place(work, &triangle->planes, block->x, block->y);
-    collect_block(work, triangle, &at, block->x, block->y, mask, NULL, false);
-}
-
-// A triangle that needs more than the batch has.
-RHW_INLINE void draw_other_block(struct tile_work *work, struct triangle_work *triangle,
-                                 const struct batch *batch, int i, const struct small_block *block)
-{
-    const uint64_t mask = small_test(work, batch, i, block, false, work->early);
-    if (mask != 0) {
-        draw_block(work, triangle, block->x, block->y, mask);
+    mask = covered_pixels(work, batch, i, x, y, mask);
+    if (takes_pixels(work, triangle, batch, i, x, y, &mask)) {
+        const struct block_place at = block_place(work, &triangle->planes, x, y);
+        collect_block(work, triangle, &at, x, y, mask, NULL, false);
     }
 }
 
-// The block of triangle i from (x, y) on, moved where it would reach over the tile's end. `only`: it has no others.
-RHW_INLINE struct small_block small_block(const struct batch *batch, int i, int x, int y, bool only)
-{
-    struct small_block block = {min_int(x, RHW_TILE - RHW_BLOCK),
-                                min_int(y, RHW_TILE - RHW_BLOCK),
-                                x,
-                                y,
-                                min_int(x + RHW_BLOCK, batch->x1[i]),
-                                min_int(y + RHW_BLOCK, batch->y1[i]),
-                                {batch->q[0][i], batch->q[1][i], batch->q[2][i]}};
-    for (int e = 0; e < 3 && !only; e++) {
-        block.q[e] += batch->a[e][i] * (block.x - batch->x[i]) + batch->b[e][i] * (y - batch->y0[i]);
-    }
-    return block;
-}
-
+// Blocks that would reach over the tile's end are moved.
 static __attribute__((noinline)) void draw_small_blocks(struct tile_work *work,
                                                         struct triangle_work *triangle,
                                                         const struct batch *batch, int i, bool taken)
 {
-    int rise[3]; // of the edges in a block, at most
-    for (int e = 0; e < 3; e++) {
-        rise[e] = (RHW_BLOCK - 1) * (max_int(batch->a[e][i], 0) + max_int(batch->b[e][i], 0));
-    }
-    for (int y = batch->y0[i]; y < batch->y1[i]; y += RHW_BLOCK) {
-        for (int x = batch->x0[i]; x < batch->x1[i]; x += RHW_BLOCK) {
-            const struct small_block block = small_block(batch, i, x, y, false);
-            if (((block.q[0] + rise[0]) | (block.q[1] + rise[1]) | (block.q[2] + rise[2])) < 0) {
-                continue; // an edge leaves it outside
-            }
-            if (taken) {
-                draw_small_block(work, triangle, batch, i, &block, false);
-            } else {
-                draw_other_block(work, triangle, batch, i, &block);
+    struct span_edges edges;
+    span_edges(&edges, batch, i);
+    for (int y0 = batch->y0[i]; y0 < batch->y1[i]; y0 += RHW_BLOCK) {
+        const int y = min_int(y0, RHW_TILE - RHW_BLOCK);
+        const struct row_spans spans = row_spans(&edges, batch, i, y, y0, batch->y1[i]);
+        for (int x0 = batch->x0[i]; x0 < batch->x1[i]; x0 += RHW_BLOCK) {
+            const int x = min_int(x0, RHW_TILE - RHW_BLOCK);
+            const uint64_t mask = span_mask(&spans, x, x0);
+            if (mask != 0) {
+                draw_small_block(work, triangle, batch, i, x, y, mask, taken);
             }
         }
     }
@@ -172,11 +224,16 @@ static void draw_small(struct tile_work *work, struct triangle_work *triangle, c
     // Where no screen weights are wanted the batch has all there is to know; groups that keep the depth of a row take
     // it from draw_block.
     const bool taken = (work->packs || !work->shades) && !(batch->inexact >> i & 1);
-    if (taken && batch->x1[i] - batch->x0[i] <= RHW_BLOCK && batch->y1[i] - batch->y0[i] <= RHW_BLOCK) {
-        const struct small_block block = small_block(batch, i, batch->x0[i], batch->y0[i], true);
-        draw_small_block(work, triangle, batch, i, &block, true);
+    if (taken && batch->x1[i] - batch->x0[i] <= RHW_BLOCK) {
+        if (batch->y1[i] - batch->y0[i] <= RHW_BLOCK) {
+            draw_strip(work, triangle, batch, i, true);
+        } else {
+            draw_tall_strip(work, triangle, batch, i);
+        }
     } else {
         draw_small_blocks(work, triangle, batch, i, taken && !work->keeps_depth);
     }
-    finish_loose(work, triangle);
+    if (work->loose_count != 0) {
+        finish_loose(work, triangle);
+    }
 }

@@ -114,6 +114,43 @@ static void test_tiny_triangles_beside_huge_ones(void **state)
     rig_close(&rig);
 }
 
+// Triangles of up to 60 pixels, some of whose corners are pixel centres, cut by a scissor that ends anywhere in their rows.
+static void test_small_triangles_within_a_scissor(void **state)
+{
+    (void)state;
+    struct rig rig;
+    rig_open(&rig, 128, 64);
+    rig_set_depth(&rig);
+    uint64_t random = 44;
+    for (int n = 0; n < 1000; n++) {
+        const int reach = 4 << n % 5, step = n % 3 ? 1 : 128; // pixels; 1/256 pixel
+        const int x = rig_random_int(&random, 100), y = rig_random_int(&random, 40);
+        struct ref_triangle t = {0};
+        struct rig_vertex vertices[3];
+        for (int i = 0; i < 3; i++) {
+            t.x_8[i] = 256 * x + step * rig_random_int(&random, reach * 256 / step);
+            t.y_8[i] = 256 * y + step * rig_random_int(&random, reach * 256 / step);
+            place_8(&rig, t.x_8[i], t.y_8[i], &vertices[i]);
+        }
+        const struct rhw_rect scissor = {
+            x + rig_random_int(&random, reach / 2), y + rig_random_int(&random, reach / 2),
+            1 + rig_random_int(&random, reach), 1 + rig_random_int(&random, reach)};
+        rig.pipeline.depth_test = n % 2;
+        rig_begin(&rig);
+        rhw_pass_set_scissor(rig.context, rig.recording, &scissor);
+        rig_draw(&rig, vertices, 3);
+        rig_end(&rig);
+        const float(*pixels)[4] = rig_read_float4(&rig);
+        for (int i = 0; i < 128 * 64; i++) {
+            const int px = i % 128, py = i / 128;
+            const bool within = px >= scissor.x && px < scissor.x + scissor.width && py >= scissor.y &&
+                                py < scissor.y + scissor.height;
+            assert_int_equal(pixels[i][0] != 0, within && ref_covers(&t, px, py));
+        }
+    }
+    rig_close(&rig);
+}
+
 static void test_random_triangles(void **state)
 {
     (void)state;
@@ -308,6 +345,7 @@ int main(void)
         cmocka_unit_test(test_edges_through_pixel_centres),
         cmocka_unit_test(test_tiny_triangles_that_cover_nothing_are_culled),
         cmocka_unit_test(test_tiny_triangles_beside_huge_ones),
+        cmocka_unit_test(test_small_triangles_within_a_scissor),
         cmocka_unit_test(test_random_triangles),
         cmocka_unit_test(test_slivers),
         cmocka_unit_test(test_positions_snap_to_nearest_even),
