@@ -369,20 +369,23 @@ static void setup8(struct rhw_front_scratch *scratch, uint32_t run_index, const 
     const struct rhw_pipeline_def *const def = &state->pipeline->def;
     const struct corner_lanes lanes =
         load_corners(scratch->vertices + run->first_vertex, run->first_slot, corners);
-    const struct pixel_lanes pixels = pixels_of(&lanes, &state->scissor);
     unsigned negative, nonzero;
     area_signs(&lanes, &negative, &nonzero);
     const unsigned back = def->front == RHW_COUNTER_CLOCKWISE ? ~negative : negative;
     const unsigned facing_away = def->cull == RHW_CULL_NONE ? 0 : def->cull == RHW_CULL_BACK ? back : ~back;
-    const unsigned covers =
-        i8_sign_bits(rhw_less_int(pixels.x0, pixels.x1) & rhw_less_int(pixels.y0, pixels.y1));
     const unsigned outside =
         ~i8_sign_bits(rhw_equal_int(lanes.flags_all & i8_splat(RHW_VERTEX_OUTSIDE), i8_splat(0)));
     const unsigned hard =
         live & ~i8_sign_bits(rhw_equal_int(
                    lanes.flags_any & i8_splat(RHW_VERTEX_CLIP | RHW_VERTEX_NOT_FINITE), i8_splat(0)));
     const unsigned easy = live & ~hard;
-    unsigned drawn = easy & ~outside & nonzero & ~facing_away & covers;
+    unsigned drawn = easy & ~outside & nonzero & ~facing_away;
+    if ((drawn | hard) == 0) {
+        scratch->counters.culled += popcount(easy);
+        return;
+    }
+    const struct pixel_lanes pixels = pixels_of(&lanes, &state->scissor);
+    drawn &= i8_sign_bits(rhw_less_int(pixels.x0, pixels.x1) & rhw_less_int(pixels.y0, pixels.y1));
     if (drawn != 0) {
         drawn &= ~uncovered(&lanes, &pixels, negative);
     }

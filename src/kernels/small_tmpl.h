@@ -136,7 +136,7 @@ RHW_INLINE void take_planes(struct triangle_work *triangle, const struct batch *
     planes->anchor_y = batch->anchor_y[i];
     planes->linear = batch->linear[i];
     planes->factors.inverse_area = batch->inverse_area[i]; // for planes_slopes
-    memcpy(triangle->v, batch->vertex[i], sizeof triangle->v);
+    memcpy(triangle->v, batch->of->vertex[i], sizeof triangle->v);
     triangle->planes_ready = true;
 }
 

@@ -113,39 +113,11 @@ static int list_bins(const struct tile_work *work)
     return count;
 }
 
-// The triangles of a bin lie anywhere in their chunk: ask for what is drawn some batches later. Without this, a mesh
-// in random order spends two thirds of its time waiting here.
-enum { RECORDS_AHEAD = 4 * BATCH, VERTICES_AHEAD = 2 * BATCH };
-
-// Triangle k of a bin in the order of drawing.
-RHW_INLINE const struct rhw_triangle *bin_triangle(const struct rhw_bin *bin, uint32_t k, enum phase phase)
-{
-    const uint32_t e = phase == PHASE_BACKWARDS ? bin->end - 1 - k : bin->first + k;
-    return &bin->chunk->triangles[bin->chunk->entries[e]];
-}
-
-static void prefetch_record(const struct rhw_bin *bin, uint32_t k, enum phase phase)
-{
-    if (k < bin->end - bin->first) {
-        __builtin_prefetch(bin_triangle(bin, k, phase));
-    }
-}
-
-static void prefetch_vertices(const struct rhw_bin *bin, uint32_t k, enum phase phase)
-{
-    if (k < bin->end - bin->first) {
-        const struct rhw_triangle *const t = bin_triangle(bin, k, phase);
-        for (int i = 0; i < 3; i++) {
-            __builtin_prefetch(record_at(&bin->chunk->segments[t->segment], t->vertex[i]));
-        }
-    }
-}
-
 static void draw_triangle(struct tile_work *work, const struct rhw_chunk *chunk, const struct batch *batch,
                           int i)
 {
     struct triangle_work triangle;
-    triangle.t = batch->triangle[i];
+    triangle.t = batch->of->triangle[i];
     triangle.segment = &chunk->segments[triangle.t->segment];
     triangle.planes_ready = triangle.ready = false;
     triangle.provoking = NULL;
@@ -168,19 +140,16 @@ static bool is_hidden(const struct tile_work *work)
     return work->phase == PHASE_BACKWARDS && work->open_count == 0;
 }
 
-// Draws what a batch has; numbers: of its triangles among those that are drawn in two phases.
-static void draw_batch(struct tile_work *work, const struct rhw_chunk *chunk, struct batch *batch,
-                       const uint32_t numbers[BATCH], int count)
+static void draw_batch(struct tile_work *work, const struct rhw_chunk *chunk, const struct bin_batch *of)
 {
-    for (int i = count; i < BATCH; i++) {
-        batch->triangle[i] = batch->triangle[0];
-    }
-    batch_setup(work, chunk, batch);
-    for (int i = 0; i < count && !is_hidden(work); i++) {
+    struct batch batch;
+    batch.of = of;
+    batch_setup(work, chunk, &batch);
+    for (int i = 0; i < of->count && !is_hidden(work); i++) {
         work->hit = false;
-        draw_triangle(work, chunk, batch, i);
+        draw_triangle(work, chunk, &batch, i);
         if (work->phase == PHASE_DEPTH && (work->hit || work->skips)) {
-            work->scratch->seen[numbers[i] / 8] |= (uint8_t)(1u << numbers[i] % 8);
+            work->scratch->seen[of->number[i] / 8] |= (uint8_t)(1u << of->number[i] % 8);
         }
     }
 }
@@ -188,33 +157,14 @@ static void draw_batch(struct tile_work *work, const struct rhw_chunk *chunk, st
 // `number`: of the bin's first triangle among those that are drawn in two phases.
 static void draw_bin(struct tile_work *work, const struct rhw_bin *bin, uint32_t number)
 {
-    const enum phase phase = work->phase;
-    const uint8_t *const seen = work->scratch->seen;
-    struct batch batch;
-    uint32_t numbers[BATCH];
-    int count = 0;
-    for (uint32_t k = 0; k < RECORDS_AHEAD; k++) {
-        prefetch_record(bin, k, phase);
+    struct bin_batch batches[BATCHES_AHEAD + 1];
+    struct bin_reader reader = bin_reader(work, bin, number);
+    for (int i = 0; i < BATCHES_AHEAD; i++) {
+        read_batch(&reader, &batches[i]);
     }
-    for (uint32_t k = 0; k < VERTICES_AHEAD; k++) {
-        prefetch_vertices(bin, k, phase);
-    }
-    for (uint32_t k = 0; k < bin->end - bin->first && !is_hidden(work); k++) {
-        const uint32_t n = number + k;
-        if (phase == PHASE_SHADE && !(seen[n / 8] >> n % 8 & 1)) {
-            continue;
-        }
-        prefetch_record(bin, k + RECORDS_AHEAD, phase);
-        prefetch_vertices(bin, k + VERTICES_AHEAD, phase);
-        numbers[count] = n;
-        batch.triangle[count++] = bin_triangle(bin, k, phase);
-        if (count == BATCH) {
-            draw_batch(work, bin->chunk, &batch, numbers, count);
-            count = 0;
-        }
-    }
-    if (count != 0) {
-        draw_batch(work, bin->chunk, &batch, numbers, count);
+    for (int i = 0; batches[i].count != 0 && !is_hidden(work); i = i == BATCHES_AHEAD ? 0 : i + 1) {
+        read_batch(&reader, &batches[i == 0 ? BATCHES_AHEAD : i - 1]);
+        draw_batch(work, bin->chunk, &batches[i]);
     }
 }
 
