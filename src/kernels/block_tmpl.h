@@ -122,7 +122,12 @@ static void draw_block(struct tile_work *work, struct triangle_work *triangle, i
         block_depth(&block, planes, &at);
         depth_rows(work, triangle, &block, &at, mask, is_cut, z);
         if (tests_early(work)) {
+            const bool is_whole = mask == ~(uint64_t)0 && ((x | y) & (RHW_BLOCK - 1)) == 0;
             mask = test_block_early(work, z, x, y, mask);
+            if (is_whole && work->hiz_tests && work->early.write && !is_cut && !planes->exact) {
+                const struct plane depth = linear_plane(&planes->linear, QUANTITY_Z);
+                hiz_cover(work, &depth, planes->anchor_x, planes->anchor_y, x, y);
+            }
         }
     }
     work->counters->fragments += work->shades ? (uint64_t)__builtin_popcountll(mask) : 0;
@@ -207,6 +212,30 @@ static __attribute__((noinline)) bool draw_whole_tile(struct tile_work *work, st
     return true;
 }
 
+// Whether depth in a block may differ from the triangle's plane: see block_is_cut.
+static bool cuts_block(const struct tile_work *work, const struct triangle_work *triangle, int x, int y)
+{
+    const struct block_place at = block_place(work, &triangle->planes, x, y);
+    return triangle->t->flags & RHW_TRIANGLE_POLYGON && block_is_cut(&triangle->planes, &at);
+}
+
+// Bit n: the triangle lies behind all that block n of the row of blocks at y shows.
+static unsigned hidden_blocks(struct tile_work *work, struct triangle_work *triangle, int y)
+{
+    const struct planes *const planes = &triangle->planes;
+    if (!work->hiz_tests) {
+        return 0;
+    }
+    if (!triangle->planes_ready) {
+        setup_planes(work, triangle);
+    }
+    if (planes->exact || planes->wide) {
+        return 0;
+    }
+    const struct plane z = linear_plane(&planes->linear, QUANTITY_Z);
+    return hiz_hidden(work, &z, planes->anchor_x, planes->anchor_y, y);
+}
+
 // Draws any triangle: as much of it as is covered in the tile, which is in `rect`.
 static void draw_blocks(struct tile_work *work, const struct rhw_chunk *chunk, struct triangle_work *triangle,
                         struct tile_rect rect)
@@ -221,7 +250,11 @@ static void draw_blocks(struct tile_work *work, const struct rhw_chunk *chunk, s
     }
     for (int y = rect.y0 & -RHW_BLOCK; y < rect.y1; y += RHW_BLOCK) {
         const int row0 = max_int(rect.y0 - y, 0), row1 = min_int(rect.y1 - y, RHW_BLOCK);
+        const unsigned hidden = hidden_blocks(work, triangle, y);
         for (int x = rect.x0 & -RHW_BLOCK; x < rect.x1; x += RHW_BLOCK) {
+            if (hidden >> (x / RHW_BLOCK) & 1 && !cuts_block(work, triangle, x, y)) {
+                continue;
+            }
             uint64_t mask = coverage_mask(&coverage, x, y, row0, row1);
             if (work->scissored) {
                 mask &= rect_mask(x, y, rect.x0, rect.y0, rect.x1, rect.y1);

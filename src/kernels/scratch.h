@@ -90,7 +90,8 @@ struct rhw_bin {
 struct rhw_tile_scratch {
     _Alignas(64) unsigned char color[RHW_MAX_COLOR_ATTACHMENTS][RHW_TILE * RHW_TILE * 16];
     float depth[RHW_TILE * RHW_TILE];
-    uint64_t open[RHW_TILE]; // by row, a bit per pixel: see depth_tmpl.h
+    float hiz[RHW_TILE / RHW_BLOCK * (RHW_TILE / RHW_BLOCK)]; // by block: see hiz_tmpl.h
+    uint64_t open[RHW_TILE];                                  // by row, a bit per pixel: see depth_tmpl.h
     // Bit i: triangle i of the run under way is drawn in the second phase.
     uint8_t seen[RHW_DEFERRED_TRIANGLES / 8];
     struct rhw_bin bins[RHW_WAVE_CHUNKS]; // of the tile, those that are not empty

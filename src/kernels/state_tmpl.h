@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // What a draw changes of the work on a tile. Template: compiled once per instruction set.
 
-#include "pack_tmpl.h"
+#include "hiz_tmpl.h"
 
 // How depth is tested in a phase; `strict`: LESS or GREATER, where the first of equals wins.
 static void set_depth(struct tile_work *work, const struct rhw_pipeline_def *def)
@@ -28,6 +28,7 @@ static void set_depth(struct tile_work *work, const struct rhw_pipeline_def *def
         work->late.open = OPEN_CLOSE;
     }
     work->common = common_rule(work->early);
+    hiz_follow(work, def);
 }
 
 static void set_state(struct tile_work *work, const struct rhw_draw_state *state)

@@ -193,13 +193,21 @@ static void start_phase(struct tile_work *work, enum phase phase)
     }
     work->draw = NULL;
     work->phase = phase;
+    if (phase == PHASE_SHADE && work->hiz_direction != 0) {
+        hiz_refresh(work);
+    }
 }
 
 static void draw_run(struct tile_work *work, struct bin_run run, enum phase phase)
 {
-    uint32_t number = 0;
+    enum { REFRESH = 16 }; // triangles after which the tile's depth is worth a look
+    uint32_t number = 0, looked = 0;
     start_phase(work, phase);
     for (const struct rhw_bin *bin = run.first; bin < run.end; bin++) {
+        if (phase == PHASE_DEPTH && number - looked >= REFRESH && work->hiz_direction != 0) {
+            hiz_refresh(work);
+            looked = number;
+        }
         draw_bin(work, bin, number);
         number += bin->end - bin->first;
     }

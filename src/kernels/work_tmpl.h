@@ -46,8 +46,9 @@ struct tile_work {
     int x, y;          // pixels of the tile's first pixel in the target
     int width, height; // pixels of the tile: fewer at the target's end
     enum phase phase;
-    bool hit;       // a fragment passed a test with OPEN_MARK
-    int open_count; // open pixels, in PHASE_BACKWARDS
+    bool hit;          // a fragment passed a test with OPEN_MARK
+    int open_count;    // open pixels, in PHASE_BACKWARDS
+    int hiz_direction; // which way depth moves: see hiz_tmpl.h; 0 where it may move both ways
 
     // Of the draw whose fragments are collected:
     const struct rhw_draw *draw;
@@ -56,6 +57,7 @@ struct tile_work {
     enum depth_mode depth_mode;
     struct depth_rule early, late; // late: after the fragment function
     enum common_rule common;       // which of them `early` is
+    bool hiz_tests;                // fragments behind the tile's bounds fail the test
     bool skips;                    // nothing of it is drawn in this phase
     bool scissored;                // the scissor, or the target's end, leaves out pixels of the tile
     bool shades;                   // there is a fragment function

@@ -15,7 +15,8 @@ enum kind { KIND_PLAIN, KIND_COORD, KIND_MASKED, KIND_MASKED_COORD, KIND_COUNT }
 
 struct layer {
     enum kind kind;
-    enum rhw_compare compare; // RHW_COMPARE_ALWAYS: no depth test
+    bool tests, writes; // depth
+    enum rhw_compare compare;
     struct rig_vertex vertices[3 * TRIANGLES];
 };
 
@@ -61,7 +62,8 @@ static void use_layer(struct rig *rig, const struct layer *layer)
     };
     rig_set_program(rig, rig_vertex_pass, kinds[layer->kind].fragment);
     rig->pipeline.program.uses = kinds[layer->kind].uses;
-    rig->pipeline.depth_test = layer->compare != RHW_COMPARE_ALWAYS;
+    rig->pipeline.depth_test = layer->tests;
+    rig->pipeline.depth_write = layer->writes;
     rig->pipeline.depth_compare = layer->compare;
 }
 
@@ -70,7 +72,9 @@ static void make_layers(const struct rig *rig, uint64_t *random, struct layer la
 {
     for (int d = 0; d < DRAWS; d++) {
         layers[d].kind = (enum kind)rig_random_int(random, KIND_COUNT);
-        layers[d].compare = rig->pipeline.depth_test ? rig->pipeline.depth_compare : RHW_COMPARE_ALWAYS;
+        layers[d].tests = rig->pipeline.depth_test;
+        layers[d].writes = rig->pipeline.depth_write;
+        layers[d].compare = rig->pipeline.depth_compare;
         for (int i = 0; i < TRIANGLES; i++) {
             const float size = rig_random_int(random, 4) == 0 ? 20 : 2.0f * SIZE,
                         flat = 0.25f * (float)rig_random_int(random, 5);
@@ -188,6 +192,31 @@ static void test_one_run_after_another(void **state)
     rig_close(&rig);
 }
 
+// Any comparison after any other: what lies behind a block now may lie before it later. Half of the pictures have long
+// runs of one of them.
+static void test_depth_that_moves_both_ways(void **state)
+{
+    (void)state;
+    static struct picture together, alone;
+    static struct layer layers[DRAWS];
+    uint64_t random = 29;
+    struct rig rig;
+    open_rig(&rig, RHW_COMPARE_LESS);
+    for (int n = 0; n < 12; n++) {
+        make_layers(&rig, &random, layers);
+        for (int d = 0; d < DRAWS; d++) {
+            layers[d].compare = n % 2 && d % 8
+                                    ? layers[d - 1].compare
+                                    : (enum rhw_compare)rig_random_int(&random, RHW_COMPARE_ALWAYS + 1);
+            layers[d].writes = rig_random_int(&random, 3) != 0;
+        }
+        draw_together(&rig, layers, &together);
+        draw_one_by_one(&rig, layers, &alone);
+        assert_equal_pictures(&together, &alone);
+    }
+    rig_close(&rig);
+}
+
 // Without a depth test the last fragment wins; one that may be discarded keeps its turn.
 static void test_the_last_wins_without_depth(void **state)
 {
@@ -232,7 +261,8 @@ static void assert_next_run_covers(enum rhw_compare compare)
     for (int d = 0; d < DRAWS; d++) {
         const bool second = d >= DRAWS / 2;
         layers[d].kind = KIND_PLAIN;
-        layers[d].compare = second ? RHW_COMPARE_ALWAYS : compare;
+        layers[d].tests = !second;
+        layers[d].compare = compare;
         for (int i = 0; i < TRIANGLES; i++) {
             const float near = (float)(d * TRIANGLES + i) / (2 * DRAWS * TRIANGLES);
             cover(&rig, compare == RHW_COMPARE_LESS ? 0.75f - near : 0.25f + near, second ? 2 : 1,
@@ -277,7 +307,8 @@ static void test_runs_of_every_kind(void **state)
             make_layers(&rig, &random, layers);
             for (int d = 0; d < DRAWS; d++) {
                 layers[d].compare = kinds[d < DRAWS / 2 ? first : second];
-                if (layers[d].compare == RHW_COMPARE_ALWAYS && layers[d].kind >= KIND_MASKED) {
+                layers[d].tests = layers[d].compare != RHW_COMPARE_ALWAYS; // which stands for no test here
+                if (!layers[d].tests && layers[d].kind >= KIND_MASKED) {
                     layers[d].kind = KIND_PLAIN;
                 }
             }
@@ -358,6 +389,7 @@ int main(void)
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(test_the_picture_of_one_by_one),
         cmocka_unit_test(test_one_run_after_another),
+        cmocka_unit_test(test_depth_that_moves_both_ways),
         cmocka_unit_test(test_the_last_wins_without_depth),
         cmocka_unit_test(test_a_run_without_depth_after_one_that_waits),
         cmocka_unit_test(test_runs_of_every_kind),
