@@ -79,6 +79,14 @@ static __attribute__((noinline)) void group_loose(struct tile_work *work, struct
     work->loose_count = rest;
 }
 
+RHW_INLINE void pack_loose(struct tile_work *work, const struct linear *linear,
+                           const struct rhw_packed_triangle *packed, bool derivatives)
+{
+    for (int i = 0; i < work->loose_count; i++) {
+        pack_fragment(work, linear, packed, work->scratch->loose_at[i], derivatives);
+    }
+}
+
 // Lets go of all loose fragments of a triangle, which is done.
 static void finish_loose(struct tile_work *work, struct triangle_work *triangle)
 {
@@ -87,8 +95,10 @@ static void finish_loose(struct tile_work *work, struct triangle_work *triangle)
     }
     if (work->loose_count != 0) {
         const struct rhw_packed_triangle *const packed = pack_triangle(work, triangle);
-        for (int i = 0; i < work->loose_count; i++) {
-            pack_fragment(work, &triangle->planes.linear, packed, work->scratch->loose_at[i]);
+        if (work->pipeline->any_derivatives) {
+            pack_loose(work, &triangle->planes.linear, packed, true);
+        } else {
+            pack_loose(work, &triangle->planes.linear, packed, false);
         }
         work->loose_count = 0;
     }

@@ -55,14 +55,17 @@ RHW_INLINE void pack_components(const struct rhw_packed_triangle *const triangle
     f8_transpose(out);
 }
 
-// Their derivatives by x or y, whose weights' derivatives are b and c.
-RHW_INLINE void pack_slopes(const struct rhw_packed_triangle *const triangle[8], int i, const float b[8],
-                            const float c[8], f8 out[8])
+// Derivatives of components i .. i + 3 of the 8 fragments: by x as four vectors, then by y as four. `weight`: derivatives
+// of b by x and by y, and of c.
+RHW_INLINE void pack_slopes(const struct rhw_packed_triangle *const triangle[8], int i, float weight[4][8],
+                            f8 out[8])
 {
     for (int lane = 0; lane < 8; lane++) {
         const float *const *const v = triangle[lane]->varyings;
-        const f8 i0 = f8_load(v[0] + i), d1 = -(i0 - f8_load(v[1] + i)), d2 = -(i0 - f8_load(v[2] + i));
-        out[lane] = f8_splat(b[lane]) * d1 + f8_splat(c[lane]) * d2;
+        const f4 i0 = f4_load(v[0] + i), d1 = -(i0 - f4_load(v[1] + i)), d2 = -(i0 - f4_load(v[2] + i));
+        const f4 by_x = f4_splat(weight[0][lane]) * d1 + f4_splat(weight[2][lane]) * d2;
+        const f4 by_y = f4_splat(weight[1][lane]) * d1 + f4_splat(weight[3][lane]) * d2;
+        out[lane] = __builtin_shufflevector(by_x, by_y, 0, 1, 2, 3, 4, 5, 6, 7);
     }
     f8_transpose(out);
 }
@@ -73,28 +76,23 @@ static void pack_derivatives(const struct tile_work *work, int g,
     const struct rhw_pipeline_data *const pipeline = work->pipeline;
     const int components = pipeline->varying_components;
     const d8 squared = d8_mul(inverse_s, inverse_s);
-    d4 value[8];
-    for (int lane = 0; lane < 8; lane++) {
-        const int at = work->scratch->lanes_at[g][lane];
-        const double x = at % RHW_TILE - triangle[lane]->anchor_x,
-                     y = at / RHW_TILE - triangle[lane]->anchor_y;
-        const d4 along = {y, x, y, x};
-        value[lane] = triangle[lane]->slope + triangle[lane]->slope_step * along;
-    }
     d8 numerator[4];
-    quantity_lanes(value, numerator);
+    quantity_lanes(work->scratch->waiting_slope, numerator);
     float weight[4][8]; // b by x, b by y, c by x, c by y
     for (int i = 0; i < 4; i++) {
         f8_store(weight[i], f8_from_d8(d8_mul(numerator[i], squared)));
     }
-    for (int i = 0; i < components; i += 8) {
-        f8 dx[8], dy[8];
-        pack_slopes(triangle, i, weight[0], weight[2], dx);
-        pack_slopes(triangle, i, weight[1], weight[3], dy);
-        for (int k = 0; k < 8 && i + k < components; k++) {
-            if (pipeline->component_derivatives[i + k]) {
-                work->scratch->ddx[g * components + i + k] = dx[k];
-                work->scratch->ddy[g * components + i + k] = dy[k];
+    const bool *const wanted = pipeline->component_derivatives;
+    for (int i = 0; i < components; i += 4) {
+        f8 slopes[8];
+        if (!(wanted[i] | wanted[i + 1] | wanted[i + 2] | wanted[i + 3])) {
+            continue;
+        }
+        pack_slopes(triangle, i, weight, slopes);
+        for (int k = 0; k < 4 && i + k < components; k++) {
+            if (wanted[i + k]) {
+                work->scratch->ddx[g * components + i + k] = slopes[k];
+                work->scratch->ddy[g * components + i + k] = slopes[4 + k];
             }
         }
     }
@@ -153,6 +151,7 @@ static __attribute__((noinline)) void pack_waiting(struct tile_work *work)
         scratch->waiting_at[i] = scratch->waiting_at[0];
         scratch->waiting_triangle[i] = scratch->waiting_triangle[0];
         scratch->waiting_value[i] = scratch->waiting_value[0];
+        scratch->waiting_slope[i] = scratch->waiting_slope[0];
     }
     pack_group(work, 0xffu >> (8 - live));
     if (work->count == RHW_FRAGMENT_GROUPS) {
@@ -194,9 +193,7 @@ static const struct rhw_packed_triangle *pack_triangle(struct tile_work *work, s
         if (!triangle->ready) { // or prepare_values set them
             planes_slopes(planes, triangle->t, triangle->v);
         }
-        const struct slope b = planes->b_slope, c = planes->c_slope;
-        to->slope = (d4){b.x, b.y, c.x, c.y};
-        to->slope_step = (d4){b.x_dy, b.y_dx, c.x_dy, c.y_dx};
+        to->slopes = planes->slopes;
     }
     if (work->pipeline->def.program.uses & (RHW_USE_FACING | RHW_USE_IDS)) {
         const struct rhw_draw *const draw = triangle->segment->draw;
@@ -210,7 +207,7 @@ static const struct rhw_packed_triangle *pack_triangle(struct tile_work *work, s
 
 // Adds a fragment of a triangle whose planes are `linear`; `at`: its texel.
 RHW_INLINE void pack_fragment(struct tile_work *work, const struct linear *linear,
-                              const struct rhw_packed_triangle *packed, int at)
+                              const struct rhw_packed_triangle *packed, int at, bool derivatives)
 {
     struct rhw_tile_scratch *const scratch = work->scratch;
     const double dx = at % RHW_TILE - packed->anchor_x, dy = at / RHW_TILE - packed->anchor_y;
@@ -219,6 +216,9 @@ RHW_INLINE void pack_fragment(struct tile_work *work, const struct linear *linea
     scratch->waiting[at / RHW_TILE] |= (uint64_t)1 << at % RHW_TILE;
     scratch->waiting_triangle[n] = packed;
     scratch->waiting_value[n] = linear->dx * d4_splat(dx) + (linear->at + linear->dy * d4_splat(dy));
+    if (derivatives) {
+        scratch->waiting_slope[n] = packed->slopes.at + packed->slopes.step * (d4){dy, dx, dy, dx};
+    }
     work->waiting_count = n + 1;
     if (n + 1 == 8) {
         pack_group(work, 0xff);

@@ -30,13 +30,6 @@ struct linear {
     d4 at, dx, dy; // by quantity: value at the anchor's centre; change per pixel
 };
 
-// The numerators of d(q/S)/dx = (q_x·S − q·S_x)/S² and d(q/S)/dy, which are linear: the one does not depend on x, the
-// other not on y. No cancellation per pixel.
-struct slope {
-    double x, x_dy; // d/dx: x + x_dy·dy
-    double y, y_dx;
-};
-
 // Of a snapped triangle: the four quantities are base + f1·e_1 + f2·e_2.
 struct factors {
     struct plane e1, e2; // exact integers
@@ -59,8 +52,8 @@ struct planes {
     bool homogeneous;         // a vertex is not snapped
     bool wide;                // weights come from `edge` alone, in wide arithmetic
     struct wide_plane edge[3];
-    double edge_scale;             // e_i·edge_scale = a, b, c over W
-    struct slope b_slope, c_slope; // of snapped triangles by planes_slopes, when they are asked for
+    double edge_scale;        // e_i·edge_scale = a, b, c over W
+    struct rhw_slopes slopes; // of snapped triangles by planes_slopes, when they are asked for
 };
 
 static struct plane scale(double f, struct plane e)
@@ -95,7 +88,7 @@ static void planes_without_area(struct planes *p)
     p->edge_scale = 1 / p->w[nearest_vertex(p)];
     memset(p->edge, 0, sizeof p->edge);
     p->edge[nearest_vertex(p)].at.hi = 1;
-    p->b_slope = p->c_slope = (struct slope){0};
+    p->slopes = (struct rhw_slopes){d4_splat(0), d4_splat(0)};
 }
 
 RHW_INLINE struct plane linear_plane(const struct linear *linear, enum quantity q)
@@ -232,10 +225,9 @@ static void planes_homogeneous(struct planes *p, const struct rhw_draw_state *st
     p->n1 = scale(p->w[1], row[1]);
     p->n2 = scale(p->w[2], row[2]);
     // q_x·S − q·S_x with q = b, S = a + b + c, where (b_x·a − b·a_x) and the like are vertices over the determinant.
-    p->b_slope = (struct slope){inverse * (m[2][1] - m[0][1]), inverse * (m[0][2] - m[2][2]),
-                                inverse * (m[0][0] - m[2][0]), inverse * (m[2][2] - m[0][2])};
-    p->c_slope = (struct slope){inverse * (m[0][1] - m[1][1]), inverse * (m[1][2] - m[0][2]),
-                                inverse * (m[1][0] - m[0][0]), inverse * (m[0][2] - m[1][2])};
+    const d4 scale = d4_splat(inverse);
+    p->slopes.at = scale * (d4){m[2][1] - m[0][1], m[0][0] - m[2][0], m[0][1] - m[1][1], m[1][0] - m[0][0]};
+    p->slopes.step = scale * (d4){m[0][2] - m[2][2], m[2][2] - m[0][2], m[1][2] - m[0][2], m[0][2] - m[1][2]};
 }
 
 // A plane over a block of 8×8 pixels: value = column + row. Made once per block, so that a row of 8 pixels
@@ -498,43 +490,45 @@ static struct weights cut_weights(const struct cut_row *cut, struct weights w)
                             d8_select(cut->lanes, cut->weights.inverse_s, w.inverse_s)};
 }
 
-// Of a snapped triangle. With T = e_0·w_0 + e_1·w_1 + e_2·w_2, d(e_1·w_1/T)/dx = w_1·(Σ w_i·(a_1·e_i − a_i·e_1))/T²;
-// a_1·e_0 − a_0·e_1 is 0 at vertex 2, does not depend on x, and changes by the area with y, and so on around the
-// triangle: what is left are heights over vertices, which are exact.
-static struct slope slope_snapped(const struct rhw_triangle *t, const struct planes *p, double factor,
-                                  int self, const double w[3])
-{
-    const int next = self == 1 ? 2 : 0, other = self == 1 ? 0 : 1; // self, next, other: around the triangle
-    const double px = (double)(p->anchor_x * RHW_SUBPIXEL + RHW_SUBPIXEL / 2);
-    const double py = (double)(p->anchor_y * RHW_SUBPIXEL + RHW_SUBPIXEL / 2);
-    const double f = factor * w[self] * RHW_SUBPIXEL;
-    return (struct slope){f * (w[next] * (py - t->y_24_8[other]) - w[other] * (py - t->y_24_8[next])),
-                          f * (w[next] - w[other]) * RHW_SUBPIXEL,
-                          f * (w[other] * (px - t->x_24_8[next]) - w[next] * (px - t->x_24_8[other])),
-                          f * (w[other] - w[next]) * RHW_SUBPIXEL};
-}
-
-// Sets the slopes of b and c, which planes_homogeneous sets itself.
+// Sets the slopes, which planes_homogeneous sets itself. With T = e_0·w_0 + e_1·w_1 + e_2·w_2, d(e_1·w_1/T)/dx =
+// w_1·(Σ w_i·(a_1·e_i − a_i·e_1))/T²; a_1·e_0 − a_0·e_1 is 0 at vertex 2, does not depend on x, and changes by the area
+// with y, and so on around the triangle: what is left are heights over vertices, which are exact.
 static void planes_slopes(struct planes *p, const struct rhw_triangle *t,
                           const struct rhw_vertex_record *const v[3])
 {
     if (p->homogeneous || p->wide) {
         return;
     }
-    const double w[3] = {1 / (double)v[0]->position[3], 1 / (double)v[1]->position[3],
-                         1 / (double)v[2]->position[3]};
-    const double x1 = t->x_24_8[1] - t->x_24_8[0], y1 = t->y_24_8[1] - t->y_24_8[0];
-    const double x2 = t->x_24_8[2] - t->x_24_8[0], y2 = t->y_24_8[2] - t->y_24_8[0];
-    const double factor =
-        x1 * y2 < x2 * y1 ? -p->factors.inverse_area : p->factors.inverse_area; // one over the signed area
-    p->b_slope = slope_snapped(t, p, factor, 1, w);
-    p->c_slope = slope_snapped(t, p, factor, 2, w);
+    const d4 w = d4_splat(1) /
+                 (d4){(double)v[0]->position[3], (double)v[1]->position[3], (double)v[2]->position[3], 1};
+    const i4 x = i4_load(t->x_24_8), y = i4_load(t->y_24_8); // the fourth of each is another member
+    const int32_t anchor_x = p->anchor_x * RHW_SUBPIXEL + RHW_SUBPIXEL / 2,
+                  anchor_y = p->anchor_y * RHW_SUBPIXEL + RHW_SUBPIXEL / 2;
+    const i4 anchor = {anchor_y, anchor_x, anchor_y, anchor_x};
+    // Heights over one of the other two vertices, and over the other.
+    const d4 one = d4_from_i4(anchor - __builtin_shufflevector(x, y, 4, 2, 5, 0));
+    const d4 other = d4_from_i4(anchor - __builtin_shufflevector(x, y, 6, 0, 4, 1));
+    const d4 side =
+        d4_from_i4(__builtin_shufflevector(x, y, 1, 2, 5, 6) - __builtin_shufflevector(x, y, 0, 0, 4, 4));
+    const double factor = side[0] * side[3] < side[1] * side[2]
+                              ? -p->factors.inverse_area
+                              : p->factors.inverse_area; // one over the signed area
+    const d4 self = __builtin_shufflevector(w, w, 1, 1, 2, 2),
+             first = __builtin_shufflevector(w, w, 2, 0, 0, 1),
+             second = __builtin_shufflevector(w, w, 0, 2, 1, 0);
+    const d4 f = d4_splat(factor) * self * d4_splat(RHW_SUBPIXEL);
+    p->slopes.at = f * (first * one - second * other);
+    p->slopes.step = f * (first - second) * d4_splat(RHW_SUBPIXEL);
 }
 
-// Per pixel to the right (x) and down (y), of a weight whose numerators are given.
-RHW_INLINE void weight_derivatives(struct slope slope, d8 dx, d8 dy, d8 inverse_s, f8 *by_x, f8 *by_y)
+// Per pixel to the right (x) and down (y), of b (`weight` 0) or c (1).
+RHW_INLINE void weight_derivatives(const struct rhw_slopes *slopes, int weight, d8 dx, d8 dy, d8 inverse_s,
+                                   f8 *by_x, f8 *by_y)
 {
+    const int x = 2 * weight, y = x + 1;
     const d8 squared = d8_mul(inverse_s, inverse_s);
-    *by_x = f8_from_d8(d8_mul(d8_add(d8_splat(slope.x), d8_mul(d8_splat(slope.x_dy), dy)), squared));
-    *by_y = f8_from_d8(d8_mul(d8_add(d8_splat(slope.y), d8_mul(d8_splat(slope.y_dx), dx)), squared));
+    const d8 along_x = d8_add(d8_splat(slopes->at[x]), d8_mul(d8_splat(slopes->step[x]), dy));
+    const d8 along_y = d8_add(d8_splat(slopes->at[y]), d8_mul(d8_splat(slopes->step[y]), dx));
+    *by_x = f8_from_d8(d8_mul(along_x, squared));
+    *by_y = f8_from_d8(d8_mul(along_y, squared));
 }

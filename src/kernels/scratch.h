@@ -73,9 +73,15 @@ struct rhw_group_places {
     bool packed[RHW_FRAGMENT_GROUPS + RHW_BLOCK];  // from anywhere: `lanes_at` tells where
 };
 
+// The numerators of d(q/S)/dx = (q_x·S − q·S_x)/S² and d(q/S)/dy, which are linear: the one does not depend on x, the
+// other not on y. No cancellation per pixel. In this order: b by x, b by y, c by x, c by y.
+struct rhw_slopes {
+    d4 at, step; // at the anchor's centre; change per pixel down, to the right, down, to the right
+};
+
 // What is kept of a triangle until its last fragment has found a group.
 struct rhw_packed_triangle {
-    d4 slope, slope_step; // numerators of d/dx and d/dy of b, then of c; see struct slope
+    struct rhw_slopes slopes;
     const float *varyings[3];
     int anchor_x, anchor_y; // pixels, in the tile
     int32_t front_facing, primitive, instance, draw;
@@ -108,6 +114,7 @@ struct rhw_tile_scratch {
     uint64_t waiting[RHW_TILE]; // by row, a bit per pixel: those that wait
     const struct rhw_packed_triangle *waiting_triangle[8];
     d4 waiting_value[8];
+    d4 waiting_slope[8]; // numerators of derivatives, where a fragment function wants some
     f8 varyings[RHW_FRAGMENT_GROUPS * RHW_MAX_VARYING_COMPONENTS];
     f8 ddx[RHW_FRAGMENT_GROUPS * RHW_MAX_VARYING_COMPONENTS];
     f8 ddy[RHW_FRAGMENT_GROUPS * RHW_MAX_VARYING_COMPONENTS];

@@ -162,8 +162,8 @@ static void fill_group(const struct tile_work *work, int g, const struct triangl
         memcpy(dy, &at->dy, sizeof dy);
         struct weight_slopes slopes;
         const d8 row_dy = d8_splat(dy[row]);
-        weight_derivatives(planes->b_slope, at->dx, row_dy, w.inverse_s, &slopes.b_dx, &slopes.b_dy);
-        weight_derivatives(planes->c_slope, at->dx, row_dy, w.inverse_s, &slopes.c_dx, &slopes.c_dy);
+        weight_derivatives(&planes->slopes, 0, at->dx, row_dy, w.inverse_s, &slopes.b_dx, &slopes.b_dy);
+        weight_derivatives(&planes->slopes, 1, at->dx, row_dy, w.inverse_s, &slopes.c_dx, &slopes.c_dy);
         fill_derivatives(work, g, triangle, &slopes);
         if (uses & RHW_USE_BARYCENTRIC_DERIVATIVES) {
             fill_barycentrics(group->barycentric_ddx, 0, slopes.b_dx, slopes.c_dx);
@@ -194,8 +194,8 @@ RHW_INLINE void set_weights(struct group_weights *to, int n, const struct planes
     to->b[n] = w->b;
     to->c[n] = w->c;
     if (derivatives) {
-        weight_derivatives(planes->b_slope, dx, dy, w->inverse_s, &to->b_dx[n], &to->b_dy[n]);
-        weight_derivatives(planes->c_slope, dx, dy, w->inverse_s, &to->c_dx[n], &to->c_dy[n]);
+        weight_derivatives(&planes->slopes, 0, dx, dy, w->inverse_s, &to->b_dx[n], &to->b_dy[n]);
+        weight_derivatives(&planes->slopes, 1, dx, dy, w->inverse_s, &to->c_dx[n], &to->c_dy[n]);
     }
 }
 
