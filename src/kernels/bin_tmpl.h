@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// The triangles of a bin, read 8 at a time and ahead of what is drawn: they lie anywhere in their chunk, as their vertices
-// do. Without this, a mesh in random order spends two thirds of its time waiting for them. Template: compiled once per
-// instruction set.
+// The triangles of a bin, read 8 at a time and ahead of what is drawn: they lie anywhere in their chunk, as their
+// vertices do. Without this, a mesh in random order spends two thirds of its time waiting for them.
+// Template: compiled once per instruction set.
 
 #include "block_tmpl.h"
 

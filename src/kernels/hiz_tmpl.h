@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// Hierarchical depth (Greene, Kass and Miller 1993, Hierarchical Z-Buffer Visibility): of every block of 8×8 pixels the
-// tile knows a depth that none of its pixels lies behind, so that what does need not be tested pixel by pixel. Template:
-// compiled once per instruction set.
+// Hierarchical depth (Greene, Kass and Miller 1993, Hierarchical Z-Buffer Visibility): of every block of 8×8 pixels
+// the tile knows a depth that none of its pixels lies behind, so that what does need not be tested pixel by pixel.
+// Template: compiled once per instruction set.
 //
 // With LESS and LESS_EQUAL depth only falls, and what was a bound stays one: `direction` 1. With GREATER it is −1 and
 // everything is mirrored: bounds are of direction · depth. What may move depth the other way ends them. A triangle that
@@ -54,7 +54,7 @@ static void hiz_refresh(struct tile_work *work)
     }
 }
 
-// A column or row of a block, of which direction · depth is least in the first or in the last: `slope` is how it changes.
+// The column or row of a block where direction · depth is least: the first or the last. `slope` is how depth changes.
 RHW_INLINE int hiz_nearest(const struct tile_work *work, double slope)
 {
     return slope * work->hiz_direction < 0 ? RHW_BLOCK - 1 : 0;
@@ -78,7 +78,8 @@ RHW_INLINE void hiz_cover(struct tile_work *work, const struct plane *z, int anc
 {
     const double dx = work->x + x + (RHW_BLOCK - 1 - hiz_nearest(work, z->dx)) - anchor_x;
     const double dy = work->y + y + (RHW_BLOCK - 1 - hiz_nearest(work, z->dy)) - anchor_y;
-    const float farthest = (float)(z->dx * dx + (z->at + z->dy * dy)) * (float)work->hiz_direction;
+    const f8 depth = viewport_clamp(work->state, f8_splat((float)(z->dx * dx + (z->at + z->dy * dy))));
+    const float farthest = depth[0] * (float)work->hiz_direction;
     float *const bound = &work->scratch->hiz[y / RHW_BLOCK * HIZ_BLOCKS + x / RHW_BLOCK];
     if (farthest < *bound) {
         *bound = farthest;

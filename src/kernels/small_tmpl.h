@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: MIT
 // Triangles that are small beside a tile: what meshes are made of. Their edges fit into 32 bits, and their blocks of
 // 8×8 pixels start where the triangle does instead of at multiples of 8, so that few of them are mostly empty. In one
-// that fits into a block, coverage and the early depth test of a row are one step: what is covered stays a mask of lanes.
-// Of others the rows are spans, so that no row is looked at where it is empty. Template: compiled once per instruction set.
+// of at most 8 columns, coverage and the early depth test of a row are one step: what is covered stays a mask of lanes.
+// The rows of others are spans, so that no row is looked at where it is empty.
+// Template: compiled once per instruction set.
 
 #include "span_tmpl.h"
 

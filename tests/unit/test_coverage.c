@@ -114,7 +114,7 @@ static void test_tiny_triangles_beside_huge_ones(void **state)
     rig_close(&rig);
 }
 
-// Triangles of up to 60 pixels, some of whose corners are pixel centres, cut by a scissor that ends anywhere in their rows.
+// Triangles of up to 64 pixels, some of whose corners are pixel centres, cut by a scissor that ends anywhere in them.
 static void test_small_triangles_within_a_scissor(void **state)
 {
     (void)state;
