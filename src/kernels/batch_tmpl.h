@@ -10,7 +10,7 @@
 // of the tile. Corners lie within 64 pixels of each other and within 72 of any pixel of a block that reaches into their
 // rectangle, as edge_lanes asks.
 struct batch {
-    const struct bin_batch *of;
+    const struct bin_batch *read; // the triangles
     // What they may cover of the tile: see struct tile_rect.
     int32_t x0[BATCH], y0[BATCH], x1[BATCH], y1[BATCH];
     int32_t x[BATCH];
@@ -31,8 +31,8 @@ RHW_INLINE void batch_words(struct batch_words *words, const struct batch *batch
 {
     f8 low[8], high[8];
     for (int i = 0; i < BATCH; i++) {
-        low[i] = f8_load(batch->of->triangle[i]);
-        high[i] = f8_load((const unsigned char *)batch->of->triangle[i] + sizeof low[i]);
+        low[i] = f8_load(batch->read->triangle[i]);
+        high[i] = f8_load((const unsigned char *)batch->read->triangle[i] + sizeof low[i]);
     }
     f8_transpose(low);
     f8_transpose(high);
@@ -152,7 +152,7 @@ RHW_INLINE void batch_depth_range(const struct rhw_segment *const segment[BATCH]
     memcpy(span, spans, sizeof spans);
 }
 
-// Of `batch->of`.
+// Of `batch->read`.
 static void batch_setup(const struct tile_work *work, const struct rhw_chunk *chunk, struct batch *batch)
 {
     struct batch_words words;
@@ -161,12 +161,12 @@ static void batch_setup(const struct tile_work *work, const struct rhw_chunk *ch
     const struct rhw_segment *segment[BATCH];
     f8 position[3][4];
     for (int i = 0; i < BATCH; i++) {
-        segment[i] = &chunk->segments[batch->of->triangle[i]->segment];
+        segment[i] = &chunk->segments[batch->read->triangle[i]->segment];
     }
     for (int v = 0; v < 3; v++) {
         const void *place[BATCH];
         for (int i = 0; i < BATCH; i++) {
-            place[i] = batch->of->vertex[i][v]->position;
+            place[i] = batch->read->vertex[i][v]->position;
         }
         f8_load_columns(place, position[v]);
     }

@@ -7,8 +7,8 @@
 
 enum {
     BATCH = 8,
-    BATCHES_AHEAD = 2,        // whose vertices are on their way
-    RECORDS_AHEAD = 2 * BATCH // from where a triangle's vertices are asked for
+    BATCHES_AHEAD = 2,        // batches between asking for vertices and drawing
+    RECORDS_AHEAD = 2 * BATCH // triangles between asking for a record and reading it
 };
 
 // Of `count` triangles in the order of drawing; behind them the first again. number: among those that are drawn in two
@@ -60,11 +60,11 @@ static void read_batch(struct bin_reader *reader, struct bin_batch *batch)
     for (; k < end && count < BATCH; k++) {
         const uint16_t *const entry = reader->entries + step * (ptrdiff_t)k;
         const uint32_t number = reader->first_number + k;
-        if (seen && !(seen[number / 8] >> number % 8 & 1)) {
-            continue;
-        }
         if (k + RECORDS_AHEAD < end) {
             __builtin_prefetch(&triangles[entry[step * RECORDS_AHEAD]]);
+        }
+        if (seen && !(seen[number / 8] >> number % 8 & 1)) {
+            continue;
         }
         const struct rhw_triangle *const t = &triangles[*entry];
         const struct rhw_segment *const segment = &segments[t->segment];

@@ -76,6 +76,12 @@ RHW_INLINE struct block_place block_place(const struct tile_work *work, const st
                                 d8_from_i8(i8_splat(work->y + y - planes->anchor_y) + rhw_lane_index)};
 }
 
+// Whether numbers in a block may differ from the triangle's planes.
+RHW_INLINE bool cuts_block(const struct triangle_work *triangle, const struct block_place *at)
+{
+    return triangle->t->flags & RHW_TRIANGLE_POLYGON && block_is_cut(&triangle->planes, at);
+}
+
 static void load_vertices(struct triangle_work *triangle)
 {
     for (int i = 0; i < 3; i++) {
@@ -115,7 +121,7 @@ static void draw_block(struct tile_work *work, struct triangle_work *triangle, i
     }
     const struct planes *const planes = &triangle->planes;
     const struct block_place at = block_place(work, planes, x, y);
-    const bool is_cut = triangle->t->flags & RHW_TRIANGLE_POLYGON && block_is_cut(planes, &at);
+    const bool is_cut = cuts_block(triangle, &at);
     struct block_planes block;
     f8 z[RHW_BLOCK];
     if (work->needs_depth) {
@@ -212,18 +218,11 @@ static __attribute__((noinline)) bool draw_whole_tile(struct tile_work *work, st
     return true;
 }
 
-// Whether depth in a block may differ from the triangle's plane: see block_is_cut.
-static bool cuts_block(const struct tile_work *work, const struct triangle_work *triangle, int x, int y)
-{
-    const struct block_place at = block_place(work, &triangle->planes, x, y);
-    return triangle->t->flags & RHW_TRIANGLE_POLYGON && block_is_cut(&triangle->planes, &at);
-}
-
-// Bit n: the triangle lies behind all that block n of the row of blocks at y shows.
+// Bit n: the triangle's plane lies behind all that block n of the row of blocks at y shows.
 static unsigned hidden_blocks(struct tile_work *work, struct triangle_work *triangle, int y)
 {
     const struct planes *const planes = &triangle->planes;
-    if (!work->hiz_tests) {
+    if (!work->hiz_tests || !hiz_bounds(work, y)) {
         return 0;
     }
     if (!triangle->planes_ready) {
@@ -252,8 +251,11 @@ static void draw_blocks(struct tile_work *work, const struct rhw_chunk *chunk, s
         const int row0 = max_int(rect.y0 - y, 0), row1 = min_int(rect.y1 - y, RHW_BLOCK);
         const unsigned hidden = hidden_blocks(work, triangle, y);
         for (int x = rect.x0 & -RHW_BLOCK; x < rect.x1; x += RHW_BLOCK) {
-            if (hidden >> (x / RHW_BLOCK) & 1 && !cuts_block(work, triangle, x, y)) {
-                continue;
+            if (hidden >> (x / RHW_BLOCK) & 1) {
+                const struct block_place at = block_place(work, &triangle->planes, x, y);
+                if (!cuts_block(triangle, &at)) {
+                    continue;
+                }
             }
             uint64_t mask = coverage_mask(&coverage, x, y, row0, row1);
             if (work->scissored) {

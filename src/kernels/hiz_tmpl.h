@@ -13,17 +13,23 @@
 
 enum { HIZ_BLOCKS = RHW_TILE / RHW_BLOCK }; // of a tile, each way
 
+_Static_assert(RHW_TILE == 64 && RHW_BLOCK == 8, "the bounds of 8 blocks side by side are a vector");
+
 // Before a draw: whether bounds go on to hold, and whether its fragments can be tested against them.
 static void hiz_follow(struct tile_work *work, const struct rhw_pipeline_def *def)
 {
     const enum rhw_compare compare = def->depth_compare;
+    work->hiz_tests = false;
+    if (!def->depth_test) {
+        return;
+    }
     const int direction = compare == RHW_COMPARE_LESS || compare == RHW_COMPARE_LESS_EQUAL         ? 1
                           : compare == RHW_COMPARE_GREATER || compare == RHW_COMPARE_GREATER_EQUAL ? -1
                                                                                                    : 0;
-    const bool writes = def->depth_test && def->depth_write;
-    if (direction == 0 && writes && compare != RHW_COMPARE_EQUAL && compare != RHW_COMPARE_NEVER) {
+    if (direction == 0 && def->depth_write && compare != RHW_COMPARE_EQUAL && compare != RHW_COMPARE_NEVER) {
         work->hiz_direction = 0;
-    } else if (direction != 0 && direction != work->hiz_direction && (writes || work->hiz_direction == 0)) {
+    } else if (direction != 0 && direction != work->hiz_direction &&
+               (def->depth_write || work->hiz_direction == 0)) {
         work->hiz_direction = direction;
         for (int i = 0; i < HIZ_BLOCKS * HIZ_BLOCKS; i++) {
             work->scratch->hiz[i] = INFINITY;
@@ -32,7 +38,8 @@ static void hiz_follow(struct tile_work *work, const struct rhw_pipeline_def *de
     work->hiz_tests = tests_early(work) && direction != 0 && direction == work->hiz_direction;
 }
 
-// Looks at the tile's depth anew. What lies outside of the target may make a bound worse, but not wrong.
+// Looks at the tile's depth anew. What lies outside of the target may make a bound worse, but not wrong; NaN passes no
+// ordering test and bounds nothing.
 static void hiz_refresh(struct tile_work *work)
 {
     const f8 direction = f8_splat((float)work->hiz_direction);
@@ -40,15 +47,15 @@ static void hiz_refresh(struct tile_work *work)
         f8 most[HIZ_BLOCKS];
         for (int x = 0; x < HIZ_BLOCKS; x++) {
             const float *texels = stored_depth(work, x * RHW_BLOCK, y * RHW_BLOCK);
-            most[x] = f8_load(texels) * direction;
-            for (int row = 1; row < RHW_BLOCK; row++) {
+            most[x] = f8_splat(-INFINITY);
+            for (int row = 0; row < RHW_BLOCK; row++) {
+                most[x] = f8_max(f8_load(texels) * direction, most[x]); // the second where one is NaN
                 texels += RHW_TILE;
-                most[x] = f8_max(most[x], f8_load(texels) * direction);
             }
         }
         f8_transpose(most);
-        for (int x = 1; x < HIZ_BLOCKS; x++) {
-            most[0] = f8_max(most[0], most[x]);
+        for (int column = 1; column < RHW_BLOCK; column++) {
+            most[0] = f8_max(most[column], most[0]);
         }
         f8_store(&work->scratch->hiz[y * HIZ_BLOCKS], most[0]);
     }
@@ -58,6 +65,13 @@ static void hiz_refresh(struct tile_work *work)
 RHW_INLINE int hiz_nearest(const struct tile_work *work, double slope)
 {
     return slope * work->hiz_direction < 0 ? RHW_BLOCK - 1 : 0;
+}
+
+// Whether a block at row y of the tile has a bound.
+RHW_INLINE bool hiz_bounds(const struct tile_work *work, int y)
+{
+    const f8 bounds = f8_load(&work->scratch->hiz[y / RHW_BLOCK * HIZ_BLOCKS]);
+    return i8_sign_bits(rhw_less(bounds, f8_splat(INFINITY))) != 0;
 }
 
 // Which of the blocks side by side at row y of the tile a plane of depth lies behind, as a bit for each: the nearest

@@ -55,8 +55,8 @@ RHW_INLINE void pack_components(const struct rhw_packed_triangle *const triangle
     f8_transpose(out);
 }
 
-// Derivatives of components i .. i + 3 of the 8 fragments: by x as four vectors, then by y as four. `weight`: derivatives
-// of b by x and by y, and of c.
+// Derivatives of components i .. i + 3 of the 8 fragments: by x as four vectors, then by y as four. `weight`: those of b
+// by x and by y, and of c.
 RHW_INLINE void pack_slopes(const struct rhw_packed_triangle *const triangle[8], int i, float weight[4][8],
                             f8 out[8])
 {

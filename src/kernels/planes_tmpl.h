@@ -225,9 +225,9 @@ static void planes_homogeneous(struct planes *p, const struct rhw_draw_state *st
     p->n1 = scale(p->w[1], row[1]);
     p->n2 = scale(p->w[2], row[2]);
     // q_x·S − q·S_x with q = b, S = a + b + c, where (b_x·a − b·a_x) and the like are vertices over the determinant.
-    const d4 scale = d4_splat(inverse);
-    p->slopes.at = scale * (d4){m[2][1] - m[0][1], m[0][0] - m[2][0], m[0][1] - m[1][1], m[1][0] - m[0][0]};
-    p->slopes.step = scale * (d4){m[0][2] - m[2][2], m[2][2] - m[0][2], m[1][2] - m[0][2], m[0][2] - m[1][2]};
+    const d4 over = d4_splat(inverse);
+    p->slopes.at = over * (d4){m[2][1] - m[0][1], m[0][0] - m[2][0], m[0][1] - m[1][1], m[1][0] - m[0][0]};
+    p->slopes.step = over * (d4){m[0][2] - m[2][2], m[2][2] - m[0][2], m[1][2] - m[0][2], m[0][2] - m[1][2]};
 }
 
 // A plane over a block of 8×8 pixels: value = column + row. Made once per block, so that a row of 8 pixels
@@ -490,7 +490,8 @@ static struct weights cut_weights(const struct cut_row *cut, struct weights w)
                             d8_select(cut->lanes, cut->weights.inverse_s, w.inverse_s)};
 }
 
-// Sets the slopes, which planes_homogeneous sets itself. With T = e_0·w_0 + e_1·w_1 + e_2·w_2, d(e_1·w_1/T)/dx =
+// Sets the slopes, which planes_homogeneous sets itself: the numerators of d(q/S)/dx = (q_x·S − q·S_x)/S² and d(q/S)/dy,
+// which are linear; the one does not depend on x, the other not on y. No cancellation per pixel. With T = e_0·w_0 + e_1·w_1 + e_2·w_2, d(e_1·w_1/T)/dx =
 // w_1·(Σ w_i·(a_1·e_i − a_i·e_1))/T²; a_1·e_0 − a_0·e_1 is 0 at vertex 2, does not depend on x, and changes by the area
 // with y, and so on around the triangle: what is left are heights over vertices, which are exact.
 static void planes_slopes(struct planes *p, const struct rhw_triangle *t,

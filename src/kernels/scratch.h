@@ -73,8 +73,7 @@ struct rhw_group_places {
     bool packed[RHW_FRAGMENT_GROUPS + RHW_BLOCK];  // from anywhere: `lanes_at` tells where
 };
 
-// The numerators of d(q/S)/dx = (q_x·S − q·S_x)/S² and d(q/S)/dy, which are linear: the one does not depend on x, the
-// other not on y. No cancellation per pixel. In this order: b by x, b by y, c by x, c by y.
+// Numerators of the derivatives of weights b and c, see planes_slopes: of b by x, b by y, c by x, c by y.
 struct rhw_slopes {
     d4 at, step; // at the anchor's centre; change per pixel down, to the right, down, to the right
 };

@@ -7,11 +7,12 @@
 
 #include "span_tmpl.h"
 
-// The parts of a triangle's depth over a block at x, and y.
-RHW_INLINE d8 small_columns(const struct tile_work *work, const struct batch *batch, int i, int x)
+// The part of depth that depends on the column, of a block at x; and on the row, of one at y.
+RHW_INLINE void small_columns(struct block_plane *depth, const struct tile_work *work,
+                              const struct batch *batch, int i, int x)
 {
-    const i8 dx = i8_splat(work->x + x - batch->anchor_x[i]) + rhw_lane_index;
-    return d8_mul(d8_splat(batch->linear[i].dx[QUANTITY_Z]), d8_from_i8(dx));
+    const struct plane z = linear_plane(&batch->linear[i], QUANTITY_Z);
+    plane_columns(depth, &z, d8_from_i8(i8_splat(work->x + x - batch->anchor_x[i]) + rhw_lane_index));
 }
 
 RHW_INLINE void small_rows(struct block_plane *depth, const struct tile_work *work, const struct batch *batch,
@@ -25,7 +26,7 @@ RHW_INLINE void small_rows(struct block_plane *depth, const struct tile_work *wo
 // (negative where not), and the part of depth that depends on the column.
 struct strip {
     i8 q[3], step[3], sides;
-    d8 depth;
+    struct block_plane depth;
 };
 
 // Of triangle i of the batch at column x of the tile, its first, row y0.
@@ -39,7 +40,7 @@ RHW_INLINE void strip_setup(struct strip *strip, const struct tile_work *work, c
     strip->sides =
         (rhw_lane_index - i8_splat(batch->x0[i] - x)) | (i8_splat(batch->x1[i] - x - 1) - rhw_lane_index);
     if (tests) {
-        strip->depth = small_columns(work, batch, i, x);
+        small_columns(&strip->depth, work, batch, i, x);
     }
 }
 
@@ -49,10 +50,8 @@ RHW_INLINE void strip_setup(struct strip *strip, const struct tile_work *work, c
 RHW_INLINE uint64_t test_strip(struct tile_work *work, const struct batch *batch, int i, struct strip *strip,
                                int x, int y, int y1, int top, bool tests, const struct depth_rule rule)
 {
-    struct block_plane depth;
     if (tests) {
-        depth.column = strip->depth;
-        small_rows(&depth, work, batch, i, y);
+        small_rows(&strip->depth, work, batch, i, y);
     }
     float *texels = stored_depth(work, x, y);
     uint64_t passed = 0;
@@ -60,7 +59,7 @@ RHW_INLINE uint64_t test_strip(struct tile_work *work, const struct batch *batch
         i8 inside = ~((strip->q[0] | strip->q[1] | strip->q[2] | strip->sides) >> 31);
         if (tests) {
             const unsigned open = open_row(work, x, y + row, rule);
-            inside = test_lanes(texels, f8_from_d8(plane_row(&depth, row)), inside, open, rule);
+            inside = test_lanes(texels, f8_from_d8(plane_row(&strip->depth, row)), inside, open, rule);
         }
         passed |= (uint64_t)i8_sign_bits(inside) << (8 * row);
         for (int e = 0; e < 3; e++) {
@@ -77,7 +76,7 @@ RHW_INLINE uint64_t test_covered(struct tile_work *work, const struct batch *bat
                                  uint64_t mask, const struct depth_rule rule)
 {
     struct block_plane depth;
-    depth.column = small_columns(work, batch, i, x);
+    small_columns(&depth, work, batch, i, x);
     small_rows(&depth, work, batch, i, y);
     const int first = __builtin_ctzll(mask) / 8, last = 7 - __builtin_clzll(mask) / 8;
     float *texels = stored_depth(work, x, y + first);
@@ -92,39 +91,31 @@ RHW_INLINE uint64_t test_covered(struct tile_work *work, const struct batch *bat
     return settle_block(work, x, y, passed, rule);
 }
 
-// Both, tested by the rule of the draw.
-RHW_INLINE uint64_t strip_pixels(struct tile_work *work, const struct batch *batch, int i,
-                                 struct strip *strip, int x, int y, int y1, int top)
+// What test_strip finds, or test_covered where there is no strip; `rule` as there.
+RHW_INLINE uint64_t test_small(struct tile_work *work, const struct batch *batch, int i, struct strip *strip,
+                               int x, int y, int y1, int top, uint64_t mask, const struct depth_rule rule)
 {
-    if (!tests_early(work)) {
-        return test_strip(work, batch, i, strip, x, y, y1, top, false, work->early);
-    }
-    switch (work->common) {
-    case RULE_LESS: return test_strip(work, batch, i, strip, x, y, y1, top, true, common_rules[RULE_LESS]);
-    case RULE_GREATER:
-        return test_strip(work, batch, i, strip, x, y, y1, top, true, common_rules[RULE_GREATER]);
-    case RULE_MARK_LESS:
-        return test_strip(work, batch, i, strip, x, y, y1, top, true, common_rules[RULE_MARK_LESS]);
-    case RULE_MARK_GREATER:
-        return test_strip(work, batch, i, strip, x, y, y1, top, true, common_rules[RULE_MARK_GREATER]);
-    case RULE_TAKE: return test_strip(work, batch, i, strip, x, y, y1, top, true, common_rules[RULE_TAKE]);
-    default: return test_strip(work, batch, i, strip, x, y, y1, top, true, work->early);
-    }
+    return strip ? test_strip(work, batch, i, strip, x, y, y1, top, true, rule)
+                 : test_covered(work, batch, i, x, top, mask, rule);
 }
 
-RHW_INLINE uint64_t covered_pixels(struct tile_work *work, const struct batch *batch, int i, int x, int y,
-                                   uint64_t mask)
+// By the rule of the draw.
+RHW_INLINE uint64_t small_pixels(struct tile_work *work, const struct batch *batch, int i,
+                                 struct strip *strip, int x, int y, int y1, int top, uint64_t mask)
 {
     if (!tests_early(work)) {
-        return mask;
+        return strip ? test_strip(work, batch, i, strip, x, y, y1, top, false, work->early) : mask;
     }
     switch (work->common) {
-    case RULE_LESS: return test_covered(work, batch, i, x, y, mask, common_rules[RULE_LESS]);
-    case RULE_GREATER: return test_covered(work, batch, i, x, y, mask, common_rules[RULE_GREATER]);
-    case RULE_MARK_LESS: return test_covered(work, batch, i, x, y, mask, common_rules[RULE_MARK_LESS]);
-    case RULE_MARK_GREATER: return test_covered(work, batch, i, x, y, mask, common_rules[RULE_MARK_GREATER]);
-    case RULE_TAKE: return test_covered(work, batch, i, x, y, mask, common_rules[RULE_TAKE]);
-    default: return test_covered(work, batch, i, x, y, mask, work->early);
+    case RULE_LESS: return test_small(work, batch, i, strip, x, y, y1, top, mask, common_rules[RULE_LESS]);
+    case RULE_GREATER:
+        return test_small(work, batch, i, strip, x, y, y1, top, mask, common_rules[RULE_GREATER]);
+    case RULE_MARK_LESS:
+        return test_small(work, batch, i, strip, x, y, y1, top, mask, common_rules[RULE_MARK_LESS]);
+    case RULE_MARK_GREATER:
+        return test_small(work, batch, i, strip, x, y, y1, top, mask, common_rules[RULE_MARK_GREATER]);
+    case RULE_TAKE: return test_small(work, batch, i, strip, x, y, y1, top, mask, common_rules[RULE_TAKE]);
+    default: return test_small(work, batch, i, strip, x, y, y1, top, mask, work->early);
     }
 }
 
@@ -137,51 +128,58 @@ RHW_INLINE void take_planes(struct triangle_work *triangle, const struct batch *
     planes->anchor_y = batch->anchor_y[i];
     planes->linear = batch->linear[i];
     planes->factors.inverse_area = batch->inverse_area[i]; // for planes_slopes
-    memcpy(triangle->v, batch->of->vertex[i], sizeof triangle->v);
+    memcpy(triangle->v, batch->read->vertex[i], sizeof triangle->v);
     triangle->planes_ready = true;
 }
 
-// Whether any of the pixels of triangle i in a block that passed the early test, `mask`, are to be collected: they are
-// counted then, and the triangle is ready for it.
-RHW_INLINE bool takes_pixels(struct tile_work *work, struct triangle_work *triangle,
-                             const struct batch *batch, int i, int x, int y, uint64_t *mask)
+// Those of the pixels of triangle i in a block that passed the early test, `mask`, that are to be collected: they are
+// counted, and the triangle is made ready for it.
+RHW_INLINE uint64_t ready_pixels(struct tile_work *work, struct triangle_work *triangle,
+                                 const struct batch *batch, int i, int x, int y, uint64_t mask)
 {
     if (work->phase == PHASE_BACKWARDS) {
-        *mask = take_backwards(work, x, y, *mask);
+        mask = take_backwards(work, x, y, mask);
     }
-    if (*mask == 0 || !work->shades) {
-        return false;
+    if (mask == 0 || !work->shades) {
+        return 0;
     }
-    work->counters->fragments += (uint64_t)__builtin_popcountll(*mask);
+    work->counters->fragments += (uint64_t)__builtin_popcountll(mask);
     if (!triangle->planes_ready) {
         take_planes(triangle, batch, i);
     }
-    return true;
+    return mask;
 }
 
-// A triangle that fits into 8 columns, of which the batch has all there is to know. `only`: and into 8 rows.
-RHW_INLINE void draw_strip(struct tile_work *work, struct triangle_work *triangle, const struct batch *batch,
-                           int i, bool only)
+// Rows y to y1 − 1 of a strip, 8 at most.
+RHW_INLINE void draw_strip_rows(struct tile_work *work, struct triangle_work *triangle,
+                                const struct batch *batch, int i, struct strip *strip, int y, int y1)
 {
-    const int x = batch->x[i], end = batch->y1[i];
-    struct strip strip;
-    strip_setup(&strip, work, batch, i, x, tests_early(work));
-    for (int y = batch->y0[i]; y < end; y += RHW_BLOCK) {
-        const int y1 = only ? end : min_int(y + RHW_BLOCK, end), top = min_int(y, RHW_TILE - RHW_BLOCK);
-        uint64_t mask = strip_pixels(work, batch, i, &strip, x, y, y1, top);
-        if (takes_pixels(work, triangle, batch, i, x, top, &mask)) {
-            collect_loose(work, triangle, x, top, y1 - top, mask);
-        }
-        if (only) {
-            break;
-        }
+    const int x = batch->x[i], top = min_int(y, RHW_TILE - RHW_BLOCK);
+    const uint64_t passed = small_pixels(work, batch, i, strip, x, y, y1, top, 0);
+    const uint64_t mask = ready_pixels(work, triangle, batch, i, x, top, passed);
+    if (mask != 0) {
+        collect_loose(work, triangle, x, top, y1 - top, mask);
     }
 }
 
+// A triangle that fits into 8 columns and more than 8 rows, of which the batch has all there is to know.
 static __attribute__((noinline)) void draw_tall_strip(struct tile_work *work, struct triangle_work *triangle,
                                                       const struct batch *batch, int i)
 {
-    draw_strip(work, triangle, batch, i, false);
+    struct strip strip;
+    strip_setup(&strip, work, batch, i, batch->x[i], tests_early(work));
+    for (int y = batch->y0[i]; y < batch->y1[i]; y += RHW_BLOCK) {
+        draw_strip_rows(work, triangle, batch, i, &strip, y, min_int(y + RHW_BLOCK, batch->y1[i]));
+    }
+}
+
+// One that fits into a block.
+RHW_INLINE void draw_short_strip(struct tile_work *work, struct triangle_work *triangle,
+                                 const struct batch *batch, int i)
+{
+    struct strip strip;
+    strip_setup(&strip, work, batch, i, batch->x[i], tests_early(work));
+    draw_strip_rows(work, triangle, batch, i, &strip, batch->y0[i], batch->y1[i]);
 }
 
 // One block of several. `taken`: the batch has all there is to know of the triangle.
@@ -192,8 +190,9 @@ RHW_INLINE void draw_small_block(struct tile_work *work, struct triangle_work *t
         draw_block(work, triangle, x, y, mask);
         return;
     }
-    mask = covered_pixels(work, batch, i, x, y, mask);
-    if (takes_pixels(work, triangle, batch, i, x, y, &mask)) {
+    mask = small_pixels(work, batch, i, NULL, x, y, y + RHW_BLOCK, y, mask);
+    mask = ready_pixels(work, triangle, batch, i, x, y, mask);
+    if (mask != 0) {
         const struct block_place at = block_place(work, &triangle->planes, x, y);
         collect_block(work, triangle, &at, x, y, mask, NULL, false);
     }
@@ -227,7 +226,7 @@ static void draw_small(struct tile_work *work, struct triangle_work *triangle, c
     const bool taken = (work->packs || !work->shades) && !(batch->inexact >> i & 1);
     if (taken && batch->x1[i] - batch->x0[i] <= RHW_BLOCK) {
         if (batch->y1[i] - batch->y0[i] <= RHW_BLOCK) {
-            draw_strip(work, triangle, batch, i, true);
+            draw_short_strip(work, triangle, batch, i);
         } else {
             draw_tall_strip(work, triangle, batch, i);
         }

@@ -4,9 +4,10 @@
 //
 // An edge q + a·x + b·y >= 0 (coverage_tmpl.h), which is q_y + a·x in row y, covers x >= ceil(−q_y/a) where a > 0 and
 // x <= floor(q_y/|a|) where a < 0. Both are made of v = (q_y + 1/2)·(−1/a), exactly though in float: the half moves no
-// quotient of integers to another whole number, but keeps them 1/(2|a|) > 2^-15 from all. For a small triangle
-// |q_y| < 2^22 and |a| < 2^14, so the sum is exact, and the reciprocal and the product are off by less than
-// 2^-23·|v|: nothing within 128 pixels crosses a whole number, and what is further away ends at the tile's border.
+// quotient of integers to another whole number, but keeps them 1/(2|a|) > 2^-15 from all. In the rows of a small
+// triangle |q_y| < 2^22, and |a|, |b| < 2^14, so the sum is exact, and the reciprocal and the product are off by less
+// than 2^-23·|v|: nothing within 128 pixels crosses a whole number, and what is further away ends at the tile's border.
+// Where a is 0, a factor of 2^30 puts v beyond one border or the other by the sign of q_y.
 
 #include "batch_tmpl.h"
 
@@ -51,9 +52,8 @@ RHW_INLINE struct row_spans row_spans(const struct span_edges *edges, const stru
         begin = f8_max(begin, f8_min(v, side));
         end = f8_min(end, f8_max(v, side));
     }
-    // Within the tile, so that they are numbers; −1 is before its first column.
-    begin = rhw_ceil(f8_min(begin, f8_splat(RHW_TILE)));
-    end = f8_max(end, f8_splat(-1)) + f8_splat(1);
+    begin = rhw_ceil(begin);
+    end = f8_max(end, f8_splat(-1)) + f8_splat(1); // −1 is before the first column
     const i8 x = i8_splat(batch->x[i]);
     const i8 drawn = ~rhw_less_int(rows, i8_splat(y0)) & rhw_less_int(rows, i8_splat(y1));
     return (struct row_spans){rhw_to_int_unchecked(begin) + x, (rhw_to_int_unchecked(end) + x) & drawn};

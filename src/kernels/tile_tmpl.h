@@ -117,7 +117,7 @@ static void draw_triangle(struct tile_work *work, const struct rhw_chunk *chunk,
                           int i)
 {
     struct triangle_work triangle;
-    triangle.t = batch->of->triangle[i];
+    triangle.t = batch->read->triangle[i];
     triangle.segment = &chunk->segments[triangle.t->segment];
     triangle.planes_ready = triangle.ready = false;
     triangle.provoking = NULL;
@@ -140,16 +140,16 @@ static bool is_hidden(const struct tile_work *work)
     return work->phase == PHASE_BACKWARDS && work->open_count == 0;
 }
 
-static void draw_batch(struct tile_work *work, const struct rhw_chunk *chunk, const struct bin_batch *of)
+static void draw_batch(struct tile_work *work, const struct rhw_chunk *chunk, const struct bin_batch *read)
 {
     struct batch batch;
-    batch.of = of;
+    batch.read = read;
     batch_setup(work, chunk, &batch);
-    for (int i = 0; i < of->count && !is_hidden(work); i++) {
+    for (int i = 0; i < read->count && !is_hidden(work); i++) {
         work->hit = false;
         draw_triangle(work, chunk, &batch, i);
         if (work->phase == PHASE_DEPTH && (work->hit || work->skips)) {
-            work->scratch->seen[of->number[i] / 8] |= (uint8_t)(1u << of->number[i] % 8);
+            work->scratch->seen[read->number[i] / 8] |= (uint8_t)(1u << read->number[i] % 8);
         }
     }
 }
@@ -200,7 +200,9 @@ static void start_phase(struct tile_work *work, enum phase phase)
 
 static void draw_run(struct tile_work *work, struct bin_run run, enum phase phase)
 {
-    enum { REFRESH = 16 }; // triangles after which the tile's depth is worth a look
+    enum {
+        REFRESH = 16
+    }; // triangles, at least, between two looks at the tile's depth, which are taken between bins
     uint32_t number = 0, looked = 0;
     start_phase(work, phase);
     for (const struct rhw_bin *bin = run.first; bin < run.end; bin++) {

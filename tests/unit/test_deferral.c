@@ -4,6 +4,7 @@
 // discard.
 #include "harness.h"
 
+#include <math.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -105,9 +106,20 @@ static void keep(struct rig *rig, struct picture *picture)
     memcpy(picture->depth, rig_read_depth(rig), sizeof picture->depth);
 }
 
-static void draw_together(struct rig *rig, const struct layer layers[DRAWS], struct picture *picture)
+// `depth`: what is there before, or NULL: the clear value.
+static void start(struct rig *rig, const float *depth)
 {
-    rig->pass.colors[0].load = rig->pass.depth.load = RHW_LOAD_CLEAR;
+    rig->pass.colors[0].load = RHW_LOAD_CLEAR;
+    rig->pass.depth.load = depth ? RHW_LOAD_LOAD : RHW_LOAD_CLEAR;
+    if (depth) {
+        rhw_texture_write(rig->context, rig->pass.depth.texture, 0, depth, 0);
+    }
+}
+
+static void draw_together_over(struct rig *rig, const struct layer layers[DRAWS], const float *depth,
+                               struct picture *picture)
+{
+    start(rig, depth);
     rig_begin(rig);
     for (int d = 0; d < DRAWS; d++) {
         use_layer(rig, &layers[d]);
@@ -119,9 +131,10 @@ static void draw_together(struct rig *rig, const struct layer layers[DRAWS], str
 }
 
 // A pass for every triangle: nothing can be put off.
-static void draw_one_by_one(struct rig *rig, const struct layer layers[DRAWS], struct picture *picture)
+static void draw_one_by_one_over(struct rig *rig, const struct layer layers[DRAWS], const float *depth,
+                                 struct picture *picture)
 {
-    rig->pass.colors[0].load = rig->pass.depth.load = RHW_LOAD_CLEAR;
+    start(rig, depth);
     picture->shaded = 0;
     for (int i = 0; i < DRAWS * TRIANGLES; i++) {
         use_layer(rig, &layers[i / TRIANGLES]);
@@ -132,10 +145,21 @@ static void draw_one_by_one(struct rig *rig, const struct layer layers[DRAWS], s
     keep(rig, picture);
 }
 
+static void draw_together(struct rig *rig, const struct layer layers[DRAWS], struct picture *picture)
+{
+    draw_together_over(rig, layers, NULL, picture);
+}
+
+static void draw_one_by_one(struct rig *rig, const struct layer layers[DRAWS], struct picture *picture)
+{
+    draw_one_by_one_over(rig, layers, NULL, picture);
+}
+
 static void assert_equal_pictures(const struct picture *a, const struct picture *b)
 {
     for (int i = 0; i < SIZE * SIZE; i++) {
-        if (memcmp(a->color[i], b->color[i], sizeof a->color[i]) != 0 || a->depth[i] != b->depth[i]) {
+        if (memcmp(a->color[i], b->color[i], sizeof a->color[i]) != 0 ||
+            memcmp(&a->depth[i], &b->depth[i], sizeof a->depth[i]) != 0) {
             fail_msg("pixel %d,%d: %g at depth %g, one by one %g at %g", i % SIZE, i / SIZE,
                      (double)a->color[i][0], (double)a->depth[i], (double)b->color[i][0],
                      (double)b->depth[i]);
@@ -192,8 +216,8 @@ static void test_one_run_after_another(void **state)
     rig_close(&rig);
 }
 
-// Any comparison after any other: what lies behind a block now may lie before it later. Half of the pictures have long
-// runs of one of them.
+// Any comparison after any other: what lies behind a block now may lie before it later. A third of the pictures have runs
+// of one of them, and a third runs as long as chunks, which are drawn depth first where they can be.
 static void test_depth_that_moves_both_ways(void **state)
 {
     (void)state;
@@ -202,19 +226,44 @@ static void test_depth_that_moves_both_ways(void **state)
     uint64_t random = 29;
     struct rig rig;
     open_rig(&rig, RHW_COMPARE_LESS);
-    for (int n = 0; n < 12; n++) {
+    for (int n = 0; n < 18; n++) {
+        const int run = n % 3 == 0 ? 1 : n % 3 == 1 ? 8 : DRAWS / 2;
         make_layers(&rig, &random, layers);
         for (int d = 0; d < DRAWS; d++) {
-            layers[d].compare = n % 2 && d % 8
+            layers[d].compare = d % run != 0
                                     ? layers[d - 1].compare
                                     : (enum rhw_compare)rig_random_int(&random, RHW_COMPARE_ALWAYS + 1);
-            layers[d].writes = rig_random_int(&random, 3) != 0;
+            layers[d].writes = n % 3 == 2 || rig_random_int(&random, 3) != 0;
         }
         draw_together(&rig, layers, &together);
         draw_one_by_one(&rig, layers, &alone);
         assert_equal_pictures(&together, &alone);
     }
     rig_close(&rig);
+}
+
+// Depth that was there may be NaN, which passes no test and says nothing about what is around it.
+static void test_depth_that_is_no_number(void **state)
+{
+    (void)state;
+    static struct picture together, alone;
+    static struct layer layers[DRAWS];
+    static float depth[SIZE * SIZE];
+    uint64_t random = 30;
+    for (int n = 0; n < 4; n++) {
+        struct rig rig;
+        open_rig(&rig, n % 2 ? RHW_COMPARE_GREATER : RHW_COMPARE_LESS);
+        const float near = n % 2 ? 0.8f : 0.2f;
+        for (int i = 0; i < SIZE * SIZE; i++) {
+            const int line = (n < 2 ? i % SIZE : i / SIZE) % 8;
+            depth[i] = line == 6 ? NAN : line < 6 ? 1 - near : near;
+        }
+        make_layers(&rig, &random, layers);
+        draw_together_over(&rig, layers, depth, &together);
+        draw_one_by_one_over(&rig, layers, depth, &alone);
+        assert_equal_pictures(&together, &alone);
+        rig_close(&rig);
+    }
 }
 
 // Without a depth test the last fragment wins; one that may be discarded keeps its turn.
@@ -262,6 +311,7 @@ static void assert_next_run_covers(enum rhw_compare compare)
         const bool second = d >= DRAWS / 2;
         layers[d].kind = KIND_PLAIN;
         layers[d].tests = !second;
+        layers[d].writes = true;
         layers[d].compare = compare;
         for (int i = 0; i < TRIANGLES; i++) {
             const float near = (float)(d * TRIANGLES + i) / (2 * DRAWS * TRIANGLES);
@@ -390,6 +440,7 @@ int main(void)
         cmocka_unit_test(test_the_picture_of_one_by_one),
         cmocka_unit_test(test_one_run_after_another),
         cmocka_unit_test(test_depth_that_moves_both_ways),
+        cmocka_unit_test(test_depth_that_is_no_number),
         cmocka_unit_test(test_the_last_wins_without_depth),
         cmocka_unit_test(test_a_run_without_depth_after_one_that_waits),
         cmocka_unit_test(test_runs_of_every_kind),
