@@ -122,7 +122,7 @@ static void test_small_triangles_within_a_scissor(void **state)
     rig_open(&rig, 128, 64);
     rig_set_depth(&rig);
     uint64_t random = 44;
-    for (int n = 0; n < 1000; n++) {
+    for (int n = 0; n < 500; n++) {
         const int reach = 4 << n % 5, step = n % 3 ? 1 : 128; // pixels; 1/256 pixel
         const int x = rig_random_int(&random, 100), y = rig_random_int(&random, 40);
         struct ref_triangle t = {0};

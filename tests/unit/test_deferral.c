@@ -226,7 +226,7 @@ static void test_depth_that_moves_both_ways(void **state)
     uint64_t random = 29;
     struct rig rig;
     open_rig(&rig, RHW_COMPARE_LESS);
-    for (int n = 0; n < 18; n++) {
+    for (int n = 0; n < 9; n++) {
         const int run = n % 3 == 0 ? 1 : n % 3 == 1 ? 8 : DRAWS / 2;
         make_layers(&rig, &random, layers);
         for (int d = 0; d < DRAWS; d++) {
