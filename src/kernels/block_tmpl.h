@@ -131,8 +131,7 @@ static void draw_block(struct tile_work *work, struct triangle_work *triangle, i
             const bool is_whole = mask == ~(uint64_t)0 && ((x | y) & (RHW_BLOCK - 1)) == 0;
             mask = test_block_early(work, z, x, y, mask);
             if (is_whole && work->hiz_tests && work->early.write && !is_cut && !planes->exact) {
-                const struct plane depth = linear_plane(&planes->linear, QUANTITY_Z);
-                hiz_cover(work, &depth, planes->anchor_x, planes->anchor_y, x, y);
+                hiz_cover(work, planes, x, y);
             }
         }
     }
@@ -231,8 +230,7 @@ static unsigned hidden_blocks(struct tile_work *work, struct triangle_work *tria
     if (planes->exact || planes->wide) {
         return 0;
     }
-    const struct plane z = linear_plane(&planes->linear, QUANTITY_Z);
-    return hiz_hidden(work, &z, planes->anchor_x, planes->anchor_y, y);
+    return hiz_hidden(work, planes, y);
 }
 
 // Draws any triangle: as much of it as is covered in the tile, which is in `rect`.

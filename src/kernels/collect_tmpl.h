@@ -87,8 +87,7 @@ RHW_INLINE void pack_loose(struct tile_work *work, const struct linear *linear,
     }
 }
 
-// Lets go of all loose fragments of a triangle, which is done.
-static void finish_loose(struct tile_work *work, struct triangle_work *triangle)
+static __attribute__((noinline)) void release_loose(struct tile_work *work, struct triangle_work *triangle)
 {
     if (work->loose_count >= 8) {
         group_loose(work, triangle);
@@ -101,6 +100,14 @@ static void finish_loose(struct tile_work *work, struct triangle_work *triangle)
             pack_loose(work, &triangle->planes.linear, packed, false);
         }
         work->loose_count = 0;
+    }
+}
+
+// Lets go of all loose fragments of a triangle, which is done. Many have none: those are spared the call.
+RHW_INLINE void finish_loose(struct tile_work *work, struct triangle_work *triangle)
+{
+    if (work->loose_count != 0) {
+        release_loose(work, triangle);
     }
 }
 

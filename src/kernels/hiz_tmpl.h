@@ -76,23 +76,23 @@ RHW_INLINE bool hiz_bounds(const struct tile_work *work, int y)
 
 // Which of the blocks side by side at row y of the tile a plane of depth lies behind, as a bit for each: the nearest
 // depth it has there, made as depth_row makes it, is beyond the block's bound.
-RHW_INLINE unsigned hiz_hidden(const struct tile_work *work, const struct plane *z, int anchor_x,
-                               int anchor_y, int y)
+RHW_INLINE unsigned hiz_hidden(const struct tile_work *work, const struct planes *planes, int y)
 {
-    const double dy = work->y + y + hiz_nearest(work, z->dy) - anchor_y;
-    const i8 dx = i8_splat(work->x + hiz_nearest(work, z->dx) - anchor_x) + rhw_lane_index * RHW_BLOCK;
-    const d8 depth = d8_add(d8_mul(d8_splat(z->dx), d8_from_i8(dx)), d8_splat(z->at + z->dy * dy));
+    const struct plane z = linear_plane(&planes->linear, QUANTITY_Z);
+    const double dy = work->y + y + hiz_nearest(work, z.dy) - planes->anchor_y;
+    const i8 dx = i8_splat(work->x + hiz_nearest(work, z.dx) - planes->anchor_x) + rhw_lane_index * RHW_BLOCK;
+    const d8 depth = d8_add(d8_mul(d8_splat(z.dx), d8_from_i8(dx)), d8_splat(z.at + z.dy * dy));
     const f8 nearest = viewport_clamp(work->state, f8_from_d8(depth)) * f8_splat((float)work->hiz_direction);
     return i8_sign_bits(rhw_less(f8_load(&work->scratch->hiz[y / RHW_BLOCK * HIZ_BLOCKS]), nearest));
 }
 
 // All pixels of the block at (x, y) were tested against a plane of depth, and what passed was written.
-RHW_INLINE void hiz_cover(struct tile_work *work, const struct plane *z, int anchor_x, int anchor_y, int x,
-                          int y)
+RHW_INLINE void hiz_cover(struct tile_work *work, const struct planes *planes, int x, int y)
 {
-    const double dx = work->x + x + (RHW_BLOCK - 1 - hiz_nearest(work, z->dx)) - anchor_x;
-    const double dy = work->y + y + (RHW_BLOCK - 1 - hiz_nearest(work, z->dy)) - anchor_y;
-    const f8 depth = viewport_clamp(work->state, f8_splat((float)(z->dx * dx + (z->at + z->dy * dy))));
+    const struct plane z = linear_plane(&planes->linear, QUANTITY_Z);
+    const double dx = work->x + x + (RHW_BLOCK - 1 - hiz_nearest(work, z.dx)) - planes->anchor_x;
+    const double dy = work->y + y + (RHW_BLOCK - 1 - hiz_nearest(work, z.dy)) - planes->anchor_y;
+    const f8 depth = viewport_clamp(work->state, f8_splat((float)(z.dx * dx + (z.at + z.dy * dy))));
     const float farthest = depth[0] * (float)work->hiz_direction;
     float *const bound = &work->scratch->hiz[y / RHW_BLOCK * HIZ_BLOCKS + x / RHW_BLOCK];
     if (farthest < *bound) {

@@ -233,7 +233,5 @@ static void draw_small(struct tile_work *work, struct triangle_work *triangle, c
     } else {
         draw_small_blocks(work, triangle, batch, i, taken && !work->keeps_depth);
     }
-    if (work->loose_count != 0) {
-        finish_loose(work, triangle);
-    }
+    finish_loose(work, triangle);
 }

@@ -200,9 +200,8 @@ static void start_phase(struct tile_work *work, enum phase phase)
 
 static void draw_run(struct tile_work *work, struct bin_run run, enum phase phase)
 {
-    enum {
-        REFRESH = 16
-    }; // triangles, at least, between two looks at the tile's depth, which are taken between bins
+    // Triangles, at least, between two looks at the tile's depth, which are taken between bins.
+    enum { REFRESH = 16 };
     uint32_t number = 0, looked = 0;
     start_phase(work, phase);
     for (const struct rhw_bin *bin = run.first; bin < run.end; bin++) {
