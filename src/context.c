@@ -18,6 +18,7 @@
 #include "limits.h"
 #include "pass.h"
 #include "pipeline.h"
+#include "sampler.h"
 #include "scheduler.h"
 
 enum {
@@ -144,8 +145,8 @@ struct rhw_texture_data *rhw_context_texture(const struct rhw_context *context, 
     return rhw_pool_get(context, &context->textures, id.index, id.generation, where);
 }
 
-struct rhw_sampler_def *rhw_context_sampler(const struct rhw_context *context, rhw_sampler id,
-                                            const char *where)
+struct rhw_sampler_data *rhw_context_sampler(const struct rhw_context *context, rhw_sampler id,
+                                             const char *where)
 {
     if (!check_context(context, where))
         return NULL;
@@ -284,7 +285,7 @@ enum rhw_result rhw_context_create(const struct rhw_context_def *def, rhw_contex
     };
     rhw_pool_init(&created->buffers, "buffer", sizeof(struct rhw_buffer_data));
     rhw_pool_init(&created->textures, "texture", sizeof(struct rhw_texture_data));
-    rhw_pool_init(&created->samplers, "sampler", sizeof(struct rhw_sampler_def));
+    rhw_pool_init(&created->samplers, "sampler", sizeof(struct rhw_sampler_data));
     rhw_pool_init(&created->pipelines, "pipeline", sizeof(struct rhw_pipeline_data));
 
     const enum rhw_result result = create_parts(created);

@@ -15,6 +15,7 @@ struct rhw_kernels;
 struct rhw_pass_state;
 struct rhw_scheduler;
 struct rhw_buffer_data;
+struct rhw_sampler_data;
 struct rhw_pipeline_data;
 
 struct rhw_context {
@@ -34,7 +35,7 @@ struct rhw_context {
 
     struct rhw_pool buffers;   // struct rhw_buffer_data
     struct rhw_pool textures;  // struct rhw_texture_data
-    struct rhw_pool samplers;  // struct rhw_sampler_def
+    struct rhw_pool samplers;  // struct rhw_sampler_data
     struct rhw_pool pipelines; // struct rhw_pipeline_data
 
     struct rhw_pass_state *pass; // created with the context, reused by every pass
@@ -65,8 +66,8 @@ struct rhw_buffer_data *rhw_context_buffer(const struct rhw_context *context, rh
                                            const char *where);
 struct rhw_texture_data *rhw_context_texture(const struct rhw_context *context, rhw_texture id,
                                              const char *where);
-struct rhw_sampler_def *rhw_context_sampler(const struct rhw_context *context, rhw_sampler id,
-                                            const char *where);
+struct rhw_sampler_data *rhw_context_sampler(const struct rhw_context *context, rhw_sampler id,
+                                             const char *where);
 struct rhw_pipeline_data *rhw_context_pipeline(const struct rhw_context *context, rhw_pipeline id,
                                                const char *where);
 

@@ -5,13 +5,14 @@
 #include <string.h>
 
 #include "assembly.h"
+#include "binding.h"
 #include "buffer.h"
 #include "context.h"
 #include "cpu.h"
 #include "deferral.h"
 #include "format.h"
-#include "kernels/kernels.h"
 #include "pass_run.h"
+#include "sampler.h"
 #include "srgb_texture.h"
 #include "thread.h"
 
@@ -198,10 +199,7 @@ static void reset(struct rhw_pass_state *pass, const struct rhw_pass_def *def)
     pass->uniforms = NULL;
     pass->uniform_size = 0;
     for (int i = 0; i < RHW_MAX_TEXTURES; i++) {
-        pass->pending_textures[i] =
-            (struct rhw_binding){.sample = pass->context->kernels->sample,
-                                 .sample_slots = pass->context->kernels->sample_slots,
-                                 .sample_groups = pass->context->kernels->sample_groups};
+        pass->pending_textures[i] = rhw_binding_of(pass->context->kernels, NULL, NULL);
     }
     pass->textures_changed = true;
 }
@@ -366,14 +364,11 @@ void rhw_pass_set_texture(rhw_context *context, rhw_pass id, int slot, rhw_textu
                             "rhw_pass_set_texture: slot is %d; it is in 0..%d", slot, RHW_MAX_TEXTURES - 1)) {
         return;
     }
-    struct rhw_binding binding = {.sample = context->kernels->sample,
-                                  .sample_slots = context->kernels->sample_slots,
-                                  .sample_groups = context->kernels->sample_groups};
+    struct rhw_texture_data *texture = NULL;
+    const struct rhw_sampler_data *sampler = NULL;
     if (texture_id.index != 0) {
-        struct rhw_texture_data *const texture =
-            rhw_context_texture(context, texture_id, "rhw_pass_set_texture");
-        const struct rhw_sampler_def *const sampler =
-            texture ? rhw_context_sampler(context, sampler_id, "rhw_pass_set_texture") : NULL;
+        texture = rhw_context_texture(context, texture_id, "rhw_pass_set_texture");
+        sampler = texture ? rhw_context_sampler(context, sampler_id, "rhw_pass_set_texture") : NULL;
         if (!sampler ||
             !rhw_check(context, rhw_format_info(texture->format)->sampled,
                        "rhw_pass_set_texture: the texture is %s; it cannot be sampled",
@@ -385,12 +380,10 @@ void rhw_pass_set_texture(rhw_context *context, rhw_pass id, int slot, rhw_textu
         pass->out_of_memory = !rhw_texture_linearize(context, texture) || pass->out_of_memory;
         rhw_pool_use(context, &context->textures, texture_id.index);
         rhw_pool_use(context, &context->samplers, sampler_id.index);
-        binding.texture = texture;
-        binding.sampler = sampler;
     }
     struct rhw_binding *const pending = &pass->pending_textures[slot];
-    if (pending->texture != binding.texture || pending->sampler != binding.sampler) {
-        *pending = binding;
+    if (pending->texture != texture || pending->sampler != sampler) {
+        *pending = rhw_binding_of(context->kernels, texture, sampler);
         pass->textures_changed = true;
         pass->pending_changed = true;
     }

@@ -17,7 +17,7 @@ struct slot {
 
 static const uint32_t live = UINT32_MAX;
 
-enum { ITEM_ALIGNMENT = 16 };
+enum { ITEM_ALIGNMENT = 32 }; // of 8 lanes
 
 struct place {
     int chunk;

@@ -18,7 +18,7 @@ enum {
 
 struct rhw_pool {
     const char *noun; // "buffer", for messages
-    size_t item_size; // bytes, rounded up to 16
+    size_t item_size; // bytes, rounded up to 32
     uint32_t slots;   // slots that were ever used; the next new index is slots + 1
     uint32_t free;    // index of the first free slot, 0: none
     void *chunks[RHW_POOL_CHUNKS];

@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: MIT
-// Samplers: a validated copy of the definition.
+// Samplers: a validated copy of the definition, and what follows from it.
+#include "sampler.h"
+
 #include <math.h>
 
 #include "context.h"
@@ -44,6 +46,13 @@ static bool check_create(const struct rhw_context *context, const struct rhw_sam
            check_finite(context, "border[3]", def->border[3]) && check_lod(context, def);
 }
 
+static bool takes_codes(const struct rhw_sampler_def *def)
+{
+    return def->min_filter == RHW_FILTER_LINEAR && def->mag_filter == RHW_FILTER_LINEAR &&
+           def->mip_filter != RHW_MIP_FILTER_NEAREST && def->address_u != RHW_ADDRESS_BORDER &&
+           def->address_v != RHW_ADDRESS_BORDER;
+}
+
 enum rhw_result rhw_sampler_create(rhw_context *context, const struct rhw_sampler_def *def,
                                    rhw_sampler *sampler)
 {
@@ -52,10 +61,16 @@ enum rhw_result rhw_sampler_create(rhw_context *context, const struct rhw_sample
     if (!check_create(context, def, sampler))
         return RHW_ERROR_MISUSE;
     rhw_sampler id;
-    struct rhw_sampler_def *const data = rhw_pool_add(context, &context->samplers, &id.index, &id.generation);
+    struct rhw_sampler_data *const data =
+        rhw_pool_add(context, &context->samplers, &id.index, &id.generation);
     if (data == NULL)
         return RHW_ERROR_OUT_OF_MEMORY;
-    *data = *def;
+    *data = (struct rhw_sampler_data){.def = *def, .takes_codes = takes_codes(def)};
+    for (int lane = 0; lane < RHW_LANES; lane++) {
+        data->slope_bias[lane] = def->lod_bias - 16.0f;
+        data->detail_min[lane] = def->lod_min > 0 ? def->lod_min : 0;
+        data->detail_max[lane] = def->lod_max > 0 ? def->lod_max : 0;
+    }
     *sampler = id;
     return RHW_OK;
 }

@@ -298,15 +298,16 @@ RHW_INLINE s16 s16_scale(s16 a, s16 b)
 }
 
 // The sum of both products of a lane's halves, which are not negative, with those of the same number.
-RHW_INLINE i8 i8_dot_halves(i8 a, int32_t b)
+RHW_INLINE i8 i8_dot_halves(i8 a, i8 b)
 {
 #if defined(__AVX2__)
-    return (i8)_mm256_madd_epi16((__m256i)a, _mm256_set1_epi32(b));
+    return (i8)_mm256_madd_epi16((__m256i)a, (__m256i)b);
 #elif defined(__SSE2__)
-    union lanes x;
+    union lanes x, y;
     x.i = a;
-    x.half_i[0] = _mm_madd_epi16(x.half_i[0], _mm_set1_epi32(b));
-    x.half_i[1] = _mm_madd_epi16(x.half_i[1], _mm_set1_epi32(b));
+    y.i = b;
+    x.half_i[0] = _mm_madd_epi16(x.half_i[0], y.half_i[0]);
+    x.half_i[1] = _mm_madd_epi16(x.half_i[1], y.half_i[1]);
     return x.i;
 #else
     return (a & 0xffff) * (b & 0xffff) + (a >> 16) * (b >> 16);
@@ -337,19 +338,19 @@ RHW_INLINE i8 i8_join_upper(i8 a, i8 b)
 }
 
 // How much every half, as an unsigned number, is above that half of `limit`; 0 where it is not.
-RHW_INLINE i8 i8_over_halves(i8 a, int32_t limit)
+RHW_INLINE i8 i8_over_halves(i8 a, i8 limit)
 {
 #if defined(__AVX2__)
-    return (i8)_mm256_subs_epu16((__m256i)a, _mm256_set1_epi32(limit));
+    return (i8)_mm256_subs_epu16((__m256i)a, (__m256i)limit);
 #elif defined(__SSE2__)
-    union lanes x;
+    union lanes x, y;
     x.i = a;
-    x.half_i[0] = _mm_subs_epu16(x.half_i[0], _mm_set1_epi32(limit));
-    x.half_i[1] = _mm_subs_epu16(x.half_i[1], _mm_set1_epi32(limit));
+    y.i = limit;
+    x.half_i[0] = _mm_subs_epu16(x.half_i[0], y.half_i[0]);
+    x.half_i[1] = _mm_subs_epu16(x.half_i[1], y.half_i[1]);
     return x.i;
 #else
-    const i8 lower = (a & 0xffff) - (limit & 0xffff),
-             upper = (i8)((u8)a >> 16) - (int32_t)((uint32_t)limit >> 16);
+    const i8 lower = (a & 0xffff) - (limit & 0xffff), upper = (i8)((u8)a >> 16) - (i8)((u8)limit >> 16);
     return (lower & ~(lower >> 31)) | (upper & ~(upper >> 31)) << 16;
 #endif
 }

@@ -25,6 +25,9 @@ void rhw_texture_data_init(struct rhw_texture_data *texture, enum rhw_format for
     memset(texture, 0, sizeof *texture);
     texture->format = format;
     texture->levels = levels != 0 ? levels : rhw_mip_chain_length(width, height);
+    for (int lane = 0; lane < RHW_LANES; lane++) {
+        texture->last_level[lane] = (float)(texture->levels - 1);
+    }
     uint64_t size = RHW_TEXEL_PADDING;
     for (int i = 0; i < texture->levels; i++) {
         struct rhw_mip *const mip = &texture->mip[i];
@@ -32,10 +35,13 @@ void rhw_texture_data_init(struct rhw_texture_data *texture, enum rhw_format for
         mip->height = height >> i > 1 ? height >> i : 1;
         const size_t row = (size_t)mip->width * rhw_format_size(format);
         mip->row_pitch = (row + RHW_ROW_ALIGNMENT - 1) & ~(size_t)(RHW_ROW_ALIGNMENT - 1);
-        mip->scale_x = (float)mip->width * 65536.0f;
-        mip->scale_y = (float)mip->height * 65536.0f;
-        mip->interior = mip->width > 1 && mip->height > 1 ? (mip->width - 2) << 16 | (mip->height - 2) : -1;
-        mip->step = 1 << 16 | (int32_t)(mip->row_pitch / 4);
+        for (int lane = 0; lane < RHW_LANES; lane++) {
+            mip->scale_x[lane] = (float)mip->width * 65536.0f;
+            mip->scale_y[lane] = (float)mip->height * 65536.0f;
+            mip->interior[lane] =
+                mip->width > 1 && mip->height > 1 ? (mip->width - 2) << 16 | (mip->height - 2) : -1;
+            mip->step[lane] = 1 << 16 | (int32_t)(mip->row_pitch / 4);
+        }
         size += (uint64_t)mip->row_pitch * (uint64_t)mip->height;
     }
     // 4 GiB and more do not fit where addresses have 32 bits: allocate_levels refuses SIZE_MAX.

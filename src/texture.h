@@ -3,6 +3,7 @@
 #ifndef RHW_TEXTURE_H
 #define RHW_TEXTURE_H
 
+#include "rhw/shader_lanes.h"
 #include "rhw/types.h"
 
 enum {
@@ -15,21 +16,24 @@ enum {
 };
 
 struct rhw_mip {
+    // For the sampler's fixed-point road (4-byte formats), which would spend a tenth of its time making them; in all
+    // lanes, so that an instruction takes them from memory as an operand.
+    _Alignas(32) float scale_x[RHW_LANES]; // width · 2^16
+    float scale_y[RHW_LANES];              // height · 2^16
+    int32_t interior[RHW_LANES]; // (width − 2) << 16 | (height − 2): the last texel with both neighbours;
+                                 // negative where a side is 1
+    int32_t step[RHW_LANES];     // 1 << 16 | texels per row
+
     unsigned char *texels; // linear rows, top to bottom; 64-byte aligned
     unsigned char *linear; // RGBA8_SRGB that has been bound: see srgb_texture.h; rows twice as long
     int width, height;
     size_t row_pitch; // bytes, a multiple of RHW_ROW_ALIGNMENT
-
-    // For the sampler's fixed-point road (4-byte formats), which would spend a tenth of its time making them:
-    float scale_x, scale_y; // size · 2^16
-    int32_t interior;       // (width − 2) << 16 | (height − 2): the last texel with both neighbours;
-                            // negative where a side is 1
-    int32_t step;           // 1 << 16 | texels per row
 };
 
 struct rhw_texture_data {
     enum rhw_format format;
     int levels;
+    _Alignas(32) float last_level[RHW_LANES]; // levels − 1
     struct rhw_mip mip[RHW_MAX_MIP_LEVELS];
     void *memory; // one allocation for all levels
     size_t memory_size;

@@ -68,8 +68,8 @@ RHW_INLINE struct sample_codes sample_widen(i8 texel)
 RHW_INLINE struct sample_place sample_place(const struct rhw_mip *mip, f8 s, f8 t)
 {
     const f8 half = sample_constants()->half_texel;
-    const i8 x = rhw_to_int_unchecked(s * f8_splat(mip->scale_x) - half);
-    const i8 y = rhw_to_int_unchecked(t * f8_splat(mip->scale_y) - half);
+    const i8 x = rhw_to_int_unchecked(s * f8_load(mip->scale_x) - half);
+    const i8 y = rhw_to_int_unchecked(t * f8_load(mip->scale_y) - half);
     // A weight is the fraction without its last bit.
     return (struct sample_place){i8_join_upper(x, y), i8_halve_lower(x), i8_halve_lower(y)};
 }
@@ -115,7 +115,7 @@ RHW_INLINE void sample_load_pairs(const struct rhw_mip *mip, size_t offset, cons
 // The texels at these places.
 RHW_INLINE struct sample_codes sample_load_codes(const struct rhw_mip *mip, i8 xy, bool linear)
 {
-    const i8 index = sample_index(xy, mip->step);
+    const i8 index = sample_index(xy, mip);
     if (linear) {
         return (struct sample_codes){i8_gather(mip->linear, index + index),
                                      i8_gather(mip->linear + 4, index + index)};
@@ -124,18 +124,18 @@ RHW_INLINE struct sample_codes sample_load_codes(const struct rhw_mip *mip, i8 x
 }
 
 // The four texels of each lane where some lie across an edge.
-static __attribute__((noinline)) void sample_corners_wrapped(const struct rhw_sampler_def *sampler,
+static __attribute__((noinline)) void sample_corners_wrapped(const struct rhw_sampler_data *sampler,
                                                              const struct rhw_mip *mip, const i8 *xy,
                                                              bool linear, struct sample_codes corner[4])
 {
     const i8 x = *xy >> 16, y = (*xy << 16) >> 16;
-    const i8 x0 = sample_wrap(sampler->address_u, x, mip->width) << 16;
-    const i8 x1 = sample_wrap(sampler->address_u, x + 1, mip->width) << 16;
-    const i8 y0 = sample_wrap(sampler->address_v, y, mip->height);
-    const i8 y1 = sample_wrap(sampler->address_v, y + 1, mip->height);
+    const i8 x0 = sample_wrap(sampler->def.address_u, x, mip->width) << 16;
+    const i8 x1 = sample_wrap(sampler->def.address_u, x + 1, mip->width) << 16;
+    const i8 y0 = sample_wrap(sampler->def.address_v, y, mip->height);
+    const i8 y1 = sample_wrap(sampler->def.address_v, y + 1, mip->height);
     uint32_t above[RHW_LANES], below[RHW_LANES];
-    sample_spill(sample_index(x0 | y0, mip->step), above);
-    sample_spill(sample_index(x0 | y1, mip->step), below);
+    sample_spill(sample_index(x0 | y0, mip), above);
+    sample_spill(sample_index(x0 | y1, mip), below);
     sample_load_pairs(mip, 0, above, linear, &corner[0]);
     sample_load_pairs(mip, 0, below, linear, &corner[2]);
     if (i8_any_bit(x1 - x0 - 0x10000)) { // some right neighbour is not next to its texel
@@ -151,7 +151,7 @@ static __attribute__((noinline)) void sample_corners_wrapped(const struct rhw_sa
 RHW_INLINE void sample_row_corners(const struct rhw_mip *mip, i8 first, i8 lane,
                                    struct sample_codes corner[4])
 {
-    const unsigned char *const above = mip->texels + 4 * (size_t)(uint32_t)sample_index(first, mip->step)[0];
+    const unsigned char *const above = mip->texels + 4 * (size_t)(uint32_t)sample_index(first, mip)[0];
     const unsigned char *const below = above + mip->row_pitch;
     corner[0] = sample_widen(i8_permute(i8_load(above), lane));
     corner[1] = sample_widen(i8_permute(i8_load(above + 4), lane));
@@ -177,17 +177,17 @@ RHW_INLINE struct sample_codes sample_interior_codes(const struct rhw_mip *mip,
         }
     }
     uint32_t at[RHW_LANES];
-    sample_spill(sample_index(place->xy, mip->step), at);
+    sample_spill(sample_index(place->xy, mip), at);
     sample_load_pairs(mip, 0, at, linear, &corner[0]);
     sample_load_pairs(mip, mip->row_pitch, at, linear, &corner[2]);
     return sample_mix_corners(corner, place, linear);
 }
 
-RHW_INLINE struct sample_codes sample_bilinear_codes(const struct rhw_sampler_def *sampler,
+RHW_INLINE struct sample_codes sample_bilinear_codes(const struct rhw_sampler_data *sampler,
                                                      const struct rhw_mip *mip, f8 s, f8 t, bool linear)
 {
     const struct sample_place place = sample_place(mip, s, t);
-    if (mip->interior >= 0 && !i8_any_bit(i8_over_halves(place.xy, mip->interior))) {
+    if (mip->interior[0] >= 0 && !i8_any_bit(i8_over_halves(place.xy, i8_load(mip->interior)))) {
         return sample_interior_codes(mip, &place, linear);
     }
     const i8 xy = place.xy; // a copy, so that the one in registers stays there
@@ -221,7 +221,7 @@ RHW_INLINE void sample_mix_levels(struct sample_codes a, struct sample_codes b, 
 // Any lanes: one level after the other, each with the next where a lane has a weight there. A weight of 0
 // leaves a lane as it is.
 RHW_INLINE void sample_codes_of_levels(const struct rhw_texture_data *texture,
-                                       const struct rhw_sampler_def *sampler, f8 s, f8 t, i8 detail,
+                                       const struct rhw_sampler_data *sampler, f8 s, f8 t, i8 detail,
                                        bool linear, f8 texel[4])
 {
     const i8 level = detail >> 16, weight = i8_halve_lower(detail);
@@ -243,7 +243,7 @@ RHW_INLINE void sample_codes_of_levels(const struct rhw_texture_data *texture,
 }
 
 static __attribute__((noinline)) void sample_codes_apart(const struct rhw_texture_data *texture,
-                                                         const struct rhw_sampler_def *sampler, f8 s, f8 t,
+                                                         const struct rhw_sampler_data *sampler, f8 s, f8 t,
                                                          i8 detail, f8 texel[4])
 {
     if (texture->format == RHW_FORMAT_RGBA8_SRGB) {
@@ -255,34 +255,28 @@ static __attribute__((noinline)) void sample_codes_apart(const struct rhw_textur
 
 // The whole -----------------------------------------------------------------------------------------
 
-RHW_INLINE bool sample_takes_codes(enum rhw_format format, const struct rhw_sampler_def *sampler)
+RHW_INLINE bool sample_takes_codes(enum rhw_format format, const struct rhw_sampler_data *sampler)
 {
-    return (format == RHW_FORMAT_RGBA8_UNORM || format == RHW_FORMAT_RGBA8_SRGB) &&
-           sampler->min_filter == RHW_FILTER_LINEAR && sampler->mag_filter == RHW_FILTER_LINEAR &&
-           sampler->mip_filter != RHW_MIP_FILTER_NEAREST && sampler->address_u != RHW_ADDRESS_BORDER &&
-           sampler->address_v != RHW_ADDRESS_BORDER;
+    return (format == RHW_FORMAT_RGBA8_UNORM || format == RHW_FORMAT_RGBA8_SRGB) && sampler->takes_codes;
 }
 
 // Level of detail within the sampler's limits and the texture's levels, 16.16.
 RHW_INLINE i8 sample_detail_codes(const struct rhw_texture_data *texture,
-                                  const struct rhw_sampler_def *sampler, const f8 *grad, const f8 *lod)
+                                  const struct rhw_sampler_data *sampler, const f8 *grad, const f8 *lod)
 {
     if (sample_last_level(texture, sampler) == 0) {
         return i8_splat(0);
     }
-    const float last = (float)(texture->levels - 1);
-    const struct sample_constants *const constants = sample_constants();
-    const f8 low = rhw_clamp(f8_splat(sampler->lod_min), f8_splat(0.0f), f8_splat(last));
-    const f8 high = rhw_clamp(f8_splat(sampler->lod_max), f8_splat(0.0f), f8_splat(last));
-    return rhw_to_int_unchecked(rhw_clamp(sample_detail(texture, sampler, grad, lod), low, high) *
-                                constants->one_16);
+    const f8 detail = rhw_clamp(sample_detail(texture, sampler, grad, lod), f8_load(sampler->detail_min),
+                                f8_load(sampler->detail_max));
+    return rhw_to_int_unchecked(rhw_min(detail, f8_load(texture->last_level)) * sample_constants()->one_16);
 }
 
 // The straight road, and the turn to the other.
-RHW_INLINE void sample_codes(const struct rhw_texture_data *texture, const struct rhw_sampler_def *sampler,
+RHW_INLINE void sample_codes(const struct rhw_texture_data *texture, const struct rhw_sampler_data *sampler,
                              const f8 uv[2], const f8 *grad, const f8 *lod, bool linear, f8 texel[4])
 {
-    const f8 s = sample_fold(sampler->address_u, uv[0]), t = sample_fold(sampler->address_v, uv[1]);
+    const f8 s = sample_fold(sampler->def.address_u, uv[0]), t = sample_fold(sampler->def.address_v, uv[1]);
     const i8 detail = sample_detail_codes(texture, sampler, grad, lod);
     const i8 first = i8_splat_first(detail), weight = i8_halve_lower(detail);
     if (!i8_any_of(detail ^ first, sample_constants()->upper_half) && i8_any_of(weight, weight)) {
@@ -294,10 +288,11 @@ RHW_INLINE void sample_codes(const struct rhw_texture_data *texture, const struc
             return;
         }
         const struct sample_place near = sample_place(fine, s, t), far = sample_place(coarse, s, t);
-        const i8 over = i8_over_halves(near.xy, fine->interior) | i8_over_halves(far.xy, coarse->interior);
+        const i8 over = i8_over_halves(near.xy, i8_load(fine->interior)) |
+                        i8_over_halves(far.xy, i8_load(coarse->interior));
         // The four texels of every lane lie side by side in both levels; if the coarser one has no side of 1, so
         // has the finer one.
-        if (coarse->interior >= 0 && !i8_any_of(over, over)) {
+        if (coarse->interior[0] >= 0 && !i8_any_of(over, over)) {
             const struct sample_codes a = sample_interior_codes(fine, &near, linear);
             const struct sample_codes b = sample_interior_codes(coarse, &far, linear);
             sample_mix_levels(a, b, weight, linear, texel);

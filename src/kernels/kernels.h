@@ -9,14 +9,17 @@
 struct rhw_pass_state;
 struct rhw_chunk;
 
+typedef void rhw_sample_function(const struct rhw_binding *binding, const rhw_float uv[2],
+                                 const rhw_float grad[4], const rhw_float *lod, rhw_float texel[4]);
+
 struct rhw_kernels {
     // The front end over one chunk: fetch, vertex function, clip, cull, snap, bin. False when out of memory.
     bool (*chunk)(struct rhw_pass_state *pass, struct rhw_chunk *chunk, int worker);
     // One tile of the back end, from load to store.
     void (*tile)(struct rhw_pass_state *pass, int tile, int worker);
-    // Behind rhw_sample_grad and rhw_sample_lod.
-    void (*sample)(const struct rhw_binding *binding, const rhw_float uv[2], const rhw_float grad[4],
-                   const rhw_float *lod, rhw_float texel[4]);
+    // Behind rhw_sample_grad and rhw_sample_lod: of any texture or none, and of those that take the fixed-point road
+    // (sampler.h) in either format.
+    rhw_sample_function *sample, *sample_rgba8, *sample_rgba8_srgb;
     // Behind rhw_sample_slots.
     void (*sample_slots)(const struct rhw_binding *bindings, uint32_t slots, const rhw_float uv[2],
                          const rhw_float grad[4], rhw_float (*texels)[4]);

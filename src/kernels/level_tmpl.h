@@ -3,6 +3,7 @@
 #ifndef RHW_LEVEL_TMPL_H
 #define RHW_LEVEL_TMPL_H
 
+#include "../sampler.h"
 #include "../texture.h"
 #include "sample_constants_tmpl.h"
 
@@ -20,9 +21,9 @@ RHW_INLINE const struct rhw_mip *sample_mip(const struct rhw_texture_data *textu
 
 // The last level that may be used.
 RHW_INLINE int sample_last_level(const struct rhw_texture_data *texture,
-                                 const struct rhw_sampler_def *sampler)
+                                 const struct rhw_sampler_data *sampler)
 {
-    return sampler->mip_filter == RHW_MIP_FILTER_NONE ? 0 : texture->levels - 1;
+    return sampler->def.mip_filter == RHW_MIP_FILTER_NONE ? 0 : texture->levels - 1;
 }
 
 // log2(a) / 2 within 2^-17, exact at powers of four: the level of detail needs no more. The bits of a float,
@@ -41,18 +42,17 @@ RHW_INLINE f8 sample_half_log2(f8 a)
 
 // Level of detail after OpenGL ES 3.0 §3.8.10, biased but not yet limited. Half the logarithm of the squared
 // length spares the square root.
-RHW_INLINE f8 sample_detail(const struct rhw_texture_data *texture, const struct rhw_sampler_def *sampler,
+RHW_INLINE f8 sample_detail(const struct rhw_texture_data *texture, const struct rhw_sampler_data *sampler,
                             const f8 *grad, const f8 *lod)
 {
-    const float bias = sampler->lod_bias;
     if (!grad) {
-        return (lod ? *lod : rhw_splat(0.0f)) + bias;
+        return (lod ? *lod : rhw_splat(0.0f)) + sampler->def.lod_bias;
     }
-    const struct rhw_mip *const mip = &texture->mip[0]; // whose scale is 2^16 too large
-    const f8 scale_x = f8_splat(mip->scale_x), scale_y = f8_splat(mip->scale_y);
+    const struct rhw_mip *const mip = &texture->mip[0];
+    const f8 scale_x = f8_load(mip->scale_x), scale_y = f8_load(mip->scale_y);
     const f8 ux = grad[0] * scale_x, vx = grad[1] * scale_y;
     const f8 uy = grad[2] * scale_x, vy = grad[3] * scale_y;
-    return sample_half_log2(rhw_max(ux * ux + vx * vx, uy * uy + vy * vy)) + (bias - 16.0f);
+    return sample_half_log2(rhw_max(ux * ux + vx * vx, uy * uy + vy * vy)) + f8_load(sampler->slope_bias);
 }
 
 #endif

@@ -22,11 +22,11 @@ RHW_INLINE bool sample_find_spots(const struct rhw_binding *binding, const f8 uv
                                   struct sample_spots *spots)
 {
     const struct rhw_texture_data *const texture = binding->texture;
-    const struct rhw_sampler_def *const sampler = binding->sampler;
+    const struct rhw_sampler_data *const sampler = binding->sampler;
     if (!texture || !sample_takes_codes(texture->format, sampler)) {
         return false;
     }
-    const f8 s = sample_fold(sampler->address_u, uv[0]), t = sample_fold(sampler->address_v, uv[1]);
+    const f8 s = sample_fold(sampler->def.address_u, uv[0]), t = sample_fold(sampler->def.address_v, uv[1]);
     const i8 detail = sample_detail_codes(texture, sampler, grad, NULL), first = i8_splat_first(detail);
     spots->weight = i8_halve_lower(detail);
     if (i8_any_of(detail ^ first, sample_constants()->upper_half) ||
@@ -37,18 +37,19 @@ RHW_INLINE bool sample_find_spots(const struct rhw_binding *binding, const f8 uv
     const struct rhw_mip *const fine = sample_mip(texture, spots->level), *const coarse = fine + 1;
     spots->near = sample_place(fine, s, t);
     spots->far = sample_place(coarse, s, t);
-    const i8 over =
-        i8_over_halves(spots->near.xy, fine->interior) | i8_over_halves(spots->far.xy, coarse->interior);
-    return coarse->interior >= 0 && !i8_any_of(over, over);
+    const i8 over = i8_over_halves(spots->near.xy, i8_load(fine->interior)) |
+                    i8_over_halves(spots->far.xy, i8_load(coarse->interior));
+    return coarse->interior[0] >= 0 && !i8_any_of(over, over);
 }
 
 // Whether what was found for one binding holds for another.
 RHW_INLINE bool sample_shares(const struct rhw_binding *found, const struct rhw_binding *binding)
 {
     const struct rhw_texture_data *const a = found->texture, *const b = binding->texture;
+    const struct rhw_sampler_data *const as = found->sampler, *const bs = binding->sampler;
     return b && sample_takes_codes(b->format, binding->sampler) && a->levels == b->levels &&
            a->mip[0].width == b->mip[0].width && a->mip[0].height == b->mip[0].height &&
-           memcmp(found->sampler, binding->sampler, sizeof(struct rhw_sampler_def)) == 0;
+           memcmp(&as->def, &bs->def, sizeof as->def) == 0;
 }
 
 RHW_INLINE uint32_t sample_sharing(const struct rhw_binding *bindings, uint32_t slots,
@@ -70,7 +71,7 @@ RHW_INLINE void sample_prefetch(const struct rhw_texture_data *texture, const st
     const unsigned char *const texels = linear ? mip->linear : mip->texels;
     const size_t texel = linear ? RHW_LINEAR_TEXEL : 4, row = texel / 4 * mip->row_pitch;
     uint32_t at[RHW_LANES];
-    sample_spill(sample_index(spots->near.xy, mip->step), at);
+    sample_spill(sample_index(spots->near.xy, mip), at);
     for (int i = 0; i < RHW_LANES; i += 2) {
         __builtin_prefetch(texels + texel * at[i]);
         __builtin_prefetch(texels + texel * at[i] + row);
@@ -142,7 +143,8 @@ static void sample_some_groups(const struct rhw_binding *bindings, uint32_t slot
         for (unsigned rest = ~straight & ((1u << count) - 1); rest != 0; rest &= rest - 1) {
             const int g = __builtin_ctz(rest);
             group_gradient(&groups[g], at, grad);
-            sample(&bindings[slot], &groups[g].varying[at], grad, NULL, texels[g * stride + slot]);
+            bindings[slot].sample(&bindings[slot], &groups[g].varying[at], grad, NULL,
+                                  texels[g * stride + slot]);
         }
     }
 }

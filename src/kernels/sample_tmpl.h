@@ -16,7 +16,7 @@
 // What one call needs at every level. s and t are folded coordinates.
 struct sample_source {
     const struct rhw_texture_data *texture;
-    const struct rhw_sampler_def *sampler;
+    const struct rhw_sampler_data *sampler;
     bool border; // along u or v
     f8 s, t;
 };
@@ -25,22 +25,22 @@ struct sample_source {
 static inline void sample_fetch_wrapped(const struct sample_source *source, const struct rhw_mip *mip, i8 x,
                                         i8 y, f8 texel[4])
 {
-    const struct rhw_sampler_def *const sampler = source->sampler;
-    sample_fetch(source->texture->format, mip, sample_wrap(sampler->address_u, x, mip->width),
-                 sample_wrap(sampler->address_v, y, mip->height), texel);
+    const struct rhw_sampler_data *const sampler = source->sampler;
+    sample_fetch(source->texture->format, mip, sample_wrap(sampler->def.address_u, x, mip->width),
+                 sample_wrap(sampler->def.address_v, y, mip->height), texel);
     i8 outside = i8_splat(0);
     if (!source->border) {
         return;
     }
-    if (sampler->address_u == RHW_ADDRESS_BORDER) {
+    if (sampler->def.address_u == RHW_ADDRESS_BORDER) {
         outside = outside | sample_outside(x, mip->width);
     }
-    if (sampler->address_v == RHW_ADDRESS_BORDER) {
+    if (sampler->def.address_v == RHW_ADDRESS_BORDER) {
         outside = outside | sample_outside(y, mip->height);
     }
     if (rhw_any(outside)) {
         for (int i = 0; i < 4; i++) {
-            texel[i] = rhw_select(outside, rhw_splat(sampler->border[i]), texel[i]);
+            texel[i] = rhw_select(outside, rhw_splat(sampler->def.border[i]), texel[i]);
         }
     }
 }
@@ -50,10 +50,10 @@ static inline void sample_nearest(const struct sample_source *source, const stru
     i8 x = rhw_to_int_unchecked(rhw_floor(source->s * (float)mip->width));
     i8 y = rhw_to_int_unchecked(rhw_floor(source->t * (float)mip->height));
     // s = 1 stands for a coordinate just below the edge where the texture repeats.
-    if (source->sampler->address_u != RHW_ADDRESS_BORDER) {
+    if (source->sampler->def.address_u != RHW_ADDRESS_BORDER) {
         x = rhw_min_int(x, i8_splat(mip->width - 1));
     }
-    if (source->sampler->address_v != RHW_ADDRESS_BORDER) {
+    if (source->sampler->def.address_v != RHW_ADDRESS_BORDER) {
         y = rhw_min_int(y, i8_splat(mip->height - 1));
     }
     sample_fetch_wrapped(source, mip, x, y, texel);
@@ -124,44 +124,51 @@ static __attribute__((noinline)) void sample_any(const struct rhw_binding *bindi
                                                  const f8 *grad, const f8 *lod, f8 texel[4])
 {
     const struct rhw_texture_data *const texture = binding->texture;
-    const struct rhw_sampler_def *const sampler = binding->sampler;
+    const struct rhw_sampler_data *const sampler = binding->sampler;
+    const struct rhw_sampler_def *const def = &sampler->def;
     const struct sample_source source = {
-        texture, sampler,
-        sampler->address_u == RHW_ADDRESS_BORDER || sampler->address_v == RHW_ADDRESS_BORDER,
-        sample_fold(sampler->address_u, uv[0]), sample_fold(sampler->address_v, uv[1])};
+        texture, sampler, def->address_u == RHW_ADDRESS_BORDER || def->address_v == RHW_ADDRESS_BORDER,
+        sample_fold(def->address_u, uv[0]), sample_fold(def->address_v, uv[1])};
     const f8 zero = rhw_splat(0.0f);
-    const f8 detail = rhw_clamp(sample_detail(texture, sampler, grad, lod), rhw_splat(sampler->lod_min),
-                                rhw_splat(sampler->lod_max));
+    const f8 detail = rhw_clamp(sample_detail(texture, sampler, grad, lod), rhw_splat(def->lod_min),
+                                rhw_splat(def->lod_max));
     const f8 within = rhw_clamp(detail, zero, rhw_splat((float)sample_last_level(texture, sampler)));
-    const bool blended = sampler->mip_filter == RHW_MIP_FILTER_LINEAR;
+    const bool blended = def->mip_filter == RHW_MIP_FILTER_LINEAR;
     const f8 level = blended ? rhw_floor(within) : rhw_max(rhw_ceil(within - 0.5f), zero);
     const f8 fraction = blended ? within - level : zero;
-    sample_levels(&source, rhw_to_int_unchecked(level), fraction, sampler->min_filter, texel);
+    sample_levels(&source, rhw_to_int_unchecked(level), fraction, def->min_filter, texel);
     const i8 magnified = rhw_less_equal(detail, zero);
-    if (sampler->mag_filter != sampler->min_filter && rhw_any(magnified)) {
+    if (def->mag_filter != def->min_filter && rhw_any(magnified)) {
         f8 large[4];
-        sample_level(&source, &texture->mip[0], sampler->mag_filter, large);
+        sample_level(&source, &texture->mip[0], def->mag_filter, large);
         for (int i = 0; i < 4; i++) {
             texel[i] = rhw_select(magnified, large[i], texel[i]);
         }
     }
 }
 
+// What a binding may have for its `sample`.
 static void sample(const struct rhw_binding *binding, const rhw_float uv[2], const rhw_float grad[4],
                    const rhw_float *lod, rhw_float texel[4])
 {
-    const struct rhw_texture_data *const texture = binding->texture;
-    const struct rhw_sampler_def *const sampler = binding->sampler;
-    if (!texture) {
+    if (!binding->texture) {
         texel[0] = texel[1] = texel[2] = rhw_splat(0.0f);
         texel[3] = rhw_splat(1.0f);
-    } else if (!sample_takes_codes(texture->format, sampler)) {
-        sample_any(binding, uv, grad, lod, texel);
-    } else if (texture->format == RHW_FORMAT_RGBA8_SRGB) {
-        sample_codes(texture, sampler, uv, grad, lod, true, texel);
     } else {
-        sample_codes(texture, sampler, uv, grad, lod, false, texel);
+        sample_any(binding, uv, grad, lod, texel);
     }
+}
+
+static void sample_rgba8(const struct rhw_binding *binding, const rhw_float uv[2], const rhw_float grad[4],
+                         const rhw_float *lod, rhw_float texel[4])
+{
+    sample_codes(binding->texture, binding->sampler, uv, grad, lod, false, texel);
+}
+
+static void sample_rgba8_srgb(const struct rhw_binding *binding, const rhw_float uv[2],
+                              const rhw_float grad[4], const rhw_float *lod, rhw_float texel[4])
+{
+    sample_codes(binding->texture, binding->sampler, uv, grad, lod, true, texel);
 }
 
 #endif

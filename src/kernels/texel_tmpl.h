@@ -48,9 +48,9 @@ static inline i8 sample_outside(i8 i, int size)
 }
 
 // y · texels per row + x, of x and y inside the level: all three fit 16 bits.
-RHW_INLINE i8 sample_index(i8 xy, int32_t step)
+RHW_INLINE i8 sample_index(i8 xy, const struct rhw_mip *mip)
 {
-    return i8_dot_halves(xy, step);
+    return i8_dot_halves(xy, i8_load(mip->step));
 }
 
 // Loads ---------------------------------------------------------------------------------------------
@@ -91,7 +91,7 @@ static inline void sample_fetch(enum rhw_format format, const struct rhw_mip *mi
     texel[1] = texel[2] = rhw_splat(0.0f);
     texel[3] = rhw_splat(1.0f);
     if (size == 4) {
-        const i8 word = i8_gather(mip->texels, sample_index((x << 16) | y, mip->step));
+        const i8 word = i8_gather(mip->texels, sample_index((x << 16) | y, mip));
         if (format != RHW_FORMAT_RGBA8_UNORM && format != RHW_FORMAT_RGBA8_SRGB) {
             texel[0] = (f8)word; // R32_FLOAT, D32_FLOAT
             return;

@@ -7,6 +7,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "binding.h"
 #include "context.h"
 #include "half.h"
 #include "kernels/kernels.h"
@@ -20,14 +21,15 @@ static struct rhw_sampler_def default_sampler(void)
     return rhw_sampler_def_default();
 }
 
+// Textures are linearized, as rhw_pass_set_texture does; samplers go with the context.
 static struct rhw_binding bind(rhw_context *context, rhw_texture texture,
                                const struct rhw_sampler_def *sampler, enum rhw_isa isa)
 {
     struct rhw_texture_data *const data = rhw_context_texture(context, texture, "test");
-    assert_true(rhw_texture_linearize(context, data)); // as rhw_pass_set_texture does
-    const struct rhw_kernels *const kernels = rhw_kernels_for(isa);
-    return (struct rhw_binding){kernels->sample, data, sampler, kernels->sample_slots,
-                                kernels->sample_groups};
+    assert_true(rhw_texture_linearize(context, data));
+    rhw_sampler made;
+    assert_int_equal(rhw_sampler_create(context, sampler, &made), RHW_OK);
+    return rhw_binding_of(rhw_kernels_for(isa), data, rhw_context_sampler(context, made, "test"));
 }
 
 // How far a filtered sample may be off: 8-bit formats are filtered with 15-bit weights, and coordinates
@@ -59,12 +61,12 @@ static float clear_lod(uint64_t *random)
 static void sample_all_isas(struct rhw_binding *binding, const rhw_float uv[2], const rhw_float grad[4],
                             const rhw_float *lod, rhw_float texel[4])
 {
-    binding->sample = rhw_kernels_for(RHW_ISA_BASELINE)->sample;
+    *binding = rhw_binding_of(rhw_kernels_for(RHW_ISA_BASELINE), binding->texture, binding->sampler);
     binding->sample(binding, uv, grad, lod, texel);
     for (int isa = RHW_ISA_BASELINE + 1; isa < RHW_ISA_COUNT; isa++) {
         if (rhw_isa_supported((enum rhw_isa)isa)) {
             rhw_float other[4];
-            binding->sample = rhw_kernels_for((enum rhw_isa)isa)->sample;
+            *binding = rhw_binding_of(rhw_kernels_for((enum rhw_isa)isa), binding->texture, binding->sampler);
             binding->sample(binding, uv, grad, lod, other);
             assert_memory_equal(other, texel, sizeof other);
         }
@@ -424,7 +426,7 @@ static void test_slots_sampled_at_once(void **state)
             samplers[i].lod_bias += rig_random_int(&random, 6) == 0 ? 1.0f : 0.0f;
             bindings[i] = bind(rig.context, textures[i], &samplers[i], isa);
             if (rig_random_int(&random, 12) == 0) {
-                bindings[i].texture = bindings[i].sampler = NULL;
+                bindings[i] = rhw_binding_of(rhw_kernels_for(isa), NULL, NULL);
             }
         }
         for (int n = 0; n < 100; n++) {
@@ -612,7 +614,7 @@ static void test_an_unbound_slot_samples_opaque_black(void **state)
     (void)state;
     for (int isa = 0; isa < RHW_ISA_COUNT; isa++) {
         if (rhw_isa_supported((enum rhw_isa)isa)) {
-            const struct rhw_binding binding = {.sample = rhw_kernels_for((enum rhw_isa)isa)->sample};
+            const struct rhw_binding binding = rhw_binding_of(rhw_kernels_for((enum rhw_isa)isa), NULL, NULL);
             const float uv[2] = {0.3f, NAN}, expected[4] = {0, 0, 0, 1};
             float texel[4];
             rhw_sample1_lod(&binding, uv, 2.0f, texel);
