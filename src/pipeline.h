@@ -13,6 +13,9 @@ struct rhw_pipeline_data {
     bool any_noperspective, any_flat, any_derivatives;
     uint8_t component_qualifier[RHW_MAX_VARYING_COMPONENTS]; // enum rhw_qualifier
     bool component_derivatives[RHW_MAX_VARYING_COMPONENTS];
+    // Smooth components with derivatives, by twos; where their number is odd the last stands twice.
+    int slope_pairs;
+    uint8_t slope_component[RHW_MAX_VARYING_COMPONENTS / 2][2];
 };
 
 #endif

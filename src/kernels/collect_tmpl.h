@@ -25,13 +25,17 @@ RHW_INLINE void fill_loose(const struct tile_work *work, const struct triangle_w
     for (int n = 0; n < count; n++) {
         const struct block_place place = loose_place(work, planes, &at[8 * n]);
         const struct weights w = weights_lanes(&planes->linear, &place);
-        set_weights(&weights, n, planes, &w, place.dx, place.dy, derivatives);
+        weights.b[n] = w.b;
+        weights.c[n] = w.c;
+        if (derivatives) {
+            fill_slopes(work, first + n, triangle->slopes, place.dx, place.dy, w.inverse_s);
+        }
         if (work->keeps_depth) {
             const f8 z = f8_from_d8(plane_lanes(&planes->linear, QUANTITY_Z, &place));
             work->scratch->groups[first + n].depth = viewport_clamp(work->state, z);
         }
     }
-    fill_smooth(work, triangle, &weights, count, first, derivatives);
+    fill_smooth(work, triangle, &weights, count, first);
 }
 
 // Adds groups of the fragments at `at`, 8 each, to the window.

@@ -11,11 +11,12 @@
 struct triangle_work {
     const struct rhw_segment *segment;
     const struct rhw_triangle *t;
-    bool planes_ready, ready; // `planes` are set; `provoking`, `i0`, `d1`, `d2` are
+    bool planes_ready, ready; // `planes` are set; those below `v` are
     struct planes planes;
     const struct rhw_vertex_record *v[3];
     const float *provoking;
     float i0[RHW_MAX_VARYING_COMPONENTS], d1[RHW_MAX_VARYING_COMPONENTS], d2[RHW_MAX_VARYING_COMPONENTS];
+    struct rhw_slopes slopes[RHW_MAX_VARYING_COMPONENTS / 2];
 };
 
 RHW_INLINE void pack_identity(const struct tile_work *work, struct rhw_fragment *group,
@@ -32,7 +33,7 @@ RHW_INLINE void pack_identity(const struct tile_work *work, struct rhw_fragment 
     }
 }
 
-// Turns 8 vectors over the four quantities into four over the lanes.
+// Turns 8 vectors over four quantities into four over the lanes.
 RHW_INLINE void quantity_lanes(const d4 value[8], d8 out[4])
 {
     d4 low[4] = {value[0], value[1], value[2], value[3]}, high[4] = {value[4], value[5], value[6], value[7]};
@@ -55,45 +56,26 @@ RHW_INLINE void pack_components(const struct rhw_packed_triangle *const triangle
     f8_transpose(out);
 }
 
-// Derivatives of components i .. i + 3 of the 8 fragments: by x as four vectors, then by y as four. `weight`: those of b
-// by x and by y, and of c.
-RHW_INLINE void pack_slopes(const struct rhw_packed_triangle *const triangle[8], int i, float weight[4][8],
-                            f8 out[8])
-{
-    for (int lane = 0; lane < 8; lane++) {
-        const float *const *const v = triangle[lane]->varyings;
-        const f4 i0 = f4_load(v[0] + i), d1 = -(i0 - f4_load(v[1] + i)), d2 = -(i0 - f4_load(v[2] + i));
-        const f4 by_x = f4_splat(weight[0][lane]) * d1 + f4_splat(weight[2][lane]) * d2;
-        const f4 by_y = f4_splat(weight[1][lane]) * d1 + f4_splat(weight[3][lane]) * d2;
-        out[lane] = __builtin_shufflevector(by_x, by_y, 0, 1, 2, 3, 4, 5, 6, 7);
-    }
-    f8_transpose(out);
-}
-
 static void pack_derivatives(const struct tile_work *work, int g,
                              const struct rhw_packed_triangle *const triangle[8], d8 inverse_s)
 {
     const struct rhw_pipeline_data *const pipeline = work->pipeline;
-    const int components = pipeline->varying_components;
+    struct rhw_tile_scratch *const scratch = work->scratch;
+    f8 *const ddx = scratch->ddx + g * pipeline->varying_components;
+    f8 *const ddy = scratch->ddy + g * pipeline->varying_components;
     const d8 squared = d8_mul(inverse_s, inverse_s);
-    d8 numerator[4];
-    quantity_lanes(work->scratch->waiting_slope, numerator);
-    float weight[4][8]; // b by x, b by y, c by x, c by y
-    for (int i = 0; i < 4; i++) {
-        f8_store(weight[i], f8_from_d8(d8_mul(numerator[i], squared)));
-    }
-    const bool *const wanted = pipeline->component_derivatives;
-    for (int i = 0; i < components; i += 4) {
-        f8 slopes[8];
-        if (!(wanted[i] | wanted[i + 1] | wanted[i + 2] | wanted[i + 3])) {
-            continue;
+    for (int pair = 0; pair < pipeline->slope_pairs; pair++) {
+        const uint8_t *const component = pipeline->slope_component[pair];
+        d4 numerator[8]; // as struct rhw_slopes has them
+        for (int lane = 0; lane < 8; lane++) {
+            const struct rhw_slopes *const slopes = &triangle[lane]->slopes[pair];
+            numerator[lane] = slopes->at + slopes->step * scratch->waiting_step[lane];
         }
-        pack_slopes(triangle, i, weight, slopes);
-        for (int k = 0; k < 4 && i + k < components; k++) {
-            if (wanted[i + k]) {
-                work->scratch->ddx[g * components + i + k] = slopes[k];
-                work->scratch->ddy[g * components + i + k] = slopes[4 + k];
-            }
+        d8 lanes[4];
+        quantity_lanes(numerator, lanes);
+        for (int which = 0; which < 2; which++) {
+            ddx[component[which]] = f8_from_d8(d8_mul(lanes[2 * which], squared));
+            ddy[component[which]] = f8_from_d8(d8_mul(lanes[2 * which + 1], squared));
         }
     }
 }
@@ -151,7 +133,7 @@ static __attribute__((noinline)) void pack_waiting(struct tile_work *work)
         scratch->waiting_at[i] = scratch->waiting_at[0];
         scratch->waiting_triangle[i] = scratch->waiting_triangle[0];
         scratch->waiting_value[i] = scratch->waiting_value[0];
-        scratch->waiting_slope[i] = scratch->waiting_slope[0];
+        scratch->waiting_step[i] = scratch->waiting_step[0];
     }
     pack_group(work, 0xffu >> (8 - live));
     if (work->count == RHW_FRAGMENT_GROUPS) {
@@ -178,6 +160,13 @@ static void flush(struct tile_work *work)
     }
 }
 
+static void prepare_slopes(const struct tile_work *work, struct triangle_work *triangle,
+                           struct rhw_slopes *slopes)
+{
+    planes_slopes(&triangle->planes, triangle->t, triangle->v);
+    component_slopes(work->pipeline, &triangle->planes.slopes, triangle->v, slopes);
+}
+
 // Copies what packing needs of a triangle.
 static const struct rhw_packed_triangle *pack_triangle(struct tile_work *work, struct triangle_work *triangle)
 {
@@ -190,10 +179,11 @@ static const struct rhw_packed_triangle *pack_triangle(struct tile_work *work, s
         to->varyings[i] = triangle->v[i]->varyings;
     }
     if (work->pipeline->any_derivatives) {
-        if (!triangle->ready) { // or prepare_values set them
-            planes_slopes(planes, triangle->t, triangle->v);
+        if (triangle->ready) {
+            memcpy(to->slopes, triangle->slopes, (size_t)work->pipeline->slope_pairs * sizeof to->slopes[0]);
+        } else {
+            prepare_slopes(work, triangle, to->slopes);
         }
-        to->slopes = planes->slopes;
     }
     if (work->pipeline->def.program.uses & (RHW_USE_FACING | RHW_USE_IDS)) {
         const struct rhw_draw *const draw = triangle->segment->draw;
@@ -217,7 +207,7 @@ RHW_INLINE void pack_fragment(struct tile_work *work, const struct linear *linea
     scratch->waiting_triangle[n] = packed;
     scratch->waiting_value[n] = linear->dx * d4_splat(dx) + (linear->at + linear->dy * d4_splat(dy));
     if (derivatives) {
-        scratch->waiting_slope[n] = packed->slopes.at + packed->slopes.step * (d4){dy, dx, dy, dx};
+        scratch->waiting_step[n] = (d4){dy, dx, dy, dx};
     }
     work->waiting_count = n + 1;
     if (n + 1 == 8) {

@@ -522,12 +522,34 @@ static void planes_slopes(struct planes *p, const struct rhw_triangle *t,
     p->slopes.step = f * (first - second) * d4_splat(RHW_SUBPIXEL);
 }
 
-// Per pixel to the right (x) and down (y), of b (`weight` 0) or c (1).
-RHW_INLINE void weight_derivatives(const struct rhw_slopes *slopes, int weight, d8 dx, d8 dy, d8 inverse_s,
-                                   f8 *by_x, f8 *by_y)
+// The numerators of smooth components, by the pairs of the pipeline, from those of b and c: a component is
+// I_0 + b·(I_1 − I_0) + c·(I_2 − I_0).
+RHW_INLINE void component_slopes(const struct rhw_pipeline_data *pipeline, const struct rhw_slopes *weights,
+                                 const struct rhw_vertex_record *const v[3], struct rhw_slopes *out)
 {
-    const int x = 2 * weight, y = x + 1;
-    const d8 squared = d8_mul(inverse_s, inverse_s);
+    const d4 at = weights->at, step = weights->step;
+    const d4 b_at = __builtin_shufflevector(at, at, 0, 1, 0, 1),
+             c_at = __builtin_shufflevector(at, at, 2, 3, 2, 3),
+             b_step = __builtin_shufflevector(step, step, 0, 1, 0, 1),
+             c_step = __builtin_shufflevector(step, step, 2, 3, 2, 3);
+    for (int pair = 0; pair < pipeline->slope_pairs; pair++) {
+        const int i = pipeline->slope_component[pair][0], k = pipeline->slope_component[pair][1];
+        d4 value[3];
+        for (int n = 0; n < 3; n++) {
+            const double first = (double)v[n]->varyings[i], second = (double)v[n]->varyings[k];
+            value[n] = (d4){first, first, second, second};
+        }
+        const d4 d1 = value[1] - value[0], d2 = value[2] - value[0];
+        out[pair].at = b_at * d1 + c_at * d2;
+        out[pair].step = b_step * d1 + c_step * d2;
+    }
+}
+
+// Per pixel to the right (x) and down (y), of the first (`which` 0) or the second quantity; rounded once. `squared`: 1/S².
+RHW_INLINE void slope_lanes(const struct rhw_slopes *slopes, int which, d8 dx, d8 dy, d8 squared, f8 *by_x,
+                            f8 *by_y)
+{
+    const int x = 2 * which, y = x + 1;
     const d8 along_x = d8_add(d8_splat(slopes->at[x]), d8_mul(d8_splat(slopes->step[x]), dy));
     const d8 along_y = d8_add(d8_splat(slopes->at[y]), d8_mul(d8_splat(slopes->step[y]), dx));
     *by_x = f8_from_d8(d8_mul(along_x, squared));

@@ -73,14 +73,14 @@ struct rhw_group_places {
     bool packed[RHW_FRAGMENT_GROUPS + RHW_BLOCK];  // from anywhere: `lanes_at` tells where
 };
 
-// Numerators of the derivatives of weights b and c, see planes_slopes: of b by x, b by y, c by x, c by y.
+// Numerators of the derivatives of two quantities, see planes_slopes: of one by x and by y, of the other by x and by y.
 struct rhw_slopes {
     d4 at, step; // at the anchor's centre; change per pixel down, to the right, down, to the right
 };
 
 // What is kept of a triangle until its last fragment has found a group.
 struct rhw_packed_triangle {
-    struct rhw_slopes slopes;
+    struct rhw_slopes slopes[RHW_MAX_VARYING_COMPONENTS / 2]; // see component_slopes
     const float *varyings[3];
     int anchor_x, anchor_y; // pixels, in the tile
     int32_t front_facing, primitive, instance, draw;
@@ -113,7 +113,8 @@ struct rhw_tile_scratch {
     uint64_t waiting[RHW_TILE]; // by row, a bit per pixel: those that wait
     const struct rhw_packed_triangle *waiting_triangle[8];
     d4 waiting_value[8];
-    d4 waiting_slope[8]; // numerators of derivatives, where a fragment function wants some
+    d4 waiting_step
+        [8]; // pixels from the anchor, as struct rhw_slopes has them: down, to the right, down, to the right
     f8 varyings[RHW_FRAGMENT_GROUPS * RHW_MAX_VARYING_COMPONENTS];
     f8 ddx[RHW_FRAGMENT_GROUPS * RHW_MAX_VARYING_COMPONENTS];
     f8 ddy[RHW_FRAGMENT_GROUPS * RHW_MAX_VARYING_COMPONENTS];

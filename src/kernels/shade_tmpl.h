@@ -18,14 +18,10 @@ static void prepare_values(const struct tile_work *work, struct triangle_work *t
     }
     if (work->pipeline->any_derivatives ||
         work->pipeline->def.program.uses & RHW_USE_BARYCENTRIC_DERIVATIVES) {
-        planes_slopes(&triangle->planes, triangle->t, triangle->v);
+        prepare_slopes(work, triangle, triangle->slopes);
     }
     triangle->ready = true;
 }
-
-struct weight_slopes {
-    f8 b_dx, b_dy, c_dx, c_dy;
-};
 
 RHW_INLINE f8 interpolate(const struct triangle_work *triangle, int i, f8 b, f8 c)
 {
@@ -63,30 +59,39 @@ static __attribute__((noinline)) void fill_homogeneous(const struct tile_work *w
     }
 }
 
-static void fill_derivatives(const struct tile_work *work, int g, const struct triangle_work *triangle,
-                             const struct weight_slopes *slopes)
+// Of smooth components of group g; `dx`, `dy`: of its lanes.
+RHW_INLINE void fill_slopes(const struct tile_work *work, int g, const struct rhw_slopes *slopes, d8 dx,
+                            d8 dy, d8 inverse_s)
 {
     const struct rhw_pipeline_data *const pipeline = work->pipeline;
-    const struct planes *const planes = &triangle->planes;
-    const int components = pipeline->varying_components;
-    for (int i = 0; i < components; i++) {
-        if (!pipeline->component_derivatives[i]) {
-            continue;
+    f8 *const ddx = work->scratch->ddx + g * pipeline->varying_components;
+    f8 *const ddy = work->scratch->ddy + g * pipeline->varying_components;
+    const d8 squared = d8_mul(inverse_s, inverse_s);
+    for (int pair = 0; pair < pipeline->slope_pairs; pair++) {
+        for (int which = 0; which < 2; which++) {
+            const int i = pipeline->slope_component[pair][which];
+            slope_lanes(&slopes[pair], which, dx, dy, squared, &ddx[i], &ddy[i]);
         }
-        const int at = g * components + i;
-        const f8 d1 = f8_splat(-triangle->d1[i]), d2 = f8_splat(-triangle->d2[i]);
+    }
+}
+
+// Of the other components of group g, whose derivatives are the same everywhere.
+static void fill_constant_slopes(const struct tile_work *work, int g, const struct triangle_work *triangle)
+{
+    const struct rhw_pipeline_data *const pipeline = work->pipeline;
+    const struct plane *const n1 = &triangle->planes.n1, *const n2 = &triangle->planes.n2;
+    f8 *const ddx = work->scratch->ddx + g * pipeline->varying_components;
+    f8 *const ddy = work->scratch->ddy + g * pipeline->varying_components;
+    for (int i = 0; i < pipeline->varying_components; i++) {
+        const double i0 = (double)triangle->v[0]->varyings[i], d1 = (double)triangle->v[1]->varyings[i] - i0,
+                     d2 = (double)triangle->v[2]->varyings[i] - i0;
         switch (pipeline->component_qualifier[i]) {
-        case RHW_SMOOTH:
-            work->scratch->ddx[at] = slopes->b_dx * d1 + slopes->c_dx * d2;
-            work->scratch->ddy[at] = slopes->b_dy * d1 + slopes->c_dy * d2;
-            break;
+        case RHW_SMOOTH: break;
         case RHW_NOPERSPECTIVE:
-            work->scratch->ddx[at] =
-                f8_splat((float)planes->n1.dx) * d1 + f8_splat((float)planes->n2.dx) * d2;
-            work->scratch->ddy[at] =
-                f8_splat((float)planes->n1.dy) * d1 + f8_splat((float)planes->n2.dy) * d2;
+            ddx[i] = f8_splat((float)(n1->dx * d1 + n2->dx * d2));
+            ddy[i] = f8_splat((float)(n1->dy * d1 + n2->dy * d2));
             break;
-        default: work->scratch->ddx[at] = work->scratch->ddy[at] = f8_splat(0); break;
+        default: ddx[i] = ddy[i] = f8_splat(0); break;
         }
     }
 }
@@ -157,18 +162,20 @@ static void fill_group(const struct tile_work *work, int g, const struct triangl
     if (planes->homogeneous && pipeline->any_noperspective) {
         fill_homogeneous(work, varyings, triangle, wide_s, wide_t);
     }
-    if (pipeline->any_derivatives || uses & RHW_USE_BARYCENTRIC_DERIVATIVES) {
-        double dy[RHW_BLOCK];
-        memcpy(dy, &at->dy, sizeof dy);
-        struct weight_slopes slopes;
-        const d8 row_dy = d8_splat(dy[row]);
-        weight_derivatives(&planes->slopes, 0, at->dx, row_dy, w.inverse_s, &slopes.b_dx, &slopes.b_dy);
-        weight_derivatives(&planes->slopes, 1, at->dx, row_dy, w.inverse_s, &slopes.c_dx, &slopes.c_dy);
-        fill_derivatives(work, g, triangle, &slopes);
-        if (uses & RHW_USE_BARYCENTRIC_DERIVATIVES) {
-            fill_barycentrics(group->barycentric_ddx, 0, slopes.b_dx, slopes.c_dx);
-            fill_barycentrics(group->barycentric_ddy, 0, slopes.b_dy, slopes.c_dy);
-        }
+    double dy[RHW_BLOCK];
+    memcpy(dy, &at->dy, sizeof dy);
+    const d8 row_dy = d8_splat(dy[row]);
+    if (pipeline->any_derivatives) {
+        fill_slopes(work, g, triangle->slopes, at->dx, row_dy, w.inverse_s);
+        fill_constant_slopes(work, g, triangle);
+    }
+    if (uses & RHW_USE_BARYCENTRIC_DERIVATIVES) {
+        const d8 squared = d8_mul(w.inverse_s, w.inverse_s);
+        f8 b_dx, b_dy, c_dx, c_dy;
+        slope_lanes(&planes->slopes, 0, at->dx, row_dy, squared, &b_dx, &b_dy);
+        slope_lanes(&planes->slopes, 1, at->dx, row_dy, squared, &c_dx, &c_dy);
+        fill_barycentrics(group->barycentric_ddx, 0, b_dx, c_dx);
+        fill_barycentrics(group->barycentric_ddy, 0, b_dy, c_dy);
     }
     fill_builtins(work, group, triangle, work->scratch->places.at[g], &w, s, t);
 }
@@ -183,28 +190,16 @@ struct block_rows {
 static const struct block_rows all_rows = {
     RHW_BLOCK, {0, 1, 2, 3, 4, 5, 6, 7}, {255, 255, 255, 255, 255, 255, 255, 255}};
 
-// The perspective weights of some groups, and their derivatives where they are asked for.
+// The perspective weights of some groups.
 struct group_weights {
-    f8 b[RHW_BLOCK], c[RHW_BLOCK], b_dx[RHW_BLOCK], b_dy[RHW_BLOCK], c_dx[RHW_BLOCK], c_dy[RHW_BLOCK];
+    f8 b[RHW_BLOCK], c[RHW_BLOCK];
 };
 
-RHW_INLINE void set_weights(struct group_weights *to, int n, const struct planes *planes,
-                            const struct weights *w, d8 dx, d8 dy, bool derivatives)
-{
-    to->b[n] = w->b;
-    to->c[n] = w->c;
-    if (derivatives) {
-        weight_derivatives(&planes->slopes, 0, dx, dy, w->inverse_s, &to->b_dx[n], &to->b_dy[n]);
-        weight_derivatives(&planes->slopes, 1, dx, dy, w->inverse_s, &to->c_dx[n], &to->c_dy[n]);
-    }
-}
-
-// Fills `count` groups from `first` on with smooth varyings and, where they are asked for, derivatives.
+// Fills `count` groups from `first` on with smooth varyings.
 RHW_INLINE void fill_smooth(const struct tile_work *work, const struct triangle_work *triangle,
-                            const struct group_weights *weights, int count, int first, bool derivatives)
+                            const struct group_weights *weights, int count, int first)
 {
-    const struct rhw_pipeline_data *const pipeline = work->pipeline;
-    const ptrdiff_t components = pipeline->varying_components;
+    const ptrdiff_t components = work->pipeline->varying_components;
     f8 *const varyings = work->scratch->varyings + first * components;
     for (int i = 0; i < components; i++) {
         const f8 i0 = f8_splat(triangle->i0[i]), d1 = f8_splat(triangle->d1[i]),
@@ -214,19 +209,29 @@ RHW_INLINE void fill_smooth(const struct tile_work *work, const struct triangle_
             *to = i0 - (weights->b[n] * d1 + weights->c[n] * d2);
         }
     }
-    if (!derivatives) {
-        return;
-    }
-    f8 *const ddx = work->scratch->ddx + first * components;
-    f8 *const ddy = work->scratch->ddy + first * components;
-    for (int i = 0; i < components; i++) {
-        const f8 d1 = f8_splat(-triangle->d1[i]), d2 = f8_splat(-triangle->d2[i]);
-        f8 *to_x = ddx + i, *to_y = ddy + i;
-        for (int n = 0; n < count && pipeline->component_derivatives[i]; n++) {
-            *to_x = weights->b_dx[n] * d1 + weights->c_dx[n] * d2;
-            *to_y = weights->b_dy[n] * d1 + weights->c_dy[n] * d2;
-            to_x += components;
-            to_y += components;
+}
+
+// Fills the rows of a block, groups `first` on, with derivatives of smooth components: as fill_slopes does, with what
+// the rows share worked out once. `squared`: by row.
+RHW_INLINE void fill_row_slopes(const struct tile_work *work, const struct triangle_work *triangle,
+                                const struct block_place *at, const struct block_rows *rows, int first,
+                                const d8 squared[RHW_BLOCK])
+{
+    const struct rhw_pipeline_data *const pipeline = work->pipeline;
+    const ptrdiff_t components = pipeline->varying_components;
+    for (int n = 0; n < 2 * pipeline->slope_pairs; n++) {
+        const struct rhw_slopes *const slopes = &triangle->slopes[n / 2];
+        const int x = n % 2 * 2, y = x + 1, i = pipeline->slope_component[n / 2][n % 2];
+        const d8 along_x = d8_add(d8_splat(slopes->at[x]), d8_mul(d8_splat(slopes->step[x]), at->dy));
+        const d8 along_y = d8_add(d8_splat(slopes->at[y]), d8_mul(d8_splat(slopes->step[y]), at->dx));
+        double by_row[RHW_BLOCK];
+        memcpy(by_row, &along_x, sizeof by_row);
+        f8 *ddx = work->scratch->ddx + first * components + i,
+           *ddy = work->scratch->ddy + first * components + i;
+        for (int k = 0; k < rows->count; k++, ddx += components, ddy += components) {
+            const int row = rows == &all_rows ? k : rows->row[k];
+            *ddx = f8_from_d8(d8_mul(d8_splat(by_row[row]), squared[k]));
+            *ddy = f8_from_d8(d8_mul(along_y, squared[k]));
         }
     }
 }
@@ -238,18 +243,23 @@ RHW_INLINE void fill_steps(const struct tile_work *work, const struct triangle_w
                            const struct block_rows *rows, int first, bool derivatives, bool exact)
 {
     enum { STEP = 4 };
-    const struct planes *const planes = &triangle->planes;
-    double dy[RHW_BLOCK];
-    memcpy(dy, &at->dy, sizeof dy);
+    d8 squared[RHW_BLOCK];
     for (int n = 0; n < rows->count; n += STEP) {
         const int count = rows == &all_rows ? STEP : min_int(rows->count - n, STEP);
         struct group_weights weights;
         for (int k = 0; k < count; k++) {
             const int row = rows == &all_rows ? n + k : rows->row[n + k];
-            const struct weights w = weights_row(planes, block, row, exact);
-            set_weights(&weights, k, planes, &w, at->dx, d8_splat(dy[row]), derivatives);
+            const struct weights w = weights_row(&triangle->planes, block, row, exact);
+            weights.b[k] = w.b;
+            weights.c[k] = w.c;
+            if (derivatives) {
+                squared[n + k] = d8_mul(w.inverse_s, w.inverse_s);
+            }
         }
-        fill_smooth(work, triangle, &weights, count, first + n, derivatives);
+        fill_smooth(work, triangle, &weights, count, first + n);
+    }
+    if (derivatives) {
+        fill_row_slopes(work, triangle, at, rows, first, squared);
     }
 }
 
