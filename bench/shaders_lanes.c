@@ -2,6 +2,9 @@
 // The benchmark's shaders on 8 lanes, compiled once per instruction set: what a user who cares for speed
 // writes. Every formula has its twin in shaders_glsl.c; pow is exp2 of a product, as GLSL defines it.
 #include "shaders.h"
+
+#include <string.h>
+
 #include "shaders_bench.h"
 
 #include "rhw/shader.h"
@@ -98,17 +101,12 @@ static void color_fragment(struct rhw_fragment *groups, int count)
     }
 }
 
-// Texture 0 at the coordinates that begin at varying `at`.
-ALWAYS_INLINE void sample(const struct rhw_fragment *f, int at, rhw_float texel[4])
-{
-    const rhw_float gradient[4] = {f->ddx[at], f->ddx[at + 1], f->ddy[at], f->ddy[at + 1]};
-    rhw_sample_grad(&f->textures[0], &f->varying[at], gradient, texel);
-}
-
 static void texture_fragment(struct rhw_fragment *groups, int count)
 {
+    rhw_float texel[RHW_MAX_GROUPS][4];
+    rhw_sample_groups(groups, count, 1, 0, texel, 1);
     for (int g = 0; g < count; g++) {
-        sample(&groups[g], 0, groups[g].color[0]);
+        memcpy(groups[g].color[0], texel[g], sizeof texel[g]);
     }
 }
 
@@ -178,8 +176,8 @@ ALWAYS_INLINE void shade_textured(struct rhw_fragment *groups, int count, bool m
     for (; count > 0; groups += STEP, count -= STEP) {
         const int n = count < STEP ? count : STEP;
         rhw_float texel[STEP][4];
+        rhw_sample_groups(groups, n, 1, 6, texel, 1);
         for (int g = 0; g < n; g++) {
-            sample(&groups[g], 6, texel[g]);
             if (masked) {
                 groups[g].mask &= rhw_less_equal(rhw_splat(u->cutoff), texel[g][3]);
             }

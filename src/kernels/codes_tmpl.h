@@ -274,10 +274,9 @@ RHW_INLINE i8 sample_detail_codes(const struct rhw_texture_data *texture,
 
 // The straight road, and the turn to the other.
 RHW_INLINE void sample_codes(const struct rhw_texture_data *texture, const struct rhw_sampler_data *sampler,
-                             const f8 uv[2], const f8 *grad, const f8 *lod, bool linear, f8 texel[4])
+                             const f8 uv[2], i8 detail, bool linear, f8 texel[4])
 {
     const f8 s = sample_fold(sampler->def.address_u, uv[0]), t = sample_fold(sampler->def.address_v, uv[1]);
-    const i8 detail = sample_detail_codes(texture, sampler, grad, lod);
     const i8 first = i8_splat_first(detail), weight = i8_halve_lower(detail);
     if (!i8_any_of(detail ^ first, sample_constants()->upper_half) && i8_any_of(weight, weight)) {
         const struct rhw_mip *const fine = sample_mip(texture, first[0] >> 16), *const coarse = fine + 1;

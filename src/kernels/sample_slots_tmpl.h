@@ -113,16 +113,16 @@ RHW_INLINE void sample_spots_groups(const struct rhw_texture_data *texture,
     }
 }
 
-// At most SPOTS groups, where slots that share what is found for the first are `sharing`.
-static void sample_some_groups(const struct rhw_binding *bindings, uint32_t slots, uint32_t sharing,
-                               const struct rhw_fragment *groups, int count, int at, f8 (*texels)[4],
-                               int stride)
+// At most SPOTS groups of slots that share what is found for the first, two at least.
+static void sample_shared_groups(const struct rhw_binding *bindings, uint32_t slots,
+                                 const struct rhw_fragment *groups, int count, int at, f8 (*texels)[4],
+                                 int stride)
 {
     const struct rhw_binding *const first = &bindings[__builtin_ctz(slots)];
     struct sample_spots spots[SPOTS];
     f8 grad[4];
     unsigned found = 0;
-    for (int g = 0; g < count && sharing; g++) {
+    for (int g = 0; g < count; g++) {
         group_gradient(&groups[g], at, grad);
         if (sample_find_spots(first, &groups[g].varying[at], grad, &spots[g])) {
             found |= 1u << g;
@@ -132,19 +132,55 @@ static void sample_some_groups(const struct rhw_binding *bindings, uint32_t slot
     for (uint32_t todo = slots; todo != 0; todo &= todo - 1) {
         const int slot = __builtin_ctz(todo);
         const struct rhw_texture_data *const texture = bindings[slot].texture;
-        const unsigned straight = sharing >> slot & 1 ? found : 0;
-        const uint32_t later = sharing & todo & (todo - 1);
+        const uint32_t later = todo & (todo - 1);
         const struct rhw_texture_data *const next = later ? bindings[__builtin_ctz(later)].texture : NULL;
-        if (straight && texture->format == RHW_FORMAT_RGBA8_SRGB) {
-            sample_spots_groups(texture, next, spots, straight, true, texels + slot, stride);
-        } else if (straight) {
-            sample_spots_groups(texture, next, spots, straight, false, texels + slot, stride);
+        if (texture->format == RHW_FORMAT_RGBA8_SRGB) {
+            sample_spots_groups(texture, next, spots, found, true, texels + slot, stride);
+        } else {
+            sample_spots_groups(texture, next, spots, found, false, texels + slot, stride);
         }
-        for (unsigned rest = ~straight & ((1u << count) - 1); rest != 0; rest &= rest - 1) {
+        for (unsigned rest = ~found & ((1u << count) - 1); rest != 0; rest &= rest - 1) {
             const int g = __builtin_ctz(rest);
             group_gradient(&groups[g], at, grad);
             bindings[slot].sample(&bindings[slot], &groups[g].varying[at], grad, NULL,
                                   texels[g * stride + slot]);
+        }
+    }
+}
+
+// One texture of 8 bits by itself. What its level of detail is takes a chain of operations, of which each waits for the
+// one before: those of all groups come first, so that they wait together.
+RHW_INLINE void sample_codes_groups(const struct rhw_binding *binding, const struct rhw_fragment *groups,
+                                    int count, int at, bool linear, f8 (*texels)[4], int stride)
+{
+    const struct rhw_texture_data *const texture = binding->texture;
+    const struct rhw_sampler_data *const sampler = binding->sampler;
+    i8 detail[RHW_MAX_GROUPS];
+    for (int g = 0; g < count; g++) {
+        f8 grad[4];
+        group_gradient(&groups[g], at, grad);
+        detail[g] = sample_detail_codes(texture, sampler, grad, NULL);
+    }
+    for (int g = 0; g < count; g++) {
+        sample_codes(texture, sampler, &groups[g].varying[at], detail[g], linear, texels[g * stride]);
+    }
+}
+
+// One texture, or none, by itself.
+static void sample_alone(const struct rhw_binding *binding, const struct rhw_fragment *groups, int count,
+                         int at, f8 (*texels)[4], int stride)
+{
+    const struct rhw_texture_data *const texture = binding->texture;
+    const bool takes = texture && sample_takes_codes(texture->format, binding->sampler);
+    if (takes && texture->format == RHW_FORMAT_RGBA8_SRGB) {
+        sample_codes_groups(binding, groups, count, at, true, texels, stride);
+    } else if (takes) {
+        sample_codes_groups(binding, groups, count, at, false, texels, stride);
+    } else {
+        for (int g = 0; g < count; g++) {
+            f8 grad[4];
+            group_gradient(&groups[g], at, grad);
+            sample(binding, &groups[g].varying[at], grad, NULL, texels[g * stride]);
         }
     }
 }
@@ -156,13 +192,18 @@ static void sample_groups(const struct rhw_binding *bindings, uint32_t slots,
 {
     const struct rhw_binding *const first = &bindings[__builtin_ctz(slots)];
     const struct rhw_texture_data *const texture = first->texture;
-    // By itself a texture is sampled as fast one group after the other, where its texels are near.
-    const bool takes =
-        texture && (slots & (slots - 1)) != 0 && sample_takes_codes(texture->format, first->sampler);
-    const uint32_t sharing = takes ? sample_sharing(bindings, slots, first) : 0;
-    for (int g = 0; g < count; g += SPOTS) {
+    uint32_t sharing = 0;
+    if (texture && sample_takes_codes(texture->format, first->sampler)) {
+        sharing = sample_sharing(bindings, slots, first);
+        sharing = sharing & (sharing - 1) ? sharing : 0; // not with itself alone
+    }
+    for (uint32_t todo = slots & ~sharing; todo != 0; todo &= todo - 1) {
+        const int slot = __builtin_ctz(todo);
+        sample_alone(&bindings[slot], groups, count, at, texels + slot, stride);
+    }
+    for (int g = 0; g < count && sharing; g += SPOTS) {
         const int n = count - g < SPOTS ? count - g : SPOTS;
-        sample_some_groups(bindings, slots, sharing, groups + g, n, at, texels + g * stride, stride);
+        sample_shared_groups(bindings, sharing, groups + g, n, at, texels + g * stride, stride);
     }
 }
 

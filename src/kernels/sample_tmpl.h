@@ -162,13 +162,15 @@ static void sample(const struct rhw_binding *binding, const rhw_float uv[2], con
 static void sample_rgba8(const struct rhw_binding *binding, const rhw_float uv[2], const rhw_float grad[4],
                          const rhw_float *lod, rhw_float texel[4])
 {
-    sample_codes(binding->texture, binding->sampler, uv, grad, lod, false, texel);
+    sample_codes(binding->texture, binding->sampler, uv,
+                 sample_detail_codes(binding->texture, binding->sampler, grad, lod), false, texel);
 }
 
 static void sample_rgba8_srgb(const struct rhw_binding *binding, const rhw_float uv[2],
                               const rhw_float grad[4], const rhw_float *lod, rhw_float texel[4])
 {
-    sample_codes(binding->texture, binding->sampler, uv, grad, lod, true, texel);
+    sample_codes(binding->texture, binding->sampler, uv,
+                 sample_detail_codes(binding->texture, binding->sampler, grad, lod), true, texel);
 }
 
 #endif

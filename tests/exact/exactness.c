@@ -22,8 +22,8 @@ enum { MAX_JOBS = 64, MAX_PEERS = 4 };
 // ULP of the largest vertex value; docs/exactness.md adds up the first three. Behind a vertex with W <= 0 weights on
 // the screen, and with them errors, may be larger.
 static const double bound[QUANTITY_COUNT] = {
-    [QUANTITY_SMOOTH] = 5.6,     [QUANTITY_NOPERSPECTIVE] = 5.6, [QUANTITY_DEPTH] = 0.51,
-    [QUANTITY_INVERSE_W] = 0.51, [QUANTITY_SPACE] = 1,           [QUANTITY_SCREEN] = 3,
+    [QUANTITY_SMOOTH] = 5.6,      [QUANTITY_NOPERSPECTIVE] = 5.6, [QUANTITY_DEPTH] = 0.51,
+    [QUANTITY_INVERSE_W] = 0.51,  [QUANTITY_SPACE] = 1,           [QUANTITY_SCREEN] = 3,
     [QUANTITY_DERIVATIVE] = 1.01,
 };
 
