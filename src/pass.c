@@ -11,6 +11,7 @@
 #include "cpu.h"
 #include "deferral.h"
 #include "format.h"
+#include "mesh.h"
 #include "pass_run.h"
 #include "sampler.h"
 #include "srgb_texture.h"
@@ -190,6 +191,7 @@ static void reset(struct rhw_pass_state *pass, const struct rhw_pass_def *def)
     pass->height = def->height;
     pass->draw_count = 0;
     pass->triangle_count = 0;
+    pass->has_large_draws = false;
     pass->current = NULL;
     pass->out_of_memory = false;
     pass->color_count = def->color_count;
@@ -577,6 +579,7 @@ static void record(rhw_context *context, rhw_pass id, const struct rhw_draw *dra
         return;
     }
     pass->draw_count++;
+    pass->has_large_draws |= slot->triangles_per_instance >= RHW_MESH_TRIANGLES;
     pass->triangle_count += (uint64_t)slot->triangles_per_instance * slot->instances;
 }
 

@@ -10,6 +10,7 @@
 #include "context.h"
 #include "kernels/kernels.h"
 #include "kernels/scratch.h"
+#include "mesh.h"
 #include "pass.h"
 #include "scheduler.h"
 #include "thread.h"
@@ -136,7 +137,7 @@ struct position {
 // Cuts what is left into chunks, as many as a wave takes at most. False when out of memory.
 static bool cut_wave(struct rhw_pass_state *pass, struct position at)
 {
-    const uint64_t size = chunk_size(pass);
+    const uint64_t size = pass->chunk_size;
     pass->chunk_count = 0;
     while (at.triangle < pass->triangle_count && pass->chunk_count < RHW_WAVE_CHUNKS) {
         const uint64_t left = pass->triangle_count - at.triangle;
@@ -185,6 +186,30 @@ static void run_chunk(void *user, int index, int worker)
     if (chunk->count < count) {
         end_wave(pass, index + 1);
     }
+}
+
+static void run_vertices(void *user, int index, int worker)
+{
+    struct rhw_pass_state *const pass = user;
+    pass->context->kernels->vertices(pass, pass->mesh, (uint32_t)index * RHW_MESH_PART, worker);
+}
+
+// Vertices of the wave's meshes. False when out of memory.
+static bool shade_meshes(struct rhw_pass_state *pass, struct rhw_stats *stats)
+{
+    struct rhw_mesh *first;
+    size_t bytes;
+    if (!rhw_meshes_find(pass, bin_limit(pass) / 8, &first, &bytes)) {
+        return false;
+    }
+    pass->geometry = bytes;
+    for (pass->mesh = first; pass->mesh; pass->mesh = pass->mesh->next) {
+        const int parts = (int)((pass->mesh->count - 1) / RHW_MESH_PART) + 1;
+        stats->front_busy_ms +=
+            milliseconds(rhw_scheduler_run(pass->context->scheduler, run_vertices, pass, parts));
+        stats->vertices_shaded += pass->mesh->count;
+    }
+    return true;
 }
 
 // Every worker has tiles of its own, the same in every frame, and takes those of others when it has none left: memory
@@ -240,10 +265,9 @@ static bool run_front(struct rhw_pass_state *pass, struct position *at, struct r
     for (int i = 0; i < context->threads; i++) {
         rhw_arena_reset(&pass->workers[i].arena);
     }
-    if (!cut_wave(pass, *at)) {
+    if (!cut_wave(pass, *at) || !shade_meshes(pass, stats)) {
         return false;
     }
-    pass->geometry = 0;
     pass->wave_end = pass->chunk_count;
     pass->failed = false;
     stats->front_busy_ms +=
@@ -317,6 +341,7 @@ enum rhw_result rhw_pass_run(struct rhw_pass_state *pass, struct rhw_stats *stat
                           .tiles = pass->tiles_x * pass->tiles_y,
                           .isa = context->isa};
     struct position at = {0, 0};
+    pass->chunk_size = chunk_size(pass);
     pass->entries_most = entries_most(pass);
     for (int i = 0; i < pass->color_count; i++) {
         expect_clean(&pass->colors[i]);

@@ -6,6 +6,7 @@
 
 #include "../assembly.h"
 #include "../clip.h"
+#include "../mesh.h"
 #include "../thread.h"
 #include "coverage_tmpl.h"
 #include "vertex_tmpl.h"
@@ -367,8 +368,7 @@ static void setup8(struct rhw_front_scratch *scratch, uint32_t run_index, const 
     const struct rhw_segment *const segment = &scratch->segments[run_index];
     const struct rhw_draw_state *const state = segment->draw->state;
     const struct rhw_pipeline_def *const def = &state->pipeline->def;
-    const struct corner_lanes lanes =
-        load_corners(scratch->vertices + run->first_vertex, run->first_slot, corners);
+    const struct corner_lanes lanes = load_corners(run->vertices, run->first_slot, corners);
     unsigned negative, nonzero;
     area_signs(&lanes, &negative, &nonzero);
     const unsigned back = def->front == RHW_COUNTER_CLOCKWISE ? ~negative : negative;
@@ -438,6 +438,24 @@ static void setup_run(struct rhw_front_scratch *scratch, uint32_t run_index, str
            out);
 }
 
+// Takes the vertices of a run from its draw's mesh. False where there is none, or where the run names others.
+static bool take_mesh(struct rhw_run *run, struct rhw_segment *segment, const struct rhw_draw *draw)
+{
+    const struct rhw_mesh *const mesh = draw->mesh;
+    uint32_t low, high;
+    if (!mesh) {
+        return false;
+    }
+    index_range(run, &low, &high);
+    if (high >= mesh->count) {
+        return false;
+    }
+    run->first_slot = 0;
+    run->vertices = mesh->corners;
+    *segment = (struct rhw_segment){draw, 0, mesh->stride, mesh->records};
+    return true;
+}
+
 // Assembles and shades. `first_primitive`: of the run's first triangle in its draw and instance.
 static bool start_run(struct rhw_front_scratch *scratch, struct rhw_worker *worker,
                       const struct rhw_draw *draw, uint32_t instance, uint32_t first_primitive,
@@ -448,21 +466,25 @@ static bool start_run(struct rhw_front_scratch *scratch, struct rhw_worker *work
     uint32_t(*const corners)[3] = scratch->corners + scratch->corner_count;
     *run = (struct rhw_run){.corners = rhw_assembly_fetch(draw, first_primitive, count, corners),
                             .count = count,
-                            .first_primitive = first_primitive,
-                            .first_vertex = scratch->vertex_count};
+                            .first_primitive = first_primitive};
+    scratch->run_count++;
+    scratch->corner_count += count;
+    if (take_mesh(run, segment, draw)) {
+        return true;
+    }
+    struct rhw_corner *const shaded = scratch->vertices + scratch->vertex_count;
     const uint32_t vertices = list_vertices(scratch, run, draw, corners);
     const uint32_t room = (vertices + 7) & ~7u;
     const int stride = rhw_vertex_stride(draw->state->pipeline->varying_components);
     const size_t size = (size_t)room * (size_t)stride * sizeof(float);
+    run->vertices = shaded;
     *segment =
         (struct rhw_segment){draw, instance, stride, rhw_arena_alloc(&worker->arena, size, RHW_CACHE_LINE)};
     if (!segment->vertices) {
         return false;
     }
-    shade_vertices(scratch, segment, scratch->vertices + run->first_vertex, vertices);
+    shade_vertices(scratch, segment, shaded, vertices);
     scratch->counters.vertices_shaded += vertices;
-    scratch->run_count++;
-    scratch->corner_count += count;
     scratch->vertex_count += room;
     return true;
 }
@@ -637,6 +659,21 @@ static uint64_t place_in_line(const struct rhw_front_scratch *scratch, const str
     const struct rhw_segment *const segment = &scratch->segments[t->segment];
     const struct rhw_draw *const draw = segment->draw;
     return draw->first_triangle + (uint64_t)segment->instance * draw->triangles_per_instance + t->primitive;
+}
+
+// See rhw_kernels.
+static void run_vertices(struct rhw_pass_state *pass, const struct rhw_mesh *mesh, uint32_t first, int worker)
+{
+    struct rhw_front_scratch *const scratch = pass->workers[worker].front;
+    const uint64_t start = rhw_time_ns();
+    const uint32_t left = mesh->count - first, count = left < RHW_MESH_PART ? left : RHW_MESH_PART;
+    const struct rhw_segment part = {mesh->draw, 0, mesh->stride,
+                                     mesh->records + (size_t)first * (size_t)mesh->stride};
+    for (uint32_t i = 0; i < count; i++) {
+        scratch->unique[i] = mesh->draw->base_vertex + first + i;
+    }
+    shade_vertices(scratch, &part, mesh->corners + first, count);
+    pass->workers[worker].counters.vertex_ns += rhw_time_ns() - start;
 }
 
 // Vertices and triangles of a chunk. False when out of memory.

@@ -10,7 +10,8 @@
 
 extern const struct rhw_kernels RHW_ISA_NAME(rhw_kernels);
 
-const struct rhw_kernels RHW_ISA_NAME(rhw_kernels) = {.chunk = run_chunk,
+const struct rhw_kernels RHW_ISA_NAME(rhw_kernels) = {.vertices = run_vertices,
+                                                      .chunk = run_chunk,
                                                       .tile = run_tile,
                                                       .sample = sample,
                                                       .sample_rgba8 = sample_rgba8,

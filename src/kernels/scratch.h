@@ -43,7 +43,7 @@ struct rhw_run {
     const uint32_t (*corners)[3]; // in the draw's index buffer or in the scratch
     uint32_t first_slot;          // the corner whose slot is 0; the others follow
     uint32_t count, first_primitive;
-    uint32_t first_vertex; // its slot 0 in rhw_front_scratch.vertices
+    const struct rhw_corner *vertices; // by slot
 };
 
 struct rhw_front_scratch {
