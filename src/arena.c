@@ -3,8 +3,8 @@
 // little and a large one few calls.
 #include "arena.h"
 
+#include "constants.h"
 #include "context.h"
-#include "limits.h"
 
 enum {
     FIRST_CHUNK = 64 << 10, // bytes

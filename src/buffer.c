@@ -4,8 +4,8 @@
 
 #include <string.h>
 
+#include "constants.h"
 #include "context.h"
-#include "limits.h"
 
 void rhw_buffer_data_release(struct rhw_context *context, struct rhw_buffer_data *data)
 {

@@ -4,8 +4,8 @@
 
 #include <string.h>
 
+#include "constants.h"
 #include "context.h"
-#include "limits.h"
 #include "texture.h"
 
 static size_t tiles_along(int pixels)

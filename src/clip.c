@@ -7,7 +7,7 @@
 // exponents are far apart. 0 <= Z <= W implies W >= 0; with the guard band, W = 0 is left only for the point (0, 0, 0, 0).
 #include "clip.h"
 
-#include "limits.h"
+#include "constants.h"
 #include "pass.h"
 
 enum { PLANES = 6 };

@@ -13,9 +13,9 @@
 
 #include "buffer.h"
 #include "clean_tiles.h"
+#include "constants.h"
 #include "cpu.h"
 #include "kernels/kernels.h"
-#include "limits.h"
 #include "pass.h"
 #include "pipeline.h"
 #include "sampler.h"

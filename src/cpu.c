@@ -8,6 +8,8 @@
 
 #if defined(__linux__)
 #include <sched.h>
+
+#include "cpu_quota.h"
 #endif
 #include <unistd.h>
 
@@ -140,11 +142,12 @@ int rhw_cpu_cores(void)
 #else
 #if defined(__linux__)
     // What this process may use, not what the machine has: containers and taskset narrow it.
+    const int quota = rhw_cpu_quota("/proc/self/cgroup", "/sys/fs/cgroup");
     cpu_set_t set;
     if (sched_getaffinity(0, sizeof set, &set) == 0) {
         const int count = CPU_COUNT(&set);
         if (count > 0)
-            return count;
+            return count < quota ? count : quota;
     }
 #endif
     const long online = sysconf(_SC_NPROCESSORS_ONLN);

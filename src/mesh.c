@@ -79,7 +79,8 @@ bool rhw_meshes_find(struct rhw_pass_state *pass, size_t most, struct rhw_mesh *
             continue;
         }
         struct rhw_mesh *const mesh = rhw_arena_alloc(arena, sizeof *mesh, RHW_CACHE_LINE);
-        float *const records = rhw_arena_alloc(arena, room * (size_t)stride * sizeof *records, RHW_CACHE_LINE);
+        float *const records =
+            rhw_arena_alloc(arena, room * (size_t)stride * sizeof *records, RHW_CACHE_LINE);
         struct rhw_corner *const corners = rhw_arena_alloc(arena, room * sizeof *corners, RHW_CACHE_LINE);
         if (!mesh || !records || !corners) {
             return false;

@@ -5,11 +5,11 @@
 // above count the same (W. Donnelly, "Non-power-of-two mipmapping", NVIDIA 2005).
 #include <string.h>
 
+#include "constants.h"
 #include "context.h"
 #include "format.h"
 #include "half.h"
 #include "output.h"
-#include "limits.h"
 #include "srgb.h"
 #include "texture.h"
 

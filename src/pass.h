@@ -11,7 +11,7 @@
 
 #include "arena.h"
 #include "clean_tiles.h"
-#include "limits.h"
+#include "constants.h"
 #include "output.h"
 #include "pipeline.h"
 #include "rhw/rhw.h"

@@ -5,8 +5,8 @@
 #include <assert.h>
 #include <string.h>
 
+#include "constants.h"
 #include "context.h"
-#include "limits.h"
 
 struct slot {
     uint32_t generation; // of the item that is live or, when none is, of the next one

@@ -12,9 +12,9 @@
 #include <assert.h>
 #include <stdatomic.h>
 
+#include "constants.h"
 #include "context.h"
 #include "cpu.h"
-#include "limits.h"
 #include "thread.h"
 
 // Nanoseconds that a thread spins before it sleeps: about twice what falling asleep and waking cost.

@@ -12,8 +12,8 @@
 
 #include <string.h>
 
+#include "constants.h"
 #include "context.h"
-#include "limits.h"
 #include "srgb.h"
 #include "texture.h"
 

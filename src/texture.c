@@ -5,10 +5,10 @@
 #include <string.h>
 
 #include "clean_tiles.h"
+#include "constants.h"
 #include "context.h"
 #include "cpu.h"
 #include "format.h"
-#include "limits.h"
 
 int rhw_mip_chain_length(int width, int height)
 {

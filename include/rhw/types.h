@@ -35,7 +35,7 @@ enum {
 enum rhw_isa { RHW_ISA_BASELINE, RHW_ISA_AVX2, RHW_ISA_AVX512, RHW_ISA_COUNT };
 
 struct rhw_context_def {
-    int threads;      ///< 0 all cores; 1 the caller's thread alone; n the caller and n − 1 workers
+    int threads;      ///< 0 all cores the process may use; 1 the caller's thread alone; n the caller and n − 1 workers
     enum rhw_isa isa; ///< highest to use; default RHW_ISA_COUNT: the best the CPU has
     size_t bin_memory; ///< bytes of binned geometry kept before a pass is flushed to its tiles; 0: 512 MiB
     struct rhw_allocator allocator; ///< zeroed: malloc

@@ -8,7 +8,7 @@
 //
 // and = 0 too on a top or left edge (top-left rule; Direct3D 11.3 §3.4.2.1). Pixel centres are whole pixels
 // apart, so e = 256·q + r there with the same r everywhere, and e >= 0 exactly when q >= 0: the loops below
-// work on q. |a|, |b| <= 2^24 and |e| < 2^49 (limits.h); a block that an edge crosses has |q| < 2^28.
+// work on q. |a|, |b| <= 2^24 and |e| < 2^49 (constants.h); a block that an edge crosses has |q| < 2^28.
 
 #ifndef RHW_COVERAGE_TMPL_H
 #define RHW_COVERAGE_TMPL_H

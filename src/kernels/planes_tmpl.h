@@ -121,7 +121,7 @@ RHW_INLINE bool planes_linear(struct planes *p, const struct rhw_draw_state *sta
     const double signed_area = turned[0] * turned[3] - turned[1] * turned[2], sign = signed_area < 0 ? -1 : 1;
     const d4 side = turned * d4_splat(sign);
     f->area = sign * signed_area;
-    // Edges 2 → 0 and 0 → 1 at the anchor's centre, seen from vertex 0; exact (limits.h).
+    // Edges 2 → 0 and 0 → 1 at the anchor's centre, seen from vertex 0; exact (constants.h).
     const double px = RHW_SUBPIXEL / 2 - (t->x_24_8[0] & (RHW_SUBPIXEL - 1));
     const double py = RHW_SUBPIXEL / 2 - (t->y_24_8[0] & (RHW_SUBPIXEL - 1));
     f->e1 = (struct plane){side[3] * px - side[1] * py, side[3] * RHW_SUBPIXEL, -side[1] * RHW_SUBPIXEL};

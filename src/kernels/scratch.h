@@ -4,7 +4,7 @@
 #ifndef RHW_SCRATCH_H
 #define RHW_SCRATCH_H
 
-#include "../limits.h"
+#include "../constants.h"
 #include "../pass.h"
 #include "../simd_layout.h"
 

@@ -77,8 +77,8 @@ static uint64_t draw_mesh(struct rig *rig, struct mesh *mesh, int draws, int par
     rig_use_indices(rig, RHW_INDEX_UINT32, mesh->indices, sizeof mesh->indices);
     for (int i = 0; i < draws * parts; i++) {
         const uint32_t count = 3 * TRIANGLES / (uint32_t)parts;
-        rhw_pass_draw_indexed(rig->context, rig->recording, (uint32_t)(i % parts) * count, count, base_vertex, 0,
-                              1);
+        rhw_pass_draw_indexed(rig->context, rig->recording, (uint32_t)(i % parts) * count, count, base_vertex,
+                              0, 1);
     }
     rig_end(rig);
     add_to_indices(mesh, (uint32_t)base_vertex);
@@ -209,7 +209,8 @@ static void test_memory_runs_out(void **state)
         texture.width = texture.height = SIZE;
         texture.format = RHW_FORMAT_RGBA32_FLOAT;
         pass_def.color_count = 1;
-        pass_def.depth = (struct rhw_depth_attachment){.enabled = true, .clear = 1, .store = RHW_STORE_DISCARD};
+        pass_def.depth =
+            (struct rhw_depth_attachment){.enabled = true, .clear = 1, .store = RHW_STORE_DISCARD};
         rhw_buffer vertices, indices;
         rhw_pipeline pipeline;
         rhw_pass pass;

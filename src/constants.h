@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Constants of the pipeline, each with its unit, its reason and what follows from it.
-#ifndef RHW_LIMITS_H
-#define RHW_LIMITS_H
+#ifndef RHW_CONSTANTS_H
+#define RHW_CONSTANTS_H
 
 enum {
     // Positions are snapped to 1/256 pixel: 8 bits of subpixel, as Direct3D 11.3 §3.4.1 asks.

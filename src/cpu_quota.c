@@ -1,0 +1,103 @@
+// SPDX-License-Identifier: MIT
+// Limits of control groups, in both versions: cpu.max (Linux Documentation/admin-guide/cgroup-v2.rst), and
+// cpu.cfs_quota_us over cpu.cfs_period_us (Documentation/scheduler/sched-bwc.rst). A group's limit holds for the groups
+// below it, so all from the process's own up to the mount are asked; in a container only the latter may be there.
+#include "cpu_quota.h"
+
+#include <limits.h>
+#include <stdbool.h>
+#include <stdio.h>
+#include <string.h>
+
+enum { PATH_SIZE = 1024, LINE_SIZE = 512 };
+
+// The first line of a file, without its end. False when there is none.
+static bool read_line(const char *folder, const char *name, char line[LINE_SIZE])
+{
+    char path[PATH_SIZE];
+    if (snprintf(path, sizeof path, "%s/%s", folder, name) >= (int)sizeof path) {
+        return false;
+    }
+    FILE *const file = fopen(path, "re");
+    if (!file) {
+        return false;
+    }
+    const bool read = fgets(line, LINE_SIZE, file) != NULL;
+    fclose(file);
+    return read;
+}
+
+// Cores of one group.
+static int quota_of(const char *folder, bool unified)
+{
+    char first[LINE_SIZE], second[LINE_SIZE];
+    long long quota = 0, period = 0;
+    if (unified) { // "max 100000" or "200000 100000"
+        if (!read_line(folder, "cpu.max", first) || sscanf(first, "%lld %lld", &quota, &period) != 2) {
+            return INT_MAX;
+        }
+    } else if (!read_line(folder, "cpu.cfs_quota_us", first) || sscanf(first, "%lld", &quota) != 1 ||
+               !read_line(folder, "cpu.cfs_period_us", second) || sscanf(second, "%lld", &period) != 1) {
+        return INT_MAX;
+    }
+    if (quota <= 0 || period <= 0) { // −1: no limit
+        return INT_MAX;
+    }
+    const long long cores = quota / period;
+    return cores < 1 ? 1 : cores < INT_MAX ? (int)cores : INT_MAX;
+}
+
+// Of a group and those above it. `folder` is cut down to `mount`'s length.
+static int quota_up_to(char *folder, size_t mount_length, bool unified)
+{
+    int least = quota_of(folder, unified);
+    while (strlen(folder) > mount_length) {
+        *strrchr(folder, '/') = '\0';
+        const int cores = quota_of(folder, unified);
+        least = cores < least ? cores : least;
+    }
+    return least;
+}
+
+// Whether a list such as "cpu,cpuacct" names the processor.
+static bool has_cpu(const char *controllers)
+{
+    for (const char *at = controllers; at; at = strchr(at, ',')) {
+        at += *at == ',';
+        if (strncmp(at, "cpu", 3) == 0 && (at[3] == '\0' || at[3] == ',')) {
+            return true;
+        }
+    }
+    return false;
+}
+
+int rhw_cpu_quota(const char *groups, const char *mount)
+{
+    int least = INT_MAX;
+    char line[PATH_SIZE];
+    FILE *const file = fopen(groups, "re");
+    while (file && fgets(line, sizeof line, file)) { // "4:cpu,cpuacct:/a/b", or "0::/a/b" of version 2
+        line[strcspn(line, "\n")] = '\0';
+        char *const controllers = strchr(line, ':') ? strchr(line, ':') + 1 : NULL;
+        char *const path = controllers ? strchr(controllers, ':') : NULL;
+        if (!path) {
+            continue;
+        }
+        *path = '\0';
+        const bool unified = *controllers == '\0';
+        if (!unified && !has_cpu(controllers)) {
+            continue;
+        }
+        char folder[2 * PATH_SIZE];
+        const int length = snprintf(folder, sizeof folder, unified ? "%s" : "%s/%s", mount, controllers);
+        const int whole = length + snprintf(folder + length, sizeof folder - (size_t)length, "%s", path + 1);
+        if (whole < (int)sizeof folder) {
+            const int cores = quota_up_to(folder, (size_t)length, unified);
+            least = cores < least ? cores : least;
+        }
+    }
+    if (file) {
+        fclose(file);
+    }
+    return least;
+}
