@@ -2,9 +2,6 @@
 // The benchmark's shaders on 8 lanes, compiled once per instruction set: what a user who cares for speed
 // writes. Every formula has its twin in shaders_glsl.c; pow is exp2 of a product, as GLSL defines it.
 #include "shaders.h"
-
-#include <string.h>
-
 #include "shaders_bench.h"
 
 #include "rhw/shader.h"
@@ -103,11 +100,7 @@ static void color_fragment(struct rhw_fragment *groups, int count)
 
 static void texture_fragment(struct rhw_fragment *groups, int count)
 {
-    rhw_float texel[RHW_MAX_GROUPS][4];
-    rhw_sample_groups(groups, count, 1, 0, texel, 1);
-    for (int g = 0; g < count; g++) {
-        memcpy(groups[g].color[0], texel[g], sizeof texel[g]);
-    }
+    rhw_sample_groups(groups, count, 1, 0, groups->color, RHW_MAX_COLOR_ATTACHMENTS);
 }
 
 // Blinn-Phong with one directional light, step by step over all groups: a group by itself is one long chain of

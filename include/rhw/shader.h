@@ -29,7 +29,8 @@ struct rhw_fragment {
     const rhw_float *ddx, *ddy;      ///< [component]: d/dx, d/dy per pixel, of varyings that asked for them
     const void *uniforms;
     const struct rhw_binding *textures; ///< [slot]
-    rhw_float (*color)[4];           ///< out: [target][channel]; not initialized
+    rhw_float (*color)[4];           ///< out: [target][channel]; not initialized. Groups of one call have theirs
+                                     ///< one after the other, RHW_MAX_COLOR_ATTACHMENTS targets each
     rhw_int mask;                    ///< −1 live, 0 dead; clear lanes to discard them
     rhw_float depth;                 ///< out, with RHW_USE_DEPTH; holds the interpolated depth on entry
     rhw_float coord[4];              ///< x, y in pixels from the top left (centres at .5), z, 1/w
@@ -72,7 +73,8 @@ struct rhw_fragment1 {
 /// varyings with derivatives: components `at` and `at + 1`. Bit n of `slots` (at least one) samples textures[n] of group
 /// g into texels[g * stride + n], the same bits as rhw_sample_grad; `stride` is above the highest slot, and no other
 /// texel is written. In less time than one group after the other: levels of detail are worked out for all groups
-/// together, and of several slots the texels of all groups are on their way at once.
+/// together, and of several slots the texels of all groups are on their way at once. groups->color with a stride of
+/// RHW_MAX_COLOR_ATTACHMENTS is allowed: slot n is then what target n gets.
 static inline void rhw_sample_groups(const struct rhw_fragment *groups, int count, uint32_t slots, int at,
                                      rhw_float (*texels)[4], int stride)
 {

@@ -211,11 +211,43 @@ static void test_vertices_arrive_in_groups_of_8(void **state)
     rig_close(&rig);
 }
 
+// Calls with several groups, and groups whose colours do not lie where shader.h says.
+static int calls_of_many, misplaced;
+
+static void placing_fragment(struct rhw_fragment *groups, int count)
+{
+    calls_of_many += count > 1;
+    for (int g = 0; g < count; g++) {
+        misplaced += groups[g].color != groups->color + g * RHW_MAX_COLOR_ATTACHMENTS;
+        memset(groups[g].color[0], 0, sizeof groups[g].color[0]);
+    }
+}
+
+static void test_colors_lie_side_by_side(void **state)
+{
+    (void)state;
+    struct rhw_context_def def = rhw_context_def_default();
+    def.threads = 1;
+    struct rig rig;
+    rig_open_with(&rig, SIZE, SIZE, &def);
+    rig_set_program(&rig, rig_vertex_pass, placing_fragment);
+    const float white[4] = {1, 1, 1, 1};
+    struct rig_vertex rows[6];
+    for (int n = 1; n < 8; n++) {
+        rig_rectangle(&rig, 1, 1, (float)(11 * n), (float)(13 * n), 0.5f, white, rows);
+        rig_draw_once(&rig, rows, 6);
+    }
+    assert_true(calls_of_many > 0);
+    assert_int_equal(misplaced, 0);
+    rig_close(&rig);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(test_both_forms_give_the_same_bytes),
         cmocka_unit_test(test_vertices_arrive_in_groups_of_8),
+        cmocka_unit_test(test_colors_lie_side_by_side),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
