@@ -8,23 +8,23 @@ small="--size 64x48"
 
 # Places where nothing can be written.
 mkdir folder folder.png
-refuse 1 "none/a.png: No such file or directory" render cube.obj -o none/a.png
-refuse 1 "folder.png: Is a directory" render cube.obj -o folder.png
-refuse 1 "new.png/: Is a directory" render cube.obj --format png -o new.png/
-refuse 1 "cube.obj/a.png: Not a directory" render cube.obj -o cube.obj/a.png
+refuse 1 "none/a.png: cannot be written: No such file or directory" render cube.obj -o none/a.png
+refuse 1 "folder.png: cannot be written: Is a directory" render cube.obj -o folder.png
+refuse 1 "new.png/: cannot be written: Is a directory" render cube.obj --format png -o new.png/
+refuse 1 "cube.obj/a.png: cannot be written: Not a directory" render cube.obj -o cube.obj/a.png
 refuse 1 "'': an output file needs a name" render cube.obj --format png -o ''
 refuse 1 "/proc/a.png: " render cube.obj $small -o /proc/a.png
-refuse 1 "none/s.json: No such file or directory" render cube.obj -o a.png --stats=none/s.json
-refuse 1 "folder: Is a directory" render cube.obj -o a.png --stats=folder
+refuse 1 "none/s.json: cannot be written: No such file or directory" render cube.obj -o a.png --stats=none/s.json
+refuse 1 "folder: cannot be written: Is a directory" render cube.obj -o a.png --stats=folder
 name=$(printf '%0300d' 0).png
-refuse 1 "$name: File name too long" render cube.obj -o "$name"
+refuse 1 "$name: cannot be written: File name too long" render cube.obj -o "$name"
 if [ "$(id -u)" != 0 ]; then
     chmod 555 folder
-    refuse 1 "folder/a.png: Permission denied" render cube.obj -o folder/a.png
+    refuse 1 "folder/a.png: cannot be written: Permission denied" render cube.obj -o folder/a.png
     chmod 755 folder
     : >fixed.png
     chmod 444 fixed.png
-    refuse 1 "fixed.png: Permission denied" render cube.obj -o fixed.png
+    refuse 1 "fixed.png: cannot be written: Permission denied" render cube.obj -o fixed.png
 fi
 
 # A device takes no temporary file, and must not be replaced by one. Root gets a device of this folder: a program
@@ -36,8 +36,8 @@ if [ "$(head -c 1 "$full" 2>/dev/null | od -A n -t u1 | tr -d ' ')" = 0 ]; then
     ln -s "$full" full.png
     ln -s "$full" full.exr
     ln -s "$full" full.ppm
-    refuse 1 "full.png: No space left on device" render cube.obj $small -o full.png
-    refuse 1 "full.ppm: No space left on device" render cube.obj $small -o full.ppm
+    refuse 1 "full.png: cannot be written: No space left on device" render cube.obj $small -o full.png
+    refuse 1 "full.ppm: cannot be written: No space left on device" render cube.obj $small -o full.ppm
     refuse 1 "full.exr: an EXR file needs a place" render cube.obj $small -o full.exr
     check "the device is still there" test -c "$full"
     check "the link is still one" test -L full.png
@@ -47,12 +47,12 @@ fi
 checks=$((checks + 1))
 status=0
 "$rhw" render cube.obj $small -o - >/dev/full 2>"$folder/log/err" || status=$?
-[ $status = 1 ] && grep -q "^rhw: standard output: No space left on device" "$folder/log/err" ||
+[ $status = 1 ] && grep -q "^rhw: standard output: cannot be written: No space left on device" "$folder/log/err" ||
     fail "full standard output: status $status, $(cat "$folder/log/err")"
 checks=$((checks + 1))
 status=0
 "$rhw" render --help >/dev/full 2>"$folder/log/err" || status=$?
-[ $status = 1 ] && grep -q "^rhw: standard output: No space left on device" "$folder/log/err" ||
+[ $status = 1 ] && grep -q "^rhw: standard output: cannot be written: No space left on device" "$folder/log/err" ||
     fail "--help to a full device: status $status, $(cat "$folder/log/err")"
 
 # A full disk, as a limit on the size of a file, in the middle of each kind of file.
@@ -63,7 +63,7 @@ limited() { # FILE
         ulimit -f 16 # blocks of 512 bytes
         exec "$rhw" render cube.obj --size 512x512 --output "$2" -o "$1" --bits 16
     ) 2>"$folder/log/err" || status=$?
-    [ $status = 1 ] && [ "$(wc -l <"$folder/log/err")" = 1 ] && grep -q "^rhw: $1: File too large" "$folder/log/err" ||
+    [ $status = 1 ] && [ "$(wc -l <"$folder/log/err")" = 1 ] && grep -q "^rhw: $1: cannot be written: File too large" "$folder/log/err" ||
         fail "$1 with a limit: status $status, $(cat "$folder/log/err")"
     check "$1 with a limit leaves nothing" test ! -e "$1"
     no_temporary_files
@@ -73,7 +73,7 @@ limited big.ppm color
 checks=$((checks + 1))
 status=0
 (ulimit -f 16; exec "$rhw" render cube.obj --size 512x512 --output all -o big.exr) 2>"$folder/log/err" || status=$?
-[ $status = 1 ] && grep -q "^rhw: big.exr: File too large" "$folder/log/err" ||
+[ $status = 1 ] && grep -q "^rhw: big.exr: cannot be written: File too large" "$folder/log/err" ||
     fail "big.exr with a limit: status $status, $(cat "$folder/log/err")"
 check "big.exr with a limit leaves nothing" test ! -e big.exr
 no_temporary_files
@@ -96,7 +96,7 @@ if mount -t tmpfs -o size=64k tmpfs disk 2>/dev/null; then
     "$rhw" render cube.obj --size 2048x2048 --output all --bits 16 -o disk/a.png 2>"$folder/log/err" || status=$?
     left=$(find disk -type f)
     umount disk
-    [ $status = 1 ] && grep -Eq "^rhw: disk/a[.a-z]*.png: No space left on device" "$folder/log/err" ||
+    [ $status = 1 ] && grep -Eq "^rhw: disk/a[.a-z]*.png: cannot be written: No space left on device" "$folder/log/err" ||
         fail "full disk: status $status, $(cat "$folder/log/err")"
     [ -z "$left" ] || fail "full disk: left $left"
 fi

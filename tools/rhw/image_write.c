@@ -83,7 +83,7 @@ bool rhw_png_write(struct rhw_output_file *file, const struct rhw_raster *raster
     if (!result)
         result = encode_png(context, raster, row);
     if (result)
-        rhw_tool_error(file->path, "%s", errno ? strerror(errno) : spng_strerror(result));
+        rhw_tool_error(file->path, "cannot be written: %s", errno ? strerror(errno) : spng_strerror(result));
     spng_ctx_free(context);
     free(row);
     return result == SPNG_OK;
@@ -112,7 +112,7 @@ bool rhw_ppm_write(struct rhw_output_file *file, const struct rhw_raster *raster
         written = fwrite(row, 1, size, file->stream) == size;
     }
     if (!written)
-        rhw_tool_error(file->path, "%s", strerror(errno ? errno : EIO));
+        rhw_tool_error(file->path, "cannot be written: %s", strerror(errno ? errno : EIO));
     free(row);
     return written;
 }

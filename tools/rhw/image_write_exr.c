@@ -205,7 +205,7 @@ bool rhw_exr_write(struct rhw_output_file *file, int width, int height,
         encoder.result = encoder.result ? encoder.result : finished;
     }
     if (encoder.result)
-        rhw_tool_error(file->path, "%s",
+        rhw_tool_error(file->path, "cannot be written: %s",
                        encoder.cause ? strerror(encoder.cause)
                                      : exr_get_default_error_message(encoder.result));
     return encoder.result == EXR_ERR_SUCCESS;

@@ -63,6 +63,6 @@ int main(int argc, char **argv)
     errno = 0;
     if (fflush(stdout) == 0 && !ferror(stdout))
         return status;
-    rhw_tool_error("-", "%s", strerror(errno ? errno : EIO));
+    rhw_tool_error("-", "cannot be written: %s", strerror(errno ? errno : EIO));
     return RHW_TOOL_FAILED;
 }

@@ -56,7 +56,7 @@ void rhw_output_files_guard(void)
 
 static bool report(const char *path)
 {
-    rhw_tool_error(path, "%s", strerror(errno));
+    rhw_tool_error(path, "cannot be written: %s", strerror(errno));
     return false;
 }
 
