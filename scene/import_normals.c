@@ -92,25 +92,46 @@ struct smoothing {
     uint32_t count; // new vertices
 };
 
-// The normal of a face, and what it weighs at its corners: sin α / (|a| |b|), where a and b are the edges at
-// that corner and α lies between them (Max, Weights for computing vertex normals from facet normals, 1999; exact
-// where the points lie on a sphere). |a × b| / (|a|² |b|²) is the same; fourth powers of floats fit a double.
+// The angle whose cosine is `cosine`, in radians; error below 7e-5 (Abramowitz and Stegun 4.4.45), ample for a
+// weight, and the same on every machine.
+static double angle_of(double cosine)
+{
+    const double x = cosine < 0 ? -cosine : cosine;
+    const double clamped = x > 1 ? 1 : x;
+    const double polynomial =
+        1.5707288 + clamped * (-0.2121144 + clamped * (0.0742610 - 0.0187293 * clamped));
+    const double angle = __builtin_sqrt(1 - clamped) * polynomial;
+    return cosine < 0 ? 3.14159265358979324 - angle : angle;
+}
+
+static double corner_angle(const struct rhw_mesh *mesh, uint32_t corner)
+{
+    const uint32_t first = corner / 3 * 3;
+    const float *here = mesh->positions[mesh->indices[corner]];
+    double a[3], b[3];
+    subtract(mesh->positions[mesh->indices[first + (corner + 1) % 3]], here, a);
+    subtract(mesh->positions[mesh->indices[first + (corner + 2) % 3]], here, b);
+    unit(a);
+    unit(b);
+    return angle_of(dot(a, b));
+}
+
+// The normal of a face, and what it weighs at its corners: its angle there, so that it does not matter how a polygon was
+// cut into triangles, times its area. Scans have triangles whose edges are a thousandth of their neighbours', and whose
+// direction is noise: by angles alone these would still count as much.
 static void weigh_face(struct smoothing *smoothing, uint32_t first)
 {
     const struct rhw_mesh *mesh = smoothing->mesh;
     const uint32_t *corner = mesh->indices + first;
-    double edges[3][3], squares[3], normal[3];
-    for (int k = 0; k < 3; k++) {
-        subtract(mesh->positions[corner[(k + 1) % 3]], mesh->positions[corner[k]], edges[k]);
-        squares[k] = dot(edges[k], edges[k]);
-    }
-    cross(edges[0], edges[1], normal);
+    double a[3], b[3], normal[3];
+    subtract(mesh->positions[corner[1]], mesh->positions[corner[0]], a);
+    subtract(mesh->positions[corner[2]], mesh->positions[corner[0]], b);
+    cross(a, b, normal);
     const double length = __builtin_sqrt(dot(normal, normal));
     for (int c = 0; c < 3; c++)
         smoothing->faces[first / 3][c] = length > 0 ? normal[c] / length : 0;
-    for (int k = 0; k < 3; k++)
-        smoothing->weights[first + (uint32_t)k] =
-            length > 0 ? length / (squares[k] * squares[(k + 2) % 3]) : 0;
+    for (uint32_t k = 0; k < 3; k++)
+        smoothing->weights[first + k] = length * corner_angle(mesh, first + k);
 }
 
 // The new vertex with this source and normal among those made since `first`.
@@ -288,30 +309,6 @@ void rhw_import_make_normals(struct rhw_import *import, struct rhw_mesh *mesh, e
 }
 
 // Tangents ------------------------------------------------------------------------------------------
-
-// The angle whose cosine is `cosine`, in radians; error below 7e-5 (Abramowitz and Stegun 4.4.45), ample for a
-// weight, and the same on every machine.
-static double angle_of(double cosine)
-{
-    const double x = cosine < 0 ? -cosine : cosine;
-    const double clamped = x > 1 ? 1 : x;
-    const double polynomial =
-        1.5707288 + clamped * (-0.2121144 + clamped * (0.0742610 - 0.0187293 * clamped));
-    const double angle = __builtin_sqrt(1 - clamped) * polynomial;
-    return cosine < 0 ? 3.14159265358979324 - angle : angle;
-}
-
-static double corner_angle(const struct rhw_mesh *mesh, uint32_t corner)
-{
-    const uint32_t first = corner / 3 * 3;
-    const float *here = mesh->positions[mesh->indices[corner]];
-    double a[3], b[3];
-    subtract(mesh->positions[mesh->indices[first + (corner + 1) % 3]], here, a);
-    subtract(mesh->positions[mesh->indices[first + (corner + 2) % 3]], here, b);
-    unit(a);
-    unit(b);
-    return angle_of(dot(a, b));
-}
 
 // Direction of growing u on a triangle, and on which side growing −v lies: 1, −1, or 0 when the texture
 // coordinates span no area.
