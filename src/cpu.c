@@ -142,15 +142,17 @@ int rhw_cpu_cores(void)
 #else
 #if defined(__linux__)
     // What this process may use, not what the machine has: containers and taskset narrow it.
-    const int quota = rhw_cpu_quota("/proc/self/cgroup", "/sys/fs/cgroup");
+    const int most = rhw_cpu_quota("/proc/self/cgroup", "/sys/fs/cgroup");
     cpu_set_t set;
     if (sched_getaffinity(0, sizeof set, &set) == 0) {
         const int count = CPU_COUNT(&set);
         if (count > 0)
-            return count < quota ? count : quota;
+            return count < most ? count : most;
     }
+#else
+    const int most = 4096;
 #endif
     const long online = sysconf(_SC_NPROCESSORS_ONLN);
-    return online > 0 ? (int)(online < 4096 ? online : 4096) : 1;
+    return online > 0 ? (int)(online < most ? online : most) : 1;
 #endif
 }

@@ -47,11 +47,17 @@ static int quota_of(const char *folder, bool unified)
     return cores < 1 ? 1 : cores < INT_MAX ? (int)cores : INT_MAX;
 }
 
-// Of a group and those above it. `folder` is cut down to `mount`'s length.
-static int quota_up_to(char *folder, size_t mount_length, bool unified)
+// Of the group `path`, which begins with a slash, and of those above it up to the mount. A namespace may hide where the
+// group stands ("/../.."): then the mount is asked alone.
+static int quota_up_to_mount(const char *mount, const char *path, bool unified)
 {
+    char folder[PATH_SIZE];
+    const int length = snprintf(folder, sizeof folder, "%s%s", mount, strstr(path, "/..") ? "/" : path);
+    if (length >= (int)sizeof folder) {
+        return INT_MAX;
+    }
     int least = quota_of(folder, unified);
-    while (strlen(folder) > mount_length) {
+    while (strlen(folder) > strlen(mount)) {
         *strrchr(folder, '/') = '\0';
         const int cores = quota_of(folder, unified);
         least = cores < least ? cores : least;
@@ -74,25 +80,23 @@ static bool has_cpu(const char *controllers)
 int rhw_cpu_quota(const char *groups, const char *mount)
 {
     int least = INT_MAX;
-    char line[PATH_SIZE];
+    char line[LINE_SIZE];
     FILE *const file = fopen(groups, "re");
     while (file && fgets(line, sizeof line, file)) { // "4:cpu,cpuacct:/a/b", or "0::/a/b" of version 2
         line[strcspn(line, "\n")] = '\0';
         char *const controllers = strchr(line, ':') ? strchr(line, ':') + 1 : NULL;
-        char *const path = controllers ? strchr(controllers, ':') : NULL;
-        if (!path) {
+        char *const colon = controllers ? strchr(controllers, ':') : NULL;
+        if (!colon || colon[1] != '/') {
             continue;
         }
-        *path = '\0';
+        *colon = '\0';
         const bool unified = *controllers == '\0';
         if (!unified && !has_cpu(controllers)) {
             continue;
         }
-        char folder[2 * PATH_SIZE];
-        const int length = snprintf(folder, sizeof folder, unified ? "%s" : "%s/%s", mount, controllers);
-        const int whole = length + snprintf(folder + length, sizeof folder - (size_t)length, "%s", path + 1);
-        if (whole < (int)sizeof folder) {
-            const int cores = quota_up_to(folder, (size_t)length, unified);
+        char hierarchy[PATH_SIZE]; // of version 1: "cpu" is a link where the controllers have another order
+        if (snprintf(hierarchy, sizeof hierarchy, unified ? "%s" : "%s/cpu", mount) < (int)sizeof hierarchy) {
+            const int cores = quota_up_to_mount(hierarchy, colon + 1, unified);
             least = cores < least ? cores : least;
         }
     }

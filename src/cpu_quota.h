@@ -3,8 +3,8 @@
 #ifndef RHW_CPU_QUOTA_H
 #define RHW_CPU_QUOTA_H
 
-// Whole cores that the Linux control groups of this process allow, at least 1; INT_MAX where they set no limit or cannot
-// be read. `groups` and `mount` stand for /proc/self/cgroup and /sys/fs/cgroup.
+// Whole cores that the Linux control groups of this process allow, at least 1; INT_MAX where they set no limit or
+// cannot be read. `groups` and `mount` stand for /proc/self/cgroup and /sys/fs/cgroup.
 int rhw_cpu_quota(const char *groups, const char *mount);
 
 #endif

@@ -49,6 +49,9 @@ static void test_version_2(void **state)
     write_file("cg/a/b/cpu.max", "max 100000\n");
     assert_int_equal(quota("0::/a/b\n"), 3); // the group above
     assert_int_equal(quota("0::/not/here\n"), 8);
+    write_file("cpu.max", "100000 100000\n"); // beside the mount
+    assert_int_equal(quota("0::/../..\n"), 8);
+    assert_int_equal(quota("0::\n"), INT_MAX);
     write_file("cg/a/b/cpu.max", "200000 100000\n");
     assert_int_equal(quota("0::/a/b\n"), 2);
     write_file("cg/cpu.max", "nonsense\n");
@@ -59,13 +62,15 @@ static void test_version_1(void **state)
 {
     (void)state;
     write_file("cg/cpu.max", "max 100000\n");
-    write_file("cg/cpu,cpuacct/cpu.cfs_quota_us", "-1\n");
-    write_file("cg/cpu,cpuacct/cpu.cfs_period_us", "100000\n");
+    write_file("cg/cpu/cpu.cfs_quota_us", "-1\n");
+    write_file("cg/cpu/cpu.cfs_period_us", "100000\n");
     assert_int_equal(quota("9:memory:/x\n4:cpu,cpuacct:/docker/1\n0::/\n"), INT_MAX);
-    write_file("cg/cpu,cpuacct/docker/1/cpu.cfs_quota_us", "600000\n");
-    write_file("cg/cpu,cpuacct/docker/1/cpu.cfs_period_us", "100000\n");
+    write_file("cg/cpu/docker/1/cpu.cfs_quota_us", "600000\n");
+    write_file("cg/cpu/docker/1/cpu.cfs_period_us", "100000\n");
     assert_int_equal(quota("9:memory:/x\n4:cpu,cpuacct:/docker/1\n0::/\n"), 6);
-    assert_int_equal(quota("3:cpuset:/docker/1\n0::/\n"), INT_MAX);
+    assert_int_equal(quota("4:cpuacct,cpu:/docker/1\n"), 6);
+    assert_int_equal(quota("4:cpu:/docker\n"), INT_MAX);
+    assert_int_equal(quota("3:cpuset:/docker/1\n5:cpuacct:/docker/1\n0::/\n"), INT_MAX);
 }
 
 static void test_what_cannot_be_read(void **state)
