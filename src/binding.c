@@ -16,7 +16,7 @@ static rhw_sample_function *sample_function(const struct rhw_kernels *kernels,
     if (texture && sampler->takes_codes && texture->format == RHW_FORMAT_RGBA8_SRGB) {
         return kernels->sample_rgba8_srgb;
     }
-    return kernels->sample;
+    return kernels->sample_other;
 }
 
 struct rhw_binding rhw_binding_of(const struct rhw_kernels *kernels, const struct rhw_texture_data *texture,

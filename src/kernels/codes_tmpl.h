@@ -255,11 +255,6 @@ static __attribute__((noinline)) void sample_codes_apart(const struct rhw_textur
 
 // The whole -----------------------------------------------------------------------------------------
 
-RHW_INLINE bool sample_takes_codes(enum rhw_format format, const struct rhw_sampler_data *sampler)
-{
-    return (format == RHW_FORMAT_RGBA8_UNORM || format == RHW_FORMAT_RGBA8_SRGB) && sampler->takes_codes;
-}
-
 // Level of detail within the sampler's limits and the texture's levels, 16.16.
 RHW_INLINE i8 sample_detail_codes(const struct rhw_texture_data *texture,
                                   const struct rhw_sampler_data *sampler, const f8 *grad, const f8 *lod)

@@ -13,7 +13,7 @@ extern const struct rhw_kernels RHW_ISA_NAME(rhw_kernels);
 const struct rhw_kernels RHW_ISA_NAME(rhw_kernels) = {.vertices = run_vertices,
                                                       .chunk = run_chunk,
                                                       .tile = run_tile,
-                                                      .sample = sample,
+                                                      .sample_other = sample_other,
                                                       .sample_rgba8 = sample_rgba8,
                                                       .sample_rgba8_srgb = sample_rgba8_srgb,
                                                       .sample_slots = sample_slots,

@@ -20,9 +20,9 @@ struct rhw_kernels {
     bool (*chunk)(struct rhw_pass_state *pass, struct rhw_chunk *chunk, int worker);
     // One tile of the back end, from load to store.
     void (*tile)(struct rhw_pass_state *pass, int tile, int worker);
-    // Behind rhw_sample_grad and rhw_sample_lod: of any texture or none, and of those that take the fixed-point road
-    // (sampler.h) in either format.
-    rhw_sample_function *sample, *sample_rgba8, *sample_rgba8_srgb;
+    // Behind rhw_sample_grad and rhw_sample_lod: of RGBA8 textures in either encoding with samplers that take the
+    // fixed-point road (sampler.h), and of all others or none.
+    rhw_sample_function *sample_other, *sample_rgba8, *sample_rgba8_srgb;
     // Behind rhw_sample_slots.
     void (*sample_slots)(const struct rhw_binding *bindings, uint32_t slots, const rhw_float uv[2],
                          const rhw_float grad[4], rhw_float (*texels)[4]);

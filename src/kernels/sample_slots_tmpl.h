@@ -23,9 +23,6 @@ RHW_INLINE bool sample_find_spots(const struct rhw_binding *binding, const f8 uv
 {
     const struct rhw_texture_data *const texture = binding->texture;
     const struct rhw_sampler_data *const sampler = binding->sampler;
-    if (!texture || !sample_takes_codes(texture->format, sampler)) {
-        return false;
-    }
     const f8 s = sample_fold(sampler->def.address_u, uv[0]), t = sample_fold(sampler->def.address_v, uv[1]);
     const i8 detail = sample_detail_codes(texture, sampler, grad, NULL), first = i8_splat_first(detail);
     spots->weight = i8_halve_lower(detail);
@@ -47,9 +44,8 @@ RHW_INLINE bool sample_shares(const struct rhw_binding *found, const struct rhw_
 {
     const struct rhw_texture_data *const a = found->texture, *const b = binding->texture;
     const struct rhw_sampler_data *const as = found->sampler, *const bs = binding->sampler;
-    return b && sample_takes_codes(b->format, binding->sampler) && a->levels == b->levels &&
-           a->mip[0].width == b->mip[0].width && a->mip[0].height == b->mip[0].height &&
-           memcmp(&as->def, &bs->def, sizeof as->def) == 0;
+    return sample_takes_codes(binding) && a->levels == b->levels && a->mip[0].width == b->mip[0].width &&
+           a->mip[0].height == b->mip[0].height && memcmp(&as->def, &bs->def, sizeof as->def) == 0;
 }
 
 RHW_INLINE uint32_t sample_sharing(const struct rhw_binding *bindings, uint32_t slots,
@@ -134,7 +130,7 @@ static void sample_shared_groups(const struct rhw_binding *bindings, uint32_t sl
         const struct rhw_texture_data *const texture = bindings[slot].texture;
         const uint32_t later = todo & (todo - 1);
         const struct rhw_texture_data *const next = later ? bindings[__builtin_ctz(later)].texture : NULL;
-        if (texture->format == RHW_FORMAT_RGBA8_SRGB) {
+        if (bindings[slot].sample == sample_rgba8_srgb) {
             sample_spots_groups(texture, next, spots, found, true, texels + slot, stride);
         } else {
             sample_spots_groups(texture, next, spots, found, false, texels + slot, stride);
@@ -156,13 +152,17 @@ RHW_INLINE void sample_codes_groups(const struct rhw_binding *binding, const str
     const struct rhw_texture_data *const texture = binding->texture;
     const struct rhw_sampler_data *const sampler = binding->sampler;
     i8 detail[RHW_MAX_GROUPS];
-    for (int g = 0; g < count; g++) {
-        f8 grad[4];
-        group_gradient(&groups[g], at, grad);
-        detail[g] = sample_detail_codes(texture, sampler, grad, NULL);
-    }
-    for (int g = 0; g < count; g++) {
-        sample_codes(texture, sampler, &groups[g].varying[at], detail[g], linear, texels[g * stride]);
+    f8 grad[4];
+    for (int first = 0; first < count; first += RHW_MAX_GROUPS) {
+        const int end = count - first < RHW_MAX_GROUPS ? count : first + RHW_MAX_GROUPS;
+        for (int g = first; g < end; g++) {
+            group_gradient(&groups[g], at, grad);
+            detail[g - first] = sample_detail_codes(texture, sampler, grad, NULL);
+        }
+        for (int g = first; g < end; g++) {
+            sample_codes(texture, sampler, &groups[g].varying[at], detail[g - first], linear,
+                         texels[g * stride]);
+        }
     }
 }
 
@@ -170,18 +170,18 @@ RHW_INLINE void sample_codes_groups(const struct rhw_binding *binding, const str
 static void sample_alone(const struct rhw_binding *binding, const struct rhw_fragment *groups, int count,
                          int at, f8 (*texels)[4], int stride)
 {
-    const struct rhw_texture_data *const texture = binding->texture;
-    const bool takes = texture && sample_takes_codes(texture->format, binding->sampler);
-    if (takes && texture->format == RHW_FORMAT_RGBA8_SRGB) {
-        sample_codes_groups(binding, groups, count, at, true, texels, stride);
-    } else if (takes) {
+    f8 grad[4];
+    if (binding->sample == sample_rgba8) {
         sample_codes_groups(binding, groups, count, at, false, texels, stride);
-    } else {
-        for (int g = 0; g < count; g++) {
-            f8 grad[4];
-            group_gradient(&groups[g], at, grad);
-            sample(binding, &groups[g].varying[at], grad, NULL, texels[g * stride]);
-        }
+        return;
+    }
+    if (binding->sample == sample_rgba8_srgb) {
+        sample_codes_groups(binding, groups, count, at, true, texels, stride);
+        return;
+    }
+    for (int g = 0; g < count; g++) {
+        group_gradient(&groups[g], at, grad);
+        binding->sample(binding, &groups[g].varying[at], grad, NULL, texels[g * stride]);
     }
 }
 
@@ -191,12 +191,8 @@ static void sample_groups(const struct rhw_binding *bindings, uint32_t slots,
                           int stride)
 {
     const struct rhw_binding *const first = &bindings[__builtin_ctz(slots)];
-    const struct rhw_texture_data *const texture = first->texture;
-    uint32_t sharing = 0;
-    if (texture && sample_takes_codes(texture->format, first->sampler)) {
-        sharing = sample_sharing(bindings, slots, first);
-        sharing = sharing & (sharing - 1) ? sharing : 0; // not with itself alone
-    }
+    uint32_t sharing = sample_takes_codes(first) ? sample_sharing(bindings, slots, first) : 0;
+    sharing = sharing & (sharing - 1) ? sharing : 0; // not with itself alone
     for (uint32_t todo = slots & ~sharing; todo != 0; todo &= todo - 1) {
         const int slot = __builtin_ctz(todo);
         sample_alone(&bindings[slot], groups, count, at, texels + slot, stride);

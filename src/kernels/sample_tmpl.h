@@ -147,9 +147,9 @@ static __attribute__((noinline)) void sample_any(const struct rhw_binding *bindi
     }
 }
 
-// What a binding may have for its `sample`.
-static void sample(const struct rhw_binding *binding, const rhw_float uv[2], const rhw_float grad[4],
-                   const rhw_float *lod, rhw_float texel[4])
+// What a binding may have for its `sample` (binding.c). Whatever the two below are not for, no texture included:
+static void sample_other(const struct rhw_binding *binding, const rhw_float uv[2], const rhw_float grad[4],
+                         const rhw_float *lod, rhw_float texel[4])
 {
     if (!binding->texture) {
         texel[0] = texel[1] = texel[2] = rhw_splat(0.0f);
@@ -159,6 +159,7 @@ static void sample(const struct rhw_binding *binding, const rhw_float uv[2], con
     }
 }
 
+// RGBA8 textures and samplers that take the fixed-point road:
 static void sample_rgba8(const struct rhw_binding *binding, const rhw_float uv[2], const rhw_float grad[4],
                          const rhw_float *lod, rhw_float texel[4])
 {
@@ -171,6 +172,11 @@ static void sample_rgba8_srgb(const struct rhw_binding *binding, const rhw_float
 {
     sample_codes(binding->texture, binding->sampler, uv,
                  sample_detail_codes(binding->texture, binding->sampler, grad, lod), true, texel);
+}
+
+RHW_INLINE bool sample_takes_codes(const struct rhw_binding *binding)
+{
+    return binding->sample == sample_rgba8 || binding->sample == sample_rgba8_srgb;
 }
 
 #endif
