@@ -11,12 +11,12 @@
 struct triangle_work {
     const struct rhw_segment *segment;
     const struct rhw_triangle *t;
-    bool planes_ready, ready; // `planes` are set; those below `v` are
+    bool planes_ready, ready; // `planes` are set; what stands below `v` is
     struct planes planes;
     const struct rhw_vertex_record *v[3];
     const float *provoking;
     float i0[RHW_MAX_VARYING_COMPONENTS], d1[RHW_MAX_VARYING_COMPONENTS], d2[RHW_MAX_VARYING_COMPONENTS];
-    struct rhw_slopes slopes[RHW_MAX_VARYING_COMPONENTS / 2];
+    struct rhw_slopes slopes[RHW_MAX_VARYING_COMPONENTS / 2]; // where derivatives are wanted
 };
 
 RHW_INLINE void pack_identity(const struct tile_work *work, struct rhw_fragment *group,

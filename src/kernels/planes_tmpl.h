@@ -545,7 +545,8 @@ RHW_INLINE void component_slopes(const struct rhw_pipeline_data *pipeline, const
     }
 }
 
-// Per pixel to the right (x) and down (y), of the first (`which` 0) or the second quantity; rounded once. `squared`: 1/S².
+// Per pixel to the right (x) and down (y), of the first (`which` 0) or the second quantity; rounded once.
+// `squared`: 1/S².
 RHW_INLINE void slope_lanes(const struct rhw_slopes *slopes, int which, d8 dx, d8 dy, d8 squared, f8 *by_x,
                             f8 *by_y)
 {

@@ -113,8 +113,8 @@ struct rhw_tile_scratch {
     uint64_t waiting[RHW_TILE]; // by row, a bit per pixel: those that wait
     const struct rhw_packed_triangle *waiting_triangle[8];
     d4 waiting_value[8];
-    d4 waiting_step
-        [8]; // pixels from the anchor, as struct rhw_slopes has them: down, to the right, down, to the right
+    // Pixels from the anchor, as struct rhw_slopes has them: down, to the right, down, to the right.
+    d4 waiting_step[8];
     f8 varyings[RHW_FRAGMENT_GROUPS * RHW_MAX_VARYING_COMPONENTS];
     f8 ddx[RHW_FRAGMENT_GROUPS * RHW_MAX_VARYING_COMPONENTS];
     f8 ddy[RHW_FRAGMENT_GROUPS * RHW_MAX_VARYING_COMPONENTS];

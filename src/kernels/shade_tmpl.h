@@ -83,15 +83,16 @@ static void fill_constant_slopes(const struct tile_work *work, int g, const stru
     f8 *const ddx = work->scratch->ddx + g * pipeline->varying_components;
     f8 *const ddy = work->scratch->ddy + g * pipeline->varying_components;
     for (int i = 0; i < pipeline->varying_components; i++) {
-        const double i0 = (double)triangle->v[0]->varyings[i], d1 = (double)triangle->v[1]->varyings[i] - i0,
-                     d2 = (double)triangle->v[2]->varyings[i] - i0;
-        switch (pipeline->component_qualifier[i]) {
-        case RHW_SMOOTH: break;
-        case RHW_NOPERSPECTIVE:
+        if (!pipeline->component_derivatives[i] || pipeline->component_qualifier[i] == RHW_SMOOTH) {
+            continue;
+        }
+        ddx[i] = ddy[i] = f8_splat(0);
+        if (pipeline->component_qualifier[i] == RHW_NOPERSPECTIVE) {
+            const double i0 = (double)triangle->v[0]->varyings[i],
+                         d1 = (double)triangle->v[1]->varyings[i] - i0,
+                         d2 = (double)triangle->v[2]->varyings[i] - i0;
             ddx[i] = f8_splat((float)(n1->dx * d1 + n2->dx * d2));
             ddy[i] = f8_splat((float)(n1->dy * d1 + n2->dy * d2));
-            break;
-        default: ddx[i] = ddy[i] = f8_splat(0); break;
         }
     }
 }
