@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Which draws have a mesh.
+// Which draws have a mesh, and room for its vertices.
 #include "mesh.h"
 
 #include "assembly.h"
@@ -28,7 +28,8 @@ static uint32_t elements_of(const struct rhw_draw_state *state)
     return (uint32_t)count;
 }
 
-// Whether triangles in the middle of the draw, a few of a chunk, name vertices further apart than a chunk of a mesh has.
+// Whether triangles in the middle of the draw, a few of a chunk, name vertices further apart than those of a whole chunk
+// are where a mesh has an order.
 static bool is_scattered(const struct rhw_draw *draw, uint64_t chunk)
 {
     enum { SAMPLES = 256 };
@@ -44,22 +45,39 @@ static bool is_scattered(const struct rhw_draw *draw, uint64_t chunk)
     return most - least >= 3 * chunk / 4;
 }
 
-// Vertices of the draw's mesh; 0 where it has none. `chunk`: triangles of one. The draw has several, and more triangles
-// than vertices, of which a closed mesh has half as many.
+// Vertices of the draw's mesh; 0 where it has none. `chunk`: triangles of one. Chunks of triangles in no order shade one
+// to three vertices for each and look up as many, so that up to three vertices for two triangles cost less.
 static uint32_t vertices_of(const struct rhw_draw *draw, uint64_t chunk)
 {
     const uint32_t triangles = draw->triangles_per_instance;
-    if (!draw->indexed || draw->instances != 1 || triangles < RHW_MESH_TRIANGLES || triangles < 2 * chunk) {
+    if (!draw->indexed || triangles < RHW_MESH_TRIANGLES || triangles < 2 * chunk) {
         return 0;
     }
     const uint32_t elements = elements_of(draw->state);
     const uint32_t count = draw->base_vertex < elements ? elements - draw->base_vertex : 0;
-    return count / 3 <= triangles / 4 && is_scattered(draw, chunk) ? count : 0;
+    return count / 3 <= triangles / 2 && is_scattered(draw, chunk) ? count : 0;
+}
+
+// Meshes of all instances of a draw. NULL when out of memory.
+static struct rhw_mesh *make_meshes(struct rhw_arena *arena, const struct rhw_draw *draw, uint32_t count,
+                                    size_t room, int stride)
+{
+    struct rhw_mesh *const meshes = rhw_arena_alloc(arena, draw->instances * sizeof *meshes, RHW_CACHE_LINE);
+    for (uint32_t i = 0; meshes && i < draw->instances; i++) {
+        float *const records =
+            rhw_arena_alloc(arena, room * (size_t)stride * sizeof *records, RHW_CACHE_LINE);
+        struct rhw_corner *const corners = rhw_arena_alloc(arena, room * sizeof *corners, RHW_CACHE_LINE);
+        if (!records || !corners) {
+            return NULL;
+        }
+        meshes[i] = (struct rhw_mesh){draw, i, count, stride, records, corners, NULL};
+    }
+    return meshes;
 }
 
 bool rhw_meshes_find(struct rhw_pass_state *pass, size_t most, struct rhw_mesh **first, size_t *bytes)
 {
-    struct rhw_arena *const arena = &pass->workers[0].arena;
+    struct rhw_mesh **end = first;
     *first = NULL;
     *bytes = 0;
     if (!pass->has_large_draws || pass->chunk_count == 0) {
@@ -71,24 +89,25 @@ bool rhw_meshes_find(struct rhw_pass_state *pass, size_t most, struct rhw_mesh *
         if (draw->first_triangle >= last->first + last->count) {
             break;
         }
-        draw->mesh = NULL;
-        const size_t count = vertices_of(draw, pass->chunk_size), room = (count + 7) & ~(size_t)7;
+        draw->meshes = NULL;
+        const uint32_t count = vertices_of(draw, pass->chunk_size);
+        const uint64_t room = ((uint64_t)count + 7) & ~(uint64_t)7;
         const int stride = rhw_vertex_stride(draw->state->pipeline->varying_components);
-        const size_t vertex = (size_t)stride * sizeof(float) + sizeof(struct rhw_corner);
-        if (count == 0 || room > (most - *bytes) / vertex) {
+        const uint64_t size = room * ((uint64_t)stride * sizeof(float) + sizeof(struct rhw_corner));
+        if (count == 0 || draw->instances > (most - *bytes) / size) {
             continue;
         }
-        struct rhw_mesh *const mesh = rhw_arena_alloc(arena, sizeof *mesh, RHW_CACHE_LINE);
-        float *const records =
-            rhw_arena_alloc(arena, room * (size_t)stride * sizeof *records, RHW_CACHE_LINE);
-        struct rhw_corner *const corners = rhw_arena_alloc(arena, room * sizeof *corners, RHW_CACHE_LINE);
-        if (!mesh || !records || !corners) {
+        struct rhw_mesh *const meshes =
+            make_meshes(&pass->workers[0].arena, draw, count, (size_t)room, stride);
+        if (!meshes) {
             return false;
         }
-        *mesh = (struct rhw_mesh){draw, (uint32_t)count, stride, records, corners, *first};
-        *first = mesh;
-        *bytes += room * vertex;
-        draw->mesh = mesh;
+        for (uint32_t i = 0; i < draw->instances; i++) {
+            *end = &meshes[i];
+            end = &meshes[i].next;
+        }
+        *bytes += (size_t)(draw->instances * size);
+        draw->meshes = meshes;
     }
     return true;
 }

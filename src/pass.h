@@ -49,7 +49,7 @@ struct rhw_draw {
     const struct rhw_draw_state *state;
     const void *uniforms;
     const uint32_t (*expanded)[3]; // vertex indices of strips and fans with restart; else NULL
-    const struct rhw_mesh *mesh;   // of the wave under way; mostly NULL
+    const struct rhw_mesh *meshes; // by instance, of the wave under way; mostly NULL
     uint32_t first, base_vertex, first_instance, instances;
     uint32_t index; // of the draw in its pass
     uint32_t triangles_per_instance;
@@ -146,14 +146,14 @@ struct rhw_pass_state {
 
     struct rhw_chunk *chunks; // of the wave under way
     int chunk_count, chunk_capacity;
-    uint64_t chunk_size;   // triangles of a chunk, at most
-    uint32_t entries_most; // of a chunk; at least one for every tile
+    uint64_t chunk_size;         // triangles of a chunk, at most
+    const struct rhw_mesh *mesh; // whose vertices are being shaded
+    uint32_t entries_most;       // of a chunk; at least one for every tile
 
     // Written by workers for every chunk, read when they look for the next:
     _Alignas(RHW_CACHE_LINE) _Atomic size_t geometry; // bytes that the wave's chunks took
     _Atomic int wave_end;                             // the chunks from here on wait for the next wave
     _Atomic bool failed;                              // a worker ran out of memory
-    const struct rhw_mesh *mesh;                      // whose vertices are being shaded
 
     _Alignas(RHW_CACHE_LINE) struct rhw_worker *workers;
     bool first_wave, last_wave;     // of this pass: load and store operations belong to these

@@ -199,7 +199,7 @@ static bool shade_meshes(struct rhw_pass_state *pass, struct rhw_stats *stats)
 {
     struct rhw_mesh *first;
     size_t bytes;
-    if (!rhw_meshes_find(pass, bin_limit(pass) / 8, &first, &bytes)) {
+    if (!rhw_meshes_find(pass, bin_limit(pass) / 4, &first, &bytes)) {
         return false;
     }
     pass->geometry = bytes;

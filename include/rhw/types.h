@@ -183,8 +183,8 @@ struct rhw_vertex1;
 struct rhw_fragment1;
 /// A shader function works on `count` groups of 8 lanes, 1..RHW_MAX_GROUPS, that stand one after the other. What it
 /// writes must follow from what it reads there, its uniforms and its textures alone: it is called on any thread, in any
-/// order, more than once for a vertex that several triangles share, not at all for a fragment that an opaque one hides,
-/// and once for a whole draw when it receives nothing that differs.
+/// order, more than once for a vertex that several triangles share, for vertices of the buffers that no triangle names,
+/// not at all for a fragment that an opaque one hides, and once for a whole draw when it receives nothing that differs.
 typedef void rhw_vertex_function(struct rhw_vertex *groups, int count);
 typedef void rhw_fragment_function(struct rhw_fragment *groups, int count);
 /// The one-at-a-time form: same pipeline, plain floats, slower.

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The front end over one chunk: assembly, vertex reuse, culling and setup of 8 triangles at a time, clipping,
-// binning. Template: compiled once per instruction set.
+// The front end: vertices of a mesh; and over one chunk: assembly, vertex reuse, culling and setup of 8 triangles at a
+// time, clipping, binning. Template: compiled once per instruction set.
 
 #include <stddef.h>
 
@@ -439,20 +439,21 @@ static void setup_run(struct rhw_front_scratch *scratch, uint32_t run_index, str
 }
 
 // Takes the vertices of a run from its draw's mesh. False where there is none, or where the run names others.
-static bool take_mesh(struct rhw_run *run, struct rhw_segment *segment, const struct rhw_draw *draw)
+static bool take_mesh(struct rhw_run *run, struct rhw_segment *segment, const struct rhw_draw *draw,
+                      uint32_t instance)
 {
-    const struct rhw_mesh *const mesh = draw->mesh;
     uint32_t low, high;
-    if (!mesh) {
+    if (!draw->meshes) {
         return false;
     }
+    const struct rhw_mesh *const mesh = &draw->meshes[instance];
     index_range(run, &low, &high);
     if (high >= mesh->count) {
         return false;
     }
     run->first_slot = 0;
     run->vertices = mesh->corners;
-    *segment = (struct rhw_segment){draw, 0, mesh->stride, mesh->records};
+    *segment = (struct rhw_segment){draw, instance, mesh->stride, mesh->records};
     return true;
 }
 
@@ -469,7 +470,7 @@ static bool start_run(struct rhw_front_scratch *scratch, struct rhw_worker *work
                             .first_primitive = first_primitive};
     scratch->run_count++;
     scratch->corner_count += count;
-    if (take_mesh(run, segment, draw)) {
+    if (take_mesh(run, segment, draw, instance)) {
         return true;
     }
     struct rhw_corner *const shaded = scratch->vertices + scratch->vertex_count;
@@ -667,7 +668,7 @@ static void run_vertices(struct rhw_pass_state *pass, const struct rhw_mesh *mes
     struct rhw_front_scratch *const scratch = pass->workers[worker].front;
     const uint64_t start = rhw_time_ns();
     const uint32_t left = mesh->count - first, count = left < RHW_MESH_PART ? left : RHW_MESH_PART;
-    const struct rhw_segment part = {mesh->draw, 0, mesh->stride,
+    const struct rhw_segment part = {mesh->draw, mesh->instance, mesh->stride,
                                      mesh->records + (size_t)first * (size_t)mesh->stride};
     for (uint32_t i = 0; i < count; i++) {
         scratch->unique[i] = mesh->draw->base_vertex + first + i;
