@@ -24,7 +24,7 @@ enum { MAX_JOBS = 64, MAX_PEERS = 4 };
 static const double bound[QUANTITY_COUNT] = {
     [QUANTITY_SMOOTH] = 5.6,      [QUANTITY_NOPERSPECTIVE] = 5.6, [QUANTITY_DEPTH] = 0.51,
     [QUANTITY_INVERSE_W] = 0.51,  [QUANTITY_SPACE] = 1,           [QUANTITY_SCREEN] = 3,
-    [QUANTITY_DERIVATIVE] = 1.01,
+    [QUANTITY_DERIVATIVE] = 1.05,
 };
 
 // How a budget of fragments is shared out. Families of tiny triangles cost up to 60 times more per fragment.
