@@ -214,9 +214,9 @@ static enum rhw_isa best_isa(enum rhw_isa highest)
     return (enum rhw_isa)isa;
 }
 
-static int thread_count(int wanted)
+static int thread_count(int wanted, int cores)
 {
-    const int count = wanted == 0 ? rhw_cpu_cores() : wanted;
+    const int count = wanted == 0 ? cores : wanted;
     return count > RHW_MAX_THREADS ? RHW_MAX_THREADS : count;
 }
 
@@ -271,6 +271,7 @@ enum rhw_result rhw_context_create(const struct rhw_context_def *def, rhw_contex
         return RHW_ERROR_OUT_OF_MEMORY;
 
     const enum rhw_isa isa = best_isa(def->isa);
+    const int cores = def->threads == 1 ? 1 : rhw_cpu_cores(); // which reads files
     *created = (struct rhw_context){
         .allocator = allocator,
         .log = def->log,
@@ -278,7 +279,8 @@ enum rhw_result rhw_context_create(const struct rhw_context_def *def, rhw_contex
         .user = def->user,
         .memory_used = sizeof *created,
         .memory_peak = sizeof *created,
-        .threads = thread_count(def->threads),
+        .cores = cores,
+        .threads = thread_count(def->threads, cores),
         .isa = isa,
         .bin_memory = def->bin_memory,
         .kernels = rhw_kernels_for(isa),

@@ -218,7 +218,7 @@ enum rhw_result rhw_scheduler_create(struct rhw_context *context, int threads,
         rhw_context_allocate(context, scheduler_size(threads), _Alignof(struct rhw_scheduler));
     if (created == NULL)
         return RHW_ERROR_OUT_OF_MEMORY;
-    *created = (struct rhw_scheduler){.threads = threads, .crowded = threads > rhw_cpu_cores()};
+    *created = (struct rhw_scheduler){.threads = threads, .crowded = threads > context->cores};
     if (!init_locks(created)) {
         rhw_context_release(context, created, scheduler_size(threads));
         return RHW_ERROR_THREAD;
