@@ -11,9 +11,9 @@
 #include "cpu.h"
 #include "deferral.h"
 #include "format.h"
-#include "mesh.h"
 #include "pass_run.h"
 #include "sampler.h"
+#include "shared_vertices.h"
 #include "srgb_texture.h"
 #include "thread.h"
 
@@ -579,7 +579,7 @@ static void record(rhw_context *context, rhw_pass id, const struct rhw_draw *dra
         return;
     }
     pass->draw_count++;
-    pass->has_large_draws |= slot->triangles_per_instance >= RHW_MESH_TRIANGLES;
+    pass->has_large_draws |= slot->triangles_per_instance >= RHW_SHARING_TRIANGLES;
     pass->triangle_count += (uint64_t)slot->triangles_per_instance * slot->instances;
 }
 

@@ -48,8 +48,8 @@ struct rhw_draw_state {
 struct rhw_draw {
     const struct rhw_draw_state *state;
     const void *uniforms;
-    const uint32_t (*expanded)[3]; // vertex indices of strips and fans with restart; else NULL
-    const struct rhw_mesh *meshes; // by instance, of the wave under way; mostly NULL
+    const uint32_t (*expanded)[3];            // vertex indices of strips and fans with restart; else NULL
+    const struct rhw_shared_vertices *shared; // by instance, of the wave under way; mostly NULL
     uint32_t first, base_vertex, first_instance, instances;
     uint32_t index; // of the draw in its pass
     uint32_t triangles_per_instance;
@@ -93,8 +93,8 @@ struct rhw_attachment {
     enum rhw_store store;
     const struct rhw_mip *target;  // NULL: exists in the tile alone
     struct rhw_clean_tiles *clean; // of a texture; NULL where there is none
-    // What a tile starts from where nothing is loaded, texels side by side: the clear value, or 0, which is undefined to
-    // the user and still the same bytes on every run.
+    // What a tile starts from where nothing is loaded, texels side by side: the clear value, or 0, which is undefined
+    // to the user and still the same bytes on every run.
     unsigned char clear[RHW_CLEAR_BYTES];
     size_t texel_size;
 };
@@ -142,13 +142,12 @@ struct rhw_pass_state {
     struct rhw_draw **draws; // grows; blocks of RHW_DRAW_BLOCK draws
     uint32_t draw_blocks, draw_block_capacity, draw_count;
     uint64_t triangle_count;
-    bool has_large_draws; // of RHW_MESH_TRIANGLES at least
+    bool has_large_draws; // of RHW_SHARING_TRIANGLES at least
 
     struct rhw_chunk *chunks; // of the wave under way
     int chunk_count, chunk_capacity;
-    uint64_t chunk_size;         // triangles of a chunk, at most
-    const struct rhw_mesh *mesh; // whose vertices are being shaded
-    uint32_t entries_most;       // of a chunk; at least one for every tile
+    uint64_t chunk_size;   // triangles of a chunk, at most
+    uint32_t entries_most; // of a chunk; at least one for every tile
 
     // Written by workers for every chunk, read when they look for the next:
     _Alignas(RHW_CACHE_LINE) _Atomic size_t geometry; // bytes that the wave's chunks took

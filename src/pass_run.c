@@ -10,9 +10,9 @@
 #include "context.h"
 #include "kernels/kernels.h"
 #include "kernels/scratch.h"
-#include "mesh.h"
 #include "pass.h"
 #include "scheduler.h"
+#include "shared_vertices.h"
 #include "thread.h"
 
 static const size_t default_bin_memory = (size_t)512 << 20; // bytes
@@ -188,26 +188,33 @@ static void run_chunk(void *user, int index, int worker)
     }
 }
 
+struct vertices_task {
+    struct rhw_pass_state *pass;
+    const struct rhw_shared_vertices *shared;
+};
+
 static void run_vertices(void *user, int index, int worker)
 {
-    struct rhw_pass_state *const pass = user;
-    pass->context->kernels->vertices(pass, pass->mesh, (uint32_t)index * RHW_MESH_PART, worker);
+    const struct vertices_task *const task = user;
+    task->pass->context->kernels->vertices(task->pass, task->shared, (uint32_t)index * RHW_SHARED_PART,
+                                           worker);
 }
 
-// Vertices of the wave's meshes. False when out of memory.
-static bool shade_meshes(struct rhw_pass_state *pass, struct rhw_stats *stats)
+// Those that the wave's chunks share. False when out of memory.
+static bool shade_shared_vertices(struct rhw_pass_state *pass, struct rhw_stats *stats)
 {
-    struct rhw_mesh *first;
+    struct rhw_shared_vertices *first;
     size_t bytes;
-    if (!rhw_meshes_find(pass, bin_limit(pass) / 4, &first, &bytes)) {
+    if (!rhw_shared_vertices_find(pass, bin_limit(pass) / 4, &first, &bytes)) {
         return false;
     }
     pass->geometry = bytes;
-    for (pass->mesh = first; pass->mesh; pass->mesh = pass->mesh->next) {
-        const int parts = (int)((pass->mesh->count - 1) / RHW_MESH_PART) + 1;
+    for (const struct rhw_shared_vertices *shared = first; shared; shared = shared->next) {
+        struct vertices_task task = {pass, shared};
+        const int parts = (int)((shared->count - 1) / RHW_SHARED_PART) + 1;
         stats->front_busy_ms +=
-            milliseconds(rhw_scheduler_run(pass->context->scheduler, run_vertices, pass, parts));
-        stats->vertices_shaded += pass->mesh->count;
+            milliseconds(rhw_scheduler_run(pass->context->scheduler, run_vertices, &task, parts));
+        stats->vertices_shaded += shared->count;
     }
     return true;
 }
@@ -265,7 +272,7 @@ static bool run_front(struct rhw_pass_state *pass, struct position *at, struct r
     for (int i = 0; i < context->threads; i++) {
         rhw_arena_reset(&pass->workers[i].arena);
     }
-    if (!cut_wave(pass, *at) || !shade_meshes(pass, stats)) {
+    if (!cut_wave(pass, *at) || !shade_shared_vertices(pass, stats)) {
         return false;
     }
     pass->wave_end = pass->chunk_count;

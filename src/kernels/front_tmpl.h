@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: MIT
-// The front end: vertices of a mesh; and over one chunk: assembly, vertex reuse, culling and setup of 8 triangles at a
-// time, clipping, binning. Template: compiled once per instruction set.
+// The front end: vertices that chunks share; and over one chunk: assembly, vertex reuse, culling and setup of 8
+// triangles at a time, clipping, binning. Template: compiled once per instruction set.
 
 #include <stddef.h>
 
 #include "../assembly.h"
 #include "../clip.h"
-#include "../mesh.h"
+#include "../shared_vertices.h"
 #include "../thread.h"
 #include "coverage_tmpl.h"
 #include "vertex_tmpl.h"
@@ -438,22 +438,22 @@ static void setup_run(struct rhw_front_scratch *scratch, uint32_t run_index, str
            out);
 }
 
-// Takes the vertices of a run from its draw's mesh. False where there is none, or where the run names others.
-static bool take_mesh(struct rhw_run *run, struct rhw_segment *segment, const struct rhw_draw *draw,
-                      uint32_t instance)
+// Takes the vertices of a run from those that its draw shares. False where it does not, or where the run names others.
+static bool take_shared(struct rhw_run *run, struct rhw_segment *segment, const struct rhw_draw *draw,
+                        uint32_t instance)
 {
     uint32_t low, high;
-    if (!draw->meshes) {
+    if (!draw->shared) {
         return false;
     }
-    const struct rhw_mesh *const mesh = &draw->meshes[instance];
+    const struct rhw_shared_vertices *const shared = &draw->shared[instance];
     index_range(run, &low, &high);
-    if (high >= mesh->count) {
+    if (high >= shared->count) {
         return false;
     }
     run->first_slot = 0;
-    run->vertices = mesh->corners;
-    *segment = (struct rhw_segment){draw, instance, mesh->stride, mesh->records};
+    run->vertices = shared->corners;
+    *segment = shared->segment;
     return true;
 }
 
@@ -470,7 +470,7 @@ static bool start_run(struct rhw_front_scratch *scratch, struct rhw_worker *work
                             .first_primitive = first_primitive};
     scratch->run_count++;
     scratch->corner_count += count;
-    if (take_mesh(run, segment, draw, instance)) {
+    if (take_shared(run, segment, draw, instance)) {
         return true;
     }
     struct rhw_corner *const shaded = scratch->vertices + scratch->vertex_count;
@@ -663,17 +663,18 @@ static uint64_t place_in_line(const struct rhw_front_scratch *scratch, const str
 }
 
 // See rhw_kernels.
-static void run_vertices(struct rhw_pass_state *pass, const struct rhw_mesh *mesh, uint32_t first, int worker)
+static void run_vertices(struct rhw_pass_state *pass, const struct rhw_shared_vertices *shared,
+                         uint32_t first, int worker)
 {
     struct rhw_front_scratch *const scratch = pass->workers[worker].front;
     const uint64_t start = rhw_time_ns();
-    const uint32_t left = mesh->count - first, count = left < RHW_MESH_PART ? left : RHW_MESH_PART;
-    const struct rhw_segment part = {mesh->draw, mesh->instance, mesh->stride,
-                                     mesh->records + (size_t)first * (size_t)mesh->stride};
+    const uint32_t left = shared->count - first, count = left < RHW_SHARED_PART ? left : RHW_SHARED_PART;
+    struct rhw_segment part = shared->segment;
+    part.vertices += (size_t)first * (size_t)part.vertex_stride;
     for (uint32_t i = 0; i < count; i++) {
-        scratch->unique[i] = mesh->draw->base_vertex + first + i;
+        scratch->unique[i] = part.draw->base_vertex + first + i;
     }
-    shade_vertices(scratch, &part, mesh->corners + first, count);
+    shade_vertices(scratch, &part, shared->corners + first, count);
     pass->workers[worker].counters.vertex_ns += rhw_time_ns() - start;
 }
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Draws whose vertices are shaded before their chunks: those of a mesh whose triangles lie in no order. A buffer with
-// more vertices than a mesh may have makes a twin without: the picture must be the same.
+// Draws whose vertices are shaded before their chunks: meshes whose triangles lie in no order. A buffer with more
+// vertices than chunks may share makes a twin without: the picture must be the same.
 #include "harness.h"
 
 #include <stdlib.h>
@@ -12,7 +12,7 @@ enum {
     POINTS = (CELLS + 1) * (CELLS + 1),
     TRIANGLES = 2 * CELLS * CELLS,
     INDICES = 3 * TRIANGLES,
-    TOO_MANY = 2 * TRIANGLES // vertices, for a mesh
+    TOO_MANY = 2 * TRIANGLES // vertices to be shared
 };
 
 struct mesh {
@@ -100,6 +100,12 @@ static uint64_t draw_twin(struct rig *rig, const struct mesh *mesh, struct way w
     return draw_mesh(rig, mesh, way);
 }
 
+static void assert_as_twin(struct rig *rig, const struct mesh *mesh, struct way way)
+{
+    const uint64_t twin = draw_twin(rig, mesh, way);
+    assert_true(draw_mesh(rig, mesh, way) == twin);
+}
+
 static void test_vertices_are_shaded_once(void **state)
 {
     (void)state;
@@ -114,7 +120,7 @@ static void test_vertices_are_shaded_once(void **state)
         struct way twice = once;
         twice.draws = 2;
         assert_true(draw_mesh(&rig, mesh, twice) == twin);
-        if (threads > 1) { // with one thread a draw is two chunks, and has no mesh
+        if (threads > 1) { // with one thread a draw is two chunks, and shares nothing
             assert_int_equal(rig.stats.vertices_shaded, 2 * POINTS);
         }
         free(mesh);
@@ -146,8 +152,7 @@ static void test_instances_and_index_types(void **state)
         struct way way = once;
         way.instances = n / 2;
         way.shorts = n % 2;
-        const uint64_t twin = draw_twin(&rig, mesh, way);
-        assert_true(draw_mesh(&rig, mesh, way) == twin);
+        assert_as_twin(&rig, mesh, way);
         assert_int_equal(rig.stats.vertices_shaded, way.instances * POINTS);
     }
     free(mesh);
@@ -168,7 +173,7 @@ static void test_base_vertex(void **state)
     way.base_vertex = BASE;
     assert_true(draw_mesh(&rig, mesh, way) == plain);
     assert_int_equal(rig.stats.vertices_shaded, POINTS);
-    // Indices that are larger, with a base below 0, name the same vertices; none of them takes a mesh.
+    // Indices that are larger, with a base below 0, name the same vertices; chunks shade them themselves.
     for (int i = 0; i < INDICES; i++) {
         mesh->indices[i] += 2 * BASE;
     }
@@ -178,7 +183,7 @@ static void test_base_vertex(void **state)
     rig_close(&rig);
 }
 
-// Indices behind the end of the buffer name vertices of zeros: only chunks without them take the mesh.
+// Indices behind the end of the buffer name vertices of zeros: only chunks without them share the others.
 static void test_indices_past_the_end(void **state)
 {
     (void)state;
@@ -193,8 +198,7 @@ static void test_indices_past_the_end(void **state)
         mesh->vertices[i].position[3] = mesh->vertices[i].value[3] =
             1; // what is not in a buffer reads 0, 0, 0, 1
     }
-    const uint64_t twin = draw_twin(&rig, mesh, once);
-    assert_true(draw_mesh(&rig, mesh, once) == twin);
+    assert_as_twin(&rig, mesh, once);
     assert_true(rig.stats.vertices_shaded > POINTS && rig.stats.vertices_shaded < 3 * POINTS);
     free(mesh);
     rig_close(&rig);
@@ -213,8 +217,7 @@ static void test_strips_and_fans(void **state)
         for (int i = 40; i < INDICES && n & 2; i += 41) {
             mesh->indices[i] = UINT32_MAX;
         }
-        const uint64_t twin = draw_twin(&rig, mesh, once);
-        assert_true(draw_mesh(&rig, mesh, once) == twin);
+        assert_as_twin(&rig, mesh, once);
         assert_int_equal(rig.stats.vertices_shaded, POINTS);
     }
     free(mesh);
@@ -251,8 +254,8 @@ static void test_other_attributes(void **state)
     rig_close(&rig);
 }
 
-// A wave has meshes of its own, as many as fit.
-static void test_waves_of_meshes(void **state)
+// A wave shares vertices of as many draws as fit.
+static void test_waves(void **state)
 {
     (void)state;
     enum { THREADS = 8 };                                   // so that chunks are small
@@ -265,7 +268,7 @@ static void test_waves_of_meshes(void **state)
     const uint64_t whole = draw_mesh(&rig, mesh, way);
     assert_int_equal(rig.stats.vertices_shaded, 12 * POINTS);
     rig_close(&rig);
-    open_mesh(&rig, THREADS, 9 * bytes); // two meshes
+    open_mesh(&rig, THREADS, 9 * bytes); // of two draws
     assert_true(draw_twin(&rig, mesh, way) == whole);
     const uint64_t without = rig.stats.vertices_shaded;
     assert_true(draw_mesh(&rig, mesh, way) == whole);
@@ -275,8 +278,8 @@ static void test_waves_of_meshes(void **state)
     rig_close(&rig);
 }
 
-// Meshes that grow from pass to pass leave nothing behind.
-static void test_memory_of_growing_meshes(void **state)
+// What grows from pass to pass leaves nothing behind.
+static void test_memory_of_growing_draws(void **state)
 {
     (void)state;
     struct rig rig;
@@ -290,7 +293,7 @@ static void test_memory_of_growing_meshes(void **state)
         assert_int_equal(rig.stats.vertices_shaded, points);
         first = first ? first : rig.stats.memory_peak;
     }
-    assert_true(rig.stats.memory_peak < 3 * first / 2); // the sum of all meshes is 14 MB
+    assert_true(rig.stats.memory_peak < 3 * first / 2); // the sum of all is 14 MB
     free(mesh);
     rig_close(&rig);
 }
@@ -311,7 +314,7 @@ static void take_back(void *user, void *memory, size_t size)
     free(memory);
 }
 
-// Whether a pass with a mesh was drawn in `context`. When it was not, some allocation had failed.
+// Whether a pass that shares vertices was drawn in `context`. When it was not, some allocation had failed.
 static bool draw_with_some_memory(rhw_context *context, const struct rhw_pipeline_def *pipeline_def,
                                   const struct mesh *mesh)
 {
@@ -377,8 +380,8 @@ int main(void)
         cmocka_unit_test(test_indices_past_the_end),
         cmocka_unit_test(test_strips_and_fans),
         cmocka_unit_test(test_other_attributes),
-        cmocka_unit_test(test_waves_of_meshes),
-        cmocka_unit_test(test_memory_of_growing_meshes),
+        cmocka_unit_test(test_waves),
+        cmocka_unit_test(test_memory_of_growing_draws),
         cmocka_unit_test(test_memory_runs_out),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);

@@ -1,12 +1,11 @@
 // SPDX-License-Identifier: MIT
-// Which draws have a mesh, and room for its vertices.
-#include "mesh.h"
+// Which draws share their vertices, and room for these.
+#include "shared_vertices.h"
 
 #include "assembly.h"
 #include "context.h"
 #include "format.h"
 #include "kernels/scratch.h"
-#include "pass.h"
 #include "pipeline.h"
 
 // Elements that lie wholly inside the buffers of a draw, at most UINT32_MAX.
@@ -28,8 +27,8 @@ static uint32_t elements_of(const struct rhw_draw_state *state)
     return (uint32_t)count;
 }
 
-// Whether triangles in the middle of the draw, a few of a chunk, name vertices further apart than those of a whole chunk
-// are where a mesh has an order.
+// Whether a few triangles in the middle of the draw name vertices further apart than those of a whole chunk are where
+// triangles have an order.
 static bool is_scattered(const struct rhw_draw *draw, uint64_t chunk)
 {
     enum { SAMPLES = 256 };
@@ -45,12 +44,12 @@ static bool is_scattered(const struct rhw_draw *draw, uint64_t chunk)
     return most - least >= 3 * chunk / 4;
 }
 
-// Vertices of the draw's mesh; 0 where it has none. `chunk`: triangles of one. Chunks of triangles in no order shade one
-// to three vertices for each and look up as many, so that up to three vertices for two triangles cost less.
-static uint32_t vertices_of(const struct rhw_draw *draw, uint64_t chunk)
+// Vertices that the draw shares; 0 where it does not. `chunk`: triangles of one. Chunks of triangles in no order shade
+// one to three vertices for each and look up as many, so that up to three vertices for two triangles cost less.
+static uint32_t shared_count(const struct rhw_draw *draw, uint64_t chunk)
 {
     const uint32_t triangles = draw->triangles_per_instance;
-    if (!draw->indexed || triangles < RHW_MESH_TRIANGLES || triangles < 2 * chunk) {
+    if (!draw->indexed || triangles < RHW_SHARING_TRIANGLES || triangles < 2 * chunk) {
         return 0;
     }
     const uint32_t elements = elements_of(draw->state);
@@ -58,26 +57,28 @@ static uint32_t vertices_of(const struct rhw_draw *draw, uint64_t chunk)
     return count / 3 <= triangles / 2 && is_scattered(draw, chunk) ? count : 0;
 }
 
-// Meshes of all instances of a draw. NULL when out of memory.
-static struct rhw_mesh *make_meshes(struct rhw_arena *arena, const struct rhw_draw *draw, uint32_t count,
-                                    size_t room, int stride)
+// Room for the vertices of all instances of a draw. NULL when out of memory.
+static struct rhw_shared_vertices *make_room(struct rhw_arena *arena, const struct rhw_draw *draw,
+                                             uint32_t count, size_t room, int stride)
 {
-    struct rhw_mesh *const meshes = rhw_arena_alloc(arena, draw->instances * sizeof *meshes, RHW_CACHE_LINE);
-    for (uint32_t i = 0; meshes && i < draw->instances; i++) {
+    struct rhw_shared_vertices *const shared =
+        rhw_arena_alloc(arena, draw->instances * sizeof *shared, RHW_CACHE_LINE);
+    for (uint32_t i = 0; shared && i < draw->instances; i++) {
         float *const records =
             rhw_arena_alloc(arena, room * (size_t)stride * sizeof *records, RHW_CACHE_LINE);
         struct rhw_corner *const corners = rhw_arena_alloc(arena, room * sizeof *corners, RHW_CACHE_LINE);
         if (!records || !corners) {
             return NULL;
         }
-        meshes[i] = (struct rhw_mesh){draw, i, count, stride, records, corners, NULL};
+        shared[i] = (struct rhw_shared_vertices){{draw, i, stride, records}, corners, count, NULL};
     }
-    return meshes;
+    return shared;
 }
 
-bool rhw_meshes_find(struct rhw_pass_state *pass, size_t most, struct rhw_mesh **first, size_t *bytes)
+bool rhw_shared_vertices_find(struct rhw_pass_state *pass, size_t most, struct rhw_shared_vertices **first,
+                              size_t *bytes)
 {
-    struct rhw_mesh **end = first;
+    struct rhw_shared_vertices **end = first;
     *first = NULL;
     *bytes = 0;
     if (!pass->has_large_draws || pass->chunk_count == 0) {
@@ -89,25 +90,25 @@ bool rhw_meshes_find(struct rhw_pass_state *pass, size_t most, struct rhw_mesh *
         if (draw->first_triangle >= last->first + last->count) {
             break;
         }
-        draw->meshes = NULL;
-        const uint32_t count = vertices_of(draw, pass->chunk_size);
+        draw->shared = NULL;
+        const uint32_t count = shared_count(draw, pass->chunk_size);
         const uint64_t room = ((uint64_t)count + 7) & ~(uint64_t)7;
         const int stride = rhw_vertex_stride(draw->state->pipeline->varying_components);
         const uint64_t size = room * ((uint64_t)stride * sizeof(float) + sizeof(struct rhw_corner));
         if (count == 0 || draw->instances > (most - *bytes) / size) {
             continue;
         }
-        struct rhw_mesh *const meshes =
-            make_meshes(&pass->workers[0].arena, draw, count, (size_t)room, stride);
-        if (!meshes) {
+        struct rhw_shared_vertices *const shared =
+            make_room(&pass->workers[0].arena, draw, count, (size_t)room, stride);
+        if (!shared) {
             return false;
         }
         for (uint32_t i = 0; i < draw->instances; i++) {
-            *end = &meshes[i];
-            end = &meshes[i].next;
+            *end = &shared[i];
+            end = &shared[i].next;
         }
         *bytes += (size_t)(draw->instances * size);
-        draw->meshes = meshes;
+        draw->shared = shared;
     }
     return true;
 }
