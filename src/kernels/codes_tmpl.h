@@ -244,9 +244,9 @@ RHW_INLINE void sample_codes_of_levels(const struct rhw_texture_data *texture,
 
 static __attribute__((noinline)) void sample_codes_apart(const struct rhw_texture_data *texture,
                                                          const struct rhw_sampler_data *sampler, f8 s, f8 t,
-                                                         i8 detail, f8 texel[4])
+                                                         i8 detail, bool linear, f8 texel[4])
 {
-    if (texture->format == RHW_FORMAT_RGBA8_SRGB) {
+    if (linear) {
         sample_codes_of_levels(texture, sampler, s, t, detail, true, texel);
     } else {
         sample_codes_of_levels(texture, sampler, s, t, detail, false, texel);
@@ -293,7 +293,7 @@ RHW_INLINE void sample_codes(const struct rhw_texture_data *texture, const struc
             return;
         }
     }
-    sample_codes_apart(texture, sampler, s, t, detail, texel);
+    sample_codes_apart(texture, sampler, s, t, detail, linear, texel);
 }
 
 #endif

@@ -60,10 +60,11 @@ RHW_INLINE uint32_t sample_sharing(const struct rhw_binding *bindings, uint32_t 
 }
 
 // Asks for the finer level's texels. Every second lane: neighbours mostly share cache lines.
-RHW_INLINE void sample_prefetch(const struct rhw_texture_data *texture, const struct sample_spots *spots)
+RHW_INLINE void sample_prefetch(const struct rhw_binding *binding, const struct sample_spots *spots)
 {
+    const struct rhw_texture_data *const texture = binding->texture;
     const struct rhw_mip *const mip = &texture->mip[spots->level];
-    const bool linear = texture->format == RHW_FORMAT_RGBA8_SRGB;
+    const bool linear = binding->sample == sample_rgba8_srgb;
     const unsigned char *const texels = linear ? mip->linear : mip->texels;
     const size_t texel = linear ? RHW_LINEAR_TEXEL : 4, row = texel / 4 * mip->row_pitch;
     uint32_t at[RHW_LANES];
@@ -95,8 +96,7 @@ RHW_INLINE void group_gradient(const struct rhw_fragment *group, int at, f8 grad
 enum { SPOTS = 8 };
 
 // One texture at the spots of the groups whose bits are set in `found`. Meanwhile asks for texels of the next one.
-RHW_INLINE void sample_spots_groups(const struct rhw_texture_data *texture,
-                                    const struct rhw_texture_data *next,
+RHW_INLINE void sample_spots_groups(const struct rhw_texture_data *texture, const struct rhw_binding *next,
                                     const struct sample_spots spots[SPOTS], unsigned found, bool linear,
                                     f8 (*texels)[4], int stride)
 {
@@ -122,14 +122,14 @@ static void sample_shared_groups(const struct rhw_binding *bindings, uint32_t sl
         group_gradient(&groups[g], at, grad);
         if (sample_find_spots(first, &groups[g].varying[at], grad, &spots[g])) {
             found |= 1u << g;
-            sample_prefetch(first->texture, &spots[g]);
+            sample_prefetch(first, &spots[g]);
         }
     }
     for (uint32_t todo = slots; todo != 0; todo &= todo - 1) {
         const int slot = __builtin_ctz(todo);
         const struct rhw_texture_data *const texture = bindings[slot].texture;
         const uint32_t later = todo & (todo - 1);
-        const struct rhw_texture_data *const next = later ? bindings[__builtin_ctz(later)].texture : NULL;
+        const struct rhw_binding *const next = later ? &bindings[__builtin_ctz(later)] : NULL;
         if (bindings[slot].sample == sample_rgba8_srgb) {
             sample_spots_groups(texture, next, spots, found, true, texels + slot, stride);
         } else {
