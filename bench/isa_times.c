@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Times the scenes that need no file with one thread on each instruction set of this build, so that builds which have
-// no program, WebAssembly for one, can be compared: script/isas does. Prints "ISA SCENE MILLISECONDS" for each, the least
-// of some frames: what else the machine does only adds to it.
+// no program, WebAssembly for one, can be compared: script/isas does. Prints "ISA SCENE MILLISECONDS" for each, the
+// least of some frames: what else the machine does only adds to it.
 //   isa_times         frames of 1920×1080
 //   isa_times quick   frames of 64×36: a test that all scenes are drawn
 #include "measure.h"

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // The built-in physically based shader in GLSL ES 3.00: scene/shaders_surface.c and scene/shaders_pbr.h, formula by
-// formula and name by name, for the textures that the scenes have, one directional light and nothing mirrored. What a variant
-// does not need is left out when it is compiled, as it is there.
+// formula and name by name, for the textures that the scenes have, one directional light and nothing mirrored. What a
+// variant does not need is left out when it is compiled, as it is there.
 #include "scene_pbr.h"
 #include "shaders_glsl.h"
 

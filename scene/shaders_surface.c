@@ -373,8 +373,8 @@ static void lit_fragment(struct rhw_fragment *groups, int count)
     }
 }
 
-// Texels of several groups first, then their light: both are long chains of operations that wait for each other, and the
-// shorter a chain, the sooner the next begins beside it.
+// Texels of several groups first, then their light: both are long chains of operations that wait for each other, and
+// the shorter a chain, the sooner the next begins beside it.
 ALWAYS_INLINE void shade_textured(struct rhw_fragment *groups, int count, bool mapped)
 {
     enum { STEP = 8 };

@@ -93,8 +93,8 @@ void *rhw_arena_grow(struct rhw_arena *arena, size_t size, size_t align)
     struct rhw_arena_chunk *const old = arena->current;
     const size_t used = rhw_arena_used(arena);
 
-    // The next chunk of an earlier frame, when it is large enough; else a new one takes its place, so that requests which
-    // grow from frame to frame do not leave a chunk of every size behind.
+    // The next chunk of an earlier frame, when it is large enough; else a new one takes its place, so that requests
+    // which grow from frame to frame do not leave a chunk of every size behind.
     struct rhw_arena_chunk *chunk = old != NULL ? old->next : arena->first;
     if (chunk == NULL || chunk->size - sizeof *chunk < need) {
         struct rhw_arena_chunk *const created = create_chunk(arena, need);

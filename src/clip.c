@@ -4,7 +4,8 @@
 // same planes in the same order, thus get the same point, bit for bit, and no crack opens between them.
 //
 // Z here is in the range 0..W whatever the pipeline's: (Z + W)/2 of floats is exact in double unless their
-// exponents are far apart. 0 <= Z <= W implies W >= 0; with the guard band, W = 0 is left only for the point (0, 0, 0, 0).
+// exponents are far apart. 0 <= Z <= W implies W >= 0; with the guard band, W = 0 is left only for the point (0, 0, 0,
+// 0).
 #include "clip.h"
 
 #include "constants.h"

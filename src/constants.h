@@ -27,8 +27,8 @@ enum {
     // for common vertex sizes. Below 2^16, the numbers that bins hold.
     RHW_CHUNK_TRIANGLES = 8192,
 
-    // Chunks of one wave. Bounds their list, and 16 bytes of scratch each per thread: 134 million triangles, of which those
-    // that leave nothing to draw take hardly any bin memory.
+    // Chunks of one wave. Bounds their list, and 16 bytes of scratch each per thread: 134 million triangles, of which
+    // those that leave nothing to draw take hardly any bin memory.
     RHW_WAVE_CHUNKS = 16384,
 
     // Bytes; a cache line, so that two threads never write the same one.

@@ -57,8 +57,8 @@ __attribute__((format(printf, 3, 4))) void rhw_context_log(const struct rhw_cont
 // Messages read "rhw_function: what has which value; the rule".
 __attribute__((format(printf, 2, 3), cold)) void rhw_misuse(const struct rhw_context *context,
                                                             const char *format, ...);
-// Reports misuse when `condition` is false; is `condition`. A macro, because a draw passes a dozen of these: a call with
-// arguments for a message that nobody needs took a fifth of the time of recording.
+// Reports misuse when `condition` is false; is `condition`. A macro, because a draw passes a dozen of these: a call
+// with arguments for a message that nobody needs took a fifth of the time of recording.
 #define rhw_check(context, condition, ...) ((condition) || (rhw_misuse((context), __VA_ARGS__), false))
 
 // Lookup by id. `where` is the public function that was called; a null or stale id is reported as its

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// How numbers lie in lanes: rows and columns, bytes and 16-bit halves within a lane, 16-bit floats, lanes from other lanes
-// and from tables. As in simd.h, every wrapper gives the same bits on every instruction set.
+// How numbers lie in lanes: rows and columns, bytes and 16-bit halves within a lane, 16-bit floats, lanes from other
+// lanes and from tables. As in simd.h, every wrapper gives the same bits on every instruction set.
 #ifndef RHW_SIMD_LAYOUT_H
 #define RHW_SIMD_LAYOUT_H
 
@@ -219,8 +219,8 @@ RHW_INLINE i8 i8_bytes_from_f8(const f8 channel[4])
 #endif
 }
 
-// 16-bit floats in the lower halves, zero above, as rhw_half_to_float. Read as floats, the shifted bits are 2^112 times too
-// small, denormals included; infinity and NaN get the exponent that the product lacks, NaN its quiet bit.
+// 16-bit floats in the lower halves, zero above, as rhw_half_to_float. Read as floats, the shifted bits are 2^112 times
+// too small, denormals included; infinity and NaN get the exponent that the product lacks, NaN its quiet bit.
 RHW_INLINE f8 f8_from_half(i8 half)
 {
     const i8 magnitude = half & 0x7fff;

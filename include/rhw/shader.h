@@ -35,7 +35,8 @@ struct rhw_fragment {
     rhw_float depth;                 ///< out, with RHW_USE_DEPTH; holds the interpolated depth on entry
     rhw_float coord[4];              ///< x, y in pixels from the top left (centres at .5), z, 1/w
     rhw_int front_facing;            ///< −1 or 0
-    rhw_int primitive, instance, draw; ///< triangle in its draw (per instance), instance (first_instance included), draw in its pass
+    rhw_int primitive;               ///< triangle in its draw, of the instance
+    rhw_int instance, draw;          ///< instance, first_instance included; draw in its pass
     rhw_float barycentric[3];        ///< a, b, c: weights in space
     rhw_float barycentric_noperspective[3]; ///< r, s, t: weights on the screen
     rhw_float barycentric_ddx[3], barycentric_ddy[3]; ///< of a, b, c per pixel
@@ -70,9 +71,9 @@ struct rhw_fragment1 {
 #include "shader_sample.h"
 
 /// rhw_sample_slots for `count` groups (1..RHW_MAX_GROUPS) of one call of a fragment function, at coordinates that are
-/// varyings with derivatives: components `at` and `at + 1`. Bit n of `slots` (at least one) samples textures[n] of group
-/// g into texels[g * stride + n], the same bits as rhw_sample_grad; `stride` is above the highest slot, and no other
-/// texel is written. In less time than one group after the other: levels of detail are worked out for all groups
+/// varyings with derivatives: components `at` and `at + 1`. Bit n of `slots` (at least one) samples textures[n] of
+/// group g into texels[g * stride + n], the same bits as rhw_sample_grad; `stride` is above the highest slot, and no
+/// other texel is written. In less time than one group after the other: levels of detail are worked out for all groups
 /// together, and of several slots the texels of all groups are on their way at once. groups->color with a stride of
 /// RHW_MAX_COLOR_ATTACHMENTS is allowed: slot n is then what target n gets.
 static inline void rhw_sample_groups(const struct rhw_fragment *groups, int count, uint32_t slots, int at,

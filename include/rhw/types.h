@@ -129,8 +129,9 @@ struct rhw_varying {
 
 enum rhw_topology {
     RHW_TRIANGLE_LIST,
-    RHW_TRIANGLE_STRIP, ///< of odd triangles the order keeps the winding and the provoking vertex: FIRST i, i+2, i+1; LAST i+1, i, i+2
-    RHW_TRIANGLE_FAN ///< provoking FIRST: vertices i+1, i+2, 0; LAST: 0, i+1, i+2
+    RHW_TRIANGLE_STRIP, ///< the order of odd triangles keeps the winding and the provoking vertex: FIRST i, i+2,
+                        ///< i+1; LAST i+1, i, i+2
+    RHW_TRIANGLE_FAN    ///< provoking FIRST: vertices i+1, i+2, 0; LAST: 0, i+1, i+2
 };
 enum rhw_index_type { RHW_INDEX_UINT8, RHW_INDEX_UINT16, RHW_INDEX_UINT32 };
 enum rhw_cull { RHW_CULL_NONE, RHW_CULL_FRONT, RHW_CULL_BACK };

@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: MIT
-// Setup of the next 8 triangles of a bin, lane by lane: of each the edges, and the planes that every fragment needs. One
-// at a time, small triangles spend most of their time waiting for the divisions of planes_tmpl.h; here 8 wait at once.
-// The operations are those of planes_linear, so it changes no bit which of the two made a plane.
-// Template: compiled once per instruction set.
+// Setup of the next 8 triangles of a bin, lane by lane: of each the edges, and the planes that every fragment needs.
+// One at a time, small triangles spend most of their time waiting for the divisions of planes_tmpl.h; here 8 wait at
+// once. The operations are those of planes_linear, so it changes no bit which of the two made a plane. Template:
+// compiled once per instruction set.
 
 #include "bin_tmpl.h"
 
-// Meaningful for triangles with RHW_TRIANGLE_SMALL alone. Edges: q, a, b are those of coverage_tmpl.h, q at pixel (x, y0)
-// of the tile. Corners lie within 64 pixels of each other and within 72 of any pixel of a block that reaches into their
-// rectangle, as edge_lanes asks.
+// Meaningful for triangles with RHW_TRIANGLE_SMALL alone. Edges: q, a, b are those of coverage_tmpl.h, q at pixel (x,
+// y0) of the tile. Corners lie within 64 pixels of each other and within 72 of any pixel of a block that reaches into
+// their rectangle, as edge_lanes asks.
 struct batch {
     const struct bin_batch *read; // the triangles
     // What they may cover of the tile: see struct tile_rect.

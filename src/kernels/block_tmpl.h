@@ -5,8 +5,8 @@
 #include "collect_tmpl.h"
 #include "coverage_tmpl.h"
 
-// Tests the pixels of a block set in `mask`, whose depths are `z`; returns those that pass. `rule` is a constant where a
-// call names it, as is `whole`: all pixels are set.
+// Tests the pixels of a block set in `mask`, whose depths are `z`; returns those that pass. `rule` is a constant where
+// a call names it, as is `whole`: all pixels are set.
 RHW_INLINE uint64_t test_rows(struct tile_work *work, const f8 z[RHW_BLOCK], int x, int y, uint64_t mask,
                               const struct depth_rule rule, bool whole)
 {

@@ -37,8 +37,8 @@ static struct edge make_edge(int32_t x0, int32_t y0, int32_t x1, int32_t y1, int
                          (RHW_BLOCK - 1) * ((int64_t)max_int(a, 0) + max_int(b, 0))};
 }
 
-// The edge of 8 triangles from corner i to corner i + 1, at x, y, 1/256 pixel. Where corners lie within 64 pixels of each
-// other and within 72 of the pixels looked at, |a|, |b| < 2^14 and |e| < 2·2^14·72·256 < 2^30; in lanes of larger
+// The edge of 8 triangles from corner i to corner i + 1, at x, y, 1/256 pixel. Where corners lie within 64 pixels of
+// each other and within 72 of the pixels looked at, |a|, |b| < 2^14 and |e| < 2·2^14·72·256 < 2^30; in lanes of larger
 // triangles, and of those far away, it is rubbish that may wrap: go on with it unsigned.
 struct edge_lanes {
     i8 a, b; // change of e per 1/256 pixel to the right, and down

@@ -2,14 +2,15 @@
 // What of 8 fragments is seen: depth tests against a tile's depth, and pixels that are still open. Template: compiled
 // once per instruction set.
 //
-// Draws that any order would draw alike (deferral.h) can be drawn in two phases, so that only what is seen is shaded: the
-// first leaves the least depth of all their triangles (with LESS; GREATER is its mirror image), the second shades the
-// fragments that have it. Of fragments with equal depth the first in submission order wins with LESS, the last with
+// Draws that any order would draw alike (deferral.h) can be drawn in two phases, so that only what is seen is shaded:
+// the first leaves the least depth of all their triangles (with LESS; GREATER is its mirror image), the second shades
+// the fragments that have it. Of fragments with equal depth the first in submission order wins with LESS, the last with
 // LESS_EQUAL. The last needs no care: each is shaded and overwrites the one before. For the first, a pixel is `open`
 // from when the first phase writes it until its fragment is shaded; depth that was there before, or that a fragment
 // function which discards wrote, is nobody's to match.
 //
-// Without a depth test the last fragment wins: the triangles are drawn backwards, and a pixel is open until it is taken.
+// Without a depth test the last fragment wins: the triangles are drawn backwards, and a pixel is open until it is
+// taken.
 
 #include "work_tmpl.h"
 

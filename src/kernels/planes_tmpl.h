@@ -490,10 +490,11 @@ static struct weights cut_weights(const struct cut_row *cut, struct weights w)
                             d8_select(cut->lanes, cut->weights.inverse_s, w.inverse_s)};
 }
 
-// Sets the slopes, which planes_homogeneous sets itself: the numerators of d(q/S)/dx = (q_x·S − q·S_x)/S² and d(q/S)/dy,
-// which are linear; the one does not depend on x, the other not on y. No cancellation per pixel. With T = e_0·w_0 + e_1·w_1 + e_2·w_2, d(e_1·w_1/T)/dx =
-// w_1·(Σ w_i·(a_1·e_i − a_i·e_1))/T²; a_1·e_0 − a_0·e_1 is 0 at vertex 2, does not depend on x, and changes by the area
-// with y, and so on around the triangle: what is left are heights over vertices, which are exact.
+// Sets the slopes, which planes_homogeneous sets itself: the numerators of d(q/S)/dx = (q_x·S − q·S_x)/S² and
+// d(q/S)/dy, which are linear; the one does not depend on x, the other not on y. No cancellation per pixel. With T =
+// e_0·w_0 + e_1·w_1 + e_2·w_2, d(e_1·w_1/T)/dx = w_1·(Σ w_i·(a_1·e_i − a_i·e_1))/T²; a_1·e_0 − a_0·e_1 is 0 at vertex
+// 2, does not depend on x, and changes by the area with y, and so on around the triangle: what is left are heights over
+// vertices, which are exact.
 static void planes_slopes(struct planes *p, const struct rhw_triangle *t,
                           const struct rhw_vertex_record *const v[3])
 {

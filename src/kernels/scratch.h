@@ -18,8 +18,8 @@ enum {
     // Groups of 8 fragments per call of the fragment function: two whole blocks; enough to hide the call, few enough
     // that their varyings stay in the first cache level.
     RHW_FRAGMENT_GROUPS = RHW_MAX_GROUPS,
-    // Triangles of a tile whose visibility is remembered from the first phase to the second: 4 KiB of bits. A longer run
-    // is drawn as submitted.
+    // Triangles of a tile whose visibility is remembered from the first phase to the second: 4 KiB of bits. A longer
+    // run is drawn as submitted.
     RHW_DEFERRED_TRIANGLES = 32768,
     // Triangles whose fragments may wait for a group at the same time: 7 that wait, and the one that adds to them.
     RHW_PACKED_TRIANGLES = 8,
@@ -65,8 +65,8 @@ struct rhw_front_scratch {
     struct rhw_front_counters counters;
 };
 
-// Where the 8 fragments of each group stand. A texel of the tile has the number y·RHW_TILE + x. place_rows always writes 8
-// entries, so there is room for 8 from the last group on.
+// Where the 8 fragments of each group stand. A texel of the tile has the number y·RHW_TILE + x. place_rows always
+// writes 8 entries, so there is room for 8 from the last group on.
 struct rhw_group_places {
     int32_t at[RHW_FRAGMENT_GROUPS + RHW_BLOCK];   // of 8 in a row: the first
     uint8_t bits[RHW_FRAGMENT_GROUPS + RHW_BLOCK]; // live lanes

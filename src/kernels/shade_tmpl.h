@@ -237,8 +237,8 @@ RHW_INLINE void fill_row_slopes(const struct tile_work *work, const struct trian
     }
 }
 
-// The rows as groups from `first` on, some at a time: while the weights of these wait for their divisions, the varyings of
-// those before are worked out. `exact`: of the planes.
+// The rows as groups from `first` on, some at a time: while the weights of these wait for their divisions, the varyings
+// of those before are worked out. `exact`: of the planes.
 RHW_INLINE void fill_steps(const struct tile_work *work, const struct triangle_work *triangle,
                            const struct block_planes *block, const struct block_place *at,
                            const struct block_rows *rows, int first, bool derivatives, bool exact)

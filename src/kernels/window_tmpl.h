@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // The window: groups of 8 fragments of one draw that wait to be shaded with one call. They are merged in the order in
-// which they came, so several of them may have fragments of the same pixel. Template: compiled once per instruction set.
+// which they came, so several of them may have fragments of the same pixel. Template: compiled once per instruction
+// set.
 
 #include "../shader_adapter.h"
 #include "depth_tmpl.h"

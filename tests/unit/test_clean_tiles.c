@@ -80,7 +80,8 @@ static void test_what_was_drawn_is_cleared(void **state)
     rig_close(&rig);
 }
 
-// A tile that is drawn in some wave is not clean, whatever is drawn later and not stored; nor is it where a load left zeros.
+// A tile that is drawn in some wave is not clean, whatever is drawn later and not stored; nor is it where a load left
+// zeros.
 static void test_waves_and_stores(void **state)
 {
     (void)state;

@@ -547,8 +547,8 @@ static bool covers(const struct rig_vertex sliver[3], struct rhw_viewport viewpo
     return covered;
 }
 
-// What the near plane leaves of this sliver is a quad that crosses itself once its corners are snapped, and whose halves
-// have areas of opposite sign that add up to 0. (Found by script/exactness: near_far, seed 1, index 55759.)
+// What the near plane leaves of this sliver is a quad that crosses itself once its corners are snapped, and whose
+// halves have areas of opposite sign that add up to 0. (Found by script/exactness: near_far, seed 1, index 55759.)
 static void test_a_polygon_that_crosses_itself(void **state)
 {
     (void)state;

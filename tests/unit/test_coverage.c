@@ -79,8 +79,8 @@ static void test_tiny_triangles_that_cover_nothing_are_culled(void **state)
     rig_close(&rig);
 }
 
-// Tiny triangles set up beside huge ones, whose edge functions do not fit 32 bits, and a scissor that leaves out most of
-// them: what is drawn is what each draws alone.
+// Tiny triangles set up beside huge ones, whose edge functions do not fit 32 bits, and a scissor that leaves out most
+// of them: what is drawn is what each draws alone.
 static void test_tiny_triangles_beside_huge_ones(void **state)
 {
     (void)state;

@@ -216,8 +216,8 @@ static void test_one_run_after_another(void **state)
     rig_close(&rig);
 }
 
-// Any comparison after any other: what lies behind a block now may lie before it later. A third of the pictures have runs
-// of one of them, and a third runs as long as chunks, which are drawn depth first where they can be.
+// Any comparison after any other: what lies behind a block now may lie before it later. A third of the pictures have
+// runs of one of them, and a third runs as long as chunks, which are drawn depth first where they can be.
 static void test_depth_that_moves_both_ways(void **state)
 {
     (void)state;

@@ -108,7 +108,8 @@ static void draw_one_by_one(struct rig *rig, const struct rig_vertex *vertices, 
     memcpy(picture, rig_read(rig, rig->pass.colors[0].texture), SIZE * SIZE * texel);
 }
 
-// Every program, with and without a depth test, triangles of every size: pixels, blocks, parts of a tile, several tiles.
+// Every program, with and without a depth test, triangles of every size: pixels, blocks, parts of a tile, several
+// tiles.
 static void compare_roads(enum rhw_format format)
 {
     static const float extents[] = {1, 2, 4, 9, 25, 70, 400};
@@ -197,8 +198,8 @@ static void test_moved_triangles(void **state)
     rig_close(&rig);
 }
 
-// A triangle over whole tiles takes a shorter road than the same triangle behind a scissor that leaves out half of every
-// tile: opaque, when it is the last of its pixels and nothing before it is drawn, and blended.
+// A triangle over whole tiles takes a shorter road than the same triangle behind a scissor that leaves out half of
+// every tile: opaque, when it is the last of its pixels and nothing before it is drawn, and blended.
 static void test_whole_tiles(void **state)
 {
     (void)state;
