@@ -167,25 +167,18 @@ RHW_INLINE bool takes_whole_tile(const struct tile_work *work)
 }
 
 RHW_INLINE void fill_whole_tile(struct tile_work *work, const struct triangle_work *triangle,
-                                bool derivatives)
+                                bool derivatives, enum weighing how)
 {
     const struct planes *const planes = &triangle->planes;
-    const struct plane s = linear_plane(&planes->linear, QUANTITY_S),
-                       b = linear_plane(&planes->linear, QUANTITY_B),
-                       c = linear_plane(&planes->linear, QUANTITY_C);
     for (int y = 0; y < RHW_TILE; y += RHW_BLOCK) {
         struct block_planes block;
         const d8 dy = block_place(work, planes, 0, y).dy;
-        plane_rows(&block.s, &s, dy);
-        plane_rows(&block.b, &b, dy);
-        plane_rows(&block.c, &c, dy);
+        weight_rows(&block, planes, dy, how);
         for (int x = 0; x < RHW_TILE; x += RHW_BLOCK) {
             const struct block_place at = {block_place(work, planes, x, y).dx, dy};
-            plane_columns(&block.s, &s, at.dx);
-            plane_columns(&block.b, &b, at.dx);
-            plane_columns(&block.c, &c, at.dx);
+            weight_columns(&block, planes, at.dx);
             place_rows(work, &all_rows, work->count, x, y);
-            fill_steps(work, triangle, &block, &at, &all_rows, work->count, derivatives, false);
+            fill_steps(work, triangle, &block, &at, &all_rows, work->count, derivatives, how);
             work->count += RHW_BLOCK;
             if (work->count == RHW_FRAGMENT_GROUPS) {
                 shade_window(work);
@@ -204,10 +197,16 @@ static __attribute__((noinline)) bool draw_whole_tile(struct tile_work *work, st
     }
     flush(work); // its own groups fill windows without a rest
     prepare_values(work, triangle);
-    if (work->pipeline->any_derivatives) {
-        fill_whole_tile(work, triangle, true);
+    const bool derivatives = work->pipeline->any_derivatives;
+    const bool level = weighing_of(&triangle->planes) == WEIGH_LEVEL;
+    if (derivatives && level) {
+        fill_whole_tile(work, triangle, true, WEIGH_LEVEL);
+    } else if (derivatives) {
+        fill_whole_tile(work, triangle, true, WEIGH_LANES);
+    } else if (level) {
+        fill_whole_tile(work, triangle, false, WEIGH_LEVEL);
     } else {
-        fill_whole_tile(work, triangle, false);
+        fill_whole_tile(work, triangle, false, WEIGH_LANES);
     }
     work->counters->fragments += RHW_TILE * RHW_TILE;
     if (work->phase == PHASE_BACKWARDS) {

@@ -281,7 +281,24 @@ RHW_INLINE d8 combine_rows(const struct planes *p, enum quantity q, d8 e1, d8 e2
 // block_weights; n1, n2 by block_screen_weights; e1, e2 instead of all of them when the planes are exact.
 struct block_planes {
     struct block_plane z, s, b, c, n1, n2, e1, e2;
+    double inverse_s[RHW_BLOCK]; // by row, with WEIGH_LEVEL
 };
+
+// How the weights of a row are found; a constant where a call names it.
+enum weighing {
+    WEIGH_LANES,  // a division in every lane
+    WEIGH_LEVEL,  // 1/W is the same along a row, so that one division serves all its lanes with the same bits
+    WEIGH_EXACTLY // from exact integers: the planes are `exact`
+};
+
+// A floor under a camera that is not rolled is level, and whatever is drawn without perspective.
+RHW_INLINE enum weighing weighing_of(const struct planes *p)
+{
+    if (__builtin_expect(p->exact, 0)) {
+        return WEIGH_EXACTLY;
+    }
+    return p->linear.dx[QUANTITY_S] == 0 ? WEIGH_LEVEL : WEIGH_LANES;
+}
 
 RHW_INLINE void block_depth(struct block_planes *block, const struct planes *p, const struct block_place *at)
 {
@@ -294,19 +311,40 @@ RHW_INLINE void block_depth(struct block_planes *block, const struct planes *p, 
     }
 }
 
-// `exact`: of the planes.
-RHW_INLINE void block_weights(struct block_planes *block, const struct planes *p,
-                              const struct block_place *at, bool exact)
+// The parts of the three planes for the weights that depend on the row and on the column; not of `exact` ones.
+RHW_INLINE void weight_rows(struct block_planes *block, const struct planes *p, d8 dy, enum weighing how)
 {
-    if (exact) {
+    const struct plane s = linear_plane(&p->linear, QUANTITY_S), b = linear_plane(&p->linear, QUANTITY_B),
+                       c = linear_plane(&p->linear, QUANTITY_C);
+    plane_rows(&block->s, &s, dy);
+    plane_rows(&block->b, &b, dy);
+    plane_rows(&block->c, &c, dy);
+    if (how == WEIGH_LEVEL) {
+        d8 rows;
+        memcpy(&rows, block->s.row, sizeof rows);
+        rows = d8_div(d8_splat(1), rows);
+        memcpy(block->inverse_s, &rows, sizeof rows);
+    }
+}
+
+RHW_INLINE void weight_columns(struct block_planes *block, const struct planes *p, d8 dx)
+{
+    const struct plane s = linear_plane(&p->linear, QUANTITY_S), b = linear_plane(&p->linear, QUANTITY_B),
+                       c = linear_plane(&p->linear, QUANTITY_C);
+    plane_columns(&block->s, &s, dx);
+    plane_columns(&block->b, &b, dx);
+    plane_columns(&block->c, &c, dx);
+}
+
+RHW_INLINE void block_weights(struct block_planes *block, const struct planes *p,
+                              const struct block_place *at, enum weighing how)
+{
+    if (how == WEIGH_EXACTLY) {
         plane_over(&block->e1, &p->factors.e1, at);
         plane_over(&block->e2, &p->factors.e2, at);
     } else {
-        const struct plane s = linear_plane(&p->linear, QUANTITY_S), b = linear_plane(&p->linear, QUANTITY_B),
-                           c = linear_plane(&p->linear, QUANTITY_C);
-        plane_over(&block->s, &s, at);
-        plane_over(&block->b, &b, at);
-        plane_over(&block->c, &c, at);
+        weight_rows(block, p, at->dy, how);
+        weight_columns(block, p, at->dx);
     }
 }
 
@@ -337,18 +375,16 @@ struct weights {
     d8 s, inverse_s;
 };
 
-RHW_INLINE struct weights weights_of(d8 s, d8 b, d8 c)
+RHW_INLINE struct weights weights_of(d8 s, d8 inverse, d8 b, d8 c)
 {
-    const d8 inverse = d8_div(d8_splat(1), s);
     return (struct weights){f8_from_d8(d8_mul(b, inverse)), f8_from_d8(d8_mul(c, inverse)), s, inverse};
 }
 
-// `exact`: of the planes.
 RHW_INLINE struct weights weights_row(const struct planes *p, const struct block_planes *block, int row,
-                                      bool exact)
+                                      enum weighing how)
 {
     d8 s, b, c;
-    if (exact) {
+    if (how == WEIGH_EXACTLY) {
         const d8 e1 = plane_row(&block->e1, row), e2 = plane_row(&block->e2, row);
         s = combine_rows(p, QUANTITY_S, e1, e2);
         b = d8_mul(d8_splat(p->factors.f1[QUANTITY_B]), e1);
@@ -358,13 +394,15 @@ RHW_INLINE struct weights weights_row(const struct planes *p, const struct block
         b = plane_row(&block->b, row);
         c = plane_row(&block->c, row);
     }
-    return weights_of(s, b, c);
+    const d8 inverse = how == WEIGH_LEVEL ? d8_splat(block->inverse_s[row]) : d8_div(d8_splat(1), s);
+    return weights_of(s, inverse, b, c);
 }
 
 // The same for 8 pixels anywhere, of planes that are not `exact`.
 RHW_INLINE struct weights weights_lanes(const struct linear *linear, const struct block_place *at)
 {
-    return weights_of(plane_lanes(linear, QUANTITY_S, at), plane_lanes(linear, QUANTITY_B, at),
+    const d8 s = plane_lanes(linear, QUANTITY_S, at);
+    return weights_of(s, d8_div(d8_splat(1), s), plane_lanes(linear, QUANTITY_B, at),
                       plane_lanes(linear, QUANTITY_C, at));
 }
 

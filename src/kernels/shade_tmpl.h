@@ -141,13 +141,14 @@ static void fill_builtins(const struct tile_work *work, struct rhw_fragment *gro
 
 // One group with everything that a fragment function may ask for.
 static void fill_group(const struct tile_work *work, int g, const struct triangle_work *triangle,
-                       const struct block_planes *block, const struct block_place *at, int row, bool is_cut)
+                       const struct block_planes *block, const struct block_place *at, int row,
+                       enum weighing how, bool is_cut)
 {
     const struct rhw_pipeline_data *const pipeline = work->pipeline;
     const struct planes *const planes = &triangle->planes;
     const uint32_t uses = pipeline->def.program.uses;
     struct rhw_fragment *const group = &work->scratch->groups[g];
-    struct weights w = weights_row(planes, block, row, planes->exact);
+    struct weights w = weights_row(planes, block, row, how);
     d8 wide_s, wide_t;
     screen_weights_row(planes, block, row, &wide_s, &wide_t);
     if (is_cut) {
@@ -238,10 +239,10 @@ RHW_INLINE void fill_row_slopes(const struct tile_work *work, const struct trian
 }
 
 // The rows as groups from `first` on, some at a time: while the weights of these wait for their divisions, the varyings
-// of those before are worked out. `exact`: of the planes.
+// of those before are worked out.
 RHW_INLINE void fill_steps(const struct tile_work *work, const struct triangle_work *triangle,
                            const struct block_planes *block, const struct block_place *at,
-                           const struct block_rows *rows, int first, bool derivatives, bool exact)
+                           const struct block_rows *rows, int first, bool derivatives, enum weighing how)
 {
     enum { STEP = 4 };
     d8 squared[RHW_BLOCK];
@@ -250,7 +251,7 @@ RHW_INLINE void fill_steps(const struct tile_work *work, const struct triangle_w
         struct group_weights weights;
         for (int k = 0; k < count; k++) {
             const int row = rows == &all_rows ? n + k : rows->row[n + k];
-            const struct weights w = weights_row(&triangle->planes, block, row, exact);
+            const struct weights w = weights_row(&triangle->planes, block, row, how);
             weights.b[k] = w.b;
             weights.c[k] = w.c;
             if (derivatives) {
@@ -269,12 +270,19 @@ RHW_INLINE void fill_rows(const struct tile_work *work, const struct triangle_wo
                           bool derivatives)
 {
     struct block_planes block;
-    if (__builtin_expect(triangle->planes.exact, 0)) {
-        block_weights(&block, &triangle->planes, at, true);
-        fill_steps(work, triangle, &block, at, rows, first, derivatives, true);
-    } else {
-        block_weights(&block, &triangle->planes, at, false);
-        fill_steps(work, triangle, &block, at, rows, first, derivatives, false);
+    switch (weighing_of(&triangle->planes)) {
+    case WEIGH_EXACTLY:
+        block_weights(&block, &triangle->planes, at, WEIGH_EXACTLY);
+        fill_steps(work, triangle, &block, at, rows, first, derivatives, WEIGH_EXACTLY);
+        break;
+    case WEIGH_LEVEL:
+        block_weights(&block, &triangle->planes, at, WEIGH_LEVEL);
+        fill_steps(work, triangle, &block, at, rows, first, derivatives, WEIGH_LEVEL);
+        break;
+    case WEIGH_LANES:
+        block_weights(&block, &triangle->planes, at, WEIGH_LANES);
+        fill_steps(work, triangle, &block, at, rows, first, derivatives, WEIGH_LANES);
+        break;
     }
 }
 
@@ -297,11 +305,12 @@ static __attribute__((noinline)) void fill_groups(const struct tile_work *work,
                                                   const struct block_place *at, const struct block_rows *rows,
                                                   int first, bool is_cut)
 {
+    const enum weighing how = weighing_of(&triangle->planes);
     struct block_planes block;
-    block_weights(&block, &triangle->planes, at, triangle->planes.exact);
+    block_weights(&block, &triangle->planes, at, how);
     block_screen_weights(&block, &triangle->planes, at);
     for (int n = 0; n < rows->count; n++) {
-        fill_group(work, first + n, triangle, &block, at, rows->row[n], is_cut);
+        fill_group(work, first + n, triangle, &block, at, rows->row[n], how, is_cut);
     }
 }
 

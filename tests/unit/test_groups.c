@@ -198,35 +198,52 @@ static void test_moved_triangles(void **state)
     rig_close(&rig);
 }
 
-// A triangle over whole tiles takes a shorter road than the same triangle behind a scissor that leaves out half of
-// every tile: opaque, when it is the last of its pixels and nothing before it is drawn, and blended.
+// Through a scissor that leaves out all but columns of the target, one after the other.
+static void draw_in_columns(struct rig *rig, const struct rig_vertex *vertices, int size, int width)
+{
+    rig_begin(rig);
+    for (int x = 0; x < size; x += width) {
+        rhw_pass_set_scissor(rig->context, rig->recording, &(struct rhw_rect){x, 0, width, size});
+        rig_draw(rig, vertices, 3);
+    }
+    rig_end(rig);
+}
+
+// A triangle over whole tiles takes a shorter road than the same triangle drawn in halves of tiles, whose blocks are
+// whole, and in parts of blocks: opaque, when it is the last of its pixels and nothing before it is drawn, and blended.
+// Where W is the same along a row, or everywhere, it takes a shorter one yet, but for the parts of blocks.
 static void test_whole_tiles(void **state)
 {
     (void)state;
     enum { TILES = 256 };
     static float whole[TILES * TILES][4];
-    static const float corners[3][2] = {{-300, -40}, {900, -100}, {100, 1500}};
+    static const struct {
+        float corners[3][2], w[3];
+    } shapes[] = {
+        {{{-300, -40}, {900, -100}, {100, 1500}}, {1, 4, 7}},
+        {{{-300, -40}, {900, -40}, {100, 1500}}, {1, 1, 7}},
+        {{{100, -900}, {-400, 270}, {700, 270}}, {5, 1.3f, 1.3f}},
+        {{{-300, -40}, {900, -100}, {100, 1500}}, {3, 3, 3}},
+    };
     struct rig rig;
     rig_open(&rig, TILES, TILES);
-    struct rig_vertex vertices[3];
-    for (int k = 0; k < 3; k++) {
-        rig_place(&rig, corners[k][0], corners[k][1], 0.5f, 1 + 3.0f * (float)k, vertices[k].position);
-        for (int c = 0; c < 4; c++) {
-            vertices[k].value[c] = (float)((7 * k + 3 * c) % 5);
+    for (int i = 0; i < 16; i++) {
+        struct rig_vertex vertices[3];
+        for (int k = 0; k < 3; k++) {
+            const float *const corner = shapes[i / 4].corners[k];
+            rig_place(&rig, corner[0], corner[1], 0.5f, shapes[i / 4].w[k], vertices[k].position);
+            for (int c = 0; c < 4; c++) {
+                vertices[k].value[c] = (float)((7 * k + 3 * c) % 5);
+            }
         }
-    }
-    for (int i = 0; i < 4; i++) {
         use_program(&rig, i % 2 == 0 ? PLAIN : DERIVATIVES);
-        rig.pipeline.targets[0].blend = i >= 2;
+        rig.pipeline.targets[0].blend = i % 4 >= 2;
         rig.pipeline.targets[0].color.dst = RHW_BLEND_ONE;
         rig_draw_once(&rig, vertices, 3);
         memcpy(whole, rig_read_float4(&rig), sizeof whole);
-        rig_begin(&rig);
-        for (int column = 0; column < TILES; column += 32) { // halves of tiles
-            rhw_pass_set_scissor(rig.context, rig.recording, &(struct rhw_rect){column, 0, 32, TILES});
-            rig_draw(&rig, vertices, 3);
-        }
-        rig_end(&rig);
+        draw_in_columns(&rig, vertices, TILES, 32);
+        assert_memory_equal(rig_read_float4(&rig), whole, sizeof whole);
+        draw_in_columns(&rig, vertices, TILES, 4);
         assert_memory_equal(rig_read_float4(&rig), whole, sizeof whole);
     }
     rig_close(&rig);
