@@ -579,7 +579,7 @@ static void record(rhw_context *context, rhw_pass id, const struct rhw_draw *dra
         return;
     }
     pass->draw_count++;
-    pass->has_large_draws |= slot->triangles_per_instance >= RHW_SHARING_TRIANGLES;
+    pass->has_large_draws |= slot->indexed && slot->triangles_per_instance >= RHW_SHARING_TRIANGLES;
     pass->triangle_count += (uint64_t)slot->triangles_per_instance * slot->instances;
 }
 

@@ -142,7 +142,7 @@ struct rhw_pass_state {
     struct rhw_draw **draws; // grows; blocks of RHW_DRAW_BLOCK draws
     uint32_t draw_blocks, draw_block_capacity, draw_count;
     uint64_t triangle_count;
-    bool has_large_draws; // of RHW_SHARING_TRIANGLES at least
+    bool has_large_draws; // indexed, of RHW_SHARING_TRIANGLES at least
 
     struct rhw_chunk *chunks; // of the wave under way
     int chunk_count, chunk_capacity;

@@ -188,33 +188,30 @@ static void run_chunk(void *user, int index, int worker)
     }
 }
 
-struct vertices_task {
+struct parts_task {
     struct rhw_pass_state *pass;
-    const struct rhw_shared_vertices *shared;
+    const struct rhw_shared_part *parts;
 };
 
-static void run_vertices(void *user, int index, int worker)
+static void run_part(void *user, int index, int worker)
 {
-    const struct vertices_task *const task = user;
-    task->pass->context->kernels->vertices(task->pass, task->shared, (uint32_t)index * RHW_SHARED_PART,
-                                           worker);
+    const struct parts_task *const task = user;
+    task->pass->context->kernels->shared_part(task->pass, &task->parts[index], worker);
 }
 
-// Those that the wave's chunks share. False when out of memory.
+// Shades the vertices that the wave's chunks share. False when out of memory.
 static bool shade_shared_vertices(struct rhw_pass_state *pass, struct rhw_stats *stats)
 {
-    struct rhw_shared_vertices *first;
-    size_t bytes;
-    if (!rhw_shared_vertices_find(pass, bin_limit(pass) / 4, &first, &bytes)) {
+    struct rhw_shared_parts wave;
+    if (!rhw_shared_vertices_find(pass, bin_limit(pass) / 4, &wave)) {
         return false;
     }
-    pass->geometry = bytes;
-    for (const struct rhw_shared_vertices *shared = first; shared; shared = shared->next) {
-        struct vertices_task task = {pass, shared};
-        const int parts = (int)((shared->count - 1) / RHW_SHARED_PART) + 1;
+    struct parts_task task = {pass, wave.parts};
+    pass->geometry = wave.bytes;
+    stats->vertices_shaded += wave.vertices;
+    if (wave.count != 0) {
         stats->front_busy_ms +=
-            milliseconds(rhw_scheduler_run(pass->context->scheduler, run_vertices, &task, parts));
-        stats->vertices_shaded += shared->count;
+            milliseconds(rhw_scheduler_run(pass->context->scheduler, run_part, &task, wave.count));
     }
     return true;
 }

@@ -2,6 +2,8 @@
 // Which draws share their vertices, and room for these.
 #include "shared_vertices.h"
 
+#include <limits.h>
+
 #include "assembly.h"
 #include "context.h"
 #include "format.h"
@@ -33,10 +35,11 @@ static bool is_scattered(const struct rhw_draw *draw, uint64_t chunk)
 {
     enum { SAMPLES = 256 };
     uint32_t room[SAMPLES][3];
+    const uint32_t samples = chunk < SAMPLES ? (uint32_t)chunk : SAMPLES;
     const uint32_t(*const corners)[3] =
-        rhw_assembly_fetch(draw, draw->triangles_per_instance / 2, SAMPLES, room);
+        rhw_assembly_fetch(draw, draw->triangles_per_instance / 2, samples, room);
     uint32_t least = UINT32_MAX, most = 0;
-    for (int i = 0; i < 3 * SAMPLES; i++) {
+    for (uint32_t i = 0; i < 3 * samples; i++) {
         const uint32_t index = corners[i / 3][i % 3];
         least = index < least ? index : least;
         most = index > most ? index : most;
@@ -57,6 +60,11 @@ static uint32_t shared_count(const struct rhw_draw *draw, uint64_t chunk)
     return count / 3 <= triangles / 2 && is_scattered(draw, chunk) ? count : 0;
 }
 
+static uint32_t parts_of(uint32_t count)
+{
+    return (count - 1) / RHW_SHARED_PART + 1;
+}
+
 // Room for the vertices of all instances of a draw. NULL when out of memory.
 static struct rhw_shared_vertices *make_room(struct rhw_arena *arena, const struct rhw_draw *draw,
                                              uint32_t count, size_t room, int stride)
@@ -70,45 +78,70 @@ static struct rhw_shared_vertices *make_room(struct rhw_arena *arena, const stru
         if (!records || !corners) {
             return NULL;
         }
-        shared[i] = (struct rhw_shared_vertices){{draw, i, stride, records}, corners, count, NULL};
+        shared[i] = (struct rhw_shared_vertices){{draw, i, stride, records}, corners, count};
     }
     return shared;
 }
 
-bool rhw_shared_vertices_find(struct rhw_pass_state *pass, size_t most, struct rhw_shared_vertices **first,
-                              size_t *bytes)
+// Makes the draw share its vertices, if it is one that should and there is room. False when out of memory.
+static bool share(struct rhw_pass_state *pass, struct rhw_draw *draw, size_t most,
+                  struct rhw_shared_parts *wave)
 {
-    struct rhw_shared_vertices **end = first;
-    *first = NULL;
-    *bytes = 0;
+    const uint32_t count = shared_count(draw, pass->chunk_size);
+    const uint64_t room = ((uint64_t)count + 7) & ~(uint64_t)7;
+    const int stride = rhw_vertex_stride(draw->state->pipeline->varying_components);
+    const uint64_t size = room * ((uint64_t)stride * sizeof(float) + sizeof(struct rhw_corner));
+    draw->shared = NULL;
+    if (count == 0 || draw->instances > (most - wave->bytes) / size ||
+        draw->instances > (uint32_t)(INT_MAX - wave->count) / parts_of(count)) {
+        return true;
+    }
+    draw->shared = make_room(&pass->workers[0].arena, draw, count, (size_t)room, stride);
+    wave->count += (int)(draw->instances * parts_of(count));
+    wave->vertices += (uint64_t)draw->instances * count;
+    wave->bytes += (size_t)(draw->instances * size);
+    return draw->shared;
+}
+
+static struct rhw_shared_part *list_parts(struct rhw_shared_part *part, const struct rhw_draw *draw)
+{
+    for (uint32_t i = 0; draw->shared && i < draw->instances; i++) {
+        const struct rhw_shared_vertices *const shared = &draw->shared[i];
+        for (uint32_t first = 0; first < shared->count; first += RHW_SHARED_PART) {
+            const uint32_t left = shared->count - first;
+            *part++ =
+                (struct rhw_shared_part){shared, first, left < RHW_SHARED_PART ? left : RHW_SHARED_PART};
+        }
+    }
+    return part;
+}
+
+bool rhw_shared_vertices_find(struct rhw_pass_state *pass, size_t most, struct rhw_shared_parts *wave)
+{
+    *wave = (struct rhw_shared_parts){0};
     if (!pass->has_large_draws || pass->chunk_count == 0) {
         return true;
     }
     const struct rhw_chunk *const last = &pass->chunks[pass->chunk_count - 1];
-    for (uint32_t d = pass->chunks[0].first_draw; d < pass->draw_count; d++) {
-        struct rhw_draw *const draw = rhw_pass_draw_at(pass, d);
+    const uint32_t first = pass->chunks[0].first_draw;
+    uint32_t end = first;
+    for (; end < pass->draw_count; end++) {
+        struct rhw_draw *const draw = rhw_pass_draw_at(pass, end);
         if (draw->first_triangle >= last->first + last->count) {
             break;
         }
-        draw->shared = NULL;
-        const uint32_t count = shared_count(draw, pass->chunk_size);
-        const uint64_t room = ((uint64_t)count + 7) & ~(uint64_t)7;
-        const int stride = rhw_vertex_stride(draw->state->pipeline->varying_components);
-        const uint64_t size = room * ((uint64_t)stride * sizeof(float) + sizeof(struct rhw_corner));
-        if (count == 0 || draw->instances > (most - *bytes) / size) {
-            continue;
-        }
-        struct rhw_shared_vertices *const shared =
-            make_room(&pass->workers[0].arena, draw, count, (size_t)room, stride);
-        if (!shared) {
+        if (!share(pass, draw, most, wave)) {
             return false;
         }
-        for (uint32_t i = 0; i < draw->instances; i++) {
-            *end = &shared[i];
-            end = &shared[i].next;
-        }
-        *bytes += (size_t)(draw->instances * size);
-        draw->shared = shared;
     }
-    return true;
+    if (wave->count == 0) {
+        return true;
+    }
+    wave->parts =
+        rhw_arena_alloc(&pass->workers[0].arena, (size_t)wave->count * sizeof *wave->parts, RHW_CACHE_LINE);
+    struct rhw_shared_part *part = wave->parts;
+    for (uint32_t d = first; part && d < end; d++) {
+        part = list_parts(part, rhw_pass_draw_at(pass, d));
+    }
+    return part;
 }

@@ -15,17 +15,31 @@ struct rhw_shared_vertices {
     struct rhw_segment segment;
     struct rhw_corner *corners;
     uint32_t count; // those of the draw's indices 0 .. count − 1
-    struct rhw_shared_vertices *next;
 };
 
 enum {
     RHW_SHARING_TRIANGLES = 2048, // of an instance whose vertices are shared, at least
-    RHW_SHARED_PART = 2048        // vertices that are shaded as one task
+    // Vertices that are shaded as one task, at most. Whole groups: the lanes behind the last vertex are written too, and
+    // must not be another task's.
+    RHW_SHARED_PART = 2048
 };
 
-// Finds the draws of the wave's chunks whose vertices are shared and gives them room, one for each instance: a list
-// from `first` on, and their bytes. `most`: bytes of all of them together. False when out of memory.
-bool rhw_shared_vertices_find(struct rhw_pass_state *pass, size_t most, struct rhw_shared_vertices **first,
-                              size_t *bytes);
+struct rhw_shared_part {
+    const struct rhw_shared_vertices *shared;
+    uint32_t first, count;
+};
+
+// All that a wave shares.
+struct rhw_shared_parts {
+    struct rhw_shared_part *parts;
+    int count;
+    uint64_t vertices;
+    size_t bytes;
+};
+
+// Finds the draws of the wave's chunks whose vertices are shared, which is where the vertices from base_vertex to the
+// end of the buffers are few beside the triangles, and these in no order; and gives them room, of `most` bytes
+// together. False when out of memory.
+bool rhw_shared_vertices_find(struct rhw_pass_state *pass, size_t most, struct rhw_shared_parts *wave);
 
 #endif

@@ -662,19 +662,20 @@ static uint64_t place_in_line(const struct rhw_front_scratch *scratch, const str
     return draw->first_triangle + (uint64_t)segment->instance * draw->triangles_per_instance + t->primitive;
 }
 
+_Static_assert(RHW_SHARED_PART % RHW_LANES == 0 && RHW_SHARED_PART <= 3 * RHW_CHUNK_TRIANGLES,
+               "a part is whole groups, and fits the scratch");
+
 // See rhw_kernels.
-static void run_vertices(struct rhw_pass_state *pass, const struct rhw_shared_vertices *shared,
-                         uint32_t first, int worker)
+static void shade_part(struct rhw_pass_state *pass, const struct rhw_shared_part *part, int worker)
 {
     struct rhw_front_scratch *const scratch = pass->workers[worker].front;
     const uint64_t start = rhw_time_ns();
-    const uint32_t left = shared->count - first, count = left < RHW_SHARED_PART ? left : RHW_SHARED_PART;
-    struct rhw_segment part = shared->segment;
-    part.vertices += (size_t)first * (size_t)part.vertex_stride;
-    for (uint32_t i = 0; i < count; i++) {
-        scratch->unique[i] = part.draw->base_vertex + first + i;
+    struct rhw_segment segment = part->shared->segment;
+    segment.vertices += (size_t)part->first * (size_t)segment.vertex_stride;
+    for (uint32_t i = 0; i < part->count; i++) {
+        scratch->unique[i] = segment.draw->base_vertex + part->first + i;
     }
-    shade_vertices(scratch, &part, shared->corners + first, count);
+    shade_vertices(scratch, &segment, part->shared->corners + part->first, part->count);
     pass->workers[worker].counters.vertex_ns += rhw_time_ns() - start;
 }
 
@@ -708,7 +709,7 @@ static bool make_triangles(const struct rhw_pass_state *pass, const struct rhw_c
     return true;
 }
 
-static bool run_chunk(struct rhw_pass_state *pass, struct rhw_chunk *chunk, int worker_index)
+static bool make_chunk(struct rhw_pass_state *pass, struct rhw_chunk *chunk, int worker_index)
 {
     struct rhw_worker *const worker = &pass->workers[worker_index];
     struct rhw_arena *const arena = &worker->arena;

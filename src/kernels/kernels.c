@@ -10,9 +10,9 @@
 
 extern const struct rhw_kernels RHW_ISA_NAME(rhw_kernels);
 
-const struct rhw_kernels RHW_ISA_NAME(rhw_kernels) = {.vertices = run_vertices,
-                                                      .chunk = run_chunk,
-                                                      .tile = run_tile,
+const struct rhw_kernels RHW_ISA_NAME(rhw_kernels) = {.shared_part = shade_part,
+                                                      .chunk = make_chunk,
+                                                      .tile = draw_tile,
                                                       .sample_other = sample_other,
                                                       .sample_rgba8 = sample_rgba8,
                                                       .sample_rgba8_srgb = sample_rgba8_srgb,

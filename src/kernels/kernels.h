@@ -8,15 +8,14 @@
 
 struct rhw_pass_state;
 struct rhw_chunk;
-struct rhw_shared_vertices;
+struct rhw_shared_part;
 
 typedef void rhw_sample_function(const struct rhw_binding *binding, const rhw_float uv[2],
                                  const rhw_float grad[4], const rhw_float *lod, rhw_float texel[4]);
 
 struct rhw_kernels {
-    // RHW_SHARED_PART of the vertices from `first` on.
-    void (*vertices)(struct rhw_pass_state *pass, const struct rhw_shared_vertices *shared, uint32_t first,
-                     int worker);
+    // Shades some of the vertices that chunks share.
+    void (*shared_part)(struct rhw_pass_state *pass, const struct rhw_shared_part *part, int worker);
     // The front end over one chunk: fetch, vertex function, clip, cull, snap, bin. False when out of memory.
     bool (*chunk)(struct rhw_pass_state *pass, struct rhw_chunk *chunk, int worker);
     // One tile of the back end, from load to store.

@@ -300,7 +300,7 @@ static void draw_bins(struct tile_work *work, const struct rhw_bin *first, const
     flush(work);
 }
 
-static void run_tile(struct rhw_pass_state *pass, int tile, int worker)
+static void draw_tile(struct rhw_pass_state *pass, int tile, int worker)
 {
     const int tile_x = tile % pass->tiles_x, tile_y = tile / pass->tiles_x;
     struct rhw_tile_scratch *const scratch = pass->workers[worker].tile;
