@@ -69,18 +69,6 @@ RHW_INLINE i4 i4_load(const void *p)
     return v;
 }
 
-RHW_INLINE f4 f4_splat(float v)
-{
-    return (f4){v, v, v, v};
-}
-
-RHW_INLINE f4 f4_load(const void *p)
-{
-    f4 v;
-    memcpy(&v, p, sizeof v);
-    return v;
-}
-
 RHW_INLINE d4 d4_splat(double v)
 {
 #if defined(__AVX2__)

@@ -27,32 +27,33 @@ struct sample_place {
     i8 weight_x, weight_y; // of the right and the lower texels, 0.15, in both halves
 };
 
+// From here on `srgb` says that the texels are RGBA8_SRGB; a constant where a call names it.
+
 // Whether codes are kept negated: where widening makes them so.
-RHW_INLINE bool sample_is_negated(bool linear)
+RHW_INLINE bool sample_is_negated(bool srgb)
 {
-    return I8_WIDENS_NEGATED && !linear;
+    return I8_WIDENS_NEGATED && !srgb;
 }
 
-// From here on `linear` says that the texels are RGBA8_SRGB; a constant where a call names it.
-RHW_INLINE i8 sample_mix_half(i8 a, i8 b, i8 weight, bool linear)
+RHW_INLINE i8 sample_mix_half(i8 a, i8 b, i8 weight, bool srgb)
 {
-    if (sample_is_negated(linear)) { // so that halves are rounded the same way
+    if (sample_is_negated(srgb)) { // so that halves are rounded the same way
         return (i8)((s16)a - s16_scale((s16)a - (s16)b, (s16)weight));
     }
     return (i8)((s16)a + s16_scale((s16)b - (s16)a, (s16)weight));
 }
 
 RHW_INLINE struct sample_codes sample_mix_codes(struct sample_codes a, struct sample_codes b, i8 weight,
-                                                bool linear)
+                                                bool srgb)
 {
-    return (struct sample_codes){sample_mix_half(a.rb, b.rb, weight, linear),
-                                 sample_mix_half(a.ga, b.ga, weight, linear)};
+    return (struct sample_codes){sample_mix_half(a.rb, b.rb, weight, srgb),
+                                 sample_mix_half(a.ga, b.ga, weight, srgb)};
 }
 
 // The codes themselves.
-RHW_INLINE struct sample_codes sample_plain_codes(struct sample_codes a, bool linear)
+RHW_INLINE struct sample_codes sample_plain_codes(struct sample_codes a, bool srgb)
 {
-    if (sample_is_negated(linear)) {
+    if (sample_is_negated(srgb)) {
         return (struct sample_codes){(i8)(-(s16)a.rb), (i8)(-(s16)a.ga)};
     }
     return a;
@@ -75,11 +76,11 @@ RHW_INLINE struct sample_place sample_place(const struct rhw_mip *mip, f8 s, f8 
 }
 
 RHW_INLINE struct sample_codes sample_mix_corners(const struct sample_codes corner[4],
-                                                  const struct sample_place *place, bool linear)
+                                                  const struct sample_place *place, bool srgb)
 {
-    const struct sample_codes above = sample_mix_codes(corner[0], corner[1], place->weight_x, linear);
-    const struct sample_codes below = sample_mix_codes(corner[2], corner[3], place->weight_x, linear);
-    return sample_mix_codes(above, below, place->weight_y, linear);
+    const struct sample_codes above = sample_mix_codes(corner[0], corner[1], place->weight_x, srgb);
+    const struct sample_codes below = sample_mix_codes(corner[2], corner[3], place->weight_x, srgb);
+    return sample_mix_codes(above, below, place->weight_y, srgb);
 }
 
 // Loads ---------------------------------------------------------------------------------------------
@@ -100,9 +101,9 @@ RHW_INLINE void sample_load_linear_pairs(const unsigned char *texels, const uint
 
 // The texels with these numbers, `offset` bytes on in the level, and their right neighbours.
 RHW_INLINE void sample_load_pairs(const struct rhw_mip *mip, size_t offset, const uint32_t at[RHW_LANES],
-                                  bool linear, struct sample_codes pair[2])
+                                  bool srgb, struct sample_codes pair[2])
 {
-    if (linear) {
+    if (srgb) {
         sample_load_linear_pairs(mip->linear + (RHW_LINEAR_TEXEL / 4) * offset, at, &pair[0], &pair[1]);
     } else {
         i8 left, right;
@@ -113,10 +114,10 @@ RHW_INLINE void sample_load_pairs(const struct rhw_mip *mip, size_t offset, cons
 }
 
 // The texels at these places.
-RHW_INLINE struct sample_codes sample_load_codes(const struct rhw_mip *mip, i8 xy, bool linear)
+RHW_INLINE struct sample_codes sample_load_codes(const struct rhw_mip *mip, i8 xy, bool srgb)
 {
     const i8 index = sample_index(xy, mip);
-    if (linear) {
+    if (srgb) {
         return (struct sample_codes){i8_gather(mip->linear, index + index),
                                      i8_gather(mip->linear + 4, index + index)};
     }
@@ -126,7 +127,7 @@ RHW_INLINE struct sample_codes sample_load_codes(const struct rhw_mip *mip, i8 x
 // The four texels of each lane where some lie across an edge.
 static __attribute__((noinline)) void sample_corners_wrapped(const struct rhw_sampler_data *sampler,
                                                              const struct rhw_mip *mip, const i8 *xy,
-                                                             bool linear, struct sample_codes corner[4])
+                                                             bool srgb, struct sample_codes corner[4])
 {
     const i8 x = *xy >> 16, y = (*xy << 16) >> 16;
     const i8 x0 = sample_wrap(sampler->def.address_u, x, mip->width) << 16;
@@ -136,11 +137,11 @@ static __attribute__((noinline)) void sample_corners_wrapped(const struct rhw_sa
     uint32_t above[RHW_LANES], below[RHW_LANES];
     sample_spill(sample_index(x0 | y0, mip), above);
     sample_spill(sample_index(x0 | y1, mip), below);
-    sample_load_pairs(mip, 0, above, linear, &corner[0]);
-    sample_load_pairs(mip, 0, below, linear, &corner[2]);
+    sample_load_pairs(mip, 0, above, srgb, &corner[0]);
+    sample_load_pairs(mip, 0, below, srgb, &corner[2]);
     if (i8_any_bit(x1 - x0 - 0x10000)) { // some right neighbour is not next to its texel
-        corner[1] = sample_load_codes(mip, x1 | y0, linear);
-        corner[3] = sample_load_codes(mip, x1 | y1, linear);
+        corner[1] = sample_load_codes(mip, x1 | y0, srgb);
+        corner[3] = sample_load_codes(mip, x1 | y1, srgb);
     }
 }
 
@@ -161,10 +162,10 @@ RHW_INLINE void sample_row_corners(const struct rhw_mip *mip, i8 first, i8 lane,
 
 // The four texels of lanes away from the edges, mixed.
 RHW_INLINE struct sample_codes sample_interior_codes(const struct rhw_mip *mip,
-                                                     const struct sample_place *place, bool linear)
+                                                     const struct sample_place *place, bool srgb)
 {
     struct sample_codes corner[4];
-    if (I8_PERMUTES && !linear) {
+    if (I8_PERMUTES && !srgb) {
         const i8 apart = sample_constants()->not_in_row;
         i8 first = i8_splat_first(place->xy), offset = place->xy - first;
         if (i8_any_of(offset, apart)) { // perhaps it is the last lane that lies leftmost
@@ -173,27 +174,27 @@ RHW_INLINE struct sample_codes sample_interior_codes(const struct rhw_mip *mip,
         }
         if (!i8_any_of(offset, apart)) {
             sample_row_corners(mip, first, offset >> 16, corner);
-            return sample_mix_corners(corner, place, linear);
+            return sample_mix_corners(corner, place, srgb);
         }
     }
     uint32_t at[RHW_LANES];
     sample_spill(sample_index(place->xy, mip), at);
-    sample_load_pairs(mip, 0, at, linear, &corner[0]);
-    sample_load_pairs(mip, mip->row_pitch, at, linear, &corner[2]);
-    return sample_mix_corners(corner, place, linear);
+    sample_load_pairs(mip, 0, at, srgb, &corner[0]);
+    sample_load_pairs(mip, mip->row_pitch, at, srgb, &corner[2]);
+    return sample_mix_corners(corner, place, srgb);
 }
 
 RHW_INLINE struct sample_codes sample_bilinear_codes(const struct rhw_sampler_data *sampler,
-                                                     const struct rhw_mip *mip, f8 s, f8 t, bool linear)
+                                                     const struct rhw_mip *mip, f8 s, f8 t, bool srgb)
 {
     const struct sample_place place = sample_place(mip, s, t);
     if (mip->interior[0] >= 0 && !i8_any_bit(i8_over_halves(place.xy, i8_load(mip->interior)))) {
-        return sample_interior_codes(mip, &place, linear);
+        return sample_interior_codes(mip, &place, srgb);
     }
     const i8 xy = place.xy; // a copy, so that the one in registers stays there
     struct sample_codes corner[4];
-    sample_corners_wrapped(sampler, mip, &xy, linear, corner);
-    return sample_mix_corners(corner, &place, linear);
+    sample_corners_wrapped(sampler, mip, &xy, srgb, corner);
+    return sample_mix_corners(corner, &place, srgb);
 }
 
 // Code 8.7 / (255 · 128); codes without fraction give c / 255 correctly rounded.
@@ -212,17 +213,17 @@ RHW_INLINE void sample_unpack_codes(struct sample_codes codes, f8 texel[4])
 }
 
 // What two levels give, the second with this weight.
-RHW_INLINE void sample_mix_levels(struct sample_codes a, struct sample_codes b, i8 weight, bool linear,
+RHW_INLINE void sample_mix_levels(struct sample_codes a, struct sample_codes b, i8 weight, bool srgb,
                                   f8 texel[4])
 {
-    sample_unpack_codes(sample_plain_codes(sample_mix_codes(a, b, weight, linear), linear), texel);
+    sample_unpack_codes(sample_plain_codes(sample_mix_codes(a, b, weight, srgb), srgb), texel);
 }
 
 // Any lanes: one level after the other, each with the next where a lane has a weight there. A weight of 0
 // leaves a lane as it is.
 RHW_INLINE void sample_codes_of_levels(const struct rhw_texture_data *texture,
                                        const struct rhw_sampler_data *sampler, f8 s, f8 t, i8 detail,
-                                       bool linear, f8 texel[4])
+                                       bool srgb, f8 texel[4])
 {
     const i8 level = detail >> 16, weight = i8_halve_lower(detail);
     struct sample_codes result = {i8_splat(0), i8_splat(0)};
@@ -231,22 +232,22 @@ RHW_INLINE void sample_codes_of_levels(const struct rhw_texture_data *texture,
         const i8 same = rhw_equal_int(level, i8_splat(first));
         todo &= ~(unsigned)rhw_mask_bits(same);
         const struct rhw_mip *const mip = sample_mip(texture, first);
-        struct sample_codes codes = sample_bilinear_codes(sampler, mip, s, t, linear);
+        struct sample_codes codes = sample_bilinear_codes(sampler, mip, s, t, srgb);
         if (i8_any_bit(weight & same)) {
-            codes = sample_mix_codes(codes, sample_bilinear_codes(sampler, mip + 1, s, t, linear), weight,
-                                     linear);
+            codes =
+                sample_mix_codes(codes, sample_bilinear_codes(sampler, mip + 1, s, t, srgb), weight, srgb);
         }
         result.rb = rhw_select_int(same, codes.rb, result.rb);
         result.ga = rhw_select_int(same, codes.ga, result.ga);
     }
-    sample_unpack_codes(sample_plain_codes(result, linear), texel);
+    sample_unpack_codes(sample_plain_codes(result, srgb), texel);
 }
 
 static __attribute__((noinline)) void sample_codes_apart(const struct rhw_texture_data *texture,
                                                          const struct rhw_sampler_data *sampler, f8 s, f8 t,
-                                                         i8 detail, bool linear, f8 texel[4])
+                                                         i8 detail, bool srgb, f8 texel[4])
 {
-    if (linear) {
+    if (srgb) {
         sample_codes_of_levels(texture, sampler, s, t, detail, true, texel);
     } else {
         sample_codes_of_levels(texture, sampler, s, t, detail, false, texel);
@@ -269,16 +270,16 @@ RHW_INLINE i8 sample_detail_codes(const struct rhw_texture_data *texture,
 
 // The straight road, and the turn to the other.
 RHW_INLINE void sample_codes(const struct rhw_texture_data *texture, const struct rhw_sampler_data *sampler,
-                             const f8 uv[2], i8 detail, bool linear, f8 texel[4])
+                             const f8 uv[2], i8 detail, bool srgb, f8 texel[4])
 {
     const f8 s = sample_fold(sampler->def.address_u, uv[0]), t = sample_fold(sampler->def.address_v, uv[1]);
     const i8 first = i8_splat_first(detail), weight = i8_halve_lower(detail);
     if (!i8_any_of(detail ^ first, sample_constants()->upper_half) && i8_any_of(weight, weight)) {
         const struct rhw_mip *const fine = sample_mip(texture, first[0] >> 16), *const coarse = fine + 1;
         if (!I8_PERMUTES) { // 16-byte registers are too few for two levels at once
-            const struct sample_codes a = sample_bilinear_codes(sampler, fine, s, t, linear);
-            const struct sample_codes b = sample_bilinear_codes(sampler, coarse, s, t, linear);
-            sample_mix_levels(a, b, weight, linear, texel);
+            const struct sample_codes a = sample_bilinear_codes(sampler, fine, s, t, srgb);
+            const struct sample_codes b = sample_bilinear_codes(sampler, coarse, s, t, srgb);
+            sample_mix_levels(a, b, weight, srgb, texel);
             return;
         }
         const struct sample_place near = sample_place(fine, s, t), far = sample_place(coarse, s, t);
@@ -287,13 +288,13 @@ RHW_INLINE void sample_codes(const struct rhw_texture_data *texture, const struc
         // The four texels of every lane lie side by side in both levels; if the coarser one has no side of 1, so
         // has the finer one.
         if (coarse->interior[0] >= 0 && !i8_any_of(over, over)) {
-            const struct sample_codes a = sample_interior_codes(fine, &near, linear);
-            const struct sample_codes b = sample_interior_codes(coarse, &far, linear);
-            sample_mix_levels(a, b, weight, linear, texel);
+            const struct sample_codes a = sample_interior_codes(fine, &near, srgb);
+            const struct sample_codes b = sample_interior_codes(coarse, &far, srgb);
+            sample_mix_levels(a, b, weight, srgb, texel);
             return;
         }
     }
-    sample_codes_apart(texture, sampler, s, t, detail, linear, texel);
+    sample_codes_apart(texture, sampler, s, t, detail, srgb, texel);
 }
 
 #endif

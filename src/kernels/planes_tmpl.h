@@ -278,7 +278,7 @@ RHW_INLINE d8 combine_rows(const struct planes *p, enum quantity q, d8 e1, d8 e2
 }
 
 // What a block needs of a triangle's planes. Which members are set: z by block_depth; s, b, c by
-// block_weights; n1, n2 by block_screen_weights; e1, e2 instead of all of them when the planes are exact.
+// block_weights, or weight_rows and weight_columns; n1, n2 by block_screen_weights; e1, e2 instead of all of them when the planes are exact.
 struct block_planes {
     struct block_plane z, s, b, c, n1, n2, e1, e2;
     double inverse_s[RHW_BLOCK]; // by row, with WEIGH_LEVEL

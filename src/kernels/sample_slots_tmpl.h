@@ -2,7 +2,7 @@
 // Sampling several textures at one place, as a material does: base colour, normals, roughness, ... usually share
 // coordinates, size and sampler. Then the level of detail, the places in two levels and the weights are worked
 // out once, and the texels of one texture are on their way while another is filtered, for one group or several:
-// those of a whole material are too many for the caches.
+// those of a whole material are too many for the caches. And one texture by itself for several groups.
 #ifndef RHW_SAMPLE_SLOTS_TMPL_H
 #define RHW_SAMPLE_SLOTS_TMPL_H
 
@@ -64,9 +64,9 @@ RHW_INLINE void sample_prefetch(const struct rhw_binding *binding, const struct 
 {
     const struct rhw_texture_data *const texture = binding->texture;
     const struct rhw_mip *const mip = &texture->mip[spots->level];
-    const bool linear = binding->sample == sample_rgba8_srgb;
-    const unsigned char *const texels = linear ? mip->linear : mip->texels;
-    const size_t texel = linear ? RHW_LINEAR_TEXEL : 4, row = texel / 4 * mip->row_pitch;
+    const bool srgb = binding->sample == sample_rgba8_srgb;
+    const unsigned char *const texels = srgb ? mip->linear : mip->texels;
+    const size_t texel = srgb ? RHW_LINEAR_TEXEL : 4, row = texel / 4 * mip->row_pitch;
     uint32_t at[RHW_LANES];
     sample_spill(sample_index(spots->near.xy, mip), at);
     for (int i = 0; i < RHW_LANES; i += 2) {
@@ -76,12 +76,12 @@ RHW_INLINE void sample_prefetch(const struct rhw_binding *binding, const struct 
 }
 
 RHW_INLINE void sample_spots_texel(const struct rhw_texture_data *texture, const struct sample_spots *spots,
-                                   bool linear, f8 texel[4])
+                                   bool srgb, f8 texel[4])
 {
     const struct rhw_mip *const fine = sample_mip(texture, spots->level);
-    const struct sample_codes a = sample_interior_codes(fine, &spots->near, linear);
-    const struct sample_codes b = sample_interior_codes(fine + 1, &spots->far, linear);
-    sample_mix_levels(a, b, spots->weight, linear, texel);
+    const struct sample_codes a = sample_interior_codes(fine, &spots->near, srgb);
+    const struct sample_codes b = sample_interior_codes(fine + 1, &spots->far, srgb);
+    sample_mix_levels(a, b, spots->weight, srgb, texel);
 }
 
 RHW_INLINE void group_gradient(const struct rhw_fragment *group, int at, f8 grad[4])
@@ -97,7 +97,7 @@ enum { SPOTS = 8 };
 
 // One texture at the spots of the groups whose bits are set in `found`. Meanwhile asks for texels of the next one.
 RHW_INLINE void sample_spots_groups(const struct rhw_texture_data *texture, const struct rhw_binding *next,
-                                    const struct sample_spots spots[SPOTS], unsigned found, bool linear,
+                                    const struct sample_spots spots[SPOTS], unsigned found, bool srgb,
                                     f8 (*texels)[4], int stride)
 {
     for (; found != 0; found &= found - 1) {
@@ -105,7 +105,7 @@ RHW_INLINE void sample_spots_groups(const struct rhw_texture_data *texture, cons
         if (next) {
             sample_prefetch(next, &spots[g]);
         }
-        sample_spots_texel(texture, &spots[g], linear, texels[g * stride]);
+        sample_spots_texel(texture, &spots[g], srgb, texels[g * stride]);
     }
 }
 
@@ -147,22 +147,18 @@ static void sample_shared_groups(const struct rhw_binding *bindings, uint32_t sl
 // One texture of 8 bits by itself. What its level of detail is takes a chain of operations, of which each waits for the
 // one before: those of all groups come first, so that they wait together.
 RHW_INLINE void sample_codes_groups(const struct rhw_binding *binding, const struct rhw_fragment *groups,
-                                    int count, int at, bool linear, f8 (*texels)[4], int stride)
+                                    int count, int at, bool srgb, f8 (*texels)[4], int stride)
 {
     const struct rhw_texture_data *const texture = binding->texture;
     const struct rhw_sampler_data *const sampler = binding->sampler;
     i8 detail[RHW_MAX_GROUPS];
     f8 grad[4];
-    for (int first = 0; first < count; first += RHW_MAX_GROUPS) {
-        const int end = count - first < RHW_MAX_GROUPS ? count : first + RHW_MAX_GROUPS;
-        for (int g = first; g < end; g++) {
-            group_gradient(&groups[g], at, grad);
-            detail[g - first] = sample_detail_codes(texture, sampler, grad, NULL);
-        }
-        for (int g = first; g < end; g++) {
-            sample_codes(texture, sampler, &groups[g].varying[at], detail[g - first], linear,
-                         texels[g * stride]);
-        }
+    for (int g = 0; g < count; g++) {
+        group_gradient(&groups[g], at, grad);
+        detail[g] = sample_detail_codes(texture, sampler, grad, NULL);
+    }
+    for (int g = 0; g < count; g++) {
+        sample_codes(texture, sampler, &groups[g].varying[at], detail[g], srgb, texels[g * stride]);
     }
 }
 
