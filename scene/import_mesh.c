@@ -52,7 +52,8 @@ static void drop_infinite_primitives(struct rhw_import *import, struct rhw_mesh 
             mesh->indices[kept++] = mesh->indices[i + k];
     }
     if (kept < mesh->index_count)
-        rhw_import_warn(import, "mesh \"%s\": %u primitives with positions that are not finite are left out",
+        rhw_import_warn(import,
+                        "mesh \"%s\": primitives with positions that are not finite are left out, %u of them",
                         mesh->name, (mesh->index_count - kept) / corners);
     mesh->index_count = kept;
 }

@@ -300,6 +300,10 @@ static void run_scenes(struct bench *bench)
         if (job->wanted[i])
             run_scene(bench, &bench_scene_entries[i]);
     }
+    if (bench->report.result_count == 0 && !bench->failed) {
+        rhw_tool_error("bench", "no scene was timed");
+        bench->failed = true;
+    }
     if ((job->json && !write_report(&bench->report, job->json_path, rhw_bench_print_json)) ||
         (job->csv && !write_report(&bench->report, job->csv_path, rhw_bench_print_csv)))
         bench->failed = true;

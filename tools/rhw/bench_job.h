@@ -13,7 +13,7 @@ enum { RHW_BENCH_SCENES_MAX = 64 };
 struct rhw_bench_job {
     bool wanted[RHW_BENCH_SCENES_MAX]; // of bench_scene_entries
     int width, height, frames;
-    int threads; // 0: all cores
+    int threads; // 0: as the library chooses
     enum rhw_isa isa;
     const char *peer; // driver, or NULL: none
     int peer_threads; // 0: as the peer likes

@@ -30,7 +30,8 @@ static const struct rhw_tool_option options[] = {
     {"size", OPTION_SIZE, "WxH", "pixels, each way 1..16384; default 1920x1080"},
     {"frames", OPTION_FRAMES, "N", "frames that count, 1..10000, after 3 that do not; default 15"},
     {"threads", OPTION_THREADS, "N",
-     "threads of rhw, 1..64; default: all cores; one thread is timed as well"},
+     "threads of rhw, 1..64; default: one for each core that the process may\nuse; one thread is timed as "
+     "well"},
     {"isa", OPTION_ISA, "NAME", "baseline, avx2 or avx512; default: the best there is"},
     {"peer", OPTION_PEER, "NAME", "what to compare with: llvmpipe (the default), softpipe or none"},
     {"peer-threads", OPTION_PEER_THREADS, "N", "threads of llvmpipe, 1..32; default: all cores"},

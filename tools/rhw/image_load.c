@@ -179,7 +179,7 @@ static bool load_stream(struct rhw_loaded_image *image, const char *path, FILE *
         return rhw_image_load_exr(image, path);
     if (magic[0] == 'P' && magic[1] && strchr("2356", magic[1]))
         return load_ppm(image, path, stream);
-    rhw_tool_error(path, "not a picture that rhw reads (PNG, EXR, PPM)");
+    rhw_tool_error(path, "not a picture that rhw reads (PNG, EXR, PPM, PGM)");
     return false;
 }
 

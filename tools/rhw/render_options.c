@@ -42,8 +42,7 @@ static const struct rhw_tool_option options[] = {
     {"fit", OPTION_FIT, NULL, "fit the whole model into the picture, also when the file has cameras"},
     {"orbit", OPTION_ORBIT, "AZ,EL",
      "fit it from these angles in degrees: azimuth 0 is the front, 90 the\nright side; elevation 90 is "
-     "straight "
-     "from above"},
+     "straight from above; default: 30,20,\nor a flat model from its front"},
     {"camera", OPTION_CAMERA, "NUMBERS",
      "eye, target and up (three numbers each) and the vertical field of\nview in degrees, separated by "
      "commas"},
@@ -58,7 +57,8 @@ static const struct rhw_tool_option options[] = {
      "rrggbb in hexadecimal, black, grey, white, transparent or default"},
     {"lights", OPTION_LIGHTS, "WHICH", "file (default: those of the file, if any) or default"},
     {"exposure", OPTION_EXPOSURE, "STOPS", "brighter by this many factors of two; -20..20"},
-    {"threads", OPTION_THREADS, "N", "threads to use, 1..64; default: all cores. The picture is the same"},
+    {"threads", OPTION_THREADS, "N",
+     "threads to use, 1..64; default: one for each core that the process may\nuse. The picture is the same"},
     {"isa", OPTION_ISA, "NAME",
      "instruction set: baseline, avx2 or avx512; default: the best there is.\n"
      "The picture is the same"},
