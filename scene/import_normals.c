@@ -116,9 +116,9 @@ static double corner_angle(const struct rhw_mesh *mesh, uint32_t corner)
     return angle_of(dot(a, b));
 }
 
-// The normal of a face, and what it weighs at its corners: its angle there, so that it does not matter how a polygon
-// was cut into triangles, times its area. Scans have triangles whose edges are a thousandth of their neighbours', and
-// whose direction is noise: by angles alone these would still count as much.
+// The normal of a face, and what it weighs at its corners: its angle there times its area. By angles alone it would
+// not matter at all how a polygon was cut into triangles, which now does a little; but scans have triangles whose edges
+// are a thousandth of their neighbours', and whose direction is noise, and these would count as much as the others.
 static void weigh_face(struct smoothing *smoothing, uint32_t first)
 {
     const struct rhw_mesh *mesh = smoothing->mesh;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Memory that lives until the frame ends: a pointer that moves up through chunks. Chunks come from the
-// context and stay on reset, so that a warm frame allocates nothing. One arena per thread.
+// context and stay on reset, until one is too small and a larger one takes its place, so that a warm frame allocates
+// nothing. One arena per thread.
 #ifndef RHW_ARENA_H
 #define RHW_ARENA_H
 
@@ -28,7 +29,7 @@ void rhw_arena_reset(struct rhw_arena *arena);
 // Bytes handed out since the reset, gaps included.
 size_t rhw_arena_used(const struct rhw_arena *arena);
 
-// The slow path of rhw_arena_alloc: takes the next chunk that is large enough, or a new one.
+// The slow path of rhw_arena_alloc: takes the next chunk, or a new one in its place where it is too small.
 void *rhw_arena_grow(struct rhw_arena *arena, size_t size, size_t align);
 
 // `size` undefined bytes aligned to `align`, a power of two of at most 4096; NULL when out of memory.

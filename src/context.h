@@ -27,7 +27,7 @@ struct rhw_context {
     // Bytes; written by every thread that allocates, which happens when an arena grows, not per draw.
     _Atomic size_t memory_used, memory_peak;
 
-    int cores;   // that the process may use
+    int cores;   // see rhw_cpu_cores; 1, without asking, with one thread
     int threads; // the caller's included
     enum rhw_isa isa;
     size_t bin_memory; // as the definition gave it; 0: the pass chooses

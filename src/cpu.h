@@ -8,7 +8,7 @@
 // Whether the CPU and the operating system run code that was compiled for `isa`.
 bool rhw_cpu_supports(enum rhw_isa isa);
 
-// Cores this process may run on, at least 1.
+// Whole cores whose time this process may use, by its affinity and the limits of its control groups; at least 1.
 int rhw_cpu_cores(void);
 
 // A program that is linked with -ffast-math flushes denormals to zero in all its threads, and a thread may

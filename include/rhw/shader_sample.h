@@ -19,13 +19,13 @@ struct rhw_binding {
     /// `grad` = du/dx, dv/dx, du/dy, dv/dy per pixel, or NULL to sample at level `lod` (may be NULL: 0).
     void (*sample)(const struct rhw_binding *binding, const rhw_float uv[2], const rhw_float grad[4],
                    const rhw_float *lod, rhw_float texel[4]);
-    const void *texture; ///< struct rhw_texture_data
-    const void *sampler; ///< struct rhw_sampler_def
+    const void *texture; ///< private: struct rhw_texture_data
+    const void *sampler; ///< private: struct rhw_sampler_data
     /// Bit n of `slots`, which is not 0: the sample with `grad` of bindings[n] into texels[n].
     void (*sample_slots)(const struct rhw_binding *bindings, uint32_t slots, const rhw_float uv[2],
                          const rhw_float grad[4], rhw_float (*texels)[4]);
-    /// The same for `count` groups at components `at` and `at + 1` of their varyings; of group g into
-    /// texels[g * stride + n].
+    /// The same for `count` groups, 1..RHW_MAX_GROUPS, at components `at` and `at + 1` of their varyings; of group g
+    /// into texels[g * stride + n].
     void (*sample_groups)(const struct rhw_binding *bindings, uint32_t slots,
                           const struct rhw_fragment *groups, int count, int at, rhw_float (*texels)[4],
                           int stride);

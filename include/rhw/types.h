@@ -35,7 +35,9 @@ enum {
 enum rhw_isa { RHW_ISA_BASELINE, RHW_ISA_AVX2, RHW_ISA_AVX512, RHW_ISA_COUNT };
 
 struct rhw_context_def {
-    int threads;      ///< 0 all cores the process may use; 1 the caller's thread alone; n the caller and n − 1 workers
+    /// 1..64: the caller's thread and workers; 1 the caller's alone. 0: as many as whole cores' time the process may
+    /// use, by affinity and the limits of control groups (1 where it may use one core and a half).
+    int threads;
     enum rhw_isa isa; ///< highest to use; default RHW_ISA_COUNT: the best the CPU has
     size_t bin_memory; ///< bytes of binned geometry kept before a pass is flushed to its tiles; 0: 512 MiB
     struct rhw_allocator allocator; ///< zeroed: malloc
@@ -271,7 +273,9 @@ struct rhw_stats {
     double setup_busy_ms;  ///< of front_busy_ms: clip, cull, setup
     double bin_busy_ms;    ///< of front_busy_ms: binning
     uint64_t draws;
-    uint64_t vertices_shaded; ///< this, fragments_shaded, fragment_groups and flushes may vary with the threads
+    /// Calls of the vertex function, in lanes: a vertex counts again where chunks or waves of a pass shade it again. This,
+    /// fragments_shaded, fragment_groups and flushes may vary with the threads.
+    uint64_t vertices_shaded;
     uint64_t triangles_in, triangles_dropped; ///< dropped: a position was not finite
     uint64_t triangles_clipped;    ///< cut by a plane
     uint64_t triangles_culled;     ///< outside the view, facing away, of no area, or covering no sample
