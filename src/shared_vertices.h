@@ -19,8 +19,8 @@ struct rhw_shared_vertices {
 
 enum {
     RHW_SHARING_TRIANGLES = 2048, // of an instance whose vertices are shared, at least
-    // Vertices that are shaded as one task, at most. Whole groups: the lanes behind the last vertex are written too, and
-    // must not be another task's.
+    // Vertices that are shaded as one task, at most. Whole groups: the lanes behind the last vertex are written too,
+    // and must not be another task's.
     RHW_SHARED_PART = 2048
 };
 

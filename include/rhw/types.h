@@ -273,8 +273,8 @@ struct rhw_stats {
     double setup_busy_ms;  ///< of front_busy_ms: clip, cull, setup
     double bin_busy_ms;    ///< of front_busy_ms: binning
     uint64_t draws;
-    /// Calls of the vertex function, in lanes: a vertex counts again where chunks or waves of a pass shade it again. This,
-    /// fragments_shaded, fragment_groups and flushes may vary with the threads.
+    /// Calls of the vertex function, in lanes: a vertex counts again where chunks or waves of a pass shade it again.
+    /// This, fragments_shaded, fragment_groups and flushes may vary with the threads.
     uint64_t vertices_shaded;
     uint64_t triangles_in, triangles_dropped; ///< dropped: a position was not finite
     uint64_t triangles_clipped;    ///< cut by a plane

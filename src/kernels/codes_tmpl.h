@@ -268,26 +268,42 @@ RHW_INLINE i8 sample_detail_codes(const struct rhw_texture_data *texture,
     return rhw_to_int_unchecked(rhw_min(detail, f8_load(texture->last_level)) * sample_constants()->one_16);
 }
 
+// Whether all lanes take the same two levels, and some have a weight in the second.
+RHW_INLINE bool sample_same_levels(i8 detail, i8 weight)
+{
+    const i8 apart = detail ^ i8_splat_first(detail);
+    return !i8_any_of(apart, sample_constants()->upper_half) && i8_any_of(weight, weight);
+}
+
+// Where lanes meet a level and the next. False where not all of their four texels lie side by side in both; if the
+// coarser one has no side of 1, so has the finer one.
+RHW_INLINE bool sample_places(const struct rhw_mip *fine, f8 s, f8 t, struct sample_place *near,
+                              struct sample_place *far)
+{
+    const struct rhw_mip *const coarse = fine + 1;
+    *near = sample_place(fine, s, t);
+    *far = sample_place(coarse, s, t);
+    const i8 over = i8_over_halves(near->xy, i8_load(fine->interior)) |
+                    i8_over_halves(far->xy, i8_load(coarse->interior));
+    return coarse->interior[0] >= 0 && !i8_any_of(over, over);
+}
+
 // The straight road, and the turn to the other.
 RHW_INLINE void sample_codes(const struct rhw_texture_data *texture, const struct rhw_sampler_data *sampler,
                              const f8 uv[2], i8 detail, bool srgb, f8 texel[4])
 {
     const f8 s = sample_fold(sampler->def.address_u, uv[0]), t = sample_fold(sampler->def.address_v, uv[1]);
-    const i8 first = i8_splat_first(detail), weight = i8_halve_lower(detail);
-    if (!i8_any_of(detail ^ first, sample_constants()->upper_half) && i8_any_of(weight, weight)) {
-        const struct rhw_mip *const fine = sample_mip(texture, first[0] >> 16), *const coarse = fine + 1;
+    const i8 weight = i8_halve_lower(detail);
+    if (sample_same_levels(detail, weight)) {
+        const struct rhw_mip *const fine = sample_mip(texture, detail[0] >> 16), *const coarse = fine + 1;
         if (!I8_PERMUTES) { // 16-byte registers are too few for two levels at once
             const struct sample_codes a = sample_bilinear_codes(sampler, fine, s, t, srgb);
             const struct sample_codes b = sample_bilinear_codes(sampler, coarse, s, t, srgb);
             sample_mix_levels(a, b, weight, srgb, texel);
             return;
         }
-        const struct sample_place near = sample_place(fine, s, t), far = sample_place(coarse, s, t);
-        const i8 over = i8_over_halves(near.xy, i8_load(fine->interior)) |
-                        i8_over_halves(far.xy, i8_load(coarse->interior));
-        // The four texels of every lane lie side by side in both levels; if the coarser one has no side of 1, so
-        // has the finer one.
-        if (coarse->interior[0] >= 0 && !i8_any_of(over, over)) {
+        struct sample_place near, far;
+        if (sample_places(fine, s, t, &near, &far)) {
             const struct sample_codes a = sample_interior_codes(fine, &near, srgb);
             const struct sample_codes b = sample_interior_codes(coarse, &far, srgb);
             sample_mix_levels(a, b, weight, srgb, texel);

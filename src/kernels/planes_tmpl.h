@@ -277,8 +277,9 @@ RHW_INLINE d8 combine_rows(const struct planes *p, enum quantity q, d8 e1, d8 e2
                   d8_add(d8_mul(d8_splat(p->factors.f1[q]), e1), d8_mul(d8_splat(p->factors.f2[q]), e2)));
 }
 
-// What a block needs of a triangle's planes. Which members are set: z by block_depth; s, b, c by
-// block_weights, or weight_rows and weight_columns; n1, n2 by block_screen_weights; e1, e2 instead of all of them when the planes are exact.
+// What a block needs of a triangle's planes. Which members are set: z by block_depth; s, b, c by block_weights, or by
+// weight_rows and weight_columns; n1, n2 by block_screen_weights; e1, e2 instead of all of them when the planes are
+// exact.
 struct block_planes {
     struct block_plane z, s, b, c, n1, n2, e1, e2;
     double inverse_s[RHW_BLOCK]; // by row, with WEIGH_LEVEL
@@ -320,10 +321,10 @@ RHW_INLINE void weight_rows(struct block_planes *block, const struct planes *p, 
     plane_rows(&block->b, &b, dy);
     plane_rows(&block->c, &c, dy);
     if (how == WEIGH_LEVEL) {
-        d8 rows;
-        memcpy(&rows, block->s.row, sizeof rows);
-        rows = d8_div(d8_splat(1), rows);
-        memcpy(block->inverse_s, &rows, sizeof rows);
+        d8 row;
+        memcpy(&row, block->s.row, sizeof row);
+        row = d8_div(d8_splat(1), row);
+        memcpy(block->inverse_s, &row, sizeof row);
     }
 }
 

@@ -24,19 +24,11 @@ RHW_INLINE bool sample_find_spots(const struct rhw_binding *binding, const f8 uv
     const struct rhw_texture_data *const texture = binding->texture;
     const struct rhw_sampler_data *const sampler = binding->sampler;
     const f8 s = sample_fold(sampler->def.address_u, uv[0]), t = sample_fold(sampler->def.address_v, uv[1]);
-    const i8 detail = sample_detail_codes(texture, sampler, grad, NULL), first = i8_splat_first(detail);
+    const i8 detail = sample_detail_codes(texture, sampler, grad, NULL);
     spots->weight = i8_halve_lower(detail);
-    if (i8_any_of(detail ^ first, sample_constants()->upper_half) ||
-        !i8_any_of(spots->weight, spots->weight)) {
-        return false;
-    }
-    spots->level = first[0] >> 16;
-    const struct rhw_mip *const fine = sample_mip(texture, spots->level), *const coarse = fine + 1;
-    spots->near = sample_place(fine, s, t);
-    spots->far = sample_place(coarse, s, t);
-    const i8 over = i8_over_halves(spots->near.xy, i8_load(fine->interior)) |
-                    i8_over_halves(spots->far.xy, i8_load(coarse->interior));
-    return coarse->interior[0] >= 0 && !i8_any_of(over, over);
+    spots->level = detail[0] >> 16;
+    return sample_same_levels(detail, spots->weight) &&
+           sample_places(sample_mip(texture, spots->level), s, t, &spots->near, &spots->far);
 }
 
 // Whether what was found for one binding holds for another.

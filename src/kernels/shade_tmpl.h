@@ -265,24 +265,23 @@ RHW_INLINE void fill_steps(const struct tile_work *work, const struct triangle_w
     }
 }
 
+RHW_INLINE void fill_block(const struct tile_work *work, const struct triangle_work *triangle,
+                           const struct block_place *at, const struct block_rows *rows, int first,
+                           bool derivatives, enum weighing how)
+{
+    struct block_planes block;
+    block_weights(&block, &triangle->planes, at, how);
+    fill_steps(work, triangle, &block, at, rows, first, derivatives, how);
+}
+
 RHW_INLINE void fill_rows(const struct tile_work *work, const struct triangle_work *triangle,
                           const struct block_place *at, const struct block_rows *rows, int first,
                           bool derivatives)
 {
-    struct block_planes block;
     switch (weighing_of(&triangle->planes)) {
-    case WEIGH_EXACTLY:
-        block_weights(&block, &triangle->planes, at, WEIGH_EXACTLY);
-        fill_steps(work, triangle, &block, at, rows, first, derivatives, WEIGH_EXACTLY);
-        break;
-    case WEIGH_LEVEL:
-        block_weights(&block, &triangle->planes, at, WEIGH_LEVEL);
-        fill_steps(work, triangle, &block, at, rows, first, derivatives, WEIGH_LEVEL);
-        break;
-    case WEIGH_LANES:
-        block_weights(&block, &triangle->planes, at, WEIGH_LANES);
-        fill_steps(work, triangle, &block, at, rows, first, derivatives, WEIGH_LANES);
-        break;
+    case WEIGH_EXACTLY: fill_block(work, triangle, at, rows, first, derivatives, WEIGH_EXACTLY); break;
+    case WEIGH_LEVEL: fill_block(work, triangle, at, rows, first, derivatives, WEIGH_LEVEL); break;
+    case WEIGH_LANES: fill_block(work, triangle, at, rows, first, derivatives, WEIGH_LANES); break;
     }
 }
 
