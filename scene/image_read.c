@@ -26,30 +26,35 @@ void rhw_image_find_alpha(struct rhw_image *image)
     bool found = false;
     if (image->type == RHW_IMAGE_RGBA8) {
         const uint8_t *alpha = (const uint8_t *)image->texels + 3;
-        for (size_t i = 0; i < texels && !found; i++)
+        for (size_t i = 0; i < texels && !found; i++) {
             found = alpha[4 * i] != UINT8_MAX;
+        }
     } else if (image->type == RHW_IMAGE_RGBA16) {
         const uint16_t *alpha = (const uint16_t *)image->texels + 3;
-        for (size_t i = 0; i < texels && !found; i++)
+        for (size_t i = 0; i < texels && !found; i++) {
             found = alpha[4 * i] != UINT16_MAX;
+        }
     }
     image->has_alpha = found; // Radiance HDR has none
 }
 
 const char *rhw_image_decode(const void *bytes, size_t size, struct rhw_image *image)
 {
-    if (size == 0)
+    if (size == 0) {
         return "the file is empty";
-    if (size > INT_MAX)
+    }
+    if (size > INT_MAX) {
         return "the file is too large";
+    }
     const int length = (int)size;
     int width = 0, height = 0, channels = 0;
     if (!stbi_info_from_memory(bytes, length, &width, &height, &channels)) {
         const char *reason = stbi_failure_reason();
         return strcmp(reason, "unknown image type") == 0 ? "not an image format that can be read" : reason;
     }
-    if (width < 1 || height < 1 || width > RHW_MAX_TARGET_SIZE || height > RHW_MAX_TARGET_SIZE)
+    if (width < 1 || height < 1 || width > RHW_MAX_TARGET_SIZE || height > RHW_MAX_TARGET_SIZE) {
         return "width and height must be 1 to 16384";
+    }
     enum rhw_image_type type = RHW_IMAGE_RGBA8;
     size_t texel = 4;
     void *texels = NULL;
@@ -64,8 +69,9 @@ const char *rhw_image_decode(const void *bytes, size_t size, struct rhw_image *i
     } else {
         texels = stbi_load_from_memory(bytes, length, &width, &height, &channels, 4);
     }
-    if (texels == NULL)
+    if (texels == NULL) {
         return stbi_failure_reason();
+    }
     image->type = type;
     image->width = (uint32_t)width;
     image->height = (uint32_t)height;
@@ -79,8 +85,9 @@ bool rhw_image_stand_in(struct rhw_image *image)
 {
     enum { SIDE = 8 };
     uint8_t(*texels)[4] = malloc(SIDE * SIDE * sizeof *texels);
-    if (texels == NULL)
+    if (texels == NULL) {
         return false;
+    }
     for (int i = 0; i < SIDE * SIDE; i++) {
         const bool magenta = (i / SIDE + i) % 2 == 0;
         const uint8_t texel[4] = {magenta ? 255 : 0, 0, magenta ? 255 : 0, 255};

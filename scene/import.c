@@ -16,20 +16,23 @@ enum { MESSAGES = 64 }; // lines of each kind that are kept; a hostile file coul
 void *rhw_import_allocate(struct rhw_import *import, size_t count, size_t size)
 {
     void *memory = calloc(count > 0 ? count : 1, size);
-    if (memory == NULL)
+    if (memory == NULL) {
         rhw_import_fail(import, "needs more memory than there is (%zu MiB more)", count / 1048576 * size);
+    }
     return memory;
 }
 
 void rhw_import_reserve(struct rhw_import *import, void *array, size_t *capacity, size_t needed, size_t size)
 {
     void **elements = array;
-    if (needed <= *capacity)
+    if (needed <= *capacity) {
         return;
+    }
     const size_t larger = needed > *capacity * 2 ? needed + 16 : *capacity * 2;
     void *moved = realloc(*elements, larger * size);
-    if (moved == NULL)
+    if (moved == NULL) {
         rhw_import_fail(import, "needs more memory than there is");
+    }
     *elements = moved;
     *capacity = larger;
 }
@@ -39,12 +42,14 @@ static void *grow(struct rhw_import *import, void *array, uint32_t *count, uint3
 {
     void **elements = array;
     if (*count == *capacity) {
-        if (*capacity >= UINT32_MAX / 2)
+        if (*capacity >= UINT32_MAX / 2) {
             rhw_import_fail(import, "has too many parts");
+        }
         const uint32_t larger = *capacity == 0 ? 16 : *capacity * 2;
         void *moved = realloc(*elements, larger * size);
-        if (moved == NULL)
+        if (moved == NULL) {
             rhw_import_fail(import, "needs more memory than there is");
+        }
         *elements = moved;
         *capacity = larger;
     }
@@ -64,14 +69,18 @@ static size_t utf8_length(const unsigned char *text, size_t left)
                           : lead < 0xf0 ? 3
                           : lead < 0xf5 ? 4
                                         : 0;
-    if (length == 0 || length > left)
+    if (length == 0 || length > left) {
         return 0;
-    for (size_t i = 1; i < length; i++)
-        if ((text[i] & 0xc0) != 0x80)
+    }
+    for (size_t i = 1; i < length; i++) {
+        if ((text[i] & 0xc0) != 0x80) {
             return 0;
+        }
+    }
     if ((lead == 0xe0 && text[1] < 0xa0) || (lead == 0xed && text[1] > 0x9f) ||
-        (lead == 0xf0 && text[1] < 0x90) || (lead == 0xf4 && text[1] > 0x8f))
+        (lead == 0xf0 && text[1] < 0x90) || (lead == 0xf4 && text[1] > 0x8f)) {
         return 0;
+    }
     return length;
 }
 
@@ -97,11 +106,14 @@ static void add_line(struct rhw_import *import, const char ***lines, uint32_t *c
 {
     char line[512];
     vsnprintf(line, sizeof line, format, arguments);
-    for (uint32_t i = 0; i < *count; i++)
-        if (strcmp((*lines)[i], line) == 0)
+    for (uint32_t i = 0; i < *count; i++) {
+        if (strcmp((*lines)[i], line) == 0) {
             return;
-    if (*count > MESSAGES)
+        }
+    }
+    if (*count > MESSAGES) {
         return;
+    }
     const char **slot = grow(import, lines, count, capacity, sizeof *slot);
     *slot = rhw_import_string(import, *count > MESSAGES ? "and more of the kind" : line, sizeof line);
 }
@@ -158,8 +170,9 @@ struct rhw_material *rhw_import_add_material(struct rhw_import *import)
         .occlusion_strength = 1,
         .alpha_cutoff = 0.5f,
     };
-    for (int i = 0; i < RHW_SLOT_COUNT; i++)
+    for (int i = 0; i < RHW_SLOT_COUNT; i++) {
         material->slots[i] = rhw_import_slot_default();
+    }
     return material;
 }
 
@@ -218,10 +231,12 @@ void *rhw_import_read_file(struct rhw_import *import, const char *path, size_t *
     size_t done = 0;
     while (done < *size) {
         const ssize_t step = read(descriptor, bytes + done, *size - done);
-        if (step < 0 && errno == EINTR)
+        if (step < 0 && errno == EINTR) {
             continue;
-        if (step <= 0)
+        }
+        if (step <= 0) {
             break;
+        }
         done += (size_t)step;
     }
     close(descriptor);
@@ -254,8 +269,9 @@ static void empty_bounds(float least[3], float most[3])
 static void bound_mesh(struct rhw_mesh *mesh)
 {
     empty_bounds(mesh->bounds_min, mesh->bounds_max);
-    for (uint32_t i = 0; i < mesh->vertex_count; i++)
+    for (uint32_t i = 0; i < mesh->vertex_count; i++) {
         extend(mesh->bounds_min, mesh->bounds_max, mesh->positions[i]);
+    }
 }
 
 // Bounds of an instance in the world; false when some point leaves the range of floats.
@@ -281,8 +297,9 @@ static void keep_drawable_instances(struct rhw_import *import)
         struct rhw_instance *instance = &model->instances[i];
         const struct rhw_mesh *mesh = &model->meshes[instance->mesh];
         float least[3], most[3];
-        if (mesh->index_count == 0)
+        if (mesh->index_count == 0) {
             continue;
+        }
         if (!bound_instance(mesh, instance->world, least, most)) {
             rhw_import_warn(import, "node \"%s\" is left out: its place in the world is not finite",
                             instance->name);
@@ -291,8 +308,9 @@ static void keep_drawable_instances(struct rhw_import *import)
         extend(model->bounds_min, model->bounds_max, least);
         extend(model->bounds_min, model->bounds_max, most);
         instance->mirrored = rhw_import_determinant(instance->world) < 0;
-        if (mesh->primitive == RHW_PRIMITIVE_TRIANGLES)
+        if (mesh->primitive == RHW_PRIMITIVE_TRIANGLES) {
             model->triangles_drawn += mesh->index_count / 3;
+        }
         model->instances[kept++] = *instance;
     }
     model->instance_count = kept;
@@ -303,23 +321,27 @@ static void warn_of_missing_uvs(struct rhw_import *import)
     for (uint32_t i = 0; i < import->model.mesh_count; i++) {
         const struct rhw_mesh *mesh = &import->model.meshes[i];
         const struct rhw_material *material = &import->model.materials[mesh->material];
-        for (int k = 0; k < RHW_SLOT_COUNT; k++)
-            if (material->slots[k].image >= 0 && mesh->uvs[material->slots[k].uv_set] == NULL)
+        for (int k = 0; k < RHW_SLOT_COUNT; k++) {
+            if (material->slots[k].image >= 0 && mesh->uvs[material->slots[k].uv_set] == NULL) {
                 rhw_import_warn(import, "mesh \"%s\" lacks the texture coordinates its material \"%s\" reads",
                                 mesh->name, material->name);
+            }
+        }
     }
 }
 
 static void mark_image_uses(struct rhw_model *model)
 {
-    for (uint32_t i = 0; i < model->material_count; i++)
+    for (uint32_t i = 0; i < model->material_count; i++) {
         for (int k = 0; k < RHW_SLOT_COUNT; k++) {
             const int32_t image = model->materials[i].slots[k].image;
-            if (image >= 0 && rhw_slot_is_color((enum rhw_slot)k))
+            if (image >= 0 && rhw_slot_is_color((enum rhw_slot)k)) {
                 model->images[image].used_as_color = true;
-            else if (image >= 0)
+            } else if (image >= 0) {
                 model->images[image].used_as_data = true;
+            }
         }
+    }
 }
 
 static void set_directory(struct rhw_import *import)
@@ -335,27 +357,30 @@ void rhw_import_run(struct rhw_import *import)
 {
     unsigned char start[64] = {0};
     FILE *file = fopen(import->model.path, "rb");
-    if (file == NULL)
+    if (file == NULL) {
         rhw_import_fail(import, "cannot be opened: %s", strerror(errno));
+    }
     const size_t size = fread(start, 1, sizeof start, file);
     fclose(file);
     set_directory(import);
     struct rhw_model *model = &import->model;
-    if (rhw_import_is_gltf(model->path, start, size))
+    if (rhw_import_is_gltf(model->path, start, size)) {
         rhw_import_gltf(import);
-    else if (rhw_import_is_ply(model->path, start, size))
+    } else if (rhw_import_is_ply(model->path, start, size)) {
         rhw_import_ply(import);
-    else if (rhw_import_is_obj(model->path))
+    } else if (rhw_import_is_obj(model->path)) {
         rhw_import_obj(import);
-    else
+    } else {
         rhw_import_assimp(import);
+    }
     rhw_import_decode_images(import);
     mark_image_uses(model);
     warn_of_missing_uvs(import);
     for (uint32_t i = 0; i < model->mesh_count; i++) {
         bound_mesh(&model->meshes[i]);
-        if (model->meshes[i].primitive == RHW_PRIMITIVE_TRIANGLES)
+        if (model->meshes[i].primitive == RHW_PRIMITIVE_TRIANGLES) {
             model->triangles_stored += model->meshes[i].index_count / 3;
+        }
     }
     keep_drawable_instances(import);
 }

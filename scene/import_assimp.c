@@ -34,19 +34,22 @@ static const double pi = 3.14159265358979324;
 static uint32_t material_of(struct reader *reader, const struct aiMesh *mesh)
 {
     const bool colored = mesh->mColors[0] != NULL;
-    if (mesh->mMaterialIndex >= reader->scene->mNumMaterials)
+    if (mesh->mMaterialIndex >= reader->scene->mNumMaterials) {
         rhw_import_fail(reader->import, "a mesh refers to a material that does not exist");
+    }
     int32_t *made = &reader->materials[mesh->mMaterialIndex][colored];
-    if (*made < 0)
+    if (*made < 0) {
         *made = (int32_t)rhw_assimp_material(reader->import, reader->scene,
                                              reader->scene->mMaterials[mesh->mMaterialIndex], colored);
+    }
     return (uint32_t)*made;
 }
 
 static void *copy_vectors(struct rhw_import *import, const struct aiVector3D *vectors, uint32_t count)
 {
-    if (vectors == NULL)
+    if (vectors == NULL) {
         return NULL;
+    }
     float(*copy)[3] = rhw_import_allocate(import, count, sizeof *copy);
     memcpy(copy, vectors, count * sizeof *copy);
     return copy;
@@ -55,8 +58,9 @@ static void *copy_vectors(struct rhw_import *import, const struct aiVector3D *ve
 // v turned from assimp's upward to our downward direction.
 static void *copy_uvs(struct rhw_import *import, const struct aiVector3D *vectors, uint32_t count)
 {
-    if (vectors == NULL)
+    if (vectors == NULL) {
         return NULL;
+    }
     float(*copy)[2] = rhw_import_allocate(import, count, sizeof *copy);
     for (uint32_t i = 0; i < count; i++) {
         copy[i][0] = vectors[i].x;
@@ -69,11 +73,13 @@ static void *copy_uvs(struct rhw_import *import, const struct aiVector3D *vector
 // for which a table is exact.
 static void *copy_colors(struct rhw_import *import, const struct aiColor4D *colors, uint32_t count)
 {
-    if (colors == NULL)
+    if (colors == NULL) {
         return NULL;
+    }
     float table[256];
-    for (int i = 0; i < 256; i++)
+    for (int i = 0; i < 256; i++) {
         table[i] = rhw_import_from_srgb((float)i / 255);
+    }
     float(*copy)[4] = rhw_import_allocate(import, count, sizeof *copy);
     for (uint32_t i = 0; i < count; i++) {
         const float encoded[3] = {colors[i].r, colors[i].g, colors[i].b};
@@ -94,18 +100,21 @@ static void copy_indices(struct reader *reader, const struct aiMesh *source, str
     const uint32_t corners = mesh->primitive == RHW_PRIMITIVE_TRIANGLES ? 3
                              : mesh->primitive == RHW_PRIMITIVE_LINES   ? 2
                                                                         : 1;
-    if (source->mNumFaces > UINT32_MAX / 3)
+    if (source->mNumFaces > UINT32_MAX / 3) {
         rhw_import_fail(reader->import, "has too many faces");
+    }
     mesh->indices =
         rhw_import_allocate(reader->import, (size_t)source->mNumFaces * corners, sizeof *mesh->indices);
     for (uint32_t i = 0; i < source->mNumFaces; i++) {
         const struct aiFace *face = &source->mFaces[i];
-        if (face->mNumIndices != corners)
+        if (face->mNumIndices != corners) {
             continue; // an empty face
+        }
         for (uint32_t k = 0; k < corners; k++) {
-            if (face->mIndices[k] >= source->mNumVertices)
+            if (face->mIndices[k] >= source->mNumVertices) {
                 rhw_import_fail(reader->import, "a face refers to vertex %u of %u", face->mIndices[k],
                                 source->mNumVertices);
+            }
             mesh->indices[mesh->index_count++] = face->mIndices[k];
         }
     }
@@ -117,18 +126,21 @@ static void make_points(struct reader *reader, struct rhw_mesh *mesh)
     mesh->primitive = RHW_PRIMITIVE_POINTS;
     mesh->index_count = mesh->vertex_count;
     mesh->indices = rhw_import_allocate(reader->import, mesh->vertex_count, sizeof *mesh->indices);
-    for (uint32_t i = 0; i < mesh->vertex_count; i++)
+    for (uint32_t i = 0; i < mesh->vertex_count; i++) {
         mesh->indices[i] = i;
+    }
 }
 
 // An alpha that is 0 everywhere means a format without alpha, not an invisible mesh.
 static void fix_alpha(struct rhw_mesh *mesh)
 {
     bool visible = false;
-    for (uint32_t i = 0; mesh->colors != NULL && i < mesh->vertex_count; i++)
+    for (uint32_t i = 0; mesh->colors != NULL && i < mesh->vertex_count; i++) {
         visible = visible || mesh->colors[i][3] > 0;
-    for (uint32_t i = 0; mesh->colors != NULL && i < mesh->vertex_count && !visible; i++)
+    }
+    for (uint32_t i = 0; mesh->colors != NULL && i < mesh->vertex_count && !visible; i++) {
         mesh->colors[i][3] = 1;
+    }
 }
 
 static void add_mesh(struct reader *reader, uint32_t index)
@@ -142,8 +154,9 @@ static void add_mesh(struct reader *reader, uint32_t index)
                      : kinds & aiPrimitiveType_LINE                               ? RHW_PRIMITIVE_LINES
                                                                                   : RHW_PRIMITIVE_POINTS;
     mesh.material = material_of(reader, source);
-    if (source->mVertices == NULL)
+    if (source->mVertices == NULL) {
         mesh.vertex_count = 0;
+    }
     mesh.positions = copy_vectors(import, source->mVertices, count);
     mesh.normals = copy_vectors(import, source->mNormals, count);
     mesh.uvs[0] = copy_uvs(import, source->mTextureCoords[0], count);
@@ -151,12 +164,15 @@ static void add_mesh(struct reader *reader, uint32_t index)
     mesh.colors = copy_colors(import, source->mColors[0], count);
     fix_alpha(&mesh);
     copy_indices(reader, source, &mesh);
-    if (mesh.index_count == 0)
+    if (mesh.index_count == 0) {
         make_points(reader, &mesh);
-    if (source->mNumBones > 0)
+    }
+    if (source->mNumBones > 0) {
         rhw_import_unsupported(import, "skins: drawn in the pose the meshes are stored in");
-    if (source->mNumAnimMeshes > 0)
+    }
+    if (source->mNumAnimMeshes > 0) {
         rhw_import_unsupported(import, "morph targets: drawn at rest");
+    }
     *rhw_import_add_mesh(import) = mesh;
     reader->meshes[index] = import->model.mesh_count - 1;
     // Formats that list every corner of every face hold each vertex several times.
@@ -180,22 +196,27 @@ static void add_node(struct reader *reader, const struct aiNode *node, const flo
     float world[16];
     copy_matrix(&node->mTransformation, world);
     rhw_import_multiply(parent, world, world);
-    if (++reader->depth > DEEPEST)
+    if (++reader->depth > DEEPEST) {
         rhw_import_fail(import, "its nodes are nested too deeply");
-    if (node->mNumMeshes > 0)
+    }
+    if (node->mNumMeshes > 0) {
         reader->objects++;
+    }
     for (uint32_t i = 0; i < node->mNumMeshes; i++) {
-        if (node->mMeshes[i] >= reader->scene->mNumMeshes)
+        if (node->mMeshes[i] >= reader->scene->mNumMeshes) {
             rhw_import_fail(import, "a node refers to a mesh that does not exist");
+        }
         struct rhw_instance *instance = rhw_import_add_instance(import);
         instance->name = rhw_assimp_string(import, &node->mName);
         instance->mesh = reader->meshes[node->mMeshes[i]];
         instance->object = reader->objects;
         memcpy(instance->world, world, sizeof world);
     }
-    for (uint32_t i = 0; i < node->mNumChildren; i++)
-        if (node->mChildren[i] != NULL) // the reader of RAW files leaves gaps
+    for (uint32_t i = 0; i < node->mNumChildren; i++) {
+        if (node->mChildren[i] != NULL) { // the reader of RAW files leaves gaps
             add_node(reader, node->mChildren[i], world);
+        }
+    }
     reader->depth--;
 }
 
@@ -210,9 +231,11 @@ static bool find_node(const struct aiNode *node, const struct aiString *name, co
         memcpy(world, here, sizeof here);
         return true;
     }
-    for (uint32_t i = 0; i < node->mNumChildren; i++)
-        if (node->mChildren[i] != NULL && find_node(node->mChildren[i], name, here, world))
+    for (uint32_t i = 0; i < node->mNumChildren; i++) {
+        if (node->mChildren[i] != NULL && find_node(node->mChildren[i], name, here, world)) {
             return true;
+        }
+    }
     return false;
 }
 
@@ -220,8 +243,9 @@ static void place(const struct reader *reader, const struct aiString *name, floa
 {
     float identity[16];
     rhw_import_identity(identity);
-    if (!find_node(reader->scene->mRootNode, name, identity, world))
+    if (!find_node(reader->scene->mRootNode, name, identity, world)) {
         memcpy(world, identity, sizeof identity);
+    }
 }
 
 // Cameras and lights --------------------------------------------------------------------------------
@@ -237,10 +261,12 @@ static bool unit(float vector[3])
 {
     const float length =
         __builtin_sqrtf(vector[0] * vector[0] + vector[1] * vector[1] + vector[2] * vector[2]);
-    if (!(length > 1e-20f && length < 1e20f))
+    if (!(length > 1e-20f && length < 1e20f)) {
         return false;
-    for (int c = 0; c < 3; c++)
+    }
+    for (int c = 0; c < 3; c++) {
         vector[c] /= length;
+    }
     return true;
 }
 
@@ -272,10 +298,11 @@ static void add_camera(struct reader *reader, const struct aiCamera *source)
     camera.zfar = source->mClipPlaneFar > camera.znear ? source->mClipPlaneFar : 0;
     const bool lens = camera.orthographic ? camera.zfar > 0 : camera.yfov > 0 && camera.yfov < 3.14159f;
     if (seen && upright && lens && rhw_import_finite(camera.world, 16) &&
-        rhw_import_determinant(camera.world) != 0)
+        rhw_import_determinant(camera.world) != 0) {
         *rhw_import_add_camera(import) = camera;
-    else
+    } else {
         rhw_import_warn(import, "camera \"%s\" is not valid: left out", camera.name);
+    }
 }
 
 // Middle of what is drawn, in the world.
@@ -294,8 +321,9 @@ static void find_middle(const struct rhw_model *model, float middle[3])
             }
         }
     }
-    for (int c = 0; c < 3; c++)
+    for (int c = 0; c < 3; c++) {
         middle[c] = least[c] / 2 + most[c] / 2;
+    }
 }
 
 // The lights of these formats have no physical unit and their own laws of attenuation. What is kept is how
@@ -303,13 +331,16 @@ static void find_middle(const struct rhw_model *model, float middle[3])
 static void set_strength(struct rhw_model_light *light, const struct aiLight *source, const float middle[3])
 {
     float strongest = 0;
-    for (int c = 0; c < 3; c++)
+    for (int c = 0; c < 3; c++) {
         strongest = light->color[c] > strongest ? light->color[c] : strongest;
-    for (int c = 0; c < 3 && strongest > 1; c++)
+    }
+    for (int c = 0; c < 3 && strongest > 1; c++) {
         light->color[c] /= strongest;
+    }
     light->intensity = (float)pi; // a white surface that faces it reflects 1
-    if (light->type == RHW_LIGHT_DIRECTIONAL)
+    if (light->type == RHW_LIGHT_DIRECTIONAL) {
         return;
+    }
     double square = 0;
     for (int c = 0; c < 3; c++) {
         const double difference = (double)light->position[c] - (double)middle[c];
@@ -338,28 +369,32 @@ static void add_light(struct reader *reader, const struct aiLight *source, const
     const float direction[3] = {source->mDirection.x, source->mDirection.y, source->mDirection.z};
     place(reader, &source->mName, world);
     rhw_import_transform(world, position, light.position);
-    for (int row = 0; row < 3; row++)
+    for (int row = 0; row < 3; row++) {
         light.direction[row] =
             world[row] * direction[0] + world[4 + row] * direction[1] + world[8 + row] * direction[2];
+    }
     const bool directed = unit(light.direction);
-    if (!directed)
+    if (!directed) {
         memcpy(light.direction, (const float[3]){0, 0, -1}, sizeof light.direction);
+    }
     light.color[0] = source->mColorDiffuse.r;
     light.color[1] = source->mColorDiffuse.g;
     light.color[2] = source->mColorDiffuse.b;
     // Here the angles are those of the whole cone.
     light.inner_cos = (float)cos((double)source->mAngleInnerCone / 2);
     light.outer_cos = (float)cos((double)source->mAngleOuterCone / 2);
-    if (!(light.inner_cos > light.outer_cos))
+    if (!(light.inner_cos > light.outer_cos)) {
         light.inner_cos = light.outer_cos + 1e-4f;
+    }
     set_strength(&light, source, middle);
     const bool good = (directed || light.type == RHW_LIGHT_POINT) && rhw_import_finite(light.position, 3) &&
                       rhw_import_finite(light.color, 3) && rhw_import_finite(&light.intensity, 1) &&
                       light.color[0] + light.color[1] + light.color[2] > 0 && light.intensity > 0;
-    if (good)
+    if (good) {
         *rhw_import_add_light(import) = light;
-    else
+    } else {
         rhw_import_warn(import, "light \"%s\" gives no light: left out", light.name);
+    }
 }
 
 // Entry ---------------------------------------------------------------------------------------------
@@ -392,13 +427,16 @@ static const struct aiScene *read_scene(struct rhw_import *import)
         import->model.path, aiProcess_Triangulate | aiProcess_SortByPType | aiProcess_GenUVCoords, NULL,
         properties);
     setrlimit(RLIMIT_AS, &before);
-    if (scene != NULL)
+    if (scene != NULL) {
         return scene;
+    }
     const char *error = aiGetErrorString();
-    if (strncmp(error, "No suitable reader", 18) == 0)
+    if (strncmp(error, "No suitable reader", 18) == 0) {
         rhw_import_fail(import, "is not a model in a format that can be read");
-    if (strstr(error, "bad_alloc") != NULL)
+    }
+    if (strstr(error, "bad_alloc") != NULL) {
         rhw_import_fail(import, "needs more memory than there is");
+    }
     rhw_import_fail(import, "cannot be read: %s", error[0] != 0 ? error : "the importer gives no reason");
 }
 
@@ -406,11 +444,13 @@ static const char *format_of(struct rhw_import *import)
 {
     const char *dot = strrchr(import->model.path, '.');
     char extension[16] = "";
-    for (size_t i = 0; dot != NULL && i < sizeof extension - 1 && dot[1 + i] != 0; i++)
+    for (size_t i = 0; dot != NULL && i < sizeof extension - 1 && dot[1 + i] != 0; i++) {
         extension[i] = (char)(dot[1 + i] >= 'A' && dot[1 + i] <= 'Z' ? dot[1 + i] + 32 : dot[1 + i]);
+    }
     const struct aiImporterDesc *description = aiGetImporterDesc(extension);
-    if (description == NULL)
+    if (description == NULL) {
         return "unknown";
+    }
     const size_t length = strlen(description->mName);
     const bool importer = length > 9 && strcmp(description->mName + length - 9, " Importer") == 0;
     return rhw_import_string(import, description->mName, importer ? length - 9 : length);
@@ -421,24 +461,31 @@ void rhw_import_assimp(struct rhw_import *import)
     const struct aiScene *scene = read_scene(import);
     struct reader reader = {.import = import, .scene = scene};
     import->model.format = format_of(import);
-    if (scene->mRootNode == NULL)
+    if (scene->mRootNode == NULL) {
         rhw_import_fail(import, "has no nodes");
+    }
     reader.meshes = rhw_import_allocate(import, scene->mNumMeshes, sizeof *reader.meshes);
     reader.materials = rhw_import_allocate(import, scene->mNumMaterials, sizeof *reader.materials);
-    for (uint32_t i = 0; i < scene->mNumMaterials; i++)
+    for (uint32_t i = 0; i < scene->mNumMaterials; i++) {
         reader.materials[i][0] = reader.materials[i][1] = -1;
-    for (uint32_t i = 0; i < scene->mNumMeshes; i++)
+    }
+    for (uint32_t i = 0; i < scene->mNumMeshes; i++) {
         add_mesh(&reader, i);
+    }
     float identity[16], middle[3];
     rhw_import_identity(identity);
     add_node(&reader, scene->mRootNode, identity);
-    for (uint32_t i = 0; i < scene->mNumCameras; i++)
+    for (uint32_t i = 0; i < scene->mNumCameras; i++) {
         add_camera(&reader, scene->mCameras[i]);
-    if (scene->mNumLights > 0)
+    }
+    if (scene->mNumLights > 0) {
         find_middle(&import->model, middle);
-    for (uint32_t i = 0; i < scene->mNumLights; i++)
+    }
+    for (uint32_t i = 0; i < scene->mNumLights; i++) {
         add_light(&reader, scene->mLights[i], middle);
-    if (scene->mNumAnimations > 0)
+    }
+    if (scene->mNumAnimations > 0) {
         rhw_import_unsupported(import, "%u animation%s: drawn at rest", scene->mNumAnimations,
                                scene->mNumAnimations == 1 ? "" : "s");
+    }
 }

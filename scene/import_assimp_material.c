@@ -26,8 +26,9 @@ static void get_float(const struct reader *reader, const char *key, float *value
 {
     float read = 0;
     if (aiGetMaterialFloatArray(reader->source, key, 0, 0, &read, NULL) == aiReturn_SUCCESS &&
-        rhw_import_finite(&read, 1))
+        rhw_import_finite(&read, 1)) {
         *value = read;
+    }
 }
 
 static int get_integer(const struct reader *reader, const char *key, int fallback)
@@ -40,11 +41,13 @@ static int get_integer(const struct reader *reader, const char *key, int fallbac
 static bool get_color(const struct reader *reader, const char *key, float color[3])
 {
     struct aiColor4D read;
-    if (aiGetMaterialColor(reader->source, key, 0, 0, &read) != aiReturn_SUCCESS)
+    if (aiGetMaterialColor(reader->source, key, 0, 0, &read) != aiReturn_SUCCESS) {
         return false;
+    }
     const float encoded[3] = {read.r, read.g, read.b};
-    if (!rhw_import_finite(encoded, 3))
+    if (!rhw_import_finite(encoded, 3)) {
         return false;
+    }
     memcpy(color, encoded, sizeof encoded);
     return true;
 }
@@ -77,11 +80,14 @@ static const struct aiTexture *embedded(const struct reader *reader, const char 
 {
     const struct aiScene *scene = reader->scene;
     const unsigned long number = path[0] == '*' ? strtoul(path + 1, NULL, 10) : 0;
-    if (path[0] == '*')
+    if (path[0] == '*') {
         return number < scene->mNumTextures ? scene->mTextures[number] : NULL;
-    for (uint32_t i = 0; i < scene->mNumTextures; i++)
-        if (strcmp(scene->mTextures[i]->mFilename.data, path) == 0)
+    }
+    for (uint32_t i = 0; i < scene->mNumTextures; i++) {
+        if (strcmp(scene->mTextures[i]->mFilename.data, path) == 0) {
             return scene->mTextures[i];
+        }
+    }
     return NULL;
 }
 
@@ -99,15 +105,17 @@ static void read_transform(const struct reader *reader, enum aiTextureType type,
 {
     struct aiUVTransform t;
     if (aiGetMaterialUVTransform(reader->source, _AI_MATKEY_UVTRANSFORM_BASE, (unsigned)type, 0, &t) !=
-        aiReturn_SUCCESS)
+        aiReturn_SUCCESS) {
         return;
+    }
     const float c = (float)cos((double)t.mRotation), s = (float)sin((double)t.mRotation);
     const float x = t.mScaling.x, y = t.mScaling.y;
     // Upward: u' = c·x·u − s·y·v + e, v' = s·x·u + c·y·v + f; then v → 1 − v on both sides.
     const float e = 0.5f * (1 - c + s) + t.mTranslation.x, f = 0.5f * (1 - s - c) + t.mTranslation.y;
     const float transform[6] = {c * x, s * y, e - s * y, -s * x, c * y, 1 - f - c * y};
-    if (rhw_import_finite(transform, 6))
+    if (rhw_import_finite(transform, 6)) {
         memcpy(slot->transform, transform, sizeof transform);
+    }
 }
 
 // The first texture of a type, if there is one and `texture` is not taken yet.
@@ -121,8 +129,9 @@ static void read_texture(const struct reader *reader, enum aiTextureType type,
     if (texture->name != NULL ||
         aiGetMaterialTexture(reader->source, type, 0, &path, &mapping, &set, NULL, NULL, modes, NULL) !=
             aiReturn_SUCCESS ||
-        path.length == 0)
+        path.length == 0) {
         return;
+    }
     const struct aiTexture *inside = embedded(reader, path.data);
     texture->name = rhw_assimp_string(reader->import, &path);
     if (inside != NULL && inside->mHeight == 0) {
@@ -158,9 +167,11 @@ static void read_textures(const struct reader *reader, struct rhw_phong *phong)
         {aiTextureType_REFLECTION, "reflection"}, {aiTextureType_DISPLACEMENT, "displacement"},
         {aiTextureType_METALNESS, "metallic"},    {aiTextureType_DIFFUSE_ROUGHNESS, "roughness"},
     };
-    for (size_t i = 0; i < sizeof unused / sizeof unused[0]; i++)
-        if (aiGetMaterialTextureCount(reader->source, unused[i].type) > 0)
+    for (size_t i = 0; i < sizeof unused / sizeof unused[0]; i++) {
+        if (aiGetMaterialTextureCount(reader->source, unused[i].type) > 0) {
             rhw_import_unsupported(reader->import, "%s textures: not used", unused[i].name);
+        }
+    }
 }
 
 uint32_t rhw_assimp_material(struct rhw_import *import, const struct aiScene *scene,
@@ -169,13 +180,15 @@ uint32_t rhw_assimp_material(struct rhw_import *import, const struct aiScene *sc
     const struct reader reader = {import, scene, source};
     struct rhw_phong phong = rhw_phong_default();
     struct aiString name;
-    if (aiGetMaterialString(source, "?mat.name", 0, 0, &name) == aiReturn_SUCCESS)
+    if (aiGetMaterialString(source, "?mat.name", 0, 0, &name) == aiReturn_SUCCESS) {
         phong.name = rhw_assimp_string(import, &name);
+    }
     phong.colored = colored;
     phong.described =
         get_color(&reader, "$clr.base", phong.diffuse) || get_color(&reader, "$clr.diffuse", phong.diffuse);
-    if (strcmp(phong.name, AI_DEFAULT_MATERIAL_NAME) == 0)
+    if (strcmp(phong.name, AI_DEFAULT_MATERIAL_NAME) == 0) {
         phong.described = false;
+    }
     get_color(&reader, "$clr.specular", phong.specular);
     get_color(&reader, "$clr.emissive", phong.emissive);
     get_float(&reader, "$mat.opacity", &phong.opacity);

@@ -120,8 +120,9 @@ static void write_bytes(struct writer *writer, const void *bytes, size_t size, s
 {
     static const unsigned char zeros[ALIGNMENT];
     const size_t padding = (alignment - writer->cursor % alignment) % alignment;
-    if (fwrite(zeros, 1, padding, writer->file) != padding || fwrite(bytes, 1, size, writer->file) != size)
+    if (fwrite(zeros, 1, padding, writer->file) != padding || fwrite(bytes, 1, size, writer->file) != size) {
         writer->failed = true;
+    }
     writer->cursor += padding + size;
 }
 
@@ -135,8 +136,9 @@ static void write_fields(struct writer *writer, const struct layout *layout, con
             continue;
         }
         const size_t count = field_count(field, object);
-        if (data == NULL || count == 0)
+        if (data == NULL || count == 0) {
             continue;
+        }
         if (field->kind == FIELD_STRINGS) {
             write_bytes(writer, data, count * field->element, ALIGNMENT);
             for (size_t k = 0; k < count; k++) {
@@ -146,8 +148,9 @@ static void write_fields(struct writer *writer, const struct layout *layout, con
             continue;
         }
         write_bytes(writer, data, count * field->element, ALIGNMENT);
-        for (size_t k = 0; field->layout != NULL && k < count; k++)
+        for (size_t k = 0; field->layout != NULL && k < count; k++) {
             write_fields(writer, field->layout, data + k * field->element);
+        }
     }
 }
 
@@ -171,8 +174,9 @@ static void *read_array(struct reader *reader, size_t count, size_t element, siz
 {
     const size_t padding = (alignment - reader->cursor % alignment) % alignment;
     const size_t left = reader->size - reader->cursor;
-    if (padding > left || count > (left - padding) / element)
+    if (padding > left || count > (left - padding) / element) {
         return NULL;
+    }
     void *array = reader->bytes + reader->cursor + padding;
     reader->cursor += padding + count * element;
     return array;
@@ -182,8 +186,9 @@ static char *read_string(struct reader *reader)
 {
     char *text = (char *)reader->bytes + reader->cursor;
     const char *end = memchr(text, 0, reader->size - reader->cursor);
-    if (end == NULL)
+    if (end == NULL) {
         return NULL;
+    }
     reader->cursor += (size_t)(end - text) + 1;
     return text;
 }
@@ -195,27 +200,33 @@ static bool read_fields(struct reader *reader, const struct layout *layout, unsi
         void *data = NULL;
         if (field->kind == FIELD_STRING) {
             data = read_string(reader);
-            if (data == NULL)
+            if (data == NULL) {
                 return false;
+            }
         } else {
             const size_t count = field_count(field, object);
             const bool present = field_pointer(field, object) != NULL;
-            if (field->required && !present && count > 0)
+            if (field->required && !present && count > 0) {
                 return false;
+            }
             if (present && count > 0) {
                 data = read_array(reader, count, field->element, ALIGNMENT);
-                if (data == NULL)
+                if (data == NULL) {
                     return false;
+                }
             }
             for (size_t k = 0; k < count && field->kind == FIELD_STRINGS; k++) {
                 char *text = read_string(reader);
-                if (text == NULL)
+                if (text == NULL) {
                     return false;
+                }
                 ((char **)data)[k] = text;
             }
-            for (size_t k = 0; k < count && field->layout != NULL; k++)
-                if (!read_fields(reader, field->layout, (unsigned char *)data + k * field->element))
+            for (size_t k = 0; k < count && field->layout != NULL; k++) {
+                if (!read_fields(reader, field->layout, (unsigned char *)data + k * field->element)) {
                     return false;
+                }
+            }
         }
         memcpy(object + field->pointer, &data, sizeof data);
     }
@@ -226,18 +237,22 @@ static bool read_fields(struct reader *reader, const struct layout *layout, unsi
 
 static bool mesh_valid(const struct rhw_mesh *mesh, const struct rhw_model *model)
 {
-    if ((unsigned)mesh->primitive > RHW_PRIMITIVE_POINTS || mesh->material >= model->material_count)
+    if ((unsigned)mesh->primitive > RHW_PRIMITIVE_POINTS || mesh->material >= model->material_count) {
         return false;
+    }
     const uint32_t corners = mesh->primitive == RHW_PRIMITIVE_TRIANGLES ? 3
                              : mesh->primitive == RHW_PRIMITIVE_LINES   ? 2
                                                                         : 1;
-    if (mesh->index_count % corners != 0)
+    if (mesh->index_count % corners != 0) {
         return false;
-    if (corners == 3 && mesh->vertex_count > 0 && mesh->normals == NULL)
+    }
+    if (corners == 3 && mesh->vertex_count > 0 && mesh->normals == NULL) {
         return false;
+    }
     uint32_t largest = 0;
-    for (uint32_t i = 0; i < mesh->index_count; i++)
+    for (uint32_t i = 0; i < mesh->index_count; i++) {
         largest = mesh->indices[i] > largest ? mesh->indices[i] : largest;
+    }
     return mesh->index_count == 0 || largest < mesh->vertex_count;
 }
 
@@ -245,15 +260,17 @@ static bool image_valid(const struct rhw_image *image)
 {
     static const size_t texel_size[] = {4, 8, 16};
     if ((unsigned)image->type > RHW_IMAGE_RGBA32F || image->width - 1 >= RHW_MAX_TARGET_SIZE ||
-        image->height - 1 >= RHW_MAX_TARGET_SIZE)
+        image->height - 1 >= RHW_MAX_TARGET_SIZE) {
         return false;
+    }
     return image->size == (size_t)image->width * image->height * texel_size[image->type];
 }
 
 static bool material_valid(const struct rhw_material *material, const struct rhw_model *model)
 {
-    if ((unsigned)material->alpha_mode > RHW_ALPHA_BLEND)
+    if ((unsigned)material->alpha_mode > RHW_ALPHA_BLEND) {
         return false;
+    }
     for (int i = 0; i < RHW_SLOT_COUNT; i++) {
         const struct rhw_texture_slot *slot = &material->slots[i];
         if (slot->image < -1 || (slot->image >= 0 && (uint32_t)slot->image >= model->image_count) ||
@@ -261,29 +278,40 @@ static bool material_valid(const struct rhw_material *material, const struct rhw
             (unsigned)slot->address_v > RHW_ADDRESS_BORDER ||
             (unsigned)slot->min_filter > RHW_FILTER_LINEAR ||
             (unsigned)slot->mag_filter > RHW_FILTER_LINEAR ||
-            (unsigned)slot->mip_filter > RHW_MIP_FILTER_LINEAR)
+            (unsigned)slot->mip_filter > RHW_MIP_FILTER_LINEAR) {
             return false;
+        }
     }
     return true;
 }
 
 static bool model_valid(const struct rhw_model *model)
 {
-    for (uint32_t i = 0; i < model->mesh_count; i++)
-        if (!mesh_valid(&model->meshes[i], model))
+    for (uint32_t i = 0; i < model->mesh_count; i++) {
+        if (!mesh_valid(&model->meshes[i], model)) {
             return false;
-    for (uint32_t i = 0; i < model->image_count; i++)
-        if (!image_valid(&model->images[i]))
+        }
+    }
+    for (uint32_t i = 0; i < model->image_count; i++) {
+        if (!image_valid(&model->images[i])) {
             return false;
-    for (uint32_t i = 0; i < model->material_count; i++)
-        if (!material_valid(&model->materials[i], model))
+        }
+    }
+    for (uint32_t i = 0; i < model->material_count; i++) {
+        if (!material_valid(&model->materials[i], model)) {
             return false;
-    for (uint32_t i = 0; i < model->instance_count; i++)
-        if (model->instances[i].mesh >= model->mesh_count)
+        }
+    }
+    for (uint32_t i = 0; i < model->instance_count; i++) {
+        if (model->instances[i].mesh >= model->mesh_count) {
             return false;
-    for (uint32_t i = 0; i < model->light_count; i++)
-        if ((unsigned)model->lights[i].type > RHW_LIGHT_SPOT)
+        }
+    }
+    for (uint32_t i = 0; i < model->light_count; i++) {
+        if ((unsigned)model->lights[i].type > RHW_LIGHT_SPOT) {
             return false;
+        }
+    }
     return true;
 }
 
@@ -292,7 +320,8 @@ struct rhw_model *rhw_blob_read(void *bytes, size_t size)
     struct reader reader = {bytes, size, 0};
     struct rhw_model *model = read_array(&reader, 1, sizeof *model, ALIGNMENT);
     if (model == NULL || !read_fields(&reader, &model_layout, (unsigned char *)model) ||
-        reader.cursor != size)
+        reader.cursor != size) {
         return NULL;
+    }
     return model_valid(model) ? model : NULL;
 }

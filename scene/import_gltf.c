@@ -21,8 +21,9 @@ static json_t *typed(struct rhw_gltf *gltf, const json_t *object, const char *ke
                      const char *type)
 {
     json_t *value = json_object_get(object, key);
-    if (value != NULL && !is(value))
+    if (value != NULL && !is(value)) {
         rhw_import_fail(gltf->import, "\"%s\" must be %s", key, type);
+    }
     return value;
 }
 
@@ -81,11 +82,13 @@ double rhw_gltf_number(struct rhw_gltf *gltf, const json_t *object, const char *
 int64_t rhw_gltf_integer(struct rhw_gltf *gltf, const json_t *object, const char *key, int64_t fallback)
 {
     const json_t *value = typed(gltf, object, key, is_number, "a whole number");
-    if (value == NULL)
+    if (value == NULL) {
         return fallback;
+    }
     const double number = json_number_value(value); // some exporters write 3.0
-    if (!(number >= 0 && number <= 9007199254740992.0) || number != floor(number))
+    if (!(number >= 0 && number <= 9007199254740992.0) || number != floor(number)) {
         rhw_import_fail(gltf->import, "\"%s\" must be a whole number, 0 or more", key);
+    }
     return (int64_t)number;
 }
 
@@ -93,14 +96,17 @@ bool rhw_gltf_floats(struct rhw_gltf *gltf, const json_t *object, const char *ke
                      size_t count)
 {
     const json_t *array = rhw_gltf_array(gltf, object, key);
-    if (array == NULL)
+    if (array == NULL) {
         return false;
-    if (json_array_size(array) != count)
+    }
+    if (json_array_size(array) != count) {
         rhw_import_fail(gltf->import, "\"%s\" must have %zu numbers", key, count);
+    }
     for (size_t i = 0; i < count; i++) {
         const json_t *value = json_array_get(array, i);
-        if (!json_is_number(value))
+        if (!json_is_number(value)) {
             rhw_import_fail(gltf->import, "\"%s\" must hold numbers", key);
+        }
         values[i] = (float)json_number_value(value);
     }
     return true;
@@ -126,11 +132,13 @@ size_t rhw_gltf_count(struct rhw_gltf *gltf, const char *list)
 json_t *rhw_gltf_item(struct rhw_gltf *gltf, const char *list, int64_t index)
 {
     const size_t count = rhw_gltf_count(gltf, list);
-    if (index < 0 || (uint64_t)index >= count)
+    if (index < 0 || (uint64_t)index >= count) {
         rhw_import_fail(gltf->import, "refers to %s[%lld], but there are %zu", list, (long long)index, count);
+    }
     json_t *item = json_array_get(rhw_gltf_array(gltf, gltf->root, list), (size_t)index);
-    if (!json_is_object(item))
+    if (!json_is_object(item)) {
         rhw_import_fail(gltf->import, "%s[%lld] must be an object", list, (long long)index);
+    }
     return item;
 }
 
@@ -138,8 +146,9 @@ json_t *rhw_gltf_item(struct rhw_gltf *gltf, const char *list, int64_t index)
 
 bool rhw_import_is_gltf(const char *path, const unsigned char *start, size_t size)
 {
-    if (size >= 4 && memcmp(start, "glTF", 4) == 0)
+    if (size >= 4 && memcmp(start, "glTF", 4) == 0) {
         return true;
+    }
     const char *dot = strrchr(path, '.');
     return dot != NULL &&
            (strcasecmp(dot, ".gltf") == 0 || strcasecmp(dot, ".glb") == 0 || strcasecmp(dot, ".vrm") == 0);
@@ -157,38 +166,48 @@ static void parse_json(struct rhw_gltf *gltf, const unsigned char *text, size_t 
         text += 3;
         size -= 3;
     }
-    while (size > 0 && text[size - 1] == 0) // padding that should have been spaces
+    while (size > 0 && text[size - 1] == 0) { // padding that should have been spaces
         size--;
+    }
     gltf->root = json_loadb((const char *)text, size, JSON_ALLOW_NUL, &error);
-    if (gltf->root == NULL)
+    if (gltf->root == NULL) {
         rhw_import_fail(gltf->import, "is not valid JSON: line %d: %s", error.line, error.text);
-    if (!json_is_object(gltf->root))
+    }
+    if (!json_is_object(gltf->root)) {
         rhw_import_fail(gltf->import, "is no glTF: its JSON is not an object");
+    }
 }
 
 // §4.4: a header of 12 bytes, a JSON chunk, an optional BIN chunk.
 static void parse_binary(struct rhw_gltf *gltf, const unsigned char *bytes, size_t size)
 {
-    if (size < GLB_HEADER + GLB_CHUNK)
+    if (size < GLB_HEADER + GLB_CHUNK) {
         rhw_import_fail(gltf->import, "is truncated: a GLB of %zu bytes", size);
+    }
     const uint32_t version = little_endian(bytes + 4), length = little_endian(bytes + 8);
-    if (version != 2)
+    if (version != 2) {
         rhw_import_fail(gltf->import, "is glTF %u.0, which is not supported; only 2.0 is", version);
-    if (length > size)
+    }
+    if (length > size) {
         rhw_import_fail(gltf->import, "is truncated: its header says %u bytes, it has %zu", length, size);
+    }
     const size_t json_size = little_endian(bytes + GLB_HEADER);
     const size_t json_start = GLB_HEADER + GLB_CHUNK;
-    if (little_endian(bytes + GLB_HEADER + 4) != GLB_JSON)
+    if (little_endian(bytes + GLB_HEADER + 4) != GLB_JSON) {
         rhw_import_fail(gltf->import, "the first chunk of the GLB is not JSON");
-    if (json_size > size - json_start)
+    }
+    if (json_size > size - json_start) {
         rhw_import_fail(gltf->import, "the JSON chunk of the GLB is longer than the file");
+    }
     parse_json(gltf, bytes + json_start, json_size);
     const size_t next = json_start + (json_size + 3) / 4 * 4;
-    if (next > size || size - next < GLB_CHUNK || little_endian(bytes + next + 4) != GLB_BIN)
+    if (next > size || size - next < GLB_CHUNK || little_endian(bytes + next + 4) != GLB_BIN) {
         return;
+    }
     const size_t binary_size = little_endian(bytes + next);
-    if (binary_size > size - next - GLB_CHUNK)
+    if (binary_size > size - next - GLB_CHUNK) {
         rhw_import_fail(gltf->import, "the binary chunk of the GLB is longer than the file");
+    }
     gltf->binary = bytes + next + GLB_CHUNK;
     gltf->binary_size = binary_size;
 }
@@ -197,24 +216,30 @@ static void check_version(struct rhw_gltf *gltf)
 {
     const json_t *asset = rhw_gltf_object(gltf, gltf->root, "asset");
     const json_t *number = json_object_get(asset, "version"); // glTF 1.0 allowed a number
-    if (json_is_number(number))
+    if (json_is_number(number)) {
         rhw_import_fail(gltf->import, "is glTF %.1f, which is not supported; only 2.0 is",
                         json_number_value(number));
+    }
     const char *version = asset == NULL ? NULL : rhw_gltf_text(gltf, asset, "version");
     const char *least = asset == NULL ? NULL : rhw_gltf_text(gltf, asset, "minVersion");
-    if (version == NULL || version[0] == 0)
+    if (version == NULL || version[0] == 0) {
         rhw_import_fail(gltf->import, "is no glTF 2.0: it has no asset version");
-    if (strncmp(version, "2.", 2) != 0)
+    }
+    if (strncmp(version, "2.", 2) != 0) {
         rhw_import_fail(gltf->import, "is glTF %s, which is not supported; only 2.0 is", version);
-    if (least != NULL && strcmp(least, "2.0") != 0)
+    }
+    if (least != NULL && strcmp(least, "2.0") != 0) {
         rhw_import_fail(gltf->import, "asks for at least glTF %s; 2.0 is supported", least);
+    }
 }
 
 static bool is_known(const char *extension)
 {
-    for (size_t i = 0; i < sizeof known_extensions / sizeof known_extensions[0]; i++)
-        if (strcmp(known_extensions[i], extension) == 0)
+    for (size_t i = 0; i < sizeof known_extensions / sizeof known_extensions[0]; i++) {
+        if (strcmp(known_extensions[i], extension) == 0) {
             return true;
+        }
+    }
     return false;
 }
 
@@ -224,16 +249,19 @@ static void check_extensions(struct rhw_gltf *gltf)
     json_t *value;
     json_array_foreach(rhw_gltf_array(gltf, gltf->root, "extensionsRequired"), i, value)
     {
-        if (!json_is_string(value))
+        if (!json_is_string(value)) {
             rhw_import_fail(gltf->import, "\"extensionsRequired\" must hold strings");
-        if (!is_known(json_string_value(value)))
+        }
+        if (!is_known(json_string_value(value))) {
             rhw_import_fail(gltf->import, "requires the glTF extension %s, which is not supported",
                             json_string_value(value));
+        }
     }
     json_array_foreach(rhw_gltf_array(gltf, gltf->root, "extensionsUsed"), i, value)
     {
-        if (json_is_string(value) && !is_known(json_string_value(value)))
+        if (json_is_string(value) && !is_known(json_string_value(value))) {
             rhw_import_unsupported(gltf->import, "glTF extension %s: ignored", json_string_value(value));
+        }
     }
 }
 
@@ -241,8 +269,9 @@ static int32_t *none_made(struct rhw_gltf *gltf, const char *list)
 {
     const size_t count = rhw_gltf_count(gltf, list);
     int32_t *indices = rhw_import_allocate(gltf->import, count, sizeof *indices);
-    for (size_t i = 0; i < count; i++)
+    for (size_t i = 0; i < count; i++) {
         indices[i] = -1;
+    }
     return indices;
 }
 
@@ -252,12 +281,14 @@ void rhw_import_gltf(struct rhw_import *import)
     const char *problem = NULL;
     size_t size = 0;
     const unsigned char *bytes = rhw_import_read_file(import, import->model.path, &size, &problem);
-    if (bytes == NULL)
+    if (bytes == NULL) {
         rhw_import_fail(import, "cannot be read: %s", problem);
-    if (size >= 4 && little_endian(bytes) == GLB_MAGIC)
+    }
+    if (size >= 4 && little_endian(bytes) == GLB_MAGIC) {
         parse_binary(&gltf, bytes, size);
-    else
+    } else {
         parse_json(&gltf, bytes, size);
+    }
     check_version(&gltf);
     check_extensions(&gltf);
     import->model.format = "glTF 2.0";
@@ -267,8 +298,9 @@ void rhw_import_gltf(struct rhw_import *import)
     gltf.materials = none_made(&gltf, "materials");
     gltf.images = none_made(&gltf, "images");
     const size_t animations = rhw_gltf_count(&gltf, "animations");
-    if (animations > 0)
+    if (animations > 0) {
         rhw_import_unsupported(import, "%zu animation%s: drawn at rest", animations,
                                animations == 1 ? "" : "s");
+    }
     rhw_gltf_scene(&gltf);
 }

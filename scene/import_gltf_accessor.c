@@ -44,8 +44,9 @@ static int base64_digit(int c)
 unsigned char *rhw_gltf_data_uri(struct rhw_gltf *gltf, const char *uri, size_t *size)
 {
     const char *comma = strchr(uri, ',');
-    if (comma == NULL || comma - uri < 7 || memcmp(comma - 7, ";base64", 7) != 0)
+    if (comma == NULL || comma - uri < 7 || memcmp(comma - 7, ";base64", 7) != 0) {
         return NULL;
+    }
     const char *digits = comma + 1;
     unsigned char *bytes = rhw_import_allocate(gltf->import, strlen(digits) / 4 * 3 + 3, 1);
     uint32_t bits = 0;
@@ -53,8 +54,9 @@ unsigned char *rhw_gltf_data_uri(struct rhw_gltf *gltf, const char *uri, size_t 
     *size = 0;
     for (; *digits != 0 && *digits != '='; digits++) {
         const int digit = base64_digit((unsigned char)*digits);
-        if (digit < 0)
+        if (digit < 0) {
             return NULL;
+        }
         bits = bits << 6 | (uint32_t)digit;
         held += 6;
         if (held >= 8) {
@@ -72,28 +74,34 @@ static void load_buffer(struct rhw_gltf *gltf, int64_t index, struct rhw_gltf_bu
     const int64_t length = rhw_gltf_integer(gltf, object, "byteLength", -1);
     const char *uri = rhw_gltf_text(gltf, object, "uri");
     const int number = (int)index;
-    if (length < 0)
+    if (length < 0) {
         rhw_import_fail(import, "buffers[%d] has no byteLength", number);
+    }
     if (uri == NULL) {
-        if (index != 0 || gltf->binary == NULL)
+        if (index != 0 || gltf->binary == NULL) {
             rhw_import_fail(import, "buffers[%d] has neither a URI nor a binary chunk", number);
+        }
         buffer->bytes = gltf->binary;
         buffer->size = gltf->binary_size;
     } else if (strncmp(uri, "data:", 5) == 0) {
         buffer->bytes = rhw_gltf_data_uri(gltf, uri, &buffer->size);
-        if (buffer->bytes == NULL)
+        if (buffer->bytes == NULL) {
             rhw_import_fail(import, "buffers[%d]: its data URI is not valid base64", number);
+        }
     } else {
         const char *problem = "No such file or directory";
         const char *path = rhw_import_find_file(import, uri);
-        if (path != NULL)
+        if (path != NULL) {
             buffer->bytes = rhw_import_read_file(import, path, &buffer->size, &problem);
-        if (buffer->bytes == NULL)
+        }
+        if (buffer->bytes == NULL) {
             rhw_import_fail(import, "buffers[%d]: \"%s\": %s", number, uri, problem);
+        }
     }
-    if (buffer->size < (uint64_t)length)
+    if (buffer->size < (uint64_t)length) {
         rhw_import_fail(import, "buffers[%d] should have %lld bytes but has %zu", number, (long long)length,
                         buffer->size);
+    }
     buffer->size = (size_t)length;
 }
 
@@ -106,15 +114,19 @@ const unsigned char *rhw_gltf_view(struct rhw_gltf *gltf, int64_t index, size_t 
     const int64_t step = rhw_gltf_integer(gltf, view, "byteStride", 0);
     rhw_gltf_item(gltf, "buffers", number);
     struct rhw_gltf_buffer *buffer = &gltf->buffers[number];
-    if (buffer->bytes == NULL)
+    if (buffer->bytes == NULL) {
         load_buffer(gltf, number, buffer);
-    if (length < 0)
+    }
+    if (length < 0) {
         rhw_import_fail(gltf->import, "bufferViews[%lld] has no byteLength", (long long)index);
-    if ((uint64_t)offset > buffer->size || (uint64_t)length > buffer->size - (uint64_t)offset)
+    }
+    if ((uint64_t)offset > buffer->size || (uint64_t)length > buffer->size - (uint64_t)offset) {
         rhw_import_fail(gltf->import, "bufferViews[%lld] reaches past the end of its buffer",
                         (long long)index);
-    if (step > 252)
+    }
+    if (step > 252) {
         rhw_import_fail(gltf->import, "bufferViews[%lld]: byteStride must be 4 to 252", (long long)index);
+    }
     *size = (size_t)length;
     *stride = (size_t)step;
     return buffer->bytes + offset;
@@ -136,9 +148,11 @@ static int component_count(const char *name)
         const char *name;
         int components;
     } types[] = {{"SCALAR", 1}, {"VEC2", 2}, {"VEC3", 3}, {"VEC4", 4}, {"MAT4", 16}};
-    for (size_t i = 0; name != NULL && i < sizeof types / sizeof types[0]; i++)
-        if (strcmp(types[i].name, name) == 0)
+    for (size_t i = 0; name != NULL && i < sizeof types / sizeof types[0]; i++) {
+        if (strcmp(types[i].name, name) == 0) {
             return types[i].components;
+        }
+    }
     return 0;
 }
 
@@ -152,9 +166,10 @@ static const unsigned char *elements(struct rhw_gltf *gltf, const struct accesso
     const unsigned char *bytes = rhw_gltf_view(gltf, view, &size, &step);
     *stride = step > 0 ? step : element;
     const uint64_t last = (uint64_t)(count - 1) * *stride + element; // below 2^32·2^8
-    if ((uint64_t)offset > size || last > size - (uint64_t)offset)
+    if ((uint64_t)offset > size || last > size - (uint64_t)offset) {
         rhw_import_fail(gltf->import, "accessors[%lld] reaches past the end of bufferViews[%lld]",
                         (long long)accessor->index, (long long)view);
+    }
     return bytes + offset;
 }
 
@@ -171,17 +186,20 @@ static struct accessor open_accessor(struct rhw_gltf *gltf, int64_t index)
     accessor.normalized = rhw_gltf_flag(gltf, object, "normalized", false);
     accessor.sparse = rhw_gltf_object(gltf, object, "sparse");
     const size_t element = component_size(accessor.type) * (size_t)accessor.components;
-    if (element == 0)
+    if (element == 0) {
         rhw_import_fail(gltf->import, "accessors[%lld] has a type or componentType that does not exist",
                         number);
-    if (count < 1 || count > most_elements)
+    }
+    if (count < 1 || count > most_elements) {
         rhw_import_fail(gltf->import, "accessors[%lld]: its count must be at least 1", number);
+    }
     accessor.count = (uint32_t)count;
-    if (json_object_get(object, "bufferView") != NULL)
+    if (json_object_get(object, "bufferView") != NULL) {
         accessor.bytes = elements(gltf, &accessor, object, accessor.count, element, &accessor.stride);
-    else if (count > most_without_data)
+    } else if (count > most_without_data) {
         rhw_import_fail(gltf->import, "accessors[%lld] has %lld elements and no data", number,
                         (long long)count);
+    }
     return accessor;
 }
 
@@ -211,8 +229,9 @@ static uint32_t read_integer(const unsigned char *bytes, int type)
 {
     uint16_t word;
     uint32_t integer;
-    if (type == TYPE_UINT8)
+    if (type == TYPE_UINT8) {
         return bytes[0];
+    }
     if (type == TYPE_UINT16) {
         memcpy(&word, bytes, sizeof word);
         return word;
@@ -224,8 +243,9 @@ static uint32_t read_integer(const unsigned char *bytes, int type)
 static void read_element(const struct accessor *accessor, const unsigned char *bytes, float *values)
 {
     const size_t size = component_size(accessor->type);
-    for (int c = 0; c < accessor->components; c++)
+    for (int c = 0; c < accessor->components; c++) {
         values[c] = read_component(bytes + (size_t)c * size, accessor->type, accessor->normalized);
+    }
 }
 
 // §3.6.2.3: some elements are replaced.
@@ -236,11 +256,13 @@ static void apply_sparse(struct rhw_gltf *gltf, const struct accessor *accessor,
     const json_t *places = rhw_gltf_object(gltf, sparse, "indices");
     const json_t *contents = rhw_gltf_object(gltf, sparse, "values");
     const long long number = accessor->index;
-    if (count < 1 || count > accessor->count || places == NULL || contents == NULL)
+    if (count < 1 || count > accessor->count || places == NULL || contents == NULL) {
         rhw_import_fail(gltf->import, "accessors[%lld]: its sparse part is not valid", number);
+    }
     const int64_t type = rhw_gltf_integer(gltf, places, "componentType", -1);
-    if (type != TYPE_UINT8 && type != TYPE_UINT16 && type != TYPE_UINT32)
+    if (type != TYPE_UINT8 && type != TYPE_UINT16 && type != TYPE_UINT32) {
         rhw_import_fail(gltf->import, "accessors[%lld]: sparse indices must be unsigned integers", number);
+    }
     const size_t element = component_size(accessor->type) * (size_t)accessor->components;
     size_t place_stride = 0, content_stride = 0;
     const unsigned char *place =
@@ -249,9 +271,10 @@ static void apply_sparse(struct rhw_gltf *gltf, const struct accessor *accessor,
         elements(gltf, accessor, contents, (uint32_t)count, element, &content_stride);
     for (int64_t i = 0; i < count; i++) {
         const uint32_t target = read_integer(place, (int)type);
-        if (target >= accessor->count)
+        if (target >= accessor->count) {
             rhw_import_fail(gltf->import, "accessors[%lld]: sparse index %u is outside its %u elements",
                             number, target, accessor->count);
+        }
         read_element(accessor, content, values + (size_t)target * (size_t)width);
         place += place_stride;
         content += content_stride;
@@ -261,25 +284,30 @@ static void apply_sparse(struct rhw_gltf *gltf, const struct accessor *accessor,
 float *rhw_gltf_read_floats(struct rhw_gltf *gltf, int64_t index, int least, int width, uint32_t *count)
 {
     const struct accessor accessor = open_accessor(gltf, index);
-    if (accessor.components < least || accessor.components > width)
+    if (accessor.components < least || accessor.components > width) {
         rhw_import_fail(gltf->import, "accessors[%lld] has %d components where %d are needed",
                         (long long)index, accessor.components, width);
+    }
     float *values = rhw_import_allocate(gltf->import, accessor.count, (size_t)width * sizeof *values);
     const unsigned char *bytes = accessor.bytes;
     for (uint32_t i = 0; i < accessor.count; i++) {
         float *element = values + (size_t)i * (size_t)width;
-        for (int c = accessor.components; c < width; c++)
+        for (int c = accessor.components; c < width; c++) {
             element[c] = 1;
-        if (bytes == NULL)
+        }
+        if (bytes == NULL) {
             continue;
-        if (accessor.type == TYPE_FLOAT)
+        }
+        if (accessor.type == TYPE_FLOAT) {
             memcpy(element, bytes, (size_t)accessor.components * sizeof *element);
-        else
+        } else {
             read_element(&accessor, bytes, element);
+        }
         bytes += accessor.stride;
     }
-    if (accessor.sparse != NULL)
+    if (accessor.sparse != NULL) {
         apply_sparse(gltf, &accessor, values, width);
+    }
     *count = accessor.count;
     return values;
 }
@@ -289,15 +317,18 @@ uint32_t *rhw_gltf_read_integers(struct rhw_gltf *gltf, int64_t index, int width
     const struct accessor accessor = open_accessor(gltf, index);
     const bool is_unsigned =
         accessor.type == TYPE_UINT8 || accessor.type == TYPE_UINT16 || accessor.type == TYPE_UINT32;
-    if (accessor.components != width || !is_unsigned || accessor.sparse != NULL)
+    if (accessor.components != width || !is_unsigned || accessor.sparse != NULL) {
         rhw_import_fail(gltf->import, "accessors[%lld] must hold %d unsigned integer%s per element",
                         (long long)index, width, width == 1 ? "" : "s");
+    }
     const size_t size = component_size(accessor.type);
     uint32_t *values = rhw_import_allocate(gltf->import, accessor.count, (size_t)width * sizeof *values);
-    for (uint32_t i = 0; i < accessor.count && accessor.bytes != NULL; i++)
-        for (int c = 0; c < width; c++)
+    for (uint32_t i = 0; i < accessor.count && accessor.bytes != NULL; i++) {
+        for (int c = 0; c < width; c++) {
             values[(size_t)i * (size_t)width + (size_t)c] =
                 read_integer(accessor.bytes + (size_t)i * accessor.stride + (size_t)c * size, accessor.type);
+        }
+    }
     *count = accessor.count;
     return values;
 }

@@ -16,8 +16,9 @@ static int32_t add_image(struct rhw_gltf *gltf, int64_t index)
     const bool data = uri != NULL && strncmp(uri, "data:", 5) == 0;
     struct rhw_import_source source = {.opacity_image = -1};
     size_t stride = 0;
-    if (gltf->images[index] >= 0)
+    if (gltf->images[index] >= 0) {
         return gltf->images[index];
+    }
     if (uri != NULL && !data) {
         name = rhw_import_string(import, uri, strlen(uri));
         source.file = rhw_import_find_file(import, uri);
@@ -64,8 +65,9 @@ static void read_sampler(struct rhw_gltf *gltf, const json_t *sampler, struct rh
 {
     slot->address_u = address(gltf, sampler, "wrapS");
     slot->address_v = address(gltf, sampler, "wrapT");
-    if (rhw_gltf_integer(gltf, sampler, "magFilter", 9729) == 9728)
+    if (rhw_gltf_integer(gltf, sampler, "magFilter", 9729) == 9728) {
         slot->mag_filter = RHW_FILTER_NEAREST;
+    }
     const int64_t minimum = rhw_gltf_integer(gltf, sampler, "minFilter", 9987);
     const bool nearest = minimum == 9728 || minimum == 9984 || minimum == 9986;
     slot->min_filter = nearest ? RHW_FILTER_NEAREST : RHW_FILTER_LINEAR;
@@ -84,14 +86,16 @@ static void read_transform(struct rhw_gltf *gltf, const json_t *extension, struc
     const float c = (float)cos(rotation), s = (float)sin(rotation);
     const float transform[6] = {c * scale[0],  s * scale[1], offset[0],
                                 -s * scale[0], c * scale[1], offset[1]};
-    if (rhw_import_finite(transform, 6))
+    if (rhw_import_finite(transform, 6)) {
         memcpy(slot->transform, transform, sizeof transform);
+    }
 }
 
 static void read_slot(struct rhw_gltf *gltf, const json_t *info, struct rhw_texture_slot *slot)
 {
-    if (info == NULL)
+    if (info == NULL) {
         return;
+    }
     const int64_t number = rhw_gltf_integer(gltf, info, "index", -1);
     const json_t *texture = rhw_gltf_item(gltf, "textures", number);
     const int64_t image = rhw_gltf_integer(gltf, texture, "source", -1);
@@ -100,15 +104,18 @@ static void read_slot(struct rhw_gltf *gltf, const json_t *info, struct rhw_text
     const int64_t own_set = rhw_gltf_integer(gltf, info, "texCoord", 0);
     const int64_t set = rhw_gltf_integer(gltf, transform, "texCoord", own_set);
     slot->image = image >= 0 ? add_image(gltf, image) : add_missing(gltf, number);
-    if (sampler >= 0)
+    if (sampler >= 0) {
         read_sampler(gltf, rhw_gltf_item(gltf, "samplers", sampler), slot);
-    if (transform != NULL)
+    }
+    if (transform != NULL) {
         read_transform(gltf, transform, slot);
-    if (set < RHW_UV_SETS)
+    }
+    if (set < RHW_UV_SETS) {
         slot->uv_set = (uint32_t)set;
-    else
+    } else {
         rhw_import_unsupported(gltf->import, "texture coordinate set %lld: set 0 is read instead",
                                (long long)set);
+    }
 }
 
 // Materials -----------------------------------------------------------------------------------------
@@ -139,30 +146,34 @@ static void read_specular_glossiness(struct rhw_gltf *gltf, const json_t *pbr, s
     read_slot(gltf, rhw_gltf_object(gltf, pbr, "diffuseTexture"), &material->slots[RHW_SLOT_BASE_COLOR]);
     const bool textured = rhw_gltf_object(gltf, pbr, "specularGlossinessTexture") != NULL;
     float strongest = 0;
-    for (int c = 0; c < 3; c++)
+    for (int c = 0; c < 3; c++) {
         strongest = specular[c] > strongest ? specular[c] : strongest;
+    }
     const float diffuse_brightness = (diffuse[0] + diffuse[1] + diffuse[2]) / 3;
     const float metallic =
         strongest <= 0.04f ? 0 : (strongest - 0.04f) / (strongest - 0.04f + diffuse_brightness);
     material->metallic = textured ? 0 : limited((double)metallic, 0, 1);
-    for (int c = 0; c < 3; c++)
+    for (int c = 0; c < 3; c++) {
         material->base_color[c] = diffuse[c] + (specular[c] - diffuse[c]) * material->metallic;
+    }
     material->base_color[3] = diffuse[3];
-    if (textured)
+    if (textured) {
         rhw_import_unsupported(gltf->import,
                                "specular-glossiness textures: the glossiness factor alone is used");
+    }
 }
 
 static void read_alpha(struct rhw_gltf *gltf, const json_t *object, struct rhw_material *material)
 {
     const char *mode = rhw_gltf_text(gltf, object, "alphaMode");
-    if (mode != NULL && strcmp(mode, "MASK") == 0)
+    if (mode != NULL && strcmp(mode, "MASK") == 0) {
         material->alpha_mode = RHW_ALPHA_MASK;
-    else if (mode != NULL && strcmp(mode, "BLEND") == 0)
+    } else if (mode != NULL && strcmp(mode, "BLEND") == 0) {
         material->alpha_mode = RHW_ALPHA_BLEND;
-    else if (mode != NULL && strcmp(mode, "OPAQUE") != 0)
+    } else if (mode != NULL && strcmp(mode, "OPAQUE") != 0) {
         rhw_import_warn(gltf->import, "material \"%s\" has an alphaMode that does not exist: drawn opaque",
                         material->name);
+    }
     material->alpha_cutoff = (float)rhw_gltf_number(gltf, object, "alphaCutoff", 0.5);
 }
 
@@ -174,18 +185,20 @@ static void read_material(struct rhw_gltf *gltf, const json_t *object, struct rh
     const json_t *occlusion = rhw_gltf_object(gltf, object, "occlusionTexture");
     const json_t *strength = rhw_gltf_extension(gltf, object, "KHR_materials_emissive_strength");
     material->name = rhw_gltf_name(gltf, object);
-    if (pbr == NULL && gloss != NULL)
+    if (pbr == NULL && gloss != NULL) {
         read_specular_glossiness(gltf, gloss, material);
-    else
+    } else {
         read_metallic_roughness(gltf, pbr, material);
+    }
     read_slot(gltf, normal, &material->slots[RHW_SLOT_NORMAL]);
     read_slot(gltf, occlusion, &material->slots[RHW_SLOT_OCCLUSION]);
     read_slot(gltf, rhw_gltf_object(gltf, object, "emissiveTexture"), &material->slots[RHW_SLOT_EMISSIVE]);
     material->normal_scale = (float)rhw_gltf_number(gltf, normal, "scale", 1);
     material->occlusion_strength = limited(rhw_gltf_number(gltf, occlusion, "strength", 1), 0, 1);
     rhw_gltf_floats(gltf, object, "emissiveFactor", material->emissive, 3);
-    for (int c = 0; c < 3; c++)
+    for (int c = 0; c < 3; c++) {
         material->emissive[c] *= (float)rhw_gltf_number(gltf, strength, "emissiveStrength", 1);
+    }
     read_alpha(gltf, object, material);
     material->double_sided = rhw_gltf_flag(gltf, object, "doubleSided", false);
     material->unlit = rhw_gltf_extension(gltf, object, "KHR_materials_unlit") != NULL;
@@ -193,14 +206,17 @@ static void read_material(struct rhw_gltf *gltf, const json_t *object, struct rh
 
 uint32_t rhw_gltf_material(struct rhw_gltf *gltf, int64_t index)
 {
-    if (index >= 0)
+    if (index >= 0) {
         rhw_gltf_item(gltf, "materials", index);
+    }
     int32_t *made = index < 0 ? &gltf->default_material : &gltf->materials[index];
-    if (*made >= 0)
+    if (*made >= 0) {
         return (uint32_t)*made;
+    }
     *made = (int32_t)gltf->import->model.material_count;
     struct rhw_material *material = rhw_import_add_material(gltf->import);
-    if (index >= 0)
+    if (index >= 0) {
         read_material(gltf, rhw_gltf_item(gltf, "materials", index), material);
+    }
     return (uint32_t)*made;
 }

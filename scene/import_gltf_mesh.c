@@ -28,8 +28,9 @@ static void *attribute(const struct primitive *primitive, const json_t *attribut
                        int least, int width)
 {
     const int64_t accessor = rhw_gltf_integer(primitive->gltf, attributes, name, -1);
-    if (accessor < 0)
+    if (accessor < 0) {
         return NULL;
+    }
     uint32_t count = 0;
     float *values = rhw_gltf_read_floats(primitive->gltf, accessor, least, width, &count);
     if (count != primitive->mesh.vertex_count) {
@@ -64,18 +65,20 @@ static uint32_t *read_indices(struct primitive *primitive, uint32_t *count)
     const uint32_t vertices = primitive->mesh.vertex_count;
     if (accessor < 0) {
         uint32_t *indices = rhw_import_allocate(primitive->gltf->import, vertices, sizeof *indices);
-        for (uint32_t i = 0; i < vertices; i++)
+        for (uint32_t i = 0; i < vertices; i++) {
             indices[i] = i;
+        }
         *count = vertices;
         return indices;
     }
     uint32_t *indices = rhw_gltf_read_integers(primitive->gltf, accessor, 1, count);
-    for (uint32_t i = 0; i < *count; i++)
+    for (uint32_t i = 0; i < *count; i++) {
         if (indices[i] >= vertices) {
             char problem[96];
             snprintf(problem, sizeof problem, "index %u is outside its %u vertices", indices[i], vertices);
             refuse(primitive, problem);
         }
+    }
     return indices;
 }
 
@@ -86,10 +89,12 @@ static void make_list(struct primitive *primitive, int mode, const uint32_t *in,
     const bool lines = mode == MODE_LINE_LOOP || mode == MODE_LINE_STRIP;
     const uint32_t elements = lines ? (mode == MODE_LINE_LOOP ? count : count - 1) : count - 2;
     const uint32_t corners = lines ? 2 : 3;
-    if (count < corners)
+    if (count < corners) {
         return;
-    if (elements > UINT32_MAX / 4)
+    }
+    if (elements > UINT32_MAX / 4) {
         refuse(primitive, "has too many indices");
+    }
     mesh->indices =
         rhw_import_allocate(primitive->gltf->import, (size_t)elements * corners, sizeof *mesh->indices);
     mesh->index_count = elements * corners;
@@ -114,8 +119,9 @@ static void read_topology(struct primitive *primitive)
 {
     struct rhw_mesh *mesh = &primitive->mesh;
     const int64_t mode = rhw_gltf_integer(primitive->gltf, primitive->object, "mode", MODE_TRIANGLES);
-    if (mode > MODE_FAN)
+    if (mode > MODE_FAN) {
         refuse(primitive, "has a mode that does not exist");
+    }
     mesh->primitive = mode == MODE_POINTS       ? RHW_PRIMITIVE_POINTS
                       : mode <= MODE_LINE_STRIP ? RHW_PRIMITIVE_LINES
                                                 : RHW_PRIMITIVE_TRIANGLES;
@@ -134,11 +140,14 @@ static void read_topology(struct primitive *primitive)
 
 static void add_scaled(float *values, int width, const float *deltas, uint32_t count, float weight)
 {
-    if (values == NULL || deltas == NULL)
+    if (values == NULL || deltas == NULL) {
         return;
-    for (uint32_t i = 0; i < count; i++)
-        for (int c = 0; c < 3; c++)
+    }
+    for (uint32_t i = 0; i < count; i++) {
+        for (int c = 0; c < 3; c++) {
             values[(size_t)i * (size_t)width + (size_t)c] += weight * deltas[(size_t)i * 3 + (size_t)c];
+        }
+    }
 }
 
 static void apply_morphs(struct primitive *primitive, const json_t *weights)
@@ -149,8 +158,9 @@ static void apply_morphs(struct primitive *primitive, const json_t *weights)
     json_array_foreach(rhw_gltf_array(primitive->gltf, primitive->object, "targets"), i, target)
     {
         const float weight = (float)json_number_value(json_array_get(weights, i));
-        if (weight == 0)
+        if (weight == 0) {
             continue;
+        }
         float *positions = attribute(primitive, target, "POSITION", 3, 3);
         float *normals = attribute(primitive, target, "NORMAL", 3, 3);
         float *tangents = attribute(primitive, target, "TANGENT", 3, 3);
@@ -166,8 +176,9 @@ static void apply_morphs(struct primitive *primitive, const json_t *weights)
 static void rotate(const float matrix[16], float vector[3])
 {
     float turned[3];
-    for (int row = 0; row < 3; row++)
+    for (int row = 0; row < 3; row++) {
         turned[row] = matrix[row] * vector[0] + matrix[4 + row] * vector[1] + matrix[8 + row] * vector[2];
+    }
     memcpy(vector, turned, sizeof turned);
 }
 
@@ -181,18 +192,21 @@ static float (*joint_matrices(struct rhw_gltf *gltf, int64_t skin_index, size_t 
     float(*matrices)[16] = rhw_import_allocate(gltf->import, *count, sizeof *matrices);
     float *binds = NULL;
     uint32_t bind_count = 0;
-    if (accessor >= 0)
+    if (accessor >= 0) {
         binds = rhw_gltf_read_floats(gltf, accessor, 16, 16, &bind_count);
+    }
     for (size_t i = 0; i < *count; i++) {
         const json_t *joint = json_array_get(joints, i);
         const double node = json_is_number(joint) ? json_number_value(joint) : -1;
-        if (!(node >= 0 && node < (double)rhw_gltf_count(gltf, "nodes")))
+        if (!(node >= 0 && node < (double)rhw_gltf_count(gltf, "nodes"))) {
             rhw_import_fail(gltf->import, "skins[%lld] has a joint that does not exist",
                             (long long)skin_index);
-        if (i < bind_count)
+        }
+        if (i < bind_count) {
             rhw_import_multiply(gltf->nodes[(size_t)node].world, binds + 16 * i, matrices[i]);
-        else
+        } else {
             memcpy(matrices[i], gltf->nodes[(size_t)node].world, sizeof matrices[i]);
+        }
     }
     free(binds);
     return matrices;
@@ -207,22 +221,28 @@ static bool blend_joints(struct primitive *primitive, int set, const float (*joi
     snprintf(weight_name, sizeof weight_name, "WEIGHTS_%d", set);
     const int64_t accessor = rhw_gltf_integer(primitive->gltf, primitive->attributes, joint_name, -1);
     float(*weights)[4] = attribute(primitive, primitive->attributes, weight_name, 4, 4);
-    if (accessor < 0 || weights == NULL)
+    if (accessor < 0 || weights == NULL) {
         return false;
+    }
     uint32_t count = 0;
     uint32_t *indices = rhw_gltf_read_integers(primitive->gltf, accessor, 4, &count);
-    if (count != primitive->mesh.vertex_count)
+    if (count != primitive->mesh.vertex_count) {
         refuse(primitive, "JOINTS and POSITION have different counts");
-    for (uint32_t i = 0; i < count; i++)
+    }
+    for (uint32_t i = 0; i < count; i++) {
         for (int k = 0; k < 4; k++) {
             const uint32_t joint = indices[4 * (size_t)i + (size_t)k];
-            if (weights[i][k] == 0)
+            if (weights[i][k] == 0) {
                 continue;
-            if (joint >= joint_count)
+            }
+            if (joint >= joint_count) {
                 refuse(primitive, "refers to a joint that its skin does not have");
-            for (int m = 0; m < 16; m++)
+            }
+            for (int m = 0; m < 16; m++) {
                 blended[i][m] += weights[i][k] * joints[joint][m];
+            }
         }
+    }
     free(weights);
     free(indices);
     return true;
@@ -236,18 +256,22 @@ static void apply_skin(struct primitive *primitive, int64_t skin, const float wo
     float(*joints)[16] = joint_matrices(primitive->gltf, skin, &joint_count);
     float(*blended)[16] = rhw_import_allocate(primitive->gltf->import, mesh->vertex_count, sizeof *blended);
     int sets = 0;
-    while (blend_joints(primitive, sets, (const float(*)[16])joints, joint_count, blended))
+    while (blend_joints(primitive, sets, (const float(*)[16])joints, joint_count, blended)) {
         sets++;
-    for (uint32_t i = 0; i < mesh->vertex_count && sets == 0; i++)
+    }
+    for (uint32_t i = 0; i < mesh->vertex_count && sets == 0; i++) {
         memcpy(blended[i], world, sizeof blended[i]);
+    }
     for (uint32_t i = 0; i < mesh->vertex_count; i++) {
         float point[3];
         rhw_import_transform(blended[i], mesh->positions[i], point);
         memcpy(mesh->positions[i], point, sizeof point);
-        if (mesh->normals != NULL)
+        if (mesh->normals != NULL) {
             rotate(blended[i], mesh->normals[i]); // joints turn; where they also stretch, this is near enough
-        if (mesh->tangents != NULL)
+        }
+        if (mesh->tangents != NULL) {
             rotate(blended[i], mesh->tangents[i]);
+        }
     }
     free(joints);
     free(blended);
@@ -259,8 +283,9 @@ static bool make_primitive(struct primitive *primitive, const char *name, const 
                            const float world[16])
 {
     struct rhw_gltf *gltf = primitive->gltf;
-    if (!json_is_object(primitive->object))
+    if (!json_is_object(primitive->object)) {
         refuse(primitive, "must be an object");
+    }
     primitive->attributes = rhw_gltf_object(gltf, primitive->object, "attributes");
     if (json_object_get(primitive->attributes, "POSITION") == NULL) {
         rhw_import_warn(gltf->import, "meshes[%d].primitives[%d] has no positions: not drawn",
@@ -270,13 +295,15 @@ static bool make_primitive(struct primitive *primitive, const char *name, const 
     const int64_t accessor = rhw_gltf_integer(gltf, primitive->attributes, "POSITION", -1);
     const json_t *positions = rhw_gltf_item(gltf, "accessors", accessor);
     if (json_object_get(positions, "bufferView") == NULL &&
-        rhw_gltf_extension(gltf, primitive->object, "KHR_draco_mesh_compression") != NULL)
+        rhw_gltf_extension(gltf, primitive->object, "KHR_draco_mesh_compression") != NULL) {
         refuse(primitive, "needs the glTF extension KHR_draco_mesh_compression, which is not supported");
+    }
     read_attributes(primitive);
     read_topology(primitive);
     apply_morphs(primitive, weights);
-    if (skin >= 0)
+    if (skin >= 0) {
         apply_skin(primitive, skin, world);
+    }
     primitive->mesh.name = name;
     primitive->mesh.material =
         rhw_gltf_material(gltf, rhw_gltf_integer(gltf, primitive->object, "material", -1));
@@ -293,8 +320,9 @@ struct rhw_gltf_meshes rhw_gltf_mesh(struct rhw_gltf *gltf, const json_t *node, 
     const json_t *own_weights = rhw_gltf_array(gltf, node, "weights");
     const json_t *weights = own_weights != NULL ? own_weights : rhw_gltf_array(gltf, object, "weights");
     const bool shared = skin < 0 && own_weights == NULL; // the same for every node that uses the mesh
-    if (shared && gltf->meshes[index].made)
+    if (shared && gltf->meshes[index].made) {
         return gltf->meshes[index];
+    }
     struct rhw_gltf_meshes meshes = {gltf->import->model.mesh_count, 0, true, skin >= 0};
     const char *name = rhw_gltf_name(gltf, object);
     size_t i;
@@ -305,7 +333,8 @@ struct rhw_gltf_meshes rhw_gltf_mesh(struct rhw_gltf *gltf, const json_t *node, 
             .gltf = gltf, .object = part, .mesh_number = (int)index, .number = (int)i};
         meshes.count += make_primitive(&primitive, name, weights, skin, world);
     }
-    if (shared)
+    if (shared) {
         gltf->meshes[index] = meshes;
+    }
     return meshes;
 }

@@ -18,16 +18,18 @@ struct stack {
 static uint32_t node_index(struct rhw_gltf *gltf, const json_t *value, const char *list)
 {
     const double number = json_is_number(value) ? json_number_value(value) : -1;
-    if (!(number >= 0 && number < (double)rhw_gltf_count(gltf, "nodes")))
+    if (!(number >= 0 && number < (double)rhw_gltf_count(gltf, "nodes"))) {
         rhw_import_fail(gltf->import, "\"%s\" refers to a node that does not exist", list);
+    }
     return (uint32_t)number;
 }
 
 static void find_parents(struct rhw_gltf *gltf)
 {
     const size_t count = rhw_gltf_count(gltf, "nodes");
-    for (size_t i = 0; i < count; i++)
+    for (size_t i = 0; i < count; i++) {
         gltf->nodes[i].parent = no_parent;
+    }
     for (size_t i = 0; i < count; i++) {
         const json_t *node = rhw_gltf_item(gltf, "nodes", (int64_t)i);
         size_t k;
@@ -35,8 +37,9 @@ static void find_parents(struct rhw_gltf *gltf)
         json_array_foreach(rhw_gltf_array(gltf, node, "children"), k, value)
         {
             const uint32_t child = node_index(gltf, value, "children");
-            if (gltf->nodes[child].parent != no_parent)
+            if (gltf->nodes[child].parent != no_parent) {
                 rhw_import_fail(gltf->import, "nodes[%u] has two parents", child);
+            }
             gltf->nodes[child].parent = (uint32_t)i;
         }
     }
@@ -45,8 +48,9 @@ static void find_parents(struct rhw_gltf *gltf)
 static void local_matrix(struct rhw_gltf *gltf, const json_t *node, float matrix[16])
 {
     float t[3] = {0, 0, 0}, q[4] = {0, 0, 0, 1}, s[3] = {1, 1, 1};
-    if (rhw_gltf_floats(gltf, node, "matrix", matrix, 16))
+    if (rhw_gltf_floats(gltf, node, "matrix", matrix, 16)) {
         return;
+    }
     rhw_gltf_floats(gltf, node, "translation", t, 3);
     rhw_gltf_floats(gltf, node, "rotation", q, 4);
     rhw_gltf_floats(gltf, node, "scale", s, 3);
@@ -59,9 +63,11 @@ static void local_matrix(struct rhw_gltf *gltf, const json_t *node, float matrix
         2 * (x * z + y * w),     2 * (y * z - x * w),     1 - 2 * (x * x + y * y),
     };
     rhw_import_identity(matrix);
-    for (int column = 0; column < 3; column++)
-        for (int row = 0; row < 3; row++)
+    for (int column = 0; column < 3; column++) {
+        for (int row = 0; row < 3; row++) {
             matrix[4 * column + row] = rotation[3 * column + row] * s[column];
+        }
+    }
     memcpy(matrix + 12, t, sizeof t);
 }
 
@@ -69,28 +75,34 @@ static void local_matrix(struct rhw_gltf *gltf, const json_t *node, float matrix
 static void push_children(struct rhw_gltf *gltf, struct stack *stack, uint32_t node)
 {
     const json_t *children = rhw_gltf_array(gltf, rhw_gltf_item(gltf, "nodes", node), "children");
-    for (size_t i = json_array_size(children); i > 0; i--)
+    for (size_t i = json_array_size(children); i > 0; i--) {
         stack->nodes[stack->count++] = node_index(gltf, json_array_get(children, i - 1), "children");
+    }
 }
 
 static void place_nodes(struct rhw_gltf *gltf, struct stack *stack)
 {
     const size_t count = rhw_gltf_count(gltf, "nodes");
-    for (size_t i = count; i > 0; i--)
-        if (gltf->nodes[i - 1].parent == no_parent)
+    for (size_t i = count; i > 0; i--) {
+        if (gltf->nodes[i - 1].parent == no_parent) {
             stack->nodes[stack->count++] = (uint32_t)(i - 1);
+        }
+    }
     while (stack->count > 0) {
         const uint32_t index = stack->nodes[--stack->count];
         struct rhw_gltf_node *node = &gltf->nodes[index];
         local_matrix(gltf, rhw_gltf_item(gltf, "nodes", index), node->world);
-        if (node->parent != no_parent)
+        if (node->parent != no_parent) {
             rhw_import_multiply(gltf->nodes[node->parent].world, node->world, node->world);
+        }
         node->placed = true;
         push_children(gltf, stack, index);
     }
-    for (size_t i = 0; i < count; i++)
-        if (!gltf->nodes[i].placed)
+    for (size_t i = 0; i < count; i++) {
+        if (!gltf->nodes[i].placed) {
             rhw_import_fail(gltf->import, "nodes[%zu] is its own ancestor: the node graph has a cycle", i);
+        }
+    }
 }
 
 // What a node holds ---------------------------------------------------------------------------------
@@ -105,8 +117,9 @@ static void add_instances(struct rhw_gltf *gltf, const json_t *node, const float
         instance->mesh = meshes.first + i;
         instance->object = object;
         memcpy(instance->world, world, sizeof instance->world);
-        if (meshes.in_world)
+        if (meshes.in_world) {
             rhw_import_identity(instance->world);
+        }
     }
 }
 
@@ -118,8 +131,9 @@ static void add_camera(struct rhw_gltf *gltf, const json_t *node, const float wo
     const json_t *lens = orthographic != NULL ? orthographic : perspective;
     struct rhw_model_camera camera = {.name = rhw_gltf_name(gltf, object),
                                       .orthographic = orthographic != NULL};
-    if (camera.name[0] == 0)
+    if (camera.name[0] == 0) {
         camera.name = rhw_gltf_name(gltf, node);
+    }
     memcpy(camera.world, world, sizeof camera.world);
     camera.znear = (float)rhw_gltf_number(gltf, lens, "znear", 0.01);
     camera.zfar = (float)rhw_gltf_number(gltf, lens, "zfar", 0);
@@ -132,10 +146,11 @@ static void add_camera(struct rhw_gltf *gltf, const json_t *node, const float wo
             ? camera.xmag != 0 && camera.ymag != 0 && camera.zfar > camera.znear && camera.znear >= 0
             : camera.yfov > 0 && camera.yfov < 3.14159f && camera.aspect >= 0 && camera.znear > 0 &&
                   (camera.zfar == 0 || camera.zfar > camera.znear);
-    if (good && rhw_import_finite(world, 16) && rhw_import_determinant(world) != 0)
+    if (good && rhw_import_finite(world, 16) && rhw_import_determinant(world) != 0) {
         *rhw_import_add_camera(gltf->import) = camera;
-    else
+    } else {
         rhw_import_warn(gltf->import, "camera \"%s\" is not valid: left out", camera.name);
+    }
 }
 
 static void add_light(struct rhw_gltf *gltf, int64_t index, const float world[16])
@@ -143,9 +158,10 @@ static void add_light(struct rhw_gltf *gltf, int64_t index, const float world[16
     const json_t *list =
         rhw_gltf_array(gltf, rhw_gltf_extension(gltf, gltf->root, "KHR_lights_punctual"), "lights");
     const json_t *object = json_array_get(list, (size_t)index);
-    if (!json_is_object(object))
+    if (!json_is_object(object)) {
         rhw_import_fail(gltf->import, "refers to light %lld, but there are %zu", (long long)index,
                         json_array_size(list));
+    }
     struct rhw_model_light light = {.name = rhw_gltf_name(gltf, object), .color = {1, 1, 1}};
     const char *type = rhw_gltf_text(gltf, object, "type");
     const json_t *spot = rhw_gltf_object(gltf, object, "spot");
@@ -161,16 +177,19 @@ static void add_light(struct rhw_gltf *gltf, int64_t index, const float world[16
     light.outer_cos = (float)cos(rhw_gltf_number(gltf, spot, "outerConeAngle", 0.78539816339744831));
     memcpy(light.position, world + 12, sizeof light.position);
     const float length = __builtin_sqrtf(world[8] * world[8] + world[9] * world[9] + world[10] * world[10]);
-    for (int c = 0; c < 3; c++)
+    for (int c = 0; c < 3; c++) {
         light.direction[c] = length > 0 ? -world[8 + c] / length : c == 2 ? -1.0f : 0.0f;
+    }
     const bool good = known && light.intensity >= 0 && light.range >= 0 && rhw_import_finite(world, 16) &&
                       rhw_import_finite(light.color, 3) && rhw_import_finite(&light.intensity, 1);
-    if (light.inner_cos <= light.outer_cos)
+    if (light.inner_cos <= light.outer_cos) {
         light.inner_cos = light.outer_cos + 1e-4f;
-    if (good)
+    }
+    if (good) {
         *rhw_import_add_light(gltf->import) = light;
-    else
+    } else {
         rhw_import_warn(gltf->import, "light \"%s\" is not valid: left out", light.name);
+    }
 }
 
 static void visit(struct rhw_gltf *gltf, uint32_t index, uint32_t *objects)
@@ -178,31 +197,38 @@ static void visit(struct rhw_gltf *gltf, uint32_t index, uint32_t *objects)
     const json_t *node = rhw_gltf_item(gltf, "nodes", index);
     const float *world = gltf->nodes[index].world;
     const json_t *light = rhw_gltf_extension(gltf, node, "KHR_lights_punctual");
-    if (json_object_get(node, "mesh") != NULL)
+    if (json_object_get(node, "mesh") != NULL) {
         add_instances(gltf, node, world, ++*objects);
-    if (json_object_get(node, "camera") != NULL)
+    }
+    if (json_object_get(node, "camera") != NULL) {
         add_camera(gltf, node, world);
-    if (light != NULL)
+    }
+    if (light != NULL) {
         add_light(gltf, rhw_gltf_integer(gltf, light, "light", -1), world);
+    }
 }
 
 // The roots of the scene to draw: the default one, the first one, or all roots where the file has no scene.
 static void push_scene(struct rhw_gltf *gltf, struct stack *stack)
 {
     if (rhw_gltf_count(gltf, "scenes") == 0) {
-        for (size_t i = rhw_gltf_count(gltf, "nodes"); i > 0; i--)
-            if (gltf->nodes[i - 1].parent == no_parent)
+        for (size_t i = rhw_gltf_count(gltf, "nodes"); i > 0; i--) {
+            if (gltf->nodes[i - 1].parent == no_parent) {
                 stack->nodes[stack->count++] = (uint32_t)(i - 1);
+            }
+        }
         return;
     }
     const json_t *scene = rhw_gltf_item(gltf, "scenes", rhw_gltf_integer(gltf, gltf->root, "scene", 0));
     const json_t *roots = rhw_gltf_array(gltf, scene, "nodes");
     for (size_t i = json_array_size(roots); i > 0; i--) {
         const uint32_t root = node_index(gltf, json_array_get(roots, i - 1), "scenes");
-        if (gltf->nodes[root].parent != no_parent)
+        if (gltf->nodes[root].parent != no_parent) {
             rhw_import_fail(gltf->import, "nodes[%u] is a root of the scene and a child of a node", root);
-        if (!gltf->nodes[root].in_scene)
+        }
+        if (!gltf->nodes[root].in_scene) {
             stack->nodes[stack->count++] = root;
+        }
         gltf->nodes[root].in_scene = true;
     }
 }
@@ -212,8 +238,9 @@ void rhw_gltf_scene(struct rhw_gltf *gltf)
     const size_t count = rhw_gltf_count(gltf, "nodes");
     struct stack stack = {rhw_import_allocate(gltf->import, count, sizeof *stack.nodes), 0};
     uint32_t objects = 0;
-    if (count >= no_parent)
+    if (count >= no_parent) {
         rhw_import_fail(gltf->import, "has too many nodes");
+    }
     find_parents(gltf);
     place_nodes(gltf, &stack);
     push_scene(gltf, &stack);

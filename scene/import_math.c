@@ -8,28 +8,32 @@
 
 void rhw_import_identity(float matrix[16])
 {
-    for (int i = 0; i < 16; i++)
+    for (int i = 0; i < 16; i++) {
         matrix[i] = i % 5 == 0 ? 1.0f : 0.0f;
+    }
 }
 
 void rhw_import_multiply(const float a[16], const float b[16], float product[16])
 {
     float result[16];
-    for (int column = 0; column < 4; column++)
+    for (int column = 0; column < 4; column++) {
         for (int row = 0; row < 4; row++) {
             float sum = 0;
-            for (int k = 0; k < 4; k++)
+            for (int k = 0; k < 4; k++) {
                 sum += a[4 * k + row] * b[4 * column + k];
+            }
             result[4 * column + row] = sum;
         }
+    }
     memcpy(product, result, sizeof result);
 }
 
 void rhw_import_transform(const float matrix[16], const float point[3], float result[3])
 {
     const float x = point[0], y = point[1], z = point[2];
-    for (int row = 0; row < 3; row++)
+    for (int row = 0; row < 3; row++) {
         result[row] = matrix[row] * x + matrix[4 + row] * y + matrix[8 + row] * z + matrix[12 + row];
+    }
 }
 
 float rhw_import_determinant(const float matrix[16])
@@ -41,8 +45,9 @@ float rhw_import_determinant(const float matrix[16])
 
 float rhw_import_from_srgb(float value)
 {
-    if (!(value > 0.04045f)) // also what is negative or not a number
+    if (!(value > 0.04045f)) { // also what is negative or not a number
         return value > 0 ? value / 12.92f : 0;
+    }
     return (float)pow(((double)value + 0.055) / 1.055, 2.4);
 }
 
@@ -50,7 +55,8 @@ bool rhw_import_finite(const float *values, size_t count)
 {
     // x − x is 0 for every finite x and NaN for the others.
     float sum = 0;
-    for (size_t i = 0; i < count; i++)
+    for (size_t i = 0; i < count; i++) {
         sum += values[i] - values[i];
+    }
     return sum == 0;
 }

@@ -15,11 +15,13 @@ static uint32_t corners_of(const struct rhw_mesh *mesh)
 static void *gather(struct rhw_import *import, void *array, size_t size, const uint32_t *source,
                     uint32_t count)
 {
-    if (array == NULL)
+    if (array == NULL) {
         return NULL;
+    }
     char *gathered = rhw_import_allocate(import, count, size);
-    for (uint32_t i = 0; i < count; i++)
+    for (uint32_t i = 0; i < count; i++) {
         memcpy(gathered + i * size, (const char *)array + source[i] * size, size);
+    }
     free(array);
     return gathered;
 }
@@ -30,8 +32,9 @@ void rhw_import_gather_vertices(struct rhw_import *import, struct rhw_mesh *mesh
     mesh->positions = gather(import, mesh->positions, sizeof *mesh->positions, source, count);
     mesh->normals = gather(import, mesh->normals, sizeof *mesh->normals, source, count);
     mesh->tangents = gather(import, mesh->tangents, sizeof *mesh->tangents, source, count);
-    for (int set = 0; set < RHW_UV_SETS; set++)
+    for (int set = 0; set < RHW_UV_SETS; set++) {
         mesh->uvs[set] = gather(import, mesh->uvs[set], sizeof *mesh->uvs[set], source, count);
+    }
     mesh->colors = gather(import, mesh->colors, sizeof *mesh->colors, source, count);
     mesh->vertex_count = count;
 }
@@ -40,31 +43,38 @@ void rhw_import_gather_vertices(struct rhw_import *import, struct rhw_mesh *mesh
 
 static void drop_infinite_primitives(struct rhw_import *import, struct rhw_mesh *mesh)
 {
-    if (rhw_import_finite(mesh->positions[0], 3 * (size_t)mesh->vertex_count))
+    if (rhw_import_finite(mesh->positions[0], 3 * (size_t)mesh->vertex_count)) {
         return;
+    }
     const uint32_t corners = corners_of(mesh);
     uint32_t kept = 0;
     for (uint32_t i = 0; i < mesh->index_count; i += corners) {
         bool finite = true;
-        for (uint32_t k = 0; k < corners; k++)
+        for (uint32_t k = 0; k < corners; k++) {
             finite = finite && rhw_import_finite(mesh->positions[mesh->indices[i + k]], 3);
-        for (uint32_t k = 0; k < corners && finite; k++)
+        }
+        for (uint32_t k = 0; k < corners && finite; k++) {
             mesh->indices[kept++] = mesh->indices[i + k];
+        }
     }
-    if (kept < mesh->index_count)
+    if (kept < mesh->index_count) {
         rhw_import_warn(import,
                         "mesh \"%s\": primitives with positions that are not finite are left out, %u of them",
                         mesh->name, (mesh->index_count - kept) / corners);
+    }
     mesh->index_count = kept;
 }
 
 static void zero_what_is_not_finite(float *values, size_t count)
 {
-    if (values == NULL || rhw_import_finite(values, count))
+    if (values == NULL || rhw_import_finite(values, count)) {
         return;
-    for (size_t i = 0; i < count; i++)
-        if (!rhw_import_finite(&values[i], 1))
+    }
+    for (size_t i = 0; i < count; i++) {
+        if (!rhw_import_finite(&values[i], 1)) {
             values[i] = 0;
+        }
+    }
 }
 
 // Scales to length 1; false when there is no direction in it.
@@ -72,8 +82,9 @@ static bool normalize(float vector[3])
 {
     const double x = vector[0], y = vector[1], z = vector[2];
     const double square = x * x + y * y + z * z;
-    if (!(square > 1e-60 && square < 1e60))
+    if (!(square > 1e-60 && square < 1e60)) {
         return false;
+    }
     const double length = __builtin_sqrt(square);
     vector[0] = (float)(x / length);
     vector[1] = (float)(y / length);
@@ -85,10 +96,12 @@ static bool normalize(float vector[3])
 static void check_normals(struct rhw_import *import, struct rhw_mesh *mesh)
 {
     bool good = mesh->normals != NULL;
-    for (uint32_t i = 0; i < mesh->vertex_count && good; i++)
+    for (uint32_t i = 0; i < mesh->vertex_count && good; i++) {
         good = normalize(mesh->normals[i]);
-    if (good || mesh->normals == NULL)
+    }
+    if (good || mesh->normals == NULL) {
         return;
+    }
     rhw_import_warn(import, "mesh \"%s\" has normals of no length; they are made from its faces", mesh->name);
     free(mesh->normals);
     mesh->normals = NULL;
@@ -101,8 +114,9 @@ static void check_tangents(struct rhw_mesh *mesh)
         good = normalize(mesh->tangents[i]);
         mesh->tangents[i][3] = mesh->tangents[i][3] < 0 ? -1.0f : 1.0f;
     }
-    if (good)
+    if (good) {
         return;
+    }
     free(mesh->tangents);
     mesh->tangents = NULL;
 }
@@ -123,13 +137,15 @@ static void drop_unused_vertices(struct rhw_import *import, struct rhw_mesh *mes
     }
     uint32_t *source = rhw_import_allocate(import, used, sizeof *source);
     uint32_t next = 0;
-    for (uint32_t i = 0; i < mesh->vertex_count; i++)
+    for (uint32_t i = 0; i < mesh->vertex_count; i++) {
         if (place[i] != 0) {
             source[next] = i;
             place[i] = next++;
         }
-    for (uint32_t i = 0; i < mesh->index_count; i++)
+    }
+    for (uint32_t i = 0; i < mesh->index_count; i++) {
         mesh->indices[i] = place[mesh->indices[i]];
+    }
     rhw_import_gather_vertices(import, mesh, source, used);
     free(source);
     free(place);
@@ -145,8 +161,9 @@ struct vertex_table {
 static struct vertex_table make_table(struct rhw_import *import, uint32_t vertices)
 {
     size_t size = 16;
-    while (size < (size_t)vertices * 2)
+    while (size < (size_t)vertices * 2) {
         size *= 2;
+    }
     struct vertex_table table = {rhw_import_allocate(import, size, sizeof(uint32_t)), (uint32_t)(size - 1)};
     memset(table.slots, 0xff, size * sizeof(uint32_t));
     return table;
@@ -173,11 +190,13 @@ uint32_t *rhw_import_weld_positions(struct rhw_import *import, const struct rhw_
         uint32_t slot = (uint32_t)mix(0, key, sizeof key) & table.mask;
         for (; table.slots[slot] != none; slot = (slot + 1) & table.mask) {
             const float *q = mesh->positions[table.slots[slot]];
-            if (q[0] == p[0] && q[1] == p[1] && q[2] == p[2])
+            if (q[0] == p[0] && q[1] == p[1] && q[2] == p[2]) {
                 break;
+            }
         }
-        if (table.slots[slot] == none)
+        if (table.slots[slot] == none) {
             table.slots[slot] = i;
+        }
         group[i] = table.slots[slot];
     }
     free(table.slots);
@@ -197,20 +216,23 @@ static struct vertex_bytes bytes_of(const struct rhw_mesh *mesh)
     const void *arrays[] = {mesh->positions, mesh->normals, mesh->tangents,
                             mesh->uvs[0],    mesh->uvs[1],  mesh->colors};
     const size_t sizes[] = {12, 12, 16, 8, 8, 16};
-    for (int i = 0; i < 6; i++)
+    for (int i = 0; i < 6; i++) {
         if (arrays[i] != NULL) {
             bytes.arrays[bytes.count] = arrays[i];
             bytes.sizes[bytes.count++] = sizes[i];
         }
+    }
     return bytes;
 }
 
 static bool same_vertex(const struct vertex_bytes *bytes, uint32_t a, uint32_t b)
 {
-    for (int i = 0; i < bytes->count; i++)
+    for (int i = 0; i < bytes->count; i++) {
         if (memcmp(bytes->arrays[i] + a * bytes->sizes[i], bytes->arrays[i] + b * bytes->sizes[i],
-                   bytes->sizes[i]) != 0)
+                   bytes->sizes[i]) != 0) {
             return false;
+        }
+    }
     return true;
 }
 
@@ -224,11 +246,13 @@ static void join_vertices(struct rhw_import *import, struct rhw_mesh *mesh)
     uint32_t count = 0;
     for (uint32_t i = 0; i < mesh->vertex_count; i++) {
         uint64_t hash = 0;
-        for (int k = 0; k < bytes.count; k++)
+        for (int k = 0; k < bytes.count; k++) {
             hash = mix(hash, bytes.arrays[k] + i * bytes.sizes[k], bytes.sizes[k]);
+        }
         uint32_t slot = (uint32_t)hash & table.mask;
-        while (table.slots[slot] != none && !same_vertex(&bytes, table.slots[slot], i))
+        while (table.slots[slot] != none && !same_vertex(&bytes, table.slots[slot], i)) {
             slot = (slot + 1) & table.mask;
+        }
         if (table.slots[slot] == none) {
             table.slots[slot] = i;
             place[i] = count;
@@ -238,8 +262,9 @@ static void join_vertices(struct rhw_import *import, struct rhw_mesh *mesh)
         }
     }
     if (count < mesh->vertex_count) {
-        for (uint32_t i = 0; i < mesh->index_count; i++)
+        for (uint32_t i = 0; i < mesh->index_count; i++) {
             mesh->indices[i] = place[mesh->indices[i]];
+        }
         rhw_import_gather_vertices(import, mesh, source, count);
     }
     free(table.slots);
@@ -251,27 +276,34 @@ void rhw_import_complete_mesh(struct rhw_import *import, uint32_t index, enum rh
                               bool join)
 {
     struct rhw_mesh *mesh = &import->model.meshes[index];
-    if (mesh->vertex_count == 0)
+    if (mesh->vertex_count == 0) {
         mesh->index_count = 0;
+    }
     mesh->index_count -= mesh->index_count % corners_of(mesh);
-    if (mesh->index_count > 0)
+    if (mesh->index_count > 0) {
         drop_infinite_primitives(import, mesh);
+    }
     drop_unused_vertices(import, mesh);
-    if (mesh->vertex_count == 0)
+    if (mesh->vertex_count == 0) {
         return;
-    for (int set = 0; set < RHW_UV_SETS; set++)
+    }
+    for (int set = 0; set < RHW_UV_SETS; set++) {
         zero_what_is_not_finite((float *)mesh->uvs[set], 2 * (size_t)mesh->vertex_count);
+    }
     zero_what_is_not_finite((float *)mesh->colors, 4 * (size_t)mesh->vertex_count);
     check_normals(import, mesh);
     check_tangents(mesh);
-    if (join)
+    if (join) {
         join_vertices(import, mesh);
-    if (mesh->primitive != RHW_PRIMITIVE_TRIANGLES)
+    }
+    if (mesh->primitive != RHW_PRIMITIVE_TRIANGLES) {
         return;
+    }
     if (mesh->normals == NULL) {
         rhw_import_make_normals(import, mesh, normals);
-        if (normals == RHW_IMPORT_FLAT)
+        if (normals == RHW_IMPORT_FLAT) {
             join_vertices(import, mesh); // the triangles of one flat face share their vertices again
+        }
     }
     const struct rhw_texture_slot *slot = &import->model.materials[mesh->material].slots[RHW_SLOT_NORMAL];
     if (slot->image < 0 || mesh->uvs[slot->uv_set] == NULL) {

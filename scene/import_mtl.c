@@ -16,9 +16,11 @@ static bool key_is(struct rhw_word word, const char *key)
 
 size_t rhw_mtl_find(struct rhw_import *import, struct rhw_mtl *mtl, const char *name)
 {
-    for (size_t i = 0; i < mtl->count; i++)
-        if (strcmp(mtl->materials[i].phong.name, name) == 0)
+    for (size_t i = 0; i < mtl->count; i++) {
+        if (strcmp(mtl->materials[i].phong.name, name) == 0) {
             return i;
+        }
+    }
     rhw_import_reserve(import, &mtl->materials, &mtl->capacity, mtl->count + 1, sizeof *mtl->materials);
     mtl->materials[mtl->count] = (struct rhw_mtl_material){rhw_phong_default(), {-1, -1}};
     mtl->materials[mtl->count].phong.name = name;
@@ -29,8 +31,9 @@ uint32_t rhw_mtl_use(struct rhw_import *import, struct rhw_mtl *mtl, size_t inde
 {
     struct rhw_mtl_material *material = &mtl->materials[index];
     material->phong.colored = colored;
-    if (material->made[colored] < 0)
+    if (material->made[colored] < 0) {
         material->made[colored] = (int32_t)rhw_phong_add(import, &material->phong);
+    }
     return (uint32_t)material->made[colored];
 }
 
@@ -49,9 +52,11 @@ static const struct option *find_option(struct rhw_word word)
         {"-boost", 0, 1},   {"-texres", 1, 0}, {"-clamp", 1, 0}, {"-blendu", 1, 0},     {"-blendv", 1, 0},
         {"-imfchan", 1, 0}, {"-cc", 1, 0},     {"-type", 1, 0},  {"-colorspace", 1, 0},
     };
-    for (size_t i = 0; i < sizeof options / sizeof options[0]; i++)
-        if (key_is(word, options[i].name))
+    for (size_t i = 0; i < sizeof options / sizeof options[0]; i++) {
+        if (key_is(word, options[i].name)) {
             return &options[i];
+        }
+    }
     return NULL;
 }
 
@@ -65,24 +70,28 @@ static void read_texture(struct rhw_import *import, struct rhw_line line, struct
     while (rhw_text_word(&line, &word) && find_option(word) != NULL) {
         const struct option *option = find_option(word);
         float *values = key_is(word, "-o") ? offset : key_is(word, "-s") ? scale : ignored;
-        if (option->words > 0)
+        if (option->words > 0) {
             rhw_text_word(&line, &setting);
+        }
         rhw_text_numbers(&line, values, option->numbers);
         clamp = clamp || (key_is(word, "-clamp") && key_is(setting, "on"));
         before = line;
     }
     const struct rhw_word name = rhw_text_rest(before);
-    if (name.length == 0)
+    if (name.length == 0) {
         return;
+    }
     *texture = rhw_phong_texture_default();
     texture->name = rhw_word_string(import, name);
     texture->source.file = rhw_import_find_file(import, texture->name);
-    if (clamp)
+    if (clamp) {
         texture->slot.address_u = texture->slot.address_v = RHW_ADDRESS_CLAMP;
+    }
     // With v upward v' = s·v + o; ours points down on both sides.
     const float transform[6] = {scale[0], 0, offset[0], 0, scale[1], 1 - scale[1] - offset[1]};
-    if (rhw_import_finite(transform, 6))
+    if (rhw_import_finite(transform, 6)) {
         memcpy(texture->slot.transform, transform, sizeof transform);
+    }
 }
 
 static bool read_map(struct rhw_import *import, struct rhw_word key, struct rhw_line line,
@@ -101,11 +110,12 @@ static bool read_map(struct rhw_import *import, struct rhw_word key, struct rhw_
         {"map_Ke", &phong->emissive_map},
         {"map_emissive", &phong->emissive_map},
     };
-    for (size_t i = 0; i < sizeof maps / sizeof maps[0]; i++)
+    for (size_t i = 0; i < sizeof maps / sizeof maps[0]; i++) {
         if (key_is(key, maps[i].key)) {
             read_texture(import, line, maps[i].texture);
             return true;
         }
+    }
     return false;
 }
 
@@ -117,9 +127,11 @@ static void note_unused_map(struct rhw_import *import, struct rhw_word key)
         {"map_Ks", "specular"},   {"map_Ns", "shininess"}, {"refl", "reflection"}, {"map_refl", "reflection"},
         {"disp", "displacement"}, {"map_Pr", "roughness"}, {"map_Pm", "metallic"}, {"map_Ps", "sheen"},
     };
-    for (size_t i = 0; i < sizeof maps / sizeof maps[0]; i++)
-        if (key_is(key, maps[i].key))
+    for (size_t i = 0; i < sizeof maps / sizeof maps[0]; i++) {
+        if (key_is(key, maps[i].key)) {
             rhw_import_unsupported(import, "%s textures: not used", maps[i].name);
+        }
+    }
 }
 
 // Values --------------------------------------------------------------------------------------------
@@ -129,10 +141,12 @@ static bool read_color(struct rhw_line line, float color[3])
 {
     float values[3];
     const int count = rhw_text_numbers(&line, values, 3);
-    if (count == 0 || !rhw_import_finite(values, (size_t)count))
+    if (count == 0 || !rhw_import_finite(values, (size_t)count)) {
         return false;
-    for (int c = 0; c < 3; c++)
+    }
+    for (int c = 0; c < 3; c++) {
         color[c] = values[count == 3 ? c : 0];
+    }
     return true;
 }
 
@@ -182,15 +196,17 @@ bool rhw_mtl_read(struct rhw_import *import, struct rhw_mtl *mtl, const char *na
     size_t current = SIZE_MAX;
     bool dissolve = false;
     while (rhw_text_line(&text, false, &line)) {
-        if (!rhw_text_word(&line, &key) || key.start[0] == '#')
+        if (!rhw_text_word(&line, &key) || key.start[0] == '#') {
             continue;
+        }
         if (key_is(key, "newmtl")) {
             current = rhw_mtl_find(import, mtl, rhw_word_string(import, rhw_text_rest(line)));
             dissolve = false;
             continue;
         }
-        if (current == SIZE_MAX)
+        if (current == SIZE_MAX) {
             continue;
+        }
         struct rhw_phong *phong = &mtl->materials[current].phong;
         if (!read_map(import, key, line, phong)) {
             note_unused_map(import, key);

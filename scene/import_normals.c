@@ -16,8 +16,9 @@ enum { MOST_FACES = 256 };
 
 static void subtract(const float a[3], const float b[3], double difference[3])
 {
-    for (int c = 0; c < 3; c++)
+    for (int c = 0; c < 3; c++) {
         difference[c] = (double)a[c] - (double)b[c];
+    }
 }
 
 static double dot(const double a[3], const double b[3])
@@ -37,8 +38,9 @@ static void unit(double vector[3])
 {
     const double length = __builtin_sqrt(dot(vector, vector));
     const double scale = length > 0 ? 1 / length : 0;
-    for (int c = 0; c < 3; c++)
+    for (int c = 0; c < 3; c++) {
         vector[c] *= scale;
+    }
 }
 
 static void to_normal(const double sum[3], float normal[3])
@@ -46,8 +48,9 @@ static void to_normal(const double sum[3], float normal[3])
     double direction[3] = {sum[0], sum[1], sum[2]};
     unit(direction);
     const bool none = direction[0] == 0 && direction[1] == 0 && direction[2] == 0;
-    for (int c = 0; c < 3; c++)
+    for (int c = 0; c < 3; c++) {
         normal[c] = none ? (c == 2 ? 1.0f : 0.0f) : (float)direction[c];
+    }
 }
 
 static void face_normal(const struct rhw_mesh *mesh, uint32_t first_corner, double normal[3])
@@ -67,8 +70,9 @@ static void make_flat(struct rhw_import *import, struct rhw_mesh *mesh)
     const uint32_t corners = mesh->index_count;
     rhw_import_gather_vertices(import, mesh, mesh->indices, corners);
     mesh->normals = rhw_import_allocate(import, corners, sizeof *mesh->normals);
-    for (uint32_t i = 0; i < corners; i++)
+    for (uint32_t i = 0; i < corners; i++) {
         mesh->indices[i] = i;
+    }
     for (uint32_t i = 0; i < corners; i += 3) {
         double normal[3];
         face_normal(mesh, i, normal);
@@ -128,20 +132,24 @@ static void weigh_face(struct smoothing *smoothing, uint32_t first)
     subtract(mesh->positions[corner[2]], mesh->positions[corner[0]], b);
     cross(a, b, normal);
     const double length = __builtin_sqrt(dot(normal, normal));
-    for (int c = 0; c < 3; c++)
+    for (int c = 0; c < 3; c++) {
         smoothing->faces[first / 3][c] = length > 0 ? normal[c] / length : 0;
-    for (uint32_t k = 0; k < 3; k++)
+    }
+    for (uint32_t k = 0; k < 3; k++) {
         smoothing->weights[first + k] = length * corner_angle(mesh, first + k);
+    }
 }
 
 // The new vertex with this source and normal among those made since `first`.
 static uint32_t find_or_add(struct smoothing *smoothing, uint32_t first, uint32_t source,
                             const float normal[3])
 {
-    for (uint32_t i = first; i < smoothing->count; i++)
+    for (uint32_t i = first; i < smoothing->count; i++) {
         if (smoothing->source[i] == source &&
-            memcmp(smoothing->normals[i], normal, sizeof smoothing->normals[i]) == 0)
+            memcmp(smoothing->normals[i], normal, sizeof smoothing->normals[i]) == 0) {
             return i;
+        }
+    }
     smoothing->source[smoothing->count] = source;
     memcpy(smoothing->normals[smoothing->count], normal, sizeof smoothing->normals[0]);
     return smoothing->count++;
@@ -165,10 +173,12 @@ static void sum_faces(const struct smoothing *smoothing, struct faces faces, con
     memset(sum, 0, 3 * sizeof *sum);
     for (uint32_t i = 0; i < faces.count; i++) {
         const double *face = face_of(smoothing, faces.corners[i]);
-        if (axis != NULL && dot(axis, face) < crease_cosine)
+        if (axis != NULL && dot(axis, face) < crease_cosine) {
             continue;
-        for (int c = 0; c < 3; c++)
+        }
+        for (int c = 0; c < 3; c++) {
             sum[c] += face[c] * smoothing->weights[faces.corners[i]];
+        }
     }
 }
 
@@ -176,8 +186,9 @@ static bool all_within(const struct smoothing *smoothing, struct faces faces, co
                        double cosine)
 {
     uint32_t near = 0;
-    while (near < faces.count && dot(axis, face_of(smoothing, faces.corners[near])) >= cosine)
+    while (near < faces.count && dot(axis, face_of(smoothing, faces.corners[near])) >= cosine) {
         near++;
+    }
     return near == faces.count;
 }
 
@@ -188,8 +199,9 @@ static bool are_joined(const struct smoothing *smoothing, uint32_t a, uint32_t b
     uint32_t ends[2][2]; // points at the other ends of each face's two edges
     for (int i = 0; i < 2; i++) {
         const uint32_t first = corners[i] / 3 * 3;
-        for (uint32_t k = 0; k < 2; k++)
+        for (uint32_t k = 0; k < 2; k++) {
             ends[i][k] = smoothing->point[smoothing->mesh->indices[first + (corners[i] + 1 + k) % 3]];
+        }
     }
     const bool meet = ends[0][0] == ends[1][0] || ends[0][0] == ends[1][1] || ends[0][1] == ends[1][0] ||
                       ends[0][1] == ends[1][1];
@@ -265,12 +277,15 @@ static void sort_corners(struct rhw_import *import, struct smoothing *smoothing)
     smoothing->start = rhw_import_allocate(import, (size_t)mesh->vertex_count + 2, sizeof *smoothing->start);
     smoothing->corners = rhw_import_allocate(import, mesh->index_count, sizeof *smoothing->corners);
     uint32_t *next = smoothing->start + 1;
-    for (uint32_t i = 0; i < mesh->index_count; i++)
+    for (uint32_t i = 0; i < mesh->index_count; i++) {
         next[group[mesh->indices[i]] + 1]++;
-    for (uint32_t i = 0; i < mesh->vertex_count; i++)
+    }
+    for (uint32_t i = 0; i < mesh->vertex_count; i++) {
         next[i + 1] += next[i];
-    for (uint32_t i = 0; i < mesh->index_count; i++)
+    }
+    for (uint32_t i = 0; i < mesh->index_count; i++) {
         smoothing->corners[next[group[mesh->indices[i]]]++] = i;
+    }
 }
 
 static void make_smooth(struct rhw_import *import, struct rhw_mesh *mesh)
@@ -278,8 +293,9 @@ static void make_smooth(struct rhw_import *import, struct rhw_mesh *mesh)
     struct smoothing smoothing = {.mesh = mesh};
     smoothing.faces = rhw_import_allocate(import, mesh->index_count / 3, sizeof *smoothing.faces);
     smoothing.weights = rhw_import_allocate(import, mesh->index_count, sizeof *smoothing.weights);
-    for (uint32_t i = 0; i < mesh->index_count; i += 3)
+    for (uint32_t i = 0; i < mesh->index_count; i += 3) {
         weigh_face(&smoothing, i);
+    }
     sort_corners(import, &smoothing);
     smoothing.source = rhw_import_allocate(import, mesh->index_count, sizeof *smoothing.source);
     smoothing.normals = rhw_import_allocate(import, mesh->index_count, sizeof *smoothing.normals);
@@ -302,10 +318,11 @@ static void make_smooth(struct rhw_import *import, struct rhw_mesh *mesh)
 
 void rhw_import_make_normals(struct rhw_import *import, struct rhw_mesh *mesh, enum rhw_import_normals kind)
 {
-    if (kind == RHW_IMPORT_FLAT)
+    if (kind == RHW_IMPORT_FLAT) {
         make_flat(import, mesh);
-    else
+    } else {
         make_smooth(import, mesh);
+    }
 }
 
 // Tangents ------------------------------------------------------------------------------------------
@@ -327,8 +344,9 @@ static int face_tangent(const struct rhw_mesh *mesh, const struct rhw_texture_sl
     const double du1 = u[1] - u[0], dv1 = v[1] - v[0], du2 = u[2] - u[0], dv2 = v[2] - v[0];
     const double area = du1 * dv2 - du2 * dv1;
     const int side = area > 0 ? 1 : area < 0 ? -1 : 0;
-    for (int c = 0; c < 3; c++)
+    for (int c = 0; c < 3; c++) {
         tangent[c] = (edges[0][c] * dv2 - edges[1][c] * dv1) * side;
+    }
     unit(tangent);
     return side;
 }
@@ -339,22 +357,28 @@ static void split_mirrored(struct rhw_import *import, struct rhw_mesh *mesh, con
 {
     uint32_t *mirrored = rhw_import_allocate(import, mesh->vertex_count, sizeof *mirrored);
     unsigned char *seen = rhw_import_allocate(import, mesh->vertex_count, 1);
-    for (uint32_t i = 0; i < mesh->index_count; i++)
+    for (uint32_t i = 0; i < mesh->index_count; i++) {
         seen[mesh->indices[i]] |= sides[i / 3] < 0 ? 2 : sides[i / 3] > 0 ? 1 : 0;
+    }
     uint32_t count = mesh->vertex_count;
-    for (uint32_t i = 0; i < mesh->vertex_count; i++)
+    for (uint32_t i = 0; i < mesh->vertex_count; i++) {
         mirrored[i] = seen[i] == 3 ? count++ : i;
+    }
     uint32_t *source = rhw_import_allocate(import, count, sizeof *source);
-    for (uint32_t i = 0; i < mesh->vertex_count; i++)
+    for (uint32_t i = 0; i < mesh->vertex_count; i++) {
         source[i] = source[mirrored[i]] = i;
-    for (uint32_t i = 0; i < mesh->index_count; i++)
-        if (sides[i / 3] < 0)
+    }
+    for (uint32_t i = 0; i < mesh->index_count; i++) {
+        if (sides[i / 3] < 0) {
             mesh->indices[i] = mirrored[mesh->indices[i]];
+        }
+    }
     const uint32_t before = mesh->vertex_count;
     rhw_import_gather_vertices(import, mesh, source, count);
     mesh->tangents = rhw_import_allocate(import, count, sizeof *mesh->tangents);
-    for (uint32_t i = 0; i < count; i++)
+    for (uint32_t i = 0; i < count; i++) {
         mesh->tangents[i][3] = i >= before || seen[source[i]] == 2 ? -1.0f : 1.0f;
+    }
     free(mirrored);
     free(seen);
     free(source);
@@ -365,15 +389,17 @@ static void set_tangent(const float normal[3], const double sum[3], float tangen
     const double n[3] = {normal[0], normal[1], normal[2]};
     double t[3] = {sum[0], sum[1], sum[2]};
     const double along = dot(n, t);
-    for (int c = 0; c < 3; c++)
+    for (int c = 0; c < 3; c++) {
         t[c] -= along * n[c];
+    }
     if (!(dot(t, t) > 1e-12)) { // no direction in it: any that is at right angles to the normal
         const double x[3] = {1, 0, 0}, y[3] = {0, 1, 0};
         cross(n, n[0] * n[0] < 0.5 ? x : y, t);
     }
     unit(t);
-    for (int c = 0; c < 3; c++)
+    for (int c = 0; c < 3; c++) {
         tangent[c] = (float)t[c];
+    }
 }
 
 void rhw_import_make_tangents(struct rhw_import *import, struct rhw_mesh *mesh,
@@ -382,8 +408,9 @@ void rhw_import_make_tangents(struct rhw_import *import, struct rhw_mesh *mesh,
     const uint32_t triangles = mesh->index_count / 3;
     double(*faces)[3] = rhw_import_allocate(import, triangles, sizeof *faces);
     signed char *sides = rhw_import_allocate(import, triangles, 1);
-    for (uint32_t i = 0; i < triangles; i++)
+    for (uint32_t i = 0; i < triangles; i++) {
         sides[i] = (signed char)face_tangent(mesh, slot, 3 * i, faces[i]);
+    }
     split_mirrored(import, mesh, sides);
     double(*sums)[3] = rhw_import_allocate(import, mesh->vertex_count, sizeof *sums);
     for (uint32_t i = 0; i < mesh->index_count; i++) {
@@ -392,15 +419,18 @@ void rhw_import_make_tangents(struct rhw_import *import, struct rhw_mesh *mesh,
         const double n[3] = {normal[0], normal[1], normal[2]};
         const double along = dot(n, faces[i / 3]);
         double projected[3];
-        for (int c = 0; c < 3; c++)
+        for (int c = 0; c < 3; c++) {
             projected[c] = faces[i / 3][c] - along * n[c];
+        }
         unit(projected);
         const double angle = corner_angle(mesh, i);
-        for (int c = 0; c < 3; c++)
+        for (int c = 0; c < 3; c++) {
             sums[mesh->indices[i]][c] += projected[c] * angle;
+        }
     }
-    for (uint32_t i = 0; i < mesh->vertex_count; i++)
+    for (uint32_t i = 0; i < mesh->vertex_count; i++) {
         set_tangent(mesh->normals[i], sums[i], mesh->tangents[i]);
+    }
     free(faces);
     free(sides);
     free(sums);

@@ -73,30 +73,36 @@ static void read_position(struct obj *obj, struct rhw_line line)
 {
     float values[7];
     const int count = rhw_text_numbers(&line, values, 7);
-    if (count < 3)
+    if (count < 3) {
         refuse(obj, "a vertex needs three numbers");
-    if (obj->position_count >= INT_MAX)
+    }
+    if (obj->position_count >= INT_MAX) {
         refuse(obj, "has too many vertices");
+    }
     const size_t index = obj->position_count++;
     rhw_import_reserve(obj->import, &obj->positions, &obj->position_capacity, index + 1,
                        sizeof *obj->positions);
     memcpy(obj->positions[index], values, sizeof obj->positions[index]);
-    if (count < 6 && !obj->colored)
+    if (count < 6 && !obj->colored) {
         return;
+    }
     rhw_import_reserve(obj->import, &obj->colors, &obj->color_capacity, obj->position_capacity,
                        sizeof *obj->colors);
-    for (size_t i = obj->colored ? index : 0; i <= index; i++) // those before had none: white
+    for (size_t i = obj->colored ? index : 0; i <= index; i++) { // those before had none: white
         obj->colors[i][0] = obj->colors[i][1] = obj->colors[i][2] = 1;
+    }
     obj->colored = true;
-    for (int c = 0; c < 3 && count >= 6; c++)
+    for (int c = 0; c < 3 && count >= 6; c++) {
         obj->colors[index][c] = values[count - 3 + c];
+    }
 }
 
 static void read_uv(struct obj *obj, struct rhw_line line)
 {
     float values[2] = {0, 0};
-    if (rhw_text_numbers(&line, values, 2) < 1)
+    if (rhw_text_numbers(&line, values, 2) < 1) {
         refuse(obj, "a texture coordinate needs a number");
+    }
     rhw_import_reserve(obj->import, &obj->uvs, &obj->uv_capacity, obj->uv_count + 1, sizeof *obj->uvs);
     obj->uvs[obj->uv_count][0] = values[0];
     obj->uvs[obj->uv_count++][1] = 1 - values[1]; // the format's v points up
@@ -105,8 +111,9 @@ static void read_uv(struct obj *obj, struct rhw_line line)
 static void read_normal(struct obj *obj, struct rhw_line line)
 {
     float values[3];
-    if (rhw_text_numbers(&line, values, 3) < 3)
+    if (rhw_text_numbers(&line, values, 3) < 3) {
         refuse(obj, "a normal needs three numbers");
+    }
     rhw_import_reserve(obj->import, &obj->normals, &obj->normal_capacity, obj->normal_count + 1,
                        sizeof *obj->normals);
     memcpy(obj->normals[obj->normal_count++], values, sizeof values);
@@ -121,15 +128,19 @@ static bool read_index(struct obj *obj, const char **c, const char *end, size_t 
     const bool negative = *c < end && **c == '-';
     const char *digit = *c + negative;
     int64_t value = 0;
-    if (digit == end || *digit < '0' || *digit > '9')
+    if (digit == end || *digit < '0' || *digit > '9') {
         return false;
-    for (; digit < end && *digit >= '0' && *digit <= '9'; digit++)
+    }
+    for (; digit < end && *digit >= '0' && *digit <= '9'; digit++) {
         value = value < INT_MAX ? value * 10 + (*digit - '0') : value;
+    }
     *c = digit;
-    if (value == 0)
+    if (value == 0) {
         refuse(obj, "indices start at 1");
-    if (negative && (uint64_t)value > count)
+    }
+    if (negative && (uint64_t)value > count) {
         refuse(obj, "an index reaches back before the first vertex");
+    }
     *index = (uint32_t)(negative ? (int64_t)count - value : value - 1 < INT_MAX ? value - 1 : INT_MAX);
     return true;
 }
@@ -148,8 +159,9 @@ static struct corner read_corner(struct obj *obj, struct rhw_word word)
             read_index(obj, &c, end, obj->normal_count, &corner.normal);
         }
     }
-    if (!good || c != end)
+    if (!good || c != end) {
         refuse(obj, "a corner must be p, p/t, p//n or p/t/n");
+    }
     return corner;
 }
 
@@ -159,8 +171,9 @@ static struct part *find_part(struct obj *obj, const struct part_key *key)
         const struct part_key *other = &obj->parts[i - 1].key;
         if (other->material == key->material && other->smoothing == key->smoothing &&
             other->primitive == key->primitive && other->has_uv == key->has_uv &&
-            other->has_normal == key->has_normal)
+            other->has_normal == key->has_normal) {
             return &obj->parts[i - 1];
+        }
     }
     rhw_import_reserve(obj->import, &obj->parts, &obj->part_capacity, obj->part_count + 1,
                        sizeof *obj->parts);
@@ -177,11 +190,13 @@ static void add_element(struct obj *obj, enum rhw_primitive primitive, const str
         key.has_uv = key.has_uv && corners[i].uv != none;
         key.has_normal = key.has_normal && corners[i].normal != none;
     }
-    if (primitive == RHW_PRIMITIVE_TRIANGLES && !key.has_normal)
+    if (primitive == RHW_PRIMITIVE_TRIANGLES && !key.has_normal) {
         key.smoothing = obj->smoothing;
+    }
     struct part *part = find_part(obj, &key);
-    if (part->corner_count + count > UINT32_MAX)
+    if (part->corner_count + count > UINT32_MAX) {
         refuse(obj, "has too many faces");
+    }
     const size_t total = part->corner_count + count;
     rhw_import_reserve(obj->import, &part->corners, &part->corner_capacity, total, sizeof *part->corners);
     rhw_import_reserve(obj->import, &part->sizes, &part->size_capacity, part->size_count + 1,
@@ -200,12 +215,15 @@ static void read_element(struct obj *obj, enum rhw_primitive primitive, struct r
                            sizeof *obj->polygon);
         obj->polygon[count++] = read_corner(obj, word);
     }
-    if (primitive == RHW_PRIMITIVE_TRIANGLES && count >= 3)
+    if (primitive == RHW_PRIMITIVE_TRIANGLES && count >= 3) {
         add_element(obj, primitive, obj->polygon, count);
-    for (uint32_t i = 1; primitive == RHW_PRIMITIVE_LINES && i < count; i++)
+    }
+    for (uint32_t i = 1; primitive == RHW_PRIMITIVE_LINES && i < count; i++) {
         add_element(obj, primitive, obj->polygon + i - 1, 2);
-    for (uint32_t i = 0; primitive == RHW_PRIMITIVE_POINTS && i < count; i++)
+    }
+    for (uint32_t i = 0; primitive == RHW_PRIMITIVE_POINTS && i < count; i++) {
         add_element(obj, primitive, obj->polygon + i, 1);
+    }
 }
 
 // State ---------------------------------------------------------------------------------------------
@@ -213,11 +231,13 @@ static void read_element(struct obj *obj, enum rhw_primitive primitive, struct r
 static void start_object(struct obj *obj, const char *name)
 {
     const bool empty = obj->object_count > 0 && obj->part_count == obj->first_part;
-    if (obj->object_count > 0 && strcmp(obj->objects[obj->object_count - 1], name) == 0)
+    if (obj->object_count > 0 && strcmp(obj->objects[obj->object_count - 1], name) == 0) {
         return;
+    }
     if (!empty) {
-        if (obj->object_count >= INT_MAX)
+        if (obj->object_count >= INT_MAX) {
             refuse(obj, "has too many objects");
+        }
         obj->object_count++;
         rhw_import_reserve(obj->import, &obj->objects, &obj->object_capacity, obj->object_count,
                            sizeof *obj->objects);
@@ -230,9 +250,11 @@ static void start_object(struct obj *obj, const char *name)
 static const char *library_name(struct obj *obj, struct rhw_word word)
 {
     char *name = rhw_import_allocate(obj->import, word.length + 1, 1), *out = name;
-    for (size_t i = 0; i < word.length; i++)
-        if (word.start[i] != '\\' || i + 1 == word.length || word.start[i + 1] != ' ')
+    for (size_t i = 0; i < word.length; i++) {
+        if (word.start[i] != '\\' || i + 1 == word.length || word.start[i + 1] != ' ') {
             *out++ = word.start[i];
+        }
+    }
     return rhw_import_string(obj->import, name, word.length);
 }
 
@@ -246,8 +268,9 @@ static void read_libraries(struct obj *obj, struct rhw_line line)
         return;
     }
     while (rhw_text_word(&line, &name)) {
-        while (name.start[name.length - 1] == '\\' && rhw_text_word(&line, &more))
+        while (name.start[name.length - 1] == '\\' && rhw_text_word(&line, &more)) {
             name.length = (size_t)(more.start + more.length - name.start);
+        }
         const bool found = rhw_mtl_read(obj->import, &obj->mtl, library_name(obj, name));
         obj->libraries_complete = obj->libraries_complete && found;
     }
@@ -258,8 +281,9 @@ static void read_material(struct obj *obj, struct rhw_line line)
     const char *name = rhw_word_string(obj->import, rhw_text_rest(line));
     const size_t known = obj->mtl.count;
     obj->material = rhw_mtl_find(obj->import, &obj->mtl, name);
-    if (obj->mtl.count > known && obj->libraries_complete)
+    if (obj->mtl.count > known && obj->libraries_complete) {
         rhw_import_warn(obj->import, "material \"%s\" is in no library", name);
+    }
 }
 
 static void read_smoothing(struct obj *obj, struct rhw_line line)
@@ -272,29 +296,32 @@ static void read_smoothing(struct obj *obj, struct rhw_line line)
 static void read_line(struct obj *obj, struct rhw_word key, struct rhw_line line)
 {
     static const char *const free_form[] = {"curv", "curv2", "surf", "cstype"};
-    if (rhw_word_is(key, "v"))
+    if (rhw_word_is(key, "v")) {
         read_position(obj, line);
-    else if (rhw_word_is(key, "vt"))
+    } else if (rhw_word_is(key, "vt")) {
         read_uv(obj, line);
-    else if (rhw_word_is(key, "vn"))
+    } else if (rhw_word_is(key, "vn")) {
         read_normal(obj, line);
-    else if (rhw_word_is(key, "f") || rhw_word_is(key, "fo"))
+    } else if (rhw_word_is(key, "f") || rhw_word_is(key, "fo")) {
         read_element(obj, RHW_PRIMITIVE_TRIANGLES, line);
-    else if (rhw_word_is(key, "l"))
+    } else if (rhw_word_is(key, "l")) {
         read_element(obj, RHW_PRIMITIVE_LINES, line);
-    else if (rhw_word_is(key, "p"))
+    } else if (rhw_word_is(key, "p")) {
         read_element(obj, RHW_PRIMITIVE_POINTS, line);
-    else if (rhw_word_is(key, "o") || rhw_word_is(key, "g"))
+    } else if (rhw_word_is(key, "o") || rhw_word_is(key, "g")) {
         start_object(obj, rhw_word_string(obj->import, rhw_text_rest(line)));
-    else if (rhw_word_is(key, "usemtl"))
+    } else if (rhw_word_is(key, "usemtl")) {
         read_material(obj, line);
-    else if (rhw_word_is(key, "mtllib"))
+    } else if (rhw_word_is(key, "mtllib")) {
         read_libraries(obj, line);
-    else if (rhw_word_is(key, "s"))
+    } else if (rhw_word_is(key, "s")) {
         read_smoothing(obj, line);
-    for (size_t i = 0; i < sizeof free_form / sizeof free_form[0]; i++)
-        if (rhw_word_is(key, free_form[i]))
+    }
+    for (size_t i = 0; i < sizeof free_form / sizeof free_form[0]; i++) {
+        if (rhw_word_is(key, free_form[i])) {
             rhw_import_unsupported(obj->import, "free-form curves and surfaces: not drawn");
+        }
+    }
 }
 
 // Meshes --------------------------------------------------------------------------------------------
@@ -305,15 +332,17 @@ static void check_corners(struct obj *obj, struct part *part)
     bool has_uv = part->key.has_uv, has_normal = part->key.has_normal;
     for (size_t i = 0; i < part->corner_count; i++) {
         const struct corner *corner = &part->corners[i];
-        if (corner->position >= obj->position_count)
+        if (corner->position >= obj->position_count) {
             rhw_import_fail(obj->import, "a face refers to vertex %u of %zu", corner->position + 1,
                             obj->position_count);
+        }
         has_uv = has_uv && corner->uv < obj->uv_count;
         has_normal = has_normal && corner->normal < obj->normal_count;
     }
-    if (has_uv != part->key.has_uv || has_normal != part->key.has_normal)
+    if (has_uv != part->key.has_uv || has_normal != part->key.has_normal) {
         rhw_import_warn(obj->import, "faces refer to %s that are not there",
                         has_normal != part->key.has_normal ? "normals" : "texture coordinates");
+    }
     part->key.has_uv = has_uv;
     part->key.has_normal = has_normal;
 }
@@ -324,23 +353,30 @@ static void copy_corners(struct obj *obj, const struct part *part, struct rhw_me
     const size_t count = part->corner_count;
     mesh->vertex_count = (uint32_t)count;
     mesh->positions = rhw_import_allocate(import, count, sizeof *mesh->positions);
-    if (part->key.has_uv)
+    if (part->key.has_uv) {
         mesh->uvs[0] = rhw_import_allocate(import, count, sizeof *mesh->uvs[0]);
-    if (part->key.has_normal)
+    }
+    if (part->key.has_normal) {
         mesh->normals = rhw_import_allocate(import, count, sizeof *mesh->normals);
-    if (obj->colored)
+    }
+    if (obj->colored) {
         mesh->colors = rhw_import_allocate(import, count, sizeof *mesh->colors);
+    }
     for (size_t i = 0; i < count; i++) {
         const struct corner *corner = &part->corners[i];
         memcpy(mesh->positions[i], obj->positions[corner->position], sizeof mesh->positions[i]);
-        if (mesh->uvs[0] != NULL)
+        if (mesh->uvs[0] != NULL) {
             memcpy(mesh->uvs[0][i], obj->uvs[corner->uv], sizeof mesh->uvs[0][i]);
-        if (mesh->normals != NULL)
+        }
+        if (mesh->normals != NULL) {
             memcpy(mesh->normals[i], obj->normals[corner->normal], sizeof mesh->normals[i]);
-        for (int c = 0; c < 3 && mesh->colors != NULL; c++)
+        }
+        for (int c = 0; c < 3 && mesh->colors != NULL; c++) {
             mesh->colors[i][c] = obj->colors[corner->position][c];
-        if (mesh->colors != NULL)
+        }
+        if (mesh->colors != NULL) {
             mesh->colors[i][3] = 1;
+        }
     }
 }
 
@@ -348,10 +384,12 @@ static void make_indices(struct obj *obj, const struct part *part, struct rhw_me
 {
     const bool triangles = part->key.primitive == RHW_PRIMITIVE_TRIANGLES;
     size_t count = 0;
-    for (size_t i = 0; i < part->size_count; i++)
+    for (size_t i = 0; i < part->size_count; i++) {
         count += triangles ? 3 * ((size_t)part->sizes[i] - 2) : part->sizes[i];
-    if (count > UINT32_MAX)
+    }
+    if (count > UINT32_MAX) {
         rhw_import_fail(obj->import, "has too many faces");
+    }
     mesh->index_count = (uint32_t)count;
     mesh->indices = rhw_import_allocate(obj->import, count, sizeof *mesh->indices);
     uint32_t *next = mesh->indices, first = 0;
@@ -360,16 +398,18 @@ static void make_indices(struct obj *obj, const struct part *part, struct rhw_me
     for (size_t i = 0; i < part->size_count; first += part->sizes[i++]) {
         const uint32_t size = part->sizes[i];
         rhw_import_reserve(obj->import, &polygon, &polygon_capacity, size, sizeof *polygon);
-        for (uint32_t k = 0; k < size; k++)
+        for (uint32_t k = 0; k < size; k++) {
             polygon[k] = first + k;
+        }
         if (!triangles) {
             memcpy(next, polygon, size * sizeof *next);
             next += size;
             continue;
         }
         rhw_import_triangulate((const float(*)[3])mesh->positions, polygon, size, next);
-        for (uint32_t k = 0; k < 3 * (size - 2); k++)
+        for (uint32_t k = 0; k < 3 * (size - 2); k++) {
             *next++ += first;
+        }
     }
     free(polygon);
 }
@@ -398,15 +438,18 @@ static void add_part(struct obj *obj, struct part *part)
 // A file of vertices alone is a cloud of points.
 static void add_all_points(struct obj *obj)
 {
-    for (size_t i = 0; i < obj->position_count; i++)
+    for (size_t i = 0; i < obj->position_count; i++) {
         add_element(obj, RHW_PRIMITIVE_POINTS, &(struct corner){(uint32_t)i, none, none}, 1);
+    }
 }
 
 static void decode_colors(struct obj *obj)
 {
-    for (size_t i = 0; i < obj->position_count && obj->colored; i++)
-        for (int c = 0; c < 3; c++)
+    for (size_t i = 0; i < obj->position_count && obj->colored; i++) {
+        for (int c = 0; c < 3; c++) {
             obj->colors[i][c] = rhw_import_from_srgb(obj->colors[i][c]);
+        }
+    }
 }
 
 void rhw_import_obj(struct rhw_import *import)
@@ -415,23 +458,29 @@ void rhw_import_obj(struct rhw_import *import)
     const char *problem = NULL;
     size_t size = 0;
     char *bytes = rhw_import_read_file(import, import->model.path, &size, &problem);
-    if (bytes == NULL)
+    if (bytes == NULL) {
         rhw_import_fail(import, "cannot be read: %s", problem);
+    }
     import->model.format = "Wavefront OBJ";
     obj.text = rhw_text_open(import, bytes, size);
     obj.material = rhw_mtl_find(import, &obj.mtl, "");
     start_object(&obj, "");
     struct rhw_line line;
     struct rhw_word key;
-    while (rhw_text_line(&obj.text, true, &line))
-        if (rhw_text_word(&line, &key) && key.start[0] != '#')
+    while (rhw_text_line(&obj.text, true, &line)) {
+        if (rhw_text_word(&line, &key) && key.start[0] != '#') {
             read_line(&obj, key, line);
+        }
+    }
     free(bytes);
-    if (obj.position_count == 0)
+    if (obj.position_count == 0) {
         rhw_import_fail(import, "is no OBJ model: it has no vertices");
-    if (obj.part_count == 0)
+    }
+    if (obj.part_count == 0) {
         add_all_points(&obj);
+    }
     decode_colors(&obj);
-    for (size_t i = 0; i < obj.part_count; i++)
+    for (size_t i = 0; i < obj.part_count; i++) {
         add_part(&obj, &obj.parts[i]);
+    }
 }

@@ -45,8 +45,9 @@ static bool is_black(const float color[3])
 
 static void decode(const float encoded[3], float color[3])
 {
-    for (int c = 0; c < 3; c++)
+    for (int c = 0; c < 3; c++) {
         color[c] = rhw_import_from_srgb(limited(encoded[c], 0, 1));
+    }
 }
 
 // Textures ------------------------------------------------------------------------------------------
@@ -64,8 +65,9 @@ static int32_t find_or_add(struct rhw_import *import, const char *name,
         const struct rhw_import_source *other = &import->sources[i];
         if (same_text(other->file, source->file) && other->bytes == source->bytes &&
             other->height == source->height && other->opacity_image == source->opacity_image &&
-            other->white == source->white && strcmp(import->model.images[i].name, name) == 0)
+            other->white == source->white && strcmp(import->model.images[i].name, name) == 0) {
             return (int32_t)i;
+        }
     }
     return rhw_import_add_image(import, name, source);
 }
@@ -73,8 +75,9 @@ static int32_t find_or_add(struct rhw_import *import, const char *name,
 static bool set_slot(struct rhw_import *import, const struct rhw_phong_texture *texture,
                      struct rhw_texture_slot *slot)
 {
-    if (texture->name == NULL)
+    if (texture->name == NULL) {
         return false;
+    }
     *slot = texture->slot;
     slot->image = find_or_add(import, texture->name, &texture->source);
     return true;
@@ -85,8 +88,9 @@ static void set_opacity_map(struct rhw_import *import, const struct rhw_phong *p
                             struct rhw_material *material)
 {
     const struct rhw_phong_texture *map = &phong->opacity_map;
-    if (map->name == NULL)
+    if (map->name == NULL) {
         return;
+    }
     struct rhw_phong_texture base = phong->color.name != NULL ? phong->color : *map;
     base.source.opacity_image = find_or_add(import, map->name, &map->source);
     base.source.white = phong->color.name == NULL;
@@ -102,8 +106,9 @@ static void set_base_color(const struct rhw_phong *phong, struct rhw_material *m
     // A black factor under a texture is an exporter's habit, not a wish.
     const bool white = phong->colored || (textured && (!phong->described || is_black(phong->diffuse)));
     decode(phong->diffuse, material->base_color);
-    for (int c = 0; c < 3; c++)
+    for (int c = 0; c < 3; c++) {
         material->base_color[c] = white ? 1 : phong->described ? material->base_color[c] : default_grey;
+    }
 }
 
 static void set_surface(const struct rhw_phong *phong, struct rhw_material *material)
@@ -113,12 +118,15 @@ static void set_surface(const struct rhw_phong *phong, struct rhw_material *mate
     material->roughness = default_roughness;
     // The exponent n of the highlight as roughness: α = √(2 / (n + 2)) (Walter and others, Microfacet models for
     // refraction through rough surfaces, 2007) and α = roughness².
-    if (shiny)
+    if (shiny) {
         material->roughness = limited(__builtin_sqrtf(__builtin_sqrtf(2 / (phong->shininess + 2))), 0.1f, 1);
-    if (phong->dull || (shiny && is_black(phong->specular)))
+    }
+    if (phong->dull || (shiny && is_black(phong->specular))) {
         material->roughness = limited(material->roughness, 0.8f, 1);
-    if (phong->roughness >= 0)
+    }
+    if (phong->roughness >= 0) {
         material->roughness = limited(phong->roughness, 0, 1);
+    }
     material->unlit = phong->unlit;
 }
 
@@ -131,8 +139,9 @@ static void set_opacity(struct rhw_import *import, const struct rhw_phong *phong
         opacity = 1;
     }
     material->base_color[3] = opacity;
-    if (opacity < 1)
+    if (opacity < 1) {
         material->alpha_mode = RHW_ALPHA_BLEND;
+    }
 }
 
 uint32_t rhw_phong_add(struct rhw_import *import, const struct rhw_phong *phong)
@@ -153,7 +162,8 @@ uint32_t rhw_phong_add(struct rhw_import *import, const struct rhw_phong *phong)
     set_slot(import, &phong->occlusion, &material->slots[RHW_SLOT_OCCLUSION]);
     decode(phong->emissive, material->emissive);
     const bool glows = set_slot(import, &phong->emissive_map, &material->slots[RHW_SLOT_EMISSIVE]);
-    for (int c = 0; c < 3 && glows && is_black(phong->emissive); c++)
+    for (int c = 0; c < 3 && glows && is_black(phong->emissive); c++) {
         material->emissive[c] = 1;
+    }
     return import->model.material_count - 1;
 }

@@ -84,9 +84,11 @@ static enum type parse_type(struct rhw_word word)
         {"int8", TYPE_INT8},   {"uint8", TYPE_UINT8},   {"int16", TYPE_INT16},   {"uint16", TYPE_UINT16},
         {"int32", TYPE_INT32}, {"uint32", TYPE_UINT32}, {"float32", TYPE_FLOAT}, {"float64", TYPE_DOUBLE},
     };
-    for (size_t i = 0; i < sizeof names / sizeof names[0]; i++)
-        if (rhw_word_is(word, names[i].name))
+    for (size_t i = 0; i < sizeof names / sizeof names[0]; i++) {
+        if (rhw_word_is(word, names[i].name)) {
             return names[i].type;
+        }
+    }
     return TYPE_NONE;
 }
 
@@ -106,13 +108,15 @@ static void parse_element(struct ply *ply, struct rhw_line line, unsigned number
     struct rhw_word word;
     double count = 0;
     size_t length = 0;
-    if (ply->element_count == MOST_ELEMENTS)
+    if (ply->element_count == MOST_ELEMENTS) {
         refuse_header(ply, number, "has too many elements");
+    }
     struct element *element = &ply->elements[ply->element_count++];
     if (!rhw_text_word(&line, &element->name) || !rhw_text_word(&line, &word) ||
         !rhw_word_number(word, &count, &length) || !(count >= 0 && count < UINT32_MAX) ||
-        count != floor(count))
+        count != floor(count)) {
         refuse_header(ply, number, "an element needs a name and a count");
+    }
     element->count = (int64_t)count;
     element->properties = rhw_import_allocate(ply->import, MOST_PROPERTIES, sizeof *element->properties);
 }
@@ -121,8 +125,9 @@ static void parse_property(struct ply *ply, struct rhw_line line, unsigned numbe
 {
     struct rhw_word word;
     struct property property = {.count_type = TYPE_NONE};
-    if (ply->element_count == 0 || ply->elements[ply->element_count - 1].property_count == MOST_PROPERTIES)
+    if (ply->element_count == 0 || ply->elements[ply->element_count - 1].property_count == MOST_PROPERTIES) {
         refuse_header(ply, number, "has a property without an element, or too many");
+    }
     struct element *element = &ply->elements[ply->element_count - 1];
     bool good = rhw_text_word(&line, &word);
     const bool list = good && rhw_word_is(word, "list");
@@ -133,8 +138,9 @@ static void parse_property(struct ply *ply, struct rhw_line line, unsigned numbe
                rhw_text_word(&line, &word);
     }
     property.type = good ? parse_type(word) : TYPE_NONE;
-    if (property.type == TYPE_NONE || !rhw_text_word(&line, &property.name))
+    if (property.type == TYPE_NONE || !rhw_text_word(&line, &property.name)) {
         refuse_header(ply, number, "a property needs a type and a name");
+    }
     element->properties[element->property_count++] = property;
 }
 
@@ -142,14 +148,15 @@ static void parse_format(struct ply *ply, struct rhw_line line, unsigned number)
 {
     struct rhw_word word;
     rhw_text_word(&line, &word);
-    if (rhw_word_is(word, "ascii"))
+    if (rhw_word_is(word, "ascii")) {
         ply->encoding = ASCII;
-    else if (rhw_word_is(word, "binary_little_endian"))
+    } else if (rhw_word_is(word, "binary_little_endian")) {
         ply->encoding = LITTLE_ENDIAN_BINARY;
-    else if (rhw_word_is(word, "binary_big_endian"))
+    } else if (rhw_word_is(word, "binary_big_endian")) {
         ply->encoding = BIG_ENDIAN_BINARY;
-    else
+    } else {
         refuse_header(ply, number, "the format must be ascii, binary_little_endian or binary_big_endian");
+    }
 }
 
 static void parse_header(struct ply *ply, struct rhw_text *text)
@@ -157,10 +164,12 @@ static void parse_header(struct ply *ply, struct rhw_text *text)
     struct rhw_line line;
     struct rhw_word word;
     while (rhw_text_line(text, false, &line)) {
-        if (!rhw_text_word(&line, &word))
+        if (!rhw_text_word(&line, &word)) {
             continue;
-        if (rhw_word_is(word, "end_header"))
+        }
+        if (rhw_word_is(word, "end_header")) {
             return;
+        }
         if (rhw_word_is(word, "format")) {
             parse_format(ply, line, text->line);
         } else if (rhw_word_is(word, "element")) {
@@ -168,8 +177,9 @@ static void parse_header(struct ply *ply, struct rhw_text *text)
         } else if (rhw_word_is(word, "property")) {
             parse_property(ply, line, text->line);
         } else if (rhw_word_is(word, "comment")) {
-            if (rhw_text_word(&line, &word) && rhw_word_is(word, "TextureFile") && ply->texture.length == 0)
+            if (rhw_text_word(&line, &word) && rhw_word_is(word, "TextureFile") && ply->texture.length == 0) {
                 ply->texture = rhw_text_rest(line);
+            }
         } // "ply", "obj_info" and what exporters have invented
     }
     rhw_import_fail(ply->import, "the PLY header has no end_header");
@@ -189,12 +199,15 @@ static double read_ascii(struct ply *ply)
     struct rhw_word word;
     double value = 0;
     size_t length = 0;
-    while (!rhw_text_word(&ply->line, &word))
-        if (!rhw_text_line(&ply->text, false, &ply->line))
+    while (!rhw_text_word(&ply->line, &word)) {
+        if (!rhw_text_line(&ply->text, false, &ply->line)) {
             end_of_file(ply);
-    if (!rhw_word_number(word, &value, &length))
+        }
+    }
+    if (!rhw_word_number(word, &value, &length)) {
         rhw_import_fail(ply->import, "line %u: \"%s\" is not a number", ply->text.line,
                         rhw_word_string(ply->import, word));
+    }
     return value;
 }
 
@@ -202,13 +215,16 @@ static double read_binary(struct ply *ply, enum type type)
 {
     const size_t size = type_size(type);
     unsigned char bytes[8] = {0};
-    if ((size_t)(ply->end - ply->cursor) < size)
+    if ((size_t)(ply->end - ply->cursor) < size) {
         end_of_file(ply);
-    if (ply->encoding == BIG_ENDIAN_BINARY)
-        for (size_t i = 0; i < size; i++)
+    }
+    if (ply->encoding == BIG_ENDIAN_BINARY) {
+        for (size_t i = 0; i < size; i++) {
             bytes[size - 1 - i] = ply->cursor[i];
-    else
+        }
+    } else {
         memcpy(bytes, ply->cursor, size);
+    }
     ply->cursor += size;
     uint16_t word;
     uint32_t integer;
@@ -235,17 +251,19 @@ static double read_number(struct ply *ply, enum type type)
 static int64_t read_count(struct ply *ply, const struct property *property)
 {
     const double count = read_number(ply, property->count_type);
-    if (!(count >= 0 && count < UINT32_MAX))
+    if (!(count >= 0 && count < UINT32_MAX)) {
         rhw_import_fail(ply->import, "%s %lld has a list of no valid length",
                         rhw_word_string(ply->import, ply->element->name), (long long)ply->row);
+    }
     return (int64_t)count;
 }
 
 static void skip_property(struct ply *ply, const struct property *property)
 {
     const int64_t count = property->count_type == TYPE_NONE ? 1 : read_count(ply, property);
-    for (int64_t i = 0; i < count; i++)
+    for (int64_t i = 0; i < count; i++) {
         read_number(ply, property->type);
+    }
 }
 
 // Vertices ------------------------------------------------------------------------------------------
@@ -281,9 +299,11 @@ static enum target target_of(struct rhw_word name)
         {"diffuse_blue", BLUE},
         {"diffuse_alpha", ALPHA},
     };
-    for (size_t i = 0; i < sizeof names / sizeof names[0]; i++)
-        if (rhw_word_is(name, names[i].name))
+    for (size_t i = 0; i < sizeof names / sizeof names[0]; i++) {
+        if (rhw_word_is(name, names[i].name)) {
             return names[i].target;
+        }
+    }
     return UNUSED;
 }
 
@@ -296,24 +316,29 @@ static double color_scale(enum type type)
 static void allocate_vertices(struct ply *ply, const bool present[TARGETS], uint32_t count)
 {
     struct rhw_mesh *mesh = &ply->mesh;
-    if (!present[X] || !present[Y] || !present[Z])
+    if (!present[X] || !present[Y] || !present[Z]) {
         rhw_import_fail(ply->import, "its vertices have no positions");
+    }
     mesh->vertex_count = count;
     mesh->positions = rhw_import_allocate(ply->import, count, sizeof *mesh->positions);
-    if (present[NX] && present[NY] && present[NZ])
+    if (present[NX] && present[NY] && present[NZ]) {
         mesh->normals = rhw_import_allocate(ply->import, count, sizeof *mesh->normals);
-    if (present[U] && present[V])
+    }
+    if (present[U] && present[V]) {
         mesh->uvs[0] = rhw_import_allocate(ply->import, count, sizeof *mesh->uvs[0]);
-    if (present[RED] && present[GREEN] && present[BLUE])
+    }
+    if (present[RED] && present[GREEN] && present[BLUE]) {
         mesh->colors = rhw_import_allocate(ply->import, count, sizeof *mesh->colors);
+    }
 }
 
 static void store_vertex(struct rhw_mesh *mesh, uint32_t i, const float values[TARGETS],
                          const float linear[256])
 {
     memcpy(mesh->positions[i], values + X, sizeof mesh->positions[i]);
-    if (mesh->normals != NULL)
+    if (mesh->normals != NULL) {
         memcpy(mesh->normals[i], values + NX, sizeof mesh->normals[i]);
+    }
     if (mesh->uvs[0] != NULL) {
         mesh->uvs[0][i][0] = values[U];
         mesh->uvs[0][i][1] = 1 - values[V]; // the format's v points up
@@ -323,8 +348,9 @@ static void store_vertex(struct rhw_mesh *mesh, uint32_t i, const float values[T
         const bool exact = byte >= 0 && byte <= 255 && byte == __builtin_rintf(byte);
         mesh->colors[i][c] = exact ? linear[(int)byte] : rhw_import_from_srgb(value);
     }
-    if (mesh->colors != NULL)
+    if (mesh->colors != NULL) {
         mesh->colors[i][3] = values[ALPHA];
+    }
 }
 
 static void read_vertices(struct ply *ply, const struct element *element)
@@ -339,17 +365,21 @@ static void read_vertices(struct ply *ply, const struct element *element)
         scales[i] = targets[i] >= RED && targets[i] <= ALPHA ? color_scale(property->type) : 1;
         present[targets[i]] = true;
     }
-    for (int i = 0; i < 256; i++)
+    for (int i = 0; i < 256; i++) {
         linear[i] = rhw_import_from_srgb((float)i / 255);
-    if (ply->mesh.positions != NULL)
+    }
+    if (ply->mesh.positions != NULL) {
         rhw_import_fail(ply->import, "has two lists of vertices");
+    }
     allocate_vertices(ply, present, (uint32_t)element->count);
     for (ply->row = 0; ply->row < element->count; ply->row++) {
-        for (int i = 0; i < element->property_count; i++)
-            if (targets[i] == UNUSED)
+        for (int i = 0; i < element->property_count; i++) {
+            if (targets[i] == UNUSED) {
                 skip_property(ply, &element->properties[i]);
-            else
+            } else {
                 values[targets[i]] = (float)(read_number(ply, element->properties[i].type) * scales[i]);
+            }
+        }
         store_vertex(&ply->mesh, (uint32_t)ply->row, values, linear);
     }
 }
@@ -358,17 +388,19 @@ static void read_vertices(struct ply *ply, const struct element *element)
 
 static uint32_t checked_index(struct ply *ply, double index)
 {
-    if (!(index >= 0 && index < (double)ply->mesh.vertex_count))
+    if (!(index >= 0 && index < (double)ply->mesh.vertex_count)) {
         rhw_import_fail(ply->import, "%s %lld refers to vertex %.0f of %u",
                         rhw_word_string(ply->import, ply->element->name), (long long)ply->row, index,
                         ply->mesh.vertex_count);
+    }
     return (uint32_t)index;
 }
 
 static void reserve_indices(struct ply *ply, size_t more)
 {
-    if (ply->index_count + more > UINT32_MAX)
+    if (ply->index_count + more > UINT32_MAX) {
         rhw_import_fail(ply->import, "has too many faces");
+    }
     const size_t total = ply->index_count + more;
     rhw_import_reserve(ply->import, &ply->mesh.indices, &ply->index_capacity, total,
                        sizeof *ply->mesh.indices);
@@ -387,8 +419,9 @@ struct face {
 
 static void add_face(struct ply *ply, struct face *face)
 {
-    if (face->count < 3)
+    if (face->count < 3) {
         return;
+    }
     const uint32_t count = (uint32_t)face->count;
     const size_t corners = 3 * (size_t)(count - 2);
     rhw_import_reserve(ply->import, &face->triangles, &face->triangle_capacity, corners,
@@ -446,12 +479,13 @@ static void read_faces(struct ply *ply, const struct element *element)
         face.count = face.wedge_count = 0;
         for (int i = 0; i < element->property_count; i++) {
             const struct property *property = &element->properties[i];
-            if (is_index_list(property))
+            if (is_index_list(property)) {
                 read_corners(ply, property, &face);
-            else if (property->count_type != TYPE_NONE && rhw_word_is(property->name, "texcoord"))
+            } else if (property->count_type != TYPE_NONE && rhw_word_is(property->name, "texcoord")) {
                 read_wedges(ply, property, &face);
-            else
+            } else {
                 skip_property(ply, property);
+            }
         }
         add_face(ply, &face);
     }
@@ -463,7 +497,7 @@ static void read_faces(struct ply *ply, const struct element *element)
 // Triangle strips; −1 starts a new one.
 static void read_strips(struct ply *ply, const struct element *element)
 {
-    for (ply->row = 0; ply->row < element->count; ply->row++)
+    for (ply->row = 0; ply->row < element->count; ply->row++) {
         for (int i = 0; i < element->property_count; i++) {
             const struct property *property = &element->properties[i];
             if (!is_index_list(property)) {
@@ -493,6 +527,7 @@ static void read_strips(struct ply *ply, const struct element *element)
                 length++;
             }
         }
+    }
 }
 
 static void read_edges(struct ply *ply, const struct element *element)
@@ -504,10 +539,11 @@ static void read_edges(struct ply *ply, const struct element *element)
             const int end = rhw_word_is(property->name, "vertex1")   ? 0
                             : rhw_word_is(property->name, "vertex2") ? 1
                                                                      : -1;
-            if (end >= 0 && property->count_type == TYPE_NONE)
+            if (end >= 0 && property->count_type == TYPE_NONE) {
                 ends[end] = read_number(ply, property->type);
-            else
+            } else {
                 skip_property(ply, property);
+            }
         }
         rhw_import_reserve(ply->import, &ply->edges, &ply->edge_capacity, ply->edge_count + 2,
                            sizeof *ply->edges);
@@ -529,29 +565,34 @@ static void check_size(struct ply *ply, const struct element *element)
         const enum type first = property->count_type != TYPE_NONE ? property->count_type : property->type;
         least += ply->encoding == ASCII ? 2 : type_size(first); // a digit and a blank
     }
-    if (least > 0 && element->count > 0 && (uint64_t)(element->count - 1) > left / least)
+    if (least > 0 && element->count > 0 && (uint64_t)(element->count - 1) > left / least) {
         rhw_import_fail(ply->import, "is truncated: %lld times %s do not fit into what follows the header",
                         (long long)element->count, rhw_word_string(ply->import, element->name));
+    }
 }
 
 static void read_element(struct ply *ply, const struct element *element)
 {
     ply->element = element;
     check_size(ply, element);
-    if (element->property_count == 0)
+    if (element->property_count == 0) {
         return;
-    if (rhw_word_is(element->name, "vertex"))
+    }
+    if (rhw_word_is(element->name, "vertex")) {
         read_vertices(ply, element);
-    else if (rhw_word_is(element->name, "face"))
+    } else if (rhw_word_is(element->name, "face")) {
         read_faces(ply, element);
-    else if (rhw_word_is(element->name, "tristrips"))
+    } else if (rhw_word_is(element->name, "tristrips")) {
         read_strips(ply, element);
-    else if (rhw_word_is(element->name, "edge"))
+    } else if (rhw_word_is(element->name, "edge")) {
         read_edges(ply, element);
-    else
-        for (ply->row = 0; ply->row < element->count; ply->row++)
-            for (int i = 0; i < element->property_count; i++)
+    } else {
+        for (ply->row = 0; ply->row < element->count; ply->row++) {
+            for (int i = 0; i < element->property_count; i++) {
                 skip_property(ply, &element->properties[i]);
+            }
+        }
+    }
 }
 
 static uint32_t add_material(struct ply *ply)
@@ -592,8 +633,9 @@ static struct rhw_mesh copy_vertices(struct ply *ply)
 static void add_lines(struct ply *ply)
 {
     struct rhw_mesh lines = copy_vertices(ply);
-    if (ply->edge_count > UINT32_MAX)
+    if (ply->edge_count > UINT32_MAX) {
         rhw_import_fail(ply->import, "has too many edges");
+    }
     lines.primitive = RHW_PRIMITIVE_LINES;
     lines.indices = ply->edges;
     lines.index_count = (uint32_t)ply->edge_count;
@@ -607,8 +649,9 @@ static void add_triangles(struct ply *ply)
     mesh->index_count = (uint32_t)ply->index_count;
     if (ply->wedges != NULL) { // every corner gets its own vertex
         rhw_import_gather_vertices(ply->import, mesh, mesh->indices, mesh->index_count);
-        for (uint32_t i = 0; i < mesh->index_count; i++)
+        for (uint32_t i = 0; i < mesh->index_count; i++) {
             mesh->indices[i] = i;
+        }
         mesh->uvs[0] = ply->wedges;
     }
     add_mesh(ply, mesh, ply->wedges != NULL);
@@ -620,8 +663,9 @@ static void add_points(struct ply *ply)
     mesh->primitive = RHW_PRIMITIVE_POINTS;
     mesh->index_count = mesh->vertex_count;
     mesh->indices = rhw_import_allocate(ply->import, mesh->vertex_count, sizeof *mesh->indices);
-    for (uint32_t i = 0; i < mesh->vertex_count; i++)
+    for (uint32_t i = 0; i < mesh->vertex_count; i++) {
         mesh->indices[i] = i;
+    }
     add_mesh(ply, mesh, false);
 }
 
@@ -631,26 +675,32 @@ void rhw_import_ply(struct rhw_import *import)
     const char *problem = NULL;
     size_t size = 0;
     char *bytes = rhw_import_read_file(import, import->model.path, &size, &problem);
-    if (bytes == NULL)
+    if (bytes == NULL) {
         rhw_import_fail(import, "cannot be read: %s", problem);
-    if (!has_magic((const unsigned char *)bytes, size))
+    }
+    if (!has_magic((const unsigned char *)bytes, size)) {
         rhw_import_fail(import, "is no PLY file: it does not begin with \"ply\"");
+    }
     import->model.format = "PLY";
     ply.text = (struct rhw_text){bytes, bytes + size, 0};
     ply.end = (const unsigned char *)bytes + size;
     parse_header(&ply, &ply.text);
     ply.cursor = (const unsigned char *)ply.text.cursor;
     ply.line = (struct rhw_line){ply.text.cursor, ply.text.cursor};
-    for (int i = 0; i < ply.element_count; i++)
+    for (int i = 0; i < ply.element_count; i++) {
         read_element(&ply, &ply.elements[i]);
-    if (ply.mesh.positions == NULL)
+    }
+    if (ply.mesh.positions == NULL) {
         rhw_import_fail(import, "has no vertices");
+    }
     ply.mesh.material = add_material(&ply);
     free(bytes);
-    if (ply.edge_count > 0)
+    if (ply.edge_count > 0) {
         add_lines(&ply);
-    if (ply.index_count > 0)
+    }
+    if (ply.index_count > 0) {
         add_triangles(&ply);
-    else if (ply.edge_count == 0)
+    } else if (ply.edge_count == 0) {
         add_points(&ply);
+    }
 }

@@ -38,8 +38,9 @@ static void flatten(struct polygon *polygon, const float (*positions)[3], const 
     double normal[3];
     newell(positions, corners, count, normal);
     int axis = 0;
-    for (int c = 1; c < 3; c++)
+    for (int c = 1; c < 3; c++) {
         axis = normal[c] * normal[c] > normal[axis] * normal[axis] ? c : axis;
+    }
     const bool down = normal[axis] < 0;
     const int u = (axis + 1) % 3, v = (axis + 2) % 3;
     for (uint32_t i = 0; i < count; i++) {
@@ -57,15 +58,17 @@ static bool is_ear(const struct polygon *polygon, uint32_t i)
     const uint32_t count = polygon->count, *ring = polygon->ring;
     const uint32_t before = ring[(i + count - 1) % count], here = ring[i], after = ring[(i + 1) % count];
     const double *a = polygon->points[before], *b = polygon->points[here], *c = polygon->points[after];
-    if (!(area(a, b, c) > 0))
+    if (!(area(a, b, c) > 0)) {
         return false;
+    }
     for (uint32_t k = 0; k < count; k++) {
         const double *p = polygon->points[ring[k]];
         const bool corner = memcmp(p, a, sizeof polygon->points[0]) == 0 ||
                             memcmp(p, b, sizeof polygon->points[0]) == 0 ||
                             memcmp(p, c, sizeof polygon->points[0]) == 0;
-        if (!corner && area(a, b, p) >= 0 && area(b, c, p) >= 0 && area(c, a, p) >= 0)
+        if (!corner && area(a, b, p) >= 0 && area(b, c, p) >= 0 && area(c, a, p) >= 0) {
             return false;
+        }
     }
     return true;
 }
@@ -88,16 +91,20 @@ static void cut(struct polygon *polygon, uint32_t i, uint32_t *out)
 static bool is_convex(const struct polygon *polygon)
 {
     const uint32_t count = polygon->count;
-    for (uint32_t i = 0; i < count; i++)
-        if (area(polygon->points[i], polygon->points[(i + 1) % count], polygon->points[(i + 2) % count]) < 0)
+    for (uint32_t i = 0; i < count; i++) {
+        if (area(polygon->points[i], polygon->points[(i + 1) % count], polygon->points[(i + 2) % count]) <
+            0) {
             return false;
+        }
+    }
     return true;
 }
 
 static void fan(uint32_t count, uint32_t *triangles)
 {
-    for (uint32_t i = 2; i < count; i++)
+    for (uint32_t i = 2; i < count; i++) {
         emit(triangles + 3 * (size_t)(i - 2), 0, i - 1, i);
+    }
 }
 
 void rhw_import_triangulate(const float (*positions)[3], const uint32_t *corners, uint32_t count,
@@ -116,8 +123,9 @@ void rhw_import_triangulate(const float (*positions)[3], const uint32_t *corners
     uint32_t next = 0;
     while (polygon.count > 3) {
         uint32_t ear = 0;
-        while (ear < polygon.count && !is_ear(&polygon, ear))
+        while (ear < polygon.count && !is_ear(&polygon, ear)) {
             ear++;
+        }
         // Without an ear the polygon crosses itself or has no area: any corner will do.
         cut(&polygon, ear < polygon.count ? ear : 0, triangles + next);
         next += 3;

@@ -57,9 +57,11 @@ _Noreturn void rhw_import_fail(struct rhw_import *import, const char *format, ..
     vsnprintf(line, sizeof line, format, arguments);
     va_end(arguments);
     // A name from the file may hold anything; the line must stay one line.
-    for (char *c = line; *c != 0; c++)
-        if ((unsigned char)*c < 32 || *c == 127)
+    for (char *c = line; *c != 0; c++) {
+        if ((unsigned char)*c < 32 || *c == 127) {
             *c = '?';
+        }
+    }
     fputs(line, import->output);
     fflush(import->output);
     _exit(EXIT_MESSAGE);
@@ -100,8 +102,9 @@ static size_t default_memory(void)
 {
     const long pages = sysconf(_SC_PHYS_PAGES), page = sysconf(_SC_PAGE_SIZE);
     const size_t most = (size_t)16 << 30;
-    if (pages <= 0 || page <= 0)
+    if (pages <= 0 || page <= 0) {
         return most;
+    }
     const size_t share = (size_t)pages / 4 * 3 * (size_t)page;
     return share < most ? share : most;
 }
@@ -111,15 +114,17 @@ static void restrict_child(const struct rhw_model_limits *limits)
     const unsigned seconds = limits->seconds > 0 ? limits->seconds : DEFAULT_SECONDS;
     prctl(PR_SET_PDEATHSIG, SIGKILL);
     limit_core();
-    if (!sanitized()) // their shadow memory takes terabytes of address space
+    if (!sanitized()) { // their shadow memory takes terabytes of address space
         limit_memory(limits->memory > 0 ? limits->memory : default_memory());
+    }
     setlocale(LC_ALL, "C"); // numbers in files have points
     sigset_t none;
     sigemptyset(&none);
     sigprocmask(SIG_SETMASK, &none, NULL);
     static const int deadly[] = {SIGXCPU, SIGALRM, SIGABRT, SIGTERM, SIGINT};
-    for (size_t i = 0; i < sizeof deadly / sizeof deadly[0]; i++)
+    for (size_t i = 0; i < sizeof deadly / sizeof deadly[0]; i++) {
         signal(deadly[i], SIG_DFL);
+    }
     limit_time(seconds);
 }
 
@@ -127,26 +132,30 @@ static void restrict_child(const struct rhw_model_limits *limits)
 static void silence(void)
 {
     const int null = open("/dev/null", O_RDWR | O_CLOEXEC);
-    if (null < 0)
+    if (null < 0) {
         return;
+    }
     dup2(null, STDIN_FILENO);
     dup2(null, STDOUT_FILENO);
-    if (!sanitized())
+    if (!sanitized()) {
         dup2(null, STDERR_FILENO);
+    }
 }
 
 _Noreturn static void run_child(const char *path, const struct rhw_model_limits *limits, int descriptor)
 {
     struct rhw_import import = {.model.path = path, .output = fdopen(descriptor, "wb")};
-    if (import.output == NULL)
+    if (import.output == NULL) {
         abort();
+    }
     restrict_child(limits);
     silence();
     rhw_import_run(&import);
     if (!rhw_blob_write(&import.model, import.output)) {
         rewind(import.output);
-        if (ftruncate(descriptor, 0) != 0)
+        if (ftruncate(descriptor, 0) != 0) {
             abort();
+        }
         rhw_import_fail(&import, "there is not enough memory for the model");
     }
     _exit(EXIT_MODEL);
@@ -169,16 +178,21 @@ static bool refuse(char *error, size_t error_size, const char *format, ...)
 static bool file_acceptable(const char *path, char *error, size_t error_size)
 {
     struct stat status;
-    if (stat(path, &status) != 0)
+    if (stat(path, &status) != 0) {
         return refuse(error, error_size, "cannot be opened: %s", strerror(errno));
-    if (S_ISDIR(status.st_mode))
+    }
+    if (S_ISDIR(status.st_mode)) {
         return refuse(error, error_size, "is a directory");
-    if (!S_ISREG(status.st_mode))
+    }
+    if (!S_ISREG(status.st_mode)) {
         return refuse(error, error_size, "is not a regular file");
-    if (status.st_size == 0)
+    }
+    if (status.st_size == 0) {
         return refuse(error, error_size, "the file is empty");
-    if (access(path, R_OK) != 0)
+    }
+    if (access(path, R_OK) != 0) {
         return refuse(error, error_size, "cannot be opened: %s", strerror(errno));
+    }
     return true;
 }
 
@@ -186,8 +200,9 @@ static bool file_acceptable(const char *path, char *error, size_t error_size)
 static bool child_finished(int status, int descriptor, const struct rhw_model_limits *limits, char *error,
                            size_t error_size)
 {
-    if (WIFEXITED(status) && WEXITSTATUS(status) == EXIT_MODEL)
+    if (WIFEXITED(status) && WEXITSTATUS(status) == EXIT_MODEL) {
         return true;
+    }
     if (WIFEXITED(status) && WEXITSTATUS(status) == EXIT_MESSAGE) {
         char line[512];
         const ssize_t length = pread(descriptor, line, sizeof line - 1, 0);
@@ -200,12 +215,15 @@ static bool child_finished(int status, int descriptor, const struct rhw_model_li
     const unsigned seconds = limits->seconds > 0 ? limits->seconds : DEFAULT_SECONDS;
     if (WIFSIGNALED(status)) {
         const int number = WTERMSIG(status);
-        if (number == SIGXCPU)
+        if (number == SIGXCPU) {
             return refuse(error, error_size, "import took more than %u s of processor time", seconds);
-        if (number == SIGALRM)
+        }
+        if (number == SIGALRM) {
             return refuse(error, error_size, "import took more than %u s", seconds * WALL_FACTOR);
-        if (number == SIGKILL)
+        }
+        if (number == SIGKILL) {
             return refuse(error, error_size, "import was killed (signal 9), perhaps for want of memory");
+        }
         return refuse(error, error_size, "import crashed (signal %d)", number);
     }
     return refuse(error, error_size, "import crashed (exit status %d)", WEXITSTATUS(status));
@@ -238,35 +256,41 @@ struct rhw_model *rhw_model_load(const char *path, const struct rhw_model_limits
                                  size_t error_size)
 {
     static const struct rhw_model_limits defaults = {0};
-    if (limits == NULL)
+    if (limits == NULL) {
         limits = &defaults;
-    if (!file_acceptable(path, error, error_size))
+    }
+    if (!file_acceptable(path, error, error_size)) {
         return NULL;
+    }
     const int descriptor = memfd_create("rhw-model", MFD_CLOEXEC);
     if (descriptor < 0) {
         refuse(error, error_size, "import could not start: %s", strerror(errno));
         return NULL;
     }
     const pid_t child = fork();
-    if (child == 0)
+    if (child == 0) {
         run_child(path, limits, descriptor);
+    }
     int status = 0;
     pid_t waited = child;
-    if (child > 0)
-        do
+    if (child > 0) {
+        do {
             waited = waitpid(child, &status, 0);
-        while (waited < 0 && errno == EINTR);
+        } while (waited < 0 && errno == EINTR);
+    }
     struct rhw_model *model = NULL;
-    if (waited < 0)
+    if (waited < 0) {
         refuse(error, error_size, "import could not start: %s", strerror(errno));
-    else if (child_finished(status, descriptor, limits, error, error_size))
+    } else if (child_finished(status, descriptor, limits, error, error_size)) {
         model = map_model(descriptor, error, error_size);
+    }
     close(descriptor);
     return model;
 }
 
 void rhw_model_free(struct rhw_model *model)
 {
-    if (model != NULL)
+    if (model != NULL) {
         munmap(model, model->size); // the model stands at the start of its mapping
+    }
 }

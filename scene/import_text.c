@@ -44,28 +44,34 @@ static struct rhw_text convert_wide(struct rhw_import *import, const unsigned ch
 struct rhw_text rhw_text_open(struct rhw_import *import, char *bytes, size_t size)
 {
     const unsigned char *start = (const unsigned char *)bytes;
-    if (size >= 2 && start[0] == 0xfe && start[1] == 0xff)
+    if (size >= 2 && start[0] == 0xfe && start[1] == 0xff) {
         return convert_wide(import, start, size, true);
-    if (size >= 2 && start[0] == 0xff && start[1] == 0xfe)
+    }
+    if (size >= 2 && start[0] == 0xff && start[1] == 0xfe) {
         return convert_wide(import, start, size, false);
-    if (size >= 3 && memcmp(bytes, "\xef\xbb\xbf", 3) == 0)
+    }
+    if (size >= 3 && memcmp(bytes, "\xef\xbb\xbf", 3) == 0) {
         return (struct rhw_text){bytes + 3, bytes + size, 0};
+    }
     return (struct rhw_text){bytes, bytes + size, 0};
 }
 
 bool rhw_text_line(struct rhw_text *text, bool continued, struct rhw_line *line)
 {
-    if (text->cursor == text->end)
+    if (text->cursor == text->end) {
         return false;
+    }
     char *start = text->cursor, *c = start;
     for (;; c++) {
-        while (c < text->end && *c != '\n' && *c != '\r')
+        while (c < text->end && *c != '\n' && *c != '\r') {
             c++;
+        }
         text->line++;
         const bool pair = c + 1 < text->end && c[0] == '\r' && c[1] == '\n';
         text->cursor = c < text->end ? c + 1 + pair : c;
-        if (!continued || c == text->end || c == start || c[-1] != '\\')
+        if (!continued || c == text->end || c == start || c[-1] != '\\') {
             break;
+        }
         memset(c - 1, ' ', (size_t)(text->cursor - c) + 1);
         c = text->cursor - 1;
     }
@@ -76,11 +82,13 @@ bool rhw_text_line(struct rhw_text *text, bool continued, struct rhw_line *line)
 bool rhw_text_word(struct rhw_line *line, struct rhw_word *word)
 {
     const char *c = line->cursor;
-    while (c < line->end && is_blank(*c))
+    while (c < line->end && is_blank(*c)) {
         c++;
+    }
     word->start = c;
-    while (c < line->end && !is_blank(*c))
+    while (c < line->end && !is_blank(*c)) {
         c++;
+    }
     word->length = (size_t)(c - word->start);
     line->cursor = c;
     return word->length > 0;
@@ -88,10 +96,12 @@ bool rhw_text_word(struct rhw_line *line, struct rhw_word *word)
 
 struct rhw_word rhw_text_rest(struct rhw_line line)
 {
-    while (line.cursor < line.end && is_blank(*line.cursor))
+    while (line.cursor < line.end && is_blank(*line.cursor)) {
         line.cursor++;
-    while (line.end > line.cursor && is_blank(line.end[-1]))
+    }
+    while (line.end > line.cursor && is_blank(line.end[-1])) {
         line.end--;
+    }
     return (struct rhw_word){line.cursor, (size_t)(line.end - line.cursor)};
 }
 
@@ -121,8 +131,9 @@ static bool read_special(struct rhw_word word, double *value, size_t *length)
 {
     const size_t sign = word.length > 0 && (word.start[0] == '-' || word.start[0] == '+');
     const char *name = word.start + sign;
-    if (word.length - sign < 3 || (strncasecmp(name, "nan", 3) != 0 && strncasecmp(name, "inf", 3) != 0))
+    if (word.length - sign < 3 || (strncasecmp(name, "nan", 3) != 0 && strncasecmp(name, "inf", 3) != 0)) {
         return false;
+    }
     *value = strncasecmp(name, "nan", 3) == 0 ? (double)NAN
              : word.start[0] == '-'           ? -(double)INFINITY
                                               : (double)INFINITY;
@@ -134,13 +145,15 @@ static bool read_special(struct rhw_word word, double *value, size_t *length)
 static const char *read_exponent(const char *c, const char *end, int *exponent)
 {
     *exponent = 0;
-    if (c == end || (*c != 'e' && *c != 'E'))
+    if (c == end || (*c != 'e' && *c != 'E')) {
         return c;
+    }
     const char *digit = c + 1;
     const bool negative = digit < end && *digit == '-';
     digit += digit < end && (*digit == '-' || *digit == '+');
-    for (; digit < end && is_digit(*digit); c = ++digit)
+    for (; digit < end && is_digit(*digit); c = ++digit) {
         *exponent = *exponent < 100000 ? *exponent * 10 + (*digit - '0') : *exponent;
+    }
     *exponent = negative ? -*exponent : *exponent;
     return c;
 }
@@ -151,31 +164,35 @@ bool rhw_word_number(struct rhw_word word, double *value, size_t *length)
                                     1e12, 1e13, 1e14, 1e15, 1e16, 1e17, 1e18, 1e19, 1e20, 1e21, 1e22};
     const char *c = word.start, *end = word.start + word.length;
     const bool negative = c < end && *c == '-';
-    if (c < end && (*c == '-' || *c == '+'))
+    if (c < end && (*c == '-' || *c == '+')) {
         c++;
+    }
     const char *digits = c;
     uint64_t mantissa = 0;
     int count = 0, exponent = 0, scale = 0;
     bool point = false;
     for (; c < end && (is_digit(*c) || (*c == '.' && !point)); c++) {
         point = point || *c == '.';
-        if (*c == '.')
+        if (*c == '.') {
             continue;
+        }
         mantissa = count < 18 ? mantissa * 10 + (uint64_t)(*c - '0') : mantissa; // below 10^18
         count++;
         scale -= point;
     }
-    if (count == 0)
+    if (count == 0) {
         return read_special(word, value, length);
+    }
     const size_t digit_length = (size_t)(c - digits);
     const bool indefinite = c < end && *c == '#'; // 1.#IND: how old Microsoft libraries print a NaN
     c = read_exponent(c, end, &exponent);
     const int power = exponent + scale;
     // Both factors are exact and IEEE rounds their product or quotient once.
-    if (mantissa <= (uint64_t)1 << 53 && count <= 18 && power >= -22 && power <= 22)
+    if (mantissa <= (uint64_t)1 << 53 && count <= 18 && power >= -22 && power <= 22) {
         *value = power < 0 ? (double)mantissa / powers[-power] : (double)mantissa * powers[power];
-    else
+    } else {
         *value = convert_slowly(digits, digit_length, exponent);
+    }
     *value = indefinite ? (double)NAN : negative ? -*value : *value;
     *length = indefinite ? word.length : (size_t)(c - word.start);
     return true;

@@ -55,14 +55,17 @@ static bool match_case(char *path, const char *component)
     path[component - path - 1] = 0;
     DIR *directory = opendir(component - 1 == path ? "/" : path);
     path[component - path - 1] = '/';
-    if (directory == NULL)
+    if (directory == NULL) {
         return false;
+    }
     bool found = false;
-    for (const struct dirent *entry = readdir(directory); entry != NULL && !found; entry = readdir(directory))
+    for (const struct dirent *entry = readdir(directory); entry != NULL && !found;
+         entry = readdir(directory)) {
         if (strlen(entry->d_name) == length && strcasecmp(entry->d_name, component) == 0) {
             memcpy(path + (component - path), entry->d_name, length);
             found = true;
         }
+    }
     closedir(directory);
     return found;
 }
@@ -70,18 +73,22 @@ static bool match_case(char *path, const char *component)
 // `path` or what differs from it in the case of its components, from the directory of the model on.
 static bool exists_in_some_case(char *path, size_t known)
 {
-    if (is_file(path))
+    if (is_file(path)) {
         return true;
+    }
     for (char *component = path + known; component != NULL && *component != 0;) {
         char *slash = strchr(component, '/');
-        if (slash != NULL)
+        if (slash != NULL) {
             *slash = 0;
+        }
         const bool dots = strcmp(component, ".") == 0 || strcmp(component, "..") == 0 || *component == 0;
         const bool there = dots || access(path, F_OK) == 0 || match_case(path, component);
-        if (slash != NULL)
+        if (slash != NULL) {
             *slash = '/';
-        if (!there)
+        }
+        if (!there) {
             return false;
+        }
         component = slash == NULL ? NULL : slash + 1;
     }
     return is_file(path);
@@ -89,10 +96,12 @@ static bool exists_in_some_case(char *path, size_t known)
 
 const char *rhw_import_find_file(struct rhw_import *import, const char *name)
 {
-    if (strncmp(name, "file://", 7) == 0)
+    if (strncmp(name, "file://", 7) == 0) {
         name += 7;
-    if (strncmp(name, "//", 2) == 0) // Blender: relative to the model
+    }
+    if (strncmp(name, "//", 2) == 0) { // Blender: relative to the model
         name += 2;
+    }
     const char *directory = import->directory[0] != 0 ? import->directory : "./";
     char *plain = join(import, "", name), *decoded = join(import, "", name);
     decode_percent(decoded);
@@ -100,24 +109,29 @@ const char *rhw_import_find_file(struct rhw_import *import, const char *name)
         char *const names[] = {plain, decoded};
         for (int i = 0; i < 2; i++) {
             char *path = names[i][0] == '/' ? names[i] : join(import, directory, names[i]);
-            if (is_file(path))
+            if (is_file(path)) {
                 return path;
+            }
         }
-        for (int i = 0; i < 2; i++)
-            for (char *c = names[i]; *c != 0; c++)
+        for (int i = 0; i < 2; i++) {
+            for (char *c = names[i]; *c != 0; c++) {
                 *c = *c == '\\' ? '/' : *c;
+            }
+        }
     }
     char *path = join(import, directory, decoded);
-    if (exists_in_some_case(path, strlen(directory)))
+    if (exists_in_some_case(path, strlen(directory))) {
         return path;
+    }
     // Paths of the machine that the model was made on: what stands beside the model is meant, or in one of the
     // folders that archives of models have.
     static const char *const folders[] = {"", "textures/", "../textures/"};
     const char *slash = strrchr(decoded, '/');
     for (size_t i = 0; i < sizeof folders / sizeof folders[0]; i++) {
         path = join(import, join(import, directory, folders[i]), slash == NULL ? decoded : slash + 1);
-        if (exists_in_some_case(path, strlen(directory)))
+        if (exists_in_some_case(path, strlen(directory))) {
             return path;
+        }
     }
     return NULL;
 }
@@ -144,14 +158,17 @@ static const char *decode_image(struct rhw_import *import, uint32_t index)
         rhw_image_find_alpha(image);
         return NULL;
     }
-    if (source->bytes != NULL)
+    if (source->bytes != NULL) {
         return rhw_image_decode(source->bytes, source->size, image);
-    if (source->file == NULL)
+    }
+    if (source->file == NULL) {
         return problem;
+    }
     size_t size = 0;
     void *bytes = rhw_import_read_file(import, source->file, &size, &problem);
-    if (bytes == NULL)
+    if (bytes == NULL) {
         return problem;
+    }
     problem = rhw_image_decode(bytes, size, image);
     free(bytes);
     return problem;
@@ -162,8 +179,9 @@ static void *decode_some(void *argument)
     struct decoding *decoding = argument;
     for (;;) {
         const uint32_t index = atomic_fetch_add(&decoding->next, 1);
-        if (index >= decoding->import->model.image_count)
+        if (index >= decoding->import->model.image_count) {
             return NULL;
+        }
         decoding->problems[index] = decode_image(decoding->import, index);
     }
 }
@@ -189,13 +207,15 @@ static int helper_count(uint32_t images)
 
 static bool make_rgba8(struct rhw_import *import, struct rhw_image *image)
 {
-    if (image->type != RHW_IMAGE_RGBA16)
+    if (image->type != RHW_IMAGE_RGBA16) {
         return image->type == RHW_IMAGE_RGBA8;
+    }
     const size_t values = (size_t)image->width * image->height * 4;
     const uint16_t *wide = image->texels;
     uint8_t *narrow = rhw_import_allocate(import, values, 1);
-    for (size_t i = 0; i < values; i++)
+    for (size_t i = 0; i < values; i++) {
         narrow[i] = (uint8_t)((wide[i] * 255u + 32767u) / 65535u);
+    }
     free(image->texels);
     image->texels = narrow;
     image->size = values;
@@ -207,12 +227,13 @@ static bool make_rgba8(struct rhw_import *import, struct rhw_image *image)
 static void apply_opacity(struct rhw_import *import, struct rhw_image *image, struct rhw_image *opacity,
                           bool white)
 {
-    if (opacity->missing || !make_rgba8(import, image) || !make_rgba8(import, opacity))
+    if (opacity->missing || !make_rgba8(import, image) || !make_rgba8(import, opacity)) {
         return;
+    }
     const bool alpha = opacity->has_alpha;
     uint8_t *texels = image->texels;
     const uint8_t *map = opacity->texels;
-    for (uint32_t y = 0; y < image->height; y++)
+    for (uint32_t y = 0; y < image->height; y++) {
         for (uint32_t x = 0; x < image->width; x++) {
             const size_t column = (size_t)x * opacity->width / image->width;
             const size_t row = (size_t)y * opacity->height / image->height;
@@ -220,9 +241,11 @@ static void apply_opacity(struct rhw_import *import, struct rhw_image *image, st
             const int brightness = (texel[0] + texel[1] + texel[2]) / 3;
             uint8_t *target = texels + ((size_t)y * image->width + x) * 4;
             target[3] = alpha ? texel[3] : (uint8_t)brightness;
-            if (white)
+            if (white) {
                 memset(target, UINT8_MAX, 3);
+            }
         }
+    }
     rhw_image_find_alpha(image);
 }
 
@@ -233,8 +256,9 @@ static bool is_grey(const struct rhw_image *image)
     const size_t count = (size_t)image->width * image->height;
     for (size_t i = 0; i < count; i++) {
         const int red = texels[4 * i], green = texels[4 * i + 1], blue = texels[4 * i + 2];
-        if (abs(red - green) > TOLERANCE || abs(green - blue) > TOLERANCE)
+        if (abs(red - green) > TOLERANCE || abs(green - blue) > TOLERANCE) {
             return false;
+        }
     }
     return true;
 }
@@ -242,13 +266,14 @@ static bool is_grey(const struct rhw_image *image)
 // Normals of a height field: central differences, the whole range of heights as high as 4 texels are wide.
 static void height_to_normals(struct rhw_import *import, struct rhw_image *image)
 {
-    if (image->missing || !make_rgba8(import, image) || !is_grey(image))
+    if (image->missing || !make_rgba8(import, image) || !is_grey(image)) {
         return;
+    }
     const float scale = 4.0f / 255 / 2;
     const uint32_t width = image->width, height = image->height;
     const uint8_t *heights = image->texels;
     uint8_t *normals = rhw_import_allocate(import, image->size, 1);
-    for (uint32_t y = 0; y < height; y++)
+    for (uint32_t y = 0; y < height; y++) {
         for (uint32_t x = 0; x < width; x++) {
             const size_t row = (size_t)y * width;
             const int left = heights[(row + (x + width - 1) % width) * 4];
@@ -258,10 +283,12 @@ static void height_to_normals(struct rhw_import *import, struct rhw_image *image
             const float dx = (float)(left - right) * scale, dy = (float)(below - above) * scale;
             const float length = __builtin_sqrtf(dx * dx + dy * dy + 1);
             const float normal[3] = {dx / length, dy / length, 1 / length};
-            for (int c = 0; c < 3; c++)
+            for (int c = 0; c < 3; c++) {
                 normals[(row + x) * 4 + (size_t)c] = (uint8_t)(normal[c] * 127.5f + 128.0f);
+            }
             normals[(row + x) * 4 + 3] = UINT8_MAX;
         }
+    }
     free(image->texels);
     image->texels = normals;
     image->has_alpha = false;
@@ -273,8 +300,9 @@ static bool is_cut_out(const struct rhw_image *image)
     const uint8_t *alpha = (const uint8_t *)image->texels + 3;
     const size_t count = (size_t)image->width * image->height;
     size_t between = 0;
-    for (size_t i = 0; i < count; i++)
+    for (size_t i = 0; i < count; i++) {
         between += alpha[4 * i] > 16 && alpha[4 * i] < 239;
+    }
     return image->type == RHW_IMAGE_RGBA8 && between <= count / 10;
 }
 
@@ -284,28 +312,33 @@ static void choose_alpha_modes(struct rhw_import *import)
     for (uint32_t i = 0; i < import->model.material_count; i++) {
         struct rhw_material *material = &import->model.materials[i];
         const int32_t image = material->slots[RHW_SLOT_BASE_COLOR].image;
-        if (image < 0 || import->sources[image].opacity_image < 0 || material->base_color[3] < 1)
+        if (image < 0 || import->sources[image].opacity_image < 0 || material->base_color[3] < 1) {
             continue;
-        if (!import->model.images[image].has_alpha)
+        }
+        if (!import->model.images[image].has_alpha) {
             material->alpha_mode = RHW_ALPHA_OPAQUE;
-        else if (is_cut_out(&import->model.images[image]))
+        } else if (is_cut_out(&import->model.images[image])) {
             material->alpha_mode = RHW_ALPHA_MASK;
+        }
     }
 }
 
 // A stand-in is for colours to show that something is missing; as a normal or a roughness it would lie.
 static void drop_missing_data(struct rhw_model *model)
 {
-    for (uint32_t i = 0; i < model->material_count; i++)
+    for (uint32_t i = 0; i < model->material_count; i++) {
         for (int k = 0; k < RHW_SLOT_COUNT; k++) {
             struct rhw_material *material = &model->materials[i];
             struct rhw_texture_slot *slot = &material->slots[k];
-            if (k == RHW_SLOT_BASE_COLOR || slot->image < 0 || !model->images[slot->image].missing)
+            if (k == RHW_SLOT_BASE_COLOR || slot->image < 0 || !model->images[slot->image].missing) {
                 continue;
+            }
             slot->image = -1;
-            if (k == RHW_SLOT_EMISSIVE)
+            if (k == RHW_SLOT_EMISSIVE) {
                 material->emissive[0] = material->emissive[1] = material->emissive[2] = 0;
+            }
         }
+    }
 }
 
 void rhw_import_decode_images(struct rhw_import *import)
@@ -317,24 +350,30 @@ void rhw_import_decode_images(struct rhw_import *import)
     pthread_t helpers[MOST_HELPERS];
     const int wanted = helper_count(model->image_count);
     int started = 0;
-    while (started < wanted && pthread_create(&helpers[started], NULL, decode_some, &decoding) == 0)
+    while (started < wanted && pthread_create(&helpers[started], NULL, decode_some, &decoding) == 0) {
         started++;
+    }
     decode_some(&decoding);
-    for (int i = 0; i < started; i++)
+    for (int i = 0; i < started; i++) {
         pthread_join(helpers[i], NULL);
-    for (uint32_t i = 0; i < model->image_count; i++) {
-        if (decoding.problems[i] == NULL)
-            continue;
-        rhw_import_warn(import, "texture \"%s\": %s", model->images[i].name, decoding.problems[i]);
-        if (!rhw_image_stand_in(&model->images[i]))
-            rhw_import_fail(import, "needs more memory than there is");
     }
     for (uint32_t i = 0; i < model->image_count; i++) {
-        if (import->sources[i].opacity_image >= 0)
+        if (decoding.problems[i] == NULL) {
+            continue;
+        }
+        rhw_import_warn(import, "texture \"%s\": %s", model->images[i].name, decoding.problems[i]);
+        if (!rhw_image_stand_in(&model->images[i])) {
+            rhw_import_fail(import, "needs more memory than there is");
+        }
+    }
+    for (uint32_t i = 0; i < model->image_count; i++) {
+        if (import->sources[i].opacity_image >= 0) {
             apply_opacity(import, &model->images[i], &model->images[import->sources[i].opacity_image],
                           import->sources[i].white);
-        if (import->sources[i].height)
+        }
+        if (import->sources[i].height) {
             height_to_normals(import, &model->images[i]);
+        }
     }
     choose_alpha_modes(import);
     drop_missing_data(model);

@@ -57,38 +57,45 @@ void rhw_arena_destroy(struct rhw_arena *arena)
 void rhw_arena_reset(struct rhw_arena *arena)
 {
     arena->used_before = 0;
-    if (arena->first != NULL)
+    if (arena->first != NULL) {
         use_chunk(arena, arena->first);
+    }
 }
 
 size_t rhw_arena_used(const struct rhw_arena *arena)
 {
-    if (arena->current == NULL)
+    if (arena->current == NULL) {
         return 0;
+    }
     return arena->used_before + (size_t)(arena->cursor - chunk_bytes(arena->current));
 }
 
 // A chunk that holds `need` bytes behind its header; NULL when out of memory.
 static struct rhw_arena_chunk *create_chunk(struct rhw_arena *arena, size_t need)
 {
-    if (need > SIZE_MAX - sizeof(struct rhw_arena_chunk))
+    if (need > SIZE_MAX - sizeof(struct rhw_arena_chunk)) {
         return NULL;
+    }
     size_t size = FIRST_CHUNK;
-    if (arena->current != NULL)
+    if (arena->current != NULL) {
         size = arena->current->size < LARGEST_CHUNK / 2 ? arena->current->size * 2 : LARGEST_CHUNK;
-    if (size < need + sizeof(struct rhw_arena_chunk))
+    }
+    if (size < need + sizeof(struct rhw_arena_chunk)) {
         size = need + sizeof(struct rhw_arena_chunk);
+    }
     struct rhw_arena_chunk *const chunk = rhw_context_allocate(arena->context, size, RHW_CACHE_LINE);
-    if (chunk == NULL)
+    if (chunk == NULL) {
         return NULL;
+    }
     *chunk = (struct rhw_arena_chunk){.size = size};
     return chunk;
 }
 
 void *rhw_arena_grow(struct rhw_arena *arena, size_t size, size_t align)
 {
-    if (size > SIZE_MAX - align)
+    if (size > SIZE_MAX - align) {
         return NULL;
+    }
     const size_t need = size + align; // where the chunk starts decides the gap; this always suffices
     struct rhw_arena_chunk *const old = arena->current;
     const size_t used = rhw_arena_used(arena);
@@ -98,16 +105,18 @@ void *rhw_arena_grow(struct rhw_arena *arena, size_t size, size_t align)
     struct rhw_arena_chunk *chunk = old != NULL ? old->next : arena->first;
     if (chunk == NULL || chunk->size - sizeof *chunk < need) {
         struct rhw_arena_chunk *const created = create_chunk(arena, need);
-        if (created == NULL)
+        if (created == NULL) {
             return NULL;
+        }
         if (chunk != NULL) {
             created->next = chunk->next;
             rhw_context_release(arena->context, chunk, chunk->size);
         }
-        if (old != NULL)
+        if (old != NULL) {
             old->next = created;
-        else
+        } else {
             arena->first = created;
+        }
         chunk = created;
     }
     use_chunk(arena, chunk);

@@ -9,8 +9,9 @@
 
 void rhw_buffer_data_release(struct rhw_context *context, struct rhw_buffer_data *data)
 {
-    if (data->bytes != NULL)
+    if (data->bytes != NULL) {
         rhw_context_release(context, data->bytes, data->size + RHW_BUFFER_PADDING);
+    }
 }
 
 static bool check_create(const struct rhw_context *context, const struct rhw_buffer_def *def,
@@ -26,30 +27,36 @@ static bool check_create(const struct rhw_context *context, const struct rhw_buf
 // Fills a new item; false when out of memory.
 static bool fill(struct rhw_context *context, struct rhw_buffer_data *data, const struct rhw_buffer_def *def)
 {
-    if (def->size > SIZE_MAX - RHW_BUFFER_PADDING)
+    if (def->size > SIZE_MAX - RHW_BUFFER_PADDING) {
         return false;
+    }
     data->bytes = rhw_context_allocate(context, def->size + RHW_BUFFER_PADDING, RHW_CACHE_LINE);
-    if (data->bytes == NULL)
+    if (data->bytes == NULL) {
         return false;
+    }
     data->size = def->size;
-    if (def->data != NULL)
+    if (def->data != NULL) {
         memcpy(data->bytes, def->data, def->size);
-    else
+    } else {
         memset(data->bytes, 0, def->size);
+    }
     memset(data->bytes + def->size, 0, RHW_BUFFER_PADDING);
     return true;
 }
 
 enum rhw_result rhw_buffer_create(rhw_context *context, const struct rhw_buffer_def *def, rhw_buffer *buffer)
 {
-    if (buffer != NULL)
+    if (buffer != NULL) {
         *buffer = (rhw_buffer){0, 0};
-    if (!check_create(context, def, buffer))
+    }
+    if (!check_create(context, def, buffer)) {
         return RHW_ERROR_MISUSE;
+    }
     rhw_buffer id;
     struct rhw_buffer_data *const data = rhw_pool_add(context, &context->buffers, &id.index, &id.generation);
-    if (data == NULL)
+    if (data == NULL) {
         return RHW_ERROR_OUT_OF_MEMORY;
+    }
     if (!fill(context, data, def)) {
         rhw_pool_remove(&context->buffers, id.index);
         return RHW_ERROR_OUT_OF_MEMORY;
@@ -61,8 +68,10 @@ enum rhw_result rhw_buffer_create(rhw_context *context, const struct rhw_buffer_
 void rhw_buffer_destroy(rhw_context *context, rhw_buffer buffer)
 {
     struct rhw_buffer_data *const data = rhw_context_buffer(context, buffer, "rhw_buffer_destroy");
-    if (data == NULL || !rhw_pool_check_idle(context, &context->buffers, buffer.index, "rhw_buffer_destroy"))
+    if (data == NULL ||
+        !rhw_pool_check_idle(context, &context->buffers, buffer.index, "rhw_buffer_destroy")) {
         return;
+    }
     rhw_buffer_data_release(context, data);
     rhw_pool_remove(&context->buffers, buffer.index);
 }
@@ -71,14 +80,17 @@ void rhw_buffer_write(rhw_context *context, rhw_buffer buffer, size_t offset, co
 {
     static const char *const where = "rhw_buffer_write";
     struct rhw_buffer_data *const target = rhw_context_buffer(context, buffer, where);
-    if (target == NULL || !rhw_pool_check_idle(context, &context->buffers, buffer.index, where))
+    if (target == NULL || !rhw_pool_check_idle(context, &context->buffers, buffer.index, where)) {
         return;
+    }
     if (!rhw_check(context, offset <= target->size && size <= target->size - offset,
                    "%s: offset is %zu and size is %zu; together they must stay within the buffer's %zu bytes",
                    where, offset, size, target->size) ||
         !rhw_check(context, data != NULL || size == 0, "%s: data is NULL; it must point to %zu bytes", where,
-                   size))
+                   size)) {
         return;
-    if (size != 0)
+    }
+    if (size != 0) {
         memcpy(target->bytes + offset, data, size);
+    }
 }

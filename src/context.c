@@ -36,14 +36,17 @@ static void *allocate_default(void *user, size_t size, size_t alignment)
     (void)user;
     const bool large = size >= HUGE_PAGE;
     size_t align = alignment < sizeof(void *) ? sizeof(void *) : alignment;
-    if (large)
+    if (large) {
         align = HUGE_PAGE;
+    }
     void *memory = NULL;
-    if (posix_memalign(&memory, align, size) != 0)
+    if (posix_memalign(&memory, align, size) != 0) {
         return NULL;
+    }
 #if defined(__linux__) && defined(MADV_HUGEPAGE)
-    if (large)
+    if (large) {
         (void)madvise(memory, size & ~(size_t)(HUGE_PAGE - 1), MADV_HUGEPAGE); // advice; may be refused
+    }
 #endif
     return memory;
 }
@@ -66,8 +69,9 @@ static void assert_default(void *user, const char *message)
 
 void rhw_context_log(const struct rhw_context *context, enum rhw_log_level level, const char *format, ...)
 {
-    if (context->log == NULL)
+    if (context->log == NULL) {
         return;
+    }
     char message[MESSAGE_SIZE];
     va_list arguments;
     va_start(arguments, format);
@@ -83,10 +87,11 @@ void rhw_misuse(const struct rhw_context *context, const char *format, ...)
     va_start(arguments, format);
     vsnprintf(message, sizeof message, format, arguments);
     va_end(arguments);
-    if (context == NULL)
+    if (context == NULL) {
         assert_default(NULL, message);
-    else
+    } else {
         context->assert_(context->user, message);
+    }
 }
 
 // Hooks never see a size of 0, whose meaning differs between allocators.
@@ -99,9 +104,11 @@ static void count_allocation(struct rhw_context *context, size_t size)
 {
     const size_t used = atomic_fetch_add_explicit(&context->memory_used, size, memory_order_relaxed) + size;
     size_t peak = atomic_load_explicit(&context->memory_peak, memory_order_relaxed);
-    while (peak < used && !atomic_compare_exchange_weak_explicit(&context->memory_peak, &peak, used,
-                                                                 memory_order_relaxed, memory_order_relaxed))
+    while (peak < used &&
+           !atomic_compare_exchange_weak_explicit(&context->memory_peak, &peak, used, memory_order_relaxed,
+                                                  memory_order_relaxed)) {
         continue;
+    }
 }
 
 void *rhw_context_allocate(struct rhw_context *context, size_t size, size_t alignment)
@@ -109,15 +116,17 @@ void *rhw_context_allocate(struct rhw_context *context, size_t size, size_t alig
     assert(alignment != 0 && (alignment & (alignment - 1)) == 0 && alignment <= LARGEST_ALIGNMENT);
     const struct rhw_allocator *const allocator = &context->allocator;
     void *const memory = allocator->allocate(allocator->user, hook_size(size), alignment);
-    if (memory != NULL)
+    if (memory != NULL) {
         count_allocation(context, hook_size(size));
+    }
     return memory;
 }
 
 void rhw_context_release(struct rhw_context *context, void *memory, size_t size)
 {
-    if (memory == NULL)
+    if (memory == NULL) {
         return;
+    }
     atomic_fetch_sub_explicit(&context->memory_used, hook_size(size), memory_order_relaxed);
     context->allocator.release(context->allocator.user, memory, hook_size(size));
 }
@@ -132,32 +141,36 @@ static bool check_context(const struct rhw_context *context, const char *where)
 struct rhw_buffer_data *rhw_context_buffer(const struct rhw_context *context, rhw_buffer id,
                                            const char *where)
 {
-    if (!check_context(context, where))
+    if (!check_context(context, where)) {
         return NULL;
+    }
     return rhw_pool_get(context, &context->buffers, id.index, id.generation, where);
 }
 
 struct rhw_texture_data *rhw_context_texture(const struct rhw_context *context, rhw_texture id,
                                              const char *where)
 {
-    if (!check_context(context, where))
+    if (!check_context(context, where)) {
         return NULL;
+    }
     return rhw_pool_get(context, &context->textures, id.index, id.generation, where);
 }
 
 struct rhw_sampler_data *rhw_context_sampler(const struct rhw_context *context, rhw_sampler id,
                                              const char *where)
 {
-    if (!check_context(context, where))
+    if (!check_context(context, where)) {
         return NULL;
+    }
     return rhw_pool_get(context, &context->samplers, id.index, id.generation, where);
 }
 
 struct rhw_pipeline_data *rhw_context_pipeline(const struct rhw_context *context, rhw_pipeline id,
                                                const char *where)
 {
-    if (!check_context(context, where))
+    if (!check_context(context, where)) {
         return NULL;
+    }
     return rhw_pool_get(context, &context->pipelines, id.index, id.generation, where);
 }
 
@@ -176,8 +189,9 @@ static void release_texture(struct rhw_context *context, struct rhw_texture_data
 void rhw_context_texture_remove(struct rhw_context *context, rhw_texture id)
 {
     struct rhw_texture_data *const texture = rhw_context_texture(context, id, "rhw_context_texture_remove");
-    if (texture == NULL)
+    if (texture == NULL) {
         return;
+    }
     release_texture(context, texture);
     rhw_pool_remove(&context->textures, id.index);
 }
@@ -186,12 +200,14 @@ static void destroy_resources(struct rhw_context *context)
 {
     uint32_t index = 0;
     struct rhw_buffer_data *buffer;
-    while ((buffer = rhw_pool_next(&context->buffers, &index)) != NULL)
+    while ((buffer = rhw_pool_next(&context->buffers, &index)) != NULL) {
         rhw_buffer_data_release(context, buffer);
+    }
     index = 0;
     struct rhw_texture_data *texture;
-    while ((texture = rhw_pool_next(&context->textures, &index)) != NULL)
+    while ((texture = rhw_pool_next(&context->textures, &index)) != NULL) {
         release_texture(context, texture);
+    }
 
     rhw_pool_destroy(context, &context->buffers);
     rhw_pool_destroy(context, &context->textures);
@@ -209,8 +225,9 @@ bool rhw_isa_supported(enum rhw_isa isa)
 static enum rhw_isa best_isa(enum rhw_isa highest)
 {
     int isa = highest >= RHW_ISA_COUNT ? RHW_ISA_COUNT - 1 : (int)highest;
-    while (isa > RHW_ISA_BASELINE && !rhw_isa_supported((enum rhw_isa)isa))
+    while (isa > RHW_ISA_BASELINE && !rhw_isa_supported((enum rhw_isa)isa)) {
         isa--;
+    }
     return (enum rhw_isa)isa;
 }
 
@@ -230,8 +247,9 @@ static struct rhw_context reporter(const struct rhw_context_def *def)
 static bool check_def(const struct rhw_context_def *def, rhw_context **context)
 {
     static const char *const where = "rhw_context_create";
-    if (!rhw_check(NULL, def != NULL, "%s: def is NULL", where))
+    if (!rhw_check(NULL, def != NULL, "%s: def is NULL", where)) {
         return false;
+    }
     const struct rhw_context report = reporter(def);
     const struct rhw_allocator *const allocator = &def->allocator;
     return rhw_check(&report, context != NULL, "%s: context is NULL", where) &&
@@ -250,25 +268,30 @@ static bool check_def(const struct rhw_context_def *def, rhw_context **context)
 static enum rhw_result create_parts(struct rhw_context *context)
 {
     const enum rhw_result result = rhw_scheduler_create(context, context->threads, &context->scheduler);
-    if (result != RHW_OK)
+    if (result != RHW_OK) {
         return result;
+    }
     return rhw_pass_state_create(context, &context->pass);
 }
 
 enum rhw_result rhw_context_create(const struct rhw_context_def *def, rhw_context **context)
 {
-    if (context != NULL)
+    if (context != NULL) {
         *context = NULL;
-    if (!check_def(def, context))
+    }
+    if (!check_def(def, context)) {
         return RHW_ERROR_MISUSE;
+    }
 
     struct rhw_allocator allocator = def->allocator;
-    if (allocator.allocate == NULL)
+    if (allocator.allocate == NULL) {
         allocator = (struct rhw_allocator){allocate_default, release_default, NULL};
+    }
     struct rhw_context *const created =
         allocator.allocate(allocator.user, sizeof *created, _Alignof(struct rhw_context));
-    if (created == NULL)
+    if (created == NULL) {
         return RHW_ERROR_OUT_OF_MEMORY;
+    }
 
     const enum rhw_isa isa = best_isa(def->isa);
     const int cores = def->threads == 1 ? 1 : rhw_cpu_cores(); // which reads files
@@ -303,10 +326,12 @@ enum rhw_result rhw_context_create(const struct rhw_context_def *def, rhw_contex
 
 void rhw_context_destroy(rhw_context *context)
 {
-    if (context == NULL)
+    if (context == NULL) {
         return;
-    if (context->pass != NULL)
+    }
+    if (context->pass != NULL) {
         rhw_pass_state_destroy(context, context->pass);
+    }
     destroy_resources(context);
     rhw_scheduler_destroy(context, context->scheduler);
     assert(atomic_load(&context->memory_used) == sizeof *context); // else one of our parts leaks

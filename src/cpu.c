@@ -25,8 +25,9 @@ struct cpuid_registers {
 static struct cpuid_registers read_cpuid(uint32_t leaf)
 {
     struct cpuid_registers r = {0, 0, 0, 0};
-    if (!__get_cpuid_count(leaf, 0, &r.eax, &r.ebx, &r.ecx, &r.edx))
+    if (!__get_cpuid_count(leaf, 0, &r.eax, &r.ebx, &r.ecx, &r.edx)) {
         r = (struct cpuid_registers){0, 0, 0, 0};
+    }
     return r;
 }
 
@@ -65,21 +66,25 @@ static bool has_all(uint32_t bits, uint32_t wanted)
 
 bool rhw_cpu_supports(enum rhw_isa isa)
 {
-    if (isa == RHW_ISA_BASELINE)
+    if (isa == RHW_ISA_BASELINE) {
         return true; // SSE2 is part of x86-64
-    if (isa != RHW_ISA_AVX2 && isa != RHW_ISA_AVX512)
+    }
+    if (isa != RHW_ISA_AVX2 && isa != RHW_ISA_AVX512) {
         return false;
+    }
 
     const struct cpuid_registers leaf1 = read_cpuid(1);
-    if (!has_all(leaf1.ecx, LEAF1_ECX_OSXSAVE | LEAF1_ECX_AVX | LEAF1_ECX_F16C | LEAF1_ECX_POPCNT))
+    if (!has_all(leaf1.ecx, LEAF1_ECX_OSXSAVE | LEAF1_ECX_AVX | LEAF1_ECX_F16C | LEAF1_ECX_POPCNT)) {
         return false;
+    }
     const uint32_t xcr0 = read_xcr0();
     const struct cpuid_registers leaf7 = read_cpuid(7);
     const struct cpuid_registers leaf81 = read_cpuid(0x80000001u);
     const bool avx2 = has_all(xcr0, XCR0_XMM_YMM) && has_all(leaf81.ecx, LEAF81_ECX_LZCNT) &&
                       has_all(leaf7.ebx, LEAF7_EBX_AVX2 | LEAF7_EBX_BMI1 | LEAF7_EBX_BMI2);
-    if (isa == RHW_ISA_AVX2)
+    if (isa == RHW_ISA_AVX2) {
         return avx2;
+    }
     return avx2 && has_all(xcr0, XCR0_OPMASK_ZMM) && has_all(leaf7.ebx, leaf7_ebx_avx512vl) &&
            has_all(leaf7.ebx, LEAF7_EBX_AVX512F | LEAF7_EBX_AVX512DQ | LEAF7_EBX_AVX512BW);
 }
@@ -146,8 +151,9 @@ int rhw_cpu_cores(void)
     cpu_set_t set;
     if (sched_getaffinity(0, sizeof set, &set) == 0) {
         const int count = CPU_COUNT(&set);
-        if (count > 0)
+        if (count > 0) {
             return count < most ? count : most;
+        }
     }
 #else
     const int most = 4096;

@@ -40,8 +40,9 @@ size_t rhw_format_size(enum rhw_format format)
 
 size_t rhw_vertex_format_size(enum rhw_vertex_format format)
 {
-    if (!rhw_vertex_format_valid(format))
+    if (!rhw_vertex_format_valid(format)) {
         return 0;
+    }
     return (size_t)rhw_vertex_format_components(format) *
            (size_t)rhw_vertex_type_size(rhw_vertex_format_type(format));
 }

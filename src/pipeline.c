@@ -48,14 +48,16 @@ static bool check_functions(const struct rhw_context *context, const struct rhw_
 static bool check_varyings(const struct rhw_context *context, const struct rhw_program *program)
 {
     static const char *const array = "program.varyings";
-    if (!check_range(context, "program.varying_count", program->varying_count, 0, RHW_MAX_VARYINGS))
+    if (!check_range(context, "program.varying_count", program->varying_count, 0, RHW_MAX_VARYINGS)) {
         return false;
+    }
     int components = 0;
     for (int i = 0; i < program->varying_count; i++) {
         const struct rhw_varying *const varying = &program->varyings[i];
         if (!check_element(context, array, i, "components", varying->components, 1, 4) ||
-            !check_element(context, array, i, "qualifier", varying->qualifier, RHW_SMOOTH, RHW_FLAT))
+            !check_element(context, array, i, "qualifier", varying->qualifier, RHW_SMOOTH, RHW_FLAT)) {
             return false;
+        }
         components += varying->components;
     }
     return rhw_check(context, components <= RHW_MAX_VARYING_COMPONENTS,
@@ -82,8 +84,9 @@ static bool check_attribute(const struct rhw_context *context, const struct rhw_
                        RHW_VERTEX_FORMAT_COUNT - 1) ||
         !rhw_check(context, attribute->buffer >= 0 && attribute->buffer < def->buffer_count,
                    "%s: attributes[%d].buffer is %d; it must be below buffer_count, which is %d", create_name,
-                   index, attribute->buffer, def->buffer_count))
+                   index, attribute->buffer, def->buffer_count)) {
         return false;
+    }
     const uint32_t stride = def->buffers[attribute->buffer].stride;
     const size_t size = rhw_vertex_format_size(attribute->format);
     return rhw_check(
@@ -96,11 +99,13 @@ static bool check_attribute(const struct rhw_context *context, const struct rhw_
 static bool check_vertex_input(const struct rhw_context *context, const struct rhw_pipeline_def *def)
 {
     if (!check_range(context, "buffer_count", def->buffer_count, 0, RHW_MAX_VERTEX_BUFFERS) ||
-        !check_range(context, "attribute_count", def->attribute_count, 0, RHW_MAX_ATTRIBUTES))
+        !check_range(context, "attribute_count", def->attribute_count, 0, RHW_MAX_ATTRIBUTES)) {
         return false;
+    }
     for (int i = 0; i < def->attribute_count; i++) {
-        if (!check_attribute(context, def, i))
+        if (!check_attribute(context, def, i)) {
             return false;
+        }
     }
     return true;
 }
@@ -128,8 +133,9 @@ static bool check_blend(const struct rhw_context *context, int index, const char
 static bool check_target(const struct rhw_context *context, int index, const struct rhw_color_target *target)
 {
     if (!check_element(context, "targets", index, "format", target->format, RHW_FORMAT_NONE + 1,
-                       RHW_FORMAT_COUNT - 1))
+                       RHW_FORMAT_COUNT - 1)) {
         return false;
+    }
     const struct rhw_format_info *const format = rhw_format_info(target->format);
     return rhw_check(context, format->color_target,
                      "%s: targets[%d].format is %s; it must be a format that can be drawn into as colour",
@@ -144,11 +150,13 @@ static bool check_target(const struct rhw_context *context, int index, const str
 
 static bool check_targets(const struct rhw_context *context, const struct rhw_pipeline_def *def)
 {
-    if (!check_range(context, "target_count", def->target_count, 0, RHW_MAX_COLOR_ATTACHMENTS))
+    if (!check_range(context, "target_count", def->target_count, 0, RHW_MAX_COLOR_ATTACHMENTS)) {
         return false;
+    }
     for (int i = 0; i < def->target_count; i++) {
-        if (!check_target(context, i, &def->targets[i]))
+        if (!check_target(context, i, &def->targets[i])) {
             return false;
+        }
     }
     return true;
 }
@@ -168,10 +176,12 @@ static bool check_create(const struct rhw_context *context, const struct rhw_pip
 static void resolve_functions(struct rhw_pipeline_data *data, enum rhw_isa isa)
 {
     for (int i = RHW_ISA_BASELINE; i <= (int)isa; i++) {
-        if (data->def.program.vertex[i] != NULL)
+        if (data->def.program.vertex[i] != NULL) {
             data->vertex = data->def.program.vertex[i];
-        if (data->def.program.fragment[i] != NULL)
+        }
+        if (data->def.program.fragment[i] != NULL) {
             data->fragment = data->def.program.fragment[i];
+        }
     }
 }
 
@@ -207,15 +217,18 @@ static void pair_slopes(struct rhw_pipeline_data *data)
 enum rhw_result rhw_pipeline_create(rhw_context *context, const struct rhw_pipeline_def *def,
                                     rhw_pipeline *pipeline)
 {
-    if (pipeline != NULL)
+    if (pipeline != NULL) {
         *pipeline = (rhw_pipeline){0, 0};
-    if (!check_create(context, def, pipeline))
+    }
+    if (!check_create(context, def, pipeline)) {
         return RHW_ERROR_MISUSE;
+    }
     rhw_pipeline id;
     struct rhw_pipeline_data *const data =
         rhw_pool_add(context, &context->pipelines, &id.index, &id.generation);
-    if (data == NULL)
+    if (data == NULL) {
         return RHW_ERROR_OUT_OF_MEMORY;
+    }
     data->def = *def;
     resolve_functions(data, context->isa);
     lay_out_varyings(data);
@@ -227,6 +240,7 @@ enum rhw_result rhw_pipeline_create(rhw_context *context, const struct rhw_pipel
 void rhw_pipeline_destroy(rhw_context *context, rhw_pipeline pipeline)
 {
     if (rhw_context_pipeline(context, pipeline, "rhw_pipeline_destroy") != NULL &&
-        rhw_pool_check_idle(context, &context->pipelines, pipeline.index, "rhw_pipeline_destroy"))
+        rhw_pool_check_idle(context, &context->pipelines, pipeline.index, "rhw_pipeline_destroy")) {
         rhw_pool_remove(&context->pipelines, pipeline.index);
+    }
 }

@@ -63,8 +63,9 @@ void rhw_pool_init(struct rhw_pool *pool, const char *noun, size_t item_size)
 
 void rhw_pool_destroy(struct rhw_context *context, struct rhw_pool *pool)
 {
-    for (int i = 0; i < RHW_POOL_CHUNKS && pool->chunks[i] != NULL; i++)
+    for (int i = 0; i < RHW_POOL_CHUNKS && pool->chunks[i] != NULL; i++) {
         rhw_context_release(context, pool->chunks[i], chunk_size(pool, i));
+    }
     rhw_pool_init(pool, pool->noun, pool->item_size);
 }
 
@@ -78,12 +79,14 @@ static uint32_t take_slot(struct rhw_context *context, struct rhw_pool *pool)
     }
     const uint32_t index = pool->slots + 1;
     const struct place place = place_of(index);
-    if (place.chunk == RHW_POOL_CHUNKS)
+    if (place.chunk == RHW_POOL_CHUNKS) {
         return 0;
+    }
     if (pool->chunks[place.chunk] == NULL) {
         void *const block = rhw_context_allocate(context, chunk_size(pool, place.chunk), RHW_CACHE_LINE);
-        if (block == NULL)
+        if (block == NULL) {
             return 0;
+        }
         pool->chunks[place.chunk] = block;
     }
     pool->slots = index;
@@ -94,8 +97,9 @@ static uint32_t take_slot(struct rhw_context *context, struct rhw_pool *pool)
 void *rhw_pool_add(struct rhw_context *context, struct rhw_pool *pool, uint32_t *index, uint32_t *generation)
 {
     const uint32_t taken = take_slot(context, pool);
-    if (taken == 0)
+    if (taken == 0) {
         return NULL;
+    }
     struct slot *const slot = slot_at(pool, taken);
     slot->next_free = live;
     slot->used = 0;
@@ -111,8 +115,9 @@ void rhw_pool_remove(struct rhw_pool *pool, uint32_t index)
     slot->generation++;
     slot->next_free = 0;
     // After 2^32 lives a slot rests for good: an id of its first life must stay stale.
-    if (slot->generation == 0)
+    if (slot->generation == 0) {
         return;
+    }
     slot->next_free = pool->free;
     pool->free = index;
 }
@@ -155,8 +160,9 @@ void *rhw_pool_next(const struct rhw_pool *pool, uint32_t *index)
 {
     while (*index < pool->slots) {
         ++*index;
-        if (slot_at(pool, *index)->next_free == live)
+        if (slot_at(pool, *index)->next_free == live) {
             return item_at(pool, *index);
+        }
     }
     return NULL;
 }

@@ -56,15 +56,18 @@ static bool takes_codes(const struct rhw_sampler_def *def)
 enum rhw_result rhw_sampler_create(rhw_context *context, const struct rhw_sampler_def *def,
                                    rhw_sampler *sampler)
 {
-    if (sampler != NULL)
+    if (sampler != NULL) {
         *sampler = (rhw_sampler){0, 0};
-    if (!check_create(context, def, sampler))
+    }
+    if (!check_create(context, def, sampler)) {
         return RHW_ERROR_MISUSE;
+    }
     rhw_sampler id;
     struct rhw_sampler_data *const data =
         rhw_pool_add(context, &context->samplers, &id.index, &id.generation);
-    if (data == NULL)
+    if (data == NULL) {
         return RHW_ERROR_OUT_OF_MEMORY;
+    }
     *data = (struct rhw_sampler_data){.def = *def, .takes_codes = takes_codes(def)};
     for (int lane = 0; lane < RHW_LANES; lane++) {
         data->slope_bias[lane] = def->lod_bias - 16.0f;
@@ -78,6 +81,7 @@ enum rhw_result rhw_sampler_create(rhw_context *context, const struct rhw_sample
 void rhw_sampler_destroy(rhw_context *context, rhw_sampler sampler)
 {
     if (rhw_context_sampler(context, sampler, "rhw_sampler_destroy") != NULL &&
-        rhw_pool_check_idle(context, &context->samplers, sampler.index, "rhw_sampler_destroy"))
+        rhw_pool_check_idle(context, &context->samplers, sampler.index, "rhw_sampler_destroy")) {
         rhw_pool_remove(&context->samplers, sampler.index);
+    }
 }

@@ -79,8 +79,9 @@ static void run_tasks(struct rhw_scheduler *scheduler, int worker)
         finished++;
         unclaimed = atomic_load_explicit(&scheduler->unclaimed, memory_order_relaxed);
     }
-    if (finished == 0)
+    if (finished == 0) {
         return;
+    }
     atomic_fetch_add_explicit(&scheduler->busy_ns, rhw_time_ns() - start, memory_order_relaxed);
     // Until this thread reports, the job cannot end and no other can start: all its tasks were of one job.
     // Sequentially consistent against the caller, which announces its sleep and then looks once more.
@@ -107,8 +108,9 @@ static bool spin_until(const struct rhw_scheduler *scheduler, bool (*ready)(cons
 {
     if (scheduler->crowded) {
         for (int i = 0; i < YIELDS_WHEN_CROWDED; i++) {
-            if (ready(scheduler))
+            if (ready(scheduler)) {
                 return true;
+            }
             rhw_thread_yield();
         }
         return ready(scheduler);
@@ -116,8 +118,9 @@ static bool spin_until(const struct rhw_scheduler *scheduler, bool (*ready)(cons
     const uint64_t end = rhw_time_ns() + spin_ns;
     do {
         for (int i = 0; i < RELAX_PER_CLOCK; i++) {
-            if (ready(scheduler))
+            if (ready(scheduler)) {
                 return true;
+            }
             rhw_cpu_relax();
         }
     } while (rhw_time_ns() < end);
@@ -130,8 +133,9 @@ static void sleep_until_work(struct rhw_scheduler *scheduler)
     // Announce, then look: the caller publishes, then looks for sleepers. Both are sequentially consistent,
     // so that one of the two sees the other.
     atomic_fetch_add(&scheduler->sleepers, 1);
-    while (!work_waits(scheduler))
+    while (!work_waits(scheduler)) {
         rhw_condition_wait(&scheduler->work, &scheduler->mutex);
+    }
     atomic_fetch_sub(&scheduler->sleepers, 1);
     rhw_mutex_unlock(&scheduler->mutex);
 }
@@ -143,8 +147,9 @@ static void *worker_main(void *user)
     (void)rhw_cpu_float_enter();
     while (!atomic_load(&scheduler->quit)) {
         run_tasks(scheduler, worker->number);
-        if (!spin_until(scheduler, work_waits))
+        if (!spin_until(scheduler, work_waits)) {
             sleep_until_work(scheduler);
+        }
     }
     return NULL;
 }
@@ -152,14 +157,16 @@ static void *worker_main(void *user)
 static void wake_workers(struct rhw_scheduler *scheduler, uint32_t wanted)
 {
     const uint32_t sleepers = atomic_load(&scheduler->sleepers);
-    if (sleepers == 0)
+    if (sleepers == 0) {
         return;
+    }
     rhw_mutex_lock(&scheduler->mutex);
     if (wanted >= sleepers) {
         rhw_condition_broadcast(&scheduler->work);
     } else {
-        for (uint32_t i = 0; i < wanted; i++)
+        for (uint32_t i = 0; i < wanted; i++) {
             rhw_condition_signal(&scheduler->work);
+        }
     }
     rhw_mutex_unlock(&scheduler->mutex);
 }
@@ -169,8 +176,9 @@ static void stop_workers(struct rhw_scheduler *scheduler, int started)
 {
     atomic_store(&scheduler->quit, true);
     wake_workers(scheduler, UINT32_MAX);
-    for (int i = 0; i < started; i++)
+    for (int i = 0; i < started; i++) {
         rhw_thread_join(&scheduler->workers[i].thread);
+    }
 }
 
 static bool start_workers(struct rhw_scheduler *scheduler)
@@ -188,8 +196,9 @@ static bool start_workers(struct rhw_scheduler *scheduler)
 
 static bool init_locks(struct rhw_scheduler *scheduler)
 {
-    if (!rhw_mutex_init(&scheduler->mutex))
+    if (!rhw_mutex_init(&scheduler->mutex)) {
         return false;
+    }
     if (!rhw_condition_init(&scheduler->work)) {
         rhw_mutex_destroy(&scheduler->mutex);
         return false;
@@ -216,8 +225,9 @@ enum rhw_result rhw_scheduler_create(struct rhw_context *context, int threads,
     *scheduler = NULL;
     struct rhw_scheduler *const created =
         rhw_context_allocate(context, scheduler_size(threads), _Alignof(struct rhw_scheduler));
-    if (created == NULL)
+    if (created == NULL) {
         return RHW_ERROR_OUT_OF_MEMORY;
+    }
     *created = (struct rhw_scheduler){.threads = threads, .crowded = threads > context->cores};
     if (!init_locks(created)) {
         rhw_context_release(context, created, scheduler_size(threads));
@@ -234,8 +244,9 @@ enum rhw_result rhw_scheduler_create(struct rhw_context *context, int threads,
 
 void rhw_scheduler_destroy(struct rhw_context *context, struct rhw_scheduler *scheduler)
 {
-    if (scheduler == NULL)
+    if (scheduler == NULL) {
         return;
+    }
     stop_workers(scheduler, scheduler->threads - 1);
     destroy_locks(scheduler);
     rhw_context_release(context, scheduler, scheduler_size(scheduler->threads));
@@ -243,26 +254,30 @@ void rhw_scheduler_destroy(struct rhw_context *context, struct rhw_scheduler *sc
 
 static void wait_for_job(struct rhw_scheduler *scheduler)
 {
-    if (spin_until(scheduler, job_is_done))
+    if (spin_until(scheduler, job_is_done)) {
         return;
+    }
     rhw_mutex_lock(&scheduler->mutex);
     atomic_store(&scheduler->caller_sleeps, true);
-    while (!job_is_done(scheduler))
+    while (!job_is_done(scheduler)) {
         rhw_condition_wait(&scheduler->done, &scheduler->mutex);
+    }
     atomic_store(&scheduler->caller_sleeps, false);
     rhw_mutex_unlock(&scheduler->mutex);
 }
 
 uint64_t rhw_scheduler_run(struct rhw_scheduler *scheduler, rhw_task_function *task, void *user, int count)
 {
-    if (count <= 0)
+    if (count <= 0) {
         return 0;
+    }
     const uint64_t environment = rhw_cpu_float_enter();
     uint64_t busy_ns;
     if (scheduler->threads == 1 || count == 1) {
         const uint64_t start = rhw_time_ns();
-        for (int i = 0; i < count; i++)
+        for (int i = 0; i < count; i++) {
             task(user, i, 0);
+        }
         busy_ns = rhw_time_ns() - start;
     } else {
         scheduler->task = task;

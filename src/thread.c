@@ -85,8 +85,9 @@ static bool create_with_signals_blocked(struct rhw_thread *thread, const pthread
     sigdelset(&all, SIGTRAP);
     sigdelset(&all, SIGABRT);
     sigdelset(&all, SIGPROF); // sampling profilers
-    if (pthread_sigmask(SIG_SETMASK, &all, &before) != 0)
+    if (pthread_sigmask(SIG_SETMASK, &all, &before) != 0) {
         return false;
+    }
     const bool created = pthread_create(&thread->handle, attributes, entry, user) == 0;
     pthread_sigmask(SIG_SETMASK, &before, NULL);
     return created;
@@ -95,8 +96,9 @@ static bool create_with_signals_blocked(struct rhw_thread *thread, const pthread
 bool rhw_thread_create(struct rhw_thread *thread, void *(*entry)(void *user), void *user)
 {
     pthread_attr_t attributes;
-    if (pthread_attr_init(&attributes) != 0)
+    if (pthread_attr_init(&attributes) != 0) {
         return false;
+    }
     const bool created = pthread_attr_setstacksize(&attributes, STACK_SIZE) == 0 &&
                          create_with_signals_blocked(thread, &attributes, entry, user);
     pthread_attr_destroy(&attributes);

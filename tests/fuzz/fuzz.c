@@ -76,36 +76,42 @@ static int compare_files(const void *a, const void *b)
 static void collect(struct fuzz *fuzz, const char *path)
 {
     struct stat status;
-    if (stat(path, &status) != 0)
+    if (stat(path, &status) != 0) {
         die("cannot read", path);
+    }
     if (S_ISREG(status.st_mode) && fuzz->file_count < MAX_FILES) {
         struct file *file = &fuzz->files[fuzz->file_count++];
-        if (realpath(path, file->path) == NULL)
+        if (realpath(path, file->path) == NULL) {
             die("cannot resolve", path);
+        }
         return;
     }
     DIR *folder = S_ISDIR(status.st_mode) ? opendir(path) : NULL;
     for (struct dirent *entry; folder != NULL && (entry = readdir(folder)) != NULL;) {
         char below[1024];
         if (entry->d_name[0] == '.' ||
-            snprintf(below, sizeof below, "%s/%s", path, entry->d_name) >= (int)sizeof below)
+            snprintf(below, sizeof below, "%s/%s", path, entry->d_name) >= (int)sizeof below) {
             continue;
+        }
         collect(fuzz, below);
     }
-    if (folder != NULL)
+    if (folder != NULL) {
         closedir(folder);
+    }
 }
 
 static unsigned char *load(const char *path, size_t *size)
 {
     FILE *stream = fopen(path, "rb");
-    if (stream == NULL)
+    if (stream == NULL) {
         die("cannot open", path);
+    }
     unsigned char *data = NULL;
     size_t used = 0, room = 0;
     for (size_t got = 1; got > 0; used += got) {
-        if (room - used < 65536)
+        if (room - used < 65536) {
             data = realloc(data, room += 1 << 20);
+        }
         got = fread(data + used, 1, room - used, stream);
     }
     fclose(stream);
@@ -116,8 +122,9 @@ static unsigned char *load(const char *path, size_t *size)
 static void save(const char *path, const void *data, size_t size)
 {
     FILE *stream = fopen(path, "wb");
-    if (stream == NULL || fwrite(data, 1, size, stream) != size || fclose(stream) != 0)
+    if (stream == NULL || fwrite(data, 1, size, stream) != size || fclose(stream) != 0) {
         die("cannot write", path);
+    }
 }
 
 // Runs the program in the working folder; its output goes to files there. Returns the exit status, or
@@ -125,16 +132,18 @@ static void save(const char *path, const void *data, size_t size)
 static int run(const struct fuzz *fuzz, const char *const arguments[])
 {
     const pid_t child = fork();
-    if (child < 0)
+    if (child < 0) {
         die("cannot fork for", fuzz->rhw);
+    }
     if (child == 0) {
         // A group of its own: where it has to be stopped, its children are stopped with it.
         setpgid(0, 0);
         const int in = open("/dev/null", O_RDONLY),
                   out = open("../stdout", O_WRONLY | O_CREAT | O_TRUNC, 0600);
         const int err = open("../stderr", O_WRONLY | O_CREAT | O_TRUNC, 0600);
-        if (in < 0 || out < 0 || err < 0 || dup2(in, 0) < 0 || dup2(out, 1) < 0 || dup2(err, 2) < 0)
+        if (in < 0 || out < 0 || err < 0 || dup2(in, 0) < 0 || dup2(out, 1) < 0 || dup2(err, 2) < 0) {
             _exit(125);
+        }
         execv(fuzz->rhw, (char *const *)(uintptr_t)arguments);
         _exit(126);
     }
@@ -199,12 +208,14 @@ static bool check_files(bool picture, char *problem, size_t size)
     DIR *folder = opendir(".");
     bool fine = true, found = false;
     for (struct dirent *entry; (entry = readdir(folder)) != NULL && fine;) {
-        if (strcmp(entry->d_name, ".") == 0 || strcmp(entry->d_name, "..") == 0)
+        if (strcmp(entry->d_name, ".") == 0 || strcmp(entry->d_name, "..") == 0) {
             continue;
+        }
         found = strcmp(entry->d_name, "out.png") == 0;
         fine = found && picture && is_whole_png("out.png");
-        if (!fine)
+        if (!fine) {
             snprintf(problem, size, "%s is left behind%s", entry->d_name, picture ? ", or not whole" : "");
+        }
     }
     closedir(folder);
     if (fine && picture && !found) {
@@ -221,11 +232,12 @@ static bool check_run(struct fuzz *fuzz, const char *const arguments[], bool ren
 {
     fuzz->runs++;
     const int status = run(fuzz, arguments);
-    if (status == -1)
+    if (status == -1) {
         snprintf(problem, size, "it takes longer than %d s", TIME_LIMIT);
-    else if (status > 1)
+    } else if (status > 1) {
         snprintf(problem, size, status > 128 ? "signal %d" : "exit status %d",
                  status > 128 ? status - 128 : status);
+    }
     if (status != 0 && status != 1) {
         unlink("out.png");
         return false;
@@ -241,8 +253,9 @@ static bool check_model(struct fuzz *fuzz, const char *model, const char *name)
                                   "--size",  "32x32",  "--threads", "2",  NULL};
     char problem[1024] = "";
     if (check_run(fuzz, info, false, problem, sizeof problem) &&
-        check_run(fuzz, render, true, problem, sizeof problem))
+        check_run(fuzz, render, true, problem, sizeof problem)) {
         return true;
+    }
     fuzz->failures++;
     printf("%s: %s\n", name, problem);
     return false;
@@ -273,8 +286,9 @@ static void replay(struct fuzz *fuzz)
 {
     for (int i = 0; i < fuzz->file_count; i++) {
         check_model(fuzz, fuzz->files[i].path, fuzz->files[i].path);
-        if (is_image(fuzz->files[i].path))
+        if (is_image(fuzz->files[i].path)) {
             check_image(fuzz, fuzz->files[i].path);
+        }
     }
 }
 
@@ -282,8 +296,9 @@ static void replay(struct fuzz *fuzz)
 
 static void flip_bytes(unsigned char *data, size_t size)
 {
-    for (uint32_t n = 1 + pick(8); n > 0 && size > 0; n--)
+    for (uint32_t n = 1 + pick(8); n > 0 && size > 0; n--) {
         data[pick((uint32_t)size)] ^= (unsigned char)(1u << pick(8));
+    }
 }
 
 // Values that sit on the edges of what readers check.
@@ -294,8 +309,9 @@ static void plant_integer(unsigned char *data, size_t size)
                                       0x7f800000, 0x7fc00000, 0x00000100, 0x3fffffff, 0x55555556};
     const uint32_t value = values[pick(sizeof values / sizeof *values)];
     const size_t width = (size_t)1 << pick(3);
-    if (size >= width)
+    if (size >= width) {
         memcpy(data + pick((uint32_t)(size - width + 1)), &value, width);
+    }
 }
 
 // Replaces the number that stands at or after some place of a text by another one of any length.
@@ -307,15 +323,18 @@ static size_t plant_number(unsigned char *data, size_t size, size_t room)
         "1e-46", "0.1.2",      "--3",        "999999999999", "",
         "[]",    "\"a\"",      "null"};
     size_t at = size > 0 ? pick((uint32_t)size) : 0;
-    while (at < size && !isdigit(data[at]))
+    while (at < size && !isdigit(data[at])) {
         at++;
+    }
     size_t end = at;
-    while (end < size && (isdigit(data[end]) || data[end] == '.'))
+    while (end < size && (isdigit(data[end]) || data[end] == '.')) {
         end++;
+    }
     const char *number = numbers[pick(sizeof numbers / sizeof *numbers)];
     const size_t length = strlen(number);
-    if (at == size || size - (end - at) + length > room)
+    if (at == size || size - (end - at) + length > room) {
         return size;
+    }
     memmove(data + at + length, data + end, size - end);
     memcpy(data + at, number, length);
     return size - (end - at) + length;
@@ -331,8 +350,9 @@ static size_t cut_out(unsigned char *data, size_t size)
 static size_t repeat_part(unsigned char *data, size_t size, size_t room)
 {
     const size_t at = pick((uint32_t)size + 1), length = pick((uint32_t)(size - at) + 1);
-    if (size + length > room)
+    if (size + length > room) {
         return size;
+    }
     memmove(data + at + length, data + at, size - at);
     return size + length;
 }
@@ -341,8 +361,9 @@ static size_t repeat_part(unsigned char *data, size_t size, size_t room)
 static size_t splice(unsigned char *data, size_t size, const struct file *other, size_t room)
 {
     const size_t at = pick((uint32_t)size + 1);
-    if (at >= other->size)
+    if (at >= other->size) {
         return at;
+    }
     const size_t length = other->size - at < room - at ? other->size - at : room - at;
     memcpy(data + at, other->data + at, length);
     return at + length;
@@ -370,10 +391,11 @@ static void drop_large_files(struct fuzz *fuzz)
     for (int i = 0; i < fuzz->file_count; i++) {
         struct file *file = &fuzz->files[i];
         file->data = load(file->path, &file->size);
-        if (file->size <= MAX_SEED_SIZE && file->size > 0)
+        if (file->size <= MAX_SEED_SIZE && file->size > 0) {
             fuzz->files[kept++] = *file;
-        else
+        } else {
             free(file->data);
+        }
     }
     fuzz->file_count = kept;
 }
@@ -412,16 +434,19 @@ int main(int argc, char **argv)
         fprintf(stderr, "usage: fuzz RHW replay PATH...\n       fuzz RHW mutate COUNT SEED PATH...\n");
         return 2;
     }
-    if (realpath(argv[1], rhw) == NULL)
+    if (realpath(argv[1], rhw) == NULL) {
         die("cannot resolve", argv[1]);
+    }
     fuzz.rhw = rhw;
-    for (int i = mutates ? 5 : 3; i < argc; i++)
+    for (int i = mutates ? 5 : 3; i < argc; i++) {
         collect(&fuzz, argv[i]);
+    }
     qsort(fuzz.files, (size_t)fuzz.file_count, sizeof *fuzz.files, compare_files);
     snprintf(fuzz.folder, sizeof fuzz.folder, "fuzz-XXXXXX");
     if (mkdtemp(fuzz.folder) == NULL || chdir(fuzz.folder) != 0 || mkdir("work", 0700) != 0 ||
-        chdir("work") != 0)
+        chdir("work") != 0) {
         die("cannot make", fuzz.folder);
+    }
     if (mutates) {
         random_state = strtoull(argv[4], NULL, 0);
         fuzz_models(&fuzz, atoi(argv[3]));

@@ -56,10 +56,12 @@ static int scene_count;
 
 static void list_scenes(void)
 {
-    for (int i = 0; golden_shape_name(i) != NULL; i++)
+    for (int i = 0; golden_shape_name(i) != NULL; i++) {
         scenes[scene_count++] = (struct scene){golden_shape_name(i), golden_shape_draw, i};
-    for (int i = 0; i < FEATURES; i++)
+    }
+    for (int i = 0; i < FEATURES; i++) {
         scenes[scene_count++] = features[i];
+    }
 }
 
 // False where this machine cannot make the threads.
@@ -67,8 +69,9 @@ static bool draw(int number, const struct rhw_context_def *def, struct golden_im
 {
     rhw_context *context;
     const enum rhw_result result = rhw_context_create(def, &context);
-    if (result == RHW_ERROR_THREAD)
+    if (result == RHW_ERROR_THREAD) {
         return false;
+    }
     golden_check(result, scenes[number].name);
     scenes[number].draw(context, scenes[number].number, images);
     rhw_context_destroy(context);
@@ -78,8 +81,9 @@ static bool draw(int number, const struct rhw_context_def *def, struct golden_im
 static uint64_t hash_scene(int number, const struct rhw_context_def *def)
 {
     struct golden_images images = {0};
-    if (!draw(number, def, &images))
+    if (!draw(number, def, &images)) {
         return 0;
+    }
     uint64_t hash = GOLDEN_HASH_START;
     for (int i = 0; i < images.count; i++) {
         const struct golden_image *image = &images.image[i];
@@ -132,15 +136,17 @@ static void show_pixel(const struct golden_image *image, size_t pixel, unsigned 
         memcpy(value, at, 4);
         value[1] = value[2] = value[0];
     }
-    for (int c = 0; c < 3; c++)
+    for (int c = 0; c < 3; c++) {
         rgb[c] = display(value[c]);
+    }
 }
 
 static int show(const char *name, const char *file)
 {
     int number = 0;
-    while (number < scene_count && strcmp(scenes[number].name, name) != 0)
+    while (number < scene_count && strcmp(scenes[number].name, name) != 0) {
         number++;
+    }
     struct golden_images images = {0};
     const struct rhw_context_def def = rhw_context_def_default();
     if (number == scene_count || !draw(number, &def, &images)) {
@@ -153,18 +159,21 @@ static int show(const char *name, const char *file)
         height = images.image[i].height > height ? images.image[i].height : height;
     }
     FILE *stream = fopen(file, "wb");
-    if (stream == NULL)
+    if (stream == NULL) {
         return 2;
+    }
     fprintf(stream, "P6\n%d %d\n255\n", width, height);
     for (int y = 0; y < height; y++) {
         for (int i = 0; i < images.count; i++) {
             const struct golden_image *image = &images.image[i];
             unsigned char rgb[3] = {255, 255, 255};
-            for (int x = 0; i > 0 && x < 4; x++)
+            for (int x = 0; i > 0 && x < 4; x++) {
                 fwrite(rgb, 1, 3, stream);
+            }
             for (int x = 0; x < image->width; x++) {
-                if (y < image->height)
+                if (y < image->height) {
                     show_pixel(image, (size_t)y * (size_t)image->width + (size_t)x, rgb);
+                }
                 fwrite(rgb, 1, 3, stream);
             }
         }
@@ -187,8 +196,9 @@ int main(int argc, char **argv)
     list_scenes();
     const bool shows = argc == 4 && strcmp(argv[1], "--show") == 0;
     find_models(shows || argc < 2 ? "tests/golden/" : argv[1]);
-    if (shows)
+    if (shows) {
         return show(argv[2], argv[3]);
+    }
     const struct golden_set set = {scene_count, scene_name, hash_scene};
     return golden_main(&set, argc, argv);
 }

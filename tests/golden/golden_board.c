@@ -43,8 +43,9 @@ rhw_pipeline golden_pipeline(rhw_context *context, const struct rhw_pipeline_def
 
 void golden_give(struct golden_images *images, enum rhw_format format, int width, int height, void *pixels)
 {
-    if (images->count == GOLDEN_MAX_IMAGES || pixels == NULL)
+    if (images->count == GOLDEN_MAX_IMAGES || pixels == NULL) {
         golden_check(RHW_ERROR_OUT_OF_MEMORY, "images");
+    }
     images->image[images->count++] = (struct golden_image){format, width, height, pixels};
 }
 
@@ -60,8 +61,9 @@ void golden_keep(struct golden_images *images, rhw_context *context, rhw_texture
 
 void golden_images_free(struct golden_images *images)
 {
-    for (int i = 0; i < images->count; i++)
+    for (int i = 0; i < images->count; i++) {
         free(images->image[i].pixels);
+    }
     images->count = 0;
 }
 
@@ -111,6 +113,7 @@ void golden_board_end(struct golden_board *board)
 
 void golden_board_keep(const struct golden_board *board, struct golden_images *images)
 {
-    for (int i = 0; i < board->count; i++)
+    for (int i = 0; i < board->count; i++) {
         golden_keep(images, board->context, board->targets[i]);
+    }
 }

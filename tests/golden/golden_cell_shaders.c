@@ -27,8 +27,9 @@ static void instanced(struct rhw_vertex *groups, int count)
         v->position[1] = p[1] * place[2] + place[1] * p[3];
         v->position[2] = p[2];
         v->position[3] = p[3];
-        for (int c = 0; c < 4; c++)
+        for (int c = 0; c < 4; c++) {
             v->varying[c] = v->attribute[1][c] * v->attribute[3][c];
+        }
         v->varying[4] = rhw_to_float(v->vertex_index);
         v->varying[5] = rhw_to_float(v->instance_index);
     }
@@ -54,8 +55,9 @@ static void value(struct rhw_fragment *groups, int count)
     const struct golden_cell_uniforms *u = groups->uniforms;
     for (int g = 0; g < count; g++) {
         for (int t = 0; t < u->targets; t++) {
-            for (int c = 0; c < 4; c++)
+            for (int c = 0; c < 4; c++) {
                 groups[g].color[t][c] = groups[g].varying[c];
+            }
         }
     }
 }
@@ -64,8 +66,9 @@ static void facing(struct rhw_fragment *groups, int count)
 {
     for (int g = 0; g < count; g++) {
         struct rhw_fragment *f = &groups[g];
-        for (int c = 0; c < 4; c++)
+        for (int c = 0; c < 4; c++) {
             f->color[0][c] = rhw_select(f->front_facing, f->varying[c], 1.0f - f->varying[c]);
+        }
     }
 }
 
@@ -115,8 +118,9 @@ static void builtins(struct rhw_fragment *groups, int count)
         }
         for (int i = 0; i < 4; i++) {
             const rhw_float last = rhw_select(f->front_facing, rhw_splat(1), rhw_splat(0.5f));
-            for (int c = 0; c < 3; c++)
+            for (int c = 0; c < 3; c++) {
                 f->color[1 + i][c] = i < 2 ? three[i][c] : three[i][c] * 16.0f + 0.5f;
+            }
             f->color[1 + i][3] = last;
         }
         f->color[7][0] = (rhw_float)(f->primitive + f->front_facing * 1000);
@@ -134,8 +138,9 @@ static void heights(struct rhw_fragment *groups, int count)
         const rhw_float slope[3] = {f->ddx[0] + f->ddy[0], f->ddx[1] + f->ddy[1], rhw_splat(0.02f)};
         rhw_float unit[3];
         rhw_normalize(slope, unit);
-        for (int c = 0; c < 3; c++)
+        for (int c = 0; c < 3; c++) {
             f->color[0][c] = f->varying[2] * 0.5f + unit[c] * 0.25f + 0.25f;
+        }
         f->color[0][2] = f->varying[3];
         f->color[0][3] = rhw_splat(1);
     }
@@ -199,8 +204,9 @@ static void maths(struct rhw_fragment *groups, int count)
         rhw_float result = rhw_splat(0);
         for (int which = 0; which < 32; which++) {
             const rhw_int here = rhw_equal_int(cell, rhw_splat_int(which));
-            if (rhw_any(here))
+            if (rhw_any(here)) {
                 result = rhw_select(here, evaluate(which, a, b), result);
+            }
         }
         f->color[0][0] = result;
     }

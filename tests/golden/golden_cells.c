@@ -29,8 +29,9 @@ void golden_cells_fill(struct rhw_program *program, enum golden_cell_vertex vert
     golden_cells_avx512(program, RHW_ISA_AVX512, vertex, fragment);
 #endif
     program->uses = uses[fragment];
-    if (fragment == GOLDEN_CELL_VALUE || fragment == GOLDEN_CELL_MATHS)
+    if (fragment == GOLDEN_CELL_VALUE || fragment == GOLDEN_CELL_MATHS) {
         program->uniform_size = sizeof(struct golden_cell_uniforms);
+    }
 }
 
 struct rhw_pipeline_def golden_cells_def(enum golden_cell_fragment fragment, enum rhw_format format)

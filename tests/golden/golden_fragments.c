@@ -41,16 +41,18 @@ void golden_builtins_draw(rhw_context *context, int number, struct golden_images
     (void)number;
     enum { SIDE = 128, COUNT = 8 };
     enum rhw_format formats[COUNT + 1];
-    for (int i = 0; i < COUNT; i++)
+    for (int i = 0; i < COUNT; i++) {
         formats[i] = RHW_FORMAT_RGBA32_FLOAT;
+    }
     formats[COUNT - 1] = RHW_FORMAT_R32_UINT;
     formats[COUNT] = RHW_FORMAT_D32_FLOAT;
     struct golden_board board;
     golden_board_make(&board, context, SIDE, SIDE, formats, COUNT + 1);
     golden_board_begin(&board);
     struct rhw_pipeline_def def = golden_cells_def(GOLDEN_CELL_BUILTINS, formats[0]);
-    for (int i = 0; i < COUNT; i++)
+    for (int i = 0; i < COUNT; i++) {
         def.targets[i] = (struct rhw_color_target){.format = formats[i], .write_mask = 15};
+    }
     def.target_count = COUNT;
     def.depth_test = true;
     rhw_pass_set_vertex_buffer(context, board.pass, 0, assembly(context), 0);
@@ -127,8 +129,9 @@ static void single_fragment(struct rhw_fragment1 *fragment)
     fragment->color[0][1] = texel[1] * fragment->barycentric[0];
     fragment->color[0][2] = fragment->barycentric_noperspective[1] + rhw_atan2_1(v[1], v[0]) * 0.1f;
     fragment->color[0][3] = 1 - 0.1f * (float)fragment->primitive - v[4];
-    for (int c = 0; c < 3; c++)
+    for (int c = 0; c < 3; c++) {
         fragment->color[1][c] = fragment->barycentric_ddx[c] * 16 + fragment->barycentric_ddy[c] * 8 + 0.5f;
+    }
     fragment->color[1][3] = (float)(fragment->instance + fragment->draw);
 }
 

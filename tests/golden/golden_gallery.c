@@ -31,8 +31,9 @@ static void make_faces(struct rhw_mesh *mesh, int faces)
     mesh->tangents = golden_allocate(mesh->vertex_count, sizeof *mesh->tangents);
     mesh->colors = golden_allocate(mesh->vertex_count, sizeof *mesh->colors);
     mesh->indices = golden_allocate(mesh->index_count, sizeof *mesh->indices);
-    for (int set = 0; set < RHW_UV_SETS; set++)
+    for (int set = 0; set < RHW_UV_SETS; set++) {
         mesh->uvs[set] = golden_allocate(mesh->vertex_count, sizeof *mesh->uvs[set]);
+    }
     uint32_t v = 0, i = 0;
     for (int face = 0; face < faces; face++) {
         const int axis = face / 2, along_u = (axis + 1) % 3, along_v = (axis + 2) % 3;
@@ -94,8 +95,9 @@ static void make_spiral(struct rhw_mesh *mesh, enum rhw_primitive primitive)
         y = x * 0.6f + y * 0.75f;
         x = turned;
     }
-    for (uint32_t i = 0; i < mesh->index_count; i++)
+    for (uint32_t i = 0; i < mesh->index_count; i++) {
         mesh->indices[i] = primitive == RHW_PRIMITIVE_LINES ? (i + 1) / 2 : i;
+    }
 }
 
 static void make_images(struct rhw_image *images)
@@ -244,8 +246,9 @@ static const struct rhw_model *make_gallery(void)
         const int shape = i < MATERIALS ? BALL : extra[i - MATERIALS];
         model->meshes[i] = shapes[shape];
         model->meshes[i].material = (uint32_t)(i < MATERIALS ? i : shape == PLATE ? 8 : 11);
-        if (i % 4 != 1 && shape == BALL)
+        if (i % 4 != 1 && shape == BALL) {
             model->meshes[i].colors = NULL; // they colour every fourth ball
+        }
         place(&model->instances[i], (uint32_t)i, i % 5, i / 5, 1);
     }
     make_lights(model);
@@ -270,8 +273,9 @@ static struct rhw_model_camera file_camera(bool orthographic)
 static void give(struct golden_images *images, enum rhw_format format, const struct rhw_pictures *pictures,
                  void *pixels)
 {
-    if (pixels == NULL)
+    if (pixels == NULL) {
         return;
+    }
     const size_t size = rhw_format_size(format) * (size_t)pictures->width * (size_t)pictures->height;
     void *const copy = golden_allocate(size, 1);
     memcpy(copy, pixels, size);
@@ -292,8 +296,9 @@ static void draw_model(rhw_context *context, const struct rhw_model *model, cons
     golden_check(rhw_scene_draw(scene, view, &p, NULL), "model");
     give(images, RHW_FORMAT_RGBA8_SRGB, &p, p.color);
     float *const wide[] = {p.linear, p.display, p.normal, p.position, p.uv, p.barycentric};
-    for (int i = 0; i < 6; i++)
+    for (int i = 0; i < 6; i++) {
         give(images, RHW_FORMAT_RGBA32_FLOAT, &p, wide[i]);
+    }
     give(images, RHW_FORMAT_R32_FLOAT, &p, p.depth);
     give(images, RHW_FORMAT_R32_FLOAT, &p, p.distance);
     give(images, RHW_FORMAT_R32_UINT, &p, p.object);
@@ -305,8 +310,9 @@ static void draw_model(rhw_context *context, const struct rhw_model *model, cons
 void golden_gallery_draw(rhw_context *context, int number, struct golden_images *images)
 {
     static const struct rhw_model *model;
-    if (model == NULL)
+    if (model == NULL) {
         model = make_gallery();
+    }
     struct rhw_view view = rhw_view_default(model);
     view.width = number == 3 ? 120 : 200;
     view.height = number == 3 ? 160 : 130;

@@ -91,8 +91,9 @@ static void read_normal(FILE *file, float normal[3])
     signed char bytes[3];
     read_bytes(file, bytes, sizeof bytes);
     const float square = (float)(bytes[0] * bytes[0] + bytes[1] * bytes[1] + bytes[2] * bytes[2]);
-    for (int c = 0; c < 3; c++)
+    for (int c = 0; c < 3; c++) {
         normal[c] = square > 0 ? (float)bytes[c] / __builtin_sqrtf(square) : c == 2 ? 1.0f : 0.0f;
+    }
 }
 
 static void read_mesh(FILE *file, struct rhw_mesh *mesh)
@@ -111,16 +112,19 @@ static void read_mesh(FILE *file, struct rhw_mesh *mesh)
     mesh->normals = golden_allocate(mesh->vertex_count, sizeof *mesh->normals);
     mesh->indices = golden_allocate(mesh->index_count, sizeof *mesh->indices);
     for (uint32_t v = 0; v < mesh->vertex_count; v++) {
-        for (int c = 0; c < 3; c++)
+        for (int c = 0; c < 3; c++) {
             mesh->positions[v][c] = between(low[c], high[c], read_u16(file));
+        }
     }
-    for (uint32_t v = 0; v < mesh->vertex_count; v++)
+    for (uint32_t v = 0; v < mesh->vertex_count; v++) {
         read_normal(file, mesh->normals[v]);
+    }
     if (coordinates) {
         mesh->uvs[0] = golden_allocate(mesh->vertex_count, sizeof *mesh->uvs[0]);
         for (uint32_t v = 0; v < mesh->vertex_count; v++) {
-            for (int c = 0; c < 2; c++)
+            for (int c = 0; c < 2; c++) {
                 mesh->uvs[0][v][c] = between(low[3 + c], high[3 + c], read_u16(file));
+            }
         }
     }
     for (uint32_t i = 0; i < mesh->index_count; i++) {
@@ -158,8 +162,9 @@ void golden_model_complete(struct rhw_model *model)
             mesh->bounds_min[c] = large;
             mesh->bounds_max[c] = -large;
         }
-        for (uint32_t i = 0; i < mesh->index_count; i++)
+        for (uint32_t i = 0; i < mesh->index_count; i++) {
             widen(mesh->bounds_min, mesh->bounds_max, mesh->positions[mesh->indices[i]]);
+        }
         model->triangles_stored += mesh->index_count / corners[mesh->primitive];
     }
     for (uint32_t i = 0; i < model->instance_count; i++) {
@@ -172,8 +177,9 @@ void golden_model_complete(struct rhw_model *model)
         for (uint32_t v = 0; v < mesh->index_count; v++) {
             const float *const p = mesh->positions[mesh->indices[v]];
             float point[3];
-            for (int c = 0; c < 3; c++)
+            for (int c = 0; c < 3; c++) {
                 point[c] = m[c] * p[0] + m[4 + c] * p[1] + m[8 + c] * p[2] + m[12 + c];
+            }
             widen(model->bounds_min, model->bounds_max, point);
         }
         model->triangles_drawn += mesh->index_count / corners[mesh->primitive];
@@ -199,12 +205,15 @@ const struct rhw_model *golden_model_file_read(const char *path)
     model->materials = golden_allocate(model->material_count, sizeof *model->materials);
     model->meshes = golden_allocate(model->mesh_count, sizeof *model->meshes);
     model->instances = golden_allocate(model->instance_count, sizeof *model->instances);
-    for (uint32_t i = 0; i < model->image_count; i++)
+    for (uint32_t i = 0; i < model->image_count; i++) {
         read_image(file, &model->images[i]);
-    for (uint32_t i = 0; i < model->material_count; i++)
+    }
+    for (uint32_t i = 0; i < model->material_count; i++) {
         read_material(file, &model->materials[i]);
-    for (uint32_t i = 0; i < model->mesh_count; i++)
+    }
+    for (uint32_t i = 0; i < model->mesh_count; i++) {
         read_mesh(file, &model->meshes[i]);
+    }
     for (uint32_t i = 0; i < model->instance_count; i++) {
         model->instances[i].mesh = read_u32(file);
         read_floats(file, model->instances[i].world, 16);

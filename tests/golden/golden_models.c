@@ -51,8 +51,9 @@ static uint64_t hash_plane(uint64_t hash, const void *plane, size_t texel)
 
 static uint64_t hash_model(int number, const struct rhw_context_def *def)
 {
-    if (access(models[number], R_OK) != 0)
+    if (access(models[number], R_OK) != 0) {
         return 0;
+    }
     const struct rhw_model *model = load(number);
     rhw_context *context;
     struct rhw_scene *scene;
@@ -70,12 +71,14 @@ static uint64_t hash_model(int number, const struct rhw_context_def *def)
     uint64_t hash = GOLDEN_HASH_START;
     const void *const planes[] = {pictures.color, pictures.depth, pictures.distance, pictures.object,
                                   pictures.triangle};
-    for (int i = 0; i < 5; i++)
+    for (int i = 0; i < 5; i++) {
         hash = hash_plane(hash, planes[i], 4);
+    }
     const void *const wide[] = {pictures.linear,   pictures.display, pictures.normal,
                                 pictures.position, pictures.uv,      pictures.barycentric};
-    for (int i = 0; i < 6; i++)
+    for (int i = 0; i < 6; i++) {
         hash = hash_plane(hash, wide[i], 16);
+    }
     rhw_pictures_free(&pictures);
     rhw_scene_destroy(scene);
     rhw_context_destroy(context);

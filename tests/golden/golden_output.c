@@ -39,8 +39,9 @@ static rhw_buffer quads(rhw_context *context)
 static void set_targets(struct rhw_pipeline_def *def, const enum rhw_format *formats, int count)
 {
     def->target_count = count;
-    for (int i = 0; i < count; i++)
+    for (int i = 0; i < count; i++) {
         def->targets[i] = (struct rhw_color_target){.format = formats[i], .write_mask = 15};
+    }
 }
 
 // The first quad everywhere, then what is tested over it.
@@ -123,8 +124,9 @@ void golden_formats_draw(rhw_context *context, int number, struct golden_images 
     struct golden_board board;
     golden_board_make(&board, context, SIDE, SIDE, formats, COUNT);
     const float hostile[COUNT] = {-2, 3, 70000, -1e-42f, 1e30f, -1e30f, 1e-40f, 4.0e9f};
-    for (int i = 0; i < COUNT; i++)
+    for (int i = 0; i < COUNT; i++) {
         board.def.colors[i].clear[0] = hostile[i];
+    }
     golden_board_begin(&board);
     const struct golden_cell_uniforms uniforms = {.targets = COUNT};
     rhw_pass_set_uniforms(context, board.pass, &uniforms, sizeof uniforms);
@@ -137,8 +139,9 @@ void golden_formats_draw(rhw_context *context, int number, struct golden_images 
         for (int i = 0; i < 6; i++) {
             struct golden_vertex *vertex = &vertices[12 * row + i];
             const int side = vertex->position[0] > 0;
-            for (int c = 0; c < 4; c++)
+            for (int c = 0; c < 4; c++) {
                 vertex->value[c] = values[row][c % 2 ? 1 - side : side];
+            }
         }
     }
     const rhw_buffer buffer = golden_buffer(context, vertices, sizeof vertices);
@@ -190,8 +193,9 @@ void golden_passes_draw(rhw_context *context, int number, struct golden_images *
         rhw_pass_set_pipeline(context, board.pass, golden_pipeline(context, &def));
         // What is loaded by DISCARD is covered whole.
         const struct rhw_rect scissor = {pass * 20, pass * 25, SIDE - pass * 40, SIDE - pass * 45};
-        if (pass < 3)
+        if (pass < 3) {
             rhw_pass_set_scissor(context, board.pass, &scissor);
+        }
         rhw_pass_draw(context, board.pass, pass % 2 ? 6 : 0, 6, 0, 1);
         golden_board_end(&board);
         if (pass == 1) {

@@ -14,8 +14,9 @@ enum { SIDE = 128 };
 
 static void write_u32(FILE *file, uint32_t value)
 {
-    for (int i = 0; i < 4; i++)
+    for (int i = 0; i < 4; i++) {
         putc((int)(value >> 8 * i & 0xff), file);
+    }
 }
 
 static void write_u16(FILE *file, uint32_t value)
@@ -37,8 +38,9 @@ static void write_floats(FILE *file, const float *floats, int count)
 static void write_image(FILE *file, const struct rhw_image *image)
 {
     uint32_t step = 1;
-    while (image->width / step > SIDE || image->height / step > SIDE)
+    while (image->width / step > SIDE || image->height / step > SIDE) {
         step *= 2;
+    }
     const uint32_t width = image->width / step, height = image->height / step;
     const unsigned char *const texels = image->texels;
     write_u32(file, width);
@@ -46,8 +48,9 @@ static void write_image(FILE *file, const struct rhw_image *image)
     for (uint32_t at = 0; at < width * height * 3; at++) {
         const uint32_t x = at / 3 % width * step, y = at / 3 / width * step;
         uint32_t sum = 0;
-        for (uint32_t i = 0; i < step * step; i++)
+        for (uint32_t i = 0; i < step * step; i++) {
             sum += texels[((size_t)(y + i / step) * image->width + x + i % step) * 4 + at % 3];
+        }
         putc((int)(sum / (step * step)), file);
     }
 }
@@ -75,8 +78,9 @@ static void write_mesh(FILE *file, const struct rhw_mesh *mesh)
     write_u32(file, mesh->index_count);
     write_u32(file, mesh->uvs[0] != NULL);
     float low[5] = {INFINITY, INFINITY, INFINITY, INFINITY, INFINITY}, high[5];
-    for (int c = 0; c < 5; c++)
+    for (int c = 0; c < 5; c++) {
         high[c] = -low[c];
+    }
     for (uint32_t v = 0; v < mesh->vertex_count; v++) {
         for (int c = 0; c < 5; c++) {
             const float value = c < 3 ? mesh->positions[v][c] : mesh->uvs[0] ? mesh->uvs[0][v][c - 3] : 0;
@@ -89,30 +93,36 @@ static void write_mesh(FILE *file, const struct rhw_mesh *mesh)
     write_floats(file, low + 3, 2);
     write_floats(file, high + 3, 2);
     for (uint32_t v = 0; v < mesh->vertex_count; v++) {
-        for (int c = 0; c < 3; c++)
+        for (int c = 0; c < 3; c++) {
             write_u16(file, place(low[c], high[c], mesh->positions[v][c]));
+        }
     }
     for (uint32_t v = 0; v < mesh->vertex_count; v++) {
-        for (int c = 0; c < 3; c++)
+        for (int c = 0; c < 3; c++) {
             putc((int)lrintf(mesh->normals[v][c] * 127) & 0xff, file);
+        }
     }
     for (uint32_t v = 0; v < mesh->vertex_count && mesh->uvs[0]; v++) {
-        for (int c = 0; c < 2; c++)
+        for (int c = 0; c < 2; c++) {
             write_u16(file, place(low[3 + c], high[3 + c], mesh->uvs[0][v][c]));
+        }
     }
-    for (uint32_t i = 0; i < mesh->index_count; i++)
+    for (uint32_t i = 0; i < mesh->index_count; i++) {
         write_u16(file, mesh->indices[i]);
+    }
 }
 
 static const char *refuse(const struct rhw_model *model)
 {
     for (uint32_t i = 0; i < model->mesh_count; i++) {
-        if (model->meshes[i].primitive != RHW_PRIMITIVE_TRIANGLES || model->meshes[i].vertex_count > 65536)
+        if (model->meshes[i].primitive != RHW_PRIMITIVE_TRIANGLES || model->meshes[i].vertex_count > 65536) {
             return "a mesh is not of triangles, or has more than 65536 vertices";
+        }
     }
     for (uint32_t i = 0; i < model->image_count; i++) {
-        if (model->images[i].type != RHW_IMAGE_RGBA8)
+        if (model->images[i].type != RHW_IMAGE_RGBA8) {
             return "an image has more than 8 bits per channel";
+        }
     }
     return NULL;
 }
@@ -136,12 +146,15 @@ int main(int argc, char **argv)
     write_u32(file, model->material_count);
     write_u32(file, model->mesh_count);
     write_u32(file, model->instance_count);
-    for (uint32_t i = 0; i < model->image_count; i++)
+    for (uint32_t i = 0; i < model->image_count; i++) {
         write_image(file, &model->images[i]);
-    for (uint32_t i = 0; i < model->material_count; i++)
+    }
+    for (uint32_t i = 0; i < model->material_count; i++) {
         write_material(file, &model->materials[i]);
-    for (uint32_t i = 0; i < model->mesh_count; i++)
+    }
+    for (uint32_t i = 0; i < model->mesh_count; i++) {
         write_mesh(file, &model->meshes[i]);
+    }
     for (uint32_t i = 0; i < model->instance_count; i++) {
         write_u32(file, model->instances[i].mesh);
         write_floats(file, model->instances[i].world, 16);

@@ -47,8 +47,9 @@ void golden_depth_draw(rhw_context *context, int number, struct golden_images *i
         golden_cell(context, board.pass, cell % COMPARES, row, SIDE, SIDE);
         const struct rhw_viewport reversed = {
             (float)(cell % COMPARES * SIDE), (float)(row * SIDE), SIDE, SIDE, 0.875f, 0.125f};
-        if (row == 4)
+        if (row == 4) {
             rhw_pass_set_viewport(context, board.pass, &reversed);
+        }
         use(&board, &def);
         rhw_pass_draw(context, board.pass, 0, 12, 0, 1);
     }

@@ -17,10 +17,12 @@ static void transform(struct rhw_vertex *groups, int count)
             const float *m = u->matrix + row;
             v->position[row] = p[0] * m[0] + p[1] * m[4] + p[2] * m[8] + m[12];
         }
-        for (int c = 0; c < 3; c++)
+        for (int c = 0; c < 3; c++) {
             v->varying[c] = p[c];
-        for (int c = 0; c < 4; c++)
+        }
+        for (int c = 0; c < 4; c++) {
             v->varying[3 + c] = v->attribute[1][c];
+        }
     }
 }
 
@@ -32,11 +34,13 @@ static void lit(struct rhw_fragment *groups, int count)
         rhw_float normal[3], view[3], half[3];
         const rhw_float light[3] = {rhw_splat(u->light[0]), rhw_splat(u->light[1]), rhw_splat(u->light[2])};
         rhw_normalize(f->varying, normal);
-        for (int c = 0; c < 3; c++)
+        for (int c = 0; c < 3; c++) {
             view[c] = u->eye[c] - f->varying[c];
+        }
         rhw_normalize(view, view);
-        for (int c = 0; c < 3; c++)
+        for (int c = 0; c < 3; c++) {
             half[c] = view[c] + light[c];
+        }
         rhw_normalize(half, half);
         const rhw_float diffuse = rhw_max(rhw_dot3(normal, light), rhw_splat(0));
         const rhw_float gloss = rhw_pow(rhw_max(rhw_dot3(normal, half), rhw_splat(0)), rhw_splat(48.5f));
@@ -66,8 +70,9 @@ static void glass(struct rhw_fragment *groups, int count)
 {
     for (int g = 0; g < count; g++) {
         struct rhw_fragment *f = &groups[g];
-        for (int c = 0; c < 4; c++)
+        for (int c = 0; c < 4; c++) {
             f->color[0][c] = f->varying[3 + c];
+        }
         f->mask &= rhw_fract(f->varying[0] * 7.0f + f->varying[1] * 5.0f) > 0.25f;
     }
 }

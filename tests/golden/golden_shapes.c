@@ -51,8 +51,9 @@ static void add_sphere_part(struct mesh *mesh, const float a[3], const float b[3
             sum[k] = p[k] + q[k];
             square += sum[k] * sum[k];
         }
-        for (int k = 0; k < 3; k++)
+        for (int k = 0; k < 3; k++) {
             middle[i][k] = sum[k] / sqrtf(square);
+        }
     }
     add_sphere_part(mesh, a, middle[0], middle[2], depth - 1);
     add_sphere_part(mesh, b, middle[1], middle[0], depth - 1);
@@ -65,10 +66,11 @@ static void make_sphere(struct mesh *mesh, int depth)
     for (int octant = 0; octant < 8; octant++) {
         const float x = octant & 1 ? -1 : 1, y = octant & 2 ? -1 : 1, z = octant & 4 ? -1 : 1;
         const float px[3] = {x, 0, 0}, py[3] = {0, y, 0}, pz[3] = {0, 0, z};
-        if (x * y * z > 0)
+        if (x * y * z > 0) {
             add_sphere_part(mesh, px, py, pz, depth);
-        else
+        } else {
             add_sphere_part(mesh, px, pz, py, depth);
+        }
     }
 }
 
@@ -88,15 +90,18 @@ static void make_shards(struct mesh *mesh, int count, float size, float alpha)
     uint64_t random = 7;
     for (int i = 0; i < count; i++) {
         float center[3], value[4];
-        for (int c = 0; c < 3; c++)
+        for (int c = 0; c < 3; c++) {
             center[c] = golden_random(&random, -1.5f, 1.5f);
-        for (int c = 0; c < 3; c++)
+        }
+        for (int c = 0; c < 3; c++) {
             value[c] = golden_random(&random, 0, 1);
+        }
         value[3] = alpha;
         for (int k = 0; k < 3; k++) {
             float position[3];
-            for (int c = 0; c < 3; c++)
+            for (int c = 0; c < 3; c++) {
                 position[c] = center[c] + golden_random(&random, -size, size);
+            }
             add(mesh, position, value);
         }
     }
@@ -108,8 +113,9 @@ static struct golden_uniforms make_uniforms(float distance)
     const float near = 0.1f, far = 60, focal = 2.3652225f;
     // From the side that the eye sees: the front of a ball, or its inside at the back.
     struct golden_uniforms uniforms = {.eye = {0, 0, distance, 1}, .light = {0.48f, 0.6f, 0.64f, 0}};
-    if (distance < 1)
+    if (distance < 1) {
         uniforms.light[2] = -uniforms.light[2];
+    }
     uniforms.matrix[0] = focal * 0.75f;
     uniforms.matrix[5] = focal;
     uniforms.matrix[10] = -far / (far - near);

@@ -10,8 +10,9 @@
 uint64_t golden_hash(uint64_t hash, const void *data, size_t size)
 {
     const unsigned char *bytes = data;
-    for (size_t i = 0; i < size; i++)
+    for (size_t i = 0; i < size; i++) {
         hash = (hash ^ bytes[i]) * UINT64_C(0x100000001b3);
+    }
     return hash;
 }
 
@@ -27,8 +28,9 @@ static int configurations(struct rhw_context_def defs[8])
     }
     defs[1].bin_memory = 1 << 16;
     for (int isa = RHW_ISA_BASELINE + 1; isa < RHW_ISA_COUNT; isa++) {
-        if (!rhw_isa_supported((enum rhw_isa)isa))
+        if (!rhw_isa_supported((enum rhw_isa)isa)) {
             continue;
+        }
         defs[count] = rhw_context_def_default();
         defs[count].isa = (enum rhw_isa)isa;
         defs[count++].threads = 2;
@@ -43,8 +45,9 @@ static uint64_t hash_everywhere(const struct golden_set *set, int number, int *f
     const int count = configurations(defs);
     const uint64_t first = set->hash(number, &defs[0]);
     for (int i = 1; i < count && first != 0; i++) {
-        if (set->hash(number, &defs[i]) == first)
+        if (set->hash(number, &defs[i]) == first) {
             continue;
+        }
         printf("%s: other bytes with %d threads, %s, bin memory %zu\n", set->name(number), defs[i].threads,
                rhw_isa_name(defs[i].isa), defs[i].bin_memory);
         *failed += 1;
@@ -60,8 +63,9 @@ static uint64_t look_up(FILE *table, const char *name)
     rewind(table);
     while (fgets(line, sizeof line, table) != NULL) {
         uint64_t hash;
-        if (sscanf(line, "%" SCNx64 " %399[^\n]", &hash, entry) == 2 && strcmp(entry, name) == 0)
+        if (sscanf(line, "%" SCNx64 " %399[^\n]", &hash, entry) == 2 && strcmp(entry, name) == 0) {
             return hash;
+        }
     }
     return 0;
 }
@@ -95,8 +99,9 @@ static int print_matrix(const struct golden_set *set, FILE *table, const char *t
 {
     bool same = true;
     for (int isa = 0; isa < RHW_ISA_COUNT; isa++) {
-        if (!rhw_isa_supported((enum rhw_isa)isa))
+        if (!rhw_isa_supported((enum rhw_isa)isa)) {
             continue;
+        }
         const char *at = threads;
         while (*at != '\0') {
             char *end;
@@ -135,8 +140,9 @@ int golden_main(const struct golden_set *set, int argc, char **argv)
     for (int i = 0; i < set->count; i++) {
         const int failed_before = failed;
         const uint64_t hash = hash_everywhere(set, i, &failed);
-        if (failed != failed_before)
+        if (failed != failed_before) {
             continue;
+        }
         if (hash == 0) {
             skipped++;
         } else if (update) {

@@ -41,14 +41,15 @@ static rhw_texture make_texture(rhw_context *context, enum rhw_format format, in
         for (int c = 0; c < 4; c++) {
             const float value = pattern(i % width, i / width, c, floats);
             const uint16_t half = rhw_half_from_float(value);
-            if (format == RHW_FORMAT_RGBA16_FLOAT)
+            if (format == RHW_FORMAT_RGBA16_FLOAT) {
                 memcpy(at + 2 * c, &half, sizeof half);
-            else if (size >= 4 * sizeof value * (size_t)(c + 1) / 4 && size != 4)
+            } else if (size >= 4 * sizeof value * (size_t)(c + 1) / 4 && size != 4) {
                 memcpy(at + 4 * c, &value, sizeof value);
-            else if (c == 0 && (format == RHW_FORMAT_R32_FLOAT || format == RHW_FORMAT_D32_FLOAT))
+            } else if (c == 0 && (format == RHW_FORMAT_R32_FLOAT || format == RHW_FORMAT_D32_FLOAT)) {
                 memcpy(at, &value, sizeof value);
-            else if ((size_t)c < size && format != RHW_FORMAT_R32_FLOAT && format != RHW_FORMAT_D32_FLOAT)
+            } else if ((size_t)c < size && format != RHW_FORMAT_R32_FLOAT && format != RHW_FORMAT_D32_FLOAT) {
                 at[c] = (unsigned char)(value * 255.0f);
+            }
         }
     }
     rhw_texture_write(context, texture, 0, texels, 0);

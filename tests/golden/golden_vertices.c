@@ -38,8 +38,9 @@ void golden_vertex_format_draw(rhw_context *context, int number, struct golden_i
     rhw_pass_set_uniforms(context, board.pass, &uniforms, sizeof uniforms);
     unsigned char bytes[512];
     uint64_t random = 3;
-    for (size_t i = 0; i < sizeof bytes; i++)
+    for (size_t i = 0; i < sizeof bytes; i++) {
         bytes[i] = (unsigned char)golden_random(&random, 0, 256);
+    }
     const rhw_buffer rough = golden_buffer(context, bytes, sizeof bytes);
     for (size_t i = 0; i + 1 < sizeof bytes; i += 2) { // halves, floats and large integers stay within 0..1
         bytes[i] &= 0x7f;
@@ -85,8 +86,9 @@ void golden_instances_draw(rhw_context *context, int number, struct golden_image
     for (int i = 0; i < COUNT; i++) {
         for (int c = 0; c < 4; c++) {
             instances[i].factor[c] = (unsigned char)golden_random(&random, 64, 256);
-            if (c < 3)
+            if (c < 3) {
                 instances[i].place[c] = golden_random(&random, c < 2 ? -1.0f : 0.05f, c < 2 ? 1.0f : 0.3f);
+            }
         }
     }
     const rhw_buffer buffer = golden_buffer(context, instances, sizeof instances);
@@ -103,8 +105,9 @@ void golden_instances_draw(rhw_context *context, int number, struct golden_image
                           draw < 2 ? GOLDEN_CELL_VALUE : GOLDEN_CELL_IDS);
         def.program.varyings[1] = (struct rhw_varying){2, RHW_FLAT, false};
         def.program.varying_count = 2;
-        for (int i = 1; i < 4; i++)
+        for (int i = 1; i < 4; i++) {
             def.targets[i] = (struct rhw_color_target){.format = formats[i], .write_mask = draw < 2 ? 0 : 15};
+        }
         def.target_count = 4;
         def.topology = draw == 3 ? RHW_TRIANGLE_LIST : RHW_TRIANGLE_FAN;
         def.attributes[2] = (struct rhw_attribute){RHW_VERTEX_FLOAT3, 1, offsetof(struct instance, place)};
@@ -124,10 +127,11 @@ void golden_instances_draw(rhw_context *context, int number, struct golden_image
         rhw_pass_set_vertex_buffer(context, board.pass, 1, buffer, 0);
         rhw_pass_set_vertex_buffer(context, board.pass, 2, shape, 0);
         rhw_pass_set_index_buffer(context, board.pass, indices, RHW_INDEX_UINT16, 0);
-        if (draw < 3)
+        if (draw < 3) {
             rhw_pass_draw(context, board.pass, 0, 8, (uint32_t)draw * 15, 15);
-        else
+        } else {
             rhw_pass_draw_indexed(context, board.pass, 0, 12, 1, 45, 20); // some instances outside the buffer
+        }
     }
     golden_board_end(&board);
     golden_board_keep(&board, images);

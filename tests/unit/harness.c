@@ -18,17 +18,20 @@ void rig_misuse(void *user, const char *message)
 
 void rig_expect_misuse(struct rig *rig, const char *part)
 {
-    if (rig->misuses != 1)
+    if (rig->misuses != 1) {
         fail_msg("%d misuses reported where 1 was made (%s)", rig->misuses, part);
-    if (strstr(rig->message, part) == NULL)
+    }
+    if (strstr(rig->message, part) == NULL) {
         fail_msg("the message \"%s\" does not name %s", rig->message, part);
+    }
     rig->misuses = 0;
 }
 
 static void expect_ok(const struct rig *rig, enum rhw_result result)
 {
-    if (result != RHW_OK)
+    if (result != RHW_OK) {
         fail_msg("%s: %s", rhw_result_string(result), rig->message);
+    }
 }
 
 void rig_vertex_pass(struct rhw_vertex *groups, int count)
@@ -44,8 +47,9 @@ void rig_vertex_pass(struct rhw_vertex *groups, int count)
 void rig_fragment_pass(struct rhw_fragment *groups, int count)
 {
     for (int g = 0; g < count; g++) {
-        for (int c = 0; c < 4; c++)
+        for (int c = 0; c < 4; c++) {
             groups[g].color[0][c] = groups[g].varying[c];
+        }
     }
 }
 
@@ -105,17 +109,20 @@ void rig_open(struct rig *rig, int width, int height)
 
 static void destroy_objects(struct rig *rig)
 {
-    for (int i = 0; i < rig->objects.buffer_count; i++)
+    for (int i = 0; i < rig->objects.buffer_count; i++) {
         rhw_buffer_destroy(rig->context, rig->objects.buffers[i]);
-    for (int i = 0; i < rig->objects.pipeline_count; i++)
+    }
+    for (int i = 0; i < rig->objects.pipeline_count; i++) {
         rhw_pipeline_destroy(rig->context, rig->objects.pipelines[i]);
+    }
     rig->objects.buffer_count = rig->objects.pipeline_count = 0;
 }
 
 void rig_close(struct rig *rig)
 {
-    if (rig->misuses != 0)
+    if (rig->misuses != 0) {
         fail_msg("misuse reported: %s", rig->message);
+    }
     destroy_objects(rig);
     rhw_context_destroy(rig->context);
     free(rig->objects.buffers);
@@ -138,13 +145,15 @@ static rhw_texture create_target(struct rig *rig, enum rhw_format format)
 void rig_set_target(struct rig *rig, int index, enum rhw_format format)
 {
     struct rhw_color_attachment *attachment = &rig->pass.colors[index];
-    if (index < rig->pass.color_count)
+    if (index < rig->pass.color_count) {
         rhw_texture_destroy(rig->context, attachment->texture);
-    else
+    } else {
         rig->pass.color_count = index + 1;
+    }
     *attachment = (struct rhw_color_attachment){.texture = create_target(rig, format)};
-    if (index >= rig->pipeline.target_count)
+    if (index >= rig->pipeline.target_count) {
         rig->pipeline.target_count = index + 1;
+    }
     rig->pipeline.targets[index] = rhw_pipeline_def_default().targets[0];
     rig->pipeline.targets[index].format = format;
 }
@@ -240,8 +249,9 @@ const float *rig_read_depth(struct rig *rig)
 uint64_t rig_hash_bytes(uint64_t hash, const void *data, size_t size)
 {
     const unsigned char *bytes = data;
-    for (size_t i = 0; i < size; i++)
+    for (size_t i = 0; i < size; i++) {
         hash = (hash ^ bytes[i]) * UINT64_C(0x100000001b3);
+    }
     return hash;
 }
 

@@ -25,11 +25,14 @@ int remove_directory(void **state)
 {
     (void)state;
     DIR *listing = opendir(directory);
-    if (listing == NULL)
+    if (listing == NULL) {
         return -1;
-    for (const struct dirent *entry = readdir(listing); entry != NULL; entry = readdir(listing))
-        if (entry->d_name[0] != '.')
+    }
+    for (const struct dirent *entry = readdir(listing); entry != NULL; entry = readdir(listing)) {
+        if (entry->d_name[0] != '.') {
             unlink(path_of(entry->d_name));
+        }
+    }
     closedir(listing);
     return rmdir(directory);
 }
@@ -69,8 +72,9 @@ struct rhw_model *load(const char *name)
 {
     char error[512] = "";
     struct rhw_model *model = rhw_model_load(path_of(name), NULL, error, sizeof error);
-    if (model == NULL)
+    if (model == NULL) {
         fail_msg("%s: %s", name, error);
+    }
     return model;
 }
 
@@ -84,19 +88,24 @@ void expect_refused(const char *name, const char *cause)
 {
     char error[512] = "";
     struct rhw_model *model = rhw_model_load(path_of(name), NULL, error, sizeof error);
-    if (model != NULL)
+    if (model != NULL) {
         fail_msg("%s was accepted; expected: %s", name, cause);
-    if (strstr(error, cause) == NULL)
+    }
+    if (strstr(error, cause) == NULL) {
         fail_msg("%s: \"%s\" does not hold \"%s\"", name, error, cause);
-    if (strchr(error, '\n') != NULL)
+    }
+    if (strchr(error, '\n') != NULL) {
         fail_msg("%s: more than one line: %s", name, error);
+    }
 }
 
 bool has_warning(const struct rhw_model *model, const char *part)
 {
-    for (uint32_t i = 0; i < model->warning_count; i++)
-        if (strstr(model->warnings[i], part) != NULL)
+    for (uint32_t i = 0; i < model->warning_count; i++) {
+        if (strstr(model->warnings[i], part) != NULL) {
             return true;
+        }
+    }
     return false;
 }
 
@@ -122,7 +131,9 @@ const char *data_uri(const void *bytes, size_t size)
 
 void assert_floats(const float *values, const float *expected, int count, float tolerance)
 {
-    for (int i = 0; i < count; i++)
-        if (!(fabsf(values[i] - expected[i]) <= tolerance))
+    for (int i = 0; i < count; i++) {
+        if (!(fabsf(values[i] - expected[i]) <= tolerance)) {
             fail_msg("value %d is %.9g, not %.9g", i, (double)values[i], (double)expected[i]);
+        }
+    }
 }

@@ -18,16 +18,20 @@ bool ref_covers(const struct ref_triangle *t, int pixel_x, int pixel_y)
 {
     const int64_t x_8 = (int64_t)pixel_x * 256 + 128, y_8 = (int64_t)pixel_y * 256 + 128;
     const int64_t area = edge(t, 0, t->x_8[0], t->y_8[0]);
-    if (area == 0)
+    if (area == 0) {
         return false;
+    }
     for (int i = 0; i < 3; i++) {
         int64_t sign = edge(t, i, x_8, y_8);
-        if (sign == 0)
+        if (sign == 0) {
             sign = edge(t, i, x_8 + 1, y_8);
-        if (sign == 0)
+        }
+        if (sign == 0) {
             sign = edge(t, i, x_8, y_8 + 1);
-        if ((sign > 0) != (area > 0))
+        }
+        if ((sign > 0) != (area > 0)) {
             return false;
+        }
     }
     return true;
 }
@@ -48,8 +52,9 @@ struct ref_weights ref_weights_at(const struct ref_triangle *t, double x, double
         reciprocal += weights.screen[i] / t->w[i];
     }
     weights.w = 1 / reciprocal;
-    for (int i = 0; i < 3; i++)
+    for (int i = 0; i < 3; i++) {
         weights.space[i] = weights.screen[i] * weights.w / t->w[i];
+    }
     return weights;
 }
 
@@ -68,8 +73,9 @@ struct ref_weights ref_weights_homogeneous(const double v[3][3], double x, doubl
         weights.space[i] /= sum;
         weights.w += weights.space[i] * v[i][2];
     }
-    for (int i = 0; i < 3; i++)
+    for (int i = 0; i < 3; i++) {
         weights.screen[i] = weights.space[i] * v[i][2] / weights.w;
+    }
     return weights;
 }
 
@@ -110,9 +116,11 @@ double ref_half(uint16_t bits)
 {
     const int exponent = (bits >> 10) & 31, mantissa = bits & 1023;
     const double sign = (bits >> 15) != 0 ? -1 : 1;
-    if (exponent == 31)
+    if (exponent == 31) {
         return mantissa != 0 ? NAN : sign * INFINITY;
-    if (exponent == 0)
+    }
+    if (exponent == 0) {
         return sign * ldexp(mantissa, -24);
+    }
     return sign * ldexp(1024 + mantissa, exponent - 25);
 }

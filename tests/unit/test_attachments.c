@@ -36,14 +36,17 @@ static void test_a_pass_without_draws_clears(void **state)
     rig_end(&rig);
     assert_int_equal(rig.stats.draws, 0);
     const float(*pixels)[4] = rig_read_float4(&rig);
-    for (int i = 0; i < 131 * 67; i++)
+    for (int i = 0; i < 131 * 67; i++) {
         assert_memory_equal(pixels[i], rig.pass.colors[0].clear, 16);
+    }
     const unsigned char *bytes = rig_read(&rig, rig.pass.colors[1].texture);
-    for (int i = 0; i < 131 * 67; i++)
+    for (int i = 0; i < 131 * 67; i++) {
         assert_memory_equal(bytes + 4 * i, ((const unsigned char[4]){255, 0, 51, 204}), 4);
+    }
     const float *depth = rig_read_depth(&rig);
-    for (int i = 0; i < 131 * 67; i++)
+    for (int i = 0; i < 131 * 67; i++) {
         assert_true(depth[i] == 0.625f);
+    }
     rig_close(&rig);
 }
 
@@ -55,8 +58,9 @@ static void test_textures_are_zeroed_when_created(void **state)
     for (int format = RHW_FORMAT_R8_UNORM; format < RHW_FORMAT_COUNT; format++) {
         const rhw_texture texture = create(&rig, (enum rhw_format)format, 50, 40, 1);
         const unsigned char *bytes = rig_read(&rig, texture);
-        for (size_t i = 0; i < 50 * 40 * rhw_format_size((enum rhw_format)format); i++)
+        for (size_t i = 0; i < 50 * 40 * rhw_format_size((enum rhw_format)format); i++) {
             assert_int_equal(bytes[i], 0);
+        }
         rhw_texture_destroy(rig.context, texture);
     }
     rig_close(&rig);
@@ -75,8 +79,9 @@ static void test_load_keeps_what_was_there(void **state)
         const size_t texel = rhw_format_size(formats[f]), size = 75 * 130 * texel;
         unsigned char *before = malloc(size);
         uint64_t random = 30 + f;
-        for (size_t i = 0; i < size; i++)
+        for (size_t i = 0; i < size; i++) {
             before[i] = (unsigned char)rig_random(&random);
+        }
         rhw_texture_write(rig.context, rig.pass.colors[0].texture, 0, before, 0);
         rig.pass.colors[0].load = RHW_LOAD_LOAD;
         struct rig_vertex square[6];
@@ -102,8 +107,9 @@ static void test_what_is_not_stored_does_not_touch_memory(void **state)
     rig_open(&rig, 70, 70);
     rig_set_depth(&rig);
     float(*before)[4] = malloc(70 * 70 * sizeof *before);
-    for (int i = 0; i < 70 * 70 * 4; i++)
+    for (int i = 0; i < 70 * 70 * 4; i++) {
         before[i / 4][i % 4] = (float)i;
+    }
     rhw_texture_write(rig.context, rig.pass.colors[0].texture, 0, before, 0);
     rig.pass.colors[0].store = RHW_STORE_DISCARD;
     rig.pass.depth.load = RHW_LOAD_DISCARD;
@@ -114,8 +120,9 @@ static void test_what_is_not_stored_does_not_touch_memory(void **state)
     // Unspecified by the contract, but a tiled renderer that wrote here would have wasted the bandwidth.
     assert_memory_equal(rig_read_float4(&rig), before, 70 * 70 * sizeof *before);
     const float *depth = rig_read_depth(&rig);
-    for (int i = 0; i < 70 * 70; i++)
+    for (int i = 0; i < 70 * 70; i++) {
         assert_true(depth[i] == 0.25f);
+    }
     free(before);
     rig_close(&rig);
 }
@@ -153,8 +160,9 @@ static void test_tiles_at_every_size(void **state)
         rig_cover(&rig, 0.5f, (const float[4]){1, 2, 3, 4}, all);
         rig_draw_once(&rig, all, 6);
         const float(*pixels)[4] = rig_read_float4(&rig);
-        for (int i = 0; i < sizes[s][0] * sizes[s][1]; i++)
+        for (int i = 0; i < sizes[s][0] * sizes[s][1]; i++) {
             assert_memory_equal(pixels[i], ((const float[4]){1, 2, 3, 4}), 16);
+        }
         assert_int_equal(rig.stats.fragments_shaded, sizes[s][0] * sizes[s][1]);
         rig_close(&rig);
     }
@@ -185,8 +193,9 @@ static void check_large(int width, int height)
     for (int64_t y = 0; y < height; y++) {
         const int64_t covered = covered_of_row(y, width, height);
         for (int64_t x = 0; x < width; x++) {
-            if ((texels[y * width + x][0] == 255) != (x < covered))
+            if ((texels[y * width + x][0] == 255) != (x < covered)) {
                 fail_msg("%dx%d: pixel %d,%d is wrong", width, height, (int)x, (int)y);
+            }
         }
         total += covered;
     }
@@ -218,8 +227,9 @@ static void test_the_largest_targets(void **state)
     rig_set_program(&rig, rig_vertex_pass, count_only_fragment);
     rig_draw_once(&rig, lower_left, 3);
     int64_t total = 0;
-    for (int64_t y = 0; y < RHW_MAX_TARGET_SIZE; y++)
+    for (int64_t y = 0; y < RHW_MAX_TARGET_SIZE; y++) {
         total += covered_of_row(y, RHW_MAX_TARGET_SIZE, RHW_MAX_TARGET_SIZE);
+    }
     assert_int_equal(rig.stats.fragments_shaded, total);
     assert_int_equal(rig.stats.tiles, 256 * 256);
     rig_close(&rig);
@@ -240,22 +250,25 @@ static void test_write_and_read_with_pitch_and_levels(void **state)
         assert_int_equal(rhw_texture_width(rig.context, texture, level), w);
         assert_int_equal(rhw_texture_height(rig.context, texture, level), h);
         unsigned char in[13 * 4 * 6 + 600], out[13 * 4 * 6 + 600];
-        for (size_t i = 0; i < sizeof in; i++)
+        for (size_t i = 0; i < sizeof in; i++) {
             in[i] = (unsigned char)rig_random(&random);
+        }
         for (size_t extra = 0; extra <= 60; extra += 20) {
             const size_t pitch = (size_t)w * 4 + extra;
             rhw_texture_write(rig.context, texture, level, in, pitch);
             memset(out, 0xa5, sizeof out);
             rhw_texture_read(rig.context, texture, level, out, 0);
-            for (int y = 0; y < h; y++)
+            for (int y = 0; y < h; y++) {
                 assert_memory_equal(out + y * w * 4, in + (size_t)y * pitch, (size_t)w * 4);
+            }
             assert_int_equal(out[w * h * 4], 0xa5);
             memset(out, 0xa5, sizeof out);
             rhw_texture_read(rig.context, texture, level, out, pitch);
             for (int y = 0; y < h; y++) {
                 assert_memory_equal(out + (size_t)y * pitch, in + (size_t)y * pitch, (size_t)w * 4);
-                for (size_t i = 0; i < extra; i++)
+                for (size_t i = 0; i < extra; i++) {
                     assert_int_equal(out[(size_t)y * pitch + (size_t)w * 4 + i], 0xa5);
+                }
             }
         }
     }
@@ -282,8 +295,9 @@ static void test_render_to_texture_then_sample(void **state)
     for (int i = 0; i < 60; i++) {
         rig_place(&rig, rig_random_float(&random, -20, 110), rig_random_float(&random, -20, 100), 0.5f,
                   rig_random_float(&random, 1, 3), mess[i].position);
-        for (int c = 0; c < 4; c++)
+        for (int c = 0; c < 4; c++) {
             mess[i].value[c] = rig_random_float(&random, 0, 1);
+        }
     }
     rig_draw_once(&rig, mess, 60);
     const rhw_texture picture = rig.pass.colors[0].texture;
@@ -348,12 +362,14 @@ static void test_uploads_between_passes(void **state)
     rhw_buffer buffer; // zeroed: six times the same point
     assert_int_equal(rhw_buffer_create(rig.context, &def, &buffer), RHW_OK);
     for (int n = 0; n < 3; n++) {
-        if (n == 1)
+        if (n == 1) {
             rhw_buffer_write(rig.context, buffer, 0, all, sizeof all);
+        }
         if (n == 2) {
             const float value[4] = {5, 6, 7, 8};
-            for (size_t i = 0; i < 6; i++)
+            for (size_t i = 0; i < 6; i++) {
                 rhw_buffer_write(rig.context, buffer, i * sizeof *all + 16, value, sizeof value);
+            }
         }
         rig_begin(&rig);
         rig_use_pipeline(&rig);

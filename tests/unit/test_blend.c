@@ -61,8 +61,9 @@ static void draw_cases(struct rig *rig, const struct blend_case *rows, int count
         const float x = (float)(i % rig->width), y = (float)(i / rig->width);
         struct rig_vertex square[6];
         float src[4];
-        for (int c = 0; c < 4; c++)
+        for (int c = 0; c < 4; c++) {
             src[c] = (float)rows[i].src[c];
+        }
         rig_rectangle(rig, x, y, x + 1, y + 1, 0.5f, src, square);
         rig->pipeline.targets[0].blend = true;
         rig->pipeline.targets[0].color = rows[i].color;
@@ -105,12 +106,14 @@ static void test_every_factor_and_operation(void **state)
         for (int c = 0; c < 4; c++) {
             // Three roundings of terms below 4.
             const double expected = blend(&rows[i], c, constant_exact);
-            if (fabs((double)pixels[i][c] - expected) > 2 * rig_ulp(4))
+            if (fabs((double)pixels[i][c] - expected) > 2 * rig_ulp(4)) {
                 fail_msg("case %d channel %d: %.9g, not %.9g", i, c, (double)pixels[i][c], expected);
+            }
         }
     }
-    for (int i = COUNT; i < 32 * 32; i++)
+    for (int i = COUNT; i < 32 * 32; i++) {
         assert_memory_equal(pixels[i], texels[i], sizeof pixels[i]);
+    }
     rig_close(&rig);
 }
 
@@ -155,15 +158,18 @@ static void check_fixed_point(enum rhw_format format)
     draw_cases(&rig, rows, COUNT, (const float[4]){0, 0, 0, 0});
     const unsigned char *bytes = rig_read(&rig, rig.pass.colors[0].texture);
     for (int i = 0; i < COUNT; i++) {
-        for (int c = 0; c < 4; c++)
+        for (int c = 0; c < 4; c++) {
             rows[i].src[c] = fmin(fmax((double)(float)rows[i].src[c], 0), 1);
+        }
         for (int c = 0; c < 4; c++) {
             double expected = fmin(fmax(blend(&rows[i], c, (const double[4]){0}), 0), 1);
-            if (srgb && c < 3)
+            if (srgb && c < 3) {
                 expected = ref_srgb_encode(expected);
-            if (!is_unorm8(bytes[i * 4 + c], expected))
+            }
+            if (!is_unorm8(bytes[i * 4 + c], expected)) {
                 fail_msg("format %d case %d channel %d: %d, not %.3f", format, i, c, bytes[i * 4 + c],
                          expected * 255);
+            }
         }
     }
     rig_close(&rig);
@@ -196,10 +202,11 @@ static void test_blending_in_float_formats(void **state)
         rig_draw(&rig, all, 6);
         rig_end(&rig);
         const void *texels = rig_read(&rig, rig.pass.colors[0].texture);
-        if (f == 0)
+        if (f == 0) {
             assert_true(ref_half(*(const uint16_t *)texels) == -0.25);
-        else
+        } else {
             assert_true(*(const float *)texels == -0.25f);
+        }
     }
     rig_close(&rig);
 }
@@ -209,11 +216,13 @@ static const void *fill(struct rig *rig, const float color[4], bool by_clear)
 {
     struct rig_vertex all[6];
     rig_cover(rig, 0.5f, color, all);
-    if (by_clear)
+    if (by_clear) {
         memcpy(rig->pass.colors[0].clear, color, 4 * sizeof *color);
+    }
     rig_begin(rig);
-    if (!by_clear)
+    if (!by_clear) {
         rig_draw(rig, all, 6);
+    }
     rig_end(rig);
     memset(rig->pass.colors[0].clear, 0, 4 * sizeof *color);
     return rig_read(rig, rig->pass.colors[0].texture);
@@ -289,8 +298,9 @@ static void test_half_floats_on_write(void **state)
         for (int by_clear = 0; by_clear < 2; by_clear++) {
             const float v = rows[i].value;
             const uint16_t *texel = fill(&rig, (const float[4]){v, v, v, v}, by_clear != 0);
-            if (texel[0] != rows[i].bits || texel[3] != rows[i].bits)
+            if (texel[0] != rows[i].bits || texel[3] != rows[i].bits) {
                 fail_msg("%g is written as %04x, not %04x", (double)v, texel[0], rows[i].bits);
+            }
         }
     }
     const uint16_t *texel = fill(&rig, (const float[4]){NAN, 0, 0, 0}, true);
@@ -355,8 +365,9 @@ static void eight_fragment(struct rhw_fragment *groups, int count)
 {
     for (int g = 0; g < count; g++) {
         for (int t = 0; t < 8; t++) {
-            for (int c = 0; c < 4; c++)
+            for (int c = 0; c < 4; c++) {
                 groups[g].color[t][c] = groups[g].varying[c] + (float)t;
+            }
         }
     }
 }
@@ -369,16 +380,18 @@ static void test_eight_targets_each_with_its_own_state(void **state)
     rig_open(&rig, 100, 70);
     rig_set_program(&rig, rig_vertex_pass, eight_fragment);
     for (int t = 0; t < 8; t++) {
-        if (t > 0)
+        if (t > 0) {
             rig_set_target(&rig, t, t == 5 ? RHW_FORMAT_R32_FLOAT : RHW_FORMAT_RGBA32_FLOAT);
+        }
         struct rhw_color_target *target = &rig.pipeline.targets[t];
         target->blend = t % 2 == 1;
         target->color = (struct rhw_blend_component){
             RHW_BLEND_ONE, t % 4 == 1 ? RHW_BLEND_ONE : RHW_BLEND_ZERO, RHW_BLEND_ADD};
         target->alpha = (struct rhw_blend_component){RHW_BLEND_ZERO, RHW_BLEND_ONE, RHW_BLEND_ADD};
         target->write_mask = (uint8_t)(15 - t);
-        for (int c = 0; c < 4; c++)
+        for (int c = 0; c < 4; c++) {
             rig.pass.colors[t].clear[c] = (float)(100 * (t + 1) + c);
+        }
     }
     struct rig_vertex all[6];
     rig_cover(&rig, 0.5f, (const float[4]){10, 20, 30, 40}, all);
@@ -390,8 +403,9 @@ static void test_eight_targets_each_with_its_own_state(void **state)
             for (int c = 0; c < channels; c++) {
                 const float src = (float)(10 * (c + 1) + t), dst = (float)(100 * (t + 1) + c);
                 float expected = t % 2 == 0 ? src : c == 3 ? dst : t % 4 == 1 ? src + dst : src;
-                if (((15 - t) >> c & 1) == 0)
+                if (((15 - t) >> c & 1) == 0) {
                     expected = dst;
+                }
                 assert_true(texels[i * channels + c] == expected);
             }
         }
@@ -402,8 +416,9 @@ static void test_eight_targets_each_with_its_own_state(void **state)
 static void bits_fragment(struct rhw_fragment *groups, int count)
 {
     // A signalling NaN for every primitive.
-    for (int g = 0; g < count; g++)
+    for (int g = 0; g < count; g++) {
         groups[g].color[0][0] = (rhw_float)(groups[g].primitive * 0x00010101 + 0x7fa00001);
+    }
 }
 
 static uint32_t pattern(uint32_t primitive)
@@ -422,19 +437,22 @@ static void test_integer_target(void **state)
     rig.pipeline.program.uses = RHW_USE_IDS;
     rig.pass.colors[0].clear[0] = 70000;
     struct rig_vertex columns[18];
-    for (int i = 0; i < 3; i++)
+    for (int i = 0; i < 3; i++) {
         rig_rectangle(&rig, (float)i * 8, 0, (float)i * 8 + 8, 32, 0.5f, (const float[4]){0},
                       columns + 6 * i);
+    }
     rig_draw_once(&rig, columns, 18);
     const uint32_t *texels = rig_read(&rig, rig.pass.colors[0].texture);
     for (int y = 0; y < 32; y++) {
         assert_int_equal(texels[y * 32 + 31], 70000);
         for (uint32_t i = 0; i < 3; i++) {
             // The lower left corner belongs to the first triangle of a column, the upper right to the second.
-            if (y > 24)
+            if (y > 24) {
                 assert_int_equal(texels[(uint32_t)y * 32 + i * 8], pattern(2 * i));
-            if (y < 8)
+            }
+            if (y < 8) {
                 assert_int_equal(texels[(uint32_t)y * 32 + i * 8 + 7], pattern(2 * i + 1));
+            }
         }
     }
     rig_close(&rig);

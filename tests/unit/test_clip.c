@@ -46,8 +46,9 @@ static void set_counting(struct rig *rig)
 static void mixed_fragment(struct rhw_fragment *groups, int count)
 {
     for (int g = 0; g < count; g++) {
-        for (int c = 0; c < 3; c++)
+        for (int c = 0; c < 3; c++) {
             groups[g].color[0][c] = groups[g].varying[c];
+        }
         groups[g].color[0][3] = rhw_splat(1);
     }
 }
@@ -73,10 +74,11 @@ static bool is_clear_of_edges(const double screen[3][3], const double x, const d
         const struct ref_weights w = ref_weights_homogeneous(screen, x + dx, y + dy);
         const double least = fmin(w.space[0], fmin(w.space[1], w.space[2]));
         const bool in = least > 0 && w.w > 0;
-        if (k == 0)
+        if (k == 0) {
             *inside = in;
-        else if (in != *inside)
+        } else if (in != *inside) {
             return false;
+        }
     }
     return true;
 }
@@ -116,17 +118,21 @@ static int check_row(struct rig *rig, const struct clip_row *row, double relativ
     for (int i = 0; i < SIZE * SIZE; i++) {
         const double x = i % SIZE + 0.5, y = i / SIZE + 0.5;
         bool inside;
-        if (!is_clear_of_edges(row->screen, x, y, &inside))
+        if (!is_clear_of_edges(row->screen, x, y, &inside)) {
             continue;
+        }
         const struct ref_weights w = ref_weights_homogeneous(row->screen, x, y);
         const double z = ref_mix(w.space, row->depth) / w.w;
-        if (inside && (fabs(z) < 1e-3 || fabs(z - 1) < 1e-3))
+        if (inside && (fabs(z) < 1e-3 || fabs(z - 1) < 1e-3)) {
             continue;
+        }
         const bool visible = inside && z > 0 && z < 1;
-        if ((pixels[i][3] != 0) != visible)
+        if ((pixels[i][3] != 0) != visible) {
             fail_msg("pixel %d,%d is %s", i % SIZE, i / SIZE, visible ? "missing" : "too much");
-        if (!visible)
+        }
+        if (!visible) {
             continue;
+        }
         compared++;
         const double expected[3] = {ref_mix(w.space, row->values[0]), ref_mix(w.screen, row->values[1]),
                                     row->values[2][0]};
@@ -134,12 +140,14 @@ static int check_row(struct rig *rig, const struct clip_row *row, double relativ
         const double reach = 1 + fabs(w.screen[0]) + fabs(w.screen[1]) + fabs(w.screen[2]);
         for (int c = 0; c < 3; c++) {
             const double allowed = c == 2 ? 0 : relative * (c == 1 ? reach : 1) * 2;
-            if (!(fabs((double)pixels[i][c] - expected[c]) <= allowed))
+            if (!(fabs((double)pixels[i][c] - expected[c]) <= allowed)) {
                 fail_msg("pixel %d,%d value %d: %.9g, not %.12g", i % SIZE, i / SIZE, c, (double)pixels[i][c],
                          expected[c]);
+            }
         }
-        if (!(fabs((double)depth[i] - z) <= relative * reach))
+        if (!(fabs((double)depth[i] - z) <= relative * reach)) {
             fail_msg("pixel %d,%d depth: %.9g, not %.12g", i % SIZE, i / SIZE, (double)depth[i], z);
+        }
     }
     return compared;
 }
@@ -155,8 +163,9 @@ static void test_values_of_triangles_with_vertices_behind_the_eye(void **state)
     for (int n = 0; n < 400; n++) {
         struct clip_row row = random_row(&random, -6, 3, 4);
         const bool some_behind = row.screen[0][2] <= 0 || row.screen[1][2] <= 0 || row.screen[2][2] <= 0;
-        if (some_behind)
+        if (some_behind) {
             compared += check_row(&rig, &row, 8 * rig_ulp(1));
+        }
     }
     assert_true(compared > 100000);
     rig_close(&rig);
@@ -206,10 +215,11 @@ static void test_vertex_order_does_not_change_what_is_covered(void **state)
                 memcpy(vertices[i].value, (const float[4]){1, 2, 3, 4}, sizeof vertices[i].value);
             }
             rig_draw_once(&rig, vertices, 3);
-            if (o == 0)
+            if (o == 0) {
                 memcpy(first, rig_read_float4(&rig), sizeof first);
-            else
+            } else {
                 assert_memory_equal(first, rig_read_float4(&rig), sizeof first);
+            }
         }
     }
     rig_close(&rig);
@@ -273,9 +283,10 @@ static void check_sphere(double nearest, double farthest, uint64_t seed, enum rh
     rig_draw_once(&rig, vertices, count);
     const float *counts = rig_read(&rig, rig.pass.colors[0].texture);
     for (int i = 0; i < SIZE * SIZE; i++) {
-        if (counts[i] != 1)
+        if (counts[i] != 1) {
             fail_msg("seed %d: pixel %d,%d is drawn %g times", (int)seed, i % SIZE, i / SIZE,
                      (double)counts[i]);
+        }
     }
     rig_close(&rig);
 }
@@ -336,9 +347,10 @@ static void test_no_cracks_across_near_and_far(void **state)
             const double down = rx * sin(roll) - ry * cos(roll), w = down > 0 ? height / down : 1e9;
             const bool surely = w > camera.near * 1.05 && w < camera.far * 0.95;
             const bool surely_not = w < camera.near * 0.95 || w > camera.far * 1.05;
-            if (counts[i] > 1 || (surely && counts[i] != 1) || (surely_not && counts[i] != 0))
+            if (counts[i] > 1 || (surely && counts[i] != 1) || (surely_not && counts[i] != 0)) {
                 fail_msg("plane %d: pixel %d,%d (W %.3g) is drawn %g times", n, i % SIZE, i / SIZE, w,
                          (double)counts[i]);
+            }
             once += counts[i] == 1;
         }
         assert_true(once > 1000);
@@ -361,8 +373,9 @@ static void test_w_of_zero_and_less_is_ordinary(void **state)
     };
     for (size_t n = 0; n < sizeof rows / sizeof *rows; n++) {
         struct rig_vertex vertices[3] = {0};
-        for (int i = 0; i < 3; i++)
+        for (int i = 0; i < 3; i++) {
             memcpy(vertices[i].position, rows[n][i], sizeof rows[n][i]);
+        }
         rig_draw_once(&rig, vertices, 3);
         assert_int_equal(rig.stats.triangles_in, 1);
         assert_int_equal(rig.stats.triangles_dropped, 0);
@@ -419,8 +432,9 @@ static void test_huge_and_tiny_coordinates(void **state)
         const float(*pixels)[4] = rig_read_float4(&rig);
         for (int y = 0; y < SIZE; y++) {
             for (int x = 0; x < SIZE; x++) {
-                if (x != y)
+                if (x != y) {
                     assert_true((pixels[y * SIZE + x][0] == 1) == (x < y));
+                }
             }
         }
     }
@@ -463,8 +477,9 @@ static void test_clipped_triangles_keep_the_winding(void **state)
         rig.pipeline.cull = RHW_CULL_NONE;
         // One side sees all of it, the other nothing; which one is the sign of det(X, Y, W).
         assert_int_equal(sum, shaded);
-        if (shaded == 0)
+        if (shaded == 0) {
             continue;
+        }
         double det = 0;
         for (int i = 0; i < 3; i++) {
             const float *a = row.vertices[i].position, *b = row.vertices[(i + 1) % 3].position,

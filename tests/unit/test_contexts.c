@@ -25,8 +25,9 @@ static void test_results_are_sentences(void **state)
         const size_t length = strlen(seen[result]);
         assert_true(length > 1 && length < 100);
         assert_int_not_equal(seen[result][length - 1], '.');
-        for (int other = 0; other < result; other++)
+        for (int other = 0; other < result; other++) {
             assert_string_not_equal(seen[result], seen[other]);
+        }
     }
     assert_non_null(rhw_result_string((enum rhw_result)99));
 }
@@ -40,8 +41,9 @@ static void test_instruction_sets(void **state)
     assert_true(rhw_isa_supported(RHW_ISA_BASELINE));
     int best = RHW_ISA_BASELINE;
     for (int isa = 0; isa < RHW_ISA_COUNT; isa++) {
-        if (rhw_isa_supported((enum rhw_isa)isa))
+        if (rhw_isa_supported((enum rhw_isa)isa)) {
             best = isa;
+        }
         struct rhw_context_def def = rhw_context_def_default();
         def.isa = (enum rhw_isa)isa;
         def.threads = 1;
@@ -66,10 +68,11 @@ static void test_thread_counts(void **state)
         def.threads = threads;
         rhw_context *context = NULL;
         assert_int_equal(rhw_context_create(&def, &context), RHW_OK);
-        if (threads == 0)
+        if (threads == 0) {
             assert_true(rhw_context_threads(context) >= 1 && rhw_context_threads(context) <= RHW_MAX_THREADS);
-        else
+        } else {
             assert_int_equal(rhw_context_threads(context), threads);
+        }
         rhw_context_destroy(context);
     }
     rhw_context_destroy(NULL);
@@ -81,15 +84,17 @@ static pthread_t caller;
 static void caller_vertex(struct rhw_vertex *groups, int count)
 {
     rig_vertex_pass(groups, count);
-    if (!pthread_equal(pthread_self(), caller))
+    if (!pthread_equal(pthread_self(), caller)) {
         atomic_fetch_add(&vertex_calls_elsewhere, 1);
+    }
 }
 
 static void caller_fragment(struct rhw_fragment *groups, int count)
 {
     rig_fragment_pass(groups, count);
-    if (!pthread_equal(pthread_self(), caller))
+    if (!pthread_equal(pthread_self(), caller)) {
         atomic_fetch_add(&vertex_calls_elsewhere, 1);
+    }
 }
 
 static void test_one_thread_is_the_callers(void **state)
@@ -190,12 +195,14 @@ static void *run_job(void *argument)
         rhw_pass_set_pipeline(context, pass, pipeline);
         rhw_pass_set_vertex_buffer(context, pass, 0, buffer, 0);
         rhw_pass_draw(context, pass, 0, 300, 0, 1);
-        if (rhw_pass_end(context, pass, NULL) != RHW_OK)
+        if (rhw_pass_end(context, pass, NULL) != RHW_OK) {
             job->error = "end failed";
+        }
         rhw_texture_read(context, target, 0, pixels, 0);
         const uint64_t hash = rig_hash_bytes(1, pixels, size);
-        if (n > 0 && hash != job->hash)
+        if (n > 0 && hash != job->hash) {
             job->error = "a pass drew other bytes";
+        }
         job->hash = hash;
     }
     rhw_context_destroy(context);
@@ -212,11 +219,13 @@ static void test_contexts_run_in_parallel(void **state)
         jobs[i].seed = i;
         assert_int_equal(pthread_create(&threads[i], NULL, run_job, &jobs[i]), 0);
     }
-    for (int i = 0; i < JOBS; i++)
-        assert_int_equal(pthread_join(threads[i], NULL), 0);
     for (int i = 0; i < JOBS; i++) {
-        if (jobs[i].error != NULL)
+        assert_int_equal(pthread_join(threads[i], NULL), 0);
+    }
+    for (int i = 0; i < JOBS; i++) {
+        if (jobs[i].error != NULL) {
             fail_msg("context %d: %s", i, jobs[i].error);
+        }
         assert_true(jobs[i].hash == jobs[i % 4].hash);
     }
     assert_true(jobs[0].hash != jobs[1].hash);
@@ -252,8 +261,9 @@ static void test_ids_of_many_objects(void **state)
             assert_true(buffers[i].index != 0 || buffers[i].generation != 0);
         }
         // Out of order, so that free places are reused in another order.
-        for (int i = 0; i < COUNT; i++)
+        for (int i = 0; i < COUNT; i++) {
             rhw_buffer_destroy(rig.context, buffers[(i * 7 + round) % COUNT]);
+        }
         rhw_buffer_destroy(rig.context, buffers[round]);
         rig_expect_misuse(&rig, "rhw_buffer_destroy");
     }

@@ -12,8 +12,9 @@ static int count_covered(struct rig *rig)
 {
     const float(*pixels)[4] = rig_read_float4(rig);
     int covered = 0;
-    for (int i = 0; i < rig->width * rig->height; i++)
+    for (int i = 0; i < rig->width * rig->height; i++) {
         covered += pixels[i][0] != 0;
+    }
     return covered;
 }
 
@@ -23,9 +24,10 @@ static void expect_rect(struct rig *rig, int x0, int y0, int x1, int y1)
     for (int y = 0; y < rig->height; y++) {
         for (int x = 0; x < rig->width; x++) {
             const bool inside = x >= x0 && x < x1 && y >= y0 && y < y1;
-            if ((pixels[y * rig->width + x][0] != 0) != inside)
+            if ((pixels[y * rig->width + x][0] != 0) != inside) {
                 fail_msg("pixel %d,%d is %s where %d,%d..%d,%d was to be drawn", x, y,
                          inside ? "empty" : "drawn", x0, y0, x1, y1);
+            }
         }
     }
 }
@@ -72,8 +74,9 @@ static float depth_of(struct rig *rig, float z, float w)
         {{-w, -w, z, w}, {1, 1, 1, 1}}, {{3 * w, -w, z, w}, {1, 1, 1, 1}}, {{-w, 3 * w, z, w}, {1, 1, 1, 1}}};
     rig_draw_once(rig, triangle, 3);
     const float *depth = rig_read_depth(rig);
-    for (int i = 1; i < rig->width * rig->height; i++)
+    for (int i = 1; i < rig->width * rig->height; i++) {
         assert_true(depth[i] == depth[0]);
+    }
     return depth[0];
 }
 
@@ -227,8 +230,9 @@ static void facing_fragment(struct rhw_fragment *groups, int count)
 {
     for (int g = 0; g < count; g++) {
         groups[g].color[0][0] = rhw_select(groups[g].front_facing, rhw_splat(2), rhw_splat(1));
-        for (int c = 1; c < 4; c++)
+        for (int c = 1; c < 4; c++) {
             groups[g].color[0][c] = rhw_splat(0);
+        }
     }
 }
 

@@ -11,24 +11,27 @@
 static void place_8(const struct rig *rig, int64_t x_8, int64_t y_8, struct rig_vertex *vertex)
 {
     rig_place(rig, (float)((double)x_8 / 256), (float)((double)y_8 / 256), 0.5f, 1, vertex->position);
-    for (int c = 0; c < 4; c++)
+    for (int c = 0; c < 4; c++) {
         vertex->value[c] = 1;
+    }
 }
 
 static void check_triangle(struct rig *rig, const struct ref_triangle *reference)
 {
     struct rig_vertex vertices[3];
-    for (int i = 0; i < 3; i++)
+    for (int i = 0; i < 3; i++) {
         place_8(rig, reference->x_8[i], reference->y_8[i], &vertices[i]);
+    }
     rig_draw_once(rig, vertices, 3);
     const float(*pixels)[4] = rig_read_float4(rig);
     for (int y = 0; y < rig->height; y++) {
         for (int x = 0; x < rig->width; x++) {
             const bool covered = ref_covers(reference, x, y);
-            if ((pixels[y * rig->width + x][0] != 0) != covered)
+            if ((pixels[y * rig->width + x][0] != 0) != covered) {
                 fail_msg("pixel %d,%d of (%d,%d) (%d,%d) (%d,%d)/256 is %s", x, y, (int)reference->x_8[0],
                          (int)reference->y_8[0], (int)reference->x_8[1], (int)reference->y_8[1],
                          (int)reference->x_8[2], (int)reference->y_8[2], covered ? "missing" : "too much");
+            }
         }
     }
 }
@@ -231,8 +234,9 @@ static void test_degenerate_triangles_draw_nothing(void **state)
     };
     for (int n = 0; n < 4; n++) {
         struct rig_vertex vertices[3];
-        for (int i = 0; i < 3; i++)
+        for (int i = 0; i < 3; i++) {
             place_8(&rig, shapes[n][2 * i], shapes[n][2 * i + 1], &vertices[i]);
+        }
         rig_draw_once(&rig, vertices, 3);
         assert_int_equal(rig.stats.triangles_in, 1);
         assert_int_equal(rig.stats.triangles_culled, 1);
@@ -255,8 +259,9 @@ static void expect_all_once(struct rig *rig)
 {
     const float *counts = rig_read(rig, rig->pass.colors[0].texture);
     for (int i = 0; i < rig->width * rig->height; i++) {
-        if (counts[i] != 1)
+        if (counts[i] != 1) {
             fail_msg("pixel %d,%d is drawn %g times", i % rig->width, i / rig->width, (double)counts[i]);
+        }
     }
 }
 

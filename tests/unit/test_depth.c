@@ -54,9 +54,10 @@ static void test_every_compare_function(void **state)
                     const bool pass = passes(rig.pipeline.depth_compare, incoming[i], stored[s]);
                     assert_true(rig_read_float4(&rig)[77][0] == (pass ? 1.0f : 0.0f));
                     const float depth = rig_read_depth(&rig)[77];
-                    if (depth != (pass && write ? incoming[i] : stored[s]))
+                    if (depth != (pass && write ? incoming[i] : stored[s])) {
                         fail_msg("compare %d, write %d: %g over %g leaves %g", compare, write,
                                  (double)incoming[i], (double)stored[s], (double)depth);
+                    }
                 }
             }
         }
@@ -90,8 +91,9 @@ static void test_compare_against_drawn_depth(void **state)
             rig_end(&rig);
             const bool pass = passes(rig.pipeline.depth_compare, 0.5f + shift, 0.5f);
             const float(*pixels)[4] = rig_read_float4(&rig);
-            for (int i = 0; i < SIZE * SIZE; i++)
+            for (int i = 0; i < SIZE * SIZE; i++) {
                 assert_true(pixels[i][pass ? 1 : 0] == 1);
+            }
         }
     }
     rig_close(&rig);
@@ -129,11 +131,13 @@ static void test_depth_is_kept_between_passes(void **state)
     draw_layer(&rig, 0.5f, green);
     rig_end(&rig);
     const float(*pixels)[4] = rig_read_float4(&rig);
-    for (int i = 0; i < SIZE * SIZE; i++)
+    for (int i = 0; i < SIZE * SIZE; i++) {
         assert_true(pixels[i][i % SIZE < SIZE / 2 ? 0 : 1] == 1);
+    }
     const float *depth = rig_read_depth(&rig);
-    for (int i = 0; i < SIZE * SIZE; i++)
+    for (int i = 0; i < SIZE * SIZE; i++) {
         assert_true(depth[i] == (i % SIZE < SIZE / 2 ? 0.25f : 0.5f));
+    }
     rig_close(&rig);
 }
 
@@ -151,8 +155,9 @@ static void test_depth_without_memory(void **state)
     draw_layer(&rig, 0.5f, green);
     rig_end(&rig);
     const float(*pixels)[4] = rig_read_float4(&rig);
-    for (int i = 0; i < 200 * 150; i++)
+    for (int i = 0; i < 200 * 150; i++) {
         assert_true(pixels[i][0] == 1 && pixels[i][1] == 0);
+    }
     rig_close(&rig);
 }
 
@@ -188,8 +193,9 @@ static void test_depth_of_slanted_triangles(void **state)
                 }
                 const struct ref_weights weights = ref_weights_at(&reference, x + 0.5, y + 0.5);
                 const double expected = ref_mix(weights.screen, reference.depth);
-                if (fabs(seen - expected) > 8 * rig_ulp(largest))
+                if (fabs(seen - expected) > 8 * rig_ulp(largest)) {
                     fail_msg("triangle %d pixel %d,%d: depth %.9g, not %.17g", n, x, y, seen, expected);
+                }
             }
         }
     }
@@ -200,15 +206,17 @@ static void test_depth_of_slanted_triangles(void **state)
 static void depth_fragment(struct rhw_fragment *groups, int count)
 {
     rig_fragment_pass(groups, count);
-    for (int g = 0; g < count; g++)
+    for (int g = 0; g < count; g++) {
         groups[g].depth = groups[g].varying[3];
+    }
 }
 
 static void entry_depth_fragment(struct rhw_fragment *groups, int count)
 {
     for (int g = 0; g < count; g++) {
-        for (int c = 0; c < 4; c++)
+        for (int c = 0; c < 4; c++) {
             groups[g].color[0][c] = groups[g].depth;
+        }
         groups[g].depth = groups[g].depth * 0.5f;
     }
 }
@@ -281,11 +289,13 @@ static void test_discarded_lanes_leave_no_depth(void **state)
     draw_layer(&rig, 0.5f, green);
     rig_end(&rig);
     const float(*pixels)[4] = rig_read_float4(&rig);
-    for (int i = 0; i < SIZE * SIZE; i++)
+    for (int i = 0; i < SIZE * SIZE; i++) {
         assert_true(pixels[i][i % 2] == 1 && pixels[i][1 - i % 2] == 0);
+    }
     const float *depth = rig_read_depth(&rig);
-    for (int i = 0; i < SIZE * SIZE; i++)
+    for (int i = 0; i < SIZE * SIZE; i++) {
         assert_true(depth[i] == (i % 2 == 0 ? 0.25f : 0.5f));
+    }
     rig_close(&rig);
 }
 
@@ -343,8 +353,9 @@ static void test_depth_only_program(void **state)
     draw_layer(&rig, 0.375f, red);
     rig_end(&rig);
     const float *depth = rig_read_depth(&rig);
-    for (int i = 0; i < SIZE * SIZE; i++)
+    for (int i = 0; i < SIZE * SIZE; i++) {
         assert_true(depth[i] == 0.375f);
+    }
     rig_close(&rig);
 }
 

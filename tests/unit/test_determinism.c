@@ -30,8 +30,9 @@ static void make_triangles(struct rig_vertex *vertices, int count, float extent,
             p[1] = (y + rig_random_float(random, -extent, extent)) * corner_w;
             p[2] = z * corner_w;
             p[3] = corner_w;
-            for (int c = 0; c < 4; c++)
+            for (int c = 0; c < 4; c++) {
                 v[c] = rig_random_float(random, 0, 1);
+            }
         }
     }
 }
@@ -72,8 +73,9 @@ static void make_scene(struct rig *rig, struct scene *scene)
     def.mip_levels = 0;
     assert_int_equal(rhw_texture_create(rig->context, &def, &scene->image), RHW_OK);
     unsigned char texels[37 * 64 * 4];
-    for (size_t i = 0; i < sizeof texels; i++)
+    for (size_t i = 0; i < sizeof texels; i++) {
         texels[i] = (unsigned char)rig_random(&random);
+    }
     rhw_texture_write(rig->context, scene->image, 0, texels, 0);
     rhw_texture_generate_mips(rig->context, scene->image);
     const struct rhw_sampler_def sampler = rhw_sampler_def_default();
@@ -146,8 +148,9 @@ static struct outcome run(const struct rhw_context_def *def, int passes)
 
 static void expect_same(const struct outcome *a, const struct outcome *b, const char *what, int value)
 {
-    if (a->colors[0] != b->colors[0] || a->colors[1] != b->colors[1] || a->depth != b->depth)
+    if (a->colors[0] != b->colors[0] || a->colors[1] != b->colors[1] || a->depth != b->depth) {
         fail_msg("%s %d draws other bytes", what, value);
+    }
     assert_int_equal(a->stats.triangles_in, b->stats.triangles_in);
     assert_int_equal(a->stats.triangles_dropped, b->stats.triangles_dropped);
     assert_int_equal(a->stats.triangles_clipped, b->stats.triangles_clipped);
@@ -191,8 +194,9 @@ static void test_instruction_sets(void **state)
     (void)state;
     const struct outcome expected = baseline();
     for (int isa = RHW_ISA_BASELINE; isa < RHW_ISA_COUNT; isa++) {
-        if (!rhw_isa_supported((enum rhw_isa)isa))
+        if (!rhw_isa_supported((enum rhw_isa)isa)) {
             continue;
+        }
         struct rhw_context_def def = rhw_context_def_default();
         def.isa = (enum rhw_isa)isa;
         def.threads = 2;
@@ -214,10 +218,12 @@ static void test_a_flush_of_the_bins_does_not_show(void **state)
             def.threads = threads;
             const struct outcome outcome = run(&def, 1);
             expect_same(&outcome, &expected, "bin memory", (int)sizes[i]);
-            if (i == 0)
+            if (i == 0) {
                 assert_true(outcome.stats.flushes > 0);
-            if (i == 4)
+            }
+            if (i == 4) {
                 assert_int_equal(outcome.stats.flushes, 0);
+            }
         }
     }
 }

@@ -34,16 +34,18 @@ static void uniform_fragment(struct rhw_fragment *groups, int count)
 {
     for (int g = 0; g < count; g++) {
         const struct uniforms *u = groups[g].uniforms;
-        for (int c = 0; c < 4; c++)
+        for (int c = 0; c < 4; c++) {
             groups[g].color[0][c] = rhw_splat(u->color[c]);
+        }
     }
 }
 
 static void doubling_fragment(struct rhw_fragment *groups, int count)
 {
     uniform_fragment(groups, count);
-    for (int g = 0; g < count; g++)
+    for (int g = 0; g < count; g++) {
         groups[g].color[0][0] *= 2.0f;
+    }
 }
 
 static void texture_fragment(struct rhw_fragment *groups, int count)
@@ -169,10 +171,11 @@ static void test_textures_change_between_draws(void **state)
     rig_use_pipeline(&rig);
     for (int i = 0; i < 4; i++) {
         set_uniforms(&rig, (float)(i * 16), 0, (float)(i * 16 + 16), 16, 1);
-        if (i == 3)
+        if (i == 3) {
             rhw_pass_set_texture(rig.context, rig.recording, 3, (rhw_texture){0}, (rhw_sampler){0});
-        else
+        } else {
             rhw_pass_set_texture(rig.context, rig.recording, 3, textures[i % 2], sampler);
+        }
         rhw_pass_draw(rig.context, rig.recording, 0, 6, 0, 1);
     }
     rig_end(&rig);
@@ -245,8 +248,9 @@ static void test_order_is_kept_within_and_across_draws(void **state)
         }
         rig_end(&rig);
         const float(*pixels)[4] = rig_read_float4(&rig);
-        for (int i = 0; i < 256 * 192; i++)
+        for (int i = 0; i < 256 * 192; i++) {
             assert_true(pixels[i][0] == expected);
+        }
         rig_close(&rig);
     }
 }
@@ -261,16 +265,18 @@ static void test_many_draws(void **state)
     rig_begin(&rig);
     rig_use_pipeline(&rig);
     set_uniforms(&rig, 8, 8, 10, 10, 1);
-    for (int i = 0; i < 50000; i++)
+    for (int i = 0; i < 50000; i++) {
         rhw_pass_draw(rig.context, rig.recording, 0, 6, 0, 1);
+    }
     rig_end(&rig);
     assert_int_equal(rig.stats.draws, 50000);
     assert_int_equal(rig.stats.triangles_in, 100000);
     assert_int_equal(rig.stats.fragments_shaded, 200000);
     const float(*pixels)[4] = rig_read_float4(&rig);
     for (int y = 8; y < 10; y++) {
-        for (int x = 8; x < 10; x++)
+        for (int x = 8; x < 10; x++) {
             assert_true(pixels[y * SIZE + x][0] == 50000);
+        }
     }
     rig_close(&rig);
 }
@@ -289,8 +295,9 @@ static void test_one_draw_of_many_instances(void **state)
     rig_end(&rig);
     assert_int_equal(rig.stats.triangles_in, 2000);
     const float(*pixels)[4] = rig_read_float4(&rig);
-    for (int i = 0; i < SIZE * SIZE; i++)
+    for (int i = 0; i < SIZE * SIZE; i++) {
         assert_true(pixels[i][0] == 1000);
+    }
     rig_close(&rig);
 }
 

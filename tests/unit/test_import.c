@@ -63,14 +63,16 @@ static void test_numbers(void **state)
         "-12.75",
         "1e-007",
     };
-    for (size_t i = 0; i < sizeof samples / sizeof samples[0]; i++)
+    for (size_t i = 0; i < sizeof samples / sizeof samples[0]; i++) {
         assert_true(number_of(samples[i]) == strtod(samples[i], NULL));
+    }
     for (int i = 0; i < 20000; i++) {
         char text[64];
         const double value = (double)(int32_t)next_random() * pow(10, (int)(next_random() % 60) - 30);
         snprintf(text, sizeof text, "%.*g", 1 + (int)(next_random() % 17), value);
-        if (number_of(text) != strtod(text, NULL))
+        if (number_of(text) != strtod(text, NULL)) {
             fail_msg("%s is read as %.17g", text, number_of(text));
+        }
     }
     assert_true(isnan(number_of("nan")) && isnan(number_of("-1.#IND")) && isnan(number_of("NaN(x)")));
     assert_true(number_of("-inf") == -(double)INFINITY);
@@ -142,8 +144,9 @@ static void test_obj_cube(void **state)
                     v[3] = {c[0] - a[0], c[1] - a[1], c[2] - a[2]};
         const float normal[3] = {u[1] * v[2] - u[2] * v[1], u[2] * v[0] - u[0] * v[2],
                                  u[0] * v[1] - u[1] * v[0]};
-        for (uint32_t k = 0; k < 3; k++)
+        for (uint32_t k = 0; k < 3; k++) {
             assert_floats(mesh->normals[mesh->indices[i + k]], normal, 3, 1e-6f);
+        }
     }
     rhw_model_free(model);
 }
@@ -158,10 +161,12 @@ static void test_obj_smooth(void **state)
     snprintf(text, sizeof text, roof, "");
     struct rhw_model *model = load_text("roof.obj", text);
     assert_int_equal(model->meshes[0].vertex_count, 6);
-    for (uint32_t i = 0; i < 6; i++)
-        if (model->meshes[0].positions[i][0] == 0)
+    for (uint32_t i = 0; i < 6; i++) {
+        if (model->meshes[0].positions[i][0] == 0) {
             assert_floats(model->meshes[0].normals[i], (const float[]){0, 1, 0}, 3,
                           1e-5f); // angles are good to 7e-5
+        }
+    }
     rhw_model_free(model);
     snprintf(text, sizeof text, roof, "s off\n");
     model = load_text("roof.obj", text);
@@ -193,8 +198,9 @@ static void test_a_ridge_is_not_torn(void **state)
     const struct rhw_mesh *const mesh = &model->meshes[0];
     assert_int_equal(vertices_at_origin(mesh), 1);
     for (uint32_t i = 0; i < mesh->vertex_count; i++) {
-        if (mesh->positions[i][0] == 0 && mesh->positions[i][1] == 0)
+        if (mesh->positions[i][0] == 0 && mesh->positions[i][1] == 0) {
             assert_true(mesh->normals[i][2] > 0.9f && fabsf(mesh->normals[i][1]) < 1e-6f);
+        }
     }
     rhw_model_free(model);
 }
@@ -209,8 +215,9 @@ static void test_a_speck_weighs_nothing(void **state)
     const struct rhw_mesh *const mesh = &model->meshes[0];
     assert_int_equal(vertices_at_origin(mesh), 1);
     for (uint32_t i = 0; i < mesh->vertex_count; i++) {
-        if (mesh->positions[i][0] == 0 && mesh->positions[i][1] == 0)
+        if (mesh->positions[i][0] == 0 && mesh->positions[i][1] == 0) {
             assert_true(mesh->normals[i][2] > 0.99999f);
+        }
     }
     rhw_model_free(model);
 }
@@ -299,8 +306,9 @@ static const char ply_header[] =
 
 static void put(unsigned char **out, const void *value, size_t size, bool swap)
 {
-    for (size_t i = 0; i < size; i++)
+    for (size_t i = 0; i < size; i++) {
         (*out)[i] = ((const unsigned char *)value)[swap ? size - 1 - i : i];
+    }
     *out += size;
 }
 
@@ -316,15 +324,17 @@ static void write_binary_ply(const char *name, const char *format, bool swap)
         put(&out, &x, 4, swap);
         put(&out, &y, 8, swap);
         put(&out, &z, 2, swap);
-        for (int c = 0; c < 3; c++)
+        for (int c = 0; c < 3; c++) {
             put(&out, &color[c], 1, swap);
+        }
         put(&out, &quality, 4, swap);
     }
     const uint8_t head[2] = {9, 4};
     put(&out, &head[0], 1, swap);
     put(&out, &head[1], 1, swap);
-    for (int32_t i = 0; i < 4; i++)
+    for (int32_t i = 0; i < 4; i++) {
         put(&out, &i, 4, swap);
+    }
     write_bytes(name, bytes, (size_t)(out - bytes));
 }
 
@@ -404,8 +414,9 @@ static size_t write_blob(unsigned char *bytes, size_t capacity)
                             .positions = positions,
                             .normals = normals};
     struct rhw_material material = {.name = "material"};
-    for (int i = 0; i < RHW_SLOT_COUNT; i++)
+    for (int i = 0; i < RHW_SLOT_COUNT; i++) {
         material.slots[i] = (struct rhw_texture_slot){.image = i == 0 ? 0 : -1};
+    }
     struct rhw_image image = {.name = "image", .width = 1, .height = 1, .size = 4, .texels = texel};
     struct rhw_instance instance = {.name = "node"};
     const char *warning = "a warning";
@@ -452,19 +463,22 @@ static void test_blob(void **state)
         assert_null(rhw_blob_read(copy, cut));
     }
     // A damaged byte may pass only where every index and count is still in range; what passes can be read.
-    for (size_t i = 0; i < size; i++)
+    for (size_t i = 0; i < size; i++) {
         for (int bit = 0; bit < 8; bit++) {
             memcpy(copy, original, size);
             copy[i] ^= (unsigned char)(1 << bit);
             model = rhw_blob_read(copy, size);
-            if (model == NULL)
+            if (model == NULL) {
                 continue;
-            for (uint32_t k = 0; k < model->meshes[0].index_count; k++)
+            }
+            for (uint32_t k = 0; k < model->meshes[0].index_count; k++) {
                 assert_true(model->meshes[0].indices[k] < model->meshes[0].vertex_count);
+            }
             assert_true(model->instances[0].mesh < model->mesh_count);
             assert_true(model->meshes[0].material < model->material_count);
             assert_true(model->materials[0].slots[0].image < (int32_t)model->image_count);
         }
+    }
     free(copy);
     free(original);
 }

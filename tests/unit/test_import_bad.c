@@ -160,8 +160,9 @@ static void test_deep_tree(void **state)
     FILE *file = fopen(path_of("deep.gltf"), "w");
     assert_non_null(file);
     fputs("{\"asset\":{\"version\":\"2.0\"},\"nodes\":[", file);
-    for (int i = 1; i < 20000; i++)
+    for (int i = 1; i < 20000; i++) {
         fprintf(file, "{\"children\":[%d]},", i);
+    }
     fputs("{}]}", file);
     assert_int_equal(fclose(file), 0);
     rhw_model_free(load("deep.gltf"));
@@ -177,8 +178,9 @@ static void write_slow_file(void)
           "\"count\":16777216},{\"componentType\":5125,\"type\":\"SCALAR\",\"count\":1}],\"meshes\":[{"
           "\"primitives\":[",
           file);
-    for (int i = 0; i < 1000; i++)
+    for (int i = 0; i < 1000; i++) {
         fprintf(file, "%s{\"mode\":0,\"attributes\":{\"POSITION\":0},\"indices\":1}", i > 0 ? "," : "");
+    }
     fputs("]}]}", file);
     assert_int_equal(fclose(file), 0);
 }

@@ -21,14 +21,17 @@ static void *take(void *user, size_t size, size_t alignment)
 {
     struct meter *meter = user;
     const int call = atomic_fetch_add(&meter->calls, 1), fail_at = atomic_load(&meter->fail_at);
-    if (fail_at >= 0 && (call == fail_at || (call > fail_at && meter->stay)))
+    if (fail_at >= 0 && (call == fail_at || (call > fail_at && meter->stay))) {
         return NULL;
-    if (size == 0 || alignment == 0 || alignment > 4096 || (alignment & (alignment - 1)) != 0)
+    }
+    if (size == 0 || alignment == 0 || alignment > 4096 || (alignment & (alignment - 1)) != 0) {
         meter->misaligned = true;
+    }
     const size_t header = alignment > 64 ? HEADER : 64;
     unsigned char *block = aligned_alloc(header, (size + header + header - 1) / header * header);
-    if (block == NULL)
+    if (block == NULL) {
         return NULL;
+    }
     memcpy(block + header - sizeof size, &size, sizeof size);
     memcpy(block + header - 2 * sizeof size, &header, sizeof header);
     memset(block + header, 0xcd, size); // nobody may rely on zeros
@@ -50,8 +53,9 @@ static void give(void *user, void *memory, size_t size)
     }
     memcpy(&taken, (unsigned char *)memory - sizeof taken, sizeof taken);
     memcpy(&header, (unsigned char *)memory - 2 * sizeof taken, sizeof header);
-    if (taken != size)
+    if (taken != size) {
         meter->wrong_size = true;
+    }
     atomic_fetch_sub(&meter->live, taken);
     atomic_fetch_sub(&meter->blocks, 1);
     memset(memory, 0xdd, taken); // nor on what they gave back
@@ -68,8 +72,9 @@ static void sample_fragment(struct rhw_fragment *groups, int count)
         const struct texture_uniforms *u = groups[g].uniforms;
         const rhw_float uv[2] = {groups[g].varying[0], groups[g].varying[1]};
         rhw_sample_lod(&groups[g].textures[0], uv, rhw_splat(0), groups[g].color[0]);
-        for (int c = 0; c < 4; c++)
+        for (int c = 0; c < 4; c++) {
             groups[g].color[0][c] = groups[g].color[0][c] * u->gain + groups[g].varying[c];
+        }
     }
 }
 
@@ -101,13 +106,15 @@ static enum rhw_result make_objects(struct work *work)
     buffer.size = sizeof vertices;
     buffer.data = vertices;
     enum rhw_result result = rhw_buffer_create(work->context, &buffer, &work->vertices);
-    if (result != RHW_OK)
+    if (result != RHW_OK) {
         return result;
+    }
     buffer.size = sizeof indices;
     buffer.data = indices;
     result = rhw_buffer_create(work->context, &buffer, &work->indices);
-    if (result != RHW_OK)
+    if (result != RHW_OK) {
         return result;
+    }
     const enum rhw_format formats[3] = {RHW_FORMAT_RGBA8_UNORM, RHW_FORMAT_D32_FLOAT, RHW_FORMAT_RGBA8_SRGB};
     rhw_texture *textures[3] = {&work->color, &work->depth, &work->image};
     for (int i = 0; i < 3; i++) {
@@ -116,8 +123,9 @@ static enum rhw_result make_objects(struct work *work)
         def.width = def.height = SIZE;
         def.mip_levels = i == 2 ? 0 : 1;
         result = rhw_texture_create(work->context, &def, textures[i]);
-        if (result != RHW_OK)
+        if (result != RHW_OK) {
             return result;
+        }
     }
     const struct rhw_sampler_def sampler = rhw_sampler_def_default();
     return rhw_sampler_create(work->context, &sampler, &work->sampler);
@@ -139,8 +147,9 @@ static enum rhw_result make_pipelines(struct work *work)
     def.depth_test = true;
     def.targets[0].blend = true;
     const enum rhw_result result = rhw_pipeline_create(work->context, &def, &work->pipelines[0]);
-    if (result != RHW_OK)
+    if (result != RHW_OK) {
         return result;
+    }
     def.topology = RHW_TRIANGLE_STRIP;
     def.primitive_restart = true;
     return rhw_pipeline_create(work->context, &def, &work->pipelines[1]);
@@ -154,8 +163,9 @@ static enum rhw_result draw_everything(struct work *work)
     def.depth = (struct rhw_depth_attachment){.enabled = true, .texture = work->depth, .clear = 1};
     rhw_pass pass;
     const enum rhw_result result = rhw_pass_begin(work->context, &def, &pass);
-    if (result != RHW_OK)
+    if (result != RHW_OK) {
         return result;
+    }
     rhw_pass_set_vertex_buffer(work->context, pass, 0, work->vertices, 0);
     rhw_pass_set_index_buffer(work->context, pass, work->indices, RHW_INDEX_UINT16, 0);
     rhw_pass_set_texture(work->context, pass, 0, work->image, work->sampler);
@@ -163,10 +173,11 @@ static enum rhw_result draw_everything(struct work *work)
         const struct texture_uniforms uniforms = {(float)i};
         rhw_pass_set_uniforms(work->context, pass, &uniforms, sizeof uniforms);
         rhw_pass_set_pipeline(work->context, pass, work->pipelines[i & 1]);
-        if (i & 1)
+        if (i & 1) {
             rhw_pass_draw_indexed(work->context, pass, 0, VERTICES, 0, 0, 1);
-        else
+        } else {
             rhw_pass_draw(work->context, pass, 0, VERTICES, 0, 1);
+        }
     }
     return rhw_pass_end(work->context, pass, NULL);
 }
@@ -186,8 +197,9 @@ static enum rhw_result do_everything(struct meter *meter, struct rig *rig, int t
         return result;
     }
     result = make_objects(&work);
-    if (result == RHW_OK)
+    if (result == RHW_OK) {
         result = make_pipelines(&work);
+    }
     static unsigned char texels[SIZE * SIZE * 4];
     if (result == RHW_OK) {
         rhw_texture_write(work.context, work.image, 0, texels, 0);
@@ -195,10 +207,11 @@ static enum rhw_result do_everything(struct meter *meter, struct rig *rig, int t
     }
     if (result == RHW_OK) {
         result = draw_everything(&work);
-        if (result == RHW_OK)
+        if (result == RHW_OK) {
             rhw_texture_read(work.context, work.color, 0, texels, 0);
-        else
+        } else {
             meter->stay = false;
+        }
     }
     if (result != RHW_OK && meter->fail_at >= 0 && !meter->stay && work.pipelines[1].index != 0) {
         // One allocation failed, the next ones work: so must the context.
@@ -241,13 +254,16 @@ static void check_out_of_memory(int threads, bool stay)
     for (int fail_at = 0; fail_at < calls; fail_at++) {
         struct meter poor = {.fail_at = fail_at, .stay = stay};
         const enum rhw_result result = do_everything(&poor, &rig, threads);
-        if (result != RHW_OK && result != RHW_ERROR_OUT_OF_MEMORY)
+        if (result != RHW_OK && result != RHW_ERROR_OUT_OF_MEMORY) {
             fail_msg("allocation %d of %d: %s", fail_at, calls, rhw_result_string(result));
-        if (threads == 1 && result == RHW_OK)
+        }
+        if (threads == 1 && result == RHW_OK) {
             fail_msg("allocation %d of %d failed and nobody said so", fail_at, calls);
+        }
         failed += result != RHW_OK;
-        if (rig.misuses != 0)
+        if (rig.misuses != 0) {
             fail_msg("allocation %d of %d: reported as misuse: %s", fail_at, calls, rig.message);
+        }
         expect_all_returned(&poor);
     }
     assert_true(failed > calls / 2);
@@ -285,8 +301,9 @@ static void test_warm_passes_do_not_allocate(void **state)
     assert_int_equal(draw_everything(&work), RHW_OK);
     assert_int_equal(draw_everything(&work), RHW_OK);
     const int warm = meter.calls;
-    for (int i = 0; i < 5; i++)
+    for (int i = 0; i < 5; i++) {
         assert_int_equal(draw_everything(&work), RHW_OK);
+    }
     assert_int_equal(meter.calls, warm);
     rhw_context_destroy(work.context);
     expect_all_returned(&meter);

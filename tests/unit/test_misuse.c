@@ -283,8 +283,9 @@ static void test_pipeline_definitions(void **state)
         case 5: def.program.varyings[0].qualifier = (enum rhw_qualifier)3; break;
         case 6:
             def.program.varying_count = 13;
-            for (int i = 0; i < 13; i++)
+            for (int i = 0; i < 13; i++) {
                 def.program.varyings[i].components = 4;
+            }
             break;
         case 7: def.program.uses = 1u << 20; break;
         case 8: def.program.uniform_size = RHW_MAX_UNIFORM_SIZE + 1; break;
@@ -316,8 +317,9 @@ static void test_pipeline_definitions(void **state)
         default: def.program.vertex[0] = NULL, def.program.vertex[1] = rig_vertex_pass;
         }
         rhw_pipeline pipeline;
-        if (rhw_pipeline_create(rig.context, &def, &pipeline) != RHW_ERROR_MISUSE)
+        if (rhw_pipeline_create(rig.context, &def, &pipeline) != RHW_ERROR_MISUSE) {
             fail_msg("definition %d was accepted", wrong);
+        }
         rig_expect_misuse(&rig, "rhw_pipeline_create");
     }
     expect_alive(&rig);
@@ -361,8 +363,9 @@ static void test_pass_definitions(void **state)
         default: def.colors[1].texture = def.colors[0].texture; // the same memory twice
         }
         rhw_pass pass;
-        if (rhw_pass_begin(rig.context, &def, &pass) != RHW_ERROR_MISUSE)
+        if (rhw_pass_begin(rig.context, &def, &pass) != RHW_ERROR_MISUSE) {
             fail_msg("definition %d was accepted", wrong);
+        }
         rig_expect_misuse(&rig, "rhw_pass_begin");
     }
     rig_begin(&rig);

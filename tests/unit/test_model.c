@@ -85,8 +85,9 @@ static void test_hierarchy(void **state)
     assert_floats(model->instances[1].world, moved, 16, 0);
     assert_false(model->instances[0].mirrored);
     assert_true(model->instances[2].mirrored);
-    for (uint32_t i = 0; i < 3; i++)
+    for (uint32_t i = 0; i < 3; i++) {
         assert_int_equal(model->instances[i].object, i + 1);
+    }
     assert_floats(model->bounds_min, (const float[]){-1, 0, 0}, 3, 1e-6f);
     assert_floats(model->bounds_max, (const float[]){22, 14, 14}, 3, 1e-6f);
     rhw_model_free(model);
@@ -116,8 +117,9 @@ static void test_topologies(void **state)
         const struct rhw_mesh *mesh = &model->meshes[0];
         assert_int_equal(mesh->primitive, cases[i].primitive);
         assert_int_equal(mesh->index_count, cases[i].count);
-        for (int k = 0; k < cases[i].count; k++)
+        for (int k = 0; k < cases[i].count; k++) {
             assert_floats(mesh->positions[mesh->indices[k]], square[order[cases[i].corners[k]]], 3, 0);
+        }
         assert_true(mesh->primitive != RHW_PRIMITIVE_TRIANGLES || mesh->normals != NULL);
         rhw_model_free(model);
     }
@@ -284,16 +286,18 @@ static void test_tangents(void **state)
     struct rhw_model *model = load("tangents.gltf");
     const struct rhw_mesh *mesh = &model->meshes[0];
     // u grows along +x and −v along +y: the frame is right-handed.
-    for (uint32_t i = 0; i < mesh->vertex_count; i++)
+    for (uint32_t i = 0; i < mesh->vertex_count; i++) {
         assert_floats(mesh->tangents[i], (const float[]){1, 0, 0, 1}, 4, 1e-6f);
+    }
     rhw_model_free(model);
     write_square(
         "tangents.gltf",
         "{\"normalTexture\":{\"index\":0,\"extensions\":{\"KHR_texture_transform\":{\"scale\":[-1,1]}}}}",
         extra);
     model = load("tangents.gltf");
-    for (uint32_t i = 0; i < model->meshes[0].vertex_count; i++)
+    for (uint32_t i = 0; i < model->meshes[0].vertex_count; i++) {
         assert_floats(model->meshes[0].tangents[i], (const float[]){-1, 0, 0, -1}, 4, 1e-6f);
+    }
     rhw_model_free(model);
 }
 

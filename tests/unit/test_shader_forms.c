@@ -110,16 +110,18 @@ static void make_scene(struct rig *rig, struct scene *scene)
         rig_place(rig, rig_random_float(&random, -30, 130), rig_random_float(&random, -30, 130),
                   rig_random_float(&random, -0.1f, 1.1f), rig_random_float(&random, 1, 9),
                   scene->vertices[i].position);
-        for (int c = 0; c < 4; c++)
+        for (int c = 0; c < 4; c++) {
             scene->vertices[i].value[c] = rig_random_float(&random, -1, 1);
+        }
     }
     struct rhw_texture_def def = rhw_texture_def_default();
     def.width = def.height = 16;
     def.mip_levels = 0;
     assert_int_equal(rhw_texture_create(rig->context, &def, &scene->texture), RHW_OK);
     unsigned char texels[16 * 16 * 4];
-    for (size_t i = 0; i < sizeof texels; i++)
+    for (size_t i = 0; i < sizeof texels; i++) {
         texels[i] = (unsigned char)rig_random(&random);
+    }
     rhw_texture_write(rig->context, scene->texture, 0, texels, 0);
     rhw_texture_generate_mips(rig->context, scene->texture);
     const struct rhw_sampler_def sampler_def = rhw_sampler_def_default();
@@ -138,8 +140,9 @@ static uint64_t draw_scene(struct rig *rig, const struct scene *scene)
     rhw_pass_draw(rig->context, rig->recording, 0, 3 * TRIANGLES, 3, 2);
     rig_end(rig);
     uint64_t hash = 0;
-    for (int t = 0; t < 7; t++)
+    for (int t = 0; t < 7; t++) {
         hash = hash * 31 + rig_hash(rig, t);
+    }
     const float *depth = rig_read_depth(rig);
     return rig_hash_bytes(hash, depth, SIZE * SIZE * sizeof *depth);
 }
@@ -150,8 +153,9 @@ static void test_both_forms_give_the_same_bytes(void **state)
     struct rig rig;
     rig_open(&rig, SIZE, SIZE);
     rig_set_depth(&rig);
-    for (int t = 1; t < 7; t++)
+    for (int t = 1; t < 7; t++) {
         rig_set_target(&rig, t, RHW_FORMAT_RGBA32_FLOAT);
+    }
     struct scene scene;
     make_scene(&rig, &scene);
     struct rhw_program *program = &rig.pipeline.program;

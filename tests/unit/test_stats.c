@@ -107,8 +107,9 @@ static void test_shared_vertices(void **state)
     for (int i = 0; i < CELLS * CELLS; i++) {
         const int a = i / CELLS * (CELLS + 1) + i % CELLS;
         const int corners[6] = {a, a + 1, a + CELLS + 1, a + CELLS + 1, a + 1, a + CELLS + 2};
-        for (int k = 0; k < 6; k++)
+        for (int k = 0; k < 6; k++) {
             indices[6 * i + k] = (uint16_t)corners[k];
+        }
     }
     rig_begin(&rig);
     rig_use_pipeline(&rig);
@@ -136,8 +137,9 @@ static void test_times_add_up(void **state)
     clock_gettime(CLOCK_MONOTONIC, &begun);
     rig_use_pipeline(&rig);
     rig_use_vertices(&rig, 0, all, sizeof all);
-    for (int n = 0; n < 200; n++)
+    for (int n = 0; n < 200; n++) {
         rhw_pass_draw(rig.context, rig.recording, 0, 6, 0, 1);
+    }
     clock_gettime(CLOCK_MONOTONIC, &recorded);
     rig_end(&rig);
     clock_gettime(CLOCK_MONOTONIC, &to);

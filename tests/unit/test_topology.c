@@ -101,10 +101,11 @@ static void test_strips_and_fans_are_their_triangles(void **state)
         for (int provoking = 0; provoking < 2; provoking++) {
             for (int count = 3; count <= 9; count++) {
                 struct rig_vertex vertices[9];
-                if (topologies[t] == RHW_TRIANGLE_STRIP)
+                if (topologies[t] == RHW_TRIANGLE_STRIP) {
                     make_zigzag(&rig, count, vertices);
-                else
+                } else {
                     make_wheel(&rig, count, vertices);
+                }
                 const int triangles = topologies[t] == RHW_TRIANGLE_LIST ? count / 3 : count - 2;
                 rig.pipeline.provoking = (enum rhw_provoking)provoking;
                 draw_expanded(&rig, topologies[t], rig.pipeline.provoking, vertices, triangles);
@@ -112,9 +113,10 @@ static void test_strips_and_fans_are_their_triangles(void **state)
                 rig.pipeline.topology = topologies[t];
                 rig_draw_once(&rig, vertices, count);
                 assert_int_equal(rig.stats.triangles_in, triangles);
-                if (rig_hash(&rig, 0) != expected)
+                if (rig_hash(&rig, 0) != expected) {
                     fail_msg("topology %d, provoking %d, %d vertices differ from the list", t, provoking,
                              count);
+                }
             }
         }
     }
@@ -167,12 +169,13 @@ static void test_incomplete_triangles_are_nothing(void **state)
 
 static void store_index(unsigned char *data, enum rhw_index_type type, int i, uint32_t index)
 {
-    if (type == RHW_INDEX_UINT8)
+    if (type == RHW_INDEX_UINT8) {
         data[i] = (unsigned char)index;
-    else if (type == RHW_INDEX_UINT16)
+    } else if (type == RHW_INDEX_UINT16) {
         memcpy(data + 2 * i, &(uint16_t){(uint16_t)index}, 2);
-    else
+    } else {
         memcpy(data + 4 * i, &index, 4);
+    }
 }
 
 static const uint32_t restart_of[3] = {0xff, 0xffff, 0xffffffff};
@@ -184,8 +187,9 @@ static void draw_indices(struct rig *rig, enum rhw_index_type type, const struct
 {
     unsigned char data[4096];
     memset(data, 0xee, sizeof data);
-    for (int i = 0; i < count; i++)
+    for (int i = 0; i < count; i++) {
         store_index(data + skip, type, i + (int)first, indices[i]);
+    }
     rig_begin(rig);
     rig_use_pipeline(rig);
     rig_use_vertices(rig, 0, vertices, sizeof *vertices * (size_t)vertex_count);
@@ -210,8 +214,9 @@ static void test_index_types_offsets_and_base_vertex(void **state)
     memcpy(shifted + 7, vertices, sizeof vertices);
     const uint32_t indices[] = {1, 2, 0, 3, 4, 0, 7, 8, 0, 5, 6, 0};
     struct rig_vertex expanded[12];
-    for (int i = 0; i < 12; i++)
+    for (int i = 0; i < 12; i++) {
         expanded[i] = vertices[indices[i]];
+    }
     rig_draw_once(&rig, expanded, 12);
     const uint64_t expected = rig_hash(&rig, 0);
     for (int type = 0; type < 3; type++) {
@@ -225,8 +230,9 @@ static void test_index_types_offsets_and_base_vertex(void **state)
         }
     }
     uint32_t higher[12];
-    for (int i = 0; i < 12; i++)
+    for (int i = 0; i < 12; i++) {
         higher[i] = indices[i] + 100;
+    }
     for (int type = 0; type < 3; type++) {
         draw_indices(&rig, (enum rhw_index_type)type, vertices, 9, higher, 12, 0, 0, -100);
         assert_true(rig_hash(&rig, 0) == expected);
@@ -259,12 +265,14 @@ static void test_primitives_count_through_long_draws(void **state)
     open_rig(&rig);
     static struct rig_vertex vertices[LONG_INDICES];
     make_trail(&rig, LONG_INDICES, vertices);
-    for (int i = 0; i < LONG_INDICES; i++)
+    for (int i = 0; i < LONG_INDICES; i++) {
         vertices[i].value[1] = (float)(i / 3 + 1);
+    }
     rig_draw_once(&rig, vertices, LONG_INDICES);
     const float(*pixels)[4] = rig_read_float4(&rig);
-    for (int i = 0; i < SIZE * SIZE; i++)
+    for (int i = 0; i < SIZE * SIZE; i++) {
         assert_true(pixels[i][0] == pixels[i][3]);
+    }
     rig_close(&rig);
 }
 
@@ -313,8 +321,9 @@ static void test_long_draws_are_their_triangles(void **state)
         rig_end(&rig);
         rhw_buffer_destroy(rig.context, buffer);
         assert_int_equal(rig.stats.triangles_in, LONG_TRIANGLES);
-        if (rig_hash(&rig, 0) != expected)
+        if (rig_hash(&rig, 0) != expected) {
             fail_msg("variant %d differs from the list of its triangles", variant);
+        }
     }
     rig_close(&rig);
 }
@@ -335,8 +344,9 @@ static void test_primitive_restart(void **state)
             struct rig_vertex expanded[64];
             int count = 0, corners = 0;
             for (int run = 0; run < 5; run++) {
-                for (int i = 0; i < runs[run][1]; i++)
+                for (int i = 0; i < runs[run][1]; i++) {
                     indices[count++] = (uint32_t)(runs[run][0] + i);
+                }
                 for (int n = 0; n + 2 < runs[run][1]; n++) {
                     int corner[3];
                     triangle_of(topology, n, corner);

@@ -19,18 +19,21 @@ struct sample_vertex {
 static void qualifier_vertex(struct rhw_vertex *groups, int count)
 {
     for (int g = 0; g < count; g++) {
-        for (int c = 0; c < 4; c++)
+        for (int c = 0; c < 4; c++) {
             groups[g].position[c] = groups[g].attribute[0][c];
-        for (int c = 0; c < 3; c++)
+        }
+        for (int c = 0; c < 3; c++) {
             groups[g].varying[c] = groups[g].attribute[1][c];
+        }
     }
 }
 
 static void qualifier_fragment(struct rhw_fragment *groups, int count)
 {
     for (int g = 0; g < count; g++) {
-        for (int c = 0; c < 3; c++)
+        for (int c = 0; c < 3; c++) {
             groups[g].color[0][c] = groups[g].varying[c];
+        }
         groups[g].color[0][3] = groups[g].coord[3];
     }
 }
@@ -101,9 +104,10 @@ static double largest_of(const double values[3])
 
 static void expect_near(const char *what, double seen, double expected, double bound)
 {
-    if (!(fabs(seen - expected) <= bound))
+    if (!(fabs(seen - expected) <= bound)) {
         fail_msg("%s is %.9g, not %.17g: off by %.3g where %.3g is allowed", what, seen, expected,
                  fabs(seen - expected), bound);
+    }
 }
 
 static void check_qualifiers(float w_ratio)
@@ -157,8 +161,9 @@ static void test_derivatives_follow_the_formulas(void **state)
         draw_triangle(&rig, t.vertices);
         const float(*pixels)[4] = rig_read_float4(&rig);
         for (int i = 0; i < SIZE * SIZE; i++) {
-            if (!ref_covers(&t.reference, i % SIZE, i / SIZE))
+            if (!ref_covers(&t.reference, i % SIZE, i / SIZE)) {
                 continue;
+            }
             const double x = i % SIZE + 0.5, y = i / SIZE + 0.5;
             // Values of the order of 1 over slivers give steep slopes: the bound follows the slope's terms.
             double steepest_smooth = 1e-3, steepest_affine = 1e-3;
@@ -201,8 +206,9 @@ static void test_constants_survive(void **state)
         draw_triangle(&rig, t.vertices);
         const float(*pixels)[4] = rig_read_float4(&rig);
         for (int i = 0; i < SIZE * SIZE; i++) {
-            if (!ref_covers(&t.reference, i % SIZE, i / SIZE))
+            if (!ref_covers(&t.reference, i % SIZE, i / SIZE)) {
                 continue;
+            }
             assert_memory_equal(&pixels[i][0], &smooth, sizeof smooth);
             assert_memory_equal(&pixels[i][1], &noperspective, sizeof noperspective);
         }
@@ -240,10 +246,11 @@ static void test_translation_by_whole_pixels(void **state)
             const float(*pixels)[4] = rig_read_float4(&rig);
             for (int y = 0; y < 32; y++) {
                 const float(*row)[4] = pixels + (y + dy) * SIZE + dx;
-                if (place == 0)
+                if (place == 0) {
                     memcpy(first[y * 32], row, 32 * sizeof *row);
-                else
+                } else {
                     assert_memory_equal(first[y * 32], row, 32 * sizeof *row);
+                }
             }
         }
     }
@@ -259,8 +266,9 @@ static void weights_fragment(struct rhw_fragment *groups, int count)
             groups[g].color[2][i] = groups[g].barycentric_ddx[i];
             groups[g].color[3][i] = groups[g].barycentric_ddy[i];
         }
-        for (int i = 0; i < 4; i++)
+        for (int i = 0; i < 4; i++) {
             groups[g].color[4][i] = groups[g].coord[i];
+        }
     }
 }
 
@@ -270,18 +278,21 @@ static void test_barycentrics_and_coordinates(void **state)
     struct rig rig;
     open_rig(&rig, weights_fragment);
     rig.pipeline.program.uses = RHW_USE_COORD | RHW_USE_BARYCENTRIC | RHW_USE_BARYCENTRIC_DERIVATIVES;
-    for (int t = 1; t < 5; t++)
+    for (int t = 1; t < 5; t++) {
         rig_set_target(&rig, t, RHW_FORMAT_RGBA32_FLOAT);
+    }
     uint64_t random = 12;
     static float targets[5][SIZE * SIZE][4];
     for (int n = 0; n < 100; n++) {
         const struct random_triangle t = make_triangle(&rig, &random, 30);
         draw_triangle(&rig, t.vertices);
-        for (int i = 0; i < 5; i++)
+        for (int i = 0; i < 5; i++) {
             memcpy(targets[i], rig_read(&rig, rig.pass.colors[i].texture), sizeof targets[i]);
+        }
         for (int i = 0; i < SIZE * SIZE; i++) {
-            if (!ref_covers(&t.reference, i % SIZE, i / SIZE))
+            if (!ref_covers(&t.reference, i % SIZE, i / SIZE)) {
                 continue;
+            }
             const double x = i % SIZE + 0.5, y = i / SIZE + 0.5;
             const struct ref_weights weights = ref_weights_at(&t.reference, x, y);
             for (int k = 0; k < 3; k++) {
@@ -308,11 +319,13 @@ enum { MANY = RHW_MAX_VARYING_COMPONENTS };
 static void many_vertex(struct rhw_vertex *groups, int count)
 {
     for (int g = 0; g < count; g++) {
-        for (int c = 0; c < 4; c++)
+        for (int c = 0; c < 4; c++) {
             groups[g].position[c] = groups[g].attribute[0][c];
+        }
         const rhw_float number = __builtin_convertvector(groups[g].vertex_index, rhw_float);
-        for (int i = 0; i < MANY; i++)
+        for (int i = 0; i < MANY; i++) {
             groups[g].varying[i] = number * (float)(i + 1) + (float)i;
+        }
     }
 }
 
@@ -320,9 +333,10 @@ static void many_fragment(struct rhw_fragment *groups, int count)
 {
     for (int g = 0; g < count; g++) {
         for (int t = 0; t < 8; t++) {
-            for (int c = 0; c < 4; c++)
+            for (int c = 0; c < 4; c++) {
                 groups[g].color[t][c] =
                     groups[g].varying[t * 4 + c] - groups[g].varying[(t * 4 + c + 16) % MANY];
+            }
         }
     }
 }
@@ -339,24 +353,28 @@ static void test_all_components(void **state)
     for (int v = 0; v < 16; v++) {
         rig.pipeline.program.varyings[v] =
             (struct rhw_varying){components[v], (enum rhw_qualifier)(v % 3), false};
-        for (int c = 0; c < components[v]; c++)
+        for (int c = 0; c < components[v]; c++) {
             qualifier_of[at++] = v % 3;
+        }
     }
     assert_int_equal(at, MANY);
     rig.pipeline.program.varying_count = 16;
-    for (int t = 1; t < 8; t++)
+    for (int t = 1; t < 8; t++) {
         rig_set_target(&rig, t, RHW_FORMAT_RGBA32_FLOAT);
+    }
     struct ref_triangle reference = {{-256, 15000, 2000}, {300, 4000, 16000}, {1, 2, 4}, {0}};
     struct rig_vertex vertices[3] = {0};
-    for (int i = 0; i < 3; i++)
+    for (int i = 0; i < 3; i++) {
         rig_place(&rig, (float)reference.x_8[i] / 256, (float)reference.y_8[i] / 256, 0.5f,
                   (float)reference.w[i], vertices[i].position);
+    }
     rig_draw_once(&rig, vertices, 3);
     for (int t = 0; t < 8; t++) {
         const float(*texels)[4] = (rig_read(&rig, rig.pass.colors[t].texture), rig.pixels);
         for (int i = 0; i < SIZE * SIZE; i++) {
-            if (!ref_covers(&reference, i % SIZE, i / SIZE))
+            if (!ref_covers(&reference, i % SIZE, i / SIZE)) {
                 continue;
+            }
             const struct ref_weights weights = ref_weights_at(&reference, i % SIZE + 0.5, i / SIZE + 0.5);
             for (int c = 0; c < 4; c++) {
                 double value[2];

@@ -24,8 +24,9 @@ static void pixel_vertex(struct rhw_vertex *groups, int count)
         groups[g].position[1] = 1.0f - y * (2.0f / SIZE);
         groups[g].position[2] = rhw_splat(0);
         groups[g].position[3] = rhw_splat(1);
-        for (int c = 0; c < 4; c++)
+        for (int c = 0; c < 4; c++) {
             groups[g].varying[c] = groups[g].attribute[0][c];
+        }
     }
 }
 
@@ -107,8 +108,9 @@ static void expect_component(const struct format_row *family, uint32_t bits, flo
         return;
     }
     const bool exact = expected == (double)(float)expected;
-    if (exact ? (double)seen != expected : fabs((double)seen - expected) > rig_ulp(expected))
+    if (exact ? (double)seen != expected : fabs((double)seen - expected) > rig_ulp(expected)) {
         fail_msg("format %d bits %x: %.9g where %.17g is meant", family->first, bits, (double)seen, expected);
+    }
 }
 
 // Draws SIZE² triangles whose attribute takes consecutive bit patterns from `start` on.
@@ -121,8 +123,9 @@ static void check_patterns(struct rig *rig, const struct format_row *family, int
     uint32_t bits = start;
     for (int i = 0; i < SIZE * SIZE; i++) {
         for (int c = 0; c < components; c++, bits += step) {
-            for (int corner = 0; corner < 3; corner++)
+            for (int corner = 0; corner < 3; corner++) {
                 memcpy(data + (3 * i + corner) * size + c * family->bytes, &bits, (size_t)family->bytes);
+            }
         }
     }
     rig->pipeline.attributes[0] =
@@ -138,10 +141,12 @@ static void check_patterns(struct rig *rig, const struct format_row *family, int
     const uint32_t mask = family->bytes == 4 ? 0xffffffff : (1u << 8 * family->bytes) - 1;
     bits = start;
     for (int i = 0; i < SIZE * SIZE; i++) {
-        for (int c = 0; c < components; c++, bits += step)
+        for (int c = 0; c < components; c++, bits += step) {
             expect_component(family, bits & mask, pixels[i][c]);
-        for (int c = components; c < 4; c++)
+        }
+        for (int c = components; c < 4; c++) {
             assert_true(pixels[i][c] == (c == 3 ? 1.0f : 0.0f));
+        }
     }
 }
 
@@ -158,8 +163,9 @@ static void test_every_format(void **state)
                            step);
         }
         if (families[f].bytes == 2) {
-            for (uint32_t start = 0; start < 65536; start += SIZE * SIZE)
+            for (uint32_t start = 0; start < 65536; start += SIZE * SIZE) {
                 check_patterns(&rig, &families[f], 1, start, 1);
+            }
         }
     }
     rig_close(&rig);
@@ -176,8 +182,9 @@ static void test_sizes_and_texel_sizes(void **state)
         }
     }
     const size_t texels[RHW_FORMAT_COUNT] = {0, 1, 2, 4, 4, 8, 4, 16, 4, 4};
-    for (int format = 1; format < RHW_FORMAT_COUNT; format++)
+    for (int format = 1; format < RHW_FORMAT_COUNT; format++) {
         assert_int_equal(rhw_format_size((enum rhw_format)format), texels[format]);
+    }
 }
 
 // Positions from attribute 0 (two floats, NDC); the value is the sum of what the other attributes bring.
@@ -264,8 +271,9 @@ static void test_buffers_strides_offsets_and_instances(void **state)
         assert_true(seen[3] == (i == 0 ? 0.0f : -1234.0f));
     }
     assert_int_equal(rig.stats.triangles_rasterized, 5);
-    for (int b = 0; b < 4; b++)
+    for (int b = 0; b < 4; b++) {
         rhw_buffer_destroy(rig.context, buffers[b]);
+    }
     rig_close(&rig);
 }
 
@@ -279,8 +287,9 @@ static void test_an_element_that_ends_beyond_its_buffer(void **state)
     rig.pipeline.attributes[0] = (struct rhw_attribute){RHW_VERTEX_FLOAT3, 0, 0};
     rig.pipeline.buffers[0].stride = 12;
     float data[30];
-    for (int i = 0; i < 30; i++)
+    for (int i = 0; i < 30; i++) {
         data[i] = (float)(i + 1);
+    }
     for (size_t cut = 0; cut <= 12; cut++) {
         rig_begin(&rig);
         rig_use_pipeline(&rig);
@@ -290,8 +299,9 @@ static void test_an_element_that_ends_beyond_its_buffer(void **state)
         const float(*pixels)[4] = rig_read_float4(&rig);
         for (int n = 0; n < 3; n++) {
             const bool whole = n < 2 || cut == 0;
-            for (int c = 0; c < 3; c++)
+            for (int c = 0; c < 3; c++) {
                 assert_true(pixels[n][c] == (whole ? (float)(n * 9 + c + 1) : 0.0f));
+            }
             assert_true(pixels[n][3] == 1);
         }
     }

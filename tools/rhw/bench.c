@@ -40,8 +40,9 @@ static void find_cpu(char *name, size_t size)
             break;
         }
     }
-    if (file)
+    if (file) {
         fclose(file);
+    }
 }
 
 static bool open_rhw(struct bench *bench, int threads)
@@ -62,8 +63,9 @@ static void open_peer(struct bench *bench)
     char number[16];
     const char *why;
     bench->peer = -1;
-    if (!job->peer)
+    if (!job->peer) {
         return;
+    }
     if (job->peer_threads) {
         snprintf(number, sizeof number, "%d", job->peer_threads);
         setenv("LP_NUM_THREADS", number, 1);
@@ -80,13 +82,15 @@ static void open_peer(struct bench *bench)
 static bool open_renderers(struct bench *bench)
 {
     struct rhw_bench_report *const report = &bench->report;
-    if (!open_rhw(bench, bench->job.threads))
+    if (!open_rhw(bench, bench->job.threads)) {
         return false;
+    }
     report->threads = bench->renderers[ALL_THREADS].threads;
     report->isa = bench->renderers[ALL_THREADS].isa;
     bench->one = report->threads > 1 ? OTHERS : -1;
-    if (bench->one >= 0 && !open_rhw(bench, 1))
+    if (bench->one >= 0 && !open_rhw(bench, 1)) {
         return false;
+    }
     open_peer(bench);
     return true;
 }
@@ -130,8 +134,9 @@ static void depth_row(const void *user, int y, void *row)
     const struct bench_image *const image = user;
     const float *const from = image->depth + (size_t)y * (size_t)image->width;
     uint16_t *const to = row;
-    for (int x = 0; x < image->width; x++)
+    for (int x = 0; x < image->width; x++) {
         to[x] = (uint16_t)(from[x] * 65535.0f + 0.5f);
+    }
 }
 
 static bool save_image(const char *folder, const char *scene, const char *renderer,
@@ -148,10 +153,12 @@ static bool save_image(const char *folder, const char *scene, const char *render
                                       .row = color ? color_row : depth_row,
                                       .user = image};
     snprintf(path, sizeof path, "%s/%s_%s.png", folder, scene, renderer);
-    if (!rhw_output_file_open(&file, path))
+    if (!rhw_output_file_open(&file, path)) {
         return false;
-    if (rhw_png_write(&file, &raster) && rhw_output_file_finish(&file))
+    }
+    if (rhw_png_write(&file, &raster) && rhw_output_file_finish(&file)) {
         return rhw_output_file_commit(&file);
+    }
     rhw_output_file_discard(&file);
     return false;
 }
@@ -168,8 +175,9 @@ static bool same_for_threads(const struct bench *bench)
 {
     const struct bench_image *const a = &bench->images[ALL_THREADS];
     const size_t pixels = (size_t)a->width * (size_t)a->height;
-    if (bench->one < 0)
+    if (bench->one < 0) {
         return true;
+    }
     const struct bench_image *const b = &bench->images[bench->one];
     return a->color ? memcmp(a->color, b->color, 4 * pixels) == 0
                     : memcmp(a->depth, b->depth, pixels * sizeof *a->depth) == 0;
@@ -180,8 +188,9 @@ static bool same_for_threads(const struct bench *bench)
 static struct bench_tolerance tolerance_of(const struct bench *bench, const struct bench_scene *scene)
 {
     struct bench_tolerance tolerance = scene->tolerance;
-    if (scene->texture_count && strcmp(bench->job.peer, "softpipe") == 0)
+    if (scene->texture_count && strcmp(bench->job.peer, "softpipe") == 0) {
         tolerance.color = 40;
+    }
     return tolerance;
 }
 
@@ -191,8 +200,9 @@ static bool check_images(struct bench *bench, const struct bench_scene *scene,
                          struct rhw_bench_result *result)
 {
     const char *const name = result->entry->name;
-    if (!read_images(bench, scene) || (bench->job.save && !save_images(bench, name)))
+    if (!read_images(bench, scene) || (bench->job.save && !save_images(bench, name))) {
         return false;
+    }
     if (!same_for_threads(bench)) {
         rhw_tool_error(name, "the picture differs with the number of threads");
         return false;
@@ -225,8 +235,9 @@ static bool measure_scene(struct bench *bench, const struct bench_scene *scene,
     for (; works && taken < count; taken++) {
         struct bench_renderer *const renderer = &bench->renderers[taken];
         works = renderer->take(renderer, scene, bench->job.width, bench->job.height);
-        if (!works)
+        if (!works) {
             rhw_tool_error(renderer->name, "cannot take the scene %s", result->entry->name);
+        }
     }
     if (works && !bench_measure(bench->renderers, count, bench->job.frames, times, &failed)) {
         rhw_tool_error(bench->renderers[failed].name, "cannot draw the scene %s", result->entry->name);
@@ -234,17 +245,21 @@ static bool measure_scene(struct bench *bench, const struct bench_scene *scene,
     }
     works = works && (!bench_scene_has_picture(scene) || check_images(bench, scene, result));
     free_images(bench);
-    while (taken-- > 0)
+    while (taken-- > 0) {
         bench->renderers[taken].release(&bench->renderers[taken]);
-    if (!works)
+    }
+    if (!works) {
         return false;
+    }
     result->all = times[ALL_THREADS];
     result->has_one = bench->one >= 0;
     result->has_peer = with_peer;
-    if (result->has_one)
+    if (result->has_one) {
         result->one = times[bench->one];
-    if (result->has_peer)
+    }
+    if (result->has_peer) {
         result->peer = times[bench->peer];
+    }
     return true;
 }
 
@@ -269,8 +284,9 @@ static void run_scene(struct bench *bench, const struct bench_scene_entry *entry
         return;
     }
     report->result_count++;
-    if (bench->table)
+    if (bench->table) {
         rhw_bench_print_row(report, result);
+    }
 }
 
 static bool write_report(const struct rhw_bench_report *report, const char *path,
@@ -281,11 +297,13 @@ static bool write_report(const struct rhw_bench_report *report, const char *path
         print(stdout, report);
         return true;
     }
-    if (!rhw_output_file_open(&file, path))
+    if (!rhw_output_file_open(&file, path)) {
         return false;
+    }
     print(file.stream, report);
-    if (rhw_output_file_finish(&file))
+    if (rhw_output_file_finish(&file)) {
         return rhw_output_file_commit(&file);
+    }
     rhw_output_file_discard(&file);
     return false;
 }
@@ -294,19 +312,22 @@ static void run_scenes(struct bench *bench)
 {
     const struct rhw_bench_job *const job = &bench->job;
     bench->table = !(job->json && !job->json_path) && !(job->csv && !job->csv_path);
-    if (bench->table)
+    if (bench->table) {
         rhw_bench_print_head(&bench->report);
+    }
     for (int i = 0; i < bench_scene_entry_count; i++) {
-        if (job->wanted[i])
+        if (job->wanted[i]) {
             run_scene(bench, &bench_scene_entries[i]);
+        }
     }
     if (bench->report.result_count == 0 && !bench->failed) {
         rhw_tool_error("bench", "no scene was timed");
         bench->failed = true;
     }
     if ((job->json && !write_report(&bench->report, job->json_path, rhw_bench_print_json)) ||
-        (job->csv && !write_report(&bench->report, job->csv_path, rhw_bench_print_csv)))
+        (job->csv && !write_report(&bench->report, job->csv_path, rhw_bench_print_csv))) {
         bench->failed = true;
+    }
 }
 
 int rhw_tool_bench(int argc, char **argv)
@@ -322,14 +343,16 @@ int rhw_tool_bench(int argc, char **argv)
         bench->report.job = &bench->job;
         bench->report.cores = (int)sysconf(_SC_NPROCESSORS_ONLN);
         find_cpu(bench->report.cpu, sizeof bench->report.cpu);
-        if (open_renderers(bench))
+        if (open_renderers(bench)) {
             run_scenes(bench);
-        else
+        } else {
             bench->failed = true;
+        }
         status = bench->failed ? RHW_TOOL_FAILED : RHW_TOOL_OK;
     }
-    while (bench->renderer_count-- > 0)
+    while (bench->renderer_count-- > 0) {
         bench->renderers[bench->renderer_count].close(&bench->renderers[bench->renderer_count]);
+    }
     free(bench);
     return status;
 }

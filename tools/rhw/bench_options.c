@@ -70,8 +70,9 @@ static bool want_scene(struct rhw_bench_job *job, const char *name, size_t lengt
             }
         }
     }
-    if (!found)
+    if (!found) {
         rhw_tool_error("--scene", "there is no scene '%.*s'; see 'rhw bench --list'", (int)length, name);
+    }
     return found;
 }
 
@@ -79,18 +80,21 @@ static bool parse_scenes(struct rhw_bench_job *job, const char *list)
 {
     for (;;) {
         const size_t length = strcspn(list, ",");
-        if (!want_scene(job, list, length))
+        if (!want_scene(job, list, length)) {
             return false;
-        if (list[length] == '\0')
+        }
+        if (list[length] == '\0') {
             return true;
+        }
         list += length + 1;
     }
 }
 
 static bool parse_number(const char *option, const char *text, int least, int most, int *value)
 {
-    if (rhw_tool_parse_int(text, least, most, value))
+    if (rhw_tool_parse_int(text, least, most, value)) {
         return true;
+    }
     rhw_tool_error(option, "'%s' is not a number of %d to %d", text, least, most);
     return false;
 }
@@ -98,8 +102,9 @@ static bool parse_number(const char *option, const char *text, int least, int mo
 static bool parse_isa(struct rhw_bench_job *job, const char *text)
 {
     const char *names[RHW_ISA_COUNT];
-    for (int isa = 0; isa < RHW_ISA_COUNT; isa++)
+    for (int isa = 0; isa < RHW_ISA_COUNT; isa++) {
         names[isa] = rhw_isa_name((enum rhw_isa)isa);
+    }
     const int isa = rhw_tool_parse_name(text, names, RHW_ISA_COUNT);
     if (isa < 0) {
         rhw_tool_error("--isa", "'%s' is not baseline, avx2 or avx512", text);
@@ -123,8 +128,9 @@ static bool parse_peer(struct rhw_bench_job *job, const char *text)
 
 static bool parse_size(struct rhw_bench_job *job, const char *text)
 {
-    if (rhw_tool_parse_size(text, &job->width, &job->height))
+    if (rhw_tool_parse_size(text, &job->width, &job->height)) {
         return true;
+    }
     rhw_tool_error("--size", "'%s' is not WxH with both 1..%d", text, RHW_MAX_TARGET_SIZE);
     return false;
 }
@@ -160,8 +166,9 @@ static bool take_option(struct rhw_bench_job *job, int id, const char *argument)
 
 static void print_list(void)
 {
-    for (int i = 0; i < bench_scene_entry_count; i++)
+    for (int i = 0; i < bench_scene_entry_count; i++) {
         printf("%-16s %s\n", bench_scene_entries[i].name, bench_scene_entries[i].what);
+    }
 }
 
 int rhw_bench_options(int argc, char **argv, struct rhw_bench_job *job, bool *go)
@@ -174,15 +181,18 @@ int rhw_bench_options(int argc, char **argv, struct rhw_bench_job *job, bool *go
     bool list = false, chosen = false;
     int id;
     while ((id = rhw_tool_parser_next(&parser)) > 0) {
-        if (!take_option(job, id, parser.argument))
+        if (!take_option(job, id, parser.argument)) {
             return RHW_TOOL_USAGE;
+        }
         list = list || id == OPTION_LIST;
         chosen = chosen || id == OPTION_SCENE;
     }
-    if (id == RHW_TOOL_OPTION_STOP)
+    if (id == RHW_TOOL_OPTION_STOP) {
         return parser.status;
-    if (!rhw_tool_parser_operands(&parser, 0, 0))
+    }
+    if (!rhw_tool_parser_operands(&parser, 0, 0)) {
         return RHW_TOOL_USAGE;
+    }
     if (job->json && job->csv && !job->json_path && !job->csv_path) {
         rhw_tool_error("--csv", "standard output takes one of --json and --csv");
         return RHW_TOOL_USAGE;
@@ -191,12 +201,15 @@ int rhw_bench_options(int argc, char **argv, struct rhw_bench_job *job, bool *go
         rhw_tool_error("--isa", "this CPU does not run %s", rhw_isa_name(job->isa));
         return RHW_TOOL_FAILED;
     }
-    if (!can_write(job))
+    if (!can_write(job)) {
         return RHW_TOOL_FAILED;
-    for (int i = 0; i < bench_scene_entry_count && !chosen; i++)
+    }
+    for (int i = 0; i < bench_scene_entry_count && !chosen; i++) {
         job->wanted[i] = true;
-    if (list)
+    }
+    if (list) {
         print_list();
+    }
     *go = !list;
     return RHW_TOOL_OK;
 }

@@ -28,10 +28,11 @@ void rhw_bench_describe(const struct rhw_bench_result *result, char *text, size_
 {
     const struct bench_agreement *const a = &result->agreement;
     char largest[48];
-    if (result->tolerance.depth > 0.0 && a->color == 0)
+    if (result->tolerance.depth > 0.0 && a->color == 0) {
         snprintf(largest, sizeof largest, "depth within %.1e", a->depth);
-    else
+    } else {
         snprintf(largest, sizeof largest, "mean difference %.3f/255, largest %d", a->mean, a->color);
+    }
     snprintf(text, size, "%llu of %llu pixels covered by one only, %llu beyond the tolerance; %s",
              (unsigned long long)a->coverage, (unsigned long long)a->pixels, (unsigned long long)a->outliers,
              largest);
@@ -45,12 +46,14 @@ void rhw_bench_print_head(const struct rhw_bench_report *report)
     printf("%s, %d core%s\nrhw %s %s, %d thread%s\n", report->cpu, report->cores,
            report->cores == 1 ? "" : "s", rhw_version(), rhw_isa_name(report->isa), report->threads,
            report->threads == 1 ? "" : "s");
-    if (report->peer_name[0])
+    if (report->peer_name[0]) {
         printf("%s\n", report->peer_name);
+    }
     printf("%dx%d, milliseconds per frame: median (least-most) of %d\n\n%-16s", job->width, job->height,
            job->frames, "scene");
-    if (report->threads > 1)
+    if (report->threads > 1) {
         printf(" %-23s", "1 thread");
+    }
     printf(" %-23s %-14s", report->threads > 1 ? "all threads" : "rhw", "rate");
     printf(report->peer_name[0] ? " %-23s ratio  pictures\n" : "\n", peer_of(report));
     fflush(stdout);
@@ -66,14 +69,16 @@ static void print_time(const struct bench_time *time)
 void rhw_bench_print_row(const struct rhw_bench_report *report, const struct rhw_bench_result *result)
 {
     printf("%-16s", result->entry->name);
-    if (result->has_one)
+    if (result->has_one) {
         print_time(&result->one);
-    else if (report->threads > 1)
+    } else if (report->threads > 1) {
         printf(" %-23s", "");
+    }
     print_time(&result->all);
     char rate[32] = "";
-    if (result->work > 0.0)
+    if (result->work > 0.0) {
         snprintf(rate, sizeof rate, "%.4g %s", rate_of(result, result->all.median), unit_of(result));
+    }
     printf(" %-14s", rate);
     if (result->has_peer) {
         print_time(&result->peer);
@@ -171,10 +176,11 @@ void rhw_bench_print_json(FILE *stream, const struct rhw_bench_report *report)
 
 static void csv_time(FILE *stream, bool present, const struct bench_time *time)
 {
-    if (present)
+    if (present) {
         fprintf(stream, ",%.4f,%.4f,%.4f", time->median, time->least, time->most);
-    else
+    } else {
         fputs(",,,", stream);
+    }
 }
 
 void rhw_bench_print_csv(FILE *stream, const struct rhw_bench_report *report)
@@ -187,16 +193,18 @@ void rhw_bench_print_csv(FILE *stream, const struct rhw_bench_report *report)
         fputs(r->entry->name, stream);
         csv_time(stream, true, &r->all);
         csv_time(stream, r->has_one, &r->one);
-        if (r->work > 0.0)
+        if (r->work > 0.0) {
             fprintf(stream, ",%.5g,%s", rate_of(r, r->all.median), unit_of(r));
-        else
+        } else {
             fputs(",,", stream);
+        }
         fprintf(stream, ",%s", r->has_peer ? peer_of(report) : "");
         csv_time(stream, r->has_peer, &r->peer);
-        if (r->has_peer)
+        if (r->has_peer) {
             fprintf(stream, ",%.4f,%s", r->peer.median / r->all.median, r->agreement.agrees ? "yes" : "no");
-        else
+        } else {
             fputs(",,", stream);
+        }
         fputc('\n', stream);
     }
 }

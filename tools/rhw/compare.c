@@ -70,8 +70,9 @@ struct comparison {
 // |a − b| where that means something: equal infinities and two NaNs do not differ.
 static double difference_of(double a, double b)
 {
-    if (a == b || (isnan(a) && isnan(b)))
+    if (a == b || (isnan(a) && isnan(b))) {
         return 0.0;
+    }
     return isfinite(a) && isfinite(b) ? fabs(a - b) : INFINITY;
 }
 
@@ -131,8 +132,9 @@ static void find_peak(const struct rhw_loaded_image *image, struct channel_diffe
     for (int y = 0; y < image->height; y++) {
         rhw_image_row(image, channel->a, y, row);
         for (int x = 0; x < image->width; x++) {
-            if (isfinite(row[x]) && fabs(row[x]) > peak)
+            if (isfinite(row[x]) && fabs(row[x]) > peak) {
                 peak = fabs(row[x]);
+            }
         }
     }
     channel->peak = peak > 0.0 ? peak : 1.0;
@@ -145,8 +147,9 @@ static void compare_row(struct comparison *comparison, struct channel_difference
     const int width = comparison->a.width;
     for (int x = 0; x < width; x++) {
         const double difference = difference_of(a[x], b[x]);
-        if (difference == 0.0)
+        if (difference == 0.0) {
             continue;
+        }
         differs[x] = true;
         channel->differing++;
         channel->sum += difference;
@@ -170,11 +173,13 @@ static bool compare_pixels(struct comparison *comparison)
     double *rows = malloc(2 * width * sizeof *rows);
     bool *differs = malloc(width * sizeof *differs);
     comparison->pixels = (uint64_t)a->width * (uint64_t)a->height;
-    if (comparison->difference_path)
+    if (comparison->difference_path) {
         comparison->heat = calloc(comparison->pixels, sizeof *comparison->heat);
+    }
     const bool enough = rows && differs && (comparison->heat || !comparison->difference_path);
-    for (int c = 0; enough && !a->encoded && c < comparison->channel_count; c++)
+    for (int c = 0; enough && !a->encoded && c < comparison->channel_count; c++) {
         find_peak(a, &comparison->channels[c], rows);
+    }
     for (int y = 0; enough && y < a->height; y++) {
         memset(differs, 0, width * sizeof *differs);
         for (int c = 0; c < comparison->channel_count; c++) {
@@ -183,8 +188,9 @@ static bool compare_pixels(struct comparison *comparison)
             rhw_image_row(&comparison->b, channel->b, y, rows + width);
             compare_row(comparison, channel, y, rows, rows + width, differs);
         }
-        for (size_t x = 0; x < width; x++)
+        for (size_t x = 0; x < width; x++) {
             comparison->differing += differs[x];
+        }
     }
     for (int c = 0; c < comparison->channel_count; c++) {
         const struct channel_difference *channel = &comparison->channels[c];
@@ -196,8 +202,9 @@ static bool compare_pixels(struct comparison *comparison)
     }
     free(rows);
     free(differs);
-    if (!enough)
+    if (!enough) {
         rhw_tool_error(comparison->path_a, "out of memory");
+    }
     return enough;
 }
 
@@ -212,13 +219,15 @@ static void heat_row(const void *user, int y, void *row)
     uint8_t *bytes = row;
     for (int x = 0; x < width; x++, bytes += 3) {
         memset(bytes, 0, 3);
-        if (heat[x] <= 0.0f)
+        if (heat[x] <= 0.0f) {
             continue;
+        }
         const float place = fminf(fmaxf((log2f(heat[x]) + 10.0f) / 9.0f, 0.0f), 1.0f) * 5.0f;
         const int step = place < 4.0f ? (int)place : 4;
         const float part = place - (float)step;
-        for (int i = 0; i < 3; i++)
+        for (int i = 0; i < 3; i++) {
             bytes[i] = (uint8_t)(colors[step][i] + (colors[step + 1][i] - colors[step][i]) * part + 0.5f);
+        }
     }
 }
 
@@ -233,12 +242,14 @@ static bool write_difference(const struct comparison *comparison)
                                       .user = comparison};
     const bool png = rhw_picture_format_of(comparison->difference_path) == RHW_PICTURE_PNG;
     struct rhw_output_file file;
-    if (!rhw_output_file_open(&file, comparison->difference_path))
+    if (!rhw_output_file_open(&file, comparison->difference_path)) {
         return false;
+    }
     const bool written = (png ? rhw_png_write(&file, &raster) : rhw_ppm_write(&file, &raster)) &&
                          rhw_output_file_finish(&file) && rhw_output_file_commit(&file);
-    if (!written)
+    if (!written) {
         rhw_output_file_discard(&file);
+    }
     return written;
 }
 
@@ -281,21 +292,24 @@ static void print_table(const struct comparison *comparison)
         printf("%-16s %12.6g %12.6g %9.2f %10llu\n", channel->name, channel->max, channel->sum / pixels,
                psnr_of(channel, comparison->pixels), (unsigned long long)channel->differing);
     }
-    if (comparison->differing)
+    if (comparison->differing) {
         printf("%llu of %llu pixels differ, most at %d,%d by %g\n", (unsigned long long)comparison->differing,
                (unsigned long long)comparison->pixels, comparison->worst_x, comparison->worst_y,
                comparison->max);
-    else
+    } else {
         printf("all %llu pixels are equal\n", (unsigned long long)comparison->pixels);
+    }
 }
 
 static bool load_and_compare(struct comparison *comparison)
 {
-    if (comparison->difference_path && !rhw_output_file_check(comparison->difference_path))
+    if (comparison->difference_path && !rhw_output_file_check(comparison->difference_path)) {
         return false;
+    }
     if (!rhw_image_load(&comparison->a, comparison->path_a) ||
-        !rhw_image_load(&comparison->b, comparison->path_b))
+        !rhw_image_load(&comparison->b, comparison->path_b)) {
         return false;
+    }
     return check_comparable(comparison) && match_channels(comparison) && compare_pixels(comparison) &&
            (!comparison->difference_path || write_difference(comparison));
 }
@@ -305,14 +319,17 @@ static bool parse_tolerance(const char *text, double *tolerance)
     char first[32];
     const size_t length = strcspn(text, "/");
     float number, divisor = 1.0f;
-    if (length >= sizeof first)
+    if (length >= sizeof first) {
         return false;
+    }
     memcpy(first, text, length);
     first[length] = '\0';
-    if (!rhw_tool_parse_float(first, &number) || number < 0.0f)
+    if (!rhw_tool_parse_float(first, &number) || number < 0.0f) {
         return false;
-    if (text[length] && (!rhw_tool_parse_float(text + length + 1, &divisor) || divisor <= 0.0f))
+    }
+    if (text[length] && (!rhw_tool_parse_float(text + length + 1, &divisor) || divisor <= 0.0f)) {
         return false;
+    }
     // A sample that is off by exactly N/255 passes "N/255", whatever the rounding of the two divisions.
     *tolerance = (double)number / (double)divisor * (1.0 + 1e-12);
     return true;
@@ -324,13 +341,15 @@ static bool parse_option(struct comparison *comparison, int id, const char *argu
     case OPTION_DIFFERENCE:
         comparison->difference_path = argument;
         if (rhw_picture_format_of(argument) == RHW_PICTURE_PNG ||
-            rhw_picture_format_of(argument) == RHW_PICTURE_PPM)
+            rhw_picture_format_of(argument) == RHW_PICTURE_PPM) {
             return true;
+        }
         rhw_tool_error(argument, "a difference picture is named .png or .ppm");
         return false;
     case OPTION_TOLERANCE:
-        if (parse_tolerance(argument, &comparison->tolerance))
+        if (parse_tolerance(argument, &comparison->tolerance)) {
             return true;
+        }
         rhw_tool_error("--tolerance", "'%s' is not a number or a fraction, 0 or above", argument);
         return false;
     default: comparison->json = true; return true;
@@ -344,26 +363,31 @@ int rhw_tool_compare(int argc, char **argv)
     rhw_tool_parser_start(&parser, &verb, argc, argv);
     int id;
     while ((id = rhw_tool_parser_next(&parser)) > 0) {
-        if (!parse_option(&comparison, id, parser.argument))
+        if (!parse_option(&comparison, id, parser.argument)) {
             return RHW_TOOL_USAGE;
+        }
     }
-    if (id == RHW_TOOL_OPTION_STOP)
+    if (id == RHW_TOOL_OPTION_STOP) {
         return parser.status;
-    if (!rhw_tool_parser_operands(&parser, 2, 2))
+    }
+    if (!rhw_tool_parser_operands(&parser, 2, 2)) {
         return RHW_TOOL_USAGE;
+    }
 
     comparison.path_a = parser.operands[0];
     comparison.path_b = parser.operands[1];
     int status = RHW_TOOL_FAILED;
     if (load_and_compare(&comparison)) {
-        if (comparison.json)
+        if (comparison.json) {
             print_json(&comparison);
-        else
+        } else {
             print_table(&comparison);
+        }
         status = comparison.max <= comparison.tolerance ? RHW_TOOL_OK : RHW_TOOL_FAILED;
-        if (status != RHW_TOOL_OK)
+        if (status != RHW_TOOL_OK) {
             rhw_tool_error(comparison.path_b, "differs from %s by up to %g, more than the tolerance of %g",
                            comparison.path_a, comparison.max, comparison.tolerance);
+        }
     }
     rhw_image_unload(&comparison.a);
     rhw_image_unload(&comparison.b);

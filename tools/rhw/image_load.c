@@ -24,8 +24,9 @@ static size_t sample_size(enum rhw_sample_type type)
 static bool describe_rgba(struct rhw_loaded_image *image, int samples, enum rhw_sample_type type)
 {
     image->channels = calloc(4, sizeof *image->channels);
-    if (!image->channels)
+    if (!image->channels) {
         return false;
+    }
     image->channel_count = 4;
     image->encoded = true;
     const size_t size = sample_size(type);
@@ -35,8 +36,9 @@ static bool describe_rgba(struct rhw_loaded_image *image, int samples, enum rhw_
         channel->type = type;
         channel->pixel_stride = size * (size_t)samples;
         channel->row_stride = channel->pixel_stride * (size_t)image->width;
-        if (i < 3 || samples == 4)
+        if (i < 3 || samples == 4) {
             channel->first = (const uint8_t *)image->memory + (samples == 1 ? 0 : (size_t)i * size);
+        }
     }
     return true;
 }
@@ -46,23 +48,29 @@ static int decode_png(struct rhw_loaded_image *image, spng_ctx *context, FILE *s
     struct spng_ihdr header;
     size_t size = 0;
     int result = spng_set_image_limits(context, RHW_MAX_TARGET_SIZE, RHW_MAX_TARGET_SIZE);
-    if (!result)
+    if (!result) {
         result = spng_set_png_file(context, stream);
-    if (!result)
+    }
+    if (!result) {
         result = spng_get_ihdr(context, &header);
-    if (result)
+    }
+    if (result) {
         return result;
+    }
 
     const int format = header.bit_depth == 16 ? SPNG_FMT_RGBA16 : SPNG_FMT_RGBA8;
     result = spng_decoded_image_size(context, format, &size);
-    if (result)
+    if (result) {
         return result;
+    }
     image->memory = malloc(size);
-    if (!image->memory)
+    if (!image->memory) {
         return SPNG_EMEM;
+    }
     result = spng_decode_image(context, image->memory, size, format, SPNG_DECODE_TRNS);
-    if (result)
+    if (result) {
         return result;
+    }
     image->width = (int)header.width;
     image->height = (int)header.height;
     image->full_scale = header.bit_depth == 16 ? 65535.0 : 255.0;
@@ -75,12 +83,13 @@ static bool load_png(struct rhw_loaded_image *image, const char *path, FILE *str
     spng_ctx *context = spng_ctx_new(0);
     const int result = context ? decode_png(image, context, stream) : SPNG_EMEM;
     spng_ctx_free(context);
-    if (result == SPNG_EUSER_WIDTH || result == SPNG_EUSER_HEIGHT)
+    if (result == SPNG_EUSER_WIDTH || result == SPNG_EUSER_HEIGHT) {
         rhw_tool_error(path, "larger than %d pixels", RHW_MAX_TARGET_SIZE);
-    else if (result == SPNG_IO_EOF || result == SPNG_EIDAT_TOO_SHORT)
+    } else if (result == SPNG_IO_EOF || result == SPNG_EIDAT_TOO_SHORT) {
         rhw_tool_error(path, "the PNG file ends too early");
-    else if (result)
+    } else if (result) {
         rhw_tool_error(path, "not a valid PNG file: %s", spng_strerror(result));
+    }
     return result == SPNG_OK;
 }
 
@@ -89,14 +98,16 @@ static bool read_number(FILE *stream, int most, int *number)
 {
     int c = getc(stream);
     while (c == ' ' || c == '\t' || c == '\r' || c == '\n' || c == '#') {
-        while (c == '#' && (c = getc(stream)) != '\n' && c != EOF)
+        while (c == '#' && (c = getc(stream)) != '\n' && c != EOF) {
             c = '#';
+        }
         c = getc(stream);
     }
     long value = 0;
     int digits = 0;
-    for (; c >= '0' && c <= '9' && value <= most; c = getc(stream), digits++)
+    for (; c >= '0' && c <= '9' && value <= most; c = getc(stream), digits++) {
         value = value * 10 + (c - '0');
+    }
     *number = (int)value; // the white space after the last digit has been read, as the format asks
     return digits > 0 && value <= most;
 }
@@ -104,24 +115,30 @@ static bool read_number(FILE *stream, int most, int *number)
 static bool read_ppm_samples(FILE *stream, bool text, int most, enum rhw_sample_type type, void *memory,
                              size_t count)
 {
-    if (!text && fread(memory, sample_size(type), count, stream) != count)
+    if (!text && fread(memory, sample_size(type), count, stream) != count) {
         return false;
+    }
     uint8_t *narrow = memory;
     uint16_t *wide = memory;
     for (size_t i = 0; i < count; i++) {
         int value = 0;
-        if (text && !read_number(stream, most, &value))
+        if (text && !read_number(stream, most, &value)) {
             return false;
-        if (!text && type == RHW_SAMPLE_U8)
+        }
+        if (!text && type == RHW_SAMPLE_U8) {
             value = narrow[i];
-        if (!text && type == RHW_SAMPLE_U16)
+        }
+        if (!text && type == RHW_SAMPLE_U16) {
             value = ((const uint8_t *)&wide[i])[0] << 8 | ((const uint8_t *)&wide[i])[1];
-        if (value > most)
+        }
+        if (value > most) {
             return false;
-        if (type == RHW_SAMPLE_U8)
+        }
+        if (type == RHW_SAMPLE_U8) {
             narrow[i] = (uint8_t)value;
-        else
+        } else {
             wide[i] = (uint16_t)value;
+        }
     }
     return true;
 }
@@ -173,12 +190,15 @@ static bool load_stream(struct rhw_loaded_image *image, const char *path, FILE *
         rhw_tool_error(path, "%s", strerror(errno));
         return false;
     }
-    if (memcmp(magic, png_magic, sizeof magic) == 0)
+    if (memcmp(magic, png_magic, sizeof magic) == 0) {
         return load_png(image, path, stream);
-    if (memcmp(magic, exr_magic, sizeof magic) == 0)
+    }
+    if (memcmp(magic, exr_magic, sizeof magic) == 0) {
         return rhw_image_load_exr(image, path);
-    if (magic[0] == 'P' && magic[1] && strchr("2356", magic[1]))
+    }
+    if (magic[0] == 'P' && magic[1] && strchr("2356", magic[1])) {
         return load_ppm(image, path, stream);
+    }
     rhw_tool_error(path, "not a picture that rhw reads (PNG, EXR, PPM, PGM)");
     return false;
 }
@@ -193,8 +213,9 @@ bool rhw_image_load(struct rhw_loaded_image *image, const char *path)
     }
     const bool loaded = load_stream(image, path, stream);
     fclose(stream);
-    if (!loaded)
+    if (!loaded) {
         rhw_image_unload(image);
+    }
     return loaded;
 }
 
@@ -236,8 +257,9 @@ void rhw_image_row(const struct rhw_loaded_image *image, int channel, int y, dou
 int rhw_image_find_channel(const struct rhw_loaded_image *image, const char *name)
 {
     for (int i = 0; i < image->channel_count; i++) {
-        if (strcmp(image->channels[i].name, name) == 0)
+        if (strcmp(image->channels[i].name, name) == 0) {
             return i;
+        }
     }
     return -1;
 }

@@ -31,20 +31,25 @@ static const char *find_unsupported(const struct decoder *decoder, const exr_att
     exr_storage_t storage = EXR_STORAGE_SCANLINE;
     exr_get_count(decoder->context, &parts);
     exr_get_storage(decoder->context, 0, &storage);
-    if (parts != 1)
+    if (parts != 1) {
         return "EXR files of several parts are not read";
-    if (storage != EXR_STORAGE_SCANLINE && storage != EXR_STORAGE_TILED)
+    }
+    if (storage != EXR_STORAGE_SCANLINE && storage != EXR_STORAGE_TILED) {
         return "deep EXR files are not read";
-    if (list->num_channels < 1 || list->num_channels > RHW_IMAGE_CHANNELS_MAX)
+    }
+    if (list->num_channels < 1 || list->num_channels > RHW_IMAGE_CHANNELS_MAX) {
         return "EXR files have 1 to 128 channels";
+    }
     for (int i = 0; i < list->num_channels; i++) {
-        if (list->entries[i].x_sampling != 1 || list->entries[i].y_sampling != 1)
+        if (list->entries[i].x_sampling != 1 || list->entries[i].y_sampling != 1) {
             return "subsampled EXR channels are not read";
+        }
     }
     const int64_t width = (int64_t)decoder->window.max.x - decoder->window.min.x + 1;
     const int64_t height = (int64_t)decoder->window.max.y - decoder->window.min.y + 1;
-    if (width < 1 || height < 1 || width > RHW_MAX_TARGET_SIZE || height > RHW_MAX_TARGET_SIZE)
+    if (width < 1 || height < 1 || width > RHW_MAX_TARGET_SIZE || height > RHW_MAX_TARGET_SIZE) {
         return "larger than 16384 pixels";
+    }
     return NULL;
 }
 
@@ -56,8 +61,9 @@ static bool make_planes(struct decoder *decoder, const exr_attr_chlist_t *list)
     const size_t plane = (size_t)image->width * (size_t)image->height * 4;
     image->channels = calloc((size_t)list->num_channels, sizeof *image->channels);
     image->memory = calloc((size_t)list->num_channels, plane); // zeroed: chunks may be missing from the file
-    if (!image->channels || !image->memory)
+    if (!image->channels || !image->memory) {
         return false;
+    }
     image->channel_count = list->num_channels;
     for (int i = 0; i < list->num_channels; i++) {
         struct rhw_image_channel *channel = &image->channels[i];
@@ -77,13 +83,15 @@ static exr_result_t decode_chunk(struct decoder *decoder, const exr_chunk_info_t
     exr_decode_pipeline_t *pipeline = &decoder->pipeline;
     exr_result_t result = decoder->started ? exr_decoding_update(decoder->context, 0, info, pipeline)
                                            : exr_decoding_initialize(decoder->context, 0, info, pipeline);
-    if (result)
+    if (result) {
         return result;
+    }
     for (int i = 0; i < pipeline->channel_count; i++) {
         exr_coding_channel_info_t *target = &pipeline->channels[i];
         const int channel = rhw_image_find_channel(image, target->channel_name);
-        if (channel < 0 || x + target->width > image->width || y + target->height > image->height)
+        if (channel < 0 || x + target->width > image->width || y + target->height > image->height) {
             return EXR_ERR_CORRUPT_CHUNK;
+        }
         const size_t offset =
             ((size_t)channel * (size_t)image->height + (size_t)y) * (size_t)image->width + (size_t)x;
         target->user_data_type =
@@ -93,8 +101,9 @@ static exr_result_t decode_chunk(struct decoder *decoder, const exr_chunk_info_t
         target->user_line_stride = 4 * image->width;
         target->decode_to_ptr = (uint8_t *)image->memory + 4 * offset;
     }
-    if (!decoder->started)
+    if (!decoder->started) {
         result = exr_decoding_choose_default_routines(decoder->context, 0, pipeline);
+    }
     decoder->started = true;
     return result ? result : exr_decoding_run(decoder->context, 0, pipeline);
 }
@@ -106,8 +115,9 @@ static exr_result_t decode_scan_lines(struct decoder *decoder)
     for (int y = 0; !result && y < decoder->image->height; y += rows) {
         exr_chunk_info_t info;
         result = exr_read_scanline_chunk_info(decoder->context, 0, decoder->window.min.y + y, &info);
-        if (!result)
+        if (!result) {
             result = decode_chunk(decoder, &info, 0, y);
+        }
     }
     return result;
 }
@@ -116,14 +126,16 @@ static exr_result_t decode_tiles(struct decoder *decoder)
 {
     int width = 0, height = 0;
     exr_result_t result = exr_get_tile_sizes(decoder->context, 0, 0, 0, &width, &height);
-    if (!result && (width < 1 || height < 1))
+    if (!result && (width < 1 || height < 1)) {
         result = EXR_ERR_INVALID_ATTR;
+    }
     for (int y = 0; !result && y < decoder->image->height; y += height) {
         for (int x = 0; !result && x < decoder->image->width; x += width) {
             exr_chunk_info_t info;
             result = exr_read_tile_chunk_info(decoder->context, 0, x / width, y / height, 0, 0, &info);
-            if (!result)
+            if (!result) {
                 result = decode_chunk(decoder, &info, x, y);
+            }
         }
     }
     return result;
@@ -136,21 +148,27 @@ static exr_result_t decode(struct decoder *decoder, const char *path, const char
     initializer.flags = EXR_CONTEXT_FLAG_DISABLE_CHUNK_RECONSTRUCTION | EXR_CONTEXT_FLAG_SILENT_HEADER_PARSE;
     exr_result_t result = exr_start_read(&decoder->context, path, &initializer);
     const exr_attr_chlist_t *list = NULL;
-    if (!result)
+    if (!result) {
         result = exr_get_data_window(decoder->context, 0, &decoder->window);
-    if (!result)
+    }
+    if (!result) {
         result = exr_get_channels(decoder->context, 0, &list);
-    if (result)
+    }
+    if (result) {
         return result;
+    }
     *unsupported = find_unsupported(decoder, list);
-    if (*unsupported)
+    if (*unsupported) {
         return EXR_ERR_FEATURE_NOT_IMPLEMENTED;
-    if (!make_planes(decoder, list))
+    }
+    if (!make_planes(decoder, list)) {
         return EXR_ERR_OUT_OF_MEMORY;
+    }
     exr_storage_t storage = EXR_STORAGE_SCANLINE;
     result = exr_get_storage(decoder->context, 0, &storage);
-    if (result)
+    if (result) {
         return result;
+    }
     return storage == EXR_STORAGE_TILED ? decode_tiles(decoder) : decode_scan_lines(decoder);
 }
 
@@ -159,13 +177,16 @@ bool rhw_image_load_exr(struct rhw_loaded_image *image, const char *path)
     struct decoder decoder = {.image = image, .pipeline = EXR_DECODE_PIPELINE_INITIALIZER};
     const char *unsupported = NULL;
     const exr_result_t result = decode(&decoder, path, &unsupported);
-    if (decoder.started)
+    if (decoder.started) {
         exr_decoding_destroy(decoder.context, &decoder.pipeline);
-    if (decoder.context)
+    }
+    if (decoder.context) {
         exr_finish(&decoder.context);
-    if (unsupported)
+    }
+    if (unsupported) {
         rhw_tool_error(path, "%s", unsupported);
-    else if (result)
+    } else if (result) {
         rhw_tool_error(path, "not a valid EXR file: %s", exr_get_default_error_message(result));
+    }
     return result == EXR_ERR_SUCCESS;
 }

@@ -19,8 +19,9 @@ enum rhw_picture_format rhw_picture_format_of(const char *path)
     static const char *const endings[] = {".png", ".exr", ".ppm"};
     const size_t length = strlen(path);
     for (int i = 0; i < 3; i++) {
-        if (length > 4 && strcasecmp(path + length - 4, endings[i]) == 0)
+        if (length > 4 && strcasecmp(path + length - 4, endings[i]) == 0) {
             return (enum rhw_picture_format)i;
+        }
     }
     return RHW_PICTURE_UNKNOWN;
 }
@@ -47,20 +48,24 @@ static int start_png(spng_ctx *context, const struct rhw_raster *raster)
                                               : SPNG_COLOR_TYPE_TRUECOLOR_ALPHA,
     };
     int result = spng_set_ihdr(context, &header);
-    if (!result && raster->srgb)
+    if (!result && raster->srgb) {
         result = spng_set_srgb(context, 0); // perceptual
+    }
     if (!result && raster->comment[0]) {
         struct spng_text text = {.type = SPNG_TEXT, .keyword = "Comment", .text = (char *)raster->comment};
         text.length = strlen(raster->comment);
         result = spng_set_text(context, &text, 1);
     }
-    if (!result)
+    if (!result) {
         result = spng_set_option(context, SPNG_IMG_COMPRESSION_LEVEL, PNG_LEVEL);
-    if (!result)
+    }
+    if (!result) {
         result = spng_set_option(context, SPNG_FILTER_CHOICE, PNG_FILTER);
-    if (!result)
+    }
+    if (!result) {
         result =
             spng_encode_image(context, NULL, 0, SPNG_FMT_PNG, SPNG_ENCODE_PROGRESSIVE | SPNG_ENCODE_FINALIZE);
+    }
     return result;
 }
 
@@ -80,10 +85,12 @@ bool rhw_png_write(struct rhw_output_file *file, const struct rhw_raster *raster
     void *row = malloc(row_size(raster));
     int result = context && row ? spng_set_png_stream(context, write_to_stream, file->stream) : SPNG_EMEM;
     errno = 0;
-    if (!result)
+    if (!result) {
         result = encode_png(context, raster, row);
-    if (result)
+    }
+    if (result) {
         rhw_tool_error(file->path, "cannot be written: %s", errno ? strerror(errno) : spng_strerror(result));
+    }
     spng_ctx_free(context);
     free(row);
     return result == SPNG_OK;
@@ -107,12 +114,14 @@ bool rhw_ppm_write(struct rhw_output_file *file, const struct rhw_raster *raster
                                   raster->width, raster->height, raster->bits == 8 ? 255 : 65535) > 0;
     for (int y = 0; written && y < raster->height; y++) {
         raster->row(raster->user, y, row);
-        if (raster->bits == 16)
+        if (raster->bits == 16) {
             swap_to_big_endian(row, size / 2);
+        }
         written = fwrite(row, 1, size, file->stream) == size;
     }
-    if (!written)
+    if (!written) {
         rhw_tool_error(file->path, "cannot be written: %s", strerror(errno ? errno : EIO));
+    }
     free(row);
     return written;
 }

@@ -58,8 +58,9 @@ static exr_result_t wait_for_turn(exr_encode_pipeline_t *pipeline)
     struct encoder *encoder = pipeline->encoding_user_data;
     const int chunk = pipeline->chunk.start_y / encoder->rows_per_chunk;
     pthread_mutex_lock(&encoder->mutex);
-    while (encoder->next_to_write != chunk && !encoder->result)
+    while (encoder->next_to_write != chunk && !encoder->result) {
         pthread_cond_wait(&encoder->turn, &encoder->mutex);
+    }
     const exr_result_t result = encoder->result;
     pthread_mutex_unlock(&encoder->mutex);
     return result;
@@ -79,8 +80,9 @@ static exr_result_t write_in_turn(exr_encode_pipeline_t *pipeline)
 static const struct rhw_exr_channel *find_channel(const struct encoder *encoder, const char *name)
 {
     for (int i = 0; i < encoder->channel_count; i++) {
-        if (strcmp(encoder->channels[i].name, name) == 0)
+        if (strcmp(encoder->channels[i].name, name) == 0) {
             return &encoder->channels[i];
+        }
     }
     return NULL;
 }
@@ -89,10 +91,11 @@ static exr_result_t prepare_chunk(struct encoder *encoder, exr_encode_pipeline_t
 {
     exr_chunk_info_t info;
     exr_result_t result = exr_write_scanline_chunk_info(encoder->context, 0, y, &info);
-    if (!result && first)
+    if (!result && first) {
         result = exr_encoding_initialize(encoder->context, 0, &info, pipeline);
-    else if (!result)
+    } else if (!result) {
         result = exr_encoding_update(encoder->context, 0, &info, pipeline);
+    }
     for (int i = 0; !result && i < pipeline->channel_count; i++) {
         exr_coding_channel_info_t *target = &pipeline->channels[i];
         const struct rhw_exr_channel *source = find_channel(encoder, target->channel_name);
@@ -128,8 +131,9 @@ static void *encode_chunks(void *argument)
     bool first = true;
     for (int chunk; !result && (chunk = take_chunk(encoder)) >= 0; first = false) {
         result = prepare_chunk(encoder, &pipeline, chunk * encoder->rows_per_chunk, first);
-        if (!result)
+        if (!result) {
             result = exr_encoding_run(encoder->context, 0, &pipeline);
+        }
     }
     if (result) {
         pthread_mutex_lock(&encoder->mutex);
@@ -137,8 +141,9 @@ static void *encode_chunks(void *argument)
         pthread_cond_broadcast(&encoder->turn);
         pthread_mutex_unlock(&encoder->mutex);
     }
-    if (!first)
+    if (!first) {
         exr_encoding_destroy(encoder->context, &pipeline);
+    }
     return NULL;
 }
 
@@ -146,21 +151,25 @@ static exr_result_t write_header(struct encoder *encoder)
 {
     int part;
     exr_result_t result = exr_add_part(encoder->context, "", EXR_STORAGE_SCANLINE, &part);
-    if (!result)
+    if (!result) {
         result = exr_initialize_required_attr_simple(encoder->context, part, encoder->width, encoder->height,
                                                      EXR_COMPRESSION_ZIP);
-    if (!result)
+    }
+    if (!result) {
         result = exr_set_zip_compression_level(encoder->context, part, ZIP_LEVEL);
+    }
     for (int i = 0; !result && i < encoder->channel_count; i++) {
         const struct rhw_exr_channel *channel = &encoder->channels[i];
         result = exr_add_channel(encoder->context, part, channel->name,
                                  channel->integer ? EXR_PIXEL_UINT : EXR_PIXEL_FLOAT,
                                  EXR_PERCEPTUALLY_LOGARITHMIC, 1, 1);
     }
-    if (!result)
+    if (!result) {
         result = exr_write_header(encoder->context);
-    if (!result)
+    }
+    if (!result) {
         result = exr_get_scanlines_per_chunk(encoder->context, part, &encoder->rows_per_chunk);
+    }
     return result;
 }
 
@@ -170,11 +179,13 @@ static void encode_on_threads(struct encoder *encoder, int threads)
     pthread_t workers[THREADS_MAX];
     int started = 0;
     while (started < threads - 1 && started < THREADS_MAX &&
-           pthread_create(&workers[started], NULL, encode_chunks, encoder) == 0)
+           pthread_create(&workers[started], NULL, encode_chunks, encoder) == 0) {
         started++;
+    }
     encode_chunks(encoder);
-    for (int i = 0; i < started; i++)
+    for (int i = 0; i < started; i++) {
         pthread_join(workers[i], NULL);
+    }
 }
 
 bool rhw_exr_write(struct rhw_output_file *file, int width, int height,
@@ -196,17 +207,20 @@ bool rhw_exr_write(struct rhw_output_file *file, int width, int height,
     initializer.user_data = &encoder;
     initializer.write_fn = write_at;
     encoder.result = exr_start_write(&encoder.context, file->path, EXR_WRITE_FILE_DIRECTLY, &initializer);
-    if (!encoder.result)
+    if (!encoder.result) {
         encoder.result = write_header(&encoder);
-    if (!encoder.result)
+    }
+    if (!encoder.result) {
         encode_on_threads(&encoder, threads);
+    }
     if (encoder.context) {
         const exr_result_t finished = exr_finish(&encoder.context);
         encoder.result = encoder.result ? encoder.result : finished;
     }
-    if (encoder.result)
+    if (encoder.result) {
         rhw_tool_error(file->path, "cannot be written: %s",
                        encoder.cause ? strerror(encoder.cause)
                                      : exr_get_default_error_message(encoder.result));
+    }
     return encoder.result == EXR_ERR_SUCCESS;
 }

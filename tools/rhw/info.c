@@ -41,8 +41,9 @@ static const uint32_t corners[] = {3, 2, 1};
 static uint32_t object_count(const struct rhw_model *model)
 {
     uint32_t largest = 0;
-    for (uint32_t i = 0; i < model->instance_count; i++)
+    for (uint32_t i = 0; i < model->instance_count; i++) {
         largest = model->instances[i].object > largest ? model->instances[i].object : largest;
+    }
     return largest;
 }
 
@@ -84,24 +85,30 @@ static void print_materials(const struct rhw_model *model)
         printf("  %3" PRIu32 "  base %.3g %.3g %.3g %.3g, metallic %.3g, roughness %.3g", i, (double)color[0],
                (double)color[1], (double)color[2], (double)color[3], (double)material->metallic,
                (double)material->roughness);
-        if (glow[0] > 0 || glow[1] > 0 || glow[2] > 0)
+        if (glow[0] > 0 || glow[1] > 0 || glow[2] > 0) {
             printf(", emissive %.3g %.3g %.3g", (double)glow[0], (double)glow[1], (double)glow[2]);
-        if (material->alpha_mode == RHW_ALPHA_MASK)
+        }
+        if (material->alpha_mode == RHW_ALPHA_MASK) {
             printf(", mask below %.3g", (double)material->alpha_cutoff);
-        if (material->alpha_mode == RHW_ALPHA_BLEND)
+        }
+        if (material->alpha_mode == RHW_ALPHA_BLEND) {
             printf(", blend");
+        }
         printf("%s%s", material->unlit ? ", unlit" : "", material->double_sided ? ", double-sided" : "");
-        for (int k = 0; k < RHW_SLOT_COUNT; k++)
-            if (material->slots[k].image >= 0)
+        for (int k = 0; k < RHW_SLOT_COUNT; k++) {
+            if (material->slots[k].image >= 0) {
                 printf(", %s image %" PRId32, slot_names[k], material->slots[k].image);
+            }
+        }
         printf(material->name[0] != 0 ? "  \"%s\"\n" : "%s\n", material->name);
     }
 }
 
 static void print_images(const struct rhw_model *model)
 {
-    if (model->image_count > 0)
+    if (model->image_count > 0) {
         printf("\nimages: %" PRIu32 "\n", model->image_count);
+    }
     for (uint32_t i = 0; i < model->image_count; i++) {
         const struct rhw_image *image = &model->images[i];
         printf("  %3" PRIu32 "  %" PRIu32 "x%" PRIu32 " %s%s, %s%s  \"%s\"\n", i, image->width, image->height,
@@ -112,20 +119,23 @@ static void print_images(const struct rhw_model *model)
 
 static void print_cameras_and_lights(const struct rhw_model *model)
 {
-    if (model->camera_count > 0)
+    if (model->camera_count > 0) {
         printf("\ncameras: %" PRIu32 "\n", model->camera_count);
+    }
     for (uint32_t i = 0; i < model->camera_count; i++) {
         const struct rhw_model_camera *camera = &model->cameras[i];
         const float *eye = camera->world + 12;
         printf("  %3" PRIu32 "  at %.4g %.4g %.4g, ", i, (double)eye[0], (double)eye[1], (double)eye[2]);
-        if (camera->orthographic)
+        if (camera->orthographic) {
             printf("orthographic %.4g x %.4g", 2 * (double)camera->xmag, 2 * (double)camera->ymag);
-        else
+        } else {
             printf("perspective, fovy %.4g degrees", (double)camera->yfov * 57.29577951308232);
+        }
         printf(", near %.4g, far %.4g  \"%s\"\n", (double)camera->znear, (double)camera->zfar, camera->name);
     }
-    if (model->light_count > 0)
+    if (model->light_count > 0) {
         printf("\nlights: %" PRIu32 "\n", model->light_count);
+    }
     for (uint32_t i = 0; i < model->light_count; i++) {
         const struct rhw_model_light *light = &model->lights[i];
         printf("  %3" PRIu32 "  %s, color %.3g %.3g %.3g, intensity %.4g  \"%s\"\n", i,
@@ -136,10 +146,12 @@ static void print_cameras_and_lights(const struct rhw_model *model)
 
 static void print_lines(const char *title, const char **lines, uint32_t count)
 {
-    if (count > 0)
+    if (count > 0) {
         printf("\n%s:\n", title);
-    for (uint32_t i = 0; i < count; i++)
+    }
+    for (uint32_t i = 0; i < count; i++) {
         printf("  %s\n", lines[i]);
+    }
 }
 
 static void print_text(const struct rhw_model *model)
@@ -149,11 +161,12 @@ static void print_text(const struct rhw_model *model)
     printf("triangles: %" PRIu64 " drawn, %" PRIu64 " stored\n", model->triangles_drawn,
            model->triangles_stored);
     printf("objects:   %" PRIu32 " (%" PRIu32 " draws)\n", object_count(model), model->instance_count);
-    if (anything_drawn(model))
+    if (anything_drawn(model)) {
         printf("bounds:    %.6g %.6g %.6g to %.6g %.6g %.6g\n", (double)least[0], (double)least[1],
                (double)least[2], (double)most[0], (double)most[1], (double)most[2]);
-    else
+    } else {
         printf("bounds:    none, there is nothing to draw\n");
+    }
     print_meshes(model);
     print_materials(model);
     print_images(model);
@@ -233,9 +246,11 @@ static void json_materials(const struct rhw_model *model)
         json_float("alpha_cutoff", material->alpha_cutoff);
         json_flag("unlit", material->unlit);
         json_flag("double_sided", material->double_sided);
-        for (int k = 0; k < RHW_SLOT_COUNT; k++)
-            if (material->slots[k].image >= 0)
+        for (int k = 0; k < RHW_SLOT_COUNT; k++) {
+            if (material->slots[k].image >= 0) {
                 printf(", \"%s_image\": %" PRId32, slot_names[k], material->slots[k].image);
+            }
+        }
         printf("}");
     }
     printf("]");
@@ -343,12 +358,15 @@ int rhw_tool_info(int argc, char **argv)
     bool json = false;
     rhw_tool_parser_start(&parser, &verb, argc, argv);
     int id;
-    while ((id = rhw_tool_parser_next(&parser)) > 0)
+    while ((id = rhw_tool_parser_next(&parser)) > 0) {
         json = json || id == OPTION_JSON;
-    if (id == RHW_TOOL_OPTION_STOP)
+    }
+    if (id == RHW_TOOL_OPTION_STOP) {
         return parser.status;
-    if (!rhw_tool_parser_operands(&parser, 1, 1))
+    }
+    if (!rhw_tool_parser_operands(&parser, 1, 1)) {
         return RHW_TOOL_USAGE;
+    }
 
     const char *path = parser.operands[0];
     char error[512];
@@ -359,10 +377,11 @@ int rhw_tool_info(int argc, char **argv)
         rhw_tool_error(path, "%s", error);
         return RHW_TOOL_FAILED;
     }
-    if (json)
+    if (json) {
         print_json(model);
-    else
+    } else {
         print_text(model);
+    }
     rhw_model_free(model);
     return RHW_TOOL_OK; // main sees whether stdout took it
 }

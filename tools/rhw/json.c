@@ -16,8 +16,9 @@ static int utf8_length(const unsigned char *text)
                        : first < 0xF5 ? 4
                                       : 0;
     for (int i = 1; i < length; i++) {
-        if ((text[i] & 0xC0) != 0x80)
+        if ((text[i] & 0xC0) != 0x80) {
             return 0;
+        }
     }
     const bool overlong = (first == 0xE0 && text[1] < 0xA0) || (first == 0xF0 && text[1] < 0x90);
     const bool surrogate = first == 0xED && text[1] > 0x9F;
@@ -30,14 +31,15 @@ void rhw_json_string(FILE *stream, const char *text)
     fputc('"', stream);
     for (const unsigned char *c = (const unsigned char *)text; *c;) {
         const int length = utf8_length(c);
-        if (length == 0)
+        if (length == 0) {
             fputs("\\ufffd", stream);
-        else if (*c == '"' || *c == '\\')
+        } else if (*c == '"' || *c == '\\') {
             fprintf(stream, "\\%c", *c);
-        else if (*c < 0x20 || *c == 0x7F)
+        } else if (*c < 0x20 || *c == 0x7F) {
             fprintf(stream, "\\u%04x", *c);
-        else
+        } else {
             fwrite(c, 1, (size_t)length, stream);
+        }
         c += length ? length : 1;
     }
     fputc('"', stream);
@@ -45,8 +47,9 @@ void rhw_json_string(FILE *stream, const char *text)
 
 void rhw_json_number(FILE *stream, double number)
 {
-    if (isfinite(number))
+    if (isfinite(number)) {
         fprintf(stream, "%.9g", number);
-    else
+    } else {
         fputs("null", stream);
+    }
 }

@@ -26,8 +26,9 @@ static void print_program_help(void)
     printf("Usage: rhw VERB ... [option...]\n"
            "rhw %s, a 3D renderer for the CPU: exact, the same bytes on every machine.\n\n",
            rhw_version());
-    for (int i = 0; i < VERB_COUNT; i++)
+    for (int i = 0; i < VERB_COUNT; i++) {
         printf("  rhw %-7s %-14s %s\n", verbs[i].name, verbs[i].operands, verbs[i].summary);
+    }
     printf("\n  --help                   print this and exit; 'rhw VERB --help' explains a verb\n"
            "  --version                print the version and exit\n\n"
            "Exit status: 0, 1 when the work failed, 2 for a wrong command line.\n");
@@ -49,8 +50,9 @@ static int run(int argc, char **argv)
         return RHW_TOOL_OK;
     }
     for (int i = 0; i < VERB_COUNT; i++) {
-        if (strcmp(word, verbs[i].name) == 0)
+        if (strcmp(word, verbs[i].name) == 0) {
             return verbs[i].run(argc - 1, argv + 1);
+        }
     }
     rhw_tool_error(word, "no such %s; see 'rhw --help'", word[0] == '-' ? "option" : "verb");
     return RHW_TOOL_USAGE;
@@ -61,8 +63,9 @@ int main(int argc, char **argv)
     rhw_output_files_guard();
     const int status = run(argc, argv);
     errno = 0;
-    if (fflush(stdout) == 0 && !ferror(stdout))
+    if (fflush(stdout) == 0 && !ferror(stdout)) {
         return status;
+    }
     rhw_tool_error("-", "cannot be written: %s", strerror(errno ? errno : EIO));
     return RHW_TOOL_FAILED;
 }

@@ -15,16 +15,18 @@ static bool stage_shown;
 
 void rhw_tool_stage(const char *work, const char *subject)
 {
-    if (!isatty(STDERR_FILENO))
+    if (!isatty(STDERR_FILENO)) {
         return;
+    }
     fprintf(stderr, "\r\033[K%s %.200s", work, subject);
     stage_shown = true;
 }
 
 void rhw_tool_stage_end(void)
 {
-    if (stage_shown)
+    if (stage_shown) {
         fputs("\r\033[K", stderr);
+    }
     stage_shown = false;
 }
 
@@ -33,13 +35,16 @@ static void print_line(const char *subject, const char *prefix, const char *form
     char line[LINE_LENGTH];
     const char *named = strcmp(subject, "-") == 0 ? "standard output" : *subject ? subject : "''";
     const int used = snprintf(line, sizeof line, "rhw: %s: %s", named, prefix);
-    if (used < 0)
+    if (used < 0) {
         return;
-    if ((size_t)used < sizeof line)
+    }
+    if ((size_t)used < sizeof line) {
         vsnprintf(line + used, sizeof line - (size_t)used, format, arguments);
+    }
     for (char *c = line; *c; c++) {
-        if (iscntrl((unsigned char)*c))
+        if (iscntrl((unsigned char)*c)) {
             *c = '?';
+        }
     }
     rhw_tool_stage_end();
     fprintf(stderr, "%s\n", line);

@@ -49,10 +49,11 @@ static void report_bad_option(const struct rhw_tool_parser *parser, int kind)
 {
     char name[128];
     const char *word = parser->argv[optind - 1];
-    if (optopt && optopt < LETTERS_END && strncmp(word, "--", 2) != 0)
+    if (optopt && optopt < LETTERS_END && strncmp(word, "--", 2) != 0) {
         snprintf(name, sizeof name, "-%c", optopt);
-    else
+    } else {
         snprintf(name, sizeof name, "%.*s", (int)strcspn(word, "="), word);
+    }
 
     const bool known = optopt != 0 && strchr(word, '=') != NULL;
     const char *cause = kind == ':' ? "needs an argument" : known ? "takes no argument" : "no such option";
@@ -74,8 +75,9 @@ void rhw_tool_parser_start(struct rhw_tool_parser *parser, const struct rhw_tool
         parser->longs[i] = (struct option){.name = option->name, .has_arg = argument, .val = option->id};
         if (option->id < LETTERS_END) {
             *letter++ = (char)option->id;
-            if (argument == required_argument)
+            if (argument == required_argument) {
                 *letter++ = ':';
+            }
         }
     }
     *letter = HELP_ID;
@@ -124,11 +126,13 @@ void rhw_tool_print_help(const struct rhw_tool_verb *verb)
 {
     printf("Usage: rhw %s%s%s [option...]\n%s\n\n", verb->name, verb->operands[0] ? " " : "", verb->operands,
            verb->summary);
-    for (int i = 0; i < verb->option_count; i++)
+    for (int i = 0; i < verb->option_count; i++) {
         print_option(&verb->options[i]);
+    }
     print_option(&(struct rhw_tool_option){"help", HELP_ID, NULL, "print this and exit"});
-    if (verb->notes)
+    if (verb->notes) {
         printf("\n%s\n", verb->notes);
+    }
 }
 
 bool rhw_tool_parse_int(const char *text, int least, int most, int *value)
@@ -136,8 +140,9 @@ bool rhw_tool_parse_int(const char *text, int least, int most, int *value)
     char *end;
     errno = 0;
     const long number = strtol(text, &end, 10);
-    if (end == text || isspace((unsigned char)*text) || *end || errno || number < least || number > most)
+    if (end == text || isspace((unsigned char)*text) || *end || errno || number < least || number > most) {
         return false;
+    }
     *value = (int)number;
     return true;
 }
@@ -146,8 +151,9 @@ bool rhw_tool_parse_float(const char *text, float *value)
 {
     char *end;
     const float number = strtof(text, &end);
-    if (end == text || *end || !isfinite(number))
+    if (end == text || *end || !isfinite(number)) {
         return false;
+    }
     *value = number;
     return true;
 }
@@ -155,13 +161,15 @@ bool rhw_tool_parse_float(const char *text, float *value)
 bool rhw_tool_parse_floats(const char *text, int count, float *values)
 {
     float parsed[16];
-    if (count > 16)
+    if (count > 16) {
         return false;
+    }
     for (int i = 0; i < count; i++) {
         char *end;
         parsed[i] = strtof(text, &end);
-        if (end == text || !isfinite(parsed[i]) || *end != (i + 1 < count ? ',' : '\0'))
+        if (end == text || !isfinite(parsed[i]) || *end != (i + 1 < count ? ',' : '\0')) {
             return false;
+        }
         text = end + 1;
     }
     memcpy(values, parsed, (size_t)count * sizeof *values);
@@ -172,14 +180,16 @@ bool rhw_tool_parse_size(const char *text, int *width, int *height)
 {
     const char *separator = strchr(text, 'x');
     char first[16];
-    if (!separator || (size_t)(separator - text) >= sizeof first)
+    if (!separator || (size_t)(separator - text) >= sizeof first) {
         return false;
+    }
     memcpy(first, text, (size_t)(separator - text));
     first[separator - text] = '\0';
     int parsed[2];
     if (!rhw_tool_parse_int(first, 1, RHW_MAX_TARGET_SIZE, &parsed[0]) ||
-        !rhw_tool_parse_int(separator + 1, 1, RHW_MAX_TARGET_SIZE, &parsed[1]))
+        !rhw_tool_parse_int(separator + 1, 1, RHW_MAX_TARGET_SIZE, &parsed[1])) {
         return false;
+    }
     *width = parsed[0];
     *height = parsed[1];
     return true;
@@ -198,19 +208,22 @@ bool rhw_tool_parse_color(const char *text, uint8_t color[3])
         const char *name, *digits;
     } named[] = {{"black", "000000"}, {"grey", "808080"}, {"gray", "808080"}, {"white", "ffffff"}};
     for (size_t i = 0; i < sizeof named / sizeof *named; i++) {
-        if (strcmp(text, named[i].name) == 0)
+        if (strcmp(text, named[i].name) == 0) {
             text = named[i].digits;
+        }
     }
     text += text[0] == '#';
     const size_t length = strlen(text);
-    if (length != 3 && length != 6)
+    if (length != 3 && length != 6) {
         return false;
+    }
     uint8_t parsed[3];
     for (size_t i = 0; i < 3; i++) {
         const int high = hex_digit(text[i * length / 3]);
         const int low = hex_digit(text[i * length / 3 + length / 3 - 1]);
-        if (high < 0 || low < 0)
+        if (high < 0 || low < 0) {
             return false;
+        }
         parsed[i] = (uint8_t)(high * 16 + low);
     }
     memcpy(color, parsed, sizeof parsed);
@@ -220,8 +233,9 @@ bool rhw_tool_parse_color(const char *text, uint8_t color[3])
 int rhw_tool_parse_name(const char *text, const char *const *names, int count)
 {
     for (int i = 0; i < count; i++) {
-        if (strcmp(text, names[i]) == 0)
+        if (strcmp(text, names[i]) == 0) {
             return i;
+        }
     }
     return -1;
 }

@@ -30,8 +30,9 @@ static void remove_pending_and_die(int number)
 {
     if (getpid() == pending.owner) {
         for (int i = 0; i < PENDING_MAX; i++) {
-            if (pending.names[i])
+            if (pending.names[i]) {
                 unlink(pending.names[i]);
+            }
         }
     }
     signal(number, SIG_DFL);
@@ -48,8 +49,9 @@ void rhw_output_files_guard(void)
         action.sa_handler = remove_pending_and_die;
         sigemptyset(&action.sa_mask);
         // nohup and shells that start background jobs ignore signals on purpose: leave those ignored
-        if (sigaction(deadly[i], NULL, &old) == 0 && old.sa_handler != SIG_IGN)
+        if (sigaction(deadly[i], NULL, &old) == 0 && old.sa_handler != SIG_IGN) {
             sigaction(deadly[i], &action, NULL);
+        }
     }
     signal(SIGXFSZ, SIG_IGN);
 }
@@ -75,8 +77,9 @@ static char *directory_of(const char *path)
 
 bool rhw_output_file_check(const char *path)
 {
-    if (is_standard_output(path))
+    if (is_standard_output(path)) {
         return true;
+    }
     if (!*path) {
         rhw_tool_error("''", "an output file needs a name");
         return false;
@@ -87,10 +90,12 @@ bool rhw_output_file_check(const char *path)
             errno = EISDIR;
             return report(path);
         }
-        if (access(path, W_OK) != 0)
+        if (access(path, W_OK) != 0) {
             return report(path);
-        if (!S_ISREG(status.st_mode))
+        }
+        if (!S_ISREG(status.st_mode)) {
             return true;
+        }
     } else if (errno != ENOENT) {
         return report(path);
     }
@@ -100,8 +105,9 @@ bool rhw_output_file_check(const char *path)
     }
     char *directory = directory_of(path);
     const bool writable = directory && access(directory, W_OK | X_OK) == 0;
-    if (!writable)
+    if (!writable) {
         report(path);
+    }
     free(directory);
     return writable;
 }
@@ -124,11 +130,13 @@ static int create_guarded(char *name, size_t size, const char *directory, int sl
     for (int attempt = 0; attempt < NAME_ATTEMPTS; attempt++) {
         snprintf(name, size, "%s/.rhw-%ld-%d.tmp", directory, (long)getpid(), attempt);
         descriptor = open(name, O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
-        if (descriptor >= 0 || errno != EEXIST)
+        if (descriptor >= 0 || errno != EEXIST) {
             break;
+        }
     }
-    if (descriptor >= 0)
+    if (descriptor >= 0) {
         pending.names[slot] = name;
+    }
     const int cause = errno;
     sigprocmask(SIG_SETMASK, &before, NULL);
     errno = cause;
@@ -142,10 +150,11 @@ static int open_temporary(struct rhw_output_file *file)
     char *name = directory ? malloc(size) : NULL;
     const int descriptor = name ? create_guarded(name, size, directory, file->pending) : -1;
     const int cause = errno;
-    if (descriptor >= 0)
+    if (descriptor >= 0) {
         file->temporary = name;
-    else
+    } else {
         free(name);
+    }
     free(directory);
     errno = cause;
     return descriptor;
@@ -154,8 +163,9 @@ static int open_temporary(struct rhw_output_file *file)
 static int find_free_slot(void)
 {
     for (int i = 0; i < PENDING_MAX; i++) {
-        if (!pending.names[i])
+        if (!pending.names[i]) {
             return i;
+        }
     }
     return -1;
 }
@@ -179,8 +189,9 @@ static int open_target(struct rhw_output_file *file)
         return -1;
     }
     const int descriptor = open_temporary(file);
-    if (descriptor >= 0 && exists)
+    if (descriptor >= 0 && exists) {
         fchmod(descriptor, status.st_mode & 07777); // best effort, as a copy would
+    }
     return descriptor;
 }
 
@@ -191,8 +202,9 @@ bool rhw_output_file_open(struct rhw_output_file *file, const char *path)
     file->stream = descriptor >= 0 ? fdopen(descriptor, "wb") : NULL;
     if (!file->stream) {
         report(path);
-        if (descriptor >= 0)
+        if (descriptor >= 0) {
             close(descriptor);
+        }
         rhw_output_file_discard(file);
         return false;
     }
@@ -207,8 +219,9 @@ bool rhw_output_file_finish(struct rhw_output_file *file)
     const int cause = errno;
     const bool closed = fclose(file->stream) == 0;
     file->stream = NULL;
-    if (flushed && closed)
+    if (flushed && closed) {
         return true;
+    }
     errno = !flushed && cause ? cause : errno ? errno : EIO;
     return report(file->path);
 }
@@ -232,8 +245,9 @@ bool rhw_output_file_commit(struct rhw_output_file *file)
 
 void rhw_output_file_discard(struct rhw_output_file *file)
 {
-    if (file->stream)
+    if (file->stream) {
         fclose(file->stream);
+    }
     if (file->temporary) {
         unlink(file->temporary);
         pending.names[file->pending] = NULL;

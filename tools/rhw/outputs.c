@@ -24,8 +24,9 @@ const char *rhw_output_name(enum rhw_output_kind kind)
 static int find_name(const char *text, size_t length)
 {
     for (int kind = 0; kind < RHW_KIND_COUNT; kind++) {
-        if (strlen(names[kind]) == length && memcmp(names[kind], text, length) == 0)
+        if (strlen(names[kind]) == length && memcmp(names[kind], text, length) == 0) {
             return kind;
+        }
     }
     return -1;
 }
@@ -45,8 +46,9 @@ bool rhw_outputs_parse(const char *list, unsigned *kinds, const char **bad)
             return false;
         }
         name += length;
-        if (!*name)
+        if (!*name) {
             break;
+        }
     }
     *kinds = found;
     return true;
@@ -56,14 +58,16 @@ uint32_t rhw_outputs_needed(unsigned kinds, enum rhw_picture_format format, int 
 {
     uint32_t needed = 0;
     for (int kind = 0; kind < RHW_KIND_COUNT; kind++) {
-        if (!(kinds >> kind & 1))
+        if (!(kinds >> kind & 1)) {
             continue;
-        if (kind == RHW_KIND_COLOR && format == RHW_PICTURE_EXR)
+        }
+        if (kind == RHW_KIND_COLOR && format == RHW_PICTURE_EXR) {
             needed |= RHW_OUTPUT_LINEAR;
-        else if (kind == RHW_KIND_COLOR && bits == 16)
+        } else if (kind == RHW_KIND_COLOR && bits == 16) {
             needed |= RHW_OUTPUT_DISPLAY;
-        else
+        } else {
             needed |= drawn[kind];
+        }
     }
     return needed;
 }
@@ -76,8 +80,9 @@ static void opaque_color_row(const void *user, int y, void *row)
     const size_t width = (size_t)output->raster.width;
     const uint8_t *from = output->pictures->color + (size_t)y * width * 4;
     uint8_t *to = row;
-    for (size_t x = 0; x < width; x++, from += 4, to += 3)
+    for (size_t x = 0; x < width; x++, from += 4, to += 3) {
         memcpy(to, from, 3);
+    }
 }
 
 static void transparent_color_row(const void *user, int y, void *row)
@@ -112,8 +117,9 @@ static void fine_color_row(const void *user, int y, void *row)
         memcpy(&linear, from, (size_t)pixels * 4 * sizeof *from);
         const rhw_float encoded = encode(linear);
         for (int i = 0; i < pixels; i++) {
-            for (int c = 0; c < channels; c++)
+            for (int c = 0; c < channels; c++) {
                 *to++ = to_16_bits(c < 3 ? encoded[4 * i + c] : linear[4 * i + c]);
+            }
         }
     }
 }
@@ -121,11 +127,12 @@ static void fine_color_row(const void *user, int y, void *row)
 // 0..1 to the raster's bits, rounded to nearest; NaN gives 0.
 static void store(const struct rhw_output_raster *output, void *row, size_t index, float value)
 {
-    if (output->raster.bits == 8)
+    if (output->raster.bits == 8) {
         ((uint8_t *)row)[index] =
             (uint8_t)((value > 0.0f ? value < 1.0f ? value : 1.0f : 0.0f) * 255.0f + 0.5f);
-    else
+    } else {
         ((uint16_t *)row)[index] = to_16_bits(value);
+    }
 }
 
 // Nearest white, farthest dark grey, nothing black.
@@ -144,9 +151,10 @@ static void vector_row(const void *user, int y, void *row)
     const struct rhw_output_raster *output = user;
     const float *from = output->floats + (size_t)y * (size_t)output->raster.width * 4;
     for (size_t x = 0; x < (size_t)output->raster.width; x++, from += 4) {
-        for (size_t i = 0; i < 3; i++)
+        for (size_t i = 0; i < 3; i++) {
             store(output, row, x * 3 + i,
                   from[3] > 0.0f ? (from[i] - output->low[i]) * output->scale[i] : 0.0f);
+        }
     }
 }
 
@@ -155,8 +163,9 @@ static void uv_row(const void *user, int y, void *row)
     const struct rhw_output_raster *output = user;
     const float *from = output->floats + (size_t)y * (size_t)output->raster.width * 4;
     for (size_t x = 0; x < (size_t)output->raster.width; x++, from += 4) {
-        for (size_t i = 0; i < 3; i++)
+        for (size_t i = 0; i < 3; i++) {
             store(output, row, x * 3 + i, from[3] > 0.0f ? from[i] - floorf(from[i]) : 0.0f);
+        }
     }
 }
 
@@ -191,8 +200,9 @@ static void find_range(const struct rhw_output_raster *output, float *least, flo
     *most = -INFINITY;
     for (size_t i = 0; i < count; i++) {
         const float value = output->floats[i];
-        if (!isfinite(value) || (is_depth && value >= 1.0f))
+        if (!isfinite(value) || (is_depth && value >= 1.0f)) {
             continue;
+        }
         *least = value < *least ? value : *least;
         *most = value > *most ? value : *most;
     }
@@ -318,9 +328,10 @@ int rhw_outputs_exr_channels(const struct rhw_pictures *pictures, unsigned kinds
     };
     int count = 0;
     for (int kind = 0; kind < RHW_KIND_COUNT; kind++) {
-        if (kinds >> kind & 1)
+        if (kinds >> kind & 1) {
             count = add_channels(channels, count, layers[kind].names, layers[kind].count, layers[kind].pixels,
                                  layers[kind].integer, layers[kind].pixel_stride);
+        }
     }
     return count;
 }

@@ -43,8 +43,9 @@ static char *make_path(const struct rhw_render_job *job, enum rhw_output_kind ki
     const char *name = rhw_output_name(kind), *out = job->out;
     const size_t size = strlen(out) + strlen(name) + 2;
     char *path = malloc(size);
-    if (!path)
+    if (!path) {
         return NULL;
+    }
     const char *place = strstr(out, "{}");
     const bool several = (job->kinds & (job->kinds - 1)) != 0;
     if (job->format != RHW_PICTURE_EXR && place) {
@@ -64,17 +65,20 @@ static bool plan_files(struct render *render)
 {
     const struct rhw_render_job *job = &render->job;
     for (int kind = 0; kind < RHW_KIND_COUNT; kind++) {
-        if (!(job->kinds >> kind & 1))
+        if (!(job->kinds >> kind & 1)) {
             continue;
+        }
         render->paths[kind] = make_path(job, (enum rhw_output_kind)kind);
         if (!render->paths[kind]) {
             rhw_tool_error(job->out, "out of memory");
             return false;
         }
-        if (!rhw_output_file_check(render->paths[kind]))
+        if (!rhw_output_file_check(render->paths[kind])) {
             return false;
-        if (job->format == RHW_PICTURE_EXR)
+        }
+        if (job->format == RHW_PICTURE_EXR) {
             break; // one file for all
+        }
     }
     return !job->stats || rhw_output_file_check(job->stats_path);
 }
@@ -93,11 +97,13 @@ static bool import_model(struct render *render)
         return false;
     }
     const uint32_t count = job->quiet ? 0 : render->model->warning_count;
-    for (uint32_t i = 0; i < count && i < WARNINGS_SHOWN; i++)
+    for (uint32_t i = 0; i < count && i < WARNINGS_SHOWN; i++) {
         rhw_tool_warning(job->model_path, "%s", render->model->warnings[i]);
-    if (count > WARNINGS_SHOWN)
+    }
+    if (count > WARNINGS_SHOWN) {
         rhw_tool_warning(job->model_path, "%u more warnings; rhw info prints them all",
                          count - WARNINGS_SHOWN);
+    }
     if (!(render->model->bounds_min[0] <= render->model->bounds_max[0])) {
         rhw_tool_error(job->model_path, "the file has nothing to draw");
         return false;
@@ -109,27 +115,30 @@ static bool import_model(struct render *render)
 static const struct rhw_model_camera *find_camera(const struct rhw_render_job *job,
                                                   const struct rhw_model *model)
 {
-    if (job->camera == RHW_CAMERA_AUTO)
+    if (job->camera == RHW_CAMERA_AUTO) {
         return model->camera_count && job->fovy == 0.0f ? &model->cameras[0] : NULL;
+    }
     for (uint32_t i = 0; i < model->camera_count; i++) {
         const bool wanted = job->camera == RHW_CAMERA_INDEX
                                 ? i == (uint32_t)job->camera_index
                                 : strcmp(model->cameras[i].name, job->camera_name) == 0;
-        if (wanted)
+        if (wanted) {
             return &model->cameras[i];
+        }
     }
     return NULL;
 }
 
 static bool report_missing_camera(const struct rhw_render_job *job, const struct rhw_model *model)
 {
-    if (model->camera_count == 0)
+    if (model->camera_count == 0) {
         rhw_tool_error(job->camera_option, "%s has no cameras", job->model_path);
-    else if (job->camera == RHW_CAMERA_INDEX)
+    } else if (job->camera == RHW_CAMERA_INDEX) {
         rhw_tool_error(job->camera_option, "%s has the cameras 0..%u only", job->model_path,
                        model->camera_count - 1);
-    else
+    } else {
         rhw_tool_error(job->camera_option, "%s has no camera named '%s'", job->model_path, job->camera_name);
+    }
     return false;
 }
 
@@ -137,11 +146,14 @@ static bool look_from_numbers(const struct render *render, struct rhw_camera *ca
 {
     double vectors[3][3];
     char error[256];
-    for (int i = 0; i < 9; i++)
+    for (int i = 0; i < 9; i++) {
         vectors[i / 3][i % 3] = (double)render->job.look[i];
+    }
     const double yfov = (double)render->job.look[9] * degree;
-    if (rhw_camera_look(camera, render->model, vectors[0], vectors[1], vectors[2], yfov, error, sizeof error))
+    if (rhw_camera_look(camera, render->model, vectors[0], vectors[1], vectors[2], yfov, error,
+                        sizeof error)) {
         return true;
+    }
     rhw_tool_error("--camera", "%s", error);
     return false;
 }
@@ -158,12 +170,14 @@ static struct rhw_camera fit_camera(const struct render *render)
 static bool choose_camera(const struct render *render, struct rhw_camera *camera)
 {
     const struct rhw_render_job *job = &render->job;
-    if (job->camera == RHW_CAMERA_LOOK)
+    if (job->camera == RHW_CAMERA_LOOK) {
         return look_from_numbers(render, camera);
+    }
     const bool fitted = job->camera == RHW_CAMERA_FIT || job->camera == RHW_CAMERA_ORBIT;
     const struct rhw_model_camera *found = fitted ? NULL : find_camera(job, render->model);
-    if (!fitted && !found && job->camera != RHW_CAMERA_AUTO)
+    if (!fitted && !found && job->camera != RHW_CAMERA_AUTO) {
         return report_missing_camera(job, render->model);
+    }
     *camera =
         found ? rhw_camera_from_model(found, (double)job->width / (double)job->height) : fit_camera(render);
     return true;
@@ -186,10 +200,12 @@ static bool set_view(struct render *render)
     view->default_lights = job->default_lights;
     view->exposure = (double)job->exposure;
     view->outputs = rhw_outputs_needed(job->kinds, job->format, job->bits);
-    if (!choose_camera(render, &view->camera))
+    if (!choose_camera(render, &view->camera)) {
         return false;
-    if (rhw_view_check(view, error, sizeof error))
+    }
+    if (rhw_view_check(view, error, sizeof error)) {
         return true;
+    }
     rhw_tool_error("render", "%s", error);
     return false;
 }
@@ -197,8 +213,9 @@ static bool set_view(struct render *render)
 static void log_line(void *user, enum rhw_log_level level, const char *message)
 {
     const struct rhw_render_job *job = user;
-    if (level == RHW_LOG_WARNING && !job->quiet)
+    if (level == RHW_LOG_WARNING && !job->quiet) {
         rhw_tool_warning(job->model_path, "%s", message);
+    }
 }
 
 // Nothing was seen. Who asked for that view gets it, with a warning; but a camera that merely stands in the
@@ -207,12 +224,14 @@ static enum rhw_result draw_again(struct render *render)
 {
     const struct rhw_render_job *job = &render->job;
     const bool refit = job->camera == RHW_CAMERA_AUTO && find_camera(job, render->model);
-    if (!job->quiet)
+    if (!job->quiet) {
         rhw_tool_warning(job->model_path,
                          refit ? "its camera sees nothing of the model, which is fitted instead"
                                : "nothing of the model is in the picture");
-    if (!refit)
+    }
+    if (!refit) {
         return RHW_OK;
+    }
     render->view.camera = fit_camera(render);
     rhw_pictures_free(&render->pictures);
     return rhw_scene_draw(render->scene, &render->view, &render->pictures, &render->stats);
@@ -227,15 +246,19 @@ static bool draw(struct render *render)
     def.user = &render->job;
     rhw_tool_stage("drawing", render->job.model_path);
     enum rhw_result result = rhw_context_create(&def, &render->context);
-    if (result == RHW_OK)
+    if (result == RHW_OK) {
         result = rhw_scene_create(render->context, render->model, &render->scene);
-    if (result == RHW_OK)
+    }
+    if (result == RHW_OK) {
         result = rhw_scene_draw(render->scene, &render->view, &render->pictures, &render->stats);
-    if (result == RHW_OK && render->stats.pipeline.triangles_rasterized == 0)
+    }
+    if (result == RHW_OK && render->stats.pipeline.triangles_rasterized == 0) {
         result = draw_again(render);
+    }
     rhw_tool_stage_end();
-    if (result != RHW_OK)
+    if (result != RHW_OK) {
         rhw_tool_error(render->job.model_path, "%s", rhw_result_string(result));
+    }
     return result == RHW_OK;
 }
 
@@ -264,13 +287,15 @@ static bool write_files(struct render *render)
     const double start = now_ms();
     bool written = true;
     for (int kind = 0; written && kind < RHW_KIND_COUNT; kind++) {
-        if (!render->paths[kind])
+        if (!render->paths[kind]) {
             continue;
+        }
         rhw_tool_stage("writing", render->paths[kind]);
         struct rhw_output_file *file = &render->files[render->file_count];
         written = rhw_output_file_open(file, render->paths[kind]);
-        if (!written)
+        if (!written) {
             break;
+        }
         render->file_count++;
         written = (render->job.format == RHW_PICTURE_EXR
                        ? encode_exr(render, file)
@@ -279,10 +304,11 @@ static bool write_files(struct render *render)
     }
     rhw_tool_stage_end();
     for (int i = 0; i < render->file_count; i++) {
-        if (written)
+        if (written) {
             written = rhw_output_file_commit(&render->files[i]);
-        else
+        } else {
             rhw_output_file_discard(&render->files[i]);
+        }
     }
     render->times.encode_ms = now_ms() - start;
     return written;
@@ -296,15 +322,19 @@ static int run(struct render *render)
         rhw_tool_error("--isa", "this computer or this build has no %s", rhw_isa_name(job->isa));
         return RHW_TOOL_FAILED;
     }
-    if (!plan_files(render) || !import_model(render))
+    if (!plan_files(render) || !import_model(render)) {
         return RHW_TOOL_FAILED;
-    if (!set_view(render))
+    }
+    if (!set_view(render)) {
         return RHW_TOOL_USAGE;
-    if (!draw(render) || !write_files(render))
+    }
+    if (!draw(render) || !write_files(render)) {
         return RHW_TOOL_FAILED;
+    }
     render->times.total_ms = now_ms() - start;
-    if (job->stats && !rhw_render_report(job, render->model, &render->stats, &render->times))
+    if (job->stats && !rhw_render_report(job, render->model, &render->stats, &render->times)) {
         return RHW_TOOL_FAILED;
+    }
     return RHW_TOOL_OK;
 }
 
@@ -312,16 +342,20 @@ int rhw_tool_render(int argc, char **argv)
 {
     struct render render = {0};
     int status;
-    if (!rhw_render_job_parse(&render.job, argc, argv, &status))
+    if (!rhw_render_job_parse(&render.job, argc, argv, &status)) {
         return status;
+    }
     status = run(&render);
     rhw_pictures_free(&render.pictures);
-    if (render.scene)
+    if (render.scene) {
         rhw_scene_destroy(render.scene);
+    }
     rhw_context_destroy(render.context);
-    if (render.model)
+    if (render.model) {
         rhw_model_free(render.model);
-    for (int kind = 0; kind < RHW_KIND_COUNT; kind++)
+    }
+    for (int kind = 0; kind < RHW_KIND_COUNT; kind++) {
         free(render.paths[kind]);
+    }
     return status;
 }

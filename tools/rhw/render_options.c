@@ -118,8 +118,9 @@ static bool choose_camera(struct rhw_render_job *job, enum rhw_camera_choice cho
 static int choose(const char *option, const char *argument, const char *const *names, int count)
 {
     const int found = rhw_tool_parse_name(argument, names, count);
-    if (found >= 0)
+    if (found >= 0) {
         return found;
+    }
     char list[128] = "";
     for (int i = 0; i < count; i++) {
         strcat(list, i == 0 ? "" : i + 1 < count ? ", " : " or ");
@@ -143,11 +144,13 @@ static void refuse_output(const char *bad)
 static bool parse_isa(struct rhw_render_job *job, const char *argument)
 {
     const char *names[RHW_ISA_COUNT];
-    for (int isa = 0; isa < RHW_ISA_COUNT; isa++)
+    for (int isa = 0; isa < RHW_ISA_COUNT; isa++) {
         names[isa] = rhw_isa_name((enum rhw_isa)isa);
+    }
     const int isa = choose("--isa", argument, names, RHW_ISA_COUNT);
-    if (isa < 0)
+    if (isa < 0) {
         return false;
+    }
     job->isa = (enum rhw_isa)isa;
     return true;
 }
@@ -155,11 +158,11 @@ static bool parse_isa(struct rhw_render_job *job, const char *argument)
 static bool parse_background(struct rhw_render_job *job, const char *argument)
 {
     job->background = RHW_BACKGROUND_COLOR;
-    if (strcmp(argument, "transparent") == 0)
+    if (strcmp(argument, "transparent") == 0) {
         job->background = RHW_BACKGROUND_TRANSPARENT;
-    else if (strcmp(argument, "default") == 0)
+    } else if (strcmp(argument, "default") == 0) {
         job->background = RHW_BACKGROUND_DEFAULT;
-    else if (!rhw_tool_parse_color(argument, job->background_color)) {
+    } else if (!rhw_tool_parse_color(argument, job->background_color)) {
         rhw_tool_error("--background",
                        "'%s' is not a colour (rrggbb, black, grey, white), transparent or default", argument);
         return false;
@@ -172,8 +175,9 @@ static bool parse_camera_option(struct rhw_render_job *job, int id, const char *
     float angles[2];
     switch (id) {
     case OPTION_CAMERA:
-        if (rhw_tool_parse_floats(argument, 10, job->look))
+        if (rhw_tool_parse_floats(argument, 10, job->look)) {
             return choose_camera(job, RHW_CAMERA_LOOK, "--camera");
+        }
         rhw_tool_error("--camera",
                        "'%s' is not ten numbers: eye, target, up (x,y,z each) and fovy in degrees", argument);
         return false;
@@ -185,16 +189,18 @@ static bool parse_camera_option(struct rhw_render_job *job, int id, const char *
         job->orbit = (struct rhw_orbit){angles[0], angles[1]};
         return choose_camera(job, RHW_CAMERA_ORBIT, "--orbit");
     case OPTION_CAMERA_INDEX:
-        if (rhw_tool_parse_int(argument, 0, 1 << 20, &job->camera_index))
+        if (rhw_tool_parse_int(argument, 0, 1 << 20, &job->camera_index)) {
             return choose_camera(job, RHW_CAMERA_INDEX, "--camera-index");
+        }
         rhw_tool_error("--camera-index", "'%s' is not a number from 0", argument);
         return false;
     case OPTION_CAMERA_NAME:
         job->camera_name = argument;
         return choose_camera(job, RHW_CAMERA_NAME, "--camera-name");
     case OPTION_FOVY:
-        if (rhw_tool_parse_float(argument, &job->fovy) && job->fovy >= 0.01f && job->fovy <= 179.0f)
+        if (rhw_tool_parse_float(argument, &job->fovy) && job->fovy >= 0.01f && job->fovy <= 179.0f) {
             return true;
+        }
         rhw_tool_error("--fovy", "'%s' is not an angle of 0.01 to 179 degrees", argument);
         return false;
     default: // fit: --orbit fits as well
@@ -209,24 +215,28 @@ static bool parse_picture_option(struct rhw_render_job *job, int id, const char 
     int format;
     switch (id) {
     case OPTION_SIZE:
-        if (rhw_tool_parse_size(argument, &job->width, &job->height))
+        if (rhw_tool_parse_size(argument, &job->width, &job->height)) {
             return true;
+        }
         rhw_tool_error("--size", "'%s' is not WxH with both 1..%d", argument, RHW_MAX_TARGET_SIZE);
         return false;
     case OPTION_SAMPLES:
         if (rhw_tool_parse_int(argument, 1, 16, &job->samples) &&
-            (job->samples == 1 || job->samples == 4 || job->samples == 9 || job->samples == 16))
+            (job->samples == 1 || job->samples == 4 || job->samples == 9 || job->samples == 16)) {
             return true;
+        }
         rhw_tool_error("--samples", "'%s' is not 1, 4, 9 or 16", argument);
         return false;
     case OPTION_OUTPUT:
-        if (rhw_outputs_parse(argument, &job->kinds, &bad))
+        if (rhw_outputs_parse(argument, &job->kinds, &bad)) {
             return true;
+        }
         refuse_output(bad);
         return false;
     case OPTION_BITS:
-        if (rhw_tool_parse_int(argument, 8, 16, &job->bits) && (job->bits == 8 || job->bits == 16))
+        if (rhw_tool_parse_int(argument, 8, 16, &job->bits) && (job->bits == 8 || job->bits == 16)) {
             return true;
+        }
         rhw_tool_error("--bits", "'%s' is not 8 or 16", argument);
         return false;
     default:
@@ -256,8 +266,9 @@ static bool parse_look_option(struct rhw_render_job *job, int id, const char *ar
         return choice >= 0;
     case OPTION_EXPOSURE:
         if (rhw_tool_parse_float(argument, &job->exposure) && job->exposure >= -20.0f &&
-            job->exposure <= 20.0f)
+            job->exposure <= 20.0f) {
             return true;
+        }
         rhw_tool_error("--exposure", "'%s' is not a number of -20 to 20", argument);
         return false;
     default: return parse_background(job, argument);
@@ -275,8 +286,9 @@ static bool parse_option(struct rhw_render_job *job, int id, const char *argumen
         return true;
     case OPTION_ISA: return parse_isa(job, argument);
     case OPTION_THREADS:
-        if (rhw_tool_parse_int(argument, 1, RHW_MAX_THREADS, &job->threads))
+        if (rhw_tool_parse_int(argument, 1, RHW_MAX_THREADS, &job->threads)) {
             return true;
+        }
         rhw_tool_error("--threads", "'%s' is not a number of 1 to %d", argument, RHW_MAX_THREADS);
         return false;
     case OPTION_CAMERA:
@@ -301,8 +313,9 @@ static bool check_together(struct rhw_render_job *job)
         return false;
     }
     const bool to_stdout = strcmp(job->out, "-") == 0;
-    if (job->format == RHW_PICTURE_UNKNOWN)
+    if (job->format == RHW_PICTURE_UNKNOWN) {
         job->format = to_stdout ? RHW_PICTURE_PNG : rhw_picture_format_of(job->out);
+    }
     if (job->format == RHW_PICTURE_UNKNOWN) {
         rhw_tool_error(job->out, "no format for this ending; name it .png, .exr or .ppm, or give --format");
         return false;
@@ -351,15 +364,17 @@ bool rhw_render_job_parse(struct rhw_render_job *job, int argc, char **argv, int
     *status = RHW_TOOL_USAGE;
     int id;
     while ((id = rhw_tool_parser_next(&parser)) > 0) {
-        if (!parse_option(job, id, parser.argument))
+        if (!parse_option(job, id, parser.argument)) {
             return false;
+        }
     }
     if (id == RHW_TOOL_OPTION_STOP) {
         *status = parser.status;
         return false;
     }
-    if (!rhw_tool_parser_operands(&parser, 1, 1) || !check_together(job))
+    if (!rhw_tool_parser_operands(&parser, 1, 1) || !check_together(job)) {
         return false;
+    }
     job->model_path = parser.operands[0];
     return true;
 }

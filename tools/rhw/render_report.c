@@ -87,11 +87,13 @@ bool rhw_render_report(const struct rhw_render_job *job, const struct rhw_model 
         return true; // main reports what cannot be written to standard output
     }
     struct rhw_output_file file;
-    if (!rhw_output_file_open(&file, job->stats_path))
+    if (!rhw_output_file_open(&file, job->stats_path)) {
         return false;
+    }
     print_report(file.stream, job, model, stats, times);
     const bool written = rhw_output_file_finish(&file) && rhw_output_file_commit(&file);
-    if (!written)
+    if (!written) {
         rhw_output_file_discard(&file);
+    }
     return written;
 }
