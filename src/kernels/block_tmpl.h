@@ -3,7 +3,7 @@
 // Template: compiled once per instruction set.
 
 #include "collect_tmpl.h"
-#include "coverage_tmpl.h"
+#include "raster/coverage.h"
 
 // Tests the pixels of a block set in `mask`, whose depths are `z`; returns those that pass. `rule` is a constant where
 // a call names it, as is `whole`: all pixels are set.

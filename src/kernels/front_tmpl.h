@@ -8,7 +8,7 @@
 #include "../clip.h"
 #include "../shared_vertices.h"
 #include "../thread.h"
-#include "coverage_tmpl.h"
+#include "raster/coverage.h"
 #include "vertex_tmpl.h"
 
 // The least and the greatest index of a run.

@@ -16,7 +16,7 @@
 // such triangles (`exact`) take their e_i as exact integers per pixel and combine after that.
 
 #include "scratch.h"
-#include "wide_tmpl.h"
+#include "raster/double_double.h"
 
 struct plane {
     double at, dx, dy; // value at the anchor's centre; change per pixel
@@ -51,7 +51,7 @@ struct planes {
     double w[3], zw[3], a_e0; // of clipped triangles
     bool homogeneous;         // a vertex is not snapped
     bool wide;                // weights come from `edge` alone, in wide arithmetic
-    struct wide_plane edge[3];
+    struct dd_plane edge[3];
     double edge_scale;        // e_i·edge_scale = a, b, c over W
     struct rhw_slopes slopes; // of snapped triangles by planes_slopes, when they are asked for
 };
@@ -198,7 +198,7 @@ static void planes_homogeneous(struct planes *p, const struct rhw_draw_state *st
         m[i][1] = m[i][2] * cy - corner[i][1] * half_height;
     }
     planes_vertices(p, state, v);
-    const struct wide determinant = wide_determinant(corner);
+    const struct dd determinant = dd_determinant(corner);
     if (determinant.hi == 0) {
         planes_without_area(p);
         return;
@@ -208,9 +208,9 @@ static void planes_homogeneous(struct planes *p, const struct rhw_draw_state *st
     struct plane row[3];
     double size = 0;
     for (int i = 0; i < 3; i++) {
-        const struct wide_plane *const e = &p->edge[i];
-        p->edge[i] = wide_edge(corner[i == 2 ? 0 : i + 1], corner[i == 0 ? 2 : i - 1], half_width,
-                               half_height, cx, cy);
+        const struct dd_plane *const e = &p->edge[i];
+        p->edge[i] =
+            dd_edge(corner[i == 2 ? 0 : i + 1], corner[i == 0 ? 2 : i - 1], half_width, half_height, cx, cy);
         row[i] = scale(inverse, (struct plane){e->at.hi, e->dx.hi, e->dy.hi});
         size += absolute(row[i].at) + absolute(row[i].dx) * (half_width + 1) +
                 absolute(row[i].dy) * (half_height + 1);
@@ -478,9 +478,9 @@ static __attribute__((noinline)) void cut_row(const struct planes *p, const stru
     d8 a, b, c;
     l4 below[2] = {{0}, {0}};
     if (p->wide) {
-        a = d8_mul(wide_row(&p->edge[0], at.dx, dy[row]), d8_splat(p->edge_scale));
-        b = d8_mul(wide_row(&p->edge[1], at.dx, dy[row]), d8_splat(p->edge_scale));
-        c = d8_mul(wide_row(&p->edge[2], at.dx, dy[row]), d8_splat(p->edge_scale));
+        a = d8_mul(dd_row(&p->edge[0], at.dx, dy[row]), d8_splat(p->edge_scale));
+        b = d8_mul(dd_row(&p->edge[1], at.dx, dy[row]), d8_splat(p->edge_scale));
+        c = d8_mul(dd_row(&p->edge[2], at.dx, dy[row]), d8_splat(p->edge_scale));
         below[0] = below[1] = (l4){-1, -1, -1, -1};
     } else if (p->exact) { // integers: e_0 is what e_1 and e_2 leave of the area
         const d8 e1 = plane_at(p->factors.e1, &at), e2 = plane_at(p->factors.e2, &at);

@@ -1,19 +1,19 @@
 // SPDX-License-Identifier: MIT
 // Coverage, exactly: the sign of integer edge functions at pixel centres, 8×8 pixels at a time.
-// Template: compiled once per instruction set.
 //
-// Edge i runs from corner i + 1 to corner i + 2, turned so that the inside is where
+// Edge i runs from vertex i + 1 to vertex i + 2, turned so that the inside is where
 //
-//     e(P) = a·(Px − x) + b·(Py − y)  > 0,     (x, y) the edge's first corner, all in 1/256 pixel,
+//     e(P) = a·(Px − x) + b·(Py − y)  > 0,     (x, y) the edge's first vertex, all in 1/256 pixel,
 //
 // and = 0 too on a top or left edge (top-left rule; Direct3D 11.3 §3.4.2.1). Pixel centres are whole pixels
 // apart, so e = 256·q + r there with the same r everywhere, and e >= 0 exactly when q >= 0: the loops below
 // work on q. |a|, |b| <= 2^24 and |e| < 2^49 (constants.h); a block that an edge crosses has |q| < 2^28.
 
-#ifndef RHW_COVERAGE_TMPL_H
-#define RHW_COVERAGE_TMPL_H
+#ifndef RHW_COVERAGE_H
+#define RHW_COVERAGE_H
 
-#include "scratch.h"
+#include "../scratch.h"
+#include "sample_position.h"
 
 _Static_assert((RHW_TILE - 1) % (RHW_BLOCK - 1) == 0, "coverage_add scales a block's extremes to the tile's");
 
@@ -29,9 +29,7 @@ static struct edge make_edge(int32_t x0, int32_t y0, int32_t x1, int32_t y1, int
 {
     const int32_t a = sign * (y0 - y1), b = sign * (x1 - x0);
     const bool top_left = a > 0 || (a == 0 && b > 0);
-    const int64_t px = (int64_t)tile_x * RHW_SUBPIXEL + RHW_SUBPIXEL / 2;
-    const int64_t py = (int64_t)tile_y * RHW_SUBPIXEL + RHW_SUBPIXEL / 2;
-    const int64_t e = a * (px - x0) + b * (py - y0);
+    const int64_t e = a * (sample_of_pixel(tile_x) - x0) + b * (sample_of_pixel(tile_y) - y0);
     return (struct edge){a, b, (e - (top_left ? 0 : 1)) >> RHW_SUBPIXEL_BITS,
                          (RHW_BLOCK - 1) * ((int64_t)min_int(a, 0) + min_int(b, 0)),
                          (RHW_BLOCK - 1) * ((int64_t)max_int(a, 0) + max_int(b, 0))};

@@ -1,0 +1,63 @@
+// SPDX-License-Identifier: MIT
+// Where a pixel is sampled: at its centre. Every stage that needs the position of a sample, or the pixels whose samples
+// lie between two positions, asks here. Positions are snapped: 24.8 fixed point, 1/256 pixel, from the target's origin.
+#ifndef RHW_SAMPLE_POSITION_H
+#define RHW_SAMPLE_POSITION_H
+
+#include "../../constants.h"
+#include "../../simd.h"
+
+enum { SAMPLE_OFFSET_0_8 = RHW_SUBPIXEL / 2 }; // of the sample in its pixel, each way
+
+// The sample of a pixel.
+static inline int64_t sample_of_pixel(int pixel)
+{
+    return (int64_t)pixel * RHW_SUBPIXEL + SAMPLE_OFFSET_0_8;
+}
+
+// The same for 8 pixels. Those of lanes that hold rubbish may wrap, hence unsigned.
+RHW_INLINE i8 sample_of_pixel8(i8 pixel)
+{
+    return (i8)(((u8)pixel << RHW_SUBPIXEL_BITS) + (uint32_t)SAMPLE_OFFSET_0_8);
+}
+
+// The pixel that a position lies in.
+static inline int pixel_of_position(int32_t position_24_8)
+{
+    return position_24_8 >> RHW_SUBPIXEL_BITS;
+}
+
+// From a position to the sample of the pixel it lies in.
+static inline int sample_from_position(int32_t position_24_8)
+{
+    return SAMPLE_OFFSET_0_8 - (position_24_8 & (RHW_SUBPIXEL - 1));
+}
+
+RHW_INLINE i8 sample_from_position8(i8 position_24_8)
+{
+    return i8_splat(SAMPLE_OFFSET_0_8) - (position_24_8 & i8_splat(RHW_SUBPIXEL - 1));
+}
+
+// The pixels whose samples lie between two positions: the first at or behind the lower, and one past the last before
+// the upper.
+static inline int first_pixel(int32_t low_24_8)
+{
+    return (low_24_8 + RHW_SUBPIXEL - SAMPLE_OFFSET_0_8 - 1) >> RHW_SUBPIXEL_BITS;
+}
+
+static inline int past_pixel(int32_t high_24_8)
+{
+    return (high_24_8 + RHW_SUBPIXEL - SAMPLE_OFFSET_0_8) >> RHW_SUBPIXEL_BITS;
+}
+
+RHW_INLINE i8 first_pixel8(i8 low_24_8)
+{
+    return (low_24_8 + i8_splat(RHW_SUBPIXEL - SAMPLE_OFFSET_0_8 - 1)) >> RHW_SUBPIXEL_BITS;
+}
+
+RHW_INLINE i8 past_pixel8(i8 high_24_8)
+{
+    return (high_24_8 + i8_splat(RHW_SUBPIXEL - SAMPLE_OFFSET_0_8)) >> RHW_SUBPIXEL_BITS;
+}
+
+#endif
