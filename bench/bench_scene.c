@@ -178,13 +178,13 @@ bool bench_texture_checker(struct bench_texture *texture)
     return true;
 }
 
-struct bench_uniforms bench_look(const struct rhw_camera *camera, double aspect, const double world[16])
+struct bench_uniforms bench_look(const struct scene_camera *camera, double aspect, const double world[16])
 {
     double view[16], projection[16], both[16], clip[16];
-    rhw_camera_view(camera, view);
-    rhw_camera_projection(camera, aspect, projection);
-    rhw_matrix_multiply(projection, view, both);
-    rhw_matrix_multiply(both, world, clip);
+    scene_camera_view(camera, view);
+    scene_camera_projection(camera, aspect, projection);
+    scene_matrix_multiply(projection, view, both);
+    scene_matrix_multiply(both, world, clip);
     struct bench_uniforms u = {
         .shininess = 40.0f,
         .light = {0.48f, 0.64f, 0.6f},

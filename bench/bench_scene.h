@@ -72,7 +72,7 @@ struct bench_draw {
     enum bench_shader shader;
     uint32_t mesh;
     int texture_count;
-    uint32_t textures[BENCH_DRAW_TEXTURES]; // enum rhw_slot numbers those of the physically based shader
+    uint32_t textures[BENCH_DRAW_TEXTURES]; // enum scene_slot numbers those of the physically based shader
     bool cull_back;
     struct bench_uniforms uniforms;
 };
@@ -135,6 +135,6 @@ bool bench_texture_allocate(struct bench_texture *texture, int width, int height
 void bench_texture_fill_mips(struct bench_texture *texture);
 
 // Sets the matrices, the eye and the usual light for a model that stands at `world` in front of `camera`.
-struct bench_uniforms bench_look(const struct rhw_camera *camera, double aspect, const double world[16]);
+struct bench_uniforms bench_look(const struct scene_camera *camera, double aspect, const double world[16]);
 
 #endif

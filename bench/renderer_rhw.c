@@ -13,7 +13,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-struct rhw_state {
+struct bench_state {
     rhw_context *context;
     struct rhw_context_def def;
     const struct bench_scene *scene;
@@ -23,8 +23,8 @@ struct rhw_state {
     rhw_sampler sampler;
     rhw_pipeline pipelines[BENCH_SHADERS][2]; // [shader][culls back faces]
     rhw_texture color, depth;
-    struct rhw_upload upload; // of the model of a physically based scene, instead of the above
-    struct rhw_surface_pipelines surface_pipelines;
+    struct scene_upload upload; // of the model of a physically based scene, instead of the above
+    struct scene_surface_pipelines surface_pipelines;
 };
 
 static bool make_buffer(rhw_context *context, const void *data, size_t size, rhw_buffer *buffer)
@@ -33,7 +33,7 @@ static bool make_buffer(rhw_context *context, const void *data, size_t size, rhw
     return rhw_buffer_create(context, &def, buffer) == RHW_OK;
 }
 
-static bool make_meshes(struct rhw_state *s)
+static bool make_meshes(struct bench_state *s)
 {
     for (uint32_t i = 0; i < s->scene->mesh_count; i++) {
         const struct bench_mesh *const mesh = &s->scene->meshes[i];
@@ -47,7 +47,7 @@ static bool make_meshes(struct rhw_state *s)
     return true;
 }
 
-static bool make_textures(struct rhw_state *s)
+static bool make_textures(struct bench_state *s)
 {
     for (uint32_t i = 0; i < s->scene->texture_count; i++) {
         const struct bench_texture *const texture = &s->scene->textures[i];
@@ -68,7 +68,7 @@ static bool make_textures(struct rhw_state *s)
     return true;
 }
 
-static bool make_target(struct rhw_state *s, enum rhw_format format, rhw_texture *target)
+static bool make_target(struct bench_state *s, enum rhw_format format, rhw_texture *target)
 {
     struct rhw_texture_def def = rhw_texture_def_default();
     def.format = format;
@@ -94,7 +94,7 @@ static void set_attributes(struct rhw_pipeline_def *def, const struct bench_mesh
 }
 
 // The meshes that a shader draws are laid out alike within a scene, so one pipeline serves them.
-static bool make_pipeline(struct rhw_state *s, const struct bench_draw *draw)
+static bool make_pipeline(struct bench_state *s, const struct bench_draw *draw)
 {
     struct rhw_pipeline_def def = rhw_pipeline_def_default();
     bench_program(&def.program, draw->shader);
@@ -110,7 +110,7 @@ static bool make_pipeline(struct rhw_state *s, const struct bench_draw *draw)
     return rhw_pipeline_create(s->context, &def, &s->pipelines[draw->shader][draw->cull_back]) == RHW_OK;
 }
 
-static bool make_pipelines(struct rhw_state *s)
+static bool make_pipelines(struct bench_state *s)
 {
     for (uint32_t i = 0; i < s->scene->draw_count; i++) {
         const struct bench_draw *const draw = &s->scene->draws[i];
@@ -123,7 +123,7 @@ static bool make_pipelines(struct rhw_state *s)
 
 static bool take(struct bench_renderer *renderer, const struct bench_scene *scene, int width, int height)
 {
-    struct rhw_state *const s = renderer->state;
+    struct bench_state *const s = renderer->state;
     s->scene = scene;
     s->width = width;
     s->height = height;
@@ -133,7 +133,7 @@ static bool take(struct bench_renderer *renderer, const struct bench_scene *scen
     const struct rhw_sampler_def sampler = rhw_sampler_def_default();
     if (scene->surfaces) {
         return make_target(s, RHW_FORMAT_RGBA8_SRGB, &s->color) &&
-               rhw_upload_create(s->context, scene->surfaces->model, &s->upload) == RHW_OK;
+               scene_upload_create(s->context, scene->surfaces->model, &s->upload) == RHW_OK;
     }
     return s->vertices && s->indices && s->textures &&
            rhw_sampler_create(s->context, &sampler, &s->sampler) == RHW_OK &&
@@ -143,7 +143,7 @@ static bool take(struct bench_renderer *renderer, const struct bench_scene *scen
 }
 
 // Depth is the result where there is no colour, and else nothing that anybody keeps.
-static struct rhw_pass_def pass_of(const struct rhw_state *s)
+static struct rhw_pass_def pass_of(const struct bench_state *s)
 {
     struct rhw_pass_def def = rhw_pass_def_default();
     def.width = s->width;
@@ -167,16 +167,16 @@ static bool open_and_close(const struct rhw_context_def *def)
     return result == RHW_OK;
 }
 
-static enum rhw_result record_surfaces(struct rhw_state *s, rhw_pass pass)
+static enum rhw_result record_surfaces(struct bench_state *s, rhw_pass pass)
 {
     const struct bench_surfaces *const surfaces = s->scene->surfaces;
-    struct rhw_surface_pass def = {
+    struct scene_surface_pass def = {
         .frame = &surfaces->frame, .formats = {RHW_FORMAT_RGBA8_SRGB}, .format_count = 1};
     memcpy(def.view_projection, surfaces->view_projection, sizeof def.view_projection);
-    return rhw_surfaces_record(&s->upload, &s->surface_pipelines, &def, pass);
+    return scene_surfaces_record(&s->upload, &s->surface_pipelines, &def, pass);
 }
 
-static void record_draws(const struct rhw_state *s, rhw_pass pass)
+static void record_draws(const struct bench_state *s, rhw_pass pass)
 {
     const struct bench_scene *const scene = s->scene;
     for (uint32_t i = 0; i < scene->draw_count; i++) {
@@ -194,7 +194,7 @@ static void record_draws(const struct rhw_state *s, rhw_pass pass)
 
 static bool frame(struct bench_renderer *renderer)
 {
-    struct rhw_state *const s = renderer->state;
+    struct bench_state *const s = renderer->state;
     const struct bench_scene *const scene = s->scene;
     struct rhw_stats stats;
     if (scene->opens_context) {
@@ -223,7 +223,7 @@ static bool frame(struct bench_renderer *renderer)
 
 static bool read_image(struct bench_renderer *renderer, struct bench_image *image)
 {
-    const struct rhw_state *const s = renderer->state;
+    const struct bench_state *const s = renderer->state;
     if (image->color) {
         rhw_texture_read(s->context, s->color, 0, image->color, 0);
     }
@@ -233,14 +233,14 @@ static bool read_image(struct bench_renderer *renderer, struct bench_image *imag
     return true;
 }
 
-static void drop_texture(const struct rhw_state *s, rhw_texture texture)
+static void drop_texture(const struct bench_state *s, rhw_texture texture)
 {
     if (texture.generation) {
         rhw_texture_destroy(s->context, texture);
     }
 }
 
-static void drop_buffer(const struct rhw_state *s, rhw_buffer buffer)
+static void drop_buffer(const struct bench_state *s, rhw_buffer buffer)
 {
     if (buffer.generation) {
         rhw_buffer_destroy(s->context, buffer);
@@ -249,7 +249,7 @@ static void drop_buffer(const struct rhw_state *s, rhw_buffer buffer)
 
 static void release(struct bench_renderer *renderer)
 {
-    struct rhw_state *const s = renderer->state;
+    struct bench_state *const s = renderer->state;
     for (uint32_t i = 0; s->vertices && s->indices && i < s->scene->mesh_count; i++) {
         drop_buffer(s, s->vertices[i]);
         drop_buffer(s, s->indices[i]);
@@ -262,9 +262,9 @@ static void release(struct bench_renderer *renderer)
             rhw_pipeline_destroy(s->context, s->pipelines[i / 2][i % 2]);
         }
     }
-    rhw_surface_pipelines_destroy(s->context, &s->surface_pipelines);
+    scene_surface_pipelines_destroy(s->context, &s->surface_pipelines);
     if (s->upload.model) {
-        rhw_upload_destroy(&s->upload);
+        scene_upload_destroy(&s->upload);
     }
     drop_texture(s, s->color);
     drop_texture(s, s->depth);
@@ -274,12 +274,12 @@ static void release(struct bench_renderer *renderer)
     free(s->vertices);
     free(s->indices);
     free(s->textures);
-    *s = (struct rhw_state){.context = s->context, .def = s->def};
+    *s = (struct bench_state){.context = s->context, .def = s->def};
 }
 
 static void close_rhw(struct bench_renderer *renderer)
 {
-    struct rhw_state *const s = renderer->state;
+    struct bench_state *const s = renderer->state;
     if (s) {
         rhw_context_destroy(s->context);
     }
@@ -289,7 +289,7 @@ static void close_rhw(struct bench_renderer *renderer)
 
 bool bench_open_rhw(struct bench_renderer *renderer, int threads, enum rhw_isa isa, const char **why)
 {
-    struct rhw_state *const s = calloc(1, sizeof *s);
+    struct bench_state *const s = calloc(1, sizeof *s);
     struct rhw_context_def def = rhw_context_def_default();
     def.threads = threads;
     def.isa = isa;

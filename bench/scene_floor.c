@@ -19,7 +19,7 @@ static const float layer_color[LAYERS][4] = {
     {0.55f, 0.25f, 0.75f, 1.0f}, {0.95f, 0.75f, 0.60f, 1.0f},
 };
 
-static const struct rhw_camera camera = {
+static const struct scene_camera camera = {
     .target = {0.0, -0.48861, -0.87250}, // sine and cosine of the pitch
     .up = {0.0, 1.0, 0.0},
     .yfov = 0.8,

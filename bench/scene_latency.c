@@ -15,7 +15,7 @@ enum { SIDE = 100, FACES = 6 };
 
 static const double size = 0.1; // half an edge; cubes stand 1.6 apart
 
-static const struct rhw_camera camera = {
+static const struct scene_camera camera = {
     .eye = {0.0, 60.0, 110.0},
     .up = {0.0, 1.0, 0.0},
     .yfov = 0.8,

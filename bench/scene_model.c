@@ -13,7 +13,7 @@ const char bench_bunny_path[] = "/usr/share/glmark2/models/bunny.obj"; // Debian
 
 const char bench_sponza_path[] = "gltf/sponza/Sponza.gltf";
 
-const struct rhw_camera bench_sponza_camera = {
+const struct scene_camera bench_sponza_camera = {
     .eye = {6.8, 2.2, -0.5},
     .target = {0.0, 3.2, -0.1},
     .up = {0.0, 1.0, 0.0},
@@ -22,10 +22,10 @@ const struct rhw_camera bench_sponza_camera = {
     .zfar = 50.0,
 };
 
-static void copy_vertices(const struct rhw_mesh *from, const struct rhw_material *material,
+static void copy_vertices(const struct scene_mesh *from, const struct scene_material *material,
                           struct bench_mesh *to)
 {
-    const float *const t = material->slots[RHW_SLOT_BASE_COLOR].transform;
+    const float *const t = material->slots[SCENE_SLOT_BASE_COLOR].transform;
     float *out = to->vertices;
     for (uint32_t v = 0; v < from->vertex_count; v++) {
         memcpy(out, from->positions[v], sizeof from->positions[v]);
@@ -43,9 +43,9 @@ static void copy_vertices(const struct rhw_mesh *from, const struct rhw_material
     memcpy(to->indices, from->indices, (size_t)from->index_count * sizeof *to->indices);
 }
 
-static bool make_texture(const struct rhw_image *image, struct bench_texture *texture)
+static bool make_texture(const struct scene_image *image, struct bench_texture *texture)
 {
-    if (image->type != RHW_IMAGE_RGBA8 ||
+    if (image->type != SCENE_IMAGE_RGBA8 ||
         !bench_texture_allocate(texture, (int)image->width, (int)image->height)) {
         return false;
     }
@@ -54,11 +54,11 @@ static bool make_texture(const struct rhw_image *image, struct bench_texture *te
     return true;
 }
 
-static struct bench_draw make_draw(const struct rhw_model *model, const struct rhw_instance *instance,
-                                   const struct rhw_camera *camera, double aspect)
+static struct bench_draw make_draw(const struct scene_model *model, const struct scene_instance *instance,
+                                   const struct scene_camera *camera, double aspect)
 {
-    const struct rhw_material *const material = &model->materials[model->meshes[instance->mesh].material];
-    const struct rhw_texture_slot *const base = &material->slots[RHW_SLOT_BASE_COLOR];
+    const struct scene_material *const material = &model->materials[model->meshes[instance->mesh].material];
+    const struct scene_texture_slot *const base = &material->slots[SCENE_SLOT_BASE_COLOR];
     double world[16];
     for (int i = 0; i < 16; i++) {
         world[i] = (double)instance->world[i];
@@ -71,15 +71,15 @@ static struct bench_draw make_draw(const struct rhw_model *model, const struct r
         draw.texture_count = 1;
         draw.textures[0] = (uint32_t)base->image;
         draw.shader =
-            material->alpha_mode == RHW_ALPHA_MASK ? BENCH_SHADER_LIT_MASKED : BENCH_SHADER_LIT_TEXTURE;
+            material->alpha_mode == SCENE_ALPHA_MASK ? BENCH_SHADER_LIT_MASKED : BENCH_SHADER_LIT_TEXTURE;
     }
     draw.uniforms.cutoff = material->alpha_cutoff;
     return draw;
 }
 
 // Every instance a draw, in the order of the file. Images that no base colour uses stay empty.
-static bool make_scene(struct bench_scene *scene, const struct rhw_model *model,
-                       const struct rhw_camera *camera, double aspect)
+static bool make_scene(struct bench_scene *scene, const struct scene_model *model,
+                       const struct scene_camera *camera, double aspect)
 {
     scene->mesh_count = model->mesh_count;
     scene->texture_count = model->image_count;
@@ -99,7 +99,7 @@ static bool make_scene(struct bench_scene *scene, const struct rhw_model *model,
         }
     }
     for (uint32_t i = 0; i < scene->mesh_count; i++) {
-        const struct rhw_mesh *const source = &model->meshes[i];
+        const struct scene_mesh *const source = &model->meshes[i];
         struct bench_mesh *const mesh = &scene->meshes[i];
         mesh->has[BENCH_POSITION] = true;
         mesh->has[BENCH_NORMAL] = scene->has_color;
@@ -113,11 +113,11 @@ static bool make_scene(struct bench_scene *scene, const struct rhw_model *model,
 }
 
 // From the front, a little from above, as large as it fits; 29,000 triangles face the eye.
-static bool make_bunny(struct bench_scene *scene, const struct rhw_model *model, bool depth_only,
+static bool make_bunny(struct bench_scene *scene, const struct scene_model *model, bool depth_only,
                        double aspect)
 {
-    const struct rhw_camera camera =
-        rhw_camera_fit(model, (struct rhw_orbit){.azimuth = 0.0, .elevation = 10.0}, 0.5, aspect);
+    const struct scene_camera camera =
+        scene_camera_fit(model, (struct scene_orbit){.azimuth = 0.0, .elevation = 10.0}, 0.5, aspect);
     scene->has_color = !depth_only;
     scene->tolerance = (struct bench_tolerance){.outliers = 5e-5, .depth = 1e-3};
     if (!make_scene(scene, model, &camera, aspect)) {
@@ -132,14 +132,14 @@ static bool make_bunny(struct bench_scene *scene, const struct rhw_model *model,
     return true;
 }
 
-static bool make_sponza(struct bench_scene *scene, const struct rhw_model *model, double aspect)
+static bool make_sponza(struct bench_scene *scene, const struct scene_model *model, double aspect)
 {
     // Where a texel stands near the cutoff of the alpha test, either side of it is right.
     scene->tolerance = (struct bench_tolerance){.color = 6, .outliers = 5e-4};
     return make_scene(scene, model, &bench_sponza_camera, aspect);
 }
 
-struct rhw_model *bench_model_load(const char *file, char *why, size_t why_size)
+struct scene_model *bench_model_load(const char *file, char *why, size_t why_size)
 {
     char path[4096], error[256];
     const char *const folder = getenv("RHW_MODELS");
@@ -154,10 +154,10 @@ struct rhw_model *bench_model_load(const char *file, char *why, size_t why_size)
                  absolute ? "" : "; RHW_MODELS names the folder of models");
         return NULL;
     }
-    struct rhw_model *const model = rhw_model_load(path, NULL, error, sizeof error);
+    struct scene_model *const model = scene_model_load(path, NULL, error, sizeof error);
     if (!model || model->instance_count == 0) {
         snprintf(why, why_size, "%.300s: %s", path, model ? "nothing to draw" : error);
-        rhw_model_free(model);
+        scene_model_free(model);
         return NULL;
     }
     return model;
@@ -168,13 +168,13 @@ bool bench_make_model(const struct bench_scene_entry *entry, struct bench_scene 
 {
     const double aspect = (double)width / (double)height;
     const bool bunny = entry->variant != BENCH_MODEL_SPONZA;
-    struct rhw_model *const model =
+    struct scene_model *const model =
         bench_model_load(bunny ? bench_bunny_path : bench_sponza_path, why, why_size);
     if (!model) {
         return false;
     }
     const bool made = bunny ? make_bunny(scene, model, entry->variant == BENCH_MODEL_BUNNY_DEPTH, aspect)
                             : make_sponza(scene, model, aspect);
-    rhw_model_free(model);
+    scene_model_free(model);
     return made;
 }

@@ -13,10 +13,10 @@ bool bench_make_model(const struct bench_scene_entry *entry, struct bench_scene 
 
 // Reads a model file that has something to draw: an absolute path, or a name in the folder of models, which is
 // "../shared/models" of who works on rhw or where RHW_MODELS says. NULL with a line in `why`.
-struct rhw_model *bench_model_load(const char *file, char *why, size_t why_size);
+struct scene_model *bench_model_load(const char *file, char *why, size_t why_size);
 
 extern const char bench_sponza_path[];
 extern const char bench_bunny_path[];
-extern const struct rhw_camera bench_sponza_camera; // along the nave from one end
+extern const struct scene_camera bench_sponza_camera; // along the nave from one end
 
 #endif

@@ -15,7 +15,7 @@ static const char helmet_path[] = "gltf/DamagedHelmet.glb"; // in the folder of 
 
 // Textures ------------------------------------------------------------------------------------------
 
-static bool fill_levels(rhw_context *context, const struct rhw_image *image, struct bench_texture *texture)
+static bool fill_levels(rhw_context *context, const struct scene_image *image, struct bench_texture *texture)
 {
     struct rhw_texture_def def = rhw_texture_def_default();
     rhw_texture made;
@@ -36,18 +36,18 @@ static bool fill_levels(rhw_context *context, const struct rhw_image *image, str
 }
 
 // Image i is texture 2 i where it is read as colour and 2 i + 1 where it is not.
-static bool make_textures(struct bench_scene *scene, const struct rhw_model *model)
+static bool make_textures(struct bench_scene *scene, const struct scene_model *model)
 {
     struct rhw_context_def def = rhw_context_def_default();
     rhw_context *context;
     def.threads = 1;
     bool works = rhw_context_create(&def, &context) == RHW_OK;
     for (uint32_t i = 0; works && i < scene->texture_count; i++) {
-        const struct rhw_image *const image = &model->images[i / 2];
+        const struct scene_image *const image = &model->images[i / 2];
         struct bench_texture *const texture = &scene->textures[i];
         texture->srgb = i % 2 == 0;
         if (texture->srgb ? image->used_as_color : image->used_as_data) {
-            works = image->type == RHW_IMAGE_RGBA8 &&
+            works = image->type == SCENE_IMAGE_RGBA8 &&
                     bench_texture_allocate(texture, (int)image->width, (int)image->height) &&
                     fill_levels(context, image, texture);
         }
@@ -65,7 +65,7 @@ static float *append(float *to, const float *values, size_t count)
 }
 
 // All alike, so that every shader finds what it reads; zeros where the model has nothing.
-static bool make_mesh(const struct rhw_mesh *from, struct bench_mesh *to)
+static bool make_mesh(const struct scene_mesh *from, struct bench_mesh *to)
 {
     static const float none[4] = {0};
     to->has[BENCH_POSITION] = to->has[BENCH_NORMAL] = to->has[BENCH_UV] = to->has[BENCH_TANGENT] = true;
@@ -87,18 +87,18 @@ static bool make_mesh(const struct rhw_mesh *from, struct bench_mesh *to)
 
 // The variant for exactly the textures of a material; BENCH_SHADERS where there is none, and for a mirrored
 // instance, whose triangles turn the other way.
-static enum bench_shader find_shader(const struct rhw_instance *instance, const struct rhw_material *material,
-                                     int *texture_count)
+static enum bench_shader find_shader(const struct scene_instance *instance,
+                                     const struct scene_material *material, int *texture_count)
 {
     unsigned slots = 0;
     if (instance->mirrored) {
         return BENCH_SHADERS;
     }
-    for (int s = 0; s < RHW_SLOT_COUNT; s++) {
+    for (int s = 0; s < SCENE_SLOT_COUNT; s++) {
         slots |= material->slots[s].image >= 0 ? 1u << s : 0;
     }
-    const bool opaque = material->alpha_mode == RHW_ALPHA_OPAQUE && !material->double_sided;
-    const bool masked = material->alpha_mode == RHW_ALPHA_MASK && material->double_sided;
+    const bool opaque = material->alpha_mode == SCENE_ALPHA_OPAQUE && !material->double_sided;
+    const bool masked = material->alpha_mode == SCENE_ALPHA_MASK && material->double_sided;
     *texture_count = slots == 1 ? 1 : slots == 7 ? 3 : 5;
     if (opaque && slots == 31) {
         return BENCH_SHADER_PBR_FULL;
@@ -109,9 +109,9 @@ static enum bench_shader find_shader(const struct rhw_instance *instance, const 
     return opaque && slots == 1 ? BENCH_SHADER_PBR_BASE : BENCH_SHADERS;
 }
 
-static struct bench_surface_uniforms make_uniforms(const struct rhw_instance *instance,
-                                                   const struct rhw_material *material,
-                                                   const struct rhw_camera *camera, double aspect)
+static struct bench_surface_uniforms make_uniforms(const struct scene_instance *instance,
+                                                   const struct scene_material *material,
+                                                   const struct scene_camera *camera, double aspect)
 {
     double world[16], normal[9];
     for (int i = 0; i < 16; i++) {
@@ -127,7 +127,7 @@ static struct bench_surface_uniforms make_uniforms(const struct rhw_instance *in
     memcpy(u.world, look.world, sizeof u.world);
     memcpy(u.color, material->base_color, sizeof u.color);
     memcpy(u.emissive, material->emissive, sizeof u.emissive);
-    rhw_matrix_normal(world, normal);
+    scene_matrix_normal(world, normal);
     for (int i = 0; i < 9; i++) {
         u.normal[i / 3 * 4 + i % 3] = (float)normal[i];
     }
@@ -135,23 +135,24 @@ static struct bench_surface_uniforms make_uniforms(const struct rhw_instance *in
 }
 
 // In the order in which rhw draws them.
-static bool make_draws(struct bench_scene *scene, const struct rhw_camera *camera, double aspect)
+static bool make_draws(struct bench_scene *scene, const struct scene_camera *camera, double aspect)
 {
-    const struct rhw_model *const model = scene->surfaces->model;
-    struct rhw_surface_item *const items = malloc(((size_t)model->instance_count + 1) * sizeof *items);
+    const struct scene_model *const model = scene->surfaces->model;
+    struct scene_surface_item *const items = malloc(((size_t)model->instance_count + 1) * sizeof *items);
     scene->surfaces->uniforms = calloc((size_t)model->instance_count + 1, sizeof *scene->surfaces->uniforms);
     bool works = items && scene->surfaces->uniforms;
     scene->draw_count =
-        works ? (uint32_t)rhw_surface_items_list(model, &scene->surfaces->frame, true, items) : 0;
+        works ? (uint32_t)scene_surface_items_list(model, &scene->surfaces->frame, true, items) : 0;
     for (uint32_t i = 0; works && i < scene->draw_count; i++) {
-        const struct rhw_instance *const instance = &model->instances[items[i].instance];
-        const struct rhw_material *const material = &model->materials[model->meshes[instance->mesh].material];
+        const struct scene_instance *const instance = &model->instances[items[i].instance];
+        const struct scene_material *const material =
+            &model->materials[model->meshes[instance->mesh].material];
         struct bench_draw *const draw = &scene->draws[i];
         draw->shader = find_shader(instance, material, &draw->texture_count);
         draw->mesh = instance->mesh;
         draw->cull_back = !material->double_sided;
         for (int s = 0; s < draw->texture_count; s++) {
-            const bool as_color = rhw_slot_is_color((enum rhw_slot)s);
+            const bool as_color = scene_slot_is_color((enum scene_slot)s);
             draw->textures[s] = 2 * (uint32_t)material->slots[s].image + (as_color ? 0 : 1);
         }
         scene->surfaces->uniforms[i] = make_uniforms(instance, material, camera, aspect);
@@ -163,10 +164,10 @@ static bool make_draws(struct bench_scene *scene, const struct rhw_camera *camer
 
 // View ----------------------------------------------------------------------------------------------
 
-static struct bench_frame_uniforms make_frame_uniforms(const struct rhw_frame *frame)
+static struct bench_frame_uniforms make_frame_uniforms(const struct scene_frame *frame)
 {
-    const struct rhw_environment *const e = &frame->environment;
-    const struct rhw_shader_light *const light = &frame->lights[0];
+    const struct scene_environment *const e = &frame->environment;
+    const struct scene_shader_light *const light = &frame->lights[0];
     struct bench_frame_uniforms f = {.light_size = light->size, .sharpness = e->sharpness};
     append(f.eye, frame->eye, 3);
     append(f.light, light->direction, 3);
@@ -175,7 +176,7 @@ static struct bench_frame_uniforms make_frame_uniforms(const struct rhw_frame *f
     append(f.sky, e->sky, 3);
     append(f.ground, e->ground, 3);
     append(f.diffuse, e->diffuse, 3);
-    for (int i = 0; i < RHW_LOBES; i++) {
+    for (int i = 0; i < SCENE_LOBES; i++) {
         append(f.lobe_direction[i], e->lobe_direction[i], 3);
         append(f.lobe_color[i], e->lobe_color[i], 3);
     }
@@ -183,12 +184,12 @@ static struct bench_frame_uniforms make_frame_uniforms(const struct rhw_frame *f
 }
 
 // The studio's light, whatever the file has: one directional light is what the GLSL knows.
-static bool look(struct bench_surfaces *surfaces, const struct rhw_camera *camera, double aspect)
+static bool look(struct bench_surfaces *surfaces, const struct scene_camera *camera, double aspect)
 {
-    if (!rhw_lighting_create(&surfaces->lighting, surfaces->model, camera, true, 0.0)) {
+    if (!scene_lighting_create(&surfaces->lighting, surfaces->model, camera, true, 0.0)) {
         return false;
     }
-    rhw_frame_look(&surfaces->frame, camera, aspect, &surfaces->lighting, surfaces->view_projection);
+    scene_frame_look(&surfaces->frame, camera, aspect, &surfaces->lighting, surfaces->view_projection);
     surfaces->frame.samples = 1.0f;
     surfaces->frame_uniforms = make_frame_uniforms(&surfaces->frame);
     return true;
@@ -197,8 +198,8 @@ static bool look(struct bench_surfaces *surfaces, const struct rhw_camera *camer
 void bench_surfaces_free(struct bench_surfaces *surfaces)
 {
     if (surfaces) {
-        rhw_lighting_destroy(&surfaces->lighting);
-        rhw_model_free(surfaces->model);
+        scene_lighting_destroy(&surfaces->lighting);
+        scene_model_free(surfaces->model);
         free(surfaces->uniforms);
         free(surfaces);
     }
@@ -210,15 +211,15 @@ bool bench_make_pbr(const struct bench_scene_entry *entry, struct bench_scene *s
     const bool helmet = entry->variant == BENCH_PBR_HELMET;
     const double aspect = (double)width / (double)height;
     scene->surfaces = calloc(1, sizeof *scene->surfaces);
-    struct rhw_model *const model =
+    struct scene_model *const model =
         scene->surfaces ? bench_model_load(helmet ? helmet_path : bench_sponza_path, why, why_size) : NULL;
     if (!model) {
         return false;
     }
     scene->surfaces->model = model;
-    const struct rhw_camera camera =
-        helmet ? rhw_camera_fit(model, rhw_camera_default_orbit(model), rhw_camera_default_yfov(), aspect)
-               : bench_sponza_camera;
+    const struct scene_camera camera = helmet ? scene_camera_fit(model, scene_camera_default_orbit(model),
+                                                                 scene_camera_default_yfov(), aspect)
+                                              : bench_sponza_camera;
     scene->mesh_count = model->mesh_count;
     scene->texture_count = 2 * model->image_count;
     scene->draw_count = model->instance_count;

@@ -33,15 +33,15 @@ struct bench_frame_uniforms {
     float light_color[4];
     float up[3], sharpness;
     float sky[4], ground[4];
-    float lobe_direction[RHW_LOBES][4], lobe_color[RHW_LOBES][4];
+    float lobe_direction[SCENE_LOBES][4], lobe_color[SCENE_LOBES][4];
     float diffuse[4];
 };
 
 struct bench_surfaces {
     // For rhw.
-    struct rhw_model *model;
-    struct rhw_lighting lighting;
-    struct rhw_frame frame;
+    struct scene_model *model;
+    struct scene_lighting lighting;
+    struct scene_frame frame;
     double view_projection[16]; // depth reversed
     // For peers.
     struct bench_frame_uniforms frame_uniforms;

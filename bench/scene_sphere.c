@@ -9,7 +9,7 @@
 static const double pi = 3.14159265358979323846;
 static const double turn = 0.6; // radians, about y
 
-static const struct rhw_camera camera = {
+static const struct scene_camera camera = {
     .eye = {0.0, 0.0, 2.6},
     .up = {0.0, 1.0, 0.0},
     .yfov = 0.8,

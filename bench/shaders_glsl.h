@@ -13,7 +13,7 @@ void bench_glsl(enum bench_shader shader, const char *vertex[BENCH_GLSL_PIECES],
                 const char *fragment[BENCH_GLSL_PIECES]);
 
 // The physically based ones, shaders_glsl_pbr.c: `u` holds a struct bench_surface_uniforms, `f` a struct
-// bench_frame_uniforms, and `map0` to `map4` are the textures by their enum rhw_slot.
+// bench_frame_uniforms, and `map0` to `map4` are the textures by their enum scene_slot.
 void bench_glsl_pbr(enum bench_shader shader, const char *vertex[BENCH_GLSL_PIECES],
                     const char *fragment[BENCH_GLSL_PIECES]);
 

@@ -92,7 +92,7 @@ static bool finite3(const double a[3])
 }
 
 // Right, up and backward: the rows of the view matrix.
-static void camera_axes(const struct rhw_camera *camera, double right[3], double up[3], double back[3])
+static void camera_axes(const struct scene_camera *camera, double right[3], double up[3], double back[3])
 {
     for (int i = 0; i < 3; i++) {
         back[i] = camera->eye[i] - camera->target[i];
@@ -114,7 +114,7 @@ static void camera_axes(const struct rhw_camera *camera, double right[3], double
     cross(back, right, up);
 }
 
-double rhw_camera_default_yfov(void)
+double scene_camera_default_yfov(void)
 {
     return 30.0 * (pi / 180.0);
 }
@@ -128,14 +128,14 @@ static void transform_point(const float m[16], const float p[3], double result[3
 }
 
 // The component along `axis` of the sum of all triangles' area vectors: which way a flat model faces.
-static double facing(const struct rhw_model *model, int axis)
+static double facing(const struct scene_model *model, int axis)
 {
     const int u = (axis + 1) % 3, v = (axis + 2) % 3;
     double sum = 0.0;
     for (uint32_t i = 0; i < model->instance_count; i++) {
-        const struct rhw_instance *instance = &model->instances[i];
-        const struct rhw_mesh *mesh = &model->meshes[instance->mesh];
-        if (mesh->primitive != RHW_PRIMITIVE_TRIANGLES) {
+        const struct scene_instance *instance = &model->instances[i];
+        const struct scene_mesh *mesh = &model->meshes[instance->mesh];
+        if (mesh->primitive != SCENE_PRIMITIVE_TRIANGLES) {
             continue;
         }
         double part = 0.0;
@@ -151,7 +151,7 @@ static double facing(const struct rhw_model *model, int axis)
     return sum;
 }
 
-struct rhw_orbit rhw_camera_default_orbit(const struct rhw_model *model)
+struct scene_orbit scene_camera_default_orbit(const struct scene_model *model)
 {
     const double flat = 0.06;
     double extent[3], largest = 0.0;
@@ -159,11 +159,11 @@ struct rhw_orbit rhw_camera_default_orbit(const struct rhw_model *model)
         extent[i] = (double)model->bounds_max[i] - (double)model->bounds_min[i];
         largest = extent[i] > largest ? extent[i] : largest;
     }
-    struct rhw_orbit orbit = {30.0, 20.0};
+    struct scene_orbit orbit = {30.0, 20.0};
     if (extent[2] <= flat * largest) {
-        orbit = (struct rhw_orbit){facing(model, 2) < 0.0 ? 180.0 : 0.0, 0.0};
+        orbit = (struct scene_orbit){facing(model, 2) < 0.0 ? 180.0 : 0.0, 0.0};
     } else if (extent[0] <= flat * largest) {
-        orbit = (struct rhw_orbit){facing(model, 0) < 0.0 ? -90.0 : 90.0, 0.0};
+        orbit = (struct scene_orbit){facing(model, 0) < 0.0 ? -90.0 : 90.0, 0.0};
     } else if (extent[1] <= flat * largest) {
         orbit.elevation = facing(model, 1) < 0.0 ? -40.0 : 40.0;
     }
@@ -193,7 +193,7 @@ static void fit_vertex(struct fit *fit, const double p[3])
 }
 
 // Model space to camera axes for one instance, in double: 3 rows of 4.
-static void instance_rows(const struct rhw_instance *instance, const double axes[3][3], double rows[3][4])
+static void instance_rows(const struct scene_instance *instance, const double axes[3][3], double rows[3][4])
 {
     for (int r = 0; r < 3; r++) {
         for (int c = 0; c < 4; c++) {
@@ -205,11 +205,11 @@ static void instance_rows(const struct rhw_instance *instance, const double axes
     }
 }
 
-static void fit_model(const struct rhw_model *model, const double axes[3][3], struct fit *fit)
+static void fit_model(const struct scene_model *model, const double axes[3][3], struct fit *fit)
 {
     for (uint32_t i = 0; i < model->instance_count; i++) {
-        const struct rhw_instance *instance = &model->instances[i];
-        const struct rhw_mesh *mesh = &model->meshes[instance->mesh];
+        const struct scene_instance *instance = &model->instances[i];
+        const struct scene_mesh *mesh = &model->meshes[instance->mesh];
         double rows[3][4];
         instance_rows(instance, axes, rows);
         // Vertices that no index uses are not part of the picture; the mesh's bounds leave them out.
@@ -231,14 +231,14 @@ static void fit_model(const struct rhw_model *model, const double axes[3][3], st
 
 // Near and far planes around the model's boxes. Something behind the eye puts the near plane at a small
 // part of the far one; the drawing code reverses depth, so the ratio costs no precision.
-static void fit_planes(struct rhw_camera *camera, const struct rhw_model *model)
+static void fit_planes(struct scene_camera *camera, const struct scene_model *model)
 {
     double axes[3][3];
     camera_axes(camera, axes[0], axes[1], axes[2]);
     const double eye = dot(axes[2], camera->eye);
     double nearest = DBL_MAX, furthest = -DBL_MAX;
     for (uint32_t i = 0; i < model->instance_count; i++) {
-        const struct rhw_mesh *mesh = &model->meshes[model->instances[i].mesh];
+        const struct scene_mesh *mesh = &model->meshes[model->instances[i].mesh];
         for (int corner = 0; corner < 8; corner++) {
             const float p[3] = {(corner & 1 ? mesh->bounds_max : mesh->bounds_min)[0],
                                 (corner & 2 ? mesh->bounds_max : mesh->bounds_min)[1],
@@ -258,13 +258,13 @@ static void fit_planes(struct rhw_camera *camera, const struct rhw_model *model)
     camera->znear = nearest * 0.999 > closest && nearest <= furthest ? nearest * 0.999 : closest;
 }
 
-struct rhw_camera rhw_camera_fit(const struct rhw_model *model, struct rhw_orbit orbit, double yfov,
-                                 double aspect)
+struct scene_camera scene_camera_fit(const struct scene_model *model, struct scene_orbit orbit, double yfov,
+                                     double aspect)
 {
     double sin_a, cos_a, sin_e, cos_e;
     sin_cos_degrees(orbit.azimuth, &sin_a, &cos_a);
     sin_cos_degrees(orbit.elevation, &sin_e, &cos_e);
-    struct rhw_camera camera = {.yfov = yfov};
+    struct scene_camera camera = {.yfov = yfov};
     // At ±90 degrees `back` is vertical; this `up` is right at every angle in between.
     const double back[3] = {cos_e * sin_a, sin_e, cos_e * cos_a};
     const double up[3] = {-sin_e * sin_a, cos_e, -sin_e * cos_a};
@@ -316,8 +316,9 @@ struct rhw_camera rhw_camera_fit(const struct rhw_model *model, struct rhw_orbit
     return camera;
 }
 
-bool rhw_camera_look(struct rhw_camera *camera, const struct rhw_model *model, const double eye[3],
-                     const double target[3], const double up[3], double yfov, char *error, size_t error_size)
+bool scene_camera_look(struct scene_camera *camera, const struct scene_model *model, const double eye[3],
+                       const double target[3], const double up[3], double yfov, char *error,
+                       size_t error_size)
 {
     const double direction[3] = {target[0] - eye[0], target[1] - eye[1], target[2] - eye[2]};
     const char *cause = NULL;
@@ -334,7 +335,7 @@ bool rhw_camera_look(struct rhw_camera *camera, const struct rhw_model *model, c
         snprintf(error, error_size, "not a camera: %s", cause);
         return false;
     }
-    *camera = (struct rhw_camera){.yfov = yfov};
+    *camera = (struct scene_camera){.yfov = yfov};
     for (int i = 0; i < 3; i++) {
         camera->eye[i] = eye[i];
         camera->target[i] = target[i];
@@ -344,9 +345,9 @@ bool rhw_camera_look(struct rhw_camera *camera, const struct rhw_model *model, c
     return true;
 }
 
-struct rhw_camera rhw_camera_from_model(const struct rhw_model_camera *source, double aspect)
+struct scene_camera scene_camera_from_model(const struct scene_model_camera *source, double aspect)
 {
-    struct rhw_camera camera = {.orthographic = source->orthographic};
+    struct scene_camera camera = {.orthographic = source->orthographic};
     for (int i = 0; i < 3; i++) {
         camera.eye[i] = (double)source->world[12 + i];
         camera.up[i] = (double)source->world[4 + i];
@@ -377,7 +378,7 @@ struct rhw_camera rhw_camera_from_model(const struct rhw_model_camera *source, d
     return camera;
 }
 
-void rhw_camera_view(const struct rhw_camera *camera, double matrix[16])
+void scene_camera_view(const struct scene_camera *camera, double matrix[16])
 {
     double axes[3][3];
     camera_axes(camera, axes[0], axes[1], axes[2]);
@@ -391,7 +392,7 @@ void rhw_camera_view(const struct rhw_camera *camera, double matrix[16])
     matrix[15] = 1.0;
 }
 
-void rhw_camera_projection(const struct rhw_camera *camera, double aspect, double matrix[16])
+void scene_camera_projection(const struct scene_camera *camera, double aspect, double matrix[16])
 {
     for (int i = 0; i < 16; i++) {
         matrix[i] = 0.0;
@@ -413,7 +414,7 @@ void rhw_camera_projection(const struct rhw_camera *camera, double aspect, doubl
     matrix[11] = -1.0;
 }
 
-void rhw_matrix_multiply(const double a[16], const double b[16], double product[16])
+void scene_matrix_multiply(const double a[16], const double b[16], double product[16])
 {
     for (int c = 0; c < 4; c++) {
         for (int r = 0; r < 4; r++) {
@@ -425,7 +426,7 @@ void rhw_matrix_multiply(const double a[16], const double b[16], double product[
 
 // Columns of the cofactor matrix are cross products of the matrix's columns; the sign of the determinant
 // turns it into a positive multiple of the transposed inverse.
-void rhw_matrix_normal(const double matrix[16], double normal[9])
+void scene_matrix_normal(const double matrix[16], double normal[9])
 {
     for (int c = 0; c < 3; c++) {
         cross(&matrix[4 * ((c + 1) % 3)], &matrix[4 * ((c + 2) % 3)], &normal[3 * c]);

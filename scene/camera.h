@@ -3,13 +3,13 @@
 //
 // Everything is computed in double with our own sine, so that a picture does not depend on the C library.
 // Matrices are column major and work on column vectors, as in model.h.
-#ifndef RHW_SCENE_CAMERA_H
-#define RHW_SCENE_CAMERA_H
+#ifndef SCENE_CAMERA_H
+#define SCENE_CAMERA_H
 
 #include "model.h"
 
 /// Looks from `eye` to `target`; `up` need not be perpendicular, and may be parallel (another is then taken).
-struct rhw_camera {
+struct scene_camera {
     double eye[3], target[3], up[3];
     bool orthographic;
     double yfov;        ///< radians, the whole angle from the bottom to the top of the picture; perspective
@@ -19,41 +19,42 @@ struct rhw_camera {
 
 /// Degrees. Azimuth 0 looks at the model's front (from +Z), 90 from its left hand side (+X); elevation 90
 /// looks straight down (−Y).
-struct rhw_orbit {
+struct scene_orbit {
     double azimuth, elevation;
 };
 
 /// 30 degrees: long enough a lens to keep proportions, short enough to show depth.
-double rhw_camera_default_yfov(void);
+double scene_camera_default_yfov(void);
 
 /// The angle from which a model shows best: from the front, a little to the side and from above; a flat
 /// model from the side it faces.
-struct rhw_orbit rhw_camera_default_orbit(const struct rhw_model *model);
+struct scene_orbit scene_camera_default_orbit(const struct scene_model *model);
 
 /// The camera at those angles that is as near as it can be with every vertex of the model in the picture
 /// and a margin of 4% around it; near and far planes enclose the model. A model without vertices gets a
 /// camera that looks at the origin.
-struct rhw_camera rhw_camera_fit(const struct rhw_model *model, struct rhw_orbit orbit, double yfov,
-                                 double aspect);
+struct scene_camera scene_camera_fit(const struct scene_model *model, struct scene_orbit orbit, double yfov,
+                                     double aspect);
 
 /// Perspective from `eye` to `target`, planes around the model. False with one line in `error` when the
 /// numbers make no camera: not finite, eye equals target, yfov (radians) outside 0.01..179 degrees.
-bool rhw_camera_look(struct rhw_camera *camera, const struct rhw_model *model, const double eye[3],
-                     const double target[3], const double up[3], double yfov, char *error, size_t error_size);
+bool scene_camera_look(struct scene_camera *camera, const struct scene_model *model, const double eye[3],
+                       const double target[3], const double up[3], double yfov, char *error,
+                       size_t error_size);
 
 /// A camera of the file. Where the picture's aspect ratio differs from the camera's, all of what the camera
 /// frames stays in the picture.
-struct rhw_camera rhw_camera_from_model(const struct rhw_model_camera *camera, double aspect);
+struct scene_camera scene_camera_from_model(const struct scene_model_camera *camera, double aspect);
 
 /// World to camera space (looking along −Z).
-void rhw_camera_view(const struct rhw_camera *camera, double matrix[16]);
+void scene_camera_view(const struct scene_camera *camera, double matrix[16]);
 /// Camera space to clip space: NDC y up, depth 0 at znear and 1 at zfar.
-void rhw_camera_projection(const struct rhw_camera *camera, double aspect, double matrix[16]);
+void scene_camera_projection(const struct scene_camera *camera, double aspect, double matrix[16]);
 
 /// a · b.
-void rhw_matrix_multiply(const double a[16], const double b[16], double product[16]);
+void scene_matrix_multiply(const double a[16], const double b[16], double product[16]);
 /// The transposed inverse of the upper 3×3, times the square of a length (its direction is what counts): it
 /// carries normals through any affine matrix, mirrored or not. Where the matrix is singular the result is too.
-void rhw_matrix_normal(const double matrix[16], double normal[9]);
+void scene_matrix_normal(const double matrix[16], double normal[9]);
 
 #endif

@@ -21,7 +21,7 @@
 enum {
     BAND_BYTES = 1 << 28,
     BAND_ROWS = 64, // bands are cut at multiples: tiles stay whole
-    TARGET_COUNT = RHW_DATA_OUTPUTS + 5
+    TARGET_COUNT = SCENE_DATA_OUTPUTS + 5
 };
 
 // sRGB codes of the default background, top and bottom.
@@ -34,44 +34,44 @@ struct target {
     int width, height;
 };
 
-struct rhw_scene {
-    struct rhw_upload upload;
-    struct rhw_surface_pipelines pipelines;
+struct scene {
+    struct scene_upload upload;
+    struct scene_surface_pipelines pipelines;
     struct target targets[TARGET_COUNT];
     rhw_sampler nearest;
     double upload_ms;
 };
 
-// Which of rhw_scene.targets is what.
+// Which of scene.targets is what.
 enum { TARGET_SAMPLES, TARGET_LINEAR_SAMPLES, TARGET_COLOR, TARGET_LINEAR, TARGET_DISPLAY, TARGET_DATA };
 
-// The data outputs, by enum rhw_data_output.
+// The data outputs, by enum scene_data_output.
 static const struct {
     uint32_t output;
     enum rhw_format format;
-} data_outputs[RHW_DATA_OUTPUTS] = {
-    [RHW_DATA_DEPTH] = {RHW_OUTPUT_DEPTH, RHW_FORMAT_R32_FLOAT},
-    [RHW_DATA_DISTANCE] = {RHW_OUTPUT_DISTANCE, RHW_FORMAT_R32_FLOAT},
-    [RHW_DATA_NORMAL] = {RHW_OUTPUT_NORMAL, RHW_FORMAT_RGBA32_FLOAT},
-    [RHW_DATA_POSITION] = {RHW_OUTPUT_POSITION, RHW_FORMAT_RGBA32_FLOAT},
-    [RHW_DATA_UV] = {RHW_OUTPUT_UV, RHW_FORMAT_RGBA32_FLOAT},
-    [RHW_DATA_OBJECT] = {RHW_OUTPUT_OBJECT, RHW_FORMAT_R32_UINT},
-    [RHW_DATA_TRIANGLE] = {RHW_OUTPUT_TRIANGLE, RHW_FORMAT_R32_UINT},
-    [RHW_DATA_BARYCENTRIC] = {RHW_OUTPUT_BARYCENTRIC, RHW_FORMAT_RGBA32_FLOAT},
+} data_outputs[SCENE_DATA_OUTPUTS] = {
+    [SCENE_DATA_DEPTH] = {SCENE_OUTPUT_DEPTH, RHW_FORMAT_R32_FLOAT},
+    [SCENE_DATA_DISTANCE] = {SCENE_OUTPUT_DISTANCE, RHW_FORMAT_R32_FLOAT},
+    [SCENE_DATA_NORMAL] = {SCENE_OUTPUT_NORMAL, RHW_FORMAT_RGBA32_FLOAT},
+    [SCENE_DATA_POSITION] = {SCENE_OUTPUT_POSITION, RHW_FORMAT_RGBA32_FLOAT},
+    [SCENE_DATA_UV] = {SCENE_OUTPUT_UV, RHW_FORMAT_RGBA32_FLOAT},
+    [SCENE_DATA_OBJECT] = {SCENE_OUTPUT_OBJECT, RHW_FORMAT_R32_UINT},
+    [SCENE_DATA_TRIANGLE] = {SCENE_OUTPUT_TRIANGLE, RHW_FORMAT_R32_UINT},
+    [SCENE_DATA_BARYCENTRIC] = {SCENE_OUTPUT_BARYCENTRIC, RHW_FORMAT_RGBA32_FLOAT},
 };
 
-// Everything one call of rhw_scene_draw works with.
+// Everything one call of scene_draw works with.
 struct draw {
-    struct rhw_scene *scene;
-    const struct rhw_view *view;
-    struct rhw_pictures *pictures;
-    struct rhw_draw_stats stats;
-    struct rhw_lighting lighting;
-    struct rhw_frame frame;
+    struct scene *scene;
+    const struct scene_view *view;
+    struct scene_pictures *pictures;
+    struct scene_draw_stats stats;
+    struct scene_lighting lighting;
+    struct scene_frame frame;
     double view_projection[16];
-    int side;                     // of the sample grid
-    int band_rows, first_row;     // of the picture
-    void *data[RHW_DATA_OUTPUTS]; // the pictures of data outputs
+    int side;                       // of the sample grid
+    int band_rows, first_row;       // of the picture
+    void *data[SCENE_DATA_OUTPUTS]; // the pictures of data outputs
 };
 
 static double milliseconds(void)
@@ -93,15 +93,15 @@ static int sample_side(int samples)
 
 // View ----------------------------------------------------------------------------------------------
 
-struct rhw_view rhw_view_default(const struct rhw_model *model)
+struct scene_view scene_view_default(const struct scene_model *model)
 {
-    struct rhw_view view = {.width = 1280, .height = 720, .samples = 1, .outputs = RHW_OUTPUT_COLOR};
-    view.camera =
-        rhw_camera_fit(model, rhw_camera_default_orbit(model), rhw_camera_default_yfov(), 1280.0 / 720.0);
+    struct scene_view view = {.width = 1280, .height = 720, .samples = 1, .outputs = SCENE_OUTPUT_COLOR};
+    view.camera = scene_camera_fit(model, scene_camera_default_orbit(model), scene_camera_default_yfov(),
+                                   1280.0 / 720.0);
     return view;
 }
 
-bool rhw_view_check(const struct rhw_view *view, char *error, size_t error_size)
+bool scene_view_check(const struct scene_view *view, char *error, size_t error_size)
 {
     const int side = sample_side(view->samples);
     const int limit = RHW_MAX_TARGET_SIZE;
@@ -115,14 +115,14 @@ bool rhw_view_check(const struct rhw_view *view, char *error, size_t error_size)
         snprintf(error, error_size,
                  "size %dx%d with %d samples: %d times width and height must not exceed %d", view->width,
                  view->height, view->samples, side, limit);
-    } else if (view->outputs == 0 || (view->outputs & ~(uint32_t)RHW_OUTPUT_ALL)) {
+    } else if (view->outputs == 0 || (view->outputs & ~(uint32_t)SCENE_OUTPUT_ALL)) {
         snprintf(error, error_size, "outputs: none, or unknown ones, asked for");
     } else if (view->interpolate != RHW_SMOOTH && view->interpolate != RHW_NOPERSPECTIVE) {
         snprintf(error, error_size, "interpolate: must be smooth or noperspective");
     } else if (!(view->exposure >= -20.0 && view->exposure <= 20.0)) {
         snprintf(error, error_size, "exposure: must lie between -20 and 20 stops");
     } else {
-        const struct rhw_camera *c = &view->camera;
+        const struct scene_camera *c = &view->camera;
         const bool infinite = c->zfar == 0.0 && !c->orthographic;
         if (!(c->orthographic ? c->ymag > 0.0 : c->yfov > 0.0 && c->yfov < 3.14159)) {
             place = c->orthographic ? "the height" : "the field of view";
@@ -136,7 +136,7 @@ bool rhw_view_check(const struct rhw_view *view, char *error, size_t error_size)
     return false;
 }
 
-void rhw_pictures_free(struct rhw_pictures *pictures)
+void scene_pictures_free(struct scene_pictures *pictures)
 {
     free(pictures->color);
     free(pictures->linear);
@@ -149,13 +149,12 @@ void rhw_pictures_free(struct rhw_pictures *pictures)
     free(pictures->barycentric);
     free(pictures->object);
     free(pictures->triangle);
-    *pictures = (struct rhw_pictures){0};
+    *pictures = (struct scene_pictures){0};
 }
 
 // Scene ---------------------------------------------------------------------------------------------
 
-enum rhw_result rhw_scene_create(rhw_context *context, const struct rhw_model *model,
-                                 struct rhw_scene **scene)
+enum rhw_result scene_create(rhw_context *context, const struct scene_model *model, struct scene **scene)
 {
     const double start = milliseconds();
     *scene = calloc(1, sizeof **scene);
@@ -166,11 +165,11 @@ enum rhw_result rhw_scene_create(rhw_context *context, const struct rhw_model *m
     sampler.min_filter = sampler.mag_filter = RHW_FILTER_NEAREST;
     sampler.mip_filter = RHW_MIP_FILTER_NONE;
     sampler.address_u = sampler.address_v = RHW_ADDRESS_CLAMP;
-    enum rhw_result result = rhw_upload_create(context, model, &(*scene)->upload);
+    enum rhw_result result = scene_upload_create(context, model, &(*scene)->upload);
     if (result == RHW_OK) {
         result = rhw_sampler_create(context, &sampler, &(*scene)->nearest);
         if (result != RHW_OK) {
-            rhw_upload_destroy(&(*scene)->upload);
+            scene_upload_destroy(&(*scene)->upload);
         }
     }
     if (result != RHW_OK) {
@@ -182,24 +181,24 @@ enum rhw_result rhw_scene_create(rhw_context *context, const struct rhw_model *m
     return RHW_OK;
 }
 
-void rhw_scene_destroy(struct rhw_scene *scene)
+void scene_destroy(struct scene *scene)
 {
     if (!scene) {
         return;
     }
     rhw_context *context = scene->upload.context;
-    rhw_surface_pipelines_destroy(context, &scene->pipelines);
+    scene_surface_pipelines_destroy(context, &scene->pipelines);
     for (int i = 0; i < TARGET_COUNT; i++) {
         if (scene->targets[i].texture.generation) {
             rhw_texture_destroy(context, scene->targets[i].texture);
         }
     }
     rhw_sampler_destroy(context, scene->nearest);
-    rhw_upload_destroy(&scene->upload);
+    scene_upload_destroy(&scene->upload);
     free(scene);
 }
 
-static enum rhw_result get_target(struct rhw_scene *scene, int which, enum rhw_format format, int width,
+static enum rhw_result get_target(struct scene *scene, int which, enum rhw_format format, int width,
                                   int height)
 {
     rhw_context *context = scene->upload.context;
@@ -256,14 +255,14 @@ static void add_stats(struct rhw_stats *sum, const struct rhw_stats *pass)
 
 static void set_frame(struct draw *draw)
 {
-    const struct rhw_view *view = draw->view;
-    struct rhw_frame *frame = &draw->frame;
-    rhw_frame_look(frame, &view->camera, (double)view->width / view->height, &draw->lighting,
-                   draw->view_projection);
-    frame->plain = view->wireframe == RHW_WIREFRAME_PLAIN;
+    const struct scene_view *view = draw->view;
+    struct scene_frame *frame = &draw->frame;
+    scene_frame_look(frame, &view->camera, (double)view->width / view->height, &draw->lighting,
+                     draw->view_projection);
+    frame->plain = view->wireframe == SCENE_WIREFRAME_PLAIN;
     for (int c = 0; c < 3; c++) {
-        frame->line_color[c] = rhw_color_decode(28);
-        frame->plain_color[c] = rhw_color_decode(226);
+        frame->line_color[c] = scene_color_decode(28);
+        frame->plain_color[c] = scene_color_decode(226);
     }
 }
 
@@ -288,30 +287,30 @@ static void set_band_viewport(const struct draw *draw, rhw_pass pass, int side)
     rhw_pass_set_viewport(draw->scene->upload.context, pass, &viewport);
 }
 
-static void set_background(const struct draw *draw, struct rhw_backdrop *backdrop)
+static void set_background(const struct draw *draw, struct scene_backdrop *backdrop)
 {
-    const struct rhw_view *view = draw->view;
-    *backdrop = (struct rhw_backdrop){.inverse_height = 1.0f / (float)(view->height * draw->side),
-                                      .first_row = (float)(draw->first_row * draw->side)};
-    if (view->background == RHW_BACKGROUND_TRANSPARENT) {
+    const struct scene_view *view = draw->view;
+    *backdrop = (struct scene_backdrop){.inverse_height = 1.0f / (float)(view->height * draw->side),
+                                        .first_row = (float)(draw->first_row * draw->side)};
+    if (view->background == SCENE_BACKGROUND_TRANSPARENT) {
         return;
     }
-    const bool even = view->background == RHW_BACKGROUND_COLOR;
+    const bool even = view->background == SCENE_BACKGROUND_COLOR;
     for (int c = 0; c < 3; c++) {
-        backdrop->top[c] = rhw_color_decode(even ? view->background_color[c] : gradient_top[c]);
-        backdrop->bottom[c] = rhw_color_decode(even ? view->background_color[c] : gradient_bottom[c]);
+        backdrop->top[c] = scene_color_decode(even ? view->background_color[c] : gradient_top[c]);
+        backdrop->bottom[c] = scene_color_decode(even ? view->background_color[c] : gradient_bottom[c]);
     }
     backdrop->top[3] = backdrop->bottom[3] = 1.0f;
 }
 
 // Records a triangle over the whole target; writes colour 0 alone.
-static enum rhw_result record_screen(struct draw *draw, rhw_pass pass, enum rhw_screen_kind kind,
+static enum rhw_result record_screen(struct draw *draw, rhw_pass pass, enum scene_screen_kind kind,
                                      const enum rhw_format *formats, int format_count, const void *uniforms,
                                      rhw_pipeline *pipeline)
 {
     rhw_context *context = draw->scene->upload.context;
     struct rhw_pipeline_def def = rhw_pipeline_def_default();
-    rhw_program_screen(&def.program, kind);
+    scene_program_screen(&def.program, kind);
     def.target_count = format_count;
     for (int i = 0; i < format_count; i++) {
         def.targets[i] = (struct rhw_color_target){.format = formats[i], .write_mask = i == 0 ? 15 : 0};
@@ -335,10 +334,10 @@ static enum rhw_result end_pass(struct draw *draw, rhw_pass pass, enum rhw_resul
 
 static enum rhw_result draw_samples(struct draw *draw, const enum rhw_format formats[2], int format_count)
 {
-    struct rhw_scene *scene = draw->scene;
+    struct scene *scene = draw->scene;
     rhw_context *context = scene->upload.context;
     struct rhw_pass_def def = rhw_pass_def_default();
-    struct rhw_backdrop backdrop;
+    struct scene_backdrop backdrop;
     set_background(draw, &backdrop);
     def.color_count = format_count;
     for (int i = 0; i < format_count; i++) {
@@ -352,18 +351,18 @@ static enum rhw_result draw_samples(struct draw *draw, const enum rhw_format for
         return result;
     }
     rhw_pipeline screen = {0};
-    if (draw->view->background == RHW_BACKGROUND_DEFAULT) {
-        result = record_screen(draw, pass, RHW_SCREEN_BACKDROP, formats, format_count, &backdrop, &screen);
+    if (draw->view->background == SCENE_BACKGROUND_DEFAULT) {
+        result = record_screen(draw, pass, SCENE_SCREEN_BACKDROP, formats, format_count, &backdrop, &screen);
     }
     set_band_viewport(draw, pass, draw->side);
-    struct rhw_surface_pass surfaces = {.frame = &draw->frame,
-                                        .interpolate = draw->view->interpolate,
-                                        .wireframe = draw->view->wireframe,
-                                        .format_count = format_count};
+    struct scene_surface_pass surfaces = {.frame = &draw->frame,
+                                          .interpolate = draw->view->interpolate,
+                                          .wireframe = draw->view->wireframe,
+                                          .format_count = format_count};
     memcpy(surfaces.formats, formats, (size_t)format_count * sizeof *formats);
     memcpy(surfaces.view_projection, draw->view_projection, sizeof surfaces.view_projection);
     if (result == RHW_OK) {
-        result = rhw_surfaces_record(&scene->upload, &scene->pipelines, &surfaces, pass);
+        result = scene_surfaces_record(&scene->upload, &scene->pipelines, &surfaces, pass);
     }
     struct rhw_stats stats = {0};
     result = end_pass(draw, pass, result, &stats);
@@ -384,14 +383,14 @@ static enum rhw_result draw_samples(struct draw *draw, const enum rhw_format for
 static enum rhw_result resolve(struct draw *draw, int from, int to, enum rhw_format format,
                                bool straight_alpha)
 {
-    struct rhw_scene *scene = draw->scene;
+    struct scene *scene = draw->scene;
     rhw_context *context = scene->upload.context;
     enum rhw_result result = get_target(scene, to, format, draw->view->width, draw->band_rows);
     if (result != RHW_OK) {
         return result;
     }
     const struct target *source = &scene->targets[from];
-    const struct rhw_resolve uniforms = {
+    const struct scene_resolve uniforms = {
         .side = draw->side,
         .straight_alpha = straight_alpha,
         .inverse_size = {1.0f / (float)source->width, 1.0f / (float)source->height}};
@@ -407,7 +406,7 @@ static enum rhw_result resolve(struct draw *draw, int from, int to, enum rhw_for
     }
     rhw_pipeline pipeline = {0};
     rhw_pass_set_texture(context, pass, 0, source->texture, scene->nearest);
-    result = record_screen(draw, pass, RHW_SCREEN_RESOLVE, &format, 1, &uniforms, &pipeline);
+    result = record_screen(draw, pass, SCENE_SCREEN_RESOLVE, &format, 1, &uniforms, &pipeline);
     result = end_pass(draw, pass, result, NULL);
     if (pipeline.generation) {
         rhw_pipeline_destroy(context, pipeline);
@@ -442,8 +441,8 @@ static enum rhw_result finish_band(struct draw *draw, int samples, int resolved,
 
 static enum rhw_result draw_color_band(struct draw *draw)
 {
-    struct rhw_pictures *pictures = draw->pictures;
-    const bool transparent = draw->view->background == RHW_BACKGROUND_TRANSPARENT;
+    struct scene_pictures *pictures = draw->pictures;
+    const bool transparent = draw->view->background == SCENE_BACKGROUND_TRANSPARENT;
     // Premultiplied colours of a transparent picture are divided by alpha later: 8 bits would not do.
     const enum rhw_format formats[2] = {pictures->display ? RHW_FORMAT_RGBA32_FLOAT
                                         : transparent     ? RHW_FORMAT_RGBA16_FLOAT
@@ -476,13 +475,13 @@ static enum rhw_result draw_color_band(struct draw *draw)
 
 static enum rhw_result draw_data_band(struct draw *draw)
 {
-    struct rhw_scene *scene = draw->scene;
+    struct scene *scene = draw->scene;
     const double start = milliseconds();
-    struct rhw_surface_pass surfaces = {.frame = &draw->frame, .interpolate = draw->view->interpolate};
+    struct scene_surface_pass surfaces = {.frame = &draw->frame, .interpolate = draw->view->interpolate};
     struct rhw_pass_def def = rhw_pass_def_default();
     def.color_count = 0;
     def.depth = (struct rhw_depth_attachment){.enabled = true, .store = RHW_STORE_DISCARD, .clear = 0.0f};
-    for (int i = 0; i < RHW_DATA_OUTPUTS; i++) {
+    for (int i = 0; i < SCENE_DATA_OUTPUTS; i++) {
         draw->frame.output_slot[i] = -1;
         if (!draw->data[i]) {
             continue;
@@ -494,7 +493,7 @@ static enum rhw_result draw_data_band(struct draw *draw)
         }
         struct rhw_color_attachment *color = &def.colors[def.color_count];
         *color = (struct rhw_color_attachment){.texture = scene->targets[TARGET_DATA + i].texture};
-        color->clear[0] = i == RHW_DATA_DEPTH ? 1.0f : i == RHW_DATA_DISTANCE ? __builtin_inff() : 0.0f;
+        color->clear[0] = i == SCENE_DATA_DEPTH ? 1.0f : i == SCENE_DATA_DISTANCE ? __builtin_inff() : 0.0f;
         draw->frame.output_slot[i] = def.color_count;
         surfaces.formats[def.color_count++] = data_outputs[i].format;
         surfaces.data_outputs |= data_outputs[i].output;
@@ -507,12 +506,12 @@ static enum rhw_result draw_data_band(struct draw *draw)
         return result;
     }
     set_band_viewport(draw, pass, 1);
-    result = rhw_surfaces_record(&scene->upload, &scene->pipelines, &surfaces, pass);
+    result = scene_surfaces_record(&scene->upload, &scene->pipelines, &surfaces, pass);
     struct rhw_stats stats = {0};
     result = end_pass(draw, pass, result, &stats);
     add_stats(&draw->stats.pipeline, &stats);
     const double drawn = milliseconds();
-    for (int i = 0; i < RHW_DATA_OUTPUTS && result == RHW_OK; i++) {
+    for (int i = 0; i < SCENE_DATA_OUTPUTS && result == RHW_OK; i++) {
         if (draw->data[i]) {
             read_band(draw, TARGET_DATA + i, draw->data[i]);
         }
@@ -551,18 +550,18 @@ static bool allocate_picture(const struct draw *draw, enum rhw_format format, vo
 static enum rhw_result draw_color(struct draw *draw)
 {
     const uint32_t outputs = draw->view->outputs;
-    if (!(outputs & (RHW_OUTPUT_COLOR | RHW_OUTPUT_LINEAR | RHW_OUTPUT_DISPLAY))) {
+    if (!(outputs & (SCENE_OUTPUT_COLOR | SCENE_OUTPUT_LINEAR | SCENE_OUTPUT_DISPLAY))) {
         return RHW_OK;
     }
     const size_t per_sample =
-        (outputs & RHW_OUTPUT_DISPLAY ? 16u : 8u) + (outputs & RHW_OUTPUT_LINEAR ? 16u : 0u);
+        (outputs & SCENE_OUTPUT_DISPLAY ? 16u : 8u) + (outputs & SCENE_OUTPUT_LINEAR ? 16u : 0u);
     const size_t samples = (size_t)draw->view->samples;
     draw->band_rows = choose_band(draw->view->height, (size_t)draw->view->width * per_sample * samples);
     void *color = NULL, *linear = NULL, *display = NULL;
     const bool allocated =
-        (!(outputs & RHW_OUTPUT_COLOR) || allocate_picture(draw, RHW_FORMAT_RGBA8_SRGB, &color)) &&
-        (!(outputs & RHW_OUTPUT_LINEAR) || allocate_picture(draw, RHW_FORMAT_RGBA32_FLOAT, &linear)) &&
-        (!(outputs & RHW_OUTPUT_DISPLAY) || allocate_picture(draw, RHW_FORMAT_RGBA32_FLOAT, &display));
+        (!(outputs & SCENE_OUTPUT_COLOR) || allocate_picture(draw, RHW_FORMAT_RGBA8_SRGB, &color)) &&
+        (!(outputs & SCENE_OUTPUT_LINEAR) || allocate_picture(draw, RHW_FORMAT_RGBA32_FLOAT, &linear)) &&
+        (!(outputs & SCENE_OUTPUT_DISPLAY) || allocate_picture(draw, RHW_FORMAT_RGBA32_FLOAT, &display));
     draw->pictures->color = color;
     draw->pictures->linear = linear;
     draw->pictures->display = display;
@@ -577,7 +576,7 @@ static enum rhw_result draw_color(struct draw *draw)
 static enum rhw_result draw_data(struct draw *draw)
 {
     size_t pixel = 0;
-    for (int i = 0; i < RHW_DATA_OUTPUTS; i++) {
+    for (int i = 0; i < SCENE_DATA_OUTPUTS; i++) {
         pixel += draw->view->outputs & data_outputs[i].output ? rhw_format_size(data_outputs[i].format) : 0;
     }
     if (pixel == 0) {
@@ -585,20 +584,20 @@ static enum rhw_result draw_data(struct draw *draw)
     }
     draw->band_rows = choose_band(draw->view->height, (size_t)draw->view->width * pixel);
     bool allocated = true;
-    for (int i = 0; i < RHW_DATA_OUTPUTS; i++) {
+    for (int i = 0; i < SCENE_DATA_OUTPUTS; i++) {
         if (draw->view->outputs & data_outputs[i].output) {
             allocated = allocate_picture(draw, data_outputs[i].format, &draw->data[i]) && allocated;
         }
     }
-    struct rhw_pictures *pictures = draw->pictures;
-    pictures->depth = draw->data[RHW_DATA_DEPTH];
-    pictures->distance = draw->data[RHW_DATA_DISTANCE];
-    pictures->normal = draw->data[RHW_DATA_NORMAL];
-    pictures->position = draw->data[RHW_DATA_POSITION];
-    pictures->uv = draw->data[RHW_DATA_UV];
-    pictures->object = draw->data[RHW_DATA_OBJECT];
-    pictures->triangle = draw->data[RHW_DATA_TRIANGLE];
-    pictures->barycentric = draw->data[RHW_DATA_BARYCENTRIC];
+    struct scene_pictures *pictures = draw->pictures;
+    pictures->depth = draw->data[SCENE_DATA_DEPTH];
+    pictures->distance = draw->data[SCENE_DATA_DISTANCE];
+    pictures->normal = draw->data[SCENE_DATA_NORMAL];
+    pictures->position = draw->data[SCENE_DATA_POSITION];
+    pictures->uv = draw->data[SCENE_DATA_UV];
+    pictures->object = draw->data[SCENE_DATA_OBJECT];
+    pictures->triangle = draw->data[SCENE_DATA_TRIANGLE];
+    pictures->barycentric = draw->data[SCENE_DATA_BARYCENTRIC];
     if (!allocated) {
         return RHW_ERROR_OUT_OF_MEMORY;
     }
@@ -608,25 +607,25 @@ static enum rhw_result draw_data(struct draw *draw)
     return draw_bands(draw, draw_data_band);
 }
 
-enum rhw_result rhw_scene_draw(struct rhw_scene *scene, const struct rhw_view *view,
-                               struct rhw_pictures *pictures, struct rhw_draw_stats *stats)
+enum rhw_result scene_draw(struct scene *scene, const struct scene_view *view,
+                           struct scene_pictures *pictures, struct scene_draw_stats *stats)
 {
-    *pictures = (struct rhw_pictures){.width = view->width, .height = view->height};
+    *pictures = (struct scene_pictures){.width = view->width, .height = view->height};
     struct draw draw = {
         .scene = scene, .view = view, .pictures = pictures, .side = sample_side(view->samples)};
     draw.stats.upload_ms = scene->upload_ms;
     enum rhw_result result = RHW_ERROR_OUT_OF_MEMORY;
-    if (rhw_lighting_create(&draw.lighting, scene->upload.model, &view->camera, view->default_lights,
-                            view->exposure)) {
+    if (scene_lighting_create(&draw.lighting, scene->upload.model, &view->camera, view->default_lights,
+                              view->exposure)) {
         set_frame(&draw);
         result = draw_color(&draw);
     }
     if (result == RHW_OK) {
         result = draw_data(&draw);
     }
-    rhw_lighting_destroy(&draw.lighting);
+    scene_lighting_destroy(&draw.lighting);
     if (result != RHW_OK) {
-        rhw_pictures_free(pictures);
+        scene_pictures_free(pictures);
     }
     if (stats) {
         *stats = draw.stats;

@@ -20,16 +20,16 @@
 
 _Static_assert(STBI_MAX_DIMENSIONS == RHW_MAX_TARGET_SIZE, "a texture takes what can be decoded");
 
-void rhw_image_find_alpha(struct rhw_image *image)
+void scene_image_find_alpha(struct scene_image *image)
 {
     const size_t texels = (size_t)image->width * image->height;
     bool found = false;
-    if (image->type == RHW_IMAGE_RGBA8) {
+    if (image->type == SCENE_IMAGE_RGBA8) {
         const uint8_t *alpha = (const uint8_t *)image->texels + 3;
         for (size_t i = 0; i < texels && !found; i++) {
             found = alpha[4 * i] != UINT8_MAX;
         }
-    } else if (image->type == RHW_IMAGE_RGBA16) {
+    } else if (image->type == SCENE_IMAGE_RGBA16) {
         const uint16_t *alpha = (const uint16_t *)image->texels + 3;
         for (size_t i = 0; i < texels && !found; i++) {
             found = alpha[4 * i] != UINT16_MAX;
@@ -38,7 +38,7 @@ void rhw_image_find_alpha(struct rhw_image *image)
     image->has_alpha = found; // Radiance HDR has none
 }
 
-const char *rhw_image_decode(const void *bytes, size_t size, struct rhw_image *image)
+const char *scene_image_decode(const void *bytes, size_t size, struct scene_image *image)
 {
     if (size == 0) {
         return "the file is empty";
@@ -55,15 +55,15 @@ const char *rhw_image_decode(const void *bytes, size_t size, struct rhw_image *i
     if (width < 1 || height < 1 || width > RHW_MAX_TARGET_SIZE || height > RHW_MAX_TARGET_SIZE) {
         return "width and height must be 1 to 16384";
     }
-    enum rhw_image_type type = RHW_IMAGE_RGBA8;
+    enum scene_image_type type = SCENE_IMAGE_RGBA8;
     size_t texel = 4;
     void *texels = NULL;
     if (stbi_is_hdr_from_memory(bytes, length)) {
-        type = RHW_IMAGE_RGBA32F;
+        type = SCENE_IMAGE_RGBA32F;
         texel = 16;
         texels = stbi_loadf_from_memory(bytes, length, &width, &height, &channels, 4);
     } else if (stbi_is_16_bit_from_memory(bytes, length)) {
-        type = RHW_IMAGE_RGBA16;
+        type = SCENE_IMAGE_RGBA16;
         texel = 8;
         texels = stbi_load_16_from_memory(bytes, length, &width, &height, &channels, 4);
     } else {
@@ -77,11 +77,11 @@ const char *rhw_image_decode(const void *bytes, size_t size, struct rhw_image *i
     image->height = (uint32_t)height;
     image->size = (size_t)width * (size_t)height * texel;
     image->texels = texels;
-    rhw_image_find_alpha(image);
+    scene_image_find_alpha(image);
     return NULL;
 }
 
-bool rhw_image_stand_in(struct rhw_image *image)
+bool scene_image_stand_in(struct scene_image *image)
 {
     enum { SIDE = 8 };
     uint8_t(*texels)[4] = malloc(SIDE * SIDE * sizeof *texels);
@@ -93,7 +93,7 @@ bool rhw_image_stand_in(struct rhw_image *image)
         const uint8_t texel[4] = {magenta ? 255 : 0, 0, magenta ? 255 : 0, 255};
         memcpy(texels[i], texel, sizeof texel);
     }
-    image->type = RHW_IMAGE_RGBA8;
+    image->type = SCENE_IMAGE_RGBA8;
     image->width = image->height = SIDE;
     image->size = SIDE * SIDE * sizeof *texels;
     image->texels = texels;

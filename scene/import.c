@@ -13,16 +13,17 @@
 
 enum { MESSAGES = 64 }; // lines of each kind that are kept; a hostile file could make millions
 
-void *rhw_import_allocate(struct rhw_import *import, size_t count, size_t size)
+void *scene_import_allocate(struct scene_import *import, size_t count, size_t size)
 {
     void *memory = calloc(count > 0 ? count : 1, size);
     if (memory == NULL) {
-        rhw_import_fail(import, "needs more memory than there is (%zu MiB more)", count / 1048576 * size);
+        scene_import_fail(import, "needs more memory than there is (%zu MiB more)", count / 1048576 * size);
     }
     return memory;
 }
 
-void rhw_import_reserve(struct rhw_import *import, void *array, size_t *capacity, size_t needed, size_t size)
+void scene_import_reserve(struct scene_import *import, void *array, size_t *capacity, size_t needed,
+                          size_t size)
 {
     void **elements = array;
     if (needed <= *capacity) {
@@ -31,24 +32,24 @@ void rhw_import_reserve(struct rhw_import *import, void *array, size_t *capacity
     const size_t larger = needed > *capacity * 2 ? needed + 16 : *capacity * 2;
     void *moved = realloc(*elements, larger * size);
     if (moved == NULL) {
-        rhw_import_fail(import, "needs more memory than there is");
+        scene_import_fail(import, "needs more memory than there is");
     }
     *elements = moved;
     *capacity = larger;
 }
 
 // One more element at the end of an array. Returns it zeroed.
-static void *grow(struct rhw_import *import, void *array, uint32_t *count, uint32_t *capacity, size_t size)
+static void *grow(struct scene_import *import, void *array, uint32_t *count, uint32_t *capacity, size_t size)
 {
     void **elements = array;
     if (*count == *capacity) {
         if (*capacity >= UINT32_MAX / 2) {
-            rhw_import_fail(import, "has too many parts");
+            scene_import_fail(import, "has too many parts");
         }
         const uint32_t larger = *capacity == 0 ? 16 : *capacity * 2;
         void *moved = realloc(*elements, larger * size);
         if (moved == NULL) {
-            rhw_import_fail(import, "needs more memory than there is");
+            scene_import_fail(import, "needs more memory than there is");
         }
         *elements = moved;
         *capacity = larger;
@@ -84,10 +85,10 @@ static size_t utf8_length(const unsigned char *text, size_t left)
     return length;
 }
 
-const char *rhw_import_string(struct rhw_import *import, const char *text, size_t length)
+const char *scene_import_string(struct scene_import *import, const char *text, size_t length)
 {
     length = text == NULL ? 0 : strnlen(text, length);
-    char *copy = rhw_import_allocate(import, length + 1, 1);
+    char *copy = scene_import_allocate(import, length + 1, 1);
     for (size_t i = 0; i < length;) {
         const size_t character = utf8_length((const unsigned char *)text + i, length - i);
         if (character == 0 || (unsigned char)text[i] < 32 || text[i] == 127) {
@@ -101,7 +102,7 @@ const char *rhw_import_string(struct rhw_import *import, const char *text, size_
 }
 
 // Adds a line unless it is there already.
-static void add_line(struct rhw_import *import, const char ***lines, uint32_t *count, uint32_t *capacity,
+static void add_line(struct scene_import *import, const char ***lines, uint32_t *count, uint32_t *capacity,
                      const char *format, va_list arguments)
 {
     char line[512];
@@ -115,10 +116,10 @@ static void add_line(struct rhw_import *import, const char ***lines, uint32_t *c
         return;
     }
     const char **slot = grow(import, lines, count, capacity, sizeof *slot);
-    *slot = rhw_import_string(import, *count > MESSAGES ? "and more of the kind" : line, sizeof line);
+    *slot = scene_import_string(import, *count > MESSAGES ? "and more of the kind" : line, sizeof line);
 }
 
-void rhw_import_warn(struct rhw_import *import, const char *format, ...)
+void scene_import_warn(struct scene_import *import, const char *format, ...)
 {
     va_list arguments;
     va_start(arguments, format);
@@ -127,7 +128,7 @@ void rhw_import_warn(struct rhw_import *import, const char *format, ...)
     va_end(arguments);
 }
 
-void rhw_import_unsupported(struct rhw_import *import, const char *format, ...)
+void scene_import_unsupported(struct scene_import *import, const char *format, ...)
 {
     va_list arguments;
     va_start(arguments, format);
@@ -136,17 +137,17 @@ void rhw_import_unsupported(struct rhw_import *import, const char *format, ...)
     va_end(arguments);
 }
 
-struct rhw_mesh *rhw_import_add_mesh(struct rhw_import *import)
+struct scene_mesh *scene_import_add_mesh(struct scene_import *import)
 {
-    struct rhw_mesh *mesh =
+    struct scene_mesh *mesh =
         grow(import, &import->model.meshes, &import->model.mesh_count, &import->mesh_capacity, sizeof *mesh);
     mesh->name = "";
     return mesh;
 }
 
-struct rhw_texture_slot rhw_import_slot_default(void)
+struct scene_texture_slot scene_import_slot_default(void)
 {
-    return (struct rhw_texture_slot){
+    return (struct scene_texture_slot){
         .image = -1,
         .transform = {1, 0, 0, 0, 1, 0},
         .min_filter = RHW_FILTER_LINEAR,
@@ -157,11 +158,11 @@ struct rhw_texture_slot rhw_import_slot_default(void)
     };
 }
 
-struct rhw_material *rhw_import_add_material(struct rhw_import *import)
+struct scene_material *scene_import_add_material(struct scene_import *import)
 {
-    struct rhw_material *material = grow(import, &import->model.materials, &import->model.material_count,
-                                         &import->material_capacity, sizeof *material);
-    *material = (struct rhw_material){
+    struct scene_material *material = grow(import, &import->model.materials, &import->model.material_count,
+                                           &import->material_capacity, sizeof *material);
+    *material = (struct scene_material){
         .name = "",
         .base_color = {1, 1, 1, 1},
         .metallic = 1,
@@ -170,49 +171,50 @@ struct rhw_material *rhw_import_add_material(struct rhw_import *import)
         .occlusion_strength = 1,
         .alpha_cutoff = 0.5f,
     };
-    for (int i = 0; i < RHW_SLOT_COUNT; i++) {
-        material->slots[i] = rhw_import_slot_default();
+    for (int i = 0; i < SCENE_SLOT_COUNT; i++) {
+        material->slots[i] = scene_import_slot_default();
     }
     return material;
 }
 
-struct rhw_instance *rhw_import_add_instance(struct rhw_import *import)
+struct scene_instance *scene_import_add_instance(struct scene_import *import)
 {
-    struct rhw_instance *instance = grow(import, &import->model.instances, &import->model.instance_count,
-                                         &import->instance_capacity, sizeof *instance);
+    struct scene_instance *instance = grow(import, &import->model.instances, &import->model.instance_count,
+                                           &import->instance_capacity, sizeof *instance);
     instance->name = "";
     return instance;
 }
 
-struct rhw_model_camera *rhw_import_add_camera(struct rhw_import *import)
+struct scene_model_camera *scene_import_add_camera(struct scene_import *import)
 {
-    struct rhw_model_camera *camera = grow(import, &import->model.cameras, &import->model.camera_count,
-                                           &import->camera_capacity, sizeof *camera);
+    struct scene_model_camera *camera = grow(import, &import->model.cameras, &import->model.camera_count,
+                                             &import->camera_capacity, sizeof *camera);
     camera->name = "";
     return camera;
 }
 
-struct rhw_model_light *rhw_import_add_light(struct rhw_import *import)
+struct scene_model_light *scene_import_add_light(struct scene_import *import)
 {
-    struct rhw_model_light *light = grow(import, &import->model.lights, &import->model.light_count,
-                                         &import->light_capacity, sizeof *light);
+    struct scene_model_light *light = grow(import, &import->model.lights, &import->model.light_count,
+                                           &import->light_capacity, sizeof *light);
     light->name = "";
     return light;
 }
 
-int32_t rhw_import_add_image(struct rhw_import *import, const char *name,
-                             const struct rhw_import_source *source)
+int32_t scene_import_add_image(struct scene_import *import, const char *name,
+                               const struct scene_import_source *source)
 {
-    struct rhw_image *image = grow(import, &import->model.images, &import->model.image_count,
-                                   &import->image_capacity, sizeof *image);
+    struct scene_image *image = grow(import, &import->model.images, &import->model.image_count,
+                                     &import->image_capacity, sizeof *image);
     image->name = name;
-    struct rhw_import_source *place =
+    struct scene_import_source *place =
         grow(import, &import->sources, &import->source_count, &import->source_capacity, sizeof *place);
     *place = *source;
     return (int32_t)(import->model.image_count - 1);
 }
 
-void *rhw_import_read_file(struct rhw_import *import, const char *path, size_t *size, const char **problem)
+void *scene_import_read_file(struct scene_import *import, const char *path, size_t *size,
+                             const char **problem)
 {
     // O_NONBLOCK: opening a named pipe must not wait for a writer.
     const int descriptor = open(path, O_RDONLY | O_CLOEXEC | O_NONBLOCK);
@@ -227,7 +229,7 @@ void *rhw_import_read_file(struct rhw_import *import, const char *path, size_t *
         return NULL;
     }
     *size = (size_t)status.st_size;
-    char *bytes = rhw_import_allocate(import, *size + 1, 1);
+    char *bytes = scene_import_allocate(import, *size + 1, 1);
     size_t done = 0;
     while (done < *size) {
         const ssize_t step = read(descriptor, bytes + done, *size - done);
@@ -266,7 +268,7 @@ static void empty_bounds(float least[3], float most[3])
     }
 }
 
-static void bound_mesh(struct rhw_mesh *mesh)
+static void bound_mesh(struct scene_mesh *mesh)
 {
     empty_bounds(mesh->bounds_min, mesh->bounds_max);
     for (uint32_t i = 0; i < mesh->vertex_count; i++) {
@@ -275,40 +277,41 @@ static void bound_mesh(struct rhw_mesh *mesh)
 }
 
 // Bounds of an instance in the world; false when some point leaves the range of floats.
-static bool bound_instance(const struct rhw_mesh *mesh, const float world[16], float least[3], float most[3])
+static bool bound_instance(const struct scene_mesh *mesh, const float world[16], float least[3],
+                           float most[3])
 {
     empty_bounds(least, most);
     for (uint32_t i = 0; i < mesh->vertex_count; i++) {
         float point[3];
-        rhw_import_transform(world, mesh->positions[i], point);
+        scene_import_transform(world, mesh->positions[i], point);
         extend(least, most, point);
     }
     const float size[3] = {most[0] - least[0], most[1] - least[1], most[2] - least[2]};
-    return rhw_import_finite(world, 16) && rhw_import_finite(least, 3) && rhw_import_finite(most, 3) &&
-           rhw_import_finite(size, 3);
+    return scene_import_finite(world, 16) && scene_import_finite(least, 3) && scene_import_finite(most, 3) &&
+           scene_import_finite(size, 3);
 }
 
-static void keep_drawable_instances(struct rhw_import *import)
+static void keep_drawable_instances(struct scene_import *import)
 {
-    struct rhw_model *model = &import->model;
+    struct scene_model *model = &import->model;
     uint32_t kept = 0;
     empty_bounds(model->bounds_min, model->bounds_max);
     for (uint32_t i = 0; i < model->instance_count; i++) {
-        struct rhw_instance *instance = &model->instances[i];
-        const struct rhw_mesh *mesh = &model->meshes[instance->mesh];
+        struct scene_instance *instance = &model->instances[i];
+        const struct scene_mesh *mesh = &model->meshes[instance->mesh];
         float least[3], most[3];
         if (mesh->index_count == 0) {
             continue;
         }
         if (!bound_instance(mesh, instance->world, least, most)) {
-            rhw_import_warn(import, "node \"%s\" is left out: its place in the world is not finite",
-                            instance->name);
+            scene_import_warn(import, "node \"%s\" is left out: its place in the world is not finite",
+                              instance->name);
             continue;
         }
         extend(model->bounds_min, model->bounds_max, least);
         extend(model->bounds_min, model->bounds_max, most);
-        instance->mirrored = rhw_import_determinant(instance->world) < 0;
-        if (mesh->primitive == RHW_PRIMITIVE_TRIANGLES) {
+        instance->mirrored = scene_import_determinant(instance->world) < 0;
+        if (mesh->primitive == SCENE_PRIMITIVE_TRIANGLES) {
             model->triangles_drawn += mesh->index_count / 3;
         }
         model->instances[kept++] = *instance;
@@ -316,26 +319,27 @@ static void keep_drawable_instances(struct rhw_import *import)
     model->instance_count = kept;
 }
 
-static void warn_of_missing_uvs(struct rhw_import *import)
+static void warn_of_missing_uvs(struct scene_import *import)
 {
     for (uint32_t i = 0; i < import->model.mesh_count; i++) {
-        const struct rhw_mesh *mesh = &import->model.meshes[i];
-        const struct rhw_material *material = &import->model.materials[mesh->material];
-        for (int k = 0; k < RHW_SLOT_COUNT; k++) {
+        const struct scene_mesh *mesh = &import->model.meshes[i];
+        const struct scene_material *material = &import->model.materials[mesh->material];
+        for (int k = 0; k < SCENE_SLOT_COUNT; k++) {
             if (material->slots[k].image >= 0 && mesh->uvs[material->slots[k].uv_set] == NULL) {
-                rhw_import_warn(import, "mesh \"%s\" lacks the texture coordinates its material \"%s\" reads",
-                                mesh->name, material->name);
+                scene_import_warn(import,
+                                  "mesh \"%s\" lacks the texture coordinates its material \"%s\" reads",
+                                  mesh->name, material->name);
             }
         }
     }
 }
 
-static void mark_image_uses(struct rhw_model *model)
+static void mark_image_uses(struct scene_model *model)
 {
     for (uint32_t i = 0; i < model->material_count; i++) {
-        for (int k = 0; k < RHW_SLOT_COUNT; k++) {
+        for (int k = 0; k < SCENE_SLOT_COUNT; k++) {
             const int32_t image = model->materials[i].slots[k].image;
-            if (image >= 0 && rhw_slot_is_color((enum rhw_slot)k)) {
+            if (image >= 0 && scene_slot_is_color((enum scene_slot)k)) {
                 model->images[image].used_as_color = true;
             } else if (image >= 0) {
                 model->images[image].used_as_data = true;
@@ -344,41 +348,41 @@ static void mark_image_uses(struct rhw_model *model)
     }
 }
 
-static void set_directory(struct rhw_import *import)
+static void set_directory(struct scene_import *import)
 {
     const char *slash = strrchr(import->model.path, '/');
     const size_t length = slash == NULL ? 0 : (size_t)(slash - import->model.path) + 1;
-    char *directory = rhw_import_allocate(import, length + 1, 1);
+    char *directory = scene_import_allocate(import, length + 1, 1);
     memcpy(directory, import->model.path, length);
     import->directory = directory;
 }
 
-void rhw_import_run(struct rhw_import *import)
+void scene_import_run(struct scene_import *import)
 {
     unsigned char start[64] = {0};
     FILE *file = fopen(import->model.path, "rb");
     if (file == NULL) {
-        rhw_import_fail(import, "cannot be opened: %s", strerror(errno));
+        scene_import_fail(import, "cannot be opened: %s", strerror(errno));
     }
     const size_t size = fread(start, 1, sizeof start, file);
     fclose(file);
     set_directory(import);
-    struct rhw_model *model = &import->model;
-    if (rhw_import_is_gltf(model->path, start, size)) {
-        rhw_import_gltf(import);
-    } else if (rhw_import_is_ply(model->path, start, size)) {
-        rhw_import_ply(import);
-    } else if (rhw_import_is_obj(model->path)) {
-        rhw_import_obj(import);
+    struct scene_model *model = &import->model;
+    if (scene_import_is_gltf(model->path, start, size)) {
+        scene_import_gltf(import);
+    } else if (scene_import_is_ply(model->path, start, size)) {
+        scene_import_ply(import);
+    } else if (scene_import_is_obj(model->path)) {
+        scene_import_obj(import);
     } else {
-        rhw_import_assimp(import);
+        scene_import_assimp(import);
     }
-    rhw_import_decode_images(import);
+    scene_import_decode_images(import);
     mark_image_uses(model);
     warn_of_missing_uvs(import);
     for (uint32_t i = 0; i < model->mesh_count; i++) {
         bound_mesh(&model->meshes[i]);
-        if (model->meshes[i].primitive == RHW_PRIMITIVE_TRIANGLES) {
+        if (model->meshes[i].primitive == SCENE_PRIMITIVE_TRIANGLES) {
             model->triangles_stored += model->meshes[i].index_count / 3;
         }
     }

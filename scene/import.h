@@ -2,17 +2,17 @@
 // What the readers of model files share: the model under construction and the tools to build it.
 //
 // All of it runs in the child process that import_process.c starts. A reader therefore never cleans up: the
-// end of the process does. What cannot go on calls rhw_import_fail, which sends its line to the parent and
+// end of the process does. What cannot go on calls scene_import_fail, which sends its line to the parent and
 // leaves. Large temporary arrays are freed all the same, so that peak memory stays near the model's size.
-#ifndef RHW_SCENE_IMPORT_H
-#define RHW_SCENE_IMPORT_H
+#ifndef SCENE_IMPORT_H
+#define SCENE_IMPORT_H
 
 #include <stdio.h>
 
 #include "model.h"
 
 /// One pixel source: a file or bytes in memory, and what is done to the pixels after decoding.
-struct rhw_import_source {
+struct scene_import_source {
     const char *file;  ///< path to read, or NULL
     const void *bytes; ///< encoded image in memory, or NULL; neither: the stand-in
     size_t size;
@@ -23,97 +23,101 @@ struct rhw_import_source {
     uint32_t raw_width, raw_height; ///< not 0: `bytes` are RGBA8 texels already
 };
 
-struct rhw_import {
-    struct rhw_model model; // arrays grow in place; capacities below
+struct scene_import {
+    struct scene_model model; // arrays grow in place; capacities below
     uint32_t mesh_capacity, material_capacity, image_capacity, instance_capacity, camera_capacity,
         light_capacity, warning_capacity, unsupported_capacity, source_capacity;
-    struct rhw_import_source *sources; // one per image
+    struct scene_import_source *sources; // one per image
     uint32_t source_count;
     const char *directory; // of the model file, with a trailing slash; "" for the current one
     FILE *output;          // what the parent reads
 };
 
 /// Sends one line to the parent and ends the process.
-_Noreturn void rhw_import_fail(struct rhw_import *import, const char *format, ...)
+_Noreturn void scene_import_fail(struct scene_import *import, const char *format, ...)
     __attribute__((format(printf, 2, 3)));
 /// Adds a line to the warnings / the unsupported things of the model, once.
-void rhw_import_warn(struct rhw_import *import, const char *format, ...)
+void scene_import_warn(struct scene_import *import, const char *format, ...)
     __attribute__((format(printf, 2, 3)));
-void rhw_import_unsupported(struct rhw_import *import, const char *format, ...)
+void scene_import_unsupported(struct scene_import *import, const char *format, ...)
     __attribute__((format(printf, 2, 3)));
 
 /// Zeroed memory for `count` elements of `size` bytes; fails the import when there is none. Never NULL.
-void *rhw_import_allocate(struct rhw_import *import, size_t count, size_t size);
+void *scene_import_allocate(struct scene_import *import, size_t count, size_t size);
 /// Makes room for `needed` elements in a growing array; what is new is not zeroed.
-void rhw_import_reserve(struct rhw_import *import, void *array, size_t *capacity, size_t needed, size_t size);
+void scene_import_reserve(struct scene_import *import, void *array, size_t *capacity, size_t needed,
+                          size_t size);
 /// A copy of at most `length` bytes as one line of valid UTF-8: what is neither becomes '?'.
-const char *rhw_import_string(struct rhw_import *import, const char *text, size_t length);
+const char *scene_import_string(struct scene_import *import, const char *text, size_t length);
 /// The whole of a regular file, or NULL with a reason in `problem`.
-void *rhw_import_read_file(struct rhw_import *import, const char *path, size_t *size, const char **problem);
+void *scene_import_read_file(struct scene_import *import, const char *path, size_t *size,
+                             const char **problem);
 
 // Adding to the model. The pointer is valid until the next addition of the same kind.
-struct rhw_mesh *rhw_import_add_mesh(struct rhw_import *import);
-struct rhw_material *rhw_import_add_material(struct rhw_import *import); ///< glTF's defaults, no textures
-struct rhw_instance *rhw_import_add_instance(struct rhw_import *import);
-struct rhw_model_camera *rhw_import_add_camera(struct rhw_import *import);
-struct rhw_model_light *rhw_import_add_light(struct rhw_import *import);
+struct scene_mesh *scene_import_add_mesh(struct scene_import *import);
+struct scene_material *scene_import_add_material(
+    struct scene_import *import); ///< glTF's defaults, no textures
+struct scene_instance *scene_import_add_instance(struct scene_import *import);
+struct scene_model_camera *scene_import_add_camera(struct scene_import *import);
+struct scene_model_light *scene_import_add_light(struct scene_import *import);
 /// Adds an image to be decoded at the end of the import; returns its index.
-int32_t rhw_import_add_image(struct rhw_import *import, const char *name,
-                             const struct rhw_import_source *source);
-struct rhw_texture_slot rhw_import_slot_default(void);
+int32_t scene_import_add_image(struct scene_import *import, const char *name,
+                               const struct scene_import_source *source);
+struct scene_texture_slot scene_import_slot_default(void);
 
 // The readers.
-bool rhw_import_is_gltf(const char *path, const unsigned char *start, size_t size);
-void rhw_import_gltf(struct rhw_import *import);
-bool rhw_import_is_obj(const char *path);
-void rhw_import_obj(struct rhw_import *import);
-bool rhw_import_is_ply(const char *path, const unsigned char *start, size_t size);
-void rhw_import_ply(struct rhw_import *import);
-void rhw_import_assimp(struct rhw_import *import);
+bool scene_import_is_gltf(const char *path, const unsigned char *start, size_t size);
+void scene_import_gltf(struct scene_import *import);
+bool scene_import_is_obj(const char *path);
+void scene_import_obj(struct scene_import *import);
+bool scene_import_is_ply(const char *path, const unsigned char *start, size_t size);
+void scene_import_ply(struct scene_import *import);
+void scene_import_assimp(struct scene_import *import);
 
 /// Reads import->model.path completely. What comes out may be sent to the parent.
-void rhw_import_run(struct rhw_import *import);
+void scene_import_run(struct scene_import *import);
 
 // Textures (import_texture.c).
 
 /// Finds the file a model means by `name` (relative, percent-encoded, with backslashes, in other case);
 /// NULL when there is none.
-const char *rhw_import_find_file(struct rhw_import *import, const char *name);
+const char *scene_import_find_file(struct scene_import *import, const char *name);
 /// Decodes all images; what cannot be decoded becomes the stand-in, with a warning.
-void rhw_import_decode_images(struct rhw_import *import);
+void scene_import_decode_images(struct scene_import *import);
 
 // Meshes (import_mesh.c, import_normals.c).
 
 /// What a file without normals means.
-enum rhw_import_normals {
-    RHW_IMPORT_FLAT,  ///< glTF 2.0 §3.7.2.1: one per face
-    RHW_IMPORT_SMOOTH ///< smooth, except across creases
+enum scene_import_normals {
+    SCENE_IMPORT_FLAT,  ///< glTF 2.0 §3.7.2.1: one per face
+    SCENE_IMPORT_SMOOTH ///< smooth, except across creases
 };
 
 /// Completes a mesh whose arrays hold what the file had: drops what is not finite and vertices nobody uses,
 /// joins equal vertices if asked, makes normals and, where the material's normal map needs them, tangents.
-void rhw_import_complete_mesh(struct rhw_import *import, uint32_t mesh, enum rhw_import_normals normals,
-                              bool join);
+void scene_import_complete_mesh(struct scene_import *import, uint32_t mesh, enum scene_import_normals normals,
+                                bool join);
 /// Gives every corner of the triangles the vertex `source[corner]`, and each such vertex its own copy.
-void rhw_import_gather_vertices(struct rhw_import *import, struct rhw_mesh *mesh, const uint32_t *source,
-                                uint32_t count);
+void scene_import_gather_vertices(struct scene_import *import, struct scene_mesh *mesh,
+                                  const uint32_t *source, uint32_t count);
 /// `group[v]` = the lowest vertex whose position equals that of v.
-uint32_t *rhw_import_weld_positions(struct rhw_import *import, const struct rhw_mesh *mesh);
-void rhw_import_make_normals(struct rhw_import *import, struct rhw_mesh *mesh, enum rhw_import_normals kind);
-void rhw_import_make_tangents(struct rhw_import *import, struct rhw_mesh *mesh,
-                              const struct rhw_texture_slot *slot);
+uint32_t *scene_import_weld_positions(struct scene_import *import, const struct scene_mesh *mesh);
+void scene_import_make_normals(struct scene_import *import, struct scene_mesh *mesh,
+                               enum scene_import_normals kind);
+void scene_import_make_tangents(struct scene_import *import, struct scene_mesh *mesh,
+                                const struct scene_texture_slot *slot);
 
 /// Cuts a polygon of 3 or more corners (indices of positions) into count − 2 triangles: places in `corners`.
-void rhw_import_triangulate(const float (*positions)[3], const uint32_t *corners, uint32_t count,
-                            uint32_t *triangles);
+void scene_import_triangulate(const float (*positions)[3], const uint32_t *corners, uint32_t count,
+                              uint32_t *triangles);
 
 // Small mathematics (import_math.c). Matrices column major.
-void rhw_import_identity(float matrix[16]);
-void rhw_import_multiply(const float a[16], const float b[16], float product[16]); ///< may alias
-void rhw_import_transform(const float matrix[16], const float point[3], float result[3]);
-float rhw_import_determinant(const float matrix[16]); ///< of the upper 3×3
+void scene_import_identity(float matrix[16]);
+void scene_import_multiply(const float a[16], const float b[16], float product[16]); ///< may alias
+void scene_import_transform(const float matrix[16], const float point[3], float result[3]);
+float scene_import_determinant(const float matrix[16]); ///< of the upper 3×3
 /// Decodes the sRGB transfer function.
-float rhw_import_from_srgb(float value);
-bool rhw_import_finite(const float *values, size_t count);
+float scene_import_from_srgb(float value);
+bool scene_import_finite(const float *values, size_t count);
 
 #endif

@@ -18,7 +18,7 @@
 _Static_assert(sizeof(ai_real) == sizeof(float), "assimp is built with single precision");
 
 struct reader {
-    struct rhw_import *import;
+    struct scene_import *import;
     const struct aiScene *scene;
     uint32_t *meshes; // model mesh by assimp mesh
     int32_t (
@@ -35,33 +35,33 @@ static uint32_t material_of(struct reader *reader, const struct aiMesh *mesh)
 {
     const bool colored = mesh->mColors[0] != NULL;
     if (mesh->mMaterialIndex >= reader->scene->mNumMaterials) {
-        rhw_import_fail(reader->import, "a mesh refers to a material that does not exist");
+        scene_import_fail(reader->import, "a mesh refers to a material that does not exist");
     }
     int32_t *made = &reader->materials[mesh->mMaterialIndex][colored];
     if (*made < 0) {
-        *made = (int32_t)rhw_assimp_material(reader->import, reader->scene,
-                                             reader->scene->mMaterials[mesh->mMaterialIndex], colored);
+        *made = (int32_t)scene_assimp_material(reader->import, reader->scene,
+                                               reader->scene->mMaterials[mesh->mMaterialIndex], colored);
     }
     return (uint32_t)*made;
 }
 
-static void *copy_vectors(struct rhw_import *import, const struct aiVector3D *vectors, uint32_t count)
+static void *copy_vectors(struct scene_import *import, const struct aiVector3D *vectors, uint32_t count)
 {
     if (vectors == NULL) {
         return NULL;
     }
-    float(*copy)[3] = rhw_import_allocate(import, count, sizeof *copy);
+    float(*copy)[3] = scene_import_allocate(import, count, sizeof *copy);
     memcpy(copy, vectors, count * sizeof *copy);
     return copy;
 }
 
 // v turned from assimp's upward to our downward direction.
-static void *copy_uvs(struct rhw_import *import, const struct aiVector3D *vectors, uint32_t count)
+static void *copy_uvs(struct scene_import *import, const struct aiVector3D *vectors, uint32_t count)
 {
     if (vectors == NULL) {
         return NULL;
     }
-    float(*copy)[2] = rhw_import_allocate(import, count, sizeof *copy);
+    float(*copy)[2] = scene_import_allocate(import, count, sizeof *copy);
     for (uint32_t i = 0; i < count; i++) {
         copy[i][0] = vectors[i].x;
         copy[i][1] = 1 - vectors[i].y;
@@ -71,16 +71,16 @@ static void *copy_uvs(struct rhw_import *import, const struct aiVector3D *vector
 
 // These formats store colours as they look, encoded with the sRGB transfer function. Most come from bytes,
 // for which a table is exact.
-static void *copy_colors(struct rhw_import *import, const struct aiColor4D *colors, uint32_t count)
+static void *copy_colors(struct scene_import *import, const struct aiColor4D *colors, uint32_t count)
 {
     if (colors == NULL) {
         return NULL;
     }
     float table[256];
     for (int i = 0; i < 256; i++) {
-        table[i] = rhw_import_from_srgb((float)i / 255);
+        table[i] = scene_import_from_srgb((float)i / 255);
     }
-    float(*copy)[4] = rhw_import_allocate(import, count, sizeof *copy);
+    float(*copy)[4] = scene_import_allocate(import, count, sizeof *copy);
     for (uint32_t i = 0; i < count; i++) {
         const float encoded[3] = {colors[i].r, colors[i].g, colors[i].b};
         for (int c = 0; c < 3; c++) {
@@ -88,23 +88,23 @@ static void *copy_colors(struct rhw_import *import, const struct aiColor4D *colo
             const int byte = in_range ? (int)(encoded[c] * 255 + 0.5f) : 0;
             const float error = encoded[c] - (float)byte / 255;
             const bool from_byte = in_range && error < 1e-6f && error > -1e-6f;
-            copy[i][c] = from_byte ? table[byte] : rhw_import_from_srgb(encoded[c]);
+            copy[i][c] = from_byte ? table[byte] : scene_import_from_srgb(encoded[c]);
         }
         copy[i][3] = colors[i].a;
     }
     return copy;
 }
 
-static void copy_indices(struct reader *reader, const struct aiMesh *source, struct rhw_mesh *mesh)
+static void copy_indices(struct reader *reader, const struct aiMesh *source, struct scene_mesh *mesh)
 {
-    const uint32_t corners = mesh->primitive == RHW_PRIMITIVE_TRIANGLES ? 3
-                             : mesh->primitive == RHW_PRIMITIVE_LINES   ? 2
-                                                                        : 1;
+    const uint32_t corners = mesh->primitive == SCENE_PRIMITIVE_TRIANGLES ? 3
+                             : mesh->primitive == SCENE_PRIMITIVE_LINES   ? 2
+                                                                          : 1;
     if (source->mNumFaces > UINT32_MAX / 3) {
-        rhw_import_fail(reader->import, "has too many faces");
+        scene_import_fail(reader->import, "has too many faces");
     }
     mesh->indices =
-        rhw_import_allocate(reader->import, (size_t)source->mNumFaces * corners, sizeof *mesh->indices);
+        scene_import_allocate(reader->import, (size_t)source->mNumFaces * corners, sizeof *mesh->indices);
     for (uint32_t i = 0; i < source->mNumFaces; i++) {
         const struct aiFace *face = &source->mFaces[i];
         if (face->mNumIndices != corners) {
@@ -112,8 +112,8 @@ static void copy_indices(struct reader *reader, const struct aiMesh *source, str
         }
         for (uint32_t k = 0; k < corners; k++) {
             if (face->mIndices[k] >= source->mNumVertices) {
-                rhw_import_fail(reader->import, "a face refers to vertex %u of %u", face->mIndices[k],
-                                source->mNumVertices);
+                scene_import_fail(reader->import, "a face refers to vertex %u of %u", face->mIndices[k],
+                                  source->mNumVertices);
             }
             mesh->indices[mesh->index_count++] = face->mIndices[k];
         }
@@ -121,18 +121,18 @@ static void copy_indices(struct reader *reader, const struct aiMesh *source, str
 }
 
 // Vertices without faces are a cloud of points.
-static void make_points(struct reader *reader, struct rhw_mesh *mesh)
+static void make_points(struct reader *reader, struct scene_mesh *mesh)
 {
-    mesh->primitive = RHW_PRIMITIVE_POINTS;
+    mesh->primitive = SCENE_PRIMITIVE_POINTS;
     mesh->index_count = mesh->vertex_count;
-    mesh->indices = rhw_import_allocate(reader->import, mesh->vertex_count, sizeof *mesh->indices);
+    mesh->indices = scene_import_allocate(reader->import, mesh->vertex_count, sizeof *mesh->indices);
     for (uint32_t i = 0; i < mesh->vertex_count; i++) {
         mesh->indices[i] = i;
     }
 }
 
 // An alpha that is 0 everywhere means a format without alpha, not an invisible mesh.
-static void fix_alpha(struct rhw_mesh *mesh)
+static void fix_alpha(struct scene_mesh *mesh)
 {
     bool visible = false;
     for (uint32_t i = 0; mesh->colors != NULL && i < mesh->vertex_count; i++) {
@@ -146,13 +146,13 @@ static void fix_alpha(struct rhw_mesh *mesh)
 static void add_mesh(struct reader *reader, uint32_t index)
 {
     const struct aiMesh *source = reader->scene->mMeshes[index];
-    struct rhw_import *import = reader->import;
+    struct scene_import *import = reader->import;
     const uint32_t count = source->mNumVertices;
-    struct rhw_mesh mesh = {.name = rhw_assimp_string(import, &source->mName), .vertex_count = count};
+    struct scene_mesh mesh = {.name = scene_assimp_string(import, &source->mName), .vertex_count = count};
     const unsigned kinds = source->mPrimitiveTypes;
-    mesh.primitive = kinds & (aiPrimitiveType_TRIANGLE | aiPrimitiveType_POLYGON) ? RHW_PRIMITIVE_TRIANGLES
-                     : kinds & aiPrimitiveType_LINE                               ? RHW_PRIMITIVE_LINES
-                                                                                  : RHW_PRIMITIVE_POINTS;
+    mesh.primitive = kinds & (aiPrimitiveType_TRIANGLE | aiPrimitiveType_POLYGON) ? SCENE_PRIMITIVE_TRIANGLES
+                     : kinds & aiPrimitiveType_LINE                               ? SCENE_PRIMITIVE_LINES
+                                                                                  : SCENE_PRIMITIVE_POINTS;
     mesh.material = material_of(reader, source);
     if (source->mVertices == NULL) {
         mesh.vertex_count = 0;
@@ -168,16 +168,16 @@ static void add_mesh(struct reader *reader, uint32_t index)
         make_points(reader, &mesh);
     }
     if (source->mNumBones > 0) {
-        rhw_import_unsupported(import, "skins: drawn in the pose the meshes are stored in");
+        scene_import_unsupported(import, "skins: drawn in the pose the meshes are stored in");
     }
     if (source->mNumAnimMeshes > 0) {
-        rhw_import_unsupported(import, "morph targets: drawn at rest");
+        scene_import_unsupported(import, "morph targets: drawn at rest");
     }
-    *rhw_import_add_mesh(import) = mesh;
+    *scene_import_add_mesh(import) = mesh;
     reader->meshes[index] = import->model.mesh_count - 1;
     // Formats that list every corner of every face hold each vertex several times.
     const bool repeated = mesh.index_count == count && count > 3;
-    rhw_import_complete_mesh(import, reader->meshes[index], RHW_IMPORT_SMOOTH, repeated);
+    scene_import_complete_mesh(import, reader->meshes[index], SCENE_IMPORT_SMOOTH, repeated);
 }
 
 // Nodes ---------------------------------------------------------------------------------------------
@@ -192,22 +192,22 @@ static void copy_matrix(const struct aiMatrix4x4 *m, float matrix[16])
 static void add_node(struct reader *reader, const struct aiNode *node, const float parent[16])
 {
     enum { DEEPEST = 4096 };
-    struct rhw_import *import = reader->import;
+    struct scene_import *import = reader->import;
     float world[16];
     copy_matrix(&node->mTransformation, world);
-    rhw_import_multiply(parent, world, world);
+    scene_import_multiply(parent, world, world);
     if (++reader->depth > DEEPEST) {
-        rhw_import_fail(import, "its nodes are nested too deeply");
+        scene_import_fail(import, "its nodes are nested too deeply");
     }
     if (node->mNumMeshes > 0) {
         reader->objects++;
     }
     for (uint32_t i = 0; i < node->mNumMeshes; i++) {
         if (node->mMeshes[i] >= reader->scene->mNumMeshes) {
-            rhw_import_fail(import, "a node refers to a mesh that does not exist");
+            scene_import_fail(import, "a node refers to a mesh that does not exist");
         }
-        struct rhw_instance *instance = rhw_import_add_instance(import);
-        instance->name = rhw_assimp_string(import, &node->mName);
+        struct scene_instance *instance = scene_import_add_instance(import);
+        instance->name = scene_assimp_string(import, &node->mName);
         instance->mesh = reader->meshes[node->mMeshes[i]];
         instance->object = reader->objects;
         memcpy(instance->world, world, sizeof world);
@@ -226,7 +226,7 @@ static bool find_node(const struct aiNode *node, const struct aiString *name, co
 {
     float here[16];
     copy_matrix(&node->mTransformation, here);
-    rhw_import_multiply(parent, here, here);
+    scene_import_multiply(parent, here, here);
     if (strcmp(node->mName.data, name->data) == 0) {
         memcpy(world, here, sizeof here);
         return true;
@@ -242,7 +242,7 @@ static bool find_node(const struct aiNode *node, const struct aiString *name, co
 static void place(const struct reader *reader, const struct aiString *name, float world[16])
 {
     float identity[16];
-    rhw_import_identity(identity);
+    scene_import_identity(identity);
     if (!find_node(reader->scene->mRootNode, name, identity, world)) {
         memcpy(world, identity, sizeof identity);
     }
@@ -272,21 +272,21 @@ static bool unit(float vector[3])
 
 static void add_camera(struct reader *reader, const struct aiCamera *source)
 {
-    struct rhw_import *import = reader->import;
-    struct rhw_model_camera camera = {.name = rhw_assimp_string(import, &source->mName)};
+    struct scene_import *import = reader->import;
+    struct scene_model_camera camera = {.name = scene_assimp_string(import, &source->mName)};
     float back[3] = {-source->mLookAt.x, -source->mLookAt.y, -source->mLookAt.z};
     float up[3] = {source->mUp.x, source->mUp.y, source->mUp.z}, right[3], local[16];
     const bool seen = unit(back);
     cross(up, back, right);
     const bool upright = unit(right);
     cross(back, right, up);
-    rhw_import_identity(local);
+    scene_import_identity(local);
     memcpy(local, right, sizeof right);
     memcpy(local + 4, up, sizeof up);
     memcpy(local + 8, back, sizeof back);
     memcpy(local + 12, &source->mPosition, sizeof(float[3]));
     place(reader, &source->mName, camera.world);
-    rhw_import_multiply(camera.world, local, camera.world);
+    scene_import_multiply(camera.world, local, camera.world);
     // assimp's importers store the whole horizontal angle, whatever its header says.
     const double aspect = source->mAspect > 0 ? (double)source->mAspect : 4.0 / 3.0;
     camera.aspect = source->mAspect > 0 ? source->mAspect : 0;
@@ -297,24 +297,24 @@ static void add_camera(struct reader *reader, const struct aiCamera *source)
     camera.znear = source->mClipPlaneNear > 0 ? source->mClipPlaneNear : 0.01f;
     camera.zfar = source->mClipPlaneFar > camera.znear ? source->mClipPlaneFar : 0;
     const bool lens = camera.orthographic ? camera.zfar > 0 : camera.yfov > 0 && camera.yfov < 3.14159f;
-    if (seen && upright && lens && rhw_import_finite(camera.world, 16) &&
-        rhw_import_determinant(camera.world) != 0) {
-        *rhw_import_add_camera(import) = camera;
+    if (seen && upright && lens && scene_import_finite(camera.world, 16) &&
+        scene_import_determinant(camera.world) != 0) {
+        *scene_import_add_camera(import) = camera;
     } else {
-        rhw_import_warn(import, "camera \"%s\" is not valid: left out", camera.name);
+        scene_import_warn(import, "camera \"%s\" is not valid: left out", camera.name);
     }
 }
 
 // Middle of what is drawn, in the world.
-static void find_middle(const struct rhw_model *model, float middle[3])
+static void find_middle(const struct scene_model *model, float middle[3])
 {
     float least[3] = {0, 0, 0}, most[3] = {0, 0, 0};
     bool any = false;
     for (uint32_t i = 0; i < model->instance_count; i++) {
-        const struct rhw_mesh *mesh = &model->meshes[model->instances[i].mesh];
+        const struct scene_mesh *mesh = &model->meshes[model->instances[i].mesh];
         for (uint32_t v = 0; v < mesh->vertex_count; v++, any = true) {
             float point[3];
-            rhw_import_transform(model->instances[i].world, mesh->positions[v], point);
+            scene_import_transform(model->instances[i].world, mesh->positions[v], point);
             for (int c = 0; c < 3; c++) {
                 least[c] = !any || point[c] < least[c] ? point[c] : least[c];
                 most[c] = !any || point[c] > most[c] ? point[c] : most[c];
@@ -328,7 +328,7 @@ static void find_middle(const struct rhw_model *model, float middle[3])
 
 // The lights of these formats have no physical unit and their own laws of attenuation. What is kept is how
 // strongly they light the middle of the model: albedo times colour, no brighter than 1.
-static void set_strength(struct rhw_model_light *light, const struct aiLight *source, const float middle[3])
+static void set_strength(struct scene_model_light *light, const struct aiLight *source, const float middle[3])
 {
     float strongest = 0;
     for (int c = 0; c < 3; c++) {
@@ -338,7 +338,7 @@ static void set_strength(struct rhw_model_light *light, const struct aiLight *so
         light->color[c] /= strongest;
     }
     light->intensity = (float)pi; // a white surface that faces it reflects 1
-    if (light->type == RHW_LIGHT_DIRECTIONAL) {
+    if (light->type == SCENE_LIGHT_DIRECTIONAL) {
         return;
     }
     double square = 0;
@@ -354,21 +354,21 @@ static void set_strength(struct rhw_model_light *light, const struct aiLight *so
 
 static void add_light(struct reader *reader, const struct aiLight *source, const float middle[3])
 {
-    struct rhw_import *import = reader->import;
-    struct rhw_model_light light = {.name = rhw_assimp_string(import, &source->mName)};
+    struct scene_import *import = reader->import;
+    struct scene_model_light light = {.name = scene_assimp_string(import, &source->mName)};
     if (source->mType != aiLightSource_DIRECTIONAL && source->mType != aiLightSource_POINT &&
         source->mType != aiLightSource_SPOT) {
-        rhw_import_unsupported(import, "ambient and area lights: left out");
+        scene_import_unsupported(import, "ambient and area lights: left out");
         return;
     }
-    light.type = source->mType == aiLightSource_DIRECTIONAL ? RHW_LIGHT_DIRECTIONAL
-                 : source->mType == aiLightSource_POINT     ? RHW_LIGHT_POINT
-                                                            : RHW_LIGHT_SPOT;
+    light.type = source->mType == aiLightSource_DIRECTIONAL ? SCENE_LIGHT_DIRECTIONAL
+                 : source->mType == aiLightSource_POINT     ? SCENE_LIGHT_POINT
+                                                            : SCENE_LIGHT_SPOT;
     float world[16];
     const float position[3] = {source->mPosition.x, source->mPosition.y, source->mPosition.z};
     const float direction[3] = {source->mDirection.x, source->mDirection.y, source->mDirection.z};
     place(reader, &source->mName, world);
-    rhw_import_transform(world, position, light.position);
+    scene_import_transform(world, position, light.position);
     for (int row = 0; row < 3; row++) {
         light.direction[row] =
             world[row] * direction[0] + world[4 + row] * direction[1] + world[8 + row] * direction[2];
@@ -387,13 +387,14 @@ static void add_light(struct reader *reader, const struct aiLight *source, const
         light.inner_cos = light.outer_cos + 1e-4f;
     }
     set_strength(&light, source, middle);
-    const bool good = (directed || light.type == RHW_LIGHT_POINT) && rhw_import_finite(light.position, 3) &&
-                      rhw_import_finite(light.color, 3) && rhw_import_finite(&light.intensity, 1) &&
+    const bool good = (directed || light.type == SCENE_LIGHT_POINT) &&
+                      scene_import_finite(light.position, 3) && scene_import_finite(light.color, 3) &&
+                      scene_import_finite(&light.intensity, 1) &&
                       light.color[0] + light.color[1] + light.color[2] > 0 && light.intensity > 0;
     if (good) {
-        *rhw_import_add_light(import) = light;
+        *scene_import_add_light(import) = light;
     } else {
-        rhw_import_warn(import, "light \"%s\" gives no light: left out", light.name);
+        scene_import_warn(import, "light \"%s\" gives no light: left out", light.name);
     }
 }
 
@@ -401,7 +402,7 @@ static void add_light(struct reader *reader, const struct aiLight *source, const
 
 // Limits the memory of assimp by the size of the file, and sets back what was before. A few hundred bytes that
 // ask for gigabytes would otherwise be given them all.
-static struct rlimit limit_memory(struct rhw_import *import)
+static struct rlimit limit_memory(struct scene_import *import)
 {
     const rlim_t base = (rlim_t)1 << 30, per_byte = 64;
     struct stat status;
@@ -417,7 +418,7 @@ static struct rlimit limit_memory(struct rhw_import *import)
     return before;
 }
 
-static const struct aiScene *read_scene(struct rhw_import *import)
+static const struct aiScene *read_scene(struct scene_import *import)
 {
     struct aiPropertyStore *properties = aiCreatePropertyStore();
     aiSetImportPropertyInteger(properties, AI_CONFIG_IMPORT_NO_SKELETON_MESHES, 1);
@@ -432,15 +433,15 @@ static const struct aiScene *read_scene(struct rhw_import *import)
     }
     const char *error = aiGetErrorString();
     if (strncmp(error, "No suitable reader", 18) == 0) {
-        rhw_import_fail(import, "is not a model in a format that can be read");
+        scene_import_fail(import, "is not a model in a format that can be read");
     }
     if (strstr(error, "bad_alloc") != NULL) {
-        rhw_import_fail(import, "needs more memory than there is");
+        scene_import_fail(import, "needs more memory than there is");
     }
-    rhw_import_fail(import, "cannot be read: %s", error[0] != 0 ? error : "the importer gives no reason");
+    scene_import_fail(import, "cannot be read: %s", error[0] != 0 ? error : "the importer gives no reason");
 }
 
-static const char *format_of(struct rhw_import *import)
+static const char *format_of(struct scene_import *import)
 {
     const char *dot = strrchr(import->model.path, '.');
     char extension[16] = "";
@@ -453,19 +454,19 @@ static const char *format_of(struct rhw_import *import)
     }
     const size_t length = strlen(description->mName);
     const bool importer = length > 9 && strcmp(description->mName + length - 9, " Importer") == 0;
-    return rhw_import_string(import, description->mName, importer ? length - 9 : length);
+    return scene_import_string(import, description->mName, importer ? length - 9 : length);
 }
 
-void rhw_import_assimp(struct rhw_import *import)
+void scene_import_assimp(struct scene_import *import)
 {
     const struct aiScene *scene = read_scene(import);
     struct reader reader = {.import = import, .scene = scene};
     import->model.format = format_of(import);
     if (scene->mRootNode == NULL) {
-        rhw_import_fail(import, "has no nodes");
+        scene_import_fail(import, "has no nodes");
     }
-    reader.meshes = rhw_import_allocate(import, scene->mNumMeshes, sizeof *reader.meshes);
-    reader.materials = rhw_import_allocate(import, scene->mNumMaterials, sizeof *reader.materials);
+    reader.meshes = scene_import_allocate(import, scene->mNumMeshes, sizeof *reader.meshes);
+    reader.materials = scene_import_allocate(import, scene->mNumMaterials, sizeof *reader.materials);
     for (uint32_t i = 0; i < scene->mNumMaterials; i++) {
         reader.materials[i][0] = reader.materials[i][1] = -1;
     }
@@ -473,7 +474,7 @@ void rhw_import_assimp(struct rhw_import *import)
         add_mesh(&reader, i);
     }
     float identity[16], middle[3];
-    rhw_import_identity(identity);
+    scene_import_identity(identity);
     add_node(&reader, scene->mRootNode, identity);
     for (uint32_t i = 0; i < scene->mNumCameras; i++) {
         add_camera(&reader, scene->mCameras[i]);
@@ -485,7 +486,7 @@ void rhw_import_assimp(struct rhw_import *import)
         add_light(&reader, scene->mLights[i], middle);
     }
     if (scene->mNumAnimations > 0) {
-        rhw_import_unsupported(import, "%u animation%s: drawn at rest", scene->mNumAnimations,
-                               scene->mNumAnimations == 1 ? "" : "s");
+        scene_import_unsupported(import, "%u animation%s: drawn at rest", scene->mNumAnimations,
+                                 scene->mNumAnimations == 1 ? "" : "s");
     }
 }

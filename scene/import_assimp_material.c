@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What assimp says about a material, as struct rhw_phong.
+// What assimp says about a material, as struct scene_phong.
 #include <assimp/material.h>
 #include <math.h>
 #include <stdlib.h>
@@ -8,14 +8,14 @@
 #include "import_assimp.h"
 #include "import_phong.h"
 
-const char *rhw_assimp_string(struct rhw_import *import, const struct aiString *string)
+const char *scene_assimp_string(struct scene_import *import, const struct aiString *string)
 {
     const size_t most = sizeof string->data - 1;
-    return rhw_import_string(import, string->data, string->length < most ? string->length : most);
+    return scene_import_string(import, string->data, string->length < most ? string->length : most);
 }
 
 struct reader {
-    struct rhw_import *import;
+    struct scene_import *import;
     const struct aiScene *scene;
     const struct aiMaterial *source;
 };
@@ -26,7 +26,7 @@ static void get_float(const struct reader *reader, const char *key, float *value
 {
     float read = 0;
     if (aiGetMaterialFloatArray(reader->source, key, 0, 0, &read, NULL) == aiReturn_SUCCESS &&
-        rhw_import_finite(&read, 1)) {
+        scene_import_finite(&read, 1)) {
         *value = read;
     }
 }
@@ -45,7 +45,7 @@ static bool get_color(const struct reader *reader, const char *key, float color[
         return false;
     }
     const float encoded[3] = {read.r, read.g, read.b};
-    if (!rhw_import_finite(encoded, 3)) {
+    if (!scene_import_finite(encoded, 3)) {
         return false;
     }
     memcpy(color, encoded, sizeof encoded);
@@ -55,8 +55,8 @@ static bool get_color(const struct reader *reader, const char *key, float color[
 // Textures ------------------------------------------------------------------------------------------
 
 // assimp keeps uncompressed textures as BGRA.
-static void raw_texels(struct rhw_import *import, const struct aiTexture *texture,
-                       struct rhw_import_source *source)
+static void raw_texels(struct scene_import *import, const struct aiTexture *texture,
+                       struct scene_import_source *source)
 {
     const size_t count = (size_t)texture->mWidth * texture->mHeight;
     if (texture->mWidth == 0 || texture->mWidth > RHW_MAX_TARGET_SIZE ||
@@ -64,7 +64,7 @@ static void raw_texels(struct rhw_import *import, const struct aiTexture *textur
         source->problem = "width and height must be 1 to 16384";
         return;
     }
-    uint8_t(*texels)[4] = rhw_import_allocate(import, count, sizeof *texels);
+    uint8_t(*texels)[4] = scene_import_allocate(import, count, sizeof *texels);
     for (size_t i = 0; i < count; i++) {
         const struct aiTexel *texel = &texture->pcData[i];
         const uint8_t turned[4] = {texel->r, texel->g, texel->b, texel->a};
@@ -101,7 +101,7 @@ static enum rhw_address address(enum aiTextureMapMode mode)
 
 // assimp scales, then turns about the middle of the image, then moves, with v upward; ours is downward.
 static void read_transform(const struct reader *reader, enum aiTextureType type,
-                           struct rhw_texture_slot *slot)
+                           struct scene_texture_slot *slot)
 {
     struct aiUVTransform t;
     if (aiGetMaterialUVTransform(reader->source, _AI_MATKEY_UVTRANSFORM_BASE, (unsigned)type, 0, &t) !=
@@ -113,14 +113,14 @@ static void read_transform(const struct reader *reader, enum aiTextureType type,
     // Upward: u' = c·x·u − s·y·v + e, v' = s·x·u + c·y·v + f; then v → 1 − v on both sides.
     const float e = 0.5f * (1 - c + s) + t.mTranslation.x, f = 0.5f * (1 - s - c) + t.mTranslation.y;
     const float transform[6] = {c * x, s * y, e - s * y, -s * x, c * y, 1 - f - c * y};
-    if (rhw_import_finite(transform, 6)) {
+    if (scene_import_finite(transform, 6)) {
         memcpy(slot->transform, transform, sizeof transform);
     }
 }
 
 // The first texture of a type, if there is one and `texture` is not taken yet.
 static void read_texture(const struct reader *reader, enum aiTextureType type,
-                         struct rhw_phong_texture *texture)
+                         struct scene_phong_texture *texture)
 {
     struct aiString path;
     enum aiTextureMapping mapping = aiTextureMapping_UV;
@@ -133,22 +133,22 @@ static void read_texture(const struct reader *reader, enum aiTextureType type,
         return;
     }
     const struct aiTexture *inside = embedded(reader, path.data);
-    texture->name = rhw_assimp_string(reader->import, &path);
+    texture->name = scene_assimp_string(reader->import, &path);
     if (inside != NULL && inside->mHeight == 0) {
         texture->source.bytes = inside->pcData;
         texture->source.size = inside->mWidth;
     } else if (inside != NULL) {
         raw_texels(reader->import, inside, &texture->source);
     } else {
-        texture->source.file = rhw_import_find_file(reader->import, path.data);
+        texture->source.file = scene_import_find_file(reader->import, path.data);
     }
-    texture->slot.uv_set = set < RHW_UV_SETS ? set : 0;
+    texture->slot.uv_set = set < SCENE_UV_SETS ? set : 0;
     texture->slot.address_u = address(modes[0]);
     texture->slot.address_v = address(modes[1]);
     read_transform(reader, type, &texture->slot);
 }
 
-static void read_textures(const struct reader *reader, struct rhw_phong *phong)
+static void read_textures(const struct reader *reader, struct scene_phong *phong)
 {
     read_texture(reader, aiTextureType_BASE_COLOR, &phong->color);
     read_texture(reader, aiTextureType_DIFFUSE, &phong->color);
@@ -169,19 +169,19 @@ static void read_textures(const struct reader *reader, struct rhw_phong *phong)
     };
     for (size_t i = 0; i < sizeof unused / sizeof unused[0]; i++) {
         if (aiGetMaterialTextureCount(reader->source, unused[i].type) > 0) {
-            rhw_import_unsupported(reader->import, "%s textures: not used", unused[i].name);
+            scene_import_unsupported(reader->import, "%s textures: not used", unused[i].name);
         }
     }
 }
 
-uint32_t rhw_assimp_material(struct rhw_import *import, const struct aiScene *scene,
-                             const struct aiMaterial *source, bool colored)
+uint32_t scene_assimp_material(struct scene_import *import, const struct aiScene *scene,
+                               const struct aiMaterial *source, bool colored)
 {
     const struct reader reader = {import, scene, source};
-    struct rhw_phong phong = rhw_phong_default();
+    struct scene_phong phong = scene_phong_default();
     struct aiString name;
     if (aiGetMaterialString(source, "?mat.name", 0, 0, &name) == aiReturn_SUCCESS) {
-        phong.name = rhw_assimp_string(import, &name);
+        phong.name = scene_assimp_string(import, &name);
     }
     phong.colored = colored;
     phong.described =
@@ -199,5 +199,5 @@ uint32_t rhw_assimp_material(struct rhw_import *import, const struct aiScene *sc
     phong.unlit = shading == aiShadingMode_NoShading;
     phong.dull = shading == aiShadingMode_Gouraud;
     read_textures(&reader, &phong);
-    return rhw_phong_add(import, &phong);
+    return scene_phong_add(import, &phong);
 }

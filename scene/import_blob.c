@@ -48,23 +48,24 @@ struct layout {
 #define COUNT(array) (sizeof(array) / sizeof((array)[0]))
 
 static const struct field mesh_fields[] = {
-    STRING(rhw_mesh, name),
-    ARRAY(rhw_mesh, indices, index_count, sizeof(uint32_t), true),
-    ARRAY(rhw_mesh, positions, vertex_count, sizeof(float[3]), true),
-    ARRAY(rhw_mesh, normals, vertex_count, sizeof(float[3]), false),
-    ARRAY(rhw_mesh, tangents, vertex_count, sizeof(float[4]), false),
-    ARRAY(rhw_mesh, uvs[0], vertex_count, sizeof(float[2]), false),
-    ARRAY(rhw_mesh, uvs[1], vertex_count, sizeof(float[2]), false),
-    ARRAY(rhw_mesh, colors, vertex_count, sizeof(float[4]), false),
+    STRING(scene_mesh, name),
+    ARRAY(scene_mesh, indices, index_count, sizeof(uint32_t), true),
+    ARRAY(scene_mesh, positions, vertex_count, sizeof(float[3]), true),
+    ARRAY(scene_mesh, normals, vertex_count, sizeof(float[3]), false),
+    ARRAY(scene_mesh, tangents, vertex_count, sizeof(float[4]), false),
+    ARRAY(scene_mesh, uvs[0], vertex_count, sizeof(float[2]), false),
+    ARRAY(scene_mesh, uvs[1], vertex_count, sizeof(float[2]), false),
+    ARRAY(scene_mesh, colors, vertex_count, sizeof(float[4]), false),
 };
-static const struct field material_fields[] = {STRING(rhw_material, name)};
+static const struct field material_fields[] = {STRING(scene_material, name)};
 static const struct field image_fields[] = {
-    STRING(rhw_image, name),
-    {FIELD_ARRAY, offsetof(struct rhw_image, texels), offsetof(struct rhw_image, size), 1, true, true, NULL},
+    STRING(scene_image, name),
+    {FIELD_ARRAY, offsetof(struct scene_image, texels), offsetof(struct scene_image, size), 1, true, true,
+     NULL},
 };
-static const struct field instance_fields[] = {STRING(rhw_instance, name)};
-static const struct field camera_fields[] = {STRING(rhw_model_camera, name)};
-static const struct field light_fields[] = {STRING(rhw_model_light, name)};
+static const struct field instance_fields[] = {STRING(scene_instance, name)};
+static const struct field camera_fields[] = {STRING(scene_model_camera, name)};
+static const struct field light_fields[] = {STRING(scene_model_light, name)};
 
 static const struct layout mesh_layout = {COUNT(mesh_fields), mesh_fields};
 static const struct layout material_layout = {COUNT(material_fields), material_fields};
@@ -74,18 +75,18 @@ static const struct layout camera_layout = {COUNT(camera_fields), camera_fields}
 static const struct layout light_layout = {COUNT(light_fields), light_fields};
 
 static const struct field model_fields[] = {
-    STRING(rhw_model, path),
-    STRING(rhw_model, format),
-    STRUCTS(rhw_model, meshes, mesh_count, sizeof(struct rhw_mesh), &mesh_layout),
-    STRUCTS(rhw_model, materials, material_count, sizeof(struct rhw_material), &material_layout),
-    STRUCTS(rhw_model, images, image_count, sizeof(struct rhw_image), &image_layout),
-    STRUCTS(rhw_model, instances, instance_count, sizeof(struct rhw_instance), &instance_layout),
-    STRUCTS(rhw_model, cameras, camera_count, sizeof(struct rhw_model_camera), &camera_layout),
-    STRUCTS(rhw_model, lights, light_count, sizeof(struct rhw_model_light), &light_layout),
-    {FIELD_STRINGS, offsetof(struct rhw_model, warnings), offsetof(struct rhw_model, warning_count),
+    STRING(scene_model, path),
+    STRING(scene_model, format),
+    STRUCTS(scene_model, meshes, mesh_count, sizeof(struct scene_mesh), &mesh_layout),
+    STRUCTS(scene_model, materials, material_count, sizeof(struct scene_material), &material_layout),
+    STRUCTS(scene_model, images, image_count, sizeof(struct scene_image), &image_layout),
+    STRUCTS(scene_model, instances, instance_count, sizeof(struct scene_instance), &instance_layout),
+    STRUCTS(scene_model, cameras, camera_count, sizeof(struct scene_model_camera), &camera_layout),
+    STRUCTS(scene_model, lights, light_count, sizeof(struct scene_model_light), &light_layout),
+    {FIELD_STRINGS, offsetof(struct scene_model, warnings), offsetof(struct scene_model, warning_count),
      sizeof(char *), false, true, NULL},
-    {FIELD_STRINGS, offsetof(struct rhw_model, unsupported), offsetof(struct rhw_model, unsupported_count),
-     sizeof(char *), false, true, NULL},
+    {FIELD_STRINGS, offsetof(struct scene_model, unsupported),
+     offsetof(struct scene_model, unsupported_count), sizeof(char *), false, true, NULL},
 };
 static const struct layout model_layout = {COUNT(model_fields), model_fields};
 
@@ -154,7 +155,7 @@ static void write_fields(struct writer *writer, const struct layout *layout, con
     }
 }
 
-bool rhw_blob_write(const struct rhw_model *model, FILE *file)
+bool scene_blob_write(const struct scene_model *model, FILE *file)
 {
     struct writer writer = {file, 0, false};
     write_bytes(&writer, model, sizeof *model, ALIGNMENT);
@@ -235,14 +236,14 @@ static bool read_fields(struct reader *reader, const struct layout *layout, unsi
 
 // What the arrays mean ------------------------------------------------------------------------------
 
-static bool mesh_valid(const struct rhw_mesh *mesh, const struct rhw_model *model)
+static bool mesh_valid(const struct scene_mesh *mesh, const struct scene_model *model)
 {
-    if ((unsigned)mesh->primitive > RHW_PRIMITIVE_POINTS || mesh->material >= model->material_count) {
+    if ((unsigned)mesh->primitive > SCENE_PRIMITIVE_POINTS || mesh->material >= model->material_count) {
         return false;
     }
-    const uint32_t corners = mesh->primitive == RHW_PRIMITIVE_TRIANGLES ? 3
-                             : mesh->primitive == RHW_PRIMITIVE_LINES   ? 2
-                                                                        : 1;
+    const uint32_t corners = mesh->primitive == SCENE_PRIMITIVE_TRIANGLES ? 3
+                             : mesh->primitive == SCENE_PRIMITIVE_LINES   ? 2
+                                                                          : 1;
     if (mesh->index_count % corners != 0) {
         return false;
     }
@@ -256,25 +257,25 @@ static bool mesh_valid(const struct rhw_mesh *mesh, const struct rhw_model *mode
     return mesh->index_count == 0 || largest < mesh->vertex_count;
 }
 
-static bool image_valid(const struct rhw_image *image)
+static bool image_valid(const struct scene_image *image)
 {
     static const size_t texel_size[] = {4, 8, 16};
-    if ((unsigned)image->type > RHW_IMAGE_RGBA32F || image->width - 1 >= RHW_MAX_TARGET_SIZE ||
+    if ((unsigned)image->type > SCENE_IMAGE_RGBA32F || image->width - 1 >= RHW_MAX_TARGET_SIZE ||
         image->height - 1 >= RHW_MAX_TARGET_SIZE) {
         return false;
     }
     return image->size == (size_t)image->width * image->height * texel_size[image->type];
 }
 
-static bool material_valid(const struct rhw_material *material, const struct rhw_model *model)
+static bool material_valid(const struct scene_material *material, const struct scene_model *model)
 {
-    if ((unsigned)material->alpha_mode > RHW_ALPHA_BLEND) {
+    if ((unsigned)material->alpha_mode > SCENE_ALPHA_BLEND) {
         return false;
     }
-    for (int i = 0; i < RHW_SLOT_COUNT; i++) {
-        const struct rhw_texture_slot *slot = &material->slots[i];
+    for (int i = 0; i < SCENE_SLOT_COUNT; i++) {
+        const struct scene_texture_slot *slot = &material->slots[i];
         if (slot->image < -1 || (slot->image >= 0 && (uint32_t)slot->image >= model->image_count) ||
-            slot->uv_set >= RHW_UV_SETS || (unsigned)slot->address_u > RHW_ADDRESS_BORDER ||
+            slot->uv_set >= SCENE_UV_SETS || (unsigned)slot->address_u > RHW_ADDRESS_BORDER ||
             (unsigned)slot->address_v > RHW_ADDRESS_BORDER ||
             (unsigned)slot->min_filter > RHW_FILTER_LINEAR ||
             (unsigned)slot->mag_filter > RHW_FILTER_LINEAR ||
@@ -285,7 +286,7 @@ static bool material_valid(const struct rhw_material *material, const struct rhw
     return true;
 }
 
-static bool model_valid(const struct rhw_model *model)
+static bool model_valid(const struct scene_model *model)
 {
     for (uint32_t i = 0; i < model->mesh_count; i++) {
         if (!mesh_valid(&model->meshes[i], model)) {
@@ -308,17 +309,17 @@ static bool model_valid(const struct rhw_model *model)
         }
     }
     for (uint32_t i = 0; i < model->light_count; i++) {
-        if ((unsigned)model->lights[i].type > RHW_LIGHT_SPOT) {
+        if ((unsigned)model->lights[i].type > SCENE_LIGHT_SPOT) {
             return false;
         }
     }
     return true;
 }
 
-struct rhw_model *rhw_blob_read(void *bytes, size_t size)
+struct scene_model *scene_blob_read(void *bytes, size_t size)
 {
     struct reader reader = {bytes, size, 0};
-    struct rhw_model *model = read_array(&reader, 1, sizeof *model, ALIGNMENT);
+    struct scene_model *model = read_array(&reader, 1, sizeof *model, ALIGNMENT);
     if (model == NULL || !read_fields(&reader, &model_layout, (unsigned char *)model) ||
         reader.cursor != size) {
         return NULL;

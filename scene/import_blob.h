@@ -1,16 +1,16 @@
 // SPDX-License-Identifier: MIT
 // A model as one position-independent run of bytes, for the way from the import process to its parent.
-#ifndef RHW_SCENE_IMPORT_BLOB_H
-#define RHW_SCENE_IMPORT_BLOB_H
+#ifndef SCENE_IMPORT_BLOB_H
+#define SCENE_IMPORT_BLOB_H
 
 #include <stdio.h>
 
 #include "model.h"
 
 /// Writes the model to the file's current position, which must be 0. False: the file refused.
-bool rhw_blob_write(const struct rhw_model *model, FILE *file);
-/// Makes a model of the bytes, in place. NULL unless they are exactly what rhw_blob_write writes and every
+bool scene_blob_write(const struct scene_model *model, FILE *file);
+/// Makes a model of the bytes, in place. NULL unless they are exactly what scene_blob_write writes and every
 /// index, count and enum in them is in range: the process that wrote them read a file that nobody trusts.
-struct rhw_model *rhw_blob_read(void *bytes, size_t size);
+struct scene_model *scene_blob_read(void *bytes, size_t size);
 
 #endif

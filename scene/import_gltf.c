@@ -17,12 +17,12 @@ static const char *const known_extensions[] = {
 
 // Typed access --------------------------------------------------------------------------------------
 
-static json_t *typed(struct rhw_gltf *gltf, const json_t *object, const char *key, bool (*is)(const json_t *),
-                     const char *type)
+static json_t *typed(struct scene_gltf *gltf, const json_t *object, const char *key,
+                     bool (*is)(const json_t *), const char *type)
 {
     json_t *value = json_object_get(object, key);
     if (value != NULL && !is(value)) {
-        rhw_import_fail(gltf->import, "\"%s\" must be %s", key, type);
+        scene_import_fail(gltf->import, "\"%s\" must be %s", key, type);
     }
     return value;
 }
@@ -52,34 +52,34 @@ static bool is_number(const json_t *value)
     return json_is_number(value);
 }
 
-json_t *rhw_gltf_object(struct rhw_gltf *gltf, const json_t *object, const char *key)
+json_t *scene_gltf_object(struct scene_gltf *gltf, const json_t *object, const char *key)
 {
     return typed(gltf, object, key, is_object, "an object");
 }
 
-json_t *rhw_gltf_array(struct rhw_gltf *gltf, const json_t *object, const char *key)
+json_t *scene_gltf_array(struct scene_gltf *gltf, const json_t *object, const char *key)
 {
     return typed(gltf, object, key, is_array, "an array");
 }
 
-const char *rhw_gltf_text(struct rhw_gltf *gltf, const json_t *object, const char *key)
+const char *scene_gltf_text(struct scene_gltf *gltf, const json_t *object, const char *key)
 {
     return json_string_value(typed(gltf, object, key, is_text, "a string"));
 }
 
-bool rhw_gltf_flag(struct rhw_gltf *gltf, const json_t *object, const char *key, bool fallback)
+bool scene_gltf_flag(struct scene_gltf *gltf, const json_t *object, const char *key, bool fallback)
 {
     const json_t *value = typed(gltf, object, key, is_flag, "true or false");
     return value == NULL ? fallback : json_is_true(value);
 }
 
-double rhw_gltf_number(struct rhw_gltf *gltf, const json_t *object, const char *key, double fallback)
+double scene_gltf_number(struct scene_gltf *gltf, const json_t *object, const char *key, double fallback)
 {
     const json_t *value = typed(gltf, object, key, is_number, "a number");
     return value == NULL ? fallback : json_number_value(value);
 }
 
-int64_t rhw_gltf_integer(struct rhw_gltf *gltf, const json_t *object, const char *key, int64_t fallback)
+int64_t scene_gltf_integer(struct scene_gltf *gltf, const json_t *object, const char *key, int64_t fallback)
 {
     const json_t *value = typed(gltf, object, key, is_number, "a whole number");
     if (value == NULL) {
@@ -87,64 +87,65 @@ int64_t rhw_gltf_integer(struct rhw_gltf *gltf, const json_t *object, const char
     }
     const double number = json_number_value(value); // some exporters write 3.0
     if (!(number >= 0 && number <= 9007199254740992.0) || number != floor(number)) {
-        rhw_import_fail(gltf->import, "\"%s\" must be a whole number, 0 or more", key);
+        scene_import_fail(gltf->import, "\"%s\" must be a whole number, 0 or more", key);
     }
     return (int64_t)number;
 }
 
-bool rhw_gltf_floats(struct rhw_gltf *gltf, const json_t *object, const char *key, float *values,
-                     size_t count)
+bool scene_gltf_floats(struct scene_gltf *gltf, const json_t *object, const char *key, float *values,
+                       size_t count)
 {
-    const json_t *array = rhw_gltf_array(gltf, object, key);
+    const json_t *array = scene_gltf_array(gltf, object, key);
     if (array == NULL) {
         return false;
     }
     if (json_array_size(array) != count) {
-        rhw_import_fail(gltf->import, "\"%s\" must have %zu numbers", key, count);
+        scene_import_fail(gltf->import, "\"%s\" must have %zu numbers", key, count);
     }
     for (size_t i = 0; i < count; i++) {
         const json_t *value = json_array_get(array, i);
         if (!json_is_number(value)) {
-            rhw_import_fail(gltf->import, "\"%s\" must hold numbers", key);
+            scene_import_fail(gltf->import, "\"%s\" must hold numbers", key);
         }
         values[i] = (float)json_number_value(value);
     }
     return true;
 }
 
-json_t *rhw_gltf_extension(struct rhw_gltf *gltf, const json_t *object, const char *name)
+json_t *scene_gltf_extension(struct scene_gltf *gltf, const json_t *object, const char *name)
 {
-    return rhw_gltf_object(gltf, rhw_gltf_object(gltf, object, "extensions"), name);
+    return scene_gltf_object(gltf, scene_gltf_object(gltf, object, "extensions"), name);
 }
 
-const char *rhw_gltf_name(struct rhw_gltf *gltf, const json_t *object)
+const char *scene_gltf_name(struct scene_gltf *gltf, const json_t *object)
 {
     const char *name =
         json_string_value(json_object_get(object, "name")); // of no consequence: never an error
-    return rhw_import_string(gltf->import, name, name == NULL ? 0 : strlen(name));
+    return scene_import_string(gltf->import, name, name == NULL ? 0 : strlen(name));
 }
 
-size_t rhw_gltf_count(struct rhw_gltf *gltf, const char *list)
+size_t scene_gltf_count(struct scene_gltf *gltf, const char *list)
 {
-    return json_array_size(rhw_gltf_array(gltf, gltf->root, list));
+    return json_array_size(scene_gltf_array(gltf, gltf->root, list));
 }
 
-json_t *rhw_gltf_item(struct rhw_gltf *gltf, const char *list, int64_t index)
+json_t *scene_gltf_item(struct scene_gltf *gltf, const char *list, int64_t index)
 {
-    const size_t count = rhw_gltf_count(gltf, list);
+    const size_t count = scene_gltf_count(gltf, list);
     if (index < 0 || (uint64_t)index >= count) {
-        rhw_import_fail(gltf->import, "refers to %s[%lld], but there are %zu", list, (long long)index, count);
+        scene_import_fail(gltf->import, "refers to %s[%lld], but there are %zu", list, (long long)index,
+                          count);
     }
-    json_t *item = json_array_get(rhw_gltf_array(gltf, gltf->root, list), (size_t)index);
+    json_t *item = json_array_get(scene_gltf_array(gltf, gltf->root, list), (size_t)index);
     if (!json_is_object(item)) {
-        rhw_import_fail(gltf->import, "%s[%lld] must be an object", list, (long long)index);
+        scene_import_fail(gltf->import, "%s[%lld] must be an object", list, (long long)index);
     }
     return item;
 }
 
 // Container -----------------------------------------------------------------------------------------
 
-bool rhw_import_is_gltf(const char *path, const unsigned char *start, size_t size)
+bool scene_import_is_gltf(const char *path, const unsigned char *start, size_t size)
 {
     if (size >= 4 && memcmp(start, "glTF", 4) == 0) {
         return true;
@@ -159,7 +160,7 @@ static uint32_t little_endian(const unsigned char *bytes)
     return bytes[0] | (uint32_t)bytes[1] << 8 | (uint32_t)bytes[2] << 16 | (uint32_t)bytes[3] << 24;
 }
 
-static void parse_json(struct rhw_gltf *gltf, const unsigned char *text, size_t size)
+static void parse_json(struct scene_gltf *gltf, const unsigned char *text, size_t size)
 {
     json_error_t error;
     if (size >= 3 && memcmp(text, "\xef\xbb\xbf", 3) == 0) {
@@ -171,33 +172,33 @@ static void parse_json(struct rhw_gltf *gltf, const unsigned char *text, size_t 
     }
     gltf->root = json_loadb((const char *)text, size, JSON_ALLOW_NUL, &error);
     if (gltf->root == NULL) {
-        rhw_import_fail(gltf->import, "is not valid JSON: line %d: %s", error.line, error.text);
+        scene_import_fail(gltf->import, "is not valid JSON: line %d: %s", error.line, error.text);
     }
     if (!json_is_object(gltf->root)) {
-        rhw_import_fail(gltf->import, "is no glTF: its JSON is not an object");
+        scene_import_fail(gltf->import, "is no glTF: its JSON is not an object");
     }
 }
 
 // §4.4: a header of 12 bytes, a JSON chunk, an optional BIN chunk.
-static void parse_binary(struct rhw_gltf *gltf, const unsigned char *bytes, size_t size)
+static void parse_binary(struct scene_gltf *gltf, const unsigned char *bytes, size_t size)
 {
     if (size < GLB_HEADER + GLB_CHUNK) {
-        rhw_import_fail(gltf->import, "is truncated: a GLB of %zu bytes", size);
+        scene_import_fail(gltf->import, "is truncated: a GLB of %zu bytes", size);
     }
     const uint32_t version = little_endian(bytes + 4), length = little_endian(bytes + 8);
     if (version != 2) {
-        rhw_import_fail(gltf->import, "is glTF %u.0, which is not supported; only 2.0 is", version);
+        scene_import_fail(gltf->import, "is glTF %u.0, which is not supported; only 2.0 is", version);
     }
     if (length > size) {
-        rhw_import_fail(gltf->import, "is truncated: its header says %u bytes, it has %zu", length, size);
+        scene_import_fail(gltf->import, "is truncated: its header says %u bytes, it has %zu", length, size);
     }
     const size_t json_size = little_endian(bytes + GLB_HEADER);
     const size_t json_start = GLB_HEADER + GLB_CHUNK;
     if (little_endian(bytes + GLB_HEADER + 4) != GLB_JSON) {
-        rhw_import_fail(gltf->import, "the first chunk of the GLB is not JSON");
+        scene_import_fail(gltf->import, "the first chunk of the GLB is not JSON");
     }
     if (json_size > size - json_start) {
-        rhw_import_fail(gltf->import, "the JSON chunk of the GLB is longer than the file");
+        scene_import_fail(gltf->import, "the JSON chunk of the GLB is longer than the file");
     }
     parse_json(gltf, bytes + json_start, json_size);
     const size_t next = json_start + (json_size + 3) / 4 * 4;
@@ -206,30 +207,30 @@ static void parse_binary(struct rhw_gltf *gltf, const unsigned char *bytes, size
     }
     const size_t binary_size = little_endian(bytes + next);
     if (binary_size > size - next - GLB_CHUNK) {
-        rhw_import_fail(gltf->import, "the binary chunk of the GLB is longer than the file");
+        scene_import_fail(gltf->import, "the binary chunk of the GLB is longer than the file");
     }
     gltf->binary = bytes + next + GLB_CHUNK;
     gltf->binary_size = binary_size;
 }
 
-static void check_version(struct rhw_gltf *gltf)
+static void check_version(struct scene_gltf *gltf)
 {
-    const json_t *asset = rhw_gltf_object(gltf, gltf->root, "asset");
+    const json_t *asset = scene_gltf_object(gltf, gltf->root, "asset");
     const json_t *number = json_object_get(asset, "version"); // glTF 1.0 allowed a number
     if (json_is_number(number)) {
-        rhw_import_fail(gltf->import, "is glTF %.1f, which is not supported; only 2.0 is",
-                        json_number_value(number));
+        scene_import_fail(gltf->import, "is glTF %.1f, which is not supported; only 2.0 is",
+                          json_number_value(number));
     }
-    const char *version = asset == NULL ? NULL : rhw_gltf_text(gltf, asset, "version");
-    const char *least = asset == NULL ? NULL : rhw_gltf_text(gltf, asset, "minVersion");
+    const char *version = asset == NULL ? NULL : scene_gltf_text(gltf, asset, "version");
+    const char *least = asset == NULL ? NULL : scene_gltf_text(gltf, asset, "minVersion");
     if (version == NULL || version[0] == 0) {
-        rhw_import_fail(gltf->import, "is no glTF 2.0: it has no asset version");
+        scene_import_fail(gltf->import, "is no glTF 2.0: it has no asset version");
     }
     if (strncmp(version, "2.", 2) != 0) {
-        rhw_import_fail(gltf->import, "is glTF %s, which is not supported; only 2.0 is", version);
+        scene_import_fail(gltf->import, "is glTF %s, which is not supported; only 2.0 is", version);
     }
     if (least != NULL && strcmp(least, "2.0") != 0) {
-        rhw_import_fail(gltf->import, "asks for at least glTF %s; 2.0 is supported", least);
+        scene_import_fail(gltf->import, "asks for at least glTF %s; 2.0 is supported", least);
     }
 }
 
@@ -243,46 +244,46 @@ static bool is_known(const char *extension)
     return false;
 }
 
-static void check_extensions(struct rhw_gltf *gltf)
+static void check_extensions(struct scene_gltf *gltf)
 {
     size_t i;
     json_t *value;
-    json_array_foreach(rhw_gltf_array(gltf, gltf->root, "extensionsRequired"), i, value)
+    json_array_foreach(scene_gltf_array(gltf, gltf->root, "extensionsRequired"), i, value)
     {
         if (!json_is_string(value)) {
-            rhw_import_fail(gltf->import, "\"extensionsRequired\" must hold strings");
+            scene_import_fail(gltf->import, "\"extensionsRequired\" must hold strings");
         }
         if (!is_known(json_string_value(value))) {
-            rhw_import_fail(gltf->import, "requires the glTF extension %s, which is not supported",
-                            json_string_value(value));
+            scene_import_fail(gltf->import, "requires the glTF extension %s, which is not supported",
+                              json_string_value(value));
         }
     }
-    json_array_foreach(rhw_gltf_array(gltf, gltf->root, "extensionsUsed"), i, value)
+    json_array_foreach(scene_gltf_array(gltf, gltf->root, "extensionsUsed"), i, value)
     {
         if (json_is_string(value) && !is_known(json_string_value(value))) {
-            rhw_import_unsupported(gltf->import, "glTF extension %s: ignored", json_string_value(value));
+            scene_import_unsupported(gltf->import, "glTF extension %s: ignored", json_string_value(value));
         }
     }
 }
 
-static int32_t *none_made(struct rhw_gltf *gltf, const char *list)
+static int32_t *none_made(struct scene_gltf *gltf, const char *list)
 {
-    const size_t count = rhw_gltf_count(gltf, list);
-    int32_t *indices = rhw_import_allocate(gltf->import, count, sizeof *indices);
+    const size_t count = scene_gltf_count(gltf, list);
+    int32_t *indices = scene_import_allocate(gltf->import, count, sizeof *indices);
     for (size_t i = 0; i < count; i++) {
         indices[i] = -1;
     }
     return indices;
 }
 
-void rhw_import_gltf(struct rhw_import *import)
+void scene_import_gltf(struct scene_import *import)
 {
-    struct rhw_gltf gltf = {.import = import, .default_material = -1};
+    struct scene_gltf gltf = {.import = import, .default_material = -1};
     const char *problem = NULL;
     size_t size = 0;
-    const unsigned char *bytes = rhw_import_read_file(import, import->model.path, &size, &problem);
+    const unsigned char *bytes = scene_import_read_file(import, import->model.path, &size, &problem);
     if (bytes == NULL) {
-        rhw_import_fail(import, "cannot be read: %s", problem);
+        scene_import_fail(import, "cannot be read: %s", problem);
     }
     if (size >= 4 && little_endian(bytes) == GLB_MAGIC) {
         parse_binary(&gltf, bytes, size);
@@ -292,15 +293,15 @@ void rhw_import_gltf(struct rhw_import *import)
     check_version(&gltf);
     check_extensions(&gltf);
     import->model.format = "glTF 2.0";
-    gltf.buffers = rhw_import_allocate(import, rhw_gltf_count(&gltf, "buffers"), sizeof *gltf.buffers);
-    gltf.nodes = rhw_import_allocate(import, rhw_gltf_count(&gltf, "nodes"), sizeof *gltf.nodes);
-    gltf.meshes = rhw_import_allocate(import, rhw_gltf_count(&gltf, "meshes"), sizeof *gltf.meshes);
+    gltf.buffers = scene_import_allocate(import, scene_gltf_count(&gltf, "buffers"), sizeof *gltf.buffers);
+    gltf.nodes = scene_import_allocate(import, scene_gltf_count(&gltf, "nodes"), sizeof *gltf.nodes);
+    gltf.meshes = scene_import_allocate(import, scene_gltf_count(&gltf, "meshes"), sizeof *gltf.meshes);
     gltf.materials = none_made(&gltf, "materials");
     gltf.images = none_made(&gltf, "images");
-    const size_t animations = rhw_gltf_count(&gltf, "animations");
+    const size_t animations = scene_gltf_count(&gltf, "animations");
     if (animations > 0) {
-        rhw_import_unsupported(import, "%zu animation%s: drawn at rest", animations,
-                               animations == 1 ? "" : "s");
+        scene_import_unsupported(import, "%zu animation%s: drawn at rest", animations,
+                                 animations == 1 ? "" : "s");
     }
-    rhw_gltf_scene(&gltf);
+    scene_gltf_scene(&gltf);
 }

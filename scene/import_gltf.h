@@ -3,19 +3,19 @@
 // needs: RGB vertex colours arrive with alpha 0, texture coordinates in 8 or 16 bit as NaN or rubbish, texture
 // transforms folded into another convention; skins and morph weights are left to the caller. Paragraph numbers
 // are those of the glTF 2.0 specification.
-#ifndef RHW_SCENE_IMPORT_GLTF_H
-#define RHW_SCENE_IMPORT_GLTF_H
+#ifndef SCENE_IMPORT_GLTF_H
+#define SCENE_IMPORT_GLTF_H
 
 #include <jansson.h>
 
 #include "import.h"
 
-struct rhw_gltf_buffer {
+struct scene_gltf_buffer {
     const unsigned char *bytes; // NULL: not loaded yet
     size_t size;
 };
 
-struct rhw_gltf_node {
+struct scene_gltf_node {
     float world[16];
     uint32_t parent; // UINT32_MAX: a root
     bool placed;     // `world` is set
@@ -23,58 +23,59 @@ struct rhw_gltf_node {
 };
 
 /// The meshes that one glTF mesh became, one per primitive.
-struct rhw_gltf_meshes {
+struct scene_gltf_meshes {
     uint32_t first, count;
     bool made;
     bool in_world; // skinned: the vertices need no matrix any more
 };
 
-struct rhw_gltf {
-    struct rhw_import *import;
+struct scene_gltf {
+    struct scene_import *import;
     json_t *root;
     const unsigned char *binary; // BIN chunk of a GLB
     size_t binary_size;
-    struct rhw_gltf_buffer *buffers;
-    struct rhw_gltf_node *nodes;
-    struct rhw_gltf_meshes *meshes;
+    struct scene_gltf_buffer *buffers;
+    struct scene_gltf_node *nodes;
+    struct scene_gltf_meshes *meshes;
     int32_t *materials; // model index by glTF index; −1: not made yet
     int32_t *images;    // the same
     int32_t default_material;
 };
 
 // Reading JSON. What is absent gives the fallback; what has the wrong type fails the import by name.
-json_t *rhw_gltf_object(struct rhw_gltf *gltf, const json_t *object, const char *key);   ///< or NULL
-json_t *rhw_gltf_array(struct rhw_gltf *gltf, const json_t *object, const char *key);    ///< or NULL
-const char *rhw_gltf_text(struct rhw_gltf *gltf, const json_t *object, const char *key); ///< or NULL
-bool rhw_gltf_flag(struct rhw_gltf *gltf, const json_t *object, const char *key, bool fallback);
-double rhw_gltf_number(struct rhw_gltf *gltf, const json_t *object, const char *key, double fallback);
+json_t *scene_gltf_object(struct scene_gltf *gltf, const json_t *object, const char *key);   ///< or NULL
+json_t *scene_gltf_array(struct scene_gltf *gltf, const json_t *object, const char *key);    ///< or NULL
+const char *scene_gltf_text(struct scene_gltf *gltf, const json_t *object, const char *key); ///< or NULL
+bool scene_gltf_flag(struct scene_gltf *gltf, const json_t *object, const char *key, bool fallback);
+double scene_gltf_number(struct scene_gltf *gltf, const json_t *object, const char *key, double fallback);
 /// A whole number of 0 .. 2^53, or `fallback` (which may be −1).
-int64_t rhw_gltf_integer(struct rhw_gltf *gltf, const json_t *object, const char *key, int64_t fallback);
+int64_t scene_gltf_integer(struct scene_gltf *gltf, const json_t *object, const char *key, int64_t fallback);
 /// Exactly `count` numbers; false when the key is absent.
-bool rhw_gltf_floats(struct rhw_gltf *gltf, const json_t *object, const char *key, float *values,
-                     size_t count);
-json_t *rhw_gltf_extension(struct rhw_gltf *gltf, const json_t *object, const char *name); ///< or NULL
+bool scene_gltf_floats(struct scene_gltf *gltf, const json_t *object, const char *key, float *values,
+                       size_t count);
+json_t *scene_gltf_extension(struct scene_gltf *gltf, const json_t *object, const char *name); ///< or NULL
 /// Name of an object as the model keeps it; "" where it has none.
-const char *rhw_gltf_name(struct rhw_gltf *gltf, const json_t *object);
+const char *scene_gltf_name(struct scene_gltf *gltf, const json_t *object);
 /// How many elements a top-level array has, and one of them. An index that does not exist fails the import.
-size_t rhw_gltf_count(struct rhw_gltf *gltf, const char *list);
-json_t *rhw_gltf_item(struct rhw_gltf *gltf, const char *list, int64_t index);
+size_t scene_gltf_count(struct scene_gltf *gltf, const char *list);
+json_t *scene_gltf_item(struct scene_gltf *gltf, const char *list, int64_t index);
 
 /// The bytes of a data URI, or NULL when it is none that can be read.
-unsigned char *rhw_gltf_data_uri(struct rhw_gltf *gltf, const char *uri, size_t *size);
+unsigned char *scene_gltf_data_uri(struct scene_gltf *gltf, const char *uri, size_t *size);
 /// Bytes of a buffer view.
-const unsigned char *rhw_gltf_view(struct rhw_gltf *gltf, int64_t index, size_t *size, size_t *stride);
+const unsigned char *scene_gltf_view(struct scene_gltf *gltf, int64_t index, size_t *size, size_t *stride);
 /// All elements of an accessor as floats, `width` per element. The accessor has `least` to `width` components;
 /// components it lacks are 1.
-float *rhw_gltf_read_floats(struct rhw_gltf *gltf, int64_t accessor, int least, int width, uint32_t *count);
+float *scene_gltf_read_floats(struct scene_gltf *gltf, int64_t accessor, int least, int width,
+                              uint32_t *count);
 /// All elements of a scalar accessor of unsigned integers, or of a VEC4 of them with `width` 4.
-uint32_t *rhw_gltf_read_integers(struct rhw_gltf *gltf, int64_t accessor, int width, uint32_t *count);
+uint32_t *scene_gltf_read_integers(struct scene_gltf *gltf, int64_t accessor, int width, uint32_t *count);
 
 /// Model index of a material; −1 gives the default material.
-uint32_t rhw_gltf_material(struct rhw_gltf *gltf, int64_t index);
+uint32_t scene_gltf_material(struct scene_gltf *gltf, int64_t index);
 /// The meshes of a node that stands at `world`.
-struct rhw_gltf_meshes rhw_gltf_mesh(struct rhw_gltf *gltf, const json_t *node, const float world[16]);
+struct scene_gltf_meshes scene_gltf_mesh(struct scene_gltf *gltf, const json_t *node, const float world[16]);
 /// Places all nodes, then adds the instances, cameras and lights of the scene.
-void rhw_gltf_scene(struct rhw_gltf *gltf);
+void scene_gltf_scene(struct scene_gltf *gltf);
 
 #endif

@@ -41,14 +41,14 @@ static int base64_digit(int c)
                                   : -1;
 }
 
-unsigned char *rhw_gltf_data_uri(struct rhw_gltf *gltf, const char *uri, size_t *size)
+unsigned char *scene_gltf_data_uri(struct scene_gltf *gltf, const char *uri, size_t *size)
 {
     const char *comma = strchr(uri, ',');
     if (comma == NULL || comma - uri < 7 || memcmp(comma - 7, ";base64", 7) != 0) {
         return NULL;
     }
     const char *digits = comma + 1;
-    unsigned char *bytes = rhw_import_allocate(gltf->import, strlen(digits) / 4 * 3 + 3, 1);
+    unsigned char *bytes = scene_import_allocate(gltf->import, strlen(digits) / 4 * 3 + 3, 1);
     uint32_t bits = 0;
     int held = 0;
     *size = 0;
@@ -67,65 +67,65 @@ unsigned char *rhw_gltf_data_uri(struct rhw_gltf *gltf, const char *uri, size_t 
     return bytes;
 }
 
-static void load_buffer(struct rhw_gltf *gltf, int64_t index, struct rhw_gltf_buffer *buffer)
+static void load_buffer(struct scene_gltf *gltf, int64_t index, struct scene_gltf_buffer *buffer)
 {
-    struct rhw_import *import = gltf->import;
-    const json_t *object = rhw_gltf_item(gltf, "buffers", index);
-    const int64_t length = rhw_gltf_integer(gltf, object, "byteLength", -1);
-    const char *uri = rhw_gltf_text(gltf, object, "uri");
+    struct scene_import *import = gltf->import;
+    const json_t *object = scene_gltf_item(gltf, "buffers", index);
+    const int64_t length = scene_gltf_integer(gltf, object, "byteLength", -1);
+    const char *uri = scene_gltf_text(gltf, object, "uri");
     const int number = (int)index;
     if (length < 0) {
-        rhw_import_fail(import, "buffers[%d] has no byteLength", number);
+        scene_import_fail(import, "buffers[%d] has no byteLength", number);
     }
     if (uri == NULL) {
         if (index != 0 || gltf->binary == NULL) {
-            rhw_import_fail(import, "buffers[%d] has neither a URI nor a binary chunk", number);
+            scene_import_fail(import, "buffers[%d] has neither a URI nor a binary chunk", number);
         }
         buffer->bytes = gltf->binary;
         buffer->size = gltf->binary_size;
     } else if (strncmp(uri, "data:", 5) == 0) {
-        buffer->bytes = rhw_gltf_data_uri(gltf, uri, &buffer->size);
+        buffer->bytes = scene_gltf_data_uri(gltf, uri, &buffer->size);
         if (buffer->bytes == NULL) {
-            rhw_import_fail(import, "buffers[%d]: its data URI is not valid base64", number);
+            scene_import_fail(import, "buffers[%d]: its data URI is not valid base64", number);
         }
     } else {
         const char *problem = "No such file or directory";
-        const char *path = rhw_import_find_file(import, uri);
+        const char *path = scene_import_find_file(import, uri);
         if (path != NULL) {
-            buffer->bytes = rhw_import_read_file(import, path, &buffer->size, &problem);
+            buffer->bytes = scene_import_read_file(import, path, &buffer->size, &problem);
         }
         if (buffer->bytes == NULL) {
-            rhw_import_fail(import, "buffers[%d]: \"%s\": %s", number, uri, problem);
+            scene_import_fail(import, "buffers[%d]: \"%s\": %s", number, uri, problem);
         }
     }
     if (buffer->size < (uint64_t)length) {
-        rhw_import_fail(import, "buffers[%d] should have %lld bytes but has %zu", number, (long long)length,
-                        buffer->size);
+        scene_import_fail(import, "buffers[%d] should have %lld bytes but has %zu", number, (long long)length,
+                          buffer->size);
     }
     buffer->size = (size_t)length;
 }
 
-const unsigned char *rhw_gltf_view(struct rhw_gltf *gltf, int64_t index, size_t *size, size_t *stride)
+const unsigned char *scene_gltf_view(struct scene_gltf *gltf, int64_t index, size_t *size, size_t *stride)
 {
-    const json_t *view = rhw_gltf_item(gltf, "bufferViews", index);
-    const int64_t number = rhw_gltf_integer(gltf, view, "buffer", -1);
-    const int64_t offset = rhw_gltf_integer(gltf, view, "byteOffset", 0);
-    const int64_t length = rhw_gltf_integer(gltf, view, "byteLength", -1);
-    const int64_t step = rhw_gltf_integer(gltf, view, "byteStride", 0);
-    rhw_gltf_item(gltf, "buffers", number);
-    struct rhw_gltf_buffer *buffer = &gltf->buffers[number];
+    const json_t *view = scene_gltf_item(gltf, "bufferViews", index);
+    const int64_t number = scene_gltf_integer(gltf, view, "buffer", -1);
+    const int64_t offset = scene_gltf_integer(gltf, view, "byteOffset", 0);
+    const int64_t length = scene_gltf_integer(gltf, view, "byteLength", -1);
+    const int64_t step = scene_gltf_integer(gltf, view, "byteStride", 0);
+    scene_gltf_item(gltf, "buffers", number);
+    struct scene_gltf_buffer *buffer = &gltf->buffers[number];
     if (buffer->bytes == NULL) {
         load_buffer(gltf, number, buffer);
     }
     if (length < 0) {
-        rhw_import_fail(gltf->import, "bufferViews[%lld] has no byteLength", (long long)index);
+        scene_import_fail(gltf->import, "bufferViews[%lld] has no byteLength", (long long)index);
     }
     if ((uint64_t)offset > buffer->size || (uint64_t)length > buffer->size - (uint64_t)offset) {
-        rhw_import_fail(gltf->import, "bufferViews[%lld] reaches past the end of its buffer",
-                        (long long)index);
+        scene_import_fail(gltf->import, "bufferViews[%lld] reaches past the end of its buffer",
+                          (long long)index);
     }
     if (step > 252) {
-        rhw_import_fail(gltf->import, "bufferViews[%lld]: byteStride must be 4 to 252", (long long)index);
+        scene_import_fail(gltf->import, "bufferViews[%lld]: byteStride must be 4 to 252", (long long)index);
     }
     *size = (size_t)length;
     *stride = (size_t)step;
@@ -157,48 +157,48 @@ static int component_count(const char *name)
 }
 
 // `count` elements of `element` bytes in a view, from `offset` on.
-static const unsigned char *elements(struct rhw_gltf *gltf, const struct accessor *accessor,
+static const unsigned char *elements(struct scene_gltf *gltf, const struct accessor *accessor,
                                      const json_t *object, uint32_t count, size_t element, size_t *stride)
 {
     size_t size = 0, step = 0;
-    const int64_t view = rhw_gltf_integer(gltf, object, "bufferView", -1);
-    const int64_t offset = rhw_gltf_integer(gltf, object, "byteOffset", 0);
-    const unsigned char *bytes = rhw_gltf_view(gltf, view, &size, &step);
+    const int64_t view = scene_gltf_integer(gltf, object, "bufferView", -1);
+    const int64_t offset = scene_gltf_integer(gltf, object, "byteOffset", 0);
+    const unsigned char *bytes = scene_gltf_view(gltf, view, &size, &step);
     *stride = step > 0 ? step : element;
     const uint64_t last = (uint64_t)(count - 1) * *stride + element; // below 2^32·2^8
     if ((uint64_t)offset > size || last > size - (uint64_t)offset) {
-        rhw_import_fail(gltf->import, "accessors[%lld] reaches past the end of bufferViews[%lld]",
-                        (long long)accessor->index, (long long)view);
+        scene_import_fail(gltf->import, "accessors[%lld] reaches past the end of bufferViews[%lld]",
+                          (long long)accessor->index, (long long)view);
     }
     return bytes + offset;
 }
 
-static struct accessor open_accessor(struct rhw_gltf *gltf, int64_t index)
+static struct accessor open_accessor(struct scene_gltf *gltf, int64_t index)
 {
-    const json_t *object = rhw_gltf_item(gltf, "accessors", index);
+    const json_t *object = scene_gltf_item(gltf, "accessors", index);
     struct accessor accessor = {.index = index};
     const long long number = index;
-    const int64_t count = rhw_gltf_integer(gltf, object, "count", -1);
-    const int64_t type = rhw_gltf_integer(gltf, object, "componentType", -1);
-    const char *shape = rhw_gltf_text(gltf, object, "type");
+    const int64_t count = scene_gltf_integer(gltf, object, "count", -1);
+    const int64_t type = scene_gltf_integer(gltf, object, "componentType", -1);
+    const char *shape = scene_gltf_text(gltf, object, "type");
     accessor.components = component_count(shape);
     accessor.type = type > 0 && type <= TYPE_FLOAT ? (int)type : 0;
-    accessor.normalized = rhw_gltf_flag(gltf, object, "normalized", false);
-    accessor.sparse = rhw_gltf_object(gltf, object, "sparse");
+    accessor.normalized = scene_gltf_flag(gltf, object, "normalized", false);
+    accessor.sparse = scene_gltf_object(gltf, object, "sparse");
     const size_t element = component_size(accessor.type) * (size_t)accessor.components;
     if (element == 0) {
-        rhw_import_fail(gltf->import, "accessors[%lld] has a type or componentType that does not exist",
-                        number);
+        scene_import_fail(gltf->import, "accessors[%lld] has a type or componentType that does not exist",
+                          number);
     }
     if (count < 1 || count > most_elements) {
-        rhw_import_fail(gltf->import, "accessors[%lld]: its count must be at least 1", number);
+        scene_import_fail(gltf->import, "accessors[%lld]: its count must be at least 1", number);
     }
     accessor.count = (uint32_t)count;
     if (json_object_get(object, "bufferView") != NULL) {
         accessor.bytes = elements(gltf, &accessor, object, accessor.count, element, &accessor.stride);
     } else if (count > most_without_data) {
-        rhw_import_fail(gltf->import, "accessors[%lld] has %lld elements and no data", number,
-                        (long long)count);
+        scene_import_fail(gltf->import, "accessors[%lld] has %lld elements and no data", number,
+                          (long long)count);
     }
     return accessor;
 }
@@ -249,19 +249,19 @@ static void read_element(const struct accessor *accessor, const unsigned char *b
 }
 
 // §3.6.2.3: some elements are replaced.
-static void apply_sparse(struct rhw_gltf *gltf, const struct accessor *accessor, float *values, int width)
+static void apply_sparse(struct scene_gltf *gltf, const struct accessor *accessor, float *values, int width)
 {
     const json_t *sparse = accessor->sparse;
-    const int64_t count = rhw_gltf_integer(gltf, sparse, "count", -1);
-    const json_t *places = rhw_gltf_object(gltf, sparse, "indices");
-    const json_t *contents = rhw_gltf_object(gltf, sparse, "values");
+    const int64_t count = scene_gltf_integer(gltf, sparse, "count", -1);
+    const json_t *places = scene_gltf_object(gltf, sparse, "indices");
+    const json_t *contents = scene_gltf_object(gltf, sparse, "values");
     const long long number = accessor->index;
     if (count < 1 || count > accessor->count || places == NULL || contents == NULL) {
-        rhw_import_fail(gltf->import, "accessors[%lld]: its sparse part is not valid", number);
+        scene_import_fail(gltf->import, "accessors[%lld]: its sparse part is not valid", number);
     }
-    const int64_t type = rhw_gltf_integer(gltf, places, "componentType", -1);
+    const int64_t type = scene_gltf_integer(gltf, places, "componentType", -1);
     if (type != TYPE_UINT8 && type != TYPE_UINT16 && type != TYPE_UINT32) {
-        rhw_import_fail(gltf->import, "accessors[%lld]: sparse indices must be unsigned integers", number);
+        scene_import_fail(gltf->import, "accessors[%lld]: sparse indices must be unsigned integers", number);
     }
     const size_t element = component_size(accessor->type) * (size_t)accessor->components;
     size_t place_stride = 0, content_stride = 0;
@@ -272,8 +272,8 @@ static void apply_sparse(struct rhw_gltf *gltf, const struct accessor *accessor,
     for (int64_t i = 0; i < count; i++) {
         const uint32_t target = read_integer(place, (int)type);
         if (target >= accessor->count) {
-            rhw_import_fail(gltf->import, "accessors[%lld]: sparse index %u is outside its %u elements",
-                            number, target, accessor->count);
+            scene_import_fail(gltf->import, "accessors[%lld]: sparse index %u is outside its %u elements",
+                              number, target, accessor->count);
         }
         read_element(accessor, content, values + (size_t)target * (size_t)width);
         place += place_stride;
@@ -281,14 +281,14 @@ static void apply_sparse(struct rhw_gltf *gltf, const struct accessor *accessor,
     }
 }
 
-float *rhw_gltf_read_floats(struct rhw_gltf *gltf, int64_t index, int least, int width, uint32_t *count)
+float *scene_gltf_read_floats(struct scene_gltf *gltf, int64_t index, int least, int width, uint32_t *count)
 {
     const struct accessor accessor = open_accessor(gltf, index);
     if (accessor.components < least || accessor.components > width) {
-        rhw_import_fail(gltf->import, "accessors[%lld] has %d components where %d are needed",
-                        (long long)index, accessor.components, width);
+        scene_import_fail(gltf->import, "accessors[%lld] has %d components where %d are needed",
+                          (long long)index, accessor.components, width);
     }
-    float *values = rhw_import_allocate(gltf->import, accessor.count, (size_t)width * sizeof *values);
+    float *values = scene_import_allocate(gltf->import, accessor.count, (size_t)width * sizeof *values);
     const unsigned char *bytes = accessor.bytes;
     for (uint32_t i = 0; i < accessor.count; i++) {
         float *element = values + (size_t)i * (size_t)width;
@@ -312,17 +312,17 @@ float *rhw_gltf_read_floats(struct rhw_gltf *gltf, int64_t index, int least, int
     return values;
 }
 
-uint32_t *rhw_gltf_read_integers(struct rhw_gltf *gltf, int64_t index, int width, uint32_t *count)
+uint32_t *scene_gltf_read_integers(struct scene_gltf *gltf, int64_t index, int width, uint32_t *count)
 {
     const struct accessor accessor = open_accessor(gltf, index);
     const bool is_unsigned =
         accessor.type == TYPE_UINT8 || accessor.type == TYPE_UINT16 || accessor.type == TYPE_UINT32;
     if (accessor.components != width || !is_unsigned || accessor.sparse != NULL) {
-        rhw_import_fail(gltf->import, "accessors[%lld] must hold %d unsigned integer%s per element",
-                        (long long)index, width, width == 1 ? "" : "s");
+        scene_import_fail(gltf->import, "accessors[%lld] must hold %d unsigned integer%s per element",
+                          (long long)index, width, width == 1 ? "" : "s");
     }
     const size_t size = component_size(accessor.type);
-    uint32_t *values = rhw_import_allocate(gltf->import, accessor.count, (size_t)width * sizeof *values);
+    uint32_t *values = scene_import_allocate(gltf->import, accessor.count, (size_t)width * sizeof *values);
     for (uint32_t i = 0; i < accessor.count && accessor.bytes != NULL; i++) {
         for (int c = 0; c < width; c++) {
             values[(size_t)i * (size_t)width + (size_t)c] =

@@ -7,68 +7,69 @@
 
 // Images --------------------------------------------------------------------------------------------
 
-static int32_t add_image(struct rhw_gltf *gltf, int64_t index)
+static int32_t add_image(struct scene_gltf *gltf, int64_t index)
 {
-    struct rhw_import *import = gltf->import;
-    const json_t *image = rhw_gltf_item(gltf, "images", index);
-    const char *uri = rhw_gltf_text(gltf, image, "uri");
-    const char *name = rhw_gltf_name(gltf, image);
+    struct scene_import *import = gltf->import;
+    const json_t *image = scene_gltf_item(gltf, "images", index);
+    const char *uri = scene_gltf_text(gltf, image, "uri");
+    const char *name = scene_gltf_name(gltf, image);
     const bool data = uri != NULL && strncmp(uri, "data:", 5) == 0;
-    struct rhw_import_source source = {.opacity_image = -1};
+    struct scene_import_source source = {.opacity_image = -1};
     size_t stride = 0;
     if (gltf->images[index] >= 0) {
         return gltf->images[index];
     }
     if (uri != NULL && !data) {
-        name = rhw_import_string(import, uri, strlen(uri));
-        source.file = rhw_import_find_file(import, uri);
+        name = scene_import_string(import, uri, strlen(uri));
+        source.file = scene_import_find_file(import, uri);
         source.problem = "No such file or directory";
     } else if (data) {
-        source.bytes = rhw_gltf_data_uri(gltf, uri, &source.size);
+        source.bytes = scene_gltf_data_uri(gltf, uri, &source.size);
         source.problem = "its data URI is not valid base64";
     } else if (json_object_get(image, "bufferView") != NULL) {
         source.bytes =
-            rhw_gltf_view(gltf, rhw_gltf_integer(gltf, image, "bufferView", -1), &source.size, &stride);
+            scene_gltf_view(gltf, scene_gltf_integer(gltf, image, "bufferView", -1), &source.size, &stride);
     } else {
         source.problem = "has neither a URI nor a bufferView";
     }
     if (name[0] == 0) {
         char number[40];
         snprintf(number, sizeof number, "images[%lld]", (long long)index);
-        name = rhw_import_string(import, number, sizeof number);
+        name = scene_import_string(import, number, sizeof number);
     }
-    gltf->images[index] = rhw_import_add_image(import, name, &source);
+    gltf->images[index] = scene_import_add_image(import, name, &source);
     return gltf->images[index];
 }
 
 // The stand-in for a texture that has no image which can be read.
-static int32_t add_missing(struct rhw_gltf *gltf, int64_t texture)
+static int32_t add_missing(struct scene_gltf *gltf, int64_t texture)
 {
     char name[40];
     snprintf(name, sizeof name, "textures[%lld]", (long long)texture);
-    const struct rhw_import_source source = {.opacity_image = -1, .problem = "has no PNG or JPEG image"};
-    return rhw_import_add_image(gltf->import, rhw_import_string(gltf->import, name, sizeof name), &source);
+    const struct scene_import_source source = {.opacity_image = -1, .problem = "has no PNG or JPEG image"};
+    return scene_import_add_image(gltf->import, scene_import_string(gltf->import, name, sizeof name),
+                                  &source);
 }
 
 // Textures ------------------------------------------------------------------------------------------
 
-static enum rhw_address address(struct rhw_gltf *gltf, const json_t *sampler, const char *key)
+static enum rhw_address address(struct scene_gltf *gltf, const json_t *sampler, const char *key)
 {
-    switch (rhw_gltf_integer(gltf, sampler, key, 10497)) {
+    switch (scene_gltf_integer(gltf, sampler, key, 10497)) {
     case 33071: return RHW_ADDRESS_CLAMP;
     case 33648: return RHW_ADDRESS_MIRROR;
     default: return RHW_ADDRESS_REPEAT;
     }
 }
 
-static void read_sampler(struct rhw_gltf *gltf, const json_t *sampler, struct rhw_texture_slot *slot)
+static void read_sampler(struct scene_gltf *gltf, const json_t *sampler, struct scene_texture_slot *slot)
 {
     slot->address_u = address(gltf, sampler, "wrapS");
     slot->address_v = address(gltf, sampler, "wrapT");
-    if (rhw_gltf_integer(gltf, sampler, "magFilter", 9729) == 9728) {
+    if (scene_gltf_integer(gltf, sampler, "magFilter", 9729) == 9728) {
         slot->mag_filter = RHW_FILTER_NEAREST;
     }
-    const int64_t minimum = rhw_gltf_integer(gltf, sampler, "minFilter", 9987);
+    const int64_t minimum = scene_gltf_integer(gltf, sampler, "minFilter", 9987);
     const bool nearest = minimum == 9728 || minimum == 9984 || minimum == 9986;
     slot->min_filter = nearest ? RHW_FILTER_NEAREST : RHW_FILTER_LINEAR;
     slot->mip_filter = minimum == 9728 || minimum == 9729   ? RHW_MIP_FILTER_NONE
@@ -77,44 +78,44 @@ static void read_sampler(struct rhw_gltf *gltf, const json_t *sampler, struct rh
 }
 
 // KHR_texture_transform: scaled, then turned, then moved.
-static void read_transform(struct rhw_gltf *gltf, const json_t *extension, struct rhw_texture_slot *slot)
+static void read_transform(struct scene_gltf *gltf, const json_t *extension, struct scene_texture_slot *slot)
 {
     float offset[2] = {0, 0}, scale[2] = {1, 1};
-    rhw_gltf_floats(gltf, extension, "offset", offset, 2);
-    rhw_gltf_floats(gltf, extension, "scale", scale, 2);
-    const double rotation = rhw_gltf_number(gltf, extension, "rotation", 0);
+    scene_gltf_floats(gltf, extension, "offset", offset, 2);
+    scene_gltf_floats(gltf, extension, "scale", scale, 2);
+    const double rotation = scene_gltf_number(gltf, extension, "rotation", 0);
     const float c = (float)cos(rotation), s = (float)sin(rotation);
     const float transform[6] = {c * scale[0],  s * scale[1], offset[0],
                                 -s * scale[0], c * scale[1], offset[1]};
-    if (rhw_import_finite(transform, 6)) {
+    if (scene_import_finite(transform, 6)) {
         memcpy(slot->transform, transform, sizeof transform);
     }
 }
 
-static void read_slot(struct rhw_gltf *gltf, const json_t *info, struct rhw_texture_slot *slot)
+static void read_slot(struct scene_gltf *gltf, const json_t *info, struct scene_texture_slot *slot)
 {
     if (info == NULL) {
         return;
     }
-    const int64_t number = rhw_gltf_integer(gltf, info, "index", -1);
-    const json_t *texture = rhw_gltf_item(gltf, "textures", number);
-    const int64_t image = rhw_gltf_integer(gltf, texture, "source", -1);
-    const int64_t sampler = rhw_gltf_integer(gltf, texture, "sampler", -1);
-    const json_t *transform = rhw_gltf_extension(gltf, info, "KHR_texture_transform");
-    const int64_t own_set = rhw_gltf_integer(gltf, info, "texCoord", 0);
-    const int64_t set = rhw_gltf_integer(gltf, transform, "texCoord", own_set);
+    const int64_t number = scene_gltf_integer(gltf, info, "index", -1);
+    const json_t *texture = scene_gltf_item(gltf, "textures", number);
+    const int64_t image = scene_gltf_integer(gltf, texture, "source", -1);
+    const int64_t sampler = scene_gltf_integer(gltf, texture, "sampler", -1);
+    const json_t *transform = scene_gltf_extension(gltf, info, "KHR_texture_transform");
+    const int64_t own_set = scene_gltf_integer(gltf, info, "texCoord", 0);
+    const int64_t set = scene_gltf_integer(gltf, transform, "texCoord", own_set);
     slot->image = image >= 0 ? add_image(gltf, image) : add_missing(gltf, number);
     if (sampler >= 0) {
-        read_sampler(gltf, rhw_gltf_item(gltf, "samplers", sampler), slot);
+        read_sampler(gltf, scene_gltf_item(gltf, "samplers", sampler), slot);
     }
     if (transform != NULL) {
         read_transform(gltf, transform, slot);
     }
-    if (set < RHW_UV_SETS) {
+    if (set < SCENE_UV_SETS) {
         slot->uv_set = (uint32_t)set;
     } else {
-        rhw_import_unsupported(gltf->import, "texture coordinate set %lld: set 0 is read instead",
-                               (long long)set);
+        scene_import_unsupported(gltf->import, "texture coordinate set %lld: set 0 is read instead",
+                                 (long long)set);
     }
 }
 
@@ -125,26 +126,29 @@ static float limited(double value, double least, double most)
     return (float)(value >= least && value <= most ? value : value > most ? most : least); // NaN: least
 }
 
-static void read_metallic_roughness(struct rhw_gltf *gltf, const json_t *pbr, struct rhw_material *material)
+static void read_metallic_roughness(struct scene_gltf *gltf, const json_t *pbr,
+                                    struct scene_material *material)
 {
-    rhw_gltf_floats(gltf, pbr, "baseColorFactor", material->base_color, 4);
-    material->metallic = limited(rhw_gltf_number(gltf, pbr, "metallicFactor", 1), 0, 1);
-    material->roughness = limited(rhw_gltf_number(gltf, pbr, "roughnessFactor", 1), 0, 1);
-    read_slot(gltf, rhw_gltf_object(gltf, pbr, "baseColorTexture"), &material->slots[RHW_SLOT_BASE_COLOR]);
-    read_slot(gltf, rhw_gltf_object(gltf, pbr, "metallicRoughnessTexture"),
-              &material->slots[RHW_SLOT_METALLIC_ROUGHNESS]);
+    scene_gltf_floats(gltf, pbr, "baseColorFactor", material->base_color, 4);
+    material->metallic = limited(scene_gltf_number(gltf, pbr, "metallicFactor", 1), 0, 1);
+    material->roughness = limited(scene_gltf_number(gltf, pbr, "roughnessFactor", 1), 0, 1);
+    read_slot(gltf, scene_gltf_object(gltf, pbr, "baseColorTexture"),
+              &material->slots[SCENE_SLOT_BASE_COLOR]);
+    read_slot(gltf, scene_gltf_object(gltf, pbr, "metallicRoughnessTexture"),
+              &material->slots[SCENE_SLOT_METALLIC_ROUGHNESS]);
 }
 
 // KHR_materials_pbrSpecularGlossiness: how metallic a surface is follows from how much brighter its specular
 // colour is than the 4 % of a dielectric. Its specular-glossiness texture has no counterpart.
-static void read_specular_glossiness(struct rhw_gltf *gltf, const json_t *pbr, struct rhw_material *material)
+static void read_specular_glossiness(struct scene_gltf *gltf, const json_t *pbr,
+                                     struct scene_material *material)
 {
     float diffuse[4] = {1, 1, 1, 1}, specular[3] = {1, 1, 1};
-    rhw_gltf_floats(gltf, pbr, "diffuseFactor", diffuse, 4);
-    rhw_gltf_floats(gltf, pbr, "specularFactor", specular, 3);
-    material->roughness = 1 - limited(rhw_gltf_number(gltf, pbr, "glossinessFactor", 1), 0, 1);
-    read_slot(gltf, rhw_gltf_object(gltf, pbr, "diffuseTexture"), &material->slots[RHW_SLOT_BASE_COLOR]);
-    const bool textured = rhw_gltf_object(gltf, pbr, "specularGlossinessTexture") != NULL;
+    scene_gltf_floats(gltf, pbr, "diffuseFactor", diffuse, 4);
+    scene_gltf_floats(gltf, pbr, "specularFactor", specular, 3);
+    material->roughness = 1 - limited(scene_gltf_number(gltf, pbr, "glossinessFactor", 1), 0, 1);
+    read_slot(gltf, scene_gltf_object(gltf, pbr, "diffuseTexture"), &material->slots[SCENE_SLOT_BASE_COLOR]);
+    const bool textured = scene_gltf_object(gltf, pbr, "specularGlossinessTexture") != NULL;
     float strongest = 0;
     for (int c = 0; c < 3; c++) {
         strongest = specular[c] > strongest ? specular[c] : strongest;
@@ -158,65 +162,66 @@ static void read_specular_glossiness(struct rhw_gltf *gltf, const json_t *pbr, s
     }
     material->base_color[3] = diffuse[3];
     if (textured) {
-        rhw_import_unsupported(gltf->import,
-                               "specular-glossiness textures: the glossiness factor alone is used");
+        scene_import_unsupported(gltf->import,
+                                 "specular-glossiness textures: the glossiness factor alone is used");
     }
 }
 
-static void read_alpha(struct rhw_gltf *gltf, const json_t *object, struct rhw_material *material)
+static void read_alpha(struct scene_gltf *gltf, const json_t *object, struct scene_material *material)
 {
-    const char *mode = rhw_gltf_text(gltf, object, "alphaMode");
+    const char *mode = scene_gltf_text(gltf, object, "alphaMode");
     if (mode != NULL && strcmp(mode, "MASK") == 0) {
-        material->alpha_mode = RHW_ALPHA_MASK;
+        material->alpha_mode = SCENE_ALPHA_MASK;
     } else if (mode != NULL && strcmp(mode, "BLEND") == 0) {
-        material->alpha_mode = RHW_ALPHA_BLEND;
+        material->alpha_mode = SCENE_ALPHA_BLEND;
     } else if (mode != NULL && strcmp(mode, "OPAQUE") != 0) {
-        rhw_import_warn(gltf->import, "material \"%s\" has an alphaMode that does not exist: drawn opaque",
-                        material->name);
+        scene_import_warn(gltf->import, "material \"%s\" has an alphaMode that does not exist: drawn opaque",
+                          material->name);
     }
-    material->alpha_cutoff = (float)rhw_gltf_number(gltf, object, "alphaCutoff", 0.5);
+    material->alpha_cutoff = (float)scene_gltf_number(gltf, object, "alphaCutoff", 0.5);
 }
 
-static void read_material(struct rhw_gltf *gltf, const json_t *object, struct rhw_material *material)
+static void read_material(struct scene_gltf *gltf, const json_t *object, struct scene_material *material)
 {
-    const json_t *pbr = rhw_gltf_object(gltf, object, "pbrMetallicRoughness");
-    const json_t *gloss = rhw_gltf_extension(gltf, object, "KHR_materials_pbrSpecularGlossiness");
-    const json_t *normal = rhw_gltf_object(gltf, object, "normalTexture");
-    const json_t *occlusion = rhw_gltf_object(gltf, object, "occlusionTexture");
-    const json_t *strength = rhw_gltf_extension(gltf, object, "KHR_materials_emissive_strength");
-    material->name = rhw_gltf_name(gltf, object);
+    const json_t *pbr = scene_gltf_object(gltf, object, "pbrMetallicRoughness");
+    const json_t *gloss = scene_gltf_extension(gltf, object, "KHR_materials_pbrSpecularGlossiness");
+    const json_t *normal = scene_gltf_object(gltf, object, "normalTexture");
+    const json_t *occlusion = scene_gltf_object(gltf, object, "occlusionTexture");
+    const json_t *strength = scene_gltf_extension(gltf, object, "KHR_materials_emissive_strength");
+    material->name = scene_gltf_name(gltf, object);
     if (pbr == NULL && gloss != NULL) {
         read_specular_glossiness(gltf, gloss, material);
     } else {
         read_metallic_roughness(gltf, pbr, material);
     }
-    read_slot(gltf, normal, &material->slots[RHW_SLOT_NORMAL]);
-    read_slot(gltf, occlusion, &material->slots[RHW_SLOT_OCCLUSION]);
-    read_slot(gltf, rhw_gltf_object(gltf, object, "emissiveTexture"), &material->slots[RHW_SLOT_EMISSIVE]);
-    material->normal_scale = (float)rhw_gltf_number(gltf, normal, "scale", 1);
-    material->occlusion_strength = limited(rhw_gltf_number(gltf, occlusion, "strength", 1), 0, 1);
-    rhw_gltf_floats(gltf, object, "emissiveFactor", material->emissive, 3);
+    read_slot(gltf, normal, &material->slots[SCENE_SLOT_NORMAL]);
+    read_slot(gltf, occlusion, &material->slots[SCENE_SLOT_OCCLUSION]);
+    read_slot(gltf, scene_gltf_object(gltf, object, "emissiveTexture"),
+              &material->slots[SCENE_SLOT_EMISSIVE]);
+    material->normal_scale = (float)scene_gltf_number(gltf, normal, "scale", 1);
+    material->occlusion_strength = limited(scene_gltf_number(gltf, occlusion, "strength", 1), 0, 1);
+    scene_gltf_floats(gltf, object, "emissiveFactor", material->emissive, 3);
     for (int c = 0; c < 3; c++) {
-        material->emissive[c] *= (float)rhw_gltf_number(gltf, strength, "emissiveStrength", 1);
+        material->emissive[c] *= (float)scene_gltf_number(gltf, strength, "emissiveStrength", 1);
     }
     read_alpha(gltf, object, material);
-    material->double_sided = rhw_gltf_flag(gltf, object, "doubleSided", false);
-    material->unlit = rhw_gltf_extension(gltf, object, "KHR_materials_unlit") != NULL;
+    material->double_sided = scene_gltf_flag(gltf, object, "doubleSided", false);
+    material->unlit = scene_gltf_extension(gltf, object, "KHR_materials_unlit") != NULL;
 }
 
-uint32_t rhw_gltf_material(struct rhw_gltf *gltf, int64_t index)
+uint32_t scene_gltf_material(struct scene_gltf *gltf, int64_t index)
 {
     if (index >= 0) {
-        rhw_gltf_item(gltf, "materials", index);
+        scene_gltf_item(gltf, "materials", index);
     }
     int32_t *made = index < 0 ? &gltf->default_material : &gltf->materials[index];
     if (*made >= 0) {
         return (uint32_t)*made;
     }
     *made = (int32_t)gltf->import->model.material_count;
-    struct rhw_material *material = rhw_import_add_material(gltf->import);
+    struct scene_material *material = scene_import_add_material(gltf->import);
     if (index >= 0) {
-        read_material(gltf, rhw_gltf_item(gltf, "materials", index), material);
+        read_material(gltf, scene_gltf_item(gltf, "materials", index), material);
     }
     return (uint32_t)*made;
 }

@@ -9,16 +9,16 @@
 enum { MODE_POINTS, MODE_LINES, MODE_LINE_LOOP, MODE_LINE_STRIP, MODE_TRIANGLES, MODE_STRIP, MODE_FAN };
 
 struct primitive {
-    struct rhw_gltf *gltf;
+    struct scene_gltf *gltf;
     const json_t *object, *attributes;
     int mesh_number, number;
-    struct rhw_mesh mesh;
+    struct scene_mesh mesh;
 };
 
 _Noreturn static void refuse(const struct primitive *primitive, const char *problem)
 {
-    rhw_import_fail(primitive->gltf->import, "meshes[%d].primitives[%d]: %s", primitive->mesh_number,
-                    primitive->number, problem);
+    scene_import_fail(primitive->gltf->import, "meshes[%d].primitives[%d]: %s", primitive->mesh_number,
+                      primitive->number, problem);
 }
 
 // Attributes ----------------------------------------------------------------------------------------
@@ -27,12 +27,12 @@ _Noreturn static void refuse(const struct primitive *primitive, const char *prob
 static void *attribute(const struct primitive *primitive, const json_t *attributes, const char *name,
                        int least, int width)
 {
-    const int64_t accessor = rhw_gltf_integer(primitive->gltf, attributes, name, -1);
+    const int64_t accessor = scene_gltf_integer(primitive->gltf, attributes, name, -1);
     if (accessor < 0) {
         return NULL;
     }
     uint32_t count = 0;
-    float *values = rhw_gltf_read_floats(primitive->gltf, accessor, least, width, &count);
+    float *values = scene_gltf_read_floats(primitive->gltf, accessor, least, width, &count);
     if (count != primitive->mesh.vertex_count) {
         char problem[96];
         snprintf(problem, sizeof problem, "%s has %u elements, POSITION %u", name, count,
@@ -44,10 +44,10 @@ static void *attribute(const struct primitive *primitive, const json_t *attribut
 
 static void read_attributes(struct primitive *primitive)
 {
-    struct rhw_mesh *mesh = &primitive->mesh;
+    struct scene_mesh *mesh = &primitive->mesh;
     const json_t *attributes = primitive->attributes;
-    const int64_t positions = rhw_gltf_integer(primitive->gltf, attributes, "POSITION", -1);
-    mesh->positions = (void *)rhw_gltf_read_floats(primitive->gltf, positions, 3, 3, &mesh->vertex_count);
+    const int64_t positions = scene_gltf_integer(primitive->gltf, attributes, "POSITION", -1);
+    mesh->positions = (void *)scene_gltf_read_floats(primitive->gltf, positions, 3, 3, &mesh->vertex_count);
     mesh->normals = attribute(primitive, attributes, "NORMAL", 3, 3);
     // §3.7.2.1: tangents without normals are to be ignored.
     mesh->tangents = mesh->normals != NULL ? attribute(primitive, attributes, "TANGENT", 4, 4) : NULL;
@@ -61,17 +61,17 @@ static void read_attributes(struct primitive *primitive)
 // The file's indices, or 0, 1, 2, ... where it has none.
 static uint32_t *read_indices(struct primitive *primitive, uint32_t *count)
 {
-    const int64_t accessor = rhw_gltf_integer(primitive->gltf, primitive->object, "indices", -1);
+    const int64_t accessor = scene_gltf_integer(primitive->gltf, primitive->object, "indices", -1);
     const uint32_t vertices = primitive->mesh.vertex_count;
     if (accessor < 0) {
-        uint32_t *indices = rhw_import_allocate(primitive->gltf->import, vertices, sizeof *indices);
+        uint32_t *indices = scene_import_allocate(primitive->gltf->import, vertices, sizeof *indices);
         for (uint32_t i = 0; i < vertices; i++) {
             indices[i] = i;
         }
         *count = vertices;
         return indices;
     }
-    uint32_t *indices = rhw_gltf_read_integers(primitive->gltf, accessor, 1, count);
+    uint32_t *indices = scene_gltf_read_integers(primitive->gltf, accessor, 1, count);
     for (uint32_t i = 0; i < *count; i++) {
         if (indices[i] >= vertices) {
             char problem[96];
@@ -85,7 +85,7 @@ static uint32_t *read_indices(struct primitive *primitive, uint32_t *count)
 // §3.7.2.1 gives the order of every topology.
 static void make_list(struct primitive *primitive, int mode, const uint32_t *in, uint32_t count)
 {
-    struct rhw_mesh *mesh = &primitive->mesh;
+    struct scene_mesh *mesh = &primitive->mesh;
     const bool lines = mode == MODE_LINE_LOOP || mode == MODE_LINE_STRIP;
     const uint32_t elements = lines ? (mode == MODE_LINE_LOOP ? count : count - 1) : count - 2;
     const uint32_t corners = lines ? 2 : 3;
@@ -96,7 +96,7 @@ static void make_list(struct primitive *primitive, int mode, const uint32_t *in,
         refuse(primitive, "has too many indices");
     }
     mesh->indices =
-        rhw_import_allocate(primitive->gltf->import, (size_t)elements * corners, sizeof *mesh->indices);
+        scene_import_allocate(primitive->gltf->import, (size_t)elements * corners, sizeof *mesh->indices);
     mesh->index_count = elements * corners;
     for (uint32_t i = 0; i < elements; i++) {
         uint32_t *out = mesh->indices + (size_t)i * corners;
@@ -117,14 +117,14 @@ static void make_list(struct primitive *primitive, int mode, const uint32_t *in,
 
 static void read_topology(struct primitive *primitive)
 {
-    struct rhw_mesh *mesh = &primitive->mesh;
-    const int64_t mode = rhw_gltf_integer(primitive->gltf, primitive->object, "mode", MODE_TRIANGLES);
+    struct scene_mesh *mesh = &primitive->mesh;
+    const int64_t mode = scene_gltf_integer(primitive->gltf, primitive->object, "mode", MODE_TRIANGLES);
     if (mode > MODE_FAN) {
         refuse(primitive, "has a mode that does not exist");
     }
-    mesh->primitive = mode == MODE_POINTS       ? RHW_PRIMITIVE_POINTS
-                      : mode <= MODE_LINE_STRIP ? RHW_PRIMITIVE_LINES
-                                                : RHW_PRIMITIVE_TRIANGLES;
+    mesh->primitive = mode == MODE_POINTS       ? SCENE_PRIMITIVE_POINTS
+                      : mode <= MODE_LINE_STRIP ? SCENE_PRIMITIVE_LINES
+                                                : SCENE_PRIMITIVE_TRIANGLES;
     uint32_t count = 0;
     uint32_t *indices = read_indices(primitive, &count);
     if (mode == MODE_POINTS || mode == MODE_LINES || mode == MODE_TRIANGLES) {
@@ -152,10 +152,10 @@ static void add_scaled(float *values, int width, const float *deltas, uint32_t c
 
 static void apply_morphs(struct primitive *primitive, const json_t *weights)
 {
-    struct rhw_mesh *mesh = &primitive->mesh;
+    struct scene_mesh *mesh = &primitive->mesh;
     size_t i;
     json_t *target;
-    json_array_foreach(rhw_gltf_array(primitive->gltf, primitive->object, "targets"), i, target)
+    json_array_foreach(scene_gltf_array(primitive->gltf, primitive->object, "targets"), i, target)
     {
         const float weight = (float)json_number_value(json_array_get(weights, i));
         if (weight == 0) {
@@ -183,27 +183,27 @@ static void rotate(const float matrix[16], float vector[3])
 }
 
 // The joint matrices of a skin: world matrix of the joint × inverse bind matrix (§3.7.3.1).
-static float (*joint_matrices(struct rhw_gltf *gltf, int64_t skin_index, size_t *count))[16]
+static float (*joint_matrices(struct scene_gltf *gltf, int64_t skin_index, size_t *count))[16]
 {
-    const json_t *skin = rhw_gltf_item(gltf, "skins", skin_index);
-    const json_t *joints = rhw_gltf_array(gltf, skin, "joints");
-    const int64_t accessor = rhw_gltf_integer(gltf, skin, "inverseBindMatrices", -1);
+    const json_t *skin = scene_gltf_item(gltf, "skins", skin_index);
+    const json_t *joints = scene_gltf_array(gltf, skin, "joints");
+    const int64_t accessor = scene_gltf_integer(gltf, skin, "inverseBindMatrices", -1);
     *count = json_array_size(joints);
-    float(*matrices)[16] = rhw_import_allocate(gltf->import, *count, sizeof *matrices);
+    float(*matrices)[16] = scene_import_allocate(gltf->import, *count, sizeof *matrices);
     float *binds = NULL;
     uint32_t bind_count = 0;
     if (accessor >= 0) {
-        binds = rhw_gltf_read_floats(gltf, accessor, 16, 16, &bind_count);
+        binds = scene_gltf_read_floats(gltf, accessor, 16, 16, &bind_count);
     }
     for (size_t i = 0; i < *count; i++) {
         const json_t *joint = json_array_get(joints, i);
         const double node = json_is_number(joint) ? json_number_value(joint) : -1;
-        if (!(node >= 0 && node < (double)rhw_gltf_count(gltf, "nodes"))) {
-            rhw_import_fail(gltf->import, "skins[%lld] has a joint that does not exist",
-                            (long long)skin_index);
+        if (!(node >= 0 && node < (double)scene_gltf_count(gltf, "nodes"))) {
+            scene_import_fail(gltf->import, "skins[%lld] has a joint that does not exist",
+                              (long long)skin_index);
         }
         if (i < bind_count) {
-            rhw_import_multiply(gltf->nodes[(size_t)node].world, binds + 16 * i, matrices[i]);
+            scene_import_multiply(gltf->nodes[(size_t)node].world, binds + 16 * i, matrices[i]);
         } else {
             memcpy(matrices[i], gltf->nodes[(size_t)node].world, sizeof matrices[i]);
         }
@@ -219,13 +219,13 @@ static bool blend_joints(struct primitive *primitive, int set, const float (*joi
     char joint_name[32], weight_name[32];
     snprintf(joint_name, sizeof joint_name, "JOINTS_%d", set);
     snprintf(weight_name, sizeof weight_name, "WEIGHTS_%d", set);
-    const int64_t accessor = rhw_gltf_integer(primitive->gltf, primitive->attributes, joint_name, -1);
+    const int64_t accessor = scene_gltf_integer(primitive->gltf, primitive->attributes, joint_name, -1);
     float(*weights)[4] = attribute(primitive, primitive->attributes, weight_name, 4, 4);
     if (accessor < 0 || weights == NULL) {
         return false;
     }
     uint32_t count = 0;
-    uint32_t *indices = rhw_gltf_read_integers(primitive->gltf, accessor, 4, &count);
+    uint32_t *indices = scene_gltf_read_integers(primitive->gltf, accessor, 4, &count);
     if (count != primitive->mesh.vertex_count) {
         refuse(primitive, "JOINTS and POSITION have different counts");
     }
@@ -251,10 +251,10 @@ static bool blend_joints(struct primitive *primitive, int set, const float (*joi
 // Brings a primitive of a skinned node into the world; one without joints by the node's own matrix.
 static void apply_skin(struct primitive *primitive, int64_t skin, const float world[16])
 {
-    struct rhw_mesh *mesh = &primitive->mesh;
+    struct scene_mesh *mesh = &primitive->mesh;
     size_t joint_count = 0;
     float(*joints)[16] = joint_matrices(primitive->gltf, skin, &joint_count);
-    float(*blended)[16] = rhw_import_allocate(primitive->gltf->import, mesh->vertex_count, sizeof *blended);
+    float(*blended)[16] = scene_import_allocate(primitive->gltf->import, mesh->vertex_count, sizeof *blended);
     int sets = 0;
     while (blend_joints(primitive, sets, (const float(*)[16])joints, joint_count, blended)) {
         sets++;
@@ -264,7 +264,7 @@ static void apply_skin(struct primitive *primitive, int64_t skin, const float wo
     }
     for (uint32_t i = 0; i < mesh->vertex_count; i++) {
         float point[3];
-        rhw_import_transform(blended[i], mesh->positions[i], point);
+        scene_import_transform(blended[i], mesh->positions[i], point);
         memcpy(mesh->positions[i], point, sizeof point);
         if (mesh->normals != NULL) {
             rotate(blended[i], mesh->normals[i]); // joints turn; where they also stretch, this is near enough
@@ -282,20 +282,20 @@ static void apply_skin(struct primitive *primitive, int64_t skin, const float wo
 static bool make_primitive(struct primitive *primitive, const char *name, const json_t *weights, int64_t skin,
                            const float world[16])
 {
-    struct rhw_gltf *gltf = primitive->gltf;
+    struct scene_gltf *gltf = primitive->gltf;
     if (!json_is_object(primitive->object)) {
         refuse(primitive, "must be an object");
     }
-    primitive->attributes = rhw_gltf_object(gltf, primitive->object, "attributes");
+    primitive->attributes = scene_gltf_object(gltf, primitive->object, "attributes");
     if (json_object_get(primitive->attributes, "POSITION") == NULL) {
-        rhw_import_warn(gltf->import, "meshes[%d].primitives[%d] has no positions: not drawn",
-                        primitive->mesh_number, primitive->number);
+        scene_import_warn(gltf->import, "meshes[%d].primitives[%d] has no positions: not drawn",
+                          primitive->mesh_number, primitive->number);
         return false;
     }
-    const int64_t accessor = rhw_gltf_integer(gltf, primitive->attributes, "POSITION", -1);
-    const json_t *positions = rhw_gltf_item(gltf, "accessors", accessor);
+    const int64_t accessor = scene_gltf_integer(gltf, primitive->attributes, "POSITION", -1);
+    const json_t *positions = scene_gltf_item(gltf, "accessors", accessor);
     if (json_object_get(positions, "bufferView") == NULL &&
-        rhw_gltf_extension(gltf, primitive->object, "KHR_draco_mesh_compression") != NULL) {
+        scene_gltf_extension(gltf, primitive->object, "KHR_draco_mesh_compression") != NULL) {
         refuse(primitive, "needs the glTF extension KHR_draco_mesh_compression, which is not supported");
     }
     read_attributes(primitive);
@@ -306,28 +306,28 @@ static bool make_primitive(struct primitive *primitive, const char *name, const 
     }
     primitive->mesh.name = name;
     primitive->mesh.material =
-        rhw_gltf_material(gltf, rhw_gltf_integer(gltf, primitive->object, "material", -1));
-    *rhw_import_add_mesh(gltf->import) = primitive->mesh;
-    rhw_import_complete_mesh(gltf->import, gltf->import->model.mesh_count - 1, RHW_IMPORT_FLAT, false);
+        scene_gltf_material(gltf, scene_gltf_integer(gltf, primitive->object, "material", -1));
+    *scene_import_add_mesh(gltf->import) = primitive->mesh;
+    scene_import_complete_mesh(gltf->import, gltf->import->model.mesh_count - 1, SCENE_IMPORT_FLAT, false);
     return true;
 }
 
-struct rhw_gltf_meshes rhw_gltf_mesh(struct rhw_gltf *gltf, const json_t *node, const float world[16])
+struct scene_gltf_meshes scene_gltf_mesh(struct scene_gltf *gltf, const json_t *node, const float world[16])
 {
-    const int64_t index = rhw_gltf_integer(gltf, node, "mesh", -1);
-    const json_t *object = rhw_gltf_item(gltf, "meshes", index);
-    const int64_t skin = rhw_gltf_integer(gltf, node, "skin", -1);
-    const json_t *own_weights = rhw_gltf_array(gltf, node, "weights");
-    const json_t *weights = own_weights != NULL ? own_weights : rhw_gltf_array(gltf, object, "weights");
+    const int64_t index = scene_gltf_integer(gltf, node, "mesh", -1);
+    const json_t *object = scene_gltf_item(gltf, "meshes", index);
+    const int64_t skin = scene_gltf_integer(gltf, node, "skin", -1);
+    const json_t *own_weights = scene_gltf_array(gltf, node, "weights");
+    const json_t *weights = own_weights != NULL ? own_weights : scene_gltf_array(gltf, object, "weights");
     const bool shared = skin < 0 && own_weights == NULL; // the same for every node that uses the mesh
     if (shared && gltf->meshes[index].made) {
         return gltf->meshes[index];
     }
-    struct rhw_gltf_meshes meshes = {gltf->import->model.mesh_count, 0, true, skin >= 0};
-    const char *name = rhw_gltf_name(gltf, object);
+    struct scene_gltf_meshes meshes = {gltf->import->model.mesh_count, 0, true, skin >= 0};
+    const char *name = scene_gltf_name(gltf, object);
     size_t i;
     json_t *part;
-    json_array_foreach(rhw_gltf_array(gltf, object, "primitives"), i, part)
+    json_array_foreach(scene_gltf_array(gltf, object, "primitives"), i, part)
     {
         struct primitive primitive = {
             .gltf = gltf, .object = part, .mesh_number = (int)index, .number = (int)i};

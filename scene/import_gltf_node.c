@@ -15,45 +15,45 @@ struct stack {
     size_t count;
 };
 
-static uint32_t node_index(struct rhw_gltf *gltf, const json_t *value, const char *list)
+static uint32_t node_index(struct scene_gltf *gltf, const json_t *value, const char *list)
 {
     const double number = json_is_number(value) ? json_number_value(value) : -1;
-    if (!(number >= 0 && number < (double)rhw_gltf_count(gltf, "nodes"))) {
-        rhw_import_fail(gltf->import, "\"%s\" refers to a node that does not exist", list);
+    if (!(number >= 0 && number < (double)scene_gltf_count(gltf, "nodes"))) {
+        scene_import_fail(gltf->import, "\"%s\" refers to a node that does not exist", list);
     }
     return (uint32_t)number;
 }
 
-static void find_parents(struct rhw_gltf *gltf)
+static void find_parents(struct scene_gltf *gltf)
 {
-    const size_t count = rhw_gltf_count(gltf, "nodes");
+    const size_t count = scene_gltf_count(gltf, "nodes");
     for (size_t i = 0; i < count; i++) {
         gltf->nodes[i].parent = no_parent;
     }
     for (size_t i = 0; i < count; i++) {
-        const json_t *node = rhw_gltf_item(gltf, "nodes", (int64_t)i);
+        const json_t *node = scene_gltf_item(gltf, "nodes", (int64_t)i);
         size_t k;
         json_t *value;
-        json_array_foreach(rhw_gltf_array(gltf, node, "children"), k, value)
+        json_array_foreach(scene_gltf_array(gltf, node, "children"), k, value)
         {
             const uint32_t child = node_index(gltf, value, "children");
             if (gltf->nodes[child].parent != no_parent) {
-                rhw_import_fail(gltf->import, "nodes[%u] has two parents", child);
+                scene_import_fail(gltf->import, "nodes[%u] has two parents", child);
             }
             gltf->nodes[child].parent = (uint32_t)i;
         }
     }
 }
 
-static void local_matrix(struct rhw_gltf *gltf, const json_t *node, float matrix[16])
+static void local_matrix(struct scene_gltf *gltf, const json_t *node, float matrix[16])
 {
     float t[3] = {0, 0, 0}, q[4] = {0, 0, 0, 1}, s[3] = {1, 1, 1};
-    if (rhw_gltf_floats(gltf, node, "matrix", matrix, 16)) {
+    if (scene_gltf_floats(gltf, node, "matrix", matrix, 16)) {
         return;
     }
-    rhw_gltf_floats(gltf, node, "translation", t, 3);
-    rhw_gltf_floats(gltf, node, "rotation", q, 4);
-    rhw_gltf_floats(gltf, node, "scale", s, 3);
+    scene_gltf_floats(gltf, node, "translation", t, 3);
+    scene_gltf_floats(gltf, node, "rotation", q, 4);
+    scene_gltf_floats(gltf, node, "scale", s, 3);
     const float square = q[0] * q[0] + q[1] * q[1] + q[2] * q[2] + q[3] * q[3];
     const float scale = square > 0 ? 1 / __builtin_sqrtf(square) : 0;
     const float x = q[0] * scale, y = q[1] * scale, z = q[2] * scale, w = square > 0 ? q[3] * scale : 1;
@@ -62,7 +62,7 @@ static void local_matrix(struct rhw_gltf *gltf, const json_t *node, float matrix
         2 * (x * y - z * w),     1 - 2 * (x * x + z * z), 2 * (y * z + x * w),
         2 * (x * z + y * w),     2 * (y * z - x * w),     1 - 2 * (x * x + y * y),
     };
-    rhw_import_identity(matrix);
+    scene_import_identity(matrix);
     for (int column = 0; column < 3; column++) {
         for (int row = 0; row < 3; row++) {
             matrix[4 * column + row] = rotation[3 * column + row] * s[column];
@@ -72,17 +72,17 @@ static void local_matrix(struct rhw_gltf *gltf, const json_t *node, float matrix
 }
 
 // Pushes the children of a node, the first on top.
-static void push_children(struct rhw_gltf *gltf, struct stack *stack, uint32_t node)
+static void push_children(struct scene_gltf *gltf, struct stack *stack, uint32_t node)
 {
-    const json_t *children = rhw_gltf_array(gltf, rhw_gltf_item(gltf, "nodes", node), "children");
+    const json_t *children = scene_gltf_array(gltf, scene_gltf_item(gltf, "nodes", node), "children");
     for (size_t i = json_array_size(children); i > 0; i--) {
         stack->nodes[stack->count++] = node_index(gltf, json_array_get(children, i - 1), "children");
     }
 }
 
-static void place_nodes(struct rhw_gltf *gltf, struct stack *stack)
+static void place_nodes(struct scene_gltf *gltf, struct stack *stack)
 {
-    const size_t count = rhw_gltf_count(gltf, "nodes");
+    const size_t count = scene_gltf_count(gltf, "nodes");
     for (size_t i = count; i > 0; i--) {
         if (gltf->nodes[i - 1].parent == no_parent) {
             stack->nodes[stack->count++] = (uint32_t)(i - 1);
@@ -90,113 +90,113 @@ static void place_nodes(struct rhw_gltf *gltf, struct stack *stack)
     }
     while (stack->count > 0) {
         const uint32_t index = stack->nodes[--stack->count];
-        struct rhw_gltf_node *node = &gltf->nodes[index];
-        local_matrix(gltf, rhw_gltf_item(gltf, "nodes", index), node->world);
+        struct scene_gltf_node *node = &gltf->nodes[index];
+        local_matrix(gltf, scene_gltf_item(gltf, "nodes", index), node->world);
         if (node->parent != no_parent) {
-            rhw_import_multiply(gltf->nodes[node->parent].world, node->world, node->world);
+            scene_import_multiply(gltf->nodes[node->parent].world, node->world, node->world);
         }
         node->placed = true;
         push_children(gltf, stack, index);
     }
     for (size_t i = 0; i < count; i++) {
         if (!gltf->nodes[i].placed) {
-            rhw_import_fail(gltf->import, "nodes[%zu] is its own ancestor: the node graph has a cycle", i);
+            scene_import_fail(gltf->import, "nodes[%zu] is its own ancestor: the node graph has a cycle", i);
         }
     }
 }
 
 // What a node holds ---------------------------------------------------------------------------------
 
-static void add_instances(struct rhw_gltf *gltf, const json_t *node, const float world[16], uint32_t object)
+static void add_instances(struct scene_gltf *gltf, const json_t *node, const float world[16], uint32_t object)
 {
-    const struct rhw_gltf_meshes meshes = rhw_gltf_mesh(gltf, node, world);
-    const char *name = rhw_gltf_name(gltf, node);
+    const struct scene_gltf_meshes meshes = scene_gltf_mesh(gltf, node, world);
+    const char *name = scene_gltf_name(gltf, node);
     for (uint32_t i = 0; i < meshes.count; i++) {
-        struct rhw_instance *instance = rhw_import_add_instance(gltf->import);
+        struct scene_instance *instance = scene_import_add_instance(gltf->import);
         instance->name = name;
         instance->mesh = meshes.first + i;
         instance->object = object;
         memcpy(instance->world, world, sizeof instance->world);
         if (meshes.in_world) {
-            rhw_import_identity(instance->world);
+            scene_import_identity(instance->world);
         }
     }
 }
 
-static void add_camera(struct rhw_gltf *gltf, const json_t *node, const float world[16])
+static void add_camera(struct scene_gltf *gltf, const json_t *node, const float world[16])
 {
-    const json_t *object = rhw_gltf_item(gltf, "cameras", rhw_gltf_integer(gltf, node, "camera", -1));
-    const json_t *perspective = rhw_gltf_object(gltf, object, "perspective");
-    const json_t *orthographic = rhw_gltf_object(gltf, object, "orthographic");
+    const json_t *object = scene_gltf_item(gltf, "cameras", scene_gltf_integer(gltf, node, "camera", -1));
+    const json_t *perspective = scene_gltf_object(gltf, object, "perspective");
+    const json_t *orthographic = scene_gltf_object(gltf, object, "orthographic");
     const json_t *lens = orthographic != NULL ? orthographic : perspective;
-    struct rhw_model_camera camera = {.name = rhw_gltf_name(gltf, object),
-                                      .orthographic = orthographic != NULL};
+    struct scene_model_camera camera = {.name = scene_gltf_name(gltf, object),
+                                        .orthographic = orthographic != NULL};
     if (camera.name[0] == 0) {
-        camera.name = rhw_gltf_name(gltf, node);
+        camera.name = scene_gltf_name(gltf, node);
     }
     memcpy(camera.world, world, sizeof camera.world);
-    camera.znear = (float)rhw_gltf_number(gltf, lens, "znear", 0.01);
-    camera.zfar = (float)rhw_gltf_number(gltf, lens, "zfar", 0);
-    camera.yfov = (float)rhw_gltf_number(gltf, lens, "yfov", 0);
-    camera.aspect = (float)rhw_gltf_number(gltf, lens, "aspectRatio", 0);
-    camera.xmag = (float)rhw_gltf_number(gltf, lens, "xmag", 0);
-    camera.ymag = (float)rhw_gltf_number(gltf, lens, "ymag", 0);
+    camera.znear = (float)scene_gltf_number(gltf, lens, "znear", 0.01);
+    camera.zfar = (float)scene_gltf_number(gltf, lens, "zfar", 0);
+    camera.yfov = (float)scene_gltf_number(gltf, lens, "yfov", 0);
+    camera.aspect = (float)scene_gltf_number(gltf, lens, "aspectRatio", 0);
+    camera.xmag = (float)scene_gltf_number(gltf, lens, "xmag", 0);
+    camera.ymag = (float)scene_gltf_number(gltf, lens, "ymag", 0);
     const bool good =
         camera.orthographic
             ? camera.xmag != 0 && camera.ymag != 0 && camera.zfar > camera.znear && camera.znear >= 0
             : camera.yfov > 0 && camera.yfov < 3.14159f && camera.aspect >= 0 && camera.znear > 0 &&
                   (camera.zfar == 0 || camera.zfar > camera.znear);
-    if (good && rhw_import_finite(world, 16) && rhw_import_determinant(world) != 0) {
-        *rhw_import_add_camera(gltf->import) = camera;
+    if (good && scene_import_finite(world, 16) && scene_import_determinant(world) != 0) {
+        *scene_import_add_camera(gltf->import) = camera;
     } else {
-        rhw_import_warn(gltf->import, "camera \"%s\" is not valid: left out", camera.name);
+        scene_import_warn(gltf->import, "camera \"%s\" is not valid: left out", camera.name);
     }
 }
 
-static void add_light(struct rhw_gltf *gltf, int64_t index, const float world[16])
+static void add_light(struct scene_gltf *gltf, int64_t index, const float world[16])
 {
     const json_t *list =
-        rhw_gltf_array(gltf, rhw_gltf_extension(gltf, gltf->root, "KHR_lights_punctual"), "lights");
+        scene_gltf_array(gltf, scene_gltf_extension(gltf, gltf->root, "KHR_lights_punctual"), "lights");
     const json_t *object = json_array_get(list, (size_t)index);
     if (!json_is_object(object)) {
-        rhw_import_fail(gltf->import, "refers to light %lld, but there are %zu", (long long)index,
-                        json_array_size(list));
+        scene_import_fail(gltf->import, "refers to light %lld, but there are %zu", (long long)index,
+                          json_array_size(list));
     }
-    struct rhw_model_light light = {.name = rhw_gltf_name(gltf, object), .color = {1, 1, 1}};
-    const char *type = rhw_gltf_text(gltf, object, "type");
-    const json_t *spot = rhw_gltf_object(gltf, object, "spot");
+    struct scene_model_light light = {.name = scene_gltf_name(gltf, object), .color = {1, 1, 1}};
+    const char *type = scene_gltf_text(gltf, object, "type");
+    const json_t *spot = scene_gltf_object(gltf, object, "spot");
     const bool known = type != NULL && (strcmp(type, "directional") == 0 || strcmp(type, "point") == 0 ||
                                         strcmp(type, "spot") == 0);
-    light.type = !known || type[0] == 'p' ? RHW_LIGHT_POINT
-                 : type[0] == 's'         ? RHW_LIGHT_SPOT
-                                          : RHW_LIGHT_DIRECTIONAL;
-    rhw_gltf_floats(gltf, object, "color", light.color, 3);
-    light.intensity = (float)rhw_gltf_number(gltf, object, "intensity", 1);
-    light.range = (float)rhw_gltf_number(gltf, object, "range", 0);
-    light.inner_cos = (float)cos(rhw_gltf_number(gltf, spot, "innerConeAngle", 0));
-    light.outer_cos = (float)cos(rhw_gltf_number(gltf, spot, "outerConeAngle", 0.78539816339744831));
+    light.type = !known || type[0] == 'p' ? SCENE_LIGHT_POINT
+                 : type[0] == 's'         ? SCENE_LIGHT_SPOT
+                                          : SCENE_LIGHT_DIRECTIONAL;
+    scene_gltf_floats(gltf, object, "color", light.color, 3);
+    light.intensity = (float)scene_gltf_number(gltf, object, "intensity", 1);
+    light.range = (float)scene_gltf_number(gltf, object, "range", 0);
+    light.inner_cos = (float)cos(scene_gltf_number(gltf, spot, "innerConeAngle", 0));
+    light.outer_cos = (float)cos(scene_gltf_number(gltf, spot, "outerConeAngle", 0.78539816339744831));
     memcpy(light.position, world + 12, sizeof light.position);
     const float length = __builtin_sqrtf(world[8] * world[8] + world[9] * world[9] + world[10] * world[10]);
     for (int c = 0; c < 3; c++) {
         light.direction[c] = length > 0 ? -world[8 + c] / length : c == 2 ? -1.0f : 0.0f;
     }
-    const bool good = known && light.intensity >= 0 && light.range >= 0 && rhw_import_finite(world, 16) &&
-                      rhw_import_finite(light.color, 3) && rhw_import_finite(&light.intensity, 1);
+    const bool good = known && light.intensity >= 0 && light.range >= 0 && scene_import_finite(world, 16) &&
+                      scene_import_finite(light.color, 3) && scene_import_finite(&light.intensity, 1);
     if (light.inner_cos <= light.outer_cos) {
         light.inner_cos = light.outer_cos + 1e-4f;
     }
     if (good) {
-        *rhw_import_add_light(gltf->import) = light;
+        *scene_import_add_light(gltf->import) = light;
     } else {
-        rhw_import_warn(gltf->import, "light \"%s\" is not valid: left out", light.name);
+        scene_import_warn(gltf->import, "light \"%s\" is not valid: left out", light.name);
     }
 }
 
-static void visit(struct rhw_gltf *gltf, uint32_t index, uint32_t *objects)
+static void visit(struct scene_gltf *gltf, uint32_t index, uint32_t *objects)
 {
-    const json_t *node = rhw_gltf_item(gltf, "nodes", index);
+    const json_t *node = scene_gltf_item(gltf, "nodes", index);
     const float *world = gltf->nodes[index].world;
-    const json_t *light = rhw_gltf_extension(gltf, node, "KHR_lights_punctual");
+    const json_t *light = scene_gltf_extension(gltf, node, "KHR_lights_punctual");
     if (json_object_get(node, "mesh") != NULL) {
         add_instances(gltf, node, world, ++*objects);
     }
@@ -204,27 +204,27 @@ static void visit(struct rhw_gltf *gltf, uint32_t index, uint32_t *objects)
         add_camera(gltf, node, world);
     }
     if (light != NULL) {
-        add_light(gltf, rhw_gltf_integer(gltf, light, "light", -1), world);
+        add_light(gltf, scene_gltf_integer(gltf, light, "light", -1), world);
     }
 }
 
 // The roots of the scene to draw: the default one, the first one, or all roots where the file has no scene.
-static void push_scene(struct rhw_gltf *gltf, struct stack *stack)
+static void push_scene(struct scene_gltf *gltf, struct stack *stack)
 {
-    if (rhw_gltf_count(gltf, "scenes") == 0) {
-        for (size_t i = rhw_gltf_count(gltf, "nodes"); i > 0; i--) {
+    if (scene_gltf_count(gltf, "scenes") == 0) {
+        for (size_t i = scene_gltf_count(gltf, "nodes"); i > 0; i--) {
             if (gltf->nodes[i - 1].parent == no_parent) {
                 stack->nodes[stack->count++] = (uint32_t)(i - 1);
             }
         }
         return;
     }
-    const json_t *scene = rhw_gltf_item(gltf, "scenes", rhw_gltf_integer(gltf, gltf->root, "scene", 0));
-    const json_t *roots = rhw_gltf_array(gltf, scene, "nodes");
+    const json_t *scene = scene_gltf_item(gltf, "scenes", scene_gltf_integer(gltf, gltf->root, "scene", 0));
+    const json_t *roots = scene_gltf_array(gltf, scene, "nodes");
     for (size_t i = json_array_size(roots); i > 0; i--) {
         const uint32_t root = node_index(gltf, json_array_get(roots, i - 1), "scenes");
         if (gltf->nodes[root].parent != no_parent) {
-            rhw_import_fail(gltf->import, "nodes[%u] is a root of the scene and a child of a node", root);
+            scene_import_fail(gltf->import, "nodes[%u] is a root of the scene and a child of a node", root);
         }
         if (!gltf->nodes[root].in_scene) {
             stack->nodes[stack->count++] = root;
@@ -233,13 +233,13 @@ static void push_scene(struct rhw_gltf *gltf, struct stack *stack)
     }
 }
 
-void rhw_gltf_scene(struct rhw_gltf *gltf)
+void scene_gltf_scene(struct scene_gltf *gltf)
 {
-    const size_t count = rhw_gltf_count(gltf, "nodes");
-    struct stack stack = {rhw_import_allocate(gltf->import, count, sizeof *stack.nodes), 0};
+    const size_t count = scene_gltf_count(gltf, "nodes");
+    struct stack stack = {scene_import_allocate(gltf->import, count, sizeof *stack.nodes), 0};
     uint32_t objects = 0;
     if (count >= no_parent) {
-        rhw_import_fail(gltf->import, "has too many nodes");
+        scene_import_fail(gltf->import, "has too many nodes");
     }
     find_parents(gltf);
     place_nodes(gltf, &stack);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Completes one mesh: what a file gives becomes what struct rhw_mesh promises.
+// Completes one mesh: what a file gives becomes what struct scene_mesh promises.
 #include <stdlib.h>
 #include <string.h>
 
@@ -7,18 +7,20 @@
 
 static const uint32_t none = UINT32_MAX;
 
-static uint32_t corners_of(const struct rhw_mesh *mesh)
+static uint32_t corners_of(const struct scene_mesh *mesh)
 {
-    return mesh->primitive == RHW_PRIMITIVE_TRIANGLES ? 3 : mesh->primitive == RHW_PRIMITIVE_LINES ? 2 : 1;
+    return mesh->primitive == SCENE_PRIMITIVE_TRIANGLES ? 3
+           : mesh->primitive == SCENE_PRIMITIVE_LINES   ? 2
+                                                        : 1;
 }
 
-static void *gather(struct rhw_import *import, void *array, size_t size, const uint32_t *source,
+static void *gather(struct scene_import *import, void *array, size_t size, const uint32_t *source,
                     uint32_t count)
 {
     if (array == NULL) {
         return NULL;
     }
-    char *gathered = rhw_import_allocate(import, count, size);
+    char *gathered = scene_import_allocate(import, count, size);
     for (uint32_t i = 0; i < count; i++) {
         memcpy(gathered + i * size, (const char *)array + source[i] * size, size);
     }
@@ -26,13 +28,13 @@ static void *gather(struct rhw_import *import, void *array, size_t size, const u
     return gathered;
 }
 
-void rhw_import_gather_vertices(struct rhw_import *import, struct rhw_mesh *mesh, const uint32_t *source,
-                                uint32_t count)
+void scene_import_gather_vertices(struct scene_import *import, struct scene_mesh *mesh,
+                                  const uint32_t *source, uint32_t count)
 {
     mesh->positions = gather(import, mesh->positions, sizeof *mesh->positions, source, count);
     mesh->normals = gather(import, mesh->normals, sizeof *mesh->normals, source, count);
     mesh->tangents = gather(import, mesh->tangents, sizeof *mesh->tangents, source, count);
-    for (int set = 0; set < RHW_UV_SETS; set++) {
+    for (int set = 0; set < SCENE_UV_SETS; set++) {
         mesh->uvs[set] = gather(import, mesh->uvs[set], sizeof *mesh->uvs[set], source, count);
     }
     mesh->colors = gather(import, mesh->colors, sizeof *mesh->colors, source, count);
@@ -41,9 +43,9 @@ void rhw_import_gather_vertices(struct rhw_import *import, struct rhw_mesh *mesh
 
 // Numbers -------------------------------------------------------------------------------------------
 
-static void drop_infinite_primitives(struct rhw_import *import, struct rhw_mesh *mesh)
+static void drop_infinite_primitives(struct scene_import *import, struct scene_mesh *mesh)
 {
-    if (rhw_import_finite(mesh->positions[0], 3 * (size_t)mesh->vertex_count)) {
+    if (scene_import_finite(mesh->positions[0], 3 * (size_t)mesh->vertex_count)) {
         return;
     }
     const uint32_t corners = corners_of(mesh);
@@ -51,27 +53,27 @@ static void drop_infinite_primitives(struct rhw_import *import, struct rhw_mesh 
     for (uint32_t i = 0; i < mesh->index_count; i += corners) {
         bool finite = true;
         for (uint32_t k = 0; k < corners; k++) {
-            finite = finite && rhw_import_finite(mesh->positions[mesh->indices[i + k]], 3);
+            finite = finite && scene_import_finite(mesh->positions[mesh->indices[i + k]], 3);
         }
         for (uint32_t k = 0; k < corners && finite; k++) {
             mesh->indices[kept++] = mesh->indices[i + k];
         }
     }
     if (kept < mesh->index_count) {
-        rhw_import_warn(import,
-                        "mesh \"%s\": primitives with positions that are not finite are left out, %u of them",
-                        mesh->name, (mesh->index_count - kept) / corners);
+        scene_import_warn(
+            import, "mesh \"%s\": primitives with positions that are not finite are left out, %u of them",
+            mesh->name, (mesh->index_count - kept) / corners);
     }
     mesh->index_count = kept;
 }
 
 static void zero_what_is_not_finite(float *values, size_t count)
 {
-    if (values == NULL || rhw_import_finite(values, count)) {
+    if (values == NULL || scene_import_finite(values, count)) {
         return;
     }
     for (size_t i = 0; i < count; i++) {
-        if (!rhw_import_finite(&values[i], 1)) {
+        if (!scene_import_finite(&values[i], 1)) {
             values[i] = 0;
         }
     }
@@ -93,7 +95,7 @@ static bool normalize(float vector[3])
 }
 
 // Normals of the file as unit vectors. A mesh with a normal that has no direction loses them all.
-static void check_normals(struct rhw_import *import, struct rhw_mesh *mesh)
+static void check_normals(struct scene_import *import, struct scene_mesh *mesh)
 {
     bool good = mesh->normals != NULL;
     for (uint32_t i = 0; i < mesh->vertex_count && good; i++) {
@@ -102,12 +104,13 @@ static void check_normals(struct rhw_import *import, struct rhw_mesh *mesh)
     if (good || mesh->normals == NULL) {
         return;
     }
-    rhw_import_warn(import, "mesh \"%s\" has normals of no length; they are made from its faces", mesh->name);
+    scene_import_warn(import, "mesh \"%s\" has normals of no length; they are made from its faces",
+                      mesh->name);
     free(mesh->normals);
     mesh->normals = NULL;
 }
 
-static void check_tangents(struct rhw_mesh *mesh)
+static void check_tangents(struct scene_mesh *mesh)
 {
     bool good = mesh->tangents != NULL && mesh->normals != NULL;
     for (uint32_t i = 0; i < mesh->vertex_count && good; i++) {
@@ -123,9 +126,9 @@ static void check_tangents(struct rhw_mesh *mesh)
 
 // Vertices ------------------------------------------------------------------------------------------
 
-static void drop_unused_vertices(struct rhw_import *import, struct rhw_mesh *mesh)
+static void drop_unused_vertices(struct scene_import *import, struct scene_mesh *mesh)
 {
-    uint32_t *place = rhw_import_allocate(import, mesh->vertex_count, sizeof *place);
+    uint32_t *place = scene_import_allocate(import, mesh->vertex_count, sizeof *place);
     uint32_t used = 0;
     for (uint32_t i = 0; i < mesh->index_count; i++) {
         used += place[mesh->indices[i]] == 0;
@@ -135,7 +138,7 @@ static void drop_unused_vertices(struct rhw_import *import, struct rhw_mesh *mes
         free(place);
         return;
     }
-    uint32_t *source = rhw_import_allocate(import, used, sizeof *source);
+    uint32_t *source = scene_import_allocate(import, used, sizeof *source);
     uint32_t next = 0;
     for (uint32_t i = 0; i < mesh->vertex_count; i++) {
         if (place[i] != 0) {
@@ -146,7 +149,7 @@ static void drop_unused_vertices(struct rhw_import *import, struct rhw_mesh *mes
     for (uint32_t i = 0; i < mesh->index_count; i++) {
         mesh->indices[i] = place[mesh->indices[i]];
     }
-    rhw_import_gather_vertices(import, mesh, source, used);
+    scene_import_gather_vertices(import, mesh, source, used);
     free(source);
     free(place);
 }
@@ -158,13 +161,13 @@ struct vertex_table {
     uint32_t mask;
 };
 
-static struct vertex_table make_table(struct rhw_import *import, uint32_t vertices)
+static struct vertex_table make_table(struct scene_import *import, uint32_t vertices)
 {
     size_t size = 16;
     while (size < (size_t)vertices * 2) {
         size *= 2;
     }
-    struct vertex_table table = {rhw_import_allocate(import, size, sizeof(uint32_t)), (uint32_t)(size - 1)};
+    struct vertex_table table = {scene_import_allocate(import, size, sizeof(uint32_t)), (uint32_t)(size - 1)};
     memset(table.slots, 0xff, size * sizeof(uint32_t));
     return table;
 }
@@ -180,9 +183,9 @@ static uint64_t mix(uint64_t hash, const void *bytes, size_t size)
     return hash;
 }
 
-uint32_t *rhw_import_weld_positions(struct rhw_import *import, const struct rhw_mesh *mesh)
+uint32_t *scene_import_weld_positions(struct scene_import *import, const struct scene_mesh *mesh)
 {
-    uint32_t *group = rhw_import_allocate(import, mesh->vertex_count, sizeof *group);
+    uint32_t *group = scene_import_allocate(import, mesh->vertex_count, sizeof *group);
     struct vertex_table table = make_table(import, mesh->vertex_count);
     for (uint32_t i = 0; i < mesh->vertex_count; i++) {
         const float *p = mesh->positions[i];
@@ -210,7 +213,7 @@ struct vertex_bytes {
     int count;
 };
 
-static struct vertex_bytes bytes_of(const struct rhw_mesh *mesh)
+static struct vertex_bytes bytes_of(const struct scene_mesh *mesh)
 {
     struct vertex_bytes bytes = {.count = 0};
     const void *arrays[] = {mesh->positions, mesh->normals, mesh->tangents,
@@ -237,12 +240,12 @@ static bool same_vertex(const struct vertex_bytes *bytes, uint32_t a, uint32_t b
 }
 
 // Makes one vertex of all that are equal in every attribute.
-static void join_vertices(struct rhw_import *import, struct rhw_mesh *mesh)
+static void join_vertices(struct scene_import *import, struct scene_mesh *mesh)
 {
     const struct vertex_bytes bytes = bytes_of(mesh);
     struct vertex_table table = make_table(import, mesh->vertex_count);
-    uint32_t *place = rhw_import_allocate(import, mesh->vertex_count, sizeof *place);
-    uint32_t *source = rhw_import_allocate(import, mesh->vertex_count, sizeof *source);
+    uint32_t *place = scene_import_allocate(import, mesh->vertex_count, sizeof *place);
+    uint32_t *source = scene_import_allocate(import, mesh->vertex_count, sizeof *source);
     uint32_t count = 0;
     for (uint32_t i = 0; i < mesh->vertex_count; i++) {
         uint64_t hash = 0;
@@ -265,17 +268,17 @@ static void join_vertices(struct rhw_import *import, struct rhw_mesh *mesh)
         for (uint32_t i = 0; i < mesh->index_count; i++) {
             mesh->indices[i] = place[mesh->indices[i]];
         }
-        rhw_import_gather_vertices(import, mesh, source, count);
+        scene_import_gather_vertices(import, mesh, source, count);
     }
     free(table.slots);
     free(place);
     free(source);
 }
 
-void rhw_import_complete_mesh(struct rhw_import *import, uint32_t index, enum rhw_import_normals normals,
-                              bool join)
+void scene_import_complete_mesh(struct scene_import *import, uint32_t index,
+                                enum scene_import_normals normals, bool join)
 {
-    struct rhw_mesh *mesh = &import->model.meshes[index];
+    struct scene_mesh *mesh = &import->model.meshes[index];
     if (mesh->vertex_count == 0) {
         mesh->index_count = 0;
     }
@@ -287,7 +290,7 @@ void rhw_import_complete_mesh(struct rhw_import *import, uint32_t index, enum rh
     if (mesh->vertex_count == 0) {
         return;
     }
-    for (int set = 0; set < RHW_UV_SETS; set++) {
+    for (int set = 0; set < SCENE_UV_SETS; set++) {
         zero_what_is_not_finite((float *)mesh->uvs[set], 2 * (size_t)mesh->vertex_count);
     }
     zero_what_is_not_finite((float *)mesh->colors, 4 * (size_t)mesh->vertex_count);
@@ -296,20 +299,20 @@ void rhw_import_complete_mesh(struct rhw_import *import, uint32_t index, enum rh
     if (join) {
         join_vertices(import, mesh);
     }
-    if (mesh->primitive != RHW_PRIMITIVE_TRIANGLES) {
+    if (mesh->primitive != SCENE_PRIMITIVE_TRIANGLES) {
         return;
     }
     if (mesh->normals == NULL) {
-        rhw_import_make_normals(import, mesh, normals);
-        if (normals == RHW_IMPORT_FLAT) {
+        scene_import_make_normals(import, mesh, normals);
+        if (normals == SCENE_IMPORT_FLAT) {
             join_vertices(import, mesh); // the triangles of one flat face share their vertices again
         }
     }
-    const struct rhw_texture_slot *slot = &import->model.materials[mesh->material].slots[RHW_SLOT_NORMAL];
+    const struct scene_texture_slot *slot = &import->model.materials[mesh->material].slots[SCENE_SLOT_NORMAL];
     if (slot->image < 0 || mesh->uvs[slot->uv_set] == NULL) {
         free(mesh->tangents);
         mesh->tangents = NULL;
     } else if (mesh->tangents == NULL) {
-        rhw_import_make_tangents(import, mesh, slot);
+        scene_import_make_tangents(import, mesh, slot);
     }
 }

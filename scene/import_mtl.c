@@ -9,30 +9,30 @@
 
 #include "import_text.h"
 
-static bool key_is(struct rhw_word word, const char *key)
+static bool key_is(struct scene_word word, const char *key)
 {
     return strlen(key) == word.length && strncasecmp(word.start, key, word.length) == 0;
 }
 
-size_t rhw_mtl_find(struct rhw_import *import, struct rhw_mtl *mtl, const char *name)
+size_t scene_mtl_find(struct scene_import *import, struct scene_mtl *mtl, const char *name)
 {
     for (size_t i = 0; i < mtl->count; i++) {
         if (strcmp(mtl->materials[i].phong.name, name) == 0) {
             return i;
         }
     }
-    rhw_import_reserve(import, &mtl->materials, &mtl->capacity, mtl->count + 1, sizeof *mtl->materials);
-    mtl->materials[mtl->count] = (struct rhw_mtl_material){rhw_phong_default(), {-1, -1}};
+    scene_import_reserve(import, &mtl->materials, &mtl->capacity, mtl->count + 1, sizeof *mtl->materials);
+    mtl->materials[mtl->count] = (struct scene_mtl_material){scene_phong_default(), {-1, -1}};
     mtl->materials[mtl->count].phong.name = name;
     return mtl->count++;
 }
 
-uint32_t rhw_mtl_use(struct rhw_import *import, struct rhw_mtl *mtl, size_t index, bool colored)
+uint32_t scene_mtl_use(struct scene_import *import, struct scene_mtl *mtl, size_t index, bool colored)
 {
-    struct rhw_mtl_material *material = &mtl->materials[index];
+    struct scene_mtl_material *material = &mtl->materials[index];
     material->phong.colored = colored;
     if (material->made[colored] < 0) {
-        material->made[colored] = (int32_t)rhw_phong_add(import, &material->phong);
+        material->made[colored] = (int32_t)scene_phong_add(import, &material->phong);
     }
     return (uint32_t)material->made[colored];
 }
@@ -45,7 +45,7 @@ struct option {
     int words, numbers;
 };
 
-static const struct option *find_option(struct rhw_word word)
+static const struct option *find_option(struct scene_word word)
 {
     static const struct option options[] = {
         {"-o", 0, 3},       {"-s", 0, 3},      {"-t", 0, 3},     {"-mm", 0, 2},         {"-bm", 0, 1},
@@ -61,45 +61,46 @@ static const struct option *find_option(struct rhw_word word)
 }
 
 // Reads the options in front of a file name; the rest of the line is the name.
-static void read_texture(struct rhw_import *import, struct rhw_line line, struct rhw_phong_texture *texture)
+static void read_texture(struct scene_import *import, struct scene_line line,
+                         struct scene_phong_texture *texture)
 {
     float offset[3] = {0, 0, 0}, scale[3] = {1, 1, 1}, ignored[3];
-    struct rhw_word word, setting = {"", 0};
-    struct rhw_line before = line;
+    struct scene_word word, setting = {"", 0};
+    struct scene_line before = line;
     bool clamp = false;
-    while (rhw_text_word(&line, &word) && find_option(word) != NULL) {
+    while (scene_text_word(&line, &word) && find_option(word) != NULL) {
         const struct option *option = find_option(word);
         float *values = key_is(word, "-o") ? offset : key_is(word, "-s") ? scale : ignored;
         if (option->words > 0) {
-            rhw_text_word(&line, &setting);
+            scene_text_word(&line, &setting);
         }
-        rhw_text_numbers(&line, values, option->numbers);
+        scene_text_numbers(&line, values, option->numbers);
         clamp = clamp || (key_is(word, "-clamp") && key_is(setting, "on"));
         before = line;
     }
-    const struct rhw_word name = rhw_text_rest(before);
+    const struct scene_word name = scene_text_rest(before);
     if (name.length == 0) {
         return;
     }
-    *texture = rhw_phong_texture_default();
-    texture->name = rhw_word_string(import, name);
-    texture->source.file = rhw_import_find_file(import, texture->name);
+    *texture = scene_phong_texture_default();
+    texture->name = scene_word_string(import, name);
+    texture->source.file = scene_import_find_file(import, texture->name);
     if (clamp) {
         texture->slot.address_u = texture->slot.address_v = RHW_ADDRESS_CLAMP;
     }
     // With v upward v' = s·v + o; ours points down on both sides.
     const float transform[6] = {scale[0], 0, offset[0], 0, scale[1], 1 - scale[1] - offset[1]};
-    if (rhw_import_finite(transform, 6)) {
+    if (scene_import_finite(transform, 6)) {
         memcpy(texture->slot.transform, transform, sizeof transform);
     }
 }
 
-static bool read_map(struct rhw_import *import, struct rhw_word key, struct rhw_line line,
-                     struct rhw_phong *phong)
+static bool read_map(struct scene_import *import, struct scene_word key, struct scene_line line,
+                     struct scene_phong *phong)
 {
     const struct {
         const char *key;
-        struct rhw_phong_texture *texture;
+        struct scene_phong_texture *texture;
     } maps[] = {
         {"map_Kd", &phong->color},
         {"map_d", &phong->opacity_map},
@@ -119,7 +120,7 @@ static bool read_map(struct rhw_import *import, struct rhw_word key, struct rhw_
     return false;
 }
 
-static void note_unused_map(struct rhw_import *import, struct rhw_word key)
+static void note_unused_map(struct scene_import *import, struct scene_word key)
 {
     static const struct {
         const char *key, *name;
@@ -129,7 +130,7 @@ static void note_unused_map(struct rhw_import *import, struct rhw_word key)
     };
     for (size_t i = 0; i < sizeof maps / sizeof maps[0]; i++) {
         if (key_is(key, maps[i].key)) {
-            rhw_import_unsupported(import, "%s textures: not used", maps[i].name);
+            scene_import_unsupported(import, "%s textures: not used", maps[i].name);
         }
     }
 }
@@ -137,11 +138,11 @@ static void note_unused_map(struct rhw_import *import, struct rhw_word key)
 // Values --------------------------------------------------------------------------------------------
 
 // One number is a grey. What is no number, as in "Kd spectral …", leaves the colour alone.
-static bool read_color(struct rhw_line line, float color[3])
+static bool read_color(struct scene_line line, float color[3])
 {
     float values[3];
-    const int count = rhw_text_numbers(&line, values, 3);
-    if (count == 0 || !rhw_import_finite(values, (size_t)count)) {
+    const int count = scene_text_numbers(&line, values, 3);
+    if (count == 0 || !scene_import_finite(values, (size_t)count)) {
         return false;
     }
     for (int c = 0; c < 3; c++) {
@@ -150,11 +151,12 @@ static bool read_color(struct rhw_line line, float color[3])
     return true;
 }
 
-static void read_value(struct rhw_word key, struct rhw_line line, struct rhw_phong *phong, bool *dissolve)
+static void read_value(struct scene_word key, struct scene_line line, struct scene_phong *phong,
+                       bool *dissolve)
 {
-    struct rhw_line rest = line;
+    struct scene_line rest = line;
     float value = 0;
-    const bool number = rhw_text_numbers(&rest, &value, 1) == 1 && rhw_import_finite(&value, 1);
+    const bool number = scene_text_numbers(&rest, &value, 1) == 1 && scene_import_finite(&value, 1);
     if (key_is(key, "Kd")) {
         phong->described = read_color(line, phong->diffuse) || phong->described;
     } else if (key_is(key, "Ks")) {
@@ -180,34 +182,34 @@ static void read_value(struct rhw_word key, struct rhw_line line, struct rhw_pho
     }
 }
 
-bool rhw_mtl_read(struct rhw_import *import, struct rhw_mtl *mtl, const char *name)
+bool scene_mtl_read(struct scene_import *import, struct scene_mtl *mtl, const char *name)
 {
     const char *problem = "No such file or directory";
-    const char *path = rhw_import_find_file(import, name);
+    const char *path = scene_import_find_file(import, name);
     size_t size = 0;
-    char *bytes = path == NULL ? NULL : rhw_import_read_file(import, path, &size, &problem);
+    char *bytes = path == NULL ? NULL : scene_import_read_file(import, path, &size, &problem);
     if (bytes == NULL) {
-        rhw_import_warn(import, "material library \"%s\": %s", name, problem);
+        scene_import_warn(import, "material library \"%s\": %s", name, problem);
         return false;
     }
-    struct rhw_text text = rhw_text_open(import, bytes, size);
-    struct rhw_line line;
-    struct rhw_word key;
+    struct scene_text text = scene_text_open(import, bytes, size);
+    struct scene_line line;
+    struct scene_word key;
     size_t current = SIZE_MAX;
     bool dissolve = false;
-    while (rhw_text_line(&text, false, &line)) {
-        if (!rhw_text_word(&line, &key) || key.start[0] == '#') {
+    while (scene_text_line(&text, false, &line)) {
+        if (!scene_text_word(&line, &key) || key.start[0] == '#') {
             continue;
         }
         if (key_is(key, "newmtl")) {
-            current = rhw_mtl_find(import, mtl, rhw_word_string(import, rhw_text_rest(line)));
+            current = scene_mtl_find(import, mtl, scene_word_string(import, scene_text_rest(line)));
             dissolve = false;
             continue;
         }
         if (current == SIZE_MAX) {
             continue;
         }
-        struct rhw_phong *phong = &mtl->materials[current].phong;
+        struct scene_phong *phong = &mtl->materials[current].phong;
         if (!read_map(import, key, line, phong)) {
             note_unused_map(import, key);
             read_value(key, line, phong, &dissolve);

@@ -53,7 +53,7 @@ static void to_normal(const double sum[3], float normal[3])
     }
 }
 
-static void face_normal(const struct rhw_mesh *mesh, uint32_t first_corner, double normal[3])
+static void face_normal(const struct scene_mesh *mesh, uint32_t first_corner, double normal[3])
 {
     const uint32_t *corner = mesh->indices + first_corner;
     double a[3], b[3];
@@ -65,11 +65,11 @@ static void face_normal(const struct rhw_mesh *mesh, uint32_t first_corner, doub
     unit(normal);
 }
 
-static void make_flat(struct rhw_import *import, struct rhw_mesh *mesh)
+static void make_flat(struct scene_import *import, struct scene_mesh *mesh)
 {
     const uint32_t corners = mesh->index_count;
-    rhw_import_gather_vertices(import, mesh, mesh->indices, corners);
-    mesh->normals = rhw_import_allocate(import, corners, sizeof *mesh->normals);
+    scene_import_gather_vertices(import, mesh, mesh->indices, corners);
+    mesh->normals = scene_import_allocate(import, corners, sizeof *mesh->normals);
     for (uint32_t i = 0; i < corners; i++) {
         mesh->indices[i] = i;
     }
@@ -85,7 +85,7 @@ static void make_flat(struct rhw_import *import, struct rhw_mesh *mesh)
 // Smooth --------------------------------------------------------------------------------------------
 
 struct smoothing {
-    const struct rhw_mesh *mesh;
+    const struct scene_mesh *mesh;
     double (*faces)[3]; // unit normals
     double *weights;    // of each corner
     uint32_t *start;    // of the corners around point p: start[p] .. start[p + 1]
@@ -108,7 +108,7 @@ static double angle_of(double cosine)
     return cosine < 0 ? 3.14159265358979324 - angle : angle;
 }
 
-static double corner_angle(const struct rhw_mesh *mesh, uint32_t corner)
+static double corner_angle(const struct scene_mesh *mesh, uint32_t corner)
 {
     const uint32_t first = corner / 3 * 3;
     const float *here = mesh->positions[mesh->indices[corner]];
@@ -125,7 +125,7 @@ static double corner_angle(const struct rhw_mesh *mesh, uint32_t corner)
 // are a thousandth of their neighbours', and whose direction is noise, and these would count as much as the others.
 static void weigh_face(struct smoothing *smoothing, uint32_t first)
 {
-    const struct rhw_mesh *mesh = smoothing->mesh;
+    const struct scene_mesh *mesh = smoothing->mesh;
     const uint32_t *corner = mesh->indices + first;
     double a[3], b[3], normal[3];
     subtract(mesh->positions[corner[1]], mesh->positions[corner[0]], a);
@@ -270,12 +270,13 @@ static void smooth_point(struct smoothing *smoothing, uint32_t *corners, uint32_
 }
 
 // Sorts corners by the point they stand at (counting sort).
-static void sort_corners(struct rhw_import *import, struct smoothing *smoothing)
+static void sort_corners(struct scene_import *import, struct smoothing *smoothing)
 {
-    const struct rhw_mesh *mesh = smoothing->mesh;
-    const uint32_t *const group = smoothing->point = rhw_import_weld_positions(import, mesh);
-    smoothing->start = rhw_import_allocate(import, (size_t)mesh->vertex_count + 2, sizeof *smoothing->start);
-    smoothing->corners = rhw_import_allocate(import, mesh->index_count, sizeof *smoothing->corners);
+    const struct scene_mesh *mesh = smoothing->mesh;
+    const uint32_t *const group = smoothing->point = scene_import_weld_positions(import, mesh);
+    smoothing->start =
+        scene_import_allocate(import, (size_t)mesh->vertex_count + 2, sizeof *smoothing->start);
+    smoothing->corners = scene_import_allocate(import, mesh->index_count, sizeof *smoothing->corners);
     uint32_t *next = smoothing->start + 1;
     for (uint32_t i = 0; i < mesh->index_count; i++) {
         next[group[mesh->indices[i]] + 1]++;
@@ -288,23 +289,23 @@ static void sort_corners(struct rhw_import *import, struct smoothing *smoothing)
     }
 }
 
-static void make_smooth(struct rhw_import *import, struct rhw_mesh *mesh)
+static void make_smooth(struct scene_import *import, struct scene_mesh *mesh)
 {
     struct smoothing smoothing = {.mesh = mesh};
-    smoothing.faces = rhw_import_allocate(import, mesh->index_count / 3, sizeof *smoothing.faces);
-    smoothing.weights = rhw_import_allocate(import, mesh->index_count, sizeof *smoothing.weights);
+    smoothing.faces = scene_import_allocate(import, mesh->index_count / 3, sizeof *smoothing.faces);
+    smoothing.weights = scene_import_allocate(import, mesh->index_count, sizeof *smoothing.weights);
     for (uint32_t i = 0; i < mesh->index_count; i += 3) {
         weigh_face(&smoothing, i);
     }
     sort_corners(import, &smoothing);
-    smoothing.source = rhw_import_allocate(import, mesh->index_count, sizeof *smoothing.source);
-    smoothing.normals = rhw_import_allocate(import, mesh->index_count, sizeof *smoothing.normals);
-    uint32_t *place = rhw_import_allocate(import, mesh->index_count, sizeof *place);
+    smoothing.source = scene_import_allocate(import, mesh->index_count, sizeof *smoothing.source);
+    smoothing.normals = scene_import_allocate(import, mesh->index_count, sizeof *smoothing.normals);
+    uint32_t *place = scene_import_allocate(import, mesh->index_count, sizeof *place);
     for (uint32_t point = 0; point < mesh->vertex_count; point++) {
         const uint32_t first = smoothing.start[point], end = smoothing.start[point + 1];
         smooth_point(&smoothing, smoothing.corners + first, end - first, place);
     }
-    rhw_import_gather_vertices(import, mesh, smoothing.source, smoothing.count);
+    scene_import_gather_vertices(import, mesh, smoothing.source, smoothing.count);
     mesh->normals = smoothing.normals;
     free(mesh->indices);
     mesh->indices = place;
@@ -316,9 +317,10 @@ static void make_smooth(struct rhw_import *import, struct rhw_mesh *mesh)
     free(smoothing.source);
 }
 
-void rhw_import_make_normals(struct rhw_import *import, struct rhw_mesh *mesh, enum rhw_import_normals kind)
+void scene_import_make_normals(struct scene_import *import, struct scene_mesh *mesh,
+                               enum scene_import_normals kind)
 {
-    if (kind == RHW_IMPORT_FLAT) {
+    if (kind == SCENE_IMPORT_FLAT) {
         make_flat(import, mesh);
     } else {
         make_smooth(import, mesh);
@@ -329,7 +331,7 @@ void rhw_import_make_normals(struct rhw_import *import, struct rhw_mesh *mesh, e
 
 // Direction of growing u on a triangle, and on which side growing −v lies: 1, −1, or 0 when the texture
 // coordinates span no area.
-static int face_tangent(const struct rhw_mesh *mesh, const struct rhw_texture_slot *slot, uint32_t first,
+static int face_tangent(const struct scene_mesh *mesh, const struct scene_texture_slot *slot, uint32_t first,
                         double tangent[3])
 {
     const uint32_t *corner = mesh->indices + first;
@@ -353,10 +355,10 @@ static int face_tangent(const struct rhw_mesh *mesh, const struct rhw_texture_sl
 
 // Vertices where texture coordinates that run one way meet mirrored ones are doubled, so that each has one
 // tangent frame. Sets tangents[v][3].
-static void split_mirrored(struct rhw_import *import, struct rhw_mesh *mesh, const signed char *sides)
+static void split_mirrored(struct scene_import *import, struct scene_mesh *mesh, const signed char *sides)
 {
-    uint32_t *mirrored = rhw_import_allocate(import, mesh->vertex_count, sizeof *mirrored);
-    unsigned char *seen = rhw_import_allocate(import, mesh->vertex_count, 1);
+    uint32_t *mirrored = scene_import_allocate(import, mesh->vertex_count, sizeof *mirrored);
+    unsigned char *seen = scene_import_allocate(import, mesh->vertex_count, 1);
     for (uint32_t i = 0; i < mesh->index_count; i++) {
         seen[mesh->indices[i]] |= sides[i / 3] < 0 ? 2 : sides[i / 3] > 0 ? 1 : 0;
     }
@@ -364,7 +366,7 @@ static void split_mirrored(struct rhw_import *import, struct rhw_mesh *mesh, con
     for (uint32_t i = 0; i < mesh->vertex_count; i++) {
         mirrored[i] = seen[i] == 3 ? count++ : i;
     }
-    uint32_t *source = rhw_import_allocate(import, count, sizeof *source);
+    uint32_t *source = scene_import_allocate(import, count, sizeof *source);
     for (uint32_t i = 0; i < mesh->vertex_count; i++) {
         source[i] = source[mirrored[i]] = i;
     }
@@ -374,8 +376,8 @@ static void split_mirrored(struct rhw_import *import, struct rhw_mesh *mesh, con
         }
     }
     const uint32_t before = mesh->vertex_count;
-    rhw_import_gather_vertices(import, mesh, source, count);
-    mesh->tangents = rhw_import_allocate(import, count, sizeof *mesh->tangents);
+    scene_import_gather_vertices(import, mesh, source, count);
+    mesh->tangents = scene_import_allocate(import, count, sizeof *mesh->tangents);
     for (uint32_t i = 0; i < count; i++) {
         mesh->tangents[i][3] = i >= before || seen[source[i]] == 2 ? -1.0f : 1.0f;
     }
@@ -402,17 +404,17 @@ static void set_tangent(const float normal[3], const double sum[3], float tangen
     }
 }
 
-void rhw_import_make_tangents(struct rhw_import *import, struct rhw_mesh *mesh,
-                              const struct rhw_texture_slot *slot)
+void scene_import_make_tangents(struct scene_import *import, struct scene_mesh *mesh,
+                                const struct scene_texture_slot *slot)
 {
     const uint32_t triangles = mesh->index_count / 3;
-    double(*faces)[3] = rhw_import_allocate(import, triangles, sizeof *faces);
-    signed char *sides = rhw_import_allocate(import, triangles, 1);
+    double(*faces)[3] = scene_import_allocate(import, triangles, sizeof *faces);
+    signed char *sides = scene_import_allocate(import, triangles, 1);
     for (uint32_t i = 0; i < triangles; i++) {
         sides[i] = (signed char)face_tangent(mesh, slot, 3 * i, faces[i]);
     }
     split_mirrored(import, mesh, sides);
-    double(*sums)[3] = rhw_import_allocate(import, mesh->vertex_count, sizeof *sums);
+    double(*sums)[3] = scene_import_allocate(import, mesh->vertex_count, sizeof *sums);
     for (uint32_t i = 0; i < mesh->index_count; i++) {
         // As MikkTSpace does: the face's tangent in the vertex's own plane, weighted by the corner's angle.
         const float *normal = mesh->normals[mesh->indices[i]];

@@ -23,7 +23,7 @@ struct part_key {
     uint32_t object;
     size_t material;
     int smoothing;
-    enum rhw_primitive primitive;
+    enum scene_primitive primitive;
     bool has_uv, has_normal;
 };
 
@@ -36,8 +36,8 @@ struct part {
 };
 
 struct obj {
-    struct rhw_import *import;
-    struct rhw_text text;
+    struct scene_import *import;
+    struct scene_text text;
     float (*positions)[3], (*colors)[3], (*uvs)[2], (*normals)[3];
     size_t position_count, position_capacity, color_capacity, uv_count, uv_capacity, normal_count,
         normal_capacity;
@@ -47,7 +47,7 @@ struct obj {
     size_t first_part; // of the current object
     struct part *parts;
     size_t part_count, part_capacity;
-    struct rhw_mtl mtl;
+    struct scene_mtl mtl;
     bool libraries_complete; // all that were named are there
     size_t material;
     int smoothing;
@@ -55,7 +55,7 @@ struct obj {
     size_t polygon_capacity;
 };
 
-bool rhw_import_is_obj(const char *path)
+bool scene_import_is_obj(const char *path)
 {
     const char *dot = strrchr(path, '.');
     return dot != NULL && strcasecmp(dot, ".obj") == 0;
@@ -63,16 +63,16 @@ bool rhw_import_is_obj(const char *path)
 
 _Noreturn static void refuse(struct obj *obj, const char *problem)
 {
-    rhw_import_fail(obj->import, "line %u: %s", obj->text.line, problem);
+    scene_import_fail(obj->import, "line %u: %s", obj->text.line, problem);
 }
 
 // Vertices ------------------------------------------------------------------------------------------
 
 // v x y z [w] or v x y z [w] r g b; w weights free-form curves and says nothing about polygons.
-static void read_position(struct obj *obj, struct rhw_line line)
+static void read_position(struct obj *obj, struct scene_line line)
 {
     float values[7];
-    const int count = rhw_text_numbers(&line, values, 7);
+    const int count = scene_text_numbers(&line, values, 7);
     if (count < 3) {
         refuse(obj, "a vertex needs three numbers");
     }
@@ -80,14 +80,14 @@ static void read_position(struct obj *obj, struct rhw_line line)
         refuse(obj, "has too many vertices");
     }
     const size_t index = obj->position_count++;
-    rhw_import_reserve(obj->import, &obj->positions, &obj->position_capacity, index + 1,
-                       sizeof *obj->positions);
+    scene_import_reserve(obj->import, &obj->positions, &obj->position_capacity, index + 1,
+                         sizeof *obj->positions);
     memcpy(obj->positions[index], values, sizeof obj->positions[index]);
     if (count < 6 && !obj->colored) {
         return;
     }
-    rhw_import_reserve(obj->import, &obj->colors, &obj->color_capacity, obj->position_capacity,
-                       sizeof *obj->colors);
+    scene_import_reserve(obj->import, &obj->colors, &obj->color_capacity, obj->position_capacity,
+                         sizeof *obj->colors);
     for (size_t i = obj->colored ? index : 0; i <= index; i++) { // those before had none: white
         obj->colors[i][0] = obj->colors[i][1] = obj->colors[i][2] = 1;
     }
@@ -97,25 +97,25 @@ static void read_position(struct obj *obj, struct rhw_line line)
     }
 }
 
-static void read_uv(struct obj *obj, struct rhw_line line)
+static void read_uv(struct obj *obj, struct scene_line line)
 {
     float values[2] = {0, 0};
-    if (rhw_text_numbers(&line, values, 2) < 1) {
+    if (scene_text_numbers(&line, values, 2) < 1) {
         refuse(obj, "a texture coordinate needs a number");
     }
-    rhw_import_reserve(obj->import, &obj->uvs, &obj->uv_capacity, obj->uv_count + 1, sizeof *obj->uvs);
+    scene_import_reserve(obj->import, &obj->uvs, &obj->uv_capacity, obj->uv_count + 1, sizeof *obj->uvs);
     obj->uvs[obj->uv_count][0] = values[0];
     obj->uvs[obj->uv_count++][1] = 1 - values[1]; // the format's v points up
 }
 
-static void read_normal(struct obj *obj, struct rhw_line line)
+static void read_normal(struct obj *obj, struct scene_line line)
 {
     float values[3];
-    if (rhw_text_numbers(&line, values, 3) < 3) {
+    if (scene_text_numbers(&line, values, 3) < 3) {
         refuse(obj, "a normal needs three numbers");
     }
-    rhw_import_reserve(obj->import, &obj->normals, &obj->normal_capacity, obj->normal_count + 1,
-                       sizeof *obj->normals);
+    scene_import_reserve(obj->import, &obj->normals, &obj->normal_capacity, obj->normal_count + 1,
+                         sizeof *obj->normals);
     memcpy(obj->normals[obj->normal_count++], values, sizeof values);
 }
 
@@ -146,7 +146,7 @@ static bool read_index(struct obj *obj, const char **c, const char *end, size_t 
 }
 
 // p, p/t, p//n or p/t/n
-static struct corner read_corner(struct obj *obj, struct rhw_word word)
+static struct corner read_corner(struct obj *obj, struct scene_word word)
 {
     struct corner corner = {none, none, none};
     const char *c = word.start, *end = word.start + word.length;
@@ -175,13 +175,13 @@ static struct part *find_part(struct obj *obj, const struct part_key *key)
             return &obj->parts[i - 1];
         }
     }
-    rhw_import_reserve(obj->import, &obj->parts, &obj->part_capacity, obj->part_count + 1,
-                       sizeof *obj->parts);
+    scene_import_reserve(obj->import, &obj->parts, &obj->part_capacity, obj->part_count + 1,
+                         sizeof *obj->parts);
     obj->parts[obj->part_count] = (struct part){.key = *key};
     return &obj->parts[obj->part_count++];
 }
 
-static void add_element(struct obj *obj, enum rhw_primitive primitive, const struct corner *corners,
+static void add_element(struct obj *obj, enum scene_primitive primitive, const struct corner *corners,
                         uint32_t count)
 {
     struct part_key key = {
@@ -190,7 +190,7 @@ static void add_element(struct obj *obj, enum rhw_primitive primitive, const str
         key.has_uv = key.has_uv && corners[i].uv != none;
         key.has_normal = key.has_normal && corners[i].normal != none;
     }
-    if (primitive == RHW_PRIMITIVE_TRIANGLES && !key.has_normal) {
+    if (primitive == SCENE_PRIMITIVE_TRIANGLES && !key.has_normal) {
         key.smoothing = obj->smoothing;
     }
     struct part *part = find_part(obj, &key);
@@ -198,30 +198,30 @@ static void add_element(struct obj *obj, enum rhw_primitive primitive, const str
         refuse(obj, "has too many faces");
     }
     const size_t total = part->corner_count + count;
-    rhw_import_reserve(obj->import, &part->corners, &part->corner_capacity, total, sizeof *part->corners);
-    rhw_import_reserve(obj->import, &part->sizes, &part->size_capacity, part->size_count + 1,
-                       sizeof *part->sizes);
+    scene_import_reserve(obj->import, &part->corners, &part->corner_capacity, total, sizeof *part->corners);
+    scene_import_reserve(obj->import, &part->sizes, &part->size_capacity, part->size_count + 1,
+                         sizeof *part->sizes);
     memcpy(part->corners + part->corner_count, corners, count * sizeof *corners);
     part->corner_count = total;
     part->sizes[part->size_count++] = count;
 }
 
-static void read_element(struct obj *obj, enum rhw_primitive primitive, struct rhw_line line)
+static void read_element(struct obj *obj, enum scene_primitive primitive, struct scene_line line)
 {
-    struct rhw_word word;
+    struct scene_word word;
     uint32_t count = 0;
-    while (rhw_text_word(&line, &word) && word.start[0] != '#') {
-        rhw_import_reserve(obj->import, &obj->polygon, &obj->polygon_capacity, count + (size_t)1,
-                           sizeof *obj->polygon);
+    while (scene_text_word(&line, &word) && word.start[0] != '#') {
+        scene_import_reserve(obj->import, &obj->polygon, &obj->polygon_capacity, count + (size_t)1,
+                             sizeof *obj->polygon);
         obj->polygon[count++] = read_corner(obj, word);
     }
-    if (primitive == RHW_PRIMITIVE_TRIANGLES && count >= 3) {
+    if (primitive == SCENE_PRIMITIVE_TRIANGLES && count >= 3) {
         add_element(obj, primitive, obj->polygon, count);
     }
-    for (uint32_t i = 1; primitive == RHW_PRIMITIVE_LINES && i < count; i++) {
+    for (uint32_t i = 1; primitive == SCENE_PRIMITIVE_LINES && i < count; i++) {
         add_element(obj, primitive, obj->polygon + i - 1, 2);
     }
-    for (uint32_t i = 0; primitive == RHW_PRIMITIVE_POINTS && i < count; i++) {
+    for (uint32_t i = 0; primitive == SCENE_PRIMITIVE_POINTS && i < count; i++) {
         add_element(obj, primitive, obj->polygon + i, 1);
     }
 }
@@ -239,87 +239,87 @@ static void start_object(struct obj *obj, const char *name)
             refuse(obj, "has too many objects");
         }
         obj->object_count++;
-        rhw_import_reserve(obj->import, &obj->objects, &obj->object_capacity, obj->object_count,
-                           sizeof *obj->objects);
+        scene_import_reserve(obj->import, &obj->objects, &obj->object_capacity, obj->object_count,
+                             sizeof *obj->objects);
     }
     obj->objects[obj->object_count - 1] = name;
     obj->first_part = obj->part_count;
 }
 
 // Moves a backslash in front of a blank out of the way, so that the blank is part of the name.
-static const char *library_name(struct obj *obj, struct rhw_word word)
+static const char *library_name(struct obj *obj, struct scene_word word)
 {
-    char *name = rhw_import_allocate(obj->import, word.length + 1, 1), *out = name;
+    char *name = scene_import_allocate(obj->import, word.length + 1, 1), *out = name;
     for (size_t i = 0; i < word.length; i++) {
         if (word.start[i] != '\\' || i + 1 == word.length || word.start[i + 1] != ' ') {
             *out++ = word.start[i];
         }
     }
-    return rhw_import_string(obj->import, name, word.length);
+    return scene_import_string(obj->import, name, word.length);
 }
 
 // One name, maybe with blanks in it, or several names.
-static void read_libraries(struct obj *obj, struct rhw_line line)
+static void read_libraries(struct obj *obj, struct scene_line line)
 {
-    const char *whole = library_name(obj, rhw_text_rest(line));
-    struct rhw_word name, more;
-    if (rhw_import_find_file(obj->import, whole) != NULL) {
-        obj->libraries_complete = rhw_mtl_read(obj->import, &obj->mtl, whole) && obj->libraries_complete;
+    const char *whole = library_name(obj, scene_text_rest(line));
+    struct scene_word name, more;
+    if (scene_import_find_file(obj->import, whole) != NULL) {
+        obj->libraries_complete = scene_mtl_read(obj->import, &obj->mtl, whole) && obj->libraries_complete;
         return;
     }
-    while (rhw_text_word(&line, &name)) {
-        while (name.start[name.length - 1] == '\\' && rhw_text_word(&line, &more)) {
+    while (scene_text_word(&line, &name)) {
+        while (name.start[name.length - 1] == '\\' && scene_text_word(&line, &more)) {
             name.length = (size_t)(more.start + more.length - name.start);
         }
-        const bool found = rhw_mtl_read(obj->import, &obj->mtl, library_name(obj, name));
+        const bool found = scene_mtl_read(obj->import, &obj->mtl, library_name(obj, name));
         obj->libraries_complete = obj->libraries_complete && found;
     }
 }
 
-static void read_material(struct obj *obj, struct rhw_line line)
+static void read_material(struct obj *obj, struct scene_line line)
 {
-    const char *name = rhw_word_string(obj->import, rhw_text_rest(line));
+    const char *name = scene_word_string(obj->import, scene_text_rest(line));
     const size_t known = obj->mtl.count;
-    obj->material = rhw_mtl_find(obj->import, &obj->mtl, name);
+    obj->material = scene_mtl_find(obj->import, &obj->mtl, name);
     if (obj->mtl.count > known && obj->libraries_complete) {
-        rhw_import_warn(obj->import, "material \"%s\" is in no library", name);
+        scene_import_warn(obj->import, "material \"%s\" is in no library", name);
     }
 }
 
-static void read_smoothing(struct obj *obj, struct rhw_line line)
+static void read_smoothing(struct obj *obj, struct scene_line line)
 {
     float group = 0;
-    const bool number = rhw_text_numbers(&line, &group, 1) == 1;
+    const bool number = scene_text_numbers(&line, &group, 1) == 1;
     obj->smoothing = number && group >= 0 && group < 1e9f ? (int)group : SMOOTHING_OFF;
 }
 
-static void read_line(struct obj *obj, struct rhw_word key, struct rhw_line line)
+static void read_line(struct obj *obj, struct scene_word key, struct scene_line line)
 {
     static const char *const free_form[] = {"curv", "curv2", "surf", "cstype"};
-    if (rhw_word_is(key, "v")) {
+    if (scene_word_is(key, "v")) {
         read_position(obj, line);
-    } else if (rhw_word_is(key, "vt")) {
+    } else if (scene_word_is(key, "vt")) {
         read_uv(obj, line);
-    } else if (rhw_word_is(key, "vn")) {
+    } else if (scene_word_is(key, "vn")) {
         read_normal(obj, line);
-    } else if (rhw_word_is(key, "f") || rhw_word_is(key, "fo")) {
-        read_element(obj, RHW_PRIMITIVE_TRIANGLES, line);
-    } else if (rhw_word_is(key, "l")) {
-        read_element(obj, RHW_PRIMITIVE_LINES, line);
-    } else if (rhw_word_is(key, "p")) {
-        read_element(obj, RHW_PRIMITIVE_POINTS, line);
-    } else if (rhw_word_is(key, "o") || rhw_word_is(key, "g")) {
-        start_object(obj, rhw_word_string(obj->import, rhw_text_rest(line)));
-    } else if (rhw_word_is(key, "usemtl")) {
+    } else if (scene_word_is(key, "f") || scene_word_is(key, "fo")) {
+        read_element(obj, SCENE_PRIMITIVE_TRIANGLES, line);
+    } else if (scene_word_is(key, "l")) {
+        read_element(obj, SCENE_PRIMITIVE_LINES, line);
+    } else if (scene_word_is(key, "p")) {
+        read_element(obj, SCENE_PRIMITIVE_POINTS, line);
+    } else if (scene_word_is(key, "o") || scene_word_is(key, "g")) {
+        start_object(obj, scene_word_string(obj->import, scene_text_rest(line)));
+    } else if (scene_word_is(key, "usemtl")) {
         read_material(obj, line);
-    } else if (rhw_word_is(key, "mtllib")) {
+    } else if (scene_word_is(key, "mtllib")) {
         read_libraries(obj, line);
-    } else if (rhw_word_is(key, "s")) {
+    } else if (scene_word_is(key, "s")) {
         read_smoothing(obj, line);
     }
     for (size_t i = 0; i < sizeof free_form / sizeof free_form[0]; i++) {
-        if (rhw_word_is(key, free_form[i])) {
-            rhw_import_unsupported(obj->import, "free-form curves and surfaces: not drawn");
+        if (scene_word_is(key, free_form[i])) {
+            scene_import_unsupported(obj->import, "free-form curves and surfaces: not drawn");
         }
     }
 }
@@ -333,34 +333,34 @@ static void check_corners(struct obj *obj, struct part *part)
     for (size_t i = 0; i < part->corner_count; i++) {
         const struct corner *corner = &part->corners[i];
         if (corner->position >= obj->position_count) {
-            rhw_import_fail(obj->import, "a face refers to vertex %u of %zu", corner->position + 1,
-                            obj->position_count);
+            scene_import_fail(obj->import, "a face refers to vertex %u of %zu", corner->position + 1,
+                              obj->position_count);
         }
         has_uv = has_uv && corner->uv < obj->uv_count;
         has_normal = has_normal && corner->normal < obj->normal_count;
     }
     if (has_uv != part->key.has_uv || has_normal != part->key.has_normal) {
-        rhw_import_warn(obj->import, "faces refer to %s that are not there",
-                        has_normal != part->key.has_normal ? "normals" : "texture coordinates");
+        scene_import_warn(obj->import, "faces refer to %s that are not there",
+                          has_normal != part->key.has_normal ? "normals" : "texture coordinates");
     }
     part->key.has_uv = has_uv;
     part->key.has_normal = has_normal;
 }
 
-static void copy_corners(struct obj *obj, const struct part *part, struct rhw_mesh *mesh)
+static void copy_corners(struct obj *obj, const struct part *part, struct scene_mesh *mesh)
 {
-    struct rhw_import *import = obj->import;
+    struct scene_import *import = obj->import;
     const size_t count = part->corner_count;
     mesh->vertex_count = (uint32_t)count;
-    mesh->positions = rhw_import_allocate(import, count, sizeof *mesh->positions);
+    mesh->positions = scene_import_allocate(import, count, sizeof *mesh->positions);
     if (part->key.has_uv) {
-        mesh->uvs[0] = rhw_import_allocate(import, count, sizeof *mesh->uvs[0]);
+        mesh->uvs[0] = scene_import_allocate(import, count, sizeof *mesh->uvs[0]);
     }
     if (part->key.has_normal) {
-        mesh->normals = rhw_import_allocate(import, count, sizeof *mesh->normals);
+        mesh->normals = scene_import_allocate(import, count, sizeof *mesh->normals);
     }
     if (obj->colored) {
-        mesh->colors = rhw_import_allocate(import, count, sizeof *mesh->colors);
+        mesh->colors = scene_import_allocate(import, count, sizeof *mesh->colors);
     }
     for (size_t i = 0; i < count; i++) {
         const struct corner *corner = &part->corners[i];
@@ -380,24 +380,24 @@ static void copy_corners(struct obj *obj, const struct part *part, struct rhw_me
     }
 }
 
-static void make_indices(struct obj *obj, const struct part *part, struct rhw_mesh *mesh)
+static void make_indices(struct obj *obj, const struct part *part, struct scene_mesh *mesh)
 {
-    const bool triangles = part->key.primitive == RHW_PRIMITIVE_TRIANGLES;
+    const bool triangles = part->key.primitive == SCENE_PRIMITIVE_TRIANGLES;
     size_t count = 0;
     for (size_t i = 0; i < part->size_count; i++) {
         count += triangles ? 3 * ((size_t)part->sizes[i] - 2) : part->sizes[i];
     }
     if (count > UINT32_MAX) {
-        rhw_import_fail(obj->import, "has too many faces");
+        scene_import_fail(obj->import, "has too many faces");
     }
     mesh->index_count = (uint32_t)count;
-    mesh->indices = rhw_import_allocate(obj->import, count, sizeof *mesh->indices);
+    mesh->indices = scene_import_allocate(obj->import, count, sizeof *mesh->indices);
     uint32_t *next = mesh->indices, first = 0;
     uint32_t *polygon = NULL;
     size_t polygon_capacity = 0;
     for (size_t i = 0; i < part->size_count; first += part->sizes[i++]) {
         const uint32_t size = part->sizes[i];
-        rhw_import_reserve(obj->import, &polygon, &polygon_capacity, size, sizeof *polygon);
+        scene_import_reserve(obj->import, &polygon, &polygon_capacity, size, sizeof *polygon);
         for (uint32_t k = 0; k < size; k++) {
             polygon[k] = first + k;
         }
@@ -406,7 +406,7 @@ static void make_indices(struct obj *obj, const struct part *part, struct rhw_me
             next += size;
             continue;
         }
-        rhw_import_triangulate((const float(*)[3])mesh->positions, polygon, size, next);
+        scene_import_triangulate((const float(*)[3])mesh->positions, polygon, size, next);
         for (uint32_t k = 0; k < 3 * (size - 2); k++) {
             *next++ += first;
         }
@@ -416,30 +416,30 @@ static void make_indices(struct obj *obj, const struct part *part, struct rhw_me
 
 static void add_part(struct obj *obj, struct part *part)
 {
-    struct rhw_import *import = obj->import;
+    struct scene_import *import = obj->import;
     const char *name = obj->objects[part->key.object];
-    struct rhw_mesh mesh = {.name = name, .primitive = part->key.primitive};
+    struct scene_mesh mesh = {.name = name, .primitive = part->key.primitive};
     check_corners(obj, part);
     copy_corners(obj, part, &mesh);
     make_indices(obj, part, &mesh);
     free(part->corners);
     free(part->sizes);
-    mesh.material = rhw_mtl_use(import, &obj->mtl, part->key.material, obj->colored);
-    *rhw_import_add_mesh(import) = mesh;
-    struct rhw_instance *instance = rhw_import_add_instance(import);
+    mesh.material = scene_mtl_use(import, &obj->mtl, part->key.material, obj->colored);
+    *scene_import_add_mesh(import) = mesh;
+    struct scene_instance *instance = scene_import_add_instance(import);
     instance->name = name;
     instance->mesh = import->model.mesh_count - 1;
     instance->object = part->key.object + 1;
-    rhw_import_identity(instance->world);
+    scene_import_identity(instance->world);
     const bool flat = part->key.smoothing == SMOOTHING_OFF;
-    rhw_import_complete_mesh(import, instance->mesh, flat ? RHW_IMPORT_FLAT : RHW_IMPORT_SMOOTH, true);
+    scene_import_complete_mesh(import, instance->mesh, flat ? SCENE_IMPORT_FLAT : SCENE_IMPORT_SMOOTH, true);
 }
 
 // A file of vertices alone is a cloud of points.
 static void add_all_points(struct obj *obj)
 {
     for (size_t i = 0; i < obj->position_count; i++) {
-        add_element(obj, RHW_PRIMITIVE_POINTS, &(struct corner){(uint32_t)i, none, none}, 1);
+        add_element(obj, SCENE_PRIMITIVE_POINTS, &(struct corner){(uint32_t)i, none, none}, 1);
     }
 }
 
@@ -447,34 +447,34 @@ static void decode_colors(struct obj *obj)
 {
     for (size_t i = 0; i < obj->position_count && obj->colored; i++) {
         for (int c = 0; c < 3; c++) {
-            obj->colors[i][c] = rhw_import_from_srgb(obj->colors[i][c]);
+            obj->colors[i][c] = scene_import_from_srgb(obj->colors[i][c]);
         }
     }
 }
 
-void rhw_import_obj(struct rhw_import *import)
+void scene_import_obj(struct scene_import *import)
 {
     struct obj obj = {.import = import, .smoothing = SMOOTHING_NOT_SAID, .libraries_complete = true};
     const char *problem = NULL;
     size_t size = 0;
-    char *bytes = rhw_import_read_file(import, import->model.path, &size, &problem);
+    char *bytes = scene_import_read_file(import, import->model.path, &size, &problem);
     if (bytes == NULL) {
-        rhw_import_fail(import, "cannot be read: %s", problem);
+        scene_import_fail(import, "cannot be read: %s", problem);
     }
     import->model.format = "Wavefront OBJ";
-    obj.text = rhw_text_open(import, bytes, size);
-    obj.material = rhw_mtl_find(import, &obj.mtl, "");
+    obj.text = scene_text_open(import, bytes, size);
+    obj.material = scene_mtl_find(import, &obj.mtl, "");
     start_object(&obj, "");
-    struct rhw_line line;
-    struct rhw_word key;
-    while (rhw_text_line(&obj.text, true, &line)) {
-        if (rhw_text_word(&line, &key) && key.start[0] != '#') {
+    struct scene_line line;
+    struct scene_word key;
+    while (scene_text_line(&obj.text, true, &line)) {
+        if (scene_text_word(&line, &key) && key.start[0] != '#') {
             read_line(&obj, key, line);
         }
     }
     free(bytes);
     if (obj.position_count == 0) {
-        rhw_import_fail(import, "is no OBJ model: it has no vertices");
+        scene_import_fail(import, "is no OBJ model: it has no vertices");
     }
     if (obj.part_count == 0) {
         add_all_points(&obj);

@@ -8,18 +8,18 @@
 // What a surface of no described material looks like: a light grey, neither dull nor shiny.
 static const float default_grey = 0.6f, default_roughness = 0.55f;
 
-struct rhw_phong_texture rhw_phong_texture_default(void)
+struct scene_phong_texture scene_phong_texture_default(void)
 {
-    return (struct rhw_phong_texture){
+    return (struct scene_phong_texture){
         .source = {.opacity_image = -1, .problem = "No such file or directory"},
-        .slot = rhw_import_slot_default(),
+        .slot = scene_import_slot_default(),
     };
 }
 
-struct rhw_phong rhw_phong_default(void)
+struct scene_phong scene_phong_default(void)
 {
-    const struct rhw_phong_texture none = rhw_phong_texture_default();
-    return (struct rhw_phong){
+    const struct scene_phong_texture none = scene_phong_texture_default();
+    return (struct scene_phong){
         .name = "",
         .opacity = 1,
         .metallic = -1,
@@ -46,7 +46,7 @@ static bool is_black(const float color[3])
 static void decode(const float encoded[3], float color[3])
 {
     for (int c = 0; c < 3; c++) {
-        color[c] = rhw_import_from_srgb(limited(encoded[c], 0, 1));
+        color[c] = scene_import_from_srgb(limited(encoded[c], 0, 1));
     }
 }
 
@@ -58,22 +58,22 @@ static bool same_text(const char *a, const char *b)
 }
 
 // The image with this source, new or shared with another slot.
-static int32_t find_or_add(struct rhw_import *import, const char *name,
-                           const struct rhw_import_source *source)
+static int32_t find_or_add(struct scene_import *import, const char *name,
+                           const struct scene_import_source *source)
 {
     for (uint32_t i = 0; i < import->source_count; i++) {
-        const struct rhw_import_source *other = &import->sources[i];
+        const struct scene_import_source *other = &import->sources[i];
         if (same_text(other->file, source->file) && other->bytes == source->bytes &&
             other->height == source->height && other->opacity_image == source->opacity_image &&
             other->white == source->white && strcmp(import->model.images[i].name, name) == 0) {
             return (int32_t)i;
         }
     }
-    return rhw_import_add_image(import, name, source);
+    return scene_import_add_image(import, name, source);
 }
 
-static bool set_slot(struct rhw_import *import, const struct rhw_phong_texture *texture,
-                     struct rhw_texture_slot *slot)
+static bool set_slot(struct scene_import *import, const struct scene_phong_texture *texture,
+                     struct scene_texture_slot *slot)
 {
     if (texture->name == NULL) {
         return false;
@@ -84,23 +84,23 @@ static bool set_slot(struct rhw_import *import, const struct rhw_phong_texture *
 }
 
 // The base colour's image gets the opacity map as its alpha; without one, the map becomes a white image.
-static void set_opacity_map(struct rhw_import *import, const struct rhw_phong *phong,
-                            struct rhw_material *material)
+static void set_opacity_map(struct scene_import *import, const struct scene_phong *phong,
+                            struct scene_material *material)
 {
-    const struct rhw_phong_texture *map = &phong->opacity_map;
+    const struct scene_phong_texture *map = &phong->opacity_map;
     if (map->name == NULL) {
         return;
     }
-    struct rhw_phong_texture base = phong->color.name != NULL ? phong->color : *map;
+    struct scene_phong_texture base = phong->color.name != NULL ? phong->color : *map;
     base.source.opacity_image = find_or_add(import, map->name, &map->source);
     base.source.white = phong->color.name == NULL;
-    set_slot(import, &base, &material->slots[RHW_SLOT_BASE_COLOR]);
-    material->alpha_mode = RHW_ALPHA_BLEND; // MASK, if the decoded map turns out to be one
+    set_slot(import, &base, &material->slots[SCENE_SLOT_BASE_COLOR]);
+    material->alpha_mode = SCENE_ALPHA_BLEND; // MASK, if the decoded map turns out to be one
 }
 
 // Values --------------------------------------------------------------------------------------------
 
-static void set_base_color(const struct rhw_phong *phong, struct rhw_material *material)
+static void set_base_color(const struct scene_phong *phong, struct scene_material *material)
 {
     const bool textured = phong->color.name != NULL;
     // A black factor under a texture is an exporter's habit, not a wish.
@@ -111,7 +111,7 @@ static void set_base_color(const struct rhw_phong *phong, struct rhw_material *m
     }
 }
 
-static void set_surface(const struct rhw_phong *phong, struct rhw_material *material)
+static void set_surface(const struct scene_phong *phong, struct scene_material *material)
 {
     const bool shiny = phong->shininess > 0;
     material->metallic = phong->metallic >= 0 ? limited(phong->metallic, 0, 1) : 0;
@@ -130,38 +130,39 @@ static void set_surface(const struct rhw_phong *phong, struct rhw_material *mate
     material->unlit = phong->unlit;
 }
 
-static void set_opacity(struct rhw_import *import, const struct rhw_phong *phong,
-                        struct rhw_material *material)
+static void set_opacity(struct scene_import *import, const struct scene_phong *phong,
+                        struct scene_material *material)
 {
     float opacity = limited(phong->opacity, 0, 1);
     if (opacity == 0) {
-        rhw_import_warn(import, "material \"%s\" is wholly transparent: drawn opaque", material->name);
+        scene_import_warn(import, "material \"%s\" is wholly transparent: drawn opaque", material->name);
         opacity = 1;
     }
     material->base_color[3] = opacity;
     if (opacity < 1) {
-        material->alpha_mode = RHW_ALPHA_BLEND;
+        material->alpha_mode = SCENE_ALPHA_BLEND;
     }
 }
 
-uint32_t rhw_phong_add(struct rhw_import *import, const struct rhw_phong *phong)
+uint32_t scene_phong_add(struct scene_import *import, const struct scene_phong *phong)
 {
-    struct rhw_material *material = rhw_import_add_material(import);
+    struct scene_material *material = scene_import_add_material(import);
     material->name = phong->name;
     material->double_sided = true; // none of these formats can be trusted to know
     set_base_color(phong, material);
     set_surface(phong, material);
-    set_slot(import, &phong->color, &material->slots[RHW_SLOT_BASE_COLOR]);
+    set_slot(import, &phong->color, &material->slots[SCENE_SLOT_BASE_COLOR]);
     set_opacity(import, phong, material);
     set_opacity_map(import, phong, material);
-    if (!set_slot(import, &phong->normal, &material->slots[RHW_SLOT_NORMAL]) && phong->height.name != NULL) {
-        struct rhw_phong_texture height = phong->height;
+    if (!set_slot(import, &phong->normal, &material->slots[SCENE_SLOT_NORMAL]) &&
+        phong->height.name != NULL) {
+        struct scene_phong_texture height = phong->height;
         height.source.height = true;
-        set_slot(import, &height, &material->slots[RHW_SLOT_NORMAL]);
+        set_slot(import, &height, &material->slots[SCENE_SLOT_NORMAL]);
     }
-    set_slot(import, &phong->occlusion, &material->slots[RHW_SLOT_OCCLUSION]);
+    set_slot(import, &phong->occlusion, &material->slots[SCENE_SLOT_OCCLUSION]);
     decode(phong->emissive, material->emissive);
-    const bool glows = set_slot(import, &phong->emissive_map, &material->slots[RHW_SLOT_EMISSIVE]);
+    const bool glows = set_slot(import, &phong->emissive_map, &material->slots[SCENE_SLOT_EMISSIVE]);
     for (int c = 0; c < 3 && glows && is_black(phong->emissive); c++) {
         material->emissive[c] = 1;
     }

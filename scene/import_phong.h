@@ -1,19 +1,19 @@
 // SPDX-License-Identifier: MIT
 // Materials of formats older than glTF: a diffuse and a specular colour, a few textures.
-#ifndef RHW_SCENE_IMPORT_PHONG_H
-#define RHW_SCENE_IMPORT_PHONG_H
+#ifndef SCENE_IMPORT_PHONG_H
+#define SCENE_IMPORT_PHONG_H
 
 #include "import.h"
 
 /// One texture of such a material.
-struct rhw_phong_texture {
+struct scene_phong_texture {
     const char *name; ///< NULL: there is none
-    struct rhw_import_source source;
-    struct rhw_texture_slot slot; ///< `image` is not set
+    struct scene_import_source source;
+    struct scene_texture_slot slot; ///< `image` is not set
 };
 
-/// What the file says. Start from rhw_phong_default.
-struct rhw_phong {
+/// What the file says. Start from scene_phong_default.
+struct scene_phong {
     const char *name;
     bool described;                             ///< `diffuse` is from the file
     bool colored;                               ///< the mesh has vertex colours
@@ -23,12 +23,12 @@ struct rhw_phong {
     float metallic, roughness; ///< −1: not said
     bool dull;                 ///< the file asks for no highlights
     bool unlit;
-    struct rhw_phong_texture color, opacity_map, normal, height, occlusion, emissive_map;
+    struct scene_phong_texture color, opacity_map, normal, height, occlusion, emissive_map;
 };
 
-struct rhw_phong rhw_phong_default(void);
-struct rhw_phong_texture rhw_phong_texture_default(void);
+struct scene_phong scene_phong_default(void);
+struct scene_phong_texture scene_phong_texture_default(void);
 /// Adds the material, converted to metallic-roughness, and its images. Returns its index.
-uint32_t rhw_phong_add(struct rhw_import *import, const struct rhw_phong *phong);
+uint32_t scene_phong_add(struct scene_import *import, const struct scene_phong *phong);
 
 #endif

@@ -29,29 +29,29 @@ enum target { X, Y, Z, NX, NY, NZ, U, V, RED, GREEN, BLUE, ALPHA, TARGETS, UNUSE
 enum { MOST_ELEMENTS = 32, MOST_PROPERTIES = 256 };
 
 struct property {
-    struct rhw_word name;
+    struct scene_word name;
     enum type type, count_type; // count_type NONE: no list
 };
 
 struct element {
-    struct rhw_word name;
+    struct scene_word name;
     int64_t count;
     struct property *properties;
     int property_count;
 };
 
 struct ply {
-    struct rhw_import *import;
+    struct scene_import *import;
     enum encoding encoding;
     struct element elements[MOST_ELEMENTS];
     int element_count;
-    struct rhw_word texture; // of "comment TextureFile"
+    struct scene_word texture; // of "comment TextureFile"
     const unsigned char *cursor, *end;
-    struct rhw_text text; // ASCII data
-    struct rhw_line line;
+    struct scene_text text; // ASCII data
+    struct scene_line line;
     const struct element *element; // being read, for messages
     int64_t row;
-    struct rhw_mesh mesh;
+    struct scene_mesh mesh;
     size_t index_capacity;
     size_t index_count;
     uint32_t *edges;
@@ -67,13 +67,13 @@ static bool has_magic(const unsigned char *start, size_t size)
     return size >= 4 && memcmp(start, "ply", 3) == 0 && (start[3] == '\n' || start[3] == '\r');
 }
 
-bool rhw_import_is_ply(const char *path, const unsigned char *start, size_t size)
+bool scene_import_is_ply(const char *path, const unsigned char *start, size_t size)
 {
     const char *dot = strrchr(path, '.');
     return has_magic(start, size) || (dot != NULL && strcasecmp(dot, ".ply") == 0);
 }
 
-static enum type parse_type(struct rhw_word word)
+static enum type parse_type(struct scene_word word)
 {
     static const struct {
         const char *name;
@@ -85,7 +85,7 @@ static enum type parse_type(struct rhw_word word)
         {"int32", TYPE_INT32}, {"uint32", TYPE_UINT32}, {"float32", TYPE_FLOAT}, {"float64", TYPE_DOUBLE},
     };
     for (size_t i = 0; i < sizeof names / sizeof names[0]; i++) {
-        if (rhw_word_is(word, names[i].name)) {
+        if (scene_word_is(word, names[i].name)) {
             return names[i].type;
         }
     }
@@ -100,113 +100,114 @@ static size_t type_size(enum type type)
 
 _Noreturn static void refuse_header(struct ply *ply, unsigned line, const char *problem)
 {
-    rhw_import_fail(ply->import, "line %u of the PLY header: %s", line, problem);
+    scene_import_fail(ply->import, "line %u of the PLY header: %s", line, problem);
 }
 
-static void parse_element(struct ply *ply, struct rhw_line line, unsigned number)
+static void parse_element(struct ply *ply, struct scene_line line, unsigned number)
 {
-    struct rhw_word word;
+    struct scene_word word;
     double count = 0;
     size_t length = 0;
     if (ply->element_count == MOST_ELEMENTS) {
         refuse_header(ply, number, "has too many elements");
     }
     struct element *element = &ply->elements[ply->element_count++];
-    if (!rhw_text_word(&line, &element->name) || !rhw_text_word(&line, &word) ||
-        !rhw_word_number(word, &count, &length) || !(count >= 0 && count < UINT32_MAX) ||
+    if (!scene_text_word(&line, &element->name) || !scene_text_word(&line, &word) ||
+        !scene_word_number(word, &count, &length) || !(count >= 0 && count < UINT32_MAX) ||
         count != floor(count)) {
         refuse_header(ply, number, "an element needs a name and a count");
     }
     element->count = (int64_t)count;
-    element->properties = rhw_import_allocate(ply->import, MOST_PROPERTIES, sizeof *element->properties);
+    element->properties = scene_import_allocate(ply->import, MOST_PROPERTIES, sizeof *element->properties);
 }
 
-static void parse_property(struct ply *ply, struct rhw_line line, unsigned number)
+static void parse_property(struct ply *ply, struct scene_line line, unsigned number)
 {
-    struct rhw_word word;
+    struct scene_word word;
     struct property property = {.count_type = TYPE_NONE};
     if (ply->element_count == 0 || ply->elements[ply->element_count - 1].property_count == MOST_PROPERTIES) {
         refuse_header(ply, number, "has a property without an element, or too many");
     }
     struct element *element = &ply->elements[ply->element_count - 1];
-    bool good = rhw_text_word(&line, &word);
-    const bool list = good && rhw_word_is(word, "list");
+    bool good = scene_text_word(&line, &word);
+    const bool list = good && scene_word_is(word, "list");
     if (list) {
-        good = rhw_text_word(&line, &word);
+        good = scene_text_word(&line, &word);
         property.count_type = good ? parse_type(word) : TYPE_NONE;
         good = property.count_type != TYPE_NONE && property.count_type < TYPE_FLOAT &&
-               rhw_text_word(&line, &word);
+               scene_text_word(&line, &word);
     }
     property.type = good ? parse_type(word) : TYPE_NONE;
-    if (property.type == TYPE_NONE || !rhw_text_word(&line, &property.name)) {
+    if (property.type == TYPE_NONE || !scene_text_word(&line, &property.name)) {
         refuse_header(ply, number, "a property needs a type and a name");
     }
     element->properties[element->property_count++] = property;
 }
 
-static void parse_format(struct ply *ply, struct rhw_line line, unsigned number)
+static void parse_format(struct ply *ply, struct scene_line line, unsigned number)
 {
-    struct rhw_word word;
-    rhw_text_word(&line, &word);
-    if (rhw_word_is(word, "ascii")) {
+    struct scene_word word;
+    scene_text_word(&line, &word);
+    if (scene_word_is(word, "ascii")) {
         ply->encoding = ASCII;
-    } else if (rhw_word_is(word, "binary_little_endian")) {
+    } else if (scene_word_is(word, "binary_little_endian")) {
         ply->encoding = LITTLE_ENDIAN_BINARY;
-    } else if (rhw_word_is(word, "binary_big_endian")) {
+    } else if (scene_word_is(word, "binary_big_endian")) {
         ply->encoding = BIG_ENDIAN_BINARY;
     } else {
         refuse_header(ply, number, "the format must be ascii, binary_little_endian or binary_big_endian");
     }
 }
 
-static void parse_header(struct ply *ply, struct rhw_text *text)
+static void parse_header(struct ply *ply, struct scene_text *text)
 {
-    struct rhw_line line;
-    struct rhw_word word;
-    while (rhw_text_line(text, false, &line)) {
-        if (!rhw_text_word(&line, &word)) {
+    struct scene_line line;
+    struct scene_word word;
+    while (scene_text_line(text, false, &line)) {
+        if (!scene_text_word(&line, &word)) {
             continue;
         }
-        if (rhw_word_is(word, "end_header")) {
+        if (scene_word_is(word, "end_header")) {
             return;
         }
-        if (rhw_word_is(word, "format")) {
+        if (scene_word_is(word, "format")) {
             parse_format(ply, line, text->line);
-        } else if (rhw_word_is(word, "element")) {
+        } else if (scene_word_is(word, "element")) {
             parse_element(ply, line, text->line);
-        } else if (rhw_word_is(word, "property")) {
+        } else if (scene_word_is(word, "property")) {
             parse_property(ply, line, text->line);
-        } else if (rhw_word_is(word, "comment")) {
-            if (rhw_text_word(&line, &word) && rhw_word_is(word, "TextureFile") && ply->texture.length == 0) {
-                ply->texture = rhw_text_rest(line);
+        } else if (scene_word_is(word, "comment")) {
+            if (scene_text_word(&line, &word) && scene_word_is(word, "TextureFile") &&
+                ply->texture.length == 0) {
+                ply->texture = scene_text_rest(line);
             }
         } // "ply", "obj_info" and what exporters have invented
     }
-    rhw_import_fail(ply->import, "the PLY header has no end_header");
+    scene_import_fail(ply->import, "the PLY header has no end_header");
 }
 
 // Numbers -------------------------------------------------------------------------------------------
 
 _Noreturn static void end_of_file(struct ply *ply)
 {
-    const char *name = rhw_word_string(ply->import, ply->element->name);
-    rhw_import_fail(ply->import, "is truncated: it ends in %s %lld of %lld", name, (long long)ply->row,
-                    (long long)ply->element->count);
+    const char *name = scene_word_string(ply->import, ply->element->name);
+    scene_import_fail(ply->import, "is truncated: it ends in %s %lld of %lld", name, (long long)ply->row,
+                      (long long)ply->element->count);
 }
 
 static double read_ascii(struct ply *ply)
 {
-    struct rhw_word word;
+    struct scene_word word;
     double value = 0;
     size_t length = 0;
-    while (!rhw_text_word(&ply->line, &word)) {
-        if (!rhw_text_line(&ply->text, false, &ply->line)) {
+    while (!scene_text_word(&ply->line, &word)) {
+        if (!scene_text_line(&ply->text, false, &ply->line)) {
             end_of_file(ply);
         }
     }
-    if (!rhw_word_number(word, &value, &length)) {
-        rhw_import_fail(ply->import, "line %u: \"%s\" is not a number", ply->text.line,
-                        rhw_word_string(ply->import, word));
+    if (!scene_word_number(word, &value, &length)) {
+        scene_import_fail(ply->import, "line %u: \"%s\" is not a number", ply->text.line,
+                          scene_word_string(ply->import, word));
     }
     return value;
 }
@@ -252,8 +253,8 @@ static int64_t read_count(struct ply *ply, const struct property *property)
 {
     const double count = read_number(ply, property->count_type);
     if (!(count >= 0 && count < UINT32_MAX)) {
-        rhw_import_fail(ply->import, "%s %lld has a list of no valid length",
-                        rhw_word_string(ply->import, ply->element->name), (long long)ply->row);
+        scene_import_fail(ply->import, "%s %lld has a list of no valid length",
+                          scene_word_string(ply->import, ply->element->name), (long long)ply->row);
     }
     return (int64_t)count;
 }
@@ -268,7 +269,7 @@ static void skip_property(struct ply *ply, const struct property *property)
 
 // Vertices ------------------------------------------------------------------------------------------
 
-static enum target target_of(struct rhw_word name)
+static enum target target_of(struct scene_word name)
 {
     static const struct {
         const char *name;
@@ -300,7 +301,7 @@ static enum target target_of(struct rhw_word name)
         {"diffuse_alpha", ALPHA},
     };
     for (size_t i = 0; i < sizeof names / sizeof names[0]; i++) {
-        if (rhw_word_is(name, names[i].name)) {
+        if (scene_word_is(name, names[i].name)) {
             return names[i].target;
         }
     }
@@ -315,24 +316,24 @@ static double color_scale(enum type type)
 
 static void allocate_vertices(struct ply *ply, const bool present[TARGETS], uint32_t count)
 {
-    struct rhw_mesh *mesh = &ply->mesh;
+    struct scene_mesh *mesh = &ply->mesh;
     if (!present[X] || !present[Y] || !present[Z]) {
-        rhw_import_fail(ply->import, "its vertices have no positions");
+        scene_import_fail(ply->import, "its vertices have no positions");
     }
     mesh->vertex_count = count;
-    mesh->positions = rhw_import_allocate(ply->import, count, sizeof *mesh->positions);
+    mesh->positions = scene_import_allocate(ply->import, count, sizeof *mesh->positions);
     if (present[NX] && present[NY] && present[NZ]) {
-        mesh->normals = rhw_import_allocate(ply->import, count, sizeof *mesh->normals);
+        mesh->normals = scene_import_allocate(ply->import, count, sizeof *mesh->normals);
     }
     if (present[U] && present[V]) {
-        mesh->uvs[0] = rhw_import_allocate(ply->import, count, sizeof *mesh->uvs[0]);
+        mesh->uvs[0] = scene_import_allocate(ply->import, count, sizeof *mesh->uvs[0]);
     }
     if (present[RED] && present[GREEN] && present[BLUE]) {
-        mesh->colors = rhw_import_allocate(ply->import, count, sizeof *mesh->colors);
+        mesh->colors = scene_import_allocate(ply->import, count, sizeof *mesh->colors);
     }
 }
 
-static void store_vertex(struct rhw_mesh *mesh, uint32_t i, const float values[TARGETS],
+static void store_vertex(struct scene_mesh *mesh, uint32_t i, const float values[TARGETS],
                          const float linear[256])
 {
     memcpy(mesh->positions[i], values + X, sizeof mesh->positions[i]);
@@ -346,7 +347,7 @@ static void store_vertex(struct rhw_mesh *mesh, uint32_t i, const float values[T
     for (int c = 0; c < 3 && mesh->colors != NULL; c++) {
         const float value = values[RED + c], byte = value * 255;
         const bool exact = byte >= 0 && byte <= 255 && byte == __builtin_rintf(byte);
-        mesh->colors[i][c] = exact ? linear[(int)byte] : rhw_import_from_srgb(value);
+        mesh->colors[i][c] = exact ? linear[(int)byte] : scene_import_from_srgb(value);
     }
     if (mesh->colors != NULL) {
         mesh->colors[i][3] = values[ALPHA];
@@ -366,10 +367,10 @@ static void read_vertices(struct ply *ply, const struct element *element)
         present[targets[i]] = true;
     }
     for (int i = 0; i < 256; i++) {
-        linear[i] = rhw_import_from_srgb((float)i / 255);
+        linear[i] = scene_import_from_srgb((float)i / 255);
     }
     if (ply->mesh.positions != NULL) {
-        rhw_import_fail(ply->import, "has two lists of vertices");
+        scene_import_fail(ply->import, "has two lists of vertices");
     }
     allocate_vertices(ply, present, (uint32_t)element->count);
     for (ply->row = 0; ply->row < element->count; ply->row++) {
@@ -389,9 +390,9 @@ static void read_vertices(struct ply *ply, const struct element *element)
 static uint32_t checked_index(struct ply *ply, double index)
 {
     if (!(index >= 0 && index < (double)ply->mesh.vertex_count)) {
-        rhw_import_fail(ply->import, "%s %lld refers to vertex %.0f of %u",
-                        rhw_word_string(ply->import, ply->element->name), (long long)ply->row, index,
-                        ply->mesh.vertex_count);
+        scene_import_fail(ply->import, "%s %lld refers to vertex %.0f of %u",
+                          scene_word_string(ply->import, ply->element->name), (long long)ply->row, index,
+                          ply->mesh.vertex_count);
     }
     return (uint32_t)index;
 }
@@ -399,11 +400,11 @@ static uint32_t checked_index(struct ply *ply, double index)
 static void reserve_indices(struct ply *ply, size_t more)
 {
     if (ply->index_count + more > UINT32_MAX) {
-        rhw_import_fail(ply->import, "has too many faces");
+        scene_import_fail(ply->import, "has too many faces");
     }
     const size_t total = ply->index_count + more;
-    rhw_import_reserve(ply->import, &ply->mesh.indices, &ply->index_capacity, total,
-                       sizeof *ply->mesh.indices);
+    scene_import_reserve(ply->import, &ply->mesh.indices, &ply->index_capacity, total,
+                         sizeof *ply->mesh.indices);
 }
 
 // One polygon of the file, and texture coordinates of its corners.
@@ -424,15 +425,15 @@ static void add_face(struct ply *ply, struct face *face)
     }
     const uint32_t count = (uint32_t)face->count;
     const size_t corners = 3 * (size_t)(count - 2);
-    rhw_import_reserve(ply->import, &face->triangles, &face->triangle_capacity, corners,
-                       sizeof *face->triangles);
-    rhw_import_triangulate((const float(*)[3])ply->mesh.positions, face->corners, count, face->triangles);
+    scene_import_reserve(ply->import, &face->triangles, &face->triangle_capacity, corners,
+                         sizeof *face->triangles);
+    scene_import_triangulate((const float(*)[3])ply->mesh.positions, face->corners, count, face->triangles);
     reserve_indices(ply, corners);
     const bool wedged = face->wedge_count >= 2 * face->count;
     if (wedged || ply->wedges != NULL) {
         const size_t before = ply->wedge_capacity;
         const size_t total = ply->index_count + corners;
-        rhw_import_reserve(ply->import, &ply->wedges, &ply->wedge_capacity, total, sizeof *ply->wedges);
+        scene_import_reserve(ply->import, &ply->wedges, &ply->wedge_capacity, total, sizeof *ply->wedges);
         memset(ply->wedges + before, 0, (ply->wedge_capacity - before) * sizeof *ply->wedges);
     }
     for (size_t i = 0; i < corners; i++) {
@@ -448,7 +449,7 @@ static void add_face(struct ply *ply, struct face *face)
 static bool is_index_list(const struct property *property)
 {
     return property->count_type != TYPE_NONE &&
-           (rhw_word_is(property->name, "vertex_indices") || rhw_word_is(property->name, "vertex_index"));
+           (scene_word_is(property->name, "vertex_indices") || scene_word_is(property->name, "vertex_index"));
 }
 
 // Room is made as the numbers come: a count alone must not ask for memory.
@@ -456,8 +457,8 @@ static void read_corners(struct ply *ply, const struct property *property, struc
 {
     face->count = read_count(ply, property);
     for (int64_t k = 0; k < face->count; k++) {
-        rhw_import_reserve(ply->import, &face->corners, &face->corner_capacity, (size_t)k + 1,
-                           sizeof *face->corners);
+        scene_import_reserve(ply->import, &face->corners, &face->corner_capacity, (size_t)k + 1,
+                             sizeof *face->corners);
         face->corners[k] = checked_index(ply, read_number(ply, property->type));
     }
 }
@@ -466,8 +467,8 @@ static void read_wedges(struct ply *ply, const struct property *property, struct
 {
     face->wedge_count = read_count(ply, property);
     for (int64_t k = 0; k < face->wedge_count; k++) {
-        rhw_import_reserve(ply->import, &face->wedges, &face->wedge_capacity, (size_t)k + 1,
-                           sizeof *face->wedges);
+        scene_import_reserve(ply->import, &face->wedges, &face->wedge_capacity, (size_t)k + 1,
+                             sizeof *face->wedges);
         face->wedges[k] = (float)read_number(ply, property->type);
     }
 }
@@ -481,7 +482,7 @@ static void read_faces(struct ply *ply, const struct element *element)
             const struct property *property = &element->properties[i];
             if (is_index_list(property)) {
                 read_corners(ply, property, &face);
-            } else if (property->count_type != TYPE_NONE && rhw_word_is(property->name, "texcoord")) {
+            } else if (property->count_type != TYPE_NONE && scene_word_is(property->name, "texcoord")) {
                 read_wedges(ply, property, &face);
             } else {
                 skip_property(ply, property);
@@ -536,17 +537,17 @@ static void read_edges(struct ply *ply, const struct element *element)
         double ends[2] = {-1, -1};
         for (int i = 0; i < element->property_count; i++) {
             const struct property *property = &element->properties[i];
-            const int end = rhw_word_is(property->name, "vertex1")   ? 0
-                            : rhw_word_is(property->name, "vertex2") ? 1
-                                                                     : -1;
+            const int end = scene_word_is(property->name, "vertex1")   ? 0
+                            : scene_word_is(property->name, "vertex2") ? 1
+                                                                       : -1;
             if (end >= 0 && property->count_type == TYPE_NONE) {
                 ends[end] = read_number(ply, property->type);
             } else {
                 skip_property(ply, property);
             }
         }
-        rhw_import_reserve(ply->import, &ply->edges, &ply->edge_capacity, ply->edge_count + 2,
-                           sizeof *ply->edges);
+        scene_import_reserve(ply->import, &ply->edges, &ply->edge_capacity, ply->edge_count + 2,
+                             sizeof *ply->edges);
         ply->edges[ply->edge_count++] = checked_index(ply, ends[0]);
         ply->edges[ply->edge_count++] = checked_index(ply, ends[1]);
     }
@@ -566,8 +567,8 @@ static void check_size(struct ply *ply, const struct element *element)
         least += ply->encoding == ASCII ? 2 : type_size(first); // a digit and a blank
     }
     if (least > 0 && element->count > 0 && (uint64_t)(element->count - 1) > left / least) {
-        rhw_import_fail(ply->import, "is truncated: %lld times %s do not fit into what follows the header",
-                        (long long)element->count, rhw_word_string(ply->import, element->name));
+        scene_import_fail(ply->import, "is truncated: %lld times %s do not fit into what follows the header",
+                          (long long)element->count, scene_word_string(ply->import, element->name));
     }
 }
 
@@ -578,13 +579,13 @@ static void read_element(struct ply *ply, const struct element *element)
     if (element->property_count == 0) {
         return;
     }
-    if (rhw_word_is(element->name, "vertex")) {
+    if (scene_word_is(element->name, "vertex")) {
         read_vertices(ply, element);
-    } else if (rhw_word_is(element->name, "face")) {
+    } else if (scene_word_is(element->name, "face")) {
         read_faces(ply, element);
-    } else if (rhw_word_is(element->name, "tristrips")) {
+    } else if (scene_word_is(element->name, "tristrips")) {
         read_strips(ply, element);
-    } else if (rhw_word_is(element->name, "edge")) {
+    } else if (scene_word_is(element->name, "edge")) {
         read_edges(ply, element);
     } else {
         for (ply->row = 0; ply->row < element->count; ply->row++) {
@@ -597,34 +598,34 @@ static void read_element(struct ply *ply, const struct element *element)
 
 static uint32_t add_material(struct ply *ply)
 {
-    struct rhw_phong phong = rhw_phong_default();
+    struct scene_phong phong = scene_phong_default();
     phong.colored = ply->mesh.colors != NULL;
     if (ply->texture.length > 0 && (ply->mesh.uvs[0] != NULL || ply->wedges != NULL)) {
-        phong.color.name = rhw_word_string(ply->import, ply->texture);
-        phong.color.source.file = rhw_import_find_file(ply->import, phong.color.name);
+        phong.color.name = scene_word_string(ply->import, ply->texture);
+        phong.color.source.file = scene_import_find_file(ply->import, phong.color.name);
     }
-    return rhw_phong_add(ply->import, &phong);
+    return scene_phong_add(ply->import, &phong);
 }
 
-static void add_mesh(struct ply *ply, const struct rhw_mesh *mesh, bool join)
+static void add_mesh(struct ply *ply, const struct scene_mesh *mesh, bool join)
 {
-    *rhw_import_add_mesh(ply->import) = *mesh;
-    struct rhw_instance *instance = rhw_import_add_instance(ply->import);
+    *scene_import_add_mesh(ply->import) = *mesh;
+    struct scene_instance *instance = scene_import_add_instance(ply->import);
     instance->mesh = ply->import->model.mesh_count - 1;
     instance->object = instance->mesh + 1;
-    rhw_import_identity(instance->world);
-    rhw_import_complete_mesh(ply->import, instance->mesh, RHW_IMPORT_SMOOTH, join);
+    scene_import_identity(instance->world);
+    scene_import_complete_mesh(ply->import, instance->mesh, SCENE_IMPORT_SMOOTH, join);
 }
 
 // The same vertices again, for another kind of primitive.
-static struct rhw_mesh copy_vertices(struct ply *ply)
+static struct scene_mesh copy_vertices(struct ply *ply)
 {
-    const struct rhw_mesh *mesh = &ply->mesh;
-    struct rhw_mesh copy = {.name = "", .material = mesh->material, .vertex_count = mesh->vertex_count};
-    copy.positions = rhw_import_allocate(ply->import, mesh->vertex_count, sizeof *copy.positions);
+    const struct scene_mesh *mesh = &ply->mesh;
+    struct scene_mesh copy = {.name = "", .material = mesh->material, .vertex_count = mesh->vertex_count};
+    copy.positions = scene_import_allocate(ply->import, mesh->vertex_count, sizeof *copy.positions);
     memcpy(copy.positions, mesh->positions, mesh->vertex_count * sizeof *copy.positions);
     if (mesh->colors != NULL) {
-        copy.colors = rhw_import_allocate(ply->import, mesh->vertex_count, sizeof *copy.colors);
+        copy.colors = scene_import_allocate(ply->import, mesh->vertex_count, sizeof *copy.colors);
         memcpy(copy.colors, mesh->colors, mesh->vertex_count * sizeof *copy.colors);
     }
     return copy;
@@ -632,11 +633,11 @@ static struct rhw_mesh copy_vertices(struct ply *ply)
 
 static void add_lines(struct ply *ply)
 {
-    struct rhw_mesh lines = copy_vertices(ply);
+    struct scene_mesh lines = copy_vertices(ply);
     if (ply->edge_count > UINT32_MAX) {
-        rhw_import_fail(ply->import, "has too many edges");
+        scene_import_fail(ply->import, "has too many edges");
     }
-    lines.primitive = RHW_PRIMITIVE_LINES;
+    lines.primitive = SCENE_PRIMITIVE_LINES;
     lines.indices = ply->edges;
     lines.index_count = (uint32_t)ply->edge_count;
     add_mesh(ply, &lines, false);
@@ -644,11 +645,11 @@ static void add_lines(struct ply *ply)
 
 static void add_triangles(struct ply *ply)
 {
-    struct rhw_mesh *mesh = &ply->mesh;
-    mesh->primitive = RHW_PRIMITIVE_TRIANGLES;
+    struct scene_mesh *mesh = &ply->mesh;
+    mesh->primitive = SCENE_PRIMITIVE_TRIANGLES;
     mesh->index_count = (uint32_t)ply->index_count;
     if (ply->wedges != NULL) { // every corner gets its own vertex
-        rhw_import_gather_vertices(ply->import, mesh, mesh->indices, mesh->index_count);
+        scene_import_gather_vertices(ply->import, mesh, mesh->indices, mesh->index_count);
         for (uint32_t i = 0; i < mesh->index_count; i++) {
             mesh->indices[i] = i;
         }
@@ -659,39 +660,39 @@ static void add_triangles(struct ply *ply)
 
 static void add_points(struct ply *ply)
 {
-    struct rhw_mesh *mesh = &ply->mesh;
-    mesh->primitive = RHW_PRIMITIVE_POINTS;
+    struct scene_mesh *mesh = &ply->mesh;
+    mesh->primitive = SCENE_PRIMITIVE_POINTS;
     mesh->index_count = mesh->vertex_count;
-    mesh->indices = rhw_import_allocate(ply->import, mesh->vertex_count, sizeof *mesh->indices);
+    mesh->indices = scene_import_allocate(ply->import, mesh->vertex_count, sizeof *mesh->indices);
     for (uint32_t i = 0; i < mesh->vertex_count; i++) {
         mesh->indices[i] = i;
     }
     add_mesh(ply, mesh, false);
 }
 
-void rhw_import_ply(struct rhw_import *import)
+void scene_import_ply(struct scene_import *import)
 {
     struct ply ply = {.import = import, .mesh = {.name = ""}};
     const char *problem = NULL;
     size_t size = 0;
-    char *bytes = rhw_import_read_file(import, import->model.path, &size, &problem);
+    char *bytes = scene_import_read_file(import, import->model.path, &size, &problem);
     if (bytes == NULL) {
-        rhw_import_fail(import, "cannot be read: %s", problem);
+        scene_import_fail(import, "cannot be read: %s", problem);
     }
     if (!has_magic((const unsigned char *)bytes, size)) {
-        rhw_import_fail(import, "is no PLY file: it does not begin with \"ply\"");
+        scene_import_fail(import, "is no PLY file: it does not begin with \"ply\"");
     }
     import->model.format = "PLY";
-    ply.text = (struct rhw_text){bytes, bytes + size, 0};
+    ply.text = (struct scene_text){bytes, bytes + size, 0};
     ply.end = (const unsigned char *)bytes + size;
     parse_header(&ply, &ply.text);
     ply.cursor = (const unsigned char *)ply.text.cursor;
-    ply.line = (struct rhw_line){ply.text.cursor, ply.text.cursor};
+    ply.line = (struct scene_line){ply.text.cursor, ply.text.cursor};
     for (int i = 0; i < ply.element_count; i++) {
         read_element(&ply, &ply.elements[i]);
     }
     if (ply.mesh.positions == NULL) {
-        rhw_import_fail(import, "has no vertices");
+        scene_import_fail(import, "has no vertices");
     }
     ply.mesh.material = add_material(&ply);
     free(bytes);

@@ -107,8 +107,8 @@ static void fan(uint32_t count, uint32_t *triangles)
     }
 }
 
-void rhw_import_triangulate(const float (*positions)[3], const uint32_t *corners, uint32_t count,
-                            uint32_t *triangles)
+void scene_import_triangulate(const float (*positions)[3], const uint32_t *corners, uint32_t count,
+                              uint32_t *triangles)
 {
     struct polygon polygon;
     if (count <= 3 || count > MOST_CORNERS) {

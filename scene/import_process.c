@@ -49,7 +49,7 @@ static bool sanitized(void)
 
 // Child ---------------------------------------------------------------------------------------------
 
-_Noreturn void rhw_import_fail(struct rhw_import *import, const char *format, ...)
+_Noreturn void scene_import_fail(struct scene_import *import, const char *format, ...)
 {
     char line[512];
     va_list arguments;
@@ -109,7 +109,7 @@ static size_t default_memory(void)
     return share < most ? share : most;
 }
 
-static void restrict_child(const struct rhw_model_limits *limits)
+static void restrict_child(const struct scene_model_limits *limits)
 {
     const unsigned seconds = limits->seconds > 0 ? limits->seconds : DEFAULT_SECONDS;
     prctl(PR_SET_PDEATHSIG, SIGKILL);
@@ -142,21 +142,21 @@ static void silence(void)
     }
 }
 
-_Noreturn static void run_child(const char *path, const struct rhw_model_limits *limits, int descriptor)
+_Noreturn static void run_child(const char *path, const struct scene_model_limits *limits, int descriptor)
 {
-    struct rhw_import import = {.model.path = path, .output = fdopen(descriptor, "wb")};
+    struct scene_import import = {.model.path = path, .output = fdopen(descriptor, "wb")};
     if (import.output == NULL) {
         abort();
     }
     restrict_child(limits);
     silence();
-    rhw_import_run(&import);
-    if (!rhw_blob_write(&import.model, import.output)) {
+    scene_import_run(&import);
+    if (!scene_blob_write(&import.model, import.output)) {
         rewind(import.output);
         if (ftruncate(descriptor, 0) != 0) {
             abort();
         }
-        rhw_import_fail(&import, "there is not enough memory for the model");
+        scene_import_fail(&import, "there is not enough memory for the model");
     }
     _exit(EXIT_MODEL);
 }
@@ -197,7 +197,7 @@ static bool file_acceptable(const char *path, char *error, size_t error_size)
 }
 
 // Whether the child said that it finished; else `error` says how it ended.
-static bool child_finished(int status, int descriptor, const struct rhw_model_limits *limits, char *error,
+static bool child_finished(int status, int descriptor, const struct scene_model_limits *limits, char *error,
                            size_t error_size)
 {
     if (WIFEXITED(status) && WEXITSTATUS(status) == EXIT_MODEL) {
@@ -229,10 +229,10 @@ static bool child_finished(int status, int descriptor, const struct rhw_model_li
     return refuse(error, error_size, "import crashed (exit status %d)", WEXITSTATUS(status));
 }
 
-static struct rhw_model *map_model(int descriptor, char *error, size_t error_size)
+static struct scene_model *map_model(int descriptor, char *error, size_t error_size)
 {
     struct stat status;
-    if (fstat(descriptor, &status) != 0 || status.st_size < (off_t)sizeof(struct rhw_model)) {
+    if (fstat(descriptor, &status) != 0 || status.st_size < (off_t)sizeof(struct scene_model)) {
         refuse(error, error_size, "import sent no model");
         return NULL;
     }
@@ -242,7 +242,7 @@ static struct rhw_model *map_model(int descriptor, char *error, size_t error_siz
         refuse(error, error_size, "there is not enough memory for the model");
         return NULL;
     }
-    struct rhw_model *model = rhw_blob_read(mapping, size);
+    struct scene_model *model = scene_blob_read(mapping, size);
     if (model == NULL) {
         munmap(mapping, size);
         refuse(error, error_size, "import sent a damaged model");
@@ -252,10 +252,10 @@ static struct rhw_model *map_model(int descriptor, char *error, size_t error_siz
     return model;
 }
 
-struct rhw_model *rhw_model_load(const char *path, const struct rhw_model_limits *limits, char *error,
-                                 size_t error_size)
+struct scene_model *scene_model_load(const char *path, const struct scene_model_limits *limits, char *error,
+                                     size_t error_size)
 {
-    static const struct rhw_model_limits defaults = {0};
+    static const struct scene_model_limits defaults = {0};
     if (limits == NULL) {
         limits = &defaults;
     }
@@ -278,7 +278,7 @@ struct rhw_model *rhw_model_load(const char *path, const struct rhw_model_limits
             waited = waitpid(child, &status, 0);
         } while (waited < 0 && errno == EINTR);
     }
-    struct rhw_model *model = NULL;
+    struct scene_model *model = NULL;
     if (waited < 0) {
         refuse(error, error_size, "import could not start: %s", strerror(errno));
     } else if (child_finished(status, descriptor, limits, error, error_size)) {
@@ -288,7 +288,7 @@ struct rhw_model *rhw_model_load(const char *path, const struct rhw_model_limits
     return model;
 }
 
-void rhw_model_free(struct rhw_model *model)
+void scene_model_free(struct scene_model *model)
 {
     if (model != NULL) {
         munmap(model, model->size); // the model stands at the start of its mapping

@@ -19,10 +19,10 @@ static bool is_digit(char c)
 }
 
 // UTF-16 to UTF-8; what is no character becomes '?'.
-static struct rhw_text convert_wide(struct rhw_import *import, const unsigned char *bytes, size_t size,
-                                    bool big)
+static struct scene_text convert_wide(struct scene_import *import, const unsigned char *bytes, size_t size,
+                                      bool big)
 {
-    char *out = rhw_import_allocate(import, size / 2 + 1, 3), *next = out;
+    char *out = scene_import_allocate(import, size / 2 + 1, 3), *next = out;
     for (size_t i = 2; i + 1 < size; i += 2) {
         const unsigned unit = big ? bytes[i] * 256u + bytes[i + 1] : bytes[i + 1] * 256u + bytes[i];
         if (unit < 0x80) {
@@ -38,10 +38,10 @@ static struct rhw_text convert_wide(struct rhw_import *import, const unsigned ch
             *next++ = '?';
         }
     }
-    return (struct rhw_text){out, next, 0};
+    return (struct scene_text){out, next, 0};
 }
 
-struct rhw_text rhw_text_open(struct rhw_import *import, char *bytes, size_t size)
+struct scene_text scene_text_open(struct scene_import *import, char *bytes, size_t size)
 {
     const unsigned char *start = (const unsigned char *)bytes;
     if (size >= 2 && start[0] == 0xfe && start[1] == 0xff) {
@@ -51,12 +51,12 @@ struct rhw_text rhw_text_open(struct rhw_import *import, char *bytes, size_t siz
         return convert_wide(import, start, size, false);
     }
     if (size >= 3 && memcmp(bytes, "\xef\xbb\xbf", 3) == 0) {
-        return (struct rhw_text){bytes + 3, bytes + size, 0};
+        return (struct scene_text){bytes + 3, bytes + size, 0};
     }
-    return (struct rhw_text){bytes, bytes + size, 0};
+    return (struct scene_text){bytes, bytes + size, 0};
 }
 
-bool rhw_text_line(struct rhw_text *text, bool continued, struct rhw_line *line)
+bool scene_text_line(struct scene_text *text, bool continued, struct scene_line *line)
 {
     if (text->cursor == text->end) {
         return false;
@@ -75,11 +75,11 @@ bool rhw_text_line(struct rhw_text *text, bool continued, struct rhw_line *line)
         memset(c - 1, ' ', (size_t)(text->cursor - c) + 1);
         c = text->cursor - 1;
     }
-    *line = (struct rhw_line){start, c};
+    *line = (struct scene_line){start, c};
     return true;
 }
 
-bool rhw_text_word(struct rhw_line *line, struct rhw_word *word)
+bool scene_text_word(struct scene_line *line, struct scene_word *word)
 {
     const char *c = line->cursor;
     while (c < line->end && is_blank(*c)) {
@@ -94,7 +94,7 @@ bool rhw_text_word(struct rhw_line *line, struct rhw_word *word)
     return word->length > 0;
 }
 
-struct rhw_word rhw_text_rest(struct rhw_line line)
+struct scene_word scene_text_rest(struct scene_line line)
 {
     while (line.cursor < line.end && is_blank(*line.cursor)) {
         line.cursor++;
@@ -102,17 +102,17 @@ struct rhw_word rhw_text_rest(struct rhw_line line)
     while (line.end > line.cursor && is_blank(line.end[-1])) {
         line.end--;
     }
-    return (struct rhw_word){line.cursor, (size_t)(line.end - line.cursor)};
+    return (struct scene_word){line.cursor, (size_t)(line.end - line.cursor)};
 }
 
-bool rhw_word_is(struct rhw_word word, const char *text)
+bool scene_word_is(struct scene_word word, const char *text)
 {
     return strlen(text) == word.length && memcmp(word.start, text, word.length) == 0;
 }
 
-const char *rhw_word_string(struct rhw_import *import, struct rhw_word word)
+const char *scene_word_string(struct scene_import *import, struct scene_word word)
 {
-    return rhw_import_string(import, word.start, word.length);
+    return scene_import_string(import, word.start, word.length);
 }
 
 // Numbers -------------------------------------------------------------------------------------------
@@ -127,7 +127,7 @@ static double convert_slowly(const char *digits, size_t length, int exponent)
     return strtod(text, NULL);
 }
 
-static bool read_special(struct rhw_word word, double *value, size_t *length)
+static bool read_special(struct scene_word word, double *value, size_t *length)
 {
     const size_t sign = word.length > 0 && (word.start[0] == '-' || word.start[0] == '+');
     const char *name = word.start + sign;
@@ -158,7 +158,7 @@ static const char *read_exponent(const char *c, const char *end, int *exponent)
     return c;
 }
 
-bool rhw_word_number(struct rhw_word word, double *value, size_t *length)
+bool scene_word_number(struct scene_word word, double *value, size_t *length)
 {
     static const double powers[] = {1e0,  1e1,  1e2,  1e3,  1e4,  1e5,  1e6,  1e7,  1e8,  1e9,  1e10, 1e11,
                                     1e12, 1e13, 1e14, 1e15, 1e16, 1e17, 1e18, 1e19, 1e20, 1e21, 1e22};
@@ -198,14 +198,14 @@ bool rhw_word_number(struct rhw_word word, double *value, size_t *length)
     return true;
 }
 
-int rhw_text_numbers(struct rhw_line *line, float *values, int most)
+int scene_text_numbers(struct scene_line *line, float *values, int most)
 {
     for (int count = 0; count < most; count++) {
-        const struct rhw_line before = *line;
-        struct rhw_word word;
+        const struct scene_line before = *line;
+        struct scene_word word;
         double value = 0;
         size_t length = 0;
-        if (!rhw_text_word(line, &word) || !rhw_word_number(word, &value, &length)) {
+        if (!scene_text_word(line, &word) || !scene_word_number(word, &value, &length)) {
             *line = before;
             return count;
         }

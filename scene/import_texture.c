@@ -40,10 +40,10 @@ static void decode_percent(char *text)
     *out = 0;
 }
 
-static char *join(struct rhw_import *import, const char *directory, const char *name)
+static char *join(struct scene_import *import, const char *directory, const char *name)
 {
     const size_t length = strlen(directory) + strlen(name) + 1;
-    char *path = rhw_import_allocate(import, length, 1);
+    char *path = scene_import_allocate(import, length, 1);
     snprintf(path, length, "%s%s", directory, name);
     return path;
 }
@@ -94,7 +94,7 @@ static bool exists_in_some_case(char *path, size_t known)
     return is_file(path);
 }
 
-const char *rhw_import_find_file(struct rhw_import *import, const char *name)
+const char *scene_import_find_file(struct scene_import *import, const char *name)
 {
     if (strncmp(name, "file://", 7) == 0) {
         name += 7;
@@ -139,37 +139,37 @@ const char *rhw_import_find_file(struct rhw_import *import, const char *name)
 // Decoding ------------------------------------------------------------------------------------------
 
 struct decoding {
-    struct rhw_import *import;
+    struct scene_import *import;
     const char **problems; // per image; written by the thread that took the image
     atomic_uint next;      // the next image that nobody has taken
 };
 
-static const char *decode_image(struct rhw_import *import, uint32_t index)
+static const char *decode_image(struct scene_import *import, uint32_t index)
 {
-    struct rhw_image *image = &import->model.images[index];
-    const struct rhw_import_source *source = &import->sources[index];
+    struct scene_image *image = &import->model.images[index];
+    const struct scene_import_source *source = &import->sources[index];
     const char *problem = source->problem != NULL ? source->problem : "is not there";
     if (source->raw_width > 0) {
-        image->type = RHW_IMAGE_RGBA8;
+        image->type = SCENE_IMAGE_RGBA8;
         image->width = source->raw_width;
         image->height = source->raw_height;
         image->size = source->size;
         image->texels = (void *)source->bytes;
-        rhw_image_find_alpha(image);
+        scene_image_find_alpha(image);
         return NULL;
     }
     if (source->bytes != NULL) {
-        return rhw_image_decode(source->bytes, source->size, image);
+        return scene_image_decode(source->bytes, source->size, image);
     }
     if (source->file == NULL) {
         return problem;
     }
     size_t size = 0;
-    void *bytes = rhw_import_read_file(import, source->file, &size, &problem);
+    void *bytes = scene_import_read_file(import, source->file, &size, &problem);
     if (bytes == NULL) {
         return problem;
     }
-    problem = rhw_image_decode(bytes, size, image);
+    problem = scene_image_decode(bytes, size, image);
     free(bytes);
     return problem;
 }
@@ -205,26 +205,26 @@ static int helper_count(uint32_t images)
 
 // Conversions ---------------------------------------------------------------------------------------
 
-static bool make_rgba8(struct rhw_import *import, struct rhw_image *image)
+static bool make_rgba8(struct scene_import *import, struct scene_image *image)
 {
-    if (image->type != RHW_IMAGE_RGBA16) {
-        return image->type == RHW_IMAGE_RGBA8;
+    if (image->type != SCENE_IMAGE_RGBA16) {
+        return image->type == SCENE_IMAGE_RGBA8;
     }
     const size_t values = (size_t)image->width * image->height * 4;
     const uint16_t *wide = image->texels;
-    uint8_t *narrow = rhw_import_allocate(import, values, 1);
+    uint8_t *narrow = scene_import_allocate(import, values, 1);
     for (size_t i = 0; i < values; i++) {
         narrow[i] = (uint8_t)((wide[i] * 255u + 32767u) / 65535u);
     }
     free(image->texels);
     image->texels = narrow;
     image->size = values;
-    image->type = RHW_IMAGE_RGBA8;
+    image->type = SCENE_IMAGE_RGBA8;
     return true;
 }
 
 // Alpha := the opacity map at the nearest texel: its own alpha if it has one, else its brightness.
-static void apply_opacity(struct rhw_import *import, struct rhw_image *image, struct rhw_image *opacity,
+static void apply_opacity(struct scene_import *import, struct scene_image *image, struct scene_image *opacity,
                           bool white)
 {
     if (opacity->missing || !make_rgba8(import, image) || !make_rgba8(import, opacity)) {
@@ -246,10 +246,10 @@ static void apply_opacity(struct rhw_import *import, struct rhw_image *image, st
             }
         }
     }
-    rhw_image_find_alpha(image);
+    scene_image_find_alpha(image);
 }
 
-static bool is_grey(const struct rhw_image *image)
+static bool is_grey(const struct scene_image *image)
 {
     enum { TOLERANCE = 8 }; // of 255; JPEG does not keep grey exactly
     const uint8_t *texels = image->texels;
@@ -264,7 +264,7 @@ static bool is_grey(const struct rhw_image *image)
 }
 
 // Normals of a height field: central differences, the whole range of heights as high as 4 texels are wide.
-static void height_to_normals(struct rhw_import *import, struct rhw_image *image)
+static void height_to_normals(struct scene_import *import, struct scene_image *image)
 {
     if (image->missing || !make_rgba8(import, image) || !is_grey(image)) {
         return;
@@ -272,7 +272,7 @@ static void height_to_normals(struct rhw_import *import, struct rhw_image *image
     const float scale = 4.0f / 255 / 2;
     const uint32_t width = image->width, height = image->height;
     const uint8_t *heights = image->texels;
-    uint8_t *normals = rhw_import_allocate(import, image->size, 1);
+    uint8_t *normals = scene_import_allocate(import, image->size, 1);
     for (uint32_t y = 0; y < height; y++) {
         for (uint32_t x = 0; x < width; x++) {
             const size_t row = (size_t)y * width;
@@ -295,7 +295,7 @@ static void height_to_normals(struct rhw_import *import, struct rhw_image *image
 }
 
 // Whether nearly all texels are either there or not, as in the cut-out leaves of a tree.
-static bool is_cut_out(const struct rhw_image *image)
+static bool is_cut_out(const struct scene_image *image)
 {
     const uint8_t *alpha = (const uint8_t *)image->texels + 3;
     const size_t count = (size_t)image->width * image->height;
@@ -303,50 +303,50 @@ static bool is_cut_out(const struct rhw_image *image)
     for (size_t i = 0; i < count; i++) {
         between += alpha[4 * i] > 16 && alpha[4 * i] < 239;
     }
-    return image->type == RHW_IMAGE_RGBA8 && between <= count / 10;
+    return image->type == SCENE_IMAGE_RGBA8 && between <= count / 10;
 }
 
 // Materials with an opacity map: a cut-out needs no sorting by distance, which blending does.
-static void choose_alpha_modes(struct rhw_import *import)
+static void choose_alpha_modes(struct scene_import *import)
 {
     for (uint32_t i = 0; i < import->model.material_count; i++) {
-        struct rhw_material *material = &import->model.materials[i];
-        const int32_t image = material->slots[RHW_SLOT_BASE_COLOR].image;
+        struct scene_material *material = &import->model.materials[i];
+        const int32_t image = material->slots[SCENE_SLOT_BASE_COLOR].image;
         if (image < 0 || import->sources[image].opacity_image < 0 || material->base_color[3] < 1) {
             continue;
         }
         if (!import->model.images[image].has_alpha) {
-            material->alpha_mode = RHW_ALPHA_OPAQUE;
+            material->alpha_mode = SCENE_ALPHA_OPAQUE;
         } else if (is_cut_out(&import->model.images[image])) {
-            material->alpha_mode = RHW_ALPHA_MASK;
+            material->alpha_mode = SCENE_ALPHA_MASK;
         }
     }
 }
 
 // A stand-in is for colours to show that something is missing; as a normal or a roughness it would lie.
-static void drop_missing_data(struct rhw_model *model)
+static void drop_missing_data(struct scene_model *model)
 {
     for (uint32_t i = 0; i < model->material_count; i++) {
-        for (int k = 0; k < RHW_SLOT_COUNT; k++) {
-            struct rhw_material *material = &model->materials[i];
-            struct rhw_texture_slot *slot = &material->slots[k];
-            if (k == RHW_SLOT_BASE_COLOR || slot->image < 0 || !model->images[slot->image].missing) {
+        for (int k = 0; k < SCENE_SLOT_COUNT; k++) {
+            struct scene_material *material = &model->materials[i];
+            struct scene_texture_slot *slot = &material->slots[k];
+            if (k == SCENE_SLOT_BASE_COLOR || slot->image < 0 || !model->images[slot->image].missing) {
                 continue;
             }
             slot->image = -1;
-            if (k == RHW_SLOT_EMISSIVE) {
+            if (k == SCENE_SLOT_EMISSIVE) {
                 material->emissive[0] = material->emissive[1] = material->emissive[2] = 0;
             }
         }
     }
 }
 
-void rhw_import_decode_images(struct rhw_import *import)
+void scene_import_decode_images(struct scene_import *import)
 {
     enum { MOST_HELPERS = 8 };
-    struct rhw_model *model = &import->model;
+    struct scene_model *model = &import->model;
     struct decoding decoding = {import, NULL, 0};
-    decoding.problems = rhw_import_allocate(import, model->image_count, sizeof *decoding.problems);
+    decoding.problems = scene_import_allocate(import, model->image_count, sizeof *decoding.problems);
     pthread_t helpers[MOST_HELPERS];
     const int wanted = helper_count(model->image_count);
     int started = 0;
@@ -361,9 +361,9 @@ void rhw_import_decode_images(struct rhw_import *import)
         if (decoding.problems[i] == NULL) {
             continue;
         }
-        rhw_import_warn(import, "texture \"%s\": %s", model->images[i].name, decoding.problems[i]);
-        if (!rhw_image_stand_in(&model->images[i])) {
-            rhw_import_fail(import, "needs more memory than there is");
+        scene_import_warn(import, "texture \"%s\": %s", model->images[i].name, decoding.problems[i]);
+        if (!scene_image_stand_in(&model->images[i])) {
+            scene_import_fail(import, "needs more memory than there is");
         }
     }
     for (uint32_t i = 0; i < model->image_count; i++) {

@@ -21,7 +21,7 @@ static const double key_size = 0.012;
 static const double sky_color[3] = {0.31, 0.33, 0.36};
 static const double ground_color[3] = {0.18, 0.17, 0.16};
 static const double lobe_sharpness = 9.0;
-static const struct studio_lobe studio_lobes[RHW_LOBES] = {
+static const struct studio_lobe studio_lobes[SCENE_LOBES] = {
     {{-0.55, 0.75, 0.35}, {1.55, 1.50, 1.42}}, // large, above and to the left
     {{0.80, 0.12, 0.55}, {0.62, 0.70, 0.80}},  // fill from the right
     {{0.30, 0.55, -0.80}, {1.10, 1.15, 1.25}}, // rim from behind
@@ -61,7 +61,7 @@ static void lobe_diffuse(double lambda, float coefficients[3])
     coefficients[2] = (float)(f2 * 3.0 / 8.0);
 }
 
-static void set_environment(struct rhw_environment *e, const double view[16], double scale)
+static void set_environment(struct scene_environment *e, const double view[16], double scale)
 {
     e->up[1] = 1.0f;
     e->sharpness = (float)lobe_sharpness;
@@ -69,18 +69,18 @@ static void set_environment(struct rhw_environment *e, const double view[16], do
     for (int c = 0; c < 3; c++) {
         e->sky[c] = (float)(sky_color[c] * scale);
         e->ground[c] = (float)(ground_color[c] * scale);
-        for (int i = 0; i < RHW_LOBES; i++) {
+        for (int i = 0; i < SCENE_LOBES; i++) {
             e->lobe_color[i][c] = (float)(studio_lobes[i].color[c] * scale);
         }
     }
-    for (int i = 0; i < RHW_LOBES; i++) {
+    for (int i = 0; i < SCENE_LOBES; i++) {
         to_world(view, studio_lobes[i].direction, e->lobe_direction[i]);
     }
 }
 
-static void set_key(struct rhw_shader_light *key, const double view[16], double scale)
+static void set_key(struct scene_shader_light *key, const double view[16], double scale)
 {
-    *key = (struct rhw_shader_light){.type = RHW_LIGHT_DIRECTIONAL, .size = (float)key_size};
+    *key = (struct scene_shader_light){.type = SCENE_LIGHT_DIRECTIONAL, .size = (float)key_size};
     to_world(view, key_direction, key->direction);
     for (int c = 0; c < 3; c++) {
         key->color[c] = (float)(key_color[c] * pi * scale);
@@ -94,7 +94,7 @@ static double luminance(const float color[3])
 
 // Irradiance that the lights of the file give at the middle of the model, on a surface that faces them all.
 // A light nearer than a quarter of the model's radius counts as if it stood there.
-static double reference_irradiance(const struct rhw_model *model)
+static double reference_irradiance(const struct scene_model *model)
 {
     double middle[3], radius2 = 0.0, sum = 0.0;
     for (int i = 0; i < 3; i++) {
@@ -103,9 +103,9 @@ static double reference_irradiance(const struct rhw_model *model)
         radius2 += 0.25 * (high - low) * (high - low);
     }
     for (uint32_t i = 0; i < model->light_count; i++) {
-        const struct rhw_model_light *light = &model->lights[i];
+        const struct scene_model_light *light = &model->lights[i];
         double falloff = 1.0;
-        if (light->type != RHW_LIGHT_DIRECTIONAL) {
+        if (light->type != SCENE_LIGHT_DIRECTIONAL) {
             double distance2 = 0.0;
             for (int c = 0; c < 3; c++) {
                 const double d = (double)light->position[c] - middle[c];
@@ -119,10 +119,10 @@ static double reference_irradiance(const struct rhw_model *model)
     return sum;
 }
 
-static void set_light(struct rhw_shader_light *light, const struct rhw_model_light *source, double scale)
+static void set_light(struct scene_shader_light *light, const struct scene_model_light *source, double scale)
 {
-    *light = (struct rhw_shader_light){.type = source->type};
-    const bool directional = source->type == RHW_LIGHT_DIRECTIONAL;
+    *light = (struct scene_shader_light){.type = source->type};
+    const bool directional = source->type == SCENE_LIGHT_DIRECTIONAL;
     for (int c = 0; c < 3; c++) {
         light->position[c] = source->position[c];
         light->direction[c] = directional ? -source->direction[c] : source->direction[c];
@@ -134,13 +134,13 @@ static void set_light(struct rhw_shader_light *light, const struct rhw_model_lig
     light->spot_offset = -source->outer_cos * light->spot_scale;
 }
 
-bool rhw_lighting_create(struct rhw_lighting *lighting, const struct rhw_model *model,
-                         const struct rhw_camera *camera, bool default_lights, double exposure)
+bool scene_lighting_create(struct scene_lighting *lighting, const struct scene_model *model,
+                           const struct scene_camera *camera, bool default_lights, double exposure)
 {
     const double stops = power_of_two(exposure);
     double view[16];
-    rhw_camera_view(camera, view);
-    *lighting = (struct rhw_lighting){.count = 1};
+    scene_camera_view(camera, view);
+    *lighting = (struct scene_lighting){.count = 1};
     const double irradiance = default_lights ? 0.0 : reference_irradiance(model);
     const bool from_file = irradiance > 0.0 && irradiance < 1e30;
     if (from_file) {
@@ -163,8 +163,8 @@ bool rhw_lighting_create(struct rhw_lighting *lighting, const struct rhw_model *
     return true;
 }
 
-void rhw_lighting_destroy(struct rhw_lighting *lighting)
+void scene_lighting_destroy(struct scene_lighting *lighting)
 {
     free(lighting->lights);
-    *lighting = (struct rhw_lighting){0};
+    *lighting = (struct scene_lighting){0};
 }

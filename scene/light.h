@@ -1,15 +1,15 @@
 // SPDX-License-Identifier: MIT
 // What a scene is lit by: the lights of its file, or a studio of our own.
-#ifndef RHW_SCENE_LIGHT_H
-#define RHW_SCENE_LIGHT_H
+#ifndef SCENE_LIGHT_H
+#define SCENE_LIGHT_H
 
 #include "camera.h"
 #include "shaders.h"
 
-struct rhw_lighting {
+struct scene_lighting {
     uint32_t count;
-    struct rhw_shader_light *lights; ///< owned
-    struct rhw_environment environment;
+    struct scene_shader_light *lights; ///< owned
+    struct scene_environment environment;
 };
 
 /// The lights of the model, or the studio where it has none or `default_lights` says so. `exposure` in
@@ -20,8 +20,8 @@ struct rhw_lighting {
 /// Lights of a file keep their proportions, but not their absolute strength: exposure is chosen so that a
 /// white surface in the middle of the model is about white, and a quarter of the studio's surroundings is
 /// added, because a file has no sky and its metals would be black.
-bool rhw_lighting_create(struct rhw_lighting *lighting, const struct rhw_model *model,
-                         const struct rhw_camera *camera, bool default_lights, double exposure);
-void rhw_lighting_destroy(struct rhw_lighting *lighting);
+bool scene_lighting_create(struct scene_lighting *lighting, const struct scene_model *model,
+                           const struct scene_camera *camera, bool default_lights, double exposure);
+void scene_lighting_destroy(struct scene_lighting *lighting);
 
 #endif

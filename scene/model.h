@@ -5,19 +5,19 @@
 // Conventions: right-handed, glTF's units; matrices column major, column vectors; texture coordinates u
 // right, v down, as rhw_sample takes them; colours linear unless an image says otherwise; front faces
 // counter-clockwise before the world matrix (a mirroring matrix turns them).
-#ifndef RHW_SCENE_MODEL_H
-#define RHW_SCENE_MODEL_H
+#ifndef SCENE_MODEL_H
+#define SCENE_MODEL_H
 
 #include "rhw/types.h"
 
-enum rhw_primitive { RHW_PRIMITIVE_TRIANGLES, RHW_PRIMITIVE_LINES, RHW_PRIMITIVE_POINTS };
+enum scene_primitive { SCENE_PRIMITIVE_TRIANGLES, SCENE_PRIMITIVE_LINES, SCENE_PRIMITIVE_POINTS };
 
-enum { RHW_UV_SETS = 2 };
+enum { SCENE_UV_SETS = 2 };
 
 /// One primitive kind, one material. Arrays have `vertex_count` elements; positions are finite.
-struct rhw_mesh {
+struct scene_mesh {
     const char *name; ///< "" where the file names none
-    enum rhw_primitive primitive;
+    enum scene_primitive primitive;
     uint32_t material; ///< always valid
     uint32_t vertex_count;
     uint32_t index_count; ///< 3, 2 or 1 per primitive; lists only, every index below vertex_count
@@ -25,22 +25,22 @@ struct rhw_mesh {
     float (*positions)[3];
     float (*normals)[3];  ///< unit; never NULL for triangles, may be NULL for lines and points
     float (*tangents)[4]; ///< unit xyz, w = ±1: bitangent = w · cross(normal, tangent); NULL: not needed
-    float (*uvs[RHW_UV_SETS])[2];       ///< NULL: the set is absent, read 0,0
+    float (*uvs[SCENE_UV_SETS])[2];     ///< NULL: the set is absent, read 0,0
     float (*colors)[4];                 ///< linear RGBA, multiplies the base colour; NULL: 1,1,1,1
     float bounds_min[3], bounds_max[3]; ///< of the vertices that indices use
 };
 
-enum rhw_image_type {
-    RHW_IMAGE_RGBA8,  ///< 4 bytes
-    RHW_IMAGE_RGBA16, ///< 4 uint16_t, 65535 is 1
-    RHW_IMAGE_RGBA32F ///< 4 floats, always linear
+enum scene_image_type {
+    SCENE_IMAGE_RGBA8,  ///< 4 bytes
+    SCENE_IMAGE_RGBA16, ///< 4 uint16_t, 65535 is 1
+    SCENE_IMAGE_RGBA32F ///< 4 floats, always linear
 };
 
 /// Tightly packed rows, top to bottom. 8 and 16 bit texels are sRGB encoded where a colour slot (base
 /// colour, emissive) reads them and linear where another does; alpha is always linear.
-struct rhw_image {
+struct scene_image {
     const char *name; ///< file name or the name inside the model
-    enum rhw_image_type type;
+    enum scene_image_type type;
     uint32_t width, height;           ///< 1..RHW_MAX_TARGET_SIZE
     bool missing;                     ///< could not be read: this is the checkered stand-in
     bool used_as_color, used_as_data; ///< which kinds of slot read it; both may be set
@@ -49,25 +49,25 @@ struct rhw_image {
     void *texels;
 };
 
-enum rhw_slot {
-    RHW_SLOT_BASE_COLOR,
-    RHW_SLOT_METALLIC_ROUGHNESS, ///< G roughness, B metallic
-    RHW_SLOT_NORMAL,             ///< tangent space, +Y up (against v)
-    RHW_SLOT_OCCLUSION,          ///< R
-    RHW_SLOT_EMISSIVE,
-    RHW_SLOT_COUNT
+enum scene_slot {
+    SCENE_SLOT_BASE_COLOR,
+    SCENE_SLOT_METALLIC_ROUGHNESS, ///< G roughness, B metallic
+    SCENE_SLOT_NORMAL,             ///< tangent space, +Y up (against v)
+    SCENE_SLOT_OCCLUSION,          ///< R
+    SCENE_SLOT_EMISSIVE,
+    SCENE_SLOT_COUNT
 };
 
 /// Whether images are read there as colours, decoded from sRGB, and not as data.
-static inline bool rhw_slot_is_color(enum rhw_slot slot)
+static inline bool scene_slot_is_color(enum scene_slot slot)
 {
-    return slot == RHW_SLOT_BASE_COLOR || slot == RHW_SLOT_EMISSIVE;
+    return slot == SCENE_SLOT_BASE_COLOR || slot == SCENE_SLOT_EMISSIVE;
 }
 
 /// Where a material reads an image.
-struct rhw_texture_slot {
+struct scene_texture_slot {
     int32_t image;   ///< −1: no texture, the factor alone
-    uint32_t uv_set; ///< 0..RHW_UV_SETS − 1
+    uint32_t uv_set; ///< 0..SCENE_UV_SETS − 1
     /// u' = t[0]·u + t[1]·v + t[2], v' = t[3]·u + t[4]·v + t[5] (KHR_texture_transform and its like).
     float transform[6];
     enum rhw_address address_u, address_v;
@@ -75,24 +75,24 @@ struct rhw_texture_slot {
     enum rhw_mip_filter mip_filter;
 };
 
-enum rhw_alpha_mode { RHW_ALPHA_OPAQUE, RHW_ALPHA_MASK, RHW_ALPHA_BLEND };
+enum scene_alpha_mode { SCENE_ALPHA_OPAQUE, SCENE_ALPHA_MASK, SCENE_ALPHA_BLEND };
 
 /// Metallic-roughness as glTF 2.0 §3.9 defines it; other models of shading are converted on import.
-struct rhw_material {
+struct scene_material {
     const char *name;
     float base_color[4];
     float metallic, roughness;
     float emissive[3]; ///< factor times strength
     float normal_scale, occlusion_strength;
-    enum rhw_alpha_mode alpha_mode;
+    enum scene_alpha_mode alpha_mode;
     float alpha_cutoff; ///< for MASK: fragments whose alpha is below are discarded
     bool unlit, double_sided;
-    struct rhw_texture_slot slots[RHW_SLOT_COUNT];
+    struct scene_texture_slot slots[SCENE_SLOT_COUNT];
 };
 
 /// A mesh somewhere in the world. A node whose mesh has several materials gives several instances with
 /// one object id.
-struct rhw_instance {
+struct scene_instance {
     const char *name; ///< of the node
     uint32_t mesh;
     uint32_t object; ///< 1.., one per node that draws
@@ -101,7 +101,7 @@ struct rhw_instance {
 };
 
 /// Looks along its own −Z with +Y up.
-struct rhw_model_camera {
+struct scene_model_camera {
     const char *name;
     float world[16];
     bool orthographic;
@@ -111,12 +111,12 @@ struct rhw_model_camera {
     float znear, zfar; ///< zfar 0: infinitely far
 };
 
-enum rhw_light_type { RHW_LIGHT_DIRECTIONAL, RHW_LIGHT_POINT, RHW_LIGHT_SPOT };
+enum scene_light_type { SCENE_LIGHT_DIRECTIONAL, SCENE_LIGHT_POINT, SCENE_LIGHT_SPOT };
 
 /// KHR_lights_punctual.
-struct rhw_model_light {
+struct scene_model_light {
     const char *name;
-    enum rhw_light_type type;
+    enum scene_light_type type;
     float position[3];
     float direction[3];         ///< unit; the way the light travels
     float color[3];             ///< linear
@@ -125,16 +125,16 @@ struct rhw_model_light {
     float inner_cos, outer_cos; ///< cosines of the half angles of a spot's cone; inner_cos > outer_cos
 };
 
-struct rhw_model {
+struct scene_model {
     const char *path;   ///< as it was given
     const char *format; ///< for example "glTF 2.0" or "Stanford Polygon Library (PLY)"
     uint32_t mesh_count, material_count, image_count, instance_count, camera_count, light_count;
-    struct rhw_mesh *meshes;
-    struct rhw_material *materials;
-    struct rhw_image *images;
-    struct rhw_instance *instances;
-    struct rhw_model_camera *cameras;
-    struct rhw_model_light *lights;
+    struct scene_mesh *meshes;
+    struct scene_material *materials;
+    struct scene_image *images;
+    struct scene_instance *instances;
+    struct scene_model_camera *cameras;
+    struct scene_model_light *lights;
     float bounds_min[3], bounds_max[3]; ///< of all instances, in the world; min > max: nothing to draw
     uint64_t triangles_stored, triangles_drawn; ///< in the meshes / after instancing
     uint32_t warning_count, unsupported_count;
@@ -144,16 +144,16 @@ struct rhw_model {
 };
 
 /// Limits of an import. Zeroed: the defaults.
-struct rhw_model_limits {
+struct scene_model_limits {
     unsigned seconds; ///< of CPU time; 0: 60
     size_t memory;    ///< bytes of address space; 0: 3/4 of the machine's memory, at most 16 GiB
 };
 
 /// Reads a model file and its textures in a child process, so that no file can take the caller down.
 /// Returns NULL on failure with one line in `error` that names the cause (the path is not in it).
-/// `limits` may be NULL. Free with rhw_model_free.
-struct rhw_model *rhw_model_load(const char *path, const struct rhw_model_limits *limits, char *error,
-                                 size_t error_size);
-void rhw_model_free(struct rhw_model *model);
+/// `limits` may be NULL. Free with scene_model_free.
+struct scene_model *scene_model_load(const char *path, const struct scene_model_limits *limits, char *error,
+                                     size_t error_size);
+void scene_model_free(struct scene_model *model);
 
 #endif

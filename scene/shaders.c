@@ -2,24 +2,24 @@
 // Puts the per-instruction-set copies of the built-in shaders into programs.
 #include "shaders.h"
 
-static const struct rhw_surface_shaders *const surface_shaders[RHW_ISA_COUNT] = {
-    [RHW_ISA_BASELINE] = &rhw_surface_shaders_baseline,
+static const struct scene_surface_shaders *const surface_shaders[RHW_ISA_COUNT] = {
+    [RHW_ISA_BASELINE] = &scene_surface_shaders_baseline,
 #ifdef RHW_HAVE_X86_ISAS
-    [RHW_ISA_AVX2] = &rhw_surface_shaders_avx2,
-    [RHW_ISA_AVX512] = &rhw_surface_shaders_avx512,
+    [RHW_ISA_AVX2] = &scene_surface_shaders_avx2,
+    [RHW_ISA_AVX512] = &scene_surface_shaders_avx512,
 #endif
 };
 
-static const struct rhw_screen_shaders *const screen_shaders[RHW_ISA_COUNT] = {
-    [RHW_ISA_BASELINE] = &rhw_screen_shaders_baseline,
+static const struct scene_screen_shaders *const screen_shaders[RHW_ISA_COUNT] = {
+    [RHW_ISA_BASELINE] = &scene_screen_shaders_baseline,
 #ifdef RHW_HAVE_X86_ISAS
-    [RHW_ISA_AVX2] = &rhw_screen_shaders_avx2,
-    [RHW_ISA_AVX512] = &rhw_screen_shaders_avx512,
+    [RHW_ISA_AVX2] = &scene_screen_shaders_avx2,
+    [RHW_ISA_AVX512] = &scene_screen_shaders_avx512,
 #endif
 };
 
-void rhw_program_surface(struct rhw_program *program, enum rhw_vertex_kind vertex,
-                         enum rhw_fragment_kind fragment)
+void scene_program_surface(struct rhw_program *program, enum scene_vertex_kind vertex,
+                           enum scene_fragment_kind fragment)
 {
     for (int isa = 0; isa < RHW_ISA_COUNT; isa++) {
         if (surface_shaders[isa]) {
@@ -27,10 +27,10 @@ void rhw_program_surface(struct rhw_program *program, enum rhw_vertex_kind verte
             program->fragment[isa] = surface_shaders[isa]->fragment[fragment];
         }
     }
-    program->uniform_size = sizeof(struct rhw_surface);
+    program->uniform_size = sizeof(struct scene_surface);
 }
 
-void rhw_program_screen(struct rhw_program *program, enum rhw_screen_kind kind)
+void scene_program_screen(struct rhw_program *program, enum scene_screen_kind kind)
 {
     for (int isa = 0; isa < RHW_ISA_COUNT; isa++) {
         if (screen_shaders[isa]) {
@@ -40,5 +40,5 @@ void rhw_program_screen(struct rhw_program *program, enum rhw_screen_kind kind)
     }
     program->uses = RHW_USE_COORD;
     program->uniform_size =
-        kind == RHW_SCREEN_BACKDROP ? sizeof(struct rhw_backdrop) : sizeof(struct rhw_resolve);
+        kind == SCENE_SCREEN_BACKDROP ? sizeof(struct scene_backdrop) : sizeof(struct scene_resolve);
 }

@@ -5,21 +5,21 @@
 // Which attributes a mesh has and which varyings a material needs is decided once per draw and written into
 // the uniforms as positions. A branch on a uniform costs one well predicted jump per 8 fragments, so the
 // functions come in few variants: one for each amount of work per fragment.
-#ifndef RHW_SCENE_SHADERS_H
-#define RHW_SCENE_SHADERS_H
+#ifndef SCENE_SHADERS_H
+#define SCENE_SHADERS_H
 
 #include "model.h"
 #include "rhw/types.h"
 
 enum {
-    RHW_LOBES = 3,      // soft boxes of the environment
-    RHW_UV_STREAMS = 6, // one for each texture slot at most, and the untransformed set 0
-    RHW_DATA_OUTPUTS = 8
+    SCENE_LOBES = 3,      // soft boxes of the environment
+    SCENE_UV_STREAMS = 6, // one for each texture slot at most, and the untransformed set 0
+    SCENE_DATA_OUTPUTS = 8
 };
 
 // A light as the shader sums it. `color` holds intensity and exposure.
-struct rhw_shader_light {
-    enum rhw_light_type type;
+struct scene_shader_light {
+    enum scene_light_type type;
     float position[3];
     float direction[3]; // unit, towards the light (directional), or the way it shines (spot)
     float color[3];
@@ -30,52 +30,52 @@ struct rhw_shader_light {
 
 // The surroundings: a ground and a sky with a soft horizon, and soft boxes of light with the shape of a
 // spherical Gaussian: amplitude · exp(sharpness · (cos − 1)). All radiances hold the exposure.
-struct rhw_environment {
+struct scene_environment {
     float up[3];
     float sky[3], ground[3];
-    float lobe_direction[RHW_LOBES][3];
-    float lobe_color[RHW_LOBES][3];
+    float lobe_direction[SCENE_LOBES][3];
+    float lobe_color[SCENE_LOBES][3];
     float sharpness;  // of every lobe
     float diffuse[3]; // a lobe's irradiance / π at cosine t: diffuse[0] + diffuse[1] t + diffuse[2] t²
 };
 
 // Constant over a pass.
-struct rhw_frame {
+struct scene_frame {
     float eye[3];
     float forward[3]; // unit, the way the camera looks
     int32_t orthographic;
     float pixel[2]; // size of a pixel in NDC
     float samples;  // side of the sample grid: pixels of the pass per pixel of the picture
     int32_t light_count;
-    const struct rhw_shader_light *lights;
-    struct rhw_environment environment;
-    int32_t write_linear;                  // color[1] takes the light before tone mapping
-    float line_color[3], plain_color[3];   // wireframe
-    float line_half_width;                 // pixels of the pass
-    int32_t plain;                         // wireframe over an even surface
-    int32_t output_slot[RHW_DATA_OUTPUTS]; // enum rhw_data_output to colour attachment; −1: not wanted
+    const struct scene_shader_light *lights;
+    struct scene_environment environment;
+    int32_t write_linear;                    // color[1] takes the light before tone mapping
+    float line_color[3], plain_color[3];     // wireframe
+    float line_half_width;                   // pixels of the pass
+    int32_t plain;                           // wireframe over an even surface
+    int32_t output_slot[SCENE_DATA_OUTPUTS]; // enum scene_data_output to colour attachment; −1: not wanted
 };
 
-enum rhw_data_output {
-    RHW_DATA_DEPTH,
-    RHW_DATA_DISTANCE,
-    RHW_DATA_NORMAL,
-    RHW_DATA_POSITION,
-    RHW_DATA_UV,
-    RHW_DATA_OBJECT,
-    RHW_DATA_TRIANGLE,
-    RHW_DATA_BARYCENTRIC
+enum scene_data_output {
+    SCENE_DATA_DEPTH,
+    SCENE_DATA_DISTANCE,
+    SCENE_DATA_NORMAL,
+    SCENE_DATA_POSITION,
+    SCENE_DATA_UV,
+    SCENE_DATA_OBJECT,
+    SCENE_DATA_TRIANGLE,
+    SCENE_DATA_BARYCENTRIC
 };
 
 // A texture coordinate set under a transform; slots that share both share a stream.
-struct rhw_uv_stream {
+struct scene_uv_stream {
     int32_t attribute; // −1: the mesh lacks the set
     float transform[6];
 };
 
 // Constant over a draw. Places are −1 where a thing is absent.
-struct rhw_surface {
-    const struct rhw_frame *frame;
+struct scene_surface {
+    const struct scene_frame *frame;
     float clip[16];   // model to clip coordinates, depth reversed: 1 near, 0 far
     float world[12];  // model to world: 3 rows of 4
     float normal[9];  // normals to world: 3 columns
@@ -83,15 +83,15 @@ struct rhw_surface {
     int32_t attribute_normal, attribute_tangent, attribute_color;
     int32_t varying_position, varying_normal, varying_tangent, varying_color, varying_uv, varying_disc;
     int32_t stream_count;
-    struct rhw_uv_stream streams[RHW_UV_STREAMS];
+    struct scene_uv_stream streams[SCENE_UV_STREAMS];
 
-    int32_t slot_varying[RHW_SLOT_COUNT]; // where the stream of a slot begins; −1: no texture
-    int32_t uv_varying;                   // untransformed set 0, for the data pass
-    uint32_t shared_slots;                // bits of those that are sampled at once, at the same coordinates
-    int32_t occlusion_shared;             // occlusion reads the texel that metallic-roughness read
+    int32_t slot_varying[SCENE_SLOT_COUNT]; // where the stream of a slot begins; −1: no texture
+    int32_t uv_varying;                     // untransformed set 0, for the data pass
+    uint32_t shared_slots;                  // bits of those that are sampled at once, at the same coordinates
+    int32_t occlusion_shared;               // occlusion reads the texel that metallic-roughness read
     float base_color[4], emissive[3];
     float metallic, roughness, normal_scale, occlusion_strength;
-    int32_t alpha_mode; // enum rhw_alpha_mode
+    int32_t alpha_mode; // enum scene_alpha_mode
     float alpha_cutoff; // fragments below are discarded; 0: none is
     int32_t double_sided, wireframe;
 
@@ -102,54 +102,54 @@ struct rhw_surface {
 };
 
 // Uniforms of the background. Colours are linear and premultiplied.
-struct rhw_backdrop {
+struct scene_backdrop {
     float top[4], bottom[4];
     float inverse_height; // of the picture, in pixels of the pass
     float first_row;      // of this band
 };
 
 // Uniforms of the resolve: `side`² samples of texture 0 become a pixel.
-struct rhw_resolve {
+struct scene_resolve {
     int32_t side;
     int32_t straight_alpha; // divide by alpha
     float inverse_size[2];  // of the sample texture
 };
 
-enum rhw_fragment_kind {
-    RHW_FRAGMENT_LIT,      // no textures
-    RHW_FRAGMENT_TEXTURED, // any textures but a normal map
-    RHW_FRAGMENT_MAPPED,   // a normal map too
-    RHW_FRAGMENT_UNLIT,
-    RHW_FRAGMENT_DATA,
-    RHW_FRAGMENT_KINDS
+enum scene_fragment_kind {
+    SCENE_FRAGMENT_LIT,      // no textures
+    SCENE_FRAGMENT_TEXTURED, // any textures but a normal map
+    SCENE_FRAGMENT_MAPPED,   // a normal map too
+    SCENE_FRAGMENT_UNLIT,
+    SCENE_FRAGMENT_DATA,
+    SCENE_FRAGMENT_KINDS
 };
-enum rhw_vertex_kind { RHW_VERTEX_SURFACE, RHW_VERTEX_LINE, RHW_VERTEX_POINT, RHW_VERTEX_KINDS };
-enum rhw_screen_kind { RHW_SCREEN_BACKDROP, RHW_SCREEN_RESOLVE, RHW_SCREEN_KINDS };
+enum scene_vertex_kind { SCENE_VERTEX_SURFACE, SCENE_VERTEX_LINE, SCENE_VERTEX_POINT, SCENE_VERTEX_KINDS };
+enum scene_screen_kind { SCENE_SCREEN_BACKDROP, SCENE_SCREEN_RESOLVE, SCENE_SCREEN_KINDS };
 
-struct rhw_surface_shaders {
-    rhw_vertex_function *vertex[RHW_VERTEX_KINDS];
-    rhw_fragment_function *fragment[RHW_FRAGMENT_KINDS];
+struct scene_surface_shaders {
+    rhw_vertex_function *vertex[SCENE_VERTEX_KINDS];
+    rhw_fragment_function *fragment[SCENE_FRAGMENT_KINDS];
 };
 
-struct rhw_screen_shaders {
+struct scene_screen_shaders {
     rhw_vertex_function *vertex; // a triangle over the whole viewport; draw(0, 3)
-    rhw_fragment_function *fragment[RHW_SCREEN_KINDS];
+    rhw_fragment_function *fragment[SCENE_SCREEN_KINDS];
 };
 
 // Attribute 0 of surfaces is the position. Lines and points: 4 vertices per quad, attributes 0 position of
 // this end, 1 position of the other end (lines), then colour and normal where present; vertex_index & 3
 // tells the corner.
-void rhw_program_surface(struct rhw_program *program, enum rhw_vertex_kind vertex,
-                         enum rhw_fragment_kind fragment);
-void rhw_program_screen(struct rhw_program *program, enum rhw_screen_kind kind);
+void scene_program_surface(struct rhw_program *program, enum scene_vertex_kind vertex,
+                           enum scene_fragment_kind fragment);
+void scene_program_screen(struct rhw_program *program, enum scene_screen_kind kind);
 
-#define RHW_SHADER_PASTE(name, suffix)  name##_##suffix
-#define RHW_SHADER_EXPAND(name, suffix) RHW_SHADER_PASTE(name, suffix)
-#define RHW_ISA_NAME(name)              RHW_SHADER_EXPAND(name, RHW_ISA_SUFFIX)
+#define SCENE_PASTE(name, suffix)  name##_##suffix
+#define SCENE_EXPAND(name, suffix) SCENE_PASTE(name, suffix)
+#define RHW_ISA_NAME(name)         SCENE_EXPAND(name, RHW_ISA_SUFFIX)
 
-extern const struct rhw_surface_shaders rhw_surface_shaders_baseline, rhw_surface_shaders_avx2,
-    rhw_surface_shaders_avx512;
-extern const struct rhw_screen_shaders rhw_screen_shaders_baseline, rhw_screen_shaders_avx2,
-    rhw_screen_shaders_avx512;
+extern const struct scene_surface_shaders scene_surface_shaders_baseline, scene_surface_shaders_avx2,
+    scene_surface_shaders_avx512;
+extern const struct scene_screen_shaders scene_screen_shaders_baseline, scene_screen_shaders_avx2,
+    scene_screen_shaders_avx512;
 
 #endif

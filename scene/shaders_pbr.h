@@ -6,16 +6,16 @@
 // Schlick's Fresnel term, a Lambertian base. What comes from all around is not sampled but has a closed
 // form: a soft-edged sky over a ground, and soft boxes as spherical Gaussians, which a rough surface blurs
 // into wider Gaussians (Wang et al. 2009). So metals have something to reflect and nothing needs a file.
-#ifndef RHW_SCENE_SHADERS_PBR_H
-#define RHW_SCENE_SHADERS_PBR_H
+#ifndef SCENE_SHADERS_PBR_H
+#define SCENE_SHADERS_PBR_H
 
 #include "rhw/shader.h"
 #include "shaders.h"
 
-static const float rhw_inverse_pi = 0.31830988618f;
+static const float scene_inverse_pi = 0.31830988618f;
 
 /// What one fragment reflects, before any light is looked at. Vectors are unit and point away from the surface.
-struct rhw_reflector {
+struct scene_reflector {
     rhw_float normal[3], view[3];
     rhw_float n_dot_v;    // at least 1/1024
     rhw_float alpha;      // roughness squared
@@ -23,21 +23,21 @@ struct rhw_reflector {
     rhw_float f0[3];      // reflectance head on
 };
 
-static inline rhw_float rhw_pow5(rhw_float a)
+static inline rhw_float scene_pow5(rhw_float a)
 {
     const rhw_float square = a * a;
     return square * square * a;
 }
 
 /// Smith's masking for one direction, without its numerator 2 n·l: n·l + sqrt(α² + (1 − α²)(n·l)²).
-static inline rhw_float rhw_smith(rhw_float cosine, rhw_float alpha2)
+static inline rhw_float scene_smith(rhw_float cosine, rhw_float alpha2)
 {
     return cosine + rhw_sqrt(alpha2 + (1.0f - alpha2) * (cosine * cosine));
 }
 
 /// Fills `reflector` from base colour, metallic and roughness; normal and view are already in it.
-static inline void rhw_reflector_set(struct rhw_reflector *reflector, const rhw_float base[3],
-                                     rhw_float metallic, rhw_float roughness)
+static inline void scene_reflector_set(struct scene_reflector *reflector, const rhw_float base[3],
+                                       rhw_float metallic, rhw_float roughness)
 {
     const rhw_float dielectric = rhw_splat(0.04f);
     for (int c = 0; c < 3; c++) {
@@ -53,8 +53,8 @@ static inline void rhw_reflector_set(struct rhw_reflector *reflector, const rhw_
 
 /// Adds the light that arrives from `to_light` (unit) with irradiance `irradiance` (on a surface that faces
 /// it) to `sum`: irradiance · n·l · ((1 − F) diffuse / π + F D V). `size` is added to alpha.
-static inline void rhw_reflect_light(const struct rhw_reflector *r, const rhw_float to_light[3],
-                                     const rhw_float irradiance[3], float size, rhw_float sum[3])
+static inline void scene_reflect_light(const struct scene_reflector *r, const rhw_float to_light[3],
+                                       const rhw_float irradiance[3], float size, rhw_float sum[3])
 {
     const rhw_float n_dot_l = rhw_saturate(rhw_dot3(r->normal, to_light));
     const rhw_float l_dot_v = rhw_dot3(to_light, r->view);
@@ -64,20 +64,21 @@ static inline void rhw_reflect_light(const struct rhw_reflector *r, const rhw_fl
     const rhw_float alpha = rhw_min(r->alpha + size, rhw_splat(1.0f));
     const rhw_float alpha2 = alpha * alpha;
     const rhw_float base = 1.0f - n_dot_h * n_dot_h * (1.0f - alpha2);
-    const rhw_float visibility = rhw_smith(n_dot_l, alpha2) * rhw_smith(r->n_dot_v, alpha2);
-    const rhw_float specular = alpha2 * rhw_inverse_pi / (base * base * visibility);
-    const rhw_float fresnel = rhw_pow5(1.0f - h_dot_v);
+    const rhw_float visibility = scene_smith(n_dot_l, alpha2) * scene_smith(r->n_dot_v, alpha2);
+    const rhw_float specular = alpha2 * scene_inverse_pi / (base * base * visibility);
+    const rhw_float fresnel = scene_pow5(1.0f - h_dot_v);
     for (int c = 0; c < 3; c++) {
         const rhw_float f = r->f0[c] + (1.0f - r->f0[c]) * fresnel;
-        sum[c] += irradiance[c] * n_dot_l * ((1.0f - f) * r->diffuse[c] * rhw_inverse_pi + f * specular);
+        sum[c] += irradiance[c] * n_dot_l * ((1.0f - f) * r->diffuse[c] * scene_inverse_pi + f * specular);
     }
 }
 
 /// Radiance that the surroundings send along −direction after a blur by roughness squared `alpha`. The
 /// normal distribution is close to a Gaussian of sharpness 2 / α², its reflection to a fourth of that;
 /// Gaussians convolve into Gaussians: with k = 1 / (1 + 2 λ α²) sharpness and amplitude shrink by k.
-static inline void rhw_environment_reflection(const struct rhw_environment *e, const rhw_float direction[3],
-                                              rhw_float alpha, rhw_float radiance[3])
+static inline void scene_environment_reflection(const struct scene_environment *e,
+                                                const rhw_float direction[3], rhw_float alpha,
+                                                rhw_float radiance[3])
 {
     const rhw_float alpha2 = alpha * alpha;
     const rhw_float height = direction[0] * e->up[0] + direction[1] * e->up[1] + direction[2] * e->up[2];
@@ -87,7 +88,7 @@ static inline void rhw_environment_reflection(const struct rhw_environment *e, c
     }
     const rhw_float k = 1.0f / (1.0f + 2.0f * e->sharpness * alpha2);
     const rhw_float exponent = k * (e->sharpness * 1.44269504f);
-    for (int i = 0; i < RHW_LOBES; i++) {
+    for (int i = 0; i < SCENE_LOBES; i++) {
         const float *d = e->lobe_direction[i], *color = e->lobe_color[i];
         const rhw_float cosine = direction[0] * d[0] + direction[1] * d[1] + direction[2] * d[2];
         const rhw_float value = k * rhw_exp2(exponent * (cosine - 1.0f));
@@ -99,15 +100,15 @@ static inline void rhw_environment_reflection(const struct rhw_environment *e, c
 
 /// Irradiance / π of the surroundings on a surface that faces `normal`. Zonal harmonics up to order 2 of
 /// every lobe; the sky's half of the sphere gives exactly (1 + cos) / 2.
-static inline void rhw_environment_diffuse(const struct rhw_environment *e, const rhw_float normal[3],
-                                           rhw_float irradiance[3])
+static inline void scene_environment_diffuse(const struct scene_environment *e, const rhw_float normal[3],
+                                             rhw_float irradiance[3])
 {
     const rhw_float height = normal[0] * e->up[0] + normal[1] * e->up[1] + normal[2] * e->up[2];
     const rhw_float above = 0.5f + 0.5f * height;
     for (int c = 0; c < 3; c++) {
         irradiance[c] = e->ground[c] + (e->sky[c] - e->ground[c]) * above;
     }
-    for (int i = 0; i < RHW_LOBES; i++) {
+    for (int i = 0; i < SCENE_LOBES; i++) {
         const float *d = e->lobe_direction[i], *color = e->lobe_color[i];
         const rhw_float t = normal[0] * d[0] + normal[1] * d[1] + normal[2] * d[2];
         const rhw_float value =
@@ -120,8 +121,8 @@ static inline void rhw_environment_diffuse(const struct rhw_environment *e, cons
 
 /// How much of even surroundings a GGX surface mirrors, f0 · scale + bias: B. Karis's fit, "Physically
 /// based shading on mobile" (2014).
-static inline void rhw_environment_brdf(rhw_float roughness, rhw_float n_dot_v, rhw_float *scale,
-                                        rhw_float *bias)
+static inline void scene_environment_brdf(rhw_float roughness, rhw_float n_dot_v, rhw_float *scale,
+                                          rhw_float *bias)
 {
     const rhw_float r0 = 1.0f - roughness;
     const rhw_float r1 = 0.0425f - 0.0275f * roughness;
@@ -134,17 +135,18 @@ static inline void rhw_environment_brdf(rhw_float roughness, rhw_float n_dot_v, 
 
 /// Adds what the surroundings send to the eye, dimmed by `occlusion`. Light that bounces between the
 /// facets of a rough surface is given back (Turquin 2019), else rough metals come out too dark.
-static inline void rhw_reflect_environment(const struct rhw_reflector *r, const struct rhw_environment *e,
-                                           rhw_float roughness, rhw_float occlusion, rhw_float sum[3])
+static inline void scene_reflect_environment(const struct scene_reflector *r,
+                                             const struct scene_environment *e, rhw_float roughness,
+                                             rhw_float occlusion, rhw_float sum[3])
 {
     rhw_float mirrored[3], diffuse[3], incident[3], direction[3], scale, bias;
     for (int c = 0; c < 3; c++) {
         incident[c] = -r->view[c];
     }
     rhw_reflect(incident, r->normal, direction);
-    rhw_environment_reflection(e, direction, r->alpha, mirrored);
-    rhw_environment_diffuse(e, r->normal, diffuse);
-    rhw_environment_brdf(roughness, r->n_dot_v, &scale, &bias);
+    scene_environment_reflection(e, direction, r->alpha, mirrored);
+    scene_environment_diffuse(e, r->normal, diffuse);
+    scene_environment_brdf(roughness, r->n_dot_v, &scale, &bias);
     const rhw_float lost = 1.0f / (scale + bias) - 1.0f;
     for (int c = 0; c < 3; c++) {
         const rhw_float single = r->f0[c] * scale + bias;
@@ -155,7 +157,7 @@ static inline void rhw_reflect_environment(const struct rhw_reflector *r, const 
 
 /// Khronos PBR Neutral (its specification, 2024): the identity for what is not bright, less the 4% that a
 /// dielectric mirrors; highlights are compressed towards white.
-static inline void rhw_tone_map(rhw_float color[3])
+static inline void scene_tone_map(rhw_float color[3])
 {
     const float start = 0.8f - 0.04f, desaturation = 0.15f, rest = 1.0f - start;
     const rhw_float low = rhw_min(color[0], rhw_min(color[1], color[2]));
@@ -179,10 +181,10 @@ static inline void rhw_tone_map(rhw_float color[3])
 }
 
 /// Irradiance of a light at `position`, and the unit direction to it.
-static inline void rhw_light_at(const struct rhw_shader_light *light, const rhw_float position[3],
-                                rhw_float to_light[3], rhw_float irradiance[3])
+static inline void scene_light_at(const struct scene_shader_light *light, const rhw_float position[3],
+                                  rhw_float to_light[3], rhw_float irradiance[3])
 {
-    if (light->type == RHW_LIGHT_DIRECTIONAL) {
+    if (light->type == SCENE_LIGHT_DIRECTIONAL) {
         for (int c = 0; c < 3; c++) {
             to_light[c] = rhw_splat(light->direction[c]);
             irradiance[c] = rhw_splat(light->color[c]);
@@ -199,7 +201,7 @@ static inline void rhw_light_at(const struct rhw_shader_light *light, const rhw_
     }
     const rhw_float ratio2 = distance2 * (light->inverse_range * light->inverse_range);
     rhw_float falloff = rhw_saturate(1.0f - ratio2 * ratio2) / distance2;
-    if (light->type == RHW_LIGHT_SPOT) {
+    if (light->type == SCENE_LIGHT_SPOT) {
         const rhw_float cosine = -(to_light[0] * light->direction[0] + to_light[1] * light->direction[1] +
                                    to_light[2] * light->direction[2]);
         const rhw_float cone = rhw_saturate(cosine * light->spot_scale + light->spot_offset);

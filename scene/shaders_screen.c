@@ -17,7 +17,7 @@ static void screen_vertex(struct rhw_vertex *groups, int count)
 
 static void backdrop_fragment(struct rhw_fragment *groups, int count)
 {
-    const struct rhw_backdrop *b = groups->uniforms;
+    const struct scene_backdrop *b = groups->uniforms;
     for (int g = 0; g < count; g++) {
         const rhw_float down = (groups[g].coord[1] + b->first_row) * b->inverse_height;
         for (int c = 0; c < 4; c++) {
@@ -31,7 +31,7 @@ static void backdrop_fragment(struct rhw_fragment *groups, int count)
 // leave the edge as jagged as without supersampling.
 static void resolve_fragment(struct rhw_fragment *groups, int count)
 {
-    const struct rhw_resolve *r = groups->uniforms;
+    const struct scene_resolve *r = groups->uniforms;
     const float weight = 1.0f / (float)(r->side * r->side);
     const rhw_float level = rhw_splat(0.0f);
     for (int g = 0; g < count; g++) {
@@ -61,7 +61,7 @@ static void resolve_fragment(struct rhw_fragment *groups, int count)
     }
 }
 
-const struct rhw_screen_shaders RHW_ISA_NAME(rhw_screen_shaders) = {
+const struct scene_screen_shaders RHW_ISA_NAME(scene_screen_shaders) = {
     .vertex = screen_vertex,
-    .fragment = {[RHW_SCREEN_BACKDROP] = backdrop_fragment, [RHW_SCREEN_RESOLVE] = resolve_fragment},
+    .fragment = {[SCENE_SCREEN_BACKDROP] = backdrop_fragment, [SCENE_SCREEN_RESOLVE] = resolve_fragment},
 };

@@ -14,7 +14,7 @@ ALWAYS_INLINE void to_clip(const float m[16], const rhw_float p[3], rhw_float cl
     }
 }
 
-ALWAYS_INLINE void write_position(const struct rhw_surface *s, const rhw_float p[3], rhw_float *varying)
+ALWAYS_INLINE void write_position(const struct scene_surface *s, const rhw_float p[3], rhw_float *varying)
 {
     if (s->varying_position < 0) {
         return;
@@ -25,7 +25,7 @@ ALWAYS_INLINE void write_position(const struct rhw_surface *s, const rhw_float p
     }
 }
 
-ALWAYS_INLINE void write_normal(const struct rhw_surface *s, const struct rhw_vertex *v)
+ALWAYS_INLINE void write_normal(const struct scene_surface *s, const struct rhw_vertex *v)
 {
     if (s->varying_normal < 0) {
         return;
@@ -40,7 +40,7 @@ ALWAYS_INLINE void write_normal(const struct rhw_surface *s, const struct rhw_ve
 
 // A tangent lies in the surface, so it goes with the world matrix itself. Its w is turned where the matrix
 // mirrors, because a cross product does not mirror with its arguments.
-ALWAYS_INLINE void write_tangent(const struct rhw_surface *s, const struct rhw_vertex *v)
+ALWAYS_INLINE void write_tangent(const struct scene_surface *s, const struct rhw_vertex *v)
 {
     if (s->varying_tangent < 0) {
         return;
@@ -55,7 +55,7 @@ ALWAYS_INLINE void write_tangent(const struct rhw_surface *s, const struct rhw_v
     v->varying[s->varying_tangent + 3] = t[3] * s->handedness;
 }
 
-ALWAYS_INLINE void write_color(const struct rhw_surface *s, const struct rhw_vertex *v)
+ALWAYS_INLINE void write_color(const struct scene_surface *s, const struct rhw_vertex *v)
 {
     if (s->varying_color < 0) {
         return;
@@ -65,10 +65,10 @@ ALWAYS_INLINE void write_color(const struct rhw_surface *s, const struct rhw_ver
     }
 }
 
-ALWAYS_INLINE void write_uvs(const struct rhw_surface *s, const struct rhw_vertex *v)
+ALWAYS_INLINE void write_uvs(const struct scene_surface *s, const struct rhw_vertex *v)
 {
     for (int i = 0; i < s->stream_count; i++) {
-        const struct rhw_uv_stream *stream = &s->streams[i];
+        const struct scene_uv_stream *stream = &s->streams[i];
         const float *t = stream->transform;
         rhw_float uv[2] = {rhw_splat(0.0f), rhw_splat(0.0f)};
         if (stream->attribute >= 0) {
@@ -82,7 +82,7 @@ ALWAYS_INLINE void write_uvs(const struct rhw_surface *s, const struct rhw_verte
 
 static void surface_vertex(struct rhw_vertex *groups, int count)
 {
-    const struct rhw_surface *s = groups->uniforms;
+    const struct scene_surface *s = groups->uniforms;
     for (int g = 0; g < count; g++) {
         struct rhw_vertex *v = &groups[g];
         const rhw_float *p = v->attribute[0];
@@ -99,7 +99,7 @@ static void surface_vertex(struct rhw_vertex *groups, int count)
 // seen from the first end.
 static void line_vertex(struct rhw_vertex *groups, int count)
 {
-    const struct rhw_surface *s = groups->uniforms;
+    const struct scene_surface *s = groups->uniforms;
     const float *pixel = s->frame->pixel;
     for (int g = 0; g < count; g++) {
         struct rhw_vertex *v = &groups[g];
@@ -143,7 +143,7 @@ static void line_vertex(struct rhw_vertex *groups, int count)
 
 static void point_vertex(struct rhw_vertex *groups, int count)
 {
-    const struct rhw_surface *s = groups->uniforms;
+    const struct scene_surface *s = groups->uniforms;
     const float *pixel = s->frame->pixel;
     for (int g = 0; g < count; g++) {
         struct rhw_vertex *v = &groups[g];
@@ -165,27 +165,27 @@ static void point_vertex(struct rhw_vertex *groups, int count)
 
 // Fragments -----------------------------------------------------------------------------------------
 
-ALWAYS_INLINE void sample_slot(const struct rhw_fragment *f, int at, enum rhw_slot slot, rhw_float texel[4])
+ALWAYS_INLINE void sample_slot(const struct rhw_fragment *f, int at, enum scene_slot slot, rhw_float texel[4])
 {
     const rhw_float uv[2] = {f->varying[at], f->varying[at + 1]};
     const rhw_float gradient[4] = {f->ddx[at], f->ddx[at + 1], f->ddy[at], f->ddy[at + 1]};
     rhw_sample_grad(&f->textures[slot], uv, gradient, texel);
 }
 
-// Texels by slot; those of rhw_surface.shared_slots, once they have been sampled, wait for their use.
-typedef rhw_float slot_texels[RHW_SLOT_COUNT][4];
+// Texels by slot; those of scene_surface.shared_slots, once they have been sampled, wait for their use.
+typedef rhw_float slot_texels[SCENE_SLOT_COUNT][4];
 
-ALWAYS_INLINE void sample_shared(const struct rhw_fragment *groups, int count, const struct rhw_surface *s,
+ALWAYS_INLINE void sample_shared(const struct rhw_fragment *groups, int count, const struct scene_surface *s,
                                  slot_texels *texels)
 {
     if (s->shared_slots) {
         const int at = s->slot_varying[__builtin_ctz(s->shared_slots)];
-        rhw_sample_groups(groups, count, s->shared_slots, at, texels[0], RHW_SLOT_COUNT);
+        rhw_sample_groups(groups, count, s->shared_slots, at, texels[0], SCENE_SLOT_COUNT);
     }
 }
 
-ALWAYS_INLINE const rhw_float *slot_texel(const struct rhw_fragment *f, const struct rhw_surface *s,
-                                          enum rhw_slot slot, slot_texels texels)
+ALWAYS_INLINE const rhw_float *slot_texel(const struct rhw_fragment *f, const struct scene_surface *s,
+                                          enum scene_slot slot, slot_texels texels)
 {
     if (!(s->shared_slots >> slot & 1)) {
         sample_slot(f, s->slot_varying[slot], slot, texels[slot]);
@@ -194,7 +194,7 @@ ALWAYS_INLINE const rhw_float *slot_texel(const struct rhw_fragment *f, const st
 }
 
 // Base colour with alpha; clears the lanes of `mask` that the alpha test or the disc of a point discards.
-ALWAYS_INLINE void base_color(struct rhw_fragment *f, const struct rhw_surface *s, bool textured,
+ALWAYS_INLINE void base_color(struct rhw_fragment *f, const struct scene_surface *s, bool textured,
                               slot_texels texels, rhw_float color[4])
 {
     for (int c = 0; c < 4; c++) {
@@ -205,8 +205,8 @@ ALWAYS_INLINE void base_color(struct rhw_fragment *f, const struct rhw_surface *
             color[c] = color[c] * f->varying[s->varying_color + c];
         }
     }
-    if (textured && s->slot_varying[RHW_SLOT_BASE_COLOR] >= 0) {
-        const rhw_float *texel = slot_texel(f, s, RHW_SLOT_BASE_COLOR, texels);
+    if (textured && s->slot_varying[SCENE_SLOT_BASE_COLOR] >= 0) {
+        const rhw_float *texel = slot_texel(f, s, SCENE_SLOT_BASE_COLOR, texels);
         for (int c = 0; c < 4; c++) {
             color[c] = color[c] * texel[c];
         }
@@ -218,13 +218,13 @@ ALWAYS_INLINE void base_color(struct rhw_fragment *f, const struct rhw_surface *
         const rhw_float *d = &f->varying[s->varying_disc];
         f->mask = f->mask & rhw_less_equal(rhw_dot2(d, d), rhw_splat(1.0f));
     }
-    if (s->alpha_mode != RHW_ALPHA_BLEND) {
+    if (s->alpha_mode != SCENE_ALPHA_BLEND) {
         color[3] = rhw_splat(1.0f);
     }
 }
 
 // Unit, towards the eye.
-ALWAYS_INLINE void view_direction(const struct rhw_frame *frame, const rhw_float position[3],
+ALWAYS_INLINE void view_direction(const struct scene_frame *frame, const rhw_float position[3],
                                   rhw_float view[3])
 {
     if (frame->orthographic) {
@@ -240,15 +240,15 @@ ALWAYS_INLINE void view_direction(const struct rhw_frame *frame, const rhw_float
 }
 
 // Unit, of the side that is seen.
-ALWAYS_INLINE void surface_normal(const struct rhw_fragment *f, const struct rhw_surface *s, bool mapped,
+ALWAYS_INLINE void surface_normal(const struct rhw_fragment *f, const struct scene_surface *s, bool mapped,
                                   slot_texels texels, rhw_float normal[3])
 {
     for (int c = 0; c < 3; c++) {
         normal[c] = f->varying[s->varying_normal + c];
     }
-    if (mapped && s->slot_varying[RHW_SLOT_NORMAL] >= 0) {
+    if (mapped && s->slot_varying[SCENE_SLOT_NORMAL] >= 0) {
         const rhw_float *tangent = &f->varying[s->varying_tangent];
-        const rhw_float *texel = slot_texel(f, s, RHW_SLOT_NORMAL, texels);
+        const rhw_float *texel = slot_texel(f, s, SCENE_SLOT_NORMAL, texels);
         rhw_float bitangent[3];
         rhw_cross(normal, tangent, bitangent);
         const rhw_float x = (texel[0] * 2.0f - 1.0f) * s->normal_scale;
@@ -276,9 +276,9 @@ ALWAYS_INLINE void surface_normal(const struct rhw_fragment *f, const struct rhw
 // Lines of the wireframe: the distance to an edge in pixels is its barycentric weight over the weight's
 // gradient, exact on the edge and to first order beside it. Where triangles get as small as the lines, the
 // lines fade; else a dense mesh would be one blot.
-ALWAYS_INLINE void draw_wire(const struct rhw_fragment *f, const struct rhw_surface *s, rhw_float color[4])
+ALWAYS_INLINE void draw_wire(const struct rhw_fragment *f, const struct scene_surface *s, rhw_float color[4])
 {
-    const struct rhw_frame *frame = s->frame;
+    const struct scene_frame *frame = s->frame;
     rhw_float distance = rhw_splat(1e30f), height = rhw_splat(1e30f);
     for (int i = 0; i < 3; i++) {
         const rhw_float x = f->barycentric_ddx[i], y = f->barycentric_ddy[i];
@@ -295,7 +295,7 @@ ALWAYS_INLINE void draw_wire(const struct rhw_fragment *f, const struct rhw_surf
 }
 
 // `color` is light that has been tone-mapped, `linear` has not; both not yet premultiplied.
-ALWAYS_INLINE void write_output(struct rhw_fragment *f, const struct rhw_surface *s, rhw_float color[4],
+ALWAYS_INLINE void write_output(struct rhw_fragment *f, const struct scene_surface *s, rhw_float color[4],
                                 rhw_float linear[4])
 {
     if (s->wireframe) {
@@ -315,58 +315,58 @@ ALWAYS_INLINE void write_output(struct rhw_fragment *f, const struct rhw_surface
 }
 
 // `texels` has those of shared slots.
-ALWAYS_INLINE void shade_lit(struct rhw_fragment *f, const struct rhw_surface *s, bool textured, bool mapped,
-                             slot_texels texels)
+ALWAYS_INLINE void shade_lit(struct rhw_fragment *f, const struct scene_surface *s, bool textured,
+                             bool mapped, slot_texels texels)
 {
     rhw_float base[4];
     base_color(f, s, textured, texels, base);
     if (!rhw_any(f->mask)) {
         return;
     }
-    const struct rhw_frame *frame = s->frame;
+    const struct scene_frame *frame = s->frame;
     rhw_float metallic = rhw_splat(s->metallic), roughness = rhw_splat(s->roughness);
     rhw_float occlusion = rhw_splat(1.0f);
     rhw_float emissive[3] = {rhw_splat(s->emissive[0]), rhw_splat(s->emissive[1]), rhw_splat(s->emissive[2])};
     if (textured) {
-        if (s->slot_varying[RHW_SLOT_METALLIC_ROUGHNESS] >= 0) {
-            const rhw_float *texel = slot_texel(f, s, RHW_SLOT_METALLIC_ROUGHNESS, texels);
+        if (s->slot_varying[SCENE_SLOT_METALLIC_ROUGHNESS] >= 0) {
+            const rhw_float *texel = slot_texel(f, s, SCENE_SLOT_METALLIC_ROUGHNESS, texels);
             roughness = roughness * texel[1];
             metallic = metallic * texel[2];
         }
-        if (s->slot_varying[RHW_SLOT_OCCLUSION] >= 0) {
-            const rhw_float *texel = s->occlusion_shared ? texels[RHW_SLOT_METALLIC_ROUGHNESS]
-                                                         : slot_texel(f, s, RHW_SLOT_OCCLUSION, texels);
+        if (s->slot_varying[SCENE_SLOT_OCCLUSION] >= 0) {
+            const rhw_float *texel = s->occlusion_shared ? texels[SCENE_SLOT_METALLIC_ROUGHNESS]
+                                                         : slot_texel(f, s, SCENE_SLOT_OCCLUSION, texels);
             occlusion = 1.0f + s->occlusion_strength * (texel[0] - 1.0f);
         }
-        if (s->slot_varying[RHW_SLOT_EMISSIVE] >= 0) {
-            const rhw_float *texel = slot_texel(f, s, RHW_SLOT_EMISSIVE, texels);
+        if (s->slot_varying[SCENE_SLOT_EMISSIVE] >= 0) {
+            const rhw_float *texel = slot_texel(f, s, SCENE_SLOT_EMISSIVE, texels);
             for (int c = 0; c < 3; c++) {
                 emissive[c] = emissive[c] * texel[c];
             }
         }
     }
-    struct rhw_reflector reflector;
+    struct scene_reflector reflector;
     const rhw_float *position = &f->varying[s->varying_position];
     view_direction(frame, position, reflector.view);
     surface_normal(f, s, mapped, texels, reflector.normal);
-    rhw_reflector_set(&reflector, base, metallic, roughness);
+    scene_reflector_set(&reflector, base, metallic, roughness);
 
     rhw_float sum[3] = {emissive[0], emissive[1], emissive[2]};
-    rhw_reflect_environment(&reflector, &frame->environment, roughness, occlusion, sum);
+    scene_reflect_environment(&reflector, &frame->environment, roughness, occlusion, sum);
     for (int i = 0; i < frame->light_count; i++) {
         rhw_float to_light[3], irradiance[3];
-        rhw_light_at(&frame->lights[i], position, to_light, irradiance);
-        rhw_reflect_light(&reflector, to_light, irradiance, frame->lights[i].size, sum);
+        scene_light_at(&frame->lights[i], position, to_light, irradiance);
+        scene_reflect_light(&reflector, to_light, irradiance, frame->lights[i].size, sum);
     }
     rhw_float linear[4] = {sum[0], sum[1], sum[2], base[3]};
-    rhw_tone_map(sum);
+    scene_tone_map(sum);
     rhw_float color[4] = {sum[0], sum[1], sum[2], base[3]};
     write_output(f, s, color, linear);
 }
 
 static void lit_fragment(struct rhw_fragment *groups, int count)
 {
-    const struct rhw_surface *s = groups->uniforms;
+    const struct scene_surface *s = groups->uniforms;
     for (int g = 0; g < count; g++) {
         slot_texels texels;
         shade_lit(&groups[g], s, false, false, texels);
@@ -378,7 +378,7 @@ static void lit_fragment(struct rhw_fragment *groups, int count)
 ALWAYS_INLINE void shade_textured(struct rhw_fragment *groups, int count, bool mapped)
 {
     enum { STEP = 8 };
-    const struct rhw_surface *s = groups->uniforms;
+    const struct scene_surface *s = groups->uniforms;
     for (; count > 0; groups += STEP, count -= STEP) {
         const int n = count < STEP ? count : STEP;
         slot_texels texels[STEP];
@@ -402,7 +402,7 @@ static void mapped_fragment(struct rhw_fragment *groups, int count)
 // The base colour as it is: neither light nor tone mapping changes it.
 static void unlit_fragment(struct rhw_fragment *groups, int count)
 {
-    const struct rhw_surface *s = groups->uniforms;
+    const struct scene_surface *s = groups->uniforms;
     for (int g = 0; g < count; g++) {
         slot_texels texels;
         rhw_float color[4], linear[4];
@@ -432,10 +432,11 @@ ALWAYS_INLINE void write_vector(struct rhw_fragment *f, int slot, rhw_float x, r
     }
 }
 
-ALWAYS_INLINE void write_distance(struct rhw_fragment *f, const struct rhw_surface *s)
+ALWAYS_INLINE void write_distance(struct rhw_fragment *f, const struct scene_surface *s)
 {
-    const struct rhw_frame *frame = s->frame;
-    const int depth = frame->output_slot[RHW_DATA_DEPTH], distance = frame->output_slot[RHW_DATA_DISTANCE];
+    const struct scene_frame *frame = s->frame;
+    const int depth = frame->output_slot[SCENE_DATA_DEPTH],
+              distance = frame->output_slot[SCENE_DATA_DISTANCE];
     if (depth >= 0) {
         f->color[depth][0] = 1.0f - f->coord[2];
     }
@@ -453,10 +454,10 @@ ALWAYS_INLINE void write_distance(struct rhw_fragment *f, const struct rhw_surfa
     f->color[distance][0] = sum;
 }
 
-ALWAYS_INLINE void write_ids(struct rhw_fragment *f, const struct rhw_surface *s)
+ALWAYS_INLINE void write_ids(struct rhw_fragment *f, const struct scene_surface *s)
 {
-    const int object = s->frame->output_slot[RHW_DATA_OBJECT],
-              triangle = s->frame->output_slot[RHW_DATA_TRIANGLE];
+    const int object = s->frame->output_slot[SCENE_DATA_OBJECT],
+              triangle = s->frame->output_slot[SCENE_DATA_TRIANGLE];
     if (object >= 0) {
         f->color[object][0] = (rhw_float)rhw_splat_int((int32_t)s->object);
     }
@@ -468,7 +469,7 @@ ALWAYS_INLINE void write_ids(struct rhw_fragment *f, const struct rhw_surface *s
 
 static void data_fragment(struct rhw_fragment *groups, int count)
 {
-    const struct rhw_surface *s = groups->uniforms;
+    const struct scene_surface *s = groups->uniforms;
     const int32_t *slots = s->frame->output_slot;
     const rhw_float zero = rhw_splat(0.0f);
     for (int g = 0; g < count; g++) {
@@ -481,33 +482,33 @@ static void data_fragment(struct rhw_fragment *groups, int count)
         write_distance(f, s);
         write_ids(f, s);
         rhw_float normal[3] = {zero, zero, zero};
-        if (slots[RHW_DATA_NORMAL] >= 0 && s->varying_normal >= 0) {
+        if (slots[SCENE_DATA_NORMAL] >= 0 && s->varying_normal >= 0) {
             surface_normal(f, s, s->varying_tangent >= 0, texels, normal);
         }
-        write_vector(f, slots[RHW_DATA_NORMAL], normal[0], normal[1], normal[2]);
+        write_vector(f, slots[SCENE_DATA_NORMAL], normal[0], normal[1], normal[2]);
         const rhw_float *position = &f->varying[s->varying_position];
-        write_vector(f, slots[RHW_DATA_POSITION], position[0], position[1], position[2]);
-        if (slots[RHW_DATA_UV] >= 0) {
+        write_vector(f, slots[SCENE_DATA_POSITION], position[0], position[1], position[2]);
+        if (slots[SCENE_DATA_UV] >= 0) {
             const int at = s->uv_varying;
-            write_vector(f, slots[RHW_DATA_UV], at < 0 ? zero : f->varying[at],
+            write_vector(f, slots[SCENE_DATA_UV], at < 0 ? zero : f->varying[at],
                          at < 0 ? zero : f->varying[at + 1], zero);
         }
-        if (slots[RHW_DATA_BARYCENTRIC] >= 0) {
+        if (slots[SCENE_DATA_BARYCENTRIC] >= 0) {
             const rhw_float *b = f->barycentric;
             const bool inside = s->is_triangle;
-            write_vector(f, slots[RHW_DATA_BARYCENTRIC], inside ? b[0] : zero, inside ? b[1] : zero,
+            write_vector(f, slots[SCENE_DATA_BARYCENTRIC], inside ? b[0] : zero, inside ? b[1] : zero,
                          inside ? b[2] : zero);
         }
     }
 }
 
-const struct rhw_surface_shaders RHW_ISA_NAME(rhw_surface_shaders) = {
-    .vertex = {[RHW_VERTEX_SURFACE] = surface_vertex,
-               [RHW_VERTEX_LINE] = line_vertex,
-               [RHW_VERTEX_POINT] = point_vertex},
-    .fragment = {[RHW_FRAGMENT_LIT] = lit_fragment,
-                 [RHW_FRAGMENT_TEXTURED] = textured_fragment,
-                 [RHW_FRAGMENT_MAPPED] = mapped_fragment,
-                 [RHW_FRAGMENT_UNLIT] = unlit_fragment,
-                 [RHW_FRAGMENT_DATA] = data_fragment},
+const struct scene_surface_shaders RHW_ISA_NAME(scene_surface_shaders) = {
+    .vertex = {[SCENE_VERTEX_SURFACE] = surface_vertex,
+               [SCENE_VERTEX_LINE] = line_vertex,
+               [SCENE_VERTEX_POINT] = point_vertex},
+    .fragment = {[SCENE_FRAGMENT_LIT] = lit_fragment,
+                 [SCENE_FRAGMENT_TEXTURED] = textured_fragment,
+                 [SCENE_FRAGMENT_MAPPED] = mapped_fragment,
+                 [SCENE_FRAGMENT_UNLIT] = unlit_fragment,
+                 [SCENE_FRAGMENT_DATA] = data_fragment},
 };

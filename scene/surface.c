@@ -13,16 +13,16 @@ static const float data_blend_cutoff = 0.5f;
 
 // View ----------------------------------------------------------------------------------------------
 
-void rhw_frame_look(struct rhw_frame *frame, const struct rhw_camera *camera, double aspect,
-                    const struct rhw_lighting *lighting, double view_projection[16])
+void scene_frame_look(struct scene_frame *frame, const struct scene_camera *camera, double aspect,
+                      const struct scene_lighting *lighting, double view_projection[16])
 {
     double matrix[16], projection[16];
-    rhw_camera_view(camera, matrix);
-    rhw_camera_projection(camera, aspect, projection);
+    scene_camera_view(camera, matrix);
+    scene_camera_projection(camera, aspect, projection);
     for (int c = 0; c < 4; c++) {
         projection[4 * c + 2] = projection[4 * c + 3] - projection[4 * c + 2];
     }
-    rhw_matrix_multiply(projection, matrix, view_projection);
+    scene_matrix_multiply(projection, matrix, view_projection);
     for (int i = 0; i < 3; i++) {
         frame->eye[i] = (float)camera->eye[i];
         frame->forward[i] = (float)-matrix[4 * i + 2];
@@ -37,7 +37,7 @@ void rhw_frame_look(struct rhw_frame *frame, const struct rhw_camera *camera, do
 
 static int compare_items(const void *left, const void *right)
 {
-    const struct rhw_surface_item *a = left, *b = right;
+    const struct scene_surface_item *a = left, *b = right;
     if (a->blended != b->blended) {
         return a->blended ? 1 : -1;
     }
@@ -48,12 +48,12 @@ static int compare_items(const void *left, const void *right)
     return a->instance < b->instance ? -1 : a->instance > b->instance;
 }
 
-void rhw_surface_items_sort(struct rhw_surface_item *items, size_t count)
+void scene_surface_items_sort(struct scene_surface_item *items, size_t count)
 {
     qsort(items, count, sizeof *items, compare_items);
 }
 
-static void world_matrix(const struct rhw_instance *instance, double world[16])
+static void world_matrix(const struct scene_instance *instance, double world[16])
 {
     for (int i = 0; i < 16; i++) {
         world[i] = (double)instance->world[i];
@@ -61,8 +61,8 @@ static void world_matrix(const struct rhw_instance *instance, double world[16])
 }
 
 // Along the view, of the middle of the instance's box. Lower is nearer; for an orthographic camera too.
-static double item_distance(const struct rhw_frame *frame, const struct rhw_instance *instance,
-                            const struct rhw_mesh *mesh)
+static double item_distance(const struct scene_frame *frame, const struct scene_instance *instance,
+                            const struct scene_mesh *mesh)
 {
     double distance = 0.0;
     for (int r = 0; r < 3; r++) {
@@ -77,28 +77,29 @@ static double item_distance(const struct rhw_frame *frame, const struct rhw_inst
     return distance - distance == 0.0 ? distance : 0.0;
 }
 
-size_t rhw_surface_items_list(const struct rhw_model *model, const struct rhw_frame *frame, bool blends,
-                              struct rhw_surface_item *items)
+size_t scene_surface_items_list(const struct scene_model *model, const struct scene_frame *frame, bool blends,
+                                struct scene_surface_item *items)
 {
     size_t count = 0;
     for (uint32_t i = 0; i < model->instance_count; i++) {
-        const struct rhw_mesh *mesh = &model->meshes[model->instances[i].mesh];
+        const struct scene_mesh *mesh = &model->meshes[model->instances[i].mesh];
         if (mesh->vertex_count == 0 || mesh->index_count == 0) {
             continue;
         }
-        const bool blend = model->materials[mesh->material].alpha_mode == RHW_ALPHA_BLEND;
+        const bool blend = model->materials[mesh->material].alpha_mode == SCENE_ALPHA_BLEND;
         items[count++] =
-            (struct rhw_surface_item){.instance = i,
-                                      .blended = blends && blend,
-                                      .distance = item_distance(frame, &model->instances[i], mesh)};
+            (struct scene_surface_item){.instance = i,
+                                        .blended = blends && blend,
+                                        .distance = item_distance(frame, &model->instances[i], mesh)};
     }
-    rhw_surface_items_sort(items, count);
+    scene_surface_items_sort(items, count);
     return count;
 }
 
 // Layout of one draw --------------------------------------------------------------------------------
 
-static int32_t use_attribute(struct rhw_surface_key *key, const struct rhw_uploaded_mesh *mesh, int attribute)
+static int32_t use_attribute(struct scene_surface_key *key, const struct scene_uploaded_mesh *mesh,
+                             int attribute)
 {
     if (attribute < 0) {
         return -1;
@@ -114,7 +115,7 @@ static int32_t use_attribute(struct rhw_surface_key *key, const struct rhw_uploa
 }
 
 // Returns where the components begin.
-static int32_t add_varying(struct rhw_surface_key *key, int32_t components)
+static int32_t add_varying(struct scene_surface_key *key, int32_t components)
 {
     int32_t first = 0;
     for (int32_t i = 0; i < key->varying_count; i++) {
@@ -125,8 +126,8 @@ static int32_t add_varying(struct rhw_surface_key *key, int32_t components)
 }
 
 // A set under a transform, shared with whoever asked for the same before. Streams are the last varyings.
-static int32_t use_stream(struct rhw_surface *s, struct rhw_surface_key *key,
-                          const struct rhw_uploaded_mesh *mesh, uint32_t set, const float transform[6])
+static int32_t use_stream(struct scene_surface *s, struct scene_surface_key *key,
+                          const struct scene_uploaded_mesh *mesh, uint32_t set, const float transform[6])
 {
     const int32_t attribute = use_attribute(key, mesh, mesh->uv[set]);
     for (int32_t i = 0; i < s->stream_count; i++) {
@@ -139,42 +140,44 @@ static int32_t use_stream(struct rhw_surface *s, struct rhw_surface_key *key,
     if (s->stream_count == 0) {
         s->varying_uv = at;
     }
-    struct rhw_uv_stream *stream = &s->streams[s->stream_count++];
+    struct scene_uv_stream *stream = &s->streams[s->stream_count++];
     stream->attribute = attribute;
     memcpy(stream->transform, transform, sizeof stream->transform);
     key->stream_count = s->stream_count;
     return at;
 }
 
-static void use_slot(struct rhw_surface *s, struct rhw_surface_key *key, const struct rhw_uploaded_mesh *mesh,
-                     const struct rhw_material *material, enum rhw_slot slot)
+static void use_slot(struct scene_surface *s, struct scene_surface_key *key,
+                     const struct scene_uploaded_mesh *mesh, const struct scene_material *material,
+                     enum scene_slot slot)
 {
-    const struct rhw_texture_slot *source = &material->slots[slot];
+    const struct scene_texture_slot *source = &material->slots[slot];
     if (source->image >= 0) {
         s->slot_varying[slot] = use_stream(s, key, mesh, source->uv_set, source->transform);
     }
 }
 
 // The slots that read the stream of the first one are sampled at once, where there are several.
-static uint32_t shared_slots(const struct rhw_surface *s)
+static uint32_t shared_slots(const struct scene_surface *s)
 {
     uint32_t slots = 0;
     int32_t stream = -1;
-    for (int slot = 0; slot < RHW_SLOT_COUNT; slot++) {
-        const bool read = s->slot_varying[slot] >= 0 && !(slot == RHW_SLOT_OCCLUSION && s->occlusion_shared);
+    for (int slot = 0; slot < SCENE_SLOT_COUNT; slot++) {
+        const bool read =
+            s->slot_varying[slot] >= 0 && !(slot == SCENE_SLOT_OCCLUSION && s->occlusion_shared);
         stream = stream < 0 && read ? s->slot_varying[slot] : stream;
         slots |= read && s->slot_varying[slot] == stream ? 1u << slot : 0;
     }
     return slots & (slots - 1) ? slots : 0;
 }
 
-static void set_matrices(struct rhw_surface *s, const struct rhw_surface_pass *def,
-                         const struct rhw_instance *instance)
+static void set_matrices(struct scene_surface *s, const struct scene_surface_pass *def,
+                         const struct scene_instance *instance)
 {
     double world[16], clip[16], normal[9];
     world_matrix(instance, world);
-    rhw_matrix_multiply(def->view_projection, world, clip);
-    rhw_matrix_normal(world, normal);
+    scene_matrix_multiply(def->view_projection, world, clip);
+    scene_matrix_normal(world, normal);
     for (int i = 0; i < 16; i++) {
         s->clip[i] = (float)clip[i];
     }
@@ -195,8 +198,8 @@ static void set_matrices(struct rhw_surface *s, const struct rhw_surface_pass *d
     s->handedness = instance->mirrored ? -1.0f : 1.0f;
 }
 
-static void set_material(struct rhw_surface *s, const struct rhw_surface_pass *def,
-                         const struct rhw_material *material)
+static void set_material(struct scene_surface *s, const struct scene_surface_pass *def,
+                         const struct scene_material *material)
 {
     memcpy(s->base_color, material->base_color, sizeof s->base_color);
     memcpy(s->emissive, material->emissive, sizeof s->emissive);
@@ -206,20 +209,20 @@ static void set_material(struct rhw_surface *s, const struct rhw_surface_pass *d
     s->occlusion_strength = material->occlusion_strength;
     s->double_sided = material->double_sided;
     s->alpha_mode = (int32_t)material->alpha_mode;
-    if (material->alpha_mode == RHW_ALPHA_MASK) {
+    if (material->alpha_mode == SCENE_ALPHA_MASK) {
         s->alpha_cutoff = material->alpha_cutoff;
-    } else if (material->alpha_mode == RHW_ALPHA_BLEND && def->data_outputs) {
+    } else if (material->alpha_mode == SCENE_ALPHA_BLEND && def->data_outputs) {
         s->alpha_cutoff = data_blend_cutoff;
     }
 }
 
-static void use_position(struct rhw_surface *s, struct rhw_surface_key *key)
+static void use_position(struct scene_surface *s, struct scene_surface_key *key)
 {
     s->varying_position = add_varying(key, 3);
 }
 
-static void use_normal(struct rhw_surface *s, struct rhw_surface_key *key,
-                       const struct rhw_uploaded_mesh *mesh)
+static void use_normal(struct scene_surface *s, struct scene_surface_key *key,
+                       const struct scene_uploaded_mesh *mesh)
 {
     s->attribute_normal = use_attribute(key, mesh, mesh->normal);
     if (s->attribute_normal >= 0) {
@@ -228,8 +231,8 @@ static void use_normal(struct rhw_surface *s, struct rhw_surface_key *key,
     }
 }
 
-static void use_tangent(struct rhw_surface *s, struct rhw_surface_key *key,
-                        const struct rhw_uploaded_mesh *mesh)
+static void use_tangent(struct scene_surface *s, struct scene_surface_key *key,
+                        const struct scene_uploaded_mesh *mesh)
 {
     s->attribute_tangent = use_attribute(key, mesh, mesh->tangent);
     if (s->attribute_tangent >= 0) {
@@ -237,8 +240,8 @@ static void use_tangent(struct rhw_surface *s, struct rhw_surface_key *key,
     }
 }
 
-static void use_color(struct rhw_surface *s, struct rhw_surface_key *key,
-                      const struct rhw_uploaded_mesh *mesh)
+static void use_color(struct scene_surface *s, struct scene_surface_key *key,
+                      const struct scene_uploaded_mesh *mesh)
 {
     s->attribute_color = use_attribute(key, mesh, mesh->color);
     if (s->attribute_color >= 0) {
@@ -246,13 +249,14 @@ static void use_color(struct rhw_surface *s, struct rhw_surface_key *key,
     }
 }
 
-static void lay_out_color(struct rhw_surface *s, struct rhw_surface_key *key,
-                          const struct rhw_surface_pass *def, const struct rhw_uploaded_mesh *mesh,
-                          const struct rhw_material *material, const struct rhw_uploaded_material *uploaded)
+static void lay_out_color(struct scene_surface *s, struct scene_surface_key *key,
+                          const struct scene_surface_pass *def, const struct scene_uploaded_mesh *mesh,
+                          const struct scene_material *material,
+                          const struct scene_uploaded_material *uploaded)
 {
     const bool plain = def->frame->plain != 0;
     const bool lit = !plain && !material->unlit && mesh->normal >= 0;
-    const bool mapped = lit && mesh->tangent >= 0 && material->slots[RHW_SLOT_NORMAL].image >= 0;
+    const bool mapped = lit && mesh->tangent >= 0 && material->slots[SCENE_SLOT_NORMAL].image >= 0;
     if (lit) {
         use_position(s, key);
         use_normal(s, key, mesh);
@@ -261,38 +265,38 @@ static void lay_out_color(struct rhw_surface *s, struct rhw_surface_key *key,
         use_tangent(s, key, mesh);
     }
     use_color(s, key, mesh);
-    if (mesh->kind == RHW_VERTEX_POINT) {
+    if (mesh->kind == SCENE_VERTEX_POINT) {
         s->varying_disc = add_varying(key, 2);
     }
-    if (mesh->kind == RHW_VERTEX_SURFACE) {
-        use_slot(s, key, mesh, material, RHW_SLOT_BASE_COLOR);
-        for (int slot = RHW_SLOT_METALLIC_ROUGHNESS; lit && slot < RHW_SLOT_COUNT; slot++) {
-            if (slot != RHW_SLOT_NORMAL || mapped) {
-                use_slot(s, key, mesh, material, (enum rhw_slot)slot);
+    if (mesh->kind == SCENE_VERTEX_SURFACE) {
+        use_slot(s, key, mesh, material, SCENE_SLOT_BASE_COLOR);
+        for (int slot = SCENE_SLOT_METALLIC_ROUGHNESS; lit && slot < SCENE_SLOT_COUNT; slot++) {
+            if (slot != SCENE_SLOT_NORMAL || mapped) {
+                use_slot(s, key, mesh, material, (enum scene_slot)slot);
             }
         }
     }
     s->occlusion_shared = uploaded->occlusion_shared;
     s->shared_slots = lit ? shared_slots(s) : 0;
-    const bool textured = uploaded->textured && mesh->kind == RHW_VERTEX_SURFACE;
-    key->fragment = !lit       ? RHW_FRAGMENT_UNLIT
-                    : mapped   ? RHW_FRAGMENT_MAPPED
-                    : textured ? RHW_FRAGMENT_TEXTURED
-                               : RHW_FRAGMENT_LIT;
-    key->blend = material->alpha_mode == RHW_ALPHA_BLEND && !plain;
-    if (def->wireframe != RHW_WIREFRAME_NONE && s->is_triangle) {
+    const bool textured = uploaded->textured && mesh->kind == SCENE_VERTEX_SURFACE;
+    key->fragment = !lit       ? SCENE_FRAGMENT_UNLIT
+                    : mapped   ? SCENE_FRAGMENT_MAPPED
+                    : textured ? SCENE_FRAGMENT_TEXTURED
+                               : SCENE_FRAGMENT_LIT;
+    key->blend = material->alpha_mode == SCENE_ALPHA_BLEND && !plain;
+    if (def->wireframe != SCENE_WIREFRAME_NONE && s->is_triangle) {
         s->wireframe = 1;
         key->uses |= RHW_USE_BARYCENTRIC | RHW_USE_BARYCENTRIC_DERIVATIVES;
     }
 }
 
-static void lay_out_data(struct rhw_surface *s, struct rhw_surface_key *key,
-                         const struct rhw_surface_pass *def, const struct rhw_uploaded_mesh *mesh,
-                         const struct rhw_material *material)
+static void lay_out_data(struct scene_surface *s, struct scene_surface_key *key,
+                         const struct scene_surface_pass *def, const struct scene_uploaded_mesh *mesh,
+                         const struct scene_material *material)
 {
     const uint32_t outputs = def->data_outputs;
-    const bool normal = (outputs & RHW_OUTPUT_NORMAL) && mesh->normal >= 0;
-    const bool mapped = normal && mesh->tangent >= 0 && material->slots[RHW_SLOT_NORMAL].image >= 0;
+    const bool normal = (outputs & SCENE_OUTPUT_NORMAL) && mesh->normal >= 0;
+    const bool mapped = normal && mesh->tangent >= 0 && material->slots[SCENE_SLOT_NORMAL].image >= 0;
     use_position(s, key);
     if (normal) {
         use_normal(s, key, mesh);
@@ -303,52 +307,52 @@ static void lay_out_data(struct rhw_surface *s, struct rhw_surface_key *key,
     if (s->alpha_cutoff > 0.0f) {
         use_color(s, key, mesh);
     }
-    if (mesh->kind == RHW_VERTEX_POINT) {
+    if (mesh->kind == SCENE_VERTEX_POINT) {
         s->varying_disc = add_varying(key, 2);
     }
-    if (mesh->kind == RHW_VERTEX_SURFACE) {
+    if (mesh->kind == SCENE_VERTEX_SURFACE) {
         static const float identity[6] = {1.0f, 0.0f, 0.0f, 0.0f, 1.0f, 0.0f};
         if (s->alpha_cutoff > 0.0f) {
-            use_slot(s, key, mesh, material, RHW_SLOT_BASE_COLOR);
+            use_slot(s, key, mesh, material, SCENE_SLOT_BASE_COLOR);
         }
         if (mapped) {
-            use_slot(s, key, mesh, material, RHW_SLOT_NORMAL);
+            use_slot(s, key, mesh, material, SCENE_SLOT_NORMAL);
         }
-        if ((outputs & RHW_OUTPUT_UV) && mesh->uv[0] >= 0) {
+        if ((outputs & SCENE_OUTPUT_UV) && mesh->uv[0] >= 0) {
             s->uv_varying = use_stream(s, key, mesh, 0, identity);
         }
     }
-    key->fragment = RHW_FRAGMENT_DATA;
-    key->uses |= outputs & (RHW_OUTPUT_DEPTH | RHW_OUTPUT_DISTANCE) ? RHW_USE_COORD : 0;
-    key->uses |= outputs & RHW_OUTPUT_TRIANGLE ? RHW_USE_IDS : 0;
-    key->uses |= outputs & RHW_OUTPUT_BARYCENTRIC ? RHW_USE_BARYCENTRIC : 0;
+    key->fragment = SCENE_FRAGMENT_DATA;
+    key->uses |= outputs & (SCENE_OUTPUT_DEPTH | SCENE_OUTPUT_DISTANCE) ? RHW_USE_COORD : 0;
+    key->uses |= outputs & SCENE_OUTPUT_TRIANGLE ? RHW_USE_IDS : 0;
+    key->uses |= outputs & SCENE_OUTPUT_BARYCENTRIC ? RHW_USE_BARYCENTRIC : 0;
 }
 
-static void lay_out(const struct rhw_upload *upload, const struct rhw_surface_pass *def,
-                    uint32_t instance_index, struct rhw_surface *s, struct rhw_surface_key *key)
+static void lay_out(const struct scene_upload *upload, const struct scene_surface_pass *def,
+                    uint32_t instance_index, struct scene_surface *s, struct scene_surface_key *key)
 {
-    const struct rhw_instance *instance = &upload->model->instances[instance_index];
-    const struct rhw_uploaded_mesh *mesh = &upload->meshes[instance->mesh];
+    const struct scene_instance *instance = &upload->model->instances[instance_index];
+    const struct scene_uploaded_mesh *mesh = &upload->meshes[instance->mesh];
     const uint32_t material_index = upload->model->meshes[instance->mesh].material;
-    const struct rhw_material *material = &upload->model->materials[material_index];
+    const struct scene_material *material = &upload->model->materials[material_index];
     memset(key, 0, sizeof *key);
-    *s = (struct rhw_surface){.frame = def->frame,
-                              .attribute_normal = -1,
-                              .attribute_tangent = -1,
-                              .attribute_color = -1,
-                              .varying_position = -1,
-                              .varying_normal = -1,
-                              .varying_tangent = -1,
-                              .varying_color = -1,
-                              .varying_disc = -1,
-                              .uv_varying = -1,
-                              .slot_varying = {-1, -1, -1, -1, -1}};
-    s->is_triangle = mesh->kind == RHW_VERTEX_SURFACE;
+    *s = (struct scene_surface){.frame = def->frame,
+                                .attribute_normal = -1,
+                                .attribute_tangent = -1,
+                                .attribute_color = -1,
+                                .varying_position = -1,
+                                .varying_normal = -1,
+                                .varying_tangent = -1,
+                                .varying_color = -1,
+                                .varying_disc = -1,
+                                .uv_varying = -1,
+                                .slot_varying = {-1, -1, -1, -1, -1}};
+    s->is_triangle = mesh->kind == SCENE_VERTEX_SURFACE;
     s->triangles_per_id = s->is_triangle ? 1 : 2;
     s->object = instance->object;
     s->first_triangle = upload->first_triangle[instance_index];
     s->half_width =
-        def->frame->samples * (float)(mesh->kind == RHW_VERTEX_LINE ? line_half_width : point_half_width);
+        def->frame->samples * (float)(mesh->kind == SCENE_VERTEX_LINE ? line_half_width : point_half_width);
     set_matrices(s, def, instance);
     set_material(s, def, material);
 
@@ -362,7 +366,7 @@ static void lay_out(const struct rhw_upload *upload, const struct rhw_surface_pa
         key->formats[i] = (int32_t)def->formats[i];
     }
     use_attribute(key, mesh, 0);
-    if (mesh->kind == RHW_VERTEX_LINE) {
+    if (mesh->kind == SCENE_VERTEX_LINE) {
         use_attribute(key, mesh, 1);
     }
     if (def->data_outputs) {
@@ -375,11 +379,11 @@ static void lay_out(const struct rhw_upload *upload, const struct rhw_surface_pa
 
 // Pipelines -----------------------------------------------------------------------------------------
 
-static struct rhw_pipeline_def pipeline_def(const struct rhw_surface_key *key)
+static struct rhw_pipeline_def pipeline_def(const struct scene_surface_key *key)
 {
     struct rhw_pipeline_def def = rhw_pipeline_def_default();
-    rhw_program_surface(&def.program, (enum rhw_vertex_kind)key->vertex,
-                        (enum rhw_fragment_kind)key->fragment);
+    scene_program_surface(&def.program, (enum scene_vertex_kind)key->vertex,
+                          (enum scene_fragment_kind)key->fragment);
     def.program.uses = (uint32_t)key->uses;
     def.program.varying_count = key->varying_count;
     for (int i = 0; i < key->varying_count; i++) {
@@ -414,8 +418,8 @@ static struct rhw_pipeline_def pipeline_def(const struct rhw_surface_key *key)
     return def;
 }
 
-static enum rhw_result find_pipeline(rhw_context *context, struct rhw_surface_pipelines *pipelines,
-                                     const struct rhw_surface_key *key, rhw_pipeline *pipeline)
+static enum rhw_result find_pipeline(rhw_context *context, struct scene_surface_pipelines *pipelines,
+                                     const struct scene_surface_key *key, rhw_pipeline *pipeline)
 {
     for (uint32_t i = 0; i < pipelines->count; i++) {
         if (memcmp(&pipelines->keys[i], key, sizeof *key) == 0) {
@@ -425,7 +429,7 @@ static enum rhw_result find_pipeline(rhw_context *context, struct rhw_surface_pi
     }
     if (pipelines->count == pipelines->capacity) {
         const uint32_t capacity = pipelines->capacity ? 2 * pipelines->capacity : 16;
-        struct rhw_surface_key *keys = realloc(pipelines->keys, capacity * sizeof *keys);
+        struct scene_surface_key *keys = realloc(pipelines->keys, capacity * sizeof *keys);
         pipelines->keys = keys ? keys : pipelines->keys;
         rhw_pipeline *ids = keys ? realloc(pipelines->ids, capacity * sizeof *ids) : NULL;
         pipelines->ids = ids ? ids : pipelines->ids;
@@ -443,34 +447,34 @@ static enum rhw_result find_pipeline(rhw_context *context, struct rhw_surface_pi
     return result;
 }
 
-void rhw_surface_pipelines_destroy(rhw_context *context, struct rhw_surface_pipelines *pipelines)
+void scene_surface_pipelines_destroy(rhw_context *context, struct scene_surface_pipelines *pipelines)
 {
     for (uint32_t i = 0; i < pipelines->count; i++) {
         rhw_pipeline_destroy(context, pipelines->ids[i]);
     }
     free(pipelines->keys);
     free(pipelines->ids);
-    *pipelines = (struct rhw_surface_pipelines){0};
+    *pipelines = (struct scene_surface_pipelines){0};
 }
 
 // Recording -----------------------------------------------------------------------------------------
 
-static enum rhw_result record_instance(const struct rhw_upload *upload,
-                                       struct rhw_surface_pipelines *pipelines,
-                                       const struct rhw_surface_pass *def, rhw_pass pass, uint32_t instance)
+static enum rhw_result record_instance(const struct scene_upload *upload,
+                                       struct scene_surface_pipelines *pipelines,
+                                       const struct scene_surface_pass *def, rhw_pass pass, uint32_t instance)
 {
     rhw_context *context = upload->context;
-    struct rhw_surface surface;
-    struct rhw_surface_key key;
+    struct scene_surface surface;
+    struct scene_surface_key key;
     lay_out(upload, def, instance, &surface, &key);
     const uint32_t mesh_index = upload->model->instances[instance].mesh;
-    const struct rhw_uploaded_mesh *mesh = &upload->meshes[mesh_index];
-    const struct rhw_uploaded_material *material =
+    const struct scene_uploaded_mesh *mesh = &upload->meshes[mesh_index];
+    const struct scene_uploaded_material *material =
         &upload->materials[upload->model->meshes[mesh_index].material];
     rhw_pass_set_vertex_buffer(context, pass, 0, mesh->vertices, 0);
     rhw_pass_set_index_buffer(context, pass, mesh->indices, RHW_INDEX_UINT32, 0);
     rhw_pass_set_uniforms(context, pass, &surface, sizeof surface);
-    for (int s = 0; s < RHW_SLOT_COUNT; s++) {
+    for (int s = 0; s < SCENE_SLOT_COUNT; s++) {
         if (surface.slot_varying[s] >= 0) {
             rhw_pass_set_texture(context, pass, s, material->slots[s].texture, material->slots[s].sampler);
         }
@@ -492,16 +496,17 @@ static enum rhw_result record_instance(const struct rhw_upload *upload,
     return RHW_OK;
 }
 
-enum rhw_result rhw_surfaces_record(const struct rhw_upload *upload, struct rhw_surface_pipelines *pipelines,
-                                    const struct rhw_surface_pass *def, rhw_pass pass)
+enum rhw_result scene_surfaces_record(const struct scene_upload *upload,
+                                      struct scene_surface_pipelines *pipelines,
+                                      const struct scene_surface_pass *def, rhw_pass pass)
 {
-    const struct rhw_model *model = upload->model;
-    struct rhw_surface_item *items = malloc(((size_t)model->instance_count + 1) * sizeof *items);
+    const struct scene_model *model = upload->model;
+    struct scene_surface_item *items = malloc(((size_t)model->instance_count + 1) * sizeof *items);
     if (!items) {
         return RHW_ERROR_OUT_OF_MEMORY;
     }
     const bool blends = !def->data_outputs && !def->frame->plain;
-    const size_t count = rhw_surface_items_list(model, def->frame, blends, items);
+    const size_t count = scene_surface_items_list(model, def->frame, blends, items);
     enum rhw_result result = RHW_OK;
     for (size_t i = 0; i < count && result == RHW_OK; i++) {
         result = record_instance(upload, pipelines, def, pass, items[i].instance);

@@ -1,19 +1,19 @@
 // SPDX-License-Identifier: MIT
 // How the instances of a model become draws of a pass: their order, their uniforms, their pipelines.
-#ifndef RHW_SCENE_SURFACE_H
-#define RHW_SCENE_SURFACE_H
+#ifndef SCENE_SURFACE_H
+#define SCENE_SURFACE_H
 
 #include "draw.h"
 #include "upload.h"
 
-struct rhw_lighting;
+struct scene_lighting;
 
 /// What a pass wants of every surface.
-struct rhw_surface_pass {
-    const struct rhw_frame *frame; ///< must live until the pass has ended
-    uint32_t data_outputs;         ///< rhw_output of a data pass; 0: a colour pass
+struct scene_surface_pass {
+    const struct scene_frame *frame; ///< must live until the pass has ended
+    uint32_t data_outputs;           ///< scene_output of a data pass; 0: a colour pass
     enum rhw_qualifier interpolate;
-    enum rhw_wireframe wireframe;
+    enum scene_wireframe wireframe;
     enum rhw_format formats[RHW_MAX_COLOR_ATTACHMENTS];
     int format_count;
     double view_projection[16]; ///< depth reversed
@@ -21,34 +21,35 @@ struct rhw_surface_pass {
 
 /// Sets what a frame has from the camera and the lights, which must outlive it, and `view_projection` for a
 /// picture of that aspect.
-void rhw_frame_look(struct rhw_frame *frame, const struct rhw_camera *camera, double aspect,
-                    const struct rhw_lighting *lighting, double view_projection[16]);
+void scene_frame_look(struct scene_frame *frame, const struct scene_camera *camera, double aspect,
+                      const struct scene_lighting *lighting, double view_projection[16]);
 
 /// Everything a pipeline is made from, as plain integers without padding, so that keys compare as bytes.
-struct rhw_surface_key {
+struct scene_surface_key {
     int32_t vertex, fragment;
-    int32_t attribute_count, stride, attributes[RHW_MESH_ATTRIBUTES][2]; // format, offset
-    int32_t varying_count, varyings[RHW_MAX_VARYINGS];                   // components
+    int32_t attribute_count, stride, attributes[SCENE_MESH_ATTRIBUTES][2]; // format, offset
+    int32_t varying_count, varyings[RHW_MAX_VARYINGS];                     // components
     int32_t stream_count; // the last varyings, which need derivatives
     int32_t interpolate, uses, cull, front, blend;
     int32_t format_count, formats[RHW_MAX_COLOR_ATTACHMENTS];
 };
 
 /// Pipelines made so far. Zeroed: none.
-struct rhw_surface_pipelines {
-    struct rhw_surface_key *keys;
+struct scene_surface_pipelines {
+    struct scene_surface_key *keys;
     rhw_pipeline *ids;
     uint32_t count, capacity;
 };
 
 /// Records all instances: opaque ones from front to back, which lets the depth test save work, then blended
 /// ones from back to front. A data pass takes both alike.
-enum rhw_result rhw_surfaces_record(const struct rhw_upload *upload, struct rhw_surface_pipelines *pipelines,
-                                    const struct rhw_surface_pass *def, rhw_pass pass);
-void rhw_surface_pipelines_destroy(rhw_context *context, struct rhw_surface_pipelines *pipelines);
+enum rhw_result scene_surfaces_record(const struct scene_upload *upload,
+                                      struct scene_surface_pipelines *pipelines,
+                                      const struct scene_surface_pass *def, rhw_pass pass);
+void scene_surface_pipelines_destroy(rhw_context *context, struct scene_surface_pipelines *pipelines);
 
 /// One instance in drawing order.
-struct rhw_surface_item {
+struct scene_surface_item {
     uint32_t instance;
     bool blended;
     double distance; ///< of the middle of its box along the view
@@ -57,10 +58,10 @@ struct rhw_surface_item {
 /// The instances of the model that draw anything, in drawing order: opaque ones from front to back, then
 /// blended ones (none where `blends` is false: they count as opaque) from back to front. `items` has room
 /// for all instances. Returns how many there are.
-size_t rhw_surface_items_list(const struct rhw_model *model, const struct rhw_frame *frame, bool blends,
-                              struct rhw_surface_item *items);
+size_t scene_surface_items_list(const struct scene_model *model, const struct scene_frame *frame, bool blends,
+                                struct scene_surface_item *items);
 
 /// Puts items into drawing order; equal ones keep the order of their instances.
-void rhw_surface_items_sort(struct rhw_surface_item *items, size_t count);
+void scene_surface_items_sort(struct scene_surface_item *items, size_t count);
 
 #endif

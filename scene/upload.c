@@ -9,18 +9,18 @@
 #include <stdlib.h>
 #include <string.h>
 
-static void add_attribute(struct rhw_uploaded_mesh *mesh, enum rhw_vertex_format format)
+static void add_attribute(struct scene_uploaded_mesh *mesh, enum rhw_vertex_format format)
 {
     mesh->attributes[mesh->attribute_count++] =
         (struct rhw_attribute){.format = format, .offset = mesh->stride};
     mesh->stride += (uint32_t)rhw_vertex_format_size(format);
 }
 
-static void lay_out(struct rhw_uploaded_mesh *mesh, const struct rhw_mesh *source)
+static void lay_out(struct scene_uploaded_mesh *mesh, const struct scene_mesh *source)
 {
     mesh->normal = mesh->tangent = mesh->color = mesh->uv[0] = mesh->uv[1] = -1;
     add_attribute(mesh, RHW_VERTEX_FLOAT3);
-    if (source->primitive == RHW_PRIMITIVE_LINES) {
+    if (source->primitive == SCENE_PRIMITIVE_LINES) {
         add_attribute(mesh, RHW_VERTEX_FLOAT3);
     }
     if (source->normals) {
@@ -31,14 +31,14 @@ static void lay_out(struct rhw_uploaded_mesh *mesh, const struct rhw_mesh *sourc
         mesh->color = mesh->attribute_count;
         add_attribute(mesh, RHW_VERTEX_FLOAT4);
     }
-    if (source->primitive != RHW_PRIMITIVE_TRIANGLES) {
+    if (source->primitive != SCENE_PRIMITIVE_TRIANGLES) {
         return;
     }
     if (source->tangents) {
         mesh->tangent = mesh->attribute_count;
         add_attribute(mesh, RHW_VERTEX_FLOAT4);
     }
-    for (int set = 0; set < RHW_UV_SETS; set++) {
+    for (int set = 0; set < SCENE_UV_SETS; set++) {
         if (source->uvs[set]) {
             mesh->uv[set] = mesh->attribute_count;
             add_attribute(mesh, RHW_VERTEX_FLOAT2);
@@ -47,12 +47,12 @@ static void lay_out(struct rhw_uploaded_mesh *mesh, const struct rhw_mesh *sourc
 }
 
 // `other` is the far end of a line.
-static void pack_vertex(const struct rhw_uploaded_mesh *mesh, const struct rhw_mesh *source, uint32_t v,
+static void pack_vertex(const struct scene_uploaded_mesh *mesh, const struct scene_mesh *source, uint32_t v,
                         uint32_t other, unsigned char *out)
 {
     const struct rhw_attribute *attributes = mesh->attributes;
     memcpy(out, source->positions[v], sizeof source->positions[v]);
-    if (source->primitive == RHW_PRIMITIVE_LINES) {
+    if (source->primitive == SCENE_PRIMITIVE_LINES) {
         memcpy(out + attributes[1].offset, source->positions[other], sizeof source->positions[other]);
     }
     if (mesh->normal >= 0) {
@@ -64,7 +64,7 @@ static void pack_vertex(const struct rhw_uploaded_mesh *mesh, const struct rhw_m
     if (mesh->tangent >= 0) {
         memcpy(out + attributes[mesh->tangent].offset, source->tangents[v], sizeof source->tangents[v]);
     }
-    for (int set = 0; set < RHW_UV_SETS; set++) {
+    for (int set = 0; set < SCENE_UV_SETS; set++) {
         if (mesh->uv[set] >= 0) {
             memcpy(out + attributes[mesh->uv[set]].offset, source->uvs[set][v], sizeof source->uvs[set][v]);
         }
@@ -79,8 +79,8 @@ static enum rhw_result create_buffer(rhw_context *context, void *data, size_t si
     return rhw_buffer_create(context, &def, buffer);
 }
 
-static enum rhw_result upload_triangles(rhw_context *context, const struct rhw_mesh *source,
-                                        struct rhw_uploaded_mesh *mesh)
+static enum rhw_result upload_triangles(rhw_context *context, const struct scene_mesh *source,
+                                        struct scene_uploaded_mesh *mesh)
 {
     unsigned char *packed = malloc((size_t)source->vertex_count * mesh->stride);
     if (!packed) {
@@ -100,10 +100,10 @@ static enum rhw_result upload_triangles(rhw_context *context, const struct rhw_m
     return result;
 }
 
-static enum rhw_result upload_quads(rhw_context *context, const struct rhw_mesh *source,
-                                    struct rhw_uploaded_mesh *mesh)
+static enum rhw_result upload_quads(rhw_context *context, const struct scene_mesh *source,
+                                    struct scene_uploaded_mesh *mesh)
 {
-    const uint32_t per_quad = source->primitive == RHW_PRIMITIVE_LINES ? 2 : 1;
+    const uint32_t per_quad = source->primitive == SCENE_PRIMITIVE_LINES ? 2 : 1;
     const uint32_t quads = source->index_count / per_quad;
     const size_t bytes = (size_t)quads * 4 * mesh->stride;
     if (quads > UINT32_MAX / 6) {
@@ -138,32 +138,32 @@ static enum rhw_result upload_quads(rhw_context *context, const struct rhw_mesh 
     return result;
 }
 
-static enum rhw_result upload_mesh(rhw_context *context, const struct rhw_mesh *source,
-                                   struct rhw_uploaded_mesh *mesh)
+static enum rhw_result upload_mesh(rhw_context *context, const struct scene_mesh *source,
+                                   struct scene_uploaded_mesh *mesh)
 {
-    static const enum rhw_vertex_kind kinds[] = {[RHW_PRIMITIVE_TRIANGLES] = RHW_VERTEX_SURFACE,
-                                                 [RHW_PRIMITIVE_LINES] = RHW_VERTEX_LINE,
-                                                 [RHW_PRIMITIVE_POINTS] = RHW_VERTEX_POINT};
+    static const enum scene_vertex_kind kinds[] = {[SCENE_PRIMITIVE_TRIANGLES] = SCENE_VERTEX_SURFACE,
+                                                   [SCENE_PRIMITIVE_LINES] = SCENE_VERTEX_LINE,
+                                                   [SCENE_PRIMITIVE_POINTS] = SCENE_VERTEX_POINT};
     mesh->kind = kinds[source->primitive];
     lay_out(mesh, source);
     if (source->vertex_count == 0 || source->index_count == 0) {
         return RHW_OK; // index_count stays 0: nothing is drawn
     }
-    return mesh->kind == RHW_VERTEX_SURFACE ? upload_triangles(context, source, mesh)
-                                            : upload_quads(context, source, mesh);
+    return mesh->kind == SCENE_VERTEX_SURFACE ? upload_triangles(context, source, mesh)
+                                              : upload_quads(context, source, mesh);
 }
 
-static enum rhw_result upload_material(struct rhw_upload *upload, uint32_t m)
+static enum rhw_result upload_material(struct scene_upload *upload, uint32_t m)
 {
-    const struct rhw_material *source = &upload->model->materials[m];
-    struct rhw_uploaded_material *material = &upload->materials[m];
-    for (int s = 0; s < RHW_SLOT_COUNT; s++) {
-        const struct rhw_texture_slot *slot = &source->slots[s];
+    const struct scene_material *source = &upload->model->materials[m];
+    struct scene_uploaded_material *material = &upload->materials[m];
+    for (int s = 0; s < SCENE_SLOT_COUNT; s++) {
+        const struct scene_texture_slot *slot = &source->slots[s];
         if (slot->image < 0) {
             continue;
         }
-        const bool as_color = rhw_slot_is_color((enum rhw_slot)s);
-        const struct rhw_uploaded_image *image = &upload->images[slot->image];
+        const bool as_color = scene_slot_is_color((enum scene_slot)s);
+        const struct scene_uploaded_image *image = &upload->images[slot->image];
         struct rhw_sampler_def def = rhw_sampler_def_default();
         def.min_filter = slot->min_filter;
         def.mag_filter = slot->mag_filter;
@@ -175,36 +175,36 @@ static enum rhw_result upload_material(struct rhw_upload *upload, uint32_t m)
         if (result != RHW_OK) {
             return result;
         }
-        material->textured = material->textured || s != RHW_SLOT_NORMAL;
+        material->textured = material->textured || s != SCENE_SLOT_NORMAL;
     }
-    const enum rhw_occlusion occlusion = rhw_occlusion_of(upload->model, source);
-    material->occlusion_shared = occlusion != RHW_OCCLUSION_APART;
-    if (occlusion != RHW_OCCLUSION_COMBINED) {
+    const enum scene_occlusion occlusion = scene_occlusion_of(upload->model, source);
+    material->occlusion_shared = occlusion != SCENE_OCCLUSION_APART;
+    if (occlusion != SCENE_OCCLUSION_COMBINED) {
         return RHW_OK;
     }
-    rhw_texture *const texture = &material->slots[RHW_SLOT_METALLIC_ROUGHNESS].texture;
+    rhw_texture *const texture = &material->slots[SCENE_SLOT_METALLIC_ROUGHNESS].texture;
     const enum rhw_result result =
-        rhw_upload_combined(upload->context, upload->model, source, &upload->combined, texture);
-    material->slots[RHW_SLOT_OCCLUSION].texture = *texture;
+        scene_upload_combined(upload->context, upload->model, source, &upload->combined, texture);
+    material->slots[SCENE_SLOT_OCCLUSION].texture = *texture;
     return result;
 }
 
-static void count_triangles(struct rhw_upload *upload)
+static void count_triangles(struct scene_upload *upload)
 {
     uint32_t next = 1;
     for (uint32_t i = 0; i < upload->model->instance_count; i++) {
-        const struct rhw_mesh *mesh = &upload->model->meshes[upload->model->instances[i].mesh];
+        const struct scene_mesh *mesh = &upload->model->meshes[upload->model->instances[i].mesh];
         static const uint32_t corners[] = {
-            [RHW_PRIMITIVE_TRIANGLES] = 3, [RHW_PRIMITIVE_LINES] = 2, [RHW_PRIMITIVE_POINTS] = 1};
+            [SCENE_PRIMITIVE_TRIANGLES] = 3, [SCENE_PRIMITIVE_LINES] = 2, [SCENE_PRIMITIVE_POINTS] = 1};
         upload->first_triangle[i] = next;
         next += mesh->index_count / corners[mesh->primitive];
     }
 }
 
-enum rhw_result rhw_upload_create(rhw_context *context, const struct rhw_model *model,
-                                  struct rhw_upload *upload)
+enum rhw_result scene_upload_create(rhw_context *context, const struct scene_model *model,
+                                    struct scene_upload *upload)
 {
-    *upload = (struct rhw_upload){.context = context, .model = model};
+    *upload = (struct scene_upload){.context = context, .model = model};
     // One more than needed: calloc(0) may return NULL.
     upload->meshes = calloc((size_t)model->mesh_count + 1, sizeof *upload->meshes);
     upload->images = calloc((size_t)model->image_count + 1, sizeof *upload->images);
@@ -220,13 +220,13 @@ enum rhw_result rhw_upload_create(rhw_context *context, const struct rhw_model *
         result = upload_mesh(context, &model->meshes[i], &upload->meshes[i]);
     }
     for (uint32_t i = 0; i < model->image_count && result == RHW_OK; i++) {
-        result = rhw_upload_image(context, model, i, &upload->images[i]);
+        result = scene_upload_image(context, model, i, &upload->images[i]);
     }
     for (uint32_t i = 0; i < model->material_count && result == RHW_OK; i++) {
         result = upload_material(upload, i);
     }
     if (result != RHW_OK) {
-        rhw_upload_destroy(upload);
+        scene_upload_destroy(upload);
         return result;
     }
     count_triangles(upload);
@@ -247,9 +247,9 @@ static void destroy_texture(rhw_context *context, rhw_texture texture)
     }
 }
 
-void rhw_upload_destroy(struct rhw_upload *upload)
+void scene_upload_destroy(struct scene_upload *upload)
 {
-    const struct rhw_model *model = upload->model;
+    const struct scene_model *model = upload->model;
     for (uint32_t i = 0; upload->meshes && i < model->mesh_count; i++) {
         destroy_buffer(upload->context, upload->meshes[i].vertices);
         destroy_buffer(upload->context, upload->meshes[i].indices);
@@ -262,7 +262,7 @@ void rhw_upload_destroy(struct rhw_upload *upload)
         destroy_texture(upload->context, upload->combined.images[i].texture);
     }
     for (uint32_t i = 0; upload->materials && i < model->material_count; i++) {
-        for (int s = 0; s < RHW_SLOT_COUNT; s++) {
+        for (int s = 0; s < SCENE_SLOT_COUNT; s++) {
             const rhw_sampler sampler = upload->materials[i].slots[s].sampler;
             if (sampler.generation) {
                 rhw_sampler_destroy(upload->context, sampler);
@@ -274,5 +274,5 @@ void rhw_upload_destroy(struct rhw_upload *upload)
     free(upload->materials);
     free(upload->combined.images);
     free(upload->first_triangle);
-    *upload = (struct rhw_upload){0};
+    *upload = (struct scene_upload){0};
 }

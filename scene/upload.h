@@ -1,51 +1,51 @@
 // SPDX-License-Identifier: MIT
 // A model in the context's memory: what drawing code binds. Everything that does not depend on the view is
 // worked out here, once.
-#ifndef RHW_SCENE_UPLOAD_H
-#define RHW_SCENE_UPLOAD_H
+#ifndef SCENE_UPLOAD_H
+#define SCENE_UPLOAD_H
 
 #include "model.h"
 #include "rhw/rhw.h"
 #include "shaders.h"
 #include "upload_image.h"
 
-enum { RHW_MESH_ATTRIBUTES = 6 };
+enum { SCENE_MESH_ATTRIBUTES = 6 };
 
-struct rhw_uploaded_mesh {
+struct scene_uploaded_mesh {
     rhw_buffer vertices, indices; // one interleaved vertex buffer; 32-bit indices of a triangle list
     uint32_t index_count;
-    enum rhw_vertex_kind kind;
-    struct rhw_attribute attributes[RHW_MESH_ATTRIBUTES];
+    enum scene_vertex_kind kind;
+    struct rhw_attribute attributes[SCENE_MESH_ATTRIBUTES];
     int attribute_count;
     uint32_t stride;
     // Numbers of attributes; −1 where the mesh has none. Position is 0; the far end of a line is 1.
-    int normal, tangent, color, uv[RHW_UV_SETS];
+    int normal, tangent, color, uv[SCENE_UV_SETS];
 };
 
-struct rhw_uploaded_slot {
+struct scene_uploaded_slot {
     rhw_texture texture; // null: no texture
     rhw_sampler sampler;
 };
 
-struct rhw_uploaded_material {
-    struct rhw_uploaded_slot slots[RHW_SLOT_COUNT];
+struct scene_uploaded_material {
+    struct scene_uploaded_slot slots[SCENE_SLOT_COUNT];
     bool textured;         // any slot but the normal map
     bool occlusion_shared; // its texture is that of metallic-roughness
 };
 
-struct rhw_upload {
+struct scene_upload {
     rhw_context *context;
-    const struct rhw_model *model;
-    struct rhw_uploaded_mesh *meshes;
-    struct rhw_uploaded_image *images;
-    struct rhw_uploaded_material *materials;
-    struct rhw_combined_images combined;
+    const struct scene_model *model;
+    struct scene_uploaded_mesh *meshes;
+    struct scene_uploaded_image *images;
+    struct scene_uploaded_material *materials;
+    struct scene_combined_images combined;
     uint32_t *first_triangle; // of each instance: 1 + triangles, lines and points of those before it
 };
 
 /// On failure everything is released again.
-enum rhw_result rhw_upload_create(rhw_context *context, const struct rhw_model *model,
-                                  struct rhw_upload *upload);
-void rhw_upload_destroy(struct rhw_upload *upload);
+enum rhw_result scene_upload_create(rhw_context *context, const struct scene_model *model,
+                                    struct scene_upload *upload);
+void scene_upload_destroy(struct scene_upload *upload);
 
 #endif

@@ -2,8 +2,8 @@
 // What the tests of the lessons share. A test includes the lesson's source, whose functions are static, with
 // its main renamed; it draws into float targets and holds every pixel against the formulas, which reference.h
 // evaluates in double on the snapped positions.
-#ifndef RHW_TEST_LESSON_H
-#define RHW_TEST_LESSON_H
+#ifndef LESSON_H
+#define LESSON_H
 
 #include <setjmp.h>
 #include <stdarg.h>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // What the golden tests share: the hash, the table, and the configurations that must all give one image.
-#ifndef RHW_TEST_GOLDEN_H
-#define RHW_TEST_GOLDEN_H
+#ifndef GOLDEN_H
+#define GOLDEN_H
 
 #include <rhw/rhw.h>
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // What golden scenes are made with: resources that cannot fail, the images a scene gives, cells of a grid.
-#ifndef RHW_TEST_GOLDEN_BOARD_H
-#define RHW_TEST_GOLDEN_BOARD_H
+#ifndef GOLDEN_BOARD_H
+#define GOLDEN_BOARD_H
 
 #include <rhw/rhw.h>
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Shaders of the scenes that lay a feature out in cells, compiled once per instruction set.
-#ifndef RHW_TEST_GOLDEN_CELLS_H
-#define RHW_TEST_GOLDEN_CELLS_H
+#ifndef GOLDEN_CELLS_H
+#define GOLDEN_CELLS_H
 
 #include <rhw/rhw.h>
 

@@ -22,7 +22,7 @@ void golden_models_at(const char *path)
 }
 
 // A ball as six curved faces with coordinates of their own; a plate is one flat face. Tangents follow u.
-static void make_faces(struct rhw_mesh *mesh, int faces)
+static void make_faces(struct scene_mesh *mesh, int faces)
 {
     mesh->vertex_count = (uint32_t)(faces * (GRID + 1) * (GRID + 1));
     mesh->index_count = (uint32_t)(faces * GRID * GRID * 6);
@@ -31,7 +31,7 @@ static void make_faces(struct rhw_mesh *mesh, int faces)
     mesh->tangents = golden_allocate(mesh->vertex_count, sizeof *mesh->tangents);
     mesh->colors = golden_allocate(mesh->vertex_count, sizeof *mesh->colors);
     mesh->indices = golden_allocate(mesh->index_count, sizeof *mesh->indices);
-    for (int set = 0; set < RHW_UV_SETS; set++) {
+    for (int set = 0; set < SCENE_UV_SETS; set++) {
         mesh->uvs[set] = golden_allocate(mesh->vertex_count, sizeof *mesh->uvs[set]);
     }
     uint32_t v = 0, i = 0;
@@ -76,12 +76,12 @@ static void make_faces(struct rhw_mesh *mesh, int faces)
 }
 
 // A spiral of points, as a chain of lines or one by one.
-static void make_spiral(struct rhw_mesh *mesh, enum rhw_primitive primitive)
+static void make_spiral(struct scene_mesh *mesh, enum scene_primitive primitive)
 {
     enum { COUNT = 40 };
     mesh->primitive = primitive;
     mesh->vertex_count = COUNT;
-    mesh->index_count = primitive == RHW_PRIMITIVE_LINES ? 2 * (COUNT - 1) : COUNT;
+    mesh->index_count = primitive == SCENE_PRIMITIVE_LINES ? 2 * (COUNT - 1) : COUNT;
     mesh->positions = golden_allocate(COUNT, sizeof *mesh->positions);
     mesh->colors = golden_allocate(COUNT, sizeof *mesh->colors);
     mesh->indices = golden_allocate(mesh->index_count, sizeof *mesh->indices);
@@ -96,18 +96,19 @@ static void make_spiral(struct rhw_mesh *mesh, enum rhw_primitive primitive)
         x = turned;
     }
     for (uint32_t i = 0; i < mesh->index_count; i++) {
-        mesh->indices[i] = primitive == RHW_PRIMITIVE_LINES ? (i + 1) / 2 : i;
+        mesh->indices[i] = primitive == SCENE_PRIMITIVE_LINES ? (i + 1) / 2 : i;
     }
 }
 
-static void make_images(struct rhw_image *images)
+static void make_images(struct scene_image *images)
 {
-    static const enum rhw_image_type types[IMAGES] = {RHW_IMAGE_RGBA8, RHW_IMAGE_RGBA8, RHW_IMAGE_RGBA16,
-                                                      RHW_IMAGE_RGBA32F};
-    static const size_t sizes[] = {[RHW_IMAGE_RGBA8] = 4, [RHW_IMAGE_RGBA16] = 8, [RHW_IMAGE_RGBA32F] = 16};
+    static const enum scene_image_type types[IMAGES] = {SCENE_IMAGE_RGBA8, SCENE_IMAGE_RGBA8,
+                                                        SCENE_IMAGE_RGBA16, SCENE_IMAGE_RGBA32F};
+    static const size_t sizes[] = {
+        [SCENE_IMAGE_RGBA8] = 4, [SCENE_IMAGE_RGBA16] = 8, [SCENE_IMAGE_RGBA32F] = 16};
     for (int i = 0; i < IMAGES; i++) {
         images[i] =
-            (struct rhw_image){.name = "", .type = types[i], .width = IMAGE_SIDE, .height = IMAGE_SIDE};
+            (struct scene_image){.name = "", .type = types[i], .width = IMAGE_SIDE, .height = IMAGE_SIDE};
         images[i].used_as_color = i == IMAGE_COLORS || i == IMAGE_GLOW;
         images[i].used_as_data = i == IMAGE_BUMPS || i == IMAGE_ROUGHNESS;
         images[i].has_alpha = i == IMAGE_COLORS;
@@ -136,59 +137,59 @@ static void make_images(struct rhw_image *images)
     }
 }
 
-static void bind(struct rhw_material *material, enum rhw_slot slot, int image)
+static void bind(struct scene_material *material, enum scene_slot slot, int image)
 {
     material->slots[slot].image = image;
 }
 
-static void make_materials(struct rhw_material *materials)
+static void make_materials(struct scene_material *materials)
 {
     for (int m = 0; m < MATERIALS; m++) {
         materials[m] =
-            (struct rhw_material){.name = "",
-                                  .base_color = {0.9f, 0.6f - 0.04f * (float)m, 0.1f * (float)m, 1},
-                                  .metallic = (float)(m % 3) * 0.5f,
-                                  .roughness = 0.15f + 0.07f * (float)m,
-                                  .normal_scale = 1,
-                                  .occlusion_strength = 0.75f,
-                                  .alpha_cutoff = 0.5f};
-        for (int s = 0; s < RHW_SLOT_COUNT; s++) {
+            (struct scene_material){.name = "",
+                                    .base_color = {0.9f, 0.6f - 0.04f * (float)m, 0.1f * (float)m, 1},
+                                    .metallic = (float)(m % 3) * 0.5f,
+                                    .roughness = 0.15f + 0.07f * (float)m,
+                                    .normal_scale = 1,
+                                    .occlusion_strength = 0.75f,
+                                    .alpha_cutoff = 0.5f};
+        for (int s = 0; s < SCENE_SLOT_COUNT; s++) {
             // Coordinates turned, scaled and moved; another address and filter for each.
             materials[m].slots[s] =
-                (struct rhw_texture_slot){.image = -1,
-                                          .uv_set = (uint32_t)(m % RHW_UV_SETS),
-                                          .transform = {m % 2 ? 0.8f : 1, m % 2 ? 0.6f : 0, 0.1f,
-                                                        m % 2 ? -0.6f : 0, m % 2 ? 0.8f : 1, 0},
-                                          .address_u = (enum rhw_address)(m % 3),
-                                          .address_v = (enum rhw_address)((m + 1) % 3),
-                                          .min_filter = (enum rhw_filter)((m + 1) % 2),
-                                          .mag_filter = RHW_FILTER_LINEAR,
-                                          .mip_filter = (enum rhw_mip_filter)(m % 3)};
+                (struct scene_texture_slot){.image = -1,
+                                            .uv_set = (uint32_t)(m % SCENE_UV_SETS),
+                                            .transform = {m % 2 ? 0.8f : 1, m % 2 ? 0.6f : 0, 0.1f,
+                                                          m % 2 ? -0.6f : 0, m % 2 ? 0.8f : 1, 0},
+                                            .address_u = (enum rhw_address)(m % 3),
+                                            .address_v = (enum rhw_address)((m + 1) % 3),
+                                            .min_filter = (enum rhw_filter)((m + 1) % 2),
+                                            .mag_filter = RHW_FILTER_LINEAR,
+                                            .mip_filter = (enum rhw_mip_filter)(m % 3)};
         }
     }
-    bind(&materials[3], RHW_SLOT_BASE_COLOR, IMAGE_COLORS);
-    bind(&materials[4], RHW_SLOT_BASE_COLOR, IMAGE_COLORS);
-    bind(&materials[4], RHW_SLOT_NORMAL, IMAGE_BUMPS);
-    bind(&materials[5], RHW_SLOT_NORMAL, IMAGE_BUMPS);
-    bind(&materials[5], RHW_SLOT_METALLIC_ROUGHNESS, IMAGE_ROUGHNESS);
-    bind(&materials[5], RHW_SLOT_OCCLUSION, IMAGE_ROUGHNESS);
-    bind(&materials[6], RHW_SLOT_EMISSIVE, IMAGE_GLOW);
+    bind(&materials[3], SCENE_SLOT_BASE_COLOR, IMAGE_COLORS);
+    bind(&materials[4], SCENE_SLOT_BASE_COLOR, IMAGE_COLORS);
+    bind(&materials[4], SCENE_SLOT_NORMAL, IMAGE_BUMPS);
+    bind(&materials[5], SCENE_SLOT_NORMAL, IMAGE_BUMPS);
+    bind(&materials[5], SCENE_SLOT_METALLIC_ROUGHNESS, IMAGE_ROUGHNESS);
+    bind(&materials[5], SCENE_SLOT_OCCLUSION, IMAGE_ROUGHNESS);
+    bind(&materials[6], SCENE_SLOT_EMISSIVE, IMAGE_GLOW);
     materials[6].emissive[0] = materials[6].emissive[2] = 0.8f;
     materials[7].unlit = true;
-    bind(&materials[7], RHW_SLOT_BASE_COLOR, IMAGE_COLORS);
-    materials[8].alpha_mode = RHW_ALPHA_MASK;
+    bind(&materials[7], SCENE_SLOT_BASE_COLOR, IMAGE_COLORS);
+    materials[8].alpha_mode = SCENE_ALPHA_MASK;
     materials[8].double_sided = true;
-    bind(&materials[8], RHW_SLOT_BASE_COLOR, IMAGE_COLORS);
-    materials[9].alpha_mode = RHW_ALPHA_BLEND;
+    bind(&materials[8], SCENE_SLOT_BASE_COLOR, IMAGE_COLORS);
+    materials[9].alpha_mode = SCENE_ALPHA_BLEND;
     materials[9].base_color[3] = 0.6f;
-    materials[10].alpha_mode = RHW_ALPHA_BLEND;
-    bind(&materials[10], RHW_SLOT_BASE_COLOR, IMAGE_COLORS);
+    materials[10].alpha_mode = SCENE_ALPHA_BLEND;
+    bind(&materials[10], SCENE_SLOT_BASE_COLOR, IMAGE_COLORS);
     materials[11].unlit = true;
 }
 
-static void place(struct rhw_instance *instance, uint32_t mesh, int column, int row, float scale)
+static void place(struct scene_instance *instance, uint32_t mesh, int column, int row, float scale)
 {
-    *instance = (struct rhw_instance){.mesh = mesh};
+    *instance = (struct scene_instance){.mesh = mesh};
     // Turned by the angle whose sine is 0.6; every third is mirrored.
     const float mirror = (column + row) % 3 == 2 ? -scale : scale;
     const float world[16] = {0.8f * mirror,
@@ -210,21 +211,21 @@ static void place(struct rhw_instance *instance, uint32_t mesh, int column, int 
     memcpy(instance->world, world, sizeof world);
 }
 
-static void make_lights(struct rhw_model *model)
+static void make_lights(struct scene_model *model)
 {
-    static const struct rhw_model_light lights[] = {
-        {"", RHW_LIGHT_DIRECTIONAL, {0}, {-0.48f, -0.6f, -0.64f}, {1, 0.95f, 0.9f}, 2, 0, 0, 0},
-        {"", RHW_LIGHT_POINT, {1, -1, 3}, {0, 0, -1}, {0.3f, 0.6f, 1}, 40, 9, 0, 0},
-        {"", RHW_LIGHT_SPOT, {6, 2, 5}, {0, -0.6f, -0.8f}, {1, 0.4f, 0.3f}, 90, 0, 0.95f, 0.8f},
+    static const struct scene_model_light lights[] = {
+        {"", SCENE_LIGHT_DIRECTIONAL, {0}, {-0.48f, -0.6f, -0.64f}, {1, 0.95f, 0.9f}, 2, 0, 0, 0},
+        {"", SCENE_LIGHT_POINT, {1, -1, 3}, {0, 0, -1}, {0.3f, 0.6f, 1}, 40, 9, 0, 0},
+        {"", SCENE_LIGHT_SPOT, {6, 2, 5}, {0, -0.6f, -0.8f}, {1, 0.4f, 0.3f}, 90, 0, 0.95f, 0.8f},
     };
     model->light_count = 3;
     model->lights = golden_allocate(3, sizeof *lights);
     memcpy(model->lights, lights, sizeof lights);
 }
 
-static const struct rhw_model *make_gallery(void)
+static const struct scene_model *make_gallery(void)
 {
-    struct rhw_model *const model = golden_allocate(1, sizeof *model);
+    struct scene_model *const model = golden_allocate(1, sizeof *model);
     enum { COPIES = MATERIALS + 3 };
     model->image_count = IMAGES;
     model->material_count = MATERIALS;
@@ -236,11 +237,11 @@ static const struct rhw_model *make_gallery(void)
     model->instances = golden_allocate(COPIES, sizeof *model->instances);
     make_images(model->images);
     make_materials(model->materials);
-    struct rhw_mesh shapes[MESHES] = {{.name = ""}, {.name = ""}, {.name = ""}, {.name = ""}};
+    struct scene_mesh shapes[MESHES] = {{.name = ""}, {.name = ""}, {.name = ""}, {.name = ""}};
     make_faces(&shapes[BALL], 6);
     make_faces(&shapes[PLATE], 1);
-    make_spiral(&shapes[LINES], RHW_PRIMITIVE_LINES);
-    make_spiral(&shapes[POINTS], RHW_PRIMITIVE_POINTS);
+    make_spiral(&shapes[LINES], SCENE_PRIMITIVE_LINES);
+    make_spiral(&shapes[POINTS], SCENE_PRIMITIVE_POINTS);
     for (int i = 0; i < COPIES; i++) {
         static const int extra[3] = {PLATE, LINES, POINTS};
         const int shape = i < MATERIALS ? BALL : extra[i - MATERIALS];
@@ -257,9 +258,9 @@ static const struct rhw_model *make_gallery(void)
 }
 
 // A camera of the file: in front of the middle, a little turned.
-static struct rhw_model_camera file_camera(bool orthographic)
+static struct scene_model_camera file_camera(bool orthographic)
 {
-    struct rhw_model_camera camera = {.name = "", .orthographic = orthographic};
+    struct scene_model_camera camera = {.name = "", .orthographic = orthographic};
     camera.aspect = 2;
     camera.xmag = 6;
     camera.ymag = 4;
@@ -270,7 +271,7 @@ static struct rhw_model_camera file_camera(bool orthographic)
     return camera;
 }
 
-static void give(struct golden_images *images, enum rhw_format format, const struct rhw_pictures *pictures,
+static void give(struct golden_images *images, enum rhw_format format, const struct scene_pictures *pictures,
                  void *pixels)
 {
     if (pixels == NULL) {
@@ -282,18 +283,18 @@ static void give(struct golden_images *images, enum rhw_format format, const str
     golden_give(images, format, pictures->width, pictures->height, copy);
 }
 
-static void draw_model(rhw_context *context, const struct rhw_model *model, const struct rhw_view *view,
+static void draw_model(rhw_context *context, const struct scene_model *model, const struct scene_view *view,
                        struct golden_images *images)
 {
     char error[256];
-    if (!rhw_view_check(view, error, sizeof error)) {
+    if (!scene_view_check(view, error, sizeof error)) {
         fprintf(stderr, "golden: %s\n", error);
         exit(2);
     }
-    struct rhw_scene *scene;
-    struct rhw_pictures p;
-    golden_check(rhw_scene_create(context, model, &scene), "model");
-    golden_check(rhw_scene_draw(scene, view, &p, NULL), "model");
+    struct scene *scene;
+    struct scene_pictures p;
+    golden_check(scene_create(context, model, &scene), "model");
+    golden_check(scene_draw(scene, view, &p, NULL), "model");
     give(images, RHW_FORMAT_RGBA8_SRGB, &p, p.color);
     float *const wide[] = {p.linear, p.display, p.normal, p.position, p.uv, p.barycentric};
     for (int i = 0; i < 6; i++) {
@@ -303,38 +304,39 @@ static void draw_model(rhw_context *context, const struct rhw_model *model, cons
     give(images, RHW_FORMAT_R32_FLOAT, &p, p.distance);
     give(images, RHW_FORMAT_R32_UINT, &p, p.object);
     give(images, RHW_FORMAT_R32_UINT, &p, p.triangle);
-    rhw_pictures_free(&p);
-    rhw_scene_destroy(scene);
+    scene_pictures_free(&p);
+    scene_destroy(scene);
 }
 
 void golden_gallery_draw(rhw_context *context, int number, struct golden_images *images)
 {
-    static const struct rhw_model *model;
+    static const struct scene_model *model;
     if (model == NULL) {
         model = make_gallery();
     }
-    struct rhw_view view = rhw_view_default(model);
+    struct scene_view view = scene_view_default(model);
     view.width = number == 3 ? 120 : 200;
     view.height = number == 3 ? 160 : 130;
-    view.outputs = number % 2 ? RHW_OUTPUT_COLOR | RHW_OUTPUT_LINEAR | RHW_OUTPUT_DISPLAY : RHW_OUTPUT_ALL;
+    view.outputs =
+        number % 2 ? SCENE_OUTPUT_COLOR | SCENE_OUTPUT_LINEAR | SCENE_OUTPUT_DISPLAY : SCENE_OUTPUT_ALL;
     static const int samples[] = {4, 1, 1, 9};
     view.samples = samples[number];
     const double aspect = (double)view.width / view.height;
-    struct rhw_model_camera camera = file_camera(number == 2);
+    struct scene_model_camera camera = file_camera(number == 2);
     camera.yfov = 0.25f; // the narrower picture takes a taller angle
-    view.camera = number < 2 ? rhw_camera_fit(model, (struct rhw_orbit){25, 15}, 0.5, aspect)
-                             : rhw_camera_from_model(&camera, aspect);
+    view.camera = number < 2 ? scene_camera_fit(model, (struct scene_orbit){25, 15}, 0.5, aspect)
+                             : scene_camera_from_model(&camera, aspect);
     if (number == 1) {
         view.default_lights = true;
-        view.wireframe = RHW_WIREFRAME_OVER;
-        view.background = RHW_BACKGROUND_TRANSPARENT;
+        view.wireframe = SCENE_WIREFRAME_OVER;
+        view.background = SCENE_BACKGROUND_TRANSPARENT;
     } else if (number == 2) {
         view.exposure = -0.7;
-        view.background = RHW_BACKGROUND_COLOR;
+        view.background = SCENE_BACKGROUND_COLOR;
         memcpy(view.background_color, (const uint8_t[]){70, 20, 40}, 3);
     } else if (number == 3) {
         view.interpolate = RHW_NOPERSPECTIVE;
-        view.wireframe = RHW_WIREFRAME_PLAIN;
+        view.wireframe = SCENE_WIREFRAME_PLAIN;
     }
     draw_model(context, model, &view, images);
 }
@@ -342,18 +344,18 @@ void golden_gallery_draw(rhw_context *context, int number, struct golden_images 
 void golden_model_draw(rhw_context *context, int number, struct golden_images *images)
 {
     static const char *const names[] = {"spot", "spider"};
-    static const struct rhw_model *models[2];
+    static const struct scene_model *models[2];
     if (models[number] == NULL) {
         char path[1024];
         snprintf(path, sizeof path, "%s/%s.rhwg", folder, names[number]);
         models[number] = golden_model_file_read(path);
     }
-    struct rhw_view view = rhw_view_default(models[number]);
+    struct scene_view view = scene_view_default(models[number]);
     view.width = 160;
     view.height = 120;
     view.samples = 4;
-    view.outputs = RHW_OUTPUT_ALL;
+    view.outputs = SCENE_OUTPUT_ALL;
     view.camera =
-        rhw_camera_fit(models[number], (struct rhw_orbit){number == 0 ? 215 : 30, 20}, 0.5, 160.0 / 120);
+        scene_camera_fit(models[number], (struct scene_orbit){number == 0 ? 215 : 30, 20}, 0.5, 160.0 / 120);
     draw_model(context, models[number], &view, images);
 }

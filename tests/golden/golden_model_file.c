@@ -47,9 +47,9 @@ static void read_floats(FILE *file, float *floats, int count)
     }
 }
 
-static void read_image(FILE *file, struct rhw_image *image)
+static void read_image(FILE *file, struct scene_image *image)
 {
-    *image = (struct rhw_image){.name = "", .type = RHW_IMAGE_RGBA8, .used_as_color = true};
+    *image = (struct scene_image){.name = "", .type = SCENE_IMAGE_RGBA8, .used_as_color = true};
     image->width = read_u32(file);
     image->height = read_u32(file);
     image->size = (size_t)image->width * image->height * 4;
@@ -61,21 +61,21 @@ static void read_image(FILE *file, struct rhw_image *image)
     image->texels = texels;
 }
 
-static void read_material(FILE *file, struct rhw_material *material)
+static void read_material(FILE *file, struct scene_material *material)
 {
-    *material = (struct rhw_material){.name = "", .normal_scale = 1, .occlusion_strength = 1};
+    *material = (struct scene_material){.name = "", .normal_scale = 1, .occlusion_strength = 1};
     read_floats(file, material->base_color, 4);
     read_floats(file, &material->metallic, 1);
     read_floats(file, &material->roughness, 1);
-    for (int s = 0; s < RHW_SLOT_COUNT; s++) {
-        material->slots[s] = (struct rhw_texture_slot){.image = -1,
-                                                       .transform = {1, 0, 0, 0, 1, 0},
-                                                       .min_filter = RHW_FILTER_LINEAR,
-                                                       .mag_filter = RHW_FILTER_LINEAR,
-                                                       .mip_filter = RHW_MIP_FILTER_LINEAR};
+    for (int s = 0; s < SCENE_SLOT_COUNT; s++) {
+        material->slots[s] = (struct scene_texture_slot){.image = -1,
+                                                         .transform = {1, 0, 0, 0, 1, 0},
+                                                         .min_filter = RHW_FILTER_LINEAR,
+                                                         .mag_filter = RHW_FILTER_LINEAR,
+                                                         .mip_filter = RHW_MIP_FILTER_LINEAR};
     }
-    material->slots[RHW_SLOT_BASE_COLOR].image = (int32_t)read_u32(file);
-    material->alpha_mode = (enum rhw_alpha_mode)read_u32(file);
+    material->slots[SCENE_SLOT_BASE_COLOR].image = (int32_t)read_u32(file);
+    material->alpha_mode = (enum scene_alpha_mode)read_u32(file);
     read_floats(file, &material->alpha_cutoff, 1);
     material->double_sided = read_u32(file) != 0;
 }
@@ -96,9 +96,9 @@ static void read_normal(FILE *file, float normal[3])
     }
 }
 
-static void read_mesh(FILE *file, struct rhw_mesh *mesh)
+static void read_mesh(FILE *file, struct scene_mesh *mesh)
 {
-    *mesh = (struct rhw_mesh){.name = "", .primitive = RHW_PRIMITIVE_TRIANGLES};
+    *mesh = (struct scene_mesh){.name = "", .primitive = SCENE_PRIMITIVE_TRIANGLES};
     mesh->material = read_u32(file);
     mesh->vertex_count = read_u32(file);
     mesh->index_count = read_u32(file);
@@ -147,7 +147,7 @@ static float determinant(const float m[16])
            m[8] * (m[1] * m[6] - m[2] * m[5]);
 }
 
-void golden_model_complete(struct rhw_model *model)
+void golden_model_complete(struct scene_model *model)
 {
     static const uint32_t corners[] = {3, 2, 1};
     const float large = 3e38f;
@@ -157,7 +157,7 @@ void golden_model_complete(struct rhw_model *model)
     }
     model->path = model->format = "";
     for (uint32_t m = 0; m < model->mesh_count; m++) {
-        struct rhw_mesh *const mesh = &model->meshes[m];
+        struct scene_mesh *const mesh = &model->meshes[m];
         for (int c = 0; c < 3; c++) {
             mesh->bounds_min[c] = large;
             mesh->bounds_max[c] = -large;
@@ -168,8 +168,8 @@ void golden_model_complete(struct rhw_model *model)
         model->triangles_stored += mesh->index_count / corners[mesh->primitive];
     }
     for (uint32_t i = 0; i < model->instance_count; i++) {
-        struct rhw_instance *const instance = &model->instances[i];
-        const struct rhw_mesh *const mesh = &model->meshes[instance->mesh];
+        struct scene_instance *const instance = &model->instances[i];
+        const struct scene_mesh *const mesh = &model->meshes[instance->mesh];
         const float *const m = instance->world;
         instance->name = "";
         instance->object = i + 1;
@@ -186,7 +186,7 @@ void golden_model_complete(struct rhw_model *model)
     }
 }
 
-const struct rhw_model *golden_model_file_read(const char *path)
+const struct scene_model *golden_model_file_read(const char *path)
 {
     FILE *const file = fopen(path, "rb");
     char magic[4];
@@ -196,7 +196,7 @@ const struct rhw_model *golden_model_file_read(const char *path)
     }
     read_bytes(file, magic, sizeof magic);
     assert(memcmp(magic, "RHWG", sizeof magic) == 0);
-    struct rhw_model *const model = golden_allocate(1, sizeof *model);
+    struct scene_model *const model = golden_allocate(1, sizeof *model);
     model->image_count = read_u32(file);
     model->material_count = read_u32(file);
     model->mesh_count = read_u32(file);

@@ -10,16 +10,16 @@
 //             positions, of the coordinates; 16 bits of each position, between the bounds; 8 bits signed of each
 //             normal; 16 bits of each coordinate; 16 bits of each index
 //   instance  mesh, 16 floats of its matrix
-#ifndef RHW_TEST_GOLDEN_MODEL_FILE_H
-#define RHW_TEST_GOLDEN_MODEL_FILE_H
+#ifndef GOLDEN_MODEL_FILE_H
+#define GOLDEN_MODEL_FILE_H
 
 #include "model.h"
 
 /// Ends the program where there is no such file. Lives until the program ends.
-const struct rhw_model *golden_model_file_read(const char *path);
+const struct scene_model *golden_model_file_read(const char *path);
 
 /// Fills in what follows from the rest: bounds, counts of triangles, mirrored instances, names.
-void golden_model_complete(struct rhw_model *model);
+void golden_model_complete(struct scene_model *model);
 
 /// `count` zeroed elements; ends the program where memory does.
 void *golden_allocate(size_t count, size_t size);

@@ -26,15 +26,15 @@ static const char *const models[] = {
     "/usr/share/glmark2/models/horse.3ds",
 };
 
-static struct rhw_model *loaded;
+static struct scene_model *loaded;
 static int loaded_number = -1;
 
-static const struct rhw_model *load(int number)
+static const struct scene_model *load(int number)
 {
     if (loaded_number != number) {
-        rhw_model_free(loaded);
+        scene_model_free(loaded);
         char error[512];
-        loaded = rhw_model_load(models[number], NULL, error, sizeof error);
+        loaded = scene_model_load(models[number], NULL, error, sizeof error);
         loaded_number = number;
         if (loaded == NULL) {
             fprintf(stderr, "golden: %s: %s\n", models[number], error);
@@ -54,17 +54,17 @@ static uint64_t hash_model(int number, const struct rhw_context_def *def)
     if (access(models[number], R_OK) != 0) {
         return 0;
     }
-    const struct rhw_model *model = load(number);
+    const struct scene_model *model = load(number);
     rhw_context *context;
-    struct rhw_scene *scene;
-    struct rhw_pictures pictures;
-    struct rhw_view view = rhw_view_default(model);
+    struct scene *scene;
+    struct scene_pictures pictures;
+    struct scene_view view = scene_view_default(model);
     view.width = WIDTH;
     view.height = HEIGHT;
     view.samples = 4;
-    view.outputs = RHW_OUTPUT_ALL;
-    if (rhw_context_create(def, &context) != RHW_OK || rhw_scene_create(context, model, &scene) != RHW_OK ||
-        rhw_scene_draw(scene, &view, &pictures, NULL) != RHW_OK) {
+    view.outputs = SCENE_OUTPUT_ALL;
+    if (rhw_context_create(def, &context) != RHW_OK || scene_create(context, model, &scene) != RHW_OK ||
+        scene_draw(scene, &view, &pictures, NULL) != RHW_OK) {
         fprintf(stderr, "golden: %s cannot be drawn\n", models[number]);
         exit(2);
     }
@@ -79,8 +79,8 @@ static uint64_t hash_model(int number, const struct rhw_context_def *def)
     for (int i = 0; i < 6; i++) {
         hash = hash_plane(hash, wide[i], 16);
     }
-    rhw_pictures_free(&pictures);
-    rhw_scene_destroy(scene);
+    scene_pictures_free(&pictures);
+    scene_destroy(scene);
     rhw_context_destroy(context);
     return hash;
 }
@@ -94,6 +94,6 @@ int main(int argc, char **argv)
 {
     const struct golden_set set = {sizeof models / sizeof *models, model_name, hash_model};
     const int status = golden_main(&set, argc, argv);
-    rhw_model_free(loaded);
+    scene_model_free(loaded);
     return status;
 }

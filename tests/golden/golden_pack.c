@@ -35,7 +35,7 @@ static void write_floats(FILE *file, const float *floats, int count)
 }
 
 // Every texel of the file is the mean of step × step codes: what looks right is enough here.
-static void write_image(FILE *file, const struct rhw_image *image)
+static void write_image(FILE *file, const struct scene_image *image)
 {
     uint32_t step = 1;
     while (image->width / step > SIDE || image->height / step > SIDE) {
@@ -55,12 +55,12 @@ static void write_image(FILE *file, const struct rhw_image *image)
     }
 }
 
-static void write_material(FILE *file, const struct rhw_material *material)
+static void write_material(FILE *file, const struct scene_material *material)
 {
     write_floats(file, material->base_color, 4);
     write_floats(file, &material->metallic, 1);
     write_floats(file, &material->roughness, 1);
-    write_u32(file, (uint32_t)material->slots[RHW_SLOT_BASE_COLOR].image);
+    write_u32(file, (uint32_t)material->slots[SCENE_SLOT_BASE_COLOR].image);
     write_u32(file, (uint32_t)material->alpha_mode);
     write_floats(file, &material->alpha_cutoff, 1);
     write_u32(file, material->double_sided);
@@ -71,7 +71,7 @@ static uint32_t place(float low, float high, float value)
     return high > low ? (uint32_t)(65535.0f * (value - low) / (high - low) + 0.5f) : 0;
 }
 
-static void write_mesh(FILE *file, const struct rhw_mesh *mesh)
+static void write_mesh(FILE *file, const struct scene_mesh *mesh)
 {
     write_u32(file, mesh->material);
     write_u32(file, mesh->vertex_count);
@@ -112,15 +112,16 @@ static void write_mesh(FILE *file, const struct rhw_mesh *mesh)
     }
 }
 
-static const char *refuse(const struct rhw_model *model)
+static const char *refuse(const struct scene_model *model)
 {
     for (uint32_t i = 0; i < model->mesh_count; i++) {
-        if (model->meshes[i].primitive != RHW_PRIMITIVE_TRIANGLES || model->meshes[i].vertex_count > 65536) {
+        if (model->meshes[i].primitive != SCENE_PRIMITIVE_TRIANGLES ||
+            model->meshes[i].vertex_count > 65536) {
             return "a mesh is not of triangles, or has more than 65536 vertices";
         }
     }
     for (uint32_t i = 0; i < model->image_count; i++) {
-        if (model->images[i].type != RHW_IMAGE_RGBA8) {
+        if (model->images[i].type != SCENE_IMAGE_RGBA8) {
             return "an image has more than 8 bits per channel";
         }
     }
@@ -130,7 +131,7 @@ static const char *refuse(const struct rhw_model *model)
 int main(int argc, char **argv)
 {
     char error[512] = "";
-    struct rhw_model *const model = argc == 3 ? rhw_model_load(argv[1], NULL, error, sizeof error) : NULL;
+    struct scene_model *const model = argc == 3 ? scene_model_load(argv[1], NULL, error, sizeof error) : NULL;
     const char *const cause = model ? refuse(model) : error;
     if (cause) {
         fprintf(stderr, "golden_pack: %s\n", argc == 3 ? cause : "usage: golden_pack MODEL FILE");
@@ -159,6 +160,6 @@ int main(int argc, char **argv)
         write_u32(file, model->instances[i].mesh);
         write_floats(file, model->instances[i].world, 16);
     }
-    rhw_model_free(model);
+    scene_model_free(model);
     return fclose(file) != 0;
 }

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 // The golden scenes by subject; golden.c lists them with their names. Each draws into a fresh context; `number`
 // tells variants of one scene apart.
-#ifndef RHW_TEST_GOLDEN_SCENES_H
-#define RHW_TEST_GOLDEN_SCENES_H
+#ifndef GOLDEN_SCENES_H
+#define GOLDEN_SCENES_H
 
 #include "golden_board.h"
 

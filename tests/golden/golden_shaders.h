@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Shaders of the golden scenes, compiled once per instruction set.
-#ifndef RHW_TEST_GOLDEN_SHADERS_H
-#define RHW_TEST_GOLDEN_SHADERS_H
+#ifndef GOLDEN_SHADERS_H
+#define GOLDEN_SHADERS_H
 
 #include <rhw/rhw.h>
 

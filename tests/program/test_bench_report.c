@@ -13,13 +13,13 @@
 
 static const struct bench_scene_entry fill = {.name = "fill"}, sphere = {.name = "sphere"};
 
-static json_t *print_and_read(const struct rhw_bench_report *report)
+static json_t *print_and_read(const struct cli_bench_report *report)
 {
     char *text = NULL;
     size_t size = 0;
     FILE *const stream = open_memstream(&text, &size);
     assert_non_null(stream);
-    rhw_bench_print_json(stream, report);
+    cli_bench_print_json(stream, report);
     fclose(stream);
     json_error_t error;
     json_t *const root = json_loadb(text, size, JSON_REJECT_DUPLICATES, &error);
@@ -40,12 +40,12 @@ static double number(const json_t *object, const char *key)
 static void test_json_with_a_peer(void **state)
 {
     (void)state;
-    const struct rhw_bench_job job = {.width = 64, .height = 32, .frames = 5, .peer = "llvmpipe"};
-    static struct rhw_bench_report report = {
+    const struct cli_bench_job job = {.width = 64, .height = 32, .frames = 5, .peer = "llvmpipe"};
+    static struct cli_bench_report report = {
         .cpu = "A \"CPU\"\\", .peer_name = "llvmpipe, 256 bits", .cores = 4};
     report.job = &job;
     report.result_count = 2;
-    report.results[0] = (struct rhw_bench_result){.entry = &fill,
+    report.results[0] = (struct cli_bench_result){.entry = &fill,
                                                   .work = 1e6,
                                                   .all = {2.0, 1.0, 3.0},
                                                   .one = {4.0, 3.0, 5.0},
@@ -53,7 +53,7 @@ static void test_json_with_a_peer(void **state)
                                                   .has_one = true,
                                                   .has_peer = true,
                                                   .agreement = {.agrees = true, .pixels = 2048}};
-    report.results[1] = (struct rhw_bench_result){.entry = &sphere, .all = {0.5, 0.25, 1.0}};
+    report.results[1] = (struct cli_bench_result){.entry = &sphere, .all = {0.5, 0.25, 1.0}};
     json_t *const root = print_and_read(&report);
     assert_string_equal(json_string_value(json_object_get(root, "cpu")), "A \"CPU\"\\");
     const json_t *const scenes = json_object_get(root, "scenes");
@@ -76,8 +76,8 @@ static void test_json_with_a_peer(void **state)
 static void test_json_of_nothing(void **state)
 {
     (void)state;
-    const struct rhw_bench_job job = {0};
-    static struct rhw_bench_report report;
+    const struct cli_bench_job job = {0};
+    static struct cli_bench_report report;
     report.job = &job;
     json_t *const root = print_and_read(&report);
     assert_int_equal(json_array_size(json_object_get(root, "scenes")), 0);

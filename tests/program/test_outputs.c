@@ -16,11 +16,11 @@ enum { WIDTH = 3, HEIGHT = 2, PIXELS = WIDTH * HEIGHT };
 static const float bounds_min[3] = {-1.0f, 0.0f, 10.0f}, bounds_max[3] = {3.0f, 0.0f, 20.0f};
 
 // The samples of a whole picture as 16 bit numbers, whatever it has.
-static void rasterize(const struct rhw_pictures *pictures, enum rhw_output_kind kind, int bits,
-                      bool transparent, struct rhw_output_raster *output, uint16_t *samples)
+static void rasterize(const struct scene_pictures *pictures, enum cli_output_kind kind, int bits,
+                      bool transparent, struct cli_output_raster *output, uint16_t *samples)
 {
-    rhw_output_rasterize(output, pictures, kind, bits, transparent, bounds_min, bounds_max);
-    const struct rhw_raster *raster = &output->raster;
+    cli_output_rasterize(output, pictures, kind, bits, transparent, bounds_min, bounds_max);
+    const struct cli_raster *raster = &output->raster;
     assert_int_equal(raster->width, WIDTH);
     assert_int_equal(raster->height, HEIGHT);
     uint16_t row[WIDTH * 4];
@@ -39,17 +39,17 @@ static void test_color(void **state)
     for (int i = 0; i < PIXELS * 4; i++) {
         color[i / 4][i % 4] = (uint8_t)(i * 10);
     }
-    struct rhw_pictures pictures = {.width = WIDTH, .height = HEIGHT, .color = color[0]};
-    struct rhw_output_raster output;
+    struct scene_pictures pictures = {.width = WIDTH, .height = HEIGHT, .color = color[0]};
+    struct cli_output_raster output;
     uint16_t samples[PIXELS * 4];
-    rasterize(&pictures, RHW_KIND_COLOR, 0, false, &output, samples);
+    rasterize(&pictures, CLI_KIND_COLOR, 0, false, &output, samples);
     assert_int_equal(output.raster.channels, 3);
     assert_int_equal(output.raster.bits, 8);
     assert_true(output.raster.srgb);
     for (int i = 0; i < PIXELS * 3; i++) {
         assert_int_equal(samples[i], color[i / 3][i % 3]);
     }
-    rasterize(&pictures, RHW_KIND_COLOR, 8, true, &output, samples);
+    rasterize(&pictures, CLI_KIND_COLOR, 8, true, &output, samples);
     assert_int_equal(output.raster.channels, 4);
     for (int i = 0; i < PIXELS * 4; i++) {
         assert_int_equal(samples[i], color[i / 4][i % 4]);
@@ -64,10 +64,10 @@ static void test_fine_color(void **state)
     for (int i = 0; i < PIXELS * 4; i++) {
         display[i / 4][i % 4] = (float)(i * i) / 500.0f; // 0 .. 1.058, dark values dense
     }
-    const struct rhw_pictures pictures = {.width = WIDTH, .height = HEIGHT, .display = display[0]};
-    struct rhw_output_raster output;
+    const struct scene_pictures pictures = {.width = WIDTH, .height = HEIGHT, .display = display[0]};
+    struct cli_output_raster output;
     uint16_t samples[PIXELS * 4];
-    rasterize(&pictures, RHW_KIND_COLOR, 16, true, &output, samples);
+    rasterize(&pictures, CLI_KIND_COLOR, 16, true, &output, samples);
     assert_int_equal(output.raster.bits, 16);
     for (int i = 0; i < PIXELS * 4; i++) {
         const double linear = fmin((double)display[i / 4][i % 4], 1.0);
@@ -76,7 +76,7 @@ static void test_fine_color(void **state)
         assert_true(fabs(samples[i] - expected) <= 0.51);
     }
     uint16_t opaque[PIXELS * 3];
-    rasterize(&pictures, RHW_KIND_COLOR, 16, false, &output, opaque);
+    rasterize(&pictures, CLI_KIND_COLOR, 16, false, &output, opaque);
     for (int i = 0; i < PIXELS * 3; i++) {
         assert_int_equal(opaque[i], samples[i / 3 * 4 + i % 3]);
     }
@@ -87,13 +87,13 @@ static void test_depth_and_distance(void **state)
     (void)state;
     float depth[PIXELS] = {0.25f, 0.5f, 0.75f, 1.0f, 0.375f, 0.25f};
     float distance[PIXELS] = {2.0f, 3.0f, 4.0f, INFINITY, 2.5f, 2.0f};
-    const struct rhw_pictures pictures = {
+    const struct scene_pictures pictures = {
         .width = WIDTH, .height = HEIGHT, .depth = depth, .distance = distance};
     // 1 at the nearest, 0.1 at the farthest, linear between; 0 where nothing is.
     const double expected[PIXELS] = {1.0, 0.55, 0.1, 0.0, 0.775, 1.0};
-    const enum rhw_output_kind kinds[2] = {RHW_KIND_DEPTH, RHW_KIND_DISTANCE};
+    const enum cli_output_kind kinds[2] = {CLI_KIND_DEPTH, CLI_KIND_DISTANCE};
     for (int k = 0; k < 2; k++) {
-        struct rhw_output_raster output;
+        struct cli_output_raster output;
         uint16_t samples[PIXELS];
         rasterize(&pictures, kinds[k], 0, false, &output, samples);
         assert_int_equal(output.raster.channels, 1);
@@ -115,15 +115,15 @@ static void test_depth_of_nothing_and_of_one_plane(void **state)
 {
     (void)state;
     float depth[PIXELS] = {1.0f, 1.0f, 1.0f, 1.0f, 1.0f, 1.0f};
-    const struct rhw_pictures pictures = {.width = WIDTH, .height = HEIGHT, .depth = depth};
-    struct rhw_output_raster output;
+    const struct scene_pictures pictures = {.width = WIDTH, .height = HEIGHT, .depth = depth};
+    struct cli_output_raster output;
     uint16_t samples[PIXELS];
-    rasterize(&pictures, RHW_KIND_DEPTH, 0, false, &output, samples);
+    rasterize(&pictures, CLI_KIND_DEPTH, 0, false, &output, samples);
     for (int i = 0; i < PIXELS; i++) {
         assert_int_equal(samples[i], 0);
     }
     depth[2] = depth[4] = 0.5f;
-    rasterize(&pictures, RHW_KIND_DEPTH, 0, false, &output, samples);
+    rasterize(&pictures, CLI_KIND_DEPTH, 0, false, &output, samples);
     for (int i = 0; i < PIXELS; i++) {
         assert_int_equal(samples[i], i == 2 || i == 4 ? 65535 : 0);
     }
@@ -135,22 +135,22 @@ static void test_vectors(void **state)
     float vectors[PIXELS][4] = {{-1.0f, 0.0f, 1.0f, 1.0f}, {0.5f, -0.5f, 0.0f, 1.0f},
                                 {0.0f, 0.0f, 0.0f, 0.0f},  {3.0f, 5.0f, 20.0f, 1.0f},
                                 {1.0f, 0.0f, 15.0f, 1.0f}, {NAN, NAN, NAN, 1.0f}};
-    const struct rhw_pictures pictures = {.width = WIDTH,
-                                          .height = HEIGHT,
-                                          .normal = vectors[0],
-                                          .position = vectors[0],
-                                          .barycentric = vectors[0]};
-    struct rhw_output_raster output;
+    const struct scene_pictures pictures = {.width = WIDTH,
+                                            .height = HEIGHT,
+                                            .normal = vectors[0],
+                                            .position = vectors[0],
+                                            .barycentric = vectors[0]};
+    struct cli_output_raster output;
     uint16_t samples[PIXELS][3];
-    rasterize(&pictures, RHW_KIND_NORMAL, 0, false, &output, samples[0]);
+    rasterize(&pictures, CLI_KIND_NORMAL, 0, false, &output, samples[0]);
     assert_int_equal(output.raster.bits, 8);
     const uint16_t normals[3][3] = {{0, 128, 255}, {191, 64, 128}, {0, 0, 0}};
     assert_memory_equal(samples, normals, sizeof normals);
     // x −1..3, y without extent, z 10..20
-    rasterize(&pictures, RHW_KIND_POSITION, 0, false, &output, samples[0]);
+    rasterize(&pictures, CLI_KIND_POSITION, 0, false, &output, samples[0]);
     const uint16_t positions[3][3] = {{255, 0, 255}, {128, 0, 128}, {0, 0, 0}};
     assert_memory_equal(samples[3], positions, sizeof positions);
-    rasterize(&pictures, RHW_KIND_BARY, 0, false, &output, samples[0]);
+    rasterize(&pictures, CLI_KIND_BARY, 0, false, &output, samples[0]);
     const uint16_t weights[3][3] = {{0, 0, 255}, {128, 0, 0}, {0, 0, 0}};
     assert_memory_equal(samples, weights, sizeof weights);
 }
@@ -160,10 +160,10 @@ static void test_uv(void **state)
     (void)state;
     float uv[PIXELS][4] = {{0.2f, 0.4f, 0, 1},  {1.2f, -0.6f, 0, 1},   {0.2f, 0.4f, 0, 0},
                            {-3.0f, 7.0f, 0, 1}, {NAN, INFINITY, 0, 1}, {0.999999f, 0.5f, 0, 1}};
-    const struct rhw_pictures pictures = {.width = WIDTH, .height = HEIGHT, .uv = uv[0]};
-    struct rhw_output_raster output;
+    const struct scene_pictures pictures = {.width = WIDTH, .height = HEIGHT, .uv = uv[0]};
+    struct cli_output_raster output;
     uint16_t samples[PIXELS][3];
-    rasterize(&pictures, RHW_KIND_UV, 0, false, &output, samples[0]);
+    rasterize(&pictures, CLI_KIND_UV, 0, false, &output, samples[0]);
     const uint16_t expected[PIXELS][3] = {{51, 102, 0}, {51, 102, 0}, {0, 0, 0},
                                           {0, 0, 0},    {0, 0, 0},    {255, 128, 0}};
     assert_memory_equal(samples, expected, sizeof expected);
@@ -174,11 +174,11 @@ static void test_ids(void **state)
 {
     (void)state;
     static uint32_t ids[PIXELS] = {0, 1, 2, 3, 1, UINT32_MAX};
-    const struct rhw_pictures pictures = {.width = WIDTH, .height = HEIGHT, .object = ids, .triangle = ids};
-    struct rhw_output_raster output;
+    const struct scene_pictures pictures = {.width = WIDTH, .height = HEIGHT, .object = ids, .triangle = ids};
+    struct cli_output_raster output;
     uint16_t objects[PIXELS][3], triangles[PIXELS][3];
-    rasterize(&pictures, RHW_KIND_OBJECT, 0, false, &output, objects[0]);
-    rasterize(&pictures, RHW_KIND_TRIANGLE, 0, false, &output, triangles[0]);
+    rasterize(&pictures, CLI_KIND_OBJECT, 0, false, &output, objects[0]);
+    rasterize(&pictures, CLI_KIND_TRIANGLE, 0, false, &output, triangles[0]);
     assert_memory_equal(objects, triangles, sizeof objects);
     const uint16_t expected[4][3] = {{0, 0, 0}, {205, 167, 162}, {156, 80, 69}, {228, 237, 244}};
     assert_memory_equal(objects, expected, sizeof expected);
@@ -193,19 +193,20 @@ static void test_names_and_needs(void **state)
     (void)state;
     unsigned kinds = 99;
     const char *bad = NULL;
-    assert_true(rhw_outputs_parse("color,depth,depth", &kinds, &bad));
-    assert_int_equal(kinds, 1u << RHW_KIND_COLOR | 1u << RHW_KIND_DEPTH);
-    assert_int_equal(rhw_outputs_needed(kinds, RHW_PICTURE_PNG, 0), RHW_OUTPUT_COLOR | RHW_OUTPUT_DEPTH);
-    assert_int_equal(rhw_outputs_needed(kinds, RHW_PICTURE_PPM, 16), RHW_OUTPUT_DISPLAY | RHW_OUTPUT_DEPTH);
-    assert_int_equal(rhw_outputs_needed(kinds, RHW_PICTURE_EXR, 0), RHW_OUTPUT_LINEAR | RHW_OUTPUT_DEPTH);
-    assert_false(rhw_outputs_parse("color,dept", &kinds, &bad));
+    assert_true(cli_outputs_parse("color,depth,depth", &kinds, &bad));
+    assert_int_equal(kinds, 1u << CLI_KIND_COLOR | 1u << CLI_KIND_DEPTH);
+    assert_int_equal(cli_outputs_needed(kinds, CLI_PICTURE_PNG, 0), SCENE_OUTPUT_COLOR | SCENE_OUTPUT_DEPTH);
+    assert_int_equal(cli_outputs_needed(kinds, CLI_PICTURE_PPM, 16),
+                     SCENE_OUTPUT_DISPLAY | SCENE_OUTPUT_DEPTH);
+    assert_int_equal(cli_outputs_needed(kinds, CLI_PICTURE_EXR, 0), SCENE_OUTPUT_LINEAR | SCENE_OUTPUT_DEPTH);
+    assert_false(cli_outputs_parse("color,dept", &kinds, &bad));
     assert_string_equal(bad, "dept");
-    assert_false(rhw_outputs_parse("color,", &kinds, &bad));
-    assert_false(rhw_outputs_parse("", &kinds, &bad));
-    assert_true(rhw_outputs_parse("all", &kinds, &bad));
-    assert_int_equal(kinds, (1u << RHW_KIND_COUNT) - 1);
-    for (int kind = 0; kind < RHW_KIND_COUNT; kind++) {
-        assert_true(rhw_outputs_parse(rhw_output_name((enum rhw_output_kind)kind), &kinds, &bad));
+    assert_false(cli_outputs_parse("color,", &kinds, &bad));
+    assert_false(cli_outputs_parse("", &kinds, &bad));
+    assert_true(cli_outputs_parse("all", &kinds, &bad));
+    assert_int_equal(kinds, (1u << CLI_KIND_COUNT) - 1);
+    for (int kind = 0; kind < CLI_KIND_COUNT; kind++) {
+        assert_true(cli_outputs_parse(cli_output_name((enum cli_output_kind)kind), &kinds, &bad));
         assert_int_equal(kinds, 1u << kind);
     }
 }

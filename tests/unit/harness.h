@@ -3,8 +3,8 @@
 // pipeline and pass; a test changes the fields it is about and draws. Everything it creates on the way
 // is destroyed by rig_end and rig_close. Targets are 32-bit float unless a test is about formats, so that
 // what the pipeline computed can be compared without a rounding in between.
-#ifndef RHW_TEST_HARNESS_H
-#define RHW_TEST_HARNESS_H
+#ifndef TEST_HARNESS_H
+#define TEST_HARNESS_H
 
 #include <setjmp.h>
 #include <stdarg.h>

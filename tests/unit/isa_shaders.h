@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 // Shaders that are compiled once per instruction set, as a program does that wants them fast: the tests
 // check that every copy draws the same bytes.
-#ifndef RHW_TEST_ISA_SHADERS_H
-#define RHW_TEST_ISA_SHADERS_H
+#ifndef TEST_ISA_SHADERS_H
+#define TEST_ISA_SHADERS_H
 
 #include <rhw/rhw.h>
 

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 // The library's kernel templates and the maths header, compiled once per instruction set, in the shape tests
 // want them: one function per call, no pipeline around.
-#ifndef RHW_TEST_ISA_TEMPLATES_H
-#define RHW_TEST_ISA_TEMPLATES_H
+#ifndef TEST_ISA_TEMPLATES_H
+#define TEST_ISA_TEMPLATES_H
 
 #include <rhw/shader.h>
 

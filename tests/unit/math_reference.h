@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 // What the functions of shader_math.h and shader_vector.h are measured against, and the errors that their docstrings
 // state: asserted on samples by test_shader_math.c and on every float by tests/exact/shader_math_full.c.
-#ifndef RHW_TEST_MATH_REFERENCE_H
-#define RHW_TEST_MATH_REFERENCE_H
+#ifndef TEST_MATH_REFERENCE_H
+#define TEST_MATH_REFERENCE_H
 
 #include "isa_templates.h"
 

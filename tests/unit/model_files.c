@@ -68,17 +68,17 @@ void write_format(const char *name, const char *format, ...)
     assert_int_equal(fclose(file), 0);
 }
 
-struct rhw_model *load(const char *name)
+struct scene_model *load(const char *name)
 {
     char error[512] = "";
-    struct rhw_model *model = rhw_model_load(path_of(name), NULL, error, sizeof error);
+    struct scene_model *model = scene_model_load(path_of(name), NULL, error, sizeof error);
     if (model == NULL) {
         fail_msg("%s: %s", name, error);
     }
     return model;
 }
 
-struct rhw_model *load_text(const char *name, const char *text)
+struct scene_model *load_text(const char *name, const char *text)
 {
     write_text(name, text);
     return load(name);
@@ -87,7 +87,7 @@ struct rhw_model *load_text(const char *name, const char *text)
 void expect_refused(const char *name, const char *cause)
 {
     char error[512] = "";
-    struct rhw_model *model = rhw_model_load(path_of(name), NULL, error, sizeof error);
+    struct scene_model *model = scene_model_load(path_of(name), NULL, error, sizeof error);
     if (model != NULL) {
         fail_msg("%s was accepted; expected: %s", name, cause);
     }
@@ -99,7 +99,7 @@ void expect_refused(const char *name, const char *cause)
     }
 }
 
-bool has_warning(const struct rhw_model *model, const char *part)
+bool has_warning(const struct scene_model *model, const char *part)
 {
     for (uint32_t i = 0; i < model->warning_count; i++) {
         if (strstr(model->warnings[i], part) != NULL) {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Model files that a test writes to a directory of its own and loads.
-#ifndef RHW_TEST_MODEL_FILES_H
-#define RHW_TEST_MODEL_FILES_H
+#ifndef TEST_MODEL_FILES_H
+#define TEST_MODEL_FILES_H
 
 #include "model.h"
 
@@ -14,11 +14,11 @@ const char *path_of(const char *name);
 void write_bytes(const char *name, const void *bytes, size_t size);
 void write_text(const char *name, const char *text);
 /// Loads a file that must load; a test fails with the importer's line.
-struct rhw_model *load(const char *name);
-struct rhw_model *load_text(const char *name, const char *text);
+struct scene_model *load(const char *name);
+struct scene_model *load_text(const char *name, const char *text);
 /// Loads a file that must not load and checks that the line holds `cause`.
 void expect_refused(const char *name, const char *cause);
-bool has_warning(const struct rhw_model *model, const char *part);
+bool has_warning(const struct scene_model *model, const char *part);
 
 /// Bytes as a data URI; valid until the next call but three.
 const char *data_uri(const void *bytes, size_t size);

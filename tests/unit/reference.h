@@ -2,8 +2,8 @@
 // The formulas of the contract, one sample at a time in double: what the unit tests hold the pipeline's
 // pixels against. Nothing here is shared with the library. (The exact tests do the same in rational
 // numbers; here a double is far below the 8 ULP that are allowed.)
-#ifndef RHW_TEST_REFERENCE_H
-#define RHW_TEST_REFERENCE_H
+#ifndef TEST_REFERENCE_H
+#define TEST_REFERENCE_H
 
 #include <stdbool.h>
 #include <stdint.h>

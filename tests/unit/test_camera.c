@@ -20,12 +20,12 @@ static void project(const double m[16], const double p[3], double ndc[3])
     }
 }
 
-static void view_projection(const struct rhw_camera *camera, double aspect, double m[16])
+static void view_projection(const struct scene_camera *camera, double aspect, double m[16])
 {
     double view[16], projection[16];
-    rhw_camera_view(camera, view);
-    rhw_camera_projection(camera, aspect, projection);
-    rhw_matrix_multiply(projection, view, m);
+    scene_camera_view(camera, view);
+    scene_camera_projection(camera, aspect, projection);
+    scene_matrix_multiply(projection, view, m);
 }
 
 // Whatever the angle and the aspect, all vertices lie within the margin, and some touch it unless the
@@ -44,11 +44,11 @@ static void test_fit_touches_the_margin(void **state)
     for (double azimuth = -200.0; azimuth < 400.0; azimuth += 37.0) {
         for (double elevation = -90.0; elevation <= 90.0; elevation += 22.5) {
             for (double aspect = 0.25; aspect <= 4.0; aspect *= 2.0) {
-                const struct rhw_orbit orbit = {azimuth, elevation};
-                const struct rhw_camera camera = rhw_camera_fit(&t.model, orbit, 0.6, aspect);
+                const struct scene_orbit orbit = {azimuth, elevation};
+                const struct scene_camera camera = scene_camera_fit(&t.model, orbit, 0.6, aspect);
                 double m[16], view[16], widest = 0.0, nearest = INFINITY, furthest = 0.0;
                 view_projection(&camera, aspect, m);
-                rhw_camera_view(&camera, view);
+                scene_camera_view(&camera, view);
                 for (int v = 0; v < 4; v++) {
                     const double p[3] = {(double)t.positions[v][0] + 1000.0, 2.0 * (double)t.positions[v][1],
                                          (double)t.positions[v][2]};
@@ -80,8 +80,8 @@ static void test_fit_angles(void **state)
         {180, 0, 0, 0, -1}, {-90, 0, -1, 0, 0},
         {0, 90, 0, 1, 0},   {30, 20, 0.469846310392954, 0.342020143325669, 0.813797681349374}};
     for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
-        const struct rhw_orbit orbit = {cases[i][0], cases[i][1]};
-        const struct rhw_camera camera = rhw_camera_fit(&t.model, orbit, 0.5, 1.0);
+        const struct scene_orbit orbit = {cases[i][0], cases[i][1]};
+        const struct scene_camera camera = scene_camera_fit(&t.model, orbit, 0.5, 1.0);
         double back[3], length = 0.0;
         for (int c = 0; c < 3; c++) {
             back[c] = camera.eye[c] - camera.target[c];
@@ -105,14 +105,14 @@ static void test_fit_of_degenerate_models(void **state)
             t.positions[v][2] = what == 1 ? (float)v : 0.0f;
         }
         tiny_set_bounds(&t);
-        struct rhw_view view = tiny_view(&t, 8);
-        view.camera = rhw_camera_fit(&t.model, (struct rhw_orbit){0, 0}, 0.5, 1.0);
+        struct scene_view view = tiny_view(&t, 8);
+        view.camera = scene_camera_fit(&t.model, (struct scene_orbit){0, 0}, 0.5, 1.0);
         char error[200];
-        assert_true(rhw_view_check(&view, error, sizeof error));
+        assert_true(scene_view_check(&view, error, sizeof error));
         assert_true(view.camera.eye[2] > (double)t.positions[3][2]);
     }
     t.model.instance_count = 0;
-    const struct rhw_camera camera = rhw_camera_fit(&t.model, (struct rhw_orbit){0, 0}, 0.5, 1.0);
+    const struct scene_camera camera = scene_camera_fit(&t.model, (struct scene_orbit){0, 0}, 0.5, 1.0);
     assert_true(camera.znear > 0.0 && camera.zfar > camera.znear);
 }
 
@@ -121,13 +121,13 @@ static void test_default_orbit_faces_flat_models(void **state)
     (void)state;
     struct tiny t;
     tiny_make(&t);
-    tiny_assert_close(rhw_camera_default_orbit(&t.model).azimuth, 0.0, 0.0);
-    tiny_assert_close(rhw_camera_default_orbit(&t.model).elevation, 0.0, 0.0);
+    tiny_assert_close(scene_camera_default_orbit(&t.model).azimuth, 0.0, 0.0);
+    tiny_assert_close(scene_camera_default_orbit(&t.model).elevation, 0.0, 0.0);
     t.indices[1] = 2;
     t.indices[2] = 1;
     t.indices[4] = 3;
     t.indices[5] = 2;
-    tiny_assert_close(rhw_camera_default_orbit(&t.model).azimuth, 180.0, 0.0);
+    tiny_assert_close(scene_camera_default_orbit(&t.model).azimuth, 180.0, 0.0);
 }
 
 static void test_look_refuses_what_is_no_camera(void **state)
@@ -135,21 +135,21 @@ static void test_look_refuses_what_is_no_camera(void **state)
     (void)state;
     struct tiny t;
     tiny_make(&t);
-    struct rhw_camera camera;
+    struct scene_camera camera;
     char error[200];
     const double eye[3] = {1, 2, 3}, target[3] = {0, 0, 0}, up[3] = {0, 1, 0}, zero[3] = {0, 0, 0};
     const double bad[3] = {0, NAN, 0};
-    assert_true(rhw_camera_look(&camera, &t.model, eye, target, up, 0.7, error, sizeof error));
-    assert_false(rhw_camera_look(&camera, &t.model, eye, eye, up, 0.7, error, sizeof error));
-    assert_false(rhw_camera_look(&camera, &t.model, eye, target, zero, 0.7, error, sizeof error));
-    assert_false(rhw_camera_look(&camera, &t.model, bad, target, up, 0.7, error, sizeof error));
-    assert_false(rhw_camera_look(&camera, &t.model, eye, target, up, 0.0, error, sizeof error));
-    assert_false(rhw_camera_look(&camera, &t.model, eye, target, up, pi, error, sizeof error));
+    assert_true(scene_camera_look(&camera, &t.model, eye, target, up, 0.7, error, sizeof error));
+    assert_false(scene_camera_look(&camera, &t.model, eye, eye, up, 0.7, error, sizeof error));
+    assert_false(scene_camera_look(&camera, &t.model, eye, target, zero, 0.7, error, sizeof error));
+    assert_false(scene_camera_look(&camera, &t.model, bad, target, up, 0.7, error, sizeof error));
+    assert_false(scene_camera_look(&camera, &t.model, eye, target, up, 0.0, error, sizeof error));
+    assert_false(scene_camera_look(&camera, &t.model, eye, target, up, pi, error, sizeof error));
     assert_non_null(strstr(error, "179 degrees"));
     // Looking along `up` is allowed: the rows of the view matrix are still perpendicular and of length 1.
-    assert_true(rhw_camera_look(&camera, &t.model, eye, target, eye, 0.7, error, sizeof error));
+    assert_true(scene_camera_look(&camera, &t.model, eye, target, eye, 0.7, error, sizeof error));
     double m[16];
-    rhw_camera_view(&camera, m);
+    scene_camera_view(&camera, m);
     for (int a = 0; a < 3; a++) {
         for (int b = 0; b < 3; b++) {
             const double product = m[a] * m[b] + m[4 + a] * m[4 + b] + m[8 + a] * m[8 + b];
@@ -161,7 +161,8 @@ static void test_look_refuses_what_is_no_camera(void **state)
 static void test_projection_against_formulas(void **state)
 {
     (void)state;
-    struct rhw_camera camera = {.eye = {0, 0, 10}, .up = {0, 1, 0}, .yfov = 1.1, .znear = 2.0, .zfar = 50.0};
+    struct scene_camera camera = {
+        .eye = {0, 0, 10}, .up = {0, 1, 0}, .yfov = 1.1, .znear = 2.0, .zfar = 50.0};
     double m[16], ndc[3];
     view_projection(&camera, 1.5, m);
     const double near_top[3] = {2.0 * tan(0.55) * 1.5, 2.0 * tan(0.55), 8.0}, far_middle[3] = {0, 0, -40};
@@ -182,18 +183,18 @@ static void test_projection_against_formulas(void **state)
 static void test_file_camera_in_a_narrow_picture(void **state)
 {
     (void)state;
-    struct rhw_model_camera source = {.yfov = 0.8f, .aspect = 2.0f, .znear = 0.1f, .zfar = 100.0f};
+    struct scene_model_camera source = {.yfov = 0.8f, .aspect = 2.0f, .znear = 0.1f, .zfar = 100.0f};
     tiny_identity(source.world);
     for (double aspect = 0.01; aspect < 2.0; aspect *= 1.7) {
-        const struct rhw_camera camera = rhw_camera_from_model(&source, aspect);
+        const struct scene_camera camera = scene_camera_from_model(&source, aspect);
         tiny_assert_close(tan(camera.yfov / 2.0) * aspect, tan((double)source.yfov / 2.0) * 2.0, 1e-9);
     }
-    tiny_assert_close(rhw_camera_from_model(&source, 3.0).yfov, (double)source.yfov, 0.0);
+    tiny_assert_close(scene_camera_from_model(&source, 3.0).yfov, (double)source.yfov, 0.0);
     source.orthographic = true;
     source.xmag = 3.0f;
     source.ymag = 1.0f;
-    tiny_assert_close(rhw_camera_from_model(&source, 1.0).ymag, 3.0, 0.0);
-    tiny_assert_close(rhw_camera_from_model(&source, 6.0).ymag, 1.0, 0.0);
+    tiny_assert_close(scene_camera_from_model(&source, 1.0).ymag, 3.0, 0.0);
+    tiny_assert_close(scene_camera_from_model(&source, 6.0).ymag, 1.0, 0.0);
 }
 
 // A normal stays perpendicular to what lies in the surface, and on its outer side, under any matrix.
@@ -207,7 +208,7 @@ static void test_normal_matrix(void **state)
     for (int k = 0; k < 3; k++) {
         const double *m = matrices[k];
         double n[9], turned[3], outward = 0.0;
-        rhw_matrix_normal(m, n);
+        scene_matrix_normal(m, n);
         for (int r = 0; r < 3; r++) {
             turned[r] = n[r] * normal[0] + n[3 + r] * normal[1] + n[6 + r] * normal[2];
             outward += turned[r] * (m[r] * normal[0] + m[4 + r] * normal[1] + m[8 + r] * normal[2]);

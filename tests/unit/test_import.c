@@ -30,7 +30,7 @@ static double number_of(const char *text)
 {
     double value = 0;
     size_t length = 0;
-    assert_true(rhw_word_number((struct rhw_word){text, strlen(text)}, &value, &length));
+    assert_true(scene_word_number((struct scene_word){text, strlen(text)}, &value, &length));
     assert_int_equal(length, strlen(text));
     return value;
 }
@@ -78,9 +78,9 @@ static void test_numbers(void **state)
     assert_true(number_of("-inf") == -(double)INFINITY);
     double value = 0;
     size_t length = 0;
-    assert_false(rhw_word_number((struct rhw_word){"abc", 3}, &value, &length));
-    assert_false(rhw_word_number((struct rhw_word){"-", 1}, &value, &length));
-    assert_true(rhw_word_number((struct rhw_word){"1e", 2}, &value, &length) && length == 1);
+    assert_false(scene_word_number((struct scene_word){"abc", 3}, &value, &length));
+    assert_false(scene_word_number((struct scene_word){"-", 1}, &value, &length));
+    assert_true(scene_word_number((struct scene_word){"1e", 2}, &value, &length) && length == 1);
 }
 
 // Polygons ------------------------------------------------------------------------------------------
@@ -114,7 +114,7 @@ static void test_polygons(void **state)
             const float *a = points[i], *b = points[(i + 1) % count];
             whole += 0.5 * ((double)a[0] * (double)b[1] - (double)a[1] * (double)b[0]);
         }
-        rhw_import_triangulate((const float(*)[3])points, corners, count, triangles);
+        scene_import_triangulate((const float(*)[3])points, corners, count, triangles);
         for (uint32_t i = 0; i < count - 2; i++) {
             const double area = area_of((const float(*)[3])points, triangles + 3 * i);
             assert_true(area > -1e-9);
@@ -131,8 +131,8 @@ static void test_obj_cube(void **state)
     (void)state;
     const char *cube = "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nv 0 0 1\nv 1 0 1\nv 1 1 1\nv 0 1 1\n"
                        "f 4 3 2 1\nf 5 6 7 8\nf 1 2 6 5\nf 2 3 7 6\nf 3 4 8 7\nf 4 1 5 8\n";
-    struct rhw_model *model = load_text("cube.obj", cube);
-    const struct rhw_mesh *mesh = &model->meshes[0];
+    struct scene_model *model = load_text("cube.obj", cube);
+    const struct scene_mesh *mesh = &model->meshes[0];
     assert_string_equal(model->format, "Wavefront OBJ");
     assert_int_equal(model->triangles_drawn, 12);
     // Its edges are creases: three normals, so three vertices, at each of 8 corners, each along its face.
@@ -148,7 +148,7 @@ static void test_obj_cube(void **state)
             assert_floats(mesh->normals[mesh->indices[i + k]], normal, 3, 1e-6f);
         }
     }
-    rhw_model_free(model);
+    scene_model_free(model);
 }
 
 // A flat roof of two faces that meet at 20°: smooth, and the normals at the ridge point straight up.
@@ -159,7 +159,7 @@ static void test_obj_smooth(void **state)
                        "f 1 4 5 2\nf 2 5 6 3\n";
     char text[512];
     snprintf(text, sizeof text, roof, "");
-    struct rhw_model *model = load_text("roof.obj", text);
+    struct scene_model *model = load_text("roof.obj", text);
     assert_int_equal(model->meshes[0].vertex_count, 6);
     for (uint32_t i = 0; i < 6; i++) {
         if (model->meshes[0].positions[i][0] == 0) {
@@ -167,17 +167,17 @@ static void test_obj_smooth(void **state)
                           1e-5f); // angles are good to 7e-5
         }
     }
-    rhw_model_free(model);
+    scene_model_free(model);
     snprintf(text, sizeof text, roof, "s off\n");
     model = load_text("roof.obj", text);
     for (uint32_t i = 0; i < model->meshes[0].vertex_count; i++) {
         const float slope = model->meshes[0].normals[i][0];
         assert_true(fabsf(fabsf(slope) - 0.17364818f) < 1e-6f); // sin 10°
     }
-    rhw_model_free(model);
+    scene_model_free(model);
 }
 
-static int vertices_at_origin(const struct rhw_mesh *mesh)
+static int vertices_at_origin(const struct scene_mesh *mesh)
 {
     int count = 0;
     for (uint32_t i = 0; i < mesh->vertex_count; i++) {
@@ -194,15 +194,15 @@ static void test_a_ridge_is_not_torn(void **state)
     (void)state;
     const char *ridge = "v 0 0 0\nv 1 -.2 0\nv 1 .2 0\nv 0 -.766 -.643\nv 0 .766 -.643\n"
                         "f 1 4 2\nf 1 2 3\nf 1 3 5\n";
-    struct rhw_model *model = load_text("ridge.obj", ridge);
-    const struct rhw_mesh *const mesh = &model->meshes[0];
+    struct scene_model *model = load_text("ridge.obj", ridge);
+    const struct scene_mesh *const mesh = &model->meshes[0];
     assert_int_equal(vertices_at_origin(mesh), 1);
     for (uint32_t i = 0; i < mesh->vertex_count; i++) {
         if (mesh->positions[i][0] == 0 && mesh->positions[i][1] == 0) {
             assert_true(mesh->normals[i][2] > 0.9f && fabsf(mesh->normals[i][1]) < 1e-6f);
         }
     }
-    rhw_model_free(model);
+    scene_model_free(model);
 }
 
 // A triangle as small as noise, which leans by 45°, does not tilt the normal of the floor that it stands on.
@@ -211,15 +211,15 @@ static void test_a_speck_weighs_nothing(void **state)
     (void)state;
     const char *floor = "v 0 0 0\nv 1 1 0\nv -1 1 0\nv -1 -1 0\nv 1 -1 0\nv .0002 0 0\nv 0 .0002 .0002\n"
                         "f 1 2 3\nf 1 3 4\nf 1 4 5\nf 1 5 6\nf 1 6 2\nf 6 5 2\nf 1 6 7\n";
-    struct rhw_model *model = load_text("floor.obj", floor);
-    const struct rhw_mesh *const mesh = &model->meshes[0];
+    struct scene_model *model = load_text("floor.obj", floor);
+    const struct scene_mesh *const mesh = &model->meshes[0];
     assert_int_equal(vertices_at_origin(mesh), 1);
     for (uint32_t i = 0; i < mesh->vertex_count; i++) {
         if (mesh->positions[i][0] == 0 && mesh->positions[i][1] == 0) {
             assert_true(mesh->normals[i][2] > 0.99999f);
         }
     }
-    rhw_model_free(model);
+    scene_model_free(model);
 }
 
 // The faces around the tip of a steep cone go with their neighbours: one normal for all would be the axis.
@@ -229,15 +229,15 @@ static void test_a_tip_keeps_its_faces(void **state)
     const char *cone =
         "v 0 0 0\nv 1 0 -4\nv .7 .7 -4\nv 0 1 -4\nv -.7 .7 -4\nv -1 0 -4\nv -.7 -.7 -4\nv 0 -1 -4\n"
         "v .7 -.7 -4\nf 1 2 3\nf 1 3 4\nf 1 4 5\nf 1 5 6\nf 1 6 7\nf 1 7 8\nf 1 8 9\nf 1 9 2\n";
-    struct rhw_model *model = load_text("cone.obj", cone);
+    struct scene_model *model = load_text("cone.obj", cone);
     assert_int_equal(vertices_at_origin(&model->meshes[0]), 8);
-    rhw_model_free(model);
+    scene_model_free(model);
 }
 
 static void test_obj_syntax(void **state)
 {
     (void)state;
-    struct rhw_model *model = load_text(
+    struct scene_model *model = load_text(
         "syntax.obj",
         "# comment\r\no first\r\nv .5 -.25e1 1e-1\rv 1 0 0\nv 0 1 0\nvt 0.25 0.75\nvt 1 0\nvt 0 1\nvn 0 0 2\n"
         "f -3/1/1 -2/2/-1 \\\n -1/3/1\no second part\nf 1 2 3\nl 1 2 3\np 1 2\n");
@@ -245,22 +245,22 @@ static void test_obj_syntax(void **state)
     assert_string_equal(model->instances[1].name, "second part");
     assert_int_equal(model->instances[0].object, 1);
     assert_int_equal(model->instances[3].object, 2);
-    const struct rhw_mesh *mesh = &model->meshes[0];
+    const struct scene_mesh *mesh = &model->meshes[0];
     assert_floats(mesh->positions[mesh->indices[0]], (const float[]){0.5f, -2.5f, 0.1f}, 3, 0);
     assert_floats(mesh->uvs[0][mesh->indices[0]], (const float[]){0.25f, 0.25f}, 2, 0); // v turned downward
     assert_floats(mesh->normals[0], (const float[]){0, 0, 1}, 3, 0);
-    assert_int_equal(model->meshes[2].primitive, RHW_PRIMITIVE_LINES);
+    assert_int_equal(model->meshes[2].primitive, SCENE_PRIMITIVE_LINES);
     assert_int_equal(model->meshes[2].index_count, 4);
-    assert_int_equal(model->meshes[3].primitive, RHW_PRIMITIVE_POINTS);
-    rhw_model_free(model);
+    assert_int_equal(model->meshes[3].primitive, SCENE_PRIMITIVE_POINTS);
+    scene_model_free(model);
     // UTF-16 with its mark, and vertices alone.
     const unsigned char wide[] = {0xff, 0xfe, 'v', 0,   ' ', 0,   '1', 0,    ' ',
                                   0,    '2',  0,   ' ', 0,   '3', 0,   '\n', 0};
     write_bytes("wide.obj", wide, sizeof wide);
     model = load("wide.obj");
-    assert_int_equal(model->meshes[0].primitive, RHW_PRIMITIVE_POINTS);
+    assert_int_equal(model->meshes[0].primitive, SCENE_PRIMITIVE_POINTS);
     assert_floats(model->meshes[0].positions[0], (const float[]){1, 2, 3}, 3, 0);
-    rhw_model_free(model);
+    scene_model_free(model);
 }
 
 static void test_obj_materials(void **state)
@@ -268,32 +268,32 @@ static void test_obj_materials(void **state)
     (void)state;
     write_text("a b.mtl", "newmtl red one\nKd 1 0 0\nNs 30\nKs 1 1 1\nd 0.5\nTr 0.9\n"
                           "newmtl textured\nKd 0 0 0\nmap_Kd -s 2 3 1 -o .5 -clamp on no file.png\n");
-    struct rhw_model *model =
+    struct scene_model *model =
         load_text("materials.obj",
                   "mtllib a b.mtl\nv 0 0 0 1 0.5 0\nv 1 0 0\nv 0 1 0\nvt 0 0\nvt 1 0\nvt 0 1\n"
                   "usemtl red one\nf 1 2 3\nusemtl textured\nf 1/1 2/2 3/3\nusemtl red one\nf 3 2 1\n");
     assert_int_equal(model->mesh_count, 2); // both runs of red are one
     assert_int_equal(model->meshes[0].index_count, 6);
-    const struct rhw_material *red = &model->materials[model->meshes[0].material];
-    const struct rhw_material *textured = &model->materials[model->meshes[1].material];
+    const struct scene_material *red = &model->materials[model->meshes[0].material];
+    const struct scene_material *textured = &model->materials[model->meshes[1].material];
     assert_string_equal(red->name, "red one");
-    assert_int_equal(red->alpha_mode, RHW_ALPHA_BLEND);
+    assert_int_equal(red->alpha_mode, SCENE_ALPHA_BLEND);
     assert_floats(&red->base_color[3], (const float[]){0.5f}, 1, 0); // d counts, not Tr
     assert_floats(&red->roughness, (const float[]){0.5f}, 1, 1e-6f); // (2 / 32)^¼
     assert_true(red->double_sided);
     // Vertex colours: those not given are white, the given are decoded from sRGB.
-    const struct rhw_mesh *mesh = &model->meshes[0];
+    const struct scene_mesh *mesh = &model->meshes[0];
     for (uint32_t i = 0; i < mesh->vertex_count; i++) {
         const bool origin = mesh->positions[i][0] == 0 && mesh->positions[i][1] == 0;
         assert_floats(mesh->colors[i],
                       origin ? (const float[]){1, 0.21404114f, 0, 1} : (const float[]){1, 1, 1, 1}, 4, 1e-6f);
     }
-    const struct rhw_texture_slot *slot = &textured->slots[RHW_SLOT_BASE_COLOR];
+    const struct scene_texture_slot *slot = &textured->slots[SCENE_SLOT_BASE_COLOR];
     assert_floats(textured->base_color, (const float[]){1, 1, 1, 1}, 4, 0);
     assert_string_equal(model->images[slot->image].name, "no file.png");
     assert_int_equal(slot->address_u, RHW_ADDRESS_CLAMP);
     assert_floats(slot->transform, (const float[]){2, 0, 0.5f, 0, 3, -2}, 6, 0);
-    rhw_model_free(model);
+    scene_model_free(model);
 }
 
 // PLY -----------------------------------------------------------------------------------------------
@@ -338,16 +338,16 @@ static void write_binary_ply(const char *name, const char *format, bool swap)
     write_bytes(name, bytes, (size_t)(out - bytes));
 }
 
-static void check_ply(struct rhw_model *model)
+static void check_ply(struct scene_model *model)
 {
-    const struct rhw_mesh *mesh = &model->meshes[0];
+    const struct scene_mesh *mesh = &model->meshes[0];
     assert_string_equal(model->format, "PLY");
     assert_int_equal(mesh->vertex_count, 4);
     assert_int_equal(mesh->index_count, 6);
     assert_floats(mesh->positions[2], (const float[]){1, 0.5f, -7}, 3, 0);
     assert_floats(mesh->colors[3], (const float[]){1, 0.21586050f, 0, 1}, 4, 1e-6f);
     assert_floats(mesh->normals[0], (const float[]){0, 0, 1}, 3, 1e-6f);
-    rhw_model_free(model);
+    scene_model_free(model);
 }
 
 static void test_ply(void **state)
@@ -371,14 +371,14 @@ static void test_ply(void **state)
 static void test_ply_elements(void **state)
 {
     (void)state;
-    struct rhw_model *model = load_text(
+    struct scene_model *model = load_text(
         "strips.ply",
         "ply\nformat ascii 1.0\nelement vertex 4\nproperty float x\nproperty float y\nproperty float z\n"
         "element tristrips 1\nproperty list int int vertex_indices\nelement edge 2\nproperty int "
         "vertex1\nproperty int vertex2\n"
         "end_header\n0 0 0 1 0 0 0 1 0 1 1 0\n8 0 1 2 3 -1 3 2 1\n0 1 2 3\n");
     assert_int_equal(model->mesh_count, 2);
-    assert_int_equal(model->meshes[0].primitive, RHW_PRIMITIVE_LINES);
+    assert_int_equal(model->meshes[0].primitive, SCENE_PRIMITIVE_LINES);
     assert_int_equal(model->meshes[0].index_count, 4);
     const uint32_t expected[] = {0, 1, 2, 2, 1, 3, 3, 2, 1};
     assert_int_equal(model->meshes[1].index_count, 9);
@@ -386,7 +386,7 @@ static void test_ply_elements(void **state)
         const float *position = model->meshes[1].positions[model->meshes[1].indices[i]];
         assert_floats(position, (const float[]){(float)(expected[i] % 2), (float)(expected[i] / 2), 0}, 3, 0);
     }
-    rhw_model_free(model);
+    scene_model_free(model);
     // Texture coordinates per corner: the shared edge has two of each.
     model = load_text("wedges.ply",
                       "ply\nformat ascii 1.0\ncomment TextureFile lost.png\nelement vertex 4\nproperty float "
@@ -396,7 +396,7 @@ static void test_ply_elements(void **state)
                       "0 0 0\n1 0 0\n1 1 0\n0 1 0\n3 0 1 2 6 0 0 1 0 1 1\n3 0 2 3 6 .5 0 1 1 0 1\n");
     assert_int_equal(model->meshes[0].vertex_count, 5);
     assert_true(has_warning(model, "lost.png"));
-    rhw_model_free(model);
+    scene_model_free(model);
 }
 
 // The way to the parent -----------------------------------------------------------------------------
@@ -407,34 +407,34 @@ static size_t write_blob(unsigned char *bytes, size_t capacity)
     float positions[3][3] = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}},
           normals[3][3] = {{0, 0, 1}, {0, 0, 1}, {0, 0, 1}};
     uint8_t texel[4] = {1, 2, 3, 4};
-    struct rhw_mesh mesh = {.name = "mesh",
-                            .vertex_count = 3,
-                            .index_count = 3,
-                            .indices = indices,
-                            .positions = positions,
-                            .normals = normals};
-    struct rhw_material material = {.name = "material"};
-    for (int i = 0; i < RHW_SLOT_COUNT; i++) {
-        material.slots[i] = (struct rhw_texture_slot){.image = i == 0 ? 0 : -1};
+    struct scene_mesh mesh = {.name = "mesh",
+                              .vertex_count = 3,
+                              .index_count = 3,
+                              .indices = indices,
+                              .positions = positions,
+                              .normals = normals};
+    struct scene_material material = {.name = "material"};
+    for (int i = 0; i < SCENE_SLOT_COUNT; i++) {
+        material.slots[i] = (struct scene_texture_slot){.image = i == 0 ? 0 : -1};
     }
-    struct rhw_image image = {.name = "image", .width = 1, .height = 1, .size = 4, .texels = texel};
-    struct rhw_instance instance = {.name = "node"};
+    struct scene_image image = {.name = "image", .width = 1, .height = 1, .size = 4, .texels = texel};
+    struct scene_instance instance = {.name = "node"};
     const char *warning = "a warning";
-    struct rhw_model model = {.path = "p",
-                              .format = "f",
-                              .mesh_count = 1,
-                              .material_count = 1,
-                              .image_count = 1,
-                              .instance_count = 1,
-                              .meshes = &mesh,
-                              .materials = &material,
-                              .images = &image,
-                              .instances = &instance,
-                              .warning_count = 1,
-                              .warnings = &warning};
+    struct scene_model model = {.path = "p",
+                                .format = "f",
+                                .mesh_count = 1,
+                                .material_count = 1,
+                                .image_count = 1,
+                                .instance_count = 1,
+                                .meshes = &mesh,
+                                .materials = &material,
+                                .images = &image,
+                                .instances = &instance,
+                                .warning_count = 1,
+                                .warnings = &warning};
     FILE *file = tmpfile();
     assert_non_null(file);
-    assert_true(rhw_blob_write(&model, file));
+    assert_true(scene_blob_write(&model, file));
     const size_t size = (size_t)ftell(file);
     assert_true(size <= capacity);
     rewind(file);
@@ -451,7 +451,7 @@ static void test_blob(void **state)
     const size_t size = write_blob(original, CAPACITY);
     unsigned char *copy = aligned_alloc(64, (size + 63) / 64 * 64);
     memcpy(copy, original, size);
-    struct rhw_model *model = rhw_blob_read(copy, size);
+    struct scene_model *model = scene_blob_read(copy, size);
     assert_non_null(model);
     assert_string_equal(model->warnings[0], "a warning");
     assert_string_equal(model->meshes[0].name, "mesh");
@@ -460,14 +460,14 @@ static void test_blob(void **state)
     assert_int_equal(((uint8_t *)model->images[0].texels)[3], 4);
     for (size_t cut = 0; cut < size; cut++) {
         memcpy(copy, original, size);
-        assert_null(rhw_blob_read(copy, cut));
+        assert_null(scene_blob_read(copy, cut));
     }
     // A damaged byte may pass only where every index and count is still in range; what passes can be read.
     for (size_t i = 0; i < size; i++) {
         for (int bit = 0; bit < 8; bit++) {
             memcpy(copy, original, size);
             copy[i] ^= (unsigned char)(1 << bit);
-            model = rhw_blob_read(copy, size);
+            model = scene_blob_read(copy, size);
             if (model == NULL) {
                 continue;
             }

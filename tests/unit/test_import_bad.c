@@ -118,21 +118,21 @@ static void test_pipe_as_texture(void **state)
     (void)state;
     assert_int_equal(mkfifo(path_of("pipe.png"), 0600), 0);
     write_text("pipe.mtl", "newmtl m\nmap_Kd pipe.png\n");
-    struct rhw_model *model =
+    struct scene_model *model =
         load_text("piped.obj", "mtllib pipe.mtl\nusemtl m\nv 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n");
     assert_true(has_warning(model, "pipe.png"));
     assert_true(model->images[0].missing);
-    rhw_model_free(model);
+    scene_model_free(model);
 }
 
 static void test_not_finite(void **state)
 {
     (void)state;
-    struct rhw_model *model = load_text(
+    struct scene_model *model = load_text(
         "nan.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nv nan 0 0\nv 1e999 0 0\nf 1 2 3\nf 1 2 4\nf 1 5 3\n");
     assert_int_equal(model->triangles_drawn, 1);
     assert_true(has_warning(model, "primitives with positions that are not finite are left out, 2 of them"));
-    rhw_model_free(model);
+    scene_model_free(model);
     // Points that no face uses may be anything; a matrix that leaves the range of floats drops its node.
     model = load_text("far.gltf", "{\"asset\":{\"version\":\"2.0\"},\"nodes\":[{\"mesh\":0},{\"mesh\":0,"
                                   "\"translation\":[1,1,1],\"scale\":[3e38,3e38,3e38]},"
@@ -141,16 +141,16 @@ static void test_not_finite(void **state)
                                   "\"accessors\":[{\"componentType\":5126,\"type\":\"VEC3\",\"count\":3}]}");
     assert_int_equal(model->instance_count, 2);
     assert_true(has_warning(model, "not finite"));
-    rhw_model_free(model);
+    scene_model_free(model);
 }
 
 static void test_nothing_to_draw(void **state)
 {
     (void)state;
-    struct rhw_model *model = load_text("bare.gltf", "{\"asset\":{\"version\":\"2.0\"}}");
+    struct scene_model *model = load_text("bare.gltf", "{\"asset\":{\"version\":\"2.0\"}}");
     assert_int_equal(model->instance_count, 0);
     assert_true(model->bounds_min[0] > model->bounds_max[0]);
-    rhw_model_free(model);
+    scene_model_free(model);
 }
 
 // 20,000 nodes, each the child of the one before: deep, but no cycle.
@@ -165,7 +165,7 @@ static void test_deep_tree(void **state)
     }
     fputs("{}]}", file);
     assert_int_equal(fclose(file), 0);
-    rhw_model_free(load("deep.gltf"));
+    scene_model_free(load("deep.gltf"));
 }
 
 // Little text that asks for much work: a thousand primitives that each use one of 16 million points.
@@ -190,10 +190,10 @@ static void test_limits(void **state)
     (void)state;
     char error[512] = "";
     write_slow_file();
-    const struct rhw_model_limits time_limit = {.seconds = 1};
+    const struct scene_model_limits time_limit = {.seconds = 1};
     struct timespec start, end;
     clock_gettime(CLOCK_MONOTONIC, &start);
-    assert_null(rhw_model_load(path_of("slow.gltf"), &time_limit, error, sizeof error));
+    assert_null(scene_model_load(path_of("slow.gltf"), &time_limit, error, sizeof error));
     clock_gettime(CLOCK_MONOTONIC, &end);
     assert_true(end.tv_sec - start.tv_sec < 30);
     assert_non_null(
@@ -213,8 +213,8 @@ static void test_memory_limit(void **state)
 #endif
     char error[512] = "";
     write_slow_file();
-    const struct rhw_model_limits memory_limit = {.memory = (size_t)128 << 20};
-    assert_null(rhw_model_load(path_of("slow.gltf"), &memory_limit, error, sizeof error));
+    const struct scene_model_limits memory_limit = {.memory = (size_t)128 << 20};
+    assert_null(scene_model_load(path_of("slow.gltf"), &memory_limit, error, sizeof error));
     assert_non_null(strstr(error, "needs more memory"));
 }
 

@@ -53,7 +53,7 @@ static void test_reflection_against_gltf_appendix_b(void **state)
         normalize3(l);
         normalize3(v);
         const double *m = materials[i / 15];
-        struct rhw_reflector reflector;
+        struct scene_reflector reflector;
         rhw_float base[3], to_light[3], irradiance[3], sum[3];
         for (int c = 0; c < 3; c++) {
             reflector.normal[c] = rhw_splat((float)normal[c]);
@@ -63,8 +63,8 @@ static void test_reflection_against_gltf_appendix_b(void **state)
             irradiance[c] = rhw_splat((float)(c + 1));
             sum[c] = rhw_splat((float)c);
         }
-        rhw_reflector_set(&reflector, base, rhw_splat((float)m[1]), rhw_splat((float)m[2]));
-        rhw_reflect_light(&reflector, to_light, irradiance, 0.0f, sum);
+        scene_reflector_set(&reflector, base, rhw_splat((float)m[1]), rhw_splat((float)m[2]));
+        scene_reflect_light(&reflector, to_light, irradiance, 0.0f, sum);
         const double expected = brdf(normal, v, l, m[0], m[1], m[2]);
         for (int c = 0; c < 3; c++) {
             // The peak of a mirror is 1 / α⁴ high: there 1 − (n·h)² has few of its bits left.
@@ -107,7 +107,7 @@ static void test_tone_map_against_its_definition(void **state)
             color[c][5] = (float)expected[c];
         }
         neutral(expected);
-        rhw_tone_map(color);
+        scene_tone_map(color);
         for (int c = 0; c < 3; c++) {
             tiny_assert_close((double)color[c][5], expected[c], 3e-6);
             tiny_assert_close((double)color[c][0], 0.21, 1e-7);
@@ -116,10 +116,10 @@ static void test_tone_map_against_its_definition(void **state)
 }
 
 // Radiance of the surroundings' soft boxes in one direction.
-static double lobes_at(const struct rhw_environment *e, const double d[3])
+static double lobes_at(const struct scene_environment *e, const double d[3])
 {
     double sum = 0.0;
-    for (int i = 0; i < RHW_LOBES; i++) {
+    for (int i = 0; i < SCENE_LOBES; i++) {
         const double axis[3] = {(double)e->lobe_direction[i][0], (double)e->lobe_direction[i][1],
                                 (double)e->lobe_direction[i][2]};
         sum += (double)e->lobe_color[i][0] * exp((double)e->sharpness * (dot3(axis, d) - 1.0));
@@ -134,10 +134,10 @@ static void test_environment_irradiance(void **state)
     (void)state;
     struct tiny t;
     tiny_make(&t);
-    struct rhw_lighting lighting;
-    const struct rhw_view view = tiny_view(&t, 8);
-    assert_true(rhw_lighting_create(&lighting, &t.model, &view.camera, false, 0.0));
-    struct rhw_environment e = lighting.environment;
+    struct scene_lighting lighting;
+    const struct scene_view view = tiny_view(&t, 8);
+    assert_true(scene_lighting_create(&lighting, &t.model, &view.camera, false, 0.0));
+    struct scene_environment e = lighting.environment;
     for (int c = 0; c < 3; c++) {
         e.sky[c] = e.ground[c] = 0.0f;
     }
@@ -155,10 +155,10 @@ static void test_environment_irradiance(void **state)
         for (int c = 0; c < 3; c++) {
             normal[c] = rhw_splat((float)n[c]);
         }
-        rhw_environment_diffuse(&e, normal, irradiance);
+        scene_environment_diffuse(&e, normal, irradiance);
         tiny_assert_close((double)irradiance[0][2], sum / pi, 0.03);
     }
-    rhw_lighting_destroy(&lighting);
+    scene_lighting_destroy(&lighting);
 }
 
 // A mirror shows the soft boxes themselves; a rough surface shows less contrast.
@@ -167,24 +167,24 @@ static void test_environment_reflection(void **state)
     (void)state;
     struct tiny t;
     tiny_make(&t);
-    struct rhw_lighting lighting;
-    const struct rhw_view view = tiny_view(&t, 8);
-    assert_true(rhw_lighting_create(&lighting, &t.model, &view.camera, false, 1.0));
-    const struct rhw_environment *e = &lighting.environment;
+    struct scene_lighting lighting;
+    const struct scene_view view = tiny_view(&t, 8);
+    assert_true(scene_lighting_create(&lighting, &t.model, &view.camera, false, 1.0));
+    const struct scene_environment *e = &lighting.environment;
     rhw_float direction[3], sharp[3], rough[3];
     const double axis[3] = {(double)e->lobe_direction[0][0], (double)e->lobe_direction[0][1],
                             (double)e->lobe_direction[0][2]};
     for (int c = 0; c < 3; c++) {
         direction[c] = rhw_splat((float)axis[c]);
     }
-    rhw_environment_reflection(e, direction, rhw_splat(0.0f), sharp);
-    rhw_environment_reflection(e, direction, rhw_splat(1.0f), rough);
+    scene_environment_reflection(e, direction, rhw_splat(0.0f), sharp);
+    scene_environment_reflection(e, direction, rhw_splat(1.0f), rough);
     const double height = axis[1];
     const double above = 0.5 + 0.5 * height / sqrt(height * height + 0.03);
     const double sky = (double)e->ground[0] + (double)(e->sky[0] - e->ground[0]) * above;
     tiny_assert_close((double)sharp[0][7], sky + lobes_at(e, axis), 1e-4);
     assert_true(rough[0][7] < 0.5f * sharp[0][7]);
-    rhw_lighting_destroy(&lighting);
+    scene_lighting_destroy(&lighting);
 }
 
 // A file's light, whatever its unit's size, lights a white surface in the middle to about white.
@@ -193,19 +193,20 @@ static void test_exposure_follows_the_lights(void **state)
     (void)state;
     struct tiny t;
     tiny_make(&t);
-    t.light = (struct rhw_model_light){.type = RHW_LIGHT_POINT, .position = {0, 0, 10}, .color = {1, 1, 1}};
+    t.light =
+        (struct scene_model_light){.type = SCENE_LIGHT_POINT, .position = {0, 0, 10}, .color = {1, 1, 1}};
     t.model.light_count = 1;
-    const struct rhw_view view = tiny_view(&t, 8);
+    const struct scene_view view = tiny_view(&t, 8);
     for (float intensity = 0.01f; intensity < 1e7f; intensity *= 100.0f) {
         t.light.intensity = intensity;
-        struct rhw_lighting lighting;
-        assert_true(rhw_lighting_create(&lighting, &t.model, &view.camera, false, 0.0));
+        struct scene_lighting lighting;
+        assert_true(scene_lighting_create(&lighting, &t.model, &view.camera, false, 0.0));
         const rhw_float middle[3] = {rhw_splat(0.0f), rhw_splat(0.0f), rhw_splat(0.0f)};
         rhw_float to_light[3], irradiance[3];
-        rhw_light_at(&lighting.lights[0], middle, to_light, irradiance);
+        scene_light_at(&lighting.lights[0], middle, to_light, irradiance);
         tiny_assert_close((double)irradiance[1][0], 0.9 * pi, 1e-4);
         tiny_assert_close((double)to_light[2][0], 1.0, 1e-6);
-        rhw_lighting_destroy(&lighting);
+        scene_lighting_destroy(&lighting);
     }
 }
 
@@ -215,18 +216,18 @@ static void test_spot_and_range(void **state)
     (void)state;
     struct tiny t;
     tiny_make(&t);
-    t.light = (struct rhw_model_light){.type = RHW_LIGHT_SPOT,
-                                       .position = {0, 0, 4},
-                                       .direction = {0, 0, -1},
-                                       .color = {1, 1, 1},
-                                       .intensity = 5,
-                                       .range = 8,
-                                       .inner_cos = 0.95f,
-                                       .outer_cos = 0.8f};
+    t.light = (struct scene_model_light){.type = SCENE_LIGHT_SPOT,
+                                         .position = {0, 0, 4},
+                                         .direction = {0, 0, -1},
+                                         .color = {1, 1, 1},
+                                         .intensity = 5,
+                                         .range = 8,
+                                         .inner_cos = 0.95f,
+                                         .outer_cos = 0.8f};
     t.model.light_count = 1;
-    const struct rhw_view view = tiny_view(&t, 8);
-    struct rhw_lighting lighting;
-    assert_true(rhw_lighting_create(&lighting, &t.model, &view.camera, false, 0.0));
+    const struct scene_view view = tiny_view(&t, 8);
+    struct scene_lighting lighting;
+    assert_true(scene_lighting_create(&lighting, &t.model, &view.camera, false, 0.0));
     const double scale = (double)lighting.lights[0].color[0];
     const double points[][3] = {{0, 0, 0}, {0.5, 0, 0}, {2.0, 0, 0}, {4, 0, 0}, {0, 0, -3.9}, {0, 0, -5}};
     for (int i = 0; i < 6; i++) {
@@ -234,13 +235,13 @@ static void test_spot_and_range(void **state)
         for (int c = 0; c < 3; c++) {
             p[c] = rhw_splat((float)points[i][c]);
         }
-        rhw_light_at(&lighting.lights[0], p, to_light, irradiance);
+        scene_light_at(&lighting.lights[0], p, to_light, irradiance);
         const double dx = points[i][0], dz = 4.0 - points[i][2], d2 = dx * dx + dz * dz;
         const double cone = fmin(fmax((dz / sqrt(d2) - 0.8) / (0.95 - 0.8), 0.0), 1.0);
         const double window = fmin(fmax(1.0 - pow(d2 / 64.0, 2.0), 0.0), 1.0);
         tiny_assert_close((double)irradiance[0][0], scale * cone * cone * window / d2, 1e-4 * scale);
     }
-    rhw_lighting_destroy(&lighting);
+    scene_lighting_destroy(&lighting);
 }
 
 int main(void)

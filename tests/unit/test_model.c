@@ -72,7 +72,7 @@ static void test_hierarchy(void **state)
         "\"bufferViews\":[{\"buffer\":0,\"byteLength\":36}],\"buffers\":[{\"byteLength\":36,\"uri\":\"%s\"}]"
         "}",
         data_uri(triangle, sizeof triangle));
-    struct rhw_model *model = load("tree.gltf");
+    struct scene_model *model = load("tree.gltf");
     assert_int_equal(model->mesh_count, 1);
     assert_int_equal(model->instance_count, 3);
     assert_int_equal(model->triangles_stored, 1);
@@ -90,7 +90,7 @@ static void test_hierarchy(void **state)
     }
     assert_floats(model->bounds_min, (const float[]){-1, 0, 0}, 3, 1e-6f);
     assert_floats(model->bounds_max, (const float[]){22, 14, 14}, 3, 1e-6f);
-    rhw_model_free(model);
+    scene_model_free(model);
 }
 
 static void test_topologies(void **state)
@@ -99,29 +99,29 @@ static void test_topologies(void **state)
     static const uint8_t order[] = {0, 1, 3, 2};
     static const struct {
         int mode;
-        enum rhw_primitive primitive;
+        enum scene_primitive primitive;
         int count;
         uint32_t corners[8]; // places in `order`
     } cases[] = {
-        {0, RHW_PRIMITIVE_POINTS, 4, {0, 1, 2, 3}},
-        {1, RHW_PRIMITIVE_LINES, 4, {0, 1, 2, 3}},
-        {2, RHW_PRIMITIVE_LINES, 8, {0, 1, 1, 2, 2, 3, 3, 0}},
-        {3, RHW_PRIMITIVE_LINES, 6, {0, 1, 1, 2, 2, 3}},
-        {4, RHW_PRIMITIVE_TRIANGLES, 3, {0, 1, 2}}, // the fourth index makes no triangle
-        {5, RHW_PRIMITIVE_TRIANGLES, 6, {0, 1, 2, 1, 3, 2}},
-        {6, RHW_PRIMITIVE_TRIANGLES, 6, {1, 2, 0, 2, 3, 0}},
+        {0, SCENE_PRIMITIVE_POINTS, 4, {0, 1, 2, 3}},
+        {1, SCENE_PRIMITIVE_LINES, 4, {0, 1, 2, 3}},
+        {2, SCENE_PRIMITIVE_LINES, 8, {0, 1, 1, 2, 2, 3, 3, 0}},
+        {3, SCENE_PRIMITIVE_LINES, 6, {0, 1, 1, 2, 2, 3}},
+        {4, SCENE_PRIMITIVE_TRIANGLES, 3, {0, 1, 2}}, // the fourth index makes no triangle
+        {5, SCENE_PRIMITIVE_TRIANGLES, 6, {0, 1, 2, 1, 3, 2}},
+        {6, SCENE_PRIMITIVE_TRIANGLES, 6, {1, 2, 0, 2, 3, 0}},
     };
     for (size_t i = 0; i < sizeof cases / sizeof cases[0]; i++) {
         write_primitive("mode.gltf", cases[i].mode, order, 4);
-        struct rhw_model *model = load("mode.gltf");
-        const struct rhw_mesh *mesh = &model->meshes[0];
+        struct scene_model *model = load("mode.gltf");
+        const struct scene_mesh *mesh = &model->meshes[0];
         assert_int_equal(mesh->primitive, cases[i].primitive);
         assert_int_equal(mesh->index_count, cases[i].count);
         for (int k = 0; k < cases[i].count; k++) {
             assert_floats(mesh->positions[mesh->indices[k]], square[order[cases[i].corners[k]]], 3, 0);
         }
-        assert_true(mesh->primitive != RHW_PRIMITIVE_TRIANGLES || mesh->normals != NULL);
-        rhw_model_free(model);
+        assert_true(mesh->primitive != SCENE_PRIMITIVE_TRIANGLES || mesh->normals != NULL);
+        scene_model_free(model);
     }
 }
 
@@ -142,14 +142,14 @@ static void test_flat_normals(void **state)
         "\"bufferViews\":[{\"buffer\":0,\"byteLength\":60}],\"buffers\":[{\"byteLength\":60,\"uri\":\"%s\"}]"
         "}",
         data_uri(&fold, sizeof fold));
-    struct rhw_model *model = load("fold.gltf");
-    const struct rhw_mesh *mesh = &model->meshes[0];
+    struct scene_model *model = load("fold.gltf");
+    const struct scene_mesh *mesh = &model->meshes[0];
     assert_int_equal(mesh->vertex_count, 6);
     for (int k = 0; k < 3; k++) {
         assert_floats(mesh->normals[mesh->indices[k]], (const float[]){0, 0, 1}, 3, 1e-6f);
         assert_floats(mesh->normals[mesh->indices[3 + k]], (const float[]){1, 0, 0}, 3, 1e-6f);
     }
-    rhw_model_free(model);
+    scene_model_free(model);
 }
 
 static void test_attribute_formats(void **state)
@@ -177,15 +177,15 @@ static void test_attribute_formats(void **state)
         "\"bufferViews\":[{\"buffer\":0,\"byteLength\":60,\"byteStride\":20}],"
         "\"buffers\":[{\"byteLength\":60,\"uri\":\"%s\"}]}",
         data_uri(vertices, sizeof vertices));
-    struct rhw_model *model = load("packed.gltf");
-    const struct rhw_mesh *mesh = &model->meshes[0];
+    struct scene_model *model = load("packed.gltf");
+    const struct scene_mesh *mesh = &model->meshes[0];
     assert_null(mesh->uvs[0]);
     assert_non_null(mesh->uvs[1]);
     assert_floats(mesh->uvs[1][0], (const float[]){0, 1}, 2, 0);
     assert_floats(mesh->uvs[1][1], (const float[]){32768.0f / 65535, 0}, 2, 0);
     assert_floats(mesh->colors[0], (const float[]){1, 0, 0.2f, 1}, 4, 0);
     assert_floats(mesh->colors[1], (const float[]){0, 0.4f, 0, 1}, 4, 0);
-    rhw_model_free(model);
+    scene_model_free(model);
 }
 
 static void test_sparse(void **state)
@@ -206,10 +206,10 @@ static void test_sparse(void **state)
         "\"bufferViews\":[{\"buffer\":0,\"byteLength\":52}],\"buffers\":[{\"byteLength\":52,\"uri\":\"%s\"}]"
         "}",
         data_uri(&data, sizeof data));
-    struct rhw_model *model = load("sparse.gltf");
+    struct scene_model *model = load("sparse.gltf");
     assert_floats(model->meshes[0].positions[2], data.value, 3, 0);
     assert_floats(model->meshes[0].positions[1], data.positions[1], 3, 0);
-    rhw_model_free(model);
+    scene_model_free(model);
 }
 
 static void test_material(void **state)
@@ -232,15 +232,15 @@ static void test_material(void **state)
         "\"extensions\":{\"KHR_materials_unlit\":{},\"KHR_materials_emissive_strength\":{"
         "\"emissiveStrength\":4}}}",
         extra);
-    struct rhw_model *model = load("material.gltf");
-    const struct rhw_material *material = &model->materials[0];
-    const struct rhw_texture_slot *slot = &material->slots[RHW_SLOT_BASE_COLOR];
+    struct scene_model *model = load("material.gltf");
+    const struct scene_material *material = &model->materials[0];
+    const struct scene_texture_slot *slot = &material->slots[SCENE_SLOT_BASE_COLOR];
     assert_string_equal(material->name, "m");
     assert_floats(material->base_color, (const float[]){0.5f, 0.25f, 1, 0.75f}, 4, 0);
     assert_floats(&material->metallic, (const float[]){0.3f}, 1, 0);
     assert_floats(&material->roughness, (const float[]){0.6f}, 1, 0);
     assert_floats(material->emissive, (const float[]){4, 2, 0}, 3, 0);
-    assert_int_equal(material->alpha_mode, RHW_ALPHA_MASK);
+    assert_int_equal(material->alpha_mode, SCENE_ALPHA_MASK);
     assert_floats(&material->alpha_cutoff, (const float[]){0.3f}, 1, 0);
     assert_true(material->unlit && material->double_sided);
     assert_int_equal(slot->address_u, RHW_ADDRESS_CLAMP);
@@ -250,15 +250,15 @@ static void test_material(void **state)
     assert_int_equal(slot->mip_filter, RHW_MIP_FILTER_NEAREST);
     // A quarter turn counter-clockwise with v downward: (u, v) goes to (v, −u), after scaling.
     assert_floats(slot->transform, (const float[]){0, 3, 0.5f, -2, 0, 0.25f}, 6, 1e-6f);
-    const struct rhw_image *image = &model->images[slot->image];
+    const struct scene_image *image = &model->images[slot->image];
     assert_int_equal(image->width, 2);
     assert_int_equal(image->height, 1);
     assert_memory_equal(image->texels, ((const unsigned char[]){255, 0, 0, 255, 0, 255, 0, 128}), 8);
     assert_true(image->has_alpha && image->used_as_color && !image->used_as_data && !image->missing);
     // A missing normal map is a warning and no normal map.
     assert_true(has_warning(model, "not there.png"));
-    assert_int_equal(material->slots[RHW_SLOT_NORMAL].image, -1);
-    rhw_model_free(model);
+    assert_int_equal(material->slots[SCENE_SLOT_NORMAL].image, -1);
+    scene_model_free(model);
 }
 
 static void test_missing_texture(void **state)
@@ -266,14 +266,14 @@ static void test_missing_texture(void **state)
     (void)state;
     write_square("missing.gltf", "{\"pbrMetallicRoughness\":{\"baseColorTexture\":{\"index\":0}}}",
                  ",\"textures\":[{\"source\":0}],\"images\":[{\"uri\":\"nowhere.png\"}]");
-    struct rhw_model *model = load("missing.gltf");
-    const struct rhw_image *image = &model->images[model->materials[0].slots[RHW_SLOT_BASE_COLOR].image];
+    struct scene_model *model = load("missing.gltf");
+    const struct scene_image *image = &model->images[model->materials[0].slots[SCENE_SLOT_BASE_COLOR].image];
     const uint8_t(*texels)[4] = image->texels;
     assert_true(image->missing);
     assert_true(has_warning(model, "nowhere.png"));
     assert_memory_equal(texels[0], ((const uint8_t[]){255, 0, 255, 255}), 4);
     assert_memory_equal(texels[1], ((const uint8_t[]){0, 0, 0, 255}), 4);
-    rhw_model_free(model);
+    scene_model_free(model);
 }
 
 static void test_tangents(void **state)
@@ -283,13 +283,13 @@ static void test_tangents(void **state)
     snprintf(extra, sizeof extra, ",\"textures\":[{\"source\":0}],\"images\":[{\"uri\":\"%s\"}]",
              data_uri(tga, sizeof tga));
     write_square("tangents.gltf", "{\"normalTexture\":{\"index\":0}}", extra);
-    struct rhw_model *model = load("tangents.gltf");
-    const struct rhw_mesh *mesh = &model->meshes[0];
+    struct scene_model *model = load("tangents.gltf");
+    const struct scene_mesh *mesh = &model->meshes[0];
     // u grows along +x and −v along +y: the frame is right-handed.
     for (uint32_t i = 0; i < mesh->vertex_count; i++) {
         assert_floats(mesh->tangents[i], (const float[]){1, 0, 0, 1}, 4, 1e-6f);
     }
-    rhw_model_free(model);
+    scene_model_free(model);
     write_square(
         "tangents.gltf",
         "{\"normalTexture\":{\"index\":0,\"extensions\":{\"KHR_texture_transform\":{\"scale\":[-1,1]}}}}",
@@ -298,13 +298,13 @@ static void test_tangents(void **state)
     for (uint32_t i = 0; i < model->meshes[0].vertex_count; i++) {
         assert_floats(model->meshes[0].tangents[i], (const float[]){-1, 0, 0, -1}, 4, 1e-6f);
     }
-    rhw_model_free(model);
+    scene_model_free(model);
 }
 
 static void test_cameras_and_lights(void **state)
 {
     (void)state;
-    struct rhw_model *model = load_text(
+    struct scene_model *model = load_text(
         "look.gltf",
         "{\"asset\":{\"version\":\"2.0\"},\"extensionsRequired\":[\"KHR_lights_punctual\"],\"scenes\":[{"
         "\"nodes\":[0,1,2]}],"
@@ -324,14 +324,14 @@ static void test_cameras_and_lights(void **state)
     assert_floats(model->cameras[0].world + 12, (const float[]){1, 2, 3}, 3, 0);
     assert_true(model->cameras[1].orthographic);
     assert_floats(&model->cameras[1].xmag, (const float[]){3, 2, 1, 9}, 4, 0);
-    const struct rhw_model_light *light = &model->lights[0];
+    const struct scene_model_light *light = &model->lights[0];
     assert_int_equal(model->light_count, 1);
-    assert_int_equal(light->type, RHW_LIGHT_SPOT);
+    assert_int_equal(light->type, SCENE_LIGHT_SPOT);
     assert_floats(light->position, (const float[]){0, 5, 0}, 3, 0);
     assert_floats(light->direction, (const float[]){0, 1, 0}, 3, 1e-6f); // −z turned about x by 90°
     assert_floats(light->color, (const float[]){1, 0.5f, 0}, 3, 0);
     assert_floats(&light->intensity, (const float[]){20, 7, 1, 0.5f}, 4, 1e-6f);
-    rhw_model_free(model);
+    scene_model_free(model);
 }
 
 static void test_poses(void **state)
@@ -365,10 +365,10 @@ static void test_poses(void **state)
         "]}";
     char text[4096];
     snprintf(text, sizeof text, format, "", uri);
-    struct rhw_model *model = load_text("morph.gltf", text);
+    struct scene_model *model = load_text("morph.gltf", text);
     assert_floats(model->meshes[0].positions[2], (const float[]){0, 2, 0}, 3, 0);
     assert_floats(model->instances[0].world + 12, (const float[]){100, 0, 0}, 3, 0);
-    rhw_model_free(model);
+    scene_model_free(model);
     snprintf(text, sizeof text, format, ",\"weights\":[1],\"skin\":0", uri);
     model = load_text("skin.gltf", text);
     // The joints place the vertices; the node's own transform is ignored (§3.7.3.3).
@@ -376,7 +376,7 @@ static void test_poses(void **state)
     assert_floats(model->meshes[0].positions[1], (const float[]){1, 0, 3}, 3, 0);
     assert_floats(model->meshes[0].positions[2], (const float[]){0, 3, 2}, 3, 0);
     assert_floats(model->instances[0].world + 12, (const float[]){0, 0, 0}, 3, 0);
-    rhw_model_free(model);
+    scene_model_free(model);
 }
 
 static void test_glb_and_file_names(void **state)
@@ -401,9 +401,9 @@ static void test_glb_and_file_names(void **state)
     memcpy(glb + 24 + padded, "BIN\0", 4);
     memcpy(glb + 28 + padded, triangle, size);
     write_bytes("box.glb", glb, total);
-    struct rhw_model *model = load("box.glb");
+    struct scene_model *model = load("box.glb");
     assert_int_equal(model->triangles_drawn, 1);
-    rhw_model_free(model);
+    scene_model_free(model);
     write_bytes("cut.glb", glb, total - 1);
     expect_refused("cut.glb", "truncated");
     // Percent-encoded and not ASCII.
@@ -411,7 +411,7 @@ static void test_glb_and_file_names(void **state)
     snprintf(text, sizeof text, json, ",\"uri\":\"n%C3%A4me%20with%20blanks.bin\"");
     model = load_text("names.gltf", text);
     assert_floats(model->meshes[0].positions[1], triangle + 3, 3, 0);
-    rhw_model_free(model);
+    scene_model_free(model);
 }
 
 int main(void)

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 // What textures must hold and samples must be: written from the formulas of OpenGL ES 3.0 §3.8.10, one texel at a time
 // in double, and sharing no formula with the library.
-#ifndef RHW_TEST_TEXTURE_MODEL_H
-#define RHW_TEST_TEXTURE_MODEL_H
+#ifndef TEST_TEXTURE_MODEL_H
+#define TEST_TEXTURE_MODEL_H
 
 #include "harness.h"
 #include "texture.h"

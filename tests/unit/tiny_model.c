@@ -45,55 +45,55 @@ void tiny_make(struct tiny *t)
         t->uvs[v][1] = 0.5f - corners[v][1] * 0.5f;
     }
     memcpy(t->indices, order, sizeof order);
-    t->mesh = (struct rhw_mesh){.name = "square",
-                                .vertex_count = 4,
-                                .index_count = 6,
-                                .indices = t->indices,
-                                .positions = t->positions,
-                                .normals = t->normals,
-                                .uvs = {t->uvs, NULL}};
-    t->material = (struct rhw_material){.name = "m",
-                                        .base_color = {1, 1, 1, 1},
-                                        .roughness = 1,
-                                        .normal_scale = 1,
-                                        .occlusion_strength = 1,
-                                        .alpha_cutoff = 0.5f,
-                                        .unlit = true};
-    for (int s = 0; s < RHW_SLOT_COUNT; s++) {
-        t->material.slots[s] = (struct rhw_texture_slot){.image = -1, .transform = {1, 0, 0, 0, 1, 0}};
+    t->mesh = (struct scene_mesh){.name = "square",
+                                  .vertex_count = 4,
+                                  .index_count = 6,
+                                  .indices = t->indices,
+                                  .positions = t->positions,
+                                  .normals = t->normals,
+                                  .uvs = {t->uvs, NULL}};
+    t->material = (struct scene_material){.name = "m",
+                                          .base_color = {1, 1, 1, 1},
+                                          .roughness = 1,
+                                          .normal_scale = 1,
+                                          .occlusion_strength = 1,
+                                          .alpha_cutoff = 0.5f,
+                                          .unlit = true};
+    for (int s = 0; s < SCENE_SLOT_COUNT; s++) {
+        t->material.slots[s] = (struct scene_texture_slot){.image = -1, .transform = {1, 0, 0, 0, 1, 0}};
     }
     for (uint32_t i = 0; i < 2; i++) {
-        t->instances[i] = (struct rhw_instance){.name = "n", .object = i + 1};
+        t->instances[i] = (struct scene_instance){.name = "n", .object = i + 1};
         tiny_identity(t->instances[i].world);
     }
-    t->image = (struct rhw_image){.name = "i",
-                                  .width = 2,
-                                  .height = 2,
-                                  .used_as_color = true,
-                                  .used_as_data = true,
-                                  .size = sizeof t->texels,
-                                  .texels = t->texels};
-    t->model = (struct rhw_model){.path = "tiny",
-                                  .format = "none",
-                                  .mesh_count = 1,
-                                  .material_count = 1,
-                                  .image_count = 1,
-                                  .instance_count = 1,
-                                  .meshes = &t->mesh,
-                                  .materials = &t->material,
-                                  .images = &t->image,
-                                  .instances = t->instances,
-                                  .lights = &t->light};
+    t->image = (struct scene_image){.name = "i",
+                                    .width = 2,
+                                    .height = 2,
+                                    .used_as_color = true,
+                                    .used_as_data = true,
+                                    .size = sizeof t->texels,
+                                    .texels = t->texels};
+    t->model = (struct scene_model){.path = "tiny",
+                                    .format = "none",
+                                    .mesh_count = 1,
+                                    .material_count = 1,
+                                    .image_count = 1,
+                                    .instance_count = 1,
+                                    .meshes = &t->mesh,
+                                    .materials = &t->material,
+                                    .images = &t->image,
+                                    .instances = t->instances,
+                                    .lights = &t->light};
     tiny_set_bounds(t);
 }
 
-struct rhw_view tiny_view(const struct tiny *t, int size)
+struct scene_view tiny_view(const struct tiny *t, int size)
 {
-    struct rhw_view view = rhw_view_default(&t->model);
+    struct scene_view view = scene_view_default(&t->model);
     view.width = view.height = size;
-    view.camera = (struct rhw_camera){
+    view.camera = (struct scene_camera){
         .eye = {0, 0, 5}, .up = {0, 1, 0}, .orthographic = true, .ymag = 2.0, .znear = 1.0, .zfar = 9.0};
-    view.background = RHW_BACKGROUND_COLOR;
+    view.background = SCENE_BACKGROUND_COLOR;
     view.background_color[0] = 10;
     view.background_color[1] = 200;
     view.background_color[2] = 30;

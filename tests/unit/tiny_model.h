@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // A model of one square in memory, which a test changes and draws, and numbers compared with a tolerance.
-#ifndef RHW_TEST_TINY_MODEL_H
-#define RHW_TEST_TINY_MODEL_H
+#ifndef TEST_TINY_MODEL_H
+#define TEST_TINY_MODEL_H
 
 #include <setjmp.h>
 #include <stdarg.h>
@@ -13,12 +13,12 @@
 #include "draw.h"
 
 struct tiny {
-    struct rhw_model model;
-    struct rhw_mesh mesh;
-    struct rhw_material material;
-    struct rhw_instance instances[2];
-    struct rhw_model_light light;
-    struct rhw_image image;
+    struct scene_model model;
+    struct scene_mesh mesh;
+    struct scene_material material;
+    struct scene_instance instances[2];
+    struct scene_model_light light;
+    struct scene_image image;
     uint8_t texels[4][4];
     float positions[4][3], normals[4][3], tangents[4][4], uvs[4][2], colors[4][4];
     uint32_t indices[6];
@@ -29,7 +29,7 @@ void tiny_make(struct tiny *t);
 /// After `positions` were changed.
 void tiny_set_bounds(struct tiny *t);
 /// Orthographic, so that the square −1..1 is the middle half of an 8×8 picture: pixels 2..5.
-struct rhw_view tiny_view(const struct tiny *t, int size);
+struct scene_view tiny_view(const struct tiny *t, int size);
 
 void tiny_identity(float m[16]);
 void tiny_assert_close(double value, double expected, double tolerance);

@@ -15,8 +15,8 @@
 enum { ALL_THREADS, OTHERS, RENDERERS_MAX = 3 };
 
 struct bench {
-    struct rhw_bench_job job;
-    struct rhw_bench_report report;
+    struct cli_bench_job job;
+    struct cli_bench_report report;
     struct bench_renderer renderers[RENDERERS_MAX];
     int renderer_count;
     int one, peer; // numbers of renderers; −1: there is none
@@ -49,7 +49,7 @@ static bool open_rhw(struct bench *bench, int threads)
 {
     const char *why;
     if (!bench_open_rhw(&bench->renderers[bench->renderer_count], threads, bench->job.isa, &why)) {
-        rhw_tool_error("bench", "%s", why);
+        cli_error("bench", "%s", why);
         return false;
     }
     bench->renderer_count++;
@@ -59,7 +59,7 @@ static bool open_rhw(struct bench *bench, int threads)
 // A machine without the peer is no failure: rhw is then timed alone.
 static void open_peer(struct bench *bench)
 {
-    const struct rhw_bench_job *const job = &bench->job;
+    const struct cli_bench_job *const job = &bench->job;
     char number[16];
     const char *why;
     bench->peer = -1;
@@ -71,7 +71,7 @@ static void open_peer(struct bench *bench)
         setenv("LP_NUM_THREADS", number, 1);
     }
     if (!bench_open_gles(&bench->renderers[bench->renderer_count], job->peer, &why)) {
-        rhw_tool_warning(job->peer, "not compared with: %s", why);
+        cli_warning(job->peer, "not compared with: %s", why);
         return;
     }
     bench->peer = bench->renderer_count++;
@@ -81,7 +81,7 @@ static void open_peer(struct bench *bench)
 
 static bool open_renderers(struct bench *bench)
 {
-    struct rhw_bench_report *const report = &bench->report;
+    struct cli_bench_report *const report = &bench->report;
     if (!open_rhw(bench, bench->job.threads)) {
         return false;
     }
@@ -115,7 +115,7 @@ static bool read_images(struct bench *bench, const struct bench_scene *scene)
         image->color = scene->has_color ? malloc(4 * pixels) : NULL;
         image->depth = scene->has_color ? NULL : malloc(pixels * sizeof *image->depth);
         if ((!image->color && !image->depth) || !bench->renderers[i].read(&bench->renderers[i], image)) {
-            rhw_tool_error(bench->renderers[i].name, "its picture cannot be read");
+            cli_error(bench->renderers[i].name, "its picture cannot be read");
             return false;
         }
     }
@@ -143,9 +143,9 @@ static bool save_image(const char *folder, const char *scene, const char *render
                        const struct bench_image *image)
 {
     char path[4096];
-    struct rhw_output_file file;
+    struct cli_output_file file;
     const bool color = image->color != NULL;
-    const struct rhw_raster raster = {.width = image->width,
+    const struct cli_raster raster = {.width = image->width,
                                       .height = image->height,
                                       .channels = color ? 4 : 1,
                                       .bits = color ? 8 : 16,
@@ -153,13 +153,13 @@ static bool save_image(const char *folder, const char *scene, const char *render
                                       .row = color ? color_row : depth_row,
                                       .user = image};
     snprintf(path, sizeof path, "%s/%s_%s.png", folder, scene, renderer);
-    if (!rhw_output_file_open(&file, path)) {
+    if (!cli_output_file_open(&file, path)) {
         return false;
     }
-    if (rhw_png_write(&file, &raster) && rhw_output_file_finish(&file)) {
-        return rhw_output_file_commit(&file);
+    if (cli_png_write(&file, &raster) && cli_output_file_finish(&file)) {
+        return cli_output_file_commit(&file);
     }
-    rhw_output_file_discard(&file);
+    cli_output_file_discard(&file);
     return false;
 }
 
@@ -197,27 +197,27 @@ static struct bench_tolerance tolerance_of(const struct bench *bench, const stru
 // Scenes --------------------------------------------------------------------------------------------
 
 static bool check_images(struct bench *bench, const struct bench_scene *scene,
-                         struct rhw_bench_result *result)
+                         struct cli_bench_result *result)
 {
     const char *const name = result->entry->name;
     if (!read_images(bench, scene) || (bench->job.save && !save_images(bench, name))) {
         return false;
     }
     if (!same_for_threads(bench)) {
-        rhw_tool_error(name, "the picture differs with the number of threads");
+        cli_error(name, "the picture differs with the number of threads");
         return false;
     }
     if (scene->shades_all && (double)bench->renderers[ALL_THREADS].fragments < scene->work) {
-        rhw_tool_error(name, "fewer fragments were shaded than there are");
+        cli_error(name, "fewer fragments were shaded than there are");
         bench->failed = true;
     }
     if (bench->peer >= 0) {
         char text[256];
         const struct bench_tolerance tolerance = tolerance_of(bench, scene);
         result->agreement = bench_agree(&bench->images[ALL_THREADS], &bench->images[bench->peer], &tolerance);
-        rhw_bench_describe(result, text, sizeof text);
+        cli_bench_describe(result, text, sizeof text);
         if (!result->agreement.agrees) {
-            rhw_tool_error(name, "the picture differs from that of %s: %s", bench->job.peer, text);
+            cli_error(name, "the picture differs from that of %s: %s", bench->job.peer, text);
             bench->failed = true;
         }
     }
@@ -225,7 +225,7 @@ static bool check_images(struct bench *bench, const struct bench_scene *scene,
 }
 
 static bool measure_scene(struct bench *bench, const struct bench_scene *scene,
-                          struct rhw_bench_result *result)
+                          struct cli_bench_result *result)
 {
     struct bench_time times[RENDERERS_MAX];
     const bool with_peer = bench->peer >= 0 && bench_scene_has_picture(scene); // the peer is the last
@@ -236,11 +236,11 @@ static bool measure_scene(struct bench *bench, const struct bench_scene *scene,
         struct bench_renderer *const renderer = &bench->renderers[taken];
         works = renderer->take(renderer, scene, bench->job.width, bench->job.height);
         if (!works) {
-            rhw_tool_error(renderer->name, "cannot take the scene %s", result->entry->name);
+            cli_error(renderer->name, "cannot take the scene %s", result->entry->name);
         }
     }
     if (works && !bench_measure(bench->renderers, count, bench->job.frames, times, &failed)) {
-        rhw_tool_error(bench->renderers[failed].name, "cannot draw the scene %s", result->entry->name);
+        cli_error(bench->renderers[failed].name, "cannot draw the scene %s", result->entry->name);
         works = false;
     }
     works = works && (!bench_scene_has_picture(scene) || check_images(bench, scene, result));
@@ -265,55 +265,55 @@ static bool measure_scene(struct bench *bench, const struct bench_scene *scene,
 
 static void run_scene(struct bench *bench, const struct bench_scene_entry *entry)
 {
-    struct rhw_bench_report *const report = &bench->report;
-    struct rhw_bench_result *const result = &report->results[report->result_count];
+    struct cli_bench_report *const report = &bench->report;
+    struct cli_bench_result *const result = &report->results[report->result_count];
     struct bench_scene scene;
     char why[512];
-    rhw_tool_stage("measuring", entry->name);
+    cli_stage("measuring", entry->name);
     if (!bench_scene_make(entry, &scene, bench->job.width, bench->job.height, why, sizeof why)) {
-        rhw_tool_warning(entry->name, "left out: %s", why);
+        cli_warning(entry->name, "left out: %s", why);
         return;
     }
-    *result = (struct rhw_bench_result){
+    *result = (struct cli_bench_result){
         .entry = entry, .unit = scene.unit, .work = scene.work, .tolerance = scene.tolerance};
     const bool works = measure_scene(bench, &scene, result);
     bench_scene_free(&scene);
-    rhw_tool_stage_end();
+    cli_stage_end();
     if (!works) {
         bench->failed = true;
         return;
     }
     report->result_count++;
     if (bench->table) {
-        rhw_bench_print_row(report, result);
+        cli_bench_print_row(report, result);
     }
 }
 
-static bool write_report(const struct rhw_bench_report *report, const char *path,
-                         void (*print)(FILE *stream, const struct rhw_bench_report *report))
+static bool write_report(const struct cli_bench_report *report, const char *path,
+                         void (*print)(FILE *stream, const struct cli_bench_report *report))
 {
-    struct rhw_output_file file;
+    struct cli_output_file file;
     if (!path) {
         print(stdout, report);
         return true;
     }
-    if (!rhw_output_file_open(&file, path)) {
+    if (!cli_output_file_open(&file, path)) {
         return false;
     }
     print(file.stream, report);
-    if (rhw_output_file_finish(&file)) {
-        return rhw_output_file_commit(&file);
+    if (cli_output_file_finish(&file)) {
+        return cli_output_file_commit(&file);
     }
-    rhw_output_file_discard(&file);
+    cli_output_file_discard(&file);
     return false;
 }
 
 static void run_scenes(struct bench *bench)
 {
-    const struct rhw_bench_job *const job = &bench->job;
+    const struct cli_bench_job *const job = &bench->job;
     bench->table = !(job->json && !job->json_path) && !(job->csv && !job->csv_path);
     if (bench->table) {
-        rhw_bench_print_head(&bench->report);
+        cli_bench_print_head(&bench->report);
     }
     for (int i = 0; i < bench_scene_entry_count; i++) {
         if (job->wanted[i]) {
@@ -321,24 +321,24 @@ static void run_scenes(struct bench *bench)
         }
     }
     if (bench->report.result_count == 0 && !bench->failed) {
-        rhw_tool_error("bench", "no scene was timed");
+        cli_error("bench", "no scene was timed");
         bench->failed = true;
     }
-    if ((job->json && !write_report(&bench->report, job->json_path, rhw_bench_print_json)) ||
-        (job->csv && !write_report(&bench->report, job->csv_path, rhw_bench_print_csv))) {
+    if ((job->json && !write_report(&bench->report, job->json_path, cli_bench_print_json)) ||
+        (job->csv && !write_report(&bench->report, job->csv_path, cli_bench_print_csv))) {
         bench->failed = true;
     }
 }
 
-int rhw_tool_bench(int argc, char **argv)
+int cli_bench(int argc, char **argv)
 {
     bool go;
     struct bench *const bench = calloc(1, sizeof *bench);
     if (!bench) {
-        rhw_tool_error("bench", "out of memory");
-        return RHW_TOOL_FAILED;
+        cli_error("bench", "out of memory");
+        return CLI_FAILED;
     }
-    int status = rhw_bench_options(argc, argv, &bench->job, &go);
+    int status = cli_bench_options(argc, argv, &bench->job, &go);
     if (go) {
         bench->report.job = &bench->job;
         bench->report.cores = (int)sysconf(_SC_NPROCESSORS_ONLN);
@@ -348,7 +348,7 @@ int rhw_tool_bench(int argc, char **argv)
         } else {
             bench->failed = true;
         }
-        status = bench->failed ? RHW_TOOL_FAILED : RHW_TOOL_OK;
+        status = bench->failed ? CLI_FAILED : CLI_OK;
     }
     while (bench->renderer_count-- > 0) {
         bench->renderers[bench->renderer_count].close(&bench->renderers[bench->renderer_count]);

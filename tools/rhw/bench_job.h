@@ -1,17 +1,17 @@
 // SPDX-License-Identifier: MIT
 // What the files of rhw bench share: what the command line asks for, and what was measured.
-#ifndef RHW_BENCH_JOB_H
-#define RHW_BENCH_JOB_H
+#ifndef CLI_BENCH_JOB_H
+#define CLI_BENCH_JOB_H
 
 #include "agreement.h"
 #include "measure.h"
 
 #include <stdio.h>
 
-enum { RHW_BENCH_SCENES_MAX = 64 };
+enum { CLI_BENCH_SCENES_MAX = 64 };
 
-struct rhw_bench_job {
-    bool wanted[RHW_BENCH_SCENES_MAX]; // of bench_scene_entries
+struct cli_bench_job {
+    bool wanted[CLI_BENCH_SCENES_MAX]; // of bench_scene_entries
     int width, height, frames;
     int threads; // 0: as the library chooses
     enum rhw_isa isa;
@@ -23,7 +23,7 @@ struct rhw_bench_job {
 };
 
 // What came of one scene.
-struct rhw_bench_result {
+struct cli_bench_result {
     const struct bench_scene_entry *entry;
     enum bench_unit unit;
     double work; // units per frame
@@ -33,24 +33,24 @@ struct rhw_bench_result {
     struct bench_tolerance tolerance;
 };
 
-struct rhw_bench_report {
+struct cli_bench_report {
     char cpu[128];
     char peer_name[160]; // "" without a peer
     int cores, threads, result_count;
-    struct rhw_bench_result results[RHW_BENCH_SCENES_MAX];
-    const struct rhw_bench_job *job;
+    struct cli_bench_result results[CLI_BENCH_SCENES_MAX];
+    const struct cli_bench_job *job;
     enum rhw_isa isa;
 };
 
-// bench_options.c. An rhw_tool_status; `*go` tells whether there is anything to do.
-int rhw_bench_options(int argc, char **argv, struct rhw_bench_job *job, bool *go);
+// bench_options.c. An cli_status; `*go` tells whether there is anything to do.
+int cli_bench_options(int argc, char **argv, struct cli_bench_job *job, bool *go);
 
 // bench_report.c. The table comes row by row, since a run takes minutes.
-void rhw_bench_print_head(const struct rhw_bench_report *report);
-void rhw_bench_print_row(const struct rhw_bench_report *report, const struct rhw_bench_result *result);
-void rhw_bench_print_json(FILE *stream, const struct rhw_bench_report *report);
-void rhw_bench_print_csv(FILE *stream, const struct rhw_bench_report *report);
+void cli_bench_print_head(const struct cli_bench_report *report);
+void cli_bench_print_row(const struct cli_bench_report *report, const struct cli_bench_result *result);
+void cli_bench_print_json(FILE *stream, const struct cli_bench_report *report);
+void cli_bench_print_csv(FILE *stream, const struct cli_bench_report *report);
 // One sentence: how far the pictures of rhw and the peer are apart.
-void rhw_bench_describe(const struct rhw_bench_result *result, char *text, size_t size);
+void cli_bench_describe(const struct cli_bench_result *result, char *text, size_t size);
 
 #endif

@@ -22,7 +22,7 @@ enum {
     OPTION_SAVE
 };
 
-static const struct rhw_tool_option options[] = {
+static const struct cli_option options[] = {
     {"scene", OPTION_SCENE, "LIST",
      "scenes to draw, separated by commas; the beginning of names stands for\nall of them; default: every "
      "scene"},
@@ -49,7 +49,7 @@ static const char notes[] =
     "explains.\n\n"
     "Exit status: 0, 1 when a picture differs or a renderer fails, 2 for a wrong command line.";
 
-static const struct rhw_tool_verb verb = {
+static const struct cli_verb verb = {
     .name = "bench",
     .operands = "",
     .summary = "Times the scenes of docs/performance.md, beside another renderer where the machine has one.",
@@ -59,7 +59,7 @@ static const struct rhw_tool_verb verb = {
 };
 
 // Marks the scene of that name, or else all whose names begin so.
-static bool want_scene(struct rhw_bench_job *job, const char *name, size_t length)
+static bool want_scene(struct cli_bench_job *job, const char *name, size_t length)
 {
     bool found = false;
     for (int whole = 1; whole >= 0 && !found; whole--) {
@@ -71,12 +71,12 @@ static bool want_scene(struct rhw_bench_job *job, const char *name, size_t lengt
         }
     }
     if (!found) {
-        rhw_tool_error("--scene", "there is no scene '%.*s'; see 'rhw bench --list'", (int)length, name);
+        cli_error("--scene", "there is no scene '%.*s'; see 'rhw bench --list'", (int)length, name);
     }
     return found;
 }
 
-static bool parse_scenes(struct rhw_bench_job *job, const char *list)
+static bool parse_scenes(struct cli_bench_job *job, const char *list)
 {
     for (;;) {
         const size_t length = strcspn(list, ",");
@@ -92,62 +92,62 @@ static bool parse_scenes(struct rhw_bench_job *job, const char *list)
 
 static bool parse_number(const char *option, const char *text, int least, int most, int *value)
 {
-    if (rhw_tool_parse_int(text, least, most, value)) {
+    if (cli_parse_int(text, least, most, value)) {
         return true;
     }
-    rhw_tool_error(option, "'%s' is not a number of %d to %d", text, least, most);
+    cli_error(option, "'%s' is not a number of %d to %d", text, least, most);
     return false;
 }
 
-static bool parse_isa(struct rhw_bench_job *job, const char *text)
+static bool parse_isa(struct cli_bench_job *job, const char *text)
 {
     const char *names[RHW_ISA_COUNT];
     for (int isa = 0; isa < RHW_ISA_COUNT; isa++) {
         names[isa] = rhw_isa_name((enum rhw_isa)isa);
     }
-    const int isa = rhw_tool_parse_name(text, names, RHW_ISA_COUNT);
+    const int isa = cli_parse_name(text, names, RHW_ISA_COUNT);
     if (isa < 0) {
-        rhw_tool_error("--isa", "'%s' is not baseline, avx2 or avx512", text);
+        cli_error("--isa", "'%s' is not baseline, avx2 or avx512", text);
         return false;
     }
     job->isa = (enum rhw_isa)isa;
     return true;
 }
 
-static bool parse_peer(struct rhw_bench_job *job, const char *text)
+static bool parse_peer(struct cli_bench_job *job, const char *text)
 {
     static const char *const names[] = {"llvmpipe", "softpipe", "none"};
-    const int peer = rhw_tool_parse_name(text, names, 3);
+    const int peer = cli_parse_name(text, names, 3);
     if (peer < 0) {
-        rhw_tool_error("--peer", "'%s' is not llvmpipe, softpipe or none", text);
+        cli_error("--peer", "'%s' is not llvmpipe, softpipe or none", text);
         return false;
     }
     job->peer = peer < 2 ? names[peer] : NULL;
     return true;
 }
 
-static bool parse_size(struct rhw_bench_job *job, const char *text)
+static bool parse_size(struct cli_bench_job *job, const char *text)
 {
-    if (rhw_tool_parse_size(text, &job->width, &job->height)) {
+    if (cli_parse_size(text, &job->width, &job->height)) {
         return true;
     }
-    rhw_tool_error("--size", "'%s' is not WxH with both 1..%d", text, RHW_MAX_TARGET_SIZE);
+    cli_error("--size", "'%s' is not WxH with both 1..%d", text, RHW_MAX_TARGET_SIZE);
     return false;
 }
 
 // Known before anything is drawn: minutes would be lost.
-static bool can_write(const struct rhw_bench_job *job)
+static bool can_write(const struct cli_bench_job *job)
 {
     struct stat folder;
     if (job->save && (stat(job->save, &folder) != 0 || !S_ISDIR(folder.st_mode))) {
-        rhw_tool_error(job->save, "is no folder to save pictures in");
+        cli_error(job->save, "is no folder to save pictures in");
         return false;
     }
-    return (!job->json_path || rhw_output_file_check(job->json_path)) &&
-           (!job->csv_path || rhw_output_file_check(job->csv_path));
+    return (!job->json_path || cli_output_file_check(job->json_path)) &&
+           (!job->csv_path || cli_output_file_check(job->csv_path));
 }
 
-static bool take_option(struct rhw_bench_job *job, int id, const char *argument)
+static bool take_option(struct cli_bench_job *job, int id, const char *argument)
 {
     switch (id) {
     case OPTION_SCENE: return parse_scenes(job, argument);
@@ -171,38 +171,38 @@ static void print_list(void)
     }
 }
 
-int rhw_bench_options(int argc, char **argv, struct rhw_bench_job *job, bool *go)
+int cli_bench_options(int argc, char **argv, struct cli_bench_job *job, bool *go)
 {
-    struct rhw_tool_parser parser;
-    *job = (struct rhw_bench_job){
+    struct cli_parser parser;
+    *job = (struct cli_bench_job){
         .width = 1920, .height = 1080, .frames = 15, .isa = RHW_ISA_COUNT, .peer = "llvmpipe"};
     *go = false;
-    rhw_tool_parser_start(&parser, &verb, argc, argv);
+    cli_parser_start(&parser, &verb, argc, argv);
     bool list = false, chosen = false;
     int id;
-    while ((id = rhw_tool_parser_next(&parser)) > 0) {
+    while ((id = cli_parser_next(&parser)) > 0) {
         if (!take_option(job, id, parser.argument)) {
-            return RHW_TOOL_USAGE;
+            return CLI_USAGE;
         }
         list = list || id == OPTION_LIST;
         chosen = chosen || id == OPTION_SCENE;
     }
-    if (id == RHW_TOOL_OPTION_STOP) {
+    if (id == CLI_OPTION_STOP) {
         return parser.status;
     }
-    if (!rhw_tool_parser_operands(&parser, 0, 0)) {
-        return RHW_TOOL_USAGE;
+    if (!cli_parser_operands(&parser, 0, 0)) {
+        return CLI_USAGE;
     }
     if (job->json && job->csv && !job->json_path && !job->csv_path) {
-        rhw_tool_error("--csv", "standard output takes one of --json and --csv");
-        return RHW_TOOL_USAGE;
+        cli_error("--csv", "standard output takes one of --json and --csv");
+        return CLI_USAGE;
     }
     if (job->isa != RHW_ISA_COUNT && !rhw_isa_supported(job->isa)) {
-        rhw_tool_error("--isa", "this CPU does not run %s", rhw_isa_name(job->isa));
-        return RHW_TOOL_FAILED;
+        cli_error("--isa", "this CPU does not run %s", rhw_isa_name(job->isa));
+        return CLI_FAILED;
     }
     if (!can_write(job)) {
-        return RHW_TOOL_FAILED;
+        return CLI_FAILED;
     }
     for (int i = 0; i < bench_scene_entry_count && !chosen; i++) {
         job->wanted[i] = true;
@@ -211,5 +211,5 @@ int rhw_bench_options(int argc, char **argv, struct rhw_bench_job *job, bool *go
         print_list();
     }
     *go = !list;
-    return RHW_TOOL_OK;
+    return CLI_OK;
 }

@@ -7,24 +7,24 @@
 #include <string.h>
 
 // Of a frame time in milliseconds: millions of units per second, thousands for draws.
-static double rate_of(const struct rhw_bench_result *result, double ms)
+static double rate_of(const struct cli_bench_result *result, double ms)
 {
     return result->work / ms * (result->unit == BENCH_DRAWS ? 1.0 : 1e-3);
 }
 
-static const char *unit_of(const struct rhw_bench_result *result)
+static const char *unit_of(const struct cli_bench_result *result)
 {
     static const char *const names[] = {"Mpix/s", "Mtri/s", "kdraw/s"};
     return names[result->unit];
 }
 
 // "llvmpipe", without the rest of the driver's name.
-static const char *peer_of(const struct rhw_bench_report *report)
+static const char *peer_of(const struct cli_bench_report *report)
 {
     return report->job->peer;
 }
 
-void rhw_bench_describe(const struct rhw_bench_result *result, char *text, size_t size)
+void cli_bench_describe(const struct cli_bench_result *result, char *text, size_t size)
 {
     const struct bench_agreement *const a = &result->agreement;
     char largest[48];
@@ -40,9 +40,9 @@ void rhw_bench_describe(const struct rhw_bench_result *result, char *text, size_
 
 // Table --------------------------------------------------------------------------------------------
 
-void rhw_bench_print_head(const struct rhw_bench_report *report)
+void cli_bench_print_head(const struct cli_bench_report *report)
 {
-    const struct rhw_bench_job *const job = report->job;
+    const struct cli_bench_job *const job = report->job;
     printf("%s, %d core%s\nrhw %s %s, %d thread%s\n", report->cpu, report->cores,
            report->cores == 1 ? "" : "s", rhw_version(), rhw_isa_name(report->isa), report->threads,
            report->threads == 1 ? "" : "s");
@@ -66,7 +66,7 @@ static void print_time(const struct bench_time *time)
     printf(" %7.2f %-15s", time->median, range);
 }
 
-void rhw_bench_print_row(const struct rhw_bench_report *report, const struct rhw_bench_result *result)
+void cli_bench_print_row(const struct cli_bench_report *report, const struct cli_bench_result *result)
 {
     printf("%-16s", result->entry->name);
     if (result->has_one) {
@@ -94,16 +94,16 @@ void rhw_bench_print_row(const struct rhw_bench_report *report, const struct rhw
 static void json_member(FILE *stream, const char *key, double number)
 {
     fprintf(stream, ", \"%s\": ", key);
-    rhw_json_number(stream, number);
+    cli_json_number(stream, number);
 }
 
 static void json_text(FILE *stream, const char *key, const char *text)
 {
     fprintf(stream, ", \"%s\": ", key);
-    rhw_json_string(stream, text);
+    cli_json_string(stream, text);
 }
 
-static void json_agreement(FILE *stream, const struct rhw_bench_result *result)
+static void json_agreement(FILE *stream, const struct cli_bench_result *result)
 {
     const struct bench_agreement *const a = &result->agreement;
     fprintf(stream, ", \"agrees\": %s", a->agrees ? "true" : "false");
@@ -114,14 +114,14 @@ static void json_agreement(FILE *stream, const struct rhw_bench_result *result)
     json_member(stream, "mean_difference", a->mean);
 }
 
-static void json_peer(FILE *stream, const struct rhw_bench_report *report,
-                      const struct rhw_bench_result *result)
+static void json_peer(FILE *stream, const struct cli_bench_report *report,
+                      const struct cli_bench_result *result)
 {
     fputs(", \"peers\": {", stream);
     if (result->has_peer) {
-        rhw_json_string(stream, peer_of(report));
+        cli_json_string(stream, peer_of(report));
         fputs(": {\"ms\": ", stream);
-        rhw_json_number(stream, result->peer.median);
+        cli_json_number(stream, result->peer.median);
         json_member(stream, "ratio", result->peer.median / result->all.median);
         json_member(stream, "min_ms", result->peer.least);
         json_member(stream, "max_ms", result->peer.most);
@@ -131,11 +131,11 @@ static void json_peer(FILE *stream, const struct rhw_bench_report *report,
     fputc('}', stream);
 }
 
-static void json_scene(FILE *stream, const struct rhw_bench_report *report,
-                       const struct rhw_bench_result *result)
+static void json_scene(FILE *stream, const struct cli_bench_report *report,
+                       const struct cli_bench_result *result)
 {
     fputs("{\"name\": ", stream);
-    rhw_json_string(stream, result->entry->name);
+    cli_json_string(stream, result->entry->name);
     json_member(stream, "rhw_ms", result->all.median);
     json_member(stream, "rhw_min_ms", result->all.least);
     json_member(stream, "rhw_max_ms", result->all.most);
@@ -152,10 +152,10 @@ static void json_scene(FILE *stream, const struct rhw_bench_report *report,
     fputc('}', stream);
 }
 
-void rhw_bench_print_json(FILE *stream, const struct rhw_bench_report *report)
+void cli_bench_print_json(FILE *stream, const struct cli_bench_report *report)
 {
     fputs("{\"cpu\": ", stream);
-    rhw_json_string(stream, report->cpu);
+    cli_json_string(stream, report->cpu);
     json_member(stream, "cores", report->cores);
     json_text(stream, "rhw", rhw_version());
     json_text(stream, "isa", rhw_isa_name(report->isa));
@@ -183,13 +183,13 @@ static void csv_time(FILE *stream, bool present, const struct bench_time *time)
     }
 }
 
-void rhw_bench_print_csv(FILE *stream, const struct rhw_bench_report *report)
+void cli_bench_print_csv(FILE *stream, const struct cli_bench_report *report)
 {
     fputs("scene,rhw_ms,rhw_min_ms,rhw_max_ms,rhw_1_thread_ms,rhw_1_thread_min_ms,rhw_1_thread_max_ms,"
           "rate,unit,peer,peer_ms,peer_min_ms,peer_max_ms,ratio,agrees\n",
           stream);
     for (int i = 0; i < report->result_count; i++) {
-        const struct rhw_bench_result *const r = &report->results[i];
+        const struct cli_bench_result *const r = &report->results[i];
         fputs(r->entry->name, stream);
         csv_time(stream, true, &r->all);
         csv_time(stream, r->has_one, &r->one);

@@ -14,7 +14,7 @@
 
 enum { OPTION_DIFFERENCE = 'd', OPTION_TOLERANCE = 't', OPTION_JSON = 256 };
 
-static const struct rhw_tool_option options[] = {
+static const struct cli_option options[] = {
     {"difference", OPTION_DIFFERENCE, "OUT", "write a picture of the differences (.png or .ppm)"},
     {"tolerance", OPTION_TOLERANCE, "T",
      "largest difference of a sample that still passes; default 0.\nA number or a fraction such as 2/255"},
@@ -35,7 +35,7 @@ static const char notes[] =
     "read,\n"
     "2 for a wrong command line.";
 
-static const struct rhw_tool_verb verb = {
+static const struct cli_verb verb = {
     .name = "compare",
     .operands = "A B",
     .summary = "Compares two pictures.",
@@ -55,7 +55,7 @@ struct channel_difference {
 
 struct comparison {
     const char *path_a, *path_b;
-    struct rhw_loaded_image a, b;
+    struct cli_loaded_image a, b;
     struct channel_difference *channels;
     int channel_count;
     double max;
@@ -84,25 +84,24 @@ static double psnr_of(const struct channel_difference *channel, uint64_t pixels)
 
 static bool match_channels(struct comparison *comparison)
 {
-    const struct rhw_loaded_image *a = &comparison->a, *b = &comparison->b;
+    const struct cli_loaded_image *a = &comparison->a, *b = &comparison->b;
     for (int i = 0; i < b->channel_count; i++) {
-        if (rhw_image_find_channel(a, b->channels[i].name) < 0) {
-            rhw_tool_error(comparison->path_a, "has no channel %s, which the other file has",
-                           b->channels[i].name);
+        if (cli_image_find_channel(a, b->channels[i].name) < 0) {
+            cli_error(comparison->path_a, "has no channel %s, which the other file has", b->channels[i].name);
             return false;
         }
     }
     comparison->channels = calloc((size_t)a->channel_count, sizeof *comparison->channels);
     if (!comparison->channels) {
-        rhw_tool_error(comparison->path_a, "out of memory");
+        cli_error(comparison->path_a, "out of memory");
         return false;
     }
     comparison->channel_count = a->channel_count;
     for (int i = 0; i < a->channel_count; i++) {
         const char *name = a->channels[i].name;
-        const int other = rhw_image_find_channel(b, name);
+        const int other = cli_image_find_channel(b, name);
         if (other < 0) {
-            rhw_tool_error(comparison->path_b, "has no channel %s, which the other file has", name);
+            cli_error(comparison->path_b, "has no channel %s, which the other file has", name);
             return false;
         }
         comparison->channels[i] = (struct channel_difference){.name = name, .a = i, .b = other, .peak = 1.0};
@@ -112,25 +111,25 @@ static bool match_channels(struct comparison *comparison)
 
 static bool check_comparable(const struct comparison *comparison)
 {
-    const struct rhw_loaded_image *a = &comparison->a, *b = &comparison->b;
+    const struct cli_loaded_image *a = &comparison->a, *b = &comparison->b;
     if (a->encoded != b->encoded) {
-        rhw_tool_error(comparison->path_b,
-                       "an EXR file compares with EXR files only, its numbers are not encoded");
+        cli_error(comparison->path_b,
+                  "an EXR file compares with EXR files only, its numbers are not encoded");
         return false;
     }
     if (a->width != b->width || a->height != b->height) {
-        rhw_tool_error(comparison->path_b, "is %dx%d, but %s is %dx%d", b->width, b->height,
-                       comparison->path_a, a->width, a->height);
+        cli_error(comparison->path_b, "is %dx%d, but %s is %dx%d", b->width, b->height, comparison->path_a,
+                  a->width, a->height);
         return false;
     }
     return true;
 }
 
-static void find_peak(const struct rhw_loaded_image *image, struct channel_difference *channel, double *row)
+static void find_peak(const struct cli_loaded_image *image, struct channel_difference *channel, double *row)
 {
     double peak = 0.0;
     for (int y = 0; y < image->height; y++) {
-        rhw_image_row(image, channel->a, y, row);
+        cli_image_row(image, channel->a, y, row);
         for (int x = 0; x < image->width; x++) {
             if (isfinite(row[x]) && fabs(row[x]) > peak) {
                 peak = fabs(row[x]);
@@ -168,7 +167,7 @@ static void compare_row(struct comparison *comparison, struct channel_difference
 
 static bool compare_pixels(struct comparison *comparison)
 {
-    const struct rhw_loaded_image *a = &comparison->a;
+    const struct cli_loaded_image *a = &comparison->a;
     const size_t width = (size_t)a->width;
     double *rows = malloc(2 * width * sizeof *rows);
     bool *differs = malloc(width * sizeof *differs);
@@ -184,8 +183,8 @@ static bool compare_pixels(struct comparison *comparison)
         memset(differs, 0, width * sizeof *differs);
         for (int c = 0; c < comparison->channel_count; c++) {
             struct channel_difference *channel = &comparison->channels[c];
-            rhw_image_row(a, channel->a, y, rows);
-            rhw_image_row(&comparison->b, channel->b, y, rows + width);
+            cli_image_row(a, channel->a, y, rows);
+            cli_image_row(&comparison->b, channel->b, y, rows + width);
             compare_row(comparison, channel, y, rows, rows + width, differs);
         }
         for (size_t x = 0; x < width; x++) {
@@ -203,7 +202,7 @@ static bool compare_pixels(struct comparison *comparison)
     free(rows);
     free(differs);
     if (!enough) {
-        rhw_tool_error(comparison->path_a, "out of memory");
+        cli_error(comparison->path_a, "out of memory");
     }
     return enough;
 }
@@ -233,22 +232,22 @@ static void heat_row(const void *user, int y, void *row)
 
 static bool write_difference(const struct comparison *comparison)
 {
-    const struct rhw_raster raster = {.width = comparison->a.width,
+    const struct cli_raster raster = {.width = comparison->a.width,
                                       .height = comparison->a.height,
                                       .channels = 3,
                                       .bits = 8,
                                       .srgb = true,
                                       .row = heat_row,
                                       .user = comparison};
-    const bool png = rhw_picture_format_of(comparison->difference_path) == RHW_PICTURE_PNG;
-    struct rhw_output_file file;
-    if (!rhw_output_file_open(&file, comparison->difference_path)) {
+    const bool png = cli_picture_format_of(comparison->difference_path) == CLI_PICTURE_PNG;
+    struct cli_output_file file;
+    if (!cli_output_file_open(&file, comparison->difference_path)) {
         return false;
     }
-    const bool written = (png ? rhw_png_write(&file, &raster) : rhw_ppm_write(&file, &raster)) &&
-                         rhw_output_file_finish(&file) && rhw_output_file_commit(&file);
+    const bool written = (png ? cli_png_write(&file, &raster) : cli_ppm_write(&file, &raster)) &&
+                         cli_output_file_finish(&file) && cli_output_file_commit(&file);
     if (!written) {
-        rhw_output_file_discard(&file);
+        cli_output_file_discard(&file);
     }
     return written;
 }
@@ -257,13 +256,13 @@ static void print_json(const struct comparison *comparison)
 {
     const double pixels = (double)comparison->pixels;
     fputs("{\n  \"a\": ", stdout);
-    rhw_json_string(stdout, comparison->path_a);
+    cli_json_string(stdout, comparison->path_a);
     fputs(",\n  \"b\": ", stdout);
-    rhw_json_string(stdout, comparison->path_b);
+    cli_json_string(stdout, comparison->path_b);
     printf(",\n  \"width\": %d,\n  \"height\": %d,\n  \"max\": ", comparison->a.width, comparison->a.height);
-    rhw_json_number(stdout, comparison->max);
+    cli_json_number(stdout, comparison->max);
     fputs(",\n  \"tolerance\": ", stdout);
-    rhw_json_number(stdout, comparison->tolerance);
+    cli_json_number(stdout, comparison->tolerance);
     printf(
         ",\n  \"pass\": %s,\n  \"differing_pixels\": %llu,\n  \"worst_pixel\": [%d, %d],\n  \"channels\": [",
         comparison->max <= comparison->tolerance ? "true" : "false",
@@ -271,13 +270,13 @@ static void print_json(const struct comparison *comparison)
     for (int c = 0; c < comparison->channel_count; c++) {
         const struct channel_difference *channel = &comparison->channels[c];
         printf("%s\n    {\"name\": ", c ? "," : "");
-        rhw_json_string(stdout, channel->name);
+        cli_json_string(stdout, channel->name);
         fputs(", \"max\": ", stdout);
-        rhw_json_number(stdout, channel->max);
+        cli_json_number(stdout, channel->max);
         fputs(", \"mean\": ", stdout);
-        rhw_json_number(stdout, channel->sum / pixels);
+        cli_json_number(stdout, channel->sum / pixels);
         fputs(", \"psnr\": ", stdout);
-        rhw_json_number(stdout, psnr_of(channel, comparison->pixels));
+        cli_json_number(stdout, psnr_of(channel, comparison->pixels));
         printf(", \"differing\": %llu}", (unsigned long long)channel->differing);
     }
     fputs("\n  ]\n}\n", stdout);
@@ -303,11 +302,11 @@ static void print_table(const struct comparison *comparison)
 
 static bool load_and_compare(struct comparison *comparison)
 {
-    if (comparison->difference_path && !rhw_output_file_check(comparison->difference_path)) {
+    if (comparison->difference_path && !cli_output_file_check(comparison->difference_path)) {
         return false;
     }
-    if (!rhw_image_load(&comparison->a, comparison->path_a) ||
-        !rhw_image_load(&comparison->b, comparison->path_b)) {
+    if (!cli_image_load(&comparison->a, comparison->path_a) ||
+        !cli_image_load(&comparison->b, comparison->path_b)) {
         return false;
     }
     return check_comparable(comparison) && match_channels(comparison) && compare_pixels(comparison) &&
@@ -324,10 +323,10 @@ static bool parse_tolerance(const char *text, double *tolerance)
     }
     memcpy(first, text, length);
     first[length] = '\0';
-    if (!rhw_tool_parse_float(first, &number) || number < 0.0f) {
+    if (!cli_parse_float(first, &number) || number < 0.0f) {
         return false;
     }
-    if (text[length] && (!rhw_tool_parse_float(text + length + 1, &divisor) || divisor <= 0.0f)) {
+    if (text[length] && (!cli_parse_float(text + length + 1, &divisor) || divisor <= 0.0f)) {
         return false;
     }
     // A sample that is off by exactly N/255 passes "N/255", whatever the rounding of the two divisions.
@@ -340,57 +339,57 @@ static bool parse_option(struct comparison *comparison, int id, const char *argu
     switch (id) {
     case OPTION_DIFFERENCE:
         comparison->difference_path = argument;
-        if (rhw_picture_format_of(argument) == RHW_PICTURE_PNG ||
-            rhw_picture_format_of(argument) == RHW_PICTURE_PPM) {
+        if (cli_picture_format_of(argument) == CLI_PICTURE_PNG ||
+            cli_picture_format_of(argument) == CLI_PICTURE_PPM) {
             return true;
         }
-        rhw_tool_error(argument, "a difference picture is named .png or .ppm");
+        cli_error(argument, "a difference picture is named .png or .ppm");
         return false;
     case OPTION_TOLERANCE:
         if (parse_tolerance(argument, &comparison->tolerance)) {
             return true;
         }
-        rhw_tool_error("--tolerance", "'%s' is not a number or a fraction, 0 or above", argument);
+        cli_error("--tolerance", "'%s' is not a number or a fraction, 0 or above", argument);
         return false;
     default: comparison->json = true; return true;
     }
 }
 
-int rhw_tool_compare(int argc, char **argv)
+int cli_compare(int argc, char **argv)
 {
     struct comparison comparison = {0};
-    struct rhw_tool_parser parser;
-    rhw_tool_parser_start(&parser, &verb, argc, argv);
+    struct cli_parser parser;
+    cli_parser_start(&parser, &verb, argc, argv);
     int id;
-    while ((id = rhw_tool_parser_next(&parser)) > 0) {
+    while ((id = cli_parser_next(&parser)) > 0) {
         if (!parse_option(&comparison, id, parser.argument)) {
-            return RHW_TOOL_USAGE;
+            return CLI_USAGE;
         }
     }
-    if (id == RHW_TOOL_OPTION_STOP) {
+    if (id == CLI_OPTION_STOP) {
         return parser.status;
     }
-    if (!rhw_tool_parser_operands(&parser, 2, 2)) {
-        return RHW_TOOL_USAGE;
+    if (!cli_parser_operands(&parser, 2, 2)) {
+        return CLI_USAGE;
     }
 
     comparison.path_a = parser.operands[0];
     comparison.path_b = parser.operands[1];
-    int status = RHW_TOOL_FAILED;
+    int status = CLI_FAILED;
     if (load_and_compare(&comparison)) {
         if (comparison.json) {
             print_json(&comparison);
         } else {
             print_table(&comparison);
         }
-        status = comparison.max <= comparison.tolerance ? RHW_TOOL_OK : RHW_TOOL_FAILED;
-        if (status != RHW_TOOL_OK) {
-            rhw_tool_error(comparison.path_b, "differs from %s by up to %g, more than the tolerance of %g",
-                           comparison.path_a, comparison.max, comparison.tolerance);
+        status = comparison.max <= comparison.tolerance ? CLI_OK : CLI_FAILED;
+        if (status != CLI_OK) {
+            cli_error(comparison.path_b, "differs from %s by up to %g, more than the tolerance of %g",
+                      comparison.path_a, comparison.max, comparison.tolerance);
         }
     }
-    rhw_image_unload(&comparison.a);
-    rhw_image_unload(&comparison.b);
+    cli_image_unload(&comparison.a);
+    cli_image_unload(&comparison.b);
     free(comparison.channels);
     free(comparison.heat);
     return status;

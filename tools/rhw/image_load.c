@@ -15,13 +15,13 @@
 
 static const char *const rgba_names[4] = {"R", "G", "B", "A"};
 
-static size_t sample_size(enum rhw_sample_type type)
+static size_t sample_size(enum cli_sample_type type)
 {
-    return type == RHW_SAMPLE_U8 ? 1 : type == RHW_SAMPLE_U16 ? 2 : 4;
+    return type == CLI_SAMPLE_U8 ? 1 : type == CLI_SAMPLE_U16 ? 2 : 4;
 }
 
 // Lays R, G, B, A over interleaved memory with 1 (grey), 3 or 4 samples per pixel.
-static bool describe_rgba(struct rhw_loaded_image *image, int samples, enum rhw_sample_type type)
+static bool describe_rgba(struct cli_loaded_image *image, int samples, enum cli_sample_type type)
 {
     image->channels = calloc(4, sizeof *image->channels);
     if (!image->channels) {
@@ -31,7 +31,7 @@ static bool describe_rgba(struct rhw_loaded_image *image, int samples, enum rhw_
     image->encoded = true;
     const size_t size = sample_size(type);
     for (int i = 0; i < 4; i++) {
-        struct rhw_image_channel *channel = &image->channels[i];
+        struct cli_image_channel *channel = &image->channels[i];
         strcpy(channel->name, rgba_names[i]);
         channel->type = type;
         channel->pixel_stride = size * (size_t)samples;
@@ -43,7 +43,7 @@ static bool describe_rgba(struct rhw_loaded_image *image, int samples, enum rhw_
     return true;
 }
 
-static int decode_png(struct rhw_loaded_image *image, spng_ctx *context, FILE *stream)
+static int decode_png(struct cli_loaded_image *image, spng_ctx *context, FILE *stream)
 {
     struct spng_ihdr header;
     size_t size = 0;
@@ -74,21 +74,21 @@ static int decode_png(struct rhw_loaded_image *image, spng_ctx *context, FILE *s
     image->width = (int)header.width;
     image->height = (int)header.height;
     image->full_scale = header.bit_depth == 16 ? 65535.0 : 255.0;
-    return describe_rgba(image, 4, header.bit_depth == 16 ? RHW_SAMPLE_U16 : RHW_SAMPLE_U8) ? SPNG_OK
+    return describe_rgba(image, 4, header.bit_depth == 16 ? CLI_SAMPLE_U16 : CLI_SAMPLE_U8) ? SPNG_OK
                                                                                             : SPNG_EMEM;
 }
 
-static bool load_png(struct rhw_loaded_image *image, const char *path, FILE *stream)
+static bool load_png(struct cli_loaded_image *image, const char *path, FILE *stream)
 {
     spng_ctx *context = spng_ctx_new(0);
     const int result = context ? decode_png(image, context, stream) : SPNG_EMEM;
     spng_ctx_free(context);
     if (result == SPNG_EUSER_WIDTH || result == SPNG_EUSER_HEIGHT) {
-        rhw_tool_error(path, "larger than %d pixels", RHW_MAX_TARGET_SIZE);
+        cli_error(path, "larger than %d pixels", RHW_MAX_TARGET_SIZE);
     } else if (result == SPNG_IO_EOF || result == SPNG_EIDAT_TOO_SHORT) {
-        rhw_tool_error(path, "the PNG file ends too early");
+        cli_error(path, "the PNG file ends too early");
     } else if (result) {
-        rhw_tool_error(path, "not a valid PNG file: %s", spng_strerror(result));
+        cli_error(path, "not a valid PNG file: %s", spng_strerror(result));
     }
     return result == SPNG_OK;
 }
@@ -112,7 +112,7 @@ static bool read_number(FILE *stream, int most, int *number)
     return digits > 0 && value <= most;
 }
 
-static bool read_ppm_samples(FILE *stream, bool text, int most, enum rhw_sample_type type, void *memory,
+static bool read_ppm_samples(FILE *stream, bool text, int most, enum cli_sample_type type, void *memory,
                              size_t count)
 {
     if (!text && fread(memory, sample_size(type), count, stream) != count) {
@@ -125,16 +125,16 @@ static bool read_ppm_samples(FILE *stream, bool text, int most, enum rhw_sample_
         if (text && !read_number(stream, most, &value)) {
             return false;
         }
-        if (!text && type == RHW_SAMPLE_U8) {
+        if (!text && type == CLI_SAMPLE_U8) {
             value = narrow[i];
         }
-        if (!text && type == RHW_SAMPLE_U16) {
+        if (!text && type == CLI_SAMPLE_U16) {
             value = ((const uint8_t *)&wide[i])[0] << 8 | ((const uint8_t *)&wide[i])[1];
         }
         if (value > most) {
             return false;
         }
-        if (type == RHW_SAMPLE_U8) {
+        if (type == CLI_SAMPLE_U8) {
             narrow[i] = (uint8_t)value;
         } else {
             wide[i] = (uint16_t)value;
@@ -143,7 +143,7 @@ static bool read_ppm_samples(FILE *stream, bool text, int most, enum rhw_sample_
     return true;
 }
 
-static bool load_ppm(struct rhw_loaded_image *image, const char *path, FILE *stream)
+static bool load_ppm(struct cli_loaded_image *image, const char *path, FILE *stream)
 {
     getc(stream);
     const int kind = getc(stream); // '2', '3' text, '5', '6' binary; grey, RGB in turn
@@ -152,98 +152,98 @@ static bool load_ppm(struct rhw_loaded_image *image, const char *path, FILE *str
     if (!read_number(stream, RHW_MAX_TARGET_SIZE, &image->width) ||
         !read_number(stream, RHW_MAX_TARGET_SIZE, &image->height) || !read_number(stream, 65535, &most) ||
         image->width < 1 || image->height < 1 || most < 1) {
-        rhw_tool_error(path,
-                       "not a valid PPM header: expected width and height of 1..%d and a maximum of 1..65535",
-                       RHW_MAX_TARGET_SIZE);
+        cli_error(path,
+                  "not a valid PPM header: expected width and height of 1..%d and a maximum of 1..65535",
+                  RHW_MAX_TARGET_SIZE);
         return false;
     }
-    const enum rhw_sample_type type = most > 255 ? RHW_SAMPLE_U16 : RHW_SAMPLE_U8;
+    const enum cli_sample_type type = most > 255 ? CLI_SAMPLE_U16 : CLI_SAMPLE_U8;
     const size_t count = (size_t)image->width * (size_t)image->height * (size_t)samples;
     image->full_scale = most;
     image->memory = malloc(count * sample_size(type));
     if (!image->memory || !describe_rgba(image, samples, type)) {
-        rhw_tool_error(path, "out of memory");
+        cli_error(path, "out of memory");
         return false;
     }
     if (!read_ppm_samples(stream, kind < '5', most, type, image->memory, count)) {
-        rhw_tool_error(path, feof(stream) ? "the PPM file ends too early"
-                                          : "a sample of the PPM file is out of range");
+        cli_error(path,
+                  feof(stream) ? "the PPM file ends too early" : "a sample of the PPM file is out of range");
         return false;
     }
     return true;
 }
 
-static bool load_stream(struct rhw_loaded_image *image, const char *path, FILE *stream)
+static bool load_stream(struct cli_loaded_image *image, const char *path, FILE *stream)
 {
     static const uint8_t png_magic[] = {0x89, 'P', 'N', 'G'}, exr_magic[] = {0x76, 0x2F, 0x31, 0x01};
     uint8_t magic[4] = {0};
     const size_t got = fread(magic, 1, sizeof magic, stream);
     if (ferror(stream)) {
-        rhw_tool_error(path, "%s", strerror(errno));
+        cli_error(path, "%s", strerror(errno));
         return false;
     }
     if (got == 0) {
-        rhw_tool_error(path, "the file is empty");
+        cli_error(path, "the file is empty");
         return false;
     }
     if (fseek(stream, 0, SEEK_SET) != 0) {
-        rhw_tool_error(path, "%s", strerror(errno));
+        cli_error(path, "%s", strerror(errno));
         return false;
     }
     if (memcmp(magic, png_magic, sizeof magic) == 0) {
         return load_png(image, path, stream);
     }
     if (memcmp(magic, exr_magic, sizeof magic) == 0) {
-        return rhw_image_load_exr(image, path);
+        return cli_image_load_exr(image, path);
     }
     if (magic[0] == 'P' && magic[1] && strchr("2356", magic[1])) {
         return load_ppm(image, path, stream);
     }
-    rhw_tool_error(path, "not a picture that rhw reads (PNG, EXR, PPM, PGM)");
+    cli_error(path, "not a picture that rhw reads (PNG, EXR, PPM, PGM)");
     return false;
 }
 
-bool rhw_image_load(struct rhw_loaded_image *image, const char *path)
+bool cli_image_load(struct cli_loaded_image *image, const char *path)
 {
-    *image = (struct rhw_loaded_image){.full_scale = 1.0};
+    *image = (struct cli_loaded_image){.full_scale = 1.0};
     FILE *stream = fopen(path, "rb");
     if (!stream) {
-        rhw_tool_error(path, "%s", strerror(errno));
+        cli_error(path, "%s", strerror(errno));
         return false;
     }
     const bool loaded = load_stream(image, path, stream);
     fclose(stream);
     if (!loaded) {
-        rhw_image_unload(image);
+        cli_image_unload(image);
     }
     return loaded;
 }
 
-void rhw_image_unload(struct rhw_loaded_image *image)
+void cli_image_unload(struct cli_loaded_image *image)
 {
     free(image->channels);
     free(image->memory);
-    *image = (struct rhw_loaded_image){0};
+    *image = (struct cli_loaded_image){0};
 }
 
-static double read_sample(const uint8_t *sample, enum rhw_sample_type type)
+static double read_sample(const uint8_t *sample, enum cli_sample_type type)
 {
     uint16_t u16;
     uint32_t u32;
     float number;
     switch (type) {
-    case RHW_SAMPLE_U8: return *sample;
-    case RHW_SAMPLE_U16: memcpy(&u16, sample, sizeof u16); return u16;
-    case RHW_SAMPLE_U32: memcpy(&u32, sample, sizeof u32); return u32;
-    case RHW_SAMPLE_FLOAT: break;
+    case CLI_SAMPLE_U8: return *sample;
+    case CLI_SAMPLE_U16: memcpy(&u16, sample, sizeof u16); return u16;
+    case CLI_SAMPLE_U32: memcpy(&u32, sample, sizeof u32); return u32;
+    case CLI_SAMPLE_FLOAT: break;
     }
     memcpy(&number, sample, sizeof number);
     return (double)number;
 }
 
-void rhw_image_row(const struct rhw_loaded_image *image, int channel, int y, double *row)
+void cli_image_row(const struct cli_loaded_image *image, int channel, int y, double *row)
 {
-    const struct rhw_image_channel *source = &image->channels[channel];
+    const struct cli_image_channel *source = &image->channels[channel];
     for (int x = 0; x < image->width; x++) {
         const uint8_t *first = source->first;
         row[x] = first
@@ -254,7 +254,7 @@ void rhw_image_row(const struct rhw_loaded_image *image, int channel, int y, dou
     }
 }
 
-int rhw_image_find_channel(const struct rhw_loaded_image *image, const char *name)
+int cli_image_find_channel(const struct cli_loaded_image *image, const char *name)
 {
     for (int i = 0; i < image->channel_count; i++) {
         if (strcmp(image->channels[i].name, name) == 0) {

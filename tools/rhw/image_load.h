@@ -1,40 +1,40 @@
 // SPDX-License-Identifier: MIT
 // Pictures that `compare` reads: PNG (any kind), PPM and PGM, EXR. Samples stay in the type the file has, so
 // that ids of 32 bits and 16 bit colours arrive unharmed; a row of one channel is handed out as doubles.
-#ifndef RHW_IMAGE_LOAD_H
-#define RHW_IMAGE_LOAD_H
+#ifndef CLI_IMAGE_LOAD_H
+#define CLI_IMAGE_LOAD_H
 
 #include <stdbool.h>
 #include <stddef.h>
 #include <stdint.h>
 
-enum rhw_sample_type { RHW_SAMPLE_U8, RHW_SAMPLE_U16, RHW_SAMPLE_U32, RHW_SAMPLE_FLOAT };
+enum cli_sample_type { CLI_SAMPLE_U8, CLI_SAMPLE_U16, CLI_SAMPLE_U32, CLI_SAMPLE_FLOAT };
 
-enum { RHW_IMAGE_CHANNELS_MAX = 128, RHW_CHANNEL_NAME_MAX = 256 };
+enum { CLI_IMAGE_CHANNELS_MAX = 128, CLI_CHANNEL_NAME_MAX = 256 };
 
-struct rhw_image_channel {
-    char name[RHW_CHANNEL_NAME_MAX];
-    enum rhw_sample_type type;
+struct cli_image_channel {
+    char name[CLI_CHANNEL_NAME_MAX];
+    enum cli_sample_type type;
     const uint8_t *first;            ///< top left sample; NULL: the channel is 1 everywhere
     size_t pixel_stride, row_stride; ///< bytes
 };
 
-struct rhw_loaded_image {
+struct cli_loaded_image {
     int width, height; ///< 1..RHW_MAX_TARGET_SIZE
     bool encoded; ///< PNG, PPM: R, G, B, A in fractions of full scale; false: EXR, the file's own channels
     double full_scale; ///< what a stored sample is divided by: 65535/65535 and 255/255 give the same bits
-    struct rhw_image_channel *channels;
+    struct cli_image_channel *channels;
     int channel_count;
     void *memory;
 };
 
 /// Reads a picture whatever its name ends in: its first bytes tell. Reports failure in one line.
-bool rhw_image_load(struct rhw_loaded_image *image, const char *path);
-void rhw_image_unload(struct rhw_loaded_image *image);
+bool cli_image_load(struct cli_loaded_image *image, const char *path);
+void cli_image_unload(struct cli_loaded_image *image);
 
 /// One row of one channel; `row` has image->width elements.
-void rhw_image_row(const struct rhw_loaded_image *image, int channel, int y, double *row);
+void cli_image_row(const struct cli_loaded_image *image, int channel, int y, double *row);
 /// The channel of that name, or -1.
-int rhw_image_find_channel(const struct rhw_loaded_image *image, const char *name);
+int cli_image_find_channel(const struct cli_loaded_image *image, const char *name);
 
 #endif

@@ -16,7 +16,7 @@ struct decoder {
     exr_context_t context;
     exr_decode_pipeline_t pipeline;
     bool started; // the pipeline
-    struct rhw_loaded_image *image;
+    struct cli_loaded_image *image;
     exr_attr_box2i_t window;
 };
 
@@ -37,7 +37,7 @@ static const char *find_unsupported(const struct decoder *decoder, const exr_att
     if (storage != EXR_STORAGE_SCANLINE && storage != EXR_STORAGE_TILED) {
         return "deep EXR files are not read";
     }
-    if (list->num_channels < 1 || list->num_channels > RHW_IMAGE_CHANNELS_MAX) {
+    if (list->num_channels < 1 || list->num_channels > CLI_IMAGE_CHANNELS_MAX) {
         return "EXR files have 1 to 128 channels";
     }
     for (int i = 0; i < list->num_channels; i++) {
@@ -55,7 +55,7 @@ static const char *find_unsupported(const struct decoder *decoder, const exr_att
 
 static bool make_planes(struct decoder *decoder, const exr_attr_chlist_t *list)
 {
-    struct rhw_loaded_image *image = decoder->image;
+    struct cli_loaded_image *image = decoder->image;
     image->width = decoder->window.max.x - decoder->window.min.x + 1;
     image->height = decoder->window.max.y - decoder->window.min.y + 1;
     const size_t plane = (size_t)image->width * (size_t)image->height * 4;
@@ -66,9 +66,9 @@ static bool make_planes(struct decoder *decoder, const exr_attr_chlist_t *list)
     }
     image->channel_count = list->num_channels;
     for (int i = 0; i < list->num_channels; i++) {
-        struct rhw_image_channel *channel = &image->channels[i];
+        struct cli_image_channel *channel = &image->channels[i];
         snprintf(channel->name, sizeof channel->name, "%s", list->entries[i].name.str);
-        channel->type = list->entries[i].pixel_type == EXR_PIXEL_UINT ? RHW_SAMPLE_U32 : RHW_SAMPLE_FLOAT;
+        channel->type = list->entries[i].pixel_type == EXR_PIXEL_UINT ? CLI_SAMPLE_U32 : CLI_SAMPLE_FLOAT;
         channel->first = (const uint8_t *)image->memory + (size_t)i * plane;
         channel->pixel_stride = 4;
         channel->row_stride = 4 * (size_t)image->width;
@@ -79,7 +79,7 @@ static bool make_planes(struct decoder *decoder, const exr_attr_chlist_t *list)
 // Decodes one chunk to pixels `x`, `y` of the planes and on.
 static exr_result_t decode_chunk(struct decoder *decoder, const exr_chunk_info_t *info, int x, int y)
 {
-    struct rhw_loaded_image *image = decoder->image;
+    struct cli_loaded_image *image = decoder->image;
     exr_decode_pipeline_t *pipeline = &decoder->pipeline;
     exr_result_t result = decoder->started ? exr_decoding_update(decoder->context, 0, info, pipeline)
                                            : exr_decoding_initialize(decoder->context, 0, info, pipeline);
@@ -88,14 +88,14 @@ static exr_result_t decode_chunk(struct decoder *decoder, const exr_chunk_info_t
     }
     for (int i = 0; i < pipeline->channel_count; i++) {
         exr_coding_channel_info_t *target = &pipeline->channels[i];
-        const int channel = rhw_image_find_channel(image, target->channel_name);
+        const int channel = cli_image_find_channel(image, target->channel_name);
         if (channel < 0 || x + target->width > image->width || y + target->height > image->height) {
             return EXR_ERR_CORRUPT_CHUNK;
         }
         const size_t offset =
             ((size_t)channel * (size_t)image->height + (size_t)y) * (size_t)image->width + (size_t)x;
         target->user_data_type =
-            image->channels[channel].type == RHW_SAMPLE_U32 ? EXR_PIXEL_UINT : EXR_PIXEL_FLOAT;
+            image->channels[channel].type == CLI_SAMPLE_U32 ? EXR_PIXEL_UINT : EXR_PIXEL_FLOAT;
         target->user_bytes_per_element = 4;
         target->user_pixel_stride = 4;
         target->user_line_stride = 4 * image->width;
@@ -172,7 +172,7 @@ static exr_result_t decode(struct decoder *decoder, const char *path, const char
     return storage == EXR_STORAGE_TILED ? decode_tiles(decoder) : decode_scan_lines(decoder);
 }
 
-bool rhw_image_load_exr(struct rhw_loaded_image *image, const char *path)
+bool cli_image_load_exr(struct cli_loaded_image *image, const char *path)
 {
     struct decoder decoder = {.image = image, .pipeline = EXR_DECODE_PIPELINE_INITIALIZER};
     const char *unsupported = NULL;
@@ -184,9 +184,9 @@ bool rhw_image_load_exr(struct rhw_loaded_image *image, const char *path)
         exr_finish(&decoder.context);
     }
     if (unsupported) {
-        rhw_tool_error(path, "%s", unsupported);
+        cli_error(path, "%s", unsupported);
     } else if (result) {
-        rhw_tool_error(path, "not a valid EXR file: %s", exr_get_default_error_message(result));
+        cli_error(path, "not a valid EXR file: %s", exr_get_default_error_message(result));
     }
     return result == EXR_ERR_SUCCESS;
 }

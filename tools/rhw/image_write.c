@@ -14,19 +14,19 @@
 // size of libspng's defaults (level 6, the best of five filters per row) at a quarter of the time.
 enum { PNG_LEVEL = 2, PNG_FILTER = SPNG_FILTER_CHOICE_UP };
 
-enum rhw_picture_format rhw_picture_format_of(const char *path)
+enum cli_picture_format cli_picture_format_of(const char *path)
 {
     static const char *const endings[] = {".png", ".exr", ".ppm"};
     const size_t length = strlen(path);
     for (int i = 0; i < 3; i++) {
         if (length > 4 && strcasecmp(path + length - 4, endings[i]) == 0) {
-            return (enum rhw_picture_format)i;
+            return (enum cli_picture_format)i;
         }
     }
-    return RHW_PICTURE_UNKNOWN;
+    return CLI_PICTURE_UNKNOWN;
 }
 
-static size_t row_size(const struct rhw_raster *raster)
+static size_t row_size(const struct cli_raster *raster)
 {
     return (size_t)raster->width * (size_t)raster->channels * (size_t)(raster->bits / 8);
 }
@@ -37,7 +37,7 @@ static int write_to_stream(spng_ctx *context, void *user, void *data, size_t siz
     return fwrite(data, 1, size, user) == size ? SPNG_OK : SPNG_IO_ERROR;
 }
 
-static int start_png(spng_ctx *context, const struct rhw_raster *raster)
+static int start_png(spng_ctx *context, const struct cli_raster *raster)
 {
     struct spng_ihdr header = {
         .width = (uint32_t)raster->width,
@@ -69,7 +69,7 @@ static int start_png(spng_ctx *context, const struct rhw_raster *raster)
     return result;
 }
 
-static int encode_png(spng_ctx *context, const struct rhw_raster *raster, void *row)
+static int encode_png(spng_ctx *context, const struct cli_raster *raster, void *row)
 {
     int result = start_png(context, raster);
     for (int y = 0; !result && y < raster->height; y++) {
@@ -79,7 +79,7 @@ static int encode_png(spng_ctx *context, const struct rhw_raster *raster, void *
     return result == SPNG_EOI ? SPNG_OK : result; // the last row reports the end of the image
 }
 
-bool rhw_png_write(struct rhw_output_file *file, const struct rhw_raster *raster)
+bool cli_png_write(struct cli_output_file *file, const struct cli_raster *raster)
 {
     spng_ctx *context = spng_ctx_new(SPNG_CTX_ENCODER);
     void *row = malloc(row_size(raster));
@@ -89,7 +89,7 @@ bool rhw_png_write(struct rhw_output_file *file, const struct rhw_raster *raster
         result = encode_png(context, raster, row);
     }
     if (result) {
-        rhw_tool_error(file->path, "cannot be written: %s", errno ? strerror(errno) : spng_strerror(result));
+        cli_error(file->path, "cannot be written: %s", errno ? strerror(errno) : spng_strerror(result));
     }
     spng_ctx_free(context);
     free(row);
@@ -105,7 +105,7 @@ static void swap_to_big_endian(uint16_t *samples, size_t count)
     }
 }
 
-bool rhw_ppm_write(struct rhw_output_file *file, const struct rhw_raster *raster)
+bool cli_ppm_write(struct cli_output_file *file, const struct cli_raster *raster)
 {
     const size_t size = row_size(raster);
     void *row = malloc(size);
@@ -120,7 +120,7 @@ bool rhw_ppm_write(struct rhw_output_file *file, const struct rhw_raster *raster
         written = fwrite(row, 1, size, file->stream) == size;
     }
     if (!written) {
-        rhw_tool_error(file->path, "cannot be written: %s", strerror(errno ? errno : EIO));
+        cli_error(file->path, "cannot be written: %s", strerror(errno ? errno : EIO));
     }
     free(row);
     return written;

@@ -1,33 +1,33 @@
 // SPDX-License-Identifier: MIT
 // Encoders of picture files: PNG (libspng), PPM, and EXR (OpenEXRCore). PNG and PPM ask for one row at a
 // time, so that a conversion to bytes needs no second copy of the picture.
-#ifndef RHW_IMAGE_WRITE_H
-#define RHW_IMAGE_WRITE_H
+#ifndef CLI_IMAGE_WRITE_H
+#define CLI_IMAGE_WRITE_H
 
 #include "output_file.h"
 
 #include <stdint.h>
 
-enum rhw_picture_format { RHW_PICTURE_UNKNOWN = -1, RHW_PICTURE_PNG, RHW_PICTURE_EXR, RHW_PICTURE_PPM };
+enum cli_picture_format { CLI_PICTURE_UNKNOWN = -1, CLI_PICTURE_PNG, CLI_PICTURE_EXR, CLI_PICTURE_PPM };
 
 /// What a file's name ends in (.png, .exr, .ppm; capitals too) says about its format.
-enum rhw_picture_format rhw_picture_format_of(const char *path);
+enum cli_picture_format cli_picture_format_of(const char *path);
 
 /// Fills one row of a raster: uint8_t or uint16_t samples, as `bits` says.
-typedef void rhw_raster_row(const void *user, int y, void *row);
+typedef void cli_raster_row(const void *user, int y, void *row);
 
-struct rhw_raster {
+struct cli_raster {
     int width, height;
     int channels;      ///< 1 grey, 3 RGB, 4 RGBA with straight alpha
     int bits;          ///< 8 or 16
     bool srgb;         ///< samples are sRGB-encoded colours; false: numbers
     char comment[160]; ///< kept in the file where the format can; "" for none
-    rhw_raster_row *row;
+    cli_raster_row *row;
     const void *user;
 };
 
 /// One channel of an EXR file; 4 bytes per sample.
-struct rhw_exr_channel {
+struct cli_exr_channel {
     const char *name;  ///< "layer.channel", or "R", "G", "B", "A"
     bool integer;      ///< uint32_t, else float
     const void *first; ///< sample of the top left pixel
@@ -35,11 +35,11 @@ struct rhw_exr_channel {
 };
 
 /// All of them report failure in one line and return false; the caller then discards the file.
-bool rhw_png_write(struct rhw_output_file *file, const struct rhw_raster *raster);
+bool cli_png_write(struct cli_output_file *file, const struct cli_raster *raster);
 /// Binary: P5 for one channel, P6 for three. Four are misuse.
-bool rhw_ppm_write(struct rhw_output_file *file, const struct rhw_raster *raster);
+bool cli_ppm_write(struct cli_output_file *file, const struct cli_raster *raster);
 /// Scan lines, ZIP compression on `threads` threads; the bytes do not depend on their number.
-bool rhw_exr_write(struct rhw_output_file *file, int width, int height,
-                   const struct rhw_exr_channel *channels, int channel_count, int threads);
+bool cli_exr_write(struct cli_output_file *file, int width, int height,
+                   const struct cli_exr_channel *channels, int channel_count, int threads);
 
 #endif

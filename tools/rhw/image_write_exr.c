@@ -18,10 +18,10 @@ enum { ZIP_LEVEL = 2, THREADS_MAX = 64 };
 
 struct encoder {
     exr_context_t context;
-    struct rhw_output_file *file;
+    struct cli_output_file *file;
     uint64_t position; // bytes, of the stream
     int width, height, rows_per_chunk;
-    const struct rhw_exr_channel *channels;
+    const struct cli_exr_channel *channels;
     int channel_count;
     exr_result_t (*write_chunk)(exr_encode_pipeline_t *pipeline);
 
@@ -77,7 +77,7 @@ static exr_result_t write_in_turn(exr_encode_pipeline_t *pipeline)
     return result;
 }
 
-static const struct rhw_exr_channel *find_channel(const struct encoder *encoder, const char *name)
+static const struct cli_exr_channel *find_channel(const struct encoder *encoder, const char *name)
 {
     for (int i = 0; i < encoder->channel_count; i++) {
         if (strcmp(encoder->channels[i].name, name) == 0) {
@@ -98,7 +98,7 @@ static exr_result_t prepare_chunk(struct encoder *encoder, exr_encode_pipeline_t
     }
     for (int i = 0; !result && i < pipeline->channel_count; i++) {
         exr_coding_channel_info_t *target = &pipeline->channels[i];
-        const struct rhw_exr_channel *source = find_channel(encoder, target->channel_name);
+        const struct cli_exr_channel *source = find_channel(encoder, target->channel_name);
         target->user_pixel_stride = source->pixel_stride;
         target->user_line_stride = source->pixel_stride * encoder->width;
         target->encode_from_ptr =
@@ -159,7 +159,7 @@ static exr_result_t write_header(struct encoder *encoder)
         result = exr_set_zip_compression_level(encoder->context, part, ZIP_LEVEL);
     }
     for (int i = 0; !result && i < encoder->channel_count; i++) {
-        const struct rhw_exr_channel *channel = &encoder->channels[i];
+        const struct cli_exr_channel *channel = &encoder->channels[i];
         result = exr_add_channel(encoder->context, part, channel->name,
                                  channel->integer ? EXR_PIXEL_UINT : EXR_PIXEL_FLOAT,
                                  EXR_PERCEPTUALLY_LOGARITHMIC, 1, 1);
@@ -188,11 +188,11 @@ static void encode_on_threads(struct encoder *encoder, int threads)
     }
 }
 
-bool rhw_exr_write(struct rhw_output_file *file, int width, int height,
-                   const struct rhw_exr_channel *channels, int channel_count, int threads)
+bool cli_exr_write(struct cli_output_file *file, int width, int height,
+                   const struct cli_exr_channel *channels, int channel_count, int threads)
 {
     if (!file->seekable) {
-        rhw_tool_error(file->path, "an EXR file needs a place that can be written twice; give a file");
+        cli_error(file->path, "an EXR file needs a place that can be written twice; give a file");
         return false;
     }
     struct encoder encoder = {.file = file,
@@ -218,9 +218,8 @@ bool rhw_exr_write(struct rhw_output_file *file, int width, int height,
         encoder.result = encoder.result ? encoder.result : finished;
     }
     if (encoder.result) {
-        rhw_tool_error(file->path, "cannot be written: %s",
-                       encoder.cause ? strerror(encoder.cause)
-                                     : exr_get_default_error_message(encoder.result));
+        cli_error(file->path, "cannot be written: %s",
+                  encoder.cause ? strerror(encoder.cause) : exr_get_default_error_message(encoder.result));
     }
     return encoder.result == EXR_ERR_SUCCESS;
 }

@@ -12,7 +12,7 @@
 
 enum { OPTION_JSON = 256 };
 
-static const struct rhw_tool_option options[] = {
+static const struct cli_option options[] = {
     {"json", OPTION_JSON, NULL, "print everything as JSON"},
 };
 
@@ -21,7 +21,7 @@ static const char notes[] =
     "Bounds are those of everything drawn, in the world.\n\n"
     "Exit status: 0, 1 when the file cannot be read, 2 for a wrong command line.";
 
-static const struct rhw_tool_verb verb = {
+static const struct cli_verb verb = {
     .name = "info",
     .operands = "MODEL",
     .summary = "Tells what is in a model file and what of it is not drawn.",
@@ -34,11 +34,11 @@ static const char *const primitive_names[] = {"triangles", "lines", "points"};
 static const char *const image_type_names[] = {"RGBA8", "RGBA16", "RGBA32F"};
 static const char *const alpha_names[] = {"opaque", "mask", "blend"};
 static const char *const light_names[] = {"directional", "point", "spot"};
-static const char *const slot_names[RHW_SLOT_COUNT] = {"base_color", "metallic_roughness", "normal",
-                                                       "occlusion", "emissive"};
+static const char *const slot_names[SCENE_SLOT_COUNT] = {"base_color", "metallic_roughness", "normal",
+                                                         "occlusion", "emissive"};
 static const uint32_t corners[] = {3, 2, 1};
 
-static uint32_t object_count(const struct rhw_model *model)
+static uint32_t object_count(const struct scene_model *model)
 {
     uint32_t largest = 0;
     for (uint32_t i = 0; i < model->instance_count; i++) {
@@ -47,12 +47,12 @@ static uint32_t object_count(const struct rhw_model *model)
     return largest;
 }
 
-static bool anything_drawn(const struct rhw_model *model)
+static bool anything_drawn(const struct scene_model *model)
 {
     return model->bounds_min[0] <= model->bounds_max[0];
 }
 
-static const char *use_of(const struct rhw_image *image)
+static const char *use_of(const struct scene_image *image)
 {
     return image->used_as_color && image->used_as_data ? "color and data"
            : image->used_as_color                      ? "color"
@@ -62,11 +62,11 @@ static const char *use_of(const struct rhw_image *image)
 
 // Text ----------------------------------------------------------------------------------------------
 
-static void print_meshes(const struct rhw_model *model)
+static void print_meshes(const struct scene_model *model)
 {
     printf("\nmeshes: %" PRIu32 "\n", model->mesh_count);
     for (uint32_t i = 0; i < model->mesh_count; i++) {
-        const struct rhw_mesh *mesh = &model->meshes[i];
+        const struct scene_mesh *mesh = &model->meshes[i];
         printf("  %3" PRIu32 "  %" PRIu32 " %s, %" PRIu32 " vertices, material %" PRIu32 "%s%s%s%s%s", i,
                mesh->index_count / corners[mesh->primitive], primitive_names[mesh->primitive],
                mesh->vertex_count, mesh->material, mesh->normals != NULL ? ", normals" : "",
@@ -76,11 +76,11 @@ static void print_meshes(const struct rhw_model *model)
     }
 }
 
-static void print_materials(const struct rhw_model *model)
+static void print_materials(const struct scene_model *model)
 {
     printf("\nmaterials: %" PRIu32 "\n", model->material_count);
     for (uint32_t i = 0; i < model->material_count; i++) {
-        const struct rhw_material *material = &model->materials[i];
+        const struct scene_material *material = &model->materials[i];
         const float *color = material->base_color, *glow = material->emissive;
         printf("  %3" PRIu32 "  base %.3g %.3g %.3g %.3g, metallic %.3g, roughness %.3g", i, (double)color[0],
                (double)color[1], (double)color[2], (double)color[3], (double)material->metallic,
@@ -88,14 +88,14 @@ static void print_materials(const struct rhw_model *model)
         if (glow[0] > 0 || glow[1] > 0 || glow[2] > 0) {
             printf(", emissive %.3g %.3g %.3g", (double)glow[0], (double)glow[1], (double)glow[2]);
         }
-        if (material->alpha_mode == RHW_ALPHA_MASK) {
+        if (material->alpha_mode == SCENE_ALPHA_MASK) {
             printf(", mask below %.3g", (double)material->alpha_cutoff);
         }
-        if (material->alpha_mode == RHW_ALPHA_BLEND) {
+        if (material->alpha_mode == SCENE_ALPHA_BLEND) {
             printf(", blend");
         }
         printf("%s%s", material->unlit ? ", unlit" : "", material->double_sided ? ", double-sided" : "");
-        for (int k = 0; k < RHW_SLOT_COUNT; k++) {
+        for (int k = 0; k < SCENE_SLOT_COUNT; k++) {
             if (material->slots[k].image >= 0) {
                 printf(", %s image %" PRId32, slot_names[k], material->slots[k].image);
             }
@@ -104,26 +104,26 @@ static void print_materials(const struct rhw_model *model)
     }
 }
 
-static void print_images(const struct rhw_model *model)
+static void print_images(const struct scene_model *model)
 {
     if (model->image_count > 0) {
         printf("\nimages: %" PRIu32 "\n", model->image_count);
     }
     for (uint32_t i = 0; i < model->image_count; i++) {
-        const struct rhw_image *image = &model->images[i];
+        const struct scene_image *image = &model->images[i];
         printf("  %3" PRIu32 "  %" PRIu32 "x%" PRIu32 " %s%s, %s%s  \"%s\"\n", i, image->width, image->height,
                image_type_names[image->type], image->has_alpha ? " with alpha" : "", use_of(image),
                image->missing ? ", missing" : "", image->name);
     }
 }
 
-static void print_cameras_and_lights(const struct rhw_model *model)
+static void print_cameras_and_lights(const struct scene_model *model)
 {
     if (model->camera_count > 0) {
         printf("\ncameras: %" PRIu32 "\n", model->camera_count);
     }
     for (uint32_t i = 0; i < model->camera_count; i++) {
-        const struct rhw_model_camera *camera = &model->cameras[i];
+        const struct scene_model_camera *camera = &model->cameras[i];
         const float *eye = camera->world + 12;
         printf("  %3" PRIu32 "  at %.4g %.4g %.4g, ", i, (double)eye[0], (double)eye[1], (double)eye[2]);
         if (camera->orthographic) {
@@ -137,7 +137,7 @@ static void print_cameras_and_lights(const struct rhw_model *model)
         printf("\nlights: %" PRIu32 "\n", model->light_count);
     }
     for (uint32_t i = 0; i < model->light_count; i++) {
-        const struct rhw_model_light *light = &model->lights[i];
+        const struct scene_model_light *light = &model->lights[i];
         printf("  %3" PRIu32 "  %s, color %.3g %.3g %.3g, intensity %.4g  \"%s\"\n", i,
                light_names[light->type], (double)light->color[0], (double)light->color[1],
                (double)light->color[2], (double)light->intensity, light->name);
@@ -154,7 +154,7 @@ static void print_lines(const char *title, const char **lines, uint32_t count)
     }
 }
 
-static void print_text(const struct rhw_model *model)
+static void print_text(const struct scene_model *model)
 {
     const float *least = model->bounds_min, *most = model->bounds_max;
     printf("%s: %s\n\n", model->path, model->format);
@@ -186,7 +186,7 @@ static void json_next(uint32_t index)
 static void json_named(const char *name)
 {
     printf("{\"name\": ");
-    rhw_json_string(stdout, name);
+    cli_json_string(stdout, name);
 }
 
 static void json_floats(const char *key, const float *values, int count)
@@ -194,7 +194,7 @@ static void json_floats(const char *key, const float *values, int count)
     printf(", \"%s\": [", key);
     for (int i = 0; i < count; i++) {
         printf(i > 0 ? ", " : "");
-        rhw_json_number(stdout, (double)values[i]);
+        cli_json_number(stdout, (double)values[i]);
     }
     printf("]");
 }
@@ -202,7 +202,7 @@ static void json_floats(const char *key, const float *values, int count)
 static void json_float(const char *key, float value)
 {
     printf(", \"%s\": ", key);
-    rhw_json_number(stdout, (double)value);
+    cli_json_number(stdout, (double)value);
 }
 
 static void json_flag(const char *key, bool value)
@@ -210,11 +210,11 @@ static void json_flag(const char *key, bool value)
     printf(", \"%s\": %s", key, value ? "true" : "false");
 }
 
-static void json_meshes(const struct rhw_model *model)
+static void json_meshes(const struct scene_model *model)
 {
     printf(",\n  \"meshes\": [");
     for (uint32_t i = 0; i < model->mesh_count; i++) {
-        const struct rhw_mesh *mesh = &model->meshes[i];
+        const struct scene_mesh *mesh = &model->meshes[i];
         json_next(i);
         json_named(mesh->name);
         printf(", \"primitive\": \"%s\", \"count\": %" PRIu32 ", \"vertices\": %" PRIu32
@@ -231,11 +231,11 @@ static void json_meshes(const struct rhw_model *model)
     printf("]");
 }
 
-static void json_materials(const struct rhw_model *model)
+static void json_materials(const struct scene_model *model)
 {
     printf(",\n  \"materials\": [");
     for (uint32_t i = 0; i < model->material_count; i++) {
-        const struct rhw_material *material = &model->materials[i];
+        const struct scene_material *material = &model->materials[i];
         json_next(i);
         json_named(material->name);
         json_floats("base_color", material->base_color, 4);
@@ -246,7 +246,7 @@ static void json_materials(const struct rhw_model *model)
         json_float("alpha_cutoff", material->alpha_cutoff);
         json_flag("unlit", material->unlit);
         json_flag("double_sided", material->double_sided);
-        for (int k = 0; k < RHW_SLOT_COUNT; k++) {
+        for (int k = 0; k < SCENE_SLOT_COUNT; k++) {
             if (material->slots[k].image >= 0) {
                 printf(", \"%s_image\": %" PRId32, slot_names[k], material->slots[k].image);
             }
@@ -256,11 +256,11 @@ static void json_materials(const struct rhw_model *model)
     printf("]");
 }
 
-static void json_images(const struct rhw_model *model)
+static void json_images(const struct scene_model *model)
 {
     printf(",\n  \"images\": [");
     for (uint32_t i = 0; i < model->image_count; i++) {
-        const struct rhw_image *image = &model->images[i];
+        const struct scene_image *image = &model->images[i];
         json_next(i);
         json_named(image->name);
         printf(", \"width\": %" PRIu32 ", \"height\": %" PRIu32 ", \"type\": \"%s\"", image->width,
@@ -274,11 +274,11 @@ static void json_images(const struct rhw_model *model)
     printf("]");
 }
 
-static void json_cameras(const struct rhw_model *model)
+static void json_cameras(const struct scene_model *model)
 {
     printf(",\n  \"cameras\": [");
     for (uint32_t i = 0; i < model->camera_count; i++) {
-        const struct rhw_model_camera *camera = &model->cameras[i];
+        const struct scene_model_camera *camera = &model->cameras[i];
         json_next(i);
         json_named(camera->name);
         printf(", \"type\": \"%s\"", camera->orthographic ? "orthographic" : "perspective");
@@ -296,11 +296,11 @@ static void json_cameras(const struct rhw_model *model)
     printf("]");
 }
 
-static void json_lights(const struct rhw_model *model)
+static void json_lights(const struct scene_model *model)
 {
     printf(",\n  \"lights\": [");
     for (uint32_t i = 0; i < model->light_count; i++) {
-        const struct rhw_model_light *light = &model->lights[i];
+        const struct scene_model_light *light = &model->lights[i];
         json_next(i);
         json_named(light->name);
         printf(", \"type\": \"%s\"", light_names[light->type]);
@@ -319,17 +319,17 @@ static void json_lines(const char *key, const char **lines, uint32_t count)
     printf(",\n  \"%s\": [", key);
     for (uint32_t i = 0; i < count; i++) {
         json_next(i);
-        rhw_json_string(stdout, lines[i]);
+        cli_json_string(stdout, lines[i]);
     }
     printf("]");
 }
 
-static void print_json(const struct rhw_model *model)
+static void print_json(const struct scene_model *model)
 {
     printf("{\n  \"file\": ");
-    rhw_json_string(stdout, model->path);
+    cli_json_string(stdout, model->path);
     printf(",\n  \"format\": ");
-    rhw_json_string(stdout, model->format);
+    cli_json_string(stdout, model->format);
     printf(",\n  \"triangles_drawn\": %" PRIu64 ",\n  \"triangles_stored\": %" PRIu64
            ",\n  \"objects\": %" PRIu32 ",\n  \"draws\": %" PRIu32,
            model->triangles_drawn, model->triangles_stored, object_count(model), model->instance_count);
@@ -352,36 +352,36 @@ static void print_json(const struct rhw_model *model)
     printf("\n}\n");
 }
 
-int rhw_tool_info(int argc, char **argv)
+int cli_info(int argc, char **argv)
 {
-    struct rhw_tool_parser parser;
+    struct cli_parser parser;
     bool json = false;
-    rhw_tool_parser_start(&parser, &verb, argc, argv);
+    cli_parser_start(&parser, &verb, argc, argv);
     int id;
-    while ((id = rhw_tool_parser_next(&parser)) > 0) {
+    while ((id = cli_parser_next(&parser)) > 0) {
         json = json || id == OPTION_JSON;
     }
-    if (id == RHW_TOOL_OPTION_STOP) {
+    if (id == CLI_OPTION_STOP) {
         return parser.status;
     }
-    if (!rhw_tool_parser_operands(&parser, 1, 1)) {
-        return RHW_TOOL_USAGE;
+    if (!cli_parser_operands(&parser, 1, 1)) {
+        return CLI_USAGE;
     }
 
     const char *path = parser.operands[0];
     char error[512];
-    rhw_tool_stage("reading", path);
-    struct rhw_model *model = rhw_model_load(path, NULL, error, sizeof error);
-    rhw_tool_stage_end();
+    cli_stage("reading", path);
+    struct scene_model *model = scene_model_load(path, NULL, error, sizeof error);
+    cli_stage_end();
     if (model == NULL) {
-        rhw_tool_error(path, "%s", error);
-        return RHW_TOOL_FAILED;
+        cli_error(path, "%s", error);
+        return CLI_FAILED;
     }
     if (json) {
         print_json(model);
     } else {
         print_text(model);
     }
-    rhw_model_free(model);
-    return RHW_TOOL_OK; // main sees whether stdout took it
+    scene_model_free(model);
+    return CLI_OK; // main sees whether stdout took it
 }

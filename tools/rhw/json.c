@@ -26,7 +26,7 @@ static int utf8_length(const unsigned char *text)
     return overlong || surrogate || too_large ? 0 : length;
 }
 
-void rhw_json_string(FILE *stream, const char *text)
+void cli_json_string(FILE *stream, const char *text)
 {
     fputc('"', stream);
     for (const unsigned char *c = (const unsigned char *)text; *c;) {
@@ -45,7 +45,7 @@ void rhw_json_string(FILE *stream, const char *text)
     fputc('"', stream);
 }
 
-void rhw_json_number(FILE *stream, double number)
+void cli_json_number(FILE *stream, double number)
 {
     if (isfinite(number)) {
         fprintf(stream, "%.9g", number);

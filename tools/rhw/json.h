@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: MIT
 // The two things about JSON that printf does not do: strings and numbers that may be infinite.
-#ifndef RHW_JSON_H
-#define RHW_JSON_H
+#ifndef CLI_JSON_H
+#define CLI_JSON_H
 
 #include <stdio.h>
 
 /// Quoted and escaped. Bytes that are not UTF-8, which file names may hold, become U+FFFD.
-void rhw_json_string(FILE *stream, const char *text);
+void cli_json_string(FILE *stream, const char *text);
 /// Nine digits; null when it is not finite, which JSON cannot say.
-void rhw_json_number(FILE *stream, double number);
+void cli_json_number(FILE *stream, double number);
 
 #endif

@@ -13,10 +13,10 @@ static const struct {
     const char *name, *operands, *summary;
     int (*run)(int argc, char **argv);
 } verbs[] = {
-    {"render", "MODEL -o OUT", "draw a model file and write the picture", rhw_tool_render},
-    {"compare", "A B", "differences of two pictures, in numbers and as a picture", rhw_tool_compare},
-    {"info", "MODEL", "what is in a model file", rhw_tool_info},
-    {"bench", "", "time scenes, beside another renderer where there is one", rhw_tool_bench},
+    {"render", "MODEL -o OUT", "draw a model file and write the picture", cli_render},
+    {"compare", "A B", "differences of two pictures, in numbers and as a picture", cli_compare},
+    {"info", "MODEL", "what is in a model file", cli_info},
+    {"bench", "", "time scenes, beside another renderer where there is one", cli_bench},
 };
 
 enum { VERB_COUNT = sizeof verbs / sizeof *verbs };
@@ -38,34 +38,34 @@ static int run(int argc, char **argv)
 {
     if (argc < 2) {
         fputs("rhw: no verb given; see 'rhw --help'\n", stderr);
-        return RHW_TOOL_USAGE;
+        return CLI_USAGE;
     }
     const char *word = argv[1];
     if (strcmp(word, "--version") == 0 || strcmp(word, "-V") == 0) {
         printf("rhw %s\n", rhw_version());
-        return RHW_TOOL_OK;
+        return CLI_OK;
     }
     if (strcmp(word, "--help") == 0 || strcmp(word, "-h") == 0) {
         print_program_help();
-        return RHW_TOOL_OK;
+        return CLI_OK;
     }
     for (int i = 0; i < VERB_COUNT; i++) {
         if (strcmp(word, verbs[i].name) == 0) {
             return verbs[i].run(argc - 1, argv + 1);
         }
     }
-    rhw_tool_error(word, "no such %s; see 'rhw --help'", word[0] == '-' ? "option" : "verb");
-    return RHW_TOOL_USAGE;
+    cli_error(word, "no such %s; see 'rhw --help'", word[0] == '-' ? "option" : "verb");
+    return CLI_USAGE;
 }
 
 int main(int argc, char **argv)
 {
-    rhw_output_files_guard();
+    cli_output_files_guard();
     const int status = run(argc, argv);
     errno = 0;
     if (fflush(stdout) == 0 && !ferror(stdout)) {
         return status;
     }
-    rhw_tool_error("-", "cannot be written: %s", strerror(errno ? errno : EIO));
-    return RHW_TOOL_FAILED;
+    cli_error("-", "cannot be written: %s", strerror(errno ? errno : EIO));
+    return CLI_FAILED;
 }

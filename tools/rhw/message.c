@@ -13,7 +13,7 @@ enum { LINE_LENGTH = 2048 }; // bytes; longer lines are cut
 
 static bool stage_shown;
 
-void rhw_tool_stage(const char *work, const char *subject)
+void cli_stage(const char *work, const char *subject)
 {
     if (!isatty(STDERR_FILENO)) {
         return;
@@ -22,7 +22,7 @@ void rhw_tool_stage(const char *work, const char *subject)
     stage_shown = true;
 }
 
-void rhw_tool_stage_end(void)
+void cli_stage_end(void)
 {
     if (stage_shown) {
         fputs("\r\033[K", stderr);
@@ -46,11 +46,11 @@ static void print_line(const char *subject, const char *prefix, const char *form
             *c = '?';
         }
     }
-    rhw_tool_stage_end();
+    cli_stage_end();
     fprintf(stderr, "%s\n", line);
 }
 
-void rhw_tool_error(const char *subject, const char *format, ...)
+void cli_error(const char *subject, const char *format, ...)
 {
     va_list arguments;
     va_start(arguments, format);
@@ -58,7 +58,7 @@ void rhw_tool_error(const char *subject, const char *format, ...)
     va_end(arguments);
 }
 
-void rhw_tool_warning(const char *subject, const char *format, ...)
+void cli_warning(const char *subject, const char *format, ...)
 {
     va_list arguments;
     va_start(arguments, format);

@@ -19,12 +19,12 @@ enum {
     HELP_COLUMN = 29 // where explanations start
 };
 
-static bool is_optional(const struct rhw_tool_option *option)
+static bool is_optional(const struct cli_option *option)
 {
     return option->argument && option->argument[0] == '[';
 }
 
-static void print_option(const struct rhw_tool_option *option)
+static void print_option(const struct cli_option *option)
 {
     char left[96];
     const char letter[] = {'-', (char)option->id, ',', ' ', 0};
@@ -45,7 +45,7 @@ static void print_option(const struct rhw_tool_option *option)
 }
 
 // The word the user typed for a long option, without its value; getopt leaves only its place.
-static void report_bad_option(const struct rhw_tool_parser *parser, int kind)
+static void report_bad_option(const struct cli_parser *parser, int kind)
 {
     char name[128];
     const char *word = parser->argv[optind - 1];
@@ -57,18 +57,17 @@ static void report_bad_option(const struct rhw_tool_parser *parser, int kind)
 
     const bool known = optopt != 0 && strchr(word, '=') != NULL;
     const char *cause = kind == ':' ? "needs an argument" : known ? "takes no argument" : "no such option";
-    rhw_tool_error(name, "%s; see 'rhw %s --help'", cause, parser->verb->name);
+    cli_error(name, "%s; see 'rhw %s --help'", cause, parser->verb->name);
 }
 
-void rhw_tool_parser_start(struct rhw_tool_parser *parser, const struct rhw_tool_verb *verb, int argc,
-                           char **argv)
+void cli_parser_start(struct cli_parser *parser, const struct cli_verb *verb, int argc, char **argv)
 {
-    *parser = (struct rhw_tool_parser){.verb = verb, .argc = argc, .argv = argv};
+    *parser = (struct cli_parser){.verb = verb, .argc = argc, .argv = argv};
     char *letter = parser->shorts;
     *letter++ = ':'; // tells a missing argument from an unknown option
-    const int count = verb->option_count < RHW_TOOL_OPTIONS_MAX ? verb->option_count : RHW_TOOL_OPTIONS_MAX;
+    const int count = verb->option_count < CLI_OPTIONS_MAX ? verb->option_count : CLI_OPTIONS_MAX;
     for (int i = 0; i < count; i++) {
-        const struct rhw_tool_option *option = &verb->options[i];
+        const struct cli_option *option = &verb->options[i];
         const int argument = !option->argument     ? no_argument
                              : is_optional(option) ? optional_argument
                                                    : required_argument;
@@ -86,56 +85,56 @@ void rhw_tool_parser_start(struct rhw_tool_parser *parser, const struct rhw_tool
     opterr = 0;
 }
 
-int rhw_tool_parser_next(struct rhw_tool_parser *parser)
+int cli_parser_next(struct cli_parser *parser)
 {
     const int id = getopt_long(parser->argc, parser->argv, parser->shorts, parser->longs, NULL);
     parser->argument = optarg;
     if (id == -1) {
         parser->operands = parser->argv + optind;
         parser->operand_count = parser->argc - optind;
-        return RHW_TOOL_OPTION_END;
+        return CLI_OPTION_END;
     }
     if (id == HELP_ID) {
-        rhw_tool_print_help(parser->verb);
-        parser->status = RHW_TOOL_OK;
-        return RHW_TOOL_OPTION_STOP;
+        cli_print_help(parser->verb);
+        parser->status = CLI_OK;
+        return CLI_OPTION_STOP;
     }
     if (id == '?' || id == ':') {
         report_bad_option(parser, id);
-        parser->status = RHW_TOOL_USAGE;
-        return RHW_TOOL_OPTION_STOP;
+        parser->status = CLI_USAGE;
+        return CLI_OPTION_STOP;
     }
     return id;
 }
 
-bool rhw_tool_parser_operands(const struct rhw_tool_parser *parser, int least, int most)
+bool cli_parser_operands(const struct cli_parser *parser, int least, int most)
 {
-    const struct rhw_tool_verb *verb = parser->verb;
+    const struct cli_verb *verb = parser->verb;
     if (parser->operand_count < least) {
-        rhw_tool_error(verb->name, "expected %s; see 'rhw %s --help'", verb->operands, verb->name);
+        cli_error(verb->name, "expected %s; see 'rhw %s --help'", verb->operands, verb->name);
         return false;
     }
     if (parser->operand_count > most) {
-        rhw_tool_error(parser->operands[most], "one argument too many; see 'rhw %s --help'", verb->name);
+        cli_error(parser->operands[most], "one argument too many; see 'rhw %s --help'", verb->name);
         return false;
     }
     return true;
 }
 
-void rhw_tool_print_help(const struct rhw_tool_verb *verb)
+void cli_print_help(const struct cli_verb *verb)
 {
     printf("Usage: rhw %s%s%s [option...]\n%s\n\n", verb->name, verb->operands[0] ? " " : "", verb->operands,
            verb->summary);
     for (int i = 0; i < verb->option_count; i++) {
         print_option(&verb->options[i]);
     }
-    print_option(&(struct rhw_tool_option){"help", HELP_ID, NULL, "print this and exit"});
+    print_option(&(struct cli_option){"help", HELP_ID, NULL, "print this and exit"});
     if (verb->notes) {
         printf("\n%s\n", verb->notes);
     }
 }
 
-bool rhw_tool_parse_int(const char *text, int least, int most, int *value)
+bool cli_parse_int(const char *text, int least, int most, int *value)
 {
     char *end;
     errno = 0;
@@ -147,7 +146,7 @@ bool rhw_tool_parse_int(const char *text, int least, int most, int *value)
     return true;
 }
 
-bool rhw_tool_parse_float(const char *text, float *value)
+bool cli_parse_float(const char *text, float *value)
 {
     char *end;
     const float number = strtof(text, &end);
@@ -158,7 +157,7 @@ bool rhw_tool_parse_float(const char *text, float *value)
     return true;
 }
 
-bool rhw_tool_parse_floats(const char *text, int count, float *values)
+bool cli_parse_floats(const char *text, int count, float *values)
 {
     float parsed[16];
     if (count > 16) {
@@ -176,7 +175,7 @@ bool rhw_tool_parse_floats(const char *text, int count, float *values)
     return true;
 }
 
-bool rhw_tool_parse_size(const char *text, int *width, int *height)
+bool cli_parse_size(const char *text, int *width, int *height)
 {
     const char *separator = strchr(text, 'x');
     char first[16];
@@ -186,8 +185,8 @@ bool rhw_tool_parse_size(const char *text, int *width, int *height)
     memcpy(first, text, (size_t)(separator - text));
     first[separator - text] = '\0';
     int parsed[2];
-    if (!rhw_tool_parse_int(first, 1, RHW_MAX_TARGET_SIZE, &parsed[0]) ||
-        !rhw_tool_parse_int(separator + 1, 1, RHW_MAX_TARGET_SIZE, &parsed[1])) {
+    if (!cli_parse_int(first, 1, RHW_MAX_TARGET_SIZE, &parsed[0]) ||
+        !cli_parse_int(separator + 1, 1, RHW_MAX_TARGET_SIZE, &parsed[1])) {
         return false;
     }
     *width = parsed[0];
@@ -202,7 +201,7 @@ static int hex_digit(char c)
     return found ? (int)(found - digits) : -1;
 }
 
-bool rhw_tool_parse_color(const char *text, uint8_t color[3])
+bool cli_parse_color(const char *text, uint8_t color[3])
 {
     static const struct {
         const char *name, *digits;
@@ -230,7 +229,7 @@ bool rhw_tool_parse_color(const char *text, uint8_t color[3])
     return true;
 }
 
-int rhw_tool_parse_name(const char *text, const char *const *names, int count)
+int cli_parse_name(const char *text, const char *const *names, int count)
 {
     for (int i = 0; i < count; i++) {
         if (strcmp(text, names[i]) == 0) {

@@ -39,7 +39,7 @@ static void remove_pending_and_die(int number)
     raise(number);
 }
 
-void rhw_output_files_guard(void)
+void cli_output_files_guard(void)
 {
     static const int deadly[] = {SIGINT, SIGTERM, SIGHUP, SIGPIPE};
     pending.owner = getpid();
@@ -58,7 +58,7 @@ void rhw_output_files_guard(void)
 
 static bool report(const char *path)
 {
-    rhw_tool_error(path, "cannot be written: %s", strerror(errno));
+    cli_error(path, "cannot be written: %s", strerror(errno));
     return false;
 }
 
@@ -75,13 +75,13 @@ static char *directory_of(const char *path)
     return directory;
 }
 
-bool rhw_output_file_check(const char *path)
+bool cli_output_file_check(const char *path)
 {
     if (is_standard_output(path)) {
         return true;
     }
     if (!*path) {
-        rhw_tool_error("''", "an output file needs a name");
+        cli_error("''", "an output file needs a name");
         return false;
     }
     struct stat status;
@@ -143,7 +143,7 @@ static int create_guarded(char *name, size_t size, const char *directory, int sl
     return descriptor;
 }
 
-static int open_temporary(struct rhw_output_file *file)
+static int open_temporary(struct cli_output_file *file)
 {
     char *directory = directory_of(file->target);
     const size_t size = directory ? strlen(directory) + 64 : 0;
@@ -170,7 +170,7 @@ static int find_free_slot(void)
     return -1;
 }
 
-static int open_target(struct rhw_output_file *file)
+static int open_target(struct cli_output_file *file)
 {
     struct stat status;
     if (is_standard_output(file->path)) {
@@ -195,9 +195,9 @@ static int open_target(struct rhw_output_file *file)
     return descriptor;
 }
 
-bool rhw_output_file_open(struct rhw_output_file *file, const char *path)
+bool cli_output_file_open(struct cli_output_file *file, const char *path)
 {
-    *file = (struct rhw_output_file){.path = path, .seekable = true, .pending = -1};
+    *file = (struct cli_output_file){.path = path, .seekable = true, .pending = -1};
     const int descriptor = open_target(file);
     file->stream = descriptor >= 0 ? fdopen(descriptor, "wb") : NULL;
     if (!file->stream) {
@@ -205,14 +205,14 @@ bool rhw_output_file_open(struct rhw_output_file *file, const char *path)
         if (descriptor >= 0) {
             close(descriptor);
         }
-        rhw_output_file_discard(file);
+        cli_output_file_discard(file);
         return false;
     }
     setvbuf(file->stream, NULL, _IOFBF, BUFFER_SIZE);
     return true;
 }
 
-bool rhw_output_file_finish(struct rhw_output_file *file)
+bool cli_output_file_finish(struct cli_output_file *file)
 {
     errno = 0;
     const bool flushed = fflush(file->stream) == 0 && !ferror(file->stream);
@@ -226,7 +226,7 @@ bool rhw_output_file_finish(struct rhw_output_file *file)
     return report(file->path);
 }
 
-bool rhw_output_file_commit(struct rhw_output_file *file)
+bool cli_output_file_commit(struct cli_output_file *file)
 {
     bool renamed = true;
     if (file->temporary) {
@@ -239,11 +239,11 @@ bool rhw_output_file_commit(struct rhw_output_file *file)
             report(file->path);
         }
     }
-    rhw_output_file_discard(file);
+    cli_output_file_discard(file);
     return renamed;
 }
 
-void rhw_output_file_discard(struct rhw_output_file *file)
+void cli_output_file_discard(struct cli_output_file *file)
 {
     if (file->stream) {
         fclose(file->stream);

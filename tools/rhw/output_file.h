@@ -2,13 +2,13 @@
 // A file that appears whole or not at all. Data goes to a temporary file in the target's directory, which
 // takes the target's name only after everything was written; whatever goes wrong before that, an error, a
 // signal, a full disk, removes the temporary file and leaves an older target as it was.
-#ifndef RHW_OUTPUT_FILE_H
-#define RHW_OUTPUT_FILE_H
+#ifndef CLI_OUTPUT_FILE_H
+#define CLI_OUTPUT_FILE_H
 
 #include <stdbool.h>
 #include <stdio.h>
 
-struct rhw_output_file {
+struct cli_output_file {
     FILE *stream;     ///< write here; NULL after finish
     const char *path; ///< as the user gave it; names the file in error lines
     bool seekable;    ///< false for a pipe or a device, which is written directly
@@ -19,20 +19,20 @@ struct rhw_output_file {
 
 /// Makes SIGINT, SIGTERM, SIGHUP and SIGPIPE remove the temporary files before they end the process, and a
 /// file size limit an ordinary write error. Call once, first.
-void rhw_output_files_guard(void);
+void cli_output_files_guard(void);
 
 /// Reports what would keep `path` from being written, as far as that can be known before anything is
 /// written: so that no one waits for a picture that cannot be kept. "-" is standard output.
-bool rhw_output_file_check(const char *path);
+bool cli_output_file_check(const char *path);
 
 /// Opens. On failure one line is printed and nothing is left behind. `path` must live until the end.
-bool rhw_output_file_open(struct rhw_output_file *file, const char *path);
+bool cli_output_file_open(struct cli_output_file *file, const char *path);
 /// Writes out what is buffered and closes the stream; the target is not there yet. Reports failure; the
 /// file must still be committed or discarded.
-bool rhw_output_file_finish(struct rhw_output_file *file);
+bool cli_output_file_finish(struct cli_output_file *file);
 /// Gives a finished file its name. Reports failure and then leaves nothing behind.
-bool rhw_output_file_commit(struct rhw_output_file *file);
+bool cli_output_file_commit(struct cli_output_file *file);
 /// Drops the file, finished or not. Harmless after commit.
-void rhw_output_file_discard(struct rhw_output_file *file);
+void cli_output_file_discard(struct cli_output_file *file);
 
 #endif

@@ -9,21 +9,22 @@
 #include <stdio.h>
 #include <string.h>
 
-static const char *const names[RHW_KIND_COUNT] = {"color", "depth",  "distance", "normal", "position",
+static const char *const names[CLI_KIND_COUNT] = {"color", "depth",  "distance", "normal", "position",
                                                   "uv",    "object", "triangle", "bary"};
 
-static const uint32_t drawn[RHW_KIND_COUNT] = {
-    RHW_OUTPUT_COLOR, RHW_OUTPUT_DEPTH,  RHW_OUTPUT_DISTANCE, RHW_OUTPUT_NORMAL,     RHW_OUTPUT_POSITION,
-    RHW_OUTPUT_UV,    RHW_OUTPUT_OBJECT, RHW_OUTPUT_TRIANGLE, RHW_OUTPUT_BARYCENTRIC};
+static const uint32_t drawn[CLI_KIND_COUNT] = {
+    SCENE_OUTPUT_COLOR,  SCENE_OUTPUT_DEPTH,    SCENE_OUTPUT_DISTANCE,
+    SCENE_OUTPUT_NORMAL, SCENE_OUTPUT_POSITION, SCENE_OUTPUT_UV,
+    SCENE_OUTPUT_OBJECT, SCENE_OUTPUT_TRIANGLE, SCENE_OUTPUT_BARYCENTRIC};
 
-const char *rhw_output_name(enum rhw_output_kind kind)
+const char *cli_output_name(enum cli_output_kind kind)
 {
     return names[kind];
 }
 
 static int find_name(const char *text, size_t length)
 {
-    for (int kind = 0; kind < RHW_KIND_COUNT; kind++) {
+    for (int kind = 0; kind < CLI_KIND_COUNT; kind++) {
         if (strlen(names[kind]) == length && memcmp(names[kind], text, length) == 0) {
             return kind;
         }
@@ -31,7 +32,7 @@ static int find_name(const char *text, size_t length)
     return -1;
 }
 
-bool rhw_outputs_parse(const char *list, unsigned *kinds, const char **bad)
+bool cli_outputs_parse(const char *list, unsigned *kinds, const char **bad)
 {
     unsigned found = 0;
     for (const char *name = list;; name++) {
@@ -40,7 +41,7 @@ bool rhw_outputs_parse(const char *list, unsigned *kinds, const char **bad)
         if (kind >= 0) {
             found |= 1u << kind;
         } else if (length == 3 && memcmp(name, "all", 3) == 0) {
-            found = (1u << RHW_KIND_COUNT) - 1;
+            found = (1u << CLI_KIND_COUNT) - 1;
         } else {
             *bad = name;
             return false;
@@ -54,17 +55,17 @@ bool rhw_outputs_parse(const char *list, unsigned *kinds, const char **bad)
     return true;
 }
 
-uint32_t rhw_outputs_needed(unsigned kinds, enum rhw_picture_format format, int bits)
+uint32_t cli_outputs_needed(unsigned kinds, enum cli_picture_format format, int bits)
 {
     uint32_t needed = 0;
-    for (int kind = 0; kind < RHW_KIND_COUNT; kind++) {
+    for (int kind = 0; kind < CLI_KIND_COUNT; kind++) {
         if (!(kinds >> kind & 1)) {
             continue;
         }
-        if (kind == RHW_KIND_COLOR && format == RHW_PICTURE_EXR) {
-            needed |= RHW_OUTPUT_LINEAR;
-        } else if (kind == RHW_KIND_COLOR && bits == 16) {
-            needed |= RHW_OUTPUT_DISPLAY;
+        if (kind == CLI_KIND_COLOR && format == CLI_PICTURE_EXR) {
+            needed |= SCENE_OUTPUT_LINEAR;
+        } else if (kind == CLI_KIND_COLOR && bits == 16) {
+            needed |= SCENE_OUTPUT_DISPLAY;
         } else {
             needed |= drawn[kind];
         }
@@ -76,7 +77,7 @@ uint32_t rhw_outputs_needed(unsigned kinds, enum rhw_picture_format format, int 
 
 static void opaque_color_row(const void *user, int y, void *row)
 {
-    const struct rhw_output_raster *output = user;
+    const struct cli_output_raster *output = user;
     const size_t width = (size_t)output->raster.width;
     const uint8_t *from = output->pictures->color + (size_t)y * width * 4;
     uint8_t *to = row;
@@ -87,7 +88,7 @@ static void opaque_color_row(const void *user, int y, void *row)
 
 static void transparent_color_row(const void *user, int y, void *row)
 {
-    const struct rhw_output_raster *output = user;
+    const struct cli_output_raster *output = user;
     const size_t size = (size_t)output->raster.width * 4;
     memcpy(row, output->pictures->color + (size_t)y * size, size);
 }
@@ -107,7 +108,7 @@ static uint16_t to_16_bits(float value)
 
 static void fine_color_row(const void *user, int y, void *row)
 {
-    const struct rhw_output_raster *output = user;
+    const struct cli_output_raster *output = user;
     const int width = output->raster.width, channels = output->raster.channels;
     const float *from = output->pictures->display + (size_t)y * (size_t)width * 4;
     uint16_t *to = row;
@@ -125,7 +126,7 @@ static void fine_color_row(const void *user, int y, void *row)
 }
 
 // 0..1 to the raster's bits, rounded to nearest; NaN gives 0.
-static void store(const struct rhw_output_raster *output, void *row, size_t index, float value)
+static void store(const struct cli_output_raster *output, void *row, size_t index, float value)
 {
     if (output->raster.bits == 8) {
         ((uint8_t *)row)[index] =
@@ -138,7 +139,7 @@ static void store(const struct rhw_output_raster *output, void *row, size_t inde
 // Nearest white, farthest dark grey, nothing black.
 static void grey_row(const void *user, int y, void *row)
 {
-    const struct rhw_output_raster *output = user;
+    const struct cli_output_raster *output = user;
     const float *from = output->floats + (size_t)y * (size_t)output->raster.width;
     for (size_t x = 0; x < (size_t)output->raster.width; x++) {
         const bool nothing = output->pictures->depth == output->floats ? from[x] >= 1.0f : !isfinite(from[x]);
@@ -148,7 +149,7 @@ static void grey_row(const void *user, int y, void *row)
 
 static void vector_row(const void *user, int y, void *row)
 {
-    const struct rhw_output_raster *output = user;
+    const struct cli_output_raster *output = user;
     const float *from = output->floats + (size_t)y * (size_t)output->raster.width * 4;
     for (size_t x = 0; x < (size_t)output->raster.width; x++, from += 4) {
         for (size_t i = 0; i < 3; i++) {
@@ -160,7 +161,7 @@ static void vector_row(const void *user, int y, void *row)
 
 static void uv_row(const void *user, int y, void *row)
 {
-    const struct rhw_output_raster *output = user;
+    const struct cli_output_raster *output = user;
     const float *from = output->floats + (size_t)y * (size_t)output->raster.width * 4;
     for (size_t x = 0; x < (size_t)output->raster.width; x++, from += 4) {
         for (size_t i = 0; i < 3; i++) {
@@ -180,7 +181,7 @@ static uint32_t scatter(uint32_t id)
 
 static void id_row(const void *user, int y, void *row)
 {
-    const struct rhw_output_raster *output = user;
+    const struct cli_output_raster *output = user;
     const uint32_t *from = output->ids + (size_t)y * (size_t)output->raster.width;
     for (size_t x = 0; x < (size_t)output->raster.width; x++) {
         const uint32_t bits = scatter(from[x]);
@@ -192,7 +193,7 @@ static void id_row(const void *user, int y, void *row)
 }
 
 // Range of the values that show something; an empty picture gives 0..1.
-static void find_range(const struct rhw_output_raster *output, float *least, float *most)
+static void find_range(const struct cli_output_raster *output, float *least, float *most)
 {
     const size_t count = (size_t)output->raster.width * (size_t)output->raster.height;
     const bool is_depth = output->floats == output->pictures->depth;
@@ -212,7 +213,7 @@ static void find_range(const struct rhw_output_raster *output, float *least, flo
     }
 }
 
-static void set_grey(struct rhw_output_raster *output, const char *name)
+static void set_grey(struct cli_output_raster *output, const char *name)
 {
     float least, most;
     find_range(output, &least, &most);
@@ -225,7 +226,7 @@ static void set_grey(struct rhw_output_raster *output, const char *name)
              (double)most);
 }
 
-static void set_vector(struct rhw_output_raster *output, const float *floats, const float low[3],
+static void set_vector(struct cli_output_raster *output, const float *floats, const float low[3],
                        const float high[3])
 {
     output->floats = floats;
@@ -239,7 +240,7 @@ static void set_vector(struct rhw_output_raster *output, const float *floats, co
              (double)low[1], (double)high[1], (double)low[2], (double)high[2]);
 }
 
-static void set_color(struct rhw_output_raster *output, bool transparent)
+static void set_color(struct cli_output_raster *output, bool transparent)
 {
     output->raster.channels = transparent ? 4 : 3;
     output->raster.srgb = true;
@@ -248,20 +249,20 @@ static void set_color(struct rhw_output_raster *output, bool transparent)
                                                    : opaque_color_row;
 }
 
-static void set_ids(struct rhw_output_raster *output, const uint32_t *ids)
+static void set_ids(struct cli_output_raster *output, const uint32_t *ids)
 {
     output->ids = ids;
     output->raster.row = id_row;
 }
 
-void rhw_output_rasterize(struct rhw_output_raster *output, const struct rhw_pictures *pictures,
-                          enum rhw_output_kind kind, int bits, bool transparent, const float bounds_min[3],
+void cli_output_rasterize(struct cli_output_raster *output, const struct scene_pictures *pictures,
+                          enum cli_output_kind kind, int bits, bool transparent, const float bounds_min[3],
                           const float bounds_max[3])
 {
     static const float minus_one[3] = {-1, -1, -1}, zero[3] = {0, 0, 0}, one[3] = {1, 1, 1};
-    *output = (struct rhw_output_raster){.pictures = pictures};
-    const bool grey = kind == RHW_KIND_DEPTH || kind == RHW_KIND_DISTANCE;
-    output->raster = (struct rhw_raster){.width = pictures->width,
+    *output = (struct cli_output_raster){.pictures = pictures};
+    const bool grey = kind == CLI_KIND_DEPTH || kind == CLI_KIND_DISTANCE;
+    output->raster = (struct cli_raster){.width = pictures->width,
                                          .height = pictures->height,
                                          .channels = 3,
                                          .bits = bits   ? bits
@@ -269,35 +270,35 @@ void rhw_output_rasterize(struct rhw_output_raster *output, const struct rhw_pic
                                                         : 8,
                                          .user = output};
     switch (kind) {
-    case RHW_KIND_COLOR: set_color(output, transparent); break;
-    case RHW_KIND_DEPTH:
+    case CLI_KIND_COLOR: set_color(output, transparent); break;
+    case CLI_KIND_DEPTH:
         output->floats = pictures->depth;
         set_grey(output, "NDC depth");
         break;
-    case RHW_KIND_DISTANCE:
+    case CLI_KIND_DISTANCE:
         output->floats = pictures->distance;
         set_grey(output, "distance along the view");
         break;
-    case RHW_KIND_NORMAL: set_vector(output, pictures->normal, minus_one, one); break;
-    case RHW_KIND_POSITION: set_vector(output, pictures->position, bounds_min, bounds_max); break;
-    case RHW_KIND_UV:
+    case CLI_KIND_NORMAL: set_vector(output, pictures->normal, minus_one, one); break;
+    case CLI_KIND_POSITION: set_vector(output, pictures->position, bounds_min, bounds_max); break;
+    case CLI_KIND_UV:
         output->floats = pictures->uv;
         output->raster.row = uv_row;
         break;
-    case RHW_KIND_OBJECT: set_ids(output, pictures->object); break;
-    case RHW_KIND_TRIANGLE: set_ids(output, pictures->triangle); break;
-    case RHW_KIND_BARY:
-    case RHW_KIND_COUNT: set_vector(output, pictures->barycentric, zero, one); break;
+    case CLI_KIND_OBJECT: set_ids(output, pictures->object); break;
+    case CLI_KIND_TRIANGLE: set_ids(output, pictures->triangle); break;
+    case CLI_KIND_BARY:
+    case CLI_KIND_COUNT: set_vector(output, pictures->barycentric, zero, one); break;
     }
 }
 
 // EXR -----------------------------------------------------------------------------------------------
 
-static int add_channels(struct rhw_exr_channel *channels, int count, const char *const *channel_names,
+static int add_channels(struct cli_exr_channel *channels, int count, const char *const *channel_names,
                         int added, const void *pixels, bool integer, int pixel_stride)
 {
     for (int i = 0; i < added; i++) {
-        channels[count + i] = (struct rhw_exr_channel){.name = channel_names[i],
+        channels[count + i] = (struct cli_exr_channel){.name = channel_names[i],
                                                        .integer = integer,
                                                        .first = (const uint8_t *)pixels + 4 * i,
                                                        .pixel_stride = pixel_stride};
@@ -305,8 +306,8 @@ static int add_channels(struct rhw_exr_channel *channels, int count, const char 
     return count + added;
 }
 
-int rhw_outputs_exr_channels(const struct rhw_pictures *pictures, unsigned kinds,
-                             struct rhw_exr_channel channels[RHW_EXR_CHANNELS_MAX])
+int cli_outputs_exr_channels(const struct scene_pictures *pictures, unsigned kinds,
+                             struct cli_exr_channel channels[CLI_EXR_CHANNELS_MAX])
 {
     const struct {
         const char *names[4];
@@ -314,20 +315,20 @@ int rhw_outputs_exr_channels(const struct rhw_pictures *pictures, unsigned kinds
         const void *pixels;
         bool integer;
         int pixel_stride;
-    } layers[RHW_KIND_COUNT] = {
-        [RHW_KIND_COLOR] = {{"R", "G", "B", "A"}, 4, pictures->linear, false, 16},
-        [RHW_KIND_DEPTH] = {{"depth.Z"}, 1, pictures->depth, false, 4},
-        [RHW_KIND_DISTANCE] = {{"distance.Z"}, 1, pictures->distance, false, 4},
-        [RHW_KIND_NORMAL] = {{"normal.X", "normal.Y", "normal.Z", "normal.A"}, 4, pictures->normal, false, 16},
-        [RHW_KIND_POSITION] =
+    } layers[CLI_KIND_COUNT] = {
+        [CLI_KIND_COLOR] = {{"R", "G", "B", "A"}, 4, pictures->linear, false, 16},
+        [CLI_KIND_DEPTH] = {{"depth.Z"}, 1, pictures->depth, false, 4},
+        [CLI_KIND_DISTANCE] = {{"distance.Z"}, 1, pictures->distance, false, 4},
+        [CLI_KIND_NORMAL] = {{"normal.X", "normal.Y", "normal.Z", "normal.A"}, 4, pictures->normal, false, 16},
+        [CLI_KIND_POSITION] =
             {{"position.X", "position.Y", "position.Z", "position.A"}, 4, pictures->position, false, 16},
-        [RHW_KIND_UV] = {{"uv.U", "uv.V"}, 2, pictures->uv, false, 16},
-        [RHW_KIND_OBJECT] = {{"object.id"}, 1, pictures->object, true, 4},
-        [RHW_KIND_TRIANGLE] = {{"triangle.id"}, 1, pictures->triangle, true, 4},
-        [RHW_KIND_BARY] = {{"bary.a", "bary.b", "bary.c"}, 3, pictures->barycentric, false, 16},
+        [CLI_KIND_UV] = {{"uv.U", "uv.V"}, 2, pictures->uv, false, 16},
+        [CLI_KIND_OBJECT] = {{"object.id"}, 1, pictures->object, true, 4},
+        [CLI_KIND_TRIANGLE] = {{"triangle.id"}, 1, pictures->triangle, true, 4},
+        [CLI_KIND_BARY] = {{"bary.a", "bary.b", "bary.c"}, 3, pictures->barycentric, false, 16},
     };
     int count = 0;
-    for (int kind = 0; kind < RHW_KIND_COUNT; kind++) {
+    for (int kind = 0; kind < CLI_KIND_COUNT; kind++) {
         if (kinds >> kind & 1) {
             count = add_channels(channels, count, layers[kind].names, layers[kind].count, layers[kind].pixels,
                                  layers[kind].integer, layers[kind].pixel_stride);

@@ -1,37 +1,37 @@
 // SPDX-License-Identifier: MIT
 // What one `rhw render` is asked to do, as its command line says; and what it measured while doing it.
-#ifndef RHW_RENDER_JOB_H
-#define RHW_RENDER_JOB_H
+#ifndef CLI_RENDER_JOB_H
+#define CLI_RENDER_JOB_H
 
 #include "outputs.h"
 
-enum rhw_camera_choice {
-    RHW_CAMERA_AUTO,  ///< the file's first camera, or else fitted
-    RHW_CAMERA_FIT,   ///< fitted from the default angle
-    RHW_CAMERA_ORBIT, ///< fitted from a given angle
-    RHW_CAMERA_LOOK,  ///< eye, target, up, fovy
-    RHW_CAMERA_INDEX, ///< a camera of the file
-    RHW_CAMERA_NAME
+enum cli_camera_choice {
+    CLI_CAMERA_AUTO,  ///< the file's first camera, or else fitted
+    CLI_CAMERA_FIT,   ///< fitted from the default angle
+    CLI_CAMERA_ORBIT, ///< fitted from a given angle
+    CLI_CAMERA_LOOK,  ///< eye, target, up, fovy
+    CLI_CAMERA_INDEX, ///< a camera of the file
+    CLI_CAMERA_NAME
 };
 
-struct rhw_render_job {
+struct cli_render_job {
     const char *model_path, *out;
-    enum rhw_picture_format format;
+    enum cli_picture_format format;
     int width, height, samples;
-    enum rhw_camera_choice camera;
+    enum cli_camera_choice camera;
     const char *camera_option; ///< the option that chose it, for messages
-    struct rhw_orbit orbit;
+    struct scene_orbit orbit;
     float look[10];
     int camera_index;
     const char *camera_name;
     float fovy; ///< degrees, of a fitted camera; 0: default
     enum rhw_qualifier interpolate;
-    enum rhw_wireframe wireframe;
-    enum rhw_background background;
+    enum scene_wireframe wireframe;
+    enum scene_background background;
     uint8_t background_color[3];
     bool default_lights, quiet;
     float exposure;
-    unsigned kinds; ///< set of 1 << enum rhw_output_kind
+    unsigned kinds; ///< set of 1 << enum cli_output_kind
     int bits;       ///< 0: as the output wants
     int threads;
     enum rhw_isa isa; ///< RHW_ISA_COUNT: the best
@@ -39,15 +39,15 @@ struct rhw_render_job {
     const char *stats_path; ///< "-": standard output
 };
 
-struct rhw_render_times {
+struct cli_render_times {
     double import_ms, encode_ms, total_ms;
 };
 
 /// Fills the job from the command line. True to go on; else `*status` is what to return.
-bool rhw_render_job_parse(struct rhw_render_job *job, int argc, char **argv, int *status);
+bool cli_render_job_parse(struct cli_render_job *job, int argc, char **argv, int *status);
 
 /// Writes what --stats promises. Reports failure.
-bool rhw_render_report(const struct rhw_render_job *job, const struct rhw_model *model,
-                       const struct rhw_draw_stats *stats, const struct rhw_render_times *times);
+bool cli_render_report(const struct cli_render_job *job, const struct scene_model *model,
+                       const struct scene_draw_stats *stats, const struct cli_render_times *times);
 
 #endif

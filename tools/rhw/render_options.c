@@ -32,7 +32,7 @@ enum {
     OPTION_STATS
 };
 
-static const struct rhw_tool_option options[] = {
+static const struct cli_option options[] = {
     {"out", OPTION_OUT, "OUT", "the file to write: .png, .exr or .ppm; '-' is standard output"},
     {"size", OPTION_SIZE, "WxH", "pixels, each way 1..16384; default 1280x720"},
     {"samples", OPTION_SAMPLES, "N", "samples per pixel of the colour: 1, 4, 9 or 16; default 1"},
@@ -94,7 +94,7 @@ static const char notes[] =
     "A file appears whole or not at all.\n\n"
     "Exit status: 0, 1 when the work failed, 2 for a wrong command line.";
 
-static const struct rhw_tool_verb verb = {
+static const struct cli_verb verb = {
     .name = "render",
     .operands = "MODEL -o OUT",
     .summary = "Draws a model file (glTF, OBJ, PLY, STL, FBX, 3DS, Collada and more) and writes the picture.",
@@ -103,10 +103,10 @@ static const struct rhw_tool_verb verb = {
     .notes = notes,
 };
 
-static bool choose_camera(struct rhw_render_job *job, enum rhw_camera_choice choice, const char *option)
+static bool choose_camera(struct cli_render_job *job, enum cli_camera_choice choice, const char *option)
 {
-    if (job->camera != RHW_CAMERA_AUTO && job->camera != choice) {
-        rhw_tool_error(option, "cannot be together with %s", job->camera_option);
+    if (job->camera != CLI_CAMERA_AUTO && job->camera != choice) {
+        cli_error(option, "cannot be together with %s", job->camera_option);
         return false;
     }
     job->camera = choice;
@@ -117,7 +117,7 @@ static bool choose_camera(struct rhw_render_job *job, enum rhw_camera_choice cho
 // The position of `argument` among `names` or a line that lists them.
 static int choose(const char *option, const char *argument, const char *const *names, int count)
 {
-    const int found = rhw_tool_parse_name(argument, names, count);
+    const int found = cli_parse_name(argument, names, count);
     if (found >= 0) {
         return found;
     }
@@ -126,7 +126,7 @@ static int choose(const char *option, const char *argument, const char *const *n
         strcat(list, i == 0 ? "" : i + 1 < count ? ", " : " or ");
         strcat(list, names[i]);
     }
-    rhw_tool_error(option, "'%s' is not %s", argument, list);
+    cli_error(option, "'%s' is not %s", argument, list);
     return -1;
 }
 
@@ -134,14 +134,14 @@ static int choose(const char *option, const char *argument, const char *const *n
 static void refuse_output(const char *bad)
 {
     char list[128] = "";
-    for (int kind = 0; kind < RHW_KIND_COUNT; kind++) {
-        strcat(list, rhw_output_name((enum rhw_output_kind)kind));
+    for (int kind = 0; kind < CLI_KIND_COUNT; kind++) {
+        strcat(list, cli_output_name((enum cli_output_kind)kind));
         strcat(list, ", ");
     }
-    rhw_tool_error("--output", "'%.*s' is no output; there are %sall", (int)strcspn(bad, ","), bad, list);
+    cli_error("--output", "'%.*s' is no output; there are %sall", (int)strcspn(bad, ","), bad, list);
 }
 
-static bool parse_isa(struct rhw_render_job *job, const char *argument)
+static bool parse_isa(struct cli_render_job *job, const char *argument)
 {
     const char *names[RHW_ISA_COUNT];
     for (int isa = 0; isa < RHW_ISA_COUNT; isa++) {
@@ -155,98 +155,98 @@ static bool parse_isa(struct rhw_render_job *job, const char *argument)
     return true;
 }
 
-static bool parse_background(struct rhw_render_job *job, const char *argument)
+static bool parse_background(struct cli_render_job *job, const char *argument)
 {
-    job->background = RHW_BACKGROUND_COLOR;
+    job->background = SCENE_BACKGROUND_COLOR;
     if (strcmp(argument, "transparent") == 0) {
-        job->background = RHW_BACKGROUND_TRANSPARENT;
+        job->background = SCENE_BACKGROUND_TRANSPARENT;
     } else if (strcmp(argument, "default") == 0) {
-        job->background = RHW_BACKGROUND_DEFAULT;
-    } else if (!rhw_tool_parse_color(argument, job->background_color)) {
-        rhw_tool_error("--background",
-                       "'%s' is not a colour (rrggbb, black, grey, white), transparent or default", argument);
+        job->background = SCENE_BACKGROUND_DEFAULT;
+    } else if (!cli_parse_color(argument, job->background_color)) {
+        cli_error("--background", "'%s' is not a colour (rrggbb, black, grey, white), transparent or default",
+                  argument);
         return false;
     }
     return true;
 }
 
-static bool parse_camera_option(struct rhw_render_job *job, int id, const char *argument)
+static bool parse_camera_option(struct cli_render_job *job, int id, const char *argument)
 {
     float angles[2];
     switch (id) {
     case OPTION_CAMERA:
-        if (rhw_tool_parse_floats(argument, 10, job->look)) {
-            return choose_camera(job, RHW_CAMERA_LOOK, "--camera");
+        if (cli_parse_floats(argument, 10, job->look)) {
+            return choose_camera(job, CLI_CAMERA_LOOK, "--camera");
         }
-        rhw_tool_error("--camera",
-                       "'%s' is not ten numbers: eye, target, up (x,y,z each) and fovy in degrees", argument);
+        cli_error("--camera", "'%s' is not ten numbers: eye, target, up (x,y,z each) and fovy in degrees",
+                  argument);
         return false;
     case OPTION_ORBIT:
-        if (!rhw_tool_parse_floats(argument, 2, angles)) {
-            rhw_tool_error("--orbit", "'%s' is not two angles in degrees: azimuth,elevation", argument);
+        if (!cli_parse_floats(argument, 2, angles)) {
+            cli_error("--orbit", "'%s' is not two angles in degrees: azimuth,elevation", argument);
             return false;
         }
-        job->orbit = (struct rhw_orbit){angles[0], angles[1]};
-        return choose_camera(job, RHW_CAMERA_ORBIT, "--orbit");
+        job->orbit = (struct scene_orbit){angles[0], angles[1]};
+        return choose_camera(job, CLI_CAMERA_ORBIT, "--orbit");
     case OPTION_CAMERA_INDEX:
-        if (rhw_tool_parse_int(argument, 0, 1 << 20, &job->camera_index)) {
-            return choose_camera(job, RHW_CAMERA_INDEX, "--camera-index");
+        if (cli_parse_int(argument, 0, 1 << 20, &job->camera_index)) {
+            return choose_camera(job, CLI_CAMERA_INDEX, "--camera-index");
         }
-        rhw_tool_error("--camera-index", "'%s' is not a number from 0", argument);
+        cli_error("--camera-index", "'%s' is not a number from 0", argument);
         return false;
     case OPTION_CAMERA_NAME:
         job->camera_name = argument;
-        return choose_camera(job, RHW_CAMERA_NAME, "--camera-name");
+        return choose_camera(job, CLI_CAMERA_NAME, "--camera-name");
     case OPTION_FOVY:
-        if (rhw_tool_parse_float(argument, &job->fovy) && job->fovy >= 0.01f && job->fovy <= 179.0f) {
+        if (cli_parse_float(argument, &job->fovy) && job->fovy >= 0.01f && job->fovy <= 179.0f) {
             return true;
         }
-        rhw_tool_error("--fovy", "'%s' is not an angle of 0.01 to 179 degrees", argument);
+        cli_error("--fovy", "'%s' is not an angle of 0.01 to 179 degrees", argument);
         return false;
     default: // fit: --orbit fits as well
-        return job->camera == RHW_CAMERA_ORBIT || choose_camera(job, RHW_CAMERA_FIT, "--fit");
+        return job->camera == CLI_CAMERA_ORBIT || choose_camera(job, CLI_CAMERA_FIT, "--fit");
     }
 }
 
-static bool parse_picture_option(struct rhw_render_job *job, int id, const char *argument)
+static bool parse_picture_option(struct cli_render_job *job, int id, const char *argument)
 {
     static const char *const formats[] = {"png", "exr", "ppm"};
     const char *bad;
     int format;
     switch (id) {
     case OPTION_SIZE:
-        if (rhw_tool_parse_size(argument, &job->width, &job->height)) {
+        if (cli_parse_size(argument, &job->width, &job->height)) {
             return true;
         }
-        rhw_tool_error("--size", "'%s' is not WxH with both 1..%d", argument, RHW_MAX_TARGET_SIZE);
+        cli_error("--size", "'%s' is not WxH with both 1..%d", argument, RHW_MAX_TARGET_SIZE);
         return false;
     case OPTION_SAMPLES:
-        if (rhw_tool_parse_int(argument, 1, 16, &job->samples) &&
+        if (cli_parse_int(argument, 1, 16, &job->samples) &&
             (job->samples == 1 || job->samples == 4 || job->samples == 9 || job->samples == 16)) {
             return true;
         }
-        rhw_tool_error("--samples", "'%s' is not 1, 4, 9 or 16", argument);
+        cli_error("--samples", "'%s' is not 1, 4, 9 or 16", argument);
         return false;
     case OPTION_OUTPUT:
-        if (rhw_outputs_parse(argument, &job->kinds, &bad)) {
+        if (cli_outputs_parse(argument, &job->kinds, &bad)) {
             return true;
         }
         refuse_output(bad);
         return false;
     case OPTION_BITS:
-        if (rhw_tool_parse_int(argument, 8, 16, &job->bits) && (job->bits == 8 || job->bits == 16)) {
+        if (cli_parse_int(argument, 8, 16, &job->bits) && (job->bits == 8 || job->bits == 16)) {
             return true;
         }
-        rhw_tool_error("--bits", "'%s' is not 8 or 16", argument);
+        cli_error("--bits", "'%s' is not 8 or 16", argument);
         return false;
     default:
         format = choose("--format", argument, formats, 3);
-        job->format = (enum rhw_picture_format)format;
+        job->format = (enum cli_picture_format)format;
         return format >= 0;
     }
 }
 
-static bool parse_look_option(struct rhw_render_job *job, int id, const char *argument)
+static bool parse_look_option(struct cli_render_job *job, int id, const char *argument)
 {
     static const char *const qualifiers[] = {"smooth", "noperspective"},
                              *const wireframes[] = {"over", "plain"}, *const lights[] = {"file", "default"};
@@ -258,24 +258,23 @@ static bool parse_look_option(struct rhw_render_job *job, int id, const char *ar
         return choice >= 0;
     case OPTION_WIREFRAME:
         choice = argument ? choose("--wireframe", argument, wireframes, 2) : 0;
-        job->wireframe = choice == 1 ? RHW_WIREFRAME_PLAIN : RHW_WIREFRAME_OVER;
+        job->wireframe = choice == 1 ? SCENE_WIREFRAME_PLAIN : SCENE_WIREFRAME_OVER;
         return choice >= 0;
     case OPTION_LIGHTS:
         choice = choose("--lights", argument, lights, 2);
         job->default_lights = choice == 1;
         return choice >= 0;
     case OPTION_EXPOSURE:
-        if (rhw_tool_parse_float(argument, &job->exposure) && job->exposure >= -20.0f &&
-            job->exposure <= 20.0f) {
+        if (cli_parse_float(argument, &job->exposure) && job->exposure >= -20.0f && job->exposure <= 20.0f) {
             return true;
         }
-        rhw_tool_error("--exposure", "'%s' is not a number of -20 to 20", argument);
+        cli_error("--exposure", "'%s' is not a number of -20 to 20", argument);
         return false;
     default: return parse_background(job, argument);
     }
 }
 
-static bool parse_option(struct rhw_render_job *job, int id, const char *argument)
+static bool parse_option(struct cli_render_job *job, int id, const char *argument)
 {
     switch (id) {
     case OPTION_OUT: job->out = argument; return true;
@@ -286,10 +285,10 @@ static bool parse_option(struct rhw_render_job *job, int id, const char *argumen
         return true;
     case OPTION_ISA: return parse_isa(job, argument);
     case OPTION_THREADS:
-        if (rhw_tool_parse_int(argument, 1, RHW_MAX_THREADS, &job->threads)) {
+        if (cli_parse_int(argument, 1, RHW_MAX_THREADS, &job->threads)) {
             return true;
         }
-        rhw_tool_error("--threads", "'%s' is not a number of 1 to %d", argument, RHW_MAX_THREADS);
+        cli_error("--threads", "'%s' is not a number of 1 to %d", argument, RHW_MAX_THREADS);
         return false;
     case OPTION_CAMERA:
     case OPTION_ORBIT:
@@ -306,73 +305,73 @@ static bool parse_option(struct rhw_render_job *job, int id, const char *argumen
     }
 }
 
-static bool check_together(struct rhw_render_job *job)
+static bool check_together(struct cli_render_job *job)
 {
     if (!job->out) {
-        rhw_tool_error("render", "-o OUT is missing: where should the picture go?");
+        cli_error("render", "-o OUT is missing: where should the picture go?");
         return false;
     }
     const bool to_stdout = strcmp(job->out, "-") == 0;
-    if (job->format == RHW_PICTURE_UNKNOWN) {
-        job->format = to_stdout ? RHW_PICTURE_PNG : rhw_picture_format_of(job->out);
+    if (job->format == CLI_PICTURE_UNKNOWN) {
+        job->format = to_stdout ? CLI_PICTURE_PNG : cli_picture_format_of(job->out);
     }
-    if (job->format == RHW_PICTURE_UNKNOWN) {
-        rhw_tool_error(job->out, "no format for this ending; name it .png, .exr or .ppm, or give --format");
+    if (job->format == CLI_PICTURE_UNKNOWN) {
+        cli_error(job->out, "no format for this ending; name it .png, .exr or .ppm, or give --format");
         return false;
     }
     if (to_stdout && job->stats && strcmp(job->stats_path, "-") == 0) {
-        rhw_tool_error("--stats", "standard output takes the picture already; give --stats=FILE");
+        cli_error("--stats", "standard output takes the picture already; give --stats=FILE");
         return false;
     }
-    if (to_stdout && job->format != RHW_PICTURE_EXR && (job->kinds & (job->kinds - 1))) {
-        rhw_tool_error("--output", "standard output takes one output only");
+    if (to_stdout && job->format != CLI_PICTURE_EXR && (job->kinds & (job->kinds - 1))) {
+        cli_error("--output", "standard output takes one output only");
         return false;
     }
-    if (job->background == RHW_BACKGROUND_TRANSPARENT && job->format == RHW_PICTURE_PPM) {
-        rhw_tool_error("--background", "a PPM file cannot be transparent");
+    if (job->background == SCENE_BACKGROUND_TRANSPARENT && job->format == CLI_PICTURE_PPM) {
+        cli_error("--background", "a PPM file cannot be transparent");
         return false;
     }
-    if (job->bits && job->format == RHW_PICTURE_EXR) {
-        rhw_tool_error("--bits", "an EXR file always holds 32 bits per sample");
+    if (job->bits && job->format == CLI_PICTURE_EXR) {
+        cli_error("--bits", "an EXR file always holds 32 bits per sample");
         return false;
     }
     const int side = job->samples == 16 ? 4 : job->samples == 9 ? 3 : job->samples == 4 ? 2 : 1;
     if (job->width * side > RHW_MAX_TARGET_SIZE || job->height * side > RHW_MAX_TARGET_SIZE) {
-        rhw_tool_error("--samples", "%d are too many for %dx%d: %d times each must not exceed %d",
-                       job->samples, job->width, job->height, side, RHW_MAX_TARGET_SIZE);
+        cli_error("--samples", "%d are too many for %dx%d: %d times each must not exceed %d", job->samples,
+                  job->width, job->height, side, RHW_MAX_TARGET_SIZE);
         return false;
     }
-    const bool fitted = job->camera <= RHW_CAMERA_ORBIT;
+    const bool fitted = job->camera <= CLI_CAMERA_ORBIT;
     if (job->fovy > 0.0f && !fitted) {
-        rhw_tool_error("--fovy", "cannot be together with %s", job->camera_option);
+        cli_error("--fovy", "cannot be together with %s", job->camera_option);
         return false;
     }
     return true;
 }
 
-bool rhw_render_job_parse(struct rhw_render_job *job, int argc, char **argv, int *status)
+bool cli_render_job_parse(struct cli_render_job *job, int argc, char **argv, int *status)
 {
-    *job = (struct rhw_render_job){.format = RHW_PICTURE_UNKNOWN,
+    *job = (struct cli_render_job){.format = CLI_PICTURE_UNKNOWN,
                                    .width = 1280,
                                    .height = 720,
                                    .samples = 1,
                                    .interpolate = RHW_SMOOTH,
-                                   .kinds = 1u << RHW_KIND_COLOR,
+                                   .kinds = 1u << CLI_KIND_COLOR,
                                    .isa = RHW_ISA_COUNT};
-    struct rhw_tool_parser parser;
-    rhw_tool_parser_start(&parser, &verb, argc, argv);
-    *status = RHW_TOOL_USAGE;
+    struct cli_parser parser;
+    cli_parser_start(&parser, &verb, argc, argv);
+    *status = CLI_USAGE;
     int id;
-    while ((id = rhw_tool_parser_next(&parser)) > 0) {
+    while ((id = cli_parser_next(&parser)) > 0) {
         if (!parse_option(job, id, parser.argument)) {
             return false;
         }
     }
-    if (id == RHW_TOOL_OPTION_STOP) {
+    if (id == CLI_OPTION_STOP) {
         *status = parser.status;
         return false;
     }
-    if (!rhw_tool_parser_operands(&parser, 1, 1) || !check_together(job)) {
+    if (!cli_parser_operands(&parser, 1, 1) || !check_together(job)) {
         return false;
     }
     job->model_path = parser.operands[0];

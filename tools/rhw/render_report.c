@@ -18,16 +18,16 @@ static uint64_t process_memory_peak(void)
 static void print_outputs(FILE *stream, unsigned kinds)
 {
     const char *separator = "";
-    for (int kind = 0; kind < RHW_KIND_COUNT; kind++) {
+    for (int kind = 0; kind < CLI_KIND_COUNT; kind++) {
         if (kinds >> kind & 1) {
-            fprintf(stream, "%s\"%s\"", separator, rhw_output_name((enum rhw_output_kind)kind));
+            fprintf(stream, "%s\"%s\"", separator, cli_output_name((enum cli_output_kind)kind));
             separator = ", ";
         }
     }
 }
 
-static void print_times(FILE *stream, const struct rhw_draw_stats *stats,
-                        const struct rhw_render_times *times)
+static void print_times(FILE *stream, const struct scene_draw_stats *stats,
+                        const struct cli_render_times *times)
 {
     const struct rhw_stats *pipeline = &stats->pipeline;
     fprintf(stream,
@@ -44,15 +44,15 @@ static void print_times(FILE *stream, const struct rhw_draw_stats *stats,
             pipeline->back_busy_ms);
 }
 
-static void print_report(FILE *stream, const struct rhw_render_job *job, const struct rhw_model *model,
-                         const struct rhw_draw_stats *stats, const struct rhw_render_times *times)
+static void print_report(FILE *stream, const struct cli_render_job *job, const struct scene_model *model,
+                         const struct scene_draw_stats *stats, const struct cli_render_times *times)
 {
     const struct rhw_stats *pipeline = &stats->pipeline;
     const double lanes = (double)pipeline->fragment_groups * 8.0;
     fputs("{\n  \"model\": ", stream);
-    rhw_json_string(stream, job->model_path);
+    cli_json_string(stream, job->model_path);
     fputs(",\n  \"model_format\": ", stream);
-    rhw_json_string(stream, model->format);
+    cli_json_string(stream, model->format);
     fprintf(stream, ",\n  \"width\": %d,\n  \"height\": %d,\n  \"samples\": %d,\n  \"outputs\": [",
             job->width, job->height, job->samples);
     print_outputs(stream, job->kinds);
@@ -79,21 +79,21 @@ static void print_report(FILE *stream, const struct rhw_render_job *job, const s
             pipeline->geometry_peak, pipeline->memory_peak, process_memory_peak());
 }
 
-bool rhw_render_report(const struct rhw_render_job *job, const struct rhw_model *model,
-                       const struct rhw_draw_stats *stats, const struct rhw_render_times *times)
+bool cli_render_report(const struct cli_render_job *job, const struct scene_model *model,
+                       const struct scene_draw_stats *stats, const struct cli_render_times *times)
 {
     if (strcmp(job->stats_path, "-") == 0) {
         print_report(stdout, job, model, stats, times);
         return true; // main reports what cannot be written to standard output
     }
-    struct rhw_output_file file;
-    if (!rhw_output_file_open(&file, job->stats_path)) {
+    struct cli_output_file file;
+    if (!cli_output_file_open(&file, job->stats_path)) {
         return false;
     }
     print_report(file.stream, job, model, stats, times);
-    const bool written = rhw_output_file_finish(&file) && rhw_output_file_commit(&file);
+    const bool written = cli_output_file_finish(&file) && cli_output_file_commit(&file);
     if (!written) {
-        rhw_output_file_discard(&file);
+        cli_output_file_discard(&file);
     }
     return written;
 }
