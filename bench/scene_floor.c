@@ -27,8 +27,8 @@ static const struct scene_camera camera = {
     .zfar = 100.0,
 };
 
-// Floors at distances 2.0 to 0.6 below the eye; a corner is where the ray through it meets the floor.
-static void place_corners(struct bench_mesh *mesh, int layer, double aspect)
+// Floors at distances 2.0 to 0.6 below the eye; a vertex is where the ray of a corner of the picture meets the floor.
+static void place_vertices(struct bench_mesh *mesh, int layer, double aspect)
 {
     const double depth = 2.0 - 0.2 * layer, t = tan(0.5 * yfov) * overlap;
     const uint32_t stride = bench_mesh_stride(mesh);
@@ -52,8 +52,8 @@ static void place_corners(struct bench_mesh *mesh, int layer, double aspect)
             *to++ = 0.25f + 0.15f * (float)i; // opacity, where it is blended
         }
     }
-    static const uint32_t corners[6] = {0, 1, 3, 0, 3, 2};
-    memcpy(mesh->indices, corners, sizeof corners);
+    static const uint32_t indices[6] = {0, 1, 3, 0, 3, 2};
+    memcpy(mesh->indices, indices, sizeof indices);
 }
 
 // Blending rounds to 8 bits after each of 8 layers, and the peer weighs in 8 bits too; it takes one level of
@@ -100,7 +100,7 @@ bool bench_make_floor(const struct bench_scene_entry *entry, struct bench_scene 
         if (!bench_mesh_allocate(mesh, 4, 6)) {
             return false;
         }
-        place_corners(mesh, i, aspect);
+        place_vertices(mesh, i, aspect);
         struct bench_draw *const draw = &scene->draws[i];
         *draw = (struct bench_draw){.shader = shader,
                                     .mesh = (uint32_t)i,

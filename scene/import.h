@@ -30,7 +30,7 @@ struct scene_import {
     struct scene_import_source *sources; // one per image
     uint32_t source_count;
     const char *directory; // of the model file, with a trailing slash; "" for the current one
-    FILE *output;          // what the parent reads
+    FILE *reply;           // what the parent reads
 };
 
 /// Sends one line to the parent and ends the process.

@@ -22,7 +22,7 @@ struct field {
     size_t pointer;              // offset of the pointer in its struct
     size_t count;                // offset of the count, a uint32_t or, for bytes, a size_t
     size_t element;              // bytes per element
-    bool wide;                   // the count is a size_t
+    bool count_is_size;          // the count is a size_t
     bool required;               // NULL is no valid value
     const struct layout *layout; // of the elements; NULL: no pointers in them
 };
@@ -92,14 +92,14 @@ static const struct layout model_layout = {COUNT(model_fields), model_fields};
 
 static size_t field_count(const struct field *field, const unsigned char *object)
 {
-    uint32_t narrow;
-    size_t wide;
-    if (field->wide) {
-        memcpy(&wide, object + field->count, sizeof wide);
-        return wide;
+    uint32_t number;
+    size_t size;
+    if (field->count_is_size) {
+        memcpy(&size, object + field->count, sizeof size);
+        return size;
     }
-    memcpy(&narrow, object + field->count, sizeof narrow);
-    return narrow;
+    memcpy(&number, object + field->count, sizeof number);
+    return number;
 }
 
 static const void *field_pointer(const struct field *field, const unsigned char *object)

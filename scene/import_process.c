@@ -34,8 +34,8 @@
 enum {
     DEFAULT_SECONDS = 60,
     WALL_FACTOR = 5, // the wall clock may run this many times longer: a loaded machine is no hang
-    EXIT_MODEL = 0,  // the output holds a model
-    EXIT_MESSAGE = 3 // the output holds one line
+    EXIT_MODEL = 0,  // the reply holds a model
+    EXIT_MESSAGE = 3 // the reply holds one line
 };
 
 static bool sanitized(void)
@@ -62,8 +62,8 @@ _Noreturn void scene_import_fail(struct scene_import *import, const char *format
             *c = '?';
         }
     }
-    fputs(line, import->output);
-    fflush(import->output);
+    fputs(line, import->reply);
+    fflush(import->reply);
     _exit(EXIT_MESSAGE);
 }
 
@@ -144,15 +144,15 @@ static void silence(void)
 
 _Noreturn static void run_child(const char *path, const struct scene_model_limits *limits, int descriptor)
 {
-    struct scene_import import = {.model.path = path, .output = fdopen(descriptor, "wb")};
-    if (import.output == NULL) {
+    struct scene_import import = {.model.path = path, .reply = fdopen(descriptor, "wb")};
+    if (import.reply == NULL) {
         abort();
     }
     restrict_child(limits);
     silence();
     scene_import_run(&import);
-    if (!scene_blob_write(&import.model, import.output)) {
-        rewind(import.output);
+    if (!scene_blob_write(&import.model, import.reply)) {
+        rewind(import.reply);
         if (ftruncate(descriptor, 0) != 0) {
             abort();
         }

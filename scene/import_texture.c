@@ -211,13 +211,13 @@ static bool make_rgba8(struct scene_import *import, struct scene_image *image)
         return image->type == SCENE_IMAGE_RGBA8;
     }
     const size_t values = (size_t)image->width * image->height * 4;
-    const uint16_t *wide = image->texels;
-    uint8_t *narrow = scene_import_allocate(import, values, 1);
+    const uint16_t *from = image->texels;
+    uint8_t *to = scene_import_allocate(import, values, 1);
     for (size_t i = 0; i < values; i++) {
-        narrow[i] = (uint8_t)((wide[i] * 255u + 32767u) / 65535u);
+        to[i] = (uint8_t)((from[i] * 255u + 32767u) / 65535u);
     }
     free(image->texels);
-    image->texels = narrow;
+    image->texels = to;
     image->size = values;
     image->type = SCENE_IMAGE_RGBA8;
     return true;
@@ -263,7 +263,7 @@ static bool is_grey(const struct scene_image *image)
     return true;
 }
 
-// Normals of a height field: central differences, the whole range of heights as high as 4 texels are wide.
+// Normals of a height field: central differences, the whole range of heights as high as 4 texels are broad.
 static void height_to_normals(struct scene_import *import, struct scene_image *image)
 {
     if (image->missing || !make_rgba8(import, image) || !is_grey(image)) {

@@ -138,7 +138,7 @@ struct scene_screen_shaders {
 
 // Attribute 0 of surfaces is the position. Lines and points: 4 vertices per quad, attributes 0 position of
 // this end, 1 position of the other end (lines), then colour and normal where present; vertex_index & 3
-// tells the corner.
+// tells which of the 4.
 void scene_program_surface(struct rhw_program *program, enum scene_vertex_kind vertex,
                            enum scene_fragment_kind fragment);
 void scene_program_screen(struct rhw_program *program, enum scene_screen_kind kind);

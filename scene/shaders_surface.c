@@ -95,7 +95,7 @@ static void surface_vertex(struct rhw_vertex *groups, int count)
     }
 }
 
-// Corners 0 and 1 stand at one end of a line, 2 and 3 at the other; odd corners on its left hand side as
+// Vertices 0 and 1 of a quad stand at one end of a line, 2 and 3 at the other; odd vertices on its left hand side as
 // seen from the first end.
 static void line_vertex(struct rhw_vertex *groups, int count)
 {

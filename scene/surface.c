@@ -73,7 +73,7 @@ static double item_distance(const struct scene_frame *frame, const struct scene_
         }
         distance += place * (double)frame->forward[r];
     }
-    // A box whose corners overflow has no middle; NaN would leave the order to the sort's whim.
+    // A box whose bounds overflow has no middle; NaN would leave the order to the sort's whim.
     return distance - distance == 0.0 ? distance : 0.0;
 }
 

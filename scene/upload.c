@@ -2,7 +2,7 @@
 // Meshes into interleaved buffers, material slots into textures (upload_image.h) and samplers.
 //
 // Lines and points become quads here: 4 vertices each, which carry both ends of their line, so that the
-// vertex function can place the corners on the screen. Quads as vertices take more memory than instances
+// vertex function can place them on the screen. Quads as vertices take more memory than instances
 // would, but instances of 4 vertices leave half of every group of 8 lanes empty.
 #include "upload.h"
 
@@ -116,7 +116,7 @@ static enum rhw_result upload_quads(rhw_context *context, const struct scene_mes
         free(indices);
         return RHW_ERROR_OUT_OF_MEMORY;
     }
-    static const uint32_t corners[6] = {0, 1, 2, 2, 1, 3};
+    static const uint32_t quad[6] = {0, 1, 2, 2, 1, 3};
     for (uint32_t q = 0; q < quads; q++) {
         const uint32_t *ends = &source->indices[q * per_quad];
         for (uint32_t c = 0; c < 4; c++) {
@@ -125,7 +125,7 @@ static enum rhw_result upload_quads(rhw_context *context, const struct scene_mes
                         packed + ((size_t)q * 4 + c) * mesh->stride);
         }
         for (uint32_t i = 0; i < 6; i++) {
-            indices[(size_t)q * 6 + i] = q * 4 + corners[i];
+            indices[(size_t)q * 6 + i] = q * 4 + quad[i];
         }
     }
     enum rhw_result result = create_buffer(context, packed, bytes, &mesh->vertices);
@@ -194,10 +194,10 @@ static void count_triangles(struct scene_upload *upload)
     uint32_t next = 1;
     for (uint32_t i = 0; i < upload->model->instance_count; i++) {
         const struct scene_mesh *mesh = &upload->model->meshes[upload->model->instances[i].mesh];
-        static const uint32_t corners[] = {
+        static const uint32_t vertices[] = {
             [SCENE_PRIMITIVE_TRIANGLES] = 3, [SCENE_PRIMITIVE_LINES] = 2, [SCENE_PRIMITIVE_POINTS] = 1};
         upload->first_triangle[i] = next;
-        next += mesh->index_count / corners[mesh->primitive];
+        next += mesh->index_count / vertices[mesh->primitive];
     }
 }
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Which fragments share a group, whose groups share a call, and what road a triangle takes to them does not show:
+// Which fragments share a group, whose groups share a call, and what path a triangle takes to them does not show:
 // triangles of every size that are drawn together, blending over each other, give the picture of one after the other.
 #include "harness.h"
 
@@ -110,7 +110,7 @@ static void draw_one_by_one(struct rig *rig, const struct rig_vertex *vertices, 
 
 // Every program, with and without a depth test, triangles of every size: pixels, blocks, parts of a tile, several
 // tiles.
-static void compare_roads(enum rhw_format format)
+static void compare_paths(enum rhw_format format)
 {
     static const float extents[] = {1, 2, 4, 9, 25, 70, 400};
     static struct rig_vertex vertices[3 * TRIANGLES];
@@ -145,16 +145,16 @@ static void compare_roads(enum rhw_format format)
 static void test_together_as_one_by_one(void **state)
 {
     (void)state;
-    compare_roads(RHW_FORMAT_RGBA32_FLOAT);
+    compare_paths(RHW_FORMAT_RGBA32_FLOAT);
 }
 
 static void test_the_same_in_8_bits(void **state)
 {
     (void)state;
-    compare_roads(RHW_FORMAT_RGBA8_UNORM);
+    compare_paths(RHW_FORMAT_RGBA8_UNORM);
 }
 
-// Moved by whole pixels, fragments of a triangle come to groups on other roads: their derivatives too are the same to
+// Moved by whole pixels, fragments of a triangle come to groups on other paths: their derivatives too are the same to
 // the bit, and those of a constant have the same sign of zero.
 static void test_moved_triangles(void **state)
 {
@@ -209,7 +209,7 @@ static void draw_in_columns(struct rig *rig, const struct rig_vertex *vertices, 
     rig_end(rig);
 }
 
-// A triangle over whole tiles takes a shorter road than the same triangle drawn in halves of tiles, whose blocks are
+// A triangle over whole tiles takes a shorter path than the same triangle drawn in halves of tiles, whose blocks are
 // whole, and in parts of blocks: opaque, when it is the last of its pixels and nothing before it is drawn, and blended.
 // Where W is the same along a row, or everywhere, it takes a shorter one yet, but for the parts of blocks.
 static void test_whole_tiles(void **state)

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The output merger by itself: conversions against MPFR and over all their inputs, the special roads
+// The output merger by itself: conversions against MPFR and over all their inputs, the special paths
 // against plain formulas, masks byte by byte, and every instruction set against the baseline. What
 // blending means per factor and operation is test_blend's subject.
 #include "harness.h"

@@ -76,7 +76,7 @@ static void sample_all_isas(struct rhw_binding *binding, const rhw_float uv[2], 
 static void random_sampler(uint64_t *random, struct rhw_sampler_def *sampler)
 {
     *sampler = default_sampler();
-    if (rig_random_int(random, 3) == 0) { // the road of RGBA8 stays well used
+    if (rig_random_int(random, 3) == 0) { // the path of RGBA8 stays well used
         sampler->address_u = (enum rhw_address)rig_random_int(random, 3);
         sampler->address_v = (enum rhw_address)rig_random_int(random, 3);
         return;

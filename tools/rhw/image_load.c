@@ -118,26 +118,26 @@ static bool read_ppm_samples(FILE *stream, bool text, int most, enum cli_sample_
     if (!text && fread(memory, sample_size(type), count, stream) != count) {
         return false;
     }
-    uint8_t *narrow = memory;
-    uint16_t *wide = memory;
+    uint8_t *bytes = memory;
+    uint16_t *words = memory;
     for (size_t i = 0; i < count; i++) {
         int value = 0;
         if (text && !read_number(stream, most, &value)) {
             return false;
         }
         if (!text && type == CLI_SAMPLE_U8) {
-            value = narrow[i];
+            value = bytes[i];
         }
         if (!text && type == CLI_SAMPLE_U16) {
-            value = ((const uint8_t *)&wide[i])[0] << 8 | ((const uint8_t *)&wide[i])[1];
+            value = ((const uint8_t *)&words[i])[0] << 8 | ((const uint8_t *)&words[i])[1];
         }
         if (value > most) {
             return false;
         }
         if (type == CLI_SAMPLE_U8) {
-            narrow[i] = (uint8_t)value;
+            bytes[i] = (uint8_t)value;
         } else {
-            wide[i] = (uint16_t)value;
+            words[i] = (uint16_t)value;
         }
     }
     return true;
