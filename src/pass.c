@@ -499,6 +499,9 @@ static const struct rhw_draw_state *snapshot(struct rhw_pass_state *pass)
     state->center_x = (double)state->viewport.x + state->half_width;
     state->center_y = (double)state->viewport.y + state->half_height;
     state->deferral = pass->shades_hidden ? RHW_COMPARE_NEVER : rhw_deferral(state, pass->color_count);
+    if (state->pipeline) {
+        rhw_draw_plans_make(state->plans, state, RHW_PATHS_ALL);
+    }
     pass->current = state;
     pass->pending_changed = false;
     return state;

@@ -12,6 +12,7 @@
 #include "arena.h"
 #include "clean_tiles.h"
 #include "constants.h"
+#include "draw_plan.h"
 #include "output.h"
 #include "pipeline.h"
 #include "rhw/rhw.h"
@@ -37,7 +38,8 @@ struct rhw_draw_state {
     struct rhw_rect scissor; // already within target and viewport
     float blend_constant[4];
     struct output_state outputs[RHW_MAX_COLOR_ATTACHMENTS];
-    enum rhw_compare deferral; // see deferral.h
+    enum rhw_compare deferral;                   // see deferral.h
+    struct rhw_draw_plan plans[RHW_PHASE_COUNT]; // what tiles do for its fragments
     // Depth after the viewport's range: depth_low + depth_span·Z/W, whatever range of Z the pipeline has.
     double depth_low, depth_span;
     float depth_least, depth_most; // the viewport's depth range in order

@@ -10,6 +10,7 @@
 #include "context.h"
 #include "kernels/kernels.h"
 #include "kernels/scratch.h"
+#include "kernels/tile_work.h"
 #include "pass.h"
 #include "scheduler.h"
 #include "shared_vertices.h"
@@ -31,7 +32,7 @@ static void init_tile_scratch(struct rhw_tile_scratch *scratch)
     for (int bits = 0; bits < 256; bits++) {
         int count = 0;
         for (int lane = 0; lane < 8; lane++) {
-            scratch->set_lanes[bits][count] = (uint8_t)lane;
+            scratch->gathered.set_lanes[bits][count] = (uint8_t)lane;
             count += bits >> lane & 1;
         }
     }

@@ -34,6 +34,8 @@ enum {
 /// x86-64, NEON on 64-bit ARM, what the compiler was given elsewhere. All draw the same bytes.
 enum rhw_isa { RHW_ISA_BASELINE, RHW_ISA_AVX2, RHW_ISA_AVX512, RHW_ISA_COUNT };
 
+enum rhw_paths { RHW_PATHS_ALL, RHW_PATHS_IN_ORDER, RHW_PATHS_GENERAL };
+
 struct rhw_context_def {
     /// 1..64: the caller's thread and workers; 1 the caller's alone. 0: as many as whole cores' time the process may
     /// use, by affinity and the limits of control groups (1 where it may use one core and a half).

@@ -6,13 +6,13 @@
 
 #include "front_tmpl.h"
 #include "sample_slots_tmpl.h"
-#include "tile_tmpl.h"
+#include "tile_entry.h"
 
 extern const struct rhw_kernels RHW_ISA_NAME(rhw_kernels);
 
 const struct rhw_kernels RHW_ISA_NAME(rhw_kernels) = {.shared_part = shade_part,
                                                       .chunk = make_chunk,
-                                                      .tile = draw_tile,
+                                                      .tile = RHW_ISA_NAME(rhw_draw_tile),
                                                       .sample_other = sample_other,
                                                       .sample_rgba8 = sample_rgba8,
                                                       .sample_rgba8_srgb = sample_rgba8_srgb,

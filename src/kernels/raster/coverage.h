@@ -24,8 +24,8 @@ struct edge {
 };
 
 // `tile_x`, `tile_y`: pixels. `sign` is −1 for a triangle whose corners turn the negative way.
-static struct edge make_edge(int32_t x0, int32_t y0, int32_t x1, int32_t y1, int32_t sign, int tile_x,
-                             int tile_y)
+static inline struct edge make_edge(int32_t x0, int32_t y0, int32_t x1, int32_t y1, int32_t sign, int tile_x,
+                                    int tile_y)
 {
     const int32_t a = sign * (y0 - y1), b = sign * (x1 - x0);
     const bool top_left = a > 0 || (a == 0 && b > 0);
@@ -63,7 +63,7 @@ struct triangle_edges {
 
 // Bit 8·row + column of the block whose first pixel is (x, y) in the tile. Rows outside row0 .. row1 − 1 may
 // be left out.
-static uint64_t triangle_mask(const struct triangle_edges *triangle, int x, int y, int row0, int row1)
+static inline uint64_t triangle_mask(const struct triangle_edges *triangle, int x, int y, int row0, int row1)
 {
     i8 q[3], step[3];
     int crossing = 0;
@@ -107,8 +107,8 @@ struct coverage {
     struct triangle_edges triangles[RHW_POLYGON_CORNERS - 2];
 };
 
-static void coverage_add(struct coverage *coverage, const int32_t x[3], const int32_t y[3], int32_t sign,
-                         int tile_x, int tile_y)
+static inline void coverage_add(struct coverage *coverage, const int32_t x[3], const int32_t y[3],
+                                int32_t sign, int tile_x, int tile_y)
 {
     struct triangle_edges *const triangle = &coverage->triangles[coverage->count];
     triangle->count = 0;
@@ -126,8 +126,8 @@ static void coverage_add(struct coverage *coverage, const int32_t x[3], const in
     coverage->count++;
 }
 
-static void coverage_setup(struct coverage *coverage, const struct rhw_chunk *chunk,
-                           const struct rhw_triangle *t, int tile_x, int tile_y)
+static inline void coverage_setup(struct coverage *coverage, const struct rhw_chunk *chunk,
+                                  const struct rhw_triangle *t, int tile_x, int tile_y)
 {
     coverage->count = 0;
     if (!(t->flags & RHW_TRIANGLE_POLYGON)) {
@@ -146,12 +146,12 @@ static void coverage_setup(struct coverage *coverage, const struct rhw_chunk *ch
     }
 }
 
-static bool covers_tile(const struct coverage *coverage)
+static inline bool covers_tile(const struct coverage *coverage)
 {
     return coverage->count == 1 && coverage->triangles[0].count == 0;
 }
 
-static uint64_t coverage_mask(const struct coverage *coverage, int x, int y, int row0, int row1)
+static inline uint64_t coverage_mask(const struct coverage *coverage, int x, int y, int row0, int row1)
 {
     uint64_t mask = 0;
     for (int i = 0; i < coverage->count; i++) {
@@ -162,7 +162,7 @@ static uint64_t coverage_mask(const struct coverage *coverage, int x, int y, int
 
 // The pixels of the block at (x, y) that are inside x0 .. x1 − 1, y0 .. y1 − 1 (tile coordinates; the block and
 // the rectangle overlap).
-static uint64_t rect_mask(int x, int y, int x0, int y0, int x1, int y1)
+static inline uint64_t rect_mask(int x, int y, int x0, int y0, int x1, int y1)
 {
     const int left = x0 > x ? x0 - x : 0, right = x1 < x + RHW_BLOCK ? x1 - x : RHW_BLOCK;
     const int top = y0 > y ? y0 - y : 0, bottom = y1 < y + RHW_BLOCK ? y1 - y : RHW_BLOCK;

@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: MIT
 // The triangles of a bin, read 8 at a time and ahead of what is drawn: they lie anywhere in their chunk, as their
 // vertices do. Without this, a mesh in random order spends two thirds of its time waiting for them.
-// Template: compiled once per instruction set.
+#ifndef RHW_BIN_READER_H
+#define RHW_BIN_READER_H
 
-#include "block_tmpl.h"
+#include "../tile_work.h"
 
 enum {
     BATCH = 8,
@@ -21,26 +22,25 @@ struct bin_batch {
 };
 
 // Where the reading of a bin stands: `next` of its triangles were looked at. first_number: of its first triangle. The
-// next entry is `step` from the one before: PHASE_BACKWARDS begins with the last one.
+// next entry is `step` from the one before: RHW_PHASE_BACKWARDS begins with the last one.
 struct bin_reader {
     const struct rhw_chunk *chunk;
     const uint16_t *entries;
     ptrdiff_t step;
     uint32_t next, end, first_number;
-    const uint8_t *seen; // in PHASE_SHADE
+    const uint8_t *seen; // in RHW_PHASE_SHADE
 };
 
-static struct bin_reader bin_reader(const struct tile_work *work, const struct rhw_bin *bin,
-                                    uint32_t first_number)
+static struct bin_reader read_bin(const struct tile_work *work, const struct bin *bin, uint32_t first_number)
 {
-    const bool backwards = work->phase == PHASE_BACKWARDS;
+    const bool backwards = work->phase == RHW_PHASE_BACKWARDS;
     const struct bin_reader reader = {.chunk = bin->chunk,
                                       .entries =
                                           bin->chunk->entries + (backwards ? bin->end - 1 : bin->first),
                                       .step = backwards ? -1 : 1,
                                       .end = bin->end - bin->first,
                                       .first_number = first_number,
-                                      .seen = work->phase == PHASE_SHADE ? work->scratch->seen : NULL};
+                                      .seen = work->phase == RHW_PHASE_SHADE ? work->scratch->seen : NULL};
     for (uint32_t k = 0; k < RECORDS_AHEAD && k < reader.end; k++) {
         __builtin_prefetch(&reader.chunk->triangles[reader.entries[reader.step * (ptrdiff_t)k]]);
     }
@@ -82,3 +82,5 @@ static void read_batch(struct bin_reader *reader, struct bin_batch *batch)
         memcpy(batch->vertex[i], batch->vertex[0], sizeof batch->vertex[0]);
     }
 }
+
+#endif

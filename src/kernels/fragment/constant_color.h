@@ -1,31 +1,32 @@
 // SPDX-License-Identifier: MIT
 // Draws whose fragment function receives nothing that differs between fragments: no varyings, no builtins. It is a
 // function of its inputs alone, so one call tells the colour of all, and the tile takes it at the speed of its memory.
-// Template: compiled once per instruction set.
+#ifndef RHW_CONSTANT_COLOR_H
+#define RHW_CONSTANT_COLOR_H
 
-#include "shade_tmpl.h"
+#include "queue.h"
 
-static void constant_prepare(struct tile_work *work)
+static void prepare_constant(struct tile_work *work)
 {
-    struct rhw_tile_scratch *const scratch = work->scratch;
-    scratch->groups[0].mask = i8_splat(-1);
+    struct fragment_queue *const queue = &work->scratch->queue;
+    queue->groups[0].mask = i8_splat(-1);
     run_fragment_function(work, 1);
     work->counters->groups++;
     for (int t = 0; t < work->pass->color_count; t++) {
         if (work->state->outputs[t].kind == OUTPUT_RGBA8_REPLACE) {
-            output_group(&work->state->outputs[t], scratch->outputs[0][t], i8_splat(-1),
-                         (unsigned char *)&scratch->constant[t]);
+            output_group(&work->state->outputs[t], queue->colors[0][t], i8_splat(-1),
+                         (unsigned char *)&work->scratch->constant[t]);
         }
     }
-    work->constant_ready = true;
+    work->constant_is_ready = true;
 }
 
-// Merges the pixels of a block whose bits are set in `mask`.
-static void constant_block(struct tile_work *work, int x, int y, uint64_t mask)
+// Blends the pixels of the block at (x, y) whose bits are set in `mask`.
+static void blend_constant(struct tile_work *work, int x, int y, uint64_t mask)
 {
     struct rhw_tile_scratch *const scratch = work->scratch;
-    if (!work->constant_ready) {
-        constant_prepare(work);
+    if (!work->constant_is_ready) {
+        prepare_constant(work);
     }
     for (int t = 0; t < work->pass->color_count; t++) {
         const struct output_state *const state = &work->state->outputs[t];
@@ -36,7 +37,7 @@ static void constant_block(struct tile_work *work, int x, int y, uint64_t mask)
             const unsigned bits = (unsigned)(mask >> (8 * row)) & 0xff;
             unsigned char *const to = texels + (size_t)(row * RHW_TILE) * size;
             if (state->kind != OUTPUT_RGBA8_REPLACE) {
-                output_group(state, scratch->outputs[0][t], i8_from_bits(bits), to);
+                output_group(state, scratch->queue.colors[0][t], i8_from_bits(bits), to);
             } else if (bits == 0xff) {
                 i8_store(to, texel);
             } else {
@@ -45,3 +46,5 @@ static void constant_block(struct tile_work *work, int x, int y, uint64_t mask)
         }
     }
 }
+
+#endif

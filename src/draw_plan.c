@@ -1,0 +1,122 @@
+// SPDX-License-Identifier: MIT
+// How the plan of a draw follows from its state.
+#include "draw_plan.h"
+
+#include "pass.h"
+
+static enum rhw_shading choose_shading(const struct rhw_pipeline_data *pipeline, enum rhw_phase phase,
+                                       enum rhw_paths paths)
+{
+    const uint32_t uses = pipeline->def.program.uses;
+    // What a group of any 8 fragments can carry.
+    const uint32_t scattered = RHW_USE_DISCARD | RHW_USE_DEPTH | RHW_USE_FACING | RHW_USE_IDS;
+    if (!(pipeline->fragment || pipeline->def.program.fragment1) || phase == RHW_PHASE_DEPTH) {
+        return RHW_SHADING_NONE;
+    }
+    if (paths == RHW_PATHS_GENERAL) {
+        return RHW_SHADING_ROWS;
+    }
+    if (uses == 0 && pipeline->varying_components == 0) {
+        return RHW_SHADING_CONSTANT;
+    }
+    const bool smooth = !pipeline->any_noperspective && !pipeline->any_flat;
+    return smooth && !(uses & ~scattered) ? RHW_SHADING_SMOOTH : RHW_SHADING_ROWS;
+}
+
+// 1 and −1 for comparisons that let depth move one way alone.
+static int direction_of(enum rhw_compare compare)
+{
+    switch (compare) {
+    case RHW_COMPARE_LESS:
+    case RHW_COMPARE_LESS_EQUAL: return 1;
+    case RHW_COMPARE_GREATER:
+    case RHW_COMPARE_GREATER_EQUAL: return -1;
+    default: return 0;
+    }
+}
+
+static enum rhw_depth_mode choose_depth_mode(const struct rhw_pipeline_def *def, enum rhw_shading shading)
+{
+    const uint32_t uses = def->program.uses;
+    if (!def->depth_test) {
+        return RHW_DEPTH_NONE;
+    }
+    if (shading == RHW_SHADING_NONE || !(uses & (RHW_USE_DISCARD | RHW_USE_DEPTH))) {
+        return RHW_DEPTH_EARLY;
+    }
+    // A fragment that fails an ordering test now fails it later too, as depth only moves that way meanwhile.
+    const bool can_reject = !(uses & RHW_USE_DEPTH) && direction_of(def->depth_compare) != 0;
+    return can_reject ? RHW_DEPTH_EARLY_REJECT : RHW_DEPTH_LATE;
+}
+
+static enum rhw_rule_name name_of(struct rhw_depth_rule rule)
+{
+    for (int i = 0; i < RHW_RULE_ANY; i++) {
+        const struct rhw_depth_rule named = rhw_named_rules[i];
+        if (rule.compare == named.compare && rule.write == named.write && rule.open == named.open) {
+            return (enum rhw_rule_name)i;
+        }
+    }
+    return RHW_RULE_ANY;
+}
+
+// How depth is tested in a phase. Of fragments with equal depth the first wins with LESS and GREATER (`strict`), the
+// last with the others.
+static void plan_rules(struct rhw_draw_plan *plan, const struct rhw_pipeline_def *def, enum rhw_phase phase)
+{
+    const enum rhw_compare compare = def->depth_compare;
+    const bool strict = compare == RHW_COMPARE_LESS || compare == RHW_COMPARE_GREATER;
+    const bool early = plan->depth_mode == RHW_DEPTH_EARLY;
+    plan->late = (struct rhw_depth_rule){compare, def->depth_write, RHW_OPEN_IGNORED};
+    plan->early = (struct rhw_depth_rule){compare, def->depth_write && early, RHW_OPEN_IGNORED};
+    if (phase == RHW_PHASE_DEPTH) {
+        plan->early.open = RHW_OPEN_MARK;
+    } else if (phase == RHW_PHASE_SHADE && early) {
+        plan->early =
+            (struct rhw_depth_rule){RHW_COMPARE_EQUAL, false, strict ? RHW_OPEN_CLAIM : RHW_OPEN_IGNORED};
+    } else if (phase == RHW_PHASE_SHADE && strict) {
+        plan->early.open = RHW_OPEN_TRY;
+        plan->late.open = RHW_OPEN_CLOSE;
+    }
+}
+
+static void plan_depth(struct rhw_draw_plan *plan, const struct rhw_pipeline_def *def, enum rhw_phase phase,
+                       enum rhw_paths paths)
+{
+    const enum rhw_compare compare = def->depth_compare;
+    const bool general = paths == RHW_PATHS_GENERAL;
+    plan->depth_mode = choose_depth_mode(def, plan->shading);
+    plan_rules(plan, def, phase);
+    plan->early_name = general ? RHW_RULE_ANY : name_of(plan->early);
+    plan->tests_early = plan->depth_mode == RHW_DEPTH_EARLY || plan->depth_mode == RHW_DEPTH_EARLY_REJECT;
+    plan->moves_depth = def->depth_test && def->depth_write;
+    plan->depth_direction = def->depth_test && !general ? direction_of(compare) : 0;
+    plan->ends_bounds = plan->moves_depth && direction_of(compare) == 0 && compare != RHW_COMPARE_EQUAL &&
+                        compare != RHW_COMPARE_NEVER;
+}
+
+static struct rhw_draw_plan plan_of(const struct rhw_pipeline_data *pipeline, enum rhw_phase phase,
+                                    enum rhw_paths paths)
+{
+    const uint32_t uses = pipeline->def.program.uses;
+    struct rhw_draw_plan plan = {.shading = choose_shading(pipeline, phase, paths)};
+    const bool shades = plan.shading != RHW_SHADING_NONE;
+    plan_depth(&plan, &pipeline->def, phase, paths);
+    plan.is_skipped = phase == RHW_PHASE_DEPTH && uses & RHW_USE_DISCARD;
+    plan.keeps_depth = shades && (plan.depth_mode == RHW_DEPTH_LATE || plan.depth_mode == RHW_DEPTH_EARLY_REJECT ||
+                                  uses & (RHW_USE_COORD | RHW_USE_DEPTH));
+    plan.needs_depth = plan.depth_mode != RHW_DEPTH_NONE || plan.keeps_depth;
+    plan.keeps_identity =
+        plan.shading == RHW_SHADING_SMOOTH && uses & (RHW_USE_FACING | RHW_USE_IDS);
+    plan.has_small_path = paths != RHW_PATHS_GENERAL &&
+                          (plan.shading == RHW_SHADING_SMOOTH || plan.shading == RHW_SHADING_NONE);
+    return plan;
+}
+
+void rhw_draw_plans_make(struct rhw_draw_plan plans[RHW_PHASE_COUNT], const struct rhw_draw_state *state,
+                         enum rhw_paths paths)
+{
+    for (int phase = 0; phase < RHW_PHASE_COUNT; phase++) {
+        plans[phase] = plan_of(state->pipeline, (enum rhw_phase)phase, paths);
+    }
+}

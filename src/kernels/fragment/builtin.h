@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: MIT
+// What a fragment function receives beside varyings: facing, ids, coordinates and barycentric weights.
+#ifndef RHW_BUILTIN_H
+#define RHW_BUILTIN_H
+
+#include "../tile_work.h"
+#include "../triangle_work.h"
+
+struct identity {
+    int32_t front_facing, primitive, instance, draw; // as struct rhw_fragment has them
+};
+
+static inline struct identity identity_of(const struct triangle_work *triangle)
+{
+    const struct rhw_draw *const draw = triangle->segment->draw;
+    return (struct identity){.front_facing = triangle->t->flags & RHW_TRIANGLE_BACK ? 0 : -1,
+                             .primitive = (int32_t)triangle->t->primitive,
+                             .instance = (int32_t)(draw->first_instance + triangle->segment->instance),
+                             .draw = (int32_t)draw->index};
+}
+
+// What all fragments of a triangle share.
+RHW_INLINE void fill_identity(struct rhw_fragment *group, uint32_t uses, const struct triangle_work *triangle)
+{
+    const struct identity identity = identity_of(triangle);
+    if (uses & RHW_USE_FACING) {
+        group->front_facing = i8_splat(identity.front_facing);
+    }
+    if (uses & RHW_USE_IDS) {
+        group->primitive = i8_splat(identity.primitive);
+        group->instance = i8_splat(identity.instance);
+        group->draw = i8_splat(identity.draw);
+    }
+}
+
+// Of a row of pixels that starts at (x, y) of the tile, and whose depth the group has.
+static void fill_coordinates(const struct tile_work *work, struct rhw_fragment *group, int x, int y, d8 inverse_w)
+{
+    const f8 half = f8_splat(0.5f);
+    group->coord[0] = rhw_to_float(i8_splat(work->x + x) + rhw_lane_index) + half;
+    group->coord[1] = f8_splat((float)(work->y + y)) + half;
+    group->coord[2] = group->depth;
+    group->coord[3] = f8_from_d8(inverse_w);
+}
+
+// Weights of three vertices, of which two are known; `sum` is 1, and 0 for their derivatives.
+static void fill_barycentrics(f8 out[3], float sum, f8 b, f8 c)
+{
+    out[0] = (f8_splat(sum) - b) - c;
+    out[1] = b;
+    out[2] = c;
+}
+
+#endif

@@ -1,0 +1,147 @@
+// SPDX-License-Identifier: MIT
+// What of a triangle is seen becomes groups. A block that is seen all over is 8 groups as it stands (row_groups.h). The
+// fragments of other blocks are gathered: they are listed, and once the triangle is done, or the list full, every 8 of
+// them make a group, wherever in the tile they lie; the last few are packed with those of other triangles (pack.h).
+// Where groups must be rows (RHW_SHADING_ROWS, slivers, blocks that leave their triangle), a block has one for every row.
+// Every number is made by the same operations on each path.
+#ifndef RHW_GATHER_H
+#define RHW_GATHER_H
+
+#include "pack.h"
+#include "row_groups.h"
+
+RHW_INLINE struct anchor_offset texel_offsets(const struct tile_work *work, const struct planes *planes,
+                                              const int32_t texel[8])
+{
+    const i8 at = i8_load(texel);
+    const i8 x = at & i8_splat(RHW_TILE - 1), y = at >> RHW_TILE_LOG2;
+    return (struct anchor_offset){d8_from_i8(x - i8_splat(planes->anchor_x - work->x)),
+                                  d8_from_i8(y - i8_splat(planes->anchor_y - work->y))};
+}
+
+// The queue's next `count` groups, of the fragments at `texel`, 8 each.
+RHW_INLINE void fill_scattered(const struct tile_work *work, const struct triangle_work *triangle,
+                               const int32_t *texel, int count, enum derivatives derivatives)
+{
+    const struct planes *const planes = &triangle->planes;
+    struct fragment_queue *const queue = &work->scratch->queue;
+    const struct rhw_pipeline_data *const pipeline = work->pipeline;
+    const int first = queue->count;
+    struct group_weights weights;
+    for (int n = 0; n < count; n++) {
+        const struct anchor_offset at = texel_offsets(work, planes, &texel[8 * n]);
+        const struct weights w = weights_of_pixels(&planes->quantities, &at);
+        weights.b[n] = w.b;
+        weights.c[n] = w.c;
+        if (derivatives == DERIVATIVES) {
+            const d8 squared = d8_mul(w.inverse_s, w.inverse_s);
+            smooth_derivatives(queue, first + n, pipeline, triangle->derivatives, &at, squared);
+        }
+        if (work->plan->keeps_depth) {
+            const d8 z = plane_value8(plane_of(&planes->quantities, QUANTITY_Z), at.dx, at.dy);
+            queue->groups[first + n].depth = viewport_clamp(&work->scratch->depth, f8_from_d8(z));
+        }
+    }
+    interpolate_groups(queue->varyings + first * pipeline->varying_components, pipeline->varying_components, triangle,
+                       &weights, count);
+}
+
+// Queues groups of the fragments at `texel`, 8 each.
+static void queue_scattered(struct tile_work *work, struct triangle_work *triangle, const int32_t *texel, int count)
+{
+    struct fragment_queue *const queue = &work->scratch->queue;
+    if (!triangle->has_values) {
+        set_inputs(work, triangle);
+    }
+    while (count != 0) {
+        const int first = queue->count, n = min_int(min_int(count, RHW_FRAGMENT_GROUPS - first), RHW_BLOCK);
+        for (int g = first; g < first + n; g++) {
+            queue->live[g] = 0xff;
+            queue->is_scattered[g] = true;
+            memcpy(queue->texels[g], &texel[8 * (g - first)], sizeof queue->texels[g]);
+            queue->groups[g].mask = i8_splat(-1);
+            if (work->plan->keeps_identity) {
+                fill_identity(&queue->groups[g], work->pipeline->def.program.uses, triangle);
+            }
+        }
+        if (work->pipeline->any_derivatives) {
+            fill_scattered(work, triangle, texel, n, DERIVATIVES);
+        } else {
+            fill_scattered(work, triangle, texel, n, NO_DERIVATIVES);
+        }
+        queue->has_all_rows = false;
+        queue->count = first + n;
+        shade_if_full(work);
+        count -= n;
+        texel += 8 * n;
+    }
+}
+
+// Makes groups of the gathered fragments that fill them; the others stay.
+static __attribute__((noinline)) void queue_gathered(struct tile_work *work, struct triangle_work *triangle)
+{
+    struct gathered_fragments *const gathered = &work->scratch->gathered;
+    const int groups = gathered->count / 8, rest = gathered->count % 8;
+    queue_scattered(work, triangle, gathered->texel, groups);
+    memcpy(gathered->texel, &gathered->texel[8 * groups], 8 * sizeof *gathered->texel);
+    gathered->count = rest;
+}
+
+static __attribute__((noinline)) void release_gathered(struct tile_work *work, struct triangle_work *triangle)
+{
+    if (work->scratch->gathered.count >= 8) {
+        queue_gathered(work, triangle);
+    }
+    if (work->scratch->gathered.count != 0) {
+        pack_gathered(work, triangle);
+    }
+}
+
+// Lets go of all gathered fragments of a triangle, which is done. Many have none: those are spared the call.
+RHW_INLINE void finish_gathered(struct tile_work *work, struct triangle_work *triangle)
+{
+    if (work->scratch->gathered.count != 0) {
+        release_gathered(work, triangle);
+    }
+}
+
+// Gathers the fragments of the first `rows` rows at (x, y) whose bits are set in `mask`.
+RHW_INLINE void gather_fragments(struct tile_work *work, struct triangle_work *triangle, int x, int y, int rows,
+                                 uint64_t mask)
+{
+    struct gathered_fragments *const gathered = &work->scratch->gathered;
+    release_overtaken(work, x, y, mask);
+    if (gathered->count > RHW_GATHERED_FRAGMENTS - RHW_BLOCK * RHW_BLOCK) {
+        queue_gathered(work, triangle);
+    }
+    int count = gathered->count;
+    // Empty rows too: which are, a processor cannot predict, and a wrong guess costs more than a row.
+    for (int row = 0; row < rows; row++) {
+        const unsigned bits = (unsigned)(mask >> (8 * row)) & 0xff;
+        const i8 texels = i8_load_bytes(gathered->set_lanes[bits]) + i8_splat((y + row) * RHW_TILE + x);
+        i8_store(&gathered->texel[count], texels);
+        count += __builtin_popcount(bits);
+    }
+    gathered->count = count;
+}
+
+// The fragments of a block whose bits are set in `mask`, on the path that is theirs.
+RHW_INLINE void collect_block(struct tile_work *work, struct triangle_work *triangle, const struct block *block,
+                              uint64_t mask)
+{
+    const bool is_whole = mask == ~(uint64_t)0;
+    const bool can_scatter = work->plan->shading == RHW_SHADING_SMOOTH && !block->leaves_triangle &&
+                             triangle->planes.kind != PLANES_EXACT;
+    if (!is_whole && can_scatter) {
+        gather_fragments(work, triangle, block->x, block->y, RHW_BLOCK, mask);
+        return;
+    }
+    release_overtaken(work, block->x, block->y, mask);
+    if (is_whole) {
+        queue_rows(work, triangle, block, &all_rows);
+    } else {
+        queue_some_rows(work, triangle, block, mask);
+    }
+}
+
+#endif

@@ -1,0 +1,87 @@
+// SPDX-License-Identifier: MIT
+// Varyings of a fragment: I = I_0 − (b·(I_0 − I_1) + c·(I_0 − I_2)), in float, with the weights of raster/plane.h. Where
+// the three vertices agree both differences are 0, and the constant survives bit for bit, −0 included.
+#ifndef RHW_INTERPOLATE_H
+#define RHW_INTERPOLATE_H
+
+#include "../tile_work.h"
+#include "../triangle_work.h"
+
+// The one formula. d1, d2: I_0 − I_1 and I_0 − I_2.
+RHW_INLINE f8 interpolate(f8 i0, f8 d1, f8 d2, f8 b, f8 c)
+{
+    return i0 - (b * d1 + c * d2);
+}
+
+static void set_values(struct triangle_work *triangle, const struct rhw_pipeline_data *pipeline)
+{
+    const float *const a = triangle->v[0]->varyings, *const b = triangle->v[1]->varyings,
+                       *const c = triangle->v[2]->varyings;
+    triangle->provoking = pipeline->def.provoking == RHW_PROVOKING_FIRST ? a : c;
+    for (int i = 0; i < pipeline->varying_components; i++) {
+        triangle->i0[i] = a[i];
+        triangle->d1[i] = a[i] - b[i];
+        triangle->d2[i] = a[i] - c[i];
+    }
+}
+
+RHW_INLINE f8 interpolate_component(const struct triangle_work *triangle, int i, f8 b, f8 c)
+{
+    return interpolate(f8_splat(triangle->i0[i]), f8_splat(triangle->d1[i]), f8_splat(triangle->d2[i]), b, c);
+}
+
+// The perspective weights of some groups.
+struct group_weights {
+    f8 b[RHW_BLOCK], c[RHW_BLOCK];
+};
+
+// Smooth varyings of `count` groups, those of the first at `varyings`.
+RHW_INLINE void interpolate_groups(f8 *varyings, ptrdiff_t components, const struct triangle_work *triangle,
+                                   const struct group_weights *weights, int count)
+{
+    for (int i = 0; i < components; i++) {
+        const f8 i0 = f8_splat(triangle->i0[i]), d1 = f8_splat(triangle->d1[i]), d2 = f8_splat(triangle->d2[i]);
+        f8 *to = varyings + i;
+        for (int n = 0; n < count; n++, to += components) {
+            *to = interpolate(i0, d1, d2, weights->b[n], weights->c[n]);
+        }
+    }
+}
+
+// Noperspective varyings of a triangle with a vertex that is not snapped. Weights on the screen may have any size and
+// either sign there, and what float loses while they cancel would pass the bound: in double, rounded once. The added 0
+// keeps a constant −0, whose differences times negative weights are −0.
+static __attribute__((noinline)) void interpolate_homogeneous(f8 *varyings, const struct rhw_pipeline_data *pipeline,
+                                                              const struct triangle_work *triangle,
+                                                              const struct screen_weights *w)
+{
+    for (int i = 0; i < pipeline->varying_components; i++) {
+        if (pipeline->component_qualifier[i] == RHW_NOPERSPECTIVE) {
+            const double i0 = (double)triangle->v[0]->varyings[i],
+                         d1 = i0 - (double)triangle->v[1]->varyings[i],
+                         d2 = i0 - (double)triangle->v[2]->varyings[i];
+            const d8 change = d8_add(d8_mul(w->s, d8_splat(d1)), d8_mul(w->t, d8_splat(d2)));
+            varyings[i] = f8_from_d8(d8_sub(d8_splat(i0), d8_add(change, d8_splat(0))));
+        }
+    }
+}
+
+// Varyings of any qualifier.
+static void interpolate_any(f8 *varyings, const struct rhw_pipeline_data *pipeline,
+                            const struct triangle_work *triangle, const struct weights *weights,
+                            const struct screen_weights *screen)
+{
+    const f8 s = f8_from_d8(screen->s), t = f8_from_d8(screen->t);
+    for (int i = 0; i < pipeline->varying_components; i++) {
+        switch (pipeline->component_qualifier[i]) {
+        case RHW_SMOOTH: varyings[i] = interpolate_component(triangle, i, weights->b, weights->c); break;
+        case RHW_NOPERSPECTIVE: varyings[i] = interpolate_component(triangle, i, s, t); break;
+        default: varyings[i] = f8_splat(triangle->provoking[i]); break;
+        }
+    }
+    if (triangle->planes.is_homogeneous && pipeline->any_noperspective) {
+        interpolate_homogeneous(varyings, pipeline, triangle, screen);
+    }
+}
+
+#endif

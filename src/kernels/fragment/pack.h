@@ -1,0 +1,224 @@
+// SPDX-License-Identifier: MIT
+// The partial group: single fragments of several triangles, the few of each that its own groups leave over. They wait
+// until 8 make a group, which is then packed: a fragment is evaluated as one vector over quantities and one over
+// components, then 8 of them are turned into lanes. Only fragments that wait here can be overtaken by later ones of the
+// same pixel, so such a one closes the group first.
+#ifndef RHW_PACK_H
+#define RHW_PACK_H
+
+#include "builtin.h"
+#include "derivative.h"
+#include "interpolate.h"
+#include "queue.h"
+
+// Turns 8 vectors over four quantities into four over the lanes.
+RHW_INLINE void quantity_lanes(const d4 value[8], d8 out[4])
+{
+    d4 low[4] = {value[0], value[1], value[2], value[3]}, high[4] = {value[4], value[5], value[6], value[7]};
+    d4_transpose(low);
+    d4_transpose(high);
+    for (int q = 0; q < 4; q++) {
+        out[q] = (d8){low[q], high[q]};
+    }
+}
+
+static void pack_identity(struct rhw_fragment *group, uint32_t uses, const struct packed_triangle *const triangle[8])
+{
+    for (int lane = 0; lane < 8 && uses & RHW_USE_FACING; lane++) {
+        group->front_facing[lane] = triangle[lane]->front_facing;
+    }
+    for (int lane = 0; lane < 8 && uses & RHW_USE_IDS; lane++) {
+        group->primitive[lane] = triangle[lane]->primitive;
+        group->instance[lane] = triangle[lane]->instance;
+        group->draw[lane] = triangle[lane]->draw;
+    }
+}
+
+// Components i .. i + 7 of the 8 fragments, as one vector per component. A vertex record is padded to whole vectors.
+RHW_INLINE void pack_components(const struct packed_triangle *const triangle[8], int i, const float b[8],
+                                const float c[8], f8 out[8])
+{
+    for (int lane = 0; lane < 8; lane++) {
+        const float *const *const v = triangle[lane]->varyings;
+        const f8 i0 = f8_load(v[0] + i), d1 = i0 - f8_load(v[1] + i), d2 = i0 - f8_load(v[2] + i);
+        out[lane] = interpolate(i0, d1, d2, f8_splat(b[lane]), f8_splat(c[lane]));
+    }
+    f8_transpose(out);
+}
+
+// All components of group g.
+static void pack_varyings(struct tile_work *work, int g, const struct weights *weights)
+{
+    const int components = work->pipeline->varying_components;
+    float b[8], c[8];
+    f8_store(b, weights->b);
+    f8_store(c, weights->c);
+    for (int i = 0; i < components; i += 8) {
+        f8 lanes[8];
+        pack_components(work->scratch->partial.triangle, i, b, c, lanes);
+        f8 *const out = work->scratch->queue.varyings + g * components + i;
+        if (i + 8 <= components) {
+            memcpy(out, lanes, sizeof lanes);
+        } else {
+            for (int k = 0; k < components - i; k++) {
+                out[k] = lanes[k];
+            }
+        }
+    }
+}
+
+static void pack_derivatives(struct tile_work *work, int g, d8 inverse_s)
+{
+    const struct rhw_pipeline_data *const pipeline = work->pipeline;
+    const struct partial_group *const partial = &work->scratch->partial;
+    f8 *const ddx = work->scratch->queue.ddx + g * pipeline->varying_components;
+    f8 *const ddy = work->scratch->queue.ddy + g * pipeline->varying_components;
+    const d8 squared = d8_mul(inverse_s, inverse_s);
+    for (int pair = 0; pair < pipeline->slope_pairs; pair++) {
+        const uint8_t *const component = pipeline->slope_component[pair];
+        d4 value[8];
+        for (int lane = 0; lane < 8; lane++) {
+            value[lane] = numerators(&partial->triangle[lane]->derivatives[pair], partial->step[lane]);
+        }
+        d8 lanes[4];
+        quantity_lanes(value, lanes);
+        for (int which = 0; which < 2; which++) {
+            ddx[component[which]] = derivative_of(lanes[2 * which], squared);
+            ddy[component[which]] = derivative_of(lanes[2 * which + 1], squared);
+        }
+    }
+}
+
+// Queues the partial group; `bits`: the lanes that are not repetitions.
+static void pack_group(struct tile_work *work, unsigned bits)
+{
+    struct fragment_queue *const queue = &work->scratch->queue;
+    struct partial_group *const partial = &work->scratch->partial;
+    const int g = queue->count++;
+    struct rhw_fragment *const group = &queue->groups[g];
+    memcpy(queue->texels[g], partial->texel, sizeof queue->texels[g]);
+    queue->live[g] = (uint8_t)bits;
+    queue->is_scattered[g] = true;
+    queue->has_all_rows = false;
+    for (int i = 0; i < 8; i++) {
+        partial->pixels[partial->texel[i] / RHW_TILE] = 0;
+    }
+    partial->count = 0;
+    group->mask = i8_from_bits(bits);
+    d8 quantity[4];
+    quantity_lanes(partial->quantities, quantity);
+    const struct weights weights = weights_of(quantity[QUANTITY_S], d8_div(d8_splat(1), quantity[QUANTITY_S]),
+                                              quantity[QUANTITY_B], quantity[QUANTITY_C]);
+    pack_varyings(work, g, &weights);
+    if (work->pipeline->any_derivatives) {
+        pack_derivatives(work, g, weights.inverse_s);
+    }
+    if (work->plan->keeps_depth) {
+        group->depth = viewport_clamp(&work->scratch->depth, f8_from_d8(quantity[QUANTITY_Z]));
+    }
+    pack_identity(group, work->pipeline->def.program.uses, partial->triangle);
+    shade_if_full(work);
+}
+
+// Queues the partial group, however few fragments it has.
+static __attribute__((noinline)) void release_partial(struct tile_work *work)
+{
+    struct partial_group *const partial = &work->scratch->partial;
+    const int live = partial->count;
+    for (int i = live; i < 8; i++) {
+        partial->texel[i] = partial->texel[0];
+        partial->triangle[i] = partial->triangle[0];
+        partial->quantities[i] = partial->quantities[0];
+        partial->step[i] = partial->step[0];
+    }
+    pack_group(work, 0xffu >> (8 - live));
+}
+
+// Fragments that wait would be overtaken by those of the block at (x, y) that are set in `mask`.
+RHW_INLINE void release_overtaken(struct tile_work *work, int x, int y, uint64_t mask)
+{
+    const struct partial_group *const partial = &work->scratch->partial;
+    if (partial->count != 0 && block_bits(&partial->pixels[y], x) & mask) {
+        release_partial(work);
+    }
+}
+
+// Shades all there is.
+static void flush(struct tile_work *work)
+{
+    if (work->scratch->partial.count != 0) {
+        release_partial(work);
+    }
+    if (work->scratch->queue.count != 0) {
+        shade_queue(work);
+    }
+}
+
+// Copies what packing needs of a triangle.
+static const struct packed_triangle *pack_triangle(struct tile_work *work, struct triangle_work *triangle)
+{
+    struct partial_group *const partial = &work->scratch->partial;
+    const struct rhw_pipeline_data *const pipeline = work->pipeline;
+    struct packed_triangle *const to = &partial->triangles[partial->triangle_count++ % RHW_PACKED_TRIANGLES];
+    to->anchor_x = triangle->planes.anchor_x - work->x;
+    to->anchor_y = triangle->planes.anchor_y - work->y;
+    for (int i = 0; i < 3; i++) {
+        to->varyings[i] = triangle->v[i]->varyings;
+    }
+    if (pipeline->any_derivatives && triangle->has_values) {
+        memcpy(to->derivatives, triangle->derivatives, (size_t)pipeline->slope_pairs * sizeof to->derivatives[0]);
+    } else if (pipeline->any_derivatives) {
+        component_derivatives(to->derivatives, triangle, pipeline);
+    }
+    if (work->plan->keeps_identity) {
+        const struct identity identity = identity_of(triangle);
+        to->front_facing = identity.front_facing;
+        to->primitive = identity.primitive;
+        to->instance = identity.instance;
+        to->draw = identity.draw;
+    }
+    return to;
+}
+
+// Adds a fragment at `texel` of a triangle whose planes are `planes`.
+RHW_INLINE void pack_fragment(struct tile_work *work, const struct quantity_planes *planes,
+                              const struct packed_triangle *packed, int texel, enum derivatives derivatives)
+{
+    struct partial_group *const partial = &work->scratch->partial;
+    const double dx = texel % RHW_TILE - packed->anchor_x, dy = texel / RHW_TILE - packed->anchor_y;
+    const int n = partial->count;
+    partial->texel[n] = texel;
+    partial->pixels[texel / RHW_TILE] |= (uint64_t)1 << texel % RHW_TILE;
+    partial->triangle[n] = packed;
+    partial->quantities[n] = quantity_values(planes, dx, dy);
+    if (derivatives == DERIVATIVES) {
+        partial->step[n] = (d4){dy, dx, dy, dx};
+    }
+    partial->count = n + 1;
+    if (n + 1 == 8) {
+        pack_group(work, 0xff);
+    }
+}
+
+RHW_INLINE void pack_fragments(struct tile_work *work, const struct quantity_planes *planes,
+                               const struct packed_triangle *packed, enum derivatives derivatives)
+{
+    const struct gathered_fragments *const gathered = &work->scratch->gathered;
+    for (int i = 0; i < gathered->count; i++) {
+        pack_fragment(work, planes, packed, gathered->texel[i], derivatives);
+    }
+}
+
+// Adds the gathered fragments of a triangle, fewer than 8.
+static void pack_gathered(struct tile_work *work, struct triangle_work *triangle)
+{
+    const struct packed_triangle *const packed = pack_triangle(work, triangle);
+    if (work->pipeline->any_derivatives) {
+        pack_fragments(work, &triangle->planes.quantities, packed, DERIVATIVES);
+    } else {
+        pack_fragments(work, &triangle->planes.quantities, packed, NO_DERIVATIVES);
+    }
+    work->scratch->gathered.count = 0;
+}
+
+#endif

@@ -1,0 +1,135 @@
+// SPDX-License-Identifier: MIT
+// The fragment queue. Groups of 8 fragments of one draw wait here until the queue is full or the draw changes; then the
+// fragment function is called once for all of them, and what it returns is tested (where depth is tested late) and
+// blended. Groups are blended in the order in which they came, so several may have fragments of the same pixel.
+#ifndef RHW_QUEUE_H
+#define RHW_QUEUE_H
+
+#include "../../shader_adapter.h"
+#include "../raster/depth_test.h"
+#include "../tile_work.h"
+#include "../output_tmpl.h"
+
+static void run_fragment_function(const struct tile_work *work, int count)
+{
+    if (work->pipeline->fragment) {
+        work->pipeline->fragment(work->scratch->queue.groups, count);
+    } else {
+        rhw_fragment1_run(work->pipeline, work->scratch->queue.groups, count);
+    }
+}
+
+// Lanes of group g that are still live after discarding and the late depth test.
+static unsigned finish_depth(struct tile_work *work, int g)
+{
+    struct fragment_queue *const queue = &work->scratch->queue;
+    struct tile_depth *const depth = &work->scratch->depth;
+    const struct rhw_fragment *const group = &queue->groups[g];
+    const struct rhw_draw_plan *const plan = work->plan;
+    const uint32_t uses = work->pipeline->def.program.uses;
+    i8 mask = i8_from_bits(queue->live[g]);
+    if (uses & RHW_USE_DISCARD) {
+        mask &= rhw_less_int(group->mask, i8_splat(0));
+    }
+    if (plan->depth_mode < RHW_DEPTH_LATE) {
+        return i8_sign_bits(mask);
+    }
+    const f8 z = uses & RHW_USE_DEPTH ? viewport_clamp(depth, group->depth) : group->depth;
+    if (!queue->is_scattered[g]) {
+        const int at = queue->row_at[g];
+        return test_row_late(depth, at % RHW_TILE, at / RHW_TILE, z, i8_sign_bits(mask), plan->late);
+    }
+    return test_texels_late(depth, queue->texels[g], z, i8_sign_bits(mask), plan->late);
+}
+
+// Texels of a scattered group, side by side for blending, and back.
+RHW_INLINE void gather_texels(const int32_t at[8], const unsigned char *texels, size_t size, unsigned char *out)
+{
+    for (int i = 0; i < 8; i++) {
+        memcpy(out + (size_t)i * size, texels + (size_t)at[i] * size, size);
+    }
+}
+
+RHW_INLINE void scatter_texels(const int32_t at[8], unsigned bits, unsigned char *texels, size_t size,
+                               const unsigned char *from)
+{
+    if (bits == 0xff) {
+        for (int i = 0; i < 8; i++) {
+            memcpy(texels + (size_t)at[i] * size, from + (size_t)i * size, size);
+        }
+        return;
+    }
+    for (; bits != 0; bits &= bits - 1) {
+        const int lane = __builtin_ctz(bits);
+        memcpy(texels + (size_t)at[lane] * size, from + (size_t)lane * size, size);
+    }
+}
+
+// Blends what was shaded into target t. `kind` and `size` (bytes of a texel) are the target's, constants where a call
+// names them.
+RHW_INLINE void blend_target(const struct tile_work *work, int t, enum output_kind kind, size_t size)
+{
+    struct output_state state = work->state->outputs[t];
+    state.kind = kind;
+    struct fragment_queue *const queue = &work->scratch->queue;
+    unsigned char *const texels = work->scratch->color[t];
+    const int count = queue->count;
+    const bool is_common = kind == OUTPUT_RGBA8_REPLACE || kind == OUTPUT_RGBA8_OVER;
+    if (is_common && queue->has_all_rows && state.texel_mask == UINT32_MAX) {
+        state.texel_mask = UINT32_MAX; // known from here on
+        for (int g = 0; g < count; g++) {
+            output_group(&state, queue->colors[g][t], i8_splat(-1), texels + (size_t)queue->row_at[g] * size);
+        }
+        return;
+    }
+    for (int g = 0; g < count; g++) {
+        const f8 *const color = queue->colors[g][t];
+        if (!queue->is_scattered[g]) {
+            output_group(&state, color, i8_from_bits(queue->live[g]), texels + (size_t)queue->row_at[g] * size);
+            continue;
+        }
+        _Alignas(32) unsigned char lanes[8 * 16];
+        const int32_t *const at = queue->texels[g];
+        if (kind != OUTPUT_RGBA8_REPLACE) {
+            gather_texels(at, texels, size, lanes);
+        }
+        output_group(&state, color, i8_splat(-1), lanes);
+        scatter_texels(at, queue->live[g], texels, size, lanes);
+    }
+}
+
+// Shades and blends all groups. Fragments without a group go on waiting.
+static void shade_queue(struct tile_work *work)
+{
+    struct fragment_queue *const queue = &work->scratch->queue;
+    run_fragment_function(work, queue->count);
+    if (work->plan->depth_mode >= RHW_DEPTH_LATE || work->pipeline->def.program.uses & RHW_USE_DISCARD) {
+        for (int g = 0; g < queue->count; g++) {
+            queue->live[g] = (uint8_t)finish_depth(work, g);
+            queue->has_all_rows = queue->has_all_rows && queue->live[g] == 0xff;
+        }
+    }
+    for (int t = 0; t < work->pass->color_count; t++) {
+        const enum output_kind kind = work->state->outputs[t].kind;
+        if (kind == OUTPUT_RGBA8_REPLACE) {
+            blend_target(work, t, OUTPUT_RGBA8_REPLACE, 4);
+        } else if (kind == OUTPUT_RGBA8_OVER) {
+            blend_target(work, t, OUTPUT_RGBA8_OVER, 4);
+        } else {
+            blend_target(work, t, kind, work->pass->colors[t].texel_size);
+        }
+    }
+    work->counters->groups += (uint64_t)queue->count;
+    queue->count = 0;
+    queue->has_all_rows = true;
+}
+
+// After groups were added.
+RHW_INLINE void shade_if_full(struct tile_work *work)
+{
+    if (work->scratch->queue.count == RHW_FRAGMENT_GROUPS) {
+        shade_queue(work);
+    }
+}
+
+#endif

@@ -1,0 +1,264 @@
+// SPDX-License-Identifier: MIT
+// Groups that are rows of a block of 8×8 pixels: what large triangles are shaded in. All rows of a block are filled at
+// once, step by step, so that what a step needs of the triangle is loaded once for all of them. A row is also the group
+// of the general path, with everything that a fragment function may ask for.
+#ifndef RHW_ROW_GROUPS_H
+#define RHW_ROW_GROUPS_H
+
+#include "../raster/plane_clipped.h"
+#include "builtin.h"
+#include "derivative.h"
+#include "interpolate.h"
+#include "queue.h"
+
+// A block of the tile, and the fragments of a triangle in it.
+struct block {
+    int x, y; // pixels of the tile
+    struct anchor_offset at;
+    const f8 *z;         // of its rows, where depth is kept
+    bool leaves_triangle; // some weights may be below 0: see plane_clipped.h
+};
+
+// Rows of a block that become groups: their numbers, and their bits.
+struct block_rows {
+    int count;
+    uint8_t row[RHW_BLOCK], bits[RHW_BLOCK];
+};
+
+// Of a block that is covered all over.
+static const struct block_rows all_rows = {
+    RHW_BLOCK, {0, 1, 2, 3, 4, 5, 6, 7}, {255, 255, 255, 255, 255, 255, 255, 255}};
+
+static inline struct block_rows rows_of_mask(uint64_t mask)
+{
+    struct block_rows rows = {0};
+    while (mask != 0) {
+        const int shift = __builtin_ctzll(mask) & 56;
+        rows.row[rows.count] = (uint8_t)(shift / 8);
+        rows.bits[rows.count++] = (uint8_t)(mask >> shift & 0xff);
+        mask &= ~((uint64_t)0xff << shift);
+    }
+    return rows;
+}
+
+// What a triangle needs before its first group.
+static void set_inputs(const struct tile_work *work, struct triangle_work *triangle)
+{
+    const struct rhw_pipeline_data *const pipeline = work->pipeline;
+    set_values(triangle, pipeline);
+    if (pipeline->any_derivatives || pipeline->def.program.uses & RHW_USE_BARYCENTRIC_DERIVATIVES) {
+        component_derivatives(triangle->derivatives, triangle, pipeline);
+    }
+    triangle->has_values = true;
+}
+
+// The general path -------------------------------------------------------------------------------------
+
+static void fill_barycentric_derivatives(struct rhw_fragment *group, const struct derivative_pair *weights,
+                                         const struct anchor_offset *at, d8 squared)
+{
+    f8 b_dx, b_dy, c_dx, c_dy;
+    pair_derivatives(weights, 0, at, squared, &b_dx, &b_dy);
+    pair_derivatives(weights, 1, at, squared, &c_dx, &c_dy);
+    fill_barycentrics(group->barycentric_ddx, 0, b_dx, c_dx);
+    fill_barycentrics(group->barycentric_ddy, 0, b_dy, c_dy);
+}
+
+// One group with everything that a fragment function may ask for.
+static void fill_any_group(const struct tile_work *work, int g, const struct triangle_work *triangle,
+                           const struct block_planes *planes, const struct block *block, int row)
+{
+    const struct rhw_pipeline_data *const pipeline = work->pipeline;
+    const uint32_t uses = pipeline->def.program.uses;
+    struct fragment_queue *const queue = &work->scratch->queue;
+    struct rhw_fragment *const group = &queue->groups[g];
+    const bool is_exact = triangle->planes.kind == PLANES_EXACT;
+    struct weights w =
+        weights_of_row(&triangle->planes, planes, row, is_exact ? WEIGHTS_EXACT : WEIGHTS_PER_PIXEL);
+    struct screen_weights screen = screen_weights_of_row(&triangle->planes, planes, row);
+    if (block->leaves_triangle) {
+        struct clipped_row clipped;
+        clipped_row_set(&clipped, &triangle->planes, triangle->clipped, &block->at, row);
+        clipped_row_replace(&clipped, &w, &screen);
+    }
+    interpolate_any(queue->varyings + g * pipeline->varying_components, pipeline, triangle, &w, &screen);
+    double dy[RHW_BLOCK];
+    memcpy(dy, &block->at.dy, sizeof dy);
+    const struct anchor_offset at = {block->at.dx, d8_splat(dy[row])};
+    const d8 squared = d8_mul(w.inverse_s, w.inverse_s);
+    if (pipeline->any_derivatives) {
+        smooth_derivatives(queue, g, pipeline, triangle->derivatives, &at, squared);
+        constant_derivatives(queue, g, pipeline, triangle);
+    }
+    if (uses & RHW_USE_BARYCENTRIC_DERIVATIVES) {
+        fill_barycentric_derivatives(group, &triangle->planes.weights, &at, squared);
+    }
+    if (uses & RHW_USE_COORD) {
+        fill_coordinates(work, group, block->x, block->y + row, w.s);
+    }
+    if (uses & RHW_USE_BARYCENTRIC) {
+        fill_barycentrics(group->barycentric, 1, w.b, w.c);
+        fill_barycentrics(group->barycentric_noperspective, 1, f8_from_d8(screen.s), f8_from_d8(screen.t));
+    }
+    fill_identity(group, uses, triangle);
+}
+
+// The rows of a block as groups from `first` on.
+static __attribute__((noinline)) void fill_any_groups(const struct tile_work *work,
+                                                      const struct triangle_work *triangle,
+                                                      const struct block *block, const struct block_rows *rows,
+                                                      int first)
+{
+    const struct planes *const planes = &triangle->planes;
+    struct block_planes over;
+    block_weights(&over, planes, &block->at, planes->kind == PLANES_EXACT ? WEIGHTS_EXACT : WEIGHTS_PER_PIXEL);
+    block_screen_weights(&over, planes, &block->at);
+    for (int n = 0; n < rows->count; n++) {
+        fill_any_group(work, first + n, triangle, &over, block, rows->row[n]);
+    }
+}
+
+// Smooth varyings alone --------------------------------------------------------------------------------
+
+// Derivatives of smooth components of the rows of a block, groups `first` on: as smooth_derivatives, with what the rows
+// share worked out once. `squared`: by row.
+RHW_INLINE void fill_row_derivatives(const struct tile_work *work, const struct triangle_work *triangle,
+                                     const struct anchor_offset *at, const struct block_rows *rows, int first,
+                                     const d8 squared[RHW_BLOCK])
+{
+    const struct rhw_pipeline_data *const pipeline = work->pipeline;
+    const ptrdiff_t components = pipeline->varying_components;
+    for (int n = 0; n < 2 * pipeline->slope_pairs; n++) {
+        const struct derivative_pair *const pair = &triangle->derivatives[n / 2];
+        const int x = n % 2 * 2, y = x + 1, i = pipeline->slope_component[n / 2][n % 2];
+        const d8 along_x = numerator8(pair->at[x], pair->step[x], at->dy);
+        const d8 along_y = numerator8(pair->at[y], pair->step[y], at->dx);
+        double by_row[RHW_BLOCK];
+        memcpy(by_row, &along_x, sizeof by_row);
+        f8 *ddx = work->scratch->queue.ddx + first * components + i,
+           *ddy = work->scratch->queue.ddy + first * components + i;
+        for (int k = 0; k < rows->count; k++, ddx += components, ddy += components) {
+            const int row = rows == &all_rows ? k : rows->row[k];
+            *ddx = derivative_of(d8_splat(by_row[row]), squared[k]);
+            *ddy = derivative_of(along_y, squared[k]);
+        }
+    }
+}
+
+// The rows as groups from `first` on, some at a time: while the weights of these wait for their divisions, the varyings
+// of those before are worked out.
+RHW_INLINE void fill_steps(const struct tile_work *work, const struct triangle_work *triangle,
+                           const struct block_planes *over, const struct anchor_offset *at,
+                           const struct block_rows *rows, enum derivatives derivatives, enum weight_path path)
+{
+    enum { STEP = 4 };
+    const int first = work->scratch->queue.count;
+    const ptrdiff_t components = work->pipeline->varying_components;
+    d8 squared[RHW_BLOCK];
+    for (int n = 0; n < rows->count; n += STEP) {
+        const int left = rows->count - n, count = rows == &all_rows || left > STEP ? STEP : left;
+        struct group_weights weights;
+        for (int k = 0; k < count; k++) {
+            const int row = rows == &all_rows ? n + k : rows->row[n + k];
+            const struct weights w = weights_of_row(&triangle->planes, over, row, path);
+            weights.b[k] = w.b;
+            weights.c[k] = w.c;
+            if (derivatives == DERIVATIVES) {
+                squared[n + k] = d8_mul(w.inverse_s, w.inverse_s);
+            }
+        }
+        interpolate_groups(work->scratch->queue.varyings + (first + n) * components, components, triangle, &weights,
+                           count);
+    }
+    if (derivatives == DERIVATIVES) {
+        fill_row_derivatives(work, triangle, at, rows, first, squared);
+    }
+}
+
+RHW_INLINE void fill_block(const struct tile_work *work, const struct triangle_work *triangle,
+                           const struct anchor_offset *at, const struct block_rows *rows,
+                           enum derivatives derivatives, enum weight_path path)
+{
+    struct block_planes over;
+    block_weights(&over, &triangle->planes, at, path);
+    fill_steps(work, triangle, &over, at, rows, derivatives, path);
+}
+
+RHW_INLINE void fill_rows(const struct tile_work *work, const struct triangle_work *triangle,
+                          const struct anchor_offset *at, const struct block_rows *rows, enum derivatives derivatives)
+{
+    switch (weight_path_of(&triangle->planes)) {
+    case WEIGHTS_EXACT: fill_block(work, triangle, at, rows, derivatives, WEIGHTS_EXACT); break;
+    case WEIGHTS_PER_ROW: fill_block(work, triangle, at, rows, derivatives, WEIGHTS_PER_ROW); break;
+    case WEIGHTS_PER_PIXEL: fill_block(work, triangle, at, rows, derivatives, WEIGHTS_PER_PIXEL); break;
+    }
+}
+
+// Queueing ---------------------------------------------------------------------------------------------
+
+// Tells where the groups from the queue's end on stand: the rows of a block at (x, y).
+RHW_INLINE void place_rows(struct fragment_queue *queue, const struct block_rows *rows, int x, int y)
+{
+    const int first = queue->count;
+    struct rhw_fragment *const groups = &queue->groups[first];
+    memcpy(&queue->live[first], rows->bits, sizeof rows->bits);
+    memset(&queue->is_scattered[first], 0, sizeof rows->bits);
+    i8_store(&queue->row_at[first], (i8_load_bytes(rows->row) << RHW_TILE_LOG2) + i8_splat(y * RHW_TILE + x));
+    for (int n = 0; n < rows->count; n++) {
+        groups[n].mask = rows == &all_rows ? i8_splat(-1) : i8_from_bits(rows->bits[n]);
+    }
+    for (int n = 0; n < rows->count && rows != &all_rows; n++) {
+        queue->has_all_rows = queue->has_all_rows && rows->bits[n] == 0xff;
+    }
+}
+
+// Depth, facing and ids of the groups from `first` on.
+static void fill_kept(const struct tile_work *work, const struct triangle_work *triangle, const struct block *block,
+                      const struct block_rows *rows, int first)
+{
+    for (int n = 0; n < rows->count; n++) {
+        struct rhw_fragment *const group = &work->scratch->queue.groups[first + n];
+        if (work->plan->keeps_depth) {
+            group->depth = block->z[rows->row[n]];
+        }
+        if (work->plan->keeps_identity) {
+            fill_identity(group, work->pipeline->def.program.uses, triangle);
+        }
+    }
+}
+
+// Queues the rows of a block as groups.
+RHW_INLINE void queue_rows(struct tile_work *work, struct triangle_work *triangle, const struct block *block,
+                           const struct block_rows *rows)
+{
+    struct fragment_queue *const queue = &work->scratch->queue;
+    if (queue->count + rows->count > RHW_FRAGMENT_GROUPS) {
+        shade_queue(work);
+    }
+    if (!triangle->has_values) {
+        set_inputs(work, triangle);
+    }
+    place_rows(queue, rows, block->x, block->y);
+    if (work->plan->keeps_depth || work->plan->keeps_identity) {
+        fill_kept(work, triangle, block, rows, queue->count);
+    }
+    if (work->plan->shading == RHW_SHADING_ROWS || block->leaves_triangle) {
+        fill_any_groups(work, triangle, block, rows, queue->count);
+    } else if (work->pipeline->any_derivatives) {
+        fill_rows(work, triangle, &block->at, rows, DERIVATIVES);
+    } else if (work->pipeline->varying_components != 0) {
+        fill_rows(work, triangle, &block->at, rows, NO_DERIVATIVES);
+    }
+    queue->count += rows->count;
+    shade_if_full(work);
+}
+
+// The rows of a block of which some pixels are set in `mask`.
+static __attribute__((noinline)) void queue_some_rows(struct tile_work *work, struct triangle_work *triangle,
+                                                      const struct block *block, uint64_t mask)
+{
+    const struct block_rows rows = rows_of_mask(mask);
+    queue_rows(work, triangle, block, &rows);
+}
+
+#endif

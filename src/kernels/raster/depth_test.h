@@ -1,0 +1,162 @@
+// SPDX-License-Identifier: MIT
+// The depth test: fragments of a row, of a block of 8×8 pixels, or from anywhere in the tile against the tile's depth.
+// What a test has to do with open pixels is part of its rule. Where `rule` is a constant, so are its branches:
+// enum rhw_rule_name says which have loops of their own.
+#ifndef RHW_DEPTH_TEST_H
+#define RHW_DEPTH_TEST_H
+
+#include "../../draw_plan.h"
+#include "../../simd.h"
+#include "open_pixels.h"
+#include "tile_depth.h"
+
+// Lanes for which `z compare old` holds.
+RHW_INLINE i8 depth_passes(enum rhw_compare compare, f8 z, f8 old)
+{
+    switch (compare) {
+    case RHW_COMPARE_NEVER: return i8_splat(0);
+    case RHW_COMPARE_LESS: return rhw_less(z, old);
+    case RHW_COMPARE_EQUAL: return rhw_equal(z, old);
+    case RHW_COMPARE_LESS_EQUAL: return rhw_less_equal(z, old);
+    case RHW_COMPARE_GREATER: return rhw_less(old, z);
+    case RHW_COMPARE_NOT_EQUAL: return ~rhw_equal(z, old);
+    case RHW_COMPARE_GREATER_EQUAL: return rhw_less_equal(old, z);
+    default: return i8_splat(-1);
+    }
+}
+
+// Depth within the viewport's range.
+RHW_INLINE f8 viewport_clamp(const struct tile_depth *depth, f8 z)
+{
+    return f8_min(f8_max(z, f8_splat(depth->least)), f8_splat(depth->most));
+}
+
+RHW_INLINE float *depth_texels(struct tile_depth *depth, int x, int y)
+{
+    return &depth->texels[y * RHW_TILE + x];
+}
+
+// Lanes that pass. Bit i of `open`: the pixel of lane i is open.
+RHW_INLINE i8 rule_passes(const struct rhw_depth_rule rule, f8 z, f8 stored, unsigned open)
+{
+    i8 pass = depth_passes(rule.compare, z, stored);
+    if (rule.open >= RHW_OPEN_TRY) {
+        pass |= depth_passes(RHW_COMPARE_EQUAL, z, stored) & i8_from_bits(open & 0xff);
+    }
+    return pass;
+}
+
+// The open pixels of a row from x on, where a test has to know them.
+RHW_INLINE unsigned open_row(const struct tile_depth *depth, int x, int y, const struct rhw_depth_rule rule)
+{
+    return rule.open >= RHW_OPEN_TRY ? (unsigned)(depth->open[y] >> x) : 0;
+}
+
+// Tests the fragments of 8 pixels in a row, from (x, y) on, in the lanes of `live`, and writes their depth; returns the
+// lanes that pass. Before shading, settle_block has to follow.
+RHW_INLINE i8 test_lanes(struct tile_depth *depth, int x, int y, f8 z, i8 live, const struct rhw_depth_rule rule)
+{
+    float *const texels = depth_texels(depth, x, y);
+    const f8 stored = f8_load(texels);
+    const i8 pass = live & rule_passes(rule, z, stored, open_row(depth, x, y, rule));
+    if (rule.write) {
+        f8_store(texels, f8_select(pass, z, stored));
+    }
+    return pass;
+}
+
+// What a test does to the open pixels of the block at (x, y) whose pixels `passed` passed it; returns those that go on.
+RHW_INLINE uint64_t settle_block(struct tile_depth *depth, int x, int y, uint64_t passed,
+                                 const struct rhw_depth_rule rule)
+{
+    if (rule.open == RHW_OPEN_CLAIM) {
+        return passed ? claim_block(&depth->open[y], x, passed) : 0;
+    }
+    if (rule.open == RHW_OPEN_MARK && passed) {
+        change_block(&depth->open[y], x, passed, BITS_SET);
+        depth->marked = true;
+    }
+    return passed;
+}
+
+enum block_mask { MASK_PART, MASK_WHOLE }; // whole: every pixel is set
+
+// Tests the pixels of the block at (x, y) that are set in `mask`, whose depths are `z`; returns those that pass.
+RHW_INLINE uint64_t test_rows(struct tile_depth *depth, const f8 z[RHW_BLOCK], int x, int y, uint64_t mask,
+                              const struct rhw_depth_rule rule, enum block_mask which)
+{
+    uint64_t passed = 0;
+    for (int row = 0; row < RHW_BLOCK; row++) {
+        const i8 live = which == MASK_WHOLE ? i8_splat(-1) : i8_from_bits((unsigned)(mask >> (8 * row)) & 0xff);
+        const i8 pass = test_lanes(depth, x, y + row, z[row], live, rule);
+        passed |= (uint64_t)i8_sign_bits(pass) << (8 * row);
+    }
+    return settle_block(depth, x, y, passed, rule);
+}
+
+RHW_INLINE uint64_t test_block(struct tile_depth *depth, const f8 z[RHW_BLOCK], int x, int y, uint64_t mask,
+                               const struct rhw_depth_rule rule)
+{
+    return mask == ~(uint64_t)0 ? test_rows(depth, z, x, y, mask, rule, MASK_WHOLE)
+                                : test_rows(depth, z, x, y, mask, rule, MASK_PART);
+}
+
+// The same by the draw's rule before shading.
+static uint64_t test_block_early(struct tile_depth *depth, const f8 z[RHW_BLOCK], int x, int y, uint64_t mask,
+                                 const struct rhw_draw_plan *plan)
+{
+    switch (plan->early_name) {
+    case RHW_RULE_LESS: return test_block(depth, z, x, y, mask, rhw_named_rules[RHW_RULE_LESS]);
+    case RHW_RULE_GREATER: return test_block(depth, z, x, y, mask, rhw_named_rules[RHW_RULE_GREATER]);
+    case RHW_RULE_MARK_LESS: return test_block(depth, z, x, y, mask, rhw_named_rules[RHW_RULE_MARK_LESS]);
+    case RHW_RULE_MARK_GREATER: return test_block(depth, z, x, y, mask, rhw_named_rules[RHW_RULE_MARK_GREATER]);
+    case RHW_RULE_CLAIM: return test_block(depth, z, x, y, mask, rhw_named_rules[RHW_RULE_CLAIM]);
+    default: return test_block(depth, z, x, y, mask, plan->early);
+    }
+}
+
+// Tests the fragments of a row that are set in `bits` after shading.
+static unsigned test_row_late(struct tile_depth *depth, int x, int y, f8 z, unsigned bits,
+                              const struct rhw_depth_rule rule)
+{
+    const unsigned passed = i8_sign_bits(test_lanes(depth, x, y, z, i8_from_bits(bits), rule));
+    if (rule.open == RHW_OPEN_CLOSE) {
+        depth->open[y] &= ~((uint64_t)passed << x);
+    }
+    return passed;
+}
+
+// The same with 8 texels of the tile that lie anywhere.
+static unsigned test_texels_late(struct tile_depth *depth, const int32_t texel[8], f8 z, unsigned bits,
+                                 const struct rhw_depth_rule rule)
+{
+    float stored[8];
+    unsigned open = 0;
+    for (int i = 0; i < 8; i++) {
+        stored[i] = depth->texels[texel[i]];
+        open |= (unsigned)(depth->open[texel[i] / RHW_TILE] >> texel[i] % RHW_TILE & 1) << i;
+    }
+    const unsigned passed = i8_sign_bits(i8_from_bits(bits) & rule_passes(rule, z, f8_load(stored), open));
+    float lanes[8];
+    f8_store(lanes, z);
+    for (unsigned left = passed; left != 0; left &= left - 1) {
+        const int lane = __builtin_ctz(left);
+        if (rule.write) {
+            depth->texels[texel[lane]] = lanes[lane];
+        }
+        if (rule.open == RHW_OPEN_CLOSE) {
+            depth->open[texel[lane] / RHW_TILE] &= ~((uint64_t)1 << texel[lane] % RHW_TILE);
+        }
+    }
+    return passed;
+}
+
+// Drawn backwards: of the pixels of the block at (x, y) set in `mask`, those that no triangle after this one covers.
+static uint64_t claim_backwards(struct tile_depth *depth, int x, int y, uint64_t mask)
+{
+    const uint64_t claimed = claim_block(&depth->open[y], x, mask);
+    depth->open_count -= __builtin_popcountll(claimed);
+    return claimed;
+}
+
+#endif

@@ -1,0 +1,298 @@
+// SPDX-License-Identifier: MIT
+// Quantities that are linear on the screen, their values at pixels, and the weights made from them.
+//
+// With the exact edge functions e_i of the snapped triangle, A their sum (twice the area) and w_i = 1/W_i:
+//
+//     S = 1/W = (e_0·w_0 + e_1·w_1 + e_2·w_2) / A,     b = (e_1·w_1 / A) / S,     c = (e_2·w_2 / A) / S,
+//     s = e_1 / A,    t = e_2 / A,                     Z/W = d_0 + e_1·(d_1 − d_0)/A + e_2·(d_2 − d_0)/A.
+//
+// All in double, each rounded once to float at the end: b and c, the only weights that interpolation needs, carry half
+// an ULP of float and nothing else worth counting. docs/exactness.md adds up what follows.
+//
+// A plane has one formula: value = column + row with column = dx·Δx and row = at + dy·Δy, where (Δx, Δy) are pixels from
+// the anchor, a pixel that moves with the triangle, so that moving it by whole pixels changes no bit. Whoever needs a
+// value, for one pixel, for 8, or for four quantities at once, takes it from the functions below; thus no bit depends on
+// the path that a fragment takes. For slivers and extreme ratios of W those sums would cancel; such triangles
+// (PLANES_EXACT) take their e_i as exact integers per pixel and combine after that.
+#ifndef RHW_PLANE_H
+#define RHW_PLANE_H
+
+#include "../../constants.h"
+#include "../../simd.h"
+
+struct plane {
+    double at, dx, dy; // value at the anchor's centre; change per pixel
+};
+
+// The four that every fragment needs stand side by side in one vector.
+enum quantity { QUANTITY_S, QUANTITY_B, QUANTITY_C, QUANTITY_Z }; // 1/W; b·(1/W); c·(1/W); depth
+
+struct quantity_planes {
+    d4 at, dx, dy; // by quantity, as struct plane
+};
+
+RHW_INLINE struct plane plane_of(const struct quantity_planes *planes, enum quantity q)
+{
+    return (struct plane){planes->at[q], planes->dx[q], planes->dy[q]};
+}
+
+static inline struct plane plane_scale(double f, struct plane p)
+{
+    return (struct plane){f * p.at, f * p.dx, f * p.dy};
+}
+
+// Values: the formula ----------------------------------------------------------------------------------
+
+RHW_INLINE d8 plane_column(struct plane p, d8 dx)
+{
+    return d8_mul(d8_splat(p.dx), dx);
+}
+
+RHW_INLINE d8 plane_row(struct plane p, d8 dy)
+{
+    return d8_add(d8_splat(p.at), d8_mul(d8_splat(p.dy), dy));
+}
+
+// At 8 pixels.
+RHW_INLINE d8 plane_value8(struct plane p, d8 dx, d8 dy)
+{
+    return d8_add(plane_column(p, dx), plane_row(p, dy));
+}
+
+// At one.
+RHW_INLINE double plane_value(struct plane p, double dx, double dy)
+{
+    return p.dx * dx + (p.at + p.dy * dy);
+}
+
+// Of the four quantities at one pixel.
+RHW_INLINE d4 quantity_values(const struct quantity_planes *p, double dx, double dy)
+{
+    return p->dx * d4_splat(dx) + (p->at + p->dy * d4_splat(dy));
+}
+
+// Blocks -----------------------------------------------------------------------------------------------
+
+// Which block of 8×8 pixels, relative to the anchor: dx of the columns, dy of the rows. Or which 8 pixels: dx and dy of
+// each.
+struct anchor_offset {
+    d8 dx, dy;
+};
+
+// A plane over a block, made once for it, so that a row of 8 pixels costs one addition.
+struct block_plane {
+    d8 column;
+    double row[RHW_BLOCK];
+};
+
+RHW_INLINE void block_plane_column(struct block_plane *out, struct plane plane, d8 dx)
+{
+    out->column = plane_column(plane, dx);
+}
+
+RHW_INLINE void block_plane_rows(struct block_plane *out, struct plane plane, d8 dy)
+{
+    const d8 row = plane_row(plane, dy);
+    memcpy(out->row, &row, sizeof out->row);
+}
+
+RHW_INLINE void block_plane_set(struct block_plane *out, struct plane plane, const struct anchor_offset *at)
+{
+    block_plane_column(out, plane, at->dx);
+    block_plane_rows(out, plane, at->dy);
+}
+
+RHW_INLINE d8 block_plane_value(const struct block_plane *plane, int row)
+{
+    return d8_add(plane->column, d8_splat(plane->row[row]));
+}
+
+// Triangles --------------------------------------------------------------------------------------------
+
+enum plane_kind {
+    PLANES_LINEAR,       // the four quantities have planes
+    PLANES_EXACT,        // made of exact edge values, pixel by pixel: a sliver, or an extreme ratio of W
+    PLANES_DOUBLE_DOUBLE // a clipped triangle whose weights only double-double survives: plane_clipped.h
+};
+
+// Of a snapped triangle: the four quantities are base + f1·e_1 + f2·e_2.
+struct edge_factors {
+    struct plane e1, e2; // exact integers
+    d4 base, f1, f2;
+    double area, inverse_area; // the doubled, positive area
+};
+
+// Numerators of the derivatives of two quantities: of one by x and by y, of the other by x and by y. See derivative.h.
+struct derivative_pair {
+    d4 at, step; // at the anchor's centre; change per pixel down, to the right, down, to the right
+};
+
+struct planes {
+    int anchor_x, anchor_y; // pixels
+    enum plane_kind kind;
+    bool is_homogeneous; // a vertex is not snapped; `factors` are not set
+    struct quantity_planes quantities;
+    double inverse_area;         // of snapped triangles
+    struct edge_factors factors; // of exact and of clipped ones, and where screen weights are wanted
+    struct plane n1, n2;         // weights on the screen of vertices 1 and 2, where they are wanted
+    struct derivative_pair weights; // of b and c, where they are asked for
+};
+
+// A quantity from exact edge values.
+RHW_INLINE d8 combine_edges(const struct edge_factors *f, enum quantity q, d8 e1, d8 e2)
+{
+    return d8_add(d8_splat(f->base[q]), d8_add(d8_mul(d8_splat(f->f1[q]), e1), d8_mul(d8_splat(f->f2[q]), e2)));
+}
+
+// What a block needs of a triangle's planes. Which members are set: z by block_depth; s, b, c by block_weights, or by
+// block_weight_rows and block_weight_columns; n1, n2 by block_screen_weights; e1, e2 instead of all of them where the
+// planes are exact.
+struct block_planes {
+    struct block_plane z, s, b, c, n1, n2, e1, e2;
+    double inverse_s[RHW_BLOCK]; // by row, with WEIGHTS_PER_ROW
+};
+
+static void block_edges(struct block_planes *block, const struct planes *p, const struct anchor_offset *at)
+{
+    block_plane_set(&block->e1, p->factors.e1, at);
+    block_plane_set(&block->e2, p->factors.e2, at);
+}
+
+// Depth ------------------------------------------------------------------------------------------------
+
+RHW_INLINE void block_depth(struct block_planes *block, const struct planes *p, const struct anchor_offset *at)
+{
+    if (__builtin_expect(p->kind == PLANES_EXACT, 0)) {
+        block_edges(block, p, at);
+    } else {
+        block_plane_set(&block->z, plane_of(&p->quantities, QUANTITY_Z), at);
+    }
+}
+
+RHW_INLINE f8 depth_of_row(const struct planes *p, const struct block_planes *block, int row)
+{
+    if (__builtin_expect(p->kind == PLANES_EXACT, 0)) {
+        return f8_from_d8(combine_edges(&p->factors, QUANTITY_Z, block_plane_value(&block->e1, row),
+                                        block_plane_value(&block->e2, row)));
+    }
+    return f8_from_d8(block_plane_value(&block->z, row));
+}
+
+// Weights in space -------------------------------------------------------------------------------------
+
+// How the weights of a row are found; a constant where a call names it. One division for a row takes 5 % of fill_color's
+// instructions away, and 15 % of its time.
+enum weight_path {
+    WEIGHTS_PER_PIXEL, // a division in every lane
+    WEIGHTS_PER_ROW,   // 1/W is the same along a row, so that one division serves all its lanes with the same bits
+    WEIGHTS_EXACT      // from exact integers: PLANES_EXACT
+};
+
+// A floor under a camera that is not rolled has the same 1/W along a row, and whatever is drawn without perspective.
+RHW_INLINE enum weight_path weight_path_of(const struct planes *p)
+{
+    if (__builtin_expect(p->kind == PLANES_EXACT, 0)) {
+        return WEIGHTS_EXACT;
+    }
+    return p->quantities.dx[QUANTITY_S] == 0 ? WEIGHTS_PER_ROW : WEIGHTS_PER_PIXEL;
+}
+
+// The parts of the three planes for the weights that depend on the row and on the column; not of exact ones.
+RHW_INLINE void block_weight_rows(struct block_planes *block, const struct planes *p, d8 dy, enum weight_path path)
+{
+    block_plane_rows(&block->s, plane_of(&p->quantities, QUANTITY_S), dy);
+    block_plane_rows(&block->b, plane_of(&p->quantities, QUANTITY_B), dy);
+    block_plane_rows(&block->c, plane_of(&p->quantities, QUANTITY_C), dy);
+    if (path == WEIGHTS_PER_ROW) {
+        d8 row;
+        memcpy(&row, block->s.row, sizeof row);
+        row = d8_div(d8_splat(1), row);
+        memcpy(block->inverse_s, &row, sizeof row);
+    }
+}
+
+RHW_INLINE void block_weight_columns(struct block_planes *block, const struct planes *p, d8 dx)
+{
+    block_plane_column(&block->s, plane_of(&p->quantities, QUANTITY_S), dx);
+    block_plane_column(&block->b, plane_of(&p->quantities, QUANTITY_B), dx);
+    block_plane_column(&block->c, plane_of(&p->quantities, QUANTITY_C), dx);
+}
+
+RHW_INLINE void block_weights(struct block_planes *block, const struct planes *p, const struct anchor_offset *at,
+                              enum weight_path path)
+{
+    if (path == WEIGHTS_EXACT) {
+        block_edges(block, p, at);
+    } else {
+        block_weight_rows(block, p, at->dy, path);
+        block_weight_columns(block, p, at->dx);
+    }
+}
+
+// 1/W and the perspective weights of vertices 1 and 2.
+struct weights {
+    f8 b, c;
+    d8 s, inverse_s;
+};
+
+RHW_INLINE struct weights weights_of(d8 s, d8 inverse_s, d8 b, d8 c)
+{
+    return (struct weights){f8_from_d8(d8_mul(b, inverse_s)), f8_from_d8(d8_mul(c, inverse_s)), s, inverse_s};
+}
+
+RHW_INLINE struct weights weights_of_row(const struct planes *p, const struct block_planes *block, int row,
+                                         enum weight_path path)
+{
+    d8 s, b, c;
+    if (path == WEIGHTS_EXACT) {
+        const d8 e1 = block_plane_value(&block->e1, row), e2 = block_plane_value(&block->e2, row);
+        s = combine_edges(&p->factors, QUANTITY_S, e1, e2);
+        b = d8_mul(d8_splat(p->factors.f1[QUANTITY_B]), e1);
+        c = d8_mul(d8_splat(p->factors.f2[QUANTITY_C]), e2);
+    } else {
+        s = block_plane_value(&block->s, row);
+        b = block_plane_value(&block->b, row);
+        c = block_plane_value(&block->c, row);
+    }
+    const d8 inverse_s = path == WEIGHTS_PER_ROW ? d8_splat(block->inverse_s[row]) : d8_div(d8_splat(1), s);
+    return weights_of(s, inverse_s, b, c);
+}
+
+// The same for 8 pixels anywhere, of planes that are not exact.
+RHW_INLINE struct weights weights_of_pixels(const struct quantity_planes *p, const struct anchor_offset *at)
+{
+    const d8 s = plane_value8(plane_of(p, QUANTITY_S), at->dx, at->dy);
+    return weights_of(s, d8_div(d8_splat(1), s), plane_value8(plane_of(p, QUANTITY_B), at->dx, at->dy),
+                      plane_value8(plane_of(p, QUANTITY_C), at->dx, at->dy));
+}
+
+// Weights on the screen --------------------------------------------------------------------------------
+
+RHW_INLINE void block_screen_weights(struct block_planes *block, const struct planes *p,
+                                     const struct anchor_offset *at)
+{
+    if (p->kind == PLANES_EXACT) {
+        block_edges(block, p, at);
+    } else {
+        block_plane_set(&block->n1, p->n1, at);
+        block_plane_set(&block->n2, p->n2, at);
+    }
+}
+
+// Of vertices 1 and 2.
+struct screen_weights {
+    d8 s, t;
+};
+
+RHW_INLINE struct screen_weights screen_weights_of_row(const struct planes *p, const struct block_planes *block,
+                                                       int row)
+{
+    if (p->kind == PLANES_EXACT) {
+        const d8 inverse_area = d8_splat(p->factors.inverse_area);
+        return (struct screen_weights){d8_mul(inverse_area, block_plane_value(&block->e1, row)),
+                                       d8_mul(inverse_area, block_plane_value(&block->e2, row))};
+    }
+    return (struct screen_weights){block_plane_value(&block->n1, row), block_plane_value(&block->n2, row)};
+}
+
+#endif

@@ -1,0 +1,95 @@
+// SPDX-License-Identifier: MIT
+// From snapped triangles to their planes, four triangles at a time, lane by lane: by itself a triangle spends most of
+// its setup waiting for divisions, of which there are seven. Whoever needs the planes of one alone gives it to all lanes.
+#ifndef RHW_PLANE_SETUP_H
+#define RHW_PLANE_SETUP_H
+
+#include "plane.h"
+
+// Four triangles.
+struct setup_input4 {
+    d4 x1, y1, x2, y2; // vertices 1 and 2, seen from vertex 0, in 1/256 pixel
+    d4 px, py;         // the sample of the anchor, the pixel of vertex 0, likewise
+    d4 w[3], z[3];     // of the vertices
+    d4 depth_low, depth_span;
+};
+
+// One plane of each.
+struct plane4 {
+    d4 at, dx, dy;
+};
+
+struct setup_output4 {
+    struct plane4 e1, e2; // exact integers
+    d4 area, inverse_area;
+    d4 base[4], f1[4], f2[4];  // by quantity: it is base + f1·e_1 + f2·e_2
+    struct plane4 quantity[4]; // likewise
+    l4 is_exact;               // −1: the numbers must be made of exact integers, pixel by pixel
+};
+
+RHW_INLINE struct plane4 combine_planes4(d4 base, d4 f1, d4 f2, struct plane4 e1, struct plane4 e2)
+{
+    return (struct plane4){base + (f1 * e1.at + f2 * e2.at), f1 * e1.dx + f2 * e2.dx, f1 * e1.dy + f2 * e2.dy};
+}
+
+// Edges 2 → 0 and 0 → 1 at the anchor's sample, seen from vertex 0; exact (constants.h).
+RHW_INLINE void setup_edges4(struct setup_output4 *out, const struct setup_input4 *t)
+{
+    const d4 pixel = d4_splat(RHW_SUBPIXEL);
+    const d4 signed_area = t->x1 * t->y2 - t->x2 * t->y1;
+    const d4 sign = d4_select(d4_less(signed_area, d4_splat(0)), d4_splat(-1), d4_splat(1));
+    const d4 x1 = t->x1 * sign, x2 = t->x2 * sign, y1 = t->y1 * sign, y2 = t->y2 * sign;
+    out->e1 = (struct plane4){y2 * t->px - x2 * t->py, y2 * pixel, -x2 * pixel};
+    out->e2 = (struct plane4){x1 * t->py - y1 * t->px, -y1 * pixel, x1 * pixel};
+    out->area = sign * signed_area;
+    out->inverse_area = d4_splat(1) / out->area;
+}
+
+RHW_INLINE void setup_planes4(struct setup_output4 *out, const struct setup_input4 *t)
+{
+    const d4 zero = d4_splat(0), one = d4_splat(1), pixel = d4_splat(RHW_SUBPIXEL);
+    setup_edges4(out, t);
+    d4 w[3], d[3];
+    for (int v = 0; v < 3; v++) {
+        w[v] = one / t->w[v];
+        d[v] = t->depth_low + t->depth_span * (t->z[v] / t->w[v]);
+    }
+    // Terms that are 0 are kept: they may turn the sign of a zero.
+    const d4 base[4] = {w[0], zero, zero, d[0]};
+    const d4 f1[4] = {w[1] - w[0], w[1], zero, d[1] - d[0]}, f2[4] = {w[2] - w[0], zero, w[2], d[2] - d[0]};
+    for (int q = 0; q < 4; q++) {
+        out->base[q] = base[q];
+        out->f1[q] = f1[q] * out->inverse_area;
+        out->f2[q] = f2[q] * out->inverse_area;
+        out->quantity[q] = combine_planes4(base[q], out->f1[q], out->f2[q], out->e1, out->e2);
+    }
+    // Terms of the sums are below extent² · the largest w / A; the smallest S is the smallest w. Their ratio
+    // is how many bits cancel; 53 − 20 are more than the 24 + 6 that the bound needs.
+    const d4 width = d4_abs(t->x1) + d4_abs(t->x2), height = d4_abs(t->y1) + d4_abs(t->y2);
+    const d4 most = d4_max(d4_max(w[0], w[1]), w[2]), least = d4_min(d4_min(w[0], w[1]), w[2]);
+    out->is_exact =
+        d4_less(d4_splat(0x1p20) * least, (width + pixel) * (height + pixel) * out->inverse_area * most);
+}
+
+RHW_INLINE struct plane plane_of_lane(const struct plane4 *p, int lane)
+{
+    return (struct plane){p->at[lane], p->dx[lane], p->dy[lane]};
+}
+
+// Of one triangle that stands in all lanes.
+static __attribute__((noinline)) void setup_factors(struct edge_factors *f, const struct setup_input4 *t)
+{
+    struct setup_output4 out;
+    setup_planes4(&out, t);
+    f->e1 = plane_of_lane(&out.e1, 0);
+    f->e2 = plane_of_lane(&out.e2, 0);
+    for (int q = 0; q < 4; q++) {
+        f->base[q] = out.base[q][0];
+        f->f1[q] = out.f1[q][0];
+        f->f2[q] = out.f2[q][0];
+    }
+    f->area = out.area[0];
+    f->inverse_area = out.inverse_area[0];
+}
+
+#endif

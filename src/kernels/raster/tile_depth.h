@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: MIT
+// What a tile knows of depth while it is drawn.
+#ifndef RHW_TILE_DEPTH_H
+#define RHW_TILE_DEPTH_H
+
+#include <stdbool.h>
+#include <stdint.h>
+
+#include "../../constants.h"
+
+enum { HIZ_BLOCKS = RHW_TILE / RHW_BLOCK }; // of a tile, each way
+
+struct tile_depth {
+    float texels[RHW_TILE * RHW_TILE]; // row by row
+    float bounds[HIZ_BLOCKS * HIZ_BLOCKS]; // by block: see hiz.h
+    int direction;           // which way depth moves, 1 down and −1 up; 0 where it may move both ways: no bounds
+    uint64_t open[RHW_TILE]; // by row, a bit per pixel: see open_pixels.h
+    int open_count;          // open pixels, drawn backwards
+    bool marked;             // a fragment opened its pixel since this was last cleared
+    float least, most;       // the viewport's depth range
+};
+
+#endif

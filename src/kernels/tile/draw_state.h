@@ -1,0 +1,76 @@
+// SPDX-License-Identifier: MIT
+// What changes in the work on a tile when the next triangle belongs to another draw, or another phase begins.
+#ifndef RHW_DRAW_STATE_H
+#define RHW_DRAW_STATE_H
+
+#include "../fragment/pack.h"
+#include "../raster/hiz.h"
+
+static void set_state(struct tile_work *work, const struct rhw_draw_state *state)
+{
+    const struct rhw_pipeline_data *const pipeline = state->pipeline;
+    const struct rhw_rect *const scissor = &state->scissor;
+    struct fragment_queue *const queue = &work->scratch->queue;
+    struct tile_depth *const depth = &work->scratch->depth;
+    work->state = state;
+    work->pipeline = pipeline;
+    work->plan = &state->plans[work->phase];
+    work->is_scissored = scissor->x > work->x || scissor->y > work->y ||
+                         scissor->x + scissor->width < work->x + RHW_TILE ||
+                         scissor->y + scissor->height < work->y + RHW_TILE;
+    depth->least = state->depth_least;
+    depth->most = state->depth_most;
+    work->tests_bounds = hiz_follow(depth, work->plan);
+    for (int g = 0; g < RHW_FRAGMENT_GROUPS; g++) {
+        struct rhw_fragment *const group = &queue->groups[g];
+        const int offset = g * pipeline->varying_components;
+        group->varying = queue->varyings + offset;
+        group->ddx = queue->ddx + offset;
+        group->ddy = queue->ddy + offset;
+        group->textures = state->textures;
+        group->color = queue->colors[g];
+    }
+}
+
+// Draws that differ in their uniforms alone have the same state.
+static void set_draw(struct tile_work *work, const struct rhw_draw *draw)
+{
+    flush(work);
+    if (!work->draw || work->draw->state != draw->state) {
+        set_state(work, draw->state);
+    }
+    work->draw = draw;
+    work->constant_is_ready = false;
+    for (int g = 0; g < RHW_FRAGMENT_GROUPS; g++) {
+        work->scratch->queue.groups[g].uniforms = draw->uniforms;
+    }
+}
+
+// Opens all pixels of the tile.
+static void open_all(struct tile_work *work)
+{
+    struct tile_depth *const depth = &work->scratch->depth;
+    for (int y = 0; y < RHW_TILE; y++) {
+        depth->open[y] = y < work->height ? ~(uint64_t)0 >> (RHW_TILE - work->width) : 0;
+    }
+    depth->open_count = work->width * work->height;
+}
+
+// What waits is tested against the open pixels of its own phase: it is flushed before they change.
+static void start_phase(struct tile_work *work, enum rhw_phase phase)
+{
+    struct tile_depth *const depth = &work->scratch->depth;
+    flush(work);
+    if (phase == RHW_PHASE_DEPTH) {
+        memset(depth->open, 0, sizeof depth->open);
+    } else if (phase == RHW_PHASE_BACKWARDS) {
+        open_all(work);
+    }
+    work->draw = NULL;
+    work->phase = phase;
+    if (phase == RHW_PHASE_SHADE && depth->direction != 0) {
+        hiz_refresh(depth);
+    }
+}
+
+#endif

@@ -1,0 +1,281 @@
+// SPDX-License-Identifier: MIT
+// Any triangle in a tile, block by block of 8×8 pixels: coverage, depth, and what survives is collected for shading.
+// This is the general path; small triangles have one of their own (triangle_small.h), and so have those that cover the
+// tile all over where no depth is tested: 17 % fewer instructions in fill_color.
+#ifndef RHW_TRIANGLE_LARGE_H
+#define RHW_TRIANGLE_LARGE_H
+
+#include "../fragment/constant_color.h"
+#include "../fragment/gather.h"
+#include "../raster/hiz.h"
+#include "triangle_setup8.h"
+
+// Planes -----------------------------------------------------------------------------------------------
+
+static struct setup_input4 setup_input(const struct triangle_work *triangle, const struct rhw_draw_state *state)
+{
+    const struct rhw_triangle *const t = triangle->t;
+    struct setup_input4 input = {.x1 = d4_splat(t->x_24_8[1] - t->x_24_8[0]),
+                                 .y1 = d4_splat(t->y_24_8[1] - t->y_24_8[0]),
+                                 .x2 = d4_splat(t->x_24_8[2] - t->x_24_8[0]),
+                                 .y2 = d4_splat(t->y_24_8[2] - t->y_24_8[0]),
+                                 .px = d4_splat(sample_from_position(t->x_24_8[0])),
+                                 .py = d4_splat(sample_from_position(t->y_24_8[0])),
+                                 .depth_low = d4_splat(state->depth_low),
+                                 .depth_span = d4_splat(state->depth_span)};
+    for (int i = 0; i < 3; i++) {
+        input.z[i] = d4_splat((double)triangle->v[i]->position[2]);
+        input.w[i] = d4_splat((double)triangle->v[i]->position[3]);
+    }
+    return input;
+}
+
+static void set_planes(const struct tile_work *work, struct triangle_work *triangle)
+{
+    const struct triangle_setup8 *const setup = triangle->setup;
+    struct planes *const planes = &triangle->planes;
+    const int i = triangle->lane;
+    triangle->has_planes = true;
+    if (triangle->t->flags & RHW_TRIANGLE_UNSNAPPED) {
+        planes_homogeneous(planes, triangle->clipped, work->state, triangle->v);
+        return;
+    }
+    planes->anchor_x = setup->anchor_x[i];
+    planes->anchor_y = setup->anchor_y[i];
+    planes->kind = setup->exact >> i & 1 ? PLANES_EXACT : PLANES_LINEAR;
+    planes->is_homogeneous = false;
+    planes->quantities = setup->quantities[i];
+    planes->inverse_area = setup->inverse_area[i];
+    if (planes->kind == PLANES_EXACT || triangle->clipped || work->plan->shading == RHW_SHADING_ROWS) {
+        const struct setup_input4 input = setup_input(triangle, work->state);
+        setup_factors(&planes->factors, &input);
+        planes->n1 = plane_scale(planes->inverse_area, planes->factors.e1);
+        planes->n2 = plane_scale(planes->inverse_area, planes->factors.e2);
+    }
+    if (triangle->clipped) {
+        planes_clipped_snapped(planes, triangle->clipped, work->state, triangle->v);
+    }
+}
+
+// Whether numbers in a block may differ from the triangle's planes.
+RHW_INLINE bool leaves_triangle(const struct triangle_work *triangle, const struct anchor_offset *at)
+{
+    return triangle->clipped && block_leaves_triangle(&triangle->planes, triangle->clipped, at);
+}
+
+// Blocks -----------------------------------------------------------------------------------------------
+
+// The depths of a block; those of pixels outside `mask` are rubbish.
+RHW_INLINE void depth_rows(const struct tile_work *work, const struct triangle_work *triangle,
+                           const struct block *block, uint64_t mask, f8 z[RHW_BLOCK])
+{
+    struct block_planes over;
+    block_depth(&over, &triangle->planes, &block->at);
+    for (int row = 0; row < RHW_BLOCK; row++) {
+        z[row] = depth_of_row(&triangle->planes, &over, row);
+    }
+    for (int row = 0; row < RHW_BLOCK && block->leaves_triangle; row++) {
+        struct clipped_row clipped;
+        if (mask >> (8 * row) & 0xff) {
+            clipped_row_set(&clipped, &triangle->planes, triangle->clipped, &block->at, row);
+            z[row] = f8_select(clipped.lanes, clipped.z, z[row]);
+        }
+    }
+    for (int row = 0; row < RHW_BLOCK && triangle->t->flags & RHW_TRIANGLE_CLAMP; row++) {
+        z[row] = viewport_clamp(&work->scratch->depth, z[row]);
+    }
+}
+
+// The early test of a block's pixels set in `mask`; returns those that pass.
+RHW_INLINE uint64_t test_depth(struct tile_work *work, const struct triangle_work *triangle,
+                               const struct block *block, uint64_t mask)
+{
+    struct tile_depth *const depth = &work->scratch->depth;
+    const struct planes *const planes = &triangle->planes;
+    const bool is_whole = mask == ~(uint64_t)0;
+    mask = test_block_early(depth, block->z, block->x, block->y, mask, work->plan);
+    if (is_whole && work->tests_bounds && work->plan->early.write && !block->leaves_triangle &&
+        planes->kind == PLANES_LINEAR) {
+        hiz_cover(depth, plane_of(&planes->quantities, QUANTITY_Z), planes->anchor_x - work->x,
+                  planes->anchor_y - work->y, block->x, block->y);
+    }
+    return mask;
+}
+
+// A block: depth first, then what survives is collected for shading.
+static void draw_block(struct tile_work *work, struct triangle_work *triangle, int x, int y, uint64_t mask)
+{
+    const struct rhw_draw_plan *const plan = work->plan;
+    struct tile_depth *const depth = &work->scratch->depth;
+    if (work->phase == RHW_PHASE_BACKWARDS) {
+        mask = claim_backwards(depth, x, y, mask);
+    } else if (plan->early_name == RHW_RULE_CLAIM) {
+        mask &= block_bits(&depth->open[y], x);
+    }
+    if (mask == 0) {
+        return;
+    }
+    if (plan->shading == RHW_SHADING_CONSTANT && !plan->needs_depth) { // no number of the triangle is wanted
+        work->counters->fragments += (uint64_t)__builtin_popcountll(mask);
+        blend_constant(work, x, y, mask);
+        return;
+    }
+    if (!triangle->has_planes) {
+        set_planes(work, triangle);
+    }
+    f8 z[RHW_BLOCK];
+    struct block block = {.x = x, .y = y, .at = block_offset(work, &triangle->planes, x, y), .z = z};
+    block.leaves_triangle = leaves_triangle(triangle, &block.at);
+    if (plan->needs_depth) {
+        depth_rows(work, triangle, &block, mask, z);
+    }
+    if (plan->tests_early) {
+        mask = test_depth(work, triangle, &block, mask);
+    }
+    if (mask == 0 || plan->shading == RHW_SHADING_NONE) {
+        return;
+    }
+    work->counters->fragments += (uint64_t)__builtin_popcountll(mask);
+    if (plan->shading == RHW_SHADING_CONSTANT) {
+        blend_constant(work, x, y, mask);
+    } else {
+        collect_block(work, triangle, &block, mask);
+    }
+}
+
+// Whole tiles ------------------------------------------------------------------------------------------
+
+// Whether a triangle of the draw that covers the tile all over takes the path below.
+RHW_INLINE bool takes_whole_tile(const struct tile_work *work)
+{
+    const struct rhw_draw_plan *const plan = work->plan;
+    const bool all_open =
+        work->phase == RHW_PHASE_BACKWARDS && work->scratch->depth.open_count == RHW_TILE * RHW_TILE;
+    return plan->shading == RHW_SHADING_SMOOTH && !plan->needs_depth && !plan->keeps_identity &&
+           !work->is_scissored && (work->phase == RHW_PHASE_ONLY || all_open);
+}
+
+RHW_INLINE void fill_whole_tile(struct tile_work *work, const struct triangle_work *triangle,
+                                enum derivatives derivatives, enum weight_path path)
+{
+    const struct planes *const planes = &triangle->planes;
+    struct fragment_queue *const queue = &work->scratch->queue;
+    for (int y = 0; y < RHW_TILE; y += RHW_BLOCK) {
+        struct block_planes over;
+        const d8 dy = block_offset(work, planes, 0, y).dy;
+        block_weight_rows(&over, planes, dy, path);
+        for (int x = 0; x < RHW_TILE; x += RHW_BLOCK) {
+            const struct anchor_offset at = {block_offset(work, planes, x, y).dx, dy};
+            block_weight_columns(&over, planes, at.dx);
+            place_rows(queue, &all_rows, x, y);
+            fill_steps(work, triangle, &over, &at, &all_rows, derivatives, path);
+            queue->count += RHW_BLOCK;
+            shade_if_full(work);
+        }
+    }
+}
+
+// A triangle that covers the tile all over where no depth is tested, as in full-screen passes: what its blocks share is
+// done once. False where it takes the path of any other.
+static __attribute__((noinline)) bool draw_whole_tile(struct tile_work *work, struct triangle_work *triangle)
+{
+    set_planes(work, triangle);
+    if (triangle->planes.kind != PLANES_LINEAR || triangle->clipped) {
+        return false;
+    }
+    flush(work); // its own groups fill queues without a rest
+    set_inputs(work, triangle);
+    const bool derivatives = work->pipeline->any_derivatives;
+    const bool per_row = weight_path_of(&triangle->planes) == WEIGHTS_PER_ROW;
+    if (derivatives && per_row) {
+        fill_whole_tile(work, triangle, DERIVATIVES, WEIGHTS_PER_ROW);
+    } else if (derivatives) {
+        fill_whole_tile(work, triangle, DERIVATIVES, WEIGHTS_PER_PIXEL);
+    } else if (per_row) {
+        fill_whole_tile(work, triangle, NO_DERIVATIVES, WEIGHTS_PER_ROW);
+    } else {
+        fill_whole_tile(work, triangle, NO_DERIVATIVES, WEIGHTS_PER_PIXEL);
+    }
+    work->counters->fragments += RHW_TILE * RHW_TILE;
+    if (work->phase == RHW_PHASE_BACKWARDS) {
+        memset(work->scratch->depth.open, 0, sizeof work->scratch->depth.open);
+        work->scratch->depth.open_count = 0;
+    }
+    return true;
+}
+
+// All ---------------------------------------------------------------------------------------------------
+
+// What a triangle may cover of the tile.
+RHW_INLINE struct tile_rect rect_of(const struct tile_work *work, const struct rhw_triangle *t)
+{
+    return (struct tile_rect){max_int(t->x0 - work->x, 0), max_int(t->y0 - work->y, 0),
+                              min_int(t->x1 - work->x, RHW_TILE), min_int(t->y1 - work->y, RHW_TILE)};
+}
+
+// Bit n: the triangle's plane lies behind all that block n of the row of blocks at y shows.
+static unsigned hidden_blocks(struct tile_work *work, struct triangle_work *triangle, int y)
+{
+    const struct tile_depth *const depth = &work->scratch->depth;
+    const struct planes *const planes = &triangle->planes;
+    if (!work->tests_bounds || !hiz_has_bounds(depth, y)) {
+        return 0;
+    }
+    if (!triangle->has_planes) {
+        set_planes(work, triangle);
+    }
+    if (planes->kind != PLANES_LINEAR) {
+        return 0;
+    }
+    return hiz_hidden(depth, plane_of(&planes->quantities, QUANTITY_Z), planes->anchor_x - work->x,
+                      planes->anchor_y - work->y, y);
+}
+
+static bool is_hidden_block(const struct tile_work *work, const struct triangle_work *triangle, unsigned hidden,
+                            int x, int y)
+{
+    if (!(hidden >> (x / RHW_BLOCK) & 1)) {
+        return false;
+    }
+    const struct anchor_offset at = block_offset(work, &triangle->planes, x, y);
+    return !leaves_triangle(triangle, &at);
+}
+
+static void draw_blocks(struct tile_work *work, struct triangle_work *triangle, const struct coverage *coverage)
+{
+    const struct tile_rect rect = rect_of(work, triangle->t);
+    for (int y = rect.y0 & -RHW_BLOCK; y < rect.y1; y += RHW_BLOCK) {
+        const int row0 = max_int(rect.y0 - y, 0), row1 = min_int(rect.y1 - y, RHW_BLOCK);
+        const unsigned hidden = hidden_blocks(work, triangle, y);
+        for (int x = rect.x0 & -RHW_BLOCK; x < rect.x1; x += RHW_BLOCK) {
+            if (is_hidden_block(work, triangle, hidden, x, y)) {
+                continue;
+            }
+            uint64_t mask = coverage_mask(coverage, x, y, row0, row1);
+            if (work->is_scissored) {
+                mask &= rect_mask(x, y, rect.x0, rect.y0, rect.x1, rect.y1);
+            }
+            if (mask != 0) {
+                draw_block(work, triangle, x, y, mask);
+            }
+        }
+    }
+    finish_gathered(work, triangle);
+}
+
+static void draw_large(struct tile_work *work, struct triangle_work *triangle, const struct rhw_chunk *chunk)
+{
+    struct coverage coverage;
+    struct clipped_planes clipped;
+    triangle->clipped = triangle->t->flags & RHW_TRIANGLE_POLYGON ? &clipped : NULL;
+    coverage_setup(&coverage, chunk, triangle->t, work->x, work->y);
+    if (coverage.count == 0) {
+        return;
+    }
+    if (takes_whole_tile(work) && covers_tile(&coverage) && draw_whole_tile(work, triangle)) {
+        return;
+    }
+    draw_blocks(work, triangle, &coverage);
+}
+
+#endif

@@ -1,0 +1,158 @@
+// SPDX-License-Identifier: MIT
+// Setup of the next 8 triangles of a bin, lane by lane: of each the planes that every fragment needs, and of small ones
+// the edges in 32 bits.
+#ifndef RHW_TRIANGLE_SETUP8_H
+#define RHW_TRIANGLE_SETUP8_H
+
+#include "../raster/coverage.h"
+#include "../raster/plane_setup.h"
+#include "../raster/sample_position.h"
+#include "bin_reader.h"
+
+// Pixels of the tile; x1 and y1 exclusive.
+struct tile_rect {
+    int x0, y0, x1, y1;
+};
+
+// Edges and pixels are those of small triangles (RHW_TRIANGLE_SMALL) alone, planes those of snapped ones. Edges: q, a, b
+// as in coverage.h, q at pixel (x, y0) of the tile. Vertices lie within 64 pixels of each other and within 72 of any
+// pixel of a block that reaches into their rectangle, as edge_lanes asks.
+struct triangle_setup8 {
+    const struct bin_batch *read; // the triangles
+    // What they may cover of the tile: see struct tile_rect.
+    int32_t x0[BATCH], y0[BATCH], x1[BATCH], y1[BATCH];
+    int32_t x[BATCH];
+    int32_t q[3][BATCH], a[3][BATCH], b[3][BATCH];
+    struct quantity_planes quantities[BATCH];
+    double inverse_area[BATCH];
+    int32_t anchor_x[BATCH], anchor_y[BATCH]; // as in struct planes
+    unsigned exact; // bit i: the planes of triangle i are PLANES_EXACT: a sliver
+};
+
+// The words of 8 triangles.
+struct triangle_words8 {
+    i8 x[3], y[3], flags, x0, y0, x1, y1;
+};
+
+RHW_INLINE struct triangle_words8 load_words8(const struct bin_batch *read, const struct tile_work *work)
+{
+    struct triangle_words8 words;
+    f8 low[8], high[8];
+    for (int i = 0; i < BATCH; i++) {
+        low[i] = f8_load(read->triangle[i]);
+        high[i] = f8_load((const unsigned char *)read->triangle[i] + sizeof low[i]);
+    }
+    f8_transpose(low);
+    f8_transpose(high);
+    for (int k = 0; k < 3; k++) {
+        words.x[k] = (i8)low[k];
+        words.y[k] = (i8)low[3 + k];
+    }
+    const i8 zero = i8_splat(0), end = i8_splat(RHW_TILE), x = i8_splat(work->x), y = i8_splat(work->y);
+    words.flags = (i8)high[4]; // and above them x0; then y0 and x1, and y1: see struct rhw_triangle
+    words.x0 = i8_max(((i8)high[4] >> 16) - x, zero);
+    words.y0 = i8_max(((i8)high[5] << 16 >> 16) - y, zero);
+    words.x1 = i8_min(((i8)high[5] >> 16) - x, end);
+    words.y1 = i8_min(((i8)high[6] << 16 >> 16) - y, end);
+    return words;
+}
+
+RHW_INLINE void setup_edges8(struct triangle_setup8 *setup, const struct triangle_words8 *words,
+                             const struct tile_work *work)
+{
+    const i8 x = i8_min(words->x0, i8_splat(RHW_TILE - RHW_BLOCK)); // so that 8 lanes stay in the tile
+    const i8 px = sample_of_pixel8(x + i8_splat(work->x)), py = sample_of_pixel8(words->y0 + i8_splat(work->y));
+    const i8 negative = i8_splat(RHW_TRIANGLE_NEGATIVE);
+    const i8 turn = rhw_equal_int(words->flags & negative, negative);
+    for (int i = 0; i < 3; i++) {
+        const struct edge_lanes edge = edge_lanes(words->x, words->y, i, turn, px, py);
+        i8_store(setup->q[i], edge.e >> RHW_SUBPIXEL_BITS);
+        i8_store(setup->a[i], edge.a);
+        i8_store(setup->b[i], edge.b);
+    }
+    i8_store(setup->x, x);
+    i8_store(setup->x0, words->x0);
+    i8_store(setup->y0, words->y0);
+    i8_store(setup->x1, words->x1);
+    i8_store(setup->y1, words->y1);
+}
+
+// Planes of triangles i .. i + 3, from plane by plane to one vector over the quantities for each triangle.
+RHW_INLINE void setup_planes_at(struct triangle_setup8 *setup, int i, const struct setup_input4 *input)
+{
+    struct setup_output4 out;
+    setup_planes4(&out, input);
+    d4 at[4], dx[4], dy[4];
+    for (int q = 0; q < 4; q++) {
+        at[q] = out.quantity[q].at;
+        dx[q] = out.quantity[q].dx;
+        dy[q] = out.quantity[q].dy;
+    }
+    d4_transpose(at);
+    d4_transpose(dx);
+    d4_transpose(dy);
+    for (int lane = 0; lane < 4; lane++) {
+        setup->quantities[i + lane] = (struct quantity_planes){at[lane], dx[lane], dy[lane]};
+        setup->exact |= (unsigned)(out.is_exact[lane] & 1) << (i + lane);
+    }
+    memcpy(&setup->inverse_area[i], &out.inverse_area, sizeof out.inverse_area);
+}
+
+// Depth ranges of the triangles' draws.
+RHW_INLINE void depth_ranges8(const struct bin_batch *read, const struct rhw_chunk *chunk, d8 *low, d8 *span)
+{
+    double lows[BATCH], spans[BATCH];
+    for (int i = 0; i < BATCH; i++) {
+        const struct rhw_draw_state *const state = chunk->segments[read->triangle[i]->segment].draw->state;
+        lows[i] = state->depth_low;
+        spans[i] = state->depth_span;
+    }
+    memcpy(low, lows, sizeof lows);
+    memcpy(span, spans, sizeof spans);
+}
+
+RHW_INLINE void setup_planes8(struct triangle_setup8 *setup, const struct triangle_words8 *words,
+                              const struct rhw_chunk *chunk)
+{
+    const struct bin_batch *const read = setup->read;
+    f8 position[3][4];
+    for (int v = 0; v < 3; v++) {
+        const void *place[BATCH];
+        for (int i = 0; i < BATCH; i++) {
+            place[i] = read->vertex[i][v]->position;
+        }
+        f8_load_columns(place, position[v]);
+    }
+    i8_store(setup->anchor_x, words->x[0] >> RHW_SUBPIXEL_BITS);
+    i8_store(setup->anchor_y, words->y[0] >> RHW_SUBPIXEL_BITS);
+    d8 low, span;
+    depth_ranges8(read, chunk, &low, &span);
+    const d8 x1 = d8_from_i8(words->x[1] - words->x[0]), y1 = d8_from_i8(words->y[1] - words->y[0]),
+             x2 = d8_from_i8(words->x[2] - words->x[0]), y2 = d8_from_i8(words->y[2] - words->y[0]),
+             px = d8_from_i8(sample_from_position8(words->x[0])), py = d8_from_i8(sample_from_position8(words->y[0]));
+    struct setup_input4
+        first = {x1.lo, y1.lo, x2.lo, y2.lo, px.lo, py.lo, .depth_low = low.lo, .depth_span = span.lo},
+        second = {x1.hi, y1.hi, x2.hi, y2.hi, px.hi, py.hi, .depth_low = low.hi, .depth_span = span.hi};
+    for (int v = 0; v < 3; v++) {
+        const d8 z = d8_from_f8(position[v][2]), w = d8_from_f8(position[v][3]);
+        first.z[v] = z.lo;
+        first.w[v] = w.lo;
+        second.z[v] = z.hi;
+        second.w[v] = w.hi;
+    }
+    setup->exact = 0;
+    setup_planes_at(setup, 0, &first);
+    setup_planes_at(setup, 4, &second);
+}
+
+// Of the triangles that were read.
+static void setup_triangles8(struct triangle_setup8 *setup, const struct tile_work *work,
+                             const struct rhw_chunk *chunk, const struct bin_batch *read)
+{
+    const struct triangle_words8 words = load_words8(read, work);
+    setup->read = read;
+    setup_edges8(setup, &words, work);
+    setup_planes8(setup, &words, chunk);
+}
+
+#endif

@@ -1,0 +1,115 @@
+// SPDX-License-Identifier: MIT
+// A worker's work on a tile: where the tile is, the draw whose fragments are collected, and the memory it needs, which
+// is allocated once per thread and sized by the limits of the API: a draw touches only what it uses.
+#ifndef RHW_TILE_WORK_H
+#define RHW_TILE_WORK_H
+
+#include "../draw_plan.h"
+#include "../pass.h"
+#include "../simd.h"
+#include "raster/plane.h"
+#include "raster/tile_depth.h"
+#include "scratch.h"
+
+enum {
+    // Groups of 8 fragments per call of the fragment function: two whole blocks; enough to hide the call, few enough
+    // that their varyings stay in the first cache level.
+    RHW_FRAGMENT_GROUPS = RHW_MAX_GROUPS,
+    // Triangles of a tile whose visibility is remembered from the first phase to the second: 4 KiB of bits. A longer
+    // run is drawn as submitted.
+    RHW_DEFERRED_TRIANGLES = 32768,
+    // Triangles whose fragments may wait in the partial group at the same time: 7 that wait, and the one that adds.
+    RHW_PACKED_TRIANGLES = 8,
+    // Fragments of one triangle that are gathered before groups are made of them: those of two blocks.
+    RHW_GATHERED_FRAGMENTS = 128
+};
+
+// The fragment queue: groups of 8 fragments of one draw that wait to be shaded with one call (fragment/queue.h). A texel
+// of the tile has the number y·RHW_TILE + x. A block's rows are always written as 8 entries, so there is room for 8 from
+// the last group on.
+struct fragment_queue {
+    struct rhw_fragment groups[RHW_FRAGMENT_GROUPS];
+    int32_t row_at[RHW_FRAGMENT_GROUPS + RHW_BLOCK];    // the first texel of a group that is 8 in a row
+    bool is_scattered[RHW_FRAGMENT_GROUPS + RHW_BLOCK]; // its lanes lie anywhere: `texels` tells where
+    uint8_t live[RHW_FRAGMENT_GROUPS + RHW_BLOCK];      // a bit per lane
+    int32_t texels[RHW_FRAGMENT_GROUPS][8];
+    int count;         // groups
+    bool has_all_rows; // every group is 8 live pixels in a row
+    f8 varyings[RHW_FRAGMENT_GROUPS * RHW_MAX_VARYING_COMPONENTS];
+    f8 ddx[RHW_FRAGMENT_GROUPS * RHW_MAX_VARYING_COMPONENTS];
+    f8 ddy[RHW_FRAGMENT_GROUPS * RHW_MAX_VARYING_COMPONENTS];
+    f8 colors[RHW_FRAGMENT_GROUPS][RHW_MAX_COLOR_ATTACHMENTS][4];
+};
+
+// Texels of the fragments of the triangle under way that are in no group yet (fragment/gather.h).
+struct gathered_fragments {
+    int count;
+    int32_t texel[RHW_GATHERED_FRAGMENTS + 8]; // and room for a vector that begins at the last
+    uint8_t set_lanes[256][8]; // by bits: which are set, in order; behind them lanes of any number
+};
+
+// What is kept of a triangle until its last fragment has found a group.
+struct packed_triangle {
+    struct derivative_pair derivatives[RHW_MAX_VARYING_COMPONENTS / 2]; // see component_derivatives
+    const float *varyings[3];
+    int anchor_x, anchor_y; // pixels, in the tile
+    int32_t front_facing, primitive, instance, draw;
+};
+
+// Fragments of several triangles that wait until 8 make a group (fragment/pack.h).
+struct partial_group {
+    int count;
+    unsigned triangle_count; // packed so far; the last RHW_PACKED_TRIANGLES of them stand in `triangles`
+    int32_t texel[8];
+    const struct packed_triangle *triangle[8];
+    d4 quantities[8];
+    d4 step[8]; // pixels from the anchor, as struct derivative_pair has them: down, to the right, down, to the right
+    uint64_t pixels[RHW_TILE]; // by row, a bit per pixel: those that wait
+    struct packed_triangle triangles[RHW_PACKED_TRIANGLES];
+};
+
+// The triangles that a chunk has for a tile: chunk->entries[first] .. chunk->entries[end − 1].
+struct bin {
+    const struct rhw_chunk *chunk;
+    uint32_t first, end;
+};
+
+struct rhw_tile_scratch {
+    _Alignas(64) unsigned char color[RHW_MAX_COLOR_ATTACHMENTS][RHW_TILE * RHW_TILE * 16];
+    struct tile_depth depth;
+    uint8_t seen[RHW_DEFERRED_TRIANGLES / 8]; // bit i: triangle i of the run is drawn in the second phase
+    struct bin bins[RHW_WAVE_CHUNKS];         // of the tile, those that are not empty
+    struct fragment_queue queue;
+    struct gathered_fragments gathered;
+    struct partial_group partial;
+    i8 constant[RHW_MAX_COLOR_ATTACHMENTS]; // see constant_color.h: 8 texels of RGBA8 targets that are replaced
+};
+
+// One worker's work on one tile.
+struct tile_work {
+    struct rhw_pass_state *pass;
+    struct rhw_tile_scratch *scratch;
+    struct rhw_counters *counters;
+    int tile;          // its number, row by row
+    int x, y;          // pixels of the tile's first pixel in the target
+    int width, height; // pixels of the tile: fewer at the target's end
+    enum rhw_phase phase;
+
+    // Of the draw whose fragments are collected:
+    const struct rhw_draw *draw;
+    const struct rhw_draw_state *state;
+    const struct rhw_pipeline_data *pipeline;
+    const struct rhw_draw_plan *plan; // of the state, in the phase
+    bool tests_bounds;                // fragments behind the tile's bounds fail the depth test
+    bool is_scissored;                // the scissor, or the target's end, leaves out pixels of the tile
+    bool constant_is_ready;           // the draw's constant colour was made
+};
+
+// Where a block at (x, y) of the tile lies from the anchor.
+RHW_INLINE struct anchor_offset block_offset(const struct tile_work *work, const struct planes *planes, int x, int y)
+{
+    return (struct anchor_offset){d8_from_i8(i8_splat(work->x + x - planes->anchor_x) + rhw_lane_index),
+                                  d8_from_i8(i8_splat(work->y + y - planes->anchor_y) + rhw_lane_index)};
+}
+
+#endif

@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: MIT
+// The triangle that a tile draws, and what is made of it when its first fragments survive.
+#ifndef RHW_TRIANGLE_WORK_H
+#define RHW_TRIANGLE_WORK_H
+
+#include "../pass.h"
+#include "raster/plane.h"
+
+struct clipped_planes;
+struct triangle_setup8;
+
+struct triangle_work {
+    const struct rhw_segment *segment;
+    const struct rhw_triangle *t;
+    const struct rhw_vertex_record *const *v; // its three
+    const struct triangle_setup8 *setup;      // what was made of it and of 7 others
+    int lane;                                 // in them
+    struct clipped_planes *clipped;           // room for them; NULL where the triangle is not clipped
+    bool has_planes, has_values;              // `planes` are set; what stands below them is
+    struct planes planes;
+    const float *provoking;
+    float i0[RHW_MAX_VARYING_COMPONENTS], d1[RHW_MAX_VARYING_COMPONENTS], d2[RHW_MAX_VARYING_COMPONENTS];
+    struct derivative_pair derivatives[RHW_MAX_VARYING_COMPONENTS / 2]; // where they are wanted
+};
+
+#endif
