@@ -2,6 +2,8 @@
 // Which draws may be drawn depth first or backwards.
 #include "deferral.h"
 
+#include "pipeline.h"
+
 enum rhw_compare rhw_deferral(const struct rhw_draw_state *state, int color_count)
 {
     if (!state->pipeline || color_count == 0) {

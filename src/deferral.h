@@ -4,7 +4,7 @@
 #ifndef RHW_DEFERRAL_H
 #define RHW_DEFERRAL_H
 
-#include "pass.h"
+#include "draw_list.h"
 
 // The depth comparison that such draws share; RHW_COMPARE_ALWAYS where there is no depth test and none of them
 // discards. RHW_COMPARE_NEVER for a draw that must be drawn in its turn: it blends, keeps a part of a texel, tests
