@@ -24,6 +24,7 @@ struct rhw_context {
     int cores;   // see rhw_cpu_cores; 1, without asking, with one thread
     int threads; // the caller's included
     enum rhw_isa isa;
+    enum rhw_paths paths;
     size_t bin_memory; // as the definition gave it; 0: the pass chooses
     const struct rhw_kernels *kernels;
     struct rhw_scheduler *scheduler;

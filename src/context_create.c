@@ -75,6 +75,10 @@ static bool check_def(const struct rhw_context_def *def, rhw_context **context)
            rhw_check(&report, (unsigned)def->isa <= RHW_ISA_COUNT,
                      "%s: isa is %d; it must be an instruction set or RHW_ISA_COUNT (%d)", where,
                      (int)def->isa, RHW_ISA_COUNT) &&
+           rhw_check(&report, (unsigned)def->paths <= RHW_PATHS_GENERAL,
+                     "%s: paths is %d; it must be RHW_PATHS_ALL (0), RHW_PATHS_IN_ORDER (1) or "
+                     "RHW_PATHS_GENERAL (2)",
+                     where, (int)def->paths) &&
            rhw_check(&report, (allocator->allocate == NULL) == (allocator->release == NULL),
                      "%s: allocator has only one of allocate and release; it must have both or neither",
                      where);
@@ -117,6 +121,7 @@ enum rhw_result rhw_context_create(const struct rhw_context_def *def, rhw_contex
         .cores = cores,
         .threads = thread_count(def->threads, cores),
         .isa = isa,
+        .paths = def->paths,
         .bin_memory = def->bin_memory,
         .kernels = rhw_kernels_for(isa),
     };

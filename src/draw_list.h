@@ -8,6 +8,7 @@
 #ifndef RHW_DRAW_LIST_H
 #define RHW_DRAW_LIST_H
 
+#include "hidden_surface.h"
 #include "output.h"
 #include "rhw/shader.h"
 #include "triangle.h"
@@ -34,7 +35,7 @@ struct rhw_draw_state {
     struct rhw_rect scissor; // already within target and viewport
     float blend_constant[4];
     struct output_state outputs[RHW_MAX_COLOR_ATTACHMENTS];
-    enum rhw_compare deferral; // see deferral.h
+    struct rhw_hidden_rule hidden; // how it may be drawn together with others
     // Depth after the viewport's range: depth_low + depth_span·Z/W, whatever range of Z the pipeline has.
     double depth_low, depth_span;
     float depth_least, depth_most; // the viewport's depth range in order
@@ -72,7 +73,7 @@ struct rhw_chunk {
     uint64_t first, count;
     uint32_t first_draw; // the draw that triangle `first` belongs to
     // Written by the front end:
-    enum rhw_compare deferral; // of all its draws; RHW_COMPARE_NEVER where they differ
+    struct rhw_hidden_rule hidden; // of all its draws; in order where they differ
     struct rhw_segment *segments;
     struct rhw_triangle *triangles;
     struct rhw_polygon *polygons;

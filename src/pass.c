@@ -9,8 +9,8 @@
 #include "buffer.h"
 #include "context.h"
 #include "cpu.h"
-#include "deferral.h"
 #include "format.h"
+#include "hidden_surface.h"
 #include "lookup.h"
 #include "misuse.h"
 #include "pass_run.h"
@@ -31,6 +31,7 @@ enum rhw_result rhw_pass_state_create(struct rhw_context *context, struct rhw_pa
     }
     memset(pass, 0, sizeof *pass);
     pass->context = context;
+    pass->paths = context->paths;
     rhw_arena_init(&pass->arena, &context->memory);
     return RHW_OK;
 }
@@ -200,7 +201,6 @@ static void reset(struct rhw_pass_state *pass, const struct rhw_pass_def *def)
     pass->current = NULL;
     pass->out_of_memory = false;
     pass->color_count = def->color_count;
-    pass->shades_hidden = def->shades_hidden;
     memset(&pass->pending, 0, sizeof pass->pending);
     pass->pending_changed = true;
     pass->uniforms = NULL;
@@ -503,7 +503,9 @@ static const struct rhw_draw_state *snapshot(struct rhw_pass_state *pass)
     state->half_height = (double)state->viewport.height / 2;
     state->center_x = (double)state->viewport.x + state->half_width;
     state->center_y = (double)state->viewport.y + state->half_height;
-    state->deferral = pass->shades_hidden ? RHW_COMPARE_NEVER : rhw_deferral(state, pass->color_count);
+    if (state->pipeline && pass->paths == RHW_PATHS_ALL) {
+        state->hidden = rhw_hidden_rule_of(state->pipeline, state->outputs, pass->color_count);
+    }
     pass->current = state;
     pass->pending_changed = false;
     return state;

@@ -51,7 +51,7 @@ struct rhw_pass_state {
     struct rhw_attachment colors[RHW_MAX_COLOR_ATTACHMENTS];
     bool has_depth;
     struct rhw_attachment depth;
-    bool shades_hidden; // nothing is put off, see deferral.h
+    enum rhw_paths paths; // of the context
     rhw_texture color_ids[RHW_MAX_COLOR_ATTACHMENTS], depth_id;
 
     struct rhw_arena arena;        // states, uniforms, draws

@@ -34,11 +34,20 @@ enum {
 /// x86-64, NEON on 64-bit ARM, what the compiler was given elsewhere. All draw the same bytes.
 enum rhw_isa { RHW_ISA_BASELINE, RHW_ISA_AVX2, RHW_ISA_AVX512, RHW_ISA_COUNT };
 
+/// Which paths through the kernels a context takes. Special paths draw the bytes of the general path in less time; a
+/// program that only wants its picture leaves them all on.
+enum rhw_paths {
+    RHW_PATHS_ALL,
+    RHW_PATHS_IN_ORDER, ///< as ALL, but opaque fragments that later ones hide are shaded in their turn too: for measuring
+    RHW_PATHS_GENERAL   ///< the general path always: to learn how the kernels work, and to find which path is at fault
+};
+
 struct rhw_context_def {
     /// 1..64: the caller's thread and workers; 1 the caller's alone. 0: as many as whole cores' time the process may
     /// use, by affinity and the limits of control groups (1 where it may use one core and a half).
     int threads;
     enum rhw_isa isa; ///< highest to use; default RHW_ISA_COUNT: the best the CPU has
+    enum rhw_paths paths; ///< RHW_PATHS_ALL
     size_t bin_memory; ///< bytes of binned geometry kept before a pass is flushed to its tiles; 0: 512 MiB
     struct rhw_allocator allocator; ///< zeroed: malloc
     rhw_log_function *log;          ///< NULL: silent
@@ -250,8 +259,6 @@ struct rhw_pass_def {
     struct rhw_color_attachment colors[RHW_MAX_COLOR_ATTACHMENTS];
     int color_count;
     struct rhw_depth_attachment depth;
-    /// Shades opaque fragments in their turn, also those that later ones hide: for measuring. The picture is the same.
-    bool shades_hidden;
 };
 
 struct rhw_viewport {

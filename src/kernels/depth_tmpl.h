@@ -2,7 +2,7 @@
 // What of 8 fragments is seen: depth tests against a tile's depth, and pixels that are still open. Template: compiled
 // once per instruction set.
 //
-// Draws that any order would draw alike (deferral.h) can be drawn in two phases, so that only what is seen is shaded:
+// Draws that any order would draw alike (hidden_surface.h) can be drawn in two phases, so that only what is seen is shaded:
 // the first leaves the least depth of all their triangles (with LESS; GREATER is its mirror image), the second shades
 // the fragments that have it. Of fragments with equal depth the first in submission order wins with LESS, the last with
 // LESS_EQUAL. The last needs no care: each is shaded and overwrites the one before. For the first, a pixel is `open`

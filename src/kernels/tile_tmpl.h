@@ -277,7 +277,7 @@ static void draw_backwards(struct tile_work *work, struct bin_run run)
 static struct bin_run run_from(const struct rhw_bin *first, const struct rhw_bin *end)
 {
     struct bin_run run = {first, first + 1};
-    while (run.end < end && run.end->chunk->deferral == first->chunk->deferral) {
+    while (run.end < end && rhw_hidden_rule_equal(run.end->chunk->hidden, first->chunk->hidden)) {
         run.end++;
     }
     return run;
@@ -287,10 +287,10 @@ static void draw_bins(struct tile_work *work, const struct rhw_bin *first, const
 {
     while (first < end) {
         const struct bin_run run = run_from(first, end);
-        const enum rhw_compare deferral = first->chunk->deferral;
-        if (deferral == RHW_COMPARE_ALWAYS) {
+        const enum rhw_hidden_surface hidden = first->chunk->hidden.kind;
+        if (hidden == RHW_HIDDEN_BACKWARDS) {
             draw_backwards(work, run);
-        } else if (deferral != RHW_COMPARE_NEVER && overdraws(work, run)) {
+        } else if (hidden == RHW_HIDDEN_DEPTH_FIRST && overdraws(work, run)) {
             draw_deferred(work, run);
         } else {
             draw_run(work, run, PHASE_ONLY);
