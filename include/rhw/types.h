@@ -194,9 +194,10 @@ struct rhw_fragment;
 struct rhw_vertex1;
 struct rhw_fragment1;
 /// A shader function works on `count` groups of 8 lanes, 1..RHW_MAX_GROUPS, that stand one after the other. What it
-/// writes must follow from what it reads there, its uniforms and its textures alone: it is called on any thread, in any
-/// order, more than once for a vertex that several triangles share, for vertices of the buffers that no triangle names,
-/// not at all for a fragment that an opaque one hides, and once for a whole draw when it receives nothing that differs.
+/// writes must follow from what it reads there, its uniforms, its textures and `user` alone: it is called on any thread,
+/// in any order, more than once for a vertex that several triangles share, for vertices of the buffers that no triangle
+/// names, not at all for a fragment that an opaque one hides, and once for a whole draw when it receives nothing that
+/// differs.
 typedef void rhw_vertex_function(struct rhw_vertex *groups, int count);
 typedef void rhw_fragment_function(struct rhw_fragment *groups, int count);
 /// The one-at-a-time form: same pipeline, plain floats, slower.
@@ -215,6 +216,10 @@ struct rhw_program {
     int varying_count;
     uint32_t uses;         ///< or-ed rhw_fragment_use
     uint32_t uniform_size; ///< bytes the functions read at `uniforms`; 0..RHW_MAX_UNIFORM_SIZE
+    /// Arrives in all four functions as `user`: what a closure or generated code needs beyond its uniforms. Not copied:
+    /// it must live, and stay as it is, from rhw_pipeline_create to rhw_pipeline_destroy. The library does not look at
+    /// it; the functions read it on any thread. NULL
+    const void *user;
 };
 
 struct rhw_pipeline_def {

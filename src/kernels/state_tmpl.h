@@ -60,6 +60,7 @@ static void set_state(struct tile_work *work, const struct rhw_draw_state *state
         group->varying = work->scratch->varyings + offset;
         group->ddx = work->scratch->ddx + offset;
         group->ddy = work->scratch->ddy + offset;
+        group->user = def->program.user;
         group->textures = state->textures;
         group->color = work->scratch->outputs[g];
     }
