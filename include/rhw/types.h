@@ -38,7 +38,7 @@ enum rhw_isa { RHW_ISA_BASELINE, RHW_ISA_AVX2, RHW_ISA_AVX512, RHW_ISA_COUNT };
 /// program that only wants its picture leaves them all on.
 enum rhw_paths {
     RHW_PATHS_ALL,
-    RHW_PATHS_IN_ORDER, ///< as ALL, but opaque fragments that later ones hide are shaded in their turn too: for measuring
+    RHW_PATHS_IN_ORDER, ///< as ALL, but hidden opaque fragments are shaded in their turn too: for measuring
     RHW_PATHS_GENERAL   ///< the general path always: to learn how the kernels work, and to find which path is at fault
 };
 
@@ -194,10 +194,10 @@ struct rhw_fragment;
 struct rhw_vertex1;
 struct rhw_fragment1;
 /// A shader function works on `count` groups of 8 lanes, 1..RHW_MAX_GROUPS, that stand one after the other. What it
-/// writes must follow from what it reads there, its uniforms, its textures and `user` alone: it is called on any thread,
-/// in any order, more than once for a vertex that several triangles share, for vertices of the buffers that no triangle
-/// names, not at all for a fragment that an opaque one hides, and once for a whole draw when it receives nothing that
-/// differs.
+/// writes must follow from what it reads there, its uniforms, its textures and `user` alone: it is called on any
+/// thread, in any order, more than once for a vertex that several triangles share, for vertices of the buffers that no
+/// triangle names, not at all for a fragment that an opaque one hides, and once for a whole draw when it receives
+/// nothing that differs.
 typedef void rhw_vertex_function(struct rhw_vertex *groups, int count);
 typedef void rhw_fragment_function(struct rhw_fragment *groups, int count);
 /// The one-at-a-time form: same pipeline, plain floats, slower.

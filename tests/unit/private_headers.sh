@@ -1,8 +1,8 @@
 #!/bin/sh
 # SPDX-License-Identifier: MIT
 # Every header of the library and of scene/ includes what it uses: it compiles alone, as C17, without a warning, and can
-# be included twice. Headers of kernels are written for a source that is compiled once per instruction set; here they are
-# compiled for the baseline, and what they define for others is not used.
+# be included twice. Headers of kernels are written for a source that is compiled once per instruction set; here they
+# are compiled for the baseline, and the functions they define go unused.
 # usage: private_headers.sh PROJECT_FOLDER C_COMPILER
 set -eu
 root=$1
@@ -15,8 +15,9 @@ for header in $(cd "$root" && find src scene -name '*.h' | sort); do
     esac
     count=$((count + 1))
     if ! printf '#include "%s"\n#include "%s"\nextern int not_empty;\n' "$header" "$header" |
-        "$compiler" -x c -std=gnu17 -fsyntax-only -I"$root" -I"$root/include" -iquote "$root/src" -iquote "$root/scene" \
-            -DRHW_BUILD_STATIC -DRHW_ISA_SUFFIX=baseline -Wall -Wextra -Wpedantic -Wshadow -Wconversion -Wundef \
+        "$compiler" -x c -std=gnu17 -fsyntax-only -I"$root" -I"$root/include" \
+            -iquote "$root/src" -iquote "$root/scene" -DRHW_BUILD_STATIC -DRHW_ISA_SUFFIX=baseline \
+            -Wall -Wextra -Wpedantic -Wshadow -Wconversion -Wundef \
             -Wno-unused-function -Wno-psabi -Werror -; then
         echo "$header does not compile alone with $compiler"
         failed=$((failed + 1))
