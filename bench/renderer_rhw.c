@@ -121,9 +121,30 @@ static bool make_pipelines(struct bench_state *s)
     return true;
 }
 
+// Paths are a matter of the context: another one takes its place where the scene asks for other paths.
+static bool use_paths(struct bench_state *s, enum rhw_paths paths)
+{
+    if (s->def.paths == paths) {
+        return true;
+    }
+    struct rhw_context_def def = s->def;
+    def.paths = paths;
+    rhw_context *context;
+    if (rhw_context_create(&def, &context) != RHW_OK) {
+        return false;
+    }
+    rhw_context_destroy(s->context);
+    s->context = context;
+    s->def = def;
+    return true;
+}
+
 static bool take(struct bench_renderer *renderer, const struct bench_scene *scene, int width, int height)
 {
     struct bench_state *const s = renderer->state;
+    if (!use_paths(s, scene->shades_all ? RHW_PATHS_IN_ORDER : RHW_PATHS_ALL)) {
+        return false;
+    }
     s->scene = scene;
     s->width = width;
     s->height = height;
@@ -149,7 +170,6 @@ static struct rhw_pass_def pass_of(const struct bench_state *s)
     def.width = s->width;
     def.height = s->height;
     def.color_count = s->scene->has_color;
-    def.shades_hidden = s->scene->shades_all;
     def.colors[0].texture = s->color;
     memcpy(def.colors[0].clear, s->scene->clear, sizeof def.colors[0].clear);
     def.depth.enabled = true;

@@ -4,7 +4,7 @@
 #include "arena.h"
 
 #include "constants.h"
-#include "context.h"
+#include "memory.h"
 
 enum {
     FIRST_CHUNK = 64 << 10, // bytes
@@ -37,9 +37,9 @@ static void use_chunk(struct rhw_arena *arena, struct rhw_arena_chunk *chunk)
     arena->end = (unsigned char *)chunk + chunk->size;
 }
 
-void rhw_arena_init(struct rhw_arena *arena, struct rhw_context *context)
+void rhw_arena_init(struct rhw_arena *arena, struct rhw_memory *memory)
 {
-    *arena = (struct rhw_arena){.context = context};
+    *arena = (struct rhw_arena){.memory = memory};
     use_nothing(arena);
 }
 
@@ -48,10 +48,10 @@ void rhw_arena_destroy(struct rhw_arena *arena)
     struct rhw_arena_chunk *chunk = arena->first;
     while (chunk != NULL) {
         struct rhw_arena_chunk *const next = chunk->next;
-        rhw_context_release(arena->context, chunk, chunk->size);
+        rhw_memory_release(arena->memory, chunk, chunk->size);
         chunk = next;
     }
-    rhw_arena_init(arena, arena->context);
+    rhw_arena_init(arena, arena->memory);
 }
 
 void rhw_arena_reset(struct rhw_arena *arena)
@@ -83,7 +83,7 @@ static struct rhw_arena_chunk *create_chunk(struct rhw_arena *arena, size_t need
     if (size < need + sizeof(struct rhw_arena_chunk)) {
         size = need + sizeof(struct rhw_arena_chunk);
     }
-    struct rhw_arena_chunk *const chunk = rhw_context_allocate(arena->context, size, RHW_CACHE_LINE);
+    struct rhw_arena_chunk *const chunk = rhw_memory_allocate(arena->memory, size, RHW_CACHE_LINE);
     if (chunk == NULL) {
         return NULL;
     }
@@ -110,7 +110,7 @@ void *rhw_arena_grow(struct rhw_arena *arena, size_t size, size_t align)
         }
         if (chunk != NULL) {
             created->next = chunk->next;
-            rhw_context_release(arena->context, chunk, chunk->size);
+            rhw_memory_release(arena->memory, chunk, chunk->size);
         }
         if (old != NULL) {
             old->next = created;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Memory that lives until the frame ends: a pointer that moves up through chunks. Chunks come from the
-// context and stay on reset, until one is too small and a larger one takes its place, so that a warm frame allocates
+// hooks and stay on reset, until one is too small and a larger one takes its place, so that a warm frame allocates
 // nothing. One arena per thread.
 #ifndef RHW_ARENA_H
 #define RHW_ARENA_H
@@ -8,7 +8,7 @@
 #include <stddef.h>
 #include <stdint.h>
 
-struct rhw_context;
+struct rhw_memory;
 struct rhw_arena_chunk;
 
 struct rhw_arena {
@@ -17,11 +17,11 @@ struct rhw_arena {
     unsigned char *end; // of the current chunk
     struct rhw_arena_chunk *first, *current;
     size_t used_before; // bytes handed out from the chunks before the current one since the reset
-    struct rhw_context *context;
+    struct rhw_memory *memory;
 };
 
 // Allocates nothing.
-void rhw_arena_init(struct rhw_arena *arena, struct rhw_context *context);
+void rhw_arena_init(struct rhw_arena *arena, struct rhw_memory *memory);
 // Releases every chunk.
 void rhw_arena_destroy(struct rhw_arena *arena);
 // Forgets everything that was handed out; keeps the chunks.

@@ -6,7 +6,9 @@
 #include <string.h>
 
 #include "arena.h"
-#include "pass.h"
+#include "constants.h"
+#include "draw_list.h"
+#include "pipeline.h"
 
 static uint32_t index_at(const struct rhw_draw_state *state, uint64_t i)
 {

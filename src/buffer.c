@@ -6,11 +6,15 @@
 
 #include "constants.h"
 #include "context.h"
+#include "lookup.h"
+#include "memory.h"
+#include "misuse.h"
+#include "rhw/rhw.h"
 
-void rhw_buffer_data_release(struct rhw_context *context, struct rhw_buffer_data *data)
+void rhw_buffer_data_release(struct rhw_memory *memory, struct rhw_buffer_data *data)
 {
     if (data->bytes != NULL) {
-        rhw_context_release(context, data->bytes, data->size + RHW_BUFFER_PADDING);
+        rhw_memory_release(memory, data->bytes, data->size + RHW_BUFFER_PADDING);
     }
 }
 
@@ -25,12 +29,12 @@ static bool check_create(const struct rhw_context *context, const struct rhw_buf
 }
 
 // Fills a new item; false when out of memory.
-static bool fill(struct rhw_context *context, struct rhw_buffer_data *data, const struct rhw_buffer_def *def)
+static bool fill(struct rhw_memory *memory, struct rhw_buffer_data *data, const struct rhw_buffer_def *def)
 {
     if (def->size > SIZE_MAX - RHW_BUFFER_PADDING) {
         return false;
     }
-    data->bytes = rhw_context_allocate(context, def->size + RHW_BUFFER_PADDING, RHW_CACHE_LINE);
+    data->bytes = rhw_memory_allocate(memory, def->size + RHW_BUFFER_PADDING, RHW_CACHE_LINE);
     if (data->bytes == NULL) {
         return false;
     }
@@ -53,11 +57,12 @@ enum rhw_result rhw_buffer_create(rhw_context *context, const struct rhw_buffer_
         return RHW_ERROR_MISUSE;
     }
     rhw_buffer id;
-    struct rhw_buffer_data *const data = rhw_pool_add(context, &context->buffers, &id.index, &id.generation);
+    struct rhw_buffer_data *const data =
+        rhw_pool_add(&context->memory, &context->buffers, &id.index, &id.generation);
     if (data == NULL) {
         return RHW_ERROR_OUT_OF_MEMORY;
     }
-    if (!fill(context, data, def)) {
+    if (!fill(&context->memory, data, def)) {
         rhw_pool_remove(&context->buffers, id.index);
         return RHW_ERROR_OUT_OF_MEMORY;
     }
@@ -69,10 +74,10 @@ void rhw_buffer_destroy(rhw_context *context, rhw_buffer buffer)
 {
     struct rhw_buffer_data *const data = rhw_context_buffer(context, buffer, "rhw_buffer_destroy");
     if (data == NULL ||
-        !rhw_pool_check_idle(context, &context->buffers, buffer.index, "rhw_buffer_destroy")) {
+        !rhw_context_check_idle(context, &context->buffers, buffer.index, "rhw_buffer_destroy")) {
         return;
     }
-    rhw_buffer_data_release(context, data);
+    rhw_buffer_data_release(&context->memory, data);
     rhw_pool_remove(&context->buffers, buffer.index);
 }
 
@@ -80,7 +85,7 @@ void rhw_buffer_write(rhw_context *context, rhw_buffer buffer, size_t offset, co
 {
     static const char *const where = "rhw_buffer_write";
     struct rhw_buffer_data *const target = rhw_context_buffer(context, buffer, where);
-    if (target == NULL || !rhw_pool_check_idle(context, &context->buffers, buffer.index, where)) {
+    if (target == NULL || !rhw_context_check_idle(context, &context->buffers, buffer.index, where)) {
         return;
     }
     if (!rhw_check(context, offset <= target->size && size <= target->size - offset,

@@ -5,7 +5,7 @@
 
 #include <stddef.h>
 
-struct rhw_context;
+struct rhw_memory;
 
 // Readable zero bytes after the end of every buffer: a kernel may load whole vectors at the last byte.
 enum { RHW_BUFFER_PADDING = 64 };
@@ -16,6 +16,6 @@ struct rhw_buffer_data {
 };
 
 // Releases what the item owns.
-void rhw_buffer_data_release(struct rhw_context *context, struct rhw_buffer_data *data);
+void rhw_buffer_data_release(struct rhw_memory *memory, struct rhw_buffer_data *data);
 
 #endif

@@ -5,8 +5,7 @@
 #include <string.h>
 
 #include "constants.h"
-#include "context.h"
-#include "texture.h"
+#include "memory.h"
 
 static size_t tiles_along(int pixels)
 {
@@ -18,25 +17,21 @@ static size_t size_of(size_t count)
     return sizeof(struct rhw_clean_tiles) + count * sizeof(bool);
 }
 
-bool rhw_clean_tiles_make(struct rhw_context *context, struct rhw_texture_data *texture)
+struct rhw_clean_tiles *rhw_clean_tiles_create(struct rhw_memory *memory, int width, int height)
 {
-    if (texture->clean) {
-        return true;
+    const size_t count = tiles_along(width) * tiles_along(height);
+    struct rhw_clean_tiles *const clean = rhw_memory_allocate(memory, size_of(count), RHW_CACHE_LINE);
+    if (clean) {
+        memset(clean, 0, size_of(count));
+        clean->count = count;
     }
-    const size_t count = tiles_along(texture->mip[0].width) * tiles_along(texture->mip[0].height);
-    texture->clean = rhw_context_allocate(context, size_of(count), RHW_CACHE_LINE);
-    if (!texture->clean) {
-        return false;
-    }
-    memset(texture->clean, 0, size_of(count));
-    texture->clean->count = count;
-    return true;
+    return clean;
 }
 
-void rhw_clean_tiles_release(struct rhw_context *context, struct rhw_texture_data *texture)
+void rhw_clean_tiles_destroy(struct rhw_memory *memory, struct rhw_clean_tiles *clean)
 {
-    if (texture->clean) {
-        rhw_context_release(context, texture->clean, size_of(texture->clean->count));
+    if (clean) {
+        rhw_memory_release(memory, clean, size_of(clean->count));
     }
 }
 

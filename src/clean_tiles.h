@@ -7,8 +7,7 @@
 #include <stdbool.h>
 #include <stddef.h>
 
-struct rhw_context;
-struct rhw_texture_data;
+struct rhw_memory;
 
 enum { RHW_CLEAR_BYTES = 32 }; // every texel size divides it
 
@@ -19,10 +18,11 @@ struct rhw_clean_tiles {
     bool is_clean[];                       // row by row; each is written by the thread that has the tile
 };
 
-// Makes the record of a texture that has none, with no tile clean. False when out of memory.
-bool rhw_clean_tiles_make(struct rhw_context *context, struct rhw_texture_data *texture);
+// The record of a texture whose first level has that size in pixels, with no tile clean. NULL when out of memory.
+struct rhw_clean_tiles *rhw_clean_tiles_create(struct rhw_memory *memory, int width, int height);
 
-void rhw_clean_tiles_release(struct rhw_context *context, struct rhw_texture_data *texture);
+// `clean` may be NULL.
+void rhw_clean_tiles_destroy(struct rhw_memory *memory, struct rhw_clean_tiles *clean);
 
 // From now on clean tiles are those that hold `texels`; `clean` may be NULL.
 void rhw_clean_tiles_expect(struct rhw_clean_tiles *clean, const unsigned char texels[RHW_CLEAR_BYTES]);

@@ -9,7 +9,8 @@
 #include "clip.h"
 
 #include "constants.h"
-#include "pass.h"
+#include "draw_list.h"
+#include "pipeline.h"
 
 enum { PLANES = 6 };
 

@@ -2,7 +2,7 @@
 // How the plan of a draw follows from its state.
 #include "draw_plan.h"
 
-#include "pass.h"
+#include "pipeline.h"
 
 static enum rhw_shading choose_shading(const struct rhw_pipeline_data *pipeline, enum rhw_phase phase,
                                        enum rhw_paths paths)
@@ -103,20 +103,20 @@ static struct rhw_draw_plan plan_of(const struct rhw_pipeline_data *pipeline, en
     const bool shades = plan.shading != RHW_SHADING_NONE;
     plan_depth(&plan, &pipeline->def, phase, paths);
     plan.is_skipped = phase == RHW_PHASE_DEPTH && uses & RHW_USE_DISCARD;
-    plan.keeps_depth = shades && (plan.depth_mode == RHW_DEPTH_LATE || plan.depth_mode == RHW_DEPTH_EARLY_REJECT ||
-                                  uses & (RHW_USE_COORD | RHW_USE_DEPTH));
+    plan.keeps_depth =
+        shades && (plan.depth_mode == RHW_DEPTH_LATE || plan.depth_mode == RHW_DEPTH_EARLY_REJECT ||
+                   uses & (RHW_USE_COORD | RHW_USE_DEPTH));
     plan.needs_depth = plan.depth_mode != RHW_DEPTH_NONE || plan.keeps_depth;
-    plan.keeps_identity =
-        plan.shading == RHW_SHADING_SMOOTH && uses & (RHW_USE_FACING | RHW_USE_IDS);
+    plan.keeps_identity = plan.shading == RHW_SHADING_SMOOTH && uses & (RHW_USE_FACING | RHW_USE_IDS);
     plan.has_small_path = paths != RHW_PATHS_GENERAL &&
                           (plan.shading == RHW_SHADING_SMOOTH || plan.shading == RHW_SHADING_NONE);
     return plan;
 }
 
-void rhw_draw_plans_make(struct rhw_draw_plan plans[RHW_PHASE_COUNT], const struct rhw_draw_state *state,
-                         enum rhw_paths paths)
+void rhw_draw_plans_make(struct rhw_draw_plan plans[RHW_PHASE_COUNT],
+                         const struct rhw_pipeline_data *pipeline, enum rhw_paths paths)
 {
     for (int phase = 0; phase < RHW_PHASE_COUNT; phase++) {
-        plans[phase] = plan_of(state->pipeline, (enum rhw_phase)phase, paths);
+        plans[phase] = plan_of(pipeline, (enum rhw_phase)phase, paths);
     }
 }

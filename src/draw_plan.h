@@ -9,7 +9,7 @@
 
 #include "rhw/types.h"
 
-struct rhw_draw_state;
+struct rhw_pipeline_data;
 
 // In which order a tile draws a run of triangles (hidden_surface.h has the reasons).
 enum rhw_phase {
@@ -77,13 +77,13 @@ struct rhw_draw_plan {
     // Which way the test lets depth move, for hierarchical depth: 1 where it only falls (LESS), −1 where it only rises,
     // 0 where neither is sure or hierarchical depth is not used.
     int depth_direction;
-    bool moves_depth;  // writes it
-    bool ends_bounds;  // moves it both ways
+    bool moves_depth; // writes it
+    bool ends_bounds; // moves it both ways
 };
 
-// The plans of a draw, by phase. `state` is complete but for them.
-void rhw_draw_plans_make(struct rhw_draw_plan plans[RHW_PHASE_COUNT], const struct rhw_draw_state *state,
-                         enum rhw_paths paths);
+// The plans of a pipeline's draws, by phase.
+void rhw_draw_plans_make(struct rhw_draw_plan plans[RHW_PHASE_COUNT],
+                         const struct rhw_pipeline_data *pipeline, enum rhw_paths paths);
 
 // What a name stands for.
 static const struct rhw_depth_rule rhw_named_rules[RHW_RULE_ANY] = {

@@ -6,9 +6,9 @@
 #include <string.h>
 
 #include "constants.h"
-#include "context.h"
 #include "format.h"
 #include "half.h"
+#include "memory.h"
 #include "output.h"
 #include "srgb.h"
 #include "texture.h"
@@ -174,7 +174,7 @@ static size_t texels_of(const struct rhw_texture_data *texture, int level)
                                    : 0;
 }
 
-bool rhw_texture_data_generate_mips(struct rhw_context *context, const struct rhw_texture_data *texture)
+bool rhw_texture_data_generate_mips(struct rhw_memory *memory, const struct rhw_texture_data *texture)
 {
     if (texture->levels == 1) {
         return true;
@@ -183,15 +183,15 @@ bool rhw_texture_data_generate_mips(struct rhw_context *context, const struct rh
     const size_t rows = 3 * (size_t)texture->mip[0].width;
     const size_t odd = texels_of(texture, 1), even = texels_of(texture, 2);
     const size_t size = (rows + odd + even) * sizeof(texel4);
-    texel4 *const memory = rhw_context_allocate(context, size, RHW_CACHE_LINE);
-    if (!memory) {
+    texel4 *const block = rhw_memory_allocate(memory, size, RHW_CACHE_LINE);
+    if (!block) {
         return false;
     }
-    texel4 *const buffer[2] = {memory + rows + odd, memory + rows};
-    reduce_first(texture, memory, buffer[1]);
+    texel4 *const buffer[2] = {block + rows + odd, block + rows};
+    reduce_first(texture, block, buffer[1]);
     for (int level = 2; level < texture->levels; level++) {
         reduce(texture, level, buffer[(level - 1) & 1], buffer[level & 1]);
     }
-    rhw_context_release(context, memory, size);
+    rhw_memory_release(memory, block, size);
     return true;
 }

@@ -9,9 +9,14 @@
 #include "buffer.h"
 #include "context.h"
 #include "cpu.h"
-#include "deferral.h"
 #include "format.h"
+#include "hidden_surface.h"
+#include "lookup.h"
+#include "misuse.h"
 #include "pass_run.h"
+#include "pass_state.h"
+#include "pipeline.h"
+#include "rhw/rhw.h"
 #include "sampler.h"
 #include "shared_vertices.h"
 #include "srgb_texture.h"
@@ -19,14 +24,15 @@
 
 enum rhw_result rhw_pass_state_create(struct rhw_context *context, struct rhw_pass_state **out)
 {
-    struct rhw_pass_state *const pass = rhw_context_allocate(context, sizeof *pass, RHW_CACHE_LINE);
+    struct rhw_pass_state *const pass = rhw_memory_allocate(&context->memory, sizeof *pass, RHW_CACHE_LINE);
     *out = pass;
     if (!pass) {
         return RHW_ERROR_OUT_OF_MEMORY;
     }
     memset(pass, 0, sizeof *pass);
     pass->context = context;
-    rhw_arena_init(&pass->arena, context);
+    pass->paths = context->paths;
+    rhw_arena_init(&pass->arena, &context->memory);
     return RHW_OK;
 }
 
@@ -36,12 +42,9 @@ void rhw_pass_state_destroy(struct rhw_context *context, struct rhw_pass_state *
         return;
     }
     rhw_pass_run_release(pass);
-    for (uint32_t i = 0; i < pass->draw_blocks; i++) {
-        rhw_context_release(context, pass->draws[i], RHW_DRAW_BLOCK * sizeof(struct rhw_draw));
-    }
-    rhw_context_release(context, pass->draws, pass->draw_block_capacity * sizeof *pass->draws);
+    rhw_draw_list_destroy(&context->memory, &pass->draws);
     rhw_arena_destroy(&pass->arena);
-    rhw_context_release(context, pass, sizeof *pass);
+    rhw_memory_release(&context->memory, pass, sizeof *pass);
 }
 
 // The pass that `id` names, or NULL after reporting misuse.
@@ -96,7 +99,10 @@ static enum rhw_result attach(struct rhw_pass_state *pass, rhw_texture id, const
     texture->linear_is_current = false;
     attachment->format = texture->format;
     attachment->target = &texture->mip[0];
-    if (!rhw_clean_tiles_make(context, texture)) {
+    if (!texture->clean) {
+        texture->clean = rhw_clean_tiles_create(&context->memory, width, height);
+    }
+    if (!texture->clean) {
         return RHW_ERROR_OUT_OF_MEMORY;
     }
     attachment->clean = texture->clean;
@@ -189,13 +195,12 @@ static void reset(struct rhw_pass_state *pass, const struct rhw_pass_def *def)
     pass->begun_ns = rhw_time_ns();
     pass->width = def->width;
     pass->height = def->height;
-    pass->draw_count = 0;
+    pass->draws.count = 0;
     pass->triangle_count = 0;
     pass->has_large_draws = false;
     pass->current = NULL;
     pass->out_of_memory = false;
     pass->color_count = def->color_count;
-    pass->shades_hidden = def->shades_hidden;
     memset(&pass->pending, 0, sizeof pass->pending);
     pass->pending_changed = true;
     pass->uniforms = NULL;
@@ -247,10 +252,10 @@ enum rhw_result rhw_pass_begin(rhw_context *context, const struct rhw_pass_def *
     context->pass_active = true;
     context->pass_generation++;
     for (int i = 0; i < pass->color_count; i++) {
-        rhw_pool_use(context, &context->textures, pass->color_ids[i].index);
+        rhw_pool_use(&context->textures, pass->color_ids[i].index, context->pass_generation);
     }
     if (pass->has_depth && pass->depth_id.index != 0) {
-        rhw_pool_use(context, &context->textures, pass->depth_id.index);
+        rhw_pool_use(&context->textures, pass->depth_id.index, context->pass_generation);
     }
     *id = (rhw_pass){1, context->pass_generation};
     return RHW_OK;
@@ -283,7 +288,7 @@ void rhw_pass_set_pipeline(rhw_context *context, rhw_pass id, rhw_pipeline pipel
     const struct rhw_pipeline_data *const pipeline =
         pass ? rhw_context_pipeline(context, pipeline_id, "rhw_pass_set_pipeline") : NULL;
     if (pipeline && targets_match(pass, pipeline)) {
-        rhw_pool_use(context, &context->pipelines, pipeline_id.index);
+        rhw_pool_use(&context->pipelines, pipeline_id.index, context->pass_generation);
         pass->pending_changed |= pass->pending.pipeline != pipeline;
         pass->pending.pipeline = pipeline;
     }
@@ -304,7 +309,7 @@ void rhw_pass_set_vertex_buffer(rhw_context *context, rhw_pass id, int slot, rhw
                    buffer->size)) {
         return;
     }
-    rhw_pool_use(context, &context->buffers, buffer_id.index);
+    rhw_pool_use(&context->buffers, buffer_id.index, context->pass_generation);
     struct rhw_vertex_stream *const stream = &pass->pending.streams[slot];
     const unsigned char *const bytes = buffer->bytes + offset;
     const size_t size = buffer->size - offset;
@@ -326,7 +331,7 @@ void rhw_pass_set_index_buffer(rhw_context *context, rhw_pass id, rhw_buffer buf
                    buffer->size)) {
         return;
     }
-    rhw_pool_use(context, &context->buffers, buffer_id.index);
+    rhw_pool_use(&context->buffers, buffer_id.index, context->pass_generation);
     struct rhw_draw_state *const pending = &pass->pending;
     const unsigned char *const bytes = buffer->bytes + offset;
     const size_t size = buffer->size - offset;
@@ -379,9 +384,9 @@ void rhw_pass_set_texture(rhw_context *context, rhw_pass id, int slot, rhw_textu
                        "rhw_pass_set_texture: the texture in slot %d is an attachment of this pass", slot)) {
             return;
         }
-        pass->out_of_memory = !rhw_texture_linearize(context, texture) || pass->out_of_memory;
-        rhw_pool_use(context, &context->textures, texture_id.index);
-        rhw_pool_use(context, &context->samplers, sampler_id.index);
+        pass->out_of_memory = !rhw_texture_linearize(&context->memory, texture) || pass->out_of_memory;
+        rhw_pool_use(&context->textures, texture_id.index, context->pass_generation);
+        rhw_pool_use(&context->samplers, sampler_id.index, context->pass_generation);
     }
     struct rhw_binding *const pending = &pass->pending_textures[slot];
     if (pending->texture != texture || pending->sampler != sampler) {
@@ -498,42 +503,15 @@ static const struct rhw_draw_state *snapshot(struct rhw_pass_state *pass)
     state->half_height = (double)state->viewport.height / 2;
     state->center_x = (double)state->viewport.x + state->half_width;
     state->center_y = (double)state->viewport.y + state->half_height;
-    state->deferral = pass->shades_hidden ? RHW_COMPARE_NEVER : rhw_deferral(state, pass->color_count);
+    if (state->pipeline && pass->paths == RHW_PATHS_ALL) {
+        state->hidden = rhw_hidden_rule_of(state->pipeline, state->outputs, pass->color_count);
+    }
     if (state->pipeline) {
-        rhw_draw_plans_make(state->plans, state, RHW_PATHS_ALL);
+        rhw_draw_plans_make(state->plans, state->pipeline, pass->paths);
     }
     pass->current = state;
     pass->pending_changed = false;
     return state;
-}
-
-// Room for one more draw.
-static struct rhw_draw *next_draw(struct rhw_pass_state *pass)
-{
-    const uint32_t block = pass->draw_count / RHW_DRAW_BLOCK;
-    if (block == pass->draw_block_capacity) {
-        const uint32_t capacity = block == 0 ? 16 : 2 * block;
-        struct rhw_draw **const blocks =
-            rhw_context_allocate(pass->context, capacity * sizeof *blocks, RHW_CACHE_LINE);
-        if (!blocks) {
-            return NULL;
-        }
-        if (pass->draws) {
-            memcpy(blocks, pass->draws, pass->draw_blocks * sizeof *blocks);
-            rhw_context_release(pass->context, pass->draws, block * sizeof *blocks);
-        }
-        pass->draws = blocks;
-        pass->draw_block_capacity = capacity;
-    }
-    if (block == pass->draw_blocks) {
-        pass->draws[block] =
-            rhw_context_allocate(pass->context, RHW_DRAW_BLOCK * sizeof(struct rhw_draw), RHW_CACHE_LINE);
-        if (!pass->draws[block]) {
-            return NULL;
-        }
-        pass->draw_blocks++;
-    }
-    return &pass->draws[block][pass->draw_count % RHW_DRAW_BLOCK];
 }
 
 static bool check_draw(const struct rhw_pass_state *pass, bool indexed, const char *where)
@@ -567,7 +545,7 @@ static void record(rhw_context *context, rhw_pass id, const struct rhw_draw *dra
     const uint64_t environment = rhw_cpu_float_enter(); // viewport and blend constant are converted in it
     const struct rhw_draw_state *const state = snapshot(pass);
     rhw_cpu_float_leave(environment);
-    struct rhw_draw *const slot = state ? next_draw(pass) : NULL;
+    struct rhw_draw *const slot = state ? rhw_draw_list_next(&context->memory, &pass->draws) : NULL;
     if (!slot) {
         pass->out_of_memory = true;
         return;
@@ -575,13 +553,13 @@ static void record(rhw_context *context, rhw_pass id, const struct rhw_draw *dra
     *slot = *draw;
     slot->state = state;
     slot->uniforms = pass->uniforms;
-    slot->index = pass->draw_count;
+    slot->index = pass->draws.count;
     slot->first_triangle = pass->triangle_count;
     if (!rhw_assembly_prepare(slot, count, &pass->arena)) {
         pass->out_of_memory = true;
         return;
     }
-    pass->draw_count++;
+    pass->draws.count++;
     pass->has_large_draws |= slot->indexed && slot->triangles_per_instance >= RHW_SHARING_TRIANGLES;
     pass->triangle_count += (uint64_t)slot->triangles_per_instance * slot->instances;
 }

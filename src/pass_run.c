@@ -11,7 +11,7 @@
 #include "kernels/kernels.h"
 #include "kernels/scratch.h"
 #include "kernels/tile_work.h"
-#include "pass.h"
+#include "pass_state.h"
 #include "scheduler.h"
 #include "shared_vertices.h"
 #include "thread.h"
@@ -42,20 +42,20 @@ static bool workers_ready(struct rhw_pass_state *pass)
 {
     struct rhw_context *const context = pass->context;
     if (!pass->workers) {
-        pass->workers =
-            rhw_context_allocate(context, (size_t)context->threads * sizeof *pass->workers, RHW_CACHE_LINE);
+        pass->workers = rhw_memory_allocate(&context->memory,
+                                            (size_t)context->threads * sizeof *pass->workers, RHW_CACHE_LINE);
         if (!pass->workers) {
             return false;
         }
         memset(pass->workers, 0, (size_t)context->threads * sizeof *pass->workers);
         for (int i = 0; i < context->threads; i++) {
-            rhw_arena_init(&pass->workers[i].arena, context);
+            rhw_arena_init(&pass->workers[i].arena, &context->memory);
         }
     }
     for (int i = 0; i < context->threads; i++) {
         struct rhw_worker *const worker = &pass->workers[i];
         if (!worker->front) {
-            worker->front = rhw_context_allocate(context, sizeof *worker->front, 4096);
+            worker->front = rhw_memory_allocate(&context->memory, sizeof *worker->front, 4096);
             if (!worker->front) {
                 return false;
             }
@@ -63,7 +63,7 @@ static bool workers_ready(struct rhw_pass_state *pass)
             worker->front->stamp = 1;
         }
         if (!worker->tile) {
-            worker->tile = rhw_context_allocate(context, sizeof *worker->tile, 4096);
+            worker->tile = rhw_memory_allocate(&context->memory, sizeof *worker->tile, 4096);
             if (!worker->tile) {
                 return false;
             }
@@ -79,13 +79,13 @@ void rhw_pass_run_release(struct rhw_pass_state *pass)
     struct rhw_context *const context = pass->context;
     for (int i = 0; pass->workers && i < context->threads; i++) {
         rhw_arena_destroy(&pass->workers[i].arena);
-        rhw_context_release(context, pass->workers[i].front, sizeof *pass->workers[i].front);
-        rhw_context_release(context, pass->workers[i].tile, sizeof *pass->workers[i].tile);
+        rhw_memory_release(&context->memory, pass->workers[i].front, sizeof *pass->workers[i].front);
+        rhw_memory_release(&context->memory, pass->workers[i].tile, sizeof *pass->workers[i].tile);
     }
-    rhw_context_release(context, pass->workers, (size_t)context->threads * sizeof *pass->workers);
-    rhw_context_release(context, pass->chunks, (size_t)pass->chunk_capacity * sizeof *pass->chunks);
-    rhw_context_release(context, pass->transient_depth.texels,
-                        pass->transient_depth.row_pitch * (size_t)pass->transient_depth.height);
+    rhw_memory_release(&context->memory, pass->workers, (size_t)context->threads * sizeof *pass->workers);
+    rhw_memory_release(&context->memory, pass->chunks, (size_t)pass->chunk_capacity * sizeof *pass->chunks);
+    rhw_memory_release(&context->memory, pass->transient_depth.texels,
+                       pass->transient_depth.row_pitch * (size_t)pass->transient_depth.height);
 }
 
 static size_t bin_limit(const struct rhw_pass_state *pass)
@@ -114,13 +114,14 @@ static bool add_chunk(struct rhw_pass_state *pass, struct rhw_chunk chunk)
     if (pass->chunk_count == pass->chunk_capacity) {
         const int capacity = pass->chunk_capacity == 0 ? 64 : 2 * pass->chunk_capacity;
         struct rhw_chunk *const chunks =
-            rhw_context_allocate(pass->context, (size_t)capacity * sizeof *chunks, RHW_CACHE_LINE);
+            rhw_memory_allocate(&pass->context->memory, (size_t)capacity * sizeof *chunks, RHW_CACHE_LINE);
         if (!chunks) {
             return false;
         }
         if (pass->chunks) {
             memcpy(chunks, pass->chunks, (size_t)pass->chunk_count * sizeof *chunks);
-            rhw_context_release(pass->context, pass->chunks, (size_t)pass->chunk_capacity * sizeof *chunks);
+            rhw_memory_release(&pass->context->memory, pass->chunks,
+                               (size_t)pass->chunk_capacity * sizeof *chunks);
         }
         pass->chunks = chunks;
         pass->chunk_capacity = capacity;
@@ -301,8 +302,9 @@ static bool transient_depth_ready(struct rhw_pass_state *pass)
     const size_t pitch =
         ((size_t)pass->width * sizeof(float) + RHW_CACHE_LINE - 1) & ~(size_t)(RHW_CACHE_LINE - 1);
     if (!mip->texels || mip->row_pitch * (size_t)mip->height < pitch * (size_t)pass->height) {
-        rhw_context_release(pass->context, mip->texels, mip->row_pitch * (size_t)mip->height);
-        mip->texels = rhw_context_allocate(pass->context, pitch * (size_t)pass->height, RHW_CACHE_LINE);
+        rhw_memory_release(&pass->context->memory, mip->texels, mip->row_pitch * (size_t)mip->height);
+        mip->texels =
+            rhw_memory_allocate(&pass->context->memory, pitch * (size_t)pass->height, RHW_CACHE_LINE);
         if (!mip->texels) {
             *mip = (struct rhw_mip){0};
             return false;
@@ -340,7 +342,7 @@ enum rhw_result rhw_pass_run(struct rhw_pass_state *pass, struct rhw_stats *stat
         return RHW_ERROR_OUT_OF_MEMORY;
     }
     struct rhw_stats s = {.record_ms = milliseconds(rhw_time_ns() - pass->begun_ns),
-                          .draws = pass->draw_count,
+                          .draws = pass->draws.count,
                           .triangles_in = pass->triangle_count,
                           .threads = context->threads,
                           .tiles = pass->tiles_x * pass->tiles_y,
@@ -370,7 +372,7 @@ enum rhw_result rhw_pass_run(struct rhw_pass_state *pass, struct rhw_stats *stat
         pass->first_wave = false;
     } while (!pass->last_wave);
     sum_counters(pass, &s);
-    s.memory_peak = context->memory_peak;
+    s.memory_peak = context->memory.peak;
     if (stats) {
         *stats = s;
     }

@@ -3,6 +3,9 @@
 #include "pipeline.h"
 
 #include "context.h"
+#include "lookup.h"
+#include "misuse.h"
+#include "rhw/rhw.h"
 #include "format.h"
 
 static const char *const create_name = "rhw_pipeline_create";
@@ -225,7 +228,7 @@ enum rhw_result rhw_pipeline_create(rhw_context *context, const struct rhw_pipel
     }
     rhw_pipeline id;
     struct rhw_pipeline_data *const data =
-        rhw_pool_add(context, &context->pipelines, &id.index, &id.generation);
+        rhw_pool_add(&context->memory, &context->pipelines, &id.index, &id.generation);
     if (data == NULL) {
         return RHW_ERROR_OUT_OF_MEMORY;
     }
@@ -240,7 +243,7 @@ enum rhw_result rhw_pipeline_create(rhw_context *context, const struct rhw_pipel
 void rhw_pipeline_destroy(rhw_context *context, rhw_pipeline pipeline)
 {
     if (rhw_context_pipeline(context, pipeline, "rhw_pipeline_destroy") != NULL &&
-        rhw_pool_check_idle(context, &context->pipelines, pipeline.index, "rhw_pipeline_destroy")) {
+        rhw_context_check_idle(context, &context->pipelines, pipeline.index, "rhw_pipeline_destroy")) {
         rhw_pool_remove(&context->pipelines, pipeline.index);
     }
 }

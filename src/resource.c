@@ -6,7 +6,7 @@
 #include <string.h>
 
 #include "constants.h"
-#include "context.h"
+#include "memory.h"
 
 struct slot {
     uint32_t generation; // of the item that is live or, when none is, of the next one
@@ -61,16 +61,16 @@ void rhw_pool_init(struct rhw_pool *pool, const char *noun, size_t item_size)
                               .item_size = (item_size + ITEM_ALIGNMENT - 1) & ~(size_t)(ITEM_ALIGNMENT - 1)};
 }
 
-void rhw_pool_destroy(struct rhw_context *context, struct rhw_pool *pool)
+void rhw_pool_destroy(struct rhw_memory *memory, struct rhw_pool *pool)
 {
     for (int i = 0; i < RHW_POOL_CHUNKS && pool->chunks[i] != NULL; i++) {
-        rhw_context_release(context, pool->chunks[i], chunk_size(pool, i));
+        rhw_memory_release(memory, pool->chunks[i], chunk_size(pool, i));
     }
     rhw_pool_init(pool, pool->noun, pool->item_size);
 }
 
 // The index of a slot that no id names; 0 when out of memory.
-static uint32_t take_slot(struct rhw_context *context, struct rhw_pool *pool)
+static uint32_t take_slot(struct rhw_memory *memory, struct rhw_pool *pool)
 {
     if (pool->free != 0) {
         const uint32_t index = pool->free;
@@ -83,7 +83,7 @@ static uint32_t take_slot(struct rhw_context *context, struct rhw_pool *pool)
         return 0;
     }
     if (pool->chunks[place.chunk] == NULL) {
-        void *const block = rhw_context_allocate(context, chunk_size(pool, place.chunk), RHW_CACHE_LINE);
+        void *const block = rhw_memory_allocate(memory, chunk_size(pool, place.chunk), RHW_CACHE_LINE);
         if (block == NULL) {
             return 0;
         }
@@ -94,9 +94,9 @@ static uint32_t take_slot(struct rhw_context *context, struct rhw_pool *pool)
     return index;
 }
 
-void *rhw_pool_add(struct rhw_context *context, struct rhw_pool *pool, uint32_t *index, uint32_t *generation)
+void *rhw_pool_add(struct rhw_memory *memory, struct rhw_pool *pool, uint32_t *index, uint32_t *generation)
 {
-    const uint32_t taken = take_slot(context, pool);
+    const uint32_t taken = take_slot(memory, pool);
     if (taken == 0) {
         return NULL;
     }
@@ -122,38 +122,23 @@ void rhw_pool_remove(struct rhw_pool *pool, uint32_t index)
     pool->free = index;
 }
 
-void *rhw_pool_get(const struct rhw_context *context, const struct rhw_pool *pool, uint32_t index,
-                   uint32_t generation, const char *where)
+void *rhw_pool_get(const struct rhw_pool *pool, uint32_t index, uint32_t generation)
 {
-    if (index == 0) {
-        rhw_misuse(context, "%s: the %s id is null", where, pool->noun);
-        return NULL;
-    }
-    if (index > pool->slots) {
-        rhw_misuse(context, "%s: %s id %u (generation %u) was never created in this context", where,
-                   pool->noun, (unsigned)index, (unsigned)generation);
+    if (index == 0 || index > pool->slots) {
         return NULL;
     }
     const struct slot *const slot = slot_at(pool, index);
-    if (slot->next_free != live || slot->generation != generation) {
-        rhw_misuse(context, "%s: %s id %u (generation %u) is stale: that %s was destroyed", where, pool->noun,
-                   (unsigned)index, (unsigned)generation, pool->noun);
-        return NULL;
-    }
-    return item_at(pool, index);
+    return slot->next_free == live && slot->generation == generation ? item_at(pool, index) : NULL;
 }
 
-void rhw_pool_use(const struct rhw_context *context, const struct rhw_pool *pool, uint32_t index)
+void rhw_pool_use(const struct rhw_pool *pool, uint32_t index, uint32_t pass_generation)
 {
-    slot_at(pool, index)->used = context->pass_generation;
+    slot_at(pool, index)->used = pass_generation;
 }
 
-bool rhw_pool_check_idle(const struct rhw_context *context, const struct rhw_pool *pool, uint32_t index,
-                         const char *where)
+uint32_t rhw_pool_last_use(const struct rhw_pool *pool, uint32_t index)
 {
-    const bool busy = context->pass_active && slot_at(pool, index)->used == context->pass_generation;
-    return rhw_check(context, !busy, "%s: %s %u is used by the pass being recorded; end that first", where,
-                     pool->noun, (unsigned)index);
+    return slot_at(pool, index)->used;
 }
 
 void *rhw_pool_next(const struct rhw_pool *pool, uint32_t *index)

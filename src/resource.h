@@ -5,11 +5,10 @@
 #ifndef RHW_RESOURCE_H
 #define RHW_RESOURCE_H
 
-#include <stdbool.h>
 #include <stddef.h>
 #include <stdint.h>
 
-struct rhw_context;
+struct rhw_memory;
 
 enum {
     RHW_POOL_FIRST_CHUNK_LOG2 = 4, // items; chunk k holds 2^(4 + k)
@@ -27,19 +26,17 @@ struct rhw_pool {
 // Allocates nothing.
 void rhw_pool_init(struct rhw_pool *pool, const char *noun, size_t item_size);
 // Releases the pool's memory; what items own is released before.
-void rhw_pool_destroy(struct rhw_context *context, struct rhw_pool *pool);
+void rhw_pool_destroy(struct rhw_memory *memory, struct rhw_pool *pool);
 // A new zeroed item, aligned to 16; NULL when out of memory. Index 0 and generation 0 are never given out.
-void *rhw_pool_add(struct rhw_context *context, struct rhw_pool *pool, uint32_t *index, uint32_t *generation);
+void *rhw_pool_add(struct rhw_memory *memory, struct rhw_pool *pool, uint32_t *index, uint32_t *generation);
 // `index` must be live.
 void rhw_pool_remove(struct rhw_pool *pool, uint32_t index);
-// NULL when the id is null, was never given out, or is stale; that is reported as misuse of `where`.
-void *rhw_pool_get(const struct rhw_context *context, const struct rhw_pool *pool, uint32_t index,
-                   uint32_t generation, const char *where);
-// Notes that the pass being recorded uses the live item.
-void rhw_pool_use(const struct rhw_context *context, const struct rhw_pool *pool, uint32_t index);
-// False, and misuse of `where`, when the pass being recorded uses the live item.
-bool rhw_pool_check_idle(const struct rhw_context *context, const struct rhw_pool *pool, uint32_t index,
-                         const char *where);
+// NULL when the id is null, was never given out, or is stale.
+void *rhw_pool_get(const struct rhw_pool *pool, uint32_t index, uint32_t generation);
+// Notes that a pass, by its generation, uses the live item.
+void rhw_pool_use(const struct rhw_pool *pool, uint32_t index, uint32_t pass_generation);
+// The last pass that did; 0: none yet.
+uint32_t rhw_pool_last_use(const struct rhw_pool *pool, uint32_t index);
 // Walks the live items: the first one after *index, which is updated; NULL at the end. Start with 0.
 void *rhw_pool_next(const struct rhw_pool *pool, uint32_t *index);
 

@@ -5,6 +5,9 @@
 #include <math.h>
 
 #include "context.h"
+#include "lookup.h"
+#include "misuse.h"
+#include "rhw/rhw.h"
 
 static const char *const create_name = "rhw_sampler_create";
 
@@ -64,7 +67,7 @@ enum rhw_result rhw_sampler_create(rhw_context *context, const struct rhw_sample
     }
     rhw_sampler id;
     struct rhw_sampler_data *const data =
-        rhw_pool_add(context, &context->samplers, &id.index, &id.generation);
+        rhw_pool_add(&context->memory, &context->samplers, &id.index, &id.generation);
     if (data == NULL) {
         return RHW_ERROR_OUT_OF_MEMORY;
     }
@@ -81,7 +84,7 @@ enum rhw_result rhw_sampler_create(rhw_context *context, const struct rhw_sample
 void rhw_sampler_destroy(rhw_context *context, rhw_sampler sampler)
 {
     if (rhw_context_sampler(context, sampler, "rhw_sampler_destroy") != NULL &&
-        rhw_pool_check_idle(context, &context->samplers, sampler.index, "rhw_sampler_destroy")) {
+        rhw_context_check_idle(context, &context->samplers, sampler.index, "rhw_sampler_destroy")) {
         rhw_pool_remove(&context->samplers, sampler.index);
     }
 }

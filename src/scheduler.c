@@ -13,8 +13,8 @@
 #include <stdatomic.h>
 
 #include "constants.h"
-#include "context.h"
 #include "cpu.h"
+#include "memory.h"
 #include "thread.h"
 
 // Nanoseconds that a thread spins before it sleeps: about twice what falling asleep and waking cost.
@@ -218,38 +218,38 @@ static void destroy_locks(struct rhw_scheduler *scheduler)
     rhw_mutex_destroy(&scheduler->mutex);
 }
 
-enum rhw_result rhw_scheduler_create(struct rhw_context *context, int threads,
+enum rhw_result rhw_scheduler_create(struct rhw_memory *memory, int threads, int cores,
                                      struct rhw_scheduler **scheduler)
 {
     assert(threads >= 1 && threads <= RHW_MAX_THREADS);
     *scheduler = NULL;
     struct rhw_scheduler *const created =
-        rhw_context_allocate(context, scheduler_size(threads), _Alignof(struct rhw_scheduler));
+        rhw_memory_allocate(memory, scheduler_size(threads), _Alignof(struct rhw_scheduler));
     if (created == NULL) {
         return RHW_ERROR_OUT_OF_MEMORY;
     }
-    *created = (struct rhw_scheduler){.threads = threads, .crowded = threads > context->cores};
+    *created = (struct rhw_scheduler){.threads = threads, .crowded = threads > cores};
     if (!init_locks(created)) {
-        rhw_context_release(context, created, scheduler_size(threads));
+        rhw_memory_release(memory, created, scheduler_size(threads));
         return RHW_ERROR_THREAD;
     }
     if (!start_workers(created)) {
         destroy_locks(created);
-        rhw_context_release(context, created, scheduler_size(threads));
+        rhw_memory_release(memory, created, scheduler_size(threads));
         return RHW_ERROR_THREAD;
     }
     *scheduler = created;
     return RHW_OK;
 }
 
-void rhw_scheduler_destroy(struct rhw_context *context, struct rhw_scheduler *scheduler)
+void rhw_scheduler_destroy(struct rhw_memory *memory, struct rhw_scheduler *scheduler)
 {
     if (scheduler == NULL) {
         return;
     }
     stop_workers(scheduler, scheduler->threads - 1);
     destroy_locks(scheduler);
-    rhw_context_release(context, scheduler, scheduler_size(scheduler->threads));
+    rhw_memory_release(memory, scheduler, scheduler_size(scheduler->threads));
 }
 
 static void wait_for_job(struct rhw_scheduler *scheduler)

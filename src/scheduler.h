@@ -6,17 +6,17 @@
 
 #include "rhw/base.h"
 
-struct rhw_context;
+struct rhw_memory;
 struct rhw_scheduler;
 
 // `worker` is 0 for the caller's thread and 1 .. threads − 1 for the others: index per-thread data by it.
 typedef void rhw_task_function(void *user, int index, int worker);
 
-// `threads` counts the caller; 1 makes no thread at all.
-enum rhw_result rhw_scheduler_create(struct rhw_context *context, int threads,
+// `threads` counts the caller; 1 makes no thread at all. `cores` is what they run on.
+enum rhw_result rhw_scheduler_create(struct rhw_memory *memory, int threads, int cores,
                                      struct rhw_scheduler **scheduler);
 // Joins the workers. NULL is allowed.
-void rhw_scheduler_destroy(struct rhw_context *context, struct rhw_scheduler *scheduler);
+void rhw_scheduler_destroy(struct rhw_memory *memory, struct rhw_scheduler *scheduler);
 
 // Runs task(user, 0 .. count − 1, worker) and returns when all are done; what they wrote is then visible to
 // the caller. Tasks run in any order and may not call this function. Indices are claimed in rising order.

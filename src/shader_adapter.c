@@ -20,6 +20,7 @@ void rhw_vertex1_run(const struct rhw_pipeline_data *pipeline, struct rhw_vertex
                                   .vertex_index = group->vertex_index[lane],
                                   .instance_index = group->instance_index[lane],
                                   .uniforms = group->uniforms,
+                                  .user = group->user,
                                   .textures = group->textures,
                                   .varying = varying};
         pipeline->def.program.vertex1(&one);
@@ -72,6 +73,7 @@ static void run_fragment(const struct rhw_pipeline_data *pipeline, struct rhw_fr
                                 .ddx = ddx,
                                 .ddy = ddy,
                                 .uniforms = group->uniforms,
+                                .user = group->user,
                                 .textures = group->textures,
                                 .color = color};
     load_builtins(group, lane, uses, &one);

@@ -4,10 +4,12 @@
 
 #include <limits.h>
 
+#include "arena.h"
 #include "assembly.h"
-#include "context.h"
+#include "constants.h"
 #include "format.h"
 #include "kernels/scratch.h"
+#include "pass_state.h"
 #include "pipeline.h"
 
 // Elements that lie wholly inside the buffers of a draw, at most UINT32_MAX.
@@ -125,7 +127,7 @@ bool rhw_shared_vertices_find(struct rhw_pass_state *pass, size_t most, struct r
     const struct rhw_chunk *const last = &pass->chunks[pass->chunk_count - 1];
     const uint32_t first = pass->chunks[0].first_draw;
     uint32_t end = first;
-    for (; end < pass->draw_count; end++) {
+    for (; end < pass->draws.count; end++) {
         struct rhw_draw *const draw = rhw_pass_draw_at(pass, end);
         if (draw->first_triangle >= last->first + last->count) {
             break;

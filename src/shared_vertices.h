@@ -6,9 +6,10 @@
 #ifndef RHW_SHARED_VERTICES_H
 #define RHW_SHARED_VERTICES_H
 
-#include "pass.h"
+#include "draw_list.h"
 
 struct rhw_corner;
+struct rhw_pass_state;
 
 // Those of one instance, by index; room for a multiple of 8.
 struct rhw_shared_vertices {

@@ -13,20 +13,20 @@
 #include <string.h>
 
 #include "constants.h"
-#include "context.h"
+#include "memory.h"
 #include "srgb.h"
 #include "texture.h"
 
 // Bytes of the copy for one of the texture, rows and padding included.
 static const size_t linear_scale = RHW_LINEAR_TEXEL / 4;
 
-static bool allocate_levels(struct rhw_context *context, struct rhw_texture_data *texture)
+static bool allocate_levels(struct rhw_memory *memory, struct rhw_texture_data *texture)
 {
     if (texture->memory_size > SIZE_MAX / linear_scale) {
         return false;
     }
     texture->linear_size = linear_scale * texture->memory_size;
-    texture->linear_memory = rhw_context_allocate(context, texture->linear_size, RHW_CACHE_LINE);
+    texture->linear_memory = rhw_memory_allocate(memory, texture->linear_size, RHW_CACHE_LINE);
     if (!texture->linear_memory) {
         return false;
     }
@@ -47,12 +47,12 @@ static void decode_row(const uint16_t table[256], const unsigned char *from, uns
     }
 }
 
-bool rhw_texture_linearize(struct rhw_context *context, struct rhw_texture_data *texture)
+bool rhw_texture_linearize(struct rhw_memory *memory, struct rhw_texture_data *texture)
 {
     if (texture->format != RHW_FORMAT_RGBA8_SRGB || texture->linear_is_current) {
         return true;
     }
-    if (!texture->linear_memory && !allocate_levels(context, texture)) {
+    if (!texture->linear_memory && !allocate_levels(memory, texture)) {
         return false;
     }
     uint16_t table[256];

@@ -5,7 +5,7 @@
 
 #include <stdbool.h>
 
-struct rhw_context;
+struct rhw_memory;
 struct rhw_texture_data;
 
 enum {
@@ -16,6 +16,6 @@ enum {
 };
 
 // Makes the copy, or renews it where texels have changed; nothing for other formats. False when out of memory.
-bool rhw_texture_linearize(struct rhw_context *context, struct rhw_texture_data *texture);
+bool rhw_texture_linearize(struct rhw_memory *memory, struct rhw_texture_data *texture);
 
 #endif

@@ -9,6 +9,10 @@
 #include "context.h"
 #include "cpu.h"
 #include "format.h"
+#include "lookup.h"
+#include "memory.h"
+#include "misuse.h"
+#include "rhw/rhw.h"
 
 int rhw_mip_chain_length(int width, int height)
 {
@@ -49,12 +53,12 @@ void rhw_texture_data_init(struct rhw_texture_data *texture, enum rhw_format for
 }
 
 // Zeroed memory of all levels. False when out of memory.
-static bool allocate_levels(struct rhw_context *context, struct rhw_texture_data *texture)
+static bool allocate_levels(struct rhw_memory *memory, struct rhw_texture_data *texture)
 {
     if (texture->memory_size == SIZE_MAX) {
         return false;
     }
-    unsigned char *next = rhw_context_allocate(context, texture->memory_size, RHW_CACHE_LINE);
+    unsigned char *next = rhw_memory_allocate(memory, texture->memory_size, RHW_CACHE_LINE);
     if (!next) {
         return false;
     }
@@ -65,6 +69,13 @@ static bool allocate_levels(struct rhw_context *context, struct rhw_texture_data
         next += texture->mip[i].row_pitch * (size_t)texture->mip[i].height;
     }
     return true;
+}
+
+void rhw_texture_data_release(struct rhw_memory *memory, struct rhw_texture_data *texture)
+{
+    rhw_memory_release(memory, texture->memory, texture->memory_size);
+    rhw_memory_release(memory, texture->linear_memory, texture->linear_size);
+    rhw_clean_tiles_destroy(memory, texture->clean);
 }
 
 // Public functions ----------------------------------------------------------------------------------
@@ -103,13 +114,14 @@ enum rhw_result rhw_texture_create(rhw_context *context, const struct rhw_textur
         return RHW_ERROR_MISUSE;
     }
     rhw_texture id;
-    struct rhw_texture_data *const data = rhw_context_texture_add(context, &id);
+    struct rhw_texture_data *const data =
+        rhw_pool_add(&context->memory, &context->textures, &id.index, &id.generation);
     if (!data) {
         return RHW_ERROR_OUT_OF_MEMORY;
     }
     rhw_texture_data_init(data, def->format, def->width, def->height, def->mip_levels);
-    if (!allocate_levels(context, data)) {
-        rhw_context_texture_remove(context, id);
+    if (!allocate_levels(&context->memory, data)) {
+        rhw_pool_remove(&context->textures, id.index);
         return RHW_ERROR_OUT_OF_MEMORY;
     }
     *texture = id;
@@ -118,9 +130,10 @@ enum rhw_result rhw_texture_create(rhw_context *context, const struct rhw_textur
 
 void rhw_texture_destroy(rhw_context *context, rhw_texture texture)
 {
-    if (rhw_context_texture(context, texture, "rhw_texture_destroy") &&
-        rhw_pool_check_idle(context, &context->textures, texture.index, "rhw_texture_destroy")) {
-        rhw_context_texture_remove(context, texture);
+    struct rhw_texture_data *const data = rhw_context_texture(context, texture, "rhw_texture_destroy");
+    if (data && rhw_context_check_idle(context, &context->textures, texture.index, "rhw_texture_destroy")) {
+        rhw_texture_data_release(&context->memory, data);
+        rhw_pool_remove(&context->textures, texture.index);
     }
 }
 
@@ -164,7 +177,7 @@ static const struct rhw_mip *begin_copy(struct rhw_context *context, rhw_texture
                                         const void *outside, size_t *row, size_t *pitch, const char *where)
 {
     struct rhw_texture_data *const data = rhw_context_texture(context, texture, where);
-    if (!data || !rhw_pool_check_idle(context, &context->textures, texture.index, where) ||
+    if (!data || !rhw_context_check_idle(context, &context->textures, texture.index, where) ||
         !check_level(context, data, level, where) ||
         !rhw_check(context, outside != NULL, "%s: data is NULL", where)) {
         return NULL;
@@ -213,14 +226,14 @@ enum rhw_result rhw_texture_generate_mips(rhw_context *context, rhw_texture text
 {
     static const char *const where = "rhw_texture_generate_mips";
     struct rhw_texture_data *const data = rhw_context_texture(context, texture, where);
-    if (!data || !rhw_pool_check_idle(context, &context->textures, texture.index, where) ||
+    if (!data || !rhw_context_check_idle(context, &context->textures, texture.index, where) ||
         !rhw_check(context, rhw_format_info(data->format)->sampled,
                    "%s: the texture is %s; that format is not filtered", where,
                    rhw_format_info(data->format)->name)) {
         return RHW_ERROR_MISUSE;
     }
     const uint64_t environment = rhw_cpu_float_enter();
-    const bool done = rhw_texture_data_generate_mips(context, data);
+    const bool done = rhw_texture_data_generate_mips(&context->memory, data);
     rhw_cpu_float_leave(environment);
     data->linear_is_current = false;
     return done ? RHW_OK : RHW_ERROR_OUT_OF_MEMORY;

@@ -18,6 +18,7 @@ struct rhw_vertex {
     const rhw_float (*attribute)[4]; ///< [attribute][component]
     rhw_int vertex_index, instance_index; ///< as the draw counts them: base vertex / first instance included
     const void *uniforms;
+    const void *user; ///< of the program
     const struct rhw_binding *textures; ///< [slot]
     rhw_float position[4]; ///< out: homogeneous clip coordinates X, Y, Z, W
     rhw_float *varying;    ///< out: [component]
@@ -28,6 +29,7 @@ struct rhw_fragment {
     const rhw_float *varying;        ///< [component]
     const rhw_float *ddx, *ddy;      ///< [component]: d/dx, d/dy per pixel, of varyings that asked for them
     const void *uniforms;
+    const void *user;                ///< of the program
     const struct rhw_binding *textures; ///< [slot]
     rhw_float (*color)[4];           ///< out: [target][channel]; not initialized. Groups of one call have theirs
                                      ///< one after the other, RHW_MAX_COLOR_ATTACHMENTS targets each
@@ -47,6 +49,7 @@ struct rhw_vertex1 {
     const float (*attribute)[4];
     int32_t vertex_index, instance_index;
     const void *uniforms;
+    const void *user;
     const struct rhw_binding *textures;
     float position[4];
     float *varying;
@@ -56,6 +59,7 @@ struct rhw_fragment1 {
     const float *varying;
     const float *ddx, *ddy;
     const void *uniforms;
+    const void *user;
     const struct rhw_binding *textures;
     float (*color)[4];
     bool discard; ///< out

@@ -34,13 +34,20 @@ enum {
 /// x86-64, NEON on 64-bit ARM, what the compiler was given elsewhere. All draw the same bytes.
 enum rhw_isa { RHW_ISA_BASELINE, RHW_ISA_AVX2, RHW_ISA_AVX512, RHW_ISA_COUNT };
 
-enum rhw_paths { RHW_PATHS_ALL, RHW_PATHS_IN_ORDER, RHW_PATHS_GENERAL };
+/// Which paths through the kernels a context takes. Special paths draw the bytes of the general path in less time; a
+/// program that only wants its picture leaves them all on.
+enum rhw_paths {
+    RHW_PATHS_ALL,
+    RHW_PATHS_IN_ORDER, ///< as ALL, but hidden opaque fragments are shaded in their turn too: for measuring
+    RHW_PATHS_GENERAL   ///< the general path always: to learn how the kernels work, and to find which path is at fault
+};
 
 struct rhw_context_def {
     /// 1..64: the caller's thread and workers; 1 the caller's alone. 0: as many as whole cores' time the process may
     /// use, by affinity and the limits of control groups (1 where it may use one core and a half).
     int threads;
     enum rhw_isa isa; ///< highest to use; default RHW_ISA_COUNT: the best the CPU has
+    enum rhw_paths paths; ///< RHW_PATHS_ALL
     size_t bin_memory; ///< bytes of binned geometry kept before a pass is flushed to its tiles; 0: 512 MiB
     struct rhw_allocator allocator; ///< zeroed: malloc
     rhw_log_function *log;          ///< NULL: silent
@@ -187,9 +194,10 @@ struct rhw_fragment;
 struct rhw_vertex1;
 struct rhw_fragment1;
 /// A shader function works on `count` groups of 8 lanes, 1..RHW_MAX_GROUPS, that stand one after the other. What it
-/// writes must follow from what it reads there, its uniforms and its textures alone: it is called on any thread, in any
-/// order, more than once for a vertex that several triangles share, for vertices of the buffers that no triangle names,
-/// not at all for a fragment that an opaque one hides, and once for a whole draw when it receives nothing that differs.
+/// writes must follow from what it reads there, its uniforms, its textures and `user` alone: it is called on any
+/// thread, in any order, more than once for a vertex that several triangles share, for vertices of the buffers that no
+/// triangle names, not at all for a fragment that an opaque one hides, and once for a whole draw when it receives
+/// nothing that differs.
 typedef void rhw_vertex_function(struct rhw_vertex *groups, int count);
 typedef void rhw_fragment_function(struct rhw_fragment *groups, int count);
 /// The one-at-a-time form: same pipeline, plain floats, slower.
@@ -208,6 +216,10 @@ struct rhw_program {
     int varying_count;
     uint32_t uses;         ///< or-ed rhw_fragment_use
     uint32_t uniform_size; ///< bytes the functions read at `uniforms`; 0..RHW_MAX_UNIFORM_SIZE
+    /// Arrives in all four functions as `user`: what a closure or generated code needs beyond its uniforms. Not copied:
+    /// it must live, and stay as it is, from rhw_pipeline_create to rhw_pipeline_destroy. The library does not look at
+    /// it; the functions read it on any thread. NULL
+    const void *user;
 };
 
 struct rhw_pipeline_def {
@@ -252,8 +264,6 @@ struct rhw_pass_def {
     struct rhw_color_attachment colors[RHW_MAX_COLOR_ATTACHMENTS];
     int color_count;
     struct rhw_depth_attachment depth;
-    /// Shades opaque fragments in their turn, also those that later ones hide: for measuring. The picture is the same.
-    bool shades_hidden;
 };
 
 struct rhw_viewport {

@@ -643,12 +643,13 @@ static bool start_runs(const struct rhw_pass_state *pass, const struct rhw_chunk
     return true;
 }
 
-static enum rhw_compare shared_deferral(const struct rhw_front_scratch *scratch)
+// How the chunk may be drawn: as its draws may, where they agree.
+static struct rhw_hidden_rule shared_hidden_rule(const struct rhw_front_scratch *scratch)
 {
-    const enum rhw_compare first = scratch->segments[0].draw->state->deferral;
+    const struct rhw_hidden_rule first = scratch->segments[0].draw->state->hidden;
     for (int i = 1; i < scratch->run_count; i++) {
-        if (scratch->segments[i].draw->state->deferral != first) {
-            return RHW_COMPARE_NEVER;
+        if (!rhw_hidden_rule_equal(scratch->segments[i].draw->state->hidden, first)) {
+            return (struct rhw_hidden_rule){RHW_HIDDEN_IN_ORDER, RHW_COMPARE_NEVER};
         }
     }
     return first;
@@ -731,7 +732,7 @@ static bool make_chunk(struct rhw_pass_state *pass, struct rhw_chunk *chunk, int
     }
     const uint64_t start = rhw_time_ns();
     chunk->counters = scratch->counters;
-    chunk->deferral = shared_deferral(scratch);
+    chunk->hidden = shared_hidden_rule(scratch);
     chunk->triangles = out.triangles;
     chunk->segments = keep(arena, scratch->segments, (size_t)scratch->run_count * sizeof *chunk->segments);
     chunk->polygons =

@@ -5,7 +5,8 @@
 #define RHW_SCRATCH_H
 
 #include "../constants.h"
-#include "../pass.h"
+#include "../pass_state.h"
+#include "../pipeline.h"
 #include "../simd_layout.h"
 
 enum {

@@ -28,8 +28,8 @@ static int list_bins(const struct tile_work *work)
 }
 
 // Triangle `lane` of the setup.
-static void draw_triangle(struct tile_work *work, const struct rhw_chunk *chunk, const struct triangle_setup8 *setup,
-                          int lane)
+static void draw_triangle(struct tile_work *work, const struct rhw_chunk *chunk,
+                          const struct triangle_setup8 *setup, int lane)
 {
     struct triangle_work triangle;
     triangle.t = setup->read->triangle[lane];
@@ -118,7 +118,8 @@ static double area_in_tile(const struct tile_work *work, const struct rhw_triang
     }
     const double x1 = t->x_24_8[1] - t->x_24_8[0], y1 = t->y_24_8[1] - t->y_24_8[0];
     const double x2 = t->x_24_8[2] - t->x_24_8[0], y2 = t->y_24_8[2] - t->y_24_8[0];
-    const double turn = x1 * y2 - x2 * y1, area = (turn < 0 ? -turn : turn) / (2 * RHW_SUBPIXEL * RHW_SUBPIXEL);
+    const double turn = x1 * y2 - x2 * y1,
+                 area = (turn < 0 ? -turn : turn) / (2 * RHW_SUBPIXEL * RHW_SUBPIXEL);
     return area < rectangle ? area : rectangle;
 }
 
@@ -172,7 +173,7 @@ static void draw_backwards(struct tile_work *work, struct bin_run run)
 static struct bin_run run_from(const struct bin *first, const struct bin *end)
 {
     struct bin_run run = {first, first + 1};
-    while (run.end < end && run.end->chunk->deferral == first->chunk->deferral) {
+    while (run.end < end && rhw_hidden_rule_equal(run.end->chunk->hidden, first->chunk->hidden)) {
         run.end++;
     }
     return run;
@@ -182,10 +183,10 @@ static void draw_bins(struct tile_work *work, const struct bin *first, const str
 {
     while (first < end) {
         const struct bin_run run = run_from(first, end);
-        const enum rhw_compare deferral = first->chunk->deferral;
-        if (deferral == RHW_COMPARE_ALWAYS) {
+        const enum rhw_hidden_surface hidden = first->chunk->hidden.kind;
+        if (hidden == RHW_HIDDEN_BACKWARDS) {
             draw_backwards(work, run);
-        } else if (deferral != RHW_COMPARE_NEVER && overdraws(work, run)) {
+        } else if (hidden == RHW_HIDDEN_DEPTH_FIRST && overdraws(work, run)) {
             draw_deferred(work, run);
         } else {
             draw_run(work, run, RHW_PHASE_ONLY);

@@ -5,7 +5,8 @@
 #define RHW_TILE_WORK_H
 
 #include "../draw_plan.h"
-#include "../pass.h"
+#include "../pass_state.h"
+#include "../pipeline.h"
 #include "../simd.h"
 #include "raster/plane.h"
 #include "raster/tile_depth.h"
@@ -106,7 +107,8 @@ struct tile_work {
 };
 
 // Where a block at (x, y) of the tile lies from the anchor.
-RHW_INLINE struct anchor_offset block_offset(const struct tile_work *work, const struct planes *planes, int x, int y)
+RHW_INLINE struct anchor_offset block_offset(const struct tile_work *work, const struct planes *planes, int x,
+                                             int y)
 {
     return (struct anchor_offset){d8_from_i8(i8_splat(work->x + x - planes->anchor_x) + rhw_lane_index),
                                   d8_from_i8(i8_splat(work->y + y - planes->anchor_y) + rhw_lane_index)};

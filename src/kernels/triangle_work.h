@@ -3,7 +3,7 @@
 #ifndef RHW_TRIANGLE_WORK_H
 #define RHW_TRIANGLE_WORK_H
 
-#include "../pass.h"
+#include "../draw_list.h"
 #include "raster/plane.h"
 
 struct clipped_planes;

@@ -225,6 +225,7 @@ static void shade_vertices(struct rhw_front_scratch *scratch, const struct rhw_s
             group->vertex_index = i8_load(element);
             group->instance_index = i8_load(instances);
             group->uniforms = segment->draw->uniforms;
+            group->user = def->program.user;
             group->textures = state->textures;
             group->varying = scratch->varyings + g * pipeline->varying_components;
         }

@@ -6,6 +6,7 @@
 #include <string.h>
 
 #include "context.h"
+#include "lookup.h"
 #include "texture.h"
 
 // Three tiles by two, those at the ends cut off. A rig has two threads.

@@ -501,7 +501,7 @@ static void test_context_definitions(void **state)
 {
     (void)state;
     struct rig rig = {0};
-    for (int wrong = 0; wrong < 5; wrong++) {
+    for (int wrong = 0; wrong < 7; wrong++) {
         struct rhw_context_def def = rhw_context_def_default();
         def.assert_ = rig_misuse;
         def.user = &rig;
@@ -510,6 +510,8 @@ static void test_context_definitions(void **state)
         case 1: def.threads = RHW_MAX_THREADS + 1; break;
         case 2: def.isa = (enum rhw_isa)(RHW_ISA_COUNT + 1); break;
         case 3: def.isa = (enum rhw_isa) - 1; break;
+        case 4: def.paths = (enum rhw_paths)(RHW_PATHS_GENERAL + 1); break;
+        case 5: def.paths = (enum rhw_paths) - 1; break;
         default: def.allocator.release = release_nothing;
         }
         rhw_context *context = (rhw_context *)&rig;

@@ -246,12 +246,92 @@ static void test_colors_lie_side_by_side(void **state)
     rig_close(&rig);
 }
 
+// What two programs of the same functions differ in.
+struct closure {
+    float shift, color[4];
+};
+
+static void closed_vertex(struct rhw_vertex *groups, int count)
+{
+    for (int g = 0; g < count; g++) {
+        const struct closure *closure = groups[g].user;
+        for (int c = 0; c < 4; c++) {
+            groups[g].position[c] = groups[g].attribute[0][c];
+        }
+        groups[g].position[0] += closure->shift;
+    }
+}
+
+static void closed_vertex1(struct rhw_vertex1 *vertex)
+{
+    const struct closure *closure = vertex->user;
+    for (int c = 0; c < 4; c++) {
+        vertex->position[c] = vertex->attribute[0][c] + (c == 0 ? closure->shift : 0);
+    }
+}
+
+static void closed_fragment(struct rhw_fragment *groups, int count)
+{
+    for (int g = 0; g < count; g++) {
+        const struct closure *closure = groups[g].user;
+        for (int c = 0; c < 4; c++) {
+            groups[g].color[0][c] = rhw_splat(closure->color[c]);
+        }
+    }
+}
+
+static void closed_fragment1(struct rhw_fragment1 *fragment)
+{
+    const struct closure *closure = fragment->user;
+    memcpy(fragment->color[0], closure->color, sizeof closure->color);
+}
+
+// Draws the left half of the target with each closure, in one pass: the second one shifts it to the right half.
+static void draw_closures(struct rig *rig, const struct closure closures[2])
+{
+    struct rig_vertex left[6];
+    rig_rectangle(rig, 0, 0, SIZE / 2, SIZE, 0.5f, (const float[4]){0}, left);
+    rig_begin(rig);
+    for (int i = 0; i < 2; i++) {
+        rig->pipeline.program.user = &closures[i];
+        rig_draw(rig, left, 6);
+    }
+    rig_end(rig);
+    const float(*const pixels)[4] = rig_read_float4(rig);
+    for (int i = 0; i < SIZE * SIZE; i++) {
+        assert_memory_equal(pixels[i], closures[i % SIZE >= SIZE / 2].color, sizeof pixels[i]);
+    }
+}
+
+// Once with a fragment function that receives nothing, which is called once for a draw, and once with one that is
+// called for every fragment.
+static void test_functions_receive_their_programs_user(void **state)
+{
+    (void)state;
+    const struct closure closures[2] = {{0, {1, 2, 3, 4}}, {1, {5, 6, 7, 8}}};
+    struct rig rig;
+    rig_open(&rig, SIZE, SIZE);
+    struct rhw_program *const program = &rig.pipeline.program;
+    program->varying_count = 0;
+    program->vertex1 = closed_vertex1;
+    program->fragment1 = closed_fragment1;
+    for (int form = 0; form < 4; form++) {
+        rig_set_program(&rig, form & 1 ? NULL : closed_vertex, form & 2 ? NULL : closed_fragment);
+        program->uses = 0;
+        draw_closures(&rig, closures);
+        program->uses = RHW_USE_COORD;
+        draw_closures(&rig, closures);
+    }
+    rig_close(&rig);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(test_both_forms_give_the_same_bytes),
         cmocka_unit_test(test_vertices_arrive_in_groups_of_8),
         cmocka_unit_test(test_colors_lie_side_by_side),
+        cmocka_unit_test(test_functions_receive_their_programs_user),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

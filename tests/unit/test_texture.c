@@ -7,6 +7,7 @@
 #include <string.h>
 
 #include "context.h"
+#include "lookup.h"
 #include "reference.h"
 
 // Mips -----------------------------------------------------------------------------------------------

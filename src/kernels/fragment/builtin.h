@@ -34,7 +34,8 @@ RHW_INLINE void fill_identity(struct rhw_fragment *group, uint32_t uses, const s
 }
 
 // Of a row of pixels that starts at (x, y) of the tile, and whose depth the group has.
-static void fill_coordinates(const struct tile_work *work, struct rhw_fragment *group, int x, int y, d8 inverse_w)
+static void fill_coordinates(const struct tile_work *work, struct rhw_fragment *group, int x, int y,
+                             d8 inverse_w)
 {
     const f8 half = f8_splat(0.5f);
     group->coord[0] = rhw_to_float(i8_splat(work->x + x) + rhw_lane_index) + half;

@@ -42,15 +42,16 @@ static void weight_derivatives(struct planes *p, const struct rhw_triangle *t,
     const d4 w = d4_splat(1) /
                  (d4){(double)v[0]->position[3], (double)v[1]->position[3], (double)v[2]->position[3], 1};
     const i4 x = i4_load(t->x_24_8), y = i4_load(t->y_24_8); // the fourth of each is another member
-    const int32_t anchor_x = (int32_t)sample_of_pixel(p->anchor_x), anchor_y = (int32_t)sample_of_pixel(p->anchor_y);
+    const int32_t anchor_x = (int32_t)sample_of_pixel(p->anchor_x),
+                  anchor_y = (int32_t)sample_of_pixel(p->anchor_y);
     const i4 anchor = {anchor_y, anchor_x, anchor_y, anchor_x};
     // Heights over one of the other two vertices, and over the other.
     const d4 one = d4_from_i4(anchor - __builtin_shufflevector(x, y, 4, 2, 5, 0));
     const d4 other = d4_from_i4(anchor - __builtin_shufflevector(x, y, 6, 0, 4, 1));
     const d4 side =
         d4_from_i4(__builtin_shufflevector(x, y, 1, 2, 5, 6) - __builtin_shufflevector(x, y, 0, 0, 4, 4));
-    const double factor =
-        side[0] * side[3] < side[1] * side[2] ? -p->inverse_area : p->inverse_area; // one over the signed area
+    const double factor = side[0] * side[3] < side[1] * side[2] ? -p->inverse_area
+                                                                : p->inverse_area; // one over the signed area
     const d4 self = __builtin_shufflevector(w, w, 1, 1, 2, 2),
              first = __builtin_shufflevector(w, w, 2, 0, 0, 1),
              second = __builtin_shufflevector(w, w, 0, 2, 1, 0);
@@ -85,8 +86,8 @@ static void component_derivatives(struct derivative_pair *out, struct triangle_w
 }
 
 // Of the first (`which` 0) or the second quantity, at 8 pixels that are (dx, dy) from the anchor.
-RHW_INLINE void pair_derivatives(const struct derivative_pair *pair, int which, const struct anchor_offset *at,
-                                 d8 squared, f8 *by_x, f8 *by_y)
+RHW_INLINE void pair_derivatives(const struct derivative_pair *pair, int which,
+                                 const struct anchor_offset *at, d8 squared, f8 *by_x, f8 *by_y)
 {
     const int x = 2 * which, y = x + 1;
     *by_x = derivative_of(numerator8(pair->at[x], pair->step[x], at->dy), squared);
@@ -94,8 +95,10 @@ RHW_INLINE void pair_derivatives(const struct derivative_pair *pair, int which, 
 }
 
 // Of the smooth components of group g, whose pixels are `at`.
-RHW_INLINE void smooth_derivatives(struct fragment_queue *queue, int g, const struct rhw_pipeline_data *pipeline,
-                                   const struct derivative_pair *pairs, const struct anchor_offset *at, d8 squared)
+RHW_INLINE void smooth_derivatives(struct fragment_queue *queue, int g,
+                                   const struct rhw_pipeline_data *pipeline,
+                                   const struct derivative_pair *pairs, const struct anchor_offset *at,
+                                   d8 squared)
 {
     f8 *const ddx = queue->ddx + g * pipeline->varying_components;
     f8 *const ddy = queue->ddy + g * pipeline->varying_components;
@@ -108,7 +111,8 @@ RHW_INLINE void smooth_derivatives(struct fragment_queue *queue, int g, const st
 }
 
 // Of the other components of group g, whose derivatives are the same everywhere.
-static void constant_derivatives(struct fragment_queue *queue, int g, const struct rhw_pipeline_data *pipeline,
+static void constant_derivatives(struct fragment_queue *queue, int g,
+                                 const struct rhw_pipeline_data *pipeline,
                                  const struct triangle_work *triangle)
 {
     const struct plane *const n1 = &triangle->planes.n1, *const n2 = &triangle->planes.n2;

@@ -42,12 +42,13 @@ RHW_INLINE void fill_scattered(const struct tile_work *work, const struct triang
             queue->groups[first + n].depth = viewport_clamp(&work->scratch->depth, f8_from_d8(z));
         }
     }
-    interpolate_groups(queue->varyings + first * pipeline->varying_components, pipeline->varying_components, triangle,
-                       &weights, count);
+    interpolate_groups(queue->varyings + first * pipeline->varying_components, pipeline->varying_components,
+                       triangle, &weights, count);
 }
 
 // Queues groups of the fragments at `texel`, 8 each.
-static void queue_scattered(struct tile_work *work, struct triangle_work *triangle, const int32_t *texel, int count)
+static void queue_scattered(struct tile_work *work, struct triangle_work *triangle, const int32_t *texel,
+                            int count)
 {
     struct fragment_queue *const queue = &work->scratch->queue;
     if (!triangle->has_values) {
@@ -106,8 +107,8 @@ RHW_INLINE void finish_gathered(struct tile_work *work, struct triangle_work *tr
 }
 
 // Gathers the fragments of the first `rows` rows at (x, y) whose bits are set in `mask`.
-RHW_INLINE void gather_fragments(struct tile_work *work, struct triangle_work *triangle, int x, int y, int rows,
-                                 uint64_t mask)
+RHW_INLINE void gather_fragments(struct tile_work *work, struct triangle_work *triangle, int x, int y,
+                                 int rows, uint64_t mask)
 {
     struct gathered_fragments *const gathered = &work->scratch->gathered;
     release_overtaken(work, x, y, mask);
@@ -126,8 +127,8 @@ RHW_INLINE void gather_fragments(struct tile_work *work, struct triangle_work *t
 }
 
 // The fragments of a block whose bits are set in `mask`, on the path that is theirs.
-RHW_INLINE void collect_block(struct tile_work *work, struct triangle_work *triangle, const struct block *block,
-                              uint64_t mask)
+RHW_INLINE void collect_block(struct tile_work *work, struct triangle_work *triangle,
+                              const struct block *block, uint64_t mask)
 {
     const bool is_whole = mask == ~(uint64_t)0;
     const bool can_scatter = work->plan->shading == RHW_SHADING_SMOOTH && !block->leaves_triangle &&

@@ -40,7 +40,8 @@ RHW_INLINE void interpolate_groups(f8 *varyings, ptrdiff_t components, const str
                                    const struct group_weights *weights, int count)
 {
     for (int i = 0; i < components; i++) {
-        const f8 i0 = f8_splat(triangle->i0[i]), d1 = f8_splat(triangle->d1[i]), d2 = f8_splat(triangle->d2[i]);
+        const f8 i0 = f8_splat(triangle->i0[i]), d1 = f8_splat(triangle->d1[i]),
+                 d2 = f8_splat(triangle->d2[i]);
         f8 *to = varyings + i;
         for (int n = 0; n < count; n++, to += components) {
             *to = interpolate(i0, d1, d2, weights->b[n], weights->c[n]);
@@ -51,7 +52,8 @@ RHW_INLINE void interpolate_groups(f8 *varyings, ptrdiff_t components, const str
 // Noperspective varyings of a triangle with a vertex that is not snapped. Weights on the screen may have any size and
 // either sign there, and what float loses while they cancel would pass the bound: in double, rounded once. The added 0
 // keeps a constant −0, whose differences times negative weights are −0.
-static __attribute__((noinline)) void interpolate_homogeneous(f8 *varyings, const struct rhw_pipeline_data *pipeline,
+static __attribute__((noinline)) void interpolate_homogeneous(f8 *varyings,
+                                                              const struct rhw_pipeline_data *pipeline,
                                                               const struct triangle_work *triangle,
                                                               const struct screen_weights *w)
 {

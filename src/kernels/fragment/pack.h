@@ -22,7 +22,8 @@ RHW_INLINE void quantity_lanes(const d4 value[8], d8 out[4])
     }
 }
 
-static void pack_identity(struct rhw_fragment *group, uint32_t uses, const struct packed_triangle *const triangle[8])
+static void pack_identity(struct rhw_fragment *group, uint32_t uses,
+                          const struct packed_triangle *const triangle[8])
 {
     for (int lane = 0; lane < 8 && uses & RHW_USE_FACING; lane++) {
         group->front_facing[lane] = triangle[lane]->front_facing;
@@ -166,7 +167,8 @@ static const struct packed_triangle *pack_triangle(struct tile_work *work, struc
         to->varyings[i] = triangle->v[i]->varyings;
     }
     if (pipeline->any_derivatives && triangle->has_values) {
-        memcpy(to->derivatives, triangle->derivatives, (size_t)pipeline->slope_pairs * sizeof to->derivatives[0]);
+        memcpy(to->derivatives, triangle->derivatives,
+               (size_t)pipeline->slope_pairs * sizeof to->derivatives[0]);
     } else if (pipeline->any_derivatives) {
         component_derivatives(to->derivatives, triangle, pipeline);
     }

@@ -43,7 +43,8 @@ static unsigned finish_depth(struct tile_work *work, int g)
 }
 
 // Texels of a scattered group, side by side for blending, and back.
-RHW_INLINE void gather_texels(const int32_t at[8], const unsigned char *texels, size_t size, unsigned char *out)
+RHW_INLINE void gather_texels(const int32_t at[8], const unsigned char *texels, size_t size,
+                              unsigned char *out)
 {
     for (int i = 0; i < 8; i++) {
         memcpy(out + (size_t)i * size, texels + (size_t)at[i] * size, size);
@@ -85,7 +86,8 @@ RHW_INLINE void blend_target(const struct tile_work *work, int t, enum output_ki
     for (int g = 0; g < count; g++) {
         const f8 *const color = queue->colors[g][t];
         if (!queue->is_scattered[g]) {
-            output_group(&state, color, i8_from_bits(queue->live[g]), texels + (size_t)queue->row_at[g] * size);
+            output_group(&state, color, i8_from_bits(queue->live[g]),
+                         texels + (size_t)queue->row_at[g] * size);
             continue;
         }
         _Alignas(32) unsigned char lanes[8 * 16];

@@ -15,7 +15,7 @@
 struct block {
     int x, y; // pixels of the tile
     struct anchor_offset at;
-    const f8 *z;         // of its rows, where depth is kept
+    const f8 *z;          // of its rows, where depth is kept
     bool leaves_triangle; // some weights may be below 0: see plane_clipped.h
 };
 
@@ -106,12 +106,13 @@ static void fill_any_group(const struct tile_work *work, int g, const struct tri
 // The rows of a block as groups from `first` on.
 static __attribute__((noinline)) void fill_any_groups(const struct tile_work *work,
                                                       const struct triangle_work *triangle,
-                                                      const struct block *block, const struct block_rows *rows,
-                                                      int first)
+                                                      const struct block *block,
+                                                      const struct block_rows *rows, int first)
 {
     const struct planes *const planes = &triangle->planes;
     struct block_planes over;
-    block_weights(&over, planes, &block->at, planes->kind == PLANES_EXACT ? WEIGHTS_EXACT : WEIGHTS_PER_PIXEL);
+    block_weights(&over, planes, &block->at,
+                  planes->kind == PLANES_EXACT ? WEIGHTS_EXACT : WEIGHTS_PER_PIXEL);
     block_screen_weights(&over, planes, &block->at);
     for (int n = 0; n < rows->count; n++) {
         fill_any_group(work, first + n, triangle, &over, block, rows->row[n]);
@@ -167,8 +168,8 @@ RHW_INLINE void fill_steps(const struct tile_work *work, const struct triangle_w
                 squared[n + k] = d8_mul(w.inverse_s, w.inverse_s);
             }
         }
-        interpolate_groups(work->scratch->queue.varyings + (first + n) * components, components, triangle, &weights,
-                           count);
+        interpolate_groups(work->scratch->queue.varyings + (first + n) * components, components, triangle,
+                           &weights, count);
     }
     if (derivatives == DERIVATIVES) {
         fill_row_derivatives(work, triangle, at, rows, first, squared);
@@ -185,7 +186,8 @@ RHW_INLINE void fill_block(const struct tile_work *work, const struct triangle_w
 }
 
 RHW_INLINE void fill_rows(const struct tile_work *work, const struct triangle_work *triangle,
-                          const struct anchor_offset *at, const struct block_rows *rows, enum derivatives derivatives)
+                          const struct anchor_offset *at, const struct block_rows *rows,
+                          enum derivatives derivatives)
 {
     switch (weight_path_of(&triangle->planes)) {
     case WEIGHTS_EXACT: fill_block(work, triangle, at, rows, derivatives, WEIGHTS_EXACT); break;
@@ -213,8 +215,8 @@ RHW_INLINE void place_rows(struct fragment_queue *queue, const struct block_rows
 }
 
 // Depth, facing and ids of the groups from `first` on.
-static void fill_kept(const struct tile_work *work, const struct triangle_work *triangle, const struct block *block,
-                      const struct block_rows *rows, int first)
+static void fill_kept(const struct tile_work *work, const struct triangle_work *triangle,
+                      const struct block *block, const struct block_rows *rows, int first)
 {
     for (int n = 0; n < rows->count; n++) {
         struct rhw_fragment *const group = &work->scratch->queue.groups[first + n];

@@ -54,7 +54,8 @@ RHW_INLINE unsigned open_row(const struct tile_depth *depth, int x, int y, const
 
 // Tests the fragments of 8 pixels in a row, from (x, y) on, in the lanes of `live`, and writes their depth; returns the
 // lanes that pass. Before shading, settle_block has to follow.
-RHW_INLINE i8 test_lanes(struct tile_depth *depth, int x, int y, f8 z, i8 live, const struct rhw_depth_rule rule)
+RHW_INLINE i8 test_lanes(struct tile_depth *depth, int x, int y, f8 z, i8 live,
+                         const struct rhw_depth_rule rule)
 {
     float *const texels = depth_texels(depth, x, y);
     const f8 stored = f8_load(texels);
@@ -87,7 +88,8 @@ RHW_INLINE uint64_t test_rows(struct tile_depth *depth, const f8 z[RHW_BLOCK], i
 {
     uint64_t passed = 0;
     for (int row = 0; row < RHW_BLOCK; row++) {
-        const i8 live = which == MASK_WHOLE ? i8_splat(-1) : i8_from_bits((unsigned)(mask >> (8 * row)) & 0xff);
+        const i8 live =
+            which == MASK_WHOLE ? i8_splat(-1) : i8_from_bits((unsigned)(mask >> (8 * row)) & 0xff);
         const i8 pass = test_lanes(depth, x, y + row, z[row], live, rule);
         passed |= (uint64_t)i8_sign_bits(pass) << (8 * row);
     }
@@ -109,7 +111,8 @@ static uint64_t test_block_early(struct tile_depth *depth, const f8 z[RHW_BLOCK]
     case RHW_RULE_LESS: return test_block(depth, z, x, y, mask, rhw_named_rules[RHW_RULE_LESS]);
     case RHW_RULE_GREATER: return test_block(depth, z, x, y, mask, rhw_named_rules[RHW_RULE_GREATER]);
     case RHW_RULE_MARK_LESS: return test_block(depth, z, x, y, mask, rhw_named_rules[RHW_RULE_MARK_LESS]);
-    case RHW_RULE_MARK_GREATER: return test_block(depth, z, x, y, mask, rhw_named_rules[RHW_RULE_MARK_GREATER]);
+    case RHW_RULE_MARK_GREATER:
+        return test_block(depth, z, x, y, mask, rhw_named_rules[RHW_RULE_MARK_GREATER]);
     case RHW_RULE_CLAIM: return test_block(depth, z, x, y, mask, rhw_named_rules[RHW_RULE_CLAIM]);
     default: return test_block(depth, z, x, y, mask, plan->early);
     }

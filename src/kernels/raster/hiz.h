@@ -11,6 +11,7 @@
 
 #include <math.h>
 
+#include "../../simd_layout.h"
 #include "depth_test.h"
 #include "plane.h"
 
@@ -22,7 +23,8 @@ static bool hiz_follow(struct tile_depth *depth, const struct rhw_draw_plan *pla
     const int direction = plan->depth_direction;
     if (plan->ends_bounds) {
         depth->direction = 0;
-    } else if (direction != 0 && direction != depth->direction && (plan->moves_depth || depth->direction == 0)) {
+    } else if (direction != 0 && direction != depth->direction &&
+               (plan->moves_depth || depth->direction == 0)) {
         depth->direction = direction;
         for (int i = 0; i < HIZ_BLOCKS * HIZ_BLOCKS; i++) {
             depth->bounds[i] = INFINITY;
@@ -69,7 +71,8 @@ RHW_INLINE bool hiz_has_bounds(const struct tile_depth *depth, int y)
 
 // Which of the blocks side by side at row y of the tile a plane of depth lies behind, as a bit for each: the nearest
 // depth it has there is beyond the block's bound. (anchor_x, anchor_y): the anchor in the tile.
-RHW_INLINE unsigned hiz_hidden(const struct tile_depth *depth, struct plane z, int anchor_x, int anchor_y, int y)
+RHW_INLINE unsigned hiz_hidden(const struct tile_depth *depth, struct plane z, int anchor_x, int anchor_y,
+                               int y)
 {
     const double dy = y + hiz_nearest(depth, z.dy) - anchor_y;
     const i8 dx = i8_splat(hiz_nearest(depth, z.dx) - anchor_x) + rhw_lane_index * RHW_BLOCK;

@@ -132,16 +132,17 @@ struct planes {
     enum plane_kind kind;
     bool is_homogeneous; // a vertex is not snapped; `factors` are not set
     struct quantity_planes quantities;
-    double inverse_area;         // of snapped triangles
-    struct edge_factors factors; // of exact and of clipped ones, and where screen weights are wanted
-    struct plane n1, n2;         // weights on the screen of vertices 1 and 2, where they are wanted
+    double inverse_area;            // of snapped triangles
+    struct edge_factors factors;    // of exact and of clipped ones, and where screen weights are wanted
+    struct plane n1, n2;            // weights on the screen of vertices 1 and 2, where they are wanted
     struct derivative_pair weights; // of b and c, where they are asked for
 };
 
 // A quantity from exact edge values.
 RHW_INLINE d8 combine_edges(const struct edge_factors *f, enum quantity q, d8 e1, d8 e2)
 {
-    return d8_add(d8_splat(f->base[q]), d8_add(d8_mul(d8_splat(f->f1[q]), e1), d8_mul(d8_splat(f->f2[q]), e2)));
+    return d8_add(d8_splat(f->base[q]),
+                  d8_add(d8_mul(d8_splat(f->f1[q]), e1), d8_mul(d8_splat(f->f2[q]), e2)));
 }
 
 // What a block needs of a triangle's planes. Which members are set: z by block_depth; s, b, c by block_weights, or by
@@ -160,7 +161,8 @@ static void block_edges(struct block_planes *block, const struct planes *p, cons
 
 // Depth ------------------------------------------------------------------------------------------------
 
-RHW_INLINE void block_depth(struct block_planes *block, const struct planes *p, const struct anchor_offset *at)
+RHW_INLINE void block_depth(struct block_planes *block, const struct planes *p,
+                            const struct anchor_offset *at)
 {
     if (__builtin_expect(p->kind == PLANES_EXACT, 0)) {
         block_edges(block, p, at);
@@ -184,8 +186,8 @@ RHW_INLINE f8 depth_of_row(const struct planes *p, const struct block_planes *bl
 // instructions away, and 15 % of its time.
 enum weight_path {
     WEIGHTS_PER_PIXEL, // a division in every lane
-    WEIGHTS_PER_ROW,   // 1/W is the same along a row, so that one division serves all its lanes with the same bits
-    WEIGHTS_EXACT      // from exact integers: PLANES_EXACT
+    WEIGHTS_PER_ROW, // 1/W is the same along a row, so that one division serves all its lanes with the same bits
+    WEIGHTS_EXACT    // from exact integers: PLANES_EXACT
 };
 
 // A floor under a camera that is not rolled has the same 1/W along a row, and whatever is drawn without perspective.
@@ -198,7 +200,8 @@ RHW_INLINE enum weight_path weight_path_of(const struct planes *p)
 }
 
 // The parts of the three planes for the weights that depend on the row and on the column; not of exact ones.
-RHW_INLINE void block_weight_rows(struct block_planes *block, const struct planes *p, d8 dy, enum weight_path path)
+RHW_INLINE void block_weight_rows(struct block_planes *block, const struct planes *p, d8 dy,
+                                  enum weight_path path)
 {
     block_plane_rows(&block->s, plane_of(&p->quantities, QUANTITY_S), dy);
     block_plane_rows(&block->b, plane_of(&p->quantities, QUANTITY_B), dy);
@@ -218,8 +221,8 @@ RHW_INLINE void block_weight_columns(struct block_planes *block, const struct pl
     block_plane_column(&block->c, plane_of(&p->quantities, QUANTITY_C), dx);
 }
 
-RHW_INLINE void block_weights(struct block_planes *block, const struct planes *p, const struct anchor_offset *at,
-                              enum weight_path path)
+RHW_INLINE void block_weights(struct block_planes *block, const struct planes *p,
+                              const struct anchor_offset *at, enum weight_path path)
 {
     if (path == WEIGHTS_EXACT) {
         block_edges(block, p, at);
@@ -284,8 +287,8 @@ struct screen_weights {
     d8 s, t;
 };
 
-RHW_INLINE struct screen_weights screen_weights_of_row(const struct planes *p, const struct block_planes *block,
-                                                       int row)
+RHW_INLINE struct screen_weights screen_weights_of_row(const struct planes *p,
+                                                       const struct block_planes *block, int row)
 {
     if (p->kind == PLANES_EXACT) {
         const d8 inverse_area = d8_splat(p->factors.inverse_area);

@@ -12,14 +12,14 @@
 #ifndef RHW_PLANE_CLIPPED_H
 #define RHW_PLANE_CLIPPED_H
 
-#include "../../pass.h"
+#include "../../draw_list.h"
 #include "double_double.h"
 #include "plane.h"
 
 struct clipped_planes {
-    struct plane a;       // a·(1/W)
-    double w[3], zw[3];   // of the vertices: W, and depth times W
-    double a_e0;          // a·(1/W) is a_e0·e_0, of exact ones
+    struct plane a;          // a·(1/W)
+    double w[3], zw[3];      // of the vertices: W, and depth times W
+    double a_e0;             // a·(1/W) is a_e0·e_0, of exact ones
     struct dd_plane edge[3]; // of PLANES_DOUBLE_DOUBLE: edge_scale·edge[i] are a, b, c over W
     double edge_scale;
 };
@@ -49,7 +49,8 @@ static void planes_without_area(struct planes *p, struct clipped_planes *c)
 }
 
 // Of a snapped triangle whose `factors` are set.
-static void planes_clipped_snapped(struct planes *p, struct clipped_planes *c, const struct rhw_draw_state *state,
+static void planes_clipped_snapped(struct planes *p, struct clipped_planes *c,
+                                   const struct rhw_draw_state *state,
                                    const struct rhw_vertex_record *const v[3])
 {
     const struct edge_factors *const f = &p->factors;
@@ -131,7 +132,8 @@ static void planes_homogeneous(struct planes *p, struct clipped_planes *c, const
 static bool block_leaves_triangle(const struct planes *p, const struct clipped_planes *c,
                                   const struct anchor_offset *at)
 {
-    const struct plane planes[3] = {c->a, plane_of(&p->quantities, QUANTITY_B), plane_of(&p->quantities, QUANTITY_C)};
+    const struct plane planes[3] = {c->a, plane_of(&p->quantities, QUANTITY_B),
+                                    plane_of(&p->quantities, QUANTITY_C)};
     bool leaves = p->kind != PLANES_LINEAR;
     for (int i = 0; i < 3; i++) {
         const double dx = planes[i].dx < 0 ? at->dx.hi[3] : at->dx.lo[0];
@@ -171,7 +173,8 @@ static d8 d8_where(const l4 mask[2], d8 a, d8 b)
 }
 
 // The weights over W of a row, as they are.
-static void weights_over_w(const struct planes *p, const struct clipped_planes *c, d8 dx, double dy, d8 over_w[3])
+static void weights_over_w(const struct planes *p, const struct clipped_planes *c, d8 dx, double dy,
+                           d8 over_w[3])
 {
     const d8 row = d8_splat(dy);
     if (p->kind == PLANES_DOUBLE_DOUBLE) {
@@ -234,7 +237,8 @@ static d8 d8_select(i8 mask, d8 a, d8 b)
 }
 
 // What stands in the row instead of `weights` and `screen`.
-static void clipped_row_replace(const struct clipped_row *row, struct weights *weights, struct screen_weights *screen)
+static void clipped_row_replace(const struct clipped_row *row, struct weights *weights,
+                                struct screen_weights *screen)
 {
     weights->b = f8_select(row->lanes, row->weights.b, weights->b);
     weights->c = f8_select(row->lanes, row->weights.c, weights->c);

@@ -29,7 +29,8 @@ struct setup_output4 {
 
 RHW_INLINE struct plane4 combine_planes4(d4 base, d4 f1, d4 f2, struct plane4 e1, struct plane4 e2)
 {
-    return (struct plane4){base + (f1 * e1.at + f2 * e2.at), f1 * e1.dx + f2 * e2.dx, f1 * e1.dy + f2 * e2.dy};
+    return (struct plane4){base + (f1 * e1.at + f2 * e2.at), f1 * e1.dx + f2 * e2.dx,
+                           f1 * e1.dy + f2 * e2.dy};
 }
 
 // Edges 2 → 0 and 0 → 1 at the anchor's sample, seen from vertex 0; exact (constants.h).

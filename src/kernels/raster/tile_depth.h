@@ -11,9 +11,9 @@
 enum { HIZ_BLOCKS = RHW_TILE / RHW_BLOCK }; // of a tile, each way
 
 struct tile_depth {
-    float texels[RHW_TILE * RHW_TILE]; // row by row
+    float texels[RHW_TILE * RHW_TILE];     // row by row
     float bounds[HIZ_BLOCKS * HIZ_BLOCKS]; // by block: see hiz.h
-    int direction;           // which way depth moves, 1 down and −1 up; 0 where it may move both ways: no bounds
+    int direction; // which way depth moves, 1 down and −1 up; 0 where it may move both ways: no bounds
     uint64_t open[RHW_TILE]; // by row, a bit per pixel: see open_pixels.h
     int open_count;          // open pixels, drawn backwards
     bool marked;             // a fragment opened its pixel since this was last cleared

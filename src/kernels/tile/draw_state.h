@@ -27,6 +27,7 @@ static void set_state(struct tile_work *work, const struct rhw_draw_state *state
         group->varying = queue->varyings + offset;
         group->ddx = queue->ddx + offset;
         group->ddy = queue->ddy + offset;
+        group->user = pipeline->def.program.user;
         group->textures = state->textures;
         group->color = queue->colors[g];
     }

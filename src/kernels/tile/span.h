@@ -46,7 +46,7 @@ RHW_INLINE struct row_spans spans_of_rows(const struct span_edges *edges, int x,
 {
     const i8 rows = i8_splat(which.y) + rhw_lane_index;
     const f8 from_top = rhw_to_float(rows - i8_splat(top));
-    f8 begin = f8_splat(0);                 // span_mask starts where the triangle does
+    f8 begin = f8_splat(0);                // span_mask starts where the triangle does
     f8 end = f8_splat((float)(width - 1)); // the last one
     for (int e = 0; e < 3; e++) {
         const f8 side = f8_splat(edges->side[e]);

@@ -12,7 +12,8 @@
 
 // Planes -----------------------------------------------------------------------------------------------
 
-static struct setup_input4 setup_input(const struct triangle_work *triangle, const struct rhw_draw_state *state)
+static struct setup_input4 setup_input(const struct triangle_work *triangle,
+                                       const struct rhw_draw_state *state)
 {
     const struct rhw_triangle *const t = triangle->t;
     struct setup_input4 input = {.x1 = d4_splat(t->x_24_8[1] - t->x_24_8[0]),
@@ -231,8 +232,8 @@ static unsigned hidden_blocks(struct tile_work *work, struct triangle_work *tria
                       planes->anchor_y - work->y, y);
 }
 
-static bool is_hidden_block(const struct tile_work *work, const struct triangle_work *triangle, unsigned hidden,
-                            int x, int y)
+static bool is_hidden_block(const struct tile_work *work, const struct triangle_work *triangle,
+                            unsigned hidden, int x, int y)
 {
     if (!(hidden >> (x / RHW_BLOCK) & 1)) {
         return false;
@@ -241,7 +242,8 @@ static bool is_hidden_block(const struct tile_work *work, const struct triangle_
     return !leaves_triangle(triangle, &at);
 }
 
-static void draw_blocks(struct tile_work *work, struct triangle_work *triangle, const struct coverage *coverage)
+static void draw_blocks(struct tile_work *work, struct triangle_work *triangle,
+                        const struct coverage *coverage)
 {
     const struct tile_rect rect = rect_of(work, triangle->t);
     for (int y = rect.y0 & -RHW_BLOCK; y < rect.y1; y += RHW_BLOCK) {

@@ -26,7 +26,7 @@ struct triangle_setup8 {
     struct quantity_planes quantities[BATCH];
     double inverse_area[BATCH];
     int32_t anchor_x[BATCH], anchor_y[BATCH]; // as in struct planes
-    unsigned exact; // bit i: the planes of triangle i are PLANES_EXACT: a sliver
+    unsigned exact;                           // bit i: the planes of triangle i are PLANES_EXACT: a sliver
 };
 
 // The words of 8 triangles.
@@ -61,7 +61,8 @@ RHW_INLINE void setup_edges8(struct triangle_setup8 *setup, const struct triangl
                              const struct tile_work *work)
 {
     const i8 x = i8_min(words->x0, i8_splat(RHW_TILE - RHW_BLOCK)); // so that 8 lanes stay in the tile
-    const i8 px = sample_of_pixel8(x + i8_splat(work->x)), py = sample_of_pixel8(words->y0 + i8_splat(work->y));
+    const i8 px = sample_of_pixel8(x + i8_splat(work->x)),
+             py = sample_of_pixel8(words->y0 + i8_splat(work->y));
     const i8 negative = i8_splat(RHW_TRIANGLE_NEGATIVE);
     const i8 turn = rhw_equal_int(words->flags & negative, negative);
     for (int i = 0; i < 3; i++) {
@@ -129,7 +130,8 @@ RHW_INLINE void setup_planes8(struct triangle_setup8 *setup, const struct triang
     depth_ranges8(read, chunk, &low, &span);
     const d8 x1 = d8_from_i8(words->x[1] - words->x[0]), y1 = d8_from_i8(words->y[1] - words->y[0]),
              x2 = d8_from_i8(words->x[2] - words->x[0]), y2 = d8_from_i8(words->y[2] - words->y[0]),
-             px = d8_from_i8(sample_from_position8(words->x[0])), py = d8_from_i8(sample_from_position8(words->y[0]));
+             px = d8_from_i8(sample_from_position8(words->x[0])),
+             py = d8_from_i8(sample_from_position8(words->y[0]));
     struct setup_input4
         first = {x1.lo, y1.lo, x2.lo, y2.lo, px.lo, py.lo, .depth_low = low.lo, .depth_span = span.lo},
         second = {x1.hi, y1.hi, x2.hi, y2.hi, px.hi, py.hi, .depth_low = low.hi, .depth_span = span.hi};

@@ -28,7 +28,8 @@ RHW_INLINE void take_planes(struct triangle_work *triangle)
 
 // Of the pixels of the block at (x, y) that passed the early test, `mask`, those that are to be shaded: they are
 // counted, and the triangle is made ready for it.
-RHW_INLINE uint64_t ready_pixels(struct tile_work *work, struct triangle_work *triangle, int x, int y, uint64_t mask)
+RHW_INLINE uint64_t ready_pixels(struct tile_work *work, struct triangle_work *triangle, int x, int y,
+                                 uint64_t mask)
 {
     if (work->phase == RHW_PHASE_BACKWARDS) {
         mask = claim_backwards(&work->scratch->depth, x, y, mask);
@@ -73,7 +74,8 @@ struct strip {
 };
 
 // At its first row.
-RHW_INLINE void strip_set(struct strip *strip, const struct tile_work *work, const struct triangle_work *triangle)
+RHW_INLINE void strip_set(struct strip *strip, const struct tile_work *work,
+                          const struct triangle_work *triangle)
 {
     const struct triangle_setup8 *const setup = triangle->setup;
     const int i = triangle->lane;
@@ -109,8 +111,8 @@ RHW_INLINE uint64_t cover_strip(struct strip *strip, struct strip_rows rows)
 }
 
 // The same with the depth test, which writes depth: the pixels that are covered and pass.
-RHW_INLINE uint64_t test_strip(struct tile_work *work, const struct triangle_work *triangle, struct strip *strip,
-                               struct strip_rows rows, const struct rhw_depth_rule rule)
+RHW_INLINE uint64_t test_strip(struct tile_work *work, const struct triangle_work *triangle,
+                               struct strip *strip, struct strip_rows rows, const struct rhw_depth_rule rule)
 {
     struct tile_depth *const depth = &work->scratch->depth;
     uint64_t passed = 0;
@@ -128,8 +130,8 @@ RHW_INLINE uint64_t test_strip(struct tile_work *work, const struct triangle_wor
 }
 
 // By the rule of the draw.
-RHW_INLINE uint64_t strip_pixels(struct tile_work *work, const struct triangle_work *triangle, struct strip *strip,
-                                 struct strip_rows rows)
+RHW_INLINE uint64_t strip_pixels(struct tile_work *work, const struct triangle_work *triangle,
+                                 struct strip *strip, struct strip_rows rows)
 {
     const struct rhw_draw_plan *const plan = work->plan;
     if (!plan->tests_early) {
@@ -138,7 +140,8 @@ RHW_INLINE uint64_t strip_pixels(struct tile_work *work, const struct triangle_w
     switch (plan->early_name) {
     case RHW_RULE_LESS: return test_strip(work, triangle, strip, rows, rhw_named_rules[RHW_RULE_LESS]);
     case RHW_RULE_GREATER: return test_strip(work, triangle, strip, rows, rhw_named_rules[RHW_RULE_GREATER]);
-    case RHW_RULE_MARK_LESS: return test_strip(work, triangle, strip, rows, rhw_named_rules[RHW_RULE_MARK_LESS]);
+    case RHW_RULE_MARK_LESS:
+        return test_strip(work, triangle, strip, rows, rhw_named_rules[RHW_RULE_MARK_LESS]);
     case RHW_RULE_MARK_GREATER:
         return test_strip(work, triangle, strip, rows, rhw_named_rules[RHW_RULE_MARK_GREATER]);
     case RHW_RULE_CLAIM: return test_strip(work, triangle, strip, rows, rhw_named_rules[RHW_RULE_CLAIM]);
@@ -146,8 +149,8 @@ RHW_INLINE uint64_t strip_pixels(struct tile_work *work, const struct triangle_w
     }
 }
 
-RHW_INLINE void draw_strip_rows(struct tile_work *work, struct triangle_work *triangle, struct strip *strip, int y,
-                                int y1)
+RHW_INLINE void draw_strip_rows(struct tile_work *work, struct triangle_work *triangle, struct strip *strip,
+                                int y, int y1)
 {
     const struct strip_rows rows = {y, y1, min_int(y, RHW_TILE - RHW_BLOCK)};
     const uint64_t passed = strip_pixels(work, triangle, strip, rows);
@@ -210,7 +213,8 @@ RHW_INLINE uint64_t span_pixels(struct tile_work *work, const struct triangle_wo
     switch (plan->early_name) {
     case RHW_RULE_LESS: return test_spans(work, triangle, x, y, mask, rhw_named_rules[RHW_RULE_LESS]);
     case RHW_RULE_GREATER: return test_spans(work, triangle, x, y, mask, rhw_named_rules[RHW_RULE_GREATER]);
-    case RHW_RULE_MARK_LESS: return test_spans(work, triangle, x, y, mask, rhw_named_rules[RHW_RULE_MARK_LESS]);
+    case RHW_RULE_MARK_LESS:
+        return test_spans(work, triangle, x, y, mask, rhw_named_rules[RHW_RULE_MARK_LESS]);
     case RHW_RULE_MARK_GREATER:
         return test_spans(work, triangle, x, y, mask, rhw_named_rules[RHW_RULE_MARK_GREATER]);
     case RHW_RULE_CLAIM: return test_spans(work, triangle, x, y, mask, rhw_named_rules[RHW_RULE_CLAIM]);
@@ -219,7 +223,8 @@ RHW_INLINE uint64_t span_pixels(struct tile_work *work, const struct triangle_wo
 }
 
 // One block of several.
-RHW_INLINE void draw_small_block(struct tile_work *work, struct triangle_work *triangle, int x, int y, uint64_t mask)
+RHW_INLINE void draw_small_block(struct tile_work *work, struct triangle_work *triangle, int x, int y,
+                                 uint64_t mask)
 {
     mask = ready_pixels(work, triangle, x, y, span_pixels(work, triangle, x, y, mask));
     if (mask == 0) {
@@ -238,7 +243,8 @@ RHW_INLINE void draw_small_block(struct tile_work *work, struct triangle_work *t
 }
 
 // Blocks that would reach over the tile's end are moved.
-static __attribute__((noinline)) void draw_small_blocks(struct tile_work *work, struct triangle_work *triangle)
+static __attribute__((noinline)) void draw_small_blocks(struct tile_work *work,
+                                                        struct triangle_work *triangle)
 {
     const struct triangle_setup8 *const setup = triangle->setup;
     const int i = triangle->lane;
@@ -248,8 +254,9 @@ static __attribute__((noinline)) void draw_small_blocks(struct tile_work *work, 
     }
     for (int y0 = setup->y0[i]; y0 < setup->y1[i]; y0 += RHW_BLOCK) {
         const int y = min_int(y0, RHW_TILE - RHW_BLOCK);
-        const struct row_spans spans = spans_of_rows(&edges, setup->x[i], setup->y0[i], setup->x1[i] - setup->x[i],
-                                                     (struct span_rows){y, y0, setup->y1[i]});
+        const struct row_spans spans =
+            spans_of_rows(&edges, setup->x[i], setup->y0[i], setup->x1[i] - setup->x[i],
+                          (struct span_rows){y, y0, setup->y1[i]});
         for (int x0 = setup->x0[i]; x0 < setup->x1[i]; x0 += RHW_BLOCK) {
             const int x = min_int(x0, RHW_TILE - RHW_BLOCK);
             const uint64_t mask = span_mask(&spans, x, x0);

@@ -397,15 +397,17 @@ static void test_others_keep_their_turn(void **state)
 enum { LAYERS = 16 };
 
 // Layers from far to near that cover everything, on a target that ends within tiles: so many are shaded.
-static void assert_shaded(bool depth, bool shades_hidden, int layers)
+static void assert_shaded(bool depth, enum rhw_paths paths, int layers)
 {
     enum { WIDTH = 100, HEIGHT = 70 };
+    struct rhw_context_def def = rhw_context_def_default();
+    def.threads = 2;
+    def.paths = paths;
     struct rig rig;
-    rig_open(&rig, WIDTH, HEIGHT);
+    rig_open_with(&rig, WIDTH, HEIGHT, &def);
     if (depth) {
         rig_set_depth(&rig);
     }
-    rig.pass.shades_hidden = shades_hidden;
     rig_begin(&rig);
     for (int i = 0; i < LAYERS; i++) {
         struct rig_vertex all[6];
@@ -423,15 +425,17 @@ static void assert_shaded(bool depth, bool shades_hidden, int layers)
 static void test_what_is_hidden_is_not_shaded(void **state)
 {
     (void)state;
-    assert_shaded(true, false, 1);
-    assert_shaded(false, false, 1);
+    assert_shaded(true, RHW_PATHS_ALL, 1);
+    assert_shaded(false, RHW_PATHS_ALL, 1);
 }
 
-static void test_unless_the_pass_wants_it(void **state)
+static void test_unless_the_context_wants_it(void **state)
 {
     (void)state;
-    assert_shaded(true, true, LAYERS);
-    assert_shaded(false, true, LAYERS);
+    for (int depth = 0; depth < 2; depth++) {
+        assert_shaded(depth, RHW_PATHS_IN_ORDER, LAYERS);
+        assert_shaded(depth, RHW_PATHS_GENERAL, LAYERS);
+    }
 }
 
 int main(void)
@@ -446,7 +450,7 @@ int main(void)
         cmocka_unit_test(test_runs_of_every_kind),
         cmocka_unit_test(test_others_keep_their_turn),
         cmocka_unit_test(test_what_is_hidden_is_not_shaded),
-        cmocka_unit_test(test_unless_the_pass_wants_it),
+        cmocka_unit_test(test_unless_the_context_wants_it),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -1,0 +1,168 @@
+// SPDX-License-Identifier: MIT
+// Creation and destruction of a context. This alone knows everything that hangs from one, which is why it stands apart
+// from context.h: the parts include that, and this includes the parts.
+#include <assert.h>
+
+#include "buffer.h"
+#include "context.h"
+#include "cpu.h"
+#include "kernels/kernels.h"
+#include "misuse.h"
+#include "pass.h"
+#include "pipeline.h"
+#include "rhw/rhw.h"
+#include "sampler.h"
+#include "scheduler.h"
+#include "texture.h"
+
+static void destroy_resources(struct rhw_context *context)
+{
+    uint32_t index = 0;
+    struct rhw_buffer_data *buffer;
+    while ((buffer = rhw_pool_next(&context->buffers, &index)) != NULL) {
+        rhw_buffer_data_release(&context->memory, buffer);
+    }
+    index = 0;
+    struct rhw_texture_data *texture;
+    while ((texture = rhw_pool_next(&context->textures, &index)) != NULL) {
+        rhw_texture_data_release(&context->memory, texture);
+    }
+
+    rhw_pool_destroy(&context->memory, &context->buffers);
+    rhw_pool_destroy(&context->memory, &context->textures);
+    rhw_pool_destroy(&context->memory, &context->samplers);
+    rhw_pool_destroy(&context->memory, &context->pipelines);
+}
+
+bool rhw_isa_supported(enum rhw_isa isa)
+{
+    return (unsigned)isa < RHW_ISA_COUNT && rhw_cpu_supports(isa) && rhw_kernels_for(isa) != NULL;
+}
+
+static enum rhw_isa best_isa(enum rhw_isa highest)
+{
+    int isa = highest >= RHW_ISA_COUNT ? RHW_ISA_COUNT - 1 : (int)highest;
+    while (isa > RHW_ISA_BASELINE && !rhw_isa_supported((enum rhw_isa)isa)) {
+        isa--;
+    }
+    return (enum rhw_isa)isa;
+}
+
+static int thread_count(int wanted, int cores)
+{
+    const int count = wanted == 0 ? cores : wanted;
+    return count > RHW_MAX_THREADS ? RHW_MAX_THREADS : count;
+}
+
+// Only its hooks matter: it reports misuse before there is a context.
+static struct rhw_context reporter(const struct rhw_context_def *def)
+{
+    return (struct rhw_context){.assert_ = def->assert_, .user = def->user};
+}
+
+static bool check_def(const struct rhw_context_def *def, rhw_context **context)
+{
+    static const char *const where = "rhw_context_create";
+    if (!rhw_check(NULL, def != NULL, "%s: def is NULL", where)) {
+        return false;
+    }
+    const struct rhw_context report = reporter(def);
+    const struct rhw_allocator *const allocator = &def->allocator;
+    return rhw_check(&report, context != NULL, "%s: context is NULL", where) &&
+           rhw_check(&report, def->threads >= 0 && def->threads <= RHW_MAX_THREADS,
+                     "%s: threads is %d; it must be 0 (all cores) to %d", where, def->threads,
+                     RHW_MAX_THREADS) &&
+           rhw_check(&report, (unsigned)def->isa <= RHW_ISA_COUNT,
+                     "%s: isa is %d; it must be an instruction set or RHW_ISA_COUNT (%d)", where,
+                     (int)def->isa, RHW_ISA_COUNT) &&
+           rhw_check(&report, (unsigned)def->paths <= RHW_PATHS_GENERAL,
+                     "%s: paths is %d; it must be RHW_PATHS_ALL (0), RHW_PATHS_IN_ORDER (1) or "
+                     "RHW_PATHS_GENERAL (2)",
+                     where, (int)def->paths) &&
+           rhw_check(&report, (allocator->allocate == NULL) == (allocator->release == NULL),
+                     "%s: allocator has only one of allocate and release; it must have both or neither",
+                     where);
+}
+
+// Everything a context needs beyond itself. What a failure leaves behind is for rhw_context_destroy.
+static enum rhw_result create_parts(struct rhw_context *context)
+{
+    const enum rhw_result result =
+        rhw_scheduler_create(&context->memory, context->threads, context->cores, &context->scheduler);
+    if (result != RHW_OK) {
+        return result;
+    }
+    return rhw_pass_state_create(context, &context->pass);
+}
+
+enum rhw_result rhw_context_create(const struct rhw_context_def *def, rhw_context **context)
+{
+    if (context != NULL) {
+        *context = NULL;
+    }
+    if (!check_def(def, context)) {
+        return RHW_ERROR_MISUSE;
+    }
+
+    struct rhw_memory memory = {.allocator = rhw_allocator_or_default(def->allocator)};
+    struct rhw_context *const created =
+        rhw_memory_allocate(&memory, sizeof *created, _Alignof(struct rhw_context));
+    if (created == NULL) {
+        return RHW_ERROR_OUT_OF_MEMORY;
+    }
+
+    const enum rhw_isa isa = best_isa(def->isa);
+    const int cores = def->threads == 1 ? 1 : rhw_cpu_cores(); // which reads files
+    *created = (struct rhw_context){
+        .memory = memory,
+        .log = def->log,
+        .assert_ = def->assert_,
+        .user = def->user,
+        .cores = cores,
+        .threads = thread_count(def->threads, cores),
+        .isa = isa,
+        .paths = def->paths,
+        .bin_memory = def->bin_memory,
+        .kernels = rhw_kernels_for(isa),
+    };
+    rhw_pool_init(&created->buffers, "buffer", sizeof(struct rhw_buffer_data));
+    rhw_pool_init(&created->textures, "texture", sizeof(struct rhw_texture_data));
+    rhw_pool_init(&created->samplers, "sampler", sizeof(struct rhw_sampler_data));
+    rhw_pool_init(&created->pipelines, "pipeline", sizeof(struct rhw_pipeline_data));
+
+    const enum rhw_result result = create_parts(created);
+    if (result != RHW_OK) {
+        rhw_context_destroy(created);
+        return result;
+    }
+    rhw_context_log(created, RHW_LOG_INFO, "rhw %s: %d thread%s, %s kernels", rhw_version(), created->threads,
+                    created->threads == 1 ? "" : "s", rhw_isa_name(isa));
+    *context = created;
+    return RHW_OK;
+}
+
+void rhw_context_destroy(rhw_context *context)
+{
+    if (context == NULL) {
+        return;
+    }
+    if (context->pass != NULL) {
+        rhw_pass_state_destroy(context, context->pass);
+    }
+    destroy_resources(context);
+    rhw_scheduler_destroy(&context->memory, context->scheduler);
+    struct rhw_memory memory = context->memory;
+    rhw_memory_release(&memory, context, sizeof *context);
+    assert(memory.used == 0); // else one of our parts leaks
+}
+
+int rhw_context_threads(const rhw_context *context)
+{
+    return rhw_check(context, context != NULL, "rhw_context_threads: context is NULL") ? context->threads : 0;
+}
+
+enum rhw_isa rhw_context_isa(const rhw_context *context)
+{
+    return rhw_check(context, context != NULL, "rhw_context_isa: context is NULL") ? context->isa
+                                                                                   : RHW_ISA_BASELINE;
+}

@@ -1,0 +1,108 @@
+// SPDX-License-Identifier: MIT
+// What a pass draws, as data: draws with their states, and the chunks that the front end makes of them.
+//
+// The triangles of all draws stand in one line, in submission order, cut into chunks of at most
+// RHW_CHUNK_TRIANGLES. Chunks go through the front end in any order on any thread; a tile then reads the
+// chunks in line order, so the picture does not depend on who did what. A chunk may span many small draws
+// (10,000 draws of 12 triangles are 15 chunks) and a large draw many chunks.
+#ifndef RHW_DRAW_LIST_H
+#define RHW_DRAW_LIST_H
+
+#include "draw_plan.h"
+#include "hidden_surface.h"
+#include "output.h"
+#include "rhw/shader.h"
+#include "triangle.h"
+
+struct rhw_memory;
+struct rhw_pipeline_data;
+struct rhw_shared_vertices;
+
+struct rhw_vertex_stream {
+    const unsigned char *bytes; // buffer start plus binding offset
+    size_t size;                // bytes from there to the buffer's end
+};
+
+// Everything a draw needs that a set_ function changes, but for uniforms. Draws point at an immutable copy, one and the
+// same as long as nothing of it changes: that keeps ten thousand draws with uniforms of their own in the cache.
+struct rhw_draw_state {
+    const struct rhw_pipeline_data *pipeline;
+    struct rhw_vertex_stream streams[RHW_MAX_VERTEX_BUFFERS];
+    const unsigned char *indices;
+    size_t index_bytes;
+    enum rhw_index_type index_type;
+    const struct rhw_binding *textures; // RHW_MAX_TEXTURES of them
+    struct rhw_viewport viewport;
+    struct rhw_rect scissor; // already within target and viewport
+    float blend_constant[4];
+    struct output_state outputs[RHW_MAX_COLOR_ATTACHMENTS];
+    struct rhw_hidden_rule hidden;               // how it may be drawn together with others
+    struct rhw_draw_plan plans[RHW_PHASE_COUNT]; // what tiles do for its fragments
+    // Depth after the viewport's range: depth_low + depth_span·Z/W, whatever range of Z the pipeline has.
+    double depth_low, depth_span;
+    float depth_least, depth_most; // the viewport's depth range in order
+    // Screen position of clip coordinates: x = X/W·half_width + center_x, y = center_y − Y/W·half_height.
+    double half_width, half_height, center_x, center_y;
+};
+
+struct rhw_draw {
+    const struct rhw_draw_state *state;
+    const void *uniforms;
+    const uint32_t (*expanded)[3];            // vertex indices of strips and fans with restart; else NULL
+    const struct rhw_shared_vertices *shared; // by instance, of the wave under way; mostly NULL
+    uint32_t first, base_vertex, first_instance, instances;
+    uint32_t index; // of the draw in its pass
+    uint32_t triangles_per_instance;
+    uint64_t first_triangle; // in the line of all triangles of the pass
+    bool indexed;
+};
+
+// The part of a chunk that belongs to one instance of one draw.
+struct rhw_segment {
+    const struct rhw_draw *draw;
+    uint32_t instance;
+    int vertex_stride; // floats
+    float *vertices;   // rhw_vertex_record by slot
+};
+
+// What the front end counts in a chunk: a chunk that is not drawn in its wave is run again in the next.
+struct rhw_front_counters {
+    uint64_t vertices_shaded, dropped, clipped, culled, rasterized, entries;
+};
+
+struct rhw_chunk {
+    // In the line of all triangles; the front end lowers a count whose bins are too large.
+    uint64_t first, count;
+    uint32_t first_draw; // the draw that triangle `first` belongs to
+    // Written by the front end:
+    struct rhw_hidden_rule hidden; // of all its draws; in order where they differ
+    struct rhw_segment *segments;
+    struct rhw_triangle *triangles;
+    struct rhw_polygon *polygons;
+    // Bins: tile (x, y) of the rectangle lists entries[offsets[i]] .. entries[offsets[i + 1] − 1], where
+    // i = (y − tile_y0)·(tile_x1 − tile_x0) + x − tile_x0; entries are numbers of triangles, rising.
+    int tile_x0, tile_y0, tile_x1, tile_y1;
+    uint32_t *offsets;
+    uint16_t *entries;
+    struct rhw_front_counters counters;
+};
+
+// The draws of a pass. They stand in blocks, so that a draw never moves and growth copies none.
+struct rhw_draw_list {
+    struct rhw_draw **blocks; // of RHW_DRAW_BLOCK draws each
+    uint32_t block_count, block_capacity;
+    uint32_t count; // draws
+};
+
+enum { RHW_DRAW_BLOCK = 256 };
+
+static inline struct rhw_draw *rhw_draw_list_at(const struct rhw_draw_list *list, uint32_t i)
+{
+    return &list->blocks[i / RHW_DRAW_BLOCK][i % RHW_DRAW_BLOCK];
+}
+
+// Room for one more draw, behind the last; `count` does not change yet. NULL when out of memory.
+struct rhw_draw *rhw_draw_list_next(struct rhw_memory *memory, struct rhw_draw_list *list);
+void rhw_draw_list_destroy(struct rhw_memory *memory, struct rhw_draw_list *list);
+
+#endif

@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: MIT
+// Which draws may be drawn depth first or backwards.
+#include "hidden_surface.h"
+
+#include "output.h"
+#include "pipeline.h"
+
+static const struct rhw_hidden_rule in_order = {RHW_HIDDEN_IN_ORDER, RHW_COMPARE_NEVER};
+
+static bool shades_opaque_texels(const struct rhw_pipeline_data *pipeline, const struct output_state *outputs,
+                                 int color_count)
+{
+    bool opaque = color_count != 0 && (pipeline->fragment || pipeline->def.program.fragment1);
+    for (int i = 0; i < color_count; i++) {
+        opaque = opaque && outputs[i].replaces;
+    }
+    return opaque;
+}
+
+struct rhw_hidden_rule rhw_hidden_rule_of(const struct rhw_pipeline_data *pipeline,
+                                          const struct output_state *outputs, int color_count)
+{
+    const struct rhw_pipeline_def *const def = &pipeline->def;
+    if (!shades_opaque_texels(pipeline, outputs, color_count)) {
+        return in_order;
+    }
+    if (!def->depth_test) {
+        return def->program.uses & RHW_USE_DISCARD
+                   ? in_order
+                   : (struct rhw_hidden_rule){RHW_HIDDEN_BACKWARDS, RHW_COMPARE_NEVER};
+    }
+    if (!def->depth_write || def->program.uses & RHW_USE_DEPTH) {
+        return in_order;
+    }
+    switch (def->depth_compare) {
+    case RHW_COMPARE_LESS:
+    case RHW_COMPARE_LESS_EQUAL:
+    case RHW_COMPARE_GREATER:
+    case RHW_COMPARE_GREATER_EQUAL:
+        return (struct rhw_hidden_rule){RHW_HIDDEN_DEPTH_FIRST, def->depth_compare};
+    default: return in_order;
+    }
+}

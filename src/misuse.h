@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: MIT
+// What the library tells the program through the hooks of a context: misuse, and lines of the log.
+#ifndef RHW_MISUSE_H
+#define RHW_MISUSE_H
+
+#include "rhw/types.h"
+
+__attribute__((format(printf, 3, 4))) void rhw_context_log(const struct rhw_context *context,
+                                                           enum rhw_log_level level, const char *format, ...);
+
+// Reports misuse: formats the message and calls the assert hook (the default one when `context` is NULL).
+// Messages read "rhw_function: what has which value; the rule".
+__attribute__((format(printf, 2, 3), cold)) void rhw_misuse(const struct rhw_context *context,
+                                                            const char *format, ...);
+// Reports misuse when `condition` is false; is `condition`. A macro, because a draw passes a dozen of these: a call
+// with arguments for a message that nobody needs took a fifth of the time of recording.
+#define rhw_check(context, condition, ...) ((condition) || (rhw_misuse((context), __VA_ARGS__), false))
+
+#endif

@@ -1,0 +1,91 @@
+// SPDX-License-Identifier: MIT
+// The pass under way: its attachments, the state that recording changes, its draws, and the workers that run it. All of
+// it is data; pass.c records into it, pass_run.c and the kernels draw from it.
+#ifndef RHW_PASS_STATE_H
+#define RHW_PASS_STATE_H
+
+#include "arena.h"
+#include "clean_tiles.h"
+#include "constants.h"
+#include "draw_list.h"
+#include "rhw/shader.h"
+#include "texture.h"
+
+struct rhw_attachment {
+    enum rhw_format format;
+    enum rhw_load load;
+    enum rhw_store store;
+    const struct rhw_mip *target;  // NULL: exists in the tile alone
+    struct rhw_clean_tiles *clean; // of a texture; NULL where there is none
+    // What a tile starts from where nothing is loaded, texels side by side: the clear value, or 0, which is undefined
+    // to the user and still the same bytes on every run.
+    unsigned char clear[RHW_CLEAR_BYTES];
+    size_t texel_size;
+};
+
+struct rhw_counters {
+    uint64_t fragments, groups;
+    uint64_t vertex_ns, setup_ns, bin_ns; // parts of the front end, as rhw_stats names them
+};
+
+struct rhw_context;
+struct rhw_front_scratch;
+struct rhw_tile_scratch;
+
+// One per thread; padded so that no two share a cache line.
+struct rhw_worker {
+    _Alignas(RHW_CACHE_LINE) struct rhw_arena arena; // what the front end made; reset when it was drawn
+    struct rhw_counters counters;
+    struct rhw_front_scratch *front;
+    struct rhw_tile_scratch *tile;
+    // The tiles this worker begins with. Written by it, and by others that have none left of their own.
+    _Alignas(RHW_CACHE_LINE) _Atomic int next_tile;
+    int end_tile; // exclusive
+};
+
+struct rhw_pass_state {
+    struct rhw_context *context;
+    uint64_t begun_ns;
+    int width, height, tiles_x, tiles_y;
+    int color_count;
+    struct rhw_attachment colors[RHW_MAX_COLOR_ATTACHMENTS];
+    bool has_depth;
+    struct rhw_attachment depth;
+    enum rhw_paths paths; // of the context
+    rhw_texture color_ids[RHW_MAX_COLOR_ATTACHMENTS], depth_id;
+
+    struct rhw_arena arena;        // states, uniforms, draws
+    struct rhw_draw_state pending; // what the next draw would use
+    bool pending_changed;
+    const void *uniforms; // of the next draw
+    uint32_t uniform_size;
+    struct rhw_binding pending_textures[RHW_MAX_TEXTURES];
+    bool textures_changed;
+    const struct rhw_draw_state *current; // last copy of `pending`
+    bool out_of_memory;
+
+    struct rhw_draw_list draws;
+    uint64_t triangle_count;
+    bool has_large_draws; // indexed, of RHW_SHARING_TRIANGLES at least
+
+    struct rhw_chunk *chunks; // of the wave under way
+    int chunk_count, chunk_capacity;
+    uint64_t chunk_size;   // triangles of a chunk, at most
+    uint32_t entries_most; // of a chunk; at least one for every tile
+
+    // Written by workers for every chunk, read when they look for the next:
+    _Alignas(RHW_CACHE_LINE) _Atomic size_t geometry; // bytes that the wave's chunks took
+    _Atomic int wave_end;                             // the chunks from here on wait for the next wave
+    _Atomic bool failed;                              // a worker ran out of memory
+
+    _Alignas(RHW_CACHE_LINE) struct rhw_worker *workers;
+    bool first_wave, last_wave;     // of this pass: load and store operations belong to these
+    struct rhw_mip transient_depth; // keeps depth between waves when the pass has no depth texture
+};
+
+static inline struct rhw_draw *rhw_pass_draw_at(const struct rhw_pass_state *pass, uint32_t i)
+{
+    return rhw_draw_list_at(&pass->draws, i);
+}
+
+#endif

@@ -1,0 +1,28 @@
+#!/bin/sh
+# SPDX-License-Identifier: MIT
+# Every header of the library and of scene/ includes what it uses: it compiles alone, as C17, without a warning, and can
+# be included twice. Headers of kernels are written for a source that is compiled once per instruction set; here they
+# are compiled for the baseline, and the functions they define go unused.
+# usage: private_headers.sh PROJECT_FOLDER C_COMPILER
+set -eu
+root=$1
+compiler=$2
+failed=0
+count=0
+for header in $(cd "$root" && find src scene -name '*.h' | sort); do
+    case $header in
+    src/kernels/*_tmpl.h) continue ;; # not guarded yet
+    esac
+    count=$((count + 1))
+    if ! printf '#include "%s"\n#include "%s"\nextern int not_empty;\n' "$header" "$header" |
+        "$compiler" -x c -std=gnu17 -fsyntax-only -I"$root" -I"$root/include" \
+            -iquote "$root/src" -iquote "$root/scene" -DRHW_BUILD_STATIC -DRHW_ISA_SUFFIX=baseline \
+            -Wall -Wextra -Wpedantic -Wshadow -Wconversion -Wundef \
+            -Wno-unused-function -Wno-psabi -Werror -; then
+        echo "$header does not compile alone with $compiler"
+        failed=$((failed + 1))
+    fi
+done
+[ $count -gt 0 ] || { echo "no header in $root/src"; exit 1; }
+echo "$((count - failed)) passed, $failed failed"
+[ $failed -eq 0 ]
