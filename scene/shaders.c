@@ -2,21 +2,11 @@
 // Puts the per-instruction-set copies of the built-in shaders into programs.
 #include "shaders.h"
 
-static const struct rhw_surface_shaders *const surface_shaders[RHW_ISA_COUNT] = {
-    [RHW_ISA_BASELINE] = &rhw_surface_shaders_baseline,
-#ifdef RHW_HAVE_X86_ISAS
-    [RHW_ISA_AVX2] = &rhw_surface_shaders_avx2,
-    [RHW_ISA_AVX512] = &rhw_surface_shaders_avx512,
-#endif
-};
+static const struct rhw_surface_shaders *const surface_shaders[RHW_ISA_COUNT] =
+    RHW_ISA_TABLE(&rhw_surface_shaders);
 
-static const struct rhw_screen_shaders *const screen_shaders[RHW_ISA_COUNT] = {
-    [RHW_ISA_BASELINE] = &rhw_screen_shaders_baseline,
-#ifdef RHW_HAVE_X86_ISAS
-    [RHW_ISA_AVX2] = &rhw_screen_shaders_avx2,
-    [RHW_ISA_AVX512] = &rhw_screen_shaders_avx512,
-#endif
-};
+static const struct rhw_screen_shaders *const screen_shaders[RHW_ISA_COUNT] =
+    RHW_ISA_TABLE(&rhw_screen_shaders);
 
 void rhw_program_surface(struct rhw_program *program, enum rhw_vertex_kind vertex,
                          enum rhw_fragment_kind fragment)

@@ -9,6 +9,7 @@
 #define RHW_SCENE_SHADERS_H
 
 #include "model.h"
+#include "rhw/isa.h"
 #include "rhw/types.h"
 
 enum {
@@ -143,13 +144,7 @@ void rhw_program_surface(struct rhw_program *program, enum rhw_vertex_kind verte
                          enum rhw_fragment_kind fragment);
 void rhw_program_screen(struct rhw_program *program, enum rhw_screen_kind kind);
 
-#define RHW_SHADER_PASTE(name, suffix)  name##_##suffix
-#define RHW_SHADER_EXPAND(name, suffix) RHW_SHADER_PASTE(name, suffix)
-#define RHW_ISA_NAME(name)              RHW_SHADER_EXPAND(name, RHW_ISA_SUFFIX)
-
-extern const struct rhw_surface_shaders rhw_surface_shaders_baseline, rhw_surface_shaders_avx2,
-    rhw_surface_shaders_avx512;
-extern const struct rhw_screen_shaders rhw_screen_shaders_baseline, rhw_screen_shaders_avx2,
-    rhw_screen_shaders_avx512;
+RHW_ISA_DECLARE(const struct rhw_surface_shaders, rhw_surface_shaders);
+RHW_ISA_DECLARE(const struct rhw_screen_shaders, rhw_screen_shaders);
 
 #endif
