@@ -3,13 +3,7 @@
 // shaders_lanes.c.
 #include "shaders_bench.h"
 
-static const struct bench_shader_table *const tables[RHW_ISA_COUNT] = {
-    [RHW_ISA_BASELINE] = &bench_shader_table_baseline,
-#ifdef RHW_HAVE_X86_ISAS
-    [RHW_ISA_AVX2] = &bench_shader_table_avx2,
-    [RHW_ISA_AVX512] = &bench_shader_table_avx512,
-#endif
-};
+static const struct bench_shader_table *const tables[RHW_ISA_COUNT] = RHW_ISA_TABLE(&bench_shader_table);
 
 enum { P = 1 << BENCH_POSITION, N = 1 << BENCH_NORMAL, T = 1 << BENCH_UV, C = 1 << BENCH_COLOR };
 

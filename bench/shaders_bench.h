@@ -4,6 +4,7 @@
 #define BENCH_SHADERS_BENCH_H
 
 #include "bench_scene.h"
+#include "rhw/isa.h"
 #include "rhw/types.h"
 
 // Which vertex attributes a shader reads: bit 1 << enum bench_attribute.
@@ -17,7 +18,6 @@ struct bench_shader_table {
     rhw_vertex_function *vertex[BENCH_SHADERS];
     rhw_fragment_function *fragment[BENCH_SHADERS]; // NULL: depth only
 };
-extern const struct bench_shader_table bench_shader_table_baseline, bench_shader_table_avx2,
-    bench_shader_table_avx512;
+RHW_ISA_DECLARE(const struct bench_shader_table, bench_shader_table);
 
 #endif

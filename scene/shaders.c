@@ -2,21 +2,11 @@
 // Puts the per-instruction-set copies of the built-in shaders into programs.
 #include "shaders.h"
 
-static const struct scene_surface_shaders *const surface_shaders[RHW_ISA_COUNT] = {
-    [RHW_ISA_BASELINE] = &scene_surface_shaders_baseline,
-#ifdef RHW_HAVE_X86_ISAS
-    [RHW_ISA_AVX2] = &scene_surface_shaders_avx2,
-    [RHW_ISA_AVX512] = &scene_surface_shaders_avx512,
-#endif
-};
+static const struct scene_surface_shaders *const surface_shaders[RHW_ISA_COUNT] =
+    RHW_ISA_TABLE(&scene_surface_shaders);
 
-static const struct scene_screen_shaders *const screen_shaders[RHW_ISA_COUNT] = {
-    [RHW_ISA_BASELINE] = &scene_screen_shaders_baseline,
-#ifdef RHW_HAVE_X86_ISAS
-    [RHW_ISA_AVX2] = &scene_screen_shaders_avx2,
-    [RHW_ISA_AVX512] = &scene_screen_shaders_avx512,
-#endif
-};
+static const struct scene_screen_shaders *const screen_shaders[RHW_ISA_COUNT] =
+    RHW_ISA_TABLE(&scene_screen_shaders);
 
 void scene_program_surface(struct rhw_program *program, enum scene_vertex_kind vertex,
                            enum scene_fragment_kind fragment)

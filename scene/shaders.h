@@ -9,6 +9,7 @@
 #define SCENE_SHADERS_H
 
 #include "model.h"
+#include "rhw/isa.h"
 #include "rhw/types.h"
 
 enum {
@@ -143,13 +144,7 @@ void scene_program_surface(struct rhw_program *program, enum scene_vertex_kind v
                            enum scene_fragment_kind fragment);
 void scene_program_screen(struct rhw_program *program, enum scene_screen_kind kind);
 
-#define SCENE_PASTE(name, suffix)  name##_##suffix
-#define SCENE_EXPAND(name, suffix) SCENE_PASTE(name, suffix)
-#define RHW_ISA_NAME(name)         SCENE_EXPAND(name, RHW_ISA_SUFFIX)
-
-extern const struct scene_surface_shaders scene_surface_shaders_baseline, scene_surface_shaders_avx2,
-    scene_surface_shaders_avx512;
-extern const struct scene_screen_shaders scene_screen_shaders_baseline, scene_screen_shaders_avx2,
-    scene_screen_shaders_avx512;
+RHW_ISA_DECLARE(const struct scene_surface_shaders, scene_surface_shaders);
+RHW_ISA_DECLARE(const struct scene_screen_shaders, scene_screen_shaders);
 
 #endif

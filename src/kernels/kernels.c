@@ -2,13 +2,9 @@
 // Compiled once per instruction set, with RHW_ISA_SUFFIX naming it.
 #include "kernels.h"
 
-#include "isa_name.h"
-
 #include "front_tmpl.h"
 #include "sample_slots_tmpl.h"
 #include "tile_entry.h"
-
-extern const struct rhw_kernels RHW_ISA_NAME(rhw_kernels);
 
 const struct rhw_kernels RHW_ISA_NAME(rhw_kernels) = {.shared_part = shade_part,
                                                       .chunk = make_chunk,

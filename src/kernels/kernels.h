@@ -4,6 +4,7 @@
 #ifndef RHW_KERNELS_H
 #define RHW_KERNELS_H
 
+#include "rhw/isa.h"
 #include "rhw/shader.h"
 
 struct rhw_pass_state;
@@ -31,6 +32,8 @@ struct rhw_kernels {
                           const struct rhw_fragment *groups, int count, int at, rhw_float (*texels)[4],
                           int stride);
 };
+
+RHW_ISA_DECLARE(const struct rhw_kernels, rhw_kernels);
 
 // NULL where this build has no kernels for `isa`; RHW_ISA_BASELINE is always there.
 const struct rhw_kernels *rhw_kernels_for(enum rhw_isa isa);

@@ -3,7 +3,7 @@
 #ifndef RHW_TILE_ENTRY_H
 #define RHW_TILE_ENTRY_H
 
-#include "isa_name.h"
+#include "rhw/isa.h"
 
 struct rhw_pass_state;
 

@@ -4,9 +4,6 @@
 
 #include <rhw/shader.h>
 
-#define PASTE(name, suffix)  name##_##suffix
-#define EXPAND(name, suffix) PASTE(name, suffix)
-
 static void plain(struct rhw_vertex *groups, int count)
 {
     for (int g = 0; g < count; g++) {
@@ -212,8 +209,8 @@ static void maths(struct rhw_fragment *groups, int count)
     }
 }
 
-void EXPAND(golden_cells, RHW_ISA_SUFFIX)(struct rhw_program *program, enum rhw_isa isa,
-                                          enum golden_cell_vertex vertex, enum golden_cell_fragment fragment)
+void RHW_ISA_NAME(golden_cells)(struct rhw_program *program, enum rhw_isa isa, enum golden_cell_vertex vertex,
+                                enum golden_cell_fragment fragment)
 {
     rhw_vertex_function *const vertices[GOLDEN_CELL_VERTICES] = {plain, instanced, screen};
     rhw_fragment_function *const fragments[GOLDEN_CELL_FRAGMENTS] = {value, facing,   texture, level,

@@ -6,11 +6,12 @@
 
 void golden_shaders_fill(struct rhw_program *program, enum golden_shader shader)
 {
-    golden_shaders_baseline(program, RHW_ISA_BASELINE, shader);
-#ifdef RHW_HAVE_X86_ISAS
-    golden_shaders_avx2(program, RHW_ISA_AVX2, shader);
-    golden_shaders_avx512(program, RHW_ISA_AVX512, shader);
-#endif
+    static golden_shaders_function *const copies[RHW_ISA_COUNT] = RHW_ISA_TABLE(golden_shaders);
+    for (int isa = 0; isa < RHW_ISA_COUNT; isa++) {
+        if (copies[isa]) {
+            copies[isa](program, (enum rhw_isa)isa, shader);
+        }
+    }
 }
 
 void golden_cells_fill(struct rhw_program *program, enum golden_cell_vertex vertex,
@@ -23,11 +24,12 @@ void golden_cells_fill(struct rhw_program *program, enum golden_cell_vertex vert
                                  RHW_USE_BARYCENTRIC_DERIVATIVES,
         [GOLDEN_CELL_HEIGHTS] = RHW_USE_DISCARD | RHW_USE_DEPTH,
     };
-    golden_cells_baseline(program, RHW_ISA_BASELINE, vertex, fragment);
-#ifdef RHW_HAVE_X86_ISAS
-    golden_cells_avx2(program, RHW_ISA_AVX2, vertex, fragment);
-    golden_cells_avx512(program, RHW_ISA_AVX512, vertex, fragment);
-#endif
+    static golden_cells_function *const copies[RHW_ISA_COUNT] = RHW_ISA_TABLE(golden_cells);
+    for (int isa = 0; isa < RHW_ISA_COUNT; isa++) {
+        if (copies[isa]) {
+            copies[isa](program, (enum rhw_isa)isa, vertex, fragment);
+        }
+    }
     program->uses = uses[fragment];
     if (fragment == GOLDEN_CELL_VALUE || fragment == GOLDEN_CELL_MATHS) {
         program->uniform_size = sizeof(struct golden_cell_uniforms);

@@ -3,6 +3,7 @@
 #ifndef GOLDEN_CELLS_H
 #define GOLDEN_CELLS_H
 
+#include <rhw/isa.h>
 #include <rhw/rhw.h>
 
 struct golden_vertex {
@@ -42,11 +43,8 @@ void golden_cells_fill(struct rhw_program *program, enum golden_cell_vertex vert
 struct rhw_pipeline_def golden_cells_def(enum golden_cell_fragment fragment, enum rhw_format format);
 
 // One per instruction set; golden_cells_fill is who calls them.
-void golden_cells_baseline(struct rhw_program *program, enum rhw_isa isa, enum golden_cell_vertex vertex,
-                           enum golden_cell_fragment fragment);
-void golden_cells_avx2(struct rhw_program *program, enum rhw_isa isa, enum golden_cell_vertex vertex,
-                       enum golden_cell_fragment fragment);
-void golden_cells_avx512(struct rhw_program *program, enum rhw_isa isa, enum golden_cell_vertex vertex,
-                         enum golden_cell_fragment fragment);
+typedef void golden_cells_function(struct rhw_program *program, enum rhw_isa isa,
+                                   enum golden_cell_vertex vertex, enum golden_cell_fragment fragment);
+RHW_ISA_DECLARE(golden_cells_function, golden_cells);
 
 #endif

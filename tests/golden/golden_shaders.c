@@ -4,9 +4,6 @@
 
 #include <rhw/shader.h>
 
-#define PASTE(name, suffix)  name##_##suffix
-#define EXPAND(name, suffix) PASTE(name, suffix)
-
 static void transform(struct rhw_vertex *groups, int count)
 {
     for (int g = 0; g < count; g++) {
@@ -77,8 +74,7 @@ static void glass(struct rhw_fragment *groups, int count)
     }
 }
 
-void EXPAND(golden_shaders, RHW_ISA_SUFFIX)(struct rhw_program *program, enum rhw_isa isa,
-                                            enum golden_shader shader)
+void RHW_ISA_NAME(golden_shaders)(struct rhw_program *program, enum rhw_isa isa, enum golden_shader shader)
 {
     rhw_fragment_function *const fragments[GOLDEN_SHADER_COUNT] = {lit, texture, glass};
     program->vertex[isa] = transform;

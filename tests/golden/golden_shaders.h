@@ -3,6 +3,7 @@
 #ifndef GOLDEN_SHADERS_H
 #define GOLDEN_SHADERS_H
 
+#include <rhw/isa.h>
 #include <rhw/rhw.h>
 
 enum golden_shader {
@@ -21,8 +22,8 @@ struct golden_uniforms {
 void golden_shaders_fill(struct rhw_program *program, enum golden_shader shader);
 
 // One per instruction set; golden_shaders_fill is who calls them.
-void golden_shaders_baseline(struct rhw_program *program, enum rhw_isa isa, enum golden_shader shader);
-void golden_shaders_avx2(struct rhw_program *program, enum rhw_isa isa, enum golden_shader shader);
-void golden_shaders_avx512(struct rhw_program *program, enum rhw_isa isa, enum golden_shader shader);
+typedef void golden_shaders_function(struct rhw_program *program, enum rhw_isa isa,
+                                     enum golden_shader shader);
+RHW_ISA_DECLARE(golden_shaders_function, golden_shaders);
 
 #endif

@@ -61,14 +61,10 @@ void rig_set_program(struct rig *rig, rhw_vertex_function *vertex, rhw_fragment_
 
 void isa_shaders_fill(struct rhw_program *program)
 {
-    program->vertex[RHW_ISA_BASELINE] = isa_shader_vertex_baseline;
-    program->fragment[RHW_ISA_BASELINE] = isa_shader_fragment_baseline;
-#ifdef RHW_HAVE_X86_ISAS
-    program->vertex[RHW_ISA_AVX2] = isa_shader_vertex_avx2;
-    program->fragment[RHW_ISA_AVX2] = isa_shader_fragment_avx2;
-    program->vertex[RHW_ISA_AVX512] = isa_shader_vertex_avx512;
-    program->fragment[RHW_ISA_AVX512] = isa_shader_fragment_avx512;
-#endif
+    static rhw_vertex_function *const vertex[RHW_ISA_COUNT] = RHW_ISA_TABLE(isa_shader_vertex);
+    static rhw_fragment_function *const fragment[RHW_ISA_COUNT] = RHW_ISA_TABLE(isa_shader_fragment);
+    memcpy(program->vertex, vertex, sizeof vertex);
+    memcpy(program->fragment, fragment, sizeof fragment);
 }
 
 static void set_default_pipeline(struct rig *rig)

@@ -4,10 +4,7 @@
 
 #include <rhw/shader.h>
 
-#define PASTE(name, suffix)  name##_##suffix
-#define EXPAND(name, suffix) PASTE(name, suffix)
-
-void EXPAND(isa_shader_vertex, RHW_ISA_SUFFIX)(struct rhw_vertex *groups, int count)
+void RHW_ISA_NAME(isa_shader_vertex)(struct rhw_vertex *groups, int count)
 {
     for (int g = 0; g < count; g++) {
         for (int c = 0; c < 4; c++) {
@@ -17,7 +14,7 @@ void EXPAND(isa_shader_vertex, RHW_ISA_SUFFIX)(struct rhw_vertex *groups, int co
     }
 }
 
-void EXPAND(isa_shader_fragment, RHW_ISA_SUFFIX)(struct rhw_fragment *groups, int count)
+void RHW_ISA_NAME(isa_shader_fragment)(struct rhw_fragment *groups, int count)
 {
     for (int g = 0; g < count; g++) {
         const rhw_float *v = groups[g].varying;

@@ -4,6 +4,7 @@
 #ifndef TEST_ISA_SHADERS_H
 #define TEST_ISA_SHADERS_H
 
+#include <rhw/isa.h>
 #include <rhw/rhw.h>
 
 /// Fills every entry of `program->vertex` and `program->fragment` that this build has.
@@ -11,11 +12,7 @@
 /// Fragment: arithmetic that contraction or a reassociated sum would change, on varyings 0..3.
 void isa_shaders_fill(struct rhw_program *program);
 
-#define DECLARE_ISA(isa)                                                \
-    void isa_shader_vertex_##isa(struct rhw_vertex *groups, int count); \
-    void isa_shader_fragment_##isa(struct rhw_fragment *groups, int count)
-DECLARE_ISA(baseline);
-DECLARE_ISA(avx2);
-DECLARE_ISA(avx512);
+RHW_ISA_DECLARE(rhw_vertex_function, isa_shader_vertex);
+RHW_ISA_DECLARE(rhw_fragment_function, isa_shader_fragment);
 
 #endif

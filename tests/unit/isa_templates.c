@@ -2,7 +2,6 @@
 // See isa_templates.h; compiled with RHW_ISA_SUFFIX = baseline, avx2, ...
 #include "isa_templates.h"
 
-#include "kernels/isa_name.h"
 #include "kernels/output_tmpl.h"
 
 static void output(const struct output_state *state, const rhw_float color[4], const rhw_int *mask,
@@ -52,7 +51,5 @@ static void apply(enum isa_function function, const float *a, const float *b, fl
         rhw_store(result + i, apply8(function, rhw_load(a + i), rhw_load(b + i)));
     }
 }
-
-extern const struct isa_templates RHW_ISA_NAME(isa_templates);
 
 const struct isa_templates RHW_ISA_NAME(isa_templates) = {output, apply};

@@ -4,6 +4,7 @@
 #ifndef TEST_ISA_TEMPLATES_H
 #define TEST_ISA_TEMPLATES_H
 
+#include <rhw/isa.h>
 #include <rhw/shader.h>
 
 struct output_state;
@@ -46,6 +47,8 @@ struct isa_templates {
     /// result[i] = function(a[i], b[i]) of `count` numbers, a multiple of 8.
     void (*apply)(enum isa_function function, const float *a, const float *b, float *result, int count);
 };
+
+RHW_ISA_DECLARE(const struct isa_templates, isa_templates);
 
 /// NULL where this build or this CPU lacks `isa`.
 const struct isa_templates *isa_templates_for(enum rhw_isa isa);

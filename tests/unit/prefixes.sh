@@ -5,10 +5,9 @@
 # usage: prefixes.sh PROJECT_FOLDER
 set -eu
 cd "$1"
-# RHW_ISA_NAME is the exception: sources compiled once per instruction set name their symbols by it everywhere.
 find scene tools bench examples tests -name '*.[ch]' | sort | xargs awk '
     function report(name) {
-        if (name != "RHW_ISA_NAME") { print FILENAME ":" FNR ": " name; failed++ }
+        print FILENAME ":" FNR ": " name; failed++
     }
     # Reports the first name with the prefix in text.
     function report_first(text) {

@@ -1,0 +1,128 @@
+#!/bin/sh
+# SPDX-License-Identifier: MIT
+# The installed library, as a project of its own meets it: examples/project is built with find_package and
+# rhw_add_shaders, and with pkg-config and make, and draws the same bytes with every copy of its shaders.
+# usage: test_install.sh BUILD_FOLDER SOURCE_ROOT C_COMPILER
+set -u
+
+build=$(realpath "$1")
+root=$(realpath "$2")
+export CC="$3"
+for tool in pkg-config make objdump; do
+    command -v $tool >/dev/null 2>&1 || { echo "no $tool here"; exit 77; }
+done
+failures=0
+checks=0
+folder=$(mktemp -d)
+trap 'rm -rf "$folder"' EXIT
+trap 'exit 1' INT TERM
+cd "$folder" || exit 1
+unset CMAKE_PREFIX_PATH MAKEFLAGS MAKELEVEL
+
+check() { # DESCRIPTION COMMAND...
+    checks=$((checks + 1))
+    description=$1
+    shift
+    "$@" >log 2>&1 || {
+        failures=$((failures + 1))
+        echo "FAILED: $description: $*" >&2
+        tail -20 log >&2
+    }
+}
+
+refuse() { # PATTERN COMMAND...: fails, and says what PATTERN matches
+    checks=$((checks + 1))
+    pattern=$1
+    shift
+    if "$@" >log 2>&1 || ! tr -s '\n ' ' ' <log | grep -Eq "$pattern"; then
+        failures=$((failures + 1))
+        echo "FAILED: $* is not refused with '$pattern'" >&2
+        tail -20 log >&2
+    fi
+}
+
+# Installed in one place and moved to another: nothing names the first.
+check "install" cmake --install "$build" --prefix "$folder/first"
+mv first prefix
+library=$(dirname "$(find "$folder/prefix" -name pkgconfig)")
+export PKG_CONFIG_PATH="$library/pkgconfig" LD_LIBRARY_PATH="$library"
+isas=$(pkg-config --variable=isas rhw)
+case $isas in baseline*) ;; *) check "pkg-config names the instruction sets: '$isas'" false ;; esac
+strict="-Wall -Wextra -Wpedantic -Wconversion -Wmissing-prototypes -Werror"
+
+cp -r "$root/examples/project" make
+check "make" make -C make CFLAGS="-std=gnu17 -O2 $strict"
+cp -r "$root/examples/project" cmake
+check "cmake configures" cmake -S cmake -B cmake/build -DCMAKE_PREFIX_PATH="$folder/prefix" \
+    -DCMAKE_BUILD_TYPE=Release -DCMAKE_C_FLAGS="$strict"
+check "cmake builds" cmake --build cmake/build
+
+make/ripples make.ppm >make.txt || check "the program of make ends with 0" false
+cmake/build/ripples cmake.ppm >cmake.txt || check "the program of cmake ends with 0" false
+check "a picture" test "$(head -c 15 make.ppm | tr '\n' ' ')" = "P6 500 400 255 "
+check "one picture" cmp make.ppm cmake.ppm
+check "the baseline and the one-at-a-time form ran" test "$(grep -cE '^(baseline|one at a time) ' make.txt)" = 2
+check "the same lines" cmp make.txt cmake.txt
+check "the same bytes: $(cat make.txt)" test "$(awk '{print $NF}' make.txt | sort -u | wc -l)" = 1
+
+# Every copy is there, compiled for what its name says: 32-byte registers from AVX2 on.
+for program in make/ripples cmake/build/ripples; do
+    for isa in $isas; do
+        objdump -d --disassemble="paint_$isa" $program >code
+        check "$program has paint_$isa" grep -q "<paint_$isa>:" code
+        case $isa in
+        avx*) check "paint_$isa of $program" grep -q '%ymm' code ;;
+        *) check "paint_$isa of $program" test "$(grep -c '%ymm' code)" = 0 ;;
+        esac
+    done
+done
+
+# The copies see what their target has, also what it is given after the call, and a target may be called for twice.
+mkdir given given/folder
+cat >given/CMakeLists.txt <<'CMAKE'
+cmake_minimum_required(VERSION 3.22)
+project(given LANGUAGES C)
+add_subdirectory(folder)
+rhw_add_shaders(given two.c)
+CMAKE
+cat >given/folder/CMakeLists.txt <<'CMAKE'
+find_package(rhw REQUIRED)
+add_library(given SHARED one.c)
+rhw_add_shaders(given one.c)
+target_compile_definitions(given PRIVATE GIVEN=1)
+target_link_libraries(given PRIVATE rhw::rhw)
+CMAKE
+cat >given/two.c <<'C'
+#include <rhw/isa.h>
+#if GIVEN != 1
+#error "no definition"
+#endif
+#ifdef RHW_ISA_SUFFIX
+RHW_ISA_DECLARE(const int, FILE_NAME);
+const int RHW_ISA_NAME(FILE_NAME) = 1;
+#endif
+C
+sed 's/FILE_NAME/one/' given/two.c >given/folder/one.c
+sed -i 's/FILE_NAME/two/' given/two.c
+check "given configures" cmake -S given -B given/build -DCMAKE_PREFIX_PATH="$folder/prefix"
+check "given builds" cmake --build given/build
+for isa in $isas; do
+    for name in one two; do
+        check "given has ${name}_$isa" sh -c "nm -D given/build/folder/libgiven.so | grep -q ' ${name}_$isa\$'"
+    done
+done
+
+# Mistakes end with a line that says what is wrong.
+mistake() { # PATTERN CALL
+    mkdir -p mistake
+    printf 'cmake_minimum_required(VERSION 3.22)\nproject(mistake LANGUAGES C)\nfind_package(rhw REQUIRED)\n%s\n' "$2" \
+        >mistake/CMakeLists.txt
+    refuse "$1" cmake -S mistake -B mistake/build -DCMAKE_PREFIX_PATH="$folder/prefix"
+}
+mistake 'rhw_add_shaders: there is no target ripples' 'rhw_add_shaders(ripples shaders.c)'
+mistake 'rhw_add_shaders: rhw::rhw is imported' 'rhw_add_shaders(rhw::rhw shaders.c)'
+mistake 'rhw_add_shaders: mistake is given no file' 'add_library(mistake a.c)
+rhw_add_shaders(mistake)'
+
+echo "$checks checks, $failures failed"
+[ "$failures" = 0 ]
