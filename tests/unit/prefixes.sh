@@ -5,9 +5,10 @@
 # usage: prefixes.sh PROJECT_FOLDER
 set -eu
 cd "$1"
+# RHW_ISA_NAME is the exception: sources compiled once per instruction set name their symbols by it everywhere.
 find scene tools bench examples tests -name '*.[ch]' | sort | xargs awk '
     function report(name) {
-        print FILENAME ":" FNR ": " name; failed++
+        if (name != "RHW_ISA_NAME") { print FILENAME ":" FNR ": " name; failed++ }
     }
     # Reports the first name with the prefix in text.
     function report_first(text) {
