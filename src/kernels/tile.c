@@ -34,15 +34,13 @@ static void draw_triangle(struct tile_work *work, const struct rhw_chunk *chunk,
     struct triangle_work triangle;
     triangle.t = setup->read->triangle[lane];
     triangle.segment = &chunk->segments[triangle.t->segment];
-    triangle.v = setup->read->vertex[lane];
     triangle.setup = setup;
     triangle.lane = lane;
-    triangle.clipped = NULL;
     triangle.has_planes = triangle.has_values = false;
     if (triangle.segment->draw != work->draw) {
         set_draw(work, triangle.segment->draw);
     }
-    const struct rhw_draw_plan *const plan = work->plan;
+    const struct rhw_draw_plan *const plan = &work->plan;
     if (plan->is_skipped) {
         return;
     }
@@ -63,11 +61,15 @@ static void draw_batch(struct tile_work *work, const struct rhw_chunk *chunk, co
 {
     struct triangle_setup8 setup;
     struct rhw_tile_scratch *const scratch = work->scratch;
+    const bool backwards = work->phase == RHW_PHASE_BACKWARDS;
     setup_triangles8(&setup, work, chunk, read);
-    for (int i = 0; i < read->count && !is_hidden(work); i++) {
+    for (int i = 0; i < read->count; i++) {
+        if (backwards && scratch->depth.open_count == 0) {
+            break;
+        }
         scratch->depth.marked = false;
         draw_triangle(work, chunk, &setup, i);
-        if (work->phase == RHW_PHASE_DEPTH && (scratch->depth.marked || work->plan->is_skipped)) {
+        if (work->phase == RHW_PHASE_DEPTH && (scratch->depth.marked || work->plan.is_skipped)) {
             scratch->seen[read->number[i] / 8] |= (uint8_t)(1u << read->number[i] % 8);
         }
     }

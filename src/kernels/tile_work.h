@@ -100,10 +100,10 @@ struct tile_work {
     const struct rhw_draw *draw;
     const struct rhw_draw_state *state;
     const struct rhw_pipeline_data *pipeline;
-    const struct rhw_draw_plan *plan; // of the state, in the phase
-    bool tests_bounds;                // fragments behind the tile's bounds fail the depth test
-    bool is_scissored;                // the scissor, or the target's end, leaves out pixels of the tile
-    bool constant_is_ready;           // the draw's constant colour was made
+    struct rhw_draw_plan plan; // of the state, in the phase
+    bool tests_bounds;         // fragments behind the tile's bounds fail the depth test
+    bool is_scissored;         // the scissor, or the target's end, leaves out pixels of the tile
+    bool constant_is_ready;    // the draw's constant colour was made
 };
 
 // Where a block at (x, y) of the tile lies from the anchor.

@@ -12,12 +12,13 @@ struct triangle_setup8;
 struct triangle_work {
     const struct rhw_segment *segment;
     const struct rhw_triangle *t;
-    const struct rhw_vertex_record *const *v; // its three
-    const struct triangle_setup8 *setup;      // what was made of it and of 7 others
-    int lane;                                 // in them
-    struct clipped_planes *clipped;           // room for them; NULL where the triangle is not clipped
-    bool has_planes, has_values;              // `planes` are set; what stands below them is
+    const struct triangle_setup8 *setup; // what was made of it and of 7 others
+    int lane;                            // in them
+    bool has_planes, has_values;         // `planes` and `v` are set; what stands below them is
+    struct clipped_planes
+        *clipped; // room for them, on the path of large triangles; NULL where it is not clipped
     struct planes planes;
+    const struct rhw_vertex_record *const *v; // its three
     const float *provoking;
     float i0[RHW_MAX_VARYING_COMPONENTS], d1[RHW_MAX_VARYING_COMPONENTS], d2[RHW_MAX_VARYING_COMPONENTS];
     struct derivative_pair derivatives[RHW_MAX_VARYING_COMPONENTS / 2]; // where they are wanted

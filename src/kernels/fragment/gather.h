@@ -37,7 +37,7 @@ RHW_INLINE void fill_scattered(const struct tile_work *work, const struct triang
             const d8 squared = d8_mul(w.inverse_s, w.inverse_s);
             smooth_derivatives(queue, first + n, pipeline, triangle->derivatives, &at, squared);
         }
-        if (work->plan->keeps_depth) {
+        if (work->plan.keeps_depth) {
             const d8 z = plane_value8(plane_of(&planes->quantities, QUANTITY_Z), at.dx, at.dy);
             queue->groups[first + n].depth = viewport_clamp(&work->scratch->depth, f8_from_d8(z));
         }
@@ -61,7 +61,7 @@ static void queue_scattered(struct tile_work *work, struct triangle_work *triang
             queue->is_scattered[g] = true;
             memcpy(queue->texels[g], &texel[8 * (g - first)], sizeof queue->texels[g]);
             queue->groups[g].mask = i8_splat(-1);
-            if (work->plan->keeps_identity) {
+            if (work->plan.keeps_identity) {
                 fill_identity(&queue->groups[g], work->pipeline->def.program.uses, triangle);
             }
         }
@@ -131,7 +131,7 @@ RHW_INLINE void collect_block(struct tile_work *work, struct triangle_work *tria
                               const struct block *block, uint64_t mask)
 {
     const bool is_whole = mask == ~(uint64_t)0;
-    const bool can_scatter = work->plan->shading == RHW_SHADING_SMOOTH && !block->leaves_triangle &&
+    const bool can_scatter = work->plan.shading == RHW_SHADING_SMOOTH && !block->leaves_triangle &&
                              triangle->planes.kind != PLANES_EXACT;
     if (!is_whole && can_scatter) {
         gather_fragments(work, triangle, block->x, block->y, RHW_BLOCK, mask);

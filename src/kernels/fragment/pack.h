@@ -114,7 +114,7 @@ static void pack_group(struct tile_work *work, unsigned bits)
     if (work->pipeline->any_derivatives) {
         pack_derivatives(work, g, weights.inverse_s);
     }
-    if (work->plan->keeps_depth) {
+    if (work->plan.keeps_depth) {
         group->depth = viewport_clamp(&work->scratch->depth, f8_from_d8(quantity[QUANTITY_Z]));
     }
     pack_identity(group, work->pipeline->def.program.uses, partial->triangle);
@@ -172,7 +172,7 @@ static const struct packed_triangle *pack_triangle(struct tile_work *work, struc
     } else if (pipeline->any_derivatives) {
         component_derivatives(to->derivatives, triangle, pipeline);
     }
-    if (work->plan->keeps_identity) {
+    if (work->plan.keeps_identity) {
         const struct identity identity = identity_of(triangle);
         to->front_facing = identity.front_facing;
         to->primitive = identity.primitive;

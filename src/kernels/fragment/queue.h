@@ -25,7 +25,7 @@ static unsigned finish_depth(struct tile_work *work, int g)
     struct fragment_queue *const queue = &work->scratch->queue;
     struct tile_depth *const depth = &work->scratch->depth;
     const struct rhw_fragment *const group = &queue->groups[g];
-    const struct rhw_draw_plan *const plan = work->plan;
+    const struct rhw_draw_plan *const plan = &work->plan;
     const uint32_t uses = work->pipeline->def.program.uses;
     i8 mask = i8_from_bits(queue->live[g]);
     if (uses & RHW_USE_DISCARD) {
@@ -105,7 +105,7 @@ static void shade_queue(struct tile_work *work)
 {
     struct fragment_queue *const queue = &work->scratch->queue;
     run_fragment_function(work, queue->count);
-    if (work->plan->depth_mode >= RHW_DEPTH_LATE || work->pipeline->def.program.uses & RHW_USE_DISCARD) {
+    if (work->plan.depth_mode >= RHW_DEPTH_LATE || work->pipeline->def.program.uses & RHW_USE_DISCARD) {
         for (int g = 0; g < queue->count; g++) {
             queue->live[g] = (uint8_t)finish_depth(work, g);
             queue->has_all_rows = queue->has_all_rows && queue->live[g] == 0xff;

@@ -220,10 +220,10 @@ static void fill_kept(const struct tile_work *work, const struct triangle_work *
 {
     for (int n = 0; n < rows->count; n++) {
         struct rhw_fragment *const group = &work->scratch->queue.groups[first + n];
-        if (work->plan->keeps_depth) {
+        if (work->plan.keeps_depth) {
             group->depth = block->z[rows->row[n]];
         }
-        if (work->plan->keeps_identity) {
+        if (work->plan.keeps_identity) {
             fill_identity(group, work->pipeline->def.program.uses, triangle);
         }
     }
@@ -241,10 +241,10 @@ RHW_INLINE void queue_rows(struct tile_work *work, struct triangle_work *triangl
         set_inputs(work, triangle);
     }
     place_rows(queue, rows, block->x, block->y);
-    if (work->plan->keeps_depth || work->plan->keeps_identity) {
+    if (work->plan.keeps_depth || work->plan.keeps_identity) {
         fill_kept(work, triangle, block, rows, queue->count);
     }
-    if (work->plan->shading == RHW_SHADING_ROWS || block->leaves_triangle) {
+    if (work->plan.shading == RHW_SHADING_ROWS || block->leaves_triangle) {
         fill_any_groups(work, triangle, block, rows, queue->count);
     } else if (work->pipeline->any_derivatives) {
         fill_rows(work, triangle, &block->at, rows, DERIVATIVES);

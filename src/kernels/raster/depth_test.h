@@ -52,14 +52,12 @@ RHW_INLINE unsigned open_row(const struct tile_depth *depth, int x, int y, const
     return rule.open >= RHW_OPEN_TRY ? (unsigned)(depth->open[y] >> x) : 0;
 }
 
-// Tests the fragments of 8 pixels in a row, from (x, y) on, in the lanes of `live`, and writes their depth; returns the
-// lanes that pass. Before shading, settle_block has to follow.
-RHW_INLINE i8 test_lanes(struct tile_depth *depth, int x, int y, f8 z, i8 live,
-                         const struct rhw_depth_rule rule)
+// Tests the fragments of 8 texels in a row in the lanes of `live`, and writes their depth; returns the lanes that pass.
+// `open`: as open_row gives it. Before shading, settle_block has to follow.
+RHW_INLINE i8 test_lanes(float *texels, f8 z, i8 live, unsigned open, const struct rhw_depth_rule rule)
 {
-    float *const texels = depth_texels(depth, x, y);
     const f8 stored = f8_load(texels);
-    const i8 pass = live & rule_passes(rule, z, stored, open_row(depth, x, y, rule));
+    const i8 pass = live & rule_passes(rule, z, stored, open);
     if (rule.write) {
         f8_store(texels, f8_select(pass, z, stored));
     }
@@ -86,12 +84,14 @@ enum block_mask { MASK_PART, MASK_WHOLE }; // whole: every pixel is set
 RHW_INLINE uint64_t test_rows(struct tile_depth *depth, const f8 z[RHW_BLOCK], int x, int y, uint64_t mask,
                               const struct rhw_depth_rule rule, enum block_mask which)
 {
+    float *texels = depth_texels(depth, x, y);
     uint64_t passed = 0;
     for (int row = 0; row < RHW_BLOCK; row++) {
         const i8 live =
             which == MASK_WHOLE ? i8_splat(-1) : i8_from_bits((unsigned)(mask >> (8 * row)) & 0xff);
-        const i8 pass = test_lanes(depth, x, y + row, z[row], live, rule);
+        const i8 pass = test_lanes(texels, z[row], live, open_row(depth, x, y + row, rule), rule);
         passed |= (uint64_t)i8_sign_bits(pass) << (8 * row);
+        texels += RHW_TILE;
     }
     return settle_block(depth, x, y, passed, rule);
 }
@@ -122,7 +122,8 @@ static uint64_t test_block_early(struct tile_depth *depth, const f8 z[RHW_BLOCK]
 static unsigned test_row_late(struct tile_depth *depth, int x, int y, f8 z, unsigned bits,
                               const struct rhw_depth_rule rule)
 {
-    const unsigned passed = i8_sign_bits(test_lanes(depth, x, y, z, i8_from_bits(bits), rule));
+    const unsigned passed = i8_sign_bits(
+        test_lanes(depth_texels(depth, x, y), z, i8_from_bits(bits), open_row(depth, x, y, rule), rule));
     if (rule.open == RHW_OPEN_CLOSE) {
         depth->open[y] &= ~((uint64_t)passed << x);
     }

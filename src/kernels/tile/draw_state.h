@@ -14,13 +14,13 @@ static void set_state(struct tile_work *work, const struct rhw_draw_state *state
     struct tile_depth *const depth = &work->scratch->depth;
     work->state = state;
     work->pipeline = pipeline;
-    work->plan = &state->plans[work->phase];
+    work->plan = state->plans[work->phase];
     work->is_scissored = scissor->x > work->x || scissor->y > work->y ||
                          scissor->x + scissor->width < work->x + RHW_TILE ||
                          scissor->y + scissor->height < work->y + RHW_TILE;
     depth->least = state->depth_least;
     depth->most = state->depth_most;
-    work->tests_bounds = hiz_follow(depth, work->plan);
+    work->tests_bounds = hiz_follow(depth, &work->plan);
     for (int g = 0; g < RHW_FRAGMENT_GROUPS; g++) {
         struct rhw_fragment *const group = &queue->groups[g];
         const int offset = g * pipeline->varying_components;

@@ -36,6 +36,7 @@ static void set_planes(const struct tile_work *work, struct triangle_work *trian
     const struct triangle_setup8 *const setup = triangle->setup;
     struct planes *const planes = &triangle->planes;
     const int i = triangle->lane;
+    triangle->v = setup->read->vertex[i];
     triangle->has_planes = true;
     if (triangle->t->flags & RHW_TRIANGLE_UNSNAPPED) {
         planes_homogeneous(planes, triangle->clipped, work->state, triangle->v);
@@ -47,7 +48,7 @@ static void set_planes(const struct tile_work *work, struct triangle_work *trian
     planes->is_homogeneous = false;
     planes->quantities = setup->quantities[i];
     planes->inverse_area = setup->inverse_area[i];
-    if (planes->kind == PLANES_EXACT || triangle->clipped || work->plan->shading == RHW_SHADING_ROWS) {
+    if (planes->kind == PLANES_EXACT || triangle->clipped || work->plan.shading == RHW_SHADING_ROWS) {
         const struct setup_input4 input = setup_input(triangle, work->state);
         setup_factors(&planes->factors, &input);
         planes->n1 = plane_scale(planes->inverse_area, planes->factors.e1);
@@ -94,8 +95,8 @@ RHW_INLINE uint64_t test_depth(struct tile_work *work, const struct triangle_wor
     struct tile_depth *const depth = &work->scratch->depth;
     const struct planes *const planes = &triangle->planes;
     const bool is_whole = mask == ~(uint64_t)0;
-    mask = test_block_early(depth, block->z, block->x, block->y, mask, work->plan);
-    if (is_whole && work->tests_bounds && work->plan->early.write && !block->leaves_triangle &&
+    mask = test_block_early(depth, block->z, block->x, block->y, mask, &work->plan);
+    if (is_whole && work->tests_bounds && work->plan.early.write && !block->leaves_triangle &&
         planes->kind == PLANES_LINEAR) {
         hiz_cover(depth, plane_of(&planes->quantities, QUANTITY_Z), planes->anchor_x - work->x,
                   planes->anchor_y - work->y, block->x, block->y);
@@ -106,7 +107,7 @@ RHW_INLINE uint64_t test_depth(struct tile_work *work, const struct triangle_wor
 // A block: depth first, then what survives is collected for shading.
 static void draw_block(struct tile_work *work, struct triangle_work *triangle, int x, int y, uint64_t mask)
 {
-    const struct rhw_draw_plan *const plan = work->plan;
+    const struct rhw_draw_plan *const plan = &work->plan;
     struct tile_depth *const depth = &work->scratch->depth;
     if (work->phase == RHW_PHASE_BACKWARDS) {
         mask = claim_backwards(depth, x, y, mask);
@@ -149,7 +150,7 @@ static void draw_block(struct tile_work *work, struct triangle_work *triangle, i
 // Whether a triangle of the draw that covers the tile all over takes the path below.
 RHW_INLINE bool takes_whole_tile(const struct tile_work *work)
 {
-    const struct rhw_draw_plan *const plan = work->plan;
+    const struct rhw_draw_plan *const plan = &work->plan;
     const bool all_open =
         work->phase == RHW_PHASE_BACKWARDS && work->scratch->depth.open_count == RHW_TILE * RHW_TILE;
     return plan->shading == RHW_SHADING_SMOOTH && !plan->needs_depth && !plan->keeps_identity &&

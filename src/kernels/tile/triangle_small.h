@@ -17,6 +17,7 @@ RHW_INLINE void take_planes(struct triangle_work *triangle)
     const struct triangle_setup8 *const setup = triangle->setup;
     struct planes *const planes = &triangle->planes;
     const int i = triangle->lane;
+    triangle->v = setup->read->vertex[i];
     planes->kind = PLANES_LINEAR;
     planes->is_homogeneous = false;
     planes->anchor_x = setup->anchor_x[i];
@@ -34,7 +35,7 @@ RHW_INLINE uint64_t ready_pixels(struct tile_work *work, struct triangle_work *t
     if (work->phase == RHW_PHASE_BACKWARDS) {
         mask = claim_backwards(&work->scratch->depth, x, y, mask);
     }
-    if (mask == 0 || work->plan->shading == RHW_SHADING_NONE) {
+    if (mask == 0 || work->plan.shading == RHW_SHADING_NONE) {
         return 0;
     }
     work->counters->fragments += (uint64_t)__builtin_popcountll(mask);
@@ -86,7 +87,7 @@ RHW_INLINE void strip_set(struct strip *strip, const struct tile_work *work,
     }
     strip->sides = (rhw_lane_index - i8_splat(setup->x0[i] - strip->x)) |
                    (i8_splat(setup->x1[i] - strip->x - 1) - rhw_lane_index);
-    if (work->plan->tests_early) {
+    if (work->plan.tests_early) {
         small_depth_columns(&strip->depth, work, triangle, strip->x);
     }
 }
@@ -115,13 +116,15 @@ RHW_INLINE uint64_t test_strip(struct tile_work *work, const struct triangle_wor
                                struct strip *strip, struct strip_rows rows, const struct rhw_depth_rule rule)
 {
     struct tile_depth *const depth = &work->scratch->depth;
+    float *texels = depth_texels(depth, strip->x, rows.y);
     uint64_t passed = 0;
     small_depth_rows(&strip->depth, work, triangle, rows.y);
     for (int row = 0; row < rows.y1 - rows.y; row++) {
         const i8 inside = ~((strip->q[0] | strip->q[1] | strip->q[2] | strip->sides) >> 31);
         const f8 z = f8_from_d8(block_plane_value(&strip->depth, row));
-        const i8 pass = test_lanes(depth, strip->x, rows.y + row, z, inside, rule);
+        const i8 pass = test_lanes(texels, z, inside, open_row(depth, strip->x, rows.y + row, rule), rule);
         passed |= (uint64_t)i8_sign_bits(pass) << (8 * row);
+        texels += RHW_TILE;
         for (int e = 0; e < 3; e++) {
             strip->q[e] += strip->step[e];
         }
@@ -133,7 +136,7 @@ RHW_INLINE uint64_t test_strip(struct tile_work *work, const struct triangle_wor
 RHW_INLINE uint64_t strip_pixels(struct tile_work *work, const struct triangle_work *triangle,
                                  struct strip *strip, struct strip_rows rows)
 {
-    const struct rhw_draw_plan *const plan = work->plan;
+    const struct rhw_draw_plan *const plan = &work->plan;
     if (!plan->tests_early) {
         return cover_strip(strip, rows);
     }
@@ -193,11 +196,14 @@ RHW_INLINE uint64_t test_spans(struct tile_work *work, const struct triangle_wor
     small_depth_columns(&over, work, triangle, x);
     small_depth_rows(&over, work, triangle, y);
     const int first = __builtin_ctzll(mask) / 8, last = 7 - __builtin_clzll(mask) / 8;
+    float *texels = depth_texels(depth, x, y + first);
     uint64_t passed = 0;
     for (int row = first; row <= last; row++) {
         const i8 live = i8_from_bits((unsigned)(mask >> (8 * row)) & 0xff);
         const f8 z = f8_from_d8(block_plane_value(&over, row));
-        passed |= (uint64_t)i8_sign_bits(test_lanes(depth, x, y + row, z, live, rule)) << (8 * row);
+        const i8 pass = test_lanes(texels, z, live, open_row(depth, x, y + row, rule), rule);
+        passed |= (uint64_t)i8_sign_bits(pass) << (8 * row);
+        texels += RHW_TILE;
     }
     return settle_block(depth, x, y, passed, rule);
 }
@@ -206,7 +212,7 @@ RHW_INLINE uint64_t test_spans(struct tile_work *work, const struct triangle_wor
 RHW_INLINE uint64_t span_pixels(struct tile_work *work, const struct triangle_work *triangle, int x, int y,
                                 uint64_t mask)
 {
-    const struct rhw_draw_plan *const plan = work->plan;
+    const struct rhw_draw_plan *const plan = &work->plan;
     if (!plan->tests_early) {
         return mask;
     }
@@ -232,7 +238,7 @@ RHW_INLINE void draw_small_block(struct tile_work *work, struct triangle_work *t
     }
     f8 z[RHW_BLOCK];
     const struct block block = {x, y, block_offset(work, &triangle->planes, x, y), z, false};
-    if (work->plan->keeps_depth) {
+    if (work->plan.keeps_depth) {
         struct block_planes over;
         block_depth(&over, &triangle->planes, &block.at);
         for (int row = 0; row < RHW_BLOCK; row++) {
