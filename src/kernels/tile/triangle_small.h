@@ -8,8 +8,7 @@
 #define RHW_TRIANGLE_SMALL_H
 
 #include "../fragment/gather.h"
-#include "span.h"
-#include "triangle_setup8.h"
+#include "span_blocks.h"
 
 // Takes what shading needs of the planes from the setup.
 RHW_INLINE void take_planes(struct triangle_work *triangle)
@@ -229,8 +228,8 @@ RHW_INLINE uint64_t span_pixels(struct tile_work *work, const struct triangle_wo
 }
 
 // One block of several.
-RHW_INLINE void draw_small_block(struct tile_work *work, struct triangle_work *triangle, int x, int y,
-                                 uint64_t mask)
+static inline void draw_small_block(struct tile_work *work, struct triangle_work *triangle, int x, int y,
+                                    uint64_t mask)
 {
     mask = ready_pixels(work, triangle, x, y, span_pixels(work, triangle, x, y, mask));
     if (mask == 0) {
@@ -248,32 +247,13 @@ RHW_INLINE void draw_small_block(struct tile_work *work, struct triangle_work *t
     collect_block(work, triangle, &block, mask);
 }
 
-// Blocks that would reach over the tile's end are moved.
 static __attribute__((noinline)) void draw_small_blocks(struct tile_work *work,
                                                         struct triangle_work *triangle)
 {
-    const struct triangle_setup8 *const setup = triangle->setup;
-    const int i = triangle->lane;
-    struct span_edges edges;
-    for (int e = 0; e < 3; e++) {
-        span_edge_set(&edges, e, setup->q[e][i], setup->a[e][i], setup->b[e][i]);
-    }
-    for (int y0 = setup->y0[i]; y0 < setup->y1[i]; y0 += RHW_BLOCK) {
-        const int y = min_int(y0, RHW_TILE - RHW_BLOCK);
-        const struct row_spans spans =
-            spans_of_rows(&edges, setup->x[i], setup->y0[i], setup->x1[i] - setup->x[i],
-                          (struct span_rows){y, y0, setup->y1[i]});
-        for (int x0 = setup->x0[i]; x0 < setup->x1[i]; x0 += RHW_BLOCK) {
-            const int x = min_int(x0, RHW_TILE - RHW_BLOCK);
-            const uint64_t mask = span_mask(&spans, x, x0);
-            if (mask != 0) {
-                draw_small_block(work, triangle, x, y, mask);
-            }
-        }
-    }
+    draw_span_blocks(work, triangle, draw_small_block);
 }
 
-// Draws a triangle with RHW_TRIANGLE_SMALL whose planes are not exact ones, for a plan that has_small_path.
+// Draws a triangle with RHW_TRIANGLE_SMALL whose planes are not exact ones, where the plan has a small_flag.
 static void draw_small(struct tile_work *work, struct triangle_work *triangle)
 {
     const struct triangle_setup8 *const setup = triangle->setup;
