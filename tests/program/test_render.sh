@@ -56,6 +56,10 @@ for threads in 1 2 5 64; do
     succeed render cube.obj $view -o same.exr --output all --threads $threads
     check "$threads threads, EXR" cmp -s all.exr same.exr
 done
+for paths in all in-order general; do
+    succeed render cube.obj $view -o same.png --paths $paths --stats=paths.json
+    check "$paths paths" cmp -s a.png same.png
+done
 for isa in baseline avx2 avx512; do
     run render cube.obj $view -o same.png --isa $isa
     if [ $status = 0 ]; then

@@ -240,6 +240,7 @@ static bool draw(struct render *render)
     struct rhw_context_def def = rhw_context_def_default();
     def.threads = render->job.threads;
     def.isa = render->job.isa;
+    def.paths = render->job.paths;
     def.log = log_line;
     def.user = &render->job;
     cli_stage("drawing", render->job.model_path);

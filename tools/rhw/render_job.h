@@ -35,6 +35,7 @@ struct cli_render_job {
     int bits;       ///< 0: as the output wants
     int threads;
     enum rhw_isa isa; ///< RHW_ISA_COUNT: the best
+    enum rhw_paths paths;
     bool stats;
     const char *stats_path; ///< "-": standard output
 };

@@ -29,6 +29,7 @@ enum {
     OPTION_LIGHTS,
     OPTION_EXPOSURE,
     OPTION_ISA,
+    OPTION_PATHS,
     OPTION_STATS
 };
 
@@ -62,6 +63,10 @@ static const struct cli_option options[] = {
     {"isa", OPTION_ISA, "NAME",
      "instruction set: baseline, avx2 or avx512; default: the best there is.\n"
      "The picture is the same"},
+    {"paths", OPTION_PATHS, "WHICH",
+     "all (the default), in-order (hidden fragments are shaded too) or general (no\nspecial path is taken). "
+     "The "
+     "picture is the same"},
     {"stats", OPTION_STATS, "[FILE]",
      "write the time of each stage, memory and counts as JSON, to standard output\nwithout FILE"},
     {"quiet", OPTION_QUIET, NULL, "no warnings"},
@@ -152,6 +157,18 @@ static bool parse_isa(struct cli_render_job *job, const char *argument)
         return false;
     }
     job->isa = (enum rhw_isa)isa;
+    return true;
+}
+
+static bool parse_paths(struct cli_render_job *job, const char *argument)
+{
+    static const char *const names[] = {
+        [RHW_PATHS_ALL] = "all", [RHW_PATHS_IN_ORDER] = "in-order", [RHW_PATHS_GENERAL] = "general"};
+    const int paths = choose("--paths", argument, (const char *const *)names, sizeof names / sizeof *names);
+    if (paths < 0) {
+        return false;
+    }
+    job->paths = (enum rhw_paths)paths;
     return true;
 }
 
@@ -284,6 +301,7 @@ static bool parse_option(struct cli_render_job *job, int id, const char *argumen
         job->stats_path = argument ? argument : "-";
         return true;
     case OPTION_ISA: return parse_isa(job, argument);
+    case OPTION_PATHS: return parse_paths(job, argument);
     case OPTION_THREADS:
         if (cli_parse_int(argument, 1, RHW_MAX_THREADS, &job->threads)) {
             return true;
