@@ -210,11 +210,12 @@ static void pair_slopes(struct rhw_pipeline_data *data)
     int count = 0;
     for (int i = 0; i < data->varying_components; i++) {
         if (data->component_derivatives[i] && data->component_qualifier[i] == RHW_SMOOTH) {
-            data->slope_component[count / 2][count % 2] = data->slope_component[count / 2][1] = (uint8_t)i;
+            data->derivative_component[count / 2][count % 2] = data->derivative_component[count / 2][1] =
+                (uint8_t)i;
             count++;
         }
     }
-    data->slope_pairs = (count + 1) / 2;
+    data->derivative_pairs = (count + 1) / 2;
 }
 
 enum rhw_result rhw_pipeline_create(rhw_context *context, const struct rhw_pipeline_def *def,

@@ -14,8 +14,8 @@ struct rhw_pipeline_data {
     uint8_t component_qualifier[RHW_MAX_VARYING_COMPONENTS]; // enum rhw_qualifier
     bool component_derivatives[RHW_MAX_VARYING_COMPONENTS];
     // Smooth components with derivatives, by twos; where their number is odd the last stands twice.
-    int slope_pairs;
-    uint8_t slope_component[RHW_MAX_VARYING_COMPONENTS / 2][2];
+    int derivative_pairs;
+    uint8_t derivative_component[RHW_MAX_VARYING_COMPONENTS / 2][2];
 };
 
 #endif

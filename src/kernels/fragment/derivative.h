@@ -72,8 +72,8 @@ static void component_derivatives(struct derivative_pair *out, struct triangle_w
              c_at = __builtin_shufflevector(at, at, 2, 3, 2, 3),
              b_step = __builtin_shufflevector(step, step, 0, 1, 0, 1),
              c_step = __builtin_shufflevector(step, step, 2, 3, 2, 3);
-    for (int pair = 0; pair < pipeline->slope_pairs; pair++) {
-        const int i = pipeline->slope_component[pair][0], k = pipeline->slope_component[pair][1];
+    for (int pair = 0; pair < pipeline->derivative_pairs; pair++) {
+        const int i = pipeline->derivative_component[pair][0], k = pipeline->derivative_component[pair][1];
         d4 value[3];
         for (int n = 0; n < 3; n++) {
             const double first = (double)v[n]->varyings[i], second = (double)v[n]->varyings[k];
@@ -102,9 +102,9 @@ RHW_INLINE void smooth_derivatives(struct fragment_queue *queue, int g,
 {
     f8 *const ddx = queue->ddx + g * pipeline->varying_components;
     f8 *const ddy = queue->ddy + g * pipeline->varying_components;
-    for (int pair = 0; pair < pipeline->slope_pairs; pair++) {
+    for (int pair = 0; pair < pipeline->derivative_pairs; pair++) {
         for (int which = 0; which < 2; which++) {
-            const int i = pipeline->slope_component[pair][which];
+            const int i = pipeline->derivative_component[pair][which];
             pair_derivatives(&pairs[pair], which, at, squared, &ddx[i], &ddy[i]);
         }
     }

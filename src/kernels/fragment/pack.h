@@ -75,8 +75,8 @@ static void pack_derivatives(struct tile_work *work, int g, d8 inverse_s)
     f8 *const ddx = work->scratch->queue.ddx + g * pipeline->varying_components;
     f8 *const ddy = work->scratch->queue.ddy + g * pipeline->varying_components;
     const d8 squared = d8_mul(inverse_s, inverse_s);
-    for (int pair = 0; pair < pipeline->slope_pairs; pair++) {
-        const uint8_t *const component = pipeline->slope_component[pair];
+    for (int pair = 0; pair < pipeline->derivative_pairs; pair++) {
+        const uint8_t *const component = pipeline->derivative_component[pair];
         d4 value[8];
         for (int lane = 0; lane < 8; lane++) {
             value[lane] = numerators(&partial->triangle[lane]->derivatives[pair], partial->step[lane]);
@@ -168,7 +168,7 @@ static const struct packed_triangle *pack_triangle(struct tile_work *work, struc
     }
     if (pipeline->any_derivatives && triangle->has_values) {
         memcpy(to->derivatives, triangle->derivatives,
-               (size_t)pipeline->slope_pairs * sizeof to->derivatives[0]);
+               (size_t)pipeline->derivative_pairs * sizeof to->derivatives[0]);
     } else if (pipeline->any_derivatives) {
         component_derivatives(to->derivatives, triangle, pipeline);
     }

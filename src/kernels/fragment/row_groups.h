@@ -129,9 +129,9 @@ RHW_INLINE void fill_row_derivatives(const struct tile_work *work, const struct 
 {
     const struct rhw_pipeline_data *const pipeline = work->pipeline;
     const ptrdiff_t components = pipeline->varying_components;
-    for (int n = 0; n < 2 * pipeline->slope_pairs; n++) {
+    for (int n = 0; n < 2 * pipeline->derivative_pairs; n++) {
         const struct derivative_pair *const pair = &triangle->derivatives[n / 2];
-        const int x = n % 2 * 2, y = x + 1, i = pipeline->slope_component[n / 2][n % 2];
+        const int x = n % 2 * 2, y = x + 1, i = pipeline->derivative_component[n / 2][n % 2];
         const d8 along_x = numerator8(pair->at[x], pair->step[x], at->dy);
         const d8 along_y = numerator8(pair->at[y], pair->step[y], at->dx);
         double by_row[RHW_BLOCK];
