@@ -10,16 +10,17 @@
 
 #include "constants.h"
 #include "draw_list.h"
+#include "kernels/raster/snap.h"
 #include "pipeline.h"
 
 enum { PLANES = 6 };
 
 // Pixels from the target's origin, still times W: x = X·W, y = Y·W on the screen.
-struct corner {
+struct clip_vertex {
     double x, y, z, w;
 };
 
-static double distance(const struct corner *c, int plane)
+static double distance(const struct clip_vertex *c, int plane)
 {
     switch (plane) {
     case 0: return c->z;
@@ -31,20 +32,20 @@ static double distance(const struct corner *c, int plane)
     }
 }
 
-static struct corner cut(const struct corner *inside, double d_inside, const struct corner *outside,
-                         double d_outside)
+static struct clip_vertex cut(const struct clip_vertex *inside, double d_inside,
+                              const struct clip_vertex *outside, double d_outside)
 {
     const double t = d_inside / (d_inside - d_outside);
-    return (struct corner){inside->x + t * (outside->x - inside->x), inside->y + t * (outside->y - inside->y),
-                           inside->z + t * (outside->z - inside->z),
-                           inside->w + t * (outside->w - inside->w)};
+    return (struct clip_vertex){
+        inside->x + t * (outside->x - inside->x), inside->y + t * (outside->y - inside->y),
+        inside->z + t * (outside->z - inside->z), inside->w + t * (outside->w - inside->w)};
 }
 
-static int clip_plane(const struct corner *in, int count, int plane, struct corner *out)
+static int clip_plane(const struct clip_vertex *in, int count, int plane, struct clip_vertex *out)
 {
     int n = 0;
     for (int i = 0; i < count; i++) {
-        const struct corner *const a = &in[i], *const b = &in[i + 1 == count ? 0 : i + 1];
+        const struct clip_vertex *const a = &in[i], *const b = &in[i + 1 == count ? 0 : i + 1];
         const double da = distance(a, plane), db = distance(b, plane);
         if (da >= 0) {
             out[n++] = *a;
@@ -58,38 +59,33 @@ static int clip_plane(const struct corner *in, int count, int plane, struct corn
     return n;
 }
 
-// The nearest 1/256 pixel, ties to even; within the guard band. Adding 1.5·2^52, where a double's last bit is
-// worth 1, rounds as IEEE addition does; nearbyint would do the same through libm.
-static int32_t snap(double pixels)
-{
-    const double limit = RHW_GUARD_BAND;
-    const double inside = pixels > limit ? limit : pixels >= -limit ? pixels : -limit;
-    return (int32_t)((inside * RHW_SUBPIXEL + 0x1.8p52) - 0x1.8p52);
-}
-
-// The vertex in pixels times W.
-static struct corner corner_of(const struct rhw_draw_state *state, const struct rhw_vertex_record *v)
+// The vertex in pixels times W. The front end projects vertices by another formula, which divides by W first
+// (geometry/vertex_shading.h); here a position must stay linear in what is cut, so that it is divided afterwards. The
+// two may round apart by a step of 1/256 pixel. Nothing comes of it: what is left of the triangle's own vertices keeps
+// the front end's position.
+static struct clip_vertex clip_vertex_of(const struct rhw_draw_state *state,
+                                         const struct rhw_vertex_record *v)
 {
     const float *const p = v->position;
     const double z = (double)p[2], w = (double)p[3];
     const bool symmetric = state->pipeline->def.depth_range == RHW_DEPTH_MINUS_ONE_TO_ONE;
-    return (struct corner){(double)p[0] * state->half_width + w * state->center_x,
-                           w * state->center_y - (double)p[1] * state->half_height,
-                           symmetric ? (z + w) * 0.5 : z, w};
+    return (struct clip_vertex){(double)p[0] * state->half_width + w * state->center_x,
+                                w * state->center_y - (double)p[1] * state->half_height,
+                                symmetric ? (z + w) * 0.5 : z, w};
 }
 
 bool rhw_clip_triangle(const struct rhw_draw_state *state, const struct rhw_vertex_record *const vertices[3],
                        struct rhw_polygon *polygon)
 {
-    struct corner a[RHW_POLYGON_CORNERS + 1], b[RHW_POLYGON_CORNERS + 1];
+    struct clip_vertex a[RHW_POLYGON_VERTICES + 1], b[RHW_POLYGON_VERTICES + 1];
     for (int i = 0; i < 3; i++) {
-        a[i] = corner_of(state, vertices[i]);
+        a[i] = clip_vertex_of(state, vertices[i]);
     }
-    struct corner *in = a, *out = b;
+    struct clip_vertex *in = a, *out = b;
     int count = 3;
     for (int plane = 0; plane < PLANES && count >= 3; plane++) {
         count = clip_plane(in, count, plane, out);
-        struct corner *const swap = in;
+        struct clip_vertex *const swap = in;
         in = out;
         out = swap;
     }
@@ -104,10 +100,10 @@ bool rhw_clip_triangle(const struct rhw_draw_state *state, const struct rhw_vert
         polygon->x_24_8[i] = snap(in[i].x / in[i].w);
         polygon->y_24_8[i] = snap(in[i].y / in[i].w);
     }
-    // An original corner keeps the position its vertex was snapped to: other triangles share it.
+    // A vertex of the triangle that is left keeps the position it was snapped to: other triangles share it.
     for (int k = 0; k < 3; k++) {
         const struct rhw_vertex_record *const v = vertices[k];
-        const struct corner c = corner_of(state, v);
+        const struct clip_vertex c = clip_vertex_of(state, v);
         for (int i = 0; i < count && !(v->flags & RHW_VERTEX_UNSNAPPED); i++) {
             if (in[i].w == c.w && in[i].x == c.x && in[i].y == c.y && in[i].z == c.z) {
                 polygon->x_24_8[i] = v->x_24_8;

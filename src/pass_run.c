@@ -8,8 +8,8 @@
 #include <string.h>
 
 #include "context.h"
+#include "kernels/geometry/geometry_scratch.h"
 #include "kernels/kernels.h"
-#include "kernels/scratch.h"
 #include "kernels/tile_work.h"
 #include "pass_state.h"
 #include "scheduler.h"
@@ -54,13 +54,13 @@ static bool workers_ready(struct rhw_pass_state *pass)
     }
     for (int i = 0; i < context->threads; i++) {
         struct rhw_worker *const worker = &pass->workers[i];
-        if (!worker->front) {
-            worker->front = rhw_memory_allocate(&context->memory, sizeof *worker->front, 4096);
-            if (!worker->front) {
+        if (!worker->geometry) {
+            worker->geometry = rhw_memory_allocate(&context->memory, sizeof *worker->geometry, 4096);
+            if (!worker->geometry) {
                 return false;
             }
-            memset(worker->front->cache, 0, sizeof worker->front->cache);
-            worker->front->stamp = 1;
+            memset(worker->geometry->cache, 0, sizeof worker->geometry->cache);
+            worker->geometry->stamp = 1;
         }
         if (!worker->tile) {
             worker->tile = rhw_memory_allocate(&context->memory, sizeof *worker->tile, 4096);
@@ -79,7 +79,7 @@ void rhw_pass_run_release(struct rhw_pass_state *pass)
     struct rhw_context *const context = pass->context;
     for (int i = 0; pass->workers && i < context->threads; i++) {
         rhw_arena_destroy(&pass->workers[i].arena);
-        rhw_memory_release(&context->memory, pass->workers[i].front, sizeof *pass->workers[i].front);
+        rhw_memory_release(&context->memory, pass->workers[i].geometry, sizeof *pass->workers[i].geometry);
         rhw_memory_release(&context->memory, pass->workers[i].tile, sizeof *pass->workers[i].tile);
     }
     rhw_memory_release(&context->memory, pass->workers, (size_t)context->threads * sizeof *pass->workers);

@@ -29,14 +29,14 @@ struct rhw_counters {
 };
 
 struct rhw_context;
-struct rhw_front_scratch;
+struct rhw_geometry_scratch;
 struct rhw_tile_scratch;
 
 // One per thread; padded so that no two share a cache line.
 struct rhw_worker {
     _Alignas(RHW_CACHE_LINE) struct rhw_arena arena; // what the front end made; reset when it was drawn
     struct rhw_counters counters;
-    struct rhw_front_scratch *front;
+    struct rhw_geometry_scratch *geometry;
     struct rhw_tile_scratch *tile;
     // The tiles this worker begins with. Written by it, and by others that have none left of their own.
     _Alignas(RHW_CACHE_LINE) _Atomic int next_tile;

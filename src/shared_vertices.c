@@ -8,7 +8,7 @@
 #include "assembly.h"
 #include "constants.h"
 #include "format.h"
-#include "kernels/scratch.h"
+#include "kernels/paths.h"
 #include "pass_state.h"
 #include "pipeline.h"
 
@@ -38,11 +38,11 @@ static bool is_scattered(const struct rhw_draw *draw, uint64_t chunk)
     enum { SAMPLES = 256 };
     uint32_t room[SAMPLES][3];
     const uint32_t samples = chunk < SAMPLES ? (uint32_t)chunk : SAMPLES;
-    const uint32_t(*const corners)[3] =
+    const uint32_t(*const indices)[3] =
         rhw_assembly_fetch(draw, draw->triangles_per_instance / 2, samples, room);
     uint32_t least = UINT32_MAX, most = 0;
     for (uint32_t i = 0; i < 3 * samples; i++) {
-        const uint32_t index = corners[i / 3][i % 3];
+        const uint32_t index = indices[i / 3][i % 3];
         least = index < least ? index : least;
         most = index > most ? index : most;
     }
@@ -76,11 +76,12 @@ static struct rhw_shared_vertices *make_room(struct rhw_arena *arena, const stru
     for (uint32_t i = 0; shared && i < draw->instances; i++) {
         float *const records =
             rhw_arena_alloc(arena, room * (size_t)stride * sizeof *records, RHW_CACHE_LINE);
-        struct rhw_corner *const corners = rhw_arena_alloc(arena, room * sizeof *corners, RHW_CACHE_LINE);
-        if (!records || !corners) {
+        struct rhw_snapped_vertex *const snapped =
+            rhw_arena_alloc(arena, room * sizeof *snapped, RHW_CACHE_LINE);
+        if (!records || !snapped) {
             return NULL;
         }
-        shared[i] = (struct rhw_shared_vertices){{draw, i, stride, records}, corners, count};
+        shared[i] = (struct rhw_shared_vertices){{draw, i, stride, records}, snapped, count};
     }
     return shared;
 }
@@ -92,7 +93,7 @@ static bool share(struct rhw_pass_state *pass, struct rhw_draw *draw, size_t mos
     const uint32_t count = shared_count(draw, pass->chunk_size);
     const uint64_t room = ((uint64_t)count + 7) & ~(uint64_t)7;
     const int stride = rhw_vertex_stride(draw->state->pipeline->varying_components);
-    const uint64_t size = room * ((uint64_t)stride * sizeof(float) + sizeof(struct rhw_corner));
+    const uint64_t size = room * ((uint64_t)stride * sizeof(float) + sizeof(struct rhw_snapped_vertex));
     draw->shared = NULL;
     if (count == 0 || draw->instances > (most - wave->bytes) / size ||
         draw->instances > (uint32_t)(INT_MAX - wave->count) / parts_of(count)) {
@@ -121,7 +122,7 @@ static struct rhw_shared_part *list_parts(struct rhw_shared_part *part, const st
 bool rhw_shared_vertices_find(struct rhw_pass_state *pass, size_t most, struct rhw_shared_parts *wave)
 {
     *wave = (struct rhw_shared_parts){0};
-    if (!pass->has_large_draws || pass->chunk_count == 0) {
+    if (!pass->has_large_draws || pass->chunk_count == 0 || !takes_special_paths(pass)) {
         return true;
     }
     const struct rhw_chunk *const last = &pass->chunks[pass->chunk_count - 1];

@@ -8,13 +8,12 @@
 
 #include "draw_list.h"
 
-struct rhw_corner;
 struct rhw_pass_state;
 
 // Those of one instance, by index; room for a multiple of 8.
 struct rhw_shared_vertices {
     struct rhw_segment segment;
-    struct rhw_corner *corners;
+    struct rhw_snapped_vertex *snapped;
     uint32_t count; // those of the draw's indices 0 .. count − 1
 };
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What the front end hands to the tiles: shaded vertices, triangles, and the polygons clipping leaves.
+// What the front end makes: shaded and snapped vertices, triangles, and the polygons that clipping leaves.
 #ifndef RHW_TRIANGLE_H
 #define RHW_TRIANGLE_H
 
@@ -15,7 +15,7 @@ struct rhw_vertex_record {
     float varyings[];
 };
 
-// Sides of the view volume the vertex lies outside of, and what forbids the short path.
+// The sides of the view volume that the vertex lies outside of, and what makes its triangles take the clipper.
 enum rhw_vertex_flag {
     RHW_VERTEX_LEFT = 1,
     RHW_VERTEX_RIGHT = 2,
@@ -27,6 +27,13 @@ enum rhw_vertex_flag {
     RHW_VERTEX_UNSNAPPED = 64, // W <= 0 or beyond the guard band
     RHW_VERTEX_NOT_FINITE = 128,
     RHW_VERTEX_CLIP = RHW_VERTEX_NEAR | RHW_VERTEX_FAR | RHW_VERTEX_UNSNAPPED
+};
+
+// What culling and setup read of a vertex: the first 16 bytes of its record, next to those of other vertices.
+struct rhw_snapped_vertex {
+    int32_t x_24_8, y_24_8;
+    float depth;
+    uint32_t flags;
 };
 
 // Floats per vertex record.
@@ -41,8 +48,8 @@ enum rhw_triangle_flag {
     RHW_TRIANGLE_POLYGON = 4,   // clipped: coverage is that of `polygon`
     RHW_TRIANGLE_UNSNAPPED = 8, // values come from the homogeneous triangle
     RHW_TRIANGLE_CLAMP = 16,    // depth may leave the viewport's range by a rounding: clamp it
-    RHW_TRIANGLE_SMALL =
-        32 // BACK and NEGATIVE apart none of the others, and less than RHW_TILE pixels wide and high
+    // BACK and NEGATIVE apart it has none of the others, and it is less than RHW_TILE pixels wide and high.
+    RHW_TRIANGLE_SMALL = 32
 };
 
 // One cache line. Vertices stay in submission order.
@@ -57,14 +64,14 @@ struct rhw_triangle {
     int16_t x0, y0, x1, y1; // pixels it may cover, within the scissor; x1 and y1 exclusive
 };
 
-// 3 corners and one more for each of 6 planes.
-enum { RHW_POLYGON_CORNERS = 9 };
+// Those of a triangle, and one more for each of 6 planes.
+enum { RHW_POLYGON_VERTICES = 9 };
 
 // Coverage of a clipped triangle: the parity of the fan of triangles (0, i, i + 1). The parity counts each
 // sample exactly once, even where snapping made the polygon slightly concave.
 struct rhw_polygon {
     int32_t count;
-    int32_t x_24_8[RHW_POLYGON_CORNERS], y_24_8[RHW_POLYGON_CORNERS];
+    int32_t x_24_8[RHW_POLYGON_VERTICES], y_24_8[RHW_POLYGON_VERTICES];
 };
 
 #endif

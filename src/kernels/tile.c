@@ -4,6 +4,7 @@
 // that of submission.
 #include "tile_entry.h"
 
+#include "integer.h"
 #include "tile/attachment.h"
 #include "tile/draw_state.h"
 #include "tile/triangle_large.h"

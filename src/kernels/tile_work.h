@@ -7,10 +7,9 @@
 #include "../draw_plan.h"
 #include "../pass_state.h"
 #include "../pipeline.h"
-#include "../simd.h"
+#include "../simd_layout.h"
 #include "raster/plane.h"
 #include "raster/tile_depth.h"
-#include "scratch.h"
 
 enum {
     // Groups of 8 fragments per call of the fragment function: two whole blocks; enough to hide the call, few enough

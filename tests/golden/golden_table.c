@@ -16,8 +16,10 @@ uint64_t golden_hash(uint64_t hash, const void *data, size_t size)
     return hash;
 }
 
-// Thread counts, instruction sets and bin sizes that must make no difference; the first is the reference.
-static int configurations(struct rhw_context_def defs[8])
+enum { MOST_CONFIGURATIONS = 4 + RHW_ISA_COUNT - 1 + RHW_PATHS_GENERAL };
+
+// Thread counts, instruction sets, paths and bin sizes that must make no difference; the first is the reference.
+static int configurations(struct rhw_context_def defs[MOST_CONFIGURATIONS])
 {
     int count = 0;
     const int threads[] = {1, 2, 3, 8};
@@ -35,21 +37,26 @@ static int configurations(struct rhw_context_def defs[8])
         defs[count].isa = (enum rhw_isa)isa;
         defs[count++].threads = 2;
     }
+    for (int paths = RHW_PATHS_ALL + 1; paths <= RHW_PATHS_GENERAL; paths++) {
+        defs[count] = rhw_context_def_default();
+        defs[count].paths = (enum rhw_paths)paths;
+        defs[count++].threads = 2;
+    }
     return count;
 }
 
 // Draws an image in every configuration; 0 when they differ (and says so) or it is skipped.
 static uint64_t hash_everywhere(const struct golden_set *set, int number, int *failed)
 {
-    struct rhw_context_def defs[8];
+    struct rhw_context_def defs[MOST_CONFIGURATIONS];
     const int count = configurations(defs);
     const uint64_t first = set->hash(number, &defs[0]);
     for (int i = 1; i < count && first != 0; i++) {
         if (set->hash(number, &defs[i]) == first) {
             continue;
         }
-        printf("%s: other bytes with %d threads, %s, bin memory %zu\n", set->name(number), defs[i].threads,
-               rhw_isa_name(defs[i].isa), defs[i].bin_memory);
+        printf("%s: other bytes with %d threads, %s, paths %d, bin memory %zu\n", set->name(number),
+               defs[i].threads, rhw_isa_name(defs[i].isa), (int)defs[i].paths, defs[i].bin_memory);
         *failed += 1;
         return 0;
     }

@@ -12,7 +12,9 @@
 #ifndef RHW_COVERAGE_H
 #define RHW_COVERAGE_H
 
-#include "../scratch.h"
+#include "../../draw_list.h"
+#include "../../simd.h"
+#include "../integer.h"
 #include "sample_position.h"
 
 _Static_assert((RHW_TILE - 1) % (RHW_BLOCK - 1) == 0, "coverage_add scales a block's extremes to the tile's");
@@ -23,7 +25,7 @@ struct edge {
     int64_t low, high; // least and largest q of a block's pixels, less that of its first one
 };
 
-// `tile_x`, `tile_y`: pixels. `sign` is −1 for a triangle whose corners turn the negative way.
+// `tile_x`, `tile_y`: pixels. `sign` is −1 for a triangle whose vertices turn the negative way.
 static inline struct edge make_edge(int32_t x0, int32_t y0, int32_t x1, int32_t y1, int32_t sign, int tile_x,
                                     int tile_y)
 {
@@ -35,7 +37,7 @@ static inline struct edge make_edge(int32_t x0, int32_t y0, int32_t x1, int32_t 
                          (RHW_BLOCK - 1) * ((int64_t)max_int(a, 0) + max_int(b, 0))};
 }
 
-// The edge of 8 triangles from corner i to corner i + 1, at x, y, 1/256 pixel. Where corners lie within 64 pixels of
+// The edge of 8 triangles from vertex i to vertex i + 1, at x, y, 1/256 pixel. Where vertices lie within 64 pixels of
 // each other and within 72 of the pixels looked at, |a|, |b| < 2^14 and |e| < 2·2^14·72·256 < 2^30; in lanes of larger
 // triangles, and of those far away, it is rubbish that may wrap: go on with it unsigned.
 struct edge_lanes {
@@ -43,15 +45,15 @@ struct edge_lanes {
     i8 e;    // less 1 where the edge is neither top nor left: inside is where e >= 0
 };
 
-// `turn`: -1 for triangles whose corners turn the negative way, else 0.
-RHW_INLINE struct edge_lanes edge_lanes(const i8 corner_x[3], const i8 corner_y[3], int i, i8 turn, i8 x,
+// `turn`: -1 for triangles whose vertices turn the negative way, else 0.
+RHW_INLINE struct edge_lanes edge_lanes(const i8 vertex_x[3], const i8 vertex_y[3], int i, i8 turn, i8 x,
                                         i8 y)
 {
     const int j = i == 2 ? 0 : i + 1;
-    const i8 a = ((corner_y[i] - corner_y[j]) ^ turn) - turn, b = ((corner_x[j] - corner_x[i]) ^ turn) - turn;
+    const i8 a = ((vertex_y[i] - vertex_y[j]) ^ turn) - turn, b = ((vertex_x[j] - vertex_x[i]) ^ turn) - turn;
     const i8 zero = i8_splat(0);
     const i8 top_left = rhw_less_int(zero, a) | (rhw_equal_int(a, zero) & rhw_less_int(zero, b));
-    const u8 e = (u8)a * (u8)(x - corner_x[i]) + (u8)b * (u8)(y - corner_y[i]) + (u8)~top_left;
+    const u8 e = (u8)a * (u8)(x - vertex_x[i]) + (u8)b * (u8)(y - vertex_y[i]) + (u8)~top_left;
     return (struct edge_lanes){a, b, (i8)e};
 }
 
@@ -69,15 +71,15 @@ static inline uint64_t triangle_mask(const struct triangle_edges *triangle, int 
     int crossing = 0;
     for (int i = 0; i < triangle->count; i++) {
         const struct edge *const edge = &triangle->edges[i];
-        const int64_t corner = edge->q + (int64_t)edge->a * x + (int64_t)edge->b * y;
-        if (corner + edge->high < 0) {
+        const int64_t first = edge->q + (int64_t)edge->a * x + (int64_t)edge->b * y;
+        if (first + edge->high < 0) {
             return 0;
         }
-        if (corner + edge->low >= 0) {
+        if (first + edge->low >= 0) {
             continue;
         }
-        // An edge that crosses the block: corner is within the spans, so int32 holds it.
-        q[crossing] = i8_splat((int32_t)corner) + i8_splat(edge->a) * rhw_lane_index;
+        // An edge that crosses the block: `first` is within its extremes, so int32 holds it.
+        q[crossing] = i8_splat((int32_t)first) + i8_splat(edge->a) * rhw_lane_index;
         step[crossing++] = i8_splat(edge->b);
     }
     if (crossing == 0) {
@@ -104,7 +106,7 @@ static inline uint64_t triangle_mask(const struct triangle_edges *triangle, int 
 // What a triangle, clipped or not, covers in one tile.
 struct coverage {
     int count; // of triangles that reach into the tile: of 1, or of the fan of a clipped polygon
-    struct triangle_edges triangles[RHW_POLYGON_CORNERS - 2];
+    struct triangle_edges triangles[RHW_POLYGON_VERTICES - 2];
 };
 
 static inline void coverage_add(struct coverage *coverage, const int32_t x[3], const int32_t y[3],

@@ -4,6 +4,7 @@
 #ifndef RHW_BIN_READER_H
 #define RHW_BIN_READER_H
 
+#include "../raster/vertex_record.h"
 #include "../tile_work.h"
 
 enum {

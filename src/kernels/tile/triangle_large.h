@@ -7,6 +7,7 @@
 
 #include "../fragment/constant_color.h"
 #include "../fragment/gather.h"
+#include "../integer.h"
 #include "../raster/hiz.h"
 #include "span_blocks.h"
 

@@ -8,6 +8,7 @@
 #define RHW_TRIANGLE_SMALL_H
 
 #include "../fragment/gather.h"
+#include "../integer.h"
 #include "span_blocks.h"
 
 // Takes what shading needs of the planes from the setup.

@@ -1,0 +1,149 @@
+// SPDX-License-Identifier: MIT
+// Bins: which of a chunk's triangles each tile draws. Every chunk has its own, so that no list is shared by threads.
+#ifndef RHW_BINNING_H
+#define RHW_BINNING_H
+
+#include "../../arena.h"
+#include "geometry_scratch.h"
+
+// The tiles of all triangles in the list, which is not empty. Bytes are compared 32 at a time; the array has room for
+// that.
+static struct rhw_tile_range unite_ranges(const struct rhw_triangle_list *list)
+{
+    enum { STEP = 8 };
+    unsigned char least[4 * STEP], most[4 * STEP];
+    memset(least, 0xff, sizeof least);
+    memset(most, 0, sizeof most);
+    for (int i = list->count; i < ((list->count + STEP - 1) & -STEP); i++) {
+        list->ranges[i] = list->ranges[list->count - 1];
+    }
+    for (int t = 0; t < list->count; t += STEP) {
+        const unsigned char *const bytes = (const unsigned char *)(list->ranges + t);
+        for (int i = 0; i < 4 * STEP; i++) {
+            least[i] = bytes[i] < least[i] ? bytes[i] : least[i];
+            most[i] = bytes[i] > most[i] ? bytes[i] : most[i];
+        }
+    }
+    struct rhw_tile_range all = {least[0], least[1], most[2], most[3]};
+    for (int i = 4; i < 4 * STEP; i += 4) {
+        all.x0 = least[i] < all.x0 ? least[i] : all.x0;
+        all.y0 = least[i + 1] < all.y0 ? least[i + 1] : all.y0;
+        all.x1 = most[i + 2] > all.x1 ? most[i + 2] : all.x1;
+        all.y1 = most[i + 3] > all.y1 ? most[i + 3] : all.y1;
+    }
+    return all;
+}
+
+// Sets the rectangle of tiles that the chunk's bins cover.
+static void bound_bins(struct rhw_chunk *chunk, const struct rhw_triangle_list *list)
+{
+    chunk->tile_x0 = chunk->tile_y0 = chunk->tile_x1 = chunk->tile_y1 = 0;
+    if (list->count != 0) {
+        const struct rhw_tile_range all = unite_ranges(list);
+        chunk->tile_x0 = all.x0;
+        chunk->tile_y0 = all.y0;
+        chunk->tile_x1 = all.x1 + 1;
+        chunk->tile_y1 = all.y1 + 1;
+    }
+}
+
+static size_t tiles_of(const struct rhw_chunk *chunk)
+{
+    return (size_t)(chunk->tile_x1 - chunk->tile_x0) * (size_t)(chunk->tile_y1 - chunk->tile_y0);
+}
+
+// How many triangles, from the first on, have at most `most` entries in the bins. One always has.
+static int triangles_that_fit(const struct rhw_chunk *chunk, const struct rhw_triangle_list *list,
+                              uint32_t most)
+{
+    if ((size_t)list->count * tiles_of(chunk) <= most) {
+        return list->count;
+    }
+    uint32_t entries = 0; // below 2^13 triangles · 2^16 tiles
+    for (int t = 0; t < list->count; t++) {
+        const struct rhw_tile_range *const r = &list->ranges[t];
+        entries += (uint32_t)((r->x1 - r->x0 + 1) * (r->y1 - r->y0 + 1));
+        if (entries > most) {
+            return t;
+        }
+    }
+    return list->count;
+}
+
+// Tile (x, y) has the bin y·width + x − origin.
+struct bin_grid {
+    int width, origin;
+};
+
+static inline int first_bin(struct bin_grid grid, const struct rhw_tile_range *range)
+{
+    return range->y0 * grid.width + range->x0 - grid.origin;
+}
+
+// Adds the number of entries of each bin to counts[bin]. Most triangles lie in one tile.
+static void count_entries(uint32_t *counts, struct bin_grid grid, const struct rhw_triangle_list *list)
+{
+    for (int t = 0; t < list->count; t++) {
+        const struct rhw_tile_range *const r = &list->ranges[t];
+        uint32_t *const count = counts + first_bin(grid, r);
+        if (is_one_tile(r)) {
+            ++*count;
+            continue;
+        }
+        for (int y = 0; y <= r->y1 - r->y0; y++) {
+            for (int x = 0; x <= r->x1 - r->x0; x++) {
+                count[y * grid.width + x]++;
+            }
+        }
+    }
+}
+
+// Writes the entries of each bin from ends[bin] on, and moves that behind them.
+static void place_entries(uint16_t *entries, uint32_t *ends, struct bin_grid grid,
+                          const struct rhw_triangle_list *list)
+{
+    for (int t = 0; t < list->count; t++) {
+        const struct rhw_tile_range *const r = &list->ranges[t];
+        uint32_t *const end = ends + first_bin(grid, r);
+        if (is_one_tile(r)) {
+            entries[(*end)++] = (uint16_t)t;
+            continue;
+        }
+        for (int y = 0; y <= r->y1 - r->y0; y++) {
+            for (int x = 0; x <= r->x1 - r->x0; x++) {
+                entries[end[y * grid.width + x]++] = (uint16_t)t;
+            }
+        }
+    }
+}
+
+// Counting sort of triangles by tile: counts, sums, then entries. offsets[i + 1] runs from the start of bin i to its
+// end while entries are placed, which is where bin i + 1 starts; so counts stand one further still. False when out of
+// memory.
+static bool bin(struct rhw_chunk *chunk, const struct rhw_triangle_list *list, struct rhw_arena *arena)
+{
+    const size_t tiles = tiles_of(chunk);
+    const int width = chunk->tile_x1 - chunk->tile_x0;
+    const struct bin_grid grid = {width, chunk->tile_y0 * width + chunk->tile_x0};
+    uint32_t *const offsets = rhw_arena_alloc(arena, (tiles + 2) * sizeof *offsets, RHW_CACHE_LINE);
+    if (!offsets) {
+        return false;
+    }
+    memset(offsets, 0, (tiles + 2) * sizeof *offsets);
+    count_entries(offsets + 2, grid, list);
+    for (size_t i = 2; i < tiles + 2; i++) {
+        offsets[i] += offsets[i - 1];
+    }
+    chunk->counters.entries = offsets[tiles + 1];
+    uint16_t *const entries =
+        rhw_arena_alloc(arena, (size_t)chunk->counters.entries * sizeof *chunk->entries, RHW_CACHE_LINE);
+    if (!entries) {
+        return false;
+    }
+    place_entries(entries, offsets + 1, grid, list);
+    chunk->offsets = offsets;
+    chunk->entries = entries;
+    return true;
+}
+
+#endif

@@ -1,0 +1,206 @@
+// SPDX-License-Identifier: MIT
+// The front end over one chunk: its draws are assembled and their vertices shaded, its triangles set up and binned, and
+// what tiles read of them is kept.
+#ifndef RHW_CHUNK_H
+#define RHW_CHUNK_H
+
+#include "../../assembly.h"
+#include "../../shared_vertices.h"
+#include "../../thread.h"
+#include "../paths.h"
+#include "binning.h"
+#include "triangle_setup.h"
+#include "vertex_reuse.h"
+#include "vertex_shading.h"
+
+// Lets a run read the vertices that its draw shares. False where the draw shares none, or where the run names others.
+static bool use_shared(struct rhw_run *run, struct rhw_segment *segment, const struct rhw_draw *draw,
+                       uint32_t instance)
+{
+    uint32_t low, high;
+    if (!draw->shared) {
+        return false;
+    }
+    const struct rhw_shared_vertices *const shared = &draw->shared[instance];
+    index_range(run, &low, &high);
+    if (high >= shared->count) {
+        return false;
+    }
+    run->first_slot = 0;
+    run->vertices = shared->snapped;
+    *segment = shared->segment;
+    return true;
+}
+
+// Assembles and shades. `first_primitive`: of the run's first triangle in its draw and instance. False when out of
+// memory.
+static bool start_run(struct rhw_worker *worker, const struct rhw_draw *draw, uint32_t instance,
+                      uint32_t first_primitive, uint32_t count)
+{
+    struct rhw_geometry_scratch *const scratch = worker->geometry;
+    struct rhw_segment *const segment = &scratch->segments[scratch->run_count];
+    struct rhw_run *const run = &scratch->runs[scratch->run_count];
+    uint32_t(*const room)[3] = scratch->indices + scratch->index_count;
+    *run = (struct rhw_run){.indices = rhw_assembly_fetch(draw, first_primitive, count, room),
+                            .count = count,
+                            .first_primitive = first_primitive};
+    scratch->run_count++;
+    scratch->index_count += count;
+    if (use_shared(run, segment, draw, instance)) {
+        return true;
+    }
+    struct rhw_snapped_vertex *const snapped = scratch->vertices + scratch->vertex_count;
+    const uint32_t vertices = list_vertices(scratch, run, draw, room);
+    const uint32_t rounded_up = (vertices + 7) & ~7u;
+    const int stride = rhw_vertex_stride(draw->state->pipeline->varying_components);
+    const size_t size = (size_t)rounded_up * (size_t)stride * sizeof(float);
+    run->vertices = snapped;
+    *segment =
+        (struct rhw_segment){draw, instance, stride, rhw_arena_alloc(&worker->arena, size, RHW_CACHE_LINE)};
+    if (!segment->vertices) {
+        return false;
+    }
+    shade_vertices(scratch, segment, snapped, vertices);
+    scratch->counters.vertices_shaded += vertices;
+    scratch->vertex_count += rounded_up;
+    return true;
+}
+
+// Assembles and shades what the chunk has of each instance of each draw. False when out of memory.
+static bool start_runs(const struct rhw_pass_state *pass, const struct rhw_chunk *chunk,
+                       struct rhw_worker *worker)
+{
+    uint64_t at = chunk->first;
+    const uint64_t end = chunk->first + chunk->count;
+    for (uint32_t d = chunk->first_draw; at < end; d++) {
+        const struct rhw_draw *const draw = rhw_pass_draw_at(pass, d);
+        const uint64_t draw_end =
+            draw->first_triangle + (uint64_t)draw->triangles_per_instance * draw->instances;
+        while (at < end && at < draw_end) {
+            const uint64_t in_draw = at - draw->first_triangle;
+            const uint32_t instance = (uint32_t)(in_draw / draw->triangles_per_instance);
+            const uint32_t first = (uint32_t)(in_draw % draw->triangles_per_instance);
+            uint32_t count = draw->triangles_per_instance - first;
+            count = end - at < count ? (uint32_t)(end - at) : count;
+            if (!start_run(worker, draw, instance, first, count)) {
+                return false;
+            }
+            at += count;
+        }
+    }
+    return true;
+}
+
+// Vertices and triangles of a chunk. False when out of memory.
+static bool make_triangles(const struct rhw_pass_state *pass, const struct rhw_chunk *chunk,
+                           struct rhw_worker *worker, struct rhw_triangle_list *list)
+{
+    struct rhw_geometry_scratch *const scratch = worker->geometry;
+    scratch->special_paths = takes_special_paths(pass);
+    scratch->run_count = scratch->polygon_count = 0;
+    scratch->index_count = scratch->vertex_count = 0;
+    scratch->counters = (struct rhw_front_counters){0};
+    const uint64_t start = rhw_time_ns();
+    if (!start_runs(pass, chunk, worker)) {
+        return false;
+    }
+    const uint64_t shaded = rhw_time_ns();
+    // Room for all triangles; what culling leaves of it goes back.
+    const size_t room = (size_t)chunk->count * sizeof *list->triangles;
+    *list = (struct rhw_triangle_list){rhw_arena_alloc(&worker->arena, room, RHW_CACHE_LINE),
+                                       scratch->tile_ranges, 0};
+    if (!list->triangles) {
+        return false;
+    }
+    for (int i = 0; i < scratch->run_count; i++) {
+        setup_run(scratch, (uint32_t)i, list);
+    }
+    rhw_arena_trim(&worker->arena, list->triangles + list->count);
+    scratch->counters.rasterized = (uint64_t)list->count;
+    worker->counters.vertex_ns += shaded - start;
+    worker->counters.setup_ns += rhw_time_ns() - shaded;
+    return true;
+}
+
+// Where a triangle of the chunk stands in the line of all triangles.
+static uint64_t place_in_line(const struct rhw_geometry_scratch *scratch, const struct rhw_triangle *t)
+{
+    const struct rhw_segment *const segment = &scratch->segments[t->segment];
+    const struct rhw_draw *const draw = segment->draw;
+    return draw->first_triangle + (uint64_t)segment->instance * draw->triangles_per_instance + t->primitive;
+}
+
+// How the chunk may be drawn: as its draws may, where they agree.
+static struct rhw_hidden_rule shared_hidden_rule(const struct rhw_geometry_scratch *scratch)
+{
+    const struct rhw_hidden_rule first = scratch->segments[0].draw->state->hidden;
+    for (int i = 1; i < scratch->run_count; i++) {
+        if (!rhw_hidden_rule_equal(scratch->segments[i].draw->state->hidden, first)) {
+            return (struct rhw_hidden_rule){RHW_HIDDEN_IN_ORDER, RHW_COMPARE_NEVER};
+        }
+    }
+    return first;
+}
+
+// Copies what the chunk made out of the scratch, into memory that lasts until its tiles are drawn.
+static void *keep(struct rhw_arena *arena, const void *from, size_t size)
+{
+    void *const to = rhw_arena_alloc(arena, size, RHW_CACHE_LINE);
+    if (to && size != 0) {
+        memcpy(to, from, size);
+    }
+    return to;
+}
+
+// See rhw_kernels.
+static bool make_chunk(const struct rhw_pass_state *pass, struct rhw_chunk *chunk, struct rhw_worker *worker)
+{
+    struct rhw_arena *const arena = &worker->arena;
+    struct rhw_geometry_scratch *const scratch = worker->geometry;
+    struct rhw_triangle_list list;
+    if (!make_triangles(pass, chunk, worker, &list)) {
+        return false;
+    }
+    // Large triangles on a large target: the chunk ends where its bins are full. Doing it again costs nothing beside
+    // drawing that many entries, and its counters stay those of the triangles it has.
+    bound_bins(chunk, &list);
+    const int fit = triangles_that_fit(chunk, &list, pass->entries_most);
+    if (fit < list.count) {
+        chunk->count = place_in_line(scratch, &list.triangles[fit]) - chunk->first;
+        if (!make_triangles(pass, chunk, worker, &list)) {
+            return false;
+        }
+        bound_bins(chunk, &list);
+    }
+    const uint64_t start = rhw_time_ns();
+    chunk->counters = scratch->counters;
+    chunk->hidden = shared_hidden_rule(scratch);
+    chunk->triangles = list.triangles;
+    chunk->segments = keep(arena, scratch->segments, (size_t)scratch->run_count * sizeof *chunk->segments);
+    chunk->polygons =
+        keep(arena, scratch->polygons, (size_t)scratch->polygon_count * sizeof *chunk->polygons);
+    const bool binned = chunk->segments && chunk->polygons && bin(chunk, &list, arena);
+    worker->counters.bin_ns += rhw_time_ns() - start;
+    return binned;
+}
+
+_Static_assert(RHW_SHARED_PART % RHW_LANES == 0 && RHW_SHARED_PART <= 3 * RHW_CHUNK_TRIANGLES,
+               "a part is whole groups, and fits the scratch");
+
+// Shades some of the vertices that chunks share.
+static void shade_shared_part(const struct rhw_pass_state *pass, const struct rhw_shared_part *part,
+                              struct rhw_worker *worker)
+{
+    struct rhw_geometry_scratch *const scratch = worker->geometry;
+    const uint64_t start = rhw_time_ns();
+    struct rhw_segment segment = part->shared->segment;
+    segment.vertices += (size_t)part->first * (size_t)segment.vertex_stride;
+    scratch->special_paths = takes_special_paths(pass);
+    for (uint32_t i = 0; i < part->count; i++) {
+        scratch->unique[i] = segment.draw->base_vertex + part->first + i;
+    }
+    shade_vertices(scratch, &segment, part->shared->snapped + part->first, part->count);
+    worker->counters.vertex_ns += rhw_time_ns() - start;
+}
+
+#endif

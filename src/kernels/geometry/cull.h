@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: MIT
+// Which triangles are drawn: of 8 at a time those that are outside the view, have no area, face the wrong way or have
+// no sample in their rectangle are culled, and those that a plane may cut are told apart.
+#ifndef RHW_CULL_H
+#define RHW_CULL_H
+
+#include "cull_uncovered.h"
+#include "facing.h"
+#include "triangle8.h"
+
+// A bit for each of 8 triangles.
+struct cull8 {
+    unsigned drawn;            // as they are, unclipped
+    unsigned clipped;          // a plane may cut them, or a vertex cannot be snapped: clipped_setup.h decides
+    unsigned culled;           // of the unclipped ones
+    unsigned back, negative;   // they face away; they turn the negative way
+    struct pixel_rect8 pixels; // unset where none is drawn or clipped
+};
+
+// Signs of twice the areas: bits of the negative and of the nonzero ones. Differences are below 2^24 and products below
+// 2^48: exact in double.
+RHW_INLINE void area_signs8(const struct triangle8 *t, unsigned *negative, unsigned *nonzero)
+{
+    const i8 ax = t->x[1] - t->x[0], ay = t->y[1] - t->y[0];
+    const i8 bx = t->x[2] - t->x[0], by = t->y[2] - t->y[0];
+    const f8 area = f8_from_d8(d8_sub(d8_mul(d8_from_i8(ax), d8_from_i8(by)),   //
+                                      d8_mul(d8_from_i8(bx), d8_from_i8(ay)))); // not 0 stays not 0
+    *negative = i8_sign_bits(rhw_less(area, f8_splat(0)));
+    *nonzero = ~i8_sign_bits(rhw_equal(area, f8_splat(0)));
+}
+
+// Bits of the lanes that have one of the flags.
+RHW_INLINE unsigned flagged8(i8 flags, int32_t which)
+{
+    return ~i8_sign_bits(rhw_equal_int(flags & i8_splat(which), i8_splat(0)));
+}
+
+// `live`: bits of the lanes that are triangles. `special_paths`: see paths.h.
+RHW_INLINE struct cull8 cull8(const struct triangle8 *t, const struct rhw_draw_state *state, unsigned live,
+                              bool special_paths)
+{
+    const struct rhw_pipeline_def *const def = &state->pipeline->def;
+    struct cull8 c;
+    unsigned nonzero;
+    area_signs8(t, &c.negative, &nonzero);
+    c.back = facing_back(def, c.negative);
+    c.clipped = live & flagged8(t->flags_any, RHW_VERTEX_CLIP | RHW_VERTEX_NOT_FINITE);
+    const unsigned unclipped = live & ~c.clipped;
+    c.drawn = unclipped & ~flagged8(t->flags_all, RHW_VERTEX_OUTSIDE) & nonzero & ~culled_facing(def, c.back);
+    if ((c.drawn | c.clipped) != 0) {
+        c.pixels = pixel_rect8_of(t, &state->scissor);
+        c.drawn &=
+            i8_sign_bits(rhw_less_int(c.pixels.x0, c.pixels.x1) & rhw_less_int(c.pixels.y0, c.pixels.y1));
+        if (c.drawn != 0 && special_paths) {
+            c.drawn &= ~uncovered8(t, &c.pixels, c.negative);
+        }
+    }
+    c.culled = unclipped & ~c.drawn;
+    return c;
+}
+
+#endif

@@ -1,0 +1,21 @@
+// SPDX-License-Identifier: MIT
+// Which way triangles face, and which ways a pipeline culls: masks with a bit for each of up to 8 triangles.
+#ifndef RHW_FACING_H
+#define RHW_FACING_H
+
+#include "../../pipeline.h"
+
+// Bits of the triangles that face away, of the bits of those that turn the negative way. On the screen y points down,
+// so a triangle that is counter-clockwise with y up has a negative area.
+static inline unsigned facing_back(const struct rhw_pipeline_def *def, unsigned negative)
+{
+    return def->front == RHW_COUNTER_CLOCKWISE ? ~negative : negative;
+}
+
+// Bits of those that the pipeline culls for where they face.
+static inline unsigned culled_facing(const struct rhw_pipeline_def *def, unsigned back)
+{
+    return def->cull == RHW_CULL_NONE ? 0 : def->cull == RHW_CULL_BACK ? back : ~back;
+}
+
+#endif

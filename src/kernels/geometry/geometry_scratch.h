@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: MIT
+// What a worker needs while it runs a chunk through the front end: allocated once per thread, sized by the limits of
+// the API, of which a draw touches only what it uses.
+#ifndef RHW_GEOMETRY_SCRATCH_H
+#define RHW_GEOMETRY_SCRATCH_H
+
+#include "../../constants.h"
+#include "../../draw_list.h"
+#include "../../simd.h"
+#include "tile_range.h"
+
+enum {
+    // Groups of 8 vertices per call of the vertex function: enough to hide the call, few enough that their
+    // attributes and varyings stay in the first cache level. At most RHW_MAX_GROUPS.
+    RHW_VERTEX_GROUPS = 8,
+    // Entries of the table that finds vertices again, a power of two. Direct mapped by vertex index: a miss only
+    // shades a vertex twice.
+    RHW_VERTEX_CACHE = 8192
+};
+
+struct rhw_cache_entry {
+    uint32_t index, stamp; // see look_up_slots
+};
+
+// The part of a chunk that belongs to one instance of one draw, on its way to a segment.
+struct rhw_run {
+    const uint32_t (*indices)[3]; // of each triangle's vertices: in the draw's index buffer or in the scratch
+    uint32_t first_slot;          // the vertex index whose slot is 0; the others follow
+    uint32_t count, first_primitive;
+    const struct rhw_snapped_vertex *vertices; // by slot
+};
+
+// The triangles that a chunk draws. There is room for all that it has.
+struct rhw_triangle_list {
+    struct rhw_triangle *triangles;
+    struct rhw_tile_range *ranges; // the tiles of each
+    int count;
+};
+
+struct rhw_geometry_scratch {
+    _Alignas(64) struct rhw_vertex groups[RHW_VERTEX_GROUPS];
+    f8 attributes[RHW_VERTEX_GROUPS][RHW_MAX_ATTRIBUTES][4];
+    f8 varyings[RHW_VERTEX_GROUPS * RHW_MAX_VARYING_COMPONENTS];
+    uint32_t unique[3 * RHW_CHUNK_TRIANGLES + 8]; // vertex index by slot, of the run under way
+    struct rhw_cache_entry cache[RHW_VERTEX_CACHE];
+    uint32_t stamp;
+    // Of all runs of the chunk. Each run's vertices fill up groups of 8.
+    uint32_t indices[RHW_CHUNK_TRIANGLES][3];
+    struct rhw_snapped_vertex vertices[(3 + 7) * RHW_CHUNK_TRIANGLES];
+    struct rhw_run runs[RHW_CHUNK_TRIANGLES];
+    struct rhw_segment segments[RHW_CHUNK_TRIANGLES];
+    struct rhw_polygon polygons[RHW_CHUNK_TRIANGLES];
+    struct rhw_tile_range tile_ranges[RHW_CHUNK_TRIANGLES]; // of the triangles that are drawn
+    uint32_t index_count, vertex_count;                     // triangles of `indices`; vertices
+    int run_count, polygon_count;
+    bool special_paths; // see paths.h
+    struct rhw_front_counters counters;
+};
+
+#endif

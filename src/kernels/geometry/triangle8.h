@@ -1,0 +1,69 @@
+// SPDX-License-Identifier: MIT
+// 8 snapped triangles side by side, and the pixels that they may cover.
+#ifndef RHW_TRIANGLE8_H
+#define RHW_TRIANGLE8_H
+
+#include "../../draw_list.h"
+#include "../../simd_layout.h"
+#include "../raster/sample_position.h"
+
+struct triangle8 {
+    i8 x[3], y[3]; // 24.8
+    i8 flags_any, flags_all;
+    f8 depth_min, depth_max;
+};
+
+// Within the scissor; x1 and y1 are exclusive.
+struct pixel_rect8 {
+    i8 x0, y0, x1, y1;
+};
+
+// `indices`: those of 8 triangles and of one more, which may be read. `first_slot`: the index of vertices[0].
+RHW_INLINE struct triangle8 load_triangle8(const struct rhw_snapped_vertex *vertices, uint32_t first_slot,
+                                           const uint32_t (*indices)[3])
+{
+    struct triangle8 t;
+    for (int i = 0; i < 3; i++) {
+        const void *places[8];
+        f8 column[4];
+        for (int lane = 0; lane < 8; lane++) {
+            places[lane] = &vertices[indices[lane][i] - first_slot];
+        }
+        f8_load_columns(places, column);
+        t.x[i] = (i8)column[0];
+        t.y[i] = (i8)column[1];
+        const i8 flags = (i8)column[3];
+        t.flags_any = i == 0 ? flags : t.flags_any | flags;
+        t.flags_all = i == 0 ? flags : t.flags_all & flags;
+        t.depth_min = i == 0 ? column[2] : f8_min(t.depth_min, column[2]);
+        t.depth_max = i == 0 ? column[2] : f8_max(t.depth_max, column[2]);
+    }
+    return t;
+}
+
+RHW_INLINE i8 i8_min3(const i8 v[3])
+{
+    return i8_min(i8_min(v[0], v[1]), v[2]);
+}
+
+RHW_INLINE i8 i8_max3(const i8 v[3])
+{
+    return i8_max(i8_max(v[0], v[1]), v[2]);
+}
+
+// Those with RHW_TRIANGLE_SMALL by their size.
+RHW_INLINE i8 small_triangles8(const struct triangle8 *t)
+{
+    const i8 size = i8_splat(RHW_TILE * RHW_SUBPIXEL);
+    return (i8_max3(t->x) - i8_min3(t->x) < size) & (i8_max3(t->y) - i8_min3(t->y) < size);
+}
+
+RHW_INLINE struct pixel_rect8 pixel_rect8_of(const struct triangle8 *t, const struct rhw_rect *scissor)
+{
+    return (struct pixel_rect8){i8_max(first_pixel8(i8_min3(t->x)), i8_splat(scissor->x)),
+                                i8_max(first_pixel8(i8_min3(t->y)), i8_splat(scissor->y)),
+                                i8_min(past_pixel8(i8_max3(t->x)), i8_splat(scissor->x + scissor->width)),
+                                i8_min(past_pixel8(i8_max3(t->y)), i8_splat(scissor->y + scissor->height))};
+}
+
+#endif

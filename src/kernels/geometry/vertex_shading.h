@@ -1,0 +1,150 @@
+// SPDX-License-Identifier: MIT
+// Vertices: fetched from the buffers, run through the vertex function, projected and snapped, and written as the
+// records that triangles read.
+#ifndef RHW_VERTEX_SHADING_H
+#define RHW_VERTEX_SHADING_H
+
+#include "../../shader_adapter.h"
+#include "../raster/snap.h"
+#include "geometry_scratch.h"
+#include "vertex_fetch.h"
+
+// The flags of 8 vertices; `snapped` tells which can be.
+RHW_INLINE i8 vertex_flags(const f8 position[4], f8 near, i8 snapped)
+{
+    const f8 x = position[0], y = position[1], z = position[2], w = position[3], zero = f8_splat(0);
+    const i8 finite =
+        rhw_equal(x - x, zero) & rhw_equal(y - y, zero) & rhw_equal(z - z, zero) & rhw_equal(w - w, zero);
+    i8 flags = rhw_less(x, -w) & i8_splat(RHW_VERTEX_LEFT);
+    flags |= rhw_less(w, x) & i8_splat(RHW_VERTEX_RIGHT);
+    flags |= rhw_less(y, -w) & i8_splat(RHW_VERTEX_BOTTOM);
+    flags |= rhw_less(w, y) & i8_splat(RHW_VERTEX_TOP);
+    flags |= rhw_less(z, near) & i8_splat(RHW_VERTEX_NEAR);
+    flags |= rhw_less(w, z) & i8_splat(RHW_VERTEX_FAR);
+    flags |= ~snapped & i8_splat(RHW_VERTEX_UNSNAPPED);
+    flags |= ~finite & i8_splat(RHW_VERTEX_NOT_FINITE);
+    return flags;
+}
+
+// From clip coordinates to the header of the vertex records.
+static void project(const struct rhw_draw_state *state, const f8 position[4], f8 header[8])
+{
+    const f8 x = position[0], y = position[1], z = position[2], w = position[3];
+    const bool symmetric = state->pipeline->def.depth_range == RHW_DEPTH_MINUS_ONE_TO_ONE;
+    const d8 wd = d8_from_f8(w);
+    const d8 sx =
+        d8_add(d8_mul(d8_div(d8_from_f8(x), wd), d8_splat(state->half_width)), d8_splat(state->center_x));
+    const d8 sy =
+        d8_sub(d8_splat(state->center_y), d8_mul(d8_div(d8_from_f8(y), wd), d8_splat(state->half_height)));
+    const f8 d = f8_from_d8(
+        d8_add(d8_splat(state->depth_low), d8_mul(d8_splat(state->depth_span), d8_div(d8_from_f8(z), wd))));
+    // In float the comparisons err by a rounding at 32768, a power of two: there the float is below or equal
+    // exactly when the double rounds to it or below.
+    const f8 fx = f8_from_d8(sx), fy = f8_from_d8(sy);
+    const f8 band = f8_splat((float)RHW_GUARD_BAND), far_depth = f8_splat(1e30f);
+    const i8 snapped = rhw_less(f8_splat(0), w) & rhw_less_equal(fx, band) & rhw_less_equal(-band, fx) &
+                       rhw_less_equal(fy, band) & rhw_less_equal(-band, fy) & rhw_less(d, far_depth) &
+                       rhw_less(-far_depth, d);
+    header[0] = (f8)snap8(sx);
+    header[1] = (f8)snap8(sy);
+    header[2] = d;
+    header[3] = (f8)vertex_flags(position, symmetric ? -w : f8_splat(0), snapped);
+    header[4] = x;
+    header[5] = y;
+    header[6] = z;
+    header[7] = w;
+}
+
+// Writes 8 vectors of 8 vertices as 8 floats of each vertex.
+static void scatter(f8 vectors[8], float *records, int stride)
+{
+    f8_transpose(vectors);
+    for (int lane = 0; lane < 8; lane++) {
+        f8_store(records + lane * stride, vectors[lane]);
+    }
+}
+
+// Writes the records of 8 vertices, and what culling reads of them once more into `vertices`.
+static void store_records(const struct rhw_draw_state *state, const struct rhw_vertex *group, int stride,
+                          float *records, struct rhw_snapped_vertex *vertices)
+{
+    const int components = state->pipeline->varying_components;
+    f8 vectors[8];
+    project(state, group->position, vectors);
+    scatter(vectors, records, stride);
+    for (int lane = 0; lane < 8; lane++) {
+        memcpy(&vertices[lane], &vectors[lane], sizeof *vertices);
+    }
+    for (int c = 0; c < components; c += 8) {
+        const int n = components - c < 8 ? components - c : 8;
+        for (int i = 0; i < 8; i++) {
+            vectors[i] = i < n ? group->varying[c + i] : f8_splat(0);
+        }
+        scatter(vectors, records + 8 + c, stride);
+    }
+}
+
+// Makes group `g` ready for the vertex function; its vertices are those from `slot` on.
+static void fetch_group(struct rhw_geometry_scratch *scratch, const struct rhw_segment *segment, int g,
+                        uint32_t slot)
+{
+    const struct rhw_draw_state *const state = segment->draw->state;
+    const struct rhw_pipeline_def *const def = &state->pipeline->def;
+    const uint32_t instance = segment->draw->first_instance + segment->instance;
+    struct rhw_vertex *const group = &scratch->groups[g];
+    uint32_t element[8], instances[8];
+    memcpy(element, &scratch->unique[slot], sizeof element);
+    for (int lane = 0; lane < 8; lane++) {
+        instances[lane] = instance;
+    }
+    for (int a = 0; a < def->attribute_count; a++) {
+        const struct rhw_attribute *const attribute = &def->attributes[a];
+        const struct rhw_vertex_layout *const layout = &def->buffers[attribute->buffer];
+        const struct rhw_vertex_stream *const stream = &state->streams[attribute->buffer];
+        const uint32_t *const elements = layout->per_instance ? instances : element;
+        f8 *const out = scratch->attributes[g][a];
+        if (scratch->special_paths && lies_inside(stream, attribute, layout->stride, elements)) {
+            fetch_inside(stream, attribute, layout->stride, elements, out);
+        } else {
+            fetch_checked(stream, attribute, layout->stride, elements, out);
+        }
+    }
+    group->attribute = (const f8(*)[4])scratch->attributes[g];
+    group->vertex_index = i8_load(element);
+    group->instance_index = i8_load(instances);
+    group->uniforms = segment->draw->uniforms;
+    group->user = def->program.user;
+    group->textures = state->textures;
+    group->varying = scratch->varyings + g * state->pipeline->varying_components;
+}
+
+// Shades `count` vertices, whose indices are scratch->unique, into the segment. `count` is rounded up to 8:
+// the last group repeats its last vertex, and there is room for it.
+static void shade_vertices(struct rhw_geometry_scratch *scratch, const struct rhw_segment *segment,
+                           struct rhw_snapped_vertex *vertices, uint32_t count)
+{
+    const struct rhw_draw_state *const state = segment->draw->state;
+    const struct rhw_pipeline_data *const pipeline = state->pipeline;
+    const uint32_t total = (count + 7) / 8;
+    for (uint32_t i = count; i < 8 * total; i++) {
+        scratch->unique[i] = scratch->unique[count - 1];
+    }
+    for (uint32_t first = 0; first < total; first += RHW_VERTEX_GROUPS) {
+        const int groups = (int)(total - first < RHW_VERTEX_GROUPS ? total - first : RHW_VERTEX_GROUPS);
+        for (int g = 0; g < groups; g++) {
+            fetch_group(scratch, segment, g, 8 * (first + (uint32_t)g));
+        }
+        if (pipeline->vertex) {
+            pipeline->vertex(scratch->groups, groups);
+        } else {
+            rhw_vertex1_run(pipeline, scratch->groups, groups);
+        }
+        for (int g = 0; g < groups; g++) {
+            const size_t slot = 8 * (first + (uint32_t)g);
+            store_records(state, &scratch->groups[g], segment->vertex_stride,
+                          segment->vertices + slot * (size_t)segment->vertex_stride, vertices + slot);
+        }
+    }
+}
+
+#endif

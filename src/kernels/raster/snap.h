@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: MIT
+// How a position on the screen is snapped: to the nearest 1/256 pixel, ties to even, and into the guard band. All that
+// stands on the screen goes through here, whole vertices 8 at a time and what the clipper cuts one by one, so that
+// equal positions stay equal.
+#ifndef RHW_SNAP_H
+#define RHW_SNAP_H
+
+#include "../../constants.h"
+#include "../../simd.h"
+
+// Of 8 positions in pixels. A position that is no number is snapped to the band's end.
+RHW_INLINE i8 snap8(d8 pixels)
+{
+    const double limit = RHW_GUARD_BAND;
+    return i8_round_d8(d8_mul(d8_clamp(pixels, -limit, limit), d8_splat(RHW_SUBPIXEL)));
+}
+
+// The same of one. Adding 1.5·2^52, where a double's last bit is worth 1, rounds as IEEE addition does, which is how
+// i8_round_d8 does it; nearbyint would go through libm.
+static inline int32_t snap(double pixels)
+{
+    const double limit = RHW_GUARD_BAND;
+    const double inside = pixels > limit ? limit : pixels >= -limit ? pixels : -limit;
+    return (int32_t)((inside * RHW_SUBPIXEL + 0x1.8p52) - 0x1.8p52);
+}
+
+#endif

@@ -1,0 +1,14 @@
+// SPDX-License-Identifier: MIT
+// Where the record of a vertex stands in its segment.
+#ifndef RHW_VERTEX_RECORD_H
+#define RHW_VERTEX_RECORD_H
+
+#include "../../draw_list.h"
+
+static inline const struct rhw_vertex_record *record_at(const struct rhw_segment *segment, uint32_t slot)
+{
+    return (const struct rhw_vertex_record *)(const void *)(segment->vertices +
+                                                            (size_t)slot * (size_t)segment->vertex_stride);
+}
+
+#endif
