@@ -10,13 +10,13 @@ static rhw_sample_function *sample_function(const struct rhw_kernels *kernels,
                                             const struct rhw_texture_data *texture,
                                             const struct rhw_sampler_data *sampler)
 {
-    if (texture && sampler->takes_codes && texture->format == RHW_FORMAT_RGBA8_UNORM) {
-        return kernels->sample_rgba8;
+    if (texture && sampler->filters_fixed && texture->format == RHW_FORMAT_RGBA8_UNORM) {
+        return kernels->sample_unorm8;
     }
-    if (texture && sampler->takes_codes && texture->format == RHW_FORMAT_RGBA8_SRGB) {
-        return kernels->sample_rgba8_srgb;
+    if (texture && sampler->filters_fixed && texture->format == RHW_FORMAT_RGBA8_SRGB) {
+        return kernels->sample_srgb8;
     }
-    return kernels->sample_other;
+    return kernels->sample_float;
 }
 
 struct rhw_binding rhw_binding_of(const struct rhw_kernels *kernels, const struct rhw_texture_data *texture,
@@ -25,6 +25,5 @@ struct rhw_binding rhw_binding_of(const struct rhw_kernels *kernels, const struc
     return (struct rhw_binding){.sample = sample_function(kernels, texture, sampler),
                                 .texture = texture,
                                 .sampler = sampler,
-                                .sample_slots = kernels->sample_slots,
                                 .sample_groups = kernels->sample_groups};
 }

@@ -8,15 +8,15 @@
 // be sampled (masks, roughness), not drawn into.
 static const struct rhw_format_info formats[RHW_FORMAT_COUNT] = {
     [RHW_FORMAT_NONE] = {.name = "RHW_FORMAT_NONE"},
-    [RHW_FORMAT_R8_UNORM] = {"RHW_FORMAT_R8_UNORM", 1, 1, RHW_KIND_UNORM, false, false, true},
-    [RHW_FORMAT_RG8_UNORM] = {"RHW_FORMAT_RG8_UNORM", 2, 2, RHW_KIND_UNORM, false, false, true},
-    [RHW_FORMAT_RGBA8_UNORM] = {"RHW_FORMAT_RGBA8_UNORM", 4, 4, RHW_KIND_UNORM, true, true, true},
-    [RHW_FORMAT_RGBA8_SRGB] = {"RHW_FORMAT_RGBA8_SRGB", 4, 4, RHW_KIND_SRGB, true, true, true},
-    [RHW_FORMAT_RGBA16_FLOAT] = {"RHW_FORMAT_RGBA16_FLOAT", 8, 4, RHW_KIND_FLOAT, true, true, true},
-    [RHW_FORMAT_R32_FLOAT] = {"RHW_FORMAT_R32_FLOAT", 4, 1, RHW_KIND_FLOAT, true, true, true},
-    [RHW_FORMAT_RGBA32_FLOAT] = {"RHW_FORMAT_RGBA32_FLOAT", 16, 4, RHW_KIND_FLOAT, true, true, true},
-    [RHW_FORMAT_R32_UINT] = {"RHW_FORMAT_R32_UINT", 4, 1, RHW_KIND_UINT, true, false, false},
-    [RHW_FORMAT_D32_FLOAT] = {"RHW_FORMAT_D32_FLOAT", 4, 1, RHW_KIND_DEPTH, false, false, true},
+    [RHW_FORMAT_R8_UNORM] = {"RHW_FORMAT_R8_UNORM", 1, 1, RHW_CODEC_UNORM8, false, false, true},
+    [RHW_FORMAT_RG8_UNORM] = {"RHW_FORMAT_RG8_UNORM", 2, 2, RHW_CODEC_UNORM8, false, false, true},
+    [RHW_FORMAT_RGBA8_UNORM] = {"RHW_FORMAT_RGBA8_UNORM", 4, 4, RHW_CODEC_UNORM8, true, true, true},
+    [RHW_FORMAT_RGBA8_SRGB] = {"RHW_FORMAT_RGBA8_SRGB", 4, 4, RHW_CODEC_SRGB8, true, true, true},
+    [RHW_FORMAT_RGBA16_FLOAT] = {"RHW_FORMAT_RGBA16_FLOAT", 8, 4, RHW_CODEC_FLOAT16, true, true, true},
+    [RHW_FORMAT_R32_FLOAT] = {"RHW_FORMAT_R32_FLOAT", 4, 1, RHW_CODEC_FLOAT32, true, true, true},
+    [RHW_FORMAT_RGBA32_FLOAT] = {"RHW_FORMAT_RGBA32_FLOAT", 16, 4, RHW_CODEC_FLOAT16, true, true, true},
+    [RHW_FORMAT_R32_UINT] = {"RHW_FORMAT_R32_UINT", 4, 1, RHW_CODEC_UINT32, true, false, false},
+    [RHW_FORMAT_D32_FLOAT] = {"RHW_FORMAT_D32_FLOAT", 4, 1, RHW_CODEC_FLOAT32, false, false, true},
 };
 
 _Static_assert(RHW_VERTEX_FORMAT_COUNT == 4 * RHW_TYPE_COUNT, "four vertex formats of each type");

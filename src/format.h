@@ -5,20 +5,21 @@
 
 #include "rhw/types.h"
 
-enum rhw_format_kind {
-    RHW_KIND_NONE,
-    RHW_KIND_UNORM,
-    RHW_KIND_SRGB, // UNORM with the sRGB transfer function on the colour channels
-    RHW_KIND_FLOAT,
-    RHW_KIND_UINT,
-    RHW_KIND_DEPTH
+// How a channel of a texel is stored.
+enum rhw_texel_codec {
+    RHW_CODEC_NONE,
+    RHW_CODEC_UNORM8,
+    RHW_CODEC_SRGB8, // UNORM8 with the sRGB transfer function on the colour channels
+    RHW_CODEC_FLOAT16,
+    RHW_CODEC_FLOAT32,
+    RHW_CODEC_UINT32
 };
 
 struct rhw_format_info {
     const char *name; // "RHW_FORMAT_RGBA8_UNORM"
     uint8_t size;     // bytes per texel
     uint8_t channels;
-    enum rhw_format_kind kind;
+    enum rhw_texel_codec codec;
     bool color_target;
     bool blend;   // as a colour target
     bool sampled; // rhw_sample and mip generation work on it

@@ -16,7 +16,7 @@ enum {
 };
 
 struct rhw_mip {
-    // For the sampler's fixed-point road (4-byte formats), which would spend a tenth of its time making them; in all
+    // For the sampler's fixed-point path (4-byte formats), which would spend a tenth of its time making them; in all
     // lanes, so that an instruction takes them from memory as an operand.
     _Alignas(32) float scale_x[RHW_LANES]; // width · 2^16
     float scale_y[RHW_LANES];              // height · 2^16

@@ -74,11 +74,12 @@ struct rhw_fragment1 {
 #include "shader_math.h"
 #include "shader_sample.h"
 
-/// rhw_sample_slots for `count` groups (1..RHW_MAX_GROUPS) of one call of a fragment function, at coordinates that are
-/// varyings with derivatives: components `at` and `at + 1`. Bit n of `slots` (at least one) samples textures[n] of
-/// group g into texels[g * stride + n], the same bits as rhw_sample_grad; `stride` is above the highest slot, and no
-/// other texel is written. In less time than one group after the other: levels of detail are worked out for all groups
-/// together, and of several slots the texels of all groups are on their way at once. groups->color with a stride of
+/// rhw_sample_grad of several texture slots for `count` groups (1..RHW_MAX_GROUPS) of one call of a fragment function, at
+/// coordinates that are varyings with derivatives: components `at` and `at + 1`. Bit n of `slots` (at least one) samples
+/// textures[n] of group g into texels[g * stride + n], the same bits as by itself; `stride` is above the highest slot,
+/// and no other texel is written. In less time than one group after the other: levels of detail are worked out for all
+/// groups together, and textures of 8 bits with the same size and equal samplers, as those of one material usually are,
+/// share their footprints while the texels of all groups are on their way at once. groups->color with a stride of
 /// RHW_MAX_COLOR_ATTACHMENTS is allowed: slot n is then what target n gets.
 static inline void rhw_sample_groups(const struct rhw_fragment *groups, int count, uint32_t slots, int at,
                                      rhw_float (*texels)[4], int stride)

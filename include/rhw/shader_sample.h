@@ -21,10 +21,8 @@ struct rhw_binding {
                    const rhw_float *lod, rhw_float texel[4]);
     const void *texture; ///< private: struct rhw_texture_data
     const void *sampler; ///< private: struct rhw_sampler_data
-    /// Bit n of `slots`, which is not 0: the sample with `grad` of bindings[n] into texels[n].
-    void (*sample_slots)(const struct rhw_binding *bindings, uint32_t slots, const rhw_float uv[2],
-                         const rhw_float grad[4], rhw_float (*texels)[4]);
-    /// The same for `count` groups, 1..RHW_MAX_GROUPS, at components `at` and `at + 1` of their varyings; of group g
+    /// Bit n of `slots`, which is not 0: the sample with derivatives of bindings[n] for `count` groups,
+    /// 1..RHW_MAX_GROUPS, at components `at` and `at + 1` of their varyings; of group g
     /// into texels[g * stride + n].
     void (*sample_groups)(const struct rhw_binding *bindings, uint32_t slots,
                           const struct rhw_fragment *groups, int count, int at, rhw_float (*texels)[4],
@@ -47,15 +45,6 @@ static inline void rhw_sample_lod(const struct rhw_binding *binding, const rhw_f
                                   rhw_float texel[4])
 {
     binding->sample(binding, uv, (const rhw_float *)0, &lod, texel);
-}
-
-/// rhw_sample_grad of several texture slots at the same coordinates: bit n of `slots` (at least one) samples
-/// textures[n] into texels[n], the same bits as by itself. In less time where textures of 8 bits have the same
-/// size and equal samplers, as those of one material usually do.
-static inline void rhw_sample_slots(const struct rhw_binding *textures, uint32_t slots, const rhw_float uv[2],
-                                    const rhw_float grad[4], rhw_float (*texels)[4])
-{
-    textures->sample_slots(textures, slots, uv, grad, texels);
 }
 
 /// rhw_sample_grad for one fragment: the same bits as a lane of it.

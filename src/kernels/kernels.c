@@ -3,14 +3,13 @@
 #include "kernels.h"
 
 #include "front_tmpl.h"
-#include "sample_slots_tmpl.h"
+#include "sample_entry.h"
 #include "tile_entry.h"
 
 const struct rhw_kernels RHW_ISA_NAME(rhw_kernels) = {.shared_part = shade_part,
                                                       .chunk = make_chunk,
                                                       .tile = RHW_ISA_NAME(rhw_draw_tile),
-                                                      .sample_other = sample_other,
-                                                      .sample_rgba8 = sample_rgba8,
-                                                      .sample_rgba8_srgb = sample_rgba8_srgb,
-                                                      .sample_slots = sample_slots,
-                                                      .sample_groups = sample_groups};
+                                                      .sample_float = RHW_ISA_NAME(rhw_sample_float),
+                                                      .sample_unorm8 = RHW_ISA_NAME(rhw_sample_unorm8),
+                                                      .sample_srgb8 = RHW_ISA_NAME(rhw_sample_srgb8),
+                                                      .sample_groups = RHW_ISA_NAME(rhw_sample_groups)};

@@ -13,6 +13,9 @@ struct rhw_shared_part;
 
 typedef void rhw_sample_function(const struct rhw_binding *binding, const rhw_float uv[2],
                                  const rhw_float grad[4], const rhw_float *lod, rhw_float texel[4]);
+typedef void rhw_sample_groups_function(const struct rhw_binding *bindings, uint32_t slots,
+                                        const struct rhw_fragment *groups, int count, int at,
+                                        rhw_float (*texels)[4], int stride);
 
 struct rhw_kernels {
     // Shades some of the vertices that chunks share.
@@ -21,16 +24,11 @@ struct rhw_kernels {
     bool (*chunk)(struct rhw_pass_state *pass, struct rhw_chunk *chunk, int worker);
     // One tile of the back end, from load to store.
     void (*tile)(struct rhw_pass_state *pass, int tile, int worker);
-    // Behind rhw_sample_grad and rhw_sample_lod: of RGBA8 textures in either encoding with samplers that take the
-    // fixed-point road (sampler.h), and of all others or none.
-    rhw_sample_function *sample_other, *sample_rgba8, *sample_rgba8_srgb;
-    // Behind rhw_sample_slots.
-    void (*sample_slots)(const struct rhw_binding *bindings, uint32_t slots, const rhw_float uv[2],
-                         const rhw_float grad[4], rhw_float (*texels)[4]);
+    // Behind rhw_sample_grad and rhw_sample_lod. The fixed-point path, for RGBA8 textures of either encoding and samplers
+    // that allow it (sampler.h), and the general path for all others, no texture included.
+    rhw_sample_function *sample_float, *sample_unorm8, *sample_srgb8;
     // Behind rhw_sample_groups.
-    void (*sample_groups)(const struct rhw_binding *bindings, uint32_t slots,
-                          const struct rhw_fragment *groups, int count, int at, rhw_float (*texels)[4],
-                          int stride);
+    rhw_sample_groups_function *sample_groups;
 };
 
 RHW_ISA_DECLARE(const struct rhw_kernels, rhw_kernels);
