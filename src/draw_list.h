@@ -10,7 +10,7 @@
 
 #include "draw_plan.h"
 #include "hidden_surface.h"
-#include "output.h"
+#include "blend_state.h"
 #include "rhw/shader.h"
 #include "triangle.h"
 
@@ -35,7 +35,7 @@ struct rhw_draw_state {
     struct rhw_viewport viewport;
     struct rhw_rect scissor; // already within target and viewport
     float blend_constant[4];
-    struct output_state outputs[RHW_MAX_COLOR_ATTACHMENTS];
+    struct rhw_blend_state blend[RHW_MAX_COLOR_ATTACHMENTS];
     struct rhw_hidden_rule hidden;               // how it may be drawn together with others
     struct rhw_draw_plan plans[RHW_PHASE_COUNT]; // what tiles do for its fragments
     // Depth after the viewport's range: depth_low + depth_span·Z/W, whatever range of Z the pipeline has.

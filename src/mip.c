@@ -8,8 +8,8 @@
 #include "constants.h"
 #include "format.h"
 #include "half.h"
+#include "blend_state.h"
 #include "memory.h"
-#include "output.h"
 #include "srgb.h"
 #include "texture.h"
 

@@ -144,7 +144,7 @@ static enum rhw_result attach_color(struct rhw_pass_state *pass, const struct rh
     attachment->store = color->store;
     const uint64_t environment = rhw_cpu_float_enter();
     unsigned char texel[16];
-    rhw_output_clear_value(attachment->format, color->clear, texel);
+    rhw_clear_texel(attachment->format, color->clear, texel);
     rhw_cpu_float_leave(environment);
     set_clear(attachment, texel);
     pass->color_ids[i] = color->texture;
@@ -490,7 +490,7 @@ static const struct rhw_draw_state *snapshot(struct rhw_pass_state *pass)
     *state = pass->pending;
     state->scissor = clip_rect(pass, &state->viewport, &state->scissor);
     for (int i = 0; i < pass->color_count && state->pipeline; i++) {
-        rhw_output_prepare(&state->outputs[i], &state->pipeline->def.targets[i], state->blend_constant);
+        rhw_blend_state_init(&state->blend[i], &state->pipeline->def.targets[i], state->blend_constant);
     }
     const double span = (double)state->viewport.depth_max - (double)state->viewport.depth_min;
     const bool symmetric = state->pipeline && state->pipeline->def.depth_range == RHW_DEPTH_MINUS_ONE_TO_ONE;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Per-draw preparation of the output merger, and clear values.
-#include "output.h"
+// What blending asks of a colour target, worked out once for a draw, and clear values.
+#include "blend_state.h"
 
 #include <string.h>
 
@@ -30,7 +30,7 @@ static bool is_over(struct rhw_blend_component component)
            component.dst == RHW_BLEND_ONE_MINUS_SRC_ALPHA && component.operation == RHW_BLEND_ADD;
 }
 
-// src × 1 + dst × 0 is replacement, which has quicker roads than blending. For float formats it is not the
+// src × 1 + dst × 0 is replacement, which has faster paths than blending. For float formats it is not the
 // same: 0 × infinity is NaN.
 static bool is_replacement(struct rhw_blend_component component)
 {
@@ -38,27 +38,27 @@ static bool is_replacement(struct rhw_blend_component component)
            component.operation == RHW_BLEND_ADD;
 }
 
-static enum output_kind choose_kind(const struct output_state *state)
+static enum rhw_blend_path choose_path(const struct rhw_blend_state *state)
 {
     if (state->write_mask == 0) {
-        return OUTPUT_NOTHING;
+        return BLEND_NOTHING;
     }
     if (state->format == RHW_FORMAT_R32_UINT) {
-        return OUTPUT_UINT_REPLACE;
+        return BLEND_UINT_REPLACE;
     }
     if (state->format == RHW_FORMAT_RGBA8_UNORM && !state->blend) {
-        return state->write_mask == 15 ? OUTPUT_RGBA8_REPLACE : OUTPUT_RGBA8_MASKED;
+        return state->write_mask == 15 ? BLEND_RGBA8_REPLACE : BLEND_RGBA8_MASKED;
     }
     if (state->format == RHW_FORMAT_RGBA8_SRGB && !state->blend) {
-        return OUTPUT_SRGB8_REPLACE;
+        return BLEND_SRGB8_REPLACE;
     }
     if (state->format == RHW_FORMAT_RGBA8_UNORM && is_over(state->color) && is_over(state->alpha)) {
-        return OUTPUT_RGBA8_OVER;
+        return BLEND_RGBA8_OVER;
     }
     if (!is_normalized(state->format) && state->replaces) {
-        return OUTPUT_FLOAT_REPLACE;
+        return BLEND_FLOAT_REPLACE;
     }
-    return OUTPUT_GENERIC;
+    return BLEND_GENERAL;
 }
 
 static float saturate(float value)
@@ -67,8 +67,8 @@ static float saturate(float value)
     return above < 1.0f ? above : 1.0f;
 }
 
-void rhw_output_prepare(struct output_state *state, const struct rhw_color_target *target,
-                        const float constant[4])
+void rhw_blend_state_init(struct rhw_blend_state *state, const struct rhw_color_target *target,
+                          const float constant[4])
 {
     memset(state, 0, sizeof *state);
     state->format = target->format;
@@ -85,7 +85,7 @@ void rhw_output_prepare(struct output_state *state, const struct rhw_color_targe
         state->texel_mask |= state->write_mask >> i & 1 ? 0xffu << 8 * i : 0;
         state->constant[i] = normalized ? saturate(constant[i]) : constant[i];
     }
-    state->kind = choose_kind(state);
+    state->path = choose_path(state);
 }
 
 // Adding 2^23 leaves no room for a fraction: the addition rounds to nearest, ties to even.
@@ -102,7 +102,7 @@ static uint32_t uint_from_float(float value)
     return value >= 0x1p32f ? UINT32_MAX : value > 0.0f ? (uint32_t)value : 0;
 }
 
-// The merger stores every NaN as this one, because the sign of the NaN that arithmetic makes differs
+// Blending stores every NaN as this one, because the sign of the NaN that arithmetic makes differs
 // between processors.
 float rhw_canonical(float value)
 {
@@ -113,7 +113,7 @@ float rhw_canonical(float value)
     return value;
 }
 
-void rhw_output_clear_value(enum rhw_format format, const float clear[4], unsigned char texel[16])
+void rhw_clear_texel(enum rhw_format format, const float clear[4], unsigned char texel[16])
 {
     float value[4];
     uint16_t half[4];

@@ -1,53 +1,53 @@
 // SPDX-License-Identifier: MIT
-// The output merger: 8 fragments in a row against 8 texels of a tile. Replacing and the usual blending of
-// RGBA8 have roads of their own; every other combination goes through floats, one vector per channel.
+// Blending: 8 fragments in a row against 8 texels of a tile. Replacing and the usual blending of RGBA8 have paths of
+// their own; every other combination goes through floats, one vector per channel.
 //
 // Texels of dead lanes are read and written back unchanged: a tile has one owner, and a load is cheaper
 // than a branch.
-#ifndef RHW_OUTPUT_TMPL_H
-#define RHW_OUTPUT_TMPL_H
+#ifndef RHW_BLEND_H
+#define RHW_BLEND_H
 
-#include "../output.h"
-#include "../simd_layout.h"
-#include "../srgb.h"
+#include "../../blend_state.h"
+#include "../../simd_layout.h"
+#include "../../srgb.h"
 
 // 2^23: from here on floats have no fraction, so adding it rounds a value of 0..255 to nearest, ties to
 // even, and leaves the integer in the low bits. The same on every instruction set, and needs no conversion.
-static const float output_magic = 0x1p23f;
+static const float rounding_magic = 0x1p23f;
 
 // 8 values of 0..1, each as an integer in the low byte of its lane, rubbish above.
-RHW_INLINE i8 output_unorm8(f8 value)
+RHW_INLINE i8 unorm8_from_float(f8 value)
 {
-    return (i8)(value * 255.0f + output_magic);
+    return (i8)(value * 255.0f + rounding_magic);
 }
 
 // Puts four low bytes together. What stands above the byte in `r` is masked, in the others shifted out or
 // (in g and b) zero: the magic number's own bits lie in the top byte.
-RHW_INLINE i8 output_pack(i8 r, i8 g, i8 b, i8 a)
+RHW_INLINE i8 pack_bytes(i8 r, i8 g, i8 b, i8 a)
 {
     return (r & 0xff) | (g << 8) | (b << 16) | (a << 24);
 }
 
-RHW_INLINE void output_store32(unsigned char *texels, i8 value, i8 mask)
+RHW_INLINE void store_words(unsigned char *texels, i8 value, i8 mask)
 {
     i8_store(texels, rhw_select_int(mask, value, i8_load(texels)));
 }
 
 // As above where the mask is not all or nothing per lane.
-RHW_INLINE void output_store32_bits(unsigned char *texels, i8 value, i8 mask)
+RHW_INLINE void store_word_bits(unsigned char *texels, i8 value, i8 mask)
 {
     const i8 old = i8_load(texels);
     i8_store(texels, old ^ ((old ^ value) & mask));
 }
 
 // The byte at `shift` of each lane as a float; exact.
-RHW_INLINE f8 output_byte(i8 texel, int shift)
+RHW_INLINE f8 byte_to_float(i8 texel, int shift)
 {
     return rhw_to_float((i8)((texel >> shift) & 0xff));
 }
 
 // sRGB code of values in any range, in the low byte of each lane, zero above. See srgb.h.
-RHW_INLINE i8 output_srgb8(f8 linear)
+RHW_INLINE i8 srgb8_from_float(f8 linear)
 {
     const i8 bits = (i8)rhw_clamp(linear, rhw_splat(0x1p-13f), rhw_splat(1.0f));
     const i8 bucket = (bits >> 16) - RHW_SRGB_ENCODE_FIRST;
@@ -55,15 +55,15 @@ RHW_INLINE i8 output_srgb8(f8 linear)
     return (entry + (bits & 0xffff)) >> 16;
 }
 
-RHW_INLINE f8 output_srgb8_decode(i8 texel, int shift)
+RHW_INLINE f8 srgb8_to_float(i8 texel, int shift)
 {
     return (f8)i8_gather(rhw_srgb_decode_table, (texel >> shift) & 0xff);
 }
 
 // RGBA8 blending with factors (SRC_ALPHA or ONE, ONE_MINUS_SRC_ALPHA), on the scale 0..255, which saves
 // the destination a division: result = source · 255 · factor + destination · (1 − source alpha).
-static inline void output_rgba8_over(const struct output_state *state, const f8 color[4], i8 mask,
-                                     unsigned char *texels)
+static inline void blend_rgba8_over(const struct rhw_blend_state *state, const f8 color[4], i8 mask,
+                                    unsigned char *texels)
 {
     const i8 old = i8_load(texels);
     const f8 alpha = rhw_saturate(color[3]);
@@ -72,7 +72,7 @@ static inline void output_rgba8_over(const struct output_state *state, const f8 
     const f8 alpha_scale = state->alpha_one ? rhw_splat(255.0f) : alpha * 255.0f;
     f8 result[4];
     for (int i = 0; i < 3; i++) {
-        result[i] = rhw_saturate(color[i]) * color_scale + output_byte(old, 8 * i) * keep;
+        result[i] = rhw_saturate(color[i]) * color_scale + byte_to_float(old, 8 * i) * keep;
     }
     result[3] = alpha * alpha_scale + rhw_to_float((i8)((u8)old >> 24)) * keep;
     const i8 packed = i8_bytes_from_small_f8(result); // ONE may carry the sum beyond 255
@@ -81,7 +81,7 @@ static inline void output_rgba8_over(const struct output_state *state, const f8 
 }
 
 // 8 texels of four floats or halves to one vector per channel, and back.
-static inline void output_load_rows(const unsigned char *texels, bool half, f8 value[4])
+static inline void load_rows(const unsigned char *texels, bool half, f8 value[4])
 {
     f4 row[RHW_LANES];
     for (int i = 0; i < RHW_LANES; i++) {
@@ -94,7 +94,7 @@ static inline void output_load_rows(const unsigned char *texels, bool half, f8 v
     f4_columns(row, value);
 }
 
-static inline void output_store_rows(unsigned char *texels, bool half, const f8 value[4], i8 mask)
+static inline void store_rows(unsigned char *texels, bool half, const f8 value[4], i8 mask)
 {
     f4 row[RHW_LANES];
     f4_rows(value, row);
@@ -112,7 +112,7 @@ static inline void output_store_rows(unsigned char *texels, bool half, const f8 
 }
 
 // The destination in linear floats. Channels the format lacks read 0, 0, 0, 1.
-static inline void output_load(enum rhw_format format, const unsigned char *texels, f8 value[4])
+static inline void load_target(enum rhw_format format, const unsigned char *texels, f8 value[4])
 {
     value[0] = value[1] = value[2] = rhw_splat(0.0f);
     value[3] = rhw_splat(1.0f);
@@ -121,20 +121,20 @@ static inline void output_load(enum rhw_format format, const unsigned char *texe
     case RHW_FORMAT_RGBA8_SRGB: {
         const i8 texel = i8_load(texels);
         for (int i = 0; i < 3; i++) {
-            value[i] = format == RHW_FORMAT_RGBA8_SRGB ? output_srgb8_decode(texel, 8 * i)
-                                                       : output_byte(texel, 8 * i) / 255.0f;
+            value[i] = format == RHW_FORMAT_RGBA8_SRGB ? srgb8_to_float(texel, 8 * i)
+                                                       : byte_to_float(texel, 8 * i) / 255.0f;
         }
-        value[3] = output_byte(texel, 24) / 255.0f;
+        value[3] = byte_to_float(texel, 24) / 255.0f;
         break;
     }
-    case RHW_FORMAT_RGBA16_FLOAT: output_load_rows(texels, true, value); break;
+    case RHW_FORMAT_RGBA16_FLOAT: load_rows(texels, true, value); break;
     case RHW_FORMAT_R32_FLOAT: value[0] = f8_load(texels); break;
-    case RHW_FORMAT_RGBA32_FLOAT: output_load_rows(texels, false, value); break;
+    case RHW_FORMAT_RGBA32_FLOAT: load_rows(texels, false, value); break;
     default: break;
     }
 }
 
-static inline void output_store(const struct output_state *state, const f8 value[4], i8 mask,
+static inline void store_target(const struct rhw_blend_state *state, const f8 value[4], i8 mask,
                                 unsigned char *texels)
 {
     switch (state->format) {
@@ -142,23 +142,24 @@ static inline void output_store(const struct output_state *state, const f8 value
     case RHW_FORMAT_RGBA8_SRGB: {
         i8 byte[4];
         for (int i = 0; i < 4; i++) {
-            byte[i] = state->format == RHW_FORMAT_RGBA8_SRGB && i < 3 ? output_srgb8(value[i])
-                                                                      : output_unorm8(rhw_saturate(value[i]));
+            byte[i] = state->format == RHW_FORMAT_RGBA8_SRGB && i < 3
+                          ? srgb8_from_float(value[i])
+                          : unorm8_from_float(rhw_saturate(value[i]));
         }
-        output_store32_bits(texels, output_pack(byte[0], byte[1], byte[2], byte[3]),
-                            mask & i8_splat((int32_t)state->texel_mask));
+        store_word_bits(texels, pack_bytes(byte[0], byte[1], byte[2], byte[3]),
+                        mask & i8_splat((int32_t)state->texel_mask));
         break;
     }
-    case RHW_FORMAT_RGBA16_FLOAT: output_store_rows(texels, true, value, mask); break;
-    case RHW_FORMAT_R32_FLOAT: output_store32(texels, (i8)value[0], mask); break;
-    case RHW_FORMAT_RGBA32_FLOAT: output_store_rows(texels, false, value, mask); break;
+    case RHW_FORMAT_RGBA16_FLOAT: store_rows(texels, true, value, mask); break;
+    case RHW_FORMAT_R32_FLOAT: store_words(texels, (i8)value[0], mask); break;
+    case RHW_FORMAT_RGBA32_FLOAT: store_rows(texels, false, value, mask); break;
     default: break;
     }
 }
 
 // Factor of channel `i` (3: alpha).
-static inline f8 output_factor(const struct output_state *state, enum rhw_blend_factor factor,
-                               const f8 src[4], const f8 dst[4], int i)
+static inline f8 blend_factor(const struct rhw_blend_state *state, enum rhw_blend_factor factor,
+                              const f8 src[4], const f8 dst[4], int i)
 {
     switch (factor) {
     case RHW_BLEND_ZERO: return rhw_splat(0.0f);
@@ -178,7 +179,7 @@ static inline f8 output_factor(const struct output_state *state, enum rhw_blend_
     return rhw_splat(0.0f);
 }
 
-static inline f8 output_blend(const struct output_state *state, const f8 src[4], const f8 dst[4], int i)
+static inline f8 blend_channel(const struct rhw_blend_state *state, const f8 src[4], const f8 dst[4], int i)
 {
     const struct rhw_blend_component *const component = i == 3 ? &state->alpha : &state->color;
     if (component->operation == RHW_BLEND_MIN) { // MIN and MAX ignore the factors
@@ -187,8 +188,8 @@ static inline f8 output_blend(const struct output_state *state, const f8 src[4],
     if (component->operation == RHW_BLEND_MAX) {
         return rhw_max(src[i], dst[i]);
     }
-    const f8 a = src[i] * output_factor(state, component->src, src, dst, i);
-    const f8 b = dst[i] * output_factor(state, component->dst, src, dst, i);
+    const f8 a = src[i] * blend_factor(state, component->src, src, dst, i);
+    const f8 b = dst[i] * blend_factor(state, component->dst, src, dst, i);
     switch (component->operation) {
     case RHW_BLEND_SUBTRACT: return a - b;
     case RHW_BLEND_REVERSE_SUBTRACT: return b - a;
@@ -197,66 +198,66 @@ static inline f8 output_blend(const struct output_state *state, const f8 src[4],
 }
 
 // One NaN for all: which one arithmetic makes differs between processors.
-RHW_INLINE f8 output_canonical(f8 value)
+RHW_INLINE f8 canonical_nan(f8 value)
 {
     return rhw_select(rhw_equal(value, value), value, (f8)i8_splat(0x7fc00000));
 }
 
 // Any format, any blending. Not inline: it is large and seldom hot.
-static __attribute__((noinline)) void output_generic(const struct output_state *state, const f8 color[4],
-                                                     const i8 *mask, unsigned char *texels)
+static __attribute__((noinline)) void blend_general(const struct rhw_blend_state *state, const f8 color[4],
+                                                    const i8 *mask, unsigned char *texels)
 {
     const bool normalized = state->format == RHW_FORMAT_RGBA8_UNORM || state->format == RHW_FORMAT_RGBA8_SRGB;
     f8 src[4], dst[4], result[4];
-    output_load(state->format, texels, dst);
+    load_target(state->format, texels, dst);
     for (int i = 0; i < 4; i++) {
         src[i] = normalized ? rhw_saturate(color[i]) : color[i];
     }
     for (int i = 0; i < 4; i++) {
-        const f8 value = state->blend ? output_blend(state, src, dst, i) : src[i];
-        result[i] = state->write_mask >> i & 1 ? output_canonical(value) : dst[i];
+        const f8 value = state->blend ? blend_channel(state, src, dst, i) : src[i];
+        result[i] = state->write_mask >> i & 1 ? canonical_nan(value) : dst[i];
     }
-    output_store(state, result, *mask, texels);
+    store_target(state, result, *mask, texels);
 }
 
-// Merges 8 fragments into the 8 texels at `texels`, in the target's format; lanes whose mask is 0 keep
+// Blends 8 fragments into the 8 texels at `texels`, in the target's format; lanes whose mask is 0 keep
 // theirs.
-static inline void output_group(const struct output_state *state, const f8 color[4], i8 mask,
-                                unsigned char *texels)
+static inline void blend_group(const struct rhw_blend_state *state, const f8 color[4], i8 mask,
+                               unsigned char *texels)
 {
-    switch (state->kind) {
-    case OUTPUT_NOTHING: break;
-    case OUTPUT_RGBA8_REPLACE:
-    case OUTPUT_RGBA8_MASKED: {
+    switch (state->path) {
+    case BLEND_NOTHING: break;
+    case BLEND_RGBA8_REPLACE:
+    case BLEND_RGBA8_MASKED: {
         f8 scaled[4];
         for (int i = 0; i < 4; i++) {
             scaled[i] = color[i] * 255.0f;
         }
         const i8 packed = i8_bytes_from_f8(scaled);
-        if (state->kind == OUTPUT_RGBA8_REPLACE) {
-            output_store32(texels, packed, mask);
+        if (state->path == BLEND_RGBA8_REPLACE) {
+            store_words(texels, packed, mask);
         } else {
-            output_store32_bits(texels, packed, mask & i8_splat((int32_t)state->texel_mask));
+            store_word_bits(texels, packed, mask & i8_splat((int32_t)state->texel_mask));
         }
         break;
     }
-    case OUTPUT_RGBA8_OVER: output_rgba8_over(state, color, mask, texels); break;
-    case OUTPUT_SRGB8_REPLACE: {
-        const i8 packed = output_pack(output_srgb8(color[0]), output_srgb8(color[1]), output_srgb8(color[2]),
-                                      output_unorm8(rhw_saturate(color[3])));
-        output_store32_bits(texels, packed, mask & i8_splat((int32_t)state->texel_mask));
+    case BLEND_RGBA8_OVER: blend_rgba8_over(state, color, mask, texels); break;
+    case BLEND_SRGB8_REPLACE: {
+        const i8 packed = pack_bytes(srgb8_from_float(color[0]), srgb8_from_float(color[1]),
+                                     srgb8_from_float(color[2]), unorm8_from_float(rhw_saturate(color[3])));
+        store_word_bits(texels, packed, mask & i8_splat((int32_t)state->texel_mask));
         break;
     }
-    case OUTPUT_UINT_REPLACE: output_store32(texels, (i8)color[0], mask); break;
-    case OUTPUT_FLOAT_REPLACE: {
+    case BLEND_UINT_REPLACE: store_words(texels, (i8)color[0], mask); break;
+    case BLEND_FLOAT_REPLACE: {
         f8 value[4];
         for (int i = 0; i < 4; i++) {
-            value[i] = output_canonical(color[i]);
+            value[i] = canonical_nan(color[i]);
         }
-        output_store(state, value, mask, texels);
+        store_target(state, value, mask, texels);
         break;
     }
-    case OUTPUT_GENERIC: output_generic(state, color, &mask, texels); break;
+    case BLEND_GENERAL: blend_general(state, color, &mask, texels); break;
     }
 }
 
