@@ -2,6 +2,7 @@
 // Which of the kernels' functions samples a texture: chosen once, when it is bound.
 #include "binding.h"
 
+#include "format.h"
 #include "kernels/kernels.h"
 #include "sampler.h"
 #include "texture.h"
@@ -10,10 +11,10 @@ static rhw_sample_function *sample_function(const struct rhw_kernels *kernels,
                                             const struct rhw_texture_data *texture,
                                             const struct rhw_sampler_data *sampler)
 {
-    if (texture && sampler->filters_fixed && texture->format == RHW_FORMAT_RGBA8_UNORM) {
+    if (texture && sampler->filters_fixed && texture->info->path == RHW_TEXELS_RGBA8_UNORM) {
         return kernels->sample_unorm8;
     }
-    if (texture && sampler->filters_fixed && texture->format == RHW_FORMAT_RGBA8_SRGB) {
+    if (texture && sampler->filters_fixed && texture->info->path == RHW_TEXELS_RGBA8_SRGB) {
         return kernels->sample_srgb8;
     }
     return kernels->sample_float;

@@ -4,7 +4,7 @@
 #ifndef RHW_BLEND_STATE_H
 #define RHW_BLEND_STATE_H
 
-#include "rhw/types.h"
+#include "format.h"
 
 // The path that a draw takes through the kernel.
 enum rhw_blend_path {
@@ -20,12 +20,12 @@ enum rhw_blend_path {
 
 struct rhw_blend_state {
     enum rhw_blend_path path;
-    enum rhw_format format;
+    const struct rhw_format_info *format;
     bool blend;                // false too where blending is replacement spelled out
     bool color_one, alpha_one; // the source factor is ONE
     bool replaces;             // the whole texel, whatever it was
     uint8_t write_mask;        // only channels that the format has
-    uint32_t texel_mask;       // 8-bit formats: 0xff in each byte that is written
+    uint32_t texel_mask;       // 0xff in each byte that is written; all bits where channels are no bytes
     struct rhw_blend_component color, alpha;
     float constant[4]; // clamped to 0..1 for UNORM and SRGB formats
 };
@@ -34,11 +34,8 @@ struct rhw_blend_state {
 void rhw_blend_state_init(struct rhw_blend_state *state, const struct rhw_color_target *target,
                           const float constant[4]);
 
-// The texel that clearing writes, in the first rhw_format_size(format) bytes of `texel`. Colour formats
-// round as blending does; R32_UINT converts clear[0] with truncation and saturation, NaN to 0.
-void rhw_clear_texel(enum rhw_format format, const float clear[4], unsigned char texel[16]);
-
-// The value, or one quiet NaN for every NaN: which NaN an operation gives depends on the processor.
-float rhw_canonical(float value);
+// The texel that clearing writes: format->size bytes. Colour formats round as blending does; UINT32 channels are converted
+// with truncation and saturation, NaN to 0.
+void rhw_clear_texel(const struct rhw_format_info *format, const float clear[4], unsigned char *texel);
 
 #endif

@@ -8,9 +8,9 @@
 #ifndef RHW_DRAW_LIST_H
 #define RHW_DRAW_LIST_H
 
+#include "blend_state.h"
 #include "draw_plan.h"
 #include "hidden_surface.h"
-#include "blend_state.h"
 #include "rhw/shader.h"
 #include "triangle.h"
 

@@ -21,7 +21,7 @@ struct rhw_hidden_rule rhw_hidden_rule_of(const struct rhw_pipeline_data *pipeli
                                           const struct rhw_blend_state *blend, int color_count)
 {
     const struct rhw_pipeline_def *const def = &pipeline->def;
-    if (!shades_opaque_texels(pipeline, outputs, color_count)) {
+    if (!shades_opaque_texels(pipeline, blend, color_count)) {
         return in_order;
     }
     if (!def->depth_test) {

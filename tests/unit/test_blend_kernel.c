@@ -404,7 +404,7 @@ static void test_clear_values_are_what_drawing_writes(void **state)
         }
         unsigned char texels[TEXELS * TEXEL_BYTES], cleared[16];
         baseline->blend(&blend, color, &all, texels);
-        rhw_clear_texel(format, value, cleared);
+        rhw_clear_texel(rhw_format_info(format), value, cleared);
         assert_memory_equal(cleared, texels, rhw_format_size(format));
     }
     static const struct {
@@ -422,7 +422,7 @@ static void test_clear_values_are_what_drawing_writes(void **state)
         const float value[4] = {integers[i].value, 0, 0, 0};
         unsigned char cleared[16];
         uint32_t word;
-        rhw_clear_texel(RHW_FORMAT_R32_UINT, value, cleared);
+        rhw_clear_texel(rhw_format_info(RHW_FORMAT_R32_UINT), value, cleared);
         memcpy(&word, cleared, sizeof word);
         assert_int_equal(word, integers[i].word);
     }

@@ -8,56 +8,12 @@
 #define RHW_BLEND_H
 
 #include "../../blend_state.h"
-#include "../../simd_layout.h"
-#include "../../srgb.h"
-
-// 2^23: from here on floats have no fraction, so adding it rounds a value of 0..255 to nearest, ties to
-// even, and leaves the integer in the low bits. The same on every instruction set, and needs no conversion.
-static const float rounding_magic = 0x1p23f;
-
-// 8 values of 0..1, each as an integer in the low byte of its lane, rubbish above.
-RHW_INLINE i8 unorm8_from_float(f8 value)
-{
-    return (i8)(value * 255.0f + rounding_magic);
-}
-
-// Puts four low bytes together. What stands above the byte in `r` is masked, in the others shifted out or
-// (in g and b) zero: the magic number's own bits lie in the top byte.
-RHW_INLINE i8 pack_bytes(i8 r, i8 g, i8 b, i8 a)
-{
-    return (r & 0xff) | (g << 8) | (b << 16) | (a << 24);
-}
-
-RHW_INLINE void store_words(unsigned char *texels, i8 value, i8 mask)
-{
-    i8_store(texels, rhw_select_int(mask, value, i8_load(texels)));
-}
-
-// As above where the mask is not all or nothing per lane.
-RHW_INLINE void store_word_bits(unsigned char *texels, i8 value, i8 mask)
-{
-    const i8 old = i8_load(texels);
-    i8_store(texels, old ^ ((old ^ value) & mask));
-}
+#include "../texel/texel_codec.h"
 
 // The byte at `shift` of each lane as a float; exact.
 RHW_INLINE f8 byte_to_float(i8 texel, int shift)
 {
     return rhw_to_float((i8)((texel >> shift) & 0xff));
-}
-
-// sRGB code of values in any range, in the low byte of each lane, zero above. See srgb.h.
-RHW_INLINE i8 srgb8_from_float(f8 linear)
-{
-    const i8 bits = (i8)rhw_clamp(linear, rhw_splat(0x1p-13f), rhw_splat(1.0f));
-    const i8 bucket = (bits >> 16) - RHW_SRGB_ENCODE_FIRST;
-    const i8 entry = i8_gather(rhw_srgb_encode_table, bucket);
-    return (entry + (bits & 0xffff)) >> 16;
-}
-
-RHW_INLINE f8 srgb8_to_float(i8 texel, int shift)
-{
-    return (f8)i8_gather(rhw_srgb_decode_table, (texel >> shift) & 0xff);
 }
 
 // RGBA8 blending with factors (SRC_ALPHA or ONE, ONE_MINUS_SRC_ALPHA), on the scale 0..255, which saves
@@ -80,81 +36,12 @@ static inline void blend_rgba8_over(const struct rhw_blend_state *state, const f
     i8_store(texels, old ^ ((old ^ packed) & written));
 }
 
-// 8 texels of four floats or halves to one vector per channel, and back.
-static inline void load_rows(const unsigned char *texels, bool half, f8 value[4])
-{
-    f4 row[RHW_LANES];
-    for (int i = 0; i < RHW_LANES; i++) {
-        if (half) {
-            row[i] = f4_load_halves(texels + 8 * i);
-        } else {
-            memcpy(&row[i], texels + 16 * i, sizeof row[i]);
-        }
-    }
-    f4_columns(row, value);
-}
-
-static inline void store_rows(unsigned char *texels, bool half, const f8 value[4], i8 mask)
-{
-    f4 row[RHW_LANES];
-    f4_rows(value, row);
-    const int live = rhw_mask_bits(mask);
-    for (int i = 0; i < RHW_LANES; i++) {
-        if (!(live >> i & 1)) {
-            continue;
-        }
-        if (half) {
-            f4_store_halves(texels + 8 * i, row[i]);
-        } else {
-            memcpy(texels + 16 * i, &row[i], sizeof row[i]);
-        }
-    }
-}
-
-// The destination in linear floats. Channels the format lacks read 0, 0, 0, 1.
-static inline void load_target(enum rhw_format format, const unsigned char *texels, f8 value[4])
-{
-    value[0] = value[1] = value[2] = rhw_splat(0.0f);
-    value[3] = rhw_splat(1.0f);
-    switch (format) {
-    case RHW_FORMAT_RGBA8_UNORM:
-    case RHW_FORMAT_RGBA8_SRGB: {
-        const i8 texel = i8_load(texels);
-        for (int i = 0; i < 3; i++) {
-            value[i] = format == RHW_FORMAT_RGBA8_SRGB ? srgb8_to_float(texel, 8 * i)
-                                                       : byte_to_float(texel, 8 * i) / 255.0f;
-        }
-        value[3] = byte_to_float(texel, 24) / 255.0f;
-        break;
-    }
-    case RHW_FORMAT_RGBA16_FLOAT: load_rows(texels, true, value); break;
-    case RHW_FORMAT_R32_FLOAT: value[0] = f8_load(texels); break;
-    case RHW_FORMAT_RGBA32_FLOAT: load_rows(texels, false, value); break;
-    default: break;
-    }
-}
-
 static inline void store_target(const struct rhw_blend_state *state, const f8 value[4], i8 mask,
                                 unsigned char *texels)
 {
-    switch (state->format) {
-    case RHW_FORMAT_RGBA8_UNORM:
-    case RHW_FORMAT_RGBA8_SRGB: {
-        i8 byte[4];
-        for (int i = 0; i < 4; i++) {
-            byte[i] = state->format == RHW_FORMAT_RGBA8_SRGB && i < 3
-                          ? srgb8_from_float(value[i])
-                          : unorm8_from_float(rhw_saturate(value[i]));
-        }
-        store_word_bits(texels, pack_bytes(byte[0], byte[1], byte[2], byte[3]),
-                        mask & i8_splat((int32_t)state->texel_mask));
-        break;
-    }
-    case RHW_FORMAT_RGBA16_FLOAT: store_rows(texels, true, value, mask); break;
-    case RHW_FORMAT_R32_FLOAT: store_words(texels, (i8)value[0], mask); break;
-    case RHW_FORMAT_RGBA32_FLOAT: store_rows(texels, false, value, mask); break;
-    default: break;
-    }
+    struct raw_texels raw;
+    encode_texels(state->format, value, &raw);
+    store_texel_row(state->format->size, &raw, mask, state->texel_mask, texels);
 }
 
 // Factor of channel `i` (3: alpha).
@@ -207,9 +94,11 @@ RHW_INLINE f8 canonical_nan(f8 value)
 static __attribute__((noinline)) void blend_general(const struct rhw_blend_state *state, const f8 color[4],
                                                     const i8 *mask, unsigned char *texels)
 {
-    const bool normalized = state->format == RHW_FORMAT_RGBA8_UNORM || state->format == RHW_FORMAT_RGBA8_SRGB;
+    const bool normalized = rhw_codec_is_normalized(state->format->codec);
+    struct raw_texels raw;
     f8 src[4], dst[4], result[4];
-    load_target(state->format, texels, dst);
+    load_texel_row(state->format->size, texels, &raw);
+    decode_texels(state->format, &raw, dst);
     for (int i = 0; i < 4; i++) {
         src[i] = normalized ? rhw_saturate(color[i]) : color[i];
     }
@@ -229,11 +118,7 @@ static inline void blend_group(const struct rhw_blend_state *state, const f8 col
     case BLEND_NOTHING: break;
     case BLEND_RGBA8_REPLACE:
     case BLEND_RGBA8_MASKED: {
-        f8 scaled[4];
-        for (int i = 0; i < 4; i++) {
-            scaled[i] = color[i] * 255.0f;
-        }
-        const i8 packed = i8_bytes_from_f8(scaled);
+        const i8 packed = unorm8_texels(color);
         if (state->path == BLEND_RGBA8_REPLACE) {
             store_words(texels, packed, mask);
         } else {
@@ -243,9 +128,7 @@ static inline void blend_group(const struct rhw_blend_state *state, const f8 col
     }
     case BLEND_RGBA8_OVER: blend_rgba8_over(state, color, mask, texels); break;
     case BLEND_SRGB8_REPLACE: {
-        const i8 packed = pack_bytes(srgb8_from_float(color[0]), srgb8_from_float(color[1]),
-                                     srgb8_from_float(color[2]), unorm8_from_float(rhw_saturate(color[3])));
-        store_word_bits(texels, packed, mask & i8_splat((int32_t)state->texel_mask));
+        store_word_bits(texels, srgb8_texels(color), mask & i8_splat((int32_t)state->texel_mask));
         break;
     }
     case BLEND_UINT_REPLACE: store_words(texels, (i8)color[0], mask); break;

@@ -17,18 +17,21 @@
 // What one call needs at every level. s and t are folded coordinates.
 struct float_source {
     const struct rhw_texture_data *texture;
+    const struct rhw_format_info *format; // of the texture
     const struct rhw_sampler_data *sampler;
     bool border; // along u or v
     f8 s, t;
 };
 
-// As fetch_texels, for coordinates that may lie outside the level.
-static inline void fetch_wrapped(const struct float_source *source, const struct rhw_mip *mip, i8 x, i8 y,
-                                 f8 texel[4])
+// Texels (x, y) of a level as floats, colour linear; coordinates may lie outside the level.
+static inline void fetch_texels(const struct float_source *source, const struct rhw_mip *mip, i8 x, i8 y,
+                                f8 texel[4])
 {
     const struct rhw_sampler_data *const sampler = source->sampler;
-    fetch_texels(source->texture->format, mip, wrap_coordinate(sampler->def.address_u, x, mip->width),
-                 wrap_coordinate(sampler->def.address_v, y, mip->height), texel);
+    struct raw_texels raw;
+    gather_texels(source->format->size, mip, wrap_coordinate(sampler->def.address_u, x, mip->width),
+                  wrap_coordinate(sampler->def.address_v, y, mip->height), &raw);
+    decode_texels(source->format, &raw, texel);
     i8 outside = i8_splat(0);
     if (!source->border) {
         return;
@@ -57,7 +60,7 @@ static inline void filter_nearest(const struct float_source *source, const struc
     if (source->sampler->def.address_v != RHW_ADDRESS_BORDER) {
         y = rhw_min_int(y, i8_splat(mip->height - 1));
     }
-    fetch_wrapped(source, mip, x, y, texel);
+    fetch_texels(source, mip, x, y, texel);
 }
 
 static inline void filter_bilinear(const struct float_source *source, const struct rhw_mip *mip, f8 texel[4])
@@ -68,7 +71,7 @@ static inline void filter_bilinear(const struct float_source *source, const stru
     const i8 x0 = rhw_to_int_unchecked(left), y0 = rhw_to_int_unchecked(top);
     f8 footprint[4][4];
     for (int i = 0; i < 4; i++) {
-        fetch_wrapped(source, mip, x0 + (i & 1), y0 + (i >> 1), footprint[i]);
+        fetch_texels(source, mip, x0 + (i & 1), y0 + (i >> 1), footprint[i]);
     }
     for (int i = 0; i < 4; i++) {
         const f8 above = rhw_mix(footprint[0][i], footprint[1][i], weight_x);
@@ -82,7 +85,7 @@ static inline void filter_bilinear(const struct float_source *source, const stru
 static inline void filter_level(const struct float_source *source, const struct rhw_mip *mip,
                                 enum rhw_filter filter, f8 texel[4])
 {
-    if (filter == RHW_FILTER_LINEAR && source->texture->format == RHW_FORMAT_RGBA8_SRGB && !source->border) {
+    if (filter == RHW_FILTER_LINEAR && source->format->path == RHW_TEXELS_RGBA8_SRGB && !source->border) {
         // Those of the linear copy, as everywhere: its values differ a little from those that the table has.
         unpack_fixed(filter_fixed(source->sampler, mip, source->s, source->t, RHW_CODEC_SRGB8), texel);
     } else if (filter == RHW_FILTER_LINEAR) {
@@ -125,9 +128,13 @@ static __attribute__((noinline)) void sample_float(const struct rhw_binding *bin
     const struct rhw_texture_data *const texture = binding->texture;
     const struct rhw_sampler_data *const sampler = binding->sampler;
     const struct rhw_sampler_def *const def = &sampler->def;
-    const struct float_source source = {
-        texture, sampler, def->address_u == RHW_ADDRESS_BORDER || def->address_v == RHW_ADDRESS_BORDER,
-        fold_coordinate(def->address_u, uv[0]), fold_coordinate(def->address_v, uv[1])};
+    const struct float_source source = {.texture = texture,
+                                        .format = texture->info,
+                                        .sampler = sampler,
+                                        .border = def->address_u == RHW_ADDRESS_BORDER ||
+                                                  def->address_v == RHW_ADDRESS_BORDER,
+                                        .s = fold_coordinate(def->address_u, uv[0]),
+                                        .t = fold_coordinate(def->address_v, uv[1])};
     const f8 zero = rhw_splat(0.0f);
     const f8 limited = rhw_clamp(level_of_detail(texture, sampler, grad, lod), rhw_splat(def->lod_min),
                                  rhw_splat(def->lod_max));
