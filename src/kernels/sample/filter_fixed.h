@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // The fixed-point path of the sampler: textures of 8 bits, LINEAR, no border, which is what most are. A texel's four
-// channels stand as 16-bit numbers, 255 · 128 for 1, two in each 32-bit lane, and are mixed with weights of 15 bits: one
-// multiplication serves two channels, and no step is off by more than half a unit. Equal texels mix to exactly
+// channels stand as 16-bit numbers, 255 · 128 for 1, two in each 32-bit lane, and are mixed with weights of 15 bits:
+// one multiplication serves two channels, and no step is off by more than half a unit. Equal texels mix to exactly
 // themselves. RGBA8_UNORM texels are widened when they are loaded; RGBA8_SRGB texels stand so in memory, decoded
 // (srgb_texture.h).
 //
