@@ -67,12 +67,7 @@ static const struct expectation expected[] = {
      {0, 0, 0x80, 0x3e, 0, 0, 0, 0x3f, 0, 0, 0x40, 0x3f, 0, 0, 0x80, 0x3f},
      {0.25f, 0.5f, 0.75f, 1}},
     {NAMED(RHW_FORMAT_R32_UINT), 4, COLOR, {70000.75f, 0.5f, 0.75f, 1}, {0x70, 0x11, 0x01, 0}, {0}},
-    {NAMED(RHW_FORMAT_D32_FLOAT),
-     4,
-     SAMPLED | DEPTH,
-     {0.25f, 0, 0, 0},
-     {0, 0, 0x80, 0x3e},
-     {0.25f, 0, 0, 1}},
+    {NAMED(RHW_FORMAT_D32_FLOAT), 4, SAMPLED | DEPTH, {0.25f, 0, 0, 0}, {0, 0, 0x80, 0x3e}, {0.25f, 0, 0, 1}},
 };
 enum { ROWS = sizeof expected / sizeof expected[0], SIDE = 9, TEXELS = SIDE * SIDE };
 

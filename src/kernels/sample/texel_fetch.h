@@ -78,12 +78,12 @@ RHW_INLINE void gather_texels(size_t size, const struct rhw_mip *mip, i8 x, i8 y
         return;
     }
     spill_lanes(number, at);
-    const unsigned char *place[RHW_LANES];
+    const void *place[RHW_LANES];
     for (int i = 0; i < RHW_LANES; i++) {
         place[i] = mip->texels + at[i] * size;
     }
     if (size == 16) {
-        load_large_texels(place, 16, raw);
+        load_texels16(place, raw);
     } else {
         load_small_texels(place, size, raw);
     }

@@ -116,31 +116,25 @@ RHW_INLINE void encode_texels(const struct rhw_format_info *format, const f8 val
     }
 }
 
-// Rows -----------------------------------------------------------------------------------------------
+// Loads and stores -----------------------------------------------------------------------------------
 
-// 8 texels of `size` bytes, a constant, that begin at these places. For 8 and 16 bytes.
-RHW_INLINE void load_large_texels(const unsigned char *const place[RHW_LANES], size_t size,
-                                  struct raw_texels *raw)
+// 8 texels of 16 bytes that begin at these places.
+RHW_INLINE void load_texels16(const void *const place[RHW_LANES], struct raw_texels *raw)
 {
-    f4 row[RHW_LANES];
-    for (int i = 0; i < RHW_LANES; i++) {
-        row[i] = (f4){0, 0, 0, 0};
-        memcpy(&row[i], place[i], size);
-    }
     f8 column[4];
-    f4_columns(row, column);
+    f8_load_columns(place, column);
     for (int w = 0; w < 4; w++) {
         raw->word[w] = (i8)column[w];
     }
 }
 
 // 8 texels of `size` bytes, 1 or 2, that begin at these places.
-RHW_INLINE void load_small_texels(const unsigned char *const place[RHW_LANES], size_t size,
-                                  struct raw_texels *raw)
+RHW_INLINE void load_small_texels(const void *const place[RHW_LANES], size_t size, struct raw_texels *raw)
 {
     int32_t word[RHW_LANES];
     for (int i = 0; i < RHW_LANES; i++) {
-        word[i] = place[i][0] | (size == 2 ? place[i][1] << 8 : 0);
+        const unsigned char *const byte = place[i];
+        word[i] = byte[0] | (size == 2 ? byte[1] << 8 : 0);
     }
     raw->word[0] = i8_load(word);
 }
@@ -148,15 +142,24 @@ RHW_INLINE void load_small_texels(const unsigned char *const place[RHW_LANES], s
 // 8 texels in a row.
 RHW_INLINE void load_texel_row(size_t size, const unsigned char *texels, struct raw_texels *raw)
 {
-    const unsigned char *place[RHW_LANES];
+    if (size == 4) {
+        raw->word[0] = i8_load(texels);
+        return;
+    }
+    if (size == 8) {
+        const i8 a = i8_load(texels), b = i8_load(texels + 32);
+        raw->word[0] = __builtin_shufflevector(a, b, 0, 2, 4, 6, 8, 10, 12, 14);
+        raw->word[1] = __builtin_shufflevector(a, b, 1, 3, 5, 7, 9, 11, 13, 15);
+        return;
+    }
+    const void *place[RHW_LANES];
     for (int i = 0; i < RHW_LANES; i++) {
         place[i] = texels + (size_t)i * size;
     }
-    switch (size) {
-    case 4: raw->word[0] = i8_load(texels); break;
-    case 8: load_large_texels(place, 8, raw); break;
-    case 16: load_large_texels(place, 16, raw); break;
-    default: load_small_texels(place, size, raw); break;
+    if (size == 16) {
+        load_texels16(place, raw);
+    } else {
+        load_small_texels(place, size, raw);
     }
 }
 
@@ -173,29 +176,47 @@ RHW_INLINE void store_word_bits(unsigned char *texels, i8 value, i8 mask)
     i8_store(texels, old ^ ((old ^ value) & mask));
 }
 
+// Stores the first `size` bytes, a constant, of each row of which `live` has a bit, texels side by side.
+RHW_INLINE void store_rows(const f4 row[RHW_LANES], unsigned live, size_t size, unsigned char *texels)
+{
+    for (int i = 0; i < RHW_LANES; i++) {
+        if (live >> i & 1) {
+            memcpy(texels + (size_t)i * size, &row[i], size);
+        }
+    }
+}
+
 // Stores 8 texels in a row, of lanes that are set in `mask`; of texels of 4 bytes, those bits that are set in
 // `texel_mask` too.
 RHW_INLINE void store_texel_row(size_t size, const struct raw_texels *raw, i8 mask, uint32_t texel_mask,
                                 unsigned char *texels)
 {
+    const i8 *const word = raw->word;
     if (size == 4) {
-        store_word_bits(texels, raw->word[0], mask & i8_splat((int32_t)texel_mask));
+        store_word_bits(texels, word[0], mask & i8_splat((int32_t)texel_mask));
+        return;
+    }
+    if (size == 8) {
+        store_words(texels, __builtin_shufflevector(word[0], word[1], 0, 8, 1, 9, 2, 10, 3, 11),
+                    __builtin_shufflevector(mask, mask, 0, 0, 1, 1, 2, 2, 3, 3));
+        store_words(texels + 32, __builtin_shufflevector(word[0], word[1], 4, 12, 5, 13, 6, 14, 7, 15),
+                    __builtin_shufflevector(mask, mask, 4, 4, 5, 5, 6, 6, 7, 7));
         return;
     }
     f4 row[RHW_LANES];
-    const f8 column[4] = {(f8)raw->word[0], (f8)raw->word[1], (f8)raw->word[2], (f8)raw->word[3]};
+    const unsigned live = (unsigned)rhw_mask_bits(mask);
+    if (size == 16) {
+        const f8 column[4] = {(f8)word[0], (f8)word[1], (f8)word[2], (f8)word[3]};
+        f4_rows(column, row);
+        store_rows(row, live, 16, texels);
+        return;
+    }
+    const f8 zero = rhw_splat(0.0f), column[4] = {(f8)word[0], zero, zero, zero};
     f4_rows(column, row);
-    const int live = rhw_mask_bits(mask);
-    for (int i = 0; i < RHW_LANES; i++) {
-        if (!(live >> i & 1)) {
-            continue;
-        }
-        unsigned char *const to = texels + (size_t)i * size;
-        switch (size) {
-        case 8: memcpy(to, &row[i], 8); break;
-        case 16: memcpy(to, &row[i], 16); break;
-        default: memcpy(to, &row[i], size); break;
-        }
+    if (size == 2) {
+        store_rows(row, live, 2, texels);
+    } else {
+        store_rows(row, live, 1, texels);
     }
 }
 
