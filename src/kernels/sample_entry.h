@@ -3,7 +3,7 @@
 #ifndef RHW_SAMPLE_ENTRY_H
 #define RHW_SAMPLE_ENTRY_H
 
-#include "isa_name.h"
+#include "rhw/isa.h"
 #include "kernels.h"
 
 rhw_sample_function RHW_ISA_NAME(rhw_sample_float);

@@ -15,7 +15,7 @@ static void prepare_constant(struct tile_work *work)
     for (int t = 0; t < work->pass->color_count; t++) {
         if (work->state->blend[t].path == BLEND_RGBA8_REPLACE) {
             blend_group(&work->state->blend[t], queue->colors[0][t], i8_splat(-1),
-                         (unsigned char *)&work->scratch->constant[t]);
+                        (unsigned char *)&work->scratch->constant[t]);
         }
     }
     work->constant_is_ready = true;

@@ -29,8 +29,8 @@ static inline void fetch_texels(const struct float_source *source, const struct 
 {
     const struct rhw_sampler_data *const sampler = source->sampler;
     struct raw_texels raw;
-    gather_texels(source->format->size, mip, wrap_coordinate(sampler->def.address_u, x, mip->width),
-                  wrap_coordinate(sampler->def.address_v, y, mip->height), &raw);
+    fetch_raw_texels(source->format->size, mip, wrap_coordinate(sampler->def.address_u, x, mip->width),
+                     wrap_coordinate(sampler->def.address_v, y, mip->height), &raw);
     decode_texels(source->format, &raw, texel);
     i8 outside = i8_splat(0);
     if (!source->border) {

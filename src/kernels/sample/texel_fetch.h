@@ -64,7 +64,7 @@ RHW_INLINE void spill_lanes(i8 lanes, uint32_t numbers[RHW_LANES])
 }
 
 // Texels (x, y) of a level, of `size` bytes each.
-RHW_INLINE void gather_texels(size_t size, const struct rhw_mip *mip, i8 x, i8 y, struct raw_texels *raw)
+RHW_INLINE void fetch_raw_texels(size_t size, const struct rhw_mip *mip, i8 x, i8 y, struct raw_texels *raw)
 {
     if (size == 4) {
         raw->word[0] = i8_gather(mip->texels, texel_number((x << 16) | y, mip));
