@@ -206,9 +206,7 @@ static void reset(struct rhw_pass_state *pass, const struct rhw_pass_def *def)
     pass->pending_changed = true;
     pass->uniforms = NULL;
     pass->uniform_size = 0;
-    for (int i = 0; i < RHW_MAX_TEXTURES; i++) {
-        pass->pending_textures[i] = rhw_binding_of(pass->context->kernels, NULL, NULL);
-    }
+    rhw_bindings_init(&pass->pending_textures, pass->context->kernels);
     pass->textures_changed = true;
 }
 
@@ -389,9 +387,9 @@ void rhw_pass_set_texture(rhw_context *context, rhw_pass id, int slot, rhw_textu
         rhw_pool_use(&context->textures, texture_id.index, context->pass_generation);
         rhw_pool_use(&context->samplers, sampler_id.index, context->pass_generation);
     }
-    struct rhw_binding *const pending = &pass->pending_textures[slot];
+    struct rhw_binding *const pending = &pass->pending_textures.slot[slot];
     if (pending->texture != texture || pending->sampler != sampler) {
-        *pending = rhw_binding_of(context->kernels, texture, sampler);
+        *pending = rhw_binding_of(context->kernels, context->paths, texture, sampler);
         pass->textures_changed = true;
         pass->pending_changed = true;
     }
@@ -479,12 +477,11 @@ static const struct rhw_draw_state *snapshot(struct rhw_pass_state *pass)
         return NULL;
     }
     if (pass->textures_changed) {
-        struct rhw_binding *const textures =
-            rhw_arena_alloc(&pass->arena, sizeof pass->pending_textures, RHW_CACHE_LINE);
+        struct rhw_bindings *const textures = rhw_arena_alloc(&pass->arena, sizeof *textures, RHW_CACHE_LINE);
         if (!textures) {
             return NULL;
         }
-        memcpy(textures, pass->pending_textures, sizeof pass->pending_textures);
+        *textures = pass->pending_textures;
         pass->pending.textures = textures;
         pass->textures_changed = false;
     }

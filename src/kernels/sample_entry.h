@@ -9,6 +9,8 @@
 rhw_sample_function RHW_ISA_NAME(rhw_sample_float);
 rhw_sample_function RHW_ISA_NAME(rhw_sample_unorm8);
 rhw_sample_function RHW_ISA_NAME(rhw_sample_srgb8);
+rhw_sample_function RHW_ISA_NAME(rhw_sample_unorm8_general);
+rhw_sample_function RHW_ISA_NAME(rhw_sample_srgb8_general);
 rhw_sample_groups_function RHW_ISA_NAME(rhw_sample_groups);
 
 #endif

@@ -12,6 +12,7 @@
 #ifndef RHW_FILTER_FIXED_H
 #define RHW_FILTER_FIXED_H
 
+#include "../../binding.h"
 #include "lod.h"
 #include "sample_constants.h"
 #include "texel_fetch.h"
@@ -187,11 +188,15 @@ RHW_INLINE struct fixed_texels filter_interior(const struct rhw_mip *mip, const 
     return mix_footprint(texel, footprint, codec);
 }
 
+// Whether footprints away from the edges are told from others; a constant where a call names it.
+enum footprint_path { FOOTPRINTS_WRAPPED, FOOTPRINTS_INTERIOR };
+
 RHW_INLINE struct fixed_texels filter_fixed(const struct rhw_sampler_data *sampler, const struct rhw_mip *mip,
-                                            f8 s, f8 t, enum rhw_texel_codec codec)
+                                            f8 s, f8 t, enum rhw_texel_codec codec, enum footprint_path path)
 {
     const struct footprint footprint = footprint_at(mip, s, t);
-    if (mip->interior[0] >= 0 && !i8_any_bit(i8_over_halves(footprint.xy, i8_load(mip->interior)))) {
+    if (path == FOOTPRINTS_INTERIOR && mip->interior[0] >= 0 &&
+        !i8_any_bit(i8_over_halves(footprint.xy, i8_load(mip->interior)))) {
         return filter_interior(mip, &footprint, codec);
     }
     const i8 xy = footprint.xy; // a copy, so that the one in registers stays there
@@ -226,9 +231,8 @@ RHW_INLINE void mix_levels(struct fixed_texels a, struct fixed_texels b, i8 weig
 
 // Any lanes: one level after the other, each with the next where a lane has a weight there. A weight of 0
 // leaves a lane as it is.
-RHW_INLINE void sample_fixed_levels(const struct rhw_texture_data *texture,
-                                    const struct rhw_sampler_data *sampler, f8 s, f8 t, i8 lod,
-                                    enum rhw_texel_codec codec, f8 texel[4])
+RHW_INLINE void sample_fixed_levels(const struct rhw_binding *binding, f8 s, f8 t, i8 lod,
+                                    enum rhw_texel_codec codec, enum footprint_path path, f8 texel[4])
 {
     const i8 level = lod >> 16, weight = i8_halve_lower(lod);
     struct fixed_texels result = {i8_splat(0), i8_splat(0)};
@@ -236,10 +240,11 @@ RHW_INLINE void sample_fixed_levels(const struct rhw_texture_data *texture,
         const int first = level[__builtin_ctz(todo)];
         const i8 same = rhw_equal_int(level, i8_splat(first));
         todo &= ~(unsigned)rhw_mask_bits(same);
-        const struct rhw_mip *const mip = mip_at(texture, first);
-        struct fixed_texels fixed = filter_fixed(sampler, mip, s, t, codec);
+        const struct rhw_mip *const mip = mip_at(binding->texture, first);
+        struct fixed_texels fixed = filter_fixed(binding->sampler, mip, s, t, codec, path);
         if (i8_any_bit(weight & same)) {
-            fixed = mix_fixed(fixed, filter_fixed(sampler, mip + 1, s, t, codec), weight, codec);
+            const struct fixed_texels next = filter_fixed(binding->sampler, mip + 1, s, t, codec, path);
+            fixed = mix_fixed(fixed, next, weight, codec);
         }
         result.rb = rhw_select_int(same, fixed.rb, result.rb);
         result.ga = rhw_select_int(same, fixed.ga, result.ga);
@@ -247,27 +252,40 @@ RHW_INLINE void sample_fixed_levels(const struct rhw_texture_data *texture,
     unpack_fixed(without_negation(result, codec), texel);
 }
 
-static __attribute__((noinline)) void sample_fixed_general(const struct rhw_texture_data *texture,
-                                                           const struct rhw_sampler_data *sampler, f8 s, f8 t,
-                                                           i8 lod, enum rhw_texel_codec codec, f8 texel[4])
+// Lanes that the fast path of sample_fixed is not for.
+static __attribute__((noinline)) void sample_fixed_apart(const struct rhw_binding *binding, f8 s, f8 t,
+                                                         i8 lod, enum rhw_texel_codec codec, f8 texel[4])
 {
     if (codec == RHW_CODEC_SRGB8) {
-        sample_fixed_levels(texture, sampler, s, t, lod, RHW_CODEC_SRGB8, texel);
+        sample_fixed_levels(binding, s, t, lod, RHW_CODEC_SRGB8, FOOTPRINTS_INTERIOR, texel);
     } else {
-        sample_fixed_levels(texture, sampler, s, t, lod, RHW_CODEC_UNORM8, texel);
+        sample_fixed_levels(binding, s, t, lod, RHW_CODEC_UNORM8, FOOTPRINTS_INTERIOR, texel);
     }
 }
 
 // Level of detail within the sampler's limits and the texture's levels, 16.16.
-RHW_INLINE i8 fixed_level_of_detail(const struct rhw_texture_data *texture,
-                                    const struct rhw_sampler_data *sampler, const f8 *grad, const f8 *lod)
+RHW_INLINE i8 fixed_level_of_detail(const struct rhw_binding *binding, const f8 *gradient, const f8 *lod)
 {
+    const struct rhw_texture_data *const texture = binding->texture;
+    const struct rhw_sampler_data *const sampler = binding->sampler;
     if (last_level(texture, sampler) == 0) {
         return i8_splat(0);
     }
-    const f8 limited = rhw_clamp(level_of_detail(texture, sampler, grad, lod), f8_load(sampler->lod_least),
-                                 f8_load(sampler->lod_most));
+    const f8 limited = rhw_clamp(level_of_detail(texture, sampler, gradient, lod),
+                                 f8_load(sampler->lod_least), f8_load(sampler->lod_most));
     return rhw_to_int_unchecked(rhw_min(limited, f8_load(texture->last_level)) * sample_constants()->one_16);
+}
+
+// The general path: whatever the lanes are, one level after the other, each texel wrapped.
+RHW_INLINE void sample_fixed_general(const struct rhw_binding *binding,
+                                     const struct rhw_sample_request *request, enum rhw_texel_codec codec,
+                                     f8 texel[4])
+{
+    const struct rhw_sampler_def *const def = &binding->sampler->def;
+    sample_fixed_levels(binding, fold_coordinate(def->address_u, request->coordinates[0]),
+                        fold_coordinate(def->address_v, request->coordinates[1]),
+                        fixed_level_of_detail(binding, request->gradient, request->lod), codec,
+                        FOOTPRINTS_WRAPPED, texel);
 }
 
 // Whether all lanes filter the same two levels, and some have a weight in the second.
@@ -290,18 +308,20 @@ RHW_INLINE bool interior_footprints(const struct rhw_mip *fine, f8 s, f8 t, stru
     return coarse->interior[0] >= 0 && !i8_any_of(over, over);
 }
 
-// The fast path, and the turn to the general one.
-RHW_INLINE void sample_fixed(const struct rhw_texture_data *texture, const struct rhw_sampler_data *sampler,
-                             const f8 uv[2], i8 lod, enum rhw_texel_codec codec, f8 texel[4])
+// The fast path, and the turn to the other.
+RHW_INLINE void sample_fixed(const struct rhw_binding *binding, const f8 uv[2], i8 lod,
+                             enum rhw_texel_codec codec, f8 texel[4])
 {
+    const struct rhw_texture_data *const texture = binding->texture;
+    const struct rhw_sampler_data *const sampler = binding->sampler;
     const f8 s = fold_coordinate(sampler->def.address_u, uv[0]);
     const f8 t = fold_coordinate(sampler->def.address_v, uv[1]);
     const i8 weight = i8_halve_lower(lod);
     if (same_two_levels(lod, weight)) {
         const struct rhw_mip *const fine = mip_at(texture, lod[0] >> 16), *const coarse = fine + 1;
         if (!I8_PERMUTES) { // 16-byte registers are too few for two levels at once
-            const struct fixed_texels a = filter_fixed(sampler, fine, s, t, codec);
-            const struct fixed_texels b = filter_fixed(sampler, coarse, s, t, codec);
+            const struct fixed_texels a = filter_fixed(sampler, fine, s, t, codec, FOOTPRINTS_INTERIOR);
+            const struct fixed_texels b = filter_fixed(sampler, coarse, s, t, codec, FOOTPRINTS_INTERIOR);
             mix_levels(a, b, weight, codec, texel);
             return;
         }
@@ -313,7 +333,7 @@ RHW_INLINE void sample_fixed(const struct rhw_texture_data *texture, const struc
             return;
         }
     }
-    sample_fixed_general(texture, sampler, s, t, lod, codec, texel);
+    sample_fixed_apart(binding, s, t, lod, codec, texel);
 }
 
 #endif

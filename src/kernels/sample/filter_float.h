@@ -87,7 +87,9 @@ static inline void filter_level(const struct float_source *source, const struct 
 {
     if (filter == RHW_FILTER_LINEAR && source->format->path == RHW_TEXELS_RGBA8_SRGB && !source->border) {
         // Those of the linear copy, as everywhere: its values differ a little from those that the table has.
-        unpack_fixed(filter_fixed(source->sampler, mip, source->s, source->t, RHW_CODEC_SRGB8), texel);
+        unpack_fixed(
+            filter_fixed(source->sampler, mip, source->s, source->t, RHW_CODEC_SRGB8, FOOTPRINTS_INTERIOR),
+            texel);
     } else if (filter == RHW_FILTER_LINEAR) {
         filter_bilinear(source, mip, texel);
     } else {
@@ -122,8 +124,8 @@ static inline void filter_levels(const struct float_source *source, i8 level, f8
     }
 }
 
-static __attribute__((noinline)) void sample_float(const struct rhw_binding *binding, const f8 uv[2],
-                                                   const f8 *grad, const f8 *lod, f8 texel[4])
+static __attribute__((noinline)) void sample_float(const struct rhw_binding *binding,
+                                                   const struct rhw_sample_request *request, f8 texel[4])
 {
     const struct rhw_texture_data *const texture = binding->texture;
     const struct rhw_sampler_data *const sampler = binding->sampler;
@@ -133,11 +135,11 @@ static __attribute__((noinline)) void sample_float(const struct rhw_binding *bin
                                         .sampler = sampler,
                                         .border = def->address_u == RHW_ADDRESS_BORDER ||
                                                   def->address_v == RHW_ADDRESS_BORDER,
-                                        .s = fold_coordinate(def->address_u, uv[0]),
-                                        .t = fold_coordinate(def->address_v, uv[1])};
+                                        .s = fold_coordinate(def->address_u, request->coordinates[0]),
+                                        .t = fold_coordinate(def->address_v, request->coordinates[1])};
     const f8 zero = rhw_splat(0.0f);
-    const f8 limited = rhw_clamp(level_of_detail(texture, sampler, grad, lod), rhw_splat(def->lod_min),
-                                 rhw_splat(def->lod_max));
+    const f8 limited = rhw_clamp(level_of_detail(texture, sampler, request->gradient, request->lod),
+                                 rhw_splat(def->lod_min), rhw_splat(def->lod_max));
     const f8 within = rhw_clamp(limited, zero, rhw_splat((float)last_level(texture, sampler)));
     const bool blended = def->mip_filter == RHW_MIP_FILTER_LINEAR;
     const f8 level = blended ? rhw_floor(within) : rhw_max(rhw_ceil(within - 0.5f), zero);

@@ -42,15 +42,15 @@ RHW_INLINE f8 half_log2(f8 a)
 // Level of detail after OpenGL ES 3.0 §3.8.10, biased but not yet limited. Half the logarithm of the squared
 // length spares the square root.
 RHW_INLINE f8 level_of_detail(const struct rhw_texture_data *texture, const struct rhw_sampler_data *sampler,
-                              const f8 *grad, const f8 *lod)
+                              const f8 *gradient, const f8 *lod)
 {
-    if (!grad) {
+    if (!gradient) {
         return (lod ? *lod : rhw_splat(0.0f)) + sampler->def.lod_bias;
     }
     const struct rhw_mip *const mip = &texture->mip[0];
     const f8 scale_x = f8_load(mip->scale_x), scale_y = f8_load(mip->scale_y);
-    const f8 ux = grad[0] * scale_x, vx = grad[1] * scale_y;
-    const f8 uy = grad[2] * scale_x, vy = grad[3] * scale_y;
+    const f8 ux = gradient[0] * scale_x, vx = gradient[1] * scale_y;
+    const f8 uy = gradient[2] * scale_x, vy = gradient[3] * scale_y;
     return half_log2(rhw_max(ux * ux + vx * vx, uy * uy + vy * vy)) + f8_load(sampler->gradient_bias);
 }
 

@@ -8,8 +8,8 @@
 
 #include <string.h>
 
+#include "../../format.h"
 #include "filter_fixed.h"
-#include "../sample_entry.h"
 
 // What 8 lanes filter in two levels of every texture of a size.
 struct footprint_pair {
@@ -18,38 +18,31 @@ struct footprint_pair {
     i8 weight;                  // of the next
 };
 
-RHW_INLINE bool is_filtered_fixed(const struct rhw_binding *binding)
-{
-    return binding->sample == RHW_ISA_NAME(rhw_sample_unorm8) ||
-           binding->sample == RHW_ISA_NAME(rhw_sample_srgb8);
-}
-
 RHW_INLINE enum rhw_texel_codec codec_of(const struct rhw_binding *binding)
 {
-    return binding->sample == RHW_ISA_NAME(rhw_sample_srgb8) ? RHW_CODEC_SRGB8 : RHW_CODEC_UNORM8;
+    return binding->texture->info->codec;
 }
 
 // False where lanes need more than the fast path of sample_fixed.
-RHW_INLINE bool find_footprints(const struct rhw_binding *binding, const f8 uv[2], const f8 *grad,
+RHW_INLINE bool find_footprints(const struct rhw_binding *binding, const f8 uv[2], const f8 gradient[4],
                                 struct footprint_pair *pair)
 {
-    const struct rhw_texture_data *const texture = binding->texture;
-    const struct rhw_sampler_data *const sampler = binding->sampler;
-    const f8 s = fold_coordinate(sampler->def.address_u, uv[0]);
-    const f8 t = fold_coordinate(sampler->def.address_v, uv[1]);
-    const i8 lod = fixed_level_of_detail(texture, sampler, grad, NULL);
+    const struct rhw_sampler_def *const def = &binding->sampler->def;
+    const f8 s = fold_coordinate(def->address_u, uv[0]);
+    const f8 t = fold_coordinate(def->address_v, uv[1]);
+    const i8 lod = fixed_level_of_detail(binding, gradient, NULL);
     pair->weight = i8_halve_lower(lod);
     pair->level = lod[0] >> 16;
     return same_two_levels(lod, pair->weight) &&
-           interior_footprints(mip_at(texture, pair->level), s, t, &pair->near, &pair->far);
+           interior_footprints(mip_at(binding->texture, pair->level), s, t, &pair->near, &pair->far);
 }
 
 // Whether what was found for one binding holds for another.
-RHW_INLINE bool shares_footprints(const struct rhw_binding *found, const struct rhw_binding *binding)
+RHW_INLINE bool has_same_footprints(const struct rhw_binding *found, const struct rhw_binding *binding)
 {
     const struct rhw_texture_data *const a = found->texture, *const b = binding->texture;
     const struct rhw_sampler_data *const as = found->sampler, *const bs = binding->sampler;
-    return is_filtered_fixed(binding) && a->levels == b->levels && a->mip[0].width == b->mip[0].width &&
+    return binding->shares_footprints && a->levels == b->levels && a->mip[0].width == b->mip[0].width &&
            a->mip[0].height == b->mip[0].height && memcmp(&as->def, &bs->def, sizeof as->def) == 0;
 }
 
@@ -59,7 +52,7 @@ RHW_INLINE uint32_t sharing_slots(const struct rhw_binding *bindings, uint32_t s
     uint32_t sharing = 0;
     for (uint32_t todo = slots; todo != 0; todo &= todo - 1) {
         const int slot = __builtin_ctz(todo);
-        sharing |= shares_footprints(found, &bindings[slot]) ? 1u << slot : 0;
+        sharing |= has_same_footprints(found, &bindings[slot]) ? 1u << slot : 0;
     }
     return sharing;
 }
@@ -89,12 +82,23 @@ RHW_INLINE void filter_footprints(const struct rhw_texture_data *texture, const 
     mix_levels(a, b, pair->weight, codec, texel);
 }
 
-RHW_INLINE void group_gradient(const struct rhw_fragment *group, int at, f8 grad[4])
+// Of coordinates that are the varyings from `at` on.
+RHW_INLINE void group_gradient(const struct rhw_fragment *group, int at, f8 gradient[4])
 {
-    grad[0] = group->ddx[at];
-    grad[1] = group->ddx[at + 1];
-    grad[2] = group->ddy[at];
-    grad[3] = group->ddy[at + 1];
+    gradient[0] = group->ddx[at];
+    gradient[1] = group->ddx[at + 1];
+    gradient[2] = group->ddy[at];
+    gradient[3] = group->ddy[at + 1];
+}
+
+// One group by itself, as rhw_sample does.
+RHW_INLINE void sample_group(const struct rhw_binding *binding, const struct rhw_fragment *group, int at,
+                             f8 texel[4])
+{
+    f8 gradient[4];
+    group_gradient(group, at, gradient);
+    const struct rhw_sample_request request = {.coordinates = &group->varying[at], .gradient = gradient};
+    binding->sample(binding, &request, texel);
 }
 
 // Several groups at a time: few enough that their footprints and texels stay in the first cache level.
@@ -115,17 +119,17 @@ RHW_INLINE void filter_found_groups(const struct rhw_texture_data *texture, cons
 }
 
 // At most SHARING_GROUPS groups of slots that share what is found for the first, two at least.
-static void sample_sharing_slots(const struct rhw_binding *bindings, uint32_t slots,
-                                 const struct rhw_fragment *groups, int count, int at, f8 (*texels)[4],
-                                 int stride)
+static void sample_sharing_slots(const struct rhw_fragment *groups, int count, uint32_t slots, int at,
+                                 f8 (*texels)[4], int stride)
 {
+    const struct rhw_binding *const bindings = groups->textures->slot;
     const struct rhw_binding *const first = &bindings[__builtin_ctz(slots)];
     struct footprint_pair pair[SHARING_GROUPS];
-    f8 grad[4];
+    f8 gradient[4];
     unsigned found = 0;
     for (int g = 0; g < count; g++) {
-        group_gradient(&groups[g], at, grad);
-        if (find_footprints(first, &groups[g].varying[at], grad, &pair[g])) {
+        group_gradient(&groups[g], at, gradient);
+        if (find_footprints(first, &groups[g].varying[at], gradient, &pair[g])) {
             found |= 1u << g;
             prefetch_footprint(first, &pair[g]);
         }
@@ -142,9 +146,7 @@ static void sample_sharing_slots(const struct rhw_binding *bindings, uint32_t sl
         }
         for (unsigned rest = ~found & ((1u << count) - 1); rest != 0; rest &= rest - 1) {
             const int g = __builtin_ctz(rest);
-            group_gradient(&groups[g], at, grad);
-            bindings[slot].sample(&bindings[slot], &groups[g].varying[at], grad, NULL,
-                                  texels[g * stride + slot]);
+            sample_group(&bindings[slot], &groups[g], at, texels[g * stride + slot]);
         }
     }
 }
@@ -155,16 +157,14 @@ RHW_INLINE void sample_fixed_groups(const struct rhw_binding *binding, const str
                                     int count, int at, enum rhw_texel_codec codec, f8 (*texels)[4],
                                     int stride)
 {
-    const struct rhw_texture_data *const texture = binding->texture;
-    const struct rhw_sampler_data *const sampler = binding->sampler;
     i8 lod[RHW_MAX_GROUPS];
-    f8 grad[4];
+    f8 gradient[4];
     for (int g = 0; g < count; g++) {
-        group_gradient(&groups[g], at, grad);
-        lod[g] = fixed_level_of_detail(texture, sampler, grad, NULL);
+        group_gradient(&groups[g], at, gradient);
+        lod[g] = fixed_level_of_detail(binding, gradient, NULL);
     }
     for (int g = 0; g < count; g++) {
-        sample_fixed(texture, sampler, &groups[g].varying[at], lod[g], codec, texels[g * stride]);
+        sample_fixed(binding, &groups[g].varying[at], lod[g], codec, texels[g * stride]);
     }
 }
 
@@ -172,28 +172,26 @@ RHW_INLINE void sample_fixed_groups(const struct rhw_binding *binding, const str
 static void sample_slot(const struct rhw_binding *binding, const struct rhw_fragment *groups, int count,
                         int at, f8 (*texels)[4], int stride)
 {
-    f8 grad[4];
-    if (binding->sample == RHW_ISA_NAME(rhw_sample_unorm8)) {
+    if (binding->shares_footprints && codec_of(binding) == RHW_CODEC_UNORM8) {
         sample_fixed_groups(binding, groups, count, at, RHW_CODEC_UNORM8, texels, stride);
         return;
     }
-    if (binding->sample == RHW_ISA_NAME(rhw_sample_srgb8)) {
+    if (binding->shares_footprints) {
         sample_fixed_groups(binding, groups, count, at, RHW_CODEC_SRGB8, texels, stride);
         return;
     }
     for (int g = 0; g < count; g++) {
-        group_gradient(&groups[g], at, grad);
-        binding->sample(binding, &groups[g].varying[at], grad, NULL, texels[g * stride]);
+        sample_group(binding, &groups[g], at, texels[g * stride]);
     }
 }
 
 // See rhw_sample_groups.
-static void sample_groups(const struct rhw_binding *bindings, uint32_t slots,
-                          const struct rhw_fragment *groups, int count, int at, rhw_float (*texels)[4],
-                          int stride)
+static void sample_groups(const struct rhw_fragment *groups, int count, uint32_t slots, int at,
+                          rhw_float (*texels)[4], int stride)
 {
+    const struct rhw_binding *const bindings = groups->textures->slot;
     const struct rhw_binding *const first = &bindings[__builtin_ctz(slots)];
-    uint32_t sharing = is_filtered_fixed(first) ? sharing_slots(bindings, slots, first) : 0;
+    uint32_t sharing = first->shares_footprints ? sharing_slots(bindings, slots, first) : 0;
     sharing = sharing & (sharing - 1) ? sharing : 0; // not with itself alone
     for (uint32_t todo = slots & ~sharing; todo != 0; todo &= todo - 1) {
         const int slot = __builtin_ctz(todo);
@@ -201,7 +199,7 @@ static void sample_groups(const struct rhw_binding *bindings, uint32_t slots,
     }
     for (int g = 0; g < count && sharing; g += SHARING_GROUPS) {
         const int n = count - g < SHARING_GROUPS ? count - g : SHARING_GROUPS;
-        sample_sharing_slots(bindings, sharing, groups + g, n, at, texels + g * stride, stride);
+        sample_sharing_slots(groups + g, n, sharing, at, texels + g * stride, stride);
     }
 }
 
