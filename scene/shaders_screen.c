@@ -43,7 +43,7 @@ static void resolve_fragment(struct rhw_fragment *groups, int count)
                 const rhw_float uv[2] = {(left + (float)x) * r->inverse_size[0],
                                          (top + (float)y) * r->inverse_size[1]};
                 rhw_float texel[4];
-                rhw_sample_lod(&groups[g].textures[0], uv, level, texel);
+                rhw_sample_lod(groups[g].textures, 0, uv, level, texel);
                 for (int c = 0; c < 4; c++) {
                     sum[c] += texel[c];
                 }

@@ -1,17 +1,37 @@
 // SPDX-License-Identifier: MIT
-// What shader functions get of a texture slot: struct rhw_binding, filled.
+// What stands behind the sampling functions of shaders: the textures and samplers of a draw, each with the kernel that
+// samples it.
 #ifndef RHW_BINDING_H
 #define RHW_BINDING_H
 
+#include "kernels/kernels.h"
 #include "rhw/shader.h"
 
-struct rhw_kernels;
 struct rhw_texture_data;
 struct rhw_sampler_data;
 
-// `kernels`' functions for this texture and sampler; both NULL for a slot without one. An RGBA8_SRGB texture must be
-// linearized.
-struct rhw_binding rhw_binding_of(const struct rhw_kernels *kernels, const struct rhw_texture_data *texture,
+// One slot.
+struct rhw_binding {
+    rhw_sample_function *sample;
+    const struct rhw_texture_data *texture; // NULL: nothing is bound
+    const struct rhw_sampler_data *sampler;
+    // The texture is filtered in fixed point and special paths are taken: rhw_sample_groups may sample it together with
+    // others.
+    bool shares_footprints;
+};
+
+struct rhw_bindings {
+    rhw_sample_groups_function *sample_groups;
+    struct rhw_binding slot[RHW_MAX_TEXTURES];
+};
+
+// No texture in any slot.
+void rhw_bindings_init(struct rhw_bindings *bindings, const struct rhw_kernels *kernels);
+
+// A slot with this texture and sampler, or both NULL. All that is chosen among the kernels' functions is chosen here:
+// `paths` decides between functions that give the same bytes. An RGBA8_SRGB texture must be linearized.
+struct rhw_binding rhw_binding_of(const struct rhw_kernels *kernels, enum rhw_paths paths,
+                                  const struct rhw_texture_data *texture,
                                   const struct rhw_sampler_data *sampler);
 
 #endif

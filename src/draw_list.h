@@ -8,9 +8,9 @@
 #ifndef RHW_DRAW_LIST_H
 #define RHW_DRAW_LIST_H
 
+#include "blend_state.h"
 #include "draw_plan.h"
 #include "hidden_surface.h"
-#include "output.h"
 #include "rhw/shader.h"
 #include "triangle.h"
 
@@ -31,11 +31,11 @@ struct rhw_draw_state {
     const unsigned char *indices;
     size_t index_bytes;
     enum rhw_index_type index_type;
-    const struct rhw_binding *textures; // RHW_MAX_TEXTURES of them
+    const struct rhw_bindings *textures;
     struct rhw_viewport viewport;
     struct rhw_rect scissor; // already within target and viewport
     float blend_constant[4];
-    struct output_state outputs[RHW_MAX_COLOR_ATTACHMENTS];
+    struct rhw_blend_state blend[RHW_MAX_COLOR_ATTACHMENTS];
     struct rhw_hidden_rule hidden;               // how it may be drawn together with others
     struct rhw_draw_plan plans[RHW_PHASE_COUNT]; // what tiles do for its fragments
     // Depth after the viewport's range: depth_low + depth_span·Z/W, whatever range of Z the pipeline has.

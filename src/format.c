@@ -4,20 +4,39 @@
 
 #include <assert.h>
 
-// Colour targets are the formats whose stored values the tiles convert to and from; R8 and RG8 are there to
-// be sampled (masks, roughness), not drawn into.
-static const struct rhw_format_info formats[RHW_FORMAT_COUNT] = {
-    [RHW_FORMAT_NONE] = {.name = "RHW_FORMAT_NONE"},
-    [RHW_FORMAT_R8_UNORM] = {"RHW_FORMAT_R8_UNORM", 1, 1, RHW_KIND_UNORM, false, false, true},
-    [RHW_FORMAT_RG8_UNORM] = {"RHW_FORMAT_RG8_UNORM", 2, 2, RHW_KIND_UNORM, false, false, true},
-    [RHW_FORMAT_RGBA8_UNORM] = {"RHW_FORMAT_RGBA8_UNORM", 4, 4, RHW_KIND_UNORM, true, true, true},
-    [RHW_FORMAT_RGBA8_SRGB] = {"RHW_FORMAT_RGBA8_SRGB", 4, 4, RHW_KIND_SRGB, true, true, true},
-    [RHW_FORMAT_RGBA16_FLOAT] = {"RHW_FORMAT_RGBA16_FLOAT", 8, 4, RHW_KIND_FLOAT, true, true, true},
-    [RHW_FORMAT_R32_FLOAT] = {"RHW_FORMAT_R32_FLOAT", 4, 1, RHW_KIND_FLOAT, true, true, true},
-    [RHW_FORMAT_RGBA32_FLOAT] = {"RHW_FORMAT_RGBA32_FLOAT", 16, 4, RHW_KIND_FLOAT, true, true, true},
-    [RHW_FORMAT_R32_UINT] = {"RHW_FORMAT_R32_UINT", 4, 1, RHW_KIND_UINT, true, false, false},
-    [RHW_FORMAT_D32_FLOAT] = {"RHW_FORMAT_D32_FLOAT", 4, 1, RHW_KIND_DEPTH, false, false, true},
+enum {
+    SAMPLED = RHW_ROLE_SAMPLED,
+    DEPTH = RHW_ROLE_DEPTH_TARGET,
+    COLOR = RHW_ROLE_COLOR_TARGET,
+    BLENDED = RHW_ROLE_COLOR_TARGET | RHW_ROLE_BLENDED_TARGET
 };
+
+// R8 and RG8 are there to be sampled (masks, roughness), not drawn into.
+// clang-format off
+static const struct rhw_format_info formats[RHW_FORMAT_COUNT] = {
+    // name, bytes, channels, codec, fast path, roles
+    [RHW_FORMAT_NONE] = {"RHW_FORMAT_NONE",
+        0, 0, RHW_CODEC_NONE, RHW_TEXELS_GENERAL, 0},
+    [RHW_FORMAT_R8_UNORM] = {"RHW_FORMAT_R8_UNORM",
+        1, 1, RHW_CODEC_UNORM8, RHW_TEXELS_GENERAL, SAMPLED},
+    [RHW_FORMAT_RG8_UNORM] = {"RHW_FORMAT_RG8_UNORM",
+        2, 2, RHW_CODEC_UNORM8, RHW_TEXELS_GENERAL, SAMPLED},
+    [RHW_FORMAT_RGBA8_UNORM] = {"RHW_FORMAT_RGBA8_UNORM",
+        4, 4, RHW_CODEC_UNORM8, RHW_TEXELS_RGBA8_UNORM, SAMPLED | BLENDED},
+    [RHW_FORMAT_RGBA8_SRGB] = {"RHW_FORMAT_RGBA8_SRGB",
+        4, 4, RHW_CODEC_SRGB8, RHW_TEXELS_RGBA8_SRGB, SAMPLED | BLENDED},
+    [RHW_FORMAT_RGBA16_FLOAT] = {"RHW_FORMAT_RGBA16_FLOAT",
+        8, 4, RHW_CODEC_FLOAT16, RHW_TEXELS_GENERAL, SAMPLED | BLENDED},
+    [RHW_FORMAT_R32_FLOAT] = {"RHW_FORMAT_R32_FLOAT",
+        4, 1, RHW_CODEC_FLOAT32, RHW_TEXELS_GENERAL, SAMPLED | BLENDED},
+    [RHW_FORMAT_RGBA32_FLOAT] = {"RHW_FORMAT_RGBA32_FLOAT",
+        16, 4, RHW_CODEC_FLOAT32, RHW_TEXELS_GENERAL, SAMPLED | BLENDED},
+    [RHW_FORMAT_R32_UINT] = {"RHW_FORMAT_R32_UINT",
+        4, 1, RHW_CODEC_UINT32, RHW_TEXELS_GENERAL, COLOR},
+    [RHW_FORMAT_D32_FLOAT] = {"RHW_FORMAT_D32_FLOAT",
+        4, 1, RHW_CODEC_FLOAT32, RHW_TEXELS_GENERAL, SAMPLED | DEPTH},
+};
+// clang-format on
 
 _Static_assert(RHW_VERTEX_FORMAT_COUNT == 4 * RHW_TYPE_COUNT, "four vertex formats of each type");
 _Static_assert((int)RHW_VERTEX_HALF1 == 4 * RHW_TYPE_HALF &&

@@ -1,27 +1,48 @@
 // SPDX-License-Identifier: MIT
-// What the library knows about texel and vertex formats, in one table each.
+// What the library knows about texel and vertex formats. A row of the table of texel formats (format.c) says everything
+// about one of them, and nothing else asks which format it has: it asks for a property in the row. How a codec's values
+// are read and written stands in texel.h for one texel and in kernels/texel/texel_codec.h for 8.
 #ifndef RHW_FORMAT_H
 #define RHW_FORMAT_H
 
 #include "rhw/types.h"
 
-enum rhw_format_kind {
-    RHW_KIND_NONE,
-    RHW_KIND_UNORM,
-    RHW_KIND_SRGB, // UNORM with the sRGB transfer function on the colour channels
-    RHW_KIND_FLOAT,
-    RHW_KIND_UINT,
-    RHW_KIND_DEPTH
+// How a channel of a texel is stored.
+enum rhw_texel_codec {
+    RHW_CODEC_NONE,
+    RHW_CODEC_UNORM8,
+    RHW_CODEC_SRGB8, // four channels: UNORM8 with the sRGB transfer function on the colour, alpha linear
+    RHW_CODEC_FLOAT16,
+    RHW_CODEC_FLOAT32,
+    RHW_CODEC_UINT32 // shaders hand over the bits
 };
+
+// Values are clamped to 0..1 before they are blended and stored.
+static inline bool rhw_codec_is_normalized(enum rhw_texel_codec codec)
+{
+    return codec == RHW_CODEC_UNORM8 || codec == RHW_CODEC_SRGB8;
+}
+
+// Formats that the sampler and blending have fast paths for.
+enum rhw_texel_path { RHW_TEXELS_GENERAL, RHW_TEXELS_RGBA8_UNORM, RHW_TEXELS_RGBA8_SRGB };
+
+// What a texture of a format can be; bits.
+enum {
+    RHW_ROLE_COLOR_TARGET = 1,
+    RHW_ROLE_BLENDED_TARGET = 2, // a colour target that blending works on
+    RHW_ROLE_DEPTH_TARGET = 4,
+    RHW_ROLE_SAMPLED = 8 // rhw_sample filters it, and so does mip generation
+};
+
+enum { RHW_TEXEL_BYTES = 16 }; // of the largest texel
 
 struct rhw_format_info {
     const char *name; // "RHW_FORMAT_RGBA8_UNORM"
     uint8_t size;     // bytes per texel
-    uint8_t channels;
-    enum rhw_format_kind kind;
-    bool color_target;
-    bool blend;   // as a colour target
-    bool sampled; // rhw_sample and mip generation work on it
+    uint8_t channels; // red first; those that the format lacks read 0, 0, 0, 1
+    enum rhw_texel_codec codec;
+    enum rhw_texel_path path;
+    uint8_t roles;
 };
 
 static inline bool rhw_format_valid(enum rhw_format format)
@@ -29,8 +50,14 @@ static inline bool rhw_format_valid(enum rhw_format format)
     return (unsigned)format > RHW_FORMAT_NONE && (unsigned)format < RHW_FORMAT_COUNT;
 }
 
-// `format` is NONE or valid.
+// The format's row; `format` is NONE or valid.
 const struct rhw_format_info *rhw_format_info(enum rhw_format format);
+
+// Whether textures of the format can be that.
+static inline bool rhw_format_has_role(const struct rhw_format_info *info, int role)
+{
+    return (info->roles & role) != 0;
+}
 
 // In the order of enum rhw_vertex_format, which has four entries (1 to 4 components) of each.
 enum rhw_vertex_type {

@@ -2,26 +2,26 @@
 // Which draws may be drawn depth first or backwards.
 #include "hidden_surface.h"
 
-#include "output.h"
+#include "blend_state.h"
 #include "pipeline.h"
 
 static const struct rhw_hidden_rule in_order = {RHW_HIDDEN_IN_ORDER, RHW_COMPARE_NEVER};
 
-static bool shades_opaque_texels(const struct rhw_pipeline_data *pipeline, const struct output_state *outputs,
-                                 int color_count)
+static bool shades_opaque_texels(const struct rhw_pipeline_data *pipeline,
+                                 const struct rhw_blend_state *blend, int color_count)
 {
     bool opaque = color_count != 0 && (pipeline->fragment || pipeline->def.program.fragment1);
     for (int i = 0; i < color_count; i++) {
-        opaque = opaque && outputs[i].replaces;
+        opaque = opaque && blend[i].replaces;
     }
     return opaque;
 }
 
 struct rhw_hidden_rule rhw_hidden_rule_of(const struct rhw_pipeline_data *pipeline,
-                                          const struct output_state *outputs, int color_count)
+                                          const struct rhw_blend_state *blend, int color_count)
 {
     const struct rhw_pipeline_def *const def = &pipeline->def;
-    if (!shades_opaque_texels(pipeline, outputs, color_count)) {
+    if (!shades_opaque_texels(pipeline, blend, color_count)) {
         return in_order;
     }
     if (!def->depth_test) {

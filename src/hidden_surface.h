@@ -7,7 +7,7 @@
 #include "rhw/types.h"
 
 struct rhw_pipeline_data;
-struct output_state;
+struct rhw_blend_state;
 
 enum rhw_hidden_surface {
     RHW_HIDDEN_IN_ORDER, // fragments are shaded in the turn of their draw, also those that later ones hide
@@ -27,8 +27,8 @@ static inline bool rhw_hidden_rule_equal(struct rhw_hidden_rule a, struct rhw_hi
 }
 
 // The rule of a pipeline's draws. In order go draws that blend, keep a part of a texel, test depth without writing it,
-// compute it, or discard without a depth test. `outputs` are the states of `color_count` targets.
+// compute it, or discard without a depth test. `blend` are the states of `color_count` targets.
 struct rhw_hidden_rule rhw_hidden_rule_of(const struct rhw_pipeline_data *pipeline,
-                                          const struct output_state *outputs, int color_count);
+                                          const struct rhw_blend_state *blend, int color_count);
 
 #endif

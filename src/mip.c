@@ -6,90 +6,27 @@
 #include <string.h>
 
 #include "constants.h"
-#include "format.h"
-#include "half.h"
 #include "memory.h"
-#include "output.h"
-#include "srgb.h"
+#include "texel.h"
 #include "texture.h"
 
-// UNORM channels stand on the scale 0..255, on which averages of codes are exact for the first 8 levels.
+// The four channels of a texel as texel.h has them.
 typedef float texel4 __attribute__((vector_size(16)));
 
-static texel4 load_texel(enum rhw_format format, const unsigned char *from)
+static texel4 load_texel(const struct rhw_format_info *format, const unsigned char *from)
 {
-    texel4 value = {0, 0, 0, 0};
-    uint16_t half[4];
-    switch (format) {
-    case RHW_FORMAT_R8_UNORM: value[0] = from[0]; break;
-    case RHW_FORMAT_RG8_UNORM:
-        value[0] = from[0];
-        value[1] = from[1];
-        break;
-    case RHW_FORMAT_RGBA8_UNORM: value = (texel4){from[0], from[1], from[2], from[3]}; break;
-    case RHW_FORMAT_RGBA8_SRGB:
-        value = (texel4){rhw_srgb_decode_table[from[0]], rhw_srgb_decode_table[from[1]],
-                         rhw_srgb_decode_table[from[2]], from[3]};
-        break;
-    case RHW_FORMAT_RGBA16_FLOAT:
-        memcpy(half, from, sizeof half);
-        for (int i = 0; i < 4; i++) {
-            value[i] = rhw_half_to_float(half[i]);
-        }
-        break;
-    case RHW_FORMAT_RGBA32_FLOAT: memcpy(&value, from, sizeof value); break;
-    default: { // one float
-        float first;
-        memcpy(&first, from, sizeof first);
-        value[0] = first;
-        break;
-    }
-    }
+    float channels[4];
+    texel4 value;
+    rhw_texel_load(format, from, channels);
+    memcpy(&value, channels, sizeof value);
     return value;
 }
 
-// To nearest, ties to even; the value lies within 0..255.
-static unsigned char round_code(float value)
+static void store_texel(const struct rhw_format_info *format, texel4 value, unsigned char *to)
 {
-    const float rounded = value + 0x1p23f;
-    uint32_t bits;
-    memcpy(&bits, &rounded, sizeof bits);
-    return (unsigned char)bits;
-}
-
-static void store_texel(enum rhw_format format, texel4 value, unsigned char *to)
-{
-    for (int i = 0; i < 4; i++) {
-        value[i] = rhw_canonical(value[i]);
-    }
-    uint16_t half[4];
-    switch (format) {
-    case RHW_FORMAT_R8_UNORM:
-    case RHW_FORMAT_RG8_UNORM:
-    case RHW_FORMAT_RGBA8_UNORM:
-        for (size_t i = 0; i < rhw_format_size(format); i++) {
-            to[i] = round_code(value[i]);
-        }
-        break;
-    case RHW_FORMAT_RGBA8_SRGB:
-        for (int i = 0; i < 3; i++) {
-            to[i] = rhw_srgb_encode(value[i]);
-        }
-        to[3] = round_code(value[3]);
-        break;
-    case RHW_FORMAT_RGBA16_FLOAT:
-        for (int i = 0; i < 4; i++) {
-            half[i] = rhw_half_from_float(value[i]);
-        }
-        memcpy(to, half, sizeof half);
-        break;
-    case RHW_FORMAT_RGBA32_FLOAT: memcpy(to, &value, sizeof value); break;
-    default: {
-        const float first = value[0];
-        memcpy(to, &first, sizeof first);
-        break;
-    }
-    }
+    float channels[4];
+    memcpy(channels, &value, sizeof channels);
+    rhw_texel_store(format, channels, to);
 }
 
 // What one texel of the smaller level takes along one axis: texels first, first + 1, .. of the larger.
@@ -132,13 +69,13 @@ static void reduce_row(const struct rhw_texture_data *texture, int level, int y,
                        const struct taps *rows, texel4 *to)
 {
     const struct rhw_mip *const above = &texture->mip[level - 1], *const mip = &texture->mip[level];
-    const size_t size = rhw_format_size(texture->format);
+    const size_t size = texture->info->size;
     unsigned char *const stored = mip->texels + (size_t)y * mip->row_pitch;
     texel4 *const row = to + (size_t)y * (size_t)mip->width;
     for (int x = 0; x < mip->width; x++) {
         const struct taps columns = taps_of(above->width, mip->width, x);
         row[x] = filter(from, above->width, &columns, rows);
-        store_texel(texture->format, row[x], stored + (size_t)x * size);
+        store_texel(texture->info, row[x], stored + (size_t)x * size);
     }
 }
 
@@ -154,13 +91,13 @@ static void reduce(const struct rhw_texture_data *texture, int level, const texe
 static void reduce_first(const struct rhw_texture_data *texture, texel4 *widened, texel4 *to)
 {
     const struct rhw_mip *const above = &texture->mip[0];
-    const size_t size = rhw_format_size(texture->format), width = (size_t)above->width;
+    const size_t size = texture->info->size, width = (size_t)above->width;
     for (int y = 0; y < texture->mip[1].height; y++) {
         struct taps rows = taps_of(above->height, texture->mip[1].height, y);
         for (int j = 0; j < rows.count; j++) {
             const unsigned char *const from = above->texels + (size_t)(rows.first + j) * above->row_pitch;
             for (size_t x = 0; x < width; x++) {
-                widened[(size_t)j * width + x] = load_texel(texture->format, from + x * size);
+                widened[(size_t)j * width + x] = load_texel(texture->info, from + x * size);
             }
         }
         rows.first = 0;

@@ -136,15 +136,15 @@ static enum rhw_result attach_color(struct rhw_pass_state *pass, const struct rh
         return result;
     }
     const struct rhw_format_info *const info = rhw_format_info(attachment->format);
-    if (!rhw_check(context, info->color_target,
+    if (!rhw_check(context, rhw_format_has_role(info, RHW_ROLE_COLOR_TARGET),
                    "rhw_pass_begin: colors[%d].texture is %s; that is no colour target", i, info->name)) {
         return RHW_ERROR_MISUSE;
     }
     attachment->load = color->load;
     attachment->store = color->store;
     const uint64_t environment = rhw_cpu_float_enter();
-    unsigned char texel[16];
-    rhw_output_clear_value(attachment->format, color->clear, texel);
+    unsigned char texel[RHW_TEXEL_BYTES];
+    rhw_clear_texel(info, color->clear, texel);
     rhw_cpu_float_leave(environment);
     set_clear(attachment, texel);
     pass->color_ids[i] = color->texture;
@@ -169,7 +169,8 @@ static enum rhw_result attach_depth(struct rhw_pass_state *pass, const struct rh
         if (result != RHW_OK) {
             return result;
         }
-        if (!rhw_check(context, pass->depth.format == RHW_FORMAT_D32_FLOAT,
+        if (!rhw_check(context,
+                       rhw_format_has_role(rhw_format_info(pass->depth.format), RHW_ROLE_DEPTH_TARGET),
                        "rhw_pass_begin: depth.texture is %s; the depth attachment is RHW_FORMAT_D32_FLOAT",
                        rhw_format_info(pass->depth.format)->name)) {
             return RHW_ERROR_MISUSE;
@@ -205,9 +206,7 @@ static void reset(struct rhw_pass_state *pass, const struct rhw_pass_def *def)
     pass->pending_changed = true;
     pass->uniforms = NULL;
     pass->uniform_size = 0;
-    for (int i = 0; i < RHW_MAX_TEXTURES; i++) {
-        pass->pending_textures[i] = rhw_binding_of(pass->context->kernels, NULL, NULL);
-    }
+    rhw_bindings_init(&pass->pending_textures, pass->context->kernels);
     pass->textures_changed = true;
 }
 
@@ -377,9 +376,9 @@ void rhw_pass_set_texture(rhw_context *context, rhw_pass id, int slot, rhw_textu
         texture = rhw_context_texture(context, texture_id, "rhw_pass_set_texture");
         sampler = texture ? rhw_context_sampler(context, sampler_id, "rhw_pass_set_texture") : NULL;
         if (!sampler ||
-            !rhw_check(context, rhw_format_info(texture->format)->sampled,
+            !rhw_check(context, rhw_format_has_role(texture->info, RHW_ROLE_SAMPLED),
                        "rhw_pass_set_texture: the texture is %s; it cannot be sampled",
-                       rhw_format_info(texture->format)->name) ||
+                       texture->info->name) ||
             !rhw_check(context, !is_attachment(pass, texture_id, pass->color_count, pass->has_depth),
                        "rhw_pass_set_texture: the texture in slot %d is an attachment of this pass", slot)) {
             return;
@@ -388,9 +387,9 @@ void rhw_pass_set_texture(rhw_context *context, rhw_pass id, int slot, rhw_textu
         rhw_pool_use(&context->textures, texture_id.index, context->pass_generation);
         rhw_pool_use(&context->samplers, sampler_id.index, context->pass_generation);
     }
-    struct rhw_binding *const pending = &pass->pending_textures[slot];
+    struct rhw_binding *const pending = &pass->pending_textures.slot[slot];
     if (pending->texture != texture || pending->sampler != sampler) {
-        *pending = rhw_binding_of(context->kernels, texture, sampler);
+        *pending = rhw_binding_of(context->kernels, context->paths, texture, sampler);
         pass->textures_changed = true;
         pass->pending_changed = true;
     }
@@ -478,19 +477,18 @@ static const struct rhw_draw_state *snapshot(struct rhw_pass_state *pass)
         return NULL;
     }
     if (pass->textures_changed) {
-        struct rhw_binding *const textures =
-            rhw_arena_alloc(&pass->arena, sizeof pass->pending_textures, RHW_CACHE_LINE);
+        struct rhw_bindings *const textures = rhw_arena_alloc(&pass->arena, sizeof *textures, RHW_CACHE_LINE);
         if (!textures) {
             return NULL;
         }
-        memcpy(textures, pass->pending_textures, sizeof pass->pending_textures);
+        *textures = pass->pending_textures;
         pass->pending.textures = textures;
         pass->textures_changed = false;
     }
     *state = pass->pending;
     state->scissor = clip_rect(pass, &state->viewport, &state->scissor);
     for (int i = 0; i < pass->color_count && state->pipeline; i++) {
-        rhw_output_prepare(&state->outputs[i], &state->pipeline->def.targets[i], state->blend_constant);
+        rhw_blend_state_init(&state->blend[i], &state->pipeline->def.targets[i], state->blend_constant);
     }
     const double span = (double)state->viewport.depth_max - (double)state->viewport.depth_min;
     const bool symmetric = state->pipeline && state->pipeline->def.depth_range == RHW_DEPTH_MINUS_ONE_TO_ONE;
@@ -504,7 +502,7 @@ static const struct rhw_draw_state *snapshot(struct rhw_pass_state *pass)
     state->center_x = (double)state->viewport.x + state->half_width;
     state->center_y = (double)state->viewport.y + state->half_height;
     if (state->pipeline && pass->paths == RHW_PATHS_ALL) {
-        state->hidden = rhw_hidden_rule_of(state->pipeline, state->outputs, pass->color_count);
+        state->hidden = rhw_hidden_rule_of(state->pipeline, state->blend, pass->color_count);
     }
     if (state->pipeline) {
         rhw_draw_plans_make(state->plans, state->pipeline, pass->paths);

@@ -5,6 +5,7 @@
 #define RHW_PASS_STATE_H
 
 #include "arena.h"
+#include "binding.h"
 #include "clean_tiles.h"
 #include "constants.h"
 #include "draw_list.h"
@@ -59,7 +60,7 @@ struct rhw_pass_state {
     bool pending_changed;
     const void *uniforms; // of the next draw
     uint32_t uniform_size;
-    struct rhw_binding pending_textures[RHW_MAX_TEXTURES];
+    struct rhw_bindings pending_textures;
     bool textures_changed;
     const struct rhw_draw_state *current; // last copy of `pending`
     bool out_of_memory;

@@ -140,10 +140,10 @@ static bool check_target(const struct rhw_context *context, int index, const str
         return false;
     }
     const struct rhw_format_info *const format = rhw_format_info(target->format);
-    return rhw_check(context, format->color_target,
+    return rhw_check(context, rhw_format_has_role(format, RHW_ROLE_COLOR_TARGET),
                      "%s: targets[%d].format is %s; it must be a format that can be drawn into as colour",
                      create_name, index, format->name) &&
-           rhw_check(context, !target->blend || format->blend,
+           rhw_check(context, !target->blend || rhw_format_has_role(format, RHW_ROLE_BLENDED_TARGET),
                      "%s: targets[%d].blend is true; it must be false for %s", create_name, index,
                      format->name) &&
            check_blend(context, index, "color.src", "color.dst", "color.operation", &target->color) &&

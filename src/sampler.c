@@ -49,7 +49,7 @@ static bool check_create(const struct rhw_context *context, const struct rhw_sam
            check_finite(context, "border[3]", def->border[3]) && check_lod(context, def);
 }
 
-static bool takes_codes(const struct rhw_sampler_def *def)
+static bool filters_fixed(const struct rhw_sampler_def *def)
 {
     return def->min_filter == RHW_FILTER_LINEAR && def->mag_filter == RHW_FILTER_LINEAR &&
            def->mip_filter != RHW_MIP_FILTER_NEAREST && def->address_u != RHW_ADDRESS_BORDER &&
@@ -71,11 +71,11 @@ enum rhw_result rhw_sampler_create(rhw_context *context, const struct rhw_sample
     if (data == NULL) {
         return RHW_ERROR_OUT_OF_MEMORY;
     }
-    *data = (struct rhw_sampler_data){.def = *def, .takes_codes = takes_codes(def)};
+    *data = (struct rhw_sampler_data){.def = *def, .filters_fixed = filters_fixed(def)};
     for (int lane = 0; lane < RHW_LANES; lane++) {
-        data->slope_bias[lane] = def->lod_bias - 16.0f;
-        data->detail_min[lane] = def->lod_min > 0 ? def->lod_min : 0;
-        data->detail_max[lane] = def->lod_max > 0 ? def->lod_max : 0;
+        data->gradient_bias[lane] = def->lod_bias - 16.0f;
+        data->lod_least[lane] = def->lod_min > 0 ? def->lod_min : 0;
+        data->lod_most[lane] = def->lod_max > 0 ? def->lod_max : 0;
     }
     *sampler = id;
     return RHW_OK;

@@ -8,10 +8,10 @@
 
 struct rhw_sampler_data {
     struct rhw_sampler_def def;
-    bool takes_codes; // textures of 8 bits are filtered on the fixed-point road: see codes_tmpl.h
-    // Of the level of detail, in all lanes. The bias for slopes is less by 16, as sizes are 2^16 too large (rhw_mip).
-    _Alignas(32) float slope_bias[RHW_LANES];
-    float detail_min[RHW_LANES], detail_max[RHW_LANES];
+    bool filters_fixed; // textures of 8 bits take the fixed-point path: see filter_fixed.h
+    // Of the level of detail, in all lanes. The bias for gradients is less by 16, as sizes are 2^16 too large (rhw_mip).
+    _Alignas(32) float gradient_bias[RHW_LANES];
+    float lod_least[RHW_LANES], lod_most[RHW_LANES];
 };
 
 #endif

@@ -223,34 +223,30 @@ RHW_INLINE i8 i8_bytes_from_f8(const f8 channel[4])
 // too small, denormals included; infinity and NaN get the exponent that the product lacks, NaN its quiet bit.
 RHW_INLINE f8 f8_from_half(i8 half)
 {
+#if defined(__F16C__) && defined(__AVX2__)
+    const __m256i lanes = (__m256i)half;
+    return (f8)_mm256_cvtph_ps(
+        _mm_packus_epi32(_mm256_castsi256_si128(lanes), _mm256_extracti128_si256(lanes, 1)));
+#else
     const i8 magnitude = half & 0x7fff;
     const i8 finite = (i8)((f8)(magnitude << 13) * 0x1p112f);
     const i8 special = rhw_less_int(i8_splat(0x7bff), magnitude),
              nan = rhw_less_int(i8_splat(0x7c00), magnitude);
     return (f8)(finite | (special & 0x7f800000) | (nan & 0x400000) | ((half & 0x8000) << 16));
-}
-
-// Four 16-bit floats in memory, and back: rounded to nearest, ties to even.
-RHW_INLINE f4 f4_load_halves(const void *p)
-{
-#if defined(__F16C__)
-    return (f4)_mm_cvtph_ps(_mm_loadl_epi64((const __m128i *)p));
-#else
-    uint16_t half[4];
-    memcpy(half, p, sizeof half);
-    return (f4){rhw_half_to_float(half[0]), rhw_half_to_float(half[1]), rhw_half_to_float(half[2]),
-                rhw_half_to_float(half[3])};
 #endif
 }
 
-RHW_INLINE void f4_store_halves(void *p, f4 value)
+// And back, rounded to nearest, ties to even.
+RHW_INLINE i8 i8_half_from_f8(f8 value)
 {
-#if defined(__F16C__)
-    _mm_storel_epi64((__m128i *)p, _mm_cvtps_ph((__m128)value, _MM_FROUND_TO_NEAREST_INT));
+#if defined(__F16C__) && defined(__AVX2__)
+    return (i8)_mm256_cvtepu16_epi32(_mm256_cvtps_ph((__m256)value, _MM_FROUND_TO_NEAREST_INT));
 #else
-    const uint16_t half[4] = {rhw_half_from_float(value[0]), rhw_half_from_float(value[1]),
-                              rhw_half_from_float(value[2]), rhw_half_from_float(value[3])};
-    memcpy(p, half, sizeof half);
+    i8 half;
+    for (int i = 0; i < RHW_LANES; i++) {
+        half[i] = rhw_half_from_float(value[i]);
+    }
+    return half;
 #endif
 }
 

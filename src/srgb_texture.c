@@ -13,6 +13,7 @@
 #include <string.h>
 
 #include "constants.h"
+#include "format.h"
 #include "memory.h"
 #include "srgb.h"
 #include "texture.h"
@@ -49,7 +50,7 @@ static void decode_row(const uint16_t table[256], const unsigned char *from, uns
 
 bool rhw_texture_linearize(struct rhw_memory *memory, struct rhw_texture_data *texture)
 {
-    if (texture->format != RHW_FORMAT_RGBA8_SRGB || texture->linear_is_current) {
+    if (texture->info->path != RHW_TEXELS_RGBA8_SRGB || texture->linear_is_current) {
         return true;
     }
     if (!texture->linear_memory && !allocate_levels(memory, texture)) {

@@ -28,6 +28,7 @@ void rhw_texture_data_init(struct rhw_texture_data *texture, enum rhw_format for
 {
     memset(texture, 0, sizeof *texture);
     texture->format = format;
+    texture->info = rhw_format_info(format);
     texture->levels = levels != 0 ? levels : rhw_mip_chain_length(width, height);
     for (int lane = 0; lane < RHW_LANES; lane++) {
         texture->last_level[lane] = (float)(texture->levels - 1);
@@ -37,7 +38,7 @@ void rhw_texture_data_init(struct rhw_texture_data *texture, enum rhw_format for
         struct rhw_mip *const mip = &texture->mip[i];
         mip->width = width >> i > 1 ? width >> i : 1;
         mip->height = height >> i > 1 ? height >> i : 1;
-        const size_t row = (size_t)mip->width * rhw_format_size(format);
+        const size_t row = (size_t)mip->width * texture->info->size;
         mip->row_pitch = (row + RHW_ROW_ALIGNMENT - 1) & ~(size_t)(RHW_ROW_ALIGNMENT - 1);
         for (int lane = 0; lane < RHW_LANES; lane++) {
             mip->scale_x[lane] = (float)mip->width * 65536.0f;
@@ -183,7 +184,7 @@ static const struct rhw_mip *begin_copy(struct rhw_context *context, rhw_texture
         return NULL;
     }
     const struct rhw_mip *const mip = &data->mip[level];
-    *row = (size_t)mip->width * rhw_format_size(data->format);
+    *row = (size_t)mip->width * data->info->size;
     if (*pitch == 0) {
         *pitch = *row;
     }
@@ -227,9 +228,8 @@ enum rhw_result rhw_texture_generate_mips(rhw_context *context, rhw_texture text
     static const char *const where = "rhw_texture_generate_mips";
     struct rhw_texture_data *const data = rhw_context_texture(context, texture, where);
     if (!data || !rhw_context_check_idle(context, &context->textures, texture.index, where) ||
-        !rhw_check(context, rhw_format_info(data->format)->sampled,
-                   "%s: the texture is %s; that format is not filtered", where,
-                   rhw_format_info(data->format)->name)) {
+        !rhw_check(context, rhw_format_has_role(data->info, RHW_ROLE_SAMPLED),
+                   "%s: the texture is %s; that format is not filtered", where, data->info->name)) {
         return RHW_ERROR_MISUSE;
     }
     const uint64_t environment = rhw_cpu_float_enter();

@@ -15,8 +15,10 @@ enum {
     RHW_TEXEL_PADDING = 64
 };
 
+struct rhw_format_info;
+
 struct rhw_mip {
-    // For the sampler's fixed-point road (4-byte formats), which would spend a tenth of its time making them; in all
+    // For the sampler's fixed-point path (4-byte formats), which would spend a tenth of its time making them; in all
     // lanes, so that an instruction takes them from memory as an operand.
     _Alignas(32) float scale_x[RHW_LANES]; // width · 2^16
     float scale_y[RHW_LANES];              // height · 2^16
@@ -32,6 +34,7 @@ struct rhw_mip {
 
 struct rhw_texture_data {
     enum rhw_format format;
+    const struct rhw_format_info *info; // the format's
     int levels;
     _Alignas(32) float last_level[RHW_LANES]; // levels − 1
     struct rhw_mip mip[RHW_MAX_MIP_LEVELS];

@@ -10,8 +10,8 @@
 #include "shader_lanes.h"
 #include "types.h"
 
-/// One bound texture and sampler; opaque to the shader, see rhw_sample.
-struct rhw_binding;
+/// The bound textures and samplers; opaque to the shader, see rhw_sample.
+struct rhw_bindings;
 
 /// 8 vertices. Pointers stay valid for the call only.
 struct rhw_vertex {
@@ -19,7 +19,7 @@ struct rhw_vertex {
     rhw_int vertex_index, instance_index; ///< as the draw counts them: base vertex / first instance included
     const void *uniforms;
     const void *user; ///< of the program
-    const struct rhw_binding *textures; ///< [slot]
+    const struct rhw_bindings *textures; ///< see rhw_sample
     rhw_float position[4]; ///< out: homogeneous clip coordinates X, Y, Z, W
     rhw_float *varying;    ///< out: [component]
 };
@@ -30,7 +30,7 @@ struct rhw_fragment {
     const rhw_float *ddx, *ddy;      ///< [component]: d/dx, d/dy per pixel, of varyings that asked for them
     const void *uniforms;
     const void *user;                ///< of the program
-    const struct rhw_binding *textures; ///< [slot]
+    const struct rhw_bindings *textures; ///< see rhw_sample
     rhw_float (*color)[4];           ///< out: [target][channel]; not initialized. Groups of one call have theirs
                                      ///< one after the other, RHW_MAX_COLOR_ATTACHMENTS targets each
     rhw_int mask;                    ///< −1 live, 0 dead; clear lanes to discard them
@@ -50,7 +50,7 @@ struct rhw_vertex1 {
     int32_t vertex_index, instance_index;
     const void *uniforms;
     const void *user;
-    const struct rhw_binding *textures;
+    const struct rhw_bindings *textures;
     float position[4];
     float *varying;
 };
@@ -60,7 +60,7 @@ struct rhw_fragment1 {
     const float *ddx, *ddy;
     const void *uniforms;
     const void *user;
-    const struct rhw_binding *textures;
+    const struct rhw_bindings *textures;
     float (*color)[4];
     bool discard; ///< out
     float depth;
@@ -73,18 +73,5 @@ struct rhw_fragment1 {
 
 #include "shader_math.h"
 #include "shader_sample.h"
-
-/// rhw_sample_slots for `count` groups (1..RHW_MAX_GROUPS) of one call of a fragment function, at coordinates that are
-/// varyings with derivatives: components `at` and `at + 1`. Bit n of `slots` (at least one) samples textures[n] of
-/// group g into texels[g * stride + n], the same bits as rhw_sample_grad; `stride` is above the highest slot, and no
-/// other texel is written. In less time than one group after the other: levels of detail are worked out for all groups
-/// together, and of several slots the texels of all groups are on their way at once. groups->color with a stride of
-/// RHW_MAX_COLOR_ATTACHMENTS is allowed: slot n is then what target n gets.
-static inline void rhw_sample_groups(const struct rhw_fragment *groups, int count, uint32_t slots, int at,
-                                     rhw_float (*texels)[4], int stride)
-{
-    const struct rhw_binding *const textures = groups->textures;
-    textures->sample_groups(textures, slots, groups, count, at, texels, stride);
-}
 
 #endif

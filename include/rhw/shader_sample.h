@@ -3,6 +3,7 @@
 #ifndef RHW_SHADER_SAMPLE_H
 #define RHW_SHADER_SAMPLE_H
 
+#include "base.h"
 #include "shader_vector.h"
 
 #if defined(__GNUC__)
@@ -12,77 +13,84 @@
 
 struct rhw_fragment;
 
-/// What is bound to one texture slot: the function that samples it, chosen with the context's instruction
-/// set, and its private data. Coordinates u right, v down: (0,0) is the top left corner of the first texel
-/// in memory, (1,1) the bottom right corner of the last.
-struct rhw_binding {
-    /// `grad` = du/dx, dv/dx, du/dy, dv/dy per pixel, or NULL to sample at level `lod` (may be NULL: 0).
-    void (*sample)(const struct rhw_binding *binding, const rhw_float uv[2], const rhw_float grad[4],
-                   const rhw_float *lod, rhw_float texel[4]);
-    const void *texture; ///< private: struct rhw_texture_data
-    const void *sampler; ///< private: struct rhw_sampler_data
-    /// Bit n of `slots`, which is not 0: the sample with `grad` of bindings[n] into texels[n].
-    void (*sample_slots)(const struct rhw_binding *bindings, uint32_t slots, const rhw_float uv[2],
-                         const rhw_float grad[4], rhw_float (*texels)[4]);
-    /// The same for `count` groups, 1..RHW_MAX_GROUPS, at components `at` and `at + 1` of their varyings; of group g
-    /// into texels[g * stride + n].
-    void (*sample_groups)(const struct rhw_binding *bindings, uint32_t slots,
-                          const struct rhw_fragment *groups, int count, int at, rhw_float (*texels)[4],
-                          int stride);
+/// The textures and samplers of a draw, by slot: private to the library.
+struct rhw_bindings;
+
+/// What 8 lanes ask of a texture. Zero the struct, then set what is needed: what is NULL is not asked for, and members
+/// that come later will be NULL in a program compiled before.
+struct rhw_sample_request {
+    /// [2]: u right, v down. (0,0) is the top left corner of the first texel in memory, (1,1) the bottom right corner of
+    /// the last. Any number is allowed; one that is not finite samples somewhere in the texture. More components are
+    /// reserved for textures of other dimensions: a direction, a depth, a layer.
+    const rhw_float *coordinates;
+    /// [4]: du/dx, dv/dx, du/dy, dv/dy per pixel, from which the level of detail follows (OpenGL ES 3.0 §3.8.10: log2 of
+    /// the longer of the two footprint axes), or NULL. More are reserved, by x before by y.
+    const rhw_float *gradient;
+    const rhw_float *lod;       ///< [1], read where `gradient` is NULL: the level of detail itself; NULL: 0
+    const rhw_float *reference; ///< [1], reserved for comparison with depth: not read; NULL
+    const rhw_int *offset;      ///< [2], reserved for offsets in texels: not read; NULL
 };
 
-/// Samples with the level of detail that the derivatives give (OpenGL ES 3.0 §3.8.10: log2 of the longer
-/// of the two footprint axes), plus the sampler's bias, within its limits. sRGB texels are decoded before
-/// they are filtered, and where both filters are LINEAR and no border is met they are held to 15 bits: at most
-/// 1/20 of the distance between two codes off, with 0 and 255 exact. Any coordinate is allowed; one that is not
-/// finite samples somewhere in the texture.
-static inline void rhw_sample_grad(const struct rhw_binding *binding, const rhw_float uv[2],
+/// Samples slot `slot`, 0..RHW_MAX_TEXTURES − 1, of a group's `textures`. The sampler's bias and limits apply to the level
+/// of detail. sRGB texels are decoded before they are filtered, and where both filters are LINEAR and no border is met
+/// they are held to 15 bits: at most 1/20 of the distance between two codes off, with 0 and 255 exact. A slot without a
+/// texture gives 0, 0, 0, 1. A lane's texel does not depend on other lanes.
+RHW_API void rhw_sample(const struct rhw_bindings *textures, int slot,
+                        const struct rhw_sample_request *request, rhw_float texel[4]);
+
+/// rhw_sample with a gradient.
+static inline void rhw_sample_grad(const struct rhw_bindings *textures, int slot, const rhw_float uv[2],
                                    const rhw_float grad[4], rhw_float texel[4])
 {
-    binding->sample(binding, uv, grad, (const rhw_float *)0, texel);
+    const struct rhw_sample_request request = {uv, grad, (const rhw_float *)0, (const rhw_float *)0,
+                                               (const rhw_int *)0};
+    rhw_sample(textures, slot, &request, texel);
 }
 
-/// Samples at an explicit level of detail, to which the sampler's bias and limits apply as well.
-static inline void rhw_sample_lod(const struct rhw_binding *binding, const rhw_float uv[2], rhw_float lod,
-                                  rhw_float texel[4])
+/// rhw_sample at an explicit level of detail.
+static inline void rhw_sample_lod(const struct rhw_bindings *textures, int slot, const rhw_float uv[2],
+                                  rhw_float lod, rhw_float texel[4])
 {
-    binding->sample(binding, uv, (const rhw_float *)0, &lod, texel);
-}
-
-/// rhw_sample_grad of several texture slots at the same coordinates: bit n of `slots` (at least one) samples
-/// textures[n] into texels[n], the same bits as by itself. In less time where textures of 8 bits have the same
-/// size and equal samplers, as those of one material usually do.
-static inline void rhw_sample_slots(const struct rhw_binding *textures, uint32_t slots, const rhw_float uv[2],
-                                    const rhw_float grad[4], rhw_float (*texels)[4])
-{
-    textures->sample_slots(textures, slots, uv, grad, texels);
+    const struct rhw_sample_request request = {uv, (const rhw_float *)0, &lod, (const rhw_float *)0,
+                                               (const rhw_int *)0};
+    rhw_sample(textures, slot, &request, texel);
 }
 
 /// rhw_sample_grad for one fragment: the same bits as a lane of it.
-static inline void rhw_sample1_grad(const struct rhw_binding *binding, const float uv[2], const float grad[4],
-                                    float texel[4])
+static inline void rhw_sample1_grad(const struct rhw_bindings *textures, int slot, const float uv[2],
+                                    const float grad[4], float texel[4])
 {
     const rhw_float at[2] = {rhw_splat(uv[0]), rhw_splat(uv[1])};
-    const rhw_float slope[4] = {rhw_splat(grad[0]), rhw_splat(grad[1]), rhw_splat(grad[2]),
-                                rhw_splat(grad[3])};
+    const rhw_float gradient[4] = {rhw_splat(grad[0]), rhw_splat(grad[1]), rhw_splat(grad[2]),
+                                   rhw_splat(grad[3])};
     rhw_float lanes[4];
-    rhw_sample_grad(binding, at, slope, lanes);
+    rhw_sample_grad(textures, slot, at, gradient, lanes);
     for (int i = 0; i < 4; i++) {
         texel[i] = lanes[i][0];
     }
 }
 
 /// rhw_sample_lod for one fragment.
-static inline void rhw_sample1_lod(const struct rhw_binding *binding, const float uv[2], float lod,
-                                   float texel[4])
+static inline void rhw_sample1_lod(const struct rhw_bindings *textures, int slot, const float uv[2],
+                                   float lod, float texel[4])
 {
     const rhw_float at[2] = {rhw_splat(uv[0]), rhw_splat(uv[1])};
     rhw_float lanes[4];
-    rhw_sample_lod(binding, at, rhw_splat(lod), lanes);
+    rhw_sample_lod(textures, slot, at, rhw_splat(lod), lanes);
     for (int i = 0; i < 4; i++) {
         texel[i] = lanes[i][0];
     }
 }
+
+/// rhw_sample_grad of several texture slots for `count` groups (1..RHW_MAX_GROUPS) of one call of a fragment function, at
+/// coordinates that are varyings with derivatives: components `at` and `at + 1`. Bit n of `slots` (at least one) samples
+/// slot n of group g into texels[g * stride + n], the same bits as by itself; `stride` is above the highest slot, and no
+/// other texel is written. In less time than one group after the other: levels of detail are worked out for all groups
+/// together, and textures of 8 bits with the same size and equal samplers, as those of one material usually are, share
+/// their footprints while the texels of all groups are on their way at once. groups->color with a stride of
+/// RHW_MAX_COLOR_ATTACHMENTS is allowed: slot n is then what target n gets.
+RHW_API void rhw_sample_groups(const struct rhw_fragment *groups, int count, uint32_t slots, int at,
+                               rhw_float (*texels)[4], int stride);
 
 #if defined(__GNUC__)
 #pragma GCC diagnostic pop

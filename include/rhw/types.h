@@ -65,7 +65,7 @@ enum rhw_format {
     RHW_FORMAT_RGBA16_FLOAT,
     RHW_FORMAT_R32_FLOAT,
     RHW_FORMAT_RGBA32_FLOAT,
-    RHW_FORMAT_R32_UINT,  ///< target only: the bits of the first output, no blending, no filtering
+    RHW_FORMAT_R32_UINT,  ///< target only: the bits of the first channel, no blending, no filtering
     RHW_FORMAT_D32_FLOAT, ///< depth
     RHW_FORMAT_COUNT
 };
@@ -279,7 +279,7 @@ struct rhw_rect { int x, y, width, height; }; ///< pixels
 struct rhw_stats {
     double record_ms;  ///< from rhw_pass_begin to rhw_pass_end, whatever the program did meanwhile
     double front_ms;   ///< vertex fetch and shading, clip, cull, setup, binning
-    double back_ms;    ///< tiles: load, raster, shading, output, store
+    double back_ms;    ///< tiles: load, raster, shading, blending, store
     double front_busy_ms, back_busy_ms;
     double vertex_busy_ms; ///< of front_busy_ms: assembly, fetch, the vertex function, projection
     double setup_busy_ms;  ///< of front_busy_ms: clip, cull, setup

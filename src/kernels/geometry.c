@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // The front end, compiled once per instruction set, with RHW_ISA_SUFFIX naming it.
-#include "geometry_entry.h"
+#include "kernel_entries.h"
 
 #include "geometry/chunk.h"
 

@@ -1,16 +1,14 @@
 // SPDX-License-Identifier: MIT
-// Compiled once per instruction set, with RHW_ISA_SUFFIX naming it.
-#include "kernels.h"
+// The table of kernels of one instruction set, which RHW_ISA_SUFFIX names.
+#include "kernel_entries.h"
 
-#include "geometry_entry.h"
-#include "sample_slots_tmpl.h"
-#include "tile_entry.h"
-
-const struct rhw_kernels RHW_ISA_NAME(rhw_kernels) = {.shared_part = RHW_ISA_NAME(rhw_shade_shared_part),
-                                                      .chunk = RHW_ISA_NAME(rhw_make_chunk),
-                                                      .tile = RHW_ISA_NAME(rhw_draw_tile),
-                                                      .sample_other = sample_other,
-                                                      .sample_rgba8 = sample_rgba8,
-                                                      .sample_rgba8_srgb = sample_rgba8_srgb,
-                                                      .sample_slots = sample_slots,
-                                                      .sample_groups = sample_groups};
+const struct rhw_kernels RHW_ISA_NAME(rhw_kernels) = {
+    .shared_part = RHW_ISA_NAME(rhw_shade_shared_part),
+    .chunk = RHW_ISA_NAME(rhw_make_chunk),
+    .tile = RHW_ISA_NAME(rhw_draw_tile),
+    .sample_float = RHW_ISA_NAME(rhw_sample_float),
+    .sample_unorm8 = RHW_ISA_NAME(rhw_sample_unorm8),
+    .sample_srgb8 = RHW_ISA_NAME(rhw_sample_srgb8),
+    .sample_unorm8_general = RHW_ISA_NAME(rhw_sample_unorm8_general),
+    .sample_srgb8_general = RHW_ISA_NAME(rhw_sample_srgb8_general),
+    .sample_groups = RHW_ISA_NAME(rhw_sample_groups)};

@@ -11,8 +11,14 @@ struct rhw_pass_state;
 struct rhw_chunk;
 struct rhw_shared_part;
 
-typedef void rhw_sample_function(const struct rhw_binding *binding, const rhw_float uv[2],
-                                 const rhw_float grad[4], const rhw_float *lod, rhw_float texel[4]);
+struct rhw_binding;
+
+// See rhw_sample; of one slot.
+typedef void rhw_sample_function(const struct rhw_binding *binding, const struct rhw_sample_request *request,
+                                 rhw_float texel[4]);
+// See rhw_sample_groups.
+typedef void rhw_sample_groups_function(const struct rhw_fragment *groups, int count, uint32_t slots, int at,
+                                        rhw_float (*texels)[4], int stride);
 
 struct rhw_kernels {
     // Shades some of the vertices that chunks share.
@@ -21,16 +27,12 @@ struct rhw_kernels {
     bool (*chunk)(struct rhw_pass_state *pass, struct rhw_chunk *chunk, int worker);
     // One tile of the back end, from load to store.
     void (*tile)(struct rhw_pass_state *pass, int tile, int worker);
-    // Behind rhw_sample_grad and rhw_sample_lod: of RGBA8 textures in either encoding with samplers that take the
-    // fixed-point road (sampler.h), and of all others or none.
-    rhw_sample_function *sample_other, *sample_rgba8, *sample_rgba8_srgb;
-    // Behind rhw_sample_slots.
-    void (*sample_slots)(const struct rhw_binding *bindings, uint32_t slots, const rhw_float uv[2],
-                         const rhw_float grad[4], rhw_float (*texels)[4]);
-    // Behind rhw_sample_groups.
-    void (*sample_groups)(const struct rhw_binding *bindings, uint32_t slots,
-                          const struct rhw_fragment *groups, int count, int at, rhw_float (*texels)[4],
-                          int stride);
+    // Every format and sampler, in floats, and a slot without a texture.
+    rhw_sample_function *sample_float;
+    // RGBA8 textures of either encoding with samplers that allow it (sampler.h), in fixed point: with the special paths
+    // of filter_fixed.h, and always on the general path, which gives the same bytes.
+    rhw_sample_function *sample_unorm8, *sample_srgb8, *sample_unorm8_general, *sample_srgb8_general;
+    rhw_sample_groups_function *sample_groups;
 };
 
 RHW_ISA_DECLARE(const struct rhw_kernels, rhw_kernels);

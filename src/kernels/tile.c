@@ -2,7 +2,7 @@
 // One tile: load or clear, draw the triangles binned for it, store. Compiled once per instruction set, with
 // RHW_ISA_SUFFIX naming it. In which order the triangles of a run are drawn, hidden_surface.h says; the order of runs is
 // that of submission.
-#include "tile_entry.h"
+#include "kernel_entries.h"
 
 #include "integer.h"
 #include "tile/attachment.h"

@@ -75,7 +75,7 @@ static void texture(struct rhw_fragment *groups, int count)
         struct rhw_fragment *f = &groups[g];
         const rhw_float uv[2] = {f->varying[0], f->varying[1]};
         const rhw_float grad[4] = {f->ddx[0], f->ddx[1], f->ddy[0], f->ddy[1]};
-        rhw_sample_grad(&f->textures[0], uv, grad, f->color[0]);
+        rhw_sample_grad(f->textures, 0, uv, grad, f->color[0]);
     }
 }
 
@@ -84,7 +84,7 @@ static void level(struct rhw_fragment *groups, int count)
     for (int g = 0; g < count; g++) {
         struct rhw_fragment *f = &groups[g];
         const rhw_float uv[2] = {f->varying[0], f->varying[1]};
-        rhw_sample_lod(&f->textures[0], uv, f->varying[2], f->color[0]);
+        rhw_sample_lod(f->textures, 0, uv, f->varying[2], f->color[0]);
     }
 }
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Golden scenes of the output merger: blending, write masks, colour formats, loading and storing.
+// Golden scenes of what is stored: blending, write masks, colour formats, loading and storing.
 #include "golden_cells.h"
 #include "golden_scenes.h"
 

@@ -2,12 +2,12 @@
 // See isa_templates.h; compiled with RHW_ISA_SUFFIX = baseline, avx2, ...
 #include "isa_templates.h"
 
-#include "kernels/output_tmpl.h"
+#include "kernels/fragment/blend.h"
 
-static void output(const struct output_state *state, const rhw_float color[4], const rhw_int *mask,
-                   unsigned char *texels)
+static void blend(const struct rhw_blend_state *state, const rhw_float color[4], const rhw_int *mask,
+                  unsigned char *texels)
 {
-    output_group(state, color, *mask, texels);
+    blend_group(state, color, *mask, texels);
 }
 
 static inline rhw_float apply8(enum isa_function function, rhw_float a, rhw_float b)
@@ -52,4 +52,4 @@ static void apply(enum isa_function function, const float *a, const float *b, fl
     }
 }
 
-const struct isa_templates RHW_ISA_NAME(isa_templates) = {output, apply};
+const struct isa_templates RHW_ISA_NAME(isa_templates) = {blend, apply};

@@ -7,7 +7,7 @@
 #include <rhw/isa.h>
 #include <rhw/shader.h>
 
-struct output_state;
+struct rhw_blend_state;
 
 enum isa_function {
     ISA_EXP2,
@@ -41,9 +41,9 @@ enum isa_function {
 };
 
 struct isa_templates {
-    /// Merges 8 fragments; see output_group.
-    void (*output)(const struct output_state *state, const rhw_float color[4], const rhw_int *mask,
-                   unsigned char *texels);
+    /// Blends 8 fragments; see blend_group.
+    void (*blend)(const struct rhw_blend_state *state, const rhw_float color[4], const rhw_int *mask,
+                  unsigned char *texels);
     /// result[i] = function(a[i], b[i]) of `count` numbers, a multiple of 8.
     void (*apply)(enum isa_function function, const float *a, const float *b, float *result, int count);
 };

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Blending and output: every factor with every factor under every operation against a scalar model, per
+// Blending: every factor with every factor under every operation against a scalar model, per
 // target and per channel, in every colour format; write masks; encoding on write.
 #include "harness.h"
 #include "reference.h"
@@ -426,7 +426,7 @@ static uint32_t pattern(uint32_t primitive)
     return primitive * 0x00010101u + 0x7fa00001u;
 }
 
-// R32_UINT takes the bits of the first output, signalling NaNs and all.
+// R32_UINT takes the bits of the first channel, signalling NaNs and all.
 static void test_integer_target(void **state)
 {
     (void)state;

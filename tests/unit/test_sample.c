@@ -24,13 +24,13 @@ static struct rhw_sampler_def default_sampler(void)
 
 // Textures are linearized, as rhw_pass_set_texture does; samplers go with the context.
 static struct rhw_binding bind(rhw_context *context, rhw_texture texture,
-                               const struct rhw_sampler_def *sampler, enum rhw_isa isa)
+                               const struct rhw_sampler_def *sampler, enum rhw_isa isa, enum rhw_paths paths)
 {
     struct rhw_texture_data *const data = rhw_context_texture(context, texture, "test");
     assert_true(rhw_texture_linearize(&context->memory, data));
     rhw_sampler made;
     assert_int_equal(rhw_sampler_create(context, sampler, &made), RHW_OK);
-    return rhw_binding_of(rhw_kernels_for(isa), data, rhw_context_sampler(context, made, "test"));
+    return rhw_binding_of(rhw_kernels_for(isa), paths, data, rhw_context_sampler(context, made, "test"));
 }
 
 // How far a filtered sample may be off: 8-bit formats are filtered with 15-bit weights, and coordinates
@@ -58,17 +58,21 @@ static float clear_lod(uint64_t *random)
     return ((float)rig_random_int(random, 9 * 16) + 0.25f) / 16.0f - 1.5f;
 }
 
-// Every isa's result, which must be the same bits, in `texel`.
+// Every isa's result on every path, which must be the same bits, in `texel`.
 static void sample_all_isas(struct rhw_binding *binding, const rhw_float uv[2], const rhw_float grad[4],
                             const rhw_float *lod, rhw_float texel[4])
 {
-    *binding = rhw_binding_of(rhw_kernels_for(RHW_ISA_BASELINE), binding->texture, binding->sampler);
-    binding->sample(binding, uv, grad, lod, texel);
-    for (int isa = RHW_ISA_BASELINE + 1; isa < RHW_ISA_COUNT; isa++) {
-        if (rhw_isa_supported((enum rhw_isa)isa)) {
+    const struct rhw_sample_request request = {.coordinates = uv, .gradient = grad, .lod = lod};
+    *binding =
+        rhw_binding_of(rhw_kernels_for(RHW_ISA_BASELINE), RHW_PATHS_ALL, binding->texture, binding->sampler);
+    binding->sample(binding, &request, texel);
+    for (int isa = RHW_ISA_BASELINE; isa < RHW_ISA_COUNT; isa++) {
+        for (int paths = RHW_PATHS_ALL; paths <= RHW_PATHS_GENERAL && rhw_isa_supported((enum rhw_isa)isa);
+             paths++) {
             rhw_float other[4];
-            *binding = rhw_binding_of(rhw_kernels_for((enum rhw_isa)isa), binding->texture, binding->sampler);
-            binding->sample(binding, uv, grad, lod, other);
+            *binding = rhw_binding_of(rhw_kernels_for((enum rhw_isa)isa), (enum rhw_paths)paths,
+                                      binding->texture, binding->sampler);
+            binding->sample(binding, &request, other);
             assert_memory_equal(other, texel, sizeof other);
         }
     }
@@ -77,7 +81,7 @@ static void sample_all_isas(struct rhw_binding *binding, const rhw_float uv[2], 
 static void random_sampler(uint64_t *random, struct rhw_sampler_def *sampler)
 {
     *sampler = default_sampler();
-    if (rig_random_int(random, 3) == 0) { // the path of RGBA8 stays well used
+    if (rig_random_int(random, 3) == 0) { // the fixed-point path stays well used
         sampler->address_u = (enum rhw_address)rig_random_int(random, 3);
         sampler->address_v = (enum rhw_address)rig_random_int(random, 3);
         return;
@@ -132,7 +136,7 @@ static void test_samples_follow_the_model(void **state)
             model_random_texture(rig.context, format, size[0], size[1], n & 1, &random);
         struct rhw_sampler_def sampler;
         random_sampler(&random, &sampler);
-        struct rhw_binding binding = bind(rig.context, texture, &sampler, RHW_ISA_BASELINE);
+        struct rhw_binding binding = bind(rig.context, texture, &sampler, RHW_ISA_BASELINE, RHW_PATHS_ALL);
         for (int repeat = 0; repeat < 8; repeat++) {
             rhw_float uv[2], lod, texel[4];
             const float common = clear_lod(&random);
@@ -165,7 +169,7 @@ static void test_derivatives_choose_the_level(void **state)
             model_random_texture(rig.context, format, 64, n & 2 ? 16 : 64, 0, &random);
         struct rhw_sampler_def sampler = default_sampler();
         sampler.lod_bias = n & 4 ? 0.5f : 0.0f;
-        struct rhw_binding binding = bind(rig.context, texture, &sampler, RHW_ISA_BASELINE);
+        struct rhw_binding binding = bind(rig.context, texture, &sampler, RHW_ISA_BASELINE, RHW_PATHS_ALL);
         const struct rhw_texture_data *const data = binding.texture;
         rhw_float uv[2], grad[4], texel[4];
         const float scale = exp2f(rig_random_float(&random, -7, 1));
@@ -220,7 +224,7 @@ static void test_texel_centres_are_exact(void **state)
         rhw_texture texture;
         assert_int_equal(rhw_texture_create(rig.context, &def, &texture), RHW_OK);
         rhw_texture_write(rig.context, texture, 0, codes, 0);
-        struct rhw_binding binding = bind(rig.context, texture, &sampler, RHW_ISA_BASELINE);
+        struct rhw_binding binding = bind(rig.context, texture, &sampler, RHW_ISA_BASELINE, RHW_PATHS_ALL);
         const bool linear_copy = (n & 1) && !(n & 4) && !(n & 8);
         float previous = -1;
         for (int i = 0; i < 256; i++) {
@@ -263,7 +267,7 @@ static void test_every_half_is_converted_exactly(void **state)
     rhw_texture_write(rig.context, texture, 0, halves, 0);
     struct rhw_sampler_def sampler = default_sampler();
     sampler.min_filter = sampler.mag_filter = RHW_FILTER_NEAREST;
-    struct rhw_binding binding = bind(rig.context, texture, &sampler, RHW_ISA_BASELINE);
+    struct rhw_binding binding = bind(rig.context, texture, &sampler, RHW_ISA_BASELINE, RHW_PATHS_ALL);
     for (int i = 0; i < 65536 / 4; i++) {
         const rhw_float uv[2] = {rhw_splat(((float)(i % 128) + 0.5f) / 128),
                                  rhw_splat(((float)(i / 128) + 0.5f) / 128)};
@@ -300,7 +304,7 @@ static void test_one_colour_stays_one_colour(void **state)
         rhw_texture_write(rig.context, texture, 0, texels, 0);
         rhw_texture_generate_mips(rig.context, texture);
         const struct rhw_sampler_def sampler = default_sampler();
-        struct rhw_binding binding = bind(rig.context, texture, &sampler, RHW_ISA_BASELINE);
+        struct rhw_binding binding = bind(rig.context, texture, &sampler, RHW_ISA_BASELINE, RHW_PATHS_ALL);
         float srgb = 0;
         for (int n = 0; n < 16; n++) {
             rhw_float uv[2], lod, texel[4];
@@ -345,28 +349,11 @@ static void random_footprint(uint64_t *random, rhw_float uv[2], rhw_float grad[4
 
 enum { SLOTS = 6 };
 
-// Every subset of the slots gives each of its textures the bits that it has alone, and leaves the others be.
-static void expect_slots_as_alone(const struct rhw_binding bindings[SLOTS], uint64_t *random)
-{
-    rhw_float uv[2], grad[4], texels[SLOTS][4];
-    const uint32_t slots = 1 + (uint32_t)rig_random_int(random, (1 << SLOTS) - 1);
-    random_footprint(random, uv, grad);
-    memset(texels, 0x5a, sizeof texels);
-    bindings[0].sample_slots(bindings, slots, uv, grad, texels);
-    for (int i = 0; i < SLOTS; i++) {
-        rhw_float alone[4];
-        memset(alone, 0x5a, sizeof alone);
-        if (slots >> i & 1) {
-            bindings[i].sample(&bindings[i], uv, grad, NULL, alone);
-        }
-        assert_memory_equal(texels[i], alone, sizeof alone);
-    }
-}
-
 enum { GROUPS = 16, VARYINGS = 5 };
 
-// The same for any number of groups, at any varyings.
-static void expect_groups_as_alone(const struct rhw_binding bindings[SLOTS], uint64_t *random)
+// Every subset of the slots gives each of its textures the bits that it has alone, for any number of groups, at any
+// varyings, and leaves the others be.
+static void expect_groups_as_alone(const struct rhw_bindings *bindings, uint64_t *random)
 {
     static rhw_float varying[GROUPS][VARYINGS], ddx[GROUPS][VARYINGS], ddy[GROUPS][VARYINGS];
     static rhw_float texels[GROUPS][SLOTS + 1][4];
@@ -394,7 +381,7 @@ static void expect_groups_as_alone(const struct rhw_binding bindings[SLOTS], uin
             memset(alone, 0x5a, sizeof alone);
             if (g < count && slots >> i & 1) {
                 const rhw_float grad[4] = {ddx[g][at], ddx[g][at + 1], ddy[g][at], ddy[g][at + 1]};
-                bindings[i].sample(&bindings[i], &varying[g][at], grad, NULL, alone);
+                rhw_sample_grad(bindings, i, &varying[g][at], grad, alone);
             }
             assert_memory_equal(texels[g][i], alone, sizeof alone);
         }
@@ -412,12 +399,14 @@ static void test_slots_sampled_at_once(void **state)
     uint64_t random = 11;
     for (int round = 0; round < 45; round++) {
         const enum rhw_isa isa = (enum rhw_isa)(round % RHW_ISA_COUNT);
+        const enum rhw_paths paths = round % 4 == 0 ? RHW_PATHS_GENERAL : RHW_PATHS_ALL;
         struct rhw_sampler_def samplers[SLOTS];
-        struct rhw_binding bindings[SLOTS];
+        struct rhw_bindings bindings;
         rhw_texture textures[SLOTS];
         if (!rhw_isa_supported(isa)) {
             continue;
         }
+        rhw_bindings_init(&bindings, rhw_kernels_for(isa));
         random_sampler(&random, &samplers[0]);
         for (int i = 0; i < SLOTS; i++) {
             const bool other = rig_random_int(&random, 5) == 0;
@@ -425,14 +414,13 @@ static void test_slots_sampled_at_once(void **state)
                                                other ? 32 : 64, 64, 0, &random);
             samplers[i] = samplers[0];
             samplers[i].lod_bias += rig_random_int(&random, 6) == 0 ? 1.0f : 0.0f;
-            bindings[i] = bind(rig.context, textures[i], &samplers[i], isa);
+            bindings.slot[i] = bind(rig.context, textures[i], &samplers[i], isa, paths);
             if (rig_random_int(&random, 12) == 0) {
-                bindings[i] = rhw_binding_of(rhw_kernels_for(isa), NULL, NULL);
+                bindings.slot[i] = rhw_binding_of(rhw_kernels_for(isa), paths, NULL, NULL);
             }
         }
         for (int n = 0; n < 100; n++) {
-            expect_slots_as_alone(bindings, &random);
-            expect_groups_as_alone(bindings, &random);
+            expect_groups_as_alone(&bindings, &random);
         }
         for (int i = 0; i < SLOTS; i++) {
             rhw_texture_destroy(rig.context, textures[i]);
@@ -444,7 +432,7 @@ static void test_slots_sampled_at_once(void **state)
 static void texture_fragment(struct rhw_fragment *groups, int count)
 {
     for (int g = 0; g < count; g++) {
-        rhw_sample_lod(&groups[g].textures[0], groups[g].varying, rhw_splat(0.0f), groups[g].color[0]);
+        rhw_sample_lod(groups[g].textures, 0, groups[g].varying, rhw_splat(0.0f), groups[g].color[0]);
     }
 }
 
@@ -512,7 +500,7 @@ static void test_lanes_are_independent(void **state)
             model_random_texture(rig.context, sampled_formats[n % SAMPLED_FORMATS], 32, 32, 0, &random);
         struct rhw_sampler_def sampler;
         random_sampler(&random, &sampler);
-        struct rhw_binding binding = bind(rig.context, texture, &sampler, RHW_ISA_BASELINE);
+        struct rhw_binding binding = bind(rig.context, texture, &sampler, RHW_ISA_BASELINE, RHW_PATHS_ALL);
         rhw_float uv[2], grad[4], lod, texel[4];
         for (int i = 0; i < RHW_LANES; i++) {
             uv[0][i] = rig_random_float(&random, -2, 2);
@@ -523,14 +511,17 @@ static void test_lanes_are_independent(void **state)
             }
         }
         sample_all_isas(&binding, uv, n & 1 ? grad : NULL, &lod, texel);
+        struct rhw_bindings bindings;
+        rhw_bindings_init(&bindings, rhw_kernels_for(RHW_ISA_BASELINE));
+        bindings.slot[3] = binding;
         for (int i = 0; i < RHW_LANES; i++) {
             const float at[2] = {uv[0][i], uv[1][i]};
             const float slope[4] = {grad[0][i], grad[1][i], grad[2][i], grad[3][i]};
             float single[4];
             if (n & 1) {
-                rhw_sample1_grad(&binding, at, slope, single);
+                rhw_sample1_grad(&bindings, 3, at, slope, single);
             } else {
-                rhw_sample1_lod(&binding, at, lod[i], single);
+                rhw_sample1_lod(&bindings, 3, at, lod[i], single);
             }
             for (int c = 0; c < 4; c++) {
                 const float lane = texel[c][i];
@@ -560,7 +551,7 @@ static void test_hostile_coordinates(void **state)
         struct rhw_sampler_def sampler;
         random_sampler(&random, &sampler);
         memset(sampler.border, 0, sizeof sampler.border);
-        struct rhw_binding binding = bind(rig.context, texture, &sampler, RHW_ISA_BASELINE);
+        struct rhw_binding binding = bind(rig.context, texture, &sampler, RHW_ISA_BASELINE, RHW_PATHS_ALL);
         for (int repeat = 0; repeat < 20; repeat++) {
             rhw_float in[7], texel[4];
             for (int j = 0; j < 7; j++) {
@@ -595,7 +586,7 @@ static void test_a_nan_slope_means_the_last_level(void **state)
         const enum rhw_format format = n ? RHW_FORMAT_RGBA8_UNORM : RHW_FORMAT_RGBA32_FLOAT;
         const rhw_texture texture = model_random_texture(rig.context, format, 64, 64, 0, &random);
         const struct rhw_sampler_def sampler = default_sampler();
-        struct rhw_binding binding = bind(rig.context, texture, &sampler, RHW_ISA_BASELINE);
+        struct rhw_binding binding = bind(rig.context, texture, &sampler, RHW_ISA_BASELINE, RHW_PATHS_ALL);
         for (size_t i = 0; i < sizeof slopes / sizeof slopes[0]; i++) {
             const rhw_float uv[2] = {rhw_splat(0.3f), rhw_splat(0.8f)}, lod = rhw_splat(6.0f);
             const rhw_float slope = rhw_from_bits(rhw_splat_int((int32_t)slopes[i]));
@@ -615,10 +606,11 @@ static void test_an_unbound_slot_samples_opaque_black(void **state)
     (void)state;
     for (int isa = 0; isa < RHW_ISA_COUNT; isa++) {
         if (rhw_isa_supported((enum rhw_isa)isa)) {
-            const struct rhw_binding binding = rhw_binding_of(rhw_kernels_for((enum rhw_isa)isa), NULL, NULL);
+            struct rhw_bindings bindings;
+            rhw_bindings_init(&bindings, rhw_kernels_for((enum rhw_isa)isa));
             const float uv[2] = {0.3f, NAN}, expected[4] = {0, 0, 0, 1};
             float texel[4];
-            rhw_sample1_lod(&binding, uv, 2.0f, texel);
+            rhw_sample1_lod(&bindings, 5, uv, 2.0f, texel);
             assert_memory_equal(texel, expected, sizeof texel);
         }
     }

@@ -13,9 +13,9 @@ static void prepare_constant(struct tile_work *work)
     run_fragment_function(work, 1);
     work->counters->groups++;
     for (int t = 0; t < work->pass->color_count; t++) {
-        if (work->state->outputs[t].kind == OUTPUT_RGBA8_REPLACE) {
-            output_group(&work->state->outputs[t], queue->colors[0][t], i8_splat(-1),
-                         (unsigned char *)&work->scratch->constant[t]);
+        if (work->state->blend[t].path == BLEND_RGBA8_REPLACE) {
+            blend_group(&work->state->blend[t], queue->colors[0][t], i8_splat(-1),
+                        (unsigned char *)&work->scratch->constant[t]);
         }
     }
     work->constant_is_ready = true;
@@ -29,19 +29,19 @@ static void blend_constant(struct tile_work *work, int x, int y, uint64_t mask)
         prepare_constant(work);
     }
     for (int t = 0; t < work->pass->color_count; t++) {
-        const struct output_state *const state = &work->state->outputs[t];
+        const struct rhw_blend_state *const state = &work->state->blend[t];
         const size_t size = work->pass->colors[t].texel_size;
         unsigned char *const texels = scratch->color[t] + (size_t)(y * RHW_TILE + x) * size;
         const i8 texel = scratch->constant[t];
         for (int row = 0; row < RHW_BLOCK; row++) {
             const unsigned bits = (unsigned)(mask >> (8 * row)) & 0xff;
             unsigned char *const to = texels + (size_t)(row * RHW_TILE) * size;
-            if (state->kind != OUTPUT_RGBA8_REPLACE) {
-                output_group(state, scratch->queue.colors[0][t], i8_from_bits(bits), to);
+            if (state->path != BLEND_RGBA8_REPLACE) {
+                blend_group(state, scratch->queue.colors[0][t], i8_from_bits(bits), to);
             } else if (bits == 0xff) {
                 i8_store(to, texel);
             } else {
-                output_store32(to, texel, i8_from_bits(bits));
+                store_words(to, texel, i8_from_bits(bits));
             }
         }
     }

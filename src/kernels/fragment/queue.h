@@ -8,7 +8,7 @@
 #include "../../shader_adapter.h"
 #include "../raster/depth_test.h"
 #include "../tile_work.h"
-#include "../output_tmpl.h"
+#include "blend.h"
 
 static void run_fragment_function(const struct tile_work *work, int count)
 {
@@ -66,36 +66,36 @@ RHW_INLINE void scatter_texels(const int32_t at[8], unsigned bits, unsigned char
     }
 }
 
-// Blends what was shaded into target t. `kind` and `size` (bytes of a texel) are the target's, constants where a call
+// Blends what was shaded into target t. `path` and `size` (bytes of a texel) are the target's, constants where a call
 // names them.
-RHW_INLINE void blend_target(const struct tile_work *work, int t, enum output_kind kind, size_t size)
+RHW_INLINE void blend_target(const struct tile_work *work, int t, enum rhw_blend_path path, size_t size)
 {
-    struct output_state state = work->state->outputs[t];
-    state.kind = kind;
+    struct rhw_blend_state state = work->state->blend[t];
+    state.path = path;
     struct fragment_queue *const queue = &work->scratch->queue;
     unsigned char *const texels = work->scratch->color[t];
     const int count = queue->count;
-    const bool is_common = kind == OUTPUT_RGBA8_REPLACE || kind == OUTPUT_RGBA8_OVER;
+    const bool is_common = path == BLEND_RGBA8_REPLACE || path == BLEND_RGBA8_OVER;
     if (is_common && queue->has_all_rows && state.texel_mask == UINT32_MAX) {
         state.texel_mask = UINT32_MAX; // known from here on
         for (int g = 0; g < count; g++) {
-            output_group(&state, queue->colors[g][t], i8_splat(-1), texels + (size_t)queue->row_at[g] * size);
+            blend_group(&state, queue->colors[g][t], i8_splat(-1), texels + (size_t)queue->row_at[g] * size);
         }
         return;
     }
     for (int g = 0; g < count; g++) {
         const f8 *const color = queue->colors[g][t];
         if (!queue->is_scattered[g]) {
-            output_group(&state, color, i8_from_bits(queue->live[g]),
-                         texels + (size_t)queue->row_at[g] * size);
+            blend_group(&state, color, i8_from_bits(queue->live[g]),
+                        texels + (size_t)queue->row_at[g] * size);
             continue;
         }
         _Alignas(32) unsigned char lanes[8 * 16];
         const int32_t *const at = queue->texels[g];
-        if (kind != OUTPUT_RGBA8_REPLACE) {
+        if (path != BLEND_RGBA8_REPLACE) {
             gather_texels(at, texels, size, lanes);
         }
-        output_group(&state, color, i8_splat(-1), lanes);
+        blend_group(&state, color, i8_splat(-1), lanes);
         scatter_texels(at, queue->live[g], texels, size, lanes);
     }
 }
@@ -112,13 +112,13 @@ static void shade_queue(struct tile_work *work)
         }
     }
     for (int t = 0; t < work->pass->color_count; t++) {
-        const enum output_kind kind = work->state->outputs[t].kind;
-        if (kind == OUTPUT_RGBA8_REPLACE) {
-            blend_target(work, t, OUTPUT_RGBA8_REPLACE, 4);
-        } else if (kind == OUTPUT_RGBA8_OVER) {
-            blend_target(work, t, OUTPUT_RGBA8_OVER, 4);
+        const enum rhw_blend_path path = work->state->blend[t].path;
+        if (path == BLEND_RGBA8_REPLACE) {
+            blend_target(work, t, BLEND_RGBA8_REPLACE, 4);
+        } else if (path == BLEND_RGBA8_OVER) {
+            blend_target(work, t, BLEND_RGBA8_OVER, 4);
         } else {
-            blend_target(work, t, kind, work->pass->colors[t].texel_size);
+            blend_target(work, t, path, work->pass->colors[t].texel_size);
         }
     }
     work->counters->groups += (uint64_t)queue->count;

@@ -1,21 +1,21 @@
 // SPDX-License-Identifier: MIT
 // Constants of the sampler as whole vectors: an instruction then takes one from memory as an operand, where gcc
 // would spend one instruction to load a number into all lanes, or three if it is an integer.
-#ifndef RHW_SAMPLE_CONSTANTS_TMPL_H
-#define RHW_SAMPLE_CONSTANTS_TMPL_H
+#ifndef RHW_SAMPLE_CONSTANTS_H
+#define RHW_SAMPLE_CONSTANTS_H
 
-#include "../simd.h"
+#include "../../simd.h"
 
 struct sample_constants {
     f8 largest;                        // finite float
     i8 fraction_bits, one_bits;        // of a float; of 1.0f
     f8 one, one_16;                    // 1; 1 in 16.16
-    f8 curve0, curve1, curve2, curve3; // see sample_half_log2
+    f8 curve0, curve1, curve2, curve3; // see half_log2
     f8 log_scale, log_offset;
-    f8 half_texel;             // 16.16
-    f8 code_scale, code_rest;  // see sample_from_code
-    i8 lower_half, upper_half; // of a lane
-    i8 not_in_row;             // see sample_interior_codes
+    f8 half_texel;              // 16.16
+    f8 fixed_scale, fixed_rest; // see fixed_to_float
+    i8 lower_half, upper_half;  // of a lane
+    i8 not_in_row;              // see filter_interior
 };
 
 // A macro, as the result of a function is no constant.
@@ -36,8 +36,8 @@ static const struct sample_constants sample_constant_values = {
     .log_scale = SPLAT(0x1p-24f),
     .log_offset = SPLAT(-63.5f),
     .half_texel = SPLAT(32768.0f),
-    .code_scale = SPLAT(0x1p-15f),
-    .code_rest = SPLAT(1.19676784e-07f),
+    .fixed_scale = SPLAT(0x1p-15f),
+    .fixed_rest = SPLAT(1.19676784e-07f),
     .lower_half = SPLAT(0xffff),
     .upper_half = SPLAT(-0x10000),
     .not_in_row = SPLAT(~0x70000),

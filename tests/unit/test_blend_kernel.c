@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The output merger by itself: conversions against MPFR and over all their inputs, the special paths
+// The blend kernel by itself: conversions against MPFR and over all their inputs, the fast paths
 // against plain formulas, masks byte by byte, and every instruction set against the baseline. What
 // blending means per factor and operation is test_blend's subject.
 #include "harness.h"
@@ -12,7 +12,7 @@
 #include <mpfr.h>
 
 #include "half.h"
-#include "output.h"
+#include "blend_state.h"
 #include "srgb.h"
 
 static float from_bits(uint32_t bits)
@@ -146,7 +146,7 @@ static void test_half_from_float_rounds_to_nearest_even(void **state)
     assert_int_equal(rhw_half_from_float(from_bits(0xff802000)), 0xfe01); // signalling becomes quiet
 }
 
-// The merger ----------------------------------------------------------------------------------------
+// Blending -------------------------------------------------------------------------------------------
 
 static struct rhw_color_target opaque(enum rhw_format format)
 {
@@ -214,19 +214,19 @@ static void test_every_isa_writes_the_same_bytes(void **state)
         const struct rhw_color_target target = random_target(&random);
         const float constant[4] = {rig_random_float(&random, -0.5f, 1.5f), 0.25f, 1.0f,
                                    awkward_float(&random)};
-        struct output_state output;
-        rhw_output_prepare(&output, &target, constant);
+        struct rhw_blend_state blend;
+        rhw_blend_state_init(&blend, &target, constant);
         rhw_float color[4];
         rhw_int mask;
         unsigned char before[TEXELS * TEXEL_BYTES], expected[sizeof before], texels[sizeof before];
         random_group(&random, color, &mask, before);
         memcpy(expected, before, sizeof before);
-        baseline->output(&output, color, &mask, expected);
+        baseline->blend(&blend, color, &mask, expected);
         for (int isa = RHW_ISA_BASELINE + 1; isa < RHW_ISA_COUNT; isa++) {
             const struct isa_templates *const other = isa_templates_for((enum rhw_isa)isa);
             if (other) {
                 memcpy(texels, before, sizeof before);
-                other->output(&output, color, &mask, texels);
+                other->blend(&blend, color, &mask, texels);
                 assert_memory_equal(texels, expected, sizeof texels);
             }
         }
@@ -242,8 +242,8 @@ static void test_nothing_else_is_written(void **state)
     for (int n = 0; n < 4000; n++) {
         const struct rhw_color_target target = random_target(&random);
         const float constant[4] = {0.5f, 0.25f, 0.125f, 1.0f};
-        struct output_state output;
-        rhw_output_prepare(&output, &target, constant);
+        struct rhw_blend_state blend;
+        rhw_blend_state_init(&blend, &target, constant);
         rhw_float color[4];
         rhw_int mask;
         unsigned char before[TEXELS * TEXEL_BYTES], texels[sizeof before];
@@ -254,7 +254,7 @@ static void test_nothing_else_is_written(void **state)
             }
         }
         memcpy(texels, before, sizeof before);
-        baseline->output(&output, color, &mask, texels);
+        baseline->blend(&blend, color, &mask, texels);
         const size_t size = rhw_format_size(target.format);
         const size_t channel =
             target.format == RHW_FORMAT_RGBA8_UNORM || target.format == RHW_FORMAT_RGBA8_SRGB ? 1
@@ -289,9 +289,9 @@ static void test_replacing_rounds_each_format(void **state)
         random_group(&random, color, &mask, texels);
         for (int f = 0; f < FORMATS; f++) {
             const struct rhw_color_target target = opaque(formats[f]);
-            struct output_state output;
-            rhw_output_prepare(&output, &target, constant);
-            baseline->output(&output, color, &all, texels);
+            struct rhw_blend_state blend;
+            rhw_blend_state_init(&blend, &target, constant);
+            baseline->blend(&blend, color, &all, texels);
             for (int i = 0; i < TEXELS; i++) {
                 const unsigned char *const texel = texels + (size_t)i * rhw_format_size(formats[f]);
                 const int channels =
@@ -334,15 +334,15 @@ static void test_rgba8_over_against_the_formula(void **state)
         target.color.src = n & 1 ? RHW_BLEND_ONE : RHW_BLEND_SRC_ALPHA;
         target.alpha.src = n & 2 ? RHW_BLEND_ONE : RHW_BLEND_SRC_ALPHA;
         target.color.dst = target.alpha.dst = RHW_BLEND_ONE_MINUS_SRC_ALPHA;
-        struct output_state output;
-        rhw_output_prepare(&output, &target, constant);
-        assert_int_equal(output.kind, OUTPUT_RGBA8_OVER);
+        struct rhw_blend_state blend;
+        rhw_blend_state_init(&blend, &target, constant);
+        assert_int_equal(blend.path, BLEND_RGBA8_OVER);
         rhw_float color[4];
         rhw_int mask;
         unsigned char before[TEXELS * TEXEL_BYTES], texels[sizeof before];
         random_group(&random, color, &mask, before);
         memcpy(texels, before, sizeof before);
-        baseline->output(&output, color, &all, texels);
+        baseline->blend(&blend, color, &all, texels);
         for (int i = 0; i < TEXELS; i++) {
             const double alpha = fmin(fmax((double)color[3][i], 0.0), 1.0); // fmax: NaN becomes 0
             for (int c = 0; c < 4; c++) {
@@ -370,13 +370,13 @@ static void test_blending_keeps_every_destination_code(void **state)
             target.color = target.alpha =
                 (struct rhw_blend_component){RHW_BLEND_SRC_ALPHA, RHW_BLEND_ONE_MINUS_SRC_ALPHA,
                                              generic ? RHW_BLEND_REVERSE_SUBTRACT : RHW_BLEND_ADD};
-            struct output_state output;
-            rhw_output_prepare(&output, &target, constant);
+            struct rhw_blend_state blend;
+            rhw_blend_state_init(&blend, &target, constant);
             for (int code = 0; code < 256; code++) {
                 unsigned char texels[TEXELS * TEXEL_BYTES], before[sizeof texels];
                 memset(texels, code, sizeof texels);
                 memcpy(before, texels, sizeof texels);
-                baseline->output(&output, transparent, &all, texels);
+                baseline->blend(&blend, transparent, &all, texels);
                 assert_memory_equal(texels, before, sizeof texels);
             }
         }
@@ -394,8 +394,8 @@ static void test_clear_values_are_what_drawing_writes(void **state)
     for (int n = 0; n < 4000; n++) {
         const enum rhw_format format = formats[n % (FORMATS - 1)]; // not R32_UINT, which converts
         const struct rhw_color_target target = opaque(format);
-        struct output_state output;
-        rhw_output_prepare(&output, &target, constant);
+        struct rhw_blend_state blend;
+        rhw_blend_state_init(&blend, &target, constant);
         float value[4];
         rhw_float color[4];
         for (int c = 0; c < 4; c++) {
@@ -403,8 +403,8 @@ static void test_clear_values_are_what_drawing_writes(void **state)
             color[c] = rhw_splat(value[c]);
         }
         unsigned char texels[TEXELS * TEXEL_BYTES], cleared[16];
-        baseline->output(&output, color, &all, texels);
-        rhw_output_clear_value(format, value, cleared);
+        baseline->blend(&blend, color, &all, texels);
+        rhw_clear_texel(rhw_format_info(format), value, cleared);
         assert_memory_equal(cleared, texels, rhw_format_size(format));
     }
     static const struct {
@@ -422,7 +422,7 @@ static void test_clear_values_are_what_drawing_writes(void **state)
         const float value[4] = {integers[i].value, 0, 0, 0};
         unsigned char cleared[16];
         uint32_t word;
-        rhw_output_clear_value(RHW_FORMAT_R32_UINT, value, cleared);
+        rhw_clear_texel(rhw_format_info(RHW_FORMAT_R32_UINT), value, cleared);
         memcpy(&word, cleared, sizeof word);
         assert_int_equal(word, integers[i].word);
     }

@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: MIT
+// What a draw does to the texels of one colour target. The blending itself is a kernel (kernels/fragment/blend.h); the
+// decisions that hold for a whole draw are made here, once.
+#ifndef RHW_BLEND_STATE_H
+#define RHW_BLEND_STATE_H
+
+#include "format.h"
+
+// The path that a draw takes through the kernel.
+enum rhw_blend_path {
+    BLEND_NOTHING,       // write mask 0
+    BLEND_RGBA8_REPLACE, // all channels
+    BLEND_RGBA8_MASKED,  // some channels
+    BLEND_RGBA8_OVER,    // SRC_ALPHA or ONE, and ONE_MINUS_SRC_ALPHA, added
+    BLEND_SRGB8_REPLACE, // any channels
+    BLEND_UINT_REPLACE,
+    BLEND_FLOAT_REPLACE, // all channels of a float format
+    BLEND_GENERAL
+};
+
+struct rhw_blend_state {
+    enum rhw_blend_path path;
+    const struct rhw_format_info *format;
+    bool blend;                // false too where blending is replacement spelled out
+    bool color_one, alpha_one; // the source factor is ONE
+    bool replaces;             // the whole texel, whatever it was
+    uint8_t write_mask;        // only channels that the format has
+    uint32_t texel_mask;       // 0xff in each byte that is written; all bits where channels are no bytes
+    struct rhw_blend_component color, alpha;
+    float constant[4]; // clamped to 0..1 for UNORM and SRGB formats
+};
+
+// `target` is valid for its format; `constant` is the pass's blend constant.
+void rhw_blend_state_init(struct rhw_blend_state *state, const struct rhw_color_target *target,
+                          const float constant[4]);
+
+// The texel that clearing writes: format->size bytes. Colour formats round as blending does; UINT32 channels are converted
+// with truncation and saturation, NaN to 0.
+void rhw_clear_texel(const struct rhw_format_info *format, const float clear[4], unsigned char *texel);
+
+#endif

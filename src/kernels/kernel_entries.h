@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: MIT
+// The functions in the table of kernels, by their names in this instruction set: kernels.h tells what they do.
+#ifndef RHW_KERNEL_ENTRIES_H
+#define RHW_KERNEL_ENTRIES_H
+
+#include "kernels.h"
+
+// geometry.c
+bool RHW_ISA_NAME(rhw_make_chunk)(struct rhw_pass_state *pass, struct rhw_chunk *chunk, int worker);
+void RHW_ISA_NAME(rhw_shade_shared_part)(struct rhw_pass_state *pass, const struct rhw_shared_part *part,
+                                         int worker);
+// tile.c
+void RHW_ISA_NAME(rhw_draw_tile)(struct rhw_pass_state *pass, int tile, int worker);
+// sample.c
+rhw_sample_function RHW_ISA_NAME(rhw_sample_float);
+rhw_sample_function RHW_ISA_NAME(rhw_sample_unorm8);
+rhw_sample_function RHW_ISA_NAME(rhw_sample_srgb8);
+rhw_sample_function RHW_ISA_NAME(rhw_sample_unorm8_general);
+rhw_sample_function RHW_ISA_NAME(rhw_sample_srgb8_general);
+rhw_sample_groups_function RHW_ISA_NAME(rhw_sample_groups);
+
+#endif

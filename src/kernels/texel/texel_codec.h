@@ -1,0 +1,223 @@
+// SPDX-License-Identifier: MIT
+// 8 texels of any format as floats and back: the kernels' half of the codecs (texel.h has the scalar one). The sampler
+// gathers its texels from anywhere in a level, blending loads and stores those of a row; between them and the floats
+// stand the texels' own words, so that a codec is written once. To add one is to add a case here and in texel.h.
+#ifndef RHW_TEXEL_CODEC_H
+#define RHW_TEXEL_CODEC_H
+
+#include "../../format.h"
+#include "../../simd_layout.h"
+#include "../../srgb.h"
+
+// 8 texels as they stand in memory, in words of 4 bytes; a smaller texel in the low bytes of the first, zero above.
+struct raw_texels {
+    i8 word[4];
+};
+
+// Codes of 8 bits ------------------------------------------------------------------------------------
+
+// c / 255 correctly rounded for whole c of 0..255: 1/255 = 1/256 + 1/65280.
+RHW_INLINE f8 unorm8_to_float(i8 code)
+{
+    const f8 c = rhw_to_float(code);
+    return c * 0x1p-8f + c * 1.53186284e-05f;
+}
+
+// Values in any range as codes in the lowest byte of each lane, rubbish above. From 2^23 on floats have no fraction, so
+// adding it rounds to nearest, ties to even, and leaves the integer in the low bits: the same on every instruction set,
+// and without a conversion.
+RHW_INLINE i8 unorm8_from_float(f8 value)
+{
+    return (i8)(rhw_saturate(value) * 255.0f + 0x1p23f);
+}
+
+// Linear values of sRGB codes. A gather costs 12 cycles on a Zen 3; a polynomial as exact as the table costs more.
+RHW_INLINE f8 srgb8_to_float(i8 code)
+{
+    return (f8)i8_gather(rhw_srgb_decode_table, code);
+}
+
+// Codes of values in any range, in the lowest byte of each lane, zero above. See srgb.h.
+RHW_INLINE i8 srgb8_from_float(f8 linear)
+{
+    const i8 bits = (i8)rhw_clamp(linear, rhw_splat(0x1p-13f), rhw_splat(1.0f));
+    const i8 bucket = (bits >> 16) - RHW_SRGB_ENCODE_FIRST;
+    const i8 entry = i8_gather(rhw_srgb_encode_table, bucket);
+    return (entry + (bits & 0xffff)) >> 16;
+}
+
+// The byte of a channel, zero above.
+RHW_INLINE i8 channel_byte(i8 word, int channel)
+{
+    return (word >> (8 * channel)) & 0xff;
+}
+
+// RGBA8_SRGB texels of four values.
+RHW_INLINE i8 srgb8_texels(const f8 value[4])
+{
+    return srgb8_from_float(value[0]) | (srgb8_from_float(value[1]) << 8) |
+           (srgb8_from_float(value[2]) << 16) | (unorm8_from_float(value[3]) << 24);
+}
+
+// RGBA8_UNORM texels of four values.
+RHW_INLINE i8 unorm8_texels(const f8 value[4])
+{
+    f8 scaled[4];
+    for (int c = 0; c < 4; c++) {
+        scaled[c] = value[c] * 255.0f;
+    }
+    return i8_bytes_from_f8(scaled);
+}
+
+// Codecs ---------------------------------------------------------------------------------------------
+
+// A channel of the format as floats, colour linear.
+RHW_INLINE f8 decode_channel(const struct rhw_format_info *format, const struct raw_texels *raw, int c)
+{
+    switch (format->codec) {
+    case RHW_CODEC_UNORM8: return unorm8_to_float(channel_byte(raw->word[0], c));
+    case RHW_CODEC_SRGB8: {
+        const i8 code = channel_byte(raw->word[0], c);
+        return c < 3 ? srgb8_to_float(code) : unorm8_to_float(code);
+    }
+    case RHW_CODEC_FLOAT16: return f8_from_half((i8)((u8)raw->word[c / 2] >> (16 * (c % 2))) & 0xffff);
+    case RHW_CODEC_FLOAT32:
+    case RHW_CODEC_UINT32: return (f8)raw->word[c];
+    case RHW_CODEC_NONE: break;
+    }
+    return rhw_splat(0.0f);
+}
+
+RHW_INLINE void decode_texels(const struct rhw_format_info *format, const struct raw_texels *raw, f8 value[4])
+{
+    for (int c = 0; c < 4; c++) {
+        value[c] = c < format->channels ? decode_channel(format, raw, c) : rhw_splat(c == 3 ? 1.0f : 0.0f);
+    }
+}
+
+// Values as texels, rounded to nearest, ties to even; normalized formats clamp them first.
+RHW_INLINE void encode_texels(const struct rhw_format_info *format, const f8 value[4], struct raw_texels *raw)
+{
+    switch (format->codec) {
+    case RHW_CODEC_UNORM8: raw->word[0] = unorm8_texels(value); break;
+    case RHW_CODEC_SRGB8: raw->word[0] = srgb8_texels(value); break;
+    case RHW_CODEC_FLOAT16:
+        for (int w = 0; w < 2; w++) {
+            raw->word[w] = i8_half_from_f8(value[2 * w]) | (i8_half_from_f8(value[2 * w + 1]) << 16);
+        }
+        break;
+    case RHW_CODEC_FLOAT32:
+    case RHW_CODEC_UINT32:
+        for (int c = 0; c < 4; c++) {
+            raw->word[c] = (i8)value[c];
+        }
+        break;
+    case RHW_CODEC_NONE: break;
+    }
+}
+
+// Loads and stores -----------------------------------------------------------------------------------
+
+// 8 texels of 16 bytes that begin at these places.
+RHW_INLINE void load_texels16(const void *const place[RHW_LANES], struct raw_texels *raw)
+{
+    f8 column[4];
+    f8_load_columns(place, column);
+    for (int w = 0; w < 4; w++) {
+        raw->word[w] = (i8)column[w];
+    }
+}
+
+// 8 texels of `size` bytes, 1 or 2, that begin at these places.
+RHW_INLINE void load_small_texels(const void *const place[RHW_LANES], size_t size, struct raw_texels *raw)
+{
+    int32_t word[RHW_LANES];
+    for (int i = 0; i < RHW_LANES; i++) {
+        const unsigned char *const byte = place[i];
+        word[i] = byte[0] | (size == 2 ? byte[1] << 8 : 0);
+    }
+    raw->word[0] = i8_load(word);
+}
+
+// 8 texels in a row.
+RHW_INLINE void load_texel_row(size_t size, const unsigned char *texels, struct raw_texels *raw)
+{
+    if (size == 4) {
+        raw->word[0] = i8_load(texels);
+        return;
+    }
+    if (size == 8) {
+        const i8 a = i8_load(texels), b = i8_load(texels + 32);
+        raw->word[0] = __builtin_shufflevector(a, b, 0, 2, 4, 6, 8, 10, 12, 14);
+        raw->word[1] = __builtin_shufflevector(a, b, 1, 3, 5, 7, 9, 11, 13, 15);
+        return;
+    }
+    const void *place[RHW_LANES];
+    for (int i = 0; i < RHW_LANES; i++) {
+        place[i] = texels + (size_t)i * size;
+    }
+    if (size == 16) {
+        load_texels16(place, raw);
+    } else {
+        load_small_texels(place, size, raw);
+    }
+}
+
+// Stores words of 8 texels in a row, of lanes that are set in `mask`.
+RHW_INLINE void store_words(unsigned char *texels, i8 value, i8 mask)
+{
+    i8_store(texels, rhw_select_int(mask, value, i8_load(texels)));
+}
+
+// As above where the mask is not all or nothing per lane.
+RHW_INLINE void store_word_bits(unsigned char *texels, i8 value, i8 mask)
+{
+    const i8 old = i8_load(texels);
+    i8_store(texels, old ^ ((old ^ value) & mask));
+}
+
+// Stores the first `size` bytes, a constant, of each row of which `live` has a bit, texels side by side.
+RHW_INLINE void store_rows(const f4 row[RHW_LANES], unsigned live, size_t size, unsigned char *texels)
+{
+    for (int i = 0; i < RHW_LANES; i++) {
+        if (live >> i & 1) {
+            memcpy(texels + (size_t)i * size, &row[i], size);
+        }
+    }
+}
+
+// Stores 8 texels in a row, of lanes that are set in `mask`; of texels of 4 bytes, those bits that are set in
+// `texel_mask` too.
+RHW_INLINE void store_texel_row(size_t size, const struct raw_texels *raw, i8 mask, uint32_t texel_mask,
+                                unsigned char *texels)
+{
+    const i8 *const word = raw->word;
+    if (size == 4) {
+        store_word_bits(texels, word[0], mask & i8_splat((int32_t)texel_mask));
+        return;
+    }
+    if (size == 8) {
+        store_words(texels, __builtin_shufflevector(word[0], word[1], 0, 8, 1, 9, 2, 10, 3, 11),
+                    __builtin_shufflevector(mask, mask, 0, 0, 1, 1, 2, 2, 3, 3));
+        store_words(texels + 32, __builtin_shufflevector(word[0], word[1], 4, 12, 5, 13, 6, 14, 7, 15),
+                    __builtin_shufflevector(mask, mask, 4, 4, 5, 5, 6, 6, 7, 7));
+        return;
+    }
+    f4 row[RHW_LANES];
+    const unsigned live = (unsigned)rhw_mask_bits(mask);
+    if (size == 16) {
+        const f8 column[4] = {(f8)word[0], (f8)word[1], (f8)word[2], (f8)word[3]};
+        f4_rows(column, row);
+        store_rows(row, live, 16, texels);
+        return;
+    }
+    const f8 zero = rhw_splat(0.0f), column[4] = {(f8)word[0], zero, zero, zero};
+    f4_rows(column, row);
+    if (size == 2) {
+        store_rows(row, live, 2, texels);
+    } else {
+        store_rows(row, live, 1, texels);
+    }
+}
+
+#endif
