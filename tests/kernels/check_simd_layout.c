@@ -10,7 +10,6 @@ enum { TABLE_WORDS = 256 };
 struct layout_input {
     float f[8][8];
     int32_t a[8], b[8];
-    uint16_t half[8];
     uint32_t at[8];
     int32_t words[TABLE_WORDS];
 };
@@ -70,10 +69,7 @@ static void make_counts(struct kernel_random *random, void *input)
 static void make_halves(struct kernel_random *random, void *input)
 {
     struct layout_input *const lanes = input;
-    for (int i = 0; i < 8; i++) {
-        lanes->half[i] = (uint16_t)random_int(random, 0, UINT16_MAX);
-        lanes->a[i] = lanes->half[i];
-    }
+    random_ints(random, lanes->a, 8, 0, UINT16_MAX);
 }
 
 // Numbers of words of the table, of which the next one can be read too.
@@ -170,17 +166,9 @@ static void run_f8_from_half(const void *input, void *result)
     f8_store(result, f8_from_half(lanes_a(input)));
 }
 
-static void run_f4_load_halves(const void *input, void *result)
+static void run_i8_half_from_f8(const void *input, void *result)
 {
-    const f4 value = f4_load_halves(((const struct layout_input *)input)->half);
-    memcpy(result, &value, sizeof value);
-}
-
-static void run_f4_store_halves(const void *input, void *result)
-{
-    f4 value;
-    memcpy(&value, input, sizeof value);
-    f4_store_halves(result, value);
+    i8_store(result, i8_half_from_f8(f8_load(input)));
 }
 
 static void run_s16_scale(const void *input, void *result)
@@ -263,9 +251,7 @@ static const struct kernel_check checks[] = {
      run_i8_bytes_from_small_f8},
     {"i8_bytes_from_f8", sizeof(struct layout_input), WORDS, KERNEL_BITS, make_floats, run_i8_bytes_from_f8},
     {"f8_from_half", sizeof(struct layout_input), WORDS, KERNEL_BITS, make_halves, run_f8_from_half},
-    {"f4_load_halves", sizeof(struct layout_input), WORDS / 2, KERNEL_BITS, make_halves, run_f4_load_halves},
-    {"f4_store_halves", sizeof(struct layout_input), WORDS / 4, KERNEL_BITS, make_floats,
-     run_f4_store_halves},
+    {"i8_half_from_f8", sizeof(struct layout_input), WORDS, KERNEL_BITS, make_floats, run_i8_half_from_f8},
     {"s16_scale", sizeof(struct layout_input), WORDS, KERNEL_BITS, make_factors, run_s16_scale},
     {"i8_dot_halves", sizeof(struct layout_input), WORDS, KERNEL_BITS, make_counts, run_i8_dot_halves},
     {"i8_halve_lower", sizeof(struct layout_input), WORDS, KERNEL_BITS, make_ints, run_i8_halve_lower},

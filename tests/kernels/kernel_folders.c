@@ -9,5 +9,6 @@ const struct kernel_folders RHW_ISA_NAME(kernel_folders) = {.folders = {
                                                                 &RHW_ISA_NAME(check_plane),
                                                                 &RHW_ISA_NAME(check_depth),
                                                                 &RHW_ISA_NAME(check_fragment),
+                                                                &RHW_ISA_NAME(check_blend),
                                                                 &RHW_ISA_NAME(check_geometry),
                                                             }};

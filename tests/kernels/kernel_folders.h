@@ -12,6 +12,7 @@ RHW_ISA_DECLARE(const struct kernel_folder, check_raster);
 RHW_ISA_DECLARE(const struct kernel_folder, check_plane);
 RHW_ISA_DECLARE(const struct kernel_folder, check_depth);
 RHW_ISA_DECLARE(const struct kernel_folder, check_fragment);
+RHW_ISA_DECLARE(const struct kernel_folder, check_blend);
 RHW_ISA_DECLARE(const struct kernel_folder, check_geometry);
 
 // All of one instruction set, then NULL.
