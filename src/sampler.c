@@ -56,6 +56,16 @@ static bool filters_fixed(const struct rhw_sampler_def *def)
            def->address_v != RHW_ADDRESS_BORDER;
 }
 
+void rhw_sampler_data_init(struct rhw_sampler_data *sampler, const struct rhw_sampler_def *def)
+{
+    *sampler = (struct rhw_sampler_data){.def = *def, .filters_fixed = filters_fixed(def)};
+    for (int lane = 0; lane < RHW_LANES; lane++) {
+        sampler->gradient_bias[lane] = def->lod_bias - 16.0f;
+        sampler->lod_least[lane] = def->lod_min > 0 ? def->lod_min : 0;
+        sampler->lod_most[lane] = def->lod_max > 0 ? def->lod_max : 0;
+    }
+}
+
 enum rhw_result rhw_sampler_create(rhw_context *context, const struct rhw_sampler_def *def,
                                    rhw_sampler *sampler)
 {
@@ -71,12 +81,7 @@ enum rhw_result rhw_sampler_create(rhw_context *context, const struct rhw_sample
     if (data == NULL) {
         return RHW_ERROR_OUT_OF_MEMORY;
     }
-    *data = (struct rhw_sampler_data){.def = *def, .filters_fixed = filters_fixed(def)};
-    for (int lane = 0; lane < RHW_LANES; lane++) {
-        data->gradient_bias[lane] = def->lod_bias - 16.0f;
-        data->lod_least[lane] = def->lod_min > 0 ? def->lod_min : 0;
-        data->lod_most[lane] = def->lod_max > 0 ? def->lod_max : 0;
-    }
+    rhw_sampler_data_init(data, def);
     *sampler = id;
     return RHW_OK;
 }

@@ -14,4 +14,7 @@ struct rhw_sampler_data {
     float lod_least[RHW_LANES], lod_most[RHW_LANES];
 };
 
+// `def` is valid.
+void rhw_sampler_data_init(struct rhw_sampler_data *sampler, const struct rhw_sampler_def *def);
+
 #endif

@@ -1,0 +1,140 @@
+// SPDX-License-Identifier: MIT
+// Kernel checks of src/kernels/sample: a sample of a small texture of any format, by any sampler and on each path, through
+// the table of kernels; compiled with RHW_ISA_SUFFIX = baseline, avx2, ...
+#include "binding.h"
+#include "format.h"
+#include "kernels/kernels.h"
+#include "sampler.h"
+#include "simd.h"
+#include "srgb_texture.h"
+#include "texture.h"
+
+#include "kernel_folders.h"
+
+enum {
+    MOST_SIZE = 16,
+    LEVEL_BYTES = MOST_SIZE * MOST_SIZE * 16,
+    // Rows of the lower levels are shorter than what they are aligned to.
+    TEXTURE_BYTES = LEVEL_BYTES + 2 * MOST_SIZE * RHW_ROW_ALIGNMENT * 2 + RHW_TEXEL_PADDING
+};
+
+struct sample_input {
+    unsigned char texels[TEXTURE_BYTES];
+    float uv[2][8], gradient[4][8], lod[8];
+    struct rhw_sampler_def sampler;
+    int32_t format, width, height, levels, asks, paths;
+};
+
+enum { ASKS_NOTHING, ASKS_GRADIENT, ASKS_LOD, ASKS_COUNT };
+
+static struct rhw_sampler_def make_sampler(struct kernel_random *random)
+{
+    struct rhw_sampler_def def = {.lod_max = 1000.0f};
+    if (random_one_in(random, 2)) { // what the fixed-point path asks for
+        def.min_filter = def.mag_filter = RHW_FILTER_LINEAR;
+        def.mip_filter = random_one_in(random, 4) ? RHW_MIP_FILTER_NONE : RHW_MIP_FILTER_LINEAR;
+        def.address_u = (enum rhw_address)random_int(random, RHW_ADDRESS_REPEAT, RHW_ADDRESS_CLAMP);
+        def.address_v = (enum rhw_address)random_int(random, RHW_ADDRESS_REPEAT, RHW_ADDRESS_CLAMP);
+    } else {
+        def.min_filter = (enum rhw_filter)random_int(random, RHW_FILTER_NEAREST, RHW_FILTER_LINEAR);
+        def.mag_filter = (enum rhw_filter)random_int(random, RHW_FILTER_NEAREST, RHW_FILTER_LINEAR);
+        def.mip_filter = (enum rhw_mip_filter)random_int(random, RHW_MIP_FILTER_NONE, RHW_MIP_FILTER_LINEAR);
+        def.address_u = (enum rhw_address)random_int(random, RHW_ADDRESS_REPEAT, RHW_ADDRESS_BORDER);
+        def.address_v = (enum rhw_address)random_int(random, RHW_ADDRESS_REPEAT, RHW_ADDRESS_BORDER);
+    }
+    for (int i = 0; i < 4; i++) {
+        def.border[i] = random_finite(random);
+    }
+    def.lod_bias = random_one_in(random, 2) ? 0.0f : random_finite(random);
+    if (random_one_in(random, 4)) {
+        def.lod_min = random_float_in(random, -1.0f, 3.0f);
+        def.lod_max = def.lod_min + random_float_in(random, 0.0f, 3.0f);
+    }
+    return def;
+}
+
+// Coordinates of 8 pixels in a row, or any.
+static void make_coordinates(struct kernel_random *random, struct sample_input *in)
+{
+    const bool in_a_row = random_one_in(random, 2);
+    const float u = random_float_in(random, -1.0f, 2.0f), v = random_float_in(random, -1.0f, 2.0f);
+    const float step = random_float_in(random, 0.0f, 0.125f);
+    for (int lane = 0; lane < 8; lane++) {
+        in->uv[0][lane] = in_a_row ? u + (float)lane * step : random_float(random);
+        in->uv[1][lane] = in_a_row ? v : random_float(random);
+        for (int i = 0; i < 4; i++) {
+            in->gradient[i][lane] = in_a_row ? (i == 0 ? step : 0.0f) : random_float(random);
+        }
+        in->lod[lane] = random_one_in(random, 2) ? random_float_in(random, 0.0f, 5.0f) : random_float(random);
+    }
+}
+
+static void make_sample(struct kernel_random *random, void *input)
+{
+    struct sample_input *const in = input;
+    do {
+        in->format = (int32_t)random_int(random, RHW_FORMAT_NONE + 1, RHW_FORMAT_COUNT - 1);
+        in->format = random_one_in(random, 4)   ? RHW_FORMAT_RGBA8_UNORM
+                     : random_one_in(random, 4) ? RHW_FORMAT_RGBA8_SRGB
+                                                : in->format;
+    } while (!rhw_format_has_role(rhw_format_info((enum rhw_format)in->format), RHW_ROLE_SAMPLED));
+    in->width = (int32_t)random_int(random, 1, MOST_SIZE);
+    in->height = (int32_t)random_int(random, 1, MOST_SIZE);
+    in->levels = random_one_in(random, 4) ? 1 : 0;
+    in->asks = (int32_t)random_int(random, 0, ASKS_COUNT - 1);
+    in->paths = random_one_in(random, 4) ? RHW_PATHS_GENERAL : RHW_PATHS_ALL;
+    for (int i = 0; i < TEXTURE_BYTES; i += 8) {
+        const uint64_t bits = random_bits(random);
+        memcpy(&in->texels[i], &bits, sizeof bits);
+    }
+    in->sampler = make_sampler(random);
+    make_coordinates(random, in);
+}
+
+// A texture whose levels lie in `texels` and, linear, in `linear`.
+static void set_texture(struct rhw_texture_data *texture, const struct sample_input *in,
+                        unsigned char *texels, unsigned char *linear)
+{
+    enum { SCALE = RHW_LINEAR_TEXEL / 4 };
+    rhw_texture_data_init(texture, (enum rhw_format)in->format, in->width, in->height, in->levels);
+    memcpy(texels, in->texels, TEXTURE_BYTES);
+    for (int i = 0; i < TEXTURE_BYTES; i++) { // any numbers up to RHW_LINEAR_ONE
+        const uint16_t number = (uint16_t)(in->texels[i] << 7);
+        memcpy(linear + 2 * i, &number, sizeof number);
+    }
+    for (int i = 0; i < texture->levels; i++) {
+        struct rhw_mip *const mip = &texture->mip[i];
+        const size_t size = mip->row_pitch * (size_t)mip->height;
+        mip->texels = texels;
+        mip->linear = linear;
+        texels += size;
+        linear += SCALE * size;
+    }
+}
+
+static void run_sample(const void *input, void *result)
+{
+    const struct sample_input *const in = input;
+    _Alignas(RHW_ROW_ALIGNMENT) unsigned char texels[TEXTURE_BYTES], linear[2 * TEXTURE_BYTES];
+    struct rhw_texture_data texture;
+    struct rhw_sampler_data sampler;
+    rhw_float uv[2], gradient[4], texel[4];
+    const rhw_float lod = f8_load(in->lod);
+    set_texture(&texture, in, texels, linear);
+    rhw_sampler_data_init(&sampler, &in->sampler);
+    const struct rhw_binding binding =
+        rhw_binding_of(&RHW_ISA_NAME(rhw_kernels), (enum rhw_paths)in->paths, &texture, &sampler);
+    memcpy(uv, in->uv, sizeof uv);
+    memcpy(gradient, in->gradient, sizeof gradient);
+    const struct rhw_sample_request request = {.coordinates = uv,
+                                               .gradient = in->asks == ASKS_GRADIENT ? gradient : NULL,
+                                               .lod = in->asks == ASKS_LOD ? &lod : NULL};
+    binding.sample(&binding, &request, texel);
+    memcpy(result, texel, sizeof texel);
+}
+
+static const struct kernel_check checks[] = {
+    {"sample", sizeof(struct sample_input), 4 * sizeof(f8), KERNEL_FLOATS, make_sample, run_sample},
+};
+
+const struct kernel_folder RHW_ISA_NAME(check_sample) = {"sample", checks, sizeof checks / sizeof *checks};
