@@ -36,8 +36,8 @@ static inline void blend_rgba8_over(const struct rhw_blend_state *state, const f
     i8_store(texels, old ^ ((old ^ packed) & written));
 }
 
-static inline void store_target(const struct rhw_blend_state *state, const f8 value[4], i8 mask,
-                                unsigned char *texels)
+RHW_INLINE void store_target(const struct rhw_blend_state *state, const f8 value[4], i8 mask,
+                             unsigned char *texels)
 {
     struct raw_texels raw;
     encode_texels(state->format, value, &raw);
@@ -111,8 +111,8 @@ static __attribute__((noinline)) void blend_general(const struct rhw_blend_state
 
 // Blends 8 fragments into the 8 texels at `texels`, in the target's format; lanes whose mask is 0 keep
 // theirs.
-static inline void blend_group(const struct rhw_blend_state *state, const f8 color[4], i8 mask,
-                               unsigned char *texels)
+RHW_INLINE void blend_group(const struct rhw_blend_state *state, const f8 color[4], i8 mask,
+                            unsigned char *texels)
 {
     switch (state->path) {
     case BLEND_NOTHING: break;

@@ -71,27 +71,42 @@ RHW_INLINE i8 unorm8_texels(const f8 value[4])
 
 // Codecs ---------------------------------------------------------------------------------------------
 
-// A channel of the format as floats, colour linear.
-RHW_INLINE f8 decode_channel(const struct rhw_format_info *format, const struct raw_texels *raw, int c)
+// A channel that the format lacks.
+RHW_INLINE f8 absent_channel(int c)
 {
-    switch (format->codec) {
-    case RHW_CODEC_UNORM8: return unorm8_to_float(channel_byte(raw->word[0], c));
-    case RHW_CODEC_SRGB8: {
-        const i8 code = channel_byte(raw->word[0], c);
-        return c < 3 ? srgb8_to_float(code) : unorm8_to_float(code);
-    }
-    case RHW_CODEC_FLOAT16: return f8_from_half((i8)((u8)raw->word[c / 2] >> (16 * (c % 2))) & 0xffff);
-    case RHW_CODEC_FLOAT32:
-    case RHW_CODEC_UINT32: return (f8)raw->word[c];
-    case RHW_CODEC_NONE: break;
-    }
-    return rhw_splat(0.0f);
+    return rhw_splat(c == 3 ? 1.0f : 0.0f);
 }
 
+// As floats, colour linear. Channels that the format lacks read 0, 0, 0, 1.
 RHW_INLINE void decode_texels(const struct rhw_format_info *format, const struct raw_texels *raw, f8 value[4])
 {
-    for (int c = 0; c < 4; c++) {
-        value[c] = c < format->channels ? decode_channel(format, raw, c) : rhw_splat(c == 3 ? 1.0f : 0.0f);
+    const int channels = format->channels;
+    switch (format->codec) {
+    case RHW_CODEC_UNORM8:
+        for (int c = 0; c < 4; c++) {
+            value[c] = c < channels ? unorm8_to_float(channel_byte(raw->word[0], c)) : absent_channel(c);
+        }
+        break;
+    case RHW_CODEC_SRGB8:
+        for (int c = 0; c < 3; c++) {
+            value[c] = srgb8_to_float(channel_byte(raw->word[0], c));
+        }
+        value[3] = unorm8_to_float(channel_byte(raw->word[0], 3));
+        break;
+    case RHW_CODEC_FLOAT16:
+        for (int c = 0; c < 4; c++) {
+            const int shift = 16 * (c % 2);
+            value[c] =
+                c < channels ? f8_from_half((i8)((u8)raw->word[c / 2] >> shift) & 0xffff) : absent_channel(c);
+        }
+        break;
+    case RHW_CODEC_FLOAT32:
+    case RHW_CODEC_UINT32:
+    case RHW_CODEC_NONE:
+        for (int c = 0; c < 4; c++) {
+            value[c] = c < channels ? (f8)raw->word[c] : absent_channel(c);
+        }
+        break;
     }
 }
 
