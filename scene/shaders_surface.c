@@ -169,7 +169,7 @@ ALWAYS_INLINE void sample_slot(const struct rhw_fragment *f, int at, enum scene_
 {
     const rhw_float uv[2] = {f->varying[at], f->varying[at + 1]};
     const rhw_float gradient[4] = {f->ddx[at], f->ddx[at + 1], f->ddy[at], f->ddy[at + 1]};
-    rhw_sample_grad(f->textures, slot, uv, gradient, texel);
+    rhw_sample_grad(f->textures, (int)slot, uv, gradient, texel);
 }
 
 // Texels by slot; those of scene_surface.shared_slots, once they have been sampled, wait for their use.
