@@ -78,6 +78,17 @@ static uint32_t uint_from_float(float value)
     return value >= 0x1p32f ? UINT32_MAX : value > 0.0f ? (uint32_t)value : 0;
 }
 
+void rhw_blend_state_generalize(struct rhw_blend_state *state)
+{
+    switch (state->path) {
+    case BLEND_RGBA8_REPLACE:
+    case BLEND_RGBA8_MASKED:
+    case BLEND_SRGB8_REPLACE:
+    case BLEND_FLOAT_REPLACE: state->path = BLEND_GENERAL; break;
+    default: break;
+    }
+}
+
 void rhw_clear_texel(const struct rhw_format_info *format, const float clear[4], unsigned char *texel)
 {
     float value[4];

@@ -489,6 +489,9 @@ static const struct rhw_draw_state *snapshot(struct rhw_pass_state *pass)
     state->scissor = clip_rect(pass, &state->viewport, &state->scissor);
     for (int i = 0; i < pass->color_count && state->pipeline; i++) {
         rhw_blend_state_init(&state->blend[i], &state->pipeline->def.targets[i], state->blend_constant);
+        if (pass->paths == RHW_PATHS_GENERAL) {
+            rhw_blend_state_generalize(&state->blend[i]);
+        }
     }
     const double span = (double)state->viewport.depth_max - (double)state->viewport.depth_min;
     const bool symmetric = state->pipeline && state->pipeline->def.depth_range == RHW_DEPTH_MINUS_ONE_TO_ONE;
