@@ -81,7 +81,8 @@ RHW_INLINE unsigned hiz_hidden(const struct tile_depth *depth, struct plane z, i
     return i8_sign_bits(rhw_less(f8_load(&depth->bounds[y / RHW_BLOCK * HIZ_BLOCKS]), nearest));
 }
 
-// All pixels of the block at (x, y) were tested against a plane of depth, and what passed was written.
+// All pixels of the block at (x, y), both multiples of 8, were tested against a plane of depth, and what passed was
+// written.
 RHW_INLINE void hiz_cover(struct tile_depth *depth, struct plane z, int anchor_x, int anchor_y, int x, int y)
 {
     const double dx = x + (RHW_BLOCK - 1 - hiz_nearest(depth, z.dx)) - anchor_x;
