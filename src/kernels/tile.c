@@ -136,7 +136,7 @@ static bool overdraws(const struct tile_work *work, struct bin_run run)
     for (const struct bin *bin = run.first; bin < run.end; bin++) {
         count += bin->end - bin->first;
     }
-    if (count > RHW_DEFERRED_TRIANGLES) {
+    if (count > RHW_DEPTH_FIRST_TRIANGLES) {
         return false;
     }
     const uint32_t step = count / SAMPLES + 1;
@@ -153,7 +153,7 @@ static bool overdraws(const struct tile_work *work, struct bin_run run)
     return (area - tile_pixels) / 2 * pixel_ns > area * depth_ns + count * triangle_ns;
 }
 
-static void draw_deferred(struct tile_work *work, struct bin_run run)
+static void draw_depth_first(struct tile_work *work, struct bin_run run)
 {
     memset(work->scratch->seen, 0, sizeof work->scratch->seen);
     draw_run(work, run, RHW_PHASE_DEPTH);
@@ -188,7 +188,7 @@ static void draw_bins(struct tile_work *work, const struct bin *first, const str
         if (hidden == RHW_HIDDEN_BACKWARDS) {
             draw_backwards(work, run);
         } else if (hidden == RHW_HIDDEN_DEPTH_FIRST && overdraws(work, run)) {
-            draw_deferred(work, run);
+            draw_depth_first(work, run);
         } else {
             draw_run(work, run, RHW_PHASE_ONLY);
         }

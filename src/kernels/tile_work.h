@@ -17,7 +17,7 @@ enum {
     RHW_FRAGMENT_GROUPS = RHW_MAX_GROUPS,
     // Triangles of a tile whose visibility is remembered from the first phase to the second: 4 KiB of bits. A longer
     // run is drawn as submitted.
-    RHW_DEFERRED_TRIANGLES = 32768,
+    RHW_DEPTH_FIRST_TRIANGLES = 32768,
     // Triangles whose fragments may wait in the partial group at the same time: 7 that wait, and the one that adds.
     RHW_PACKED_TRIANGLES = 8,
     // Fragments of one triangle that are gathered before groups are made of them: those of two blocks.
@@ -77,8 +77,8 @@ struct bin {
 struct rhw_tile_scratch {
     _Alignas(64) unsigned char color[RHW_MAX_COLOR_ATTACHMENTS][RHW_TILE * RHW_TILE * 16];
     struct tile_depth depth;
-    uint8_t seen[RHW_DEFERRED_TRIANGLES / 8]; // bit i: triangle i of the run is drawn in the second phase
-    struct bin bins[RHW_WAVE_CHUNKS];         // of the tile, those that are not empty
+    uint8_t seen[RHW_DEPTH_FIRST_TRIANGLES / 8]; // bit i: triangle i of the run is drawn in the second phase
+    struct bin bins[RHW_WAVE_CHUNKS];            // of the tile, those that are not empty
     struct fragment_queue queue;
     struct gathered_fragments gathered;
     struct partial_group partial;

@@ -56,10 +56,10 @@ static void hiz_refresh(struct tile_depth *depth)
     }
 }
 
-// The column or row of a block where direction · depth is least: the first or the last. `slope` is how depth changes.
-RHW_INLINE int hiz_nearest(const struct tile_depth *depth, double slope)
+// The column or row of a block where direction · depth is least: the first or the last. `change`: of depth to the next.
+RHW_INLINE int hiz_nearest(const struct tile_depth *depth, double change)
 {
-    return slope * depth->direction < 0 ? RHW_BLOCK - 1 : 0;
+    return change * depth->direction < 0 ? RHW_BLOCK - 1 : 0;
 }
 
 // Whether some block at row y of the tile has a bound.

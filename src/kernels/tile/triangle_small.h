@@ -11,8 +11,8 @@
 #include "../integer.h"
 #include "span_blocks.h"
 
-// Takes what shading needs of the planes from the setup.
-RHW_INLINE void take_planes(struct triangle_work *triangle)
+// Copies what shading needs of the planes from the setup.
+RHW_INLINE void copy_planes(struct triangle_work *triangle)
 {
     const struct triangle_setup8 *const setup = triangle->setup;
     struct planes *const planes = &triangle->planes;
@@ -40,7 +40,7 @@ RHW_INLINE uint64_t ready_pixels(struct tile_work *work, struct triangle_work *t
     }
     work->counters->fragments += (uint64_t)__builtin_popcountll(mask);
     if (!triangle->has_planes) {
-        take_planes(triangle);
+        copy_planes(triangle);
     }
     return mask;
 }
