@@ -3,6 +3,7 @@
 #ifndef RHW_BUILTIN_H
 #define RHW_BUILTIN_H
 
+#include "../raster/sample_position.h"
 #include "../tile_work.h"
 #include "../triangle_work.h"
 
@@ -37,9 +38,9 @@ RHW_INLINE void fill_identity(struct rhw_fragment *group, uint32_t uses, const s
 static void fill_coordinates(const struct tile_work *work, struct rhw_fragment *group, int x, int y,
                              d8 inverse_w)
 {
-    const f8 half = f8_splat(0.5f);
-    group->coord[0] = rhw_to_float(i8_splat(work->x + x) + rhw_lane_index) + half;
-    group->coord[1] = f8_splat((float)(work->y + y)) + half;
+    const f8 offset = f8_splat((float)sample_offset());
+    group->coord[0] = rhw_to_float(i8_splat(work->x + x) + rhw_lane_index) + offset;
+    group->coord[1] = f8_splat((float)(work->y + y)) + offset;
     group->coord[2] = group->depth;
     group->coord[3] = f8_from_d8(inverse_w);
 }

@@ -15,6 +15,7 @@
 #include "../../draw_list.h"
 #include "double_double.h"
 #include "plane.h"
+#include "sample_position.h"
 
 struct clipped_planes {
     struct plane a;          // a·(1/W)
@@ -85,7 +86,8 @@ static void planes_homogeneous(struct planes *p, struct clipped_planes *c, const
     p->anchor_x = (int)state->center_x;
     p->anchor_y = (int)state->center_y;
     const double half_width = state->half_width, half_height = state->half_height;
-    const double cx = state->center_x - (p->anchor_x + 0.5), cy = state->center_y - (p->anchor_y + 0.5);
+    const double cx = state->center_x - (p->anchor_x + sample_offset()),
+                 cy = state->center_y - (p->anchor_y + sample_offset());
     double vertex[3][3], m[3][3]; // X, Y, W; x, y, w
     for (int i = 0; i < 3; i++) {
         vertex[i][0] = (double)v[i]->position[0];

@@ -124,8 +124,8 @@ RHW_INLINE void setup_planes8(struct triangle_setup8 *setup, const struct triang
         }
         f8_load_columns(place, position[v]);
     }
-    i8_store(setup->anchor_x, words->x[0] >> RHW_SUBPIXEL_BITS);
-    i8_store(setup->anchor_y, words->y[0] >> RHW_SUBPIXEL_BITS);
+    i8_store(setup->anchor_x, pixel_of_position8(words->x[0]));
+    i8_store(setup->anchor_y, pixel_of_position8(words->y[0]));
     d8 low, span;
     depth_ranges8(read, chunk, &low, &span);
     const d8 x1 = d8_from_i8(words->x[1] - words->x[0]), y1 = d8_from_i8(words->y[1] - words->y[0]),
