@@ -20,7 +20,7 @@ static inline struct identity identity_of(const struct triangle_work *triangle)
                              .draw = (int32_t)draw->index};
 }
 
-// What all fragments of a triangle share.
+// Sets what all fragments of a triangle share.
 RHW_INLINE void fill_identity(struct rhw_fragment *group, uint32_t uses, const struct triangle_work *triangle)
 {
     const struct identity identity = identity_of(triangle);
@@ -34,7 +34,7 @@ RHW_INLINE void fill_identity(struct rhw_fragment *group, uint32_t uses, const s
     }
 }
 
-// Of a row of pixels that starts at (x, y) of the tile, and whose depth the group has.
+// Sets the coordinates of a row of pixels that starts at (x, y) of the tile, and whose depth the group has.
 static void fill_coordinates(const struct tile_work *work, struct rhw_fragment *group, int x, int y,
                              d8 inverse_w)
 {
@@ -45,7 +45,7 @@ static void fill_coordinates(const struct tile_work *work, struct rhw_fragment *
     group->coord[3] = f8_from_d8(inverse_w);
 }
 
-// Weights of three vertices, of which two are known; `sum` is 1, and 0 for their derivatives.
+// Sets the weights of three vertices, of which two are known; `sum` is 1, and 0 for their derivatives.
 static void fill_barycentrics(f8 out[3], float sum, f8 b, f8 c)
 {
     out[0] = (f8_splat(sum) - b) - c;

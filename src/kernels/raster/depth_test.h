@@ -10,7 +10,7 @@
 #include "open_pixels.h"
 #include "tile_depth.h"
 
-// Lanes for which `z compare old` holds.
+// Gives the lanes for which `z compare old` holds.
 RHW_INLINE i8 depth_passes(enum rhw_compare compare, f8 z, f8 old)
 {
     switch (compare) {
@@ -25,7 +25,7 @@ RHW_INLINE i8 depth_passes(enum rhw_compare compare, f8 z, f8 old)
     }
 }
 
-// Depth within the viewport's range.
+// Keeps depth within the viewport's range.
 RHW_INLINE f8 viewport_clamp(const struct tile_depth *depth, f8 z)
 {
     return f8_min(f8_max(z, f8_splat(depth->least)), f8_splat(depth->most));
@@ -36,7 +36,7 @@ RHW_INLINE float *depth_texels(struct tile_depth *depth, int x, int y)
     return &depth->texels[y * RHW_TILE + x];
 }
 
-// Lanes that pass. Bit i of `open`: the pixel of lane i is open.
+// Gives the lanes that pass. Bit i of `open` says that the pixel of lane i is open.
 RHW_INLINE i8 rule_passes(const struct rhw_depth_rule rule, f8 z, f8 stored, unsigned open)
 {
     i8 pass = depth_passes(rule.compare, z, stored);
@@ -46,7 +46,7 @@ RHW_INLINE i8 rule_passes(const struct rhw_depth_rule rule, f8 z, f8 stored, uns
     return pass;
 }
 
-// The open pixels of a row from x on, where a test has to know them.
+// Gives the open pixels of a row from x on, where a test has to know them.
 RHW_INLINE unsigned open_row(const struct tile_depth *depth, int x, int y, const struct rhw_depth_rule rule)
 {
     return rule.open >= RHW_OPEN_TRY ? (unsigned)(depth->open[y] >> x) : 0;
@@ -103,7 +103,7 @@ RHW_INLINE uint64_t test_block(struct tile_depth *depth, const f8 z[RHW_BLOCK], 
                                 : test_rows(depth, z, x, y, mask, rule, MASK_PART);
 }
 
-// The same by the draw's rule before shading.
+// Tests them by the draw's rule before shading.
 static uint64_t test_block_early(struct tile_depth *depth, const f8 z[RHW_BLOCK], int x, int y, uint64_t mask,
                                  const struct rhw_draw_plan *plan)
 {
@@ -130,7 +130,7 @@ static unsigned test_row_late(struct tile_depth *depth, int x, int y, f8 z, unsi
     return passed;
 }
 
-// The same with 8 texels of the tile that lie anywhere.
+// Tests fragments of 8 texels that lie anywhere in the tile after shading.
 static unsigned test_texels_late(struct tile_depth *depth, const int32_t texel[8], f8 z, unsigned bits,
                                  const struct rhw_depth_rule rule)
 {

@@ -9,7 +9,7 @@
 
 enum { SAMPLE_OFFSET_0_8 = RHW_SUBPIXEL / 2 }; // of the sample in its pixel, each way
 
-// That in pixels, as floating-point positions have it.
+// Gives the same in pixels, as floating-point positions have it.
 static inline double sample_offset(void)
 {
     return (double)SAMPLE_OFFSET_0_8 / RHW_SUBPIXEL;
@@ -33,7 +33,7 @@ RHW_INLINE i8 pixel_of_position8(i8 position_24_8)
     return position_24_8 >> RHW_SUBPIXEL_BITS;
 }
 
-// From a position to the sample of the pixel it lies in.
+// Leads from a position to the sample of the pixel it lies in.
 static inline int sample_from_position(int32_t position_24_8)
 {
     return SAMPLE_OFFSET_0_8 - (position_24_8 & (RHW_SUBPIXEL - 1));

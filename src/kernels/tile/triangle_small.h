@@ -45,7 +45,7 @@ RHW_INLINE uint64_t ready_pixels(struct tile_work *work, struct triangle_work *t
     return mask;
 }
 
-// Depth of a triangle over the columns from x and the rows from y on.
+// These two set the depth of a triangle over the columns from x on, and over the rows from y on.
 RHW_INLINE void small_depth_columns(struct block_plane *depth, const struct tile_work *work,
                                     const struct triangle_work *triangle, int x)
 {
@@ -74,7 +74,7 @@ struct strip {
     struct block_plane depth;
 };
 
-// At its first row.
+// Sets a strip at its first row.
 RHW_INLINE void strip_set(struct strip *strip, const struct tile_work *work,
                           const struct triangle_work *triangle)
 {
@@ -97,7 +97,7 @@ struct strip_rows {
     int y, y1, top;
 };
 
-// The pixels that are covered, and the strip goes on to row y1.
+// Gives the pixels that are covered, and moves the strip on to row y1.
 RHW_INLINE uint64_t cover_strip(struct strip *strip, struct strip_rows rows)
 {
     uint64_t covered = 0;
@@ -111,7 +111,7 @@ RHW_INLINE uint64_t cover_strip(struct strip *strip, struct strip_rows rows)
     return covered << (8 * (rows.y - rows.top));
 }
 
-// The same with the depth test, which writes depth: the pixels that are covered and pass.
+// Does so with the depth test, which writes depth: gives the pixels that are covered and pass.
 RHW_INLINE uint64_t test_strip(struct tile_work *work, const struct triangle_work *triangle,
                                struct strip *strip, struct strip_rows rows, const struct rhw_depth_rule rule)
 {
@@ -132,7 +132,7 @@ RHW_INLINE uint64_t test_strip(struct tile_work *work, const struct triangle_wor
     return settle_block(depth, strip->x, rows.top, passed << (8 * (rows.y - rows.top)), rule);
 }
 
-// By the rule of the draw.
+// Takes the rule of the draw.
 RHW_INLINE uint64_t strip_pixels(struct tile_work *work, const struct triangle_work *triangle,
                                  struct strip *strip, struct strip_rows rows)
 {
@@ -163,7 +163,7 @@ RHW_INLINE void draw_strip_rows(struct tile_work *work, struct triangle_work *tr
     }
 }
 
-// A triangle that fits into a block.
+// Draws a triangle that fits into a block.
 RHW_INLINE void draw_short_strip(struct tile_work *work, struct triangle_work *triangle)
 {
     const struct triangle_setup8 *const setup = triangle->setup;
@@ -172,7 +172,7 @@ RHW_INLINE void draw_short_strip(struct tile_work *work, struct triangle_work *t
     draw_strip_rows(work, triangle, &strip, setup->y0[triangle->lane], setup->y1[triangle->lane]);
 }
 
-// One that fits into 8 columns and more than 8 rows.
+// Draws one that fits into 8 columns and has more than 8 rows.
 static __attribute__((noinline)) void draw_tall_strip(struct tile_work *work, struct triangle_work *triangle)
 {
     const struct triangle_setup8 *const setup = triangle->setup;
@@ -186,8 +186,8 @@ static __attribute__((noinline)) void draw_tall_strip(struct tile_work *work, st
 
 // Blocks -----------------------------------------------------------------------------------------------
 
-// Of the pixels of the block at (x, y) set in `mask`, which is not 0, those that pass the depth test, which writes their
-// depth.
+// Of the pixels of the block at (x, y) set in `mask`, which is not 0, those that pass the depth test, which writes
+// their depth.
 RHW_INLINE uint64_t test_spans(struct tile_work *work, const struct triangle_work *triangle, int x, int y,
                                uint64_t mask, const struct rhw_depth_rule rule)
 {
@@ -208,7 +208,7 @@ RHW_INLINE uint64_t test_spans(struct tile_work *work, const struct triangle_wor
     return settle_block(depth, x, y, passed, rule);
 }
 
-// By the rule of the draw.
+// Takes the rule of the draw.
 RHW_INLINE uint64_t span_pixels(struct tile_work *work, const struct triangle_work *triangle, int x, int y,
                                 uint64_t mask)
 {
@@ -228,7 +228,7 @@ RHW_INLINE uint64_t span_pixels(struct tile_work *work, const struct triangle_wo
     }
 }
 
-// One block of several.
+// Draws one block of several.
 static inline void draw_small_block(struct tile_work *work, struct triangle_work *triangle, int x, int y,
                                     uint64_t mask)
 {
