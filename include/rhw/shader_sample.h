@@ -13,11 +13,12 @@
 
 struct rhw_fragment;
 
-/// The textures and samplers of a draw, by slot: private to the library.
+/// The textures and samplers of a draw, by slot: the library's own, and valid while the shader function runs that got
+/// them.
 struct rhw_bindings;
 
 /// What 8 lanes ask of a texture. Zero the struct, then set what is needed: what is NULL is not asked for, and members
-/// that come later will be NULL in a program compiled before.
+/// that come later will be NULL where a program is compiled anew.
 struct rhw_sample_request {
     /// [2]: u right, v down. (0,0) is the top left corner of the first texel in memory, (1,1) the bottom right corner
     /// of the last. Any number is allowed; one that is not finite samples somewhere in the texture. More components are
@@ -31,7 +32,8 @@ struct rhw_sample_request {
     const rhw_int *offset;      ///< [2], reserved for offsets in texels: not read; NULL
 };
 
-/// Samples slot `slot`, 0..RHW_MAX_TEXTURES − 1, of a group's `textures`. The sampler's bias and limits apply to the
+/// Samples slot `slot`, 0..RHW_MAX_TEXTURES − 1, of a group's `textures`; for shader functions, on the thread that runs
+/// them. `request` is read during the call alone, with all it points at. The sampler's bias and limits apply to the
 /// level of detail. sRGB texels are decoded before they are filtered, and where both filters are LINEAR and no border
 /// is met they are held to 15 bits: at most 1/20 of the distance between two codes off, with 0 and 255 exact. A slot
 /// without a texture gives 0, 0, 0, 1. A lane's texel does not depend on other lanes.
