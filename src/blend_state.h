@@ -38,8 +38,8 @@ void rhw_blend_state_init(struct rhw_blend_state *state, const struct rhw_color_
 // twice, so that three channels in a million differ by 1/255; it says what such draws look like, and so do integers.
 void rhw_blend_state_generalize(struct rhw_blend_state *state);
 
-// The texel that clearing writes: format->size bytes. Colour formats round as blending does; UINT32 channels are converted
-// with truncation and saturation, NaN to 0.
+// The texel that clearing writes: format->size bytes. Colour formats round as blending does; UINT32 channels are
+// converted with truncation and saturation, NaN to 0.
 void rhw_clear_texel(const struct rhw_format_info *format, const float clear[4], unsigned char *texel);
 
 #endif

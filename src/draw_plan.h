@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // What a tile does for the fragments of a draw: which inputs its fragment function gets and how, and how depth is
-// tested. Everything that follows from the draw's state is decided here, once when the state is recorded, for each phase
-// in which a tile may draw it.
+// tested. Everything that follows from the draw's state is decided here, once when the state is recorded, for each
+// phase in which a tile may draw it.
 #ifndef RHW_DRAW_PLAN_H
 #define RHW_DRAW_PLAN_H
 
@@ -73,8 +73,8 @@ struct rhw_draw_plan {
     bool keeps_depth;    // groups carry it
     bool keeps_identity; // groups of RHW_SHADING_SMOOTH carry facing or ids
     bool is_skipped;     // nothing is drawn in this phase
-    // RHW_TRIANGLE_SMALL where small triangles have a path of their own (kernels/tile/triangle_small.h), and where those
-    // that do not take it are covered by spans; else 0.
+    // RHW_TRIANGLE_SMALL where small triangles have a path of their own (kernels/tile/triangle_small.h), and where
+    // those that do not take it are covered by spans; else 0.
     uint16_t small_flag, span_flag;
     // Which way the test lets depth move, for hierarchical depth: 1 where it only falls (LESS), −1 where it only rises,
     // 0 where neither is sure or hierarchical depth is not used.

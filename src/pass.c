@@ -466,6 +466,22 @@ static struct rhw_rect clip_rect(const struct rhw_pass_state *pass, const struct
     return (struct rhw_rect){x0, y0, x1 > x0 ? x1 - x0 : 0, y1 > y0 ? y1 - y0 : 0};
 }
 
+// Sets what vertices and depth need of the viewport and of the pipeline's range of Z.
+static void set_viewport_map(struct rhw_draw_state *state)
+{
+    const struct rhw_viewport *const v = &state->viewport;
+    const bool symmetric = state->pipeline && state->pipeline->def.depth_range == RHW_DEPTH_MINUS_ONE_TO_ONE;
+    const double span = (double)v->depth_max - (double)v->depth_min;
+    state->depth_low = (double)v->depth_min + (symmetric ? span / 2 : 0);
+    state->depth_span = symmetric ? span / 2 : span;
+    state->depth_least = v->depth_min < v->depth_max ? v->depth_min : v->depth_max;
+    state->depth_most = v->depth_min < v->depth_max ? v->depth_max : v->depth_min;
+    state->half_width = (double)v->width / 2;
+    state->half_height = (double)v->height / 2;
+    state->center_x = (double)v->x + state->half_width;
+    state->center_y = (double)v->y + state->half_height;
+}
+
 // An immutable copy of what the next draw uses, shared by the draws between two changes.
 static const struct rhw_draw_state *snapshot(struct rhw_pass_state *pass)
 {
@@ -493,17 +509,7 @@ static const struct rhw_draw_state *snapshot(struct rhw_pass_state *pass)
             rhw_blend_state_generalize(&state->blend[i]);
         }
     }
-    const double span = (double)state->viewport.depth_max - (double)state->viewport.depth_min;
-    const bool symmetric = state->pipeline && state->pipeline->def.depth_range == RHW_DEPTH_MINUS_ONE_TO_ONE;
-    state->depth_low = (double)state->viewport.depth_min + (symmetric ? span / 2 : 0);
-    state->depth_span = symmetric ? span / 2 : span;
-    const struct rhw_viewport *const v = &state->viewport;
-    state->depth_least = v->depth_min < v->depth_max ? v->depth_min : v->depth_max;
-    state->depth_most = v->depth_min < v->depth_max ? v->depth_max : v->depth_min;
-    state->half_width = (double)state->viewport.width / 2;
-    state->half_height = (double)state->viewport.height / 2;
-    state->center_x = (double)state->viewport.x + state->half_width;
-    state->center_y = (double)state->viewport.y + state->half_height;
+    set_viewport_map(state);
     if (state->pipeline && pass->paths == RHW_PATHS_ALL) {
         state->hidden = rhw_hidden_rule_of(state->pipeline, state->blend, pass->color_count);
     }

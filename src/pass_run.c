@@ -25,10 +25,11 @@ static double milliseconds(uint64_t ns)
     return (double)ns * 1e-6;
 }
 
-// Zero, but for the table of lanes.
+// Zero, but for the table of lanes, and what an empty queue says of its groups.
 static void init_tile_scratch(struct rhw_tile_scratch *scratch)
 {
     memset(scratch, 0, sizeof *scratch);
+    scratch->queue.has_all_rows = true;
     for (int bits = 0; bits < 256; bits++) {
         int count = 0;
         for (int lane = 0; lane < 8; lane++) {

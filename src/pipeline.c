@@ -3,10 +3,10 @@
 #include "pipeline.h"
 
 #include "context.h"
+#include "format.h"
 #include "lookup.h"
 #include "misuse.h"
 #include "rhw/rhw.h"
-#include "format.h"
 
 static const char *const create_name = "rhw_pipeline_create";
 
@@ -205,7 +205,8 @@ static void lay_out_varyings(struct rhw_pipeline_data *data)
     data->varying_components = next;
 }
 
-static void pair_slopes(struct rhw_pipeline_data *data)
+// Lists the smooth components with derivatives by twos (pipeline.h).
+static void pair_derivatives(struct rhw_pipeline_data *data)
 {
     int count = 0;
     for (int i = 0; i < data->varying_components; i++) {
@@ -236,7 +237,7 @@ enum rhw_result rhw_pipeline_create(rhw_context *context, const struct rhw_pipel
     data->def = *def;
     resolve_functions(data, context->isa);
     lay_out_varyings(data);
-    pair_slopes(data);
+    pair_derivatives(data);
     *pipeline = id;
     return RHW_OK;
 }

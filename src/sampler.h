@@ -9,7 +9,8 @@
 struct rhw_sampler_data {
     struct rhw_sampler_def def;
     bool filters_fixed; // textures of 8 bits take the fixed-point path: see filter_fixed.h
-    // Of the level of detail, in all lanes. The bias for gradients is less by 16, as sizes are 2^16 too large (rhw_mip).
+    // Of the level of detail, in all lanes. The bias for gradients is less by 16, as sizes are 2^16 too large
+    // (rhw_mip).
     _Alignas(32) float gradient_bias[RHW_LANES];
     float lod_least[RHW_LANES], lod_most[RHW_LANES];
 };

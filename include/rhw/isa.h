@@ -30,7 +30,7 @@
     RHW_EXTERN_C type name##_avx512
 
 /// The initializer of an array [RHW_ISA_COUNT] with the copies of `name`; of `&name` where they are objects. An entry
-/// that this machine has no copy for is NULL.
+/// is NULL where the architecture has no such instruction set.
 #define RHW_ISA_TABLE(name)                          \
     {                                                \
         name##_baseline, name##_avx2, name##_avx512, \

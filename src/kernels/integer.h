@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The lesser and the greater of two integers.
+// C has no function for the lesser and the greater of two integers.
 #ifndef RHW_INTEGER_H
 #define RHW_INTEGER_H
 

@@ -13,24 +13,24 @@ struct rhw_shared_part;
 
 struct rhw_binding;
 
-// See rhw_sample; of one slot.
+// Does what rhw_sample does, for one slot.
 typedef void rhw_sample_function(const struct rhw_binding *binding, const struct rhw_sample_request *request,
                                  rhw_float texel[4]);
-// See rhw_sample_groups.
+// Does what rhw_sample_groups does.
 typedef void rhw_sample_groups_function(const struct rhw_fragment *groups, int count, uint32_t slots, int at,
                                         rhw_float (*texels)[4], int stride);
 
 struct rhw_kernels {
     // Shades some of the vertices that chunks share.
     void (*shared_part)(struct rhw_pass_state *pass, const struct rhw_shared_part *part, int worker);
-    // The front end over one chunk: fetch, vertex function, clip, cull, snap, bin. False when out of memory.
+    // Runs the front end over one chunk: fetch, vertex function, snap, cull, clip, bin. False when out of memory.
     bool (*chunk)(struct rhw_pass_state *pass, struct rhw_chunk *chunk, int worker);
-    // One tile of the back end, from load to store.
+    // Draws one tile, from load to store: the back end.
     void (*tile)(struct rhw_pass_state *pass, int tile, int worker);
-    // Every format and sampler, in floats, and a slot without a texture.
+    // Samples every format with every sampler, in floats, and a slot without a texture.
     rhw_sample_function *sample_float;
-    // RGBA8 textures of either encoding with samplers that allow it (sampler.h), in fixed point: with the special paths
-    // of filter_fixed.h, and always on the general path, which gives the same bytes.
+    // Sample RGBA8 textures of either encoding, with samplers that allow it (sampler.h), in fixed point: with the
+    // special paths of filter_fixed.h, and always on the general path, which gives the same bytes.
     rhw_sample_function *sample_unorm8, *sample_srgb8, *sample_unorm8_general, *sample_srgb8_general;
     rhw_sample_groups_function *sample_groups;
 };

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // One tile: load or clear, draw the triangles binned for it, store. Compiled once per instruction set, with
-// RHW_ISA_SUFFIX naming it. In which order the triangles of a run are drawn, hidden_surface.h says; the order of runs is
-// that of submission.
+// RHW_ISA_SUFFIX naming it. In which order the triangles of a run are drawn, hidden_surface.h says; the order of runs
+// is that of submission.
 #include "kernel_entries.h"
 
 #include "integer.h"
@@ -28,7 +28,7 @@ static int list_bins(const struct tile_work *work)
     return count;
 }
 
-// Triangle `lane` of the setup.
+// Draws triangle `lane` of the setup.
 static void draw_triangle(struct tile_work *work, const struct rhw_chunk *chunk,
                           const struct triangle_setup8 *setup, int lane)
 {
@@ -109,7 +109,7 @@ static void draw_run(struct tile_work *work, struct bin_run run, enum rhw_phase 
     }
 }
 
-// Pixels that a triangle covers in the tile, at most and about.
+// Estimates the pixels that a triangle covers in the tile.
 static double area_in_tile(const struct tile_work *work, const struct rhw_triangle *t)
 {
     const struct tile_rect rect = rect_of(work, t);
@@ -136,7 +136,7 @@ static bool overdraws(const struct tile_work *work, struct bin_run run)
     for (const struct bin *bin = run.first; bin < run.end; bin++) {
         count += bin->end - bin->first;
     }
-    if (count > RHW_DEFERRED_TRIANGLES) {
+    if (count > RHW_DEPTH_FIRST_TRIANGLES) {
         return false;
     }
     const uint32_t step = count / SAMPLES + 1;
@@ -153,14 +153,14 @@ static bool overdraws(const struct tile_work *work, struct bin_run run)
     return (area - tile_pixels) / 2 * pixel_ns > area * depth_ns + count * triangle_ns;
 }
 
-static void draw_deferred(struct tile_work *work, struct bin_run run)
+static void draw_depth_first(struct tile_work *work, struct bin_run run)
 {
     memset(work->scratch->seen, 0, sizeof work->scratch->seen);
     draw_run(work, run, RHW_PHASE_DEPTH);
     draw_run(work, run, RHW_PHASE_SHADE);
 }
 
-// The last triangle first, until nothing of the tile is open.
+// Draws the last triangle first, until nothing of the tile is open.
 static void draw_backwards(struct tile_work *work, struct bin_run run)
 {
     start_phase(work, RHW_PHASE_BACKWARDS);
@@ -170,7 +170,7 @@ static void draw_backwards(struct tile_work *work, struct bin_run run)
     }
 }
 
-// From `first` on, those that can be drawn together depth first or backwards, or that cannot; at least one.
+// Unites, from `first` on, bins that can be drawn depth first or backwards, or that cannot; at least one.
 static struct bin_run run_from(const struct bin *first, const struct bin *end)
 {
     struct bin_run run = {first, first + 1};
@@ -188,7 +188,7 @@ static void draw_bins(struct tile_work *work, const struct bin *first, const str
         if (hidden == RHW_HIDDEN_BACKWARDS) {
             draw_backwards(work, run);
         } else if (hidden == RHW_HIDDEN_DEPTH_FIRST && overdraws(work, run)) {
-            draw_deferred(work, run);
+            draw_depth_first(work, run);
         } else {
             draw_run(work, run, RHW_PHASE_ONLY);
         }

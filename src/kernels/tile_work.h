@@ -17,16 +17,16 @@ enum {
     RHW_FRAGMENT_GROUPS = RHW_MAX_GROUPS,
     // Triangles of a tile whose visibility is remembered from the first phase to the second: 4 KiB of bits. A longer
     // run is drawn as submitted.
-    RHW_DEFERRED_TRIANGLES = 32768,
+    RHW_DEPTH_FIRST_TRIANGLES = 32768,
     // Triangles whose fragments may wait in the partial group at the same time: 7 that wait, and the one that adds.
     RHW_PACKED_TRIANGLES = 8,
     // Fragments of one triangle that are gathered before groups are made of them: those of two blocks.
     RHW_GATHERED_FRAGMENTS = 128
 };
 
-// The fragment queue: groups of 8 fragments of one draw that wait to be shaded with one call (fragment/queue.h). A texel
-// of the tile has the number y·RHW_TILE + x. A block's rows are always written as 8 entries, so there is room for 8 from
-// the last group on.
+// The fragment queue: groups of 8 fragments of one draw that wait to be shaded with one call (fragment/queue.h). A
+// texel of the tile has the number y·RHW_TILE + x. A block's rows are always written as 8 entries, so there is room for
+// 8 from the last group on.
 struct fragment_queue {
     struct rhw_fragment groups[RHW_FRAGMENT_GROUPS];
     int32_t row_at[RHW_FRAGMENT_GROUPS + RHW_BLOCK];    // the first texel of a group that is 8 in a row
@@ -48,7 +48,7 @@ struct gathered_fragments {
     uint8_t set_lanes[256][8]; // by bits: which are set, in order; behind them lanes of any number
 };
 
-// What is kept of a triangle until its last fragment has found a group.
+// This is kept of a triangle until its last fragment has found a group.
 struct packed_triangle {
     struct derivative_pair derivatives[RHW_MAX_VARYING_COMPONENTS / 2]; // see component_derivatives
     const float *varyings[3];
@@ -77,15 +77,15 @@ struct bin {
 struct rhw_tile_scratch {
     _Alignas(64) unsigned char color[RHW_MAX_COLOR_ATTACHMENTS][RHW_TILE * RHW_TILE * 16];
     struct tile_depth depth;
-    uint8_t seen[RHW_DEFERRED_TRIANGLES / 8]; // bit i: triangle i of the run is drawn in the second phase
-    struct bin bins[RHW_WAVE_CHUNKS];         // of the tile, those that are not empty
+    uint8_t seen[RHW_DEPTH_FIRST_TRIANGLES / 8]; // bit i: triangle i of the run is drawn in the second phase
+    struct bin bins[RHW_WAVE_CHUNKS];            // of the tile, those that are not empty
     struct fragment_queue queue;
     struct gathered_fragments gathered;
     struct partial_group partial;
     i8 constant[RHW_MAX_COLOR_ATTACHMENTS]; // see constant_color.h: 8 texels of RGBA8 targets that are replaced
 };
 
-// One worker's work on one tile.
+// This is one worker's work on one tile.
 struct tile_work {
     struct rhw_pass_state *pass;
     struct rhw_tile_scratch *scratch;
@@ -105,7 +105,7 @@ struct tile_work {
     bool constant_is_ready;    // the draw's constant colour was made
 };
 
-// Where a block at (x, y) of the tile lies from the anchor.
+// Tells where a block at (x, y) of the tile lies from the anchor.
 RHW_INLINE struct anchor_offset block_offset(const struct tile_work *work, const struct planes *planes, int x,
                                              int y)
 {

@@ -340,6 +340,35 @@ static void test_hidden_fragments_are_not_shaded(void **state)
     rig_close(&rig);
 }
 
+// A block of 8×8 pixels that a triangle covers need not be one of those that hierarchical depth has a bound of: flat
+// varyings let small triangles be drawn in blocks that start where the triangle does.
+static void test_what_is_behind_shows_beside_a_small_triangle(void **state)
+{
+    (void)state;
+    enum { X = 3, Y = 5, SIDE = 40 };
+    for (int greater = 0; greater < 2; greater++) {
+        struct rig rig;
+        rig_open(&rig, SIZE, SIZE);
+        rig_set_depth(&rig);
+        rig.pipeline.program.varyings[0].qualifier = RHW_FLAT;
+        rig.pipeline.depth_compare = greater ? RHW_COMPARE_GREATER : RHW_COMPARE_LESS;
+        rig.pass.depth.clear = greater ? 0.0f : 1.0f;
+        struct rig_vertex all[6];
+        rig_begin(&rig);
+        rig_rectangle(&rig, X, Y, X + SIDE, Y + SIDE, greater ? 0.75f : 0.25f, red, all);
+        rig_draw(&rig, all, 6);
+        draw_layer(&rig, 0.5f, green);
+        rig_end(&rig);
+        const float(*const pixels)[4] = rig_read_float4(&rig);
+        for (int i = 0; i < SIZE * SIZE; i++) {
+            const int x = i % SIZE - X, y = i / SIZE - Y;
+            const bool inside = x >= 0 && x < SIDE && y >= 0 && y < SIDE;
+            assert_memory_equal(pixels[i], inside ? red : green, sizeof red);
+        }
+        rig_close(&rig);
+    }
+}
+
 static void test_depth_only_program(void **state)
 {
     (void)state;
@@ -408,6 +437,7 @@ int main(void)
         cmocka_unit_test(test_discarded_lanes_leave_no_depth),
         cmocka_unit_test(test_discard_behind_what_is_there),
         cmocka_unit_test(test_hidden_fragments_are_not_shaded),
+        cmocka_unit_test(test_what_is_behind_shows_beside_a_small_triangle),
         cmocka_unit_test(test_depth_only_program),
         cmocka_unit_test(test_equal_after_a_prepass),
     };

@@ -10,7 +10,7 @@
 #include "../../blend_state.h"
 #include "../texel/texel_codec.h"
 
-// The byte at `shift` of each lane as a float; exact.
+// Gives the byte at `shift` of each lane as a float; exact.
 RHW_INLINE f8 byte_to_float(i8 texel, int shift)
 {
     return rhw_to_float((i8)((texel >> shift) & 0xff));
@@ -44,7 +44,7 @@ RHW_INLINE void store_target(const struct rhw_blend_state *state, const f8 value
     store_texel_row(state->format->size, &raw, mask, state->texel_mask, texels);
 }
 
-// Factor of channel `i` (3: alpha).
+// Gives the factor of channel `i` (3: alpha).
 static inline f8 blend_factor(const struct rhw_blend_state *state, enum rhw_blend_factor factor,
                               const f8 src[4], const f8 dst[4], int i)
 {
@@ -90,7 +90,7 @@ RHW_INLINE f8 canonical_nan(f8 value)
     return rhw_select(rhw_equal(value, value), value, (f8)i8_splat(0x7fc00000));
 }
 
-// Any format, any blending. Not inline: it is large and seldom hot.
+// Serves any format and any blending. It is not inline, being large and seldom hot.
 static __attribute__((noinline)) void blend_general(const struct rhw_blend_state *state, const f8 color[4],
                                                     const i8 *mask, unsigned char *texels)
 {

@@ -3,6 +3,7 @@
 #ifndef RHW_BUILTIN_H
 #define RHW_BUILTIN_H
 
+#include "../raster/sample_position.h"
 #include "../tile_work.h"
 #include "../triangle_work.h"
 
@@ -19,7 +20,7 @@ static inline struct identity identity_of(const struct triangle_work *triangle)
                              .draw = (int32_t)draw->index};
 }
 
-// What all fragments of a triangle share.
+// Sets what all fragments of a triangle share.
 RHW_INLINE void fill_identity(struct rhw_fragment *group, uint32_t uses, const struct triangle_work *triangle)
 {
     const struct identity identity = identity_of(triangle);
@@ -33,18 +34,18 @@ RHW_INLINE void fill_identity(struct rhw_fragment *group, uint32_t uses, const s
     }
 }
 
-// Of a row of pixels that starts at (x, y) of the tile, and whose depth the group has.
+// Sets the coordinates of a row of pixels that starts at (x, y) of the tile, and whose depth the group has.
 static void fill_coordinates(const struct tile_work *work, struct rhw_fragment *group, int x, int y,
                              d8 inverse_w)
 {
-    const f8 half = f8_splat(0.5f);
-    group->coord[0] = rhw_to_float(i8_splat(work->x + x) + rhw_lane_index) + half;
-    group->coord[1] = f8_splat((float)(work->y + y)) + half;
+    const f8 offset = f8_splat((float)sample_offset());
+    group->coord[0] = rhw_to_float(i8_splat(work->x + x) + rhw_lane_index) + offset;
+    group->coord[1] = f8_splat((float)(work->y + y)) + offset;
     group->coord[2] = group->depth;
     group->coord[3] = f8_from_d8(inverse_w);
 }
 
-// Weights of three vertices, of which two are known; `sum` is 1, and 0 for their derivatives.
+// Sets the weights of three vertices, of which two are known; `sum` is 1, and 0 for their derivatives.
 static void fill_barycentrics(f8 out[3], float sum, f8 b, f8 c)
 {
     out[0] = (f8_splat(sum) - b) - c;

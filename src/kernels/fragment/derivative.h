@@ -14,7 +14,7 @@
 
 enum derivatives { NO_DERIVATIVES, DERIVATIVES }; // a constant where a call names it
 
-// The formula, for 8 pixels and for a pair at one.
+// This is the formula, for 8 pixels and for a pair at one.
 RHW_INLINE d8 numerator8(double at, double step, d8 distance)
 {
     return d8_add(d8_splat(at), d8_mul(d8_splat(step), distance));
@@ -85,7 +85,7 @@ static void component_derivatives(struct derivative_pair *out, struct triangle_w
     }
 }
 
-// Of the first (`which` 0) or the second quantity, at 8 pixels that are (dx, dy) from the anchor.
+// Sets those of the first (`which` 0) or the second quantity, at 8 pixels that are (dx, dy) from the anchor.
 RHW_INLINE void pair_derivatives(const struct derivative_pair *pair, int which,
                                  const struct anchor_offset *at, d8 squared, f8 *by_x, f8 *by_y)
 {
@@ -94,7 +94,7 @@ RHW_INLINE void pair_derivatives(const struct derivative_pair *pair, int which,
     *by_y = derivative_of(numerator8(pair->at[y], pair->step[y], at->dx), squared);
 }
 
-// Of the smooth components of group g, whose pixels are `at`.
+// Sets those of the smooth components of group g, whose pixels are `at`.
 RHW_INLINE void smooth_derivatives(struct fragment_queue *queue, int g,
                                    const struct rhw_pipeline_data *pipeline,
                                    const struct derivative_pair *pairs, const struct anchor_offset *at,
@@ -110,7 +110,7 @@ RHW_INLINE void smooth_derivatives(struct fragment_queue *queue, int g,
     }
 }
 
-// Of the other components of group g, whose derivatives are the same everywhere.
+// Sets those of the other components of group g, which are the same everywhere.
 static void constant_derivatives(struct fragment_queue *queue, int g,
                                  const struct rhw_pipeline_data *pipeline,
                                  const struct triangle_work *triangle)

@@ -2,8 +2,8 @@
 // What of a triangle is seen becomes groups. A block that is seen all over is 8 groups as it stands (row_groups.h). The
 // fragments of other blocks are gathered: they are listed, and once the triangle is done, or the list full, every 8 of
 // them make a group, wherever in the tile they lie; the last few are packed with those of other triangles (pack.h).
-// Where groups must be rows (RHW_SHADING_ROWS, slivers, blocks that leave their triangle), a block has one for every row.
-// Every number is made by the same operations on each path.
+// Where groups must be rows (RHW_SHADING_ROWS, slivers, blocks that leave their triangle), a block has one for every
+// row. Every number is made by the same operations on each path.
 #ifndef RHW_GATHER_H
 #define RHW_GATHER_H
 
@@ -20,7 +20,7 @@ RHW_INLINE struct anchor_offset texel_offsets(const struct tile_work *work, cons
                                   d8_from_i8(y - i8_splat(planes->anchor_y - work->y))};
 }
 
-// The queue's next `count` groups, of the fragments at `texel`, 8 each.
+// Fills the queue's next `count` groups with the fragments at `texel`, 8 each.
 RHW_INLINE void fill_scattered(const struct tile_work *work, const struct triangle_work *triangle,
                                const int32_t *texel, int count, enum derivatives derivatives)
 {
@@ -127,7 +127,7 @@ RHW_INLINE void gather_fragments(struct tile_work *work, struct triangle_work *t
     gathered->count = count;
 }
 
-// The fragments of a block whose bits are set in `mask`, on the path that is theirs.
+// Sends the fragments of a block whose bits are set in `mask` on the path that is theirs.
 RHW_INLINE void collect_block(struct tile_work *work, struct triangle_work *triangle,
                               const struct block *block, uint64_t mask)
 {

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: MIT
-// Varyings of a fragment: I = I_0 − (b·(I_0 − I_1) + c·(I_0 − I_2)), in float, with the weights of raster/plane.h. Where
-// the three vertices agree both differences are 0, and the constant survives bit for bit, −0 included.
+// Varyings of a fragment: I = I_0 − (b·(I_0 − I_1) + c·(I_0 − I_2)), in float, with the weights of raster/plane.h.
+// Where the three vertices agree both differences are 0, and the constant survives bit for bit, −0 included.
 #ifndef RHW_INTERPOLATE_H
 #define RHW_INTERPOLATE_H
 
 #include "../tile_work.h"
 #include "../triangle_work.h"
 
-// The one formula. d1, d2: I_0 − I_1 and I_0 − I_2.
+// This is the one formula. d1 and d2 are I_0 − I_1 and I_0 − I_2.
 RHW_INLINE f8 interpolate(f8 i0, f8 d1, f8 d2, f8 b, f8 c)
 {
     return i0 - (b * d1 + c * d2);
@@ -35,7 +35,7 @@ struct group_weights {
     f8 b[RHW_BLOCK], c[RHW_BLOCK];
 };
 
-// Smooth varyings of `count` groups, those of the first at `varyings`.
+// Sets the smooth varyings of `count` groups, those of the first at `varyings`.
 RHW_INLINE void interpolate_groups(f8 *varyings, ptrdiff_t components, const struct triangle_work *triangle,
                                    const struct group_weights *weights, int count)
 {
@@ -68,7 +68,7 @@ static __attribute__((noinline)) void interpolate_homogeneous(f8 *varyings,
     }
 }
 
-// Varyings of any qualifier.
+// Sets varyings of any qualifier.
 static void interpolate_any(f8 *varyings, const struct rhw_pipeline_data *pipeline,
                             const struct triangle_work *triangle, const struct weights *weights,
                             const struct screen_weights *screen)

@@ -35,7 +35,7 @@ static void pack_identity(struct rhw_fragment *group, uint32_t uses,
     }
 }
 
-// Components i .. i + 7 of the 8 fragments, as one vector per component. A vertex record is padded to whole vectors.
+// Gives components i .. i + 7 of the 8 fragments, a vector for each. A vertex record is padded to whole vectors.
 RHW_INLINE void pack_components(const struct packed_triangle *const triangle[8], int i, const float b[8],
                                 const float c[8], f8 out[8])
 {
@@ -47,7 +47,7 @@ RHW_INLINE void pack_components(const struct packed_triangle *const triangle[8],
     f8_transpose(out);
 }
 
-// All components of group g.
+// Sets all components of group g.
 static void pack_varyings(struct tile_work *work, int g, const struct weights *weights)
 {
     const int components = work->pipeline->varying_components;

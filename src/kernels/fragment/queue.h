@@ -19,7 +19,7 @@ static void run_fragment_function(const struct tile_work *work, int count)
     }
 }
 
-// Lanes of group g that are still live after discarding and the late depth test.
+// Gives the lanes of group g that are still live after discarding and the late depth test.
 static unsigned finish_depth(struct tile_work *work, int g)
 {
     struct fragment_queue *const queue = &work->scratch->queue;
@@ -42,7 +42,7 @@ static unsigned finish_depth(struct tile_work *work, int g)
     return test_texels_late(depth, queue->texels[g], z, i8_sign_bits(mask), plan->late);
 }
 
-// Texels of a scattered group, side by side for blending, and back.
+// Puts the texels of a scattered group side by side for blending, and back.
 RHW_INLINE void gather_texels(const int32_t at[8], const unsigned char *texels, size_t size,
                               unsigned char *out)
 {
@@ -126,7 +126,7 @@ static void shade_queue(struct tile_work *work)
     queue->has_all_rows = true;
 }
 
-// After groups were added.
+// Is called when groups were added.
 RHW_INLINE void shade_if_full(struct tile_work *work)
 {
     if (work->scratch->queue.count == RHW_FRAGMENT_GROUPS) {

@@ -25,7 +25,7 @@ struct block_rows {
     uint8_t row[RHW_BLOCK], bits[RHW_BLOCK];
 };
 
-// Of a block that is covered all over.
+// These are the rows of a block that is covered all over.
 static const struct block_rows all_rows = {
     RHW_BLOCK, {0, 1, 2, 3, 4, 5, 6, 7}, {255, 255, 255, 255, 255, 255, 255, 255}};
 
@@ -41,7 +41,7 @@ static inline struct block_rows rows_of_mask(uint64_t mask)
     return rows;
 }
 
-// What a triangle needs before its first group.
+// Makes what a triangle needs before its first group.
 static void set_inputs(const struct tile_work *work, struct triangle_work *triangle)
 {
     const struct rhw_pipeline_data *const pipeline = work->pipeline;
@@ -64,7 +64,7 @@ static void fill_barycentric_derivatives(struct rhw_fragment *group, const struc
     fill_barycentrics(group->barycentric_ddy, 0, b_dy, c_dy);
 }
 
-// One group with everything that a fragment function may ask for.
+// Fills one group with everything that a fragment function may ask for.
 static void fill_any_group(const struct tile_work *work, int g, const struct triangle_work *triangle,
                            const struct block_planes *planes, const struct block *block, int row)
 {
@@ -103,7 +103,7 @@ static void fill_any_group(const struct tile_work *work, int g, const struct tri
     fill_identity(group, uses, triangle);
 }
 
-// The rows of a block as groups from `first` on.
+// Fills the groups from `first` on with the rows of a block.
 static __attribute__((noinline)) void fill_any_groups(const struct tile_work *work,
                                                       const struct triangle_work *triangle,
                                                       const struct block *block,
@@ -214,7 +214,7 @@ RHW_INLINE void place_rows(struct fragment_queue *queue, const struct block_rows
     }
 }
 
-// Depth, facing and ids of the groups from `first` on.
+// Sets depth, facing and ids of the groups from `first` on.
 static void fill_kept(const struct tile_work *work, const struct triangle_work *triangle,
                       const struct block *block, const struct block_rows *rows, int first)
 {
@@ -255,7 +255,7 @@ RHW_INLINE void queue_rows(struct tile_work *work, struct triangle_work *triangl
     shade_if_full(work);
 }
 
-// The rows of a block of which some pixels are set in `mask`.
+// Queues the rows of a block of which some pixels are set in `mask`.
 static __attribute__((noinline)) void queue_some_rows(struct tile_work *work, struct triangle_work *triangle,
                                                       const struct block *block, uint64_t mask)
 {

@@ -6,8 +6,8 @@
 #include "../../arena.h"
 #include "geometry_scratch.h"
 
-// The tiles of all triangles in the list, which is not empty. Bytes are compared 32 at a time; the array has room for
-// that.
+// Unites the tiles of all triangles in the list, which is not empty. Bytes are compared 32 at a time; the array has
+// room for that.
 static struct rhw_tile_range unite_ranges(const struct rhw_triangle_list *list)
 {
     enum { STEP = 8 };
@@ -52,7 +52,7 @@ static size_t tiles_of(const struct rhw_chunk *chunk)
     return (size_t)(chunk->tile_x1 - chunk->tile_x0) * (size_t)(chunk->tile_y1 - chunk->tile_y0);
 }
 
-// How many triangles, from the first on, have at most `most` entries in the bins. One always has.
+// Tells how many triangles, from the first on, have at most `most` entries in the bins. One always has.
 static int triangles_that_fit(const struct rhw_chunk *chunk, const struct rhw_triangle_list *list,
                               uint32_t most)
 {

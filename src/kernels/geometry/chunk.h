@@ -91,7 +91,7 @@ static bool start_runs(const struct rhw_pass_state *pass, const struct rhw_chunk
     return true;
 }
 
-// Vertices and triangles of a chunk. False when out of memory.
+// Makes the vertices and triangles of a chunk. False when out of memory.
 static bool make_triangles(const struct rhw_pass_state *pass, const struct rhw_chunk *chunk,
                            struct rhw_worker *worker, struct rhw_triangle_list *list)
 {
@@ -105,7 +105,7 @@ static bool make_triangles(const struct rhw_pass_state *pass, const struct rhw_c
         return false;
     }
     const uint64_t shaded = rhw_time_ns();
-    // Room for all triangles; what culling leaves of it goes back.
+    // There is room for all triangles; what culling leaves of it goes back.
     const size_t room = (size_t)chunk->count * sizeof *list->triangles;
     *list = (struct rhw_triangle_list){rhw_arena_alloc(&worker->arena, room, RHW_CACHE_LINE),
                                        scratch->tile_ranges, 0};
@@ -122,7 +122,7 @@ static bool make_triangles(const struct rhw_pass_state *pass, const struct rhw_c
     return true;
 }
 
-// Where a triangle of the chunk stands in the line of all triangles.
+// Tells where a triangle of the chunk stands in the line of all triangles.
 static uint64_t place_in_line(const struct rhw_geometry_scratch *scratch, const struct rhw_triangle *t)
 {
     const struct rhw_segment *const segment = &scratch->segments[t->segment];
@@ -130,7 +130,7 @@ static uint64_t place_in_line(const struct rhw_geometry_scratch *scratch, const 
     return draw->first_triangle + (uint64_t)segment->instance * draw->triangles_per_instance + t->primitive;
 }
 
-// How the chunk may be drawn: as its draws may, where they agree.
+// Tells how the chunk may be drawn: as its draws may, where they agree.
 static struct rhw_hidden_rule shared_hidden_rule(const struct rhw_geometry_scratch *scratch)
 {
     const struct rhw_hidden_rule first = scratch->segments[0].draw->state->hidden;

@@ -8,7 +8,7 @@
 #include "facing.h"
 #include "triangle8.h"
 
-// A bit for each of 8 triangles.
+// Each mask has a bit for each of 8 triangles.
 struct cull8 {
     unsigned drawn;            // as they are, unclipped
     unsigned clipped;          // a plane may cut them, or a vertex cannot be snapped: clipped_setup.h decides
@@ -29,7 +29,7 @@ RHW_INLINE void area_signs8(const struct triangle8 *t, unsigned *negative, unsig
     *nonzero = ~i8_sign_bits(rhw_equal(area, f8_splat(0)));
 }
 
-// Bits of the lanes that have one of the flags.
+// Gives the bits of the lanes that have one of the flags.
 RHW_INLINE unsigned flagged8(i8 flags, int32_t which)
 {
     return ~i8_sign_bits(rhw_equal_int(flags & i8_splat(which), i8_splat(0)));

@@ -15,7 +15,7 @@ struct rhw_tile_range {
 
 _Static_assert(sizeof(struct rhw_tile_range) == sizeof(int32_t), "tile_ranges8 packs one into each lane");
 
-// The tiles of the pixels x0 .. x1 − 1, y0 .. y1 − 1; there is one at least.
+// Gives the tiles of the pixels x0 .. x1 − 1, y0 .. y1 − 1; there is one at least.
 static inline struct rhw_tile_range tile_range(int x0, int y0, int x1, int y1)
 {
     return (struct rhw_tile_range){(uint8_t)(x0 >> RHW_TILE_LOG2), (uint8_t)(y0 >> RHW_TILE_LOG2),
@@ -23,7 +23,7 @@ static inline struct rhw_tile_range tile_range(int x0, int y0, int x1, int y1)
                                    (uint8_t)((y1 - 1) >> RHW_TILE_LOG2)};
 }
 
-// The same of 8 triangles. Those without a pixel get rubbish.
+// Does so for 8 triangles. Those without a pixel get rubbish.
 RHW_INLINE void tile_ranges8(struct rhw_tile_range ranges[8], i8 x0, i8 y0, i8 x1, i8 y1)
 {
     const i8 one = i8_splat(1);

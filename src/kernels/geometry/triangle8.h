@@ -13,7 +13,7 @@ struct triangle8 {
     f8 depth_min, depth_max;
 };
 
-// Within the scissor; x1 and y1 are exclusive.
+// The pixels lie within the scissor; x1 and y1 are exclusive.
 struct pixel_rect8 {
     i8 x0, y0, x1, y1;
 };
@@ -51,7 +51,7 @@ RHW_INLINE i8 i8_max3(const i8 v[3])
     return i8_max(i8_max(v[0], v[1]), v[2]);
 }
 
-// Those with RHW_TRIANGLE_SMALL by their size.
+// Tells those that are RHW_TRIANGLE_SMALL by their size.
 RHW_INLINE i8 small_triangles8(const struct triangle8 *t)
 {
     const i8 size = i8_splat(RHW_TILE * RHW_SUBPIXEL);

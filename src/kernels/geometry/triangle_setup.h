@@ -10,7 +10,7 @@
 #include "cull.h"
 #include "geometry_scratch.h"
 
-// 8 triangles of a run, one after another.
+// These are 8 triangles of a run, one after another.
 struct run_slice {
     uint32_t run;                 // its number in the scratch
     const uint32_t (*indices)[3]; // of their vertices and of one triangle more, which may be read
@@ -61,7 +61,7 @@ RHW_INLINE void fill_words(struct triangle_words *words, const struct triangle8 
     f8_transpose(high);
 }
 
-// Of unclipped triangles.
+// Gives the flags of unclipped triangles.
 RHW_INLINE i8 triangle_flags8(const struct triangle8 *t, const struct cull8 *cull,
                               const struct rhw_draw_state *state)
 {

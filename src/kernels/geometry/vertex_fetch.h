@@ -78,7 +78,7 @@ static f8 narrow_to_float(enum rhw_vertex_type type, i8 bits)
     }
 }
 
-// Four numbers of 8 or 16 bits at each of 8 places.
+// Fetches four numbers of 8 or 16 bits at each of 8 places.
 static void fetch_narrow(const void *const place[8], enum rhw_vertex_type type, f8 out[4])
 {
     const bool has_16_bits = rhw_vertex_type_size(type) == 2;

@@ -13,7 +13,7 @@
 
 #include "geometry_scratch.h"
 
-// The least and the greatest vertex index of a run.
+// Finds the least and the greatest vertex index of a run.
 static void index_range(const struct rhw_run *run, uint32_t *low, uint32_t *high)
 {
     const uint32_t *const indices = &run->indices[0][0];

@@ -9,7 +9,7 @@
 #include "geometry_scratch.h"
 #include "vertex_fetch.h"
 
-// The flags of 8 vertices; `snapped` tells which can be.
+// Gives the flags of 8 vertices; `snapped` tells which can be snapped.
 RHW_INLINE i8 vertex_flags(const f8 position[4], f8 near, i8 snapped)
 {
     const f8 x = position[0], y = position[1], z = position[2], w = position[3], zero = f8_splat(0);
@@ -26,7 +26,7 @@ RHW_INLINE i8 vertex_flags(const f8 position[4], f8 near, i8 snapped)
     return flags;
 }
 
-// From clip coordinates to the header of the vertex records.
+// Makes the header of the vertex records from clip coordinates.
 static void project(const struct rhw_draw_state *state, const f8 position[4], f8 header[8])
 {
     const f8 x = position[0], y = position[1], z = position[2], w = position[3];

@@ -103,7 +103,7 @@ static inline uint64_t triangle_mask(const struct triangle_edges *triangle, int 
     return mask;
 }
 
-// What a triangle, clipped or not, covers in one tile.
+// This is what a triangle, clipped or not, covers in one tile.
 struct coverage {
     int count; // of triangles that reach into the tile: of 1, or of the fan of a clipped polygon
     struct triangle_edges triangles[RHW_POLYGON_VERTICES - 2];

@@ -10,7 +10,7 @@
 #include "open_pixels.h"
 #include "tile_depth.h"
 
-// Lanes for which `z compare old` holds.
+// Gives the lanes for which `z compare old` holds.
 RHW_INLINE i8 depth_passes(enum rhw_compare compare, f8 z, f8 old)
 {
     switch (compare) {
@@ -25,7 +25,7 @@ RHW_INLINE i8 depth_passes(enum rhw_compare compare, f8 z, f8 old)
     }
 }
 
-// Depth within the viewport's range.
+// Keeps depth within the viewport's range.
 RHW_INLINE f8 viewport_clamp(const struct tile_depth *depth, f8 z)
 {
     return f8_min(f8_max(z, f8_splat(depth->least)), f8_splat(depth->most));
@@ -36,7 +36,7 @@ RHW_INLINE float *depth_texels(struct tile_depth *depth, int x, int y)
     return &depth->texels[y * RHW_TILE + x];
 }
 
-// Lanes that pass. Bit i of `open`: the pixel of lane i is open.
+// Gives the lanes that pass. Bit i of `open` says that the pixel of lane i is open.
 RHW_INLINE i8 rule_passes(const struct rhw_depth_rule rule, f8 z, f8 stored, unsigned open)
 {
     i8 pass = depth_passes(rule.compare, z, stored);
@@ -46,7 +46,7 @@ RHW_INLINE i8 rule_passes(const struct rhw_depth_rule rule, f8 z, f8 stored, uns
     return pass;
 }
 
-// The open pixels of a row from x on, where a test has to know them.
+// Gives the open pixels of a row from x on, where a test has to know them.
 RHW_INLINE unsigned open_row(const struct tile_depth *depth, int x, int y, const struct rhw_depth_rule rule)
 {
     return rule.open >= RHW_OPEN_TRY ? (unsigned)(depth->open[y] >> x) : 0;
@@ -80,42 +80,61 @@ RHW_INLINE uint64_t settle_block(struct tile_depth *depth, int x, int y, uint64_
 
 enum block_mask { MASK_PART, MASK_WHOLE }; // whole: every pixel is set
 
-// Tests the pixels of the block at (x, y) that are set in `mask`, whose depths are `z`; returns those that pass.
-RHW_INLINE uint64_t test_rows(struct tile_depth *depth, const f8 z[RHW_BLOCK], int x, int y, uint64_t mask,
-                              const struct rhw_depth_rule rule, enum block_mask which)
+// Pixels of the block at (x, y): those that are set in `mask`, whose depths are `z`.
+struct block_pixels {
+    struct tile_depth *depth;
+    const f8 *z; // of its rows
+    int x, y;
+    uint64_t mask;
+};
+
+// Tests them; returns those that pass.
+RHW_INLINE uint64_t test_rows(const struct block_pixels *block, const struct rhw_depth_rule rule,
+                              enum block_mask which)
 {
-    float *texels = depth_texels(depth, x, y);
+    float *texels = depth_texels(block->depth, block->x, block->y);
     uint64_t passed = 0;
     for (int row = 0; row < RHW_BLOCK; row++) {
         const i8 live =
-            which == MASK_WHOLE ? i8_splat(-1) : i8_from_bits((unsigned)(mask >> (8 * row)) & 0xff);
-        const i8 pass = test_lanes(texels, z[row], live, open_row(depth, x, y + row, rule), rule);
+            which == MASK_WHOLE ? i8_splat(-1) : i8_from_bits((unsigned)(block->mask >> (8 * row)) & 0xff);
+        const unsigned open = open_row(block->depth, block->x, block->y + row, rule);
+        const i8 pass = test_lanes(texels, block->z[row], live, open, rule);
         passed |= (uint64_t)i8_sign_bits(pass) << (8 * row);
         texels += RHW_TILE;
     }
-    return settle_block(depth, x, y, passed, rule);
+    return settle_block(block->depth, block->x, block->y, passed, rule);
 }
 
-RHW_INLINE uint64_t test_block(struct tile_depth *depth, const f8 z[RHW_BLOCK], int x, int y, uint64_t mask,
-                               const struct rhw_depth_rule rule)
+RHW_INLINE uint64_t test_block(const void *pixels, const struct rhw_depth_rule rule)
 {
-    return mask == ~(uint64_t)0 ? test_rows(depth, z, x, y, mask, rule, MASK_WHOLE)
-                                : test_rows(depth, z, x, y, mask, rule, MASK_PART);
+    const struct block_pixels *const block = pixels;
+    return block->mask == ~(uint64_t)0 ? test_rows(block, rule, MASK_WHOLE)
+                                       : test_rows(block, rule, MASK_PART);
 }
 
-// The same by the draw's rule before shading.
+// A test before shading of the pixels that it knows; `rule` is a constant where it has a name.
+typedef uint64_t early_test_function(const void *pixels, const struct rhw_depth_rule rule);
+
+// Tests by the draw's rule before shading; returns the pixels that pass.
+RHW_INLINE uint64_t test_early(const struct rhw_draw_plan *plan, early_test_function *test,
+                               const void *pixels)
+{
+    switch (plan->early_name) {
+    case RHW_RULE_LESS: return test(pixels, rhw_named_rules[RHW_RULE_LESS]);
+    case RHW_RULE_GREATER: return test(pixels, rhw_named_rules[RHW_RULE_GREATER]);
+    case RHW_RULE_MARK_LESS: return test(pixels, rhw_named_rules[RHW_RULE_MARK_LESS]);
+    case RHW_RULE_MARK_GREATER: return test(pixels, rhw_named_rules[RHW_RULE_MARK_GREATER]);
+    case RHW_RULE_CLAIM: return test(pixels, rhw_named_rules[RHW_RULE_CLAIM]);
+    default: return test(pixels, plan->early);
+    }
+}
+
+// Tests the pixels of the block at (x, y) that are set in `mask`, whose depths are `z`, before shading.
 static uint64_t test_block_early(struct tile_depth *depth, const f8 z[RHW_BLOCK], int x, int y, uint64_t mask,
                                  const struct rhw_draw_plan *plan)
 {
-    switch (plan->early_name) {
-    case RHW_RULE_LESS: return test_block(depth, z, x, y, mask, rhw_named_rules[RHW_RULE_LESS]);
-    case RHW_RULE_GREATER: return test_block(depth, z, x, y, mask, rhw_named_rules[RHW_RULE_GREATER]);
-    case RHW_RULE_MARK_LESS: return test_block(depth, z, x, y, mask, rhw_named_rules[RHW_RULE_MARK_LESS]);
-    case RHW_RULE_MARK_GREATER:
-        return test_block(depth, z, x, y, mask, rhw_named_rules[RHW_RULE_MARK_GREATER]);
-    case RHW_RULE_CLAIM: return test_block(depth, z, x, y, mask, rhw_named_rules[RHW_RULE_CLAIM]);
-    default: return test_block(depth, z, x, y, mask, plan->early);
-    }
+    const struct block_pixels block = {depth, z, x, y, mask};
+    return test_early(plan, test_block, &block);
 }
 
 // Tests the fragments of a row that are set in `bits` after shading.
@@ -130,7 +149,7 @@ static unsigned test_row_late(struct tile_depth *depth, int x, int y, f8 z, unsi
     return passed;
 }
 
-// The same with 8 texels of the tile that lie anywhere.
+// Tests fragments of 8 texels that lie anywhere in the tile after shading.
 static unsigned test_texels_late(struct tile_depth *depth, const int32_t texel[8], f8 z, unsigned bits,
                                  const struct rhw_depth_rule rule)
 {

@@ -56,10 +56,10 @@ static void hiz_refresh(struct tile_depth *depth)
     }
 }
 
-// The column or row of a block where direction · depth is least: the first or the last. `slope` is how depth changes.
-RHW_INLINE int hiz_nearest(const struct tile_depth *depth, double slope)
+// The column or row of a block where direction · depth is least: the first or the last. `change`: of depth to the next.
+RHW_INLINE int hiz_nearest(const struct tile_depth *depth, double change)
 {
-    return slope * depth->direction < 0 ? RHW_BLOCK - 1 : 0;
+    return change * depth->direction < 0 ? RHW_BLOCK - 1 : 0;
 }
 
 // Whether some block at row y of the tile has a bound.
@@ -81,7 +81,8 @@ RHW_INLINE unsigned hiz_hidden(const struct tile_depth *depth, struct plane z, i
     return i8_sign_bits(rhw_less(f8_load(&depth->bounds[y / RHW_BLOCK * HIZ_BLOCKS]), nearest));
 }
 
-// All pixels of the block at (x, y) were tested against a plane of depth, and what passed was written.
+// All pixels of the block at (x, y), both multiples of 8, were tested against a plane of depth, and what passed was
+// written.
 RHW_INLINE void hiz_cover(struct tile_depth *depth, struct plane z, int anchor_x, int anchor_y, int x, int y)
 {
     const double dx = x + (RHW_BLOCK - 1 - hiz_nearest(depth, z.dx)) - anchor_x;

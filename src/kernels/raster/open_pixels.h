@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Open pixels: those of a tile that still wait for the fragment that is seen there. Which one that is, two phases or the
-// order of drawing decide (hidden_surface.h):
+// Open pixels: those of a tile that still wait for the fragment that is seen there. Which one that is, two phases or
+// the order of drawing decide (hidden_surface.h):
 //
 // Drawn depth first, the first phase leaves the least depth of all triangles (with LESS; GREATER is its mirror image),
 // and the second shades the fragments that have it. Of fragments with equal depth the first in submission order wins

@@ -9,11 +9,11 @@
 // All in double, each rounded once to float at the end: b and c, the only weights that interpolation needs, carry half
 // an ULP of float and nothing else worth counting. docs/exactness.md adds up what follows.
 //
-// A plane has one formula: value = column + row with column = dx·Δx and row = at + dy·Δy, where (Δx, Δy) are pixels from
-// the anchor, a pixel that moves with the triangle, so that moving it by whole pixels changes no bit. Whoever needs a
-// value, for one pixel, for 8, or for four quantities at once, takes it from the functions below; thus no bit depends on
-// the path that a fragment takes. For slivers and extreme ratios of W those sums would cancel; such triangles
-// (PLANES_EXACT) take their e_i as exact integers per pixel and combine after that.
+// A plane has one formula: value = column + row with column = dx·Δx and row = at + dy·Δy, where (Δx, Δy) are pixels
+// from the anchor, a pixel that moves with the triangle, so that moving it by whole pixels changes no bit. Whoever
+// needs a value, for one pixel, for 8, or for four quantities at once, takes it from the functions below; thus no bit
+// depends on the path that a fragment takes. For slivers and extreme ratios of W those sums would cancel; such
+// triangles (PLANES_EXACT) take their e_i as exact integers per pixel and combine after that.
 #ifndef RHW_PLANE_H
 #define RHW_PLANE_H
 
@@ -53,19 +53,19 @@ RHW_INLINE d8 plane_row(struct plane p, d8 dy)
     return d8_add(d8_splat(p.at), d8_mul(d8_splat(p.dy), dy));
 }
 
-// At 8 pixels.
+// Gives the value at 8 pixels.
 RHW_INLINE d8 plane_value8(struct plane p, d8 dx, d8 dy)
 {
     return d8_add(plane_column(p, dx), plane_row(p, dy));
 }
 
-// At one.
+// Gives the value at one.
 RHW_INLINE double plane_value(struct plane p, double dx, double dy)
 {
     return p.dx * dx + (p.at + p.dy * dy);
 }
 
-// Of the four quantities at one pixel.
+// Gives those of the four quantities at one.
 RHW_INLINE d4 quantity_values(const struct quantity_planes *p, double dx, double dy)
 {
     return p->dx * d4_splat(dx) + (p->at + p->dy * d4_splat(dy));
@@ -138,7 +138,7 @@ struct planes {
     struct derivative_pair weights; // of b and c, where they are asked for
 };
 
-// A quantity from exact edge values.
+// Makes a quantity from exact edge values.
 RHW_INLINE d8 combine_edges(const struct edge_factors *f, enum quantity q, d8 e1, d8 e2)
 {
     return d8_add(d8_splat(f->base[q]),
@@ -182,8 +182,8 @@ RHW_INLINE f8 depth_of_row(const struct planes *p, const struct block_planes *bl
 
 // Weights in space -------------------------------------------------------------------------------------
 
-// How the weights of a row are found; a constant where a call names it. One division for a row takes 5 % of fill_color's
-// instructions away, and 15 % of its time.
+// How the weights of a row are found; a constant where a call names it. One division for a row takes 5 % of
+// fill_color's instructions away, and 15 % of its time.
 enum weight_path {
     WEIGHTS_PER_PIXEL, // a division in every lane
     WEIGHTS_PER_ROW, // 1/W is the same along a row, so that one division serves all its lanes with the same bits
@@ -261,7 +261,7 @@ RHW_INLINE struct weights weights_of_row(const struct planes *p, const struct bl
     return weights_of(s, inverse_s, b, c);
 }
 
-// The same for 8 pixels anywhere, of planes that are not exact.
+// Does the same for 8 pixels anywhere, with planes that are not exact.
 RHW_INLINE struct weights weights_of_pixels(const struct quantity_planes *p, const struct anchor_offset *at)
 {
     const d8 s = plane_value8(plane_of(p, QUANTITY_S), at->dx, at->dy);

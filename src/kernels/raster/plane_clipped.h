@@ -3,8 +3,8 @@
 //
 // A clipped triangle is cut and snapped anew, so its coverage may reach past the triangle by less than 1/256 pixel.
 // There a weight would be negative and, next to the horizon, 1/W zero: weights below 0 count as 0, and the others are
-// divided by what is left. A clipped triangle without area has no weights at all: it takes the values of its vertex with
-// the largest W.
+// divided by what is left. A clipped triangle without area has no weights at all: it takes the values of its vertex
+// with the largest W.
 //
 // Where a vertex could not be snapped, the truth is the homogeneous triangle itself. With M whose columns are the
 // vertices as (x, y, w), in pixels times W, (a, b, c)/W = M^-1 · (x_P, y_P, 1); rows of the adjugate of M are edges
@@ -15,6 +15,7 @@
 #include "../../draw_list.h"
 #include "double_double.h"
 #include "plane.h"
+#include "sample_position.h"
 
 struct clipped_planes {
     struct plane a;          // a·(1/W)
@@ -48,7 +49,7 @@ static void planes_without_area(struct planes *p, struct clipped_planes *c)
     c->edge[nearest].at.hi = 1;
 }
 
-// Of a snapped triangle whose `factors` are set.
+// Sets what clipping adds to the planes of a snapped triangle, whose `factors` are set.
 static void planes_clipped_snapped(struct planes *p, struct clipped_planes *c,
                                    const struct rhw_draw_state *state,
                                    const struct rhw_vertex_record *const v[3])
@@ -64,7 +65,7 @@ static void planes_clipped_snapped(struct planes *p, struct clipped_planes *c,
     }
 }
 
-// The four quantities from the weights over W.
+// Makes the four quantities from the weights over W.
 static d4 quantities_of(const struct clipped_planes *v, double a, double b, double c)
 {
     return (d4){a + b + c, b, c, a * v->zw[0] + b * v->zw[1] + c * v->zw[2]};
@@ -75,7 +76,7 @@ static double magnitude(double v)
     return v < 0 ? -v : v;
 }
 
-// Of a triangle with a vertex that could not be snapped.
+// Sets the planes of a triangle with a vertex that could not be snapped.
 static void planes_homogeneous(struct planes *p, struct clipped_planes *c, const struct rhw_draw_state *state,
                                const struct rhw_vertex_record *const v[3])
 {
@@ -85,7 +86,8 @@ static void planes_homogeneous(struct planes *p, struct clipped_planes *c, const
     p->anchor_x = (int)state->center_x;
     p->anchor_y = (int)state->center_y;
     const double half_width = state->half_width, half_height = state->half_height;
-    const double cx = state->center_x - (p->anchor_x + 0.5), cy = state->center_y - (p->anchor_y + 0.5);
+    const double cx = state->center_x - (p->anchor_x + sample_offset()),
+                 cy = state->center_y - (p->anchor_y + sample_offset());
     double vertex[3][3], m[3][3]; // X, Y, W; x, y, w
     for (int i = 0; i < 3; i++) {
         vertex[i][0] = (double)v[i]->position[0];
@@ -127,8 +129,8 @@ static void planes_homogeneous(struct planes *p, struct clipped_planes *c, const
     p->weights.step = over * (d4){m[0][2] - m[2][2], m[2][2] - m[0][2], m[1][2] - m[0][2], m[0][2] - m[1][2]};
 }
 
-// Whether some pixel of a block may have a weight below 0. A plane is least in a corner, and its values, rounded as they
-// are, nowhere fall below the one there.
+// Whether some pixel of a block may have a weight below 0. A plane is least in a corner, and its values, rounded as
+// they are, nowhere fall below the one there.
 static bool block_leaves_triangle(const struct planes *p, const struct clipped_planes *c,
                                   const struct anchor_offset *at)
 {
@@ -151,8 +153,8 @@ struct clipped_row {
     struct weights weights;
 };
 
-// Weights below 0 become 0; `below` collects where they were. −0 becomes 0 as well: two of them would turn a constant −0
-// into 0.
+// Weights below 0 become 0; `below` collects where they were. −0 becomes 0 as well: two of them would turn a constant
+// −0 into 0.
 static d8 at_least_zero(d8 v, l4 below[2])
 {
     const d4 zero = d4_splat(0);
@@ -172,7 +174,7 @@ static d8 d8_where(const l4 mask[2], d8 a, d8 b)
     return (d8){d4_select(mask[0], a.lo, b.lo), d4_select(mask[1], a.hi, b.hi)};
 }
 
-// The weights over W of a row, as they are.
+// Gives the weights over W of a row, also those below 0.
 static void weights_over_w(const struct planes *p, const struct clipped_planes *c, d8 dx, double dy,
                            d8 over_w[3])
 {
@@ -236,7 +238,7 @@ static d8 d8_select(i8 mask, d8 a, d8 b)
     return b;
 }
 
-// What stands in the row instead of `weights` and `screen`.
+// Puts what stands in the row over `weights` and `screen`, in the lanes that it has.
 static void clipped_row_replace(const struct clipped_row *row, struct weights *weights,
                                 struct screen_weights *screen)
 {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // From snapped triangles to their planes, four triangles at a time, lane by lane: by itself a triangle spends most of
-// its setup waiting for divisions, of which there are seven. Whoever needs the planes of one alone gives it to all lanes.
+// its setup waiting for divisions, of which there are seven. Whoever needs the planes of one alone gives it to all
+// lanes.
 #ifndef RHW_PLANE_SETUP_H
 #define RHW_PLANE_SETUP_H
 
@@ -33,7 +34,7 @@ RHW_INLINE struct plane4 combine_planes4(d4 base, d4 f1, d4 f2, struct plane4 e1
                            f1 * e1.dy + f2 * e2.dy};
 }
 
-// Edges 2 → 0 and 0 → 1 at the anchor's sample, seen from vertex 0; exact (constants.h).
+// Makes the edges 2 → 0 and 0 → 1 at the anchor's sample, seen from vertex 0; exact (constants.h).
 RHW_INLINE void setup_edges4(struct setup_output4 *out, const struct setup_input4 *t)
 {
     const d4 pixel = d4_splat(RHW_SUBPIXEL);
@@ -77,7 +78,7 @@ RHW_INLINE struct plane plane_of_lane(const struct plane4 *p, int lane)
     return (struct plane){p->at[lane], p->dx[lane], p->dy[lane]};
 }
 
-// Of one triangle that stands in all lanes.
+// Makes the factors of one triangle that stands in all lanes.
 static __attribute__((noinline)) void setup_factors(struct edge_factors *f, const struct setup_input4 *t)
 {
     struct setup_output4 out;

@@ -9,6 +9,12 @@
 
 enum { SAMPLE_OFFSET_0_8 = RHW_SUBPIXEL / 2 }; // of the sample in its pixel, each way
 
+// Gives the same in pixels, as floating-point positions have it.
+static inline double sample_offset(void)
+{
+    return (double)SAMPLE_OFFSET_0_8 / RHW_SUBPIXEL;
+}
+
 // The sample of a pixel.
 static inline int64_t sample_of_pixel(int pixel)
 {
@@ -21,13 +27,13 @@ RHW_INLINE i8 sample_of_pixel8(i8 pixel)
     return (i8)(((u8)pixel << RHW_SUBPIXEL_BITS) + (uint32_t)SAMPLE_OFFSET_0_8);
 }
 
-// The pixel that a position lies in.
-static inline int pixel_of_position(int32_t position_24_8)
+// The pixels that 8 positions lie in.
+RHW_INLINE i8 pixel_of_position8(i8 position_24_8)
 {
     return position_24_8 >> RHW_SUBPIXEL_BITS;
 }
 
-// From a position to the sample of the pixel it lies in.
+// Leads from a position to the sample of the pixel it lies in.
 static inline int sample_from_position(int32_t position_24_8)
 {
     return SAMPLE_OFFSET_0_8 - (position_24_8 & (RHW_SUBPIXEL - 1));

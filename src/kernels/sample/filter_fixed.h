@@ -10,8 +10,8 @@
 // Lanes as most are have special paths, each with what it saves of the instructions of a frame (AVX2, 640×360):
 // - footprints away from the edges are loaded without wrapping each texel (filter_interior): 21 % of fill_tex, 13 % of
 //   DamagedHelmet, 4 % of Sponza;
-// - with AVX2, RGBA8_UNORM texels of lanes in one row are loaded by whole rows (load_row_footprint): 5 % of fill_tex and
-//   11 % of its time; models gain and lose less than 1 %.
+// - with AVX2, RGBA8_UNORM texels of lanes in one row are loaded by whole rows (load_row_footprint): 5 % of fill_tex
+//   and 11 % of its time; models gain and lose less than 1 %.
 // sample_fixed_general takes neither.
 #ifndef RHW_FILTER_FIXED_H
 #define RHW_FILTER_FIXED_H
@@ -119,7 +119,7 @@ RHW_INLINE void load_pairs(const struct rhw_mip *mip, size_t offset, const uint3
     }
 }
 
-// Texels (x, y), which stand in the upper and the lower half of a lane.
+// Loads texels (x, y), which stand in the upper and the lower half of a lane.
 RHW_INLINE struct fixed_texels load_texels(const struct rhw_mip *mip, i8 xy, enum rhw_texel_codec codec)
 {
     const i8 number = texel_number(xy, mip);
@@ -130,7 +130,7 @@ RHW_INLINE struct fixed_texels load_texels(const struct rhw_mip *mip, i8 xy, enu
     return widen_texels(i8_gather(mip->texels, number));
 }
 
-// The footprint's texels where some lie across an edge.
+// Loads the footprint's texels where some lie across an edge.
 static __attribute__((noinline)) void load_wrapped_footprint(const struct rhw_sampler_data *sampler,
                                                              const struct rhw_mip *mip, const i8 *xy,
                                                              enum rhw_texel_codec codec,
@@ -168,7 +168,7 @@ RHW_INLINE void load_row_footprint(const struct rhw_mip *mip, i8 first, i8 offse
 
 // One level -----------------------------------------------------------------------------------------
 
-// A footprint away from the edges.
+// Filters a footprint that lies away from the edges.
 RHW_INLINE struct fixed_texels filter_interior(const struct rhw_mip *mip, const struct footprint *footprint,
                                                enum rhw_texel_codec codec)
 {
@@ -226,7 +226,7 @@ RHW_INLINE void unpack_fixed(struct fixed_texels fixed, f8 texel[4])
 
 // Two levels ----------------------------------------------------------------------------------------
 
-// What two levels give, the second with this weight.
+// Mixes what two levels give, the second with this weight.
 RHW_INLINE void mix_levels(struct fixed_texels a, struct fixed_texels b, i8 weight,
                            enum rhw_texel_codec codec, f8 texel[4])
 {
@@ -256,7 +256,7 @@ RHW_INLINE void sample_fixed_levels(const struct rhw_binding *binding, f8 s, f8 
     unpack_fixed(without_negation(result, codec), texel);
 }
 
-// Lanes that the fast path of sample_fixed is not for.
+// Samples lanes that the fast path of sample_fixed is not for.
 static __attribute__((noinline)) void sample_fixed_apart(const struct rhw_binding *binding, f8 s, f8 t,
                                                          i8 lod, enum rhw_texel_codec codec, f8 texel[4])
 {
@@ -267,7 +267,7 @@ static __attribute__((noinline)) void sample_fixed_apart(const struct rhw_bindin
     }
 }
 
-// Level of detail within the sampler's limits and the texture's levels, 16.16.
+// Keeps the level of detail within the sampler's limits and the texture's levels, 16.16.
 RHW_INLINE i8 fixed_level_of_detail(const struct rhw_binding *binding, const f8 *gradient, const f8 *lod)
 {
     const struct rhw_texture_data *const texture = binding->texture;
@@ -299,8 +299,8 @@ RHW_INLINE bool same_two_levels(i8 lod, i8 weight)
     return !i8_any_of(apart, sample_constants()->upper_half) && i8_any_of(weight, weight);
 }
 
-// The footprints in a level and the next, for several textures that have them in common. False where some have texels across an edge; if the coarser level has no side
-// of 1, so has the finer one.
+// Finds the footprints in a level and the next, for several textures that have them in common. False where some have
+// texels across an edge; if the coarser level has no side of 1, so has the finer one.
 RHW_INLINE bool interior_footprints(const struct rhw_mip *fine, f8 s, f8 t, struct footprint *near,
                                     struct footprint *far)
 {
@@ -312,7 +312,7 @@ RHW_INLINE bool interior_footprints(const struct rhw_mip *fine, f8 s, f8 t, stru
     return coarse->interior[0] >= 0 && !i8_any_of(over, over);
 }
 
-// The fast path, and the turn to the other.
+// Takes the fast path, or turns to the other.
 RHW_INLINE void sample_fixed(const struct rhw_binding *binding, const f8 uv[2], i8 lod,
                              enum rhw_texel_codec codec, f8 texel[4])
 {

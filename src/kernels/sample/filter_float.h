@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
 // The general path of the sampler: every format, filter and address mode, in floats. All lanes that read the same mip
 // level are served together, so that sizes and addresses are the same for all of them and the arithmetic stays vector
-// arithmetic; lanes next to each other on the screen nearly always do. A lane's result never depends on the other lanes.
+// arithmetic; lanes next to each other on the screen nearly always do. A lane's result never depends on the other
+// lanes.
 //
 // Coordinates are folded into 0..1 by the address mode before they meet the size of a level: the fold rounds
 // to 2^-24 at most, however large the coordinate, and what is not finite lands on an edge, so that no texel

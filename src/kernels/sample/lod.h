@@ -19,7 +19,7 @@ RHW_INLINE const struct rhw_mip *mip_at(const struct rhw_texture_data *texture, 
     return mip;
 }
 
-// The last level that may be used.
+// Gives the last level that may be used.
 RHW_INLINE int last_level(const struct rhw_texture_data *texture, const struct rhw_sampler_data *sampler)
 {
     return sampler->def.mip_filter == RHW_MIP_FILTER_NONE ? 0 : texture->levels - 1;

@@ -2,10 +2,10 @@
 // Sampling several textures at one place, as a material does: base colour, normals, roughness, ... usually share
 // coordinates, size and sampler. Then the level of detail, the footprints in two levels and the weights are worked
 // out once, and the texels of one texture are on their way while another is filtered, for one group or several:
-// those of a whole material are too many for the caches. That saves 1 % of the instructions of DamagedHelmet and a fifth
-// of its time.
+// those of a whole material are too many for the caches. That saves 1 % of the instructions of DamagedHelmet and a
+// fifth of its time.
 //
-// And one texture by itself for several groups.
+// Here stands too how one texture is sampled by itself for several groups.
 #ifndef RHW_MULTI_TEXTURE_H
 #define RHW_MULTI_TEXTURE_H
 
@@ -85,7 +85,7 @@ RHW_INLINE void filter_footprints(const struct rhw_texture_data *texture, const 
     mix_levels(a, b, pair->weight, codec, texel);
 }
 
-// Of coordinates that are the varyings from `at` on.
+// Gives the gradient of coordinates that are the varyings from `at` on.
 RHW_INLINE void group_gradient(const struct rhw_fragment *group, int at, f8 gradient[4])
 {
     gradient[0] = group->ddx[at];
@@ -94,7 +94,7 @@ RHW_INLINE void group_gradient(const struct rhw_fragment *group, int at, f8 grad
     gradient[3] = group->ddy[at + 1];
 }
 
-// One group by itself, as rhw_sample does.
+// Samples one group by itself, as rhw_sample does.
 RHW_INLINE void sample_group(const struct rhw_binding *binding, const struct rhw_fragment *group, int at,
                              f8 texel[4])
 {
@@ -171,7 +171,7 @@ RHW_INLINE void sample_fixed_groups(const struct rhw_binding *binding, const str
     }
 }
 
-// One texture, or none, by itself.
+// Samples one slot by itself, with a texture or without.
 static void sample_slot(const struct rhw_binding *binding, const struct rhw_fragment *groups, int count,
                         int at, f8 (*texels)[4], int stride)
 {

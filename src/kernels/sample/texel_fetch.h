@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// From coordinates to texels: address modes, texel numbers and loads. What is done with the texels of a footprint stands
-// in filter_float.h and filter_fixed.h.
+// From coordinates to texels: address modes, texel numbers and loads. What is done with the texels of a footprint
+// stands in filter_float.h and filter_fixed.h.
 #ifndef RHW_TEXEL_FETCH_H
 #define RHW_TEXEL_FETCH_H
 
@@ -63,7 +63,7 @@ RHW_INLINE void spill_lanes(i8 lanes, uint32_t numbers[RHW_LANES])
     __asm__("" : "+m"(*(uint32_t(*)[RHW_LANES])numbers));
 }
 
-// Texels (x, y) of a level, of `size` bytes each.
+// Loads texels (x, y) of a level, of `size` bytes each.
 RHW_INLINE void fetch_raw_texels(size_t size, const struct rhw_mip *mip, i8 x, i8 y, struct raw_texels *raw)
 {
     if (size == 4) {

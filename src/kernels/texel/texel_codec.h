@@ -46,20 +46,20 @@ RHW_INLINE i8 srgb8_from_float(f8 linear)
     return (entry + (bits & 0xffff)) >> 16;
 }
 
-// The byte of a channel, zero above.
+// Gives the byte of a channel, zero above.
 RHW_INLINE i8 channel_byte(i8 word, int channel)
 {
     return (word >> (8 * channel)) & 0xff;
 }
 
-// RGBA8_SRGB texels of four values.
+// Makes RGBA8_SRGB texels of four values.
 RHW_INLINE i8 srgb8_texels(const f8 value[4])
 {
     return srgb8_from_float(value[0]) | (srgb8_from_float(value[1]) << 8) |
            (srgb8_from_float(value[2]) << 16) | (unorm8_from_float(value[3]) << 24);
 }
 
-// RGBA8_UNORM texels of four values.
+// Makes RGBA8_UNORM texels of four values.
 RHW_INLINE i8 unorm8_texels(const f8 value[4])
 {
     f8 scaled[4];
@@ -71,13 +71,13 @@ RHW_INLINE i8 unorm8_texels(const f8 value[4])
 
 // Codecs ---------------------------------------------------------------------------------------------
 
-// A channel that the format lacks.
+// Gives what a channel reads that the format lacks.
 RHW_INLINE f8 absent_channel(int c)
 {
     return rhw_splat(c == 3 ? 1.0f : 0.0f);
 }
 
-// As floats, colour linear. Channels that the format lacks read 0, 0, 0, 1.
+// Decodes texels to floats, colour linear. Channels that the format lacks read 0, 0, 0, 1.
 RHW_INLINE void decode_texels(const struct rhw_format_info *format, const struct raw_texels *raw, f8 value[4])
 {
     const int channels = format->channels;
@@ -110,7 +110,7 @@ RHW_INLINE void decode_texels(const struct rhw_format_info *format, const struct
     }
 }
 
-// Values as texels, rounded to nearest, ties to even; normalized formats clamp them first.
+// Encodes values as texels, rounded to nearest, ties to even; normalized formats clamp them first.
 RHW_INLINE void encode_texels(const struct rhw_format_info *format, const f8 value[4], struct raw_texels *raw)
 {
     switch (format->codec) {
@@ -133,7 +133,7 @@ RHW_INLINE void encode_texels(const struct rhw_format_info *format, const f8 val
 
 // Loads and stores -----------------------------------------------------------------------------------
 
-// 8 texels of 16 bytes that begin at these places.
+// Loads 8 texels of 16 bytes that begin at these places.
 RHW_INLINE void load_texels16(const void *const place[RHW_LANES], struct raw_texels *raw)
 {
     f8 column[4];
@@ -143,7 +143,7 @@ RHW_INLINE void load_texels16(const void *const place[RHW_LANES], struct raw_tex
     }
 }
 
-// 8 texels of `size` bytes, 1 or 2, that begin at these places.
+// Loads 8 texels of `size` bytes, 1 or 2, that begin at these places.
 RHW_INLINE void load_small_texels(const void *const place[RHW_LANES], size_t size, struct raw_texels *raw)
 {
     int32_t word[RHW_LANES];
@@ -154,7 +154,7 @@ RHW_INLINE void load_small_texels(const void *const place[RHW_LANES], size_t siz
     raw->word[0] = i8_load(word);
 }
 
-// 8 texels in a row.
+// Loads 8 texels in a row.
 RHW_INLINE void load_texel_row(size_t size, const unsigned char *texels, struct raw_texels *raw)
 {
     if (size == 4) {
@@ -184,7 +184,7 @@ RHW_INLINE void store_words(unsigned char *texels, i8 value, i8 mask)
     i8_store(texels, rhw_select_int(mask, value, i8_load(texels)));
 }
 
-// As above where the mask is not all or nothing per lane.
+// Does so where the mask is not all or nothing per lane.
 RHW_INLINE void store_word_bits(unsigned char *texels, i8 value, i8 mask)
 {
     const i8 old = i8_load(texels);

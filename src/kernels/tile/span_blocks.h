@@ -13,7 +13,7 @@
 typedef void draw_block_function(struct tile_work *work, struct triangle_work *triangle, int x, int y,
                                  uint64_t mask);
 
-// Blocks that would reach over the tile's end are moved.
+// Calls `draw` for the blocks of a triangle. Those that would reach over the tile's end are moved.
 RHW_INLINE void draw_span_blocks(struct tile_work *work, struct triangle_work *triangle,
                                  draw_block_function *draw)
 {

@@ -68,7 +68,7 @@ RHW_INLINE bool leaves_triangle(const struct triangle_work *triangle, const stru
 
 // Blocks -----------------------------------------------------------------------------------------------
 
-// The depths of a block; those of pixels outside `mask` are rubbish.
+// Gives the depths of a block; those of pixels outside `mask` are rubbish.
 RHW_INLINE void depth_rows(const struct tile_work *work, const struct triangle_work *triangle,
                            const struct block *block, uint64_t mask, f8 z[RHW_BLOCK])
 {
@@ -89,13 +89,14 @@ RHW_INLINE void depth_rows(const struct tile_work *work, const struct triangle_w
     }
 }
 
-// The early test of a block's pixels set in `mask`; returns those that pass.
+// Tests a block's pixels set in `mask` before shading; returns those that pass.
 RHW_INLINE uint64_t test_depth(struct tile_work *work, const struct triangle_work *triangle,
                                const struct block *block, uint64_t mask)
 {
     struct tile_depth *const depth = &work->scratch->depth;
     const struct planes *const planes = &triangle->planes;
-    const bool is_whole = mask == ~(uint64_t)0;
+    // Blocks of spans start anywhere; only those at multiples of 8 have a bound.
+    const bool is_whole = mask == ~(uint64_t)0 && ((block->x | block->y) & (RHW_BLOCK - 1)) == 0;
     mask = test_block_early(depth, block->z, block->x, block->y, mask, &work->plan);
     if (is_whole && work->tests_bounds && work->plan.early.write && !block->leaves_triangle &&
         planes->kind == PLANES_LINEAR) {
@@ -105,7 +106,7 @@ RHW_INLINE uint64_t test_depth(struct tile_work *work, const struct triangle_wor
     return mask;
 }
 
-// A block: depth first, then what survives is collected for shading.
+// Draws a block: depth is tested first, then what survives is collected for shading.
 static void draw_block(struct tile_work *work, struct triangle_work *triangle, int x, int y, uint64_t mask)
 {
     const struct rhw_draw_plan *const plan = &work->plan;
@@ -209,7 +210,7 @@ static __attribute__((noinline)) bool draw_whole_tile(struct tile_work *work, st
 
 // All ---------------------------------------------------------------------------------------------------
 
-// What a triangle may cover of the tile.
+// Gives what a triangle may cover of the tile.
 RHW_INLINE struct tile_rect rect_of(const struct tile_work *work, const struct rhw_triangle *t)
 {
     return (struct tile_rect){max_int(t->x0 - work->x, 0), max_int(t->y0 - work->y, 0),

@@ -9,13 +9,13 @@
 #include "../raster/sample_position.h"
 #include "bin_reader.h"
 
-// Pixels of the tile; x1 and y1 exclusive.
+// These are pixels of the tile; x1 and y1 are exclusive.
 struct tile_rect {
     int x0, y0, x1, y1;
 };
 
-// Edges and pixels are those of small triangles (RHW_TRIANGLE_SMALL) alone, planes those of snapped ones. Edges: q, a, b
-// as in coverage.h, q at pixel (x, y0) of the tile. Vertices lie within 64 pixels of each other and within 72 of any
+// Edges and pixels are those of small triangles (RHW_TRIANGLE_SMALL) alone, planes those of snapped ones. Edges: q, a,
+// b as in coverage.h, q at pixel (x, y0) of the tile. Vertices lie within 64 pixels of each other and within 72 of any
 // pixel of a block that reaches into their rectangle, as edge_lanes asks.
 struct triangle_setup8 {
     const struct bin_batch *read; // the triangles
@@ -99,7 +99,7 @@ RHW_INLINE void setup_planes_at(struct triangle_setup8 *setup, int i, const stru
     memcpy(&setup->inverse_area[i], &out.inverse_area, sizeof out.inverse_area);
 }
 
-// Depth ranges of the triangles' draws.
+// Loads the depth ranges of the triangles' draws.
 RHW_INLINE void depth_ranges8(const struct bin_batch *read, const struct rhw_chunk *chunk, d8 *low, d8 *span)
 {
     double lows[BATCH], spans[BATCH];
@@ -124,8 +124,8 @@ RHW_INLINE void setup_planes8(struct triangle_setup8 *setup, const struct triang
         }
         f8_load_columns(place, position[v]);
     }
-    i8_store(setup->anchor_x, words->x[0] >> RHW_SUBPIXEL_BITS);
-    i8_store(setup->anchor_y, words->y[0] >> RHW_SUBPIXEL_BITS);
+    i8_store(setup->anchor_x, pixel_of_position8(words->x[0]));
+    i8_store(setup->anchor_y, pixel_of_position8(words->y[0]));
     d8 low, span;
     depth_ranges8(read, chunk, &low, &span);
     const d8 x1 = d8_from_i8(words->x[1] - words->x[0]), y1 = d8_from_i8(words->y[1] - words->y[0]),
@@ -147,7 +147,7 @@ RHW_INLINE void setup_planes8(struct triangle_setup8 *setup, const struct triang
     setup_planes_at(setup, 4, &second);
 }
 
-// Of the triangles that were read.
+// Sets up the triangles that were read.
 static void setup_triangles8(struct triangle_setup8 *setup, const struct tile_work *work,
                              const struct rhw_chunk *chunk, const struct bin_batch *read)
 {

@@ -11,8 +11,8 @@
 #include "../integer.h"
 #include "span_blocks.h"
 
-// Takes what shading needs of the planes from the setup.
-RHW_INLINE void take_planes(struct triangle_work *triangle)
+// Copies what shading needs of the planes from the setup.
+RHW_INLINE void copy_planes(struct triangle_work *triangle)
 {
     const struct triangle_setup8 *const setup = triangle->setup;
     struct planes *const planes = &triangle->planes;
@@ -40,12 +40,12 @@ RHW_INLINE uint64_t ready_pixels(struct tile_work *work, struct triangle_work *t
     }
     work->counters->fragments += (uint64_t)__builtin_popcountll(mask);
     if (!triangle->has_planes) {
-        take_planes(triangle);
+        copy_planes(triangle);
     }
     return mask;
 }
 
-// Depth of a triangle over the columns from x and the rows from y on.
+// These two set the depth of a triangle over the columns from x on, and over the rows from y on.
 RHW_INLINE void small_depth_columns(struct block_plane *depth, const struct tile_work *work,
                                     const struct triangle_work *triangle, int x)
 {
@@ -74,7 +74,7 @@ struct strip {
     struct block_plane depth;
 };
 
-// At its first row.
+// Sets a strip at its first row.
 RHW_INLINE void strip_set(struct strip *strip, const struct tile_work *work,
                           const struct triangle_work *triangle)
 {
@@ -97,7 +97,7 @@ struct strip_rows {
     int y, y1, top;
 };
 
-// The pixels that are covered, and the strip goes on to row y1.
+// Gives the pixels that are covered, and moves the strip on to row y1.
 RHW_INLINE uint64_t cover_strip(struct strip *strip, struct strip_rows rows)
 {
     uint64_t covered = 0;
@@ -111,14 +111,24 @@ RHW_INLINE uint64_t cover_strip(struct strip *strip, struct strip_rows rows)
     return covered << (8 * (rows.y - rows.top));
 }
 
-// The same with the depth test, which writes depth: the pixels that are covered and pass.
-RHW_INLINE uint64_t test_strip(struct tile_work *work, const struct triangle_work *triangle,
-                               struct strip *strip, struct strip_rows rows, const struct rhw_depth_rule rule)
+// Rows of a strip to be tested.
+struct strip_test {
+    struct tile_work *work;
+    const struct triangle_work *triangle;
+    struct strip *strip;
+    struct strip_rows rows;
+};
+
+// Does so with the depth test, which writes depth: gives the pixels that are covered and pass.
+RHW_INLINE uint64_t test_strip(const void *pixels, const struct rhw_depth_rule rule)
 {
-    struct tile_depth *const depth = &work->scratch->depth;
+    const struct strip_test *const test = pixels;
+    const struct strip_rows rows = test->rows;
+    struct strip *const strip = test->strip;
+    struct tile_depth *const depth = &test->work->scratch->depth;
     float *texels = depth_texels(depth, strip->x, rows.y);
     uint64_t passed = 0;
-    small_depth_rows(&strip->depth, work, triangle, rows.y);
+    small_depth_rows(&strip->depth, test->work, test->triangle, rows.y);
     for (int row = 0; row < rows.y1 - rows.y; row++) {
         const i8 inside = ~((strip->q[0] | strip->q[1] | strip->q[2] | strip->sides) >> 31);
         const f8 z = f8_from_d8(block_plane_value(&strip->depth, row));
@@ -132,24 +142,12 @@ RHW_INLINE uint64_t test_strip(struct tile_work *work, const struct triangle_wor
     return settle_block(depth, strip->x, rows.top, passed << (8 * (rows.y - rows.top)), rule);
 }
 
-// By the rule of the draw.
+// Gives the pixels that are to be shaded, if nothing hides them later.
 RHW_INLINE uint64_t strip_pixels(struct tile_work *work, const struct triangle_work *triangle,
                                  struct strip *strip, struct strip_rows rows)
 {
-    const struct rhw_draw_plan *const plan = &work->plan;
-    if (!plan->tests_early) {
-        return cover_strip(strip, rows);
-    }
-    switch (plan->early_name) {
-    case RHW_RULE_LESS: return test_strip(work, triangle, strip, rows, rhw_named_rules[RHW_RULE_LESS]);
-    case RHW_RULE_GREATER: return test_strip(work, triangle, strip, rows, rhw_named_rules[RHW_RULE_GREATER]);
-    case RHW_RULE_MARK_LESS:
-        return test_strip(work, triangle, strip, rows, rhw_named_rules[RHW_RULE_MARK_LESS]);
-    case RHW_RULE_MARK_GREATER:
-        return test_strip(work, triangle, strip, rows, rhw_named_rules[RHW_RULE_MARK_GREATER]);
-    case RHW_RULE_CLAIM: return test_strip(work, triangle, strip, rows, rhw_named_rules[RHW_RULE_CLAIM]);
-    default: return test_strip(work, triangle, strip, rows, plan->early);
-    }
+    const struct strip_test test = {work, triangle, strip, rows};
+    return work->plan.tests_early ? test_early(&work->plan, test_strip, &test) : cover_strip(strip, rows);
 }
 
 RHW_INLINE void draw_strip_rows(struct tile_work *work, struct triangle_work *triangle, struct strip *strip,
@@ -163,7 +161,7 @@ RHW_INLINE void draw_strip_rows(struct tile_work *work, struct triangle_work *tr
     }
 }
 
-// A triangle that fits into a block.
+// Draws a triangle that fits into a block.
 RHW_INLINE void draw_short_strip(struct tile_work *work, struct triangle_work *triangle)
 {
     const struct triangle_setup8 *const setup = triangle->setup;
@@ -172,7 +170,7 @@ RHW_INLINE void draw_short_strip(struct tile_work *work, struct triangle_work *t
     draw_strip_rows(work, triangle, &strip, setup->y0[triangle->lane], setup->y1[triangle->lane]);
 }
 
-// One that fits into 8 columns and more than 8 rows.
+// Draws one that fits into 8 columns and has more than 8 rows.
 static __attribute__((noinline)) void draw_tall_strip(struct tile_work *work, struct triangle_work *triangle)
 {
     const struct triangle_setup8 *const setup = triangle->setup;
@@ -186,15 +184,24 @@ static __attribute__((noinline)) void draw_tall_strip(struct tile_work *work, st
 
 // Blocks -----------------------------------------------------------------------------------------------
 
-// Of the pixels of the block at (x, y) set in `mask`, which is not 0, those that pass the depth test, which writes their
-// depth.
-RHW_INLINE uint64_t test_spans(struct tile_work *work, const struct triangle_work *triangle, int x, int y,
-                               uint64_t mask, const struct rhw_depth_rule rule)
+// Pixels of the block at (x, y) to be tested: those set in `mask`, which is not 0.
+struct span_test {
+    struct tile_work *work;
+    const struct triangle_work *triangle;
+    int x, y;
+    uint64_t mask;
+};
+
+// Gives those that pass the depth test, which writes their depth.
+RHW_INLINE uint64_t test_spans(const void *pixels, const struct rhw_depth_rule rule)
 {
-    struct tile_depth *const depth = &work->scratch->depth;
+    const struct span_test *const test = pixels;
+    const int x = test->x, y = test->y;
+    const uint64_t mask = test->mask;
+    struct tile_depth *const depth = &test->work->scratch->depth;
     struct block_plane over;
-    small_depth_columns(&over, work, triangle, x);
-    small_depth_rows(&over, work, triangle, y);
+    small_depth_columns(&over, test->work, test->triangle, x);
+    small_depth_rows(&over, test->work, test->triangle, y);
     const int first = __builtin_ctzll(mask) / 8, last = 7 - __builtin_clzll(mask) / 8;
     float *texels = depth_texels(depth, x, y + first);
     uint64_t passed = 0;
@@ -208,27 +215,14 @@ RHW_INLINE uint64_t test_spans(struct tile_work *work, const struct triangle_wor
     return settle_block(depth, x, y, passed, rule);
 }
 
-// By the rule of the draw.
 RHW_INLINE uint64_t span_pixels(struct tile_work *work, const struct triangle_work *triangle, int x, int y,
                                 uint64_t mask)
 {
-    const struct rhw_draw_plan *const plan = &work->plan;
-    if (!plan->tests_early) {
-        return mask;
-    }
-    switch (plan->early_name) {
-    case RHW_RULE_LESS: return test_spans(work, triangle, x, y, mask, rhw_named_rules[RHW_RULE_LESS]);
-    case RHW_RULE_GREATER: return test_spans(work, triangle, x, y, mask, rhw_named_rules[RHW_RULE_GREATER]);
-    case RHW_RULE_MARK_LESS:
-        return test_spans(work, triangle, x, y, mask, rhw_named_rules[RHW_RULE_MARK_LESS]);
-    case RHW_RULE_MARK_GREATER:
-        return test_spans(work, triangle, x, y, mask, rhw_named_rules[RHW_RULE_MARK_GREATER]);
-    case RHW_RULE_CLAIM: return test_spans(work, triangle, x, y, mask, rhw_named_rules[RHW_RULE_CLAIM]);
-    default: return test_spans(work, triangle, x, y, mask, plan->early);
-    }
+    const struct span_test test = {work, triangle, x, y, mask};
+    return work->plan.tests_early ? test_early(&work->plan, test_spans, &test) : mask;
 }
 
-// One block of several.
+// Draws one block of several.
 static inline void draw_small_block(struct tile_work *work, struct triangle_work *triangle, int x, int y,
                                     uint64_t mask)
 {
