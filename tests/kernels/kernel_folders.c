@@ -11,5 +11,6 @@ const struct kernel_folders RHW_ISA_NAME(kernel_folders) = {.folders = {
                                                                 &RHW_ISA_NAME(check_fragment),
                                                                 &RHW_ISA_NAME(check_blend),
                                                                 &RHW_ISA_NAME(check_geometry),
+                                                                &RHW_ISA_NAME(check_tile),
                                                                 &RHW_ISA_NAME(check_sample),
                                                             }};
