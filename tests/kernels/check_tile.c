@@ -35,14 +35,16 @@ static int32_t most(const int32_t v[3])
 }
 
 // Bounds and flags as the front end sets them. False where the triangle leaves nothing to draw in the tile.
-static bool finish_triangle(struct kernel_random *random, const struct setup_input *in, struct rhw_triangle *t)
+static bool finish_triangle(struct kernel_random *random, const struct setup_input *in,
+                            struct rhw_triangle *t)
 {
     const int32_t size = RHW_TILE * RHW_SUBPIXEL, *const xs = t->x_24_8, *const ys = t->y_24_8;
     const bool scissored = random_one_in(random, 4);
     const int left = scissored ? (int)random_int(random, in->tile_x, in->tile_x + RHW_TILE - 1) : 0;
     const int bottom = in->tile_y + (scissored ? (int)random_int(random, 1, RHW_TILE) : RHW_TILE);
     const int x0 = max_int(first_pixel(least(xs)), left), y0 = max_int(first_pixel(least(ys)), 0);
-    const int x1 = min_int(past_pixel(most(xs)), RHW_GUARD_BAND / 2), y1 = min_int(past_pixel(most(ys)), bottom);
+    const int x1 = min_int(past_pixel(most(xs)), RHW_GUARD_BAND / 2),
+              y1 = min_int(past_pixel(most(ys)), bottom);
     t->x0 = (int16_t)x0;
     t->y0 = (int16_t)y0;
     t->x1 = (int16_t)x1;

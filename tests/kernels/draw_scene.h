@@ -165,8 +165,7 @@ static struct rhw_pipeline_def pipeline_def_of(const struct scene_input *in, con
     memcpy(def.program.varyings, draw->varyings, sizeof draw->varyings);
     memcpy(def.targets, draw->targets, sizeof draw->targets);
     for (int i = 0; i < def.attribute_count; i++) {
-        def.attributes[i] =
-            (struct rhw_attribute){.format = RHW_VERTEX_FLOAT4, .offset = (uint32_t)(16 * i)};
+        def.attributes[i] = (struct rhw_attribute){.format = RHW_VERTEX_FLOAT4, .offset = (uint32_t)(16 * i)};
     }
     return def;
 }
@@ -262,8 +261,9 @@ static void set_attachments(struct rhw_pass_state *pass, const struct scene_inpu
     pass->color_count = in->target_count;
     for (int t = 0; t < in->target_count; t++) {
         struct rhw_attachment *const color = &pass->colors[t];
-        *color = (struct rhw_attachment){.format = (enum rhw_format)in->formats[t],
-                                         .texel_size = rhw_format_info((enum rhw_format)in->formats[t])->size};
+        *color =
+            (struct rhw_attachment){.format = (enum rhw_format)in->formats[t],
+                                    .texel_size = rhw_format_info((enum rhw_format)in->formats[t])->size};
         memcpy(color->clear, in->clear[t], sizeof color->clear);
     }
     pass->has_depth = true;

@@ -35,7 +35,8 @@ static float make_w(struct kernel_random *random, const struct style *style)
     if (style->affine) {
         return 1.0f;
     }
-    return random_one_in(random, 2) ? ldexpf(1.0f, pick(random, -3, 3)) : random_float_in(random, 0x1p-20f, 0x1p20f);
+    return random_one_in(random, 2) ? ldexpf(1.0f, pick(random, -3, 3))
+                                    : random_float_in(random, 0x1p-20f, 0x1p20f);
 }
 
 // Flat in depth, often as deep as others; steep; or beyond the view volume.
@@ -78,8 +79,8 @@ static void make_vertices(struct kernel_random *random, const struct style *styl
     }
     for (int i = 0; i < SCENE_VERTICES; i++) {
         for (int c = 4; c < 16; c++) {
-            in->vertices[i][c] = random_one_in(random, 16) ? random_finite(random)
-                                                           : random_float_in(random, -0.25f, 1.0f);
+            in->vertices[i][c] =
+                random_one_in(random, 16) ? random_finite(random) : random_float_in(random, -0.25f, 1.0f);
         }
     }
     for (int i = 0; i < SCENE_INDICES; i++) {
@@ -198,7 +199,8 @@ static void make_draw(struct kernel_random *random, const struct style *style, s
         make_program(random, draw);
         make_states(random, style, in, draw);
     }
-    draw->topology = random_one_in(random, 4) ? pick(random, RHW_TRIANGLE_STRIP, RHW_TRIANGLE_FAN) : RHW_TRIANGLE_LIST;
+    draw->topology =
+        random_one_in(random, 4) ? pick(random, RHW_TRIANGLE_STRIP, RHW_TRIANGLE_FAN) : RHW_TRIANGLE_LIST;
     draw->restarts = random_one_in(random, 2);
     draw->indexed = random_one_in(random, 2);
     draw->index_type = before ? before->index_type : pick(random, RHW_INDEX_UINT8, RHW_INDEX_UINT32);
@@ -227,7 +229,8 @@ static void make_attachments(struct kernel_random *random, struct scene_input *i
 {
     in->width = pick(random, 1, SCENE_SIZE);
     in->height = pick(random, 1, SCENE_SIZE);
-    const int tiles_x = (in->width + RHW_TILE - 1) / RHW_TILE, tiles_y = (in->height + RHW_TILE - 1) / RHW_TILE;
+    const int tiles_x = (in->width + RHW_TILE - 1) / RHW_TILE,
+              tiles_y = (in->height + RHW_TILE - 1) / RHW_TILE;
     in->tile = pick(random, 0, tiles_x * tiles_y - 1);
     in->entries_most = random_one_in(random, 8) ? (uint32_t)(tiles_x * tiles_y) : 1u << 20;
     in->target_count = random_one_in(random, 4) ? pick(random, 0, SCENE_TARGETS) : 1;
