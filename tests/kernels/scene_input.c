@@ -10,8 +10,10 @@
 // What the vertices of a scene are drawn around, and how.
 struct style {
     struct rhw_viewport viewport;
-    int32_t center_x, center_y; // 24.8
-    bool near, affine, opaque, plain;
+    int32_t center_x, center_y; // 24.8; in the tile
+    // One around the other; triangles of a mesh; W is 1; targets are replaced; depth is tested as it mostly is.
+    bool near, mesh, affine, opaque, plain;
+    enum rhw_compare compare;
 };
 
 static int pick(struct kernel_random *random, int low, int high)
@@ -35,6 +37,9 @@ static float make_w(struct kernel_random *random, const struct style *style)
     if (style->affine) {
         return 1.0f;
     }
+    if (style->mesh) {
+        return random_float_in(random, 1.0f, 4.0f);
+    }
     return random_one_in(random, 2) ? ldexpf(1.0f, pick(random, -3, 3))
                                     : random_float_in(random, 0x1p-20f, 0x1p20f);
 }
@@ -43,22 +48,52 @@ static float make_w(struct kernel_random *random, const struct style *style)
 static void make_depths(struct kernel_random *random, float triangle[3][16])
 {
     const int kind = pick(random, 0, 7);
-    const float flat = (float)pick(random, 0, 8) / 8;
+    const float flat = (float)pick(random, 1, 7) / 8;
     for (int i = 0; i < 3; i++) {
         const float depth = kind == 0   ? random_float_in(random, -0.5f, 1.5f)
-                            : kind <= 3 ? flat
-                                        : random_float_in(random, 0.0f, 1.0f);
+                            : kind == 1 ? random_float_in(random, 0.0f, 1.0f)
+                            : kind <= 4 ? flat
+                                        : random_float_in(random, 0.125f, 0.875f);
         triangle[i][2] = depth * triangle[i][3];
+    }
+}
+
+// -reach .. reach, none more often than others.
+static int32_t anywhere(struct kernel_random *random, int32_t reach)
+{
+    return (int32_t)(random_bits(random) % (uint64_t)(2 * reach + 1)) - reach;
+}
+
+// Within a tile and beside it.
+static void make_place(struct kernel_random *random, const struct style *style, int32_t *x, int32_t *y)
+{
+    const int32_t reach = style->near ? 0 : RHW_TILE * RHW_SUBPIXEL / 2;
+    *x = style->center_x + anywhere(random, reach);
+    *y = style->center_y + anywhere(random, reach);
+}
+
+// Hostile ones, or one as meshes have them, of a few pixels to half a tile.
+static void make_corners(struct kernel_random *random, const struct style *style, int32_t xs[3],
+                         int32_t ys[3])
+{
+    int32_t x, y;
+    make_place(random, style, &x, &y);
+    random_triangle(random, x, y, xs, ys);
+    if (style->mesh) {
+        const int32_t reach_x = pick(random, 1, 20) * RHW_SUBPIXEL,
+                      reach_y = pick(random, 1, 20) * RHW_SUBPIXEL;
+        for (int i = 0; i < 3; i++) {
+            xs[i] = x + anywhere(random, reach_x);
+            ys[i] = y + anywhere(random, reach_y);
+        }
     }
 }
 
 static void make_triangle(struct kernel_random *random, const struct style *style, float triangle[3][16])
 {
     int32_t xs[3], ys[3];
-    const int32_t x = style->near ? style->center_x : pick(random, 0, SCENE_SIZE * RHW_SUBPIXEL);
-    const int32_t y = style->near ? style->center_y : pick(random, 0, SCENE_SIZE * RHW_SUBPIXEL);
-    random_triangle(random, x, y, xs, ys);
-    if (random_one_in(random, 8)) { // all of the target, and more
+    make_corners(random, style, xs, ys);
+    if (random_one_in(random, 6)) { // all of the target, and more
         const int32_t far = 4 * SCENE_SIZE * RHW_SUBPIXEL;
         xs[0] = xs[1] = ys[0] = ys[2] = -far / 2;
         ys[1] = xs[2] = far;
@@ -67,7 +102,8 @@ static void make_triangle(struct kernel_random *random, const struct style *styl
         put_vertex(triangle[i], &style->viewport, xs[i], ys[i], make_w(random, style));
     }
     make_depths(random, triangle);
-    for (int i = 0; i < 3 && random_one_in(random, 8); i++) { // behind the eye, not finite, of W next to 0
+    for (int i = 0; i < 3 && random_one_in(random, style->mesh ? 64 : 8);
+         i++) { // behind the eye, not finite, of W next to 0
         random_clip_position(random, triangle[i]);
     }
 }
@@ -160,7 +196,7 @@ static void make_depth_state(struct kernel_random *random, const struct style *s
     draw->depth_compare = pick(random, RHW_COMPARE_NEVER, RHW_COMPARE_ALWAYS);
     if (style->plain) {
         draw->depth_write = 1;
-        draw->depth_compare = random_one_in(random, 2) ? RHW_COMPARE_LESS_EQUAL : RHW_COMPARE_LESS;
+        draw->depth_compare = style->compare;
     } else if (random_one_in(random, 2)) {
         draw->depth_compare = random_one_in(random, 2) ? RHW_COMPARE_GREATER_EQUAL : RHW_COMPARE_GREATER;
     }
@@ -253,17 +289,22 @@ static void make_attachments(struct kernel_random *random, struct scene_input *i
 
 void make_scene(struct kernel_random *random, void *input)
 {
+    static const enum rhw_compare ordering[] = {RHW_COMPARE_LESS, RHW_COMPARE_LESS_EQUAL, RHW_COMPARE_GREATER,
+                                                RHW_COMPARE_GREATER_EQUAL};
     struct scene_input *const in = input;
     make_attachments(random, in);
-    const float side = random_one_in(random, 4) ? random_float_in(random, 1.0f, 300.0f) : 128.0f;
+    const int tiles_x = (in->width + RHW_TILE - 1) / RHW_TILE;
+    const float side = random_one_in(random, 4) ? random_float_in(random, 16.0f, 300.0f) : 128.0f;
     const struct style style = {
         .viewport = {.width = side, .height = side, .depth_max = 1.0f},
-        .center_x = pick(random, 0, in->width * RHW_SUBPIXEL),
-        .center_y = pick(random, 0, in->height * RHW_SUBPIXEL),
+        .center_x = (in->tile % tiles_x * RHW_TILE + pick(random, 0, RHW_TILE)) * RHW_SUBPIXEL,
+        .center_y = (in->tile / tiles_x * RHW_TILE + pick(random, 0, RHW_TILE)) * RHW_SUBPIXEL,
         .near = random_one_in(random, 2),
+        .mesh = !random_one_in(random, 3),
         .affine = random_one_in(random, 4),
         .opaque = random_one_in(random, 2),
         .plain = random_one_in(random, 2),
+        .compare = ordering[pick(random, 0, 3)],
     };
     make_vertices(random, &style, in);
     in->draw_count = pick(random, 1, SCENE_DRAWS);
