@@ -55,7 +55,7 @@ static bool finish_triangle(struct kernel_random *random, const struct setup_inp
            max_int(y0, in->tile_y) < min_int(y1, in->tile_y + RHW_TILE);
 }
 
-// Of any size; `small` ones when asked for.
+// Of any size; a small one where that is asked for.
 static void make_triangle(struct kernel_random *random, const struct setup_input *in, bool is_small,
                           struct rhw_triangle *t)
 {

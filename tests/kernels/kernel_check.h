@@ -15,6 +15,8 @@
 //
 //     {"rect_mask", sizeof(struct rect_input), sizeof(uint64_t), KERNEL_BITS, make_rect, run_rect},
 //
+// Whole kernels, from a draw to the tile, are given the draws of scene_input.h, of which draw_scene.h makes a pass.
+//
 // A new folder takes a line in kernel_folders.h, and one in kernel_folders.c.
 #ifndef KERNEL_CHECK_H
 #define KERNEL_CHECK_H

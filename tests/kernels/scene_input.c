@@ -196,7 +196,7 @@ static void make_depth_state(struct kernel_random *random, const struct style *s
     draw->depth_compare = pick(random, RHW_COMPARE_NEVER, RHW_COMPARE_ALWAYS);
     if (style->plain) {
         draw->depth_write = 1;
-        draw->depth_compare = style->compare;
+        draw->depth_compare = (int32_t)style->compare;
     } else if (random_one_in(random, 2)) {
         draw->depth_compare = random_one_in(random, 2) ? RHW_COMPARE_GREATER_EQUAL : RHW_COMPARE_GREATER;
     }
@@ -271,7 +271,7 @@ static void make_attachments(struct kernel_random *random, struct scene_input *i
     in->entries_most = random_one_in(random, 8) ? (uint32_t)(tiles_x * tiles_y) : 1u << 20;
     in->target_count = random_one_in(random, 4) ? pick(random, 0, SCENE_TARGETS) : 1;
     for (int t = 0; t < in->target_count; t++) {
-        in->formats[t] = make_format(random, t == 0 ? 8 : 4);
+        in->formats[t] = (int32_t)make_format(random, t == 0 ? 8 : 4);
         const struct rhw_format_info *const info = rhw_format_info((enum rhw_format)in->formats[t]);
         for (int i = 0; i < RHW_CLEAR_BYTES; i += info->size) {
             float clear[4];
