@@ -2,6 +2,8 @@
 // Pipelines: every rule about a definition is checked here, once, so that a draw need not look again.
 #include "pipeline.h"
 
+#include <string.h>
+
 #include "context.h"
 #include "format.h"
 #include "lookup.h"
@@ -219,6 +221,16 @@ static void pair_derivatives(struct rhw_pipeline_data *data)
     data->derivative_pairs = (count + 1) / 2;
 }
 
+void rhw_pipeline_data_init(struct rhw_pipeline_data *data, const struct rhw_pipeline_def *def,
+                            enum rhw_isa isa)
+{
+    memset(data, 0, sizeof *data);
+    data->def = *def;
+    resolve_functions(data, isa);
+    lay_out_varyings(data);
+    pair_derivatives(data);
+}
+
 enum rhw_result rhw_pipeline_create(rhw_context *context, const struct rhw_pipeline_def *def,
                                     rhw_pipeline *pipeline)
 {
@@ -234,10 +246,7 @@ enum rhw_result rhw_pipeline_create(rhw_context *context, const struct rhw_pipel
     if (data == NULL) {
         return RHW_ERROR_OUT_OF_MEMORY;
     }
-    data->def = *def;
-    resolve_functions(data, context->isa);
-    lay_out_varyings(data);
-    pair_derivatives(data);
+    rhw_pipeline_data_init(data, def, context->isa);
     *pipeline = id;
     return RHW_OK;
 }

@@ -18,4 +18,8 @@ struct rhw_pipeline_data {
     uint8_t derivative_component[RHW_MAX_VARYING_COMPONENTS / 2][2];
 };
 
+// `def` is valid; `isa` is the highest whose functions are taken.
+void rhw_pipeline_data_init(struct rhw_pipeline_data *data, const struct rhw_pipeline_def *def,
+                            enum rhw_isa isa);
+
 #endif

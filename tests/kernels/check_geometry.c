@@ -84,7 +84,7 @@ static void make_project(struct kernel_random *random, void *input)
     in->symmetric = random_one_in(random, 2);
 }
 
-// Header of the records; the positions in it are those given, so NaN stays what it is.
+// Header of the records. A NaN among the numbers of a vertex, its depth and position, is any.
 static void run_project(const void *input, void *result)
 {
     const struct project_input *const in = input;
@@ -101,6 +101,8 @@ static void run_project(const void *input, void *result)
     state.depth_span = in->depth_span;
     memcpy(position, in->positions, sizeof position);
     project(&state, position, header);
+    unify_nans(&header[2], 8);
+    unify_nans(&header[4], 4 * 8);
     memcpy(result, header, sizeof header);
 }
 
@@ -192,7 +194,7 @@ static void run_cull(const void *input, void *result)
 
 static const struct kernel_check checks[] = {
     {"fetch", sizeof(struct fetch_input), 8 * sizeof(f8), KERNEL_FLOATS, make_fetch, run_fetch},
-    {"project", sizeof(struct project_input), 8 * sizeof(f8), KERNEL_FLOATS, make_project, run_project},
+    {"project", sizeof(struct project_input), 8 * sizeof(f8), KERNEL_BITS, make_project, run_project},
     {"cull8", sizeof(struct cull_input), sizeof(struct cull_result), KERNEL_BITS, make_cull, run_cull},
 };
 

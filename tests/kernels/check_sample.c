@@ -133,8 +133,119 @@ static void run_sample(const void *input, void *result)
     memcpy(result, texel, sizeof texel);
 }
 
+// Several textures at one place, for several groups --------------------------------------------------------
+
+enum { SLOTS = 3, GROUPS = 9, AT = 1, VARYINGS = AT + 2 }; // more groups than are sampled together
+
+struct groups_input {
+    struct sample_input slots[SLOTS]; // what else each asks for is not used
+    _Alignas(32) float varyings[GROUPS][VARYINGS][8], ddx[GROUPS][VARYINGS][8], ddy[GROUPS][VARYINGS][8];
+    uint32_t chosen;
+    int32_t count;
+};
+
+// Mostly alike, and RGBA8 with a sampler that allows fixed point, as those of a material are.
+static void make_slots(struct kernel_random *random, struct groups_input *in)
+{
+    const bool alike = !random_one_in(random, 4);
+    for (int i = 0; i < SLOTS; i++) {
+        struct sample_input *const slot = &in->slots[i];
+        make_sample(random, slot);
+        if (alike) {
+            slot->width = in->slots[0].width;
+            slot->height = in->slots[0].height;
+            slot->levels = in->slots[0].levels;
+            slot->sampler = random_one_in(random, 8) ? slot->sampler : in->slots[0].sampler;
+            slot->format = random_one_in(random, 2) ? RHW_FORMAT_RGBA8_UNORM : RHW_FORMAT_RGBA8_SRGB;
+        }
+    }
+}
+
+static void make_groups(struct kernel_random *random, void *input)
+{
+    struct groups_input *const in = input;
+    make_slots(random, in);
+    in->chosen =
+        random_one_in(random, 2) ? (1u << SLOTS) - 1 : (uint32_t)random_int(random, 1, (1 << SLOTS) - 1);
+    in->count = (int32_t)random_int(random, 1, GROUPS);
+    struct sample_input *const from = &in->slots[0];
+    for (int g = 0; g < in->count; g++) {
+        make_coordinates(random, from);
+        for (int i = 0; i < 2; i++) {
+            memcpy(in->varyings[g][AT + i], from->uv[i], sizeof from->uv[i]);
+            memcpy(in->ddx[g][AT + i], from->gradient[i], sizeof from->gradient[i]);
+            memcpy(in->ddy[g][AT + i], from->gradient[2 + i], sizeof from->gradient[i]);
+        }
+    }
+}
+
+// By group and slot.
+struct groups_result {
+    f8 together[GROUPS][SLOTS][4], alone[GROUPS][SLOTS][4];
+};
+
+struct bound_slot {
+    _Alignas(RHW_ROW_ALIGNMENT) unsigned char texels[TEXTURE_BYTES], linear[2 * TEXTURE_BYTES];
+    struct rhw_texture_data texture;
+    struct rhw_sampler_data sampler;
+};
+
+static void bind_slots(const struct bound_slot bound[SLOTS], enum rhw_paths paths,
+                       struct rhw_bindings *bindings)
+{
+    rhw_bindings_init(bindings, &RHW_ISA_NAME(rhw_kernels));
+    for (int i = 0; i < SLOTS; i++) {
+        bindings->slot[i] =
+            rhw_binding_of(&RHW_ISA_NAME(rhw_kernels), paths, &bound[i].texture, &bound[i].sampler);
+    }
+}
+
+// By the general path, slot by slot.
+static void sample_alone(const struct rhw_bindings *bindings, const struct rhw_fragment *groups,
+                         const struct groups_input *in, struct groups_result *out)
+{
+    for (int g = 0; g < in->count; g++) {
+        const f8 gradient[4] = {groups[g].ddx[AT], groups[g].ddx[AT + 1], groups[g].ddy[AT],
+                                groups[g].ddy[AT + 1]};
+        const struct rhw_sample_request request = {.coordinates = &groups[g].varying[AT],
+                                                   .gradient = gradient};
+        for (int i = 0; i < SLOTS; i++) {
+            if (in->chosen >> i & 1) {
+                bindings->slot[i].sample(&bindings->slot[i], &request, out->alone[g][i]);
+            }
+        }
+    }
+}
+
+static void run_groups(const void *input, void *result)
+{
+    const struct groups_input *const in = input;
+    struct groups_result *const out = result;
+    struct bound_slot bound[SLOTS];
+    struct rhw_bindings together, alone;
+    struct rhw_fragment groups[GROUPS];
+    memset(out, 0, sizeof *out);
+    for (int i = 0; i < SLOTS; i++) {
+        set_texture(&bound[i].texture, &in->slots[i], bound[i].texels, bound[i].linear);
+        rhw_sampler_data_init(&bound[i].sampler, &in->slots[i].sampler);
+    }
+    bind_slots(bound, RHW_PATHS_ALL, &together);
+    bind_slots(bound, RHW_PATHS_GENERAL, &alone);
+    for (int g = 0; g < in->count; g++) {
+        groups[g].varying = (const f8 *)(const void *)in->varyings[g];
+        groups[g].ddx = (const f8 *)(const void *)in->ddx[g];
+        groups[g].ddy = (const f8 *)(const void *)in->ddy[g];
+        groups[g].textures = &together;
+    }
+    together.sample_groups(groups, in->count, in->chosen, AT, out->together[0], SLOTS);
+    sample_alone(&alone, groups, in, out);
+    unify_nans(out, sizeof *out / sizeof(float));
+}
+
 static const struct kernel_check checks[] = {
     {"sample", sizeof(struct sample_input), 4 * sizeof(f8), KERNEL_FLOATS, make_sample, run_sample},
+    {"sample_groups", sizeof(struct groups_input), sizeof(struct groups_result), KERNEL_HALVES, make_groups,
+     run_groups},
 };
 
 const struct kernel_folder RHW_ISA_NAME(check_sample) = {"sample", checks, sizeof checks / sizeof *checks};

@@ -11,5 +11,8 @@ const struct kernel_folders RHW_ISA_NAME(kernel_folders) = {.folders = {
                                                                 &RHW_ISA_NAME(check_fragment),
                                                                 &RHW_ISA_NAME(check_blend),
                                                                 &RHW_ISA_NAME(check_geometry),
+                                                                &RHW_ISA_NAME(check_chunk),
+                                                                &RHW_ISA_NAME(check_tile),
+                                                                &RHW_ISA_NAME(check_draw),
                                                                 &RHW_ISA_NAME(check_sample),
                                                             }};

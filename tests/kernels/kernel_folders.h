@@ -14,6 +14,9 @@ RHW_ISA_DECLARE(const struct kernel_folder, check_depth);
 RHW_ISA_DECLARE(const struct kernel_folder, check_fragment);
 RHW_ISA_DECLARE(const struct kernel_folder, check_blend);
 RHW_ISA_DECLARE(const struct kernel_folder, check_geometry);
+RHW_ISA_DECLARE(const struct kernel_folder, check_chunk);
+RHW_ISA_DECLARE(const struct kernel_folder, check_tile);
+RHW_ISA_DECLARE(const struct kernel_folder, check_draw);
 RHW_ISA_DECLARE(const struct kernel_folder, check_sample);
 
 // All of one instruction set, then NULL.
