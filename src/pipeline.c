@@ -199,6 +199,8 @@ static void lay_out_varyings(struct rhw_pipeline_data *data)
         for (int component = 0; component < varying->components; component++) {
             data->component_qualifier[next] = (uint8_t)varying->qualifier;
             data->component_derivatives[next] = varying->derivatives;
+            data->noperspective_mask[next] = varying->qualifier == RHW_NOPERSPECTIVE ? -1 : 0;
+            data->flat_mask[next] = varying->qualifier == RHW_FLAT ? -1 : 0;
             next++;
         }
     }

@@ -47,6 +47,31 @@ RHW_INLINE void fill_scattered(const struct tile_work *work, const struct triang
                        triangle, &weights, count);
 }
 
+// The same with everything that a fragment function may ask for.
+static __attribute__((noinline)) void fill_any_scattered(const struct tile_work *work,
+                                                         const struct triangle_work *triangle,
+                                                         const int32_t *texel, int count)
+{
+    const struct planes *const planes = &triangle->planes;
+    struct fragment_queue *const queue = &work->scratch->queue;
+    for (int n = 0; n < count; n++) {
+        const int g = queue->count + n;
+        const struct anchor_offset at = texel_offsets(work, planes, &texel[8 * n]);
+        struct group_place place = {.texels = i8_load(&texel[8 * n]),
+                                    .at = at,
+                                    .weights = weights_of_pixels(&planes->quantities, &at)};
+        if (work->plan.needs_screen) {
+            place.screen.s = plane_value8(planes->n1, at.dx, at.dy);
+            place.screen.t = plane_value8(planes->n2, at.dx, at.dy);
+        }
+        if (work->plan.keeps_depth) {
+            const d8 z = plane_value8(plane_of(&planes->quantities, QUANTITY_Z), at.dx, at.dy);
+            queue->groups[g].depth = viewport_clamp(&work->scratch->depth, f8_from_d8(z));
+        }
+        fill_any_group(work, g, triangle, &place);
+    }
+}
+
 // Queues groups of the fragments at `texel`, 8 each.
 static void queue_scattered(struct tile_work *work, struct triangle_work *triangle, const int32_t *texel,
                             int count)
@@ -66,7 +91,9 @@ static void queue_scattered(struct tile_work *work, struct triangle_work *triang
                 fill_identity(&queue->groups[g], work->pipeline->def.program.uses, triangle);
             }
         }
-        if (work->pipeline->any_derivatives) {
+        if (work->plan.shading != RHW_SHADING_SMOOTH) {
+            fill_any_scattered(work, triangle, texel, n);
+        } else if (work->pipeline->any_derivatives) {
             fill_scattered(work, triangle, texel, n, DERIVATIVES);
         } else {
             fill_scattered(work, triangle, texel, n, NO_DERIVATIVES);
@@ -132,8 +159,10 @@ RHW_INLINE void collect_block(struct tile_work *work, struct triangle_work *tria
                               const struct block *block, uint64_t mask)
 {
     const bool is_whole = mask == ~(uint64_t)0;
-    const bool can_scatter = work->plan.shading == RHW_SHADING_SMOOTH && !block->leaves_triangle &&
-                             triangle->planes.kind != PLANES_EXACT;
+    // Homogeneous noperspective values are made in double (interpolate.h), which packing does not.
+    const bool is_double = triangle->planes.is_homogeneous && work->pipeline->any_noperspective;
+    const bool can_scatter = work->plan.shading != RHW_SHADING_ROWS && !block->leaves_triangle &&
+                             triangle->planes.kind != PLANES_EXACT && !is_double;
     if (!is_whole && can_scatter) {
         gather_fragments(work, triangle, block->x, block->y, RHW_BLOCK, mask);
         return;

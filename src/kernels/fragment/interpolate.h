@@ -13,11 +13,17 @@ RHW_INLINE f8 interpolate(f8 i0, f8 d1, f8 d2, f8 b, f8 c)
     return i0 - (b * d1 + c * d2);
 }
 
+// Which of the three vertices flat varyings come from.
+static inline int provoking_vertex(const struct rhw_pipeline_data *pipeline)
+{
+    return pipeline->def.provoking == RHW_PROVOKING_FIRST ? 0 : 2;
+}
+
 static void set_values(struct triangle_work *triangle, const struct rhw_pipeline_data *pipeline)
 {
     const float *const a = triangle->v[0]->varyings, *const b = triangle->v[1]->varyings,
                        *const c = triangle->v[2]->varyings;
-    triangle->provoking = pipeline->def.provoking == RHW_PROVOKING_FIRST ? a : c;
+    triangle->provoking = triangle->v[provoking_vertex(pipeline)]->varyings;
     for (int i = 0; i < pipeline->varying_components; i++) {
         triangle->i0[i] = a[i];
         triangle->d1[i] = a[i] - b[i];

@@ -35,28 +35,53 @@ static void pack_identity(struct rhw_fragment *group, uint32_t uses,
     }
 }
 
+// Weights of the 8 fragments, lane by lane: in space, and on the screen where they are wanted.
+struct packed_weights {
+    float b[8], c[8], s[8], t[8];
+};
+
 // Components i .. i + 7 of the 8 fragments, as one vector per component. A vertex record is padded to whole vectors.
-RHW_INLINE void pack_components(const struct packed_triangle *const triangle[8], int i, const float b[8],
-                                const float c[8], f8 out[8])
+RHW_INLINE void pack_smooth(const struct packed_triangle *const triangle[8], int i,
+                            const struct packed_weights *w, f8 out[8])
 {
     for (int lane = 0; lane < 8; lane++) {
         const float *const *const v = triangle[lane]->varyings;
         const f8 i0 = f8_load(v[0] + i), d1 = i0 - f8_load(v[1] + i), d2 = i0 - f8_load(v[2] + i);
-        out[lane] = interpolate(i0, d1, d2, f8_splat(b[lane]), f8_splat(c[lane]));
+        out[lane] = interpolate(i0, d1, d2, f8_splat(w->b[lane]), f8_splat(w->c[lane]));
+    }
+    f8_transpose(out);
+}
+
+// The same with any qualifiers.
+RHW_INLINE void pack_qualified(const struct packed_triangle *const triangle[8], int i,
+                               const struct packed_weights *w, const struct rhw_pipeline_data *pipeline,
+                               f8 out[8])
+{
+    const i8 flat = i8_load(pipeline->flat_mask + i), screen = i8_load(pipeline->noperspective_mask + i);
+    for (int lane = 0; lane < 8; lane++) {
+        const float *const *const v = triangle[lane]->varyings;
+        const f8 i0 = f8_load(v[0] + i), d1 = i0 - f8_load(v[1] + i), d2 = i0 - f8_load(v[2] + i);
+        const f8 b = f8_select(screen, f8_splat(w->s[lane]), f8_splat(w->b[lane]));
+        const f8 c = f8_select(screen, f8_splat(w->t[lane]), f8_splat(w->c[lane]));
+        out[lane] = f8_select(flat, f8_load(triangle[lane]->provoking + i), interpolate(i0, d1, d2, b, c));
     }
     f8_transpose(out);
 }
 
 // All components of group g.
-static void pack_varyings(struct tile_work *work, int g, const struct weights *weights)
+static void pack_varyings(struct tile_work *work, int g, const struct packed_weights *weights)
 {
-    const int components = work->pipeline->varying_components;
-    float b[8], c[8];
-    f8_store(b, weights->b);
-    f8_store(c, weights->c);
+    const struct rhw_pipeline_data *const pipeline = work->pipeline;
+    const struct packed_triangle *const *const triangle = work->scratch->partial.triangle;
+    const int components = pipeline->varying_components;
+    const bool is_smooth = !pipeline->any_flat && !pipeline->any_noperspective;
     for (int i = 0; i < components; i += 8) {
         f8 lanes[8];
-        pack_components(work->scratch->partial.triangle, i, b, c, lanes);
+        if (is_smooth) {
+            pack_smooth(triangle, i, weights, lanes);
+        } else {
+            pack_qualified(triangle, i, weights, pipeline, lanes);
+        }
         f8 *const out = work->scratch->queue.varyings + g * components + i;
         if (i + 8 <= components) {
             memcpy(out, lanes, sizeof lanes);
@@ -90,32 +115,112 @@ static void pack_derivatives(struct tile_work *work, int g, d8 inverse_s)
     }
 }
 
-// Queues the partial group; `bits`: the lanes that are not repetitions.
-static void pack_group(struct tile_work *work, unsigned bits)
+// Derivatives of components that are not smooth: the same all over a triangle.
+static void pack_constant_derivatives(struct tile_work *work, int g)
+{
+    const struct rhw_pipeline_data *const pipeline = work->pipeline;
+    const struct packed_triangle *const *const triangle = work->scratch->partial.triangle;
+    f8 *const ddx = work->scratch->queue.ddx + g * pipeline->varying_components;
+    f8 *const ddy = work->scratch->queue.ddy + g * pipeline->varying_components;
+    for (int i = 0; i < pipeline->varying_components; i++) {
+        if (!pipeline->component_derivatives[i] || pipeline->component_qualifier[i] == RHW_SMOOTH) {
+            continue;
+        }
+        ddx[i] = ddy[i] = f8_splat(0);
+        for (int lane = 0; lane < 8 && pipeline->component_qualifier[i] == RHW_NOPERSPECTIVE; lane++) {
+            const struct packed_triangle *const t = triangle[lane];
+            const struct screen_derivative d = screen_derivative(&t->n1, &t->n2, t->varyings, i);
+            ddx[i][lane] = d.by_x;
+            ddy[i][lane] = d.by_y;
+        }
+    }
+}
+
+static void pack_barycentric_derivatives(struct tile_work *work, struct rhw_fragment *group, d8 squared)
+{
+    const struct partial_group *const partial = &work->scratch->partial;
+    d4 value[8];
+    for (int lane = 0; lane < 8; lane++) {
+        value[lane] = numerators(&partial->triangle[lane]->weights, partial->step[lane]);
+    }
+    d8 lanes[4]; // of b by x and by y, of c by x and by y
+    quantity_lanes(value, lanes);
+    fill_barycentrics(group->barycentric_ddx, 0, derivative_of(lanes[0], squared),
+                      derivative_of(lanes[2], squared));
+    fill_barycentrics(group->barycentric_ddy, 0, derivative_of(lanes[1], squared),
+                      derivative_of(lanes[3], squared));
+}
+
+// What groups of RHW_SHADING_ANY have beside varyings and smooth derivatives.
+static __attribute__((noinline)) void pack_builtins(struct tile_work *work, int g,
+                                                    const struct weights *weights,
+                                                    const struct screen_weights *screen)
+{
+    const uint32_t uses = work->pipeline->def.program.uses;
+    struct rhw_fragment *const group = &work->scratch->queue.groups[g];
+    if (work->pipeline->any_derivatives) {
+        pack_constant_derivatives(work, g);
+    }
+    if (uses & RHW_USE_BARYCENTRIC_DERIVATIVES) {
+        pack_barycentric_derivatives(work, group, d8_mul(weights->inverse_s, weights->inverse_s));
+    }
+    if (uses & RHW_USE_COORD) {
+        fill_coordinates(work, group, i8_load(work->scratch->partial.texel), weights->s);
+    }
+    if (uses & RHW_USE_BARYCENTRIC) {
+        fill_barycentrics(group->barycentric, 1, weights->b, weights->c);
+        fill_barycentrics(group->barycentric_noperspective, 1, f8_from_d8(screen->s), f8_from_d8(screen->t));
+    }
+}
+
+// Takes a place in the queue for the partial group; `bits`: the lanes that are not repetitions.
+static int place_partial(struct tile_work *work, unsigned bits)
 {
     struct fragment_queue *const queue = &work->scratch->queue;
     struct partial_group *const partial = &work->scratch->partial;
     const int g = queue->count++;
-    struct rhw_fragment *const group = &queue->groups[g];
     memcpy(queue->texels[g], partial->texel, sizeof queue->texels[g]);
     queue->live[g] = (uint8_t)bits;
     queue->is_scattered[g] = true;
     queue->has_all_rows = false;
+    queue->groups[g].mask = i8_from_bits(bits);
     for (int i = 0; i < 8; i++) {
         partial->pixels[partial->texel[i] / RHW_TILE] = 0;
     }
     partial->count = 0;
-    group->mask = i8_from_bits(bits);
+    return g;
+}
+
+// Queues the partial group; `bits` as above.
+static void pack_group(struct tile_work *work, unsigned bits)
+{
+    const struct partial_group *const partial = &work->scratch->partial;
+    const int g = place_partial(work, bits);
+    struct rhw_fragment *const group = &work->scratch->queue.groups[g];
     d8 quantity[4];
     quantity_lanes(partial->quantities, quantity);
     const struct weights weights = weights_of(quantity[QUANTITY_S], d8_div(d8_splat(1), quantity[QUANTITY_S]),
                                               quantity[QUANTITY_B], quantity[QUANTITY_C]);
-    pack_varyings(work, g, &weights);
+    struct packed_weights lanes;
+    struct screen_weights screen;
+    f8_store(lanes.b, weights.b);
+    f8_store(lanes.c, weights.c);
+    if (work->plan.needs_screen) {
+        d8 both[4];
+        quantity_lanes(partial->screen, both);
+        screen = (struct screen_weights){both[0], both[1]};
+        f8_store(lanes.s, f8_from_d8(screen.s));
+        f8_store(lanes.t, f8_from_d8(screen.t));
+    }
+    pack_varyings(work, g, &lanes);
     if (work->pipeline->any_derivatives) {
         pack_derivatives(work, g, weights.inverse_s);
     }
     if (work->plan.keeps_depth) {
         group->depth = viewport_clamp(&work->scratch->depth, f8_from_d8(quantity[QUANTITY_Z]));
+    }
+    if (work->plan.shading == RHW_SHADING_ANY) {
+        pack_builtins(work, g, &weights, &screen);
     }
     pack_identity(group, work->pipeline->def.program.uses, partial->triangle);
     shade_if_full(work);
@@ -130,6 +235,7 @@ static __attribute__((noinline)) void release_partial(struct tile_work *work)
         partial->texel[i] = partial->texel[0];
         partial->triangle[i] = partial->triangle[0];
         partial->quantities[i] = partial->quantities[0];
+        partial->screen[i] = partial->screen[0];
         partial->step[i] = partial->step[0];
     }
     pack_group(work, 0xffu >> (8 - live));
@@ -166,13 +272,19 @@ static const struct packed_triangle *pack_triangle(struct tile_work *work, struc
     for (int i = 0; i < 3; i++) {
         to->varyings[i] = triangle->v[i]->varyings;
     }
-    if (pipeline->any_derivatives && triangle->has_values) {
+    to->provoking = to->varyings[provoking_vertex(pipeline)];
+    if (work->plan.needs_step && triangle->has_values) {
         memcpy(to->derivatives, triangle->derivatives,
                (size_t)pipeline->derivative_pairs * sizeof to->derivatives[0]);
-    } else if (pipeline->any_derivatives) {
+    } else if (work->plan.needs_step) {
         component_derivatives(to->derivatives, triangle, pipeline);
     }
-    if (work->plan.keeps_identity) {
+    if (work->plan.shading == RHW_SHADING_ANY) {
+        to->weights = triangle->planes.weights;
+        to->n1 = triangle->planes.n1;
+        to->n2 = triangle->planes.n2;
+    }
+    if (pipeline->def.program.uses & (RHW_USE_FACING | RHW_USE_IDS)) {
         const struct identity identity = identity_of(triangle);
         to->front_facing = identity.front_facing;
         to->primitive = identity.primitive;
@@ -196,6 +308,9 @@ RHW_INLINE void pack_fragment(struct tile_work *work, const struct quantity_plan
     if (derivatives == DERIVATIVES) {
         partial->step[n] = (d4){dy, dx, dy, dx};
     }
+    if (work->plan.needs_screen) {
+        partial->screen[n] = (d4){plane_value(packed->n1, dx, dy), plane_value(packed->n2, dx, dy), 0, 0};
+    }
     partial->count = n + 1;
     if (n + 1 == 8) {
         pack_group(work, 0xff);
@@ -215,7 +330,7 @@ RHW_INLINE void pack_fragments(struct tile_work *work, const struct quantity_pla
 static void pack_gathered(struct tile_work *work, struct triangle_work *triangle)
 {
     const struct packed_triangle *const packed = pack_triangle(work, triangle);
-    if (work->pipeline->any_derivatives) {
+    if (work->plan.needs_step) {
         pack_fragments(work, &triangle->planes.quantities, packed, DERIVATIVES);
     } else {
         pack_fragments(work, &triangle->planes.quantities, packed, NO_DERIVATIVES);
