@@ -11,6 +11,9 @@
 #include "pack.h"
 #include "row_groups.h"
 
+// Pixels of a row, at least and in the mean of a block, for which a group is a row rather than 8 gathered fragments.
+enum { ROW_PIXELS = 4 };
+
 RHW_INLINE struct anchor_offset texel_offsets(const struct tile_work *work, const struct planes *planes,
                                               const int32_t texel[8])
 {
@@ -154,6 +157,19 @@ RHW_INLINE void gather_fragments(struct tile_work *work, struct triangle_work *t
     gathered->count = count;
 }
 
+// Whether the rows of a block that are set in `mask` shall be groups though its fragments could be gathered: with inputs
+// of any kind, a group from anywhere costs as much as a row and a half, and more the more targets it is blended into.
+RHW_INLINE bool prefers_rows(const struct tile_work *work, uint64_t mask)
+{
+    if (work->plan.shading != RHW_SHADING_ANY) {
+        return false;
+    }
+    uint64_t rows = mask | mask >> 4; // bit 8·row: some pixel of the row
+    rows |= rows >> 2;
+    rows = (rows | rows >> 1) & 0x0101010101010101u;
+    return __builtin_popcountll(mask) >= ROW_PIXELS * __builtin_popcountll(rows);
+}
+
 // The fragments of a block whose bits are set in `mask`, on the path that is theirs.
 RHW_INLINE void collect_block(struct tile_work *work, struct triangle_work *triangle,
                               const struct block *block, uint64_t mask)
@@ -163,7 +179,7 @@ RHW_INLINE void collect_block(struct tile_work *work, struct triangle_work *tria
     const bool is_double = triangle->planes.is_homogeneous && work->pipeline->any_noperspective;
     const bool can_scatter = work->plan.shading != RHW_SHADING_ROWS && !block->leaves_triangle &&
                              triangle->planes.kind != PLANES_EXACT && !is_double;
-    if (!is_whole && can_scatter) {
+    if (!is_whole && can_scatter && !prefers_rows(work, mask)) {
         gather_fragments(work, triangle, block->x, block->y, RHW_BLOCK, mask);
         return;
     }

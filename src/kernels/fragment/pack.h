@@ -68,16 +68,18 @@ RHW_INLINE void pack_qualified(const struct packed_triangle *const triangle[8], 
     f8_transpose(out);
 }
 
+enum packed_qualifiers { ALL_SMOOTH, ANY_QUALIFIER }; // a constant where a call names it
+
 // All components of group g.
-static void pack_varyings(struct tile_work *work, int g, const struct packed_weights *weights)
+RHW_INLINE void pack_varyings(struct tile_work *work, int g, const struct packed_weights *weights,
+                              enum packed_qualifiers qualifiers)
 {
     const struct rhw_pipeline_data *const pipeline = work->pipeline;
     const struct packed_triangle *const *const triangle = work->scratch->partial.triangle;
     const int components = pipeline->varying_components;
-    const bool is_smooth = !pipeline->any_flat && !pipeline->any_noperspective;
     for (int i = 0; i < components; i += 8) {
         f8 lanes[8];
-        if (is_smooth) {
+        if (qualifiers == ALL_SMOOTH) {
             pack_smooth(triangle, i, weights, lanes);
         } else {
             pack_qualified(triangle, i, weights, pipeline, lanes);
@@ -151,13 +153,20 @@ static void pack_barycentric_derivatives(struct tile_work *work, struct rhw_frag
                       derivative_of(lanes[3], squared));
 }
 
-// What groups of RHW_SHADING_ANY have beside varyings and smooth derivatives.
-static __attribute__((noinline)) void pack_builtins(struct tile_work *work, int g,
-                                                    const struct weights *weights,
-                                                    const struct screen_weights *screen)
+// What groups of RHW_SHADING_ANY have beside smooth varyings and their derivatives.
+static __attribute__((noinline)) void pack_any(struct tile_work *work, int g, const struct weights *weights,
+                                               struct packed_weights *lanes)
 {
     const uint32_t uses = work->pipeline->def.program.uses;
     struct rhw_fragment *const group = &work->scratch->queue.groups[g];
+    d8 screen[4] = {{{0}, {0}}}; // s and t
+    if (work->plan.needs_screen) {
+        quantity_lanes(work->scratch->partial.screen, screen);
+    }
+    const f8 s = f8_from_d8(screen[0]), t = f8_from_d8(screen[1]);
+    f8_store(lanes->s, s);
+    f8_store(lanes->t, t);
+    pack_varyings(work, g, lanes, ANY_QUALIFIER);
     if (work->pipeline->any_derivatives) {
         pack_constant_derivatives(work, g);
     }
@@ -169,7 +178,7 @@ static __attribute__((noinline)) void pack_builtins(struct tile_work *work, int 
     }
     if (uses & RHW_USE_BARYCENTRIC) {
         fill_barycentrics(group->barycentric, 1, weights->b, weights->c);
-        fill_barycentrics(group->barycentric_noperspective, 1, f8_from_d8(screen->s), f8_from_d8(screen->t));
+        fill_barycentrics(group->barycentric_noperspective, 1, s, t);
     }
 }
 
@@ -202,25 +211,18 @@ static void pack_group(struct tile_work *work, unsigned bits)
     const struct weights weights = weights_of(quantity[QUANTITY_S], d8_div(d8_splat(1), quantity[QUANTITY_S]),
                                               quantity[QUANTITY_B], quantity[QUANTITY_C]);
     struct packed_weights lanes;
-    struct screen_weights screen;
     f8_store(lanes.b, weights.b);
     f8_store(lanes.c, weights.c);
-    if (work->plan.needs_screen) {
-        d8 both[4];
-        quantity_lanes(partial->screen, both);
-        screen = (struct screen_weights){both[0], both[1]};
-        f8_store(lanes.s, f8_from_d8(screen.s));
-        f8_store(lanes.t, f8_from_d8(screen.t));
-    }
-    pack_varyings(work, g, &lanes);
-    if (work->pipeline->any_derivatives) {
-        pack_derivatives(work, g, weights.inverse_s);
-    }
     if (work->plan.keeps_depth) {
         group->depth = viewport_clamp(&work->scratch->depth, f8_from_d8(quantity[QUANTITY_Z]));
     }
     if (work->plan.shading == RHW_SHADING_ANY) {
-        pack_builtins(work, g, &weights, &screen);
+        pack_any(work, g, &weights, &lanes);
+    } else {
+        pack_varyings(work, g, &lanes, ALL_SMOOTH);
+    }
+    if (work->pipeline->any_derivatives) {
+        pack_derivatives(work, g, weights.inverse_s);
     }
     pack_identity(group, work->pipeline->def.program.uses, partial->triangle);
     shade_if_full(work);
@@ -294,9 +296,16 @@ static const struct packed_triangle *pack_triangle(struct tile_work *work, struc
     return to;
 }
 
+// What packing has to know of a fragment; a constant where a call names it.
+enum packed_parts {
+    PACKED_QUANTITIES, // the four that every fragment needs
+    PACKED_STEP,       // and where it is, for derivatives
+    PACKED_ANY         // and whatever the plan wants
+};
+
 // Adds a fragment at `texel` of a triangle whose planes are `planes`.
 RHW_INLINE void pack_fragment(struct tile_work *work, const struct quantity_planes *planes,
-                              const struct packed_triangle *packed, int texel, enum derivatives derivatives)
+                              const struct packed_triangle *packed, int texel, enum packed_parts parts)
 {
     struct partial_group *const partial = &work->scratch->partial;
     const double dx = texel % RHW_TILE - packed->anchor_x, dy = texel / RHW_TILE - packed->anchor_y;
@@ -305,10 +314,10 @@ RHW_INLINE void pack_fragment(struct tile_work *work, const struct quantity_plan
     partial->pixels[texel / RHW_TILE] |= (uint64_t)1 << texel % RHW_TILE;
     partial->triangle[n] = packed;
     partial->quantities[n] = quantity_values(planes, dx, dy);
-    if (derivatives == DERIVATIVES) {
+    if (parts != PACKED_QUANTITIES) {
         partial->step[n] = (d4){dy, dx, dy, dx};
     }
-    if (work->plan.needs_screen) {
+    if (parts == PACKED_ANY && work->plan.needs_screen) {
         partial->screen[n] = (d4){plane_value(packed->n1, dx, dy), plane_value(packed->n2, dx, dy), 0, 0};
     }
     partial->count = n + 1;
@@ -318,11 +327,11 @@ RHW_INLINE void pack_fragment(struct tile_work *work, const struct quantity_plan
 }
 
 RHW_INLINE void pack_fragments(struct tile_work *work, const struct quantity_planes *planes,
-                               const struct packed_triangle *packed, enum derivatives derivatives)
+                               const struct packed_triangle *packed, enum packed_parts parts)
 {
     const struct gathered_fragments *const gathered = &work->scratch->gathered;
     for (int i = 0; i < gathered->count; i++) {
-        pack_fragment(work, planes, packed, gathered->texel[i], derivatives);
+        pack_fragment(work, planes, packed, gathered->texel[i], parts);
     }
 }
 
@@ -330,10 +339,12 @@ RHW_INLINE void pack_fragments(struct tile_work *work, const struct quantity_pla
 static void pack_gathered(struct tile_work *work, struct triangle_work *triangle)
 {
     const struct packed_triangle *const packed = pack_triangle(work, triangle);
-    if (work->plan.needs_step) {
-        pack_fragments(work, &triangle->planes.quantities, packed, DERIVATIVES);
+    if (work->plan.shading == RHW_SHADING_ANY) {
+        pack_fragments(work, &triangle->planes.quantities, packed, PACKED_ANY);
+    } else if (work->pipeline->any_derivatives) {
+        pack_fragments(work, &triangle->planes.quantities, packed, PACKED_STEP);
     } else {
-        pack_fragments(work, &triangle->planes.quantities, packed, NO_DERIVATIVES);
+        pack_fragments(work, &triangle->planes.quantities, packed, PACKED_QUANTITIES);
     }
     work->scratch->gathered.count = 0;
 }
