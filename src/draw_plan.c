@@ -20,7 +20,7 @@ static enum rhw_shading choose_shading(const struct rhw_pipeline_data *pipeline,
     if (uses == 0 && pipeline->varying_components == 0) {
         return RHW_SHADING_CONSTANT;
     }
-    const bool smooth = !pipeline->any_noperspective && !pipeline->any_flat;
+    const bool smooth = !pipeline->any_noperspective && !pipeline->any_constant_derivatives;
     return smooth && !(uses & ~together) ? RHW_SHADING_SMOOTH : RHW_SHADING_ANY;
 }
 

@@ -25,9 +25,9 @@ enum rhw_shading {
     RHW_SHADING_NONE,     // they get none: depth is all that is drawn
     RHW_SHADING_CONSTANT, // the fragment function receives nothing, so one call tells the colour of all
     // Any 8 fragments make a group. It receives
-    RHW_SHADING_SMOOTH, // smooth varyings, facing and ids alone, which whole blocks are filled with together, or
-    RHW_SHADING_ANY,    // anything
-    RHW_SHADING_ROWS    // A group is a row of 8 pixels with anything. The general path
+    RHW_SHADING_SMOOTH, // smooth and flat varyings, facing and ids, which several groups are filled with together, or
+    RHW_SHADING_ANY, // anything
+    RHW_SHADING_ROWS // A group is a row of 8 pixels with anything. The general path
 };
 
 enum rhw_depth_mode {

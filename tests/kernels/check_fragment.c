@@ -73,7 +73,7 @@ static void run_interpolate_groups(const void *input, void *result)
     set_values(&triangle.work, &triangle.pipeline);
     memcpy(weights.b, in->b, sizeof weights.b);
     memcpy(weights.c, in->c, sizeof weights.c);
-    interpolate_groups(result, COMPONENTS, &triangle.work, &weights, RHW_BLOCK);
+    interpolate_groups(result, &triangle.pipeline, &triangle.work, &weights, RHW_BLOCK);
 }
 
 static void run_interpolate_any(const void *input, void *result)

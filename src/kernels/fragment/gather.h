@@ -46,8 +46,8 @@ RHW_INLINE void fill_scattered(const struct tile_work *work, const struct triang
             queue->groups[first + n].depth = viewport_clamp(&work->scratch->depth, f8_from_d8(z));
         }
     }
-    interpolate_groups(queue->varyings + first * pipeline->varying_components, pipeline->varying_components,
-                       triangle, &weights, count);
+    interpolate_groups(queue->varyings + first * pipeline->varying_components, pipeline, triangle, &weights,
+                       count);
 }
 
 // The same with everything that a fragment function may ask for.
@@ -56,23 +56,31 @@ static __attribute__((noinline)) void fill_any_scattered(const struct tile_work 
                                                          const int32_t *texel, int count)
 {
     const struct planes *const planes = &triangle->planes;
+    const struct rhw_pipeline_data *const pipeline = work->pipeline;
     struct fragment_queue *const queue = &work->scratch->queue;
+    struct group_weights weights, screen;
     for (int n = 0; n < count; n++) {
         const int g = queue->count + n;
         const struct anchor_offset at = texel_offsets(work, planes, &texel[8 * n]);
         struct group_place place = {.texels = i8_load(&texel[8 * n]),
                                     .at = at,
                                     .weights = weights_of_pixels(&planes->quantities, &at)};
+        weights.b[n] = place.weights.b;
+        weights.c[n] = place.weights.c;
         if (work->plan.needs_screen) {
             place.screen.s = plane_value8(planes->n1, at.dx, at.dy);
             place.screen.t = plane_value8(planes->n2, at.dx, at.dy);
+            screen.b[n] = f8_from_d8(place.screen.s);
+            screen.c[n] = f8_from_d8(place.screen.t);
         }
         if (work->plan.keeps_depth) {
             const d8 z = plane_value8(plane_of(&planes->quantities, QUANTITY_Z), at.dx, at.dy);
             queue->groups[g].depth = viewport_clamp(&work->scratch->depth, f8_from_d8(z));
         }
-        fill_any_group(work, g, triangle, &place);
+        fill_builtins(work, g, triangle, &place);
     }
+    interpolate_any_groups(queue->varyings + queue->count * pipeline->varying_components, pipeline, triangle,
+                           &weights, &screen, count);
 }
 
 // Queues groups of the fragments at `texel`, 8 each.

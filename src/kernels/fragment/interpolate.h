@@ -41,10 +41,25 @@ struct group_weights {
     f8 b[RHW_BLOCK], c[RHW_BLOCK];
 };
 
-// Smooth varyings of `count` groups, those of the first at `varyings`.
-RHW_INLINE void interpolate_groups(f8 *varyings, ptrdiff_t components, const struct triangle_work *triangle,
-                                   const struct group_weights *weights, int count)
+// Flat varyings of `count` groups, over what stands there.
+RHW_INLINE void set_flat_groups(f8 *varyings, const struct rhw_pipeline_data *pipeline,
+                                const struct triangle_work *triangle, int count)
 {
+    for (int i = 0; i < pipeline->flat_count; i++) {
+        const int component = pipeline->flat_component[i];
+        f8 *to = varyings + component;
+        for (int n = 0; n < count; n++, to += pipeline->varying_components) {
+            *to = f8_splat(triangle->provoking[component]);
+        }
+    }
+}
+
+// Smooth and flat varyings of `count` groups, those of the first at `varyings`.
+RHW_INLINE void interpolate_groups(f8 *varyings, const struct rhw_pipeline_data *pipeline,
+                                   const struct triangle_work *triangle, const struct group_weights *weights,
+                                   int count)
+{
+    const ptrdiff_t components = pipeline->varying_components;
     for (int i = 0; i < components; i++) {
         const f8 i0 = f8_splat(triangle->i0[i]), d1 = f8_splat(triangle->d1[i]),
                  d2 = f8_splat(triangle->d2[i]);
@@ -53,6 +68,27 @@ RHW_INLINE void interpolate_groups(f8 *varyings, ptrdiff_t components, const str
             *to = interpolate(i0, d1, d2, weights->b[n], weights->c[n]);
         }
     }
+    set_flat_groups(varyings, pipeline, triangle, count);
+}
+
+// The same with noperspective ones; `screen` has the weights on the screen, where they are wanted.
+RHW_INLINE void interpolate_any_groups(f8 *varyings, const struct rhw_pipeline_data *pipeline,
+                                       const struct triangle_work *triangle,
+                                       const struct group_weights *weights,
+                                       const struct group_weights *screen, int count)
+{
+    const ptrdiff_t components = pipeline->varying_components;
+    for (int i = 0; i < components; i++) {
+        const bool on_screen = pipeline->component_qualifier[i] == RHW_NOPERSPECTIVE;
+        const struct group_weights *const w = on_screen ? screen : weights;
+        const f8 i0 = f8_splat(triangle->i0[i]), d1 = f8_splat(triangle->d1[i]),
+                 d2 = f8_splat(triangle->d2[i]);
+        f8 *to = varyings + i;
+        for (int n = 0; n < count; n++, to += components) {
+            *to = interpolate(i0, d1, d2, w->b[n], w->c[n]);
+        }
+    }
+    set_flat_groups(varyings, pipeline, triangle, count);
 }
 
 // Noperspective varyings of a triangle with a vertex that is not snapped. Weights on the screen may have any size and

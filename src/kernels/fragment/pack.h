@@ -68,19 +68,26 @@ RHW_INLINE void pack_qualified(const struct packed_triangle *const triangle[8], 
     f8_transpose(out);
 }
 
-enum packed_qualifiers { ALL_SMOOTH, ANY_QUALIFIER }; // a constant where a call names it
+RHW_INLINE void pack_flat(const struct packed_triangle *const triangle[8], int i, f8 out[8])
+{
+    for (int lane = 0; lane < 8; lane++) {
+        out[lane] = f8_load(triangle[lane]->provoking + i);
+    }
+    f8_transpose(out);
+}
 
 // All components of group g.
-RHW_INLINE void pack_varyings(struct tile_work *work, int g, const struct packed_weights *weights,
-                              enum packed_qualifiers qualifiers)
+static void pack_varyings(struct tile_work *work, int g, const struct packed_weights *weights)
 {
     const struct rhw_pipeline_data *const pipeline = work->pipeline;
     const struct packed_triangle *const *const triangle = work->scratch->partial.triangle;
     const int components = pipeline->varying_components;
     for (int i = 0; i < components; i += 8) {
         f8 lanes[8];
-        if (qualifiers == ALL_SMOOTH) {
+        if (pipeline->vector_qualifier[i / 8] == RHW_VECTOR_SMOOTH) {
             pack_smooth(triangle, i, weights, lanes);
+        } else if (pipeline->vector_qualifier[i / 8] == RHW_VECTOR_FLAT) {
+            pack_flat(triangle, i, lanes);
         } else {
             pack_qualified(triangle, i, weights, pipeline, lanes);
         }
@@ -166,7 +173,7 @@ static __attribute__((noinline)) void pack_any(struct tile_work *work, int g, co
     const f8 s = f8_from_d8(screen[0]), t = f8_from_d8(screen[1]);
     f8_store(lanes->s, s);
     f8_store(lanes->t, t);
-    pack_varyings(work, g, lanes, ANY_QUALIFIER);
+    pack_varyings(work, g, lanes);
     if (work->pipeline->any_derivatives) {
         pack_constant_derivatives(work, g);
     }
@@ -210,7 +217,7 @@ static void pack_group(struct tile_work *work, unsigned bits)
     quantity_lanes(partial->quantities, quantity);
     const struct weights weights = weights_of(quantity[QUANTITY_S], d8_div(d8_splat(1), quantity[QUANTITY_S]),
                                               quantity[QUANTITY_B], quantity[QUANTITY_C]);
-    struct packed_weights lanes;
+    struct packed_weights lanes = {{0}, {0}, {0}, {0}};
     f8_store(lanes.b, weights.b);
     f8_store(lanes.c, weights.c);
     if (work->plan.keeps_depth) {
@@ -219,7 +226,7 @@ static void pack_group(struct tile_work *work, unsigned bits)
     if (work->plan.shading == RHW_SHADING_ANY) {
         pack_any(work, g, &weights, &lanes);
     } else {
-        pack_varyings(work, g, &lanes, ALL_SMOOTH);
+        pack_varyings(work, g, &lanes);
     }
     if (work->pipeline->any_derivatives) {
         pack_derivatives(work, g, weights.inverse_s);

@@ -72,31 +72,30 @@ struct group_place {
     struct screen_weights screen; // where they are wanted
 };
 
-// One group with everything that a fragment function may ask for, but depth.
-static void fill_any_group(const struct tile_work *work, int g, const struct triangle_work *triangle,
-                           const struct group_place *place)
+// What a group gets beside varyings and depth.
+static void fill_builtins(const struct tile_work *work, int g, const struct triangle_work *triangle,
+                          const struct group_place *place)
 {
     const struct rhw_pipeline_data *const pipeline = work->pipeline;
     const uint32_t uses = pipeline->def.program.uses;
     struct fragment_queue *const queue = &work->scratch->queue;
     struct rhw_fragment *const group = &queue->groups[g];
     const struct weights *const w = &place->weights;
-    const struct screen_weights *const screen = &place->screen;
-    interpolate_any(queue->varyings + g * pipeline->varying_components, pipeline, triangle, w, screen);
-    const d8 squared = d8_mul(w->inverse_s, w->inverse_s);
-    if (pipeline->any_derivatives) {
+    if (work->plan.needs_step) {
+        const d8 squared = d8_mul(w->inverse_s, w->inverse_s);
         smooth_derivatives(queue, g, pipeline, triangle->derivatives, &place->at, squared);
         constant_derivatives(queue, g, pipeline, triangle);
-    }
-    if (uses & RHW_USE_BARYCENTRIC_DERIVATIVES) {
-        fill_barycentric_derivatives(group, &triangle->planes.weights, &place->at, squared);
+        if (uses & RHW_USE_BARYCENTRIC_DERIVATIVES) {
+            fill_barycentric_derivatives(group, &triangle->planes.weights, &place->at, squared);
+        }
     }
     if (uses & RHW_USE_COORD) {
         fill_coordinates(work, group, place->texels, w->s);
     }
     if (uses & RHW_USE_BARYCENTRIC) {
+        const f8 s = f8_from_d8(place->screen.s), t = f8_from_d8(place->screen.t);
         fill_barycentrics(group->barycentric, 1, w->b, w->c);
-        fill_barycentrics(group->barycentric_noperspective, 1, f8_from_d8(screen->s), f8_from_d8(screen->t));
+        fill_barycentrics(group->barycentric_noperspective, 1, s, t);
     }
     fill_identity(group, uses, triangle);
 }
@@ -130,7 +129,9 @@ static __attribute__((noinline)) void fill_any_rows(const struct tile_work *work
             clipped_row_set(&clipped, planes, triangle->clipped, &block->at, row);
             clipped_row_replace(&clipped, &place.weights, &place.screen);
         }
-        fill_any_group(work, first + n, triangle, &place);
+        interpolate_any(work->scratch->queue.varyings + (first + n) * work->pipeline->varying_components,
+                        work->pipeline, triangle, &place.weights, &place.screen);
+        fill_builtins(work, first + n, triangle, &place);
     }
 }
 
@@ -183,7 +184,7 @@ RHW_INLINE void fill_steps(const struct tile_work *work, const struct triangle_w
                 squared[n + k] = d8_mul(w.inverse_s, w.inverse_s);
             }
         }
-        interpolate_groups(work->scratch->queue.varyings + (first + n) * components, components, triangle,
+        interpolate_groups(work->scratch->queue.varyings + (first + n) * components, work->pipeline, triangle,
                            &weights, count);
     }
     if (derivatives == DERIVATIVES) {
