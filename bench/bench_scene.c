@@ -23,6 +23,8 @@ const struct bench_scene_entry bench_scene_entries[] = {
      BENCH_FLOOR_PAINTER},
     {"sphere_10k", "bumpy sphere of 10,000 triangles, Blinn-Phong per pixel", bench_make_sphere,
      BENCH_SPHERE_10K},
+    {"sphere_82k", "the same of 82,000 triangles", bench_make_sphere, BENCH_SPHERE_82K},
+    {"sphere_82k_flat", "the same with a flat varying and ids", bench_make_sphere, BENCH_SPHERE_82K_FLAT},
     {"sphere_1m", "the same of 1,000,000 triangles", bench_make_sphere, BENCH_SPHERE_1M},
     {"sphere_1m_tex", "the same with a trilinear texture", bench_make_sphere, BENCH_SPHERE_1M_TEXTURE},
     {"sphere_1m_depth", "the same, depth only", bench_make_sphere, BENCH_SPHERE_1M_DEPTH},

@@ -41,10 +41,11 @@ struct bench_texture {
 
 // The pairs of shaders; both forms of each stand in shaders_lanes.c (8 lanes) and shaders_glsl.c.
 enum bench_shader {
-    BENCH_SHADER_FLAT,        // one colour
-    BENCH_SHADER_COLOR,       // interpolated colour
-    BENCH_SHADER_TEXTURE,     // a texel
-    BENCH_SHADER_LIT,         // Blinn-Phong
+    BENCH_SHADER_FLAT,     // one colour
+    BENCH_SHADER_COLOR,    // interpolated colour
+    BENCH_SHADER_TEXTURE,  // a texel
+    BENCH_SHADER_LIT,      // Blinn-Phong
+    BENCH_SHADER_LIT_FLAT, // Blinn-Phong; the colour is a flat varying, and the fragment looks at its instance
     BENCH_SHADER_LIT_TEXTURE, // Blinn-Phong, texel times colour
     BENCH_SHADER_LIT_MASKED,  // the same; a texel whose alpha is below the cutoff is discarded
     BENCH_SHADER_DEPTH,       // no colour at all

@@ -79,13 +79,24 @@ static void set_tolerance(struct bench_tolerance *tolerance, enum bench_sphere_v
     tolerance->color = variant == BENCH_SPHERE_1M_TEXTURE ? 6 : 1;
 }
 
+// The sphere has twice as many slices, and two triangles for each quad: 4·stacks².
+static uint32_t stacks_of(enum bench_sphere_variant variant)
+{
+    switch (variant) {
+    case BENCH_SPHERE_10K: return 50;
+    case BENCH_SPHERE_82K:
+    case BENCH_SPHERE_82K_FLAT: return 143;
+    default: return 500;
+    }
+}
+
 bool bench_make_sphere(const struct bench_scene_entry *entry, struct bench_scene *scene, int width,
                        int height, char *why, size_t why_size)
 {
     (void)why, (void)why_size; // nothing but memory can fail
     const enum bench_sphere_variant variant = (enum bench_sphere_variant)entry->variant;
     const bool depth_only = variant == BENCH_SPHERE_1M_DEPTH, textured = variant == BENCH_SPHERE_1M_TEXTURE;
-    const uint32_t stacks = variant == BENCH_SPHERE_10K ? 50 : 500;
+    const uint32_t stacks = stacks_of(variant);
     scene->mesh_count = scene->draw_count = 1;
     scene->texture_count = textured;
     scene->depth_test = true;
@@ -106,9 +117,10 @@ bool bench_make_sphere(const struct bench_scene_entry *entry, struct bench_scene
     const double world[16] = {cos(turn), 0, -sin(turn), 0, 0, 1, 0, 0,
                               sin(turn), 0, cos(turn),  0, 0, 0, 0, 1};
     struct bench_draw *const draw = &scene->draws[0];
-    *draw = (struct bench_draw){.shader = depth_only ? BENCH_SHADER_DEPTH
-                                          : textured ? BENCH_SHADER_LIT_TEXTURE
-                                                     : BENCH_SHADER_LIT,
+    *draw = (struct bench_draw){.shader = depth_only                         ? BENCH_SHADER_DEPTH
+                                          : textured                         ? BENCH_SHADER_LIT_TEXTURE
+                                          : variant == BENCH_SPHERE_82K_FLAT ? BENCH_SHADER_LIT_FLAT
+                                                                             : BENCH_SHADER_LIT,
                                 .texture_count = textured ? 1 : 0,
                                 .cull_back = true,
                                 .uniforms = bench_look(&camera, (double)width / (double)height, world)};

@@ -8,8 +8,13 @@ static const struct bench_shader_table *const tables[RHW_ISA_COUNT] = RHW_ISA_TA
 enum { P = 1 << BENCH_POSITION, N = 1 << BENCH_NORMAL, T = 1 << BENCH_UV, C = 1 << BENCH_COLOR };
 
 const uint32_t bench_shader_attributes[BENCH_SHADERS] = {
-    [BENCH_SHADER_FLAT] = P,    [BENCH_SHADER_COLOR] = P | C,           [BENCH_SHADER_TEXTURE] = P | T,
-    [BENCH_SHADER_LIT] = P | N, [BENCH_SHADER_LIT_TEXTURE] = P | N | T, [BENCH_SHADER_LIT_MASKED] = P | N | T,
+    [BENCH_SHADER_FLAT] = P,
+    [BENCH_SHADER_COLOR] = P | C,
+    [BENCH_SHADER_TEXTURE] = P | T,
+    [BENCH_SHADER_LIT] = P | N,
+    [BENCH_SHADER_LIT_FLAT] = P | N,
+    [BENCH_SHADER_LIT_TEXTURE] = P | N | T,
+    [BENCH_SHADER_LIT_MASKED] = P | N | T,
     [BENCH_SHADER_DEPTH] = P,
 };
 
@@ -39,5 +44,11 @@ void bench_program(struct rhw_program *program, enum bench_shader shader)
     if (attributes & T) {
         add_varying(program, 2, true);
     }
-    program->uses = shader == BENCH_SHADER_LIT_MASKED ? RHW_USE_DISCARD : 0;
+    if (shader == BENCH_SHADER_LIT_FLAT) {
+        program->varyings[program->varying_count++] =
+            (struct rhw_varying){.components = 3, .qualifier = RHW_FLAT};
+    }
+    program->uses = shader == BENCH_SHADER_LIT_MASKED ? RHW_USE_DISCARD
+                    : shader == BENCH_SHADER_LIT_FLAT ? RHW_USE_IDS
+                                                      : 0;
 }

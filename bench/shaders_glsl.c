@@ -46,6 +46,14 @@ static const struct {
          "varying_position = to_world(vec4(position, 1.0)); }\n",
          "in vec3 varying_normal, varying_position;\n"
          "void main() { target = vec4(shade(varying_normal, varying_position, u[9].rgb), 1.0); }\n"},
+    [BENCH_SHADER_LIT_FLAT] =
+        {"out vec3 varying_normal, varying_position; flat out vec3 flat_color; flat out int instance;\n"
+         "void main() { to_clip(); varying_normal = to_world(vec4(normal, 0.0));\n"
+         "varying_position = to_world(vec4(position, 1.0)); flat_color = u[9].rgb; instance = gl_InstanceID; "
+         "}\n",
+         "in vec3 varying_normal, varying_position; flat in vec3 flat_color; flat in int instance;\n"
+         "void main() { vec3 base_color = flat_color * (float(instance) + 1.0);\n"
+         "target = vec4(shade(varying_normal, varying_position, base_color), 1.0); }\n"},
     [BENCH_SHADER_LIT_TEXTURE] =
         {"out vec3 varying_normal, varying_position; out vec2 varying_uv;\n"
          "void main() { to_clip(); varying_normal = to_world(vec4(normal, 0.0));\n"

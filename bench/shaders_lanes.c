@@ -66,6 +66,17 @@ static void lit_vertex(struct rhw_vertex *groups, int count)
     }
 }
 
+static void lit_flat_vertex(struct rhw_vertex *groups, int count)
+{
+    lit_vertex(groups, count);
+    for (int g = 0; g < count; g++) {
+        const struct bench_uniforms *const u = groups[g].uniforms;
+        for (int c = 0; c < 3; c++) {
+            groups[g].varying[6 + c] = rhw_splat(u->color[c]);
+        }
+    }
+}
+
 static void lit_texture_vertex(struct rhw_vertex *groups, int count)
 {
     for (int g = 0; g < count; g++) {
@@ -163,6 +174,22 @@ static void lit_fragment(struct rhw_fragment *groups, int count)
     }
 }
 
+// An instance is brighter than the one before it.
+static void lit_flat_fragment(struct rhw_fragment *groups, int count)
+{
+    for (; count > 0; groups += STEP, count -= STEP) {
+        const int n = count < STEP ? count : STEP;
+        rhw_float base[STEP][4];
+        for (int g = 0; g < n; g++) {
+            const rhw_float brightness = rhw_to_float(groups[g].instance) + 1.0f;
+            for (int c = 0; c < 3; c++) {
+                base[g][c] = groups[g].varying[6 + c] * brightness;
+            }
+        }
+        shade(groups, n, groups->uniforms, (const rhw_float(*)[4])base);
+    }
+}
+
 ALWAYS_INLINE void shade_textured(struct rhw_fragment *groups, int count, bool masked)
 {
     const struct bench_uniforms *const u = groups->uniforms;
@@ -199,6 +226,7 @@ const struct bench_shader_table RHW_ISA_NAME(bench_shader_table) = {
             [BENCH_SHADER_COLOR] = color_vertex,
             [BENCH_SHADER_TEXTURE] = texture_vertex,
             [BENCH_SHADER_LIT] = lit_vertex,
+            [BENCH_SHADER_LIT_FLAT] = lit_flat_vertex,
             [BENCH_SHADER_LIT_TEXTURE] = lit_texture_vertex,
             [BENCH_SHADER_LIT_MASKED] = lit_texture_vertex,
             [BENCH_SHADER_DEPTH] = position_vertex,
@@ -209,6 +237,7 @@ const struct bench_shader_table RHW_ISA_NAME(bench_shader_table) = {
             [BENCH_SHADER_COLOR] = color_fragment,
             [BENCH_SHADER_TEXTURE] = texture_fragment,
             [BENCH_SHADER_LIT] = lit_fragment,
+            [BENCH_SHADER_LIT_FLAT] = lit_flat_fragment,
             [BENCH_SHADER_LIT_TEXTURE] = lit_texture_fragment,
             [BENCH_SHADER_LIT_MASKED] = lit_masked_fragment,
         },

@@ -9,8 +9,8 @@ static enum rhw_shading choose_shading(const struct rhw_pipeline_data *pipeline,
                                        enum rhw_paths paths)
 {
     const uint32_t uses = pipeline->def.program.uses;
-    // What a group of any 8 fragments can carry.
-    const uint32_t scattered = RHW_USE_DISCARD | RHW_USE_DEPTH | RHW_USE_FACING | RHW_USE_IDS;
+    // What groups can be filled with together.
+    const uint32_t together = RHW_USE_DISCARD | RHW_USE_DEPTH | RHW_USE_FACING | RHW_USE_IDS;
     if (!(pipeline->fragment || pipeline->def.program.fragment1) || phase == RHW_PHASE_DEPTH) {
         return RHW_SHADING_NONE;
     }
@@ -20,8 +20,8 @@ static enum rhw_shading choose_shading(const struct rhw_pipeline_data *pipeline,
     if (uses == 0 && pipeline->varying_components == 0) {
         return RHW_SHADING_CONSTANT;
     }
-    const bool smooth = !pipeline->any_noperspective && !pipeline->any_flat;
-    return smooth && !(uses & ~scattered) ? RHW_SHADING_SMOOTH : RHW_SHADING_ROWS;
+    const bool smooth = !pipeline->any_noperspective && !pipeline->any_constant_derivatives;
+    return smooth && !(uses & ~together) ? RHW_SHADING_SMOOTH : RHW_SHADING_ANY;
 }
 
 // 1 and −1 for comparisons that let depth move one way alone.
@@ -109,9 +109,11 @@ static struct rhw_draw_plan plan_of(const struct rhw_pipeline_data *pipeline, en
                    uses & (RHW_USE_COORD | RHW_USE_DEPTH));
     plan.needs_depth = plan.depth_mode != RHW_DEPTH_NONE || plan.keeps_depth;
     plan.keeps_identity = plan.shading == RHW_SHADING_SMOOTH && uses & (RHW_USE_FACING | RHW_USE_IDS);
+    const bool screen = pipeline->any_noperspective || uses & RHW_USE_BARYCENTRIC;
+    plan.needs_screen = plan.shading == RHW_SHADING_ROWS || (plan.shading == RHW_SHADING_ANY && screen);
+    plan.needs_step = shades && (pipeline->any_derivatives || uses & RHW_USE_BARYCENTRIC_DERIVATIVES);
     if (paths != RHW_PATHS_GENERAL && !plan.is_skipped) {
-        const bool scatters = plan.shading == RHW_SHADING_SMOOTH || plan.shading == RHW_SHADING_NONE;
-        plan.small_flag = scatters ? RHW_TRIANGLE_SMALL : 0;
+        plan.small_flag = plan.shading == RHW_SHADING_CONSTANT ? 0 : RHW_TRIANGLE_SMALL;
         plan.span_flag = RHW_TRIANGLE_SMALL;
     }
     return plan;

@@ -24,8 +24,10 @@ enum rhw_phase {
 enum rhw_shading {
     RHW_SHADING_NONE,     // they get none: depth is all that is drawn
     RHW_SHADING_CONSTANT, // the fragment function receives nothing, so one call tells the colour of all
-    RHW_SHADING_SMOOTH,   // it receives smooth varyings, facing and ids alone: any 8 fragments make a group
-    RHW_SHADING_ROWS      // anything: a group is a row of 8 pixels. The general path
+    // Any 8 fragments make a group. It receives
+    RHW_SHADING_SMOOTH, // smooth and flat varyings, facing and ids, which several groups are filled with together, or
+    RHW_SHADING_ANY, // anything
+    RHW_SHADING_ROWS // A group is a row of 8 pixels with anything. The general path
 };
 
 enum rhw_depth_mode {
@@ -72,6 +74,8 @@ struct rhw_draw_plan {
     bool needs_depth;    // depth is tested, or given to the fragment function
     bool keeps_depth;    // groups carry it
     bool keeps_identity; // groups of RHW_SHADING_SMOOTH carry facing or ids
+    bool needs_screen;   // weights on the screen are wanted
+    bool needs_step;     // derivatives that change from pixel to pixel are wanted
     bool is_skipped;     // nothing is drawn in this phase
     // RHW_TRIANGLE_SMALL where small triangles have a path of their own (kernels/tile/triangle_small.h), and where
     // those that do not take it are covered by spans; else 0.

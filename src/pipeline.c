@@ -201,10 +201,31 @@ static void lay_out_varyings(struct rhw_pipeline_data *data)
         for (int component = 0; component < varying->components; component++) {
             data->component_qualifier[next] = (uint8_t)varying->qualifier;
             data->component_derivatives[next] = varying->derivatives;
+            if (varying->qualifier == RHW_FLAT) {
+                data->flat_component[data->flat_count++] = (uint8_t)next;
+            }
+            data->any_constant_derivatives |= varying->derivatives && varying->qualifier != RHW_SMOOTH;
+            data->noperspective_mask[next] = varying->qualifier == RHW_NOPERSPECTIVE ? -1 : 0;
+            data->flat_mask[next] = varying->qualifier == RHW_FLAT ? -1 : 0;
             next++;
         }
     }
     data->varying_components = next;
+}
+
+// Tells how packing treats components by eights (pipeline.h).
+static void qualify_vectors(struct rhw_pipeline_data *data)
+{
+    for (int first = 0; first < data->varying_components; first += 8) {
+        bool all_smooth = true, all_flat = true;
+        for (int i = first; i < first + 8 && i < data->varying_components; i++) {
+            all_smooth &= data->component_qualifier[i] == RHW_SMOOTH;
+            all_flat &= data->component_qualifier[i] == RHW_FLAT;
+        }
+        data->vector_qualifier[first / 8] = all_smooth ? RHW_VECTOR_SMOOTH
+                                            : all_flat ? RHW_VECTOR_FLAT
+                                                       : RHW_VECTOR_MIXED;
+    }
 }
 
 // Lists the smooth components with derivatives by twos (pipeline.h).
@@ -228,6 +249,7 @@ void rhw_pipeline_data_init(struct rhw_pipeline_data *data, const struct rhw_pip
     data->def = *def;
     resolve_functions(data, isa);
     lay_out_varyings(data);
+    qualify_vectors(data);
     pair_derivatives(data);
 }
 

@@ -13,6 +13,17 @@ struct rhw_pipeline_data {
     bool any_noperspective, any_flat, any_derivatives;
     uint8_t component_qualifier[RHW_MAX_VARYING_COMPONENTS]; // enum rhw_qualifier
     bool component_derivatives[RHW_MAX_VARYING_COMPONENTS];
+    // Of 8 components from 8·n on, which packing treats together:
+    enum rhw_vector_qualifier {
+        RHW_VECTOR_SMOOTH,
+        RHW_VECTOR_FLAT,
+        RHW_VECTOR_MIXED
+    } vector_qualifier[RHW_MAX_VARYING_COMPONENTS / 8];
+    int flat_count;
+    uint8_t flat_component[RHW_MAX_VARYING_COMPONENTS];
+    bool any_constant_derivatives; // of components that are not smooth
+    int32_t noperspective_mask[RHW_MAX_VARYING_COMPONENTS],
+        flat_mask[RHW_MAX_VARYING_COMPONENTS]; // −1 where it is so
     // Smooth components with derivatives, by twos; where their number is odd the last stands twice.
     int derivative_pairs;
     uint8_t derivative_component[RHW_MAX_VARYING_COMPONENTS / 2][2];

@@ -51,7 +51,9 @@ struct gathered_fragments {
 // This is kept of a triangle until its last fragment has found a group.
 struct packed_triangle {
     struct derivative_pair derivatives[RHW_MAX_VARYING_COMPONENTS / 2]; // see component_derivatives
-    const float *varyings[3];
+    struct derivative_pair weights;                                     // of b and c, likewise
+    const float *varyings[3], *provoking;
+    struct plane n1, n2;    // weights on the screen
     int anchor_x, anchor_y; // pixels, in the tile
     int32_t front_facing, primitive, instance, draw;
 };
@@ -63,6 +65,7 @@ struct partial_group {
     int32_t texel[8];
     const struct packed_triangle *triangle[8];
     d4 quantities[8];
+    d4 screen[8]; // weights on the screen of vertices 1 and 2, where they are wanted
     d4 step[8]; // pixels from the anchor, as struct derivative_pair has them: down, to the right, down, to the right
     uint64_t pixels[RHW_TILE]; // by row, a bit per pixel: those that wait
     struct packed_triangle triangles[RHW_PACKED_TRIANGLES];

@@ -73,7 +73,7 @@ static void run_interpolate_groups(const void *input, void *result)
     set_values(&triangle.work, &triangle.pipeline);
     memcpy(weights.b, in->b, sizeof weights.b);
     memcpy(weights.c, in->c, sizeof weights.c);
-    interpolate_groups(result, COMPONENTS, &triangle.work, &weights, RHW_BLOCK);
+    interpolate_groups(result, &triangle.pipeline, &triangle.work, &weights, RHW_BLOCK);
 }
 
 static void run_interpolate_any(const void *input, void *result)
@@ -99,18 +99,30 @@ static void run_interpolate_any(const void *input, void *result)
 static void run_pack_components(const void *input, void *result)
 {
     const struct varyings_input *const in = input;
+    struct rhw_pipeline_data pipeline = {0};
+    struct packed_weights weights;
     struct packed_triangle orders[3];
     const struct packed_triangle *lanes[8];
-    f8 out[8];
+    f8 out[16];
     for (int order = 0; order < 3; order++) {
         for (int v = 0; v < 3; v++) {
             orders[order].varyings[v] = in->varyings[(v + order) % 3];
         }
+        orders[order].provoking = orders[order].varyings[0];
     }
     for (int lane = 0; lane < 8; lane++) {
         lanes[lane] = &orders[lane % 3];
     }
-    pack_components(lanes, 4, in->b[0], in->c[0], out);
+    for (int i = 0; i < COMPONENTS; i++) {
+        pipeline.flat_mask[i] = in->qualifier[i] == RHW_FLAT ? -1 : 0;
+        pipeline.noperspective_mask[i] = in->qualifier[i] == RHW_NOPERSPECTIVE ? -1 : 0;
+    }
+    memcpy(weights.b, in->b, sizeof weights.b);
+    memcpy(weights.c, in->c, sizeof weights.c);
+    memcpy(weights.s, in->c, sizeof weights.s);
+    memcpy(weights.t, in->b, sizeof weights.t);
+    pack_smooth(lanes, 4, &weights, out);
+    pack_qualified(lanes, 4, &weights, &pipeline, out + 8);
     memcpy(result, out, sizeof out);
 }
 
@@ -183,7 +195,7 @@ static const struct kernel_check checks[] = {
      make_varyings, run_interpolate_groups},
     {"interpolate_any", sizeof(struct varyings_input), COMPONENTS * sizeof(f8), KERNEL_FLOATS, make_varyings,
      run_interpolate_any},
-    {"pack_components", sizeof(struct varyings_input), 8 * sizeof(f8), KERNEL_FLOATS, make_varyings,
+    {"pack_components", sizeof(struct varyings_input), 16 * sizeof(f8), KERNEL_FLOATS, make_varyings,
      run_pack_components},
     {"derivatives", sizeof(struct derivative_input), 4 * sizeof(f8), KERNEL_FLOATS, make_derivative,
      run_derivatives},

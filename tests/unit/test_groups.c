@@ -46,20 +46,66 @@ static void identity_fragment(struct rhw_fragment *groups, int count)
     }
 }
 
-enum program { PLAIN, DERIVATIVES, MASKED, SPARSE, IDENTITY, PROGRAMS };
+// Coordinates and the instance, which is 0.
+static void place_fragment(struct rhw_fragment *groups, int count)
+{
+    rig_fragment_pass(groups, count);
+    for (int g = 0; g < count; g++) {
+        groups[g].color[0][0] = groups[g].coord[0] * 0x1p-8f;
+        groups[g].color[0][1] = groups[g].coord[1] * 0x1p-8f;
+        groups[g].color[0][2] = groups[g].coord[2] + groups[g].coord[3] + rhw_to_float(groups[g].instance);
+    }
+}
+
+// Weights of both kinds and their derivatives.
+static void weights_fragment(struct rhw_fragment *groups, int count)
+{
+    rig_fragment_pass(groups, count);
+    for (int g = 0; g < count; g++) {
+        const struct rhw_fragment *const f = &groups[g];
+        for (int c = 0; c < 3; c++) {
+            groups[g].color[0][c] = f->barycentric[c] + f->barycentric_noperspective[c] * 0.5f +
+                                    f->barycentric_ddx[c] - f->barycentric_ddy[c];
+        }
+    }
+}
+
+enum program {
+    PLAIN,
+    DERIVATIVES,
+    MASKED,
+    SPARSE,
+    IDENTITY,
+    FLAT,
+    SCREEN,
+    SCREEN_DERIVATIVES,
+    PLACE,
+    WEIGHTS,
+    PROGRAMS
+};
 
 static void use_program(struct rig *rig, enum program program)
 {
     static rhw_fragment_function *const fragments[PROGRAMS] = {
-        [PLAIN] = rig_fragment_pass, [DERIVATIVES] = texel_fragment, [MASKED] = masked_fragment,
-        [SPARSE] = sparse_fragment,  [IDENTITY] = identity_fragment,
+        [PLAIN] = rig_fragment_pass,  [DERIVATIVES] = texel_fragment,        [MASKED] = masked_fragment,
+        [SPARSE] = sparse_fragment,   [IDENTITY] = identity_fragment,        [FLAT] = rig_fragment_pass,
+        [SCREEN] = rig_fragment_pass, [SCREEN_DERIVATIVES] = texel_fragment, [PLACE] = place_fragment,
+        [WEIGHTS] = weights_fragment,
+    };
+    static const uint32_t uses[PROGRAMS] = {
+        [MASKED] = RHW_USE_DISCARD | RHW_USE_DEPTH,
+        [SPARSE] = RHW_USE_DISCARD,
+        [IDENTITY] = RHW_USE_FACING,
+        [PLACE] = RHW_USE_COORD | RHW_USE_IDS,
+        [WEIGHTS] = RHW_USE_BARYCENTRIC | RHW_USE_BARYCENTRIC_DERIVATIVES,
     };
     rig_set_program(rig, rig_vertex_pass, fragments[program]);
-    rig->pipeline.program.varyings[0].derivatives = program == DERIVATIVES;
-    rig->pipeline.program.uses = program == MASKED     ? RHW_USE_DISCARD | RHW_USE_DEPTH
-                                 : program == SPARSE   ? RHW_USE_DISCARD
-                                 : program == IDENTITY ? RHW_USE_FACING
-                                                       : 0;
+    struct rhw_varying *const varying = &rig->pipeline.program.varyings[0];
+    varying->derivatives = program == DERIVATIVES || program == SCREEN_DERIVATIVES;
+    varying->qualifier = program == FLAT                                      ? RHW_FLAT
+                         : program == SCREEN || program == SCREEN_DERIVATIVES ? RHW_NOPERSPECTIVE
+                                                                              : RHW_SMOOTH;
+    rig->pipeline.program.uses = uses[program];
 }
 
 // Triangles of about `extent` pixels, so close together that pixels are covered many times.
@@ -249,13 +295,41 @@ static void test_whole_tiles(void **state)
     rig_close(&rig);
 }
 
+// Small triangles fill lanes whatever their fragments receive.
+static void test_lanes_are_full(void **state)
+{
+    (void)state;
+    static struct rig_vertex vertices[3 * TRIANGLES];
+    struct rig rig;
+    rig_open(&rig, SIZE, SIZE);
+    for (int program = 0; program < PROGRAMS; program++) {
+        uint64_t random = 3;
+        use_program(&rig, (enum program)program);
+        for (int i = 0; i < TRIANGLES; i++) { // side by side, so that none is overtaken
+            const float x = (float)(i % 20) * 7 + 3, y = (float)(i / 20) * 7 + 3;
+            for (int k = 0; k < 3; k++) {
+                struct rig_vertex *const v = &vertices[3 * i + k];
+                rig_place(&rig, x + (k == 1 ? 4.5f : 0), y + (k == 2 ? 4.5f : 0), 0.5f, 1, v->position);
+                for (int c = 0; c < 4; c++) {
+                    v->value[c] = rig_random_float(&random, 0, 1);
+                }
+            }
+        }
+        rig_draw_once(&rig, vertices, 3 * TRIANGLES);
+        const double lanes = (double)rig.stats.fragments_shaded / (double)rig.stats.fragment_groups;
+        if (lanes < 7) {
+            fail_msg("program %d: %g of 8 lanes are live", program, lanes);
+        }
+    }
+    rig_close(&rig);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_together_as_one_by_one),
-        cmocka_unit_test(test_the_same_in_8_bits),
-        cmocka_unit_test(test_moved_triangles),
-        cmocka_unit_test(test_whole_tiles),
+        cmocka_unit_test(test_together_as_one_by_one), cmocka_unit_test(test_the_same_in_8_bits),
+        cmocka_unit_test(test_moved_triangles),        cmocka_unit_test(test_whole_tiles),
+        cmocka_unit_test(test_lanes_are_full),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -34,13 +34,14 @@ RHW_INLINE void fill_identity(struct rhw_fragment *group, uint32_t uses, const s
     }
 }
 
-// Sets the coordinates of a row of pixels that starts at (x, y) of the tile, and whose depth the group has.
-static void fill_coordinates(const struct tile_work *work, struct rhw_fragment *group, int x, int y,
+// Sets the coordinates of 8 texels of the tile, whose depth the group has.
+static void fill_coordinates(const struct tile_work *work, struct rhw_fragment *group, i8 texels,
                              d8 inverse_w)
 {
     const f8 offset = f8_splat((float)sample_offset());
-    group->coord[0] = rhw_to_float(i8_splat(work->x + x) + rhw_lane_index) + offset;
-    group->coord[1] = f8_splat((float)(work->y + y)) + offset;
+    const i8 x = texels & i8_splat(RHW_TILE - 1), y = texels >> RHW_TILE_LOG2;
+    group->coord[0] = rhw_to_float(x + i8_splat(work->x)) + offset;
+    group->coord[1] = rhw_to_float(y + i8_splat(work->y)) + offset;
     group->coord[2] = group->depth;
     group->coord[3] = f8_from_d8(inverse_w);
 }

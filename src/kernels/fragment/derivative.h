@@ -110,12 +110,26 @@ RHW_INLINE void smooth_derivatives(struct fragment_queue *queue, int g,
     }
 }
 
-// Sets those of the other components of group g, which are the same everywhere.
+// What is interpolated on the screen changes alike everywhere.
+struct screen_derivative {
+    float by_x, by_y;
+};
+
+static inline struct screen_derivative screen_derivative(const struct plane *n1, const struct plane *n2,
+                                                         const float *const varyings[3], int component)
+{
+    const double i0 = (double)varyings[0][component], d1 = (double)varyings[1][component] - i0,
+                 d2 = (double)varyings[2][component] - i0;
+    return (struct screen_derivative){(float)(n1->dx * d1 + n2->dx * d2), (float)(n1->dy * d1 + n2->dy * d2)};
+}
+
+// Sets those of the other components of group g.
 static void constant_derivatives(struct fragment_queue *queue, int g,
                                  const struct rhw_pipeline_data *pipeline,
                                  const struct triangle_work *triangle)
 {
-    const struct plane *const n1 = &triangle->planes.n1, *const n2 = &triangle->planes.n2;
+    const float *const varyings[3] = {triangle->v[0]->varyings, triangle->v[1]->varyings,
+                                      triangle->v[2]->varyings};
     f8 *const ddx = queue->ddx + g * pipeline->varying_components;
     f8 *const ddy = queue->ddy + g * pipeline->varying_components;
     for (int i = 0; i < pipeline->varying_components; i++) {
@@ -124,11 +138,10 @@ static void constant_derivatives(struct fragment_queue *queue, int g,
         }
         ddx[i] = ddy[i] = f8_splat(0);
         if (pipeline->component_qualifier[i] == RHW_NOPERSPECTIVE) {
-            const double i0 = (double)triangle->v[0]->varyings[i],
-                         d1 = (double)triangle->v[1]->varyings[i] - i0,
-                         d2 = (double)triangle->v[2]->varyings[i] - i0;
-            ddx[i] = f8_splat((float)(n1->dx * d1 + n2->dx * d2));
-            ddy[i] = f8_splat((float)(n1->dy * d1 + n2->dy * d2));
+            const struct screen_derivative d =
+                screen_derivative(&triangle->planes.n1, &triangle->planes.n2, varyings, i);
+            ddx[i] = f8_splat(d.by_x);
+            ddy[i] = f8_splat(d.by_y);
         }
     }
 }

@@ -11,6 +11,9 @@
 #include "pack.h"
 #include "row_groups.h"
 
+// Pixels of a row, at least and in the mean of a block, for which a group is a row rather than 8 gathered fragments.
+enum { ROW_PIXELS = 4 };
+
 RHW_INLINE struct anchor_offset texel_offsets(const struct tile_work *work, const struct planes *planes,
                                               const int32_t texel[8])
 {
@@ -43,8 +46,41 @@ RHW_INLINE void fill_scattered(const struct tile_work *work, const struct triang
             queue->groups[first + n].depth = viewport_clamp(&work->scratch->depth, f8_from_d8(z));
         }
     }
-    interpolate_groups(queue->varyings + first * pipeline->varying_components, pipeline->varying_components,
-                       triangle, &weights, count);
+    interpolate_groups(queue->varyings + first * pipeline->varying_components, pipeline, triangle, &weights,
+                       count);
+}
+
+// Does so with everything that a fragment function may ask for.
+static __attribute__((noinline)) void fill_any_scattered(const struct tile_work *work,
+                                                         const struct triangle_work *triangle,
+                                                         const int32_t *texel, int count)
+{
+    const struct planes *const planes = &triangle->planes;
+    const struct rhw_pipeline_data *const pipeline = work->pipeline;
+    struct fragment_queue *const queue = &work->scratch->queue;
+    struct group_weights weights, screen;
+    for (int n = 0; n < count; n++) {
+        const int g = queue->count + n;
+        const struct anchor_offset at = texel_offsets(work, planes, &texel[8 * n]);
+        struct group_place place = {.texels = i8_load(&texel[8 * n]),
+                                    .at = at,
+                                    .weights = weights_of_pixels(&planes->quantities, &at)};
+        weights.b[n] = place.weights.b;
+        weights.c[n] = place.weights.c;
+        if (work->plan.needs_screen) {
+            place.screen.s = plane_value8(planes->n1, at.dx, at.dy);
+            place.screen.t = plane_value8(planes->n2, at.dx, at.dy);
+            screen.b[n] = f8_from_d8(place.screen.s);
+            screen.c[n] = f8_from_d8(place.screen.t);
+        }
+        if (work->plan.keeps_depth) {
+            const d8 z = plane_value8(plane_of(&planes->quantities, QUANTITY_Z), at.dx, at.dy);
+            queue->groups[g].depth = viewport_clamp(&work->scratch->depth, f8_from_d8(z));
+        }
+        fill_builtins(work, g, triangle, &place);
+    }
+    interpolate_any_groups(queue->varyings + queue->count * pipeline->varying_components, pipeline, triangle,
+                           &weights, &screen, count);
 }
 
 // Queues groups of the fragments at `texel`, 8 each.
@@ -66,7 +102,9 @@ static void queue_scattered(struct tile_work *work, struct triangle_work *triang
                 fill_identity(&queue->groups[g], work->pipeline->def.program.uses, triangle);
             }
         }
-        if (work->pipeline->any_derivatives) {
+        if (work->plan.shading != RHW_SHADING_SMOOTH) {
+            fill_any_scattered(work, triangle, texel, n);
+        } else if (work->pipeline->any_derivatives) {
             fill_scattered(work, triangle, texel, n, DERIVATIVES);
         } else {
             fill_scattered(work, triangle, texel, n, NO_DERIVATIVES);
@@ -127,14 +165,29 @@ RHW_INLINE void gather_fragments(struct tile_work *work, struct triangle_work *t
     gathered->count = count;
 }
 
+// Whether the rows of a block that are set in `mask` shall be groups though its fragments could be gathered: with inputs
+// of any kind, a group from anywhere costs as much as a row and a half, and more the more targets it is blended into.
+RHW_INLINE bool prefers_rows(const struct tile_work *work, uint64_t mask)
+{
+    if (work->plan.shading != RHW_SHADING_ANY) {
+        return false;
+    }
+    uint64_t rows = mask | mask >> 4; // bit 8·row: some pixel of the row
+    rows |= rows >> 2;
+    rows = (rows | rows >> 1) & 0x0101010101010101u;
+    return __builtin_popcountll(mask) >= ROW_PIXELS * __builtin_popcountll(rows);
+}
+
 // Sends the fragments of a block whose bits are set in `mask` on the path that is theirs.
 RHW_INLINE void collect_block(struct tile_work *work, struct triangle_work *triangle,
                               const struct block *block, uint64_t mask)
 {
     const bool is_whole = mask == ~(uint64_t)0;
-    const bool can_scatter = work->plan.shading == RHW_SHADING_SMOOTH && !block->leaves_triangle &&
-                             triangle->planes.kind != PLANES_EXACT;
-    if (!is_whole && can_scatter) {
+    // Homogeneous noperspective values are made in double (interpolate.h), which packing does not.
+    const bool is_double = triangle->planes.is_homogeneous && work->pipeline->any_noperspective;
+    const bool can_scatter = work->plan.shading != RHW_SHADING_ROWS && !block->leaves_triangle &&
+                             triangle->planes.kind != PLANES_EXACT && !is_double;
+    if (!is_whole && can_scatter && !prefers_rows(work, mask)) {
         gather_fragments(work, triangle, block->x, block->y, RHW_BLOCK, mask);
         return;
     }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Varyings of a fragment: I = I_0 − (b·(I_0 − I_1) + c·(I_0 − I_2)), in float, with the weights of raster/plane.h.
-// Where the three vertices agree both differences are 0, and the constant survives bit for bit, −0 included.
+// Varyings of a fragment: I = I_0 − (b·(I_0 − I_1) + c·(I_0 − I_2)), in float, with the weights of raster/plane.h. Where
+// the three vertices agree both differences are 0, and the constant survives bit for bit, −0 included.
 #ifndef RHW_INTERPOLATE_H
 #define RHW_INTERPOLATE_H
 
@@ -13,11 +13,17 @@ RHW_INLINE f8 interpolate(f8 i0, f8 d1, f8 d2, f8 b, f8 c)
     return i0 - (b * d1 + c * d2);
 }
 
+// Which of the three vertices flat varyings come from.
+static inline int provoking_vertex(const struct rhw_pipeline_data *pipeline)
+{
+    return pipeline->def.provoking == RHW_PROVOKING_FIRST ? 0 : 2;
+}
+
 static void set_values(struct triangle_work *triangle, const struct rhw_pipeline_data *pipeline)
 {
     const float *const a = triangle->v[0]->varyings, *const b = triangle->v[1]->varyings,
                        *const c = triangle->v[2]->varyings;
-    triangle->provoking = pipeline->def.provoking == RHW_PROVOKING_FIRST ? a : c;
+    triangle->provoking = triangle->v[provoking_vertex(pipeline)]->varyings;
     for (int i = 0; i < pipeline->varying_components; i++) {
         triangle->i0[i] = a[i];
         triangle->d1[i] = a[i] - b[i];
@@ -35,10 +41,25 @@ struct group_weights {
     f8 b[RHW_BLOCK], c[RHW_BLOCK];
 };
 
-// Sets the smooth varyings of `count` groups, those of the first at `varyings`.
-RHW_INLINE void interpolate_groups(f8 *varyings, ptrdiff_t components, const struct triangle_work *triangle,
-                                   const struct group_weights *weights, int count)
+// Sets the flat varyings of `count` groups, over what stands there.
+RHW_INLINE void set_flat_groups(f8 *varyings, const struct rhw_pipeline_data *pipeline,
+                                const struct triangle_work *triangle, int count)
 {
+    for (int i = 0; i < pipeline->flat_count; i++) {
+        const int component = pipeline->flat_component[i];
+        f8 *to = varyings + component;
+        for (int n = 0; n < count; n++, to += pipeline->varying_components) {
+            *to = f8_splat(triangle->provoking[component]);
+        }
+    }
+}
+
+// Sets smooth and flat varyings of `count` groups, those of the first at `varyings`.
+RHW_INLINE void interpolate_groups(f8 *varyings, const struct rhw_pipeline_data *pipeline,
+                                   const struct triangle_work *triangle, const struct group_weights *weights,
+                                   int count)
+{
+    const ptrdiff_t components = pipeline->varying_components;
     for (int i = 0; i < components; i++) {
         const f8 i0 = f8_splat(triangle->i0[i]), d1 = f8_splat(triangle->d1[i]),
                  d2 = f8_splat(triangle->d2[i]);
@@ -47,6 +68,27 @@ RHW_INLINE void interpolate_groups(f8 *varyings, ptrdiff_t components, const str
             *to = interpolate(i0, d1, d2, weights->b[n], weights->c[n]);
         }
     }
+    set_flat_groups(varyings, pipeline, triangle, count);
+}
+
+// Sets noperspective ones too; `screen` has the weights on the screen, where they are wanted.
+RHW_INLINE void interpolate_any_groups(f8 *varyings, const struct rhw_pipeline_data *pipeline,
+                                       const struct triangle_work *triangle,
+                                       const struct group_weights *weights,
+                                       const struct group_weights *screen, int count)
+{
+    const ptrdiff_t components = pipeline->varying_components;
+    for (int i = 0; i < components; i++) {
+        const bool on_screen = pipeline->component_qualifier[i] == RHW_NOPERSPECTIVE;
+        const struct group_weights *const w = on_screen ? screen : weights;
+        const f8 i0 = f8_splat(triangle->i0[i]), d1 = f8_splat(triangle->d1[i]),
+                 d2 = f8_splat(triangle->d2[i]);
+        f8 *to = varyings + i;
+        for (int n = 0; n < count; n++, to += components) {
+            *to = interpolate(i0, d1, d2, w->b[n], w->c[n]);
+        }
+    }
+    set_flat_groups(varyings, pipeline, triangle, count);
 }
 
 // Noperspective varyings of a triangle with a vertex that is not snapped. Weights on the screen may have any size and

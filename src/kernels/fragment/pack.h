@@ -35,28 +35,62 @@ static void pack_identity(struct rhw_fragment *group, uint32_t uses,
     }
 }
 
+// Weights of the 8 fragments, lane by lane: in space, and on the screen where they are wanted.
+struct packed_weights {
+    float b[8], c[8], s[8], t[8];
+};
+
 // Gives components i .. i + 7 of the 8 fragments, a vector for each. A vertex record is padded to whole vectors.
-RHW_INLINE void pack_components(const struct packed_triangle *const triangle[8], int i, const float b[8],
-                                const float c[8], f8 out[8])
+RHW_INLINE void pack_smooth(const struct packed_triangle *const triangle[8], int i,
+                            const struct packed_weights *w, f8 out[8])
 {
     for (int lane = 0; lane < 8; lane++) {
         const float *const *const v = triangle[lane]->varyings;
         const f8 i0 = f8_load(v[0] + i), d1 = i0 - f8_load(v[1] + i), d2 = i0 - f8_load(v[2] + i);
-        out[lane] = interpolate(i0, d1, d2, f8_splat(b[lane]), f8_splat(c[lane]));
+        out[lane] = interpolate(i0, d1, d2, f8_splat(w->b[lane]), f8_splat(w->c[lane]));
+    }
+    f8_transpose(out);
+}
+
+// Does so with any qualifiers.
+RHW_INLINE void pack_qualified(const struct packed_triangle *const triangle[8], int i,
+                               const struct packed_weights *w, const struct rhw_pipeline_data *pipeline,
+                               f8 out[8])
+{
+    const i8 flat = i8_load(pipeline->flat_mask + i), screen = i8_load(pipeline->noperspective_mask + i);
+    for (int lane = 0; lane < 8; lane++) {
+        const float *const *const v = triangle[lane]->varyings;
+        const f8 i0 = f8_load(v[0] + i), d1 = i0 - f8_load(v[1] + i), d2 = i0 - f8_load(v[2] + i);
+        const f8 b = f8_select(screen, f8_splat(w->s[lane]), f8_splat(w->b[lane]));
+        const f8 c = f8_select(screen, f8_splat(w->t[lane]), f8_splat(w->c[lane]));
+        out[lane] = f8_select(flat, f8_load(triangle[lane]->provoking + i), interpolate(i0, d1, d2, b, c));
+    }
+    f8_transpose(out);
+}
+
+RHW_INLINE void pack_flat(const struct packed_triangle *const triangle[8], int i, f8 out[8])
+{
+    for (int lane = 0; lane < 8; lane++) {
+        out[lane] = f8_load(triangle[lane]->provoking + i);
     }
     f8_transpose(out);
 }
 
 // Sets all components of group g.
-static void pack_varyings(struct tile_work *work, int g, const struct weights *weights)
+static void pack_varyings(struct tile_work *work, int g, const struct packed_weights *weights)
 {
-    const int components = work->pipeline->varying_components;
-    float b[8], c[8];
-    f8_store(b, weights->b);
-    f8_store(c, weights->c);
+    const struct rhw_pipeline_data *const pipeline = work->pipeline;
+    const struct packed_triangle *const *const triangle = work->scratch->partial.triangle;
+    const int components = pipeline->varying_components;
     for (int i = 0; i < components; i += 8) {
         f8 lanes[8];
-        pack_components(work->scratch->partial.triangle, i, b, c, lanes);
+        if (pipeline->vector_qualifier[i / 8] == RHW_VECTOR_SMOOTH) {
+            pack_smooth(triangle, i, weights, lanes);
+        } else if (pipeline->vector_qualifier[i / 8] == RHW_VECTOR_FLAT) {
+            pack_flat(triangle, i, lanes);
+        } else {
+            pack_qualified(triangle, i, weights, pipeline, lanes);
+        }
         f8 *const out = work->scratch->queue.varyings + g * components + i;
         if (i + 8 <= components) {
             memcpy(out, lanes, sizeof lanes);
@@ -90,32 +124,112 @@ static void pack_derivatives(struct tile_work *work, int g, d8 inverse_s)
     }
 }
 
-// Queues the partial group; `bits`: the lanes that are not repetitions.
-static void pack_group(struct tile_work *work, unsigned bits)
+// Sets derivatives of components that are not smooth: they are the same all over a triangle.
+static void pack_constant_derivatives(struct tile_work *work, int g)
+{
+    const struct rhw_pipeline_data *const pipeline = work->pipeline;
+    const struct packed_triangle *const *const triangle = work->scratch->partial.triangle;
+    f8 *const ddx = work->scratch->queue.ddx + g * pipeline->varying_components;
+    f8 *const ddy = work->scratch->queue.ddy + g * pipeline->varying_components;
+    for (int i = 0; i < pipeline->varying_components; i++) {
+        if (!pipeline->component_derivatives[i] || pipeline->component_qualifier[i] == RHW_SMOOTH) {
+            continue;
+        }
+        ddx[i] = ddy[i] = f8_splat(0);
+        for (int lane = 0; lane < 8 && pipeline->component_qualifier[i] == RHW_NOPERSPECTIVE; lane++) {
+            const struct packed_triangle *const t = triangle[lane];
+            const struct screen_derivative d = screen_derivative(&t->n1, &t->n2, t->varyings, i);
+            ddx[i][lane] = d.by_x;
+            ddy[i][lane] = d.by_y;
+        }
+    }
+}
+
+static void pack_barycentric_derivatives(struct tile_work *work, struct rhw_fragment *group, d8 squared)
+{
+    const struct partial_group *const partial = &work->scratch->partial;
+    d4 value[8];
+    for (int lane = 0; lane < 8; lane++) {
+        value[lane] = numerators(&partial->triangle[lane]->weights, partial->step[lane]);
+    }
+    d8 lanes[4]; // of b by x and by y, of c by x and by y
+    quantity_lanes(value, lanes);
+    fill_barycentrics(group->barycentric_ddx, 0, derivative_of(lanes[0], squared),
+                      derivative_of(lanes[2], squared));
+    fill_barycentrics(group->barycentric_ddy, 0, derivative_of(lanes[1], squared),
+                      derivative_of(lanes[3], squared));
+}
+
+// Sets what groups of RHW_SHADING_ANY have beside smooth varyings and their derivatives.
+static __attribute__((noinline)) void pack_any(struct tile_work *work, int g, const struct weights *weights,
+                                               struct packed_weights *lanes)
+{
+    const uint32_t uses = work->pipeline->def.program.uses;
+    struct rhw_fragment *const group = &work->scratch->queue.groups[g];
+    d8 screen[4] = {{{0}, {0}}}; // s and t
+    if (work->plan.needs_screen) {
+        quantity_lanes(work->scratch->partial.screen, screen);
+    }
+    const f8 s = f8_from_d8(screen[0]), t = f8_from_d8(screen[1]);
+    f8_store(lanes->s, s);
+    f8_store(lanes->t, t);
+    pack_varyings(work, g, lanes);
+    if (work->pipeline->any_derivatives) {
+        pack_constant_derivatives(work, g);
+    }
+    if (uses & RHW_USE_BARYCENTRIC_DERIVATIVES) {
+        pack_barycentric_derivatives(work, group, d8_mul(weights->inverse_s, weights->inverse_s));
+    }
+    if (uses & RHW_USE_COORD) {
+        fill_coordinates(work, group, i8_load(work->scratch->partial.texel), weights->s);
+    }
+    if (uses & RHW_USE_BARYCENTRIC) {
+        fill_barycentrics(group->barycentric, 1, weights->b, weights->c);
+        fill_barycentrics(group->barycentric_noperspective, 1, s, t);
+    }
+}
+
+// Takes a place in the queue for the partial group; `bits`: the lanes that are not repetitions.
+static int place_partial(struct tile_work *work, unsigned bits)
 {
     struct fragment_queue *const queue = &work->scratch->queue;
     struct partial_group *const partial = &work->scratch->partial;
     const int g = queue->count++;
-    struct rhw_fragment *const group = &queue->groups[g];
     memcpy(queue->texels[g], partial->texel, sizeof queue->texels[g]);
     queue->live[g] = (uint8_t)bits;
     queue->is_scattered[g] = true;
     queue->has_all_rows = false;
+    queue->groups[g].mask = i8_from_bits(bits);
     for (int i = 0; i < 8; i++) {
         partial->pixels[partial->texel[i] / RHW_TILE] = 0;
     }
     partial->count = 0;
-    group->mask = i8_from_bits(bits);
+    return g;
+}
+
+// Queues the partial group; `bits` as above.
+static void pack_group(struct tile_work *work, unsigned bits)
+{
+    const struct partial_group *const partial = &work->scratch->partial;
+    const int g = place_partial(work, bits);
+    struct rhw_fragment *const group = &work->scratch->queue.groups[g];
     d8 quantity[4];
     quantity_lanes(partial->quantities, quantity);
     const struct weights weights = weights_of(quantity[QUANTITY_S], d8_div(d8_splat(1), quantity[QUANTITY_S]),
                                               quantity[QUANTITY_B], quantity[QUANTITY_C]);
-    pack_varyings(work, g, &weights);
-    if (work->pipeline->any_derivatives) {
-        pack_derivatives(work, g, weights.inverse_s);
-    }
+    struct packed_weights lanes = {{0}, {0}, {0}, {0}};
+    f8_store(lanes.b, weights.b);
+    f8_store(lanes.c, weights.c);
     if (work->plan.keeps_depth) {
         group->depth = viewport_clamp(&work->scratch->depth, f8_from_d8(quantity[QUANTITY_Z]));
+    }
+    if (work->plan.shading == RHW_SHADING_ANY) {
+        pack_any(work, g, &weights, &lanes);
+    } else {
+        pack_varyings(work, g, &lanes);
+    }
+    if (work->pipeline->any_derivatives) {
+        pack_derivatives(work, g, weights.inverse_s);
     }
     pack_identity(group, work->pipeline->def.program.uses, partial->triangle);
     shade_if_full(work);
@@ -130,6 +244,7 @@ static __attribute__((noinline)) void release_partial(struct tile_work *work)
         partial->texel[i] = partial->texel[0];
         partial->triangle[i] = partial->triangle[0];
         partial->quantities[i] = partial->quantities[0];
+        partial->screen[i] = partial->screen[0];
         partial->step[i] = partial->step[0];
     }
     pack_group(work, 0xffu >> (8 - live));
@@ -166,13 +281,19 @@ static const struct packed_triangle *pack_triangle(struct tile_work *work, struc
     for (int i = 0; i < 3; i++) {
         to->varyings[i] = triangle->v[i]->varyings;
     }
-    if (pipeline->any_derivatives && triangle->has_values) {
+    to->provoking = to->varyings[provoking_vertex(pipeline)];
+    if (work->plan.needs_step && triangle->has_values) {
         memcpy(to->derivatives, triangle->derivatives,
                (size_t)pipeline->derivative_pairs * sizeof to->derivatives[0]);
-    } else if (pipeline->any_derivatives) {
+    } else if (work->plan.needs_step) {
         component_derivatives(to->derivatives, triangle, pipeline);
     }
-    if (work->plan.keeps_identity) {
+    if (work->plan.shading == RHW_SHADING_ANY) {
+        to->weights = triangle->planes.weights;
+        to->n1 = triangle->planes.n1;
+        to->n2 = triangle->planes.n2;
+    }
+    if (pipeline->def.program.uses & (RHW_USE_FACING | RHW_USE_IDS)) {
         const struct identity identity = identity_of(triangle);
         to->front_facing = identity.front_facing;
         to->primitive = identity.primitive;
@@ -182,9 +303,16 @@ static const struct packed_triangle *pack_triangle(struct tile_work *work, struc
     return to;
 }
 
+// What packing has to know of a fragment; a constant where a call names it.
+enum packed_parts {
+    PACKED_QUANTITIES, // the four that every fragment needs
+    PACKED_STEP,       // and where it is, for derivatives
+    PACKED_ANY         // and whatever the plan wants
+};
+
 // Adds a fragment at `texel` of a triangle whose planes are `planes`.
 RHW_INLINE void pack_fragment(struct tile_work *work, const struct quantity_planes *planes,
-                              const struct packed_triangle *packed, int texel, enum derivatives derivatives)
+                              const struct packed_triangle *packed, int texel, enum packed_parts parts)
 {
     struct partial_group *const partial = &work->scratch->partial;
     const double dx = texel % RHW_TILE - packed->anchor_x, dy = texel / RHW_TILE - packed->anchor_y;
@@ -193,8 +321,11 @@ RHW_INLINE void pack_fragment(struct tile_work *work, const struct quantity_plan
     partial->pixels[texel / RHW_TILE] |= (uint64_t)1 << texel % RHW_TILE;
     partial->triangle[n] = packed;
     partial->quantities[n] = quantity_values(planes, dx, dy);
-    if (derivatives == DERIVATIVES) {
+    if (parts != PACKED_QUANTITIES) {
         partial->step[n] = (d4){dy, dx, dy, dx};
+    }
+    if (parts == PACKED_ANY && work->plan.needs_screen) {
+        partial->screen[n] = (d4){plane_value(packed->n1, dx, dy), plane_value(packed->n2, dx, dy), 0, 0};
     }
     partial->count = n + 1;
     if (n + 1 == 8) {
@@ -203,11 +334,11 @@ RHW_INLINE void pack_fragment(struct tile_work *work, const struct quantity_plan
 }
 
 RHW_INLINE void pack_fragments(struct tile_work *work, const struct quantity_planes *planes,
-                               const struct packed_triangle *packed, enum derivatives derivatives)
+                               const struct packed_triangle *packed, enum packed_parts parts)
 {
     const struct gathered_fragments *const gathered = &work->scratch->gathered;
     for (int i = 0; i < gathered->count; i++) {
-        pack_fragment(work, planes, packed, gathered->texel[i], derivatives);
+        pack_fragment(work, planes, packed, gathered->texel[i], parts);
     }
 }
 
@@ -215,10 +346,12 @@ RHW_INLINE void pack_fragments(struct tile_work *work, const struct quantity_pla
 static void pack_gathered(struct tile_work *work, struct triangle_work *triangle)
 {
     const struct packed_triangle *const packed = pack_triangle(work, triangle);
-    if (work->pipeline->any_derivatives) {
-        pack_fragments(work, &triangle->planes.quantities, packed, DERIVATIVES);
+    if (work->plan.shading == RHW_SHADING_ANY) {
+        pack_fragments(work, &triangle->planes.quantities, packed, PACKED_ANY);
+    } else if (work->pipeline->any_derivatives) {
+        pack_fragments(work, &triangle->planes.quantities, packed, PACKED_STEP);
     } else {
-        pack_fragments(work, &triangle->planes.quantities, packed, NO_DERIVATIVES);
+        pack_fragments(work, &triangle->planes.quantities, packed, PACKED_QUANTITIES);
     }
     work->scratch->gathered.count = 0;
 }

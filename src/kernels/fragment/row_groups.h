@@ -46,7 +46,7 @@ static void set_inputs(const struct tile_work *work, struct triangle_work *trian
 {
     const struct rhw_pipeline_data *const pipeline = work->pipeline;
     set_values(triangle, pipeline);
-    if (pipeline->any_derivatives || pipeline->def.program.uses & RHW_USE_BARYCENTRIC_DERIVATIVES) {
+    if (work->plan.needs_step) {
         component_derivatives(triangle->derivatives, triangle, pipeline);
     }
     triangle->has_values = true;
@@ -64,58 +64,74 @@ static void fill_barycentric_derivatives(struct rhw_fragment *group, const struc
     fill_barycentrics(group->barycentric_ddy, 0, b_dy, c_dy);
 }
 
-// Fills one group with everything that a fragment function may ask for.
-static void fill_any_group(const struct tile_work *work, int g, const struct triangle_work *triangle,
-                           const struct block_planes *planes, const struct block *block, int row)
+// Where the 8 fragments of a group are, and the weights of their triangle there.
+struct group_place {
+    i8 texels; // of the tile
+    struct anchor_offset at;
+    struct weights weights;
+    struct screen_weights screen; // where they are wanted
+};
+
+// Sets what a group gets beside varyings and depth.
+static void fill_builtins(const struct tile_work *work, int g, const struct triangle_work *triangle,
+                          const struct group_place *place)
 {
     const struct rhw_pipeline_data *const pipeline = work->pipeline;
     const uint32_t uses = pipeline->def.program.uses;
     struct fragment_queue *const queue = &work->scratch->queue;
     struct rhw_fragment *const group = &queue->groups[g];
-    const bool is_exact = triangle->planes.kind == PLANES_EXACT;
-    struct weights w =
-        weights_of_row(&triangle->planes, planes, row, is_exact ? WEIGHTS_EXACT : WEIGHTS_PER_PIXEL);
-    struct screen_weights screen = screen_weights_of_row(&triangle->planes, planes, row);
-    if (block->leaves_triangle) {
-        struct clipped_row clipped;
-        clipped_row_set(&clipped, &triangle->planes, triangle->clipped, &block->at, row);
-        clipped_row_replace(&clipped, &w, &screen);
-    }
-    interpolate_any(queue->varyings + g * pipeline->varying_components, pipeline, triangle, &w, &screen);
-    double dy[RHW_BLOCK];
-    memcpy(dy, &block->at.dy, sizeof dy);
-    const struct anchor_offset at = {block->at.dx, d8_splat(dy[row])};
-    const d8 squared = d8_mul(w.inverse_s, w.inverse_s);
-    if (pipeline->any_derivatives) {
-        smooth_derivatives(queue, g, pipeline, triangle->derivatives, &at, squared);
+    const struct weights *const w = &place->weights;
+    if (work->plan.needs_step) {
+        const d8 squared = d8_mul(w->inverse_s, w->inverse_s);
+        smooth_derivatives(queue, g, pipeline, triangle->derivatives, &place->at, squared);
         constant_derivatives(queue, g, pipeline, triangle);
-    }
-    if (uses & RHW_USE_BARYCENTRIC_DERIVATIVES) {
-        fill_barycentric_derivatives(group, &triangle->planes.weights, &at, squared);
+        if (uses & RHW_USE_BARYCENTRIC_DERIVATIVES) {
+            fill_barycentric_derivatives(group, &triangle->planes.weights, &place->at, squared);
+        }
     }
     if (uses & RHW_USE_COORD) {
-        fill_coordinates(work, group, block->x, block->y + row, w.s);
+        fill_coordinates(work, group, place->texels, w->s);
     }
     if (uses & RHW_USE_BARYCENTRIC) {
-        fill_barycentrics(group->barycentric, 1, w.b, w.c);
-        fill_barycentrics(group->barycentric_noperspective, 1, f8_from_d8(screen.s), f8_from_d8(screen.t));
+        const f8 s = f8_from_d8(place->screen.s), t = f8_from_d8(place->screen.t);
+        fill_barycentrics(group->barycentric, 1, w->b, w->c);
+        fill_barycentrics(group->barycentric_noperspective, 1, s, t);
     }
     fill_identity(group, uses, triangle);
 }
 
 // Fills the groups from `first` on with the rows of a block.
-static __attribute__((noinline)) void fill_any_groups(const struct tile_work *work,
-                                                      const struct triangle_work *triangle,
-                                                      const struct block *block,
-                                                      const struct block_rows *rows, int first)
+static __attribute__((noinline)) void fill_any_rows(const struct tile_work *work,
+                                                    const struct triangle_work *triangle,
+                                                    const struct block *block, const struct block_rows *rows,
+                                                    int first)
 {
     const struct planes *const planes = &triangle->planes;
+    const enum weight_path path = planes->kind == PLANES_EXACT ? WEIGHTS_EXACT : WEIGHTS_PER_PIXEL;
     struct block_planes over;
-    block_weights(&over, planes, &block->at,
-                  planes->kind == PLANES_EXACT ? WEIGHTS_EXACT : WEIGHTS_PER_PIXEL);
-    block_screen_weights(&over, planes, &block->at);
+    struct group_place place = {.at.dx = block->at.dx};
+    double dy[RHW_BLOCK];
+    memcpy(dy, &block->at.dy, sizeof dy);
+    block_weights(&over, planes, &block->at, path);
+    if (work->plan.needs_screen) {
+        block_screen_weights(&over, planes, &block->at);
+    }
     for (int n = 0; n < rows->count; n++) {
-        fill_any_group(work, first + n, triangle, &over, block, rows->row[n]);
+        const int row = rows->row[n];
+        place.texels = i8_splat((block->y + row) * RHW_TILE + block->x) + rhw_lane_index;
+        place.at.dy = d8_splat(dy[row]);
+        place.weights = weights_of_row(planes, &over, row, path);
+        if (work->plan.needs_screen) {
+            place.screen = screen_weights_of_row(planes, &over, row);
+        }
+        if (block->leaves_triangle) {
+            struct clipped_row clipped;
+            clipped_row_set(&clipped, planes, triangle->clipped, &block->at, row);
+            clipped_row_replace(&clipped, &place.weights, &place.screen);
+        }
+        interpolate_any(work->scratch->queue.varyings + (first + n) * work->pipeline->varying_components,
+                        work->pipeline, triangle, &place.weights, &place.screen);
+        fill_builtins(work, first + n, triangle, &place);
     }
 }
 
@@ -168,7 +184,7 @@ RHW_INLINE void fill_steps(const struct tile_work *work, const struct triangle_w
                 squared[n + k] = d8_mul(w.inverse_s, w.inverse_s);
             }
         }
-        interpolate_groups(work->scratch->queue.varyings + (first + n) * components, components, triangle,
+        interpolate_groups(work->scratch->queue.varyings + (first + n) * components, work->pipeline, triangle,
                            &weights, count);
     }
     if (derivatives == DERIVATIVES) {
@@ -244,8 +260,8 @@ RHW_INLINE void queue_rows(struct tile_work *work, struct triangle_work *triangl
     if (work->plan.keeps_depth || work->plan.keeps_identity) {
         fill_kept(work, triangle, block, rows, queue->count);
     }
-    if (work->plan.shading == RHW_SHADING_ROWS || block->leaves_triangle) {
-        fill_any_groups(work, triangle, block, rows, queue->count);
+    if (work->plan.shading != RHW_SHADING_SMOOTH || block->leaves_triangle) {
+        fill_any_rows(work, triangle, block, rows, queue->count);
     } else if (work->pipeline->any_derivatives) {
         fill_rows(work, triangle, &block->at, rows, DERIVATIVES);
     } else if (work->pipeline->varying_components != 0) {

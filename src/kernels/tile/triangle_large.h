@@ -13,25 +13,6 @@
 
 // Planes -----------------------------------------------------------------------------------------------
 
-static struct setup_input4 setup_input(const struct triangle_work *triangle,
-                                       const struct rhw_draw_state *state)
-{
-    const struct rhw_triangle *const t = triangle->t;
-    struct setup_input4 input = {.x1 = d4_splat(t->x_24_8[1] - t->x_24_8[0]),
-                                 .y1 = d4_splat(t->y_24_8[1] - t->y_24_8[0]),
-                                 .x2 = d4_splat(t->x_24_8[2] - t->x_24_8[0]),
-                                 .y2 = d4_splat(t->y_24_8[2] - t->y_24_8[0]),
-                                 .px = d4_splat(sample_from_position(t->x_24_8[0])),
-                                 .py = d4_splat(sample_from_position(t->y_24_8[0])),
-                                 .depth_low = d4_splat(state->depth_low),
-                                 .depth_span = d4_splat(state->depth_span)};
-    for (int i = 0; i < 3; i++) {
-        input.z[i] = d4_splat((double)triangle->v[i]->position[2]);
-        input.w[i] = d4_splat((double)triangle->v[i]->position[3]);
-    }
-    return input;
-}
-
 static void set_planes(const struct tile_work *work, struct triangle_work *triangle)
 {
     const struct triangle_setup8 *const setup = triangle->setup;
@@ -49,11 +30,12 @@ static void set_planes(const struct tile_work *work, struct triangle_work *trian
     planes->is_homogeneous = false;
     planes->quantities = setup->quantities[i];
     planes->inverse_area = setup->inverse_area[i];
-    if (planes->kind == PLANES_EXACT || triangle->clipped || work->plan.shading == RHW_SHADING_ROWS) {
+    if (planes->kind == PLANES_EXACT || triangle->clipped) {
         const struct setup_input4 input = setup_input(triangle, work->state);
         setup_factors(&planes->factors, &input);
-        planes->n1 = plane_scale(planes->inverse_area, planes->factors.e1);
-        planes->n2 = plane_scale(planes->inverse_area, planes->factors.e2);
+    }
+    if (triangle->clipped || work->plan.needs_screen) {
+        set_screen_planes(triangle);
     }
     if (triangle->clipped) {
         planes_clipped_snapped(planes, triangle->clipped, work->state, triangle->v);

@@ -7,6 +7,7 @@
 #include "../raster/coverage.h"
 #include "../raster/plane_setup.h"
 #include "../raster/sample_position.h"
+#include "../triangle_work.h"
 #include "bin_reader.h"
 
 // These are pixels of the tile; x1 and y1 are exclusive.
@@ -146,6 +147,45 @@ RHW_INLINE void setup_planes8(struct triangle_setup8 *setup, const struct triang
     setup_planes_at(setup, 0, &first);
     setup_planes_at(setup, 4, &second);
 }
+
+// One triangle by itself ---------------------------------------------------------------------------------
+
+// In all lanes, without W and depth.
+static inline struct setup_input4 setup_positions(const struct rhw_triangle *t)
+{
+    return (struct setup_input4){.x1 = d4_splat(t->x_24_8[1] - t->x_24_8[0]),
+                                 .y1 = d4_splat(t->y_24_8[1] - t->y_24_8[0]),
+                                 .x2 = d4_splat(t->x_24_8[2] - t->x_24_8[0]),
+                                 .y2 = d4_splat(t->y_24_8[2] - t->y_24_8[0]),
+                                 .px = d4_splat(sample_from_position(t->x_24_8[0])),
+                                 .py = d4_splat(sample_from_position(t->y_24_8[0]))};
+}
+
+static inline struct setup_input4 setup_input(const struct triangle_work *triangle,
+                                              const struct rhw_draw_state *state)
+{
+    struct setup_input4 input = setup_positions(triangle->t);
+    input.depth_low = d4_splat(state->depth_low);
+    input.depth_span = d4_splat(state->depth_span);
+    for (int i = 0; i < 3; i++) {
+        input.z[i] = d4_splat((double)triangle->v[i]->position[2]);
+        input.w[i] = d4_splat((double)triangle->v[i]->position[3]);
+    }
+    return input;
+}
+
+// Sets the planes of the weights on the screen.
+static __attribute__((noinline)) void set_screen_planes(struct triangle_work *triangle)
+{
+    struct planes *const planes = &triangle->planes;
+    const struct setup_input4 input = setup_positions(triangle->t);
+    struct setup_output4 out;
+    setup_edges4(&out, &input);
+    planes->n1 = plane_scale(planes->inverse_area, plane_of_lane(&out.e1, 0));
+    planes->n2 = plane_scale(planes->inverse_area, plane_of_lane(&out.e2, 0));
+}
+
+// Eight -------------------------------------------------------------------------------------------------
 
 // Sets up the triangles that were read.
 static void setup_triangles8(struct triangle_setup8 *setup, const struct tile_work *work,

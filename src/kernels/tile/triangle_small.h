@@ -12,7 +12,7 @@
 #include "span_blocks.h"
 
 // Copies what shading needs of the planes from the setup.
-RHW_INLINE void copy_planes(struct triangle_work *triangle)
+RHW_INLINE void copy_planes(const struct tile_work *work, struct triangle_work *triangle)
 {
     const struct triangle_setup8 *const setup = triangle->setup;
     struct planes *const planes = &triangle->planes;
@@ -25,6 +25,9 @@ RHW_INLINE void copy_planes(struct triangle_work *triangle)
     planes->quantities = setup->quantities[i];
     planes->inverse_area = setup->inverse_area[i];
     triangle->has_planes = true;
+    if (work->plan.needs_screen) {
+        set_screen_planes(triangle);
+    }
 }
 
 // Of the pixels of the block at (x, y) that passed the early test, `mask`, those that are to be shaded: they are
@@ -40,7 +43,7 @@ RHW_INLINE uint64_t ready_pixels(struct tile_work *work, struct triangle_work *t
     }
     work->counters->fragments += (uint64_t)__builtin_popcountll(mask);
     if (!triangle->has_planes) {
-        copy_planes(triangle);
+        copy_planes(work, triangle);
     }
     return mask;
 }
