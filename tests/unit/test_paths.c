@@ -120,7 +120,8 @@ static void choose_state(struct rig *rig, const struct recipe *recipe, uint64_t 
     choose_program(rig, seed);
     rig->pipeline.depth_test = recipe->has_depth && rig_random_int(seed, 8) != 0;
     rig->pipeline.depth_write = rig_random_int(seed, 6) != 0;
-    const int compare = rig_random_int(seed, 16); // LESS as a rule: what follows from it goes on over some draws
+    const int compare =
+        rig_random_int(seed, 16); // LESS as a rule: what follows from it goes on over some draws
     rig->pipeline.depth_compare = compare < 8 ? (enum rhw_compare)compare : RHW_COMPARE_LESS;
     rig->pipeline.provoking = rig_random_int(seed, 2) == 0 ? RHW_PROVOKING_FIRST : RHW_PROVOKING_LAST;
     rig->pipeline.cull = (enum rhw_cull)(rig_random_int(seed, 6) == 0 ? 1 + rig_random_int(seed, 2) : 0);
@@ -179,12 +180,9 @@ static void choose_area(struct rig *rig, uint64_t *seed)
         rhw_pass_set_scissor(rig->context, rig->recording, &scissor);
     }
     if (rig_random_int(seed, 6) == 0) {
-        const struct rhw_viewport viewport = {rig_random_float(seed, -30, 30),
-                                              rig_random_float(seed, -30, 30),
-                                              rig_random_float(seed, 50, 200),
-                                              rig_random_float(seed, 50, 200),
-                                              rig_random_float(seed, 0, 1),
-                                              rig_random_float(seed, 0, 1)};
+        const struct rhw_viewport viewport = {
+            rig_random_float(seed, -30, 30), rig_random_float(seed, -30, 30), rig_random_float(seed, 50, 200),
+            rig_random_float(seed, 50, 200), rig_random_float(seed, 0, 1),    rig_random_float(seed, 0, 1)};
         rhw_pass_set_viewport(rig->context, rig->recording, &viewport);
     }
 }
