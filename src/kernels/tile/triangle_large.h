@@ -77,11 +77,11 @@ RHW_INLINE uint64_t test_depth(struct tile_work *work, const struct triangle_wor
 {
     struct tile_depth *const depth = &work->scratch->depth;
     const struct planes *const planes = &triangle->planes;
-    // Blocks of spans start anywhere; only those at multiples of 8 have a bound.
-    const bool is_whole = mask == ~(uint64_t)0 && ((block->x | block->y) & (RHW_BLOCK - 1)) == 0;
+    const bool is_whole = mask == ~(uint64_t)0;
     mask = test_block_early(depth, block->z, block->x, block->y, mask, &work->plan);
+    // Blocks of spans start anywhere; only those at multiples of 8 have a bound.
     if (is_whole && work->tests_bounds && work->plan.early.write && !block->leaves_triangle &&
-        planes->kind == PLANES_LINEAR) {
+        planes->kind == PLANES_LINEAR && ((block->x | block->y) & (RHW_BLOCK - 1)) == 0) {
         hiz_cover(depth, plane_of(&planes->quantities, QUANTITY_Z), planes->anchor_x - work->x,
                   planes->anchor_y - work->y, block->x, block->y);
     }
