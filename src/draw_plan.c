@@ -111,7 +111,7 @@ static struct rhw_draw_plan plan_of(const struct rhw_pipeline_data *pipeline, en
     plan.keeps_identity = plan.shading == RHW_SHADING_SMOOTH && uses & (RHW_USE_FACING | RHW_USE_IDS);
     const bool screen = pipeline->any_noperspective || uses & RHW_USE_BARYCENTRIC;
     plan.needs_screen = plan.shading == RHW_SHADING_ROWS || (plan.shading == RHW_SHADING_ANY && screen);
-    plan.needs_step = shades && (pipeline->any_derivatives || uses & RHW_USE_BARYCENTRIC_DERIVATIVES);
+    plan.needs_distance = shades && (pipeline->any_derivatives || uses & RHW_USE_BARYCENTRIC_DERIVATIVES);
     if (paths != RHW_PATHS_GENERAL && !plan.is_skipped) {
         plan.small_flag = plan.shading == RHW_SHADING_CONSTANT ? 0 : RHW_TRIANGLE_SMALL;
         plan.span_flag = RHW_TRIANGLE_SMALL;

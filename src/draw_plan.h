@@ -75,7 +75,7 @@ struct rhw_draw_plan {
     bool keeps_depth;    // groups carry it
     bool keeps_identity; // groups of RHW_SHADING_SMOOTH carry facing or ids
     bool needs_screen;   // weights on the screen are wanted
-    bool needs_step;     // derivatives that change from pixel to pixel are wanted
+    bool needs_distance; // derivatives that change from pixel to pixel are wanted
     bool is_skipped;     // nothing is drawn in this phase
     // RHW_TRIANGLE_SMALL where small triangles have a path of their own (kernels/tile/triangle_small.h), and where
     // those that do not take it are covered by spans; else 0.

@@ -29,7 +29,7 @@ static double milliseconds(uint64_t ns)
 static void init_tile_scratch(struct rhw_tile_scratch *scratch)
 {
     memset(scratch, 0, sizeof *scratch);
-    scratch->queue.has_all_rows = true;
+    scratch->queue.only_full_rows = true;
     for (int bits = 0; bits < 256; bits++) {
         int count = 0;
         for (int lane = 0; lane < 8; lane++) {

@@ -84,6 +84,12 @@ struct rhw_pass_state {
     struct rhw_mip transient_depth; // keeps depth between waves when the pass has no depth texture
 };
 
+// Special paths are faster for some triangles or vertices; the general path takes all of them. Both draw the same bytes.
+static inline bool rhw_pass_takes_special_paths(const struct rhw_pass_state *pass)
+{
+    return pass->paths != RHW_PATHS_GENERAL;
+}
+
 static inline struct rhw_draw *rhw_pass_draw_at(const struct rhw_pass_state *pass, uint32_t i)
 {
     return rhw_draw_list_at(&pass->draws, i);

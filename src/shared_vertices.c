@@ -8,7 +8,6 @@
 #include "assembly.h"
 #include "constants.h"
 #include "format.h"
-#include "kernels/paths.h"
 #include "pass_state.h"
 #include "pipeline.h"
 
@@ -122,7 +121,7 @@ static struct rhw_shared_part *list_parts(struct rhw_shared_part *part, const st
 bool rhw_shared_vertices_find(struct rhw_pass_state *pass, size_t most, struct rhw_shared_parts *wave)
 {
     *wave = (struct rhw_shared_parts){0};
-    if (!pass->has_large_draws || pass->chunk_count == 0 || !takes_special_paths(pass)) {
+    if (!pass->has_large_draws || pass->chunk_count == 0 || !rhw_pass_takes_special_paths(pass)) {
         return true;
     }
     const struct rhw_chunk *const last = &pass->chunks[pass->chunk_count - 1];

@@ -33,8 +33,8 @@ struct fragment_queue {
     bool is_scattered[RHW_FRAGMENT_GROUPS + RHW_BLOCK]; // its lanes lie anywhere: `texels` tells where
     uint8_t live[RHW_FRAGMENT_GROUPS + RHW_BLOCK];      // a bit per lane
     int32_t texels[RHW_FRAGMENT_GROUPS][8];
-    int count;         // groups
-    bool has_all_rows; // every group is 8 live pixels in a row
+    int count;           // groups
+    bool only_full_rows; // every group is 8 live pixels in a row
     f8 varyings[RHW_FRAGMENT_GROUPS * RHW_MAX_VARYING_COMPONENTS];
     f8 ddx[RHW_FRAGMENT_GROUPS * RHW_MAX_VARYING_COMPONENTS];
     f8 ddy[RHW_FRAGMENT_GROUPS * RHW_MAX_VARYING_COMPONENTS];
@@ -66,7 +66,8 @@ struct partial_group {
     const struct packed_triangle *triangle[8];
     d4 quantities[8];
     d4 screen[8]; // weights on the screen of vertices 1 and 2, where they are wanted
-    d4 step[8]; // pixels from the anchor, as struct derivative_pair has them: down, to the right, down, to the right
+    d4 distance
+        [8]; // pixels from the anchor, as struct derivative_pair has them: down, to the right, down, to the right
     uint64_t pixels[RHW_TILE]; // by row, a bit per pixel: those that wait
     struct packed_triangle triangles[RHW_PACKED_TRIANGLES];
 };

@@ -109,7 +109,7 @@ static void queue_scattered(struct tile_work *work, struct triangle_work *triang
         } else {
             fill_scattered(work, triangle, texel, n, NO_DERIVATIVES);
         }
-        queue->has_all_rows = false;
+        queue->only_full_rows = false;
         queue->count = first + n;
         shade_if_full(work);
         count -= n;

@@ -113,7 +113,7 @@ static void pack_derivatives(struct tile_work *work, int g, d8 inverse_s)
         const uint8_t *const component = pipeline->derivative_component[pair];
         d4 value[8];
         for (int lane = 0; lane < 8; lane++) {
-            value[lane] = numerators(&partial->triangle[lane]->derivatives[pair], partial->step[lane]);
+            value[lane] = numerators(&partial->triangle[lane]->derivatives[pair], partial->distance[lane]);
         }
         d8 lanes[4];
         quantity_lanes(value, lanes);
@@ -150,7 +150,7 @@ static void pack_barycentric_derivatives(struct tile_work *work, struct rhw_frag
     const struct partial_group *const partial = &work->scratch->partial;
     d4 value[8];
     for (int lane = 0; lane < 8; lane++) {
-        value[lane] = numerators(&partial->triangle[lane]->weights, partial->step[lane]);
+        value[lane] = numerators(&partial->triangle[lane]->weights, partial->distance[lane]);
     }
     d8 lanes[4]; // of b by x and by y, of c by x and by y
     quantity_lanes(value, lanes);
@@ -198,7 +198,7 @@ static int place_partial(struct tile_work *work, unsigned bits)
     memcpy(queue->texels[g], partial->texel, sizeof queue->texels[g]);
     queue->live[g] = (uint8_t)bits;
     queue->is_scattered[g] = true;
-    queue->has_all_rows = false;
+    queue->only_full_rows = false;
     queue->groups[g].mask = i8_from_bits(bits);
     for (int i = 0; i < 8; i++) {
         partial->pixels[partial->texel[i] / RHW_TILE] = 0;
@@ -245,7 +245,7 @@ static __attribute__((noinline)) void release_partial(struct tile_work *work)
         partial->triangle[i] = partial->triangle[0];
         partial->quantities[i] = partial->quantities[0];
         partial->screen[i] = partial->screen[0];
-        partial->step[i] = partial->step[0];
+        partial->distance[i] = partial->distance[0];
     }
     pack_group(work, 0xffu >> (8 - live));
 }
@@ -282,10 +282,10 @@ static const struct packed_triangle *pack_triangle(struct tile_work *work, struc
         to->varyings[i] = triangle->v[i]->varyings;
     }
     to->provoking = to->varyings[provoking_vertex(pipeline)];
-    if (work->plan.needs_step && triangle->has_values) {
+    if (work->plan.needs_distance && triangle->has_values) {
         memcpy(to->derivatives, triangle->derivatives,
                (size_t)pipeline->derivative_pairs * sizeof to->derivatives[0]);
-    } else if (work->plan.needs_step) {
+    } else if (work->plan.needs_distance) {
         component_derivatives(to->derivatives, triangle, pipeline);
     }
     if (work->plan.shading == RHW_SHADING_ANY) {
@@ -306,7 +306,7 @@ static const struct packed_triangle *pack_triangle(struct tile_work *work, struc
 // What packing has to know of a fragment; a constant where a call names it.
 enum packed_parts {
     PACKED_QUANTITIES, // the four that every fragment needs
-    PACKED_STEP,       // and where it is, for derivatives
+    PACKED_DISTANCE,   // and where it is, for derivatives
     PACKED_ANY         // and whatever the plan wants
 };
 
@@ -322,7 +322,7 @@ RHW_INLINE void pack_fragment(struct tile_work *work, const struct quantity_plan
     partial->triangle[n] = packed;
     partial->quantities[n] = quantity_values(planes, dx, dy);
     if (parts != PACKED_QUANTITIES) {
-        partial->step[n] = (d4){dy, dx, dy, dx};
+        partial->distance[n] = (d4){dy, dx, dy, dx};
     }
     if (parts == PACKED_ANY && work->plan.needs_screen) {
         partial->screen[n] = (d4){plane_value(packed->n1, dx, dy), plane_value(packed->n2, dx, dy), 0, 0};
@@ -349,7 +349,7 @@ static void pack_gathered(struct tile_work *work, struct triangle_work *triangle
     if (work->plan.shading == RHW_SHADING_ANY) {
         pack_fragments(work, &triangle->planes.quantities, packed, PACKED_ANY);
     } else if (work->pipeline->any_derivatives) {
-        pack_fragments(work, &triangle->planes.quantities, packed, PACKED_STEP);
+        pack_fragments(work, &triangle->planes.quantities, packed, PACKED_DISTANCE);
     } else {
         pack_fragments(work, &triangle->planes.quantities, packed, PACKED_QUANTITIES);
     }

@@ -76,7 +76,7 @@ RHW_INLINE void blend_target(const struct tile_work *work, int t, enum rhw_blend
     unsigned char *const texels = work->scratch->color[t];
     const int count = queue->count;
     const bool is_common = path == BLEND_RGBA8_REPLACE || path == BLEND_RGBA8_OVER;
-    if (is_common && queue->has_all_rows && state.texel_mask == UINT32_MAX) {
+    if (is_common && queue->only_full_rows && state.texel_mask == UINT32_MAX) {
         state.texel_mask = UINT32_MAX; // known from here on
         for (int g = 0; g < count; g++) {
             blend_group(&state, queue->colors[g][t], i8_splat(-1), texels + (size_t)queue->row_at[g] * size);
@@ -108,7 +108,7 @@ static void shade_queue(struct tile_work *work)
     if (work->plan.depth_mode >= RHW_DEPTH_LATE || work->pipeline->def.program.uses & RHW_USE_DISCARD) {
         for (int g = 0; g < queue->count; g++) {
             queue->live[g] = (uint8_t)finish_depth(work, g);
-            queue->has_all_rows = queue->has_all_rows && queue->live[g] == 0xff;
+            queue->only_full_rows = queue->only_full_rows && queue->live[g] == 0xff;
         }
     }
     for (int t = 0; t < work->pass->color_count; t++) {
@@ -123,7 +123,7 @@ static void shade_queue(struct tile_work *work)
     }
     work->counters->groups += (uint64_t)queue->count;
     queue->count = 0;
-    queue->has_all_rows = true;
+    queue->only_full_rows = true;
 }
 
 // Is called when groups were added.

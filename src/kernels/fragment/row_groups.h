@@ -46,7 +46,7 @@ static void set_inputs(const struct tile_work *work, struct triangle_work *trian
 {
     const struct rhw_pipeline_data *const pipeline = work->pipeline;
     set_values(triangle, pipeline);
-    if (work->plan.needs_step) {
+    if (work->plan.needs_distance) {
         component_derivatives(triangle->derivatives, triangle, pipeline);
     }
     triangle->has_values = true;
@@ -81,7 +81,7 @@ static void fill_builtins(const struct tile_work *work, int g, const struct tria
     struct fragment_queue *const queue = &work->scratch->queue;
     struct rhw_fragment *const group = &queue->groups[g];
     const struct weights *const w = &place->weights;
-    if (work->plan.needs_step) {
+    if (work->plan.needs_distance) {
         const d8 squared = d8_mul(w->inverse_s, w->inverse_s);
         smooth_derivatives(queue, g, pipeline, triangle->derivatives, &place->at, squared);
         constant_derivatives(queue, g, pipeline, triangle);
@@ -226,7 +226,7 @@ RHW_INLINE void place_rows(struct fragment_queue *queue, const struct block_rows
         groups[n].mask = rows == &all_rows ? i8_splat(-1) : i8_from_bits(rows->bits[n]);
     }
     for (int n = 0; n < rows->count && rows != &all_rows; n++) {
-        queue->has_all_rows = queue->has_all_rows && rows->bits[n] == 0xff;
+        queue->only_full_rows = queue->only_full_rows && rows->bits[n] == 0xff;
     }
 }
 

@@ -5,9 +5,9 @@
 #define RHW_CHUNK_H
 
 #include "../../assembly.h"
+#include "../../pass_state.h"
 #include "../../shared_vertices.h"
 #include "../../thread.h"
-#include "../paths.h"
 #include "binning.h"
 #include "triangle_setup.h"
 #include "vertex_reuse.h"
@@ -96,7 +96,7 @@ static bool make_triangles(const struct rhw_pass_state *pass, const struct rhw_c
                            struct rhw_worker *worker, struct rhw_triangle_list *list)
 {
     struct rhw_geometry_scratch *const scratch = worker->geometry;
-    scratch->special_paths = takes_special_paths(pass);
+    scratch->special_paths = rhw_pass_takes_special_paths(pass);
     scratch->run_count = scratch->polygon_count = 0;
     scratch->index_count = scratch->vertex_count = 0;
     scratch->counters = (struct rhw_front_counters){0};
@@ -195,7 +195,7 @@ static void shade_shared_part(const struct rhw_pass_state *pass, const struct rh
     const uint64_t start = rhw_time_ns();
     struct rhw_segment segment = part->shared->segment;
     segment.vertices += (size_t)part->first * (size_t)segment.vertex_stride;
-    scratch->special_paths = takes_special_paths(pass);
+    scratch->special_paths = rhw_pass_takes_special_paths(pass);
     for (uint32_t i = 0; i < part->count; i++) {
         scratch->unique[i] = segment.draw->base_vertex + part->first + i;
     }
