@@ -164,14 +164,31 @@ static bool check_targets(const struct rhw_context *context, const struct rhw_pi
     return true;
 }
 
+// Flags of the program that its shaders would draw other bytes with.
+static bool check_flaws(const struct rhw_context *context, uint32_t flaws)
+{
+    return rhw_check(context, (flaws & RHW_ARITHMETIC_FUSED) == 0,
+                     "%s: multiplications and additions are fused in the file that calls it, so its shaders "
+                     "would draw other bytes on other machines; compile it with -ffp-contract=off",
+                     create_name) &&
+           rhw_check(
+               context, (flaws & RHW_ARITHMETIC_REORDERED) == 0,
+               "%s: sums are reordered or not rounded to float in the file that calls it, so its shaders "
+               "would draw other bytes on other machines; compile it without -fassociative-math, "
+               "-funsafe-math-optimizations and -ffast-math",
+               create_name) &&
+           rhw_check(context, flaws == 0, "%s: flaws is 0x%x; it must be what rhw_arithmetic_flaws gives",
+                     create_name, (unsigned)flaws);
+}
+
 static bool check_create(const struct rhw_context *context, const struct rhw_pipeline_def *def,
-                         const rhw_pipeline *pipeline)
+                         uint32_t flaws, const rhw_pipeline *pipeline)
 {
     return rhw_check(context, context != NULL, "%s: context is NULL", create_name) &&
            rhw_check(context, def != NULL, "%s: def is NULL", create_name) &&
            rhw_check(context, pipeline != NULL, "%s: pipeline is NULL", create_name) &&
-           check_program(context, &def->program) && check_vertex_input(context, def) &&
-           check_states(context, def) && check_targets(context, def);
+           check_flaws(context, flaws) && check_program(context, &def->program) &&
+           check_vertex_input(context, def) && check_states(context, def) && check_targets(context, def);
 }
 
 // What draws need --------------------------------------------------------------------------------------
@@ -218,13 +235,13 @@ static void pair_slopes(struct rhw_pipeline_data *data)
     data->derivative_pairs = (count + 1) / 2;
 }
 
-enum rhw_result rhw_pipeline_create(rhw_context *context, const struct rhw_pipeline_def *def,
-                                    rhw_pipeline *pipeline)
+enum rhw_result rhw_pipeline_create_probed(rhw_context *context, const struct rhw_pipeline_def *def,
+                                           uint32_t flaws, rhw_pipeline *pipeline)
 {
     if (pipeline != NULL) {
         *pipeline = (rhw_pipeline){0, 0};
     }
-    if (!check_create(context, def, pipeline)) {
+    if (!check_create(context, def, flaws, pipeline)) {
         return RHW_ERROR_MISUSE;
     }
     rhw_pipeline id;

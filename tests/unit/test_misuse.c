@@ -326,6 +326,31 @@ static void test_pipeline_definitions(void **state)
     rig_close(&rig);
 }
 
+// What a program's flags make of its arithmetic; tests/program/test_flags.sh compiles such programs.
+static void test_arithmetic_of_the_program(void **state)
+{
+    (void)state;
+    struct rig rig;
+    rig_open(&rig, 8, 8);
+    rhw_pipeline pipeline;
+    assert_int_equal(rhw_arithmetic_flaws(), 0);
+    static const struct {
+        uint32_t flaws;
+        const char *message;
+    } cases[] = {{RHW_ARITHMETIC_FUSED, "-ffp-contract=off"},
+                 {RHW_ARITHMETIC_REORDERED, "-fassociative-math"},
+                 {4, "flaws is 0x4"}};
+    for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
+        assert_int_equal(rhw_pipeline_create_probed(rig.context, &rig.pipeline, cases[i].flaws, &pipeline),
+                         RHW_ERROR_MISUSE);
+        rig_expect_misuse(&rig, cases[i].message);
+    }
+    assert_int_equal(rhw_pipeline_create_probed(rig.context, &rig.pipeline, 0, &pipeline), RHW_OK);
+    rhw_pipeline_destroy(rig.context, pipeline);
+    expect_alive(&rig);
+    rig_close(&rig);
+}
+
 static void test_pass_definitions(void **state)
 {
     (void)state;
@@ -529,6 +554,7 @@ int main(void)
         cmocka_unit_test(test_texture_and_buffer_definitions),
         cmocka_unit_test(test_sampler_definitions),
         cmocka_unit_test(test_pipeline_definitions),
+        cmocka_unit_test(test_arithmetic_of_the_program),
         cmocka_unit_test(test_pass_definitions),
         cmocka_unit_test(test_pass_state),
         cmocka_unit_test(test_draws_without_what_they_need),
