@@ -13,6 +13,8 @@ RHW_API enum rhw_result rhw_context_create(const struct rhw_context_def *def, rh
 RHW_API void rhw_context_destroy(rhw_context *context);
 RHW_API int rhw_context_threads(const rhw_context *context);
 RHW_API enum rhw_isa rhw_context_isa(const rhw_context *context);
+/// What rhw_context_def.isa_limit says for `isa`; RHW_ISA_BEST for RHW_ISA_COUNT.
+RHW_API enum rhw_isa_limit rhw_isa_up_to(enum rhw_isa isa);
 /// "baseline", "avx2" or "avx512"; static storage.
 RHW_API const char *rhw_isa_name(enum rhw_isa isa);
 /// Whether this build has kernels for `isa` and this CPU runs them.
@@ -78,14 +80,15 @@ static inline uint32_t rhw_arithmetic_flaws(void)
     return flaws;
 }
 
-/// rhw_pipeline_create for those who call it from another language: `flaws` is what rhw_arithmetic_flaws gives where the
-/// shader functions were compiled, 0 where no C compiler was.
+/// rhw_pipeline_create for those who call it from another language: `flaws` is what rhw_arithmetic_flaws gives where
+/// the shader functions were compiled, 0 where no C compiler was.
 RHW_API enum rhw_result rhw_pipeline_create_probed(rhw_context *context, const struct rhw_pipeline_def *def,
                                                    uint32_t flaws, rhw_pipeline *pipeline);
 
 /// Creates a pipeline; `*def` is copied. Here, and not in the library, because it is compiled with the flags of your
-/// program: one whose flags would draw other bytes on another machine is told (misuse). The flags of the file that calls
-/// this are looked at; give the same ones to files that have shaders alone, as the CMake and pkg-config packages do.
+/// program: one whose flags would draw other bytes on another machine is told (misuse). The flags of the file that
+/// calls this are looked at; give the same ones to files that have shaders alone, as the CMake and pkg-config packages
+/// do.
 static inline enum rhw_result rhw_pipeline_create(rhw_context *context, const struct rhw_pipeline_def *def,
                                                   rhw_pipeline *pipeline)
 {
