@@ -170,7 +170,7 @@ static struct rhw_pass_def pass_of(const struct bench_state *s)
     def.width = s->width;
     def.height = s->height;
     def.color_count = s->scene->has_color;
-    def.colors[0].texture = s->color;
+    def.colors[0].texture = s->scene->has_color ? s->color : (rhw_texture){0, 0};
     memcpy(def.colors[0].clear, s->scene->clear, sizeof def.colors[0].clear);
     def.depth.enabled = true;
     def.depth.texture = s->depth;
@@ -312,7 +312,7 @@ bool bench_open_rhw(struct bench_renderer *renderer, int threads, enum rhw_isa i
     struct bench_state *const s = calloc(1, sizeof *s);
     struct rhw_context_def def = rhw_context_def_default();
     def.threads = threads;
-    def.isa = isa;
+    def.isa_limit = rhw_isa_up_to(isa);
     const enum rhw_result result = s ? rhw_context_create(&def, &s->context) : RHW_ERROR_OUT_OF_MEMORY;
     *why = rhw_result_string(result);
     if (result != RHW_OK) {

@@ -246,7 +246,8 @@ static rhw_texture make_texture(rhw_context *context)
             }
         }
     }
-    const rhw_texture texture = picture_target(context, RHW_FORMAT_RGBA8_SRGB, TEXELS, TEXELS, 0);
+    const rhw_texture texture =
+        picture_target(context, RHW_FORMAT_RGBA8_SRGB, TEXELS, TEXELS, RHW_MIP_LEVELS_ALL);
     rhw_texture_write(context, texture, 0, texels, 0);
     rhw_texture_generate_mips(context, texture);
     return texture;

@@ -313,7 +313,8 @@ static enum rhw_result record_screen(struct draw *draw, rhw_pass pass, enum scen
     scene_program_screen(&def.program, kind);
     def.target_count = format_count;
     for (int i = 0; i < format_count; i++) {
-        def.targets[i] = (struct rhw_color_target){.format = formats[i], .write_mask = i == 0 ? 15 : 0};
+        def.targets[i] =
+            (struct rhw_color_target){.format = formats[i], .write_mask = i == 0 ? 0 : RHW_WRITE_NONE};
     }
     const enum rhw_result result = rhw_pipeline_create(context, &def, pipeline);
     if (result == RHW_OK) {
@@ -344,7 +345,8 @@ static enum rhw_result draw_samples(struct draw *draw, const enum rhw_format for
         def.colors[i] = (struct rhw_color_attachment){.texture = scene->targets[TARGET_SAMPLES + i].texture};
     }
     memcpy(def.colors[0].clear, backdrop.top, sizeof backdrop.top);
-    def.depth = (struct rhw_depth_attachment){.enabled = true, .store = RHW_STORE_DISCARD, .clear = 0.0f};
+    def.depth = (struct rhw_depth_attachment){
+        .enabled = true, .load = RHW_LOAD_CLEAR, .store = RHW_STORE_DISCARD, .clear = 0.0f};
     rhw_pass pass;
     enum rhw_result result = rhw_pass_begin(context, &def, &pass);
     if (result != RHW_OK) {
@@ -480,7 +482,8 @@ static enum rhw_result draw_data_band(struct draw *draw)
     struct scene_surface_pass surfaces = {.frame = &draw->frame, .interpolate = draw->view->interpolate};
     struct rhw_pass_def def = rhw_pass_def_default();
     def.color_count = 0;
-    def.depth = (struct rhw_depth_attachment){.enabled = true, .store = RHW_STORE_DISCARD, .clear = 0.0f};
+    def.depth = (struct rhw_depth_attachment){
+        .enabled = true, .load = RHW_LOAD_CLEAR, .store = RHW_STORE_DISCARD, .clear = 0.0f};
     for (int i = 0; i < SCENE_DATA_OUTPUTS; i++) {
         draw->frame.output_slot[i] = -1;
         if (!draw->data[i]) {

@@ -277,9 +277,9 @@ static bool material_valid(const struct scene_material *material, const struct s
         if (slot->image < -1 || (slot->image >= 0 && (uint32_t)slot->image >= model->image_count) ||
             slot->uv_set >= SCENE_UV_SETS || (unsigned)slot->address_u > RHW_ADDRESS_BORDER ||
             (unsigned)slot->address_v > RHW_ADDRESS_BORDER ||
-            (unsigned)slot->min_filter > RHW_FILTER_LINEAR ||
-            (unsigned)slot->mag_filter > RHW_FILTER_LINEAR ||
-            (unsigned)slot->mip_filter > RHW_MIP_FILTER_LINEAR) {
+            (unsigned)slot->min_filter > RHW_FILTER_NEAREST ||
+            (unsigned)slot->mag_filter > RHW_FILTER_NEAREST ||
+            (unsigned)slot->mip_filter > RHW_MIP_FILTER_NONE) {
             return false;
         }
     }

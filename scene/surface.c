@@ -404,12 +404,11 @@ static struct rhw_pipeline_def pipeline_def(const struct scene_surface_key *key)
     def.front = (enum rhw_winding)key->front;
     def.depth_test = true;
     def.depth_compare = RHW_COMPARE_GREATER;
-    def.depth_write = !key->blend;
+    def.depth_read_only = key->blend != 0;
     def.target_count = key->format_count;
     for (int i = 0; i < key->format_count; i++) {
         struct rhw_color_target *target = &def.targets[i];
         target->format = (enum rhw_format)key->formats[i];
-        target->write_mask = 15;
         target->blend = key->blend != 0;
         // The shader's colours are premultiplied.
         const struct rhw_blend_component over = {RHW_BLEND_ONE, RHW_BLEND_ONE_MINUS_SRC_ALPHA, RHW_BLEND_ADD};

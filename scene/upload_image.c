@@ -35,7 +35,7 @@ static enum rhw_result upload_texture(rhw_context *context, const struct scene_i
     struct rhw_texture_def def = rhw_texture_def_default();
     def.width = (int)image->width;
     def.height = (int)image->height;
-    def.mip_levels = mips ? 0 : 1;
+    def.mip_levels = mips ? RHW_MIP_LEVELS_ALL : 1;
     def.format = as_color ? RHW_FORMAT_RGBA8_SRGB : RHW_FORMAT_RGBA8_UNORM;
     const void *texels = image->texels;
     float *widened = NULL;

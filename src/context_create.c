@@ -39,9 +39,9 @@ bool rhw_isa_supported(enum rhw_isa isa)
     return (unsigned)isa < RHW_ISA_COUNT && rhw_cpu_supports(isa) && rhw_kernels_for(isa) != NULL;
 }
 
-static enum rhw_isa best_isa(enum rhw_isa highest)
+static enum rhw_isa best_isa(enum rhw_isa_limit limit)
 {
-    int isa = highest >= RHW_ISA_COUNT ? RHW_ISA_COUNT - 1 : (int)highest;
+    int isa = (limit == RHW_ISA_BEST ? (int)RHW_ISA_COUNT : (int)limit) - 1;
     while (isa > RHW_ISA_BASELINE && !rhw_isa_supported((enum rhw_isa)isa)) {
         isa--;
     }
@@ -72,9 +72,9 @@ static bool check_def(const struct rhw_context_def *def, rhw_context **context)
            rhw_check(&report, def->threads >= 0 && def->threads <= RHW_MAX_THREADS,
                      "%s: threads is %d; it must be 0 (all cores) to %d", where, def->threads,
                      RHW_MAX_THREADS) &&
-           rhw_check(&report, (unsigned)def->isa <= RHW_ISA_COUNT,
-                     "%s: isa is %d; it must be an instruction set or RHW_ISA_COUNT (%d)", where,
-                     (int)def->isa, RHW_ISA_COUNT) &&
+           rhw_check(&report, (unsigned)def->isa_limit <= RHW_ISA_COUNT,
+                     "%s: isa_limit is %d; it must be RHW_ISA_BEST (0) or one of those up to %d", where,
+                     (int)def->isa_limit, RHW_ISA_COUNT) &&
            rhw_check(&report, (unsigned)def->paths <= RHW_PATHS_GENERAL,
                      "%s: paths is %d; it must be RHW_PATHS_ALL (0), RHW_PATHS_IN_ORDER (1) or "
                      "RHW_PATHS_GENERAL (2)",
@@ -111,7 +111,7 @@ enum rhw_result rhw_context_create(const struct rhw_context_def *def, rhw_contex
         return RHW_ERROR_OUT_OF_MEMORY;
     }
 
-    const enum rhw_isa isa = best_isa(def->isa);
+    const enum rhw_isa isa = best_isa(def->isa_limit);
     const int cores = def->threads == 1 ? 1 : rhw_cpu_cores(); // which reads files
     *created = (struct rhw_context){
         .memory = memory,

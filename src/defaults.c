@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: MIT
-// The definition structs as a program should start from them. Fields that are not named are zero.
+// What zero stands for in the definition structs, written out, and one colour target. Fields that are not named are
+// zero. tests/unit/test_zero.c draws with both.
 #include "rhw/types.h"
 
 struct rhw_context_def rhw_context_def_default(void)
 {
-    return (struct rhw_context_def){.isa = RHW_ISA_COUNT};
+    return (struct rhw_context_def){.isa_limit = RHW_ISA_BEST};
 }
 
 struct rhw_buffer_def rhw_buffer_def_default(void)
@@ -38,13 +39,13 @@ struct rhw_pipeline_def rhw_pipeline_def_default(void)
         .front = RHW_COUNTER_CLOCKWISE,
         .depth_range = RHW_DEPTH_ZERO_TO_ONE,
         .depth_compare = RHW_COMPARE_LESS,
-        .depth_write = true,
         .target_count = 1,
     };
+    const uint8_t all = RHW_WRITE_RED | RHW_WRITE_GREEN | RHW_WRITE_BLUE | RHW_WRITE_ALPHA;
     const struct rhw_blend_component replace = {RHW_BLEND_ONE, RHW_BLEND_ZERO, RHW_BLEND_ADD};
     for (int i = 0; i < RHW_MAX_COLOR_ATTACHMENTS; i++) {
         def.targets[i] = (struct rhw_color_target){
-            .format = RHW_FORMAT_RGBA8_UNORM, .color = replace, .alpha = replace, .write_mask = 15};
+            .format = RHW_FORMAT_RGBA8_UNORM, .color = replace, .alpha = replace, .write_mask = all};
     }
     return def;
 }

@@ -68,8 +68,8 @@ static void plan_rules(struct rhw_draw_plan *plan, const struct rhw_pipeline_def
     const enum rhw_compare compare = def->depth_compare;
     const bool strict = compare == RHW_COMPARE_LESS || compare == RHW_COMPARE_GREATER;
     const bool early = plan->depth_mode == RHW_DEPTH_EARLY;
-    plan->late = (struct rhw_depth_rule){compare, def->depth_write, RHW_OPEN_IGNORED};
-    plan->early = (struct rhw_depth_rule){compare, def->depth_write && early, RHW_OPEN_IGNORED};
+    plan->late = (struct rhw_depth_rule){compare, !def->depth_read_only, RHW_OPEN_IGNORED};
+    plan->early = (struct rhw_depth_rule){compare, !def->depth_read_only && early, RHW_OPEN_IGNORED};
     if (phase == RHW_PHASE_DEPTH) {
         plan->early.open = RHW_OPEN_MARK;
     } else if (phase == RHW_PHASE_SHADE && early) {
@@ -90,7 +90,7 @@ static void plan_depth(struct rhw_draw_plan *plan, const struct rhw_pipeline_def
     plan_rules(plan, def, phase);
     plan->early_name = general ? RHW_RULE_ANY : name_of(plan->early);
     plan->tests_early = plan->depth_mode == RHW_DEPTH_EARLY || plan->depth_mode == RHW_DEPTH_EARLY_REJECT;
-    plan->moves_depth = def->depth_test && def->depth_write;
+    plan->moves_depth = def->depth_test && !def->depth_read_only;
     plan->depth_direction = def->depth_test && !general ? direction_of(compare) : 0;
     plan->ends_bounds = plan->moves_depth && direction_of(compare) == 0 && compare != RHW_COMPARE_EQUAL &&
                         compare != RHW_COMPARE_NEVER;

@@ -29,7 +29,7 @@ struct rhw_hidden_rule rhw_hidden_rule_of(const struct rhw_pipeline_data *pipeli
                    ? in_order
                    : (struct rhw_hidden_rule){RHW_HIDDEN_BACKWARDS, RHW_COMPARE_NEVER};
     }
-    if (!def->depth_write || def->program.uses & RHW_USE_DEPTH) {
+    if (def->depth_read_only || def->program.uses & RHW_USE_DEPTH) {
         return in_order;
     }
     switch (def->depth_compare) {

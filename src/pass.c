@@ -110,6 +110,12 @@ static enum rhw_result attach(struct rhw_pass_state *pass, rhw_texture id, const
     return RHW_OK;
 }
 
+// What RHW_LOAD_DEFAULT stands for.
+static enum rhw_load load_of(enum rhw_load load)
+{
+    return load == RHW_LOAD_DEFAULT ? RHW_LOAD_CLEAR : load;
+}
+
 static void set_clear(struct rhw_attachment *attachment, const unsigned char *texel)
 {
     memset(attachment->clear, 0, sizeof attachment->clear);
@@ -140,7 +146,7 @@ static enum rhw_result attach_color(struct rhw_pass_state *pass, const struct rh
                    "rhw_pass_begin: colors[%d].texture is %s; that is no colour target", i, info->name)) {
         return RHW_ERROR_MISUSE;
     }
-    attachment->load = color->load;
+    attachment->load = load_of(color->load);
     attachment->store = color->store;
     const uint64_t environment = rhw_cpu_float_enter();
     unsigned char texel[RHW_TEXEL_BYTES];
@@ -158,6 +164,7 @@ static enum rhw_result attach_depth(struct rhw_pass_state *pass, const struct rh
     pass->has_depth = depth->enabled;
     pass->depth = (struct rhw_attachment){.format = RHW_FORMAT_D32_FLOAT, .texel_size = sizeof(float)};
     pass->depth_id = depth->texture;
+    pass->depth_by_default = false;
     if (!depth->enabled) {
         return RHW_OK;
     }
@@ -176,7 +183,7 @@ static enum rhw_result attach_depth(struct rhw_pass_state *pass, const struct rh
             return RHW_ERROR_MISUSE;
         }
     } else if (!rhw_check(
-                   context, depth->load == RHW_LOAD_CLEAR && depth->store == RHW_STORE_DISCARD,
+                   context, load_of(depth->load) == RHW_LOAD_CLEAR && depth->store == RHW_STORE_DISCARD,
                    "rhw_pass_begin: depth.texture is null; without one depth is cleared and not stored")) {
         return RHW_ERROR_MISUSE;
     }
@@ -184,9 +191,11 @@ static enum rhw_result attach_depth(struct rhw_pass_state *pass, const struct rh
                    "rhw_pass_begin: depth.clear is %g; it is in 0..1", (double)depth->clear)) {
         return RHW_ERROR_MISUSE;
     }
-    pass->depth.load = depth->load;
+    pass->depth.load = load_of(depth->load);
     pass->depth.store = depth->store;
-    set_clear(&pass->depth, (const unsigned char *)&depth->clear);
+    pass->depth_by_default = depth->load == RHW_LOAD_DEFAULT && depth->clear == 0;
+    const float clear = pass->depth_by_default ? 1 : depth->clear;
+    set_clear(&pass->depth, (const unsigned char *)&clear);
     return RHW_OK;
 }
 
@@ -223,7 +232,11 @@ enum rhw_result rhw_pass_begin(rhw_context *context, const struct rhw_pass_def *
                    "rhw_pass_begin: color_count is %d; it is in 0..%d", def->color_count,
                    RHW_MAX_COLOR_ATTACHMENTS) ||
         !rhw_check(context, def->color_count > 0 || def->depth.enabled,
-                   "rhw_pass_begin: the pass has no attachment")) {
+                   "rhw_pass_begin: the pass has no attachment") ||
+        !rhw_check(
+            context, def->color_count > 0 || def->colors[0].texture.index == 0,
+            "rhw_pass_begin: colors[0].texture is set and color_count is 0; it must be 1 or more, or the "
+            "texture null")) {
         return RHW_ERROR_MISUSE;
     }
     reset(pass, def);
@@ -408,12 +421,17 @@ void rhw_pass_set_viewport(rhw_context *context, rhw_pass id, const struct rhw_v
         !rhw_check(context, v->x >= -limit && v->x <= limit && v->y >= -limit && v->y <= limit,
                    "rhw_pass_set_viewport: the corner is %g,%g; each is within ±%g", (double)v->x,
                    (double)v->y, (double)limit) ||
-        !rhw_check(context, v->depth_min >= 0 && v->depth_min <= 1 && v->depth_max >= 0 && v->depth_max <= 1,
-                   "rhw_pass_set_viewport: the depth range is %g..%g; each end is in 0..1",
-                   (double)v->depth_min, (double)v->depth_max)) {
+        !rhw_check(
+            context,
+            v->depth_min >= 0 && v->depth_min <= 1 &&
+                ((v->depth_max >= 0 && v->depth_max <= 1) || v->depth_max == -1),
+            "rhw_pass_set_viewport: the depth range is %g..%g; each end is in 0..1, or depth_max is -1",
+            (double)v->depth_min, (double)v->depth_max)) {
         return;
     }
     pass->pending.viewport = *v;
+    const bool unset = v->depth_min == 0 && v->depth_max == 0;
+    pass->pending.viewport.depth_max = unset ? 1 : v->depth_max > 0 ? v->depth_max : 0;
     pass->pending_changed = true;
 }
 
@@ -521,6 +539,15 @@ static const struct rhw_draw_state *snapshot(struct rhw_pass_state *pass)
     return state;
 }
 
+// A first draw that nothing of can be seen: depth is 1 because nobody said what it is, as with reversed depth in a
+// definition that was zeroed.
+static bool faces_unset_depth(const struct rhw_pass_state *pass)
+{
+    const struct rhw_pipeline_def *const def = &pass->pending.pipeline->def;
+    return pass->depth_by_default && pass->draws.count == 0 && def->depth_test &&
+           (def->depth_compare == RHW_COMPARE_GREATER || def->depth_compare == RHW_COMPARE_GREATER_EQUAL);
+}
+
 static bool check_draw(const struct rhw_pass_state *pass, bool indexed, const char *where)
 {
     struct rhw_context *const context = pass->context;
@@ -529,7 +556,12 @@ static bool check_draw(const struct rhw_pass_state *pass, bool indexed, const ch
         !rhw_check(context, !indexed || pending->indices, "%s: no index buffer is set", where) ||
         !rhw_check(context, pass->uniform_size >= pending->pipeline->def.program.uniform_size,
                    "%s: %u bytes of uniforms are set; the program reads %u", where, pass->uniform_size,
-                   pending->pipeline->def.program.uniform_size)) {
+                   pending->pipeline->def.program.uniform_size) ||
+        !rhw_check(
+            context, !faces_unset_depth(pass),
+            "%s: the first draw asks for greater depth, which RHW_LOAD_DEFAULT cleared to 1; clear to 0 by "
+            "RHW_LOAD_CLEAR",
+            where)) {
         return false;
     }
     for (int i = 0; i < pending->pipeline->def.attribute_count; i++) {

@@ -51,6 +51,7 @@ struct rhw_pass_state {
     int color_count;
     struct rhw_attachment colors[RHW_MAX_COLOR_ATTACHMENTS];
     bool has_depth;
+    bool depth_by_default; // cleared to 1 by RHW_LOAD_DEFAULT, as no other value was given
     struct rhw_attachment depth;
     enum rhw_paths paths; // of the context
     rhw_texture color_ids[RHW_MAX_COLOR_ATTACHMENTS], depth_id;

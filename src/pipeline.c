@@ -94,18 +94,45 @@ static bool check_attribute(const struct rhw_context *context, const struct rhw_
     }
     const uint32_t stride = def->buffers[attribute->buffer].stride;
     const size_t size = rhw_vertex_format_size(attribute->format);
+    const size_t most = stride == 0 ? UINT32_MAX : stride; // which is as much as a computed one can be
     return rhw_check(
-        context, stride == 0 || (attribute->offset <= stride && size <= stride - attribute->offset),
+        context, attribute->offset <= most && size <= most - attribute->offset,
         "%s: attributes[%d].offset is %u and its format takes %zu bytes; together they must stay "
         "within buffers[%d].stride, which is %u",
-        create_name, index, (unsigned)attribute->offset, size, attribute->buffer, (unsigned)stride);
+        create_name, index, (unsigned)attribute->offset, size, attribute->buffer, (unsigned)most);
+}
+
+static bool check_layout(const struct rhw_context *context, int index, const struct rhw_vertex_layout *layout)
+{
+    return rhw_check(context, !layout->constant || !layout->per_instance,
+                     "%s: buffers[%d] is constant and per_instance; it must be one of them at most",
+                     create_name, index) &&
+           rhw_check(context, !layout->constant || layout->stride == 0,
+                     "%s: buffers[%d].stride is %u; it must be 0 in a buffer that is constant", create_name,
+                     index, (unsigned)layout->stride);
+}
+
+// Arrays that were filled and not counted.
+static bool check_counts(const struct rhw_context *context, const struct rhw_pipeline_def *def)
+{
+    const struct rhw_attribute *const first = &def->attributes[0];
+    return rhw_check(context, def->attribute_count > 0 || (first->format == 0 && first->offset == 0),
+                     "%s: attributes[0] is set and attribute_count is 0", create_name) &&
+           rhw_check(context, def->program.varying_count > 0 || def->program.varyings[0].components == 0,
+                     "%s: program.varyings[0] is set and program.varying_count is 0", create_name);
 }
 
 static bool check_vertex_input(const struct rhw_context *context, const struct rhw_pipeline_def *def)
 {
     if (!check_range(context, "buffer_count", def->buffer_count, 0, RHW_MAX_VERTEX_BUFFERS) ||
-        !check_range(context, "attribute_count", def->attribute_count, 0, RHW_MAX_ATTRIBUTES)) {
+        !check_range(context, "attribute_count", def->attribute_count, 0, RHW_MAX_ATTRIBUTES) ||
+        !check_counts(context, def)) {
         return false;
+    }
+    for (int i = 0; i < def->buffer_count; i++) {
+        if (!check_layout(context, i, &def->buffers[i])) {
+            return false;
+        }
     }
     for (int i = 0; i < def->attribute_count; i++) {
         if (!check_attribute(context, def, i)) {
@@ -150,7 +177,10 @@ static bool check_target(const struct rhw_context *context, int index, const str
                      format->name) &&
            check_blend(context, index, "color.src", "color.dst", "color.operation", &target->color) &&
            check_blend(context, index, "alpha.src", "alpha.dst", "alpha.operation", &target->alpha) &&
-           check_element(context, "targets", index, "write_mask", target->write_mask, 0, 15);
+           rhw_check(context, target->write_mask <= RHW_WRITE_NONE,
+                     "%s: targets[%d].write_mask is %d; it must be or-ed from the channels of enum "
+                     "rhw_write_mask, or RHW_WRITE_NONE (%d) alone",
+                     create_name, index, target->write_mask, RHW_WRITE_NONE);
 }
 
 static bool check_targets(const struct rhw_context *context, const struct rhw_pipeline_def *def)
@@ -166,17 +196,63 @@ static bool check_targets(const struct rhw_context *context, const struct rhw_pi
     return true;
 }
 
+// Flags of the program that its shaders would draw other bytes with.
+static bool check_flaws(const struct rhw_context *context, uint32_t flaws)
+{
+    return rhw_check(context, (flaws & RHW_ARITHMETIC_FUSED) == 0,
+                     "%s: multiplications and additions are fused in the file that calls it, so its shaders "
+                     "would draw other bytes on other machines; compile it with -ffp-contract=off",
+                     create_name) &&
+           rhw_check(
+               context, (flaws & RHW_ARITHMETIC_REORDERED) == 0,
+               "%s: sums are reordered or not rounded to float in the file that calls it, so its shaders "
+               "would draw other bytes on other machines; compile it without -fassociative-math, "
+               "-funsafe-math-optimizations and -ffast-math",
+               create_name) &&
+           rhw_check(context, flaws == 0, "%s: flaws is 0x%x; it must be what rhw_arithmetic_flaws gives",
+                     create_name, (unsigned)flaws);
+}
+
 static bool check_create(const struct rhw_context *context, const struct rhw_pipeline_def *def,
-                         const rhw_pipeline *pipeline)
+                         uint32_t flaws, const rhw_pipeline *pipeline)
 {
     return rhw_check(context, context != NULL, "%s: context is NULL", create_name) &&
            rhw_check(context, def != NULL, "%s: def is NULL", create_name) &&
            rhw_check(context, pipeline != NULL, "%s: pipeline is NULL", create_name) &&
-           check_program(context, &def->program) && check_vertex_input(context, def) &&
-           check_states(context, def) && check_targets(context, def);
+           check_flaws(context, flaws) && check_program(context, &def->program) &&
+           check_vertex_input(context, def) && check_states(context, def) && check_targets(context, def);
 }
 
 // What draws need --------------------------------------------------------------------------------------
+
+static void resolve_blend(struct rhw_blend_component *blend)
+{
+    blend->src = blend->src == RHW_BLEND_DEFAULT ? RHW_BLEND_ONE : blend->src;
+    blend->dst = blend->dst == RHW_BLEND_DEFAULT ? RHW_BLEND_ZERO : blend->dst;
+}
+
+// What zero stands for in a definition, so that what reads it later knows no defaults: a mask of 0 then writes nothing,
+// and a stride of 0 is that of a constant buffer.
+static void resolve_defaults(struct rhw_pipeline_def *def)
+{
+    const uint8_t all = RHW_WRITE_RED | RHW_WRITE_GREEN | RHW_WRITE_BLUE | RHW_WRITE_ALPHA;
+    for (int i = 0; i < def->target_count; i++) {
+        struct rhw_color_target *const target = &def->targets[i];
+        target->write_mask = target->write_mask == 0 ? all : target->write_mask & all;
+        resolve_blend(&target->color);
+        resolve_blend(&target->alpha);
+    }
+    uint32_t ends[RHW_MAX_VERTEX_BUFFERS] = {0};
+    for (int i = 0; i < def->attribute_count; i++) {
+        const struct rhw_attribute *const attribute = &def->attributes[i];
+        const uint32_t end = attribute->offset + (uint32_t)rhw_vertex_format_size(attribute->format);
+        ends[attribute->buffer] = end > ends[attribute->buffer] ? end : ends[attribute->buffer];
+    }
+    for (int i = 0; i < def->buffer_count; i++) {
+        struct rhw_vertex_layout *const layout = &def->buffers[i];
+        layout->stride = layout->stride == 0 && !layout->constant ? ends[i] : layout->stride;
+    }
+}
 
 static void resolve_functions(struct rhw_pipeline_data *data, enum rhw_isa isa)
 {
@@ -247,19 +323,20 @@ void rhw_pipeline_data_init(struct rhw_pipeline_data *data, const struct rhw_pip
 {
     memset(data, 0, sizeof *data);
     data->def = *def;
+    resolve_defaults(&data->def);
     resolve_functions(data, isa);
     lay_out_varyings(data);
     qualify_vectors(data);
     pair_derivatives(data);
 }
 
-enum rhw_result rhw_pipeline_create(rhw_context *context, const struct rhw_pipeline_def *def,
-                                    rhw_pipeline *pipeline)
+enum rhw_result rhw_pipeline_create_probed(rhw_context *context, const struct rhw_pipeline_def *def,
+                                           uint32_t flaws, rhw_pipeline *pipeline)
 {
     if (pipeline != NULL) {
         *pipeline = (rhw_pipeline){0, 0};
     }
-    if (!check_create(context, def, pipeline)) {
+    if (!check_create(context, def, flaws, pipeline)) {
         return RHW_ERROR_MISUSE;
     }
     rhw_pipeline id;

@@ -22,6 +22,11 @@ const char *rhw_result_string(enum rhw_result result)
     return "Unknown result";
 }
 
+enum rhw_isa_limit rhw_isa_up_to(enum rhw_isa isa)
+{
+    return (unsigned)isa < RHW_ISA_COUNT ? (enum rhw_isa_limit)(isa + 1) : RHW_ISA_BEST;
+}
+
 const char *rhw_isa_name(enum rhw_isa isa)
 {
     switch (isa) {

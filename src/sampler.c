@@ -27,9 +27,10 @@ static bool check_lod(const struct rhw_context *context, const struct rhw_sample
 {
     return check_finite(context, "lod_bias", def->lod_bias) &&
            check_finite(context, "lod_min", def->lod_min) && check_finite(context, "lod_max", def->lod_max) &&
-           rhw_check(context, def->lod_min <= def->lod_max,
-                     "%s: lod_min is %g and lod_max is %g; lod_min must not be above lod_max", create_name,
-                     (double)def->lod_min, (double)def->lod_max);
+           rhw_check(context, def->lod_max == 0 || def->lod_min <= (def->lod_max > 0 ? def->lod_max : 0),
+                     "%s: lod_min is %g and lod_max is %g; lod_min must not be above lod_max, a negative one "
+                     "being 0",
+                     create_name, (double)def->lod_min, (double)def->lod_max);
 }
 
 static bool check_create(const struct rhw_context *context, const struct rhw_sampler_def *def,
@@ -38,9 +39,9 @@ static bool check_create(const struct rhw_context *context, const struct rhw_sam
     return rhw_check(context, context != NULL, "%s: context is NULL", create_name) &&
            rhw_check(context, def != NULL, "%s: def is NULL", create_name) &&
            rhw_check(context, sampler != NULL, "%s: sampler is NULL", create_name) &&
-           check_enum(context, "min_filter", def->min_filter, RHW_FILTER_LINEAR) &&
-           check_enum(context, "mag_filter", def->mag_filter, RHW_FILTER_LINEAR) &&
-           check_enum(context, "mip_filter", def->mip_filter, RHW_MIP_FILTER_LINEAR) &&
+           check_enum(context, "min_filter", def->min_filter, RHW_FILTER_NEAREST) &&
+           check_enum(context, "mag_filter", def->mag_filter, RHW_FILTER_NEAREST) &&
+           check_enum(context, "mip_filter", def->mip_filter, RHW_MIP_FILTER_NONE) &&
            check_enum(context, "address_u", def->address_u, RHW_ADDRESS_BORDER) &&
            check_enum(context, "address_v", def->address_v, RHW_ADDRESS_BORDER) &&
            check_finite(context, "border[0]", def->border[0]) &&
@@ -56,13 +57,20 @@ static bool filters_fixed(const struct rhw_sampler_def *def)
            def->address_v != RHW_ADDRESS_BORDER;
 }
 
+static float lod_max_of(const struct rhw_sampler_def *def)
+{
+    const float no_limit = 1000; // more levels than there are
+    return def->lod_max > 0 ? def->lod_max : def->lod_max < 0 ? 0 : no_limit;
+}
+
 void rhw_sampler_data_init(struct rhw_sampler_data *sampler, const struct rhw_sampler_def *def)
 {
     *sampler = (struct rhw_sampler_data){.def = *def, .filters_fixed = filters_fixed(def)};
+    sampler->def.lod_max = lod_max_of(def);
     for (int lane = 0; lane < RHW_LANES; lane++) {
         sampler->gradient_bias[lane] = def->lod_bias - 16.0f;
         sampler->lod_least[lane] = def->lod_min > 0 ? def->lod_min : 0;
-        sampler->lod_most[lane] = def->lod_max > 0 ? def->lod_max : 0;
+        sampler->lod_most[lane] = lod_max_of(def);
     }
 }
 

@@ -21,7 +21,7 @@ static uint32_t elements_of(const struct rhw_draw_state *state)
         const struct rhw_vertex_layout *const layout = &def->buffers[attribute->buffer];
         const uint64_t size = state->streams[attribute->buffer].size;
         const uint64_t end = attribute->offset + (uint64_t)rhw_vertex_format_size(attribute->format);
-        if (layout->per_instance || layout->stride == 0) {
+        if (layout->per_instance || layout->constant || layout->stride == 0) {
             continue;
         }
         const uint64_t inside = size < end ? 0 : (size - end) / layout->stride + 1;

@@ -29,7 +29,7 @@ void rhw_texture_data_init(struct rhw_texture_data *texture, enum rhw_format for
     memset(texture, 0, sizeof *texture);
     texture->format = format;
     texture->info = rhw_format_info(format);
-    texture->levels = levels != 0 ? levels : rhw_mip_chain_length(width, height);
+    texture->levels = levels;
     for (int lane = 0; lane < RHW_LANES; lane++) {
         texture->last_level[lane] = (float)(texture->levels - 1);
     }
@@ -100,9 +100,16 @@ static bool check_create(const struct rhw_context *context, const struct rhw_tex
         return false;
     }
     const int chain = rhw_mip_chain_length(def->width, def->height);
-    return rhw_check(context, def->mip_levels >= 0 && def->mip_levels <= chain,
-                     "%s: mip_levels is %d; a %dx%d texture has 1..%d (0 means all)", where, def->mip_levels,
-                     def->width, def->height, chain);
+    return rhw_check(context, def->mip_levels >= RHW_MIP_LEVELS_ALL && def->mip_levels <= chain,
+                     "%s: mip_levels is %d; a %dx%d texture has 1..%d (RHW_MIP_LEVELS_ALL is -1)", where,
+                     def->mip_levels, def->width, def->height, chain);
+}
+
+static int level_count(const struct rhw_texture_def *def)
+{
+    return def->mip_levels == RHW_MIP_LEVELS_ALL ? rhw_mip_chain_length(def->width, def->height)
+           : def->mip_levels == 0                ? 1
+                                                 : def->mip_levels;
 }
 
 enum rhw_result rhw_texture_create(rhw_context *context, const struct rhw_texture_def *def,
@@ -120,7 +127,7 @@ enum rhw_result rhw_texture_create(rhw_context *context, const struct rhw_textur
     if (!data) {
         return RHW_ERROR_OUT_OF_MEMORY;
     }
-    rhw_texture_data_init(data, def->format, def->width, def->height, def->mip_levels);
+    rhw_texture_data_init(data, def->format, def->width, def->height, level_count(def));
     if (!allocate_levels(&context->memory, data)) {
         rhw_pool_remove(&context->textures, id.index);
         return RHW_ERROR_OUT_OF_MEMORY;

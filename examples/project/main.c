@@ -67,7 +67,7 @@ static rhw_texture make_fields(rhw_context *context)
     struct rhw_texture_def def = rhw_texture_def_default();
     def.format = RHW_FORMAT_RGBA8_SRGB;
     def.width = def.height = TEXTURE;
-    def.mip_levels = 0;
+    def.mip_levels = RHW_MIP_LEVELS_ALL;
     rhw_texture texture;
     must(rhw_texture_create(context, &def, &texture));
     rhw_texture_write(context, texture, 0, texels, 0);
@@ -119,7 +119,7 @@ static void draw(enum rhw_isa isa, bool one_at_a_time)
     rhw_sampler sampler;
     rhw_pass pass;
 
-    context_def.isa = isa;
+    context_def.isa_limit = rhw_isa_up_to(isa);
     must(rhw_context_create(&context_def, &context));
     must(rhw_buffer_create(context, &buffer_def, &buffer));
     must(rhw_sampler_create(context, &sampler_def, &sampler));

@@ -13,6 +13,8 @@ RHW_API enum rhw_result rhw_context_create(const struct rhw_context_def *def, rh
 RHW_API void rhw_context_destroy(rhw_context *context);
 RHW_API int rhw_context_threads(const rhw_context *context);
 RHW_API enum rhw_isa rhw_context_isa(const rhw_context *context);
+/// What rhw_context_def.isa_limit says for `isa`; RHW_ISA_BEST for RHW_ISA_COUNT.
+RHW_API enum rhw_isa_limit rhw_isa_up_to(enum rhw_isa isa);
 /// "baseline", "avx2" or "avx512"; static storage.
 RHW_API const char *rhw_isa_name(enum rhw_isa isa);
 /// Whether this build has kernels for `isa` and this CPU runs them.
@@ -53,8 +55,46 @@ RHW_API void rhw_sampler_destroy(rhw_context *context, rhw_sampler sampler);
 
 // Pipelines -----------------------------------------------------------------------------------------
 
-RHW_API enum rhw_result rhw_pipeline_create(rhw_context *context, const struct rhw_pipeline_def *def,
-                                            rhw_pipeline *pipeline);
+/// What the compiler's flags can make of the arithmetic of a file that shaders stand in.
+enum rhw_arithmetic_flaw {
+    RHW_ARITHMETIC_FUSED = 1,    ///< a * b + c rounded once: -ffp-contract=off is missing
+    RHW_ARITHMETIC_REORDERED = 2 ///< (a + b) - a made b: -ffast-math and its parts, or sums in a wider type
+};
+
+/// Or-ed rhw_arithmetic_flaw of the file that includes this; 0: its floats are those of the library. Contraction cannot
+/// be seen by the preprocessor, so this computes what shows it.
+static inline uint32_t rhw_arithmetic_flaws(void)
+{
+    volatile float one = 1; // unknown to the compiler
+    const float a = 1 + one / 4096, b = one * 16777216;
+    const float product =
+        a * a - (1 + one / 2048);      // 2^-24 when fused; else 0, or 2^-23 where rounding is upwards
+    const float sum = (b + 1.25f) - b; // 0, 2 or 4, as rounding goes
+    uint32_t flaws = 0;
+    if (product > 0 && product < 1.0f / 8388608) {
+        flaws |= RHW_ARITHMETIC_FUSED;
+    }
+    if (sum > 1 && sum < 2) {
+        flaws |= RHW_ARITHMETIC_REORDERED;
+    }
+    return flaws;
+}
+
+/// rhw_pipeline_create for those who call it from another language: `flaws` is what rhw_arithmetic_flaws gives where
+/// the shader functions were compiled, 0 where no C compiler was.
+RHW_API enum rhw_result rhw_pipeline_create_probed(rhw_context *context, const struct rhw_pipeline_def *def,
+                                                   uint32_t flaws, rhw_pipeline *pipeline);
+
+/// Creates a pipeline; `*def` is copied. Here, and not in the library, because it is compiled with the flags of your
+/// program: one whose flags would draw other bytes on another machine is told (misuse). The flags of the file that
+/// calls this are looked at; give the same ones to files that have shaders alone, as the CMake and pkg-config packages
+/// do.
+static inline enum rhw_result rhw_pipeline_create(rhw_context *context, const struct rhw_pipeline_def *def,
+                                                  rhw_pipeline *pipeline)
+{
+    return rhw_pipeline_create_probed(context, def, rhw_arithmetic_flaws(), pipeline);
+}
+
 RHW_API void rhw_pipeline_destroy(rhw_context *context, rhw_pipeline pipeline);
 
 // Passes --------------------------------------------------------------------------------------------

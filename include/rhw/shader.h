@@ -3,7 +3,8 @@
 // and maths. Plain C on the compiler's vector types, so one source serves every instruction set.
 //
 // Compile shaders with -ffp-contract=off (the CMake and pkg-config packages add it): a fused multiply-add
-// would make their bytes depend on the machine.
+// would make their bytes depend on the machine. rhw_pipeline_create tells where it is missing; -ffast-math and the like
+// are errors here (arithmetic.h).
 #ifndef RHW_SHADER_H
 #define RHW_SHADER_H
 

@@ -3,6 +3,8 @@
 #ifndef RHW_SHADER_LANES_H
 #define RHW_SHADER_LANES_H
 
+#include "arithmetic.h"
+
 #include <stdint.h>
 
 enum { RHW_LANES = 8 };

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
-// Ids, enums and definition structs. Every `*_def` has a function that fills it with defaults; start
-// from that, so that a field added later has its default in your program too.
+// Ids, enums and definition structs. Zero is safe: a member of a `*_def` that is left zero has its default, or the call
+// that takes the struct says what is missing. What zero would say elsewhere, a level 0 or no channel at all, is asked
+// for by name. `*_def_default` gives the same values written out, with one colour target in passes and pipelines.
 #ifndef RHW_TYPES_H
 #define RHW_TYPES_H
 
@@ -34,6 +35,10 @@ enum {
 /// x86-64, NEON on 64-bit ARM, what the compiler was given elsewhere. All draw the same bytes.
 enum rhw_isa { RHW_ISA_BASELINE, RHW_ISA_AVX2, RHW_ISA_AVX512, RHW_ISA_COUNT };
 
+/// The highest instruction set that a context may use; of those up to it, it takes the best that the CPU has.
+/// rhw_isa_up_to gives the limit of an rhw_isa.
+enum rhw_isa_limit { RHW_ISA_BEST, RHW_ISA_UP_TO_BASELINE, RHW_ISA_UP_TO_AVX2, RHW_ISA_UP_TO_AVX512 };
+
 /// Which paths through the kernels a context takes. Special paths draw the bytes of the general path in less time; a
 /// program that only wants its picture leaves them all on.
 enum rhw_paths {
@@ -46,7 +51,7 @@ struct rhw_context_def {
     /// 1..64: the caller's thread and workers; 1 the caller's alone. 0: as many as whole cores' time the process may
     /// use, by affinity and the limits of control groups (1 where it may use one core and a half).
     int threads;
-    enum rhw_isa isa; ///< highest to use; default RHW_ISA_COUNT: the best the CPU has
+    enum rhw_isa_limit isa_limit; ///< RHW_ISA_BEST
     enum rhw_paths paths; ///< RHW_PATHS_ALL
     size_t bin_memory; ///< bytes of binned geometry kept before a pass is flushed to its tiles; 0: 512 MiB
     struct rhw_allocator allocator; ///< zeroed: malloc
@@ -78,16 +83,18 @@ struct rhw_buffer_def {
     const void *data; ///< copied; NULL: zeroed
 };
 
+enum { RHW_MIP_LEVELS_ALL = -1 };
+
 /// A 2D texture: sampled, drawn into, or both (not in the same pass). Zeroed when created. It takes the bytes of its
 /// texels, rows rounded up to 64; an RGBA8_SRGB texture that a pass samples takes 8 bytes a texel more from then on.
 struct rhw_texture_def {
-    enum rhw_format format;
+    enum rhw_format format; ///< to be set
     int width, height; ///< 1..RHW_MAX_TARGET_SIZE
-    int mip_levels;    ///< 1; 0 means the full chain down to 1×1
+    int mip_levels;    ///< 0 or 1: one; RHW_MIP_LEVELS_ALL: the chain down to 1×1
 };
 
-enum rhw_filter { RHW_FILTER_NEAREST, RHW_FILTER_LINEAR };
-enum rhw_mip_filter { RHW_MIP_FILTER_NONE, RHW_MIP_FILTER_NEAREST, RHW_MIP_FILTER_LINEAR };
+enum rhw_filter { RHW_FILTER_LINEAR, RHW_FILTER_NEAREST };
+enum rhw_mip_filter { RHW_MIP_FILTER_LINEAR, RHW_MIP_FILTER_NEAREST, RHW_MIP_FILTER_NONE };
 enum rhw_address { RHW_ADDRESS_REPEAT, RHW_ADDRESS_MIRROR, RHW_ADDRESS_CLAMP, RHW_ADDRESS_BORDER };
 
 struct rhw_sampler_def {
@@ -95,7 +102,8 @@ struct rhw_sampler_def {
     enum rhw_mip_filter mip_filter;         ///< LINEAR: trilinear where the texture has levels
     enum rhw_address address_u, address_v;  ///< REPEAT
     float border[4];                        ///< for RHW_ADDRESS_BORDER, linear values; 0,0,0,0
-    float lod_bias, lod_min, lod_max;       ///< 0, 0, 1000
+    float lod_bias, lod_min;                ///< 0, 0
+    float lod_max; ///< 0: no limit. There is nothing above level 0, so any negative one is a limit of 0
 };
 
 enum rhw_vertex_format {
@@ -124,8 +132,9 @@ struct rhw_attribute {
 };
 
 struct rhw_vertex_layout {
-    uint32_t stride;   ///< bytes; 0: every vertex reads the same element
+    uint32_t stride;   ///< bytes; 0: up to the end of the last of its attributes, as tightly packed elements have it
     bool per_instance; ///< step once per instance instead of once per vertex
+    bool constant;     ///< every vertex of every instance reads the first element; no stride then
 };
 
 enum rhw_qualifier { RHW_SMOOTH, RHW_NOPERSPECTIVE, RHW_FLAT };
@@ -148,10 +157,11 @@ enum rhw_index_type { RHW_INDEX_UINT8, RHW_INDEX_UINT16, RHW_INDEX_UINT32 };
 enum rhw_cull { RHW_CULL_NONE, RHW_CULL_FRONT, RHW_CULL_BACK };
 enum rhw_winding { RHW_COUNTER_CLOCKWISE, RHW_CLOCKWISE }; ///< as seen on the screen, y up
 enum rhw_compare {
-    RHW_COMPARE_NEVER, RHW_COMPARE_LESS, RHW_COMPARE_EQUAL, RHW_COMPARE_LESS_EQUAL,
+    RHW_COMPARE_LESS, RHW_COMPARE_NEVER, RHW_COMPARE_EQUAL, RHW_COMPARE_LESS_EQUAL,
     RHW_COMPARE_GREATER, RHW_COMPARE_NOT_EQUAL, RHW_COMPARE_GREATER_EQUAL, RHW_COMPARE_ALWAYS
 };
 enum rhw_blend_factor {
+    RHW_BLEND_DEFAULT, ///< ONE as src, ZERO as dst: the source replaces
     RHW_BLEND_ZERO, RHW_BLEND_ONE,
     RHW_BLEND_SRC, RHW_BLEND_ONE_MINUS_SRC, RHW_BLEND_SRC_ALPHA, RHW_BLEND_ONE_MINUS_SRC_ALPHA,
     RHW_BLEND_DST, RHW_BLEND_ONE_MINUS_DST, RHW_BLEND_DST_ALPHA, RHW_BLEND_ONE_MINUS_DST_ALPHA,
@@ -166,13 +176,21 @@ struct rhw_blend_component {
     enum rhw_blend_operation operation;
 };
 
+enum rhw_write_mask {
+    RHW_WRITE_RED = 1,
+    RHW_WRITE_GREEN = 2,
+    RHW_WRITE_BLUE = 4,
+    RHW_WRITE_ALPHA = 8,
+    RHW_WRITE_NONE = 16 ///< stands alone
+};
+
 /// Fixed-point and sRGB targets clamp the source to 0..1 before blending; sRGB targets blend in linear
 /// light (the destination is decoded, the result encoded).
 struct rhw_color_target {
-    enum rhw_format format;
+    enum rhw_format format;                  ///< to be set
     bool blend;                              ///< false: the source replaces
     struct rhw_blend_component color, alpha; ///< src × srcFactor op dst × dstFactor
-    uint8_t write_mask;                      ///< bit 0 red .. bit 3 alpha; default 15
+    uint8_t write_mask;                      ///< or-ed rhw_write_mask; 0: all channels
 };
 
 enum rhw_depth_range { RHW_DEPTH_ZERO_TO_ONE, RHW_DEPTH_MINUS_ONE_TO_ONE };
@@ -236,12 +254,14 @@ struct rhw_pipeline_def {
     enum rhw_depth_range depth_range; ///< ZERO_TO_ONE
     bool depth_test;                 ///< false: no test and no write, no depth attachment needed
     enum rhw_compare depth_compare;  ///< LESS
-    bool depth_write;                ///< true
+    bool depth_read_only;            ///< false: a fragment that passes the test writes its depth
     struct rhw_color_target targets[RHW_MAX_COLOR_ATTACHMENTS];
     int target_count;
 };
 
-enum rhw_load { RHW_LOAD_CLEAR, RHW_LOAD_LOAD, RHW_LOAD_DISCARD };
+/// DEFAULT clears as CLEAR does, but for a depth of 0, which it takes for 1: clear to depth 0 by CLEAR.
+/// A first draw that asks for greater depth than such a 1 is misuse.
+enum rhw_load { RHW_LOAD_DEFAULT, RHW_LOAD_CLEAR, RHW_LOAD_LOAD, RHW_LOAD_DISCARD };
 enum rhw_store { RHW_STORE_STORE, RHW_STORE_DISCARD };
 
 struct rhw_color_attachment {
@@ -256,7 +276,7 @@ struct rhw_depth_attachment {
     rhw_texture texture; ///< may be null when loaded by CLEAR and stored by DISCARD: it then needs no memory
     enum rhw_load load;
     enum rhw_store store;
-    float clear; ///< 1
+    float clear; ///< 0..1; see rhw_load
 };
 
 struct rhw_pass_def {
@@ -268,7 +288,8 @@ struct rhw_pass_def {
 
 struct rhw_viewport {
     float x, y, width, height; ///< pixels from the top left; within ±RHW_MAX_TARGET_SIZE
-    float depth_min, depth_max; ///< 0..1; depth_min > depth_max reverses
+    float depth_min, depth_max; ///< 0..1; depth_min > depth_max reverses. Both 0: 0 and 1; for nothing but depth 0
+                                ///< depth_max is −1, which counts as 0
 };
 
 struct rhw_rect { int x, y, width, height; }; ///< pixels

@@ -88,12 +88,12 @@ static bool create_pipeline(struct probe *p, enum rhw_topology topology, bool mi
     def.buffer_count = 1;
     def.topology = topology;
     def.depth_range = minus_one_to_one ? RHW_DEPTH_MINUS_ONE_TO_ONE : RHW_DEPTH_ZERO_TO_ONE;
-    def.depth_test = def.depth_write = true;
+    def.depth_test = true;
     def.depth_compare = RHW_COMPARE_ALWAYS;
     def.target_count = TARGETS;
     for (int i = 0; i < TARGETS; i++) {
         def.targets[i].format = i == COUNT ? RHW_FORMAT_R32_FLOAT : RHW_FORMAT_RGBA32_FLOAT;
-        def.targets[i].write_mask = 15;
+        def.targets[i].write_mask = 0;
     }
     const struct rhw_blend_component add = {RHW_BLEND_ONE, RHW_BLEND_ONE, RHW_BLEND_ADD};
     def.targets[COUNT].blend = true;
@@ -106,7 +106,7 @@ struct probe *probe_create(int threads, enum rhw_isa isa)
     struct probe *const p = calloc(1, sizeof *p);
     struct rhw_context_def def = rhw_context_def_default();
     def.threads = threads;
-    def.isa = isa;
+    def.isa_limit = rhw_isa_up_to(isa);
     if (!p || rhw_context_create(&def, &p->context) != RHW_OK) {
         free(p);
         return NULL;

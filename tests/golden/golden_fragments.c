@@ -145,7 +145,7 @@ void golden_single_draw(rhw_context *context, int number, struct golden_images *
         const unsigned char texel[4] = {(unsigned char)(i % 16 * 16), (i / 16 + i) % 2 ? 255 : 80, 90, 255};
         memcpy(texels[i / 16][i % 16], texel, 4);
     }
-    const rhw_texture texture = golden_texture(context, RHW_FORMAT_RGBA8_UNORM, 16, 16, 0);
+    const rhw_texture texture = golden_texture(context, RHW_FORMAT_RGBA8_UNORM, 16, 16, RHW_MIP_LEVELS_ALL);
     rhw_texture_write(context, texture, 0, texels, 0);
     golden_check(rhw_texture_generate_mips(context, texture), "levels");
     const struct rhw_sampler_def state = rhw_sampler_def_default();

@@ -162,9 +162,9 @@ static void make_materials(struct scene_material *materials)
                                                           m % 2 ? -0.6f : 0, m % 2 ? 0.8f : 1, 0},
                                             .address_u = (enum rhw_address)(m % 3),
                                             .address_v = (enum rhw_address)((m + 1) % 3),
-                                            .min_filter = (enum rhw_filter)((m + 1) % 2),
+                                            .min_filter = m % 2 ? RHW_FILTER_NEAREST : RHW_FILTER_LINEAR,
                                             .mag_filter = RHW_FILTER_LINEAR,
-                                            .mip_filter = (enum rhw_mip_filter)(m % 3)};
+                                            .mip_filter = (enum rhw_mip_filter)(RHW_MIP_FILTER_NONE - m % 3)};
         }
     }
     bind(&materials[3], SCENE_SLOT_BASE_COLOR, IMAGE_COLORS);

@@ -66,8 +66,8 @@ void golden_blend_draw(rhw_context *context, int number, struct golden_images *i
     set_targets(&def, blend_formats, BLEND_FORMATS);
     draw_backdrop(&board, &def);
     for (int cell = 0; cell < FACTORS * FACTORS * OPERATIONS; cell++) {
-        const enum rhw_blend_factor src = (enum rhw_blend_factor)(cell % FACTORS);
-        const enum rhw_blend_factor dst = (enum rhw_blend_factor)(cell / FACTORS % FACTORS);
+        const enum rhw_blend_factor src = (enum rhw_blend_factor)(RHW_BLEND_ZERO + cell % FACTORS);
+        const enum rhw_blend_factor dst = (enum rhw_blend_factor)(RHW_BLEND_ZERO + cell / FACTORS % FACTORS);
         const int operation = cell / FACTORS / FACTORS;
         for (int i = 0; i < BLEND_FORMATS; i++) {
             def.targets[i].blend = true;
@@ -98,7 +98,7 @@ void golden_write_mask_draw(rhw_context *context, int number, struct golden_imag
     set_targets(&def, blend_formats, BLEND_FORMATS);
     for (int cell = 0; cell < 32; cell++) { // the lower half blends
         for (int i = 0; i < BLEND_FORMATS; i++) {
-            def.targets[i].write_mask = (uint8_t)(cell & 15);
+            def.targets[i].write_mask = (uint8_t)(cell & 15 ? cell & 15 : RHW_WRITE_NONE);
             def.targets[i].blend = cell >= 16;
             def.targets[i].color = (struct rhw_blend_component){RHW_BLEND_SRC_ALPHA,
                                                                 RHW_BLEND_ONE_MINUS_SRC_ALPHA, RHW_BLEND_ADD};
@@ -152,7 +152,7 @@ void golden_formats_draw(rhw_context *context, int number, struct golden_images 
         for (int column = 0; column < 4; column++) { // replaced; flat; blended; the largest of both
             def.program.varyings[0].qualifier = column == 1 ? RHW_FLAT : RHW_SMOOTH;
             // The bits of a NaN that arithmetic makes are the processor's own; only an integer target shows them.
-            def.targets[COUNT - 1].write_mask = row >= 4 && column != 1 ? 0 : 15;
+            def.targets[COUNT - 1].write_mask = row >= 4 && column != 1 ? RHW_WRITE_NONE : 0;
             for (int i = 0; i < COUNT - 1; i++) {
                 def.targets[i].blend = column >= 2;
                 def.targets[i].color = def.targets[i].alpha = (struct rhw_blend_component){

@@ -21,6 +21,9 @@ void golden_depth_draw(rhw_context *context, int number, struct golden_images *i
 {
     (void)number;
     enum { SIDE = 40, COMPARES = 8, ROWS = 5 };
+    static const enum rhw_compare compares[COMPARES] = {
+        RHW_COMPARE_NEVER,   RHW_COMPARE_LESS,      RHW_COMPARE_EQUAL,         RHW_COMPARE_LESS_EQUAL,
+        RHW_COMPARE_GREATER, RHW_COMPARE_NOT_EQUAL, RHW_COMPARE_GREATER_EQUAL, RHW_COMPARE_ALWAYS};
     const enum rhw_format formats[] = {RHW_FORMAT_RGBA8_UNORM, RHW_FORMAT_D32_FLOAT};
     // Two slopes that cut each other, one that leaves 0..1 on either side, and a copy of the first.
     static const struct golden_vertex vertices[] = {
@@ -41,8 +44,8 @@ void golden_depth_draw(rhw_context *context, int number, struct golden_images *i
         const int row = cell / COMPARES;
         struct rhw_pipeline_def def = golden_cells_def(GOLDEN_CELL_VALUE, RHW_FORMAT_RGBA8_UNORM);
         def.depth_test = row != 1;
-        def.depth_write = row != 2;
-        def.depth_compare = (enum rhw_compare)(cell % COMPARES);
+        def.depth_read_only = row == 2;
+        def.depth_compare = compares[cell % COMPARES];
         def.depth_range = row == 3 ? RHW_DEPTH_MINUS_ONE_TO_ONE : RHW_DEPTH_ZERO_TO_ONE;
         golden_cell(context, board.pass, cell % COMPARES, row, SIDE, SIDE);
         const struct rhw_viewport reversed = {

@@ -195,7 +195,7 @@ static rhw_pipeline make_pipeline(rhw_context *context, const struct scene *scen
     def.buffer_count = 1;
     def.cull = scene->cull ? RHW_CULL_BACK : RHW_CULL_NONE;
     def.depth_test = true;
-    def.depth_write = !scene->blend;
+    def.depth_read_only = scene->blend;
     def.targets[0].format = scene->format;
     def.targets[0].blend = scene->blend;
     def.targets[0].color =
@@ -221,7 +221,7 @@ static rhw_texture make_checker(rhw_context *context)
             texels[y][x][3] = 255;
         }
     }
-    const rhw_texture texture = golden_texture(context, RHW_FORMAT_RGBA8_SRGB, W, H, 0);
+    const rhw_texture texture = golden_texture(context, RHW_FORMAT_RGBA8_SRGB, W, H, RHW_MIP_LEVELS_ALL);
     rhw_texture_write(context, texture, 0, texels, 0);
     rhw_texture_generate_mips(context, texture);
     return texture;

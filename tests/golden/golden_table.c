@@ -18,6 +18,11 @@ uint64_t golden_hash(uint64_t hash, const void *data, size_t size)
 
 enum { MOST_CONFIGURATIONS = 4 + RHW_ISA_COUNT - 1 + RHW_PATHS_GENERAL };
 
+static const char *isa_limit_name(const struct rhw_context_def *def)
+{
+    return def->isa_limit == RHW_ISA_BEST ? "best" : rhw_isa_name((enum rhw_isa)(def->isa_limit - 1));
+}
+
 // Thread counts, instruction sets, paths and bin sizes that must make no difference; the first is the reference.
 static int configurations(struct rhw_context_def defs[MOST_CONFIGURATIONS])
 {
@@ -25,7 +30,7 @@ static int configurations(struct rhw_context_def defs[MOST_CONFIGURATIONS])
     const int threads[] = {1, 2, 3, 8};
     for (int i = 0; i < 4; i++) {
         defs[count] = rhw_context_def_default();
-        defs[count].isa = RHW_ISA_BASELINE;
+        defs[count].isa_limit = RHW_ISA_UP_TO_BASELINE;
         defs[count++].threads = threads[i];
     }
     defs[1].bin_memory = 1 << 16;
@@ -34,7 +39,7 @@ static int configurations(struct rhw_context_def defs[MOST_CONFIGURATIONS])
             continue;
         }
         defs[count] = rhw_context_def_default();
-        defs[count].isa = (enum rhw_isa)isa;
+        defs[count].isa_limit = rhw_isa_up_to((enum rhw_isa)isa);
         defs[count++].threads = 2;
     }
     for (int paths = RHW_PATHS_ALL + 1; paths <= RHW_PATHS_GENERAL; paths++) {
@@ -56,7 +61,7 @@ static uint64_t hash_everywhere(const struct golden_set *set, int number, int *f
             continue;
         }
         printf("%s: other bytes with %d threads, %s, paths %d, bin memory %zu\n", set->name(number),
-               defs[i].threads, rhw_isa_name(defs[i].isa), (int)defs[i].paths, defs[i].bin_memory);
+               defs[i].threads, isa_limit_name(&defs[i]), (int)defs[i].paths, defs[i].bin_memory);
         *failed += 1;
         return 0;
     }
@@ -91,13 +96,13 @@ static bool print_cell(const struct golden_set *set, FILE *table, struct rhw_con
             whole = repeat == 0 ? golden_hash(whole, &hash, sizeof hash) : whole;
             if (hash != wanted) {
                 fprintf(stderr, "%s, %s, %d threads, repeat %d: %016" PRIx64 ", not %016" PRIx64 "\n",
-                        set->name(i), rhw_isa_name(def->isa), def->threads, repeat, hash, wanted);
+                        set->name(i), isa_limit_name(def), def->threads, repeat, hash, wanted);
                 same = false;
             }
         }
         matched += same;
     }
-    printf("%s %d %d %d %016" PRIx64 "\n", rhw_isa_name(def->isa), def->threads, matched, set->count, whole);
+    printf("%s %d %d %d %016" PRIx64 "\n", isa_limit_name(def), def->threads, matched, set->count, whole);
     fflush(stdout);
     return matched == set->count;
 }
@@ -113,7 +118,7 @@ static int print_matrix(const struct golden_set *set, FILE *table, const char *t
         while (*at != '\0') {
             char *end;
             struct rhw_context_def def = rhw_context_def_default();
-            def.isa = (enum rhw_isa)isa;
+            def.isa_limit = rhw_isa_up_to((enum rhw_isa)isa);
             def.threads = (int)strtol(at, &end, 10);
             if (end == at || def.threads < 1 || repeats < 1) {
                 fprintf(stderr, "golden: threads %s or repeats %d out of range\n", threads, repeats);

@@ -32,7 +32,7 @@ static float pattern(int x, int y, int channel, bool wild)
 
 static rhw_texture make_texture(rhw_context *context, enum rhw_format format, int width, int height)
 {
-    const rhw_texture texture = golden_texture(context, format, width, height, 0);
+    const rhw_texture texture = golden_texture(context, format, width, height, RHW_MIP_LEVELS_ALL);
     const size_t size = rhw_format_size(format);
     unsigned char *const texels = calloc((size_t)width * (size_t)height, size);
     for (int i = 0; texels != NULL && i < width * height; i++) {
@@ -92,9 +92,9 @@ void golden_sampler_draw(rhw_context *context, int number, struct golden_images 
         // Columns: both filters with each mip filter. Rows: addresses, then bounds and bias of the level.
         const int column = cell % COLUMNS, row = cell / COLUMNS;
         struct rhw_sampler_def state = rhw_sampler_def_default();
-        state.min_filter = (enum rhw_filter)(column % 2);
-        state.mag_filter = (enum rhw_filter)(column / 2 % 2);
-        state.mip_filter = (enum rhw_mip_filter)(column / 4);
+        state.min_filter = column % 2 ? RHW_FILTER_LINEAR : RHW_FILTER_NEAREST;
+        state.mag_filter = column / 2 % 2 ? RHW_FILTER_LINEAR : RHW_FILTER_NEAREST;
+        state.mip_filter = (enum rhw_mip_filter)(RHW_MIP_FILTER_NONE - column / 4);
         state.address_u = (enum rhw_address)(row % 4);
         state.address_v = (enum rhw_address)((row + column) % 4);
         memcpy(state.border, (const float[]){1, 0.5f, 0, 0.5f}, sizeof state.border);

@@ -106,15 +106,17 @@ void golden_instances_draw(rhw_context *context, int number, struct golden_image
         def.program.varyings[1] = (struct rhw_varying){2, RHW_FLAT, false};
         def.program.varying_count = 2;
         for (int i = 1; i < 4; i++) {
-            def.targets[i] = (struct rhw_color_target){.format = formats[i], .write_mask = draw < 2 ? 0 : 15};
+            def.targets[i] =
+                (struct rhw_color_target){.format = formats[i], .write_mask = draw < 2 ? RHW_WRITE_NONE : 0};
         }
         def.target_count = 4;
         def.topology = draw == 3 ? RHW_TRIANGLE_LIST : RHW_TRIANGLE_FAN;
         def.attributes[2] = (struct rhw_attribute){RHW_VERTEX_FLOAT3, 1, offsetof(struct instance, place)};
         def.attributes[3] = (struct rhw_attribute){RHW_VERTEX_UNORM8X4, 1, offsetof(struct instance, factor)};
         def.attribute_count = 4;
-        def.buffers[1] = (struct rhw_vertex_layout){sizeof(struct instance), true};
+        def.buffers[1] = (struct rhw_vertex_layout){.stride = sizeof(struct instance), .per_instance = true};
         def.buffers[0].stride = draw == 1 ? 0 : sizeof(struct golden_vertex);
+        def.buffers[0].constant = draw == 1;
         if (draw == 1) { // every vertex reads the same value; the position is another buffer's
             def.attributes[0].buffer = 2;
             def.buffers[2].stride = sizeof(struct golden_vertex);

@@ -39,7 +39,7 @@ static void make_test(struct kernel_random *random, void *input)
     in->x = (int32_t)random_int(random, 0, RHW_TILE / RHW_BLOCK - 1) * RHW_BLOCK;
     in->y = (int32_t)random_int(random, 0, RHW_TILE - RHW_BLOCK);
     in->name = (int32_t)random_int(random, 0, RHW_RULE_ANY);
-    in->compare = (int32_t)random_int(random, RHW_COMPARE_NEVER, RHW_COMPARE_ALWAYS);
+    in->compare = (int32_t)random_int(random, RHW_COMPARE_LESS, RHW_COMPARE_ALWAYS);
     in->write = random_one_in(random, 2);
     in->open_rule = (int32_t)random_int(random, RHW_OPEN_IGNORED, RHW_OPEN_CLOSE);
 }

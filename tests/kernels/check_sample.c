@@ -36,9 +36,9 @@ static struct rhw_sampler_def make_sampler(struct kernel_random *random)
         def.address_u = (enum rhw_address)random_int(random, RHW_ADDRESS_REPEAT, RHW_ADDRESS_CLAMP);
         def.address_v = (enum rhw_address)random_int(random, RHW_ADDRESS_REPEAT, RHW_ADDRESS_CLAMP);
     } else {
-        def.min_filter = (enum rhw_filter)random_int(random, RHW_FILTER_NEAREST, RHW_FILTER_LINEAR);
-        def.mag_filter = (enum rhw_filter)random_int(random, RHW_FILTER_NEAREST, RHW_FILTER_LINEAR);
-        def.mip_filter = (enum rhw_mip_filter)random_int(random, RHW_MIP_FILTER_NONE, RHW_MIP_FILTER_LINEAR);
+        def.min_filter = (enum rhw_filter)random_int(random, RHW_FILTER_LINEAR, RHW_FILTER_NEAREST);
+        def.mag_filter = (enum rhw_filter)random_int(random, RHW_FILTER_LINEAR, RHW_FILTER_NEAREST);
+        def.mip_filter = (enum rhw_mip_filter)random_int(random, RHW_MIP_FILTER_LINEAR, RHW_MIP_FILTER_NONE);
         def.address_u = (enum rhw_address)random_int(random, RHW_ADDRESS_REPEAT, RHW_ADDRESS_BORDER);
         def.address_v = (enum rhw_address)random_int(random, RHW_ADDRESS_REPEAT, RHW_ADDRESS_BORDER);
     }
@@ -80,7 +80,7 @@ static void make_sample(struct kernel_random *random, void *input)
     } while (!rhw_format_has_role(rhw_format_info((enum rhw_format)in->format), RHW_ROLE_SAMPLED));
     in->width = (int32_t)random_int(random, 1, MOST_SIZE);
     in->height = (int32_t)random_int(random, 1, MOST_SIZE);
-    in->levels = random_one_in(random, 4) ? 1 : 0;
+    in->levels = random_one_in(random, 4) ? 1 : rhw_mip_chain_length(in->width, in->height);
     in->asks = (int32_t)random_int(random, 0, ASKS_COUNT - 1);
     in->paths = random_one_in(random, 4) ? RHW_PATHS_GENERAL : RHW_PATHS_ALL;
     for (int i = 0; i < TEXTURE_BYTES; i += 8) {

@@ -156,8 +156,10 @@ void rig_set_target(struct rig *rig, int index, enum rhw_format format)
 
 void rig_set_depth(struct rig *rig)
 {
-    rig->pass.depth = (struct rhw_depth_attachment){
-        .enabled = true, .texture = create_target(rig, RHW_FORMAT_D32_FLOAT), .clear = 1};
+    rig->pass.depth = (struct rhw_depth_attachment){.enabled = true,
+                                                    .texture = create_target(rig, RHW_FORMAT_D32_FLOAT),
+                                                    .load = RHW_LOAD_CLEAR,
+                                                    .clear = 1};
     rig->pipeline.depth_test = true;
 }
 

@@ -15,7 +15,7 @@ for header in "$include"/rhw/*.h; do
         compiler=$2
         [ $language = c ] || compiler=$cxx
         count=$((count + 1))
-        if ! printf '#include <rhw/%s>\n#include <rhw/%s>\n' "$(basename "$header")" "$(basename "$header")" |
+        if ! printf '#include <rhw/%s>\n#include <rhw/%s>\nextern int after_them;\n' "$(basename "$header")" "$(basename "$header")" |
             "$compiler" -x $language -std=${language}17 -fsyntax-only -I"$include" \
                 -Wall -Wextra -Wpedantic -Wshadow -Wconversion -Wundef -Werror -; then
             echo "$header does not compile alone as ${language}17 with $compiler"

@@ -139,6 +139,7 @@ static void test_pass_size_may_be_given(void **state)
     rig_draw_once(&rig, all, 6);
     assert_int_equal(rig.stats.fragments_shaded, 1200);
     // Only transient depth: nothing else says how large the pass is.
+    rig.pass.colors[0].texture = (rhw_texture){0, 0};
     rig.pass.color_count = 0;
     rig.pipeline.target_count = 0;
     rig.pass.depth = (struct rhw_depth_attachment){.enabled = true, .store = RHW_STORE_DISCARD, .clear = 1};
@@ -240,7 +241,7 @@ static void test_write_and_read_with_pitch_and_levels(void **state)
     (void)state;
     struct rig rig;
     rig_open(&rig, 1, 1);
-    const rhw_texture texture = create(&rig, RHW_FORMAT_RGBA8_UNORM, 13, 6, 0);
+    const rhw_texture texture = create(&rig, RHW_FORMAT_RGBA8_UNORM, 13, 6, RHW_MIP_LEVELS_ALL);
     assert_int_equal(rhw_texture_mip_levels(rig.context, texture), 4);
     assert_int_equal(rhw_texture_format(rig.context, texture), RHW_FORMAT_RGBA8_UNORM);
     const int sizes[4][2] = {{13, 6}, {6, 3}, {3, 1}, {1, 1}};
@@ -339,7 +340,7 @@ static void test_mips_of_a_rendered_texture(void **state)
     struct rig rig;
     rig_open(&rig, 64, 64);
     rhw_texture_destroy(rig.context, rig.pass.colors[0].texture);
-    rig.pass.colors[0].texture = create(&rig, RHW_FORMAT_RGBA32_FLOAT, 64, 64, 0);
+    rig.pass.colors[0].texture = create(&rig, RHW_FORMAT_RGBA32_FLOAT, 64, 64, RHW_MIP_LEVELS_ALL);
     struct rig_vertex half[6];
     rig_rectangle(&rig, 0, 0, 64, 32, 0.5f, (const float[4]){1, 2, 4, 8}, half);
     rig_draw_once(&rig, half, 6);

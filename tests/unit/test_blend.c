@@ -19,6 +19,7 @@ static double factor(enum rhw_blend_factor f, int c, const double src[4], const 
                      const double constant[4])
 {
     switch (f) {
+    case RHW_BLEND_DEFAULT: break; // test_zero.c has it
     case RHW_BLEND_ZERO: return 0;
     case RHW_BLEND_ONE: return 1;
     case RHW_BLEND_SRC: return src[c];
@@ -83,12 +84,12 @@ static void test_every_factor_and_operation(void **state)
     rig_open(&rig, 32, 32);
     uint64_t random = 5;
     for (int i = 0; i < COUNT; i++) {
-        rows[i].color.src = (enum rhw_blend_factor)(i % FACTORS);
-        rows[i].color.dst = (enum rhw_blend_factor)(i / FACTORS % FACTORS);
+        rows[i].color.src = (enum rhw_blend_factor)(RHW_BLEND_ZERO + i % FACTORS);
+        rows[i].color.dst = (enum rhw_blend_factor)(RHW_BLEND_ZERO + i / FACTORS % FACTORS);
         rows[i].color.operation = (enum rhw_blend_operation)(i / (FACTORS * FACTORS));
         // Alpha blends with factors of its own, and gets round to every combination as well.
-        rows[i].alpha.src = (enum rhw_blend_factor)((i + 5) / FACTORS % FACTORS);
-        rows[i].alpha.dst = (enum rhw_blend_factor)((i + 5) % FACTORS);
+        rows[i].alpha.src = (enum rhw_blend_factor)(RHW_BLEND_ZERO + (i + 5) / FACTORS % FACTORS);
+        rows[i].alpha.dst = (enum rhw_blend_factor)(RHW_BLEND_ZERO + (i + 5) % FACTORS);
         rows[i].alpha.operation = (enum rhw_blend_operation)((i / (FACTORS * FACTORS) + 2) % OPERATIONS);
         for (int c = 0; c < 4; c++) {
             rows[i].src[c] = (double)rig_random_float(&random, -0.5f, 1.5f);
@@ -338,7 +339,7 @@ static void test_write_mask(void **state)
             for (int mask = 0; mask < 16; mask++) {
                 rig.pass.colors[0].clear[0] = rig.pass.colors[0].clear[1] = 0;
                 rig.pass.colors[0].clear[2] = rig.pass.colors[0].clear[3] = 0;
-                rig.pipeline.targets[0].write_mask = (uint8_t)mask;
+                rig.pipeline.targets[0].write_mask = (uint8_t)(mask ? mask : RHW_WRITE_NONE);
                 rig.pipeline.targets[0].blend = blend_on != 0;
                 rig.pipeline.targets[0].color =
                     (struct rhw_blend_component){RHW_BLEND_ONE, RHW_BLEND_ONE, RHW_BLEND_ADD};

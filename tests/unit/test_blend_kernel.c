@@ -193,8 +193,8 @@ static struct rhw_color_target random_target(uint64_t *random)
     struct rhw_blend_component *const part[2] = {&target.color, &target.alpha};
     const bool usual = rig_random_int(random, 3) == 0;
     for (int i = 0; i < 2; i++) {
-        part[i]->src = (enum rhw_blend_factor)rig_random_int(random, 13);
-        part[i]->dst = (enum rhw_blend_factor)rig_random_int(random, 13);
+        part[i]->src = (enum rhw_blend_factor)(RHW_BLEND_ZERO + rig_random_int(random, 13));
+        part[i]->dst = (enum rhw_blend_factor)(RHW_BLEND_ZERO + rig_random_int(random, 13));
         part[i]->operation = (enum rhw_blend_operation)rig_random_int(random, 5);
         if (usual) {
             part[i]->src = rig_random_int(random, 2) ? RHW_BLEND_SRC_ALPHA : RHW_BLEND_ONE;

@@ -45,10 +45,10 @@ static void test_instruction_sets(void **state)
             best = isa;
         }
         struct rhw_context_def def = rhw_context_def_default();
-        def.isa = (enum rhw_isa)isa;
+        def.isa_limit = rhw_isa_up_to((enum rhw_isa)isa);
         def.threads = 1;
         rhw_context *context = NULL;
-        // `isa` is the highest to use: one the CPU lacks gives the best below it.
+        // `isa_limit` is the highest to use: one the CPU lacks gives the best below it.
         assert_int_equal(rhw_context_create(&def, &context), RHW_OK);
         assert_int_equal(rhw_context_isa(context), best);
         rhw_context_destroy(context);

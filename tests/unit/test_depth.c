@@ -47,7 +47,7 @@ static void test_every_compare_function(void **state)
                 for (int write = 0; write < 2; write++) {
                     rig.pass.depth.clear = stored[s];
                     rig.pipeline.depth_compare = (enum rhw_compare)compare;
-                    rig.pipeline.depth_write = write != 0;
+                    rig.pipeline.depth_read_only = write == 0;
                     rig_begin(&rig);
                     draw_layer(&rig, incoming[i], red);
                     rig_end(&rig);
@@ -375,6 +375,7 @@ static void test_depth_only_program(void **state)
     struct rig rig;
     rig_open(&rig, SIZE, SIZE);
     rig_set_depth(&rig);
+    rig.pass.colors[0].texture = (rhw_texture){0, 0};
     rig.pass.color_count = 0;
     rig.pipeline.target_count = 0;
     rig_set_program(&rig, rig_vertex_pass, NULL);
@@ -408,7 +409,7 @@ static void test_equal_after_a_prepass(void **state)
     rig_draw(&rig, vertices, 300);
     rig_set_program(&rig, rig_vertex_pass, rig_fragment_pass);
     rig.pipeline.depth_compare = RHW_COMPARE_EQUAL;
-    rig.pipeline.depth_write = false;
+    rig.pipeline.depth_read_only = true;
     rig_draw(&rig, vertices, 300);
     rig_end(&rig);
     static float depth[256 * 256];

@@ -70,7 +70,7 @@ static void make_scene(struct rig *rig, struct scene *scene)
     def.format = RHW_FORMAT_RGBA8_SRGB;
     def.width = 37;
     def.height = 64;
-    def.mip_levels = 0;
+    def.mip_levels = RHW_MIP_LEVELS_ALL;
     assert_int_equal(rhw_texture_create(rig->context, &def, &scene->image), RHW_OK);
     unsigned char texels[37 * 64 * 4];
     for (size_t i = 0; i < sizeof texels; i++) {
@@ -94,7 +94,7 @@ static void draw_scene(struct rig *rig, const struct scene *scene)
     isa_shaders_fill(program);
     program->uses = 0;
     rig->pipeline.targets[0].blend = false;
-    rig->pipeline.depth_write = true;
+    rig->pipeline.depth_read_only = false;
     rig_draw(rig, scene->small, 3 * SMALL);
     memset(program->vertex, 0, sizeof program->vertex);
     memset(program->fragment, 0, sizeof program->fragment);
@@ -105,7 +105,7 @@ static void draw_scene(struct rig *rig, const struct scene *scene)
     program->uses = RHW_USE_DISCARD;
     rig->pipeline.targets[0].blend = true;
     rig->pipeline.targets[0].color = rig->pipeline.targets[0].alpha = over;
-    rig->pipeline.depth_write = false;
+    rig->pipeline.depth_read_only = true;
     rig_draw(rig, scene->large, 3 * LARGE);
     isa_shaders_fill(program);
     program->uses = 0;
@@ -163,7 +163,7 @@ static struct outcome baseline(void)
 {
     struct rhw_context_def def = rhw_context_def_default();
     def.threads = 1;
-    def.isa = RHW_ISA_BASELINE;
+    def.isa_limit = RHW_ISA_UP_TO_BASELINE;
     const struct outcome outcome = run(&def, 1);
     // The scene does what it is for.
     assert_true(outcome.stats.triangles_clipped > 20);
@@ -198,7 +198,7 @@ static void test_instruction_sets(void **state)
             continue;
         }
         struct rhw_context_def def = rhw_context_def_default();
-        def.isa = (enum rhw_isa)isa;
+        def.isa_limit = rhw_isa_up_to((enum rhw_isa)isa);
         def.threads = 2;
         const struct outcome outcome = run(&def, 1);
         assert_int_equal(outcome.stats.isa, isa);

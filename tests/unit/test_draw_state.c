@@ -61,7 +61,9 @@ static void open_rig(struct rig *rig)
     rig_open(rig, SIZE, SIZE);
     rig_set_program(rig, uniform_vertex, uniform_fragment);
     rig->pipeline.program.uniform_size = sizeof(struct uniforms);
+    rig->pipeline.program.varyings[0] = (struct rhw_varying){0};
     rig->pipeline.program.varying_count = 0;
+    rig->pipeline.attributes[0] = (struct rhw_attribute){0};
     rig->pipeline.attribute_count = rig->pipeline.buffer_count = 0;
 }
 

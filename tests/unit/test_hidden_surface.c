@@ -64,7 +64,7 @@ static void use_layer(struct rig *rig, const struct layer *layer)
     rig_set_program(rig, rig_vertex_pass, kinds[layer->kind].fragment);
     rig->pipeline.program.uses = kinds[layer->kind].uses;
     rig->pipeline.depth_test = layer->tests;
-    rig->pipeline.depth_write = layer->writes;
+    rig->pipeline.depth_read_only = !layer->writes;
     rig->pipeline.depth_compare = layer->compare;
 }
 
@@ -74,7 +74,7 @@ static void make_layers(const struct rig *rig, uint64_t *random, struct layer la
     for (int d = 0; d < DRAWS; d++) {
         layers[d].kind = (enum kind)rig_random_int(random, KIND_COUNT);
         layers[d].tests = rig->pipeline.depth_test;
-        layers[d].writes = rig->pipeline.depth_write;
+        layers[d].writes = !rig->pipeline.depth_read_only;
         layers[d].compare = rig->pipeline.depth_compare;
         for (int i = 0; i < TRIANGLES; i++) {
             const float size = rig_random_int(random, 4) == 0 ? 20 : 2.0f * SIZE,
@@ -384,7 +384,7 @@ static void test_others_keep_their_turn(void **state)
         rig.pipeline.targets[0].color =
             (struct rhw_blend_component){RHW_BLEND_SRC_ALPHA, RHW_BLEND_ONE_MINUS_SRC_ALPHA, RHW_BLEND_ADD};
         rig.pipeline.targets[0].write_mask = n == 1 ? 5 : 15;
-        rig.pipeline.depth_write = n != 2;
+        rig.pipeline.depth_read_only = n == 2;
         make_layers(&rig, &random, layers);
         draw_together(&rig, layers, &together);
         draw_one_by_one(&rig, layers, &alone);

@@ -121,7 +121,7 @@ static enum rhw_result make_objects(struct work *work)
         struct rhw_texture_def def = rhw_texture_def_default();
         def.format = formats[i];
         def.width = def.height = SIZE;
-        def.mip_levels = i == 2 ? 0 : 1;
+        def.mip_levels = i == 2 ? RHW_MIP_LEVELS_ALL : 1;
         result = rhw_texture_create(work->context, &def, textures[i]);
         if (result != RHW_OK) {
             return result;

@@ -209,7 +209,7 @@ static void test_texture_and_buffer_definitions(void **state)
     reject_texture(&rig, RHW_FORMAT_RGBA8_UNORM, -1, 8, 1);
     reject_texture(&rig, RHW_FORMAT_RGBA8_UNORM, RHW_MAX_TARGET_SIZE + 1, 8, 1);
     reject_texture(&rig, RHW_FORMAT_RGBA8_UNORM, 8, INT32_MAX, 1);
-    reject_texture(&rig, RHW_FORMAT_RGBA8_UNORM, 8, 8, -1);
+    reject_texture(&rig, RHW_FORMAT_RGBA8_UNORM, 8, 8, -2);
     reject_texture(&rig, RHW_FORMAT_RGBA8_UNORM, 8, 8, 5);
     struct rhw_buffer_def def = rhw_buffer_def_default();
     def.size = 0;
@@ -307,9 +307,9 @@ static void test_pipeline_definitions(void **state)
         case 24: def.target_count = -1; break;
         case 25: def.targets[0].format = RHW_FORMAT_NONE; break;
         case 26: def.targets[0].format = RHW_FORMAT_D32_FLOAT; break;
-        case 27: def.targets[0].color.src = (enum rhw_blend_factor)13; break;
+        case 27: def.targets[0].color.src = (enum rhw_blend_factor)14; break;
         case 28: def.targets[0].alpha.operation = (enum rhw_blend_operation)5; break;
-        case 29: def.targets[0].write_mask = 16; break;
+        case 29: def.targets[0].write_mask = RHW_WRITE_NONE | RHW_WRITE_RED; break;
         case 30:
             def.targets[0].format = RHW_FORMAT_R32_UINT;
             def.targets[0].blend = true;
@@ -322,6 +322,31 @@ static void test_pipeline_definitions(void **state)
         }
         rig_expect_misuse(&rig, "rhw_pipeline_create");
     }
+    expect_alive(&rig);
+    rig_close(&rig);
+}
+
+// What a program's flags make of its arithmetic; tests/program/test_flags.sh compiles such programs.
+static void test_arithmetic_of_the_program(void **state)
+{
+    (void)state;
+    struct rig rig;
+    rig_open(&rig, 8, 8);
+    rhw_pipeline pipeline;
+    assert_int_equal(rhw_arithmetic_flaws(), 0);
+    static const struct {
+        uint32_t flaws;
+        const char *message;
+    } cases[] = {{RHW_ARITHMETIC_FUSED, "-ffp-contract=off"},
+                 {RHW_ARITHMETIC_REORDERED, "-fassociative-math"},
+                 {4, "flaws is 0x4"}};
+    for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
+        assert_int_equal(rhw_pipeline_create_probed(rig.context, &rig.pipeline, cases[i].flaws, &pipeline),
+                         RHW_ERROR_MISUSE);
+        rig_expect_misuse(&rig, cases[i].message);
+    }
+    assert_int_equal(rhw_pipeline_create_probed(rig.context, &rig.pipeline, 0, &pipeline), RHW_OK);
+    rhw_pipeline_destroy(rig.context, pipeline);
     expect_alive(&rig);
     rig_close(&rig);
 }
@@ -344,7 +369,7 @@ static void test_pass_definitions(void **state)
         case 3: def.colors[1].texture = small; break;
         case 4: def.width = 7, def.height = 8; break;
         case 5: def.width = 8, def.height = -8; break;
-        case 6: def.colors[0].load = (enum rhw_load)3; break;
+        case 6: def.colors[0].load = (enum rhw_load)4; break;
         case 7: def.colors[0].store = (enum rhw_store)2; break;
         case 8: def.depth.texture = def.colors[0].texture; break;
         case 9: def.colors[1].texture = def.depth.texture; break;
@@ -356,6 +381,7 @@ static void test_pass_definitions(void **state)
             def.depth.load = RHW_LOAD_LOAD;
             break;
         case 14:
+            def.colors[0].texture = (rhw_texture){0, 0};
             def.color_count = 0;
             def.width = RHW_MAX_TARGET_SIZE + 1, def.height = 8;
             def.depth = (struct rhw_depth_attachment){.enabled = true, .store = RHW_STORE_DISCARD};
@@ -405,7 +431,7 @@ static void test_pass_state(void **state)
     const struct rhw_viewport viewports[] = {
         {0, 0, 0, 8, 0, 1},   {0, 0, 8, -8, 0, 1},       {0, 0, 8, 8, -0.5f, 1}, {0, 0, 8, 8, 0, 2},
         {NAN, 0, 8, 8, 0, 1}, {0, 0, INFINITY, 8, 0, 1}, {0, 0, 8, 8, NAN, 1},   {0, 1e9f, 8, 8, 0, 1},
-        {0, 0, 8, NAN, 0, 1}, {-16385, 0, 8, 8, 0, 1},
+        {0, 0, 8, NAN, 0, 1}, {-16385, 0, 8, 8, 0, 1},   {0, 0, 8, 8, 0, -0.5f},
     };
     for (size_t i = 0; i < sizeof viewports / sizeof *viewports; i++) {
         rhw_pass_set_viewport(context, rig.recording, &viewports[i]);
@@ -508,8 +534,8 @@ static void test_context_definitions(void **state)
         switch (wrong) {
         case 0: def.threads = -1; break;
         case 1: def.threads = RHW_MAX_THREADS + 1; break;
-        case 2: def.isa = (enum rhw_isa)(RHW_ISA_COUNT + 1); break;
-        case 3: def.isa = (enum rhw_isa) - 1; break;
+        case 2: def.isa_limit = (enum rhw_isa_limit)(RHW_ISA_COUNT + 1); break;
+        case 3: def.isa_limit = (enum rhw_isa_limit) - 1; break;
         case 4: def.paths = (enum rhw_paths)(RHW_PATHS_GENERAL + 1); break;
         case 5: def.paths = (enum rhw_paths) - 1; break;
         default: def.allocator.release = release_nothing;
@@ -529,6 +555,7 @@ int main(void)
         cmocka_unit_test(test_texture_and_buffer_definitions),
         cmocka_unit_test(test_sampler_definitions),
         cmocka_unit_test(test_pipeline_definitions),
+        cmocka_unit_test(test_arithmetic_of_the_program),
         cmocka_unit_test(test_pass_definitions),
         cmocka_unit_test(test_pass_state),
         cmocka_unit_test(test_draws_without_what_they_need),

@@ -119,7 +119,7 @@ static void choose_state(struct rig *rig, const struct recipe *recipe, uint64_t 
     struct rhw_color_target *const target = &rig->pipeline.targets[0];
     choose_program(rig, seed);
     rig->pipeline.depth_test = recipe->has_depth && rig_random_int(seed, 8) != 0;
-    rig->pipeline.depth_write = rig_random_int(seed, 6) != 0;
+    rig->pipeline.depth_read_only = rig_random_int(seed, 6) == 0;
     const int compare =
         rig_random_int(seed, 16); // LESS as a rule: what follows from it goes on over some draws
     rig->pipeline.depth_compare = compare < 8 ? (enum rhw_compare)compare : RHW_COMPARE_LESS;

@@ -132,8 +132,8 @@ static void test_samples_follow_the_model(void **state)
     for (int n = 0; n < 40 * SAMPLED_FORMATS * SIZES; n++) {
         const enum rhw_format format = sampled_formats[n % SAMPLED_FORMATS];
         const int *const size = sizes[n / SAMPLED_FORMATS % SIZES];
-        const rhw_texture texture =
-            model_random_texture(rig.context, format, size[0], size[1], n & 1, &random);
+        const rhw_texture texture = model_random_texture(rig.context, format, size[0], size[1],
+                                                         n & 1 ? 1 : RHW_MIP_LEVELS_ALL, &random);
         struct rhw_sampler_def sampler;
         random_sampler(&random, &sampler);
         struct rhw_binding binding = bind(rig.context, texture, &sampler, RHW_ISA_BASELINE, RHW_PATHS_ALL);
@@ -166,7 +166,7 @@ static void test_derivatives_choose_the_level(void **state)
     for (int n = 0; n < 400; n++) {
         const enum rhw_format format = n & 1 ? RHW_FORMAT_RGBA8_UNORM : RHW_FORMAT_RGBA32_FLOAT;
         const rhw_texture texture =
-            model_random_texture(rig.context, format, 64, n & 2 ? 16 : 64, 0, &random);
+            model_random_texture(rig.context, format, 64, n & 2 ? 16 : 64, RHW_MIP_LEVELS_ALL, &random);
         struct rhw_sampler_def sampler = default_sampler();
         sampler.lod_bias = n & 4 ? 0.5f : 0.0f;
         struct rhw_binding binding = bind(rig.context, texture, &sampler, RHW_ISA_BASELINE, RHW_PATHS_ALL);
@@ -217,7 +217,7 @@ static void test_texel_centres_are_exact(void **state)
         struct rhw_texture_def def = rhw_texture_def_default();
         def.format = n & 1 ? RHW_FORMAT_RGBA8_SRGB : RHW_FORMAT_RGBA8_UNORM;
         def.width = def.height = 16;
-        def.mip_levels = n & 2 ? 0 : 1;
+        def.mip_levels = n & 2 ? RHW_MIP_LEVELS_ALL : 1;
         struct rhw_sampler_def sampler = default_sampler();
         sampler.min_filter = sampler.mag_filter = n & 4 ? RHW_FILTER_NEAREST : RHW_FILTER_LINEAR;
         sampler.address_u = n & 8 ? RHW_ADDRESS_BORDER : RHW_ADDRESS_REPEAT;
@@ -295,7 +295,7 @@ static void test_one_colour_stays_one_colour(void **state)
         struct rhw_texture_def def = rhw_texture_def_default();
         def.width = 16;
         def.height = 7;
-        def.mip_levels = 0;
+        def.mip_levels = RHW_MIP_LEVELS_ALL;
         def.format = code & 1 ? RHW_FORMAT_RGBA8_UNORM : RHW_FORMAT_RGBA8_SRGB;
         rhw_texture texture;
         assert_int_equal(rhw_texture_create(rig.context, &def, &texture), RHW_OK);
@@ -411,7 +411,7 @@ static void test_slots_sampled_at_once(void **state)
         for (int i = 0; i < SLOTS; i++) {
             const bool other = rig_random_int(&random, 5) == 0;
             textures[i] = model_random_texture(rig.context, formats[rig_random_int(&random, other ? 3 : 2)],
-                                               other ? 32 : 64, 64, 0, &random);
+                                               other ? 32 : 64, 64, RHW_MIP_LEVELS_ALL, &random);
             samplers[i] = samplers[0];
             samplers[i].lod_bias += rig_random_int(&random, 6) == 0 ? 1.0f : 0.0f;
             bindings.slot[i] = bind(rig.context, textures[i], &samplers[i], isa, paths);
@@ -466,7 +466,7 @@ static void test_the_linear_copy_follows_the_texels(void **state)
     struct rhw_texture_def def = rhw_texture_def_default();
     def.format = RHW_FORMAT_RGBA8_SRGB;
     def.width = def.height = 8;
-    def.mip_levels = 0;
+    def.mip_levels = RHW_MIP_LEVELS_ALL;
     rhw_texture texture;
     assert_int_equal(rhw_texture_create(rig.context, &def, &texture), RHW_OK);
     expect_filtered_srgb(sampled_by_pass(&rig, texture, sampler), 0);
@@ -496,8 +496,8 @@ static void test_lanes_are_independent(void **state)
     rig_open(&rig, 8, 8);
     uint64_t random = 4;
     for (int n = 0; n < 600; n++) {
-        const rhw_texture texture =
-            model_random_texture(rig.context, sampled_formats[n % SAMPLED_FORMATS], 32, 32, 0, &random);
+        const rhw_texture texture = model_random_texture(rig.context, sampled_formats[n % SAMPLED_FORMATS],
+                                                         32, 32, RHW_MIP_LEVELS_ALL, &random);
         struct rhw_sampler_def sampler;
         random_sampler(&random, &sampler);
         struct rhw_binding binding = bind(rig.context, texture, &sampler, RHW_ISA_BASELINE, RHW_PATHS_ALL);
@@ -547,7 +547,8 @@ static void test_hostile_coordinates(void **state)
     for (int n = 0; n < 300; n++) {
         const int *const size = sizes[n % SIZES];
         const enum rhw_format format = n & 1 ? RHW_FORMAT_RGBA8_UNORM : sampled_formats[n / 2 % 4];
-        const rhw_texture texture = model_random_texture(rig.context, format, size[0], size[1], 0, &random);
+        const rhw_texture texture =
+            model_random_texture(rig.context, format, size[0], size[1], RHW_MIP_LEVELS_ALL, &random);
         struct rhw_sampler_def sampler;
         random_sampler(&random, &sampler);
         memset(sampler.border, 0, sizeof sampler.border);
@@ -584,7 +585,8 @@ static void test_a_nan_slope_means_the_last_level(void **state)
     uint64_t random = 9;
     for (int n = 0; n < 2; n++) {
         const enum rhw_format format = n ? RHW_FORMAT_RGBA8_UNORM : RHW_FORMAT_RGBA32_FLOAT;
-        const rhw_texture texture = model_random_texture(rig.context, format, 64, 64, 0, &random);
+        const rhw_texture texture =
+            model_random_texture(rig.context, format, 64, 64, RHW_MIP_LEVELS_ALL, &random);
         const struct rhw_sampler_def sampler = default_sampler();
         struct rhw_binding binding = bind(rig.context, texture, &sampler, RHW_ISA_BASELINE, RHW_PATHS_ALL);
         for (size_t i = 0; i < sizeof slopes / sizeof slopes[0]; i++) {

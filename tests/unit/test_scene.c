@@ -440,7 +440,7 @@ static void test_pictures_do_not_depend_on_the_machine(void **state)
         }
         struct rhw_context_def def = rhw_context_def_default();
         def.threads = isa + 1;
-        def.isa = (enum rhw_isa)isa;
+        def.isa_limit = rhw_isa_up_to((enum rhw_isa)isa);
         rhw_context *context;
         struct scene *scene;
         struct scene_pictures again;

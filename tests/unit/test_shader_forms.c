@@ -116,7 +116,7 @@ static void make_scene(struct rig *rig, struct scene *scene)
     }
     struct rhw_texture_def def = rhw_texture_def_default();
     def.width = def.height = 16;
-    def.mip_levels = 0;
+    def.mip_levels = RHW_MIP_LEVELS_ALL;
     assert_int_equal(rhw_texture_create(rig->context, &def, &scene->texture), RHW_OK);
     unsigned char texels[16 * 16 * 4];
     for (size_t i = 0; i < sizeof texels; i++) {
@@ -312,6 +312,7 @@ static void test_functions_receive_their_programs_user(void **state)
     struct rig rig;
     rig_open(&rig, SIZE, SIZE);
     struct rhw_program *const program = &rig.pipeline.program;
+    program->varyings[0] = (struct rhw_varying){0};
     program->varying_count = 0;
     program->vertex1 = closed_vertex1;
     program->fragment1 = closed_fragment1;

@@ -485,6 +485,7 @@ static void test_ids_count_from_first(void **state)
     rig_set_program(&rig, ids_vertex, ids_fragment);
     rig.pipeline.program.varyings[0] = (struct rhw_varying){.components = 2, .qualifier = RHW_FLAT};
     rig.pipeline.program.uses = RHW_USE_IDS;
+    rig.pipeline.attributes[0] = (struct rhw_attribute){0};
     rig.pipeline.attribute_count = rig.pipeline.buffer_count = 0;
     rig_begin(&rig);
     rig_use_pipeline(&rig);

@@ -209,7 +209,7 @@ static void put(unsigned char *data, size_t at, const void *value, size_t size)
 }
 
 // Buffer 0: positions, stride 19, attribute offset 3, bound at 5. Buffer 1: a half and two bytes interleaved,
-// stride 7. Buffer 2: per instance. Buffer 3: stride 0. None is aligned to anything.
+// stride 7. Buffer 2: per instance. Buffer 3: constant. None is aligned to anything.
 static void bind_scattered(struct rig *rig, rhw_buffer buffers[4])
 {
     static const float corners[3][2] = {{-1, -0.25f}, {-0.5f, -0.25f}, {-1, 0.25f}};
@@ -253,7 +253,7 @@ static void test_buffers_strides_offsets_and_instances(void **state)
     rig.pipeline.buffers[0] = (struct rhw_vertex_layout){.stride = 19};
     rig.pipeline.buffers[1] = (struct rhw_vertex_layout){.stride = 7};
     rig.pipeline.buffers[2] = (struct rhw_vertex_layout){.stride = 13, .per_instance = true};
-    rig.pipeline.buffers[3] = (struct rhw_vertex_layout){.stride = 0};
+    rig.pipeline.buffers[3] = (struct rhw_vertex_layout){.constant = true};
     rig_begin(&rig);
     rig_use_pipeline(&rig);
     rhw_buffer buffers[4];

@@ -239,7 +239,7 @@ static bool draw(struct render *render)
 {
     struct rhw_context_def def = rhw_context_def_default();
     def.threads = render->job.threads;
-    def.isa = render->job.isa;
+    def.isa_limit = rhw_isa_up_to(render->job.isa);
     def.paths = render->job.paths;
     def.log = log_line;
     def.user = &render->job;

@@ -49,6 +49,7 @@ static inline f8 blend_factor(const struct rhw_blend_state *state, enum rhw_blen
                               const f8 src[4], const f8 dst[4], int i)
 {
     switch (factor) {
+    case RHW_BLEND_DEFAULT: break; // pipeline.c has put what it stands for in its place
     case RHW_BLEND_ZERO: return rhw_splat(0.0f);
     case RHW_BLEND_ONE: return rhw_splat(1.0f);
     case RHW_BLEND_SRC: return src[i];
