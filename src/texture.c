@@ -59,11 +59,10 @@ static bool allocate_levels(struct rhw_memory *memory, struct rhw_texture_data *
     if (texture->memory_size == SIZE_MAX) {
         return false;
     }
-    unsigned char *next = rhw_memory_allocate(memory, texture->memory_size, RHW_CACHE_LINE);
+    unsigned char *next = rhw_memory_allocate_zeroed(memory, texture->memory_size, RHW_CACHE_LINE);
     if (!next) {
         return false;
     }
-    memset(next, 0, texture->memory_size);
     texture->memory = next;
     for (int i = 0; i < texture->levels; i++) {
         texture->mip[i].texels = next;
