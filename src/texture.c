@@ -7,7 +7,6 @@
 #include "clean_tiles.h"
 #include "constants.h"
 #include "context.h"
-#include "cpu.h"
 #include "format.h"
 #include "lookup.h"
 #include "memory.h"
@@ -231,9 +230,7 @@ enum rhw_result rhw_texture_generate_mips(rhw_context *context, rhw_texture text
                    "%s: the texture is %s; that format is not filtered", where, data->info->name)) {
         return RHW_ERROR_MISUSE;
     }
-    const uint64_t environment = rhw_cpu_float_enter();
-    const bool done = rhw_texture_data_generate_mips(&context->memory, data);
-    rhw_cpu_float_leave(environment);
+    const bool done = rhw_texture_data_generate_mips(context, data);
     data->linear_is_current = false;
     return done ? RHW_OK : RHW_ERROR_OUT_OF_MEMORY;
 }

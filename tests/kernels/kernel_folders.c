@@ -12,4 +12,5 @@ const struct kernel_folders RHW_ISA_NAME(kernel_folders) = {.folders = {
                                                                 &RHW_ISA_NAME(check_blend),
                                                                 &RHW_ISA_NAME(check_geometry),
                                                                 &RHW_ISA_NAME(check_sample),
+                                                                &RHW_ISA_NAME(check_texel),
                                                             }};

@@ -15,6 +15,7 @@ RHW_ISA_DECLARE(const struct kernel_folder, check_fragment);
 RHW_ISA_DECLARE(const struct kernel_folder, check_blend);
 RHW_ISA_DECLARE(const struct kernel_folder, check_geometry);
 RHW_ISA_DECLARE(const struct kernel_folder, check_sample);
+RHW_ISA_DECLARE(const struct kernel_folder, check_texel);
 
 // All of one instruction set, then NULL.
 struct kernel_folders {
