@@ -39,6 +39,8 @@ const struct bench_scene_entry bench_scene_entries[] = {
     {"draws_10k", "10,000 draws of 12 triangles with uniforms of their own", bench_make_latency,
      BENCH_LATENCY_DRAWS},
     {"context", "creating and destroying a context of rhw", bench_make_latency, BENCH_LATENCY_CONTEXT},
+    {"texture", "creating and destroying a texture of 8192x8192", bench_make_latency, BENCH_LATENCY_TEXTURE},
+    {"mips", "the mip chain of an sRGB texture of 2048x2048", bench_make_latency, BENCH_LATENCY_MIPS},
     {"process", "rhw render of the bunny as a process, file to file", bench_make_latency,
      BENCH_LATENCY_PROCESS},
 };
@@ -78,7 +80,7 @@ void bench_scene_free(struct bench_scene *scene)
 
 bool bench_scene_has_picture(const struct bench_scene *scene)
 {
-    return !scene->opens_context && !scene->renders_file;
+    return !scene->opens_context && !scene->opens_texture && !scene->makes_mips && !scene->renders_file;
 }
 
 bool bench_scene_allocate(struct bench_scene *scene)

@@ -98,8 +98,9 @@ struct bench_scene {
     bool has_color, depth_test, blends;
     // Every fragment is to be shaded, hidden or not: fewer than `work` fragments are a failure.
     bool shades_all;
-    // No picture to look at: the time is that of opening and closing rhw, or of the program that renders this file.
-    bool opens_context;
+    // No picture to look at: the time is that of opening and closing rhw, or an empty texture; of making the mip chain
+    // of the first texture; or of the program that renders this file.
+    bool opens_context, opens_texture, makes_mips;
     const char *renders_file;
     float clear[4]; // alpha 0, which no shader writes: it tells what is covered
     struct bench_tolerance tolerance;

@@ -55,6 +55,7 @@ static bool make_textures(struct bench_state *s)
             continue; // of a slot that no draw reads
         }
         struct rhw_texture_def def = rhw_texture_def_default();
+        def.format = texture->srgb ? RHW_FORMAT_RGBA8_SRGB : RHW_FORMAT_RGBA8_UNORM;
         def.width = texture->width;
         def.height = texture->height;
         def.mip_levels = texture->levels;
@@ -212,6 +213,19 @@ static void record_draws(const struct bench_state *s, rhw_pass pass)
     }
 }
 
+static bool open_texture(rhw_context *context)
+{
+    struct rhw_texture_def def = rhw_texture_def_default();
+    def.format = RHW_FORMAT_RGBA8_UNORM;
+    def.width = def.height = 8192;
+    rhw_texture texture;
+    const enum rhw_result result = rhw_texture_create(context, &def, &texture);
+    if (result == RHW_OK) {
+        rhw_texture_destroy(context, texture);
+    }
+    return result == RHW_OK;
+}
+
 static bool frame(struct bench_renderer *renderer)
 {
     struct bench_state *const s = renderer->state;
@@ -219,6 +233,12 @@ static bool frame(struct bench_renderer *renderer)
     struct rhw_stats stats;
     if (scene->opens_context) {
         return open_and_close(&s->def);
+    }
+    if (scene->opens_texture) {
+        return open_texture(s->context);
+    }
+    if (scene->makes_mips) {
+        return rhw_texture_generate_mips(s->context, s->textures[0]) == RHW_OK;
     }
     if (scene->renders_file) {
         return bench_render_process(scene->renders_file, s->width, s->height, renderer->threads,

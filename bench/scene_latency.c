@@ -68,21 +68,42 @@ static bool choose_file(struct bench_scene *scene, char *why, size_t why_size)
     return there && bench_can_start_itself();
 }
 
+// Texels without a pattern: what decoding one costs may depend on the one before it.
+static bool make_noise(struct bench_texture *texture)
+{
+    enum { SIZE = 2048 };
+    texture->srgb = true;
+    if (!bench_texture_allocate(texture, SIZE, SIZE)) {
+        return false;
+    }
+    uint32_t state = 1;
+    for (size_t i = 0; i < (size_t)SIZE * SIZE * 4; i++) {
+        state = state * 1664525 + 1013904223;
+        texture->texels[0][i] = (uint8_t)(state >> 24);
+    }
+    bench_texture_fill_mips(texture);
+    return true;
+}
+
 bool bench_make_latency(const struct bench_scene_entry *entry, struct bench_scene *scene, int width,
                         int height, char *why, size_t why_size)
 {
     const bool draws = entry->variant == BENCH_LATENCY_DRAWS;
     scene->opens_context = entry->variant == BENCH_LATENCY_CONTEXT;
+    scene->opens_texture = entry->variant == BENCH_LATENCY_TEXTURE;
+    scene->makes_mips = entry->variant == BENCH_LATENCY_MIPS;
     if (entry->variant == BENCH_LATENCY_PROCESS && !choose_file(scene, why, why_size)) {
         return false;
     }
     scene->depth_test = true;
     scene->mesh_count = draws;
+    scene->texture_count = scene->makes_mips;
     scene->draw_count = draws ? SIDE * SIDE : 0;
     scene->unit = BENCH_DRAWS;
     scene->work = scene->draw_count;
     scene->tolerance.outliers = draws ? 5e-5 : 0.0;
-    if (!bench_scene_allocate(scene) || (draws && !make_cube(&scene->meshes[0]))) {
+    if (!bench_scene_allocate(scene) || (draws && !make_cube(&scene->meshes[0])) ||
+        (scene->makes_mips && !make_noise(&scene->textures[0]))) {
         return false;
     }
     for (uint32_t i = 0; i < scene->draw_count; i++) {

@@ -34,17 +34,17 @@ static bool fill(struct rhw_memory *memory, struct rhw_buffer_data *data, const 
     if (def->size > SIZE_MAX - RHW_BUFFER_PADDING) {
         return false;
     }
-    data->bytes = rhw_memory_allocate(memory, def->size + RHW_BUFFER_PADDING, RHW_CACHE_LINE);
+    const size_t size = def->size + RHW_BUFFER_PADDING;
+    data->bytes = def->data != NULL ? rhw_memory_allocate(memory, size, RHW_CACHE_LINE)
+                                    : rhw_memory_allocate_zeroed(memory, size, RHW_CACHE_LINE);
     if (data->bytes == NULL) {
         return false;
     }
     data->size = def->size;
     if (def->data != NULL) {
         memcpy(data->bytes, def->data, def->size);
-    } else {
-        memset(data->bytes, 0, def->size);
+        memset(data->bytes + def->size, 0, RHW_BUFFER_PADDING);
     }
-    memset(data->bytes + def->size, 0, RHW_BUFFER_PADDING);
     return true;
 }
 

@@ -14,12 +14,14 @@ struct rhw_memory {
     _Atomic size_t used, peak;
 };
 
-// The hooks as the definition of a context gave them; zeroed means malloc.
+// The hooks as the definition of a context gave them; zeroed means the default ones.
 struct rhw_allocator rhw_allocator_or_default(struct rhw_allocator allocator);
 
 // Memory through the allocation hook, counted. Safe from every thread. `alignment` is a power of two of at
 // most 4096. Contents are undefined; NULL when the hook has none. `size` 0 gives a valid block.
 void *rhw_memory_allocate(struct rhw_memory *memory, size_t size, size_t alignment);
+// The same with zeros. Large blocks of the default hooks are so already, and take no memory until they are touched.
+void *rhw_memory_allocate_zeroed(struct rhw_memory *memory, size_t size, size_t alignment);
 // `size` as it was given to allocate. A NULL `block` is allowed.
 void rhw_memory_release(struct rhw_memory *memory, void *block, size_t size);
 

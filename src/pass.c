@@ -396,7 +396,7 @@ void rhw_pass_set_texture(rhw_context *context, rhw_pass id, int slot, rhw_textu
                        "rhw_pass_set_texture: the texture in slot %d is an attachment of this pass", slot)) {
             return;
         }
-        pass->out_of_memory = !rhw_texture_linearize(&context->memory, texture) || pass->out_of_memory;
+        pass->out_of_memory = !rhw_texture_linearize(context, texture) || pass->out_of_memory;
         rhw_pool_use(&context->textures, texture_id.index, context->pass_generation);
         rhw_pool_use(&context->samplers, sampler_id.index, context->pass_generation);
     }

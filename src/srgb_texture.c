@@ -13,8 +13,10 @@
 #include <string.h>
 
 #include "constants.h"
+#include "context.h"
 #include "format.h"
 #include "memory.h"
+#include "scheduler.h"
 #include "srgb.h"
 #include "texture.h"
 
@@ -48,24 +50,45 @@ static void decode_row(const uint16_t table[256], const unsigned char *from, uns
     }
 }
 
-bool rhw_texture_linearize(struct rhw_memory *memory, struct rhw_texture_data *texture)
+enum { BAND_TEXELS = 1 << 16 }; // of a task: some 50 µs
+
+// One level on its way.
+struct decoded_level {
+    const struct rhw_mip *mip;
+    int band; // rows of a task
+    uint16_t table[256];
+};
+
+static void decode_band(void *user, int index, int worker)
+{
+    (void)worker;
+    const struct decoded_level *const level = user;
+    const struct rhw_mip *const mip = level->mip;
+    const int begin = index * level->band;
+    const int end = mip->height - begin < level->band ? mip->height : begin + level->band;
+    for (size_t y = (size_t)begin; y < (size_t)end; y++) {
+        decode_row(level->table, mip->texels + y * mip->row_pitch,
+                   mip->linear + linear_scale * y * mip->row_pitch, (size_t)mip->width);
+    }
+}
+
+bool rhw_texture_linearize(struct rhw_context *context, struct rhw_texture_data *texture)
 {
     if (texture->info->path != RHW_TEXELS_RGBA8_SRGB || texture->linear_is_current) {
         return true;
     }
-    if (!texture->linear_memory && !allocate_levels(memory, texture)) {
+    if (!texture->linear_memory && !allocate_levels(&context->memory, texture)) {
         return false;
     }
-    uint16_t table[256];
+    struct decoded_level level;
     for (int i = 0; i < 256; i++) {
-        table[i] = (uint16_t)(rhw_srgb_decode_table[i] * (float)RHW_LINEAR_ONE + 0.5f);
+        level.table[i] = (uint16_t)(rhw_srgb_decode_table[i] * (float)RHW_LINEAR_ONE + 0.5f);
     }
     for (int i = 0; i < texture->levels; i++) {
-        const struct rhw_mip *const mip = &texture->mip[i];
-        for (size_t y = 0; y < (size_t)mip->height; y++) {
-            decode_row(table, mip->texels + y * mip->row_pitch,
-                       mip->linear + linear_scale * y * mip->row_pitch, (size_t)mip->width);
-        }
+        level.mip = &texture->mip[i];
+        level.band = 1 + BAND_TEXELS / level.mip->width;
+        rhw_scheduler_run(context->scheduler, decode_band, &level,
+                          (level.mip->height + level.band - 1) / level.band);
     }
     texture->linear_is_current = true;
     return true;

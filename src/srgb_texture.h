@@ -5,7 +5,7 @@
 
 #include <stdbool.h>
 
-struct rhw_memory;
+struct rhw_context;
 struct rhw_texture_data;
 
 enum {
@@ -15,7 +15,8 @@ enum {
     RHW_LINEAR_TEXEL = 8 // bytes: red, blue, green, alpha, 16 bits each
 };
 
-// Makes the copy, or renews it where texels have changed; nothing for other formats. False when out of memory.
-bool rhw_texture_linearize(struct rhw_memory *memory, struct rhw_texture_data *texture);
+// Makes the copy, or renews it where texels have changed, on all threads of the context; nothing for other formats. False
+// when out of memory.
+bool rhw_texture_linearize(struct rhw_context *context, struct rhw_texture_data *texture);
 
 #endif

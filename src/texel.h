@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
-// One texel of any format as floats and back: the scalar half of the codecs, for clear values and mip generation. The
-// kernels' half, which gives the same bytes, is kernels/texel/texel_codec.h.
+// One texel of any format from floats, for clear values: the scalar half of the codecs. The kernels' half, which gives the
+// same bytes, is kernels/texel/texel_codec.h.
 //
-// Linear channels of 8 bits stand on the scale 0..255, on which averages of codes are exact for the first 8 mip levels.
+// Linear channels of 8 bits stand on the scale 0..255, as in mip generation (kernels/texel/mip_codec.h).
 #ifndef RHW_TEXEL_H
 #define RHW_TEXEL_H
 
@@ -14,27 +14,6 @@
 static inline bool rhw_texel_is_code(const struct rhw_format_info *format, int channel)
 {
     return format->codec == RHW_CODEC_UNORM8 || (format->codec == RHW_CODEC_SRGB8 && channel == 3);
-}
-
-// Channels that the format lacks are 0.
-static inline void rhw_texel_load(const struct rhw_format_info *format, const unsigned char *texel,
-                                  float value[4])
-{
-    value[0] = value[1] = value[2] = value[3] = 0;
-    for (size_t c = 0; c < format->channels; c++) {
-        uint16_t half;
-        switch (format->codec) {
-        case RHW_CODEC_UNORM8: value[c] = texel[c]; break;
-        case RHW_CODEC_SRGB8: value[c] = c < 3 ? rhw_srgb_decode_table[texel[c]] : texel[c]; break;
-        case RHW_CODEC_FLOAT16:
-            memcpy(&half, texel + c * sizeof half, sizeof half);
-            value[c] = rhw_half_to_float(half);
-            break;
-        case RHW_CODEC_FLOAT32:
-        case RHW_CODEC_UINT32: memcpy(&value[c], texel + c * sizeof value[c], sizeof value[c]); break;
-        case RHW_CODEC_NONE: break;
-        }
-    }
 }
 
 // To nearest, ties to even, of a value within 0..255: adding 2^23 leaves no room for a fraction.

@@ -7,7 +7,6 @@
 #include "clean_tiles.h"
 #include "constants.h"
 #include "context.h"
-#include "cpu.h"
 #include "format.h"
 #include "lookup.h"
 #include "memory.h"
@@ -59,11 +58,10 @@ static bool allocate_levels(struct rhw_memory *memory, struct rhw_texture_data *
     if (texture->memory_size == SIZE_MAX) {
         return false;
     }
-    unsigned char *next = rhw_memory_allocate(memory, texture->memory_size, RHW_CACHE_LINE);
+    unsigned char *next = rhw_memory_allocate_zeroed(memory, texture->memory_size, RHW_CACHE_LINE);
     if (!next) {
         return false;
     }
-    memset(next, 0, texture->memory_size);
     texture->memory = next;
     for (int i = 0; i < texture->levels; i++) {
         texture->mip[i].texels = next;
@@ -239,9 +237,7 @@ enum rhw_result rhw_texture_generate_mips(rhw_context *context, rhw_texture text
                    "%s: the texture is %s; that format is not filtered", where, data->info->name)) {
         return RHW_ERROR_MISUSE;
     }
-    const uint64_t environment = rhw_cpu_float_enter();
-    const bool done = rhw_texture_data_generate_mips(&context->memory, data);
-    rhw_cpu_float_leave(environment);
+    const bool done = rhw_texture_data_generate_mips(context, data);
     data->linear_is_current = false;
     return done ? RHW_OK : RHW_ERROR_OUT_OF_MEMORY;
 }

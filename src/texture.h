@@ -46,6 +46,7 @@ struct rhw_texture_data {
     struct rhw_clean_tiles *clean; // NULL until a pass draws into the texture
 };
 
+struct rhw_context;
 struct rhw_memory;
 
 // Sets format, levels, sizes and pitches; no memory yet. `levels` 0 means the full chain. All arguments valid.
@@ -55,9 +56,9 @@ void rhw_texture_data_init(struct rhw_texture_data *texture, enum rhw_format for
 // Releases what the item owns.
 void rhw_texture_data_release(struct rhw_memory *memory, struct rhw_texture_data *texture);
 
-// Box-filters levels 1.. from level 0 in linear light. The memory must be there, and the format one that
-// is sampled. False when out of memory; the levels are unchanged then.
-bool rhw_texture_data_generate_mips(struct rhw_memory *memory, const struct rhw_texture_data *texture);
+// Box-filters levels 1.. from level 0 in linear light, on all threads of the context. The memory must be there, and the
+// format one that is sampled. False when out of memory; the levels are unchanged then.
+bool rhw_texture_data_generate_mips(struct rhw_context *context, const struct rhw_texture_data *texture);
 
 // Levels of the chain from width × height down to 1 × 1.
 int rhw_mip_chain_length(int width, int height);

@@ -54,7 +54,7 @@ struct rhw_context_def {
     enum rhw_isa_limit isa_limit; ///< RHW_ISA_BEST
     enum rhw_paths paths; ///< RHW_PATHS_ALL
     size_t bin_memory; ///< bytes of binned geometry kept before a pass is flushed to its tiles; 0: 512 MiB
-    struct rhw_allocator allocator; ///< zeroed: malloc
+    struct rhw_allocator allocator; ///< zeroed: malloc, and the system's pages for large blocks
     rhw_log_function *log;          ///< NULL: silent
     rhw_assert_function *assert_;   ///< NULL: print and abort
     void *user;                     ///< first argument of log and assert_

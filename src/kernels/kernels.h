@@ -10,6 +10,7 @@
 struct rhw_pass_state;
 struct rhw_chunk;
 struct rhw_shared_part;
+struct rhw_mip_job;
 
 struct rhw_binding;
 
@@ -33,6 +34,8 @@ struct rhw_kernels {
     // special paths of filter_fixed.h, and always on the general path, which gives the same bytes.
     rhw_sample_function *sample_unorm8, *sample_srgb8, *sample_unorm8_general, *sample_srgb8_general;
     rhw_sample_groups_function *sample_groups;
+    // A band of rows of a few levels of a texture: see mip_work.h.
+    void (*mip_band)(const struct rhw_mip_job *job, int index, int worker);
 };
 
 RHW_ISA_DECLARE(const struct rhw_kernels, rhw_kernels);

@@ -73,7 +73,7 @@ static void run_interpolate_groups(const void *input, void *result)
     set_values(&triangle.work, &triangle.pipeline);
     memcpy(weights.b, in->b, sizeof weights.b);
     memcpy(weights.c, in->c, sizeof weights.c);
-    interpolate_groups(result, &triangle.pipeline, &triangle.work, &weights, RHW_BLOCK);
+    interpolate_groups(result, COMPONENTS, &triangle.work, &weights, RHW_BLOCK);
 }
 
 static void run_interpolate_any(const void *input, void *result)
@@ -100,7 +100,7 @@ static void run_pack_components(const void *input, void *result)
 {
     const struct varyings_input *const in = input;
     struct rhw_pipeline_data pipeline = {0};
-    struct packed_weights weights;
+    const struct packed_weights weights = {in->b[0], in->c[0], in->c[0], in->b[0]};
     struct packed_triangle orders[3];
     const struct packed_triangle *lanes[8];
     f8 out[16];
@@ -117,10 +117,6 @@ static void run_pack_components(const void *input, void *result)
         pipeline.flat_mask[i] = in->qualifier[i] == RHW_FLAT ? -1 : 0;
         pipeline.noperspective_mask[i] = in->qualifier[i] == RHW_NOPERSPECTIVE ? -1 : 0;
     }
-    memcpy(weights.b, in->b, sizeof weights.b);
-    memcpy(weights.c, in->c, sizeof weights.c);
-    memcpy(weights.s, in->c, sizeof weights.s);
-    memcpy(weights.t, in->b, sizeof weights.t);
     pack_smooth(lanes, 4, &weights, out);
     pack_qualified(lanes, 4, &weights, &pipeline, out + 8);
     memcpy(result, out, sizeof out);

@@ -154,7 +154,7 @@ static struct rhw_pipeline_def pipeline_def_of(const struct scene_input *in, con
         .depth_range = (enum rhw_depth_range)draw->depth_range,
         .depth_test = draw->depth_test != 0,
         .depth_compare = (enum rhw_compare)draw->depth_compare,
-        .depth_write = draw->depth_write != 0,
+        .depth_read_only = draw->depth_write == 0,
         .target_count = in->target_count,
     };
     def.program.vertex[RHW_ISA_BASELINE] = scene_vertex;

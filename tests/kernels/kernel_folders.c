@@ -15,4 +15,5 @@ const struct kernel_folders RHW_ISA_NAME(kernel_folders) = {.folders = {
                                                                 &RHW_ISA_NAME(check_tile),
                                                                 &RHW_ISA_NAME(check_draw),
                                                                 &RHW_ISA_NAME(check_sample),
+                                                                &RHW_ISA_NAME(check_texel),
                                                             }};

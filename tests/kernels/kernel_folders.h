@@ -18,6 +18,7 @@ RHW_ISA_DECLARE(const struct kernel_folder, check_chunk);
 RHW_ISA_DECLARE(const struct kernel_folder, check_tile);
 RHW_ISA_DECLARE(const struct kernel_folder, check_draw);
 RHW_ISA_DECLARE(const struct kernel_folder, check_sample);
+RHW_ISA_DECLARE(const struct kernel_folder, check_texel);
 
 // All of one instruction set, then NULL.
 struct kernel_folders {

@@ -6,6 +6,13 @@
 #include <stdatomic.h>
 #include <stdlib.h>
 #include <string.h>
+#include <sys/mman.h>
+#include <unistd.h>
+
+#include "buffer.h"
+#include "context.h"
+#include "lookup.h"
+#include "texture.h"
 
 struct meter {
     atomic_size_t live, peak;
@@ -327,12 +334,101 @@ static void test_the_stats_know_the_peak(void **state)
     expect_all_returned(&meter);
 }
 
+// Bytes of a block that are in memory.
+static size_t resident(const void *block, size_t size)
+{
+    const uintptr_t page = (uintptr_t)sysconf(_SC_PAGESIZE);
+    const uintptr_t first = (uintptr_t)block / page * page;
+    const size_t count = ((uintptr_t)block + size - first + page - 1) / page;
+    unsigned char *const pages = calloc(count, 1);
+    assert_int_equal(mincore((void *)first, count * page, pages), 0);
+    size_t there = 0;
+    for (size_t i = 0; i < count; i++) {
+        there += (pages[i] & 1) * page;
+    }
+    free(pages);
+    return there;
+}
+
+enum { LARGE = 4096, MEGABYTE = 1 << 20 };
+
+static rhw_texture make_texture(rhw_context *context, int size)
+{
+    struct rhw_texture_def def = rhw_texture_def_default();
+    def.format = RHW_FORMAT_RGBA8_UNORM;
+    def.width = def.height = size;
+    rhw_texture texture;
+    assert_int_equal(rhw_texture_create(context, &def, &texture), RHW_OK);
+    return texture;
+}
+
+// 64 MiB that nobody has touched take none; a row that is written takes a huge page at most.
+static void test_what_is_created_takes_no_memory_yet(void **state)
+{
+    (void)state;
+    struct rig rig;
+    rig_open(&rig, 8, 8);
+    const rhw_texture texture = make_texture(rig.context, LARGE);
+    const struct rhw_texture_data *const data = rhw_context_texture(rig.context, texture, "test");
+    struct rhw_buffer_def def = rhw_buffer_def_default();
+    def.size = (size_t)64 * MEGABYTE;
+    rhw_buffer buffer;
+    assert_int_equal(rhw_buffer_create(rig.context, &def, &buffer), RHW_OK);
+    const void *const bytes = rhw_context_buffer(rig.context, buffer, "test")->bytes;
+    assert_int_equal(resident(data->memory, data->memory_size), 0);
+    assert_int_equal(resident(bytes, def.size), 0);
+    rhw_buffer_write(rig.context, buffer, def.size / 2, "one", 4);
+    assert_in_range(resident(bytes, def.size), 1, 2 * MEGABYTE);
+    rhw_buffer_destroy(rig.context, buffer);
+    rhw_texture_destroy(rig.context, texture);
+    rig_close(&rig);
+}
+
+// Zeros, whoever had the memory before: with the default hooks, on both sides of where blocks get pages of their own, and
+// with hooks that fill it.
+static void test_what_is_created_is_zero(void **state)
+{
+    (void)state;
+    static const int sizes[] = {64, 700, 724, 725, 1500};
+    struct meter meter = {.fail_at = -1};
+    for (int hooks = 0; hooks < 2; hooks++) {
+        struct rhw_context_def def = rhw_context_def_default();
+        if (hooks == 1) {
+            def.allocator = (struct rhw_allocator){take, give, &meter};
+        }
+        rhw_context *context;
+        assert_int_equal(rhw_context_create(&def, &context), RHW_OK);
+        for (int i = 0; i < 2 * (int)(sizeof sizes / sizeof *sizes); i++) {
+            const int size = sizes[i / 2];
+            const size_t bytes = (size_t)size * (size_t)size * 4;
+            unsigned char *const texels = malloc(bytes);
+            const rhw_texture texture = make_texture(context, size);
+            rhw_texture_read(context, texture, 0, texels, 0);
+            for (size_t k = 0; k < bytes; k++) {
+                if (texels[k] != 0) {
+                    fail_msg("byte %zu of a texture of %dx%d is not zero", k, size, size);
+                }
+            }
+            memset(texels, 0xff, bytes);
+            rhw_texture_write(context, texture, 0, texels, 0);
+            rhw_texture_destroy(context, texture);
+            free(texels);
+        }
+        rhw_context_destroy(context);
+    }
+    expect_all_returned(&meter);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_everything_is_returned),     cmocka_unit_test(test_out_of_memory_once),
-        cmocka_unit_test(test_out_of_memory_from_then_on), cmocka_unit_test(test_warm_passes_do_not_allocate),
+        cmocka_unit_test(test_everything_is_returned),
+        cmocka_unit_test(test_out_of_memory_once),
+        cmocka_unit_test(test_out_of_memory_from_then_on),
+        cmocka_unit_test(test_warm_passes_do_not_allocate),
         cmocka_unit_test(test_the_stats_know_the_peak),
+        cmocka_unit_test(test_what_is_created_takes_no_memory_yet),
+        cmocka_unit_test(test_what_is_created_is_zero),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -46,8 +46,11 @@ RHW_INLINE void fill_scattered(const struct tile_work *work, const struct triang
             queue->groups[first + n].depth = viewport_clamp(&work->scratch->depth, f8_from_d8(z));
         }
     }
-    interpolate_groups(queue->varyings + first * pipeline->varying_components, pipeline, triangle, &weights,
-                       count);
+    f8 *const varyings = queue->varyings + first * pipeline->varying_components;
+    interpolate_groups(varyings, pipeline->varying_components, triangle, &weights, count);
+    if (pipeline->flat_count != 0) {
+        set_flat_groups(varyings, pipeline, triangle, count);
+    }
 }
 
 // Does so with everything that a fragment function may ask for.
@@ -165,17 +168,18 @@ RHW_INLINE void gather_fragments(struct tile_work *work, struct triangle_work *t
     gathered->count = count;
 }
 
-// Whether the rows of a block that are set in `mask` shall be groups though its fragments could be gathered: with inputs
-// of any kind, a group from anywhere costs as much as a row and a half, and more the more targets it is blended into.
-RHW_INLINE bool prefers_rows(const struct tile_work *work, uint64_t mask)
+// Whether the fragments of a block that are set in `mask`, with inputs of any kind, are gathered rather than shaded row by
+// row: such a group from anywhere costs as much as a row and a half, and more the more targets it is blended into.
+// Homogeneous noperspective values are made in double (interpolate.h), which packing does not.
+static inline bool scatters_any(const struct tile_work *work, const struct triangle_work *triangle,
+                                uint64_t mask)
 {
-    if (work->plan.shading != RHW_SHADING_ANY) {
-        return false;
-    }
+    const bool is_double = triangle->planes.is_homogeneous && work->pipeline->any_noperspective;
     uint64_t rows = mask | mask >> 4; // bit 8·row: some pixel of the row
     rows |= rows >> 2;
     rows = (rows | rows >> 1) & 0x0101010101010101u;
-    return __builtin_popcountll(mask) >= ROW_PIXELS * __builtin_popcountll(rows);
+    return work->plan.shading == RHW_SHADING_ANY && !is_double &&
+           __builtin_popcountll(mask) < ROW_PIXELS * __builtin_popcountll(rows);
 }
 
 // Sends the fragments of a block whose bits are set in `mask` on the path that is theirs.
@@ -183,11 +187,9 @@ RHW_INLINE void collect_block(struct tile_work *work, struct triangle_work *tria
                               const struct block *block, uint64_t mask)
 {
     const bool is_whole = mask == ~(uint64_t)0;
-    // Homogeneous noperspective values are made in double (interpolate.h), which packing does not.
-    const bool is_double = triangle->planes.is_homogeneous && work->pipeline->any_noperspective;
-    const bool can_scatter = work->plan.shading != RHW_SHADING_ROWS && !block->leaves_triangle &&
-                             triangle->planes.kind != PLANES_EXACT && !is_double;
-    if (!is_whole && can_scatter && !prefers_rows(work, mask)) {
+    const bool can_scatter = !block->leaves_triangle && triangle->planes.kind != PLANES_EXACT &&
+                             (work->plan.shading == RHW_SHADING_SMOOTH || scatters_any(work, triangle, mask));
+    if (!is_whole && can_scatter) {
         gather_fragments(work, triangle, block->x, block->y, RHW_BLOCK, mask);
         return;
     }

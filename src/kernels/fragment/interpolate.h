@@ -54,12 +54,11 @@ RHW_INLINE void set_flat_groups(f8 *varyings, const struct rhw_pipeline_data *pi
     }
 }
 
-// Sets smooth and flat varyings of `count` groups, those of the first at `varyings`.
-RHW_INLINE void interpolate_groups(f8 *varyings, const struct rhw_pipeline_data *pipeline,
-                                   const struct triangle_work *triangle, const struct group_weights *weights,
-                                   int count)
+// Sets the smooth varyings of `count` groups, those of the first at `varyings`; set_flat_groups has to follow where some
+// are flat.
+RHW_INLINE void interpolate_groups(f8 *varyings, ptrdiff_t components, const struct triangle_work *triangle,
+                                   const struct group_weights *weights, int count)
 {
-    const ptrdiff_t components = pipeline->varying_components;
     for (int i = 0; i < components; i++) {
         const f8 i0 = f8_splat(triangle->i0[i]), d1 = f8_splat(triangle->d1[i]),
                  d2 = f8_splat(triangle->d2[i]);
@@ -68,10 +67,9 @@ RHW_INLINE void interpolate_groups(f8 *varyings, const struct rhw_pipeline_data 
             *to = interpolate(i0, d1, d2, weights->b[n], weights->c[n]);
         }
     }
-    set_flat_groups(varyings, pipeline, triangle, count);
 }
 
-// Sets noperspective ones too; `screen` has the weights on the screen, where they are wanted.
+// Sets varyings of any qualifier; `screen` has the weights on the screen, where they are wanted.
 RHW_INLINE void interpolate_any_groups(f8 *varyings, const struct rhw_pipeline_data *pipeline,
                                        const struct triangle_work *triangle,
                                        const struct group_weights *weights,

@@ -37,7 +37,7 @@ static void pack_identity(struct rhw_fragment *group, uint32_t uses,
 
 // Weights of the 8 fragments, lane by lane: in space, and on the screen where they are wanted.
 struct packed_weights {
-    float b[8], c[8], s[8], t[8];
+    const float *b, *c, *s, *t;
 };
 
 // Gives components i .. i + 7 of the 8 fragments, a vector for each. A vertex record is padded to whole vectors.
@@ -162,7 +162,7 @@ static void pack_barycentric_derivatives(struct tile_work *work, struct rhw_frag
 
 // Sets what groups of RHW_SHADING_ANY have beside smooth varyings and their derivatives.
 static __attribute__((noinline)) void pack_any(struct tile_work *work, int g, const struct weights *weights,
-                                               struct packed_weights *lanes)
+                                               const struct packed_weights *in_space)
 {
     const uint32_t uses = work->pipeline->def.program.uses;
     struct rhw_fragment *const group = &work->scratch->queue.groups[g];
@@ -171,9 +171,11 @@ static __attribute__((noinline)) void pack_any(struct tile_work *work, int g, co
         quantity_lanes(work->scratch->partial.screen, screen);
     }
     const f8 s = f8_from_d8(screen[0]), t = f8_from_d8(screen[1]);
-    f8_store(lanes->s, s);
-    f8_store(lanes->t, t);
-    pack_varyings(work, g, lanes);
+    float s_lanes[8], t_lanes[8];
+    f8_store(s_lanes, s);
+    f8_store(t_lanes, t);
+    const struct packed_weights lanes = {in_space->b, in_space->c, s_lanes, t_lanes};
+    pack_varyings(work, g, &lanes);
     if (work->pipeline->any_derivatives) {
         pack_constant_derivatives(work, g);
     }
@@ -217,9 +219,11 @@ static void pack_group(struct tile_work *work, unsigned bits)
     quantity_lanes(partial->quantities, quantity);
     const struct weights weights = weights_of(quantity[QUANTITY_S], d8_div(d8_splat(1), quantity[QUANTITY_S]),
                                               quantity[QUANTITY_B], quantity[QUANTITY_C]);
-    struct packed_weights lanes = {{0}, {0}, {0}, {0}};
-    f8_store(lanes.b, weights.b);
-    f8_store(lanes.c, weights.c);
+    float b[8], c[8];
+    f8_store(b, weights.b);
+    f8_store(c, weights.c);
+    const struct packed_weights lanes = {b, c, b,
+                                         c}; // nothing asks for those on the screen where they are not wanted
     if (work->plan.keeps_depth) {
         group->depth = viewport_clamp(&work->scratch->depth, f8_from_d8(quantity[QUANTITY_Z]));
     }

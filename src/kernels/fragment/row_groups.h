@@ -184,8 +184,12 @@ RHW_INLINE void fill_steps(const struct tile_work *work, const struct triangle_w
                 squared[n + k] = d8_mul(w.inverse_s, w.inverse_s);
             }
         }
-        interpolate_groups(work->scratch->queue.varyings + (first + n) * components, work->pipeline, triangle,
+        interpolate_groups(work->scratch->queue.varyings + (first + n) * components, components, triangle,
                            &weights, count);
+    }
+    if (work->pipeline->flat_count != 0) {
+        set_flat_groups(work->scratch->queue.varyings + first * components, work->pipeline, triangle,
+                        rows->count);
     }
     if (derivatives == DERIVATIVES) {
         fill_row_derivatives(work, triangle, at, rows, first, squared);

@@ -1,0 +1,187 @@
+// SPDX-License-Identifier: MIT
+// Mip generation, one of the translation units of an instruction set: a band of rows of a few levels. Rows of the level
+// above stream through all of them while they are in the cache: each is reduced along x once, to a line, and two or
+// three lines make a row, which is stored and goes on to the next level. mip.c has the formula's source and the jobs.
+#include "kernel_entries.h"
+
+#include "../texture.h"
+#include "integer.h"
+#include "mip_work.h"
+#include "texel/mip_codec.h"
+
+enum { TAPS = 3 };
+
+// What a row takes of the level above: lines first, first + 1, ..
+struct row_taps {
+    int first, count;
+    float weight[TAPS];
+};
+
+// A level that is made.
+struct made_level {
+    const struct rhw_mip *mip;
+    int above_width, above_height;
+    int first,
+        own_end;   // rows that this task makes, and of them the ones that it stores: first .. own_end − 1
+    size_t stride; // of planes
+    float *line[TAPS]; // of row y of the level above, at y % 3
+    float *row;
+};
+
+struct band {
+    const struct rhw_mip_job *job;
+    int channels;
+    struct made_level level[RHW_MIP_STEPS + 1]; // from level job->base on, whose row alone is used
+};
+
+static struct row_taps row_taps_of(int larger, int smaller, int y)
+{
+    if (larger == 1) {
+        return (struct row_taps){0, 1, {1.0f}};
+    }
+    if (larger % 2 == 0) {
+        return (struct row_taps){2 * y, 2, {0.5f, 0.5f}};
+    }
+    const float width = (float)larger;
+    return (struct row_taps){
+        2 * y, 3, {(float)(smaller - y) / width, (float)smaller / width, (float)(y + 1) / width}};
+}
+
+// Every second of 16 floats, from the first or the second one.
+RHW_INLINE void load_pairs(const float *from, f8 *even, f8 *odd)
+{
+    const f8 a = f8_load(from), b = f8_load(from + RHW_LANES);
+    *even = __builtin_shufflevector(a, b, 0, 2, 4, 6, 8, 10, 12, 14);
+    *odd = __builtin_shufflevector(a, b, 1, 3, 5, 7, 9, 11, 13, 15);
+}
+
+// A row of the level above becomes a line of this one.
+static void reduce_columns(const struct made_level *level, int channels, const float *row, size_t stride,
+                           float *line)
+{
+    const int larger = level->above_width, smaller = level->mip->width;
+    const float width = (float)larger;
+    for (int x = 0; x < smaller; x += RHW_LANES) {
+        const i8 i = i8_splat(x) + rhw_lane_index;
+        const f8 left = rhw_to_float(i8_splat(smaller) - i) / width, right = rhw_to_float(i + 1) / width;
+        const float middle = (float)smaller / width;
+        for (int c = 0; c < channels; c++) {
+            const float *const from = row + (size_t)c * stride + 2 * (size_t)x;
+            f8 even, odd, next, unused, sum;
+            if (larger == 1) {
+                sum = f8_load(from);
+            } else if (larger % 2 == 0) {
+                load_pairs(from, &even, &odd);
+                sum = even * 0.5f + odd * 0.5f;
+            } else {
+                load_pairs(from, &even, &odd);
+                load_pairs(from + 2, &next, &unused);
+                sum = even * left + odd * middle;
+                sum += next * right;
+            }
+            f8_store(line + (size_t)c * level->stride + x, sum);
+        }
+    }
+}
+
+// Lines of the level above become row y.
+static void reduce_rows(const struct made_level *level, int channels, const struct row_taps *taps, float *row)
+{
+    const float *const first = level->line[taps->first % TAPS];
+    for (int c = 0; c < channels; c++) {
+        for (int x = 0; x < level->mip->width; x += RHW_LANES) {
+            const size_t at = (size_t)c * level->stride + (size_t)x;
+            f8 sum = f8_splat(0.0f) + f8_load(first + at) * taps->weight[0]; // −0 becomes 0
+            for (int j = 1; j < taps->count; j++) {
+                sum += f8_load(level->line[(taps->first + j) % TAPS] + at) * taps->weight[j];
+            }
+            f8_store(row + at, sum);
+        }
+    }
+}
+
+// The row that is complete with row y of the level above; −1: none.
+static int completed_row(const struct made_level *level, int y)
+{
+    if (level->above_height == 1) {
+        return 0;
+    }
+    return level->above_height % 2 == 0 ? (y & 1 ? y / 2 : -1) : (y & 1 ? -1 : y / 2 - 1);
+}
+
+// Row y of the first level, which is in its `row` or in the job's, through as many levels as it completes a row of.
+static void push_row(const struct band *band, int y, const float *row)
+{
+    const struct rhw_mip_job *const job = band->job;
+    for (int i = 1; i <= job->last - job->base; i++) {
+        const struct made_level *const level = &band->level[i];
+        reduce_columns(level, band->channels, row, level[-1].stride, level->line[y % TAPS]);
+        y = completed_row(level, y);
+        if (y < level->first) { // a band of three taps a row begins with the last of the row before
+            return;
+        }
+        const struct row_taps taps = row_taps_of(level->above_height, level->mip->height, y);
+        float *to = level->row;
+        if (job->base + i == job->last && job->to) {
+            to = job->to + (size_t)y * rhw_mip_row(level->mip->width, band->channels);
+        }
+        reduce_rows(level, band->channels, &taps, to);
+        if (y < level->own_end) {
+            narrow_row(job->texture->info, to, level->stride, level->mip->width,
+                       level->mip->texels + (size_t)y * level->mip->row_pitch);
+        }
+        row = to;
+    }
+}
+
+// Sets the band's levels for rows begin .. end − 1 of the last one; *end becomes that of the first level.
+static int begin_band(struct band *band, int begin, int *end, float *scratch)
+{
+    const struct rhw_mip_job *const job = band->job;
+    const struct rhw_mip *const mips = job->texture->mip;
+    const bool is_last = *end == mips[job->last].height;
+    int own_end = *end;
+    for (int i = job->last; i >= job->base; i--) {
+        struct made_level *const level = &band->level[i - job->base];
+        const size_t row = rhw_mip_row(mips[i].width, band->channels);
+        level->mip = &mips[i];
+        level->stride = rhw_mip_stride(mips[i].width);
+        level->row = scratch;
+        scratch += row;
+        if (i == job->base) {
+            break;
+        }
+        for (int j = 0; j < TAPS; j++, scratch += row) {
+            level->line[j] = scratch;
+        }
+        level->above_width = mips[i - 1].width;
+        level->above_height = mips[i - 1].height;
+        level->first = begin;
+        level->own_end = is_last ? mips[i].height : own_end;
+        const struct row_taps taps = row_taps_of(level->above_height, mips[i].height, *end - 1);
+        begin = 2 * begin;
+        own_end = 2 * own_end;
+        *end = taps.first + taps.count;
+    }
+    return begin;
+}
+
+void RHW_ISA_NAME(rhw_make_mip_band)(const struct rhw_mip_job *job, int index, int worker)
+{
+    const struct rhw_mip *const base = &job->texture->mip[job->base];
+    struct band band = {.job = job, .channels = job->texture->info->channels};
+    const int rows = job->texture->mip[job->last].height;
+    int end = min_int((index + 1) * job->band, rows);
+    const int begin =
+        begin_band(&band, index * job->band, &end, job->scratch + (size_t)worker * job->scratch_size);
+    for (int y = begin; y < end; y++) {
+        const float *row = band.level[0].row;
+        if (job->from) {
+            row = job->from + (size_t)y * rhw_mip_row(base->width, band.channels);
+        } else {
+            widen_row(job->texture->info, base->texels + (size_t)y * base->row_pitch, base->width,
+                      band.level[0].row, band.level[0].stride);
+        }
+        push_row(&band, y, row);
+    }
+}

@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: MIT
+// What threads share while they make the levels of a texture: a job makes a few levels from one, in bands of rows.
+#ifndef RHW_MIP_WORK_H
+#define RHW_MIP_WORK_H
+
+#include <stddef.h>
+
+struct rhw_texture_data;
+
+enum {
+    RHW_MIP_STEPS =
+        3 // levels of a job: so few that bands of odd sizes, which overlap, have few rows in common
+};
+
+// Levels as floats, unrounded, on the scale of texel/mip_codec.h: for each row one plane after the other of the channels
+// that the format has.
+struct rhw_mip_job {
+    const struct rhw_texture_data *texture;
+    int base, last;    // levels base + 1 .. last are made, RHW_MIP_STEPS at most
+    const float *from; // level `base`; NULL: it is level 0, as the texture has it
+    float *to;         // level `last`; NULL: no level follows
+    int band;          // rows of level `last` that a task makes
+    float *scratch;    // `scratch_size` zeros for each worker
+    size_t scratch_size;
+};
+
+// Floats from one plane to the next: the kernel computes whole groups of 8 lanes, of which the last reads up to 18
+// columns behind the row's last but one.
+static inline size_t rhw_mip_stride(int width)
+{
+    return (((size_t)width + 15) & ~(size_t)15) + 16;
+}
+
+// Floats of a row: all planes.
+static inline size_t rhw_mip_row(int width, int channels)
+{
+    return (size_t)channels * rhw_mip_stride(width);
+}
+
+#endif

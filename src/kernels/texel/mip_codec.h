@@ -1,0 +1,98 @@
+// SPDX-License-Identifier: MIT
+// Rows of texels as planes of floats and back, for mip generation. Linear channels of 8 bits stand on the scale 0..255,
+// on which averages of codes are exact for the first 8 mip levels. Any width; nothing outside the row is touched.
+#ifndef RHW_MIP_CODEC_H
+#define RHW_MIP_CODEC_H
+
+#include "texel_codec.h"
+
+// Of which the channels that the format has count.
+RHW_INLINE void widen_texels(const struct rhw_format_info *format, const struct raw_texels *raw, f8 value[4])
+{
+    switch (format->codec) {
+    case RHW_CODEC_UNORM8:
+        for (int c = 0; c < 4; c++) {
+            value[c] = rhw_to_float(channel_byte(raw->word[0], c));
+        }
+        break;
+    case RHW_CODEC_SRGB8:
+        for (int c = 0; c < 3; c++) {
+            value[c] = srgb8_to_float(channel_byte(raw->word[0], c));
+        }
+        value[3] = rhw_to_float(channel_byte(raw->word[0], 3));
+        break;
+    default: decode_texels(format, raw, value); break;
+    }
+}
+
+// One quiet NaN for every NaN: which one an operation gives depends on the processor.
+RHW_INLINE f8 canonical(f8 value)
+{
+    return f8_select(rhw_equal(value, value), value, (f8)i8_splat(0x7fc00000));
+}
+
+RHW_INLINE void narrow_texels(const struct rhw_format_info *format, const f8 value[4], struct raw_texels *raw)
+{
+    switch (format->codec) {
+    case RHW_CODEC_UNORM8: raw->word[0] = i8_bytes_from_small_f8(value); break;
+    case RHW_CODEC_SRGB8:
+        raw->word[0] = srgb8_from_float(value[0]) | (srgb8_from_float(value[1]) << 8) |
+                       (srgb8_from_float(value[2]) << 16) | ((i8)(value[3] + 0x1p23f) << 24);
+        break;
+    default: {
+        f8 number[4];
+        for (int c = 0; c < 4; c++) {
+            number[c] = canonical(value[c]);
+        }
+        encode_texels(format, number, raw);
+        break;
+    }
+    }
+}
+
+// `planes` has room for whole groups of 8 texels.
+RHW_INLINE void widen_row(const struct rhw_format_info *format, const unsigned char *texels, int width,
+                          float *planes, size_t stride)
+{
+    const size_t size = format->size;
+    for (int x = 0; x < width; x += RHW_LANES) {
+        const unsigned char *group = texels + (size_t)x * size;
+        unsigned char last[RHW_LANES * RHW_TEXEL_BYTES];
+        if (width - x < RHW_LANES) {
+            memset(last, 0, sizeof last);
+            memcpy(last, group, (size_t)(width - x) * size);
+            group = last;
+        }
+        struct raw_texels raw;
+        f8 value[4];
+        load_texel_row(size, group, &raw);
+        widen_texels(format, &raw, value);
+        for (int c = 0; c < format->channels; c++) {
+            f8_store(planes + (size_t)c * stride + x, value[c]);
+        }
+    }
+}
+
+RHW_INLINE void narrow_row(const struct rhw_format_info *format, const float *planes, size_t stride,
+                           int width, unsigned char *texels)
+{
+    const size_t size = format->size;
+    for (int x = 0; x < width; x += RHW_LANES) {
+        struct raw_texels raw;
+        f8 value[4] = {{0}, {0}, {0}, {0}};
+        for (int c = 0; c < format->channels; c++) {
+            value[c] = f8_load(planes + (size_t)c * stride + x);
+        }
+        narrow_texels(format, value, &raw);
+        unsigned char *const group = texels + (size_t)x * size;
+        if (width - x >= RHW_LANES) {
+            store_texel_row(size, &raw, i8_splat(-1), UINT32_MAX, group);
+        } else {
+            unsigned char last[RHW_LANES * RHW_TEXEL_BYTES] = {0};
+            store_texel_row(size, &raw, i8_splat(-1), UINT32_MAX, last);
+            memcpy(group, last, (size_t)(width - x) * size);
+        }
+    }
+}
+
+#endif
