@@ -24,7 +24,7 @@ static bool grow(struct rhw_memory *memory, struct rhw_draw_list *list)
     return true;
 }
 
-struct rhw_draw *rhw_draw_list_next(struct rhw_memory *memory, struct rhw_draw_list *list)
+struct rhw_draw *rhw_draw_list_grow(struct rhw_memory *memory, struct rhw_draw_list *list)
 {
     const uint32_t block = list->count / RHW_DRAW_BLOCK;
     if (block == list->block_capacity && !grow(memory, list)) {

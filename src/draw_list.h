@@ -101,8 +101,16 @@ static inline struct rhw_draw *rhw_draw_list_at(const struct rhw_draw_list *list
     return &list->blocks[i / RHW_DRAW_BLOCK][i % RHW_DRAW_BLOCK];
 }
 
+// The slow path of rhw_draw_list_next: takes one more block.
+struct rhw_draw *rhw_draw_list_grow(struct rhw_memory *memory, struct rhw_draw_list *list);
+
 // Room for one more draw, behind the last; `count` does not change yet. NULL when out of memory.
-struct rhw_draw *rhw_draw_list_next(struct rhw_memory *memory, struct rhw_draw_list *list);
+static inline struct rhw_draw *rhw_draw_list_next(struct rhw_memory *memory, struct rhw_draw_list *list)
+{
+    const bool has_room = list->count < list->block_count * RHW_DRAW_BLOCK;
+    return has_room ? rhw_draw_list_at(list, list->count) : rhw_draw_list_grow(memory, list);
+}
+
 void rhw_draw_list_destroy(struct rhw_memory *memory, struct rhw_draw_list *list);
 
 #endif
