@@ -120,7 +120,7 @@ static rhw_texture make_texture(rhw_context *context, enum rhw_format format, in
     def.format = format;
     def.width = width;
     def.height = height;
-    def.mip_levels = 0;
+    def.mip_levels = RHW_MIP_LEVELS_ALL;
     rhw_texture texture;
     assert_int_equal(rhw_texture_create(context, &def, &texture), RHW_OK);
     const size_t size = (size_t)width * (size_t)height * rhw_format_size(format);

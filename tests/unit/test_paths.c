@@ -107,11 +107,14 @@ static void choose_program(struct rig *rig, uint64_t *seed)
     const bool is_constant = shaders[shader].fragment == constant;
     rig_set_program(rig, is_constant ? position_alone : rig_vertex_pass, shaders[shader].fragment);
     program->uses = shaders[shader].uses;
-    program->varying_count = is_constant ? 0 : 1;
-    program->varyings[0].derivatives = shaders[shader].fragment == derived;
     // Smooth ones more often than not: they have most paths.
     const int qualifier = rig_random_int(seed, 6);
-    program->varyings[0].qualifier = qualifier < 3 ? (enum rhw_qualifier)qualifier : RHW_SMOOTH;
+    const struct rhw_varying varying = {.components = 4,
+                                        .qualifier =
+                                            qualifier < 3 ? (enum rhw_qualifier)qualifier : RHW_SMOOTH,
+                                        .derivatives = shaders[shader].fragment == derived};
+    program->varying_count = is_constant ? 0 : 1;
+    program->varyings[0] = is_constant ? (struct rhw_varying){0} : varying;
 }
 
 static void choose_state(struct rig *rig, const struct recipe *recipe, uint64_t *seed)
