@@ -49,7 +49,7 @@ struct rhw_texture_data {
 struct rhw_context;
 struct rhw_memory;
 
-// Sets format, levels, sizes and pitches; no memory yet. `levels` 0 means the full chain. All arguments valid.
+// Sets format, levels, sizes and pitches; no memory yet. `levels` is at least 1. All arguments are valid.
 void rhw_texture_data_init(struct rhw_texture_data *texture, enum rhw_format format, int width, int height,
                            int levels);
 
