@@ -6,6 +6,14 @@
 
 #include "queue.h"
 
+// Blends a group out of line: the code is large, and few groups come here.
+static __attribute__((noinline)) void blend_group_apart(const struct rhw_blend_state *state,
+                                                        const f8 color[4], const i8 *mask,
+                                                        unsigned char *texels)
+{
+    blend_group(state, color, *mask, texels);
+}
+
 static void prepare_constant(struct tile_work *work)
 {
     struct fragment_queue *const queue = &work->scratch->queue;
@@ -14,8 +22,9 @@ static void prepare_constant(struct tile_work *work)
     work->counters->groups++;
     for (int t = 0; t < work->pass->color_count; t++) {
         if (work->state->blend[t].path == BLEND_RGBA8_REPLACE) {
-            blend_group(&work->state->blend[t], queue->colors[0][t], i8_splat(-1),
-                        (unsigned char *)&work->scratch->constant[t]);
+            const i8 all = i8_splat(-1);
+            blend_group_apart(&work->state->blend[t], queue->colors[0][t], &all,
+                              (unsigned char *)&work->scratch->constant[t]);
         }
     }
     work->constant_is_ready = true;
@@ -37,7 +46,8 @@ static void blend_constant(struct tile_work *work, int x, int y, uint64_t mask)
             const unsigned bits = (unsigned)(mask >> (8 * row)) & 0xff;
             unsigned char *const to = texels + (size_t)(row * RHW_TILE) * size;
             if (state->path != BLEND_RGBA8_REPLACE) {
-                blend_group(state, scratch->queue.colors[0][t], i8_from_bits(bits), to);
+                const i8 live = i8_from_bits(bits);
+                blend_group_apart(state, scratch->queue.colors[0][t], &live, to);
             } else if (bits == 0xff) {
                 i8_store(to, texel);
             } else {
