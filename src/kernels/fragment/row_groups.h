@@ -107,7 +107,9 @@ static __attribute__((noinline)) void fill_any_rows(const struct tile_work *work
                                                     int first)
 {
     const struct planes *const planes = &triangle->planes;
-    const enum weight_path path = planes->kind == PLANES_EXACT ? WEIGHTS_EXACT : WEIGHTS_PER_PIXEL;
+    const bool is_general = work->plan.shading == RHW_SHADING_ROWS;
+    const enum weight_path best = weight_path_of(planes);
+    const enum weight_path path = is_general && best == WEIGHTS_PER_ROW ? WEIGHTS_PER_PIXEL : best;
     struct block_planes over;
     struct group_place place = {.at.dx = block->at.dx};
     double dy[RHW_BLOCK];
