@@ -272,7 +272,6 @@ static void lay_out_varyings(struct rhw_pipeline_data *data)
     for (int i = 0; i < data->def.program.varying_count; i++) {
         const struct rhw_varying *const varying = &data->def.program.varyings[i];
         data->any_noperspective |= varying->qualifier == RHW_NOPERSPECTIVE;
-        data->any_flat |= varying->qualifier == RHW_FLAT;
         data->any_derivatives |= varying->derivatives;
         for (int component = 0; component < varying->components; component++) {
             data->component_qualifier[next] = (uint8_t)varying->qualifier;

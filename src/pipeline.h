@@ -10,7 +10,7 @@ struct rhw_pipeline_data {
     rhw_vertex_function *vertex; // best entry for the context's instruction set; NULL: use program.vertex1
     rhw_fragment_function *fragment; // likewise; NULL: program.fragment1, and when that is NULL too, depth only
     int varying_components;          // of all varyings together
-    bool any_noperspective, any_flat, any_derivatives;
+    bool any_noperspective, any_derivatives;
     uint8_t component_qualifier[RHW_MAX_VARYING_COMPONENTS]; // enum rhw_qualifier
     bool component_derivatives[RHW_MAX_VARYING_COMPONENTS];
     // Of 8 components from 8·n on, which packing treats together:
