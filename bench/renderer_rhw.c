@@ -171,7 +171,7 @@ static struct rhw_pass_def pass_of(const struct bench_state *s)
     def.width = s->width;
     def.height = s->height;
     def.color_count = s->scene->has_color;
-    def.colors[0].texture = s->scene->has_color ? s->color : (rhw_texture){0, 0};
+    def.colors[0].texture = s->scene->has_color ? s->color : (rhw_texture){0};
     memcpy(def.colors[0].clear, s->scene->clear, sizeof def.colors[0].clear);
     def.depth.enabled = true;
     def.depth.texture = s->depth;

@@ -113,8 +113,10 @@ static rhw_pipeline make_pipeline(rhw_context *context, rhw_fragment_function *f
 static void draw_plane(rhw_context *context, rhw_pass pass, rhw_pipeline pipeline)
 {
     rhw_pass_set_pipeline(context, pass, pipeline);
-    rhw_pass_set_vertex_buffer(context, pass, 0, picture_vertices(context, plane, sizeof plane), 0);
+    const rhw_buffer corners = picture_vertices(context, plane, sizeof plane);
+    rhw_pass_set_vertex_buffer(context, pass, 0, corners, 0);
     rhw_pass_draw(context, pass, 0, 6, 0, 1);
+    rhw_buffer_destroy(context, corners); // the pass keeps what its draws need
 }
 
 // Fills both with COLUMNS × ROWS pixels.

@@ -98,6 +98,7 @@ static void draw_triangle(rhw_context *context, rhw_pass pass, enum answer kind,
     rhw_pass_set_vertex_buffer(context, pass, 0, buffer, 0);
     rhw_pass_set_uniforms(context, pass, &uniforms, sizeof uniforms);
     rhw_pass_draw(context, pass, 0, 3, 0, 1);
+    rhw_buffer_destroy(context, buffer); // the pass keeps what its draws need
 }
 
 // The three panels side by side; `size` is a panel's width in pixels of the target's level 0.

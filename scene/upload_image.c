@@ -159,7 +159,7 @@ enum rhw_result scene_upload_combined(rhw_context *context, const struct scene_m
         }
     }
     struct scene_combined_image *const next = &combined->images[combined->count];
-    *next = (struct scene_combined_image){rough, occlusion, mips, {0, 0}};
+    *next = (struct scene_combined_image){rough, occlusion, mips, {0}};
     const enum rhw_result result =
         combine(context, &model->images[rough], &model->images[occlusion], mips, &next->texture);
     combined->count++; // also of one that is there without its mips

@@ -6,6 +6,7 @@
 
 #include "constants.h"
 #include "context.h"
+#include "entry.h"
 #include "lookup.h"
 #include "memory.h"
 #include "misuse.h"
@@ -19,24 +20,27 @@ void rhw_buffer_data_release(struct rhw_memory *memory, struct rhw_buffer_data *
 }
 
 static bool check_create(const struct rhw_context *context, const struct rhw_buffer_def *def,
-                         const rhw_buffer *buffer)
+                         const rhw_buffer *buffer, const char *where)
 {
-    static const char *const where = "rhw_buffer_create";
-    return rhw_check(context, context != NULL, "%s: context is NULL", where) &&
-           rhw_check(context, def != NULL, "%s: def is NULL", where) &&
+    return rhw_check(context, def != NULL, "%s: def is NULL", where) &&
            rhw_check(context, buffer != NULL, "%s: buffer is NULL", where) &&
            rhw_check(context, def->size >= 1, "%s: size is 0; it must be at least 1 byte", where);
+}
+
+// Zeroed, or undefined when something will be copied there; NULL when out of memory.
+static unsigned char *allocate_bytes(struct rhw_memory *memory, size_t size, bool zeroed)
+{
+    if (size > SIZE_MAX - RHW_BUFFER_PADDING) {
+        return NULL;
+    }
+    return zeroed ? rhw_memory_allocate_zeroed(memory, size + RHW_BUFFER_PADDING, RHW_CACHE_LINE)
+                  : rhw_memory_allocate(memory, size + RHW_BUFFER_PADDING, RHW_CACHE_LINE);
 }
 
 // Fills a new item; false when out of memory.
 static bool fill(struct rhw_memory *memory, struct rhw_buffer_data *data, const struct rhw_buffer_def *def)
 {
-    if (def->size > SIZE_MAX - RHW_BUFFER_PADDING) {
-        return false;
-    }
-    const size_t size = def->size + RHW_BUFFER_PADDING;
-    data->bytes = def->data != NULL ? rhw_memory_allocate(memory, size, RHW_CACHE_LINE)
-                                    : rhw_memory_allocate_zeroed(memory, size, RHW_CACHE_LINE);
+    data->bytes = allocate_bytes(memory, def->size, def->data == NULL);
     if (data->bytes == NULL) {
         return false;
     }
@@ -48,54 +52,107 @@ static bool fill(struct rhw_memory *memory, struct rhw_buffer_data *data, const 
     return true;
 }
 
-enum rhw_result rhw_buffer_create(rhw_context *context, const struct rhw_buffer_def *def, rhw_buffer *buffer)
+static enum rhw_result create(struct rhw_context *context, const struct rhw_buffer_def *def,
+                              rhw_buffer *buffer)
 {
-    if (buffer != NULL) {
-        *buffer = (rhw_buffer){0, 0};
-    }
-    if (!check_create(context, def, buffer)) {
+    if (!check_create(context, def, buffer, "rhw_buffer_create")) {
         return RHW_ERROR_MISUSE;
     }
-    rhw_buffer id;
+    rhw_buffer id = {.context = context->number};
     struct rhw_buffer_data *const data =
-        rhw_pool_add(&context->memory, &context->buffers, &id.index, &id.generation);
+        rhw_pool_add(&context->memory, &context->buffers, def->label, &id.index, &id.generation);
     if (data == NULL) {
         return RHW_ERROR_OUT_OF_MEMORY;
     }
     if (!fill(&context->memory, data, def)) {
-        rhw_pool_remove(&context->buffers, id.index);
+        rhw_pool_remove(&context->memory, &context->buffers, id.index);
         return RHW_ERROR_OUT_OF_MEMORY;
     }
     *buffer = id;
     return RHW_OK;
 }
 
-void rhw_buffer_destroy(rhw_context *context, rhw_buffer buffer)
+enum rhw_result rhw_buffer_create(rhw_context *context, const struct rhw_buffer_def *def, rhw_buffer *buffer)
 {
-    struct rhw_buffer_data *const data = rhw_context_buffer(context, buffer, "rhw_buffer_destroy");
-    if (data == NULL ||
-        !rhw_context_check_idle(context, &context->buffers, buffer.index, "rhw_buffer_destroy")) {
-        return;
+    if (buffer != NULL) {
+        *buffer = (rhw_buffer){0};
     }
-    rhw_buffer_data_release(&context->memory, data);
-    rhw_pool_remove(&context->buffers, buffer.index);
+    if (!rhw_context_enter(context, "rhw_buffer_create")) {
+        return RHW_ERROR_MISUSE;
+    }
+    const enum rhw_result result = create(context, def, buffer);
+    rhw_context_leave(context);
+    return result;
 }
 
-void rhw_buffer_write(rhw_context *context, rhw_buffer buffer, size_t offset, const void *data, size_t size)
+void rhw_buffer_destroy(rhw_context *context, rhw_buffer buffer)
+{
+    static const char *const where = "rhw_buffer_destroy";
+    if (!rhw_context_enter(context, where)) {
+        return;
+    }
+    struct rhw_buffer_data *const data = rhw_context_buffer(context, buffer, where);
+    if (data != NULL && rhw_context_records(context, &context->buffers, buffer.index)) {
+        rhw_pool_retire(&context->memory, &context->buffers, buffer.index);
+    } else if (data != NULL) {
+        rhw_buffer_data_release(&context->memory, data);
+        rhw_pool_remove(&context->memory, &context->buffers, buffer.index);
+    }
+    rhw_context_leave(context);
+}
+
+// Gives the buffer new memory; draws that were recorded keep the old one. The bytes that will not be written are copied.
+// False when out of memory.
+static bool renew(struct rhw_context *context, uint32_t index, struct rhw_buffer_data *data, size_t written)
+{
+    unsigned char *const bytes = allocate_bytes(&context->memory, data->size, false);
+    if (bytes == NULL) {
+        return false;
+    }
+    if (!rhw_pool_retire_copy(&context->memory, &context->buffers, index)) {
+        rhw_memory_release(&context->memory, bytes, data->size + RHW_BUFFER_PADDING);
+        return false;
+    }
+    if (written < data->size) {
+        memcpy(bytes, data->bytes, data->size);
+    }
+    memset(bytes + data->size, 0, RHW_BUFFER_PADDING);
+    data->bytes = bytes;
+    context->recording.rewrites++;
+    return true;
+}
+
+static enum rhw_result write_bytes(struct rhw_context *context, rhw_buffer buffer, size_t offset,
+                                   const void *data, size_t size)
 {
     static const char *const where = "rhw_buffer_write";
     struct rhw_buffer_data *const target = rhw_context_buffer(context, buffer, where);
-    if (target == NULL || !rhw_context_check_idle(context, &context->buffers, buffer.index, where)) {
-        return;
-    }
-    if (!rhw_check(context, offset <= target->size && size <= target->size - offset,
-                   "%s: offset is %zu and size is %zu; together they must stay within the buffer's %zu bytes",
-                   where, offset, size, target->size) ||
+    if (target == NULL ||
+        !rhw_check(context, offset <= target->size && size <= target->size - offset,
+                   "%s: offset is %zu and size is %zu; together they must stay within the %zu bytes of %s",
+                   where, offset, size, target->size, rhw_name_of(&context->buffers, buffer.index).text) ||
         !rhw_check(context, data != NULL || size == 0, "%s: data is NULL; it must point to %zu bytes", where,
                    size)) {
-        return;
+        return RHW_ERROR_MISUSE;
     }
-    if (size != 0) {
-        memcpy(target->bytes + offset, data, size);
+    if (size == 0) {
+        return RHW_OK;
     }
+    if (rhw_context_records(context, &context->buffers, buffer.index) &&
+        !renew(context, buffer.index, target, size)) {
+        return RHW_ERROR_OUT_OF_MEMORY;
+    }
+    memcpy(target->bytes + offset, data, size);
+    return RHW_OK;
+}
+
+enum rhw_result rhw_buffer_write(rhw_context *context, rhw_buffer buffer, size_t offset, const void *data,
+                                 size_t size)
+{
+    if (!rhw_context_enter(context, "rhw_buffer_write")) {
+        return RHW_ERROR_MISUSE;
+    }
+    const enum rhw_result result = write_bytes(context, buffer, offset, data, size);
+    rhw_context_leave(context);
+    return result;
 }

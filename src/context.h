@@ -7,6 +7,8 @@
 #ifndef RHW_CONTEXT_H
 #define RHW_CONTEXT_H
 
+#include <stdatomic.h>
+
 #include "memory.h"
 #include "resource.h"
 #include "rhw/types.h"
@@ -15,11 +17,33 @@ struct rhw_kernels;
 struct rhw_pass_state;
 struct rhw_scheduler;
 
+// A debug group of the pass being recorded.
+struct rhw_debug_group {
+    const struct rhw_debug_group *outer; // NULL: the outermost one
+    char label[RHW_LABEL_SIZE];
+};
+
+// Where recording is, for messages.
+struct rhw_recording {
+    bool active;                         // between the beginning of a pass and its end
+    bool misused;                        // misuse was reported since the beginning
+    uint32_t generation;                 // of the pass under way or, when there is none, of the last one
+    uint32_t draw;                       // the next one's number
+    uint32_t rewrites;                   // times that something which recorded draws read got new memory
+    const struct rhw_debug_group *group; // the innermost one, or NULL
+    char label[RHW_LABEL_SIZE];          // of the pass
+};
+
 struct rhw_context {
     struct rhw_memory memory;
     rhw_log_function *log;        // may be NULL
     rhw_assert_function *assert_; // NULL: see rhw_misuse
     void *user;
+    char label[RHW_LABEL_SIZE];
+
+    uint32_t number; // ids carry it; see context_create.c
+    // The public function that is at work, NULL when there is none. Written by every thread that calls one.
+    _Atomic(const char *) entered;
 
     int cores;   // see rhw_cpu_cores; 1, without asking, with one thread
     int threads; // the caller's included
@@ -30,13 +54,12 @@ struct rhw_context {
     struct rhw_scheduler *scheduler;
 
     struct rhw_pool buffers;   // struct rhw_buffer_data
-    struct rhw_pool textures;  // struct rhw_texture_data
+    struct rhw_pool textures;  // struct rhw_texture_data *
     struct rhw_pool samplers;  // struct rhw_sampler_data
     struct rhw_pool pipelines; // struct rhw_pipeline_data
 
     struct rhw_pass_state *pass; // created with the context, reused by every pass
-    uint32_t pass_generation;    // of the pass under way or, when there is none, of the last one
-    bool pass_active;
+    struct rhw_recording recording;
 };
 
 #endif

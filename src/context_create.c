@@ -6,6 +6,7 @@
 #include "buffer.h"
 #include "context.h"
 #include "cpu.h"
+#include "entry.h"
 #include "kernels/kernels.h"
 #include "misuse.h"
 #include "pass.h"
@@ -14,6 +15,7 @@
 #include "sampler.h"
 #include "scheduler.h"
 #include "texture.h"
+#include "thread.h"
 
 static void destroy_resources(struct rhw_context *context)
 {
@@ -23,9 +25,9 @@ static void destroy_resources(struct rhw_context *context)
         rhw_buffer_data_release(&context->memory, buffer);
     }
     index = 0;
-    struct rhw_texture_data *texture;
+    struct rhw_texture_data **texture;
     while ((texture = rhw_pool_next(&context->textures, &index)) != NULL) {
-        rhw_texture_data_release(&context->memory, texture);
+        rhw_texture_data_destroy(&context->memory, *texture);
     }
 
     rhw_pool_destroy(&context->memory, &context->buffers);
@@ -54,6 +56,16 @@ static int thread_count(int wanted, int cores)
     return count > RHW_MAX_THREADS ? RHW_MAX_THREADS : count;
 }
 
+// What tells the ids of this context from those of others. A counter would be state that contexts share; of two contexts
+// the time or the place differs, and one in 2^32 pairs has the same number all the same. 0 is that of null ids.
+static uint32_t number_of(const struct rhw_context *context)
+{
+    uint64_t mixed = rhw_time_ns() ^ (uint64_t)(uintptr_t)context << 16;
+    mixed = (mixed ^ mixed >> 31) * 0x9e3779b97f4a7c15u;
+    const uint32_t number = (uint32_t)(mixed >> 32);
+    return number != 0 ? number : 1;
+}
+
 // Only its hooks matter: it reports misuse before there is a context.
 static struct rhw_context reporter(const struct rhw_context_def *def)
 {
@@ -66,7 +78,7 @@ static bool check_def(const struct rhw_context_def *def, rhw_context **context)
     if (!rhw_check(NULL, def != NULL, "%s: def is NULL", where)) {
         return false;
     }
-    const struct rhw_context report = reporter(def);
+    struct rhw_context report = reporter(def);
     const struct rhw_allocator *const allocator = &def->allocator;
     return rhw_check(&report, context != NULL, "%s: context is NULL", where) &&
            rhw_check(&report, def->threads >= 0 && def->threads <= RHW_MAX_THREADS,
@@ -118,6 +130,7 @@ enum rhw_result rhw_context_create(const struct rhw_context_def *def, rhw_contex
         .log = def->log,
         .assert_ = def->assert_,
         .user = def->user,
+        .number = number_of(created),
         .cores = cores,
         .threads = thread_count(def->threads, cores),
         .isa = isa,
@@ -125,8 +138,9 @@ enum rhw_result rhw_context_create(const struct rhw_context_def *def, rhw_contex
         .bin_memory = def->bin_memory,
         .kernels = rhw_kernels_for(isa),
     };
+    rhw_label_copy(created->label, def->label);
     rhw_pool_init(&created->buffers, "buffer", sizeof(struct rhw_buffer_data));
-    rhw_pool_init(&created->textures, "texture", sizeof(struct rhw_texture_data));
+    rhw_pool_init(&created->textures, "texture", sizeof(struct rhw_texture_data *));
     rhw_pool_init(&created->samplers, "sampler", sizeof(struct rhw_sampler_data));
     rhw_pool_init(&created->pipelines, "pipeline", sizeof(struct rhw_pipeline_data));
 
@@ -143,7 +157,13 @@ enum rhw_result rhw_context_create(const struct rhw_context_def *def, rhw_contex
 
 void rhw_context_destroy(rhw_context *context)
 {
-    if (context == NULL) {
+    static const char *const where = "rhw_context_destroy";
+    if (context == NULL || !rhw_context_enter(context, where)) {
+        return;
+    }
+    if (!rhw_check(context, !context->recording.active, "%s: a pass is being recorded; end it first",
+                   where)) {
+        rhw_context_leave(context);
         return;
     }
     if (context->pass != NULL) {

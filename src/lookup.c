@@ -2,35 +2,39 @@
 // Pools find items; here a wrong id gets its message.
 #include "lookup.h"
 
+#include <stdio.h>
+
 #include "context.h"
 #include "misuse.h"
 
-static bool check_context(const struct rhw_context *context, const char *where)
-{
-    return rhw_check(context, context != NULL, "%s: context is NULL", where);
-}
+// The members that all kinds of ids have.
+struct id {
+    uint32_t index, generation, context;
+};
 
 static __attribute__((cold)) void report(const struct rhw_context *context, const struct rhw_pool *pool,
-                                         uint32_t index, uint32_t generation, const char *where)
+                                         struct id id, const char *where)
 {
     const char *const noun = pool->noun;
-    if (index == 0) {
+    if (id.index == 0) {
         rhw_misuse(context, "%s: the %s id is null", where, noun);
-    } else if (index > pool->slots) {
-        rhw_misuse(context, "%s: %s id %u (generation %u) was never created in this context", where, noun,
-                   (unsigned)index, (unsigned)generation);
+    } else if (id.context != context->number) {
+        rhw_misuse(context, "%s: %s %u belongs to another context", where, noun, (unsigned)id.index);
+    } else if (id.index > pool->slots) {
+        rhw_misuse(context, "%s: %s %u (generation %u) was never created", where, noun, (unsigned)id.index,
+                   (unsigned)id.generation);
     } else {
-        rhw_misuse(context, "%s: %s id %u (generation %u) is stale: that %s was destroyed", where, noun,
-                   (unsigned)index, (unsigned)generation, noun);
+        rhw_misuse(context, "%s: %s %u (generation %u) is stale: it was destroyed", where, noun,
+                   (unsigned)id.index, (unsigned)id.generation);
     }
 }
 
-static void *find(const struct rhw_context *context, const struct rhw_pool *pool, uint32_t index,
-                  uint32_t generation, const char *where)
+static void *find(const struct rhw_context *context, const struct rhw_pool *pool, struct id id,
+                  const char *where)
 {
-    void *const item = rhw_pool_get(pool, index, generation);
+    void *const item = id.context == context->number ? rhw_pool_get(pool, id.index, id.generation) : NULL;
     if (item == NULL) {
-        report(context, pool, index, generation, where);
+        report(context, pool, id, where);
     }
     return item;
 }
@@ -38,43 +42,51 @@ static void *find(const struct rhw_context *context, const struct rhw_pool *pool
 struct rhw_buffer_data *rhw_context_buffer(const struct rhw_context *context, rhw_buffer id,
                                            const char *where)
 {
-    if (!check_context(context, where)) {
-        return NULL;
-    }
-    return find(context, &context->buffers, id.index, id.generation, where);
+    return find(context, &context->buffers, (struct id){id.index, id.generation, id.context}, where);
 }
 
 struct rhw_texture_data *rhw_context_texture(const struct rhw_context *context, rhw_texture id,
                                              const char *where)
 {
-    if (!check_context(context, where)) {
-        return NULL;
-    }
-    return find(context, &context->textures, id.index, id.generation, where);
+    struct rhw_texture_data *const *const item =
+        find(context, &context->textures, (struct id){id.index, id.generation, id.context}, where);
+    return item != NULL ? *item : NULL;
 }
 
 struct rhw_sampler_data *rhw_context_sampler(const struct rhw_context *context, rhw_sampler id,
                                              const char *where)
 {
-    if (!check_context(context, where)) {
-        return NULL;
-    }
-    return find(context, &context->samplers, id.index, id.generation, where);
+    return find(context, &context->samplers, (struct id){id.index, id.generation, id.context}, where);
 }
 
 struct rhw_pipeline_data *rhw_context_pipeline(const struct rhw_context *context, rhw_pipeline id,
                                                const char *where)
 {
-    if (!check_context(context, where)) {
-        return NULL;
-    }
-    return find(context, &context->pipelines, id.index, id.generation, where);
+    return find(context, &context->pipelines, (struct id){id.index, id.generation, id.context}, where);
 }
 
-bool rhw_context_check_idle(const struct rhw_context *context, const struct rhw_pool *pool, uint32_t index,
-                            const char *where)
+struct rhw_name rhw_name_of(const struct rhw_pool *pool, uint32_t index)
 {
-    const bool busy = context->pass_active && rhw_pool_last_use(pool, index) == context->pass_generation;
-    return rhw_check(context, !busy, "%s: %s %u is used by the pass being recorded; end that first", where,
-                     pool->noun, (unsigned)index);
+    struct rhw_name name;
+    const char *const label = rhw_pool_label(pool, index);
+    if (label != NULL) {
+        snprintf(name.text, sizeof name.text, "%s %u \"%s\"", pool->noun, (unsigned)index, label);
+    } else {
+        snprintf(name.text, sizeof name.text, "%s %u", pool->noun, (unsigned)index);
+    }
+    return name;
+}
+
+bool rhw_context_records(const struct rhw_context *context, const struct rhw_pool *pool, uint32_t index)
+{
+    return context->recording.active && rhw_pool_last_use(pool, index) == context->recording.generation;
+}
+
+void rhw_context_end_item(struct rhw_context *context, struct rhw_pool *pool, uint32_t index)
+{
+    if (rhw_context_records(context, pool, index)) {
+        rhw_pool_retire(&context->memory, pool, index);
+    } else {
+        rhw_pool_remove(&context->memory, pool, index);
+    }
 }

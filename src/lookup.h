@@ -3,16 +3,16 @@
 #ifndef RHW_LOOKUP_H
 #define RHW_LOOKUP_H
 
+#include "resource.h"
 #include "rhw/types.h"
 
-struct rhw_pool;
 struct rhw_buffer_data;
 struct rhw_texture_data;
 struct rhw_sampler_data;
 struct rhw_pipeline_data;
 
-// A null or stale id is reported as misuse of `where` and gives NULL, as a NULL context does. Items do not move while
-// they live.
+// An id that is null, stale or of another context is reported as misuse of `where` and gives NULL. Items do not move
+// while they live.
 struct rhw_buffer_data *rhw_context_buffer(const struct rhw_context *context, rhw_buffer id,
                                            const char *where);
 struct rhw_texture_data *rhw_context_texture(const struct rhw_context *context, rhw_texture id,
@@ -22,8 +22,16 @@ struct rhw_sampler_data *rhw_context_sampler(const struct rhw_context *context, 
 struct rhw_pipeline_data *rhw_context_pipeline(const struct rhw_context *context, rhw_pipeline id,
                                                const char *where);
 
-// False, and misuse of `where`, when the pass being recorded uses the live item of one of the context's pools.
-bool rhw_context_check_idle(const struct rhw_context *context, const struct rhw_pool *pool, uint32_t index,
-                            const char *where);
+// What messages call a live item: 'texture 3 "albedo"', or 'texture 3' where it has no label.
+struct rhw_name {
+    char text[RHW_LABEL_SIZE + 32];
+};
+struct rhw_name rhw_name_of(const struct rhw_pool *pool, uint32_t index);
+
+// Whether the pass being recorded uses the live item of one of the context's pools.
+bool rhw_context_records(const struct rhw_context *context, const struct rhw_pool *pool, uint32_t index);
+
+// Removes a live item that owns nothing, or retires it where the pass being recorded uses it.
+void rhw_context_end_item(struct rhw_context *context, struct rhw_pool *pool, uint32_t index);
 
 #endif

@@ -8,31 +8,121 @@
 
 #include "context.h"
 
-enum { MESSAGE_SIZE = 512 }; // bytes of a line; a longer one is cut
+enum { MESSAGE_SIZE = 1024 }; // bytes of a line; a longer one is cut
+
+struct message {
+    char text[MESSAGE_SIZE];
+    size_t length;
+};
+
+static void append_list(struct message *message, const char *format, va_list arguments)
+{
+    const size_t room = sizeof message->text - message->length;
+    const int length = vsnprintf(message->text + message->length, room, format, arguments);
+    if (length > 0) {
+        message->length += (size_t)length < room ? (size_t)length : room - 1;
+    }
+}
+
+__attribute__((format(printf, 2, 3))) static void append(struct message *message, const char *format, ...)
+{
+    va_list arguments;
+    va_start(arguments, format);
+    append_list(message, format, arguments);
+    va_end(arguments);
+}
 
 void rhw_context_log(const struct rhw_context *context, enum rhw_log_level level, const char *format, ...)
 {
     if (context->log == NULL) {
         return;
     }
-    char message[MESSAGE_SIZE];
+    struct message message = {.length = 0};
     va_list arguments;
     va_start(arguments, format);
-    vsnprintf(message, sizeof message, format, arguments);
+    append_list(&message, format, arguments);
     va_end(arguments);
-    context->log(context->user, level, message);
+    context->log(context->user, level, message.text);
+}
+
+static void append_groups(struct message *message, const struct rhw_debug_group *group)
+{
+    if (group->outer != NULL) {
+        append_groups(message, group->outer);
+        append(message, " / ");
+    }
+    append(message, "%s", group->label);
+}
+
+// Which draw it is that is being recorded: draws are counted from 0, as shaders see them.
+static void append_draw(struct message *message, const struct rhw_recording *recording)
+{
+    append(message, "draw %u", (unsigned)recording->draw);
+    if (recording->group != NULL) {
+        append(message, " in ");
+        append_groups(message, recording->group);
+    }
+    if (recording->label[0] != 0) {
+        append(message, " of pass \"%s\"", recording->label);
+    }
+}
+
+static void append_place(struct message *message, const struct rhw_context *context)
+{
+    const bool recording = context->recording.active, labelled = context->label[0] != 0;
+    if (!recording && !labelled) {
+        return;
+    }
+    append(message, " [");
+    if (recording) {
+        append_draw(message, &context->recording);
+    }
+    if (labelled) {
+        append(message, "%scontext \"%s\"", recording ? ", " : "", context->label);
+    }
+    append(message, "]");
+}
+
+static void tell(const struct rhw_context *context, const char *text)
+{
+    if (context == NULL || context->assert_ == NULL) {
+        fprintf(stderr, "rhw: %s\n", text);
+        abort();
+    }
+    context->assert_(context->user, text);
+}
+
+// Calls the hook of a context that this thread is in. The hook may leave by longjmp or an exception: the context is left
+// before, and entered again for the call that found the misuse to go on.
+static void tell_inside(struct rhw_context *context, struct message *message)
+{
+    append_place(message, context);
+    context->recording.misused = context->recording.active;
+    const char *const where = atomic_exchange_explicit(&context->entered, NULL, memory_order_relaxed);
+    tell(context, message->text);
+    atomic_store_explicit(&context->entered, where, memory_order_relaxed);
 }
 
 void rhw_misuse(const struct rhw_context *context, const char *format, ...)
 {
-    char message[MESSAGE_SIZE];
+    struct message message = {.length = 0};
     va_list arguments;
     va_start(arguments, format);
-    vsnprintf(message, sizeof message, format, arguments);
+    append_list(&message, format, arguments);
     va_end(arguments);
-    if (context == NULL || context->assert_ == NULL) {
-        fprintf(stderr, "rhw: %s\n", message);
-        abort();
+    if (context == NULL) {
+        tell(context, message.text);
+    } else {
+        tell_inside((struct rhw_context *)context, &message); // functions that only look report, too
     }
-    context->assert_(context->user, message);
+}
+
+void rhw_misuse_outside(const struct rhw_context *context, const char *format, ...)
+{
+    struct message message = {.length = 0};
+    va_list arguments;
+    va_start(arguments, format);
+    append_list(&message, format, arguments);
+    va_end(arguments);
+    tell(context, message.text);
 }

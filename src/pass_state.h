@@ -44,6 +44,22 @@ struct rhw_worker {
     int end_tile; // exclusive
 };
 
+// What is set for the next draw, by reference: the bytes of a buffer, and the texels of a texture, are looked up when
+// something is drawn.
+struct rhw_bound_buffer {
+    const struct rhw_buffer_data *data; // NULL: nothing is set
+    size_t offset;
+};
+struct rhw_bound_texture {
+    struct rhw_texture_data *const *texture; // in the context's pool; NULL: nothing is set
+    const struct rhw_sampler_data *sampler;
+};
+struct rhw_bound {
+    struct rhw_bound_buffer vertices[RHW_MAX_VERTEX_BUFFERS], indices;
+    struct rhw_bound_texture textures[RHW_MAX_TEXTURES];
+    rhw_pipeline pipeline; // for messages
+};
+
 struct rhw_pass_state {
     struct rhw_context *context;
     uint64_t begun_ns;
@@ -54,15 +70,14 @@ struct rhw_pass_state {
     bool depth_by_default; // cleared to 1 by RHW_LOAD_DEFAULT, as no other value was given
     struct rhw_attachment depth;
     enum rhw_paths paths; // of the context
-    rhw_texture color_ids[RHW_MAX_COLOR_ATTACHMENTS], depth_id;
 
-    struct rhw_arena arena;        // states, uniforms, draws
+    struct rhw_arena arena; // states, uniforms, draws
+    struct rhw_bound bound;
     struct rhw_draw_state pending; // what the next draw would use
-    bool pending_changed;
-    const void *uniforms; // of the next draw
+    bool pending_changed, textures_changed;
+    uint32_t rewrites_seen; // of the context's recording
+    const void *uniforms;   // of the next draw
     uint32_t uniform_size;
-    struct rhw_bindings pending_textures;
-    bool textures_changed;
     const struct rhw_draw_state *current; // last copy of `pending`
     bool out_of_memory;
 

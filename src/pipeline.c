@@ -5,6 +5,7 @@
 #include <string.h>
 
 #include "context.h"
+#include "entry.h"
 #include "format.h"
 #include "lookup.h"
 #include "misuse.h"
@@ -216,8 +217,7 @@ static bool check_flaws(const struct rhw_context *context, uint32_t flaws)
 static bool check_create(const struct rhw_context *context, const struct rhw_pipeline_def *def,
                          uint32_t flaws, const rhw_pipeline *pipeline)
 {
-    return rhw_check(context, context != NULL, "%s: context is NULL", create_name) &&
-           rhw_check(context, def != NULL, "%s: def is NULL", create_name) &&
+    return rhw_check(context, def != NULL, "%s: def is NULL", create_name) &&
            rhw_check(context, pipeline != NULL, "%s: pipeline is NULL", create_name) &&
            check_flaws(context, flaws) && check_program(context, &def->program) &&
            check_vertex_input(context, def) && check_states(context, def) && check_targets(context, def);
@@ -322,6 +322,7 @@ void rhw_pipeline_data_init(struct rhw_pipeline_data *data, const struct rhw_pip
 {
     memset(data, 0, sizeof *data);
     data->def = *def;
+    data->def.label = NULL; // which is the caller's
     resolve_defaults(&data->def);
     resolve_functions(data, isa);
     lay_out_varyings(data);
@@ -329,18 +330,15 @@ void rhw_pipeline_data_init(struct rhw_pipeline_data *data, const struct rhw_pip
     pair_derivatives(data);
 }
 
-enum rhw_result rhw_pipeline_create_probed(rhw_context *context, const struct rhw_pipeline_def *def,
-                                           uint32_t flaws, rhw_pipeline *pipeline)
+static enum rhw_result create(struct rhw_context *context, const struct rhw_pipeline_def *def, uint32_t flaws,
+                              rhw_pipeline *pipeline)
 {
-    if (pipeline != NULL) {
-        *pipeline = (rhw_pipeline){0, 0};
-    }
     if (!check_create(context, def, flaws, pipeline)) {
         return RHW_ERROR_MISUSE;
     }
-    rhw_pipeline id;
+    rhw_pipeline id = {.context = context->number};
     struct rhw_pipeline_data *const data =
-        rhw_pool_add(&context->memory, &context->pipelines, &id.index, &id.generation);
+        rhw_pool_add(&context->memory, &context->pipelines, def->label, &id.index, &id.generation);
     if (data == NULL) {
         return RHW_ERROR_OUT_OF_MEMORY;
     }
@@ -349,10 +347,28 @@ enum rhw_result rhw_pipeline_create_probed(rhw_context *context, const struct rh
     return RHW_OK;
 }
 
+enum rhw_result rhw_pipeline_create_probed(rhw_context *context, const struct rhw_pipeline_def *def,
+                                           uint32_t flaws, rhw_pipeline *pipeline)
+{
+    if (pipeline != NULL) {
+        *pipeline = (rhw_pipeline){0};
+    }
+    if (!rhw_context_enter(context, create_name)) {
+        return RHW_ERROR_MISUSE;
+    }
+    const enum rhw_result result = create(context, def, flaws, pipeline);
+    rhw_context_leave(context);
+    return result;
+}
+
 void rhw_pipeline_destroy(rhw_context *context, rhw_pipeline pipeline)
 {
-    if (rhw_context_pipeline(context, pipeline, "rhw_pipeline_destroy") != NULL &&
-        rhw_context_check_idle(context, &context->pipelines, pipeline.index, "rhw_pipeline_destroy")) {
-        rhw_pool_remove(&context->pipelines, pipeline.index);
+    static const char *const where = "rhw_pipeline_destroy";
+    if (!rhw_context_enter(context, where)) {
+        return;
     }
+    if (rhw_context_pipeline(context, pipeline, where) != NULL) {
+        rhw_context_end_item(context, &context->pipelines, pipeline.index);
+    }
+    rhw_context_leave(context);
 }

@@ -10,9 +10,11 @@
 
 struct slot {
     uint32_t generation; // of the item that is live or, when none is, of the next one
-    uint32_t next_free;  // LIVE, or the index of the next free slot (0: the last)
+    uint32_t next_free;  // LIVE, or the index of the next free, or retired, slot (0: the last)
     uint32_t used;       // generation of the last pass that recorded a use; 0: none yet
-    uint32_t padding;    // to 16 bytes, so that the items behind the slots are aligned
+    uint32_t label_size; // bytes of `label`, the zero at the end included
+    char *label;         // NULL: none
+    uint64_t padding;    // to 32 bytes, so that the items behind the slots are aligned
 };
 
 static const uint32_t live = UINT32_MAX;
@@ -61,12 +63,59 @@ void rhw_pool_init(struct rhw_pool *pool, const char *noun, size_t item_size)
                               .item_size = (item_size + ITEM_ALIGNMENT - 1) & ~(size_t)(ITEM_ALIGNMENT - 1)};
 }
 
+static void release_label(struct rhw_memory *memory, struct slot *slot)
+{
+    rhw_memory_release(memory, slot->label, slot->label_size);
+    slot->label = NULL;
+}
+
+void rhw_label_copy(char copy[RHW_LABEL_SIZE], const char *label)
+{
+    size_t length = label == NULL ? 0 : strnlen(label, RHW_LABEL_SIZE);
+    if (length == RHW_LABEL_SIZE) {
+        do {
+            length--;
+        } while (((unsigned char)label[length] & 0xc0) == 0x80); // within a character
+    }
+    if (length != 0) {
+        memcpy(copy, label, length);
+    }
+    copy[length] = 0;
+}
+
+// False when out of memory.
+static bool copy_label(struct rhw_memory *memory, struct slot *slot, const char *label)
+{
+    char copy[RHW_LABEL_SIZE];
+    rhw_label_copy(copy, label);
+    slot->label = NULL;
+    if (copy[0] == 0) {
+        return true;
+    }
+    slot->label_size = (uint32_t)strlen(copy) + 1;
+    slot->label = rhw_memory_allocate(memory, slot->label_size, 1);
+    if (slot->label == NULL) {
+        return false;
+    }
+    memcpy(slot->label, copy, slot->label_size);
+    return true;
+}
+
 void rhw_pool_destroy(struct rhw_memory *memory, struct rhw_pool *pool)
 {
+    for (uint32_t index = 1; index <= pool->slots; index++) {
+        release_label(memory, slot_at(pool, index));
+    }
     for (int i = 0; i < RHW_POOL_CHUNKS && pool->chunks[i] != NULL; i++) {
         rhw_memory_release(memory, pool->chunks[i], chunk_size(pool, i));
     }
     rhw_pool_init(pool, pool->noun, pool->item_size);
+}
+
+static void free_slot(struct rhw_pool *pool, uint32_t index)
+{
+    slot_at(pool, index)->next_free = pool->free;
+    pool->free = index;
 }
 
 // The index of a slot that no id names; 0 when out of memory.
@@ -90,17 +139,22 @@ static uint32_t take_slot(struct rhw_memory *memory, struct rhw_pool *pool)
         pool->chunks[place.chunk] = block;
     }
     pool->slots = index;
-    slot_at(pool, index)->generation = 1;
+    *slot_at(pool, index) = (struct slot){.generation = 1};
     return index;
 }
 
-void *rhw_pool_add(struct rhw_memory *memory, struct rhw_pool *pool, uint32_t *index, uint32_t *generation)
+void *rhw_pool_add(struct rhw_memory *memory, struct rhw_pool *pool, const char *label, uint32_t *index,
+                   uint32_t *generation)
 {
     const uint32_t taken = take_slot(memory, pool);
     if (taken == 0) {
         return NULL;
     }
     struct slot *const slot = slot_at(pool, taken);
+    if (!copy_label(memory, slot, label)) {
+        free_slot(pool, taken);
+        return NULL;
+    }
     slot->next_free = live;
     slot->used = 0;
     *index = taken;
@@ -108,18 +162,63 @@ void *rhw_pool_add(struct rhw_memory *memory, struct rhw_pool *pool, uint32_t *i
     return memset(item_at(pool, taken), 0, pool->item_size);
 }
 
-void rhw_pool_remove(struct rhw_pool *pool, uint32_t index)
+// From here on the item's id is stale.
+static struct slot *end_life(struct rhw_memory *memory, struct rhw_pool *pool, uint32_t index)
 {
     struct slot *const slot = slot_at(pool, index);
     assert(slot->next_free == live);
-    slot->generation++;
+    release_label(memory, slot);
     slot->next_free = 0;
-    // After 2^32 lives a slot rests for good: an id of its first life must stay stale.
-    if (slot->generation == 0) {
-        return;
+    slot->generation++;
+    return slot;
+}
+
+// After 2^32 lives a slot rests for good: an id of its first life must stay stale.
+static void reuse_slot(struct rhw_pool *pool, uint32_t index)
+{
+    if (slot_at(pool, index)->generation != 0) {
+        free_slot(pool, index);
     }
-    slot->next_free = pool->free;
-    pool->free = index;
+}
+
+void rhw_pool_remove(struct rhw_memory *memory, struct rhw_pool *pool, uint32_t index)
+{
+    end_life(memory, pool, index);
+    reuse_slot(pool, index);
+}
+
+void rhw_pool_retire(struct rhw_memory *memory, struct rhw_pool *pool, uint32_t index)
+{
+    end_life(memory, pool, index)->next_free = pool->retired;
+    pool->retired = index;
+}
+
+bool rhw_pool_retire_copy(struct rhw_memory *memory, struct rhw_pool *pool, uint32_t index)
+{
+    uint32_t copy, generation;
+    void *const item = rhw_pool_add(memory, pool, NULL, &copy, &generation);
+    if (item == NULL) {
+        return false;
+    }
+    memcpy(item, item_at(pool, index), pool->item_size);
+    rhw_pool_retire(memory, pool, copy);
+    return true;
+}
+
+void *rhw_pool_unretire(struct rhw_pool *pool)
+{
+    const uint32_t index = pool->retired;
+    if (index == 0) {
+        return NULL;
+    }
+    pool->retired = slot_at(pool, index)->next_free;
+    reuse_slot(pool, index);
+    return item_at(pool, index);
+}
+
+const char *rhw_pool_label(const struct rhw_pool *pool, uint32_t index)
+{
+    return slot_at(pool, index)->label;
 }
 
 void *rhw_pool_get(const struct rhw_pool *pool, uint32_t index, uint32_t generation)

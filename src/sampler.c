@@ -5,6 +5,7 @@
 #include <math.h>
 
 #include "context.h"
+#include "entry.h"
 #include "lookup.h"
 #include "misuse.h"
 #include "rhw/rhw.h"
@@ -36,8 +37,7 @@ static bool check_lod(const struct rhw_context *context, const struct rhw_sample
 static bool check_create(const struct rhw_context *context, const struct rhw_sampler_def *def,
                          const rhw_sampler *sampler)
 {
-    return rhw_check(context, context != NULL, "%s: context is NULL", create_name) &&
-           rhw_check(context, def != NULL, "%s: def is NULL", create_name) &&
+    return rhw_check(context, def != NULL, "%s: def is NULL", create_name) &&
            rhw_check(context, sampler != NULL, "%s: sampler is NULL", create_name) &&
            check_enum(context, "min_filter", def->min_filter, RHW_FILTER_NEAREST) &&
            check_enum(context, "mag_filter", def->mag_filter, RHW_FILTER_NEAREST) &&
@@ -67,6 +67,7 @@ void rhw_sampler_data_init(struct rhw_sampler_data *sampler, const struct rhw_sa
 {
     *sampler = (struct rhw_sampler_data){.def = *def, .filters_fixed = filters_fixed(def)};
     sampler->def.lod_max = lod_max_of(def);
+    sampler->def.label = NULL; // which is the caller's
     for (int lane = 0; lane < RHW_LANES; lane++) {
         sampler->gradient_bias[lane] = def->lod_bias - 16.0f;
         sampler->lod_least[lane] = def->lod_min > 0 ? def->lod_min : 0;
@@ -74,18 +75,15 @@ void rhw_sampler_data_init(struct rhw_sampler_data *sampler, const struct rhw_sa
     }
 }
 
-enum rhw_result rhw_sampler_create(rhw_context *context, const struct rhw_sampler_def *def,
-                                   rhw_sampler *sampler)
+static enum rhw_result create(struct rhw_context *context, const struct rhw_sampler_def *def,
+                              rhw_sampler *sampler)
 {
-    if (sampler != NULL) {
-        *sampler = (rhw_sampler){0, 0};
-    }
     if (!check_create(context, def, sampler)) {
         return RHW_ERROR_MISUSE;
     }
-    rhw_sampler id;
+    rhw_sampler id = {.context = context->number};
     struct rhw_sampler_data *const data =
-        rhw_pool_add(&context->memory, &context->samplers, &id.index, &id.generation);
+        rhw_pool_add(&context->memory, &context->samplers, def->label, &id.index, &id.generation);
     if (data == NULL) {
         return RHW_ERROR_OUT_OF_MEMORY;
     }
@@ -94,10 +92,28 @@ enum rhw_result rhw_sampler_create(rhw_context *context, const struct rhw_sample
     return RHW_OK;
 }
 
+enum rhw_result rhw_sampler_create(rhw_context *context, const struct rhw_sampler_def *def,
+                                   rhw_sampler *sampler)
+{
+    if (sampler != NULL) {
+        *sampler = (rhw_sampler){0};
+    }
+    if (!rhw_context_enter(context, "rhw_sampler_create")) {
+        return RHW_ERROR_MISUSE;
+    }
+    const enum rhw_result result = create(context, def, sampler);
+    rhw_context_leave(context);
+    return result;
+}
+
 void rhw_sampler_destroy(rhw_context *context, rhw_sampler sampler)
 {
-    if (rhw_context_sampler(context, sampler, "rhw_sampler_destroy") != NULL &&
-        rhw_context_check_idle(context, &context->samplers, sampler.index, "rhw_sampler_destroy")) {
-        rhw_pool_remove(&context->samplers, sampler.index);
+    static const char *const where = "rhw_sampler_destroy";
+    if (!rhw_context_enter(context, where)) {
+        return;
     }
+    if (rhw_context_sampler(context, sampler, where) != NULL) {
+        rhw_context_end_item(context, &context->samplers, sampler.index);
+    }
+    rhw_context_leave(context);
 }

@@ -48,6 +48,7 @@ struct rhw_scheduler {
     _Atomic bool quit;
     _Atomic uint32_t sleepers;
     _Atomic bool caller_sleeps;
+    _Atomic uintptr_t caller; // the thread that runs a job, 0: none; what is told to others depends on it
 
     struct rhw_mutex mutex;    // guards going to sleep, nothing else
     struct rhw_condition work; // workers sleep here
@@ -271,6 +272,7 @@ uint64_t rhw_scheduler_run(struct rhw_scheduler *scheduler, rhw_task_function *t
     if (count <= 0) {
         return 0;
     }
+    atomic_store_explicit(&scheduler->caller, rhw_thread_id(), memory_order_relaxed);
     const uint64_t environment = rhw_cpu_float_enter();
     uint64_t busy_ns;
     if (scheduler->threads == 1 || count == 1) {
@@ -292,5 +294,16 @@ uint64_t rhw_scheduler_run(struct rhw_scheduler *scheduler, rhw_task_function *t
         busy_ns = atomic_load_explicit(&scheduler->busy_ns, memory_order_relaxed);
     }
     rhw_cpu_float_leave(environment);
+    atomic_store_explicit(&scheduler->caller, 0, memory_order_relaxed);
     return busy_ns;
+}
+
+bool rhw_scheduler_runs_here(const struct rhw_scheduler *scheduler)
+{
+    const uintptr_t self = rhw_thread_id();
+    bool here = atomic_load_explicit(&scheduler->caller, memory_order_relaxed) == self;
+    for (int i = 0; i < scheduler->threads - 1; i++) {
+        here |= scheduler->workers[i].thread.id == self;
+    }
+    return here;
 }

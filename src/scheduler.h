@@ -23,4 +23,7 @@ void rhw_scheduler_destroy(struct rhw_memory *memory, struct rhw_scheduler *sche
 // Returns the nanoseconds that threads had tasks, added up over the threads.
 uint64_t rhw_scheduler_run(struct rhw_scheduler *scheduler, rhw_task_function *task, void *user, int count);
 
+// Whether the calling thread is in a task of this scheduler.
+bool rhw_scheduler_runs_here(const struct rhw_scheduler *scheduler);
+
 #endif

@@ -7,6 +7,7 @@
 #include "clean_tiles.h"
 #include "constants.h"
 #include "context.h"
+#include "entry.h"
 #include "format.h"
 #include "lookup.h"
 #include "memory.h"
@@ -70,11 +71,29 @@ static bool allocate_levels(struct rhw_memory *memory, struct rhw_texture_data *
     return true;
 }
 
-void rhw_texture_data_release(struct rhw_memory *memory, struct rhw_texture_data *texture)
+void rhw_texture_data_destroy(struct rhw_memory *memory, struct rhw_texture_data *texture)
 {
     rhw_memory_release(memory, texture->memory, texture->memory_size);
     rhw_memory_release(memory, texture->linear_memory, texture->linear_size);
     rhw_clean_tiles_destroy(memory, texture->clean);
+    rhw_memory_release(memory, texture, sizeof *texture);
+}
+
+// With zeroed texels; NULL when out of memory.
+static struct rhw_texture_data *create_data(struct rhw_memory *memory, enum rhw_format format, int width,
+                                            int height, int levels)
+{
+    struct rhw_texture_data *const data =
+        rhw_memory_allocate(memory, sizeof *data, _Alignof(struct rhw_texture_data));
+    if (!data) {
+        return NULL;
+    }
+    rhw_texture_data_init(data, format, width, height, levels);
+    if (!allocate_levels(memory, data)) {
+        rhw_memory_release(memory, data, sizeof *data);
+        return NULL;
+    }
+    return data;
 }
 
 // Public functions ----------------------------------------------------------------------------------
@@ -89,8 +108,7 @@ static bool check_create(const struct rhw_context *context, const struct rhw_tex
                          const rhw_texture *texture)
 {
     static const char *const where = "rhw_texture_create";
-    if (!rhw_check(context, context != NULL, "%s: context is NULL", where) ||
-        !rhw_check(context, def != NULL, "%s: def is NULL", where) ||
+    if (!rhw_check(context, def != NULL, "%s: def is NULL", where) ||
         !rhw_check(context, texture != NULL, "%s: texture is NULL", where) ||
         !rhw_check(context, rhw_format_valid(def->format), "%s: format is %d; not a texel format", where,
                    (int)def->format) ||
@@ -110,134 +128,233 @@ static int level_count(const struct rhw_texture_def *def)
                                                  : def->mip_levels;
 }
 
-enum rhw_result rhw_texture_create(rhw_context *context, const struct rhw_texture_def *def,
-                                   rhw_texture *texture)
+static enum rhw_result create(struct rhw_context *context, const struct rhw_texture_def *def,
+                              rhw_texture *texture)
 {
-    if (texture) {
-        *texture = (rhw_texture){0, 0};
-    }
     if (!check_create(context, def, texture)) {
         return RHW_ERROR_MISUSE;
     }
-    rhw_texture id;
-    struct rhw_texture_data *const data =
-        rhw_pool_add(&context->memory, &context->textures, &id.index, &id.generation);
-    if (!data) {
+    rhw_texture id = {.context = context->number};
+    struct rhw_texture_data **const item =
+        rhw_pool_add(&context->memory, &context->textures, def->label, &id.index, &id.generation);
+    if (!item) {
         return RHW_ERROR_OUT_OF_MEMORY;
     }
-    rhw_texture_data_init(data, def->format, def->width, def->height, level_count(def));
-    if (!allocate_levels(&context->memory, data)) {
-        rhw_pool_remove(&context->textures, id.index);
+    *item = create_data(&context->memory, def->format, def->width, def->height, level_count(def));
+    if (!*item) {
+        rhw_pool_remove(&context->memory, &context->textures, id.index);
         return RHW_ERROR_OUT_OF_MEMORY;
     }
     *texture = id;
     return RHW_OK;
 }
 
-void rhw_texture_destroy(rhw_context *context, rhw_texture texture)
+enum rhw_result rhw_texture_create(rhw_context *context, const struct rhw_texture_def *def,
+                                   rhw_texture *texture)
 {
-    struct rhw_texture_data *const data = rhw_context_texture(context, texture, "rhw_texture_destroy");
-    if (data && rhw_context_check_idle(context, &context->textures, texture.index, "rhw_texture_destroy")) {
-        rhw_texture_data_release(&context->memory, data);
-        rhw_pool_remove(&context->textures, texture.index);
+    if (texture) {
+        *texture = (rhw_texture){0};
     }
+    if (!rhw_context_enter(context, "rhw_texture_create")) {
+        return RHW_ERROR_MISUSE;
+    }
+    const enum rhw_result result = create(context, def, texture);
+    rhw_context_leave(context);
+    return result;
 }
 
-static bool check_level(const struct rhw_context *context, const struct rhw_texture_data *data, int level,
-                        const char *where)
+void rhw_texture_destroy(rhw_context *context, rhw_texture texture)
 {
-    return rhw_check(context, level >= 0 && level < data->levels,
-                     "%s: level is %d; the texture has levels 0..%d", where, level, data->levels - 1);
+    static const char *const where = "rhw_texture_destroy";
+    if (!rhw_context_enter(context, where)) {
+        return;
+    }
+    struct rhw_texture_data *const data = rhw_context_texture(context, texture, where);
+    if (data && rhw_context_records(context, &context->textures, texture.index)) {
+        rhw_pool_retire(&context->memory, &context->textures, texture.index);
+    } else if (data) {
+        rhw_texture_data_destroy(&context->memory, data);
+        rhw_pool_remove(&context->memory, &context->textures, texture.index);
+    }
+    rhw_context_leave(context);
+}
+
+// What rhw_context_texture gives to a function that only looks.
+static const struct rhw_texture_data *look_at(const struct rhw_context *context, rhw_texture texture,
+                                              const char *where)
+{
+    return rhw_context_peek(context, where) ? rhw_context_texture(context, texture, where) : NULL;
+}
+
+static bool check_level(const struct rhw_context *context, rhw_texture texture,
+                        const struct rhw_texture_data *data, int level, const char *where)
+{
+    return rhw_check(context, level >= 0 && level < data->levels, "%s: level is %d; %s has levels 0..%d",
+                     where, level, rhw_name_of(&context->textures, texture.index).text, data->levels - 1);
 }
 
 int rhw_texture_width(const rhw_context *context, rhw_texture texture, int level)
 {
     static const char *const where = "rhw_texture_width";
-    const struct rhw_texture_data *const data = rhw_context_texture(context, texture, where);
-    return data && check_level(context, data, level, where) ? data->mip[level].width : 0;
+    const struct rhw_texture_data *const data = look_at(context, texture, where);
+    return data && check_level(context, texture, data, level, where) ? data->mip[level].width : 0;
 }
 
 int rhw_texture_height(const rhw_context *context, rhw_texture texture, int level)
 {
     static const char *const where = "rhw_texture_height";
-    const struct rhw_texture_data *const data = rhw_context_texture(context, texture, where);
-    return data && check_level(context, data, level, where) ? data->mip[level].height : 0;
+    const struct rhw_texture_data *const data = look_at(context, texture, where);
+    return data && check_level(context, texture, data, level, where) ? data->mip[level].height : 0;
 }
 
 int rhw_texture_mip_levels(const rhw_context *context, rhw_texture texture)
 {
-    const struct rhw_texture_data *const data =
-        rhw_context_texture(context, texture, "rhw_texture_mip_levels");
+    const struct rhw_texture_data *const data = look_at(context, texture, "rhw_texture_mip_levels");
     return data ? data->levels : 0;
 }
 
 enum rhw_format rhw_texture_format(const rhw_context *context, rhw_texture texture)
 {
-    const struct rhw_texture_data *const data = rhw_context_texture(context, texture, "rhw_texture_format");
+    const struct rhw_texture_data *const data = look_at(context, texture, "rhw_texture_format");
     return data ? data->format : RHW_FORMAT_NONE;
 }
 
-// Checks what write and read have in common; NULL when the call must not go on.
-// *row is the bytes of a row, *pitch the distance of rows outside.
-static const struct rhw_mip *begin_copy(struct rhw_context *context, rhw_texture texture, int level,
-                                        const void *outside, size_t *row, size_t *pitch, const char *where)
+// Reading and writing -------------------------------------------------------------------------------
+
+// A level and the caller's rows, as write and read have them in common.
+struct copy {
+    struct rhw_texture_data *texture; // NULL: the call was misuse
+    int level;
+    size_t row, row_pitch; // bytes of a row; distance of the caller's rows
+};
+
+// What an attachment holds is known when its pass has ended.
+static bool check_unattached(const struct rhw_context *context, rhw_texture id,
+                             const struct rhw_texture_data *texture, const char *where)
 {
-    struct rhw_texture_data *const data = rhw_context_texture(context, texture, where);
-    if (!data || !rhw_context_check_idle(context, &context->textures, texture.index, where) ||
-        !check_level(context, data, level, where) ||
+    const struct rhw_recording *const recording = &context->recording;
+    return rhw_check(context, !recording->active || texture->attached != recording->generation,
+                     "%s: %s is an attachment of the pass being recorded; end that first", where,
+                     rhw_name_of(&context->textures, id.index).text);
+}
+
+static struct copy check_copy(const struct rhw_context *context, rhw_texture id, int level,
+                              const void *outside, size_t row_pitch, const char *where)
+{
+    const struct copy misuse = {.texture = NULL};
+    struct rhw_texture_data *const texture = rhw_context_texture(context, id, where);
+    if (!texture || !check_unattached(context, id, texture, where) ||
+        !check_level(context, id, texture, level, where) ||
         !rhw_check(context, outside != NULL, "%s: data is NULL", where)) {
-        return NULL;
+        return misuse;
     }
-    const struct rhw_mip *const mip = &data->mip[level];
-    *row = (size_t)mip->width * data->info->size;
-    if (*pitch == 0) {
-        *pitch = *row;
+    const size_t row = (size_t)texture->mip[level].width * texture->info->size;
+    const size_t pitch = row_pitch == 0 ? row : row_pitch;
+    if (!rhw_check(context, pitch >= row, "%s: row_pitch is %zu; a row of level %d of %s has %zu bytes",
+                   where, pitch, level, rhw_name_of(&context->textures, id.index).text, row)) {
+        return misuse;
     }
-    if (!rhw_check(context, *pitch >= *row, "%s: row_pitch is %zu; a row of level %d has %zu bytes", where,
-                   *pitch, level, *row)) {
-        return NULL;
-    }
-    return mip;
+    return (struct copy){texture, level, row, pitch};
 }
 
-void rhw_texture_write(rhw_context *context, rhw_texture texture, int level, const void *data,
-                       size_t row_pitch)
+// Gives the texture new memory with the same texels; draws that were recorded keep the old one. NULL when out of memory.
+static struct rhw_texture_data *renew(struct rhw_context *context, rhw_texture id)
 {
-    static const char *const where = "rhw_texture_write";
-    size_t row;
-    const struct rhw_mip *const mip = begin_copy(context, texture, level, data, &row, &row_pitch, where);
-    if (!mip) {
-        return;
+    struct rhw_texture_data **const item = rhw_pool_get(&context->textures, id.index, id.generation);
+    const struct rhw_texture_data *const old = *item;
+    struct rhw_texture_data *const data =
+        create_data(&context->memory, old->format, old->mip[0].width, old->mip[0].height, old->levels);
+    if (!data) {
+        return NULL;
     }
-    struct rhw_texture_data *const written = rhw_context_texture(context, texture, where);
-    written->linear_is_current = false;
-    rhw_clean_tiles_forget(written->clean);
-    for (int y = 0; y < mip->height; y++) {
-        memcpy(mip->texels + (size_t)y * mip->row_pitch, (const unsigned char *)data + (size_t)y * row_pitch,
-               row);
+    if (!rhw_pool_retire_copy(&context->memory, &context->textures, id.index)) {
+        rhw_texture_data_destroy(&context->memory, data);
+        return NULL;
     }
+    memcpy(data->memory, old->memory, old->memory_size);
+    *item = data;
+    context->recording.rewrites++;
+    return data;
 }
 
-void rhw_texture_read(rhw_context *context, rhw_texture texture, int level, void *data, size_t row_pitch)
+// The texture as it may be written now; NULL when out of memory.
+static struct rhw_texture_data *to_write(struct rhw_context *context, rhw_texture id,
+                                         struct rhw_texture_data *texture)
 {
-    size_t row;
-    const struct rhw_mip *const mip =
-        begin_copy(context, texture, level, data, &row, &row_pitch, "rhw_texture_read");
-    for (int y = 0; mip && y < mip->height; y++) {
-        memcpy((unsigned char *)data + (size_t)y * row_pitch, mip->texels + (size_t)y * mip->row_pitch, row);
+    const bool recorded = rhw_context_records(context, &context->textures, id.index);
+    struct rhw_texture_data *const written = recorded ? renew(context, id) : texture;
+    if (written) {
+        written->linear_is_current = false;
+        rhw_clean_tiles_forget(written->clean);
     }
+    return written;
+}
+
+static enum rhw_result write_level(struct rhw_context *context, rhw_texture texture, int level,
+                                   const void *data, size_t row_pitch)
+{
+    const struct copy copy = check_copy(context, texture, level, data, row_pitch, "rhw_texture_write");
+    if (!copy.texture) {
+        return RHW_ERROR_MISUSE;
+    }
+    const struct rhw_texture_data *const written = to_write(context, texture, copy.texture);
+    if (!written) {
+        return RHW_ERROR_OUT_OF_MEMORY;
+    }
+    const struct rhw_mip *const mip = &written->mip[level];
+    for (size_t y = 0; y < (size_t)mip->height; y++) {
+        memcpy(mip->texels + y * mip->row_pitch, (const unsigned char *)data + y * copy.row_pitch, copy.row);
+    }
+    return RHW_OK;
+}
+
+enum rhw_result rhw_texture_write(rhw_context *context, rhw_texture texture, int level, const void *data,
+                                  size_t row_pitch)
+{
+    if (!rhw_context_enter(context, "rhw_texture_write")) {
+        return RHW_ERROR_MISUSE;
+    }
+    const enum rhw_result result = write_level(context, texture, level, data, row_pitch);
+    rhw_context_leave(context);
+    return result;
+}
+
+enum rhw_result rhw_texture_read(rhw_context *context, rhw_texture texture, int level, void *data,
+                                 size_t row_pitch)
+{
+    static const char *const where = "rhw_texture_read";
+    if (!rhw_context_enter(context, where)) {
+        return RHW_ERROR_MISUSE;
+    }
+    const struct copy copy = check_copy(context, texture, level, data, row_pitch, where);
+    const struct rhw_mip *const mip = copy.texture ? &copy.texture->mip[level] : NULL;
+    for (size_t y = 0; mip && y < (size_t)mip->height; y++) {
+        memcpy((unsigned char *)data + y * copy.row_pitch, mip->texels + y * mip->row_pitch, copy.row);
+    }
+    rhw_context_leave(context);
+    return mip ? RHW_OK : RHW_ERROR_MISUSE;
+}
+
+static enum rhw_result generate_mips(struct rhw_context *context, rhw_texture texture)
+{
+    static const char *const where = "rhw_texture_generate_mips";
+    struct rhw_texture_data *const data = rhw_context_texture(context, texture, where);
+    if (!data || !check_unattached(context, texture, data, where) ||
+        !rhw_check(context, rhw_format_has_role(data->info, RHW_ROLE_SAMPLED),
+                   "%s: %s is %s; that format is not filtered", where,
+                   rhw_name_of(&context->textures, texture.index).text, data->info->name)) {
+        return RHW_ERROR_MISUSE;
+    }
+    const struct rhw_texture_data *const written = to_write(context, texture, data);
+    return written && rhw_texture_data_generate_mips(context, written) ? RHW_OK : RHW_ERROR_OUT_OF_MEMORY;
 }
 
 enum rhw_result rhw_texture_generate_mips(rhw_context *context, rhw_texture texture)
 {
-    static const char *const where = "rhw_texture_generate_mips";
-    struct rhw_texture_data *const data = rhw_context_texture(context, texture, where);
-    if (!data || !rhw_context_check_idle(context, &context->textures, texture.index, where) ||
-        !rhw_check(context, rhw_format_has_role(data->info, RHW_ROLE_SAMPLED),
-                   "%s: the texture is %s; that format is not filtered", where, data->info->name)) {
+    if (!rhw_context_enter(context, "rhw_texture_generate_mips")) {
         return RHW_ERROR_MISUSE;
     }
-    const bool done = rhw_texture_data_generate_mips(context, data);
-    data->linear_is_current = false;
-    return done ? RHW_OK : RHW_ERROR_OUT_OF_MEMORY;
+    const enum rhw_result result = generate_mips(context, texture);
+    rhw_context_leave(context);
+    return result;
 }

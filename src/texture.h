@@ -32,6 +32,7 @@ struct rhw_mip {
     size_t row_pitch; // bytes, a multiple of RHW_ROW_ALIGNMENT
 };
 
+// The pool of a context has pointers to these: a texture that is written while draws wait gets new data (texture.c).
 struct rhw_texture_data {
     enum rhw_format format;
     const struct rhw_format_info *info; // the format's
@@ -44,6 +45,7 @@ struct rhw_texture_data {
     size_t linear_size;
     bool linear_is_current;        // no texel has changed since
     struct rhw_clean_tiles *clean; // NULL until a pass draws into the texture
+    uint32_t attached;             // generation of the last pass that draws into the texture
 };
 
 struct rhw_context;
@@ -53,8 +55,8 @@ struct rhw_memory;
 void rhw_texture_data_init(struct rhw_texture_data *texture, enum rhw_format format, int width, int height,
                            int levels);
 
-// Releases what the item owns.
-void rhw_texture_data_release(struct rhw_memory *memory, struct rhw_texture_data *texture);
+// Releases the texture and what it owns.
+void rhw_texture_data_destroy(struct rhw_memory *memory, struct rhw_texture_data *texture);
 
 // Box-filters levels 1.. from level 0 in linear light, on all threads of the context. The memory must be there, and the
 // format one that is sampled. False when out of memory; the levels are unchanged then.

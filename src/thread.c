@@ -102,6 +102,7 @@ bool rhw_thread_create(struct rhw_thread *thread, void *(*entry)(void *user), vo
     const bool created = pthread_attr_setstacksize(&attributes, STACK_SIZE) == 0 &&
                          create_with_signals_blocked(thread, &attributes, entry, user);
     pthread_attr_destroy(&attributes);
+    thread->id = created ? (uintptr_t)thread->handle : 0;
     return created;
 }
 
@@ -110,6 +111,11 @@ void rhw_thread_join(struct rhw_thread *thread)
     const int error = pthread_join(thread->handle, NULL);
     assert(error == 0);
     (void)error;
+}
+
+uintptr_t rhw_thread_id(void)
+{
+    return (uintptr_t)pthread_self();
 }
 
 void rhw_thread_yield(void)

@@ -15,6 +15,7 @@ struct rhw_condition {
 };
 struct rhw_thread {
     pthread_t handle;
+    uintptr_t id; // as rhw_thread_id gives it in the thread
 };
 
 bool rhw_mutex_init(struct rhw_mutex *mutex);
@@ -31,6 +32,9 @@ void rhw_condition_broadcast(struct rhw_condition *condition);
 // False when the operating system refuses a thread. Signals of the program are blocked in it.
 bool rhw_thread_create(struct rhw_thread *thread, void *(*entry)(void *user), void *user);
 void rhw_thread_join(struct rhw_thread *thread);
+
+// Tells the calling thread from all others that run; never 0.
+uintptr_t rhw_thread_id(void);
 
 // Gives the core to another thread.
 void rhw_thread_yield(void);

@@ -55,8 +55,9 @@ enum rhw_log_level { RHW_LOG_INFO, RHW_LOG_WARNING };
 typedef void rhw_log_function(void *user, enum rhw_log_level level, const char *message);
 
 /// Called on misuse with a message that says what was wrong, which lives for the call, on the thread that called
-/// the library; it must not call the library. When it returns, the call that found the
-/// misuse returns without doing anything. The default prints the message to stderr and aborts.
+/// the library; while a pass is recorded, it ends with the draw, its debug groups and the pass, in brackets. When it
+/// returns, the call that found the misuse returns without doing anything. It may also leave by longjmp or a C++
+/// exception. The default prints the message to stderr and aborts.
 typedef void rhw_assert_function(void *user, const char *message);
 
 #endif

@@ -9,7 +9,7 @@
 
 /// Creates a context and its worker threads. On failure `*context` is NULL.
 RHW_API enum rhw_result rhw_context_create(const struct rhw_context_def *def, rhw_context **context);
-/// Destroys the context and everything in it. NULL is allowed.
+/// Destroys the context and everything in it. NULL is allowed. Not while a pass is recorded.
 RHW_API void rhw_context_destroy(rhw_context *context);
 RHW_API int rhw_context_threads(const rhw_context *context);
 RHW_API enum rhw_isa rhw_context_isa(const rhw_context *context);
@@ -25,9 +25,10 @@ RHW_API bool rhw_isa_supported(enum rhw_isa isa);
 RHW_API enum rhw_result rhw_buffer_create(rhw_context *context, const struct rhw_buffer_def *def,
                                           rhw_buffer *buffer);
 RHW_API void rhw_buffer_destroy(rhw_context *context, rhw_buffer buffer);
-/// Replaces `size` bytes at `offset`. Not while a recorded pass uses the buffer.
-RHW_API void rhw_buffer_write(rhw_context *context, rhw_buffer buffer, size_t offset, const void *data,
-                              size_t size);
+/// Replaces `size` bytes at `offset`. Draws that were recorded before read what the buffer held then: for them, a buffer
+/// that the pass being recorded uses keeps its memory and gets new one. Without memory for that it stays as it is.
+RHW_API enum rhw_result rhw_buffer_write(rhw_context *context, rhw_buffer buffer, size_t offset,
+                                         const void *data, size_t size);
 
 // Textures and samplers -----------------------------------------------------------------------------
 
@@ -39,12 +40,13 @@ RHW_API int rhw_texture_height(const rhw_context *context, rhw_texture texture, 
 RHW_API int rhw_texture_mip_levels(const rhw_context *context, rhw_texture texture);
 RHW_API enum rhw_format rhw_texture_format(const rhw_context *context, rhw_texture texture);
 /// Replaces a whole level. Rows top to bottom, `row_pitch` bytes apart (0: tightly packed), texels in the
-/// texture's format.
-RHW_API void rhw_texture_write(rhw_context *context, rhw_texture texture, int level, const void *data,
-                               size_t row_pitch);
+/// texture's format. As with rhw_buffer_write, draws that were recorded before see the texels of then. Not while the
+/// texture is an attachment of the pass being recorded; the same holds for the next two functions.
+RHW_API enum rhw_result rhw_texture_write(rhw_context *context, rhw_texture texture, int level,
+                                          const void *data, size_t row_pitch);
 /// Copies a level out, in the same layout as rhw_texture_write.
-RHW_API void rhw_texture_read(rhw_context *context, rhw_texture texture, int level, void *data,
-                              size_t row_pitch);
+RHW_API enum rhw_result rhw_texture_read(rhw_context *context, rhw_texture texture, int level, void *data,
+                                         size_t row_pitch);
 /// Fills levels 1.. from level 0 with a box filter in linear light (odd sizes weighted exactly). Without
 /// memory for that the levels stay as they are.
 RHW_API enum rhw_result rhw_texture_generate_mips(rhw_context *context, rhw_texture texture);
@@ -98,9 +100,9 @@ static inline enum rhw_result rhw_pipeline_create(rhw_context *context, const st
 RHW_API void rhw_pipeline_destroy(rhw_context *context, rhw_pipeline pipeline);
 
 // Passes --------------------------------------------------------------------------------------------
-// Draws are recorded between begin and end; end runs them. One pass at a time per context. What a draw
-// uses (buffers, textures, samplers, pipelines) must live and stay unchanged until the pass has ended;
-// uniforms are copied when set. Viewport and scissor start as the whole target.
+// Draws are recorded between begin and end; end runs them. One pass at a time per context. A draw sees what its buffers
+// and textures hold when it is recorded: they may be written, and anything may be destroyed, before the pass has ended.
+// What is destroyed while it is set stays set. Uniforms are copied. Viewport and scissor start as the whole target.
 
 RHW_API enum rhw_result rhw_pass_begin(rhw_context *context, const struct rhw_pass_def *def, rhw_pass *pass);
 /// State lasts until it is set again: it survives draws and a change of pipeline. A call that is misuse leaves it.
@@ -127,8 +129,13 @@ RHW_API void rhw_pass_draw(rhw_context *context, rhw_pass pass, uint32_t first, 
 /// reads 0.
 RHW_API void rhw_pass_draw_indexed(rhw_context *context, rhw_pass pass, uint32_t first, uint32_t count,
                                    int32_t base_vertex, uint32_t first_instance, uint32_t instances);
-/// Runs the pass; the id is stale afterwards. `stats` may be NULL. On failure the attachments hold
-/// unspecified pixels and `stats` is as it was.
+/// Draws recorded until the matching pop belong to a group, which messages name: "[draw 7 in shadows / trees ...]".
+/// Groups may stand in groups; each is popped before the pass ends.
+RHW_API void rhw_pass_push_debug_group(rhw_context *context, rhw_pass pass, const char *label);
+RHW_API void rhw_pass_pop_debug_group(rhw_context *context, rhw_pass pass);
+/// Runs the pass; the id is stale afterwards. `stats` may be NULL. Where misuse was reported since the pass began and
+/// the assert hook returned, all that was no misuse is drawn, and the result is RHW_ERROR_MISUSE. On other failures the
+/// attachments hold unspecified pixels and `stats` is as it was.
 RHW_API enum rhw_result rhw_pass_end(rhw_context *context, rhw_pass pass, struct rhw_stats *stats);
 
 #endif

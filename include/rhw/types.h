@@ -7,16 +7,16 @@
 
 #include "base.h"
 
-/// Everything belongs to one context; different contexts may be used by different threads at once, one
-/// context by one thread at a time.
+/// Everything belongs to one context. Different contexts may be used by different threads at once, one context by one
+/// thread at a time: a call that meets another one, or comes from a shader function, is misuse and does nothing.
 typedef struct rhw_context rhw_context;
 
-/// Value ids. A zeroed id is the null id. Use after destroy is caught by the generation (misuse).
-typedef struct rhw_buffer { uint32_t index, generation; } rhw_buffer;
-typedef struct rhw_texture { uint32_t index, generation; } rhw_texture;
-typedef struct rhw_sampler { uint32_t index, generation; } rhw_sampler;
-typedef struct rhw_pipeline { uint32_t index, generation; } rhw_pipeline;
-typedef struct rhw_pass { uint32_t index, generation; } rhw_pass;
+/// Value ids. A zeroed id is the null id. An id whose item was destroyed, or that another context gave, is misuse.
+typedef struct rhw_buffer { uint32_t index, generation, context; } rhw_buffer;
+typedef struct rhw_texture { uint32_t index, generation, context; } rhw_texture;
+typedef struct rhw_sampler { uint32_t index, generation, context; } rhw_sampler;
+typedef struct rhw_pipeline { uint32_t index, generation, context; } rhw_pipeline;
+typedef struct rhw_pass { uint32_t index, generation, context; } rhw_pass;
 
 enum {
     RHW_MAX_TARGET_SIZE = 16384, ///< pixels, each way; beyond it integer edge functions could overflow
@@ -58,6 +58,8 @@ struct rhw_context_def {
     rhw_log_function *log;          ///< NULL: silent
     rhw_assert_function *assert_;   ///< NULL: print and abort
     void *user;                     ///< first argument of log and assert_
+    const char *label;              ///< as in every definition: a name for messages, or NULL. Its first 63 bytes are
+                                    ///< copied
 };
 
 /// Texel formats. Channels stand in memory in the order of the name, little endian.
@@ -81,6 +83,7 @@ RHW_API size_t rhw_format_size(enum rhw_format format);
 struct rhw_buffer_def {
     size_t size;      ///< bytes, at least 1
     const void *data; ///< copied; NULL: zeroed
+    const char *label; ///< for messages; see rhw_context_def
 };
 
 enum { RHW_MIP_LEVELS_ALL = -1 };
@@ -91,6 +94,7 @@ struct rhw_texture_def {
     enum rhw_format format; ///< to be set
     int width, height; ///< 1..RHW_MAX_TARGET_SIZE
     int mip_levels;    ///< 0 or 1: one; RHW_MIP_LEVELS_ALL: the chain down to 1×1
+    const char *label; ///< for messages
 };
 
 enum rhw_filter { RHW_FILTER_LINEAR, RHW_FILTER_NEAREST };
@@ -104,6 +108,7 @@ struct rhw_sampler_def {
     float border[4];                        ///< for RHW_ADDRESS_BORDER, linear values; 0,0,0,0
     float lod_bias, lod_min;                ///< 0, 0
     float lod_max; ///< 0: no limit. There is nothing above level 0, so any negative one is a limit of 0
+    const char *label; ///< for messages
 };
 
 enum rhw_vertex_format {
@@ -257,6 +262,7 @@ struct rhw_pipeline_def {
     bool depth_read_only;            ///< false: a fragment that passes the test writes its depth
     struct rhw_color_target targets[RHW_MAX_COLOR_ATTACHMENTS];
     int target_count;
+    const char *label; ///< for messages
 };
 
 /// DEFAULT clears as CLEAR does, but for a depth of 0, which it takes for 1: clear to depth 0 by CLEAR.
@@ -284,6 +290,7 @@ struct rhw_pass_def {
     struct rhw_color_attachment colors[RHW_MAX_COLOR_ATTACHMENTS];
     int color_count;
     struct rhw_depth_attachment depth;
+    const char *label; ///< for messages
 };
 
 struct rhw_viewport {

@@ -28,7 +28,7 @@ rhw_texture golden_texture(rhw_context *context, enum rhw_format format, int wid
 
 rhw_buffer golden_buffer(rhw_context *context, const void *data, size_t size)
 {
-    const struct rhw_buffer_def def = {size, data};
+    const struct rhw_buffer_def def = {.size = size, .data = data};
     rhw_buffer buffer;
     golden_check(rhw_buffer_create(context, &def, &buffer), "buffer");
     return buffer;

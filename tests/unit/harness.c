@@ -13,6 +13,7 @@ void rig_misuse(void *user, const char *message)
 {
     struct rig *rig = user;
     rig->misuses++;
+    rig->misused = true;
     snprintf(rig->message, sizeof rig->message, "%s", message);
 }
 
@@ -166,6 +167,7 @@ void rig_set_depth(struct rig *rig)
 void rig_begin(struct rig *rig)
 {
     expect_ok(rig, rhw_pass_begin(rig->context, &rig->pass, &rig->recording));
+    rig->misused = false;
 }
 
 void rig_use_pipeline(struct rig *rig)
@@ -210,7 +212,9 @@ void rig_draw(struct rig *rig, const struct rig_vertex *vertices, int count)
 
 void rig_end(struct rig *rig)
 {
-    expect_ok(rig, rhw_pass_end(rig->context, rig->recording, &rig->stats));
+    const enum rhw_result result = rhw_pass_end(rig->context, rig->recording, &rig->stats);
+    expect_ok(rig, rig->misused && result == RHW_ERROR_MISUSE ? RHW_OK : result);
+    assert_int_equal(result, rig->misused ? RHW_ERROR_MISUSE : RHW_OK);
     destroy_objects(rig);
 }
 

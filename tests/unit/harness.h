@@ -36,8 +36,9 @@ struct rig {
     struct rhw_pipeline_def pipeline; ///< what the next rig_use_pipeline creates
     rhw_pass recording;
     struct rhw_stats stats; ///< of the last rig_end
-    int misuses;       ///< calls of the assert hook; rig_close wants 0: a test that expects some resets it
-    char message[256]; ///< of the last one
+    int misuses;        ///< calls of the assert hook; rig_close wants 0: a test that expects some resets it
+    bool misused;       ///< since rig_begin
+    char message[1024]; ///< of the last one
     struct rig_objects objects;
     void *pixels; ///< of the last rig_read
 };
@@ -61,7 +62,7 @@ void rig_use_vertices(struct rig *rig, int slot, const void *data, size_t size);
 void rig_use_indices(struct rig *rig, enum rhw_index_type type, const void *data, size_t size);
 /// Creates and sets the pipeline and the vertex buffer, and draws.
 void rig_draw(struct rig *rig, const struct rig_vertex *vertices, int count);
-/// Ends the pass, which must succeed, and keeps the stats.
+/// Ends the pass, which must succeed, or be an error when there was misuse in it, and keeps the stats.
 void rig_end(struct rig *rig);
 /// begin, draw, end.
 void rig_draw_once(struct rig *rig, const struct rig_vertex *vertices, int count);

@@ -139,7 +139,7 @@ static void test_pass_size_may_be_given(void **state)
     rig_draw_once(&rig, all, 6);
     assert_int_equal(rig.stats.fragments_shaded, 1200);
     // Only transient depth: nothing else says how large the pass is.
-    rig.pass.colors[0].texture = (rhw_texture){0, 0};
+    rig.pass.colors[0].texture = (rhw_texture){0};
     rig.pass.color_count = 0;
     rig.pipeline.target_count = 0;
     rig.pass.depth = (struct rhw_depth_attachment){.enabled = true, .store = RHW_STORE_DISCARD, .clear = 1};

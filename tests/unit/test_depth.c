@@ -375,7 +375,7 @@ static void test_depth_only_program(void **state)
     struct rig rig;
     rig_open(&rig, SIZE, SIZE);
     rig_set_depth(&rig);
-    rig.pass.colors[0].texture = (rhw_texture){0, 0};
+    rig.pass.colors[0].texture = (rhw_texture){0};
     rig.pass.color_count = 0;
     rig.pipeline.target_count = 0;
     rig_set_program(&rig, rig_vertex_pass, NULL);

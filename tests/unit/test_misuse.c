@@ -85,7 +85,7 @@ static void use_texture(struct rig *rig, rhw_texture texture)
     rig_expect_misuse(rig, "rhw_texture_generate_mips");
     struct rhw_pass_def def = rig->pass;
     def.colors[0].texture = texture;
-    rhw_pass pass = {9, 9};
+    rhw_pass pass = {9, 9, 9};
     assert_int_equal(rhw_pass_begin(rig->context, &def, &pass), RHW_ERROR_MISUSE);
     assert_int_equal(pass.index, 0);
     rig_expect_misuse(rig, "rhw_pass_begin");
@@ -113,13 +113,13 @@ static void test_destroyed_and_null_ids(void **state)
     make_pipeline(&rig);
     use_buffer(&rig, buffer);
     use_buffer(&rig, (rhw_buffer){0});
-    use_buffer(&rig, (rhw_buffer){12345, 1});
-    use_buffer(&rig, (rhw_buffer){UINT32_MAX, UINT32_MAX});
+    use_buffer(&rig, (rhw_buffer){12345, 1, buffer.context});
+    use_buffer(&rig, (rhw_buffer){UINT32_MAX, UINT32_MAX, UINT32_MAX});
     use_texture(&rig, texture);
     use_texture(&rig, (rhw_texture){0});
-    use_texture(&rig, (rhw_texture){UINT32_MAX, 1});
-    const rhw_pipeline pipelines[] = {pipeline, {0}, {1000, 1}};
-    const rhw_sampler samplers[] = {sampler, {0}, {1000, 1}};
+    use_texture(&rig, (rhw_texture){UINT32_MAX, 1, texture.context});
+    const rhw_pipeline pipelines[] = {pipeline, {0}, {1000, 1, pipeline.context}};
+    const rhw_sampler samplers[] = {sampler, {0}, {1000, 1, sampler.context}};
     for (int i = 0; i < 3; i++) {
         rig_begin(&rig);
         rhw_pass_set_pipeline(rig.context, rig.recording, pipelines[i]);
@@ -145,7 +145,7 @@ static void test_an_ended_pass_is_stale(void **state)
     const rhw_pass ended = rig.recording;
     rig_end(&rig);
     rig_begin(&rig); // another one records now
-    const rhw_pass ids[] = {ended, {0}, {77, 77}};
+    const rhw_pass ids[] = {ended, {0}, {77, 77, ended.context}};
     const rhw_buffer buffer = make_buffer(&rig);
     const rhw_pipeline pipeline = make_pipeline(&rig);
     for (int i = 0; i < 3; i++) {
@@ -190,7 +190,7 @@ static void reject_texture(struct rig *rig, enum rhw_format format, int width, i
     def.width = width;
     def.height = height;
     def.mip_levels = levels;
-    rhw_texture texture = {5, 5};
+    rhw_texture texture = {5, 5, 5};
     assert_int_equal(rhw_texture_create(rig->context, &def, &texture), RHW_ERROR_MISUSE);
     assert_int_equal(texture.index, 0);
     rig_expect_misuse(rig, "rhw_texture_create");
@@ -381,7 +381,7 @@ static void test_pass_definitions(void **state)
             def.depth.load = RHW_LOAD_LOAD;
             break;
         case 14:
-            def.colors[0].texture = (rhw_texture){0, 0};
+            def.colors[0].texture = (rhw_texture){0};
             def.color_count = 0;
             def.width = RHW_MAX_TARGET_SIZE + 1, def.height = 8;
             def.depth = (struct rhw_depth_attachment){.enabled = true, .store = RHW_STORE_DISCARD};

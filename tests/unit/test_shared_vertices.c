@@ -321,8 +321,9 @@ static bool draw_with_some_memory(rhw_context *context, const struct rhw_pipelin
 {
     struct rhw_pass_def pass_def = rhw_pass_def_default();
     struct rhw_texture_def texture = rhw_texture_def_default();
-    const struct rhw_buffer_def vertex_def = {POINTS * sizeof mesh->vertices[0], mesh->vertices},
-                                index_def = {sizeof mesh->indices, mesh->indices};
+    const struct rhw_buffer_def vertex_def = {.size = POINTS * sizeof mesh->vertices[0],
+                                              .data = mesh->vertices},
+                                index_def = {.size = sizeof mesh->indices, .data = mesh->indices};
     texture.width = texture.height = SIZE;
     texture.format = RHW_FORMAT_RGBA32_FLOAT;
     pass_def.color_count = 1;

@@ -163,18 +163,18 @@ static void test_misuse_is_named(void **state)
     struct rig rig;
     rig_open(&rig, 8, 8);
     rhw_context *const context = rig.context;
-    const struct rhw_texture_def good = {RHW_FORMAT_RGBA8_UNORM, 4, 4, 0};
+    const struct rhw_texture_def good = {.format = RHW_FORMAT_RGBA8_UNORM, .width = 4, .height = 4};
     const struct {
         struct rhw_texture_def def;
         const char *words;
     } bad[] = {
-        {{RHW_FORMAT_NONE, 4, 4, 1}, "format"},
-        {{RHW_FORMAT_COUNT, 4, 4, 1}, "format"},
-        {{RHW_FORMAT_RGBA8_UNORM, 0, 4, 1}, "width is 0"},
-        {{RHW_FORMAT_RGBA8_UNORM, 4, 16385, 1}, "height is 16385"},
-        {{RHW_FORMAT_RGBA8_UNORM, 4, -1, 1}, "height is -1"},
-        {{RHW_FORMAT_RGBA8_UNORM, 4, 4, 4}, "mip_levels is 4"},
-        {{RHW_FORMAT_RGBA8_UNORM, 4, 4, -2}, "mip_levels is -2"},
+        {{RHW_FORMAT_NONE, 4, 4, 1, NULL}, "format"},
+        {{RHW_FORMAT_COUNT, 4, 4, 1, NULL}, "format"},
+        {{RHW_FORMAT_RGBA8_UNORM, 0, 4, 1, NULL}, "width is 0"},
+        {{RHW_FORMAT_RGBA8_UNORM, 4, 16385, 1, NULL}, "height is 16385"},
+        {{RHW_FORMAT_RGBA8_UNORM, 4, -1, 1, NULL}, "height is -1"},
+        {{RHW_FORMAT_RGBA8_UNORM, 4, 4, 4, NULL}, "mip_levels is 4"},
+        {{RHW_FORMAT_RGBA8_UNORM, 4, 4, -2, NULL}, "mip_levels is -2"},
     };
     rhw_texture texture;
     for (size_t i = 0; i < sizeof bad / sizeof bad[0]; i++) {
@@ -198,7 +198,7 @@ static void test_misuse_is_named(void **state)
     rhw_texture_destroy(context, texture);
     rhw_texture_destroy(context, texture);
     rig_expect_misuse(&rig, "rhw_texture_destroy");
-    const struct rhw_texture_def ids = {RHW_FORMAT_R32_UINT, 4, 4, 0};
+    const struct rhw_texture_def ids = {.format = RHW_FORMAT_R32_UINT, .width = 4, .height = 4};
     assert_int_equal(rhw_texture_create(context, &ids, &texture), RHW_OK);
     rhw_texture_generate_mips(context, texture);
     rig_expect_misuse(&rig, "RHW_FORMAT_R32_UINT");

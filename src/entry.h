@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: MIT
+// The door of a context. Every public function that works with one enters and leaves it, so that a second thread, or a
+// shader function that calls the library, is told instead of meeting a state between two others.
+#ifndef RHW_ENTRY_H
+#define RHW_ENTRY_H
+
+#include "context.h"
+
+// The slow paths: report that `context` is NULL, or that a call is under way in it. Is false.
+bool rhw_context_refuse(const rhw_context *context, const char *where);
+
+// False, and misuse of `where`, when the context is NULL or a call is under way in it. Else the caller leaves in the end.
+static inline bool rhw_context_enter(rhw_context *context, const char *where)
+{
+    const char *nobody = NULL;
+    return (context != NULL &&
+            atomic_compare_exchange_strong_explicit(&context->entered, &nobody, where, memory_order_acquire,
+                                                    memory_order_relaxed)) ||
+           rhw_context_refuse(context, where);
+}
+
+static inline void rhw_context_leave(rhw_context *context)
+{
+    atomic_store_explicit(&context->entered, NULL, memory_order_release);
+}
+
+// The same rule for functions that only look: nothing to leave.
+static inline bool rhw_context_peek(const rhw_context *context, const char *where)
+{
+    return (context != NULL && atomic_load_explicit(&context->entered, memory_order_acquire) == NULL) ||
+           rhw_context_refuse(context, where);
+}
+
+#endif
