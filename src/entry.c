@@ -18,8 +18,8 @@ bool rhw_context_refuse(const rhw_context *context, const char *where)
         return false;
     }
     const char *const other = atomic_load_explicit(&context->entered, memory_order_relaxed);
-    rhw_misuse_outside(context,
-                       "%s: called while %s is under way in this context; one thread at a time may use a context",
-                       where, other != NULL ? other : "another call");
+    rhw_misuse_outside(
+        context, "%s: called while %s is under way in this context; one thread at a time may use a context",
+        where, other != NULL ? other : "another call");
     return false;
 }

@@ -48,21 +48,24 @@ void rhw_pass_state_destroy(struct rhw_context *context, struct rhw_pass_state *
     rhw_memory_release(&context->memory, pass, sizeof *pass);
 }
 
+static __attribute__((cold)) void report_pass(const rhw_context *context, rhw_pass id, const char *where)
+{
+    const bool foreign = id.index != 0 && id.context != context->number;
+    rhw_misuse(context, "%s: %s", where,
+               foreign ? "the pass belongs to another context" : "the pass id is null or its pass has ended");
+}
+
 // Enters the context and gives the pass that `id` names; or reports misuse, leaves again, and gives NULL.
-static struct rhw_pass_state *enter(rhw_context *context, rhw_pass id, const char *where)
+static inline struct rhw_pass_state *enter(rhw_context *context, rhw_pass id, const char *where)
 {
     if (!rhw_context_enter(context, where)) {
         return NULL;
     }
     const struct rhw_recording *const recording = &context->recording;
-    const bool live = recording->active && id.index == 1 && id.generation == recording->generation &&
-                      id.context == context->number;
-    const bool foreign = id.index != 0 && id.context != context->number;
-    if (rhw_check(context, live, "%s: %s", where,
-                  foreign ? "the pass belongs to another context"
-                          : "the pass id is null or its pass has ended")) {
+    if (recording->active && id.generation == recording->generation && id.context == context->number) {
         return context->pass;
     }
+    report_pass(context, id, where);
     rhw_context_leave(context);
     return NULL;
 }
@@ -225,6 +228,7 @@ static void set_texture(struct rhw_pass_state *pass, int slot, rhw_texture textu
             return;
         }
         bound.texture = rhw_pool_get(&context->textures, texture.index, texture.generation);
+        pass->out_of_memory |= !rhw_texture_linearize(context, *bound.texture);
         rhw_pool_use(&context->textures, texture.index, context->recording.generation);
         rhw_pool_use(&context->samplers, sampler.index, context->recording.generation);
     }
@@ -425,11 +429,14 @@ static bool resolve_textures(struct rhw_pass_state *pass)
     return true;
 }
 
-// Brings `pending` up to date. False when out of memory.
+// Brings `pending` up to date with what is bound. False when out of memory.
 static bool resolve(struct rhw_pass_state *pass)
 {
     const uint32_t rewrites = pass->context->recording.rewrites;
     const bool rewritten = rewrites != pass->rewrites_seen;
+    if (!rewritten && !pass->textures_changed && !pass->pending_changed) {
+        return true;
+    }
     if (pass->textures_changed || rewritten) {
         if (!resolve_textures(pass)) {
             return false;
@@ -437,9 +444,7 @@ static bool resolve(struct rhw_pass_state *pass)
         pass->textures_changed = false;
         pass->pending_changed = true;
     }
-    if (pass->pending_changed || rewritten) {
-        resolve_buffers(pass);
-    }
+    resolve_buffers(pass);
     pass->rewrites_seen = rewrites;
     return true;
 }

@@ -151,9 +151,9 @@ static enum rhw_result attach_depth(struct rhw_pass_state *pass, const struct rh
         if (result != RHW_OK) {
             return result;
         }
-    } else if (!rhw_check(
-                   context, load_of(depth->load) == RHW_LOAD_CLEAR && depth->store == RHW_STORE_DISCARD,
-                   "%s: depth.texture is null; without one depth is cleared and not stored", where)) {
+    } else if (!rhw_check(context,
+                          load_of(depth->load) == RHW_LOAD_CLEAR && depth->store == RHW_STORE_DISCARD,
+                          "%s: depth.texture is null; without one depth is cleared and not stored", where)) {
         return RHW_ERROR_MISUSE;
     }
     if (!rhw_check(context, depth->clear >= 0 && depth->clear <= 1, "%s: depth.clear is %g; it is in 0..1",

@@ -26,14 +26,17 @@ static void test_messages_name_label_and_id(void **state)
     pass_def.colors[0].texture = texture;
     rhw_pass pass;
     rhw_pass_begin(rig.context, &pass_def, &pass);
-    rig_expect_misuse(&rig, "colors[0] is texture 2 \"shadow map\", which is RHW_FORMAT_D32_FLOAT; that is no colour target");
+    rig_expect_misuse(
+        &rig,
+        "colors[0] is texture 2 \"shadow map\", which is RHW_FORMAT_D32_FLOAT; that is no colour target");
     rig.pipeline.label = "paint";
     rig.pipeline.program.uniform_size = 16;
     rig_begin(&rig);
     rig_use_pipeline(&rig);
     rig_use_vertices(&rig, 0, &corner, sizeof corner);
     rhw_pass_draw(rig.context, rig.recording, 0, 3, 0, 1);
-    rig_expect_misuse(&rig, "0 bytes of uniforms are set; the program of pipeline 1 \"paint\" reads 16 [draw 0]");
+    rig_expect_misuse(&rig,
+                      "0 bytes of uniforms are set; the program of pipeline 1 \"paint\" reads 16 [draw 0]");
     rig_end(&rig);
     rig_close(&rig);
 }
@@ -85,7 +88,8 @@ static void test_messages_name_the_place(void **state)
     rhw_pass_draw(rig.context, rig.recording, 0, 3, 0, 1);
     rhw_pass_push_debug_group(rig.context, rig.recording, "trees");
     rhw_pass_set_vertex_buffer(rig.context, rig.recording, 9, (rhw_buffer){0}, 0);
-    rig_expect_misuse(&rig, "slot is 9; it is in 0..7 [draw 2 in forest / trees of pass \"main\", context \"thumbnails\"]");
+    rig_expect_misuse(
+        &rig, "slot is 9; it is in 0..7 [draw 2 in forest / trees of pass \"main\", context \"thumbnails\"]");
     rhw_pass_draw_indexed(rig.context, rig.recording, 0, 3, 0, 0, 1);
     rig_expect_misuse(&rig, "no index buffer is set [draw 2 in forest / trees of pass \"main\"");
     rhw_pass_pop_debug_group(rig.context, rig.recording);
@@ -140,8 +144,8 @@ static void test_misuse_in_a_pass_is_its_result(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_messages_name_label_and_id), cmocka_unit_test(test_labels_are_copied),
-        cmocka_unit_test(test_messages_name_the_place),    cmocka_unit_test(test_groups_are_popped),
+        cmocka_unit_test(test_messages_name_label_and_id),     cmocka_unit_test(test_labels_are_copied),
+        cmocka_unit_test(test_messages_name_the_place),        cmocka_unit_test(test_groups_are_popped),
         cmocka_unit_test(test_misuse_in_a_pass_is_its_result),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);

@@ -72,8 +72,9 @@ static void test_shader_functions_call_nothing(void **state)
         rig_begin(&rig);
         rig_draw(&rig, all, 6);
         rhw_pass_end(rig.context, rig.recording, &rig.stats);
-        rig_expect_misuse(&rig, "rhw_texture_destroy: called by a function that the library called, such as a "
-                                "shader function; it must not use the context");
+        rig_expect_misuse(&rig,
+                          "rhw_texture_destroy: called by a function that the library called, such as a "
+                          "shader function; it must not use the context");
         assert_int_equal(rhw_texture_width(rig.context, called_texture, 0), 256);
         rig_close(&rig);
     }
@@ -119,8 +120,9 @@ static void test_a_second_thread_is_told(void **state)
     assert_int_equal(pthread_create(&other, NULL, draw_from_outside, &rig), 0);
     assert_int_equal(rhw_pass_end(rig.context, rig.recording, &rig.stats), RHW_OK);
     pthread_join(other, NULL);
-    rig_expect_misuse(&rig, "rhw_pass_draw: called while rhw_pass_end is under way in this context; one thread at a "
-                            "time may use a context");
+    rig_expect_misuse(
+        &rig, "rhw_pass_draw: called while rhw_pass_end is under way in this context; one thread at a "
+              "time may use a context");
     rig_close(&rig);
 }
 
@@ -271,7 +273,8 @@ static void test_what_a_draw_used_may_go(void **state)
 
         // Destroyed is destroyed: the ids are stale at once.
         rhw_pass_set_vertex_buffer(rig.context, rig.recording, 0, vertices, 0);
-        rig_expect_misuse(&rig, "rhw_pass_set_vertex_buffer: buffer 1 (generation 1) is stale: it was destroyed");
+        rig_expect_misuse(&rig,
+                          "rhw_pass_set_vertex_buffer: buffer 1 (generation 1) is stale: it was destroyed");
         rhw_texture_destroy(rig.context, image);
         rig_expect_misuse(&rig, "is stale: it was destroyed");
         rig_end(&rig);
@@ -427,7 +430,8 @@ static void test_attachments_are_the_pass(void **state)
     static float pixels[8 * 8 * 4];
     rig_begin(&rig);
     assert_int_equal(rhw_texture_write(rig.context, target, 0, pixels, 0), RHW_ERROR_MISUSE);
-    rig_expect_misuse(&rig, "rhw_texture_write: texture 1 is an attachment of the pass being recorded; end that first");
+    rig_expect_misuse(
+        &rig, "rhw_texture_write: texture 1 is an attachment of the pass being recorded; end that first");
     assert_int_equal(rhw_texture_read(rig.context, target, 0, pixels, 0), RHW_ERROR_MISUSE);
     rig_expect_misuse(&rig, "rhw_texture_read: texture 1 is an attachment");
     assert_int_equal(rhw_texture_generate_mips(rig.context, target), RHW_ERROR_MISUSE);
