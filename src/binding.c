@@ -3,6 +3,7 @@
 // shaders get there.
 #include "binding.h"
 
+#include "findings.h"
 #include "format.h"
 #include "sampler.h"
 #include "texture.h"
@@ -25,15 +26,30 @@ struct rhw_binding rhw_binding_of(const struct rhw_kernels *kernels, enum rhw_pa
 
 void rhw_bindings_init(struct rhw_bindings *bindings, const struct rhw_kernels *kernels)
 {
-    bindings->sample_groups = kernels->sample_groups;
+    *bindings = (struct rhw_bindings){.sample_groups = kernels->sample_groups};
     for (int i = 0; i < RHW_MAX_TEXTURES; i++) {
         bindings->slot[i] = rhw_binding_of(kernels, RHW_PATHS_ALL, NULL, NULL);
+    }
+}
+
+static __attribute__((cold)) void report_slot(const struct rhw_bindings *textures, int slot)
+{
+    if (textures->site.findings) {
+        rhw_findings_add(textures->site.findings, RHW_FINDING_MISUSE, textures->site.draw,
+                         "a shader function of %s samples slot %d; slots are 0..%d", textures->site.pipeline,
+                         slot, RHW_MAX_TEXTURES - 1);
     }
 }
 
 void rhw_sample(const struct rhw_bindings *textures, int slot, const struct rhw_sample_request *request,
                 rhw_float texel[4])
 {
+    if ((unsigned)slot >= RHW_MAX_TEXTURES) { // as a slot that nothing is bound to
+        report_slot(textures, slot);
+        texel[0] = texel[1] = texel[2] = rhw_splat(0);
+        texel[3] = rhw_splat(1);
+        return;
+    }
     const struct rhw_binding *const binding = &textures->slot[slot];
     binding->sample(binding, request, texel);
 }
@@ -41,5 +57,11 @@ void rhw_sample(const struct rhw_bindings *textures, int slot, const struct rhw_
 void rhw_sample_groups(const struct rhw_fragment *groups, int count, uint32_t slots, int at,
                        rhw_float (*texels)[4], int stride)
 {
-    groups->textures->sample_groups(groups, count, slots, at, texels, stride);
+    const uint32_t known = slots & ((1u << RHW_MAX_TEXTURES) - 1);
+    if (slots != known) {
+        report_slot(groups->textures, 31 - __builtin_clz(slots));
+    }
+    if (known != 0) {
+        groups->textures->sample_groups(groups, count, known, at, texels, stride);
+    }
 }

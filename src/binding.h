@@ -20,9 +20,19 @@ struct rhw_binding {
     bool shares_footprints;
 };
 
+struct rhw_findings;
+
+// Where a shader function under validation stands: what is wrong with its sampling is told there. NULL: none.
+struct rhw_sample_site {
+    struct rhw_findings *findings;
+    uint32_t draw;
+    const char *pipeline;
+};
+
 struct rhw_bindings {
     rhw_sample_groups_function *sample_groups;
     struct rhw_binding slot[RHW_MAX_TEXTURES];
+    struct rhw_sample_site site;
 };
 
 // No texture in any slot.

@@ -13,6 +13,7 @@
 #include "resource.h"
 #include "rhw/types.h"
 
+struct rhw_findings;
 struct rhw_kernels;
 struct rhw_pass_state;
 struct rhw_scheduler;
@@ -60,6 +61,7 @@ struct rhw_context {
 
     struct rhw_pass_state *pass; // created with the context, reused by every pass
     struct rhw_recording recording;
+    struct rhw_findings *findings; // what validation found in the pass; NULL: nothing is validated
 };
 
 #endif

@@ -7,6 +7,7 @@
 #include "context.h"
 #include "cpu.h"
 #include "entry.h"
+#include "findings.h"
 #include "kernels/kernels.h"
 #include "misuse.h"
 #include "pass.h"
@@ -28,6 +29,12 @@ static void destroy_resources(struct rhw_context *context)
     struct rhw_texture_data **texture;
     while ((texture = rhw_pool_next(&context->textures, &index)) != NULL) {
         rhw_texture_data_destroy(&context->memory, *texture);
+    }
+
+    index = 0;
+    struct rhw_pipeline_data *pipeline;
+    while ((pipeline = rhw_pool_next(&context->pipelines, &index)) != NULL) {
+        rhw_pipeline_data_release(&context->memory, pipeline);
     }
 
     rhw_pool_destroy(&context->memory, &context->buffers);
@@ -91,23 +98,51 @@ static bool check_def(const struct rhw_context_def *def, rhw_context **context)
                      "%s: paths is %d; it must be RHW_PATHS_ALL (0), RHW_PATHS_IN_ORDER (1) or "
                      "RHW_PATHS_GENERAL (2)",
                      where, (int)def->paths) &&
+           rhw_check(&report, (unsigned)def->validate <= RHW_VALIDATE_OFF,
+                     "%s: validate is %d; it must be RHW_VALIDATE_DEFAULT (0), RHW_VALIDATE_ON (1) or "
+                     "RHW_VALIDATE_OFF (2)",
+                     where, (int)def->validate) &&
            rhw_check(&report, (allocator->allocate == NULL) == (allocator->release == NULL),
                      "%s: allocator has only one of allocate and release; it must have both or neither",
                      where);
 }
 
-// Everything a context needs beyond itself. What a failure leaves behind is for rhw_context_destroy.
-static enum rhw_result create_parts(struct rhw_context *context)
+static enum rhw_result create_findings(struct rhw_context *context)
 {
-    const enum rhw_result result =
-        rhw_scheduler_create(&context->memory, context->threads, context->cores, &context->scheduler);
-    if (result != RHW_OK) {
-        return result;
+    struct rhw_findings *const findings =
+        rhw_memory_allocate(&context->memory, sizeof *findings, _Alignof(struct rhw_findings));
+    if (findings == NULL) {
+        return RHW_ERROR_OUT_OF_MEMORY;
     }
-    return rhw_pass_state_create(context, &context->pass);
+    if (!rhw_findings_init(findings)) {
+        rhw_memory_release(&context->memory, findings, sizeof *findings);
+        return RHW_ERROR_THREAD;
+    }
+    context->findings = findings;
+    return RHW_OK;
 }
 
-enum rhw_result rhw_context_create(const struct rhw_context_def *def, rhw_context **context)
+static void destroy_findings(struct rhw_context *context)
+{
+    if (context->findings != NULL) {
+        rhw_findings_destroy(context->findings);
+        rhw_memory_release(&context->memory, context->findings, sizeof *context->findings);
+    }
+}
+
+// Everything a context needs beyond itself. What a failure leaves behind is for rhw_context_destroy.
+static enum rhw_result create_parts(struct rhw_context *context, bool validates)
+{
+    enum rhw_result result =
+        rhw_scheduler_create(&context->memory, context->threads, context->cores, &context->scheduler);
+    if (result == RHW_OK) {
+        result = rhw_pass_state_create(context, &context->pass);
+    }
+    return result == RHW_OK && validates ? create_findings(context) : result;
+}
+
+enum rhw_result rhw_context_create_probed(const struct rhw_context_def *def, bool debug,
+                                          rhw_context **context)
 {
     if (context != NULL) {
         *context = NULL;
@@ -144,13 +179,15 @@ enum rhw_result rhw_context_create(const struct rhw_context_def *def, rhw_contex
     rhw_pool_init(&created->samplers, "sampler", sizeof(struct rhw_sampler_data));
     rhw_pool_init(&created->pipelines, "pipeline", sizeof(struct rhw_pipeline_data));
 
-    const enum rhw_result result = create_parts(created);
+    const bool validates = def->validate == RHW_VALIDATE_DEFAULT ? debug : def->validate == RHW_VALIDATE_ON;
+    const enum rhw_result result = create_parts(created, validates);
     if (result != RHW_OK) {
         rhw_context_destroy(created);
         return result;
     }
-    rhw_context_log(created, RHW_LOG_INFO, "rhw %s: %d thread%s, %s kernels", rhw_version(), created->threads,
-                    created->threads == 1 ? "" : "s", rhw_isa_name(isa));
+    rhw_context_log(created, RHW_LOG_INFO, "rhw %s: %d thread%s, %s kernels%s", rhw_version(),
+                    created->threads, created->threads == 1 ? "" : "s", rhw_isa_name(isa),
+                    validates ? ", validation" : "");
     *context = created;
     return RHW_OK;
 }
@@ -170,6 +207,7 @@ void rhw_context_destroy(rhw_context *context)
         rhw_pass_state_destroy(context, context->pass);
     }
     destroy_resources(context);
+    destroy_findings(context);
     rhw_scheduler_destroy(&context->memory, context->scheduler);
     struct rhw_memory memory = context->memory;
     rhw_memory_release(&memory, context, sizeof *context);

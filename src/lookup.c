@@ -81,12 +81,3 @@ bool rhw_context_records(const struct rhw_context *context, const struct rhw_poo
 {
     return context->recording.active && rhw_pool_last_use(pool, index) == context->recording.generation;
 }
-
-void rhw_context_end_item(struct rhw_context *context, struct rhw_pool *pool, uint32_t index)
-{
-    if (rhw_context_records(context, pool, index)) {
-        rhw_pool_retire(&context->memory, pool, index);
-    } else {
-        rhw_pool_remove(&context->memory, pool, index);
-    }
-}

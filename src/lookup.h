@@ -31,7 +31,4 @@ struct rhw_name rhw_name_of(const struct rhw_pool *pool, uint32_t index);
 // Whether the pass being recorded uses the live item of one of the context's pools.
 bool rhw_context_records(const struct rhw_context *context, const struct rhw_pool *pool, uint32_t index);
 
-// Removes a live item that owns nothing, or retires it where the pass being recorded uses it.
-void rhw_context_end_item(struct rhw_context *context, struct rhw_pool *pool, uint32_t index);
-
 #endif

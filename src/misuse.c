@@ -67,15 +67,16 @@ static void append_draw(struct message *message, const struct rhw_recording *rec
     }
 }
 
-static void append_place(struct message *message, const struct rhw_context *context)
+static void append_place(struct message *message, const struct rhw_context *context,
+                         const struct rhw_recording *place)
 {
-    const bool recording = context->recording.active, labelled = context->label[0] != 0;
+    const bool recording = place->active, labelled = context->label[0] != 0;
     if (!recording && !labelled) {
         return;
     }
     append(message, " [");
     if (recording) {
-        append_draw(message, &context->recording);
+        append_draw(message, place);
     }
     if (labelled) {
         append(message, "%scontext \"%s\"", recording ? ", " : "", context->label);
@@ -94,10 +95,11 @@ static void tell(const struct rhw_context *context, const char *text)
 
 // Calls the hook of a context that this thread is in. The hook may leave by longjmp or an exception: the context is left
 // before, and entered again for the call that found the misuse to go on.
-static void tell_inside(struct rhw_context *context, struct message *message)
+static void tell_inside(struct rhw_context *context, const struct rhw_recording *place,
+                        struct message *message)
 {
-    append_place(message, context);
-    context->recording.misused = context->recording.active;
+    append_place(message, context, place);
+    context->recording.misused |= context->recording.active;
     const char *const where = atomic_exchange_explicit(&context->entered, NULL, memory_order_relaxed);
     tell(context, message->text);
     atomic_store_explicit(&context->entered, where, memory_order_relaxed);
@@ -113,8 +115,20 @@ void rhw_misuse(const struct rhw_context *context, const char *format, ...)
     if (context == NULL) {
         tell(context, message.text);
     } else {
-        tell_inside((struct rhw_context *)context, &message); // functions that only look report, too
+        // Functions that only look report, too.
+        tell_inside((struct rhw_context *)context, &context->recording, &message);
     }
+}
+
+void rhw_misuse_at(const struct rhw_context *context, const struct rhw_recording *place, const char *format,
+                   ...)
+{
+    struct message message = {.length = 0};
+    va_list arguments;
+    va_start(arguments, format);
+    append_list(&message, format, arguments);
+    va_end(arguments);
+    tell_inside((struct rhw_context *)context, place, &message);
 }
 
 void rhw_misuse_outside(const struct rhw_context *context, const char *format, ...)

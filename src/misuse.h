@@ -13,6 +13,11 @@ __attribute__((format(printf, 3, 4))) void rhw_context_log(const struct rhw_cont
 // and its end will be an error.
 __attribute__((format(printf, 2, 3), cold)) void rhw_misuse(const struct rhw_context *context,
                                                             const char *format, ...);
+// The same with what was recorded earlier as the place.
+struct rhw_recording;
+__attribute__((format(printf, 3, 4), cold)) void rhw_misuse_at(const struct rhw_context *context,
+                                                               const struct rhw_recording *place,
+                                                               const char *format, ...);
 // The same for a call that could not enter the context: it does not look at what another thread may be changing.
 __attribute__((format(printf, 2, 3), cold)) void rhw_misuse_outside(const struct rhw_context *context,
                                                                     const char *format, ...);

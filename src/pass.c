@@ -10,7 +10,9 @@
 #include "buffer.h"
 #include "context.h"
 #include "cpu.h"
+#include "draw_range.h"
 #include "entry.h"
+#include "findings.h"
 #include "format.h"
 #include "hidden_surface.h"
 #include "lookup.h"
@@ -22,6 +24,7 @@
 #include "sampler.h"
 #include "shared_vertices.h"
 #include "srgb_texture.h"
+#include "watch.h"
 
 enum rhw_result rhw_pass_state_create(struct rhw_context *context, struct rhw_pass_state **out)
 {
@@ -517,6 +520,19 @@ static bool check_draw(const struct rhw_pass_state *pass, bool indexed, const ch
     return true;
 }
 
+// The uniforms of the next draw, as its pipeline's functions or their watch want them.
+static const void *uniforms_of(struct rhw_pass_state *pass)
+{
+    const struct rhw_pipeline_data *const pipeline = pass->pending.pipeline;
+    if (!pipeline->watch) {
+        return pass->uniforms;
+    }
+    const void *const watched = rhw_watched_uniforms(&pass->arena, pass->uniforms,
+                                                     pipeline->def.program.uniform_size, pass->draws.count);
+    pass->out_of_memory |= !watched;
+    return watched;
+}
+
 static void append_draw(struct rhw_pass_state *pass, const struct rhw_draw *draw, uint32_t count)
 {
     const uint64_t environment = rhw_cpu_float_enter(); // viewport and blend constant are converted in it
@@ -529,14 +545,16 @@ static void append_draw(struct rhw_pass_state *pass, const struct rhw_draw *draw
     }
     *slot = *draw;
     slot->state = state;
-    slot->uniforms = pass->uniforms;
+    slot->uniforms = uniforms_of(pass);
     slot->index = pass->draws.count;
+    slot->group = pass->context->recording.group;
     slot->first_triangle = pass->triangle_count;
-    if (!rhw_assembly_prepare(slot, count, &pass->arena)) {
+    if (pass->out_of_memory || !rhw_assembly_prepare(slot, count, &pass->arena)) {
         pass->out_of_memory = true;
         return;
     }
     pass->draws.count++;
+    pass->context->recording.draw = pass->draws.count;
     pass->has_large_draws |= slot->indexed && slot->triangles_per_instance >= RHW_SHARING_TRIANGLES;
     pass->triangle_count += (uint64_t)slot->triangles_per_instance * slot->instances;
 }
@@ -548,10 +566,10 @@ static void record(rhw_context *context, rhw_pass id, const struct rhw_draw *dra
     if (!pass) {
         return;
     }
-    if (!pass->out_of_memory && check_draw(pass, draw->indexed, where)) {
+    if (!pass->out_of_memory && check_draw(pass, draw->indexed, where) &&
+        (!context->findings || rhw_draw_range_check(pass, draw, count, where))) {
         append_draw(pass, draw, count);
     }
-    context->recording.draw++;
     rhw_context_leave(context);
 }
 
@@ -584,7 +602,30 @@ static void release_retired(rhw_context *context)
     while ((texture = rhw_pool_unretire(&context->textures)) != NULL) {
         rhw_texture_data_destroy(&context->memory, *texture);
     }
-    while (rhw_pool_unretire(&context->samplers) != NULL || rhw_pool_unretire(&context->pipelines) != NULL) {
+    struct rhw_pipeline_data *pipeline;
+    while ((pipeline = rhw_pool_unretire(&context->pipelines)) != NULL) {
+        rhw_pipeline_data_release(&context->memory, pipeline);
+    }
+    while (rhw_pool_unretire(&context->samplers) != NULL) {
+    }
+}
+
+// What validation found while the pass ran.
+static void report_findings(struct rhw_pass_state *pass)
+{
+    rhw_context *const context = pass->context;
+    const struct rhw_finding *const warning = &context->findings->kinds[RHW_FINDING_WARNING];
+    const struct rhw_finding *const misuse = &context->findings->kinds[RHW_FINDING_MISUSE];
+    if (warning->found) {
+        rhw_context_log(context, RHW_LOG_WARNING, "%s [draw %u of pass \"%s\"]", warning->text,
+                        (unsigned)warning->draw, context->recording.label);
+    }
+    if (misuse->found) {
+        struct rhw_recording place = context->recording;
+        place.active = true;
+        place.draw = misuse->draw;
+        place.group = rhw_pass_draw_at(pass, misuse->draw)->group;
+        rhw_misuse_at(context, &place, "%s", misuse->text);
     }
 }
 
@@ -593,10 +634,18 @@ static enum rhw_result end(struct rhw_pass_state *pass, struct rhw_stats *stats)
     rhw_context *const context = pass->context;
     (void)rhw_check(context, context->recording.group == NULL,
                     "rhw_pass_end: a debug group was pushed and not popped");
+    if (context->findings) {
+        rhw_findings_clear(context->findings);
+    }
     context->recording.active = false;
+    bool misused = context->recording.misused;
     const enum rhw_result result = pass->out_of_memory ? RHW_ERROR_OUT_OF_MEMORY : rhw_pass_run(pass, stats);
     release_retired(context);
-    return result == RHW_OK && context->recording.misused ? RHW_ERROR_MISUSE : result;
+    if (context->findings && result == RHW_OK) {
+        misused |= context->findings->kinds[RHW_FINDING_MISUSE].found;
+        report_findings(pass);
+    }
+    return result == RHW_OK && misused ? RHW_ERROR_MISUSE : result;
 }
 
 enum rhw_result rhw_pass_end(rhw_context *context, rhw_pass id, struct rhw_stats *stats)

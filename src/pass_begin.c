@@ -90,6 +90,17 @@ static void set_clear(struct rhw_attachment *attachment, const unsigned char *te
     }
 }
 
+// Under validation.
+static bool check_clear(const rhw_context *context, const float clear[4], int i)
+{
+    for (int c = 0; c < 4; c++) {
+        if (!rhw_check(context, clear[c] == clear[c], "%s: colors[%d].clear[%d] is NaN", where, i, c)) {
+            return false;
+        }
+    }
+    return true;
+}
+
 static enum rhw_result attach_color(struct rhw_pass_state *pass, const struct rhw_pass_def *def, int i)
 {
     struct rhw_context *const context = pass->context;
@@ -106,6 +117,9 @@ static enum rhw_result attach_color(struct rhw_pass_state *pass, const struct rh
     if (!rhw_check(context, rhw_format_has_role(info, RHW_ROLE_COLOR_TARGET),
                    "%s: colors[%d] is %s, which is %s; that is no colour target", where, i,
                    name_of(context, color->texture).text, info->name)) {
+        return RHW_ERROR_MISUSE;
+    }
+    if (context->findings && !check_clear(context, color->clear, i)) {
         return RHW_ERROR_MISUSE;
     }
     attachment->load = load_of(color->load);

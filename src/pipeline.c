@@ -10,6 +10,7 @@
 #include "lookup.h"
 #include "misuse.h"
 #include "rhw/rhw.h"
+#include "watch.h"
 
 static const char *const create_name = "rhw_pipeline_create";
 
@@ -184,13 +185,22 @@ static bool check_target(const struct rhw_context *context, int index, const str
                      create_name, index, target->write_mask, RHW_WRITE_NONE);
 }
 
+static bool has_fragment(const struct rhw_program *program)
+{
+    return program->fragment[RHW_ISA_BASELINE] != NULL || program->fragment1 != NULL;
+}
+
 static bool check_targets(const struct rhw_context *context, const struct rhw_pipeline_def *def)
 {
     if (!check_range(context, "target_count", def->target_count, 0, RHW_MAX_COLOR_ATTACHMENTS)) {
         return false;
     }
     for (int i = 0; i < def->target_count; i++) {
-        if (!check_target(context, i, &def->targets[i])) {
+        if (!check_target(context, i, &def->targets[i]) ||
+            !rhw_check(context, has_fragment(&def->program) || def->targets[i].write_mask == RHW_WRITE_NONE,
+                       "%s: the program has no fragment function and targets[%d] is written; give it one, or "
+                       "the target the write_mask RHW_WRITE_NONE",
+                       create_name, i)) {
             return false;
         }
     }
@@ -330,6 +340,22 @@ void rhw_pipeline_data_init(struct rhw_pipeline_data *data, const struct rhw_pip
     pair_derivatives(data);
 }
 
+void rhw_pipeline_data_release(struct rhw_memory *memory, struct rhw_pipeline_data *data)
+{
+    rhw_memory_release(memory, data->watch, sizeof *data->watch);
+}
+
+// Puts a watch on the pipeline's functions. False when out of memory.
+static bool watch(struct rhw_context *context, uint32_t index, struct rhw_pipeline_data *data)
+{
+    struct rhw_watch *const made =
+        rhw_memory_allocate(&context->memory, sizeof *made, _Alignof(struct rhw_watch));
+    if (made != NULL) {
+        rhw_watch_init(made, context->findings, data, rhw_name_of(&context->pipelines, index).text);
+    }
+    return made != NULL;
+}
+
 static enum rhw_result create(struct rhw_context *context, const struct rhw_pipeline_def *def, uint32_t flaws,
                               rhw_pipeline *pipeline)
 {
@@ -343,6 +369,10 @@ static enum rhw_result create(struct rhw_context *context, const struct rhw_pipe
         return RHW_ERROR_OUT_OF_MEMORY;
     }
     rhw_pipeline_data_init(data, def, context->isa);
+    if (context->findings && !watch(context, id.index, data)) {
+        rhw_pool_remove(&context->memory, &context->pipelines, id.index);
+        return RHW_ERROR_OUT_OF_MEMORY;
+    }
     *pipeline = id;
     return RHW_OK;
 }
@@ -367,8 +397,12 @@ void rhw_pipeline_destroy(rhw_context *context, rhw_pipeline pipeline)
     if (!rhw_context_enter(context, where)) {
         return;
     }
-    if (rhw_context_pipeline(context, pipeline, where) != NULL) {
-        rhw_context_end_item(context, &context->pipelines, pipeline.index);
+    struct rhw_pipeline_data *const data = rhw_context_pipeline(context, pipeline, where);
+    if (data != NULL && rhw_context_records(context, &context->pipelines, pipeline.index)) {
+        rhw_pool_retire(&context->memory, &context->pipelines, pipeline.index);
+    } else if (data != NULL) {
+        rhw_pipeline_data_release(&context->memory, data);
+        rhw_pool_remove(&context->memory, &context->pipelines, pipeline.index);
     }
     rhw_context_leave(context);
 }

@@ -5,8 +5,12 @@
 
 #include "rhw/types.h"
 
+struct rhw_watch;
+struct rhw_memory;
+
 struct rhw_pipeline_data {
     struct rhw_pipeline_def def;
+    struct rhw_watch *watch;     // under validation, and then in the place of its functions; see watch.h
     rhw_vertex_function *vertex; // best entry for the context's instruction set; NULL: use program.vertex1
     rhw_fragment_function *fragment; // likewise; NULL: program.fragment1, and when that is NULL too, depth only
     int varying_components;          // of all varyings together
@@ -32,5 +36,8 @@ struct rhw_pipeline_data {
 // `def` is valid; `isa` is the highest whose functions are taken.
 void rhw_pipeline_data_init(struct rhw_pipeline_data *data, const struct rhw_pipeline_def *def,
                             enum rhw_isa isa);
+
+// Releases what the item owns.
+void rhw_pipeline_data_release(struct rhw_memory *memory, struct rhw_pipeline_data *data);
 
 #endif

@@ -112,8 +112,11 @@ void rhw_sampler_destroy(rhw_context *context, rhw_sampler sampler)
     if (!rhw_context_enter(context, where)) {
         return;
     }
-    if (rhw_context_sampler(context, sampler, where) != NULL) {
-        rhw_context_end_item(context, &context->samplers, sampler.index);
+    const bool live = rhw_context_sampler(context, sampler, where) != NULL;
+    if (live && rhw_context_records(context, &context->samplers, sampler.index)) {
+        rhw_pool_retire(&context->memory, &context->samplers, sampler.index);
+    } else if (live) {
+        rhw_pool_remove(&context->memory, &context->samplers, sampler.index);
     }
     rhw_context_leave(context);
 }

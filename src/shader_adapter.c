@@ -1,16 +1,24 @@
 // SPDX-License-Identifier: MIT
 // A lane becomes a struct of plain floats and back. Nothing else differs from the 8-lane form, so both give
-// the same bytes.
+// the same bytes. Under validation (watch.h) all there is room for goes through, with the rubbish that undeclared inputs
+// and unwritten outputs hold.
 #include "shader_adapter.h"
+
+#include "watch.h"
 
 void rhw_vertex1_run(const struct rhw_pipeline_data *pipeline, struct rhw_vertex *groups, int count)
 {
-    const int attributes = pipeline->def.attribute_count, components = pipeline->varying_components;
+    const bool all = pipeline->watch != NULL;
+    const int attributes = all ? RHW_MAX_ATTRIBUTES : pipeline->def.attribute_count;
+    const int components = all ? RHW_WATCH_COMPONENTS : pipeline->varying_components;
     for (int i = 0; i < count * RHW_LANES; i++) {
         struct rhw_vertex *const group = &groups[i / RHW_LANES];
         const int lane = i % RHW_LANES;
         float attribute[RHW_MAX_ATTRIBUTES][4] = {{0}};
-        float varying[RHW_MAX_VARYING_COMPONENTS] = {0};
+        float varying[RHW_WATCH_COMPONENTS] = {0};
+        for (int c = 0; c < components && all; c++) {
+            varying[c] = group->varying[c][lane];
+        }
         for (int a = 0; a < attributes; a++) {
             for (int c = 0; c < 4; c++) {
                 attribute[a][c] = group->attribute[a][c][lane];
@@ -23,6 +31,9 @@ void rhw_vertex1_run(const struct rhw_pipeline_data *pipeline, struct rhw_vertex
                                   .user = group->user,
                                   .textures = group->textures,
                                   .varying = varying};
+        for (int c = 0; c < 4 && all; c++) {
+            one.position[c] = group->position[c][lane];
+        }
         pipeline->def.program.vertex1(&one);
         for (int c = 0; c < 4; c++) {
             group->position[c][lane] = one.position[c];
@@ -59,15 +70,21 @@ static void load_builtins(const struct rhw_fragment *group, int lane, uint32_t u
 
 static void run_fragment(const struct rhw_pipeline_data *pipeline, struct rhw_fragment *group, int lane)
 {
-    const int components = pipeline->varying_components, targets = pipeline->def.target_count;
-    const uint32_t uses = pipeline->def.program.uses;
-    float varying[RHW_MAX_VARYING_COMPONENTS], ddx[RHW_MAX_VARYING_COMPONENTS],
-        ddy[RHW_MAX_VARYING_COMPONENTS];
+    const bool all = pipeline->watch != NULL;
+    const int components = all ? RHW_WATCH_COMPONENTS : pipeline->varying_components;
+    const int targets = all ? RHW_MAX_COLOR_ATTACHMENTS : pipeline->def.target_count;
+    const uint32_t uses = all ? UINT32_MAX : pipeline->def.program.uses;
+    float varying[RHW_WATCH_COMPONENTS], ddx[RHW_WATCH_COMPONENTS], ddy[RHW_WATCH_COMPONENTS];
     float color[RHW_MAX_COLOR_ATTACHMENTS][4] = {{0}};
     for (int c = 0; c < components; c++) {
         varying[c] = group->varying[c][lane];
-        ddx[c] = pipeline->component_derivatives[c] ? group->ddx[c][lane] : 0;
-        ddy[c] = pipeline->component_derivatives[c] ? group->ddy[c][lane] : 0;
+        ddx[c] = all || pipeline->component_derivatives[c] ? group->ddx[c][lane] : 0;
+        ddy[c] = all || pipeline->component_derivatives[c] ? group->ddy[c][lane] : 0;
+    }
+    for (int t = 0; t < targets && all; t++) {
+        for (int c = 0; c < 4; c++) {
+            color[t][c] = group->color[t][c][lane];
+        }
     }
     struct rhw_fragment1 one = {.varying = varying,
                                 .ddx = ddx,

@@ -7,8 +7,22 @@
 
 // Context -------------------------------------------------------------------------------------------
 
-/// Creates a context and its worker threads. On failure `*context` is NULL.
-RHW_API enum rhw_result rhw_context_create(const struct rhw_context_def *def, rhw_context **context);
+/// rhw_context_create for those who call it from another language: `debug` is what RHW_VALIDATE_DEFAULT stands for.
+RHW_API enum rhw_result rhw_context_create_probed(const struct rhw_context_def *def, bool debug,
+                                                  rhw_context **context);
+
+/// Creates a context and its worker threads. On failure `*context` is NULL. Here, and not in the library, because it
+/// tells whether your program is built for debugging.
+static inline enum rhw_result rhw_context_create(const struct rhw_context_def *def, rhw_context **context)
+{
+#if defined(NDEBUG) || defined(__OPTIMIZE__)
+    const bool debug = false;
+#else
+    const bool debug = true;
+#endif
+    return rhw_context_create_probed(def, debug, context);
+}
+
 /// Destroys the context and everything in it. NULL is allowed. Not while a pass is recorded.
 RHW_API void rhw_context_destroy(rhw_context *context);
 RHW_API int rhw_context_threads(const rhw_context *context);

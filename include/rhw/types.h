@@ -47,12 +47,24 @@ enum rhw_paths {
     RHW_PATHS_GENERAL   ///< the general path always: to learn how the kernels work, and to find which path is at fault
 };
 
+/// Validation finds what is no misuse to the library and rarely meant: shader functions that read what their program
+/// does not declare, discard or write depth without saying so, leave colours, positions or varyings unwritten, or sample
+/// slots that do not exist; draws that reach outside their buffers; odd index offsets; NaN to clear with. It is told as
+/// misuse: what a shader function did when the pass ends, for its earliest draw, with the draw and a pixel. NaN in
+/// colours is a warning in the log. Pictures are the same, and take several times as long.
+enum rhw_validation {
+    RHW_VALIDATE_DEFAULT, ///< on where the context is created by a file compiled without optimization and NDEBUG
+    RHW_VALIDATE_ON,
+    RHW_VALIDATE_OFF
+};
+
 struct rhw_context_def {
     /// 1..64: the caller's thread and workers; 1 the caller's alone. 0: as many as whole cores' time the process may
     /// use, by affinity and the limits of control groups (1 where it may use one core and a half).
     int threads;
     enum rhw_isa_limit isa_limit; ///< RHW_ISA_BEST
     enum rhw_paths paths; ///< RHW_PATHS_ALL
+    enum rhw_validation validate; ///< RHW_VALIDATE_DEFAULT
     size_t bin_memory; ///< bytes of binned geometry kept before a pass is flushed to its tiles; 0: 512 MiB
     struct rhw_allocator allocator; ///< zeroed: malloc, and the system's pages for large blocks
     rhw_log_function *log;          ///< NULL: silent
@@ -229,7 +241,8 @@ typedef void rhw_fragment1_function(struct rhw_fragment1 *fragment);
 
 /// A vertex function, a fragment function and what flows between them. Index 0 (baseline) is enough; the
 /// same source compiled for other instruction sets may stand beside it, and the context takes the best
-/// entry at or below its own. The fragment function may be NULL: depth only.
+/// entry at or below its own. The fragment function may be NULL, for depth only: every target then has the write mask
+/// RHW_WRITE_NONE.
 struct rhw_program {
     rhw_vertex_function *vertex[RHW_ISA_COUNT];
     rhw_fragment_function *fragment[RHW_ISA_COUNT];

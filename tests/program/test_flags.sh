@@ -46,6 +46,7 @@ int main(void)
     context_def.threads = 1;
     context_def.assert_ = told;
     def.program.vertex1 = place;
+    def.target_count = 0;
     if (rhw_context_create(&context_def, &context) != RHW_OK) {
         return 1;
     }

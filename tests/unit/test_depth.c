@@ -406,8 +406,10 @@ static void test_equal_after_a_prepass(void **state)
     }
     rig_begin(&rig);
     rig_set_program(&rig, rig_vertex_pass, NULL);
+    rig.pipeline.targets[0].write_mask = RHW_WRITE_NONE;
     rig_draw(&rig, vertices, 300);
     rig_set_program(&rig, rig_vertex_pass, rig_fragment_pass);
+    rig.pipeline.targets[0].write_mask = 0;
     rig.pipeline.depth_compare = RHW_COMPARE_EQUAL;
     rig.pipeline.depth_read_only = true;
     rig_draw(&rig, vertices, 300);

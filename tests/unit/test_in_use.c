@@ -36,6 +36,7 @@ static void test_bins_are_bounded(void **state)
         memcpy(&vertices[3 * i], triangle, sizeof triangle);
     }
     rig.pipeline.program.fragment[0] = NULL; // binning is what counts
+    rig.pipeline.targets[0].write_mask = RHW_WRITE_NONE;
     rig_draw_once(&rig, vertices, TRIANGLES * 3);
     assert_int_equal(rig.stats.triangles_rasterized, TRIANGLES);
     assert_true(rig.stats.flushes >= 1); // 2 MiB of entries, above 1 MiB of triangles and vertices

@@ -130,7 +130,8 @@ static void choose_state(struct rig *rig, const struct recipe *recipe, uint64_t 
     rig->pipeline.cull = (enum rhw_cull)(rig_random_int(seed, 6) == 0 ? 1 + rig_random_int(seed, 2) : 0);
     target->blend = rig_random_int(seed, 6) == 0;
     target->color = (struct rhw_blend_component){RHW_BLEND_SRC_ALPHA, RHW_BLEND_ONE, RHW_BLEND_ADD};
-    target->write_mask = rig_random_int(seed, 8) == 0 ? 5 : 15;
+    const bool masked = rig_random_int(seed, 8) == 0;
+    target->write_mask = rig->pipeline.program.fragment[0] == NULL ? RHW_WRITE_NONE : masked ? 5 : 15;
 }
 
 // A triangle anywhere, at most `size` pixels wide.

@@ -1,0 +1,272 @@
+// SPDX-License-Identifier: MIT
+// Fragment functions under validation.
+#include <stdio.h>
+#include <string.h>
+
+#include "findings.h"
+#include "format.h"
+#include "shader_adapter.h"
+#include "watch.h"
+
+// One run of the function over one group.
+struct fragment_run {
+    struct rhw_bindings textures;
+    struct rhw_fragment group;
+    rhw_float varying[RHW_WATCH_COMPONENTS], ddx[RHW_WATCH_COMPONENTS], ddy[RHW_WATCH_COMPONENTS];
+    rhw_float color[RHW_MAX_COLOR_ATTACHMENTS][4];
+};
+
+// What may hold other rubbish than in the first run, a bit each: what the program can leave undeclared.
+enum {
+    VARYINGS = 1 << 16, // above enum rhw_fragment_use
+    DERIVATIVES = 1 << 17,
+    UNIFORMS = 1 << 18,
+    EVERYTHING = -1
+};
+
+static const struct {
+    int32_t bit;
+    const char *message; // what is read; then what it lacks
+} undeclared[] = {
+    {VARYINGS, "reads a varying behind the last component"},
+    {DERIVATIVES, "reads ddx or ddy of a varying that does not ask for derivatives"},
+    {UNIFORMS, "reads uniforms behind uniform_size"},
+    {RHW_USE_COORD, "reads coord; RHW_USE_COORD is missing in its program's uses"},
+    {RHW_USE_FACING, "reads front_facing; RHW_USE_FACING is missing in its program's uses"},
+    {RHW_USE_IDS, "reads primitive, instance or draw; RHW_USE_IDS is missing in its program's uses"},
+    {RHW_USE_BARYCENTRIC, "reads barycentric weights; RHW_USE_BARYCENTRIC is missing in its program's uses"},
+    {RHW_USE_BARYCENTRIC_DERIVATIVES,
+     "reads derivatives of barycentric weights; RHW_USE_BARYCENTRIC_DERIVATIVES is missing in its program's uses"},
+    {RHW_USE_DEPTH, "reads depth; RHW_USE_DEPTH is missing in its program's uses"},
+};
+
+// `count` vectors: rubbish, of the second kind where `other`.
+static void spoil(rhw_float *values, int count, bool other)
+{
+    for (int i = 0; i < count; i++) {
+        values[i] = rhw_watch_rubbish(rhw_watch_input[other]);
+    }
+}
+
+// Integers may be used as indices: their rubbish is small.
+static void spoil_builtins(struct rhw_fragment *group, uint32_t uses, int32_t changed)
+{
+    if (!(uses & RHW_USE_COORD)) {
+        spoil(group->coord, 4, changed & RHW_USE_COORD);
+    }
+    if (!(uses & RHW_USE_FACING)) {
+        group->front_facing = rhw_splat_int(changed & RHW_USE_FACING ? 0 : -1);
+    }
+    if (!(uses & RHW_USE_IDS)) {
+        group->primitive = group->instance = group->draw = rhw_splat_int(changed & RHW_USE_IDS ? 0 : 1);
+    }
+    if (!(uses & RHW_USE_BARYCENTRIC)) {
+        spoil(group->barycentric, 3, changed & RHW_USE_BARYCENTRIC);
+        spoil(group->barycentric_noperspective, 3, changed & RHW_USE_BARYCENTRIC);
+    }
+    if (!(uses & RHW_USE_BARYCENTRIC_DERIVATIVES)) {
+        spoil(group->barycentric_ddx, 3, changed & RHW_USE_BARYCENTRIC_DERIVATIVES);
+        spoil(group->barycentric_ddy, 3, changed & RHW_USE_BARYCENTRIC_DERIVATIVES);
+    }
+    if (!(uses & RHW_USE_DEPTH)) {
+        spoil(&group->depth, 1, changed & RHW_USE_DEPTH);
+    }
+}
+
+static void run(const struct rhw_watch *watch, const struct rhw_fragment *group, int32_t changed, bool second,
+                struct fragment_run *out)
+{
+    const struct rhw_pipeline_data *const pipeline = watch->pipeline;
+    spoil(out->varying, RHW_WATCH_COMPONENTS, changed & VARYINGS);
+    spoil(out->ddx, RHW_WATCH_COMPONENTS, changed & DERIVATIVES);
+    spoil(out->ddy, RHW_WATCH_COMPONENTS, changed & DERIVATIVES);
+    for (int i = 0; i < pipeline->varying_components; i++) {
+        out->varying[i] = group->varying[i];
+        if (pipeline->component_derivatives[i]) {
+            out->ddx[i] = group->ddx[i];
+            out->ddy[i] = group->ddy[i];
+        }
+    }
+    for (int t = 0; t < RHW_MAX_COLOR_ATTACHMENTS; t++) {
+        for (int c = 0; c < 4; c++) {
+            out->color[t][c] = rhw_watch_rubbish(rhw_watch_output[second]);
+        }
+    }
+    out->textures = *group->textures;
+    out->textures.site = (struct rhw_sample_site){watch->findings, rhw_watch_draw(group->uniforms)->draw,
+                                                  watch->name};
+    out->group = *group;
+    out->group.varying = out->varying;
+    out->group.ddx = out->ddx;
+    out->group.ddy = out->ddy;
+    out->group.color = out->color;
+    out->group.textures = &out->textures;
+    out->group.uniforms = rhw_watch_uniforms(group->uniforms, changed & UNIFORMS);
+    out->group.user = watch->user;
+    spoil_builtins(&out->group, watch->uses, changed);
+    if (watch->fragment) {
+        watch->fragment(&out->group, 1);
+    } else {
+        rhw_fragment1_run(pipeline, &out->group, 1);
+    }
+}
+
+// Channels of target t that a pass keeps, a bit each.
+static unsigned kept_channels(const struct rhw_watch *watch, int t)
+{
+    const struct rhw_pipeline_def *const def = &watch->pipeline->def;
+    return t >= def->target_count ? 0
+                                  : def->targets[t].write_mask &
+                                        ((1u << rhw_format_info(def->targets[t].format)->channels) - 1);
+}
+
+// Lanes of `mask` in which two runs have different results.
+static rhw_int differing(const struct rhw_watch *watch, const struct fragment_run *a,
+                         const struct fragment_run *b, rhw_int mask)
+{
+    rhw_int lanes = rhw_splat_int(0);
+    for (int t = 0; t < watch->pipeline->def.target_count; t++) {
+        for (int c = 0; c < 4; c++) {
+            if (kept_channels(watch, t) & 1u << c) {
+                lanes |= rhw_watch_differs(a->color[t][c], b->color[t][c], mask);
+            }
+        }
+    }
+    if (watch->uses & RHW_USE_DISCARD) {
+        lanes |= (a->group.mask != b->group.mask) & mask;
+    }
+    if (watch->uses & RHW_USE_DEPTH) {
+        lanes |= rhw_watch_differs(a->group.depth, b->group.depth, mask);
+    }
+    return lanes;
+}
+
+static int first_lane(rhw_int lanes)
+{
+    int lane = 0;
+    while (lane < RHW_LANES - 1 && lanes[lane] == 0) {
+        lane++;
+    }
+    return lane;
+}
+
+// Tells what is wrong with a fragment, and which pixel it is.
+static void report(const struct rhw_watch *watch, const struct rhw_fragment *group, rhw_int lanes,
+                   enum rhw_finding_kind kind, const char *what)
+{
+    const int lane = first_lane(lanes);
+    rhw_findings_add(watch->findings, kind, rhw_watch_draw(group->uniforms)->draw,
+                     "the fragment function of %s %s; at pixel %d, %d", watch->name, what,
+                     (int)group->coord[0][lane], (int)group->coord[1][lane]);
+}
+
+static void report_channel(const struct rhw_watch *watch, const struct rhw_fragment *group, rhw_int lanes,
+                           enum rhw_finding_kind kind, const char *verb, int t, int c)
+{
+    char what[64];
+    snprintf(what, sizeof what, "%s color[%d][%d]", verb, t, c);
+    report(watch, group, lanes, kind, what);
+}
+
+// Looks for channels that were not written, and those written that no target has. False when there is none.
+static bool check_channels(const struct rhw_watch *watch, const struct rhw_fragment *group,
+                           const struct fragment_run *first, const struct fragment_run *second, rhw_int mask)
+{
+    for (int t = 0; t < RHW_MAX_COLOR_ATTACHMENTS; t++) {
+        for (int c = 0; c < 4; c++) {
+            const bool kept = kept_channels(watch, t) & 1u << c;
+            if (kept && rhw_watch_unwritten(first->color[t][c], second->color[t][c], mask)) {
+                report_channel(watch, group, mask, RHW_FINDING_MISUSE, "does not write", t, c);
+                return true;
+            }
+            if (t >= watch->pipeline->def.target_count &&
+                rhw_any(((rhw_int)first->color[t][c] != (int32_t)rhw_watch_output[0]) & mask)) {
+                report_channel(watch, group, mask, RHW_FINDING_MISUSE,
+                               "has no such target in its pipeline and writes", t, c);
+                return true;
+            }
+        }
+    }
+    return false;
+}
+
+// The same for what is no colour.
+static bool check_side_results(const struct rhw_watch *watch, const struct rhw_fragment *group,
+                               const struct fragment_run *first, rhw_int mask)
+{
+    const rhw_int gone = (first->group.mask == 0) & mask;
+    if (!(watch->uses & RHW_USE_DISCARD) && rhw_any(gone)) {
+        report(watch, group, gone, RHW_FINDING_MISUSE,
+               "discards fragments; RHW_USE_DISCARD is missing in its program's uses");
+        return true;
+    }
+    const rhw_int moved = ((rhw_int)first->group.depth != (int32_t)rhw_watch_input[0]) & mask;
+    if (!(watch->uses & RHW_USE_DEPTH) && rhw_any(moved)) {
+        report(watch, group, moved, RHW_FINDING_MISUSE,
+               "writes depth; RHW_USE_DEPTH is missing in its program's uses");
+        return true;
+    }
+    return false;
+}
+
+// Changes one thing after the other, to find the one that the result depends on.
+static __attribute__((cold)) void name_input(const struct rhw_watch *watch, const struct rhw_fragment *group,
+                                             const struct fragment_run *first, rhw_int lanes)
+{
+    for (size_t i = 0; i < sizeof undeclared / sizeof undeclared[0]; i++) {
+        struct fragment_run other;
+        run(watch, group, undeclared[i].bit, false, &other);
+        if (rhw_any(differing(watch, first, &other, lanes))) {
+            report(watch, group, lanes, RHW_FINDING_MISUSE, undeclared[i].message);
+            return;
+        }
+    }
+    report(watch, group, lanes, RHW_FINDING_MISUSE, "gives two results for the same inputs");
+}
+
+static bool is_integer(const struct rhw_watch *watch, int t)
+{
+    return rhw_format_info(watch->pipeline->def.targets[t].format)->codec == RHW_CODEC_UINT32;
+}
+
+static void warn_of_nan(const struct rhw_watch *watch, const struct rhw_fragment *group,
+                        const struct fragment_run *first, rhw_int mask)
+{
+    for (int t = 0; t < watch->pipeline->def.target_count; t++) {
+        for (int c = 0; c < 4 && !is_integer(watch, t); c++) {
+            const rhw_float value = first->color[t][c];
+            const rhw_int nan = (value != value) & mask;
+            if (kept_channels(watch, t) & 1u << c && rhw_any(nan)) {
+                report_channel(watch, group, nan, RHW_FINDING_WARNING, "gives NaN in", t, c);
+                return;
+            }
+        }
+    }
+}
+
+void rhw_watched_fragment(struct rhw_fragment *groups, int count)
+{
+    const struct rhw_watch *const watch = groups->user;
+    for (int g = 0; g < count; g++) {
+        struct rhw_fragment *const group = &groups[g];
+        const rhw_int mask = group->mask;
+        struct fragment_run first, second;
+        run(watch, group, 0, false, &first);
+        run(watch, group, EVERYTHING, true, &second);
+        const rhw_int live = watch->uses & RHW_USE_DISCARD ? first.group.mask & mask : mask;
+        const rhw_int lanes = differing(watch, &first, &second, live);
+        if (!check_channels(watch, group, &first, &second, live) &&
+            !check_side_results(watch, group, &first, mask)) {
+            if (rhw_any(lanes)) {
+                name_input(watch, group, &first, lanes);
+            } else {
+                warn_of_nan(watch, group, &first, live);
+            }
+        }
+        memcpy(group->color, first.color, (size_t)watch->pipeline->def.target_count * sizeof first.color[0]);
+        group->mask = watch->uses & RHW_USE_DISCARD ? first.group.mask : mask;
+        if (watch->uses & RHW_USE_DEPTH) {
+            group->depth = first.group.depth;
+        }
+    }
+}
