@@ -64,12 +64,14 @@ static enum rhw_result draw_frame(rhw_context *context, rhw_pipeline pipeline, r
 {
     static struct drop_vertex vertices[3 * DROPS];
     const uint32_t count = move_drops(vertices, frame);
-    rhw_buffer_write(context, buffer, 0, vertices, count * sizeof vertices[0]);
-
+    enum rhw_result result = rhw_buffer_write(context, buffer, 0, vertices, count * sizeof vertices[0]);
+    if (result != RHW_OK) {
+        return result;
+    }
     struct rhw_pass_def def = {.color_count = 1};
     def.colors[0].texture = picture;
     rhw_pass pass;
-    const enum rhw_result result = rhw_pass_begin(context, &def, &pass);
+    result = rhw_pass_begin(context, &def, &pass);
     if (result != RHW_OK) {
         return result;
     }
