@@ -13,6 +13,8 @@
 #define RHW_EXTERN_C extern
 #endif
 
+// Functions of the archive are visible too: a shared library that it is linked into keeps them to itself with
+// -Wl,--exclude-libs,ALL (docs/embedding.md).
 #if defined(RHW_BUILD_SHARED) || defined(RHW_BUILD_STATIC)
 #define RHW_API RHW_EXTERN_C __attribute__((visibility("default")))
 #else

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: MIT
-# cmake -D SOURCE=FILE[;FILE...] -D PAGE=FILE -P quotes.cmake: every block of the page that is C, CMake or make is a
-# verbatim part of one of the sources, and there is one. So what the page shows is what is compiled and run.
+# cmake -D SOURCE=FILE[;FILE...] -D PAGE=FILE -P quotes.cmake: every block of the page that is C, C++, CMake, make or
+# Meson is a verbatim part of one of the sources, and there is one. So what the page shows is what is compiled and run.
 cmake_minimum_required(VERSION 3.22)
 
 # Bytes that mean something in a CMake list are taken out of both sides alike.
@@ -18,7 +18,7 @@ foreach(file IN LISTS SOURCE)
   string(APPEND source "${content}\n")
 endforeach()
 read_plain("${PAGE}" text)
-string(REGEX REPLACE "```(cmake|make)\n" "```c\n" text "${text}")
+string(REGEX REPLACE "```(cpp|cmake|make|meson)\n" "```c\n" text "${text}")
 set(found 0)
 while(TRUE)
   string(FIND "${text}" "```c\n" start)
