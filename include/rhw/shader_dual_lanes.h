@@ -193,13 +193,15 @@ static inline struct rhw_dual rhw_dual_log(struct rhw_dual a)
 /// a^b. Where b does not change, a may be 0 or negative as in rhw_pow.
 static inline struct rhw_dual rhw_dual_pow(struct rhw_dual a, struct rhw_dual b)
 {
-    struct rhw_dual result =
-        rhw_dual_chain(rhw_pow(a.value, b.value), b.value * rhw_pow(a.value, b.value - rhw_splat(1.0f)), a);
+    const rhw_float steep = b.value * rhw_pow(a.value, b.value - 1.0f);
+    const rhw_float slope =
+        rhw_select(rhw_equal(b.value, 0.0f), 0.0f, steep); // 0 · ∞ otherwise, where a is 0
+    struct rhw_dual result = rhw_dual_chain(rhw_pow(a.value, b.value), slope, a);
     const rhw_int moves = rhw_not_equal(b.ddx, 0.0f) | rhw_not_equal(b.ddy, 0.0f);
     if (rhw_any(moves)) {
-        const rhw_float slope = result.value * rhw_log(a.value);
-        result.ddx = rhw_select(moves, result.ddx + slope * b.ddx, result.ddx);
-        result.ddy = rhw_select(moves, result.ddy + slope * b.ddy, result.ddy);
+        const rhw_float growth = result.value * rhw_log(a.value);
+        result.ddx = rhw_select(moves, result.ddx + growth * b.ddx, result.ddx);
+        result.ddy = rhw_select(moves, result.ddy + growth * b.ddy, result.ddy);
     }
     return result;
 }
@@ -312,52 +314,54 @@ static inline void rhw_dual_cross(const struct rhw_dual a[3], const struct rhw_d
     result[2] = rhw_dual_sub(rhw_dual_mul(a[0], b[1]), rhw_dual_mul(a[1], b[0]));
 }
 
-// One component of a vector of unit length: the change of a / |a| is that of `a` less its part along the unit vector,
-// by the length. `along` is 1 / |a| with unit · a'.
-static inline struct rhw_dual rhw_dual_unit(struct rhw_dual a, rhw_float unit, struct rhw_dual along)
+// Component i of a / |a| = unit, with scale = 1 / |a|. Its change is Σ unit_j (unit_j a_i' − unit_i a_j') / |a|, which
+// keeps its digits where `a` is nearly along an axis; a_i' − unit_i (unit · a') would lose them.
+static inline struct rhw_dual rhw_dual_unit(int count, const struct rhw_dual *a, const rhw_float *unit,
+                                            rhw_float scale, int i)
 {
-    return rhw_dual_make(unit, (a.ddx - unit * along.ddx) * along.value,
-                         (a.ddy - unit * along.ddy) * along.value);
+    rhw_float ddx = rhw_splat(0.0f), ddy = rhw_splat(0.0f);
+    for (int j = 0; j < count; j++) {
+        if (j != i) {
+            ddx += unit[j] * (unit[j] * a[i].ddx - unit[i] * a[j].ddx);
+            ddy += unit[j] * (unit[j] * a[i].ddy - unit[i] * a[j].ddy);
+        }
+    }
+    return rhw_dual_make(unit[i], ddx * scale, ddy * scale);
 }
 
 /// A vector of length 1 along `a`; `result` may be `a`. Lengths as in rhw_normalize2.
 static inline void rhw_dual_normalize2(const struct rhw_dual a[2], struct rhw_dual result[2])
 {
+    const struct rhw_dual from[2] = {a[0], a[1]};
     const rhw_float value[2] = {a[0].value, a[1].value};
     const rhw_float scale = rhw_normalizing(rhw_dot2(value, value));
     const rhw_float unit[2] = {value[0] * scale, value[1] * scale};
-    const struct rhw_dual along = rhw_dual_make(scale, unit[0] * a[0].ddx + unit[1] * a[1].ddx,
-                                                unit[0] * a[0].ddy + unit[1] * a[1].ddy);
     for (int i = 0; i < 2; i++) {
-        result[i] = rhw_dual_unit(a[i], unit[i], along);
+        result[i] = rhw_dual_unit(2, from, unit, scale, i);
     }
 }
 
 /// As rhw_dual_normalize2.
 static inline void rhw_dual_normalize3(const struct rhw_dual a[3], struct rhw_dual result[3])
 {
+    const struct rhw_dual from[3] = {a[0], a[1], a[2]};
     const rhw_float value[3] = {a[0].value, a[1].value, a[2].value};
     const rhw_float scale = rhw_normalizing(rhw_dot3(value, value));
     const rhw_float unit[3] = {value[0] * scale, value[1] * scale, value[2] * scale};
-    const struct rhw_dual along =
-        rhw_dual_make(scale, unit[0] * a[0].ddx + unit[1] * a[1].ddx + unit[2] * a[2].ddx,
-                      unit[0] * a[0].ddy + unit[1] * a[1].ddy + unit[2] * a[2].ddy);
     for (int i = 0; i < 3; i++) {
-        result[i] = rhw_dual_unit(a[i], unit[i], along);
+        result[i] = rhw_dual_unit(3, from, unit, scale, i);
     }
 }
 
 /// As rhw_dual_normalize2.
 static inline void rhw_dual_normalize4(const struct rhw_dual a[4], struct rhw_dual result[4])
 {
+    const struct rhw_dual from[4] = {a[0], a[1], a[2], a[3]};
     const rhw_float value[4] = {a[0].value, a[1].value, a[2].value, a[3].value};
     const rhw_float scale = rhw_normalizing(rhw_dot4(value, value));
     const rhw_float unit[4] = {value[0] * scale, value[1] * scale, value[2] * scale, value[3] * scale};
-    const struct rhw_dual along = rhw_dual_make(
-        scale, unit[0] * a[0].ddx + unit[1] * a[1].ddx + unit[2] * a[2].ddx + unit[3] * a[3].ddx,
-        unit[0] * a[0].ddy + unit[1] * a[1].ddy + unit[2] * a[2].ddy + unit[3] * a[3].ddy);
     for (int i = 0; i < 4; i++) {
-        result[i] = rhw_dual_unit(a[i], unit[i], along);
+        result[i] = rhw_dual_unit(4, from, unit, scale, i);
     }
 }
 
