@@ -11,14 +11,14 @@
 //              per pixel, by the rules (a b)' = a' b + a b' and so on through the loop. The same changes tell how many
 //              pixels away the set is, |z| ln |z| / |z'|, and its edge is as soft as a pixel is wide
 //
-// The shaders stand in 08_julia_shaders.c, which is compiled once per instruction set.
+// The shaders stand in julia_shaders.c, which is compiled once per instruction set.
 #include <math.h>
 #include <stdio.h>
 #include <string.h>
 
 #include <rhw/rhw.h>
 
-#include "08_julia.h"
+#include "julia.h"
 #include "picture.h"
 
 enum { PANEL = 400, SAMPLES = 4, SAMPLE_LEVELS = 3, TILE = 64 };

@@ -11,6 +11,8 @@
 //     const struct surface *in = RHW_VARYINGS(struct surface, f->varying);
 //     const struct surface *ddx = RHW_VARYINGS(struct surface, f->ddx);
 //
+// Of the derivatives, members that did not ask for them are not filled in.
+//
 // rhw_pipeline_create tells members that are missing, out of order, or of a size that a varying cannot have. One vertex
 // or fragment at a time has a struct of float with the same members; the functions of a program may mix both forms, as
 // either struct describes the varyings. Included by shader.h.

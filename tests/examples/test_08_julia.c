@@ -81,7 +81,8 @@ static void numbers(void **state)
         compared++;
         const struct exit_point middle = leave(x, y);
         const double du = (around[1].u - around[0].u) / (2 * h), dv = (around[3].v - around[2].v) / (2 * h);
-        const double across[2] = {(around[3].u - around[2].u) / (2 * h), (around[1].v - around[0].v) / (2 * h)};
+        const double across[2] = {(around[3].u - around[2].u) / (2 * h),
+                                  (around[1].v - around[0].v) / (2 * h)};
         const double reach = hypot(du, across[0]) + hypot(dv, across[1]);
         // Corners stand at multiples of 1/256 pixel.
         lesson_close((double)number[0], middle.u, 1e-4 + 0.02 * reach);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // What lesson 8 and its shaders agree on.
-#ifndef LESSON_08_JULIA_H
-#define LESSON_08_JULIA_H
+#ifndef JULIA_H
+#define JULIA_H
 
 #include <rhw/isa.h>
 #include <rhw/shader.h>

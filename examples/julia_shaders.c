@@ -2,7 +2,7 @@
 // The shaders of lesson 8, compiled once per instruction set: masks, a loop that lanes leave at different times, an
 // early return, a table in the uniforms, a texture at coordinates that are computed. Vectors cross functions that may
 // not be inlined by pointer alone.
-#include "08_julia.h"
+#include "julia.h"
 
 #include <rhw/shader_dual.h>
 
