@@ -9,8 +9,7 @@
 #include "misuse.h"
 #include "pipeline.h"
 
-static const uint32_t index_sizes[] = {
-    [RHW_INDEX_UINT8] = 1, [RHW_INDEX_UINT16] = 2, [RHW_INDEX_UINT32] = 4};
+static const uint32_t index_sizes[] = {[RHW_INDEX_UINT8] = 1, [RHW_INDEX_UINT16] = 2, [RHW_INDEX_UINT32] = 4};
 
 // Elements that attribute i finds in its buffer.
 static uint64_t elements_of(const struct rhw_pass_state *pass, int i)
@@ -49,7 +48,8 @@ static uint32_t index_at(const struct rhw_pass_state *pass, uint64_t i)
 {
     const uint32_t size = index_sizes[pass->pending.index_type];
     uint32_t value = 0;
-    memcpy(&value, pass->bound.indices.data->bytes + pass->bound.indices.offset + i * size, size); // little endian
+    memcpy(&value, pass->bound.indices.data->bytes + pass->bound.indices.offset + i * size,
+           size); // little endian
     return value;
 }
 
@@ -79,9 +79,10 @@ static bool check_indices(const struct rhw_pass_state *pass, const struct rhw_dr
     const size_t offset = pass->bound.indices.offset;
     const uint64_t there = (pass->bound.indices.data->size - offset) / size;
     uint32_t least = 0, most = 0;
-    if (!rhw_check(pass->context, offset % size == 0,
-                   "%s: the index buffer was set with offset %zu; it must be a multiple of the %u bytes of an index",
-                   where, offset, (unsigned)size) ||
+    if (!rhw_check(
+            pass->context, offset % size == 0,
+            "%s: the index buffer was set with offset %zu; it must be a multiple of the %u bytes of an index",
+            where, offset, (unsigned)size) ||
         !rhw_check(pass->context, (uint64_t)draw->first + count <= there,
                    "%s: first is %u and count is %u; the index buffer has %llu indices", where,
                    (unsigned)draw->first, (unsigned)count, (unsigned long long)there)) {
@@ -100,9 +101,9 @@ bool rhw_draw_range_check(const struct rhw_pass_state *pass, const struct rhw_dr
     if (count == 0 || draw->instances == 0) {
         return true;
     }
-    const bool vertices = draw->indexed ? check_indices(pass, draw, count, where)
-                                        : check_elements(pass, false, draw->first,
-                                                         (int64_t)draw->first + count - 1, where);
+    const bool vertices =
+        draw->indexed ? check_indices(pass, draw, count, where)
+                      : check_elements(pass, false, draw->first, (int64_t)draw->first + count - 1, where);
     return vertices && check_elements(pass, true, draw->first_instance,
                                       (int64_t)draw->first_instance + draw->instances - 1, where);
 }

@@ -10,8 +10,8 @@
 const uint32_t rhw_watch_input[2] = {0x7fc01234, 0x3ecf1bbd};
 const uint32_t rhw_watch_output[2] = {0x7fc05678, 0x3f2d74e1};
 
-void rhw_watch_init(struct rhw_watch *watch, struct rhw_findings *findings, struct rhw_pipeline_data *pipeline,
-                    const char *name)
+void rhw_watch_init(struct rhw_watch *watch, struct rhw_findings *findings,
+                    struct rhw_pipeline_data *pipeline, const char *name)
 {
     struct rhw_program *const program = &pipeline->def.program;
     *watch = (struct rhw_watch){.findings = findings,
@@ -42,7 +42,8 @@ static void put_copy(unsigned char *to, const void *uniforms, uint32_t size, uin
 
 const void *rhw_watched_uniforms(struct rhw_arena *arena, const void *uniforms, uint32_t size, uint32_t draw)
 {
-    const size_t second = ((size_t)size + RHW_WATCH_PADDING + RHW_CACHE_LINE - 1) & ~(size_t)(RHW_CACHE_LINE - 1);
+    const size_t second =
+        ((size_t)size + RHW_WATCH_PADDING + RHW_CACHE_LINE - 1) & ~(size_t)(RHW_CACHE_LINE - 1);
     struct rhw_watched_uniforms *const header =
         rhw_arena_alloc(arena, sizeof *header + 2 * second, RHW_CACHE_LINE);
     if (!header) {

@@ -37,8 +37,8 @@ struct rhw_watched_uniforms {
 };
 
 // Puts the watch, which the caller allocated, in the place of the pipeline's functions.
-void rhw_watch_init(struct rhw_watch *watch, struct rhw_findings *findings, struct rhw_pipeline_data *pipeline,
-                    const char *name);
+void rhw_watch_init(struct rhw_watch *watch, struct rhw_findings *findings,
+                    struct rhw_pipeline_data *pipeline, const char *name);
 
 // A draw's uniforms as its watch wants them, from `size` bytes at `uniforms`; NULL when out of memory.
 struct rhw_arena;

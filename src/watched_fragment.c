@@ -35,8 +35,8 @@ static const struct {
     {RHW_USE_FACING, "reads front_facing; RHW_USE_FACING is missing in its program's uses"},
     {RHW_USE_IDS, "reads primitive, instance or draw; RHW_USE_IDS is missing in its program's uses"},
     {RHW_USE_BARYCENTRIC, "reads barycentric weights; RHW_USE_BARYCENTRIC is missing in its program's uses"},
-    {RHW_USE_BARYCENTRIC_DERIVATIVES,
-     "reads derivatives of barycentric weights; RHW_USE_BARYCENTRIC_DERIVATIVES is missing in its program's uses"},
+    {RHW_USE_BARYCENTRIC_DERIVATIVES, "reads derivatives of barycentric weights; "
+                                      "RHW_USE_BARYCENTRIC_DERIVATIVES is missing in its program's uses"},
     {RHW_USE_DEPTH, "reads depth; RHW_USE_DEPTH is missing in its program's uses"},
 };
 
@@ -93,8 +93,8 @@ static void run(const struct rhw_watch *watch, const struct rhw_fragment *group,
         }
     }
     out->textures = *group->textures;
-    out->textures.site = (struct rhw_sample_site){watch->findings, rhw_watch_draw(group->uniforms)->draw,
-                                                  watch->name};
+    out->textures.site =
+        (struct rhw_sample_site){watch->findings, rhw_watch_draw(group->uniforms)->draw, watch->name};
     out->group = *group;
     out->group.varying = out->varying;
     out->group.ddx = out->ddx;
@@ -115,9 +115,9 @@ static void run(const struct rhw_watch *watch, const struct rhw_fragment *group,
 static unsigned kept_channels(const struct rhw_watch *watch, int t)
 {
     const struct rhw_pipeline_def *const def = &watch->pipeline->def;
-    return t >= def->target_count ? 0
-                                  : def->targets[t].write_mask &
-                                        ((1u << rhw_format_info(def->targets[t].format)->channels) - 1);
+    return t >= def->target_count
+               ? 0
+               : def->targets[t].write_mask & ((1u << rhw_format_info(def->targets[t].format)->channels) - 1);
 }
 
 // Lanes of `mask` in which two runs have different results.

@@ -32,8 +32,8 @@ static void run(const struct rhw_watch *watch, const struct rhw_vertex *group, u
         out->varying[i] = output;
     }
     out->textures = *group->textures;
-    out->textures.site = (struct rhw_sample_site){watch->findings, rhw_watch_draw(group->uniforms)->draw,
-                                                  watch->name};
+    out->textures.site =
+        (struct rhw_sample_site){watch->findings, rhw_watch_draw(group->uniforms)->draw, watch->name};
     out->group = *group;
     out->group.textures = &out->textures;
     out->group.attribute = (const rhw_float(*)[4])out->attribute;
@@ -83,11 +83,12 @@ static bool check_outputs(const struct rhw_watch *watch, uint32_t draw, const st
     for (int i = 0; i < RHW_WATCH_COMPONENTS; i++) {
         const bool written = !is_rubbish(first->varying[i], false) || !is_rubbish(second->varying[i], true);
         if (written != (i < components)) {
-            rhw_findings_add(watch->findings, RHW_FINDING_MISUSE, draw,
-                             written ? "the vertex function of %s writes varying[%d]; its program has %d components"
-                                     : "the vertex function of %s does not write varying[%d]; its program has %d "
-                                       "components",
-                             watch->name, i, components);
+            rhw_findings_add(
+                watch->findings, RHW_FINDING_MISUSE, draw,
+                written ? "the vertex function of %s writes varying[%d]; its program has %d components"
+                        : "the vertex function of %s does not write varying[%d]; its program has %d "
+                          "components",
+                watch->name, i, components);
             return true;
         }
     }
@@ -108,8 +109,8 @@ static __attribute__((cold)) void name_input(const struct rhw_watch *watch, uint
                          watch->name, watch->pipeline->def.attribute_count);
     } else if (uniforms) {
         rhw_findings_add(watch->findings, RHW_FINDING_MISUSE, draw,
-                         "the vertex function of %s reads uniforms behind uniform_size, which is %u", watch->name,
-                         (unsigned)watch->pipeline->def.program.uniform_size);
+                         "the vertex function of %s reads uniforms behind uniform_size, which is %u",
+                         watch->name, (unsigned)watch->pipeline->def.program.uniform_size);
     } else {
         rhw_findings_add(watch->findings, RHW_FINDING_MISUSE, draw,
                          "the vertex function of %s gives two results for the same inputs", watch->name);

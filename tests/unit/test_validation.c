@@ -102,7 +102,7 @@ static void paint1(struct rhw_fragment1 *f)
     case WRITE_NO_TARGET: f->color[1][2] = 1; break;
     case SAMPLE_NO_SLOT: {
         const float uv[2] = {0, 0};
-        rhw_sample1_lod(f->textures, 16, uv, 0, texel);
+        rhw_sample_lod1(f->textures, 16, uv, 0, texel);
         break;
     }
     case DIVIDE_BY_ZERO: extra = extra / texel[0]; break;
@@ -115,13 +115,14 @@ static void paint1(struct rhw_fragment1 *f)
 
 static const struct {
     enum deed deed;
-    uint32_t uses; // with which it is right
+    uint32_t uses;       // with which it is right
     const char *message; // NULL: nothing is wrong
 } deeds[] = {
     {NOTHING, 0, NULL},
     {READ_COORD, RHW_USE_COORD, "reads coord; RHW_USE_COORD is missing in its program's uses; at pixel "},
     {READ_FACING, RHW_USE_FACING, "reads front_facing; RHW_USE_FACING is missing in its program's uses"},
-    {READ_IDS, RHW_USE_IDS, "reads primitive, instance or draw; RHW_USE_IDS is missing in its program's uses"},
+    {READ_IDS, RHW_USE_IDS,
+     "reads primitive, instance or draw; RHW_USE_IDS is missing in its program's uses"},
     {READ_BARYCENTRIC, RHW_USE_BARYCENTRIC, "reads barycentric weights; RHW_USE_BARYCENTRIC is missing"},
     {READ_BARYCENTRIC_DERIVATIVES, RHW_USE_BARYCENTRIC_DERIVATIVES,
      "reads derivatives of barycentric weights; RHW_USE_BARYCENTRIC_DERIVATIVES is missing"},
@@ -229,7 +230,14 @@ static void test_nan_is_a_warning(void **state)
 
 // Vertex functions ------------------------------------------------------------------------------------
 
-enum { LEAVE_W = DEEDS, LEAVE_VARYING, WRITE_FAR_VARYING, READ_ATTRIBUTE, READ_FAR_UNIFORMS, SAMPLE_FROM_VERTEX };
+enum {
+    LEAVE_W = DEEDS,
+    LEAVE_VARYING,
+    WRITE_FAR_VARYING,
+    READ_ATTRIBUTE,
+    READ_FAR_UNIFORMS,
+    SAMPLE_FROM_VERTEX
+};
 
 static int vertex_deed;
 
@@ -267,7 +275,7 @@ static void place1(struct rhw_vertex1 *v)
     } else if (vertex_deed == READ_FAR_UNIFORMS) {
         extra = ((const float *)v->uniforms)[2];
     } else if (vertex_deed == SAMPLE_FROM_VERTEX) {
-        rhw_sample1_lod(v->textures, -1, (const float[2]){0, 0}, 0, texel);
+        rhw_sample_lod1(v->textures, -1, (const float[2]){0, 0}, 0, texel);
     } else if (vertex_deed == WRITE_FAR_VARYING) {
         v->varying[4] = extra;
     }
@@ -288,7 +296,8 @@ static void test_vertex_functions(void **state)
         int deed;
         const char *message;
     } wrong[] = {
-        {LEAVE_W, "the vertex function of pipeline 1 \"wrong\" does not write position[3] [draw 0 of pass \"main\"]"},
+        {LEAVE_W,
+         "the vertex function of pipeline 1 \"wrong\" does not write position[3] [draw 0 of pass \"main\"]"},
         {LEAVE_VARYING, "does not write varying[1]; its program has 4 components"},
         {WRITE_FAR_VARYING, "writes varying[4]; its program has 4 components"},
         {READ_ATTRIBUTE, "reads an attribute behind the last; the pipeline has 2"},
@@ -341,18 +350,21 @@ static void test_draws_stay_within_their_buffers(void **state)
     rhw_pass_draw_indexed(context, pass, 4, 3, -1, 0, 1);
     assert_int_equal(rig.misuses, 0);
     rhw_pass_draw(context, pass, 1, 6, 0, 1);
-    rig_expect_misuse(&rig, "rhw_pass_draw: it reads vertices 1 to 6; attribute 0 has 6 in the buffer of slot 0 [draw 5");
+    rig_expect_misuse(
+        &rig, "rhw_pass_draw: it reads vertices 1 to 6; attribute 0 has 6 in the buffer of slot 0 [draw 5");
     rhw_pass_draw(context, pass, 0, 6, 0, 2);
     rig_expect_misuse(&rig, "it reads instances 0 to 1; attribute 1 has 1 in the buffer of slot 1");
     rhw_pass_draw_indexed(context, pass, 2, 6, 0, 0, 1);
-    rig_expect_misuse(&rig, "rhw_pass_draw_indexed: first is 2 and count is 6; the index buffer has 7 indices");
+    rig_expect_misuse(&rig,
+                      "rhw_pass_draw_indexed: first is 2 and count is 6; the index buffer has 7 indices");
     rhw_pass_draw_indexed(context, pass, 0, 7, 0, 0, 1);
     rig_expect_misuse(&rig, "it reads vertices 0 to 6; attribute 0 has 6");
     rhw_pass_draw_indexed(context, pass, 0, 3, -1, 0, 1);
     rig_expect_misuse(&rig, "it reads vertices -1 to 1; attribute 0 has 6");
     rhw_pass_set_index_buffer(context, pass, rig.objects.buffers[2], RHW_INDEX_UINT16, 1);
     rhw_pass_draw_indexed(context, pass, 0, 3, 0, 0, 1);
-    rig_expect_misuse(&rig, "the index buffer was set with offset 1; it must be a multiple of the 2 bytes of an index");
+    rig_expect_misuse(
+        &rig, "the index buffer was set with offset 1; it must be a multiple of the 2 bytes of an index");
     rig_end(&rig);
     rig_close(&rig);
 }
@@ -413,8 +425,10 @@ static void test_the_default(void **state)
         bool debug;
         enum rhw_validation validate;
         bool validates;
-    } cases[] = {{false, RHW_VALIDATE_DEFAULT, false}, {true, RHW_VALIDATE_DEFAULT, true},
-                 {true, RHW_VALIDATE_OFF, false},      {false, RHW_VALIDATE_ON, true},
+    } cases[] = {{false, RHW_VALIDATE_DEFAULT, false},
+                 {true, RHW_VALIDATE_DEFAULT, true},
+                 {true, RHW_VALIDATE_OFF, false},
+                 {false, RHW_VALIDATE_ON, true},
                  {false, RHW_VALIDATE_OFF, false}};
     for (size_t i = 0; i < sizeof cases / sizeof cases[0]; i++) {
         struct rig rig;
