@@ -12,9 +12,7 @@
 
 ALWAYS_INLINE void to_clip(const struct bench_uniforms *u, const rhw_float p[4], rhw_float clip[4])
 {
-    for (int r = 0; r < 4; r++) {
-        clip[r] = u->clip[r] * p[0] + u->clip[4 + r] * p[1] + u->clip[8 + r] * p[2] + u->clip[12 + r];
-    }
+    rhw_mat4_mul_point(u->clip, p, clip);
 }
 
 // Normal, then position in the world.
@@ -121,15 +119,15 @@ ALWAYS_INLINE void light(const struct rhw_fragment *f, const struct bench_unifor
                          rhw_float *n_dot_h)
 {
     rhw_float normal[3], view[3], half[3];
-    rhw_normalize(f->varying, normal);
+    rhw_normalize3(f->varying, normal);
     for (int c = 0; c < 3; c++) {
         view[c] = u->eye[c] - f->varying[3 + c];
     }
-    rhw_normalize(view, view);
+    rhw_normalize3(view, view);
     for (int c = 0; c < 3; c++) {
         half[c] = view[c] + u->light[c];
     }
-    rhw_normalize(half, half);
+    rhw_normalize3(half, half);
     const rhw_float zero = rhw_splat(0.0f);
     *n_dot_l = rhw_max(normal[0] * u->light[0] + normal[1] * u->light[1] + normal[2] * u->light[2], zero);
     *n_dot_h = rhw_max(rhw_dot3(normal, half), zero);
@@ -181,7 +179,7 @@ static void lit_flat_fragment(struct rhw_fragment *groups, int count)
         const int n = count < STEP ? count : STEP;
         rhw_float base[STEP][4];
         for (int g = 0; g < n; g++) {
-            const rhw_float brightness = rhw_to_float(groups[g].instance) + 1.0f;
+            const rhw_float brightness = rhw_float_from_int(groups[g].instance) + 1.0f;
             for (int c = 0; c < 3; c++) {
                 base[g][c] = groups[g].varying[6 + c] * brightness;
             }
@@ -199,7 +197,7 @@ ALWAYS_INLINE void shade_textured(struct rhw_fragment *groups, int count, bool m
         rhw_sample_groups(groups, n, 1, 6, texel, 1);
         for (int g = 0; g < n; g++) {
             if (masked) {
-                groups[g].mask &= rhw_less_equal(rhw_splat(u->cutoff), texel[g][3]);
+                groups[g].mask &= rhw_less_equal(u->cutoff, texel[g][3]);
             }
             for (int c = 0; c < 3; c++) {
                 texel[g][c] = texel[g][c] * u->color[c];

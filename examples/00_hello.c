@@ -42,7 +42,7 @@ int main(void)
 
     pipeline_def.program.vertex1 = vertex;
     pipeline_def.program.fragment1 = fragment;
-    pipeline_def.program.varyings[0] = (struct rhw_varying){4, RHW_SMOOTH, false};
+    pipeline_def.program.varyings[0] = (struct rhw_varying){.components = 4};
     pipeline_def.program.varying_count = 1;
     rhw_pipeline_create(context, &pipeline_def, &pipeline);
 

@@ -91,7 +91,7 @@ static void draw(rhw_context *context, const struct rhw_program *functions, enum
 {
     struct rhw_pipeline_def def = rhw_pipeline_def_default();
     def.program = *functions;
-    def.program.varyings[0] = (struct rhw_varying){3, qualifier, false};
+    def.program.varyings[0] = (struct rhw_varying){.components = 3, .qualifier = qualifier};
     def.program.varying_count = 1;
     def.attributes[0] = (struct rhw_attribute){RHW_VERTEX_FLOAT3, 0, offsetof(struct corner, camera)};
     def.attributes[1] = (struct rhw_attribute){RHW_VERTEX_FLOAT3, 0, offsetof(struct corner, color)};

@@ -61,12 +61,12 @@ static void checker(struct rhw_fragment *groups, int count)
 {
     for (int i = 0; i < count; i++) {
         struct rhw_fragment *fragment = &groups[i];
-        const rhw_int column = rhw_to_int(rhw_floor(fragment->varying[0] * (float)FIELDS));
-        const rhw_int row = rhw_to_int(rhw_floor(fragment->varying[1] * (float)FIELDS));
+        const rhw_int column = rhw_int_from_float(rhw_floor(fragment->varying[0] * (float)FIELDS));
+        const rhw_int row = rhw_int_from_float(rhw_floor(fragment->varying[1] * (float)FIELDS));
         const rhw_int dark = -((column ^ row) & 1);
-        fragment->color[0][0] = rhw_select(dark, rhw_splat(0.04f), rhw_splat(0.90f));
-        fragment->color[0][1] = rhw_select(dark, rhw_splat(0.10f), rhw_splat(0.86f));
-        fragment->color[0][2] = rhw_select(dark, rhw_splat(0.20f), rhw_splat(0.76f));
+        fragment->color[0][0] = rhw_select(dark, 0.04f, 0.90f);
+        fragment->color[0][1] = rhw_select(dark, 0.10f, 0.86f);
+        fragment->color[0][2] = rhw_select(dark, 0.20f, 0.76f);
         fragment->color[0][3] = rhw_splat(1);
     }
 }
@@ -84,7 +84,7 @@ static rhw_pipeline make_pipeline(rhw_context *context, rhw_fragment_function *p
     struct rhw_pipeline_def def = rhw_pipeline_def_default();
     def.program.vertex[RHW_ISA_BASELINE] = place;
     def.program.fragment[RHW_ISA_BASELINE] = paint;
-    def.program.varyings[0] = (struct rhw_varying){2, qualifier, false};
+    def.program.varyings[0] = (struct rhw_varying){.components = 2, .qualifier = qualifier};
     def.program.varying_count = 1;
     def.attributes[0] = (struct rhw_attribute){RHW_VERTEX_FLOAT3, 0, offsetof(struct corner, camera)};
     def.attributes[1] = (struct rhw_attribute){RHW_VERTEX_FLOAT2, 0, offsetof(struct corner, st)};

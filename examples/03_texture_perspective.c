@@ -173,21 +173,21 @@ static void uv_from_world(const struct rhw_fragment *fragment, rhw_float uv[2])
     }
     const rhw_float p[2] = {world[0] / world[3], world[2] / world[3]};
 
-    const rhw_int second = rhw_equal_int(fragment->primitive, rhw_splat_int(1));
+    const rhw_int second = rhw_equal_int(fragment->primitive, 1);
     rhw_float xz[3][2];
     for (int i = 0; i < 3; i++) {
         const float *first_corner = square[i].world, *second_corner = square[i + 3].world;
-        xz[i][0] = rhw_select(second, rhw_splat(second_corner[0]), rhw_splat(first_corner[0]));
-        xz[i][1] = rhw_select(second, rhw_splat(second_corner[2]), rhw_splat(first_corner[2]));
+        xz[i][0] = rhw_select(second, second_corner[0], first_corner[0]);
+        xz[i][1] = rhw_select(second, second_corner[2], first_corner[2]);
     }
     const rhw_float whole = area(xz[0], xz[1], xz[2]);
     const rhw_float a = area(p, xz[1], xz[2]) / whole;
     const rhw_float b = area(p, xz[2], xz[0]) / whole;
     const rhw_float c = area(p, xz[0], xz[1]) / whole;
     for (int k = 0; k < 2; k++) {
-        const rhw_float u_a = rhw_select(second, rhw_splat(square[3].uv[k]), rhw_splat(square[0].uv[k]));
-        const rhw_float u_b = rhw_select(second, rhw_splat(square[4].uv[k]), rhw_splat(square[1].uv[k]));
-        const rhw_float u_c = rhw_select(second, rhw_splat(square[5].uv[k]), rhw_splat(square[2].uv[k]));
+        const rhw_float u_a = rhw_select(second, square[3].uv[k], square[0].uv[k]);
+        const rhw_float u_b = rhw_select(second, square[4].uv[k], square[1].uv[k]);
+        const rhw_float u_c = rhw_select(second, square[5].uv[k], square[2].uv[k]);
         uv[k] = a * u_a + b * u_b + c * u_c;
     }
 }
@@ -222,7 +222,7 @@ static void show_uv(struct rhw_fragment *groups, int count)
 {
     for (int i = 0; i < count; i++) {
         find_uv(&groups[i], groups[i].color[0]);
-        groups[i].color[0][2] = rhw_to_float(groups[i].primitive);
+        groups[i].color[0][2] = rhw_float_from_int(groups[i].primitive);
         groups[i].color[0][3] = rhw_splat(1);
     }
 }
@@ -260,7 +260,8 @@ static rhw_pipeline make_pipeline(rhw_context *context, rhw_fragment_function *f
     def.program = (struct rhw_program){
         .vertex = {place},
         .fragment = {fragment},
-        .varyings = {{2, RHW_SMOOTH, true}, {2, RHW_NOPERSPECTIVE, false}},
+        .varyings = {{.components = 2, .derivatives = true},
+                     {.components = 2, .qualifier = RHW_NOPERSPECTIVE}},
         .varying_count = 2,
         .uses = RHW_USE_COORD | RHW_USE_IDS,
         .uniform_size = sizeof(struct uniforms),

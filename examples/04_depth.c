@@ -63,8 +63,8 @@ static void place(struct rhw_vertex *groups, int count)
 static void stripes(struct rhw_fragment *groups, int count)
 {
     for (int i = 0; i < count; i++) {
-        const rhw_int stripe = rhw_to_int(rhw_floor(groups[i].varying[0] * 8.0f));
-        const rhw_float shade = rhw_select(-(stripe & 1), rhw_splat(0.45f), rhw_splat(1));
+        const rhw_int stripe = rhw_int_from_float(rhw_floor(groups[i].varying[0] * 8.0f));
+        const rhw_float shade = rhw_select(-(stripe & 1), 0.45f, 1);
         groups[i].color[0][0] = shade * 0.95f;
         groups[i].color[0][1] = shade * 0.62f;
         groups[i].color[0][2] = shade * 0.25f;
@@ -78,7 +78,7 @@ static void measure(struct rhw_fragment *groups, int count)
     for (int i = 0; i < count; i++) {
         groups[i].color[0][0] = groups[i].coord[3];
         groups[i].color[0][1] = groups[i].coord[2];
-        groups[i].color[0][2] = rhw_to_float(groups[i].primitive);
+        groups[i].color[0][2] = rhw_float_from_int(groups[i].primitive);
         groups[i].color[0][3] = rhw_splat(1);
         for (int k = 0; k < 3; k++) {
             groups[i].color[1][k] = groups[i].barycentric_noperspective[k];
@@ -93,7 +93,7 @@ static rhw_pipeline make_pipeline(rhw_context *context, rhw_fragment_function *f
     struct rhw_pipeline_def def = rhw_pipeline_def_default();
     def.program = (struct rhw_program){.vertex = {place},
                                        .fragment = {fragment},
-                                       .varyings = {{1, RHW_SMOOTH, false}},
+                                       .varyings = {{.components = 1}},
                                        .varying_count = 1,
                                        .uses = uses};
     def.attributes[0] = (struct rhw_attribute){RHW_VERTEX_FLOAT4, 0, offsetof(struct corner, clip)};

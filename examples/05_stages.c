@@ -237,9 +237,9 @@ static void paint(struct rhw_fragment *groups, int count)
 {
     for (int i = 0; i < count; i++) {
         struct rhw_fragment *fragment = &groups[i];
-        const rhw_int column = rhw_to_int(rhw_floor(fragment->varying[0] * 12.0f));
-        const rhw_int row = rhw_to_int(rhw_floor(fragment->varying[1] * 12.0f));
-        const rhw_float shade = rhw_select(-((column ^ row) & 1), rhw_splat(0.35f), rhw_splat(1));
+        const rhw_int column = rhw_int_from_float(rhw_floor(fragment->varying[0] * 12.0f));
+        const rhw_int row = rhw_int_from_float(rhw_floor(fragment->varying[1] * 12.0f));
+        const rhw_float shade = rhw_select(-((column ^ row) & 1), 0.35f, 1);
         for (int k = 0; k < 3; k++) {
             fragment->color[0][k] = shade * (0.12f + 0.88f * fragment->barycentric[k]);
         }
@@ -254,7 +254,9 @@ static rhw_pipeline make_pipeline(rhw_context *context, rhw_fragment_function *f
     def.program = (struct rhw_program){
         .vertex = {place},
         .fragment = {fragment},
-        .varyings = {{2, RHW_SMOOTH, false}, {1, RHW_NOPERSPECTIVE, false}, {1, RHW_FLAT, false}},
+        .varyings = {{.components = 2},
+                     {.components = 1, .qualifier = RHW_NOPERSPECTIVE},
+                     {.components = 1, .qualifier = RHW_FLAT}},
         .varying_count = 3,
         .uses = RHW_USE_COORD | RHW_USE_BARYCENTRIC,
     };

@@ -71,7 +71,7 @@ static rhw_pipeline make_pipeline(rhw_context *context, enum rhw_format format)
     def.program = (struct rhw_program){
         .vertex1 = place,
         .fragment1 = answer,
-        .varyings = {{2, RHW_SMOOTH, false}, {3, RHW_SMOOTH, false}},
+        .varyings = {{.components = 2}, {.components = 3}},
         .varying_count = 2,
         .uses = RHW_USE_DISCARD,
         .uniform_size = sizeof(int32_t),

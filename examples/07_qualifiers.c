@@ -55,7 +55,7 @@ static void paint(struct rhw_fragment *groups, int count)
 {
     for (int i = 0; i < count; i++) {
         const rhw_float *varying = groups[i].varying;
-        const rhw_int line = rhw_less(rhw_fract(varying[3] * (float)LINES + 0.55f), rhw_splat(0.10f));
+        const rhw_int line = rhw_less(rhw_fract(varying[3] * (float)LINES + 0.55f), 0.10f);
         for (int k = 0; k < 3; k++) {
             groups[i].color[0][k] = rhw_select(line, varying[k] * 0.25f, varying[k]);
         }
@@ -75,8 +75,10 @@ static rhw_pipeline make_pipeline(rhw_context *context, rhw_fragment_function *f
                                   enum rhw_format format, enum rhw_qualifier qualifier)
 {
     struct rhw_pipeline_def def = rhw_pipeline_def_default();
-    def.program = (struct rhw_program){
-        .vertex = {place}, .fragment = {fragment}, .varyings = {{4, qualifier, false}}, .varying_count = 1};
+    def.program = (struct rhw_program){.vertex = {place},
+                                       .fragment = {fragment},
+                                       .varyings = {{.components = 4, .qualifier = qualifier}},
+                                       .varying_count = 1};
     def.attributes[0] = (struct rhw_attribute){RHW_VERTEX_FLOAT4, 0, offsetof(struct corner, clip)};
     def.attributes[1] = (struct rhw_attribute){RHW_VERTEX_FLOAT3, 0, offsetof(struct corner, color)};
     def.attributes[2] = (struct rhw_attribute){RHW_VERTEX_FLOAT1, 0, offsetof(struct corner, distance)};

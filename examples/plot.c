@@ -132,7 +132,7 @@ void plot_draw(struct plot *plot, rhw_context *context, rhw_pass pass, enum rhw_
     struct rhw_pipeline_def def = rhw_pipeline_def_default();
     def.program = (struct rhw_program){.vertex = {place},
                                        .fragment = {paint},
-                                       .varyings = {{3, RHW_FLAT, false}},
+                                       .varyings = {{.components = 3, .qualifier = RHW_FLAT}},
                                        .varying_count = 1,
                                        .uniform_size = 2 * sizeof(float)};
     def.attributes[0] = (struct rhw_attribute){RHW_VERTEX_FLOAT2, 0, offsetof(struct plot_vertex, x)};

@@ -7,8 +7,8 @@
 
 static inline rhw_float scene_color_decode8(rhw_float encoded)
 {
-    const rhw_float curve = rhw_pow((encoded + 0.055f) / 1.055f, rhw_splat(2.4f));
-    return rhw_select(rhw_less_equal(encoded, rhw_splat(0.04045f)), encoded / 12.92f, curve);
+    const rhw_float curve = rhw_pow((encoded + 0.055f) / 1.055f, 2.4f);
+    return rhw_select(rhw_less_equal(encoded, 0.04045f), encoded / 12.92f, curve);
 }
 
 /// Of one 8-bit code.

@@ -45,10 +45,9 @@ static inline void scene_reflector_set(struct scene_reflector *reflector, const 
         reflector->f0[c] = rhw_mix(dielectric, base[c], metallic);
     }
     // Below 0.045 the highlight of a light without extent is smaller than a pixel and flickers.
-    const rhw_float rough = rhw_clamp(roughness, rhw_splat(0.045f), rhw_splat(1.0f));
+    const rhw_float rough = rhw_clamp(roughness, 0.045f, 1.0f);
     reflector->alpha = rough * rough;
-    reflector->n_dot_v =
-        rhw_clamp(rhw_dot3(reflector->normal, reflector->view), rhw_splat(1.0f / 1024.0f), rhw_splat(1.0f));
+    reflector->n_dot_v = rhw_clamp(rhw_dot3(reflector->normal, reflector->view), 1.0f / 1024.0f, 1.0f);
 }
 
 /// Adds the light that arrives from `to_light` (unit) with irradiance `irradiance` (on a surface that faces
@@ -59,9 +58,9 @@ static inline void scene_reflect_light(const struct scene_reflector *r, const rh
     const rhw_float n_dot_l = rhw_saturate(rhw_dot3(r->normal, to_light));
     const rhw_float l_dot_v = rhw_dot3(to_light, r->view);
     // |l + v|² = 2 + 2 l·v gives the cosines of the half vector without the vector.
-    const rhw_float h_dot_v = rhw_sqrt(rhw_max(0.5f + 0.5f * l_dot_v, rhw_splat(1e-6f)));
-    const rhw_float n_dot_h = rhw_min((n_dot_l + r->n_dot_v) / (2.0f * h_dot_v), rhw_splat(1.0f));
-    const rhw_float alpha = rhw_min(r->alpha + size, rhw_splat(1.0f));
+    const rhw_float h_dot_v = rhw_sqrt(rhw_max(0.5f + 0.5f * l_dot_v, 1e-6f));
+    const rhw_float n_dot_h = rhw_min((n_dot_l + r->n_dot_v) / (2.0f * h_dot_v), 1.0f);
+    const rhw_float alpha = rhw_min(r->alpha + size, 1.0f);
     const rhw_float alpha2 = alpha * alpha;
     const rhw_float base = 1.0f - n_dot_h * n_dot_h * (1.0f - alpha2);
     const rhw_float visibility = scene_smith(n_dot_l, alpha2) * scene_smith(r->n_dot_v, alpha2);
@@ -111,8 +110,7 @@ static inline void scene_environment_diffuse(const struct scene_environment *e, 
     for (int i = 0; i < SCENE_LOBES; i++) {
         const float *d = e->lobe_direction[i], *color = e->lobe_color[i];
         const rhw_float t = normal[0] * d[0] + normal[1] * d[1] + normal[2] * d[2];
-        const rhw_float value =
-            rhw_max(e->diffuse[0] + t * (e->diffuse[1] + t * e->diffuse[2]), rhw_splat(0.0f));
+        const rhw_float value = rhw_max(e->diffuse[0] + t * (e->diffuse[1] + t * e->diffuse[2]), 0.0f);
         for (int c = 0; c < 3; c++) {
             irradiance[c] += color[c] * value;
         }
@@ -143,7 +141,7 @@ static inline void scene_reflect_environment(const struct scene_reflector *r,
     for (int c = 0; c < 3; c++) {
         incident[c] = -r->view[c];
     }
-    rhw_reflect(incident, r->normal, direction);
+    rhw_reflect3(incident, r->normal, direction);
     scene_environment_reflection(e, direction, r->alpha, mirrored);
     scene_environment_diffuse(e, r->normal, diffuse);
     scene_environment_brdf(roughness, r->n_dot_v, &scale, &bias);
@@ -161,17 +159,16 @@ static inline void scene_tone_map(rhw_float color[3])
 {
     const float start = 0.8f - 0.04f, desaturation = 0.15f, rest = 1.0f - start;
     const rhw_float low = rhw_min(color[0], rhw_min(color[1], color[2]));
-    const rhw_float offset =
-        rhw_select(rhw_less(low, rhw_splat(0.08f)), low - 6.25f * low * low, rhw_splat(0.04f));
+    const rhw_float offset = rhw_select(rhw_less(low, 0.08f), low - 6.25f * low * low, 0.04f);
     for (int c = 0; c < 3; c++) {
         color[c] = color[c] - offset;
     }
     const rhw_float peak = rhw_max(color[0], rhw_max(color[1], color[2]));
-    const rhw_int bright = rhw_less(rhw_splat(start), peak);
+    const rhw_int bright = rhw_less(start, peak);
     if (!rhw_any(bright)) {
         return;
     }
-    const rhw_float top = rhw_max(peak, rhw_splat(start));
+    const rhw_float top = rhw_max(peak, start);
     const rhw_float new_peak = 1.0f - rest * rest / (top + (rest - start));
     const rhw_float scale = new_peak / top;
     const rhw_float grey = 1.0f - 1.0f / (desaturation * (top - new_peak) + 1.0f);
@@ -194,7 +191,7 @@ static inline void scene_light_at(const struct scene_shader_light *light, const 
     for (int c = 0; c < 3; c++) {
         to_light[c] = light->position[c] - position[c];
     }
-    const rhw_float distance2 = rhw_max(rhw_dot3(to_light, to_light), rhw_splat(1e-12f));
+    const rhw_float distance2 = rhw_max(rhw_dot3(to_light, to_light), 1e-12f);
     const rhw_float inverse = rhw_rsqrt(distance2);
     for (int c = 0; c < 3; c++) {
         to_light[c] = to_light[c] * inverse;

@@ -8,8 +8,8 @@ static void screen_vertex(struct rhw_vertex *groups, int count)
 {
     for (int g = 0; g < count; g++) {
         const rhw_int i = groups[g].vertex_index;
-        groups[g].position[0] = rhw_to_float((i & 1) * 4 - 1);
-        groups[g].position[1] = rhw_to_float((i & 2) * 2 - 1);
+        groups[g].position[0] = rhw_float_from_int((i & 1) * 4 - 1);
+        groups[g].position[1] = rhw_float_from_int((i & 2) * 2 - 1);
         groups[g].position[2] = rhw_splat(0.0f);
         groups[g].position[3] = rhw_splat(1.0f);
     }
@@ -52,8 +52,8 @@ static void resolve_fragment(struct rhw_fragment *groups, int count)
         rhw_float scale = rhw_splat(weight);
         groups[g].color[0][3] = sum[3] * scale;
         if (r->straight_alpha) {
-            const rhw_int some = rhw_less(rhw_splat(0.0f), sum[3]);
-            scale = rhw_select(some, 1.0f / sum[3], rhw_splat(0.0f));
+            const rhw_int some = rhw_less(0.0f, sum[3]);
+            scale = rhw_select(some, 1.0f / sum[3], 0.0f);
         }
         for (int c = 0; c < 3; c++) {
             groups[g].color[0][c] = sum[c] * scale;

@@ -7,13 +7,6 @@
 
 // Vertices ------------------------------------------------------------------------------------------
 
-ALWAYS_INLINE void to_clip(const float m[16], const rhw_float p[3], rhw_float clip[4])
-{
-    for (int r = 0; r < 4; r++) {
-        clip[r] = m[r] * p[0] + m[4 + r] * p[1] + m[8 + r] * p[2] + m[12 + r];
-    }
-}
-
 ALWAYS_INLINE void write_position(const struct scene_surface *s, const rhw_float p[3], rhw_float *varying)
 {
     if (s->varying_position < 0) {
@@ -32,10 +25,8 @@ ALWAYS_INLINE void write_normal(const struct scene_surface *s, const struct rhw_
     }
     const rhw_float *n = v->attribute[s->attribute_normal];
     rhw_float turned[3];
-    for (int r = 0; r < 3; r++) {
-        turned[r] = s->normal[r] * n[0] + s->normal[3 + r] * n[1] + s->normal[6 + r] * n[2];
-    }
-    rhw_normalize(turned, &v->varying[s->varying_normal]);
+    rhw_mat3_mul_vec3(s->normal, n, turned);
+    rhw_normalize3(turned, &v->varying[s->varying_normal]);
 }
 
 // A tangent lies in the surface, so it goes with the world matrix itself. Its w is turned where the matrix
@@ -51,7 +42,7 @@ ALWAYS_INLINE void write_tangent(const struct scene_surface *s, const struct rhw
         const float *row = &s->world[4 * r];
         turned[r] = row[0] * t[0] + row[1] * t[1] + row[2] * t[2];
     }
-    rhw_normalize(turned, &v->varying[s->varying_tangent]);
+    rhw_normalize3(turned, &v->varying[s->varying_tangent]);
     v->varying[s->varying_tangent + 3] = t[3] * s->handedness;
 }
 
@@ -86,7 +77,7 @@ static void surface_vertex(struct rhw_vertex *groups, int count)
     for (int g = 0; g < count; g++) {
         struct rhw_vertex *v = &groups[g];
         const rhw_float *p = v->attribute[0];
-        to_clip(s->clip, p, v->position);
+        rhw_mat4_mul_point(s->clip, p, v->position);
         write_position(s, p, v->varying);
         write_normal(s, v);
         write_tangent(s, v);
@@ -104,8 +95,8 @@ static void line_vertex(struct rhw_vertex *groups, int count)
     for (int g = 0; g < count; g++) {
         struct rhw_vertex *v = &groups[g];
         rhw_float own[4], other[4];
-        to_clip(s->clip, v->attribute[0], own);
-        to_clip(s->clip, v->attribute[1], other);
+        rhw_mat4_mul_point(s->clip, v->attribute[0], own);
+        rhw_mat4_mul_point(s->clip, v->attribute[1], other);
         // The end that is nearer than the near plane moves to it: beyond, the direction on the screen turns
         // over. Depth is reversed, so W − Z is the distance to that plane.
         const rhw_float inside = own[3] - own[2], other_inside = other[3] - other[2];
@@ -118,18 +109,18 @@ static void line_vertex(struct rhw_vertex *groups, int count)
             own[c] = rhw_select(crosses, cut, own[c]);
             other[c] = rhw_select(other_crosses, cut, other[c]);
         }
-        const rhw_int second = rhw_equal_int(v->vertex_index & 2, rhw_splat_int(2));
-        const rhw_int left = rhw_equal_int(v->vertex_index & 1, rhw_splat_int(1));
+        const rhw_int second = rhw_equal_int(v->vertex_index & 2, 2);
+        const rhw_int left = rhw_equal_int(v->vertex_index & 1, 1);
         rhw_float dx = (other[0] / other[3] - own[0] / own[3]) / pixel[0];
         rhw_float dy = (other[1] / other[3] - own[1] / own[3]) / pixel[1];
         const rhw_float length2 = dx * dx + dy * dy;
-        const rhw_int visible = rhw_less(rhw_splat(1e-12f), length2) & rhw_less(length2, rhw_splat(1e30f));
+        const rhw_int visible = rhw_less(1e-12f, length2) & rhw_less(length2, 1e30f);
         const rhw_float scale = rhw_rsqrt(length2);
-        dx = rhw_select(visible, dx * scale, rhw_splat(1.0f));
-        dy = rhw_select(visible, dy * scale, rhw_splat(0.0f));
+        dx = rhw_select(visible, dx * scale, 1.0f);
+        dy = rhw_select(visible, dy * scale, 0.0f);
         // From this end: sideways by half the width, and outwards by as much, so that lines that meet
         // leave no notch.
-        const rhw_float side = rhw_select(second ^ left, rhw_splat(s->half_width), rhw_splat(-s->half_width));
+        const rhw_float side = rhw_select(second ^ left, s->half_width, -s->half_width);
         const rhw_float out = rhw_splat(s->half_width);
         v->position[0] = own[0] + (-dy * side - dx * out) * pixel[0] * own[3];
         v->position[1] = own[1] + (dx * side - dy * out) * pixel[1] * own[3];
@@ -148,9 +139,9 @@ static void point_vertex(struct rhw_vertex *groups, int count)
     for (int g = 0; g < count; g++) {
         struct rhw_vertex *v = &groups[g];
         rhw_float clip[4];
-        to_clip(s->clip, v->attribute[0], clip);
-        const rhw_float x = rhw_to_float((v->vertex_index & 1) * 2 - 1);
-        const rhw_float y = rhw_to_float((v->vertex_index & 2) - 1);
+        rhw_mat4_mul_point(s->clip, v->attribute[0], clip);
+        const rhw_float x = rhw_float_from_int((v->vertex_index & 1) * 2 - 1);
+        const rhw_float y = rhw_float_from_int((v->vertex_index & 2) - 1);
         v->position[0] = clip[0] + x * (s->half_width * pixel[0]) * clip[3];
         v->position[1] = clip[1] + y * (s->half_width * pixel[1]) * clip[3];
         v->position[2] = clip[2];
@@ -212,11 +203,11 @@ ALWAYS_INLINE void base_color(struct rhw_fragment *f, const struct scene_surface
         }
     }
     if (s->alpha_cutoff > 0.0f) {
-        f->mask = f->mask & rhw_less_equal(rhw_splat(s->alpha_cutoff), color[3]);
+        f->mask = f->mask & rhw_less_equal(s->alpha_cutoff, color[3]);
     }
     if (s->varying_disc >= 0) {
         const rhw_float *d = &f->varying[s->varying_disc];
-        f->mask = f->mask & rhw_less_equal(rhw_dot2(d, d), rhw_splat(1.0f));
+        f->mask = f->mask & rhw_less_equal(rhw_dot2(d, d), 1.0f);
     }
     if (s->alpha_mode != SCENE_ALPHA_BLEND) {
         color[3] = rhw_splat(1.0f);
@@ -236,7 +227,7 @@ ALWAYS_INLINE void view_direction(const struct scene_frame *frame, const rhw_flo
     for (int c = 0; c < 3; c++) {
         view[c] = frame->eye[c] - position[c];
     }
-    rhw_normalize(view, view);
+    rhw_normalize3(view, view);
 }
 
 // Unit, of the side that is seen.
@@ -258,13 +249,13 @@ ALWAYS_INLINE void surface_normal(const struct rhw_fragment *f, const struct sce
             normal[c] = x * tangent[c] + y * bitangent[c] + z * normal[c];
         }
     }
-    rhw_normalize(normal, normal);
+    rhw_normalize3(normal, normal);
     rhw_int turn = rhw_splat_int(0);
     if (!s->is_triangle) {
         // A line or point has no back: its normal is turned to the eye.
         rhw_float view[3];
         view_direction(s->frame, &f->varying[s->varying_position], view);
-        turn = rhw_less(rhw_dot3(normal, view), rhw_splat(0.0f));
+        turn = rhw_less(rhw_dot3(normal, view), 0.0f);
     } else if (s->double_sided) {
         turn = ~f->front_facing;
     }
@@ -282,16 +273,16 @@ ALWAYS_INLINE void draw_wire(const struct rhw_fragment *f, const struct scene_su
     rhw_float distance = rhw_splat(1e30f), height = rhw_splat(1e30f);
     for (int i = 0; i < 3; i++) {
         const rhw_float x = f->barycentric_ddx[i], y = f->barycentric_ddy[i];
-        const rhw_float per_weight = rhw_rsqrt(rhw_max(x * x + y * y, rhw_splat(1e-30f)));
+        const rhw_float per_weight = rhw_rsqrt(rhw_max(x * x + y * y, 1e-30f));
         distance = rhw_min(f->barycentric[i] * per_weight, distance);
         height = rhw_min(per_weight, height);
     }
     const rhw_float cover = rhw_saturate(frame->line_half_width + 0.5f - distance);
     const rhw_float strength = cover * rhw_saturate(height / (8.0f * frame->line_half_width));
     for (int c = 0; c < 3; c++) {
-        color[c] = rhw_mix(color[c], rhw_splat(frame->line_color[c]), strength);
+        color[c] = rhw_mix(color[c], frame->line_color[c], strength);
     }
-    color[3] = rhw_mix(color[3], rhw_splat(1.0f), strength);
+    color[3] = rhw_mix(color[3], 1.0f, strength);
 }
 
 // `color` is light that has been tone-mapped, `linear` has not; both not yet premultiplied.

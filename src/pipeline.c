@@ -52,6 +52,43 @@ static bool check_functions(const struct rhw_context *context, const struct rhw_
                      create_name);
 }
 
+// Varyings that a struct names are all of its members, in order.
+static bool check_member(const struct rhw_context *context, const struct rhw_program *program, int index,
+                         int components)
+{
+    const struct rhw_varying *const varying = &program->varyings[index];
+    if (varying->name == NULL) {
+        return rhw_check(
+            context, index == 0 || program->varyings[0].name == NULL,
+            "%s: program.varyings[%d] has no name where those before it are of a struct; it must be made "
+            "by RHW_VARYING too",
+            create_name, index);
+    }
+    return rhw_check(context, index == 0 || program->varyings[0].name != NULL,
+                     "%s: program.varyings[%d] is %s of a struct and those before it have no name; all of "
+                     "them must be "
+                     "made by RHW_VARYING",
+                     create_name, index, varying->name) &&
+           rhw_check(context, varying->components >= 1 && varying->components <= 4,
+                     "%s: program.varyings[%d], %s, has %d components; it must be 1..4, of rhw_float where "
+                     "RHW_VARYING "
+                     "makes it and of float where RHW_VARYING1 does",
+                     create_name, index, varying->name, varying->components) &&
+           rhw_check(context, varying->offset == components,
+                     "%s: program.varyings[%d], %s, begins at component %d of its struct, after %d that are "
+                     "listed; every "
+                     "member must be listed, in the struct's order",
+                     create_name, index, varying->name, varying->offset, components) &&
+           rhw_check(context,
+                     index + 1 < program->varying_count ||
+                         varying->struct_components == components + varying->components,
+                     "%s: program.varyings[%d], %s, is the last and ends at component %d of its struct, "
+                     "which has %d; "
+                     "every member must be listed",
+                     create_name, index, varying->name, components + varying->components,
+                     varying->struct_components);
+}
+
 static bool check_varyings(const struct rhw_context *context, const struct rhw_program *program)
 {
     static const char *const array = "program.varyings";
@@ -61,7 +98,8 @@ static bool check_varyings(const struct rhw_context *context, const struct rhw_p
     int components = 0;
     for (int i = 0; i < program->varying_count; i++) {
         const struct rhw_varying *const varying = &program->varyings[i];
-        if (!check_element(context, array, i, "components", varying->components, 1, 4) ||
+        if (!check_member(context, program, i, components) ||
+            !check_element(context, array, i, "components", varying->components, 1, 4) ||
             !check_element(context, array, i, "qualifier", varying->qualifier, RHW_SMOOTH, RHW_FLAT)) {
             return false;
         }

@@ -194,7 +194,7 @@ RHW_INLINE i8 i8_power2(i8 n)
 #if defined(__AVX2__)
     return (i8)_mm256_sllv_epi32(_mm256_set1_epi32(1), (__m256i)n);
 #else
-    return rhw_to_int_unchecked((f8)((n + i8_splat(127)) << 23)); // a float's exponent
+    return rhw_int_from_float_unchecked((f8)((n + i8_splat(127)) << 23)); // a float's exponent
 #endif
 }
 

@@ -34,6 +34,6 @@ void RHW_ISA_NAME(paint)(struct rhw_fragment *groups, int count)
             f->color[0][c] = texel[c] * light;
         }
         f->color[0][3] = rhw_splat(1);
-        f->mask &= rhw_less_equal(square, rhw_splat(1)); // a disc is left of the square
+        f->mask &= rhw_less_equal(square, 1); // a disc is left of the square
     }
 }

@@ -72,7 +72,8 @@ struct rhw_fragment1 {
     float barycentric_ddx[3], barycentric_ddy[3];
 };
 
-#include "shader_math.h"
-#include "shader_sample.h"
+#include "shader_one.h"
+#include "shader_scalar.h"
+#include "shader_varying.h"
 
 #endif

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Elementary functions of 8 lanes, and of one float with the same bits. Included by shader.h.
+// Elementary functions of 8 lanes. Included by shader.h; shader_one.h has them for one float.
 //
 // They are our own because a C library may answer differently on the next machine. Each uses IEEE
 // operations in a fixed order, no contraction and no table, so that every compiler and instruction set
@@ -20,7 +20,7 @@
 
 // Helpers -------------------------------------------------------------------------------------------
 
-/// 8 doubles for inner steps, as two halves: most instruction sets have no register for 8.
+// 8 doubles for inner steps, as two halves: most instruction sets have no register for 8.
 typedef double rhw_double4 __attribute__((vector_size(32)));
 typedef double rhw_double2 __attribute__((vector_size(16)));
 typedef float rhw_float2 __attribute__((vector_size(8)));
@@ -91,24 +91,26 @@ static inline rhw_float rhw_from_double(struct rhw_double8 a)
 #endif
 }
 
+/// Infinity in all lanes.
 static inline rhw_float rhw_infinity(void)
 {
     return (rhw_float)rhw_splat_int(0x7f800000);
 }
 
+/// A quiet NaN in all lanes.
 static inline rhw_float rhw_nan(void)
 {
     return (rhw_float)rhw_splat_int(0x7fc00000);
 }
 
-/// a · 2^n for −300 < n < 250, rounded once: the first factor keeps the product normal.
+// a · 2^n for −300 < n < 250, rounded once: the first factor keeps the product normal.
 static inline rhw_float rhw_scale_exp2(rhw_float a, rhw_int n)
 {
     const rhw_int first = n >> 1;
     return a * (rhw_float)((first + 127) << 23) * (rhw_float)((n - first + 127) << 23);
 }
 
-/// 2^f for |f| ≤ 0.501.
+// 2^f for |f| ≤ 0.501.
 static inline rhw_float rhw_exp2_fraction(rhw_float f)
 {
     const rhw_float square = f * f;
@@ -126,7 +128,7 @@ static inline rhw_float rhw_exp2(rhw_float a)
     // Beyond these bounds the result is infinity or 0 already.
     const rhw_float x = rhw_clamp(a, rhw_splat(-151.0f), rhw_splat(129.0f));
     const rhw_float n = rhw_round(x);
-    const rhw_float result = rhw_scale_exp2(rhw_exp2_fraction(x - n), rhw_to_int_unchecked(n));
+    const rhw_float result = rhw_scale_exp2(rhw_exp2_fraction(x - n), rhw_int_from_float_unchecked(n));
     return rhw_select(rhw_equal(a, a), result, a);
 }
 
@@ -141,21 +143,21 @@ static inline rhw_float rhw_exp(rhw_float a)
     q = q * r + 0.0416662022f;
     q = q * r + 0.166665182f;
     q = q * r + 0.5f;
-    const rhw_float result = rhw_scale_exp2(1.0f + (r + r * r * q), rhw_to_int_unchecked(n));
+    const rhw_float result = rhw_scale_exp2(1.0f + (r + r * r * q), rhw_int_from_float_unchecked(n));
     return rhw_select(rhw_equal(a, a), result, a);
 }
 
-/// a = m · 2^e with sqrt(1/2) ≤ m < sqrt(2), for finite a > 0; returns m.
+// a = m · 2^e with sqrt(1/2) ≤ m < sqrt(2), for finite a > 0; returns m.
 static inline rhw_float rhw_split_exponent(rhw_float a, rhw_float *e)
 {
     const rhw_int tiny = rhw_less(a, rhw_splat(1.17549435e-38f)); // denormal
     const rhw_uint pattern = (rhw_uint)rhw_select(tiny, a * 8388608.0f, a);
     const rhw_int bits = (rhw_int)(pattern - 0x3f3504f3u); // of sqrt(1/2); a negative `a` wraps
-    *e = rhw_to_float((bits >> 23) + (tiny & -23));
+    *e = rhw_float_from_int((bits >> 23) + (tiny & -23));
     return (rhw_float)((bits & 0x7fffff) + 0x3f3504f3);
 }
 
-/// `result` for 0 < a < infinity; what the logarithm is elsewhere.
+// `result` for 0 < a < infinity; what the logarithm is elsewhere.
 static inline rhw_float rhw_log_special(rhw_float a, rhw_float result)
 {
     const rhw_int positive = rhw_less(rhw_splat(0.0f), a);
@@ -200,7 +202,7 @@ static inline rhw_float rhw_log(rhw_float a)
     return rhw_log_special(a, e * 0.693115234375f + (f + small));
 }
 
-/// log2 in double for one half of the lanes: m as rhw_split_exponent gives it.
+// log2 in double for one half of the lanes: m as rhw_split_exponent gives it.
 static inline rhw_double4 rhw_log2_double(rhw_double4 m, rhw_double4 e)
 {
     // log2(m) = 2/ln2 · atanh(s), s = (m − 1)/(m + 1)
@@ -213,7 +215,7 @@ static inline rhw_double4 rhw_log2_double(rhw_double4 m, rhw_double4 e)
     return e + s * (2.8853900817779268 + z * q);
 }
 
-/// a^b for finite a > 0 and finite b.
+// a^b for finite a > 0 and finite b.
 static inline rhw_float rhw_pow_positive(rhw_float a, rhw_float b)
 {
     // b · log2(a) is formed in double: its fraction must keep 24 bits beside an integer part of 8.
@@ -231,10 +233,10 @@ static inline rhw_float rhw_pow_positive(rhw_float a, rhw_float b)
     product.high -= whole.high;
     const rhw_float half = rhw_splat(0.501f); // the fraction of a product that was clamped is out of range
     const rhw_float f = rhw_clamp(rhw_from_double(product), -half, half);
-    return rhw_scale_exp2(rhw_exp2_fraction(f), rhw_to_int_unchecked(n));
+    return rhw_scale_exp2(rhw_exp2_fraction(f), rhw_int_from_float_unchecked(n));
 }
 
-/// `result` is |a|^b where rhw_pow_positive gives it, rubbish elsewhere.
+// `result` is |a|^b where rhw_pow_positive gives it, rubbish elsewhere.
 static inline rhw_float rhw_pow_special(rhw_float a, rhw_float b, rhw_float result)
 {
     const rhw_float zero = rhw_splat(0.0f), one = rhw_splat(1.0f), magnitude = rhw_abs(a);
@@ -271,8 +273,8 @@ static inline rhw_float rhw_pow(rhw_float a, rhw_float b)
 
 // Trigonometry --------------------------------------------------------------------------------------
 
-/// Reduces one |a| ≥ 2^15 by multiples of π/2 after M. Payne and R. Hanek (1983): only the bits of 2/π that
-/// matter modulo 4 are multiplied. Not finite: NaN.
+// Reduces one |a| ≥ 2^15 by multiples of π/2 after M. Payne and R. Hanek (1983): only the bits of 2/π that
+// matter modulo 4 are multiplied. Not finite: NaN.
 static inline float rhw_reduce_large(float a, int32_t *quadrant)
 {
     // 2/π from the binary point on, after 32 zeros.
@@ -303,7 +305,7 @@ static inline float rhw_reduce_large(float a, int32_t *quadrant)
     return bits >> 31 ? -r : r;
 }
 
-/// a = quadrant · π/2 + r; returns r, |r| ≤ 0.787.
+// a = quadrant · π/2 + r; returns r, |r| ≤ 0.787.
 static inline rhw_float rhw_reduce(rhw_float a, rhw_int *quadrant)
 {
     const rhw_int large = ~rhw_less(rhw_abs(a), rhw_splat(32768.0f));
@@ -314,7 +316,7 @@ static inline rhw_float rhw_reduce(rhw_float a, rhw_int *quadrant)
     const struct rhw_double8 count = rhw_to_double(n);
     r.low = (r.low - count.low * 1.5707963267341256) - count.low * 6.077100506506192e-11;
     r.high = (r.high - count.high * 1.5707963267341256) - count.high * 6.077100506506192e-11;
-    *quadrant = rhw_to_int_unchecked(n);
+    *quadrant = rhw_int_from_float_unchecked(n);
     rhw_float rest = rhw_from_double(r);
     if (rhw_any(large)) {
         for (int i = 0; i < RHW_LANES; i++) {
@@ -329,7 +331,7 @@ static inline rhw_float rhw_reduce(rhw_float a, rhw_int *quadrant)
     return rhw_select(rhw_less(rhw_abs(a), rhw_splat(0.7f)), a, rest);
 }
 
-/// sine and cosine for |r| ≤ 0.787.
+// sine and cosine for |r| ≤ 0.787.
 static inline rhw_float rhw_sin_core(rhw_float r)
 {
     const rhw_float z = r * r;
@@ -343,7 +345,7 @@ static inline rhw_float rhw_cos_core(rhw_float r)
     return 1.0f - (0.5f * z - z * z * (0.0416666456f + z * (-0.00138873688f + z * 2.44385556e-05f)));
 }
 
-/// Both at the price of little more than one; radians.
+/// Sine and cosine of `a` radians, both at the price of little more than one; radians.
 static inline void rhw_sincos(rhw_float a, rhw_float *sine, rhw_float *cosine)
 {
     rhw_int quadrant;
@@ -417,7 +419,7 @@ static inline rhw_float rhw_atan(rhw_float a)
     return rhw_atan2(a, rhw_splat(1.0f));
 }
 
-/// s and the rest of asin(s) for 0 ≤ s ≤ 1/2: asin(s) = s + rest; z = s².
+// s and the rest of asin(s) for 0 ≤ s ≤ 1/2: asin(s) = s + rest; z = s².
 static inline rhw_float rhw_asin_rest(rhw_float s, rhw_float z)
 {
     rhw_float q = z * 0.037569508f + 0.0144005837f;
@@ -455,69 +457,6 @@ static inline rhw_float rhw_acos(rhw_float a)
     const rhw_float signed_s = rhw_copysign(s, a), signed_rest = rhw_copysign(rest, a);
     const rhw_float near = 1.57079637f - (signed_s + (signed_rest + 4.371139e-8f));
     return rhw_select(outer, far, near);
-}
-
-// One at a time -------------------------------------------------------------------------------------
-// For one-at-a-time shader functions: the same bits as a lane of the function without the 1.
-
-static inline float rhw_exp2_1(float a)
-{
-    return rhw_exp2(rhw_splat(a))[0];
-}
-
-static inline float rhw_exp1(float a)
-{
-    return rhw_exp(rhw_splat(a))[0];
-}
-
-static inline float rhw_log2_1(float a)
-{
-    return rhw_log2(rhw_splat(a))[0];
-}
-
-static inline float rhw_log1(float a)
-{
-    return rhw_log(rhw_splat(a))[0];
-}
-
-static inline float rhw_sin1(float a)
-{
-    return rhw_sin(rhw_splat(a))[0];
-}
-
-static inline float rhw_cos1(float a)
-{
-    return rhw_cos(rhw_splat(a))[0];
-}
-
-static inline float rhw_tan1(float a)
-{
-    return rhw_tan(rhw_splat(a))[0];
-}
-
-static inline float rhw_atan1(float a)
-{
-    return rhw_atan(rhw_splat(a))[0];
-}
-
-static inline float rhw_asin1(float a)
-{
-    return rhw_asin(rhw_splat(a))[0];
-}
-
-static inline float rhw_acos1(float a)
-{
-    return rhw_acos(rhw_splat(a))[0];
-}
-
-static inline float rhw_pow1(float a, float b)
-{
-    return rhw_pow(rhw_splat(a), rhw_splat(b))[0];
-}
-
-static inline float rhw_atan2_1(float y, float x)
-{
-    return rhw_atan2(rhw_splat(y), rhw_splat(x))[0];
 }
 
 #if defined(__GNUC__)

@@ -58,32 +58,6 @@ static inline void rhw_sample_lod(const struct rhw_bindings *textures, int slot,
     rhw_sample(textures, slot, &request, texel);
 }
 
-/// rhw_sample_grad for one fragment: the same bits as a lane of it.
-static inline void rhw_sample1_grad(const struct rhw_bindings *textures, int slot, const float uv[2],
-                                    const float grad[4], float texel[4])
-{
-    const rhw_float at[2] = {rhw_splat(uv[0]), rhw_splat(uv[1])};
-    const rhw_float gradient[4] = {rhw_splat(grad[0]), rhw_splat(grad[1]), rhw_splat(grad[2]),
-                                   rhw_splat(grad[3])};
-    rhw_float lanes[4];
-    rhw_sample_grad(textures, slot, at, gradient, lanes);
-    for (int i = 0; i < 4; i++) {
-        texel[i] = lanes[i][0];
-    }
-}
-
-/// rhw_sample_lod for one fragment.
-static inline void rhw_sample1_lod(const struct rhw_bindings *textures, int slot, const float uv[2],
-                                   float lod, float texel[4])
-{
-    const rhw_float at[2] = {rhw_splat(uv[0]), rhw_splat(uv[1])};
-    rhw_float lanes[4];
-    rhw_sample_lod(textures, slot, at, rhw_splat(lod), lanes);
-    for (int i = 0; i < 4; i++) {
-        texel[i] = lanes[i][0];
-    }
-}
-
 /// rhw_sample_grad of several texture slots for `count` groups (1..RHW_MAX_GROUPS) of one call of a fragment function,
 /// at coordinates that are varyings with derivatives: components `at` and `at + 1`. Bit n of `slots` (at least one)
 /// samples slot n of group g into texels[g * stride + n], the same bits as by itself; `stride` is above the highest

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The arithmetic of 8 lanes that C's operators lack: comparison, selection, rounding, conversion, small
-// vectors. Included by shader.h. All of it is IEEE 754 arithmetic without contraction, hence the same bits
+// The arithmetic of 8 lanes that C's operators lack: comparison, selection, rounding, conversion. Included by shader.h;
+// shader_scalar.h lets plain numbers stand in its place. All of it is IEEE 754 arithmetic without contraction, hence the same bits
 // on every instruction set. Intrinsics, and halves of 4 lanes, appear where compilers turn the plain form into scalar
 // code: gcc 12 does for most of what stands here unless it has AVX.
 #ifndef RHW_SHADER_VECTOR_H
@@ -51,6 +51,7 @@ static inline rhw_float rhw_splat(float value)
 #endif
 }
 
+/// All 8 lanes equal.
 static inline rhw_int rhw_splat_int(int32_t value)
 {
 #if defined(__AVX2__)
@@ -69,42 +70,6 @@ static inline rhw_int rhw_lane_numbers(void)
 {
     const rhw_int lanes = {0, 1, 2, 3, 4, 5, 6, 7};
     return lanes;
-}
-
-/// The bits of each lane, unchanged.
-static inline rhw_int rhw_bits(rhw_float a)
-{
-    return (rhw_int)a;
-}
-
-static inline rhw_float rhw_from_bits(rhw_int a)
-{
-    return (rhw_float)a;
-}
-
-/// 8 values that stand one after the other; no alignment is asked.
-static inline rhw_float rhw_load(const float *values)
-{
-    rhw_float lanes;
-    memcpy(&lanes, values, sizeof lanes);
-    return lanes;
-}
-
-static inline rhw_int rhw_load_int(const int32_t *values)
-{
-    rhw_int lanes;
-    memcpy(&lanes, values, sizeof lanes);
-    return lanes;
-}
-
-static inline void rhw_store(float *values, rhw_float lanes)
-{
-    memcpy(values, &lanes, sizeof lanes);
-}
-
-static inline void rhw_store_int(int32_t *values, rhw_int lanes)
-{
-    memcpy(values, &lanes, sizeof lanes);
 }
 
 // Comparison and selection --------------------------------------------------------------------------
@@ -155,6 +120,24 @@ static inline rhw_int rhw_equal(rhw_float a, rhw_float b)
 #endif
 }
 
+/// a > b.
+static inline rhw_int rhw_greater(rhw_float a, rhw_float b)
+{
+    return rhw_less(b, a);
+}
+
+/// a ≥ b.
+static inline rhw_int rhw_greater_equal(rhw_float a, rhw_float b)
+{
+    return rhw_less_equal(b, a);
+}
+
+/// The opposite of rhw_equal: −1 for NaN.
+static inline rhw_int rhw_not_equal(rhw_float a, rhw_float b)
+{
+    return ~rhw_equal(a, b);
+}
+
 /// a < b of signed integers.
 static inline rhw_int rhw_less_int(rhw_int a, rhw_int b)
 {
@@ -170,6 +153,7 @@ static inline rhw_int rhw_less_int(rhw_int a, rhw_int b)
 #endif
 }
 
+/// a = b of integers.
 static inline rhw_int rhw_equal_int(rhw_int a, rhw_int b)
 {
 #if defined(__AVX2__)
@@ -194,6 +178,7 @@ static inline rhw_float rhw_select(rhw_int mask, rhw_float a, rhw_float b)
 #endif
 }
 
+/// rhw_select of integers.
 static inline rhw_int rhw_select_int(rhw_int mask, rhw_int a, rhw_int b)
 {
 #if defined(__AVX2__)
@@ -229,11 +214,13 @@ static inline int rhw_mask_bits(rhw_int mask)
 #endif
 }
 
+/// Whether the mask is −1 in a lane.
 static inline bool rhw_any(rhw_int mask)
 {
     return rhw_mask_bits(mask) != 0;
 }
 
+/// Whether the mask is −1 in every lane.
 static inline bool rhw_all(rhw_int mask)
 {
     return rhw_mask_bits(mask) == 0xff;
@@ -287,6 +274,7 @@ static inline rhw_float rhw_max(rhw_float a, rhw_float b)
 #endif
 }
 
+/// The smaller of two signed integers.
 static inline rhw_int rhw_min_int(rhw_int a, rhw_int b)
 {
 #if defined(__AVX2__)
@@ -296,6 +284,7 @@ static inline rhw_int rhw_min_int(rhw_int a, rhw_int b)
 #endif
 }
 
+/// The larger of two signed integers.
 static inline rhw_int rhw_max_int(rhw_int a, rhw_int b)
 {
 #if defined(__AVX2__)
@@ -317,29 +306,23 @@ static inline rhw_float rhw_saturate(rhw_float a)
     return rhw_clamp(a, rhw_splat(0.0f), rhw_splat(1.0f));
 }
 
-// Sign, rounding, conversion ------------------------------------------------------------------------
+// Conversion ----------------------------------------------------------------------------------------
+// A cast, (rhw_int)a, keeps the bits of 8 lanes where it converts the value of one number; these say which is meant.
 
-static inline rhw_float rhw_abs(rhw_float a)
+/// The bits of each lane, unchanged.
+static inline rhw_int rhw_bits_from_float(rhw_float a)
 {
-    return (rhw_float)((rhw_int)a & 0x7fffffff);
+    return (rhw_int)a;
 }
 
-/// The magnitude of `a` with the sign of `sign`.
-static inline rhw_float rhw_copysign(rhw_float a, rhw_float sign)
+/// The floats that have these bits.
+static inline rhw_float rhw_float_from_bits(rhw_int a)
 {
-    return (rhw_float)(((rhw_int)a & 0x7fffffff) | ((rhw_int)sign & INT32_MIN));
-}
-
-/// −1, 0 or 1; NaN gives 0.
-static inline rhw_float rhw_sign(rhw_float a)
-{
-    const rhw_int one = (rhw_int)rhw_splat(1.0f);
-    const rhw_int other = rhw_less(rhw_splat(0.0f), a) | rhw_less(a, rhw_splat(0.0f));
-    return (rhw_float)(other & (one | ((rhw_int)a & INT32_MIN)));
+    return (rhw_float)a;
 }
 
 /// The nearest float of a signed integer, ties to even.
-static inline rhw_float rhw_to_float(rhw_int a)
+static inline rhw_float rhw_float_from_int(rhw_int a)
 {
 #if defined(__AVX2__)
     return __builtin_convertvector(a, rhw_float);
@@ -353,8 +336,8 @@ static inline rhw_float rhw_to_float(rhw_int a)
 }
 
 /// Truncates; the value must lie within −2^31 ≤ a < 2^31 in every lane whose result is used. One
-/// instruction where rhw_to_int takes five.
-static inline rhw_int rhw_to_int_unchecked(rhw_float a)
+/// instruction where rhw_int_from_float takes five.
+static inline rhw_int rhw_int_from_float_unchecked(rhw_float a)
 {
 #if defined(__AVX2__)
     return (rhw_int)_mm256_cvttps_epi32((__m256)a);
@@ -376,13 +359,35 @@ static inline rhw_int rhw_to_int_unchecked(rhw_float a)
 }
 
 /// Truncates towards zero. Below −2^31 gives −2^31, from 2^31 on gives 2^31 − 1, NaN gives 0.
-static inline rhw_int rhw_to_int(rhw_float a)
+static inline rhw_int rhw_int_from_float(rhw_float a)
 {
     const rhw_int above = rhw_less_equal(rhw_splat(2147483648.0f), a);
     const rhw_int below = rhw_less(a, rhw_splat(-2147483648.0f));
     const rhw_int number = rhw_equal(a, a);
-    const rhw_int inside = rhw_to_int_unchecked((rhw_float)((rhw_int)a & number & ~above & ~below));
+    const rhw_int inside = rhw_int_from_float_unchecked((rhw_float)((rhw_int)a & number & ~above & ~below));
     return inside | (above & INT32_MAX) | (below & INT32_MIN);
+}
+
+// Sign and rounding ---------------------------------------------------------------------------------
+
+/// The magnitude: the sign bit cleared, of NaN too.
+static inline rhw_float rhw_abs(rhw_float a)
+{
+    return (rhw_float)((rhw_int)a & 0x7fffffff);
+}
+
+/// The magnitude of `a` with the sign of `sign`.
+static inline rhw_float rhw_copysign(rhw_float a, rhw_float sign)
+{
+    return (rhw_float)(((rhw_int)a & 0x7fffffff) | ((rhw_int)sign & INT32_MIN));
+}
+
+/// −1, 0 or 1; NaN gives 0.
+static inline rhw_float rhw_sign(rhw_float a)
+{
+    const rhw_int one = (rhw_int)rhw_splat(1.0f);
+    const rhw_int other = rhw_less(rhw_splat(0.0f), a) | rhw_less(a, rhw_splat(0.0f));
+    return (rhw_float)(other & (one | ((rhw_int)a & INT32_MIN)));
 }
 
 /// Towards zero.
@@ -405,7 +410,7 @@ static inline rhw_float rhw_trunc(rhw_float a)
 #else
     // From 2^23 on every float is whole; the comparison is false for NaN, which passes through.
     const rhw_int small = rhw_less(rhw_abs(a), rhw_splat(8388608.0f));
-    const rhw_float whole = rhw_to_float(rhw_to_int_unchecked((rhw_float)((rhw_int)a & small)));
+    const rhw_float whole = rhw_float_from_int(rhw_int_from_float_unchecked((rhw_float)((rhw_int)a & small)));
     return rhw_select(small, rhw_copysign(whole, a), a);
 #endif
 }
@@ -522,62 +527,6 @@ static inline rhw_float rhw_sqrt(rhw_float a)
 static inline rhw_float rhw_rsqrt(rhw_float a)
 {
     return 1.0f / rhw_sqrt(a);
-}
-
-// Small vectors, one rhw_float per component --------------------------------------------------------
-
-static inline rhw_float rhw_dot2(const rhw_float a[2], const rhw_float b[2])
-{
-    return a[0] * b[0] + a[1] * b[1];
-}
-
-static inline rhw_float rhw_dot3(const rhw_float a[3], const rhw_float b[3])
-{
-    return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
-}
-
-static inline rhw_float rhw_dot4(const rhw_float a[4], const rhw_float b[4])
-{
-    return a[0] * b[0] + a[1] * b[1] + a[2] * b[2] + a[3] * b[3];
-}
-
-static inline rhw_float rhw_length2(const rhw_float a[2])
-{
-    return rhw_sqrt(rhw_dot2(a, a));
-}
-
-static inline rhw_float rhw_length3(const rhw_float a[3])
-{
-    return rhw_sqrt(rhw_dot3(a, a));
-}
-
-/// `result` may not be `a` or `b`.
-static inline void rhw_cross(const rhw_float a[3], const rhw_float b[3], rhw_float result[3])
-{
-    result[0] = a[1] * b[2] - a[2] * b[1];
-    result[1] = a[2] * b[0] - a[0] * b[2];
-    result[2] = a[0] * b[1] - a[1] * b[0];
-}
-
-/// A vector of length 1 along `a`; `result` may be `a`. Lengths between 1.1e−19 and 1.8e19 come out within
-/// 3 ULP of 1; the zero vector stays zero.
-static inline void rhw_normalize(const rhw_float a[3], rhw_float result[3])
-{
-    // The smallest normal float under the root instead of 0 keeps 0 · ∞ = NaN away.
-    const rhw_float scale = rhw_rsqrt(rhw_max(rhw_dot3(a, a), rhw_splat(1.17549435e-38f)));
-    result[0] = a[0] * scale;
-    result[1] = a[1] * scale;
-    result[2] = a[2] * scale;
-}
-
-/// The direction `incident` thrown back by a surface of unit normal `normal`: i − 2 (n·i) n. `result` may
-/// be `incident`.
-static inline void rhw_reflect(const rhw_float incident[3], const rhw_float normal[3], rhw_float result[3])
-{
-    const rhw_float twice = 2.0f * rhw_dot3(normal, incident);
-    result[0] = incident[0] - twice * normal[0];
-    result[1] = incident[1] - twice * normal[1];
-    result[2] = incident[2] - twice * normal[2];
 }
 
 #if defined(__GNUC__)

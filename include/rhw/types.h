@@ -163,6 +163,11 @@ struct rhw_varying {
     int components; ///< 1..4
     enum rhw_qualifier qualifier;
     bool derivatives; ///< ask for d/dx and d/dy per pixel of these components
+    /// Set by RHW_VARYING (shader_varying.h) where a struct describes the varyings, and checked by rhw_pipeline_create;
+    /// all zero without one.
+    const char *name;           ///< of the struct's member
+    uint16_t offset;            ///< of that member, in components
+    uint16_t struct_components; ///< of the whole struct
 };
 
 enum rhw_topology {

@@ -63,7 +63,8 @@ static void reduce_columns(const struct made_level *level, int channels, const f
     const float width = (float)larger;
     for (int x = 0; x < smaller; x += RHW_LANES) {
         const i8 i = i8_splat(x) + rhw_lane_index;
-        const f8 left = rhw_to_float(i8_splat(smaller) - i) / width, right = rhw_to_float(i + 1) / width;
+        const f8 left = rhw_float_from_int(i8_splat(smaller) - i) / width,
+                 right = rhw_float_from_int(i + 1) / width;
         const float middle = (float)smaller / width;
         for (int c = 0; c < channels; c++) {
             const float *const from = row + (size_t)c * stride + 2 * (size_t)x;

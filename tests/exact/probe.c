@@ -75,9 +75,10 @@ static bool create_pipeline(struct probe *p, enum rhw_topology topology, bool mi
     struct rhw_pipeline_def def = rhw_pipeline_def_default();
     def.program.vertex[RHW_ISA_BASELINE] = vertex_function;
     def.program.fragment[RHW_ISA_BASELINE] = fragment_function;
-    def.program.varyings[0] = (struct rhw_varying){SCENE_VALUES, RHW_SMOOTH, true};
-    def.program.varyings[1] = (struct rhw_varying){SCENE_VALUES, RHW_NOPERSPECTIVE, false};
-    def.program.varyings[2] = (struct rhw_varying){2, RHW_FLAT, false};
+    def.program.varyings[0] = (struct rhw_varying){.components = SCENE_VALUES, .derivatives = true};
+    def.program.varyings[1] =
+        (struct rhw_varying){.components = SCENE_VALUES, .qualifier = RHW_NOPERSPECTIVE};
+    def.program.varyings[2] = (struct rhw_varying){.components = 2, .qualifier = RHW_FLAT};
     def.program.varying_count = 3;
     def.program.uses = RHW_USE_COORD | RHW_USE_FACING | RHW_USE_IDS | RHW_USE_BARYCENTRIC;
     def.attributes[0] = (struct rhw_attribute){RHW_VERTEX_FLOAT4, 0, offsetof(struct scene_vertex, position)};

@@ -27,8 +27,8 @@ static void instanced(struct rhw_vertex *groups, int count)
         for (int c = 0; c < 4; c++) {
             v->varying[c] = v->attribute[1][c] * v->attribute[3][c];
         }
-        v->varying[4] = rhw_to_float(v->vertex_index);
-        v->varying[5] = rhw_to_float(v->instance_index);
+        v->varying[4] = rhw_float_from_int(v->vertex_index);
+        v->varying[5] = rhw_float_from_int(v->instance_index);
     }
 }
 
@@ -36,7 +36,8 @@ static void screen(struct rhw_vertex *groups, int count)
 {
     for (int g = 0; g < count; g++) {
         struct rhw_vertex *v = &groups[g];
-        const rhw_float x = rhw_to_float(v->vertex_index & 1) * 2.0f, y = rhw_to_float(v->vertex_index & 2);
+        const rhw_float x = rhw_float_from_int(v->vertex_index & 1) * 2.0f,
+                        y = rhw_float_from_int(v->vertex_index & 2);
         v->position[0] = x * 2.0f - 1.0f;
         v->position[1] = 1.0f - y * 2.0f;
         v->position[2] = rhw_splat(0.5f);
@@ -92,9 +93,9 @@ static void ids(struct rhw_fragment *groups, int count)
 {
     for (int g = 0; g < count; g++) {
         struct rhw_fragment *f = &groups[g];
-        f->color[0][0] = rhw_to_float(f->primitive & 7) * 0.125f + 0.125f;
-        f->color[0][1] = rhw_to_float(f->instance & 7) * 0.125f + 0.125f;
-        f->color[0][2] = rhw_to_float(f->draw & 7) * 0.125f + 0.125f;
+        f->color[0][0] = rhw_float_from_int(f->primitive & 7) * 0.125f + 0.125f;
+        f->color[0][1] = rhw_float_from_int(f->instance & 7) * 0.125f + 0.125f;
+        f->color[0][2] = rhw_float_from_int(f->draw & 7) * 0.125f + 0.125f;
         f->color[0][3] = rhw_splat(1);
         f->color[1][0] = (rhw_float)f->primitive;
         f->color[2][0] = (rhw_float)f->instance;
@@ -134,7 +135,7 @@ static void heights(struct rhw_fragment *groups, int count)
         f->mask &= rhw_less(rhw_splat(0.04f), x * x + y * y);
         const rhw_float slope[3] = {f->ddx[0] + f->ddy[0], f->ddx[1] + f->ddy[1], rhw_splat(0.02f)};
         rhw_float unit[3];
-        rhw_normalize(slope, unit);
+        rhw_normalize3(slope, unit);
         for (int c = 0; c < 3; c++) {
             f->color[0][c] = f->varying[2] * 0.5f + unit[c] * 0.25f + 0.25f;
         }
@@ -168,7 +169,7 @@ static rhw_float evaluate(int which, rhw_float a, rhw_float b)
     case 16: return rhw_round(a);
     case 17: return rhw_trunc(a);
     case 18: return rhw_fract(a);
-    case 19: return rhw_to_float(rhw_to_int(a));
+    case 19: return rhw_float_from_int(rhw_int_from_float(a));
     case 20: return rhw_min(a, b);
     case 21: return rhw_max(a, b);
     case 22: return rhw_clamp(a, zero, one);
@@ -177,8 +178,8 @@ static rhw_float evaluate(int which, rhw_float a, rhw_float b)
     case 25: return rhw_copysign(b, a);
     case 26: return rhw_mix(a, b, rhw_splat(0.3f));
     case 27: return rhw_smoothstep(zero, one, a);
-    case 28: rhw_normalize(vector, result); return result[0];
-    case 29: rhw_reflect(vector, vector, result); return result[1];
+    case 28: rhw_normalize3(vector, result); return result[0];
+    case 29: rhw_reflect3(vector, vector, result); return result[1];
     case 30: return a / b;
     default: return rhw_length3(vector) - rhw_length2(vector);
     }
@@ -191,12 +192,14 @@ static void maths(struct rhw_fragment *groups, int count)
         struct rhw_fragment *f = &groups[g];
         // All of a group is in one row; its cells may differ.
         const rhw_float x = f->varying[0] * 8.0f, y = f->varying[1] * 4.0f;
-        const rhw_int cell = rhw_to_int(x) + 8 * rhw_to_int(y);
+        const rhw_int cell = rhw_int_from_float(x) + 8 * rhw_int_from_float(y);
         rhw_float a = u->low + rhw_fract(x) * (u->high - u->low),
                   b = u->low + rhw_fract(y) * (u->high - u->low);
         if (u->bits) {
-            a = (rhw_float)((rhw_int)((rhw_uint)rhw_to_int(rhw_fract(x) * 1048576.0f) * 4096u + 1234567u));
-            b = (rhw_float)((rhw_int)((rhw_uint)rhw_to_int(rhw_fract(y) * 1048576.0f) * 4096u + 7654321u));
+            a = (rhw_float)((rhw_int)((rhw_uint)rhw_int_from_float(rhw_fract(x) * 1048576.0f) * 4096u +
+                                      1234567u));
+            b = (rhw_float)((rhw_int)((rhw_uint)rhw_int_from_float(rhw_fract(y) * 1048576.0f) * 4096u +
+                                      7654321u));
         }
         rhw_float result = rhw_splat(0);
         for (int which = 0; which < 32; which++) {

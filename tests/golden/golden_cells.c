@@ -40,7 +40,7 @@ struct rhw_pipeline_def golden_cells_def(enum golden_cell_fragment fragment, enu
 {
     struct rhw_pipeline_def def = rhw_pipeline_def_default();
     golden_cells_fill(&def.program, GOLDEN_CELL_PLAIN, fragment);
-    def.program.varyings[0] = (struct rhw_varying){4, RHW_SMOOTH, true};
+    def.program.varyings[0] = (struct rhw_varying){.components = 4, .derivatives = true};
     def.program.varying_count = 1;
     def.attributes[0] =
         (struct rhw_attribute){RHW_VERTEX_FLOAT4, 0, offsetof(struct golden_vertex, position)};

@@ -94,7 +94,7 @@ void golden_maths_draw(rhw_context *context, int number, struct golden_images *i
         golden_board_begin(&board);
         struct rhw_pipeline_def def = rhw_pipeline_def_default();
         golden_cells_fill(&def.program, GOLDEN_CELL_SCREEN, GOLDEN_CELL_MATHS);
-        def.program.varyings[0] = (struct rhw_varying){4, RHW_NOPERSPECTIVE, false};
+        def.program.varyings[0] = (struct rhw_varying){.components = 4, .qualifier = RHW_NOPERSPECTIVE};
         def.program.varying_count = 1;
         def.targets[0].format = format;
         const struct golden_cell_uniforms uniforms = {1, ranges[i][0], ranges[i][1], number};
@@ -121,7 +121,7 @@ static void single_fragment(struct rhw_fragment1 *fragment)
     const float *const v = fragment->varying;
     const float grad[4] = {fragment->ddx[0], fragment->ddx[1], fragment->ddy[0], fragment->ddy[1]};
     float texel[4];
-    rhw_sample1_grad(fragment->textures, 0, v, grad, texel);
+    rhw_sample_grad1(fragment->textures, 0, v, grad, texel);
     const float wave = rhw_pow1(0.5f + 0.5f * rhw_cos1(fragment->coord[0] * 0.3f), 2.2f);
     fragment->discard = fragment->front_facing && v[0] + v[1] < 0.1f;
     fragment->depth += 0.01f * wave;
@@ -158,8 +158,8 @@ void golden_single_draw(rhw_context *context, int number, struct golden_images *
     memset(&def.program, 0, sizeof def.program);
     def.program.vertex1 = single_vertex;
     def.program.fragment1 = single_fragment;
-    def.program.varyings[0] = (struct rhw_varying){4, RHW_SMOOTH, true};
-    def.program.varyings[1] = (struct rhw_varying){1, RHW_FLAT, false};
+    def.program.varyings[0] = (struct rhw_varying){.components = 4, .derivatives = true};
+    def.program.varyings[1] = (struct rhw_varying){.components = 1, .qualifier = RHW_FLAT};
     def.program.varying_count = 2;
     def.program.uses = RHW_USE_COORD | RHW_USE_FACING | RHW_USE_IDS | RHW_USE_BARYCENTRIC | RHW_USE_DISCARD |
                        RHW_USE_DEPTH | RHW_USE_BARYCENTRIC_DERIVATIVES;

@@ -30,15 +30,15 @@ static void lit(struct rhw_fragment *groups, int count)
         const struct golden_uniforms *u = f->uniforms;
         rhw_float normal[3], view[3], half[3];
         const rhw_float light[3] = {rhw_splat(u->light[0]), rhw_splat(u->light[1]), rhw_splat(u->light[2])};
-        rhw_normalize(f->varying, normal);
+        rhw_normalize3(f->varying, normal);
         for (int c = 0; c < 3; c++) {
             view[c] = u->eye[c] - f->varying[c];
         }
-        rhw_normalize(view, view);
+        rhw_normalize3(view, view);
         for (int c = 0; c < 3; c++) {
             half[c] = view[c] + light[c];
         }
-        rhw_normalize(half, half);
+        rhw_normalize3(half, half);
         const rhw_float diffuse = rhw_max(rhw_dot3(normal, light), rhw_splat(0));
         const rhw_float gloss = rhw_pow(rhw_max(rhw_dot3(normal, half), rhw_splat(0)), rhw_splat(48.5f));
         const rhw_float turn = rhw_atan2(normal[2], normal[0]), height = rhw_acos(normal[1]);

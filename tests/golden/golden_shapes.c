@@ -183,8 +183,10 @@ static rhw_pipeline make_pipeline(rhw_context *context, const struct scene *scen
 {
     struct rhw_pipeline_def def = rhw_pipeline_def_default();
     golden_shaders_fill(&def.program, scene->shader);
-    def.program.varyings[0] = (struct rhw_varying){3, scene->qualifier, true};
-    def.program.varyings[1] = (struct rhw_varying){4, scene->qualifier, true};
+    def.program.varyings[0] =
+        (struct rhw_varying){.components = 3, .qualifier = scene->qualifier, .derivatives = true};
+    def.program.varyings[1] =
+        (struct rhw_varying){.components = 4, .qualifier = scene->qualifier, .derivatives = true};
     def.program.varying_count = 2;
     def.program.uses = scene->shader == GOLDEN_GLASS ? RHW_USE_DISCARD : 0;
     def.program.uniform_size = sizeof(struct golden_uniforms);

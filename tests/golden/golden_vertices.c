@@ -103,7 +103,7 @@ void golden_instances_draw(rhw_context *context, int number, struct golden_image
             golden_cells_def(draw < 2 ? GOLDEN_CELL_VALUE : GOLDEN_CELL_IDS, formats[0]);
         golden_cells_fill(&def.program, GOLDEN_CELL_INSTANCED,
                           draw < 2 ? GOLDEN_CELL_VALUE : GOLDEN_CELL_IDS);
-        def.program.varyings[1] = (struct rhw_varying){2, RHW_FLAT, false};
+        def.program.varyings[1] = (struct rhw_varying){.components = 2, .qualifier = RHW_FLAT};
         def.program.varying_count = 2;
         for (int i = 1; i < 4; i++) {
             def.targets[i] =

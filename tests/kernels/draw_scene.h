@@ -39,11 +39,11 @@ static void add_builtins(const struct rhw_fragment *group, uint32_t uses, f8 sum
         sum[i] += group->coord[i] * f8_splat(0x1p-7f);
     }
     if (uses & RHW_USE_FACING) {
-        sum[1] += rhw_to_float(group->front_facing) * f8_splat(0.25f);
+        sum[1] += rhw_float_from_int(group->front_facing) * f8_splat(0.25f);
     }
     if (uses & RHW_USE_IDS) {
-        sum[0] += rhw_to_float(group->primitive) * f8_splat(0.0625f);
-        sum[2] += rhw_to_float(group->instance) * f8_splat(0.5f) + rhw_to_float(group->draw);
+        sum[0] += rhw_float_from_int(group->primitive) * f8_splat(0.0625f);
+        sum[2] += rhw_float_from_int(group->instance) * f8_splat(0.5f) + rhw_float_from_int(group->draw);
     }
     for (int i = 0; i < 3 && uses & RHW_USE_BARYCENTRIC; i++) {
         sum[i] += group->barycentric[i] - group->barycentric_noperspective[i] * f8_splat(0.5f);

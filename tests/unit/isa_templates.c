@@ -32,14 +32,14 @@ static inline rhw_float apply8(enum isa_function function, rhw_float a, rhw_floa
     case ISA_FRACT: return rhw_fract(a);
     case ISA_SIGN: return rhw_sign(a);
     case ISA_SATURATE: return rhw_saturate(a);
-    case ISA_TO_INT: return rhw_from_bits(rhw_to_int(a));
+    case ISA_TO_INT: return rhw_float_from_bits(rhw_int_from_float(a));
     case ISA_POW: return rhw_pow(a, b);
     case ISA_ATAN2: return rhw_atan2(a, b);
     case ISA_MIN: return rhw_min(a, b);
     case ISA_MAX: return rhw_max(a, b);
-    case ISA_LESS: return rhw_from_bits(rhw_less(a, b));
-    case ISA_LESS_EQUAL: return rhw_from_bits(rhw_less_equal(a, b));
-    case ISA_EQUAL: return rhw_from_bits(rhw_equal(a, b));
+    case ISA_LESS: return rhw_float_from_bits(rhw_less(a, b));
+    case ISA_LESS_EQUAL: return rhw_float_from_bits(rhw_less_equal(a, b));
+    case ISA_EQUAL: return rhw_float_from_bits(rhw_equal(a, b));
     case ISA_FUNCTION_COUNT: break;
     }
     return rhw_splat(0.0f);

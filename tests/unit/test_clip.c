@@ -59,9 +59,9 @@ static void open_mixed(struct rig *rig)
     rig_set_depth(rig);
     rig->pipeline.depth_compare = RHW_COMPARE_ALWAYS;
     rig_set_program(rig, rig_vertex_pass, mixed_fragment);
-    rig->pipeline.program.varyings[0] = (struct rhw_varying){1, RHW_SMOOTH, false};
-    rig->pipeline.program.varyings[1] = (struct rhw_varying){1, RHW_NOPERSPECTIVE, false};
-    rig->pipeline.program.varyings[2] = (struct rhw_varying){2, RHW_FLAT, false};
+    rig->pipeline.program.varyings[0] = (struct rhw_varying){.components = 1};
+    rig->pipeline.program.varyings[1] = (struct rhw_varying){.components = 1, .qualifier = RHW_NOPERSPECTIVE};
+    rig->pipeline.program.varyings[2] = (struct rhw_varying){.components = 2, .qualifier = RHW_FLAT};
     rig->pipeline.program.varying_count = 3;
 }
 

@@ -53,7 +53,8 @@ static void place_fragment(struct rhw_fragment *groups, int count)
     for (int g = 0; g < count; g++) {
         groups[g].color[0][0] = groups[g].coord[0] * 0x1p-8f;
         groups[g].color[0][1] = groups[g].coord[1] * 0x1p-8f;
-        groups[g].color[0][2] = groups[g].coord[2] + groups[g].coord[3] + rhw_to_float(groups[g].instance);
+        groups[g].color[0][2] =
+            groups[g].coord[2] + groups[g].coord[3] + rhw_float_from_int(groups[g].instance);
     }
 }
 

@@ -143,7 +143,7 @@ static enum rhw_result make_pipelines(struct work *work)
     struct rhw_pipeline_def def = rhw_pipeline_def_default();
     def.program.vertex[0] = rig_vertex_pass;
     def.program.fragment[0] = sample_fragment;
-    def.program.varyings[0] = (struct rhw_varying){4, RHW_SMOOTH, true};
+    def.program.varyings[0] = (struct rhw_varying){.components = 4, .derivatives = true};
     def.program.varying_count = 1;
     def.program.uniform_size = sizeof(struct texture_uniforms);
     def.attributes[0] = (struct rhw_attribute){RHW_VERTEX_FLOAT4, 0, 0};

@@ -42,8 +42,8 @@ static void identified(struct rhw_fragment *groups, int count)
 {
     rig_fragment_pass(groups, count);
     for (int g = 0; g < count; g++) {
-        groups[g].color[0][1] = rhw_to_float(groups[g].front_facing);
-        groups[g].color[0][2] = rhw_to_float(groups[g].primitive + 100 * groups[g].draw);
+        groups[g].color[0][1] = rhw_float_from_int(groups[g].front_facing);
+        groups[g].color[0][2] = rhw_float_from_int(groups[g].primitive + 100 * groups[g].draw);
     }
 }
 

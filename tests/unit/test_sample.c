@@ -519,9 +519,9 @@ static void test_lanes_are_independent(void **state)
             const float slope[4] = {grad[0][i], grad[1][i], grad[2][i], grad[3][i]};
             float single[4];
             if (n & 1) {
-                rhw_sample1_grad(&bindings, 3, at, slope, single);
+                rhw_sample_grad1(&bindings, 3, at, slope, single);
             } else {
-                rhw_sample1_lod(&bindings, 3, at, lod[i], single);
+                rhw_sample_lod1(&bindings, 3, at, lod[i], single);
             }
             for (int c = 0; c < 4; c++) {
                 const float lane = texel[c][i];
@@ -591,7 +591,7 @@ static void test_a_nan_slope_means_the_last_level(void **state)
         struct rhw_binding binding = bind(rig.context, texture, &sampler, RHW_ISA_BASELINE, RHW_PATHS_ALL);
         for (size_t i = 0; i < sizeof slopes / sizeof slopes[0]; i++) {
             const rhw_float uv[2] = {rhw_splat(0.3f), rhw_splat(0.8f)}, lod = rhw_splat(6.0f);
-            const rhw_float slope = rhw_from_bits(rhw_splat_int((int32_t)slopes[i]));
+            const rhw_float slope = rhw_float_from_bits(rhw_splat_int((int32_t)slopes[i]));
             const rhw_float grad[4] = {slope, slope, slope, slope};
             rhw_float texel[4], last[4];
             sample_all_isas(&binding, uv, grad, NULL, texel);
@@ -612,7 +612,7 @@ static void test_an_unbound_slot_samples_opaque_black(void **state)
             rhw_bindings_init(&bindings, rhw_kernels_for((enum rhw_isa)isa));
             const float uv[2] = {0.3f, NAN}, expected[4] = {0, 0, 0, 1};
             float texel[4];
-            rhw_sample1_lod(&bindings, 5, uv, 2.0f, texel);
+            rhw_sample_lod1(&bindings, 5, uv, 2.0f, texel);
             assert_memory_equal(texel, expected, sizeof texel);
         }
     }

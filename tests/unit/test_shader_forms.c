@@ -159,9 +159,9 @@ static void test_both_forms_give_the_same_bytes(void **state)
     struct scene scene;
     make_scene(&rig, &scene);
     struct rhw_program *program = &rig.pipeline.program;
-    program->varyings[0] = (struct rhw_varying){3, RHW_SMOOTH, true};
-    program->varyings[1] = (struct rhw_varying){1, RHW_NOPERSPECTIVE, false};
-    program->varyings[2] = (struct rhw_varying){2, RHW_FLAT, false};
+    program->varyings[0] = (struct rhw_varying){.components = 3, .derivatives = true};
+    program->varyings[1] = (struct rhw_varying){.components = 1, .qualifier = RHW_NOPERSPECTIVE};
+    program->varyings[2] = (struct rhw_varying){.components = 2, .qualifier = RHW_FLAT};
     program->varying_count = 3;
     program->uses = RHW_USE_COORD | RHW_USE_FACING | RHW_USE_IDS | RHW_USE_BARYCENTRIC | RHW_USE_DISCARD |
                     RHW_USE_DEPTH | RHW_USE_BARYCENTRIC_DERIVATIVES;

@@ -250,8 +250,8 @@ static void test_vectors(void **state)
             }
         }
         rhw_cross(a, b, cross);
-        rhw_normalize(a, unit);
-        rhw_reflect(b, unit, mirrored);
+        rhw_normalize3(a, unit);
+        rhw_reflect3(b, unit, mirrored);
         const rhw_float dot = rhw_dot4(a, b), length = rhw_length3(a);
         for (int i = 0; i < RHW_LANES; i++) {
             double x[4], y[4], sum = 0, square = 0;
@@ -274,7 +274,7 @@ static void test_vectors(void **state)
     }
     const rhw_float zero[3] = {rhw_splat(0.0f), rhw_splat(-0.0f), rhw_splat(0.0f)};
     rhw_float unit[3];
-    rhw_normalize(zero, unit);
+    rhw_normalize3(zero, unit);
     assert_true(unit[0][0] == 0 && unit[1][5] == 0 && unit[2][7] == 0);
 }
 

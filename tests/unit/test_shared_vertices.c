@@ -132,10 +132,10 @@ static void test_vertices_are_shaded_once(void **state)
 static void number_vertex(struct rhw_vertex *groups, int count)
 {
     for (int g = 0; g < count; g++) {
-        const rhw_float instance = rhw_to_float(groups[g].instance_index);
+        const rhw_float instance = rhw_float_from_int(groups[g].instance_index);
         for (int i = 0; i < 4; i++) {
             groups[g].position[i] = groups[g].attribute[0][i];
-            groups[g].varying[i] = rhw_to_float(groups[g].vertex_index * (i + 1)) + instance;
+            groups[g].varying[i] = rhw_float_from_int(groups[g].vertex_index * (i + 1)) + instance;
         }
         groups[g].position[0] = groups[g].position[0] * (instance * 0.05f);
     }

@@ -102,7 +102,7 @@ static void paint1(struct rhw_fragment1 *f)
     case WRITE_NO_TARGET: f->color[1][2] = 1; break;
     case SAMPLE_NO_SLOT: {
         const float uv[2] = {0, 0};
-        rhw_sample1_lod(f->textures, 16, uv, 0, texel);
+        rhw_sample_lod1(f->textures, 16, uv, 0, texel);
         break;
     }
     case DIVIDE_BY_ZERO: extra = extra / texel[0]; break;
@@ -275,7 +275,7 @@ static void place1(struct rhw_vertex1 *v)
     } else if (vertex_deed == READ_FAR_UNIFORMS) {
         extra = ((const float *)v->uniforms)[2];
     } else if (vertex_deed == SAMPLE_FROM_VERTEX) {
-        rhw_sample1_lod(v->textures, -1, (const float[2]){0, 0}, 0, texel);
+        rhw_sample_lod1(v->textures, -1, (const float[2]){0, 0}, 0, texel);
     } else if (vertex_deed == WRITE_FAR_VARYING) {
         v->varying[4] = extra;
     }

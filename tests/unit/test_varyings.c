@@ -52,9 +52,10 @@ static void open_rig(struct rig *rig, rhw_fragment_function *fragment)
 {
     rig_open(rig, SIZE, SIZE);
     rig_set_program(rig, qualifier_vertex, fragment);
-    rig->pipeline.program.varyings[0] = (struct rhw_varying){1, RHW_SMOOTH, true};
-    rig->pipeline.program.varyings[1] = (struct rhw_varying){1, RHW_NOPERSPECTIVE, true};
-    rig->pipeline.program.varyings[2] = (struct rhw_varying){1, RHW_FLAT, false};
+    rig->pipeline.program.varyings[0] = (struct rhw_varying){.components = 1, .derivatives = true};
+    rig->pipeline.program.varyings[1] =
+        (struct rhw_varying){.components = 1, .qualifier = RHW_NOPERSPECTIVE, .derivatives = true};
+    rig->pipeline.program.varyings[2] = (struct rhw_varying){.components = 1, .qualifier = RHW_FLAT};
     rig->pipeline.program.varying_count = 3;
     rig->pipeline.program.uses = RHW_USE_COORD;
     rig->pipeline.attributes[1] =
@@ -352,7 +353,7 @@ static void test_all_components(void **state)
     int qualifier_of[MANY], at = 0;
     for (int v = 0; v < 16; v++) {
         rig.pipeline.program.varyings[v] =
-            (struct rhw_varying){components[v], (enum rhw_qualifier)(v % 3), false};
+            (struct rhw_varying){.components = components[v], .qualifier = (enum rhw_qualifier)(v % 3)};
         for (int c = 0; c < components[v]; c++) {
             qualifier_of[at++] = v % 3;
         }

@@ -13,7 +13,7 @@
 // Gives the byte at `shift` of each lane as a float; exact.
 RHW_INLINE f8 byte_to_float(i8 texel, int shift)
 {
-    return rhw_to_float((i8)((texel >> shift) & 0xff));
+    return rhw_float_from_int((i8)((texel >> shift) & 0xff));
 }
 
 // RGBA8 blending with factors (SRC_ALPHA or ONE, ONE_MINUS_SRC_ALPHA), on the scale 0..255, which saves
@@ -30,7 +30,7 @@ static inline void blend_rgba8_over(const struct rhw_blend_state *state, const f
     for (int i = 0; i < 3; i++) {
         result[i] = rhw_saturate(color[i]) * color_scale + byte_to_float(old, 8 * i) * keep;
     }
-    result[3] = alpha * alpha_scale + rhw_to_float((i8)((u8)old >> 24)) * keep;
+    result[3] = alpha * alpha_scale + rhw_float_from_int((i8)((u8)old >> 24)) * keep;
     const i8 packed = i8_bytes_from_small_f8(result); // ONE may carry the sum beyond 255
     const i8 written = mask & (i8)i8_splat((int32_t)state->texel_mask);
     i8_store(texels, old ^ ((old ^ packed) & written));

@@ -40,8 +40,8 @@ static void fill_coordinates(const struct tile_work *work, struct rhw_fragment *
 {
     const f8 offset = f8_splat((float)sample_offset());
     const i8 x = texels & i8_splat(RHW_TILE - 1), y = texels >> RHW_TILE_LOG2;
-    group->coord[0] = rhw_to_float(x + i8_splat(work->x)) + offset;
-    group->coord[1] = rhw_to_float(y + i8_splat(work->y)) + offset;
+    group->coord[0] = rhw_float_from_int(x + i8_splat(work->x)) + offset;
+    group->coord[1] = rhw_float_from_int(y + i8_splat(work->y)) + offset;
     group->coord[2] = group->depth;
     group->coord[3] = f8_from_d8(inverse_w);
 }

@@ -67,14 +67,14 @@ static f8 narrow_to_float(enum rhw_vertex_type type, i8 bits)
 {
     switch (type) {
     case RHW_TYPE_HALF: return f8_from_half(bits & 0xffff);
-    case RHW_TYPE_UNORM8: return rhw_to_float(bits & 0xff) / 255.0f;
-    case RHW_TYPE_SNORM8: return f8_max(rhw_to_float(bits << 24 >> 24) / 127.0f, f8_splat(-1));
-    case RHW_TYPE_UINT8: return rhw_to_float(bits & 0xff);
-    case RHW_TYPE_SINT8: return rhw_to_float(bits << 24 >> 24);
-    case RHW_TYPE_UNORM16: return rhw_to_float(bits & 0xffff) / 65535.0f;
-    case RHW_TYPE_SNORM16: return f8_max(rhw_to_float(bits << 16 >> 16) / 32767.0f, f8_splat(-1));
-    case RHW_TYPE_UINT16: return rhw_to_float(bits & 0xffff);
-    default: return rhw_to_float(bits << 16 >> 16);
+    case RHW_TYPE_UNORM8: return rhw_float_from_int(bits & 0xff) / 255.0f;
+    case RHW_TYPE_SNORM8: return f8_max(rhw_float_from_int(bits << 24 >> 24) / 127.0f, f8_splat(-1));
+    case RHW_TYPE_UINT8: return rhw_float_from_int(bits & 0xff);
+    case RHW_TYPE_SINT8: return rhw_float_from_int(bits << 24 >> 24);
+    case RHW_TYPE_UNORM16: return rhw_float_from_int(bits & 0xffff) / 65535.0f;
+    case RHW_TYPE_SNORM16: return f8_max(rhw_float_from_int(bits << 16 >> 16) / 32767.0f, f8_splat(-1));
+    case RHW_TYPE_UINT16: return rhw_float_from_int(bits & 0xffff);
+    default: return rhw_float_from_int(bits << 16 >> 16);
     }
 }
 

@@ -74,8 +74,8 @@ RHW_INLINE struct fixed_texels widen_texels(i8 texel)
 RHW_INLINE struct footprint footprint_at(const struct rhw_mip *mip, f8 s, f8 t)
 {
     const f8 half = sample_constants()->half_texel;
-    const i8 x = rhw_to_int_unchecked(s * f8_load(mip->scale_x) - half);
-    const i8 y = rhw_to_int_unchecked(t * f8_load(mip->scale_y) - half);
+    const i8 x = rhw_int_from_float_unchecked(s * f8_load(mip->scale_x) - half);
+    const i8 y = rhw_int_from_float_unchecked(t * f8_load(mip->scale_y) - half);
     // A weight is the fraction without its last bit.
     return (struct footprint){i8_join_upper(x, y), i8_halve_lower(x), i8_halve_lower(y)};
 }
@@ -212,7 +212,7 @@ RHW_INLINE struct fixed_texels filter_fixed(const struct rhw_sampler_data *sampl
 // 8.7 fixed point / (255 · 128); a number without fraction gives c / 255 correctly rounded.
 RHW_INLINE f8 fixed_to_float(i8 fixed)
 {
-    const f8 c = rhw_to_float(fixed);
+    const f8 c = rhw_float_from_int(fixed);
     return c * sample_constants()->fixed_scale + c * sample_constants()->fixed_rest;
 }
 
@@ -277,7 +277,8 @@ RHW_INLINE i8 fixed_level_of_detail(const struct rhw_binding *binding, const f8 
     }
     const f8 limited = rhw_clamp(level_of_detail(texture, sampler, gradient, lod),
                                  f8_load(sampler->lod_least), f8_load(sampler->lod_most));
-    return rhw_to_int_unchecked(rhw_min(limited, f8_load(texture->last_level)) * sample_constants()->one_16);
+    return rhw_int_from_float_unchecked(rhw_min(limited, f8_load(texture->last_level)) *
+                                        sample_constants()->one_16);
 }
 
 // The general path: whatever the lanes are, one level after the other, each texel wrapped.

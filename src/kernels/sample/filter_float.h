@@ -52,8 +52,8 @@ static inline void fetch_texels(const struct float_source *source, const struct 
 
 static inline void filter_nearest(const struct float_source *source, const struct rhw_mip *mip, f8 texel[4])
 {
-    i8 x = rhw_to_int_unchecked(rhw_floor(source->s * (float)mip->width));
-    i8 y = rhw_to_int_unchecked(rhw_floor(source->t * (float)mip->height));
+    i8 x = rhw_int_from_float_unchecked(rhw_floor(source->s * (float)mip->width));
+    i8 y = rhw_int_from_float_unchecked(rhw_floor(source->t * (float)mip->height));
     // s = 1 stands for a coordinate just below the edge where the texture repeats.
     if (source->sampler->def.address_u != RHW_ADDRESS_BORDER) {
         x = rhw_min_int(x, i8_splat(mip->width - 1));
@@ -69,7 +69,7 @@ static inline void filter_bilinear(const struct float_source *source, const stru
     const f8 x = source->s * (float)mip->width - 0.5f, y = source->t * (float)mip->height - 0.5f;
     const f8 left = rhw_floor(x), top = rhw_floor(y);
     const f8 weight_x = x - left, weight_y = y - top;
-    const i8 x0 = rhw_to_int_unchecked(left), y0 = rhw_to_int_unchecked(top);
+    const i8 x0 = rhw_int_from_float_unchecked(left), y0 = rhw_int_from_float_unchecked(top);
     f8 footprint[4][4];
     for (int i = 0; i < 4; i++) {
         fetch_texels(source, mip, x0 + (i & 1), y0 + (i >> 1), footprint[i]);
@@ -145,7 +145,7 @@ static __attribute__((noinline)) void sample_float(const struct rhw_binding *bin
     const bool blended = def->mip_filter == RHW_MIP_FILTER_LINEAR;
     const f8 level = blended ? rhw_floor(within) : rhw_max(rhw_ceil(within - 0.5f), zero);
     const f8 fraction = blended ? within - level : zero;
-    filter_levels(&source, rhw_to_int_unchecked(level), fraction, def->min_filter, texel);
+    filter_levels(&source, rhw_int_from_float_unchecked(level), fraction, def->min_filter, texel);
     const i8 magnified = rhw_less_equal(limited, zero);
     if (def->mag_filter != def->min_filter && rhw_any(magnified)) {
         f8 large[4];

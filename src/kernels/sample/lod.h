@@ -32,7 +32,7 @@ RHW_INLINE f8 half_log2(f8 a)
 {
     const struct sample_constants *const k = sample_constants();
     const i8 bits = (i8)rhw_min(a, k->largest);
-    const f8 straight = rhw_to_float(bits) * k->log_scale + k->log_offset;
+    const f8 straight = rhw_float_from_int(bits) * k->log_scale + k->log_offset;
     const f8 t = (f8)((bits & k->fraction_bits) | k->one_bits) - k->one;
     const f8 square = t * t;
     const f8 curve = (k->curve1 * t + k->curve0) + square * (k->curve3 * t + k->curve2);

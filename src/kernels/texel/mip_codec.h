@@ -12,14 +12,14 @@ RHW_INLINE void widen_texels(const struct rhw_format_info *format, const struct 
     switch (format->codec) {
     case RHW_CODEC_UNORM8:
         for (int c = 0; c < 4; c++) {
-            value[c] = rhw_to_float(channel_byte(raw->word[0], c));
+            value[c] = rhw_float_from_int(channel_byte(raw->word[0], c));
         }
         break;
     case RHW_CODEC_SRGB8:
         for (int c = 0; c < 3; c++) {
             value[c] = srgb8_to_float(channel_byte(raw->word[0], c));
         }
-        value[3] = rhw_to_float(channel_byte(raw->word[0], 3));
+        value[3] = rhw_float_from_int(channel_byte(raw->word[0], 3));
         break;
     default: decode_texels(format, raw, value); break;
     }

@@ -19,7 +19,7 @@ struct raw_texels {
 // c / 255 correctly rounded for whole c of 0..255: 1/255 = 1/256 + 1/65280.
 RHW_INLINE f8 unorm8_to_float(i8 code)
 {
-    const f8 c = rhw_to_float(code);
+    const f8 c = rhw_float_from_int(code);
     return c * 0x1p-8f + c * 1.53186284e-05f;
 }
 

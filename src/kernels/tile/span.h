@@ -45,7 +45,7 @@ RHW_INLINE struct row_spans spans_of_rows(const struct span_edges *edges, int x,
                                           struct span_rows which)
 {
     const i8 rows = i8_splat(which.y) + rhw_lane_index;
-    const f8 from_top = rhw_to_float(rows - i8_splat(top));
+    const f8 from_top = rhw_float_from_int(rows - i8_splat(top));
     f8 begin = f8_splat(0);                // span_mask starts where the triangle does
     f8 end = f8_splat((float)(width - 1)); // the last one
     for (int e = 0; e < 3; e++) {
@@ -58,8 +58,8 @@ RHW_INLINE struct row_spans spans_of_rows(const struct span_edges *edges, int x,
     begin = rhw_ceil(begin);
     end = f8_max(end, f8_splat(-1)) + f8_splat(1); // −1 is before the first column
     const i8 drawn = ~rhw_less_int(rows, i8_splat(which.y0)) & rhw_less_int(rows, i8_splat(which.y1));
-    return (struct row_spans){rhw_to_int_unchecked(begin) + i8_splat(x),
-                              (rhw_to_int_unchecked(end) + i8_splat(x)) & drawn};
+    return (struct row_spans){rhw_int_from_float_unchecked(begin) + i8_splat(x),
+                              (rhw_int_from_float_unchecked(end) + i8_splat(x)) & drawn};
 }
 
 // The pixels of the block at x, in the rows of the spans, that they cover from column x0 on; bit 8·row + column.

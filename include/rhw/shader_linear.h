@@ -1,0 +1,157 @@
+// SPDX-License-Identifier: MIT
+// Small vectors, one rhw_float for each component, and matrices, which are the same for all lanes. Included by shader.h.
+// Sums are formed from the first term to the last; NaN and infinity go the way of C's operators.
+#ifndef RHW_SHADER_LINEAR_H
+#define RHW_SHADER_LINEAR_H
+
+#include "shader_vector.h"
+
+#if defined(__GNUC__)
+#pragma GCC diagnostic push
+#pragma GCC diagnostic ignored "-Wpsabi" // 8 lanes stay inside inline functions; no ABI is crossed
+#endif
+
+// Lengths and products ------------------------------------------------------------------------------
+
+/// The scalar product.
+static inline rhw_float rhw_dot2(const rhw_float a[2], const rhw_float b[2])
+{
+    return a[0] * b[0] + a[1] * b[1];
+}
+
+/// As rhw_dot2.
+static inline rhw_float rhw_dot3(const rhw_float a[3], const rhw_float b[3])
+{
+    return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
+}
+
+/// As rhw_dot2.
+static inline rhw_float rhw_dot4(const rhw_float a[4], const rhw_float b[4])
+{
+    return a[0] * b[0] + a[1] * b[1] + a[2] * b[2] + a[3] * b[3];
+}
+
+/// sqrt(a · a): infinity from 1.8e19 on, where the square is none any more.
+static inline rhw_float rhw_length2(const rhw_float a[2])
+{
+    return rhw_sqrt(rhw_dot2(a, a));
+}
+
+/// As rhw_length2.
+static inline rhw_float rhw_length3(const rhw_float a[3])
+{
+    return rhw_sqrt(rhw_dot3(a, a));
+}
+
+/// As rhw_length2.
+static inline rhw_float rhw_length4(const rhw_float a[4])
+{
+    return rhw_sqrt(rhw_dot4(a, a));
+}
+
+/// The vector product; `result` may not be `a` or `b`.
+static inline void rhw_cross(const rhw_float a[3], const rhw_float b[3], rhw_float result[3])
+{
+    result[0] = a[1] * b[2] - a[2] * b[1];
+    result[1] = a[2] * b[0] - a[0] * b[2];
+    result[2] = a[0] * b[1] - a[1] * b[0];
+}
+
+// What a vector is multiplied with to have length 1. The smallest normal float under the root instead of 0 keeps
+// 0 · ∞ = NaN away.
+static inline rhw_float rhw_normalizing(rhw_float square)
+{
+    return rhw_rsqrt(rhw_max(square, rhw_splat(1.17549435e-38f)));
+}
+
+/// A vector of length 1 along `a`; `result` may be `a`. Lengths between 1.1e−19 and 1.8e19 come out within
+/// 3 ULP of 1; the zero vector stays zero.
+static inline void rhw_normalize2(const rhw_float a[2], rhw_float result[2])
+{
+    const rhw_float scale = rhw_normalizing(rhw_dot2(a, a));
+    result[0] = a[0] * scale;
+    result[1] = a[1] * scale;
+}
+
+/// As rhw_normalize2.
+static inline void rhw_normalize3(const rhw_float a[3], rhw_float result[3])
+{
+    const rhw_float scale = rhw_normalizing(rhw_dot3(a, a));
+    result[0] = a[0] * scale;
+    result[1] = a[1] * scale;
+    result[2] = a[2] * scale;
+}
+
+/// As rhw_normalize2.
+static inline void rhw_normalize4(const rhw_float a[4], rhw_float result[4])
+{
+    const rhw_float scale = rhw_normalizing(rhw_dot4(a, a));
+    result[0] = a[0] * scale;
+    result[1] = a[1] * scale;
+    result[2] = a[2] * scale;
+    result[3] = a[3] * scale;
+}
+
+/// The direction `incident` thrown back by a surface of unit normal `normal`: i − 2 (n·i) n. `result` may
+/// be `incident`.
+static inline void rhw_reflect2(const rhw_float incident[2], const rhw_float normal[2], rhw_float result[2])
+{
+    const rhw_float twice = 2.0f * rhw_dot2(normal, incident);
+    result[0] = incident[0] - twice * normal[0];
+    result[1] = incident[1] - twice * normal[1];
+}
+
+/// As rhw_reflect2.
+static inline void rhw_reflect3(const rhw_float incident[3], const rhw_float normal[3], rhw_float result[3])
+{
+    const rhw_float twice = 2.0f * rhw_dot3(normal, incident);
+    result[0] = incident[0] - twice * normal[0];
+    result[1] = incident[1] - twice * normal[1];
+    result[2] = incident[2] - twice * normal[2];
+}
+
+// Matrices ------------------------------------------------------------------------------------------
+// Column by column, as GLSL and the uniforms of most programs have them: element (row, column) of a 4×4 matrix is
+// m[4 * column + row]. They are plain floats, uniforms for instance. `result` may be `v`.
+
+/// m · v.
+static inline void rhw_mat4_mul_vec4(const float m[16], const rhw_float v[4], rhw_float result[4])
+{
+    const rhw_float x = v[0], y = v[1], z = v[2], w = v[3];
+    for (int r = 0; r < 4; r++) {
+        result[r] = m[r] * x + m[4 + r] * y + m[8 + r] * z + m[12 + r] * w;
+    }
+}
+
+/// m · (x, y, z, 1): a point, to clip coordinates for instance.
+static inline void rhw_mat4_mul_point(const float m[16], const rhw_float v[3], rhw_float result[4])
+{
+    const rhw_float x = v[0], y = v[1], z = v[2];
+    for (int r = 0; r < 4; r++) {
+        result[r] = m[r] * x + m[4 + r] * y + m[8 + r] * z + m[12 + r];
+    }
+}
+
+/// The first three components of m · (x, y, z, 0): a direction, which is not shifted.
+static inline void rhw_mat4_mul_direction(const float m[16], const rhw_float v[3], rhw_float result[3])
+{
+    const rhw_float x = v[0], y = v[1], z = v[2];
+    for (int r = 0; r < 3; r++) {
+        result[r] = m[r] * x + m[4 + r] * y + m[8 + r] * z;
+    }
+}
+
+/// m · v of 3×3: normals by the inverse transpose.
+static inline void rhw_mat3_mul_vec3(const float m[9], const rhw_float v[3], rhw_float result[3])
+{
+    const rhw_float x = v[0], y = v[1], z = v[2];
+    for (int r = 0; r < 3; r++) {
+        result[r] = m[r] * x + m[3 + r] * y + m[6 + r] * z;
+    }
+}
+
+#if defined(__GNUC__)
+#pragma GCC diagnostic pop
+#endif
+
+#endif

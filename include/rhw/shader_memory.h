@@ -1,0 +1,87 @@
+// SPDX-License-Identifier: MIT
+// Memory that shader functions read and write: 8 values in a row, and 8 from anywhere in a table. Included by shader.h.
+#ifndef RHW_SHADER_MEMORY_H
+#define RHW_SHADER_MEMORY_H
+
+#include "shader_vector.h"
+
+#if defined(__GNUC__)
+#pragma GCC diagnostic push
+#pragma GCC diagnostic ignored "-Wpsabi" // 8 lanes stay inside inline functions; no ABI is crossed
+#endif
+
+// In a row ------------------------------------------------------------------------------------------
+
+/// 8 values that stand one after the other; no alignment is asked.
+static inline rhw_float rhw_load(const float *values)
+{
+    rhw_float lanes;
+    memcpy(&lanes, values, sizeof lanes);
+    return lanes;
+}
+
+/// 8 integers that stand one after the other.
+static inline rhw_int rhw_load_int(const int32_t *values)
+{
+    rhw_int lanes;
+    memcpy(&lanes, values, sizeof lanes);
+    return lanes;
+}
+
+/// Writes 8 values one after the other; dead lanes too, so mind what stands there.
+static inline void rhw_store(float *values, rhw_float lanes)
+{
+    memcpy(values, &lanes, sizeof lanes);
+}
+
+/// Writes 8 integers one after the other.
+static inline void rhw_store_int(int32_t *values, rhw_int lanes)
+{
+    memcpy(values, &lanes, sizeof lanes);
+}
+
+// From anywhere -------------------------------------------------------------------------------------
+// Of a table of `count` values, in the uniforms or behind `user` for instance. What lies outside reads as 0, as with
+// robustBufferAccess2 of Vulkan, so dead lanes may hold any index, and −1 stands for no entry. `table` may be NULL
+// where count is 0. An array of structs is a table of its members: index * (size / 4) + member.
+
+/// table[index] lane by lane; 0 where index is below 0 or not below `count`.
+static inline rhw_float rhw_gather(const float *table, int32_t count, rhw_int index)
+{
+    const rhw_int inside = ~rhw_less_int(index, rhw_splat_int(0)) & rhw_less_int(index, rhw_splat_int(count));
+#if defined(__AVX2__)
+    return (rhw_float)_mm256_mask_i32gather_ps(_mm256_setzero_ps(), table, (__m256i)index, (__m256)inside, 4);
+#else
+    rhw_float lanes = rhw_splat(0.0f);
+    for (int i = 0; i < RHW_LANES; i++) {
+        if (inside[i]) {
+            lanes[i] = table[index[i]];
+        }
+    }
+    return lanes;
+#endif
+}
+
+/// rhw_gather of integers.
+static inline rhw_int rhw_gather_int(const int32_t *table, int32_t count, rhw_int index)
+{
+    const rhw_int inside = ~rhw_less_int(index, rhw_splat_int(0)) & rhw_less_int(index, rhw_splat_int(count));
+#if defined(__AVX2__)
+    return (rhw_int)_mm256_mask_i32gather_epi32(_mm256_setzero_si256(), table, (__m256i)index,
+                                                (__m256i)inside, 4);
+#else
+    rhw_int lanes = rhw_splat_int(0);
+    for (int i = 0; i < RHW_LANES; i++) {
+        if (inside[i]) {
+            lanes[i] = table[index[i]];
+        }
+    }
+    return lanes;
+#endif
+}
+
+#if defined(__GNUC__)
+#pragma GCC diagnostic pop
+#endif
+
+#endif

@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: MIT
+// Every function of the shader kit beside its twin for one at a time, in one shape: a table for each instruction set.
+#ifndef TEST_ISA_KIT_H
+#define TEST_ISA_KIT_H
+
+#include <rhw/isa.h>
+#include <rhw/shader.h>
+
+enum { KIT_INPUTS = 24, KIT_RESULTS = 12 };
+
+/// A function that reads the first few of its inputs and writes the first few of its results. Integers and masks pass
+/// as the bits of floats.
+struct kit_function {
+    const char *name;
+    void (*lanes)(const rhw_float input[KIT_INPUTS], rhw_float result[KIT_RESULTS]);
+    void (*one)(const float input[KIT_INPUTS], float result[KIT_RESULTS]);
+};
+
+struct kit_table {
+    int count;
+    const struct kit_function *functions;
+};
+
+RHW_ISA_DECLARE(const struct kit_table, kit_table);
+RHW_ISA_DECLARE(const struct kit_table, kit_dual_table);
+
+/// The functions of shader.h. NULL where this build or this CPU lacks `isa`.
+const struct kit_table *kit_table_for(enum rhw_isa isa);
+
+/// Those of shader_dual.h.
+const struct kit_table *kit_dual_table_for(enum rhw_isa isa);
+
+#endif
