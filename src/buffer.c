@@ -88,7 +88,7 @@ enum rhw_result rhw_buffer_create(rhw_context *context, const struct rhw_buffer_
 void rhw_buffer_destroy(rhw_context *context, rhw_buffer buffer)
 {
     static const char *const where = "rhw_buffer_destroy";
-    if (!rhw_context_enter(context, where)) {
+    if (buffer.index == 0 || !rhw_context_enter(context, where)) {
         return;
     }
     struct rhw_buffer_data *const data = rhw_context_buffer(context, buffer, where);

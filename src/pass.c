@@ -648,6 +648,15 @@ static enum rhw_result end(struct rhw_pass_state *pass, struct rhw_stats *stats)
     return result == RHW_OK && misused ? RHW_ERROR_MISUSE : result;
 }
 
+void rhw_pass_cancel(rhw_context *context, rhw_pass id)
+{
+    if (enter(context, id, "rhw_pass_cancel")) {
+        context->recording.active = false;
+        release_retired(context);
+        rhw_context_leave(context);
+    }
+}
+
 enum rhw_result rhw_pass_end(rhw_context *context, rhw_pass id, struct rhw_stats *stats)
 {
     struct rhw_pass_state *const pass = enter(context, id, "rhw_pass_end");

@@ -432,7 +432,7 @@ enum rhw_result rhw_pipeline_create_probed(rhw_context *context, const struct rh
 void rhw_pipeline_destroy(rhw_context *context, rhw_pipeline pipeline)
 {
     static const char *const where = "rhw_pipeline_destroy";
-    if (!rhw_context_enter(context, where)) {
+    if (pipeline.index == 0 || !rhw_context_enter(context, where)) {
         return;
     }
     struct rhw_pipeline_data *const data = rhw_context_pipeline(context, pipeline, where);

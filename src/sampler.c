@@ -109,7 +109,7 @@ enum rhw_result rhw_sampler_create(rhw_context *context, const struct rhw_sample
 void rhw_sampler_destroy(rhw_context *context, rhw_sampler sampler)
 {
     static const char *const where = "rhw_sampler_destroy";
-    if (!rhw_context_enter(context, where)) {
+    if (sampler.index == 0 || !rhw_context_enter(context, where)) {
         return;
     }
     const bool live = rhw_context_sampler(context, sampler, where) != NULL;

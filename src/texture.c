@@ -166,7 +166,7 @@ enum rhw_result rhw_texture_create(rhw_context *context, const struct rhw_textur
 void rhw_texture_destroy(rhw_context *context, rhw_texture texture)
 {
     static const char *const where = "rhw_texture_destroy";
-    if (!rhw_context_enter(context, where)) {
+    if (texture.index == 0 || !rhw_context_enter(context, where)) {
         return;
     }
     struct rhw_texture_data *const data = rhw_context_texture(context, texture, where);

@@ -11,8 +11,8 @@
 /// thread at a time: a call that meets another one, or comes from a shader function, is misuse and does nothing.
 typedef struct rhw_context rhw_context;
 
-/// Value ids. A zeroed id is the null id, which is misuse to destroy. An id whose item was destroyed, or that another
-/// context gave, is misuse.
+/// Value ids. A zeroed id is the null id; to destroy it does nothing. An id whose item was destroyed, or that another
+/// context gave, is misuse. Equal ids, member by member, name the same item.
 typedef struct rhw_buffer { uint32_t index, generation, context; } rhw_buffer;
 typedef struct rhw_texture { uint32_t index, generation, context; } rhw_texture;
 typedef struct rhw_sampler { uint32_t index, generation, context; } rhw_sampler;

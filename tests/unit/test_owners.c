@@ -191,7 +191,7 @@ static void test_a_hook_may_leave(void **state)
     rhw_context *context;
     assert_int_equal(rhw_context_create(&def, &context), RHW_OK);
     if (setjmp(escape) == 0) {
-        rhw_buffer_destroy(context, (rhw_buffer){0});
+        rhw_buffer_write(context, (rhw_buffer){0}, 0, "", 1);
         fail_msg("the hook was not called");
     }
     const struct rhw_buffer_def buffer_def = {.size = 1};
@@ -335,6 +335,44 @@ static void test_memory_comes_back_at_the_end(void **state)
     assert_int_equal(live_bytes, 0);
 }
 
+// Attachments keep what they hold, what was destroyed is released, and the next pass begins.
+static void test_a_pass_may_be_given_up(void **state)
+{
+    (void)state;
+    struct rig rig;
+    rig_open(&rig, 8, 8);
+    struct rig_vertex all[6];
+    rig_cover(&rig, 0, red, all);
+    rig_draw_once(&rig, all, 6);
+    rig_cover(&rig, 0, blue, all);
+    rig_begin(&rig);
+    rig_draw(&rig, all, 6);
+    rhw_buffer_destroy(rig.context, rig.objects.buffers[--rig.objects.buffer_count]);
+    rhw_pass_push_debug_group(rig.context, rig.recording, "half done");
+    rhw_pass_cancel(rig.context, rig.recording);
+    assert_memory_equal(rig_read_float4(&rig)[0], red, sizeof red);
+    rhw_pass_draw(rig.context, rig.recording, 0, 6, 0, 1);
+    rig_expect_misuse(&rig, "rhw_pass_draw: the pass id is null or its pass has ended");
+    rhw_pass_cancel(rig.context, rig.recording);
+    rig_expect_misuse(&rig, "rhw_pass_cancel: the pass id is null or its pass has ended");
+    rig_draw_once(&rig, all, 6);
+    assert_memory_equal(rig_read_float4(&rig)[0], blue, sizeof blue);
+    rig_close(&rig);
+}
+
+static void test_null_ids_are_destroyed(void **state)
+{
+    (void)state;
+    struct rig rig;
+    rig_open(&rig, 8, 8);
+    rhw_buffer_destroy(rig.context, (rhw_buffer){0});
+    rhw_texture_destroy(rig.context, (rhw_texture){0});
+    rhw_sampler_destroy(rig.context, (rhw_sampler){0});
+    rhw_pipeline_destroy(rig.context, (rhw_pipeline){0});
+    assert_int_equal(rig.misuses, 0);
+    rig_close(&rig);
+}
+
 // Written while recorded ------------------------------------------------------------------------------
 
 // One buffer, one pass, four draws: each sees what the buffer held when it was recorded, whether it was set again or not,
@@ -452,6 +490,8 @@ int main(void)
         cmocka_unit_test(test_a_context_stays_while_it_records),
         cmocka_unit_test(test_what_a_draw_used_may_go),
         cmocka_unit_test(test_memory_comes_back_at_the_end),
+        cmocka_unit_test(test_a_pass_may_be_given_up),
+        cmocka_unit_test(test_null_ids_are_destroyed),
         cmocka_unit_test(test_draws_keep_what_a_buffer_held),
         cmocka_unit_test(test_draws_keep_what_a_texture_held),
         cmocka_unit_test(test_attachments_are_the_pass),
