@@ -13,10 +13,9 @@
 
 #include "shader_vector.h"
 
-#if defined(__GNUC__)
-#pragma GCC diagnostic push
-#pragma GCC diagnostic ignored "-Wpsabi" // 8 lanes stay inside inline functions; no ABI is crossed
-#endif
+#if RHW_HAS_LANES
+
+RHW_QUIET_BEGIN
 
 // Helpers -------------------------------------------------------------------------------------------
 
@@ -520,8 +519,8 @@ static inline float rhw_atan2_1(float y, float x)
     return rhw_atan2(rhw_splat(y), rhw_splat(x))[0];
 }
 
-#if defined(__GNUC__)
-#pragma GCC diagnostic pop
+RHW_QUIET_END
+
 #endif
 
 #endif

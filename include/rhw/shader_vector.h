@@ -8,6 +8,8 @@
 
 #include "shader_lanes.h"
 
+#if RHW_HAS_LANES
+
 #if defined(__AVX2__)
 #include <immintrin.h>
 #elif defined(__SSE2__)
@@ -21,10 +23,7 @@
 #include <stdbool.h>
 #include <string.h>
 
-#if defined(__GNUC__)
-#pragma GCC diagnostic push
-#pragma GCC diagnostic ignored "-Wpsabi" // 8 lanes stay inside inline functions; no ABI is crossed
-#endif
+RHW_QUIET_BEGIN
 
 /// 8 lanes seen as registers of 16 bytes. Local to the headers of rhw.
 union rhw_lanes {
@@ -580,8 +579,8 @@ static inline void rhw_reflect(const rhw_float incident[3], const rhw_float norm
     result[2] = incident[2] - twice * normal[2];
 }
 
-#if defined(__GNUC__)
-#pragma GCC diagnostic pop
+RHW_QUIET_END
+
 #endif
 
 #endif
