@@ -10,6 +10,11 @@ if(CMAKE_SYSTEM_PROCESSOR MATCHES "^(x86_64|AMD64|amd64)$" AND CMAKE_SIZEOF_VOID
   list(APPEND isas avx2 avx512)
 endif()
 set(avx2 -mavx2 -mf16c -mbmi -mbmi2 -mlzcnt -mpopcnt)
+if(WIN32 AND CMAKE_C_COMPILER_ID STREQUAL "GNU")
+  # gcc for Windows aligns the stack to 16 bytes and stores registers of 32 there with instructions that want 32 (gcc bug
+  # 54412). The assembler, from binutils 2.38 on, makes them those that want none.
+  list(APPEND avx2 -Wa,-muse-unaligned-vector-move)
+endif()
 set(avx512 ${avx2} -mavx512f -mavx512bw -mavx512dq -mavx512vl -mprefer-vector-width=256)
 set(RHW_ISAS ${isas} CACHE INTERNAL "Instruction sets that sources on 8 lanes are compiled for")
 foreach(isa IN LISTS RHW_ISAS)
