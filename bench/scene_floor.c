@@ -4,8 +4,9 @@
 // little larger than the picture.
 #include "scene_floor.h"
 
-#include <math.h>
 #include <string.h>
+
+#include "elementary.h"
 
 enum { LAYERS = 8 };
 
@@ -30,11 +31,12 @@ static const struct scene_camera camera = {
 // Floors at distances 2.0 to 0.6 below the eye; a vertex is where the ray of a corner of the picture meets the floor.
 static void place_vertices(struct bench_mesh *mesh, int layer, double aspect)
 {
-    const double depth = 2.0 - 0.2 * layer, t = tan(0.5 * yfov) * overlap;
+    const double depth = 2.0 - 0.2 * layer, t = scene_tan(0.5 * yfov) * overlap;
     const uint32_t stride = bench_mesh_stride(mesh);
     for (int i = 0; i < 4; i++) {
         const double x = i & 1 ? t * aspect : -t * aspect, y = i & 2 ? t : -t;
-        const double down = sin(pitch) - y * cos(pitch), ahead = cos(pitch) + y * sin(pitch);
+        const double down = scene_sin(pitch) - y * scene_cos(pitch),
+                     ahead = scene_cos(pitch) + y * scene_sin(pitch);
         const double position[3] = {x * depth / down, -depth, -ahead * depth / down};
         float *to = mesh->vertices + (size_t)i * stride;
         for (int c = 0; c < 3; c++) {

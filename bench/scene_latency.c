@@ -3,10 +3,10 @@
 // its own; they are small, so that pixels do not count.
 #include "scene_latency.h"
 
+#include "elementary.h"
 #include "process.h"
 #include "scene_model.h"
 
-#include <math.h>
 #include <stdio.h>
 #include <string.h>
 #include <unistd.h>
@@ -50,7 +50,7 @@ static bool make_cube(struct bench_mesh *mesh)
 static void place_cube(struct bench_draw *draw, int number, double aspect)
 {
     const int column = number % SIDE, row = number / SIDE;
-    const double turn = 0.37 * number, c = size * cos(turn), s = size * sin(turn);
+    const double turn = 0.37 * number, c = size * scene_cos(turn), s = size * scene_sin(turn);
     const double x = 1.6 * (column - 0.5 * (SIDE - 1)), z = 1.6 * (row - 0.5 * (SIDE - 1));
     const double world[16] = {c, 0, -s, 0, 0, size, 0, 0, s, 0, c, 0, x, 0, z, 1};
     *draw = (struct bench_draw){

@@ -6,6 +6,8 @@
 #include <math.h>
 #include <string.h>
 
+#include "elementary.h"
+
 static const double pi = 3.14159265358979323846;
 static const double turn = 0.6; // radians, about y
 
@@ -19,10 +21,10 @@ static const struct scene_camera camera = {
 
 static void place_vertex(const struct bench_mesh *mesh, double theta, double phi, float *to)
 {
-    const double st = sin(theta), ct = cos(theta), sp = sin(phi), cp = cos(phi);
-    const double r = 1.0 + 0.05 * sin(20.0 * theta) * sin(20.0 * phi);
-    const double r_theta = cos(20.0 * theta) * sin(20.0 * phi); // 0.05 · 20 = 1
-    const double r_phi = sin(20.0 * theta) * cos(20.0 * phi);
+    const double st = scene_sin(theta), ct = scene_cos(theta), sp = scene_sin(phi), cp = scene_cos(phi);
+    const double r = 1.0 + 0.05 * scene_sin(20.0 * theta) * scene_sin(20.0 * phi);
+    const double r_theta = scene_cos(20.0 * theta) * scene_sin(20.0 * phi); // 0.05 · 20 = 1
+    const double r_phi = scene_sin(20.0 * theta) * scene_cos(20.0 * phi);
     const double out[3] = {st * cp, ct, st * sp};
     const double south[3] = {ct * cp, -st, ct * sp}, east[3] = {-sp, 0.0, cp};
     // At the poles the bumps vanish and so does the slope along φ.
@@ -114,8 +116,8 @@ bool bench_make_sphere(const struct bench_scene_entry *entry, struct bench_scene
         return false;
     }
     scene->work = mesh->index_count / 3;
-    const double world[16] = {cos(turn), 0, -sin(turn), 0, 0, 1, 0, 0,
-                              sin(turn), 0, cos(turn),  0, 0, 0, 0, 1};
+    const double world[16] = {scene_cos(turn), 0, -scene_sin(turn), 0, 0, 1, 0, 0,
+                              scene_sin(turn), 0, scene_cos(turn),  0, 0, 0, 0, 1};
     struct bench_draw *const draw = &scene->draws[0];
     *draw = (struct bench_draw){.shader = depth_only                         ? BENCH_SHADER_DEPTH
                                           : textured                         ? BENCH_SHADER_LIT_TEXTURE

@@ -8,45 +8,15 @@
 #include <float.h>
 #include <stdio.h>
 
+#include "elementary.h"
+
 static const double pi = 3.14159265358979323846;
 static const double fit_margin = 0.04; // of the picture, on each side
-
-// sin for |x| <= pi/4 + a little, by Taylor's series; the first term left out is below 2^-57.
-static double sin_small(double x)
-{
-    const double s = x * x;
-    double sum = 1.0;
-    for (int n = 17; n >= 3; n -= 2) {
-        sum = 1.0 - sum * s / (double)(n * (n - 1));
-    }
-    return x * sum;
-}
-
-static double cos_small(double x)
-{
-    const double s = x * x;
-    double sum = 1.0;
-    for (int n = 18; n >= 2; n -= 2) {
-        sum = 1.0 - sum * s / (double)(n * (n - 1));
-    }
-    return sum;
-}
-
-// Degrees, so that the quarter turns come out exactly. |degrees| below 2^31.
-static void sin_cos_degrees(double degrees, double *sine, double *cosine)
-{
-    const int64_t quarter = (int64_t)(degrees / 90.0 + (degrees < 0.0 ? -0.5 : 0.5));
-    const double rest = (degrees - 90.0 * (double)quarter) * (pi / 180.0);
-    const double s = sin_small(rest), c = cos_small(rest);
-    const double sines[4] = {s, c, -s, -c};
-    *sine = sines[quarter & 3];
-    *cosine = sines[(quarter + 1) & 3];
-}
 
 static double tangent_of_half(double angle)
 {
     double s, c;
-    sin_cos_degrees(angle * (90.0 / pi), &s, &c);
+    scene_sin_cos_degrees(angle * (90.0 / pi), &s, &c);
     return s / c;
 }
 
@@ -262,8 +232,8 @@ struct scene_camera scene_camera_fit(const struct scene_model *model, struct sce
                                      double aspect)
 {
     double sin_a, cos_a, sin_e, cos_e;
-    sin_cos_degrees(orbit.azimuth, &sin_a, &cos_a);
-    sin_cos_degrees(orbit.elevation, &sin_e, &cos_e);
+    scene_sin_cos_degrees(orbit.azimuth, &sin_a, &cos_a);
+    scene_sin_cos_degrees(orbit.elevation, &sin_e, &cos_e);
     struct scene_camera camera = {.yfov = yfov};
     // At ±90 degrees `back` is vertical; this `up` is right at every angle in between.
     const double back[3] = {cos_e * sin_a, sin_e, cos_e * cos_a};
@@ -366,7 +336,7 @@ struct scene_camera scene_camera_from_model(const struct scene_model_camera *sou
             double degrees = camera.yfov * (90.0 / pi);
             for (int i = 0; i < 40; i++) {
                 double s, c;
-                sin_cos_degrees(degrees, &s, &c);
+                scene_sin_cos_degrees(degrees, &s, &c);
                 const double t = (wanted * c - s) / (c + wanted * s);
                 degrees += t / (1.0 + 0.28 * t * t) * (180.0 / pi);
             }

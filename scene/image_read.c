@@ -5,8 +5,11 @@
 #include "image_read.h"
 
 #include <limits.h>
+#include <math.h>
 #include <stdlib.h>
 #include <string.h>
+
+#include "elementary.h"
 
 // stb_image declares a function that it never defines; gcc says so at the end of the file.
 #pragma GCC diagnostic ignored "-Wunused-function"
@@ -16,7 +19,9 @@
 #define STBI_NO_GIF
 #define STBI_NO_PIC
 #define STBI_MAX_DIMENSIONS 16384
+#define pow                 scene_pow // what makes 8 bits of Radiance files
 #include <stb_image.h>
+#undef pow
 
 _Static_assert(STBI_MAX_DIMENSIONS == RHW_MAX_TARGET_SIZE, "a texture takes what can be decoded");
 

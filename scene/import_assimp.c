@@ -15,6 +15,8 @@
 #include <sys/resource.h>
 #include <sys/stat.h>
 
+#include "elementary.h"
+
 _Static_assert(sizeof(ai_real) == sizeof(float), "assimp is built with single precision");
 
 struct reader {
@@ -290,7 +292,7 @@ static void add_camera(struct reader *reader, const struct aiCamera *source)
     // assimp's importers store the whole horizontal angle, whatever its header says.
     const double aspect = source->mAspect > 0 ? (double)source->mAspect : 4.0 / 3.0;
     camera.aspect = source->mAspect > 0 ? source->mAspect : 0;
-    camera.yfov = (float)(2 * atan(tan((double)source->mHorizontalFOV / 2) / aspect));
+    camera.yfov = (float)(2 * scene_atan(scene_tan((double)source->mHorizontalFOV / 2) / aspect));
     camera.orthographic = source->mOrthographicWidth > 0;
     camera.xmag = source->mOrthographicWidth;
     camera.ymag = (float)((double)source->mOrthographicWidth / aspect);
@@ -381,8 +383,8 @@ static void add_light(struct reader *reader, const struct aiLight *source, const
     light.color[1] = source->mColorDiffuse.g;
     light.color[2] = source->mColorDiffuse.b;
     // Here the angles are those of the whole cone.
-    light.inner_cos = (float)cos((double)source->mAngleInnerCone / 2);
-    light.outer_cos = (float)cos((double)source->mAngleOuterCone / 2);
+    light.inner_cos = (float)scene_cos((double)source->mAngleInnerCone / 2);
+    light.outer_cos = (float)scene_cos((double)source->mAngleOuterCone / 2);
     if (!(light.inner_cos > light.outer_cos)) {
         light.inner_cos = light.outer_cos + 1e-4f;
     }

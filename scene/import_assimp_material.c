@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
 // What assimp says about a material, as struct scene_phong.
 #include <assimp/material.h>
-#include <math.h>
 #include <stdlib.h>
 #include <string.h>
 
+#include "elementary.h"
 #include "import_assimp.h"
 #include "import_phong.h"
 
@@ -108,7 +108,7 @@ static void read_transform(const struct reader *reader, enum aiTextureType type,
         aiReturn_SUCCESS) {
         return;
     }
-    const float c = (float)cos((double)t.mRotation), s = (float)sin((double)t.mRotation);
+    const float c = (float)scene_cos((double)t.mRotation), s = (float)scene_sin((double)t.mRotation);
     const float x = t.mScaling.x, y = t.mScaling.y;
     // Upward: u' = c·x·u − s·y·v + e, v' = s·x·u + c·y·v + f; then v → 1 − v on both sides.
     const float e = 0.5f * (1 - c + s) + t.mTranslation.x, f = 0.5f * (1 - s - c) + t.mTranslation.y;

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 // Materials, textures, samplers and images (§3.8, §3.9) and the extensions of them that are supported.
-#include <math.h>
 #include <string.h>
 
+#include "elementary.h"
 #include "import_gltf.h"
 
 // Images --------------------------------------------------------------------------------------------
@@ -84,7 +84,7 @@ static void read_transform(struct scene_gltf *gltf, const json_t *extension, str
     scene_gltf_floats(gltf, extension, "offset", offset, 2);
     scene_gltf_floats(gltf, extension, "scale", scale, 2);
     const double rotation = scene_gltf_number(gltf, extension, "rotation", 0);
-    const float c = (float)cos(rotation), s = (float)sin(rotation);
+    const float c = (float)scene_cos(rotation), s = (float)scene_sin(rotation);
     const float transform[6] = {c * scale[0],  s * scale[1], offset[0],
                                 -s * scale[0], c * scale[1], offset[1]};
     if (scene_import_finite(transform, 6)) {

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 // The node forest (§3.5): places in the world, then instances, cameras and lights of the scene.
-#include <math.h>
 #include <stdlib.h>
 #include <string.h>
 
+#include "elementary.h"
 #include "import_gltf.h"
 
 static const uint32_t no_parent = UINT32_MAX;
@@ -173,8 +173,8 @@ static void add_light(struct scene_gltf *gltf, int64_t index, const float world[
     scene_gltf_floats(gltf, object, "color", light.color, 3);
     light.intensity = (float)scene_gltf_number(gltf, object, "intensity", 1);
     light.range = (float)scene_gltf_number(gltf, object, "range", 0);
-    light.inner_cos = (float)cos(scene_gltf_number(gltf, spot, "innerConeAngle", 0));
-    light.outer_cos = (float)cos(scene_gltf_number(gltf, spot, "outerConeAngle", 0.78539816339744831));
+    light.inner_cos = (float)scene_cos(scene_gltf_number(gltf, spot, "innerConeAngle", 0));
+    light.outer_cos = (float)scene_cos(scene_gltf_number(gltf, spot, "outerConeAngle", 0.78539816339744831));
     memcpy(light.position, world + 12, sizeof light.position);
     const float length = __builtin_sqrtf(world[8] * world[8] + world[9] * world[9] + world[10] * world[10]);
     for (int c = 0; c < 3; c++) {

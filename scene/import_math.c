@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: MIT
-// Matrices and colours of the import. Functions of libm are used in double and rounded to float once: what
-// different libms make of the last bits of a double is then lost.
-#include <math.h>
+// Matrices and colours of the import.
 #include <string.h>
 
+#include "elementary.h"
 #include "import.h"
 
 void scene_import_identity(float matrix[16])
@@ -48,7 +47,7 @@ float scene_import_from_srgb(float value)
     if (!(value > 0.04045f)) { // also what is negative or not a number
         return value > 0 ? value / 12.92f : 0;
     }
-    return (float)pow(((double)value + 0.055) / 1.055, 2.4);
+    return (float)scene_pow(((double)value + 0.055) / 1.055, 2.4);
 }
 
 bool scene_import_finite(const float *values, size_t count)

@@ -1,21 +1,13 @@
 // SPDX-License-Identifier: MIT
 // CPU detection. The compiler's own __builtin_cpu_supports is not used: it keeps global state, and what it
 // knows differs between compilers.
-#if defined(__linux__) && !defined(_GNU_SOURCE)
-#define _GNU_SOURCE // sched_getaffinity
-#endif
 #include "cpu.h"
 
-#if defined(__linux__)
-#include <sched.h>
-
-#include "cpu_quota.h"
+#if defined(__SSE2__)
+#include <xmmintrin.h>
 #endif
-#include <unistd.h>
-
 #if defined(__x86_64__)
 #include <cpuid.h>
-#include <xmmintrin.h>
 
 struct cpuid_registers {
     uint32_t eax, ebx, ecx, edx;
@@ -89,6 +81,17 @@ bool rhw_cpu_supports(enum rhw_isa isa)
            has_all(leaf7.ebx, LEAF7_EBX_AVX512F | LEAF7_EBX_AVX512DQ | LEAF7_EBX_AVX512BW);
 }
 
+#else
+
+bool rhw_cpu_supports(enum rhw_isa isa)
+{
+    return isa == RHW_ISA_BASELINE;
+}
+
+#endif
+
+#if defined(__SSE2__)
+
 uint64_t rhw_cpu_float_enter(void)
 {
     const unsigned saved = _mm_getcsr();
@@ -101,14 +104,7 @@ void rhw_cpu_float_leave(uint64_t saved)
     _mm_setcsr((unsigned)saved);
 }
 
-#else
-
-bool rhw_cpu_supports(enum rhw_isa isa)
-{
-    return isa == RHW_ISA_BASELINE;
-}
-
-#if defined(__aarch64__)
+#elif defined(__aarch64__)
 
 uint64_t rhw_cpu_float_enter(void)
 {
@@ -138,27 +134,3 @@ void rhw_cpu_float_leave(uint64_t saved)
 }
 
 #endif
-#endif
-
-int rhw_cpu_cores(void)
-{
-#if defined(__EMSCRIPTEN__) && !defined(__EMSCRIPTEN_PTHREADS__)
-    return 1; // this build cannot make threads
-#else
-#if defined(__linux__)
-    // What this process may use, not what the machine has: containers and taskset narrow it.
-    const int most = rhw_cpu_quota("/proc/self/cgroup", "/sys/fs/cgroup");
-    cpu_set_t set;
-    if (sched_getaffinity(0, sizeof set, &set) == 0) {
-        const int count = CPU_COUNT(&set);
-        if (count > 0) {
-            return count < most ? count : most;
-        }
-    }
-#else
-    const int most = 4096;
-#endif
-    const long online = sysconf(_SC_NPROCESSORS_ONLN);
-    return online > 0 ? (int)(online < most ? online : most) : 1;
-#endif
-}

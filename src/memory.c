@@ -7,87 +7,36 @@
 #include "memory.h"
 
 #include <assert.h>
-#include <stdlib.h>
 #include <string.h>
-#if defined(__linux__)
-#include <sys/mman.h>
-#endif
+
+#include "pages.h"
 
 enum {
-    HUGE_PAGE = 2 << 20,     // bytes
-    LARGEST_PAGE = 64 << 10, // bytes; of the systems that Linux runs on
+    LARGE_BLOCK = 2 << 20,   // bytes; a huge page
     LARGEST_ALIGNMENT = 4096 // bytes; what base.h promises to allocation hooks
 };
 
 // Whether a block of the default hooks has pages of its own.
 static bool has_own_pages(size_t size)
 {
-#if defined(__linux__)
-    return size >= HUGE_PAGE;
-#else
-    (void)size;
-    return false;
-#endif
+    return RHW_HAS_PAGES && size >= LARGE_BLOCK;
 }
-
-#if defined(__linux__)
-// Bytes of the pages that hold `size`.
-static size_t pages_size(size_t size)
-{
-    return (size + LARGEST_PAGE - 1) & ~(size_t)(LARGEST_PAGE - 1);
-}
-
-// Targets, arenas and large buffers are walked from end to end by every frame: on huge pages they cost a 512th of the
-// page faults and TLB misses.
-static void *map_pages(size_t size)
-{
-    if (size > SIZE_MAX - HUGE_PAGE - LARGEST_PAGE) {
-        return NULL;
-    }
-    // As much more as it takes to begin on a huge page; what lies around that is given back.
-    const size_t whole = pages_size(size) + HUGE_PAGE;
-    unsigned char *const mapped =
-        mmap(NULL, whole, PROT_READ | PROT_WRITE, MAP_PRIVATE | MAP_ANONYMOUS, -1, 0);
-    if (mapped == MAP_FAILED) {
-        return NULL;
-    }
-    const size_t before = -(uintptr_t)mapped % HUGE_PAGE, behind = HUGE_PAGE - before;
-    unsigned char *const block = mapped + before;
-    if (before != 0) {
-        (void)munmap(mapped, before);
-    }
-    (void)munmap(block + pages_size(size), behind);
-#if defined(MADV_HUGEPAGE)
-    (void)madvise(block, size & ~(size_t)(HUGE_PAGE - 1), MADV_HUGEPAGE); // advice; may be refused
-#endif
-    return block;
-}
-#endif
 
 static void *allocate_default(void *user, size_t size, size_t alignment)
 {
     (void)user;
-#if defined(__linux__)
-    if (has_own_pages(size)) {
-        return map_pages(size);
-    }
-#endif
-    void *block = NULL;
     const size_t least = alignment < sizeof(void *) ? sizeof(void *) : alignment;
-    return posix_memalign(&block, least, size) == 0 ? block : NULL;
+    return has_own_pages(size) ? rhw_pages_map(size) : rhw_heap_allocate(size, least);
 }
 
 static void release_default(void *user, void *block, size_t size)
 {
     (void)user;
-#if defined(__linux__)
     if (has_own_pages(size)) {
-        (void)munmap(block, pages_size(size));
-        return;
+        rhw_pages_unmap(block, size);
+    } else {
+        rhw_heap_release(block);
     }
-#endif
-    (void)size;
-    free(block);
 }
 
 struct rhw_allocator rhw_allocator_or_default(struct rhw_allocator allocator)

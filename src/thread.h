@@ -1,12 +1,28 @@
 // SPDX-License-Identifier: MIT
-// The little of pthreads that the library uses, so that another thread library needs one other file.
+// The little of threads that the library uses: thread_posix.c, thread_windows.c.
 #ifndef RHW_THREAD_H
 #define RHW_THREAD_H
 
-#include <pthread.h>
 #include <stdbool.h>
 #include <stdint.h>
+#if !defined(_WIN32)
+#include <pthread.h>
+#endif
 
+#if defined(_WIN32)
+struct rhw_mutex {
+    void *handle; // an SRWLOCK
+};
+struct rhw_condition {
+    void *handle; // a CONDITION_VARIABLE
+};
+struct rhw_thread {
+    void *handle;
+    uintptr_t id; // as rhw_thread_id gives it in the thread
+    void *(*entry)(void *user);
+    void *user;
+};
+#else
 struct rhw_mutex {
     pthread_mutex_t handle;
 };
@@ -17,6 +33,7 @@ struct rhw_thread {
     pthread_t handle;
     uintptr_t id; // as rhw_thread_id gives it in the thread
 };
+#endif
 
 bool rhw_mutex_init(struct rhw_mutex *mutex);
 void rhw_mutex_destroy(struct rhw_mutex *mutex);
@@ -29,7 +46,8 @@ void rhw_condition_wait(struct rhw_condition *condition, struct rhw_mutex *mutex
 void rhw_condition_signal(struct rhw_condition *condition);
 void rhw_condition_broadcast(struct rhw_condition *condition);
 
-// False when the operating system refuses a thread. Signals of the program are blocked in it.
+// False when the operating system refuses a thread. Signals of the program are blocked in it. `*thread` stays where it
+// is until it is joined.
 bool rhw_thread_create(struct rhw_thread *thread, void *(*entry)(void *user), void *user);
 void rhw_thread_join(struct rhw_thread *thread);
 

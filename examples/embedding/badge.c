@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The library: rhw is linked into it statically. Built with -fvisibility=hidden, so that what it shows is marked here,
-// and linked with -Wl,--exclude-libs,ALL, so that what librhw.a shows stays inside.
+// The library: rhw is linked into it statically. Built with -fvisibility=hidden, so that what it shows is marked here;
+// what comes from librhw.a is hidden already.
 #include "badge.h"
 
 #include "cube.h"

@@ -9,6 +9,9 @@
 #error "rhw: shaders would draw other bytes under -ffast-math (part of -Ofast); compile this file without it"
 #elif defined(__FINITE_MATH_ONLY__) && __FINITE_MATH_ONLY__
 #error "rhw: shaders meet NaN and infinity; compile this file without -ffinite-math-only"
+#elif defined(_M_FP_FAST) || defined(_M_FP_CONTRACT)
+#error \
+    "rhw: shaders would draw other bytes under /fp:fast and /fp:contract; compile this file with /fp:precise"
 #elif defined(__GCC_IEC_559) && __GCC_IEC_559 == 0
 #error \
     "rhw: shaders need IEEE 754 arithmetic; compile this file without flags such as -funsafe-math-optimizations"

@@ -3,23 +3,11 @@
 #ifndef RHW_BASE_H
 #define RHW_BASE_H
 
+#include "compiler.h"
+
 #include <stdbool.h>
 #include <stddef.h>
 #include <stdint.h>
-
-#ifdef __cplusplus
-#define RHW_EXTERN_C extern "C"
-#else
-#define RHW_EXTERN_C extern
-#endif
-
-// Functions of the archive are visible too: a shared library that it is linked into keeps them to itself with
-// -Wl,--exclude-libs,ALL (docs/embedding.md).
-#if defined(RHW_BUILD_SHARED) || defined(RHW_BUILD_STATIC)
-#define RHW_API RHW_EXTERN_C __attribute__((visibility("default")))
-#else
-#define RHW_API RHW_EXTERN_C
-#endif
 
 /// Semantic version of the library; CMake reads these three lines.
 #define RHW_VERSION_MAJOR 0

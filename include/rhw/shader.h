@@ -14,6 +14,8 @@
 /// The bound textures and samplers; opaque to the shader, see rhw_sample.
 struct rhw_bindings;
 
+#if RHW_HAS_LANES
+
 /// 8 vertices. Pointers stay valid for the call only.
 struct rhw_vertex {
     const rhw_float (*attribute)[4]; ///< [attribute][component]
@@ -44,6 +46,8 @@ struct rhw_fragment {
     rhw_float barycentric_noperspective[3]; ///< r, s, t: weights on the screen
     rhw_float barycentric_ddx[3], barycentric_ddy[3]; ///< of a, b, c per pixel
 };
+
+#endif
 
 /// One vertex and one fragment, for the one-at-a-time form; fields as above.
 struct rhw_vertex1 {

@@ -5,10 +5,9 @@
 
 #include "shader.h"
 
-#if defined(__GNUC__)
-#pragma GCC diagnostic push
-#pragma GCC diagnostic ignored "-Wpsabi" // 8 lanes stay inside inline functions; no ABI is crossed
-#endif
+#if RHW_HAS_LANES
+
+RHW_QUIET_BEGIN
 
 /// 8 values, and their change per pixel to the right (x) and down (y).
 struct rhw_dual {
@@ -396,8 +395,8 @@ static inline void rhw_sample_dual(const struct rhw_bindings *textures, int slot
     rhw_sample_grad(textures, slot, at, grad, texel);
 }
 
-#if defined(__GNUC__)
-#pragma GCC diagnostic pop
+RHW_QUIET_END
+
 #endif
 
 #endif

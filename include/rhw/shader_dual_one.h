@@ -6,10 +6,9 @@
 
 #include "shader_dual_lanes.h"
 
-#if defined(__GNUC__)
-#pragma GCC diagnostic push
-#pragma GCC diagnostic ignored "-Wpsabi" // 8 lanes stay inside inline functions; no ABI is crossed
-#endif
+#if RHW_HAS_LANES
+
+RHW_QUIET_BEGIN
 
 /// One value, and its change per pixel to the right (x) and down (y).
 struct rhw_dual1 {
@@ -358,8 +357,8 @@ static inline void rhw_sample_dual1(const struct rhw_bindings *textures, int slo
     rhw_sample_grad1(textures, slot, at, grad, texel);
 }
 
-#if defined(__GNUC__)
-#pragma GCC diagnostic pop
+RHW_QUIET_END
+
 #endif
 
 #endif

@@ -8,10 +8,9 @@
 
 #include "shader_dual_one.h"
 
-#if defined(__GNUC__)
-#pragma GCC diagnostic push
-#pragma GCC diagnostic ignored "-Wpsabi" // 8 lanes stay inside inline functions; no ABI is crossed
-#endif
+#if RHW_HAS_LANES
+
+RHW_QUIET_BEGIN
 
 #if defined(__cplusplus)
 
@@ -366,8 +365,8 @@ static inline struct rhw_dual1 rhw_same_dual1(struct rhw_dual1 dual)
 
 #endif
 
-#if defined(__GNUC__)
-#pragma GCC diagnostic pop
+RHW_QUIET_END
+
 #endif
 
 #endif

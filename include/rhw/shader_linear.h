@@ -6,10 +6,9 @@
 
 #include "shader_vector.h"
 
-#if defined(__GNUC__)
-#pragma GCC diagnostic push
-#pragma GCC diagnostic ignored "-Wpsabi" // 8 lanes stay inside inline functions; no ABI is crossed
-#endif
+#if RHW_HAS_LANES
+
+RHW_QUIET_BEGIN
 
 // Lengths and products ------------------------------------------------------------------------------
 
@@ -150,8 +149,8 @@ static inline void rhw_mat3_mul_vec3(const float m[9], const rhw_float v[3], rhw
     }
 }
 
-#if defined(__GNUC__)
-#pragma GCC diagnostic pop
+RHW_QUIET_END
+
 #endif
 
 #endif

@@ -13,10 +13,9 @@
 
 #include "shader_vector.h"
 
-#if defined(__GNUC__)
-#pragma GCC diagnostic push
-#pragma GCC diagnostic ignored "-Wpsabi" // 8 lanes stay inside inline functions; no ABI is crossed
-#endif
+#if RHW_HAS_LANES
+
+RHW_QUIET_BEGIN
 
 // Helpers -------------------------------------------------------------------------------------------
 
@@ -459,8 +458,8 @@ static inline rhw_float rhw_acos(rhw_float a)
     return rhw_select(outer, far, near);
 }
 
-#if defined(__GNUC__)
-#pragma GCC diagnostic pop
+RHW_QUIET_END
+
 #endif
 
 #endif

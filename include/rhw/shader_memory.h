@@ -5,10 +5,9 @@
 
 #include "shader_vector.h"
 
-#if defined(__GNUC__)
-#pragma GCC diagnostic push
-#pragma GCC diagnostic ignored "-Wpsabi" // 8 lanes stay inside inline functions; no ABI is crossed
-#endif
+#if RHW_HAS_LANES
+
+RHW_QUIET_BEGIN
 
 // In a row ------------------------------------------------------------------------------------------
 
@@ -80,8 +79,8 @@ static inline rhw_int rhw_gather_int(const int32_t *table, int32_t count, rhw_in
 #endif
 }
 
-#if defined(__GNUC__)
-#pragma GCC diagnostic pop
+RHW_QUIET_END
+
 #endif
 
 #endif

@@ -2,19 +2,20 @@
 // The kit for one vertex or fragment at a time: every function of 8 lanes under the same name with a 1 behind it (_1
 // after a digit), on plain floats, with the bits of a lane. Ranges, special cases and errors are told there: in
 // shader_vector.h, shader_math.h, shader_linear.h, shader_memory.h, shader_sample.h. A mask is a bool here. Included
-// by shader.h.
+// by shader.h. Compilers without lanes have it too: what goes through a lane here they call in the library.
 #ifndef RHW_SHADER_ONE_H
 #define RHW_SHADER_ONE_H
 
 #include "shader_linear.h"
 #include "shader_math.h"
 #include "shader_memory.h"
+#include "shader_no_lanes.h"
 #include "shader_sample.h"
 
-#if defined(__GNUC__)
-#pragma GCC diagnostic push
-#pragma GCC diagnostic ignored "-Wpsabi" // 8 lanes stay inside inline functions; no ABI is crossed
-#endif
+#include <stdbool.h>
+#include <string.h>
+
+RHW_QUIET_BEGIN
 
 // Comparison and selection ---------------------------------------------------------------------------
 
@@ -119,32 +120,19 @@ static inline float rhw_float_from_int1(int32_t a)
     return (float)a;
 }
 
-static inline int32_t rhw_int_from_float_unchecked1(float a)
-{
-    return rhw_int_from_float_unchecked(rhw_splat(a))[0];
-}
-
 static inline int32_t rhw_int_from_float1(float a)
 {
-    return rhw_int_from_float(rhw_splat(a))[0];
+    return a >= 2147483648.0f ? INT32_MAX : a < -2147483648.0f ? INT32_MIN : a == a ? (int32_t)a : 0;
 }
 
-// Sign and rounding ----------------------------------------------------------------------------------
-
-static inline float rhw_abs1(float a)
+static inline int32_t rhw_int_from_float_unchecked1(float a)
 {
-    return rhw_abs(rhw_splat(a))[0];
+    return rhw_int_from_float1(a);
 }
 
-static inline float rhw_copysign1(float a, float sign)
-{
-    return rhw_copysign(rhw_splat(a), rhw_splat(sign))[0];
-}
+// Through a lane -------------------------------------------------------------------------------------
 
-static inline float rhw_sign1(float a)
-{
-    return rhw_sign(rhw_splat(a))[0];
-}
+#if RHW_HAS_LANES
 
 static inline float rhw_trunc1(float a)
 {
@@ -166,42 +154,9 @@ static inline float rhw_round1(float a)
     return rhw_round(rhw_splat(a))[0];
 }
 
-static inline float rhw_fract1(float a)
-{
-    return a - rhw_floor1(a);
-}
-
-static inline float rhw_mix1(float a, float b, float t)
-{
-    return a + (b - a) * t;
-}
-
-static inline float rhw_smoothstep1(float edge0, float edge1, float a)
-{
-    const float t = rhw_saturate1((a - edge0) / (edge1 - edge0));
-    return t * t * (3.0f - 2.0f * t);
-}
-
 static inline float rhw_sqrt1(float a)
 {
     return rhw_sqrt(rhw_splat(a))[0];
-}
-
-static inline float rhw_rsqrt1(float a)
-{
-    return 1.0f / rhw_sqrt1(a);
-}
-
-// Elementary functions -------------------------------------------------------------------------------
-
-static inline float rhw_infinity1(void)
-{
-    return rhw_infinity()[0];
-}
-
-static inline float rhw_nan1(void)
-{
-    return rhw_nan()[0];
 }
 
 static inline float rhw_exp2_1(float a)
@@ -272,6 +227,83 @@ static inline float rhw_acos1(float a)
     return rhw_acos(rhw_splat(a))[0];
 }
 
+static inline void rhw_sample_grad1(const struct rhw_bindings *textures, int slot, const float uv[2],
+                                    const float grad[4], float texel[4])
+{
+    const rhw_float at[2] = {rhw_splat(uv[0]), rhw_splat(uv[1])};
+    const rhw_float gradient[4] = {rhw_splat(grad[0]), rhw_splat(grad[1]), rhw_splat(grad[2]),
+                                   rhw_splat(grad[3])};
+    rhw_float lanes[4];
+    rhw_sample_grad(textures, slot, at, gradient, lanes);
+    for (int i = 0; i < 4; i++) {
+        texel[i] = lanes[i][0];
+    }
+}
+
+static inline void rhw_sample_lod1(const struct rhw_bindings *textures, int slot, const float uv[2],
+                                   float lod, float texel[4])
+{
+    const rhw_float at[2] = {rhw_splat(uv[0]), rhw_splat(uv[1])};
+    rhw_float lanes[4];
+    rhw_sample_lod(textures, slot, at, rhw_splat(lod), lanes);
+    for (int i = 0; i < 4; i++) {
+        texel[i] = lanes[i][0];
+    }
+}
+
+#endif
+
+// Sign and rounding ----------------------------------------------------------------------------------
+
+static inline float rhw_abs1(float a)
+{
+    return rhw_float_from_bits1(rhw_bits_from_float1(a) & INT32_MAX);
+}
+
+static inline float rhw_copysign1(float a, float sign)
+{
+    return rhw_float_from_bits1((rhw_bits_from_float1(a) & INT32_MAX) |
+                                (rhw_bits_from_float1(sign) & INT32_MIN));
+}
+
+static inline float rhw_sign1(float a)
+{
+    return a > 0.0f ? 1.0f : a < 0.0f ? -1.0f : rhw_float_from_bits1(0);
+}
+
+static inline float rhw_fract1(float a)
+{
+    return a - rhw_floor1(a);
+}
+
+static inline float rhw_mix1(float a, float b, float t)
+{
+    return a + (b - a) * t;
+}
+
+static inline float rhw_smoothstep1(float edge0, float edge1, float a)
+{
+    const float t = rhw_saturate1((a - edge0) / (edge1 - edge0));
+    return t * t * (3.0f - 2.0f * t);
+}
+
+static inline float rhw_rsqrt1(float a)
+{
+    return 1.0f / rhw_sqrt1(a);
+}
+
+// Special values -------------------------------------------------------------------------------------
+
+static inline float rhw_infinity1(void)
+{
+    return rhw_float_from_bits1(0x7f800000);
+}
+
+static inline float rhw_nan1(void)
+{
+    return rhw_float_from_bits1(0x7fc00000);
+}
+
 // Small vectors and matrices -------------------------------------------------------------------------
 
 static inline float rhw_dot2_1(const float a[2], const float b[2])
@@ -311,16 +343,22 @@ static inline void rhw_cross1(const float a[3], const float b[3], float result[3
     result[2] = a[0] * b[1] - a[1] * b[0];
 }
 
+/// See rhw_normalizing.
+static inline float rhw_normalizing1(float square)
+{
+    return rhw_rsqrt1(rhw_max1(square, 1.17549435e-38f));
+}
+
 static inline void rhw_normalize2_1(const float a[2], float result[2])
 {
-    const float scale = rhw_normalizing(rhw_splat(rhw_dot2_1(a, a)))[0];
+    const float scale = rhw_normalizing1(rhw_dot2_1(a, a));
     result[0] = a[0] * scale;
     result[1] = a[1] * scale;
 }
 
 static inline void rhw_normalize3_1(const float a[3], float result[3])
 {
-    const float scale = rhw_normalizing(rhw_splat(rhw_dot3_1(a, a)))[0];
+    const float scale = rhw_normalizing1(rhw_dot3_1(a, a));
     result[0] = a[0] * scale;
     result[1] = a[1] * scale;
     result[2] = a[2] * scale;
@@ -328,7 +366,7 @@ static inline void rhw_normalize3_1(const float a[3], float result[3])
 
 static inline void rhw_normalize4_1(const float a[4], float result[4])
 {
-    const float scale = rhw_normalizing(rhw_splat(rhw_dot4_1(a, a)))[0];
+    const float scale = rhw_normalizing1(rhw_dot4_1(a, a));
     result[0] = a[0] * scale;
     result[1] = a[1] * scale;
     result[2] = a[2] * scale;
@@ -394,32 +432,6 @@ static inline int32_t rhw_gather_int1(const int32_t *table, int32_t count, int32
     return index >= 0 && index < count ? table[index] : 0;
 }
 
-static inline void rhw_sample_grad1(const struct rhw_bindings *textures, int slot, const float uv[2],
-                                    const float grad[4], float texel[4])
-{
-    const rhw_float at[2] = {rhw_splat(uv[0]), rhw_splat(uv[1])};
-    const rhw_float gradient[4] = {rhw_splat(grad[0]), rhw_splat(grad[1]), rhw_splat(grad[2]),
-                                   rhw_splat(grad[3])};
-    rhw_float lanes[4];
-    rhw_sample_grad(textures, slot, at, gradient, lanes);
-    for (int i = 0; i < 4; i++) {
-        texel[i] = lanes[i][0];
-    }
-}
-
-static inline void rhw_sample_lod1(const struct rhw_bindings *textures, int slot, const float uv[2],
-                                   float lod, float texel[4])
-{
-    const rhw_float at[2] = {rhw_splat(uv[0]), rhw_splat(uv[1])};
-    rhw_float lanes[4];
-    rhw_sample_lod(textures, slot, at, rhw_splat(lod), lanes);
-    for (int i = 0; i < 4; i++) {
-        texel[i] = lanes[i][0];
-    }
-}
-
-#if defined(__GNUC__)
-#pragma GCC diagnostic pop
-#endif
+RHW_QUIET_END
 
 #endif

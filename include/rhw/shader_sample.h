@@ -6,10 +6,9 @@
 #include "base.h"
 #include "shader_vector.h"
 
-#if defined(__GNUC__)
-#pragma GCC diagnostic push
-#pragma GCC diagnostic ignored "-Wpsabi" // 8 lanes stay inside inline functions; no ABI is crossed
-#endif
+#if RHW_HAS_LANES
+
+RHW_QUIET_BEGIN
 
 struct rhw_fragment;
 
@@ -68,8 +67,8 @@ static inline void rhw_sample_lod(const struct rhw_bindings *textures, int slot,
 RHW_API void rhw_sample_groups(const struct rhw_fragment *groups, int count, uint32_t slots, int at,
                                rhw_float (*texels)[4], int stride);
 
-#if defined(__GNUC__)
-#pragma GCC diagnostic pop
+RHW_QUIET_END
+
 #endif
 
 #endif

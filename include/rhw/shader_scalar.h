@@ -11,10 +11,9 @@
 
 #include "shader_math.h"
 
-#if defined(__GNUC__)
-#pragma GCC diagnostic push
-#pragma GCC diagnostic ignored "-Wpsabi" // 8 lanes stay inside inline functions; no ABI is crossed
-#endif
+#if RHW_HAS_LANES
+
+RHW_QUIET_BEGIN
 
 #if defined(__cplusplus)
 
@@ -196,8 +195,8 @@ static inline rhw_int rhw_same_int(rhw_int lanes)
 
 #endif
 
-#if defined(__GNUC__)
-#pragma GCC diagnostic pop
+RHW_QUIET_END
+
 #endif
 
 #endif

@@ -8,6 +8,8 @@
 
 #include "shader_lanes.h"
 
+#if RHW_HAS_LANES
+
 #if defined(__AVX2__)
 #include <immintrin.h>
 #elif defined(__SSE2__)
@@ -21,10 +23,7 @@
 #include <stdbool.h>
 #include <string.h>
 
-#if defined(__GNUC__)
-#pragma GCC diagnostic push
-#pragma GCC diagnostic ignored "-Wpsabi" // 8 lanes stay inside inline functions; no ABI is crossed
-#endif
+RHW_QUIET_BEGIN
 
 /// 8 lanes seen as registers of 16 bytes. Local to the headers of rhw.
 union rhw_lanes {
@@ -529,8 +528,8 @@ static inline rhw_float rhw_rsqrt(rhw_float a)
     return 1.0f / rhw_sqrt(a);
 }
 
-#if defined(__GNUC__)
-#pragma GCC diagnostic pop
+RHW_QUIET_END
+
 #endif
 
 #endif

@@ -13,7 +13,7 @@ for header in $(cd "$root" && find src scene -name '*.h' | sort); do
     count=$((count + 1))
     if ! printf '#include "%s"\n#include "%s"\nextern int not_empty;\n' "$header" "$header" |
         "$compiler" -x c -std=gnu17 -fsyntax-only -I"$root" -I"$root/include" \
-            -iquote "$root/src" -iquote "$root/scene" -DRHW_BUILD_STATIC -DRHW_ISA_SUFFIX=baseline \
+            -iquote "$root/src" -iquote "$root/scene" -DRHW_ISA_SUFFIX=baseline \
             -Wall -Wextra -Wpedantic -Wshadow -Wconversion -Wundef \
             -Wno-unused-function -Wno-psabi -Werror -; then
         echo "$header does not compile alone with $compiler"

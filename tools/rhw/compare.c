@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // rhw compare: how two pictures differ, per channel in numbers and as a picture. Everything is computed in
 // double from the stored samples, row by row, so that equal files give exactly 0 and ids compare as integers.
+#include "elementary.h"
 #include "image_load.h"
 #include "image_write.h"
 #include "json.h"
@@ -11,6 +12,8 @@
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
+
+#include <rhw/shader.h>
 
 enum { OPTION_DIFFERENCE = 'd', OPTION_TOLERANCE = 't', OPTION_JSON = 256 };
 
@@ -76,10 +79,12 @@ static double difference_of(double a, double b)
     return isfinite(a) && isfinite(b) ? fabs(a - b) : INFINITY;
 }
 
+static const double decibel = 4.34294481903251828; // 10 / ln 10
+
 static double psnr_of(const struct channel_difference *channel, uint64_t pixels)
 {
     const double mean_square = channel->sum_of_squares / (double)pixels;
-    return mean_square > 0.0 ? 10.0 * log10(channel->peak * channel->peak / mean_square) : INFINITY;
+    return mean_square > 0.0 ? decibel * scene_log(channel->peak * channel->peak / mean_square) : INFINITY;
 }
 
 static bool match_channels(struct comparison *comparison)
@@ -221,7 +226,7 @@ static void heat_row(const void *user, int y, void *row)
         if (heat[x] <= 0.0f) {
             continue;
         }
-        const float place = fminf(fmaxf((log2f(heat[x]) + 10.0f) / 9.0f, 0.0f), 1.0f) * 5.0f;
+        const float place = fminf(fmaxf((rhw_log2_1(heat[x]) + 10.0f) / 9.0f, 0.0f), 1.0f) * 5.0f;
         const int step = place < 4.0f ? (int)place : 4;
         const float part = place - (float)step;
         for (int i = 0; i < 3; i++) {

@@ -71,7 +71,7 @@ RHW_INLINE void fetch_raw_texels(size_t size, const struct rhw_mip *mip, i8 x, i
         return;
     }
     uint32_t at[RHW_LANES];
-    const i8 number = y * (int32_t)(mip->row_pitch >> __builtin_ctzl(size)) + x;
+    const i8 number = y * (int32_t)(mip->row_pitch >> __builtin_ctzll(size)) + x;
     if (size == 8) {
         spill_lanes(2 * number, at);
         i8_load_pairs(mip->texels, at, &raw->word[0], &raw->word[1]);

@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: MIT
+// Cores on POSIX; on Linux what the process may use, not what the machine has.
+#if defined(__linux__) && !defined(_GNU_SOURCE)
+#define _GNU_SOURCE // sched_getaffinity
+#endif
+#include "cpu.h"
+
+#if defined(__linux__)
+#include <sched.h>
+
+#include "cpu_quota.h"
+#endif
+#include <unistd.h>
+
+int rhw_cpu_cores(void)
+{
+#if defined(__EMSCRIPTEN__) && !defined(__EMSCRIPTEN_PTHREADS__)
+    return 1; // this build cannot make threads
+#else
+#if defined(__linux__)
+    // What this process may use, not what the machine has: containers and taskset narrow it.
+    const int most = rhw_cpu_quota("/proc/self/cgroup", "/sys/fs/cgroup");
+    cpu_set_t set;
+    if (sched_getaffinity(0, sizeof set, &set) == 0) {
+        const int count = CPU_COUNT(&set);
+        if (count > 0) {
+            return count < most ? count : most;
+        }
+    }
+#else
+    const int most = 4096;
+#endif
+    const long online = sysconf(_SC_NPROCESSORS_ONLN);
+    return online > 0 ? (int)(online < most ? online : most) : 1;
+#endif
+}

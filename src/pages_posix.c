@@ -1,0 +1,80 @@
+// SPDX-License-Identifier: MIT
+// Pages of Linux, and the heap of every POSIX system.
+#if defined(__linux__) && !defined(_DEFAULT_SOURCE)
+#define _DEFAULT_SOURCE // MAP_ANONYMOUS
+#endif
+#include "pages.h"
+
+#include <stdint.h>
+#include <stdlib.h>
+#if defined(__linux__)
+#include <sys/mman.h>
+
+enum {
+    HUGE_PAGE = 2 << 20,    // bytes
+    LARGEST_PAGE = 64 << 10 // bytes; of the systems that Linux runs on
+};
+
+// Bytes of the pages that hold `size`.
+static size_t pages_size(size_t size)
+{
+    return (size + LARGEST_PAGE - 1) & ~(size_t)(LARGEST_PAGE - 1);
+}
+
+// Targets, arenas and large buffers are walked from end to end by every frame: on huge pages they cost a 512th of the
+// page faults and TLB misses.
+void *rhw_pages_map(size_t size)
+{
+    if (size > SIZE_MAX - HUGE_PAGE - LARGEST_PAGE) {
+        return NULL;
+    }
+    // As much more as it takes to begin on a huge page; what lies around that is given back.
+    const size_t whole = pages_size(size) + HUGE_PAGE;
+    unsigned char *const mapped =
+        mmap(NULL, whole, PROT_READ | PROT_WRITE, MAP_PRIVATE | MAP_ANONYMOUS, -1, 0);
+    if (mapped == MAP_FAILED) {
+        return NULL;
+    }
+    const size_t before = -(uintptr_t)mapped % HUGE_PAGE, behind = HUGE_PAGE - before;
+    unsigned char *const block = mapped + before;
+    if (before != 0) {
+        (void)munmap(mapped, before);
+    }
+    (void)munmap(block + pages_size(size), behind);
+#if defined(MADV_HUGEPAGE)
+    (void)madvise(block, size & ~(size_t)(HUGE_PAGE - 1), MADV_HUGEPAGE); // advice; may be refused
+#endif
+    return block;
+}
+
+void rhw_pages_unmap(void *block, size_t size)
+{
+    (void)munmap(block, pages_size(size));
+}
+
+#else
+
+void *rhw_pages_map(size_t size)
+{
+    (void)size;
+    return NULL;
+}
+
+void rhw_pages_unmap(void *block, size_t size)
+{
+    (void)block;
+    (void)size;
+}
+
+#endif
+
+void *rhw_heap_allocate(size_t size, size_t alignment)
+{
+    void *block = NULL;
+    return posix_memalign(&block, alignment, size) == 0 ? block : NULL;
+}
+
+void rhw_heap_release(void *block)
+{
+    free(block);
+}
