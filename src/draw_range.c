@@ -34,9 +34,10 @@ static bool check_elements(const struct rhw_pass_state *pass, bool per_instance,
             continue;
         }
         const int64_t count = (int64_t)elements_of(pass, i);
-        if (!rhw_check(pass->context, first >= 0 && last < count,
+        const int64_t end = per_instance ? first + (last - first) / layout->instance_step : last;
+        if (!rhw_check(pass->context, first >= 0 && end < count,
                        "%s: it reads %s %lld to %lld; attribute %d has %lld in the buffer of slot %d", where,
-                       per_instance ? "instances" : "vertices", (long long)first, (long long)last, i,
+                       per_instance ? "instances" : "vertices", (long long)first, (long long)end, i,
                        (long long)count, slot)) {
             return false;
         }

@@ -73,6 +73,11 @@ static inline struct rhw_pass_state *enter(rhw_context *context, rhw_pass id, co
     return NULL;
 }
 
+struct rhw_pass_state *rhw_pass_enter(rhw_context *context, rhw_pass id, const char *where)
+{
+    return enter(context, id, where);
+}
+
 // A pipeline draws into what it was made for.
 static bool targets_match(const struct rhw_pass_state *pass, rhw_pipeline id,
                           const struct rhw_pipeline_data *pipeline, const char *where)
@@ -559,18 +564,23 @@ static void append_draw(struct rhw_pass_state *pass, const struct rhw_draw *draw
     pass->triangle_count += (uint64_t)slot->triangles_per_instance * slot->instances;
 }
 
+void rhw_pass_record(struct rhw_pass_state *pass, const struct rhw_draw *draw, uint32_t count,
+                     const char *where)
+{
+    if (!pass->out_of_memory && check_draw(pass, draw->indexed, where) &&
+        (!pass->context->findings || rhw_draw_range_check(pass, draw, count, where))) {
+        append_draw(pass, draw, count);
+    }
+}
+
 static void record(rhw_context *context, rhw_pass id, const struct rhw_draw *draw, uint32_t count,
                    const char *where)
 {
     struct rhw_pass_state *const pass = enter(context, id, where);
-    if (!pass) {
-        return;
+    if (pass) {
+        rhw_pass_record(pass, draw, count, where);
+        rhw_context_leave(context);
     }
-    if (!pass->out_of_memory && check_draw(pass, draw->indexed, where) &&
-        (!context->findings || rhw_draw_range_check(pass, draw, count, where))) {
-        append_draw(pass, draw, count);
-    }
-    rhw_context_leave(context);
 }
 
 void rhw_pass_draw(rhw_context *context, rhw_pass id, uint32_t first, uint32_t count, uint32_t first_instance,

@@ -147,6 +147,9 @@ static bool check_layout(const struct rhw_context *context, int index, const str
     return rhw_check(context, !layout->constant || !layout->per_instance,
                      "%s: buffers[%d] is constant and per_instance; it must be one of them at most",
                      create_name, index) &&
+           rhw_check(context, layout->per_instance || layout->instance_step == 0,
+                     "%s: buffers[%d].instance_step is %u; it must be 0 in a buffer that is not per_instance",
+                     create_name, index, (unsigned)layout->instance_step) &&
            rhw_check(context, !layout->constant || layout->stride == 0,
                      "%s: buffers[%d].stride is %u; it must be 0 in a buffer that is constant", create_name,
                      index, (unsigned)layout->stride);
@@ -299,6 +302,7 @@ static void resolve_defaults(struct rhw_pipeline_def *def)
     for (int i = 0; i < def->buffer_count; i++) {
         struct rhw_vertex_layout *const layout = &def->buffers[i];
         layout->stride = layout->stride == 0 && !layout->constant ? ends[i] : layout->stride;
+        layout->instance_step = layout->instance_step == 0 ? 1 : layout->instance_step;
     }
 }
 

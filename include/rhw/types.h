@@ -151,7 +151,11 @@ struct rhw_attribute {
 
 struct rhw_vertex_layout {
     uint32_t stride;   ///< bytes; 0: up to the end of the last of its attributes, as tightly packed elements have it
-    bool per_instance; ///< step once per instance instead of once per vertex
+    bool per_instance; ///< step with the instances of a draw instead of its vertices
+    /// With per_instance: instances that read the same element, counted from first_instance of the draw; 0: 1
+    /// (Vulkan, VK_EXT_vertex_attribute_divisor: element firstInstance + ⌊(instance − firstInstance) / step⌋). For one
+    /// element for all, see `constant`.
+    uint32_t instance_step;
     bool constant;     ///< every vertex of every instance reads the first element; no stride then
 };
 
@@ -310,6 +314,27 @@ struct rhw_pass_def {
     int color_count;
     struct rhw_depth_attachment depth;
     const char *label; ///< for messages
+};
+
+/// What rhw_pass_draw_indirect reads from a buffer; the members mean what those parameters of rhw_pass_draw do
+/// (VkDrawIndirectCommand).
+struct rhw_draw_command { uint32_t count, instances, first, first_instance; };
+
+/// The same for rhw_pass_draw_indexed_indirect (VkDrawIndexedIndirectCommand).
+struct rhw_draw_indexed_command {
+    uint32_t count, instances, first;
+    int32_t base_vertex;
+    uint32_t first_instance;
+};
+
+/// Where draws find their commands.
+struct rhw_draw_commands {
+    rhw_buffer buffer;
+    size_t offset;   ///< bytes to the first command; a multiple of 4
+    uint32_t stride; ///< bytes from one to the next, a multiple of 4; 0: one behind the other
+    uint32_t count;  ///< commands; with `count_buffer` the most
+    rhw_buffer count_buffer; ///< where a uint32_t says how many there are; null: `count`
+    size_t count_offset;     ///< bytes to it; a multiple of 4
 };
 
 struct rhw_viewport {

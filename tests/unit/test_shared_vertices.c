@@ -234,8 +234,8 @@ static void test_other_attributes(void **state)
     const float one[8][4] = {{0.5f, 0.25f, 1, 1}};
     for (int per_instance = 0; per_instance < 2; per_instance++) {
         uint64_t hash[2];
-        rig.pipeline.buffers[1] =
-            (struct rhw_vertex_layout){per_instance ? 16 : 0, per_instance, !per_instance};
+        rig.pipeline.buffers[1] = (struct rhw_vertex_layout){
+            .stride = per_instance ? 16 : 0, .per_instance = per_instance, .constant = !per_instance};
         rig.pipeline.buffer_count = 2;
         rig.pipeline.attributes[1] = (struct rhw_attribute){RHW_VERTEX_FLOAT4, 1, 0};
         for (int twin = 0; twin < 2; twin++) {

@@ -354,6 +354,12 @@ static void test_draws_stay_within_their_buffers(void **state)
         &rig, "rhw_pass_draw: it reads vertices 1 to 6; attribute 0 has 6 in the buffer of slot 0 [draw 5");
     rhw_pass_draw(context, pass, 0, 6, 0, 2);
     rig_expect_misuse(&rig, "it reads instances 0 to 1; attribute 1 has 1 in the buffer of slot 1");
+    rig.pipeline.buffers[1].instance_step = 3;
+    rig_use_pipeline(&rig);
+    rhw_pass_draw(context, pass, 0, 6, 0, 3);
+    assert_int_equal(rig.misuses, 0);
+    rhw_pass_draw(context, pass, 0, 6, 0, 4);
+    rig_expect_misuse(&rig, "it reads instances 0 to 1; attribute 1 has 1 in the buffer of slot 1");
     rhw_pass_draw_indexed(context, pass, 2, 6, 0, 0, 1);
     rig_expect_misuse(&rig,
                       "rhw_pass_draw_indexed: first is 2 and count is 6; the index buffer has 7 indices");

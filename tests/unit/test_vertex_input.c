@@ -277,6 +277,62 @@ static void test_buffers_strides_offsets_and_instances(void **state)
     rig_close(&rig);
 }
 
+// Instance 2 + i fills pixel i of a target one pixel high: its element and its index.
+static void instance_vertex(struct rhw_vertex *groups, int count)
+{
+    static const float corners[3][2] = {{0, -1}, {0, 3}, {2, -1}};
+    for (int g = 0; g < count; g++) {
+        struct rhw_vertex *const v = &groups[g];
+        for (int lane = 0; lane < RHW_LANES; lane++) {
+            const float *const corner = corners[v->vertex_index[lane]];
+            const float x = (float)(v->instance_index[lane] - 2) + corner[0];
+            v->position[0][lane] = x / 7 * 2 - 1;
+            v->position[1][lane] = corner[1];
+        }
+        v->position[2] = rhw_splat(0);
+        v->position[3] = rhw_splat(1);
+        v->varying[0] = v->attribute[0][0];
+        v->varying[1] = rhw_float_from_int(v->instance_index);
+        v->varying[2] = v->varying[3] = rhw_splat(0);
+    }
+}
+
+// Element first_instance + ⌊i / step⌋ of instance first_instance + i: Vulkan's rule, by hand.
+static void test_instances_share_elements(void **state)
+{
+    (void)state;
+    enum { INSTANCES = 7 };
+    for (uint32_t step = 0; step <= 8; step++) {
+        struct rig rig;
+        rig_open(&rig, INSTANCES, 1);
+        rig_set_program(&rig, instance_vertex, rig_fragment_pass);
+        rig.pipeline.program.varyings[0].qualifier = RHW_FLAT;
+        rig.pipeline.attributes[0] = (struct rhw_attribute){RHW_VERTEX_FLOAT1, 0, 0};
+        rig.pipeline.attribute_count = 1;
+        rig.pipeline.buffers[0] = (struct rhw_vertex_layout){.per_instance = true, .instance_step = step};
+        const float data[2 + INSTANCES] = {10, 11, 12, 13, 14, 15, 16, 17, 18};
+        rig_begin(&rig);
+        rig_use_pipeline(&rig);
+        rig_use_vertices(&rig, 0, data, sizeof data);
+        rhw_pass_draw(rig.context, rig.recording, 0, 3, 2, INSTANCES);
+        rig_end(&rig);
+        const float(*const pixels)[4] = rig_read_float4(&rig);
+        for (uint32_t i = 0; i < INSTANCES; i++) {
+            assert_true(pixels[i][0] == (float)(12 + (step == 0 ? i : i / step)));
+            assert_true(pixels[i][1] == (float)(2 + i)); // the index itself counts every instance
+        }
+        rig_close(&rig);
+    }
+    struct rig rig;
+    rig_open(&rig, 8, 8);
+    rig.pipeline.buffers[0].instance_step = 2;
+    rhw_pipeline pipeline;
+    assert_int_equal(rhw_pipeline_create(rig.context, &rig.pipeline, &pipeline), RHW_ERROR_MISUSE);
+    rig_expect_misuse(&rig,
+                      "buffers[0].instance_step is 2; it must be 0 in a buffer that is not per_instance");
+    rig_close(&rig);
+}
+
 // The attribute of the last triangle ends 0 to 12 bytes short of its buffer's end; what is not whole there
 // reads 0, 0, 0, 1.
 static void test_an_element_that_ends_beyond_its_buffer(void **state)
@@ -332,6 +388,7 @@ int main(void)
         cmocka_unit_test(test_every_format),
         cmocka_unit_test(test_sizes_and_texel_sizes),
         cmocka_unit_test(test_buffers_strides_offsets_and_instances),
+        cmocka_unit_test(test_instances_share_elements),
         cmocka_unit_test(test_an_element_that_ends_beyond_its_buffer),
         cmocka_unit_test(test_a_buffer_bound_beyond_its_end),
     };

@@ -84,6 +84,16 @@ static void store_records(const struct rhw_draw_state *state, const struct rhw_v
     }
 }
 
+// The element that all vertices of the instance read; in every lane.
+static const uint32_t *instance_elements(const struct rhw_segment *segment,
+                                         const struct rhw_vertex_layout *layout, uint32_t elements[8])
+{
+    for (int lane = 0; lane < 8; lane++) {
+        elements[lane] = segment->draw->first_instance + segment->instance / layout->instance_step;
+    }
+    return elements;
+}
+
 // Makes group `g` ready for the vertex function; its vertices are those from `slot` on.
 static void fetch_group(struct rhw_geometry_scratch *scratch, const struct rhw_segment *segment, int g,
                         uint32_t slot)
@@ -92,16 +102,15 @@ static void fetch_group(struct rhw_geometry_scratch *scratch, const struct rhw_s
     const struct rhw_pipeline_def *const def = &state->pipeline->def;
     const uint32_t instance = segment->draw->first_instance + segment->instance;
     struct rhw_vertex *const group = &scratch->groups[g];
-    uint32_t element[8], instances[8];
+    uint32_t element[8];
     memcpy(element, &scratch->unique[slot], sizeof element);
-    for (int lane = 0; lane < 8; lane++) {
-        instances[lane] = instance;
-    }
     for (int a = 0; a < def->attribute_count; a++) {
         const struct rhw_attribute *const attribute = &def->attributes[a];
         const struct rhw_vertex_layout *const layout = &def->buffers[attribute->buffer];
         const struct rhw_vertex_stream *const stream = &state->streams[attribute->buffer];
-        const uint32_t *const elements = layout->per_instance ? instances : element;
+        uint32_t stepped[8];
+        const uint32_t *const elements =
+            layout->per_instance ? instance_elements(segment, layout, stepped) : element;
         f8 *const out = scratch->attributes[g][a];
         if (scratch->special_paths && lies_inside(stream, attribute, layout->stride, elements)) {
             fetch_inside(stream, attribute, layout->stride, elements, out);
@@ -111,7 +120,7 @@ static void fetch_group(struct rhw_geometry_scratch *scratch, const struct rhw_s
     }
     group->attribute = (const f8(*)[4])scratch->attributes[g];
     group->vertex_index = i8_load(element);
-    group->instance_index = i8_load(instances);
+    group->instance_index = i8_splat((int32_t)instance);
     group->uniforms = segment->draw->uniforms;
     group->user = def->program.user;
     group->textures = state->textures;

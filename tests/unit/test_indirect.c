@@ -1,0 +1,168 @@
+// SPDX-License-Identifier: MIT
+// Draws whose parameters stand in buffers draw what the same parameters draw by hand.
+#include "harness.h"
+
+#include <string.h>
+
+enum { COLUMNS = 8 };
+
+// Column i, of COLUMNS, is a quad of vertices 6 i .. 6 i + 5 with the value (i + 1, instance, draw, 1).
+static void fill_column(struct rhw_fragment *groups, int count)
+{
+    for (int g = 0; g < count; g++) {
+        struct rhw_fragment *const f = &groups[g];
+        f->color[0][0] = f->varying[0];
+        f->color[0][1] = rhw_float_from_int(f->instance);
+        f->color[0][2] = rhw_float_from_int(f->draw);
+        f->color[0][3] = rhw_splat(1);
+    }
+}
+
+struct stage {
+    struct rig rig;
+    rhw_buffer commands, counts;
+};
+
+static rhw_buffer make_buffer(struct rig *rig, const void *data, size_t size)
+{
+    const struct rhw_buffer_def def = {.size = size, .data = data, .label = "commands"};
+    rhw_buffer buffer;
+    assert_int_equal(rhw_buffer_create(rig->context, &def, &buffer), RHW_OK);
+    return buffer;
+}
+
+static void open_stage(struct stage *stage, const void *commands, size_t size)
+{
+    struct rig *const rig = &stage->rig;
+    rig_open(rig, COLUMNS, 1);
+    rig_set_program(rig, rig_vertex_pass, fill_column);
+    rig->pipeline.program.uses = RHW_USE_IDS;
+    struct rig_vertex vertices[6 * COLUMNS];
+    for (int i = 0; i < COLUMNS; i++) {
+        const float value[4] = {(float)(i + 1), 0, 0, 1};
+        rig_rectangle(rig, (float)i, 0, (float)(i + 1), 1, 0, value, vertices + 6 * i);
+    }
+    uint16_t indices[6 * COLUMNS];
+    for (int i = 0; i < 6 * COLUMNS; i++) {
+        indices[i] = (uint16_t)(6 * COLUMNS - 6 - i / 6 * 6 + i % 6); // columns from right to left
+    }
+    stage->commands = make_buffer(rig, commands, size);
+    stage->counts = make_buffer(rig, (const uint32_t[4]){7, 1, 2, 99}, 16);
+    rig_begin(rig);
+    rig_use_pipeline(rig);
+    rig_use_vertices(rig, 0, vertices, sizeof vertices);
+    rig_use_indices(rig, RHW_INDEX_UINT16, indices, sizeof indices);
+}
+
+// `columns` has 0 where nothing is drawn, else 100 · column + 10 · instance + draw + 1.
+static void expect_columns(struct rig *rig, const int columns[COLUMNS])
+{
+    rig_end(rig);
+    const float(*const pixels)[4] = rig_read_float4(rig);
+    for (int x = 0; x < COLUMNS; x++) {
+        const float *const p = pixels[x];
+        const int seen = p[3] == 0 ? 0 : (int)(100 * p[0] + 10 * p[1] + p[2]) + 1;
+        assert_int_equal(seen, columns[x]);
+    }
+}
+
+static void test_draws(void **state)
+{
+    (void)state;
+    const struct rhw_draw_command commands[3] = {{6, 1, 0, 2}, {12, 1, 12, 0}, {6, 2, 36, 3}};
+    struct stage stage;
+    open_stage(&stage, commands, sizeof commands);
+    rhw_pass_draw_indirect(stage.rig.context, stage.rig.recording,
+                           &(struct rhw_draw_commands){.buffer = stage.commands, .count = 3});
+    assert_int_equal(stage.rig.misuses, 0);
+    // What is written afterwards is not seen.
+    assert_int_equal(rhw_buffer_write(stage.rig.context, stage.commands, 0, (const uint32_t[4]){0}, 16), RHW_OK);
+    expect_columns(&stage.rig, (const int[COLUMNS]){121, 0, 302, 402, 0, 0, 743, 0});
+    assert_int_equal(stage.rig.stats.draws, 3);
+    rig_close(&stage.rig);
+}
+
+static void test_indexed_draws_with_a_stride(void **state)
+{
+    (void)state;
+    const struct {
+        uint32_t padding;
+        struct rhw_draw_indexed_command command;
+        uint32_t more;
+    } commands[3] = {{9, {6, 1, 0, 0, 0}, 9}, {9, {6, 1, 6, -6, 4}, 9}, {9, {6, 1, 42, 6, 0}, 9}};
+    struct stage stage;
+    open_stage(&stage, commands, sizeof commands);
+    rhw_pass_draw_indexed_indirect(
+        stage.rig.context, stage.rig.recording,
+        &(struct rhw_draw_commands){
+            .buffer = stage.commands, .offset = 4, .count = 3, .stride = sizeof commands[0]});
+    expect_columns(&stage.rig, (const int[COLUMNS]){0, 203, 0, 0, 0, 642, 0, 801});
+    rig_close(&stage.rig);
+}
+
+// The count is that of the buffer, and never more than the most.
+static void test_counts_from_a_buffer(void **state)
+{
+    (void)state;
+    const struct rhw_draw_command commands[3] = {{6, 1, 0, 0}, {6, 1, 6, 0}, {6, 1, 12, 0}};
+    for (int i = 0; i < 4; i++) {
+        struct stage stage;
+        open_stage(&stage, commands, sizeof commands);
+        const struct rhw_draw_commands indirect = {.buffer = stage.commands,
+                                                   .count = i == 0 ? 0 : 3,
+                                                   .count_buffer = stage.counts,
+                                                   .count_offset = 4 * (size_t)i};
+        rhw_pass_draw_indirect(stage.rig.context, stage.rig.recording, &indirect);
+        assert_int_equal(stage.rig.misuses, 0);
+        expect_columns(&stage.rig,
+                       (const int[COLUMNS]){i >= 1 ? 101 : 0, i >= 2 ? 202 : 0, i >= 3 ? 303 : 0});
+        rig_close(&stage.rig);
+    }
+}
+
+static void test_misuse(void **state)
+{
+    (void)state;
+    const struct rhw_draw_command commands[2] = {{6, 1, 0, 0}, {6, 1, 6, 0}};
+    struct stage stage;
+    open_stage(&stage, commands, sizeof commands);
+    struct rig *const rig = &stage.rig;
+    const struct {
+        struct rhw_draw_commands commands;
+        const char *message;
+    } wrong[] = {
+        {{.buffer = stage.commands, .count = 3},
+         "offset is 0 and 48 bytes are read there; together they must stay within the 32 bytes of buffer 1 \"commands\""},
+        {{.buffer = stage.commands, .count = 1, .offset = 20}, "offset is 20 and 16 bytes are read there"},
+        {{.buffer = stage.commands, .count = 1, .offset = 40}, "offset is 40"},
+        {{.buffer = stage.commands, .count = 1, .offset = 2}, "offset is 2; it must be a multiple of 4"},
+        {{.buffer = stage.commands, .count = 1, .stride = 12}, "stride is 12; it must be 0, or a multiple of 4 of at least 16"},
+        {{.buffer = stage.commands, .count = UINT32_MAX, .stride = 0x80000000}, "bytes are read there"},
+        {{.buffer = stage.commands, .count = 1, .count_buffer = stage.counts, .count_offset = 16},
+         "count_offset is 16 and 4 bytes are read there"},
+        {{.count = 1}, "rhw_pass_draw_indirect: the buffer id is null"},
+    };
+    for (size_t i = 0; i < sizeof wrong / sizeof wrong[0]; i++) {
+        rhw_pass_draw_indirect(rig->context, rig->recording, &wrong[i].commands);
+        rig_expect_misuse(rig, wrong[i].message);
+    }
+    rhw_pass_draw_indirect(rig->context, rig->recording, NULL);
+    rig_expect_misuse(rig, "rhw_pass_draw_indirect: commands is NULL");
+    rhw_pass_draw_indexed_indirect(rig->context, rig->recording,
+                                   &(struct rhw_draw_commands){.buffer = stage.commands, .count = 2});
+    rig_expect_misuse(rig, "rhw_pass_draw_indexed_indirect: offset is 0 and 40 bytes are read there");
+    rig_end(rig);
+    assert_int_equal(rig->stats.draws, 0);
+    rig_close(rig);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(test_draws),
+        cmocka_unit_test(test_indexed_draws_with_a_stride),
+        cmocka_unit_test(test_counts_from_a_buffer),
+        cmocka_unit_test(test_misuse),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}
