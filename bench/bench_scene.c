@@ -13,14 +13,19 @@
 #include <string.h>
 
 const struct bench_scene_entry bench_scene_entries[] = {
-    {"fill_flat", "8 floors over the whole picture, one colour each", bench_make_floor, BENCH_FLOOR_FLAT},
-    {"fill_color", "the same, interpolated colours", bench_make_floor, BENCH_FLOOR_COLOR},
+    {"fill_flat", "8 floors over the whole picture, one colour each, a uniform", bench_make_floor,
+     BENCH_FLOOR_FLAT},
+    {"fill_literal", "the same, one colour that the shader names: half the price to llvmpipe",
+     bench_make_floor, BENCH_FLOOR_LITERAL},
+    {"fill_color", "8 floors, interpolated colours", bench_make_floor, BENCH_FLOOR_COLOR},
     {"fill_blend", "the same, blended by source alpha", bench_make_floor, BENCH_FLOOR_BLEND},
     {"fill_tex", "the same, a trilinear texture of 1024x1024", bench_make_floor, BENCH_FLOOR_TEXTURE},
     {"overdraw", "fill_tex with a depth test: 8 opaque layers, far to near", bench_make_floor,
      BENCH_FLOOR_OVERDRAW},
     {"painter", "fill_tex again, where hidden fragments may be skipped", bench_make_floor,
      BENCH_FLOOR_PAINTER},
+    {"painter_free", "painter, without the depth buffer that keeps llvmpipe from skipping them",
+     bench_make_floor, BENCH_FLOOR_PAINTER_FREE},
     {"sphere_10k", "bumpy sphere of 10,000 triangles, Blinn-Phong per pixel", bench_make_sphere,
      BENCH_SPHERE_10K},
     {"sphere_82k", "the same of 82,000 triangles", bench_make_sphere, BENCH_SPHERE_82K},

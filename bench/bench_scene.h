@@ -41,7 +41,8 @@ struct bench_texture {
 
 // The pairs of shaders; both forms of each stand in shaders_lanes.c (8 lanes) and shaders_glsl.c.
 enum bench_shader {
-    BENCH_SHADER_FLAT,     // one colour
+    BENCH_SHADER_FLAT,     // one colour, a uniform
+    BENCH_SHADER_LITERAL,  // one colour, which the shader itself names
     BENCH_SHADER_COLOR,    // interpolated colour
     BENCH_SHADER_TEXTURE,  // a texel
     BENCH_SHADER_LIT,      // Blinn-Phong
@@ -102,6 +103,8 @@ struct bench_scene {
     // of the first texture; or of the program that renders this file.
     bool opens_context, opens_texture, makes_mips;
     const char *renders_file;
+    // The peer's target has no depth buffer beside it: llvmpipe then leaves out what opaque triangles hide.
+    bool without_depth;
     float clear[4]; // alpha 0, which no shader writes: it tells what is covered
     struct bench_tolerance tolerance;
     enum bench_unit unit;

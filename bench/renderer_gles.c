@@ -111,6 +111,17 @@ static void set_frame_uniforms(const struct gles_state *s)
     }
 }
 
+static void attach_depth(struct gles_state *s)
+{
+    const struct gles *const gl = &s->gl;
+    gl->gen_textures(1, &s->depth);
+    gl->bind_texture(GL_TEXTURE_2D, s->depth);
+    gl->tex_storage_2d(GL_TEXTURE_2D, 1, GL_DEPTH_COMPONENT32F, s->width, s->height);
+    gl->tex_parameter_i(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_NEAREST);
+    gl->tex_parameter_i(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_NEAREST);
+    gl->framebuffer_texture_2d(GL_FRAMEBUFFER, GL_DEPTH_ATTACHMENT, GL_TEXTURE_2D, s->depth, 0);
+}
+
 static bool make_targets(struct gles_state *s)
 {
     const struct gles *const gl = &s->gl;
@@ -123,14 +134,10 @@ static bool make_targets(struct gles_state *s)
                                  s->height);
         gl->framebuffer_renderbuffer(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_RENDERBUFFER, s->color);
     }
-    // In every scene: without depth llvmpipe drops what an opaque triangle hides in a tile of 64×64, and would
-    // draw one of 8 floors.
-    gl->gen_textures(1, &s->depth);
-    gl->bind_texture(GL_TEXTURE_2D, s->depth);
-    gl->tex_storage_2d(GL_TEXTURE_2D, 1, GL_DEPTH_COMPONENT32F, s->width, s->height);
-    gl->tex_parameter_i(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_NEAREST);
-    gl->tex_parameter_i(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_NEAREST);
-    gl->framebuffer_texture_2d(GL_FRAMEBUFFER, GL_DEPTH_ATTACHMENT, GL_TEXTURE_2D, s->depth, 0);
+    // Without depth llvmpipe drops what an opaque triangle hides in a tile of 64×64, and would draw one of 8 floors.
+    if (!s->scene->without_depth) {
+        attach_depth(s);
+    }
     const GLenum target = s->scene->has_color ? GL_COLOR_ATTACHMENT0 : GL_NONE;
     gl->draw_buffers(1, &target);
     return gl->check_framebuffer_status(GL_FRAMEBUFFER) == GL_FRAMEBUFFER_COMPLETE;
@@ -241,7 +248,7 @@ static bool frame(struct bench_renderer *renderer)
         gl->draw_elements(GL_TRIANGLES, (GLsizei)scene->meshes[draw->mesh].index_count, GL_UNSIGNED_INT,
                           NULL);
     }
-    if (scene->has_color) {
+    if (scene->has_color && !scene->without_depth) {
         gl->invalidate_framebuffer(GL_FRAMEBUFFER, 1, &depth);
     }
     gl->finish();

@@ -74,10 +74,14 @@ bool bench_make_floor(const struct bench_scene_entry *entry, struct bench_scene 
                       char *why, size_t why_size)
 {
     (void)why, (void)why_size; // nothing but memory can fail
-    static const enum bench_shader shaders[] = {
-        [BENCH_FLOOR_FLAT] = BENCH_SHADER_FLAT,        [BENCH_FLOOR_COLOR] = BENCH_SHADER_COLOR,
-        [BENCH_FLOOR_BLEND] = BENCH_SHADER_COLOR,      [BENCH_FLOOR_TEXTURE] = BENCH_SHADER_TEXTURE,
-        [BENCH_FLOOR_OVERDRAW] = BENCH_SHADER_TEXTURE, [BENCH_FLOOR_PAINTER] = BENCH_SHADER_TEXTURE};
+    static const enum bench_shader shaders[] = {[BENCH_FLOOR_FLAT] = BENCH_SHADER_FLAT,
+                                                [BENCH_FLOOR_LITERAL] = BENCH_SHADER_LITERAL,
+                                                [BENCH_FLOOR_PAINTER_FREE] = BENCH_SHADER_TEXTURE,
+                                                [BENCH_FLOOR_COLOR] = BENCH_SHADER_COLOR,
+                                                [BENCH_FLOOR_BLEND] = BENCH_SHADER_COLOR,
+                                                [BENCH_FLOOR_TEXTURE] = BENCH_SHADER_TEXTURE,
+                                                [BENCH_FLOOR_OVERDRAW] = BENCH_SHADER_TEXTURE,
+                                                [BENCH_FLOOR_PAINTER] = BENCH_SHADER_TEXTURE};
     static const double identity[16] = {1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1};
     const enum bench_floor_variant variant = (enum bench_floor_variant)entry->variant;
     const enum bench_shader shader = shaders[variant];
@@ -86,7 +90,8 @@ bool bench_make_floor(const struct bench_scene_entry *entry, struct bench_scene 
     scene->texture_count = shader == BENCH_SHADER_TEXTURE;
     scene->blends = variant == BENCH_FLOOR_BLEND;
     scene->depth_test = variant == BENCH_FLOOR_OVERDRAW;
-    scene->shades_all = variant != BENCH_FLOOR_OVERDRAW && variant != BENCH_FLOOR_PAINTER;
+    scene->shades_all = variant < BENCH_FLOOR_OVERDRAW;
+    scene->without_depth = variant == BENCH_FLOOR_PAINTER_FREE;
     scene->unit = BENCH_FRAGMENTS;
     scene->work = (double)LAYERS * width * height;
     set_tolerance(&scene->tolerance, variant);

@@ -7,11 +7,13 @@
 
 enum bench_floor_variant {
     BENCH_FLOOR_FLAT,
+    BENCH_FLOOR_LITERAL,
     BENCH_FLOOR_COLOR,
     BENCH_FLOOR_BLEND,
     BENCH_FLOOR_TEXTURE,
     BENCH_FLOOR_OVERDRAW,
-    BENCH_FLOOR_PAINTER
+    BENCH_FLOOR_PAINTER,
+    BENCH_FLOOR_PAINTER_FREE
 };
 
 bool bench_make_floor(const struct bench_scene_entry *entry, struct bench_scene *scene, int width, int height,

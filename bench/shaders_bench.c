@@ -9,6 +9,7 @@ enum { P = 1 << BENCH_POSITION, N = 1 << BENCH_NORMAL, T = 1 << BENCH_UV, C = 1 
 
 const uint32_t bench_shader_attributes[BENCH_SHADERS] = {
     [BENCH_SHADER_FLAT] = P,
+    [BENCH_SHADER_LITERAL] = P,
     [BENCH_SHADER_COLOR] = P | C,
     [BENCH_SHADER_TEXTURE] = P | T,
     [BENCH_SHADER_LIT] = P | N,

@@ -32,6 +32,8 @@ static const struct {
     const char *vertex, *fragment;
 } mains[BENCH_SHADERS] = {
     [BENCH_SHADER_FLAT] = {"void main() { to_clip(); }\n", "void main() { target = u[9]; }\n"},
+    [BENCH_SHADER_LITERAL] = {"void main() { to_clip(); }\n",
+                              "void main() { target = vec4(0.85, 0.2, 0.15, 1.0); }\n"},
     [BENCH_SHADER_COLOR] = {"out vec4 varying_color;\n"
                             "void main() { to_clip(); varying_color = color; }\n",
                             "in vec4 varying_color;\n"

@@ -98,6 +98,16 @@ static void flat_fragment(struct rhw_fragment *groups, int count)
     }
 }
 
+static void literal_fragment(struct rhw_fragment *groups, int count)
+{
+    for (int g = 0; g < count; g++) {
+        groups[g].color[0][0] = rhw_splat(0.85f);
+        groups[g].color[0][1] = rhw_splat(0.2f);
+        groups[g].color[0][2] = rhw_splat(0.15f);
+        groups[g].color[0][3] = rhw_splat(1);
+    }
+}
+
 static void color_fragment(struct rhw_fragment *groups, int count)
 {
     for (int g = 0; g < count; g++) {
@@ -221,6 +231,7 @@ const struct bench_shader_table RHW_ISA_NAME(bench_shader_table) = {
     .vertex =
         {
             [BENCH_SHADER_FLAT] = position_vertex,
+            [BENCH_SHADER_LITERAL] = position_vertex,
             [BENCH_SHADER_COLOR] = color_vertex,
             [BENCH_SHADER_TEXTURE] = texture_vertex,
             [BENCH_SHADER_LIT] = lit_vertex,
@@ -232,6 +243,7 @@ const struct bench_shader_table RHW_ISA_NAME(bench_shader_table) = {
     .fragment =
         {
             [BENCH_SHADER_FLAT] = flat_fragment,
+            [BENCH_SHADER_LITERAL] = literal_fragment,
             [BENCH_SHADER_COLOR] = color_fragment,
             [BENCH_SHADER_TEXTURE] = texture_fragment,
             [BENCH_SHADER_LIT] = lit_fragment,

@@ -26,15 +26,16 @@ static uint64_t extent(uint32_t count, uint64_t stride, uint64_t size)
 }
 
 // Looks up what `size` bytes at an offset, or more of them, are read from; NULL when that is misuse.
-static const unsigned char *find_bytes(const rhw_context *context, rhw_buffer id, size_t offset, uint64_t size,
-                                       const char *name, const char *where)
+static const unsigned char *find_bytes(const rhw_context *context, rhw_buffer id, size_t offset,
+                                       uint64_t size, const char *name, const char *where)
 {
     const struct rhw_buffer_data *const buffer = rhw_context_buffer(context, id, where);
     return buffer != NULL &&
-                   rhw_check(context, offset % 4 == 0, "%s: %soffset is %zu; it must be a multiple of 4", where,
-                             name, offset) &&
+                   rhw_check(context, offset % 4 == 0, "%s: %soffset is %zu; it must be a multiple of 4",
+                             where, name, offset) &&
                    rhw_check(context, offset <= buffer->size && size <= buffer->size - offset,
-                             "%s: %soffset is %zu and %llu bytes are read there; together they must stay within the "
+                             "%s: %soffset is %zu and %llu bytes are read there; together they must stay "
+                             "within the "
                              "%zu bytes of %s",
                              where, name, offset, (unsigned long long)size, buffer->size,
                              rhw_name_of(&context->buffers, id.index).text)
@@ -78,9 +79,8 @@ static void draw_all(struct rhw_pass_state *pass, const struct rhw_draw_commands
     const struct command_list list = find_commands(pass->context, commands, sizeof command, where);
     for (uint32_t i = 0; list.bytes != NULL && i < list.count; i++) {
         memcpy(&command, list.bytes + i * list.stride, sizeof command);
-        const struct rhw_draw draw = {.first = command.first,
-                                      .first_instance = command.first_instance,
-                                      .instances = command.instances};
+        const struct rhw_draw draw = {
+            .first = command.first, .first_instance = command.first_instance, .instances = command.instances};
         rhw_pass_record(pass, &draw, command.count, where);
     }
 }

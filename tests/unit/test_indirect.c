@@ -76,7 +76,8 @@ static void test_draws(void **state)
                            &(struct rhw_draw_commands){.buffer = stage.commands, .count = 3});
     assert_int_equal(stage.rig.misuses, 0);
     // What is written afterwards is not seen.
-    assert_int_equal(rhw_buffer_write(stage.rig.context, stage.commands, 0, (const uint32_t[4]){0}, 16), RHW_OK);
+    assert_int_equal(rhw_buffer_write(stage.rig.context, stage.commands, 0, (const uint32_t[4]){0}, 16),
+                     RHW_OK);
     expect_columns(&stage.rig, (const int[COLUMNS]){121, 0, 302, 402, 0, 0, 743, 0});
     assert_int_equal(stage.rig.stats.draws, 3);
     rig_close(&stage.rig);
@@ -132,11 +133,13 @@ static void test_misuse(void **state)
         const char *message;
     } wrong[] = {
         {{.buffer = stage.commands, .count = 3},
-         "offset is 0 and 48 bytes are read there; together they must stay within the 32 bytes of buffer 1 \"commands\""},
+         "offset is 0 and 48 bytes are read there; together they must stay within the 32 bytes of buffer 1 "
+         "\"commands\""},
         {{.buffer = stage.commands, .count = 1, .offset = 20}, "offset is 20 and 16 bytes are read there"},
         {{.buffer = stage.commands, .count = 1, .offset = 40}, "offset is 40"},
         {{.buffer = stage.commands, .count = 1, .offset = 2}, "offset is 2; it must be a multiple of 4"},
-        {{.buffer = stage.commands, .count = 1, .stride = 12}, "stride is 12; it must be 0, or a multiple of 4 of at least 16"},
+        {{.buffer = stage.commands, .count = 1, .stride = 12},
+         "stride is 12; it must be 0, or a multiple of 4 of at least 16"},
         {{.buffer = stage.commands, .count = UINT32_MAX, .stride = 0x80000000}, "bytes are read there"},
         {{.buffer = stage.commands, .count = 1, .count_buffer = stage.counts, .count_offset = 16},
          "count_offset is 16 and 4 bytes are read there"},
