@@ -30,7 +30,7 @@ struct bench_renderer {
     void (*close)(struct bench_renderer *renderer);
 };
 
-// `threads` as in rhw_context_def, `isa` the highest to use; RHW_ISA_COUNT: the best there is.
+// `threads` as in rhw_context_def, `isa` the highest to use; RHW_ISA_COUNT: that of RHW_ISA_BEST.
 bool bench_open_rhw(struct bench_renderer *renderer, int threads, enum rhw_isa isa, const char **why);
 // A Mesa driver by its name, "llvmpipe" or "softpipe". One at a time.
 bool bench_open_gles(struct bench_renderer *renderer, const char *driver, const char **why);

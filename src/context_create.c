@@ -48,9 +48,13 @@ bool rhw_isa_supported(enum rhw_isa isa)
     return (unsigned)isa < RHW_ISA_COUNT && rhw_cpu_supports(isa) && rhw_kernels_for(isa) != NULL;
 }
 
+// What RHW_ISA_BEST stands for. AVX-512 draws the same bytes in 0.97 of the time on a Zen 5, some scenes slower, and in
+// 0.92 to 1.05 on a Zen 4; other processors lower their clock for it.
+static const enum rhw_isa_limit measured_best = RHW_ISA_UP_TO_AVX2;
+
 static enum rhw_isa best_isa(enum rhw_isa_limit limit)
 {
-    int isa = (limit == RHW_ISA_BEST ? (int)RHW_ISA_COUNT : (int)limit) - 1;
+    int isa = (int)(limit == RHW_ISA_BEST ? measured_best : limit) - 1;
     while (isa > RHW_ISA_BASELINE && !rhw_isa_supported((enum rhw_isa)isa)) {
         isa--;
     }

@@ -36,7 +36,8 @@ enum {
 /// x86-64, NEON on 64-bit ARM, what the compiler was given elsewhere. All draw the same bytes.
 enum rhw_isa { RHW_ISA_BASELINE, RHW_ISA_AVX2, RHW_ISA_AVX512, RHW_ISA_COUNT };
 
-/// The highest instruction set that a context may use; of those up to it, it takes the best that the CPU has.
+/// The highest instruction set that a context may use; of those up to it, it takes the highest that the CPU has. BEST is
+/// the one that measured fastest: AVX2 at most, as AVX-512 gains nothing to speak of yet (docs/performance.md).
 /// rhw_isa_up_to gives the limit of an rhw_isa.
 enum rhw_isa_limit { RHW_ISA_BEST, RHW_ISA_UP_TO_BASELINE, RHW_ISA_UP_TO_AVX2, RHW_ISA_UP_TO_AVX512 };
 

@@ -53,10 +53,11 @@ static void test_instruction_sets(void **state)
         assert_int_equal(rhw_context_isa(context), best);
         rhw_context_destroy(context);
     }
+    // Left open, it is AVX2 at most, whatever else the CPU has.
     struct rhw_context_def def = rhw_context_def_default();
     rhw_context *context = NULL;
     assert_int_equal(rhw_context_create(&def, &context), RHW_OK);
-    assert_int_equal(rhw_context_isa(context), best);
+    assert_int_equal(rhw_context_isa(context), best > RHW_ISA_AVX2 ? RHW_ISA_AVX2 : best);
     rhw_context_destroy(context);
 }
 

@@ -32,7 +32,7 @@ static const struct cli_option options[] = {
     {"threads", OPTION_THREADS, "N",
      "threads of rhw, 1..64; default: one for each core that the process may\nuse; one thread is timed as "
      "well"},
-    {"isa", OPTION_ISA, "NAME", "baseline, avx2 or avx512; default: the best there is"},
+    {"isa", OPTION_ISA, "NAME", "baseline, avx2 or avx512; default: avx2 where the CPU has it"},
     {"peer", OPTION_PEER, "NAME", "what to compare with: llvmpipe (the default), softpipe or none"},
     {"peer-threads", OPTION_PEER_THREADS, "N", "threads of llvmpipe, 1..32; default: all cores"},
     {"json", OPTION_JSON, "[FILE]", "print the results as JSON instead of a table, or write it to FILE"},

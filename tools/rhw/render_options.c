@@ -61,8 +61,8 @@ static const struct cli_option options[] = {
     {"threads", OPTION_THREADS, "N",
      "threads to use, 1..64; default: one for each core that the process may\nuse. The picture is the same"},
     {"isa", OPTION_ISA, "NAME",
-     "instruction set: baseline, avx2 or avx512; default: the best there is.\n"
-     "The picture is the same"},
+     "instruction set: baseline, avx2 or avx512; default: avx2 where the CPU has\nit. The picture is the "
+     "same"},
     {"paths", OPTION_PATHS, "WHICH",
      "all (the default), in-order (hidden fragments are shaded too) or general (no\nspecial path is taken). "
      "The "
