@@ -44,6 +44,10 @@ static bool check_create(const struct rhw_context *context, const struct rhw_sam
            check_enum(context, "mip_filter", def->mip_filter, RHW_MIP_FILTER_NONE) &&
            check_enum(context, "address_u", def->address_u, RHW_ADDRESS_BORDER) &&
            check_enum(context, "address_v", def->address_v, RHW_ADDRESS_BORDER) &&
+           check_enum(context, "compare", def->compare, RHW_COMPARE_ALWAYS) &&
+           rhw_check(context, def->compares || def->compare == 0,
+                     "%s: compare is %u and compares is false; it must be true for a sampler that compares",
+                     create_name, (unsigned)def->compare) &&
            check_finite(context, "border[0]", def->border[0]) &&
            check_finite(context, "border[1]", def->border[1]) &&
            check_finite(context, "border[2]", def->border[2]) &&
@@ -52,7 +56,7 @@ static bool check_create(const struct rhw_context *context, const struct rhw_sam
 
 static bool filters_fixed(const struct rhw_sampler_def *def)
 {
-    return def->min_filter == RHW_FILTER_LINEAR && def->mag_filter == RHW_FILTER_LINEAR &&
+    return !def->compares && def->min_filter == RHW_FILTER_LINEAR && def->mag_filter == RHW_FILTER_LINEAR &&
            def->mip_filter != RHW_MIP_FILTER_NEAREST && def->address_u != RHW_ADDRESS_BORDER &&
            def->address_v != RHW_ADDRESS_BORDER;
 }

@@ -35,3 +35,10 @@ void rhw_sample1(const struct rhw_bindings *textures, int slot, const float uv[2
         rhw_sample_lod1(textures, slot, uv, lod, texel);
     }
 }
+
+float rhw_sample_compare1(const struct rhw_bindings *textures, int slot, const float uv[2], float reference,
+                          const float gradient[4], float lod)
+{
+    return gradient != NULL ? rhw_sample_compare_grad1(textures, slot, uv, reference, gradient)
+                            : rhw_sample_compare_lod1(textures, slot, uv, reference, lod);
+}

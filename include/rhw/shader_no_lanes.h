@@ -36,6 +36,10 @@ RHW_API float rhw_math1(enum rhw_math1_function function, float a, float b);
 RHW_API void rhw_sample1(const struct rhw_bindings *textures, int slot, const float uv[2],
                          const float gradient[4], float lod, float texel[4]);
 
+/// A lane of rhw_sample_compare_grad, or of rhw_sample_compare_lod where `gradient` is NULL.
+RHW_API float rhw_sample_compare1(const struct rhw_bindings *textures, int slot, const float uv[2],
+                                  float reference, const float gradient[4], float lod);
+
 #if !RHW_HAS_LANES
 
 RHW_QUIET_BEGIN
@@ -141,6 +145,18 @@ static inline void rhw_sample_lod1(const struct rhw_bindings *textures, int slot
                                    float lod, float texel[4])
 {
     rhw_sample1(textures, slot, uv, NULL, lod, texel);
+}
+
+static inline float rhw_sample_compare_grad1(const struct rhw_bindings *textures, int slot, const float uv[2],
+                                             float reference, const float grad[4])
+{
+    return rhw_sample_compare1(textures, slot, uv, reference, grad, 0);
+}
+
+static inline float rhw_sample_compare_lod1(const struct rhw_bindings *textures, int slot, const float uv[2],
+                                            float reference, float lod)
+{
+    return rhw_sample_compare1(textures, slot, uv, reference, NULL, lod);
 }
 
 RHW_QUIET_END

@@ -251,6 +251,22 @@ static inline void rhw_sample_lod1(const struct rhw_bindings *textures, int slot
     }
 }
 
+static inline float rhw_sample_compare_grad1(const struct rhw_bindings *textures, int slot, const float uv[2],
+                                             float reference, const float grad[4])
+{
+    const rhw_float at[2] = {rhw_splat(uv[0]), rhw_splat(uv[1])};
+    const rhw_float gradient[4] = {rhw_splat(grad[0]), rhw_splat(grad[1]), rhw_splat(grad[2]),
+                                   rhw_splat(grad[3])};
+    return rhw_sample_compare_grad(textures, slot, at, rhw_splat(reference), gradient)[0];
+}
+
+static inline float rhw_sample_compare_lod1(const struct rhw_bindings *textures, int slot, const float uv[2],
+                                            float reference, float lod)
+{
+    const rhw_float at[2] = {rhw_splat(uv[0]), rhw_splat(uv[1])};
+    return rhw_sample_compare_lod(textures, slot, at, rhw_splat(reference), rhw_splat(lod))[0];
+}
+
 #endif
 
 // Sign and rounding ----------------------------------------------------------------------------------

@@ -26,9 +26,10 @@ struct rhw_sample_request {
     /// [4]: du/dx, dv/dx, du/dy, dv/dy per pixel, from which the level of detail follows (OpenGL ES 3.0 §3.8.10: log2
     /// of the longer of the two footprint axes), or NULL. More are reserved, by x before by y.
     const rhw_float *gradient;
-    const rhw_float *lod;       ///< [1], read where `gradient` is NULL: the level of detail itself; NULL: 0
-    const rhw_float *reference; ///< [1], reserved for comparison with depth: not read; NULL
-    const rhw_int *offset;      ///< [2], reserved for offsets in texels: not read; NULL
+    const rhw_float *lod; ///< [1], read where `gradient` is NULL: the level of detail itself; NULL: 0
+    /// [1], read by samplers that compare: what texels are compared with, held to 0..1 where texels are UNORM; NULL: 0
+    const rhw_float *reference;
+    const rhw_int *offset; ///< [2], reserved for offsets in texels: not read; NULL
 };
 
 /// Samples slot `slot`, 0..RHW_MAX_TEXTURES − 1, of a group's `textures`; for shader functions, on the thread that runs
@@ -55,6 +56,30 @@ static inline void rhw_sample_lod(const struct rhw_bindings *textures, int slot,
     const struct rhw_sample_request request = {uv, (const rhw_float *)0, &lod, (const rhw_float *)0,
                                                (const rhw_int *)0};
     rhw_sample(textures, slot, &request, texel);
+}
+
+/// Sampling by a sampler that compares: the part of the footprint, 0..1, for which `reference compare texel` holds; 0 in
+/// a slot without a texture. The level of detail follows from `grad`, as in rhw_sample_grad.
+static inline rhw_float rhw_sample_compare_grad(const struct rhw_bindings *textures, int slot,
+                                                const rhw_float uv[2], rhw_float reference,
+                                                const rhw_float grad[4])
+{
+    const struct rhw_sample_request request = {uv, grad, (const rhw_float *)0, &reference,
+                                               (const rhw_int *)0};
+    rhw_float texel[4];
+    rhw_sample(textures, slot, &request, texel);
+    return texel[0];
+}
+
+/// The same at an explicit level of detail.
+static inline rhw_float rhw_sample_compare_lod(const struct rhw_bindings *textures, int slot,
+                                               const rhw_float uv[2], rhw_float reference, rhw_float lod)
+{
+    const struct rhw_sample_request request = {uv, (const rhw_float *)0, &lod, &reference,
+                                               (const rhw_int *)0};
+    rhw_float texel[4];
+    rhw_sample(textures, slot, &request, texel);
+    return texel[0];
 }
 
 /// rhw_sample_grad of several texture slots for `count` groups (1..RHW_MAX_GROUPS) of one call of a fragment function,

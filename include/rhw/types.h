@@ -115,6 +115,11 @@ enum rhw_filter { RHW_FILTER_LINEAR, RHW_FILTER_NEAREST };
 enum rhw_mip_filter { RHW_MIP_FILTER_LINEAR, RHW_MIP_FILTER_NEAREST, RHW_MIP_FILTER_NONE };
 enum rhw_address { RHW_ADDRESS_REPEAT, RHW_ADDRESS_MIRROR, RHW_ADDRESS_CLAMP, RHW_ADDRESS_BORDER };
 
+enum rhw_compare {
+    RHW_COMPARE_LESS, RHW_COMPARE_NEVER, RHW_COMPARE_EQUAL, RHW_COMPARE_LESS_EQUAL,
+    RHW_COMPARE_GREATER, RHW_COMPARE_NOT_EQUAL, RHW_COMPARE_GREATER_EQUAL, RHW_COMPARE_ALWAYS
+};
+
 struct rhw_sampler_def {
     enum rhw_filter min_filter, mag_filter; ///< LINEAR
     enum rhw_mip_filter mip_filter;         ///< LINEAR: trilinear where the texture has levels
@@ -122,6 +127,11 @@ struct rhw_sampler_def {
     float border[4];                        ///< for RHW_ADDRESS_BORDER, linear values; 0,0,0,0
     float lod_bias, lod_min;                ///< 0, 0
     float lod_max; ///< 0: no limit. There is nothing above level 0, so any negative one is a limit of 0
+    /// Texels become 1 where `reference compare texel` holds for their first channel, else 0, before they are filtered
+    /// (Vulkan 1.3 §16.3.4): a linear filter then gives the part of the footprint that passes, as shadow maps want it.
+    /// See rhw_sample_compare_grad.
+    bool compares;
+    enum rhw_compare compare; ///< LESS
     const char *label; ///< for messages
 };
 
@@ -184,10 +194,6 @@ enum rhw_topology {
 enum rhw_index_type { RHW_INDEX_UINT8, RHW_INDEX_UINT16, RHW_INDEX_UINT32 };
 enum rhw_cull { RHW_CULL_NONE, RHW_CULL_FRONT, RHW_CULL_BACK };
 enum rhw_winding { RHW_COUNTER_CLOCKWISE, RHW_CLOCKWISE }; ///< as seen on the screen, y up
-enum rhw_compare {
-    RHW_COMPARE_LESS, RHW_COMPARE_NEVER, RHW_COMPARE_EQUAL, RHW_COMPARE_LESS_EQUAL,
-    RHW_COMPARE_GREATER, RHW_COMPARE_NOT_EQUAL, RHW_COMPARE_GREATER_EQUAL, RHW_COMPARE_ALWAYS
-};
 enum rhw_blend_factor {
     RHW_BLEND_DEFAULT, ///< ONE as src, ZERO as dst: the source replaces
     RHW_BLEND_ZERO, RHW_BLEND_ONE,

@@ -6,24 +6,9 @@
 #define RHW_DEPTH_TEST_H
 
 #include "../../draw_plan.h"
-#include "../../simd.h"
+#include "../compare.h"
 #include "open_pixels.h"
 #include "tile_depth.h"
-
-// Gives the lanes for which `z compare old` holds.
-RHW_INLINE i8 depth_passes(enum rhw_compare compare, f8 z, f8 old)
-{
-    switch (compare) {
-    case RHW_COMPARE_NEVER: return i8_splat(0);
-    case RHW_COMPARE_LESS: return rhw_less(z, old);
-    case RHW_COMPARE_EQUAL: return rhw_equal(z, old);
-    case RHW_COMPARE_LESS_EQUAL: return rhw_less_equal(z, old);
-    case RHW_COMPARE_GREATER: return rhw_less(old, z);
-    case RHW_COMPARE_NOT_EQUAL: return ~rhw_equal(z, old);
-    case RHW_COMPARE_GREATER_EQUAL: return rhw_less_equal(old, z);
-    default: return i8_splat(-1);
-    }
-}
 
 // Keeps depth within the viewport's range.
 RHW_INLINE f8 viewport_clamp(const struct tile_depth *depth, f8 z)
@@ -39,9 +24,9 @@ RHW_INLINE float *depth_texels(struct tile_depth *depth, int x, int y)
 // Gives the lanes that pass. Bit i of `open` says that the pixel of lane i is open.
 RHW_INLINE i8 rule_passes(const struct rhw_depth_rule rule, f8 z, f8 stored, unsigned open)
 {
-    i8 pass = depth_passes(rule.compare, z, stored);
+    i8 pass = compare_lanes(rule.compare, z, stored);
     if (rule.open >= RHW_OPEN_TRY) {
-        pass |= depth_passes(RHW_COMPARE_EQUAL, z, stored) & i8_from_bits(open & 0xff);
+        pass |= compare_lanes(RHW_COMPARE_EQUAL, z, stored) & i8_from_bits(open & 0xff);
     }
     return pass;
 }

@@ -11,6 +11,7 @@
 #define RHW_FILTER_FLOAT_H
 
 #include "../../binding.h"
+#include "../compare.h"
 #include "filter_fixed.h"
 #include "lod.h"
 #include "texel_fetch.h"
@@ -22,21 +23,16 @@ struct float_source {
     const struct rhw_sampler_data *sampler;
     bool border; // along u or v
     f8 s, t;
+    const f8
+        *reference; // of a sampler that compares: texels become 1 where the comparison holds, else 0; or NULL
 };
 
-// Texels (x, y) of a level as floats, colour linear; coordinates may lie outside the level.
-static inline void fetch_texels(const struct float_source *source, const struct rhw_mip *mip, i8 x, i8 y,
-                                f8 texel[4])
+// Puts the border's colour where texels lie outside the level.
+static inline void replace_outside(const struct float_source *source, const struct rhw_mip *mip, i8 x, i8 y,
+                                   f8 texel[4])
 {
     const struct rhw_sampler_data *const sampler = source->sampler;
-    struct raw_texels raw;
-    fetch_raw_texels(source->format->size, mip, wrap_coordinate(sampler->def.address_u, x, mip->width),
-                     wrap_coordinate(sampler->def.address_v, y, mip->height), &raw);
-    decode_texels(source->format, &raw, texel);
     i8 outside = i8_splat(0);
-    if (!source->border) {
-        return;
-    }
     if (sampler->def.address_u == RHW_ADDRESS_BORDER) {
         outside = outside | is_outside(x, mip->width);
     }
@@ -47,6 +43,24 @@ static inline void fetch_texels(const struct float_source *source, const struct 
         for (int i = 0; i < 4; i++) {
             texel[i] = rhw_select(outside, rhw_splat(sampler->def.border[i]), texel[i]);
         }
+    }
+}
+
+// Texels (x, y) of a level as floats, colour linear; coordinates may lie outside the level.
+static inline void fetch_texels(const struct float_source *source, const struct rhw_mip *mip, i8 x, i8 y,
+                                f8 texel[4])
+{
+    const struct rhw_sampler_data *const sampler = source->sampler;
+    struct raw_texels raw;
+    fetch_raw_texels(source->format->size, mip, wrap_coordinate(sampler->def.address_u, x, mip->width),
+                     wrap_coordinate(sampler->def.address_v, y, mip->height), &raw);
+    decode_texels(source->format, &raw, texel);
+    if (source->border) {
+        replace_outside(source, mip, x, y, texel);
+    }
+    if (source->reference) {
+        const i8 holds = compare_lanes(sampler->def.compare, *source->reference, texel[0]);
+        texel[0] = rhw_select(holds, rhw_splat(1.0f), rhw_splat(0.0f));
     }
 }
 
@@ -74,10 +88,14 @@ static inline void filter_bilinear(const struct float_source *source, const stru
     for (int i = 0; i < 4; i++) {
         fetch_texels(source, mip, x0 + (i & 1), y0 + (i >> 1), footprint[i]);
     }
-    for (int i = 0; i < 4; i++) {
+    const int channels = source->reference ? 1 : 4;
+    for (int i = 0; i < channels; i++) {
         const f8 above = rhw_mix(footprint[0][i], footprint[1][i], weight_x);
         const f8 below = rhw_mix(footprint[2][i], footprint[3][i], weight_x);
         texel[i] = rhw_mix(above, below, weight_y);
+    }
+    for (int i = channels; i < 4; i++) {
+        texel[i] = rhw_splat(0.0f);
     }
 }
 
@@ -86,7 +104,8 @@ static inline void filter_bilinear(const struct float_source *source, const stru
 static inline void filter_level(const struct float_source *source, const struct rhw_mip *mip,
                                 enum rhw_filter filter, f8 texel[4])
 {
-    if (filter == RHW_FILTER_LINEAR && source->format->path == RHW_TEXELS_RGBA8_SRGB && !source->border) {
+    if (filter == RHW_FILTER_LINEAR && source->format->path == RHW_TEXELS_RGBA8_SRGB && !source->border &&
+        !source->reference) {
         // Those of the linear copy, as everywhere: its values differ a little from those that the table has.
         unpack_fixed(
             filter_fixed(source->sampler, mip, source->s, source->t, RHW_CODEC_SRGB8, FOOTPRINTS_INTERIOR),
@@ -125,13 +144,23 @@ static inline void filter_levels(const struct float_source *source, i8 level, f8
     }
 }
 
+// What texels are compared with. Channels that hold 0..1 are compared with a number that does (Vulkan 1.3 §16.3.4).
+static inline f8 reference_of(const struct rhw_format_info *format, const struct rhw_sample_request *request)
+{
+    const f8 reference = request->reference ? *request->reference : rhw_splat(0.0f);
+    return rhw_codec_is_normalized(format->codec) ? rhw_clamp(reference, rhw_splat(0.0f), rhw_splat(1.0f))
+                                                  : reference;
+}
+
 static __attribute__((noinline)) void sample_float(const struct rhw_binding *binding,
                                                    const struct rhw_sample_request *request, f8 texel[4])
 {
     const struct rhw_texture_data *const texture = binding->texture;
     const struct rhw_sampler_data *const sampler = binding->sampler;
     const struct rhw_sampler_def *const def = &sampler->def;
-    const struct float_source source = {.texture = texture,
+    const f8 reference = reference_of(texture->info, request);
+    const struct float_source source = {.reference = def->compares ? &reference : NULL,
+                                        .texture = texture,
                                         .format = texture->info,
                                         .sampler = sampler,
                                         .border = def->address_u == RHW_ADDRESS_BORDER ||
@@ -153,6 +182,10 @@ static __attribute__((noinline)) void sample_float(const struct rhw_binding *bin
         for (int i = 0; i < 4; i++) {
             texel[i] = rhw_select(magnified, large[i], texel[i]);
         }
+    }
+    if (def->compares) {
+        texel[1] = texel[2] = zero;
+        texel[3] = rhw_splat(1.0f);
     }
 }
 
