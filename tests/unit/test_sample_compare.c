@@ -89,15 +89,15 @@ static void compare_with_model(rhw_context *context, rhw_texture texture, struct
                                              sampler_data, uv, reference, lod);
         for (int isa = 0; isa < RHW_ISA_COUNT; isa++) {
             for (int paths = 0; paths <= RHW_PATHS_GENERAL && rhw_isa_supported((enum rhw_isa)isa); paths++) {
-                const rhw_float other =
-                    sample_with(rhw_kernels_for((enum rhw_isa)isa), (enum rhw_paths)paths, data, sampler_data,
-                                uv, reference, lod);
+                const rhw_float other = sample_with(rhw_kernels_for((enum rhw_isa)isa), (enum rhw_paths)paths,
+                                                    data, sampler_data, uv, reference, lod);
                 assert_memory_equal(&other, &result, sizeof result);
             }
         }
         for (int lane = 0; lane < RHW_LANES; lane++) {
             double expected[4];
-            model_sample(outcome_data, &plain, (double)uv[0][lane], (double)uv[1][lane], (double)lod, expected);
+            model_sample(outcome_data, &plain, (double)uv[0][lane], (double)uv[1][lane], (double)lod,
+                         expected);
             assert_true(fabs((double)result[lane] - expected[0]) <= 4e-5);
         }
     }
@@ -115,8 +115,7 @@ static void test_comparisons_come_before_the_filter(void **state)
     uint64_t random = 16;
     for (int n = 0; n < 160; n++) {
         const enum rhw_format format = formats[n % 4];
-        const rhw_texture texture =
-            model_random_texture(rig.context, format, WIDTH, HEIGHT, LEVELS, &random);
+        const rhw_texture texture = model_random_texture(rig.context, format, WIDTH, HEIGHT, LEVELS, &random);
         struct rhw_sampler_def def = {.compares = true, .compare = (enum rhw_compare)(n / 4 % 8)};
         def.min_filter = (enum rhw_filter)rig_random_int(&random, 2);
         def.mag_filter = (enum rhw_filter)rig_random_int(&random, 2);
@@ -125,8 +124,8 @@ static void test_comparisons_come_before_the_filter(void **state)
         def.address_v = (enum rhw_address)rig_random_int(&random, 4);
         def.border[0] = rig_random_float(&random, -1, 1);
         // Sometimes the very number of a texel, sometimes beyond what the format holds.
-        const float reference = n % 3 == 0 ? (float)rig_random_int(&random, 256) / 255.0f
-                                           : rig_random_float(&random, -2, 2);
+        const float reference =
+            n % 3 == 0 ? (float)rig_random_int(&random, 256) / 255.0f : rig_random_float(&random, -2, 2);
         compare_with_model(rig.context, texture, def, reference, &random);
         rhw_texture_destroy(rig.context, texture);
     }
@@ -151,8 +150,9 @@ static void test_a_footprint_by_hand(void **state)
     const struct rhw_kernels *const kernels = rhw_kernels_for(RHW_ISA_BASELINE);
     struct rhw_bindings bindings;
     rhw_bindings_init(&bindings, kernels);
-    bindings.slot[0] = rhw_binding_of(kernels, RHW_PATHS_ALL, rhw_context_texture(rig.context, texture, "test"),
-                                      rhw_context_sampler(rig.context, sampler, "test"));
+    bindings.slot[0] =
+        rhw_binding_of(kernels, RHW_PATHS_ALL, rhw_context_texture(rig.context, texture, "test"),
+                       rhw_context_sampler(rig.context, sampler, "test"));
     const float middle[2] = {0.5f, 0.5f}, right[2] = {0.75f, 0.5f}, flat[4] = {0};
     assert_true(rhw_sample_compare_lod1(&bindings, 0, middle, 0.1f, 0) == 1);
     assert_true(rhw_sample_compare_lod1(&bindings, 0, middle, 0.3f, 0) == 0.75f);
