@@ -121,7 +121,8 @@ static void find_slope(const struct rhw_fragment *fragment, rhw_float slope[2])
     const rhw_float *x = RHW_VARYINGS(struct surface, fragment->ddx)->light;
     const rhw_float *y = RHW_VARYINGS(struct surface, fragment->ddy)->light;
     const rhw_float scale = 1.0f / ((x[0] * y[1] - x[1] * y[0]) * (float)MAP);
-    slope[0] = rhw_clamp((y[1] * x[2] - x[1] * y[2]) * scale, -0.05f, 0.05f); // steep where the sun only grazes
+    slope[0] =
+        rhw_clamp((y[1] * x[2] - x[1] * y[2]) * scale, -0.05f, 0.05f); // steep where the sun only grazes
     slope[1] = rhw_clamp((x[0] * y[2] - y[0] * x[2]) * scale, -0.05f, 0.05f);
 }
 
@@ -175,7 +176,8 @@ static void show_light(struct rhw_fragment *groups, int count)
     }
 }
 
-static rhw_pipeline make_pipeline(rhw_context *context, const struct rhw_program *program, enum rhw_format format)
+static rhw_pipeline make_pipeline(rhw_context *context, const struct rhw_program *program,
+                                  enum rhw_format format)
 {
     struct rhw_pipeline_def def = {.program = *program, .label = "lesson 9"};
     def.program.uniform_size = sizeof(struct uniforms);
@@ -201,7 +203,8 @@ static rhw_buffer make_vertices(rhw_context *context)
             static const int corners[6][2] = {{0, 0}, {1, 0}, {1, 1}, {0, 0}, {1, 1}, {0, 1}};
             const float polar = (float)(i / SECTORS + corners[k][0]) * 3.14159265f / RINGS;
             const float turn = (float)(i % SECTORS + corners[k][1]) * 6.28318531f / SECTORS;
-            const float p[3] = {rhw_sin1(polar) * rhw_sin1(turn), rhw_cos1(polar), rhw_sin1(polar) * rhw_cos1(turn)};
+            const float p[3] = {rhw_sin1(polar) * rhw_sin1(turn), rhw_cos1(polar),
+                                rhw_sin1(polar) * rhw_cos1(turn)};
             memcpy(next->position, p, sizeof p);
             memcpy(next->normal, p, sizeof p);
             next++;
@@ -238,7 +241,8 @@ static rhw_texture draw_map(rhw_context *context, rhw_buffer vertices)
 {
     const struct rhw_program program = {.vertex = {place_in_map}};
     const rhw_texture map = picture_target(context, RHW_FORMAT_D32_FLOAT, MAP, MAP, 1);
-    const struct rhw_pass_def attachments = {.depth = {.enabled = true, .texture = map}, .label = "shadow map"};
+    const struct rhw_pass_def attachments = {.depth = {.enabled = true, .texture = map},
+                                             .label = "shadow map"};
     const rhw_pipeline pipeline = make_pipeline(context, &program, RHW_FORMAT_NONE);
     rhw_pass pass;
     must(rhw_pass_begin(context, &attachments, &pass), "pass");
@@ -326,8 +330,8 @@ int main(int argc, char **argv)
                 }
             }
         }
-        printf("%-16s: %5d pixels in shadow, %5d at its edge, %5d in the light\n", ways[i], levels[0], levels[1],
-               levels[2]);
+        printf("%-16s: %5d pixels in shadow, %5d at its edge, %5d in the light\n", ways[i], levels[0],
+               levels[1], levels[2]);
     }
     rhw_context_destroy(context);
     return 0;

@@ -163,7 +163,7 @@ static void report(const struct rhw_watch *watch, const struct rhw_fragment *gro
 static void report_channel(const struct rhw_watch *watch, const struct rhw_fragment *group, rhw_int lanes,
                            enum rhw_finding_kind kind, const char *verb, int t, int c)
 {
-    char what[64];
+    char what[96];
     snprintf(what, sizeof what, "%s color[%d][%d]", verb, t, c);
     report(watch, group, lanes, kind, what);
 }

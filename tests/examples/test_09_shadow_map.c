@@ -52,7 +52,8 @@ static int meet(const double from[3], const double direction[3], double *where, 
     for (int i = 0; i < SPHERES; i++) {
         const double to[3] = {(double)spheres[i].center[0] - from[0], (double)spheres[i].center[1] - from[1],
                               (double)spheres[i].center[2] - from[2]};
-        const double length = sqrt(dot(direction, direction)), middle = dot(to, direction) / (length * length);
+        const double length = sqrt(dot(direction, direction)),
+                     middle = dot(to, direction) / (length * length);
         const double radius = (double)spheres[i].radius;
         const double square = dot(to, to) - middle * middle * length * length;
         *slack = fmin(*slack, fabs(sqrt(fmax(square, 0)) - radius));
@@ -77,7 +78,8 @@ static int light_at(const double point[3], int thing)
     const double towards[3] = {(double)sun[0], (double)sun[1], (double)sun[2]};
     bool shaded = false;
     for (int i = 0; i < SPHERES; i++) {
-        const double to[3] = {(double)spheres[i].center[0] - point[0], (double)spheres[i].center[1] - point[1],
+        const double to[3] = {(double)spheres[i].center[0] - point[0],
+                              (double)spheres[i].center[1] - point[1],
                               (double)spheres[i].center[2] - point[2]};
         const double ahead = dot(to, towards), by = sqrt(fmax(dot(to, to) - ahead * ahead, 0));
         const double radius = (double)spheres[i].radius;
