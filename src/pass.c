@@ -632,8 +632,12 @@ static void report_findings(struct rhw_pass_state *pass)
 static enum rhw_result end(struct rhw_pass_state *pass, struct rhw_stats *stats)
 {
     rhw_context *const context = pass->context;
+    const uint32_t generation = context->recording.generation;
     (void)rhw_check(context, context->recording.group == NULL,
                     "rhw_pass_end: a debug group was pushed and not popped");
+    if (!context->recording.active || context->recording.generation != generation) {
+        return RHW_ERROR_MISUSE; // the hook ended the pass itself
+    }
     if (context->findings) {
         rhw_findings_clear(context->findings);
     }
@@ -641,6 +645,7 @@ static enum rhw_result end(struct rhw_pass_state *pass, struct rhw_stats *stats)
     bool misused = context->recording.misused;
     const enum rhw_result result = pass->out_of_memory ? RHW_ERROR_OUT_OF_MEMORY : rhw_pass_run(pass, stats);
     release_retired(context);
+    misused |= atomic_load_explicit(&context->refused, memory_order_relaxed);
     if (context->findings && result == RHW_OK) {
         misused |= context->findings->kinds[RHW_FINDING_MISUSE].found;
         report_findings(pass);

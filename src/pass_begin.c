@@ -229,8 +229,10 @@ static bool check_def(rhw_context *context, const struct rhw_pass_def *def, cons
                      where);
 }
 
-static void begin_recording(struct rhw_recording *recording, const struct rhw_pass_def *def)
+static void begin_recording(struct rhw_context *context, const struct rhw_pass_def *def)
 {
+    struct rhw_recording *const recording = &context->recording;
+    atomic_store_explicit(&context->refused, false, memory_order_relaxed);
     recording->active = true;
     recording->misused = false;
     recording->draw = 0;
@@ -261,7 +263,7 @@ static enum rhw_result begin(rhw_context *context, const struct rhw_pass_def *de
     pass->tiles_y = (pass->height + RHW_TILE - 1) / RHW_TILE;
     pass->pending.viewport = (struct rhw_viewport){0, 0, (float)pass->width, (float)pass->height, 0, 1};
     pass->pending.scissor = (struct rhw_rect){0, 0, pass->width, pass->height};
-    begin_recording(&context->recording, def);
+    begin_recording(context, def);
     *id = (rhw_pass){1, context->recording.generation, context->number};
     return RHW_OK;
 }

@@ -71,7 +71,7 @@ static void test_shader_functions_call_nothing(void **state)
         atomic_store(&calls, 0);
         rig_begin(&rig);
         rig_draw(&rig, all, 6);
-        rhw_pass_end(rig.context, rig.recording, &rig.stats);
+        assert_int_equal(rhw_pass_end(rig.context, rig.recording, &rig.stats), RHW_ERROR_MISUSE);
         rig_expect_misuse(&rig,
                           "rhw_texture_destroy: called by a function that the library called, such as a "
                           "shader function; it must not use the context");
@@ -118,7 +118,7 @@ static void test_a_second_thread_is_told(void **state)
     rig_draw(&rig, all, 6);
     pthread_t other;
     assert_int_equal(pthread_create(&other, NULL, draw_from_outside, &rig), 0);
-    assert_int_equal(rhw_pass_end(rig.context, rig.recording, &rig.stats), RHW_OK);
+    assert_int_equal(rhw_pass_end(rig.context, rig.recording, &rig.stats), RHW_ERROR_MISUSE);
     pthread_join(other, NULL);
     rig_expect_misuse(
         &rig, "rhw_pass_draw: called while rhw_pass_end is under way in this context; one thread at a "
@@ -198,6 +198,40 @@ static void test_a_hook_may_leave(void **state)
     rhw_buffer buffer;
     assert_int_equal(rhw_buffer_create(context, &buffer_def, &buffer), RHW_OK);
     rhw_context_destroy(context);
+}
+
+// A hook that calls the library: it may give up the very pass that is being ended.
+struct giving_up {
+    rhw_context *context;
+    rhw_pass pass;
+};
+
+static void give_up(void *user, const char *message)
+{
+    (void)message;
+    const struct giving_up *const it = user;
+    rhw_pass_cancel(it->context, it->pass);
+}
+
+static void test_a_hook_may_give_the_pass_up(void **state)
+{
+    (void)state;
+    struct giving_up it;
+    struct rhw_context_def def = rhw_context_def_default();
+    def.threads = 1;
+    def.assert_ = give_up;
+    def.user = &it;
+    assert_int_equal(rhw_context_create(&def, &it.context), RHW_OK);
+    const struct rhw_texture_def texture_def = {.format = RHW_FORMAT_RGBA8_UNORM, .width = 1, .height = 1};
+    struct rhw_pass_def pass_def = {.color_count = 1, .colors = {{.clear = {1, 1, 1, 1}}}};
+    rhw_texture target;
+    assert_int_equal(rhw_texture_create(it.context, &texture_def, &target), RHW_OK);
+    pass_def.colors[0].texture = target;
+    assert_int_equal(rhw_pass_begin(it.context, &pass_def, &it.pass), RHW_OK);
+    rhw_pass_push_debug_group(it.context, it.pass, "open");
+    rhw_texture_destroy(it.context, target);
+    assert_int_equal(rhw_pass_end(it.context, it.pass, NULL), RHW_ERROR_MISUSE);
+    rhw_context_destroy(it.context);
 }
 
 // Destroyed while recorded ----------------------------------------------------------------------------
@@ -487,6 +521,7 @@ int main(void)
         cmocka_unit_test(test_a_second_thread_is_told),
         cmocka_unit_test(test_threads_that_race_do_no_harm),
         cmocka_unit_test(test_a_hook_may_leave),
+        cmocka_unit_test(test_a_hook_may_give_the_pass_up),
         cmocka_unit_test(test_a_context_stays_while_it_records),
         cmocka_unit_test(test_what_a_draw_used_may_go),
         cmocka_unit_test(test_memory_comes_back_at_the_end),
