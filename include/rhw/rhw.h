@@ -147,9 +147,9 @@ RHW_API void rhw_pass_draw_indexed(rhw_context *context, rhw_pass pass, uint32_t
 /// Groups may stand in groups; each is popped before the pass ends.
 RHW_API void rhw_pass_push_debug_group(rhw_context *context, rhw_pass pass, const char *label);
 RHW_API void rhw_pass_pop_debug_group(rhw_context *context, rhw_pass pass);
-/// Runs the pass; all of it is drawn on return, and the id is stale. `stats` may be NULL. Where misuse was reported since the pass began and
-/// the assert hook returned, all that was no misuse is drawn, and the result is RHW_ERROR_MISUSE. On other failures the
-/// attachments hold unspecified pixels and `stats` is as it was.
+/// Runs the pass; all of it is drawn on return, and the id is stale. `stats` may be NULL. Where misuse was reported since
+/// the pass began and the assert hook returned, all that was no misuse is drawn, and the result is RHW_ERROR_MISUSE. On
+/// other failures the attachments hold unspecified pixels and `stats` is as it was.
 RHW_API enum rhw_result rhw_pass_end(rhw_context *context, rhw_pass pass, struct rhw_stats *stats);
 /// Ends the pass without drawing any of it: the attachments are as they were, and the id is stale. For those who find in
 /// the middle that they cannot go on.
