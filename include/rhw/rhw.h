@@ -39,8 +39,8 @@ RHW_API bool rhw_isa_supported(enum rhw_isa isa);
 RHW_API enum rhw_result rhw_buffer_create(rhw_context *context, const struct rhw_buffer_def *def,
                                           rhw_buffer *buffer);
 RHW_API void rhw_buffer_destroy(rhw_context *context, rhw_buffer buffer);
-/// Replaces `size` bytes at `offset`. Draws that were recorded before read what the buffer held then: for them, a buffer
-/// that the pass being recorded uses keeps its memory and gets new one. Without memory for that it stays as it is.
+/// Replaces `size` bytes at `offset`. Draws that were recorded before read what the buffer held then: where the pass being
+/// recorded uses it, the first write after a draw gives it new memory. Without memory for that it stays as it is.
 RHW_API enum rhw_result rhw_buffer_write(rhw_context *context, rhw_buffer buffer, size_t offset,
                                          const void *data, size_t size);
 

@@ -369,6 +369,45 @@ static void test_memory_comes_back_at_the_end(void **state)
     assert_int_equal(live_bytes, 0);
 }
 
+// What no draw has read since is written in its place: any number of writes between two draws cost one copy.
+static void test_writes_between_draws_share_a_copy(void **state)
+{
+    (void)state;
+    struct rhw_context_def def = rhw_context_def_default();
+    def.threads = 1;
+    def.allocator = (struct rhw_allocator){count_allocate, count_release, NULL};
+    live_bytes = 0;
+    struct rig rig;
+    rig_open_with(&rig, 8, 8, &def);
+    rig_set_program(&rig, rig_vertex_pass, sample_texture);
+    const rhw_texture image = make_texture(&rig, RHW_FORMAT_RGBA8_SRGB, 200);
+    const rhw_sampler sampler = make_sampler(&rig);
+    static uint32_t texels[200 * 200];
+    static struct rig_vertex vertices[6000];
+    rig_rectangle(&rig, 0, 0, 4, 8, 0, red, vertices);
+    rig_begin(&rig);
+    rhw_pass_set_texture(rig.context, rig.recording, 0, image, sampler);
+    rig_draw(&rig, vertices, 6000);
+    const rhw_buffer buffer = rig.objects.buffers[rig.objects.buffer_count - 1];
+    rig_rectangle(&rig, 4, 0, 8, 8, 0, red, vertices);
+    const size_t before = live_bytes;
+    for (int i = 0; i < 200; i++) {
+        for (int t = 0; t < 200 * 200; t++) {
+            texels[t] = i < 199 ? 0xffffffff : 0xff0000ff;
+        }
+        assert_int_equal(rhw_texture_write(rig.context, image, 0, texels, 0), RHW_OK);
+        assert_int_equal(rhw_buffer_write(rig.context, buffer, 0, vertices, sizeof vertices), RHW_OK);
+    }
+    assert_true(live_bytes < before + 2 * (sizeof texels + sizeof vertices));
+    rhw_pass_draw(rig.context, rig.recording, 0, 6, 0, 1);
+    rig_end(&rig);
+    const float(*const pixels)[4] = rig_read_float4(&rig);
+    const float black[4] = {0, 0, 0, 0};
+    assert_memory_equal(pixels[0], black, sizeof black);
+    assert_memory_equal(pixels[4], red, sizeof red);
+    rig_close(&rig);
+}
+
 // Attachments keep what they hold, what was destroyed is released, and the next pass begins.
 static void test_a_pass_may_be_given_up(void **state)
 {
@@ -525,6 +564,7 @@ int main(void)
         cmocka_unit_test(test_a_context_stays_while_it_records),
         cmocka_unit_test(test_what_a_draw_used_may_go),
         cmocka_unit_test(test_memory_comes_back_at_the_end),
+        cmocka_unit_test(test_writes_between_draws_share_a_copy),
         cmocka_unit_test(test_a_pass_may_be_given_up),
         cmocka_unit_test(test_null_ids_are_destroyed),
         cmocka_unit_test(test_draws_keep_what_a_buffer_held),
