@@ -92,6 +92,17 @@ static void append_place(struct message *message, const struct rhw_context *cont
     append(message, "]");
 }
 
+void rhw_context_warn_at(const struct rhw_context *context, const struct rhw_recording *place,
+                         const char *text)
+{
+    if (context->log != NULL) {
+        struct message message = {.length = 0};
+        append(&message, "%s", text);
+        append_place(&message, context, place);
+        context->log(context->user, RHW_LOG_WARNING, message.text);
+    }
+}
+
 static void tell(const struct rhw_context *context, const char *text)
 {
     if (context == NULL || context->assert_ == NULL) {

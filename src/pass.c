@@ -610,6 +610,16 @@ static void release_retired(rhw_context *context)
     }
 }
 
+// Where recording was when it came to a draw.
+static struct rhw_recording place_of(const struct rhw_pass_state *pass, uint32_t draw)
+{
+    struct rhw_recording place = pass->context->recording;
+    place.active = true;
+    place.draw = draw;
+    place.group = rhw_pass_draw_at(pass, draw)->group;
+    return place;
+}
+
 // What validation found while the pass ran.
 static void report_findings(struct rhw_pass_state *pass)
 {
@@ -617,14 +627,11 @@ static void report_findings(struct rhw_pass_state *pass)
     const struct rhw_finding *const warning = &context->findings->kinds[RHW_FINDING_WARNING];
     const struct rhw_finding *const misuse = &context->findings->kinds[RHW_FINDING_MISUSE];
     if (warning->found) {
-        rhw_context_log(context, RHW_LOG_WARNING, "%s [draw %u of pass \"%s\"]", warning->text,
-                        (unsigned)warning->draw, context->recording.label);
+        const struct rhw_recording place = place_of(pass, warning->draw);
+        rhw_context_warn_at(context, &place, warning->text);
     }
     if (misuse->found) {
-        struct rhw_recording place = context->recording;
-        place.active = true;
-        place.draw = misuse->draw;
-        place.group = rhw_pass_draw_at(pass, misuse->draw)->group;
+        const struct rhw_recording place = place_of(pass, misuse->draw);
         rhw_misuse_at(context, &place, "%s", misuse->text);
     }
 }

@@ -244,7 +244,8 @@ static void test_nan_is_a_warning(void **state)
     logged[0] = 0;
     deed = DIVIDE_BY_ZERO;
     assert_int_equal(draw_deed(&rig, false, 0), RHW_OK);
-    assert_non_null(strstr(logged, "gives NaN in color[0][0]; at pixel 0, 0 [draw 1 of pass \"main\"]"));
+    assert_non_null(
+        strstr(logged, "gives NaN in color[0][0]; at pixel 0, 0 [draw 1 in deeds of pass \"main\"]"));
     rig_close(&rig);
 }
 
