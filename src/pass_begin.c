@@ -270,11 +270,12 @@ static enum rhw_result begin(rhw_context *context, const struct rhw_pass_def *de
 
 enum rhw_result rhw_pass_begin(rhw_context *context, const struct rhw_pass_def *def, rhw_pass *id)
 {
-    if (id != NULL) {
-        *id = (rhw_pass){0};
-    }
     if (!rhw_context_enter(context, where)) {
         return RHW_ERROR_MISUSE;
+    }
+    if (id != NULL &&
+        !context->recording.active) { // else it may be the only name of the pass that has to end
+        *id = (rhw_pass){0};
     }
     const enum rhw_result result = begin(context, def, id);
     rhw_context_leave(context);

@@ -118,6 +118,8 @@ RHW_API void rhw_pipeline_destroy(rhw_context *context, rhw_pipeline pipeline);
 // and textures hold when it is recorded: they may be written, and anything may be destroyed, before the pass has ended.
 // What is destroyed while it is set stays set. Uniforms are copied. Viewport and scissor start as the whole target.
 
+/// Begins a pass; its attachments stay as they are until it ends. On failure `*pass` is null. Where a pass is being
+/// recorded, or another call is under way, `*pass` is left alone: it may be what the first pass is ended by.
 RHW_API enum rhw_result rhw_pass_begin(rhw_context *context, const struct rhw_pass_def *def, rhw_pass *pass);
 /// State lasts until it is set again: it survives draws and a change of pipeline. A call that is misuse leaves it.
 /// The pipeline's targets must have the formats of the attachments, in order.

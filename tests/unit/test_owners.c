@@ -408,6 +408,23 @@ static void test_writes_between_draws_share_a_copy(void **state)
     rig_close(&rig);
 }
 
+// Begun twice with one variable: it still names the first pass.
+static void test_a_second_pass_leaves_the_first(void **state)
+{
+    (void)state;
+    struct rig rig;
+    rig_open(&rig, 8, 8);
+    struct rig_vertex all[6];
+    rig_cover(&rig, 0, red, all);
+    rig_begin(&rig);
+    assert_int_equal(rhw_pass_begin(rig.context, &rig.pass, &rig.recording), RHW_ERROR_MISUSE);
+    rig_expect_misuse(&rig, "rhw_pass_begin: a pass is being recorded; end it first");
+    rig_draw(&rig, all, 6);
+    rig_end(&rig);
+    assert_memory_equal(rig_read_float4(&rig)[0], red, sizeof red);
+    rig_close(&rig);
+}
+
 // Attachments keep what they hold, what was destroyed is released, and the next pass begins.
 static void test_a_pass_may_be_given_up(void **state)
 {
@@ -565,6 +582,7 @@ int main(void)
         cmocka_unit_test(test_what_a_draw_used_may_go),
         cmocka_unit_test(test_memory_comes_back_at_the_end),
         cmocka_unit_test(test_writes_between_draws_share_a_copy),
+        cmocka_unit_test(test_a_second_pass_leaves_the_first),
         cmocka_unit_test(test_a_pass_may_be_given_up),
         cmocka_unit_test(test_null_ids_are_destroyed),
         cmocka_unit_test(test_draws_keep_what_a_buffer_held),
