@@ -118,6 +118,8 @@ static bool renew(struct rhw_context *context, uint32_t index, struct rhw_buffer
     }
     memset(bytes + data->size, 0, RHW_BUFFER_PADDING);
     data->bytes = bytes;
+    data->renewed_pass = context->recording.generation;
+    data->renewed_draws = context->recording.draw;
     context->recording.rewrites++;
     return true;
 }
@@ -138,7 +140,8 @@ static enum rhw_result write_bytes(struct rhw_context *context, rhw_buffer buffe
     if (size == 0) {
         return RHW_OK;
     }
-    if (rhw_context_records(context, &context->buffers, buffer.index) &&
+    if (rhw_context_draws_read(context, &context->buffers, buffer.index, target->renewed_pass,
+                               target->renewed_draws) &&
         !renew(context, buffer.index, target, size)) {
         return RHW_ERROR_OUT_OF_MEMORY;
     }

@@ -4,6 +4,7 @@
 #define RHW_BUFFER_H
 
 #include <stddef.h>
+#include <stdint.h>
 
 struct rhw_memory;
 
@@ -13,6 +14,8 @@ enum { RHW_BUFFER_PADDING = 64 };
 struct rhw_buffer_data {
     unsigned char *bytes; // aligned to a cache line
     size_t size;          // as the user gave it, without padding
+    // The pass in which it last got other memory, and the draws that were recorded before and read the old one.
+    uint32_t renewed_pass, renewed_draws;
 };
 
 // Releases what the item owns.

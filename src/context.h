@@ -30,7 +30,7 @@ struct rhw_recording {
     bool misused;                        // misuse was reported since the beginning
     uint32_t generation;                 // of the pass under way or, when there is none, of the last one
     uint32_t draw;                       // the next one's number
-    uint32_t rewrites;                   // times that something which recorded draws read got new memory
+    uint32_t rewrites;                   // times that something was written which the pass uses
     const struct rhw_debug_group *group; // the innermost one, or NULL
     char label[RHW_LABEL_SIZE];          // of the pass
 };
@@ -45,6 +45,7 @@ struct rhw_context {
     uint32_t number; // ids carry it; see context_create.c
     // The public function that is at work, NULL when there is none. Written by every thread that calls one.
     _Atomic(const char *) entered;
+    _Atomic bool refused; // another thread, or a shader function, was refused since the pass began
 
     int cores;   // see rhw_cpu_cores; 1, without asking, with one thread
     int threads; // the caller's included

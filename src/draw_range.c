@@ -11,7 +11,7 @@
 
 static const uint32_t index_sizes[] = {[RHW_INDEX_UINT8] = 1, [RHW_INDEX_UINT16] = 2, [RHW_INDEX_UINT32] = 4};
 
-// Elements that attribute i finds in its buffer.
+// Elements that attribute i finds in its buffer; of a constant one there is one.
 static uint64_t elements_of(const struct rhw_pass_state *pass, int i)
 {
     const struct rhw_pipeline_def *const def = &pass->pending.pipeline->def;
@@ -19,7 +19,8 @@ static uint64_t elements_of(const struct rhw_pass_state *pass, int i)
     const struct rhw_bound_buffer *const bound = &pass->bound.vertices[attribute->buffer];
     const uint64_t size = bound->data->size - bound->offset;
     const uint64_t end = (uint64_t)attribute->offset + rhw_vertex_format_size(attribute->format);
-    return size < end ? 0 : (size - end) / def->buffers[attribute->buffer].stride + 1;
+    const struct rhw_vertex_layout *const layout = &def->buffers[attribute->buffer];
+    return size < end ? 0 : layout->constant ? 1 : (size - end) / layout->stride + 1;
 }
 
 // Whether what draws count, vertices or instances, ends within the buffers that are read by it. `last` is the highest.
@@ -39,6 +40,21 @@ static bool check_elements(const struct rhw_pass_state *pass, bool per_instance,
                        "%s: it reads %s %lld to %lld; attribute %d has %lld in the buffer of slot %d", where,
                        per_instance ? "instances" : "vertices", (long long)first, (long long)end, i,
                        (long long)count, slot)) {
+            return false;
+        }
+    }
+    return true;
+}
+
+// The same for what all vertices read.
+static bool check_constants(const struct rhw_pass_state *pass, const char *where)
+{
+    const struct rhw_pipeline_def *const def = &pass->pending.pipeline->def;
+    for (int i = 0; i < def->attribute_count; i++) {
+        const int slot = def->attributes[i].buffer;
+        if (!rhw_check(pass->context, !def->buffers[slot].constant || elements_of(pass, i) != 0,
+                       "%s: attribute %d, which is constant, ends behind the buffer of slot %d", where, i,
+                       slot)) {
             return false;
         }
     }
@@ -105,6 +121,7 @@ bool rhw_draw_range_check(const struct rhw_pass_state *pass, const struct rhw_dr
     const bool vertices =
         draw->indexed ? check_indices(pass, draw, count, where)
                       : check_elements(pass, false, draw->first, (int64_t)draw->first + count - 1, where);
-    return vertices && check_elements(pass, true, draw->first_instance,
-                                      (int64_t)draw->first_instance + draw->instances - 1, where);
+    return vertices && check_constants(pass, where) &&
+           check_elements(pass, true, draw->first_instance,
+                          (int64_t)draw->first_instance + draw->instances - 1, where);
 }

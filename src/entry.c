@@ -10,6 +10,8 @@ bool rhw_context_refuse(const rhw_context *context, const char *where)
     if (context == NULL) {
         return rhw_check(NULL, false, "%s: context is NULL", where);
     }
+    // Functions that only look are refused, too.
+    atomic_store_explicit(&((rhw_context *)context)->refused, true, memory_order_relaxed);
     if (rhw_scheduler_runs_here(context->scheduler)) {
         rhw_misuse_outside(context,
                            "%s: called by a function that the library called, such as a shader function; it "

@@ -81,3 +81,11 @@ bool rhw_context_records(const struct rhw_context *context, const struct rhw_poo
 {
     return context->recording.active && rhw_pool_last_use(pool, index) == context->recording.generation;
 }
+
+bool rhw_context_draws_read(const struct rhw_context *context, const struct rhw_pool *pool, uint32_t index,
+                            uint32_t renewed_pass, uint32_t renewed_draws)
+{
+    const struct rhw_recording *const recording = &context->recording;
+    const uint32_t before = renewed_pass == recording->generation ? renewed_draws : 0;
+    return rhw_context_records(context, pool, index) && recording->draw > before;
+}

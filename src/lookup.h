@@ -30,5 +30,9 @@ struct rhw_name rhw_name_of(const struct rhw_pool *pool, uint32_t index);
 
 // Whether the pass being recorded uses the live item of one of the context's pools.
 bool rhw_context_records(const struct rhw_context *context, const struct rhw_pool *pool, uint32_t index);
+// Whether a draw of that pass may read what the item holds now, which it got in the pass `renewed_pass`, after
+// `renewed_draws` draws.
+bool rhw_context_draws_read(const struct rhw_context *context, const struct rhw_pool *pool, uint32_t index,
+                            uint32_t renewed_pass, uint32_t renewed_draws);
 
 #endif

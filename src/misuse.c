@@ -8,7 +8,10 @@
 
 #include "context.h"
 
-enum { MESSAGE_SIZE = 1024 }; // bytes of a line; a longer one is cut
+enum {
+    MESSAGE_SIZE = 1024, // bytes of a line; a longer one is cut
+    GROUPS_NAMED = 8     // at most; a loop that forgets to pop leaves any number of them
+};
 
 struct message {
     char text[MESSAGE_SIZE];
@@ -45,13 +48,18 @@ void rhw_context_log(const struct rhw_context *context, enum rhw_log_level level
     context->log(context->user, level, message.text);
 }
 
+// The innermost groups, outer ones first.
 static void append_groups(struct message *message, const struct rhw_debug_group *group)
 {
-    if (group->outer != NULL) {
-        append_groups(message, group->outer);
-        append(message, " / ");
+    const struct rhw_debug_group *named[GROUPS_NAMED];
+    int count = 0;
+    for (; group != NULL && count < GROUPS_NAMED; group = group->outer) {
+        named[count++] = group;
     }
-    append(message, "%s", group->label);
+    append(message, "%s", group != NULL ? "... / " : "");
+    while (count-- > 0) {
+        append(message, "%s%s", named[count]->label, count > 0 ? " / " : "");
+    }
 }
 
 // Which draw it is that is being recorded: draws are counted from 0, as shaders see them.
@@ -82,6 +90,17 @@ static void append_place(struct message *message, const struct rhw_context *cont
         append(message, "%scontext \"%s\"", recording ? ", " : "", context->label);
     }
     append(message, "]");
+}
+
+void rhw_context_warn_at(const struct rhw_context *context, const struct rhw_recording *place,
+                         const char *text)
+{
+    if (context->log != NULL) {
+        struct message message = {.length = 0};
+        append(&message, "%s", text);
+        append_place(&message, context, place);
+        context->log(context->user, RHW_LOG_WARNING, message.text);
+    }
 }
 
 static void tell(const struct rhw_context *context, const char *text)

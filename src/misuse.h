@@ -8,13 +8,17 @@
 __attribute__((format(printf, 3, 4))) void rhw_context_log(const struct rhw_context *context,
                                                            enum rhw_log_level level, const char *format, ...);
 
+// A warning about what was recorded earlier, which is named behind it.
+struct rhw_recording;
+void rhw_context_warn_at(const struct rhw_context *context, const struct rhw_recording *place,
+                         const char *text);
+
 // Reports misuse: formats the message and calls the assert hook (the default one when `context` is NULL).
 // Messages read "rhw_function: what has which value; the rule". While a pass is recorded they go on with where in it,
 // and its end will be an error.
 __attribute__((format(printf, 2, 3), cold)) void rhw_misuse(const struct rhw_context *context,
                                                             const char *format, ...);
 // The same with what was recorded earlier as the place.
-struct rhw_recording;
 __attribute__((format(printf, 3, 4), cold)) void rhw_misuse_at(const struct rhw_context *context,
                                                                const struct rhw_recording *place,
                                                                const char *format, ...);

@@ -620,6 +620,16 @@ static void release_retired(rhw_context *context)
     }
 }
 
+// Where recording was when it came to a draw.
+static struct rhw_recording place_of(const struct rhw_pass_state *pass, uint32_t draw)
+{
+    struct rhw_recording place = pass->context->recording;
+    place.active = true;
+    place.draw = draw;
+    place.group = rhw_pass_draw_at(pass, draw)->group;
+    return place;
+}
+
 // What validation found while the pass ran.
 static void report_findings(struct rhw_pass_state *pass)
 {
@@ -627,14 +637,11 @@ static void report_findings(struct rhw_pass_state *pass)
     const struct rhw_finding *const warning = &context->findings->kinds[RHW_FINDING_WARNING];
     const struct rhw_finding *const misuse = &context->findings->kinds[RHW_FINDING_MISUSE];
     if (warning->found) {
-        rhw_context_log(context, RHW_LOG_WARNING, "%s [draw %u of pass \"%s\"]", warning->text,
-                        (unsigned)warning->draw, context->recording.label);
+        const struct rhw_recording place = place_of(pass, warning->draw);
+        rhw_context_warn_at(context, &place, warning->text);
     }
     if (misuse->found) {
-        struct rhw_recording place = context->recording;
-        place.active = true;
-        place.draw = misuse->draw;
-        place.group = rhw_pass_draw_at(pass, misuse->draw)->group;
+        const struct rhw_recording place = place_of(pass, misuse->draw);
         rhw_misuse_at(context, &place, "%s", misuse->text);
     }
 }
@@ -642,8 +649,12 @@ static void report_findings(struct rhw_pass_state *pass)
 static enum rhw_result end(struct rhw_pass_state *pass, struct rhw_stats *stats)
 {
     rhw_context *const context = pass->context;
+    const uint32_t generation = context->recording.generation;
     (void)rhw_check(context, context->recording.group == NULL,
                     "rhw_pass_end: a debug group was pushed and not popped");
+    if (!context->recording.active || context->recording.generation != generation) {
+        return RHW_ERROR_MISUSE; // the hook ended the pass itself
+    }
     if (context->findings) {
         rhw_findings_clear(context->findings);
     }
@@ -651,6 +662,7 @@ static enum rhw_result end(struct rhw_pass_state *pass, struct rhw_stats *stats)
     bool misused = context->recording.misused;
     const enum rhw_result result = pass->out_of_memory ? RHW_ERROR_OUT_OF_MEMORY : rhw_pass_run(pass, stats);
     release_retired(context);
+    misused |= atomic_load_explicit(&context->refused, memory_order_relaxed);
     if (context->findings && result == RHW_OK) {
         misused |= context->findings->kinds[RHW_FINDING_MISUSE].found;
         report_findings(pass);

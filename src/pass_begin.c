@@ -229,8 +229,10 @@ static bool check_def(rhw_context *context, const struct rhw_pass_def *def, cons
                      where);
 }
 
-static void begin_recording(struct rhw_recording *recording, const struct rhw_pass_def *def)
+static void begin_recording(struct rhw_context *context, const struct rhw_pass_def *def)
 {
+    struct rhw_recording *const recording = &context->recording;
+    atomic_store_explicit(&context->refused, false, memory_order_relaxed);
     recording->active = true;
     recording->misused = false;
     recording->draw = 0;
@@ -261,18 +263,19 @@ static enum rhw_result begin(rhw_context *context, const struct rhw_pass_def *de
     pass->tiles_y = (pass->height + RHW_TILE - 1) / RHW_TILE;
     pass->pending.viewport = (struct rhw_viewport){0, 0, (float)pass->width, (float)pass->height, 0, 1};
     pass->pending.scissor = (struct rhw_rect){0, 0, pass->width, pass->height};
-    begin_recording(&context->recording, def);
+    begin_recording(context, def);
     *id = (rhw_pass){1, context->recording.generation, context->number};
     return RHW_OK;
 }
 
 enum rhw_result rhw_pass_begin(rhw_context *context, const struct rhw_pass_def *def, rhw_pass *id)
 {
-    if (id != NULL) {
-        *id = (rhw_pass){0};
-    }
     if (!rhw_context_enter(context, where)) {
         return RHW_ERROR_MISUSE;
+    }
+    if (id != NULL &&
+        !context->recording.active) { // else it may be the only name of the pass that has to end
+        *id = (rhw_pass){0};
     }
     const enum rhw_result result = begin(context, def, id);
     rhw_context_leave(context);

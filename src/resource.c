@@ -73,9 +73,9 @@ void rhw_label_copy(char copy[RHW_LABEL_SIZE], const char *label)
 {
     size_t length = label == NULL ? 0 : strnlen(label, RHW_LABEL_SIZE);
     if (length == RHW_LABEL_SIZE) {
-        do {
+        do { // back to where a character begins; one has 4 bytes at most
             length--;
-        } while (((unsigned char)label[length] & 0xc0) == 0x80); // within a character
+        } while (length > RHW_LABEL_SIZE - 4 && ((unsigned char)label[length] & 0xc0) == 0x80);
     }
     if (length != 0) {
         memcpy(copy, label, length);

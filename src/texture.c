@@ -272,8 +272,9 @@ static struct rhw_texture_data *renew(struct rhw_context *context, rhw_texture i
         return NULL;
     }
     memcpy(data->memory, old->memory, old->memory_size);
+    data->renewed_pass = context->recording.generation;
+    data->renewed_draws = context->recording.draw;
     *item = data;
-    context->recording.rewrites++;
     return data;
 }
 
@@ -281,9 +282,11 @@ static struct rhw_texture_data *renew(struct rhw_context *context, rhw_texture i
 static struct rhw_texture_data *to_write(struct rhw_context *context, rhw_texture id,
                                          struct rhw_texture_data *texture)
 {
-    const bool recorded = rhw_context_records(context, &context->textures, id.index);
-    struct rhw_texture_data *const written = recorded ? renew(context, id) : texture;
+    const bool read = rhw_context_draws_read(context, &context->textures, id.index, texture->renewed_pass,
+                                             texture->renewed_draws);
+    struct rhw_texture_data *const written = read ? renew(context, id) : texture;
     if (written) {
+        context->recording.rewrites += rhw_context_records(context, &context->textures, id.index);
         written->linear_is_current = false;
         rhw_clean_tiles_forget(written->clean);
     }

@@ -111,13 +111,31 @@ static void run(const struct rhw_watch *watch, const struct rhw_fragment *group,
     }
 }
 
-// Channels of target t that a pass keeps, a bit each.
-static unsigned kept_channels(const struct rhw_watch *watch, int t)
+static bool is_source_alpha(enum rhw_blend_factor factor)
+{
+    return factor == RHW_BLEND_SRC_ALPHA || factor == RHW_BLEND_ONE_MINUS_SRC_ALPHA ||
+           factor == RHW_BLEND_SRC_ALPHA_SATURATED;
+}
+
+// MIN and MAX ignore the factors.
+static bool reads_source_alpha(const struct rhw_blend_component *color)
+{
+    return color->operation != RHW_BLEND_MIN && color->operation != RHW_BLEND_MAX &&
+           (is_source_alpha(color->src) || is_source_alpha(color->dst));
+}
+
+// Channels of target t that a pass needs, a bit each: those it keeps, and the alpha that colours are blended by.
+static unsigned needed_channels(const struct rhw_watch *watch, int t)
 {
     const struct rhw_pipeline_def *const def = &watch->pipeline->def;
-    return t >= def->target_count
-               ? 0
-               : def->targets[t].write_mask & ((1u << rhw_format_info(def->targets[t].format)->channels) - 1);
+    if (t >= def->target_count) {
+        return 0;
+    }
+    const struct rhw_color_target *const target = &def->targets[t];
+    const unsigned kept = target->write_mask & ((1u << rhw_format_info(target->format)->channels) - 1);
+    const bool any_color = kept & (RHW_WRITE_RED | RHW_WRITE_GREEN | RHW_WRITE_BLUE);
+    const bool blends = target->blend && any_color && reads_source_alpha(&target->color);
+    return kept | (blends ? RHW_WRITE_ALPHA : 0);
 }
 
 // Lanes of `mask` in which two runs have different results.
@@ -127,7 +145,7 @@ static rhw_int differing(const struct rhw_watch *watch, const struct fragment_ru
     rhw_int lanes = rhw_splat_int(0);
     for (int t = 0; t < watch->pipeline->def.target_count; t++) {
         for (int c = 0; c < 4; c++) {
-            if (kept_channels(watch, t) & 1u << c) {
+            if (needed_channels(watch, t) & 1u << c) {
                 lanes |= rhw_watch_differs(a->color[t][c], b->color[t][c], mask);
             }
         }
@@ -174,8 +192,8 @@ static bool check_channels(const struct rhw_watch *watch, const struct rhw_fragm
 {
     for (int t = 0; t < RHW_MAX_COLOR_ATTACHMENTS; t++) {
         for (int c = 0; c < 4; c++) {
-            const bool kept = kept_channels(watch, t) & 1u << c;
-            if (kept && rhw_watch_unwritten(first->color[t][c], second->color[t][c], mask)) {
+            const bool needed = needed_channels(watch, t) & 1u << c;
+            if (needed && rhw_watch_unwritten(first->color[t][c], second->color[t][c], mask)) {
                 report_channel(watch, group, mask, RHW_FINDING_MISUSE, "does not write", t, c);
                 return true;
             }
@@ -236,7 +254,7 @@ static void warn_of_nan(const struct rhw_watch *watch, const struct rhw_fragment
         for (int c = 0; c < 4 && !is_integer(watch, t); c++) {
             const rhw_float value = first->color[t][c];
             const rhw_int nan = (value != value) & mask;
-            if (kept_channels(watch, t) & 1u << c && rhw_any(nan)) {
+            if (needed_channels(watch, t) & 1u << c && rhw_any(nan)) {
                 report_channel(watch, group, nan, RHW_FINDING_WARNING, "gives NaN in", t, c);
                 return;
             }

@@ -47,7 +47,8 @@ typedef void rhw_log_function(void *user, enum rhw_log_level level, const char *
 /// Called on misuse with a message that says what was wrong, which lives for the call, on the thread that called
 /// the library; while a pass is recorded, it ends with the draw, its debug groups and the pass, in brackets. When it
 /// returns, the call that found the misuse returns without doing anything. It may also leave by longjmp or a C++
-/// exception. The default prints the message to stderr and aborts.
+/// exception, but not where a shader function calls the library: then frames of the library lie between. It must not
+/// destroy the context. The default prints the message to stderr and aborts.
 typedef void rhw_assert_function(void *user, const char *message);
 
 #endif

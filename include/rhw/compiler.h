@@ -2,7 +2,8 @@
 // What the headers need to know of the compiler; nowhere else do they ask for it. Included by base.h.
 //
 // Lanes are the vector types of gcc and clang, clang-cl among them. Another compiler, Microsoft's for one, reads the
-// same headers without them: everything but the 8-lane form of shaders, one-at-a-time functions included (shader_no_lanes.h).
+// same headers without them: everything but the 8-lane form of shaders and duals, one-at-a-time functions included
+// (shader_no_lanes.h).
 #ifndef RHW_COMPILER_H
 #define RHW_COMPILER_H
 

@@ -39,8 +39,8 @@ RHW_API bool rhw_isa_supported(enum rhw_isa isa);
 RHW_API enum rhw_result rhw_buffer_create(rhw_context *context, const struct rhw_buffer_def *def,
                                           rhw_buffer *buffer);
 RHW_API void rhw_buffer_destroy(rhw_context *context, rhw_buffer buffer);
-/// Replaces `size` bytes at `offset`. Draws that were recorded before read what the buffer held then: for them, a buffer
-/// that the pass being recorded uses keeps its memory and gets new one. Without memory for that it stays as it is.
+/// Replaces `size` bytes at `offset`. Draws that were recorded before read what the buffer held then: where the pass being
+/// recorded uses it, the first write after a draw gives it new memory. Without memory for that it stays as it is.
 RHW_API enum rhw_result rhw_buffer_write(rhw_context *context, rhw_buffer buffer, size_t offset,
                                          const void *data, size_t size);
 
@@ -118,6 +118,8 @@ RHW_API void rhw_pipeline_destroy(rhw_context *context, rhw_pipeline pipeline);
 // and textures hold when it is recorded: they may be written, and anything may be destroyed, before the pass has ended.
 // What is destroyed while it is set stays set. Uniforms are copied. Viewport and scissor start as the whole target.
 
+/// Begins a pass; its attachments stay as they are until it ends. On failure `*pass` is null. Where a pass is being
+/// recorded, or another call is under way, `*pass` is left alone: it may be what the first pass is ended by.
 RHW_API enum rhw_result rhw_pass_begin(rhw_context *context, const struct rhw_pass_def *def, rhw_pass *pass);
 /// State lasts until it is set again: it survives draws and a change of pipeline. A call that is misuse leaves it.
 /// The pipeline's targets must have the formats of the attachments, in order.
@@ -153,9 +155,9 @@ RHW_API void rhw_pass_draw_indexed_indirect(rhw_context *context, rhw_pass pass,
 /// Groups may stand in groups; each is popped before the pass ends.
 RHW_API void rhw_pass_push_debug_group(rhw_context *context, rhw_pass pass, const char *label);
 RHW_API void rhw_pass_pop_debug_group(rhw_context *context, rhw_pass pass);
-/// Runs the pass; all of it is drawn on return, and the id is stale. `stats` may be NULL. Where misuse was reported since the pass began and
-/// the assert hook returned, all that was no misuse is drawn, and the result is RHW_ERROR_MISUSE. On other failures the
-/// attachments hold unspecified pixels and `stats` is as it was.
+/// Runs the pass; all of it is drawn on return, and the id is stale. `stats` may be NULL. Where misuse was reported since
+/// the pass began and the assert hook returned, all that was no misuse is drawn, and the result is RHW_ERROR_MISUSE. On
+/// other failures the attachments hold unspecified pixels and `stats` is as it was.
 RHW_API enum rhw_result rhw_pass_end(rhw_context *context, rhw_pass pass, struct rhw_stats *stats);
 /// Ends the pass without drawing any of it: the attachments are as they were, and the id is stale. For those who find in
 /// the middle that they cannot go on.

@@ -24,17 +24,8 @@ static inline rhw_float rhw_lanes_from(rhw_float lanes)
     return lanes;
 }
 
-static inline rhw_float rhw_lanes_from(float value)
-{
-    return rhw_splat(value);
-}
-
-static inline rhw_float rhw_lanes_from(double value)
-{
-    return rhw_splat(static_cast<float>(value));
-}
-
-static inline rhw_float rhw_lanes_from(int value)
+// Any type of number.
+template <class A> static inline rhw_float rhw_lanes_from(A value)
 {
     return rhw_splat(static_cast<float>(value));
 }

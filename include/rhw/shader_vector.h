@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 // The arithmetic of 8 lanes that C's operators lack: comparison, selection, rounding, conversion. Included by shader.h;
-// shader_scalar.h lets plain numbers stand in its place. All of it is IEEE 754 arithmetic without contraction, hence the same bits
-// on every instruction set. Intrinsics, and halves of 4 lanes, appear where compilers turn the plain form into scalar
-// code: gcc 12 does for most of what stands here unless it has AVX.
+// shader_scalar.h lets plain numbers stand in the place of lanes. All of it is IEEE 754 arithmetic without contraction,
+// hence the same bits on every instruction set. Intrinsics, and halves of 4 lanes, appear where compilers turn the plain
+// form into scalar code: gcc 12 does for most of what stands here unless it has AVX.
 #ifndef RHW_SHADER_VECTOR_H
 #define RHW_SHADER_VECTOR_H
 

@@ -65,6 +65,9 @@ static void numbers(rhw_float v, rhw_float w)
     same(__LINE__, rhw_pow(v, 2.0f), rhw_pow(v, rhw_splat(2)));
     same(__LINE__, rhw_pow(2.0f, v), rhw_pow(rhw_splat(2), v));
     same(__LINE__, rhw_atan2(v, 1.0f), rhw_atan2(v, one));
+    same_int(__LINE__, rhw_less(v, 1u), rhw_less(v, one));
+    same_int(__LINE__, rhw_less(v, 1ll), rhw_less(v, one));
+    same_int(__LINE__, rhw_less(v, 1.0), rhw_less(v, one));
 }
 
 static void integers(rhw_int i)

@@ -71,6 +71,23 @@ static void test_labels_are_copied(void **state)
     rig_close(&rig);
 }
 
+// Bytes that are no UTF-8: there is no character to cut before.
+static void test_labels_are_any_bytes(void **state)
+{
+    (void)state;
+    struct rig rig;
+    rig_open(&rig, 8, 8);
+    char label[100];
+    memset(label, '\x80', sizeof label);
+    label[sizeof label - 1] = 0;
+    const struct rhw_buffer_def def = {.size = 4, .label = label};
+    rhw_buffer buffer;
+    assert_int_equal(rhw_buffer_create(rig.context, &def, &buffer), RHW_OK);
+    rhw_buffer_write(rig.context, buffer, 5, "", 1);
+    rig_expect_misuse(&rig, "of buffer 1");
+    rig_close(&rig);
+}
+
 static void test_messages_name_the_place(void **state)
 {
     (void)state;
@@ -121,6 +138,22 @@ static void test_groups_are_popped(void **state)
     rig_close(&rig);
 }
 
+// Of many groups, as where a loop forgets to pop, the innermost are named.
+static void test_groups_are_many(void **state)
+{
+    (void)state;
+    struct rig rig;
+    rig_open(&rig, 8, 8);
+    rig_begin(&rig);
+    for (int i = 0; i < 300000; i++) {
+        rhw_pass_push_debug_group(rig.context, rig.recording, "tree");
+    }
+    rhw_pass_push_debug_group(rig.context, rig.recording, "leaf");
+    assert_int_equal(rhw_pass_end(rig.context, rig.recording, NULL), RHW_ERROR_MISUSE);
+    rig_expect_misuse(&rig, "[draw 0 in ... / tree / tree / tree / tree / tree / tree / tree / leaf]");
+    rig_close(&rig);
+}
+
 // What was no misuse is drawn, and the end tells. The next pass begins anew.
 static void test_misuse_in_a_pass_is_its_result(void **state)
 {
@@ -145,8 +178,12 @@ static void test_misuse_in_a_pass_is_its_result(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_messages_name_label_and_id),     cmocka_unit_test(test_labels_are_copied),
-        cmocka_unit_test(test_messages_name_the_place),        cmocka_unit_test(test_groups_are_popped),
+        cmocka_unit_test(test_messages_name_label_and_id),
+        cmocka_unit_test(test_labels_are_copied),
+        cmocka_unit_test(test_labels_are_any_bytes),
+        cmocka_unit_test(test_messages_name_the_place),
+        cmocka_unit_test(test_groups_are_popped),
+        cmocka_unit_test(test_groups_are_many),
         cmocka_unit_test(test_misuse_in_a_pass_is_its_result),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);

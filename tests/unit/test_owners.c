@@ -71,7 +71,7 @@ static void test_shader_functions_call_nothing(void **state)
         atomic_store(&calls, 0);
         rig_begin(&rig);
         rig_draw(&rig, all, 6);
-        rhw_pass_end(rig.context, rig.recording, &rig.stats);
+        assert_int_equal(rhw_pass_end(rig.context, rig.recording, &rig.stats), RHW_ERROR_MISUSE);
         rig_expect_misuse(&rig,
                           "rhw_texture_destroy: called by a function that the library called, such as a "
                           "shader function; it must not use the context");
@@ -118,7 +118,7 @@ static void test_a_second_thread_is_told(void **state)
     rig_draw(&rig, all, 6);
     pthread_t other;
     assert_int_equal(pthread_create(&other, NULL, draw_from_outside, &rig), 0);
-    assert_int_equal(rhw_pass_end(rig.context, rig.recording, &rig.stats), RHW_OK);
+    assert_int_equal(rhw_pass_end(rig.context, rig.recording, &rig.stats), RHW_ERROR_MISUSE);
     pthread_join(other, NULL);
     rig_expect_misuse(
         &rig, "rhw_pass_draw: called while rhw_pass_end is under way in this context; one thread at a "
@@ -198,6 +198,40 @@ static void test_a_hook_may_leave(void **state)
     rhw_buffer buffer;
     assert_int_equal(rhw_buffer_create(context, &buffer_def, &buffer), RHW_OK);
     rhw_context_destroy(context);
+}
+
+// A hook that calls the library: it may give up the very pass that is being ended.
+struct giving_up {
+    rhw_context *context;
+    rhw_pass pass;
+};
+
+static void give_up(void *user, const char *message)
+{
+    (void)message;
+    const struct giving_up *const it = user;
+    rhw_pass_cancel(it->context, it->pass);
+}
+
+static void test_a_hook_may_give_the_pass_up(void **state)
+{
+    (void)state;
+    struct giving_up it;
+    struct rhw_context_def def = rhw_context_def_default();
+    def.threads = 1;
+    def.assert_ = give_up;
+    def.user = &it;
+    assert_int_equal(rhw_context_create(&def, &it.context), RHW_OK);
+    const struct rhw_texture_def texture_def = {.format = RHW_FORMAT_RGBA8_UNORM, .width = 1, .height = 1};
+    struct rhw_pass_def pass_def = {.color_count = 1, .colors = {{.clear = {1, 1, 1, 1}}}};
+    rhw_texture target;
+    assert_int_equal(rhw_texture_create(it.context, &texture_def, &target), RHW_OK);
+    pass_def.colors[0].texture = target;
+    assert_int_equal(rhw_pass_begin(it.context, &pass_def, &it.pass), RHW_OK);
+    rhw_pass_push_debug_group(it.context, it.pass, "open");
+    rhw_texture_destroy(it.context, target);
+    assert_int_equal(rhw_pass_end(it.context, it.pass, NULL), RHW_ERROR_MISUSE);
+    rhw_context_destroy(it.context);
 }
 
 // Destroyed while recorded ----------------------------------------------------------------------------
@@ -333,6 +367,62 @@ static void test_memory_comes_back_at_the_end(void **state)
     assert_true(live_bytes <= before);
     rig_close(&rig);
     assert_int_equal(live_bytes, 0);
+}
+
+// What no draw has read since is written in its place: any number of writes between two draws cost one copy.
+static void test_writes_between_draws_share_a_copy(void **state)
+{
+    (void)state;
+    struct rhw_context_def def = rhw_context_def_default();
+    def.threads = 1;
+    def.allocator = (struct rhw_allocator){count_allocate, count_release, NULL};
+    live_bytes = 0;
+    struct rig rig;
+    rig_open_with(&rig, 8, 8, &def);
+    rig_set_program(&rig, rig_vertex_pass, sample_texture);
+    const rhw_texture image = make_texture(&rig, RHW_FORMAT_RGBA8_SRGB, 200);
+    const rhw_sampler sampler = make_sampler(&rig);
+    static uint32_t texels[200 * 200];
+    static struct rig_vertex vertices[6000];
+    rig_rectangle(&rig, 0, 0, 4, 8, 0, red, vertices);
+    rig_begin(&rig);
+    rhw_pass_set_texture(rig.context, rig.recording, 0, image, sampler);
+    rig_draw(&rig, vertices, 6000);
+    const rhw_buffer buffer = rig.objects.buffers[rig.objects.buffer_count - 1];
+    rig_rectangle(&rig, 4, 0, 8, 8, 0, red, vertices);
+    const size_t before = live_bytes;
+    for (int i = 0; i < 200; i++) {
+        for (int t = 0; t < 200 * 200; t++) {
+            texels[t] = i < 199 ? 0xffffffff : 0xff0000ff;
+        }
+        assert_int_equal(rhw_texture_write(rig.context, image, 0, texels, 0), RHW_OK);
+        assert_int_equal(rhw_buffer_write(rig.context, buffer, 0, vertices, sizeof vertices), RHW_OK);
+    }
+    assert_true(live_bytes < before + 2 * (sizeof texels + sizeof vertices));
+    rhw_pass_draw(rig.context, rig.recording, 0, 6, 0, 1);
+    rig_end(&rig);
+    const float(*const pixels)[4] = rig_read_float4(&rig);
+    const float black[4] = {0, 0, 0, 0};
+    assert_memory_equal(pixels[0], black, sizeof black);
+    assert_memory_equal(pixels[4], red, sizeof red);
+    rig_close(&rig);
+}
+
+// Begun twice with one variable: it still names the first pass.
+static void test_a_second_pass_leaves_the_first(void **state)
+{
+    (void)state;
+    struct rig rig;
+    rig_open(&rig, 8, 8);
+    struct rig_vertex all[6];
+    rig_cover(&rig, 0, red, all);
+    rig_begin(&rig);
+    assert_int_equal(rhw_pass_begin(rig.context, &rig.pass, &rig.recording), RHW_ERROR_MISUSE);
+    rig_expect_misuse(&rig, "rhw_pass_begin: a pass is being recorded; end it first");
+    rig_draw(&rig, all, 6);
+    rig_end(&rig);
+    assert_memory_equal(rig_read_float4(&rig)[0], red, sizeof red);
+    rig_close(&rig);
 }
 
 // Attachments keep what they hold, what was destroyed is released, and the next pass begins.
@@ -487,9 +577,12 @@ int main(void)
         cmocka_unit_test(test_a_second_thread_is_told),
         cmocka_unit_test(test_threads_that_race_do_no_harm),
         cmocka_unit_test(test_a_hook_may_leave),
+        cmocka_unit_test(test_a_hook_may_give_the_pass_up),
         cmocka_unit_test(test_a_context_stays_while_it_records),
         cmocka_unit_test(test_what_a_draw_used_may_go),
         cmocka_unit_test(test_memory_comes_back_at_the_end),
+        cmocka_unit_test(test_writes_between_draws_share_a_copy),
+        cmocka_unit_test(test_a_second_pass_leaves_the_first),
         cmocka_unit_test(test_a_pass_may_be_given_up),
         cmocka_unit_test(test_null_ids_are_destroyed),
         cmocka_unit_test(test_draws_keep_what_a_buffer_held),

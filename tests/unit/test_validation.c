@@ -187,6 +187,26 @@ static void test_fragment_functions(void **state)
     }
 }
 
+// Alpha that is not kept, and that colours are blended by all the same.
+static void test_blending_reads_alpha(void **state)
+{
+    (void)state;
+    for (int blends = 0; blends < 2; blends++) {
+        struct rig rig;
+        open_validated(&rig, 1);
+        rig.pipeline.targets[0].write_mask = RHW_WRITE_RED | RHW_WRITE_GREEN | RHW_WRITE_BLUE;
+        rig.pipeline.targets[0].blend = true;
+        rig.pipeline.targets[0].color.src = blends ? RHW_BLEND_SRC_ALPHA : RHW_BLEND_ONE;
+        rig.pipeline.targets[0].color.dst = RHW_BLEND_ONE;
+        deed = LEAVE_ALPHA;
+        assert_int_equal(draw_deed(&rig, false, 0), blends ? RHW_ERROR_MISUSE : RHW_OK);
+        if (blends) {
+            rig_expect_misuse(&rig, "does not write color[0][3]");
+        }
+        rig_close(&rig);
+    }
+}
+
 // Without validation the same functions pass in silence, as they do to the speed of everybody's programs.
 static void test_nothing_is_told_without(void **state)
 {
@@ -224,7 +244,8 @@ static void test_nan_is_a_warning(void **state)
     logged[0] = 0;
     deed = DIVIDE_BY_ZERO;
     assert_int_equal(draw_deed(&rig, false, 0), RHW_OK);
-    assert_non_null(strstr(logged, "gives NaN in color[0][0]; at pixel 0, 0 [draw 1 of pass \"main\"]"));
+    assert_non_null(
+        strstr(logged, "gives NaN in color[0][0]; at pixel 0, 0 [draw 1 in deeds of pass \"main\"]"));
     rig_close(&rig);
 }
 
@@ -375,6 +396,31 @@ static void test_draws_stay_within_their_buffers(void **state)
     rig_close(&rig);
 }
 
+static void test_constants_are_there(void **state)
+{
+    (void)state;
+    struct rig rig;
+    open_validated(&rig, 1);
+    rig.pipeline.attributes[1].buffer = 1;
+    rig.pipeline.attributes[1].offset = 0;
+    rig.pipeline.buffers[1] = (struct rhw_vertex_layout){.constant = true};
+    rig.pipeline.buffer_count = 2;
+    struct rig_vertex all[6];
+    rig_cover(&rig, 0, red, all);
+    rig_begin(&rig);
+    rig_use_pipeline(&rig);
+    rig_use_vertices(&rig, 0, all, sizeof all);
+    rig_use_vertices(&rig, 1, red, sizeof red);
+    rhw_pass_draw(rig.context, rig.recording, 0, 6, 0, 1);
+    assert_int_equal(rig.misuses, 0);
+    rhw_pass_set_vertex_buffer(rig.context, rig.recording, 1, rig.objects.buffers[1], 4);
+    rhw_pass_draw(rig.context, rig.recording, 0, 6, 0, 1);
+    rig_expect_misuse(
+        &rig, "rhw_pass_draw: attribute 1, which is constant, ends behind the buffer of slot 1 [draw 1");
+    rig_end(&rig);
+    rig_close(&rig);
+}
+
 // The index that restarts a strip names no vertex.
 static void test_restarts_name_no_vertex(void **state)
 {
@@ -465,10 +511,12 @@ int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(test_fragment_functions),
+        cmocka_unit_test(test_blending_reads_alpha),
         cmocka_unit_test(test_nothing_is_told_without),
         cmocka_unit_test(test_nan_is_a_warning),
         cmocka_unit_test(test_vertex_functions),
         cmocka_unit_test(test_draws_stay_within_their_buffers),
+        cmocka_unit_test(test_constants_are_there),
         cmocka_unit_test(test_restarts_name_no_vertex),
         cmocka_unit_test(test_nan_clears),
         cmocka_unit_test(test_a_missing_fragment_function),

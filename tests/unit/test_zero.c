@@ -4,7 +4,9 @@
 //
 // | struct           | default                                         | a message                                    |
 // | ---------------- | ----------------------------------------------- | -------------------------------------------- |
+// | each *_def       | label: none                                     |                                              |
 // | context_def      | threads: cores; isa_limit: best; paths: all;    | one of the allocator's two functions         |
+// |                  | validate: as the program is compiled;           |                                              |
 // |                  | bin_memory: 512 MiB; allocator: malloc; log:    |                                              |
 // |                  | none; assert_: print and abort; user: NULL      |                                              |
 // | buffer_def       | data: zeroed                                    | size                                         |
