@@ -6,10 +6,16 @@
 #include "buffer.h"
 #include "context.h"
 #include "format.h"
+#include "lookup.h"
 #include "misuse.h"
 #include "pipeline.h"
 
 static const uint32_t index_sizes[] = {[RHW_INDEX_UINT8] = 1, [RHW_INDEX_UINT16] = 2, [RHW_INDEX_UINT32] = 4};
+
+static struct rhw_name name_of(const struct rhw_pass_state *pass, int slot)
+{
+    return rhw_name_of(&pass->context->buffers, pass->bound.vertices[slot].index);
+}
 
 // Elements that attribute i finds in its buffer; of a constant one there is one.
 static uint64_t elements_of(const struct rhw_pass_state *pass, int i)
@@ -37,9 +43,9 @@ static bool check_elements(const struct rhw_pass_state *pass, bool per_instance,
         const int64_t count = (int64_t)elements_of(pass, i);
         const int64_t end = per_instance ? first + (last - first) / layout->instance_step : last;
         if (!rhw_check(pass->context, first >= 0 && end < count,
-                       "%s: it reads %s %lld to %lld; attribute %d has %lld in the buffer of slot %d", where,
+                       "%s: it reads %s %lld to %lld; attribute %d has %lld in %s, slot %d", where,
                        per_instance ? "instances" : "vertices", (long long)first, (long long)end, i,
-                       (long long)count, slot)) {
+                       (long long)count, name_of(pass, slot).text, slot)) {
             return false;
         }
     }
@@ -53,8 +59,8 @@ static bool check_constants(const struct rhw_pass_state *pass, const char *where
     for (int i = 0; i < def->attribute_count; i++) {
         const int slot = def->attributes[i].buffer;
         if (!rhw_check(pass->context, !def->buffers[slot].constant || elements_of(pass, i) != 0,
-                       "%s: attribute %d, which is constant, ends behind the buffer of slot %d", where, i,
-                       slot)) {
+                       "%s: attribute %d, which is constant, ends behind %s, slot %d", where, i,
+                       name_of(pass, slot).text, slot)) {
             return false;
         }
     }

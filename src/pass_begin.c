@@ -247,7 +247,9 @@ static enum rhw_result begin(rhw_context *context, const struct rhw_pass_def *de
         return RHW_ERROR_MISUSE;
     }
     reset(pass, def);
-    context->recording.generation++;
+    if (++context->recording.generation == 0) {
+        context->recording.generation = 1; // 0 is that of nothing yet
+    }
     const enum rhw_result result = attach_all(pass, def);
     if (result != RHW_OK) {
         return result;

@@ -49,6 +49,7 @@ struct rhw_worker {
 struct rhw_bound_buffer {
     const struct rhw_buffer_data *data; // NULL: nothing is set
     size_t offset;
+    uint32_t index; // of the buffer, for messages
 };
 struct rhw_bound_texture {
     struct rhw_texture_data *const *texture; // in the context's pool; NULL: nothing is set

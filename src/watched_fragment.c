@@ -199,9 +199,9 @@ static bool check_channels(const struct rhw_watch *watch, const struct rhw_fragm
             }
             if (t >= watch->pipeline->def.target_count &&
                 rhw_any(((rhw_int)first->color[t][c] != (int32_t)rhw_watch_output[0]) & mask)) {
-                report_channel(watch, group, mask, RHW_FINDING_MISUSE,
+                // One program may serve pipelines of more targets, and of depth alone.
+                report_channel(watch, group, mask, RHW_FINDING_WARNING,
                                "has no such target in its pipeline and writes", t, c);
-                return true;
             }
         }
     }
