@@ -50,10 +50,11 @@ enum rhw_paths {
 };
 
 /// Validation finds what is no misuse to the library and rarely meant: shader functions that read what their program
-/// does not declare, discard or write depth without saying so, leave colours, positions or varyings unwritten, or sample
-/// slots that do not exist; draws that reach outside their buffers; odd index offsets; NaN to clear with. It is told as
-/// misuse: what a shader function did when the pass ends, for its earliest draw, with the draw and a pixel. NaN in
-/// colours, and writing targets that a pipeline lacks, are warnings in the log. Pictures are the same, and take several times as long.
+/// does not declare, discard or write depth without saying so, leave colours, positions or varyings unwritten, or
+/// sample slots that do not exist; draws that reach outside their buffers; odd index offsets; NaN to clear with. It
+/// is told as misuse: what a shader function did when the pass ends, for its earliest draw, with the draw and a
+/// pixel. NaN in colours, and writing targets that a pipeline lacks, are warnings in the log. Pictures are the same,
+/// and take several times as long.
 enum rhw_validation {
     RHW_VALIDATE_DEFAULT, ///< on where the context is created by a file compiled without optimization and NDEBUG
     RHW_VALIDATE_ON,
