@@ -89,14 +89,15 @@ static inline void outside_write_ppm(const char *folder, const char *name, int w
     fclose(file);
 }
 
-// Prints `name` and FNV-1a of the texels of level 0; a picture of 4 bytes a texel is written where the options say.
+// Prints `name` and FNV-1a of the texels of level 0; a picture of RGBA8 is written where the options say.
 // Returns the texels, for the caller to free.
 static inline void *outside_show(const struct outside *outside, rhw_context *context, const char *name,
                                  rhw_texture texture)
 {
-    const int width = rhw_texture_width(context, texture, 0), height = rhw_texture_height(context, texture, 0);
-    const size_t texel = rhw_format_size(rhw_texture_format(context, texture));
-    const size_t size = texel * (size_t)width * (size_t)height;
+    const int width = rhw_texture_width(context, texture, 0),
+              height = rhw_texture_height(context, texture, 0);
+    const enum rhw_format format = rhw_texture_format(context, texture);
+    const size_t size = rhw_format_size(format) * (size_t)width * (size_t)height;
     unsigned char *const texels = malloc(size);
     must(texels ? rhw_texture_read(context, texture, 0, texels, 0) : RHW_ERROR_OUT_OF_MEMORY, name);
     uint64_t hash = 14695981039346656037u;
@@ -104,7 +105,7 @@ static inline void *outside_show(const struct outside *outside, rhw_context *con
         hash = (hash ^ texels[i]) * 1099511628211u;
     }
     printf("%s %016" PRIx64 "\n", name, hash);
-    if (outside->pictures && texel == 4) {
+    if (outside->pictures && (format == RHW_FORMAT_RGBA8_UNORM || format == RHW_FORMAT_RGBA8_SRGB)) {
         outside_write_ppm(outside->pictures, name, width, height, texels);
     }
     return texels;
