@@ -5,7 +5,7 @@
 //
 // Z here is in the range 0..W whatever the pipeline's: (Z + W)/2 of floats is exact in double unless their
 // exponents are far apart. 0 <= Z <= W implies W >= 0; with the guard band, W = 0 is left only for the point (0, 0, 0,
-// 0).
+// 0). Without the planes of depth it is left for any (0, 0, Z, 0), and what reaches there is not drawn.
 #include "clip.h"
 
 #include "constants.h"
@@ -13,7 +13,7 @@
 #include "kernels/raster/snap.h"
 #include "pipeline.h"
 
-enum { PLANES = 6 };
+enum { PLANES = 6, DEPTH_PLANES = 2 }; // of which those of depth stand first
 
 // Pixels from the target's origin, still times W: x = X·W, y = Y·W on the screen.
 struct clip_vertex {
@@ -83,7 +83,8 @@ bool rhw_clip_triangle(const struct rhw_draw_state *state, const struct rhw_vert
     }
     struct clip_vertex *in = a, *out = b;
     int count = 3;
-    for (int plane = 0; plane < PLANES && count >= 3; plane++) {
+    const int first = state->pipeline->def.depth_clip_disabled ? DEPTH_PLANES : 0;
+    for (int plane = first; plane < PLANES && count >= 3; plane++) {
         count = clip_plane(in, count, plane, out);
         struct clip_vertex *const swap = in;
         in = out;

@@ -9,6 +9,7 @@
 #define RHW_DRAW_LIST_H
 
 #include "blend_state.h"
+#include "depth_stencil.h"
 #include "draw_plan.h"
 #include "hidden_surface.h"
 #include "rhw/shader.h"
@@ -40,7 +41,9 @@ struct rhw_draw_state {
     struct rhw_draw_plan plans[RHW_PHASE_COUNT]; // what tiles do for its fragments
     // Depth after the viewport's range: depth_low + depth_span·Z/W, whatever range of Z the pipeline has.
     double depth_low, depth_span;
-    float depth_least, depth_most; // the viewport's depth range in order
+    float depth_least, depth_most; // what depth is held to: the viewport's range in order, or 0 and 1
+    struct rhw_depth_stencil_setting depth_setting;
+    struct rhw_depth_stencil_state depth_stencil;
     // Screen position of clip coordinates: x = X/W·half_width + center_x, y = center_y − Y/W·half_height.
     double half_width, half_height, center_x, center_y;
 };

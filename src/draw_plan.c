@@ -2,6 +2,7 @@
 // How the plan of a draw follows from its state.
 #include "draw_plan.h"
 
+#include "depth_stencil.h"
 #include "pipeline.h"
 #include "triangle.h"
 
@@ -36,17 +37,20 @@ static int direction_of(enum rhw_compare compare)
     }
 }
 
-static enum rhw_depth_mode choose_depth_mode(const struct rhw_pipeline_def *def, enum rhw_shading shading)
+static enum rhw_depth_mode choose_depth_mode(const struct rhw_pipeline_def *def,
+                                             const struct rhw_depth_stencil_state *depth_stencil,
+                                             enum rhw_shading shading)
 {
     const uint32_t uses = def->program.uses;
-    if (!def->depth_test) {
+    if (!def->depth_test && !depth_stencil->is_full) {
         return RHW_DEPTH_NONE;
     }
     if (shading == RHW_SHADING_NONE || !(uses & (RHW_USE_DISCARD | RHW_USE_DEPTH))) {
         return RHW_DEPTH_EARLY;
     }
     // A fragment that fails an ordering test now fails it later too, as depth only moves that way meanwhile.
-    const bool can_reject = !(uses & RHW_USE_DEPTH) && direction_of(def->depth_compare) != 0;
+    const bool can_reject = !(uses & RHW_USE_DEPTH) && direction_of(def->depth_compare) != 0 &&
+                            !depth_stencil->tests_stencil && !depth_stencil->tests_bounds;
     return can_reject ? RHW_DEPTH_EARLY_REJECT : RHW_DEPTH_LATE;
 }
 
@@ -65,11 +69,11 @@ static enum rhw_rule_name name_of(struct rhw_depth_rule rule)
 // last with the others.
 static void plan_rules(struct rhw_draw_plan *plan, const struct rhw_pipeline_def *def, enum rhw_phase phase)
 {
-    const enum rhw_compare compare = def->depth_compare;
+    const enum rhw_compare compare = def->depth_test ? def->depth_compare : RHW_COMPARE_ALWAYS;
     const bool strict = compare == RHW_COMPARE_LESS || compare == RHW_COMPARE_GREATER;
     const bool early = plan->depth_mode == RHW_DEPTH_EARLY;
-    plan->late = (struct rhw_depth_rule){compare, !def->depth_read_only, RHW_OPEN_IGNORED};
-    plan->early = (struct rhw_depth_rule){compare, !def->depth_read_only && early, RHW_OPEN_IGNORED};
+    plan->late = (struct rhw_depth_rule){compare, plan->moves_depth, RHW_OPEN_IGNORED};
+    plan->early = (struct rhw_depth_rule){compare, plan->moves_depth && early, RHW_OPEN_IGNORED};
     if (phase == RHW_PHASE_DEPTH) {
         plan->early.open = RHW_OPEN_MARK;
     } else if (phase == RHW_PHASE_SHADE && early) {
@@ -81,28 +85,34 @@ static void plan_rules(struct rhw_draw_plan *plan, const struct rhw_pipeline_def
     }
 }
 
-static void plan_depth(struct rhw_draw_plan *plan, const struct rhw_pipeline_def *def, enum rhw_phase phase,
+static void plan_depth(struct rhw_draw_plan *plan, const struct rhw_pipeline_def *def,
+                       const struct rhw_depth_stencil_state *depth_stencil, enum rhw_phase phase,
                        enum rhw_paths paths)
 {
     const enum rhw_compare compare = def->depth_compare;
     const bool general = paths == RHW_PATHS_GENERAL;
-    plan->depth_mode = choose_depth_mode(def, plan->shading);
-    plan_rules(plan, def, phase);
-    plan->early_name = general ? RHW_RULE_ANY : name_of(plan->early);
-    plan->tests_early = plan->depth_mode == RHW_DEPTH_EARLY || plan->depth_mode == RHW_DEPTH_EARLY_REJECT;
+    plan->is_full = depth_stencil->is_full;
+    plan->is_biased = depth_stencil->is_biased;
     plan->moves_depth = def->depth_test && !def->depth_read_only;
-    plan->depth_direction = def->depth_test && !general ? direction_of(compare) : 0;
+    plan->depth_mode = choose_depth_mode(def, depth_stencil, plan->shading);
+    plan_rules(plan, def, phase);
+    plan->early_name = general || plan->is_full ? RHW_RULE_ANY : name_of(plan->early);
+    plan->tests_early = plan->depth_mode == RHW_DEPTH_EARLY || plan->depth_mode == RHW_DEPTH_EARLY_REJECT;
+    // What lies behind a bound may still round to it, or change the stencil.
+    const bool can_be_bounded = depth_stencil->rejects_early && depth_stencil->depth_steps == 0;
+    plan->depth_direction = def->depth_test && !general && can_be_bounded ? direction_of(compare) : 0;
     plan->ends_bounds = plan->moves_depth && direction_of(compare) == 0 && compare != RHW_COMPARE_EQUAL &&
                         compare != RHW_COMPARE_NEVER;
 }
 
-static struct rhw_draw_plan plan_of(const struct rhw_pipeline_data *pipeline, enum rhw_phase phase,
+static struct rhw_draw_plan plan_of(const struct rhw_pipeline_data *pipeline,
+                                    const struct rhw_depth_stencil_state *depth_stencil, enum rhw_phase phase,
                                     enum rhw_paths paths)
 {
     const uint32_t uses = pipeline->def.program.uses;
     struct rhw_draw_plan plan = {.shading = choose_shading(pipeline, phase, paths)};
     const bool shades = plan.shading != RHW_SHADING_NONE;
-    plan_depth(&plan, &pipeline->def, phase, paths);
+    plan_depth(&plan, &pipeline->def, depth_stencil, phase, paths);
     plan.is_skipped = phase == RHW_PHASE_DEPTH && uses & RHW_USE_DISCARD;
     plan.keeps_depth =
         shades && (plan.depth_mode == RHW_DEPTH_LATE || plan.depth_mode == RHW_DEPTH_EARLY_REJECT ||
@@ -113,16 +123,19 @@ static struct rhw_draw_plan plan_of(const struct rhw_pipeline_data *pipeline, en
     plan.needs_screen = plan.shading == RHW_SHADING_ROWS || (plan.shading == RHW_SHADING_ANY && screen);
     plan.needs_distance = shades && (pipeline->any_derivatives || uses & RHW_USE_BARYCENTRIC_DERIVATIVES);
     if (paths != RHW_PATHS_GENERAL && !plan.is_skipped) {
-        plan.small_flag = plan.shading == RHW_SHADING_CONSTANT ? 0 : RHW_TRIANGLE_SMALL;
+        const uint16_t small = plan.shading == RHW_SHADING_CONSTANT || plan.is_full ? 0 : RHW_TRIANGLE_SMALL;
+        plan.small_flag = plan.is_biased ? 0 : small;
+        plan.biased_small_flag = plan.is_biased ? small : 0;
         plan.span_flag = RHW_TRIANGLE_SMALL;
     }
     return plan;
 }
 
 void rhw_draw_plans_make(struct rhw_draw_plan plans[RHW_PHASE_COUNT],
-                         const struct rhw_pipeline_data *pipeline, enum rhw_paths paths)
+                         const struct rhw_pipeline_data *pipeline,
+                         const struct rhw_depth_stencil_state *depth_stencil, enum rhw_paths paths)
 {
     for (int phase = 0; phase < RHW_PHASE_COUNT; phase++) {
-        plans[phase] = plan_of(pipeline, (enum rhw_phase)phase, paths);
+        plans[phase] = plan_of(pipeline, depth_stencil, (enum rhw_phase)phase, paths);
     }
 }

@@ -10,6 +10,7 @@
 #include "rhw/types.h"
 
 struct rhw_pipeline_data;
+struct rhw_depth_stencil_state;
 
 // In which order a tile draws a run of triangles (hidden_surface.h has the reasons).
 enum rhw_phase {
@@ -70,6 +71,8 @@ struct rhw_draw_plan {
     enum rhw_depth_mode depth_mode;
     struct rhw_depth_rule early, late; // before and after the fragment function
     enum rhw_rule_name early_name;
+    bool is_full;        // tests are full ones (kernels/raster/full_test.h)
+    bool is_biased;      // depth is
     bool tests_early;    // with `early`
     bool needs_depth;    // depth is tested, or given to the fragment function
     bool keeps_depth;    // groups carry it
@@ -78,8 +81,8 @@ struct rhw_draw_plan {
     bool needs_distance; // derivatives that change from pixel to pixel are wanted
     bool is_skipped;     // nothing is drawn in this phase
     // RHW_TRIANGLE_SMALL where small triangles have a path of their own (kernels/tile/triangle_small.h), and where
-    // those that do not take it are covered by spans; else 0.
-    uint16_t small_flag, span_flag;
+    // those that do not take it are covered by spans; else 0. What is biased is looked at one by one.
+    uint16_t small_flag, biased_small_flag, span_flag;
     // Which way the test lets depth move, for hierarchical depth: 1 where it only falls (LESS), −1 where it only rises,
     // 0 where neither is sure or hierarchical depth is not used.
     int depth_direction;
@@ -89,7 +92,8 @@ struct rhw_draw_plan {
 
 // The plans of a pipeline's draws, by phase.
 void rhw_draw_plans_make(struct rhw_draw_plan plans[RHW_PHASE_COUNT],
-                         const struct rhw_pipeline_data *pipeline, enum rhw_paths paths);
+                         const struct rhw_pipeline_data *pipeline,
+                         const struct rhw_depth_stencil_state *depth_stencil, enum rhw_paths paths);
 
 // What a name stands for.
 static const struct rhw_depth_rule rhw_named_rules[RHW_RULE_ANY] = {

@@ -14,13 +14,16 @@ enum rhw_texel_codec {
     RHW_CODEC_SRGB8, // four channels: UNORM8 with the sRGB transfer function on the colour, alpha linear
     RHW_CODEC_FLOAT16,
     RHW_CODEC_FLOAT32,
-    RHW_CODEC_UINT32 // shaders hand over the bits
+    RHW_CODEC_UINT32,  // shaders hand over the bits
+    RHW_CODEC_DEPTH16, // one channel: UNORM of 16 bits
+    RHW_CODEC_DEPTH24  // UNORM of 24 bits in the low ones of 32
 };
 
 // Values are clamped to 0..1 before they are blended and stored.
 static inline bool rhw_codec_is_normalized(enum rhw_texel_codec codec)
 {
-    return codec == RHW_CODEC_UNORM8 || codec == RHW_CODEC_SRGB8;
+    return codec == RHW_CODEC_UNORM8 || codec == RHW_CODEC_SRGB8 || codec == RHW_CODEC_DEPTH16 ||
+           codec == RHW_CODEC_DEPTH24;
 }
 
 // Formats that the sampler and blending have fast paths for.
@@ -31,7 +34,8 @@ enum {
     RHW_ROLE_COLOR_TARGET = 1,
     RHW_ROLE_BLENDED_TARGET = 2, // a colour target that blending works on
     RHW_ROLE_DEPTH_TARGET = 4,
-    RHW_ROLE_SAMPLED = 8 // rhw_sample filters it, and so does mip generation
+    RHW_ROLE_SAMPLED = 8, // rhw_sample filters it, and so does mip generation
+    RHW_ROLE_STENCIL_TARGET = 16
 };
 
 enum { RHW_TEXEL_BYTES = 16 }; // of the largest texel
@@ -52,6 +56,12 @@ static inline bool rhw_format_valid(enum rhw_format format)
 
 // The format's row; `format` is NONE or valid.
 const struct rhw_format_info *rhw_format_info(enum rhw_format format);
+
+// The steps between 0 and 1 that depth of the codec is rounded to; 0 where it is a float.
+static inline double rhw_codec_depth_steps(enum rhw_texel_codec codec)
+{
+    return codec == RHW_CODEC_DEPTH16 ? 0xffff : codec == RHW_CODEC_DEPTH24 ? 0xffffff : 0;
+}
 
 // Whether textures of the format can be that.
 static inline bool rhw_format_has_role(const struct rhw_format_info *info, int role)

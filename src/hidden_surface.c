@@ -2,26 +2,26 @@
 // Which draws may be drawn depth first or backwards.
 #include "hidden_surface.h"
 
-#include "blend_state.h"
+#include "draw_list.h"
 #include "pipeline.h"
 
 static const struct rhw_hidden_rule in_order = {RHW_HIDDEN_IN_ORDER, RHW_COMPARE_NEVER};
 
-static bool shades_opaque_texels(const struct rhw_pipeline_data *pipeline,
-                                 const struct rhw_blend_state *blend, int color_count)
+static bool shades_opaque_texels(const struct rhw_draw_state *state, int color_count)
 {
+    const struct rhw_pipeline_data *const pipeline = state->pipeline;
     bool opaque = color_count != 0 && (pipeline->fragment || pipeline->def.program.fragment1);
     for (int i = 0; i < color_count; i++) {
-        opaque = opaque && blend[i].replaces;
+        opaque = opaque && state->blend[i].replaces;
     }
     return opaque;
 }
 
-struct rhw_hidden_rule rhw_hidden_rule_of(const struct rhw_pipeline_data *pipeline,
-                                          const struct rhw_blend_state *blend, int color_count)
+struct rhw_hidden_rule rhw_hidden_rule_of(const struct rhw_draw_state *state, int color_count)
 {
-    const struct rhw_pipeline_def *const def = &pipeline->def;
-    if (!shades_opaque_texels(pipeline, blend, color_count)) {
+    const struct rhw_pipeline_def *const def = &state->pipeline->def;
+    const struct rhw_depth_stencil_state *const depth = &state->depth_stencil;
+    if (depth->tests_stencil || depth->tests_bounds || !shades_opaque_texels(state, color_count)) {
         return in_order;
     }
     if (!def->depth_test) {

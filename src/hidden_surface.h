@@ -6,8 +6,7 @@
 
 #include "rhw/types.h"
 
-struct rhw_pipeline_data;
-struct rhw_blend_state;
+struct rhw_draw_state;
 
 enum rhw_hidden_surface {
     RHW_HIDDEN_IN_ORDER, // fragments are shaded in the turn of their draw, also those that later ones hide
@@ -26,9 +25,9 @@ static inline bool rhw_hidden_rule_equal(struct rhw_hidden_rule a, struct rhw_hi
     return a.kind == b.kind && a.compare == b.compare;
 }
 
-// The rule of a pipeline's draws. In order go draws that blend, keep a part of a texel, test depth without writing it,
-// compute it, or discard without a depth test. `blend` are the states of `color_count` targets.
-struct rhw_hidden_rule rhw_hidden_rule_of(const struct rhw_pipeline_data *pipeline,
-                                          const struct rhw_blend_state *blend, int color_count);
+// The rule of draws with that state, which has its pipeline, blending, and depth and stencil. In order go draws that
+// blend, keep a part of a texel, test depth without writing it, compute it, test stencil or depth bounds, or discard
+// without a depth test.
+struct rhw_hidden_rule rhw_hidden_rule_of(const struct rhw_draw_state *state, int color_count);
 
 #endif

@@ -97,8 +97,12 @@ static bool targets_match(const struct rhw_pass_state *pass, rhw_pipeline id,
             return false;
         }
     }
-    return rhw_check(context, pass->has_depth || !pipeline->def.depth_test,
+    return rhw_check(context,
+                     pass->has_depth || !(pipeline->def.depth_test || pipeline->def.depth_bounds_test),
                      "%s: %s tests depth; the pass has no depth attachment", where,
+                     rhw_name_of(&context->pipelines, id.index).text) &&
+           rhw_check(context, pass->has_stencil || !pipeline->def.stencil_test,
+                     "%s: %s tests stencil; the pass has no stencil attachment", where,
                      rhw_name_of(&context->pipelines, id.index).text);
 }
 
@@ -386,8 +390,15 @@ static void set_viewport_map(struct rhw_draw_state *state)
     const double span = (double)v->depth_max - (double)v->depth_min;
     state->depth_low = (double)v->depth_min + (symmetric ? span / 2 : 0);
     state->depth_span = symmetric ? span / 2 : span;
-    state->depth_least = v->depth_min < v->depth_max ? v->depth_min : v->depth_max;
-    state->depth_most = v->depth_min < v->depth_max ? v->depth_max : v->depth_min;
+    const struct rhw_pipeline_def *const def = &state->pipeline->def;
+    const bool leaves_range = def->depth_clip_disabled || state->depth_stencil.is_biased;
+    if (leaves_range && !def->depth_clamp) {
+        state->depth_least = 0;
+        state->depth_most = 1;
+    } else {
+        state->depth_least = v->depth_min < v->depth_max ? v->depth_min : v->depth_max;
+        state->depth_most = v->depth_min < v->depth_max ? v->depth_max : v->depth_min;
+    }
     state->half_width = (double)v->width / 2;
     state->half_height = (double)v->height / 2;
     state->center_x = (double)v->x + state->half_width;
@@ -477,11 +488,13 @@ static const struct rhw_draw_state *snapshot(struct rhw_pass_state *pass)
             rhw_blend_state_generalize(&state->blend[i]);
         }
     }
+    rhw_depth_stencil_init(&state->depth_stencil, &state->pipeline->def, &state->depth_setting,
+                           pass->depth_steps);
     set_viewport_map(state);
     if (pass->paths == RHW_PATHS_ALL) {
-        state->hidden = rhw_hidden_rule_of(state->pipeline, state->blend, pass->color_count);
+        state->hidden = rhw_hidden_rule_of(state, pass->color_count);
     }
-    rhw_draw_plans_make(state->plans, state->pipeline, pass->paths);
+    rhw_draw_plans_make(state->plans, state->pipeline, &state->depth_stencil, pass->paths);
     pass->current = state;
     pass->pending_changed = false;
     return state;

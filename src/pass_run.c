@@ -85,8 +85,8 @@ void rhw_pass_run_release(struct rhw_pass_state *pass)
     }
     rhw_memory_release(&context->memory, pass->workers, (size_t)context->threads * sizeof *pass->workers);
     rhw_memory_release(&context->memory, pass->chunks, (size_t)pass->chunk_capacity * sizeof *pass->chunks);
-    rhw_memory_release(&context->memory, pass->transient_depth.texels,
-                       pass->transient_depth.row_pitch * (size_t)pass->transient_depth.height);
+    rhw_memory_release(&context->memory, pass->transient_depth.plane.texels, pass->transient_depth.size);
+    rhw_memory_release(&context->memory, pass->transient_stencil.plane.texels, pass->transient_stencil.size);
 }
 
 static size_t bin_limit(const struct rhw_pass_state *pass)
@@ -293,28 +293,34 @@ static bool run_front(struct rhw_pass_state *pass, struct position *at, struct r
     return true;
 }
 
-// Memory for depth that has no texture, needed only when a second wave must find it again.
-static bool transient_depth_ready(struct rhw_pass_state *pass)
+// Memory for what has no texture, needed only when a second wave must find it again.
+static bool transient_ready(struct rhw_pass_state *pass, struct rhw_attachment *attachment,
+                            struct rhw_transient *transient)
 {
-    if (!pass->has_depth || pass->depth.target) {
-        return true;
-    }
-    struct rhw_mip *const mip = &pass->transient_depth;
-    const size_t pitch =
-        ((size_t)pass->width * sizeof(float) + RHW_CACHE_LINE - 1) & ~(size_t)(RHW_CACHE_LINE - 1);
-    if (!mip->texels || mip->row_pitch * (size_t)mip->height < pitch * (size_t)pass->height) {
-        rhw_memory_release(&pass->context->memory, mip->texels, mip->row_pitch * (size_t)mip->height);
-        mip->texels =
-            rhw_memory_allocate(&pass->context->memory, pitch * (size_t)pass->height, RHW_CACHE_LINE);
-        if (!mip->texels) {
-            *mip = (struct rhw_mip){0};
+    struct rhw_memory *const memory = &pass->context->memory;
+    const size_t row = (size_t)pass->width * attachment->texel_size;
+    const size_t pitch = (row + RHW_CACHE_LINE - 1) & ~(size_t)(RHW_CACHE_LINE - 1);
+    const size_t size = pitch * (size_t)pass->height;
+    if (transient->size < size) {
+        rhw_memory_release(memory, transient->plane.texels, transient->size);
+        *transient =
+            (struct rhw_transient){.plane.texels = rhw_memory_allocate(memory, size, RHW_CACHE_LINE)};
+        if (!transient->plane.texels) {
             return false;
         }
-        mip->row_pitch = pitch;
-        mip->height = pass->height;
+        transient->size = size;
     }
-    pass->depth.target = mip;
+    transient->plane.row_pitch = pitch;
+    attachment->target = &transient->plane;
     return true;
+}
+
+static bool transients_ready(struct rhw_pass_state *pass)
+{
+    return (!pass->has_depth || pass->depth.target ||
+            transient_ready(pass, &pass->depth, &pass->transient_depth)) &&
+           (!pass->has_stencil || pass->stencil.target ||
+            transient_ready(pass, &pass->stencil, &pass->transient_stencil));
 }
 
 static void sum_counters(const struct rhw_pass_state *pass, struct rhw_stats *stats)
@@ -362,7 +368,7 @@ enum rhw_result rhw_pass_run(struct rhw_pass_state *pass, struct rhw_stats *stat
             return RHW_ERROR_OUT_OF_MEMORY;
         }
         pass->last_wave = at.triangle == pass->triangle_count;
-        if (!pass->last_wave && !transient_depth_ready(pass)) {
+        if (!pass->last_wave && !transients_ready(pass)) {
             return RHW_ERROR_OUT_OF_MEMORY;
         }
         const uint64_t middle = rhw_time_ns();

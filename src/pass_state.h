@@ -24,6 +24,12 @@ struct rhw_attachment {
     size_t texel_size;
 };
 
+// Keeps an attachment between waves when it has no texture.
+struct rhw_transient {
+    struct rhw_mip plane;
+    size_t size; // bytes that plane.texels has
+};
+
 struct rhw_counters {
     uint64_t fragments, groups;
     uint64_t vertex_ns, setup_ns, bin_ns; // parts of the front end, as rhw_stats names them
@@ -70,7 +76,12 @@ struct rhw_pass_state {
     bool has_depth;
     bool depth_by_default; // cleared to 1 by RHW_LOAD_DEFAULT, as no other value was given
     struct rhw_attachment depth;
-    enum rhw_paths paths; // of the context
+    double
+        depth_steps; // of a UNORM format, which memory has and the tile has not: there depth is a float; else 0
+    bool has_stencil;
+    struct rhw_attachment stencil;
+    struct rhw_mip stencil_plane; // of the texture, as a target
+    enum rhw_paths paths;         // of the context
 
     struct rhw_arena arena; // states, uniforms, draws
     struct rhw_bound bound;
@@ -97,8 +108,8 @@ struct rhw_pass_state {
     _Atomic bool failed;                              // a worker ran out of memory
 
     _Alignas(RHW_CACHE_LINE) struct rhw_worker *workers;
-    bool first_wave, last_wave;     // of this pass: load and store operations belong to these
-    struct rhw_mip transient_depth; // keeps depth between waves when the pass has no depth texture
+    bool first_wave, last_wave; // of this pass: load and store operations belong to these
+    struct rhw_transient transient_depth, transient_stencil;
 };
 
 // Special paths are faster for some triangles or vertices; the general path takes all of them. Both draw the same bytes.

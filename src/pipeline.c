@@ -5,6 +5,7 @@
 #include <string.h>
 
 #include "context.h"
+#include "depth_stencil.h"
 #include "entry.h"
 #include "format.h"
 #include "lookup.h"
@@ -187,6 +188,33 @@ static bool check_vertex_input(const struct rhw_context *context, const struct r
 
 // Fixed functions --------------------------------------------------------------------------------------
 
+static bool check_stencil_face(const struct rhw_context *context, const char *name,
+                               const struct rhw_stencil_face *face)
+{
+    const unsigned last = RHW_STENCIL_DECREMENT_WRAP;
+    return rhw_check(context, (unsigned)face->compare <= RHW_COMPARE_ALWAYS,
+                     "%s: %s.compare is %d; not a comparison", create_name, name, (int)face->compare) &&
+           rhw_check(context, face->compares || face->compare == 0,
+                     "%s: %s.compare is %d and compares is false; it must be true for a face that compares",
+                     create_name, name, (int)face->compare) &&
+           rhw_check(context,
+                     (unsigned)face->fail <= last && (unsigned)face->depth_fail <= last &&
+                         (unsigned)face->pass <= last,
+                     "%s: %s has operations %d, %d, %d; not all are stencil operations", create_name, name,
+                     (int)face->fail, (int)face->depth_fail, (int)face->pass) &&
+           rhw_check(context,
+                     face->read_mask <= RHW_STENCIL_NO_BITS && face->write_mask <= RHW_STENCIL_NO_BITS,
+                     "%s: %s has masks 0x%x and 0x%x; each is 0..0xff, or RHW_STENCIL_NO_BITS alone",
+                     create_name, name, (unsigned)face->read_mask, (unsigned)face->write_mask);
+}
+
+static bool check_depth_stencil(const struct rhw_context *context, const struct rhw_pipeline_def *def)
+{
+    return rhw_check_depth_bias(context, &def->depth_bias, create_name) &&
+           check_stencil_face(context, "stencil_front", &def->stencil_front) &&
+           check_stencil_face(context, "stencil_back", &def->stencil_back);
+}
+
 static bool check_states(const struct rhw_context *context, const struct rhw_pipeline_def *def)
 {
     return check_range(context, "topology", def->topology, 0, RHW_TRIANGLE_FAN) &&
@@ -194,7 +222,8 @@ static bool check_states(const struct rhw_context *context, const struct rhw_pip
            check_range(context, "cull", def->cull, 0, RHW_CULL_BACK) &&
            check_range(context, "front", def->front, 0, RHW_CLOCKWISE) &&
            check_range(context, "depth_range", def->depth_range, 0, RHW_DEPTH_MINUS_ONE_TO_ONE) &&
-           check_range(context, "depth_compare", def->depth_compare, 0, RHW_COMPARE_ALWAYS);
+           check_range(context, "depth_compare", def->depth_compare, 0, RHW_COMPARE_ALWAYS) &&
+           check_depth_stencil(context, def);
 }
 
 static bool check_blend(const struct rhw_context *context, int index, const char *src, const char *dst,
@@ -306,6 +335,14 @@ static void resolve_defaults(struct rhw_pipeline_def *def)
     }
 }
 
+// With two-sided stencil after the fragment function, groups say which way their fragments face.
+static void resolve_uses(struct rhw_pipeline_def *def)
+{
+    if (def->stencil_test && def->program.uses & (RHW_USE_DISCARD | RHW_USE_DEPTH)) {
+        def->program.uses |= RHW_USE_FACING;
+    }
+}
+
 static void resolve_functions(struct rhw_pipeline_data *data, enum rhw_isa isa)
 {
     for (int i = RHW_ISA_BASELINE; i <= (int)isa; i++) {
@@ -376,6 +413,7 @@ void rhw_pipeline_data_init(struct rhw_pipeline_data *data, const struct rhw_pip
     data->def = *def;
     data->def.label = NULL; // which is the caller's
     resolve_defaults(&data->def);
+    resolve_uses(&data->def);
     resolve_functions(data, isa);
     lay_out_varyings(data);
     qualify_vectors(data);

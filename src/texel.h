@@ -35,6 +35,16 @@ static inline float rhw_canonical(float value)
     return value;
 }
 
+// Stores a depth of 0..1 as whole steps of a UNORM format, to nearest, ties to even: adding 2^52 leaves no room for a
+// fraction.
+static inline void rhw_depth_store(const struct rhw_format_info *format, float depth, unsigned char *texel)
+{
+    const double rounded = (double)depth * rhw_codec_depth_steps(format->codec) + 0x1p52;
+    uint64_t bits;
+    memcpy(&bits, &rounded, sizeof bits);
+    memcpy(texel, &bits, format->size); // little endian
+}
+
 // Values are rounded to nearest, ties to even. Those on the scale 0..255 lie within it.
 static inline void rhw_texel_store(const struct rhw_format_info *format, const float value[4],
                                    unsigned char *texel)
@@ -51,6 +61,8 @@ static inline void rhw_texel_store(const struct rhw_format_info *format, const f
             break;
         case RHW_CODEC_FLOAT32: memcpy(texel + c * sizeof number, &number, sizeof number); break;
         case RHW_CODEC_UINT32: memcpy(texel + c * sizeof value[c], &value[c], sizeof value[c]); break;
+        case RHW_CODEC_DEPTH16:
+        case RHW_CODEC_DEPTH24: rhw_depth_store(format, number, texel); break;
         case RHW_CODEC_NONE: break;
         }
     }

@@ -23,6 +23,19 @@ int rhw_mip_chain_length(int width, int height)
     return levels;
 }
 
+static size_t aligned_pitch(size_t row)
+{
+    return (row + RHW_ROW_ALIGNMENT - 1) & ~(size_t)(RHW_ROW_ALIGNMENT - 1);
+}
+
+// Bytes of a level's plane of stencil where it lies behind another one.
+static uint64_t stencil_size(const struct rhw_format_info *info, const struct rhw_mip *mip)
+{
+    const bool apart = rhw_format_has_role(info, RHW_ROLE_STENCIL_TARGET) &&
+                       rhw_format_has_role(info, RHW_ROLE_DEPTH_TARGET);
+    return apart ? (uint64_t)mip->stencil_pitch * (uint64_t)mip->height : 0;
+}
+
 void rhw_texture_data_init(struct rhw_texture_data *texture, enum rhw_format format, int width, int height,
                            int levels)
 {
@@ -38,8 +51,8 @@ void rhw_texture_data_init(struct rhw_texture_data *texture, enum rhw_format for
         struct rhw_mip *const mip = &texture->mip[i];
         mip->width = width >> i > 1 ? width >> i : 1;
         mip->height = height >> i > 1 ? height >> i : 1;
-        const size_t row = (size_t)mip->width * texture->info->size;
-        mip->row_pitch = (row + RHW_ROW_ALIGNMENT - 1) & ~(size_t)(RHW_ROW_ALIGNMENT - 1);
+        mip->row_pitch = aligned_pitch((size_t)mip->width * texture->info->size);
+        mip->stencil_pitch = aligned_pitch((size_t)mip->width);
         for (int lane = 0; lane < RHW_LANES; lane++) {
             mip->scale_x[lane] = (float)mip->width * 65536.0f;
             mip->scale_y[lane] = (float)mip->height * 65536.0f;
@@ -47,7 +60,7 @@ void rhw_texture_data_init(struct rhw_texture_data *texture, enum rhw_format for
                 mip->width > 1 && mip->height > 1 ? (mip->width - 2) << 16 | (mip->height - 2) : -1;
             mip->step[lane] = 1 << 16 | (int32_t)(mip->row_pitch / 4);
         }
-        size += (uint64_t)mip->row_pitch * (uint64_t)mip->height;
+        size += (uint64_t)mip->row_pitch * (uint64_t)mip->height + stencil_size(texture->info, mip);
     }
     // 4 GiB and more do not fit where addresses have 32 bits: allocate_levels refuses SIZE_MAX.
     texture->memory_size = size > SIZE_MAX ? SIZE_MAX : (size_t)size;
@@ -65,8 +78,14 @@ static bool allocate_levels(struct rhw_memory *memory, struct rhw_texture_data *
     }
     texture->memory = next;
     for (int i = 0; i < texture->levels; i++) {
-        texture->mip[i].texels = next;
-        next += texture->mip[i].row_pitch * (size_t)texture->mip[i].height;
+        struct rhw_mip *const mip = &texture->mip[i];
+        const size_t stencil = (size_t)stencil_size(texture->info, mip);
+        mip->texels = next;
+        next += mip->row_pitch * (size_t)mip->height;
+        if (rhw_format_has_role(texture->info, RHW_ROLE_STENCIL_TARGET)) {
+            mip->stencil = stencil != 0 ? next : mip->texels;
+        }
+        next += stencil;
     }
     return true;
 }
@@ -225,6 +244,7 @@ enum rhw_format rhw_texture_format(const rhw_context *context, rhw_texture textu
 struct copy {
     struct rhw_texture_data *texture; // NULL: the call was misuse
     int level;
+    bool stencil;          // the plane of stencil
     size_t row, row_pitch; // bytes of a row; distance of the caller's rows
 };
 
@@ -238,23 +258,42 @@ static bool check_unattached(const struct rhw_context *context, rhw_texture id,
                      rhw_name_of(&context->textures, id.index).text);
 }
 
-static struct copy check_copy(const struct rhw_context *context, rhw_texture id, int level,
-                              const void *outside, size_t row_pitch, const char *where)
+// What the caller named, apart from the texture.
+struct copy_request {
+    int level;
+    bool stencil;
+    const void *outside;
+    size_t row_pitch;
+};
+
+static struct copy check_copy(const struct rhw_context *context, rhw_texture id,
+                              const struct copy_request *request, const char *where)
 {
     const struct copy misuse = {.texture = NULL};
+    const int level = request->level;
     struct rhw_texture_data *const texture = rhw_context_texture(context, id, where);
     if (!texture || !check_unattached(context, id, texture, where) ||
+        !rhw_check(context, !request->stencil || rhw_format_has_role(texture->info, RHW_ROLE_STENCIL_TARGET),
+                   "%s: %s is %s; that has no stencil", where, rhw_name_of(&context->textures, id.index).text,
+                   texture->info->name) ||
         !check_level(context, id, texture, level, where) ||
-        !rhw_check(context, outside != NULL, "%s: data is NULL", where)) {
+        !rhw_check(context, request->outside != NULL, "%s: data is NULL", where)) {
         return misuse;
     }
-    const size_t row = (size_t)texture->mip[level].width * texture->info->size;
-    const size_t pitch = row_pitch == 0 ? row : row_pitch;
+    const size_t row = (size_t)texture->mip[level].width * (request->stencil ? 1 : texture->info->size);
+    const size_t pitch = request->row_pitch == 0 ? row : request->row_pitch;
     if (!rhw_check(context, pitch >= row, "%s: row_pitch is %zu; a row of level %d of %s has %zu bytes",
                    where, pitch, level, rhw_name_of(&context->textures, id.index).text, row)) {
         return misuse;
     }
-    return (struct copy){texture, level, row, pitch};
+    return (struct copy){texture, level, request->stencil, row, pitch};
+}
+
+// The first byte of a row, inside.
+static unsigned char *row_of(const struct copy *copy, size_t y)
+{
+    const struct rhw_mip *const mip = &copy->texture->mip[copy->level];
+    return copy->stencil ? mip->stencil + y * mip->stencil_pitch : mip->texels + y * mip->row_pitch;
 }
 
 // Gives the texture new memory with the same texels; draws that were recorded keep the old one. NULL when out of memory.
@@ -293,49 +332,62 @@ static struct rhw_texture_data *to_write(struct rhw_context *context, rhw_textur
     return written;
 }
 
-static enum rhw_result write_level(struct rhw_context *context, rhw_texture texture, int level,
-                                   const void *data, size_t row_pitch)
+static enum rhw_result write_level(struct rhw_context *context, rhw_texture texture,
+                                   const struct copy_request *request, const char *where)
 {
-    const struct copy copy = check_copy(context, texture, level, data, row_pitch, "rhw_texture_write");
-    if (!copy.texture) {
+    if (!rhw_context_enter(context, where)) {
         return RHW_ERROR_MISUSE;
     }
-    const struct rhw_texture_data *const written = to_write(context, texture, copy.texture);
-    if (!written) {
-        return RHW_ERROR_OUT_OF_MEMORY;
+    struct copy copy = check_copy(context, texture, request, where);
+    const bool is_valid = copy.texture != NULL;
+    copy.texture = is_valid ? to_write(context, texture, copy.texture) : NULL;
+    for (size_t y = 0; copy.texture && y < (size_t)copy.texture->mip[copy.level].height; y++) {
+        memcpy(row_of(&copy, y), (const unsigned char *)request->outside + y * copy.row_pitch, copy.row);
     }
-    const struct rhw_mip *const mip = &written->mip[level];
-    for (size_t y = 0; y < (size_t)mip->height; y++) {
-        memcpy(mip->texels + y * mip->row_pitch, (const unsigned char *)data + y * copy.row_pitch, copy.row);
+    rhw_context_leave(context);
+    return !is_valid ? RHW_ERROR_MISUSE : copy.texture ? RHW_OK : RHW_ERROR_OUT_OF_MEMORY;
+}
+
+static enum rhw_result read_level(struct rhw_context *context, rhw_texture texture,
+                                  const struct copy_request *request, void *data, const char *where)
+{
+    if (!rhw_context_enter(context, where)) {
+        return RHW_ERROR_MISUSE;
     }
-    return RHW_OK;
+    const struct copy copy = check_copy(context, texture, request, where);
+    for (size_t y = 0; copy.texture && y < (size_t)copy.texture->mip[copy.level].height; y++) {
+        memcpy((unsigned char *)data + y * copy.row_pitch, row_of(&copy, y), copy.row);
+    }
+    rhw_context_leave(context);
+    return copy.texture ? RHW_OK : RHW_ERROR_MISUSE;
 }
 
 enum rhw_result rhw_texture_write(rhw_context *context, rhw_texture texture, int level, const void *data,
                                   size_t row_pitch)
 {
-    if (!rhw_context_enter(context, "rhw_texture_write")) {
-        return RHW_ERROR_MISUSE;
-    }
-    const enum rhw_result result = write_level(context, texture, level, data, row_pitch);
-    rhw_context_leave(context);
-    return result;
+    const struct copy_request request = {level, false, data, row_pitch};
+    return write_level(context, texture, &request, "rhw_texture_write");
 }
 
 enum rhw_result rhw_texture_read(rhw_context *context, rhw_texture texture, int level, void *data,
                                  size_t row_pitch)
 {
-    static const char *const where = "rhw_texture_read";
-    if (!rhw_context_enter(context, where)) {
-        return RHW_ERROR_MISUSE;
-    }
-    const struct copy copy = check_copy(context, texture, level, data, row_pitch, where);
-    const struct rhw_mip *const mip = copy.texture ? &copy.texture->mip[level] : NULL;
-    for (size_t y = 0; mip && y < (size_t)mip->height; y++) {
-        memcpy((unsigned char *)data + y * copy.row_pitch, mip->texels + y * mip->row_pitch, copy.row);
-    }
-    rhw_context_leave(context);
-    return mip ? RHW_OK : RHW_ERROR_MISUSE;
+    const struct copy_request request = {level, false, data, row_pitch};
+    return read_level(context, texture, &request, data, "rhw_texture_read");
+}
+
+enum rhw_result rhw_texture_write_stencil(rhw_context *context, rhw_texture texture, int level,
+                                          const uint8_t *data, size_t row_pitch)
+{
+    const struct copy_request request = {level, true, data, row_pitch};
+    return write_level(context, texture, &request, "rhw_texture_write_stencil");
+}
+
+enum rhw_result rhw_texture_read_stencil(rhw_context *context, rhw_texture texture, int level, uint8_t *data,
+                                         size_t row_pitch)
+{
+    const struct copy_request request = {level, true, data, row_pitch};
+    return read_level(context, texture, &request, data, "rhw_texture_read_stencil");
 }
 
 static enum rhw_result generate_mips(struct rhw_context *context, rhw_texture texture)

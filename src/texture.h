@@ -30,6 +30,9 @@ struct rhw_mip {
     unsigned char *linear; // RGBA8_SRGB that has been bound: see srgb_texture.h; rows twice as long
     int width, height;
     size_t row_pitch; // bytes, a multiple of RHW_ROW_ALIGNMENT
+    // The plane of stencil, a byte per texel, of formats that have one; the texels themselves where there is no depth.
+    unsigned char *stencil;
+    size_t stencil_pitch;
 };
 
 // The pool of a context has pointers to these: a texture that is written while draws wait gets new data (texture.c).

@@ -61,6 +61,11 @@ RHW_API enum rhw_result rhw_texture_write(rhw_context *context, rhw_texture text
 /// Copies a level out, in the same layout as rhw_texture_write.
 RHW_API enum rhw_result rhw_texture_read(rhw_context *context, rhw_texture texture, int level, void *data,
                                          size_t row_pitch);
+/// The same for the plane of stencil, a byte per texel, of a format that has one.
+RHW_API enum rhw_result rhw_texture_write_stencil(rhw_context *context, rhw_texture texture, int level,
+                                                  const uint8_t *data, size_t row_pitch);
+RHW_API enum rhw_result rhw_texture_read_stencil(rhw_context *context, rhw_texture texture, int level,
+                                                 uint8_t *data, size_t row_pitch);
 /// Fills levels 1.. from level 0 with a box filter in linear light (odd sizes weighted exactly). Without
 /// memory for that the levels stay as they are.
 RHW_API enum rhw_result rhw_texture_generate_mips(rhw_context *context, rhw_texture texture);
@@ -138,6 +143,12 @@ RHW_API void rhw_pass_set_texture(rhw_context *context, rhw_pass pass, int slot,
 RHW_API void rhw_pass_set_viewport(rhw_context *context, rhw_pass pass, const struct rhw_viewport *viewport);
 RHW_API void rhw_pass_set_scissor(rhw_context *context, rhw_pass pass, const struct rhw_rect *scissor);
 RHW_API void rhw_pass_set_blend_constant(rhw_context *context, rhw_pass pass, const float constant[4]);
+/// What stencil tests compare with and REPLACE writes, by facing. 0 and 0 at the start.
+RHW_API void rhw_pass_set_stencil_reference(rhw_context *context, rhw_pass pass, uint8_t front, uint8_t back);
+/// Stands in the place of the pipelines' own depth_bias until NULL is set.
+RHW_API void rhw_pass_set_depth_bias(rhw_context *context, rhw_pass pass, const struct rhw_depth_bias *bias);
+/// For pipelines with depth_bounds_test: 0 <= least <= most <= 1. 0 and 1 at the start.
+RHW_API void rhw_pass_set_depth_bounds(rhw_context *context, rhw_pass pass, float least, float most);
 /// Vertices `first`.. of the vertex buffers. A vertex outside its buffer reads 0, 0, 0, 1.
 RHW_API void rhw_pass_draw(rhw_context *context, rhw_pass pass, uint32_t first, uint32_t count,
                            uint32_t first_instance, uint32_t instances);

@@ -88,11 +88,16 @@ enum rhw_format {
     RHW_FORMAT_R32_FLOAT,
     RHW_FORMAT_RGBA32_FLOAT,
     RHW_FORMAT_R32_UINT,  ///< target only: the bits of the first channel, no blending, no filtering
-    RHW_FORMAT_D32_FLOAT, ///< depth
+    RHW_FORMAT_D32_FLOAT, ///< depth; the others of depth and stencil stand together below
+    RHW_FORMAT_D16_UNORM,
+    RHW_FORMAT_D24_UNORM,         ///< in the low 24 bits of 32; the others are 0
+    RHW_FORMAT_D24_UNORM_S8_UINT, ///< depth as D24_UNORM, and beside it a plane of stencil, a byte each
+    RHW_FORMAT_D32_FLOAT_S8_UINT, ///< depth as D32_FLOAT, and beside it a plane of stencil
+    RHW_FORMAT_S8_UINT,           ///< stencil alone; not sampled
     RHW_FORMAT_COUNT
 };
 
-/// Bytes per texel.
+/// Bytes per texel; of depth where there is a plane of stencil too.
 RHW_API size_t rhw_format_size(enum rhw_format format);
 
 struct rhw_buffer_def {
@@ -228,6 +233,35 @@ struct rhw_color_target {
     uint8_t write_mask;                      ///< or-ed rhw_write_mask; 0: all channels
 };
 
+/// What a stencil test does to the stencil value (Vulkan 1.3 §27.13).
+enum rhw_stencil_operation {
+    RHW_STENCIL_KEEP, RHW_STENCIL_ZERO, RHW_STENCIL_REPLACE, ///< by the reference
+    RHW_STENCIL_INCREMENT_CLAMP, RHW_STENCIL_DECREMENT_CLAMP, RHW_STENCIL_INVERT,
+    RHW_STENCIL_INCREMENT_WRAP, RHW_STENCIL_DECREMENT_WRAP
+};
+
+enum { RHW_STENCIL_NO_BITS = 256 }; ///< a mask of nothing
+
+/// The stencil test for the triangles that face one way. A fragment passes where `(reference & read_mask) compare
+/// (stencil & read_mask)`; the result of the operation is written where write_mask has bits.
+struct rhw_stencil_face {
+    bool compares;            ///< false: every fragment passes
+    enum rhw_compare compare; ///< LESS, where it compares
+    enum rhw_stencil_operation fail;       ///< where the stencil test fails. KEEP
+    enum rhw_stencil_operation depth_fail; ///< where that passes and the depth test fails. KEEP
+    enum rhw_stencil_operation pass;       ///< where both pass, or depth is not tested. KEEP
+    uint16_t read_mask, write_mask;        ///< 1..255; 0: all bits; RHW_STENCIL_NO_BITS alone: none
+};
+
+/// What is added to the depth of a triangle's fragments, to hold shadows and decals off their surfaces (Vulkan 1.3
+/// §26.11.4): slope · m + constant · r, where m is the greater of |∂z/∂x| and |∂z/∂y| per pixel, and r the step of the
+/// format: 2^-16 and 2^-24 for D16 and D24, 2^(e − 23) for D32_FLOAT, e being the exponent of the triangle's largest
+/// depth. All zero: nothing.
+struct rhw_depth_bias {
+    float constant, slope; ///< finite
+    float clamp;           ///< above 0: the sum is at most this; below: at least; 0: no limit
+};
+
 enum rhw_depth_range { RHW_DEPTH_ZERO_TO_ONE, RHW_DEPTH_MINUS_ONE_TO_ONE };
 enum rhw_provoking { RHW_PROVOKING_FIRST, RHW_PROVOKING_LAST };
 
@@ -291,6 +325,14 @@ struct rhw_pipeline_def {
     bool depth_test;                 ///< false: no test and no write, no depth attachment needed
     enum rhw_compare depth_compare;  ///< LESS
     bool depth_read_only;            ///< false: a fragment that passes the test writes its depth
+    struct rhw_depth_bias depth_bias; ///< none; see rhw_pass_set_depth_bias
+    /// Triangles are not cut where they leave the view volume in front and behind (Vulkan: depthClipEnable false);
+    /// their depth is held to 0..1, or with depth_clamp to the viewport's range.
+    bool depth_clip_disabled;
+    bool depth_clamp;        ///< depth is held to the viewport's range, bias included, instead of to 0..1
+    bool depth_bounds_test;  ///< fragments pass where the attachment's depth lies in rhw_pass_set_depth_bounds
+    bool stencil_test;       ///< the pass must have a stencil attachment then
+    struct rhw_stencil_face stencil_front, stencil_back; ///< by facing
     struct rhw_color_target targets[RHW_MAX_COLOR_ATTACHMENTS];
     int target_count;
     const char *label; ///< for messages
@@ -308,12 +350,17 @@ struct rhw_color_attachment {
     float clear[4]; ///< linear values; R32_UINT: clear[0] is converted to an integer
 };
 
+/// Depth and stencil; what the texture's format has of them.
 struct rhw_depth_attachment {
     bool enabled;
     rhw_texture texture; ///< may be null when loaded by CLEAR and stored by DISCARD: it then needs no memory
+    enum rhw_format format; ///< without a texture; NONE: D32_FLOAT. With one: its own, or NONE
     enum rhw_load load;
     enum rhw_store store;
     float clear; ///< 0..1; see rhw_load
+    enum rhw_load stencil_load;
+    enum rhw_store stencil_store;
+    uint8_t stencil_clear;
 };
 
 struct rhw_pass_def {

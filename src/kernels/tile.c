@@ -30,7 +30,7 @@ static int list_bins(const struct tile_work *work)
 
 // Draws triangle `lane` of the setup.
 static void draw_triangle(struct tile_work *work, const struct rhw_chunk *chunk,
-                          const struct triangle_setup8 *setup, int lane)
+                          struct triangle_setup8 *setup, int lane)
 {
     const struct rhw_triangle *const t = setup->read->triangle[lane];
     const struct rhw_segment *const segment = &chunk->segments[t->segment];
@@ -43,7 +43,11 @@ static void draw_triangle(struct tile_work *work, const struct rhw_chunk *chunk,
     triangle.setup = setup;
     triangle.lane = lane;
     triangle.has_planes = triangle.has_values = false;
-    if (t->flags & work->plan.small_flag && !(setup->exact >> lane & 1)) {
+    uint16_t small_flag = work->plan.small_flag; // 0 for what is biased
+    if (!(t->flags & small_flag) && work->plan.is_biased) {
+        small_flag = bias_triangle(work, &triangle, setup);
+    }
+    if (t->flags & small_flag && !(setup->exact >> lane & 1)) {
         draw_small(work, &triangle);
     } else if (!work->plan.is_skipped) {
         draw_large(work, &triangle, chunk);
@@ -209,15 +213,16 @@ void RHW_ISA_NAME(rhw_draw_tile)(struct rhw_pass_state *pass, int tile, int work
                              .y = tile_y * RHW_TILE,
                              .width = min_int(pass->width - tile_x * RHW_TILE, RHW_TILE),
                              .height = min_int(pass->height - tile_y * RHW_TILE, RHW_TILE)};
-    struct rhw_attachment *const depth = pass->has_depth ? &pass->depth : NULL;
-    unsigned char *const depth_texels = (unsigned char *)scratch->depth.texels;
     const int bins = list_bins(&work);
     if (bins == 0) {
         for (int i = 0; i < pass->color_count; i++) {
             pass_through(&work, &pass->colors[i]);
         }
-        if (depth) {
-            pass_through(&work, depth);
+        if (pass->has_depth) {
+            pass_through(&work, &pass->depth);
+        }
+        if (pass->has_stencil) {
+            pass_through(&work, &pass->stencil);
         }
         return;
     }
@@ -225,14 +230,10 @@ void RHW_ISA_NAME(rhw_draw_tile)(struct rhw_pass_state *pass, int tile, int work
     for (int i = 0; i < pass->color_count; i++) {
         load_attachment(&work, &pass->colors[i], scratch->color[i]);
     }
-    if (depth) {
-        load_attachment(&work, depth, depth_texels);
-    }
+    load_depth_stencil(&work);
     draw_bins(&work, scratch->bins, scratch->bins + bins);
     for (int i = 0; i < pass->color_count; i++) {
         store_attachment(&work, &pass->colors[i], scratch->color[i]);
     }
-    if (depth) {
-        store_attachment(&work, depth, depth_texels);
-    }
+    store_depth_stencil(&work);
 }

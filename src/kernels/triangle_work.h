@@ -14,6 +14,8 @@ struct triangle_work {
     const struct rhw_triangle *t;
     const struct triangle_setup8 *setup; // what was made of it and of 7 others
     int lane;                            // in them
+    bool clamps_depth;                   // it may leave the range that depth is held to
+    double depth_bias;                   // 0 where there is none
     bool has_planes, has_values;         // `planes` and `v` are set; what stands below them is
     struct clipped_planes
         *clipped; // room for them, on the path of large triangles; NULL where it is not clipped

@@ -91,6 +91,7 @@ static void run_project(const void *input, void *result)
     struct rhw_pipeline_data pipeline;
     struct rhw_draw_state state;
     f8 position[4], header[8];
+    pipeline.def.depth_clip_disabled = false;
     pipeline.def.depth_range = in->symmetric ? RHW_DEPTH_MINUS_ONE_TO_ONE : RHW_DEPTH_ZERO_TO_ONE;
     state.pipeline = &pipeline;
     state.half_width = in->half_width;

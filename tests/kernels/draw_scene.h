@@ -200,10 +200,12 @@ static void set_draw_state(struct rhw_draw_state *state, const struct scene *sce
     state->half_height = (double)v->height / 2;
     state->center_x = (double)v->x + state->half_width;
     state->center_y = (double)v->y + state->half_height;
+    const struct rhw_depth_stencil_setting setting = {.bounds_most = 1};
+    rhw_depth_stencil_init(&state->depth_stencil, &state->pipeline->def, &setting, 0);
     if (paths == RHW_PATHS_ALL) {
-        state->hidden = rhw_hidden_rule_of(state->pipeline, state->blend, in->target_count);
+        state->hidden = rhw_hidden_rule_of(state, in->target_count);
     }
-    rhw_draw_plans_make(state->plans, state->pipeline, paths);
+    rhw_draw_plans_make(state->plans, state->pipeline, &state->depth_stencil, paths);
 }
 
 // The indices of all draws in the type of one of them: they have the same.

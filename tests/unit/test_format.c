@@ -21,7 +21,8 @@ enum {
     SAMPLED = RHW_ROLE_SAMPLED,
     COLOR = RHW_ROLE_COLOR_TARGET,
     BLENDED = RHW_ROLE_COLOR_TARGET | RHW_ROLE_BLENDED_TARGET,
-    DEPTH = RHW_ROLE_DEPTH_TARGET
+    DEPTH = RHW_ROLE_DEPTH_TARGET,
+    STENCIL = RHW_ROLE_STENCIL_TARGET
 };
 
 #define NAMED(format) format, #format
@@ -68,6 +69,32 @@ static const struct expectation expected[] = {
      {0.25f, 0.5f, 0.75f, 1}},
     {NAMED(RHW_FORMAT_R32_UINT), 4, COLOR, {70000.75f, 0.5f, 0.75f, 1}, {0x70, 0x11, 0x01, 0}, {0}},
     {NAMED(RHW_FORMAT_D32_FLOAT), 4, SAMPLED | DEPTH, {0.25f, 0, 0, 0}, {0, 0, 0x80, 0x3e}, {0.25f, 0, 0, 1}},
+    // A quarter of 65535 is 16383.75, of 16777215 4194303.75.
+    {NAMED(RHW_FORMAT_D16_UNORM),
+     2,
+     SAMPLED | DEPTH,
+     {0.25f, 0, 0, 0},
+     {0x00, 0x40},
+     {(float)(16384 / 65535.0), 0, 0, 1}},
+    {NAMED(RHW_FORMAT_D24_UNORM),
+     4,
+     SAMPLED | DEPTH,
+     {0.25f, 0, 0, 0},
+     {0x00, 0x00, 0x40, 0},
+     {(float)(4194304 / 16777215.0), 0, 0, 1}},
+    {NAMED(RHW_FORMAT_D24_UNORM_S8_UINT),
+     4,
+     SAMPLED | DEPTH | STENCIL,
+     {0.25f, 0, 0, 0},
+     {0x00, 0x00, 0x40, 0},
+     {(float)(4194304 / 16777215.0), 0, 0, 1}},
+    {NAMED(RHW_FORMAT_D32_FLOAT_S8_UINT),
+     4,
+     SAMPLED | DEPTH | STENCIL,
+     {0.25f, 0, 0, 0},
+     {0, 0, 0x80, 0x3e},
+     {0.25f, 0, 0, 1}},
+    {NAMED(RHW_FORMAT_S8_UINT), 1, STENCIL, {0.25f, 0, 0, 0}, {0}, {0}},
 };
 enum { ROWS = sizeof expected / sizeof expected[0], SIDE = 9, TEXELS = SIDE * SIDE };
 
@@ -143,7 +170,7 @@ static void expect_depth(const struct expectation *row)
     rhw_texture_destroy(rig.context, rig.pass.depth.texture);
     rig.pass.depth.texture = texture;
     rig.pass.depth.clear = row->value[0];
-    if (row->roles & DEPTH) {
+    if (row->roles & (DEPTH | STENCIL)) {
         rig_begin(&rig);
         rig_end(&rig);
         expect_texels(row, rig_read(&rig, texture), row->cleared);

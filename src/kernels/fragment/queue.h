@@ -6,7 +6,7 @@
 #define RHW_QUEUE_H
 
 #include "../../shader_adapter.h"
-#include "../raster/depth_test.h"
+#include "../raster/full_test.h"
 #include "../tile_work.h"
 #include "blend.h"
 
@@ -35,11 +35,16 @@ static unsigned finish_depth(struct tile_work *work, int g)
         return i8_sign_bits(mask);
     }
     const f8 z = uses & RHW_USE_DEPTH ? viewport_clamp(depth, group->depth) : group->depth;
-    if (!queue->is_scattered[g]) {
-        const int at = queue->row_at[g];
-        return test_row_late(depth, at % RHW_TILE, at / RHW_TILE, z, i8_sign_bits(mask), plan->late);
+    const unsigned bits = i8_sign_bits(mask);
+    const int x = queue->row_at[g] % RHW_TILE, y = queue->row_at[g] / RHW_TILE; // of a row
+    if (plan->is_full) {
+        const unsigned back = uses & RHW_USE_FACING ? i8_sign_bits(~group->front_facing) : 0;
+        return queue->is_scattered[g]
+                   ? test_texels_late_full(depth, queue->texels[g], z, bits, back, plan->late)
+                   : test_row_late_full(depth, x, y, z, bits, back, plan->late);
     }
-    return test_texels_late(depth, queue->texels[g], z, i8_sign_bits(mask), plan->late);
+    return queue->is_scattered[g] ? test_texels_late(depth, queue->texels[g], z, bits, plan->late)
+                                  : test_row_late(depth, x, y, z, bits, plan->late);
 }
 
 // Puts the texels of a scattered group side by side for blending, and back.

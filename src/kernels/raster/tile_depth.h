@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What a tile knows of depth while it is drawn.
+// What a tile knows of depth and stencil while it is drawn.
 #ifndef RHW_TILE_DEPTH_H
 #define RHW_TILE_DEPTH_H
 
@@ -7,6 +7,8 @@
 #include <stdint.h>
 
 #include "../../constants.h"
+
+struct rhw_depth_stencil_state;
 
 enum { HIZ_BLOCKS = RHW_TILE / RHW_BLOCK }; // of a tile, each way
 
@@ -17,7 +19,9 @@ struct tile_depth {
     uint64_t open[RHW_TILE]; // by row, a bit per pixel: see open_pixels.h
     int open_count;          // open pixels, drawn backwards
     bool marked;             // a fragment opened its pixel since this was last cleared
-    float least, most;       // the viewport's depth range
+    float least, most;       // what depth is held to
+    const struct rhw_depth_stencil_state *state;
+    uint8_t stencil[RHW_TILE * RHW_TILE]; // row by row; set where the pass has one
 };
 
 #endif

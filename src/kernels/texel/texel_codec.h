@@ -69,6 +69,21 @@ RHW_INLINE i8 unorm8_texels(const f8 value[4])
     return i8_bytes_from_f8(scaled);
 }
 
+// Depth ----------------------------------------------------------------------------------------------
+
+// Whole steps of 0..1, of which there are `steps`, as floats, and back: to nearest, ties to even, since adding 2^52
+// leaves a double no room for a fraction.
+RHW_INLINE f8 depth_from_steps(d8 count, double steps)
+{
+    return f8_from_d8(d8_div(count, d8_splat(steps)));
+}
+
+RHW_INLINE d8 steps_of_depth(f8 depth, double steps)
+{
+    const d8 scaled = d8_mul(d8_from_f8(depth), d8_splat(steps));
+    return d8_sub(d8_add(scaled, d8_splat(0x1p52)), d8_splat(0x1p52));
+}
+
 // Codecs ---------------------------------------------------------------------------------------------
 
 // Gives what a channel reads that the format lacks.
@@ -100,6 +115,15 @@ RHW_INLINE void decode_texels(const struct rhw_format_info *format, const struct
                 c < channels ? f8_from_half((i8)((u8)raw->word[c / 2] >> shift) & 0xffff) : absent_channel(c);
         }
         break;
+    case RHW_CODEC_DEPTH16:
+    case RHW_CODEC_DEPTH24: {
+        const double steps = rhw_codec_depth_steps(format->codec);
+        value[0] = depth_from_steps(d8_from_i8(raw->word[0] & i8_splat((int32_t)steps)), steps);
+        for (int c = 1; c < 4; c++) {
+            value[c] = absent_channel(c);
+        }
+        break;
+    }
     case RHW_CODEC_FLOAT32:
     case RHW_CODEC_UINT32:
     case RHW_CODEC_NONE:
@@ -127,6 +151,12 @@ RHW_INLINE void encode_texels(const struct rhw_format_info *format, const f8 val
             raw->word[c] = (i8)value[c];
         }
         break;
+    case RHW_CODEC_DEPTH16:
+    case RHW_CODEC_DEPTH24: {
+        const d8 count = steps_of_depth(rhw_saturate(value[0]), rhw_codec_depth_steps(format->codec));
+        raw->word[0] = rhw_int_from_float_unchecked(f8_from_d8(count)); // below 2^24: exact
+        break;
+    }
     case RHW_CODEC_NONE: break;
     }
 }

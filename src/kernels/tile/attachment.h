@@ -3,6 +3,7 @@
 #ifndef RHW_ATTACHMENT_H
 #define RHW_ATTACHMENT_H
 
+#include "../texel/texel_codec.h"
 #include "../tile_work.h"
 
 static enum rhw_load load_of(const struct rhw_pass_state *pass, const struct rhw_attachment *attachment)
@@ -73,6 +74,80 @@ static void store_attachment(const struct tile_work *work, const struct rhw_atta
     for (int y = 0; y < work->height; y++) {
         copy_row(target_row(work, attachment, y), tile + (size_t)y * RHW_TILE * size,
                  (size_t)work->width * size);
+    }
+}
+
+// Depth in the tile is float; where memory has steps of a UNORM format, it is converted on the way.
+static void load_depth_steps(const struct tile_work *work, float *tile)
+{
+    const struct rhw_attachment *const depth = &work->pass->depth;
+    const struct rhw_format_info *const info = rhw_format_info(depth->format);
+    if (load_of(work->pass, depth) != RHW_LOAD_LOAD) {
+        struct raw_texels raw = {{i8_splat(0)}};
+        load_texel_row(info->size, depth->clear, &raw);
+        f8 value[4];
+        decode_texels(info, &raw, value);
+        for (int i = 0; i < RHW_TILE * RHW_TILE; i += 8) {
+            f8_store(tile + i, value[0]);
+        }
+        return;
+    }
+    for (int y = 0; y < work->height; y++) {
+        for (int x = 0; x < work->width; x += 8) { // rows are padded
+            struct raw_texels raw;
+            f8 value[4];
+            load_texel_row(info->size, target_row(work, depth, y) + (size_t)x * info->size, &raw);
+            decode_texels(info, &raw, value);
+            f8_store(tile + y * RHW_TILE + x, value[0]);
+        }
+    }
+}
+
+static void store_depth_steps(const struct tile_work *work, const float *tile)
+{
+    const struct rhw_attachment *const depth = &work->pass->depth;
+    const struct rhw_format_info *const info = rhw_format_info(depth->format);
+    if (!is_stored(work->pass, depth)) {
+        return;
+    }
+    if (depth->clean) {
+        depth->clean->is_clean[work->tile] = false;
+    }
+    for (int y = 0; y < work->height; y++) {
+        for (int x = 0; x < work->width; x += 8) {
+            const i8 mask = rhw_less_int(rhw_lane_index, i8_splat(work->width - x));
+            const f8 value[4] = {f8_load(tile + y * RHW_TILE + x)};
+            struct raw_texels raw;
+            encode_texels(info, value, &raw);
+            store_texel_row(info->size, &raw, mask, UINT32_MAX,
+                            target_row(work, depth, y) + (size_t)x * info->size);
+        }
+    }
+}
+
+static void load_depth_stencil(const struct tile_work *work)
+{
+    struct tile_depth *const tile = &work->scratch->depth;
+    if (work->pass->depth_steps != 0) {
+        load_depth_steps(work, tile->texels);
+    } else if (work->pass->has_depth) {
+        load_attachment(work, &work->pass->depth, (unsigned char *)tile->texels);
+    }
+    if (work->pass->has_stencil) {
+        load_attachment(work, &work->pass->stencil, tile->stencil);
+    }
+}
+
+static void store_depth_stencil(const struct tile_work *work)
+{
+    const struct tile_depth *const tile = &work->scratch->depth;
+    if (work->pass->depth_steps != 0) {
+        store_depth_steps(work, tile->texels);
+    } else if (work->pass->has_depth) {
+        store_attachment(work, &work->pass->depth, (const unsigned char *)tile->texels);
+    }
+    if (work->pass->has_stencil) {
+        store_attachment(work, &work->pass->stencil, tile->stencil);
     }
 }
 

@@ -20,6 +20,7 @@ static void set_state(struct tile_work *work, const struct rhw_draw_state *state
                          scissor->y + scissor->height < work->y + RHW_TILE;
     depth->least = state->depth_least;
     depth->most = state->depth_most;
+    depth->state = &state->depth_stencil;
     work->tests_bounds = hiz_follow(depth, &work->plan);
     for (int g = 0; g < RHW_FRAGMENT_GROUPS; g++) {
         struct rhw_fragment *const group = &queue->groups[g];

@@ -10,6 +10,7 @@
 #include "../fragment/gather.h"
 #include "../integer.h"
 #include "../raster/hiz.h"
+#include "depth_bias.h"
 #include "span_blocks.h"
 
 // Planes -----------------------------------------------------------------------------------------------
@@ -23,6 +24,10 @@ static void set_planes(const struct tile_work *work, struct triangle_work *trian
     triangle->has_planes = true;
     if (triangle->t->flags & RHW_TRIANGLE_UNSNAPPED) {
         planes_homogeneous(planes, triangle->clipped, work->state, triangle->v);
+        if (work->plan.is_biased) {
+            bias_homogeneous(work, triangle);
+            bias_clipped(triangle);
+        }
         return;
     }
     planes->anchor_x = setup->anchor_x[i];
@@ -34,12 +39,16 @@ static void set_planes(const struct tile_work *work, struct triangle_work *trian
     if (planes->kind == PLANES_EXACT || triangle->clipped) {
         const struct setup_input4 input = setup_input(triangle, work->state);
         setup_factors(&planes->factors, &input);
+        planes->factors.base[QUANTITY_Z] += triangle->depth_bias;
     }
     if (triangle->clipped || work->plan.needs_screen) {
         set_screen_planes(triangle);
     }
     if (triangle->clipped) {
         planes_clipped_snapped(planes, triangle->clipped, work->state, triangle->v);
+        if (work->plan.is_biased) {
+            bias_clipped(triangle);
+        }
     }
 }
 
@@ -67,7 +76,7 @@ RHW_INLINE void depth_rows(const struct tile_work *work, const struct triangle_w
             z[row] = f8_select(clipped.lanes, clipped.z, z[row]);
         }
     }
-    for (int row = 0; row < RHW_BLOCK && triangle->t->flags & RHW_TRIANGLE_CLAMP; row++) {
+    for (int row = 0; row < RHW_BLOCK && triangle->clamps_depth; row++) {
         z[row] = viewport_clamp(&work->scratch->depth, z[row]);
     }
 }
@@ -79,6 +88,10 @@ RHW_INLINE uint64_t test_depth(struct tile_work *work, const struct triangle_wor
     struct tile_depth *const depth = &work->scratch->depth;
     const struct planes *const planes = &triangle->planes;
     const bool is_whole = mask == ~(uint64_t)0;
+    if (work->plan.is_full) {
+        const struct block_pixels pixels = {depth, block->z, block->x, block->y, mask};
+        return test_block_full(&pixels, work->plan.early, triangle->t->flags & RHW_TRIANGLE_BACK ? 1 : 0);
+    }
     mask = test_block_early(depth, block->z, block->x, block->y, mask, &work->plan);
     // Blocks of spans start anywhere; only those at multiples of 8 have a bound.
     if (is_whole && work->tests_bounds && work->plan.early.write && !block->leaves_triangle &&
@@ -263,6 +276,10 @@ static void draw_large(struct tile_work *work, struct triangle_work *triangle, c
     struct coverage coverage;
     struct clipped_planes clipped;
     triangle->clipped = triangle->t->flags & RHW_TRIANGLE_POLYGON ? &clipped : NULL;
+    if (!work->plan.is_biased) {
+        triangle->clamps_depth = triangle->t->flags & RHW_TRIANGLE_CLAMP;
+        triangle->depth_bias = 0;
+    }
     if (triangle->t->flags & work->plan.span_flag) {
         draw_spans(work, triangle);
         return;

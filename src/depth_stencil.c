@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: MIT
+// See depth_stencil.h.
+#include "depth_stencil.h"
+
+#include <math.h>
+#include <string.h>
+
+#include "misuse.h"
+
+static int32_t mask_of(uint16_t mask)
+{
+    return mask == 0 ? 0xff : mask == RHW_STENCIL_NO_BITS ? 0 : mask;
+}
+
+static struct rhw_stencil_rule rule_of(const struct rhw_stencil_face *face, uint8_t reference)
+{
+    return (struct rhw_stencil_rule){.compare = face->compares ? face->compare : RHW_COMPARE_ALWAYS,
+                                     .fail = face->fail,
+                                     .depth_fail = face->depth_fail,
+                                     .pass = face->pass,
+                                     .read_mask = mask_of(face->read_mask),
+                                     .write_mask = mask_of(face->write_mask),
+                                     .reference = reference};
+}
+
+static bool keeps_failed(const struct rhw_stencil_rule *rule)
+{
+    return rule->write_mask == 0 || (rule->fail == RHW_STENCIL_KEEP && rule->depth_fail == RHW_STENCIL_KEEP);
+}
+
+void rhw_depth_stencil_init(struct rhw_depth_stencil_state *state, const struct rhw_pipeline_def *def,
+                            const struct rhw_depth_stencil_setting *setting, double depth_steps)
+{
+    memset(state, 0, sizeof *state);
+    state->tests_stencil = def->stencil_test;
+    state->tests_bounds = def->depth_bounds_test;
+    state->depth_steps = def->depth_test ? depth_steps : 0;
+    state->is_full = state->tests_stencil || state->tests_bounds || state->depth_steps != 0;
+    state->face[0] = rule_of(&def->stencil_front, setting->reference[0]);
+    state->face[1] = rule_of(&def->stencil_back, setting->reference[1]);
+    state->rejects_early =
+        !state->tests_stencil || (keeps_failed(&state->face[0]) && keeps_failed(&state->face[1]));
+    state->bounds_least = setting->bounds_least;
+    state->bounds_most = setting->bounds_most;
+    state->bias = setting->has_bias ? setting->bias : def->depth_bias;
+    state->is_biased = state->bias.constant != 0 || state->bias.slope != 0;
+}
+
+bool rhw_check_depth_bias(const struct rhw_context *context, const struct rhw_depth_bias *bias,
+                          const char *where)
+{
+    return rhw_check(context, isfinite(bias->constant) && isfinite(bias->slope) && isfinite(bias->clamp),
+                     "%s: depth_bias is %g, %g, %g; all must be finite", where, (double)bias->constant,
+                     (double)bias->slope, (double)bias->clamp);
+}

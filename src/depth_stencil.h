@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: MIT
+// What a draw does with depth and stencil beyond a comparison of depth as a float: the tests are a kernel
+// (kernels/raster/full_test.h); what holds for a whole draw is decided here, once.
+#ifndef RHW_DEPTH_STENCIL_H
+#define RHW_DEPTH_STENCIL_H
+
+#include <stdbool.h>
+
+#include "rhw/types.h"
+
+struct rhw_context;
+
+// The stencil test of one facing.
+struct rhw_stencil_rule {
+    enum rhw_compare compare;
+    enum rhw_stencil_operation fail, depth_fail, pass;
+    int32_t read_mask, write_mask, reference; // 0..255
+};
+
+struct rhw_depth_stencil_state {
+    // The draw needs the full test: it tests stencil or depth bounds, or its depth has other steps than a float's.
+    bool is_full;
+    bool tests_stencil, tests_bounds;
+    bool rejects_early;              // fragments that fail the depth test change nothing
+    struct rhw_stencil_rule face[2]; // front and back
+    float bounds_least, bounds_most;
+    double depth_steps; // between 0 and 1, which depth is rounded to; 0: it stays a float
+    bool is_biased;
+    struct rhw_depth_bias bias;
+};
+
+// What pass state adds to a pipeline's.
+struct rhw_depth_stencil_setting {
+    uint8_t reference[2]; // front and back
+    bool has_bias;        // instead of the pipeline's
+    struct rhw_depth_bias bias;
+    float bounds_least, bounds_most;
+};
+
+// `def` is valid; depth_steps: of the pass's depth attachment, 0 for a float or none.
+void rhw_depth_stencil_init(struct rhw_depth_stencil_state *state, const struct rhw_pipeline_def *def,
+                            const struct rhw_depth_stencil_setting *setting, double depth_steps);
+
+// False, and misuse, where a bias is not finite. `where`: the function called.
+bool rhw_check_depth_bias(const struct rhw_context *context, const struct rhw_depth_bias *bias,
+                          const char *where);
+
+#endif

@@ -1,0 +1,147 @@
+// SPDX-License-Identifier: MIT
+// The full test of a fragment: depth bounds, stencil and depth, in this order (Vulkan 1.3 §27.11 to §27.14), and depth in
+// steps of a UNORM format. Draws that need none of it take depth_test.h alone.
+#ifndef RHW_FULL_TEST_H
+#define RHW_FULL_TEST_H
+
+#include "../../depth_stencil.h"
+#include "../texel/texel_codec.h"
+#include "depth_test.h"
+
+RHW_INLINE i8 stencil_result(enum rhw_stencil_operation operation, i8 stencil, int32_t reference)
+{
+    const i8 one = i8_splat(1), byte = i8_splat(0xff);
+    switch (operation) {
+    case RHW_STENCIL_KEEP: return stencil;
+    case RHW_STENCIL_ZERO: return i8_splat(0);
+    case RHW_STENCIL_REPLACE: return i8_splat(reference);
+    case RHW_STENCIL_INCREMENT_CLAMP: return i8_min(stencil + one, byte);
+    case RHW_STENCIL_DECREMENT_CLAMP: return i8_max(stencil - one, i8_splat(0));
+    case RHW_STENCIL_INVERT: return ~stencil & byte;
+    case RHW_STENCIL_INCREMENT_WRAP: return (stencil + one) & byte;
+    case RHW_STENCIL_DECREMENT_WRAP: return (stencil - one) & byte;
+    }
+    return stencil;
+}
+
+// Stencil and depth of 8 pixels, and the fragments over them.
+struct tested_pixels {
+    f8 depth;
+    i8 stencil;
+};
+
+// Tests the fragments of depth z in the lanes of `live` and changes what they change; gives the lanes that pass.
+RHW_INLINE i8 test_pixels(struct tested_pixels *pixels, const struct rhw_depth_stencil_state *state,
+                          const struct rhw_stencil_rule *face, const struct rhw_depth_rule rule, f8 z,
+                          i8 live, unsigned open)
+{
+    if (state->depth_steps != 0) {
+        z = depth_from_steps(steps_of_depth(rhw_saturate(z), state->depth_steps), state->depth_steps);
+    }
+    if (state->tests_bounds) {
+        live &= rhw_less_equal(f8_splat(state->bounds_least), pixels->depth) &
+                rhw_less_equal(pixels->depth, f8_splat(state->bounds_most));
+    }
+    const i8 read = i8_splat(face->read_mask);
+    const i8 unfailed =
+        live & compare_lanes(face->compare, rhw_float_from_int(i8_splat(face->reference) & read),
+                             rhw_float_from_int(pixels->stencil & read));
+    const i8 pass = unfailed & rule_passes(rule, z, pixels->depth, open);
+    if (state->tests_stencil) {
+        i8 result = stencil_result(face->fail, pixels->stencil, face->reference);
+        result = rhw_select_int(unfailed, stencil_result(face->depth_fail, pixels->stencil, face->reference),
+                                result);
+        result = rhw_select_int(pass, stencil_result(face->pass, pixels->stencil, face->reference), result);
+        const i8 written = live & i8_splat(face->write_mask);
+        pixels->stencil = (pixels->stencil & ~written) | (result & written);
+    }
+    if (rule.write) {
+        pixels->depth = f8_select(pass, z, pixels->depth);
+    }
+    return pass;
+}
+
+// Tests the fragments of a row from (x, y) on; gives the lanes that pass.
+static i8 test_row_full(struct tile_depth *depth, int x, int y, const struct rhw_stencil_rule *face,
+                        const struct rhw_depth_rule rule, f8 z, i8 live)
+{
+    float *const texels = depth_texels(depth, x, y);
+    uint8_t *const stencil = &depth->stencil[y * RHW_TILE + x];
+    struct tested_pixels pixels = {f8_load(texels), i8_load_bytes(stencil)};
+    const i8 pass = test_pixels(&pixels, depth->state, face, rule, z, live, open_row(depth, x, y, rule));
+    f8_store(texels, pixels.depth);
+    const uint64_t bytes = i8_to_bytes(pixels.stencil);
+    memcpy(stencil, &bytes, sizeof bytes);
+    return pass;
+}
+
+// Tests the pixels of a block before shading; `face`: 0 for the front.
+static __attribute__((noinline)) uint64_t test_block_full(const struct block_pixels *block,
+                                                          const struct rhw_depth_rule rule, int face)
+{
+    struct tile_depth *const depth = block->depth;
+    uint64_t passed = 0;
+    for (int row = 0; row < RHW_BLOCK; row++) {
+        const unsigned bits = (unsigned)(block->mask >> (8 * row)) & 0xff;
+        if (bits != 0) {
+            const i8 pass = test_row_full(depth, block->x, block->y + row, &depth->state->face[face], rule,
+                                          block->z[row], i8_from_bits(bits));
+            passed |= (uint64_t)i8_sign_bits(pass) << (8 * row);
+        }
+    }
+    return settle_block(depth, block->x, block->y, passed, rule);
+}
+
+// Tests the fragments of a row that are set in `bits` after shading; those of `back` face away.
+static __attribute__((noinline)) unsigned test_row_late_full(struct tile_depth *depth, int x, int y, f8 z,
+                                                             unsigned bits, unsigned back,
+                                                             const struct rhw_depth_rule rule)
+{
+    i8 pass = i8_splat(0);
+    for (int face = 0; face < 2; face++) {
+        const unsigned facing = bits & (face == 0 ? ~back : back);
+        if (facing != 0) {
+            pass |= test_row_full(depth, x, y, &depth->state->face[face], rule, z, i8_from_bits(facing));
+        }
+    }
+    const unsigned passed = i8_sign_bits(pass);
+    if (rule.open == RHW_OPEN_CLOSE) {
+        depth->open[y] &= ~((uint64_t)passed << x);
+    }
+    return passed;
+}
+
+// The same for fragments of 8 texels that lie anywhere in the tile, no two of them on the same.
+static __attribute__((noinline)) unsigned test_texels_late_full(struct tile_depth *depth,
+                                                                const int32_t texel[8], f8 z, unsigned bits,
+                                                                unsigned back,
+                                                                const struct rhw_depth_rule rule)
+{
+    float depths[8];
+    int32_t stencils[8];
+    unsigned open = 0;
+    for (int i = 0; i < 8; i++) {
+        depths[i] = depth->texels[texel[i]];
+        stencils[i] = depth->stencil[texel[i]];
+        open |= (unsigned)(depth->open[texel[i] / RHW_TILE] >> texel[i] % RHW_TILE & 1) << i;
+    }
+    struct tested_pixels pixels = {f8_load(depths), i8_load(stencils)};
+    const i8 front =
+        test_pixels(&pixels, depth->state, &depth->state->face[0], rule, z, i8_from_bits(bits & ~back), open);
+    const i8 other =
+        test_pixels(&pixels, depth->state, &depth->state->face[1], rule, z, i8_from_bits(bits & back), open);
+    const unsigned passed = i8_sign_bits(front | other);
+    f8_store(depths, pixels.depth);
+    i8_store(stencils, pixels.stencil);
+    for (unsigned left = bits; left != 0; left &= left - 1) {
+        const int lane = __builtin_ctz(left);
+        depth->texels[texel[lane]] = depths[lane];
+        depth->stencil[texel[lane]] = (uint8_t)stencils[lane];
+        if (rule.open == RHW_OPEN_CLOSE && passed >> lane & 1) {
+            depth->open[texel[lane] / RHW_TILE] &= ~((uint64_t)1 << texel[lane] % RHW_TILE);
+        }
+    }
+    return passed;
+}
+
+#endif

@@ -1,0 +1,97 @@
+// SPDX-License-Identifier: MIT
+// Depth bias: what is added to the depth of a triangle, slope · m + constant · r (struct rhw_depth_bias; Vulkan 1.3
+// §26.11.4). It moves the triangle's plane of depth, so that no path has to know of it.
+#ifndef RHW_DEPTH_BIAS_H
+#define RHW_DEPTH_BIAS_H
+
+#include "../raster/plane_clipped.h"
+#include "../tile_work.h"
+#include "../triangle_work.h"
+#include "triangle_setup8.h"
+
+// The step of a depth of 0..1: that of the format, or of floats as large.
+static double depth_step(const struct rhw_depth_stencil_state *state, float depth)
+{
+    if (state->depth_steps != 0) {
+        return 1 / (state->depth_steps + 1);
+    }
+    uint32_t bits;
+    memcpy(&bits, &depth, sizeof bits);
+    const uint64_t exponent = (bits >> 23 & 0xff) + (1023 - 127) - 23;
+    const uint64_t step = exponent << 52;
+    double result;
+    memcpy(&result, &step, sizeof result);
+    return result;
+}
+
+// The bias of a triangle whose depth has this plane and is `largest` at most, within 0..1.
+static double depth_bias(const struct rhw_depth_stencil_state *state, struct plane z, float largest)
+{
+    const struct rhw_depth_bias *const bias = &state->bias;
+    const double by_x = z.dx < 0 ? -z.dx : z.dx, by_y = z.dy < 0 ? -z.dy : z.dy;
+    const double slope = by_x > by_y ? by_x : by_y, limit = (double)bias->clamp;
+    const double sum = (double)bias->slope * slope + (double)bias->constant * depth_step(state, largest);
+    if (limit > 0) {
+        return sum < limit ? sum : limit;
+    }
+    return limit < 0 && !(sum > limit) ? limit : sum;
+}
+
+static float within_unit(float depth)
+{
+    return depth > 0 ? depth < 1 ? depth : 1 : 0;
+}
+
+// Biases the planes of the triangle, whose vertices are snapped, in its setup.
+static inline void bias_snapped(const struct tile_work *work, struct triangle_work *triangle,
+                                struct triangle_setup8 *setup)
+{
+    struct quantity_planes *const planes = &setup->quantities[triangle->lane];
+    const struct rhw_vertex_record *const *const v = setup->read->vertex[triangle->lane];
+    float least = v[0]->depth, most = v[0]->depth;
+    for (int i = 1; i < 3; i++) {
+        least = v[i]->depth < least ? v[i]->depth : least;
+        most = v[i]->depth > most ? v[i]->depth : most;
+    }
+    triangle->depth_bias =
+        depth_bias(&work->state->depth_stencil, plane_of(planes, QUANTITY_Z), within_unit(most));
+    planes->at[QUANTITY_Z] += triangle->depth_bias;
+    const double margin = 0x1p-20; // of roundings
+    const struct tile_depth *const depth = &work->scratch->depth;
+    triangle->clamps_depth |= (double)least + triangle->depth_bias < (double)depth->least + margin ||
+                              (double)most + triangle->depth_bias > (double)depth->most - margin;
+}
+
+// Before a triangle is drawn whose depth is biased. Gives RHW_TRIANGLE_SMALL where it may take the path of small ones.
+static __attribute__((noinline)) uint16_t bias_triangle(const struct tile_work *work,
+                                                        struct triangle_work *triangle,
+                                                        struct triangle_setup8 *setup)
+{
+    const uint16_t flags = triangle->t->flags;
+    triangle->clamps_depth = flags & RHW_TRIANGLE_CLAMP;
+    if (!(flags & RHW_TRIANGLE_UNSNAPPED)) {
+        bias_snapped(work, triangle, setup);
+    }
+    return triangle->clamps_depth ? 0 : work->plan.biased_small_flag;
+}
+
+// Biases planes that planes_homogeneous has made.
+static __attribute__((noinline)) void bias_homogeneous(const struct tile_work *work,
+                                                       struct triangle_work *triangle)
+{
+    struct planes *const planes = &triangle->planes;
+    triangle->depth_bias = depth_bias(&work->state->depth_stencil, plane_of(&planes->quantities, QUANTITY_Z),
+                                      work->state->depth_most);
+    planes->quantities.at[QUANTITY_Z] += triangle->depth_bias;
+}
+
+// Biases what clipping adds to the planes.
+static __attribute__((noinline)) void bias_clipped(struct triangle_work *triangle)
+{
+    struct clipped_planes *const clipped = triangle->clipped;
+    for (int i = 0; i < 3; i++) {
+        clipped->zw[i] += triangle->depth_bias * clipped->w[i];
+    }
+}
+
+#endif

@@ -1,0 +1,13 @@
+// SPDX-License-Identifier: MIT
+// The attachments of a pass.
+#ifndef RHW_PASS_ATTACH_H
+#define RHW_PASS_ATTACH_H
+
+#include "rhw/types.h"
+
+struct rhw_pass_state;
+
+// Sets what the pass draws into; width and height too where they are 0. Misuse is reported as that of rhw_pass_begin.
+enum rhw_result rhw_pass_attach(struct rhw_pass_state *pass, const struct rhw_pass_def *def);
+
+#endif

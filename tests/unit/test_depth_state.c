@@ -1,0 +1,309 @@
+// SPDX-License-Identifier: MIT
+// Depth beyond a comparison of floats: formats with steps, bias, clipping switched off, clamping, bounds, reversed depth.
+#include "harness.h"
+
+#include <math.h>
+#include <string.h>
+
+enum { SIZE = 64 };
+
+static const float red[4] = {1, 0, 0, 1}, green[4] = {0, 1, 0, 1};
+
+static void set_format(struct rig *rig, enum rhw_format format)
+{
+    rig_set_depth(rig);
+    rhw_texture_destroy(rig->context, rig->pass.depth.texture);
+    const struct rhw_texture_def def = {.format = format, .width = SIZE, .height = SIZE};
+    assert_int_equal(rhw_texture_create(rig->context, &def, &rig->pass.depth.texture), RHW_OK);
+}
+
+static void cover(struct rig *rig, float depth, const float color[4])
+{
+    struct rig_vertex all[6];
+    rig_cover(rig, depth, color, all);
+    rig_draw(rig, all, 6);
+}
+
+// Depth z at column x: `at` + x · `step`, over the whole target. The Z of clip coordinates is not clipped by this.
+static void cover_ramp(struct rig *rig, float at, float step, const float color[4])
+{
+    struct rig_vertex all[6];
+    rig_cover(rig, 0.5f, color, all);
+    for (int i = 0; i < 6; i++) {
+        all[i].position[2] = at + step * (all[i].position[0] < 0 ? 0 : SIZE);
+    }
+    rig_draw(rig, all, 6);
+}
+
+// The nearest of n / steps.
+static double to_step(double depth, double steps)
+{
+    return nearbyint(depth * steps);
+}
+
+static void test_steps_of_unorm_depth(void **state)
+{
+    (void)state;
+    const enum rhw_format formats[] = {RHW_FORMAT_D16_UNORM, RHW_FORMAT_D24_UNORM};
+    for (int f = 0; f < 2; f++) {
+        const double steps = f == 0 ? 65535 : 16777215;
+        struct rig rig;
+        rig_open(&rig, SIZE, SIZE);
+        set_format(&rig, formats[f]);
+        uint64_t random = 3;
+        for (int i = 0; i < 100; i++) {
+            const float depth = rig_random_float(&random, 0, 1);
+            rig.pass.depth.clear = 1;
+            rig_begin(&rig);
+            cover(&rig, depth, red);
+            rig_end(&rig);
+            const void *const texels = rig_read(&rig, rig.pass.depth.texture);
+            uint16_t half;
+            uint32_t word;
+            memcpy(&half, texels, sizeof half);
+            memcpy(&word, texels, sizeof word);
+            assert_true((f == 0 ? (double)half : (double)word) == to_step((double)depth, steps));
+        }
+        // What rounds to the same step is equal, in one pass and in the next.
+        for (int passes = 1; passes <= 2; passes++) {
+            const float depth = (float)(1000 / steps);
+            rig.pipeline.depth_compare = RHW_COMPARE_LESS;
+            rig.pass.depth.load = RHW_LOAD_CLEAR;
+            rig_begin(&rig);
+            cover(&rig, depth, red);
+            if (passes == 2) {
+                rig_end(&rig);
+                rig.pass.depth.load = rig.pass.colors[0].load = RHW_LOAD_LOAD;
+                rig_begin(&rig);
+            }
+            rig.pipeline.depth_compare = RHW_COMPARE_EQUAL;
+            cover(&rig, (float)(1000.4 / steps), green);
+            rig_end(&rig);
+            assert_memory_equal(rig_read_float4(&rig)[5], green, sizeof green);
+            rig.pass.colors[0].load = RHW_LOAD_CLEAR;
+        }
+        rig_close(&rig);
+    }
+}
+
+// Opaque layers, many of them, of which tiles draw depth first.
+static void test_steps_draw_the_same_on_every_path(void **state)
+{
+    (void)state;
+    uint64_t hash[2];
+    for (int general = 0; general < 2; general++) {
+        struct rig rig;
+        rig_open_with(&rig, SIZE, SIZE,
+                      &(struct rhw_context_def){.paths = general ? RHW_PATHS_GENERAL : RHW_PATHS_ALL});
+        set_format(&rig, RHW_FORMAT_D16_UNORM);
+        uint64_t random = 8;
+        rig_begin(&rig);
+        for (int i = 0; i < 40; i++) {
+            const float color[4] = {(float)i, 0, 0, 1};
+            cover_ramp(&rig, rig_random_float(&random, 0.3f, 0.7f),
+                       rig_random_float(&random, -0.0002f, 0.0002f), color);
+        }
+        rig_end(&rig);
+        hash[general] = rig_hash(&rig, 0);
+        rig_close(&rig);
+    }
+    assert_true(hash[0] == hash[1]);
+}
+
+// slope · m + constant · r, on ramps whose plane is exact in binary.
+static void test_bias(void **state)
+{
+    (void)state;
+    const struct {
+        struct rhw_depth_bias bias;
+        enum rhw_format format;
+        float at, step;
+        double expected;
+    } cases[] = {
+        {{0, 1, 0}, RHW_FORMAT_D32_FLOAT, 0.25f, 0x1p-8f, 0x1p-8},
+        {{0, -2, 0}, RHW_FORMAT_D32_FLOAT, 0.5f, -0x1p-8f, -0x1p-7},
+        // The largest depth of 0.25 .. 0.5 has the exponent −1 there, so that a step is 2^-24.
+        {{65536, 0, 0}, RHW_FORMAT_D32_FLOAT, 0.25f, 0x1p-8f, 0x1p-8},
+        {{65536, 0, 0}, RHW_FORMAT_D32_FLOAT, 0.25f, 0, 0x1p-9},
+        {{65536, 1, 0}, RHW_FORMAT_D32_FLOAT, 0.25f, 0x1p-8f, 0x1p-7},
+        {{0, 4, 0x1p-8f}, RHW_FORMAT_D32_FLOAT, 0.25f, 0x1p-8f, 0x1p-8},
+        {{0, -4, -0x1p-8f}, RHW_FORMAT_D32_FLOAT, 0.25f, 0x1p-8f, -0x1p-8},
+        {{64, 0, 0}, RHW_FORMAT_D16_UNORM, 0.25f, 0, 0x1p-10},
+    };
+    for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
+        struct rig rig;
+        rig_open(&rig, SIZE, SIZE);
+        set_format(&rig, cases[i].format);
+        for (int in_pass = 0; in_pass < 2; in_pass++) {
+            rig.pipeline.depth_bias = in_pass ? (struct rhw_depth_bias){1e6f, 3, 0} : cases[i].bias;
+            rig_begin(&rig);
+            if (in_pass) {
+                rhw_pass_set_depth_bias(rig.context, rig.recording, &cases[i].bias);
+            }
+            cover_ramp(&rig, cases[i].at, cases[i].step, red);
+            rig_end(&rig);
+            const void *const depth = rig_read(&rig, rig.pass.depth.texture);
+            for (int x = 0; x < SIZE; x++) {
+                const double z = (double)cases[i].at + (double)cases[i].step * (x + 0.5) + cases[i].expected;
+                if (cases[i].format == RHW_FORMAT_D16_UNORM) {
+                    assert_int_equal(((const uint16_t *)depth)[x], to_step((double)(float)z, 65535));
+                } else {
+                    assert_true((double)((const float *)depth)[x] == z);
+                }
+            }
+        }
+        rig_close(&rig);
+    }
+}
+
+// Small triangles take other paths than large ones; biased near the ends of the range they are clamped.
+static void test_bias_of_small_triangles(void **state)
+{
+    (void)state;
+    for (int end = 0; end < 2; end++) {
+        struct rig rig;
+        rig_open(&rig, SIZE, SIZE);
+        set_format(&rig, RHW_FORMAT_D32_FLOAT);
+        rig.pipeline.depth_bias = (struct rhw_depth_bias){.constant = end ? 0x1p23f : 0x1p14f};
+        rig.pipeline.depth_compare = RHW_COMPARE_ALWAYS;
+        rig_begin(&rig);
+        struct rig_vertex quad[6];
+        for (int x = 0; x < SIZE; x += 4) {
+            rig_rectangle(&rig, (float)x, 0, (float)x + 4, 3, 0.75f, red, quad);
+            rig_draw(&rig, quad, 6);
+        }
+        rig_end(&rig);
+        for (int x = 0; x < SIZE; x++) {
+            assert_true(rig_read_depth(&rig)[x] == (end ? 1.0f : 0.75f + 0x1p-10f));
+        }
+        rig_close(&rig);
+    }
+}
+
+// A ramp from −1 to 2 in front of, within and behind the view volume.
+static void test_clip_and_clamp(void **state)
+{
+    (void)state;
+    for (int clamp = 0; clamp < 2; clamp++) {
+        struct rig rig;
+        rig_open(&rig, SIZE, SIZE);
+        set_format(&rig, RHW_FORMAT_D32_FLOAT);
+        rig.pipeline.depth_compare = RHW_COMPARE_ALWAYS;
+        rig.pipeline.depth_clip_disabled = true;
+        rig.pipeline.depth_clamp = clamp;
+        const struct rhw_viewport viewport = {0, 0, SIZE, SIZE, 0.25f, 0.75f};
+        rig_begin(&rig);
+        rhw_pass_set_viewport(rig.context, rig.recording, &viewport);
+        cover_ramp(&rig, -1, 3.0f / SIZE, red);
+        rig_end(&rig);
+        for (int x = 0; x < SIZE; x++) {
+            const double z = 0.25 + 0.5 * (-1 + 3.0 / SIZE * (x + 0.5));
+            const double least = clamp ? 0.25 : 0, most = clamp ? 0.75 : 1;
+            const double held = z < least ? least : z > most ? most : z;
+            assert_true(fabs((double)rig_read_depth(&rig)[x] - held) < 1e-7);
+            assert_memory_equal(rig_read_float4(&rig)[x], red, sizeof red);
+        }
+        rig_close(&rig);
+    }
+}
+
+// A triangle through the eye's plane has no near plane to be cut by, and is drawn up to it.
+static void test_no_near_plane(void **state)
+{
+    (void)state;
+    struct rig rig;
+    rig_open(&rig, SIZE, SIZE);
+    rig.pipeline.depth_clip_disabled = true;
+    // The floor y = −1 from behind the eye (w = −1) to the far (w = 9): it covers the lower half.
+    const struct rig_vertex floor[3] = {
+        {{-100, -1, -2, -1}, {1, 0, 0, 1}}, {{100, -1, -2, -1}, {1, 0, 0, 1}}, {{0, -1, 9, 9}, {1, 0, 0, 1}}};
+    rig_draw_once(&rig, floor, 3);
+    const float(*const pixels)[4] = rig_read_float4(&rig);
+    for (int y = 0; y < SIZE; y++) {
+        // Below the horizon, which is y = −1/9: 35.6 pixels from the top.
+        assert_true(pixels[y * SIZE + SIZE / 2][0] == (y >= 36 ? 1.0f : 0.0f));
+    }
+    rig_close(&rig);
+}
+
+static void test_depth_bounds(void **state)
+{
+    (void)state;
+    struct rig rig;
+    rig_open(&rig, SIZE, SIZE);
+    set_format(&rig, RHW_FORMAT_D32_FLOAT);
+    rig_begin(&rig);
+    cover_ramp(&rig, 0, 1.0f / SIZE, red);
+    rig.pipeline.depth_test = false;
+    rig.pipeline.depth_bounds_test = true;
+    rhw_pass_set_depth_bounds(rig.context, rig.recording, 0.25f, 0.5f);
+    cover(&rig, 0.9f, green);
+    rig_end(&rig);
+    for (int x = 0; x < SIZE; x++) {
+        const float depth = rig_read_depth(&rig)[x];
+        assert_true(depth == ((float)x + 0.5f) / SIZE);
+        const bool inside = depth >= 0.25f && depth <= 0.5f;
+        assert_memory_equal(rig_read_float4(&rig)[x], inside ? green : red, sizeof red);
+    }
+    rig_close(&rig);
+}
+
+static void test_reversed_depth(void **state)
+{
+    (void)state;
+    struct rig rig;
+    rig_open(&rig, SIZE, SIZE);
+    set_format(&rig, RHW_FORMAT_D24_UNORM);
+    rig.pass.depth.clear = 0;
+    rig.pass.depth.load = RHW_LOAD_CLEAR;
+    rig.pipeline.depth_compare = RHW_COMPARE_GREATER;
+    const struct rhw_viewport viewport = {0, 0, SIZE, SIZE, 1, 0};
+    rig_begin(&rig);
+    rhw_pass_set_viewport(rig.context, rig.recording, &viewport);
+    cover(&rig, 0.25f, red);
+    cover(&rig, 0.5f, green);
+    rig_end(&rig);
+    uint32_t texel;
+    memcpy(&texel, rig_read(&rig, rig.pass.depth.texture), sizeof texel);
+    assert_int_equal(texel, 12582911); // 0.75 · 16777215 = 12582911.25
+    assert_memory_equal(rig_read_float4(&rig)[0], red, sizeof red);
+    rig_close(&rig);
+}
+
+static void test_misuse(void **state)
+{
+    (void)state;
+    struct rig rig;
+    rig_open(&rig, SIZE, SIZE);
+    rhw_pipeline pipeline;
+    rig.pipeline.depth_bias.slope = NAN;
+    assert_int_equal(rhw_pipeline_create(rig.context, &rig.pipeline, &pipeline), RHW_ERROR_MISUSE);
+    rig_expect_misuse(&rig, "all must be finite");
+    rig.pipeline.depth_bias.slope = 0;
+    rig_begin(&rig);
+    rhw_pass_set_depth_bounds(rig.context, rig.recording, 0.5f, 0.25f);
+    rig_end(&rig);
+    rig_expect_misuse(&rig, "they rise within 0..1");
+    rhw_pass pass;
+    rig_set_depth(&rig);
+    rig.pass.depth.format = RHW_FORMAT_D16_UNORM;
+    assert_int_equal(rhw_pass_begin(rig.context, &rig.pass, &pass), RHW_ERROR_MISUSE);
+    rig_expect_misuse(&rig, "depth.format");
+    rig_close(&rig);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(test_steps_of_unorm_depth),
+        cmocka_unit_test(test_steps_draw_the_same_on_every_path),
+        cmocka_unit_test(test_bias),
+        cmocka_unit_test(test_bias_of_small_triangles),
+        cmocka_unit_test(test_clip_and_clamp),
+        cmocka_unit_test(test_no_near_plane),
+        cmocka_unit_test(test_depth_bounds),
+        cmocka_unit_test(test_reversed_depth),
+        cmocka_unit_test(test_misuse),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}
