@@ -46,6 +46,9 @@ struct rhw_draw_state {
     struct rhw_depth_stencil_state depth_stencil;
     // Screen position of clip coordinates: x = X/W·half_width + center_x, y = center_y − Y/W·half_height.
     double half_width, half_height, center_x, center_y;
+    // Added to a position, 1/256 pixel, they lead to the first pixel with a sample behind it, and past the last with one
+    // before it (kernels/raster/sample_position.h).
+    int32_t first_step, past_step;
 };
 
 struct rhw_draw {

@@ -6,8 +6,27 @@
 #include "pipeline.h"
 #include "triangle.h"
 
+// Whether samples may be dropped after the fragment function.
+static bool masks_samples(const struct rhw_pipeline_def *def, int samples)
+{
+    return samples > 1 && (def->alpha_to_coverage || def->program.uses & RHW_USE_SAMPLE_MASK);
+}
+
+// Whether fragments may be dropped, or moved, after the fragment function, so that depth is tested then.
+static bool tests_late(const struct rhw_pipeline_def *def, int samples)
+{
+    return def->program.uses & (RHW_USE_DISCARD | RHW_USE_DEPTH) || masks_samples(def, samples);
+}
+
+static enum rhw_sampling choose_sampling(const struct rhw_pipeline_data *pipeline, int samples)
+{
+    return samples == 1                                  ? RHW_SAMPLING_CENTER
+           : pipeline->def.program.uses & RHW_USE_SAMPLE ? RHW_SAMPLING_SAMPLE
+                                                         : pipeline->sampling;
+}
+
 static enum rhw_shading choose_shading(const struct rhw_pipeline_data *pipeline, enum rhw_phase phase,
-                                       enum rhw_paths paths)
+                                       int samples, enum rhw_paths paths)
 {
     const uint32_t uses = pipeline->def.program.uses;
     // What groups can be filled with together.
@@ -15,7 +34,10 @@ static enum rhw_shading choose_shading(const struct rhw_pipeline_data *pipeline,
     if (!(pipeline->fragment || pipeline->def.program.fragment1) || phase == RHW_PHASE_DEPTH) {
         return RHW_SHADING_NONE;
     }
-    if (paths == RHW_PATHS_GENERAL) {
+    // Groups of several samples that differ, and depths of several samples, are those of rows.
+    const bool by_rows = samples > 1 && (tests_late(&pipeline->def, samples) ||
+                                         choose_sampling(pipeline, samples) != RHW_SAMPLING_CENTER);
+    if (paths == RHW_PATHS_GENERAL || by_rows) {
         return RHW_SHADING_ROWS;
     }
     if (uses == 0 && pipeline->varying_components == 0) {
@@ -39,13 +61,13 @@ static int direction_of(enum rhw_compare compare)
 
 static enum rhw_depth_mode choose_depth_mode(const struct rhw_pipeline_def *def,
                                              const struct rhw_depth_stencil_state *depth_stencil,
-                                             enum rhw_shading shading)
+                                             enum rhw_shading shading, int samples)
 {
     const uint32_t uses = def->program.uses;
     if (!def->depth_test && !depth_stencil->is_full) {
         return RHW_DEPTH_NONE;
     }
-    if (shading == RHW_SHADING_NONE || !(uses & (RHW_USE_DISCARD | RHW_USE_DEPTH))) {
+    if (shading == RHW_SHADING_NONE || !tests_late(def, samples)) {
         return RHW_DEPTH_EARLY;
     }
     // A fragment that fails an ordering test now fails it later too, as depth only moves that way meanwhile.
@@ -86,7 +108,7 @@ static void plan_rules(struct rhw_draw_plan *plan, const struct rhw_pipeline_def
 }
 
 static void plan_depth(struct rhw_draw_plan *plan, const struct rhw_pipeline_def *def,
-                       const struct rhw_depth_stencil_state *depth_stencil, enum rhw_phase phase,
+                       const struct rhw_depth_stencil_state *depth_stencil, enum rhw_phase phase, int samples,
                        enum rhw_paths paths)
 {
     const enum rhw_compare compare = def->depth_compare;
@@ -94,7 +116,7 @@ static void plan_depth(struct rhw_draw_plan *plan, const struct rhw_pipeline_def
     plan->is_full = depth_stencil->is_full;
     plan->is_biased = depth_stencil->is_biased;
     plan->moves_depth = def->depth_test && !def->depth_read_only;
-    plan->depth_mode = choose_depth_mode(def, depth_stencil, plan->shading);
+    plan->depth_mode = choose_depth_mode(def, depth_stencil, plan->shading, samples);
     plan_rules(plan, def, phase);
     plan->early_name = general || plan->is_full ? RHW_RULE_ANY : name_of(plan->early);
     plan->tests_early = plan->depth_mode == RHW_DEPTH_EARLY || plan->depth_mode == RHW_DEPTH_EARLY_REJECT;
@@ -107,13 +129,15 @@ static void plan_depth(struct rhw_draw_plan *plan, const struct rhw_pipeline_def
 
 static struct rhw_draw_plan plan_of(const struct rhw_pipeline_data *pipeline,
                                     const struct rhw_depth_stencil_state *depth_stencil, enum rhw_phase phase,
-                                    enum rhw_paths paths)
+                                    int samples, enum rhw_paths paths)
 {
     const uint32_t uses = pipeline->def.program.uses;
-    struct rhw_draw_plan plan = {.shading = choose_shading(pipeline, phase, paths)};
+    struct rhw_draw_plan plan = {.shading = choose_shading(pipeline, phase, samples, paths),
+                                 .sampling = choose_sampling(pipeline, samples),
+                                 .masks_samples = masks_samples(&pipeline->def, samples)};
     const bool shades = plan.shading != RHW_SHADING_NONE;
-    plan_depth(&plan, &pipeline->def, depth_stencil, phase, paths);
-    plan.is_skipped = phase == RHW_PHASE_DEPTH && uses & RHW_USE_DISCARD;
+    plan_depth(&plan, &pipeline->def, depth_stencil, phase, samples, paths);
+    plan.is_skipped = phase == RHW_PHASE_DEPTH && (uses & RHW_USE_DISCARD || plan.masks_samples);
     plan.keeps_depth =
         shades && (plan.depth_mode == RHW_DEPTH_LATE || plan.depth_mode == RHW_DEPTH_EARLY_REJECT ||
                    uses & (RHW_USE_COORD | RHW_USE_DEPTH));
@@ -122,7 +146,7 @@ static struct rhw_draw_plan plan_of(const struct rhw_pipeline_data *pipeline,
     const bool screen = pipeline->any_noperspective || uses & RHW_USE_BARYCENTRIC;
     plan.needs_screen = plan.shading == RHW_SHADING_ROWS || (plan.shading == RHW_SHADING_ANY && screen);
     plan.needs_distance = shades && (pipeline->any_derivatives || uses & RHW_USE_BARYCENTRIC_DERIVATIVES);
-    if (paths != RHW_PATHS_GENERAL && !plan.is_skipped) {
+    if (paths != RHW_PATHS_GENERAL && samples == 1 && !plan.is_skipped) {
         const uint16_t small = plan.shading == RHW_SHADING_CONSTANT || plan.is_full ? 0 : RHW_TRIANGLE_SMALL;
         plan.small_flag = plan.is_biased ? 0 : small;
         plan.biased_small_flag = plan.is_biased ? small : 0;
@@ -133,9 +157,10 @@ static struct rhw_draw_plan plan_of(const struct rhw_pipeline_data *pipeline,
 
 void rhw_draw_plans_make(struct rhw_draw_plan plans[RHW_PHASE_COUNT],
                          const struct rhw_pipeline_data *pipeline,
-                         const struct rhw_depth_stencil_state *depth_stencil, enum rhw_paths paths)
+                         const struct rhw_depth_stencil_state *depth_stencil, int samples,
+                         enum rhw_paths paths)
 {
     for (int phase = 0; phase < RHW_PHASE_COUNT; phase++) {
-        plans[phase] = plan_of(pipeline, depth_stencil, (enum rhw_phase)phase, paths);
+        plans[phase] = plan_of(pipeline, depth_stencil, (enum rhw_phase)phase, samples, paths);
     }
 }

@@ -71,15 +71,17 @@ struct rhw_draw_plan {
     enum rhw_depth_mode depth_mode;
     struct rhw_depth_rule early, late; // before and after the fragment function
     enum rhw_rule_name early_name;
-    bool is_full;        // tests are full ones (kernels/raster/full_test.h)
-    bool is_biased;      // depth is
-    bool tests_early;    // with `early`
-    bool needs_depth;    // depth is tested, or given to the fragment function
-    bool keeps_depth;    // groups carry it
-    bool keeps_identity; // groups of RHW_SHADING_SMOOTH carry facing or ids
-    bool needs_screen;   // weights on the screen are wanted
-    bool needs_distance; // derivatives that change from pixel to pixel are wanted
-    bool is_skipped;     // nothing is drawn in this phase
+    enum rhw_sampling sampling; // of a multisampled pass; CENTER in others
+    bool masks_samples;         // after the fragment function: by alpha, or the function itself
+    bool is_full;               // tests are full ones (kernels/raster/full_test.h)
+    bool is_biased;             // depth is
+    bool tests_early;           // with `early`
+    bool needs_depth;           // depth is tested, or given to the fragment function
+    bool keeps_depth;           // groups carry it
+    bool keeps_identity;        // groups of RHW_SHADING_SMOOTH carry facing or ids
+    bool needs_screen;          // weights on the screen are wanted
+    bool needs_distance;        // derivatives that change from pixel to pixel are wanted
+    bool is_skipped;            // nothing is drawn in this phase
     // RHW_TRIANGLE_SMALL where small triangles have a path of their own (kernels/tile/triangle_small.h), and where
     // those that do not take it are covered by spans; else 0. What is biased is looked at one by one.
     uint16_t small_flag, biased_small_flag, span_flag;
@@ -90,10 +92,11 @@ struct rhw_draw_plan {
     bool ends_bounds; // moves it both ways
 };
 
-// The plans of a pipeline's draws, by phase.
+// The plans of a pipeline's draws, by phase, in a pass with that many samples.
 void rhw_draw_plans_make(struct rhw_draw_plan plans[RHW_PHASE_COUNT],
                          const struct rhw_pipeline_data *pipeline,
-                         const struct rhw_depth_stencil_state *depth_stencil, enum rhw_paths paths);
+                         const struct rhw_depth_stencil_state *depth_stencil, int samples,
+                         enum rhw_paths paths);
 
 // What a name stands for.
 static const struct rhw_depth_rule rhw_named_rules[RHW_RULE_ANY] = {

@@ -25,7 +25,7 @@ struct rhw_hidden_rule rhw_hidden_rule_of(const struct rhw_draw_state *state, in
         return in_order;
     }
     if (!def->depth_test) {
-        return def->program.uses & RHW_USE_DISCARD
+        return def->program.uses & RHW_USE_DISCARD || state->plans[RHW_PHASE_ONLY].masks_samples
                    ? in_order
                    : (struct rhw_hidden_rule){RHW_HIDDEN_BACKWARDS, RHW_COMPARE_NEVER};
     }

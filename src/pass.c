@@ -217,6 +217,8 @@ static bool check_sampled(const rhw_context *context, rhw_texture id, int slot, 
            rhw_check(context, rhw_format_has_role(texture->info, RHW_ROLE_SAMPLED),
                      "%s: %s is %s; it cannot be sampled", where,
                      rhw_name_of(&context->textures, id.index).text, texture->info->name) &&
+           rhw_check(context, texture->samples == 1, "%s: %s has %d samples; it cannot be sampled", where,
+                     rhw_name_of(&context->textures, id.index).text, texture->samples) &&
            rhw_check(context, texture->attached != context->recording.generation,
                      "%s: %s, for slot %d, is an attachment of this pass", where,
                      rhw_name_of(&context->textures, id.index).text, slot);
@@ -491,10 +493,13 @@ static const struct rhw_draw_state *snapshot(struct rhw_pass_state *pass)
     rhw_depth_stencil_init(&state->depth_stencil, &state->pipeline->def, &state->depth_setting,
                            pass->depth_steps);
     set_viewport_map(state);
+    state->first_step = RHW_SUBPIXEL - pass->pattern->most_0_8 - 1;
+    state->past_step = RHW_SUBPIXEL - pass->pattern->least_0_8;
+    rhw_draw_plans_make(state->plans, state->pipeline, &state->depth_stencil, pass->pattern->count,
+                        pass->paths);
     if (pass->paths == RHW_PATHS_ALL) {
         state->hidden = rhw_hidden_rule_of(state, pass->color_count);
     }
-    rhw_draw_plans_make(state->plans, state->pipeline, &state->depth_stencil, pass->paths);
     pass->current = state;
     pass->pending_changed = false;
     return state;

@@ -22,6 +22,12 @@ static bool check_operations(rhw_context *context, const char *name, int i, enum
                      "%s: %s[%d].store is %d; not a store operation", where, name, i, (int)store);
 }
 
+static bool check_resolve_mode(rhw_context *context, const char *name, int i, enum rhw_resolve mode)
+{
+    return rhw_check(context, (unsigned)mode <= RHW_RESOLVE_SAMPLE_ZERO,
+                     "%s: %s[%d].resolve_mode is %d; not a resolve mode", where, name, i, (int)mode);
+}
+
 static struct rhw_name name_of(const rhw_context *context, rhw_texture id)
 {
     return rhw_name_of(&context->textures, id.index);
@@ -41,6 +47,30 @@ static bool check_texture(const struct rhw_pass_state *pass, rhw_texture id,
                      name_of(context, id).text, mip->width, mip->height, pass->width, pass->height);
 }
 
+// Whether a texture with other samples than the pass can be resolved into.
+static bool check_attached_samples(const struct rhw_pass_state *pass, rhw_texture id,
+                                   const struct rhw_texture_data *texture, const char *name, int i)
+{
+    const int samples = pass->pattern->count;
+    return rhw_check(pass->context, texture->samples == samples || texture->samples == 1,
+                     "%s: %s[%d] is %s, which has %d samples; the pass has %d", where, name, i,
+                     name_of(pass->context, id).text, texture->samples, samples);
+}
+
+// Makes a texture one that the pass writes. False when out of memory.
+static bool take(struct rhw_pass_state *pass, rhw_texture id, struct rhw_texture_data *texture)
+{
+    struct rhw_context *const context = pass->context;
+    if (!texture->clean) {
+        texture->clean =
+            rhw_clean_tiles_create(&context->memory, texture->mip[0].width, texture->mip[0].height);
+    }
+    texture->linear_is_current = false;
+    texture->attached = context->recording.generation;
+    rhw_pool_use(&context->textures, id.index, context->recording.generation);
+    return texture->clean != NULL;
+}
+
 // Fills what an attachment with a texture has.
 static enum rhw_result attach(struct rhw_pass_state *pass, rhw_texture id, const char *name, int i,
                               struct rhw_attachment *attachment)
@@ -54,23 +84,23 @@ static enum rhw_result attach(struct rhw_pass_state *pass, rhw_texture id, const
         pass->width = texture->mip[0].width;
         pass->height = texture->mip[0].height;
     }
-    if (!check_texture(pass, id, texture, name, i)) {
+    if (!check_texture(pass, id, texture, name, i) || !check_attached_samples(pass, id, texture, name, i)) {
         return RHW_ERROR_MISUSE;
     }
-    if (!texture->clean) {
-        texture->clean =
-            rhw_clean_tiles_create(&context->memory, texture->mip[0].width, texture->mip[0].height);
-    }
-    if (!texture->clean) {
+    if (!take(pass, id, texture)) {
         return RHW_ERROR_OUT_OF_MEMORY;
     }
-    texture->linear_is_current = false;
-    texture->attached = context->recording.generation;
-    rhw_pool_use(&context->textures, id.index, context->recording.generation);
     attachment->format = texture->format;
-    attachment->target = &texture->mip[0];
-    attachment->clean = texture->clean;
     attachment->texel_size = rhw_format_size(texture->format);
+    attachment->loads_resolved = texture->samples != pass->pattern->count;
+    if (attachment->loads_resolved) {
+        attachment->resolve = &texture->mip[0];
+        attachment->resolve_clean = texture->clean;
+    } else {
+        attachment->target = &texture->mip[0];
+        attachment->clean = texture->clean;
+        attachment->sample_stride = texture->samples > 1 ? texture->sample_stride : 0;
+    }
     return RHW_OK;
 }
 
@@ -100,18 +130,50 @@ static bool check_clear(const rhw_context *context, const float clear[4], int i)
     return true;
 }
 
+// What samples that have a texture of their own are resolved into besides.
+static enum rhw_result attach_resolve(struct rhw_pass_state *pass, rhw_texture id, int i,
+                                      struct rhw_attachment *attachment)
+{
+    struct rhw_context *const context = pass->context;
+    struct rhw_texture_data *const texture = rhw_context_texture(context, id, where);
+    if (!texture || !check_texture(pass, id, texture, "resolve of colors", i) ||
+        !rhw_check(
+            context, !attachment->loads_resolved && pass->pattern->count > 1,
+            "%s: colors[%d].resolve is set and colors[%d].texture has one sample; it must be null then",
+            where, i, i) ||
+        !rhw_check(context, texture->samples == 1 && texture->format == attachment->format,
+                   "%s: colors[%d].resolve is %s, which is %s with %d samples; it must be %s with one", where,
+                   i, name_of(context, id).text, texture->info->name, texture->samples,
+                   rhw_format_info(attachment->format)->name)) {
+        return RHW_ERROR_MISUSE;
+    }
+    attachment->resolve = &texture->mip[0];
+    if (!take(pass, id, texture)) {
+        return RHW_ERROR_OUT_OF_MEMORY;
+    }
+    attachment->resolve_clean = texture->clean;
+    return RHW_OK;
+}
+
 static enum rhw_result attach_color(struct rhw_pass_state *pass, const struct rhw_pass_def *def, int i)
 {
     struct rhw_context *const context = pass->context;
     const struct rhw_color_attachment *const color = &def->colors[i];
     struct rhw_attachment *const attachment = &pass->colors[i];
-    if (!check_operations(context, "colors", i, color->load, color->store)) {
+    if (!check_operations(context, "colors", i, color->load, color->store) ||
+        !check_resolve_mode(context, "colors", i, color->resolve_mode)) {
         return RHW_ERROR_MISUSE;
     }
-    const enum rhw_result result = attach(pass, color->texture, "colors", i, attachment);
+    *attachment = (struct rhw_attachment){.resolve_mode = color->resolve_mode};
+    enum rhw_result result = attach(pass, color->texture, "colors", i, attachment);
+    if (result == RHW_OK && color->resolve.index != 0) {
+        result = attach_resolve(pass, color->resolve, i, attachment);
+    }
     if (result != RHW_OK) {
         return result;
     }
+    attachment->resolves =
+        attachment->resolve && (!attachment->loads_resolved || color->store == RHW_STORE_STORE);
     const struct rhw_format_info *const info = rhw_format_info(attachment->format);
     if (!rhw_check(context, rhw_format_has_role(info, RHW_ROLE_COLOR_TARGET),
                    "%s: colors[%d] is %s, which is %s; that is no colour target", where, i,
@@ -175,6 +237,18 @@ static bool check_transient(const struct rhw_pass_state *pass, const struct rhw_
                      "%s: depth.texture is null; without one stencil is cleared and not stored", where);
 }
 
+// The plane of stencil of a level as a level of its own in `plane`.
+static const struct rhw_mip *stencil_of(const struct rhw_mip *mip, struct rhw_mip *plane)
+{
+    if (!mip) {
+        return NULL;
+    }
+    *plane = *mip;
+    plane->texels = mip->stencil;
+    plane->row_pitch = mip->stencil_pitch;
+    return plane;
+}
+
 // Makes the stencil attachment from that of depth, whose texture and format it shares.
 static void attach_stencil(struct rhw_pass_state *pass, const struct rhw_depth_attachment *depth)
 {
@@ -183,12 +257,11 @@ static void attach_stencil(struct rhw_pass_state *pass, const struct rhw_depth_a
     *stencil = (struct rhw_attachment){.format = pass->depth.format, .texel_size = 1};
     stencil->load = load_of(depth->stencil_load);
     stencil->store = depth->stencil_store;
-    if (pass->depth.target) {
-        pass->stencil_plane = *pass->depth.target;
-        pass->stencil_plane.texels = pass->depth.target->stencil;
-        pass->stencil_plane.row_pitch = pass->depth.target->stencil_pitch;
-        stencil->target = &pass->stencil_plane;
-    }
+    stencil->sample_stride = pass->depth.sample_stride;
+    stencil->loads_resolved = pass->depth.loads_resolved;
+    stencil->target = stencil_of(pass->depth.target, &pass->stencil_plane);
+    stencil->resolve = stencil_of(pass->depth.resolve, &pass->stencil_resolve);
+    stencil->resolves = stencil->resolve && stencil->store == RHW_STORE_STORE;
     set_clear(stencil, &depth->stencil_clear);
 }
 
@@ -199,6 +272,9 @@ static void set_depth(struct rhw_pass_state *pass, const struct rhw_depth_attach
     pass->depth_steps = rhw_codec_depth_steps(info->codec);
     pass->depth.load = load_of(depth->load);
     pass->depth.store = depth->store;
+    pass->depth.resolve_mode = depth->resolve_mode;
+    pass->depth.resolves =
+        pass->depth.resolve && (depth->store == RHW_STORE_STORE || depth->stencil_store == RHW_STORE_STORE);
     pass->depth_by_default = depth->load == RHW_LOAD_DEFAULT && depth->clear == 0;
     const float clear[4] = {pass->depth_by_default ? 1 : depth->clear};
     unsigned char texel[RHW_TEXEL_BYTES] = {0};
@@ -220,7 +296,8 @@ static enum rhw_result attach_depth(struct rhw_pass_state *pass, const struct rh
         return RHW_OK;
     }
     if (!check_operations(context, "depth", 0, depth->load, depth->store) ||
-        !check_operations(context, "depth.stencil", 0, depth->stencil_load, depth->stencil_store)) {
+        !check_operations(context, "depth.stencil", 0, depth->stencil_load, depth->stencil_store) ||
+        !check_resolve_mode(context, "depth", 0, depth->resolve_mode)) {
         return RHW_ERROR_MISUSE;
     }
     if (depth->texture.index != 0) {
@@ -240,8 +317,25 @@ static enum rhw_result attach_depth(struct rhw_pass_state *pass, const struct rh
     return RHW_OK;
 }
 
+// The samples of a pixel: those that the definition names, or those of the first attachment. 0: misuse.
+static int samples_of(const struct rhw_pass_state *pass, const struct rhw_pass_def *def)
+{
+    const rhw_texture first = def->color_count > 0 ? def->colors[0].texture : def->depth.texture;
+    if (def->samples != 0 || first.index == 0) {
+        return def->samples == 0 ? 1 : def->samples;
+    }
+    const struct rhw_texture_data *const texture = rhw_context_texture(pass->context, first, where);
+    return texture ? texture->samples : 0;
+}
+
 enum rhw_result rhw_pass_attach(struct rhw_pass_state *pass, const struct rhw_pass_def *def)
 {
+    const int samples = samples_of(pass, def);
+    if (samples == 0 || !rhw_check(pass->context, rhw_sample_count_valid(samples),
+                                   "%s: samples is %d; it is 0, 1, 2, 4, 8 or 16", where, samples)) {
+        return RHW_ERROR_MISUSE;
+    }
+    pass->pattern = rhw_sample_pattern_of(samples);
     for (int i = 0; i < def->color_count; i++) {
         const enum rhw_result result = attach_color(pass, def, i);
         if (result != RHW_OK) {

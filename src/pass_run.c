@@ -39,6 +39,24 @@ static void init_tile_scratch(struct rhw_tile_scratch *scratch)
     }
 }
 
+// Memory for the samples of a tile but the first; what a pass does not draw into is never touched.
+static bool planes_ready(const struct rhw_pass_state *pass, struct rhw_worker *worker)
+{
+    struct rhw_memory *const memory = &pass->context->memory;
+    const int wanted = pass->pattern->count - 1;
+    if (worker->plane_count < wanted) {
+        rhw_memory_release(memory, worker->planes, (size_t)worker->plane_count * sizeof *worker->planes);
+        worker->plane_count = 0;
+        worker->planes = rhw_memory_allocate_zeroed(memory, (size_t)wanted * sizeof *worker->planes, 4096);
+        if (!worker->planes) {
+            return false;
+        }
+        worker->plane_count = wanted;
+    }
+    worker->tile->planes = worker->planes;
+    return true;
+}
+
 static bool workers_ready(struct rhw_pass_state *pass)
 {
     struct rhw_context *const context = pass->context;
@@ -70,6 +88,9 @@ static bool workers_ready(struct rhw_pass_state *pass)
             }
             init_tile_scratch(worker->tile);
         }
+        if (!planes_ready(pass, worker)) {
+            return false;
+        }
         worker->counters = (struct rhw_counters){0};
     }
     return true;
@@ -82,9 +103,15 @@ void rhw_pass_run_release(struct rhw_pass_state *pass)
         rhw_arena_destroy(&pass->workers[i].arena);
         rhw_memory_release(&context->memory, pass->workers[i].geometry, sizeof *pass->workers[i].geometry);
         rhw_memory_release(&context->memory, pass->workers[i].tile, sizeof *pass->workers[i].tile);
+        rhw_memory_release(&context->memory, pass->workers[i].planes,
+                           (size_t)pass->workers[i].plane_count * sizeof *pass->workers[i].planes);
     }
     rhw_memory_release(&context->memory, pass->workers, (size_t)context->threads * sizeof *pass->workers);
     rhw_memory_release(&context->memory, pass->chunks, (size_t)pass->chunk_capacity * sizeof *pass->chunks);
+    for (int i = 0; i < RHW_MAX_COLOR_ATTACHMENTS; i++) {
+        rhw_memory_release(&context->memory, pass->transient_colors[i].plane.texels,
+                           pass->transient_colors[i].size);
+    }
     rhw_memory_release(&context->memory, pass->transient_depth.plane.texels, pass->transient_depth.size);
     rhw_memory_release(&context->memory, pass->transient_stencil.plane.texels, pass->transient_stencil.size);
 }
@@ -300,7 +327,7 @@ static bool transient_ready(struct rhw_pass_state *pass, struct rhw_attachment *
     struct rhw_memory *const memory = &pass->context->memory;
     const size_t row = (size_t)pass->width * attachment->texel_size;
     const size_t pitch = (row + RHW_CACHE_LINE - 1) & ~(size_t)(RHW_CACHE_LINE - 1);
-    const size_t size = pitch * (size_t)pass->height;
+    const size_t plane = pitch * (size_t)pass->height, size = plane * (size_t)pass->pattern->count;
     if (transient->size < size) {
         rhw_memory_release(memory, transient->plane.texels, transient->size);
         *transient =
@@ -312,12 +339,19 @@ static bool transient_ready(struct rhw_pass_state *pass, struct rhw_attachment *
     }
     transient->plane.row_pitch = pitch;
     attachment->target = &transient->plane;
+    attachment->sample_stride = pass->pattern->count > 1 ? plane : 0;
     return true;
 }
 
 static bool transients_ready(struct rhw_pass_state *pass)
 {
-    return (!pass->has_depth || pass->depth.target ||
+    bool ready = true;
+    for (int i = 0; i < pass->color_count; i++) {
+        ready = ready && (pass->colors[i].target ||
+                          transient_ready(pass, &pass->colors[i], &pass->transient_colors[i]));
+    }
+    return ready &&
+           (!pass->has_depth || pass->depth.target ||
             transient_ready(pass, &pass->depth, &pass->transient_depth)) &&
            (!pass->has_stencil || pass->stencil.target ||
             transient_ready(pass, &pass->stencil, &pass->transient_stencil));
@@ -339,6 +373,7 @@ static void expect_clean(struct rhw_attachment *attachment)
 {
     if (attachment->load != RHW_LOAD_LOAD) {
         rhw_clean_tiles_expect(attachment->clean, attachment->clear);
+        rhw_clean_tiles_expect(attachment->resolve_clean, attachment->clear);
     }
 }
 

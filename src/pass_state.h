@@ -10,6 +10,7 @@
 #include "constants.h"
 #include "draw_list.h"
 #include "rhw/shader.h"
+#include "sample_pattern.h"
 #include "texture.h"
 
 struct rhw_attachment {
@@ -18,6 +19,13 @@ struct rhw_attachment {
     enum rhw_store store;
     const struct rhw_mip *target;  // NULL: exists in the tile alone
     struct rhw_clean_tiles *clean; // of a texture; NULL where there is none
+    size_t sample_stride;          // bytes from one sample of the target to the next; 0 where it has one
+    // Where the samples of the tile are resolved into, if they are; NULL: nowhere.
+    const struct rhw_mip *resolve;
+    bool resolves;
+    struct rhw_clean_tiles *resolve_clean;
+    enum rhw_resolve resolve_mode;
+    bool loads_resolved; // what is loaded are the texels of `resolve`, for all samples
     // What a tile starts from where nothing is loaded, texels side by side: the clear value, or 0, which is undefined
     // to the user and still the same bytes on every run.
     unsigned char clear[RHW_CLEAR_BYTES];
@@ -38,6 +46,7 @@ struct rhw_counters {
 struct rhw_context;
 struct rhw_geometry_scratch;
 struct rhw_tile_scratch;
+struct rhw_sample_plane;
 
 // One per thread; padded so that no two share a cache line.
 struct rhw_worker {
@@ -45,6 +54,8 @@ struct rhw_worker {
     struct rhw_counters counters;
     struct rhw_geometry_scratch *geometry;
     struct rhw_tile_scratch *tile;
+    struct rhw_sample_plane *planes; // of the samples but the first, as many as passes had yet
+    int plane_count;
     // The tiles this worker begins with. Written by it, and by others that have none left of their own.
     _Alignas(RHW_CACHE_LINE) _Atomic int next_tile;
     int end_tile; // exclusive
@@ -71,6 +82,7 @@ struct rhw_pass_state {
     struct rhw_context *context;
     uint64_t begun_ns;
     int width, height, tiles_x, tiles_y;
+    const struct rhw_sample_pattern *pattern; // samples of a pixel
     int color_count;
     struct rhw_attachment colors[RHW_MAX_COLOR_ATTACHMENTS];
     bool has_depth;
@@ -80,8 +92,8 @@ struct rhw_pass_state {
         depth_steps; // of a UNORM format, which memory has and the tile has not: there depth is a float; else 0
     bool has_stencil;
     struct rhw_attachment stencil;
-    struct rhw_mip stencil_plane; // of the texture, as a target
-    enum rhw_paths paths;         // of the context
+    struct rhw_mip stencil_plane, stencil_resolve; // of textures, as a target and to resolve into
+    enum rhw_paths paths;                          // of the context
 
     struct rhw_arena arena; // states, uniforms, draws
     struct rhw_bound bound;
@@ -109,7 +121,7 @@ struct rhw_pass_state {
 
     _Alignas(RHW_CACHE_LINE) struct rhw_worker *workers;
     bool first_wave, last_wave; // of this pass: load and store operations belong to these
-    struct rhw_transient transient_depth, transient_stencil;
+    struct rhw_transient transient_colors[RHW_MAX_COLOR_ATTACHMENTS], transient_depth, transient_stencil;
 };
 
 // Special paths are faster for some triangles or vertices; the general path takes all of them. Both draw the same bytes.

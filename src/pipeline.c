@@ -16,7 +16,8 @@
 static const char *const create_name = "rhw_pipeline_create";
 
 static const uint32_t known_uses = RHW_USE_COORD | RHW_USE_FACING | RHW_USE_IDS | RHW_USE_BARYCENTRIC |
-                                   RHW_USE_DISCARD | RHW_USE_DEPTH | RHW_USE_BARYCENTRIC_DERIVATIVES;
+                                   RHW_USE_DISCARD | RHW_USE_DEPTH | RHW_USE_BARYCENTRIC_DERIVATIVES |
+                                   RHW_USE_SAMPLE | RHW_USE_SAMPLE_MASK;
 
 static bool check_range(const struct rhw_context *context, const char *field, long long value, long long low,
                         long long high)
@@ -101,7 +102,9 @@ static bool check_varyings(const struct rhw_context *context, const struct rhw_p
         const struct rhw_varying *const varying = &program->varyings[i];
         if (!check_member(context, program, i, components) ||
             !check_element(context, array, i, "components", varying->components, 1, 4) ||
-            !check_element(context, array, i, "qualifier", varying->qualifier, RHW_SMOOTH, RHW_FLAT)) {
+            !check_element(context, array, i, "qualifier", varying->qualifier, RHW_SMOOTH, RHW_FLAT) ||
+            !check_element(context, array, i, "sampling", varying->sampling, RHW_SAMPLING_CENTER,
+                           RHW_SAMPLING_SAMPLE)) {
             return false;
         }
         components += varying->components;
@@ -322,6 +325,7 @@ static void resolve_defaults(struct rhw_pipeline_def *def)
         resolve_blend(&target->color);
         resolve_blend(&target->alpha);
     }
+    def->sample_mask = def->sample_mask == 0 ? UINT32_MAX : def->sample_mask;
     uint32_t ends[RHW_MAX_VERTEX_BUFFERS] = {0};
     for (int i = 0; i < def->attribute_count; i++) {
         const struct rhw_attribute *const attribute = &def->attributes[i];
@@ -362,6 +366,7 @@ static void lay_out_varyings(struct rhw_pipeline_data *data)
         const struct rhw_varying *const varying = &data->def.program.varyings[i];
         data->any_noperspective |= varying->qualifier == RHW_NOPERSPECTIVE;
         data->any_derivatives |= varying->derivatives;
+        data->sampling = varying->sampling > data->sampling ? varying->sampling : data->sampling;
         for (int component = 0; component < varying->components; component++) {
             data->component_qualifier[next] = (uint8_t)varying->qualifier;
             data->component_derivatives[next] = varying->derivatives;

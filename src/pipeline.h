@@ -14,6 +14,7 @@ struct rhw_pipeline_data {
     rhw_vertex_function *vertex; // best entry for the context's instruction set; NULL: use program.vertex1
     rhw_fragment_function *fragment; // likewise; NULL: program.fragment1, and when that is NULL too, depth only
     int varying_components;          // of all varyings together
+    enum rhw_sampling sampling;      // the most that one of them asks for
     bool any_noperspective, any_derivatives;
     uint8_t component_qualifier[RHW_MAX_VARYING_COMPONENTS]; // enum rhw_qualifier
     bool component_derivatives[RHW_MAX_VARYING_COMPONENTS];

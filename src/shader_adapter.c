@@ -58,6 +58,14 @@ static void load_builtins(const struct rhw_fragment *group, int lane, uint32_t u
         one->instance = group->instance[lane];
         one->draw = group->draw[lane];
     }
+    if (uses & RHW_USE_SAMPLE) {
+        one->sample_id = group->sample_id[lane];
+        one->sample_position[0] = group->sample_position[0][lane];
+        one->sample_position[1] = group->sample_position[1][lane];
+    }
+    if (uses & RHW_USE_SAMPLE_MASK) {
+        one->sample_mask = group->sample_mask[lane];
+    }
     for (int c = 0; c < 3 && uses & RHW_USE_BARYCENTRIC; c++) {
         one->barycentric[c] = group->barycentric[c][lane];
         one->barycentric_noperspective[c] = group->barycentric_noperspective[c][lane];
@@ -102,6 +110,9 @@ static void run_fragment(const struct rhw_pipeline_data *pipeline, struct rhw_fr
     }
     if (uses & RHW_USE_DEPTH) {
         group->depth[lane] = one.depth;
+    }
+    if (uses & RHW_USE_SAMPLE_MASK) {
+        group->sample_mask[lane] = one.sample_mask;
     }
     if (one.discard) {
         group->mask[lane] = 0;

@@ -13,6 +13,7 @@
 #include "memory.h"
 #include "misuse.h"
 #include "rhw/rhw.h"
+#include "sample_pattern.h"
 
 int rhw_mip_chain_length(int width, int height)
 {
@@ -37,16 +38,17 @@ static uint64_t stencil_size(const struct rhw_format_info *info, const struct rh
 }
 
 void rhw_texture_data_init(struct rhw_texture_data *texture, enum rhw_format format, int width, int height,
-                           int levels)
+                           int levels, int samples)
 {
     memset(texture, 0, sizeof *texture);
     texture->format = format;
     texture->info = rhw_format_info(format);
     texture->levels = levels;
+    texture->samples = samples;
     for (int lane = 0; lane < RHW_LANES; lane++) {
         texture->last_level[lane] = (float)(texture->levels - 1);
     }
-    uint64_t size = RHW_TEXEL_PADDING;
+    uint64_t size = 0;
     for (int i = 0; i < texture->levels; i++) {
         struct rhw_mip *const mip = &texture->mip[i];
         mip->width = width >> i > 1 ? width >> i : 1;
@@ -63,7 +65,9 @@ void rhw_texture_data_init(struct rhw_texture_data *texture, enum rhw_format for
         size += (uint64_t)mip->row_pitch * (uint64_t)mip->height + stencil_size(texture->info, mip);
     }
     // 4 GiB and more do not fit where addresses have 32 bits: allocate_levels refuses SIZE_MAX.
-    texture->memory_size = size > SIZE_MAX ? SIZE_MAX : (size_t)size;
+    const uint64_t all = size * (uint64_t)samples + RHW_TEXEL_PADDING;
+    texture->memory_size = all > SIZE_MAX ? SIZE_MAX : (size_t)all;
+    texture->sample_stride = (size_t)size;
 }
 
 // Zeroed memory of all levels. False when out of memory.
@@ -100,14 +104,14 @@ void rhw_texture_data_destroy(struct rhw_memory *memory, struct rhw_texture_data
 
 // With zeroed texels; NULL when out of memory.
 static struct rhw_texture_data *create_data(struct rhw_memory *memory, enum rhw_format format, int width,
-                                            int height, int levels)
+                                            int height, int levels, int samples)
 {
     struct rhw_texture_data *const data =
         rhw_memory_allocate(memory, sizeof *data, _Alignof(struct rhw_texture_data));
     if (!data) {
         return NULL;
     }
-    rhw_texture_data_init(data, format, width, height, levels);
+    rhw_texture_data_init(data, format, width, height, levels, samples);
     if (!allocate_levels(memory, data)) {
         rhw_memory_release(memory, data, sizeof *data);
         return NULL;
@@ -123,6 +127,21 @@ static bool check_size(const struct rhw_context *context, const char *field, int
                      "rhw_texture_create: %s is %d; it must be 1..%d", field, value, RHW_MAX_TARGET_SIZE);
 }
 
+static bool check_samples(const struct rhw_context *context, const struct rhw_texture_def *def)
+{
+    static const char *const where = "rhw_texture_create";
+    const int targets = RHW_ROLE_COLOR_TARGET | RHW_ROLE_DEPTH_TARGET | RHW_ROLE_STENCIL_TARGET;
+    const struct rhw_format_info *const info = rhw_format_info(def->format);
+    return rhw_check(context, def->samples == 0 || rhw_sample_count_valid(def->samples),
+                     "%s: samples is %d; it is 0, 1, 2, 4, 8 or 16", where, def->samples) &&
+           rhw_check(context, def->samples <= 1 || rhw_format_has_role(info, targets),
+                     "%s: samples is %d and format is %s; that is not drawn into", where, def->samples,
+                     info->name) &&
+           rhw_check(context, def->samples <= 1 || def->mip_levels == 0 || def->mip_levels == 1,
+                     "%s: samples is %d and mip_levels is %d; a multisampled texture has one level", where,
+                     def->samples, def->mip_levels);
+}
+
 static bool check_create(const struct rhw_context *context, const struct rhw_texture_def *def,
                          const rhw_texture *texture)
 {
@@ -132,6 +151,9 @@ static bool check_create(const struct rhw_context *context, const struct rhw_tex
         !rhw_check(context, rhw_format_valid(def->format), "%s: format is %d; not a texel format", where,
                    (int)def->format) ||
         !check_size(context, "width", def->width) || !check_size(context, "height", def->height)) {
+        return false;
+    }
+    if (!check_samples(context, def)) {
         return false;
     }
     const int chain = rhw_mip_chain_length(def->width, def->height);
@@ -159,7 +181,8 @@ static enum rhw_result create(struct rhw_context *context, const struct rhw_text
     if (!item) {
         return RHW_ERROR_OUT_OF_MEMORY;
     }
-    *item = create_data(&context->memory, def->format, def->width, def->height, level_count(def));
+    *item = create_data(&context->memory, def->format, def->width, def->height, level_count(def),
+                        def->samples > 1 ? def->samples : 1);
     if (!*item) {
         rhw_pool_remove(&context->memory, &context->textures, id.index);
         return RHW_ERROR_OUT_OF_MEMORY;
@@ -232,6 +255,12 @@ int rhw_texture_mip_levels(const rhw_context *context, rhw_texture texture)
     return data ? data->levels : 0;
 }
 
+int rhw_texture_samples(const rhw_context *context, rhw_texture texture)
+{
+    const struct rhw_texture_data *const data = look_at(context, texture, "rhw_texture_samples");
+    return data ? data->samples : 0;
+}
+
 enum rhw_format rhw_texture_format(const rhw_context *context, rhw_texture texture)
 {
     const struct rhw_texture_data *const data = look_at(context, texture, "rhw_texture_format");
@@ -243,7 +272,7 @@ enum rhw_format rhw_texture_format(const rhw_context *context, rhw_texture textu
 // A level and the caller's rows, as write and read have them in common.
 struct copy {
     struct rhw_texture_data *texture; // NULL: the call was misuse
-    int level;
+    int level, sample;
     bool stencil;          // the plane of stencil
     size_t row, row_pitch; // bytes of a row; distance of the caller's rows
 };
@@ -261,10 +290,21 @@ static bool check_unattached(const struct rhw_context *context, rhw_texture id,
 // What the caller named, apart from the texture.
 struct copy_request {
     int level;
+    int sample; // −1: of a texture that has one
     bool stencil;
     const void *outside;
     size_t row_pitch;
 };
+
+static bool check_sample(const struct rhw_context *context, rhw_texture id,
+                         const struct rhw_texture_data *texture, int sample, const char *where)
+{
+    return rhw_check(context, sample >= 0 || texture->samples == 1,
+                     "%s: %s has %d samples; they are drawn into, and read by rhw_texture_read_sample", where,
+                     rhw_name_of(&context->textures, id.index).text, texture->samples) &&
+           rhw_check(context, sample < texture->samples, "%s: sample is %d; %s has samples 0..%d", where,
+                     sample, rhw_name_of(&context->textures, id.index).text, texture->samples - 1);
+}
 
 static struct copy check_copy(const struct rhw_context *context, rhw_texture id,
                               const struct copy_request *request, const char *where)
@@ -276,6 +316,7 @@ static struct copy check_copy(const struct rhw_context *context, rhw_texture id,
         !rhw_check(context, !request->stencil || rhw_format_has_role(texture->info, RHW_ROLE_STENCIL_TARGET),
                    "%s: %s is %s; that has no stencil", where, rhw_name_of(&context->textures, id.index).text,
                    texture->info->name) ||
+        !check_sample(context, id, texture, request->sample, where) ||
         !check_level(context, id, texture, level, where) ||
         !rhw_check(context, request->outside != NULL, "%s: data is NULL", where)) {
         return misuse;
@@ -286,14 +327,17 @@ static struct copy check_copy(const struct rhw_context *context, rhw_texture id,
                    where, pitch, level, rhw_name_of(&context->textures, id.index).text, row)) {
         return misuse;
     }
-    return (struct copy){texture, level, request->stencil, row, pitch};
+    const int sample = request->sample < 0 ? 0 : request->sample;
+    return (struct copy){texture, level, sample, request->stencil, row, pitch};
 }
 
 // The first byte of a row, inside.
 static unsigned char *row_of(const struct copy *copy, size_t y)
 {
     const struct rhw_mip *const mip = &copy->texture->mip[copy->level];
-    return copy->stencil ? mip->stencil + y * mip->stencil_pitch : mip->texels + y * mip->row_pitch;
+    const size_t sample = (size_t)copy->sample * copy->texture->sample_stride;
+    return sample +
+           (copy->stencil ? mip->stencil + y * mip->stencil_pitch : mip->texels + y * mip->row_pitch);
 }
 
 // Gives the texture new memory with the same texels; draws that were recorded keep the old one. NULL when out of memory.
@@ -302,7 +346,7 @@ static struct rhw_texture_data *renew(struct rhw_context *context, rhw_texture i
     struct rhw_texture_data **const item = rhw_pool_get(&context->textures, id.index, id.generation);
     const struct rhw_texture_data *const old = *item;
     struct rhw_texture_data *const data =
-        create_data(&context->memory, old->format, old->mip[0].width, old->mip[0].height, old->levels);
+        create_data(&context->memory, old->format, old->mip[0].width, old->mip[0].height, old->levels, 1);
     if (!data) {
         return NULL;
     }
@@ -365,28 +409,35 @@ static enum rhw_result read_level(struct rhw_context *context, rhw_texture textu
 enum rhw_result rhw_texture_write(rhw_context *context, rhw_texture texture, int level, const void *data,
                                   size_t row_pitch)
 {
-    const struct copy_request request = {level, false, data, row_pitch};
+    const struct copy_request request = {level, -1, false, data, row_pitch};
     return write_level(context, texture, &request, "rhw_texture_write");
 }
 
 enum rhw_result rhw_texture_read(rhw_context *context, rhw_texture texture, int level, void *data,
                                  size_t row_pitch)
 {
-    const struct copy_request request = {level, false, data, row_pitch};
+    const struct copy_request request = {level, -1, false, data, row_pitch};
     return read_level(context, texture, &request, data, "rhw_texture_read");
+}
+
+enum rhw_result rhw_texture_read_sample(rhw_context *context, rhw_texture texture, int sample, void *data,
+                                        size_t row_pitch)
+{
+    const struct copy_request request = {0, sample < 0 ? RHW_MAX_SAMPLES : sample, false, data, row_pitch};
+    return read_level(context, texture, &request, data, "rhw_texture_read_sample");
 }
 
 enum rhw_result rhw_texture_write_stencil(rhw_context *context, rhw_texture texture, int level,
                                           const uint8_t *data, size_t row_pitch)
 {
-    const struct copy_request request = {level, true, data, row_pitch};
+    const struct copy_request request = {level, -1, true, data, row_pitch};
     return write_level(context, texture, &request, "rhw_texture_write_stencil");
 }
 
 enum rhw_result rhw_texture_read_stencil(rhw_context *context, rhw_texture texture, int level, uint8_t *data,
                                          size_t row_pitch)
 {
-    const struct copy_request request = {level, true, data, row_pitch};
+    const struct copy_request request = {level, -1, true, data, row_pitch};
     return read_level(context, texture, &request, data, "rhw_texture_read_stencil");
 }
 
@@ -397,7 +448,8 @@ static enum rhw_result generate_mips(struct rhw_context *context, rhw_texture te
     if (!data || !check_unattached(context, texture, data, where) ||
         !rhw_check(context, rhw_format_has_role(data->info, RHW_ROLE_SAMPLED),
                    "%s: %s is %s; that format is not filtered", where,
-                   rhw_name_of(&context->textures, texture.index).text, data->info->name)) {
+                   rhw_name_of(&context->textures, texture.index).text, data->info->name) ||
+        !check_sample(context, texture, data, -1, where)) {
         return RHW_ERROR_MISUSE;
     }
     const struct rhw_texture_data *const written = to_write(context, texture, data);

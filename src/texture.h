@@ -40,6 +40,8 @@ struct rhw_texture_data {
     enum rhw_format format;
     const struct rhw_format_info *info; // the format's
     int levels;
+    int samples;
+    size_t sample_stride; // bytes from a sample's planes of texels and stencil to those of the next
     _Alignas(32) float last_level[RHW_LANES]; // levels − 1
     struct rhw_mip mip[RHW_MAX_MIP_LEVELS];
     void *memory; // one allocation for all levels
@@ -56,9 +58,10 @@ struct rhw_texture_data {
 struct rhw_context;
 struct rhw_memory;
 
-// Sets format, levels, sizes and pitches; no memory yet. `levels` is at least 1. All arguments are valid.
+// Sets format, levels, sizes and pitches; no memory yet. `levels` is at least 1, and 1 where there is more than one
+// sample. All arguments are valid.
 void rhw_texture_data_init(struct rhw_texture_data *texture, enum rhw_format format, int width, int height,
-                           int levels);
+                           int levels, int samples);
 
 // Releases the texture and what it owns.
 void rhw_texture_data_destroy(struct rhw_memory *memory, struct rhw_texture_data *texture);

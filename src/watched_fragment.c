@@ -37,6 +37,8 @@ static const struct {
     {RHW_USE_BARYCENTRIC, "reads barycentric weights; RHW_USE_BARYCENTRIC is missing in its program's uses"},
     {RHW_USE_BARYCENTRIC_DERIVATIVES, "reads derivatives of barycentric weights; "
                                       "RHW_USE_BARYCENTRIC_DERIVATIVES is missing in its program's uses"},
+    {RHW_USE_SAMPLE, "reads sample_id or sample_position; RHW_USE_SAMPLE is missing in its program's uses"},
+    {RHW_USE_SAMPLE_MASK, "reads sample_mask; RHW_USE_SAMPLE_MASK is missing in its program's uses"},
     {RHW_USE_DEPTH, "reads depth; RHW_USE_DEPTH is missing in its program's uses"},
 };
 
@@ -67,6 +69,13 @@ static void spoil_builtins(struct rhw_fragment *group, uint32_t uses, int32_t ch
     if (!(uses & RHW_USE_BARYCENTRIC_DERIVATIVES)) {
         spoil(group->barycentric_ddx, 3, changed & RHW_USE_BARYCENTRIC_DERIVATIVES);
         spoil(group->barycentric_ddy, 3, changed & RHW_USE_BARYCENTRIC_DERIVATIVES);
+    }
+    if (!(uses & RHW_USE_SAMPLE)) {
+        group->sample_id = rhw_splat_int(changed & RHW_USE_SAMPLE ? 0 : 1);
+        spoil(group->sample_position, 2, changed & RHW_USE_SAMPLE);
+    }
+    if (!(uses & RHW_USE_SAMPLE_MASK)) {
+        group->sample_mask = rhw_splat_int(changed & RHW_USE_SAMPLE_MASK ? 0 : -1);
     }
     if (!(uses & RHW_USE_DEPTH)) {
         spoil(&group->depth, 1, changed & RHW_USE_DEPTH);
@@ -135,7 +144,7 @@ static unsigned needed_channels(const struct rhw_watch *watch, int t)
     const unsigned kept = target->write_mask & ((1u << rhw_format_info(target->format)->channels) - 1);
     const bool any_color = kept & (RHW_WRITE_RED | RHW_WRITE_GREEN | RHW_WRITE_BLUE);
     const bool blends = target->blend && any_color && reads_source_alpha(&target->color);
-    return kept | (blends ? RHW_WRITE_ALPHA : 0);
+    return kept | (blends || (t == 0 && def->alpha_to_coverage) ? RHW_WRITE_ALPHA : 0);
 }
 
 // Lanes of `mask` in which two runs have different results.
@@ -152,6 +161,9 @@ static rhw_int differing(const struct rhw_watch *watch, const struct fragment_ru
     }
     if (watch->uses & RHW_USE_DISCARD) {
         lanes |= (a->group.mask != b->group.mask) & mask;
+    }
+    if (watch->uses & RHW_USE_SAMPLE_MASK) {
+        lanes |= (a->group.sample_mask != b->group.sample_mask) & mask;
     }
     if (watch->uses & RHW_USE_DEPTH) {
         lanes |= rhw_watch_differs(a->group.depth, b->group.depth, mask);
@@ -224,6 +236,12 @@ static bool check_side_results(const struct rhw_watch *watch, const struct rhw_f
                "writes depth; RHW_USE_DEPTH is missing in its program's uses");
         return true;
     }
+    const rhw_int dropped = (first->group.sample_mask != -1) & mask;
+    if (!(watch->uses & RHW_USE_SAMPLE_MASK) && rhw_any(dropped)) {
+        report(watch, group, dropped, RHW_FINDING_MISUSE,
+               "writes sample_mask; RHW_USE_SAMPLE_MASK is missing in its program's uses");
+        return true;
+    }
     return false;
 }
 
@@ -285,6 +303,9 @@ void rhw_watched_fragment(struct rhw_fragment *groups, int count)
         group->mask = watch->uses & RHW_USE_DISCARD ? first.group.mask : mask;
         if (watch->uses & RHW_USE_DEPTH) {
             group->depth = first.group.depth;
+        }
+        if (watch->uses & RHW_USE_SAMPLE_MASK) {
+            group->sample_mask = first.group.sample_mask;
         }
     }
 }

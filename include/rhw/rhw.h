@@ -61,6 +61,13 @@ RHW_API enum rhw_result rhw_texture_write(rhw_context *context, rhw_texture text
 /// Copies a level out, in the same layout as rhw_texture_write.
 RHW_API enum rhw_result rhw_texture_read(rhw_context *context, rhw_texture texture, int level, void *data,
                                          size_t row_pitch);
+/// One sample of every texel of a multisampled texture, 0..samples − 1.
+RHW_API enum rhw_result rhw_texture_read_sample(rhw_context *context, rhw_texture texture, int sample,
+                                                void *data, size_t row_pitch);
+RHW_API int rhw_texture_samples(const rhw_context *context, rhw_texture texture);
+/// Where a sample lies in its pixel, 0..1 from the top left (Vulkan 1.3 §27.5, standardSampleLocations). `samples`: 1, 2,
+/// 4, 8 or 16; false, with the centre, for other numbers.
+RHW_API bool rhw_sample_position(int samples, int sample, float position[2]);
 /// The same for the plane of stencil, a byte per texel, of a format that has one.
 RHW_API enum rhw_result rhw_texture_write_stencil(rhw_context *context, rhw_texture texture, int level,
                                                   const uint8_t *data, size_t row_pitch);

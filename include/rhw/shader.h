@@ -45,6 +45,9 @@ struct rhw_fragment {
     rhw_float barycentric[3];        ///< a, b, c: weights in space
     rhw_float barycentric_noperspective[3]; ///< r, s, t: weights on the screen
     rhw_float barycentric_ddx[3], barycentric_ddy[3]; ///< of a, b, c per pixel
+    rhw_int sample_mask;             ///< samples that are covered, a bit each; what is cleared is not drawn
+    rhw_int sample_id;
+    rhw_float sample_position[2];    ///< in the pixel: 0..1 from its top left
 };
 
 #endif
@@ -74,6 +77,8 @@ struct rhw_fragment1 {
     int32_t primitive, instance, draw;
     float barycentric[3], barycentric_noperspective[3];
     float barycentric_ddx[3], barycentric_ddy[3];
+    int32_t sample_mask, sample_id;
+    float sample_position[2];
 };
 
 #include "shader_one.h"

@@ -23,7 +23,7 @@
 #include "types.h"
 
 /// The initializer of a struct rhw_varying for `member` of `type`, a struct of rhw_float, in braces. `qualifier` and
-/// `derivatives` are those of struct rhw_varying.
+/// `derivatives` are those of struct rhw_varying; its `sampling` is set apart.
 #define RHW_VARYING(type, member, qualifier, derivatives) \
     RHW_VARYING_OF(type, member, qualifier, derivatives, sizeof(rhw_float))
 
@@ -31,10 +31,10 @@
 #define RHW_VARYING1(type, member, qualifier, derivatives) \
     RHW_VARYING_OF(type, member, qualifier, derivatives, sizeof(float))
 
-#define RHW_VARYING_OF(type, member, qualifier, derivatives, lane)                   \
-    {                                                                                \
-        sizeof(RHW_NOWHERE(type)->member) / (lane), qualifier, derivatives, #member, \
-            offsetof(type, member) / (lane), sizeof(type) / (lane)                   \
+#define RHW_VARYING_OF(type, member, qualifier, derivatives, lane)                      \
+    {                                                                                   \
+        sizeof(RHW_NOWHERE(type)->member) / (lane), qualifier, derivatives, #member,    \
+            offsetof(type, member) / (lane), sizeof(type) / (lane), RHW_SAMPLING_CENTER \
     }
 
 #if defined(__cplusplus)

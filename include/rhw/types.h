@@ -28,6 +28,7 @@ enum {
     RHW_MAX_VARYINGS = 16,
     RHW_MAX_VARYING_COMPONENTS = 48,
     RHW_MAX_TEXTURES = 16,       ///< texture slots of a draw
+    RHW_MAX_SAMPLES = 16,        ///< of a pixel
     RHW_MAX_GROUPS = 16,         ///< groups of 8 lanes in one call of a shader function
     RHW_MAX_UNIFORM_SIZE = 65536 ///< bytes
 };
@@ -114,6 +115,7 @@ struct rhw_texture_def {
     enum rhw_format format; ///< to be set
     int width, height; ///< 1..RHW_MAX_TARGET_SIZE
     int mip_levels;    ///< 0 or 1: one; RHW_MIP_LEVELS_ALL: the chain down to 1×1
+    int samples;       ///< of a texel: 0 or 1: one; 2, 4, 8, 16: a target that is not sampled, and has one level
     const char *label; ///< for messages
 };
 
@@ -178,6 +180,11 @@ struct rhw_vertex_layout {
 
 enum rhw_qualifier { RHW_SMOOTH, RHW_NOPERSPECTIVE, RHW_FLAT };
 
+/// Where in its pixel a fragment of a multisampled pass takes its values (Vulkan 1.3 §28.3): at the centre, also where the
+/// triangle leaves that out; at the first sample that the triangle covers, unless it covers all; or at every sample, for
+/// each of which the fragment function is then called. What one varying asks for holds for all of a program.
+enum rhw_sampling { RHW_SAMPLING_CENTER, RHW_SAMPLING_CENTROID, RHW_SAMPLING_SAMPLE };
+
 /// One value that flows from the vertex to the fragment function. Components of all varyings stand one
 /// after the other in `varying[]` on both sides.
 struct rhw_varying {
@@ -189,6 +196,7 @@ struct rhw_varying {
     const char *name;           ///< of the struct's member
     uint16_t offset;            ///< of that member, in components
     uint16_t struct_components; ///< of the whole struct
+    enum rhw_sampling sampling; ///< CENTER
 };
 
 enum rhw_topology {
@@ -273,7 +281,9 @@ enum rhw_fragment_use {
     RHW_USE_BARYCENTRIC = 8, ///< barycentric (perspective) and barycentric_noperspective
     RHW_USE_DISCARD = 16,    ///< may clear lanes of `mask`
     RHW_USE_DEPTH = 32,      ///< writes depth
-    RHW_USE_BARYCENTRIC_DERIVATIVES = 64 ///< barycentric_ddx, barycentric_ddy
+    RHW_USE_BARYCENTRIC_DERIVATIVES = 64, ///< barycentric_ddx, barycentric_ddy
+    RHW_USE_SAMPLE = 128,     ///< sample_id and sample_position; the function is called for every sample
+    RHW_USE_SAMPLE_MASK = 256 ///< sample_mask, in and out
 };
 
 struct rhw_vertex;
@@ -333,6 +343,11 @@ struct rhw_pipeline_def {
     bool depth_bounds_test;  ///< fragments pass where the attachment's depth lies in rhw_pass_set_depth_bounds
     bool stencil_test;       ///< the pass must have a stencil attachment then
     struct rhw_stencil_face stencil_front, stencil_back; ///< by facing
+    /// In multisampled passes (Vulkan 1.3 §27.1, §28.9): samples that may be covered, a bit each; 0: all.
+    uint32_t sample_mask;
+    /// The alpha of target 0 says how many samples of a fragment are kept: the first round(alpha · samples) of the pass.
+    bool alpha_to_coverage;
+    bool alpha_to_one; ///< alpha of every target is 1 then, after alpha_to_coverage
     struct rhw_color_target targets[RHW_MAX_COLOR_ATTACHMENTS];
     int target_count;
     const char *label; ///< for messages
@@ -343,8 +358,17 @@ struct rhw_pipeline_def {
 enum rhw_load { RHW_LOAD_DEFAULT, RHW_LOAD_CLEAR, RHW_LOAD_LOAD, RHW_LOAD_DISCARD };
 enum rhw_store { RHW_STORE_STORE, RHW_STORE_DISCARD };
 
+/// How the samples of a pixel become one texel. AVERAGE is in linear light for sRGB; of integers it takes the first.
+enum rhw_resolve {
+    RHW_RESOLVE_DEFAULT, ///< AVERAGE for colour, SAMPLE_ZERO for depth and stencil
+    RHW_RESOLVE_AVERAGE, RHW_RESOLVE_MIN, RHW_RESOLVE_MAX, RHW_RESOLVE_SAMPLE_ZERO
+};
+
 struct rhw_color_attachment {
-    rhw_texture texture; ///< level 0 is drawn into
+    rhw_texture texture; ///< level 0 is drawn into. In a multisampled pass: with the pass's samples, which are stored;
+                         ///< or with one, into which they are resolved
+    rhw_texture resolve; ///< what samples that are stored, or discarded, are resolved into besides; may be null
+    enum rhw_resolve resolve_mode;
     enum rhw_load load;
     enum rhw_store store;
     float clear[4]; ///< linear values; R32_UINT: clear[0] is converted to an integer
@@ -361,6 +385,7 @@ struct rhw_depth_attachment {
     enum rhw_load stencil_load;
     enum rhw_store stencil_store;
     uint8_t stencil_clear;
+    enum rhw_resolve resolve_mode; ///< where the texture has fewer samples than the pass
 };
 
 struct rhw_pass_def {
@@ -368,6 +393,7 @@ struct rhw_pass_def {
     struct rhw_color_attachment colors[RHW_MAX_COLOR_ATTACHMENTS];
     int color_count;
     struct rhw_depth_attachment depth;
+    int samples; ///< of each pixel: 0: as many as the first attachment's texture has; 1, 2, 4, 8, 16
     const char *label; ///< for messages
 };
 

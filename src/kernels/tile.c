@@ -5,9 +5,10 @@
 #include "kernel_entries.h"
 
 #include "integer.h"
-#include "tile/attachment.h"
 #include "tile/draw_state.h"
+#include "tile/resolve.h"
 #include "tile/triangle_large.h"
+#include "tile/triangle_multisample.h"
 #include "tile/triangle_small.h"
 
 // Lists the bins of the tile that are not empty, in the order of their chunks; returns how many there are.
@@ -26,6 +27,22 @@ static int list_bins(const struct tile_work *work)
         }
     }
     return count;
+}
+
+// Draws any triangle, small ones too.
+static void draw_any(struct tile_work *work, struct triangle_work *triangle, const struct rhw_chunk *chunk)
+{
+    struct clipped_planes clipped;
+    triangle->clipped = triangle->t->flags & RHW_TRIANGLE_POLYGON ? &clipped : NULL;
+    if (!work->plan.is_biased) {
+        triangle->clamps_depth = triangle->t->flags & RHW_TRIANGLE_CLAMP;
+        triangle->depth_bias = 0;
+    }
+    if (work->samples > 1) {
+        draw_multisampled(work, triangle, chunk);
+    } else {
+        draw_large(work, triangle, chunk);
+    }
 }
 
 // Draws triangle `lane` of the setup.
@@ -50,14 +67,15 @@ static void draw_triangle(struct tile_work *work, const struct rhw_chunk *chunk,
     if (t->flags & small_flag && !(setup->exact >> lane & 1)) {
         draw_small(work, &triangle);
     } else if (!work->plan.is_skipped) {
-        draw_large(work, &triangle, chunk);
+        draw_any(work, &triangle, chunk);
     }
 }
 
 // Whether what is left of a run is hidden.
 static bool is_hidden(const struct tile_work *work)
 {
-    return work->phase == RHW_PHASE_BACKWARDS && work->scratch->depth.open_count == 0;
+    return work->phase == RHW_PHASE_BACKWARDS && work->scratch->depth.open_count == 0 &&
+           others_are_closed(work);
 }
 
 static void draw_batch(struct tile_work *work, const struct rhw_chunk *chunk, const struct bin_batch *read)
@@ -67,7 +85,7 @@ static void draw_batch(struct tile_work *work, const struct rhw_chunk *chunk, co
     const bool backwards = work->phase == RHW_PHASE_BACKWARDS;
     setup_triangles8(&setup, work, chunk, read);
     for (int i = 0; i < read->count; i++) {
-        if (backwards && scratch->depth.open_count == 0) {
+        if (backwards && is_hidden(work)) {
             break;
         }
         scratch->depth.marked = false;
@@ -201,6 +219,48 @@ static void draw_bins(struct tile_work *work, const struct bin *first, const str
     flush(work);
 }
 
+static void load_tile(const struct tile_work *work)
+{
+    const struct rhw_pass_state *const pass = work->pass;
+    if (work->samples > 1) {
+        load_samples(work);
+        return;
+    }
+    work->scratch->depth.direction = 0;
+    for (int i = 0; i < pass->color_count; i++) {
+        load_attachment(work, &pass->colors[i], 0, work->scratch->color[i]);
+    }
+    load_depth_stencil(work, 0);
+}
+
+static void store_tile(const struct tile_work *work)
+{
+    const struct rhw_pass_state *const pass = work->pass;
+    if (work->samples > 1) {
+        store_samples(work);
+        return;
+    }
+    for (int i = 0; i < pass->color_count; i++) {
+        store_attachment(work, &pass->colors[i], 0, work->scratch->color[i]);
+    }
+    store_depth_stencil(work, 0);
+}
+
+// A tile without triangles.
+static void pass_tile_through(const struct tile_work *work)
+{
+    const struct rhw_pass_state *const pass = work->pass;
+    for (int i = 0; i < pass->color_count; i++) {
+        pass_through(work, &pass->colors[i]);
+    }
+    if (pass->has_depth) {
+        pass_through(work, &pass->depth);
+    }
+    if (pass->has_stencil) {
+        pass_through(work, &pass->stencil);
+    }
+}
+
 void RHW_ISA_NAME(rhw_draw_tile)(struct rhw_pass_state *pass, int tile, int worker)
 {
     const int tile_x = tile % pass->tiles_x, tile_y = tile / pass->tiles_x;
@@ -212,28 +272,14 @@ void RHW_ISA_NAME(rhw_draw_tile)(struct rhw_pass_state *pass, int tile, int work
                              .x = tile_x * RHW_TILE,
                              .y = tile_y * RHW_TILE,
                              .width = min_int(pass->width - tile_x * RHW_TILE, RHW_TILE),
-                             .height = min_int(pass->height - tile_y * RHW_TILE, RHW_TILE)};
+                             .height = min_int(pass->height - tile_y * RHW_TILE, RHW_TILE),
+                             .samples = pass->pattern->count};
     const int bins = list_bins(&work);
-    if (bins == 0) {
-        for (int i = 0; i < pass->color_count; i++) {
-            pass_through(&work, &pass->colors[i]);
-        }
-        if (pass->has_depth) {
-            pass_through(&work, &pass->depth);
-        }
-        if (pass->has_stencil) {
-            pass_through(&work, &pass->stencil);
-        }
+    if (bins == 0 && !resolves_loaded(&work)) {
+        pass_tile_through(&work);
         return;
     }
-    scratch->depth.direction = 0;
-    for (int i = 0; i < pass->color_count; i++) {
-        load_attachment(&work, &pass->colors[i], scratch->color[i]);
-    }
-    load_depth_stencil(&work);
+    load_tile(&work);
     draw_bins(&work, scratch->bins, scratch->bins + bins);
-    for (int i = 0; i < pass->color_count; i++) {
-        store_attachment(&work, &pass->colors[i], scratch->color[i]);
-    }
-    store_depth_stencil(&work);
+    store_tile(&work);
 }

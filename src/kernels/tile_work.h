@@ -39,12 +39,16 @@ struct fragment_queue {
     f8 ddx[RHW_FRAGMENT_GROUPS * RHW_MAX_VARYING_COMPONENTS];
     f8 ddy[RHW_FRAGMENT_GROUPS * RHW_MAX_VARYING_COMPONENTS];
     f8 colors[RHW_FRAGMENT_GROUPS][RHW_MAX_COLOR_ATTACHMENTS][4];
+    // Of multisampled passes: the samples of each fragment, a bit each, and their depths where they are tested late.
+    i8 samples[RHW_FRAGMENT_GROUPS];
+    f8 sample_depth[RHW_FRAGMENT_GROUPS][RHW_MAX_SAMPLES];
 };
 
 // Texels of the fragments of the triangle under way that are in no group yet (fragment/gather.h).
 struct gathered_fragments {
     int count;
-    int32_t texel[RHW_GATHERED_FRAGMENTS + 8]; // and room for a vector that begins at the last
+    int32_t texel[RHW_GATHERED_FRAGMENTS + 8];   // and room for a vector that begins at the last
+    int32_t samples[RHW_GATHERED_FRAGMENTS + 8]; // of multisampled passes
     uint8_t set_lanes[256][8]; // by bits: which are set, in order; behind them lanes of any number
 };
 
@@ -61,6 +65,7 @@ struct packed_triangle {
 // Fragments of several triangles that wait until 8 make a group (fragment/pack.h).
 struct partial_group {
     int count;
+    int32_t samples[8];      // of multisampled passes
     unsigned triangle_count; // packed so far; the last RHW_PACKED_TRIANGLES of them stand in `triangles`
     int32_t texel[8];
     const struct packed_triangle *triangle[8];
@@ -87,7 +92,27 @@ struct rhw_tile_scratch {
     struct gathered_fragments gathered;
     struct partial_group partial;
     i8 constant[RHW_MAX_COLOR_ATTACHMENTS]; // see constant_color.h: 8 texels of RGBA8 targets that are replaced
+    // Of multisampled passes, a bit for each block of 8×8 pixels: its samples have colours of their own. Those of other
+    // blocks have all that of the first.
+    uint64_t expanded;
+    struct rhw_sample_plane *planes; // of the samples but the first
 };
+
+// The tile in one sample of each pixel.
+struct rhw_sample_plane {
+    _Alignas(64) unsigned char color[RHW_MAX_COLOR_ATTACHMENTS][RHW_TILE * RHW_TILE * 16];
+    struct tile_depth depth;
+};
+
+static inline unsigned char *color_plane(struct rhw_tile_scratch *scratch, int target, int sample)
+{
+    return sample == 0 ? scratch->color[target] : scratch->planes[sample - 1].color[target];
+}
+
+static inline struct tile_depth *depth_plane(struct rhw_tile_scratch *scratch, int sample)
+{
+    return sample == 0 ? &scratch->depth : &scratch->planes[sample - 1].depth;
+}
 
 // This is one worker's work on one tile.
 struct tile_work {
@@ -97,6 +122,7 @@ struct tile_work {
     int tile;          // its number, row by row
     int x, y;          // pixels of the tile's first pixel in the target
     int width, height; // pixels of the tile: fewer at the target's end
+    int samples;       // of a pixel
     enum rhw_phase phase;
 
     // Of the draw whose fragments are collected:

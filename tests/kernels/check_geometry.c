@@ -170,6 +170,8 @@ static void run_cull(const void *input, void *result)
     pipeline.def.cull = (enum rhw_cull)in->cull;
     state.pipeline = &pipeline;
     state.scissor = in->scissor;
+    state.first_step = 127;
+    state.past_step = 128;
     state.depth_least = 0.0f;
     state.depth_most = 1.0f;
     const struct triangle8 t = load_triangle8(in->vertices, 0, in->indices);

@@ -30,7 +30,7 @@ static void run_positions(const void *input, void *result)
     const struct position_input *const in = input;
     const i8 positions = i8_load(in->positions_24_8);
     const i8 out[4] = {sample_of_pixel8(i8_load(in->pixels)), sample_from_position8(positions),
-                       first_pixel8(positions), past_pixel8(positions)};
+                       pixel_of_step8(positions, i8_splat(127)), pixel_of_step8(positions, i8_splat(128))};
     memcpy(result, out, sizeof out);
 }
 
@@ -78,7 +78,7 @@ static void run_coverage(const void *input, void *result)
     struct rhw_polygon polygon = in->polygon;
     const struct rhw_chunk chunk = {.polygons = &polygon};
     struct coverage coverage;
-    coverage_setup(&coverage, &chunk, &in->triangle, in->tile_x, in->tile_y);
+    coverage_setup(&coverage, &chunk, &in->triangle, center_of_pixel(in->tile_x, in->tile_y));
     struct coverage_result *const out = result;
     out->count = coverage.count;
     out->covers_tile = covers_tile(&coverage);

@@ -96,7 +96,7 @@ static void set_texture(struct rhw_texture_data *texture, const struct sample_in
                         unsigned char *texels, unsigned char *linear)
 {
     enum { SCALE = RHW_LINEAR_TEXEL / 4 };
-    rhw_texture_data_init(texture, (enum rhw_format)in->format, in->width, in->height, in->levels);
+    rhw_texture_data_init(texture, (enum rhw_format)in->format, in->width, in->height, in->levels, 1);
     memcpy(texels, in->texels, TEXTURE_BYTES);
     for (int i = 0; i < TEXTURE_BYTES; i++) { // any numbers up to RHW_LINEAR_ONE
         const uint16_t number = (uint16_t)(in->texels[i] << 7);

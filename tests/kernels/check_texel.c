@@ -46,7 +46,7 @@ static void run_mip(const void *input, void *result)
     memcpy(above, in->texels, sizeof above);
     memset(result, 0, LEVELS_BYTES);
     const int levels = rhw_mip_chain_length(in->width, in->height);
-    rhw_texture_data_init(&texture, (enum rhw_format)in->format, in->width, in->height, levels);
+    rhw_texture_data_init(&texture, (enum rhw_format)in->format, in->width, in->height, levels, 1);
     texture.mip[0].texels = above;
     unsigned char *next = result;
     const int last = texture.levels - 1 < RHW_MIP_STEPS ? texture.levels - 1 : RHW_MIP_STEPS;

@@ -42,9 +42,10 @@ static bool finish_triangle(struct kernel_random *random, const struct setup_inp
     const bool scissored = random_one_in(random, 4);
     const int left = scissored ? (int)random_int(random, in->tile_x, in->tile_x + RHW_TILE - 1) : 0;
     const int bottom = in->tile_y + (scissored ? (int)random_int(random, 1, RHW_TILE) : RHW_TILE);
-    const int x0 = max_int(first_pixel(least(xs)), left), y0 = max_int(first_pixel(least(ys)), 0);
-    const int x1 = min_int(past_pixel(most(xs)), RHW_GUARD_BAND / 2),
-              y1 = min_int(past_pixel(most(ys)), bottom);
+    const int x0 = max_int(pixel_of_step(least(xs), 127), left),
+              y0 = max_int(pixel_of_step(least(ys), 127), 0);
+    const int x1 = min_int(pixel_of_step(most(xs), 128), RHW_GUARD_BAND / 2),
+              y1 = min_int(pixel_of_step(most(ys), 128), bottom);
     t->x0 = (int16_t)x0;
     t->y0 = (int16_t)y0;
     t->x1 = (int16_t)x1;
@@ -205,7 +206,8 @@ static void collect_coverage(const struct setup_scene *scene, int i, uint64_t ro
 {
     const struct triangle_setup8 *const setup = &scene->setup;
     struct coverage coverage;
-    coverage_setup(&coverage, &scene->chunk, scene->read.triangle[i], scene->work.x, scene->work.y);
+    coverage_setup(&coverage, &scene->chunk, scene->read.triangle[i],
+                   center_of_pixel(scene->work.x, scene->work.y));
     for (int y = setup->y0[i] & -RHW_BLOCK; y < setup->y1[i]; y += RHW_BLOCK) {
         for (int x = setup->x0[i] & -RHW_BLOCK; x < setup->x1[i]; x += RHW_BLOCK) {
             const uint64_t mask = coverage_mask(&coverage, x, y, 0, RHW_BLOCK) &

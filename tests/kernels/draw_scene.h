@@ -200,12 +200,14 @@ static void set_draw_state(struct rhw_draw_state *state, const struct scene *sce
     state->half_height = (double)v->height / 2;
     state->center_x = (double)v->x + state->half_width;
     state->center_y = (double)v->y + state->half_height;
+    state->first_step = 127;
+    state->past_step = 128;
     const struct rhw_depth_stencil_setting setting = {.bounds_most = 1};
     rhw_depth_stencil_init(&state->depth_stencil, &state->pipeline->def, &setting, 0);
+    rhw_draw_plans_make(state->plans, state->pipeline, &state->depth_stencil, 1, paths);
     if (paths == RHW_PATHS_ALL) {
         state->hidden = rhw_hidden_rule_of(state, in->target_count);
     }
-    rhw_draw_plans_make(state->plans, state->pipeline, &state->depth_stencil, paths);
 }
 
 // The indices of all draws in the type of one of them: they have the same.
@@ -283,6 +285,7 @@ static struct scene *front_of_scene(const struct scene_input *in, enum rhw_paths
     }
     rhw_arena_reset(&scene->worker.arena);
     rhw_arena_reset(&pass->arena);
+    pass->pattern = rhw_sample_pattern_of(1);
     pass->paths = paths;
     pass->entries_most = in->entries_most;
     set_attachments(pass, in);

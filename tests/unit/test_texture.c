@@ -168,13 +168,13 @@ static void test_misuse_is_named(void **state)
         struct rhw_texture_def def;
         const char *words;
     } bad[] = {
-        {{RHW_FORMAT_NONE, 4, 4, 1, NULL}, "format"},
-        {{RHW_FORMAT_COUNT, 4, 4, 1, NULL}, "format"},
-        {{RHW_FORMAT_RGBA8_UNORM, 0, 4, 1, NULL}, "width is 0"},
-        {{RHW_FORMAT_RGBA8_UNORM, 4, 16385, 1, NULL}, "height is 16385"},
-        {{RHW_FORMAT_RGBA8_UNORM, 4, -1, 1, NULL}, "height is -1"},
-        {{RHW_FORMAT_RGBA8_UNORM, 4, 4, 4, NULL}, "mip_levels is 4"},
-        {{RHW_FORMAT_RGBA8_UNORM, 4, 4, -2, NULL}, "mip_levels is -2"},
+        {{RHW_FORMAT_NONE, 4, 4, 1, 0, NULL}, "format"},
+        {{RHW_FORMAT_COUNT, 4, 4, 1, 0, NULL}, "format"},
+        {{RHW_FORMAT_RGBA8_UNORM, 0, 4, 1, 0, NULL}, "width is 0"},
+        {{RHW_FORMAT_RGBA8_UNORM, 4, 16385, 1, 0, NULL}, "height is 16385"},
+        {{RHW_FORMAT_RGBA8_UNORM, 4, -1, 1, 0, NULL}, "height is -1"},
+        {{RHW_FORMAT_RGBA8_UNORM, 4, 4, 4, 0, NULL}, "mip_levels is 4"},
+        {{RHW_FORMAT_RGBA8_UNORM, 4, 4, -2, 0, NULL}, "mip_levels is -2"},
     };
     rhw_texture texture;
     for (size_t i = 0; i < sizeof bad / sizeof bad[0]; i++) {

@@ -145,4 +145,28 @@ RHW_INLINE void blend_group(const struct rhw_blend_state *state, const f8 color[
     }
 }
 
+// Puts the texels of a scattered group side by side for blending, and back.
+RHW_INLINE void gather_texels(const int32_t at[8], const unsigned char *texels, size_t size,
+                              unsigned char *out)
+{
+    for (int i = 0; i < 8; i++) {
+        memcpy(out + (size_t)i * size, texels + (size_t)at[i] * size, size);
+    }
+}
+
+RHW_INLINE void scatter_texels(const int32_t at[8], unsigned bits, unsigned char *texels, size_t size,
+                               const unsigned char *from)
+{
+    if (bits == 0xff) {
+        for (int i = 0; i < 8; i++) {
+            memcpy(texels + (size_t)at[i] * size, from + (size_t)i * size, size);
+        }
+        return;
+    }
+    for (; bits != 0; bits &= bits - 1) {
+        const int lane = __builtin_ctz(bits);
+        memcpy(texels + (size_t)at[lane] * size, from + (size_t)lane * size, size);
+    }
+}
+
 #endif

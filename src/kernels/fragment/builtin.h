@@ -34,14 +34,13 @@ RHW_INLINE void fill_identity(struct rhw_fragment *group, uint32_t uses, const s
     }
 }
 
-// Sets the coordinates of 8 texels of the tile, whose depth the group has.
+// Sets the coordinates of 8 texels of the tile, at a position in their pixels, whose depth the group has.
 static void fill_coordinates(const struct tile_work *work, struct rhw_fragment *group, i8 texels,
-                             d8 inverse_w)
+                             const float position[2], d8 inverse_w)
 {
-    const f8 offset = f8_splat((float)sample_offset());
     const i8 x = texels & i8_splat(RHW_TILE - 1), y = texels >> RHW_TILE_LOG2;
-    group->coord[0] = rhw_float_from_int(x + i8_splat(work->x)) + offset;
-    group->coord[1] = rhw_float_from_int(y + i8_splat(work->y)) + offset;
+    group->coord[0] = rhw_float_from_int(x + i8_splat(work->x)) + f8_splat(position[0]);
+    group->coord[1] = rhw_float_from_int(y + i8_splat(work->y)) + f8_splat(position[1]);
     group->coord[2] = group->depth;
     group->coord[3] = f8_from_d8(inverse_w);
 }

@@ -19,6 +19,10 @@ static void prepare_constant(struct tile_work *work)
     struct fragment_queue *const queue = &work->scratch->queue;
     queue->groups[0].mask = i8_splat(-1);
     run_fragment_function(work, 1);
+    for (int t = 0; t < work->pass->color_count && work->samples > 1 && work->pipeline->def.alpha_to_one;
+         t++) {
+        queue->colors[0][t][3] = f8_splat(1);
+    }
     work->counters->groups++;
     for (int t = 0; t < work->pass->color_count; t++) {
         if (work->state->blend[t].path == BLEND_RGBA8_REPLACE) {
@@ -30,8 +34,8 @@ static void prepare_constant(struct tile_work *work)
     work->constant_is_ready = true;
 }
 
-// Blends the pixels of the block at (x, y) whose bits are set in `mask`.
-static void blend_constant(struct tile_work *work, int x, int y, uint64_t mask)
+// Blends the pixels of the block at (x, y) whose bits are set in `mask`, in one sample.
+RHW_INLINE void blend_constant_plane(struct tile_work *work, int sample, int x, int y, uint64_t mask)
 {
     struct rhw_tile_scratch *const scratch = work->scratch;
     if (!work->constant_is_ready) {
@@ -40,7 +44,7 @@ static void blend_constant(struct tile_work *work, int x, int y, uint64_t mask)
     for (int t = 0; t < work->pass->color_count; t++) {
         const struct rhw_blend_state *const state = &work->state->blend[t];
         const size_t size = work->pass->colors[t].texel_size;
-        unsigned char *const texels = scratch->color[t] + (size_t)(y * RHW_TILE + x) * size;
+        unsigned char *const texels = color_plane(scratch, t, sample) + (size_t)(y * RHW_TILE + x) * size;
         const i8 texel = scratch->constant[t];
         for (int row = 0; row < RHW_BLOCK; row++) {
             const unsigned bits = (unsigned)(mask >> (8 * row)) & 0xff;
@@ -54,6 +58,30 @@ static void blend_constant(struct tile_work *work, int x, int y, uint64_t mask)
                 store_words(to, texel, i8_from_bits(bits));
             }
         }
+    }
+}
+
+// Does so where a pixel has one sample.
+static void blend_constant(struct tile_work *work, int x, int y, uint64_t mask)
+{
+    blend_constant_plane(work, 0, x, y, mask);
+}
+
+// Does so for the samples in `mask`, of a block at multiples of 8.
+static __attribute__((noinline)) void blend_constant_samples(struct tile_work *work, int x, int y,
+                                                             const uint64_t mask[RHW_MAX_SAMPLES])
+{
+    const int block = block_of_texel(y * RHW_TILE + x);
+    bool differ = false;
+    for (int s = 1; s < work->samples; s++) {
+        differ |= mask[s] != mask[0];
+    }
+    if (differ && !(work->scratch->expanded >> block & 1)) {
+        expand_block(work, block);
+    }
+    const int planes = work->scratch->expanded >> block & 1 ? work->samples : 1;
+    for (int s = 0; s < planes; s++) {
+        blend_constant_plane(work, s, x, y, mask[s]);
     }
 }
 

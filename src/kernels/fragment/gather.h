@@ -65,7 +65,9 @@ static __attribute__((noinline)) void fill_any_scattered(const struct tile_work 
     for (int n = 0; n < count; n++) {
         const int g = queue->count + n;
         const struct anchor_offset at = texel_offsets(work, planes, &texel[8 * n]);
+        const float center = (float)sample_offset();
         struct group_place place = {.texels = i8_load(&texel[8 * n]),
+                                    .position = {center, center},
                                     .at = at,
                                     .weights = weights_of_pixels(&planes->quantities, &at)};
         weights.b[n] = place.weights.b;
@@ -101,6 +103,10 @@ static void queue_scattered(struct tile_work *work, struct triangle_work *triang
             queue->is_scattered[g] = true;
             memcpy(queue->texels[g], &texel[8 * (g - first)], sizeof queue->texels[g]);
             queue->groups[g].mask = i8_splat(-1);
+            if (work->samples > 1) {
+                const ptrdiff_t at = texel - work->scratch->gathered.texel + 8 * (g - first);
+                queue->samples[g] = i8_load(&work->scratch->gathered.samples[at]);
+            }
             if (work->plan.keeps_identity) {
                 fill_identity(&queue->groups[g], work->pipeline->def.program.uses, triangle);
             }
@@ -127,6 +133,7 @@ static __attribute__((noinline)) void queue_gathered(struct tile_work *work, str
     const int groups = gathered->count / 8, rest = gathered->count % 8;
     queue_scattered(work, triangle, gathered->texel, groups);
     memcpy(gathered->texel, &gathered->texel[8 * groups], 8 * sizeof *gathered->texel);
+    memcpy(gathered->samples, &gathered->samples[8 * groups], 8 * sizeof *gathered->samples);
     gathered->count = rest;
 }
 
@@ -168,6 +175,33 @@ RHW_INLINE void gather_fragments(struct tile_work *work, struct triangle_work *t
     gathered->count = count;
 }
 
+// Gathers the fragments of the block at (x, y) that cover a sample; mask: by sample, `any` of all of them.
+static void gather_samples(struct tile_work *work, struct triangle_work *triangle, int x, int y,
+                           const uint64_t mask[RHW_MAX_SAMPLES], uint64_t any)
+{
+    struct gathered_fragments *const gathered = &work->scratch->gathered;
+    release_overtaken(work, x, y, any);
+    if (gathered->count > RHW_GATHERED_FRAGMENTS - RHW_BLOCK * RHW_BLOCK) {
+        queue_gathered(work, triangle);
+    }
+    int count = gathered->count;
+    for (int row = 0; row < RHW_BLOCK; row++) {
+        const unsigned bits = (unsigned)(any >> (8 * row)) & 0xff;
+        if (bits == 0) {
+            continue;
+        }
+        i8 samples = i8_splat(0);
+        for (int s = 0; s < work->samples; s++) {
+            samples |= i8_from_bits((unsigned)(mask[s] >> (8 * row)) & 0xff) & i8_splat(1 << s);
+        }
+        const i8 lanes = i8_load_bytes(gathered->set_lanes[bits]);
+        i8_store(&gathered->texel[count], lanes + i8_splat((y + row) * RHW_TILE + x));
+        i8_store(&gathered->samples[count], i8_permute(samples, lanes));
+        count += __builtin_popcount(bits);
+    }
+    gathered->count = count;
+}
+
 // Whether the fragments of a block that are set in `mask`, with inputs of any kind, are gathered rather than shaded row by
 // row: such a group from anywhere costs as much as a row and a half, and more the more targets it is blended into.
 // Homogeneous noperspective values are made in double (interpolate.h), which packing does not.
@@ -182,14 +216,20 @@ static inline bool scatters_any(const struct tile_work *work, const struct trian
            __builtin_popcountll(mask) < ROW_PIXELS * __builtin_popcountll(rows);
 }
 
+// Whether those fragments are gathered at all.
+RHW_INLINE bool can_scatter(const struct tile_work *work, const struct triangle_work *triangle,
+                            const struct block *block, uint64_t mask)
+{
+    return !block->leaves_triangle && triangle->planes.kind != PLANES_EXACT &&
+           (work->plan.shading == RHW_SHADING_SMOOTH || scatters_any(work, triangle, mask));
+}
+
 // Sends the fragments of a block whose bits are set in `mask` on the path that is theirs.
 RHW_INLINE void collect_block(struct tile_work *work, struct triangle_work *triangle,
                               const struct block *block, uint64_t mask)
 {
     const bool is_whole = mask == ~(uint64_t)0;
-    const bool can_scatter = !block->leaves_triangle && triangle->planes.kind != PLANES_EXACT &&
-                             (work->plan.shading == RHW_SHADING_SMOOTH || scatters_any(work, triangle, mask));
-    if (!is_whole && can_scatter) {
+    if (!is_whole && can_scatter(work, triangle, block, mask)) {
         gather_fragments(work, triangle, block->x, block->y, RHW_BLOCK, mask);
         return;
     }

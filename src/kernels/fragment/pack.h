@@ -183,7 +183,9 @@ static __attribute__((noinline)) void pack_any(struct tile_work *work, int g, co
         pack_barycentric_derivatives(work, group, d8_mul(weights->inverse_s, weights->inverse_s));
     }
     if (uses & RHW_USE_COORD) {
-        fill_coordinates(work, group, i8_load(work->scratch->partial.texel), weights->s);
+        const float center = (float)sample_offset();
+        fill_coordinates(work, group, i8_load(work->scratch->partial.texel), (const float[]){center, center},
+                         weights->s);
     }
     if (uses & RHW_USE_BARYCENTRIC) {
         fill_barycentrics(group->barycentric, 1, weights->b, weights->c);
@@ -202,6 +204,9 @@ static int place_partial(struct tile_work *work, unsigned bits)
     queue->is_scattered[g] = true;
     queue->only_full_rows = false;
     queue->groups[g].mask = i8_from_bits(bits);
+    if (work->samples > 1) {
+        queue->samples[g] = i8_load(partial->samples) & i8_from_bits(bits);
+    }
     for (int i = 0; i < 8; i++) {
         partial->pixels[partial->texel[i] / RHW_TILE] = 0;
     }
@@ -314,11 +319,12 @@ enum packed_parts {
     PACKED_ANY         // and whatever the plan wants
 };
 
-// Adds a fragment at `texel` of a triangle whose planes are `planes`.
+// Adds gathered fragment i of a triangle whose planes are `planes`.
 RHW_INLINE void pack_fragment(struct tile_work *work, const struct quantity_planes *planes,
-                              const struct packed_triangle *packed, int texel, enum packed_parts parts)
+                              const struct packed_triangle *packed, int i, enum packed_parts parts)
 {
     struct partial_group *const partial = &work->scratch->partial;
+    const int texel = work->scratch->gathered.texel[i];
     const double dx = texel % RHW_TILE - packed->anchor_x, dy = texel / RHW_TILE - packed->anchor_y;
     const int n = partial->count;
     partial->texel[n] = texel;
@@ -327,6 +333,9 @@ RHW_INLINE void pack_fragment(struct tile_work *work, const struct quantity_plan
     partial->quantities[n] = quantity_values(planes, dx, dy);
     if (parts != PACKED_QUANTITIES) {
         partial->distance[n] = (d4){dy, dx, dy, dx};
+    }
+    if (parts == PACKED_ANY) {
+        partial->samples[n] = work->scratch->gathered.samples[i];
     }
     if (parts == PACKED_ANY && work->plan.needs_screen) {
         partial->screen[n] = (d4){plane_value(packed->n1, dx, dy), plane_value(packed->n2, dx, dy), 0, 0};
@@ -342,7 +351,7 @@ RHW_INLINE void pack_fragments(struct tile_work *work, const struct quantity_pla
 {
     const struct gathered_fragments *const gathered = &work->scratch->gathered;
     for (int i = 0; i < gathered->count; i++) {
-        pack_fragment(work, planes, packed, gathered->texel[i], parts);
+        pack_fragment(work, planes, packed, i, parts);
     }
 }
 
@@ -350,7 +359,7 @@ RHW_INLINE void pack_fragments(struct tile_work *work, const struct quantity_pla
 static void pack_gathered(struct tile_work *work, struct triangle_work *triangle)
 {
     const struct packed_triangle *const packed = pack_triangle(work, triangle);
-    if (work->plan.shading == RHW_SHADING_ANY) {
+    if (work->plan.shading == RHW_SHADING_ANY || work->samples > 1) {
         pack_fragments(work, &triangle->planes.quantities, packed, PACKED_ANY);
     } else if (work->pipeline->any_derivatives) {
         pack_fragments(work, &triangle->planes.quantities, packed, PACKED_DISTANCE);

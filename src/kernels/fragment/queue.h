@@ -9,6 +9,7 @@
 #include "../raster/full_test.h"
 #include "../tile_work.h"
 #include "blend.h"
+#include "sample_queue.h"
 
 static void run_fragment_function(const struct tile_work *work, int count)
 {
@@ -47,30 +48,6 @@ static unsigned finish_depth(struct tile_work *work, int g)
                                   : test_row_late(depth, x, y, z, bits, plan->late);
 }
 
-// Puts the texels of a scattered group side by side for blending, and back.
-RHW_INLINE void gather_texels(const int32_t at[8], const unsigned char *texels, size_t size,
-                              unsigned char *out)
-{
-    for (int i = 0; i < 8; i++) {
-        memcpy(out + (size_t)i * size, texels + (size_t)at[i] * size, size);
-    }
-}
-
-RHW_INLINE void scatter_texels(const int32_t at[8], unsigned bits, unsigned char *texels, size_t size,
-                               const unsigned char *from)
-{
-    if (bits == 0xff) {
-        for (int i = 0; i < 8; i++) {
-            memcpy(texels + (size_t)at[i] * size, from + (size_t)i * size, size);
-        }
-        return;
-    }
-    for (; bits != 0; bits &= bits - 1) {
-        const int lane = __builtin_ctz(bits);
-        memcpy(texels + (size_t)at[lane] * size, from + (size_t)lane * size, size);
-    }
-}
-
 // Blends what was shaded into target t. `path` and `size` (bytes of a texel) are the target's, constants where a call
 // names them.
 RHW_INLINE void blend_target(const struct tile_work *work, int t, enum rhw_blend_path path, size_t size)
@@ -105,11 +82,10 @@ RHW_INLINE void blend_target(const struct tile_work *work, int t, enum rhw_blend
     }
 }
 
-// Shades and blends all groups. Fragments without a group go on waiting.
-static void shade_queue(struct tile_work *work)
+// After the fragment function, where a pixel has one sample.
+RHW_INLINE void finish_queue(struct tile_work *work)
 {
     struct fragment_queue *const queue = &work->scratch->queue;
-    run_fragment_function(work, queue->count);
     if (work->plan.depth_mode >= RHW_DEPTH_LATE || work->pipeline->def.program.uses & RHW_USE_DISCARD) {
         for (int g = 0; g < queue->count; g++) {
             queue->live[g] = (uint8_t)finish_depth(work, g);
@@ -125,6 +101,18 @@ static void shade_queue(struct tile_work *work)
         } else {
             blend_target(work, t, path, work->pass->colors[t].texel_size);
         }
+    }
+}
+
+// Shades and blends all groups. Fragments without a group go on waiting.
+static void shade_queue(struct tile_work *work)
+{
+    struct fragment_queue *const queue = &work->scratch->queue;
+    run_fragment_function(work, queue->count);
+    if (work->samples > 1) {
+        finish_sample_queue(work);
+    } else {
+        finish_queue(work);
     }
     work->counters->groups += (uint64_t)queue->count;
     queue->count = 0;

@@ -11,12 +11,21 @@
 #include "interpolate.h"
 #include "queue.h"
 
+// The samples of a block that a triangle covers, and where in its pixels their fragments take their values.
+struct block_samples {
+    const uint64_t *mask;         // by sample
+    const f8 (*depth)[RHW_BLOCK]; // of its rows, by sample, where depth is tested late
+    int only;                     // the one sample that the fragments stand for; −1: all in `mask`
+    float position[2];            // of `only` in its pixel
+};
+
 // A block of the tile, and the fragments of a triangle in it.
 struct block {
     int x, y; // pixels of the tile
     struct anchor_offset at;
-    const f8 *z;          // of its rows, where depth is kept
-    bool leaves_triangle; // some weights may be below 0: see plane_clipped.h
+    const f8 *z;                         // of its rows, where depth is kept
+    bool leaves_triangle;                // some weights may be below 0: see plane_clipped.h
+    const struct block_samples *samples; // of multisampled passes; else NULL
 };
 
 // Rows of a block that become groups: their numbers, and their bits.
@@ -66,7 +75,8 @@ static void fill_barycentric_derivatives(struct rhw_fragment *group, const struc
 
 // Where the 8 fragments of a group are, and the weights of their triangle there.
 struct group_place {
-    i8 texels; // of the tile
+    i8 texels;         // of the tile
+    float position[2]; // in their pixels
     struct anchor_offset at;
     struct weights weights;
     struct screen_weights screen; // where they are wanted
@@ -90,7 +100,7 @@ static void fill_builtins(const struct tile_work *work, int g, const struct tria
         }
     }
     if (uses & RHW_USE_COORD) {
-        fill_coordinates(work, group, place->texels, w->s);
+        fill_coordinates(work, group, place->texels, place->position, w->s);
     }
     if (uses & RHW_USE_BARYCENTRIC) {
         const f8 s = f8_from_d8(place->screen.s), t = f8_from_d8(place->screen.t);
@@ -111,7 +121,11 @@ static __attribute__((noinline)) void fill_any_rows(const struct tile_work *work
     const enum weight_path best = weight_path_of(planes);
     const enum weight_path path = is_general && best == WEIGHTS_PER_ROW ? WEIGHTS_PER_PIXEL : best;
     struct block_planes over;
-    struct group_place place = {.at.dx = block->at.dx};
+    const float center = (float)sample_offset();
+    struct group_place place = {.at.dx = block->at.dx, .position = {center, center}};
+    if (work->plan.sampling == RHW_SAMPLING_SAMPLE) {
+        memcpy(place.position, block->samples->position, sizeof place.position);
+    }
     double dy[RHW_BLOCK];
     memcpy(dy, &block->at.dy, sizeof dy);
     block_weights(&over, planes, &block->at, path);
@@ -236,6 +250,31 @@ RHW_INLINE void place_rows(struct fragment_queue *queue, const struct block_rows
     }
 }
 
+// Tells which samples the groups from the queue's end on cover.
+static __attribute__((noinline)) void place_samples(const struct tile_work *work, const struct block *block,
+                                                    const struct block_rows *rows)
+{
+    const struct block_samples *const from = block->samples;
+    struct fragment_queue *const queue = &work->scratch->queue;
+    for (int n = 0; n < rows->count; n++) {
+        const int g = queue->count + n, row = rows->row[n];
+        i8 samples = i8_splat(0);
+        for (int s = 0; s < work->samples; s++) {
+            if (from->only < 0 || from->only == s) {
+                samples |= i8_from_bits((unsigned)(from->mask[s] >> (8 * row)) & 0xff) & i8_splat(1 << s);
+            }
+            if (from->depth) {
+                queue->sample_depth[g][s] = from->depth[s][row];
+            }
+        }
+        samples &= i8_from_bits(rows->bits[n]);
+        queue->samples[g] = queue->groups[g].sample_mask = samples;
+        queue->groups[g].sample_id = i8_splat(from->only);
+        queue->groups[g].sample_position[0] = f8_splat(from->position[0]);
+        queue->groups[g].sample_position[1] = f8_splat(from->position[1]);
+    }
+}
+
 // Sets depth, facing and ids of the groups from `first` on.
 static void fill_kept(const struct tile_work *work, const struct triangle_work *triangle,
                       const struct block *block, const struct block_rows *rows, int first)
@@ -263,6 +302,9 @@ RHW_INLINE void queue_rows(struct tile_work *work, struct triangle_work *triangl
         set_inputs(work, triangle);
     }
     place_rows(queue, rows, block->x, block->y);
+    if (block->samples) {
+        place_samples(work, block, rows);
+    }
     if (work->plan.keeps_depth || work->plan.keeps_identity) {
         fill_kept(work, triangle, block, rows, queue->count);
     }

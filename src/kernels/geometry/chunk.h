@@ -97,6 +97,7 @@ static bool make_triangles(const struct rhw_pass_state *pass, const struct rhw_c
 {
     struct rhw_geometry_scratch *const scratch = worker->geometry;
     scratch->special_paths = rhw_pass_takes_special_paths(pass);
+    scratch->culls_uncovered = scratch->special_paths && pass->pattern->count == 1;
     scratch->run_count = scratch->polygon_count = 0;
     scratch->index_count = scratch->vertex_count = 0;
     scratch->counters = (struct rhw_front_counters){0};

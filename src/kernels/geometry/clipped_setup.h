@@ -36,10 +36,12 @@ static bool turns_negative(const struct rhw_vertex_record *const v[3], bool snap
     return area != 0 ? area < 0 : homogeneous_turn(v) > 0;
 }
 
-// Sets the pixels that the polygon may cover, within the scissor. False where there is none.
+// Sets the pixels that the polygon may cover, within the state's scissor. False where there is none.
 static bool bound_polygon(struct rhw_triangle *triangle, const struct rhw_polygon *polygon,
-                          const struct rhw_rect *scissor)
+                          const struct rhw_draw_state *state)
 {
+    const struct rhw_rect *const scissor = &state->scissor;
+    const int32_t first = state->first_step, past = state->past_step;
     int32_t low_x = polygon->x_24_8[0], high_x = low_x, low_y = polygon->y_24_8[0], high_y = low_y;
     for (int i = 1; i < polygon->count; i++) {
         low_x = min_int(low_x, polygon->x_24_8[i]);
@@ -47,10 +49,10 @@ static bool bound_polygon(struct rhw_triangle *triangle, const struct rhw_polygo
         low_y = min_int(low_y, polygon->y_24_8[i]);
         high_y = max_int(high_y, polygon->y_24_8[i]);
     }
-    const int x0 = max_int(first_pixel(low_x), scissor->x);
-    const int y0 = max_int(first_pixel(low_y), scissor->y);
-    const int x1 = min_int(past_pixel(high_x), scissor->x + scissor->width);
-    const int y1 = min_int(past_pixel(high_y), scissor->y + scissor->height);
+    const int x0 = max_int(pixel_of_step(low_x, first), scissor->x);
+    const int y0 = max_int(pixel_of_step(low_y, first), scissor->y);
+    const int x1 = min_int(pixel_of_step(high_x, past), scissor->x + scissor->width);
+    const int y1 = min_int(pixel_of_step(high_y, past), scissor->y + scissor->height);
     triangle->x0 = (int16_t)x0;
     triangle->y0 = (int16_t)y0;
     triangle->x1 = (int16_t)x1;
@@ -84,7 +86,7 @@ static bool setup_clipped(struct rhw_geometry_scratch *scratch, const struct rhw
     const unsigned negative = turns_negative(v, !(any & RHW_VERTEX_UNSNAPPED), polygon);
     const unsigned back = facing_back(def, negative) & 1;
     if (rhw_polygon_is_flat(polygon) || (culled_facing(def, back) & 1) ||
-        !bound_polygon(triangle, polygon, &state->scissor)) {
+        !bound_polygon(triangle, polygon, state)) {
         scratch->counters.culled++;
         return false;
     }

@@ -35,9 +35,9 @@ RHW_INLINE unsigned flagged8(i8 flags, int32_t which)
     return ~i8_sign_bits(rhw_equal_int(flags & i8_splat(which), i8_splat(0)));
 }
 
-// `live`: bits of the lanes that are triangles. `special_paths`: see rhw_pass_takes_special_paths.
+// `live`: bits of the lanes that are triangles. `culls_uncovered`: see cull_uncovered.h.
 RHW_INLINE struct cull8 cull8(const struct triangle8 *t, const struct rhw_draw_state *state, unsigned live,
-                              bool special_paths)
+                              bool culls_uncovered)
 {
     const struct rhw_pipeline_def *const def = &state->pipeline->def;
     struct cull8 c;
@@ -48,10 +48,10 @@ RHW_INLINE struct cull8 cull8(const struct triangle8 *t, const struct rhw_draw_s
     const unsigned unclipped = live & ~c.clipped;
     c.drawn = unclipped & ~flagged8(t->flags_all, RHW_VERTEX_OUTSIDE) & nonzero & ~culled_facing(def, c.back);
     if ((c.drawn | c.clipped) != 0) {
-        c.pixels = pixel_rect8_of(t, &state->scissor);
+        c.pixels = pixel_rect8_of(t, state);
         c.drawn &=
             i8_sign_bits(rhw_less_int(c.pixels.x0, c.pixels.x1) & rhw_less_int(c.pixels.y0, c.pixels.y1));
-        if (c.drawn != 0 && special_paths) {
+        if (c.drawn != 0 && culls_uncovered) {
             c.drawn &= ~uncovered8(t, &c.pixels, c.negative);
         }
     }

@@ -53,7 +53,8 @@ struct rhw_geometry_scratch {
     struct rhw_tile_range tile_ranges[RHW_CHUNK_TRIANGLES]; // of the triangles that are drawn
     uint32_t index_count, vertex_count;                     // triangles of `indices`; vertices
     int run_count, polygon_count;
-    bool special_paths; // see rhw_pass_takes_special_paths
+    bool special_paths;   // see rhw_pass_takes_special_paths
+    bool culls_uncovered; // see cull_uncovered.h
     struct rhw_front_counters counters;
 };
 

@@ -58,12 +58,15 @@ RHW_INLINE i8 small_triangles8(const struct triangle8 *t)
     return (i8_max3(t->x) - i8_min3(t->x) < size) & (i8_max3(t->y) - i8_min3(t->y) < size);
 }
 
-RHW_INLINE struct pixel_rect8 pixel_rect8_of(const struct triangle8 *t, const struct rhw_rect *scissor)
+RHW_INLINE struct pixel_rect8 pixel_rect8_of(const struct triangle8 *t, const struct rhw_draw_state *state)
 {
-    return (struct pixel_rect8){i8_max(first_pixel8(i8_min3(t->x)), i8_splat(scissor->x)),
-                                i8_max(first_pixel8(i8_min3(t->y)), i8_splat(scissor->y)),
-                                i8_min(past_pixel8(i8_max3(t->x)), i8_splat(scissor->x + scissor->width)),
-                                i8_min(past_pixel8(i8_max3(t->y)), i8_splat(scissor->y + scissor->height))};
+    const struct rhw_rect *const scissor = &state->scissor;
+    const i8 first = i8_splat(state->first_step), past = i8_splat(state->past_step);
+    return (struct pixel_rect8){
+        i8_max(pixel_of_step8(i8_min3(t->x), first), i8_splat(scissor->x)),
+        i8_max(pixel_of_step8(i8_min3(t->y), first), i8_splat(scissor->y)),
+        i8_min(pixel_of_step8(i8_max3(t->x), past), i8_splat(scissor->x + scissor->width)),
+        i8_min(pixel_of_step8(i8_max3(t->y), past), i8_splat(scissor->y + scissor->height))};
 }
 
 #endif

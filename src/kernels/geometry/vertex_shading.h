@@ -9,9 +9,8 @@
 #include "geometry_scratch.h"
 #include "vertex_fetch.h"
 
-// Gives the flags of 8 vertices; `snapped` tells which can be snapped. depth_flags: NEAR and FAR, or 0 where nothing is
-// clipped there.
-RHW_INLINE i8 vertex_flags(const f8 position[4], f8 near, i8 snapped, int32_t depth_flags)
+// Gives the flags of 8 vertices; `snapped` tells which can be snapped.
+RHW_INLINE i8 vertex_flags(const f8 position[4], f8 near, i8 snapped)
 {
     const f8 x = position[0], y = position[1], z = position[2], w = position[3], zero = f8_splat(0);
     const i8 finite =
@@ -20,8 +19,8 @@ RHW_INLINE i8 vertex_flags(const f8 position[4], f8 near, i8 snapped, int32_t de
     flags |= rhw_less(w, x) & i8_splat(RHW_VERTEX_RIGHT);
     flags |= rhw_less(y, -w) & i8_splat(RHW_VERTEX_BOTTOM);
     flags |= rhw_less(w, y) & i8_splat(RHW_VERTEX_TOP);
-    flags |= rhw_less(z, near) & i8_splat(depth_flags & RHW_VERTEX_NEAR);
-    flags |= rhw_less(w, z) & i8_splat(depth_flags & RHW_VERTEX_FAR);
+    flags |= rhw_less(z, near) & i8_splat(RHW_VERTEX_NEAR);
+    flags |= rhw_less(w, z) & i8_splat(RHW_VERTEX_FAR);
     flags |= ~snapped & i8_splat(RHW_VERTEX_UNSNAPPED);
     flags |= ~finite & i8_splat(RHW_VERTEX_NOT_FINITE);
     return flags;
@@ -49,9 +48,11 @@ static void project(const struct rhw_draw_state *state, const f8 position[4], f8
     header[0] = (f8)snap8(sx);
     header[1] = (f8)snap8(sy);
     header[2] = d;
-    const int32_t depth_flags =
-        state->pipeline->def.depth_clip_disabled ? 0 : RHW_VERTEX_NEAR | RHW_VERTEX_FAR;
-    header[3] = (f8)vertex_flags(position, symmetric ? -w : f8_splat(0), snapped, depth_flags);
+    i8 flags = vertex_flags(position, symmetric ? -w : f8_splat(0), snapped);
+    if (state->pipeline->def.depth_clip_disabled) {
+        flags &= i8_splat(~(RHW_VERTEX_NEAR | RHW_VERTEX_FAR));
+    }
+    header[3] = (f8)flags;
     header[4] = x;
     header[5] = y;
     header[6] = z;

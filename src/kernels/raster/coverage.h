@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: MIT
-// Coverage, exactly: the sign of integer edge functions at pixel centres, 8×8 pixels at a time.
+// Coverage, exactly: the sign of integer edge functions at pixel centres, or at one of several samples of each pixel,
+// 8×8 pixels at a time.
 //
 // Edge i runs from vertex i + 1 to vertex i + 2, turned so that the inside is where
 //
 //     e(P) = a·(Px − x) + b·(Py − y)  > 0,     (x, y) the edge's first vertex, all in 1/256 pixel,
 //
-// and = 0 too on a top or left edge (top-left rule; Direct3D 11.3 §3.4.2.1). Pixel centres are whole pixels
+// and = 0 too on a top or left edge (top-left rule; Direct3D 11.3 §3.4.2.1). Samples of a kind are whole pixels
 // apart, so e = 256·q + r there with the same r everywhere, and e >= 0 exactly when q >= 0: the loops below
 // work on q. |a|, |b| <= 2^24 and |e| < 2^49 (constants.h); a block that an edge crosses has |q| < 2^28.
 
@@ -21,17 +22,27 @@ _Static_assert((RHW_TILE - 1) % (RHW_BLOCK - 1) == 0, "coverage_add scales a blo
 
 struct edge {
     int32_t a, b;      // change of q per pixel to the right, and down
-    int64_t q;         // at the centre of the tile's first pixel
+    int64_t q;         // at the sample of the tile's first pixel
     int64_t low, high; // least and largest q of a block's pixels, less that of its first one
 };
 
-// `tile_x`, `tile_y`: pixels. `sign` is −1 for a triangle whose vertices turn the negative way.
-static inline struct edge make_edge(int32_t x0, int32_t y0, int32_t x1, int32_t y1, int32_t sign, int tile_x,
-                                    int tile_y)
+// A sample of the tile's first pixel, 1/256 pixel from the target's origin.
+struct sample_origin {
+    int64_t x, y;
+};
+
+static inline struct sample_origin center_of_pixel(int x, int y)
+{
+    return (struct sample_origin){sample_of_pixel(x), sample_of_pixel(y)};
+}
+
+// `sign` is −1 for a triangle whose vertices turn the negative way.
+static inline struct edge make_edge(int32_t x0, int32_t y0, int32_t x1, int32_t y1, int32_t sign,
+                                    struct sample_origin origin)
 {
     const int32_t a = sign * (y0 - y1), b = sign * (x1 - x0);
     const bool top_left = a > 0 || (a == 0 && b > 0);
-    const int64_t e = a * (sample_of_pixel(tile_x) - x0) + b * (sample_of_pixel(tile_y) - y0);
+    const int64_t e = a * (origin.x - x0) + b * (origin.y - y0);
     return (struct edge){a, b, (e - (top_left ? 0 : 1)) >> RHW_SUBPIXEL_BITS,
                          (RHW_BLOCK - 1) * ((int64_t)min_int(a, 0) + min_int(b, 0)),
                          (RHW_BLOCK - 1) * ((int64_t)max_int(a, 0) + max_int(b, 0))};
@@ -110,13 +121,13 @@ struct coverage {
 };
 
 static inline void coverage_add(struct coverage *coverage, const int32_t x[3], const int32_t y[3],
-                                int32_t sign, int tile_x, int tile_y)
+                                int32_t sign, struct sample_origin origin)
 {
     struct triangle_edges *const triangle = &coverage->triangles[coverage->count];
     triangle->count = 0;
     for (int i = 0; i < 3; i++) {
         const int j = i == 2 ? 0 : i + 1, k = i == 0 ? 2 : i - 1;
-        const struct edge edge = make_edge(x[j], y[j], x[k], y[k], sign, tile_x, tile_y);
+        const struct edge edge = make_edge(x[j], y[j], x[k], y[k], sign, origin);
         const int blocks = (RHW_TILE - 1) / (RHW_BLOCK - 1); // 63 pixels are 9 times 7
         if (edge.q + edge.high * blocks < 0) {
             return;
@@ -129,12 +140,11 @@ static inline void coverage_add(struct coverage *coverage, const int32_t x[3], c
 }
 
 static inline void coverage_setup(struct coverage *coverage, const struct rhw_chunk *chunk,
-                                  const struct rhw_triangle *t, int tile_x, int tile_y)
+                                  const struct rhw_triangle *t, struct sample_origin origin)
 {
     coverage->count = 0;
     if (!(t->flags & RHW_TRIANGLE_POLYGON)) {
-        coverage_add(coverage, t->x_24_8, t->y_24_8, t->flags & RHW_TRIANGLE_NEGATIVE ? -1 : 1, tile_x,
-                     tile_y);
+        coverage_add(coverage, t->x_24_8, t->y_24_8, t->flags & RHW_TRIANGLE_NEGATIVE ? -1 : 1, origin);
         return;
     }
     const struct rhw_polygon *const p = &chunk->polygons[t->polygon];
@@ -143,7 +153,7 @@ static inline void coverage_setup(struct coverage *coverage, const struct rhw_ch
         const int32_t y[3] = {p->y_24_8[0], p->y_24_8[i], p->y_24_8[i + 1]};
         const int64_t area = (int64_t)(x[1] - x[0]) * (y[2] - y[0]) - (int64_t)(x[2] - x[0]) * (y[1] - y[0]);
         if (area != 0) {
-            coverage_add(coverage, x, y, area < 0 ? -1 : 1, tile_x, tile_y);
+            coverage_add(coverage, x, y, area < 0 ? -1 : 1, origin);
         }
     }
 }

@@ -5,8 +5,8 @@
 #ifndef RHW_DEPTH_TEST_H
 #define RHW_DEPTH_TEST_H
 
+#include "../../compare.h"
 #include "../../draw_plan.h"
-#include "../compare.h"
 #include "open_pixels.h"
 #include "tile_depth.h"
 

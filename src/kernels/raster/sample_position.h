@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Where a pixel is sampled: at its centre. Every stage that needs the position of a sample, or the pixels whose samples
+// Where a pixel is sampled: at its centre, or where src/sample_pattern.h says. Every stage that needs the position of a sample, or the pixels whose samples
 // lie between two positions, asks here. Positions are snapped: 24.8 fixed point, 1/256 pixel, from the target's origin.
 #ifndef RHW_SAMPLE_POSITION_H
 #define RHW_SAMPLE_POSITION_H
@@ -44,26 +44,16 @@ RHW_INLINE i8 sample_from_position8(i8 position_24_8)
     return i8_splat(SAMPLE_OFFSET_0_8) - (position_24_8 & i8_splat(RHW_SUBPIXEL - 1));
 }
 
-// The pixels whose samples lie between two positions: the first at or behind the lower, and one past the last before
-// the upper.
-static inline int first_pixel(int32_t low_24_8)
+// The pixels that have a sample between two positions: the first at or behind the lower, and one past the last before
+// the upper. `step`: first_step and past_step of struct rhw_draw_state.
+static inline int pixel_of_step(int32_t position_24_8, int32_t step)
 {
-    return (low_24_8 + RHW_SUBPIXEL - SAMPLE_OFFSET_0_8 - 1) >> RHW_SUBPIXEL_BITS;
+    return (position_24_8 + step) >> RHW_SUBPIXEL_BITS;
 }
 
-static inline int past_pixel(int32_t high_24_8)
+RHW_INLINE i8 pixel_of_step8(i8 position_24_8, i8 step)
 {
-    return (high_24_8 + RHW_SUBPIXEL - SAMPLE_OFFSET_0_8) >> RHW_SUBPIXEL_BITS;
-}
-
-RHW_INLINE i8 first_pixel8(i8 low_24_8)
-{
-    return (low_24_8 + i8_splat(RHW_SUBPIXEL - SAMPLE_OFFSET_0_8 - 1)) >> RHW_SUBPIXEL_BITS;
-}
-
-RHW_INLINE i8 past_pixel8(i8 high_24_8)
-{
-    return (high_24_8 + i8_splat(RHW_SUBPIXEL - SAMPLE_OFFSET_0_8)) >> RHW_SUBPIXEL_BITS;
+    return (position_24_8 + step) >> RHW_SUBPIXEL_BITS;
 }
 
 #endif

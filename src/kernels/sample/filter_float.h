@@ -11,7 +11,7 @@
 #define RHW_FILTER_FLOAT_H
 
 #include "../../binding.h"
-#include "../compare.h"
+#include "../../compare.h"
 #include "filter_fixed.h"
 #include "lod.h"
 #include "texel_fetch.h"

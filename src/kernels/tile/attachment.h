@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// A tile's part of an attachment: loaded or cleared before the tile is drawn, stored when it is done.
+// A tile's part of an attachment: loaded or cleared before the tile is drawn, stored when it is done. Several samples of a
+// pixel are several planes, in the tile as in memory; what they are resolved into is written by resolve.h.
 #ifndef RHW_ATTACHMENT_H
 #define RHW_ATTACHMENT_H
 
@@ -40,14 +41,38 @@ static void copy_row(unsigned char *to, const unsigned char *from, size_t bytes)
     }
 }
 
-static unsigned char *target_row(const struct tile_work *work, const struct rhw_attachment *attachment, int y)
+// The tile's rows in memory.
+struct memory_rows {
+    unsigned char *first;
+    size_t pitch;
+};
+
+static struct memory_rows rows_of_level(const struct tile_work *work, const struct rhw_mip *mip, size_t size)
 {
-    const struct rhw_mip *const mip = attachment->target;
-    return mip->texels + (size_t)(work->y + y) * mip->row_pitch + (size_t)work->x * attachment->texel_size;
+    return (struct memory_rows){mip->texels + (size_t)work->y * mip->row_pitch + (size_t)work->x * size,
+                                mip->row_pitch};
 }
 
-// `tile`: the attachment's storage in the scratch, RHW_TILE texels per row.
-static void load_attachment(const struct tile_work *work, const struct rhw_attachment *attachment,
+// Those of a sample of the attachment's target.
+static struct memory_rows rows_of_target(const struct tile_work *work,
+                                         const struct rhw_attachment *attachment, int sample)
+{
+    struct memory_rows rows = rows_of_level(work, attachment->target, attachment->texel_size);
+    rows.first += (size_t)sample * attachment->sample_stride;
+    return rows;
+}
+
+// Those that are loaded for a sample.
+static struct memory_rows loaded_rows(const struct tile_work *work, const struct rhw_attachment *attachment,
+                                      int sample)
+{
+    return attachment->loads_resolved && work->pass->first_wave
+               ? rows_of_level(work, attachment->resolve, attachment->texel_size)
+               : rows_of_target(work, attachment, sample);
+}
+
+// `tile`: a plane of the attachment in the scratch, RHW_TILE texels per row.
+static void load_attachment(const struct tile_work *work, const struct rhw_attachment *attachment, int sample,
                             unsigned char *tile)
 {
     const size_t size = attachment->texel_size;
@@ -55,30 +80,39 @@ static void load_attachment(const struct tile_work *work, const struct rhw_attac
         fill_bytes(tile, attachment->clear, RHW_TILE * RHW_TILE * size);
         return;
     }
+    const struct memory_rows rows = loaded_rows(work, attachment, sample);
     for (int y = 0; y < work->height; y++) {
-        copy_row(tile + (size_t)y * RHW_TILE * size, target_row(work, attachment, y),
+        copy_row(tile + (size_t)y * RHW_TILE * size, rows.first + (size_t)y * rows.pitch,
                  (size_t)work->width * size);
     }
 }
 
+static void soil(const struct tile_work *work, struct rhw_clean_tiles *clean)
+{
+    if (clean) {
+        clean->is_clean[work->tile] = false;
+    }
+}
+
 static void store_attachment(const struct tile_work *work, const struct rhw_attachment *attachment,
-                             const unsigned char *tile)
+                             int sample, const unsigned char *tile)
 {
     const size_t size = attachment->texel_size;
     if (!is_stored(work->pass, attachment)) {
         return;
     }
-    if (attachment->clean) {
-        attachment->clean->is_clean[work->tile] = false;
-    }
+    soil(work, attachment->clean);
+    const struct memory_rows rows = rows_of_target(work, attachment, sample);
     for (int y = 0; y < work->height; y++) {
-        copy_row(target_row(work, attachment, y), tile + (size_t)y * RHW_TILE * size,
+        copy_row(rows.first + (size_t)y * rows.pitch, tile + (size_t)y * RHW_TILE * size,
                  (size_t)work->width * size);
     }
 }
 
+// Depth and stencil ------------------------------------------------------------------------------------
+
 // Depth in the tile is float; where memory has steps of a UNORM format, it is converted on the way.
-static void load_depth_steps(const struct tile_work *work, float *tile)
+static void load_depth_steps(const struct tile_work *work, int sample, float *tile)
 {
     const struct rhw_attachment *const depth = &work->pass->depth;
     const struct rhw_format_info *const info = rhw_format_info(depth->format);
@@ -92,27 +126,22 @@ static void load_depth_steps(const struct tile_work *work, float *tile)
         }
         return;
     }
+    const struct memory_rows rows = loaded_rows(work, depth, sample);
     for (int y = 0; y < work->height; y++) {
         for (int x = 0; x < work->width; x += 8) { // rows are padded
             struct raw_texels raw;
             f8 value[4];
-            load_texel_row(info->size, target_row(work, depth, y) + (size_t)x * info->size, &raw);
+            load_texel_row(info->size, rows.first + (size_t)y * rows.pitch + (size_t)x * info->size, &raw);
             decode_texels(info, &raw, value);
             f8_store(tile + y * RHW_TILE + x, value[0]);
         }
     }
 }
 
-static void store_depth_steps(const struct tile_work *work, const float *tile)
+// Writes depth as the texels of those rows.
+static void write_depth_steps(const struct tile_work *work, struct memory_rows rows, const float *tile)
 {
-    const struct rhw_attachment *const depth = &work->pass->depth;
-    const struct rhw_format_info *const info = rhw_format_info(depth->format);
-    if (!is_stored(work->pass, depth)) {
-        return;
-    }
-    if (depth->clean) {
-        depth->clean->is_clean[work->tile] = false;
-    }
+    const struct rhw_format_info *const info = rhw_format_info(work->pass->depth.format);
     for (int y = 0; y < work->height; y++) {
         for (int x = 0; x < work->width; x += 8) {
             const i8 mask = rhw_less_int(rhw_lane_index, i8_splat(work->width - x));
@@ -120,54 +149,84 @@ static void store_depth_steps(const struct tile_work *work, const float *tile)
             struct raw_texels raw;
             encode_texels(info, value, &raw);
             store_texel_row(info->size, &raw, mask, UINT32_MAX,
-                            target_row(work, depth, y) + (size_t)x * info->size);
+                            rows.first + (size_t)y * rows.pitch + (size_t)x * info->size);
         }
     }
 }
 
-static void load_depth_stencil(const struct tile_work *work)
+static void store_depth_steps(const struct tile_work *work, int sample, const float *tile)
 {
-    struct tile_depth *const tile = &work->scratch->depth;
-    if (work->pass->depth_steps != 0) {
-        load_depth_steps(work, tile->texels);
-    } else if (work->pass->has_depth) {
-        load_attachment(work, &work->pass->depth, (unsigned char *)tile->texels);
-    }
-    if (work->pass->has_stencil) {
-        load_attachment(work, &work->pass->stencil, tile->stencil);
+    const struct rhw_attachment *const depth = &work->pass->depth;
+    if (is_stored(work->pass, depth)) {
+        soil(work, depth->clean);
+        write_depth_steps(work, rows_of_target(work, depth, sample), tile);
     }
 }
 
-static void store_depth_stencil(const struct tile_work *work)
+static void load_depth_stencil(const struct tile_work *work, int sample)
 {
-    const struct tile_depth *const tile = &work->scratch->depth;
+    struct tile_depth *const tile = depth_plane(work->scratch, sample);
     if (work->pass->depth_steps != 0) {
-        store_depth_steps(work, tile->texels);
+        load_depth_steps(work, sample, tile->texels);
     } else if (work->pass->has_depth) {
-        store_attachment(work, &work->pass->depth, (const unsigned char *)tile->texels);
+        load_attachment(work, &work->pass->depth, sample, (unsigned char *)tile->texels);
     }
     if (work->pass->has_stencil) {
-        store_attachment(work, &work->pass->stencil, tile->stencil);
+        load_attachment(work, &work->pass->stencil, sample, tile->stencil);
     }
 }
 
-// A tile without triangles: what would be loaded and stored unchanged is left alone, and so is what is clean; what else
-// is cleared goes straight to its target.
+static void store_depth_stencil(const struct tile_work *work, int sample)
+{
+    const struct tile_depth *const tile = depth_plane(work->scratch, sample);
+    if (work->pass->depth_steps != 0) {
+        store_depth_steps(work, sample, tile->texels);
+    } else if (work->pass->has_depth) {
+        store_attachment(work, &work->pass->depth, sample, (const unsigned char *)tile->texels);
+    }
+    if (work->pass->has_stencil) {
+        store_attachment(work, &work->pass->stencil, sample, tile->stencil);
+    }
+}
+
+// Tiles without triangles ------------------------------------------------------------------------------
+
+// Makes the tile in a texture hold the clear value, if it does not yet.
+static void clear_rows(const struct tile_work *work, struct memory_rows rows, size_t size,
+                       const unsigned char clear[RHW_CLEAR_BYTES])
+{
+    for (int y = 0; y < work->height; y++) {
+        fill_bytes(rows.first + (size_t)y * rows.pitch, clear, (size_t)work->width * size);
+    }
+}
+
+// Whether the record says that it does; from now on it does.
+static bool is_clean(const struct tile_work *work, struct rhw_clean_tiles *clean)
+{
+    bool *const state = clean ? &clean->is_clean[work->tile] : NULL;
+    const bool was = state && *state;
+    if (state) {
+        *state = true;
+    }
+    return was;
+}
+
+// What would be loaded and stored unchanged is left alone, and so is what is clean; what else is cleared goes straight
+// to its target.
 static void pass_through(const struct tile_work *work, const struct rhw_attachment *attachment)
 {
-    if (!is_stored(work->pass, attachment) || load_of(work->pass, attachment) == RHW_LOAD_LOAD) {
+    if (load_of(work->pass, attachment) == RHW_LOAD_LOAD) {
         return;
     }
-    if (attachment->clean) {
-        bool *const is_clean = &attachment->clean->is_clean[work->tile];
-        if (*is_clean) {
-            return;
+    if (is_stored(work->pass, attachment) && !is_clean(work, attachment->clean)) {
+        for (int sample = 0; sample < work->samples; sample++) {
+            clear_rows(work, rows_of_target(work, attachment, sample), attachment->texel_size,
+                       attachment->clear);
         }
-        *is_clean = true;
     }
-    for (int y = 0; y < work->height; y++) {
-        fill_bytes(target_row(work, attachment, y), attachment->clear,
-                   (size_t)work->width * attachment->texel_size);
+    if (attachment->resolves && work->pass->last_wave && !is_clean(work, attachment->resolve_clean)) {
+        clear_rows(work, rows_of_level(work, attachment->resolve, attachment->texel_size),
+                   attachment->texel_size, attachment->clear);
     }
 }
 

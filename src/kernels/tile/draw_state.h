@@ -18,10 +18,13 @@ static void set_state(struct tile_work *work, const struct rhw_draw_state *state
     work->is_scissored = scissor->x > work->x || scissor->y > work->y ||
                          scissor->x + scissor->width < work->x + RHW_TILE ||
                          scissor->y + scissor->height < work->y + RHW_TILE;
-    depth->least = state->depth_least;
-    depth->most = state->depth_most;
-    depth->state = &state->depth_stencil;
-    work->tests_bounds = hiz_follow(depth, &work->plan);
+    for (int s = 0; s < work->samples; s++) {
+        struct tile_depth *const plane = depth_plane(work->scratch, s);
+        plane->least = state->depth_least;
+        plane->most = state->depth_most;
+        plane->state = &state->depth_stencil;
+    }
+    work->tests_bounds = work->samples == 1 && hiz_follow(depth, &work->plan);
     for (int g = 0; g < RHW_FRAGMENT_GROUPS; g++) {
         struct rhw_fragment *const group = &queue->groups[g];
         const int offset = g * pipeline->varying_components;
@@ -48,10 +51,19 @@ static void set_draw(struct tile_work *work, const struct rhw_draw *draw)
     }
 }
 
-// Opens all pixels of the tile.
-static void open_all(struct tile_work *work)
+// Whether no sample of the tile but the first is open, drawn backwards.
+static __attribute__((noinline)) bool others_are_closed(const struct tile_work *work)
 {
-    struct tile_depth *const depth = &work->scratch->depth;
+    int open = 0;
+    for (int s = 1; s < work->samples && open == 0; s++) {
+        open = depth_plane(work->scratch, s)->open_count;
+    }
+    return open == 0;
+}
+
+// Opens all pixels of the tile.
+static void open_all(const struct tile_work *work, struct tile_depth *depth)
+{
     for (int y = 0; y < RHW_TILE; y++) {
         depth->open[y] = y < work->height ? ~(uint64_t)0 >> (RHW_TILE - work->width) : 0;
     }
@@ -63,10 +75,13 @@ static void start_phase(struct tile_work *work, enum rhw_phase phase)
 {
     struct tile_depth *const depth = &work->scratch->depth;
     flush(work);
-    if (phase == RHW_PHASE_DEPTH) {
-        memset(depth->open, 0, sizeof depth->open);
-    } else if (phase == RHW_PHASE_BACKWARDS) {
-        open_all(work);
+    for (int s = 0; s < work->samples; s++) {
+        struct tile_depth *const plane = depth_plane(work->scratch, s);
+        if (phase == RHW_PHASE_DEPTH) {
+            memset(plane->open, 0, sizeof plane->open);
+        } else if (phase == RHW_PHASE_BACKWARDS) {
+            open_all(work, plane);
+        }
     }
     work->draw = NULL;
     work->phase = phase;

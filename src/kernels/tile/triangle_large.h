@@ -8,78 +8,11 @@
 
 #include "../fragment/constant_color.h"
 #include "../fragment/gather.h"
-#include "../integer.h"
 #include "../raster/hiz.h"
-#include "depth_bias.h"
 #include "span_blocks.h"
-
-// Planes -----------------------------------------------------------------------------------------------
-
-static void set_planes(const struct tile_work *work, struct triangle_work *triangle)
-{
-    const struct triangle_setup8 *const setup = triangle->setup;
-    struct planes *const planes = &triangle->planes;
-    const int i = triangle->lane;
-    triangle->v = setup->read->vertex[i];
-    triangle->has_planes = true;
-    if (triangle->t->flags & RHW_TRIANGLE_UNSNAPPED) {
-        planes_homogeneous(planes, triangle->clipped, work->state, triangle->v);
-        if (work->plan.is_biased) {
-            bias_homogeneous(work, triangle);
-            bias_clipped(triangle);
-        }
-        return;
-    }
-    planes->anchor_x = setup->anchor_x[i];
-    planes->anchor_y = setup->anchor_y[i];
-    planes->kind = setup->exact >> i & 1 ? PLANES_EXACT : PLANES_LINEAR;
-    planes->is_homogeneous = false;
-    planes->quantities = setup->quantities[i];
-    planes->inverse_area = setup->inverse_area[i];
-    if (planes->kind == PLANES_EXACT || triangle->clipped) {
-        const struct setup_input4 input = setup_input(triangle, work->state);
-        setup_factors(&planes->factors, &input);
-        planes->factors.base[QUANTITY_Z] += triangle->depth_bias;
-    }
-    if (triangle->clipped || work->plan.needs_screen) {
-        set_screen_planes(triangle);
-    }
-    if (triangle->clipped) {
-        planes_clipped_snapped(planes, triangle->clipped, work->state, triangle->v);
-        if (work->plan.is_biased) {
-            bias_clipped(triangle);
-        }
-    }
-}
-
-// Whether numbers in a block may differ from the triangle's planes.
-RHW_INLINE bool leaves_triangle(const struct triangle_work *triangle, const struct anchor_offset *at)
-{
-    return triangle->clipped && block_leaves_triangle(&triangle->planes, triangle->clipped, at);
-}
+#include "triangle_planes.h"
 
 // Blocks -----------------------------------------------------------------------------------------------
-
-// Gives the depths of a block; those of pixels outside `mask` are rubbish.
-RHW_INLINE void depth_rows(const struct tile_work *work, const struct triangle_work *triangle,
-                           const struct block *block, uint64_t mask, f8 z[RHW_BLOCK])
-{
-    struct block_planes over;
-    block_depth(&over, &triangle->planes, &block->at);
-    for (int row = 0; row < RHW_BLOCK; row++) {
-        z[row] = depth_of_row(&triangle->planes, &over, row);
-    }
-    for (int row = 0; row < RHW_BLOCK && block->leaves_triangle; row++) {
-        struct clipped_row clipped;
-        if (mask >> (8 * row) & 0xff) {
-            clipped_row_set(&clipped, &triangle->planes, triangle->clipped, &block->at, row);
-            z[row] = f8_select(clipped.lanes, clipped.z, z[row]);
-        }
-    }
-    for (int row = 0; row < RHW_BLOCK && triangle->clamps_depth; row++) {
-        z[row] = viewport_clamp(&work->scratch->depth, z[row]);
-    }
-}
 
 // Tests a block's pixels set in `mask` before shading; returns those that pass.
 RHW_INLINE uint64_t test_depth(struct tile_work *work, const struct triangle_work *triangle,
@@ -206,13 +139,6 @@ static __attribute__((noinline)) bool draw_whole_tile(struct tile_work *work, st
 
 // All ---------------------------------------------------------------------------------------------------
 
-// Gives what a triangle may cover of the tile.
-RHW_INLINE struct tile_rect rect_of(const struct tile_work *work, const struct rhw_triangle *t)
-{
-    return (struct tile_rect){max_int(t->x0 - work->x, 0), max_int(t->y0 - work->y, 0),
-                              min_int(t->x1 - work->x, RHW_TILE), min_int(t->y1 - work->y, RHW_TILE)};
-}
-
 // Bit n: the triangle's plane lies behind all that block n of the row of blocks at y shows.
 static unsigned hidden_blocks(struct tile_work *work, struct triangle_work *triangle, int y)
 {
@@ -274,17 +200,11 @@ static __attribute__((noinline)) void draw_spans(struct tile_work *work, struct 
 static void draw_large(struct tile_work *work, struct triangle_work *triangle, const struct rhw_chunk *chunk)
 {
     struct coverage coverage;
-    struct clipped_planes clipped;
-    triangle->clipped = triangle->t->flags & RHW_TRIANGLE_POLYGON ? &clipped : NULL;
-    if (!work->plan.is_biased) {
-        triangle->clamps_depth = triangle->t->flags & RHW_TRIANGLE_CLAMP;
-        triangle->depth_bias = 0;
-    }
     if (triangle->t->flags & work->plan.span_flag) {
         draw_spans(work, triangle);
         return;
     }
-    coverage_setup(&coverage, chunk, triangle->t, work->x, work->y);
+    coverage_setup(&coverage, chunk, triangle->t, center_of_pixel(work->x, work->y));
     if (coverage.count == 0) {
         return;
     }

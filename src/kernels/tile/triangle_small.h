@@ -234,7 +234,7 @@ static inline void draw_small_block(struct tile_work *work, struct triangle_work
         return;
     }
     f8 z[RHW_BLOCK];
-    const struct block block = {x, y, block_offset(work, &triangle->planes, x, y), z, false};
+    const struct block block = {x, y, block_offset(work, &triangle->planes, x, y), z, false, NULL};
     if (work->plan.keeps_depth) {
         struct block_planes over;
         block_depth(&over, &triangle->planes, &block.at);

@@ -3,7 +3,7 @@
 #ifndef RHW_COMPARE_H
 #define RHW_COMPARE_H
 
-#include "../simd.h"
+#include "simd.h"
 
 // Gives the lanes for which `a compare b` holds.
 RHW_INLINE i8 compare_lanes(enum rhw_compare compare, f8 a, f8 b)

@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: MIT
+// The colours of a multisampled tile. Where all samples of a block of 8×8 pixels agree they are stored once, in the plane
+// of the first sample. A fragment that covers a pixel in part expands the block: from then on each sample has its own.
+#ifndef RHW_EXPAND_H
+#define RHW_EXPAND_H
+
+#include "../tile_work.h"
+
+// The block of a texel of the tile.
+RHW_INLINE int block_of_texel(int texel)
+{
+    return texel / RHW_TILE / RHW_BLOCK * HIZ_BLOCKS + texel % RHW_TILE / RHW_BLOCK;
+}
+
+static __attribute__((noinline)) void expand_block(const struct tile_work *work, int block)
+{
+    struct rhw_tile_scratch *const scratch = work->scratch;
+    const int x = block % HIZ_BLOCKS * RHW_BLOCK, y = block / HIZ_BLOCKS * RHW_BLOCK;
+    scratch->expanded |= (uint64_t)1 << block;
+    for (int t = 0; t < work->pass->color_count; t++) {
+        const size_t size = work->pass->colors[t].texel_size;
+        for (int row = 0; row < RHW_BLOCK; row++) {
+            const size_t at = (size_t)((y + row) * RHW_TILE + x) * size;
+            for (int s = 1; s < work->samples; s++) {
+                memcpy(color_plane(scratch, t, s) + at, scratch->color[t] + at, RHW_BLOCK * size);
+            }
+        }
+    }
+}
+
+#endif

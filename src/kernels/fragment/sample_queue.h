@@ -1,0 +1,143 @@
+// SPDX-License-Identifier: MIT
+// What follows the fragment function in a multisampled pass: samples are dropped, tested late, and blended plane by plane.
+// A group that covers its pixels all over is blended once, into the first plane, where its blocks are not expanded.
+#ifndef RHW_SAMPLE_QUEUE_H
+#define RHW_SAMPLE_QUEUE_H
+
+#include "../raster/full_test.h"
+#include "blend.h"
+#include "expand.h"
+
+// Lanes whose fragment covers sample s.
+RHW_INLINE unsigned lanes_of_sample(i8 samples, int s)
+{
+    return i8_sign_bits((i8)((u8)samples << (31 - s)));
+}
+
+// The first round(alpha · count) samples.
+RHW_INLINE i8 samples_of_alpha(f8 alpha, int count)
+{
+    const f8 kept = rhw_saturate(alpha) * f8_splat((float)count) + f8_splat(0.5f);
+    return i8_power2(rhw_int_from_float_unchecked(kept)) - i8_splat(1);
+}
+
+// Tests the samples of group g, a row of 8 pixels, after the fragment function.
+static i8 test_samples_late(struct tile_work *work, int g, i8 samples)
+{
+    const struct fragment_queue *const queue = &work->scratch->queue;
+    const struct rhw_fragment *const group = &queue->groups[g];
+    const uint32_t uses = work->pipeline->def.program.uses;
+    const struct rhw_depth_rule rule = work->plan.late;
+    const int x = queue->row_at[g] % RHW_TILE, y = queue->row_at[g] / RHW_TILE;
+    const unsigned back = uses & RHW_USE_FACING ? i8_sign_bits(~group->front_facing) : 0;
+    i8 passed = i8_splat(0);
+    for (int s = 0; s < work->samples; s++) {
+        struct tile_depth *const depth = depth_plane(work->scratch, s);
+        const unsigned bits = lanes_of_sample(samples, s);
+        const f8 z = uses & RHW_USE_DEPTH ? viewport_clamp(depth, group->depth) : queue->sample_depth[g][s];
+        const unsigned kept = bits == 0            ? 0
+                              : work->plan.is_full ? test_row_late_full(depth, x, y, z, bits, back, rule)
+                                                   : test_row_late(depth, x, y, z, bits, rule);
+        passed |= i8_from_bits(kept) & i8_splat(1 << s);
+    }
+    return passed;
+}
+
+// The samples of group g that are still to be blended.
+static i8 finish_samples(struct tile_work *work, int g)
+{
+    const struct fragment_queue *const queue = &work->scratch->queue;
+    const struct rhw_fragment *const group = &queue->groups[g];
+    const struct rhw_pipeline_def *const def = &work->pipeline->def;
+    i8 samples = queue->samples[g];
+    if (def->program.uses & RHW_USE_DISCARD) {
+        samples &= rhw_less_int(group->mask, i8_splat(0));
+    }
+    if (def->program.uses & RHW_USE_SAMPLE_MASK) {
+        samples &= group->sample_mask;
+    }
+    if (def->alpha_to_coverage) {
+        samples &= samples_of_alpha(queue->colors[g][0][3], work->samples);
+    }
+    return work->plan.depth_mode >= RHW_DEPTH_LATE ? test_samples_late(work, g, samples) : samples;
+}
+
+// Where a group is: which of its lanes lie in expanded blocks. The blocks of lanes in `partial` become so.
+static unsigned expanded_lanes(const struct tile_work *work, int g, unsigned partial)
+{
+    const struct fragment_queue *const queue = &work->scratch->queue;
+    const uint64_t *const expanded = &work->scratch->expanded;
+    unsigned lanes = 0;
+    if (!queue->is_scattered[g]) { // in one block
+        const int block = block_of_texel(queue->row_at[g]);
+        if (partial != 0 && !(*expanded >> block & 1)) {
+            expand_block(work, block);
+        }
+        return *expanded >> block & 1 ? 0xff : 0;
+    }
+    for (; partial != 0; partial &= partial - 1) {
+        const int block = block_of_texel(queue->texels[g][__builtin_ctz(partial)]);
+        if (!(*expanded >> block & 1)) {
+            expand_block(work, block);
+        }
+    }
+    for (int lane = 0; lane < 8 && *expanded != 0; lane++) {
+        lanes |= (unsigned)(*expanded >> block_of_texel(queue->texels[g][lane]) & 1) << lane;
+    }
+    return lanes;
+}
+
+// Blends the lanes of group g that are set in `bits` into a plane of target t.
+static void blend_plane(const struct tile_work *work, int t, int g, int sample, unsigned bits)
+{
+    struct fragment_queue *const queue = &work->scratch->queue;
+    const struct rhw_blend_state *const state = &work->state->blend[t];
+    const size_t size = work->pass->colors[t].texel_size;
+    unsigned char *const texels = color_plane(work->scratch, t, sample);
+    if (!queue->is_scattered[g]) {
+        blend_group(state, queue->colors[g][t], i8_from_bits(bits), texels + (size_t)queue->row_at[g] * size);
+        return;
+    }
+    _Alignas(32) unsigned char lanes[8 * 16];
+    gather_texels(queue->texels[g], texels, size, lanes);
+    blend_group(state, queue->colors[g][t], i8_splat(-1), lanes);
+    scatter_texels(queue->texels[g], bits, texels, size, lanes);
+}
+
+static void blend_samples(const struct tile_work *work, int g, i8 samples)
+{
+    const i8 all = i8_splat((int32_t)(((int64_t)1 << work->samples) - 1));
+    const unsigned live = ~i8_sign_bits(rhw_equal_int(samples, i8_splat(0))) & 0xff;
+    const unsigned partial = live & ~i8_sign_bits(rhw_equal_int(samples, all));
+    if (live == 0) {
+        return;
+    }
+    const unsigned expanded = expanded_lanes(work, g, partial);
+    for (int s = 0; s < work->samples; s++) {
+        const unsigned bits = lanes_of_sample(samples, s) & (s == 0 ? 0xff : expanded);
+        for (int t = 0; t < work->pass->color_count && bits != 0; t++) {
+            blend_plane(work, t, g, s, bits);
+        }
+        if (expanded == 0) {
+            break;
+        }
+    }
+}
+
+// After the fragment function: what is left of all groups is blended, in their order.
+static __attribute__((noinline)) void finish_sample_queue(struct tile_work *work)
+{
+    struct fragment_queue *const queue = &work->scratch->queue;
+    const struct rhw_pipeline_def *const def = &work->pipeline->def;
+    const bool drops = work->plan.masks_samples || work->plan.depth_mode >= RHW_DEPTH_LATE ||
+                       def->program.uses & RHW_USE_DISCARD;
+    for (int g = 0; g < queue->count; g++) {
+        const i8 samples = drops ? finish_samples(work, g) : queue->samples[g];
+        for (int t = 0; t < work->pass->color_count && def->alpha_to_one; t++) {
+            queue->colors[g][t][3] = f8_splat(1);
+        }
+        blend_samples(work, g, samples);
+    }
+}
+
+#endif

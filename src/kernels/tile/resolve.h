@@ -1,0 +1,211 @@
+// SPDX-License-Identifier: MIT
+// The samples of a tile as one texel a pixel. Of blocks that are not expanded (tile_work.h) the first sample has the
+// colour of all.
+#ifndef RHW_RESOLVE_H
+#define RHW_RESOLVE_H
+
+#include "../fragment/blend.h"
+#include "../fragment/expand.h"
+#include "attachment.h"
+
+// What to resolve: 8 pixels of each plane.
+struct sample_row {
+    const unsigned char *plane[RHW_MAX_SAMPLES];
+    int count;
+};
+
+RHW_INLINE f8 resolved_value(enum rhw_resolve mode, const f8 *value, int count)
+{
+    f8 result = value[0];
+    for (int s = 1; s < count; s++) {
+        result = mode == RHW_RESOLVE_MIN   ? rhw_min(value[s], result)
+                 : mode == RHW_RESOLVE_MAX ? rhw_max(value[s], result)
+                                           : result + value[s];
+    }
+    return mode == RHW_RESOLVE_AVERAGE ? result * rhw_splat(1.0f / (float)count) : result;
+}
+
+// Resolves the pixels of `lanes`.
+static void resolve_row(const struct rhw_format_info *info, enum rhw_resolve mode,
+                        const struct sample_row *row, unsigned lanes, unsigned char *to)
+{
+    struct raw_texels raw;
+    f8 value[4][RHW_MAX_SAMPLES], result[4];
+    const int count = mode == RHW_RESOLVE_SAMPLE_ZERO ? 1 : row->count;
+    for (int s = 0; s < count; s++) {
+        f8 channels[4];
+        load_texel_row(info->size, row->plane[s], &raw);
+        decode_texels(info, &raw, channels);
+        for (int c = 0; c < 4; c++) {
+            value[c][s] = channels[c];
+        }
+    }
+    if (mode != RHW_RESOLVE_SAMPLE_ZERO) {
+        for (int c = 0; c < 4; c++) {
+            result[c] = canonical_nan(resolved_value(mode, value[c], count));
+        }
+        encode_texels(info, result, &raw);
+    }
+    store_texel_row(info->size, &raw, i8_from_bits(lanes), UINT32_MAX, to);
+}
+
+static enum rhw_resolve color_mode(const struct rhw_attachment *attachment,
+                                   const struct rhw_format_info *info)
+{
+    const enum rhw_resolve mode =
+        attachment->resolve_mode == RHW_RESOLVE_DEFAULT ? RHW_RESOLVE_AVERAGE : attachment->resolve_mode;
+    return info->codec == RHW_CODEC_UINT32 ? RHW_RESOLVE_SAMPLE_ZERO : mode;
+}
+
+// Resolves target t.
+static void resolve_color(const struct tile_work *work, int t)
+{
+    struct rhw_tile_scratch *const scratch = work->scratch;
+    const struct rhw_attachment *const attachment = &work->pass->colors[t];
+    const struct rhw_format_info *const info = rhw_format_info(attachment->format);
+    const enum rhw_resolve mode = color_mode(attachment, info);
+    const struct memory_rows rows = rows_of_level(work, attachment->resolve, info->size);
+    soil(work, attachment->resolve_clean);
+    for (int y = 0; y < work->height; y++) {
+        for (int x = 0; x < work->width; x += RHW_BLOCK) {
+            const int block = y / RHW_BLOCK * HIZ_BLOCKS + x / RHW_BLOCK;
+            const size_t at = (size_t)(y * RHW_TILE + x) * info->size;
+            const int left = work->width - x;
+            unsigned char *const to = rows.first + (size_t)y * rows.pitch + (size_t)x * info->size;
+            struct sample_row row = {{scratch->color[t] + at}, work->samples};
+            if (!(scratch->expanded >> block & 1)) {
+                copy_row(to, row.plane[0], (size_t)(left < RHW_BLOCK ? left : RHW_BLOCK) * info->size);
+                continue;
+            }
+            for (int s = 1; s < work->samples; s++) {
+                row.plane[s] = color_plane(scratch, t, s) + at;
+            }
+            resolve_row(info, mode, &row, left < RHW_BLOCK ? (1u << left) - 1 : 0xff, to);
+        }
+    }
+}
+
+// Makes plane 0 of depth and stencil what the others are resolved into.
+static void resolve_depth_planes(const struct tile_work *work, enum rhw_resolve mode)
+{
+    struct tile_depth *const first = depth_plane(work->scratch, 0);
+    const bool averages = mode == RHW_RESOLVE_AVERAGE;
+    for (int i = 0; i < RHW_TILE * RHW_TILE; i += 8) {
+        f8 value[RHW_MAX_SAMPLES];
+        i8 stencil = i8_load_bytes(&first->stencil[i]);
+        for (int s = 0; s < work->samples; s++) {
+            const struct tile_depth *const plane = depth_plane(work->scratch, s);
+            const i8 other = i8_load_bytes(&plane->stencil[i]);
+            value[s] = f8_load(&plane->texels[i]);
+            stencil = averages                  ? stencil
+                      : mode == RHW_RESOLVE_MIN ? i8_min(stencil, other)
+                                                : i8_max(stencil, other);
+        }
+        f8_store(&first->texels[i], resolved_value(mode, value, work->samples));
+        const uint64_t bytes = i8_to_bytes(stencil);
+        memcpy(&first->stencil[i], &bytes, sizeof bytes);
+    }
+}
+
+static void write_rows(const struct tile_work *work, struct memory_rows rows, const unsigned char *tile,
+                       size_t size)
+{
+    for (int y = 0; y < work->height; y++) {
+        copy_row(rows.first + (size_t)y * rows.pitch, tile + (size_t)y * RHW_TILE * size,
+                 (size_t)work->width * size);
+    }
+}
+
+// Resolves depth and stencil, after their planes were stored.
+static void resolve_depth_stencil(const struct tile_work *work)
+{
+    const struct rhw_pass_state *const pass = work->pass;
+    const struct rhw_attachment *const depth = &pass->depth, *const stencil = &pass->stencil;
+    const struct tile_depth *const first = depth_plane(work->scratch, 0);
+    if (depth->resolve_mode != RHW_RESOLVE_DEFAULT && depth->resolve_mode != RHW_RESOLVE_SAMPLE_ZERO) {
+        resolve_depth_planes(work, depth->resolve_mode);
+    }
+    soil(work, depth->resolve_clean);
+    if (pass->has_depth && depth->store == RHW_STORE_STORE) {
+        const struct memory_rows rows = rows_of_level(work, depth->resolve, depth->texel_size);
+        if (pass->depth_steps != 0) {
+            write_depth_steps(work, rows, first->texels);
+        } else {
+            write_rows(work, rows, (const unsigned char *)first->texels, sizeof(float));
+        }
+    }
+    if (pass->has_stencil && stencil->store == RHW_STORE_STORE) {
+        write_rows(work, rows_of_level(work, stencil->resolve, 1), first->stencil, 1);
+    }
+}
+
+// Loading and storing with several samples ---------------------------------------------------------------
+
+static void load_samples(const struct tile_work *work)
+{
+    const struct rhw_pass_state *const pass = work->pass;
+    bool differ = false; // the samples of some colour may
+    for (int t = 0; t < pass->color_count; t++) {
+        const struct rhw_attachment *const color = &pass->colors[t];
+        differ |= load_of(pass, color) == RHW_LOAD_LOAD && !(color->loads_resolved && pass->first_wave);
+    }
+    work->scratch->expanded = differ ? ~(uint64_t)0 : 0;
+    for (int t = 0; t < pass->color_count; t++) {
+        for (int s = 0; s < (differ ? work->samples : 1); s++) {
+            load_attachment(work, &pass->colors[t], s, color_plane(work->scratch, t, s));
+        }
+    }
+    for (int s = 0; s < work->samples; s++) {
+        depth_plane(work->scratch, s)->direction = 0;
+        load_depth_stencil(work, s);
+    }
+}
+
+static void store_samples(const struct tile_work *work)
+{
+    const struct rhw_pass_state *const pass = work->pass;
+    bool stores = false;
+    for (int t = 0; t < pass->color_count; t++) {
+        stores |= is_stored(pass, &pass->colors[t]);
+    }
+    for (int block = 0; block < HIZ_BLOCKS * HIZ_BLOCKS && stores; block++) {
+        if (!(work->scratch->expanded >> block & 1)) {
+            expand_block(work, block);
+        }
+    }
+    for (int t = 0; t < pass->color_count; t++) {
+        for (int s = 0; s < work->samples; s++) {
+            store_attachment(work, &pass->colors[t], s, color_plane(work->scratch, t, s));
+        }
+        if (pass->colors[t].resolves && pass->last_wave) {
+            resolve_color(work, t);
+        }
+    }
+    for (int s = 0; s < work->samples; s++) {
+        store_depth_stencil(work, s);
+    }
+    if (pass->depth.resolves && pass->last_wave) {
+        resolve_depth_stencil(work);
+    }
+}
+
+// Whether what is resolved must be loaded first.
+static bool loads_to_resolve(const struct tile_work *work, const struct rhw_attachment *attachment)
+{
+    const struct rhw_pass_state *const pass = work->pass;
+    return attachment->resolves && load_of(pass, attachment) == RHW_LOAD_LOAD &&
+           !(attachment->loads_resolved && pass->first_wave);
+}
+
+// Whether there is such in a tile, which then does not pass through.
+static bool resolves_loaded(const struct tile_work *work)
+{
+    const struct rhw_pass_state *const pass = work->pass;
+    bool resolves = loads_to_resolve(work, &pass->depth);
+    for (int t = 0; t < pass->color_count; t++) {
+        resolves |= loads_to_resolve(work, &pass->colors[t]);
+    }
+    return resolves && pass->last_wave;
+}
+
+#endif

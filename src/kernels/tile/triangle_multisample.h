@@ -1,0 +1,227 @@
+// SPDX-License-Identifier: MIT
+// A triangle in a tile whose pixels have several samples: the same as triangle_large.h, with coverage and depth by sample.
+// A fragment is what a triangle covers of a pixel, one sample or more: it is shaded once, where its varyings say
+// (enum rhw_sampling), and goes into every sample that it covers and that passes the tests.
+#ifndef RHW_TRIANGLE_MULTISAMPLE_H
+#define RHW_TRIANGLE_MULTISAMPLE_H
+
+#include "../fragment/constant_color.h"
+#include "../fragment/gather.h"
+#include "triangle_planes.h"
+
+// A block of 8×8 pixels by sample.
+struct sampled_block {
+    int x, y;
+    uint64_t mask[RHW_MAX_SAMPLES];
+    f8 z[RHW_MAX_SAMPLES][RHW_BLOCK];
+};
+
+// Pixels from the centre of a pixel to a sample.
+static double from_center(int16_t position_0_8)
+{
+    return (double)(position_0_8 - SAMPLE_OFFSET_0_8) / RHW_SUBPIXEL;
+}
+
+// The block as its pixels are at sample s; −1: at their centres.
+static struct block block_at(const struct tile_work *work, const struct triangle_work *triangle,
+                             const struct sampled_block *from, int s)
+{
+    const struct rhw_sample_pattern *const pattern = work->pass->pattern;
+    struct block block = {.x = from->x, .y = from->y};
+    block.at = block_offset(work, &triangle->planes, from->x, from->y);
+    if (s >= 0) {
+        block.at.dx = d8_add(block.at.dx, d8_splat(from_center(pattern->x_0_8[s])));
+        block.at.dy = d8_add(block.at.dy, d8_splat(from_center(pattern->y_0_8[s])));
+    }
+    block.leaves_triangle = leaves_triangle(triangle, &block.at);
+    return block;
+}
+
+static uint64_t any_sample(const struct tile_work *work, const struct sampled_block *block)
+{
+    uint64_t any = 0;
+    for (int s = 0; s < work->samples; s++) {
+        any |= block->mask[s];
+    }
+    return any;
+}
+
+static uint64_t all_samples(const struct tile_work *work, const struct sampled_block *block)
+{
+    uint64_t all = ~(uint64_t)0;
+    for (int s = 0; s < work->samples; s++) {
+        all &= block->mask[s];
+    }
+    return all;
+}
+
+// Leaves the samples that are open, where a phase asks for that.
+static void leave_open(struct tile_work *work, struct sampled_block *block)
+{
+    for (int s = 0; s < work->samples; s++) {
+        struct tile_depth *const depth = depth_plane(work->scratch, s);
+        if (work->phase == RHW_PHASE_BACKWARDS) {
+            block->mask[s] = claim_backwards(depth, block->x, block->y, block->mask[s]);
+        } else if (work->plan.early_name == RHW_RULE_CLAIM) {
+            block->mask[s] &= block_bits(&depth->open[block->y], block->x);
+        }
+    }
+}
+
+// Tests the samples before shading.
+static void test_samples(struct tile_work *work, const struct triangle_work *triangle,
+                         struct sampled_block *block)
+{
+    const int face = triangle->t->flags & RHW_TRIANGLE_BACK ? 1 : 0;
+    for (int s = 0; s < work->samples; s++) {
+        if (block->mask[s] == 0) {
+            continue;
+        }
+        struct tile_depth *const depth = depth_plane(work->scratch, s);
+        const struct block_pixels pixels = {depth, block->z[s], block->x, block->y, block->mask[s]};
+        block->mask[s] = work->plan.is_full ? test_block_full(&pixels, work->plan.early, face)
+                                            : test_early(&work->plan, test_block, &pixels);
+    }
+}
+
+// Queues the fragments of `pixels`, which take their values at sample `at` (−1: the centre).
+static void queue_samples(struct tile_work *work, struct triangle_work *triangle,
+                          const struct sampled_block *from, uint64_t pixels, int at)
+{
+    const struct rhw_sample_pattern *const pattern = work->pass->pattern;
+    const bool per_sample = work->plan.sampling == RHW_SAMPLING_SAMPLE;
+    f8 z[RHW_BLOCK];
+    struct block block = block_at(work, triangle, from, at);
+    struct block_samples samples = {.mask = from->mask, .only = per_sample ? at : -1};
+    if (pixels == 0) {
+        return;
+    }
+    if (at >= 0) {
+        samples.position[0] = (float)pattern->x_0_8[at] / RHW_SUBPIXEL;
+        samples.position[1] = (float)pattern->y_0_8[at] / RHW_SUBPIXEL;
+    }
+    samples.depth = work->plan.depth_mode >= RHW_DEPTH_LATE ? from->z : NULL;
+    block.samples = &samples;
+    block.z = z;
+    if (work->plan.keeps_depth) {
+        depth_rows(work, triangle, &block, pixels, z);
+    }
+    const bool is_whole = pixels == ~(uint64_t)0;
+    if (at < 0 && (!is_whole || all_samples(work, from) != pixels) &&
+        can_scatter(work, triangle, &block, pixels)) {
+        gather_samples(work, triangle, block.x, block.y, from->mask, pixels);
+        return;
+    }
+    release_overtaken(work, block.x, block.y, pixels);
+    if (is_whole) {
+        queue_rows(work, triangle, &block, &all_rows);
+    } else {
+        queue_some_rows(work, triangle, &block, pixels);
+    }
+}
+
+static void collect_samples(struct tile_work *work, struct triangle_work *triangle,
+                            const struct sampled_block *block, uint64_t any)
+{
+    uint64_t left = any;
+    switch (work->plan.sampling) {
+    case RHW_SAMPLING_CENTER: queue_samples(work, triangle, block, any, -1); break;
+    case RHW_SAMPLING_CENTROID: // at the first sample that is covered, where not all are
+        left &= ~all_samples(work, block);
+        queue_samples(work, triangle, block, any & ~left, -1);
+        for (int s = 0; s < work->samples && left != 0; s++) {
+            queue_samples(work, triangle, block, left & block->mask[s], s);
+            left &= ~block->mask[s];
+        }
+        break;
+    case RHW_SAMPLING_SAMPLE:
+        for (int s = 0; s < work->samples; s++) {
+            queue_samples(work, triangle, block, block->mask[s], s);
+        }
+        break;
+    }
+}
+
+static void draw_sampled_block(struct tile_work *work, struct triangle_work *triangle,
+                               struct sampled_block *block)
+{
+    const struct rhw_draw_plan *const plan = &work->plan;
+    leave_open(work, block);
+    uint64_t any = any_sample(work, block);
+    if (any == 0) {
+        return;
+    }
+    if (plan->shading != RHW_SHADING_CONSTANT || plan->needs_depth) {
+        if (!triangle->has_planes) {
+            set_planes(work, triangle);
+        }
+        for (int s = 0; s < work->samples && plan->needs_depth; s++) {
+            if (block->mask[s] != 0) {
+                const struct block at = block_at(work, triangle, block, s);
+                depth_rows(work, triangle, &at, block->mask[s], block->z[s]);
+            }
+        }
+    }
+    if (plan->tests_early) {
+        test_samples(work, triangle, block);
+        any = any_sample(work, block);
+    }
+    if (any == 0 || plan->shading == RHW_SHADING_NONE) {
+        return;
+    }
+    work->counters->fragments += (uint64_t)__builtin_popcountll(any);
+    if (plan->shading == RHW_SHADING_CONSTANT) {
+        blend_constant_samples(work, block->x, block->y, block->mask);
+    } else {
+        collect_samples(work, triangle, block, any);
+    }
+}
+
+// The samples of a block that the triangle covers, within its rectangle and the scissor.
+static void cover_samples(const struct tile_work *work, const struct coverage *coverage,
+                          const struct tile_rect *rect, struct sampled_block *block)
+{
+    const int x = block->x, y = block->y;
+    const int row0 = max_int(rect->y0 - y, 0), row1 = min_int(rect->y1 - y, RHW_BLOCK);
+    const uint64_t inside =
+        work->is_scissored ? rect_mask(x, y, rect->x0, rect->y0, rect->x1, rect->y1) : ~(uint64_t)0;
+    for (int s = 0; s < work->samples; s++) {
+        const bool is_drawn = work->pipeline->def.sample_mask >> s & 1;
+        block->mask[s] = is_drawn ? inside & coverage_mask(&coverage[s], x, y, row0, row1) : 0;
+    }
+}
+
+static __attribute__((noinline)) void draw_multisampled(struct tile_work *work,
+                                                        struct triangle_work *triangle,
+                                                        const struct rhw_chunk *chunk)
+{
+    const struct rhw_sample_pattern *const pattern = work->pass->pattern;
+    const struct tile_rect rect = rect_of(work, triangle->t);
+    struct coverage coverage[RHW_MAX_SAMPLES];
+    bool reaches = false;
+    for (int s = 0; s < work->samples; s++) {
+        const struct sample_origin origin = {(int64_t)work->x * RHW_SUBPIXEL + pattern->x_0_8[s],
+                                             (int64_t)work->y * RHW_SUBPIXEL + pattern->y_0_8[s]};
+        coverage_setup(&coverage[s], chunk, triangle->t, origin);
+        reaches |= coverage[s].count != 0;
+        depth_plane(work->scratch, s)->marked = false;
+    }
+    if (!reaches) {
+        return;
+    }
+    for (int y = rect.y0 & -RHW_BLOCK; y < rect.y1; y += RHW_BLOCK) {
+        for (int x = rect.x0 & -RHW_BLOCK; x < rect.x1; x += RHW_BLOCK) {
+            struct sampled_block block;
+            block.x = x;
+            block.y = y;
+            cover_samples(work, coverage, &rect, &block);
+            draw_sampled_block(work, triangle, &block);
+        }
+    }
+    finish_gathered(work, triangle);
+    for (int s = 1; s < work->samples; s++) {
+        work->scratch->depth.marked |= depth_plane(work->scratch, s)->marked;
+    }
+}
+
+#endif

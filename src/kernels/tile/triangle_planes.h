@@ -1,0 +1,81 @@
+// SPDX-License-Identifier: MIT
+// What blocks of any triangle are drawn with: its planes, made when its first block survives, and the depths of a block.
+#ifndef RHW_TRIANGLE_PLANES_H
+#define RHW_TRIANGLE_PLANES_H
+
+#include "../fragment/row_groups.h"
+#include "../integer.h"
+#include "depth_bias.h"
+
+// Gives what a triangle may cover of the tile.
+RHW_INLINE struct tile_rect rect_of(const struct tile_work *work, const struct rhw_triangle *t)
+{
+    return (struct tile_rect){max_int(t->x0 - work->x, 0), max_int(t->y0 - work->y, 0),
+                              min_int(t->x1 - work->x, RHW_TILE), min_int(t->y1 - work->y, RHW_TILE)};
+}
+
+static void set_planes(const struct tile_work *work, struct triangle_work *triangle)
+{
+    const struct triangle_setup8 *const setup = triangle->setup;
+    struct planes *const planes = &triangle->planes;
+    const int i = triangle->lane;
+    triangle->v = setup->read->vertex[i];
+    triangle->has_planes = true;
+    if (triangle->t->flags & RHW_TRIANGLE_UNSNAPPED) {
+        planes_homogeneous(planes, triangle->clipped, work->state, triangle->v);
+        if (work->plan.is_biased) {
+            bias_homogeneous(work, triangle);
+            bias_clipped(triangle);
+        }
+        return;
+    }
+    planes->anchor_x = setup->anchor_x[i];
+    planes->anchor_y = setup->anchor_y[i];
+    planes->kind = setup->exact >> i & 1 ? PLANES_EXACT : PLANES_LINEAR;
+    planes->is_homogeneous = false;
+    planes->quantities = setup->quantities[i];
+    planes->inverse_area = setup->inverse_area[i];
+    if (planes->kind == PLANES_EXACT || triangle->clipped) {
+        const struct setup_input4 input = setup_input(triangle, work->state);
+        setup_factors(&planes->factors, &input);
+        planes->factors.base[QUANTITY_Z] += triangle->depth_bias;
+    }
+    if (triangle->clipped || work->plan.needs_screen) {
+        set_screen_planes(triangle);
+    }
+    if (triangle->clipped) {
+        planes_clipped_snapped(planes, triangle->clipped, work->state, triangle->v);
+        if (work->plan.is_biased) {
+            bias_clipped(triangle);
+        }
+    }
+}
+
+// Whether numbers in a block may differ from the triangle's planes.
+RHW_INLINE bool leaves_triangle(const struct triangle_work *triangle, const struct anchor_offset *at)
+{
+    return triangle->clipped && block_leaves_triangle(&triangle->planes, triangle->clipped, at);
+}
+
+// Gives the depths of a block; those of pixels outside `mask` are rubbish.
+RHW_INLINE void depth_rows(const struct tile_work *work, const struct triangle_work *triangle,
+                           const struct block *block, uint64_t mask, f8 z[RHW_BLOCK])
+{
+    struct block_planes over;
+    block_depth(&over, &triangle->planes, &block->at);
+    for (int row = 0; row < RHW_BLOCK; row++) {
+        z[row] = depth_of_row(&triangle->planes, &over, row);
+    }
+    for (int row = 0; row < RHW_BLOCK && block->leaves_triangle; row++) {
+        struct clipped_row clipped;
+        if (mask >> (8 * row) & 0xff) {
+            clipped_row_set(&clipped, &triangle->planes, triangle->clipped, &block->at, row);
+            z[row] = f8_select(clipped.lanes, clipped.z, z[row]);
+        }
+    }
+    for (int row = 0; row < RHW_BLOCK && triangle->clamps_depth; row++) {
+        z[row] = viewport_clamp(&work->scratch->depth, z[row]);
+    }
+}
+
+#endif

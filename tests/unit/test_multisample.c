@@ -1,0 +1,590 @@
+// SPDX-License-Identifier: MIT
+// Multisampling: coverage, depth and colour of every sample against exact arithmetic, where fragments take their values,
+// sample masks, alpha to coverage, resolving, reading samples back, and what is refused.
+#include "harness.h"
+
+#include <math.h>
+#include <string.h>
+
+enum { SIZE = 72, PIXELS = SIZE * SIZE, COUNTS = 4 };
+
+static const int counts[COUNTS] = {2, 4, 8, 16};
+static const float red[4] = {1, 0, 0, 1};
+
+static rhw_texture make_texture(struct rig *rig, enum rhw_format format, int samples)
+{
+    rhw_texture texture;
+    const struct rhw_texture_def def = {.format = format, .width = SIZE, .height = SIZE, .samples = samples};
+    assert_int_equal(rhw_texture_create(rig->context, &def, &texture), RHW_OK);
+    return texture;
+}
+
+// A rig whose target has that many samples, and depth too.
+static void open_samples(struct rig *rig, int samples, enum rhw_paths paths)
+{
+    rig_open_with(rig, SIZE, SIZE, &(struct rhw_context_def){.threads = 2, .paths = paths});
+    rig_set_depth(rig);
+    rhw_texture_destroy(rig->context, rig->pass.colors[0].texture);
+    rhw_texture_destroy(rig->context, rig->pass.depth.texture);
+    rig->pass.colors[0].texture = make_texture(rig, RHW_FORMAT_RGBA32_FLOAT, samples);
+    rig->pass.depth.texture = make_texture(rig, RHW_FORMAT_D32_FLOAT, samples);
+}
+
+static const float (*read_color(struct rig *rig, int sample))[4]
+{
+    static float pixels[PIXELS][4];
+    assert_int_equal(rhw_texture_read_sample(rig->context, rig->pass.colors[0].texture, sample, pixels, 0),
+                     RHW_OK);
+    return (const float(*)[4])pixels;
+}
+
+static const float *read_depth(struct rig *rig, int sample)
+{
+    static float depth[PIXELS];
+    assert_int_equal(rhw_texture_read_sample(rig->context, rig->pass.depth.texture, sample, depth, 0),
+                     RHW_OK);
+    return depth;
+}
+
+// Whether a point is inside a triangle of 1/256-pixel vertices, by the top-left rule; exact.
+static bool covers(const int64_t x[3], const int64_t y[3], int64_t px, int64_t py)
+{
+    const int64_t area = (x[1] - x[0]) * (y[2] - y[0]) - (x[2] - x[0]) * (y[1] - y[0]);
+    bool inside = area != 0;
+    for (int i = 0; i < 3; i++) {
+        const int j = (i + 1) % 3;
+        const int64_t sign = area < 0 ? -1 : 1, a = sign * (y[i] - y[j]), b = sign * (x[j] - x[i]);
+        const int64_t e = a * (px - x[i]) + b * (py - y[i]);
+        inside = inside && (e > 0 || (e == 0 && (a > 0 || (a == 0 && b > 0))));
+    }
+    return inside;
+}
+
+struct triangle {
+    int64_t x[3], y[3];
+    float depth;
+};
+
+static struct triangle random_triangle(uint64_t *random, int size)
+{
+    struct triangle t = {.depth = (float)rig_random_int(random, 1000) / 1024};
+    const int x = rig_random_int(random, SIZE * 256), y = rig_random_int(random, SIZE * 256);
+    for (int i = 0; i < 3; i++) {
+        t.x[i] = x + rig_random_int(random, size) - size / 2;
+        t.y[i] = y + rig_random_int(random, size) - size / 2;
+    }
+    return t;
+}
+
+static void draw_triangle(struct rig *rig, const struct triangle *t, float value)
+{
+    struct rig_vertex vertices[3];
+    for (int i = 0; i < 3; i++) {
+        rig_place(rig, (float)t->x[i] / 256, (float)t->y[i] / 256, t->depth, 1, vertices[i].position);
+        memcpy(vertices[i].value, (const float[4]){value, 0, 0, 1}, sizeof vertices[i].value);
+    }
+    rig_draw(rig, vertices, 3);
+}
+
+// Every sample has the nearest triangle that covers it.
+static void compare_samples(int samples, enum rhw_paths paths, int size, int count)
+{
+    struct rig rig;
+    open_samples(&rig, samples, paths);
+    static float color[16][PIXELS], depth[16][PIXELS];
+    uint64_t random = (uint64_t)(samples + size);
+    memset(color, 0, sizeof color);
+    rig_begin(&rig);
+    for (int i = 0; i < 16 * PIXELS; i++) {
+        depth[i / PIXELS][i % PIXELS] = 1;
+    }
+    for (int n = 1; n <= count; n++) {
+        const struct triangle t = random_triangle(&random, size);
+        draw_triangle(&rig, &t, (float)n);
+        for (int s = 0; s < samples; s++) {
+            float at[2];
+            assert_true(rhw_sample_position(samples, s, at));
+            const int64_t ox = (int64_t)(at[0] * 256), oy = (int64_t)(at[1] * 256);
+            for (int p = 0; p < PIXELS; p++) {
+                if (t.depth < depth[s][p] && covers(t.x, t.y, p % SIZE * 256 + ox, p / SIZE * 256 + oy)) {
+                    depth[s][p] = t.depth;
+                    color[s][p] = (float)n;
+                }
+            }
+        }
+    }
+    rig_end(&rig);
+    for (int s = 0; s < samples; s++) {
+        const float(*const pixels)[4] = read_color(&rig, s);
+        assert_memory_equal(read_depth(&rig, s), depth[s], sizeof depth[s]);
+        for (int p = 0; p < PIXELS; p++) {
+            if (pixels[p][0] != color[s][p]) {
+                fail_msg("%d samples, size %d: sample %d of pixel %d,%d is %g, not %g", samples, size, s,
+                         p % SIZE, p / SIZE, (double)pixels[p][0], (double)color[s][p]);
+            }
+        }
+    }
+    rig_close(&rig);
+}
+
+static void test_every_sample_is_exact(void **state)
+{
+    (void)state;
+    for (int i = 0; i < COUNTS; i++) {
+        for (int general = 0; general < 2; general++) {
+            const enum rhw_paths paths = general ? RHW_PATHS_GENERAL : RHW_PATHS_ALL;
+            compare_samples(counts[i], paths, 100 * 256, 30);
+            compare_samples(counts[i], paths, 20 * 256, 60);
+            compare_samples(counts[i], paths, 2 * 256, 200);
+        }
+    }
+}
+
+// Without a depth test the last triangle is seen: tiles draw backwards. One call of the fragment function gives a
+// fragment's colour to all its samples.
+static void test_fragments_are_shaded_once(void **state)
+{
+    (void)state;
+    struct rig rig;
+    open_samples(&rig, 4, RHW_PATHS_ALL);
+    rig.pipeline.depth_test = false;
+    struct rig_vertex all[6];
+    rig_begin(&rig);
+    for (int i = 0; i < 3; i++) {
+        rig_cover(&rig, 0.5f, (const float[4]){(float)i, 0, 0, 1}, all);
+        rig_draw(&rig, all, 6);
+    }
+    rig_end(&rig);
+    // Pixels on the diagonal are shaded for both triangles.
+    assert_true(rig.stats.fragments_shaded >= PIXELS && rig.stats.fragments_shaded <= PIXELS + 2 * SIZE);
+    for (int s = 0; s < 4; s++) {
+        for (int p = 0; p < PIXELS; p++) {
+            assert_true(read_color(&rig, s)[p][0] == 2);
+        }
+    }
+    rig_close(&rig);
+}
+
+static void test_resolve_on_store(void **state)
+{
+    (void)state;
+    for (int i = 0; i < COUNTS; i++) {
+        for (int kept = 0; kept < 2; kept++) { // samples in a texture of their own
+            struct rig rig;
+            rig_open(&rig, SIZE, SIZE);
+            const rhw_texture one = rig.pass.colors[0].texture;
+            rig.pass.samples = counts[i];
+            if (kept) {
+                rig.pass.colors[0].texture = make_texture(&rig, RHW_FORMAT_RGBA32_FLOAT, counts[i]);
+                rig.pass.colors[0].resolve = one;
+            }
+            struct rig_vertex half[6];
+            rig_rectangle(&rig, 8, 8, 40.5f, 40.25f, 0.5f, red, half);
+            rig_draw_once(&rig, half, 6);
+            const float(*const pixels)[4] = (const float(*)[4])rig_read(&rig, one);
+            for (int p = 0; p < PIXELS; p++) {
+                int covered = 0;
+                for (int s = 0; s < counts[i]; s++) {
+                    float at[2];
+                    rhw_sample_position(counts[i], s, at);
+                    const float x = (float)(p % SIZE) + at[0], y = (float)(p / SIZE) + at[1];
+                    covered += x >= 8 && y >= 8 && x < 40.5f && y < 40.25f;
+                }
+                assert_true(pixels[p][0] == (float)covered / (float)counts[i]);
+            }
+            if (kept) {
+                rhw_texture_destroy(rig.context, rig.pass.colors[0].texture);
+                rig.pass.colors[0].texture = one;
+            }
+            rig_close(&rig);
+        }
+    }
+}
+
+// In waves samples are kept between them; an sRGB target averages light.
+static void test_resolve_in_waves(void **state)
+{
+    (void)state;
+    uint64_t hash[2];
+    for (int waves = 0; waves < 2; waves++) {
+        struct rig rig;
+        rig_open_with(&rig, SIZE, SIZE, &(struct rhw_context_def){.threads = 2, .bin_memory = waves ? 1 : 0});
+        rig_set_target(&rig, 0, RHW_FORMAT_RGBA8_SRGB);
+        rig.pass.depth = (struct rhw_depth_attachment){.enabled = true, .store = RHW_STORE_DISCARD};
+        rig.pipeline.depth_test = true;
+        rig.pass.samples = 8;
+        uint64_t random = 12;
+        rig_begin(&rig);
+        for (int i = 0; i < 50; i++) {
+            const struct triangle t = random_triangle(&random, 30 * 256);
+            draw_triangle(&rig, &t, (float)i / 50);
+        }
+        rig_end(&rig);
+        assert_true((rig.stats.flushes > 0) == (waves != 0));
+        hash[waves] = rig_hash(&rig, 0);
+        rig_close(&rig);
+    }
+    assert_true(hash[0] == hash[1]);
+}
+
+static void test_resolve_modes(void **state)
+{
+    (void)state;
+    const float expected[] = {0.5f, 0.5f, 0, 1, 0}; // by enum rhw_resolve
+    for (int mode = 0; mode < 5; mode++) {
+        struct rig rig;
+        rig_open(&rig, SIZE, SIZE);
+        rig_set_depth(&rig);
+        rig.pass.samples = 2; // at 0.75, 0.75 and at 0.25, 0.25
+        rig.pass.colors[0].resolve_mode = (enum rhw_resolve)mode;
+        rig.pass.depth.resolve_mode = (enum rhw_resolve)mode;
+        rig.pass.depth.clear = 0.75f;
+        struct rig_vertex quad[6];
+        rig_rectangle(&rig, 0, 0, 10.5f, 10, 0.25f, red, quad);
+        rig_draw_once(&rig, quad, 6);
+        const float depths[] = {0.75f, 0.5f, 0.25f, 0.75f, 0.75f};
+        assert_true(rig_read_float4(&rig)[10][0] == expected[mode]);
+        assert_true(rig_read_depth(&rig)[10] == depths[mode]);
+        assert_true(rig_read_float4(&rig)[9][0] == 1 && rig_read_depth(&rig)[9] == 0.25f);
+        rig_close(&rig);
+    }
+}
+
+// What was resolved is loaded into every sample; samples that were stored are loaded as they were.
+static void test_loading(void **state)
+{
+    (void)state;
+    for (int kept = 0; kept < 2; kept++) {
+        struct rig rig;
+        rig_open(&rig, SIZE, SIZE);
+        const rhw_texture one = rig.pass.colors[0].texture;
+        rig.pass.samples = 4;
+        if (kept) {
+            rig.pass.colors[0].texture = make_texture(&rig, RHW_FORMAT_RGBA32_FLOAT, 4);
+            rig.pass.colors[0].resolve = one;
+        }
+        struct rig_vertex quad[6];
+        rig_rectangle(&rig, 0, 0, 10.5f, 10, 0.25f, red, quad);
+        rig_draw_once(&rig, quad, 6);
+        rig.pass.colors[0].load = RHW_LOAD_LOAD;
+        for (int again = 0; again < 2; again++) { // without a triangle, and with one
+            rig_begin(&rig);
+            rig_rectangle(&rig, 20, 20, 30, 30, 0.25f, red, quad);
+            if (again) {
+                rig_draw(&rig, quad, 6);
+            }
+            rig_end(&rig);
+            const float(*const pixels)[4] = (const float(*)[4])rig_read(&rig, one);
+            assert_true(pixels[10][0] == 0.5f && pixels[9][0] == 1 && pixels[11][0] == 0);
+            assert_true(pixels[25 * SIZE + 25][0] == (again ? 1.0f : 0.0f));
+        }
+        if (kept) {
+            rhw_texture_destroy(rig.context, rig.pass.colors[0].texture);
+            rig.pass.colors[0].texture = one;
+        }
+        rig_close(&rig);
+    }
+}
+
+// A ramp of 1 a pixel along x and of 100 along y, over what is right of x = 20.5: one triangle, so that no edge but that
+// crosses pixels.
+static void draw_ramp(struct rig *rig)
+{
+    const float corners[3][2] = {{20.5f, -200}, {20.5f, 300}, {600, 50}};
+    struct rig_vertex vertices[3];
+    for (int i = 0; i < 3; i++) {
+        rig_place(rig, corners[i][0], corners[i][1], 0.5f, 1, vertices[i].position);
+        memcpy(vertices[i].value, (const float[4]){corners[i][0], corners[i][1] * 100, 0, 1},
+               sizeof vertices[i].value);
+    }
+    rig_draw(rig, vertices, 3);
+}
+
+static void test_where_values_are_taken(void **state)
+{
+    (void)state;
+    for (int i = 0; i < COUNTS; i++) {
+        for (int sampling = RHW_SAMPLING_CENTER; sampling <= RHW_SAMPLING_SAMPLE; sampling++) {
+            struct rig rig;
+            open_samples(&rig, counts[i], RHW_PATHS_ALL);
+            rig.pipeline.program.varyings[0].sampling = (enum rhw_sampling)sampling;
+            rig_begin(&rig);
+            draw_ramp(&rig);
+            rig_end(&rig);
+            float first[2] = {-1, -1}; // of the samples that lie right of the edge in pixel 20
+            for (int s = counts[i] - 1; s >= 0; s--) {
+                float at[2];
+                rhw_sample_position(counts[i], s, at);
+                if (at[0] >= 0.5f) {
+                    memcpy(first, at, sizeof first);
+                }
+            }
+            for (int s = 0; s < counts[i]; s++) {
+                float at[2];
+                rhw_sample_position(counts[i], s, at);
+                for (int x = 20; x < 40; x++) {
+                    const float *const pixel = read_color(&rig, s)[7 * SIZE + x];
+                    if (x == 20 && at[0] < 0.5f) {
+                        assert_true(pixel[3] == 0); // not covered
+                        continue;
+                    }
+                    const bool in_part = x == 20 && sampling == RHW_SAMPLING_CENTROID;
+                    const float *const where = sampling == RHW_SAMPLING_SAMPLE ? at
+                                               : in_part                       ? first
+                                                                               : (const float[]){0.5f, 0.5f};
+                    assert_true(fabsf(pixel[0] - ((float)x + where[0])) < 2e-4f);
+                    assert_true(fabsf(pixel[1] - (7 + where[1]) * 100) < 2e-2f);
+                }
+            }
+            rig_close(&rig);
+        }
+    }
+}
+
+static void sample_fragment(struct rhw_fragment *groups, int count)
+{
+    for (int g = 0; g < count; g++) {
+        struct rhw_fragment *const f = &groups[g];
+        f->color[0][0] = rhw_float_from_int(f->sample_id);
+        f->color[0][1] = f->sample_position[0];
+        f->color[0][2] = f->coord[1] - rhw_floor(f->coord[1]);
+        f->color[0][3] = rhw_float_from_int(f->sample_mask);
+    }
+}
+
+static void test_sample_inputs(void **state)
+{
+    (void)state;
+    struct rig rig;
+    open_samples(&rig, 8, RHW_PATHS_ALL);
+    rig_set_program(&rig, rig_vertex_pass, sample_fragment);
+    rig.pipeline.program.uses = RHW_USE_SAMPLE | RHW_USE_COORD | RHW_USE_SAMPLE_MASK;
+    struct rig_vertex all[6];
+    rig_cover(&rig, 0.5f, red, all);
+    rig_draw_once(&rig, all, 6);
+    for (int s = 0; s < 8; s++) {
+        float at[2];
+        rhw_sample_position(8, s, at);
+        const float *const pixel = read_color(&rig, s)[9];
+        assert_true(pixel[0] == (float)s && pixel[1] == at[0] && pixel[2] == at[1]);
+        assert_true(pixel[3] == (float)(1 << s));
+    }
+    rig_close(&rig);
+}
+
+static void masking_fragment(struct rhw_fragment *groups, int count)
+{
+    rig_fragment_pass(groups, count);
+    for (int g = 0; g < count; g++) {
+        groups[g].sample_mask &= rhw_splat_int(5);
+    }
+}
+
+static void test_sample_masks(void **state)
+{
+    (void)state;
+    for (int by_function = 0; by_function < 2; by_function++) {
+        for (int late = 0; late < 2; late++) {
+            struct rig rig;
+            open_samples(&rig, 4, RHW_PATHS_ALL);
+            rig.pipeline.sample_mask = by_function ? 0 : 5;
+            rig.pipeline.depth_test = late;
+            if (by_function) {
+                rig_set_program(&rig, rig_vertex_pass, masking_fragment);
+                rig.pipeline.program.uses = RHW_USE_SAMPLE_MASK;
+            }
+            struct rig_vertex all[6];
+            rig_cover(&rig, 0.5f, red, all);
+            rig_draw_once(&rig, all, 6);
+            for (int s = 0; s < 4; s++) {
+                const bool drawn = 5 >> s & 1;
+                assert_true(read_color(&rig, s)[100][0] == (drawn ? 1.0f : 0.0f));
+                assert_true(read_depth(&rig, s)[100] == (drawn && late ? 0.5f : 1.0f));
+            }
+            rig_close(&rig);
+        }
+    }
+}
+
+static void test_alpha_to_coverage(void **state)
+{
+    (void)state;
+    for (int i = 0; i < COUNTS; i++) {
+        struct rig rig;
+        open_samples(&rig, counts[i], RHW_PATHS_ALL);
+        rig.pipeline.alpha_to_coverage = rig.pipeline.alpha_to_one = true;
+        for (int k = 0; k <= counts[i]; k++) {
+            struct rig_vertex all[6];
+            rig_cover(&rig, 0.5f, (const float[4]){1, 0, 0, ((float)k + 0.3f) / (float)counts[i]}, all);
+            rig_draw_once(&rig, all, 6);
+            for (int s = 0; s < counts[i]; s++) {
+                const float *const pixel = read_color(&rig, s)[100];
+                assert_true(pixel[0] == (s < k ? 1.0f : 0.0f) && pixel[3] == pixel[0]);
+                assert_true(read_depth(&rig, s)[100] == (s < k ? 0.5f : 1.0f));
+            }
+        }
+        rig_close(&rig);
+    }
+}
+
+// A fragment that discards leaves no sample; what it keeps is tested sample by sample.
+static void discarding_fragment(struct rhw_fragment *groups, int count)
+{
+    rig_fragment_pass(groups, count);
+    for (int g = 0; g < count; g++) {
+        groups[g].mask &= rhw_less(groups[g].coord[0], 30);
+    }
+}
+
+static void test_early_and_late_agree(void **state)
+{
+    (void)state;
+    uint64_t hash[2];
+    for (int late = 0; late < 2; late++) {
+        struct rig rig;
+        open_samples(&rig, 4, RHW_PATHS_ALL);
+        struct rig_vertex slope[6];
+        rig_cover(&rig, 0.5f, red, slope);
+        rig.pipeline.program.uses = late ? RHW_USE_DISCARD | RHW_USE_COORD : 0;
+        rig_set_program(&rig, rig_vertex_pass, late ? discarding_fragment : rig_fragment_pass);
+        const struct rhw_rect left = {0, 0, 30, SIZE};
+        rig_begin(&rig);
+        rhw_pass_set_scissor(rig.context, rig.recording, &left);
+        for (int i = 0; i < 3; i++) { // three slopes that cross each other
+            for (int v = 0; v < 6; v++) {
+                slope[v].position[2] = 0.5f + slope[v].position[0] * (0.1f + 0.07f * (float)i) +
+                                       slope[v].position[1] * (0.02f * (float)i);
+                slope[v].value[0] = (float)i;
+            }
+            rig_draw(&rig, slope, 6);
+        }
+        rig_end(&rig);
+        hash[late] = 0;
+        for (int s = 0; s < 4; s++) {
+            hash[late] = rig_hash_bytes(hash[late], read_color(&rig, s), PIXELS * 16);
+            hash[late] = rig_hash_bytes(hash[late], read_depth(&rig, s), PIXELS * 4);
+        }
+        rig_close(&rig);
+    }
+    assert_true(hash[0] == hash[1]);
+}
+
+// Blending over what samples have, in blocks where they agree and where they do not.
+static void test_blending(void **state)
+{
+    (void)state;
+    struct rig rig;
+    open_samples(&rig, 4, RHW_PATHS_ALL);
+    rig.pipeline.depth_test = false;
+    rig.pipeline.targets[0].blend = true;
+    rig.pipeline.targets[0].color = rig.pipeline.targets[0].alpha =
+        (struct rhw_blend_component){RHW_BLEND_ONE, RHW_BLEND_ONE, RHW_BLEND_ADD};
+    static float sum[4][PIXELS];
+    memset(sum, 0, sizeof sum);
+    uint64_t random = 77;
+    rig_begin(&rig);
+    for (int n = 0; n < 40; n++) {
+        const struct triangle t = random_triangle(&random, n % 2 ? 40 * 256 : 4 * 256);
+        draw_triangle(&rig, &t, 1);
+        for (int p = 0; p < 4 * PIXELS; p++) {
+            float at[2];
+            const int s = p / PIXELS, pixel = p % PIXELS;
+            rhw_sample_position(4, s, at);
+            sum[s][pixel] += (float)covers(t.x, t.y, pixel % SIZE * 256 + (int64_t)(at[0] * 256),
+                                           pixel / SIZE * 256 + (int64_t)(at[1] * 256));
+        }
+    }
+    rig_end(&rig);
+    for (int s = 0; s < 4; s++) {
+        for (int p = 0; p < PIXELS; p++) {
+            assert_true(read_color(&rig, s)[p][0] == sum[s][p]);
+        }
+    }
+    rig_close(&rig);
+}
+
+static void test_stencil_by_sample(void **state)
+{
+    (void)state;
+    struct rig rig;
+    rig_open(&rig, SIZE, SIZE);
+    rig.pass.samples = 4;
+    rig.pass.depth = (struct rhw_depth_attachment){
+        .enabled = true, .format = RHW_FORMAT_S8_UINT, .stencil_store = RHW_STORE_DISCARD};
+    rig.pipeline.stencil_test = true;
+    rig.pipeline.stencil_front.pass = RHW_STENCIL_INVERT;
+    rig.pipeline.targets[0].write_mask = RHW_WRITE_NONE;
+    struct rig_vertex quad[6];
+    rig_begin(&rig);
+    rig_rectangle(&rig, 0, 0, 10.5f, SIZE, 0.5f, red, quad);
+    rig_draw(&rig, quad, 6);
+    rig.pipeline.targets[0].write_mask = 0;
+    rig.pipeline.stencil_front =
+        (struct rhw_stencil_face){.compares = true, .compare = RHW_COMPARE_NOT_EQUAL};
+    rig_cover(&rig, 0.5f, red, quad);
+    rig_draw(&rig, quad, 6);
+    rig_end(&rig);
+    for (int x = 0; x < 20; x++) {
+        assert_true(rig_read_float4(&rig)[x][0] == (x < 10 ? 1.0f : x == 10 ? 0.5f : 0.0f));
+    }
+    rig_close(&rig);
+}
+
+static void test_misuse(void **state)
+{
+    (void)state;
+    struct rig rig;
+    rig_open(&rig, SIZE, SIZE);
+    rhw_texture texture;
+    struct rhw_texture_def def = {
+        .format = RHW_FORMAT_RGBA8_UNORM, .width = SIZE, .height = SIZE, .samples = 3};
+    assert_int_equal(rhw_texture_create(rig.context, &def, &texture), RHW_ERROR_MISUSE);
+    rig_expect_misuse(&rig, "samples is 3");
+    def.samples = 4;
+    def.mip_levels = RHW_MIP_LEVELS_ALL;
+    assert_int_equal(rhw_texture_create(rig.context, &def, &texture), RHW_ERROR_MISUSE);
+    rig_expect_misuse(&rig, "has one level");
+    texture = make_texture(&rig, RHW_FORMAT_RGBA32_FLOAT, 4);
+    static float pixels[PIXELS][4];
+    assert_int_equal(rhw_texture_read(rig.context, texture, 0, pixels, 0), RHW_ERROR_MISUSE);
+    rig_expect_misuse(&rig, "rhw_texture_read_sample");
+    assert_int_equal(rhw_texture_read_sample(rig.context, texture, 4, pixels, 0), RHW_ERROR_MISUSE);
+    rig_expect_misuse(&rig, "has samples 0..3");
+    const struct rhw_sampler_def sampler_def = {.lod_bias = 0};
+    rhw_sampler sampler;
+    assert_int_equal(rhw_sampler_create(rig.context, &sampler_def, &sampler), RHW_OK);
+    rig_begin(&rig);
+    rhw_pass_set_texture(rig.context, rig.recording, 0, texture, sampler);
+    rig_end(&rig);
+    rig_expect_misuse(&rig, "it cannot be sampled");
+    rhw_pass pass;
+    rig.pass.samples = 8;
+    const rhw_texture one = rig.pass.colors[0].texture;
+    rig.pass.colors[0].texture = texture;
+    assert_int_equal(rhw_pass_begin(rig.context, &rig.pass, &pass), RHW_ERROR_MISUSE);
+    rig_expect_misuse(&rig, "which has 4 samples; the pass has 8");
+    rig.pass.samples = 5;
+    assert_int_equal(rhw_pass_begin(rig.context, &rig.pass, &pass), RHW_ERROR_MISUSE);
+    rig_expect_misuse(&rig, "samples is 5");
+    rig.pass.samples = 4;
+    rig.pass.colors[0].texture = one;
+    rig.pass.colors[0].resolve = texture;
+    assert_int_equal(rhw_pass_begin(rig.context, &rig.pass, &pass), RHW_ERROR_MISUSE);
+    rig_expect_misuse(&rig, "colors[0].resolve is set");
+    rhw_texture_destroy(rig.context, texture);
+    rig_close(&rig);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(test_every_sample_is_exact),  cmocka_unit_test(test_fragments_are_shaded_once),
+        cmocka_unit_test(test_resolve_on_store),       cmocka_unit_test(test_resolve_in_waves),
+        cmocka_unit_test(test_resolve_modes),          cmocka_unit_test(test_loading),
+        cmocka_unit_test(test_where_values_are_taken), cmocka_unit_test(test_sample_inputs),
+        cmocka_unit_test(test_sample_masks),           cmocka_unit_test(test_alpha_to_coverage),
+        cmocka_unit_test(test_early_and_late_agree),   cmocka_unit_test(test_blending),
+        cmocka_unit_test(test_stencil_by_sample),      cmocka_unit_test(test_misuse),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}
