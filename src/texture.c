@@ -1,9 +1,12 @@
 // SPDX-License-Identifier: MIT
-// Textures: creation, upload and readback. Levels are linear rows in one allocation.
+// Textures: creation, upload and readback. Levels are linear rows in one allocation, of decoded texels where the format
+// is a compressed one.
 #include "texture.h"
 
 #include <string.h>
 
+#include "block_format.h"
+#include "block_level.h"
 #include "clean_tiles.h"
 #include "constants.h"
 #include "context.h"
@@ -28,7 +31,7 @@ void rhw_texture_data_init(struct rhw_texture_data *texture, enum rhw_format for
 {
     memset(texture, 0, sizeof *texture);
     texture->format = format;
-    texture->info = rhw_format_info(format);
+    texture->info = rhw_format_info(rhw_format_decoded(format));
     texture->levels = levels;
     for (int lane = 0; lane < RHW_LANES; lane++) {
         texture->last_level[lane] = (float)(texture->levels - 1);
@@ -238,7 +241,8 @@ static bool check_unattached(const struct rhw_context *context, rhw_texture id,
                      rhw_name_of(&context->textures, id.index).text);
 }
 
-static struct copy check_copy(const struct rhw_context *context, rhw_texture id, int level,
+// `is_decoded`: the caller's rows are of texels, also where the texture's format has blocks.
+static struct copy check_copy(const struct rhw_context *context, rhw_texture id, int level, bool is_decoded,
                               const void *outside, size_t row_pitch, const char *where)
 {
     const struct copy misuse = {.texture = NULL};
@@ -248,10 +252,12 @@ static struct copy check_copy(const struct rhw_context *context, rhw_texture id,
         !rhw_check(context, outside != NULL, "%s: data is NULL", where)) {
         return misuse;
     }
-    const size_t row = (size_t)texture->mip[level].width * texture->info->size;
+    const enum rhw_format format = is_decoded ? rhw_format_decoded(texture->format) : texture->format;
+    const size_t row = rhw_format_row_size(format, texture->mip[level].width);
     const size_t pitch = row_pitch == 0 ? row : row_pitch;
-    if (!rhw_check(context, pitch >= row, "%s: row_pitch is %zu; a row of level %d of %s has %zu bytes",
-                   where, pitch, level, rhw_name_of(&context->textures, id.index).text, row)) {
+    if (!rhw_check(context, pitch >= row, "%s: row_pitch is %zu; a row of %slevel %d of %s has %zu bytes",
+                   where, pitch, rhw_block_format(format) ? "blocks of " : "", level,
+                   rhw_name_of(&context->textures, id.index).text, row)) {
         return misuse;
     }
     return (struct copy){texture, level, row, pitch};
@@ -296,7 +302,7 @@ static struct rhw_texture_data *to_write(struct rhw_context *context, rhw_textur
 static enum rhw_result write_level(struct rhw_context *context, rhw_texture texture, int level,
                                    const void *data, size_t row_pitch)
 {
-    const struct copy copy = check_copy(context, texture, level, data, row_pitch, "rhw_texture_write");
+    const struct copy copy = check_copy(context, texture, level, false, data, row_pitch, "rhw_texture_write");
     if (!copy.texture) {
         return RHW_ERROR_MISUSE;
     }
@@ -305,6 +311,10 @@ static enum rhw_result write_level(struct rhw_context *context, rhw_texture text
         return RHW_ERROR_OUT_OF_MEMORY;
     }
     const struct rhw_mip *const mip = &written->mip[level];
+    if (rhw_block_format(written->format)) {
+        rhw_decode_level(context, written->format, data, copy.row_pitch, mip);
+        return RHW_OK;
+    }
     for (size_t y = 0; y < (size_t)mip->height; y++) {
         memcpy(mip->texels + y * mip->row_pitch, (const unsigned char *)data + y * copy.row_pitch, copy.row);
     }
@@ -329,7 +339,7 @@ enum rhw_result rhw_texture_read(rhw_context *context, rhw_texture texture, int 
     if (!rhw_context_enter(context, where)) {
         return RHW_ERROR_MISUSE;
     }
-    const struct copy copy = check_copy(context, texture, level, data, row_pitch, where);
+    const struct copy copy = check_copy(context, texture, level, true, data, row_pitch, where);
     const struct rhw_mip *const mip = copy.texture ? &copy.texture->mip[level] : NULL;
     for (size_t y = 0; mip && y < (size_t)mip->height; y++) {
         memcpy((unsigned char *)data + y * copy.row_pitch, mip->texels + y * mip->row_pitch, copy.row);
@@ -343,6 +353,10 @@ static enum rhw_result generate_mips(struct rhw_context *context, rhw_texture te
     static const char *const where = "rhw_texture_generate_mips";
     struct rhw_texture_data *const data = rhw_context_texture(context, texture, where);
     if (!data || !check_unattached(context, texture, data, where) ||
+        !rhw_check(context, !rhw_block_format(data->format),
+                   "%s: %s is %s; levels of compressed formats are written", where,
+                   rhw_name_of(&context->textures, texture.index).text,
+                   rhw_format_info(data->format)->name) ||
         !rhw_check(context, rhw_format_has_role(data->info, RHW_ROLE_SAMPLED),
                    "%s: %s is %s; that format is not filtered", where,
                    rhw_name_of(&context->textures, texture.index).text, data->info->name)) {

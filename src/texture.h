@@ -35,7 +35,8 @@ struct rhw_mip {
 // The pool of a context has pointers to these: a texture that is written while draws wait gets new data (texture.c).
 struct rhw_texture_data {
     enum rhw_format format;
-    const struct rhw_format_info *info; // the format's
+    const struct rhw_format_info
+        *info; // of the texels: the format's, or what that is decoded to (block_format.h)
     int levels;
     _Alignas(32) float last_level[RHW_LANES]; // levels − 1
     struct rhw_mip mip[RHW_MAX_MIP_LEVELS];
