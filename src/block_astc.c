@@ -167,8 +167,7 @@ struct pattern {
 
 static struct pattern make_pattern(const struct rhw_block_format *format, int partitions, int seed)
 {
-    struct pattern pattern = {.partitions = partitions,
-                              .scale = format->width * format->height < 31 ? 2 : 1};
+    struct pattern pattern = {.partitions = partitions, .scale = format->width * format->height < 31 ? 2 : 1};
     const uint32_t random = hash_52((uint32_t)(seed + (partitions - 1) * 1024));
     const int by_seed = seed & 2 ? 4 : 5, by_count = partitions == 3 ? 6 : 5;
     const int shift_x = seed & 1 ? by_seed : by_count, shift_y = seed & 1 ? by_count : by_seed;
@@ -256,8 +255,8 @@ static unsigned char mix(int first, int second, int weight, bool srgb)
 }
 
 static void decode_texels(const struct rhw_block_format *format, const struct layout *layout,
-                          const struct rhw_astc_endpoints *endpoints, const struct weights *weights, bool srgb,
-                          unsigned char *texels)
+                          const struct rhw_astc_endpoints *endpoints, const struct weights *weights,
+                          bool srgb, unsigned char *texels)
 {
     const struct grid *const grid = &layout->grid;
     const struct pattern pattern = make_pattern(format, layout->partitions, layout->seed);

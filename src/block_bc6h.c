@@ -93,20 +93,13 @@ struct mode {
 };
 
 static const struct mode modes[32] = {
-    [0] = {layout_0, true, 5, 10, {5, 5, 5}},
-    [1] = {layout_1, true, 5, 7, {6, 6, 6}},
-    [2] = {layout_2, true, 5, 11, {5, 4, 4}},
-    [3] = {layout_3, false, 0, 10, {10, 10, 10}},
-    [6] = {layout_6, true, 5, 11, {4, 5, 4}},
-    [7] = {layout_7, true, 0, 11, {9, 9, 9}},
-    [10] = {layout_10, true, 5, 11, {4, 4, 5}},
-    [11] = {layout_11, true, 0, 12, {8, 8, 8}},
-    [14] = {layout_14, true, 5, 9, {5, 5, 5}},
-    [15] = {layout_15, true, 0, 16, {4, 4, 4}},
-    [18] = {layout_18, true, 5, 8, {6, 5, 5}},
-    [22] = {layout_22, true, 5, 8, {5, 6, 5}},
-    [26] = {layout_26, true, 5, 8, {5, 5, 6}},
-    [30] = {layout_30, false, 5, 6, {6, 6, 6}},
+    [0] = {layout_0, true, 5, 10, {5, 5, 5}},   [1] = {layout_1, true, 5, 7, {6, 6, 6}},
+    [2] = {layout_2, true, 5, 11, {5, 4, 4}},   [3] = {layout_3, false, 0, 10, {10, 10, 10}},
+    [6] = {layout_6, true, 5, 11, {4, 5, 4}},   [7] = {layout_7, true, 0, 11, {9, 9, 9}},
+    [10] = {layout_10, true, 5, 11, {4, 4, 5}}, [11] = {layout_11, true, 0, 12, {8, 8, 8}},
+    [14] = {layout_14, true, 5, 9, {5, 5, 5}},  [15] = {layout_15, true, 0, 16, {4, 4, 4}},
+    [18] = {layout_18, true, 5, 8, {6, 5, 5}},  [22] = {layout_22, true, 5, 8, {5, 6, 5}},
+    [26] = {layout_26, true, 5, 8, {5, 5, 6}},  [30] = {layout_30, false, 5, 6, {6, 6, 6}},
 };
 
 static void take_values(struct rhw_bit_stream *stream, const struct run *run, int value[VALUES])
@@ -133,10 +126,10 @@ static void complete_values(const struct mode *mode, bool is_signed, int value[V
 
 static int unquantize(int value, int bits)
 {
-    return bits >= 15                  ? value
-           : value == 0                ? 0
+    return bits >= 15                 ? value
+           : value == 0               ? 0
            : value == (1 << bits) - 1 ? 0xffff
-                                       : ((value << 15) + 0x4000) >> (bits - 1);
+                                      : ((value << 15) + 0x4000) >> (bits - 1);
 }
 
 static int unquantize_signed(int value, int bits)
@@ -145,9 +138,9 @@ static int unquantize_signed(int value, int bits)
         return value;
     }
     const int size = value < 0 ? -value : value;
-    const int wide = size == 0                         ? 0
+    const int wide = size == 0                       ? 0
                      : size >= (1 << (bits - 1)) - 1 ? 0x7fff
-                                                       : ((size << 15) + 0x4000) >> (bits - 1);
+                                                     : ((size << 15) + 0x4000) >> (bits - 1);
     return value < 0 ? -wide : wide;
 }
 

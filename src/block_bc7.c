@@ -9,9 +9,10 @@
 struct mode {
     uint8_t subsets;
     uint8_t partition_bits, rotation_bits, selector_bits;
-    uint8_t color_bits, alpha_bits;    // of a channel of an endpoint
-    uint8_t endpoint_bits, shared_bits; // P-bits: one more low bit of all channels; of each endpoint, or subset
-    uint8_t weight_bits, second_bits;  // second: colour and alpha have weights of their own
+    uint8_t color_bits, alpha_bits; // of a channel of an endpoint
+    uint8_t endpoint_bits,
+        shared_bits;                  // P-bits: one more low bit of all channels; of each endpoint, or subset
+    uint8_t weight_bits, second_bits; // second: colour and alpha have weights of their own
 };
 
 static const struct mode modes[8] = {

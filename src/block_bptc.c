@@ -51,8 +51,8 @@ void rhw_bptc_partition(int subsets, int partition, uint8_t subset[RHW_BPTC_TEXE
 {
     memset(subset, 0, RHW_BPTC_TEXELS);
     for (int i = 0; i < RHW_BPTC_TEXELS && subsets > 1; i++) {
-        subset[i] = (uint8_t)(subsets == 2 ? two_subsets[partition] >> i & 1
-                                           : three_subsets[partition] >> 2 * i & 3);
+        subset[i] =
+            (uint8_t)(subsets == 2 ? two_subsets[partition] >> i & 1 : three_subsets[partition] >> 2 * i & 3);
     }
 }
 

@@ -103,9 +103,10 @@ static void decode_h(uint64_t bits, bool opaque, unsigned char *texels)
     const int second[3] = {widen(rhw_bits_of(bits, 43, 4), 4), widen(rhw_bits_of(bits, 39, 4), 4),
                            widen(rhw_bits_of(bits, 35, 4), 4)};
     // The order of the colours is a bit of the distance.
-    const bool is_greater = (first[0] << 16 | first[1] << 8 | first[2]) >=
-                            (second[0] << 16 | second[1] << 8 | second[2]);
-    const int distance = distances[rhw_bits_of(bits, 34, 1) << 2 | rhw_bits_of(bits, 32, 1) << 1 | is_greater];
+    const bool is_greater =
+        (first[0] << 16 | first[1] << 8 | first[2]) >= (second[0] << 16 | second[1] << 8 | second[2]);
+    const int distance =
+        distances[rhw_bits_of(bits, 34, 1) << 2 | rhw_bits_of(bits, 32, 1) << 1 | is_greater];
     unsigned char palette[4][RGBA];
     add_to_color(first, distance, palette[0]);
     add_to_color(first, -distance, palette[1]);
@@ -117,9 +118,10 @@ static void decode_h(uint64_t bits, bool opaque, unsigned char *texels)
 // A plane through the colours of the first texel and of those one block to the right and one down.
 static void decode_planar(uint64_t bits, unsigned char *texels)
 {
-    const int origin[3] = {widen(rhw_bits_of(bits, 57, 6), 6),
-                           widen(rhw_bits_of(bits, 56, 1) << 6 | rhw_bits_of(bits, 49, 6), 7),
-                           widen(rhw_bits_of(bits, 48, 1) << 5 | rhw_bits_of(bits, 43, 2) << 3 | rhw_bits_of(bits, 39, 3), 6)};
+    const int origin[3] = {
+        widen(rhw_bits_of(bits, 57, 6), 6),
+        widen(rhw_bits_of(bits, 56, 1) << 6 | rhw_bits_of(bits, 49, 6), 7),
+        widen(rhw_bits_of(bits, 48, 1) << 5 | rhw_bits_of(bits, 43, 2) << 3 | rhw_bits_of(bits, 39, 3), 6)};
     const int right[3] = {widen(rhw_bits_of(bits, 34, 5) << 1 | rhw_bits_of(bits, 32, 1), 6),
                           widen(rhw_bits_of(bits, 25, 7), 7), widen(rhw_bits_of(bits, 19, 6), 6)};
     const int down[3] = {widen(rhw_bits_of(bits, 13, 6), 6), widen(rhw_bits_of(bits, 6, 7), 7),

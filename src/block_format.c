@@ -8,7 +8,7 @@
 
 #include "block_decoders.h"
 
-enum { FIRST = RHW_FIRST_BLOCK_FORMAT };
+enum { FIRST = RHW_PLAIN_FORMAT_COUNT };
 
 // clang-format off
 static const struct rhw_block_format formats[RHW_BLOCK_FORMAT_COUNT] = {

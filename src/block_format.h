@@ -8,10 +8,10 @@
 #include "format.h"
 
 enum {
-    RHW_FIRST_BLOCK_FORMAT = RHW_FORMAT_BC1_RGB_UNORM,
     RHW_BLOCK_FORMAT_COUNT = RHW_FORMAT_ASTC_12X12_SRGB - RHW_FORMAT_BC1_RGB_UNORM + 1,
-    RHW_BLOCK_TEXELS = 12 * 12,     // of the largest block
-    RHW_DECODED_BYTES = 12 * 12 * 4 // of the largest block that is decoded; 4 × 4 texels of 16 bytes are fewer
+    RHW_BLOCK_TEXELS = 12 * 12, // of the largest block
+    RHW_DECODED_BYTES =
+        12 * 12 * 4 // of the largest block that is decoded; 4 × 4 texels of 16 bytes are fewer
 };
 
 struct rhw_block_format;

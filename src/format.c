@@ -15,7 +15,7 @@ enum {
 
 // R8 and RG8 are there to be sampled (masks, roughness), not drawn into.
 // clang-format off
-static const struct rhw_format_info formats[RHW_FIRST_BLOCK_FORMAT] = {
+static const struct rhw_format_info formats[RHW_PLAIN_FORMAT_COUNT] = {
     // name, bytes, channels, codec, fast path, roles
     [RHW_FORMAT_NONE] = {"RHW_FORMAT_NONE",
         0, 0, RHW_CODEC_NONE, RHW_TEXELS_GENERAL, 0},
@@ -40,7 +40,7 @@ static const struct rhw_format_info formats[RHW_FIRST_BLOCK_FORMAT] = {
 };
 // clang-format on
 
-_Static_assert((int)RHW_FIRST_BLOCK_FORMAT + (int)RHW_BLOCK_FORMAT_COUNT == (int)RHW_FORMAT_COUNT,
+_Static_assert((int)RHW_PLAIN_FORMAT_COUNT + (int)RHW_BLOCK_FORMAT_COUNT == (int)RHW_FORMAT_COUNT,
                "compressed formats stand last");
 _Static_assert(RHW_VERTEX_FORMAT_COUNT == 4 * RHW_TYPE_COUNT, "four vertex formats of each type");
 _Static_assert((int)RHW_VERTEX_HALF1 == 4 * RHW_TYPE_HALF &&
