@@ -36,7 +36,8 @@ struct pair {
     const char *extension;
 };
 
-static const char s3tc[] = "GL_EXT_texture_compression_s3tc", s3tc_srgb[] = "GL_EXT_texture_compression_s3tc_srgb",
+static const char s3tc[] = "GL_EXT_texture_compression_s3tc",
+                  s3tc_srgb[] = "GL_EXT_texture_compression_s3tc_srgb",
                   rgtc[] = "GL_EXT_texture_compression_rgtc", bptc[] = "GL_EXT_texture_compression_bptc",
                   astc[] = "GL_KHR_texture_compression_astc_ldr", core[] = "";
 
@@ -210,7 +211,8 @@ static double distance(enum kind kind, int channel, double ours, double theirs)
 // Prints what differs first.
 static void show(const struct pair *pair, int width, int texel)
 {
-    const int block_width = rhw_format_block_width(pair->format), columns = (width + block_width - 1) / block_width;
+    const int block_width = rhw_format_block_width(pair->format),
+              columns = (width + block_width - 1) / block_width;
     const int x = texel % width, y = texel / width;
     const size_t bytes = rhw_format_block_bytes(pair->format);
     const int block = y / rhw_format_block_height(pair->format) * columns + x / block_width;
@@ -251,8 +253,8 @@ static bool compare(const struct pair *pair, int rounds)
             }
         }
     }
-    printf("0x%04x: %ld texels, %ld channels differ, by %g at most (%d allowed)\n", pair->peer, texels, differing,
-           most, pair->allowed);
+    printf("0x%04x: %ld texels, %ld channels differ, by %g at most (%d allowed)\n", pair->peer, texels,
+           differing, most, pair->allowed);
     return most <= pair->allowed;
 }
 

@@ -89,8 +89,14 @@ static void test_bc1_colors_are_the_nearest_codes(void **state)
     for (int a = 0; a < 64; a++) {
         for (int b = 0; b < 64; b++) {
             const int first = (a >> 1) << 11 | a << 5 | (a >> 1), second = (b >> 1) << 11 | b << 5 | (b >> 1);
-            const unsigned char block[8] = {(unsigned char)first, (unsigned char)(first >> 8), (unsigned char)second,
-                                            (unsigned char)(second >> 8), 0xe4, 0xe4, 0xe4, 0xe4};
+            const unsigned char block[8] = {(unsigned char)first,
+                                            (unsigned char)(first >> 8),
+                                            (unsigned char)second,
+                                            (unsigned char)(second >> 8),
+                                            0xe4,
+                                            0xe4,
+                                            0xe4,
+                                            0xe4};
             const unsigned char *const texels = decode(&rig, RHW_FORMAT_BC1_RGBA_UNORM, block);
             for (int c = 0; c < 3; c++) {
                 const int x = c == 1 ? a : a >> 1, y = c == 1 ? b : b >> 1, most = c == 1 ? 63 : 31;
@@ -174,7 +180,8 @@ static void put(unsigned char *block, int at, int count, unsigned value)
 {
     for (int i = 0; i < count; i++) {
         const int bit = at + i;
-        block[bit / 8] = (unsigned char)((block[bit / 8] & ~(1 << bit % 8)) | (int)(value >> i & 1) << bit % 8);
+        block[bit / 8] =
+            (unsigned char)((block[bit / 8] & ~(1 << bit % 8)) | (int)(value >> i & 1) << bit % 8);
     }
 }
 
@@ -240,8 +247,8 @@ static void test_bc7_blocks(void **state)
     memset(block, 0, sizeof block);
     put(block, 0, 6, 0x20);
     put(block, 6, 2, 1);
-    put(block, 8, 7, 64);    // red from 129
-    put(block, 58, 8, 64);   // alpha to 64
+    put(block, 8, 7, 64);     // red from 129
+    put(block, 58, 8, 64);    // alpha to 64
     put(block, 97 + 1, 2, 3); // texel 1
     expect_rgba(&rig, RHW_FORMAT_BC7_UNORM, block, 0, (const unsigned char[4]){0, 0, 0, 129});
     expect_rgba(&rig, RHW_FORMAT_BC7_UNORM, block, 1, (const unsigned char[4]){64, 0, 0, 129});
@@ -335,7 +342,8 @@ static void test_eac_follows_the_examples_of_its_specification(void **state)
     put_big(block, 103ull << 56 | 2ull << 52 | tail);
     put_big(block + 8, 103ull << 56 | tail);
     assert_float_equal(((const float *)decode(&rig, RHW_FORMAT_EAC_R11_UNORM, block))[4], 668.0f / 2047, 0);
-    assert_float_equal(((const float *)decode(&rig, RHW_FORMAT_EAC_R11_UNORM, block + 8))[4], 818.0f / 2047, 0);
+    assert_float_equal(((const float *)decode(&rig, RHW_FORMAT_EAC_R11_UNORM, block + 8))[4], 818.0f / 2047,
+                       0);
     const float *both = decode(&rig, RHW_FORMAT_EAC_RG11_UNORM, block);
     const float wanted[4] = {812.0f / 2047, 827.0f / 2047, 0, 1}; // 828 less 16 and less 1
     assert_memory_equal(both, wanted, sizeof wanted);
@@ -382,7 +390,8 @@ static void test_astc_weights_between_two_colors(void **state)
     make_luminance(block, 0x20, 0xe0);
     const unsigned char wanted[4] = {0x20, 0x5f, 0xa1, 0xe0};
     for (int i = 0; i < 16; i++) {
-        const unsigned char *const texel = (const unsigned char *)decode(&rig, RHW_FORMAT_ASTC_4X4_UNORM, block) + 4 * i;
+        const unsigned char *const texel =
+            (const unsigned char *)decode(&rig, RHW_FORMAT_ASTC_4X4_UNORM, block) + 4 * i;
         assert_int_equal(texel[0], wanted[i % 4]);
         assert_int_equal(texel[2], wanted[i % 4]);
         assert_int_equal(texel[3], 255);
@@ -407,7 +416,8 @@ static void test_astc_errors_are_magenta(void **state)
     rig_open(&rig, 12, 12);
     const unsigned char magenta[4] = {255, 0, 255, 255};
     const enum rhw_format format = RHW_FORMAT_ASTC_6X6_UNORM;
-    unsigned char one_color[16] = {0xfc, 0xfd, 0xff, 0xff, 0xff, 0xff, 0xff, 0xff, 0, 10, 0, 20, 0, 30, 0, 40};
+    unsigned char one_color[16] = {0xfc, 0xfd, 0xff, 0xff, 0xff, 0xff, 0xff, 0xff,
+                                   0,    10,   0,    20,   0,    30,   0,    40};
     expect_rgba(&rig, format, one_color, 35, (const unsigned char[4]){10, 20, 30, 40});
     expect_rgba(&rig, RHW_FORMAT_ASTC_12X12_SRGB, one_color, 143, (const unsigned char[4]){10, 20, 30, 40});
     one_color[1] = 0xff; // high dynamic range
@@ -449,19 +459,23 @@ static void test_levels_may_end_within_a_block(void **state)
     enum { WIDTH = 13, HEIGHT = 6, LEVELS = 4 };
     for (int f = RHW_PLAIN_FORMAT_COUNT; f < RHW_FORMAT_COUNT; f++) {
         const enum rhw_format format = (enum rhw_format)f;
-        const size_t size = rhw_format_size(rhw_format_decoded(format)), bytes = rhw_format_block_bytes(format);
+        const size_t size = rhw_format_size(rhw_format_decoded(format)),
+                     bytes = rhw_format_block_bytes(format);
         const rhw_texture texture = make_texture(&rig, format, WIDTH, HEIGHT, LEVELS);
         assert_int_equal(rhw_texture_format(rig.context, texture), format);
         uint64_t state_of_random = (uint64_t)f;
         for (int level = 0; level < LEVELS; level++) {
             const int width = WIDTH >> level, height = HEIGHT >> level > 1 ? HEIGHT >> level : 1;
-            const int block_width = rhw_format_block_width(format), block_height = rhw_format_block_height(format);
-            const int columns = (width + block_width - 1) / block_width, rows = (height + block_height - 1) / block_height;
+            const int block_width = rhw_format_block_width(format),
+                      block_height = rhw_format_block_height(format);
+            const int columns = (width + block_width - 1) / block_width,
+                      rows = (height + block_height - 1) / block_height;
             // Exactly as many bytes as are read, so that the address sanitizer sees one more.
             const size_t pitch = (size_t)columns * bytes + 5;
             unsigned char *const blocks = malloc((size_t)(rows - 1) * pitch + (size_t)columns * bytes);
             for (int i = 0; i < rows * columns; i++) {
-                random_block(format, &state_of_random, blocks + (size_t)(i / columns) * pitch + (size_t)(i % columns) * bytes);
+                random_block(format, &state_of_random,
+                             blocks + (size_t)(i / columns) * pitch + (size_t)(i % columns) * bytes);
             }
             assert_int_equal(rhw_texture_write(rig.context, texture, level, blocks, pitch), RHW_OK);
             unsigned char texels[WIDTH * HEIGHT * 16];
@@ -585,7 +599,8 @@ static uint64_t hash_of(enum rhw_format format, int threads)
     struct rig rig;
     const struct rhw_context_def def = {.threads = threads};
     rig_open_with(&rig, 8, 8, &def);
-    const int width = BLOCKS * rhw_format_block_width(format), height = BLOCKS * rhw_format_block_height(format);
+    const int width = BLOCKS * rhw_format_block_width(format),
+              height = BLOCKS * rhw_format_block_height(format);
     const size_t bytes = rhw_format_block_bytes(format);
     const size_t size = rhw_format_size(rhw_format_decoded(format)) * (size_t)width * (size_t)height;
     unsigned char *const blocks = malloc(BLOCKS * BLOCKS * bytes), *const texels = malloc(size);
