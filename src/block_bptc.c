@@ -3,7 +3,6 @@
 #include "block_bptc.h"
 
 #include <stdbool.h>
-#include <string.h>
 
 // clang-format off
 // A bit for each texel, row by row.
@@ -49,10 +48,10 @@ static const uint8_t weights_4[16] = {0, 4, 9, 13, 17, 21, 26, 30, 34, 38, 43, 4
 
 void rhw_bptc_partition(int subsets, int partition, uint8_t subset[RHW_BPTC_TEXELS])
 {
-    memset(subset, 0, RHW_BPTC_TEXELS);
-    for (int i = 0; i < RHW_BPTC_TEXELS && subsets > 1; i++) {
-        subset[i] =
-            (uint8_t)(subsets == 2 ? two_subsets[partition] >> i & 1 : three_subsets[partition] >> 2 * i & 3);
+    for (int i = 0; i < RHW_BPTC_TEXELS; i++) {
+        const uint32_t of_two = (uint32_t)two_subsets[partition] >> i & 1;
+        const uint32_t of_three = three_subsets[partition] >> 2 * i & 3;
+        subset[i] = (uint8_t)(subsets == 1 ? 0 : subsets == 2 ? of_two : of_three);
     }
 }
 
