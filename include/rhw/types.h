@@ -128,7 +128,8 @@ struct rhw_buffer_def {
 enum { RHW_MIP_LEVELS_ALL = -1 };
 
 /// A 2D texture: sampled, drawn into, or both (not in the same pass). Zeroed when created. It takes the bytes of its
-/// texels, rows rounded up to 64; an RGBA8_SRGB texture that a pass samples takes 8 bytes a texel more from then on.
+/// texels (of a compressed format: as they are decoded), rows rounded up to 64; a texture of RGBA8_SRGB texels that a
+/// pass samples takes 8 bytes a texel more from then on.
 struct rhw_texture_def {
     enum rhw_format format; ///< to be set
     int width, height; ///< 1..RHW_MAX_TARGET_SIZE

@@ -5,7 +5,8 @@
 
 #include "harness.h"
 
-static inline rhw_texture make_texture(struct rig *rig, enum rhw_format format, int width, int height, int levels)
+static inline rhw_texture make_texture(struct rig *rig, enum rhw_format format, int width, int height,
+                                       int levels)
 {
     const struct rhw_texture_def def = {
         .format = format, .width = width, .height = height, .mip_levels = levels};
