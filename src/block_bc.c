@@ -127,10 +127,14 @@ void rhw_decode_bc3(const struct rhw_block_format *format, const unsigned char *
 static void store_channel(const struct rhw_block_format *format, const unsigned char *block,
                           const struct channel *channel, int c, unsigned char *texels)
 {
-    for (int i = 0; i < TEXELS; i++) {
-        const int value = channel->value[channel_index(block, i)];
-        rhw_store_float(format, texels, i, c, (float)value / (float)channel->denominator);
+    float palette[8], value[TEXELS];
+    for (int i = 0; i < 8; i++) {
+        palette[i] = (float)channel->value[i] / (float)channel->denominator;
     }
+    for (int i = 0; i < TEXELS; i++) {
+        value[i] = palette[channel_index(block, i)];
+    }
+    rhw_store_channel(format, value, c, texels);
 }
 
 void rhw_decode_bc4_unorm(const struct rhw_block_format *format, const unsigned char *block,
@@ -151,7 +155,7 @@ void rhw_decode_bc5_unorm(const struct rhw_block_format *format, const unsigned 
                           unsigned char *texels)
 {
     const struct channel red = mix_unorm(block), green = mix_unorm(block + 8);
-    rhw_store_opaque_black(format, texels);
+    rhw_store_blue_alpha(format, texels);
     store_channel(format, block, &red, 0, texels);
     store_channel(format, block + 8, &green, 1, texels);
 }
@@ -160,7 +164,7 @@ void rhw_decode_bc5_snorm(const struct rhw_block_format *format, const unsigned 
                           unsigned char *texels)
 {
     const struct channel red = mix_snorm(block), green = mix_snorm(block + 8);
-    rhw_store_opaque_black(format, texels);
+    rhw_store_blue_alpha(format, texels);
     store_channel(format, block, &red, 0, texels);
     store_channel(format, block + 8, &green, 1, texels);
 }

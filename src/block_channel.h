@@ -7,21 +7,27 @@
 
 #include "block_format.h"
 
-static inline void rhw_store_float(const struct rhw_block_format *format, unsigned char *texels, int texel,
-                                   int channel, float value)
+enum { RHW_CHANNEL_TEXELS = 16 };
+
+// Channel `channel` of all texels.
+static inline void rhw_store_channel(const struct rhw_block_format *format,
+                                     const float value[RHW_CHANNEL_TEXELS], int channel,
+                                     unsigned char *texels)
 {
     const size_t size = rhw_format_info(format->decoded)->size;
-    memcpy(texels + size * (size_t)texel + sizeof value * (size_t)channel, &value, sizeof value);
+    for (size_t i = 0; i < RHW_CHANNEL_TEXELS; i++) {
+        memcpy(texels + size * i + sizeof value[i] * (size_t)channel, &value[i], sizeof value[i]);
+    }
 }
 
-// 0, 0, 0, 1 in all texels of a block.
-static inline void rhw_store_opaque_black(const struct rhw_block_format *format, unsigned char *texels)
+// The channels behind red and green: 0, 1 where texels have them.
+static inline void rhw_store_blue_alpha(const struct rhw_block_format *format, unsigned char *texels)
 {
+    static const float zero[RHW_CHANNEL_TEXELS];
+    static const float one[RHW_CHANNEL_TEXELS] = {1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1};
     const int channels = rhw_format_info(format->decoded)->channels;
-    for (int i = 0; i < format->width * format->height; i++) {
-        for (int c = 0; c < channels; c++) {
-            rhw_store_float(format, texels, i, c, c == 3 ? 1.0f : 0.0f);
-        }
+    for (int c = 2; c < channels; c++) {
+        rhw_store_channel(format, c == 3 ? one : zero, c, texels);
     }
 }
 

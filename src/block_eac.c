@@ -44,10 +44,12 @@ static void decode_unorm(const struct rhw_block_format *format, const unsigned c
                          unsigned char *texels)
 {
     const struct rhw_eac_block eac = rhw_eac_open(block);
+    float value[TEXELS];
     for (int i = 0; i < TEXELS; i++) {
-        const int value = clamp(8 * eac.base + 4 + offset_11(&eac, i), 0, MOST_UNORM);
-        rhw_store_float(format, texels, i, channel, (float)value / (float)MOST_UNORM);
+        const int code = clamp(8 * eac.base + 4 + offset_11(&eac, i), 0, MOST_UNORM);
+        value[i] = (float)code / (float)MOST_UNORM;
     }
+    rhw_store_channel(format, value, channel, texels);
 }
 
 // A base of −128 counts as −127.
@@ -56,10 +58,12 @@ static void decode_snorm(const struct rhw_block_format *format, const unsigned c
 {
     const struct rhw_eac_block eac = rhw_eac_open(block);
     const int base = clamp(rhw_sign_extend(eac.base, 8), -127, 127);
+    float value[TEXELS];
     for (int i = 0; i < TEXELS; i++) {
-        const int value = clamp(8 * base + offset_11(&eac, i), -MOST_SNORM, MOST_SNORM);
-        rhw_store_float(format, texels, i, channel, (float)value / (float)MOST_SNORM);
+        const int code = clamp(8 * base + offset_11(&eac, i), -MOST_SNORM, MOST_SNORM);
+        value[i] = (float)code / (float)MOST_SNORM;
     }
+    rhw_store_channel(format, value, channel, texels);
 }
 
 void rhw_decode_eac_r11_unorm(const struct rhw_block_format *format, const unsigned char *block,
@@ -77,7 +81,7 @@ void rhw_decode_eac_r11_snorm(const struct rhw_block_format *format, const unsig
 void rhw_decode_eac_rg11_unorm(const struct rhw_block_format *format, const unsigned char *block,
                                unsigned char *texels)
 {
-    rhw_store_opaque_black(format, texels);
+    rhw_store_blue_alpha(format, texels);
     decode_unorm(format, block, 0, texels);
     decode_unorm(format, block + 8, 1, texels);
 }
@@ -85,7 +89,7 @@ void rhw_decode_eac_rg11_unorm(const struct rhw_block_format *format, const unsi
 void rhw_decode_eac_rg11_snorm(const struct rhw_block_format *format, const unsigned char *block,
                                unsigned char *texels)
 {
-    rhw_store_opaque_black(format, texels);
+    rhw_store_blue_alpha(format, texels);
     decode_snorm(format, block, 0, texels);
     decode_snorm(format, block + 8, 1, texels);
 }
