@@ -16,6 +16,7 @@ struct decoded_level {
     const unsigned char *blocks;
     size_t row_pitch;
     const struct rhw_mip *mip;
+    unsigned char *texels;
     int band; // rows of blocks of a task
 };
 
@@ -37,7 +38,7 @@ static void decode_row(const struct decoded_level *level, int row)
         format->decode(format, block, texels);
         const size_t bytes = size * (size_t)smaller(format->width, mip->width - left);
         for (int y = 0; y < rows; y++) {
-            memcpy(mip->texels + (size_t)(top + y) * mip->row_pitch + size * (size_t)left,
+            memcpy(level->texels + (size_t)(top + y) * mip->row_pitch + size * (size_t)left,
                    texels + size * (size_t)(y * format->width), bytes);
         }
         block += format->bytes;
@@ -60,9 +61,9 @@ static void decode_band(void *user, int index, int worker)
 }
 
 void rhw_decode_level(struct rhw_context *context, enum rhw_format format, const unsigned char *blocks,
-                      size_t row_pitch, const struct rhw_mip *mip)
+                      size_t row_pitch, const struct rhw_mip *mip, unsigned char *texels)
 {
-    struct decoded_level level = {rhw_block_format(format), blocks, row_pitch, mip, 0};
+    struct decoded_level level = {rhw_block_format(format), blocks, row_pitch, mip, texels, 0};
     level.band = 1 + BAND_TEXELS / (mip->width * level.format->height);
     rhw_scheduler_run(context->scheduler, decode_band, &level,
                       (rows_of_blocks(&level) + level.band - 1) / level.band);

@@ -312,7 +312,7 @@ static enum rhw_result write_level(struct rhw_context *context, rhw_texture text
     }
     const struct rhw_mip *const mip = &written->mip[level];
     if (rhw_block_format(written->format)) {
-        rhw_decode_level(context, written->format, data, copy.row_pitch, mip);
+        rhw_decode_level(context, written->format, data, copy.row_pitch, mip, mip->texels);
         return RHW_OK;
     }
     for (size_t y = 0; y < (size_t)mip->height; y++) {
