@@ -29,43 +29,32 @@ struct grid {
     bool planes; // two weights each: one channel has its own
 };
 
+static void set_size(struct grid *grid, int width, int height)
+{
+    grid->width = width;
+    grid->height = height;
+}
+
 // The block mode, 11 bits. False for reserved ones.
 static bool read_grid(int mode, struct grid *grid)
 {
     const int a = mode >> 5 & 3, b = mode >> 7 & 3;
-    bool is_precise = (mode & 0x200) != 0;
-    int range = mode >> 4 & 1;
-    grid->planes = (mode & 0x400) != 0;
-    if ((mode & 3) != 0) {
-        range |= (mode & 3) << 1;
-        switch (mode >> 2 & 3) {
-        case 0: grid->width = b + 4, grid->height = a + 2; break;
-        case 1: grid->width = b + 8, grid->height = a + 2; break;
-        case 2: grid->width = a + 2, grid->height = b + 8; break;
-        default:
-            grid->width = b & 2 ? (b & 1) + 2 : a + 2;
-            grid->height = b & 2 ? a + 2 : (b & 1) + 6;
-            break;
-        }
-    } else {
-        range |= mode >> 1 & 6;
-        switch (b) {
-        case 0: grid->width = 12, grid->height = a + 2; break;
-        case 1: grid->width = a + 2, grid->height = 12; break;
-        case 2: // the two bits of planes and precision are the height
-            grid->width = a + 6, grid->height = (mode >> 9 & 3) + 6;
-            grid->planes = is_precise = false;
-            break;
-        default:
-            grid->width = a == 0 ? 6 : 10, grid->height = a == 0 ? 10 : 6;
-            if (a > 1) {
-                return false;
-            }
-            break;
-        }
+    const bool is_short = (mode & 3) == 0;      // layouts with one or two sides that are constant
+    const bool has_height = is_short && b == 2; // in place of the bits of planes and of precision
+    const int range = (mode >> 4 & 1) | (is_short ? mode >> 1 & 6 : mode << 1 & 6);
+    switch (is_short ? 4 + b : mode >> 2 & 3) {
+    case 0: set_size(grid, b + 4, a + 2); break;
+    case 1: set_size(grid, b + 8, a + 2); break;
+    case 2: set_size(grid, a + 2, b + 8); break;
+    case 3: set_size(grid, b & 2 ? (b & 1) + 2 : a + 2, b & 2 ? a + 2 : (b & 1) + 6); break;
+    case 4: set_size(grid, 12, a + 2); break;
+    case 5: set_size(grid, a + 2, 12); break;
+    case 6: set_size(grid, a + 6, (mode >> 9 & 3) + 6); break;
+    default: set_size(grid, a == 0 ? 6 : 10, a == 0 ? 10 : 6); break;
     }
-    grid->range = range - 2 + (is_precise ? 6 : 0);
-    return range >= 2;
+    grid->planes = !has_height && (mode & 0x400) != 0;
+    grid->range = range - 2 + (!has_height && (mode & 0x200) != 0 ? 6 : 0);
+    return range >= 2 && !(is_short && b == 3 && a > 1);
 }
 
 // What a block says before its endpoints and weights.

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 // The table of compressed formats, as format.c has that of the others.
 //
-// Formats of 8 bits are decoded to RGBA8, which the sampler has fast paths for. BC6H is made of halves. The fractions of
-// BC4 and BC5, of sevenths and fifths of a byte, and the 11 bits of EAC become floats: nothing is lost but the
-// last rounding, as the specifications ask for more than 8 bits there.
+// Formats of 8 bits are decoded to RGBA8, which the sampler has fast paths for. BC6H is made of halves. BC4 and BC5, of
+// fifths and sevenths of bytes, and the 11 bits of EAC become floats, so that nothing is lost but one rounding: who stores
+// normals in them counts on more than 8 bits.
 #include "block_format.h"
 
 #include "block_decoders.h"
