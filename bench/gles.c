@@ -45,6 +45,7 @@ static bool load(struct gles *gl, PFNEGLGETPROCADDRESSPROC find)
         {"glActiveTexture", &gl->active_texture},
         {"glTexStorage2D", &gl->tex_storage_2d},
         {"glTexSubImage2D", &gl->tex_sub_image_2d},
+        {"glCompressedTexImage2D", &gl->compressed_tex_image_2d},
         {"glTexParameteri", &gl->tex_parameter_i},
         {"glDeleteTextures", &gl->delete_textures},
         {"glGenFramebuffers", &gl->gen_framebuffers},

@@ -4,6 +4,8 @@
 
 #include <assert.h>
 
+#include "block_format.h"
+
 enum {
     SAMPLED = RHW_ROLE_SAMPLED,
     DEPTH = RHW_ROLE_DEPTH_TARGET,
@@ -14,7 +16,7 @@ enum {
 
 // R8 and RG8 are there to be sampled (masks, roughness), not drawn into.
 // clang-format off
-static const struct rhw_format_info formats[RHW_FORMAT_COUNT] = {
+static const struct rhw_format_info formats[RHW_PLAIN_FORMAT_COUNT] = {
     // name, bytes, channels, codec, fast path, roles
     [RHW_FORMAT_NONE] = {"RHW_FORMAT_NONE",
         0, 0, RHW_CODEC_NONE, RHW_TEXELS_GENERAL, 0},
@@ -49,6 +51,8 @@ static const struct rhw_format_info formats[RHW_FORMAT_COUNT] = {
 };
 // clang-format on
 
+_Static_assert((int)RHW_PLAIN_FORMAT_COUNT + (int)RHW_BLOCK_FORMAT_COUNT == (int)RHW_FORMAT_COUNT,
+               "compressed formats stand last");
 _Static_assert(RHW_VERTEX_FORMAT_COUNT == 4 * RHW_TYPE_COUNT, "four vertex formats of each type");
 _Static_assert((int)RHW_VERTEX_HALF1 == 4 * RHW_TYPE_HALF &&
                    (int)RHW_VERTEX_UNORM8X1 == 4 * RHW_TYPE_UNORM8 &&
@@ -60,12 +64,13 @@ _Static_assert((int)RHW_VERTEX_HALF1 == 4 * RHW_TYPE_HALF &&
 const struct rhw_format_info *rhw_format_info(enum rhw_format format)
 {
     assert((unsigned)format < RHW_FORMAT_COUNT);
-    return &formats[format];
+    const struct rhw_block_format *const block = rhw_block_format(format);
+    return block ? &block->info : &formats[format];
 }
 
 size_t rhw_format_size(enum rhw_format format)
 {
-    return rhw_format_valid(format) ? formats[format].size : 0;
+    return rhw_format_valid(format) ? rhw_format_info(format)->size : 0;
 }
 
 size_t rhw_vertex_format_size(enum rhw_vertex_format format)

@@ -38,7 +38,11 @@ enum {
     RHW_ROLE_STENCIL_TARGET = 16
 };
 
-enum { RHW_TEXEL_BYTES = 16 }; // of the largest texel
+enum {
+    RHW_TEXEL_BYTES = 16, // of the largest texel
+    RHW_PLAIN_FORMAT_COUNT =
+        RHW_FORMAT_BC1_RGB_UNORM // formats, NONE too, before the compressed ones (block_format.h)
+};
 
 struct rhw_format_info {
     const char *name; // "RHW_FORMAT_RGBA8_UNORM"

@@ -1,9 +1,12 @@
 // SPDX-License-Identifier: MIT
-// Textures: creation, upload and readback. Levels are linear rows in one allocation.
+// Textures: creation, upload and readback. Levels are linear rows in one allocation, of decoded texels where the format
+// is a compressed one.
 #include "texture.h"
 
 #include <string.h>
 
+#include "block_format.h"
+#include "block_level.h"
 #include "clean_tiles.h"
 #include "constants.h"
 #include "context.h"
@@ -42,7 +45,7 @@ void rhw_texture_data_init(struct rhw_texture_data *texture, enum rhw_format for
 {
     memset(texture, 0, sizeof *texture);
     texture->format = format;
-    texture->info = rhw_format_info(format);
+    texture->info = rhw_format_info(rhw_format_decoded(format));
     texture->levels = levels;
     texture->samples = samples;
     for (int lane = 0; lane < RHW_LANES; lane++) {
@@ -292,6 +295,7 @@ struct copy_request {
     int level;
     int sample; // −1: of a texture that has one
     bool stencil;
+    bool is_decoded; // the caller's rows are of texels, also where the texture's format has blocks
     const void *outside;
     size_t row_pitch;
 };
@@ -321,10 +325,14 @@ static struct copy check_copy(const struct rhw_context *context, rhw_texture id,
         !rhw_check(context, request->outside != NULL, "%s: data is NULL", where)) {
         return misuse;
     }
-    const size_t row = (size_t)texture->mip[level].width * (request->stencil ? 1 : texture->info->size);
+    const enum rhw_format format =
+        request->is_decoded ? rhw_format_decoded(texture->format) : texture->format;
+    const int width = texture->mip[level].width;
+    const size_t row = request->stencil ? (size_t)width : rhw_format_row_size(format, width);
     const size_t pitch = request->row_pitch == 0 ? row : request->row_pitch;
-    if (!rhw_check(context, pitch >= row, "%s: row_pitch is %zu; a row of level %d of %s has %zu bytes",
-                   where, pitch, level, rhw_name_of(&context->textures, id.index).text, row)) {
+    if (!rhw_check(context, pitch >= row, "%s: row_pitch is %zu; a row of %slevel %d of %s has %zu bytes",
+                   where, pitch, rhw_block_format(format) ? "blocks of " : "", level,
+                   rhw_name_of(&context->textures, id.index).text, row)) {
         return misuse;
     }
     const int sample = request->sample < 0 ? 0 : request->sample;
@@ -385,6 +393,12 @@ static enum rhw_result write_level(struct rhw_context *context, rhw_texture text
     struct copy copy = check_copy(context, texture, request, where);
     const bool is_valid = copy.texture != NULL;
     copy.texture = is_valid ? to_write(context, texture, copy.texture) : NULL;
+    if (copy.texture && rhw_block_format(copy.texture->format)) {
+        struct rhw_mip *const mip = &copy.texture->mip[copy.level];
+        rhw_decode_level(context, copy.texture->format, request->outside, copy.row_pitch, mip, mip->texels);
+        rhw_context_leave(context);
+        return RHW_OK;
+    }
     for (size_t y = 0; copy.texture && y < (size_t)copy.texture->mip[copy.level].height; y++) {
         memcpy(row_of(&copy, y), (const unsigned char *)request->outside + y * copy.row_pitch, copy.row);
     }
@@ -409,35 +423,36 @@ static enum rhw_result read_level(struct rhw_context *context, rhw_texture textu
 enum rhw_result rhw_texture_write(rhw_context *context, rhw_texture texture, int level, const void *data,
                                   size_t row_pitch)
 {
-    const struct copy_request request = {level, -1, false, data, row_pitch};
+    const struct copy_request request = {level, -1, false, false, data, row_pitch};
     return write_level(context, texture, &request, "rhw_texture_write");
 }
 
 enum rhw_result rhw_texture_read(rhw_context *context, rhw_texture texture, int level, void *data,
                                  size_t row_pitch)
 {
-    const struct copy_request request = {level, -1, false, data, row_pitch};
+    const struct copy_request request = {level, -1, false, true, data, row_pitch};
     return read_level(context, texture, &request, data, "rhw_texture_read");
 }
 
 enum rhw_result rhw_texture_read_sample(rhw_context *context, rhw_texture texture, int sample, void *data,
                                         size_t row_pitch)
 {
-    const struct copy_request request = {0, sample < 0 ? RHW_MAX_SAMPLES : sample, false, data, row_pitch};
+    const struct copy_request request = {0,        sample < 0 ? RHW_MAX_SAMPLES : sample, false, true, data,
+                                         row_pitch};
     return read_level(context, texture, &request, data, "rhw_texture_read_sample");
 }
 
 enum rhw_result rhw_texture_write_stencil(rhw_context *context, rhw_texture texture, int level,
                                           const uint8_t *data, size_t row_pitch)
 {
-    const struct copy_request request = {level, -1, true, data, row_pitch};
+    const struct copy_request request = {level, -1, true, true, data, row_pitch};
     return write_level(context, texture, &request, "rhw_texture_write_stencil");
 }
 
 enum rhw_result rhw_texture_read_stencil(rhw_context *context, rhw_texture texture, int level, uint8_t *data,
                                          size_t row_pitch)
 {
-    const struct copy_request request = {level, -1, true, data, row_pitch};
+    const struct copy_request request = {level, -1, true, true, data, row_pitch};
     return read_level(context, texture, &request, data, "rhw_texture_read_stencil");
 }
 
@@ -446,6 +461,10 @@ static enum rhw_result generate_mips(struct rhw_context *context, rhw_texture te
     static const char *const where = "rhw_texture_generate_mips";
     struct rhw_texture_data *const data = rhw_context_texture(context, texture, where);
     if (!data || !check_unattached(context, texture, data, where) ||
+        !rhw_check(context, !rhw_block_format(data->format),
+                   "%s: %s is %s; levels of compressed formats are written", where,
+                   rhw_name_of(&context->textures, texture.index).text,
+                   rhw_format_info(data->format)->name) ||
         !rhw_check(context, rhw_format_has_role(data->info, RHW_ROLE_SAMPLED),
                    "%s: %s is %s; that format is not filtered", where,
                    rhw_name_of(&context->textures, texture.index).text, data->info->name) ||

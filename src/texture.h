@@ -38,7 +38,8 @@ struct rhw_mip {
 // The pool of a context has pointers to these: a texture that is written while draws wait gets new data (texture.c).
 struct rhw_texture_data {
     enum rhw_format format;
-    const struct rhw_format_info *info; // the format's
+    const struct rhw_format_info
+        *info; // of the texels: the format's, or what that is decoded to (block_format.h)
     int levels;
     int samples;
     size_t sample_stride; // bytes from a sample's planes of texels and stencil to those of the next

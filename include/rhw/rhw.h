@@ -54,11 +54,12 @@ RHW_API int rhw_texture_height(const rhw_context *context, rhw_texture texture, 
 RHW_API int rhw_texture_mip_levels(const rhw_context *context, rhw_texture texture);
 RHW_API enum rhw_format rhw_texture_format(const rhw_context *context, rhw_texture texture);
 /// Replaces a whole level. Rows top to bottom, `row_pitch` bytes apart (0: tightly packed), texels in the
-/// texture's format. As with rhw_buffer_write, draws that were recorded before see the texels of then. Not while the
+/// texture's format. Of a compressed format: rows of whole blocks, also where the level ends within one. As with rhw_buffer_write, draws that were recorded before see the texels of then. Not while the
 /// texture is an attachment of the pass being recorded; the same holds for the next two functions.
 RHW_API enum rhw_result rhw_texture_write(rhw_context *context, rhw_texture texture, int level,
                                           const void *data, size_t row_pitch);
-/// Copies a level out, in the same layout as rhw_texture_write.
+/// Copies a level out, in the same layout as rhw_texture_write. Of a compressed format: the texels that its blocks were
+/// decoded to, in rhw_format_decoded; the blocks are not kept.
 RHW_API enum rhw_result rhw_texture_read(rhw_context *context, rhw_texture texture, int level, void *data,
                                          size_t row_pitch);
 /// One sample of every texel of a multisampled texture, 0..samples − 1.
@@ -74,7 +75,7 @@ RHW_API enum rhw_result rhw_texture_write_stencil(rhw_context *context, rhw_text
 RHW_API enum rhw_result rhw_texture_read_stencil(rhw_context *context, rhw_texture texture, int level,
                                                  uint8_t *data, size_t row_pitch);
 /// Fills levels 1.. from level 0 with a box filter in linear light (odd sizes weighted exactly). Without
-/// memory for that the levels stay as they are.
+/// memory for that the levels stay as they are. Levels of compressed formats are written instead.
 RHW_API enum rhw_result rhw_texture_generate_mips(rhw_context *context, rhw_texture texture);
 
 RHW_API enum rhw_result rhw_sampler_create(rhw_context *context, const struct rhw_sampler_def *def,

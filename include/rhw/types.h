@@ -95,11 +95,35 @@ enum rhw_format {
     RHW_FORMAT_D24_UNORM_S8_UINT, ///< depth as D24_UNORM, and beside it a plane of stencil, a byte each
     RHW_FORMAT_D32_FLOAT_S8_UINT, ///< depth as D32_FLOAT, and beside it a plane of stencil
     RHW_FORMAT_S8_UINT,           ///< stencil alone; not sampled
+    // Compressed formats, which stand last: textures that are sampled, never drawn into. rhw_texture_write takes blocks
+    // and decodes them, so that their texels take the memory of rhw_format_decoded from then on.
+    RHW_FORMAT_BC1_RGB_UNORM, RHW_FORMAT_BC1_RGB_SRGB, RHW_FORMAT_BC1_RGBA_UNORM, RHW_FORMAT_BC1_RGBA_SRGB,
+    RHW_FORMAT_BC2_UNORM, RHW_FORMAT_BC2_SRGB, RHW_FORMAT_BC3_UNORM, RHW_FORMAT_BC3_SRGB,
+    RHW_FORMAT_BC4_UNORM, RHW_FORMAT_BC4_SNORM, RHW_FORMAT_BC5_UNORM, RHW_FORMAT_BC5_SNORM,
+    RHW_FORMAT_BC6H_UFLOAT, RHW_FORMAT_BC6H_SFLOAT, RHW_FORMAT_BC7_UNORM, RHW_FORMAT_BC7_SRGB,
+    RHW_FORMAT_ETC2_RGB8_UNORM, RHW_FORMAT_ETC2_RGB8_SRGB, RHW_FORMAT_ETC2_RGB8A1_UNORM, RHW_FORMAT_ETC2_RGB8A1_SRGB,
+    RHW_FORMAT_ETC2_RGBA8_UNORM, RHW_FORMAT_ETC2_RGBA8_SRGB,
+    RHW_FORMAT_EAC_R11_UNORM, RHW_FORMAT_EAC_R11_SNORM, RHW_FORMAT_EAC_RG11_UNORM, RHW_FORMAT_EAC_RG11_SNORM,
+    // ASTC of low dynamic range; what no such block can be is opaque magenta.
+    RHW_FORMAT_ASTC_4X4_UNORM, RHW_FORMAT_ASTC_4X4_SRGB, RHW_FORMAT_ASTC_5X4_UNORM, RHW_FORMAT_ASTC_5X4_SRGB,
+    RHW_FORMAT_ASTC_5X5_UNORM, RHW_FORMAT_ASTC_5X5_SRGB, RHW_FORMAT_ASTC_6X5_UNORM, RHW_FORMAT_ASTC_6X5_SRGB,
+    RHW_FORMAT_ASTC_6X6_UNORM, RHW_FORMAT_ASTC_6X6_SRGB, RHW_FORMAT_ASTC_8X5_UNORM, RHW_FORMAT_ASTC_8X5_SRGB,
+    RHW_FORMAT_ASTC_8X6_UNORM, RHW_FORMAT_ASTC_8X6_SRGB, RHW_FORMAT_ASTC_8X8_UNORM, RHW_FORMAT_ASTC_8X8_SRGB,
+    RHW_FORMAT_ASTC_10X5_UNORM, RHW_FORMAT_ASTC_10X5_SRGB, RHW_FORMAT_ASTC_10X6_UNORM, RHW_FORMAT_ASTC_10X6_SRGB,
+    RHW_FORMAT_ASTC_10X8_UNORM, RHW_FORMAT_ASTC_10X8_SRGB, RHW_FORMAT_ASTC_10X10_UNORM, RHW_FORMAT_ASTC_10X10_SRGB,
+    RHW_FORMAT_ASTC_12X10_UNORM, RHW_FORMAT_ASTC_12X10_SRGB, RHW_FORMAT_ASTC_12X12_UNORM, RHW_FORMAT_ASTC_12X12_SRGB,
     RHW_FORMAT_COUNT
 };
 
-/// Bytes per texel; of depth where there is a plane of stencil too.
+/// Bytes per texel; of depth where there is a plane of stencil too; 0 for compressed formats.
 RHW_API size_t rhw_format_size(enum rhw_format format);
+/// Texels of a block, each way, and its bytes. The blocks of a format that is not compressed are its texels.
+RHW_API int rhw_format_block_width(enum rhw_format format);
+RHW_API int rhw_format_block_height(enum rhw_format format);
+RHW_API size_t rhw_format_block_bytes(enum rhw_format format);
+/// What texels of a compressed format are decoded to, and rhw_texture_read gives: RGBA8_UNORM or RGBA8_SRGB; floats for
+/// BC4, BC5 and EAC, halves for BC6H. Other formats are their own.
+RHW_API enum rhw_format rhw_format_decoded(enum rhw_format format);
 
 struct rhw_buffer_def {
     size_t size;      ///< bytes, at least 1
@@ -110,7 +134,8 @@ struct rhw_buffer_def {
 enum { RHW_MIP_LEVELS_ALL = -1 };
 
 /// A 2D texture: sampled, drawn into, or both (not in the same pass). Zeroed when created. It takes the bytes of its
-/// texels, rows rounded up to 64; an RGBA8_SRGB texture that a pass samples takes 8 bytes a texel more from then on.
+/// texels (of a compressed format: as they are decoded), rows rounded up to 64; a texture of RGBA8_SRGB texels that a
+/// pass samples takes 8 bytes a texel more from then on.
 struct rhw_texture_def {
     enum rhw_format format; ///< to be set
     int width, height; ///< 1..RHW_MAX_TARGET_SIZE

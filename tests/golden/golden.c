@@ -37,6 +37,7 @@ static const struct scene features[] = {
     {"samplers", golden_sampler_draw, 0},
     {"texels", golden_texel_draw, 0},
     {"chain", golden_chain_draw, 0},
+    {"blocks", golden_blocks_draw, 0},
     {"builtins", golden_builtins_draw, 0},
     {"heights", golden_heights_draw, 0},
     {"maths", golden_maths_draw, 0},

@@ -34,6 +34,9 @@ golden_draw_function golden_sampler_draw; ///< addresses, filters, mip filters, 
 golden_draw_function golden_texel_draw;   ///< every sampled format and every level of odd sizes
 golden_draw_function golden_chain_draw;   ///< what one pass draws, the next samples
 
+// golden_blocks.c
+golden_draw_function golden_blocks_draw; ///< every compressed format, in levels that end within a block
+
 // golden_fragments.c
 golden_draw_function golden_builtins_draw; ///< coordinates, weights, derivatives, ids as floats and integers
 golden_draw_function golden_heights_draw;  ///< fragment depth, discard, derivatives

@@ -43,7 +43,8 @@ static void make_blend(struct kernel_random *random, void *input)
     struct blend_input *const in = input;
     const struct rhw_format_info *format;
     do {
-        in->target.format = (enum rhw_format)random_int(random, RHW_FORMAT_NONE + 1, RHW_FORMAT_COUNT - 1);
+        in->target.format =
+            (enum rhw_format)random_int(random, RHW_FORMAT_NONE + 1, RHW_PLAIN_FORMAT_COUNT - 1);
         format = rhw_format_info(in->target.format);
     } while (!rhw_format_has_role(format, RHW_ROLE_COLOR_TARGET));
     make_texels(random, format, in->texels);
@@ -88,7 +89,7 @@ struct decode_input {
 static void make_decode(struct kernel_random *random, void *input)
 {
     struct decode_input *const in = input;
-    in->format = (int32_t)random_int(random, RHW_FORMAT_NONE + 1, RHW_FORMAT_COUNT - 1);
+    in->format = (int32_t)random_int(random, RHW_FORMAT_NONE + 1, RHW_PLAIN_FORMAT_COUNT - 1);
     make_texels(random, rhw_format_info((enum rhw_format)in->format), in->texels);
 }
 

@@ -73,7 +73,7 @@ static void make_sample(struct kernel_random *random, void *input)
 {
     struct sample_input *const in = input;
     do {
-        in->format = (int32_t)random_int(random, RHW_FORMAT_NONE + 1, RHW_FORMAT_COUNT - 1);
+        in->format = (int32_t)random_int(random, RHW_FORMAT_NONE + 1, RHW_PLAIN_FORMAT_COUNT - 1);
         in->format = random_one_in(random, 4)   ? RHW_FORMAT_RGBA8_UNORM
                      : random_one_in(random, 4) ? RHW_FORMAT_RGBA8_SRGB
                                                 : in->format;

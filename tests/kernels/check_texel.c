@@ -26,7 +26,7 @@ static void make_mip(struct kernel_random *random, void *input)
 {
     struct mip_input *const in = input;
     do {
-        in->format = (int32_t)random_int(random, RHW_FORMAT_NONE + 1, RHW_FORMAT_COUNT - 1);
+        in->format = (int32_t)random_int(random, RHW_FORMAT_NONE + 1, RHW_PLAIN_FORMAT_COUNT - 1);
     } while (!rhw_format_has_role(rhw_format_info((enum rhw_format)in->format), RHW_ROLE_SAMPLED));
     in->width = (int32_t)random_int(random, 1, MOST_SIZE);
     in->height = (int32_t)random_int(random, 1, MOST_SIZE);

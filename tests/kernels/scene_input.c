@@ -255,7 +255,7 @@ static enum rhw_format make_format(struct kernel_random *random, int size)
     do {
         format = random_one_in(random, 2)
                      ? RHW_FORMAT_RGBA8_UNORM
-                     : (enum rhw_format)pick(random, RHW_FORMAT_NONE + 1, RHW_FORMAT_COUNT - 1);
+                     : (enum rhw_format)pick(random, RHW_FORMAT_NONE + 1, RHW_PLAIN_FORMAT_COUNT - 1);
     } while (!rhw_format_has_role(rhw_format_info(format), RHW_ROLE_COLOR_TARGET) ||
              rhw_format_info(format)->size > size);
     return format;

@@ -227,7 +227,7 @@ void rig_draw_once(struct rig *rig, const struct rig_vertex *vertices, int count
 
 const void *rig_read(struct rig *rig, rhw_texture texture)
 {
-    const size_t texel = rhw_format_size(rhw_texture_format(rig->context, texture));
+    const size_t texel = rhw_format_size(rhw_format_decoded(rhw_texture_format(rig->context, texture)));
     free(rig->pixels);
     rig->pixels = malloc(texel * (size_t)rig->width * (size_t)rig->height);
     assert_non_null(rig->pixels);
@@ -260,7 +260,7 @@ uint64_t rig_hash_bytes(uint64_t hash, const void *data, size_t size)
 uint64_t rig_hash(struct rig *rig, int index)
 {
     const rhw_texture texture = rig->pass.colors[index].texture;
-    const size_t texel = rhw_format_size(rhw_texture_format(rig->context, texture));
+    const size_t texel = rhw_format_size(rhw_format_decoded(rhw_texture_format(rig->context, texture)));
     const void *pixels = rig_read(rig, texture);
     return rig_hash_bytes(UINT64_C(0xcbf29ce484222325), pixels,
                           texel * (size_t)rig->width * (size_t)rig->height);
