@@ -10,6 +10,7 @@
 #include "misuse.h"
 #include "pass_state.h"
 #include "rhw/rhw.h"
+#include "texture_shape.h"
 #include "thread.h"
 
 static const char *const where = "rhw_pass_begin";
@@ -28,22 +29,36 @@ static struct rhw_name name_of(const rhw_context *context, rhw_texture id)
     return rhw_name_of(&context->textures, id.index);
 }
 
+// Whether an attachment before the one that is attached now draws into the same texels.
+static bool is_attached(const struct rhw_pass_state *pass, const struct rhw_attachment *attachment,
+                        const struct rhw_mip *mip, int layer)
+{
+    for (int i = 0; i < pass->color_count && &pass->colors[i] != attachment; i++) {
+        if (pass->colors[i].target == mip && pass->colors[i].layer == layer) {
+            return true;
+        }
+    }
+    return false;
+}
+
 // Checks the texture of an attachment against the pass and the attachments before it.
 static bool check_texture(const struct rhw_pass_state *pass, rhw_texture id,
-                          const struct rhw_texture_data *texture, const char *name, int i)
+                          const struct rhw_texture_data *texture, const char *name, int i,
+                          const struct rhw_attachment *attachment, int layer)
 {
     rhw_context *const context = pass->context;
     const struct rhw_mip *const mip = &texture->mip[0];
-    return rhw_check(context, texture->attached != context->recording.generation,
-                     "%s: %s[%d] is %s, as another attachment is; each needs its own texture", where, name, i,
-                     name_of(context, id).text) &&
+    return rhw_texture_check_layer(context, id, texture, 0, layer, where) &&
+           rhw_check(context, !is_attached(pass, attachment, mip, layer),
+                     "%s: %s[%d] is %s, as another attachment is; each needs its own texture or layer", where,
+                     name, i, name_of(context, id).text) &&
            rhw_check(context, mip->width == pass->width && mip->height == pass->height,
                      "%s: %s[%d] is %s, which is %dx%d; the pass is %dx%d", where, name, i,
                      name_of(context, id).text, mip->width, mip->height, pass->width, pass->height);
 }
 
 // Fills what an attachment with a texture has.
-static enum rhw_result attach(struct rhw_pass_state *pass, rhw_texture id, const char *name, int i,
+static enum rhw_result attach(struct rhw_pass_state *pass, rhw_texture id, int layer, const char *name, int i,
                               struct rhw_attachment *attachment)
 {
     struct rhw_context *const context = pass->context;
@@ -55,14 +70,12 @@ static enum rhw_result attach(struct rhw_pass_state *pass, rhw_texture id, const
         pass->width = texture->mip[0].width;
         pass->height = texture->mip[0].height;
     }
-    if (!check_texture(pass, id, texture, name, i)) {
+    if (!check_texture(pass, id, texture, name, i, attachment, layer)) {
         return RHW_ERROR_MISUSE;
     }
-    if (!texture->clean) {
-        texture->clean =
-            rhw_clean_tiles_create(&context->memory, texture->mip[0].width, texture->mip[0].height);
-    }
-    if (!texture->clean) {
+    attachment->clean = rhw_clean_tiles_of_layer(&context->memory, &texture->clean, layer,
+                                                 texture->mip[0].width, texture->mip[0].height);
+    if (!attachment->clean) {
         return RHW_ERROR_OUT_OF_MEMORY;
     }
     texture->linear_is_current = false;
@@ -70,7 +83,7 @@ static enum rhw_result attach(struct rhw_pass_state *pass, rhw_texture id, const
     rhw_pool_use(&context->textures, id.index, context->recording.generation);
     attachment->format = texture->format;
     attachment->target = &texture->mip[0];
-    attachment->clean = texture->clean;
+    attachment->layer = layer;
     attachment->texel_size = rhw_format_size(texture->format);
     return RHW_OK;
 }
@@ -109,7 +122,7 @@ static enum rhw_result attach_color(struct rhw_pass_state *pass, const struct rh
     if (!check_operations(context, "colors", i, color->load, color->store)) {
         return RHW_ERROR_MISUSE;
     }
-    const enum rhw_result result = attach(pass, color->texture, "colors", i, attachment);
+    const enum rhw_result result = attach(pass, color->texture, color->layer, "colors", i, attachment);
     if (result != RHW_OK) {
         return result;
     }
@@ -132,10 +145,10 @@ static enum rhw_result attach_color(struct rhw_pass_state *pass, const struct rh
     return RHW_OK;
 }
 
-static enum rhw_result attach_depth_texture(struct rhw_pass_state *pass, rhw_texture id)
+static enum rhw_result attach_depth_texture(struct rhw_pass_state *pass, rhw_texture id, int layer)
 {
     struct rhw_context *const context = pass->context;
-    const enum rhw_result result = attach(pass, id, "depth", 0, &pass->depth);
+    const enum rhw_result result = attach(pass, id, layer, "depth", 0, &pass->depth);
     if (result != RHW_OK) {
         return result;
     }
@@ -161,7 +174,7 @@ static enum rhw_result attach_depth(struct rhw_pass_state *pass, const struct rh
         return RHW_ERROR_MISUSE;
     }
     if (depth->texture.index != 0) {
-        const enum rhw_result result = attach_depth_texture(pass, depth->texture);
+        const enum rhw_result result = attach_depth_texture(pass, depth->texture, depth->layer);
         if (result != RHW_OK) {
             return result;
         }

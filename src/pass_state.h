@@ -17,6 +17,7 @@ struct rhw_attachment {
     enum rhw_load load;
     enum rhw_store store;
     const struct rhw_mip *target;  // NULL: exists in the tile alone
+    int layer;                     // of it that is drawn into
     struct rhw_clean_tiles *clean; // of a texture; NULL where there is none
     // What a tile starts from where nothing is loaded, texels side by side: the clear value, or 0, which is undefined
     // to the user and still the same bytes on every run.

@@ -13,33 +13,48 @@
 #include "memory.h"
 #include "misuse.h"
 #include "rhw/rhw.h"
+#include "texture_shape.h"
 
-int rhw_mip_chain_length(int width, int height)
+static int level_size(int size, int level)
 {
-    int levels = 1;
-    for (int size = width > height ? width : height; size > 1; size >>= 1) {
-        levels++;
-    }
-    return levels;
+    return size >> level > 1 ? size >> level : 1;
 }
 
-void rhw_texture_data_init(struct rhw_texture_data *texture, enum rhw_format format, int width, int height,
-                           int levels)
+// `first`: bytes from the texture's memory to the level.
+static void set_table(struct rhw_texture_data *texture, int level, uint64_t first)
+{
+    const struct rhw_mip *const mip = &texture->mip[level];
+    struct rhw_level_table *const table = &texture->table;
+    const size_t size = texture->info->size;
+    table->width[level] = mip->width;
+    table->height[level] = mip->height;
+    table->slices[level] = mip->slices;
+    table->first[level] = (int32_t)(first / size);
+    table->row[level] = (int32_t)(mip->row_pitch / size);
+    table->slice[level] = (int32_t)(mip->slice_pitch / size);
+}
+
+void rhw_texture_data_init(struct rhw_texture_data *texture, enum rhw_format format,
+                           const struct rhw_texture_shape *shape)
 {
     memset(texture, 0, sizeof *texture);
     texture->format = format;
     texture->info = rhw_format_info(format);
-    texture->levels = levels;
+    texture->shape = *shape;
+    texture->is_plain = shape->kind == RHW_TEXTURE_2D && !shape->is_array;
+    texture->levels = shape->levels;
     for (int lane = 0; lane < RHW_LANES; lane++) {
         texture->last_level[lane] = (float)(texture->levels - 1);
     }
     uint64_t size = RHW_TEXEL_PADDING;
     for (int i = 0; i < texture->levels; i++) {
         struct rhw_mip *const mip = &texture->mip[i];
-        mip->width = width >> i > 1 ? width >> i : 1;
-        mip->height = height >> i > 1 ? height >> i : 1;
+        mip->width = level_size(shape->width, i);
+        mip->height = level_size(shape->height, i);
+        mip->slices = shape->kind == RHW_TEXTURE_3D ? level_size(shape->depth, i) : shape->layers;
         const size_t row = (size_t)mip->width * texture->info->size;
         mip->row_pitch = (row + RHW_ROW_ALIGNMENT - 1) & ~(size_t)(RHW_ROW_ALIGNMENT - 1);
+        mip->slice_pitch = mip->row_pitch * (size_t)mip->height;
         for (int lane = 0; lane < RHW_LANES; lane++) {
             mip->scale_x[lane] = (float)mip->width * 65536.0f;
             mip->scale_y[lane] = (float)mip->height * 65536.0f;
@@ -47,7 +62,8 @@ void rhw_texture_data_init(struct rhw_texture_data *texture, enum rhw_format for
                 mip->width > 1 && mip->height > 1 ? (mip->width - 2) << 16 | (mip->height - 2) : -1;
             mip->step[lane] = 1 << 16 | (int32_t)(mip->row_pitch / 4);
         }
-        size += (uint64_t)mip->row_pitch * (uint64_t)mip->height;
+        set_table(texture, i, size - RHW_TEXEL_PADDING);
+        size += (uint64_t)mip->slice_pitch * (uint64_t)mip->slices;
     }
     // 4 GiB and more do not fit where addresses have 32 bits: allocate_levels refuses SIZE_MAX.
     texture->memory_size = size > SIZE_MAX ? SIZE_MAX : (size_t)size;
@@ -66,7 +82,7 @@ static bool allocate_levels(struct rhw_memory *memory, struct rhw_texture_data *
     texture->memory = next;
     for (int i = 0; i < texture->levels; i++) {
         texture->mip[i].texels = next;
-        next += texture->mip[i].row_pitch * (size_t)texture->mip[i].height;
+        next += texture->mip[i].slice_pitch * (size_t)texture->mip[i].slices;
     }
     return true;
 }
@@ -80,15 +96,15 @@ void rhw_texture_data_destroy(struct rhw_memory *memory, struct rhw_texture_data
 }
 
 // With zeroed texels; NULL when out of memory.
-static struct rhw_texture_data *create_data(struct rhw_memory *memory, enum rhw_format format, int width,
-                                            int height, int levels)
+static struct rhw_texture_data *create_data(struct rhw_memory *memory, enum rhw_format format,
+                                            const struct rhw_texture_shape *shape)
 {
     struct rhw_texture_data *const data =
         rhw_memory_allocate(memory, sizeof *data, _Alignof(struct rhw_texture_data));
     if (!data) {
         return NULL;
     }
-    rhw_texture_data_init(data, format, width, height, levels);
+    rhw_texture_data_init(data, format, shape);
     if (!allocate_levels(memory, data)) {
         rhw_memory_release(memory, data, sizeof *data);
         return NULL;
@@ -98,34 +114,15 @@ static struct rhw_texture_data *create_data(struct rhw_memory *memory, enum rhw_
 
 // Public functions ----------------------------------------------------------------------------------
 
-static bool check_size(const struct rhw_context *context, const char *field, int value)
-{
-    return rhw_check(context, value >= 1 && value <= RHW_MAX_TARGET_SIZE,
-                     "rhw_texture_create: %s is %d; it must be 1..%d", field, value, RHW_MAX_TARGET_SIZE);
-}
-
 static bool check_create(const struct rhw_context *context, const struct rhw_texture_def *def,
                          const rhw_texture *texture)
 {
     static const char *const where = "rhw_texture_create";
-    if (!rhw_check(context, def != NULL, "%s: def is NULL", where) ||
-        !rhw_check(context, texture != NULL, "%s: texture is NULL", where) ||
-        !rhw_check(context, rhw_format_valid(def->format), "%s: format is %d; not a texel format", where,
-                   (int)def->format) ||
-        !check_size(context, "width", def->width) || !check_size(context, "height", def->height)) {
-        return false;
-    }
-    const int chain = rhw_mip_chain_length(def->width, def->height);
-    return rhw_check(context, def->mip_levels >= RHW_MIP_LEVELS_ALL && def->mip_levels <= chain,
-                     "%s: mip_levels is %d; a %dx%d texture has 1..%d (RHW_MIP_LEVELS_ALL is -1)", where,
-                     def->mip_levels, def->width, def->height, chain);
-}
-
-static int level_count(const struct rhw_texture_def *def)
-{
-    return def->mip_levels == RHW_MIP_LEVELS_ALL ? rhw_mip_chain_length(def->width, def->height)
-           : def->mip_levels == 0                ? 1
-                                                 : def->mip_levels;
+    return rhw_check(context, def != NULL, "%s: def is NULL", where) &&
+           rhw_check(context, texture != NULL, "%s: texture is NULL", where) &&
+           rhw_check(context, rhw_format_valid(def->format), "%s: format is %d; not a texel format", where,
+                     (int)def->format) &&
+           rhw_texture_shape_check(context, def, where);
 }
 
 static enum rhw_result create(struct rhw_context *context, const struct rhw_texture_def *def,
@@ -140,7 +137,8 @@ static enum rhw_result create(struct rhw_context *context, const struct rhw_text
     if (!item) {
         return RHW_ERROR_OUT_OF_MEMORY;
     }
-    *item = create_data(&context->memory, def->format, def->width, def->height, level_count(def));
+    const struct rhw_texture_shape shape = rhw_texture_shape_of(def);
+    *item = create_data(&context->memory, def->format, &shape);
     if (!*item) {
         rhw_pool_remove(&context->memory, &context->textures, id.index);
         return RHW_ERROR_OUT_OF_MEMORY;
@@ -207,6 +205,21 @@ int rhw_texture_height(const rhw_context *context, rhw_texture texture, int leve
     return data && check_level(context, texture, data, level, where) ? data->mip[level].height : 0;
 }
 
+int rhw_texture_depth(const rhw_context *context, rhw_texture texture, int level)
+{
+    static const char *const where = "rhw_texture_depth";
+    const struct rhw_texture_data *const data = look_at(context, texture, where);
+    return !data || !check_level(context, texture, data, level, where) ? 0
+           : data->shape.kind == RHW_TEXTURE_3D                        ? data->mip[level].slices
+                                                                       : 1;
+}
+
+int rhw_texture_layers(const rhw_context *context, rhw_texture texture)
+{
+    const struct rhw_texture_data *const data = look_at(context, texture, "rhw_texture_layers");
+    return data ? data->shape.layers : 0;
+}
+
 int rhw_texture_mip_levels(const rhw_context *context, rhw_texture texture)
 {
     const struct rhw_texture_data *const data = look_at(context, texture, "rhw_texture_mip_levels");
@@ -238,13 +251,14 @@ static bool check_unattached(const struct rhw_context *context, rhw_texture id,
                      rhw_name_of(&context->textures, id.index).text);
 }
 
-static struct copy check_copy(const struct rhw_context *context, rhw_texture id, int level,
+static struct copy check_copy(const struct rhw_context *context, rhw_texture id, int level, int layer,
                               const void *outside, size_t row_pitch, const char *where)
 {
     const struct copy misuse = {.texture = NULL};
     struct rhw_texture_data *const texture = rhw_context_texture(context, id, where);
     if (!texture || !check_unattached(context, id, texture, where) ||
         !check_level(context, id, texture, level, where) ||
+        !rhw_texture_check_layer(context, id, texture, level, layer, where) ||
         !rhw_check(context, outside != NULL, "%s: data is NULL", where)) {
         return misuse;
     }
@@ -262,8 +276,7 @@ static struct rhw_texture_data *renew(struct rhw_context *context, rhw_texture i
 {
     struct rhw_texture_data **const item = rhw_pool_get(&context->textures, id.index, id.generation);
     const struct rhw_texture_data *const old = *item;
-    struct rhw_texture_data *const data =
-        create_data(&context->memory, old->format, old->mip[0].width, old->mip[0].height, old->levels);
+    struct rhw_texture_data *const data = create_data(&context->memory, old->format, &old->shape);
     if (!data) {
         return NULL;
     }
@@ -293,10 +306,10 @@ static struct rhw_texture_data *to_write(struct rhw_context *context, rhw_textur
     return written;
 }
 
-static enum rhw_result write_level(struct rhw_context *context, rhw_texture texture, int level,
-                                   const void *data, size_t row_pitch)
+static enum rhw_result write_level(struct rhw_context *context, rhw_texture texture, int level, int layer,
+                                   const void *data, size_t row_pitch, const char *where)
 {
-    const struct copy copy = check_copy(context, texture, level, data, row_pitch, "rhw_texture_write");
+    const struct copy copy = check_copy(context, texture, level, layer, data, row_pitch, where);
     if (!copy.texture) {
         return RHW_ERROR_MISUSE;
     }
@@ -306,36 +319,61 @@ static enum rhw_result write_level(struct rhw_context *context, rhw_texture text
     }
     const struct rhw_mip *const mip = &written->mip[level];
     for (size_t y = 0; y < (size_t)mip->height; y++) {
-        memcpy(mip->texels + y * mip->row_pitch, (const unsigned char *)data + y * copy.row_pitch, copy.row);
+        memcpy(rhw_mip_slice(mip, layer) + y * mip->row_pitch,
+               (const unsigned char *)data + y * copy.row_pitch, copy.row);
     }
     return RHW_OK;
+}
+
+static enum rhw_result write_checked(rhw_context *context, rhw_texture texture, int level, int layer,
+                                     const void *data, size_t row_pitch, const char *where)
+{
+    if (!rhw_context_enter(context, where)) {
+        return RHW_ERROR_MISUSE;
+    }
+    const enum rhw_result result = write_level(context, texture, level, layer, data, row_pitch, where);
+    rhw_context_leave(context);
+    return result;
 }
 
 enum rhw_result rhw_texture_write(rhw_context *context, rhw_texture texture, int level, const void *data,
                                   size_t row_pitch)
 {
-    if (!rhw_context_enter(context, "rhw_texture_write")) {
+    return write_checked(context, texture, level, 0, data, row_pitch, "rhw_texture_write");
+}
+
+enum rhw_result rhw_texture_write_layer(rhw_context *context, rhw_texture texture, int level, int layer,
+                                        const void *data, size_t row_pitch)
+{
+    return write_checked(context, texture, level, layer, data, row_pitch, "rhw_texture_write_layer");
+}
+
+static enum rhw_result read_checked(rhw_context *context, rhw_texture texture, int level, int layer,
+                                    void *data, size_t row_pitch, const char *where)
+{
+    if (!rhw_context_enter(context, where)) {
         return RHW_ERROR_MISUSE;
     }
-    const enum rhw_result result = write_level(context, texture, level, data, row_pitch);
+    const struct copy copy = check_copy(context, texture, level, layer, data, row_pitch, where);
+    const struct rhw_mip *const mip = copy.texture ? &copy.texture->mip[level] : NULL;
+    for (size_t y = 0; mip && y < (size_t)mip->height; y++) {
+        memcpy((unsigned char *)data + y * copy.row_pitch, rhw_mip_slice(mip, layer) + y * mip->row_pitch,
+               copy.row);
+    }
     rhw_context_leave(context);
-    return result;
+    return mip ? RHW_OK : RHW_ERROR_MISUSE;
 }
 
 enum rhw_result rhw_texture_read(rhw_context *context, rhw_texture texture, int level, void *data,
                                  size_t row_pitch)
 {
-    static const char *const where = "rhw_texture_read";
-    if (!rhw_context_enter(context, where)) {
-        return RHW_ERROR_MISUSE;
-    }
-    const struct copy copy = check_copy(context, texture, level, data, row_pitch, where);
-    const struct rhw_mip *const mip = copy.texture ? &copy.texture->mip[level] : NULL;
-    for (size_t y = 0; mip && y < (size_t)mip->height; y++) {
-        memcpy((unsigned char *)data + y * copy.row_pitch, mip->texels + y * mip->row_pitch, copy.row);
-    }
-    rhw_context_leave(context);
-    return mip ? RHW_OK : RHW_ERROR_MISUSE;
+    return read_checked(context, texture, level, 0, data, row_pitch, "rhw_texture_read");
+}
+
+enum rhw_result rhw_texture_read_layer(rhw_context *context, rhw_texture texture, int level, int layer,
+                                       void *data, size_t row_pitch)
+{
+    return read_checked(context, texture, level, layer, data, row_pitch, "rhw_texture_read_layer");
 }
 
 static enum rhw_result generate_mips(struct rhw_context *context, rhw_texture texture)

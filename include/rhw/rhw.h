@@ -51,9 +51,13 @@ RHW_API enum rhw_result rhw_texture_create(rhw_context *context, const struct rh
 RHW_API void rhw_texture_destroy(rhw_context *context, rhw_texture texture);
 RHW_API int rhw_texture_width(const rhw_context *context, rhw_texture texture, int level);
 RHW_API int rhw_texture_height(const rhw_context *context, rhw_texture texture, int level);
+/// Slices of a level of a 3D texture; 1 for other kinds.
+RHW_API int rhw_texture_depth(const rhw_context *context, rhw_texture texture, int level);
+/// Layers, six for each cube; 1 where the texture is no array.
+RHW_API int rhw_texture_layers(const rhw_context *context, rhw_texture texture);
 RHW_API int rhw_texture_mip_levels(const rhw_context *context, rhw_texture texture);
 RHW_API enum rhw_format rhw_texture_format(const rhw_context *context, rhw_texture texture);
-/// Replaces a whole level. Rows top to bottom, `row_pitch` bytes apart (0: tightly packed), texels in the
+/// Replaces a whole level, of textures with layers or slices the first one of it. Rows top to bottom, `row_pitch` bytes apart (0: tightly packed), texels in the
 /// texture's format. As with rhw_buffer_write, draws that were recorded before see the texels of then. Not while the
 /// texture is an attachment of the pass being recorded; the same holds for the next two functions.
 RHW_API enum rhw_result rhw_texture_write(rhw_context *context, rhw_texture texture, int level,
@@ -61,8 +65,14 @@ RHW_API enum rhw_result rhw_texture_write(rhw_context *context, rhw_texture text
 /// Copies a level out, in the same layout as rhw_texture_write.
 RHW_API enum rhw_result rhw_texture_read(rhw_context *context, rhw_texture texture, int level, void *data,
                                          size_t row_pitch);
-/// Fills levels 1.. from level 0 with a box filter in linear light (odd sizes weighted exactly). Without
-/// memory for that the levels stay as they are.
+/// The same for one layer, 6 × cube + face, or slice of a 3D texture; the level of a 3D texture has
+/// rhw_texture_depth of them.
+RHW_API enum rhw_result rhw_texture_write_layer(rhw_context *context, rhw_texture texture, int level,
+                                                int layer, const void *data, size_t row_pitch);
+RHW_API enum rhw_result rhw_texture_read_layer(rhw_context *context, rhw_texture texture, int level,
+                                               int layer, void *data, size_t row_pitch);
+/// Fills levels 1.. of all layers from level 0 with a box filter in linear light (odd sizes weighted exactly; of 3D
+/// textures over 2×2×2 texels). Without memory for that the levels stay as they are.
 RHW_API enum rhw_result rhw_texture_generate_mips(rhw_context *context, rhw_texture texture);
 
 RHW_API enum rhw_result rhw_sampler_create(rhw_context *context, const struct rhw_sampler_def *def,

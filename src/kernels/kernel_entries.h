@@ -20,5 +20,6 @@ rhw_sample_function RHW_ISA_NAME(rhw_sample_srgb8_general);
 rhw_sample_groups_function RHW_ISA_NAME(rhw_sample_groups);
 // mip_band.c
 void RHW_ISA_NAME(rhw_make_mip_band)(const struct rhw_mip_job *job, int index, int worker);
+void RHW_ISA_NAME(rhw_make_mip_slice)(const struct rhw_mip_volume_job *job, int index, int worker);
 
 #endif

@@ -12,4 +12,5 @@ const struct rhw_kernels RHW_ISA_NAME(rhw_kernels) = {
     .sample_unorm8_general = RHW_ISA_NAME(rhw_sample_unorm8_general),
     .sample_srgb8_general = RHW_ISA_NAME(rhw_sample_srgb8_general),
     .sample_groups = RHW_ISA_NAME(rhw_sample_groups),
-    .mip_band = RHW_ISA_NAME(rhw_make_mip_band)};
+    .mip_band = RHW_ISA_NAME(rhw_make_mip_band),
+    .mip_slice = RHW_ISA_NAME(rhw_make_mip_slice)};

@@ -11,6 +11,7 @@ struct rhw_pass_state;
 struct rhw_chunk;
 struct rhw_shared_part;
 struct rhw_mip_job;
+struct rhw_mip_volume_job;
 
 struct rhw_binding;
 
@@ -36,6 +37,8 @@ struct rhw_kernels {
     rhw_sample_groups_function *sample_groups;
     // A band of rows of a few levels of a texture: see mip_work.h.
     void (*mip_band)(const struct rhw_mip_job *job, int index, int worker);
+    // A slice of a level of a 3D texture.
+    void (*mip_slice)(const struct rhw_mip_volume_job *job, int index, int worker);
 };
 
 RHW_ISA_DECLARE(const struct rhw_kernels, rhw_kernels);

@@ -42,7 +42,8 @@ static void copy_row(unsigned char *to, const unsigned char *from, size_t bytes)
 static unsigned char *target_row(const struct tile_work *work, const struct rhw_attachment *attachment, int y)
 {
     const struct rhw_mip *const mip = attachment->target;
-    return mip->texels + (size_t)(work->y + y) * mip->row_pitch + (size_t)work->x * attachment->texel_size;
+    return rhw_mip_slice(mip, attachment->layer) + (size_t)(work->y + y) * mip->row_pitch +
+           (size_t)work->x * attachment->texel_size;
 }
 
 // `tile`: the attachment's storage in the scratch, RHW_TILE texels per row.
