@@ -72,6 +72,12 @@ struct rhw_texture_data {
 struct rhw_context;
 struct rhw_memory;
 
+// Components of coordinates, without an array's layer: a cube has a direction.
+static inline int rhw_texture_components(enum rhw_texture_kind kind)
+{
+    return kind == RHW_TEXTURE_1D ? 1 : kind == RHW_TEXTURE_2D ? 2 : 3;
+}
+
 // A plain 2D texture's.
 static inline struct rhw_texture_shape rhw_texture_shape_2d(int width, int height, int levels)
 {

@@ -108,7 +108,8 @@ enum {
     RHW_MAX_TEXTURE_LAYERS = 2048 ///< of an array; six for each of its cubes
 };
 
-/// CUBE: six square layers for the faces +x, −x, +y, −y, +z, −z, laid out as Vulkan 1.3 §16.5.4 has them.
+/// CUBE: six square layers for the faces +x, −x, +y, −y, +z, −z, laid out as Vulkan 1.3 has them
+/// ("Cube Map Face Selection").
 enum rhw_texture_kind { RHW_TEXTURE_2D, RHW_TEXTURE_1D, RHW_TEXTURE_3D, RHW_TEXTURE_CUBE };
 
 /// A texture: sampled, drawn into, or both (not in the same pass). Zeroed when created. It takes the bytes of its
@@ -152,8 +153,7 @@ struct rhw_sampler_def {
     const char *label; ///< for messages
     enum rhw_address address_w; ///< of 3D textures; REPEAT. Cubes have no edges: addresses do not matter there
     /// 0 or 1: off; up to 16: as many samples at most, spread along the longer axis of a gradient's footprint, at the
-    /// level of detail of the shorter one (Vulkan 1.3 §16.5.8, "Scale Factor Operation" and "Texel Anisotropic
-    /// Filtering"). With LINEAR filters, and without compares.
+    /// level of detail of the shorter one (Vulkan 1.3, "Scale Factor Operation" and "Texel Anisotropic Filtering").
     float max_anisotropy;
     enum rhw_reduction reduction; ///< AVERAGE
     /// Coordinates are in texels, of level 0 alone: filters are equal, addresses CLAMP or BORDER, no level but 0, no
