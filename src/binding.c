@@ -13,8 +13,8 @@ struct rhw_binding rhw_binding_of(const struct rhw_kernels *kernels, enum rhw_pa
                                   const struct rhw_sampler_data *sampler)
 {
     const bool special = paths != RHW_PATHS_GENERAL;
-    const bool fixed = texture && texture->is_plain && sampler->filters_fixed &&
-                       texture->info->path != RHW_TEXELS_GENERAL;
+    const bool fixed =
+        texture && texture->is_plain && sampler->filters_fixed && texture->info->path != RHW_TEXELS_GENERAL;
     struct rhw_binding binding = {.sample = kernels->sample_float,
                                   .sample_offset = kernels->sample_general,
                                   .general = kernels->sample_general,

@@ -225,9 +225,8 @@ static bool check_sampler(const rhw_context *context, rhw_texture id, rhw_sample
     const struct rhw_texture_data *const texture = rhw_context_texture(context, id, where);
     const struct rhw_texture_shape *const shape = &texture->shape;
     return rhw_check(context,
-                     !sampler->def.unnormalized ||
-                         (!shape->is_array &&
-                          (shape->kind == RHW_TEXTURE_1D || shape->kind == RHW_TEXTURE_2D)),
+                     !sampler->def.unnormalized || (!shape->is_array && (shape->kind == RHW_TEXTURE_1D ||
+                                                                         shape->kind == RHW_TEXTURE_2D)),
                      "%s: %s is unnormalized and %s has kind %d, layers %d; it must be 1D or 2D and no array",
                      where, rhw_name_of(&context->samplers, sampler_id.index).text,
                      rhw_name_of(&context->textures, id.index).text, (int)shape->kind, shape->layers);

@@ -70,9 +70,10 @@ void rhw_sample_fetch1(const struct rhw_bindings *textures, int slot, const int3
 {
     const struct rhw_texture_data *const texture =
         (unsigned)slot < RHW_MAX_TEXTURES ? textures->slot[slot].texture : NULL;
-    const int components =
-        !texture ? 0 : rhw_texture_components(texture->shape.kind) + (texture->shape.is_array &&
-                                                                      texture->shape.kind != RHW_TEXTURE_CUBE);
+    const int components = !texture
+                               ? 0
+                               : rhw_texture_components(texture->shape.kind) +
+                                     (texture->shape.is_array && texture->shape.kind != RHW_TEXTURE_CUBE);
     rhw_int lanes[3];
     rhw_float texels[4];
     for (int i = 0; i < components; i++) {

@@ -44,8 +44,8 @@ static bool check_unnormalized(const struct rhw_context *context, const struct r
 {
     return !def->unnormalized ||
            (rhw_check(context, def->min_filter == def->mag_filter,
-                      "%s: unnormalized with min_filter %d and mag_filter %d; they must be equal", create_name,
-                      (int)def->min_filter, (int)def->mag_filter) &&
+                      "%s: unnormalized with min_filter %d and mag_filter %d; they must be equal",
+                      create_name, (int)def->min_filter, (int)def->mag_filter) &&
             rhw_check(context, is_clamped(def->address_u) && is_clamped(def->address_v),
                       "%s: unnormalized with address_u %d and address_v %d; they must be CLAMP or BORDER",
                       create_name, (int)def->address_u, (int)def->address_v) &&
@@ -53,8 +53,8 @@ static bool check_unnormalized(const struct rhw_context *context, const struct r
                       "%s: unnormalized with mip_filter %d; it must be RHW_MIP_FILTER_NONE", create_name,
                       (int)def->mip_filter) &&
             rhw_check(context, !def->compares && def->max_anisotropy <= 1,
-                      "%s: unnormalized with compares %d and max_anisotropy %g; they must be off", create_name,
-                      def->compares, (double)def->max_anisotropy));
+                      "%s: unnormalized with compares %d and max_anisotropy %g; they must be off",
+                      create_name, def->compares, (double)def->max_anisotropy));
 }
 
 static bool check_filter_state(const struct rhw_context *context, const struct rhw_sampler_def *def)
@@ -65,8 +65,8 @@ static bool check_filter_state(const struct rhw_context *context, const struct r
                      "%s: max_anisotropy is %g; it must be 0..16", create_name,
                      (double)def->max_anisotropy) &&
            rhw_check(context, def->reduction == RHW_REDUCTION_AVERAGE || !def->compares,
-                     "%s: reduction is %u and compares is true; a sampler that compares averages", create_name,
-                     (unsigned)def->reduction) &&
+                     "%s: reduction is %u and compares is true; a sampler that compares averages",
+                     create_name, (unsigned)def->reduction) &&
            check_unnormalized(context, def);
 }
 
@@ -98,9 +98,9 @@ static bool is_general(const struct rhw_sampler_def *def)
 
 static bool filters_fixed(const struct rhw_sampler_def *def)
 {
-    return !is_general(def) && !def->compares && def->min_filter == RHW_FILTER_LINEAR && def->mag_filter == RHW_FILTER_LINEAR &&
-           def->mip_filter != RHW_MIP_FILTER_NEAREST && def->address_u != RHW_ADDRESS_BORDER &&
-           def->address_v != RHW_ADDRESS_BORDER;
+    return !is_general(def) && !def->compares && def->min_filter == RHW_FILTER_LINEAR &&
+           def->mag_filter == RHW_FILTER_LINEAR && def->mip_filter != RHW_MIP_FILTER_NEAREST &&
+           def->address_u != RHW_ADDRESS_BORDER && def->address_v != RHW_ADDRESS_BORDER;
 }
 
 static float lod_max_of(const struct rhw_sampler_def *def)

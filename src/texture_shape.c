@@ -37,18 +37,19 @@ static bool check_layers(const struct rhw_context *context, const struct rhw_tex
                          const char *where)
 {
     if (def->kind == RHW_TEXTURE_3D) {
-        return rhw_check(context, def->layers == 0, "%s: layers is %d; a 3D texture is no array: it must be 0",
-                         where, def->layers);
+        return rhw_check(context, def->layers == 0,
+                         "%s: layers is %d; a 3D texture is no array: it must be 0", where, def->layers);
     }
     const int most = RHW_MAX_TEXTURE_LAYERS / (def->kind == RHW_TEXTURE_CUBE ? FACES : 1);
     return rhw_check(context, def->layers >= 0 && def->layers <= most, "%s: layers is %d; it must be 0..%d",
                      where, def->layers, most);
 }
 
-static bool check_kind(const struct rhw_context *context, const struct rhw_texture_def *def, const char *where)
+static bool check_kind(const struct rhw_context *context, const struct rhw_texture_def *def,
+                       const char *where)
 {
-    if (!rhw_check(context, (unsigned)def->kind <= RHW_TEXTURE_CUBE, "%s: kind is %d; it must be 0..%d", where,
-                   (int)def->kind, RHW_TEXTURE_CUBE) ||
+    if (!rhw_check(context, (unsigned)def->kind <= RHW_TEXTURE_CUBE, "%s: kind is %d; it must be 0..%d",
+                   where, (int)def->kind, RHW_TEXTURE_CUBE) ||
         !check_size(context, "width", def->width, RHW_MAX_TARGET_SIZE, where) ||
         !check_layers(context, def, where)) {
         return false;
@@ -59,8 +60,9 @@ static bool check_kind(const struct rhw_context *context, const struct rhw_textu
     const bool depth = height && (def->kind == RHW_TEXTURE_3D
                                       ? check_size(context, "depth", def->depth, RHW_MAX_TEXTURE_DEPTH, where)
                                       : check_unused(context, "depth", def->depth, "this kind", where));
-    return depth && rhw_check(context, def->kind != RHW_TEXTURE_CUBE || def->width == def->height,
-                              "%s: a cube of %dx%d; its faces must be square", where, def->width, def->height);
+    return depth &&
+           rhw_check(context, def->kind != RHW_TEXTURE_CUBE || def->width == def->height,
+                     "%s: a cube of %dx%d; its faces must be square", where, def->width, def->height);
 }
 
 static struct rhw_texture_shape without_levels(const struct rhw_texture_def *def)
@@ -81,8 +83,8 @@ static bool fits_numbers(const struct rhw_texture_def *def)
 {
     const struct rhw_texture_shape shape = without_levels(def);
     const uint64_t size = rhw_format_size(def->format);
-    const uint64_t row = ((uint64_t)shape.width * size + RHW_ROW_ALIGNMENT - 1) / RHW_ROW_ALIGNMENT *
-                         RHW_ROW_ALIGNMENT / size;
+    const uint64_t row =
+        ((uint64_t)shape.width * size + RHW_ROW_ALIGNMENT - 1) / RHW_ROW_ALIGNMENT * RHW_ROW_ALIGNMENT / size;
     const uint64_t level = row * (uint64_t)shape.height * (uint64_t)shape.depth * (uint64_t)shape.layers;
     const bool is_plain = def->kind == RHW_TEXTURE_2D && !shape.is_array;
     return is_plain || (def->mip_levels == 0 || def->mip_levels == 1 ? level : 2 * level) <= INT32_MAX;
@@ -118,6 +120,6 @@ bool rhw_texture_check_layer(const struct rhw_context *context, rhw_texture id,
                              const struct rhw_texture_data *texture, int level, int layer, const char *where)
 {
     const int slices = texture->mip[level].slices;
-    return rhw_check(context, layer >= 0 && layer < slices, "%s: layer is %d; level %d of %s has 0..%d", where,
-                     layer, level, rhw_name_of(&context->textures, id.index).text, slices - 1);
+    return rhw_check(context, layer >= 0 && layer < slices, "%s: layer is %d; level %d of %s has 0..%d",
+                     where, layer, level, rhw_name_of(&context->textures, id.index).text, slices - 1);
 }

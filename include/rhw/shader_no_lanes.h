@@ -44,8 +44,8 @@ RHW_API void rhw_sample1(const struct rhw_bindings *textures, int slot,
                          const struct rhw_sample_request1 *request, float texel[4]);
 RHW_API void rhw_sample_gather1(const struct rhw_bindings *textures, int slot,
                                 const struct rhw_sample_request1 *request, int channel, float texel[4]);
-RHW_API void rhw_sample_fetch1(const struct rhw_bindings *textures, int slot, const int32_t *at, int32_t level,
-                               float texel[4]);
+RHW_API void rhw_sample_fetch1(const struct rhw_bindings *textures, int slot, const int32_t *at,
+                               int32_t level, float texel[4]);
 RHW_API void rhw_sample_query_lod1(const struct rhw_bindings *textures, int slot,
                                    const struct rhw_sample_request1 *request, float lod[2]);
 RHW_API void rhw_sample_size1(const struct rhw_bindings *textures, int slot, int32_t level, int32_t size[3]);

@@ -67,8 +67,8 @@ RHW_API void rhw_sample_query_lod(const struct rhw_bindings *textures, int slot,
 RHW_API void rhw_sample_size(const struct rhw_bindings *textures, int slot, rhw_int level, rhw_int size[3]);
 
 /// rhw_sample with a gradient.
-static inline void rhw_sample_grad(const struct rhw_bindings *textures, int slot, const rhw_float *coordinates,
-                                   const rhw_float *grad, rhw_float texel[4])
+static inline void rhw_sample_grad(const struct rhw_bindings *textures, int slot,
+                                   const rhw_float *coordinates, const rhw_float *grad, rhw_float texel[4])
 {
     const struct rhw_sample_request request = {coordinates, grad, (const rhw_float *)0, (const rhw_float *)0,
                                                (const rhw_int *)0};
@@ -99,7 +99,8 @@ static inline rhw_float rhw_sample_compare_grad(const struct rhw_bindings *textu
 
 /// The same at an explicit level of detail.
 static inline rhw_float rhw_sample_compare_lod(const struct rhw_bindings *textures, int slot,
-                                               const rhw_float *coordinates, rhw_float reference, rhw_float lod)
+                                               const rhw_float *coordinates, rhw_float reference,
+                                               rhw_float lod)
 {
     const struct rhw_sample_request request = {coordinates, (const rhw_float *)0, &lod, &reference,
                                                (const rhw_int *)0};

@@ -53,7 +53,8 @@ static void find_across(int face, int n, long x, long y, int found[3])
     fail_msg("no texel across the edge of face %d at %ld, %ld of %d", face, x, y, n);
 }
 
-static void load(const struct rhw_texture_data *texture, int level, long x, long y, long slice, double value[4])
+static void load(const struct rhw_texture_data *texture, int level, long x, long y, long slice,
+                 double value[4])
 {
     const struct rhw_mip *const mip = &texture->mip[level];
     model_decode(texture->format,
@@ -222,8 +223,7 @@ rhw_texture kind_model_texture(rhw_context *context, const struct rhw_texture_de
     for (int level = 0; level < rhw_texture_mip_levels(context, texture); level++) {
         const int count =
             rhw_texture_width(context, texture, level) * rhw_texture_height(context, texture, level);
-        const int slices =
-            rhw_texture_depth(context, texture, level) * rhw_texture_layers(context, texture);
+        const int slices = rhw_texture_depth(context, texture, level) * rhw_texture_layers(context, texture);
         unsigned char *const texels = malloc((size_t)count * size);
         for (int slice = 0; slice < slices; slice++) {
             for (size_t i = 0; i < (size_t)count * size; i += def->format >= RHW_FORMAT_R32_FLOAT ? 4 : 1) {

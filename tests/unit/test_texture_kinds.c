@@ -33,8 +33,8 @@ static void bind(struct rhw_bindings *bindings, enum rhw_isa isa, const struct r
 {
     const struct rhw_kernels *const kernels = rhw_kernels_for(isa);
     rhw_bindings_init(bindings, kernels);
-    bindings->slot[SLOT] = rhw_binding_of(
-        kernels, RHW_PATHS_ALL, rhw_context_texture(rig->context, texture, "test"), sampler);
+    bindings->slot[SLOT] =
+        rhw_binding_of(kernels, RHW_PATHS_ALL, rhw_context_texture(rig->context, texture, "test"), sampler);
 }
 
 // A request for 8 lanes, and what holds it.
@@ -45,9 +45,8 @@ struct lanes {
 
 static struct rhw_sample_request request_of(const struct lanes *lanes, bool shifts)
 {
-    return (struct rhw_sample_request){.coordinates = lanes->coordinates,
-                                       .lod = &lanes->lod,
-                                       .offset = shifts ? lanes->offset : NULL};
+    return (struct rhw_sample_request){
+        .coordinates = lanes->coordinates, .lod = &lanes->lod, .offset = shifts ? lanes->offset : NULL};
 }
 
 static void random_lanes(uint64_t *random, const struct rhw_texture_def *def, struct lanes *lanes)
@@ -181,7 +180,8 @@ static rhw_texture numbered(struct rig *rig, struct rhw_texture_def def)
     rhw_texture texture;
     def.format = RHW_FORMAT_R32_FLOAT;
     assert_int_equal(rhw_texture_create(rig->context, &def, &texture), RHW_OK);
-    const int slices = rhw_texture_depth(rig->context, texture, 0) * rhw_texture_layers(rig->context, texture);
+    const int slices =
+        rhw_texture_depth(rig->context, texture, 0) * rhw_texture_layers(rig->context, texture);
     for (int slice = 0; slice < slices; slice++) {
         float texels[64];
         for (int i = 0; i < 64; i++) {
@@ -206,13 +206,14 @@ static void test_layers_are_rounded(void **state)
     (void)state;
     struct rig rig;
     rig_open(&rig, 4, 4);
-    const rhw_texture texture = numbered(&rig, (struct rhw_texture_def){.width = 1, .height = 1, .layers = 5});
+    const rhw_texture texture =
+        numbered(&rig, (struct rhw_texture_def){.width = 1, .height = 1, .layers = 5});
     const struct rhw_sampler_def def = {.min_filter = RHW_FILTER_NEAREST};
     struct rhw_sampler_data sampler;
     struct rhw_bindings bindings;
     rhw_sampler_data_init(&sampler, &def);
     bind(&bindings, RHW_ISA_BASELINE, &rig, texture, &sampler);
-    static const float cases[][2] = {{0, 0},   {0.5f, 0},  {0.75f, 1}, {1.5f, 2},  {2.5f, 2},
+    static const float cases[][2] = {{0, 0},    {0.5f, 0}, {0.75f, 1}, {1.5f, 2},  {2.5f, 2},
                                      {3.5f, 4}, {-7, 0},   {4.4f, 4},  {1e30f, 4}, {NAN, 0}};
     for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
         const float at[3] = {0.5f, 0.5f, cases[i][0]};
@@ -254,10 +255,8 @@ static void test_no_seam(void **state)
     struct rig rig;
     rig_open(&rig, 4, 4);
     uint64_t random = 3;
-    const struct rhw_texture_def def = {.format = RHW_FORMAT_RGBA32_FLOAT,
-                                        .width = 4,
-                                        .height = 4,
-                                        .kind = RHW_TEXTURE_CUBE};
+    const struct rhw_texture_def def = {
+        .format = RHW_FORMAT_RGBA32_FLOAT, .width = 4, .height = 4, .kind = RHW_TEXTURE_CUBE};
     const rhw_texture texture = kind_model_texture(rig.context, &def, &random);
     const struct rhw_sampler_def linear = {0};
     struct rhw_sampler_data sampler;
@@ -337,8 +336,10 @@ static void test_gradients(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_every_kind_by_the_model), cmocka_unit_test(test_layers_are_rounded),
-        cmocka_unit_test(test_faces_by_hand),           cmocka_unit_test(test_no_seam),
+        cmocka_unit_test(test_every_kind_by_the_model),
+        cmocka_unit_test(test_layers_are_rounded),
+        cmocka_unit_test(test_faces_by_hand),
+        cmocka_unit_test(test_no_seam),
         cmocka_unit_test(test_gradients),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);

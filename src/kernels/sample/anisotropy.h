@@ -11,8 +11,8 @@
 enum { MOST_COMPONENTS = 4 };
 
 struct long_axis {
-    f8 count; // N, of each lane
-    f8 level; // of detail, before the sampler's bias and limits
+    f8 count;                   // N, of each lane
+    f8 level;                   // of detail, before the sampler's bias and limits
     f8 change[MOST_COMPONENTS]; // of coordinates along the axis, per pixel; of the layer 0
 };
 

@@ -13,9 +13,9 @@ struct face_axes {
 };
 
 struct cube_face {
-    i8 number;       // 0..5: +x, −x, +y, −y, +z, −z
-    i8 is_x, is_y;   // masks; neither: z
-    i8 is_negative;  // mask
+    i8 number;      // 0..5: +x, −x, +y, −y, +z, −z
+    i8 is_x, is_y;  // masks; neither: z
+    i8 is_negative; // mask
 };
 
 // The face that a direction goes through: of equal components z wins over y, and y over x.
@@ -57,8 +57,8 @@ static inline void face_coordinates(const struct face_axes *axes, f8 st[2])
 }
 
 // What a change of direction per pixel is in coordinates on the face.
-static inline void face_gradient(const struct cube_face *face, const struct face_axes *axes, const f8 change[3],
-                                 f8 st[2])
+static inline void face_gradient(const struct cube_face *face, const struct face_axes *axes,
+                                 const f8 change[3], f8 st[2])
 {
     const struct face_axes d = on_face(face, change);
     const f8 square = axes->major * axes->major;
@@ -86,7 +86,8 @@ static inline void cross_edge(i8 size, i8 *x, i8 *y, i8 *number)
     const struct face_axes there = on_face(&face, direction);
     const i8 to_x = (rhw_int_from_float_unchecked(there.s) + last) >> 1;
     const i8 to_y = (rhw_int_from_float_unchecked(there.t) + last) >> 1;
-    *x = rhw_select_int(crosses, rhw_max_int(to_x, i8_splat(0)), *x); // at a corner, where no texel is, stay inside
+    *x = rhw_select_int(crosses, rhw_max_int(to_x, i8_splat(0)),
+                        *x); // at a corner, where no texel is, stay inside
     *y = rhw_select_int(crosses, rhw_max_int(to_y, i8_splat(0)), *y);
     *number = rhw_select_int(crosses, face.number, *number);
 }

@@ -163,8 +163,8 @@ static inline void reduce_block(const struct texel_block *block, int axes, enum 
             has_weight = has_weight & rhw_less(zero, weight);
         }
         for (int c = 0; c < 4; c++) {
-            const f8 both = rhw_select(found, reduced(reduction, texel[c], block->texel[n][c]),
-                                       block->texel[n][c]);
+            const f8 both =
+                rhw_select(found, reduced(reduction, texel[c], block->texel[n][c]), block->texel[n][c]);
             texel[c] = rhw_select(has_weight, both, texel[c]);
         }
         found = found | has_weight;
@@ -205,7 +205,8 @@ static inline void mix_next_level(const struct lookup *lookup, i8 number, f8 fra
         return;
     }
     f8 next[4];
-    general_level(lookup, rhw_min_int(number + 1, i8_splat(lookup->texture->levels - 1)), def->min_filter, next);
+    general_level(lookup, rhw_min_int(number + 1, i8_splat(lookup->texture->levels - 1)), def->min_filter,
+                  next);
     for (int c = 0; c < 4; c++) {
         const f8 both = def->reduction == RHW_REDUCTION_AVERAGE ? rhw_mix(texel[c], next[c], fraction)
                                                                 : reduced(def->reduction, texel[c], next[c]);

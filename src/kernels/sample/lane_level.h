@@ -18,17 +18,17 @@ RHW_INLINE struct lane_level lane_level_at(const struct rhw_texture_data *textur
 {
     const struct rhw_level_table *const table = &texture->table;
     const i8 slices = i8_gather(table->slices, level);
-    return (struct lane_level){
-        .size = {i8_gather(table->width, level), i8_gather(table->height, level), slices},
-        .slices = slices,
-        .first = i8_gather(table->first, level),
-        .row = i8_gather(table->row, level),
-        .slice = i8_gather(table->slice, level)};
+    return (
+        struct lane_level){.size = {i8_gather(table->width, level), i8_gather(table->height, level), slices},
+                           .slices = slices,
+                           .first = i8_gather(table->first, level),
+                           .row = i8_gather(table->row, level),
+                           .slice = i8_gather(table->slice, level)};
 }
 
 // Loads texels (x, y) of slices, all of them inside, as floats, colour linear.
-RHW_INLINE void lane_texels(const struct rhw_texture_data *texture, const struct lane_level *level, i8 x, i8 y,
-                            i8 slice, f8 texel[4])
+RHW_INLINE void lane_texels(const struct rhw_texture_data *texture, const struct lane_level *level, i8 x,
+                            i8 y, i8 slice, f8 texel[4])
 {
     struct raw_texels raw;
     fetch_numbered_texels(texture->info->size, texture->mip[0].texels,

@@ -41,8 +41,8 @@ static inline i8 layer_of(const struct rhw_texture_data *texture, const f8 *coor
     }
     const int faces = texture->shape.kind == RHW_TEXTURE_CUBE ? 6 : 1;
     const int count = texture->shape.layers / faces;
-    const f8 layer = rhw_clamp(coordinates[spatial_components(texture)], rhw_splat(0.0f),
-                               rhw_splat((float)(count - 1)));
+    const f8 layer =
+        rhw_clamp(coordinates[spatial_components(texture)], rhw_splat(0.0f), rhw_splat((float)(count - 1)));
     return faces * rhw_int_from_float_unchecked(rhw_round(layer));
 }
 
@@ -99,7 +99,8 @@ static inline void look_up(const struct rhw_binding *binding, const struct rhw_s
 // Level of detail ------------------------------------------------------------------------------------
 
 // The squared length, in texels of level 0, of the change of place along x or along y; `change` is by components.
-static inline f8 squared_length(const struct rhw_texture_data *texture, const f8 *coordinates, const f8 *change)
+static inline f8 squared_length(const struct rhw_texture_data *texture, const f8 *coordinates,
+                                const f8 *change)
 {
     const float size[3] = {(float)texture->shape.width, (float)texture->shape.height,
                            (float)texture->shape.depth};
@@ -120,7 +121,8 @@ static inline f8 squared_length(const struct rhw_texture_data *texture, const f8
 }
 
 // The level of detail that the request names, before the sampler's bias and limits.
-static inline f8 requested_level(const struct rhw_texture_data *texture, const struct rhw_sample_request *request)
+static inline f8 requested_level(const struct rhw_texture_data *texture,
+                                 const struct rhw_sample_request *request)
 {
     if (!request->gradient) {
         return request->lod ? *request->lod : rhw_splat(0.0f);
@@ -140,8 +142,7 @@ static inline struct lane_lod limit_level(const struct rhw_texture_data *texture
                                           const struct rhw_sampler_data *sampler, f8 requested)
 {
     const struct rhw_sampler_def *const def = &sampler->def;
-    const f8 limited =
-        rhw_clamp(requested + def->lod_bias, rhw_splat(def->lod_min), rhw_splat(def->lod_max));
+    const f8 limited = rhw_clamp(requested + def->lod_bias, rhw_splat(def->lod_min), rhw_splat(def->lod_max));
     return (struct lane_lod){
         limited, rhw_clamp(limited, rhw_splat(0.0f), rhw_splat((float)last_level(texture, sampler)))};
 }
