@@ -98,7 +98,7 @@ void rhw_sample_gather(const struct rhw_bindings *textures, int slot,
     }
 }
 
-void rhw_sample_fetch(const struct rhw_bindings *textures, int slot, const rhw_int *at, rhw_int level,
+void rhw_sample_fetch(const struct rhw_bindings *textures, int slot, const rhw_int *at, const rhw_int *level,
                       rhw_float texel[4])
 {
     const struct rhw_binding *const binding = bound_slot(textures, slot);
@@ -119,7 +119,7 @@ void rhw_sample_query_lod(const struct rhw_bindings *textures, int slot,
     }
 }
 
-void rhw_sample_size(const struct rhw_bindings *textures, int slot, rhw_int level, rhw_int size[3])
+void rhw_sample_size(const struct rhw_bindings *textures, int slot, const rhw_int *level, rhw_int size[3])
 {
     const struct rhw_binding *const binding = bound_slot(textures, slot);
     size[0] = size[1] = size[2] = rhw_splat_int(0);

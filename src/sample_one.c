@@ -79,7 +79,8 @@ void rhw_sample_fetch1(const struct rhw_bindings *textures, int slot, const int3
     for (int i = 0; i < components; i++) {
         lanes[i] = rhw_splat_int(at[i]);
     }
-    rhw_sample_fetch(textures, slot, lanes, rhw_splat_int(level), texels);
+    const rhw_int levels = rhw_splat_int(level);
+    rhw_sample_fetch(textures, slot, lanes, &levels, texels);
     first_lane(texels, 4, texel);
 }
 
@@ -96,7 +97,8 @@ void rhw_sample_query_lod1(const struct rhw_bindings *textures, int slot,
 void rhw_sample_size1(const struct rhw_bindings *textures, int slot, int32_t level, int32_t size[3])
 {
     rhw_int lanes[3];
-    rhw_sample_size(textures, slot, rhw_splat_int(level), lanes);
+    const rhw_int levels = rhw_splat_int(level);
+    rhw_sample_size(textures, slot, &levels, lanes);
     for (int i = 0; i < 3; i++) {
         size[i] = lanes[i][0];
     }

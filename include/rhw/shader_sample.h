@@ -51,20 +51,21 @@ RHW_API void rhw_sample(const struct rhw_bindings *textures, int slot,
 RHW_API void rhw_sample_gather(const struct rhw_bindings *textures, int slot,
                                const struct rhw_sample_request *request, int channel, rhw_float texel[4]);
 
-/// The texel at whole coordinates of a level, unfiltered: `at` has x, y and z as the texture's kind has them, and the layer
+/// The texel at whole coordinates of a level ([1]; NULL: 0), unfiltered: `at` has x, y and z as the texture's kind has them, and the layer
 /// of an array; of a cube x, y and 6 × cube + face. Outside of the level, or where there is no such level, it is 0 in the
 /// channels that the format has (robustImageAccess2); those that it lacks are 0, 0, 0, 1 as ever.
-RHW_API void rhw_sample_fetch(const struct rhw_bindings *textures, int slot, const rhw_int *at, rhw_int level,
-                              rhw_float texel[4]);
+RHW_API void rhw_sample_fetch(const struct rhw_bindings *textures, int slot, const rhw_int *at,
+                              const rhw_int *level, rhw_float texel[4]);
 
 /// The level that rhw_sample would read for the request, between two of them with a fraction, and the level of detail
 /// with the sampler's bias, before any limit (Vulkan 1.3, OpImageQueryLod). Zeros in a slot without a texture.
 RHW_API void rhw_sample_query_lod(const struct rhw_bindings *textures, int slot,
                                   const struct rhw_sample_request *request, rhw_float lod[2]);
 
-/// Width, height and, of a level of a 3D texture, its slices, else layers, six for each cube. What the kind lacks is 1. Zeros
+/// Width, height and, of a 3D texture, slices of a level ([1]; NULL: 0), else layers, six for each cube. What the kind lacks is 1. Zeros
 /// where there is no such level, and in a slot without a texture.
-RHW_API void rhw_sample_size(const struct rhw_bindings *textures, int slot, rhw_int level, rhw_int size[3]);
+RHW_API void rhw_sample_size(const struct rhw_bindings *textures, int slot, const rhw_int *level,
+                             rhw_int size[3]);
 
 /// rhw_sample with a gradient.
 static inline void rhw_sample_grad(const struct rhw_bindings *textures, int slot,

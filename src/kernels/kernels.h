@@ -26,11 +26,12 @@ typedef void rhw_sample_groups_function(const struct rhw_fragment *groups, int c
 // slot that has a texture.
 typedef void rhw_gather_function(const struct rhw_binding *binding, const struct rhw_sample_request *request,
                                  int channel, rhw_float texel[4]);
-typedef void rhw_fetch_function(const struct rhw_binding *binding, const rhw_int *at, rhw_int level,
+typedef void rhw_fetch_function(const struct rhw_binding *binding, const rhw_int *at, const rhw_int *level,
                                 rhw_float texel[4]);
 typedef void rhw_query_level_function(const struct rhw_binding *binding,
                                       const struct rhw_sample_request *request, rhw_float lod[2]);
-typedef void rhw_query_size_function(const struct rhw_binding *binding, rhw_int level, rhw_int size[3]);
+typedef void rhw_query_size_function(const struct rhw_binding *binding, const rhw_int *level,
+                                     rhw_int size[3]);
 
 struct rhw_kernels {
     // Shades some of the vertices that chunks share.

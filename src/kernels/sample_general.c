@@ -26,10 +26,10 @@ void RHW_ISA_NAME(rhw_gather_texels)(const struct rhw_binding *binding,
     gather(binding, request, channel, texel);
 }
 
-void RHW_ISA_NAME(rhw_fetch_texels)(const struct rhw_binding *binding, const rhw_int *at, rhw_int level,
-                                    rhw_float texel[4])
+void RHW_ISA_NAME(rhw_fetch_texels)(const struct rhw_binding *binding, const rhw_int *at,
+                                    const rhw_int *level, rhw_float texel[4])
 {
-    fetch(binding->texture, at, level, texel);
+    fetch(binding->texture, at, level ? *level : rhw_splat_int(0), texel);
 }
 
 void RHW_ISA_NAME(rhw_query_level)(const struct rhw_binding *binding,
@@ -38,7 +38,7 @@ void RHW_ISA_NAME(rhw_query_level)(const struct rhw_binding *binding,
     query_level(binding, request, lod);
 }
 
-void RHW_ISA_NAME(rhw_query_size)(const struct rhw_binding *binding, rhw_int level, rhw_int size[3])
+void RHW_ISA_NAME(rhw_query_size)(const struct rhw_binding *binding, const rhw_int *level, rhw_int size[3])
 {
-    query_size(binding->texture, level, size);
+    query_size(binding->texture, level ? *level : rhw_splat_int(0), size);
 }

@@ -34,6 +34,11 @@ golden_draw_function golden_sampler_draw; ///< addresses, filters, mip filters, 
 golden_draw_function golden_texel_draw;   ///< every sampled format and every level of odd sizes
 golden_draw_function golden_chain_draw;   ///< what one pass draws, the next samples
 
+// golden_kinds.c
+golden_draw_function golden_kinds_draw; ///< textures of every kind, asked in every way
+golden_draw_function
+    golden_layers_draw; ///< layers, faces and slices drawn into, their levels, and sampled again
+
 // golden_fragments.c
 golden_draw_function golden_builtins_draw; ///< coordinates, weights, derivatives, ids as floats and integers
 golden_draw_function golden_heights_draw;  ///< fragment depth, discard, derivatives

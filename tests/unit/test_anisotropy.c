@@ -100,11 +100,13 @@ static void random_lanes(uint64_t *random, struct lanes *lanes)
     }
 }
 
-static int compare_with_model(const struct rig *rig, rhw_texture texture, const struct rhw_sampler_data *sampler,
-                              const struct rhw_sampler_def *def, uint64_t *random)
+static int compare_with_model(const struct rig *rig, rhw_texture texture,
+                              const struct rhw_sampler_data *sampler, const struct rhw_sampler_def *def,
+                              uint64_t *random)
 {
     const struct rhw_texture_data *const data = rhw_context_texture(rig->context, texture, "test");
-    const double tolerance = rhw_format_size(data->format) == 4 ? 1e-3 : 5e-4; // weights and texels of 15 bits
+    const double tolerance =
+        rhw_format_size(data->format) == 4 ? 1e-3 : 5e-4; // weights and texels of 15 bits
     struct lanes lanes;
     random_lanes(random, &lanes);
     const struct rhw_sample_request request = {.coordinates = lanes.coordinates, .gradient = lanes.gradient};
@@ -244,10 +246,8 @@ static void test_the_floor_comes_closer_to_the_truth(void **state)
     for (int i = 0; i < SIZE * SIZE; i++) {
         texels[i / SIZE][i % SIZE] = (unsigned char)(pattern(i % SIZE, i / SIZE) * 255 + 0.5f);
     }
-    const struct rhw_texture_def def = {.format = RHW_FORMAT_R8_UNORM,
-                                        .width = SIZE,
-                                        .height = SIZE,
-                                        .mip_levels = RHW_MIP_LEVELS_ALL};
+    const struct rhw_texture_def def = {
+        .format = RHW_FORMAT_R8_UNORM, .width = SIZE, .height = SIZE, .mip_levels = RHW_MIP_LEVELS_ALL};
     rhw_texture texture;
     assert_int_equal(rhw_texture_create(rig.context, &def, &texture), RHW_OK);
     rhw_texture_write(rig.context, texture, 0, texels, 0);

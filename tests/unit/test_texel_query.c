@@ -67,10 +67,10 @@ static void test_fetch(void **state)
     static const struct {
         int32_t at[2], level;
         float red;
-    } cases[] = {{{4, 2}, 0, 24},   {{1, 0}, 1, 1001},      {{0, 0}, 2, 2000},  {{5, 2}, 0, 0},
-                 {{-1, 0}, 0, 0},   {{0, 3}, 0, 0},         {{0, -1}, 0, 0},    {{2, 0}, 1, 0},
-                 {{0, 0}, 3, 0},    {{0, 0}, -1, 0},        {{INT32_MAX, 0}, 0, 0},
-                 {{0, INT32_MIN}, 0, 0}, {{0, 0}, INT32_MAX, 0}};
+    } cases[] = {{{4, 2}, 0, 24},       {{1, 0}, 1, 1001}, {{0, 0}, 2, 2000},      {{5, 2}, 0, 0},
+                 {{-1, 0}, 0, 0},       {{0, 3}, 0, 0},    {{0, -1}, 0, 0},        {{2, 0}, 1, 0},
+                 {{0, 0}, 3, 0},        {{0, 0}, -1, 0},   {{INT32_MAX, 0}, 0, 0}, {{0, INT32_MIN}, 0, 0},
+                 {{0, 0}, INT32_MAX, 0}};
     for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
         expect_fetch(&bound, cases[i].at, cases[i].level, cases[i].red);
     }
@@ -144,7 +144,8 @@ static void test_gather(void **state)
     rig_open(&rig, 4, 4);
     struct bound bound;
     struct rhw_sampler_def def = {.min_filter = RHW_FILTER_NEAREST, .address_v = RHW_ADDRESS_CLAMP};
-    const struct rhw_texture_def plain = {.format = RHW_FORMAT_R32_FLOAT, .width = 4, .height = 4, .layers = 2};
+    const struct rhw_texture_def plain = {
+        .format = RHW_FORMAT_R32_FLOAT, .width = 4, .height = 4, .layers = 2};
     const rhw_texture texture = numbered(&rig, plain);
     const float at[3] = {0.5f, 0.5f, 1}, edge[3] = {0, 0, 0}, reference = 111;
     const int32_t offset[2] = {1, -5};

@@ -119,10 +119,8 @@ static void test_levels_of_a_volume(void **state)
     for (size_t n = 0; n < sizeof sizes / sizeof *sizes; n++) {
         struct rig rig;
         rig_open(&rig, 4, 4);
-        const struct rhw_texture_def def = {.width = sizes[n][0],
-                                            .height = sizes[n][1],
-                                            .depth = sizes[n][2],
-                                            .kind = RHW_TEXTURE_3D};
+        const struct rhw_texture_def def = {
+            .width = sizes[n][0], .height = sizes[n][1], .depth = sizes[n][2], .kind = RHW_TEXTURE_3D};
         const rhw_texture texture = make(&rig, def, RHW_FORMAT_RGBA32_FLOAT, RHW_MIP_LEVELS_ALL);
         static float above[16][64][4], made[64][4];
         const int levels = rhw_texture_mip_levels(rig.context, texture);
@@ -149,8 +147,7 @@ static void test_levels_of_a_volume(void **state)
                 for (int i = 0; i < w * h; i++) {
                     double sum = 0;
                     for (int j = 0; j < width * height * depth; j++) {
-                        sum += weight(width, i % w, j % width) *
-                               weight(height, i / w, j / width % height) *
+                        sum += weight(width, i % w, j % width) * weight(height, i / w, j / width % height) *
                                weight(depth, z, j / width / height) *
                                (double)above[j / width / height][j % (width * height)][2];
                     }
@@ -187,7 +184,8 @@ static void test_layers_are_drawn_into(void **state)
         struct rig_vertex square[6];
         const float seven[4] = {7, 7, 7, 7};
         rig_rectangle(&rig, 10, 10, 20, 20, 0.5f, seven, square);
-        for (int frame = 0; frame < 3; frame++) { // cleared by turns to other values: no tile is taken for clean
+        for (int frame = 0; frame < 3;
+             frame++) { // cleared by turns to other values: no tile is taken for clean
             for (int i = 0; i < 2; i++) {
                 rig.pass.colors[i].texture = texture;
                 rig.pass.colors[i].layer = 2 - i;
@@ -225,10 +223,12 @@ static void test_misuse_of_definitions(void **state)
         {{.width = 4, .height = 2, .kind = RHW_TEXTURE_1D}, "height is 2; a 1D texture has none"},
         {{.width = 4, .height = 4, .kind = RHW_TEXTURE_3D}, "depth is 0; it must be 1..2048"},
         {{.width = 4, .height = 4, .depth = 2049, .kind = RHW_TEXTURE_3D}, "depth is 2049"},
-        {{.width = 4, .height = 4, .depth = 2, .layers = 2, .kind = RHW_TEXTURE_3D}, "layers is 2; a 3D texture"},
+        {{.width = 4, .height = 4, .depth = 2, .layers = 2, .kind = RHW_TEXTURE_3D},
+         "layers is 2; a 3D texture"},
         {{.width = 4, .height = 4, .depth = 2}, "depth is 2; this kind has none"},
         {{.width = 4, .height = 4, .layers = -1}, "layers is -1; it must be 0..2048"},
-        {{.width = 4, .height = 4, .layers = 342, .kind = RHW_TEXTURE_CUBE}, "layers is 342; it must be 0..341"},
+        {{.width = 4, .height = 4, .layers = 342, .kind = RHW_TEXTURE_CUBE},
+         "layers is 342; it must be 0..341"},
         {{.width = 4, .height = 5, .kind = RHW_TEXTURE_CUBE}, "4x5; its faces must be square"},
         {{.width = 4, .mip_levels = 4, .kind = RHW_TEXTURE_1D}, "mip_levels is 4"},
         {{.width = 2048, .height = 2048, .depth = 512, .kind = RHW_TEXTURE_3D}, "fewer than 2^31 texels"},
@@ -271,12 +271,9 @@ static void test_misuse_of_layers(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_layers_hold_what_was_written),
-        cmocka_unit_test(test_levels_of_layers),
-        cmocka_unit_test(test_levels_of_a_volume),
-        cmocka_unit_test(test_layers_are_drawn_into),
-        cmocka_unit_test(test_misuse_of_definitions),
-        cmocka_unit_test(test_misuse_of_layers),
+        cmocka_unit_test(test_layers_hold_what_was_written), cmocka_unit_test(test_levels_of_layers),
+        cmocka_unit_test(test_levels_of_a_volume),           cmocka_unit_test(test_layers_are_drawn_into),
+        cmocka_unit_test(test_misuse_of_definitions),        cmocka_unit_test(test_misuse_of_layers),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
