@@ -38,8 +38,8 @@ struct rhw_sample_request {
 
 /// Samples slot `slot`, 0..RHW_MAX_TEXTURES − 1, of a group's `textures`; for shader functions, on the thread that runs
 /// them. `request` is read during the call alone, with all it points at. The sampler's bias and limits apply to the
-/// level of detail. sRGB texels are decoded before they are filtered, and where both filters are LINEAR and no border
-/// is met they are held to 15 bits: at most 1/20 of the distance between two codes off, with 0 and 255 exact. A slot
+/// level of detail. sRGB texels are decoded before they are filtered; of plain 2D textures, where both filters are LINEAR
+/// and no border is met, they are held to 15 bits: at most 1/20 of the distance between two codes off, with 0 and 255 exact. A slot
 /// without a texture gives 0, 0, 0, 1. A lane's texel does not depend on other lanes.
 RHW_API void rhw_sample(const struct rhw_bindings *textures, int slot,
                         const struct rhw_sample_request *request, rhw_float texel[4]);
@@ -51,7 +51,7 @@ RHW_API void rhw_sample(const struct rhw_bindings *textures, int slot,
 RHW_API void rhw_sample_gather(const struct rhw_bindings *textures, int slot,
                                const struct rhw_sample_request *request, int channel, rhw_float texel[4]);
 
-/// The texel at whole coordinates of a level ([1]; NULL: 0), unfiltered: `at` has x, y and z as the texture's kind has them, and the layer
+/// The texel at whole coordinates of a level ([1]; NULL: 0), unfiltered: `at` has x, y and z as the kind has them, and the layer
 /// of an array; of a cube x, y and 6 × cube + face. Outside of the level, or where there is no such level, it is 0 in the
 /// channels that the format has (robustImageAccess2); those that it lacks are 0, 0, 0, 1 as ever.
 RHW_API void rhw_sample_fetch(const struct rhw_bindings *textures, int slot, const rhw_int *at,

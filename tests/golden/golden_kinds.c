@@ -47,9 +47,9 @@ static rhw_texture filled(rhw_context *context, const struct rhw_texture_def *de
             bytes[i] = (unsigned char)(shade % 5 == 0 ? 255 : shade % 200);
             numbers[i] = (float)bytes[i] / 255.0f;
         }
-        golden_check(rhw_texture_write_layer(context, texture, 0, slice,
-                                             floats ? (const void *)numbers : bytes, 0),
-                     "layer");
+        golden_check(
+            rhw_texture_write_layer(context, texture, 0, slice, floats ? (const void *)numbers : bytes, 0),
+            "layer");
     }
     free(bytes);
     free(numbers);
@@ -120,8 +120,12 @@ static void draw_layer(rhw_context *context, rhw_texture target, int layer, rhw_
     rhw_pass_set_pipeline(context, pass, golden_pipeline(context, &pipeline));
     rhw_pass_set_vertex_buffer(context, pass, 0, receding(context), 0);
     rhw_pass_set_texture(context, pass, 0, plain, sampler);
-    const struct rhw_viewport part = {(float)layer, 2, (float)rhw_texture_width(context, target, 0) * 0.75f,
-                                      (float)rhw_texture_height(context, target, 0) * 0.75f, 0, 1};
+    const struct rhw_viewport part = {(float)layer,
+                                      2,
+                                      (float)rhw_texture_width(context, target, 0) * 0.75f,
+                                      (float)rhw_texture_height(context, target, 0) * 0.75f,
+                                      0,
+                                      1};
     rhw_pass_set_viewport(context, pass, &part);
     rhw_pass_draw(context, pass, 0, 6, 0, 1);
     golden_check(rhw_pass_end(context, pass, NULL), "pass");

@@ -333,6 +333,48 @@ static void test_gradients(void **state)
     rig_close(&rig);
 }
 
+// rhw_sample_groups takes as many varyings as the slot's texture asks for; anisotropic samplers come to the same too.
+static void test_groups(void **state)
+{
+    (void)state;
+    enum { GROUPS = 3 };
+    struct rig rig;
+    rig_open(&rig, 4, 4);
+    uint64_t random = 21;
+    for (int n = 0; n < KINDS * 2; n++) {
+        struct rhw_texture_def def = kinds[n % KINDS];
+        def.format = RHW_FORMAT_RGBA8_UNORM;
+        def.mip_levels = RHW_MIP_LEVELS_ALL;
+        const rhw_texture texture = kind_model_texture(rig.context, &def, &random);
+        const int components = components_of(&def) - (def.layers > 0);
+        const struct rhw_sampler_def sampler_def = {.max_anisotropy = n < KINDS ? 0 : 8};
+        struct rhw_sampler_data sampler;
+        struct rhw_bindings bindings;
+        rhw_sampler_data_init(&sampler, &sampler_def);
+        bind(&bindings, RHW_ISA_BASELINE, &rig, texture, &sampler);
+        rhw_float varyings[GROUPS][6], ddx[GROUPS][6], ddy[GROUPS][6], texels[GROUPS][8][4];
+        struct rhw_fragment groups[GROUPS] = {0};
+        for (int g = 0; g < GROUPS; g++) {
+            for (int lane = 0; lane < RHW_LANES * 6; lane++) {
+                varyings[g][lane / RHW_LANES][lane % RHW_LANES] = rig_random_float(&random, -1, 2);
+                ddx[g][lane / RHW_LANES][lane % RHW_LANES] = rig_random_float(&random, -0.2f, 0.2f);
+                ddy[g][lane / RHW_LANES][lane % RHW_LANES] = rig_random_float(&random, -0.02f, 0.02f);
+            }
+            groups[g] = (struct rhw_fragment){
+                .varying = varyings[g], .ddx = ddx[g], .ddy = ddy[g], .textures = &bindings};
+        }
+        rhw_sample_groups(groups, GROUPS, 1u << SLOT, 1, texels[0], 8);
+        for (int g = 0; g < GROUPS; g++) {
+            rhw_float gradient[6], texel[4];
+            memcpy(gradient, ddx[g] + 1, (size_t)components * sizeof *gradient);
+            memcpy(gradient + components, ddy[g] + 1, (size_t)components * sizeof *gradient);
+            rhw_sample_grad(&bindings, SLOT, varyings[g] + 1, gradient, texel);
+            assert_memory_equal(texels[g][SLOT], texel, sizeof texel);
+        }
+    }
+    rig_close(&rig);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -341,6 +383,7 @@ int main(void)
         cmocka_unit_test(test_faces_by_hand),
         cmocka_unit_test(test_no_seam),
         cmocka_unit_test(test_gradients),
+        cmocka_unit_test(test_groups),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
