@@ -20,6 +20,8 @@ const struct bench_scene_entry bench_scene_entries[] = {
     {"fill_color", "8 floors, interpolated colours", bench_make_floor, BENCH_FLOOR_COLOR},
     {"fill_blend", "the same, blended by source alpha", bench_make_floor, BENCH_FLOOR_BLEND},
     {"fill_tex", "the same, a trilinear texture of 1024x1024", bench_make_floor, BENCH_FLOOR_TEXTURE},
+    {"fill_aniso", "fill_tex with up to 16 samples along the longer axis of a footprint", bench_make_floor,
+     BENCH_FLOOR_ANISOTROPIC},
     {"overdraw", "fill_tex with a depth test: 8 opaque layers, far to near", bench_make_floor,
      BENCH_FLOOR_OVERDRAW},
     {"painter", "fill_tex again, where hidden fragments may be skipped", bench_make_floor,

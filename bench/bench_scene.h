@@ -105,7 +105,8 @@ struct bench_scene {
     const char *renders_file;
     // The peer's target has no depth buffer beside it: llvmpipe then leaves out what opaque triangles hide.
     bool without_depth;
-    float clear[4]; // alpha 0, which no shader writes: it tells what is covered
+    int max_anisotropy; // of all textures; 0: off
+    float clear[4];     // alpha 0, which no shader writes: it tells what is covered
     struct bench_tolerance tolerance;
     enum bench_unit unit;
     double work; // units per frame

@@ -71,6 +71,10 @@ static void make_texture(struct gles_state *s, uint32_t i)
     }
     gl->tex_parameter_i(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_LINEAR_MIPMAP_LINEAR);
     gl->tex_parameter_i(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_LINEAR);
+    if (s->scene->max_anisotropy > 1) { // GL_EXT_texture_filter_anisotropic
+        const GLenum max_anisotropy = 0x84fe;
+        gl->tex_parameter_i(GL_TEXTURE_2D, max_anisotropy, s->scene->max_anisotropy);
+    }
 }
 
 static bool make_shader(struct gles_state *s, enum bench_shader shader)

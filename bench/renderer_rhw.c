@@ -152,7 +152,8 @@ static bool take(struct bench_renderer *renderer, const struct bench_scene *scen
     s->vertices = calloc((size_t)scene->mesh_count + 1, sizeof *s->vertices);
     s->indices = calloc((size_t)scene->mesh_count + 1, sizeof *s->indices);
     s->textures = calloc((size_t)scene->texture_count + 1, sizeof *s->textures);
-    const struct rhw_sampler_def sampler = rhw_sampler_def_default();
+    struct rhw_sampler_def sampler = rhw_sampler_def_default();
+    sampler.max_anisotropy = (float)scene->max_anisotropy;
     if (scene->surfaces) {
         return make_target(s, RHW_FORMAT_RGBA8_SRGB, &s->color) &&
                scene_upload_create(s->context, scene->surfaces->model, &s->upload) == RHW_OK;

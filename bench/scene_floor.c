@@ -59,11 +59,15 @@ static void place_vertices(struct bench_mesh *mesh, int layer, double aspect)
 }
 
 // Blending rounds to 8 bits after each of 8 layers, and the peer weighs in 8 bits too; it takes one level of
-// detail for 2×2 pixels and filters texels in 8 bits.
+// detail for 2×2 pixels and filters texels in 8 bits. With anisotropy it weighs the texels of an ellipse, not samples along
+// an axis as Vulkan has it; test_anisotropy.c holds those against the formula.
 static void set_tolerance(struct bench_tolerance *tolerance, enum bench_floor_variant variant)
 {
     if (variant == BENCH_FLOOR_BLEND) {
         tolerance->color = 4;
+    } else if (variant == BENCH_FLOOR_ANISOTROPIC) {
+        tolerance->color = 64;
+        tolerance->outliers = 5e-5;
     } else if (variant >= BENCH_FLOOR_TEXTURE) {
         tolerance->color = 6;
         tolerance->outliers = 5e-5;
@@ -80,6 +84,7 @@ bool bench_make_floor(const struct bench_scene_entry *entry, struct bench_scene 
                                                 [BENCH_FLOOR_COLOR] = BENCH_SHADER_COLOR,
                                                 [BENCH_FLOOR_BLEND] = BENCH_SHADER_COLOR,
                                                 [BENCH_FLOOR_TEXTURE] = BENCH_SHADER_TEXTURE,
+                                                [BENCH_FLOOR_ANISOTROPIC] = BENCH_SHADER_TEXTURE,
                                                 [BENCH_FLOOR_OVERDRAW] = BENCH_SHADER_TEXTURE,
                                                 [BENCH_FLOOR_PAINTER] = BENCH_SHADER_TEXTURE};
     static const double identity[16] = {1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1};
@@ -91,6 +96,7 @@ bool bench_make_floor(const struct bench_scene_entry *entry, struct bench_scene 
     scene->blends = variant == BENCH_FLOOR_BLEND;
     scene->depth_test = variant == BENCH_FLOOR_OVERDRAW;
     scene->shades_all = variant < BENCH_FLOOR_OVERDRAW;
+    scene->max_anisotropy = variant == BENCH_FLOOR_ANISOTROPIC ? 16 : 0;
     scene->without_depth = variant == BENCH_FLOOR_PAINTER_FREE;
     scene->unit = BENCH_FRAGMENTS;
     scene->work = (double)LAYERS * width * height;

@@ -13,20 +13,34 @@ struct rhw_binding rhw_binding_of(const struct rhw_kernels *kernels, enum rhw_pa
                                   const struct rhw_sampler_data *sampler)
 {
     const bool special = paths != RHW_PATHS_GENERAL;
-    const bool fixed = texture && sampler->filters_fixed && texture->info->path != RHW_TEXELS_GENERAL;
-    struct rhw_binding binding = {.sample = kernels->sample_float, .texture = texture, .sampler = sampler};
-    if (fixed && texture->info->path == RHW_TEXELS_RGBA8_UNORM) {
+    const bool fixed =
+        texture && texture->is_plain && sampler->filters_fixed && texture->info->path != RHW_TEXELS_GENERAL;
+    struct rhw_binding binding = {.sample = kernels->sample_float,
+                                  .sample_offset = kernels->sample_general,
+                                  .general = kernels->sample_general,
+                                  .texture = texture,
+                                  .sampler = sampler};
+    if (texture && (!texture->is_plain || sampler->is_general)) {
+        binding.sample = kernels->sample_general;
+    } else if (fixed && texture->info->path == RHW_TEXELS_RGBA8_UNORM) {
         binding.sample = special ? kernels->sample_unorm8 : kernels->sample_unorm8_general;
     } else if (fixed) {
         binding.sample = special ? kernels->sample_srgb8 : kernels->sample_srgb8_general;
     }
-    binding.shares_footprints = fixed && special;
+    const bool anisotropic = texture && sampler->def.max_anisotropy > 1;
+    if (!texture) {
+        binding.sample_offset = kernels->sample_float;
+    } else if (anisotropic) {
+        binding.isotropic = binding.sample;
+        binding.sample = binding.sample_offset = kernels->sample_anisotropic;
+    }
+    binding.shares_footprints = fixed && special && !anisotropic;
     return binding;
 }
 
 void rhw_bindings_init(struct rhw_bindings *bindings, const struct rhw_kernels *kernels)
 {
-    *bindings = (struct rhw_bindings){.sample_groups = kernels->sample_groups};
+    *bindings = (struct rhw_bindings){.kernels = kernels};
     for (int i = 0; i < RHW_MAX_TEXTURES; i++) {
         bindings->slot[i] = rhw_binding_of(kernels, RHW_PATHS_ALL, NULL, NULL);
     }
@@ -41,17 +55,83 @@ static __attribute__((cold)) void report_slot(const struct rhw_bindings *texture
     }
 }
 
+static void no_texel(rhw_float texel[4])
+{
+    texel[0] = texel[1] = texel[2] = rhw_splat(0);
+    texel[3] = rhw_splat(1);
+}
+
 void rhw_sample(const struct rhw_bindings *textures, int slot, const struct rhw_sample_request *request,
                 rhw_float texel[4])
 {
     if ((unsigned)slot >= RHW_MAX_TEXTURES) { // as a slot that nothing is bound to
         report_slot(textures, slot);
-        texel[0] = texel[1] = texel[2] = rhw_splat(0);
-        texel[3] = rhw_splat(1);
+        no_texel(texel);
         return;
     }
     const struct rhw_binding *const binding = &textures->slot[slot];
-    binding->sample(binding, request, texel);
+    if (request->offset) {
+        binding->sample_offset(binding, request, texel);
+    } else {
+        binding->sample(binding, request, texel);
+    }
+}
+
+// The slot, or NULL where it has no texture or does not exist.
+static const struct rhw_binding *bound_slot(const struct rhw_bindings *textures, int slot)
+{
+    if ((unsigned)slot >= RHW_MAX_TEXTURES) {
+        report_slot(textures, slot);
+        return NULL;
+    }
+    return textures->slot[slot].texture ? &textures->slot[slot] : NULL;
+}
+
+void rhw_sample_gather(const struct rhw_bindings *textures, int slot,
+                       const struct rhw_sample_request *request, int channel, rhw_float texel[4])
+{
+    const struct rhw_binding *const binding = bound_slot(textures, slot);
+    if (binding && channel >= 0 && channel < 4) {
+        textures->kernels->gather(binding, request, channel, texel);
+    } else {
+        texel[0] = texel[1] = texel[2] = texel[3] = rhw_splat(channel == 3 ? 1.0f : 0.0f);
+    }
+}
+
+void rhw_sample_fetch(const struct rhw_bindings *textures, int slot, const rhw_int *at, const rhw_int *level,
+                      rhw_float texel[4])
+{
+    const struct rhw_binding *const binding = bound_slot(textures, slot);
+    if (binding) {
+        textures->kernels->fetch(binding, at, level, texel);
+    } else {
+        no_texel(texel);
+    }
+}
+
+void rhw_sample_query_lod(const struct rhw_bindings *textures, int slot,
+                          const struct rhw_sample_request *request, rhw_float lod[2])
+{
+    const struct rhw_binding *const binding = bound_slot(textures, slot);
+    lod[0] = lod[1] = rhw_splat(0);
+    if (binding) {
+        textures->kernels->query_level(binding, request, lod);
+    }
+}
+
+void rhw_sample_size(const struct rhw_bindings *textures, int slot, const rhw_int *level, rhw_int size[3])
+{
+    const struct rhw_binding *const binding = bound_slot(textures, slot);
+    size[0] = size[1] = size[2] = rhw_splat_int(0);
+    if (binding) {
+        textures->kernels->query_size(binding, level, size);
+    }
+}
+
+int rhw_sample_levels(const struct rhw_bindings *textures, int slot)
+{
+    const struct rhw_binding *const binding = bound_slot(textures, slot);
+    return binding ? binding->texture->levels : 0;
 }
 
 void rhw_sample_groups(const struct rhw_fragment *groups, int count, uint32_t slots, int at,
@@ -62,6 +142,6 @@ void rhw_sample_groups(const struct rhw_fragment *groups, int count, uint32_t sl
         report_slot(groups->textures, 31 - __builtin_clz(slots));
     }
     if (known != 0) {
-        groups->textures->sample_groups(groups, count, known, at, texels, stride);
+        groups->textures->kernels->sample_groups(groups, count, known, at, texels, stride);
     }
 }

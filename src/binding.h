@@ -13,6 +13,9 @@ struct rhw_sampler_data;
 // One slot.
 struct rhw_binding {
     rhw_sample_function *sample;
+    rhw_sample_function *sample_offset;     // a request with offsets in texels
+    rhw_sample_function *isotropic;         // an anisotropic sampler's single samples
+    rhw_sample_function *general;           // the same with offsets
     const struct rhw_texture_data *texture; // NULL: nothing is bound
     const struct rhw_sampler_data *sampler;
     // The texture is filtered in fixed point and special paths are taken: rhw_sample_groups may sample it together with
@@ -30,7 +33,7 @@ struct rhw_sample_site {
 };
 
 struct rhw_bindings {
-    rhw_sample_groups_function *sample_groups;
+    const struct rhw_kernels *kernels;
     struct rhw_binding slot[RHW_MAX_TEXTURES];
     struct rhw_sample_site site;
 };

@@ -17,7 +17,7 @@ static size_t size_of(size_t count)
     return sizeof(struct rhw_clean_tiles) + count * sizeof(bool);
 }
 
-struct rhw_clean_tiles *rhw_clean_tiles_create(struct rhw_memory *memory, int width, int height)
+static struct rhw_clean_tiles *create(struct rhw_memory *memory, int width, int height)
 {
     const size_t count = tiles_along(width) * tiles_along(height);
     struct rhw_clean_tiles *const clean = rhw_memory_allocate(memory, size_of(count), RHW_CACHE_LINE);
@@ -28,24 +28,48 @@ struct rhw_clean_tiles *rhw_clean_tiles_create(struct rhw_memory *memory, int wi
     return clean;
 }
 
-void rhw_clean_tiles_destroy(struct rhw_memory *memory, struct rhw_clean_tiles *clean)
+struct rhw_clean_tiles *rhw_clean_tiles_of_layer(struct rhw_memory *memory, struct rhw_clean_tiles **list,
+                                                 int layer, int width, int height)
 {
-    if (clean) {
-        rhw_memory_release(memory, clean, size_of(clean->count));
+    for (struct rhw_clean_tiles *clean = *list; clean; clean = clean->next) {
+        if (clean->layer == layer) {
+            return clean;
+        }
     }
+    struct rhw_clean_tiles *const clean = create(memory, width, height);
+    if (clean) {
+        clean->layer = layer;
+        clean->next = *list;
+        *list = clean;
+    }
+    return clean;
+}
+
+void rhw_clean_tiles_destroy(struct rhw_memory *memory, struct rhw_clean_tiles *list)
+{
+    while (list) {
+        struct rhw_clean_tiles *const next = list->next;
+        rhw_memory_release(memory, list, size_of(list->count));
+        list = next;
+    }
+}
+
+static void forget_layer(struct rhw_clean_tiles *clean)
+{
+    memset(clean->is_clean, 0, clean->count * sizeof *clean->is_clean);
 }
 
 void rhw_clean_tiles_expect(struct rhw_clean_tiles *clean, const unsigned char texels[RHW_CLEAR_BYTES])
 {
     if (clean && memcmp(clean->texels, texels, RHW_CLEAR_BYTES) != 0) {
-        rhw_clean_tiles_forget(clean);
+        forget_layer(clean);
         memcpy(clean->texels, texels, RHW_CLEAR_BYTES);
     }
 }
 
-void rhw_clean_tiles_forget(struct rhw_clean_tiles *clean)
+void rhw_clean_tiles_forget(struct rhw_clean_tiles *list)
 {
-    if (clean) {
-        memset(clean->is_clean, 0, clean->count * sizeof *clean->is_clean);
+    for (; list; list = list->next) {
+        forget_layer(list);
     }
 }

@@ -33,6 +33,17 @@ static void make_band(void *user, int index, int worker)
     mips->kernels->mip_band(&mips->job, index, worker);
 }
 
+struct made_volume {
+    const struct rhw_kernels *kernels;
+    struct rhw_mip_volume_job job;
+};
+
+static void make_slice(void *user, int index, int worker)
+{
+    const struct made_volume *const volume = user;
+    volume->kernels->mip_slice(&volume->job, index, worker);
+}
+
 // Floats of a whole level; 0 where no level is made from it.
 static size_t level_size(const struct rhw_texture_data *texture, int level)
 {
@@ -40,7 +51,8 @@ static size_t level_size(const struct rhw_texture_data *texture, int level)
         return 0;
     }
     const struct rhw_mip *const mip = &texture->mip[level];
-    return (size_t)mip->height * rhw_mip_row(mip->width, texture->info->channels);
+    const int slices = texture->shape.kind == RHW_TEXTURE_3D ? mip->slices : 1; // layers are made one by one
+    return (size_t)slices * (size_t)mip->height * rhw_mip_row(mip->width, texture->info->channels);
 }
 
 // Floats that a worker needs: a row of level 0; a row, and three reduced along x, of each level that is made.
@@ -59,11 +71,27 @@ static int rows_of_band(const struct rhw_texture_data *texture, int base, int la
     return rows < BAND_LEAST ? BAND_LEAST : rows;
 }
 
-bool rhw_texture_data_generate_mips(struct rhw_context *context, const struct rhw_texture_data *texture)
+// The levels of a layer.
+static void make_layer(struct rhw_context *context, struct made_mips *mips, float *odd, float *even)
 {
-    if (texture->levels == 1) {
-        return true;
+    struct rhw_mip_job *const job = &mips->job;
+    const struct rhw_texture_data *const texture = job->texture;
+    job->base = 0;
+    job->from = NULL;
+    for (int step = 0; job->base < texture->levels - 1; step++) {
+        const int most = job->base + RHW_MIP_STEPS;
+        job->last = most < texture->levels - 1 ? most : texture->levels - 1;
+        job->to = job->last == texture->levels - 1 ? NULL : step % 2 == 0 ? odd : even;
+        job->band = rows_of_band(texture, job->base, job->last);
+        const int rows = texture->mip[job->last].height;
+        rhw_scheduler_run(context->scheduler, make_band, mips, (rows + job->band - 1) / job->band);
+        job->base = job->last;
+        job->from = job->to;
     }
+}
+
+static bool make_layers(struct rhw_context *context, const struct rhw_texture_data *texture)
+{
     // Levels 3, 9, .. and 6, 12, .. take turns in two buffers.
     const size_t scratch = scratch_size(texture);
     const size_t odd = level_size(texture, RHW_MIP_STEPS), even = level_size(texture, 2 * RHW_MIP_STEPS);
@@ -76,17 +104,40 @@ bool rhw_texture_data_generate_mips(struct rhw_context *context, const struct rh
     float *const buffers = block + (size_t)context->threads * scratch;
     struct made_mips mips = {context->kernels,
                              {.texture = texture, .scratch = block, .scratch_size = scratch}};
-    struct rhw_mip_job *const job = &mips.job;
-    for (int step = 0; job->base < texture->levels - 1; step++) {
-        const int most = job->base + RHW_MIP_STEPS;
-        job->last = most < texture->levels - 1 ? most : texture->levels - 1;
-        job->to = job->last == texture->levels - 1 ? NULL : step % 2 == 0 ? buffers : buffers + odd;
-        job->band = rows_of_band(texture, job->base, job->last);
-        const int rows = texture->mip[job->last].height;
-        rhw_scheduler_run(context->scheduler, make_band, &mips, (rows + job->band - 1) / job->band);
-        job->base = job->last;
+    for (mips.job.slice = 0; mips.job.slice < texture->shape.layers; mips.job.slice++) {
+        make_layer(context, &mips, buffers, buffers + odd);
+    }
+    rhw_memory_release(&context->memory, block, size);
+    return true;
+}
+
+// One level after the other, slice by slice: the two or three slices above one are mixed and then reduced as a layer is.
+static bool make_volume(struct rhw_context *context, const struct rhw_texture_data *texture)
+{
+    const struct rhw_mip *const first = &texture->mip[0];
+    const size_t slice = (size_t)first->height * rhw_mip_row(first->width, texture->info->channels);
+    const size_t scratch = slice + rhw_mip_row(first->width, texture->info->channels) + scratch_size(texture);
+    const size_t odd = level_size(texture, 1), even = level_size(texture, 2);
+    const size_t size = ((size_t)context->threads * scratch + odd + even) * sizeof(float);
+    float *const block = rhw_memory_allocate_zeroed(&context->memory, size, RHW_CACHE_LINE);
+    if (!block) {
+        return false;
+    }
+    float *const buffers = block + (size_t)context->threads * scratch;
+    struct made_volume volume = {context->kernels,
+                                 {.texture = texture, .scratch = block, .scratch_size = scratch}};
+    struct rhw_mip_volume_job *const job = &volume.job;
+    for (; job->base < texture->levels - 1; job->base++) {
+        job->to = job->base + 1 == texture->levels - 1 ? NULL : job->base % 2 == 0 ? buffers : buffers + odd;
+        rhw_scheduler_run(context->scheduler, make_slice, &volume, texture->mip[job->base + 1].slices);
         job->from = job->to;
     }
     rhw_memory_release(&context->memory, block, size);
     return true;
+}
+
+bool rhw_texture_data_generate_mips(struct rhw_context *context, const struct rhw_texture_data *texture)
+{
+    return texture->levels == 1 || (texture->shape.kind == RHW_TEXTURE_3D ? make_volume(context, texture)
+                                                                          : make_layers(context, texture));
 }

@@ -224,6 +224,20 @@ static bool check_sampled(const rhw_context *context, rhw_texture id, int slot, 
                      rhw_name_of(&context->textures, id.index).text, slot);
 }
 
+// Coordinates in texels are those of a single 1D or 2D image (Vulkan 1.3, VkSamplerCreateInfo).
+static bool check_sampler(const rhw_context *context, rhw_texture id, rhw_sampler sampler_id,
+                          const struct rhw_sampler_data *sampler, const char *where)
+{
+    const struct rhw_texture_data *const texture = rhw_context_texture(context, id, where);
+    const struct rhw_texture_shape *const shape = &texture->shape;
+    return rhw_check(context,
+                     !sampler->def.unnormalized || (!shape->is_array && (shape->kind == RHW_TEXTURE_1D ||
+                                                                         shape->kind == RHW_TEXTURE_2D)),
+                     "%s: %s is unnormalized and %s has kind %d, layers %d; it must be 1D or 2D and no array",
+                     where, rhw_name_of(&context->samplers, sampler_id.index).text,
+                     rhw_name_of(&context->textures, id.index).text, (int)shape->kind, shape->layers);
+}
+
 static void set_texture(struct rhw_pass_state *pass, int slot, rhw_texture texture, rhw_sampler sampler)
 {
     static const char *const where = "rhw_pass_set_texture";
@@ -237,7 +251,7 @@ static void set_texture(struct rhw_pass_state *pass, int slot, rhw_texture textu
         bound.sampler = check_sampled(context, texture, slot, where)
                             ? rhw_context_sampler(context, sampler, where)
                             : NULL;
-        if (!bound.sampler) {
+        if (!bound.sampler || !check_sampler(context, texture, sampler, bound.sampler, where)) {
             return;
         }
         bound.texture = rhw_pool_get(&context->textures, texture.index, texture.generation);

@@ -10,6 +10,7 @@
 #include "lookup.h"
 #include "misuse.h"
 #include "pass_state.h"
+#include "texture_shape.h"
 
 static const char *const where = "rhw_pass_begin";
 
@@ -33,15 +34,33 @@ static struct rhw_name name_of(const rhw_context *context, rhw_texture id)
     return rhw_name_of(&context->textures, id.index);
 }
 
+// Whether an attachment before the one that is attached now draws into the same texels.
+static bool is_attached(const struct rhw_pass_state *pass, const struct rhw_attachment *attachment,
+                        const struct rhw_mip *mip, int layer)
+{
+    for (int i = 0; i < pass->color_count; i++) {
+        const struct rhw_attachment *const other = &pass->colors[i];
+        if ((other->target == mip || other->resolve == mip) && other->layer == layer) {
+            return true;
+        }
+        if (other == attachment) {
+            break; // those behind it are of an earlier pass
+        }
+    }
+    return false;
+}
+
 // Checks the texture of an attachment against the pass and the attachments before it.
 static bool check_texture(const struct rhw_pass_state *pass, rhw_texture id,
-                          const struct rhw_texture_data *texture, const char *name, int i)
+                          const struct rhw_texture_data *texture, const char *name, int i,
+                          const struct rhw_attachment *attachment, int layer)
 {
     rhw_context *const context = pass->context;
     const struct rhw_mip *const mip = &texture->mip[0];
-    return rhw_check(context, texture->attached != context->recording.generation,
-                     "%s: %s[%d] is %s, as another attachment is; each needs its own texture", where, name, i,
-                     name_of(context, id).text) &&
+    return rhw_texture_check_layer(context, id, texture, 0, layer, where) &&
+           rhw_check(context, !is_attached(pass, attachment, mip, layer),
+                     "%s: %s[%d] is %s, as another attachment is; each needs its own texture or layer", where,
+                     name, i, name_of(context, id).text) &&
            rhw_check(context, mip->width == pass->width && mip->height == pass->height,
                      "%s: %s[%d] is %s, which is %dx%d; the pass is %dx%d", where, name, i,
                      name_of(context, id).text, mip->width, mip->height, pass->width, pass->height);
@@ -57,22 +76,20 @@ static bool check_attached_samples(const struct rhw_pass_state *pass, rhw_textur
                      name_of(pass->context, id).text, texture->samples, samples);
 }
 
-// Makes a texture one that the pass writes. False when out of memory.
-static bool take(struct rhw_pass_state *pass, rhw_texture id, struct rhw_texture_data *texture)
+// Makes a layer of a texture one that the pass writes; gives the record of its tiles. NULL when out of memory.
+static struct rhw_clean_tiles *take(struct rhw_pass_state *pass, rhw_texture id,
+                                    struct rhw_texture_data *texture, int layer)
 {
     struct rhw_context *const context = pass->context;
-    if (!texture->clean) {
-        texture->clean =
-            rhw_clean_tiles_create(&context->memory, texture->mip[0].width, texture->mip[0].height);
-    }
     texture->linear_is_current = false;
     texture->attached = context->recording.generation;
     rhw_pool_use(&context->textures, id.index, context->recording.generation);
-    return texture->clean != NULL;
+    return rhw_clean_tiles_of_layer(&context->memory, &texture->clean, layer, texture->mip[0].width,
+                                    texture->mip[0].height);
 }
 
 // Fills what an attachment with a texture has.
-static enum rhw_result attach(struct rhw_pass_state *pass, rhw_texture id, const char *name, int i,
+static enum rhw_result attach(struct rhw_pass_state *pass, rhw_texture id, int layer, const char *name, int i,
                               struct rhw_attachment *attachment)
 {
     struct rhw_context *const context = pass->context;
@@ -84,21 +101,24 @@ static enum rhw_result attach(struct rhw_pass_state *pass, rhw_texture id, const
         pass->width = texture->mip[0].width;
         pass->height = texture->mip[0].height;
     }
-    if (!check_texture(pass, id, texture, name, i) || !check_attached_samples(pass, id, texture, name, i)) {
+    if (!check_texture(pass, id, texture, name, i, attachment, layer) ||
+        !check_attached_samples(pass, id, texture, name, i)) {
         return RHW_ERROR_MISUSE;
     }
-    if (!take(pass, id, texture)) {
+    struct rhw_clean_tiles *const clean = take(pass, id, texture, layer);
+    if (!clean) {
         return RHW_ERROR_OUT_OF_MEMORY;
     }
+    attachment->layer = layer;
     attachment->format = texture->format;
     attachment->texel_size = rhw_format_size(texture->format);
     attachment->loads_resolved = texture->samples != pass->pattern->count;
     if (attachment->loads_resolved) {
         attachment->resolve = &texture->mip[0];
-        attachment->resolve_clean = texture->clean;
+        attachment->resolve_clean = clean;
     } else {
         attachment->target = &texture->mip[0];
-        attachment->clean = texture->clean;
+        attachment->clean = clean;
         attachment->sample_stride = texture->samples > 1 ? texture->sample_stride : 0;
     }
     return RHW_OK;
@@ -136,7 +156,8 @@ static enum rhw_result attach_resolve(struct rhw_pass_state *pass, rhw_texture i
 {
     struct rhw_context *const context = pass->context;
     struct rhw_texture_data *const texture = rhw_context_texture(context, id, where);
-    if (!texture || !check_texture(pass, id, texture, "resolve of colors", i) ||
+    if (!texture ||
+        !check_texture(pass, id, texture, "resolve of colors", i, attachment, attachment->layer) ||
         !rhw_check(
             context, !attachment->loads_resolved && pass->pattern->count > 1,
             "%s: colors[%d].resolve is set and colors[%d].texture has one sample; it must be null then",
@@ -148,11 +169,8 @@ static enum rhw_result attach_resolve(struct rhw_pass_state *pass, rhw_texture i
         return RHW_ERROR_MISUSE;
     }
     attachment->resolve = &texture->mip[0];
-    if (!take(pass, id, texture)) {
-        return RHW_ERROR_OUT_OF_MEMORY;
-    }
-    attachment->resolve_clean = texture->clean;
-    return RHW_OK;
+    attachment->resolve_clean = take(pass, id, texture, attachment->layer);
+    return attachment->resolve_clean ? RHW_OK : RHW_ERROR_OUT_OF_MEMORY;
 }
 
 static enum rhw_result attach_color(struct rhw_pass_state *pass, const struct rhw_pass_def *def, int i)
@@ -165,7 +183,7 @@ static enum rhw_result attach_color(struct rhw_pass_state *pass, const struct rh
         return RHW_ERROR_MISUSE;
     }
     *attachment = (struct rhw_attachment){.resolve_mode = color->resolve_mode};
-    enum rhw_result result = attach(pass, color->texture, "colors", i, attachment);
+    enum rhw_result result = attach(pass, color->texture, color->layer, "colors", i, attachment);
     if (result == RHW_OK && color->resolve.index != 0) {
         result = attach_resolve(pass, color->resolve, i, attachment);
     }
@@ -202,7 +220,7 @@ static enum rhw_result attach_depth_texture(struct rhw_pass_state *pass,
                                             const struct rhw_depth_attachment *depth)
 {
     struct rhw_context *const context = pass->context;
-    const enum rhw_result result = attach(pass, depth->texture, "depth", 0, &pass->depth);
+    const enum rhw_result result = attach(pass, depth->texture, depth->layer, "depth", 0, &pass->depth);
     if (result != RHW_OK) {
         return result;
     }
@@ -246,6 +264,7 @@ static const struct rhw_mip *stencil_of(const struct rhw_mip *mip, struct rhw_mi
     *plane = *mip;
     plane->texels = mip->stencil;
     plane->row_pitch = mip->stencil_pitch;
+    plane->slice_pitch = mip->stencil_pitch * (size_t)mip->height;
     return plane;
 }
 
@@ -258,6 +277,7 @@ static void attach_stencil(struct rhw_pass_state *pass, const struct rhw_depth_a
     stencil->load = load_of(depth->stencil_load);
     stencil->store = depth->stencil_store;
     stencil->sample_stride = pass->depth.sample_stride;
+    stencil->layer = pass->depth.layer;
     stencil->loads_resolved = pass->depth.loads_resolved;
     stencil->target = stencil_of(pass->depth.target, &pass->stencil_plane);
     stencil->resolve = stencil_of(pass->depth.resolve, &pass->stencil_resolve);

@@ -34,6 +34,42 @@ static bool check_lod(const struct rhw_context *context, const struct rhw_sample
                      create_name, (double)def->lod_min, (double)def->lod_max);
 }
 
+static bool is_clamped(enum rhw_address address)
+{
+    return address == RHW_ADDRESS_CLAMP || address == RHW_ADDRESS_BORDER;
+}
+
+// The rules of VkSamplerCreateInfo for unnormalizedCoordinates.
+static bool check_unnormalized(const struct rhw_context *context, const struct rhw_sampler_def *def)
+{
+    return !def->unnormalized ||
+           (rhw_check(context, def->min_filter == def->mag_filter,
+                      "%s: unnormalized with min_filter %d and mag_filter %d; they must be equal",
+                      create_name, (int)def->min_filter, (int)def->mag_filter) &&
+            rhw_check(context, is_clamped(def->address_u) && is_clamped(def->address_v),
+                      "%s: unnormalized with address_u %d and address_v %d; they must be CLAMP or BORDER",
+                      create_name, (int)def->address_u, (int)def->address_v) &&
+            rhw_check(context, def->mip_filter == RHW_MIP_FILTER_NONE,
+                      "%s: unnormalized with mip_filter %d; it must be RHW_MIP_FILTER_NONE", create_name,
+                      (int)def->mip_filter) &&
+            rhw_check(context, !def->compares && def->max_anisotropy <= 1,
+                      "%s: unnormalized with compares %d and max_anisotropy %g; they must be off",
+                      create_name, def->compares, (double)def->max_anisotropy));
+}
+
+static bool check_filter_state(const struct rhw_context *context, const struct rhw_sampler_def *def)
+{
+    return check_enum(context, "address_w", def->address_w, RHW_ADDRESS_BORDER) &&
+           check_enum(context, "reduction", def->reduction, RHW_REDUCTION_MAX) &&
+           rhw_check(context, def->max_anisotropy >= 0 && def->max_anisotropy <= 16,
+                     "%s: max_anisotropy is %g; it must be 0..16", create_name,
+                     (double)def->max_anisotropy) &&
+           rhw_check(context, def->reduction == RHW_REDUCTION_AVERAGE || !def->compares,
+                     "%s: reduction is %u and compares is true; a sampler that compares averages",
+                     create_name, (unsigned)def->reduction) &&
+           check_unnormalized(context, def);
+}
+
 static bool check_create(const struct rhw_context *context, const struct rhw_sampler_def *def,
                          const rhw_sampler *sampler)
 {
@@ -51,14 +87,20 @@ static bool check_create(const struct rhw_context *context, const struct rhw_sam
            check_finite(context, "border[0]", def->border[0]) &&
            check_finite(context, "border[1]", def->border[1]) &&
            check_finite(context, "border[2]", def->border[2]) &&
-           check_finite(context, "border[3]", def->border[3]) && check_lod(context, def);
+           check_finite(context, "border[3]", def->border[3]) && check_lod(context, def) &&
+           check_filter_state(context, def);
+}
+
+static bool is_general(const struct rhw_sampler_def *def)
+{
+    return def->unnormalized || def->reduction != RHW_REDUCTION_AVERAGE;
 }
 
 static bool filters_fixed(const struct rhw_sampler_def *def)
 {
-    return !def->compares && def->min_filter == RHW_FILTER_LINEAR && def->mag_filter == RHW_FILTER_LINEAR &&
-           def->mip_filter != RHW_MIP_FILTER_NEAREST && def->address_u != RHW_ADDRESS_BORDER &&
-           def->address_v != RHW_ADDRESS_BORDER;
+    return !is_general(def) && !def->compares && def->min_filter == RHW_FILTER_LINEAR &&
+           def->mag_filter == RHW_FILTER_LINEAR && def->mip_filter != RHW_MIP_FILTER_NEAREST &&
+           def->address_u != RHW_ADDRESS_BORDER && def->address_v != RHW_ADDRESS_BORDER;
 }
 
 static float lod_max_of(const struct rhw_sampler_def *def)
@@ -69,7 +111,8 @@ static float lod_max_of(const struct rhw_sampler_def *def)
 
 void rhw_sampler_data_init(struct rhw_sampler_data *sampler, const struct rhw_sampler_def *def)
 {
-    *sampler = (struct rhw_sampler_data){.def = *def, .filters_fixed = filters_fixed(def)};
+    *sampler = (struct rhw_sampler_data){
+        .def = *def, .filters_fixed = filters_fixed(def), .is_general = is_general(def)};
     sampler->def.lod_max = lod_max_of(def);
     sampler->def.label = NULL; // which is the caller's
     for (int lane = 0; lane < RHW_LANES; lane++) {

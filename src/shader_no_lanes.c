@@ -25,20 +25,3 @@ float rhw_math1(enum rhw_math1_function function, float a, float b)
     }
     return rhw_nan1();
 }
-
-void rhw_sample1(const struct rhw_bindings *textures, int slot, const float uv[2], const float gradient[4],
-                 float lod, float texel[4])
-{
-    if (gradient != NULL) {
-        rhw_sample_grad1(textures, slot, uv, gradient, texel);
-    } else {
-        rhw_sample_lod1(textures, slot, uv, lod, texel);
-    }
-}
-
-float rhw_sample_compare1(const struct rhw_bindings *textures, int slot, const float uv[2], float reference,
-                          const float gradient[4], float lod)
-{
-    return gradient != NULL ? rhw_sample_compare_grad1(textures, slot, uv, reference, gradient)
-                            : rhw_sample_compare_lod1(textures, slot, uv, reference, lod);
-}

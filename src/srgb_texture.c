@@ -2,7 +2,8 @@
 // Decoding sRGB texels before they are filtered takes 24 table look-ups for one trilinear sample, four times
 // the cost of everything else. So a texture that is sampled keeps its texels decoded, as 16-bit fixed point, and
 // the sampler filters them like those of RGBA8_UNORM. The price is memory: 12 bytes a texel instead of 4. The
-// copy is made when a pass first binds the texture; targets that nobody samples have none.
+// copy is made when a pass first binds the texture; targets that nobody samples have none, nor have textures that are
+// no plain 2D ones: those take the general path, which decodes.
 //
 // Rounding moves a value by at most half of 1/32640, which is less than 1/20 of the distance between two sRGB
 // codes: they are closest at the dark end, where neighbours are 9.9/32640 apart.
@@ -36,7 +37,7 @@ static bool allocate_levels(struct rhw_memory *memory, struct rhw_texture_data *
     unsigned char *next = texture->linear_memory;
     for (int i = 0; i < texture->levels; i++) {
         texture->mip[i].linear = next;
-        next += linear_scale * texture->mip[i].row_pitch * (size_t)texture->mip[i].height;
+        next += linear_scale * texture->mip[i].slice_pitch * (size_t)texture->mip[i].slices;
     }
     return true;
 }
@@ -74,7 +75,7 @@ static void decode_band(void *user, int index, int worker)
 
 bool rhw_texture_linearize(struct rhw_context *context, struct rhw_texture_data *texture)
 {
-    if (texture->info->path != RHW_TEXELS_RGBA8_SRGB || texture->linear_is_current) {
+    if (texture->info->path != RHW_TEXELS_RGBA8_SRGB || !texture->is_plain || texture->linear_is_current) {
         return true;
     }
     if (!texture->linear_memory && !allocate_levels(&context->memory, texture)) {

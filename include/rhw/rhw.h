@@ -51,10 +51,15 @@ RHW_API enum rhw_result rhw_texture_create(rhw_context *context, const struct rh
 RHW_API void rhw_texture_destroy(rhw_context *context, rhw_texture texture);
 RHW_API int rhw_texture_width(const rhw_context *context, rhw_texture texture, int level);
 RHW_API int rhw_texture_height(const rhw_context *context, rhw_texture texture, int level);
+/// Slices of a level of a 3D texture; 1 for other kinds.
+RHW_API int rhw_texture_depth(const rhw_context *context, rhw_texture texture, int level);
+/// Layers, six for each cube; 1 where the texture is no array.
+RHW_API int rhw_texture_layers(const rhw_context *context, rhw_texture texture);
 RHW_API int rhw_texture_mip_levels(const rhw_context *context, rhw_texture texture);
 RHW_API enum rhw_format rhw_texture_format(const rhw_context *context, rhw_texture texture);
-/// Replaces a whole level. Rows top to bottom, `row_pitch` bytes apart (0: tightly packed), texels in the
-/// texture's format. Of a compressed format: rows of whole blocks, also where the level ends within one. As with rhw_buffer_write, draws that were recorded before see the texels of then. Not while the
+/// Replaces a whole level, of textures with layers or slices the first one of it. Rows top to bottom, `row_pitch` bytes
+/// apart (0: tightly packed), texels in the texture's format; of a compressed format rows of whole blocks, also where the
+/// level ends within one. As with rhw_buffer_write, draws that were recorded before see the texels of then. Not while the
 /// texture is an attachment of the pass being recorded; the same holds for the next two functions.
 RHW_API enum rhw_result rhw_texture_write(rhw_context *context, rhw_texture texture, int level,
                                           const void *data, size_t row_pitch);
@@ -62,6 +67,12 @@ RHW_API enum rhw_result rhw_texture_write(rhw_context *context, rhw_texture text
 /// decoded to, in rhw_format_decoded; the blocks are not kept.
 RHW_API enum rhw_result rhw_texture_read(rhw_context *context, rhw_texture texture, int level, void *data,
                                          size_t row_pitch);
+/// The same for one layer, 6 × cube + face, or slice of a 3D texture; the level of a 3D texture has
+/// rhw_texture_depth of them.
+RHW_API enum rhw_result rhw_texture_write_layer(rhw_context *context, rhw_texture texture, int level,
+                                                int layer, const void *data, size_t row_pitch);
+RHW_API enum rhw_result rhw_texture_read_layer(rhw_context *context, rhw_texture texture, int level,
+                                               int layer, void *data, size_t row_pitch);
 /// One sample of every texel of a multisampled texture, 0..samples − 1.
 RHW_API enum rhw_result rhw_texture_read_sample(rhw_context *context, rhw_texture texture, int sample,
                                                 void *data, size_t row_pitch);
@@ -74,8 +85,9 @@ RHW_API enum rhw_result rhw_texture_write_stencil(rhw_context *context, rhw_text
                                                   const uint8_t *data, size_t row_pitch);
 RHW_API enum rhw_result rhw_texture_read_stencil(rhw_context *context, rhw_texture texture, int level,
                                                  uint8_t *data, size_t row_pitch);
-/// Fills levels 1.. from level 0 with a box filter in linear light (odd sizes weighted exactly). Without
-/// memory for that the levels stay as they are. Levels of compressed formats are written instead.
+/// Fills levels 1.. of all layers from level 0 with a box filter in linear light (odd sizes weighted exactly; of 3D
+/// textures over 2×2×2 texels). Without memory for that the levels stay as they are. Levels of compressed formats are
+/// written instead.
 RHW_API enum rhw_result rhw_texture_generate_mips(rhw_context *context, rhw_texture texture);
 
 RHW_API enum rhw_result rhw_sampler_create(rhw_context *context, const struct rhw_sampler_def *def,

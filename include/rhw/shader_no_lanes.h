@@ -32,13 +32,23 @@ enum rhw_math1_function {
 /// A lane of the function that the name says; `b` is read by POW and ATAN2 alone. NaN for another number.
 RHW_API float rhw_math1(enum rhw_math1_function function, float a, float b);
 
-/// A lane of rhw_sample: `gradient` is du/dx, dv/dx, du/dy, dv/dy, or NULL: then `lod` is the level of detail.
-RHW_API void rhw_sample1(const struct rhw_bindings *textures, int slot, const float uv[2],
-                         const float gradient[4], float lod, float texel[4]);
+/// What one lane asks of a texture; the members mean what those of struct rhw_sample_request do.
+struct rhw_sample_request1 {
+    const float *coordinates, *gradient;
+    const float *lod, *reference;
+    const int32_t *offset;
+};
 
-/// A lane of rhw_sample_compare_grad, or of rhw_sample_compare_lod where `gradient` is NULL.
-RHW_API float rhw_sample_compare1(const struct rhw_bindings *textures, int slot, const float uv[2],
-                                  float reference, const float gradient[4], float lod);
+/// A lane of rhw_sample, rhw_sample_gather, rhw_sample_fetch, rhw_sample_query_lod and rhw_sample_size.
+RHW_API void rhw_sample1(const struct rhw_bindings *textures, int slot,
+                         const struct rhw_sample_request1 *request, float texel[4]);
+RHW_API void rhw_sample_gather1(const struct rhw_bindings *textures, int slot,
+                                const struct rhw_sample_request1 *request, int channel, float texel[4]);
+RHW_API void rhw_sample_fetch1(const struct rhw_bindings *textures, int slot, const int32_t *at,
+                               int32_t level, float texel[4]);
+RHW_API void rhw_sample_query_lod1(const struct rhw_bindings *textures, int slot,
+                                   const struct rhw_sample_request1 *request, float lod[2]);
+RHW_API void rhw_sample_size1(const struct rhw_bindings *textures, int slot, int32_t level, int32_t size[3]);
 
 #if !RHW_HAS_LANES
 
@@ -133,30 +143,6 @@ static inline void rhw_sincos1(float a, float *sine, float *cosine)
 {
     *sine = rhw_sin1(a);
     *cosine = rhw_cos1(a);
-}
-
-static inline void rhw_sample_grad1(const struct rhw_bindings *textures, int slot, const float uv[2],
-                                    const float grad[4], float texel[4])
-{
-    rhw_sample1(textures, slot, uv, grad, 0, texel);
-}
-
-static inline void rhw_sample_lod1(const struct rhw_bindings *textures, int slot, const float uv[2],
-                                   float lod, float texel[4])
-{
-    rhw_sample1(textures, slot, uv, NULL, lod, texel);
-}
-
-static inline float rhw_sample_compare_grad1(const struct rhw_bindings *textures, int slot, const float uv[2],
-                                             float reference, const float grad[4])
-{
-    return rhw_sample_compare1(textures, slot, uv, reference, grad, 0);
-}
-
-static inline float rhw_sample_compare_lod1(const struct rhw_bindings *textures, int slot, const float uv[2],
-                                            float reference, float lod)
-{
-    return rhw_sample_compare1(textures, slot, uv, reference, NULL, lod);
 }
 
 RHW_QUIET_END

@@ -227,46 +227,6 @@ static inline float rhw_acos1(float a)
     return rhw_acos(rhw_splat(a))[0];
 }
 
-static inline void rhw_sample_grad1(const struct rhw_bindings *textures, int slot, const float uv[2],
-                                    const float grad[4], float texel[4])
-{
-    const rhw_float at[2] = {rhw_splat(uv[0]), rhw_splat(uv[1])};
-    const rhw_float gradient[4] = {rhw_splat(grad[0]), rhw_splat(grad[1]), rhw_splat(grad[2]),
-                                   rhw_splat(grad[3])};
-    rhw_float lanes[4];
-    rhw_sample_grad(textures, slot, at, gradient, lanes);
-    for (int i = 0; i < 4; i++) {
-        texel[i] = lanes[i][0];
-    }
-}
-
-static inline void rhw_sample_lod1(const struct rhw_bindings *textures, int slot, const float uv[2],
-                                   float lod, float texel[4])
-{
-    const rhw_float at[2] = {rhw_splat(uv[0]), rhw_splat(uv[1])};
-    rhw_float lanes[4];
-    rhw_sample_lod(textures, slot, at, rhw_splat(lod), lanes);
-    for (int i = 0; i < 4; i++) {
-        texel[i] = lanes[i][0];
-    }
-}
-
-static inline float rhw_sample_compare_grad1(const struct rhw_bindings *textures, int slot, const float uv[2],
-                                             float reference, const float grad[4])
-{
-    const rhw_float at[2] = {rhw_splat(uv[0]), rhw_splat(uv[1])};
-    const rhw_float gradient[4] = {rhw_splat(grad[0]), rhw_splat(grad[1]), rhw_splat(grad[2]),
-                                   rhw_splat(grad[3])};
-    return rhw_sample_compare_grad(textures, slot, at, rhw_splat(reference), gradient)[0];
-}
-
-static inline float rhw_sample_compare_lod1(const struct rhw_bindings *textures, int slot, const float uv[2],
-                                            float reference, float lod)
-{
-    const rhw_float at[2] = {rhw_splat(uv[0]), rhw_splat(uv[1])};
-    return rhw_sample_compare_lod(textures, slot, at, rhw_splat(reference), rhw_splat(lod))[0];
-}
-
 #endif
 
 // Sign and rounding ----------------------------------------------------------------------------------
@@ -446,6 +406,42 @@ static inline float rhw_gather1(const float *table, int32_t count, int32_t index
 static inline int32_t rhw_gather_int1(const int32_t *table, int32_t count, int32_t index)
 {
     return index >= 0 && index < count ? table[index] : 0;
+}
+
+static inline void rhw_sample_grad1(const struct rhw_bindings *textures, int slot, const float *coordinates,
+                                    const float *grad, float texel[4])
+{
+    const struct rhw_sample_request1 request = {coordinates, grad, (const float *)0, (const float *)0,
+                                                (const int32_t *)0};
+    rhw_sample1(textures, slot, &request, texel);
+}
+
+static inline void rhw_sample_lod1(const struct rhw_bindings *textures, int slot, const float *coordinates,
+                                   float lod, float texel[4])
+{
+    const struct rhw_sample_request1 request = {coordinates, (const float *)0, &lod, (const float *)0,
+                                                (const int32_t *)0};
+    rhw_sample1(textures, slot, &request, texel);
+}
+
+static inline float rhw_sample_compare_grad1(const struct rhw_bindings *textures, int slot,
+                                             const float *coordinates, float reference, const float *grad)
+{
+    const struct rhw_sample_request1 request = {coordinates, grad, (const float *)0, &reference,
+                                                (const int32_t *)0};
+    float texel[4];
+    rhw_sample1(textures, slot, &request, texel);
+    return texel[0];
+}
+
+static inline float rhw_sample_compare_lod1(const struct rhw_bindings *textures, int slot,
+                                            const float *coordinates, float reference, float lod)
+{
+    const struct rhw_sample_request1 request = {coordinates, (const float *)0, &lod, &reference,
+                                                (const int32_t *)0};
+    float texel[4];
+    rhw_sample1(textures, slot, &request, texel);
+    return texel[0];
 }
 
 RHW_QUIET_END

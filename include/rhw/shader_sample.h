@@ -19,41 +19,68 @@ struct rhw_bindings;
 /// What 8 lanes ask of a texture. Zero the struct, then set what is needed: what is NULL is not asked for, and members
 /// that come later will be NULL where a program is compiled anew.
 struct rhw_sample_request {
-    /// [2]: u right, v down. (0,0) is the top left corner of the first texel in memory, (1,1) the bottom right corner
-    /// of the last. Any number is allowed; one that is not finite samples somewhere in the texture. More components are
-    /// reserved for textures of other dimensions: a direction, a depth, a layer.
+    /// As many components as the slot's texture asks for. 2D: u right, v down. (0,0) is the top left corner of the first
+    /// texel in memory, (1,1) the bottom right corner of the last. 1D: u. 3D: u, v, w. CUBE: a direction of any length
+    /// but 0. An array has one more, the layer: rounded to the nearest whole number, ties to even, and held within the
+    /// array. Any number is allowed; one that is not finite samples somewhere in the texture.
     const rhw_float *coordinates;
-    /// [4]: du/dx, dv/dx, du/dy, dv/dy per pixel, from which the level of detail follows (OpenGL ES 3.0 §3.8.10: log2
-    /// of the longer of the two footprint axes), or NULL. More are reserved, by x before by y.
+    /// Their derivatives per pixel without the layer's, those by x before those by y, of 2D du/dx, dv/dx, du/dy, dv/dy;
+    /// from which the level of detail follows (OpenGL ES 3.0 §3.8.10: log2 of the longer of the two footprint axes), and
+    /// with max_anisotropy the samples along that axis; or NULL.
     const rhw_float *gradient;
     const rhw_float *lod; ///< [1], read where `gradient` is NULL: the level of detail itself; NULL: 0
     /// [1], read by samplers that compare: what texels are compared with, held to 0..1 where texels are UNORM; NULL: 0
     const rhw_float *reference;
-    const rhw_int *offset; ///< [2], reserved for offsets in texels: not read; NULL
+    /// In texels of each level that is read, added before the address mode applies; a component for u, v and w as the
+    /// texture has them; cubes have none and do not read it. Vulkan asks for −8..7; held to ±32768 here. NULL
+    const rhw_int *offset;
 };
 
 /// Samples slot `slot`, 0..RHW_MAX_TEXTURES − 1, of a group's `textures`; for shader functions, on the thread that runs
 /// them. `request` is read during the call alone, with all it points at. The sampler's bias and limits apply to the
-/// level of detail. sRGB texels are decoded before they are filtered, and where both filters are LINEAR and no border
-/// is met they are held to 15 bits: at most 1/20 of the distance between two codes off, with 0 and 255 exact. A slot
+/// level of detail. sRGB texels are decoded before they are filtered; of plain 2D textures, where both filters are LINEAR
+/// and no border is met, they are held to 15 bits: at most 1/20 of the distance between two codes off, with 0 and 255 exact. A slot
 /// without a texture gives 0, 0, 0, 1. A lane's texel does not depend on other lanes.
 RHW_API void rhw_sample(const struct rhw_bindings *textures, int slot,
                         const struct rhw_sample_request *request, rhw_float texel[4]);
 
+/// Channel `channel`, 0..3, of the four texels that a linear filter would mix in level 0 of a 2D texture, a cube or an array
+/// of these: below left, below right, above right, above left as v grows downwards (Vulkan 1.3, "Texel Gathering"). By a
+/// sampler that compares each is 1 or 0, whatever the channel. The request's level and gradient do not matter. Textures
+/// of other kinds give zeros.
+RHW_API void rhw_sample_gather(const struct rhw_bindings *textures, int slot,
+                               const struct rhw_sample_request *request, int channel, rhw_float texel[4]);
+
+/// The texel at whole coordinates of a level ([1]; NULL: 0), unfiltered: `at` has x, y and z as the kind has them, and the layer
+/// of an array; of a cube x, y and 6 × cube + face. Outside of the level, or where there is no such level, it is 0 in the
+/// channels that the format has (robustImageAccess2); those that it lacks are 0, 0, 0, 1 as ever.
+RHW_API void rhw_sample_fetch(const struct rhw_bindings *textures, int slot, const rhw_int *at,
+                              const rhw_int *level, rhw_float texel[4]);
+
+/// The level that rhw_sample would read for the request, between two of them with a fraction, and the level of detail
+/// with the sampler's bias, before any limit (Vulkan 1.3, OpImageQueryLod). Zeros in a slot without a texture.
+RHW_API void rhw_sample_query_lod(const struct rhw_bindings *textures, int slot,
+                                  const struct rhw_sample_request *request, rhw_float lod[2]);
+
+/// Width, height and, of a 3D texture, slices of a level ([1]; NULL: 0), else layers, six for each cube. What the kind lacks is 1. Zeros
+/// where there is no such level, and in a slot without a texture.
+RHW_API void rhw_sample_size(const struct rhw_bindings *textures, int slot, const rhw_int *level,
+                             rhw_int size[3]);
+
 /// rhw_sample with a gradient.
-static inline void rhw_sample_grad(const struct rhw_bindings *textures, int slot, const rhw_float uv[2],
-                                   const rhw_float grad[4], rhw_float texel[4])
+static inline void rhw_sample_grad(const struct rhw_bindings *textures, int slot,
+                                   const rhw_float *coordinates, const rhw_float *grad, rhw_float texel[4])
 {
-    const struct rhw_sample_request request = {uv, grad, (const rhw_float *)0, (const rhw_float *)0,
+    const struct rhw_sample_request request = {coordinates, grad, (const rhw_float *)0, (const rhw_float *)0,
                                                (const rhw_int *)0};
     rhw_sample(textures, slot, &request, texel);
 }
 
 /// rhw_sample at an explicit level of detail.
-static inline void rhw_sample_lod(const struct rhw_bindings *textures, int slot, const rhw_float uv[2],
+static inline void rhw_sample_lod(const struct rhw_bindings *textures, int slot, const rhw_float *coordinates,
                                   rhw_float lod, rhw_float texel[4])
 {
-    const struct rhw_sample_request request = {uv, (const rhw_float *)0, &lod, (const rhw_float *)0,
+    const struct rhw_sample_request request = {coordinates, (const rhw_float *)0, &lod, (const rhw_float *)0,
                                                (const rhw_int *)0};
     rhw_sample(textures, slot, &request, texel);
 }
@@ -61,10 +88,10 @@ static inline void rhw_sample_lod(const struct rhw_bindings *textures, int slot,
 /// Sampling by a sampler that compares: the part of the footprint, 0..1, for which `reference compare texel` holds; 0 in
 /// a slot without a texture. The level of detail follows from `grad`, as in rhw_sample_grad.
 static inline rhw_float rhw_sample_compare_grad(const struct rhw_bindings *textures, int slot,
-                                                const rhw_float uv[2], rhw_float reference,
-                                                const rhw_float grad[4])
+                                                const rhw_float *coordinates, rhw_float reference,
+                                                const rhw_float *grad)
 {
-    const struct rhw_sample_request request = {uv, grad, (const rhw_float *)0, &reference,
+    const struct rhw_sample_request request = {coordinates, grad, (const rhw_float *)0, &reference,
                                                (const rhw_int *)0};
     rhw_float texel[4];
     rhw_sample(textures, slot, &request, texel);
@@ -73,9 +100,10 @@ static inline rhw_float rhw_sample_compare_grad(const struct rhw_bindings *textu
 
 /// The same at an explicit level of detail.
 static inline rhw_float rhw_sample_compare_lod(const struct rhw_bindings *textures, int slot,
-                                               const rhw_float uv[2], rhw_float reference, rhw_float lod)
+                                               const rhw_float *coordinates, rhw_float reference,
+                                               rhw_float lod)
 {
-    const struct rhw_sample_request request = {uv, (const rhw_float *)0, &lod, &reference,
+    const struct rhw_sample_request request = {coordinates, (const rhw_float *)0, &lod, &reference,
                                                (const rhw_int *)0};
     rhw_float texel[4];
     rhw_sample(textures, slot, &request, texel);
@@ -83,7 +111,8 @@ static inline rhw_float rhw_sample_compare_lod(const struct rhw_bindings *textur
 }
 
 /// rhw_sample_grad of several texture slots for `count` groups (1..RHW_MAX_GROUPS) of one call of a fragment function,
-/// at coordinates that are varyings with derivatives: components `at` and `at + 1`. Bit n of `slots` (at least one)
+/// at coordinates that are varyings with derivatives: components `at` and `at + 1`, and those behind them where a
+/// slot's texture asks for more. Bit n of `slots` (at least one)
 /// samples slot n of group g into texels[g * stride + n], the same bits as by itself; `stride` is above the highest
 /// slot, and no other texel is written. In less time than one group after the other: levels of detail are worked out
 /// for all groups together, and textures of 8 bits with the same size and equal samplers, as those of one material
@@ -95,5 +124,10 @@ RHW_API void rhw_sample_groups(const struct rhw_fragment *groups, int count, uin
 RHW_QUIET_END
 
 #endif
+
+struct rhw_bindings;
+
+/// Mip levels of a slot's texture; 0 in a slot without one.
+RHW_API int rhw_sample_levels(const struct rhw_bindings *textures, int slot);
 
 #endif

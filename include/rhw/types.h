@@ -133,15 +133,28 @@ struct rhw_buffer_def {
 
 enum { RHW_MIP_LEVELS_ALL = -1 };
 
-/// A 2D texture: sampled, drawn into, or both (not in the same pass). Zeroed when created. It takes the bytes of its
-/// texels (of a compressed format: as they are decoded), rows rounded up to 64; a texture of RGBA8_SRGB texels that a
+enum {
+    RHW_MAX_TEXTURE_DEPTH = 2048, ///< slices of a 3D texture
+    RHW_MAX_TEXTURE_LAYERS = 2048 ///< of an array; six for each of its cubes
+};
+
+/// CUBE: six square layers for the faces +x, −x, +y, −y, +z, −z, laid out as Vulkan 1.3 has them
+/// ("Cube Map Face Selection").
+enum rhw_texture_kind { RHW_TEXTURE_2D, RHW_TEXTURE_1D, RHW_TEXTURE_3D, RHW_TEXTURE_CUBE };
+
+/// A texture: sampled, drawn into, or both (not in the same pass). Zeroed when created. It takes the bytes of its
+/// texels (of a compressed format: as they are decoded), rows rounded up to 64; a 2D texture of RGBA8_SRGB texels that a
 /// pass samples takes 8 bytes a texel more from then on.
+/// A texture that is no plain 2D one has fewer than 2^31 texels, all levels and rounded rows together.
 struct rhw_texture_def {
     enum rhw_format format; ///< to be set
-    int width, height; ///< 1..RHW_MAX_TARGET_SIZE
-    int mip_levels;    ///< 0 or 1: one; RHW_MIP_LEVELS_ALL: the chain down to 1×1
-    int samples;       ///< of a texel: 0 or 1: one; 2, 4, 8, 16: a target that is not sampled, and has one level
+    int width, height; ///< 1..RHW_MAX_TARGET_SIZE; equal for CUBE; height of 1D is 0 or 1
+    int mip_levels;    ///< 0 or 1: one; RHW_MIP_LEVELS_ALL: the chain down to a single texel
+    int samples;       ///< of a texel: 0 or 1: one; 2, 4, 8, 16: a 2D target that is not sampled, and has one level
     const char *label; ///< for messages
+    enum rhw_texture_kind kind; ///< 2D
+    int depth;         ///< 3D: 1..RHW_MAX_TEXTURE_DEPTH slices; else 0 or 1
+    int layers;        ///< 0: no array; an array's layers, 1.., of CUBE its cubes. Not of 3D
 };
 
 enum rhw_filter { RHW_FILTER_LINEAR, RHW_FILTER_NEAREST };
@@ -152,6 +165,10 @@ enum rhw_compare {
     RHW_COMPARE_LESS, RHW_COMPARE_NEVER, RHW_COMPARE_EQUAL, RHW_COMPARE_LESS_EQUAL,
     RHW_COMPARE_GREATER, RHW_COMPARE_NOT_EQUAL, RHW_COMPARE_GREATER_EQUAL, RHW_COMPARE_ALWAYS
 };
+
+/// What a filter makes of the texels that have a weight above 0: their weighted average, or channel by channel the least or
+/// the greatest (Vulkan 1.3, VkSamplerReductionMode).
+enum rhw_reduction { RHW_REDUCTION_AVERAGE, RHW_REDUCTION_MIN, RHW_REDUCTION_MAX };
 
 struct rhw_sampler_def {
     enum rhw_filter min_filter, mag_filter; ///< LINEAR
@@ -166,6 +183,14 @@ struct rhw_sampler_def {
     bool compares;
     enum rhw_compare compare; ///< LESS
     const char *label; ///< for messages
+    enum rhw_address address_w; ///< of 3D textures; REPEAT. Cubes have no edges: addresses do not matter there
+    /// 0 or 1: off; up to 16: as many samples at most, spread along the longer axis of a gradient's footprint, at the
+    /// level of detail of the shorter one (Vulkan 1.3, "Scale Factor Operation" and "Texel Anisotropic Filtering").
+    float max_anisotropy;
+    enum rhw_reduction reduction; ///< AVERAGE
+    /// Coordinates are in texels, of level 0 alone: filters are equal, addresses CLAMP or BORDER, no level but 0, no
+    /// comparison, no anisotropy; the texture is 1D or 2D and no array (VkSamplerCreateInfo, unnormalizedCoordinates).
+    bool unnormalized;
 };
 
 enum rhw_vertex_format {
@@ -397,6 +422,7 @@ struct rhw_color_attachment {
     enum rhw_load load;
     enum rhw_store store;
     float clear[4]; ///< linear values; R32_UINT: clear[0] is converted to an integer
+    int layer; ///< of an array; 6 × cube + face; slice of a 3D texture. 0
 };
 
 /// Depth and stencil; what the texture's format has of them.
@@ -411,6 +437,7 @@ struct rhw_depth_attachment {
     enum rhw_store stencil_store;
     uint8_t stencil_clear;
     enum rhw_resolve resolve_mode; ///< where the texture has fewer samples than the pass
+    int layer; ///< as that of a colour attachment
 };
 
 struct rhw_pass_def {

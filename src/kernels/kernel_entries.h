@@ -18,7 +18,15 @@ rhw_sample_function RHW_ISA_NAME(rhw_sample_srgb8);
 rhw_sample_function RHW_ISA_NAME(rhw_sample_unorm8_general);
 rhw_sample_function RHW_ISA_NAME(rhw_sample_srgb8_general);
 rhw_sample_groups_function RHW_ISA_NAME(rhw_sample_groups);
+// sample_general.c
+rhw_sample_function RHW_ISA_NAME(rhw_sample_general);
+rhw_sample_function RHW_ISA_NAME(rhw_sample_anisotropic);
+rhw_gather_function RHW_ISA_NAME(rhw_gather_texels);
+rhw_fetch_function RHW_ISA_NAME(rhw_fetch_texels);
+rhw_query_level_function RHW_ISA_NAME(rhw_query_level);
+rhw_query_size_function RHW_ISA_NAME(rhw_query_size);
 // mip_band.c
 void RHW_ISA_NAME(rhw_make_mip_band)(const struct rhw_mip_job *job, int index, int worker);
+void RHW_ISA_NAME(rhw_make_mip_slice)(const struct rhw_mip_volume_job *job, int index, int worker);
 
 #endif

@@ -11,6 +11,7 @@ struct rhw_pass_state;
 struct rhw_chunk;
 struct rhw_shared_part;
 struct rhw_mip_job;
+struct rhw_mip_volume_job;
 
 struct rhw_binding;
 
@@ -21,6 +22,17 @@ typedef void rhw_sample_function(const struct rhw_binding *binding, const struct
 typedef void rhw_sample_groups_function(const struct rhw_fragment *groups, int count, uint32_t slots, int at,
                                         rhw_float (*texels)[4], int stride);
 
+// The texels of rhw_sample_gather, of rhw_sample_fetch, and the answers of rhw_sample_query_lod and rhw_sample_size, of a
+// slot that has a texture.
+typedef void rhw_gather_function(const struct rhw_binding *binding, const struct rhw_sample_request *request,
+                                 int channel, rhw_float texel[4]);
+typedef void rhw_fetch_function(const struct rhw_binding *binding, const rhw_int *at, const rhw_int *level,
+                                rhw_float texel[4]);
+typedef void rhw_query_level_function(const struct rhw_binding *binding,
+                                      const struct rhw_sample_request *request, rhw_float lod[2]);
+typedef void rhw_query_size_function(const struct rhw_binding *binding, const rhw_int *level,
+                                     rhw_int size[3]);
+
 struct rhw_kernels {
     // Shades some of the vertices that chunks share.
     void (*shared_part)(struct rhw_pass_state *pass, const struct rhw_shared_part *part, int worker);
@@ -28,14 +40,25 @@ struct rhw_kernels {
     bool (*chunk)(struct rhw_pass_state *pass, struct rhw_chunk *chunk, int worker);
     // Draws one tile, from load to store: the back end.
     void (*tile)(struct rhw_pass_state *pass, int tile, int worker);
-    // Samples every format with every sampler, in floats, and a slot without a texture.
+    // Samples plain 2D textures of every format with every sampler that asks for no more, in floats, and a slot without
+    // a texture.
     rhw_sample_function *sample_float;
     // Sample RGBA8 textures of either encoding, with samplers that allow it (sampler.h), in fixed point: with the
     // special paths of filter_fixed.h, and always on the general path, which gives the same bytes.
     rhw_sample_function *sample_unorm8, *sample_srgb8, *sample_unorm8_general, *sample_srgb8_general;
     rhw_sample_groups_function *sample_groups;
+    // Samples textures of every kind by every sampler, but for anisotropy; requests with offsets too.
+    rhw_sample_function *sample_general;
+    // Takes several samples of the binding's isotropic function.
+    rhw_sample_function *sample_anisotropic;
+    rhw_gather_function *gather;
+    rhw_fetch_function *fetch;
+    rhw_query_level_function *query_level;
+    rhw_query_size_function *query_size;
     // A band of rows of a few levels of a texture: see mip_work.h.
     void (*mip_band)(const struct rhw_mip_job *job, int index, int worker);
+    // A slice of a level of a 3D texture.
+    void (*mip_slice)(const struct rhw_mip_volume_job *job, int index, int worker);
 };
 
 RHW_ISA_DECLARE(const struct rhw_kernels, rhw_kernels);

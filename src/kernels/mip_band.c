@@ -129,7 +129,7 @@ static void push_row(const struct band *band, int y, const float *row)
         reduce_rows(level, band->channels, &taps, to);
         if (y < level->own_end) {
             narrow_row(job->texture->info, to, level->stride, level->mip->width,
-                       level->mip->texels + (size_t)y * level->mip->row_pitch);
+                       rhw_mip_slice(level->mip, job->slice) + (size_t)y * level->mip->row_pitch);
         }
         row = to;
     }
@@ -180,9 +180,52 @@ void RHW_ISA_NAME(rhw_make_mip_band)(const struct rhw_mip_job *job, int index, i
         if (job->from) {
             row = job->from + (size_t)y * rhw_mip_row(base->width, band.channels);
         } else {
-            widen_row(job->texture->info, base->texels + (size_t)y * base->row_pitch, base->width,
-                      band.level[0].row, band.level[0].stride);
+            widen_row(job->texture->info, rhw_mip_slice(base, job->slice) + (size_t)y * base->row_pitch,
+                      base->width, band.level[0].row, band.level[0].stride);
         }
         push_row(&band, y, row);
     }
+}
+
+// Adds a slice of the level above, times its weight, to a slice of floats.
+static void add_slice(const struct rhw_mip_volume_job *job, int slice, float weight, float *row, float *sum)
+{
+    const struct rhw_mip *const mip = &job->texture->mip[job->base];
+    const int channels = job->texture->info->channels;
+    const size_t floats = rhw_mip_row(mip->width, channels);
+    for (size_t y = 0; y < (size_t)mip->height; y++) {
+        const float *from = row;
+        if (job->from) {
+            from = job->from + ((size_t)slice * (size_t)mip->height + y) * floats;
+        } else {
+            widen_row(job->texture->info, rhw_mip_slice(mip, slice) + y * mip->row_pitch, mip->width, row,
+                      rhw_mip_stride(mip->width));
+        }
+        for (size_t i = 0; i < floats; i += RHW_LANES) {
+            f8_store(sum + y * floats + i, f8_load(sum + y * floats + i) + f8_load(from + i) * weight);
+        }
+    }
+}
+
+void RHW_ISA_NAME(rhw_make_mip_slice)(const struct rhw_mip_volume_job *job, int index, int worker)
+{
+    const struct rhw_mip *const base = &job->texture->mip[job->base], *const made = base + 1;
+    const int channels = job->texture->info->channels;
+    const size_t row = rhw_mip_row(base->width, channels), slice = row * (size_t)base->height;
+    const size_t made_slice = rhw_mip_row(made->width, channels) * (size_t)made->height;
+    float *const sum = job->scratch + (size_t)worker * job->scratch_size;
+    memset(sum, 0, slice * sizeof *sum);
+    const struct row_taps taps = row_taps_of(base->slices, made->slices, index);
+    for (int i = 0; i < taps.count; i++) {
+        add_slice(job, taps.first + i, taps.weight[i], sum + slice, sum);
+    }
+    const struct rhw_mip_job flat = {.texture = job->texture,
+                                     .slice = index,
+                                     .base = job->base,
+                                     .last = job->base + 1,
+                                     .from = sum,
+                                     .to = job->to ? job->to + (size_t)index * made_slice : NULL,
+                                     .band = made->height,
+                                     .scratch = sum + slice + row};
+    RHW_ISA_NAME(rhw_make_mip_band)(&flat, 0, 0);
 }

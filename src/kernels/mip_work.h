@@ -16,11 +16,23 @@ enum {
 // that the format has.
 struct rhw_mip_job {
     const struct rhw_texture_data *texture;
-    int base, last;    // levels base + 1 .. last are made, RHW_MIP_STEPS at most
+    int slice;      // of each level that is made, and of level `base` where that is read; a layer of an array
+    int base, last; // levels base + 1 .. last are made, RHW_MIP_STEPS at most
     const float *from; // level `base`; NULL: it is level 0, as the texture has it
     float *to;         // level `last`; NULL: no level follows
     int band;          // rows of level `last` that a task makes
     float *scratch;    // `scratch_size` zeros for each worker
+    size_t scratch_size;
+};
+
+// One level of a 3D texture, made from the one above, which is larger in depth or not: a task makes a slice.
+struct rhw_mip_volume_job {
+    const struct rhw_texture_data *texture;
+    int base; // level base + 1 is made
+    const float
+        *from; // level `base`, slices of rows as in rhw_mip_job; NULL: it is level 0, as the texture has it
+    float *to; // level base + 1; NULL: no level follows
+    float *scratch; // `scratch_size` zeros for each worker: a slice of level `base`, and what a band needs
     size_t scratch_size;
 };
 

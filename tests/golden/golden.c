@@ -38,6 +38,8 @@ static const struct scene features[] = {
     {"texels", golden_texel_draw, 0},
     {"chain", golden_chain_draw, 0},
     {"blocks", golden_blocks_draw, 0},
+    {"texture-kinds", golden_kinds_draw, 0},
+    {"texture-layers", golden_layers_draw, 0},
     {"builtins", golden_builtins_draw, 0},
     {"heights", golden_heights_draw, 0},
     {"maths", golden_maths_draw, 0},

@@ -89,6 +89,47 @@ static void level(struct rhw_fragment *groups, int count)
     }
 }
 
+// What one group asks of a texture of any kind.
+static void ask(const struct golden_kind_uniforms *u, struct rhw_fragment *f)
+{
+    const rhw_int three = rhw_splat_int(3), offset[3] = {three, -three, rhw_splat_int(1)};
+    const rhw_float lod = rhw_abs(f->varying[3]) * 0.5f;
+    const rhw_int number = rhw_int_from_float(lod);
+    rhw_float gradient[6];
+    rhw_int at[4], size[3];
+    for (int i = 0; i < u->components; i++) {
+        gradient[i] = f->ddx[i];
+        gradient[u->components + i] = f->ddy[i];
+    }
+    for (int i = 0; i < 4; i++) {
+        at[i] = rhw_int_from_float(rhw_floor(f->varying[i] * 8.0f));
+    }
+    struct rhw_sample_request request = {.coordinates = f->varying, .gradient = gradient};
+    rhw_float *const color = f->color[0];
+    switch (u->question) {
+    case GOLDEN_ASK_GRADIENT: rhw_sample(f->textures, 0, &request, color); break;
+    case GOLDEN_ASK_OFFSET:
+        request = (struct rhw_sample_request){.coordinates = f->varying, .lod = &lod, .offset = offset};
+        rhw_sample(f->textures, 0, &request, color);
+        break;
+    case GOLDEN_ASK_FETCH: rhw_sample_fetch(f->textures, 0, at, &number, color); break;
+    case GOLDEN_ASK_GATHER: rhw_sample_gather(f->textures, 0, &request, 1, color); break;
+    default:
+        rhw_sample_query_lod(f->textures, 0, &request, color);
+        rhw_sample_size(f->textures, 0, &number, size);
+        color[2] = rhw_float_from_int(size[0] + size[1]) * 0.01f;
+        color[3] = rhw_float_from_int(size[2]) * 0.1f;
+        break;
+    }
+}
+
+static void kinds(struct rhw_fragment *groups, int count)
+{
+    for (int g = 0; g < count; g++) {
+        ask(groups->uniforms, &groups[g]);
+    }
+}
+
 static void ids(struct rhw_fragment *groups, int count)
 {
     for (int g = 0; g < count; g++) {
@@ -216,8 +257,8 @@ void RHW_ISA_NAME(golden_cells)(struct rhw_program *program, enum rhw_isa isa, e
                                 enum golden_cell_fragment fragment)
 {
     rhw_vertex_function *const vertices[GOLDEN_CELL_VERTICES] = {plain, instanced, screen};
-    rhw_fragment_function *const fragments[GOLDEN_CELL_FRAGMENTS] = {value, facing,   texture, level,
-                                                                     ids,   builtins, heights, maths};
+    rhw_fragment_function *const fragments[GOLDEN_CELL_FRAGMENTS] = {value,    facing,  texture, level, ids,
+                                                                     builtins, heights, maths,   kinds};
     program->vertex[isa] = vertices[vertex];
     program->fragment[isa] = fragments[fragment];
 }

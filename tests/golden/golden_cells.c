@@ -34,6 +34,9 @@ void golden_cells_fill(struct rhw_program *program, enum golden_cell_vertex vert
     if (fragment == GOLDEN_CELL_VALUE || fragment == GOLDEN_CELL_MATHS) {
         program->uniform_size = sizeof(struct golden_cell_uniforms);
     }
+    if (fragment == GOLDEN_CELL_KINDS) {
+        program->uniform_size = sizeof(struct golden_kind_uniforms);
+    }
 }
 
 struct rhw_pipeline_def golden_cells_def(enum golden_cell_fragment fragment, enum rhw_format format)

@@ -27,7 +27,23 @@ enum golden_cell_fragment {
     GOLDEN_CELL_BUILTINS, ///< coord, both barycentrics, their derivatives, those of the varyings, facing
     GOLDEN_CELL_HEIGHTS,  ///< moves the depth by waves, discards discs, shades by derivatives
     GOLDEN_CELL_MATHS,    ///< a function for each of 8×4 cells, over arguments that uniforms scale
+    GOLDEN_CELL_KINDS,    ///< texture 0 of any kind at varyings 0.., asked as uniforms say
     GOLDEN_CELL_FRAGMENTS
+};
+
+/// Of GOLDEN_CELL_KINDS.
+enum golden_question {
+    GOLDEN_ASK_GRADIENT,
+    GOLDEN_ASK_OFFSET, ///< at a level, shifted by texels
+    GOLDEN_ASK_FETCH,
+    GOLDEN_ASK_GATHER,
+    GOLDEN_ASK_LEVEL, ///< the level of detail, and sizes
+    GOLDEN_QUESTIONS
+};
+
+struct golden_kind_uniforms {
+    int32_t question;
+    int32_t components; ///< of coordinates, without the layer
 };
 
 struct golden_cell_uniforms {

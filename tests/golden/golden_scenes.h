@@ -36,6 +36,10 @@ golden_draw_function golden_chain_draw;   ///< what one pass draws, the next sam
 
 // golden_blocks.c
 golden_draw_function golden_blocks_draw; ///< every compressed format, in levels that end within a block
+// golden_kinds.c
+golden_draw_function golden_kinds_draw; ///< textures of every kind, asked in every way
+golden_draw_function
+    golden_layers_draw; ///< layers, faces and slices drawn into, their levels, and sampled again
 
 // golden_fragments.c
 golden_draw_function golden_builtins_draw; ///< coordinates, weights, derivatives, ids as floats and integers

@@ -80,7 +80,7 @@ static void make_sample(struct kernel_random *random, void *input)
     } while (!rhw_format_has_role(rhw_format_info((enum rhw_format)in->format), RHW_ROLE_SAMPLED));
     in->width = (int32_t)random_int(random, 1, MOST_SIZE);
     in->height = (int32_t)random_int(random, 1, MOST_SIZE);
-    in->levels = random_one_in(random, 4) ? 1 : rhw_mip_chain_length(in->width, in->height);
+    in->levels = random_one_in(random, 4) ? 1 : rhw_mip_chain_length(in->width, in->height, 1);
     in->asks = (int32_t)random_int(random, 0, ASKS_COUNT - 1);
     in->paths = random_one_in(random, 4) ? RHW_PATHS_GENERAL : RHW_PATHS_ALL;
     for (int i = 0; i < TEXTURE_BYTES; i += 8) {
@@ -96,7 +96,8 @@ static void set_texture(struct rhw_texture_data *texture, const struct sample_in
                         unsigned char *texels, unsigned char *linear)
 {
     enum { SCALE = RHW_LINEAR_TEXEL / 4 };
-    rhw_texture_data_init(texture, (enum rhw_format)in->format, in->width, in->height, in->levels, 1);
+    const struct rhw_texture_shape shape = rhw_texture_shape_2d(in->width, in->height, in->levels);
+    rhw_texture_data_init(texture, (enum rhw_format)in->format, &shape);
     memcpy(texels, in->texels, TEXTURE_BYTES);
     for (int i = 0; i < TEXTURE_BYTES; i++) { // any numbers up to RHW_LINEAR_ONE
         const uint16_t number = (uint16_t)(in->texels[i] << 7);
@@ -237,7 +238,7 @@ static void run_groups(const void *input, void *result)
         groups[g].ddy = (const f8 *)(const void *)in->ddy[g];
         groups[g].textures = &together;
     }
-    together.sample_groups(groups, in->count, in->chosen, AT, out->together[0], SLOTS);
+    together.kernels->sample_groups(groups, in->count, in->chosen, AT, out->together[0], SLOTS);
     sample_alone(&alone, groups, in, out);
     unify_nans(out, sizeof *out / sizeof(float));
 }

@@ -45,8 +45,9 @@ static void run_mip(const void *input, void *result)
     struct rhw_texture_data texture;
     memcpy(above, in->texels, sizeof above);
     memset(result, 0, LEVELS_BYTES);
-    const int levels = rhw_mip_chain_length(in->width, in->height);
-    rhw_texture_data_init(&texture, (enum rhw_format)in->format, in->width, in->height, levels, 1);
+    const struct rhw_texture_shape shape =
+        rhw_texture_shape_2d(in->width, in->height, rhw_mip_chain_length(in->width, in->height, 1));
+    rhw_texture_data_init(&texture, (enum rhw_format)in->format, &shape);
     texture.mip[0].texels = above;
     unsigned char *next = result;
     const int last = texture.levels - 1 < RHW_MIP_STEPS ? texture.levels - 1 : RHW_MIP_STEPS;

@@ -22,7 +22,7 @@ result() { # NAME STATUS
 }
 
 # Sampling is the library's: nothing here calls it, but a linker may ask.
-echo 'void rhw_sample(void); void rhw_sample(void) {}' >"$folder/sample.c"
+echo 'void rhw_sample(void); void rhw_sample(void) {} void rhw_sample1(void); void rhw_sample1(void) {}' >"$folder/sample.c"
 "$2" -c -o "$folder/sample.o" "$folder/sample.c"
 for language in gnu11 gnu17 gnu++11 gnu++17 gnu++20; do
     case $language in

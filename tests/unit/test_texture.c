@@ -169,13 +169,13 @@ static void test_misuse_is_named(void **state)
         struct rhw_texture_def def;
         const char *words;
     } bad[] = {
-        {{RHW_FORMAT_NONE, 4, 4, 1, 0, NULL}, "format"},
-        {{RHW_FORMAT_COUNT, 4, 4, 1, 0, NULL}, "format"},
-        {{RHW_FORMAT_RGBA8_UNORM, 0, 4, 1, 0, NULL}, "width is 0"},
-        {{RHW_FORMAT_RGBA8_UNORM, 4, 16385, 1, 0, NULL}, "height is 16385"},
-        {{RHW_FORMAT_RGBA8_UNORM, 4, -1, 1, 0, NULL}, "height is -1"},
-        {{RHW_FORMAT_RGBA8_UNORM, 4, 4, 4, 0, NULL}, "mip_levels is 4"},
-        {{RHW_FORMAT_RGBA8_UNORM, 4, 4, -2, 0, NULL}, "mip_levels is -2"},
+        {{.format = RHW_FORMAT_NONE, .width = 4, .height = 4, .mip_levels = 1}, "format"},
+        {{.format = RHW_FORMAT_COUNT, .width = 4, .height = 4, .mip_levels = 1}, "format"},
+        {{.format = RHW_FORMAT_RGBA8_UNORM, .width = 0, .height = 4, .mip_levels = 1}, "width is 0"},
+        {{.format = RHW_FORMAT_RGBA8_UNORM, .width = 4, .height = 16385, .mip_levels = 1}, "height is 16385"},
+        {{.format = RHW_FORMAT_RGBA8_UNORM, .width = 4, .height = -1, .mip_levels = 1}, "height is -1"},
+        {{.format = RHW_FORMAT_RGBA8_UNORM, .width = 4, .height = 4, .mip_levels = 4}, "mip_levels is 4"},
+        {{.format = RHW_FORMAT_RGBA8_UNORM, .width = 4, .height = 4, .mip_levels = -2}, "mip_levels is -2"},
     };
     rhw_texture texture;
     for (size_t i = 0; i < sizeof bad / sizeof bad[0]; i++) {

@@ -14,6 +14,7 @@
 #include "../../compare.h"
 #include "filter_fixed.h"
 #include "lod.h"
+#include "reference.h"
 #include "texel_fetch.h"
 
 // What one call needs at every level. s and t are folded coordinates.
@@ -142,14 +143,6 @@ static inline void filter_levels(const struct float_source *source, i8 level, f8
             texel[i] = rhw_select(same, fine[i], texel[i]);
         }
     }
-}
-
-// What texels are compared with. Channels that hold 0..1 are compared with a number that does (Vulkan 1.3 §16.3.4).
-static inline f8 reference_of(const struct rhw_format_info *format, const struct rhw_sample_request *request)
-{
-    const f8 reference = request->reference ? *request->reference : rhw_splat(0.0f);
-    return rhw_codec_is_normalized(format->codec) ? rhw_clamp(reference, rhw_splat(0.0f), rhw_splat(1.0f))
-                                                  : reference;
 }
 
 static __attribute__((noinline)) void sample_float(const struct rhw_binding *binding,

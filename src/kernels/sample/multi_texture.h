@@ -98,8 +98,13 @@ RHW_INLINE void group_gradient(const struct rhw_fragment *group, int at, f8 grad
 RHW_INLINE void sample_group(const struct rhw_binding *binding, const struct rhw_fragment *group, int at,
                              f8 texel[4])
 {
-    f8 gradient[4];
-    group_gradient(group, at, gradient);
+    f8 gradient[6];
+    const struct rhw_texture_data *const texture = binding->texture;
+    const int components = texture ? rhw_texture_components(texture->shape.kind) : 0;
+    for (int i = 0; i < components; i++) {
+        gradient[i] = group->ddx[at + i];
+        gradient[components + i] = group->ddy[at + i];
+    }
     const struct rhw_sample_request request = {.coordinates = &group->varying[at], .gradient = gradient};
     binding->sample(binding, &request, texel);
 }

@@ -63,30 +63,38 @@ RHW_INLINE void spill_lanes(i8 lanes, uint32_t numbers[RHW_LANES])
     __asm__("" : "+m"(*(uint32_t(*)[RHW_LANES])numbers));
 }
 
-// Loads texels (x, y) of a level, of `size` bytes each.
-RHW_INLINE void fetch_raw_texels(size_t size, const struct rhw_mip *mip, i8 x, i8 y, struct raw_texels *raw)
+// Loads texels by their numbers, counted from `texels`, of `size` bytes each.
+RHW_INLINE void fetch_numbered_texels(size_t size, const unsigned char *texels, i8 number,
+                                      struct raw_texels *raw)
 {
     if (size == 4) {
-        raw->word[0] = i8_gather(mip->texels, texel_number((x << 16) | y, mip));
+        raw->word[0] = i8_gather(texels, number);
         return;
     }
     uint32_t at[RHW_LANES];
-    const i8 number = y * (int32_t)(mip->row_pitch >> __builtin_ctzll(size)) + x;
     if (size == 8) {
         spill_lanes(2 * number, at);
-        i8_load_pairs(mip->texels, at, &raw->word[0], &raw->word[1]);
+        i8_load_pairs(texels, at, &raw->word[0], &raw->word[1]);
         return;
     }
     spill_lanes(number, at);
     const void *place[RHW_LANES];
     for (int i = 0; i < RHW_LANES; i++) {
-        place[i] = mip->texels + at[i] * size;
+        place[i] = texels + at[i] * size;
     }
     if (size == 16) {
         load_texels16(place, raw);
     } else {
         load_small_texels(place, size, raw);
     }
+}
+
+// Loads texels (x, y) of a level.
+RHW_INLINE void fetch_raw_texels(size_t size, const struct rhw_mip *mip, i8 x, i8 y, struct raw_texels *raw)
+{
+    const i8 number = size == 4 ? texel_number((x << 16) | y, mip)
+                                : y * (int32_t)(mip->row_pitch >> __builtin_ctzll(size)) + x;
+    fetch_numbered_texels(size, mip->texels, number, raw);
 }
 
 #endif

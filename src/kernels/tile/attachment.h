@@ -47,9 +47,11 @@ struct memory_rows {
     size_t pitch;
 };
 
-static struct memory_rows rows_of_level(const struct tile_work *work, const struct rhw_mip *mip, size_t size)
+static struct memory_rows rows_of_level(const struct tile_work *work, const struct rhw_attachment *attachment,
+                                        const struct rhw_mip *mip)
 {
-    return (struct memory_rows){mip->texels + (size_t)work->y * mip->row_pitch + (size_t)work->x * size,
+    return (struct memory_rows){rhw_mip_slice(mip, attachment->layer) + (size_t)work->y * mip->row_pitch +
+                                    (size_t)work->x * attachment->texel_size,
                                 mip->row_pitch};
 }
 
@@ -57,7 +59,7 @@ static struct memory_rows rows_of_level(const struct tile_work *work, const stru
 static struct memory_rows rows_of_target(const struct tile_work *work,
                                          const struct rhw_attachment *attachment, int sample)
 {
-    struct memory_rows rows = rows_of_level(work, attachment->target, attachment->texel_size);
+    struct memory_rows rows = rows_of_level(work, attachment, attachment->target);
     rows.first += (size_t)sample * attachment->sample_stride;
     return rows;
 }
@@ -67,7 +69,7 @@ static struct memory_rows loaded_rows(const struct tile_work *work, const struct
                                       int sample)
 {
     return attachment->loads_resolved && work->pass->first_wave
-               ? rows_of_level(work, attachment->resolve, attachment->texel_size)
+               ? rows_of_level(work, attachment, attachment->resolve)
                : rows_of_target(work, attachment, sample);
 }
 
@@ -225,8 +227,8 @@ static void pass_through(const struct tile_work *work, const struct rhw_attachme
         }
     }
     if (attachment->resolves && work->pass->last_wave && !is_clean(work, attachment->resolve_clean)) {
-        clear_rows(work, rows_of_level(work, attachment->resolve, attachment->texel_size),
-                   attachment->texel_size, attachment->clear);
+        clear_rows(work, rows_of_level(work, attachment, attachment->resolve), attachment->texel_size,
+                   attachment->clear);
     }
 }
 

@@ -64,7 +64,7 @@ static void resolve_color(const struct tile_work *work, int t)
     const struct rhw_attachment *const attachment = &work->pass->colors[t];
     const struct rhw_format_info *const info = rhw_format_info(attachment->format);
     const enum rhw_resolve mode = color_mode(attachment, info);
-    const struct memory_rows rows = rows_of_level(work, attachment->resolve, info->size);
+    const struct memory_rows rows = rows_of_level(work, attachment, attachment->resolve);
     soil(work, attachment->resolve_clean);
     for (int y = 0; y < work->height; y++) {
         for (int x = 0; x < work->width; x += RHW_BLOCK) {
@@ -127,7 +127,7 @@ static void resolve_depth_stencil(const struct tile_work *work)
     }
     soil(work, depth->resolve_clean);
     if (pass->has_depth && depth->store == RHW_STORE_STORE) {
-        const struct memory_rows rows = rows_of_level(work, depth->resolve, depth->texel_size);
+        const struct memory_rows rows = rows_of_level(work, depth, depth->resolve);
         if (pass->depth_steps != 0) {
             write_depth_steps(work, rows, first->texels);
         } else {
@@ -135,7 +135,7 @@ static void resolve_depth_stencil(const struct tile_work *work)
         }
     }
     if (pass->has_stencil && stencil->store == RHW_STORE_STORE) {
-        write_rows(work, rows_of_level(work, stencil->resolve, 1), first->stencil, 1);
+        write_rows(work, rows_of_level(work, stencil, stencil->resolve), first->stencil, 1);
     }
 }
 

@@ -1,0 +1,82 @@
+// SPDX-License-Identifier: MIT
+// What shaders ask of a texture beside a filtered sample: single texels, the four of a footprint, sizes, and which level
+// a sample would read.
+#ifndef RHW_TEXEL_QUERY_H
+#define RHW_TEXEL_QUERY_H
+
+#include "anisotropy.h"
+
+// Moves `i` into 0 .. count − 1 and clears lanes of the mask in which it was outside.
+static inline i8 keep_inside(i8 i, i8 count, i8 *inside)
+{
+    *inside = *inside & ~(i >> 31) & rhw_less_int(i, count);
+    return rhw_max_int(rhw_min_int(i, count - 1), i8_splat(0));
+}
+
+// Zeros outside, but for what the format lacks (Vulkan 1.3, "Texel Replacement" with robustImageAccess2).
+static inline void fetch(const struct rhw_texture_data *texture, const i8 *at, i8 number, f8 texel[4])
+{
+    const enum rhw_texture_kind kind = texture->shape.kind;
+    i8 inside = i8_splat(-1);
+    const i8 existing = keep_inside(number, i8_splat(texture->levels), &inside);
+    const struct lane_level level = lane_level_at(texture, existing);
+    const bool has_y = kind != RHW_TEXTURE_1D;
+    const bool has_slice = kind == RHW_TEXTURE_3D || kind == RHW_TEXTURE_CUBE || texture->shape.is_array;
+    const i8 x = keep_inside(at[0], level.size[0], &inside);
+    const i8 y = has_y ? keep_inside(at[1], level.size[1], &inside) : i8_splat(0);
+    const i8 slice = has_slice ? keep_inside(at[1 + has_y], level.slices, &inside) : i8_splat(0);
+    lane_texels(texture, &level, x, y, slice, texel);
+    for (int c = 0; c < texture->info->channels; c++) {
+        texel[c] = rhw_select(inside, texel[c], rhw_splat(0.0f));
+    }
+}
+
+// One channel of the texels that a linear filter would mix in level 0: below left, below right, above right, above left,
+// v down (Vulkan 1.3, "Texel Gathering"). Where there are not four, zeros.
+static inline void gather(const struct rhw_binding *binding, const struct rhw_sample_request *request,
+                          int channel, f8 texel[4])
+{
+    static const int order[4] = {2, 3, 1, 0};
+    struct lookup lookup;
+    struct texel_block block;
+    look_up(binding, request, &lookup);
+    const struct lane_level level = lane_level_at(binding->texture, i8_splat(0));
+    if (lookup.axes == 2) {
+        find_block(&lookup, &level, &block);
+        load_block(&lookup, &level, &block);
+    }
+    const int compared = binding->sampler->def.compares ? 0 : channel;
+    for (int n = 0; n < 4; n++) {
+        texel[n] = lookup.axes == 2 ? block.texel[order[n]][compared] : rhw_splat(0.0f);
+    }
+}
+
+// The level that a sample would read, and the level of detail before limits (Vulkan 1.3, "Image Level(s) Selection").
+static inline void query_level(const struct rhw_binding *binding, const struct rhw_sample_request *request,
+                               f8 lod[2])
+{
+    const struct rhw_sampler_data *const sampler = binding->sampler;
+    f8 requested = requested_level(binding->texture, request);
+    if (sampler->def.max_anisotropy > 1 && request->gradient) {
+        struct long_axis axis;
+        find_long_axis(binding, request, &axis);
+        requested = axis.level;
+    }
+    const f8 within = limit_level(binding->texture, sampler, requested).within;
+    f8 fraction;
+    lod[0] = first_level(sampler, within, &fraction) + fraction;
+    lod[1] = requested + sampler->def.lod_bias;
+}
+
+// Texels along each axis, slices or layers behind them; 1 for those that the kind lacks, 0 where there is no such level.
+static inline void query_size(const struct rhw_texture_data *texture, i8 number, i8 size[3])
+{
+    i8 inside = i8_splat(-1);
+    const struct lane_level level =
+        lane_level_at(texture, keep_inside(number, i8_splat(texture->levels), &inside));
+    size[0] = level.size[0] & inside;
+    size[1] = level.size[1] & inside;
+    size[2] = level.slices & inside;
+}
+
+#endif

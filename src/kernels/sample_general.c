@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: MIT
+// The sampler's general half, one of the translation units of an instruction set: textures of every kind, anisotropy,
+// and what shaders ask beside samples. Which function samples a texture, binding.c says.
+#include "kernel_entries.h"
+
+#include "sample/anisotropy.h"
+#include "sample/filter_general.h"
+#include "sample/texel_query.h"
+
+void RHW_ISA_NAME(rhw_sample_general)(const struct rhw_binding *binding,
+                                      const struct rhw_sample_request *request, rhw_float texel[4])
+{
+    sample_general(binding, request, texel);
+}
+
+void RHW_ISA_NAME(rhw_sample_anisotropic)(const struct rhw_binding *binding,
+                                          const struct rhw_sample_request *request, rhw_float texel[4])
+{
+    sample_anisotropic(binding, request, texel);
+}
+
+void RHW_ISA_NAME(rhw_gather_texels)(const struct rhw_binding *binding,
+                                     const struct rhw_sample_request *request, int channel,
+                                     rhw_float texel[4])
+{
+    gather(binding, request, channel, texel);
+}
+
+void RHW_ISA_NAME(rhw_fetch_texels)(const struct rhw_binding *binding, const rhw_int *at,
+                                    const rhw_int *level, rhw_float texel[4])
+{
+    fetch(binding->texture, at, level ? *level : rhw_splat_int(0), texel);
+}
+
+void RHW_ISA_NAME(rhw_query_level)(const struct rhw_binding *binding,
+                                   const struct rhw_sample_request *request, rhw_float lod[2])
+{
+    query_level(binding, request, lod);
+}
+
+void RHW_ISA_NAME(rhw_query_size)(const struct rhw_binding *binding, const rhw_int *level, rhw_int size[3])
+{
+    query_size(binding->texture, level ? *level : rhw_splat_int(0), size);
+}
