@@ -14,6 +14,12 @@ struct rhw_pipeline_data {
     rhw_vertex_function *vertex; // best entry for the context's instruction set; NULL: use program.vertex1
     rhw_fragment_function *fragment; // likewise; NULL: program.fragment1, and when that is NULL too, depth only
     int varying_components;          // of all varyings together
+    // What is drawn: `topology` and the polygon mode in one.
+    enum rhw_primitive { RHW_PRIMITIVE_TRIANGLES, RHW_PRIMITIVE_LINES, RHW_PRIMITIVE_POINTS } primitive;
+    int triangles_most;     // that tiles draw of a primitive
+    double half_width_24_8; // of lines
+    int extra_components; // behind the varyings in a vertex record: clip distances, cull distances, point size
+    int point_size_component; // of the record; where it is written
     bool any_noperspective, any_derivatives;
     uint8_t component_qualifier[RHW_MAX_VARYING_COMPONENTS]; // enum rhw_qualifier
     bool component_derivatives[RHW_MAX_VARYING_COMPONENTS];

@@ -37,6 +37,7 @@ static const struct {
     {RHW_USE_BARYCENTRIC, "reads barycentric weights; RHW_USE_BARYCENTRIC is missing in its program's uses"},
     {RHW_USE_BARYCENTRIC_DERIVATIVES, "reads derivatives of barycentric weights; "
                                       "RHW_USE_BARYCENTRIC_DERIVATIVES is missing in its program's uses"},
+    {RHW_USE_POINT_COORD, "reads point_coord; RHW_USE_POINT_COORD is missing in its program's uses"},
     {RHW_USE_DEPTH, "reads depth; RHW_USE_DEPTH is missing in its program's uses"},
 };
 
@@ -67,6 +68,9 @@ static void spoil_builtins(struct rhw_fragment *group, uint32_t uses, int32_t ch
     if (!(uses & RHW_USE_BARYCENTRIC_DERIVATIVES)) {
         spoil(group->barycentric_ddx, 3, changed & RHW_USE_BARYCENTRIC_DERIVATIVES);
         spoil(group->barycentric_ddy, 3, changed & RHW_USE_BARYCENTRIC_DERIVATIVES);
+    }
+    if (!(uses & RHW_USE_POINT_COORD)) {
+        spoil(group->point_coord, 2, changed & RHW_USE_POINT_COORD);
     }
     if (!(uses & RHW_USE_DEPTH)) {
         spoil(&group->depth, 1, changed & RHW_USE_DEPTH);

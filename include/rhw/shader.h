@@ -25,6 +25,8 @@ struct rhw_vertex {
     const struct rhw_bindings *textures; ///< see rhw_sample
     rhw_float position[4]; ///< out: homogeneous clip coordinates X, Y, Z, W
     rhw_float *varying;    ///< out: [component]
+    rhw_float *clip_distance, *cull_distance; ///< out: [distance], as many as the program has
+    rhw_float point_size;  ///< out, where the program writes_point_size: pixels
 };
 
 /// 8 fragments. Lanes outside `mask` carry finite or non-finite rubbish and their results are ignored.
@@ -45,6 +47,7 @@ struct rhw_fragment {
     rhw_float barycentric[3];        ///< a, b, c: weights in space
     rhw_float barycentric_noperspective[3]; ///< r, s, t: weights on the screen
     rhw_float barycentric_ddx[3], barycentric_ddy[3]; ///< of a, b, c per pixel
+    rhw_float point_coord[2]; ///< on a point: 0, 0 at its top left corner, 1, 1 at the opposite; elsewhere rubbish
 };
 
 #endif
@@ -58,6 +61,8 @@ struct rhw_vertex1 {
     const struct rhw_bindings *textures;
     float position[4];
     float *varying;
+    float *clip_distance, *cull_distance;
+    float point_size;
 };
 
 struct rhw_fragment1 {
@@ -74,6 +79,7 @@ struct rhw_fragment1 {
     int32_t primitive, instance, draw;
     float barycentric[3], barycentric_noperspective[3];
     float barycentric_ddx[3], barycentric_ddy[3];
+    float point_coord[2];
 };
 
 #include "shader_one.h"

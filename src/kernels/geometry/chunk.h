@@ -9,7 +9,7 @@
 #include "../../shared_vertices.h"
 #include "../../thread.h"
 #include "binning.h"
-#include "triangle_setup.h"
+#include "primitive_setup.h"
 #include "vertex_reuse.h"
 #include "vertex_shading.h"
 
@@ -52,7 +52,8 @@ static bool start_run(struct rhw_worker *worker, const struct rhw_draw *draw, ui
     struct rhw_snapped_vertex *const snapped = scratch->vertices + scratch->vertex_count;
     const uint32_t vertices = list_vertices(scratch, run, draw, room);
     const uint32_t rounded_up = (vertices + 7) & ~7u;
-    const int stride = rhw_vertex_stride(draw->state->pipeline->varying_components);
+    const struct rhw_pipeline_data *const pipeline = draw->state->pipeline;
+    const int stride = rhw_vertex_stride(pipeline->varying_components + pipeline->extra_components);
     const size_t size = (size_t)rounded_up * (size_t)stride * sizeof(float);
     run->vertices = snapped;
     *segment =
@@ -99,6 +100,9 @@ static bool make_triangles(const struct rhw_pass_state *pass, const struct rhw_c
     scratch->special_paths = rhw_pass_takes_special_paths(pass);
     scratch->run_count = scratch->polygon_count = 0;
     scratch->index_count = scratch->vertex_count = 0;
+    scratch->arena = &worker->arena;
+    scratch->made_run = UINT32_MAX;
+    scratch->out_of_memory = false;
     scratch->counters = (struct rhw_front_counters){0};
     const uint64_t start = rhw_time_ns();
     if (!start_runs(pass, chunk, worker)) {
@@ -106,20 +110,22 @@ static bool make_triangles(const struct rhw_pass_state *pass, const struct rhw_c
     }
     const uint64_t shaded = rhw_time_ns();
     // There is room for all triangles; what culling leaves of it goes back.
-    const size_t room = (size_t)chunk->count * sizeof *list->triangles;
+    const size_t room = (size_t)chunk->count * (size_t)pass->triangles_most * sizeof *list->triangles;
     *list = (struct rhw_triangle_list){rhw_arena_alloc(&worker->arena, room, RHW_CACHE_LINE),
                                        scratch->tile_ranges, 0};
     if (!list->triangles) {
         return false;
     }
+    scratch->segment_count = scratch->run_count;
     for (int i = 0; i < scratch->run_count; i++) {
-        setup_run(scratch, (uint32_t)i, list);
+        setup_primitives(scratch, (uint32_t)i, list);
     }
-    rhw_arena_trim(&worker->arena, list->triangles + list->count);
-    scratch->counters.rasterized = (uint64_t)list->count;
+    if (scratch->segment_count == scratch->run_count) { // else made vertices stand behind the triangles
+        rhw_arena_trim(&worker->arena, list->triangles + list->count);
+    }
     worker->counters.vertex_ns += shaded - start;
     worker->counters.setup_ns += rhw_time_ns() - shaded;
-    return true;
+    return !scratch->out_of_memory;
 }
 
 // Tells where a triangle of the chunk stands in the line of all triangles.
@@ -166,7 +172,8 @@ static bool make_chunk(const struct rhw_pass_state *pass, struct rhw_chunk *chun
     bound_bins(chunk, &list);
     const int fit = triangles_that_fit(chunk, &list, pass->entries_most);
     if (fit < list.count) {
-        chunk->count = place_in_line(scratch, &list.triangles[fit]) - chunk->first;
+        const uint64_t place = place_in_line(scratch, &list.triangles[fit]) - chunk->first;
+        chunk->count = place == 0 ? 1 : place; // one that becomes several triangles is drawn whole
         if (!make_triangles(pass, chunk, worker, &list)) {
             return false;
         }
@@ -176,7 +183,8 @@ static bool make_chunk(const struct rhw_pass_state *pass, struct rhw_chunk *chun
     chunk->counters = scratch->counters;
     chunk->hidden = shared_hidden_rule(scratch);
     chunk->triangles = list.triangles;
-    chunk->segments = keep(arena, scratch->segments, (size_t)scratch->run_count * sizeof *chunk->segments);
+    chunk->segments =
+        keep(arena, scratch->segments, (size_t)scratch->segment_count * sizeof *chunk->segments);
     chunk->polygons =
         keep(arena, scratch->polygons, (size_t)scratch->polygon_count * sizeof *chunk->polygons);
     const bool binned = chunk->segments && chunk->polygons && bin(chunk, &list, arena);

@@ -64,13 +64,52 @@ static void scatter(f8 vectors[8], float *records, int stride)
     }
 }
 
+// A distance that is no number is below 0 for clipping, and not for culling: what is unknown is not drawn, but is no
+// reason to leave out what is known.
+static i8 distance_flags(const struct rhw_program *program, const struct rhw_vertex *group)
+{
+    const f8 zero = f8_splat(0);
+    i8 flags = i8_splat(0);
+    for (int i = 0; i < program->clip_distance_count; i++) {
+        flags |=
+            ~rhw_less_equal(zero, group->clip_distance[i]) & i8_splat((int32_t)RHW_VERTEX_CLIP_DISTANCE << i);
+    }
+    for (int i = 0; i < program->cull_distance_count; i++) {
+        flags |= rhw_less(group->cull_distance[i], zero) & i8_splat((int32_t)RHW_VERTEX_CULL_DISTANCE << i);
+    }
+    return flags;
+}
+
+// Writes what stands behind the varyings.
+static void store_extras(const struct rhw_pipeline_data *pipeline, const struct rhw_vertex *group, int stride,
+                         float *records)
+{
+    const struct rhw_program *const program = &pipeline->def.program;
+    for (int lane = 0; lane < 8; lane++) {
+        float *out = records + lane * stride + 8 + pipeline->varying_components;
+        for (int i = 0; i < program->clip_distance_count; i++) {
+            *out++ = group->clip_distance[i][lane];
+        }
+        for (int i = 0; i < program->cull_distance_count; i++) {
+            *out++ = group->cull_distance[i][lane];
+        }
+        if (program->writes_point_size) {
+            *out = group->point_size[lane];
+        }
+    }
+}
+
 // Writes the records of 8 vertices, and what culling reads of them once more into `vertices`.
 static void store_records(const struct rhw_draw_state *state, const struct rhw_vertex *group, int stride,
                           float *records, struct rhw_snapped_vertex *vertices)
 {
-    const int components = state->pipeline->varying_components;
+    const struct rhw_pipeline_data *const pipeline = state->pipeline;
+    const int components = pipeline->varying_components;
     f8 vectors[8];
     project(state, group->position, vectors);
+    if (pipeline->extra_components != 0) {
+        vectors[3] = (f8)((i8)vectors[3] | distance_flags(&pipeline->def.program, group));
+    }
     scatter(vectors, records, stride);
     for (int lane = 0; lane < 8; lane++) {
         memcpy(&vertices[lane], &vectors[lane], sizeof *vertices);
@@ -81,6 +120,9 @@ static void store_records(const struct rhw_draw_state *state, const struct rhw_v
             vectors[i] = i < n ? group->varying[c + i] : f8_splat(0);
         }
         scatter(vectors, records + 8 + c, stride);
+    }
+    if (pipeline->extra_components != 0) {
+        store_extras(pipeline, group, stride, records);
     }
 }
 
@@ -125,6 +167,8 @@ static void fetch_group(struct rhw_geometry_scratch *scratch, const struct rhw_s
     group->user = def->program.user;
     group->textures = state->textures;
     group->varying = scratch->varyings + g * state->pipeline->varying_components;
+    group->clip_distance = scratch->distances[g];
+    group->cull_distance = scratch->distances[g] + RHW_MAX_CLIP_DISTANCES;
 }
 
 // Shades `count` vertices, whose indices are scratch->unique, into the segment. `count` is rounded up to 8:

@@ -232,6 +232,7 @@ static void draw_blocks(struct tile_work *work, struct triangle_work *triangle,
                         const struct coverage *coverage)
 {
     const struct tile_rect rect = rect_of(work, triangle->t);
+    const bool is_cut = work->is_scissored || triangle->t->flags & RHW_TRIANGLE_RECTANGLE;
     for (int y = rect.y0 & -RHW_BLOCK; y < rect.y1; y += RHW_BLOCK) {
         const int row0 = max_int(rect.y0 - y, 0), row1 = min_int(rect.y1 - y, RHW_BLOCK);
         const unsigned hidden = hidden_blocks(work, triangle, y);
@@ -240,7 +241,7 @@ static void draw_blocks(struct tile_work *work, struct triangle_work *triangle,
                 continue;
             }
             uint64_t mask = coverage_mask(coverage, x, y, row0, row1);
-            if (work->is_scissored) {
+            if (is_cut) {
                 mask &= rect_mask(x, y, rect.x0, rect.y0, rect.x1, rect.y1);
             }
             if (mask != 0) {
@@ -271,7 +272,8 @@ static void draw_large(struct tile_work *work, struct triangle_work *triangle, c
     if (coverage.count == 0) {
         return;
     }
-    if (takes_whole_tile(work) && covers_tile(&coverage) && draw_whole_tile(work, triangle)) {
+    if (takes_whole_tile(work) && covers_tile(&coverage) && !(triangle->t->flags & RHW_TRIANGLE_RECTANGLE) &&
+        draw_whole_tile(work, triangle)) {
         return;
     }
     draw_blocks(work, triangle, &coverage);
