@@ -474,7 +474,8 @@ static const struct rhw_draw_state *snapshot(struct rhw_pass_state *pass)
     }
     *state = pass->pending;
     state->scissor = clip_rect(pass, &state->viewport, &state->scissor,
-                               state->pipeline->primitive == RHW_PRIMITIVE_POINTS);
+                               state->pipeline->primitive == RHW_PRIMITIVE_POINTS ||
+                                   state->pipeline->primitive == RHW_PRIMITIVE_POLYGON_POINTS);
     for (int i = 0; i < pass->color_count; i++) {
         rhw_blend_state_init(&state->blend[i], &state->pipeline->def.targets[i], state->blend_constant);
         if (pass->paths == RHW_PATHS_GENERAL) {

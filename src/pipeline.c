@@ -203,6 +203,7 @@ static bool check_line_width(const struct rhw_context *context, float width)
 static bool check_states(const struct rhw_context *context, const struct rhw_pipeline_def *def)
 {
     return check_range(context, "topology", def->topology, 0, RHW_TRIANGLE_STRIP_ADJACENCY) &&
+           check_range(context, "polygon_mode", def->polygon_mode, 0, RHW_POLYGON_POINT) &&
            check_line_width(context, def->line_width) &&
            check_range(context, "provoking", def->provoking, 0, RHW_PROVOKING_LAST) &&
            check_range(context, "cull", def->cull, 0, RHW_CULL_BACK) &&
@@ -394,9 +395,18 @@ static void lay_out_primitives(struct rhw_pipeline_data *data)
     case RHW_LINE_STRIP:
     case RHW_LINE_LIST_ADJACENCY:
     case RHW_LINE_STRIP_ADJACENCY: data->primitive = RHW_PRIMITIVE_LINES; break;
-    default: data->primitive = RHW_PRIMITIVE_TRIANGLES; break;
+    default:
+        data->primitive = def->polygon_mode == RHW_POLYGON_LINE    ? RHW_PRIMITIVE_POLYGON_LINES
+                          : def->polygon_mode == RHW_POLYGON_POINT ? RHW_PRIMITIVE_POLYGON_POINTS
+                                                                   : RHW_PRIMITIVE_TRIANGLES;
+        break;
     }
-    data->triangles_most = data->primitive == RHW_PRIMITIVE_LINES ? 2 : 1;
+    static const int most[] = {[RHW_PRIMITIVE_TRIANGLES] = 1,
+                               [RHW_PRIMITIVE_LINES] = 2,
+                               [RHW_PRIMITIVE_POINTS] = 1,
+                               [RHW_PRIMITIVE_POLYGON_LINES] = 6,
+                               [RHW_PRIMITIVE_POLYGON_POINTS] = 3};
+    data->triangles_most = most[data->primitive];
     data->half_width_24_8 = (double)def->line_width * (RHW_SUBPIXEL / 2);
     const int distances = def->program.clip_distance_count + def->program.cull_distance_count;
     data->point_size_component = data->varying_components + distances;

@@ -204,6 +204,9 @@ enum rhw_topology {
     RHW_TRIANGLE_LIST_ADJACENCY, ///< 6i, 6i+2, 6i+4
     RHW_TRIANGLE_STRIP_ADJACENCY ///< the strip of the even vertices
 };
+/// What is drawn of a triangle that is not culled: all of it, its edges as lines, or its corners as points (Vulkan 1.3
+/// §28.10.2). Facing and flat values are those of the triangle.
+enum rhw_polygon_mode { RHW_POLYGON_FILL, RHW_POLYGON_LINE, RHW_POLYGON_POINT };
 enum rhw_index_type { RHW_INDEX_UINT8, RHW_INDEX_UINT16, RHW_INDEX_UINT32 };
 enum rhw_cull { RHW_CULL_NONE, RHW_CULL_FRONT, RHW_CULL_BACK };
 enum rhw_winding { RHW_COUNTER_CLOCKWISE, RHW_CLOCKWISE }; ///< as seen on the screen, y up
@@ -306,6 +309,7 @@ struct rhw_pipeline_def {
     bool primitive_restart; ///< the largest index of its type starts a new strip, fan or list: what it cuts off
                             ///< unfinished is not drawn
     enum rhw_provoking provoking;    ///< FIRST
+    enum rhw_polygon_mode polygon_mode; ///< FILL
     float line_width; ///< pixels, 1..RHW_MAX_LINE_WIDTH, of rectangles around the lines; 0: 1
     enum rhw_cull cull;              ///< NONE
     enum rhw_winding front;          ///< COUNTER_CLOCKWISE

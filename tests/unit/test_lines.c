@@ -74,7 +74,8 @@ static void test_coverage_is_the_rectangle(void **state)
             for (int i = 0; i < SIZE * SIZE; i++) {
                 const bool in = inside(corners, 4, 256 * (i % SIZE) + 128, 256 * (i / SIZE) + 128);
                 if ((pixels[i][3] != 0) != in) {
-                    fail_msg("paths %d, line %d, pixel %d, %d: expected %d", paths, n, i % SIZE, i / SIZE, in);
+                    fail_msg("paths %d, line %d, pixel %d, %d: expected %d", paths, n, i % SIZE, i / SIZE,
+                             in);
                 }
             }
         }
@@ -92,7 +93,8 @@ static void test_values_follow_the_line(void **state)
     rig.pipeline.line_width = 3;
     rig.pipeline.program.varyings[0].qualifier = RHW_SMOOTH;
     const double ax = 10, ay = 20, bx = 74, by = 52, wa = 1, wb = 4, za = 0.25, zb = 0.75;
-    struct rig_vertex v[2] = {vertex_at(&rig, ax, ay, (float)wa, 100), vertex_at(&rig, bx, by, (float)wb, 200)};
+    struct rig_vertex v[2] = {vertex_at(&rig, ax, ay, (float)wa, 100),
+                              vertex_at(&rig, bx, by, (float)wb, 200)};
     v[0].position[2] = (float)(za * wa);
     v[1].position[2] = (float)(zb * wb);
     rig_draw_once(&rig, v, 2);
@@ -103,7 +105,8 @@ static void test_values_follow_the_line(void **state)
     for (int i = 0; i < SIZE * SIZE; i++) {
         if (colors[i][3] != 0) {
             const double x = i % SIZE + 0.5 - ax, y = i / SIZE + 0.5 - ay;
-            const double t = (x * (bx - ax) + y * (by - ay)) / ((bx - ax) * (bx - ax) + (by - ay) * (by - ay));
+            const double t =
+                (x * (bx - ax) + y * (by - ay)) / ((bx - ax) * (bx - ax) + (by - ay) * (by - ay));
             const double value = ((1 - t) * 100 / wa + t * 200 / wb) / ((1 - t) / wa + t / wb);
             // The side of the rectangle is snapped: across it, t is off by 1/512 pixel at most.
             assert_true(fabs((double)colors[i][0] - value) < 0.02);
@@ -154,7 +157,9 @@ static void test_clipped_lines_keep_their_values(void **state)
             const float *const p = pixels[40 * SIZE + x];
             assert_int_equal(p[3] != 0, x >= 48 && x < 88);
             const double t = (x + 0.5 - 8) / 80, smooth = ((1 - t) * 10 + t * 90 / 3) / ((1 - t) + t / 3);
-            const double expected = qualifier == RHW_FLAT ? 10 : qualifier == RHW_SMOOTH ? smooth : 10 + t * 80;
+            const double expected = qualifier == RHW_FLAT     ? 10
+                                    : qualifier == RHW_SMOOTH ? smooth
+                                                              : 10 + t * 80;
             if (p[3] != 0 && fabs((double)p[0] - expected) > 1e-3) {
                 fail_msg("qualifier %d, column %d: %g instead of %g", qualifier, x, (double)p[0], expected);
             }
@@ -313,7 +318,8 @@ static void test_paths_agree(void **state)
         rig.pipeline.program.varyings[0].derivatives = true;
         uint64_t random = 9;
         for (int i = 0; i < 2 * LINES; i++) {
-            const float x = rig_random_float(&random, -20, SIZE + 20), y = rig_random_float(&random, -20, SIZE + 20);
+            const float x = rig_random_float(&random, -20, SIZE + 20),
+                        y = rig_random_float(&random, -20, SIZE + 20);
             const float spread = i % 9 == 0 ? 1 : 0.05f;
             v[i] = vertex_at(&rig, x, y, rig_random_float(&random, 0.5f, 2), (float)i);
             if (i % 2 == 1 && i % 9 != 0) {

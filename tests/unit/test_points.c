@@ -76,7 +76,8 @@ static void test_coverage_and_coordinates_are_exact(void **state)
         open_rig(&rig, (enum rhw_paths)paths);
         uint64_t random = 7;
         for (int n = 0; n < 60; n++) {
-            const int sizes[] = {256, 257, 300, 512, 3 * 256, 10 * 256 + 77, 31 * 256, 40 * 256 + 1, 90 * 256};
+            const int sizes[] = {256,           257,      300,          512,     3 * 256,
+                                 10 * 256 + 77, 31 * 256, 40 * 256 + 1, 90 * 256};
             const int size = sizes[n % 9];
             const int x = rig_random_int(&random, SIZE * 256), y = rig_random_int(&random, SIZE * 256);
             const struct rig_vertex v =
@@ -211,7 +212,8 @@ static void test_forms_and_paths_agree(void **state)
         }
         uint64_t random = 3;
         for (int i = 0; i < POINTS; i++) {
-            vertices[i] = point_at(&rig, rig_random_float(&random, -4, SIZE + 4), rig_random_float(&random, -4, SIZE + 4),
+            vertices[i] = point_at(&rig, rig_random_float(&random, -4, SIZE + 4),
+                                   rig_random_float(&random, -4, SIZE + 4),
                                    i % 50 == 0 ? 50 : rig_random_float(&random, 0, 9), (float)i);
             vertices[i].position[2] = rig_random_float(&random, 0, 1);
         }

@@ -20,9 +20,9 @@ enum {
     // the numbers that bins hold.
     RHW_TRIANGLES_MOST = 6,
     // Vertices of a segment of those that clipping makes; see made_vertices.h. A chunk needs a segment for every run,
-    // and another one whenever it is full.
+    // and another one whenever it is full; a triangle drawn as lines has up to 8: three cut edges and one copied.
     RHW_MADE_VERTICES = 256,
-    RHW_MADE_MOST = 6 * RHW_CHUNK_TRIANGLES / (RHW_MADE_VERTICES - 6) + 1
+    RHW_MADE_MOST = 8 * RHW_CHUNK_TRIANGLES / (RHW_MADE_VERTICES - 8) + 1
 };
 
 struct rhw_cache_entry {

@@ -18,7 +18,7 @@
 
 // The corners beside the ends, 24.8.
 struct line_sides8 {
-    i8 x, y; // of n
+    i8 x, y;          // of n
     unsigned nonzero; // bits of lines that are not points
 };
 
@@ -47,10 +47,10 @@ static void set_half8(struct line_half8 *half, const struct rhw_draw_state *stat
     const struct pixel_rect8 pixels = pixel_rect8_of(t, &state->scissor);
     const i8 unclamped = rhw_equal_int(l->flags & i8_splat(RHW_TRIANGLE_CLAMP), i8_splat(0));
     const i8 flags = l->flags | (small_triangles8(t) & unclamped & i8_splat(RHW_TRIANGLE_SMALL));
-    const struct triangle_names8 names = {.vertex = {l->vertex[0], middle, l->vertex[1]},
-                                          .primitive = l->primitive,
-                                          .segment = l->segment};
-    half->drawn = live & i8_sign_bits(rhw_less_int(pixels.x0, pixels.x1) & rhw_less_int(pixels.y0, pixels.y1));
+    const struct triangle_names8 names = {
+        .vertex = {l->vertex[0], middle, l->vertex[1]}, .primitive = l->primitive, .segment = l->segment};
+    half->drawn =
+        live & i8_sign_bits(rhw_less_int(pixels.x0, pixels.x1) & rhw_less_int(pixels.y0, pixels.y1));
     if (half->drawn != 0 && special_paths) {
         half->drawn &= ~uncovered8(t, &pixels, 0);
     }
@@ -60,9 +60,9 @@ static void set_half8(struct line_half8 *half, const struct rhw_draw_state *stat
     }
 }
 
-// Adds those of 8 lines that are `live` and cover something.
-static void add_lines8(struct rhw_geometry_scratch *scratch, const struct rhw_draw_state *state,
-                       const struct lines8 *l, unsigned live, struct rhw_triangle_list *list)
+// Adds those of 8 lines that are `live` and cover something; returns their bits.
+static unsigned add_lines8(struct rhw_geometry_scratch *scratch, const struct rhw_draw_state *state,
+                           const struct lines8 *l, unsigned live, struct rhw_triangle_list *list)
 {
     const struct line_sides8 n = line_sides8(l, state->pipeline->half_width_24_8);
     const i8 *const x = l->x, *const y = l->y;
@@ -74,8 +74,6 @@ static void add_lines8(struct rhw_geometry_scratch *scratch, const struct rhw_dr
     set_half8(&halves[0], state, l, &first, l->vertex[0], live & n.nonzero, scratch->special_paths);
     set_half8(&halves[1], state, l, &second, l->vertex[1], live & n.nonzero, scratch->special_paths);
     const unsigned drawn = halves[0].drawn | halves[1].drawn;
-    scratch->counters.culled += (unsigned)__builtin_popcount(live & ~drawn);
-    scratch->counters.rasterized += (unsigned)__builtin_popcount(drawn);
     for (unsigned left = drawn; left != 0; left &= left - 1) {
         const int lane = __builtin_ctz(left);
         for (int h = 0; h < 2; h++) {
@@ -84,11 +82,12 @@ static void add_lines8(struct rhw_geometry_scratch *scratch, const struct rhw_dr
             }
         }
     }
+    return drawn;
 }
 
 // Bits of those of 8 lines that may be seen, counting the others. Those that a plane cuts become what is left of them.
-static unsigned seen_lines8(struct rhw_geometry_scratch *scratch, uint32_t run, struct lines8 *l, i8 flags_any,
-                            i8 flags_all, unsigned live)
+static unsigned seen_lines8(struct rhw_geometry_scratch *scratch, uint32_t run, struct lines8 *l,
+                            i8 flags_any, i8 flags_all, unsigned live)
 {
     const unsigned lost = live & flagged8(flags_any, RHW_VERTEX_NOT_FINITE);
     const unsigned outside = live & ~lost & flagged8(flags_all, RHW_VERTEX_OUTSIDE);
@@ -121,11 +120,10 @@ static void setup_lines8(struct rhw_geometry_scratch *scratch, const struct run_
                            .vertex = {names.vertex[0], names.vertex[1]},
                            .primitive = names.primitive,
                            .segment = names.segment};
-    const unsigned seen =
-        seen_lines8(scratch, slice->run, &lines, t.flags_any, t.flags_all, slice->live);
-    if (seen != 0) {
-        add_lines8(scratch, state, &lines, seen, list);
-    }
+    const unsigned seen = seen_lines8(scratch, slice->run, &lines, t.flags_any, t.flags_all, slice->live);
+    const unsigned drawn = seen == 0 ? 0 : add_lines8(scratch, state, &lines, seen, list);
+    scratch->counters.culled += (unsigned)__builtin_popcount(seen & ~drawn);
+    scratch->counters.rasterized += (unsigned)__builtin_popcount(drawn);
 }
 
 #endif

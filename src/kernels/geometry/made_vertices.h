@@ -10,8 +10,8 @@
 
 // Room for `count` more vertices in one segment of the run's draw and instance: gives the slot of the first, and the
 // segment's number. NULL when out of memory, which the scratch remembers.
-static struct rhw_vertex_record *make_vertices(struct rhw_geometry_scratch *scratch, uint32_t run, uint32_t count,
-                                               uint32_t *segment, uint32_t *slot)
+static struct rhw_vertex_record *make_vertices(struct rhw_geometry_scratch *scratch, uint32_t run,
+                                               uint32_t count, uint32_t *segment, uint32_t *slot)
 {
     const struct rhw_segment *const own = &scratch->segments[run];
     if (scratch->made_run != run || scratch->made_count + count > RHW_MADE_VERTICES) {

@@ -37,35 +37,35 @@ static i8 point_sizes8(const struct rhw_geometry_scratch *scratch, const struct 
     return i8_round_d8(d8_mul(d8_from_f8(size), d8_splat(RHW_SUBPIXEL)));
 }
 
-// Adds those of 8 points that are `live` and not outside the scissor.
-static void add_points8(struct rhw_geometry_scratch *scratch, const struct rhw_draw_state *state,
-                        const struct points8 *p, unsigned live, struct rhw_triangle_list *list)
+// Adds those of 8 points that are `live` and not outside the scissor; returns their bits.
+static unsigned add_points8(struct rhw_geometry_scratch *scratch, const struct rhw_draw_state *state,
+                            const struct points8 *p, unsigned live, struct rhw_triangle_list *list)
 {
     const i8 size = point_sizes8(scratch, state->pipeline, p), legs = size + size;
     const i8 x = p->x - (size >> 1), y = p->y - (size >> 1);
     const struct rhw_rect *const scissor = &state->scissor;
     const struct triangle8 t = {.x = {x, x + legs, x}, .y = {y, y, y + legs}};
     const i8 end_x = x + size - i8_splat(1), end_y = y + size - i8_splat(1); // the last positions inside
-    const struct pixel_rect8 pixels = {
-        i8_max(first_pixel8(x), i8_splat(scissor->x)), i8_max(first_pixel8(y), i8_splat(scissor->y)),
-        i8_min(past_pixel8(end_x), i8_splat(scissor->x + scissor->width)),
-        i8_min(past_pixel8(end_y), i8_splat(scissor->y + scissor->height))};
+    const struct pixel_rect8 pixels = {i8_max(first_pixel8(x), i8_splat(scissor->x)),
+                                       i8_max(first_pixel8(y), i8_splat(scissor->y)),
+                                       i8_min(past_pixel8(end_x), i8_splat(scissor->x + scissor->width)),
+                                       i8_min(past_pixel8(end_y), i8_splat(scissor->y + scissor->height))};
     const i8 small = rhw_less_int(legs, i8_splat(RHW_TILE * RHW_SUBPIXEL));
     const i8 unclamped = rhw_equal_int(p->flags & i8_splat(RHW_TRIANGLE_CLAMP), i8_splat(0));
-    const i8 flags = p->flags | i8_splat(RHW_TRIANGLE_RECTANGLE) | (small & unclamped & i8_splat(RHW_TRIANGLE_SMALL));
+    const i8 flags =
+        p->flags | i8_splat(RHW_TRIANGLE_RECTANGLE) | (small & unclamped & i8_splat(RHW_TRIANGLE_SMALL));
     const struct triangle_names8 names = {
         .vertex = {p->vertex, p->vertex, p->vertex}, .primitive = p->primitive, .segment = p->segment};
     struct rhw_tile_range ranges[8];
     struct triangle_words words;
     const unsigned drawn =
         live & i8_sign_bits(rhw_less_int(pixels.x0, pixels.x1) & rhw_less_int(pixels.y0, pixels.y1));
-    scratch->counters.culled += (unsigned)__builtin_popcount(live & ~drawn);
-    scratch->counters.rasterized += (unsigned)__builtin_popcount(drawn);
     fill_words(&words, &t, &pixels, flags, &names);
     tile_ranges8(ranges, pixels.x0, pixels.y0, pixels.x1, pixels.y1);
     for (unsigned left = drawn; left != 0; left &= left - 1) {
         add_words(list, &words, ranges, __builtin_ctz(left));
     }
+    return drawn;
 }
 
 // Bits of those that may be seen, counting the others. `flags`: of the vertices.
@@ -94,7 +94,9 @@ static void setup_points8(struct rhw_geometry_scratch *scratch, const struct run
                                        .vertex = names.vertex[0],
                                        .primitive = names.primitive,
                                        .segment = names.segment};
-        add_points8(scratch, state, &points, seen, list);
+        const unsigned drawn = add_points8(scratch, state, &points, seen, list);
+        scratch->counters.culled += (unsigned)__builtin_popcount(seen & ~drawn);
+        scratch->counters.rasterized += (unsigned)__builtin_popcount(drawn);
     }
 }
 

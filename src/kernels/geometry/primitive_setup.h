@@ -3,8 +3,7 @@
 #ifndef RHW_PRIMITIVE_SETUP_H
 #define RHW_PRIMITIVE_SETUP_H
 
-#include "line_setup.h"
-#include "point_setup.h"
+#include "polygon_setup.h"
 #include "triangle_setup.h"
 
 typedef void setup8_function(struct rhw_geometry_scratch *scratch, const struct run_slice *slice,
@@ -31,12 +30,15 @@ RHW_INLINE void setup_run(struct rhw_geometry_scratch *scratch, uint32_t run_ind
 }
 
 // Adds what is drawn of the run's primitives to the list, in submission order.
-static void setup_primitives(struct rhw_geometry_scratch *scratch, uint32_t run, struct rhw_triangle_list *list)
+static void setup_primitives(struct rhw_geometry_scratch *scratch, uint32_t run,
+                             struct rhw_triangle_list *list)
 {
     const int before = list->count;
     switch (scratch->segments[run].draw->state->pipeline->primitive) {
     case RHW_PRIMITIVE_POINTS: setup_run(scratch, run, list, setup_points8); return;
     case RHW_PRIMITIVE_LINES: setup_run(scratch, run, list, setup_lines8); return;
+    case RHW_PRIMITIVE_POLYGON_LINES:
+    case RHW_PRIMITIVE_POLYGON_POINTS: setup_run(scratch, run, list, setup_polygons8); return;
     case RHW_PRIMITIVE_TRIANGLES: break;
     }
     setup_run(scratch, run, list, setup8);

@@ -92,8 +92,7 @@ RHW_INLINE i8 clamp_flags8(const struct rhw_draw_state *state, f8 least, f8 most
     const float margin = 0x1p-20f;
     const f8 low = f8_splat(state->depth_least), high = f8_splat(state->depth_most);
     const i8 inside = rhw_equal(least, most) & rhw_less_equal(low, least) & rhw_less_equal(most, high);
-    const i8 clamp =
-        rhw_less(least, low + f8_splat(margin)) | rhw_less(high - f8_splat(margin), most);
+    const i8 clamp = rhw_less(least, low + f8_splat(margin)) | rhw_less(high - f8_splat(margin), most);
     return clamp & ~inside & i8_splat(RHW_TRIANGLE_CLAMP);
 }
 
