@@ -133,8 +133,7 @@ static void test_eight_planes_leave_an_octagon(void **state)
     const float value[4] = {1, 1, 1, 1};
     rig_cover(&rig, 0.5f, value, vertices);
     rig.pipeline.targets[0].blend = true;
-    rig.pipeline.targets[0].color =
-        (struct rhw_blend_component){RHW_BLEND_ONE, RHW_BLEND_ONE, RHW_BLEND_ADD};
+    rig.pipeline.targets[0].color = (struct rhw_blend_component){RHW_BLEND_ONE, RHW_BLEND_ONE, RHW_BLEND_ADD};
     draw(&rig, &planes, vertices, 6);
     const float(*pixels)[4] = rig_read_float4(&rig);
     for (int i = 0; i < SIZE * SIZE; i++) {

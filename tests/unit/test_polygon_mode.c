@@ -136,14 +136,15 @@ static void test_paths_agree(void **state)
             uint64_t random = 21;
             for (int i = 0; i < 3 * TRIANGLES; i++) {
                 v[i] = vertex_at(&rig, rig_random_float(&random, -20, SIZE + 20),
-                                 rig_random_float(&random, -20, SIZE + 20), rig_random_float(&random, -0.3f, 1.2f),
-                                 (float)i);
+                                 rig_random_float(&random, -20, SIZE + 20),
+                                 rig_random_float(&random, -0.3f, 1.2f), (float)i);
                 if (i % 17 == 0) {
                     v[i].position[3] = rig_random_float(&random, -1, 0.2f);
                 }
             }
             rig_draw_once(&rig, v, 3 * TRIANGLES);
-            assert_int_equal(rig.stats.triangles_in, rig.stats.triangles_culled + rig.stats.triangles_dropped +
+            assert_int_equal(rig.stats.triangles_in, rig.stats.triangles_culled +
+                                                         rig.stats.triangles_dropped +
                                                          rig.stats.triangles_rasterized);
             hashes[k] = rig_hash(&rig, 0);
             rig_close(&rig);

@@ -6,15 +6,9 @@
 #define RHW_CLIPPED_LINE_H
 
 #include "../../clip.h"
+#include "lines8.h"
 #include "made_vertices.h"
-#include "vertex_shading.h"
-
-// 8 lines, on the way to their triangles.
-struct lines8 {
-    i8 x[2], y[2]; // 24.8
-    i8 flags;      // of their triangles
-    i8 vertex[2], primitive, segment;
-};
+#include "projection.h"
 
 // Makes the varyings at `t` of the line, counted in clip space.
 static void line_varyings(struct rhw_vertex_record *out, const struct rhw_pipeline_data *pipeline,
@@ -33,7 +27,8 @@ static void line_varyings(struct rhw_vertex_record *out, const struct rhw_pipeli
 
 // Puts what is left of line `lane`, whose vertices are of the run, in its place. False where nothing is, or memory ran
 // out, which the scratch remembers.
-static bool clip_line_lane(struct rhw_geometry_scratch *scratch, uint32_t run, struct lines8 *l, int lane)
+static __attribute__((noinline)) bool clip_line_lane(struct rhw_geometry_scratch *scratch, uint32_t run,
+                                                     struct lines8 *l, int lane)
 {
     const struct rhw_segment *const segment = &scratch->segments[run];
     const struct rhw_draw_state *const state = segment->draw->state;

@@ -10,8 +10,8 @@
 #ifndef RHW_POINT_SETUP_H
 #define RHW_POINT_SETUP_H
 
+#include "../../pipeline.h"
 #include "../raster/vertex_record.h"
-#include "cull.h"
 #include "triangle_words.h"
 
 // 8 points.
@@ -79,8 +79,9 @@ static unsigned seen_points8(struct rhw_geometry_scratch *scratch, i8 flags, uns
 }
 
 // Sets up 8 points of a run.
-static void setup_points8(struct rhw_geometry_scratch *scratch, const struct run_slice *slice,
-                          struct rhw_triangle_list *list)
+static __attribute__((noinline)) void setup_points8(struct rhw_geometry_scratch *scratch,
+                                                    const struct run_slice *slice,
+                                                    struct rhw_triangle_list *list)
 {
     const struct rhw_run *const run = &scratch->runs[slice->run];
     const struct rhw_draw_state *const state = scratch->segments[slice->run].draw->state;

@@ -8,8 +8,10 @@
 #ifndef RHW_POLYGON_SETUP_H
 #define RHW_POLYGON_SETUP_H
 
+#include "clipped_line.h"
 #include "clipped_setup.h"
-#include "line_setup.h"
+#include "cull.h"
+#include "line_rectangle.h"
 #include "point_setup.h"
 
 // Lines and points on their way, in order; 8 are set up together. Points have one end alone.
@@ -22,8 +24,8 @@ struct part_batch {
 // A triangle of a run.
 struct polygon {
     uint32_t run, primitive;
-    int32_t flags;     // of the triangles of its parts
-    uint32_t slot[3];  // in the run's segment
+    int32_t flags;    // of the triangles of its parts
+    uint32_t slot[3]; // in the run's segment
     const struct rhw_vertex_record *v[3];
 };
 
@@ -132,8 +134,9 @@ static void add_parts(struct rhw_geometry_scratch *scratch, const struct rhw_dra
 }
 
 // Sets up 8 triangles of a run.
-static void setup_polygons8(struct rhw_geometry_scratch *scratch, const struct run_slice *slice,
-                            struct rhw_triangle_list *list)
+static __attribute__((noinline)) void setup_polygons8(struct rhw_geometry_scratch *scratch,
+                                                      const struct run_slice *slice,
+                                                      struct rhw_triangle_list *list)
 {
     const struct rhw_run *const run = &scratch->runs[slice->run];
     const struct rhw_segment *const segment = &scratch->segments[slice->run];
