@@ -6,11 +6,16 @@
 
 #include "watch.h"
 
-// What has room in every group: distances of any number, and the point size.
-static void store_extras(struct rhw_vertex *group, int lane, const struct rhw_vertex1 *one)
+// Distances and the point size: those that the program has, and `all` of them under validation.
+static void store_extras(const struct rhw_program *program, bool all, const struct rhw_vertex1 *one,
+                         struct rhw_vertex *group, int lane)
 {
-    for (int d = 0; d < RHW_MAX_CLIP_DISTANCES; d++) {
+    const int clips = all ? RHW_MAX_CLIP_DISTANCES : program->clip_distance_count;
+    const int culls = all ? RHW_MAX_CULL_DISTANCES : program->cull_distance_count;
+    for (int d = 0; d < clips; d++) {
         group->clip_distance[d][lane] = one->clip_distance[d];
+    }
+    for (int d = 0; d < culls; d++) {
         group->cull_distance[d][lane] = one->cull_distance[d];
     }
     group->point_size[lane] = one->point_size;
@@ -59,7 +64,7 @@ void rhw_vertex1_run(const struct rhw_pipeline_data *pipeline, struct rhw_vertex
         for (int c = 0; c < components; c++) {
             group->varying[c][lane] = varying[c];
         }
-        store_extras(group, lane, &one);
+        store_extras(&pipeline->def.program, all, &one, group, lane);
     }
 }
 

@@ -21,11 +21,16 @@ static void make_vertices(struct golden_vertex vertices[VERTICES])
     }
 }
 
-static const enum rhw_topology topologies[COLUMNS] = {
-    RHW_POINT_LIST,           RHW_LINE_LIST,      RHW_LINE_STRIP,
-    RHW_LINE_LIST_ADJACENCY,  RHW_TRIANGLE_LIST,  RHW_LINE_STRIP_ADJACENCY,
-    RHW_TRIANGLE_STRIP,       RHW_TRIANGLE_FAN,   RHW_TRIANGLE_LIST_ADJACENCY,
-    RHW_TRIANGLE_STRIP_ADJACENCY};
+static const enum rhw_topology topologies[COLUMNS] = {RHW_POINT_LIST,
+                                                      RHW_LINE_LIST,
+                                                      RHW_LINE_STRIP,
+                                                      RHW_LINE_LIST_ADJACENCY,
+                                                      RHW_TRIANGLE_LIST,
+                                                      RHW_LINE_STRIP_ADJACENCY,
+                                                      RHW_TRIANGLE_STRIP,
+                                                      RHW_TRIANGLE_FAN,
+                                                      RHW_TRIANGLE_LIST_ADJACENCY,
+                                                      RHW_TRIANGLE_STRIP_ADJACENCY};
 
 // Rows: by polygon mode, with sizes, widths, distances, culling and flat values in turn.
 static struct rhw_pipeline_def row_def(int row, enum rhw_topology topology)

@@ -122,8 +122,6 @@ static void fetch_group(struct rhw_geometry_scratch *scratch, const struct rhw_s
     group->user = def->program.user;
     group->textures = state->textures;
     group->varying = scratch->varyings + g * state->pipeline->varying_components;
-    group->clip_distance = scratch->distances[g];
-    group->cull_distance = scratch->distances[g] + RHW_MAX_CLIP_DISTANCES;
 }
 
 // Shades `count` vertices, whose indices are scratch->unique, into the segment. `count` is rounded up to 8:

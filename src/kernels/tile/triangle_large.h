@@ -259,7 +259,9 @@ static __attribute__((noinline)) void draw_spans(struct tile_work *work, struct 
     finish_gathered(work, triangle);
 }
 
-static void draw_large(struct tile_work *work, struct triangle_work *triangle, const struct rhw_chunk *chunk)
+// Out of line, so that small triangles, drawn beside it, keep their registers.
+static __attribute__((noinline)) void draw_large(struct tile_work *work, struct triangle_work *triangle,
+                                                 const struct rhw_chunk *chunk)
 {
     struct coverage coverage;
     struct clipped_planes clipped;
