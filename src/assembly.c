@@ -130,7 +130,9 @@ bool rhw_assembly_prepare(struct rhw_draw *draw, uint32_t count, struct rhw_aren
     if (draw->indexed && def->primitive_restart && run_length(draw, 0, count) < count) {
         return expand(draw, count, arena);
     }
-    draw->triangles_per_instance = primitives_of(def->topology, count);
+    // Lists are what ten thousand small draws are made of; a division by a constant is none.
+    draw->triangles_per_instance =
+        def->topology == RHW_TRIANGLE_LIST ? count / 3 : primitives_of(def->topology, count);
     return true;
 }
 

@@ -35,7 +35,9 @@ static const enum rhw_topology topologies[COLUMNS] = {RHW_POINT_LIST,
 // Rows: by polygon mode, with sizes, widths, distances, culling and flat values in turn.
 static struct rhw_pipeline_def row_def(int row, enum rhw_topology topology)
 {
-    const bool is_points = topology == RHW_POINT_LIST || row % 4 == 2;
+    const bool is_lines = topology == RHW_LINE_LIST || topology == RHW_LINE_STRIP ||
+                          topology == RHW_LINE_LIST_ADJACENCY || topology == RHW_LINE_STRIP_ADJACENCY;
+    const bool is_points = topology == RHW_POINT_LIST || (row % 4 == 2 && !is_lines);
     struct rhw_pipeline_def def =
         golden_cells_def(is_points ? GOLDEN_CELL_POINT : GOLDEN_CELL_FACING, RHW_FORMAT_RGBA8_UNORM);
     if (row != 0) {

@@ -120,8 +120,8 @@ RHW_INLINE void setup_run(struct rhw_geometry_scratch *scratch, uint32_t run_ind
 }
 
 // Adds what is drawn of the run's primitives to the list, in submission order.
-static void setup_primitives(struct rhw_geometry_scratch *scratch, uint32_t run,
-                             struct rhw_triangle_list *list)
+RHW_INLINE void setup_primitives(struct rhw_geometry_scratch *scratch, uint32_t run,
+                                 struct rhw_triangle_list *list)
 {
     const int before = list->count;
     switch (scratch->segments[run].draw->state->pipeline->primitive) {
