@@ -10,6 +10,22 @@
 #include "draw_list.h"
 #include "pipeline.h"
 
+// Primitive t has `span` elements from step·t on, of which `pick` are its vertices where they are the same in all.
+static const struct layout {
+    uint8_t step, span, pick[3];
+} layouts[] = {
+    [RHW_TRIANGLE_LIST] = {3, 3, {0, 1, 2}},
+    [RHW_TRIANGLE_STRIP] = {1, 3, {0}},
+    [RHW_TRIANGLE_FAN] = {1, 3, {0}},
+    [RHW_POINT_LIST] = {1, 1, {0, 0, 0}},
+    [RHW_LINE_LIST] = {2, 2, {0, 1, 1}},
+    [RHW_LINE_STRIP] = {1, 2, {0, 1, 1}},
+    [RHW_LINE_LIST_ADJACENCY] = {4, 4, {1, 2, 2}},
+    [RHW_LINE_STRIP_ADJACENCY] = {1, 4, {1, 2, 2}},
+    [RHW_TRIANGLE_LIST_ADJACENCY] = {6, 6, {0, 2, 4}},
+    [RHW_TRIANGLE_STRIP_ADJACENCY] = {2, 6, {0}},
+};
+
 static uint32_t index_at(const struct rhw_draw_state *state, uint64_t i)
 {
     switch (state->index_type) {
@@ -31,28 +47,38 @@ static uint32_t index_at(const struct rhw_draw_state *state, uint64_t i)
     }
 }
 
-// Positions within the strip or fan, or within the list, of triangle t's vertices.
-static void elements(enum rhw_topology topology, enum rhw_provoking provoking, uint32_t t, uint32_t e[3])
+// Positions within the strip or fan, or within the list, of triangle t's vertices; of a line with its second one twice,
+// of a point with its one three times.
+static void elements(enum rhw_topology topology, enum rhw_provoking provoking, uint64_t t, uint64_t e[3])
 {
     const bool first = provoking == RHW_PROVOKING_FIRST;
-    const uint32_t odd = t & 1;
+    const uint64_t odd = t & 1, step = topology == RHW_TRIANGLE_STRIP_ADJACENCY ? 2 : 1;
     switch (topology) {
-    case RHW_TRIANGLE_LIST:
-        e[0] = 3 * t;
-        e[1] = 3 * t + 1;
-        e[2] = 3 * t + 2;
-        return;
     case RHW_TRIANGLE_STRIP:
-        e[0] = first ? t : t + odd;
-        e[1] = first ? t + 1 + odd : t + 1 - odd;
-        e[2] = first ? t + 2 - odd : t + 2;
+    case RHW_TRIANGLE_STRIP_ADJACENCY:
+        e[0] = step * (first ? t : t + odd);
+        e[1] = step * (first ? t + 1 + odd : t + 1 - odd);
+        e[2] = step * (first ? t + 2 - odd : t + 2);
         return;
-    default:
+    case RHW_TRIANGLE_FAN:
         e[0] = first ? t + 1 : 0;
         e[1] = first ? t + 2 : t + 1;
         e[2] = first ? 0 : t + 2;
         return;
+    default: {
+        const struct layout *const layout = &layouts[topology];
+        for (int i = 0; i < 3; i++) {
+            e[i] = layout->step * t + layout->pick[i];
+        }
+        return;
     }
+    }
+}
+
+static uint32_t primitives_of(enum rhw_topology topology, uint64_t count)
+{
+    const struct layout *const layout = &layouts[topology];
+    return count < layout->span ? 0 : (uint32_t)((count - layout->span) / layout->step + 1);
 }
 
 // Number of indices up to the next restart index or the end.
@@ -68,11 +94,12 @@ static uint64_t run_length(const struct rhw_draw *draw, uint64_t at, uint64_t co
     return n;
 }
 
-// Strips and fans with restart have no closed form for triangle i: they become a list here.
+// With restart there is no closed form for triangle i: all become a list here.
 static bool expand(struct rhw_draw *draw, uint32_t count, struct rhw_arena *arena)
 {
     const struct rhw_pipeline_def *const def = &draw->state->pipeline->def;
-    const uint64_t size = (uint64_t)(count < 3 ? 1 : count - 2) * 3 * sizeof(uint32_t);
+    const uint64_t most = primitives_of(def->topology, count);
+    const uint64_t size = (most == 0 ? 1 : most) * 3 * sizeof(uint32_t);
     uint32_t(*const out)[3] = size > SIZE_MAX ? NULL : rhw_arena_alloc(arena, (size_t)size, RHW_CACHE_LINE);
     if (!out) {
         return false;
@@ -80,8 +107,9 @@ static bool expand(struct rhw_draw *draw, uint32_t count, struct rhw_arena *aren
     uint32_t triangles = 0;
     for (uint64_t at = 0; at < count;) {
         const uint64_t run = run_length(draw, at, count);
-        for (uint32_t t = 0; t + 2 < run; t++) {
-            uint32_t e[3];
+        const uint32_t whole = primitives_of(def->topology, run);
+        for (uint32_t t = 0; t < whole; t++) {
+            uint64_t e[3];
             elements(def->topology, def->provoking, t, e);
             for (int i = 0; i < 3; i++) {
                 out[triangles][i] = index_at(draw->state, draw->first + at + e[i]);
@@ -99,14 +127,12 @@ bool rhw_assembly_prepare(struct rhw_draw *draw, uint32_t count, struct rhw_aren
 {
     const struct rhw_pipeline_def *const def = &draw->state->pipeline->def;
     draw->expanded = NULL;
-    if (def->topology == RHW_TRIANGLE_LIST) {
-        draw->triangles_per_instance = count / 3;
-        return true;
-    }
-    if (draw->indexed && def->primitive_restart) {
+    if (draw->indexed && def->primitive_restart && run_length(draw, 0, count) < count) {
         return expand(draw, count, arena);
     }
-    draw->triangles_per_instance = count < 3 ? 0 : count - 2;
+    // Lists are what ten thousand small draws are made of; a division by a constant is none.
+    draw->triangles_per_instance =
+        def->topology == RHW_TRIANGLE_LIST ? count / 3 : primitives_of(def->topology, count);
     return true;
 }
 
@@ -145,6 +171,46 @@ static void read_elements(const struct rhw_draw *draw, uint64_t at, uint32_t cou
     memset(out + inside, 0, (count - inside) * sizeof *out);
 }
 
+// Triangle t of a strip or fan has the elements t + 1 and t + 2 and one more. They are read to the end of the room, and
+// a triangle ends before those of the next: 3·t + 2 < (2·count − 2) + t + 1 for all but the last.
+static void fetch_connected(const struct rhw_draw *draw, uint32_t first, uint32_t count, uint32_t (*room)[3])
+{
+    const struct rhw_pipeline_def *const def = &draw->state->pipeline->def;
+    uint32_t *const elements_read = &room[0][0] + (2 * (size_t)count - 2);
+    read_elements(draw, (uint64_t)draw->first + first, count + 2, elements_read);
+    uint32_t hub;
+    read_elements(draw, draw->first, 1, &hub);
+    for (uint32_t t = 0; t < count; t++) {
+        const uint32_t near[3] = {elements_read[t], elements_read[t + 1], elements_read[t + 2]};
+        uint64_t e[3];
+        elements(def->topology, def->provoking, first + t, e);
+        for (int i = 0; i < 3; i++) {
+            room[t][i] = e[i] >= first + t ? near[e[i] - first - t] : hub;
+        }
+    }
+}
+
+// All others, some at a time.
+static void fetch_picked(const struct rhw_draw *draw, uint32_t first, uint32_t count, uint32_t (*room)[3])
+{
+    enum { SOME = 64, LONGEST = 6 };
+    const struct rhw_pipeline_def *const def = &draw->state->pipeline->def;
+    const struct layout *const layout = &layouts[def->topology];
+    for (uint32_t done = 0; done < count; done += SOME) {
+        const uint32_t some = count - done < SOME ? count - done : SOME;
+        const uint64_t at = (uint64_t)layout->step * (first + done);
+        uint32_t read[SOME * LONGEST];
+        read_elements(draw, draw->first + at, layout->step * (some - 1) + layout->span, read);
+        for (uint32_t t = 0; t < some; t++) {
+            uint64_t e[3];
+            elements(def->topology, def->provoking, (uint64_t)first + done + t, e);
+            for (int i = 0; i < 3; i++) {
+                room[done + t][i] = read[e[i] - at];
+            }
+        }
+    }
+}
+
 const uint32_t (*rhw_assembly_fetch(const struct rhw_draw *draw, uint32_t first, uint32_t count,
                                     uint32_t (*room)[3]))[3]
 {
@@ -165,19 +231,10 @@ const uint32_t (*rhw_assembly_fetch(const struct rhw_draw *draw, uint32_t first,
         read_elements(draw, at, 3 * count, room[0]);
         return (const uint32_t(*)[3])room;
     }
-    // Triangle t of a strip or fan has the elements t + 1 and t + 2 and one more. They are read to the end of the
-    // room, and a triangle ends before those of the next: 3·t + 2 < (2·count − 2) + t + 1 for all but the last.
-    uint32_t *const elements_read = &room[0][0] + (2 * (size_t)count - 2);
-    read_elements(draw, (uint64_t)draw->first + first, count + 2, elements_read);
-    uint32_t hub;
-    read_elements(draw, draw->first, 1, &hub);
-    for (uint32_t t = 0; t < count; t++) {
-        const uint32_t near[3] = {elements_read[t], elements_read[t + 1], elements_read[t + 2]};
-        uint32_t e[3];
-        elements(def->topology, def->provoking, first + t, e);
-        for (int i = 0; i < 3; i++) {
-            room[t][i] = e[i] >= first + t ? near[e[i] - first - t] : hub;
-        }
+    if (def->topology == RHW_TRIANGLE_STRIP || def->topology == RHW_TRIANGLE_FAN) {
+        fetch_connected(draw, first, count, room);
+    } else {
+        fetch_picked(draw, first, count, room);
     }
     return (const uint32_t(*)[3])room;
 }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// From a draw's vertices or indices to triangles: lists, strips, fans, restart.
+// From a draw's vertices or indices to points, lines and triangles: lists, strips, fans, restart.
 #ifndef RHW_ASSEMBLY_H
 #define RHW_ASSEMBLY_H
 

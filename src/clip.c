@@ -59,6 +59,67 @@ static int clip_plane(const struct clip_vertex *in, int count, int plane, struct
     return n;
 }
 
+// Clip distances, all of them beside the position: they are cut as it is.
+struct distance_vertex {
+    struct clip_vertex at;
+    double distance[RHW_MAX_CLIP_DISTANCES];
+};
+
+static struct distance_vertex cut_distances(const struct distance_vertex *inside,
+                                            const struct distance_vertex *outside, int plane, int count)
+{
+    const double d = inside->distance[plane], t = d / (d - outside->distance[plane]);
+    struct distance_vertex out = {cut(&inside->at, d, &outside->at, outside->distance[plane]), {0}};
+    for (int i = 0; i < count; i++) {
+        out.distance[i] = inside->distance[i] + t * (outside->distance[i] - inside->distance[i]);
+    }
+    out.distance[plane] = 0;
+    return out;
+}
+
+static int clip_distance(const struct distance_vertex *in, int vertices, int plane, int count,
+                         struct distance_vertex *out)
+{
+    int n = 0;
+    for (int i = 0; i < vertices; i++) {
+        const struct distance_vertex *const a = &in[i], *const b = &in[i + 1 == vertices ? 0 : i + 1];
+        const bool a_inside = a->distance[plane] >= 0, b_inside = b->distance[plane] >= 0;
+        if (a_inside) {
+            out[n++] = *a;
+        }
+        if (a_inside != b_inside) {
+            out[n++] = cut_distances(a_inside ? a : b, a_inside ? b : a, plane, count);
+        }
+    }
+    return n;
+}
+
+// Cuts off the parts of the triangle where a clip distance is below 0; returns how many vertices `corners` has then.
+static int clip_distances(const struct rhw_draw_state *state,
+                          const struct rhw_vertex_record *const vertices[3], struct clip_vertex *corners)
+{
+    const int count = state->pipeline->def.program.clip_distance_count;
+    struct distance_vertex a[RHW_POLYGON_VERTICES + 1], b[RHW_POLYGON_VERTICES + 1];
+    struct distance_vertex *in = a, *out = b;
+    for (int i = 0; i < 3; i++) {
+        a[i].at = corners[i];
+        for (int k = 0; k < count; k++) {
+            a[i].distance[k] = (double)vertices[i]->varyings[state->pipeline->varying_components + k];
+        }
+    }
+    int n = 3;
+    for (int plane = 0; plane < count && n >= 3; plane++) {
+        n = clip_distance(in, n, plane, count, out);
+        struct distance_vertex *const swap = in;
+        in = out;
+        out = swap;
+    }
+    for (int i = 0; i < n; i++) {
+        corners[i] = in[i].at;
+    }
+    return n;
+}
+
 // The vertex in pixels times W. The front end projects vertices by another formula, which divides by W first
 // (geometry/vertex_shading.h); here a position must stay linear in what is cut, so that it is divided afterwards. The
 // two may round apart by a step of 1/256 pixel. Nothing comes of it: what is left of the triangle's own vertices keeps
@@ -82,7 +143,8 @@ bool rhw_clip_triangle(const struct rhw_draw_state *state, const struct rhw_vert
         a[i] = clip_vertex_of(state, vertices[i]);
     }
     struct clip_vertex *in = a, *out = b;
-    int count = 3;
+    int count =
+        state->pipeline->def.program.clip_distance_count == 0 ? 3 : clip_distances(state, vertices, a);
     const int first = state->pipeline->def.depth_clip_disabled ? DEPTH_PLANES : 0;
     for (int plane = first; plane < PLANES && count >= 3; plane++) {
         count = clip_plane(in, count, plane, out);
@@ -113,6 +175,40 @@ bool rhw_clip_triangle(const struct rhw_draw_state *state, const struct rhw_vert
         }
     }
     return true;
+}
+
+// Leaves of t[0] .. t[1] what is at 0 or above of a distance that is d0 and d1 at the line's vertices.
+static void narrow(double t[2], double d0, double d1)
+{
+    if (d0 >= 0 && d1 >= 0) {
+        return;
+    }
+    const double at = d0 / (d0 - d1);
+    if (d0 >= 0 && d1 < 0) {
+        t[1] = at < t[1] ? at : t[1];
+    } else if (d0 < 0 && d1 >= 0) {
+        t[0] = at > t[0] ? at : t[0];
+    } else { // nothing is inside, or a distance is no number
+        t[0] = 2;
+    }
+}
+
+bool rhw_clip_line(const struct rhw_draw_state *state, const struct rhw_vertex_record *const vertices[2],
+                   double t[2])
+{
+    const struct rhw_pipeline_data *const pipeline = state->pipeline;
+    const struct clip_vertex a = clip_vertex_of(state, vertices[0]), b = clip_vertex_of(state, vertices[1]);
+    t[0] = 0;
+    t[1] = 1;
+    const int first = pipeline->def.depth_clip_disabled ? DEPTH_PLANES : 0;
+    for (int plane = first; plane < PLANES; plane++) {
+        narrow(t, distance(&a, plane), distance(&b, plane));
+    }
+    for (int i = 0; i < pipeline->def.program.clip_distance_count; i++) {
+        const int component = pipeline->varying_components + i;
+        narrow(t, (double)vertices[0]->varyings[component], (double)vertices[1]->varyings[component]);
+    }
+    return t[0] < t[1];
 }
 
 // Twice the area of triangle (0, i, i + 1) of the fan.

@@ -15,6 +15,11 @@ struct rhw_draw_state;
 bool rhw_clip_triangle(const struct rhw_draw_state *state, const struct rhw_vertex_record *const vertices[3],
                        struct rhw_polygon *polygon);
 
+// Clips a line against the same and finds the part that is left: from t[0] to t[1], 0 and 1 at its vertices, where
+// positions are linear. False when nothing is.
+bool rhw_clip_line(const struct rhw_draw_state *state, const struct rhw_vertex_record *const vertices[2],
+                   double t[2]);
+
 // Twice the signed area of a polygon in 1/65536 square pixels; exact.
 int64_t rhw_polygon_area(const struct rhw_polygon *polygon);
 

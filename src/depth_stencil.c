@@ -28,6 +28,13 @@ static bool keeps_failed(const struct rhw_stencil_rule *rule)
     return rule->write_mask == 0 || (rule->fail == RHW_STENCIL_KEEP && rule->depth_fail == RHW_STENCIL_KEEP);
 }
 
+// Points and lines have no bias; polygons drawn as such do.
+static bool draws_polygons(enum rhw_topology topology)
+{
+    return topology == RHW_TRIANGLE_LIST || topology == RHW_TRIANGLE_STRIP || topology == RHW_TRIANGLE_FAN ||
+           topology == RHW_TRIANGLE_LIST_ADJACENCY || topology == RHW_TRIANGLE_STRIP_ADJACENCY;
+}
+
 void rhw_depth_stencil_init(struct rhw_depth_stencil_state *state, const struct rhw_pipeline_def *def,
                             const struct rhw_depth_stencil_setting *setting, double depth_steps)
 {
@@ -43,7 +50,7 @@ void rhw_depth_stencil_init(struct rhw_depth_stencil_state *state, const struct 
     state->bounds_least = setting->bounds_least;
     state->bounds_most = setting->bounds_most;
     state->bias = setting->has_bias ? setting->bias : def->depth_bias;
-    state->is_biased = state->bias.constant != 0 || state->bias.slope != 0;
+    state->is_biased = draws_polygons(def->topology) && (state->bias.constant != 0 || state->bias.slope != 0);
 }
 
 bool rhw_check_depth_bias(const struct rhw_context *context, const struct rhw_depth_bias *bias,

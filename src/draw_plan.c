@@ -143,7 +143,7 @@ static struct rhw_draw_plan plan_of(const struct rhw_pipeline_data *pipeline,
                    uses & (RHW_USE_COORD | RHW_USE_DEPTH));
     plan.needs_depth = plan.depth_mode != RHW_DEPTH_NONE || plan.keeps_depth;
     plan.keeps_identity = plan.shading == RHW_SHADING_SMOOTH && uses & (RHW_USE_FACING | RHW_USE_IDS);
-    const bool screen = pipeline->any_noperspective || uses & RHW_USE_BARYCENTRIC;
+    const bool screen = pipeline->any_noperspective || uses & (RHW_USE_BARYCENTRIC | RHW_USE_POINT_COORD);
     plan.needs_screen = plan.shading == RHW_SHADING_ROWS || (plan.shading == RHW_SHADING_ANY && screen);
     plan.needs_distance = shades && (pipeline->any_derivatives || uses & RHW_USE_BARYCENTRIC_DERIVATIVES);
     if (paths != RHW_PATHS_GENERAL && samples == 1 && !plan.is_skipped) {

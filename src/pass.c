@@ -384,15 +384,18 @@ static int first_pixel(double x)
     return (double)towards_zero < edge ? towards_zero + 1 : towards_zero;
 }
 
-// The pixels whose centres are inside the viewport, the scissor and the target.
+// The pixels whose centres are inside the viewport, the scissor and the target. Points may reach over the viewport.
 static struct rhw_rect clip_rect(const struct rhw_pass_state *pass, const struct rhw_viewport *v,
-                                 const struct rhw_rect *scissor)
+                                 const struct rhw_rect *scissor, bool is_points)
 {
     const int vx0 = first_pixel(v->x), vx1 = first_pixel((double)v->x + (double)v->width);
     const int vy0 = first_pixel(v->y), vy1 = first_pixel((double)v->y + (double)v->height);
     const int sx0 = clamp_to(scissor->x, 0, pass->width), sy0 = clamp_to(scissor->y, 0, pass->height);
     const int sx1 = clamp_to((int64_t)scissor->x + scissor->width, 0, pass->width);
     const int sy1 = clamp_to((int64_t)scissor->y + scissor->height, 0, pass->height);
+    if (is_points) {
+        return (struct rhw_rect){sx0, sy0, sx1 > sx0 ? sx1 - sx0 : 0, sy1 > sy0 ? sy1 - sy0 : 0};
+    }
     const int x0 = vx0 > sx0 ? vx0 : sx0, y0 = vy0 > sy0 ? vy0 : sy0;
     const int x1 = vx1 < sx1 ? vx1 : sx1, y1 = vy1 < sy1 ? vy1 : sy1;
     return (struct rhw_rect){x0, y0, x1 > x0 ? x1 - x0 : 0, y1 > y0 ? y1 - y0 : 0};
@@ -497,7 +500,9 @@ static const struct rhw_draw_state *snapshot(struct rhw_pass_state *pass)
         return NULL;
     }
     *state = pass->pending;
-    state->scissor = clip_rect(pass, &state->viewport, &state->scissor);
+    state->scissor = clip_rect(pass, &state->viewport, &state->scissor,
+                               state->pipeline->primitive == RHW_PRIMITIVE_POINTS ||
+                                   state->pipeline->primitive == RHW_PRIMITIVE_POLYGON_POINTS);
     for (int i = 0; i < pass->color_count; i++) {
         rhw_blend_state_init(&state->blend[i], &state->pipeline->def.targets[i], state->blend_constant);
         if (pass->paths == RHW_PATHS_GENERAL) {
@@ -592,6 +597,8 @@ static void append_draw(struct rhw_pass_state *pass, const struct rhw_draw *draw
     pass->draws.count++;
     pass->context->recording.draw = pass->draws.count;
     pass->has_large_draws |= slot->indexed && slot->triangles_per_instance >= RHW_SHARING_TRIANGLES;
+    const int triangles_most = state->pipeline->triangles_most;
+    pass->triangles_most = triangles_most > pass->triangles_most ? triangles_most : pass->triangles_most;
     pass->triangle_count += (uint64_t)slot->triangles_per_instance * slot->instances;
 }
 

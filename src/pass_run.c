@@ -57,6 +57,17 @@ static bool planes_ready(const struct rhw_pass_state *pass, struct rhw_worker *w
     return true;
 }
 
+// What stays from frame to frame: an empty table of vertices, and where groups of vertices have their distances.
+static void init_geometry_scratch(struct rhw_geometry_scratch *scratch)
+{
+    memset(scratch->cache, 0, sizeof scratch->cache);
+    scratch->stamp = 1;
+    for (int g = 0; g < RHW_VERTEX_GROUPS; g++) {
+        scratch->groups[g].clip_distance = scratch->distances[g];
+        scratch->groups[g].cull_distance = scratch->distances[g] + RHW_MAX_CLIP_DISTANCES;
+    }
+}
+
 static bool workers_ready(struct rhw_pass_state *pass)
 {
     struct rhw_context *const context = pass->context;
@@ -78,8 +89,7 @@ static bool workers_ready(struct rhw_pass_state *pass)
             if (!worker->geometry) {
                 return false;
             }
-            memset(worker->geometry->cache, 0, sizeof worker->geometry->cache);
-            worker->geometry->stamp = 1;
+            init_geometry_scratch(worker->geometry);
         }
         if (!worker->tile) {
             worker->tile = rhw_memory_allocate(&context->memory, sizeof *worker->tile, 4096);

@@ -4,6 +4,7 @@
 
 #include <string.h>
 
+#include "constants.h"
 #include "context.h"
 #include "depth_stencil.h"
 #include "entry.h"
@@ -17,7 +18,7 @@ static const char *const create_name = "rhw_pipeline_create";
 
 static const uint32_t known_uses = RHW_USE_COORD | RHW_USE_FACING | RHW_USE_IDS | RHW_USE_BARYCENTRIC |
                                    RHW_USE_DISCARD | RHW_USE_DEPTH | RHW_USE_BARYCENTRIC_DERIVATIVES |
-                                   RHW_USE_SAMPLE | RHW_USE_SAMPLE_MASK;
+                                   RHW_USE_SAMPLE | RHW_USE_SAMPLE_MASK | RHW_USE_POINT_COORD;
 
 static bool check_range(const struct rhw_context *context, const char *field, long long value, long long low,
                         long long high)
@@ -120,7 +121,11 @@ static bool check_program(const struct rhw_context *context, const struct rhw_pr
            rhw_check(context, (program->uses & ~known_uses) == 0,
                      "%s: program.uses is 0x%x; it must be or-ed from enum rhw_fragment_use (0x%x)",
                      create_name, (unsigned)program->uses, (unsigned)known_uses) &&
-           check_range(context, "program.uniform_size", program->uniform_size, 0, RHW_MAX_UNIFORM_SIZE);
+           check_range(context, "program.uniform_size", program->uniform_size, 0, RHW_MAX_UNIFORM_SIZE) &&
+           check_range(context, "program.clip_distance_count", program->clip_distance_count, 0,
+                       RHW_MAX_CLIP_DISTANCES) &&
+           check_range(context, "program.cull_distance_count", program->cull_distance_count, 0,
+                       RHW_MAX_CULL_DISTANCES);
 }
 
 // Vertex input -----------------------------------------------------------------------------------------
@@ -218,9 +223,18 @@ static bool check_depth_stencil(const struct rhw_context *context, const struct 
            check_stencil_face(context, "stencil_back", &def->stencil_back);
 }
 
+static bool check_line_width(const struct rhw_context *context, float width)
+{
+    return rhw_check(context, width == 0 || (width >= 1 && width <= RHW_MAX_LINE_WIDTH),
+                     "%s: line_width is %g; it must be 1..%d, or 0 for 1", create_name, (double)width,
+                     RHW_MAX_LINE_WIDTH);
+}
+
 static bool check_states(const struct rhw_context *context, const struct rhw_pipeline_def *def)
 {
-    return check_range(context, "topology", def->topology, 0, RHW_TRIANGLE_FAN) &&
+    return check_range(context, "topology", def->topology, 0, RHW_TRIANGLE_STRIP_ADJACENCY) &&
+           check_range(context, "polygon_mode", def->polygon_mode, 0, RHW_POLYGON_POINT) &&
+           check_line_width(context, def->line_width) &&
            check_range(context, "provoking", def->provoking, 0, RHW_PROVOKING_LAST) &&
            check_range(context, "cull", def->cull, 0, RHW_CULL_BACK) &&
            check_range(context, "front", def->front, 0, RHW_CLOCKWISE) &&
@@ -326,6 +340,7 @@ static void resolve_defaults(struct rhw_pipeline_def *def)
         resolve_blend(&target->alpha);
     }
     def->sample_mask = def->sample_mask == 0 ? UINT32_MAX : def->sample_mask;
+    def->line_width = def->line_width == 0 ? 1 : def->line_width;
     uint32_t ends[RHW_MAX_VERTEX_BUFFERS] = {0};
     for (int i = 0; i < def->attribute_count; i++) {
         const struct rhw_attribute *const attribute = &def->attributes[i];
@@ -411,6 +426,34 @@ static void pair_derivatives(struct rhw_pipeline_data *data)
     data->derivative_pairs = (count + 1) / 2;
 }
 
+// Tells what is drawn, and what of a vertex the front end needs for it beside its varyings.
+static void lay_out_primitives(struct rhw_pipeline_data *data)
+{
+    const struct rhw_pipeline_def *const def = &data->def;
+    switch (def->topology) {
+    case RHW_POINT_LIST: data->primitive = RHW_PRIMITIVE_POINTS; break;
+    case RHW_LINE_LIST:
+    case RHW_LINE_STRIP:
+    case RHW_LINE_LIST_ADJACENCY:
+    case RHW_LINE_STRIP_ADJACENCY: data->primitive = RHW_PRIMITIVE_LINES; break;
+    default:
+        data->primitive = def->polygon_mode == RHW_POLYGON_LINE    ? RHW_PRIMITIVE_POLYGON_LINES
+                          : def->polygon_mode == RHW_POLYGON_POINT ? RHW_PRIMITIVE_POLYGON_POINTS
+                                                                   : RHW_PRIMITIVE_TRIANGLES;
+        break;
+    }
+    static const int most[] = {[RHW_PRIMITIVE_TRIANGLES] = 1,
+                               [RHW_PRIMITIVE_LINES] = 2,
+                               [RHW_PRIMITIVE_POINTS] = 1,
+                               [RHW_PRIMITIVE_POLYGON_LINES] = 6,
+                               [RHW_PRIMITIVE_POLYGON_POINTS] = 3};
+    data->triangles_most = most[data->primitive];
+    data->half_width_24_8 = (double)def->line_width * (RHW_SUBPIXEL / 2);
+    const int distances = def->program.clip_distance_count + def->program.cull_distance_count;
+    data->point_size_component = data->varying_components + distances;
+    data->extra_components = distances + (def->program.writes_point_size ? 1 : 0);
+}
+
 void rhw_pipeline_data_init(struct rhw_pipeline_data *data, const struct rhw_pipeline_def *def,
                             enum rhw_isa isa)
 {
@@ -421,6 +464,7 @@ void rhw_pipeline_data_init(struct rhw_pipeline_data *data, const struct rhw_pip
     resolve_uses(&data->def);
     resolve_functions(data, isa);
     lay_out_varyings(data);
+    lay_out_primitives(data);
     qualify_vectors(data);
     pair_derivatives(data);
 }

@@ -15,6 +15,18 @@ struct rhw_pipeline_data {
     rhw_fragment_function *fragment; // likewise; NULL: program.fragment1, and when that is NULL too, depth only
     int varying_components;          // of all varyings together
     enum rhw_sampling sampling;      // the most that one of them asks for
+    // What is drawn: `topology` and the polygon mode in one.
+    enum rhw_primitive {
+        RHW_PRIMITIVE_TRIANGLES,
+        RHW_PRIMITIVE_LINES,
+        RHW_PRIMITIVE_POINTS,
+        RHW_PRIMITIVE_POLYGON_LINES, // triangles as their edges
+        RHW_PRIMITIVE_POLYGON_POINTS // and as their corners
+    } primitive;
+    int triangles_most;     // that tiles draw of a primitive
+    double half_width_24_8; // of lines
+    int extra_components; // behind the varyings in a vertex record: clip distances, cull distances, point size
+    int point_size_component; // of the record; where it is written
     bool any_noperspective, any_derivatives;
     uint8_t component_qualifier[RHW_MAX_VARYING_COMPONENTS]; // enum rhw_qualifier
     bool component_derivatives[RHW_MAX_VARYING_COMPONENTS];

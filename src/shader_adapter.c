@@ -6,6 +6,21 @@
 
 #include "watch.h"
 
+// Distances and the point size: those that the program has, and `all` of them under validation.
+static void store_extras(const struct rhw_program *program, bool all, const struct rhw_vertex1 *one,
+                         struct rhw_vertex *group, int lane)
+{
+    const int clips = all ? RHW_MAX_CLIP_DISTANCES : program->clip_distance_count;
+    const int culls = all ? RHW_MAX_CULL_DISTANCES : program->cull_distance_count;
+    for (int d = 0; d < clips; d++) {
+        group->clip_distance[d][lane] = one->clip_distance[d];
+    }
+    for (int d = 0; d < culls; d++) {
+        group->cull_distance[d][lane] = one->cull_distance[d];
+    }
+    group->point_size[lane] = one->point_size;
+}
+
 void rhw_vertex1_run(const struct rhw_pipeline_data *pipeline, struct rhw_vertex *groups, int count)
 {
     const bool all = pipeline->watch != NULL;
@@ -16,6 +31,7 @@ void rhw_vertex1_run(const struct rhw_pipeline_data *pipeline, struct rhw_vertex
         const int lane = i % RHW_LANES;
         float attribute[RHW_MAX_ATTRIBUTES][4] = {{0}};
         float varying[RHW_WATCH_COMPONENTS] = {0};
+        float distance[2][RHW_MAX_CLIP_DISTANCES] = {{0}};
         for (int c = 0; c < components && all; c++) {
             varying[c] = group->varying[c][lane];
         }
@@ -30,7 +46,14 @@ void rhw_vertex1_run(const struct rhw_pipeline_data *pipeline, struct rhw_vertex
                                   .uniforms = group->uniforms,
                                   .user = group->user,
                                   .textures = group->textures,
-                                  .varying = varying};
+                                  .varying = varying,
+                                  .clip_distance = distance[0],
+                                  .cull_distance = distance[1],
+                                  .point_size = all ? group->point_size[lane] : 1};
+        for (int d = 0; d < RHW_MAX_CLIP_DISTANCES && all; d++) {
+            distance[0][d] = group->clip_distance[d][lane];
+            distance[1][d] = group->cull_distance[d][lane];
+        }
         for (int c = 0; c < 4 && all; c++) {
             one.position[c] = group->position[c][lane];
         }
@@ -41,6 +64,7 @@ void rhw_vertex1_run(const struct rhw_pipeline_data *pipeline, struct rhw_vertex
         for (int c = 0; c < components; c++) {
             group->varying[c][lane] = varying[c];
         }
+        store_extras(&pipeline->def.program, all, &one, group, lane);
     }
 }
 
@@ -69,6 +93,9 @@ static void load_builtins(const struct rhw_fragment *group, int lane, uint32_t u
     for (int c = 0; c < 3 && uses & RHW_USE_BARYCENTRIC; c++) {
         one->barycentric[c] = group->barycentric[c][lane];
         one->barycentric_noperspective[c] = group->barycentric_noperspective[c][lane];
+    }
+    for (int c = 0; c < 2 && uses & RHW_USE_POINT_COORD; c++) {
+        one->point_coord[c] = group->point_coord[c][lane];
     }
     for (int c = 0; c < 3 && uses & RHW_USE_BARYCENTRIC_DERIVATIVES; c++) {
         one->barycentric_ddx[c] = group->barycentric_ddx[c][lane];

@@ -91,7 +91,8 @@ static bool share(struct rhw_pass_state *pass, struct rhw_draw *draw, size_t mos
 {
     const uint32_t count = shared_count(draw, pass->chunk_size);
     const uint64_t room = ((uint64_t)count + 7) & ~(uint64_t)7;
-    const int stride = rhw_vertex_stride(draw->state->pipeline->varying_components);
+    const struct rhw_pipeline_data *const pipeline = draw->state->pipeline;
+    const int stride = rhw_vertex_stride(pipeline->varying_components + pipeline->extra_components);
     const uint64_t size = room * ((uint64_t)stride * sizeof(float) + sizeof(struct rhw_snapped_vertex));
     draw->shared = NULL;
     if (count == 0 || draw->instances > (most - wave->bytes) / size ||

@@ -241,6 +241,28 @@ RHW_INLINE d8 d8_div(d8 a, d8 b)
     return (d8){a.lo / b.lo, a.hi / b.hi};
 }
 
+// Correctly rounded.
+RHW_INLINE d8 d8_sqrt(d8 v)
+{
+#if defined(__AVX2__)
+    return (d8){(d4)_mm256_sqrt_pd((__m256d)v.lo), (d4)_mm256_sqrt_pd((__m256d)v.hi)};
+#elif defined(__SSE2__)
+    __m128d quarter[4];
+    memcpy(quarter, &v, sizeof v);
+    for (int i = 0; i < 4; i++) {
+        quarter[i] = _mm_sqrt_pd(quarter[i]);
+    }
+    memcpy(&v, quarter, sizeof v);
+    return v;
+#else
+    for (int i = 0; i < 4; i++) {
+        v.lo[i] = __builtin_sqrt(v.lo[i]);
+        v.hi[i] = __builtin_sqrt(v.hi[i]);
+    }
+    return v;
+#endif
+}
+
 // Exact.
 RHW_INLINE d8 d8_from_f8(f8 v)
 {

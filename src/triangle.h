@@ -5,7 +5,10 @@
 
 #include <stdint.h>
 
-// A shaded vertex as the tiles read it: this header, then the varyings' components, padded to 32 bytes.
+#include "rhw/types.h"
+
+// A shaded vertex as the tiles read it: this header, then the varyings' components, and what else the front end needs of
+// it (struct rhw_pipeline_data has their places), padded to 32 bytes.
 // All numbers of one vertex stand together because a triangle needs all of them at once.
 struct rhw_vertex_record {
     int32_t x_24_8, y_24_8; // snapped; meaningless with RHW_VERTEX_UNSNAPPED
@@ -23,10 +26,13 @@ enum rhw_vertex_flag {
     RHW_VERTEX_TOP = 8,
     RHW_VERTEX_NEAR = 16,
     RHW_VERTEX_FAR = 32,
-    RHW_VERTEX_OUTSIDE = 63,
     RHW_VERTEX_UNSNAPPED = 64, // W <= 0 or beyond the guard band
     RHW_VERTEX_NOT_FINITE = 128,
-    RHW_VERTEX_CLIP = RHW_VERTEX_NEAR | RHW_VERTEX_FAR | RHW_VERTEX_UNSNAPPED
+    RHW_VERTEX_CLIP_DISTANCE = 1 << 8,  // distance i is below 0: shifted left by i
+    RHW_VERTEX_CULL_DISTANCE = 1 << 16, // likewise
+    RHW_VERTEX_CUT = 0xff00,            // any clip distance
+    RHW_VERTEX_OUTSIDE = 63 | RHW_VERTEX_CUT | 0xff0000,
+    RHW_VERTEX_CLIP = RHW_VERTEX_NEAR | RHW_VERTEX_FAR | RHW_VERTEX_UNSNAPPED | RHW_VERTEX_CUT
 };
 
 // What culling and setup read of a vertex: the first 16 bytes of its record, next to those of other vertices.
@@ -37,9 +43,9 @@ struct rhw_snapped_vertex {
 };
 
 // Floats per vertex record.
-static inline int rhw_vertex_stride(int varying_components)
+static inline int rhw_vertex_stride(int components)
 {
-    return (8 + varying_components + 7) & ~7;
+    return (8 + components + 7) & ~7;
 }
 
 enum rhw_triangle_flag {
@@ -49,7 +55,8 @@ enum rhw_triangle_flag {
     RHW_TRIANGLE_UNSNAPPED = 8, // values come from the homogeneous triangle
     RHW_TRIANGLE_CLAMP = 16,    // depth may leave the viewport's range by a rounding: clamp it
     // BACK and NEGATIVE apart it has none of the others, and it is less than RHW_TILE pixels wide and high.
-    RHW_TRIANGLE_SMALL = 32
+    RHW_TRIANGLE_SMALL = 32,
+    RHW_TRIANGLE_RECTANGLE = 64 // a point: of what it covers, the pixels x0, y0, x1, y1 alone are drawn
 };
 
 // One cache line. Vertices stay in submission order.
@@ -64,8 +71,8 @@ struct rhw_triangle {
     int16_t x0, y0, x1, y1; // pixels it may cover, within the scissor; x1 and y1 exclusive
 };
 
-// Those of a triangle, and one more for each of 6 planes.
-enum { RHW_POLYGON_VERTICES = 9 };
+// Those of a triangle, and one more for each of 6 planes and 8 clip distances.
+enum { RHW_POLYGON_VERTICES = 3 + 6 + RHW_MAX_CLIP_DISTANCES };
 
 // Coverage of a clipped triangle: the parity of the fan of triangles (0, i, i + 1). The parity counts each
 // sample exactly once, even where snapping made the polygon slightly concave.

@@ -12,6 +12,7 @@ struct vertex_run {
     struct rhw_vertex group;
     rhw_float attribute[RHW_MAX_ATTRIBUTES][4];
     rhw_float varying[RHW_WATCH_COMPONENTS];
+    rhw_float distance[2][RHW_MAX_CLIP_DISTANCES]; // clip, cull
 };
 
 // What a run may hold other rubbish in than the first: bits.
@@ -31,6 +32,9 @@ static void run(const struct rhw_watch *watch, const struct rhw_vertex *group, u
     for (int i = 0; i < RHW_WATCH_COMPONENTS; i++) {
         out->varying[i] = output;
     }
+    for (int i = 0; i < RHW_MAX_CLIP_DISTANCES; i++) {
+        out->distance[0][i] = out->distance[1][i] = output;
+    }
     out->textures = *group->textures;
     out->textures.site =
         (struct rhw_sample_site){watch->findings, rhw_watch_draw(group->uniforms)->draw, watch->name};
@@ -40,6 +44,9 @@ static void run(const struct rhw_watch *watch, const struct rhw_vertex *group, u
     out->group.uniforms = rhw_watch_uniforms(group->uniforms, (changed & UNIFORMS) != 0);
     out->group.user = watch->user;
     out->group.varying = out->varying;
+    out->group.clip_distance = out->distance[0];
+    out->group.cull_distance = out->distance[1];
+    out->group.point_size = output;
     for (int c = 0; c < 4; c++) {
         out->group.position[c] = output;
     }
@@ -50,10 +57,25 @@ static void run(const struct rhw_watch *watch, const struct rhw_vertex *group, u
     }
 }
 
-static bool same(const struct vertex_run *a, const struct vertex_run *b, int components)
+static int distances_of(const struct rhw_program *program, int which)
 {
+    return which == 0 ? program->clip_distance_count : program->cull_distance_count;
+}
+
+static bool same(const struct rhw_watch *watch, const struct vertex_run *a, const struct vertex_run *b)
+{
+    const struct rhw_program *const program = &watch->pipeline->def.program;
+    const int components = watch->pipeline->varying_components;
     bool differs = false;
     const rhw_int all = rhw_splat_int(-1);
+    for (int which = 0; which < 2; which++) {
+        for (int i = 0; i < distances_of(program, which); i++) {
+            differs |= rhw_any(rhw_watch_differs(a->distance[which][i], b->distance[which][i], all));
+        }
+    }
+    if (program->writes_point_size) {
+        differs |= rhw_any(rhw_watch_differs(a->group.point_size, b->group.point_size, all));
+    }
     for (int c = 0; c < 4; c++) {
         differs |= rhw_any(rhw_watch_differs(a->group.position[c], b->group.position[c], all));
     }
@@ -95,14 +117,49 @@ static bool check_outputs(const struct rhw_watch *watch, uint32_t draw, const st
     return false;
 }
 
+// The same for distances and the point size.
+static bool check_extras(const struct rhw_watch *watch, uint32_t draw, const struct vertex_run *first,
+                         const struct vertex_run *second)
+{
+    static const char *const names[2] = {"clip_distance", "cull_distance"};
+    const struct rhw_program *const program = &watch->pipeline->def.program;
+    for (int which = 0; which < 2; which++) {
+        const int count = distances_of(program, which);
+        for (int i = 0; i < RHW_MAX_CLIP_DISTANCES; i++) {
+            const bool written = !is_rubbish(first->distance[which][i], false) ||
+                                 !is_rubbish(second->distance[which][i], true);
+            if (written != (i < count)) {
+                rhw_findings_add(watch->findings, RHW_FINDING_MISUSE, draw,
+                                 written
+                                     ? "the vertex function of %s writes %s[%d]; its program has %d"
+                                     : "the vertex function of %s does not write %s[%d]; its program has %d",
+                                 watch->name, names[which], i, count);
+                return true;
+            }
+        }
+    }
+    const bool sized =
+        !is_rubbish(first->group.point_size, false) || !is_rubbish(second->group.point_size, true);
+    if (sized != program->writes_point_size) {
+        rhw_findings_add(
+            watch->findings, RHW_FINDING_MISUSE, draw,
+            sized ? "the vertex function of %s writes point_size; its program's writes_point_size is false"
+                  : "the vertex function of %s does not write point_size; its program's writes_point_size is "
+                    "true",
+            watch->name);
+        return true;
+    }
+    return false;
+}
+
 static __attribute__((cold)) void name_input(const struct rhw_watch *watch, uint32_t draw,
                                              const struct rhw_vertex *group, const struct vertex_run *first)
 {
     struct vertex_run other;
     run(watch, group, ATTRIBUTES, false, &other);
-    const bool attributes = !same(first, &other, watch->pipeline->varying_components);
+    const bool attributes = !same(watch, first, &other);
     run(watch, group, UNIFORMS, false, &other);
-    const bool uniforms = !same(first, &other, watch->pipeline->varying_components);
+    const bool uniforms = !same(watch, first, &other);
     if (attributes) {
         rhw_findings_add(watch->findings, RHW_FINDING_MISUSE, draw,
                          "the vertex function of %s reads an attribute behind the last; the pipeline has %d",
@@ -126,10 +183,17 @@ void rhw_watched_vertex(struct rhw_vertex *groups, int count)
         run(watch, &groups[g], 0, false, &first);
         run(watch, &groups[g], EVERYTHING, true, &second);
         const uint32_t draw = rhw_watch_draw(groups[g].uniforms)->draw;
-        if (!check_outputs(watch, draw, &first, &second) && !same(&first, &second, components)) {
+        if (!check_outputs(watch, draw, &first, &second) && !check_extras(watch, draw, &first, &second) &&
+            !same(watch, &first, &second)) {
             name_input(watch, draw, &groups[g], &first);
         }
         memcpy(groups[g].position, first.group.position, sizeof first.group.position);
+        const struct rhw_program *const program = &watch->pipeline->def.program;
+        memcpy(groups[g].clip_distance, first.distance[0],
+               (size_t)distances_of(program, 0) * sizeof first.distance[0][0]);
+        memcpy(groups[g].cull_distance, first.distance[1],
+               (size_t)distances_of(program, 1) * sizeof first.distance[1][0]);
+        groups[g].point_size = first.group.point_size;
         memcpy(groups[g].varying, first.varying, (size_t)components * sizeof first.varying[0]);
     }
 }

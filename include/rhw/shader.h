@@ -25,6 +25,8 @@ struct rhw_vertex {
     const struct rhw_bindings *textures; ///< see rhw_sample
     rhw_float position[4]; ///< out: homogeneous clip coordinates X, Y, Z, W
     rhw_float *varying;    ///< out: [component]
+    rhw_float *clip_distance, *cull_distance; ///< out: [distance], as many as the program has
+    rhw_float point_size;  ///< out, where the program writes_point_size: pixels
 };
 
 /// 8 fragments. Lanes outside `mask` carry finite or non-finite rubbish and their results are ignored.
@@ -48,6 +50,7 @@ struct rhw_fragment {
     rhw_int sample_mask;             ///< samples that are covered, a bit each; what is cleared is not drawn
     rhw_int sample_id;
     rhw_float sample_position[2];    ///< in the pixel: 0..1 from its top left
+    rhw_float point_coord[2]; ///< on a point: 0, 0 at its top left corner, 1, 1 at the opposite; elsewhere rubbish
 };
 
 #endif
@@ -61,6 +64,8 @@ struct rhw_vertex1 {
     const struct rhw_bindings *textures;
     float position[4];
     float *varying;
+    float *clip_distance, *cull_distance;
+    float point_size;
 };
 
 struct rhw_fragment1 {
@@ -79,6 +84,7 @@ struct rhw_fragment1 {
     float barycentric_ddx[3], barycentric_ddy[3];
     int32_t sample_mask, sample_id;
     float sample_position[2];
+    float point_coord[2];
 };
 
 #include "shader_one.h"

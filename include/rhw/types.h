@@ -30,7 +30,11 @@ enum {
     RHW_MAX_TEXTURES = 16,       ///< texture slots of a draw
     RHW_MAX_SAMPLES = 16,        ///< of a pixel
     RHW_MAX_GROUPS = 16,         ///< groups of 8 lanes in one call of a shader function
-    RHW_MAX_UNIFORM_SIZE = 65536 ///< bytes
+    RHW_MAX_UNIFORM_SIZE = 65536, ///< bytes
+    RHW_MAX_CLIP_DISTANCES = 8,
+    RHW_MAX_CULL_DISTANCES = 8,
+    RHW_MAX_POINT_SIZE = 256,    ///< pixels; the least is 1
+    RHW_MAX_LINE_WIDTH = 256     ///< pixels; the least is 1
 };
 
 /// Instruction sets the kernels are compiled for, slowest first. BASELINE is the specification: SSE2 on
@@ -253,8 +257,19 @@ enum rhw_topology {
     RHW_TRIANGLE_LIST,
     RHW_TRIANGLE_STRIP, ///< the order of odd triangles keeps the winding and the provoking vertex: FIRST i, i+2,
                         ///< i+1; LAST i+1, i, i+2
-    RHW_TRIANGLE_FAN    ///< provoking FIRST: vertices i+1, i+2, 0; LAST: 0, i+1, i+2
+    RHW_TRIANGLE_FAN,   ///< provoking FIRST: vertices i+1, i+2, 0; LAST: 0, i+1, i+2
+    RHW_POINT_LIST,     ///< squares, see rhw_program.writes_point_size
+    RHW_LINE_LIST,      ///< see rhw_pipeline_def.line_width
+    RHW_LINE_STRIP,
+    // With vertices beside those that are drawn, which nothing looks at (Vulkan 1.3 §21.1.7 .. §21.1.10):
+    RHW_LINE_LIST_ADJACENCY,     ///< line i has vertices 4i+1, 4i+2
+    RHW_LINE_STRIP_ADJACENCY,    ///< i+1, i+2
+    RHW_TRIANGLE_LIST_ADJACENCY, ///< 6i, 6i+2, 6i+4
+    RHW_TRIANGLE_STRIP_ADJACENCY ///< the strip of the even vertices
 };
+/// What is drawn of a triangle that is not culled: all of it, its edges as lines, or its corners as points (Vulkan 1.3
+/// §28.10.2). Facing and flat values are those of the triangle.
+enum rhw_polygon_mode { RHW_POLYGON_FILL, RHW_POLYGON_LINE, RHW_POLYGON_POINT };
 enum rhw_index_type { RHW_INDEX_UINT8, RHW_INDEX_UINT16, RHW_INDEX_UINT32 };
 enum rhw_cull { RHW_CULL_NONE, RHW_CULL_FRONT, RHW_CULL_BACK };
 enum rhw_winding { RHW_COUNTER_CLOCKWISE, RHW_CLOCKWISE }; ///< as seen on the screen, y up
@@ -333,7 +348,8 @@ enum rhw_fragment_use {
     RHW_USE_DEPTH = 32,      ///< writes depth
     RHW_USE_BARYCENTRIC_DERIVATIVES = 64, ///< barycentric_ddx, barycentric_ddy
     RHW_USE_SAMPLE = 128,     ///< sample_id and sample_position; the function is called for every sample
-    RHW_USE_SAMPLE_MASK = 256 ///< sample_mask, in and out
+    RHW_USE_SAMPLE_MASK = 256, ///< sample_mask, in and out
+    RHW_USE_POINT_COORD = 512 ///< point_coord
 };
 
 struct rhw_vertex;
@@ -363,6 +379,13 @@ struct rhw_program {
     struct rhw_varying varyings[RHW_MAX_VARYINGS];
     int varying_count;
     uint32_t uses;         ///< or-ed rhw_fragment_use
+    /// The vertex function writes `point_size`: the side of the square that a point covers, in pixels. Sizes are taken
+    /// within 1..RHW_MAX_POINT_SIZE and rounded to 1/256 pixel. false: 1
+    bool writes_point_size;
+    /// Distances that the vertex function writes, 0..8 of each. Where clip distance i, interpolated over a primitive, is
+    /// below 0, the primitive is cut off; one whose vertices all have a cull distance i below 0 is not drawn (Vulkan
+    /// 1.3 §27.4). A point is drawn where none is below 0.
+    int clip_distance_count, cull_distance_count;
     uint32_t uniform_size; ///< bytes the functions read at `uniforms`; 0..RHW_MAX_UNIFORM_SIZE
     /// Arrives in all four functions as `user`: what a closure or generated code needs beyond its uniforms. Not copied:
     /// it must live, and stay as it is, from rhw_pipeline_create to rhw_pipeline_destroy. The library does not look at
@@ -377,8 +400,11 @@ struct rhw_pipeline_def {
     struct rhw_vertex_layout buffers[RHW_MAX_VERTEX_BUFFERS];
     int buffer_count;
     enum rhw_topology topology;      ///< TRIANGLE_LIST
-    bool primitive_restart;          ///< the largest index of its type starts a new strip or fan
+    bool primitive_restart; ///< the largest index of its type starts a new strip, fan or list: what it cuts off
+                            ///< unfinished is not drawn
     enum rhw_provoking provoking;    ///< FIRST
+    enum rhw_polygon_mode polygon_mode; ///< FILL
+    float line_width; ///< pixels, 1..RHW_MAX_LINE_WIDTH, of rectangles around the lines; 0: 1
     enum rhw_cull cull;              ///< NONE
     enum rhw_winding front;          ///< COUNTER_CLOCKWISE
     enum rhw_depth_range depth_range; ///< ZERO_TO_ONE
@@ -478,7 +504,7 @@ struct rhw_viewport {
 
 struct rhw_rect { int x, y, width, height; }; ///< pixels
 
-/// What a pass did. Times of stages are wall milliseconds. Busy times are milliseconds of threads, added up over
+/// What a pass did. "Triangles" are primitives: points and lines count as one each. Times of stages are wall milliseconds. Busy times are milliseconds of threads, added up over
 /// all of them: front_busy_ms / (threads × front_ms) is the part of its threads that the front end used. A thread
 /// that waits for a core counts as busy.
 struct rhw_stats {

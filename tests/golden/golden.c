@@ -30,6 +30,7 @@ static const struct scene features[] = {
     {"depth", golden_depth_draw, 0},
     {"culling", golden_culling_draw, 0},
     {"topology", golden_topology_draw, 0},
+    {"primitives", golden_primitives_draw, 0},
     {"viewports", golden_viewport_draw, 0},
     {"clipping", golden_clipping_draw, 0},
     {"vertex-formats", golden_vertex_format_draw, 0},

@@ -48,6 +48,30 @@ static void screen(struct rhw_vertex *groups, int count)
     }
 }
 
+static void sized(struct rhw_vertex *groups, int count)
+{
+    plain(groups, count);
+    for (int g = 0; g < count; g++) {
+        struct rhw_vertex *v = &groups[g];
+        const rhw_float *p = v->position;
+        v->point_size = v->varying[3] * 12.0f;
+        v->clip_distance[0] = p[3] * 1.1f - p[0] - p[1];
+        v->clip_distance[1] = p[3] * 0.9f + p[0];
+        v->cull_distance[0] = p[3] * 0.3f - p[1];
+    }
+}
+
+static void point(struct rhw_fragment *groups, int count)
+{
+    for (int g = 0; g < count; g++) {
+        struct rhw_fragment *f = &groups[g];
+        f->color[0][0] = f->varying[0] * f->point_coord[0];
+        f->color[0][1] = f->varying[1] * f->point_coord[1];
+        f->color[0][2] = f->varying[2];
+        f->color[0][3] = rhw_splat(1);
+    }
+}
+
 static void value(struct rhw_fragment *groups, int count)
 {
     const struct golden_cell_uniforms *u = groups->uniforms;
@@ -256,9 +280,9 @@ static void maths(struct rhw_fragment *groups, int count)
 void RHW_ISA_NAME(golden_cells)(struct rhw_program *program, enum rhw_isa isa, enum golden_cell_vertex vertex,
                                 enum golden_cell_fragment fragment)
 {
-    rhw_vertex_function *const vertices[GOLDEN_CELL_VERTICES] = {plain, instanced, screen};
-    rhw_fragment_function *const fragments[GOLDEN_CELL_FRAGMENTS] = {value,    facing,  texture, level, ids,
-                                                                     builtins, heights, maths,   kinds};
+    rhw_vertex_function *const vertices[GOLDEN_CELL_VERTICES] = {plain, instanced, screen, sized};
+    rhw_fragment_function *const fragments[GOLDEN_CELL_FRAGMENTS] = {
+        value, facing, texture, level, ids, builtins, heights, maths, kinds, point};
     program->vertex[isa] = vertices[vertex];
     program->fragment[isa] = fragments[fragment];
 }

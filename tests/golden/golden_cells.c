@@ -23,6 +23,7 @@ void golden_cells_fill(struct rhw_program *program, enum golden_cell_vertex vert
         [GOLDEN_CELL_BUILTINS] = RHW_USE_COORD | RHW_USE_FACING | RHW_USE_IDS | RHW_USE_BARYCENTRIC |
                                  RHW_USE_BARYCENTRIC_DERIVATIVES,
         [GOLDEN_CELL_HEIGHTS] = RHW_USE_DISCARD | RHW_USE_DEPTH,
+        [GOLDEN_CELL_POINT] = RHW_USE_POINT_COORD,
     };
     static golden_cells_function *const copies[RHW_ISA_COUNT] = RHW_ISA_TABLE(golden_cells);
     for (int isa = 0; isa < RHW_ISA_COUNT; isa++) {
@@ -31,6 +32,9 @@ void golden_cells_fill(struct rhw_program *program, enum golden_cell_vertex vert
         }
     }
     program->uses = uses[fragment];
+    program->writes_point_size = vertex == GOLDEN_CELL_SIZED;
+    program->clip_distance_count = vertex == GOLDEN_CELL_SIZED ? 2 : 0;
+    program->cull_distance_count = vertex == GOLDEN_CELL_SIZED ? 1 : 0;
     if (fragment == GOLDEN_CELL_VALUE || fragment == GOLDEN_CELL_MATHS) {
         program->uniform_size = sizeof(struct golden_cell_uniforms);
     }

@@ -135,7 +135,7 @@ void golden_topology_draw(rhw_context *context, int number, struct golden_images
         struct rhw_pipeline_def def = golden_cells_def(GOLDEN_CELL_VALUE, format);
         def.topology = (enum rhw_topology)topology;
         def.provoking = cell / 4 % 2 ? RHW_PROVOKING_LAST : RHW_PROVOKING_FIRST;
-        def.primitive_restart = cell / 8 % 2;
+        def.primitive_restart = cell / 8 % 2 && def.topology != RHW_TRIANGLE_LIST;
         def.program.varyings[0].qualifier = RHW_FLAT;
         golden_cell(context, board.pass, cell % 8, cell / 8, SIDE, SIDE);
         use(&board, &def);

@@ -25,6 +25,10 @@ golden_draw_function golden_topology_draw; ///< lists, strips, fans, restart, pr
 golden_draw_function golden_viewport_draw; ///< viewports off the grid and off the target, scissors
 golden_draw_function golden_clipping_draw; ///< each plane, behind the eye, far outside; by qualifier
 
+// golden_primitives.c
+golden_draw_function
+    golden_primitives_draw; ///< points, lines, polygon modes, adjacency, clip and cull distances
+
 // golden_vertices.c
 golden_draw_function golden_vertex_format_draw; ///< all vertex formats, odd strides and offsets
 golden_draw_function golden_instances_draw;     ///< per-instance attributes, first instance, ids

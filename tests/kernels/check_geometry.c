@@ -187,7 +187,8 @@ static void run_cull(const void *input, void *result)
     const struct run_slice slice = {.indices = in->indices, .live = in->live};
     struct triangle_words words;
     out->flags = triangle_flags8(&t, &cull, &state) & i8_from_bits(cull.drawn);
-    fill_words(&words, &t, &cull.pixels, out->flags, &slice, 0);
+    const struct triangle_names8 names = names_of_slice(&slice, 0);
+    fill_words(&words, &t, &cull.pixels, out->flags, &names);
     for (unsigned left = cull.drawn; left != 0; left &= left - 1) {
         const int lane = __builtin_ctz(left);
         out->words.low[lane] = words.low[lane];

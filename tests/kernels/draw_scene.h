@@ -225,6 +225,7 @@ static void set_draws(struct scene *scene, const struct scene_input *in)
     struct rhw_pass_state *const pass = &scene->pass;
     pass->draws.count = 0;
     pass->triangle_count = 0;
+    pass->triangles_most = 1;
     set_indices(scene, in);
     for (int d = 0; d < in->draw_count; d++) {
         const struct scene_draw *const draw = &in->draws[d];

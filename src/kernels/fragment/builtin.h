@@ -45,6 +45,14 @@ static void fill_coordinates(const struct tile_work *work, struct rhw_fragment *
     group->coord[3] = f8_from_d8(inverse_w);
 }
 
+// A point is half of the triangle that stands for it, each way (geometry/point_setup.h): its coordinates are twice the
+// weights on the screen of vertices 1 and 2.
+static void fill_point_coord(struct rhw_fragment *group, f8 s, f8 t)
+{
+    group->point_coord[0] = s + s;
+    group->point_coord[1] = t + t;
+}
+
 // Sets the weights of three vertices, of which two are known; `sum` is 1, and 0 for their derivatives.
 static void fill_barycentrics(f8 out[3], float sum, f8 b, f8 c)
 {

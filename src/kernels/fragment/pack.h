@@ -191,6 +191,9 @@ static __attribute__((noinline)) void pack_any(struct tile_work *work, int g, co
         fill_barycentrics(group->barycentric, 1, weights->b, weights->c);
         fill_barycentrics(group->barycentric_noperspective, 1, s, t);
     }
+    if (uses & RHW_USE_POINT_COORD) {
+        fill_point_coord(group, s, t);
+    }
 }
 
 // Takes a place in the queue for the partial group; `bits`: the lanes that are not repetitions.

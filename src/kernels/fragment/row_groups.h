@@ -107,6 +107,9 @@ static void fill_builtins(const struct tile_work *work, int g, const struct tria
         fill_barycentrics(group->barycentric, 1, w->b, w->c);
         fill_barycentrics(group->barycentric_noperspective, 1, s, t);
     }
+    if (uses & RHW_USE_POINT_COORD) {
+        fill_point_coord(group, f8_from_d8(place->screen.s), f8_from_d8(place->screen.t));
+    }
     fill_identity(group, uses, triangle);
 }
 

@@ -9,6 +9,9 @@
 #include "../../shared_vertices.h"
 #include "../../thread.h"
 #include "binning.h"
+#include "line_setup.h"
+#include "point_setup.h"
+#include "polygon_setup.h"
 #include "triangle_setup.h"
 #include "vertex_reuse.h"
 #include "vertex_shading.h"
@@ -52,7 +55,8 @@ static bool start_run(struct rhw_worker *worker, const struct rhw_draw *draw, ui
     struct rhw_snapped_vertex *const snapped = scratch->vertices + scratch->vertex_count;
     const uint32_t vertices = list_vertices(scratch, run, draw, room);
     const uint32_t rounded_up = (vertices + 7) & ~7u;
-    const int stride = rhw_vertex_stride(draw->state->pipeline->varying_components);
+    const struct rhw_pipeline_data *const pipeline = draw->state->pipeline;
+    const int stride = rhw_vertex_stride(pipeline->varying_components + pipeline->extra_components);
     const size_t size = (size_t)rounded_up * (size_t)stride * sizeof(float);
     run->vertices = snapped;
     *segment =
@@ -91,6 +95,46 @@ static bool start_runs(const struct rhw_pass_state *pass, const struct rhw_chunk
     return true;
 }
 
+// Sets up 8 primitives.
+typedef void setup8_function(struct rhw_geometry_scratch *scratch, const struct run_slice *slice,
+                             struct rhw_triangle_list *list);
+
+RHW_INLINE void setup_run(struct rhw_geometry_scratch *scratch, uint32_t run_index,
+                          struct rhw_triangle_list *list, setup8_function *setup)
+{
+    const struct rhw_run *const run = &scratch->runs[run_index];
+    uint32_t i = 0;
+    for (; i + 8 < run->count; i += 8) {
+        const struct run_slice slice = {run_index, run->indices + i, run->first_primitive + i, 0xff};
+        setup(scratch, &slice, list);
+    }
+    // The last ones are repeated, so that `setup` reads nothing else behind them.
+    uint32_t indices[9][3];
+    const uint32_t left = run->count - i;
+    for (uint32_t lane = 0; lane < 9; lane++) {
+        memcpy(indices[lane], run->indices[i + (lane < left ? lane : left - 1)], sizeof *indices);
+    }
+    const struct run_slice slice = {run_index, (const uint32_t(*)[3])indices, run->first_primitive + i,
+                                    0xffu >> (8 - left)};
+    setup(scratch, &slice, list);
+}
+
+// Adds what is drawn of the run's primitives to the list, in submission order.
+RHW_INLINE void setup_primitives(struct rhw_geometry_scratch *scratch, uint32_t run,
+                                 struct rhw_triangle_list *list)
+{
+    const int before = list->count;
+    switch (scratch->segments[run].draw->state->pipeline->primitive) {
+    case RHW_PRIMITIVE_POINTS: setup_run(scratch, run, list, setup_points8); return;
+    case RHW_PRIMITIVE_LINES: setup_run(scratch, run, list, setup_lines8); return;
+    case RHW_PRIMITIVE_POLYGON_LINES:
+    case RHW_PRIMITIVE_POLYGON_POINTS: setup_run(scratch, run, list, setup_polygons8); return;
+    case RHW_PRIMITIVE_TRIANGLES: break;
+    }
+    setup_run(scratch, run, list, setup8);
+    scratch->counters.rasterized += (uint64_t)(list->count - before);
+}
+
 // Makes the vertices and triangles of a chunk. False when out of memory.
 static bool make_triangles(const struct rhw_pass_state *pass, const struct rhw_chunk *chunk,
                            struct rhw_worker *worker, struct rhw_triangle_list *list)
@@ -100,6 +144,9 @@ static bool make_triangles(const struct rhw_pass_state *pass, const struct rhw_c
     scratch->culls_uncovered = scratch->special_paths && pass->pattern->count == 1;
     scratch->run_count = scratch->polygon_count = 0;
     scratch->index_count = scratch->vertex_count = 0;
+    scratch->arena = &worker->arena;
+    scratch->made_run = UINT32_MAX;
+    scratch->out_of_memory = false;
     scratch->counters = (struct rhw_front_counters){0};
     const uint64_t start = rhw_time_ns();
     if (!start_runs(pass, chunk, worker)) {
@@ -107,20 +154,22 @@ static bool make_triangles(const struct rhw_pass_state *pass, const struct rhw_c
     }
     const uint64_t shaded = rhw_time_ns();
     // There is room for all triangles; what culling leaves of it goes back.
-    const size_t room = (size_t)chunk->count * sizeof *list->triangles;
+    const size_t room = (size_t)chunk->count * (size_t)pass->triangles_most * sizeof *list->triangles;
     *list = (struct rhw_triangle_list){rhw_arena_alloc(&worker->arena, room, RHW_CACHE_LINE),
                                        scratch->tile_ranges, 0};
     if (!list->triangles) {
         return false;
     }
+    scratch->segment_count = scratch->run_count;
     for (int i = 0; i < scratch->run_count; i++) {
-        setup_run(scratch, (uint32_t)i, list);
+        setup_primitives(scratch, (uint32_t)i, list);
     }
-    rhw_arena_trim(&worker->arena, list->triangles + list->count);
-    scratch->counters.rasterized = (uint64_t)list->count;
+    if (scratch->segment_count == scratch->run_count) { // else made vertices stand behind the triangles
+        rhw_arena_trim(&worker->arena, list->triangles + list->count);
+    }
     worker->counters.vertex_ns += shaded - start;
     worker->counters.setup_ns += rhw_time_ns() - shaded;
-    return true;
+    return !scratch->out_of_memory;
 }
 
 // Tells where a triangle of the chunk stands in the line of all triangles.
@@ -167,7 +216,8 @@ static bool make_chunk(const struct rhw_pass_state *pass, struct rhw_chunk *chun
     bound_bins(chunk, &list);
     const int fit = triangles_that_fit(chunk, &list, pass->entries_most);
     if (fit < list.count) {
-        chunk->count = place_in_line(scratch, &list.triangles[fit]) - chunk->first;
+        const uint64_t place = place_in_line(scratch, &list.triangles[fit]) - chunk->first;
+        chunk->count = place == 0 ? 1 : place; // one that becomes several triangles is drawn whole
         if (!make_triangles(pass, chunk, worker, &list)) {
             return false;
         }
@@ -177,7 +227,8 @@ static bool make_chunk(const struct rhw_pass_state *pass, struct rhw_chunk *chun
     chunk->counters = scratch->counters;
     chunk->hidden = shared_hidden_rule(scratch);
     chunk->triangles = list.triangles;
-    chunk->segments = keep(arena, scratch->segments, (size_t)scratch->run_count * sizeof *chunk->segments);
+    chunk->segments =
+        keep(arena, scratch->segments, (size_t)scratch->segment_count * sizeof *chunk->segments);
     chunk->polygons =
         keep(arena, scratch->polygons, (size_t)scratch->polygon_count * sizeof *chunk->polygons);
     const bool binned = chunk->segments && chunk->polygons && bin(chunk, &list, arena);

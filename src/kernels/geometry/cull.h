@@ -29,12 +29,6 @@ RHW_INLINE void area_signs8(const struct triangle8 *t, unsigned *negative, unsig
     *nonzero = ~i8_sign_bits(rhw_equal(area, f8_splat(0)));
 }
 
-// Gives the bits of the lanes that have one of the flags.
-RHW_INLINE unsigned flagged8(i8 flags, int32_t which)
-{
-    return ~i8_sign_bits(rhw_equal_int(flags & i8_splat(which), i8_splat(0)));
-}
-
 // `live`: bits of the lanes that are triangles. `culls_uncovered`: see cull_uncovered.h.
 RHW_INLINE struct cull8 cull8(const struct triangle8 *t, const struct rhw_draw_state *state, unsigned live,
                               bool culls_uncovered)

@@ -13,7 +13,7 @@
 
 // Bits of those triangles that cover none of the few samples in their rectangle. Rectangles of more than 3×3 pixels are
 // not looked at. `negative`: bits of those that turn the negative way. Unsigned, see edge_lanes.
-static unsigned uncovered8(const struct triangle8 *t, const struct pixel_rect8 *pixels, unsigned negative)
+RHW_INLINE unsigned uncovered8(const struct triangle8 *t, const struct pixel_rect8 *pixels, unsigned negative)
 {
     enum { MOST = 3 };
     const i8 most = i8_splat(MOST), width = pixels->x1 - pixels->x0, height = pixels->y1 - pixels->y0;

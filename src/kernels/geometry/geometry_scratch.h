@@ -15,7 +15,14 @@ enum {
     RHW_VERTEX_GROUPS = 8,
     // Entries of the table that finds vertices again, a power of two. Direct mapped by vertex index: a miss only
     // shades a vertex twice.
-    RHW_VERTEX_CACHE = 8192
+    RHW_VERTEX_CACHE = 8192,
+    // Triangles that a primitive may become, at most: three lines of two. RHW_CHUNK_TRIANGLES times this is below 2^16,
+    // the numbers that bins hold.
+    RHW_TRIANGLES_MOST = 6,
+    // Vertices of a segment of those that clipping makes; see made_vertices.h. A chunk needs a segment for every run,
+    // and another one whenever it is full; a triangle drawn as lines has up to 8: three cut edges and one copied.
+    RHW_MADE_VERTICES = 256,
+    RHW_MADE_MOST = 8 * RHW_CHUNK_TRIANGLES / (RHW_MADE_VERTICES - 8) + 1
 };
 
 struct rhw_cache_entry {
@@ -41,6 +48,7 @@ struct rhw_geometry_scratch {
     _Alignas(64) struct rhw_vertex groups[RHW_VERTEX_GROUPS];
     f8 attributes[RHW_VERTEX_GROUPS][RHW_MAX_ATTRIBUTES][4];
     f8 varyings[RHW_VERTEX_GROUPS * RHW_MAX_VARYING_COMPONENTS];
+    f8 distances[RHW_VERTEX_GROUPS][RHW_MAX_CLIP_DISTANCES + RHW_MAX_CULL_DISTANCES];
     uint32_t unique[3 * RHW_CHUNK_TRIANGLES + 8]; // vertex index by slot, of the run under way
     struct rhw_cache_entry cache[RHW_VERTEX_CACHE];
     uint32_t stamp;
@@ -48,13 +56,18 @@ struct rhw_geometry_scratch {
     uint32_t indices[RHW_CHUNK_TRIANGLES][3];
     struct rhw_snapped_vertex vertices[(3 + 7) * RHW_CHUNK_TRIANGLES];
     struct rhw_run runs[RHW_CHUNK_TRIANGLES];
-    struct rhw_segment segments[RHW_CHUNK_TRIANGLES];
+    struct rhw_segment segments[2 * RHW_CHUNK_TRIANGLES + RHW_MADE_MOST]; // of the runs, then of made vertices
     struct rhw_polygon polygons[RHW_CHUNK_TRIANGLES];
-    struct rhw_tile_range tile_ranges[RHW_CHUNK_TRIANGLES]; // of the triangles that are drawn
-    uint32_t index_count, vertex_count;                     // triangles of `indices`; vertices
-    int run_count, polygon_count;
+    struct rhw_tile_range
+        tile_ranges[RHW_TRIANGLES_MOST * RHW_CHUNK_TRIANGLES]; // of the triangles that are drawn
+    uint32_t index_count, vertex_count;                        // triangles of `indices`; vertices
+    int run_count, polygon_count, segment_count;
     bool special_paths;   // see rhw_pass_takes_special_paths
     bool culls_uncovered; // see cull_uncovered.h
+    // Where made vertices stand, see made_vertices.h: in the last segment `made_count`, of run `made_run`.
+    struct rhw_arena *arena;
+    uint32_t made_run, made_count;
+    bool out_of_memory;
     struct rhw_front_counters counters;
 };
 

@@ -41,6 +41,12 @@ RHW_INLINE struct triangle8 load_triangle8(const struct rhw_snapped_vertex *vert
     return t;
 }
 
+// Gives the bits of the lanes that have one of the flags.
+RHW_INLINE unsigned flagged8(i8 flags, int32_t which)
+{
+    return ~i8_sign_bits(rhw_equal_int(flags & i8_splat(which), i8_splat(0)));
+}
+
 RHW_INLINE i8 i8_min3(const i8 v[3])
 {
     return i8_min(i8_min(v[0], v[1]), v[2]);

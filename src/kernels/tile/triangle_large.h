@@ -171,6 +171,7 @@ static void draw_blocks(struct tile_work *work, struct triangle_work *triangle,
                         const struct coverage *coverage)
 {
     const struct tile_rect rect = rect_of(work, triangle->t);
+    const bool is_cut = work->is_scissored || triangle->t->flags & RHW_TRIANGLE_RECTANGLE;
     for (int y = rect.y0 & -RHW_BLOCK; y < rect.y1; y += RHW_BLOCK) {
         const int row0 = max_int(rect.y0 - y, 0), row1 = min_int(rect.y1 - y, RHW_BLOCK);
         const unsigned hidden = hidden_blocks(work, triangle, y);
@@ -179,7 +180,7 @@ static void draw_blocks(struct tile_work *work, struct triangle_work *triangle,
                 continue;
             }
             uint64_t mask = coverage_mask(coverage, x, y, row0, row1);
-            if (work->is_scissored) {
+            if (is_cut) {
                 mask &= rect_mask(x, y, rect.x0, rect.y0, rect.x1, rect.y1);
             }
             if (mask != 0) {
@@ -197,7 +198,9 @@ static __attribute__((noinline)) void draw_spans(struct tile_work *work, struct 
     finish_gathered(work, triangle);
 }
 
-static void draw_large(struct tile_work *work, struct triangle_work *triangle, const struct rhw_chunk *chunk)
+// Out of line, so that small triangles, drawn beside it, keep their registers.
+static __attribute__((noinline)) void draw_large(struct tile_work *work, struct triangle_work *triangle,
+                                                 const struct rhw_chunk *chunk)
 {
     struct coverage coverage;
     if (triangle->t->flags & work->plan.span_flag) {
@@ -208,7 +211,8 @@ static void draw_large(struct tile_work *work, struct triangle_work *triangle, c
     if (coverage.count == 0) {
         return;
     }
-    if (takes_whole_tile(work) && covers_tile(&coverage) && draw_whole_tile(work, triangle)) {
+    if (takes_whole_tile(work) && covers_tile(&coverage) && !(triangle->t->flags & RHW_TRIANGLE_RECTANGLE) &&
+        draw_whole_tile(work, triangle)) {
         return;
     }
     draw_blocks(work, triangle, &coverage);

@@ -177,17 +177,43 @@ static void draw_sampled_block(struct tile_work *work, struct triangle_work *tri
     }
 }
 
+// Pixels of the block at (x, y) within a rectangle, which may lie elsewhere.
+static uint64_t overlap_mask(int x, int y, const struct tile_rect *rect)
+{
+    const bool overlaps = rect->x0 < rect->x1 && rect->y0 < rect->y1 && rect->x0 < x + RHW_BLOCK &&
+                          rect->x1 > x && rect->y0 < y + RHW_BLOCK && rect->y1 > y;
+    return overlaps ? rect_mask(x, y, rect->x0, rect->y0, rect->x1, rect->y1) : 0;
+}
+
+// Of the rectangle of a point, the pixels whose sample s lies in its square: the half of its triangle's legs.
+static struct tile_rect point_rect(const struct tile_work *work, const struct rhw_triangle *t,
+                                   const struct tile_rect *rect, int s)
+{
+    const int32_t x = work->pass->pattern->x_0_8[s], y = work->pass->pattern->y_0_8[s];
+    const int32_t size = (t->x_24_8[1] - t->x_24_8[0]) / 2;
+    const int x0 = pixel_of_step(t->x_24_8[0], RHW_SUBPIXEL - x - 1) - work->x,
+              y0 = pixel_of_step(t->y_24_8[0], RHW_SUBPIXEL - y - 1) - work->y,
+              x1 = pixel_of_step(t->x_24_8[0] + size - 1, RHW_SUBPIXEL - x) - work->x,
+              y1 = pixel_of_step(t->y_24_8[0] + size - 1, RHW_SUBPIXEL - y) - work->y;
+    return (struct tile_rect){max_int(x0, rect->x0), max_int(y0, rect->y0), min_int(x1, rect->x1),
+                              min_int(y1, rect->y1)};
+}
+
 // The samples of a block that the triangle covers, within its rectangle and the scissor.
-static void cover_samples(const struct tile_work *work, const struct coverage *coverage,
-                          const struct tile_rect *rect, struct sampled_block *block)
+static void cover_samples(const struct tile_work *work, const struct rhw_triangle *t,
+                          const struct coverage *coverage, const struct tile_rect *rect,
+                          struct sampled_block *block)
 {
     const int x = block->x, y = block->y;
     const int row0 = max_int(rect->y0 - y, 0), row1 = min_int(rect->y1 - y, RHW_BLOCK);
-    const uint64_t inside =
-        work->is_scissored ? rect_mask(x, y, rect->x0, rect->y0, rect->x1, rect->y1) : ~(uint64_t)0;
+    const bool is_point = t->flags & RHW_TRIANGLE_RECTANGLE;
     for (int s = 0; s < work->samples; s++) {
         const bool is_drawn = work->pipeline->def.sample_mask >> s & 1;
-        block->mask[s] = is_drawn ? inside & coverage_mask(&coverage[s], x, y, row0, row1) : 0;
+        block->mask[s] = is_drawn ? coverage_mask(&coverage[s], x, y, row0, row1) : 0;
+        if (block->mask[s] != 0 && (work->is_scissored || is_point)) {
+            const struct tile_rect inside = is_point ? point_rect(work, t, rect, s) : *rect;
+            block->mask[s] &= overlap_mask(x, y, &inside);
+        }
     }
 }
 
@@ -214,7 +240,7 @@ static __attribute__((noinline)) void draw_multisampled(struct tile_work *work,
             struct sampled_block block;
             block.x = x;
             block.y = y;
-            cover_samples(work, coverage, &rect, &block);
+            cover_samples(work, triangle->t, coverage, &rect, &block);
             draw_sampled_block(work, triangle, &block);
         }
     }

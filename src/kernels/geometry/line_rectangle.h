@@ -1,0 +1,89 @@
+// SPDX-License-Identifier: MIT
+// Lines, 8 at a time, as the rectangles around them (Vulkan 1.3 §28.9, rectangular lines). From the snapped ends a and
+// b, across by half the width, leads n, snapped too: the corners a ± n, b ± n are those of a parallelogram, exactly,
+// which two triangles make up:
+//
+//     a + n ──────────────── b + n        (a + n, a − n, b + n) with vertices a, a, b
+//       │        ╲             │          (a − n, b − n, b + n) with vertices a, b, b
+//     a − n ──────────────── b − n
+//
+// So coverage is that of triangles, and what varies along the line is linear from a to b and the same across it. The
+// first vertex of both is a, the last one b, for flat values.
+#ifndef RHW_LINE_RECTANGLE_H
+#define RHW_LINE_RECTANGLE_H
+
+#include "../../pipeline.h"
+#include "cull_uncovered.h"
+#include "lines8.h"
+#include "triangle_words.h"
+
+// The corners beside the ends, 24.8.
+struct line_sides8 {
+    i8 x, y;          // of n
+    unsigned nonzero; // bits of lines that are not points
+};
+
+static struct line_sides8 line_sides8(const struct lines8 *l, double half_width_24_8)
+{
+    const d8 dx = d8_from_i8(l->x[1] - l->x[0]), dy = d8_from_i8(l->y[1] - l->y[0]);
+    const d8 squared = d8_add(d8_mul(dx, dx), d8_mul(dy, dy)); // below 2^49: exact
+    const d8 scale = d8_div(d8_splat(half_width_24_8), d8_sqrt(squared));
+    const double most = RHW_MAX_LINE_WIDTH * RHW_SUBPIXEL;
+    const i8 x = i8_round_d8(d8_clamp(d8_mul(dy, scale), -most, most));
+    const i8 y = i8_round_d8(d8_clamp(d8_mul(dx, scale), -most, most));
+    const i8 zero = rhw_equal_int(l->x[0], l->x[1]) & rhw_equal_int(l->y[0], l->y[1]);
+    return (struct line_sides8){-x, y, ~i8_sign_bits(zero)};
+}
+
+// 8 of the triangles that lines are made of, those that cover something.
+struct line_half8 {
+    struct triangle_words words;
+    struct rhw_tile_range ranges[8];
+    unsigned drawn;
+};
+
+static void set_half8(struct line_half8 *half, const struct rhw_draw_state *state, const struct lines8 *l,
+                      const struct triangle8 *t, i8 middle, unsigned live, bool culls_uncovered)
+{
+    const struct pixel_rect8 pixels = pixel_rect8_of(t, state);
+    const i8 unclamped = rhw_equal_int(l->flags & i8_splat(RHW_TRIANGLE_CLAMP), i8_splat(0));
+    const i8 flags = l->flags | (small_triangles8(t) & unclamped & i8_splat(RHW_TRIANGLE_SMALL));
+    const struct triangle_names8 names = {
+        .vertex = {l->vertex[0], middle, l->vertex[1]}, .primitive = l->primitive, .segment = l->segment};
+    half->drawn =
+        live & i8_sign_bits(rhw_less_int(pixels.x0, pixels.x1) & rhw_less_int(pixels.y0, pixels.y1));
+    if (half->drawn != 0 && culls_uncovered) {
+        half->drawn &= ~uncovered8(t, &pixels, 0);
+    }
+    if (half->drawn != 0) {
+        fill_words(&half->words, t, &pixels, flags, &names);
+        tile_ranges8(half->ranges, pixels.x0, pixels.y0, pixels.x1, pixels.y1);
+    }
+}
+
+// Adds those of 8 lines that are `live` and cover something; returns their bits.
+static unsigned add_lines8(struct rhw_geometry_scratch *scratch, const struct rhw_draw_state *state,
+                           const struct lines8 *l, unsigned live, struct rhw_triangle_list *list)
+{
+    const struct line_sides8 n = line_sides8(l, state->pipeline->half_width_24_8);
+    const i8 *const x = l->x, *const y = l->y;
+    const struct triangle8 first = {.x = {x[0] + n.x, x[0] - n.x, x[1] + n.x},
+                                    .y = {y[0] + n.y, y[0] - n.y, y[1] + n.y}};
+    const struct triangle8 second = {.x = {x[0] - n.x, x[1] - n.x, x[1] + n.x},
+                                     .y = {y[0] - n.y, y[1] - n.y, y[1] + n.y}};
+    struct line_half8 halves[2];
+    set_half8(&halves[0], state, l, &first, l->vertex[0], live & n.nonzero, scratch->culls_uncovered);
+    set_half8(&halves[1], state, l, &second, l->vertex[1], live & n.nonzero, scratch->culls_uncovered);
+    const unsigned drawn = halves[0].drawn | halves[1].drawn;
+    for (unsigned left = drawn; left != 0; left &= left - 1) {
+        const int lane = __builtin_ctz(left);
+        for (int h = 0; h < 2; h++) {
+            if (halves[h].drawn >> lane & 1) {
+                add_words(list, &halves[h].words, halves[h].ranges, lane);
+            }
+        }
+    }
+    return drawn;
+}
+
+#endif

@@ -1,0 +1,106 @@
+// SPDX-License-Identifier: MIT
+// Points, 8 at a time. A point is a square of its size around its snapped position, which covers the pixel centres in
+// it, those on its left and top edges included (Vulkan 1.3 §28.8; the top-left rule). So it covers a rectangle of
+// pixels; one of size 1 exactly one. Tiles draw a triangle that contains the square, with its right angle in the
+// square's top left corner and legs of twice its side, cut down to that rectangle: its third edge touches the square in
+// the corner that is not covered anyway. All three vertices are the one of the point, so that nothing varies.
+//
+// One whose centre is outside the view, or cut off by a clip distance, is not drawn; of others, only the scissor cuts
+// off parts.
+#ifndef RHW_POINT_SETUP_H
+#define RHW_POINT_SETUP_H
+
+#include "../../pipeline.h"
+#include "../raster/vertex_record.h"
+#include "triangle_words.h"
+
+// 8 points.
+struct points8 {
+    i8 x, y;  // 24.8
+    i8 flags; // of their triangles
+    i8 vertex, primitive, segment;
+};
+
+// Gives sizes in 1/256 pixel.
+static i8 point_sizes8(const struct rhw_geometry_scratch *scratch, const struct rhw_pipeline_data *pipeline,
+                       const struct points8 *p)
+{
+    if (!pipeline->def.program.writes_point_size) {
+        return i8_splat(RHW_SUBPIXEL);
+    }
+    f8 size;
+    for (int lane = 0; lane < 8; lane++) {
+        const struct rhw_segment *const segment = &scratch->segments[p->segment[lane]];
+        size[lane] = record_at(segment, (uint32_t)p->vertex[lane])->varyings[pipeline->point_size_component];
+    }
+    size = f8_min(f8_max(size, f8_splat(1)), f8_splat(RHW_MAX_POINT_SIZE)); // 1 where it is no number
+    return i8_round_d8(d8_mul(d8_from_f8(size), d8_splat(RHW_SUBPIXEL)));
+}
+
+// Adds those of 8 points that are `live` and not outside the scissor; returns their bits.
+static unsigned add_points8(struct rhw_geometry_scratch *scratch, const struct rhw_draw_state *state,
+                            const struct points8 *p, unsigned live, struct rhw_triangle_list *list)
+{
+    const i8 size = point_sizes8(scratch, state->pipeline, p), legs = size + size;
+    const i8 x = p->x - (size >> 1), y = p->y - (size >> 1);
+    const struct rhw_rect *const scissor = &state->scissor;
+    const struct triangle8 t = {.x = {x, x + legs, x}, .y = {y, y, y + legs}};
+    const i8 end_x = x + size - i8_splat(1), end_y = y + size - i8_splat(1); // the last positions inside
+    const i8 first = i8_splat(state->first_step), past = i8_splat(state->past_step);
+    const struct pixel_rect8 pixels = {
+        i8_max(pixel_of_step8(x, first), i8_splat(scissor->x)),
+        i8_max(pixel_of_step8(y, first), i8_splat(scissor->y)),
+        i8_min(pixel_of_step8(end_x, past), i8_splat(scissor->x + scissor->width)),
+        i8_min(pixel_of_step8(end_y, past), i8_splat(scissor->y + scissor->height))};
+    const i8 small = rhw_less_int(legs, i8_splat(RHW_TILE * RHW_SUBPIXEL));
+    const i8 unclamped = rhw_equal_int(p->flags & i8_splat(RHW_TRIANGLE_CLAMP), i8_splat(0));
+    const i8 flags =
+        p->flags | i8_splat(RHW_TRIANGLE_RECTANGLE) | (small & unclamped & i8_splat(RHW_TRIANGLE_SMALL));
+    const struct triangle_names8 names = {
+        .vertex = {p->vertex, p->vertex, p->vertex}, .primitive = p->primitive, .segment = p->segment};
+    struct rhw_tile_range ranges[8];
+    struct triangle_words words;
+    const unsigned drawn =
+        live & i8_sign_bits(rhw_less_int(pixels.x0, pixels.x1) & rhw_less_int(pixels.y0, pixels.y1));
+    fill_words(&words, &t, &pixels, flags, &names);
+    tile_ranges8(ranges, pixels.x0, pixels.y0, pixels.x1, pixels.y1);
+    for (unsigned left = drawn; left != 0; left &= left - 1) {
+        add_words(list, &words, ranges, __builtin_ctz(left));
+    }
+    return drawn;
+}
+
+// Bits of those that may be seen, counting the others. `flags`: of the vertices.
+static unsigned seen_points8(struct rhw_geometry_scratch *scratch, i8 flags, unsigned live)
+{
+    const unsigned lost = live & flagged8(flags, RHW_VERTEX_NOT_FINITE);
+    const unsigned outside = live & ~lost & flagged8(flags, RHW_VERTEX_OUTSIDE | RHW_VERTEX_UNSNAPPED);
+    scratch->counters.dropped += (unsigned)__builtin_popcount(lost);
+    scratch->counters.culled += (unsigned)__builtin_popcount(outside);
+    return live & ~lost & ~outside;
+}
+
+// Sets up 8 points of a run.
+static __attribute__((noinline)) void setup_points8(struct rhw_geometry_scratch *scratch,
+                                                    const struct run_slice *slice,
+                                                    struct rhw_triangle_list *list)
+{
+    const struct rhw_run *const run = &scratch->runs[slice->run];
+    const struct rhw_draw_state *const state = scratch->segments[slice->run].draw->state;
+    const struct triangle8 t = load_triangle8(run->vertices, run->first_slot, slice->indices);
+    const struct triangle_names8 names = names_of_slice(slice, run->first_slot);
+    const unsigned seen = seen_points8(scratch, t.flags_any, slice->live);
+    if (seen != 0) {
+        const struct points8 points = {.x = t.x[0],
+                                       .y = t.y[0],
+                                       .flags = clamp_flags8(state, t.depth_min, t.depth_min),
+                                       .vertex = names.vertex[0],
+                                       .primitive = names.primitive,
+                                       .segment = names.segment};
+        const unsigned drawn = add_points8(scratch, state, &points, seen, list);
+        scratch->counters.culled += (unsigned)__builtin_popcount(seen & ~drawn);
+        scratch->counters.rasterized += (unsigned)__builtin_popcount(drawn);
+    }
+}
+
+#endif

@@ -1,0 +1,99 @@
+// SPDX-License-Identifier: MIT
+// 8 struct rhw_triangle, written from lanes.
+#ifndef RHW_TRIANGLE_WORDS_H
+#define RHW_TRIANGLE_WORDS_H
+
+#include <stddef.h>
+
+#include "geometry_scratch.h"
+#include "triangle8.h"
+
+// These are 8 triangles of a run, one after another.
+struct run_slice {
+    uint32_t run;                 // its number in the scratch
+    const uint32_t (*indices)[3]; // of their vertices and of one triangle more, which may be read
+    uint32_t first_primitive;
+    unsigned live; // bits of those that are there
+};
+
+// What 8 triangles are made of and belong to.
+struct triangle_names8 {
+    i8 vertex[3]; // slots
+    i8 primitive, segment;
+};
+
+RHW_INLINE struct triangle_names8 names_of_slice(const struct run_slice *slice, uint32_t first_slot)
+{
+    const void *places[8];
+    for (int lane = 0; lane < 8; lane++) {
+        places[lane] = slice->indices[lane];
+    }
+    f8 column[4];
+    f8_load_columns(places, column);
+    struct triangle_names8 names;
+    for (int i = 0; i < 3; i++) {
+        names.vertex[i] = (i8)column[i] - i8_splat((int32_t)first_slot);
+    }
+    names.primitive = i8_splat((int32_t)slice->first_primitive) + rhw_lane_index;
+    names.segment = i8_splat((int32_t)slice->run);
+    return names;
+}
+
+// 8 triangles in two halves: first word by word, then triangle by triangle.
+struct triangle_words {
+    f8 low[8], high[8];
+};
+
+_Static_assert(offsetof(struct rhw_triangle, y_24_8) == 12 && offsetof(struct rhw_triangle, vertex) == 24 &&
+                   offsetof(struct rhw_triangle, primitive) == 36 &&
+                   offsetof(struct rhw_triangle, segment) == 40 &&
+                   offsetof(struct rhw_triangle, polygon) == 44 &&
+                   offsetof(struct rhw_triangle, flags) == 48 && offsetof(struct rhw_triangle, x0) == 50 &&
+                   offsetof(struct rhw_triangle, y0) == 52 && offsetof(struct rhw_triangle, x1) == 54 &&
+                   offsetof(struct rhw_triangle, y1) == 56 && sizeof(struct rhw_triangle) == 64,
+               "fill_words writes struct rhw_triangle word by word");
+
+// `flags` are those of the triangles.
+RHW_INLINE void fill_words(struct triangle_words *words, const struct triangle8 *t,
+                           const struct pixel_rect8 *pixels, i8 flags, const struct triangle_names8 *names)
+{
+    f8 *const low = words->low, *const high = words->high;
+    for (int i = 0; i < 3; i++) {
+        low[i] = (f8)t->x[i];
+        low[3 + i] = (f8)t->y[i];
+    }
+    low[6] = (f8)names->vertex[0];
+    low[7] = (f8)names->vertex[1];
+    high[0] = (f8)names->vertex[2];
+    high[1] = (f8)names->primitive;
+    high[2] = (f8)names->segment;
+    high[3] = high[7] = f8_splat(0);
+    high[4] = (f8)(flags | pixels->x0 << 16); // little-endian, as every machine with these lanes is
+    high[5] = (f8)(pixels->y0 | pixels->x1 << 16);
+    high[6] = (f8)pixels->y1;
+    f8_transpose(low);
+    f8_transpose(high);
+}
+
+// Adds triangle `lane` to the list.
+RHW_INLINE void add_words(struct rhw_triangle_list *list, const struct triangle_words *words,
+                          const struct rhw_tile_range ranges[8], int lane)
+{
+    struct rhw_triangle *const out = &list->triangles[list->count];
+    memcpy(out, &words->low[lane], 32);
+    memcpy((unsigned char *)out + 32, &words->high[lane], 32);
+    list->ranges[list->count++] = ranges[lane];
+}
+
+// Gives the flags by which depth is clamped that lies between two values: a rounding may carry it past the viewport's
+// range where it changes next to its ends.
+RHW_INLINE i8 clamp_flags8(const struct rhw_draw_state *state, f8 least, f8 most)
+{
+    const float margin = 0x1p-20f;
+    const f8 low = f8_splat(state->depth_least), high = f8_splat(state->depth_most);
+    const i8 inside = rhw_equal(least, most) & rhw_less_equal(low, least) & rhw_less_equal(most, high);
+    const i8 clamp = rhw_less(least, low + f8_splat(margin)) | rhw_less(high - f8_splat(margin), most);
+    return clamp & ~inside & i8_splat(RHW_TRIANGLE_CLAMP);
+}
+
+#endif
