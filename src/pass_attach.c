@@ -2,6 +2,7 @@
 // The attachments of a pass: what its definition says is checked, and becomes what tiles load, draw into and store.
 #include "pass_attach.h"
 
+#include <stdio.h>
 #include <string.h>
 
 #include "context.h"
@@ -13,13 +14,14 @@
 
 static const char *const where = "rhw_pass_begin";
 
-static bool check_operations(rhw_context *context, const char *name, int i, enum rhw_load load,
+// `prefix`: of the members' names, as "depth.stencil_".
+static bool check_operations(rhw_context *context, const char *prefix, enum rhw_load load,
                              enum rhw_store store)
 {
-    return rhw_check(context, (unsigned)load <= RHW_LOAD_DISCARD,
-                     "%s: %s[%d].load is %d; not a load operation", where, name, i, (int)load) &&
+    return rhw_check(context, (unsigned)load <= RHW_LOAD_DISCARD, "%s: %sload is %d; not a load operation",
+                     where, prefix, (int)load) &&
            rhw_check(context, (unsigned)store <= RHW_STORE_DISCARD,
-                     "%s: %s[%d].store is %d; not a store operation", where, name, i, (int)store);
+                     "%s: %sstore is %d; not a store operation", where, prefix, (int)store);
 }
 
 static struct rhw_name name_of(const rhw_context *context, rhw_texture id)
@@ -29,24 +31,34 @@ static struct rhw_name name_of(const rhw_context *context, rhw_texture id)
 
 // Checks the texture of an attachment against the pass and the attachments before it.
 static bool check_texture(const struct rhw_pass_state *pass, rhw_texture id,
-                          const struct rhw_texture_data *texture, const char *name, int i)
+                          const struct rhw_texture_data *texture, const char *name)
 {
     rhw_context *const context = pass->context;
     const struct rhw_mip *const mip = &texture->mip[0];
     return rhw_check(context, texture->attached != context->recording.generation,
-                     "%s: %s[%d] is %s, as another attachment is; each needs its own texture", where, name, i,
+                     "%s: %s is %s, as another attachment is; each needs its own texture", where, name,
                      name_of(context, id).text) &&
            rhw_check(context, mip->width == pass->width && mip->height == pass->height,
-                     "%s: %s[%d] is %s, which is %dx%d; the pass is %dx%d", where, name, i,
+                     "%s: %s is %s, which is %dx%d; the pass is %dx%d", where, name,
                      name_of(context, id).text, mip->width, mip->height, pass->width, pass->height);
 }
 
-// Fills what an attachment with a texture has.
-static enum rhw_result attach(struct rhw_pass_state *pass, rhw_texture id, const char *name, int i,
+// The texture of the attachment `name`; NULL, and misuse, when there is none.
+static struct rhw_texture_data *find_texture(const rhw_context *context, rhw_texture id, const char *name)
+{
+    char whose[64];
+    snprintf(whose, sizeof whose, "%s: %s.texture", where, name);
+    return rhw_check(context, id.index != 0, "%s is the null id", whose)
+               ? rhw_context_texture(context, id, whose)
+               : NULL;
+}
+
+// Fills what an attachment with a texture has. `name`: "colors[0]" or "depth".
+static enum rhw_result attach(struct rhw_pass_state *pass, rhw_texture id, const char *name,
                               struct rhw_attachment *attachment)
 {
     struct rhw_context *const context = pass->context;
-    struct rhw_texture_data *const texture = rhw_context_texture(context, id, where);
+    struct rhw_texture_data *const texture = find_texture(context, id, name);
     if (!texture) {
         return RHW_ERROR_MISUSE;
     }
@@ -54,7 +66,7 @@ static enum rhw_result attach(struct rhw_pass_state *pass, rhw_texture id, const
         pass->width = texture->mip[0].width;
         pass->height = texture->mip[0].height;
     }
-    if (!check_texture(pass, id, texture, name, i)) {
+    if (!check_texture(pass, id, texture, name)) {
         return RHW_ERROR_MISUSE;
     }
     if (!texture->clean) {
@@ -105,10 +117,13 @@ static enum rhw_result attach_color(struct rhw_pass_state *pass, const struct rh
     struct rhw_context *const context = pass->context;
     const struct rhw_color_attachment *const color = &def->colors[i];
     struct rhw_attachment *const attachment = &pass->colors[i];
-    if (!check_operations(context, "colors", i, color->load, color->store)) {
+    char name[16], prefix[20];
+    snprintf(name, sizeof name, "colors[%d]", i);
+    snprintf(prefix, sizeof prefix, "%s.", name);
+    if (!check_operations(context, prefix, color->load, color->store)) {
         return RHW_ERROR_MISUSE;
     }
-    const enum rhw_result result = attach(pass, color->texture, "colors", i, attachment);
+    const enum rhw_result result = attach(pass, color->texture, name, attachment);
     if (result != RHW_OK) {
         return result;
     }
@@ -140,39 +155,49 @@ static enum rhw_result attach_depth_texture(struct rhw_pass_state *pass,
                                             const struct rhw_depth_attachment *depth)
 {
     struct rhw_context *const context = pass->context;
-    const enum rhw_result result = attach(pass, depth->texture, "depth", 0, &pass->depth);
+    const enum rhw_result result = attach(pass, depth->texture, "depth", &pass->depth);
     if (result != RHW_OK) {
         return result;
     }
     const enum rhw_format format = pass->depth.format;
-    return rhw_check(context, has_role(format, RHW_ROLE_DEPTH_TARGET | RHW_ROLE_STENCIL_TARGET),
-                     "%s: depth is %s, which is %s; that has neither depth nor stencil", where,
-                     name_of(context, depth->texture).text, rhw_format_info(format)->name) &&
+    return (depth->format == RHW_FORMAT_NONE ||
+            rhw_check_format(context, where, "depth.format", depth->format)) &&
+                   rhw_check(context, has_role(format, RHW_ROLE_DEPTH_TARGET | RHW_ROLE_STENCIL_TARGET),
+                             "%s: depth is %s, which is %s; that has neither depth nor stencil", where,
+                             name_of(context, depth->texture).text, rhw_format_info(format)->name) &&
                    rhw_check(context, depth->format == RHW_FORMAT_NONE || depth->format == format,
-                             "%s: depth.format is %d; %s is %s", where, (int)depth->format,
+                             "%s: depth.format is %s; %s is %s", where, rhw_format_info(depth->format)->name,
                              name_of(context, depth->texture).text, rhw_format_info(format)->name)
                ? RHW_OK
                : RHW_ERROR_MISUSE;
 }
 
-// Without a texture nothing can be loaded or stored.
+// Without a texture nothing can be loaded or stored. `prefix`: of the members' names.
+static bool check_not_kept(const struct rhw_context *context, const char *prefix, enum rhw_load load,
+                           enum rhw_store store)
+{
+    return rhw_check(
+               context, load_of(load) == RHW_LOAD_CLEAR,
+               "%s: depth.texture is null and %sload is not RHW_LOAD_CLEAR: give it a texture, or clear",
+               where, prefix) &&
+           rhw_check(context, store == RHW_STORE_DISCARD,
+                     "%s: depth.texture is null and %sstore is RHW_STORE_STORE: give it a texture, or set "
+                     "%sstore = RHW_STORE_DISCARD",
+                     where, prefix, prefix);
+}
+
 static bool check_transient(const struct rhw_pass_state *pass, const struct rhw_depth_attachment *depth)
 {
     struct rhw_context *const context = pass->context;
     const enum rhw_format format = pass->depth.format;
-    return rhw_check(context,
-                     rhw_format_valid(format) &&
-                         has_role(format, RHW_ROLE_DEPTH_TARGET | RHW_ROLE_STENCIL_TARGET),
-                     "%s: depth.format is %d; that has neither depth nor stencil", where, (int)format) &&
-           rhw_check(context,
-                     !has_role(format, RHW_ROLE_DEPTH_TARGET) ||
-                         (load_of(depth->load) == RHW_LOAD_CLEAR && depth->store == RHW_STORE_DISCARD),
-                     "%s: depth.texture is null; without one depth is cleared and not stored", where) &&
-           rhw_check(context,
-                     !has_role(format, RHW_ROLE_STENCIL_TARGET) ||
-                         (load_of(depth->stencil_load) == RHW_LOAD_CLEAR &&
-                          depth->stencil_store == RHW_STORE_DISCARD),
-                     "%s: depth.texture is null; without one stencil is cleared and not stored", where);
+    return rhw_check_format(context, where, "depth.format", format) &&
+           rhw_check(context, has_role(format, RHW_ROLE_DEPTH_TARGET | RHW_ROLE_STENCIL_TARGET),
+                     "%s: depth.format is %s; that has neither depth nor stencil", where,
+                     rhw_format_info(format)->name) &&
+           (!has_role(format, RHW_ROLE_DEPTH_TARGET) ||
+            check_not_kept(context, "depth.", depth->load, depth->store)) &&
+           (!has_role(format, RHW_ROLE_STENCIL_TARGET) ||
+            check_not_kept(context, "depth.stencil_", depth->stencil_load, depth->stencil_store));
 }
 
 // Makes the stencil attachment from that of depth, whose texture and format it shares.
@@ -219,8 +244,8 @@ static enum rhw_result attach_depth(struct rhw_pass_state *pass, const struct rh
     if (!depth->enabled) {
         return RHW_OK;
     }
-    if (!check_operations(context, "depth", 0, depth->load, depth->store) ||
-        !check_operations(context, "depth.stencil", 0, depth->stencil_load, depth->stencil_store)) {
+    if (!check_operations(context, "depth.", depth->load, depth->store) ||
+        !check_operations(context, "depth.stencil_", depth->stencil_load, depth->stencil_store)) {
         return RHW_ERROR_MISUSE;
     }
     if (depth->texture.index != 0) {

@@ -24,6 +24,7 @@ static void reset(struct rhw_pass_state *pass, const struct rhw_pass_def *def)
     pass->has_large_draws = false;
     pass->current = NULL;
     pass->out_of_memory = false;
+    pass->refused_pipeline = false;
     pass->color_count = def->color_count;
     memset(&pass->pending, 0, sizeof pass->pending);
     memset(&pass->bound, 0, sizeof pass->bound);
@@ -41,11 +42,13 @@ static bool check_def(rhw_context *context, const struct rhw_pass_def *def, cons
            rhw_check(context, def->color_count >= 0 && def->color_count <= RHW_MAX_COLOR_ATTACHMENTS,
                      "%s: color_count is %d; it is in 0..%d", where, def->color_count,
                      RHW_MAX_COLOR_ATTACHMENTS) &&
-           rhw_check(context, def->color_count > 0 || def->depth.enabled, "%s: the pass has no attachment",
-                     where) &&
            rhw_check(context, def->color_count > 0 || def->colors[0].texture.index == 0,
                      "%s: colors[0].texture is set and color_count is 0; it must be 1 or more, or the "
                      "texture null",
+                     where) &&
+           rhw_check(context, !context->findings || def->depth.enabled || def->depth.texture.index == 0,
+                     "%s: depth.texture is set and depth.enabled is false", where) &&
+           rhw_check(context, def->color_count > 0 || def->depth.enabled, "%s: the pass has no attachment",
                      where);
 }
 
@@ -100,7 +103,9 @@ enum rhw_result rhw_pass_begin(rhw_context *context, const struct rhw_pass_def *
         !context->recording.active) { // else it may be the only name of the pass that has to end
         *id = (rhw_pass){0};
     }
+    context->definition = def != NULL ? def->label : NULL;
     const enum rhw_result result = begin(context, def, id);
+    context->definition = NULL;
     rhw_context_leave(context);
     return result;
 }

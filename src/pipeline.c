@@ -2,6 +2,7 @@
 // Pipelines: every rule about a definition is checked here, once, so that a draw need not look again.
 #include "pipeline.h"
 
+#include <stdio.h>
 #include <string.h>
 
 #include "context.h"
@@ -236,8 +237,9 @@ static bool check_blend(const struct rhw_context *context, int index, const char
 
 static bool check_target(const struct rhw_context *context, int index, const struct rhw_color_target *target)
 {
-    if (!check_element(context, "targets", index, "format", target->format, RHW_FORMAT_NONE + 1,
-                       RHW_FORMAT_COUNT - 1)) {
+    char field[32];
+    snprintf(field, sizeof field, "targets[%d].format", index);
+    if (!rhw_check_format(context, create_name, field, target->format)) {
         return false;
     }
     const struct rhw_format_info *const format = rhw_format_info(target->format);
@@ -294,13 +296,38 @@ static bool check_flaws(const struct rhw_context *context, uint32_t flaws)
                      create_name, (unsigned)flaws);
 }
 
+// Whether it does without blending what it does with it.
+static bool replaces(const struct rhw_blend_component *blend)
+{
+    return (blend->src == RHW_BLEND_DEFAULT || blend->src == RHW_BLEND_ONE) &&
+           (blend->dst == RHW_BLEND_DEFAULT || blend->dst == RHW_BLEND_ZERO) &&
+           blend->operation == RHW_BLEND_ADD;
+}
+
+// Under validation: what is set and switched off.
+static bool check_contradictions(const struct rhw_context *context, const struct rhw_pipeline_def *def)
+{
+    for (int i = 0; i < def->target_count; i++) {
+        const struct rhw_color_target *const target = &def->targets[i];
+        if (!rhw_check(context, target->blend || (replaces(&target->color) && replaces(&target->alpha)),
+                       "%s: targets[%d].color or .alpha is set and targets[%d].blend is false", create_name,
+                       i, i)) {
+            return false;
+        }
+    }
+    return rhw_check(context, def->depth_test || !def->depth_read_only,
+                     "%s: depth_read_only is true and depth_test is false, which neither tests nor writes",
+                     create_name);
+}
+
 static bool check_create(const struct rhw_context *context, const struct rhw_pipeline_def *def,
                          uint32_t flaws, const rhw_pipeline *pipeline)
 {
     return rhw_check(context, def != NULL, "%s: def is NULL", create_name) &&
            rhw_check(context, pipeline != NULL, "%s: pipeline is NULL", create_name) &&
            check_flaws(context, flaws) && check_program(context, &def->program) &&
-           check_vertex_input(context, def) && check_states(context, def) && check_targets(context, def);
+           check_vertex_input(context, def) && check_states(context, def) && check_targets(context, def) &&
+           (!context->findings || check_contradictions(context, def));
 }
 
 // What draws need --------------------------------------------------------------------------------------
@@ -466,7 +493,9 @@ enum rhw_result rhw_pipeline_create_probed(rhw_context *context, const struct rh
     if (!rhw_context_enter(context, create_name)) {
         return RHW_ERROR_MISUSE;
     }
+    context->definition = def != NULL ? def->label : NULL;
     const enum rhw_result result = create(context, def, flaws, pipeline);
+    context->definition = NULL;
     rhw_context_leave(context);
     return result;
 }

@@ -43,6 +43,7 @@ void rhw_texture_data_init(struct rhw_texture_data *texture, enum rhw_format for
     texture->format = format;
     texture->info = rhw_format_info(format);
     texture->levels = levels;
+    texture->written = 1;
     for (int lane = 0; lane < RHW_LANES; lane++) {
         texture->last_level[lane] = (float)(texture->levels - 1);
     }
@@ -129,8 +130,7 @@ static bool check_create(const struct rhw_context *context, const struct rhw_tex
     static const char *const where = "rhw_texture_create";
     if (!rhw_check(context, def != NULL, "%s: def is NULL", where) ||
         !rhw_check(context, texture != NULL, "%s: texture is NULL", where) ||
-        !rhw_check(context, rhw_format_valid(def->format), "%s: format is %d; not a texel format", where,
-                   (int)def->format) ||
+        !rhw_check_format(context, where, "format", def->format) ||
         !check_size(context, "width", def->width) || !check_size(context, "height", def->height)) {
         return false;
     }
@@ -177,7 +177,9 @@ enum rhw_result rhw_texture_create(rhw_context *context, const struct rhw_textur
     if (!rhw_context_enter(context, "rhw_texture_create")) {
         return RHW_ERROR_MISUSE;
     }
+    context->definition = def ? def->label : NULL;
     const enum rhw_result result = create(context, def, texture);
+    context->definition = NULL;
     rhw_context_leave(context);
     return result;
 }
@@ -311,6 +313,7 @@ static struct rhw_texture_data *renew(struct rhw_context *context, rhw_texture i
         return NULL;
     }
     memcpy(data->memory, old->memory, old->memory_size);
+    data->written = old->written;
     data->renewed_pass = context->recording.generation;
     data->renewed_draws = context->recording.draw;
     *item = data;
@@ -341,6 +344,9 @@ static enum rhw_result write_level(struct rhw_context *context, rhw_texture text
     struct copy copy = check_copy(context, texture, request, where);
     const bool is_valid = copy.texture != NULL;
     copy.texture = is_valid ? to_write(context, texture, copy.texture) : NULL;
+    if (copy.texture) {
+        copy.texture->written |= 1u << copy.level;
+    }
     for (size_t y = 0; copy.texture && y < (size_t)copy.texture->mip[copy.level].height; y++) {
         memcpy(row_of(&copy, y), (const unsigned char *)request->outside + y * copy.row_pitch, copy.row);
     }
@@ -400,8 +406,12 @@ static enum rhw_result generate_mips(struct rhw_context *context, rhw_texture te
                    rhw_name_of(&context->textures, texture.index).text, data->info->name)) {
         return RHW_ERROR_MISUSE;
     }
-    const struct rhw_texture_data *const written = to_write(context, texture, data);
-    return written && rhw_texture_data_generate_mips(context, written) ? RHW_OK : RHW_ERROR_OUT_OF_MEMORY;
+    struct rhw_texture_data *const target = to_write(context, texture, data);
+    if (!target || !rhw_texture_data_generate_mips(context, target)) {
+        return RHW_ERROR_OUT_OF_MEMORY;
+    }
+    target->written = (1u << target->levels) - 1;
+    return RHW_OK;
 }
 
 enum rhw_result rhw_texture_generate_mips(rhw_context *context, rhw_texture texture)
