@@ -23,8 +23,8 @@ static rhw_float level_of_detail(const struct rhw_texture_data *texture, const s
 }
 
 // The two levels that each lane reads, which may be one.
-static void levels_of(const struct rhw_texture_data *texture, const struct rhw_sampler_def *def, rhw_float lod,
-                      rhw_float *fine, rhw_float *coarse)
+static void levels_of(const struct rhw_texture_data *texture, const struct rhw_sampler_def *def,
+                      rhw_float lod, rhw_float *fine, rhw_float *coarse)
 {
     const float last = def->mip_filter == RHW_MIP_FILTER_NONE ? 0 : (float)(texture->levels - 1);
     const rhw_float limited = rhw_clamp(lod, rhw_splat(def->lod_min), rhw_splat(def->lod_max));
@@ -69,16 +69,17 @@ void rhw_watch_sample(const struct rhw_bindings *textures, int slot, const struc
     }
     if (!textures->slot[slot].texture) {
         rhw_findings_add(site->findings, RHW_FINDING_MISUSE, site->draw,
-                         "a shader function of %s samples slot %d, in which no texture is set", site->pipeline,
-                         slot);
+                         "a shader function of %s samples slot %d, in which no texture is set",
+                         site->pipeline, slot);
         return;
     }
     const int level = unwritten_level(&textures->slot[slot], request, site->mask);
     if (level != 0) {
-        rhw_findings_add(site->findings, RHW_FINDING_MISUSE, site->draw,
-                         "a shader function of %s samples level %d of the texture in slot %d, which was never "
-                         "written; rhw_texture_generate_mips fills all levels from level 0",
-                         site->pipeline, level, slot);
+        rhw_findings_add(
+            site->findings, RHW_FINDING_MISUSE, site->draw,
+            "a shader function of %s samples level %d of the texture in slot %d, which was never "
+            "written; rhw_texture_generate_mips fills all levels from level 0",
+            site->pipeline, level, slot);
     }
 }
 
@@ -86,7 +87,8 @@ void rhw_watch_sample_groups(const struct rhw_fragment *groups, int count, uint3
 {
     for (int g = 0; g < count; g++) {
         const struct rhw_fragment *const group = &groups[g];
-        const rhw_float gradient[4] = {group->ddx[at], group->ddx[at + 1], group->ddy[at], group->ddy[at + 1]};
+        const rhw_float gradient[4] = {group->ddx[at], group->ddx[at + 1], group->ddy[at],
+                                       group->ddy[at + 1]};
         const struct rhw_sample_request request = {.coordinates = &group->varying[at], .gradient = gradient};
         for (uint32_t left = slots; left != 0; left &= left - 1) {
             rhw_watch_sample(group->textures, __builtin_ctz(left), &request);

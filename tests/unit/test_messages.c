@@ -39,11 +39,11 @@ static void test_definitions_are_named(void **state)
     rig_expect_misuse(&rig, "rhw_sampler_create \"c\": compare is 3");
     rhw_pipeline_create(rig.context, &(struct rhw_pipeline_def){.label = "sky"}, &pipeline);
     rig_expect_misuse(&rig, "rhw_pipeline_create \"sky\": program.vertex and program.vertex1 are NULL");
-    const struct rhw_context_def wrong = {
-        .threads = -1, .label = "e", .assert_ = rig_misuse, .user = &rig};
+    const struct rhw_context_def wrong = {.threads = -1, .label = "e", .assert_ = rig_misuse, .user = &rig};
     rhw_context_create(&wrong, &context);
     rig_expect_misuse(&rig, "rhw_context_create \"e\": threads is -1");
-    refuse_pass(&rig, &(struct rhw_pass_def){.label = "f"}, "rhw_pass_begin \"f\": the pass has no attachment");
+    refuse_pass(&rig, &(struct rhw_pass_def){.label = "f"},
+                "rhw_pass_begin \"f\": the pass has no attachment");
     // Others have none, nor has what comes after.
     rhw_buffer_create(rig.context, &(struct rhw_buffer_def){0}, &buffer);
     rig_expect_misuse(&rig, "rhw_buffer_create: size is 0");
@@ -71,8 +71,9 @@ static void test_attachments_are_named(void **state)
     def.depth.texture.generation++;
     refuse_pass(&rig, &def, "rhw_pass_begin: depth.texture: texture 1 (generation 2) is stale");
     def.depth = (struct rhw_depth_attachment){.enabled = true};
-    refuse_pass(&rig, &def, "depth.texture is null and depth.store is RHW_STORE_STORE: give it a texture, or set "
-                            "depth.store = RHW_STORE_DISCARD");
+    refuse_pass(&rig, &def,
+                "depth.texture is null and depth.store is RHW_STORE_STORE: give it a texture, or set "
+                "depth.store = RHW_STORE_DISCARD");
     def.depth.load = RHW_LOAD_LOAD;
     refuse_pass(&rig, &def, "depth.texture is null and depth.load is not RHW_LOAD_CLEAR: give it a texture");
     def.depth.format = RHW_FORMAT_RGBA8_UNORM;
@@ -139,8 +140,9 @@ static void test_calls_that_meet_name_the_context(void **state)
     assert_int_equal(rhw_pass_end(rig.context, rig.recording, NULL), RHW_ERROR_MISUSE);
     assert_true(rig.misuses >= 1);
     rig.misuses = 1;
-    rig_expect_misuse(&rig, "rhw_texture_destroy: called by a function that the library called, such as a shader "
-                            "function; it must not use the context [context \"thumbnails\"]");
+    rig_expect_misuse(&rig,
+                      "rhw_texture_destroy: called by a function that the library called, such as a shader "
+                      "function; it must not use the context [context \"thumbnails\"]");
     rig_close(&rig);
 }
 

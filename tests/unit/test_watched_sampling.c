@@ -87,8 +87,9 @@ static void test_an_empty_slot(void **state)
         use_form(&rig, form);
         level_asked = 0;
         assert_int_equal(draw(&rig, (rhw_texture){0}, (rhw_sampler){0}), RHW_ERROR_MISUSE);
-        rig_expect_misuse(&rig, "a shader function of pipeline 1 \"sky\" samples slot 3, in which no texture is "
-                                "set [draw 0 of pass \"main\"]");
+        rig_expect_misuse(&rig,
+                          "a shader function of pipeline 1 \"sky\" samples slot 3, in which no texture is "
+                          "set [draw 0 of pass \"main\"]");
         const float *const texel = rig_read_float4(&rig)[0];
         assert_true(texel[0] == 0 && texel[1] == 0 && texel[2] == 0 && texel[3] == 1);
         rig_close(&rig);
@@ -123,8 +124,9 @@ static void test_levels_that_nobody_wrote(void **state)
         float asked;
         enum rhw_mip_filter filter;
         int told; // 0: nothing
-    } cases[] = {{0, RHW_MIP_FILTER_LINEAR, 0},     {-3, RHW_MIP_FILTER_LINEAR, 0}, {0.5f, RHW_MIP_FILTER_LINEAR, 1},
-                 {2, RHW_MIP_FILTER_LINEAR, 2},     {99, RHW_MIP_FILTER_LINEAR, 4}, {0.4f, RHW_MIP_FILTER_NEAREST, 0},
+    } cases[] = {{0, RHW_MIP_FILTER_LINEAR, 0},     {-3, RHW_MIP_FILTER_LINEAR, 0},
+                 {0.5f, RHW_MIP_FILTER_LINEAR, 1},  {2, RHW_MIP_FILTER_LINEAR, 2},
+                 {99, RHW_MIP_FILTER_LINEAR, 4},    {0.4f, RHW_MIP_FILTER_NEAREST, 0},
                  {0.6f, RHW_MIP_FILTER_NEAREST, 1}, {4, RHW_MIP_FILTER_NONE, 0}};
     for (size_t i = 0; i < 2 * sizeof cases / sizeof cases[0]; i++) {
         struct rig rig;
@@ -205,10 +207,11 @@ static void test_functions_that_forget_their_count(void **state)
             rig_begin(&rig);
             rig_draw(&rig, all, vertices);
             assert_int_equal(rhw_pass_end(rig.context, rig.recording, NULL), RHW_ERROR_MISUSE);
-            rig_expect_misuse(&rig, wrong ? "the vertex function of pipeline 1 \"sky\" works on the first of its "
-                                            "groups alone; it must work on `count` of them"
-                                          : "the fragment function of pipeline 1 \"sky\" works on the first of "
-                                            "its groups alone; it must work on `count` of them");
+            rig_expect_misuse(&rig,
+                              wrong ? "the vertex function of pipeline 1 \"sky\" works on the first of its "
+                                      "groups alone; it must work on `count` of them"
+                                    : "the fragment function of pipeline 1 \"sky\" works on the first of "
+                                      "its groups alone; it must work on `count` of them");
             rig_close(&rig);
         }
     }

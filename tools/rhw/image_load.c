@@ -179,7 +179,7 @@ static bool load_stream(struct cli_loaded_image *image, const char *path, FILE *
     uint8_t magic[4] = {0};
     const size_t got = fread(magic, 1, sizeof magic, stream);
     if (ferror(stream)) {
-        cli_error(path, "%s", strerror(errno));
+        cli_error(path, "cannot be opened: %s", strerror(errno));
         return false;
     }
     if (got == 0) {

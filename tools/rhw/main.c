@@ -45,7 +45,7 @@ static int run(int argc, char **argv)
         printf("rhw %s\n", rhw_version());
         return CLI_OK;
     }
-    if (strcmp(word, "--help") == 0 || strcmp(word, "-h") == 0) {
+    if (strcmp(word, "--help") == 0 || strcmp(word, "-h") == 0 || strcmp(word, "help") == 0) {
         print_program_help();
         return CLI_OK;
     }
