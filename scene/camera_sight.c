@@ -23,7 +23,8 @@ static bool is_seen(const double matrix[16], const float p[3])
            clip[2] >= 0 && clip[2] <= clip[3];
 }
 
-bool scene_camera_shows_most(const struct scene_model *model, const struct scene_camera *camera, double aspect)
+bool scene_camera_shows_most(const struct scene_model *model, const struct scene_camera *camera,
+                             double aspect)
 {
     if (is_inside(model, camera->eye)) {
         return false;

@@ -36,6 +36,20 @@ __attribute__((format(printf, 2, 3))) static void append(struct message *message
     va_end(arguments);
 }
 
+// Makes 'rhw_texture_create: ...' of a call that takes a definition 'rhw_texture_create "sky": ...'.
+static void name_definition(struct message *message, const char *label)
+{
+    char copy[RHW_LABEL_SIZE];
+    rhw_label_copy(copy, label);
+    const char *const colon = strchr(message->text, ':');
+    if (copy[0] == 0 || colon == NULL) {
+        return;
+    }
+    const struct message plain = *message;
+    message->length = (size_t)(colon - message->text);
+    append(message, " \"%s\"%s", copy, plain.text + message->length);
+}
+
 // Without a hook nothing is said, but what validation was asked for.
 static bool is_heard(const struct rhw_context *context, enum rhw_log_level level)
 {
@@ -61,6 +75,7 @@ void rhw_context_log(const struct rhw_context *context, enum rhw_log_level level
     va_start(arguments, format);
     append_list(&message, format, arguments);
     va_end(arguments);
+    name_definition(&message, context->definition);
     say(context, level, message.text);
 }
 
@@ -117,20 +132,6 @@ void rhw_context_warn_at(const struct rhw_context *context, const struct rhw_rec
         append_place(&message, context, place);
         say(context, RHW_LOG_WARNING, message.text);
     }
-}
-
-// Makes 'rhw_texture_create: ...' of a call that takes a definition 'rhw_texture_create "sky": ...'.
-static void name_definition(struct message *message, const char *label)
-{
-    char copy[RHW_LABEL_SIZE];
-    rhw_label_copy(copy, label);
-    const char *const colon = strchr(message->text, ':');
-    if (copy[0] == 0 || colon == NULL) {
-        return;
-    }
-    const struct message plain = *message;
-    message->length = (size_t)(colon - message->text);
-    append(message, " \"%s\"%s", copy, plain.text + message->length);
 }
 
 static void tell(const struct rhw_context *context, const char *text)

@@ -46,8 +46,6 @@ static bool check_def(rhw_context *context, const struct rhw_pass_def *def, cons
                      "%s: colors[0].texture is set and color_count is 0; it must be 1 or more, or the "
                      "texture null",
                      where) &&
-           rhw_check(context, !context->findings || def->depth.enabled || def->depth.texture.index == 0,
-                     "%s: depth.texture is set and depth.enabled is false", where) &&
            rhw_check(context, def->color_count > 0 || def->depth.enabled, "%s: the pass has no attachment",
                      where);
 }
@@ -90,6 +88,10 @@ static enum rhw_result begin(rhw_context *context, const struct rhw_pass_def *de
     pass->pending.scissor = (struct rhw_rect){0, 0, pass->width, pass->height};
     pass->pending.depth_setting.bounds_most = 1;
     begin_recording(context, def);
+    if (context->findings && def->depth.texture.index != 0 && !def->depth.enabled) {
+        rhw_context_log(context, RHW_LOG_WARNING, "%s: depth.texture is set and depth.enabled is false",
+                        where);
+    }
     *id = (rhw_pass){1, context->recording.generation, context->number};
     return RHW_OK;
 }

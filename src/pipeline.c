@@ -304,20 +304,21 @@ static bool replaces(const struct rhw_blend_component *blend)
            blend->operation == RHW_BLEND_ADD;
 }
 
-// Under validation: what is set and switched off.
-static bool check_contradictions(const struct rhw_context *context, const struct rhw_pipeline_def *def)
+// Under validation: what is set and switched off. Programs that switch on and off leave it so, hence no misuse.
+static void warn_of_contradictions(const struct rhw_context *context, const struct rhw_pipeline_def *def)
 {
     for (int i = 0; i < def->target_count; i++) {
         const struct rhw_color_target *const target = &def->targets[i];
-        if (!rhw_check(context, target->blend || (replaces(&target->color) && replaces(&target->alpha)),
-                       "%s: targets[%d].color or .alpha is set and targets[%d].blend is false", create_name,
-                       i, i)) {
-            return false;
+        if (!target->blend && !(replaces(&target->color) && replaces(&target->alpha))) {
+            rhw_context_log(context, RHW_LOG_WARNING,
+                            "%s: targets[%d].color or .alpha is set and targets[%d].blend is false",
+                            create_name, i, i);
         }
     }
-    return rhw_check(context, def->depth_test || !def->depth_read_only,
-                     "%s: depth_read_only is true and depth_test is false, which neither tests nor writes",
-                     create_name);
+    if (def->depth_read_only && !def->depth_test) {
+        rhw_context_log(context, RHW_LOG_WARNING, "%s: depth_read_only is true and depth_test is false",
+                        create_name);
+    }
 }
 
 static bool check_create(const struct rhw_context *context, const struct rhw_pipeline_def *def,
@@ -326,8 +327,7 @@ static bool check_create(const struct rhw_context *context, const struct rhw_pip
     return rhw_check(context, def != NULL, "%s: def is NULL", create_name) &&
            rhw_check(context, pipeline != NULL, "%s: pipeline is NULL", create_name) &&
            check_flaws(context, flaws) && check_program(context, &def->program) &&
-           check_vertex_input(context, def) && check_states(context, def) && check_targets(context, def) &&
-           (!context->findings || check_contradictions(context, def));
+           check_vertex_input(context, def) && check_states(context, def) && check_targets(context, def);
 }
 
 // What draws need --------------------------------------------------------------------------------------
@@ -468,6 +468,9 @@ static enum rhw_result create(struct rhw_context *context, const struct rhw_pipe
 {
     if (!check_create(context, def, flaws, pipeline)) {
         return RHW_ERROR_MISUSE;
+    }
+    if (context->findings) {
+        warn_of_contradictions(context, def);
     }
     rhw_pipeline id = {.context = context->number};
     struct rhw_pipeline_data *const data =
