@@ -143,6 +143,9 @@ check "the last frame: $(cat drawn)" test "$(cat drawn)" = "640 x 480 f465748b79
 refuse 'usage: window' make/window --frames none
 refuse '^window: ' env SDL_VIDEODRIVER=absent make/window --frames 1
 
+check "the size of a mesh's picture" test "$(wc -c <mesh.ppm)" = $((15 + 640 * 360 * 3))
+rm mesh.ppm
+
 # A golden hash that differs is told, its picture written; --update writes the file as it was.
 check "golden" make/golden make/golden.txt
 sed 's/^corner .*/corner 1/' make/golden.txt >changed
@@ -164,7 +167,8 @@ check "cmake configures" cmake -S "$root/examples/embedding" -B cmake -G Ninja -
     -DCMAKE_BUILD_TYPE=Release
 check "cmake without SDL2" cmake -S "$root/examples/embedding" -B no_window -DCMAKE_PREFIX_PATH="$folder/prefix" \
     -DCMAKE_DISABLE_FIND_PACKAGE_SDL2=ON
-check "which it says" grep -q '^-- SDL2 is not here (libsdl2-dev): the recipe of a window is left out$' log
+mv log configured
+check "which it says" grep -q '^-- SDL2 is not here (libsdl2-dev): the recipe of a window is left out$' configured
 check "cmake builds" cmake --build cmake --parallel 2
 says cmake $all
 closed cmake/libbadge.so
