@@ -151,6 +151,32 @@ static void test_levels_that_nobody_wrote(void **state)
     }
 }
 
+static void sample_by_mask(struct rhw_fragment *groups, int count)
+{
+    for (int g = 0; g < count; g++) {
+        const rhw_float level = rhw_select(groups[g].mask, rhw_splat(0), rhw_splat(4));
+        rhw_sample_lod(groups[g].textures, 3, groups[g].varying, level, groups[g].color[0]);
+    }
+}
+
+// Lanes without a fragment ask for anything.
+static void test_dead_lanes_do_not_count(void **state)
+{
+    (void)state;
+    struct rig rig;
+    open_validated(&rig, NULL);
+    rig_set_program(&rig, rig_vertex_pass, sample_by_mask);
+    struct rig_vertex all[6];
+    rig_rectangle(&rig, 0, 0, 3, 1, 0, (const float[4]){0}, all);
+    rig_begin(&rig);
+    rhw_pass_set_texture(rig.context, rig.recording, 3, make_texture(&rig),
+                         make_sampler(&rig, RHW_MIP_FILTER_LINEAR));
+    rig_draw(&rig, all, 6);
+    rig_end(&rig);
+    assert_int_equal(rig.misuses, 0);
+    rig_close(&rig);
+}
+
 // What is written by hand counts, also where the write gave the texture new memory.
 static void test_levels_written_one_by_one(void **state)
 {
@@ -273,6 +299,7 @@ int main(void)
         cmocka_unit_test(test_an_empty_slot),
         cmocka_unit_test(test_levels_that_nobody_wrote),
         cmocka_unit_test(test_levels_written_one_by_one),
+        cmocka_unit_test(test_dead_lanes_do_not_count),
         cmocka_unit_test(test_functions_that_forget_their_count),
         cmocka_unit_test(test_warnings_are_seen_without_a_log),
     };
