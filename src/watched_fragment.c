@@ -283,20 +283,30 @@ static rhw_int live_lanes(const struct rhw_watch *watch, const struct rhw_fragme
     return watch->uses & RHW_USE_DISCARD ? first->mask & group->mask : group->mask;
 }
 
-// Whether needed channels exist and none of a group's was written.
-static bool is_untouched(const struct rhw_watch *watch, const struct rhw_fragment *first,
-                         const struct rhw_fragment *second)
+// Lanes in which the function wrote a channel that is needed.
+static rhw_int written_lanes(const struct rhw_watch *watch, const struct rhw_fragment *first,
+                             const struct rhw_fragment *second)
 {
-    bool any_needed = false, any_written = false;
+    rhw_int lanes = rhw_splat_int(0);
     for (int t = 0; t < watch->pipeline->def.target_count; t++) {
         for (int c = 0; c < 4; c++) {
-            const bool needed = needed_channels(watch, t) & 1u << c;
-            any_needed |= needed;
-            any_written |=
-                needed && !rhw_watch_unwritten(first->color[t][c], second->color[t][c], rhw_splat_int(-1));
+            if (needed_channels(watch, t) & 1u << c) {
+                lanes |= ((rhw_int)first->color[t][c] != (int32_t)rhw_watch_output[0]) |
+                         ((rhw_int)second->color[t][c] != (int32_t)rhw_watch_output[1]);
+            }
         }
     }
-    return any_needed && !any_written;
+    return lanes;
+}
+
+// Whether the function wrote to the first group of a pair, and nothing to the second, which has fragments to keep.
+static bool forgets_second(const struct rhw_watch *watch,
+                           const struct rhw_fragment *const pair[RHW_WATCH_GROUPS],
+                           const struct fragment_run *first, const struct fragment_run *second)
+{
+    const rhw_int live = live_lanes(watch, pair[1], &first->group[1]);
+    return rhw_any(live) && !rhw_any(written_lanes(watch, &first->group[1], &second->group[1]) & live) &&
+           rhw_any(written_lanes(watch, &first->group[0], &second->group[0]));
 }
 
 // Looks at group g of both runs.
@@ -308,8 +318,7 @@ static void check_group(const struct rhw_watch *watch,
     const struct rhw_fragment *const first = &first_run->group[g], *const second = &second_run->group[g];
     const rhw_int live = live_lanes(watch, group, first);
     const rhw_int lanes = differing(watch, first, second, live);
-    if (watch->fragment && g > 0 && is_untouched(watch, first, second) &&
-        !is_untouched(watch, &first_run->group[0], &second_run->group[0])) {
+    if (watch->fragment && g > 0 && forgets_second(watch, pair, first_run, second_run)) {
         report(watch, group, live, RHW_FINDING_MISUSE,
                "works on the first of its groups alone; it must work on `count` of them");
     } else if (!check_channels(watch, group, first, second, live) &&
