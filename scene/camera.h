@@ -46,6 +46,10 @@ bool scene_camera_look(struct scene_camera *camera, const struct scene_model *mo
 /// frames stays in the picture.
 struct scene_camera scene_camera_from_model(const struct scene_model_camera *camera, double aspect);
 
+/// Whether the camera stands outside the model's bounds and has at least half of its vertices in the picture.
+bool scene_camera_shows_most(const struct scene_model *model, const struct scene_camera *camera,
+                             double aspect);
+
 /// World to camera space (looking along −Z).
 void scene_camera_view(const struct scene_camera *camera, double matrix[16]);
 /// Camera space to clip space: NDC y up, depth 0 at znear and 1 at zfar.

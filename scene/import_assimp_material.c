@@ -118,6 +118,12 @@ static void read_transform(const struct reader *reader, enum aiTextureType type,
     }
 }
 
+// What some of assimp's importers give a material that has no texture.
+static bool is_dummy(const char *name)
+{
+    return strncmp(name, "$texture_dummy", 14) == 0;
+}
+
 // The first texture of a type, if there is one and `texture` is not taken yet.
 static void read_texture(const struct reader *reader, enum aiTextureType type,
                          struct scene_phong_texture *texture)
@@ -129,7 +135,7 @@ static void read_texture(const struct reader *reader, enum aiTextureType type,
     if (texture->name != NULL ||
         aiGetMaterialTexture(reader->source, type, 0, &path, &mapping, &set, NULL, NULL, modes, NULL) !=
             aiReturn_SUCCESS ||
-        path.length == 0) {
+        path.length == 0 || is_dummy(path.data)) {
         return;
     }
     const struct aiTexture *inside = embedded(reader, path.data);

@@ -323,14 +323,29 @@ static void choose_alpha_modes(struct scene_import *import)
     }
 }
 
-// A stand-in is for colours to show that something is missing; as a normal or a roughness it would lie.
+// Whether a material takes its base colour from the image.
+static bool colors_something(const struct scene_model *model, uint32_t image)
+{
+    bool found = false;
+    for (uint32_t i = 0; i < model->material_count && !found; i++) {
+        found = model->materials[i].slots[SCENE_SLOT_BASE_COLOR].image == (int32_t)image;
+    }
+    return found;
+}
+
+// A stand-in is for colours to show that something is missing, by a checker with hard edges; as a normal or a roughness
+// it would lie.
 static void drop_missing_data(struct scene_model *model)
 {
     for (uint32_t i = 0; i < model->material_count; i++) {
         for (int k = 0; k < SCENE_SLOT_COUNT; k++) {
             struct scene_material *material = &model->materials[i];
             struct scene_texture_slot *slot = &material->slots[k];
-            if (k == SCENE_SLOT_BASE_COLOR || slot->image < 0 || !model->images[slot->image].missing) {
+            if (slot->image < 0 || !model->images[slot->image].missing) {
+                continue;
+            }
+            if (k == SCENE_SLOT_BASE_COLOR) {
+                slot->min_filter = slot->mag_filter = RHW_FILTER_NEAREST;
                 continue;
             }
             slot->image = -1;
@@ -361,7 +376,8 @@ void scene_import_decode_images(struct scene_import *import)
         if (decoding.problems[i] == NULL) {
             continue;
         }
-        scene_import_warn(import, "texture \"%s\": %s", model->images[i].name, decoding.problems[i]);
+        scene_import_warn(import, "texture \"%s\": %s; %s", model->images[i].name, decoding.problems[i],
+                          colors_something(model, i) ? "drawn in magenta" : "left out");
         if (!scene_image_stand_in(&model->images[i])) {
             scene_import_fail(import, "needs more memory than there is");
         }

@@ -412,7 +412,9 @@ static struct rhw_pipeline_def pipeline_def(const struct scene_surface_key *key)
         target->blend = key->blend != 0;
         // The shader's colours are premultiplied.
         const struct rhw_blend_component over = {RHW_BLEND_ONE, RHW_BLEND_ONE_MINUS_SRC_ALPHA, RHW_BLEND_ADD};
-        target->color = target->alpha = over;
+        if (target->blend) {
+            target->color = target->alpha = over;
+        }
     }
     return def;
 }

@@ -3,10 +3,10 @@
 // shaders get there.
 #include "binding.h"
 
-#include "findings.h"
 #include "format.h"
 #include "sampler.h"
 #include "texture.h"
+#include "watch.h"
 
 struct rhw_binding rhw_binding_of(const struct rhw_kernels *kernels, enum rhw_paths paths,
                                   const struct rhw_texture_data *texture,
@@ -46,15 +46,6 @@ void rhw_bindings_init(struct rhw_bindings *bindings, const struct rhw_kernels *
     }
 }
 
-static __attribute__((cold)) void report_slot(const struct rhw_bindings *textures, int slot)
-{
-    if (textures->site.findings) {
-        rhw_findings_add(textures->site.findings, RHW_FINDING_MISUSE, textures->site.draw,
-                         "a shader function of %s samples slot %d; slots are 0..%d", textures->site.pipeline,
-                         slot, RHW_MAX_TEXTURES - 1);
-    }
-}
-
 static void no_texel(rhw_float texel[4])
 {
     texel[0] = texel[1] = texel[2] = rhw_splat(0);
@@ -64,8 +55,10 @@ static void no_texel(rhw_float texel[4])
 void rhw_sample(const struct rhw_bindings *textures, int slot, const struct rhw_sample_request *request,
                 rhw_float texel[4])
 {
+    if (textures->site.findings) {
+        rhw_watch_sample(textures, slot, request);
+    }
     if ((unsigned)slot >= RHW_MAX_TEXTURES) { // as a slot that nothing is bound to
-        report_slot(textures, slot);
         no_texel(texel);
         return;
     }
@@ -80,11 +73,10 @@ void rhw_sample(const struct rhw_bindings *textures, int slot, const struct rhw_
 // The slot, or NULL where it has no texture or does not exist.
 static const struct rhw_binding *bound_slot(const struct rhw_bindings *textures, int slot)
 {
-    if ((unsigned)slot >= RHW_MAX_TEXTURES) {
-        report_slot(textures, slot);
-        return NULL;
+    if (textures->site.findings) {
+        rhw_watch_slot(textures, slot);
     }
-    return textures->slot[slot].texture ? &textures->slot[slot] : NULL;
+    return (unsigned)slot < RHW_MAX_TEXTURES && textures->slot[slot].texture ? &textures->slot[slot] : NULL;
 }
 
 void rhw_sample_gather(const struct rhw_bindings *textures, int slot,
@@ -138,8 +130,8 @@ void rhw_sample_groups(const struct rhw_fragment *groups, int count, uint32_t sl
                        rhw_float (*texels)[4], int stride)
 {
     const uint32_t known = slots & ((1u << RHW_MAX_TEXTURES) - 1);
-    if (slots != known) {
-        report_slot(groups->textures, 31 - __builtin_clz(slots));
+    if (groups->textures->site.findings) {
+        rhw_watch_sample_groups(groups, count, slots, at);
     }
     if (known != 0) {
         groups->textures->kernels->sample_groups(groups, count, known, at, texels, stride);

@@ -30,12 +30,13 @@ struct rhw_sample_site {
     struct rhw_findings *findings;
     uint32_t draw;
     const char *pipeline;
+    const rhw_int *mask; // lanes that count; NULL: all
 };
 
 struct rhw_bindings {
     const struct rhw_kernels *kernels;
-    struct rhw_binding slot[RHW_MAX_TEXTURES];
     struct rhw_sample_site site;
+    struct rhw_binding slot[RHW_MAX_TEXTURES];
 };
 
 // No texture in any slot.

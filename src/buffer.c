@@ -80,7 +80,9 @@ enum rhw_result rhw_buffer_create(rhw_context *context, const struct rhw_buffer_
     if (!rhw_context_enter(context, "rhw_buffer_create")) {
         return RHW_ERROR_MISUSE;
     }
+    context->definition = def != NULL ? def->label : NULL;
     const enum rhw_result result = create(context, def, buffer);
+    context->definition = NULL;
     rhw_context_leave(context);
     return result;
 }

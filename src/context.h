@@ -45,6 +45,9 @@ struct rhw_context {
     uint32_t number; // ids carry it; see context_create.c
     // The public function that is at work, NULL when there is none. Written by every thread that calls one.
     _Atomic(const char *) entered;
+    // The label of the definition that it was given, the caller's; NULL where there is none. Set by the thread that is
+    // inside.
+    const char *definition;
     _Atomic bool refused; // another thread, or a shader function, was refused since the pass began
 
     int cores;   // see rhw_cpu_cores; 1, without asking, with one thread

@@ -80,7 +80,7 @@ static uint32_t number_of(const struct rhw_context *context)
 // Only its hooks matter: it reports misuse before there is a context.
 static struct rhw_context reporter(const struct rhw_context_def *def)
 {
-    return (struct rhw_context){.assert_ = def->assert_, .user = def->user};
+    return (struct rhw_context){.assert_ = def->assert_, .user = def->user, .definition = def->label};
 }
 
 static bool check_def(const struct rhw_context_def *def, rhw_context **context)

@@ -5,6 +5,7 @@
 #include <assert.h>
 
 #include "block_format.h"
+#include "misuse.h"
 
 enum {
     SAMPLED = RHW_ROLE_SAMPLED,
@@ -66,6 +67,16 @@ const struct rhw_format_info *rhw_format_info(enum rhw_format format)
     assert((unsigned)format < RHW_FORMAT_COUNT);
     const struct rhw_block_format *const block = rhw_block_format(format);
     return block ? &block->info : &formats[format];
+}
+
+bool rhw_check_format(const struct rhw_context *context, const char *where, const char *field,
+                      enum rhw_format format)
+{
+    return rhw_check(context, format != RHW_FORMAT_NONE, "%s: %s is not set (RHW_FORMAT_NONE)", where,
+                     field) &&
+           rhw_check(context, rhw_format_valid(format), "%s: %s is %d; it must be %s (%d) to %s (%d)", where,
+                     field, (int)format, formats[RHW_FORMAT_NONE + 1].name, RHW_FORMAT_NONE + 1,
+                     rhw_format_info((enum rhw_format)(RHW_FORMAT_COUNT - 1))->name, RHW_FORMAT_COUNT - 1);
 }
 
 size_t rhw_format_size(enum rhw_format format)

@@ -61,6 +61,11 @@ static inline bool rhw_format_valid(enum rhw_format format)
 // The format's row; `format` is NONE or valid.
 const struct rhw_format_info *rhw_format_info(enum rhw_format format);
 
+// False, and misuse of `where`, when `field` of a definition is no texel format.
+struct rhw_context;
+bool rhw_check_format(const struct rhw_context *context, const char *where, const char *field,
+                      enum rhw_format format);
+
 // The steps between 0 and 1 that depth of the codec is rounded to; 0 where it is a float.
 static inline double rhw_codec_depth_steps(enum rhw_texel_codec codec)
 {

@@ -12,6 +12,18 @@ struct id {
     uint32_t index, generation, context;
 };
 
+// `label` may be NULL.
+static struct rhw_name write_name(const char *noun, uint32_t index, const char *label)
+{
+    struct rhw_name name;
+    if (label != NULL) {
+        snprintf(name.text, sizeof name.text, "%s %u \"%s\"", noun, (unsigned)index, label);
+    } else {
+        snprintf(name.text, sizeof name.text, "%s %u", noun, (unsigned)index);
+    }
+    return name;
+}
+
 static __attribute__((cold)) void report(const struct rhw_context *context, const struct rhw_pool *pool,
                                          struct id id, const char *where)
 {
@@ -24,8 +36,10 @@ static __attribute__((cold)) void report(const struct rhw_context *context, cons
         rhw_misuse(context, "%s: %s %u (generation %u) was never created", where, noun, (unsigned)id.index,
                    (unsigned)id.generation);
     } else {
-        rhw_misuse(context, "%s: %s %u (generation %u) is stale: it was destroyed", where, noun,
-                   (unsigned)id.index, (unsigned)id.generation);
+        const char *const label = rhw_pool_stale_label(pool, id.index, id.generation);
+        const struct rhw_name name = write_name(noun, id.index, label);
+        rhw_misuse(context, "%s: %s (generation %u) is stale: it was destroyed", where, name.text,
+                   (unsigned)id.generation);
     }
 }
 
@@ -67,14 +81,7 @@ struct rhw_pipeline_data *rhw_context_pipeline(const struct rhw_context *context
 
 struct rhw_name rhw_name_of(const struct rhw_pool *pool, uint32_t index)
 {
-    struct rhw_name name;
-    const char *const label = rhw_pool_label(pool, index);
-    if (label != NULL) {
-        snprintf(name.text, sizeof name.text, "%s %u \"%s\"", pool->noun, (unsigned)index, label);
-    } else {
-        snprintf(name.text, sizeof name.text, "%s %u", pool->noun, (unsigned)index);
-    }
-    return name;
+    return write_name(pool->noun, index, rhw_pool_label(pool, index));
 }
 
 bool rhw_context_records(const struct rhw_context *context, const struct rhw_pool *pool, uint32_t index)

@@ -5,6 +5,7 @@
 #include <stdarg.h>
 #include <stdio.h>
 #include <stdlib.h>
+#include <string.h>
 
 #include "context.h"
 
@@ -35,9 +36,38 @@ __attribute__((format(printf, 2, 3))) static void append(struct message *message
     va_end(arguments);
 }
 
+// Makes 'rhw_texture_create: ...' of a call that takes a definition 'rhw_texture_create "sky": ...'.
+static void name_definition(struct message *message, const char *label)
+{
+    char copy[RHW_LABEL_SIZE];
+    rhw_label_copy(copy, label);
+    const char *const colon = strchr(message->text, ':');
+    if (copy[0] == 0 || colon == NULL) {
+        return;
+    }
+    const struct message plain = *message;
+    message->length = (size_t)(colon - message->text);
+    append(message, " \"%s\"%s", copy, plain.text + message->length);
+}
+
+// Without a hook nothing is said, but what validation was asked for.
+static bool is_heard(const struct rhw_context *context, enum rhw_log_level level)
+{
+    return context->log != NULL || (level == RHW_LOG_WARNING && context->findings != NULL);
+}
+
+static void say(const struct rhw_context *context, enum rhw_log_level level, const char *text)
+{
+    if (context->log != NULL) {
+        context->log(context->user, level, text);
+    } else {
+        fprintf(stderr, "rhw: warning: %s\n", text);
+    }
+}
+
 void rhw_context_log(const struct rhw_context *context, enum rhw_log_level level, const char *format, ...)
 {
-    if (context->log == NULL) {
+    if (!is_heard(context, level)) {
         return;
     }
     struct message message = {.length = 0};
@@ -45,7 +75,8 @@ void rhw_context_log(const struct rhw_context *context, enum rhw_log_level level
     va_start(arguments, format);
     append_list(&message, format, arguments);
     va_end(arguments);
-    context->log(context->user, level, message.text);
+    name_definition(&message, context->definition);
+    say(context, level, message.text);
 }
 
 // The innermost groups, outer ones first.
@@ -95,11 +126,11 @@ static void append_place(struct message *message, const struct rhw_context *cont
 void rhw_context_warn_at(const struct rhw_context *context, const struct rhw_recording *place,
                          const char *text)
 {
-    if (context->log != NULL) {
+    if (is_heard(context, RHW_LOG_WARNING)) {
         struct message message = {.length = 0};
         append(&message, "%s", text);
         append_place(&message, context, place);
-        context->log(context->user, RHW_LOG_WARNING, message.text);
+        say(context, RHW_LOG_WARNING, message.text);
     }
 }
 
@@ -117,6 +148,8 @@ static void tell(const struct rhw_context *context, const char *text)
 static void tell_inside(struct rhw_context *context, const struct rhw_recording *place,
                         struct message *message)
 {
+    name_definition(message, context->definition);
+    context->definition = NULL; // the hook may never return to the call that has it
     append_place(message, context, place);
     context->recording.misused |= context->recording.active;
     const char *const where = atomic_exchange_explicit(&context->entered, NULL, memory_order_relaxed);
@@ -157,5 +190,6 @@ void rhw_misuse_outside(const struct rhw_context *context, const char *format, .
     va_start(arguments, format);
     append_list(&message, format, arguments);
     va_end(arguments);
+    append_place(&message, context, &(const struct rhw_recording){.active = false});
     tell(context, message.text);
 }

@@ -77,14 +77,21 @@ struct rhw_pass_state *rhw_pass_enter(rhw_context *context, rhw_pass id, const c
     return enter(context, id, where);
 }
 
+// A definition whose targets are those of another, for depth alone, is right; but a reason to look at first.
+static bool forgets_count(const struct rhw_pipeline_def *def)
+{
+    return def->target_count == 0 && def->targets[0].format != RHW_FORMAT_NONE;
+}
+
 // A pipeline draws into what it was made for.
 static bool targets_match(const struct rhw_pass_state *pass, rhw_pipeline id,
                           const struct rhw_pipeline_data *pipeline, const char *where)
 {
     struct rhw_context *const context = pass->context;
     if (!rhw_check(context, pipeline->def.target_count == pass->color_count,
-                   "%s: %s has %d targets; the pass has %d colour attachments", where,
+                   "%s: %s has %d targets%s; the pass has %d colour attachments", where,
                    rhw_name_of(&context->pipelines, id.index).text, pipeline->def.target_count,
+                   forgets_count(&pipeline->def) ? " (targets[0] is set and target_count is 0)" : "",
                    pass->color_count)) {
         return false;
     }
@@ -119,6 +126,8 @@ void rhw_pass_set_pipeline(rhw_context *context, rhw_pass id, rhw_pipeline pipel
         pass->pending_changed |= pass->pending.pipeline != pipeline;
         pass->pending.pipeline = pipeline;
         pass->bound.pipeline = pipeline_id;
+    } else {
+        pass->refused_pipeline = true;
     }
     rhw_context_leave(context);
 }
@@ -537,7 +546,8 @@ static bool check_draw(const struct rhw_pass_state *pass, bool indexed, const ch
 {
     struct rhw_context *const context = pass->context;
     const struct rhw_pipeline_data *const pipeline = pass->pending.pipeline;
-    if (!rhw_check(context, pipeline != NULL, "%s: no pipeline is set", where) ||
+    if (!rhw_check(context, pipeline != NULL, "%s: no pipeline is set%s", where,
+                   pass->refused_pipeline ? ", as the one that was to be was refused" : "") ||
         !rhw_check(context, !indexed || pass->bound.indices.data, "%s: no index buffer is set", where) ||
         !rhw_check(context, pass->uniform_size >= pipeline->def.program.uniform_size,
                    "%s: %u bytes of uniforms are set; the program of %s reads %u", where, pass->uniform_size,

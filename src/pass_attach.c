@@ -2,6 +2,7 @@
 // The attachments of a pass: what its definition says is checked, and becomes what tiles load, draw into and store.
 #include "pass_attach.h"
 
+#include <stdio.h>
 #include <string.h>
 
 #include "context.h"
@@ -14,19 +15,20 @@
 
 static const char *const where = "rhw_pass_begin";
 
-static bool check_operations(rhw_context *context, const char *name, int i, enum rhw_load load,
+// `prefix`: of the members' names, as "depth.stencil_".
+static bool check_operations(rhw_context *context, const char *prefix, enum rhw_load load,
                              enum rhw_store store)
 {
-    return rhw_check(context, (unsigned)load <= RHW_LOAD_DISCARD,
-                     "%s: %s[%d].load is %d; not a load operation", where, name, i, (int)load) &&
+    return rhw_check(context, (unsigned)load <= RHW_LOAD_DISCARD, "%s: %sload is %d; not a load operation",
+                     where, prefix, (int)load) &&
            rhw_check(context, (unsigned)store <= RHW_STORE_DISCARD,
-                     "%s: %s[%d].store is %d; not a store operation", where, name, i, (int)store);
+                     "%s: %sstore is %d; not a store operation", where, prefix, (int)store);
 }
 
-static bool check_resolve_mode(rhw_context *context, const char *name, int i, enum rhw_resolve mode)
+static bool check_resolve_mode(rhw_context *context, const char *prefix, enum rhw_resolve mode)
 {
     return rhw_check(context, (unsigned)mode <= RHW_RESOLVE_SAMPLE_ZERO,
-                     "%s: %s[%d].resolve_mode is %d; not a resolve mode", where, name, i, (int)mode);
+                     "%s: %sresolve_mode is %d; not a resolve mode", where, prefix, (int)mode);
 }
 
 static struct rhw_name name_of(const rhw_context *context, rhw_texture id)
@@ -52,27 +54,27 @@ static bool is_attached(const struct rhw_pass_state *pass, const struct rhw_atta
 
 // Checks the texture of an attachment against the pass and the attachments before it.
 static bool check_texture(const struct rhw_pass_state *pass, rhw_texture id,
-                          const struct rhw_texture_data *texture, const char *name, int i,
+                          const struct rhw_texture_data *texture, const char *name,
                           const struct rhw_attachment *attachment, int layer)
 {
     rhw_context *const context = pass->context;
     const struct rhw_mip *const mip = &texture->mip[0];
     return rhw_texture_check_layer(context, id, texture, 0, layer, where) &&
            rhw_check(context, !is_attached(pass, attachment, mip, layer),
-                     "%s: %s[%d] is %s, as another attachment is; each needs its own texture or layer", where,
-                     name, i, name_of(context, id).text) &&
+                     "%s: %s is %s, as another attachment is; each needs its own texture or layer", where,
+                     name, name_of(context, id).text) &&
            rhw_check(context, mip->width == pass->width && mip->height == pass->height,
-                     "%s: %s[%d] is %s, which is %dx%d; the pass is %dx%d", where, name, i,
+                     "%s: %s is %s, which is %dx%d; the pass is %dx%d", where, name,
                      name_of(context, id).text, mip->width, mip->height, pass->width, pass->height);
 }
 
 // Whether a texture with other samples than the pass can be resolved into.
 static bool check_attached_samples(const struct rhw_pass_state *pass, rhw_texture id,
-                                   const struct rhw_texture_data *texture, const char *name, int i)
+                                   const struct rhw_texture_data *texture, const char *name)
 {
     const int samples = pass->pattern->count;
     return rhw_check(pass->context, texture->samples == samples || texture->samples == 1,
-                     "%s: %s[%d] is %s, which has %d samples; the pass has %d", where, name, i,
+                     "%s: %s is %s, which has %d samples; the pass has %d", where, name,
                      name_of(pass->context, id).text, texture->samples, samples);
 }
 
@@ -88,12 +90,22 @@ static struct rhw_clean_tiles *take(struct rhw_pass_state *pass, rhw_texture id,
                                     texture->mip[0].height);
 }
 
-// Fills what an attachment with a texture has.
-static enum rhw_result attach(struct rhw_pass_state *pass, rhw_texture id, int layer, const char *name, int i,
+// The texture of the attachment `name`; NULL, and misuse, when there is none.
+static struct rhw_texture_data *find_texture(const rhw_context *context, rhw_texture id, const char *name)
+{
+    char whose[64];
+    snprintf(whose, sizeof whose, "%s: %s.texture", where, name);
+    return rhw_check(context, id.index != 0, "%s is the null id", whose)
+               ? rhw_context_texture(context, id, whose)
+               : NULL;
+}
+
+// Fills what an attachment with a texture has. `name`: "colors[0]" or "depth".
+static enum rhw_result attach(struct rhw_pass_state *pass, rhw_texture id, int layer, const char *name,
                               struct rhw_attachment *attachment)
 {
     struct rhw_context *const context = pass->context;
-    struct rhw_texture_data *const texture = rhw_context_texture(context, id, where);
+    struct rhw_texture_data *const texture = find_texture(context, id, name);
     if (!texture) {
         return RHW_ERROR_MISUSE;
     }
@@ -101,8 +113,8 @@ static enum rhw_result attach(struct rhw_pass_state *pass, rhw_texture id, int l
         pass->width = texture->mip[0].width;
         pass->height = texture->mip[0].height;
     }
-    if (!check_texture(pass, id, texture, name, i, attachment, layer) ||
-        !check_attached_samples(pass, id, texture, name, i)) {
+    if (!check_texture(pass, id, texture, name, attachment, layer) ||
+        !check_attached_samples(pass, id, texture, name)) {
         return RHW_ERROR_MISUSE;
     }
     struct rhw_clean_tiles *const clean = take(pass, id, texture, layer);
@@ -155,9 +167,10 @@ static enum rhw_result attach_resolve(struct rhw_pass_state *pass, rhw_texture i
                                       struct rhw_attachment *attachment)
 {
     struct rhw_context *const context = pass->context;
+    char name[32];
+    snprintf(name, sizeof name, "colors[%d].resolve", i);
     struct rhw_texture_data *const texture = rhw_context_texture(context, id, where);
-    if (!texture ||
-        !check_texture(pass, id, texture, "resolve of colors", i, attachment, attachment->layer) ||
+    if (!texture || !check_texture(pass, id, texture, name, attachment, attachment->layer) ||
         !rhw_check(
             context, !attachment->loads_resolved && pass->pattern->count > 1,
             "%s: colors[%d].resolve is set and colors[%d].texture has one sample; it must be null then",
@@ -178,12 +191,15 @@ static enum rhw_result attach_color(struct rhw_pass_state *pass, const struct rh
     struct rhw_context *const context = pass->context;
     const struct rhw_color_attachment *const color = &def->colors[i];
     struct rhw_attachment *const attachment = &pass->colors[i];
-    if (!check_operations(context, "colors", i, color->load, color->store) ||
-        !check_resolve_mode(context, "colors", i, color->resolve_mode)) {
+    char name[16], prefix[20];
+    snprintf(name, sizeof name, "colors[%d]", i);
+    snprintf(prefix, sizeof prefix, "%s.", name);
+    if (!check_operations(context, prefix, color->load, color->store) ||
+        !check_resolve_mode(context, prefix, color->resolve_mode)) {
         return RHW_ERROR_MISUSE;
     }
     *attachment = (struct rhw_attachment){.resolve_mode = color->resolve_mode};
-    enum rhw_result result = attach(pass, color->texture, color->layer, "colors", i, attachment);
+    enum rhw_result result = attach(pass, color->texture, color->layer, name, attachment);
     if (result == RHW_OK && color->resolve.index != 0) {
         result = attach_resolve(pass, color->resolve, i, attachment);
     }
@@ -220,39 +236,49 @@ static enum rhw_result attach_depth_texture(struct rhw_pass_state *pass,
                                             const struct rhw_depth_attachment *depth)
 {
     struct rhw_context *const context = pass->context;
-    const enum rhw_result result = attach(pass, depth->texture, depth->layer, "depth", 0, &pass->depth);
+    const enum rhw_result result = attach(pass, depth->texture, depth->layer, "depth", &pass->depth);
     if (result != RHW_OK) {
         return result;
     }
     const enum rhw_format format = pass->depth.format;
-    return rhw_check(context, has_role(format, RHW_ROLE_DEPTH_TARGET | RHW_ROLE_STENCIL_TARGET),
-                     "%s: depth is %s, which is %s; that has neither depth nor stencil", where,
-                     name_of(context, depth->texture).text, rhw_format_info(format)->name) &&
+    return (depth->format == RHW_FORMAT_NONE ||
+            rhw_check_format(context, where, "depth.format", depth->format)) &&
+                   rhw_check(context, has_role(format, RHW_ROLE_DEPTH_TARGET | RHW_ROLE_STENCIL_TARGET),
+                             "%s: depth is %s, which is %s; that has neither depth nor stencil", where,
+                             name_of(context, depth->texture).text, rhw_format_info(format)->name) &&
                    rhw_check(context, depth->format == RHW_FORMAT_NONE || depth->format == format,
-                             "%s: depth.format is %d; %s is %s", where, (int)depth->format,
+                             "%s: depth.format is %s; %s is %s", where, rhw_format_info(depth->format)->name,
                              name_of(context, depth->texture).text, rhw_format_info(format)->name)
                ? RHW_OK
                : RHW_ERROR_MISUSE;
 }
 
-// Without a texture nothing can be loaded or stored.
+// Without a texture nothing can be loaded or stored. `prefix`: of the members' names.
+static bool check_not_kept(const struct rhw_context *context, const char *prefix, enum rhw_load load,
+                           enum rhw_store store)
+{
+    return rhw_check(
+               context, load_of(load) == RHW_LOAD_CLEAR,
+               "%s: depth.texture is null and %sload is not RHW_LOAD_CLEAR: give it a texture, or clear",
+               where, prefix) &&
+           rhw_check(context, store == RHW_STORE_DISCARD,
+                     "%s: depth.texture is null and %sstore is RHW_STORE_STORE: give it a texture, or set "
+                     "%sstore = RHW_STORE_DISCARD",
+                     where, prefix, prefix);
+}
+
 static bool check_transient(const struct rhw_pass_state *pass, const struct rhw_depth_attachment *depth)
 {
     struct rhw_context *const context = pass->context;
     const enum rhw_format format = pass->depth.format;
-    return rhw_check(context,
-                     rhw_format_valid(format) &&
-                         has_role(format, RHW_ROLE_DEPTH_TARGET | RHW_ROLE_STENCIL_TARGET),
-                     "%s: depth.format is %d; that has neither depth nor stencil", where, (int)format) &&
-           rhw_check(context,
-                     !has_role(format, RHW_ROLE_DEPTH_TARGET) ||
-                         (load_of(depth->load) == RHW_LOAD_CLEAR && depth->store == RHW_STORE_DISCARD),
-                     "%s: depth.texture is null; without one depth is cleared and not stored", where) &&
-           rhw_check(context,
-                     !has_role(format, RHW_ROLE_STENCIL_TARGET) ||
-                         (load_of(depth->stencil_load) == RHW_LOAD_CLEAR &&
-                          depth->stencil_store == RHW_STORE_DISCARD),
-                     "%s: depth.texture is null; without one stencil is cleared and not stored", where);
+    return rhw_check_format(context, where, "depth.format", format) &&
+           rhw_check(context, has_role(format, RHW_ROLE_DEPTH_TARGET | RHW_ROLE_STENCIL_TARGET),
+                     "%s: depth.format is %s; that has neither depth nor stencil", where,
+                     rhw_format_info(format)->name) &&
+           (!has_role(format, RHW_ROLE_DEPTH_TARGET) ||
+            check_not_kept(context, "depth.", depth->load, depth->store)) &&
+           (!has_role(format, RHW_ROLE_STENCIL_TARGET) ||
+            check_not_kept(context, "depth.stencil_", depth->stencil_load, depth->stencil_store));
 }
 
 // The plane of stencil of a level as a level of its own in `plane`.
@@ -315,9 +341,9 @@ static enum rhw_result attach_depth(struct rhw_pass_state *pass, const struct rh
     if (!depth->enabled) {
         return RHW_OK;
     }
-    if (!check_operations(context, "depth", 0, depth->load, depth->store) ||
-        !check_operations(context, "depth.stencil", 0, depth->stencil_load, depth->stencil_store) ||
-        !check_resolve_mode(context, "depth", 0, depth->resolve_mode)) {
+    if (!check_operations(context, "depth.", depth->load, depth->store) ||
+        !check_operations(context, "depth.stencil_", depth->stencil_load, depth->stencil_store) ||
+        !check_resolve_mode(context, "depth.", depth->resolve_mode)) {
         return RHW_ERROR_MISUSE;
     }
     if (depth->texture.index != 0) {

@@ -25,6 +25,7 @@ static void reset(struct rhw_pass_state *pass, const struct rhw_pass_def *def)
     pass->has_large_draws = false;
     pass->current = NULL;
     pass->out_of_memory = false;
+    pass->refused_pipeline = false;
     pass->color_count = def->color_count;
     memset(&pass->pending, 0, sizeof pass->pending);
     memset(&pass->bound, 0, sizeof pass->bound);
@@ -42,11 +43,11 @@ static bool check_def(rhw_context *context, const struct rhw_pass_def *def, cons
            rhw_check(context, def->color_count >= 0 && def->color_count <= RHW_MAX_COLOR_ATTACHMENTS,
                      "%s: color_count is %d; it is in 0..%d", where, def->color_count,
                      RHW_MAX_COLOR_ATTACHMENTS) &&
-           rhw_check(context, def->color_count > 0 || def->depth.enabled, "%s: the pass has no attachment",
-                     where) &&
            rhw_check(context, def->color_count > 0 || def->colors[0].texture.index == 0,
                      "%s: colors[0].texture is set and color_count is 0; it must be 1 or more, or the "
                      "texture null",
+                     where) &&
+           rhw_check(context, def->color_count > 0 || def->depth.enabled, "%s: the pass has no attachment",
                      where);
 }
 
@@ -88,6 +89,10 @@ static enum rhw_result begin(rhw_context *context, const struct rhw_pass_def *de
     pass->pending.scissor = (struct rhw_rect){0, 0, pass->width, pass->height};
     pass->pending.depth_setting.bounds_most = 1;
     begin_recording(context, def);
+    if (context->findings && def->depth.texture.index != 0 && !def->depth.enabled) {
+        rhw_context_log(context, RHW_LOG_WARNING, "%s: depth.texture is set and depth.enabled is false",
+                        where);
+    }
     *id = (rhw_pass){1, context->recording.generation, context->number};
     return RHW_OK;
 }
@@ -101,7 +106,9 @@ enum rhw_result rhw_pass_begin(rhw_context *context, const struct rhw_pass_def *
         !context->recording.active) { // else it may be the only name of the pass that has to end
         *id = (rhw_pass){0};
     }
+    context->definition = def != NULL ? def->label : NULL;
     const enum rhw_result result = begin(context, def, id);
+    context->definition = NULL;
     rhw_context_leave(context);
     return result;
 }

@@ -105,6 +105,7 @@ struct rhw_pass_state {
     uint32_t uniform_size;
     const struct rhw_draw_state *current; // last copy of `pending`
     bool out_of_memory;
+    bool refused_pipeline; // rhw_pass_set_pipeline was misuse
 
     struct rhw_draw_list draws;
     uint64_t triangle_count;

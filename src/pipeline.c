@@ -2,6 +2,7 @@
 // Pipelines: every rule about a definition is checked here, once, so that a draw need not look again.
 #include "pipeline.h"
 
+#include <stdio.h>
 #include <string.h>
 
 #include "constants.h"
@@ -253,8 +254,9 @@ static bool check_blend(const struct rhw_context *context, int index, const char
 
 static bool check_target(const struct rhw_context *context, int index, const struct rhw_color_target *target)
 {
-    if (!check_element(context, "targets", index, "format", target->format, RHW_FORMAT_NONE + 1,
-                       RHW_FORMAT_COUNT - 1)) {
+    char field[32];
+    snprintf(field, sizeof field, "targets[%d].format", index);
+    if (!rhw_check_format(context, create_name, field, target->format)) {
         return false;
     }
     const struct rhw_format_info *const format = rhw_format_info(target->format);
@@ -309,6 +311,31 @@ static bool check_flaws(const struct rhw_context *context, uint32_t flaws)
                create_name) &&
            rhw_check(context, flaws == 0, "%s: flaws is 0x%x; it must be what rhw_arithmetic_flaws gives",
                      create_name, (unsigned)flaws);
+}
+
+// Whether it does without blending what it does with it.
+static bool replaces(const struct rhw_blend_component *blend)
+{
+    return (blend->src == RHW_BLEND_DEFAULT || blend->src == RHW_BLEND_ONE) &&
+           (blend->dst == RHW_BLEND_DEFAULT || blend->dst == RHW_BLEND_ZERO) &&
+           blend->operation == RHW_BLEND_ADD;
+}
+
+// Under validation: what is set and switched off. Programs that switch on and off leave it so, hence no misuse.
+static void warn_of_contradictions(const struct rhw_context *context, const struct rhw_pipeline_def *def)
+{
+    for (int i = 0; i < def->target_count; i++) {
+        const struct rhw_color_target *const target = &def->targets[i];
+        if (!target->blend && !(replaces(&target->color) && replaces(&target->alpha))) {
+            rhw_context_log(context, RHW_LOG_WARNING,
+                            "%s: targets[%d].color or .alpha is set and targets[%d].blend is false",
+                            create_name, i, i);
+        }
+    }
+    if (def->depth_read_only && !def->depth_test) {
+        rhw_context_log(context, RHW_LOG_WARNING, "%s: depth_read_only is true and depth_test is false",
+                        create_name);
+    }
 }
 
 static bool check_create(const struct rhw_context *context, const struct rhw_pipeline_def *def,
@@ -491,6 +518,9 @@ static enum rhw_result create(struct rhw_context *context, const struct rhw_pipe
     if (!check_create(context, def, flaws, pipeline)) {
         return RHW_ERROR_MISUSE;
     }
+    if (context->findings) {
+        warn_of_contradictions(context, def);
+    }
     rhw_pipeline id = {.context = context->number};
     struct rhw_pipeline_data *const data =
         rhw_pool_add(&context->memory, &context->pipelines, def->label, &id.index, &id.generation);
@@ -515,7 +545,9 @@ enum rhw_result rhw_pipeline_create_probed(rhw_context *context, const struct rh
     if (!rhw_context_enter(context, create_name)) {
         return RHW_ERROR_MISUSE;
     }
+    context->definition = def != NULL ? def->label : NULL;
     const enum rhw_result result = create(context, def, flaws, pipeline);
+    context->definition = NULL;
     rhw_context_leave(context);
     return result;
 }

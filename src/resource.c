@@ -9,12 +9,13 @@
 #include "memory.h"
 
 struct slot {
-    uint32_t generation; // of the item that is live or, when none is, of the next one
-    uint32_t next_free;  // LIVE, or the index of the next free, or retired, slot (0: the last)
-    uint32_t used;       // generation of the last pass that recorded a use; 0: none yet
-    uint32_t label_size; // bytes of `label`, the zero at the end included
-    char *label;         // NULL: none
-    uint64_t padding;    // to 32 bytes, so that the items behind the slots are aligned
+    _Alignas(32) uint32_t
+        generation;     // of the item that is live or, when none is, of the next one; aligned, so that
+                        // the items behind the slots are
+    uint32_t next_free; // LIVE, or the index of the next free, or retired, slot (0: the last)
+    uint32_t used;      // generation of the last pass that recorded a use; 0: none yet
+    char *label;        // NULL: none
+    char *last_label;   // of the item that lived here before, for messages about its id; NULL: none
 };
 
 static const uint32_t live = UINT32_MAX;
@@ -63,10 +64,9 @@ void rhw_pool_init(struct rhw_pool *pool, const char *noun, size_t item_size)
                               .item_size = (item_size + ITEM_ALIGNMENT - 1) & ~(size_t)(ITEM_ALIGNMENT - 1)};
 }
 
-static void release_label(struct rhw_memory *memory, struct slot *slot)
+static void release_label(struct rhw_memory *memory, char *label)
 {
-    rhw_memory_release(memory, slot->label, slot->label_size);
-    slot->label = NULL;
+    rhw_memory_release(memory, label, label != NULL ? strlen(label) + 1 : 0);
 }
 
 void rhw_label_copy(char copy[RHW_LABEL_SIZE], const char *label)
@@ -92,19 +92,20 @@ static bool copy_label(struct rhw_memory *memory, struct slot *slot, const char 
     if (copy[0] == 0) {
         return true;
     }
-    slot->label_size = (uint32_t)strlen(copy) + 1;
-    slot->label = rhw_memory_allocate(memory, slot->label_size, 1);
+    const size_t size = strlen(copy) + 1;
+    slot->label = rhw_memory_allocate(memory, size, 1);
     if (slot->label == NULL) {
         return false;
     }
-    memcpy(slot->label, copy, slot->label_size);
+    memcpy(slot->label, copy, size);
     return true;
 }
 
 void rhw_pool_destroy(struct rhw_memory *memory, struct rhw_pool *pool)
 {
     for (uint32_t index = 1; index <= pool->slots; index++) {
-        release_label(memory, slot_at(pool, index));
+        release_label(memory, slot_at(pool, index)->label);
+        release_label(memory, slot_at(pool, index)->last_label);
     }
     for (int i = 0; i < RHW_POOL_CHUNKS && pool->chunks[i] != NULL; i++) {
         rhw_memory_release(memory, pool->chunks[i], chunk_size(pool, i));
@@ -167,7 +168,9 @@ static struct slot *end_life(struct rhw_memory *memory, struct rhw_pool *pool, u
 {
     struct slot *const slot = slot_at(pool, index);
     assert(slot->next_free == live);
-    release_label(memory, slot);
+    release_label(memory, slot->last_label);
+    slot->last_label = slot->label;
+    slot->label = NULL;
     slot->next_free = 0;
     slot->generation++;
     return slot;
@@ -219,6 +222,12 @@ void *rhw_pool_unretire(struct rhw_pool *pool)
 const char *rhw_pool_label(const struct rhw_pool *pool, uint32_t index)
 {
     return slot_at(pool, index)->label;
+}
+
+const char *rhw_pool_stale_label(const struct rhw_pool *pool, uint32_t index, uint32_t generation)
+{
+    const struct slot *const slot = slot_at(pool, index);
+    return generation + 1 == slot->generation ? slot->last_label : NULL;
 }
 
 void *rhw_pool_get(const struct rhw_pool *pool, uint32_t index, uint32_t generation)

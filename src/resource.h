@@ -51,6 +51,9 @@ bool rhw_pool_retire_copy(struct rhw_memory *memory, struct rhw_pool *pool, uint
 void *rhw_pool_unretire(struct rhw_pool *pool);
 // The label of a live item, or NULL where it has none.
 const char *rhw_pool_label(const struct rhw_pool *pool, uint32_t index);
+// The label of the last item that was destroyed at `index`, where it had that generation; NULL where it had no label.
+// `index` must have been given out.
+const char *rhw_pool_stale_label(const struct rhw_pool *pool, uint32_t index, uint32_t generation);
 // NULL when the id is null, was never given out, or is stale.
 void *rhw_pool_get(const struct rhw_pool *pool, uint32_t index, uint32_t generation);
 // Notes that a pass, by its generation, uses the live item.

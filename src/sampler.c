@@ -148,7 +148,9 @@ enum rhw_result rhw_sampler_create(rhw_context *context, const struct rhw_sample
     if (!rhw_context_enter(context, "rhw_sampler_create")) {
         return RHW_ERROR_MISUSE;
     }
+    context->definition = def != NULL ? def->label : NULL;
     const enum rhw_result result = create(context, def, sampler);
+    context->definition = NULL;
     rhw_context_leave(context);
     return result;
 }

@@ -57,6 +57,7 @@ void rhw_texture_data_init(struct rhw_texture_data *texture, enum rhw_format for
     texture->is_plain = shape->kind == RHW_TEXTURE_2D && !shape->is_array;
     texture->levels = shape->levels;
     texture->samples = shape->samples;
+    texture->written = 1;
     for (int lane = 0; lane < RHW_LANES; lane++) {
         texture->last_level[lane] = (float)(texture->levels - 1);
     }
@@ -141,8 +142,7 @@ static bool check_create(const struct rhw_context *context, const struct rhw_tex
     static const char *const where = "rhw_texture_create";
     return rhw_check(context, def != NULL, "%s: def is NULL", where) &&
            rhw_check(context, texture != NULL, "%s: texture is NULL", where) &&
-           rhw_check(context, rhw_format_valid(def->format), "%s: format is %d; not a texel format", where,
-                     (int)def->format) &&
+           rhw_check_format(context, where, "format", def->format) &&
            rhw_texture_shape_check(context, def, where);
 }
 
@@ -177,7 +177,9 @@ enum rhw_result rhw_texture_create(rhw_context *context, const struct rhw_textur
     if (!rhw_context_enter(context, "rhw_texture_create")) {
         return RHW_ERROR_MISUSE;
     }
+    context->definition = def ? def->label : NULL;
     const enum rhw_result result = create(context, def, texture);
+    context->definition = NULL;
     rhw_context_leave(context);
     return result;
 }

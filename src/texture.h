@@ -72,6 +72,8 @@ struct rhw_texture_data {
     bool linear_is_current;        // no texel has changed since
     struct rhw_clean_tiles *clean; // of the layers that passes have drawn into, a list
     uint32_t attached;             // generation of the last pass that draws into the texture
+    uint32_t
+        written; // levels that somebody has filled, a bit each; level 0 counts as filled from the beginning
     // The pass in which it last got other memory, and the draws that were recorded before and read the old one.
     uint32_t renewed_pass, renewed_draws;
 };

@@ -108,6 +108,7 @@ static struct rhw_texture_data *renew(struct rhw_context *context, rhw_texture i
         return NULL;
     }
     memcpy(data->memory, old->memory, old->memory_size);
+    data->written = old->written;
     data->renewed_pass = context->recording.generation;
     data->renewed_draws = context->recording.draw;
     *item = data;
@@ -138,6 +139,9 @@ static enum rhw_result write_level(struct rhw_context *context, rhw_texture text
     struct copy copy = check_copy(context, texture, request, where);
     const bool is_valid = copy.texture != NULL;
     copy.texture = is_valid ? to_write(context, texture, copy.texture) : NULL;
+    if (copy.texture) {
+        copy.texture->written |= 1u << copy.level;
+    }
     if (copy.texture && rhw_block_format(copy.texture->format)) {
         struct rhw_mip *const mip = &copy.texture->mip[copy.level];
         rhw_decode_level(context, copy.texture->format, request->outside, copy.row_pitch, mip,
@@ -231,8 +235,12 @@ static enum rhw_result generate_mips(struct rhw_context *context, rhw_texture te
         !check_sample(context, texture, data, -1, where)) {
         return RHW_ERROR_MISUSE;
     }
-    const struct rhw_texture_data *const written = to_write(context, texture, data);
-    return written && rhw_texture_data_generate_mips(context, written) ? RHW_OK : RHW_ERROR_OUT_OF_MEMORY;
+    struct rhw_texture_data *const target = to_write(context, texture, data);
+    if (!target || !rhw_texture_data_generate_mips(context, target)) {
+        return RHW_ERROR_OUT_OF_MEMORY;
+    }
+    target->written = (1u << target->levels) - 1;
+    return RHW_OK;
 }
 
 enum rhw_result rhw_texture_generate_mips(rhw_context *context, rhw_texture texture)

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: MIT
 // Shader functions under validation. A watch stands behind the seam in their place and calls each twice for every
-// group: all that the program did not declare, and all that is still to be written, holds one rubbish the first time and
-// another the second. What differs then was read without being declared, or not written at all. The pipeline goes on
-// with the first result, in which undeclared floats are NaN.
+// pair of groups: all that the program did not declare, and all that is still to be written, holds one rubbish the first
+// time and another the second. What differs then was read without being declared, or not written at all. The pipeline
+// goes on with the first result, in which undeclared floats are NaN. A group without another beside it is called as a
+// pair of itself, so that a function which works on the first alone is found however few groups there are.
 #ifndef RHW_WATCH_H
 #define RHW_WATCH_H
 
@@ -16,7 +17,8 @@ struct rhw_findings;
 
 enum {
     RHW_WATCH_COMPONENTS = 64, // room for varyings; those behind the declared ones are watched
-    RHW_WATCH_PADDING = 256    // bytes of rubbish behind the uniforms
+    RHW_WATCH_PADDING = 256,   // bytes of rubbish behind the uniforms
+    RHW_WATCH_GROUPS = 2       // of a call
 };
 
 // Takes the place of program.user.
@@ -46,6 +48,13 @@ const void *rhw_watched_uniforms(struct rhw_arena *arena, const void *uniforms, 
 
 void rhw_watched_vertex(struct rhw_vertex *groups, int count);
 void rhw_watched_fragment(struct rhw_fragment *groups, int count);
+
+// Looks at what a shader function asks of its textures: slots that do not exist or have no texture, and levels that
+// nobody has written.
+bool rhw_watch_slot(const struct rhw_bindings *textures, int slot); // false: nothing is there
+void rhw_watch_sample(const struct rhw_bindings *textures, int slot,
+                      const struct rhw_sample_request *request);
+void rhw_watch_sample_groups(const struct rhw_fragment *groups, int count, uint32_t slots, int at);
 
 // The rubbish: [0] is NaN, [1] a number that nobody means. Outputs have their own, so that an input that is copied to
 // an output does not pass for one that was not written.
@@ -80,6 +89,13 @@ static inline struct rhw_watched_uniforms *rhw_watch_draw(const void *uniforms)
 static inline const void *rhw_watch_uniforms(const void *uniforms, bool second)
 {
     return (const unsigned char *)uniforms + (second ? rhw_watch_draw(uniforms)->second : 0);
+}
+
+// Where sampling by a watched function is told; `mask` as in struct rhw_sample_site.
+static inline struct rhw_sample_site rhw_watch_site(const struct rhw_watch *watch, const void *uniforms,
+                                                    const rhw_int *mask)
+{
+    return (struct rhw_sample_site){watch->findings, rhw_watch_draw(uniforms)->draw, watch->name, mask};
 }
 
 #endif

@@ -8,12 +8,13 @@
 #include "shader_adapter.h"
 #include "watch.h"
 
-// One run of the function over one group.
+// One run of the function over a pair of groups.
 struct fragment_run {
-    struct rhw_bindings textures;
-    struct rhw_fragment group;
-    rhw_float varying[RHW_WATCH_COMPONENTS], ddx[RHW_WATCH_COMPONENTS], ddy[RHW_WATCH_COMPONENTS];
-    rhw_float color[RHW_MAX_COLOR_ATTACHMENTS][4];
+    struct rhw_bindings textures[RHW_WATCH_GROUPS];
+    struct rhw_fragment group[RHW_WATCH_GROUPS];
+    rhw_float varying[RHW_WATCH_GROUPS][RHW_WATCH_COMPONENTS];
+    rhw_float ddx[RHW_WATCH_GROUPS][RHW_WATCH_COMPONENTS], ddy[RHW_WATCH_GROUPS][RHW_WATCH_COMPONENTS];
+    rhw_float color[RHW_WATCH_GROUPS][RHW_MAX_COLOR_ATTACHMENTS][4];
 };
 
 // What may hold other rubbish than in the first run, a bit each: what the program can leave undeclared.
@@ -86,41 +87,52 @@ static void spoil_builtins(struct rhw_fragment *group, uint32_t uses, int32_t ch
     }
 }
 
-static void run(const struct rhw_watch *watch, const struct rhw_fragment *group, int32_t changed, bool second,
-                struct fragment_run *out)
+// Gives group g of a run what the pipeline has for it, and rubbish where that is nothing.
+static void prepare(const struct rhw_watch *watch, const struct rhw_fragment *group, int32_t changed,
+                    bool second, int g, struct fragment_run *out)
 {
     const struct rhw_pipeline_data *const pipeline = watch->pipeline;
-    spoil(out->varying, RHW_WATCH_COMPONENTS, changed & VARYINGS);
-    spoil(out->ddx, RHW_WATCH_COMPONENTS, changed & DERIVATIVES);
-    spoil(out->ddy, RHW_WATCH_COMPONENTS, changed & DERIVATIVES);
+    spoil(out->varying[g], RHW_WATCH_COMPONENTS, changed & VARYINGS);
+    spoil(out->ddx[g], RHW_WATCH_COMPONENTS, changed & DERIVATIVES);
+    spoil(out->ddy[g], RHW_WATCH_COMPONENTS, changed & DERIVATIVES);
     for (int i = 0; i < pipeline->varying_components; i++) {
-        out->varying[i] = group->varying[i];
+        out->varying[g][i] = group->varying[i];
         if (pipeline->component_derivatives[i]) {
-            out->ddx[i] = group->ddx[i];
-            out->ddy[i] = group->ddy[i];
+            out->ddx[g][i] = group->ddx[i];
+            out->ddy[g][i] = group->ddy[i];
         }
     }
     for (int t = 0; t < RHW_MAX_COLOR_ATTACHMENTS; t++) {
         for (int c = 0; c < 4; c++) {
-            out->color[t][c] = rhw_watch_rubbish(rhw_watch_output[second]);
+            out->color[g][t][c] = rhw_watch_rubbish(rhw_watch_output[second]);
         }
     }
-    out->textures = *group->textures;
-    out->textures.site =
-        (struct rhw_sample_site){watch->findings, rhw_watch_draw(group->uniforms)->draw, watch->name};
-    out->group = *group;
-    out->group.varying = out->varying;
-    out->group.ddx = out->ddx;
-    out->group.ddy = out->ddy;
-    out->group.color = out->color;
-    out->group.textures = &out->textures;
-    out->group.uniforms = rhw_watch_uniforms(group->uniforms, changed & UNIFORMS);
-    out->group.user = watch->user;
-    spoil_builtins(&out->group, watch->uses, changed);
+    out->textures[g] = *group->textures;
+    if (changed == 0) { // else coordinates may come from another rubbish
+        out->textures[g].site = rhw_watch_site(watch, group->uniforms, &group->mask);
+    }
+    struct rhw_fragment *const copy = &out->group[g];
+    *copy = *group;
+    copy->varying = out->varying[g];
+    copy->ddx = out->ddx[g];
+    copy->ddy = out->ddy[g];
+    copy->color = out->color[g];
+    copy->textures = &out->textures[g];
+    copy->uniforms = rhw_watch_uniforms(group->uniforms, changed & UNIFORMS);
+    copy->user = watch->user;
+    spoil_builtins(copy, watch->uses, changed);
+}
+
+static void run(const struct rhw_watch *watch, const struct rhw_fragment *const pair[RHW_WATCH_GROUPS],
+                int32_t changed, bool second, struct fragment_run *out)
+{
+    for (int g = 0; g < RHW_WATCH_GROUPS; g++) {
+        prepare(watch, pair[g], changed, second, g, out);
+    }
     if (watch->fragment) {
-        watch->fragment(&out->group, 1);
+        watch->fragment(out->group, RHW_WATCH_GROUPS);
     } else {
-        rhw_fragment1_run(pipeline, &out->group, 1);
+        rhw_fragment1_run(watch->pipeline, out->group, RHW_WATCH_GROUPS);
     }
 }
 
@@ -151,9 +163,9 @@ static unsigned needed_channels(const struct rhw_watch *watch, int t)
     return kept | (blends || (t == 0 && def->alpha_to_coverage) ? RHW_WRITE_ALPHA : 0);
 }
 
-// Lanes of `mask` in which two runs have different results.
-static rhw_int differing(const struct rhw_watch *watch, const struct fragment_run *a,
-                         const struct fragment_run *b, rhw_int mask)
+// Lanes of `mask` in which two runs have different results for a group.
+static rhw_int differing(const struct rhw_watch *watch, const struct rhw_fragment *a,
+                         const struct rhw_fragment *b, rhw_int mask)
 {
     rhw_int lanes = rhw_splat_int(0);
     for (int t = 0; t < watch->pipeline->def.target_count; t++) {
@@ -164,13 +176,13 @@ static rhw_int differing(const struct rhw_watch *watch, const struct fragment_ru
         }
     }
     if (watch->uses & RHW_USE_DISCARD) {
-        lanes |= (a->group.mask != b->group.mask) & mask;
+        lanes |= (a->mask != b->mask) & mask;
     }
     if (watch->uses & RHW_USE_SAMPLE_MASK) {
-        lanes |= (a->group.sample_mask != b->group.sample_mask) & mask;
+        lanes |= (a->sample_mask != b->sample_mask) & mask;
     }
     if (watch->uses & RHW_USE_DEPTH) {
-        lanes |= rhw_watch_differs(a->group.depth, b->group.depth, mask);
+        lanes |= rhw_watch_differs(a->depth, b->depth, mask);
     }
     return lanes;
 }
@@ -204,7 +216,7 @@ static void report_channel(const struct rhw_watch *watch, const struct rhw_fragm
 
 // Looks for channels that were not written, and those written that no target has. False when there is none.
 static bool check_channels(const struct rhw_watch *watch, const struct rhw_fragment *group,
-                           const struct fragment_run *first, const struct fragment_run *second, rhw_int mask)
+                           const struct rhw_fragment *first, const struct rhw_fragment *second, rhw_int mask)
 {
     for (int t = 0; t < RHW_MAX_COLOR_ATTACHMENTS; t++) {
         for (int c = 0; c < 4; c++) {
@@ -226,21 +238,21 @@ static bool check_channels(const struct rhw_watch *watch, const struct rhw_fragm
 
 // The same for what is no colour.
 static bool check_side_results(const struct rhw_watch *watch, const struct rhw_fragment *group,
-                               const struct fragment_run *first, rhw_int mask)
+                               const struct rhw_fragment *first, rhw_int mask)
 {
-    const rhw_int gone = (first->group.mask == 0) & mask;
+    const rhw_int gone = (first->mask == 0) & mask;
     if (!(watch->uses & RHW_USE_DISCARD) && rhw_any(gone)) {
         report(watch, group, gone, RHW_FINDING_MISUSE,
                "discards fragments; RHW_USE_DISCARD is missing in its program's uses");
         return true;
     }
-    const rhw_int moved = ((rhw_int)first->group.depth != (int32_t)rhw_watch_input[0]) & mask;
+    const rhw_int moved = ((rhw_int)first->depth != (int32_t)rhw_watch_input[0]) & mask;
     if (!(watch->uses & RHW_USE_DEPTH) && rhw_any(moved)) {
         report(watch, group, moved, RHW_FINDING_MISUSE,
                "writes depth; RHW_USE_DEPTH is missing in its program's uses");
         return true;
     }
-    const rhw_int dropped = (first->group.sample_mask != -1) & mask;
+    const rhw_int dropped = (first->sample_mask != -1) & mask;
     if (!(watch->uses & RHW_USE_SAMPLE_MASK) && rhw_any(dropped)) {
         report(watch, group, dropped, RHW_FINDING_MISUSE,
                "writes sample_mask; RHW_USE_SAMPLE_MASK is missing in its program's uses");
@@ -250,13 +262,15 @@ static bool check_side_results(const struct rhw_watch *watch, const struct rhw_f
 }
 
 // Changes one thing after the other, to find the one that the result depends on.
-static __attribute__((cold)) void name_input(const struct rhw_watch *watch, const struct rhw_fragment *group,
-                                             const struct fragment_run *first, rhw_int lanes)
+static __attribute__((cold)) void name_input(const struct rhw_watch *watch,
+                                             const struct rhw_fragment *const pair[RHW_WATCH_GROUPS], int g,
+                                             const struct rhw_fragment *first, rhw_int lanes)
 {
+    const struct rhw_fragment *const group = pair[g];
     for (size_t i = 0; i < sizeof undeclared / sizeof undeclared[0]; i++) {
         struct fragment_run other;
-        run(watch, group, undeclared[i].bit, false, &other);
-        if (rhw_any(differing(watch, first, &other, lanes))) {
+        run(watch, pair, undeclared[i].bit, false, &other);
+        if (rhw_any(differing(watch, first, &other.group[g], lanes))) {
             report(watch, group, lanes, RHW_FINDING_MISUSE, undeclared[i].message);
             return;
         }
@@ -270,7 +284,7 @@ static bool is_integer(const struct rhw_watch *watch, int t)
 }
 
 static void warn_of_nan(const struct rhw_watch *watch, const struct rhw_fragment *group,
-                        const struct fragment_run *first, rhw_int mask)
+                        const struct rhw_fragment *first, rhw_int mask)
 {
     for (int t = 0; t < watch->pipeline->def.target_count; t++) {
         for (int c = 0; c < 4 && !is_integer(watch, t); c++) {
@@ -284,32 +298,90 @@ static void warn_of_nan(const struct rhw_watch *watch, const struct rhw_fragment
     }
 }
 
+// Lanes whose results are kept.
+static rhw_int live_lanes(const struct rhw_watch *watch, const struct rhw_fragment *group,
+                          const struct rhw_fragment *first)
+{
+    return watch->uses & RHW_USE_DISCARD ? first->mask & group->mask : group->mask;
+}
+
+// Lanes in which the function wrote a channel that is needed.
+static rhw_int written_lanes(const struct rhw_watch *watch, const struct rhw_fragment *first,
+                             const struct rhw_fragment *second)
+{
+    rhw_int lanes = rhw_splat_int(0);
+    for (int t = 0; t < watch->pipeline->def.target_count; t++) {
+        for (int c = 0; c < 4; c++) {
+            if (needed_channels(watch, t) & 1u << c) {
+                lanes |= ((rhw_int)first->color[t][c] != (int32_t)rhw_watch_output[0]) |
+                         ((rhw_int)second->color[t][c] != (int32_t)rhw_watch_output[1]);
+            }
+        }
+    }
+    return lanes;
+}
+
+// Whether the function wrote to the first group of a pair, and nothing to the second, which has fragments to keep.
+static bool forgets_second(const struct rhw_watch *watch,
+                           const struct rhw_fragment *const pair[RHW_WATCH_GROUPS],
+                           const struct fragment_run *first, const struct fragment_run *second)
+{
+    const rhw_int live = live_lanes(watch, pair[1], &first->group[1]);
+    return rhw_any(live) && !rhw_any(written_lanes(watch, &first->group[1], &second->group[1]) & live) &&
+           rhw_any(written_lanes(watch, &first->group[0], &second->group[0]));
+}
+
+// Looks at group g of both runs.
+static void check_group(const struct rhw_watch *watch,
+                        const struct rhw_fragment *const pair[RHW_WATCH_GROUPS], int g,
+                        const struct fragment_run *first_run, const struct fragment_run *second_run)
+{
+    const struct rhw_fragment *const group = pair[g];
+    const struct rhw_fragment *const first = &first_run->group[g], *const second = &second_run->group[g];
+    const rhw_int live = live_lanes(watch, group, first);
+    const rhw_int lanes = differing(watch, first, second, live);
+    if (watch->fragment && g > 0 && forgets_second(watch, pair, first_run, second_run)) {
+        report(watch, group, live, RHW_FINDING_MISUSE,
+               "works on the first of its groups alone; it must work on `count` of them");
+    } else if (!check_channels(watch, group, first, second, live) &&
+               !check_side_results(watch, group, first, group->mask)) {
+        if (rhw_any(lanes)) {
+            name_input(watch, pair, g, first, lanes);
+        } else {
+            warn_of_nan(watch, group, first, live);
+        }
+    }
+}
+
+static void take_results(const struct rhw_watch *watch, const struct rhw_fragment *first,
+                         struct rhw_fragment *group)
+{
+    memcpy(group->color, first->color, (size_t)watch->pipeline->def.target_count * sizeof first->color[0]);
+    if (watch->uses & RHW_USE_DISCARD) {
+        group->mask = first->mask;
+    }
+    if (watch->uses & RHW_USE_DEPTH) {
+        group->depth = first->depth;
+    }
+    if (watch->uses & RHW_USE_SAMPLE_MASK) {
+        group->sample_mask = first->sample_mask;
+    }
+}
+
 void rhw_watched_fragment(struct rhw_fragment *groups, int count)
 {
     const struct rhw_watch *const watch = groups->user;
-    for (int g = 0; g < count; g++) {
-        struct rhw_fragment *const group = &groups[g];
-        const rhw_int mask = group->mask;
+    for (int g = 0; g < count; g += RHW_WATCH_GROUPS) {
+        const bool is_pair = g + 1 < count;
+        const struct rhw_fragment *const pair[RHW_WATCH_GROUPS] = {&groups[g], &groups[is_pair ? g + 1 : g]};
         struct fragment_run first, second;
-        run(watch, group, 0, false, &first);
-        run(watch, group, EVERYTHING, true, &second);
-        const rhw_int live = watch->uses & RHW_USE_DISCARD ? first.group.mask & mask : mask;
-        const rhw_int lanes = differing(watch, &first, &second, live);
-        if (!check_channels(watch, group, &first, &second, live) &&
-            !check_side_results(watch, group, &first, mask)) {
-            if (rhw_any(lanes)) {
-                name_input(watch, group, &first, lanes);
-            } else {
-                warn_of_nan(watch, group, &first, live);
-            }
-        }
-        memcpy(group->color, first.color, (size_t)watch->pipeline->def.target_count * sizeof first.color[0]);
-        group->mask = watch->uses & RHW_USE_DISCARD ? first.group.mask : mask;
-        if (watch->uses & RHW_USE_DEPTH) {
-            group->depth = first.group.depth;
-        }
-        if (watch->uses & RHW_USE_SAMPLE_MASK) {
-            group->sample_mask = first.group.sample_mask;
+        run(watch, pair, 0, false, &first);
+        run(watch, pair, EVERYTHING, true, &second);
+        check_group(watch, pair, 0, &first, &second);
+        check_group(watch, pair, 1, &first, &second);
+        take_results(watch, &first.group[0], &groups[g]);
+        if (is_pair) {
+            take_results(watch, &first.group[1], &groups[g + 1]);
         }
     }
 }

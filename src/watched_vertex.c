@@ -6,54 +6,65 @@
 #include "shader_adapter.h"
 #include "watch.h"
 
-// One run of the function over one group.
+// One run of the function over a pair of groups.
 struct vertex_run {
-    struct rhw_bindings textures;
-    struct rhw_vertex group;
-    rhw_float attribute[RHW_MAX_ATTRIBUTES][4];
-    rhw_float varying[RHW_WATCH_COMPONENTS];
-    rhw_float distance[2][RHW_MAX_CLIP_DISTANCES]; // clip, cull
+    struct rhw_bindings textures[RHW_WATCH_GROUPS];
+    struct rhw_vertex group[RHW_WATCH_GROUPS];
+    rhw_float attribute[RHW_WATCH_GROUPS][RHW_MAX_ATTRIBUTES][4];
+    rhw_float varying[RHW_WATCH_GROUPS][RHW_WATCH_COMPONENTS];
+    rhw_float distance[RHW_WATCH_GROUPS][2][RHW_MAX_CLIP_DISTANCES]; // clip, cull
 };
 
 // What a run may hold other rubbish in than the first: bits.
 enum { ATTRIBUTES = 1, UNIFORMS = 2, EVERYTHING = 3 };
 
-static void run(const struct rhw_watch *watch, const struct rhw_vertex *group, uint32_t changed, bool second,
-                struct vertex_run *out)
+// Gives group g of a run what the pipeline has for it, and rubbish where that is nothing.
+static void prepare(const struct rhw_watch *watch, const struct rhw_vertex *group, uint32_t changed,
+                    bool second, int g, struct vertex_run *out)
 {
     const struct rhw_pipeline_data *const pipeline = watch->pipeline;
     const rhw_float input = rhw_watch_rubbish(rhw_watch_input[(changed & ATTRIBUTES) != 0]);
     const rhw_float output = rhw_watch_rubbish(rhw_watch_output[second]);
     for (int i = 0; i < RHW_MAX_ATTRIBUTES; i++) {
         for (int c = 0; c < 4; c++) {
-            out->attribute[i][c] = i < pipeline->def.attribute_count ? group->attribute[i][c] : input;
+            out->attribute[g][i][c] = i < pipeline->def.attribute_count ? group->attribute[i][c] : input;
         }
     }
     for (int i = 0; i < RHW_WATCH_COMPONENTS; i++) {
-        out->varying[i] = output;
+        out->varying[g][i] = output;
     }
     for (int i = 0; i < RHW_MAX_CLIP_DISTANCES; i++) {
-        out->distance[0][i] = out->distance[1][i] = output;
+        out->distance[g][0][i] = out->distance[g][1][i] = output;
     }
-    out->textures = *group->textures;
-    out->textures.site =
-        (struct rhw_sample_site){watch->findings, rhw_watch_draw(group->uniforms)->draw, watch->name};
-    out->group = *group;
-    out->group.textures = &out->textures;
-    out->group.attribute = (const rhw_float(*)[4])out->attribute;
-    out->group.uniforms = rhw_watch_uniforms(group->uniforms, (changed & UNIFORMS) != 0);
-    out->group.user = watch->user;
-    out->group.varying = out->varying;
-    out->group.clip_distance = out->distance[0];
-    out->group.cull_distance = out->distance[1];
-    out->group.point_size = output;
+    out->textures[g] = *group->textures;
+    if (changed == 0) {
+        out->textures[g].site = rhw_watch_site(watch, group->uniforms, NULL);
+    }
+    struct rhw_vertex *const copy = &out->group[g];
+    *copy = *group;
+    copy->textures = &out->textures[g];
+    copy->attribute = (const rhw_float(*)[4])out->attribute[g];
+    copy->uniforms = rhw_watch_uniforms(group->uniforms, (changed & UNIFORMS) != 0);
+    copy->user = watch->user;
+    copy->varying = out->varying[g];
+    copy->clip_distance = out->distance[g][0];
+    copy->cull_distance = out->distance[g][1];
+    copy->point_size = output;
     for (int c = 0; c < 4; c++) {
-        out->group.position[c] = output;
+        copy->position[c] = output;
+    }
+}
+
+static void run(const struct rhw_watch *watch, const struct rhw_vertex *const pair[RHW_WATCH_GROUPS],
+                uint32_t changed, bool second, struct vertex_run *out)
+{
+    for (int g = 0; g < RHW_WATCH_GROUPS; g++) {
+        prepare(watch, pair[g], changed, second, g, out);
     }
     if (watch->vertex) {
-        watch->vertex(&out->group, 1);
+        watch->vertex(out->group, RHW_WATCH_GROUPS);
     } else {
-        rhw_vertex1_run(pipeline, &out->group, 1);
+        rhw_vertex1_run(watch->pipeline, out->group, RHW_WATCH_GROUPS);
     }
 }
 
@@ -62,7 +73,12 @@ static int distances_of(const struct rhw_program *program, int which)
     return which == 0 ? program->clip_distance_count : program->cull_distance_count;
 }
 
-static bool same(const struct rhw_watch *watch, const struct vertex_run *a, const struct vertex_run *b)
+static const rhw_float *distances_at(const struct rhw_vertex *group, int which)
+{
+    return which == 0 ? group->clip_distance : group->cull_distance;
+}
+
+static bool same(const struct rhw_watch *watch, const struct rhw_vertex *a, const struct rhw_vertex *b)
 {
     const struct rhw_program *const program = &watch->pipeline->def.program;
     const int components = watch->pipeline->varying_components;
@@ -70,14 +86,14 @@ static bool same(const struct rhw_watch *watch, const struct vertex_run *a, cons
     const rhw_int all = rhw_splat_int(-1);
     for (int which = 0; which < 2; which++) {
         for (int i = 0; i < distances_of(program, which); i++) {
-            differs |= rhw_any(rhw_watch_differs(a->distance[which][i], b->distance[which][i], all));
+            differs |= rhw_any(rhw_watch_differs(distances_at(a, which)[i], distances_at(b, which)[i], all));
         }
     }
     if (program->writes_point_size) {
-        differs |= rhw_any(rhw_watch_differs(a->group.point_size, b->group.point_size, all));
+        differs |= rhw_any(rhw_watch_differs(a->point_size, b->point_size, all));
     }
     for (int c = 0; c < 4; c++) {
-        differs |= rhw_any(rhw_watch_differs(a->group.position[c], b->group.position[c], all));
+        differs |= rhw_any(rhw_watch_differs(a->position[c], b->position[c], all));
     }
     for (int i = 0; i < components; i++) {
         differs |= rhw_any(rhw_watch_differs(a->varying[i], b->varying[i], all));
@@ -90,13 +106,28 @@ static bool is_rubbish(rhw_float value, bool second)
     return !rhw_any((rhw_int)value != (int32_t)rhw_watch_output[second]);
 }
 
+static bool has_position(const struct rhw_vertex *first, const struct rhw_vertex *second, int c)
+{
+    return !is_rubbish(first->position[c], false) || !is_rubbish(second->position[c], true);
+}
+
+// Whether nothing of a group's position was written.
+static bool is_untouched(const struct rhw_vertex *first, const struct rhw_vertex *second)
+{
+    bool written = false;
+    for (int c = 0; c < 4; c++) {
+        written |= has_position(first, second, c);
+    }
+    return !written;
+}
+
 // Names an output that was not written, or one behind the last that was. False when there is none.
-static bool check_outputs(const struct rhw_watch *watch, uint32_t draw, const struct vertex_run *first,
-                          const struct vertex_run *second)
+static bool check_outputs(const struct rhw_watch *watch, uint32_t draw, const struct rhw_vertex *first,
+                          const struct rhw_vertex *second)
 {
     const int components = watch->pipeline->varying_components;
     for (int c = 0; c < 4; c++) {
-        if (is_rubbish(first->group.position[c], false) && is_rubbish(second->group.position[c], true)) {
+        if (!has_position(first, second, c)) {
             rhw_findings_add(watch->findings, RHW_FINDING_MISUSE, draw,
                              "the vertex function of %s does not write position[%d]", watch->name, c);
             return true;
@@ -118,16 +149,16 @@ static bool check_outputs(const struct rhw_watch *watch, uint32_t draw, const st
 }
 
 // The same for distances and the point size.
-static bool check_extras(const struct rhw_watch *watch, uint32_t draw, const struct vertex_run *first,
-                         const struct vertex_run *second)
+static bool check_extras(const struct rhw_watch *watch, uint32_t draw, const struct rhw_vertex *first,
+                         const struct rhw_vertex *second)
 {
     static const char *const names[2] = {"clip_distance", "cull_distance"};
     const struct rhw_program *const program = &watch->pipeline->def.program;
     for (int which = 0; which < 2; which++) {
         const int count = distances_of(program, which);
         for (int i = 0; i < RHW_MAX_CLIP_DISTANCES; i++) {
-            const bool written = !is_rubbish(first->distance[which][i], false) ||
-                                 !is_rubbish(second->distance[which][i], true);
+            const bool written = !is_rubbish(distances_at(first, which)[i], false) ||
+                                 !is_rubbish(distances_at(second, which)[i], true);
             if (written != (i < count)) {
                 rhw_findings_add(watch->findings, RHW_FINDING_MISUSE, draw,
                                  written
@@ -138,8 +169,7 @@ static bool check_extras(const struct rhw_watch *watch, uint32_t draw, const str
             }
         }
     }
-    const bool sized =
-        !is_rubbish(first->group.point_size, false) || !is_rubbish(second->group.point_size, true);
+    const bool sized = !is_rubbish(first->point_size, false) || !is_rubbish(second->point_size, true);
     if (sized != program->writes_point_size) {
         rhw_findings_add(
             watch->findings, RHW_FINDING_MISUSE, draw,
@@ -153,13 +183,14 @@ static bool check_extras(const struct rhw_watch *watch, uint32_t draw, const str
 }
 
 static __attribute__((cold)) void name_input(const struct rhw_watch *watch, uint32_t draw,
-                                             const struct rhw_vertex *group, const struct vertex_run *first)
+                                             const struct rhw_vertex *const pair[RHW_WATCH_GROUPS], int g,
+                                             const struct rhw_vertex *first)
 {
     struct vertex_run other;
-    run(watch, group, ATTRIBUTES, false, &other);
-    const bool attributes = !same(watch, first, &other);
-    run(watch, group, UNIFORMS, false, &other);
-    const bool uniforms = !same(watch, first, &other);
+    run(watch, pair, ATTRIBUTES, false, &other);
+    const bool attributes = !same(watch, first, &other.group[g]);
+    run(watch, pair, UNIFORMS, false, &other);
+    const bool uniforms = !same(watch, first, &other.group[g]);
     if (attributes) {
         rhw_findings_add(watch->findings, RHW_FINDING_MISUSE, draw,
                          "the vertex function of %s reads an attribute behind the last; the pipeline has %d",
@@ -174,26 +205,51 @@ static __attribute__((cold)) void name_input(const struct rhw_watch *watch, uint
     }
 }
 
+// Looks at group g of both runs.
+static void check_group(const struct rhw_watch *watch, const struct rhw_vertex *const pair[RHW_WATCH_GROUPS],
+                        int g, const struct vertex_run *first_run, const struct vertex_run *second_run)
+{
+    const struct rhw_vertex *const first = &first_run->group[g], *const second = &second_run->group[g];
+    const uint32_t draw = rhw_watch_draw(pair[g]->uniforms)->draw;
+    if (g > 0 && is_untouched(first, second) && !is_untouched(&first_run->group[0], &second_run->group[0])) {
+        rhw_findings_add(watch->findings, RHW_FINDING_MISUSE, draw,
+                         "the vertex function of %s works on the first of its groups alone; it must work on "
+                         "`count` of them",
+                         watch->name);
+    } else if (!check_outputs(watch, draw, first, second) && !check_extras(watch, draw, first, second) &&
+               !same(watch, first, second)) {
+        name_input(watch, draw, pair, g, first);
+    }
+}
+
+static void take_results(const struct rhw_watch *watch, const struct rhw_vertex *first,
+                         struct rhw_vertex *group)
+{
+    memcpy(group->position, first->position, sizeof first->position);
+    memcpy(group->varying, first->varying,
+           (size_t)watch->pipeline->varying_components * sizeof first->varying[0]);
+    const struct rhw_program *const program = &watch->pipeline->def.program;
+    memcpy(group->clip_distance, first->clip_distance,
+           (size_t)distances_of(program, 0) * sizeof first->clip_distance[0]);
+    memcpy(group->cull_distance, first->cull_distance,
+           (size_t)distances_of(program, 1) * sizeof first->cull_distance[0]);
+    group->point_size = first->point_size;
+}
+
 void rhw_watched_vertex(struct rhw_vertex *groups, int count)
 {
     const struct rhw_watch *const watch = groups->user;
-    const int components = watch->pipeline->varying_components;
-    for (int g = 0; g < count; g++) {
+    for (int g = 0; g < count; g += RHW_WATCH_GROUPS) {
+        const bool is_pair = g + 1 < count;
+        const struct rhw_vertex *const pair[RHW_WATCH_GROUPS] = {&groups[g], &groups[is_pair ? g + 1 : g]};
         struct vertex_run first, second;
-        run(watch, &groups[g], 0, false, &first);
-        run(watch, &groups[g], EVERYTHING, true, &second);
-        const uint32_t draw = rhw_watch_draw(groups[g].uniforms)->draw;
-        if (!check_outputs(watch, draw, &first, &second) && !check_extras(watch, draw, &first, &second) &&
-            !same(watch, &first, &second)) {
-            name_input(watch, draw, &groups[g], &first);
+        run(watch, pair, 0, false, &first);
+        run(watch, pair, EVERYTHING, true, &second);
+        check_group(watch, pair, 0, &first, &second);
+        check_group(watch, pair, 1, &first, &second);
+        take_results(watch, &first.group[0], &groups[g]);
+        if (is_pair) {
+            take_results(watch, &first.group[1], &groups[g + 1]);
         }
-        memcpy(groups[g].position, first.group.position, sizeof first.group.position);
-        const struct rhw_program *const program = &watch->pipeline->def.program;
-        memcpy(groups[g].clip_distance, first.distance[0],
-               (size_t)distances_of(program, 0) * sizeof first.distance[0][0]);
-        memcpy(groups[g].cull_distance, first.distance[1],
-               (size_t)distances_of(program, 1) * sizeof first.distance[1][0]);
-        groups[g].point_size = first.group.point_size;
-        memcpy(groups[g].varying, first.varying, (size_t)components * sizeof first.varying[0]);
     }
 }

@@ -44,11 +44,12 @@ enum rhw_log_level { RHW_LOG_INFO, RHW_LOG_WARNING };
 /// Called with one line without a newline, which lives for the call, on the thread that called the library.
 typedef void rhw_log_function(void *user, enum rhw_log_level level, const char *message);
 
-/// Called on misuse with a message that says what was wrong, which lives for the call, on the thread that called
-/// the library; while a pass is recorded, it ends with the draw, its debug groups and the pass, in brackets. When it
-/// returns, the call that found the misuse returns without doing anything. It may also leave by longjmp or a C++
-/// exception, but not where a shader function calls the library: then frames of the library lie between. It must not
-/// destroy the context. The default prints the message to stderr and aborts.
+/// Called on misuse with a message that says what was wrong, which lives for the call, on the thread that called the
+/// library; while a pass is recorded, it ends with the draw, its debug groups and the pass, in brackets. Several
+/// threads may be in it at once: of different contexts, and of one that two threads use, which is what it is told
+/// then. When it returns, the call that found the misuse returns without doing anything. It may also leave by longjmp
+/// or a C++ exception, but not where a shader function calls the library: then frames of the library lie between. It
+/// must not destroy the context. The default prints the message to stderr and aborts.
 typedef void rhw_assert_function(void *user, const char *message);
 
 #endif

@@ -140,7 +140,8 @@ RHW_API void rhw_pipeline_destroy(rhw_context *context, rhw_pipeline pipeline);
 
 // Passes --------------------------------------------------------------------------------------------
 // Draws are recorded between begin and end; end runs them. One pass at a time per context. A draw sees what its buffers
-// and textures hold when it is recorded: they may be written, and anything may be destroyed, before the pass has ended.
+// and textures hold when it is recorded: they may be written, and anything may be created or destroyed, before the pass
+// has ended.
 // What is destroyed while it is set stays set. Uniforms are copied. Viewport and scissor start as the whole target.
 
 /// Begins a pass; its attachments stay as they are until it ends. On failure `*pass` is null. Where a pass is being
@@ -149,7 +150,8 @@ RHW_API enum rhw_result rhw_pass_begin(rhw_context *context, const struct rhw_pa
 /// State lasts until it is set again: it survives draws and a change of pipeline. A call that is misuse leaves it.
 /// The pipeline's targets must have the formats of the attachments, in order.
 RHW_API void rhw_pass_set_pipeline(rhw_context *context, rhw_pass pass, rhw_pipeline pipeline);
-/// `slot`: 0..RHW_MAX_VERTEX_BUFFERS − 1; `offset`: bytes to element 0.
+/// `slot`: 0..RHW_MAX_VERTEX_BUFFERS − 1; `offset`: bytes to element 0. A null buffer is misuse: what no attribute
+/// reads need not be unbound.
 RHW_API void rhw_pass_set_vertex_buffer(rhw_context *context, rhw_pass pass, int slot, rhw_buffer buffer,
                                         size_t offset);
 /// `offset`: bytes to index 0.
@@ -157,7 +159,8 @@ RHW_API void rhw_pass_set_index_buffer(rhw_context *context, rhw_pass pass, rhw_
                                        enum rhw_index_type type, size_t offset);
 /// Copies `size` bytes, at most RHW_MAX_UNIFORM_SIZE; at a draw they must be at least the program's uniform_size.
 RHW_API void rhw_pass_set_uniforms(rhw_context *context, rhw_pass pass, const void *data, size_t size);
-/// A null texture unbinds the slot; sampling an unbound slot gives 0, 0, 0, 1.
+/// A null texture unbinds the slot; sampling an unbound slot gives 0, 0, 0, 1. An attachment of this pass is refused,
+/// also depth that is only tested: end the pass and sample in the next one, which loads what it goes on with.
 RHW_API void rhw_pass_set_texture(rhw_context *context, rhw_pass pass, int slot, rhw_texture texture,
                                   rhw_sampler sampler);
 RHW_API void rhw_pass_set_viewport(rhw_context *context, rhw_pass pass, const struct rhw_viewport *viewport);
@@ -186,8 +189,9 @@ RHW_API void rhw_pass_draw_indexed_indirect(rhw_context *context, rhw_pass pass,
 /// Groups may stand in groups; each is popped before the pass ends.
 RHW_API void rhw_pass_push_debug_group(rhw_context *context, rhw_pass pass, const char *label);
 RHW_API void rhw_pass_pop_debug_group(rhw_context *context, rhw_pass pass);
-/// Runs the pass; all of it is drawn on return, and the id is stale. `stats` may be NULL. Where misuse was reported since
-/// the pass began and the assert hook returned, all that was no misuse is drawn, and the result is RHW_ERROR_MISUSE. On
+/// Runs the pass; all of it is drawn on return, and the id is stale. `stats` may be NULL. Where misuse was reported
+/// since the pass began and the assert hook returned, all that was no misuse is drawn, and the result is
+/// RHW_ERROR_MISUSE: also where it was that of another thread, which called something of this context meanwhile. On
 /// other failures the attachments hold unspecified pixels and `stats` is as it was.
 RHW_API enum rhw_result rhw_pass_end(rhw_context *context, rhw_pass pass, struct rhw_stats *stats);
 /// Ends the pass without drawing any of it: the attachments are as they were, and the id is stale. For those who find in

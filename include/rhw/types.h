@@ -8,7 +8,8 @@
 #include "base.h"
 
 /// Everything belongs to one context. Different contexts may be used by different threads at once, one context by one
-/// thread at a time: a call that meets another one, or comes from a shader function, is misuse and does nothing.
+/// thread at a time: a call that meets another one, or comes from a shader function, is misuse and does nothing. A
+/// shader function of one context may use another, as any code on that thread may: one call at a time.
 typedef struct rhw_context rhw_context;
 
 /// Value ids. A zeroed id is the null id; to destroy it does nothing. An id whose item was destroyed, or that another
@@ -56,10 +57,11 @@ enum rhw_paths {
 
 /// Validation finds what is no misuse to the library and rarely meant: shader functions that read what their program
 /// does not declare, discard or write depth without saying so, leave colours, positions or varyings unwritten, or
-/// sample slots that do not exist; draws that reach outside their buffers; odd index offsets; NaN to clear with. It
-/// is told as misuse: what a shader function did when the pass ends, for its earliest draw, with the draw and a
-/// pixel. NaN in colours, and writing targets that a pipeline lacks, are warnings in the log. Pictures are the same,
-/// and take several times as long.
+/// sample slots that do not exist or have no texture, or levels that nobody has written, or work on the first of
+/// their groups alone; draws that reach outside their buffers; odd index offsets; NaN to clear with. It is told
+/// as misuse: what a shader function did when the pass ends, for its earliest draw, with the draw and a pixel. NaN in
+/// colours, writing targets that a pipeline lacks, blend factors without blend, depth_read_only without depth_test and
+/// a depth texture that is not enabled are warnings in the log. Pictures are the same, and take several times as long.
 enum rhw_validation {
     RHW_VALIDATE_DEFAULT, ///< on where the context is created by a file compiled without optimization and NDEBUG
     RHW_VALIDATE_ON,
@@ -75,7 +77,7 @@ struct rhw_context_def {
     enum rhw_validation validate; ///< RHW_VALIDATE_DEFAULT
     size_t bin_memory; ///< bytes of binned geometry kept before a pass is flushed to its tiles; 0: 512 MiB
     struct rhw_allocator allocator; ///< zeroed: malloc, and the system's pages for large blocks
-    rhw_log_function *log;          ///< NULL: silent
+    rhw_log_function *log;          ///< NULL: silent, but warnings of a context that validates go to stderr
     rhw_assert_function *assert_;   ///< NULL: print and abort
     void *user;                     ///< first argument of log and assert_
     const char *label;              ///< as in every definition: a name for messages, or NULL. Its first 63 bytes are
@@ -215,7 +217,7 @@ enum rhw_vertex_format {
 RHW_API size_t rhw_vertex_format_size(enum rhw_vertex_format format);
 
 /// Attribute i of `rhw_pipeline_def.attributes` arrives in the vertex function as `attribute[i]`;
-/// components the format lacks are 0, 0, 0, 1.
+/// components the format lacks are 0, 0, 0, 1. FLOAT formats arrive bit for bit, so that they may carry integers.
 struct rhw_attribute {
     enum rhw_vertex_format format;
     int buffer;      ///< index into rhw_pipeline_def.buffers
@@ -232,6 +234,8 @@ struct rhw_vertex_layout {
     bool constant;     ///< every vertex of every instance reads the first element; no stride then
 };
 
+/// FLAT takes the value of the provoking vertex bit for bit: an integer id travels as rhw_float_from_bits(id), and the
+/// fragment function has it back by rhw_bits_from_float, or writes it to an R32_UINT target as it is.
 enum rhw_qualifier { RHW_SMOOTH, RHW_NOPERSPECTIVE, RHW_FLAT };
 
 /// Where in its pixel a fragment of a multisampled pass takes its values (Vulkan 1.3 §28.3): at the centre, also where the
@@ -302,7 +306,8 @@ enum rhw_write_mask {
 struct rhw_color_target {
     enum rhw_format format;                  ///< to be set
     bool blend;                              ///< false: the source replaces
-    struct rhw_blend_component color, alpha; ///< src × srcFactor op dst × dstFactor
+    /// src × srcFactor op dst × dstFactor. Each has its own defaults: with `color` alone set, alpha replaces.
+    struct rhw_blend_component color, alpha;
     uint8_t write_mask;                      ///< or-ed rhw_write_mask; 0: all channels
 };
 
@@ -527,7 +532,7 @@ struct rhw_stats {
     uint64_t fragments_shaded;     ///< samples that got a result of the fragment function; one call may serve many
     uint64_t fragment_groups;      ///< groups of 8 lanes that it was called with
     uint64_t flushes;              ///< times the bins were full before the pass ended
-    uint64_t memory_peak;          ///< bytes allocated by the context, highest so far
+    uint64_t memory_peak;          ///< bytes allocated by the context, highest so far; varies with the threads
     uint64_t geometry_peak;        ///< of these, vertices, triangles and bins of this pass: the most at one time
     int threads, tiles;
     enum rhw_isa isa;

@@ -69,6 +69,7 @@ cat >expected/allocator <<'TEXT'
 600 x 600: No error
 refused: 1, left: 0 bytes
 TEXT
+echo b7b6f989734a816b >expected/mesh
 cat >expected/handles <<'TEXT'
 f112808d386bc02a
 e83ada50aa5db41f
@@ -98,7 +99,7 @@ library=$(dirname "$(find "$folder/prefix" -name pkgconfig)")
 export PKG_CONFIG_PATH="$library/pkgconfig" LD_LIBRARY_PATH="$library"
 cp -r "$root/examples/embedding" make
 warnings="-Wall -Wextra -Wpedantic -Wshadow -Wconversion -Werror"
-all="resize stream threads allocator handles badge_user"
+all="resize stream threads allocator mesh handles badge_user"
 
 if [ -n "$sanitizers" ]; then
     # A library that was built with the sanitizer, in programs that are.
@@ -142,6 +143,9 @@ check "the last frame: $(cat drawn)" test "$(cat drawn)" = "640 x 480 f465748b79
 refuse 'usage: window' make/window --frames none
 refuse '^window: ' env SDL_VIDEODRIVER=absent make/window --frames 1
 
+check "the size of a mesh's picture" test "$(wc -c <mesh.ppm)" = $((15 + 640 * 360 * 3))
+rm mesh.ppm
+
 # A golden hash that differs is told, its picture written; --update writes the file as it was.
 check "golden" make/golden make/golden.txt
 sed 's/^corner .*/corner 1/' make/golden.txt >changed
@@ -161,6 +165,10 @@ says sanitized $all
 # CMake, with the package; and a checkout of rhw as a subproject. What is tested is the way to build, so quickly.
 check "cmake configures" cmake -S "$root/examples/embedding" -B cmake -G Ninja -DCMAKE_PREFIX_PATH="$folder/prefix" \
     -DCMAKE_BUILD_TYPE=Release
+check "cmake without SDL2" cmake -S "$root/examples/embedding" -B no_window -DCMAKE_PREFIX_PATH="$folder/prefix" \
+    -DCMAKE_DISABLE_FIND_PACKAGE_SDL2=ON
+mv log configured
+check "which it says" grep -q '^-- SDL2 is not here (libsdl2-dev): the recipe of a window is left out$' configured
 check "cmake builds" cmake --build cmake --parallel 2
 says cmake $all
 closed cmake/libbadge.so

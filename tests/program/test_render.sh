@@ -145,8 +145,28 @@ check "a camera that sees nothing is not taken" equal first.png fit.png
 check "and said so" grep -q "^rhw: cameras.gltf: warning: its camera sees nothing" "$folder/log/err"
 run render cameras.gltf $view -o first.png --camera-index 0
 check "unless it was asked for" grep -q "^rhw: cameras.gltf: warning: nothing of the model is in" "$folder/log/err"
+
+# A camera of the file that stands beside the triangle, one within a cube's bounds, and what is said of neither.
+partial="the file's camera shows part of the model; --fit shows all"
+sed 's/"translation": \[0, 0, -5\]/"translation": [-0.18, 0, 1]/' cameras.gltf >beside.gltf
+run render beside.gltf $view -o part.png
+check "a partial view" grep -q "^rhw: beside.gltf: warning: $partial$" "$folder/log/err"
+check "is said once" test "$(wc -l <"$folder/log/err")" = 1
+run render beside.gltf $view -o part.png --camera-index 0
+check "a partial view that was asked for" test ! -s "$folder/log/err"
+succeed render beside.gltf $view -o part.png --quiet
+sed 's/"translation": \[0, 0, -5\]/"translation": [0, 0, 5]/' cameras.gltf >whole.gltf
+run render whole.gltf $view -o part.png
+check "a whole view" test ! -s "$folder/log/err"
 refuse 2 "--camera-index: cameras.gltf has the cameras 0..1 only" render cameras.gltf -o x.png --camera-index 2
 refuse 2 "--camera-name: cameras.gltf has no camera named 'side'" render cameras.gltf -o x.png --camera-name side
+
+# --orbit fits, so that --fit beside it says nothing else, in either order.
+succeed render cube.obj $view -o orbit.png --orbit 10,50
+succeed render cube.obj $view -o after.png --orbit 10,50 --fit
+succeed render cube.obj $view -o before.png --fit --orbit 10,50
+check "--orbit --fit" cmp -s orbit.png after.png
+check "--fit --orbit" cmp -s orbit.png before.png
 
 # Statistics.
 succeed render cube.obj $view -o s.png --stats=s.json --threads 2 --isa baseline --output color,normal
@@ -195,7 +215,7 @@ echo "just words" >words.glb
 printf 'o nothing\nvn 0 0 1\n' >bare.obj
 printf 'glTF\2\0\0\0\100\0\0\0' >cut.glb
 mkdir folder.obj
-refuse 1 "none.obj: No such file or directory|none.obj: .*" render none.obj -o x.png
+refuse 1 "none.obj: cannot be opened: No such file or directory" render none.obj -o x.png
 for model in empty.obj words.txt words.glb bare.obj cut.glb folder.obj; do
     refuse 1 "$model: " render $model -o x.png
 done
@@ -209,8 +229,35 @@ MTL
 printf 'mtllib missing.mtl\nv 0 0 0\nv 1 0 0\nv 0 1 0\nvt 0 0\nvt 1 0\nvt 0 1\nusemtl m\nf 1/1 2/2 3/3\n' >missing.obj
 run render missing.obj $view -o x.png
 check "a missing texture is no failure" test $status = 0
-check "a missing texture is a warning" grep -q "^rhw: missing.obj: warning: .*not-there.png" "$folder/log/err"
+check "a missing texture is a warning" \
+    grep -q '^rhw: missing.obj: warning: texture "not-there.png": .*; drawn in magenta$' "$folder/log/err"
 succeed render missing.obj $view -o x.png --quiet
+# What some of assimp's importers call no texture.
+cat >dummy.ac <<'AC'
+AC3Db
+MATERIAL "m" rgb 1 1 1 amb 1 1 1 emis 0 0 0 spec 0 0 0 shi 0 trans 0
+OBJECT world
+kids 1
+OBJECT poly
+texture "$texture_dummy.bmp"
+numvert 3
+0 0 0
+1 0 0
+0 1 0
+numsurf 1
+SURF 0x20
+mat 0
+refs 3
+0 0 0
+1 1 0
+2 0 1
+kids 0
+AC
+run render dummy.ac $view -o x.png
+check "a dummy texture is none: $(cat "$folder/log/err")" test ! -s "$folder/log/err"
+sed 's/.texture_dummy.bmp/other.bmp/' dummy.ac >other.ac
+run render other.ac $view -o x.png
+check "another is" grep -q 'other.bmp.*drawn in magenta' "$folder/log/err"
 run render cube.obj $view -o x.png --camera 0,0,9,0,0,18,0,1,0,30
 check "nothing in view is a warning" grep -q "^rhw: cube.obj: warning: nothing of the model is in the picture" "$folder/log/err"
 no_temporary_files

@@ -11,6 +11,9 @@ refuse 2 "--verbose: no such option" --verbose
 succeed --version
 check "version" grep -Eq '^rhw [0-9]+\.[0-9]+\.[0-9]+$' "$folder/log/out"
 succeed --help
+cp "$folder/log/out" help.txt
+succeed help
+check "help as a word" cmp "$folder/log/out" help.txt
 for verb in render compare info bench; do
     check "help lists $verb" grep -Eq "^  rhw $verb " "$folder/log/out"
 done

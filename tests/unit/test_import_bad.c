@@ -122,6 +122,9 @@ static void test_pipe_as_texture(void **state)
         load_text("piped.obj", "mtllib pipe.mtl\nusemtl m\nv 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n");
     assert_true(has_warning(model, "pipe.png"));
     assert_true(model->images[0].missing);
+    // Its stand-in has hard edges.
+    const struct scene_texture_slot *const slot = &model->materials[0].slots[SCENE_SLOT_BASE_COLOR];
+    assert_true(slot->min_filter == RHW_FILTER_NEAREST && slot->mag_filter == RHW_FILTER_NEAREST);
     scene_model_free(model);
 }
 

@@ -457,7 +457,7 @@ static void test_nan_clears(void **state)
     rig.pass.colors[0].clear[2] = rhw_nan()[0];
     rhw_pass pass;
     assert_int_equal(rhw_pass_begin(rig.context, &rig.pass, &pass), RHW_ERROR_MISUSE);
-    rig_expect_misuse(&rig, "rhw_pass_begin: colors[0].clear[2] is NaN");
+    rig_expect_misuse(&rig, "colors[0].clear[2] is NaN");
     rig_close(&rig);
 }
 

@@ -380,7 +380,7 @@ static void test_what_is_missing_is_told(void **state)
     assert_int_equal(
         rhw_texture_create(rig.context, &(struct rhw_texture_def){.width = 4, .height = 4}, &texture),
         RHW_ERROR_MISUSE);
-    rig_expect_misuse(&rig, "format is 0");
+    rig_expect_misuse(&rig, "format is not set (RHW_FORMAT_NONE)");
     assert_int_equal(
         rhw_texture_create(rig.context, &(struct rhw_texture_def){.format = RHW_FORMAT_D32_FLOAT}, &texture),
         RHW_ERROR_MISUSE);
@@ -393,7 +393,7 @@ static void test_what_is_missing_is_told(void **state)
     rhw_pass pass;
     struct rhw_pass_def pass_def = {.colors = {{.texture = rig.pass.colors[0].texture}}};
     assert_int_equal(rhw_pass_begin(rig.context, &pass_def, &pass), RHW_ERROR_MISUSE);
-    rig_expect_misuse(&rig, "no attachment");
+    rig_expect_misuse(&rig, "colors[0].texture is set and color_count is 0");
     pass_def.depth = (struct rhw_depth_attachment){.enabled = true, .store = RHW_STORE_DISCARD};
     assert_int_equal(rhw_pass_begin(rig.context, &pass_def, &pass), RHW_ERROR_MISUSE);
     rig_expect_misuse(&rig, "colors[0].texture is set and color_count is 0");
@@ -416,7 +416,7 @@ static void test_what_is_missing_is_told(void **state)
     assert_int_equal(rhw_pipeline_create(rig.context, &def, &pipeline), RHW_OK);
     rig_begin(&rig);
     rhw_pass_set_pipeline(rig.context, rig.recording, pipeline);
-    rig_expect_misuse(&rig, "target");
+    rig_expect_misuse(&rig, "has 0 targets (targets[0] is set and target_count is 0); the pass has 1");
     rig_end(&rig);
     rig_close(&rig);
 }

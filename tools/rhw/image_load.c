@@ -208,7 +208,7 @@ bool cli_image_load(struct cli_loaded_image *image, const char *path)
     *image = (struct cli_loaded_image){.full_scale = 1.0};
     FILE *stream = fopen(path, "rb");
     if (!stream) {
-        cli_error(path, "%s", strerror(errno));
+        cli_error(path, "cannot be opened: %s", strerror(errno));
         return false;
     }
     const bool loaded = load_stream(image, path, stream);

@@ -29,7 +29,7 @@ static void print_program_help(void)
     for (int i = 0; i < VERB_COUNT; i++) {
         printf("  rhw %-7s %-14s %s\n", verbs[i].name, verbs[i].operands, verbs[i].summary);
     }
-    printf("\n  --help                   print this and exit; 'rhw VERB --help' explains a verb\n"
+    printf("\n  help, --help             print this and exit; 'rhw VERB --help' explains a verb\n"
            "  --version                print the version and exit\n\n"
            "Exit status: 0, 1 when the work failed, 2 for a wrong command line.\n");
 }
@@ -45,7 +45,7 @@ static int run(int argc, char **argv)
         printf("rhw %s\n", rhw_version());
         return CLI_OK;
     }
-    if (strcmp(word, "--help") == 0 || strcmp(word, "-h") == 0) {
+    if (strcmp(word, "--help") == 0 || strcmp(word, "-h") == 0 || strcmp(word, "help") == 0) {
         print_program_help();
         return CLI_OK;
     }

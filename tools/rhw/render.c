@@ -235,6 +235,17 @@ static enum rhw_result draw_again(struct render *render)
     return scene_draw(render->scene, &render->view, &render->pictures, &render->stats);
 }
 
+// The camera of a file that nobody asked for may stand within the model, or look past most of it.
+static void warn_of_a_partial_view(const struct render *render)
+{
+    const struct cli_render_job *job = &render->job;
+    if (!job->quiet && job->camera == CLI_CAMERA_AUTO && find_camera(job, render->model) &&
+        !scene_camera_shows_most(render->model, &render->view.camera,
+                                 (double)job->width / (double)job->height)) {
+        cli_warning(job->model_path, "the file's camera shows part of the model; --fit shows all");
+    }
+}
+
 static bool draw(struct render *render)
 {
     struct rhw_context_def def = rhw_context_def_default();
@@ -253,6 +264,8 @@ static bool draw(struct render *render)
     }
     if (result == RHW_OK && render->stats.pipeline.triangles_rasterized == 0) {
         result = draw_again(render);
+    } else if (result == RHW_OK) {
+        warn_of_a_partial_view(render);
     }
     cli_stage_end();
     if (result != RHW_OK) {

@@ -110,7 +110,8 @@ static const struct cli_verb verb = {
 
 static bool choose_camera(struct cli_render_job *job, enum cli_camera_choice choice, const char *option)
 {
-    if (job->camera != CLI_CAMERA_AUTO && job->camera != choice) {
+    const bool refines = job->camera == CLI_CAMERA_FIT && choice == CLI_CAMERA_ORBIT; // which fits as well
+    if (job->camera != CLI_CAMERA_AUTO && job->camera != choice && !refines) {
         cli_error(option, "cannot be together with %s", job->camera_option);
         return false;
     }

@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: MIT
+// What a camera has in its picture.
+#include "camera.h"
+
+static bool is_inside(const struct scene_model *model, const double eye[3])
+{
+    bool inside = true;
+    for (int i = 0; i < 3; i++) {
+        inside = inside && eye[i] > (double)model->bounds_min[i] && eye[i] < (double)model->bounds_max[i];
+    }
+    return inside;
+}
+
+// Whether the matrix puts a point into the view volume.
+static bool is_seen(const double matrix[16], const float p[3])
+{
+    double clip[4];
+    for (int i = 0; i < 4; i++) {
+        clip[i] = matrix[i] * (double)p[0] + matrix[4 + i] * (double)p[1] + matrix[8 + i] * (double)p[2] +
+                  matrix[12 + i];
+    }
+    return clip[0] >= -clip[3] && clip[0] <= clip[3] && clip[1] >= -clip[3] && clip[1] <= clip[3] &&
+           clip[2] >= 0 && clip[2] <= clip[3];
+}
+
+bool scene_camera_shows_most(const struct scene_model *model, const struct scene_camera *camera,
+                             double aspect)
+{
+    if (is_inside(model, camera->eye)) {
+        return false;
+    }
+    double view[16], projection[16], both[16];
+    scene_camera_view(camera, view);
+    scene_camera_projection(camera, aspect, projection);
+    scene_matrix_multiply(projection, view, both);
+    uint64_t seen = 0, all = 0;
+    for (uint32_t i = 0; i < model->instance_count; i++) {
+        const struct scene_instance *const instance = &model->instances[i];
+        const struct scene_mesh *const mesh = &model->meshes[instance->mesh];
+        double world[16], matrix[16];
+        for (int k = 0; k < 16; k++) {
+            world[k] = (double)instance->world[k];
+        }
+        scene_matrix_multiply(both, world, matrix);
+        for (uint32_t v = 0; v < mesh->vertex_count; v++) {
+            seen += is_seen(matrix, mesh->positions[v]);
+        }
+        all += mesh->vertex_count;
+    }
+    return 2 * seen >= all;
+}
