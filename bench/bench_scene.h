@@ -106,6 +106,7 @@ struct bench_scene {
     // The peer's target has no depth buffer beside it: llvmpipe then leaves out what opaque triangles hide.
     bool without_depth;
     int max_anisotropy; // of all textures; 0: off
+    int samples;        // of a pixel, resolved at the end of a frame; 0: one
     float clear[4];     // alpha 0, which no shader writes: it tells what is covered
     struct bench_tolerance tolerance;
     enum bench_unit unit;

@@ -56,6 +56,8 @@ static bool load(struct gles *gl, PFNEGLGETPROCADDRESSPROC find)
         {"glGenRenderbuffers", &gl->gen_renderbuffers},
         {"glBindRenderbuffer", &gl->bind_renderbuffer},
         {"glRenderbufferStorage", &gl->renderbuffer_storage},
+        {"glRenderbufferStorageMultisample", &gl->renderbuffer_storage_multisample},
+        {"glBlitFramebuffer", &gl->blit_framebuffer},
         {"glFramebufferRenderbuffer", &gl->framebuffer_renderbuffer},
         {"glDeleteRenderbuffers", &gl->delete_renderbuffers},
         {"glCheckFramebufferStatus", &gl->check_framebuffer_status},

@@ -51,6 +51,8 @@ struct gles {
     PFNGLGENRENDERBUFFERSPROC gen_renderbuffers;
     PFNGLBINDRENDERBUFFERPROC bind_renderbuffer;
     PFNGLRENDERBUFFERSTORAGEPROC renderbuffer_storage;
+    PFNGLRENDERBUFFERSTORAGEMULTISAMPLEPROC renderbuffer_storage_multisample;
+    PFNGLBLITFRAMEBUFFERPROC blit_framebuffer;
     PFNGLFRAMEBUFFERRENDERBUFFERPROC framebuffer_renderbuffer;
     PFNGLDELETERENDERBUFFERSPROC delete_renderbuffers;
     PFNGLCHECKFRAMEBUFFERSTATUSPROC check_framebuffer_status;

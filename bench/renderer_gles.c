@@ -22,10 +22,11 @@ struct gles_state {
     struct gles gl;
     const struct bench_scene *scene;
     int width, height;
-    struct gles_shader shaders[BENCH_SHADERS]; // made when first needed, kept
-    GLuint show_depth;                         // program of read_depth; 0: not made yet
-    GLuint framebuffer, color, depth;          // a renderbuffer and a texture
-    GLuint *arrays, *vertices, *indices;       // per mesh
+    struct gles_shader shaders[BENCH_SHADERS];    // made when first needed, kept
+    GLuint show_depth;                            // program of read_depth; 0: not made yet
+    GLuint framebuffer, color, depth;             // a renderbuffer and a texture
+    GLuint sampled, sampled_color, sampled_depth; // what is drawn into with several samples; else 0
+    GLuint *arrays, *vertices, *indices;          // per mesh
     GLuint *textures;
 };
 
@@ -126,6 +127,35 @@ static void attach_depth(struct gles_state *s)
     gl->framebuffer_texture_2d(GL_FRAMEBUFFER, GL_DEPTH_ATTACHMENT, GL_TEXTURE_2D, s->depth, 0);
 }
 
+// A framebuffer of several samples, which frames draw into and resolve.
+static bool make_samples(struct gles_state *s)
+{
+    const struct gles *const gl = &s->gl;
+    const GLsizei samples = s->scene->samples;
+    gl->gen_framebuffers(1, &s->sampled);
+    gl->bind_framebuffer(GL_FRAMEBUFFER, s->sampled);
+    gl->gen_renderbuffers(1, &s->sampled_color);
+    gl->bind_renderbuffer(GL_RENDERBUFFER, s->sampled_color);
+    gl->renderbuffer_storage_multisample(GL_RENDERBUFFER, samples, GL_RGBA8, s->width, s->height);
+    gl->framebuffer_renderbuffer(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_RENDERBUFFER, s->sampled_color);
+    gl->gen_renderbuffers(1, &s->sampled_depth);
+    gl->bind_renderbuffer(GL_RENDERBUFFER, s->sampled_depth);
+    gl->renderbuffer_storage_multisample(GL_RENDERBUFFER, samples, GL_DEPTH_COMPONENT32F, s->width,
+                                         s->height);
+    gl->framebuffer_renderbuffer(GL_FRAMEBUFFER, GL_DEPTH_ATTACHMENT, GL_RENDERBUFFER, s->sampled_depth);
+    return gl->check_framebuffer_status(GL_FRAMEBUFFER) == GL_FRAMEBUFFER_COMPLETE;
+}
+
+static void resolve_samples(const struct gles_state *s)
+{
+    const struct gles *const gl = &s->gl;
+    gl->bind_framebuffer(GL_READ_FRAMEBUFFER, s->sampled);
+    gl->bind_framebuffer(GL_DRAW_FRAMEBUFFER, s->framebuffer);
+    gl->blit_framebuffer(0, 0, s->width, s->height, 0, 0, s->width, s->height, GL_COLOR_BUFFER_BIT,
+                         GL_NEAREST);
+    gl->bind_framebuffer(GL_READ_FRAMEBUFFER, s->framebuffer);
+}
+
 static bool make_targets(struct gles_state *s)
 {
     const struct gles *const gl = &s->gl;
@@ -144,7 +174,8 @@ static bool make_targets(struct gles_state *s)
     }
     const GLenum target = s->scene->has_color ? GL_COLOR_ATTACHMENT0 : GL_NONE;
     gl->draw_buffers(1, &target);
-    return gl->check_framebuffer_status(GL_FRAMEBUFFER) == GL_FRAMEBUFFER_COMPLETE;
+    return gl->check_framebuffer_status(GL_FRAMEBUFFER) == GL_FRAMEBUFFER_COMPLETE &&
+           (s->scene->samples <= 1 || make_samples(s));
 }
 
 // State that no draw of the scene changes.
@@ -210,12 +241,15 @@ static void release(struct bench_renderer *renderer)
     gl->delete_framebuffers(1, &s->framebuffer);
     gl->delete_renderbuffers(1, &s->color);
     gl->delete_textures(1, &s->depth);
+    gl->delete_framebuffers(1, &s->sampled); // 0 is ignored
+    gl->delete_renderbuffers(1, &s->sampled_color);
+    gl->delete_renderbuffers(1, &s->sampled_depth);
     free(s->arrays);
     free(s->vertices);
     free(s->indices);
     free(s->textures);
     s->arrays = s->vertices = s->indices = s->textures = NULL;
-    s->framebuffer = s->color = s->depth = 0;
+    s->framebuffer = s->color = s->depth = s->sampled = s->sampled_color = s->sampled_depth = 0;
 }
 
 // Frames -------------------------------------------------------------------------------------------
@@ -238,6 +272,9 @@ static bool frame(struct bench_renderer *renderer)
     const struct gles *const gl = &s->gl;
     const struct bench_scene *const scene = s->scene;
     const GLenum depth = GL_DEPTH_ATTACHMENT;
+    if (s->sampled) {
+        gl->bind_framebuffer(GL_FRAMEBUFFER, s->sampled);
+    }
     gl->clear((scene->has_color ? GL_COLOR_BUFFER_BIT : 0) | GL_DEPTH_BUFFER_BIT);
     for (uint32_t i = 0; i < scene->draw_count; i++) {
         const struct bench_draw *const draw = &scene->draws[i];
@@ -254,6 +291,9 @@ static bool frame(struct bench_renderer *renderer)
     }
     if (scene->has_color && !scene->without_depth) {
         gl->invalidate_framebuffer(GL_FRAMEBUFFER, 1, &depth);
+    }
+    if (s->sampled) {
+        resolve_samples(s);
     }
     gl->finish();
     return gl->get_error() == GL_NO_ERROR;

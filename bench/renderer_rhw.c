@@ -174,6 +174,7 @@ static struct rhw_pass_def pass_of(const struct bench_state *s)
     def.color_count = s->scene->has_color;
     def.colors[0].texture = s->scene->has_color ? s->color : (rhw_texture){0};
     memcpy(def.colors[0].clear, s->scene->clear, sizeof def.colors[0].clear);
+    def.samples = s->scene->samples;
     def.depth.enabled = true;
     def.depth.texture = s->depth;
     def.depth.store = s->scene->has_color ? RHW_STORE_DISCARD : RHW_STORE_STORE;

@@ -6,7 +6,12 @@
 #include "bench_scene.h"
 #include "model.h"
 
-enum bench_model_variant { BENCH_MODEL_BUNNY, BENCH_MODEL_BUNNY_DEPTH, BENCH_MODEL_SPONZA };
+enum bench_model_variant {
+    BENCH_MODEL_BUNNY,
+    BENCH_MODEL_BUNNY_DEPTH,
+    BENCH_MODEL_SPONZA,
+    BENCH_MODEL_SPONZA_SAMPLES
+};
 
 bool bench_make_model(const struct bench_scene_entry *entry, struct bench_scene *scene, int width, int height,
                       char *why, size_t why_size);

@@ -11,7 +11,8 @@ enum bench_sphere_variant {
     BENCH_SPHERE_82K_FLAT,
     BENCH_SPHERE_1M,
     BENCH_SPHERE_1M_TEXTURE,
-    BENCH_SPHERE_1M_DEPTH
+    BENCH_SPHERE_1M_DEPTH,
+    BENCH_SPHERE_1M_SAMPLES // 4 a pixel
 };
 
 bool bench_make_sphere(const struct bench_scene_entry *entry, struct bench_scene *scene, int width,

@@ -81,10 +81,10 @@ static double milliseconds(void)
     return (double)now.tv_sec * 1e3 + (double)now.tv_nsec * 1e-6;
 }
 
-static int sample_side(int samples)
+static int grid_side(int supersample)
 {
     for (int side = 1; side <= 4; side++) {
-        if (side * side == samples) {
+        if (side * side == supersample) {
             return side;
         }
     }
@@ -95,7 +95,8 @@ static int sample_side(int samples)
 
 struct scene_view scene_view_default(const struct scene_model *model)
 {
-    struct scene_view view = {.width = 1280, .height = 720, .samples = 1, .outputs = SCENE_OUTPUT_COLOR};
+    struct scene_view view = {
+        .width = 1280, .height = 720, .samples = 1, .supersample = 1, .outputs = SCENE_OUTPUT_COLOR};
     view.camera = scene_camera_fit(model, scene_camera_default_orbit(model), scene_camera_default_yfov(),
                                    1280.0 / 720.0);
     return view;
@@ -103,18 +104,20 @@ struct scene_view scene_view_default(const struct scene_model *model)
 
 bool scene_view_check(const struct scene_view *view, char *error, size_t error_size)
 {
-    const int side = sample_side(view->samples);
+    const int side = grid_side(view->supersample);
     const int limit = RHW_MAX_TARGET_SIZE;
     const char *place = "";
     if (view->width < 1 || view->height < 1 || view->width > limit || view->height > limit) {
         snprintf(error, error_size, "size %dx%d: width and height must lie between 1 and %d", view->width,
                  view->height, limit);
     } else if (side == 0) {
-        snprintf(error, error_size, "samples %d: must be 1, 4, 9 or 16", view->samples);
+        snprintf(error, error_size, "supersample %d: must be 1, 4, 9 or 16", view->supersample);
+    } else if (view->samples < 1 || view->samples > 16 || (view->samples & (view->samples - 1)) != 0) {
+        snprintf(error, error_size, "samples %d: must be 1, 2, 4, 8 or 16", view->samples);
     } else if (view->width * side > limit || view->height * side > limit) {
         snprintf(error, error_size,
-                 "size %dx%d with %d samples: %d times width and height must not exceed %d", view->width,
-                 view->height, view->samples, side, limit);
+                 "size %dx%d with %d pixels for one: %d times width and height must not exceed %d",
+                 view->width, view->height, view->supersample, side, limit);
     } else if (view->outputs == 0 || (view->outputs & ~(uint32_t)SCENE_OUTPUT_ALL)) {
         snprintf(error, error_size, "outputs: none, or unknown ones, asked for");
     } else if (view->interpolate != RHW_SMOOTH && view->interpolate != RHW_NOPERSPECTIVE) {
@@ -266,7 +269,7 @@ static void set_frame(struct draw *draw)
     }
 }
 
-// Sizes that depend on the number of samples along a pixel's side.
+// Sizes that depend on the pixels drawn along the side of one of the picture.
 static void set_frame_samples(struct draw *draw, int side)
 {
     draw->frame.samples = (float)side;
@@ -347,6 +350,7 @@ static enum rhw_result draw_samples(struct draw *draw, const enum rhw_format for
     memcpy(def.colors[0].clear, backdrop.top, sizeof backdrop.top);
     def.depth = (struct rhw_depth_attachment){
         .enabled = true, .load = RHW_LOAD_CLEAR, .store = RHW_STORE_DISCARD, .clear = 0.0f};
+    def.samples = draw->view->samples;
     rhw_pass pass;
     enum rhw_result result = rhw_pass_begin(context, &def, &pass);
     if (result != RHW_OK) {
@@ -558,7 +562,7 @@ static enum rhw_result draw_color(struct draw *draw)
     }
     const size_t per_sample =
         (outputs & SCENE_OUTPUT_DISPLAY ? 16u : 8u) + (outputs & SCENE_OUTPUT_LINEAR ? 16u : 0u);
-    const size_t samples = (size_t)draw->view->samples;
+    const size_t samples = (size_t)draw->view->supersample;
     draw->band_rows = choose_band(draw->view->height, (size_t)draw->view->width * per_sample * samples);
     void *color = NULL, *linear = NULL, *display = NULL;
     const bool allocated =
@@ -615,7 +619,7 @@ enum rhw_result scene_draw(struct scene *scene, const struct scene_view *view,
 {
     *pictures = (struct scene_pictures){.width = view->width, .height = view->height};
     struct draw draw = {
-        .scene = scene, .view = view, .pictures = pictures, .side = sample_side(view->samples)};
+        .scene = scene, .view = view, .pictures = pictures, .side = grid_side(view->supersample)};
     draw.stats.upload_ms = scene->upload_ms;
     enum rhw_result result = RHW_ERROR_OUT_OF_MEMORY;
     if (scene_lighting_create(&draw.lighting, scene->upload.model, &view->camera, view->default_lights,

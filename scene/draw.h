@@ -42,7 +42,8 @@ enum scene_background {
 
 struct scene_view {
     int width, height; ///< 1..RHW_MAX_TARGET_SIZE
-    int samples;       ///< per pixel for colour: 1, 4, 9 or 16, a regular grid
+    int samples; ///< per pixel for colour: 1, 2, 4, 8 or 16, at each of which surfaces are tested, not shaded
+    int supersample; ///< pixels drawn and shaded for one of the picture: 1, 4, 9 or 16, a regular grid
     struct scene_camera camera;
     enum rhw_qualifier interpolate; ///< of all varyings: SMOOTH; NOPERSPECTIVE shows what is wrong with it
     enum scene_wireframe wireframe;

@@ -10,8 +10,8 @@
 
 struct rhw_sample_pattern {
     int count;
-    int16_t x_0_8[RHW_MAX_SAMPLES], y_0_8[RHW_MAX_SAMPLES]; // 1/256 pixel from its top left
-    int16_t least_0_8, most_0_8;                            // of all of them, each way
+    int32_t x_0_8[RHW_MAX_SAMPLES], y_0_8[RHW_MAX_SAMPLES]; // 1/256 pixel from its top left
+    int32_t least_0_8, most_0_8;                            // of all of them, each way
 };
 
 // `samples` is 1, 2, 4, 8 or 16.

@@ -8,7 +8,7 @@
 #include "tile/draw_state.h"
 #include "tile/resolve.h"
 #include "tile/triangle_large.h"
-#include "tile/triangle_multisample.h"
+#include "tile/triangle_small_samples.h"
 #include "tile/triangle_small.h"
 
 // Lists the bins of the tile that are not empty, in the order of their chunks; returns how many there are.
@@ -38,10 +38,12 @@ static void draw_any(struct tile_work *work, struct triangle_work *triangle, con
         triangle->clamps_depth = triangle->t->flags & RHW_TRIANGLE_CLAMP;
         triangle->depth_bias = 0;
     }
-    if (work->samples > 1) {
-        draw_multisampled(work, triangle, chunk);
-    } else {
+    if (work->samples == 1) {
         draw_large(work, triangle, chunk);
+    } else if (takes_small_samples(work, triangle)) {
+        draw_small_samples(work, triangle);
+    } else {
+        draw_multisampled(work, triangle, chunk);
     }
 }
 

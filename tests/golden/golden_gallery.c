@@ -319,8 +319,8 @@ void golden_gallery_draw(rhw_context *context, int number, struct golden_images 
     view.height = number == 3 ? 160 : 130;
     view.outputs =
         number % 2 ? SCENE_OUTPUT_COLOR | SCENE_OUTPUT_LINEAR | SCENE_OUTPUT_DISPLAY : SCENE_OUTPUT_ALL;
-    static const int samples[] = {4, 1, 1, 9};
-    view.samples = samples[number];
+    static const int supersample[] = {4, 1, 1, 9};
+    view.supersample = supersample[number];
     const double aspect = (double)view.width / view.height;
     struct scene_model_camera camera = file_camera(number == 2);
     camera.yfov = 0.25f; // the narrower picture takes a taller angle
@@ -353,7 +353,7 @@ void golden_model_draw(rhw_context *context, int number, struct golden_images *i
     struct scene_view view = scene_view_default(models[number]);
     view.width = 160;
     view.height = 120;
-    view.samples = 4;
+    view.supersample = 4;
     view.outputs = SCENE_OUTPUT_ALL;
     view.camera =
         scene_camera_fit(models[number], (struct scene_orbit){number == 0 ? 215 : 30, 20}, 0.5, 160.0 / 120);

@@ -61,7 +61,7 @@ static uint64_t hash_model(int number, const struct rhw_context_def *def)
     struct scene_view view = scene_view_default(model);
     view.width = WIDTH;
     view.height = HEIGHT;
-    view.samples = 4;
+    view.supersample = 4;
     view.outputs = SCENE_OUTPUT_ALL;
     if (rhw_context_create(def, &context) != RHW_OK || scene_create(context, model, &scene) != RHW_OK ||
         scene_draw(scene, &view, &pictures, NULL) != RHW_OK) {

@@ -25,6 +25,11 @@ golden_draw_function golden_topology_draw; ///< lists, strips, fans, restart, pr
 golden_draw_function golden_viewport_draw; ///< viewports off the grid and off the target, scissors
 golden_draw_function golden_clipping_draw; ///< each plane, behind the eye, far outside; by qualifier
 
+// golden_samples.c
+golden_draw_function golden_stencil_draw; ///< operations, masks, bias, clamping, bounds; by the format of depth
+golden_draw_function
+    golden_samples_draw; ///< 2 << number samples; sampling, masks, alpha, early and late, lines
+
 // golden_primitives.c
 golden_draw_function
     golden_primitives_draw; ///< points, lines, polygon modes, adjacency, clip and cull distances

@@ -10,7 +10,8 @@
 struct view {
     float camera[16]; // world to clip coordinates
     float eye[3];
-    float corner[3], right[3], down[3]; // what the eye sees at a depth of 1: the top left corner, a pixel's steps
+    float corner[3], right[3],
+        down[3]; // what the eye sees at a depth of 1: the top left corner, a pixel's steps
     float near, far;
     float size[2]; // of the picture, in pixels
     float ambient;

@@ -51,10 +51,9 @@ static inline void make_meshes(struct meshes *m)
             rhw_sincos1(2 * pi * (float)segment / SEGMENTS, &x, &z);
             *corner = (struct corner){{sine * x, height, sine * z}, {sine * x, height, sine * z}};
             if (ring < RINGS && segment < SEGMENTS) {
-                const uint16_t quad[4] = {(uint16_t)(corner - m->corners),
-                                          (uint16_t)(corner - m->corners + SEGMENTS + 1),
-                                          (uint16_t)(corner - m->corners + SEGMENTS + 2),
-                                          (uint16_t)(corner - m->corners + 1)};
+                const uint16_t quad[4] = {
+                    (uint16_t)(corner - m->corners), (uint16_t)(corner - m->corners + SEGMENTS + 1),
+                    (uint16_t)(corner - m->corners + SEGMENTS + 2), (uint16_t)(corner - m->corners + 1)};
                 for (int i = 0; i < 6; i++) {
                     *index++ = quad[flat[i]];
                 }

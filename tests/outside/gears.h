@@ -93,8 +93,7 @@ static void add_face(struct mesh *mesh, const struct gear *gear, float side)
         const struct tooth tooth = make_tooth(gear, number);
         const float *const ring[6] = {tooth.hole[0],    tooth.outline[0], tooth.hole[0],
                                       tooth.outline[3], tooth.hole[4],    tooth.outline[4]};
-        const float *const quad[4] = {tooth.outline[0], tooth.outline[1], tooth.outline[3],
-                                      tooth.outline[2]};
+        const float *const quad[4] = {tooth.outline[0], tooth.outline[1], tooth.outline[3], tooth.outline[2]};
         for (int i = 0; i < 6; i++) {
             add(mesh, ring[i ^ swap], z, normal);
         }

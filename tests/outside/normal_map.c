@@ -222,8 +222,8 @@ static bool shows(const struct material *material, unsigned char (*pixels)[4], c
     return same;
 }
 
-static void check_pixels(struct outside *outside, const struct material *material,
-                         unsigned char (*pixels)[4], unsigned char (*albedo)[4])
+static void check_pixels(struct outside *outside, const struct material *material, unsigned char (*pixels)[4],
+                         unsigned char (*albedo)[4])
 {
     float albedo_of[2][3], mean[3] = {0};
     for (int c = 0; c < 3; c++) {

@@ -61,8 +61,7 @@ void RHW_ISA_NAME(normal_map_light)(struct rhw_fragment *groups, int count)
             facing += normal[i] * material->towards[i];
         }
         facing = rhw_max(facing, 0);
-        const rhw_float shine =
-            rhw_select(rhw_greater(facing, 0), highlight(material, in->world, normal), 0);
+        const rhw_float shine = rhw_select(rhw_greater(facing, 0), highlight(material, in->world, normal), 0);
         const rhw_float light = material->ambient + (1 - material->ambient) * facing;
         for (int c = 0; c < 3; c++) {
             f->color[0][c] = texels[g][ALBEDO][c] * light + shine;

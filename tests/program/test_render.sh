@@ -106,6 +106,7 @@ differs() { # DESCRIPTION OPTION...
     equal a.png other.png && fail "$description does not show"
 }
 differs "--samples" --samples 16
+differs "--supersample" --supersample 16
 differs "--wireframe" --wireframe
 differs "--wireframe=plain" --wireframe=plain
 differs "--orbit" --orbit 200,10

@@ -38,9 +38,10 @@ for size in 0x10 10x0 16385x1 1x16385 -1x5 10 x 10x 10x10x10 1e3x5 99999999999x1
     refuse 2 "--size: '$size' is not WxH with both 1..16384" render cube.obj -o a.png --size "$size"
 done
 for samples in 0 2 3 17 x -4 4.0; do
-    refuse 2 "--samples: '$samples' is not 1, 4, 9 or 16" render cube.obj -o a.png --samples=$samples
+    refuse 2 "--supersample: '$samples' is not 1, 4, 9 or 16" render cube.obj -o a.png --supersample=$samples
 done
-refuse 2 "--samples: 4 are too many for 8193x10: 2 times" render cube.obj -o a.png --samples 4 --size 8193x10
+refuse 2 "--samples: '9' is not 1, 2, 4, 8 or 16" render cube.obj -o a.png --samples 9
+refuse 2 "--supersample: 4 are too many for 8193x10: 2 times" render cube.obj -o a.png --supersample 4 --size 8193x10
 for threads in 0 65 -1 two; do
     refuse 2 "--threads: '$threads' is not a number of 1 to 64" render cube.obj -o a.png --threads=$threads
 done

@@ -140,6 +140,47 @@ static void test_every_sample_is_exact(void **state)
     }
 }
 
+// Slanted triangles in perspective, large, small and clipped, drawn by the special paths and by the general one.
+static void draw_crowd(struct rig *rig)
+{
+    uint64_t random = 31;
+    struct rig_vertex vertices[600];
+    float corner[2] = {0, 0};
+    for (int v = 0; v < 600; v++) {
+        const float size = v < 60 ? 120 : v < 300 ? 12 : 2;
+        const float w = rig_random_float(&random, v < 60 ? -0.2f : 0.5f, 4);
+        float at[2];
+        for (int c = 0; c < 2; c++) {
+            corner[c] = v % 3 == 0 ? rig_random_float(&random, 0, SIZE) : corner[c];
+            at[c] = v % 3 == 0 ? corner[c] : corner[c] + rig_random_float(&random, -size, size);
+        }
+        rig_place(rig, at[0], at[1], rig_random_float(&random, 0, 1), w, vertices[v].position);
+        for (int c = 0; c < 4; c++) {
+            vertices[v].value[c] = rig_random_float(&random, 0, 1);
+        }
+    }
+    rig_draw_once(rig, vertices, 600);
+}
+
+static void test_paths_agree(void **state)
+{
+    (void)state;
+    for (int i = 0; i < COUNTS; i++) {
+        uint64_t hash[2] = {0, 0};
+        for (int general = 0; general < 2; general++) {
+            struct rig rig;
+            open_samples(&rig, counts[i], general ? RHW_PATHS_GENERAL : RHW_PATHS_ALL);
+            draw_crowd(&rig);
+            for (int s = 0; s < counts[i]; s++) {
+                hash[general] = rig_hash_bytes(hash[general], read_color(&rig, s), PIXELS * 16);
+                hash[general] = rig_hash_bytes(hash[general], read_depth(&rig, s), PIXELS * 4);
+            }
+            rig_close(&rig);
+        }
+        assert_true(hash[0] == hash[1]);
+    }
+}
+
 // Without a depth test the last triangle is seen: tiles draw backwards. One call of the fragment function gives a
 // fragment's colour to all its samples.
 static void test_fragments_are_shaded_once(void **state)
@@ -578,13 +619,21 @@ static void test_misuse(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_every_sample_is_exact),  cmocka_unit_test(test_fragments_are_shaded_once),
-        cmocka_unit_test(test_resolve_on_store),       cmocka_unit_test(test_resolve_in_waves),
-        cmocka_unit_test(test_resolve_modes),          cmocka_unit_test(test_loading),
-        cmocka_unit_test(test_where_values_are_taken), cmocka_unit_test(test_sample_inputs),
-        cmocka_unit_test(test_sample_masks),           cmocka_unit_test(test_alpha_to_coverage),
-        cmocka_unit_test(test_early_and_late_agree),   cmocka_unit_test(test_blending),
-        cmocka_unit_test(test_stencil_by_sample),      cmocka_unit_test(test_misuse),
+        cmocka_unit_test(test_every_sample_is_exact),
+        cmocka_unit_test(test_paths_agree),
+        cmocka_unit_test(test_fragments_are_shaded_once),
+        cmocka_unit_test(test_resolve_on_store),
+        cmocka_unit_test(test_resolve_in_waves),
+        cmocka_unit_test(test_resolve_modes),
+        cmocka_unit_test(test_loading),
+        cmocka_unit_test(test_where_values_are_taken),
+        cmocka_unit_test(test_sample_inputs),
+        cmocka_unit_test(test_sample_masks),
+        cmocka_unit_test(test_alpha_to_coverage),
+        cmocka_unit_test(test_early_and_late_agree),
+        cmocka_unit_test(test_blending),
+        cmocka_unit_test(test_stencil_by_sample),
+        cmocka_unit_test(test_misuse),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -81,7 +81,7 @@ static void test_supersampling_averages_light(void **state)
     for (int side = 1; side <= 4; side++) {
         struct scene_view view = tiny_view(&t, 8);
         memset(view.background_color, 0, 3);
-        view.samples = side * side;
+        view.supersample = side * side;
         view.camera.eye[0] = view.camera.target[0] = 0.25; // half a pixel to the left
         struct scene_pictures pictures = draw_model(&t.model, &view);
         // Samples within the square of 4.5 − 4 = half a pixel: 1 of 1 or 0 (edges on a centre go by the rule).
@@ -147,7 +147,7 @@ static void test_transparent_background_keeps_color_straight(void **state)
     struct scene_view view = tiny_view(&t, 8);
     view.background = SCENE_BACKGROUND_TRANSPARENT;
     for (int samples = 1; samples <= 4; samples += 3) {
-        view.samples = samples;
+        view.supersample = samples;
         struct scene_pictures pictures = draw_model(&t.model, &view);
         assert_pixel(&pictures.color[4 * (8 * 4 + 4)], 255, 188, 255, 32);
         assert_pixel(&pictures.color[0], 0, 0, 0, 0);
@@ -274,7 +274,7 @@ static void test_data_outputs(void **state)
     for (int orthographic = 0; orthographic < 2; orthographic++) {
         struct scene_view view = tiny_view(&t, 8);
         view.outputs = SCENE_OUTPUT_ALL & ~(SCENE_OUTPUT_COLOR | SCENE_OUTPUT_LINEAR);
-        view.samples = 4;          // has no say in data
+        view.supersample = 4;      // has no say in data
         view.camera.eye[2] = -5.0; // from behind
         if (!orthographic) {
             view.camera.orthographic = false;
@@ -432,7 +432,7 @@ static void test_pictures_do_not_depend_on_the_machine(void **state)
     struct scene_view view = tiny_view(&t, 200);
     view.camera = scene_camera_fit(&t.model, (struct scene_orbit){35, 15}, 0.6, 1.0);
     view.background = SCENE_BACKGROUND_DEFAULT;
-    view.samples = 4;
+    view.supersample = 4;
     struct scene_pictures first = draw_model(&t.model, &view);
     for (int isa = 0; isa < RHW_ISA_COUNT; isa++) {
         if (!rhw_isa_supported((enum rhw_isa)isa)) {
@@ -466,10 +466,10 @@ static void test_view_rules(void **state)
     const struct scene_view good = tiny_view(&t, 64);
     assert_true(scene_view_check(&good, error, sizeof error));
     struct scene_view view = good;
-    view.samples = 8;
+    view.supersample = 8;
     assert_false(scene_view_check(&view, error, sizeof error));
     assert_non_null(strstr(error, "1, 4, 9 or 16"));
-    view.samples = 16;
+    view.supersample = 16;
     view.width = 4097;
     assert_false(scene_view_check(&view, error, sizeof error));
     assert_non_null(strstr(error, "16384"));

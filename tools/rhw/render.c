@@ -192,6 +192,7 @@ static bool set_view(struct render *render)
     view->width = job->width;
     view->height = job->height;
     view->samples = job->samples;
+    view->supersample = job->supersample;
     view->interpolate = job->interpolate;
     view->wireframe = job->wireframe;
     view->background = job->background;

@@ -17,7 +17,7 @@ enum cli_camera_choice {
 struct cli_render_job {
     const char *model_path, *out;
     enum cli_picture_format format;
-    int width, height, samples;
+    int width, height, samples, supersample;
     enum cli_camera_choice camera;
     const char *camera_option; ///< the option that chose it, for messages
     struct scene_orbit orbit;

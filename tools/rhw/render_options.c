@@ -14,6 +14,7 @@ enum {
     OPTION_QUIET = 'q',
     OPTION_THREADS = 'j',
     OPTION_SAMPLES = 256,
+    OPTION_SUPERSAMPLE,
     OPTION_CAMERA,
     OPTION_ORBIT,
     OPTION_FIT,
@@ -36,7 +37,10 @@ enum {
 static const struct cli_option options[] = {
     {"out", OPTION_OUT, "OUT", "the file to write: .png, .exr or .ppm; '-' is standard output"},
     {"size", OPTION_SIZE, "WxH", "pixels, each way 1..16384; default 1280x720"},
-    {"samples", OPTION_SAMPLES, "N", "samples per pixel of the colour: 1, 4, 9 or 16; default 1"},
+    {"samples", OPTION_SAMPLES, "N", "samples of each pixel, for smooth edges: 1, 2, 4, 8 or 16; default 1"},
+    {"supersample", OPTION_SUPERSAMPLE, "N",
+     "pixels drawn and shaded for each one of the picture, which smooths surfaces too and costs as many\n"
+     "times as much: 1, 4, 9 or 16; default 1"},
     {"output", OPTION_OUTPUT, "LIST", "what to write, separated by commas; default color (see below)"},
     {"bits", OPTION_BITS, "N", "8 or 16 bits per sample of PNG and PPM; default: as the output needs"},
     {"format", OPTION_FORMAT, "NAME", "png, exr or ppm, whatever OUT ends in"},
@@ -239,11 +243,18 @@ static bool parse_picture_option(struct cli_render_job *job, int id, const char 
         cli_error("--size", "'%s' is not WxH with both 1..%d", argument, RHW_MAX_TARGET_SIZE);
         return false;
     case OPTION_SAMPLES:
-        if (cli_parse_int(argument, 1, 16, &job->samples) &&
-            (job->samples == 1 || job->samples == 4 || job->samples == 9 || job->samples == 16)) {
+        if (cli_parse_int(argument, 1, 16, &job->samples) && (job->samples & (job->samples - 1)) == 0) {
             return true;
         }
-        cli_error("--samples", "'%s' is not 1, 4, 9 or 16", argument);
+        cli_error("--samples", "'%s' is not 1, 2, 4, 8 or 16", argument);
+        return false;
+    case OPTION_SUPERSAMPLE:
+        if (cli_parse_int(argument, 1, 16, &job->supersample) &&
+            (job->supersample == 1 || job->supersample == 4 || job->supersample == 9 ||
+             job->supersample == 16)) {
+            return true;
+        }
+        cli_error("--supersample", "'%s' is not 1, 4, 9 or 16", argument);
         return false;
     case OPTION_OUTPUT:
         if (cli_outputs_parse(argument, &job->kinds, &bad)) {
@@ -354,10 +365,10 @@ static bool check_together(struct cli_render_job *job)
         cli_error("--bits", "an EXR file always holds 32 bits per sample");
         return false;
     }
-    const int side = job->samples == 16 ? 4 : job->samples == 9 ? 3 : job->samples == 4 ? 2 : 1;
+    const int side = job->supersample == 16 ? 4 : job->supersample == 9 ? 3 : job->supersample == 4 ? 2 : 1;
     if (job->width * side > RHW_MAX_TARGET_SIZE || job->height * side > RHW_MAX_TARGET_SIZE) {
-        cli_error("--samples", "%d are too many for %dx%d: %d times each must not exceed %d", job->samples,
-                  job->width, job->height, side, RHW_MAX_TARGET_SIZE);
+        cli_error("--supersample", "%d are too many for %dx%d: %d times each must not exceed %d",
+                  job->supersample, job->width, job->height, side, RHW_MAX_TARGET_SIZE);
         return false;
     }
     const bool fitted = job->camera <= CLI_CAMERA_ORBIT;
@@ -374,6 +385,7 @@ bool cli_render_job_parse(struct cli_render_job *job, int argc, char **argv, int
                                    .width = 1280,
                                    .height = 720,
                                    .samples = 1,
+                                   .supersample = 1,
                                    .interpolate = RHW_SMOOTH,
                                    .kinds = 1u << CLI_KIND_COLOR,
                                    .isa = RHW_ISA_COUNT};

@@ -53,8 +53,10 @@ static void print_report(FILE *stream, const struct cli_render_job *job, const s
     cli_json_string(stream, job->model_path);
     fputs(",\n  \"model_format\": ", stream);
     cli_json_string(stream, model->format);
-    fprintf(stream, ",\n  \"width\": %d,\n  \"height\": %d,\n  \"samples\": %d,\n  \"outputs\": [",
-            job->width, job->height, job->samples);
+    fprintf(stream,
+            ",\n  \"width\": %d,\n  \"height\": %d,\n  \"samples\": %d,\n  \"supersample\": %d,\n  "
+            "\"outputs\": [",
+            job->width, job->height, job->samples, job->supersample);
     print_outputs(stream, job->kinds);
     fprintf(stream, "],\n  \"threads\": %d,\n  \"isa\": \"%s\",\n", pipeline->threads,
             rhw_isa_name(pipeline->isa));

@@ -12,6 +12,18 @@ RHW_INLINE int block_of_texel(int texel)
     return texel / RHW_TILE / RHW_BLOCK * HIZ_BLOCKS + texel % RHW_TILE / RHW_BLOCK;
 }
 
+// Rows of a block are short, and most of them whole vectors.
+RHW_INLINE void copy_texels(unsigned char *to, const unsigned char *from, size_t bytes)
+{
+    if (bytes % 32 != 0) {
+        memcpy(to, from, bytes);
+        return;
+    }
+    for (size_t i = 0; i < bytes; i += 32) {
+        i8_store(to + i, i8_load(from + i));
+    }
+}
+
 static __attribute__((noinline)) void expand_block(const struct tile_work *work, int block)
 {
     struct rhw_tile_scratch *const scratch = work->scratch;
@@ -22,7 +34,7 @@ static __attribute__((noinline)) void expand_block(const struct tile_work *work,
         for (int row = 0; row < RHW_BLOCK; row++) {
             const size_t at = (size_t)((y + row) * RHW_TILE + x) * size;
             for (int s = 1; s < work->samples; s++) {
-                memcpy(color_plane(scratch, t, s) + at, scratch->color[t] + at, RHW_BLOCK * size);
+                copy_texels(color_plane(scratch, t, s) + at, scratch->color[t] + at, RHW_BLOCK * size);
             }
         }
     }

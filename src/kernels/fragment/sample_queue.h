@@ -99,6 +99,11 @@ static void blend_plane(const struct tile_work *work, int t, int g, int sample, 
         return;
     }
     _Alignas(32) unsigned char lanes[8 * 16];
+    if (state->path == BLEND_RGBA8_REPLACE) {
+        i8_store(lanes, unorm8_texels(queue->colors[g][t]));
+        scatter_texels(queue->texels[g], bits, texels, 4, lanes);
+        return;
+    }
     gather_texels(queue->texels[g], texels, size, lanes);
     blend_group(state, queue->colors[g][t], i8_splat(-1), lanes);
     scatter_texels(queue->texels[g], bits, texels, size, lanes);

@@ -17,7 +17,7 @@ struct sampled_block {
 };
 
 // Pixels from the centre of a pixel to a sample.
-static double from_center(int16_t position_0_8)
+static inline double from_center(int32_t position_0_8)
 {
     return (double)(position_0_8 - SAMPLE_OFFSET_0_8) / RHW_SUBPIXEL;
 }
@@ -217,6 +217,50 @@ static void cover_samples(const struct tile_work *work, const struct rhw_triangl
     }
 }
 
+// All samples that are drawn.
+static void fill_samples(const struct tile_work *work, struct sampled_block *block)
+{
+    for (int s = 0; s < work->samples; s++) {
+        block->mask[s] = work->pipeline->def.sample_mask >> s & 1 ? ~(uint64_t)0 : 0;
+    }
+}
+
+// The edges of a triangle at pixel centres, and how far they may be off anywhere in a pixel.
+struct wide_edges {
+    struct edge edge[3];
+    int64_t margin[3];
+};
+
+static void wide_edges_set(struct wide_edges *wide, const struct tile_work *work,
+                           const struct rhw_triangle *t)
+{
+    const int32_t sign = t->flags & RHW_TRIANGLE_NEGATIVE ? -1 : 1;
+    for (int i = 0; i < 3; i++) {
+        const int j = i == 2 ? 0 : i + 1, k = i == 0 ? 2 : i - 1;
+        struct edge *const edge = &wide->edge[i];
+        *edge = make_edge(t->x_24_8[j], t->y_24_8[j], t->x_24_8[k], t->y_24_8[k], sign,
+                          center_of_pixel(work->x, work->y));
+        wide->margin[i] = (int64_t)max_int(edge->a, -edge->a) + max_int(edge->b, -edge->b);
+    }
+}
+
+enum block_side { BLOCK_OUTSIDE, BLOCK_CROSSED, BLOCK_INSIDE };
+
+// Where all samples of the block at (x, y) lie; crossed where that is not sure.
+static enum block_side side_of_block(const struct wide_edges *wide, int x, int y)
+{
+    enum block_side side = BLOCK_INSIDE;
+    for (int i = 0; i < 3; i++) {
+        const struct edge *const edge = &wide->edge[i];
+        const int64_t first = edge->q + (int64_t)edge->a * x + (int64_t)edge->b * y;
+        if (first + edge->high + wide->margin[i] < 0) {
+            return BLOCK_OUTSIDE;
+        }
+        side = first + edge->low - wide->margin[i] < 0 ? BLOCK_CROSSED : side;
+    }
+    return side;
+}
+
 static __attribute__((noinline)) void draw_multisampled(struct tile_work *work,
                                                         struct triangle_work *triangle,
                                                         const struct rhw_chunk *chunk)
@@ -235,12 +279,26 @@ static __attribute__((noinline)) void draw_multisampled(struct tile_work *work,
     if (!reaches) {
         return;
     }
+    // Of the others blocks are not all there is to look at.
+    const bool is_whole = !(triangle->t->flags & (RHW_TRIANGLE_POLYGON | RHW_TRIANGLE_RECTANGLE));
+    struct wide_edges wide;
+    if (is_whole) {
+        wide_edges_set(&wide, work, triangle->t);
+    }
     for (int y = rect.y0 & -RHW_BLOCK; y < rect.y1; y += RHW_BLOCK) {
         for (int x = rect.x0 & -RHW_BLOCK; x < rect.x1; x += RHW_BLOCK) {
             struct sampled_block block;
+            const enum block_side side = is_whole ? side_of_block(&wide, x, y) : BLOCK_CROSSED;
             block.x = x;
             block.y = y;
-            cover_samples(work, triangle->t, coverage, &rect, &block);
+            if (side == BLOCK_OUTSIDE) {
+                continue;
+            }
+            if (side == BLOCK_INSIDE && !work->is_scissored) {
+                fill_samples(work, &block);
+            } else {
+                cover_samples(work, triangle->t, coverage, &rect, &block);
+            }
             draw_sampled_block(work, triangle, &block);
         }
     }

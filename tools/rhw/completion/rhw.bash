@@ -24,7 +24,8 @@ _rhw_files() { # CURRENT
 _rhw_render() { # CURRENT PREVIOUS
     case $2 in
     --output) _rhw_list "$1" color depth distance normal position uv object triangle bary all ;;
-    --samples) _rhw_words "$1" 1 4 9 16 ;;
+    --samples) _rhw_words "$1" 1 2 4 8 16 ;;
+    --supersample) _rhw_words "$1" 1 4 9 16 ;;
     --bits) _rhw_words "$1" 8 16 ;;
     --format) _rhw_words "$1" png exr ppm ;;
     --interpolate) _rhw_words "$1" smooth noperspective ;;
@@ -36,7 +37,7 @@ _rhw_render() { # CURRENT PREVIOUS
     --orbit | --camera | --camera-index | --camera-name | --fovy | --exposure | --threads | -j) ;;
     *)
         if [[ $1 == -* ]]; then
-            _rhw_words "$1" --out --size --samples --output --bits --format --fit --orbit --camera --camera-index \
+            _rhw_words "$1" --out --size --samples --supersample --output --bits --format --fit --orbit --camera --camera-index \
                 --camera-name --fovy --interpolate --wireframe --background --lights --exposure --threads --isa --paths \
                 --stats --quiet --help
         else
