@@ -78,7 +78,8 @@ static void list_scenes(void)
 static bool draw(int number, const struct rhw_context_def *def, struct golden_images *images)
 {
     rhw_context *context;
-    const enum rhw_result result = rhw_context_create(def, &context);
+    const struct rhw_context_def golden = golden_context_def(def);
+    const enum rhw_result result = rhw_context_create(&golden, &context);
     if (result == RHW_ERROR_THREAD) {
         return false;
     }

@@ -20,6 +20,10 @@ struct golden_images {
 };
 
 /// Ends the program where `result` is no success.
+/// The definition with what golden scenes ask for: without optimization too they are validated where it says so alone, as
+/// some read outside their buffers, and warnings about what they do on purpose are left out.
+struct rhw_context_def golden_context_def(const struct rhw_context_def *def);
+
 void golden_check(enum rhw_result result, const char *what);
 
 rhw_texture golden_texture(rhw_context *context, enum rhw_format format, int width, int height, int levels);
