@@ -191,7 +191,7 @@ static enum rhw_result attach_color(struct rhw_pass_state *pass, const struct rh
     struct rhw_context *const context = pass->context;
     const struct rhw_color_attachment *const color = &def->colors[i];
     struct rhw_attachment *const attachment = &pass->colors[i];
-    char name[16], prefix[20];
+    char name[32], prefix[36];
     snprintf(name, sizeof name, "colors[%d]", i);
     snprintf(prefix, sizeof prefix, "%s.", name);
     if (!check_operations(context, prefix, color->load, color->store) ||

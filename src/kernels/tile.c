@@ -8,6 +8,7 @@
 #include "tile/draw_state.h"
 #include "tile/resolve.h"
 #include "tile/triangle_large.h"
+#include "tile/triangle_multisample.h"
 #include "tile/triangle_small_samples.h"
 #include "tile/triangle_small.h"
 

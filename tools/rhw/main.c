@@ -60,6 +60,9 @@ static int run(int argc, char **argv)
 
 int main(int argc, char **argv)
 {
+    // All that help says fits: what cannot be written is told by the one flush below, which knows why.
+    static char buffer[1 << 16];
+    setvbuf(stdout, buffer, _IOFBF, sizeof buffer);
     cli_output_files_guard();
     const int status = run(argc, argv);
     errno = 0;

@@ -44,6 +44,12 @@ RHW_INLINE i8 sample_from_position8(i8 position_24_8)
     return i8_splat(SAMPLE_OFFSET_0_8) - (position_24_8 & i8_splat(RHW_SUBPIXEL - 1));
 }
 
+// Pixels from the centre of a pixel to a sample.
+static inline double from_center(int32_t position_0_8)
+{
+    return (double)(position_0_8 - SAMPLE_OFFSET_0_8) / RHW_SUBPIXEL;
+}
+
 // The pixels that have a sample between two positions: the first at or behind the lower, and one past the last before
 // the upper. `step`: first_step and past_step of struct rhw_draw_state.
 static inline int pixel_of_step(int32_t position_24_8, int32_t step)

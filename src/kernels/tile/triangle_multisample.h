@@ -16,12 +16,6 @@ struct sampled_block {
     f8 z[RHW_MAX_SAMPLES][RHW_BLOCK];
 };
 
-// Pixels from the centre of a pixel to a sample.
-static inline double from_center(int32_t position_0_8)
-{
-    return (double)(position_0_8 - SAMPLE_OFFSET_0_8) / RHW_SUBPIXEL;
-}
-
 // The block as its pixels are at sample s; −1: at their centres.
 static struct block block_at(const struct tile_work *work, const struct triangle_work *triangle,
                              const struct sampled_block *from, int s)

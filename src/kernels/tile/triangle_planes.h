@@ -14,6 +14,25 @@ RHW_INLINE struct tile_rect rect_of(const struct tile_work *work, const struct r
                               min_int(t->x1 - work->x, RHW_TILE), min_int(t->y1 - work->y, RHW_TILE)};
 }
 
+// Copies what shading needs of the planes from the setup.
+RHW_INLINE void copy_planes(const struct tile_work *work, struct triangle_work *triangle)
+{
+    const struct triangle_setup8 *const setup = triangle->setup;
+    struct planes *const planes = &triangle->planes;
+    const int i = triangle->lane;
+    triangle->v = setup->read->vertex[i];
+    planes->kind = PLANES_LINEAR;
+    planes->is_homogeneous = false;
+    planes->anchor_x = setup->anchor_x[i];
+    planes->anchor_y = setup->anchor_y[i];
+    planes->quantities = setup->quantities[i];
+    planes->inverse_area = setup->inverse_area[i];
+    triangle->has_planes = true;
+    if (work->plan.needs_screen) {
+        set_screen_planes(triangle);
+    }
+}
+
 static void set_planes(const struct tile_work *work, struct triangle_work *triangle)
 {
     const struct triangle_setup8 *const setup = triangle->setup;

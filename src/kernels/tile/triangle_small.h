@@ -10,25 +10,7 @@
 #include "../fragment/gather.h"
 #include "../integer.h"
 #include "span_blocks.h"
-
-// Copies what shading needs of the planes from the setup.
-RHW_INLINE void copy_planes(const struct tile_work *work, struct triangle_work *triangle)
-{
-    const struct triangle_setup8 *const setup = triangle->setup;
-    struct planes *const planes = &triangle->planes;
-    const int i = triangle->lane;
-    triangle->v = setup->read->vertex[i];
-    planes->kind = PLANES_LINEAR;
-    planes->is_homogeneous = false;
-    planes->anchor_x = setup->anchor_x[i];
-    planes->anchor_y = setup->anchor_y[i];
-    planes->quantities = setup->quantities[i];
-    planes->inverse_area = setup->inverse_area[i];
-    triangle->has_planes = true;
-    if (work->plan.needs_screen) {
-        set_screen_planes(triangle);
-    }
-}
+#include "triangle_planes.h"
 
 // Of the pixels of the block at (x, y) that passed the early test, `mask`, those that are to be shaded: they are
 // counted, and the triangle is made ready for it.

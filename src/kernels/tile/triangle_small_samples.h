@@ -5,8 +5,8 @@
 #ifndef RHW_TRIANGLE_SMALL_SAMPLES_H
 #define RHW_TRIANGLE_SMALL_SAMPLES_H
 
-#include "triangle_multisample.h"
-#include "triangle_small.h"
+#include "../fragment/gather.h"
+#include "triangle_planes.h"
 
 // The edges at each sample of the first pixel of a block: as q in coverage.h.
 struct sample_edges {
