@@ -12,9 +12,9 @@ static int32_t mask_of(uint16_t mask)
     return mask == 0 ? 0xff : mask == RHW_STENCIL_NO_BITS ? 0 : mask;
 }
 
-static struct rhw_stencil_rule rule_of(const struct rhw_stencil_face *face, uint8_t reference)
+static struct rhw_stencil_rule rule_of(const struct rhw_stencil_face *face, bool is_on, uint8_t reference)
 {
-    return (struct rhw_stencil_rule){.compare = face->compares ? face->compare : RHW_COMPARE_ALWAYS,
+    return (struct rhw_stencil_rule){.compare = is_on && face->compares ? face->compare : RHW_COMPARE_ALWAYS,
                                      .fail = face->fail,
                                      .depth_fail = face->depth_fail,
                                      .pass = face->pass,
@@ -43,8 +43,8 @@ void rhw_depth_stencil_init(struct rhw_depth_stencil_state *state, const struct 
     state->tests_bounds = def->depth_bounds_test;
     state->depth_steps = def->depth_test ? depth_steps : 0;
     state->is_full = state->tests_stencil || state->tests_bounds || state->depth_steps != 0;
-    state->face[0] = rule_of(&def->stencil_front, setting->reference[0]);
-    state->face[1] = rule_of(&def->stencil_back, setting->reference[1]);
+    state->face[0] = rule_of(&def->stencil_front, def->stencil_test, setting->reference[0]);
+    state->face[1] = rule_of(&def->stencil_back, def->stencil_test, setting->reference[1]);
     state->rejects_early =
         !state->tests_stencil || (keeps_failed(&state->face[0]) && keeps_failed(&state->face[1]));
     state->bounds_least = setting->bounds_least;

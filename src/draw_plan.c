@@ -123,7 +123,7 @@ static void plan_depth(struct rhw_draw_plan *plan, const struct rhw_pipeline_def
     // What lies behind a bound may still round to it, or change the stencil.
     const bool can_be_bounded = depth_stencil->rejects_early && depth_stencil->depth_steps == 0;
     plan->depth_direction = def->depth_test && !general && can_be_bounded ? direction_of(compare) : 0;
-    plan->ends_bounds = plan->moves_depth && direction_of(compare) == 0 && compare != RHW_COMPARE_EQUAL &&
+    plan->ends_bounds = plan->moves_depth && plan->depth_direction == 0 && compare != RHW_COMPARE_EQUAL &&
                         compare != RHW_COMPARE_NEVER;
 }
 

@@ -337,7 +337,12 @@ static bool transient_ready(struct rhw_pass_state *pass, struct rhw_attachment *
     struct rhw_memory *const memory = &pass->context->memory;
     const size_t row = (size_t)pass->width * attachment->texel_size;
     const size_t pitch = (row + RHW_CACHE_LINE - 1) & ~(size_t)(RHW_CACHE_LINE - 1);
-    const size_t plane = pitch * (size_t)pass->height, size = plane * (size_t)pass->pattern->count;
+    const uint64_t plane = (uint64_t)pitch * (uint64_t)pass->height,
+                   all = plane * (uint64_t)pass->pattern->count;
+    if (all > SIZE_MAX) {
+        return false;
+    }
+    const size_t size = (size_t)all;
     if (transient->size < size) {
         rhw_memory_release(memory, transient->plane.texels, transient->size);
         *transient =
@@ -349,7 +354,7 @@ static bool transient_ready(struct rhw_pass_state *pass, struct rhw_attachment *
     }
     transient->plane.row_pitch = pitch;
     attachment->target = &transient->plane;
-    attachment->sample_stride = pass->pattern->count > 1 ? plane : 0;
+    attachment->sample_stride = pass->pattern->count > 1 ? (size_t)plane : 0;
     return true;
 }
 

@@ -281,7 +281,11 @@ static bool has_fragment(const struct rhw_program *program)
 
 static bool check_targets(const struct rhw_context *context, const struct rhw_pipeline_def *def)
 {
-    if (!check_range(context, "target_count", def->target_count, 0, RHW_MAX_COLOR_ATTACHMENTS)) {
+    if (!check_range(context, "target_count", def->target_count, 0, RHW_MAX_COLOR_ATTACHMENTS) ||
+        !rhw_check(context, !def->alpha_to_coverage || (def->target_count > 0 && has_fragment(&def->program)),
+                   "%s: alpha_to_coverage is true and no alpha is written; it needs a fragment function and "
+                   "target 0",
+                   create_name)) {
         return false;
     }
     for (int i = 0; i < def->target_count; i++) {
@@ -384,7 +388,8 @@ static void resolve_defaults(struct rhw_pipeline_def *def)
 // With two-sided stencil after the fragment function, groups say which way their fragments face.
 static void resolve_uses(struct rhw_pipeline_def *def)
 {
-    if (def->stencil_test && def->program.uses & (RHW_USE_DISCARD | RHW_USE_DEPTH)) {
+    const uint32_t late = RHW_USE_DISCARD | RHW_USE_DEPTH | RHW_USE_SAMPLE_MASK;
+    if (def->stencil_test && (def->program.uses & late || def->alpha_to_coverage)) {
         def->program.uses |= RHW_USE_FACING;
     }
 }

@@ -69,7 +69,8 @@ void rhw_texture_data_init(struct rhw_texture_data *texture, enum rhw_format for
         mip->slices = shape->kind == RHW_TEXTURE_3D ? level_size(shape->depth, i) : shape->layers;
         mip->row_pitch = aligned_pitch((size_t)mip->width * texture->info->size);
         mip->stencil_pitch = aligned_pitch((size_t)mip->width);
-        mip->slice_pitch = mip->row_pitch * (size_t)mip->height;
+        const uint64_t slice = (uint64_t)mip->row_pitch * (uint64_t)mip->height;
+        mip->slice_pitch = (size_t)slice;
         for (int lane = 0; lane < RHW_LANES; lane++) {
             mip->scale_x[lane] = (float)mip->width * 65536.0f;
             mip->scale_y[lane] = (float)mip->height * 65536.0f;
@@ -78,7 +79,7 @@ void rhw_texture_data_init(struct rhw_texture_data *texture, enum rhw_format for
             mip->step[lane] = 1 << 16 | (int32_t)(mip->row_pitch / 4);
         }
         set_table(texture, i, size);
-        size += (uint64_t)mip->slice_pitch * (uint64_t)mip->slices + stencil_size(texture->info, mip);
+        size += slice * (uint64_t)mip->slices + stencil_size(texture->info, mip);
     }
     // 4 GiB and more do not fit where addresses have 32 bits: allocate_levels refuses SIZE_MAX.
     const uint64_t all = size * (uint64_t)shape->samples + RHW_TEXEL_PADDING;

@@ -439,7 +439,8 @@ struct rhw_pipeline_def {
 enum rhw_load { RHW_LOAD_DEFAULT, RHW_LOAD_CLEAR, RHW_LOAD_LOAD, RHW_LOAD_DISCARD };
 enum rhw_store { RHW_STORE_STORE, RHW_STORE_DISCARD };
 
-/// How the samples of a pixel become one texel. AVERAGE is in linear light for sRGB; of integers it takes the first.
+/// How the samples of a pixel become one texel. AVERAGE is in linear light for sRGB. Of integers the first is
+/// taken, whatever the mode.
 enum rhw_resolve {
     RHW_RESOLVE_DEFAULT, ///< AVERAGE for colour, SAMPLE_ZERO for depth and stencil
     RHW_RESOLVE_AVERAGE, RHW_RESOLVE_MIN, RHW_RESOLVE_MAX, RHW_RESOLVE_SAMPLE_ZERO

@@ -53,6 +53,14 @@ static void fill_point_coord(struct rhw_fragment *group, f8 s, f8 t)
     group->point_coord[1] = t + t;
 }
 
+// Sets what tells of samples where a pixel has one.
+static void fill_one_sample(struct rhw_fragment *group)
+{
+    group->sample_mask = i8_splat(1);
+    group->sample_id = i8_splat(0);
+    group->sample_position[0] = group->sample_position[1] = f8_splat((float)sample_offset());
+}
+
 // Sets the weights of three vertices, of which two are known; `sum` is 1, and 0 for their derivatives.
 static void fill_barycentrics(f8 out[3], float sum, f8 b, f8 c)
 {

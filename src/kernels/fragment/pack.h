@@ -182,6 +182,9 @@ static __attribute__((noinline)) void pack_any(struct tile_work *work, int g, co
     if (uses & RHW_USE_BARYCENTRIC_DERIVATIVES) {
         pack_barycentric_derivatives(work, group, d8_mul(weights->inverse_s, weights->inverse_s));
     }
+    if (uses & (RHW_USE_SAMPLE | RHW_USE_SAMPLE_MASK)) { // with several samples groups are rows
+        fill_one_sample(group);
+    }
     if (uses & RHW_USE_COORD) {
         const float center = (float)sample_offset();
         fill_coordinates(work, group, i8_load(work->scratch->partial.texel), (const float[]){center, center},

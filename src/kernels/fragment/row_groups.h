@@ -99,6 +99,9 @@ static void fill_builtins(const struct tile_work *work, int g, const struct tria
             fill_barycentric_derivatives(group, &triangle->planes.weights, &place->at, squared);
         }
     }
+    if (uses & (RHW_USE_SAMPLE | RHW_USE_SAMPLE_MASK) && work->samples == 1) {
+        fill_one_sample(group);
+    }
     if (uses & RHW_USE_COORD) {
         fill_coordinates(work, group, place->texels, place->position, w->s);
     }

@@ -23,13 +23,14 @@ struct points8 {
 
 // Gives sizes in 1/256 pixel.
 static i8 point_sizes8(const struct rhw_geometry_scratch *scratch, const struct rhw_pipeline_data *pipeline,
-                       const struct points8 *p)
+                       const struct points8 *p, unsigned live)
 {
     if (!pipeline->def.program.writes_point_size) {
         return i8_splat(RHW_SUBPIXEL);
     }
-    f8 size;
-    for (int lane = 0; lane < 8; lane++) {
+    f8 size = f8_splat(1);
+    for (unsigned left = live; left != 0; left &= left - 1) {
+        const int lane = __builtin_ctz(left);
         const struct rhw_segment *const segment = &scratch->segments[p->segment[lane]];
         size[lane] = record_at(segment, (uint32_t)p->vertex[lane])->varyings[pipeline->point_size_component];
     }
@@ -41,7 +42,7 @@ static i8 point_sizes8(const struct rhw_geometry_scratch *scratch, const struct 
 static unsigned add_points8(struct rhw_geometry_scratch *scratch, const struct rhw_draw_state *state,
                             const struct points8 *p, unsigned live, struct rhw_triangle_list *list)
 {
-    const i8 size = point_sizes8(scratch, state->pipeline, p), legs = size + size;
+    const i8 size = point_sizes8(scratch, state->pipeline, p, live), legs = size + size;
     const i8 x = p->x - (size >> 1), y = p->y - (size >> 1);
     const struct rhw_rect *const scissor = &state->scissor;
     const struct triangle8 t = {.x = {x, x + legs, x}, .y = {y, y, y + legs}};

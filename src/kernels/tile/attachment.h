@@ -14,7 +14,8 @@ static enum rhw_load load_of(const struct rhw_pass_state *pass, const struct rhw
 
 static bool is_stored(const struct rhw_pass_state *pass, const struct rhw_attachment *attachment)
 {
-    return attachment->target && !(pass->last_wave && attachment->store == RHW_STORE_DISCARD);
+    const bool ends = attachment->store == RHW_STORE_DISCARD || attachment->loads_resolved;
+    return attachment->target && !(pass->last_wave && ends);
 }
 
 static void fill_bytes(unsigned char *to, const unsigned char pattern[RHW_CLEAR_BYTES], size_t bytes)

@@ -32,6 +32,11 @@ static void resolve_row(const struct rhw_format_info *info, enum rhw_resolve mod
     struct raw_texels raw;
     f8 value[4][RHW_MAX_SAMPLES], result[4];
     const int count = mode == RHW_RESOLVE_SAMPLE_ZERO ? 1 : row->count;
+    struct raw_texels first;
+    i8 agree = i8_splat(-1);
+    const int words = (int)(info->size + 3) / 4;
+    load_texel_row(info->size, row->plane[0], &first);
+    raw = first;
     for (int s = 0; s < count; s++) {
         f8 channels[4];
         load_texel_row(info->size, row->plane[s], &raw);
@@ -39,12 +44,19 @@ static void resolve_row(const struct rhw_format_info *info, enum rhw_resolve mod
         for (int c = 0; c < 4; c++) {
             value[c][s] = channels[c];
         }
+        for (int w = 0; w < words; w++) {
+            agree &= rhw_equal_int(raw.word[w], first.word[w]);
+        }
     }
     if (mode != RHW_RESOLVE_SAMPLE_ZERO) {
         for (int c = 0; c < 4; c++) {
             result[c] = canonical_nan(resolved_value(mode, value[c], count));
         }
         encode_texels(info, result, &raw);
+    }
+    // A mean of equal floats may round to another one.
+    for (int w = 0; w < words; w++) {
+        raw.word[w] = rhw_select_int(agree, first.word[w], raw.word[w]);
     }
     store_texel_row(info->size, &raw, i8_from_bits(lanes), UINT32_MAX, to);
 }
@@ -189,23 +201,30 @@ static void store_samples(const struct tile_work *work)
     }
 }
 
-// Whether what is resolved must be loaded first.
-static bool loads_to_resolve(const struct tile_work *work, const struct rhw_attachment *attachment)
+// Whether an attachment wants a tile without triangles to be loaded and stored: to be resolved, or to be there for the
+// waves that follow.
+static bool wants_tile(const struct tile_work *work, const struct rhw_attachment *attachment)
 {
     const struct rhw_pass_state *const pass = work->pass;
-    return attachment->resolves && load_of(pass, attachment) == RHW_LOAD_LOAD &&
-           !(attachment->loads_resolved && pass->first_wave);
+    if (load_of(pass, attachment) != RHW_LOAD_LOAD) {
+        return false;
+    }
+    if (pass->first_wave && attachment->loads_resolved) {
+        return !pass->last_wave;
+    }
+    return attachment->resolves && pass->last_wave;
 }
 
-// Whether there is such in a tile, which then does not pass through.
+// Whether a tile without triangles does not pass through.
 static bool resolves_loaded(const struct tile_work *work)
 {
     const struct rhw_pass_state *const pass = work->pass;
-    bool resolves = loads_to_resolve(work, &pass->depth);
+    bool wanted = (pass->has_depth && wants_tile(work, &pass->depth)) ||
+                  (pass->has_stencil && wants_tile(work, &pass->stencil));
     for (int t = 0; t < pass->color_count; t++) {
-        resolves |= loads_to_resolve(work, &pass->colors[t]);
+        wanted |= wants_tile(work, &pass->colors[t]);
     }
-    return resolves && pass->last_wave;
+    return wanted;
 }
 
 #endif

@@ -163,7 +163,12 @@ static void draw_sampled_block(struct tile_work *work, struct triangle_work *tri
     if (any == 0 || plan->shading == RHW_SHADING_NONE) {
         return;
     }
-    work->counters->fragments += (uint64_t)__builtin_popcountll(any);
+    for (int s = 0; s < work->samples && plan->sampling == RHW_SAMPLING_SAMPLE; s++) {
+        work->counters->fragments += (uint64_t)__builtin_popcountll(block->mask[s]);
+    }
+    if (plan->sampling != RHW_SAMPLING_SAMPLE) {
+        work->counters->fragments += (uint64_t)__builtin_popcountll(any);
+    }
     if (plan->shading == RHW_SHADING_CONSTANT) {
         blend_constant_samples(work, block->x, block->y, block->mask);
     } else {
