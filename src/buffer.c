@@ -103,6 +103,29 @@ void rhw_buffer_destroy(rhw_context *context, rhw_buffer buffer)
     rhw_context_leave(context);
 }
 
+bool rhw_buffer_check_range(const struct rhw_context *context, rhw_buffer buffer,
+                            const struct rhw_buffer_data *data, size_t offset, size_t size, const char *where)
+{
+    return rhw_check(context, offset <= data->size && size <= data->size - offset,
+                     "%s: offset is %zu and size is %zu; together they must stay within the %zu bytes of %s",
+                     where, offset, size, data->size, rhw_name_of(&context->buffers, buffer.index).text);
+}
+
+bool rhw_buffer_check_unmapped(const struct rhw_context *context, rhw_buffer buffer,
+                               const struct rhw_buffer_data *data, const char *where)
+{
+    return rhw_check(context, !data->is_mapped, "%s: %s is mapped; call rhw_buffer_unmap first", where,
+                     rhw_name_of(&context->buffers, buffer.index).text);
+}
+
+bool rhw_buffer_check_drawable(const struct rhw_context *context, rhw_buffer buffer,
+                               const struct rhw_buffer_data *data, const char *where)
+{
+    return rhw_check(context, !data->is_map_written,
+                     "%s: %s is mapped for writing; call rhw_buffer_unmap first", where,
+                     rhw_name_of(&context->buffers, buffer.index).text);
+}
+
 // Gives the buffer new memory; draws that were recorded keep the old one. The bytes that will not be written are copied.
 // False when out of memory.
 static bool renew(struct rhw_context *context, uint32_t index, struct rhw_buffer_data *data, size_t written)
@@ -126,15 +149,21 @@ static bool renew(struct rhw_context *context, uint32_t index, struct rhw_buffer
     return true;
 }
 
+bool rhw_buffer_to_write(struct rhw_context *context, uint32_t index, struct rhw_buffer_data *data,
+                         size_t written)
+{
+    return !rhw_context_draws_read(context, &context->buffers, index, data->renewed_pass,
+                                   data->renewed_draws) ||
+           renew(context, index, data, written);
+}
+
 static enum rhw_result write_bytes(struct rhw_context *context, rhw_buffer buffer, size_t offset,
                                    const void *data, size_t size)
 {
     static const char *const where = "rhw_buffer_write";
     struct rhw_buffer_data *const target = rhw_context_buffer(context, buffer, where);
-    if (target == NULL ||
-        !rhw_check(context, offset <= target->size && size <= target->size - offset,
-                   "%s: offset is %zu and size is %zu; together they must stay within the %zu bytes of %s",
-                   where, offset, size, target->size, rhw_name_of(&context->buffers, buffer.index).text) ||
+    if (target == NULL || !rhw_buffer_check_range(context, buffer, target, offset, size, where) ||
+        !rhw_buffer_check_unmapped(context, buffer, target, where) ||
         !rhw_check(context, data != NULL || size == 0, "%s: data is NULL; it must point to %zu bytes", where,
                    size)) {
         return RHW_ERROR_MISUSE;
@@ -142,9 +171,7 @@ static enum rhw_result write_bytes(struct rhw_context *context, rhw_buffer buffe
     if (size == 0) {
         return RHW_OK;
     }
-    if (rhw_context_draws_read(context, &context->buffers, buffer.index, target->renewed_pass,
-                               target->renewed_draws) &&
-        !renew(context, buffer.index, target, size)) {
+    if (!rhw_buffer_to_write(context, buffer.index, target, size)) {
         return RHW_ERROR_OUT_OF_MEMORY;
     }
     memcpy(target->bytes + offset, data, size);

@@ -137,8 +137,10 @@ static struct rhw_bound_buffer bind_buffer(rhw_context *context, rhw_buffer id, 
                                            const char *where)
 {
     const struct rhw_buffer_data *const buffer = rhw_context_buffer(context, id, where);
-    if (!buffer || !rhw_check(context, offset <= buffer->size, "%s: offset is %zu; %s has %zu bytes", where,
-                              offset, rhw_name_of(&context->buffers, id.index).text, buffer->size)) {
+    if (!buffer ||
+        !rhw_check(context, offset <= buffer->size, "%s: offset is %zu; %s has %zu bytes", where, offset,
+                   rhw_name_of(&context->buffers, id.index).text, buffer->size) ||
+        !rhw_buffer_check_drawable(context, id, buffer, where)) {
         return (struct rhw_bound_buffer){.data = NULL};
     }
     rhw_pool_use(&context->buffers, id.index, context->recording.generation);

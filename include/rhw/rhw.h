@@ -3,6 +3,7 @@
 #ifndef RHW_RHW_H
 #define RHW_RHW_H
 
+#include "transfer.h"
 #include "types.h"
 
 // Context -------------------------------------------------------------------------------------------

@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: MIT
+// See texture_access.h.
+#include "texture_access.h"
+
+#include <string.h>
+
+#include "clean_tiles.h"
+#include "context.h"
+#include "lookup.h"
+#include "memory.h"
+#include "misuse.h"
+#include "texture.h"
+
+bool rhw_texture_check_unattached(const struct rhw_context *context, rhw_texture id,
+                                  const struct rhw_texture_data *texture, const char *where)
+{
+    const struct rhw_recording *const recording = &context->recording;
+    return rhw_check(context, !recording->active || texture->attached != recording->generation,
+                     "%s: %s is an attachment of the pass being recorded; end that first", where,
+                     rhw_name_of(&context->textures, id.index).text);
+}
+
+// Gives the texture new memory with the same texels; draws that were recorded keep the old one. NULL when out of memory.
+static struct rhw_texture_data *renew(struct rhw_context *context, rhw_texture id)
+{
+    struct rhw_texture_data **const item = rhw_pool_get(&context->textures, id.index, id.generation);
+    const struct rhw_texture_data *const old = *item;
+    struct rhw_texture_data *const data = rhw_texture_data_create(&context->memory, old->format, &old->shape);
+    if (!data) {
+        return NULL;
+    }
+    if (!rhw_pool_retire_copy(&context->memory, &context->textures, id.index)) {
+        rhw_texture_data_destroy(&context->memory, data);
+        return NULL;
+    }
+    memcpy(data->memory, old->memory, old->memory_size);
+    data->written = old->written;
+    data->renewed_pass = context->recording.generation;
+    data->renewed_draws = context->recording.draw;
+    *item = data;
+    return data;
+}
+
+struct rhw_texture_data *rhw_texture_to_write(struct rhw_context *context, rhw_texture id,
+                                              struct rhw_texture_data *texture)
+{
+    const bool read = rhw_context_draws_read(context, &context->textures, id.index, texture->renewed_pass,
+                                             texture->renewed_draws);
+    struct rhw_texture_data *const written = read ? renew(context, id) : texture;
+    if (written) {
+        context->recording.rewrites += rhw_context_records(context, &context->textures, id.index);
+        written->linear_is_current = false;
+        rhw_clean_tiles_forget(written->clean);
+    }
+    return written;
+}
