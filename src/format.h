@@ -78,6 +78,12 @@ static inline bool rhw_format_has_role(const struct rhw_format_info *info, int r
     return (info->roles & role) != 0;
 }
 
+// Whether shaders read and write the bits of its channels.
+static inline bool rhw_format_is_integer(const struct rhw_format_info *info)
+{
+    return info->codec == RHW_CODEC_UINT32;
+}
+
 // In the order of enum rhw_vertex_format, which has four entries (1 to 4 components) of each.
 enum rhw_vertex_type {
     RHW_TYPE_FLOAT,

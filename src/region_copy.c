@@ -228,54 +228,6 @@ static bool check_formats(const struct rhw_context *context, const struct rhw_re
                      rhw_name_of(&context->textures, to->id.index).text, to->texture->samples);
 }
 
-static bool spans_overlap(int a, int b, int size)
-{
-    return a < b + size && b < a + size;
-}
-
-static bool check_apart(const struct rhw_context *context, const struct rhw_region *from,
-                        const struct rhw_region *to, const char *where)
-{
-    const bool overlap = from->texture == to->texture && from->level == to->level &&
-                         spans_overlap(from->x, to->x, to->width) &&
-                         spans_overlap(from->y, to->y, to->height) &&
-                         spans_overlap(from->z, to->z, to->depth);
-    return rhw_check(context, !overlap, "%s: the regions overlap in %s; copy by way of another texture",
-                     where, rhw_name_of(&context->textures, to->id.index).text);
-}
-
-static bool check_no_sample(const struct rhw_context *context, const struct rhw_texture_region *region,
-                            const char *name, const char *where)
-{
-    return rhw_check(context, !region || region->sample == 0,
-                     "%s: %s.sample is %d; all samples are copied, it must be 0", where, name,
-                     region ? region->sample : 0);
-}
-
-// The place that a region is copied to, with the sizes of that.
-static struct rhw_region check_place(struct rhw_context *context, rhw_texture id,
-                                     const struct rhw_texture_region *to, const struct rhw_region *from,
-                                     const char *where)
-{
-    struct rhw_texture_region place = {.level = 0};
-    if (to) {
-        place = *to;
-    }
-    const struct rhw_region misuse = {.texture = NULL};
-    if (!rhw_check(context,
-                   (place.width == 0 || place.width == from->width) &&
-                       (place.height == 0 || place.height == from->height) &&
-                       (place.depth == 0 || place.depth == from->depth),
-                   "%s: from is %dx%dx%d texels and to is %dx%dx%d; sizes are equal, or 0", where,
-                   from->width, from->height, from->depth, place.width, place.height, place.depth)) {
-        return misuse;
-    }
-    place.width = from->width;
-    place.height = from->height;
-    place.depth = from->depth;
-    return rhw_region_check(context, id, &place, "to", where);
-}
-
 static enum rhw_result copy_texture(struct rhw_context *context, rhw_texture from_texture,
                                     const struct rhw_texture_region *from_region, rhw_texture to_texture,
                                     const struct rhw_texture_region *to_region)
@@ -284,11 +236,11 @@ static enum rhw_result copy_texture(struct rhw_context *context, rhw_texture fro
     struct rhw_region from = rhw_region_check(context, from_texture, from_region, "from", where);
     struct rhw_region to = {.texture = NULL};
     if (from.texture) {
-        to = check_place(context, to_texture, to_region, &from, where);
+        to = rhw_region_check_place(context, to_texture, to_region, &from, where);
     }
-    if (!to.texture || !check_no_sample(context, from_region, "from", where) ||
-        !check_no_sample(context, to_region, "to", where) || !check_formats(context, &from, &to, where) ||
-        !check_apart(context, &from, &to, where)) {
+    if (!to.texture || !rhw_region_check_no_sample(context, from_region, "from", where) ||
+        !rhw_region_check_no_sample(context, to_region, "to", where) ||
+        !check_formats(context, &from, &to, where) || !rhw_region_check_apart(context, &from, &to, where)) {
         return RHW_ERROR_MISUSE;
     }
     // Where both are one texture, that keeps its old texels, and `from` them, until the pass ends.

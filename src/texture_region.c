@@ -98,6 +98,53 @@ bool rhw_region_check_writable(const struct rhw_context *context, const struct r
                      name_of(context, region->id).text, rhw_format_info(region->texture->format)->name);
 }
 
+static bool spans_overlap(int a, int b, int size)
+{
+    return a < b + size && b < a + size;
+}
+
+bool rhw_region_check_apart(const struct rhw_context *context, const struct rhw_region *from,
+                            const struct rhw_region *to, const char *where)
+{
+    const bool overlap = from->texture == to->texture && from->level == to->level &&
+                         spans_overlap(from->x, to->x, to->width) &&
+                         spans_overlap(from->y, to->y, to->height) &&
+                         spans_overlap(from->z, to->z, to->depth);
+    return rhw_check(context, !overlap, "%s: the regions overlap in %s; copy by way of another texture",
+                     where, rhw_name_of(&context->textures, to->id.index).text);
+}
+
+bool rhw_region_check_no_sample(const struct rhw_context *context, const struct rhw_texture_region *region,
+                                const char *name, const char *where)
+{
+    return rhw_check(context, !region || region->sample == 0,
+                     "%s: %s.sample is %d; all samples are meant, it must be 0", where, name,
+                     region ? region->sample : 0);
+}
+
+struct rhw_region rhw_region_check_place(struct rhw_context *context, rhw_texture id,
+                                         const struct rhw_texture_region *to, const struct rhw_region *from,
+                                         const char *where)
+{
+    struct rhw_texture_region place = {.level = 0};
+    if (to) {
+        place = *to;
+    }
+    const struct rhw_region misuse = {.texture = NULL};
+    if (!rhw_check(context,
+                   (place.width == 0 || place.width == from->width) &&
+                       (place.height == 0 || place.height == from->height) &&
+                       (place.depth == 0 || place.depth == from->depth),
+                   "%s: from is %dx%dx%d texels and to is %dx%dx%d; sizes are equal, or 0", where,
+                   from->width, from->height, from->depth, place.width, place.height, place.depth)) {
+        return misuse;
+    }
+    place.width = from->width;
+    place.height = from->height;
+    place.depth = from->depth;
+    return rhw_region_check(context, id, &place, "to", where);
+}
+
 bool rhw_region_to_write(struct rhw_context *context, struct rhw_region *region)
 {
     region->texture = rhw_texture_to_write(context, region->id, region->texture);

@@ -28,6 +28,19 @@ bool rhw_region_check_single(const struct rhw_context *context, const struct rhw
 bool rhw_region_check_writable(const struct rhw_context *context, const struct rhw_region *region,
                                const char *where);
 
+// Reports a sample that is named where all are meant. `region` may be NULL.
+bool rhw_region_check_no_sample(const struct rhw_context *context, const struct rhw_texture_region *region,
+                                const char *name, const char *where);
+
+// The place that `from` is copied to, with the sizes of that; those of `to`, which may be NULL, are 0 or the same.
+struct rhw_region rhw_region_check_place(struct rhw_context *context, rhw_texture id,
+                                         const struct rhw_texture_region *to, const struct rhw_region *from,
+                                         const char *where);
+
+// Reports regions that have texels in common.
+bool rhw_region_check_apart(const struct rhw_context *context, const struct rhw_region *from,
+                            const struct rhw_region *to, const char *where);
+
 // Makes the region's texture one that is written now. False when out of memory.
 bool rhw_region_to_write(struct rhw_context *context, struct rhw_region *region);
 

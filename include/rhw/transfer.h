@@ -56,6 +56,44 @@ RHW_API enum rhw_result rhw_texture_copy(rhw_context *context, rhw_texture from_
                                          const struct rhw_texture_region *from, rhw_texture to_texture,
                                          const struct rhw_texture_region *to);
 
+/// What texels are cleared to; of a format what it has of these.
+struct rhw_clear_value {
+    float color[4];           ///< linear values; 0 for integer formats
+    int32_t color_integer[4]; ///< of integer formats, which take the low bits; 0 for others
+    float depth;              ///< 0..1
+    uint8_t stencil;
+};
+
+/// Gives all texels of a region, with all their samples, one value. `region` may be NULL: all levels and layers, depth
+/// and stencil. Not of compressed formats.
+RHW_API enum rhw_result rhw_texture_clear(rhw_context *context, rhw_texture texture,
+                                          const struct rhw_texture_region *region,
+                                          const struct rhw_clear_value *value);
+
+/// What rhw_texture_blit reads or writes: from corner x0, y0, z0 up to x1, y1, z1, which lie between texels. Where the
+/// second is less than the first, the region is mirrored on that axis. 0 and 0: the whole level, on that axis.
+struct rhw_blit_region {
+    int level;
+    int x0, y0, z0, x1, y1, z1; ///< z: slices of a 3D texture, layers of others
+    enum rhw_aspect aspect;
+};
+
+/// Fills a region of a texture with one of another, scaled to its size, mirrored where one of both is (Vulkan 1.3, "Image
+/// Copies With Scaling"). Texels are converted: values of one format become those of the other, linear light included;
+/// UINT only to UINT and SINT to SINT, with the low bits. Slices of a 3D texture are scaled as columns and rows are; layers
+/// become as many layers or slices. A linear filter repeats the texels at the edge of the region. Integers, depth and
+/// stencil take RHW_FILTER_NEAREST, and of depth and stencil the formats are equal. Textures have one sample. Regions that
+/// overlap in one texture are misuse.
+RHW_API enum rhw_result rhw_texture_blit(rhw_context *context, rhw_texture from_texture,
+                                         const struct rhw_blit_region *from, rhw_texture to_texture,
+                                         const struct rhw_blit_region *to, enum rhw_filter filter);
+
+/// Makes one texel of the samples of each, as passes do when they store. Formats are equal; `to_texture` has one sample;
+/// the sizes of `to` are 0 or those of `from`.
+RHW_API enum rhw_result rhw_texture_resolve(rhw_context *context, rhw_texture from_texture,
+                                            const struct rhw_texture_region *from, rhw_texture to_texture,
+                                            const struct rhw_texture_region *to, enum rhw_resolve mode);
+
 // Buffers, beside rhw_buffer_write --------------------------------------------------------------------
 
 /// Fills `size` bytes at `offset` with a word of 32 bits, little endian; both are multiples of 4. Size 0: as many whole

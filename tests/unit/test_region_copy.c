@@ -292,7 +292,7 @@ static void test_samples(void **state)
     rhw_texture_copy(rig.context, a, &plane, b, NULL);
     rig_expect_misuse(&rig, "from.aspect and to.aspect differ; stencil is copied to stencil");
     rhw_texture_copy(rig.context, a, &(struct rhw_texture_region){.sample = 1}, b, NULL);
-    rig_expect_misuse(&rig, "from.sample is 1; all samples are copied, it must be 0");
+    rig_expect_misuse(&rig, "from.sample is 1; all samples are meant, it must be 0");
     rhw_texture_copy(rig.context, a, NULL, rig.pass.colors[0].texture, NULL);
     rig_expect_misuse(&rig, "to.width is 5");
     rhw_texture_copy(rig.context, a, &(struct rhw_texture_region){.width = 4}, rig.pass.colors[0].texture,
