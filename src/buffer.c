@@ -14,17 +14,27 @@
 
 void rhw_buffer_data_release(struct rhw_memory *memory, struct rhw_buffer_data *data)
 {
-    if (data->bytes != NULL) {
+    if (data->bytes != NULL && !data->is_callers) {
         rhw_memory_release(memory, data->bytes, data->size + RHW_BUFFER_PADDING);
     }
 }
+
+_Static_assert((int)RHW_BUFFER_PADDING == (int)RHW_MEMORY_PADDING, "what rhw_buffer_def says");
 
 static bool check_create(const struct rhw_context *context, const struct rhw_buffer_def *def,
                          const rhw_buffer *buffer, const char *where)
 {
     return rhw_check(context, def != NULL, "%s: def is NULL", where) &&
            rhw_check(context, buffer != NULL, "%s: buffer is NULL", where) &&
-           rhw_check(context, def->size >= 1, "%s: size is 0; it must be at least 1 byte", where);
+           rhw_check(context, def->size >= 1, "%s: size is 0; it must be at least 1 byte", where) &&
+           rhw_check(context, (uintptr_t)def->memory % RHW_MEMORY_ALIGNMENT == 0,
+                     "%s: memory is %p; its address must be a multiple of %d", where, def->memory,
+                     RHW_MEMORY_ALIGNMENT) &&
+           rhw_check(context,
+                     def->memory == NULL || (def->memory_size >= RHW_BUFFER_PADDING &&
+                                             def->size <= def->memory_size - RHW_BUFFER_PADDING),
+                     "%s: memory_size is %zu; %zu bytes need %d more", where, def->memory_size, def->size,
+                     RHW_BUFFER_PADDING);
 }
 
 // Zeroed, or undefined when something will be copied there; NULL when out of memory.
@@ -40,13 +50,16 @@ static unsigned char *allocate_bytes(struct rhw_memory *memory, size_t size, boo
 // Fills a new item; false when out of memory.
 static bool fill(struct rhw_memory *memory, struct rhw_buffer_data *data, const struct rhw_buffer_def *def)
 {
-    data->bytes = allocate_bytes(memory, def->size, def->data == NULL);
+    data->is_callers = def->memory != NULL;
+    data->bytes = data->is_callers ? def->memory : allocate_bytes(memory, def->size, def->data == NULL);
     if (data->bytes == NULL) {
         return false;
     }
     data->size = def->size;
     if (def->data != NULL) {
         memcpy(data->bytes, def->data, def->size);
+    }
+    if (def->data != NULL || data->is_callers) {
         memset(data->bytes + def->size, 0, RHW_BUFFER_PADDING);
     }
     return true;
@@ -111,11 +124,16 @@ bool rhw_buffer_check_range(const struct rhw_context *context, rhw_buffer buffer
                      where, offset, size, data->size, rhw_name_of(&context->buffers, buffer.index).text);
 }
 
-bool rhw_buffer_check_unmapped(const struct rhw_context *context, rhw_buffer buffer,
+bool rhw_buffer_check_writable(const struct rhw_context *context, rhw_buffer buffer,
                                const struct rhw_buffer_data *data, const char *where)
 {
     return rhw_check(context, !data->is_mapped, "%s: %s is mapped; call rhw_buffer_unmap first", where,
-                     rhw_name_of(&context->buffers, buffer.index).text);
+                     rhw_name_of(&context->buffers, buffer.index).text) &&
+           rhw_check(context,
+                     !data->is_callers || !rhw_context_records(context, &context->buffers, buffer.index),
+                     "%s: %s stands on memory of the program and the pass being recorded uses it; end that "
+                     "first",
+                     where, rhw_name_of(&context->buffers, buffer.index).text);
 }
 
 bool rhw_buffer_check_drawable(const struct rhw_context *context, rhw_buffer buffer,
@@ -163,7 +181,7 @@ static enum rhw_result write_bytes(struct rhw_context *context, rhw_buffer buffe
     static const char *const where = "rhw_buffer_write";
     struct rhw_buffer_data *const target = rhw_context_buffer(context, buffer, where);
     if (target == NULL || !rhw_buffer_check_range(context, buffer, target, offset, size, where) ||
-        !rhw_buffer_check_unmapped(context, buffer, target, where) ||
+        !rhw_buffer_check_writable(context, buffer, target, where) ||
         !rhw_check(context, data != NULL || size == 0, "%s: data is NULL; it must point to %zu bytes", where,
                    size)) {
         return RHW_ERROR_MISUSE;

@@ -20,6 +20,7 @@ struct rhw_buffer_data {
     size_t size;          // as the user gave it, without padding
     // The pass in which it last got other memory, and the draws that were recorded before and read the old one.
     uint32_t renewed_pass, renewed_draws;
+    bool is_callers;                // `bytes` is the program's memory
     bool is_mapped, is_map_written; // see rhw_buffer_map; the second: not for reading alone
 };
 
@@ -31,8 +32,9 @@ bool rhw_buffer_check_range(const struct rhw_context *context, rhw_buffer buffer
                             const struct rhw_buffer_data *data, size_t offset, size_t size,
                             const char *where);
 
-// Reports a mapped buffer, which nobody else writes.
-bool rhw_buffer_check_unmapped(const struct rhw_context *context, rhw_buffer buffer,
+// Reports a buffer that nobody may write now: a mapped one, and one on the program's memory that draws read which were
+// recorded.
+bool rhw_buffer_check_writable(const struct rhw_context *context, rhw_buffer buffer,
                                const struct rhw_buffer_data *data, const char *where);
 
 // Reports a buffer that is mapped for writing, which passes do not use.

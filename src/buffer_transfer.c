@@ -17,7 +17,7 @@ static enum rhw_result fill(struct rhw_context *context, rhw_buffer buffer, size
     if (!data || !rhw_buffer_check_range(context, buffer, data, offset, size, where) ||
         !rhw_check(context, offset % sizeof word == 0 && size % sizeof word == 0,
                    "%s: offset is %zu and size is %zu; they are multiples of 4", where, offset, size) ||
-        !rhw_buffer_check_unmapped(context, buffer, data, where)) {
+        !rhw_buffer_check_writable(context, buffer, data, where)) {
         return RHW_ERROR_MISUSE;
     }
     const size_t words = (size == 0 ? data->size - offset : size) / sizeof word;
@@ -59,7 +59,7 @@ static enum rhw_result copy(struct rhw_context *context, rhw_buffer from, size_t
                    source != target || from_offset + size <= to_offset || to_offset + size <= from_offset,
                    "%s: bytes %zu and %zu of %s are copied to each other, %zu of them; they must not overlap",
                    where, from_offset, to_offset, rhw_name_of(&context->buffers, to.index).text, size) ||
-        !rhw_buffer_check_unmapped(context, to, target, where)) {
+        !rhw_buffer_check_writable(context, to, target, where)) {
         return RHW_ERROR_MISUSE;
     }
     if (size == 0) {

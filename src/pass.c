@@ -21,8 +21,10 @@
 #include "pipeline.h"
 #include "rhw/rhw.h"
 #include "sampler.h"
+#include "shared_texels.h"
 #include "shared_vertices.h"
 #include "srgb_texture.h"
+#include "texture_access.h"
 #include "watch.h"
 
 enum rhw_result rhw_pass_state_create(struct rhw_context *context, struct rhw_pass_state **out)
@@ -230,7 +232,7 @@ static bool check_sampled(const rhw_context *context, rhw_texture id, int slot, 
                      rhw_name_of(&context->textures, id.index).text, texture->info->name) &&
            rhw_check(context, texture->samples == 1, "%s: %s has %d samples; it cannot be sampled", where,
                      rhw_name_of(&context->textures, id.index).text, texture->samples) &&
-           rhw_check(context, texture->attached != context->recording.generation,
+           rhw_check(context, !rhw_texture_is_attached(context, texture),
                      "%s: %s, for slot %d, is an attachment of this pass", where,
                      rhw_name_of(&context->textures, id.index).text, slot);
 }
@@ -266,6 +268,7 @@ static void set_texture(struct rhw_pass_state *pass, int slot, rhw_texture textu
             return;
         }
         bound.texture = rhw_pool_get(&context->textures, texture.index, texture.generation);
+        rhw_texture_note_sampled(*bound.texture, context->recording.generation);
         pass->out_of_memory |= !rhw_texture_linearize(context, *bound.texture);
         rhw_pool_use(&context->textures, texture.index, context->recording.generation);
         rhw_pool_use(&context->samplers, sampler.index, context->recording.generation);

@@ -11,6 +11,7 @@
 #include "lookup.h"
 #include "misuse.h"
 #include "pass_state.h"
+#include "shared_texels.h"
 #include "texture_shape.h"
 
 static const char *const where = "rhw_pass_begin";
@@ -40,9 +41,11 @@ static struct rhw_name name_of(const rhw_context *context, rhw_texture id)
 static bool is_attached(const struct rhw_pass_state *pass, const struct rhw_attachment *attachment,
                         const struct rhw_mip *mip, int layer)
 {
+    const unsigned char *const first = rhw_mip_slice(mip, layer);
     for (int i = 0; i < pass->color_count; i++) {
         const struct rhw_attachment *const other = &pass->colors[i];
-        if ((other->target == mip || other->resolve == mip) && other->layer == layer) {
+        if ((other->target && rhw_mip_slice(other->target, other->layer) == first) ||
+            (other->resolve && rhw_mip_slice(other->resolve, other->layer) == first)) {
             return true;
         }
         if (other == attachment) {
@@ -60,6 +63,9 @@ static bool check_texture(const struct rhw_pass_state *pass, rhw_texture id,
     rhw_context *const context = pass->context;
     const struct rhw_mip *const mip = &texture->mip[0];
     return rhw_texture_check_layer(context, id, texture, 0, layer, where) &&
+           rhw_check(context, !texture->swizzles,
+                     "%s: %s is %s, a view with a swizzle; attachments have none", where, name,
+                     name_of(context, id).text) &&
            rhw_check(context, !is_attached(pass, attachment, mip, layer),
                      "%s: %s is %s, as another attachment is; each needs its own texture or layer", where,
                      name, name_of(context, id).text) &&
@@ -83,8 +89,7 @@ static struct rhw_clean_tiles *take(struct rhw_pass_state *pass, rhw_texture id,
                                     struct rhw_texture_data *texture, int layer)
 {
     struct rhw_context *const context = pass->context;
-    texture->linear_is_current = false;
-    texture->attached = context->recording.generation;
+    rhw_texture_note_attached(texture, context->recording.generation);
     rhw_pool_use(&context->textures, id.index, context->recording.generation);
     return rhw_clean_tiles_of_layer(&context->memory, &texture->clean, layer, texture->mip[0].width,
                                     texture->mip[0].height);

@@ -10,6 +10,7 @@
 #include "lookup.h"
 #include "misuse.h"
 #include "rhw/rhw.h"
+#include "texture_access.h"
 #include "texture_region.h"
 
 // Rows outside of a texture, at their distances in bytes.
@@ -162,7 +163,7 @@ static enum rhw_result copy_to_buffer(struct rhw_context *context, rhw_texture t
     const struct rhw_region checked = rhw_region_check(context, texture, region, "region", where);
     struct rhw_buffer_data *const data = checked.texture ? rhw_context_buffer(context, buffer, where) : NULL;
     struct rows rows;
-    if (!data || !rhw_buffer_check_unmapped(context, buffer, data, where) ||
+    if (!data || !rhw_buffer_check_writable(context, buffer, data, where) ||
         !check_layout(context, &checked, layout, buffer, data, &rows, where)) {
         return RHW_ERROR_MISUSE;
     }
@@ -240,7 +241,8 @@ static enum rhw_result copy_texture(struct rhw_context *context, rhw_texture fro
     }
     if (!to.texture || !rhw_region_check_no_sample(context, from_region, "from", where) ||
         !rhw_region_check_no_sample(context, to_region, "to", where) ||
-        !check_formats(context, &from, &to, where) || !rhw_region_check_apart(context, &from, &to, where)) {
+        !check_formats(context, &from, &to, where) || !rhw_region_check_apart(context, &from, &to, where) ||
+        !rhw_texture_check_unread(context, to.id, to.texture, where)) {
         return RHW_ERROR_MISUSE;
     }
     // Where both are one texture, that keeps its old texels, and `from` them, until the pass ends.

@@ -68,7 +68,7 @@ static bool check_pair(const struct rhw_context *context, const struct rhw_regio
     return rhw_check(context, from->texture->samples > 1,
                      "%s: %s has one sample; copy it by rhw_texture_copy", where,
                      rhw_name_of(&context->textures, from->id.index).text) &&
-           rhw_region_check_single(context, to, where) &&
+           rhw_region_check_single(context, to, where) && rhw_region_check_writable(context, to, where) &&
            rhw_check(context, from->texture->format == to->texture->format,
                      "%s: %s is %s and %s is %s; formats are equal", where,
                      rhw_name_of(&context->textures, from->id.index).text, from->texture->info->name,

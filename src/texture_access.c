@@ -4,18 +4,35 @@
 
 #include <string.h>
 
-#include "clean_tiles.h"
 #include "context.h"
 #include "lookup.h"
 #include "memory.h"
 #include "misuse.h"
+#include "shared_texels.h"
 #include "texture.h"
+
+bool rhw_texture_is_attached(const struct rhw_context *context, const struct rhw_texture_data *texture)
+{
+    const struct rhw_recording *const recording = &context->recording;
+    const uint32_t attached = texture->shared ? texture->shared->attached : texture->attached;
+    return recording->active && attached == recording->generation;
+}
+
+bool rhw_texture_check_unread(const struct rhw_context *context, rhw_texture id,
+                              const struct rhw_texture_data *texture, const char *where)
+{
+    const struct rhw_recording *const recording = &context->recording;
+    return rhw_check(
+        context, !texture->shared || !recording->active || texture->shared->sampled != recording->generation,
+        "%s: %s shares its texels with views or stands on memory of the program, and the pass "
+        "being recorded samples them; end that first",
+        where, rhw_name_of(&context->textures, id.index).text);
+}
 
 bool rhw_texture_check_unattached(const struct rhw_context *context, rhw_texture id,
                                   const struct rhw_texture_data *texture, const char *where)
 {
-    const struct rhw_recording *const recording = &context->recording;
-    return rhw_check(context, !recording->active || texture->attached != recording->generation,
+    return rhw_check(context, !rhw_texture_is_attached(context, texture),
                      "%s: %s is an attachment of the pass being recorded; end that first", where,
                      rhw_name_of(&context->textures, id.index).text);
 }
@@ -44,13 +61,13 @@ static struct rhw_texture_data *renew(struct rhw_context *context, rhw_texture i
 struct rhw_texture_data *rhw_texture_to_write(struct rhw_context *context, rhw_texture id,
                                               struct rhw_texture_data *texture)
 {
-    const bool read = rhw_context_draws_read(context, &context->textures, id.index, texture->renewed_pass,
-                                             texture->renewed_draws);
+    const bool read =
+        !texture->shared && rhw_context_draws_read(context, &context->textures, id.index,
+                                                   texture->renewed_pass, texture->renewed_draws);
     struct rhw_texture_data *const written = read ? renew(context, id) : texture;
     if (written) {
         context->recording.rewrites += rhw_context_records(context, &context->textures, id.index);
-        written->linear_is_current = false;
-        rhw_clean_tiles_forget(written->clean);
+        rhw_texture_note_written(written);
     }
     return written;
 }

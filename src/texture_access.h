@@ -8,6 +8,13 @@
 
 struct rhw_texture_data;
 
+// Whether the pass being recorded draws into the texture, or into texels that it shares.
+bool rhw_texture_is_attached(const struct rhw_context *context, const struct rhw_texture_data *texture);
+
+// Reports texels that are to be written while the pass being recorded samples them, where they cannot be others then.
+bool rhw_texture_check_unread(const struct rhw_context *context, rhw_texture id,
+                              const struct rhw_texture_data *texture, const char *where);
+
 // Reports an attachment of the pass being recorded: what it holds is known when that has ended.
 bool rhw_texture_check_unattached(const struct rhw_context *context, rhw_texture id,
                                   const struct rhw_texture_data *texture, const char *where);

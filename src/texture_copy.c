@@ -90,7 +90,7 @@ static enum rhw_result write_level(struct rhw_context *context, rhw_texture text
         return RHW_ERROR_MISUSE;
     }
     struct copy copy = check_copy(context, texture, request, where);
-    const bool is_valid = copy.texture != NULL;
+    const bool is_valid = copy.texture && rhw_texture_check_unread(context, texture, copy.texture, where);
     copy.texture = is_valid ? rhw_texture_to_write(context, texture, copy.texture) : NULL;
     if (copy.texture) {
         copy.texture->written |= 1u << copy.level;
@@ -185,7 +185,8 @@ static enum rhw_result generate_mips(struct rhw_context *context, rhw_texture te
         !rhw_check(context, rhw_format_has_role(data->info, RHW_ROLE_SAMPLED),
                    "%s: %s is %s; that format is not filtered", where,
                    rhw_name_of(&context->textures, texture.index).text, data->info->name) ||
-        !check_sample(context, texture, data, -1, where)) {
+        !check_sample(context, texture, data, -1, where) ||
+        !rhw_texture_check_unread(context, texture, data, where)) {
         return RHW_ERROR_MISUSE;
     }
     struct rhw_texture_data *const target = rhw_texture_to_write(context, texture, data);

@@ -24,7 +24,8 @@ struct rhw_region rhw_region_check(struct rhw_context *context, rhw_texture id,
 bool rhw_region_check_single(const struct rhw_context *context, const struct rhw_region *region,
                              const char *where);
 
-// Reports a compressed format, whose texels are decoded from blocks and not written.
+// Reports a compressed format, whose texels are decoded from blocks and not written, and texels that cannot be written
+// now.
 bool rhw_region_check_writable(const struct rhw_context *context, const struct rhw_region *region,
                                const char *where);
 
