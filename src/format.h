@@ -14,17 +14,25 @@ enum rhw_texel_codec {
     RHW_CODEC_SRGB8, // four channels: UNORM8 with the sRGB transfer function on the colour, alpha linear
     RHW_CODEC_FLOAT16,
     RHW_CODEC_FLOAT32,
-    RHW_CODEC_UINT32,  // shaders hand over the bits
+    RHW_CODEC_BITS32,  // integers: shaders hand over the bits
+    RHW_CODEC_FIELDS,  // each channel is some bits of a word: rhw_format_info has them
     RHW_CODEC_DEPTH16, // one channel: UNORM of 16 bits
     RHW_CODEC_DEPTH24  // UNORM of 24 bits in the low ones of 32
 };
 
-// Values are clamped to 0..1 before they are blended and stored.
-static inline bool rhw_codec_is_normalized(enum rhw_texel_codec codec)
-{
-    return codec == RHW_CODEC_UNORM8 || codec == RHW_CODEC_SRGB8 || codec == RHW_CODEC_DEPTH16 ||
-           codec == RHW_CODEC_DEPTH24;
-}
+// What the bits of a channel are, where the codec leaves that open.
+enum rhw_channel_type {
+    RHW_CHANNEL_OTHER, // what the codec says
+    RHW_CHANNEL_UNORM,
+    RHW_CHANNEL_SNORM,
+    RHW_CHANNEL_UINT,
+    RHW_CHANNEL_SINT,
+    RHW_CHANNEL_UFLOAT, // a half without its sign and its lowest bits
+    RHW_CHANNEL_SHARED  // 9 bits of each colour, the exponent above them
+};
+
+// Where red stands among channels of a byte each.
+enum rhw_channel_order { RHW_ORDER_RGBA, RHW_ORDER_BGRA, RHW_ORDER_ABGR };
 
 // Formats that the sampler and blending have fast paths for.
 enum rhw_texel_path { RHW_TEXELS_GENERAL, RHW_TEXELS_RGBA8_UNORM, RHW_TEXELS_RGBA8_SRGB };
@@ -34,8 +42,9 @@ enum {
     RHW_ROLE_COLOR_TARGET = 1,
     RHW_ROLE_BLENDED_TARGET = 2, // a colour target that blending works on
     RHW_ROLE_DEPTH_TARGET = 4,
-    RHW_ROLE_SAMPLED = 8, // rhw_sample filters it, and so does mip generation
-    RHW_ROLE_STENCIL_TARGET = 16
+    RHW_ROLE_SAMPLED = 8,
+    RHW_ROLE_STENCIL_TARGET = 16,
+    RHW_ROLE_FILTERED = 32 // by linear filters, and mip generation
 };
 
 enum {
@@ -51,6 +60,9 @@ struct rhw_format_info {
     enum rhw_texel_codec codec;
     enum rhw_texel_path path;
     uint8_t roles;
+    enum rhw_channel_order order; // of UNORM8 and SRGB8
+    enum rhw_channel_type type;   // of FIELDS and BITS32
+    uint8_t first[4], bits[4];    // of FIELDS: from the lowest bit of the texel; none crosses a word of 32
 };
 
 static inline bool rhw_format_valid(enum rhw_format format)
@@ -65,6 +77,29 @@ const struct rhw_format_info *rhw_format_info(enum rhw_format format);
 struct rhw_context;
 bool rhw_check_format(const struct rhw_context *context, const char *where, const char *field,
                       enum rhw_format format);
+
+// Whether shaders read and write the bits of its channels.
+static inline bool rhw_format_is_integer(const struct rhw_format_info *info)
+{
+    return info->type == RHW_CHANNEL_UINT || info->type == RHW_CHANNEL_SINT;
+}
+
+// Whether values are clamped to 0..1, or −1..1, before they are blended and stored.
+static inline bool rhw_format_is_normalized(const struct rhw_format_info *info)
+{
+    return info->type == RHW_CHANNEL_UNORM || info->type == RHW_CHANNEL_SNORM ||
+           info->codec == RHW_CODEC_UNORM8 || info->codec == RHW_CODEC_SRGB8 ||
+           info->codec == RHW_CODEC_DEPTH16 || info->codec == RHW_CODEC_DEPTH24;
+}
+
+// The least value of a normalized format.
+static inline float rhw_format_least(const struct rhw_format_info *info)
+{
+    return info->type == RHW_CHANNEL_SNORM ? -1.0f : 0.0f;
+}
+
+// The bits of the words of a texel that hold a channel that the format has.
+void rhw_format_channel_bits(const struct rhw_format_info *info, int channel, uint32_t words[4]);
 
 // The steps between 0 and 1 that depth of the codec is rounded to; 0 where it is a float.
 static inline double rhw_codec_depth_steps(enum rhw_texel_codec codec)

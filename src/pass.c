@@ -233,13 +233,28 @@ static bool check_sampled(const rhw_context *context, rhw_texture id, int slot, 
                      rhw_name_of(&context->textures, id.index).text, slot);
 }
 
-// Coordinates in texels are those of a single 1D or 2D image (Vulkan 1.3, VkSamplerCreateInfo).
+// Whether a sampler gives texels as they are.
+static bool takes_texels(const struct rhw_texture_data *texture, const struct rhw_sampler_data *sampler)
+{
+    const struct rhw_sampler_def *const def = &sampler->def;
+    return def->min_filter == RHW_FILTER_NEAREST && def->mag_filter == RHW_FILTER_NEAREST &&
+           (def->mip_filter != RHW_MIP_FILTER_LINEAR || texture->levels == 1) && !def->compares &&
+           def->max_anisotropy <= 1 && def->reduction == RHW_REDUCTION_AVERAGE;
+}
+
+// Formats that are not filtered give their texels. Coordinates in texels are those of a single 1D or 2D image (Vulkan 1.3, VkSamplerCreateInfo).
 static bool check_sampler(const rhw_context *context, rhw_texture id, rhw_sampler sampler_id,
                           const struct rhw_sampler_data *sampler, const char *where)
 {
     const struct rhw_texture_data *const texture = rhw_context_texture(context, id, where);
     const struct rhw_texture_shape *const shape = &texture->shape;
     return rhw_check(context,
+                     rhw_format_has_role(texture->info, RHW_ROLE_FILTERED) || takes_texels(texture, sampler),
+                     "%s: %s is %s, which is not filtered; %s must have nearest filters, and no comparison, "
+                     "anisotropy or reduction",
+                     where, rhw_name_of(&context->textures, id.index).text, texture->info->name,
+                     rhw_name_of(&context->samplers, sampler_id.index).text) &&
+           rhw_check(context,
                      !sampler->def.unnormalized || (!shape->is_array && (shape->kind == RHW_TEXTURE_1D ||
                                                                          shape->kind == RHW_TEXTURE_2D)),
                      "%s: %s is unnormalized and %s has kind %d, layers %d; it must be 1D or 2D and no array",
@@ -513,7 +528,8 @@ static const struct rhw_draw_state *snapshot(struct rhw_pass_state *pass)
                                state->pipeline->primitive == RHW_PRIMITIVE_POINTS ||
                                    state->pipeline->primitive == RHW_PRIMITIVE_POLYGON_POINTS);
     for (int i = 0; i < pass->color_count; i++) {
-        rhw_blend_state_init(&state->blend[i], &state->pipeline->def.targets[i], state->blend_constant);
+        rhw_blend_state_init(&state->blend[i], &state->pipeline->def.targets[i], state->pipeline->def.logic,
+                             state->blend_constant);
         if (pass->paths == RHW_PATHS_GENERAL) {
             rhw_blend_state_generalize(&state->blend[i]);
         }

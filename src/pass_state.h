@@ -18,7 +18,7 @@ struct rhw_attachment {
     enum rhw_load load;
     enum rhw_store store;
     const struct rhw_mip *target;  // NULL: exists in the tile alone
-    int layer;                     // of it that is drawn into
+    int layer, level;              // of its texture that is drawn into
     struct rhw_clean_tiles *clean; // of a texture; NULL where there is none
     size_t sample_stride;          // bytes from one sample of the target to the next; 0 where it has one
     // Where the samples of the tile are resolved into, if they are; NULL: nowhere.

@@ -5,6 +5,7 @@
 #include <stdio.h>
 #include <string.h>
 
+#include "blend_state.h"
 #include "constants.h"
 #include "context.h"
 #include "depth_stencil.h"
@@ -241,14 +242,14 @@ static bool check_states(const struct rhw_context *context, const struct rhw_pip
            check_range(context, "front", def->front, 0, RHW_CLOCKWISE) &&
            check_range(context, "depth_range", def->depth_range, 0, RHW_DEPTH_MINUS_ONE_TO_ONE) &&
            check_range(context, "depth_compare", def->depth_compare, 0, RHW_COMPARE_ALWAYS) &&
-           check_depth_stencil(context, def);
+           check_range(context, "logic", def->logic, 0, RHW_LOGIC_SET) && check_depth_stencil(context, def);
 }
 
 static bool check_blend(const struct rhw_context *context, int index, const char *src, const char *dst,
                         const char *operation, const struct rhw_blend_component *blend)
 {
-    return check_element(context, "targets", index, src, blend->src, 0, RHW_BLEND_ONE_MINUS_CONSTANT) &&
-           check_element(context, "targets", index, dst, blend->dst, 0, RHW_BLEND_ONE_MINUS_CONSTANT) &&
+    return check_element(context, "targets", index, src, blend->src, 0, RHW_BLEND_ONE_MINUS_SRC1_ALPHA) &&
+           check_element(context, "targets", index, dst, blend->dst, 0, RHW_BLEND_ONE_MINUS_SRC1_ALPHA) &&
            check_element(context, "targets", index, operation, blend->operation, 0, RHW_BLEND_MAX);
 }
 
@@ -290,6 +291,10 @@ static bool check_targets(const struct rhw_context *context, const struct rhw_pi
     }
     for (int i = 0; i < def->target_count; i++) {
         if (!check_target(context, i, &def->targets[i]) ||
+            !rhw_check(context, def->target_count == 1 || !rhw_blend_reads_second(&def->targets[i]),
+                       "%s: targets[%d] blends with the second source, color[1], and target_count is %d; it "
+                       "must be 1",
+                       create_name, i, def->target_count) ||
             !rhw_check(context, has_fragment(&def->program) || def->targets[i].write_mask == RHW_WRITE_NONE,
                        "%s: the program has no fragment function and targets[%d] is written; give it one, or "
                        "the target the write_mask RHW_WRITE_NONE",
@@ -494,6 +499,8 @@ void rhw_pipeline_data_init(struct rhw_pipeline_data *data, const struct rhw_pip
     data->def.label = NULL; // which is the caller's
     resolve_defaults(&data->def);
     resolve_uses(&data->def);
+    data->output_count =
+        def->target_count + (def->target_count == 1 && rhw_blend_reads_second(&data->def.targets[0]) ? 1 : 0);
     resolve_functions(data, isa);
     lay_out_varyings(data);
     lay_out_primitives(data);
