@@ -39,6 +39,9 @@ static enum rhw_blend_path choose_path(const struct rhw_blend_state *state)
     if (format->path == RHW_TEXELS_RGBA8_UNORM && is_over(state->color) && is_over(state->alpha)) {
         return BLEND_RGBA8_OVER;
     }
+    if (format->path == RHW_TEXELS_RGBA8_SRGB && is_over(state->color) && is_over(state->alpha)) {
+        return BLEND_SRGB8_OVER;
+    }
     if (!rhw_format_is_normalized(format) && !rhw_format_is_integer(format) && state->replaces) {
         return BLEND_FLOAT_REPLACE;
     }
@@ -88,9 +91,13 @@ void rhw_blend_state_init(struct rhw_blend_state *state, const struct rhw_color_
                    rhw_format_has_role(format, RHW_ROLE_BLENDED_TARGET) &&
                    !(normalized && is_replacement(target->color) && is_replacement(target->alpha));
     state->reads_second = state->blend && rhw_blend_reads_second(target);
-    state->replaces = !state->blend && state->write_mask == channels;
+    state->writes_all = state->write_mask == channels;
+    state->replaces = !state->blend && state->writes_all;
+    if (state->writes_all) {
+        memset(state->texel_mask, 0xff, sizeof state->texel_mask);
+    }
     for (int i = 0; i < 4; i++) {
-        if (state->write_mask >> i & 1) {
+        if (state->write_mask >> i & 1 && !state->writes_all) {
             rhw_format_channel_bits(format, i, state->texel_mask);
         }
         state->constant[i] = normalized ? clamp(constant[i], state->least) : constant[i];
@@ -104,6 +111,7 @@ void rhw_blend_state_generalize(struct rhw_blend_state *state)
     case BLEND_RGBA8_REPLACE:
     case BLEND_RGBA8_MASKED:
     case BLEND_SRGB8_REPLACE:
+    case BLEND_SRGB8_OVER:
     case BLEND_FLOAT_REPLACE: state->path = BLEND_GENERAL; break;
     default: break;
     }

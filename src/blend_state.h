@@ -13,6 +13,7 @@ enum rhw_blend_path {
     BLEND_RGBA8_MASKED,  // some channels
     BLEND_RGBA8_OVER,    // SRC_ALPHA or ONE, and ONE_MINUS_SRC_ALPHA, added
     BLEND_SRGB8_REPLACE, // any channels
+    BLEND_SRGB8_OVER,    // as BLEND_RGBA8_OVER
     BLEND_BITS_REPLACE,  // one channel of 32 bits
     BLEND_FLOAT_REPLACE, // all channels of a float format
     BLEND_GENERAL
@@ -24,6 +25,7 @@ struct rhw_blend_state {
     bool blend;                // false too where blending is replacement spelled out
     bool color_one, alpha_one; // the source factor is ONE
     bool reads_second;         // source, color[1] of the fragment
+    bool writes_all;           // channels
     bool replaces;             // the whole texel, whatever it was
     uint8_t write_mask;        // only channels that the format has
     uint32_t texel_mask[4];    // the bits that are written

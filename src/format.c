@@ -156,7 +156,10 @@ static const struct rhw_format_info formats[RHW_PLAIN_FORMAT_COUNT] = {
 
 _Static_assert((int)RHW_PLAIN_FORMAT_COUNT + (int)RHW_BLOCK_FORMAT_COUNT == (int)RHW_FORMAT_COUNT,
                "compressed formats stand last");
-_Static_assert(RHW_VERTEX_FORMAT_COUNT == 4 * RHW_TYPE_COUNT, "four vertex formats of each type");
+_Static_assert((int)RHW_VERTEX_FLOAT64X1 == 4 * (RHW_TYPE_SINT32 + 1), "four vertex formats of each type");
+_Static_assert((int)RHW_VERTEX_UNORM8X4_BGRA - (int)RHW_VERTEX_UNORM10_10_10_2 ==
+                   (int)RHW_TYPE_BGRA8 - (int)RHW_TYPE_UNORM10,
+               "one of each that shares a word");
 _Static_assert((int)RHW_VERTEX_HALF1 == 4 * RHW_TYPE_HALF &&
                    (int)RHW_VERTEX_UNORM8X1 == 4 * RHW_TYPE_UNORM8 &&
                    (int)RHW_VERTEX_SINT8X1 == 4 * RHW_TYPE_SINT8 &&
@@ -234,6 +237,7 @@ size_t rhw_vertex_format_size(enum rhw_vertex_format format)
     if (!rhw_vertex_format_valid(format)) {
         return 0;
     }
-    return (size_t)rhw_vertex_format_components(format) *
-           (size_t)rhw_vertex_type_size(rhw_vertex_format_type(format));
+    const enum rhw_vertex_type type = rhw_vertex_format_type(format);
+    const int components = type >= RHW_TYPE_UNORM10 ? 1 : rhw_vertex_format_components(format);
+    return (size_t)components * (size_t)rhw_vertex_type_size(type);
 }

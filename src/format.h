@@ -113,19 +113,32 @@ static inline bool rhw_format_has_role(const struct rhw_format_info *info, int r
     return (info->roles & role) != 0;
 }
 
-// In the order of enum rhw_vertex_format, which has four entries (1 to 4 components) of each.
+// In the order of enum rhw_vertex_format, which has four entries (1 to 4 components) of each up to SINT32, and one of
+// those behind it.
 enum rhw_vertex_type {
     RHW_TYPE_FLOAT,
     RHW_TYPE_HALF,
     RHW_TYPE_UNORM8,
     RHW_TYPE_SNORM8,
+    RHW_TYPE_USCALED8,
+    RHW_TYPE_SSCALED8,
     RHW_TYPE_UINT8,
     RHW_TYPE_SINT8,
     RHW_TYPE_UNORM16,
     RHW_TYPE_SNORM16,
+    RHW_TYPE_USCALED16,
+    RHW_TYPE_SSCALED16,
     RHW_TYPE_UINT16,
     RHW_TYPE_SINT16,
-    RHW_TYPE_COUNT
+    RHW_TYPE_UINT32,
+    RHW_TYPE_SINT32,
+    RHW_TYPE_UNORM10,
+    RHW_TYPE_SNORM10,
+    RHW_TYPE_USCALED10,
+    RHW_TYPE_SSCALED10,
+    RHW_TYPE_UINT10,
+    RHW_TYPE_SINT10,
+    RHW_TYPE_BGRA8
 };
 
 static inline bool rhw_vertex_format_valid(enum rhw_vertex_format format)
@@ -133,20 +146,52 @@ static inline bool rhw_vertex_format_valid(enum rhw_vertex_format format)
     return (unsigned)format < RHW_VERTEX_FORMAT_COUNT;
 }
 
+// Words of doubles are those of integers.
 static inline enum rhw_vertex_type rhw_vertex_format_type(enum rhw_vertex_format format)
 {
-    return (enum rhw_vertex_type)((unsigned)format / 4);
+    if (format == RHW_VERTEX_FLOAT64X1 || format == RHW_VERTEX_FLOAT64X2) {
+        return RHW_TYPE_UINT32;
+    }
+    const unsigned packed = (unsigned)format - RHW_VERTEX_UNORM10_10_10_2;
+    return (enum rhw_vertex_type)(format >= RHW_VERTEX_UNORM10_10_10_2 ? RHW_TYPE_UNORM10 + packed
+                                                                       : (unsigned)format / 4);
 }
 
+// That the vertex function receives.
 static inline int rhw_vertex_format_components(enum rhw_vertex_format format)
 {
-    return (int)((unsigned)format % 4) + 1;
+    return format == RHW_VERTEX_FLOAT64X1   ? 2
+           : format >= RHW_VERTEX_FLOAT64X2 ? 4
+                                            : (int)((unsigned)format % 4) + 1;
 }
 
-// Bytes of one component.
+// Bytes of one component; of all where they share a word.
 static inline int rhw_vertex_type_size(enum rhw_vertex_type type)
 {
-    return type == RHW_TYPE_FLOAT ? 4 : type == RHW_TYPE_HALF || type >= RHW_TYPE_UNORM16 ? 2 : 1;
+    return type == RHW_TYPE_FLOAT || type >= RHW_TYPE_UINT32   ? 4
+           : type == RHW_TYPE_HALF || type >= RHW_TYPE_UNORM16 ? 2
+                                                               : 1;
+}
+
+static inline bool rhw_vertex_type_is_integer(enum rhw_vertex_type type)
+{
+    return type == RHW_TYPE_UINT8 || type == RHW_TYPE_SINT8 || type == RHW_TYPE_UINT16 ||
+           type == RHW_TYPE_SINT16 || type == RHW_TYPE_UINT32 || type == RHW_TYPE_SINT32 ||
+           type == RHW_TYPE_UINT10 || type == RHW_TYPE_SINT10;
+}
+
+// How an attribute is fetched: its format taken apart.
+struct rhw_fetch {
+    uint32_t offset;
+    uint8_t type, components, size; // enum rhw_vertex_type; bytes of all
+    bool is_integer;
+};
+
+static inline struct rhw_fetch rhw_fetch_of(enum rhw_vertex_format format, uint32_t offset)
+{
+    const enum rhw_vertex_type type = rhw_vertex_format_type(format);
+    return (struct rhw_fetch){offset, (uint8_t)type, (uint8_t)rhw_vertex_format_components(format),
+                              (uint8_t)rhw_vertex_format_size(format), rhw_vertex_type_is_integer(type)};
 }
 
 #endif

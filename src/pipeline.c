@@ -399,6 +399,14 @@ static void resolve_uses(struct rhw_pipeline_def *def)
     }
 }
 
+static void resolve_attributes(struct rhw_pipeline_data *data)
+{
+    for (int i = 0; i < data->def.attribute_count; i++) {
+        const struct rhw_attribute *const attribute = &data->def.attributes[i];
+        data->fetches[i] = rhw_fetch_of(attribute->format, attribute->offset);
+    }
+}
+
 static void resolve_functions(struct rhw_pipeline_data *data, enum rhw_isa isa)
 {
     for (int i = RHW_ISA_BASELINE; i <= (int)isa; i++) {
@@ -501,6 +509,7 @@ void rhw_pipeline_data_init(struct rhw_pipeline_data *data, const struct rhw_pip
     resolve_uses(&data->def);
     data->output_count =
         def->target_count + (def->target_count == 1 && rhw_blend_reads_second(&data->def.targets[0]) ? 1 : 0);
+    resolve_attributes(data);
     resolve_functions(data, isa);
     lay_out_varyings(data);
     lay_out_primitives(data);

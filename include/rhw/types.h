@@ -227,25 +227,40 @@ struct rhw_sampler_def {
     bool unnormalized;
 };
 
+/// How attributes stand in buffers. FLOAT, HALF, UNORM and SNORM are what texel formats of these names are; USCALED and
+/// SSCALED the integer's value as a float. UINT and SINT arrive as the integer's bits in the lanes (rhw_bits_from_float),
+/// as with texels; so do the two words of every FLOAT64, the low one first: three or four of them are two attributes.
 enum rhw_vertex_format {
     RHW_VERTEX_FLOAT1, RHW_VERTEX_FLOAT2, RHW_VERTEX_FLOAT3, RHW_VERTEX_FLOAT4,
     RHW_VERTEX_HALF1, RHW_VERTEX_HALF2, RHW_VERTEX_HALF3, RHW_VERTEX_HALF4,
     RHW_VERTEX_UNORM8X1, RHW_VERTEX_UNORM8X2, RHW_VERTEX_UNORM8X3, RHW_VERTEX_UNORM8X4,
     RHW_VERTEX_SNORM8X1, RHW_VERTEX_SNORM8X2, RHW_VERTEX_SNORM8X3, RHW_VERTEX_SNORM8X4,
+    RHW_VERTEX_USCALED8X1, RHW_VERTEX_USCALED8X2, RHW_VERTEX_USCALED8X3, RHW_VERTEX_USCALED8X4,
+    RHW_VERTEX_SSCALED8X1, RHW_VERTEX_SSCALED8X2, RHW_VERTEX_SSCALED8X3, RHW_VERTEX_SSCALED8X4,
     RHW_VERTEX_UINT8X1, RHW_VERTEX_UINT8X2, RHW_VERTEX_UINT8X3, RHW_VERTEX_UINT8X4,
     RHW_VERTEX_SINT8X1, RHW_VERTEX_SINT8X2, RHW_VERTEX_SINT8X3, RHW_VERTEX_SINT8X4,
     RHW_VERTEX_UNORM16X1, RHW_VERTEX_UNORM16X2, RHW_VERTEX_UNORM16X3, RHW_VERTEX_UNORM16X4,
     RHW_VERTEX_SNORM16X1, RHW_VERTEX_SNORM16X2, RHW_VERTEX_SNORM16X3, RHW_VERTEX_SNORM16X4,
+    RHW_VERTEX_USCALED16X1, RHW_VERTEX_USCALED16X2, RHW_VERTEX_USCALED16X3, RHW_VERTEX_USCALED16X4,
+    RHW_VERTEX_SSCALED16X1, RHW_VERTEX_SSCALED16X2, RHW_VERTEX_SSCALED16X3, RHW_VERTEX_SSCALED16X4,
     RHW_VERTEX_UINT16X1, RHW_VERTEX_UINT16X2, RHW_VERTEX_UINT16X3, RHW_VERTEX_UINT16X4,
     RHW_VERTEX_SINT16X1, RHW_VERTEX_SINT16X2, RHW_VERTEX_SINT16X3, RHW_VERTEX_SINT16X4,
+    RHW_VERTEX_UINT32X1, RHW_VERTEX_UINT32X2, RHW_VERTEX_UINT32X3, RHW_VERTEX_UINT32X4,
+    RHW_VERTEX_SINT32X1, RHW_VERTEX_SINT32X2, RHW_VERTEX_SINT32X3, RHW_VERTEX_SINT32X4,
+    RHW_VERTEX_FLOAT64X1, RHW_VERTEX_FLOAT64X2,
+    /// A word: x in the lowest 10 bits, w in the highest 2 (Vulkan's A2B10G10R10).
+    RHW_VERTEX_UNORM10_10_10_2, RHW_VERTEX_SNORM10_10_10_2, RHW_VERTEX_USCALED10_10_10_2,
+    RHW_VERTEX_SSCALED10_10_10_2, RHW_VERTEX_UINT10_10_10_2, RHW_VERTEX_SINT10_10_10_2,
+    RHW_VERTEX_UNORM8X4_BGRA, ///< bytes z, y, x, w
     RHW_VERTEX_FORMAT_COUNT
 };
 
-/// Bytes one value takes; the shader receives floats for every format (UINT and SINT: the integer's value).
+/// Bytes one value takes.
 RHW_API size_t rhw_vertex_format_size(enum rhw_vertex_format format);
 
 /// Attribute i of `rhw_pipeline_def.attributes` arrives in the vertex function as `attribute[i]`;
-/// components the format lacks are 0, 0, 0, 1. FLOAT formats arrive bit for bit, so that they may carry integers.
+/// components the format lacks are 0, 0, 0, 1, of UINT and SINT the integer 1. FLOAT formats arrive bit for bit, so that
+/// they may carry integers.
 struct rhw_attribute {
     enum rhw_vertex_format format;
     int buffer;      ///< index into rhw_pipeline_def.buffers

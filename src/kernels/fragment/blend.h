@@ -36,6 +36,22 @@ static inline void blend_rgba8_over(const struct rhw_blend_state *state, const f
     i8_store(texels, old ^ ((old ^ packed) & written));
 }
 
+// The same for RGBA8_SRGB in linear light, with the bytes of the general path.
+static __attribute__((noinline)) void blend_srgb8_over(const struct rhw_blend_state *state, const f8 *color,
+                                                       const i8 *mask, unsigned char *texels)
+{
+    const i8 old = i8_load(texels);
+    const f8 alpha = rhw_saturate(color[3]);
+    const f8 keep = 1.0f - alpha;
+    f8 result[4];
+    for (int i = 0; i < 3; i++) {
+        const f8 src = rhw_saturate(color[i]);
+        result[i] = (state->color_one ? src : src * alpha) + srgb8_to_float(channel_byte(old, i)) * keep;
+    }
+    result[3] = (state->alpha_one ? alpha : alpha * alpha) + unorm8_to_float(channel_byte(old, 3)) * keep;
+    store_word_bits(texels, srgb8_texels(result), *mask & (i8)i8_splat((int32_t)state->texel_mask[0]));
+}
+
 RHW_INLINE void store_target(const struct rhw_blend_state *state, const f8 value[4], i8 mask,
                              unsigned char *texels)
 {
@@ -125,11 +141,25 @@ RHW_INLINE void blend_values(const struct rhw_blend_state *state, const struct r
     }
 }
 
-// Values as a normalized format holds them; NaN becomes 0.
-RHW_INLINE f8 clamp_to(const struct rhw_blend_state *state, f8 value)
+// Four values as a normalized format holds them; NaN becomes 0.
+RHW_INLINE void clamp_values(const struct rhw_blend_state *state, const f8 *value, f8 *clamped)
 {
-    const f8 number = state->least < 0 ? rhw_select(rhw_equal(value, value), value, rhw_splat(0.0f)) : value;
-    return rhw_clamp(number, rhw_splat(state->least), rhw_splat(1.0f));
+    for (int i = 0; i < 4; i++) {
+        clamped[i] = rhw_clamp(value[i], rhw_splat(state->least), rhw_splat(1.0f));
+    }
+    for (int i = 0; i < 4 && state->least < 0; i++) {
+        clamped[i] = rhw_select(rhw_equal(value[i], value[i]), clamped[i], rhw_splat(0.0f));
+    }
+}
+
+// Puts what texels keep of their old bits, and what logic operations make of them.
+static __attribute__((noinline)) void merge_bits(const struct rhw_blend_state *state,
+                                                 const struct raw_texels *old, struct raw_texels *raw)
+{
+    for (int w = 0; w < (state->format->size + 3) / 4; w++) {
+        const i8 word = combine_bits(state->logic, raw->word[w], old->word[w]);
+        raw->word[w] = old->word[w] ^ ((old->word[w] ^ word) & (int32_t)state->texel_mask[w]);
+    }
 }
 
 // Serves any format and any blending; the write mask counts bits, so that what is kept stays as it was. It is not inline,
@@ -138,26 +168,30 @@ static __attribute__((noinline)) void blend_general(const struct rhw_blend_state
                                                     const i8 *mask, unsigned char *texels)
 {
     const struct rhw_format_info *const format = state->format;
-    const bool normalized = rhw_format_is_normalized(format), is_integer = rhw_format_is_integer(format);
+    const bool normalized = rhw_format_is_normalized(format);
     struct raw_texels old, raw;
     f8 src[8], result[4];
     load_texel_row(format->size, texels, &old);
-    for (int i = 0; i < (state->reads_second ? 8 : 4); i++) {
-        src[i] = normalized ? clamp_to(state, color[i]) : color[i];
+    for (int first = 0; first <= (state->reads_second ? 4 : 0); first += 4) {
+        if (normalized) {
+            clamp_values(state, color + first, src + first);
+        } else {
+            memcpy(src + first, color + first, sizeof result);
+        }
     }
     if (state->blend) {
         blend_values(state, &old, src, result);
     } else {
         memcpy(result, src, sizeof result);
     }
-    for (int i = 0; i < 4 && !is_integer; i++) {
-        result[i] = canonical_nan(result[i]);
+    if (!rhw_format_is_integer(format)) {
+        for (int i = 0; i < 4; i++) {
+            result[i] = canonical_nan(result[i]);
+        }
     }
     encode_texels(format, result, &raw);
-    for (int w = 0; w < (format->size + 3) / 4; w++) {
-        const i8 word = state->logic == RHW_LOGIC_OFF ? raw.word[w]
-                                                      : combine_bits(state->logic, raw.word[w], old.word[w]);
-        raw.word[w] = old.word[w] ^ ((old.word[w] ^ word) & (int32_t)state->texel_mask[w]);
+    if (!state->writes_all || state->logic != RHW_LOGIC_OFF) {
+        merge_bits(state, &old, &raw);
     }
     store_texel_row(format->size, &raw, *mask, texels);
 }
@@ -184,6 +218,7 @@ RHW_INLINE void blend_group(const struct rhw_blend_state *state, const f8 *color
         store_word_bits(texels, srgb8_texels(color), mask & i8_splat((int32_t)state->texel_mask[0]));
         break;
     }
+    case BLEND_SRGB8_OVER: blend_srgb8_over(state, color, &mask, texels); break;
     case BLEND_BITS_REPLACE: store_words(texels, (i8)color[0], mask); break;
     case BLEND_FLOAT_REPLACE: {
         f8 value[4];
