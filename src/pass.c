@@ -18,6 +18,7 @@
 #include "misuse.h"
 #include "pass_run.h"
 #include "pass_state.h"
+#include "pass_storage.h"
 #include "pipeline.h"
 #include "rhw/rhw.h"
 #include "sampler.h"
@@ -139,6 +140,9 @@ static struct rhw_bound_buffer bind_buffer(rhw_context *context, rhw_buffer id, 
     const struct rhw_buffer_data *const buffer = rhw_context_buffer(context, id, where);
     if (!buffer || !rhw_check(context, offset <= buffer->size, "%s: offset is %zu; %s has %zu bytes", where,
                               offset, rhw_name_of(&context->buffers, id.index).text, buffer->size)) {
+        return (struct rhw_bound_buffer){.data = NULL};
+    }
+    if (!rhw_pass_fetches(context, id, where)) {
         return (struct rhw_bound_buffer){.data = NULL};
     }
     rhw_pool_use(&context->buffers, id.index, context->recording.generation);
@@ -471,8 +475,9 @@ static bool resolve_textures(struct rhw_pass_state *pass)
                 rhw_binding_of(context->kernels, context->paths, *bound->texture, bound->sampler);
         }
     }
+    bindings->storage = rhw_pass_storage_of(pass);
     pass->pending.textures = bindings;
-    return true;
+    return bindings->storage != NULL;
 }
 
 // Brings `pending` up to date with what is bound. False when out of memory.

@@ -73,10 +73,15 @@ struct rhw_bound_texture {
     struct rhw_texture_data *const *texture; // in the context's pool; NULL: nothing is set
     const struct rhw_sampler_data *sampler;
 };
+struct rhw_bound_range {
+    const struct rhw_buffer_data *data; // NULL: nothing is set
+    size_t offset, size;                // bytes
+};
 struct rhw_bound {
     struct rhw_bound_buffer vertices[RHW_MAX_VERTEX_BUFFERS], indices;
     struct rhw_bound_texture textures[RHW_MAX_TEXTURES];
     rhw_pipeline pipeline; // for messages
+    struct rhw_bound_range storage[RHW_MAX_STORAGE_BUFFERS];
 };
 
 struct rhw_pass_state {
