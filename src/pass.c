@@ -11,6 +11,7 @@
 #include "context.h"
 #include "cpu.h"
 #include "draw_range.h"
+#include "effect_vertices.h"
 #include "entry.h"
 #include "format.h"
 #include "hidden_surface.h"
@@ -605,10 +606,13 @@ static void append_draw(struct rhw_pass_state *pass, const struct rhw_draw *draw
     slot->index = pass->draws.count;
     slot->group = pass->context->recording.group;
     slot->first_triangle = pass->triangle_count;
-    if (pass->out_of_memory || !rhw_assembly_prepare(slot, count, &pass->arena)) {
+    const bool effects = state->pipeline->def.program.vertex_effects;
+    if (pass->out_of_memory || !rhw_assembly_prepare(slot, count, &pass->arena) ||
+        (effects && !rhw_effect_vertices_prepare(slot, &pass->arena))) {
         pass->out_of_memory = true;
         return;
     }
+    pass->has_effect_vertices |= effects;
     pass->draws.count++;
     pass->context->recording.draw = pass->draws.count;
     pass->has_large_draws |= slot->indexed && slot->triangles_per_instance >= RHW_SHARING_TRIANGLES;
