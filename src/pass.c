@@ -11,6 +11,7 @@
 #include "context.h"
 #include "cpu.h"
 #include "draw_range.h"
+#include "effect_vertices.h"
 #include "entry.h"
 #include "format.h"
 #include "hidden_surface.h"
@@ -18,6 +19,7 @@
 #include "misuse.h"
 #include "pass_run.h"
 #include "pass_state.h"
+#include "pass_storage.h"
 #include "pipeline.h"
 #include "rhw/rhw.h"
 #include "sampler.h"
@@ -139,6 +141,9 @@ static struct rhw_bound_buffer bind_buffer(rhw_context *context, rhw_buffer id, 
     const struct rhw_buffer_data *const buffer = rhw_context_buffer(context, id, where);
     if (!buffer || !rhw_check(context, offset <= buffer->size, "%s: offset is %zu; %s has %zu bytes", where,
                               offset, rhw_name_of(&context->buffers, id.index).text, buffer->size)) {
+        return (struct rhw_bound_buffer){.data = NULL};
+    }
+    if (!rhw_pass_fetches(context, id, where)) {
         return (struct rhw_bound_buffer){.data = NULL};
     }
     rhw_pool_use(&context->buffers, id.index, context->recording.generation);
@@ -486,8 +491,9 @@ static bool resolve_textures(struct rhw_pass_state *pass)
                 rhw_binding_of(context->kernels, context->paths, *bound->texture, bound->sampler);
         }
     }
+    bindings->storage = rhw_pass_storage_of(pass);
     pass->pending.textures = bindings;
-    return true;
+    return bindings->storage != NULL;
 }
 
 // Brings `pending` up to date with what is bound. False when out of memory.
@@ -616,10 +622,13 @@ static void append_draw(struct rhw_pass_state *pass, const struct rhw_draw *draw
     slot->index = pass->draws.count;
     slot->group = pass->context->recording.group;
     slot->first_triangle = pass->triangle_count;
-    if (pass->out_of_memory || !rhw_assembly_prepare(slot, count, &pass->arena)) {
+    const bool effects = state->pipeline->def.program.vertex_effects;
+    if (pass->out_of_memory || !rhw_assembly_prepare(slot, count, &pass->arena) ||
+        (effects && !rhw_effect_vertices_prepare(slot, &pass->arena))) {
         pass->out_of_memory = true;
         return;
     }
+    pass->has_effect_vertices |= effects;
     pass->draws.count++;
     pass->context->recording.draw = pass->draws.count;
     pass->has_large_draws |= slot->indexed && slot->triangles_per_instance >= RHW_SHARING_TRIANGLES;

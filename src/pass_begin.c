@@ -23,6 +23,7 @@ static void reset(struct rhw_pass_state *pass, const struct rhw_pass_def *def)
     pass->triangle_count = 0;
     pass->triangles_most = 1;
     pass->has_large_draws = false;
+    pass->has_effect_vertices = false;
     pass->current = NULL;
     pass->out_of_memory = false;
     pass->refused_pipeline = false;

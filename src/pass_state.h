@@ -73,10 +73,15 @@ struct rhw_bound_texture {
     struct rhw_texture_data *const *texture; // in the context's pool; NULL: nothing is set
     const struct rhw_sampler_data *sampler;
 };
+struct rhw_bound_range {
+    const struct rhw_buffer_data *data; // NULL: nothing is set
+    size_t offset, size;                // bytes
+};
 struct rhw_bound {
     struct rhw_bound_buffer vertices[RHW_MAX_VERTEX_BUFFERS], indices;
     struct rhw_bound_texture textures[RHW_MAX_TEXTURES];
     rhw_pipeline pipeline; // for messages
+    struct rhw_bound_range storage[RHW_MAX_STORAGE_BUFFERS];
 };
 
 struct rhw_pass_state {
@@ -109,8 +114,9 @@ struct rhw_pass_state {
 
     struct rhw_draw_list draws;
     uint64_t triangle_count;
-    int triangles_most;   // that tiles draw of a primitive of any draw
-    bool has_large_draws; // indexed, of RHW_SHARING_TRIANGLES at least
+    int triangles_most;       // that tiles draw of a primitive of any draw
+    bool has_effect_vertices; // of some draw
+    bool has_large_draws;     // indexed, of RHW_SHARING_TRIANGLES at least
 
     struct rhw_chunk *chunks; // of the wave under way
     int chunk_count, chunk_capacity;

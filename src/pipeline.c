@@ -20,7 +20,8 @@ static const char *const create_name = "rhw_pipeline_create";
 
 static const uint32_t known_uses = RHW_USE_COORD | RHW_USE_FACING | RHW_USE_IDS | RHW_USE_BARYCENTRIC |
                                    RHW_USE_DISCARD | RHW_USE_DEPTH | RHW_USE_BARYCENTRIC_DERIVATIVES |
-                                   RHW_USE_SAMPLE | RHW_USE_SAMPLE_MASK | RHW_USE_POINT_COORD;
+                                   RHW_USE_SAMPLE | RHW_USE_SAMPLE_MASK | RHW_USE_POINT_COORD |
+                                   RHW_USE_EFFECTS;
 
 static bool check_range(const struct rhw_context *context, const char *field, long long value, long long low,
                         long long high)
@@ -394,7 +395,8 @@ static void resolve_defaults(struct rhw_pipeline_def *def)
 static void resolve_uses(struct rhw_pipeline_def *def)
 {
     const uint32_t late = RHW_USE_DISCARD | RHW_USE_DEPTH | RHW_USE_SAMPLE_MASK;
-    if (def->stencil_test && (def->program.uses & late || def->alpha_to_coverage)) {
+    const bool effects = def->program.uses & RHW_USE_EFFECTS && !def->program.early_fragment_tests;
+    if (def->stencil_test && (def->program.uses & late || def->alpha_to_coverage || effects)) {
         def->program.uses |= RHW_USE_FACING;
     }
 }

@@ -29,6 +29,9 @@ void rhw_vertex1_run(const struct rhw_pipeline_data *pipeline, struct rhw_vertex
     for (int i = 0; i < count * RHW_LANES; i++) {
         struct rhw_vertex *const group = &groups[i / RHW_LANES];
         const int lane = i % RHW_LANES;
+        if (group->mask[lane] == 0) {
+            continue;
+        }
         float attribute[RHW_MAX_ATTRIBUTES][4] = {{0}};
         float varying[RHW_WATCH_COMPONENTS] = {0};
         float distance[2][RHW_MAX_CLIP_DISTANCES] = {{0}};

@@ -87,6 +87,11 @@ static void spoil_builtins(struct rhw_fragment *group, uint32_t uses, int32_t ch
     }
 }
 
+static bool has_effects(const struct rhw_watch *watch)
+{
+    return watch->uses & RHW_USE_EFFECTS;
+}
+
 // Gives group g of a run what the pipeline has for it, and rubbish where that is nothing.
 static void prepare(const struct rhw_watch *watch, const struct rhw_fragment *group, int32_t changed,
                     bool second, int g, struct fragment_run *out)
@@ -108,6 +113,7 @@ static void prepare(const struct rhw_watch *watch, const struct rhw_fragment *gr
         }
     }
     out->textures[g] = *group->textures;
+    out->textures[g].drops_effects = !has_effects(watch);
     if (changed == 0) { // else coordinates may come from another rubbish
         out->textures[g].site = rhw_watch_site(watch, group->uniforms, &group->mask);
     }
@@ -123,17 +129,23 @@ static void prepare(const struct rhw_watch *watch, const struct rhw_fragment *gr
     spoil_builtins(copy, watch->uses, changed);
 }
 
-static void run(const struct rhw_watch *watch, const struct rhw_fragment *const pair[RHW_WATCH_GROUPS],
-                int32_t changed, bool second, struct fragment_run *out)
+static void run_groups(const struct rhw_watch *watch, const struct rhw_fragment *const pair[RHW_WATCH_GROUPS],
+                       int32_t changed, bool second, int count, struct fragment_run *out)
 {
-    for (int g = 0; g < RHW_WATCH_GROUPS; g++) {
+    for (int g = 0; g < count; g++) {
         prepare(watch, pair[g], changed, second, g, out);
     }
     if (watch->fragment) {
-        watch->fragment(out->group, RHW_WATCH_GROUPS);
+        watch->fragment(out->group, count);
     } else {
-        rhw_fragment1_run(watch->pipeline, out->group, RHW_WATCH_GROUPS);
+        rhw_fragment1_run(watch->pipeline, out->group, count);
     }
+}
+
+static void run(const struct rhw_watch *watch, const struct rhw_fragment *const pair[RHW_WATCH_GROUPS],
+                int32_t changed, bool second, struct fragment_run *out)
+{
+    run_groups(watch, pair, changed, second, RHW_WATCH_GROUPS, out);
 }
 
 static bool is_source_alpha(enum rhw_blend_factor factor)
@@ -388,9 +400,27 @@ static void take_results(const struct rhw_watch *watch, const struct rhw_fragmen
     }
 }
 
+// Calls a function with effects, once for each group.
+static void run_once(const struct rhw_watch *watch, struct rhw_fragment *groups, int count)
+{
+    for (int g = 0; g < count; g += RHW_WATCH_GROUPS) {
+        const int left = count - g < RHW_WATCH_GROUPS ? count - g : RHW_WATCH_GROUPS;
+        const struct rhw_fragment *const pair[RHW_WATCH_GROUPS] = {&groups[g], &groups[g + left - 1]};
+        struct fragment_run first;
+        run_groups(watch, pair, 0, false, left, &first);
+        for (int i = 0; i < left; i++) {
+            take_results(watch, &first.group[i], &groups[g + i]);
+        }
+    }
+}
+
 void rhw_watched_fragment(struct rhw_fragment *groups, int count)
 {
     const struct rhw_watch *const watch = groups->user;
+    if (has_effects(watch)) {
+        run_once(watch, groups, count);
+        return;
+    }
     for (int g = 0; g < count; g += RHW_WATCH_GROUPS) {
         const bool is_pair = g + 1 < count;
         const struct rhw_fragment *const pair[RHW_WATCH_GROUPS] = {&groups[g], &groups[is_pair ? g + 1 : g]};

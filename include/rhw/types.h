@@ -35,7 +35,8 @@ enum {
     RHW_MAX_CLIP_DISTANCES = 8,
     RHW_MAX_CULL_DISTANCES = 8,
     RHW_MAX_POINT_SIZE = 256,    ///< pixels; the least is 1
-    RHW_MAX_LINE_WIDTH = 256     ///< pixels; the least is 1
+    RHW_MAX_LINE_WIDTH = 256,    ///< pixels; the least is 1
+    RHW_MAX_STORAGE_BUFFERS = 16 ///< storage slots of a draw
 };
 
 /// Instruction sets the kernels are compiled for, slowest first. BASELINE is the specification: SSE2 on
@@ -410,7 +411,8 @@ enum rhw_fragment_use {
     RHW_USE_BARYCENTRIC_DERIVATIVES = 64, ///< barycentric_ddx, barycentric_ddy
     RHW_USE_SAMPLE = 128,     ///< sample_id and sample_position; the function is called for every sample
     RHW_USE_SAMPLE_MASK = 256, ///< sample_mask, in and out
-    RHW_USE_POINT_COORD = 512 ///< point_coord
+    RHW_USE_POINT_COORD = 512, ///< point_coord
+    RHW_USE_EFFECTS = 65536   ///< writes to storage, or changes it by atomics: see early_fragment_tests
 };
 
 struct rhw_vertex;
@@ -421,7 +423,8 @@ struct rhw_fragment1;
 /// writes must follow from what it reads there, its uniforms, its textures and `user` alone: it is called on any
 /// thread, in any order, more than once for a vertex that several triangles share, for vertices of the buffers that no
 /// triangle names, not at all for a fragment that an opaque one hides, and once for a whole draw when it receives
-/// nothing that differs.
+/// nothing that differs. One that is declared to have effects (shader_storage.h) is called as often as docs/shaders.md
+/// promises.
 typedef void rhw_vertex_function(struct rhw_vertex *groups, int count);
 typedef void rhw_fragment_function(struct rhw_fragment *groups, int count);
 /// The one-at-a-time form: same pipeline, plain floats, slower.
@@ -452,6 +455,13 @@ struct rhw_program {
     /// it must live, and stay as it is, from rhw_pipeline_create to rhw_pipeline_destroy. The library does not look at
     /// it; the functions read it on any thread. NULL
     const void *user;
+    /// The vertex function writes to storage, or changes it by atomics. It is then called once for each vertex of each
+    /// instance that a primitive names.
+    bool vertex_effects;
+    /// Depth bounds, stencil and depth are tested, and written, before the fragment function, which is called for what
+    /// passes; then what it discards or writes as depth does not change that (Vulkan 1.3 §28.1.2, EarlyFragmentTests).
+    /// false: with RHW_USE_EFFECTS they are tested after it, for every fragment.
+    bool early_fragment_tests;
 };
 
 struct rhw_pipeline_def {

@@ -59,6 +59,9 @@ golden_draw_function golden_heights_draw;  ///< fragment depth, discard, derivat
 golden_draw_function golden_maths_draw; ///< shader maths; 0: ordinary arguments, 1: the whole range of floats
 golden_draw_function golden_single_draw; ///< the one-at-a-time form of vertex and fragment functions
 
+// golden_storage.c
+golden_draw_function golden_storage_draw; ///< lists of fragments by atomics, vertices counted
+
 // golden_gallery.c: models as `rhw render` draws them, with all its outputs
 golden_draw_function golden_gallery_draw; ///< every kind of material and light; numbers are views
 golden_draw_function golden_model_draw;   ///< real models that stand in models/; numbers are models
