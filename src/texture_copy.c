@@ -236,7 +236,7 @@ static enum rhw_result generate_mips(struct rhw_context *context, rhw_texture te
         !rhw_check(context, rhw_format_has_role(data->info, RHW_ROLE_SAMPLED),
                    "%s: %s is %s; that format is not filtered", where,
                    rhw_name_of(&context->textures, texture.index).text, data->info->name) ||
-        !check_sample(context, texture, data, -1, where)) {
+        !check_sample(context, texture, data, NO_SAMPLE, where)) {
         return RHW_ERROR_MISUSE;
     }
     struct rhw_texture_data *const target = to_write(context, texture, data);
