@@ -25,8 +25,7 @@ static void test_loading_in_waves(void **state)
     static struct rig_vertex vertices[6000];
     for (int waves = 0; waves < 2; waves++) {
         struct rig rig;
-        rig_open_with(&rig, SIZE, SIZE,
-                      &(struct rhw_context_def){.threads = 1, .bin_memory = waves ? 1 : 0});
+        rig_open_with(&rig, SIZE, SIZE, &(struct rhw_context_def){.threads = 1, .bin_memory = waves ? 1 : 0});
         rig.pass.samples = 4;
         rig_begin(&rig);
         draw_rectangle(&rig, 0, 0, SIZE, SIZE, red);
@@ -113,8 +112,7 @@ static void test_one_sample(void **state)
         struct rig rig;
         rig_open_with(
             &rig, SIZE, SIZE,
-            &(struct rhw_context_def){.threads = 1,
-                                      .paths = general ? RHW_PATHS_GENERAL : RHW_PATHS_ALL});
+            &(struct rhw_context_def){.threads = 1, .paths = general ? RHW_PATHS_GENERAL : RHW_PATHS_ALL});
         rig_set_program(&rig, rig_vertex_pass, sample_fragment);
         rig.pipeline.program.uses = RHW_USE_SAMPLE | RHW_USE_SAMPLE_MASK;
         rig_begin(&rig);
@@ -237,7 +235,8 @@ static void test_misuse(void **state)
     rig.pass.colors[0].resolve = blocks;
     rhw_pass pass;
     assert_int_equal(rhw_pass_begin(rig.context, &rig.pass, &pass), RHW_ERROR_MISUSE);
-    rig_expect_misuse(&rig, "which is RHW_FORMAT_BC7_UNORM with 1 samples; it must be RHW_FORMAT_RGBA32_FLOAT");
+    rig_expect_misuse(&rig,
+                      "which is RHW_FORMAT_BC7_UNORM with 1 samples; it must be RHW_FORMAT_RGBA32_FLOAT");
     rig.pass.colors[0].texture = one;
     rig.pass.colors[0].resolve = (rhw_texture){0};
     rhw_texture_destroy(rig.context, samples);
