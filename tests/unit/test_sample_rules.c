@@ -194,6 +194,61 @@ static void test_fragments_are_counted(void **state)
     }
 }
 
+// Triangles of a few pixels and of many in one draw, above each other: the last is seen, or all are blended in order.
+static uint64_t hash_of_crowd(int samples, bool blends, enum rhw_compare compare, enum rhw_paths paths)
+{
+    static struct rig_vertex vertices[6000];
+    struct rig rig;
+    uint64_t random = 5, hash = 0;
+    rig_open_with(&rig, SIZE, SIZE, &(struct rhw_context_def){.threads = 1, .paths = paths});
+    const struct rhw_texture_def def = {
+        .format = RHW_FORMAT_RGBA32_FLOAT, .width = SIZE, .height = SIZE, .samples = samples};
+    rhw_texture_destroy(rig.context, rig.pass.colors[0].texture);
+    assert_int_equal(rhw_texture_create(rig.context, &def, &rig.pass.colors[0].texture), RHW_OK);
+    rig.pass.samples = samples;
+    rig.pass.depth =
+        (struct rhw_depth_attachment){.enabled = true, .store = RHW_STORE_DISCARD, .clear = 0.9f};
+    rig.pipeline.depth_test = true;
+    rig.pipeline.depth_compare = compare;
+    rig.pipeline.targets[0].blend = blends;
+    rig.pipeline.targets[0].color =
+        (struct rhw_blend_component){RHW_BLEND_SRC_ALPHA, RHW_BLEND_ONE_MINUS_SRC_ALPHA, RHW_BLEND_ADD};
+    for (int v = 0; v < 6000; v += 3) {
+        const float size = v % 100 < 90 ? 2.5f : 30;
+        const float x = rig_random_float(&random, 0, SIZE), y = rig_random_float(&random, 0, SIZE);
+        const float z = rig_random_float(&random, 0, 1);
+        for (int i = 0; i < 3; i++) {
+            rig_place(&rig, x + rig_random_float(&random, 0, size), y + rig_random_float(&random, 0, size),
+                      z + rig_random_float(&random, 0, 0.1f), 1, vertices[v + i].position);
+            for (int c = 0; c < 4; c++) {
+                vertices[v + i].value[c] = rig_random_float(&random, 0, 1);
+            }
+        }
+    }
+    rig_draw_once(&rig, vertices, 6000);
+    for (int s = 0; s < samples; s++) {
+        static float pixels[PIXELS][4];
+        const rhw_texture texture = rig.pass.colors[0].texture;
+        assert_int_equal(rhw_texture_read_sample(rig.context, texture, s, pixels, 0), RHW_OK);
+        hash = rig_hash_bytes(hash, pixels, sizeof pixels);
+    }
+    rig_close(&rig);
+    return hash;
+}
+
+static void test_order(void **state)
+{
+    (void)state;
+    const enum rhw_compare compares[] = {RHW_COMPARE_ALWAYS, RHW_COMPARE_LESS, RHW_COMPARE_GREATER_EQUAL};
+    for (int i = 0; i < 4 * 3 * 2; i++) {
+        const int samples = 2 << i % 4;
+        const enum rhw_compare compare = compares[i / 4 % 3];
+        const bool blends = i / 12;
+        assert_true(hash_of_crowd(samples, blends, compare, RHW_PATHS_ALL) ==
+                    hash_of_crowd(samples, blends, compare, RHW_PATHS_GENERAL));
+    }
+}
+
 static void test_misuse(void **state)
 {
     (void)state;
@@ -290,6 +345,7 @@ int main(void)
         cmocka_unit_test(test_one_sample),
         cmocka_unit_test(test_equal_samples_resolve_to_themselves),
         cmocka_unit_test(test_fragments_are_counted),
+        cmocka_unit_test(test_order),
         cmocka_unit_test(test_misuse),
         cmocka_unit_test(test_warnings),
     };
