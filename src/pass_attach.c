@@ -220,7 +220,7 @@ static enum rhw_result attach_resolve(struct rhw_pass_state *pass, rhw_texture i
             where, i, i) ||
         !rhw_check(context, texture->samples == 1 && texture->format == attachment->format,
                    "%s: colors[%d].resolve is %s, which is %s with %d samples; it must be %s with one", where,
-                   i, name_of(context, id).text, texture->info->name, texture->samples,
+                   i, name_of(context, id).text, rhw_format_info(texture->format)->name, texture->samples,
                    rhw_format_info(attachment->format)->name)) {
         return RHW_ERROR_MISUSE;
     }

@@ -331,6 +331,12 @@ static bool replaces(const struct rhw_blend_component *blend)
            blend->operation == RHW_BLEND_ADD;
 }
 
+static bool is_set(const struct rhw_stencil_face *face)
+{
+    return face->compares || face->fail != RHW_STENCIL_KEEP || face->depth_fail != RHW_STENCIL_KEEP ||
+           face->pass != RHW_STENCIL_KEEP || face->read_mask != 0 || face->write_mask != 0;
+}
+
 // Under validation: what is set and switched off. Programs that switch on and off leave it so, hence no misuse.
 static void warn_of_contradictions(const struct rhw_context *context, const struct rhw_pipeline_def *def)
 {
@@ -341,6 +347,10 @@ static void warn_of_contradictions(const struct rhw_context *context, const stru
                             "%s: targets[%d].color or .alpha is set and targets[%d].blend is false",
                             create_name, i, i);
         }
+    }
+    if (!def->stencil_test && (is_set(&def->stencil_front) || is_set(&def->stencil_back))) {
+        rhw_context_log(context, RHW_LOG_WARNING,
+                        "%s: stencil_front or stencil_back is set and stencil_test is false", create_name);
     }
     if (def->depth_read_only && !def->depth_test) {
         rhw_context_log(context, RHW_LOG_WARNING, "%s: depth_read_only is true and depth_test is false",

@@ -579,9 +579,9 @@ struct rhw_viewport {
 
 struct rhw_rect { int x, y, width, height; }; ///< pixels
 
-/// What a pass did. "Triangles" are primitives: points and lines count as one each. Times of stages are wall milliseconds. Busy times are milliseconds of threads, added up over
-/// all of them: front_busy_ms / (threads × front_ms) is the part of its threads that the front end used. A thread
-/// that waits for a core counts as busy.
+/// What a pass did. "Triangles" are primitives: points and lines count as one each. Times of stages are wall
+/// milliseconds. Busy times are milliseconds of threads, added up over all of them: front_busy_ms / (threads × front_ms)
+/// is the part of its threads that the front end used. A thread that waits for a core counts as busy.
 struct rhw_stats {
     double record_ms;  ///< from rhw_pass_begin to rhw_pass_end, whatever the program did meanwhile
     double front_ms;   ///< vertex fetch and shading, clip, cull, setup, binning

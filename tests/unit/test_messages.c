@@ -205,6 +205,11 @@ static void test_contradictions(void **state)
         def.depth_read_only = true;
         assert_int_equal(rhw_pipeline_create(rig.context, &def, &pipeline), RHW_OK);
         expect_logged(validates, "rhw_pipeline_create: depth_read_only is true and depth_test is false");
+        def = rig.pipeline;
+        def.stencil_back.pass = RHW_STENCIL_INVERT;
+        assert_int_equal(rhw_pipeline_create(rig.context, &def, &pipeline), RHW_OK);
+        expect_logged(validates,
+                      "rhw_pipeline_create: stencil_front or stencil_back is set and stencil_test is false");
         rig_set_depth(&rig);
         rig.pass.depth.enabled = false;
         rhw_pass pass;

@@ -113,7 +113,11 @@ static void resolve_depth_planes(const struct tile_work *work, enum rhw_resolve 
                       : mode == RHW_RESOLVE_MIN ? i8_min(stencil, other)
                                                 : i8_max(stencil, other);
         }
-        f8_store(&first->texels[i], resolved_value(mode, value, work->samples));
+        i8 agree = i8_splat(-1); // a mean of equal floats may round to another one
+        for (int s = 1; s < work->samples; s++) {
+            agree &= rhw_equal(value[s], value[0]);
+        }
+        f8_store(&first->texels[i], f8_select(agree, value[0], resolved_value(mode, value, work->samples)));
         const uint64_t bytes = i8_to_bytes(stencil);
         memcpy(&first->stencil[i], &bytes, sizeof bytes);
     }
