@@ -19,6 +19,7 @@
 #include "pass_run.h"
 #include "pass_state.h"
 #include "pipeline.h"
+#include "query.h"
 #include "rhw/rhw.h"
 #include "sampler.h"
 #include "shared_vertices.h"
@@ -610,6 +611,9 @@ static void append_draw(struct rhw_pass_state *pass, const struct rhw_draw *draw
     const int triangles_most = state->pipeline->triangles_most;
     pass->triangles_most = triangles_most > pass->triangles_most ? triangles_most : pass->triangles_most;
     pass->triangle_count += (uint64_t)slot->triangles_per_instance * slot->instances;
+    if (state->queries) {
+        rhw_queries_count_draw(slot, count);
+    }
 }
 
 void rhw_pass_record(struct rhw_pass_state *pass, const struct rhw_draw *draw, uint32_t count,

@@ -12,6 +12,7 @@
 #include "kernels/kernels.h"
 #include "kernels/tile_work.h"
 #include "pass_state.h"
+#include "query.h"
 #include "scheduler.h"
 #include "shared_vertices.h"
 #include "thread.h"
@@ -298,6 +299,11 @@ static void sum_front(const struct rhw_pass_state *pass, struct rhw_stats *stats
         stats->triangles_culled += c->culled;
         stats->triangles_rasterized += c->rasterized;
         stats->bin_entries += c->entries;
+        for (int n = 0; n < pass->chunks[i].counted_count; n++) {
+            const struct rhw_counted_run *const run = &pass->chunks[i].counted[n];
+            run->queries->of[RHW_QUERY_STATISTICS]->counts.statistics.clipping_primitives +=
+                run->clipping_primitives;
+        }
     }
 }
 
@@ -412,6 +418,7 @@ enum rhw_result rhw_pass_run(struct rhw_pass_state *pass, struct rhw_stats *stat
     }
     expect_clean(&pass->depth);
     pass->first_wave = true;
+    rhw_queries_stamp(pass, 0);
     do {
         const uint64_t start = rhw_time_ns();
         if (!run_front(pass, &at, &s)) {
@@ -426,6 +433,7 @@ enum rhw_result rhw_pass_run(struct rhw_pass_state *pass, struct rhw_stats *stat
         s.front_ms += milliseconds(middle - start);
         s.back_ms += milliseconds(rhw_time_ns() - middle);
         s.flushes += !pass->last_wave;
+        rhw_queries_stamp(pass, at.triangle);
         pass->first_wave = false;
     } while (!pass->last_wave);
     sum_counters(pass, &s);

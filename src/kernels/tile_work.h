@@ -133,6 +133,7 @@ struct tile_work {
     bool tests_bounds;         // fragments behind the tile's bounds fail the depth test
     bool is_scissored;         // the scissor, or the target's end, leaves out pixels of the tile
     bool constant_is_ready;    // the draw's constant colour was made
+    uint64_t fragments_before; // of `counters`, when the state was set
 };
 
 // Tells where a block at (x, y) of the tile lies from the anchor.
