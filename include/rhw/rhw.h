@@ -3,6 +3,7 @@
 #ifndef RHW_RHW_H
 #define RHW_RHW_H
 
+#include "limits.h"
 #include "types.h"
 
 // Context -------------------------------------------------------------------------------------------
@@ -33,6 +34,9 @@ RHW_API enum rhw_isa_limit rhw_isa_up_to(enum rhw_isa isa);
 RHW_API const char *rhw_isa_name(enum rhw_isa isa);
 /// Whether this build has kernels for `isa` and this CPU runs them.
 RHW_API bool rhw_isa_supported(enum rhw_isa isa);
+
+/// What the library can do at most, the same in every context.
+RHW_API struct rhw_limits rhw_limits_get(void);
 
 // Buffers -------------------------------------------------------------------------------------------
 

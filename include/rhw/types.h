@@ -25,14 +25,14 @@ enum {
     RHW_MAX_TARGET_SIZE = 16384, ///< pixels, each way; beyond it integer edge functions could overflow
     RHW_MAX_THREADS = 64,
     RHW_MAX_COLOR_ATTACHMENTS = 8,
-    RHW_MAX_VERTEX_BUFFERS = 8,
+    RHW_MAX_VERTEX_BUFFERS = 16,
     RHW_MAX_ATTRIBUTES = 16,
-    RHW_MAX_VARYINGS = 16,
-    RHW_MAX_VARYING_COMPONENTS = 48,
+    RHW_MAX_VARYINGS = 32,
+    RHW_MAX_VARYING_COMPONENTS = 64,
     RHW_MAX_TEXTURES = 16,       ///< texture slots of a draw
     RHW_MAX_SAMPLES = 16,        ///< of a pixel
     RHW_MAX_GROUPS = 16,         ///< groups of 8 lanes in one call of a shader function
-    RHW_MAX_UNIFORM_SIZE = 65536, ///< bytes
+    RHW_MAX_UNIFORM_SIZE = 1 << 20, ///< bytes
     RHW_MAX_CLIP_DISTANCES = 8,
     RHW_MAX_CULL_DISTANCES = 8,
     RHW_MAX_POINT_SIZE = 256,    ///< pixels; the least is 1
@@ -504,7 +504,7 @@ struct rhw_draw_commands {
 };
 
 struct rhw_viewport {
-    float x, y, width, height; ///< pixels from the top left; within ±RHW_MAX_TARGET_SIZE
+    float x, y, width, height; ///< pixels from the top left; corners within ±2·RHW_MAX_TARGET_SIZE
     float depth_min, depth_max; ///< 0..1; depth_min > depth_max reverses. Both 0: 0 and 1; for nothing but depth 0
                                 ///< depth_max is −1, which counts as 0
 };
