@@ -6,6 +6,7 @@
 
 #include "../../pass_state.h"
 #include "../../query.h"
+#include "geometry_scratch.h"
 #include "triangle8.h"
 
 // Primitives of a run that are left by clipping. All three vertices of a point are its own; a line has one of them twice.
