@@ -17,6 +17,7 @@
 
 struct rhw_memory;
 struct rhw_pipeline_data;
+struct rhw_active_queries;
 struct rhw_shared_vertices;
 
 struct rhw_vertex_stream {
@@ -49,6 +50,7 @@ struct rhw_draw_state {
     // Added to a position, 1/256 pixel, they lead to the first pixel with a sample behind it, and past the last with one
     // before it (kernels/raster/sample_position.h).
     int32_t first_step, past_step;
+    const struct rhw_active_queries *queries; // NULL: none
 };
 
 struct rhw_draw {
@@ -79,6 +81,12 @@ struct rhw_front_counters {
     uint64_t vertices_shaded, dropped, clipped, culled, rasterized, entries;
 };
 
+// What a query counts of the part of a chunk that belongs to one instance of one draw.
+struct rhw_counted_run {
+    const struct rhw_active_queries *queries;
+    uint64_t clipping_primitives;
+};
+
 struct rhw_chunk {
     // In the line of all triangles; the front end lowers a count whose bins are too large.
     uint64_t first, count;
@@ -94,6 +102,8 @@ struct rhw_chunk {
     uint32_t *offsets;
     uint16_t *entries;
     struct rhw_front_counters counters;
+    const struct rhw_counted_run *counted; // runs of which queries ask something
+    int counted_count;
 };
 
 // The draws of a pass. They stand in blocks, so that a draw never moves and growth copies none.

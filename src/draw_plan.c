@@ -79,10 +79,11 @@ static enum rhw_depth_mode choose_depth_mode(const struct rhw_pipeline_def *def,
     if (shading == RHW_SHADING_NONE || !tests_late(def, samples)) {
         return RHW_DEPTH_EARLY;
     }
-    // A fragment that fails an ordering test now fails it later too, as depth only moves that way meanwhile.
+    // A fragment that fails an ordering test now fails it later too, as depth only moves that way meanwhile. How many do
+    // so now depends on the path: what is counted is tested once.
     const bool can_reject = !(uses & (RHW_USE_DEPTH | RHW_USE_EFFECTS)) &&
                             direction_of(def->depth_compare) != 0 && !depth_stencil->tests_stencil &&
-                            !depth_stencil->tests_bounds;
+                            !depth_stencil->tests_bounds && !depth_stencil->counts;
     return can_reject ? RHW_DEPTH_EARLY_REJECT : RHW_DEPTH_LATE;
 }
 

@@ -21,6 +21,7 @@
 #include "pass_state.h"
 #include "pass_storage.h"
 #include "pipeline.h"
+#include "query.h"
 #include "rhw/rhw.h"
 #include "sampler.h"
 #include "shared_vertices.h"
@@ -330,9 +331,12 @@ static void set_viewport(struct rhw_pass_state *pass, const struct rhw_viewport 
         !rhw_check(context, v->width > 0 && v->height > 0 && v->width <= limit && v->height <= limit,
                    "%s: the size is %gx%g; each is above 0 and at most %g", where, (double)v->width,
                    (double)v->height, (double)limit) ||
-        !rhw_check(context, v->x >= -limit && v->x <= limit && v->y >= -limit && v->y <= limit,
-                   "%s: the corner is %g,%g; each is within ±%g", where, (double)v->x, (double)v->y,
-                   (double)limit) ||
+        !rhw_check(context,
+                   v->x >= -2 * limit && v->x + v->width <= 2 * limit && v->y >= -2 * limit &&
+                       v->y + v->height <= 2 * limit,
+                   "%s: the corners are %g,%g and %g,%g; each is within ±%g", where, (double)v->x,
+                   (double)v->y, (double)(v->x + v->width), (double)(v->y + v->height),
+                   (double)(2 * limit)) ||
         !rhw_check(context,
                    v->depth_min >= 0 && v->depth_min <= 1 &&
                        ((v->depth_max >= 0 && v->depth_max <= 1) || v->depth_max == -1),
@@ -653,6 +657,9 @@ static void append_draw(struct rhw_pass_state *pass, const struct rhw_draw *draw
     const int triangles_most = state->pipeline->triangles_most;
     pass->triangles_most = triangles_most > pass->triangles_most ? triangles_most : pass->triangles_most;
     pass->triangle_count += (uint64_t)slot->triangles_per_instance * slot->instances;
+    if (state->queries) {
+        rhw_queries_count_draw(slot, count);
+    }
 }
 
 void rhw_pass_record(struct rhw_pass_state *pass, const struct rhw_draw *draw, uint32_t count,

@@ -48,6 +48,7 @@ struct rhw_context;
 struct rhw_geometry_scratch;
 struct rhw_tile_scratch;
 struct rhw_sample_plane;
+struct rhw_used_query;
 
 // One per thread; padded so that no two share a cache line.
 struct rhw_worker {
@@ -111,6 +112,8 @@ struct rhw_pass_state {
     const struct rhw_draw_state *current; // last copy of `pending`
     bool out_of_memory;
     bool refused_pipeline; // rhw_pass_set_pipeline was misuse
+
+    struct rhw_used_query *queries; // a list, the last one first
 
     struct rhw_draw_list draws;
     uint64_t triangle_count;

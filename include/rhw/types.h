@@ -19,19 +19,20 @@ typedef struct rhw_texture { uint32_t index, generation, context; } rhw_texture;
 typedef struct rhw_sampler { uint32_t index, generation, context; } rhw_sampler;
 typedef struct rhw_pipeline { uint32_t index, generation, context; } rhw_pipeline;
 typedef struct rhw_pass { uint32_t index, generation, context; } rhw_pass;
+typedef struct rhw_query { uint32_t index, generation, context; } rhw_query;
 
 enum {
     RHW_MAX_TARGET_SIZE = 16384, ///< pixels, each way; beyond it integer edge functions could overflow
     RHW_MAX_THREADS = 64,
     RHW_MAX_COLOR_ATTACHMENTS = 8,
-    RHW_MAX_VERTEX_BUFFERS = 8,
+    RHW_MAX_VERTEX_BUFFERS = 16,
     RHW_MAX_ATTRIBUTES = 16,
-    RHW_MAX_VARYINGS = 16,
-    RHW_MAX_VARYING_COMPONENTS = 48,
+    RHW_MAX_VARYINGS = 32,
+    RHW_MAX_VARYING_COMPONENTS = 64,
     RHW_MAX_TEXTURES = 16,       ///< texture slots of a draw
     RHW_MAX_SAMPLES = 16,        ///< of a pixel
     RHW_MAX_GROUPS = 16,         ///< groups of 8 lanes in one call of a shader function
-    RHW_MAX_UNIFORM_SIZE = 65536, ///< bytes
+    RHW_MAX_UNIFORM_SIZE = 1 << 20, ///< bytes
     RHW_MAX_CLIP_DISTANCES = 8,
     RHW_MAX_CULL_DISTANCES = 8,
     RHW_MAX_POINT_SIZE = 256,    ///< pixels; the least is 1
@@ -572,7 +573,7 @@ struct rhw_draw_commands {
 };
 
 struct rhw_viewport {
-    float x, y, width, height; ///< pixels from the top left; within ±RHW_MAX_TARGET_SIZE
+    float x, y, width, height; ///< pixels from the top left; corners within ±2·RHW_MAX_TARGET_SIZE
     float depth_min, depth_max; ///< 0..1; depth_min > depth_max reverses. Both 0: 0 and 1; for nothing but depth 0
                                 ///< depth_max is −1, which counts as 0
 };
@@ -606,6 +607,44 @@ struct rhw_stats {
     uint64_t geometry_peak;        ///< of these, vertices, triangles and bins of this pass: the most at one time
     int threads, tiles;
     enum rhw_isa isa;
+};
+
+/// What a query asks of the draws between its beginning and its end (Vulkan 1.3 §18, "Queries"). The answers are the same
+/// for any threads, paths and instruction set.
+enum rhw_query_kind {
+    RHW_QUERY_OCCLUSION,  ///< how many samples passed all tests, in their draws' turn: also those hidden later
+    RHW_QUERY_ANY_PASSED, ///< whether any did
+    RHW_QUERY_STATISTICS, ///< struct rhw_pipeline_statistics
+    RHW_QUERY_TIMESTAMP,  ///< when everything recorded before rhw_pass_write_timestamp was drawn
+    RHW_QUERY_KIND_COUNT
+};
+
+struct rhw_query_def {
+    enum rhw_query_kind kind; ///< OCCLUSION
+    const char *label;        ///< for messages
+};
+
+/// VkQueryPipelineStatisticFlagBits. What is counted is what the draws ask for, whatever the library saves or repeats:
+/// how often functions are called is in struct rhw_stats.
+struct rhw_pipeline_statistics {
+    uint64_t input_assembly_vertices;   ///< for every instance; restart indices are none
+    uint64_t input_assembly_primitives; ///< complete ones
+    uint64_t vertex_shader_invocations; ///< one for each of the vertices
+    uint64_t clipping_invocations;      ///< one for each of the primitives
+    /// Of them, those that have finite positions and do not lie outside one side of the view volume, clip or cull
+    /// distance as a whole.
+    uint64_t clipping_primitives;
+    /// Fragments that passed the tests before the fragment function or, where it or alpha_to_coverage decides about
+    /// their samples or depth, were covered; one for each sample where it runs per sample.
+    uint64_t fragment_shader_invocations;
+};
+
+/// What a query's kind asks for is set, the rest 0.
+struct rhw_query_counts {
+    uint64_t samples_passed; ///< OCCLUSION
+    bool any_passed;         ///< ANY_PASSED
+    struct rhw_pipeline_statistics statistics;
+    uint64_t timestamp_ns;   ///< of a clock that only counts up
 };
 
 RHW_API struct rhw_context_def rhw_context_def_default(void);

@@ -289,8 +289,8 @@ static void test_pipeline_definitions(void **state)
         case 4: def.program.varyings[0].components = 5; break;
         case 5: def.program.varyings[0].qualifier = (enum rhw_qualifier)3; break;
         case 6:
-            def.program.varying_count = 13;
-            for (int i = 0; i < 13; i++) {
+            def.program.varying_count = 17;
+            for (int i = 0; i < 17; i++) {
                 def.program.varyings[i].components = 4;
             }
             break;
@@ -438,7 +438,7 @@ static void test_pass_state(void **state)
     const struct rhw_viewport viewports[] = {
         {0, 0, 0, 8, 0, 1},   {0, 0, 8, -8, 0, 1},       {0, 0, 8, 8, -0.5f, 1}, {0, 0, 8, 8, 0, 2},
         {NAN, 0, 8, 8, 0, 1}, {0, 0, INFINITY, 8, 0, 1}, {0, 0, 8, 8, NAN, 1},   {0, 1e9f, 8, 8, 0, 1},
-        {0, 0, 8, NAN, 0, 1}, {-16385, 0, 8, 8, 0, 1},   {0, 0, 8, 8, 0, -0.5f},
+        {0, 0, 8, NAN, 0, 1}, {-32769, 0, 8, 8, 0, 1},   {0, 0, 8, 8, 0, -0.5f},
     };
     for (size_t i = 0; i < sizeof viewports / sizeof *viewports; i++) {
         rhw_pass_set_viewport(context, rig.recording, &viewports[i]);

@@ -9,6 +9,7 @@
 #include "../../shared_vertices.h"
 #include "../../thread.h"
 #include "binning.h"
+#include "clipping_count.h"
 #include "line_setup.h"
 #include "point_setup.h"
 #include "polygon_setup.h"
@@ -231,6 +232,9 @@ static bool make_chunk(const struct rhw_pass_state *pass, struct rhw_chunk *chun
         keep(arena, scratch->segments, (size_t)scratch->segment_count * sizeof *chunk->segments);
     chunk->polygons =
         keep(arena, scratch->polygons, (size_t)scratch->polygon_count * sizeof *chunk->polygons);
+    if (pass->queries && !count_runs(chunk, worker)) {
+        return false;
+    }
     const bool binned = chunk->segments && chunk->polygons && bin(chunk, &list, arena);
     worker->counters.bin_ns += rhw_time_ns() - start;
     return binned;
