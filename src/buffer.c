@@ -139,6 +139,12 @@ static enum rhw_result write_bytes(struct rhw_context *context, rhw_buffer buffe
                    size)) {
         return RHW_ERROR_MISUSE;
     }
+    if (!rhw_check(context,
+                   !context->recording.active || target->captured_pass != context->recording.generation,
+                   "%s: %s is written by the transform feedback of the pass being recorded; end it first",
+                   where, rhw_name_of(&context->buffers, buffer.index).text)) {
+        return RHW_ERROR_MISUSE;
+    }
     if (size == 0) {
         return RHW_OK;
     }

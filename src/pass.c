@@ -24,6 +24,7 @@
 #include "sampler.h"
 #include "shared_vertices.h"
 #include "srgb_texture.h"
+#include "transform_feedback.h"
 #include "watch.h"
 
 enum rhw_result rhw_pass_state_create(struct rhw_context *context, struct rhw_pass_state **out)
@@ -122,7 +123,10 @@ void rhw_pass_set_pipeline(rhw_context *context, rhw_pass id, rhw_pipeline pipel
         return;
     }
     const struct rhw_pipeline_data *const pipeline = rhw_context_pipeline(context, pipeline_id, where);
-    if (pipeline && targets_match(pass, pipeline_id, pipeline, where)) {
+    if (pipeline &&
+        rhw_check(context, !pass->feedback.is_active, "%s: transform feedback is under way; end it first",
+                  where) &&
+        targets_match(pass, pipeline_id, pipeline, where)) {
         rhw_pool_use(&context->pipelines, pipeline_id.index, context->recording.generation);
         pass->pending_changed |= pass->pending.pipeline != pipeline;
         pass->pending.pipeline = pipeline;
@@ -140,6 +144,11 @@ static struct rhw_bound_buffer bind_buffer(rhw_context *context, rhw_buffer id, 
     const struct rhw_buffer_data *const buffer = rhw_context_buffer(context, id, where);
     if (!buffer || !rhw_check(context, offset <= buffer->size, "%s: offset is %zu; %s has %zu bytes", where,
                               offset, rhw_name_of(&context->buffers, id.index).text, buffer->size)) {
+        return (struct rhw_bound_buffer){.data = NULL};
+    }
+    if (!rhw_check(context, buffer->captured_pass != context->recording.generation,
+                   "%s: %s is written by the transform feedback of this pass", where,
+                   rhw_name_of(&context->buffers, id.index).text)) {
         return (struct rhw_bound_buffer){.data = NULL};
     }
     rhw_pool_use(&context->buffers, id.index, context->recording.generation);
@@ -604,7 +613,8 @@ static void append_draw(struct rhw_pass_state *pass, const struct rhw_draw *draw
     slot->index = pass->draws.count;
     slot->group = pass->context->recording.group;
     slot->first_triangle = pass->triangle_count;
-    if (pass->out_of_memory || !rhw_assembly_prepare(slot, count, &pass->arena)) {
+    if (pass->out_of_memory || !rhw_assembly_prepare(slot, count, &pass->arena) ||
+        !rhw_feedback_add_draw(pass, slot)) {
         pass->out_of_memory = true;
         return;
     }
