@@ -18,6 +18,7 @@
 struct rhw_memory;
 struct rhw_pipeline_data;
 struct rhw_active_queries;
+struct rhw_draw_feedback;
 struct rhw_shared_vertices;
 
 struct rhw_vertex_stream {
@@ -61,8 +62,9 @@ struct rhw_draw {
     const struct rhw_shared_vertices *shared; // by instance, of the wave under way, or of the
                                               // pass (effect_vertices.h); mostly NULL
     uint32_t first, base_vertex, first_instance, instances;
-    uint32_t index;                      // of the draw in its pass
-    const struct rhw_debug_group *group; // the innermost one it was recorded in, or NULL
+    uint32_t index;                           // of the draw in its pass
+    const struct rhw_draw_feedback *feedback; // what it writes to buffers; NULL: nothing
+    const struct rhw_debug_group *group;      // the innermost one it was recorded in, or NULL
     uint32_t triangles_per_instance;
     uint64_t first_triangle; // in the line of all triangles of the pass
     bool indexed;

@@ -26,6 +26,7 @@
 #include "sampler.h"
 #include "shared_vertices.h"
 #include "srgb_texture.h"
+#include "transform_feedback.h"
 #include "watch.h"
 
 enum rhw_result rhw_pass_state_create(struct rhw_context *context, struct rhw_pass_state **out)
@@ -139,7 +140,10 @@ void rhw_pass_set_pipeline(rhw_context *context, rhw_pass id, rhw_pipeline pipel
         return;
     }
     const struct rhw_pipeline_data *const pipeline = rhw_context_pipeline(context, pipeline_id, where);
-    if (pipeline && targets_match(pass, pipeline_id, pipeline, where)) {
+    if (pipeline &&
+        rhw_check(context, !pass->feedback.is_active, "%s: transform feedback is under way; end it first",
+                  where) &&
+        targets_match(pass, pipeline_id, pipeline, where)) {
         rhw_pool_use(&context->pipelines, pipeline_id.index, context->recording.generation);
         if (context->findings && pass->pending.pipeline != pipeline) {
             warn_of_samples(pass, pipeline_id, &pipeline->def, where);
@@ -162,7 +166,10 @@ static struct rhw_bound_buffer bind_buffer(rhw_context *context, rhw_buffer id, 
                               offset, rhw_name_of(&context->buffers, id.index).text, buffer->size)) {
         return (struct rhw_bound_buffer){.data = NULL};
     }
-    if (!rhw_pass_fetches(context, id, where)) {
+    if (!rhw_pass_fetches(context, id, where) ||
+        !rhw_check(context, buffer->captured_pass != context->recording.generation,
+                   "%s: %s is written by the transform feedback of this pass", where,
+                   rhw_name_of(&context->buffers, id.index).text)) {
         return (struct rhw_bound_buffer){.data = NULL};
     }
     rhw_pool_use(&context->buffers, id.index, context->recording.generation);
@@ -646,7 +653,7 @@ static void append_draw(struct rhw_pass_state *pass, const struct rhw_draw *draw
     slot->first_triangle = pass->triangle_count;
     const bool effects = state->pipeline->def.program.vertex_effects;
     if (pass->out_of_memory || !rhw_assembly_prepare(slot, count, &pass->arena) ||
-        (effects && !rhw_effect_vertices_prepare(slot, &pass->arena))) {
+        (effects && !rhw_effect_vertices_prepare(slot, &pass->arena)) || !rhw_feedback_add_draw(pass, slot)) {
         pass->out_of_memory = true;
         return;
     }

@@ -67,6 +67,9 @@ static enum rhw_result end(struct rhw_pass_state *pass, struct rhw_stats *stats)
     if (context->recording.active && context->recording.generation == generation) {
         rhw_queries_check_ended(pass);
     }
+    if (context->recording.active && context->recording.generation == generation) {
+        rhw_feedback_check_ended(pass);
+    }
     if (!context->recording.active || context->recording.generation != generation) {
         return RHW_ERROR_MISUSE; // the hook ended the pass itself
     }

@@ -12,6 +12,7 @@
 #include "rhw/shader.h"
 #include "sample_pattern.h"
 #include "texture.h"
+#include "transform_feedback.h"
 
 struct rhw_attachment {
     enum rhw_format format;
@@ -114,6 +115,8 @@ struct rhw_pass_state {
     bool refused_pipeline; // rhw_pass_set_pipeline was misuse
 
     struct rhw_used_query *queries; // a list, the last one first
+    struct rhw_feedback_state feedback;
+    bool has_feedback; // of some draw
 
     struct rhw_draw_list draws;
     uint64_t triangle_count;

@@ -364,7 +364,8 @@ static bool check_create(const struct rhw_context *context, const struct rhw_pip
     return rhw_check(context, def != NULL, "%s: def is NULL", create_name) &&
            rhw_check(context, pipeline != NULL, "%s: pipeline is NULL", create_name) &&
            check_flaws(context, flaws) && check_program(context, &def->program) &&
-           check_vertex_input(context, def) && check_states(context, def) && check_targets(context, def);
+           check_vertex_input(context, def) && check_states(context, def) && check_targets(context, def) &&
+           rhw_feedback_check(context, def, create_name);
 }
 
 // What draws need --------------------------------------------------------------------------------------
@@ -499,11 +500,10 @@ static void lay_out_primitives(struct rhw_pipeline_data *data)
                                                                    : RHW_PRIMITIVE_TRIANGLES;
         break;
     }
-    static const int most[] = {[RHW_PRIMITIVE_TRIANGLES] = 1,
-                               [RHW_PRIMITIVE_LINES] = 2,
-                               [RHW_PRIMITIVE_POINTS] = 1,
-                               [RHW_PRIMITIVE_POLYGON_LINES] = 6,
-                               [RHW_PRIMITIVE_POLYGON_POINTS] = 3};
+    static const int most[] = {
+        [RHW_PRIMITIVE_TRIANGLES] = 1,     [RHW_PRIMITIVE_LINES] = 2,          [RHW_PRIMITIVE_POINTS] = 1,
+        [RHW_PRIMITIVE_POLYGON_LINES] = 6, [RHW_PRIMITIVE_POLYGON_POINTS] = 3, [RHW_PRIMITIVE_NOTHING] = 1};
+    data->primitive = def->rasterizer_discard ? RHW_PRIMITIVE_NOTHING : data->primitive;
     data->triangles_most = most[data->primitive];
     data->half_width_24_8 = (double)def->line_width * (RHW_SUBPIXEL / 2);
     const int distances = def->program.clip_distance_count + def->program.cull_distance_count;
@@ -527,6 +527,7 @@ void rhw_pipeline_data_init(struct rhw_pipeline_data *data, const struct rhw_pip
     lay_out_primitives(data);
     qualify_vectors(data);
     pair_derivatives(data);
+    rhw_feedback_lay_out(data);
 }
 
 void rhw_pipeline_data_release(struct rhw_memory *memory, struct rhw_pipeline_data *data)

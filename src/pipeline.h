@@ -4,6 +4,7 @@
 #define RHW_PIPELINE_H
 
 #include "format.h"
+#include "transform_feedback.h"
 
 struct rhw_watch;
 struct rhw_memory;
@@ -22,8 +23,9 @@ struct rhw_pipeline_data {
         RHW_PRIMITIVE_TRIANGLES,
         RHW_PRIMITIVE_LINES,
         RHW_PRIMITIVE_POINTS,
-        RHW_PRIMITIVE_POLYGON_LINES, // triangles as their edges
-        RHW_PRIMITIVE_POLYGON_POINTS // and as their corners
+        RHW_PRIMITIVE_POLYGON_LINES,  // triangles as their edges
+        RHW_PRIMITIVE_POLYGON_POINTS, // and as their corners
+        RHW_PRIMITIVE_NOTHING         // rasterizer_discard
     } primitive;
     int triangles_most;     // that tiles draw of a primitive
     double half_width_24_8; // of lines
@@ -46,6 +48,8 @@ struct rhw_pipeline_data {
     // Smooth components with derivatives, by twos; where their number is odd the last stands twice.
     int derivative_pairs;
     uint8_t derivative_component[RHW_MAX_VARYING_COMPONENTS / 2][2];
+    struct rhw_feedback_copy feedback[RHW_MAX_FEEDBACK_OUTPUTS]; // as many as outputs
+    unsigned feedback_targets;                                   // a bit for each that is written
 };
 
 // `def` is valid; `isa` is the highest whose functions are taken.

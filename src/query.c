@@ -16,7 +16,7 @@
 #include "thread.h"
 
 static const char *const kind_names[RHW_QUERY_KIND_COUNT] = {"OCCLUSION", "ANY_PASSED", "STATISTICS",
-                                                             "TIMESTAMP"};
+                                                             "TIMESTAMP", "TRANSFORM_FEEDBACK"};
 
 // Between passes ---------------------------------------------------------------------------------------
 
@@ -121,7 +121,9 @@ static void set_active(struct rhw_pass_state *pass, enum rhw_query_kind kind, st
         any |= queries->of[i] != NULL;
     }
     pass->pending.queries = any ? queries : NULL;
-    pass->pending.depth_setting.counts = any;
+    pass->pending.depth_setting.counts = queries->of[RHW_QUERY_OCCLUSION] ||
+                                         queries->of[RHW_QUERY_ANY_PASSED] ||
+                                         queries->of[RHW_QUERY_STATISTICS];
     pass->pending_changed = true;
 }
 
@@ -244,6 +246,16 @@ void rhw_queries_count_draw(const struct rhw_draw *draw, uint32_t count)
         statistics->vertex_shader_invocations += vertices;
         statistics->input_assembly_primitives += primitives;
         statistics->clipping_invocations += primitives;
+    }
+}
+
+void rhw_queries_count_feedback(const struct rhw_draw *draw, uint64_t written, uint64_t needed)
+{
+    const struct rhw_active_queries *const queries = draw->state->queries;
+    struct rhw_used_query *const query = queries ? queries->of[RHW_QUERY_TRANSFORM_FEEDBACK] : NULL;
+    if (query) {
+        query->counts.primitives_written += written;
+        query->counts.primitives_needed += needed;
     }
 }
 

@@ -38,6 +38,8 @@ struct rhw_active_queries {
 
 // Adds what queries ask of a draw of `count` vertices or indices that was recorded.
 void rhw_queries_count_draw(const struct rhw_draw *draw, uint32_t count);
+// Adds what transform feedback does for a draw, in primitives.
+void rhw_queries_count_feedback(const struct rhw_draw *draw, uint64_t written, uint64_t needed);
 // Tells timestamps that `triangles` of the pass are drawn now.
 void rhw_queries_stamp(const struct rhw_pass_state *pass, uint64_t triangles);
 // Reports those that were begun and not ended.

@@ -37,7 +37,9 @@ enum {
     RHW_MAX_CULL_DISTANCES = 8,
     RHW_MAX_POINT_SIZE = 256,    ///< pixels; the least is 1
     RHW_MAX_LINE_WIDTH = 256,    ///< pixels; the least is 1
-    RHW_MAX_STORAGE_BUFFERS = 16 ///< storage slots of a draw
+    RHW_MAX_STORAGE_BUFFERS = 16, ///< storage slots of a draw
+    RHW_MAX_FEEDBACK_TARGETS = 4, ///< of transform feedback
+    RHW_MAX_FEEDBACK_OUTPUTS = 64
 };
 
 /// Instruction sets the kernels are compiled for, slowest first. BASELINE is the specification: SSE2 on
@@ -465,6 +467,21 @@ struct rhw_program {
     bool early_fragment_tests;
 };
 
+/// What transform feedback can keep of a vertex.
+enum rhw_feedback_source {
+    RHW_FEEDBACK_POSITION, ///< clip coordinates
+    RHW_FEEDBACK_VARYING, RHW_FEEDBACK_POINT_SIZE, RHW_FEEDBACK_CLIP_DISTANCES, RHW_FEEDBACK_CULL_DISTANCES
+};
+
+/// Floats of a vertex that go to a target (VK_EXT_transform_feedback: the decorations XfbBuffer, XfbStride and Offset).
+struct rhw_feedback_output {
+    enum rhw_feedback_source source; ///< POSITION
+    int index;                       ///< of a varying
+    int first_component, component_count; ///< 0, 0: all there are
+    int target;                      ///< 0..RHW_MAX_FEEDBACK_TARGETS − 1
+    uint32_t offset;                 ///< bytes from the start of a vertex; a multiple of 4
+};
+
 struct rhw_pipeline_def {
     struct rhw_program program;
     struct rhw_attribute attributes[RHW_MAX_ATTRIBUTES];
@@ -500,6 +517,11 @@ struct rhw_pipeline_def {
     int target_count;
     const char *label; ///< for messages
     enum rhw_logic logic; ///< OFF; otherwise no target is blended
+    struct rhw_feedback_output feedback_outputs[RHW_MAX_FEEDBACK_OUTPUTS]; ///< see rhw/transform_feedback.h
+    int feedback_output_count;
+    /// Bytes from one vertex to the next, a multiple of 4; 0: up to the end of the last output.
+    uint32_t feedback_strides[RHW_MAX_FEEDBACK_TARGETS];
+    bool rasterizer_discard; ///< primitives end before they are rasterized: nothing is drawn
 };
 
 /// DEFAULT clears as CLEAR does, but for a depth of 0, which it takes for 1: clear to depth 0 by CLEAR.
@@ -616,6 +638,7 @@ enum rhw_query_kind {
     RHW_QUERY_ANY_PASSED, ///< whether any did
     RHW_QUERY_STATISTICS, ///< struct rhw_pipeline_statistics
     RHW_QUERY_TIMESTAMP,  ///< when everything recorded before rhw_pass_write_timestamp was drawn
+    RHW_QUERY_TRANSFORM_FEEDBACK, ///< primitives that it wrote, and that it would have with more room
     RHW_QUERY_KIND_COUNT
 };
 
@@ -644,7 +667,8 @@ struct rhw_query_counts {
     uint64_t samples_passed; ///< OCCLUSION
     bool any_passed;         ///< ANY_PASSED
     struct rhw_pipeline_statistics statistics;
-    uint64_t timestamp_ns;   ///< of a clock that only counts up
+    uint64_t timestamp_ns;   ///< TIMESTAMP: of a clock that only counts up
+    uint64_t primitives_written, primitives_needed; ///< TRANSFORM_FEEDBACK
 };
 
 RHW_API struct rhw_context_def rhw_context_def_default(void);
