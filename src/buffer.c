@@ -124,11 +124,31 @@ bool rhw_buffer_check_range(const struct rhw_context *context, rhw_buffer buffer
                      where, offset, size, data->size, rhw_name_of(&context->buffers, buffer.index).text);
 }
 
-bool rhw_buffer_check_writable(const struct rhw_context *context, rhw_buffer buffer,
+bool rhw_buffer_check_readable(const struct rhw_context *context, rhw_buffer buffer,
+                               const struct rhw_buffer_data *data, const char *where)
+{
+    return rhw_check(context,
+                     !context->recording.active || data->stored_pass != context->recording.generation,
+                     "%s: %s is a storage buffer of this pass; end the pass first", where,
+                     rhw_name_of(&context->buffers, buffer.index).text);
+}
+
+bool rhw_buffer_check_unmapped(const struct rhw_context *context, rhw_buffer buffer,
                                const struct rhw_buffer_data *data, const char *where)
 {
     return rhw_check(context, !data->is_mapped, "%s: %s is mapped; call rhw_buffer_unmap first", where,
-                     rhw_name_of(&context->buffers, buffer.index).text) &&
+                     rhw_name_of(&context->buffers, buffer.index).text);
+}
+
+bool rhw_buffer_check_writable(const struct rhw_context *context, rhw_buffer buffer,
+                               const struct rhw_buffer_data *data, const char *where)
+{
+    return rhw_buffer_check_readable(context, buffer, data, where) &&
+           rhw_check(context,
+                     !context->recording.active || data->captured_pass != context->recording.generation,
+                     "%s: %s is written by the transform feedback of the pass being recorded; end it first",
+                     where, rhw_name_of(&context->buffers, buffer.index).text) &&
+           rhw_buffer_check_unmapped(context, buffer, data, where) &&
            rhw_check(context,
                      !data->is_callers || !rhw_context_records(context, &context->buffers, buffer.index),
                      "%s: %s stands on memory of the program and the pass being recorded uses it; end that "
@@ -205,4 +225,24 @@ enum rhw_result rhw_buffer_write(rhw_context *context, rhw_buffer buffer, size_t
     const enum rhw_result result = write_bytes(context, buffer, offset, data, size);
     rhw_context_leave(context);
     return result;
+}
+
+enum rhw_result rhw_buffer_read(rhw_context *context, rhw_buffer buffer, size_t offset, void *data,
+                                size_t size)
+{
+    static const char *const where = "rhw_buffer_read";
+    if (!rhw_context_enter(context, where)) {
+        return RHW_ERROR_MISUSE;
+    }
+    const struct rhw_buffer_data *const source = rhw_context_buffer(context, buffer, where);
+    const bool valid = source != NULL &&
+                       rhw_buffer_check_range(context, buffer, source, offset, size, where) &&
+                       rhw_buffer_check_readable(context, buffer, source, where) &&
+                       rhw_check(context, data != NULL || size == 0,
+                                 "%s: data is NULL; it must point to %zu bytes", where, size);
+    if (valid && size != 0) {
+        memcpy(data, source->bytes + offset, size);
+    }
+    rhw_context_leave(context);
+    return valid ? RHW_OK : RHW_ERROR_MISUSE;
 }

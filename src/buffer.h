@@ -22,6 +22,9 @@ struct rhw_buffer_data {
     uint32_t renewed_pass, renewed_draws;
     bool is_callers;                // `bytes` is the program's memory
     bool is_mapped, is_map_written; // see rhw_buffer_map; the second: not for reading alone
+    // The last passes that have it as a storage buffer, and that read it as vertices or indices, by generation.
+    uint32_t stored_pass, fetched_pass;
+    uint32_t captured_pass; // the last that writes it by transform feedback
 };
 
 // Releases what the item owns.
@@ -32,7 +35,15 @@ bool rhw_buffer_check_range(const struct rhw_context *context, rhw_buffer buffer
                             const struct rhw_buffer_data *data, size_t offset, size_t size,
                             const char *where);
 
-// Reports a buffer that nobody may write now: a mapped one, and one on the program's memory that draws read which were
+// Reports a buffer whose bytes are not known before the pass being recorded has ended.
+bool rhw_buffer_check_readable(const struct rhw_context *context, rhw_buffer buffer,
+                               const struct rhw_buffer_data *data, const char *where);
+
+// Reports a mapped buffer, which passes do not write.
+bool rhw_buffer_check_unmapped(const struct rhw_context *context, rhw_buffer buffer,
+                               const struct rhw_buffer_data *data, const char *where);
+
+// Reports a buffer that nobody may write now: a mapped one, one that the pass being recorded writes, and one on the program's memory that draws read which were
 // recorded.
 bool rhw_buffer_check_writable(const struct rhw_context *context, rhw_buffer buffer,
                                const struct rhw_buffer_data *data, const char *where);

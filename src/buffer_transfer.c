@@ -55,6 +55,7 @@ static enum rhw_result copy(struct rhw_context *context, rhw_buffer from, size_t
     struct rhw_buffer_data *const target = source ? rhw_context_buffer(context, to, where) : NULL;
     if (!target || !rhw_buffer_check_range(context, from, source, from_offset, size, where) ||
         !rhw_buffer_check_range(context, to, target, to_offset, size, where) ||
+        !rhw_buffer_check_readable(context, from, source, where) ||
         !rhw_check(context,
                    source != target || from_offset + size <= to_offset || to_offset + size <= from_offset,
                    "%s: bytes %zu and %zu of %s are copied to each other, %zu of them; they must not overlap",

@@ -89,7 +89,7 @@ static bool converts(const struct rhw_region *from, const struct rhw_region *to)
     if (have_depth(from) || have_depth(to)) {
         return from->texture->format == to->texture->format && from->is_stencil == to->is_stencil;
     }
-    return rhw_format_is_integer(a) == rhw_format_is_integer(b);
+    return rhw_format_is_integer(a) || rhw_format_is_integer(b) ? a->type == b->type : true;
 }
 
 static bool check_pair(const struct rhw_context *context, const struct blit_region *from_region,

@@ -2,7 +2,7 @@
 // Regions of textures cleared to one value, with all their samples.
 #include <string.h>
 
-#include "blend_state.h"
+#include "clear_texel.h"
 #include "context.h"
 #include "cpu.h"
 #include "entry.h"
@@ -52,13 +52,14 @@ static void set_texel(const struct rhw_region *region, const struct rhw_clear_va
         texel[0] = value->stencil;
         return;
     }
+    float color[4] = {value->depth};
     if (rhw_format_is_integer(info)) {
-        memcpy(texel, value->color_integer, info->size);
-        return;
+        memcpy(color, value->color_integer, sizeof color);
+    } else if (!rhw_format_has_role(info, RHW_ROLE_DEPTH_TARGET)) {
+        memcpy(color, value->color, sizeof color);
     }
-    const float depth[4] = {value->depth};
     const uint64_t environment = rhw_cpu_float_enter();
-    rhw_clear_texel(info, rhw_format_has_role(info, RHW_ROLE_DEPTH_TARGET) ? depth : value->color, texel);
+    rhw_clear_texel(info, color, texel);
     rhw_cpu_float_leave(environment);
 }
 

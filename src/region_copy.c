@@ -143,7 +143,8 @@ static enum rhw_result copy_from_buffer(struct rhw_context *context, rhw_texture
     const struct rhw_buffer_data *const data =
         checked.texture ? rhw_context_buffer(context, buffer, where) : NULL;
     struct rows rows;
-    if (!data || !rhw_region_check_writable(context, &checked, where) ||
+    if (!data || !rhw_buffer_check_readable(context, buffer, data, where) ||
+        !rhw_region_check_writable(context, &checked, where) ||
         !check_layout(context, &checked, layout, buffer, data, &rows, where)) {
         return RHW_ERROR_MISUSE;
     }

@@ -22,11 +22,11 @@ static struct band band_of(int index, int rows, int height, int depth)
 RHW_INLINE void store_group(size_t size, const struct raw_texels *raw, int count, unsigned char *to)
 {
     if (count >= RHW_LANES) {
-        store_texel_row(size, raw, i8_splat(-1), UINT32_MAX, to);
+        store_texel_row(size, raw, i8_splat(-1), to);
         return;
     }
     unsigned char group[RHW_LANES * RHW_TEXEL_BYTES] = {0};
-    store_texel_row(size, raw, i8_splat(-1), UINT32_MAX, group);
+    store_texel_row(size, raw, i8_splat(-1), group);
     memcpy(to, group, (size_t)count * size);
 }
 
@@ -88,7 +88,7 @@ static void blit_group(const struct rhw_blit_job *job, int x, int y, int z, stru
         }
     }
     for (int c = 0; c < 4 && !rhw_format_is_integer(job->to_info); c++) {
-        value[c] = canonical(value[c]);
+        value[c] = canonical_nan(value[c]);
     }
     encode_texels(job->to_info, value, raw);
 }
@@ -121,12 +121,12 @@ static void resolve_stencil(enum rhw_resolve mode, const struct sample_row *row,
         raw.word[0] =
             mode == RHW_RESOLVE_MIN ? i8_min(raw.word[0], other.word[0]) : i8_max(raw.word[0], other.word[0]);
     }
-    store_texel_row(1, &raw, i8_splat(-1), UINT32_MAX, to);
+    store_texel_row(1, &raw, i8_splat(-1), to);
 }
 
 static void resolve_group(const struct rhw_resolve_job *job, const struct sample_row *row, unsigned char *to)
 {
-    if (job->info->codec == RHW_CODEC_NONE) {
+    if (rhw_format_has_role(job->info, RHW_ROLE_STENCIL_TARGET) && job->info->size == 1) {
         resolve_stencil(job->mode, row, to);
     } else {
         resolve_row(job->info, job->mode, row, 0xff, to);

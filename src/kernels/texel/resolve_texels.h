@@ -47,7 +47,7 @@ RHW_INLINE void resolve_row(const struct rhw_format_info *info, enum rhw_resolve
     }
     if (mode != RHW_RESOLVE_SAMPLE_ZERO) {
         for (int c = 0; c < 4; c++) {
-            result[c] = canonical(resolved_value(mode, value[c], count));
+            result[c] = canonical_nan(resolved_value(mode, value[c], count));
         }
         encode_texels(info, result, &raw);
     }
@@ -55,7 +55,7 @@ RHW_INLINE void resolve_row(const struct rhw_format_info *info, enum rhw_resolve
     for (int w = 0; w < words; w++) {
         raw.word[w] = rhw_select_int(agree, first.word[w], raw.word[w]);
     }
-    store_texel_row(info->size, &raw, i8_from_bits(lanes), UINT32_MAX, to);
+    store_texel_row(info->size, &raw, i8_from_bits(lanes), to);
 }
 
 #endif

@@ -14,7 +14,7 @@ static enum rhw_resolve color_mode(const struct rhw_attachment *attachment,
 {
     const enum rhw_resolve mode =
         attachment->resolve_mode == RHW_RESOLVE_DEFAULT ? RHW_RESOLVE_AVERAGE : attachment->resolve_mode;
-    return info->codec == RHW_CODEC_UINT32 ? RHW_RESOLVE_SAMPLE_ZERO : mode;
+    return rhw_format_is_integer(info) ? RHW_RESOLVE_SAMPLE_ZERO : mode;
 }
 
 // Resolves target t.
@@ -61,7 +61,11 @@ static void resolve_depth_planes(const struct tile_work *work, enum rhw_resolve 
                       : mode == RHW_RESOLVE_MIN ? i8_min(stencil, other)
                                                 : i8_max(stencil, other);
         }
-        f8_store(&first->texels[i], resolved_value(mode, value, work->samples));
+        i8 agree = i8_splat(-1); // a mean of equal floats may round to another one
+        for (int s = 1; s < work->samples; s++) {
+            agree &= rhw_equal(value[s], value[0]);
+        }
+        f8_store(&first->texels[i], f8_select(agree, value[0], resolved_value(mode, value, work->samples)));
         const uint64_t bytes = i8_to_bytes(stencil);
         memcpy(&first->stencil[i], &bytes, sizeof bytes);
     }
