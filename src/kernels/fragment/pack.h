@@ -215,7 +215,7 @@ static int place_partial(struct tile_work *work, unsigned bits)
         queue->samples[g] = i8_load(partial->samples) & i8_from_bits(bits);
     }
     for (int i = 0; i < 8; i++) {
-        partial->pixels[partial->texel[i] / RHW_TILE] = 0;
+        partial->pixels[partial->texel[i] >> RHW_TILE_LOG2] = 0;
     }
     partial->count = 0;
     return g;
@@ -338,10 +338,11 @@ RHW_INLINE void pack_fragment(struct tile_work *work, const struct quantity_plan
 {
     struct partial_group *const partial = &work->scratch->partial;
     const int texel = work->scratch->gathered.texel[i];
-    const double dx = texel % RHW_TILE - packed->anchor_x, dy = texel / RHW_TILE - packed->anchor_y;
+    const int x = texel & (RHW_TILE - 1), y = texel >> RHW_TILE_LOG2;
+    const double dx = x - packed->anchor_x, dy = y - packed->anchor_y;
     const int n = partial->count;
     partial->texel[n] = texel;
-    partial->pixels[texel / RHW_TILE] |= (uint64_t)1 << texel % RHW_TILE;
+    partial->pixels[y] |= (uint64_t)1 << x;
     partial->triangle[n] = packed;
     partial->quantities[n] = quantity_values(planes, dx, dy);
     if (parts != PACKED_QUANTITIES) {

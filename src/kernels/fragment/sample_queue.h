@@ -63,11 +63,10 @@ static i8 finish_samples(struct tile_work *work, int g)
 }
 
 // Where a group is: which of its lanes lie in expanded blocks. The blocks of lanes in `partial` become so.
-static unsigned expanded_lanes(const struct tile_work *work, int g, unsigned partial)
+RHW_INLINE unsigned expanded_lanes(const struct tile_work *work, int g, unsigned partial)
 {
     const struct fragment_queue *const queue = &work->scratch->queue;
     const uint64_t *const expanded = &work->scratch->expanded;
-    unsigned lanes = 0;
     if (!queue->is_scattered[g]) { // in one block
         const int block = block_of_texel(queue->row_at[g]);
         if (partial != 0 && !(*expanded >> block & 1)) {
@@ -75,41 +74,56 @@ static unsigned expanded_lanes(const struct tile_work *work, int g, unsigned par
         }
         return *expanded >> block & 1 ? 0xff : 0;
     }
-    for (; partial != 0; partial &= partial - 1) {
-        const int block = block_of_texel(queue->texels[g][__builtin_ctz(partial)]);
-        if (!(*expanded >> block & 1)) {
-            expand_block(work, block);
+    unsigned left = partial & ~expanded_texels(*expanded, queue->texels[g]);
+    for (; left != 0; left = partial & ~expanded_texels(*expanded, queue->texels[g])) {
+        expand_block(work, block_of_texel(queue->texels[g][__builtin_ctz(left)]));
+    }
+    return expanded_texels(*expanded, queue->texels[g]);
+}
+
+// Blends the lanes of group g, of which some are expanded, into target t. `samples`: what is to be drawn, not none.
+RHW_INLINE void blend_row_samples(const struct tile_work *work, int t, int g, i8 samples, unsigned expanded)
+{
+    const struct fragment_queue *const queue = &work->scratch->queue;
+    const struct rhw_blend_state *const state = &work->state->blend[t];
+    const size_t at = (size_t)queue->row_at[g] * work->pass->colors[t].texel_size;
+    for (int s = 0; s < (expanded == 0 ? 1 : work->samples); s++) {
+        const unsigned bits = lanes_of_sample(samples, s);
+        if (bits != 0) {
+            blend_group(state, queue->colors[g][t], i8_from_bits(bits),
+                        color_plane(work->scratch, t, s) + at);
         }
     }
-    for (int lane = 0; lane < 8 && *expanded != 0; lane++) {
-        lanes |= (unsigned)(*expanded >> block_of_texel(queue->texels[g][lane]) & 1) << lane;
-    }
-    return lanes;
 }
 
-// Blends the lanes of group g that are set in `bits` into a plane of target t.
-static void blend_plane(const struct tile_work *work, int t, int g, int sample, unsigned bits)
+RHW_INLINE void blend_scattered_samples(const struct tile_work *work, int t, int g, i8 samples,
+                                        unsigned expanded)
 {
-    struct fragment_queue *const queue = &work->scratch->queue;
+    const struct fragment_queue *const queue = &work->scratch->queue;
     const struct rhw_blend_state *const state = &work->state->blend[t];
     const size_t size = work->pass->colors[t].texel_size;
-    unsigned char *const texels = color_plane(work->scratch, t, sample);
-    if (!queue->is_scattered[g]) {
-        blend_group(state, queue->colors[g][t], i8_from_bits(bits), texels + (size_t)queue->row_at[g] * size);
-        return;
-    }
+    const bool replaces = state->path == BLEND_RGBA8_REPLACE;
     _Alignas(32) unsigned char lanes[8 * 16];
-    if (state->path == BLEND_RGBA8_REPLACE) {
+    if (replaces) {
         i8_store(lanes, unorm8_texels(queue->colors[g][t]));
-        scatter_texels(queue->texels[g], bits, texels, 4, lanes);
-        return;
     }
-    gather_texels(queue->texels[g], texels, size, lanes);
-    blend_group(state, queue->colors[g][t], i8_splat(-1), lanes);
-    scatter_texels(queue->texels[g], bits, texels, size, lanes);
+    for (int s = 0; s < (expanded == 0 ? 1 : work->samples); s++) {
+        const unsigned bits = lanes_of_sample(samples, s) & (s == 0 ? 0xff : expanded);
+        unsigned char *const texels = color_plane(work->scratch, t, s);
+        if (bits == 0) {
+            continue;
+        }
+        if (replaces) {
+            scatter_texels(queue->texels[g], bits, texels, 4, lanes);
+            continue;
+        }
+        gather_texels(queue->texels[g], texels, size, lanes);
+        blend_group(state, queue->colors[g][t], i8_splat(-1), lanes);
+        scatter_texels(queue->texels[g], bits, texels, size, lanes);
+    }
 }
 
-static void blend_samples(const struct tile_work *work, int g, i8 samples)
+RHW_INLINE void blend_samples(const struct tile_work *work, int g, i8 samples)
 {
     const i8 all = i8_splat((int32_t)(((int64_t)1 << work->samples) - 1));
     const unsigned live = ~i8_sign_bits(rhw_equal_int(samples, i8_splat(0))) & 0xff;
@@ -118,13 +132,11 @@ static void blend_samples(const struct tile_work *work, int g, i8 samples)
         return;
     }
     const unsigned expanded = expanded_lanes(work, g, partial);
-    for (int s = 0; s < work->samples; s++) {
-        const unsigned bits = lanes_of_sample(samples, s) & (s == 0 ? 0xff : expanded);
-        for (int t = 0; t < work->pass->color_count && bits != 0; t++) {
-            blend_plane(work, t, g, s, bits);
-        }
-        if (expanded == 0) {
-            break;
+    for (int t = 0; t < work->pass->color_count; t++) {
+        if (work->scratch->queue.is_scattered[g]) {
+            blend_scattered_samples(work, t, g, samples, expanded);
+        } else {
+            blend_row_samples(work, t, g, samples, expanded);
         }
     }
 }

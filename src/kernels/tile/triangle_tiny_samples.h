@@ -15,7 +15,7 @@ enum {
     TINY_ROWS = 16 // with as many columns no more fragments than can be gathered
 };
 
-_Static_assert(TINY_ROWS * (TINY_COLUMNS + TINY_PIXELS) <= RHW_GATHERED_FRAGMENTS,
+_Static_assert(TINY_ROWS *(TINY_COLUMNS + TINY_PIXELS) <= RHW_GATHERED_FRAGMENTS,
                "the fragments of a triangle are listed without a look at their number");
 
 // The lanes' samples, 1/256 pixel from the top left of the first pixel.
