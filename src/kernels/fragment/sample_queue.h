@@ -21,23 +21,34 @@ RHW_INLINE i8 samples_of_alpha(f8 alpha, int count)
     return i8_power2(rhw_int_from_float_unchecked(kept)) - i8_splat(1);
 }
 
-// Tests the samples of group g, a row of 8 pixels, after the fragment function.
+// Tests the lanes of group g in `bits` after the fragment function, whose sample in the plane `depth` is at z.
+static unsigned test_plane_late(struct tile_depth *depth, const struct tile_work *work, int g, f8 z,
+                                unsigned bits, unsigned back)
+{
+    const struct fragment_queue *const queue = &work->scratch->queue;
+    const struct rhw_depth_rule rule = work->plan.late;
+    const int x = queue->row_at[g] % RHW_TILE, y = queue->row_at[g] / RHW_TILE; // of a row
+    if (queue->is_scattered[g]) {
+        return work->plan.is_full ? test_texels_late_full(depth, queue->texels[g], z, bits, back, rule)
+                                  : test_texels_late(depth, queue->texels[g], z, bits, rule);
+    }
+    return work->plan.is_full ? test_row_late_full(depth, x, y, z, bits, back, rule)
+                              : test_row_late(depth, x, y, z, bits, rule);
+}
+
+// Tests the samples of group g after the fragment function.
 static i8 test_samples_late(struct tile_work *work, int g, i8 samples)
 {
     const struct fragment_queue *const queue = &work->scratch->queue;
     const struct rhw_fragment *const group = &queue->groups[g];
     const uint32_t uses = work->pipeline->def.program.uses;
-    const struct rhw_depth_rule rule = work->plan.late;
-    const int x = queue->row_at[g] % RHW_TILE, y = queue->row_at[g] / RHW_TILE;
     const unsigned back = uses & RHW_USE_FACING ? i8_sign_bits(~group->front_facing) : 0;
     i8 passed = i8_splat(0);
     for (int s = 0; s < work->samples; s++) {
         struct tile_depth *const depth = depth_plane(work->scratch, s);
         const unsigned bits = lanes_of_sample(samples, s);
         const f8 z = uses & RHW_USE_DEPTH ? viewport_clamp(depth, group->depth) : queue->sample_depth[g][s];
-        const unsigned kept = bits == 0            ? 0
-                              : work->plan.is_full ? test_row_late_full(depth, x, y, z, bits, back, rule)
-                                                   : test_row_late(depth, x, y, z, bits, rule);
+        const unsigned kept = bits == 0 ? 0 : test_plane_late(depth, work, g, z, bits, back);
         passed |= i8_from_bits(kept) & i8_splat(1 << s);
     }
     return passed;

@@ -24,7 +24,7 @@ static void set_state(struct tile_work *work, const struct rhw_draw_state *state
         plane->most = state->depth_most;
         plane->state = &state->depth_stencil;
     }
-    work->orders_lanes = work->samples > 1;
+    work->orders_lanes = work->samples > 1 && work->plan.depth_mode < RHW_DEPTH_LATE;
     for (int t = 0; t < work->pass->color_count; t++) {
         work->orders_lanes = work->orders_lanes && !state->blend[t].blend;
     }

@@ -214,9 +214,6 @@ static __attribute__((noinline)) void draw_tiny_samples(struct tile_work *work,
     }
     work->counters->fragments += (uint64_t)gathered->count;
     copy_planes(work, triangle);
-    if (waiting != 0 && !work->orders_lanes) {
-        release_partial(work);
-    }
     gathered->overtakes = waiting != 0;
     finish_gathered(work, triangle);
 }
