@@ -240,12 +240,12 @@ static uint64_t hash_of_crowd(int samples, bool blends, enum rhw_compare compare
     rig.pipeline.targets[0].color =
         (struct rhw_blend_component){RHW_BLEND_SRC_ALPHA, RHW_BLEND_ONE_MINUS_SRC_ALPHA, RHW_BLEND_ADD};
     for (int v = 0; v < 6000; v += 3) {
-        const float size = v % 100 < 90 ? 2.5f : 30;
+        const float size = v % 100 < 90 ? 2.5f : 90;
         const float x = rig_random_float(&random, 0, SIZE), y = rig_random_float(&random, 0, SIZE);
-        const float z = rig_random_float(&random, 0, 1);
+        const float z = (float)rig_random_int(&random, 8) / 9, slope = v % 2 ? 0.1f : 0; // many are equal
         for (int i = 0; i < 3; i++) {
             rig_place(&rig, x + rig_random_float(&random, 0, size), y + rig_random_float(&random, 0, size),
-                      z + rig_random_float(&random, 0, 0.1f), 1, vertices[v + i].position);
+                      z + rig_random_float(&random, 0, slope), 1, vertices[v + i].position);
             for (int c = 0; c < 4; c++) {
                 vertices[v + i].value[c] = rig_random_float(&random, 0, 1);
             }
