@@ -11,7 +11,7 @@
 enum {
     TINY_SAMPLES = 4,
     TINY_PIXELS = RHW_LANES / TINY_SAMPLES, // of a vector; lane 2·s + p: sample s of pixel p
-    TINY_COLUMNS = 4,
+    TINY_COLUMNS = 6,
     TINY_ROWS = 16 // with as many columns no more fragments than can be gathered
 };
 
