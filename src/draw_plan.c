@@ -12,10 +12,17 @@ static bool masks_samples(const struct rhw_pipeline_def *def, int samples)
     return samples > 1 && (def->alpha_to_coverage || def->program.uses & RHW_USE_SAMPLE_MASK);
 }
 
-// Whether fragments may be dropped, or moved, after the fragment function, so that depth is tested then.
-static bool tests_late(const struct rhw_pipeline_def *def, int samples)
+// Whether fragments may be dropped, or moved, after the fragment function.
+static bool drops_late(const struct rhw_pipeline_def *def, int samples)
 {
     return def->program.uses & (RHW_USE_DISCARD | RHW_USE_DEPTH) || masks_samples(def, samples);
+}
+
+// Whether depth is tested after it: for that reason, or since the function has effects for fragments that fail too.
+static bool tests_late(const struct rhw_pipeline_def *def, int samples)
+{
+    return !def->program.early_fragment_tests &&
+           (drops_late(def, samples) || def->program.uses & RHW_USE_EFFECTS);
 }
 
 static enum rhw_sampling choose_sampling(const struct rhw_pipeline_data *pipeline, int samples)
@@ -30,13 +37,18 @@ static enum rhw_shading choose_shading(const struct rhw_pipeline_data *pipeline,
 {
     const uint32_t uses = pipeline->def.program.uses;
     // What groups can be filled with together.
-    const uint32_t together = RHW_USE_DISCARD | RHW_USE_DEPTH | RHW_USE_FACING | RHW_USE_IDS;
+    const uint32_t together =
+        RHW_USE_DISCARD | RHW_USE_DEPTH | RHW_USE_FACING | RHW_USE_IDS | RHW_USE_EFFECTS;
     if (!(pipeline->fragment || pipeline->def.program.fragment1) || phase == RHW_PHASE_DEPTH) {
         return RHW_SHADING_NONE;
     }
-    // What a fragment function sees of samples, and does to them, is kept by rows.
-    const bool by_rows = samples > 1 && (masks_samples(&pipeline->def, samples) || uses & RHW_USE_DEPTH ||
-                                         choose_sampling(pipeline, samples) != RHW_SAMPLING_CENTER);
+    // What a fragment function sees of samples, and does to them, is kept by rows; so are its effects where it may drop
+    // fragments, or is called for some that are not seen.
+    const bool has_effects = uses & RHW_USE_EFFECTS &&
+                             (drops_late(&pipeline->def, samples) || tests_late(&pipeline->def, samples));
+    const bool by_rows =
+        samples > 1 && (masks_samples(&pipeline->def, samples) || uses & RHW_USE_DEPTH || has_effects ||
+                        choose_sampling(pipeline, samples) != RHW_SAMPLING_CENTER);
     if (paths == RHW_PATHS_GENERAL || by_rows) {
         return RHW_SHADING_ROWS;
     }
@@ -70,9 +82,11 @@ static enum rhw_depth_mode choose_depth_mode(const struct rhw_pipeline_def *def,
     if (shading == RHW_SHADING_NONE || !tests_late(def, samples)) {
         return RHW_DEPTH_EARLY;
     }
-    // A fragment that fails an ordering test now fails it later too, as depth only moves that way meanwhile.
-    const bool can_reject = !(uses & RHW_USE_DEPTH) && direction_of(def->depth_compare) != 0 &&
-                            !depth_stencil->tests_stencil && !depth_stencil->tests_bounds;
+    // A fragment that fails an ordering test now fails it later too, as depth only moves that way meanwhile. How many do
+    // so now depends on the path: what is counted is tested once.
+    const bool can_reject = !(uses & (RHW_USE_DEPTH | RHW_USE_EFFECTS)) &&
+                            direction_of(def->depth_compare) != 0 && !depth_stencil->tests_stencil &&
+                            !depth_stencil->tests_bounds && !depth_stencil->counts;
     return can_reject ? RHW_DEPTH_EARLY_REJECT : RHW_DEPTH_LATE;
 }
 

@@ -233,7 +233,7 @@ static enum rhw_result generate_mips(struct rhw_context *context, rhw_texture te
                    "%s: %s is %s; levels of compressed formats are written", where,
                    rhw_name_of(&context->textures, texture.index).text,
                    rhw_format_info(data->format)->name) ||
-        !rhw_check(context, rhw_format_has_role(data->info, RHW_ROLE_SAMPLED),
+        !rhw_check(context, rhw_format_has_role(data->info, RHW_ROLE_FILTERED),
                    "%s: %s is %s; that format is not filtered", where,
                    rhw_name_of(&context->textures, texture.index).text, data->info->name) ||
         !check_sample(context, texture, data, NO_SAMPLE, where)) {

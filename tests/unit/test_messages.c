@@ -90,9 +90,9 @@ static void test_formats_are_named(void **state)
     rig.pipeline.targets[0].format = RHW_FORMAT_NONE;
     rhw_pipeline_create(rig.context, &rig.pipeline, &pipeline);
     rig_expect_misuse(&rig, "targets[0].format is not set (RHW_FORMAT_NONE)");
-    rig.pipeline.targets[0].format = 99;
+    rig.pipeline.targets[0].format = 999;
     rhw_pipeline_create(rig.context, &rig.pipeline, &pipeline);
-    rig_expect_misuse(&rig, "targets[0].format is 99; it must be RHW_FORMAT_R8_UNORM (1) to RHW_FORMAT_");
+    rig_expect_misuse(&rig, "targets[0].format is 999; it must be RHW_FORMAT_R8_UNORM (1) to RHW_FORMAT_");
     rig_close(&rig);
 }
 

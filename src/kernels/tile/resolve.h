@@ -42,7 +42,7 @@ static void resolve_row(const struct rhw_format_info *info, enum rhw_resolve mod
         }
     }
     if ((i8_sign_bits(agree) & lanes) == lanes) {
-        store_texel_row(info->size, first, i8_from_bits(lanes), UINT32_MAX, to);
+        store_texel_row(info->size, first, i8_from_bits(lanes), to);
         return;
     }
     for (int s = 0; s < count; s++) {
@@ -60,7 +60,7 @@ static void resolve_row(const struct rhw_format_info *info, enum rhw_resolve mod
     for (int w = 0; w < words; w++) {
         raw.word[w] = rhw_select_int(agree, first->word[w], raw.word[w]);
     }
-    store_texel_row(info->size, &raw, i8_from_bits(lanes), UINT32_MAX, to);
+    store_texel_row(info->size, &raw, i8_from_bits(lanes), to);
 }
 
 static enum rhw_resolve color_mode(const struct rhw_attachment *attachment,
@@ -68,7 +68,7 @@ static enum rhw_resolve color_mode(const struct rhw_attachment *attachment,
 {
     const enum rhw_resolve mode =
         attachment->resolve_mode == RHW_RESOLVE_DEFAULT ? RHW_RESOLVE_AVERAGE : attachment->resolve_mode;
-    return info->codec == RHW_CODEC_UINT32 ? RHW_RESOLVE_SAMPLE_ZERO : mode;
+    return rhw_format_is_integer(info) ? RHW_RESOLVE_SAMPLE_ZERO : mode;
 }
 
 // Resolves target t.
