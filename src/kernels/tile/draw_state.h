@@ -55,7 +55,7 @@ static void set_state(struct tile_work *work, const struct rhw_draw_state *state
         plane->state = &state->depth_stencil;
         plane->passed = 0;
     }
-    work->orders_lanes = work->samples > 1;
+    work->orders_lanes = work->samples > 1 && work->plan.depth_mode < RHW_DEPTH_LATE;
     for (int t = 0; t < work->pass->color_count; t++) {
         work->orders_lanes = work->orders_lanes && !state->blend[t].blend;
     }
