@@ -58,6 +58,12 @@ struct rhw_limits rhw_limits_get(void)
         .min_texel_gather_offset = -32768,
         .max_texel_offset = 32767,
         .max_texel_gather_offset = 32767,
+        .max_transform_feedback_streams = 1,
+        .max_transform_feedback_buffers = RHW_MAX_FEEDBACK_TARGETS,
+        .max_transform_feedback_buffer_size = SIZE_MAX / 2,
+        .max_transform_feedback_stream_data_size = RHW_MAX_FEEDBACK_OUTPUTS * 4 * sizeof(float),
+        .max_transform_feedback_buffer_data_size = RHW_MAX_FEEDBACK_OUTPUTS * 4 * sizeof(float),
+        .max_transform_feedback_buffer_data_stride = UINT32_MAX - 3, // a multiple of 4
         .timestamp_period = 1,
     };
 }

@@ -50,6 +50,12 @@ struct rhw_limits {
     int32_t min_texel_offset, min_texel_gather_offset;
     uint32_t max_texel_offset, max_texel_gather_offset;
 
+    // Transform feedback (VkPhysicalDeviceTransformFeedbackPropertiesEXT), bytes.
+    uint32_t max_transform_feedback_streams, max_transform_feedback_buffers;
+    uint64_t max_transform_feedback_buffer_size;
+    uint32_t max_transform_feedback_stream_data_size, max_transform_feedback_buffer_data_size;
+    uint32_t max_transform_feedback_buffer_data_stride;
+
     float timestamp_period; ///< nanoseconds of a step of rhw_query_counts.timestamp_ns
 };
 

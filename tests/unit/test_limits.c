@@ -19,7 +19,7 @@ static void expect_at_least(const struct required *rows, size_t count)
     }
 }
 
-// By hand from Vulkan 1.0, table 33.2 "Required Limits". Not here, as there is nothing of theirs: memory, descriptor sets,
+// By hand from Vulkan 1.0, table "Required Limits", and VK_EXT_transform_feedback. Not here, as there is nothing of theirs: memory, descriptor sets,
 // tessellation, geometry and compute.
 static void test_what_vulkan_requires(void **state)
 {
@@ -74,6 +74,12 @@ static void test_what_vulkan_requires(void **state)
         {"maxTexelOffset", l.max_texel_offset, 7},
         {"-minTexelGatherOffset", -(double)l.min_texel_gather_offset, 8},
         {"maxTexelGatherOffset", l.max_texel_gather_offset, 7},
+        {"maxTransformFeedbackStreams", l.max_transform_feedback_streams, 1},
+        {"maxTransformFeedbackBuffers", l.max_transform_feedback_buffers, 1},
+        {"maxTransformFeedbackBufferSize", (double)l.max_transform_feedback_buffer_size, 134217728},
+        {"maxTransformFeedbackStreamDataSize", l.max_transform_feedback_stream_data_size, 512},
+        {"maxTransformFeedbackBufferDataSize", l.max_transform_feedback_buffer_data_size, 512},
+        {"maxTransformFeedbackBufferDataStride", l.max_transform_feedback_buffer_data_stride, 512},
         {"timestampPeriod", (double)l.timestamp_period, 1},
     };
     expect_at_least(rows, sizeof rows / sizeof *rows);
