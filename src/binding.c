@@ -40,7 +40,7 @@ struct rhw_binding rhw_binding_of(const struct rhw_kernels *kernels, enum rhw_pa
 
 void rhw_bindings_init(struct rhw_bindings *bindings, const struct rhw_kernels *kernels)
 {
-    *bindings = (struct rhw_bindings){.kernels = kernels};
+    *bindings = (struct rhw_bindings){.kernels = kernels, .storage = &rhw_no_storage};
     for (int i = 0; i < RHW_MAX_TEXTURES; i++) {
         bindings->slot[i] = rhw_binding_of(kernels, RHW_PATHS_ALL, NULL, NULL);
     }

@@ -6,6 +6,7 @@
 
 #include "kernels/kernels.h"
 #include "rhw/shader.h"
+#include "storage.h"
 
 struct rhw_texture_data;
 struct rhw_sampler_data;
@@ -37,9 +38,11 @@ struct rhw_bindings {
     const struct rhw_kernels *kernels;
     struct rhw_sample_site site;
     struct rhw_binding slot[RHW_MAX_TEXTURES];
+    const struct rhw_storage *storage;
+    bool drops_effects; // of a function under validation whose program does not declare them
 };
 
-// No texture in any slot.
+// No texture in any slot, and no storage.
 void rhw_bindings_init(struct rhw_bindings *bindings, const struct rhw_kernels *kernels);
 
 // A slot with this texture and sampler, or both NULL. All that is chosen among the kernels' functions is chosen here:

@@ -126,17 +126,33 @@ static bool renew(struct rhw_context *context, uint32_t index, struct rhw_buffer
     return true;
 }
 
+// Whether the pass being recorded has the buffer for its shader functions to write.
+static bool is_stored(const struct rhw_context *context, const struct rhw_buffer_data *data)
+{
+    return context->recording.active && data->stored_pass == context->recording.generation;
+}
+
+// A range that a call reads or writes now.
+static bool check_range(const struct rhw_context *context, rhw_buffer buffer,
+                        const struct rhw_buffer_data *target, size_t offset, const void *data, size_t size,
+                        const char *where)
+{
+    return rhw_check(context, offset <= target->size && size <= target->size - offset,
+                     "%s: offset is %zu and size is %zu; together they must stay within the %zu bytes of %s",
+                     where, offset, size, target->size, rhw_name_of(&context->buffers, buffer.index).text) &&
+           rhw_check(context, data != NULL || size == 0, "%s: data is NULL; it must point to %zu bytes",
+                     where, size) &&
+           rhw_check(context, !is_stored(context, target),
+                     "%s: %s is a storage buffer of this pass; end the pass first", where,
+                     rhw_name_of(&context->buffers, buffer.index).text);
+}
+
 static enum rhw_result write_bytes(struct rhw_context *context, rhw_buffer buffer, size_t offset,
                                    const void *data, size_t size)
 {
     static const char *const where = "rhw_buffer_write";
     struct rhw_buffer_data *const target = rhw_context_buffer(context, buffer, where);
-    if (target == NULL ||
-        !rhw_check(context, offset <= target->size && size <= target->size - offset,
-                   "%s: offset is %zu and size is %zu; together they must stay within the %zu bytes of %s",
-                   where, offset, size, target->size, rhw_name_of(&context->buffers, buffer.index).text) ||
-        !rhw_check(context, data != NULL || size == 0, "%s: data is NULL; it must point to %zu bytes", where,
-                   size)) {
+    if (target == NULL || !check_range(context, buffer, target, offset, data, size, where)) {
         return RHW_ERROR_MISUSE;
     }
     if (!rhw_check(context,
@@ -166,4 +182,20 @@ enum rhw_result rhw_buffer_write(rhw_context *context, rhw_buffer buffer, size_t
     const enum rhw_result result = write_bytes(context, buffer, offset, data, size);
     rhw_context_leave(context);
     return result;
+}
+
+enum rhw_result rhw_buffer_read(rhw_context *context, rhw_buffer buffer, size_t offset, void *data,
+                                size_t size)
+{
+    static const char *const where = "rhw_buffer_read";
+    if (!rhw_context_enter(context, where)) {
+        return RHW_ERROR_MISUSE;
+    }
+    const struct rhw_buffer_data *const source = rhw_context_buffer(context, buffer, where);
+    const bool valid = source != NULL && check_range(context, buffer, source, offset, data, size, where);
+    if (valid && size != 0) {
+        memcpy(data, source->bytes + offset, size);
+    }
+    rhw_context_leave(context);
+    return valid ? RHW_OK : RHW_ERROR_MISUSE;
 }

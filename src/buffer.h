@@ -16,6 +16,8 @@ struct rhw_buffer_data {
     size_t size;          // as the user gave it, without padding
     // The pass in which it last got other memory, and the draws that were recorded before and read the old one.
     uint32_t renewed_pass, renewed_draws;
+    // The last passes that have it as a storage buffer, and that read it as vertices or indices, by generation.
+    uint32_t stored_pass, fetched_pass;
     uint32_t captured_pass; // the last that writes it by transform feedback
 };
 

@@ -57,8 +57,10 @@ struct rhw_draw_state {
 struct rhw_draw {
     const struct rhw_draw_state *state;
     const void *uniforms;
-    const uint32_t (*expanded)[3];            // vertex indices of strips and fans with restart; else NULL
-    const struct rhw_shared_vertices *shared; // by instance, of the wave under way; mostly NULL
+    const uint32_t (*expanded)[3];            // vertex indices of strips and fans with restart, slots of
+                                              // effect_vertices.h; else NULL
+    const struct rhw_shared_vertices *shared; // by instance, of the wave under way, or of the
+                                              // pass (effect_vertices.h); mostly NULL
     uint32_t first, base_vertex, first_instance, instances;
     uint32_t index;                           // of the draw in its pass
     const struct rhw_draw_feedback *feedback; // what it writes to buffers; NULL: nothing

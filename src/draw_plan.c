@@ -12,10 +12,17 @@ static bool masks_samples(const struct rhw_pipeline_def *def, int samples)
     return samples > 1 && (def->alpha_to_coverage || def->program.uses & RHW_USE_SAMPLE_MASK);
 }
 
-// Whether fragments may be dropped, or moved, after the fragment function, so that depth is tested then.
-static bool tests_late(const struct rhw_pipeline_def *def, int samples)
+// Whether fragments may be dropped, or moved, after the fragment function.
+static bool drops_late(const struct rhw_pipeline_def *def, int samples)
 {
     return def->program.uses & (RHW_USE_DISCARD | RHW_USE_DEPTH) || masks_samples(def, samples);
+}
+
+// Whether depth is tested after it: for that reason, or since the function has effects for fragments that fail too.
+static bool tests_late(const struct rhw_pipeline_def *def, int samples)
+{
+    return !def->program.early_fragment_tests &&
+           (drops_late(def, samples) || def->program.uses & RHW_USE_EFFECTS);
 }
 
 static enum rhw_sampling choose_sampling(const struct rhw_pipeline_data *pipeline, int samples)
@@ -30,13 +37,15 @@ static enum rhw_shading choose_shading(const struct rhw_pipeline_data *pipeline,
 {
     const uint32_t uses = pipeline->def.program.uses;
     // What groups can be filled with together.
-    const uint32_t together = RHW_USE_DISCARD | RHW_USE_DEPTH | RHW_USE_FACING | RHW_USE_IDS;
+    const uint32_t together =
+        RHW_USE_DISCARD | RHW_USE_DEPTH | RHW_USE_FACING | RHW_USE_IDS | RHW_USE_EFFECTS;
     if (!(pipeline->fragment || pipeline->def.program.fragment1) || phase == RHW_PHASE_DEPTH) {
         return RHW_SHADING_NONE;
     }
     // Groups of several samples that differ, and depths of several samples, are those of rows.
-    const bool by_rows = samples > 1 && (tests_late(&pipeline->def, samples) ||
-                                         choose_sampling(pipeline, samples) != RHW_SAMPLING_CENTER);
+    const bool by_rows =
+        samples > 1 && (drops_late(&pipeline->def, samples) || tests_late(&pipeline->def, samples) ||
+                        choose_sampling(pipeline, samples) != RHW_SAMPLING_CENTER);
     if (paths == RHW_PATHS_GENERAL || by_rows) {
         return RHW_SHADING_ROWS;
     }
@@ -72,9 +81,9 @@ static enum rhw_depth_mode choose_depth_mode(const struct rhw_pipeline_def *def,
     }
     // A fragment that fails an ordering test now fails it later too, as depth only moves that way meanwhile. How many do
     // so now depends on the path: what is counted is tested once.
-    const bool can_reject = !(uses & RHW_USE_DEPTH) && direction_of(def->depth_compare) != 0 &&
-                            !depth_stencil->tests_stencil && !depth_stencil->tests_bounds &&
-                            !depth_stencil->counts;
+    const bool can_reject = !(uses & (RHW_USE_DEPTH | RHW_USE_EFFECTS)) &&
+                            direction_of(def->depth_compare) != 0 && !depth_stencil->tests_stencil &&
+                            !depth_stencil->tests_bounds && !depth_stencil->counts;
     return can_reject ? RHW_DEPTH_EARLY_REJECT : RHW_DEPTH_LATE;
 }
 

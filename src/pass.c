@@ -11,6 +11,7 @@
 #include "context.h"
 #include "cpu.h"
 #include "draw_range.h"
+#include "effect_vertices.h"
 #include "entry.h"
 #include "format.h"
 #include "hidden_surface.h"
@@ -18,6 +19,7 @@
 #include "misuse.h"
 #include "pass_run.h"
 #include "pass_state.h"
+#include "pass_storage.h"
 #include "pipeline.h"
 #include "query.h"
 #include "rhw/rhw.h"
@@ -115,6 +117,21 @@ static bool targets_match(const struct rhw_pass_state *pass, rhw_pipeline id,
                      rhw_name_of(&context->pipelines, id.index).text);
 }
 
+// Under validation: what a pass of one sample has no use for. The pipeline may be meant for others too, hence no misuse.
+static void warn_of_samples(const struct rhw_pass_state *pass, rhw_pipeline id,
+                            const struct rhw_pipeline_def *def, const char *where)
+{
+    const char *const name = def->alpha_to_coverage           ? "alpha_to_coverage"
+                             : def->alpha_to_one              ? "alpha_to_one"
+                             : def->sample_mask != UINT32_MAX ? "sample_mask"
+                                                              : NULL;
+    if (name != NULL && pass->pattern->count == 1) {
+        rhw_context_log(pass->context, RHW_LOG_WARNING,
+                        "%s: %s has %s set and the pass has one sample a pixel; it has no effect", where,
+                        rhw_name_of(&pass->context->pipelines, id.index).text, name);
+    }
+}
+
 void rhw_pass_set_pipeline(rhw_context *context, rhw_pass id, rhw_pipeline pipeline_id)
 {
     static const char *const where = "rhw_pass_set_pipeline";
@@ -128,6 +145,9 @@ void rhw_pass_set_pipeline(rhw_context *context, rhw_pass id, rhw_pipeline pipel
                   where) &&
         targets_match(pass, pipeline_id, pipeline, where)) {
         rhw_pool_use(&context->pipelines, pipeline_id.index, context->recording.generation);
+        if (context->findings && pass->pending.pipeline != pipeline) {
+            warn_of_samples(pass, pipeline_id, &pipeline->def, where);
+        }
         pass->pending_changed |= pass->pending.pipeline != pipeline;
         pass->pending.pipeline = pipeline;
         pass->bound.pipeline = pipeline_id;
@@ -146,7 +166,8 @@ static struct rhw_bound_buffer bind_buffer(rhw_context *context, rhw_buffer id, 
                               offset, rhw_name_of(&context->buffers, id.index).text, buffer->size)) {
         return (struct rhw_bound_buffer){.data = NULL};
     }
-    if (!rhw_check(context, buffer->captured_pass != context->recording.generation,
+    if (!rhw_pass_fetches(context, id, where) ||
+        !rhw_check(context, buffer->captured_pass != context->recording.generation,
                    "%s: %s is written by the transform feedback of this pass", where,
                    rhw_name_of(&context->buffers, id.index).text)) {
         return (struct rhw_bound_buffer){.data = NULL};
@@ -243,13 +264,28 @@ static bool check_sampled(const rhw_context *context, rhw_texture id, int slot, 
                      rhw_name_of(&context->textures, id.index).text, slot);
 }
 
-// Coordinates in texels are those of a single 1D or 2D image (Vulkan 1.3, VkSamplerCreateInfo).
+// Whether a sampler gives texels as they are.
+static bool takes_texels(const struct rhw_texture_data *texture, const struct rhw_sampler_data *sampler)
+{
+    const struct rhw_sampler_def *const def = &sampler->def;
+    return def->min_filter == RHW_FILTER_NEAREST && def->mag_filter == RHW_FILTER_NEAREST &&
+           (def->mip_filter != RHW_MIP_FILTER_LINEAR || texture->levels == 1) && !def->compares &&
+           def->max_anisotropy <= 1 && def->reduction == RHW_REDUCTION_AVERAGE;
+}
+
+// Formats that are not filtered give their texels. Coordinates in texels are those of a single 1D or 2D image (Vulkan 1.3, VkSamplerCreateInfo).
 static bool check_sampler(const rhw_context *context, rhw_texture id, rhw_sampler sampler_id,
                           const struct rhw_sampler_data *sampler, const char *where)
 {
     const struct rhw_texture_data *const texture = rhw_context_texture(context, id, where);
     const struct rhw_texture_shape *const shape = &texture->shape;
     return rhw_check(context,
+                     rhw_format_has_role(texture->info, RHW_ROLE_FILTERED) || takes_texels(texture, sampler),
+                     "%s: %s is %s, which is not filtered; %s must have nearest filters, and no comparison, "
+                     "anisotropy or reduction",
+                     where, rhw_name_of(&context->textures, id.index).text, texture->info->name,
+                     rhw_name_of(&context->samplers, sampler_id.index).text) &&
+           rhw_check(context,
                      !sampler->def.unnormalized || (!shape->is_array && (shape->kind == RHW_TEXTURE_1D ||
                                                                          shape->kind == RHW_TEXTURE_2D)),
                      "%s: %s is unnormalized and %s has kind %d, layers %d; it must be 1D or 2D and no array",
@@ -484,8 +520,9 @@ static bool resolve_textures(struct rhw_pass_state *pass)
                 rhw_binding_of(context->kernels, context->paths, *bound->texture, bound->sampler);
         }
     }
+    bindings->storage = rhw_pass_storage_of(pass);
     pass->pending.textures = bindings;
-    return true;
+    return bindings->storage != NULL;
 }
 
 // Brings `pending` up to date with what is bound. False when out of memory.
@@ -526,7 +563,8 @@ static const struct rhw_draw_state *snapshot(struct rhw_pass_state *pass)
                                state->pipeline->primitive == RHW_PRIMITIVE_POINTS ||
                                    state->pipeline->primitive == RHW_PRIMITIVE_POLYGON_POINTS);
     for (int i = 0; i < pass->color_count; i++) {
-        rhw_blend_state_init(&state->blend[i], &state->pipeline->def.targets[i], state->blend_constant);
+        rhw_blend_state_init(&state->blend[i], &state->pipeline->def.targets[i], state->pipeline->def.logic,
+                             state->blend_constant);
         if (pass->paths == RHW_PATHS_GENERAL) {
             rhw_blend_state_generalize(&state->blend[i]);
         }
@@ -613,11 +651,13 @@ static void append_draw(struct rhw_pass_state *pass, const struct rhw_draw *draw
     slot->index = pass->draws.count;
     slot->group = pass->context->recording.group;
     slot->first_triangle = pass->triangle_count;
+    const bool effects = state->pipeline->def.program.vertex_effects;
     if (pass->out_of_memory || !rhw_assembly_prepare(slot, count, &pass->arena) ||
-        !rhw_feedback_add_draw(pass, slot)) {
+        (effects && !rhw_effect_vertices_prepare(slot, &pass->arena)) || !rhw_feedback_add_draw(pass, slot)) {
         pass->out_of_memory = true;
         return;
     }
+    pass->has_effect_vertices |= effects;
     pass->draws.count++;
     pass->context->recording.draw = pass->draws.count;
     pass->has_large_draws |= slot->indexed && slot->triangles_per_instance >= RHW_SHARING_TRIANGLES;

@@ -8,6 +8,7 @@
 #include <string.h>
 
 #include "context.h"
+#include "effect_vertices.h"
 #include "kernels/geometry/geometry_scratch.h"
 #include "kernels/kernels.h"
 #include "kernels/tile_work.h"
@@ -65,6 +66,7 @@ static void init_geometry_scratch(struct rhw_geometry_scratch *scratch)
     scratch->stamp = 1;
     for (int g = 0; g < RHW_VERTEX_GROUPS; g++) {
         scratch->groups[g].clip_distance = scratch->distances[g];
+        scratch->groups[g].mask = rhw_splat_int(-1);
         scratch->groups[g].cull_distance = scratch->distances[g] + RHW_MAX_CLIP_DISTANCES;
     }
 }
@@ -240,6 +242,17 @@ static void run_part(void *user, int index, int worker)
     task->pass->context->kernels->shared_part(task->pass, &task->parts[index], worker);
 }
 
+static void run_parts(struct rhw_pass_state *pass, const struct rhw_shared_parts *parts,
+                      struct rhw_stats *stats)
+{
+    struct parts_task task = {pass, parts->parts};
+    stats->vertices_shaded += parts->vertices;
+    if (parts->count != 0) {
+        stats->front_busy_ms +=
+            milliseconds(rhw_scheduler_run(pass->context->scheduler, run_part, &task, parts->count));
+    }
+}
+
 // Shades the vertices that the wave's chunks share. False when out of memory.
 static bool shade_shared_vertices(struct rhw_pass_state *pass, struct rhw_stats *stats)
 {
@@ -247,13 +260,24 @@ static bool shade_shared_vertices(struct rhw_pass_state *pass, struct rhw_stats 
     if (!rhw_shared_vertices_find(pass, bin_limit(pass) / 4, &wave)) {
         return false;
     }
-    struct parts_task task = {pass, wave.parts};
     pass->geometry = wave.bytes;
-    stats->vertices_shaded += wave.vertices;
-    if (wave.count != 0) {
-        stats->front_busy_ms +=
-            milliseconds(rhw_scheduler_run(pass->context->scheduler, run_part, &task, wave.count));
+    run_parts(pass, &wave, stats);
+    return true;
+}
+
+// The same for vertices with effects, of all waves. False when out of memory.
+static bool shade_effect_vertices(struct rhw_pass_state *pass, struct rhw_stats *stats)
+{
+    struct rhw_shared_parts parts;
+    const uint64_t start = rhw_time_ns();
+    if (!pass->has_effect_vertices) {
+        return true;
     }
+    if (!rhw_effect_vertices_find(pass, &parts)) {
+        return false;
+    }
+    run_parts(pass, &parts, stats);
+    stats->front_ms += milliseconds(rhw_time_ns() - start);
     return true;
 }
 
@@ -419,6 +443,9 @@ enum rhw_result rhw_pass_run(struct rhw_pass_state *pass, struct rhw_stats *stat
     expect_clean(&pass->depth);
     pass->first_wave = true;
     rhw_queries_stamp(pass, 0);
+    if (!shade_effect_vertices(pass, &s)) {
+        return RHW_ERROR_OUT_OF_MEMORY;
+    }
     do {
         const uint64_t start = rhw_time_ns();
         if (!run_front(pass, &at, &s)) {

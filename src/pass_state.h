@@ -19,7 +19,7 @@ struct rhw_attachment {
     enum rhw_load load;
     enum rhw_store store;
     const struct rhw_mip *target;  // NULL: exists in the tile alone
-    int layer;                     // of it that is drawn into
+    int layer, level;              // of its texture that is drawn into
     struct rhw_clean_tiles *clean; // of a texture; NULL where there is none
     size_t sample_stride;          // bytes from one sample of the target to the next; 0 where it has one
     // Where the samples of the tile are resolved into, if they are; NULL: nowhere.
@@ -75,10 +75,15 @@ struct rhw_bound_texture {
     struct rhw_texture_data *const *texture; // in the context's pool; NULL: nothing is set
     const struct rhw_sampler_data *sampler;
 };
+struct rhw_bound_range {
+    const struct rhw_buffer_data *data; // NULL: nothing is set
+    size_t offset, size;                // bytes
+};
 struct rhw_bound {
     struct rhw_bound_buffer vertices[RHW_MAX_VERTEX_BUFFERS], indices;
     struct rhw_bound_texture textures[RHW_MAX_TEXTURES];
     rhw_pipeline pipeline; // for messages
+    struct rhw_bound_range storage[RHW_MAX_STORAGE_BUFFERS];
 };
 
 struct rhw_pass_state {
@@ -115,8 +120,9 @@ struct rhw_pass_state {
 
     struct rhw_draw_list draws;
     uint64_t triangle_count;
-    int triangles_most;   // that tiles draw of a primitive of any draw
-    bool has_large_draws; // indexed, of RHW_SHARING_TRIANGLES at least
+    int triangles_most;       // that tiles draw of a primitive of any draw
+    bool has_effect_vertices; // of some draw
+    bool has_large_draws;     // indexed, of RHW_SHARING_TRIANGLES at least
 
     struct rhw_chunk *chunks; // of the wave under way
     int chunk_count, chunk_capacity;

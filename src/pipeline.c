@@ -5,6 +5,7 @@
 #include <stdio.h>
 #include <string.h>
 
+#include "blend_state.h"
 #include "constants.h"
 #include "context.h"
 #include "depth_stencil.h"
@@ -19,7 +20,8 @@ static const char *const create_name = "rhw_pipeline_create";
 
 static const uint32_t known_uses = RHW_USE_COORD | RHW_USE_FACING | RHW_USE_IDS | RHW_USE_BARYCENTRIC |
                                    RHW_USE_DISCARD | RHW_USE_DEPTH | RHW_USE_BARYCENTRIC_DERIVATIVES |
-                                   RHW_USE_SAMPLE | RHW_USE_SAMPLE_MASK | RHW_USE_POINT_COORD;
+                                   RHW_USE_SAMPLE | RHW_USE_SAMPLE_MASK | RHW_USE_POINT_COORD |
+                                   RHW_USE_EFFECTS;
 
 static bool check_range(const struct rhw_context *context, const char *field, long long value, long long low,
                         long long high)
@@ -241,14 +243,14 @@ static bool check_states(const struct rhw_context *context, const struct rhw_pip
            check_range(context, "front", def->front, 0, RHW_CLOCKWISE) &&
            check_range(context, "depth_range", def->depth_range, 0, RHW_DEPTH_MINUS_ONE_TO_ONE) &&
            check_range(context, "depth_compare", def->depth_compare, 0, RHW_COMPARE_ALWAYS) &&
-           check_depth_stencil(context, def);
+           check_range(context, "logic", def->logic, 0, RHW_LOGIC_SET) && check_depth_stencil(context, def);
 }
 
 static bool check_blend(const struct rhw_context *context, int index, const char *src, const char *dst,
                         const char *operation, const struct rhw_blend_component *blend)
 {
-    return check_element(context, "targets", index, src, blend->src, 0, RHW_BLEND_ONE_MINUS_CONSTANT) &&
-           check_element(context, "targets", index, dst, blend->dst, 0, RHW_BLEND_ONE_MINUS_CONSTANT) &&
+    return check_element(context, "targets", index, src, blend->src, 0, RHW_BLEND_ONE_MINUS_SRC1_ALPHA) &&
+           check_element(context, "targets", index, dst, blend->dst, 0, RHW_BLEND_ONE_MINUS_SRC1_ALPHA) &&
            check_element(context, "targets", index, operation, blend->operation, 0, RHW_BLEND_MAX);
 }
 
@@ -290,6 +292,10 @@ static bool check_targets(const struct rhw_context *context, const struct rhw_pi
     }
     for (int i = 0; i < def->target_count; i++) {
         if (!check_target(context, i, &def->targets[i]) ||
+            !rhw_check(context, def->target_count == 1 || !rhw_blend_reads_second(&def->targets[i]),
+                       "%s: targets[%d] blends with the second source, color[1], and target_count is %d; it "
+                       "must be 1",
+                       create_name, i, def->target_count) ||
             !rhw_check(context, has_fragment(&def->program) || def->targets[i].write_mask == RHW_WRITE_NONE,
                        "%s: the program has no fragment function and targets[%d] is written; give it one, or "
                        "the target the write_mask RHW_WRITE_NONE",
@@ -325,6 +331,12 @@ static bool replaces(const struct rhw_blend_component *blend)
            blend->operation == RHW_BLEND_ADD;
 }
 
+static bool is_set(const struct rhw_stencil_face *face)
+{
+    return face->compares || face->fail != RHW_STENCIL_KEEP || face->depth_fail != RHW_STENCIL_KEEP ||
+           face->pass != RHW_STENCIL_KEEP || face->read_mask != 0 || face->write_mask != 0;
+}
+
 // Under validation: what is set and switched off. Programs that switch on and off leave it so, hence no misuse.
 static void warn_of_contradictions(const struct rhw_context *context, const struct rhw_pipeline_def *def)
 {
@@ -335,6 +347,10 @@ static void warn_of_contradictions(const struct rhw_context *context, const stru
                             "%s: targets[%d].color or .alpha is set and targets[%d].blend is false",
                             create_name, i, i);
         }
+    }
+    if (!def->stencil_test && (is_set(&def->stencil_front) || is_set(&def->stencil_back))) {
+        rhw_context_log(context, RHW_LOG_WARNING,
+                        "%s: stencil_front or stencil_back is set and stencil_test is false", create_name);
     }
     if (def->depth_read_only && !def->depth_test) {
         rhw_context_log(context, RHW_LOG_WARNING, "%s: depth_read_only is true and depth_test is false",
@@ -390,8 +406,17 @@ static void resolve_defaults(struct rhw_pipeline_def *def)
 static void resolve_uses(struct rhw_pipeline_def *def)
 {
     const uint32_t late = RHW_USE_DISCARD | RHW_USE_DEPTH | RHW_USE_SAMPLE_MASK;
-    if (def->stencil_test && (def->program.uses & late || def->alpha_to_coverage)) {
+    const bool effects = def->program.uses & RHW_USE_EFFECTS && !def->program.early_fragment_tests;
+    if (def->stencil_test && (def->program.uses & late || def->alpha_to_coverage || effects)) {
         def->program.uses |= RHW_USE_FACING;
+    }
+}
+
+static void resolve_attributes(struct rhw_pipeline_data *data)
+{
+    for (int i = 0; i < data->def.attribute_count; i++) {
+        const struct rhw_attribute *const attribute = &data->def.attributes[i];
+        data->fetches[i] = rhw_fetch_of(attribute->format, attribute->offset);
     }
 }
 
@@ -494,6 +519,9 @@ void rhw_pipeline_data_init(struct rhw_pipeline_data *data, const struct rhw_pip
     data->def.label = NULL; // which is the caller's
     resolve_defaults(&data->def);
     resolve_uses(&data->def);
+    data->output_count =
+        def->target_count + (def->target_count == 1 && rhw_blend_reads_second(&data->def.targets[0]) ? 1 : 0);
+    resolve_attributes(data);
     resolve_functions(data, isa);
     lay_out_varyings(data);
     lay_out_primitives(data);

@@ -3,7 +3,7 @@
 #ifndef RHW_PIPELINE_H
 #define RHW_PIPELINE_H
 
-#include "rhw/types.h"
+#include "format.h"
 #include "transform_feedback.h"
 
 struct rhw_watch;
@@ -14,8 +14,10 @@ struct rhw_pipeline_data {
     struct rhw_watch *watch;     // under validation, and then in the place of its functions; see watch.h
     rhw_vertex_function *vertex; // best entry for the context's instruction set; NULL: use program.vertex1
     rhw_fragment_function *fragment; // likewise; NULL: program.fragment1, and when that is NULL too, depth only
-    int varying_components;          // of all varyings together
-    enum rhw_sampling sampling;      // the most that one of them asks for
+    int output_count; // colours that the fragment function writes: the targets', and a second source
+    struct rhw_fetch fetches[RHW_MAX_ATTRIBUTES];
+    int varying_components;     // of all varyings together
+    enum rhw_sampling sampling; // the most that one of them asks for
     // What is drawn: `topology` and the polygon mode in one.
     enum rhw_primitive {
         RHW_PRIMITIVE_TRIANGLES,

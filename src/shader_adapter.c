@@ -29,6 +29,9 @@ void rhw_vertex1_run(const struct rhw_pipeline_data *pipeline, struct rhw_vertex
     for (int i = 0; i < count * RHW_LANES; i++) {
         struct rhw_vertex *const group = &groups[i / RHW_LANES];
         const int lane = i % RHW_LANES;
+        if (group->mask[lane] == 0) {
+            continue;
+        }
         float attribute[RHW_MAX_ATTRIBUTES][4] = {{0}};
         float varying[RHW_WATCH_COMPONENTS] = {0};
         float distance[2][RHW_MAX_CLIP_DISTANCES] = {{0}};
@@ -107,7 +110,7 @@ static void run_fragment(const struct rhw_pipeline_data *pipeline, struct rhw_fr
 {
     const bool all = pipeline->watch != NULL;
     const int components = all ? RHW_WATCH_COMPONENTS : pipeline->varying_components;
-    const int targets = all ? RHW_MAX_COLOR_ATTACHMENTS : pipeline->def.target_count;
+    const int targets = all ? RHW_MAX_COLOR_ATTACHMENTS : pipeline->output_count;
     const uint32_t uses = all ? UINT32_MAX : pipeline->def.program.uses;
     float varying[RHW_WATCH_COMPONENTS], ddx[RHW_WATCH_COMPONENTS], ddy[RHW_WATCH_COMPONENTS];
     float color[RHW_MAX_COLOR_ATTACHMENTS][4] = {{0}};

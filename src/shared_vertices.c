@@ -61,7 +61,7 @@ static uint32_t shared_count(const struct rhw_draw *draw, uint64_t chunk)
     return count / 3 <= triangles / 2 && is_scattered(draw, chunk) ? count : 0;
 }
 
-static uint32_t parts_of(uint32_t count)
+uint32_t rhw_shared_parts_of(uint32_t count)
 {
     return (count - 1) / RHW_SHARED_PART + 1;
 }
@@ -80,7 +80,7 @@ static struct rhw_shared_vertices *make_room(struct rhw_arena *arena, const stru
         if (!records || !snapped) {
             return NULL;
         }
-        shared[i] = (struct rhw_shared_vertices){{draw, i, stride, records}, snapped, count};
+        shared[i] = (struct rhw_shared_vertices){{draw, i, stride, records}, snapped, count, NULL};
     }
     return shared;
 }
@@ -96,17 +96,17 @@ static bool share(struct rhw_pass_state *pass, struct rhw_draw *draw, size_t mos
     const uint64_t size = room * ((uint64_t)stride * sizeof(float) + sizeof(struct rhw_snapped_vertex));
     draw->shared = NULL;
     if (count == 0 || draw->instances > (most - wave->bytes) / size ||
-        draw->instances > (uint32_t)(INT_MAX - wave->count) / parts_of(count)) {
+        draw->instances > (uint32_t)(INT_MAX - wave->count) / rhw_shared_parts_of(count)) {
         return true;
     }
     draw->shared = make_room(&pass->workers[0].arena, draw, count, (size_t)room, stride);
-    wave->count += (int)(draw->instances * parts_of(count));
+    wave->count += (int)(draw->instances * rhw_shared_parts_of(count));
     wave->vertices += (uint64_t)draw->instances * count;
     wave->bytes += (size_t)(draw->instances * size);
     return draw->shared;
 }
 
-static struct rhw_shared_part *list_parts(struct rhw_shared_part *part, const struct rhw_draw *draw)
+struct rhw_shared_part *rhw_shared_parts_list(struct rhw_shared_part *part, const struct rhw_draw *draw)
 {
     for (uint32_t i = 0; draw->shared && i < draw->instances; i++) {
         const struct rhw_shared_vertices *const shared = &draw->shared[i];
@@ -133,7 +133,7 @@ bool rhw_shared_vertices_find(struct rhw_pass_state *pass, size_t most, struct r
         if (draw->first_triangle >= last->first + last->count) {
             break;
         }
-        if (!share(pass, draw, most, wave)) {
+        if (!draw->state->pipeline->def.program.vertex_effects && !share(pass, draw, most, wave)) {
             return false;
         }
     }
@@ -144,7 +144,10 @@ bool rhw_shared_vertices_find(struct rhw_pass_state *pass, size_t most, struct r
         rhw_arena_alloc(&pass->workers[0].arena, (size_t)wave->count * sizeof *wave->parts, RHW_CACHE_LINE);
     struct rhw_shared_part *part = wave->parts;
     for (uint32_t d = first; part && d < end; d++) {
-        part = list_parts(part, rhw_pass_draw_at(pass, d));
+        const struct rhw_draw *const draw = rhw_pass_draw_at(pass, d);
+        if (!draw->state->pipeline->def.program.vertex_effects) {
+            part = rhw_shared_parts_list(part, draw);
+        }
     }
     return part;
 }

@@ -14,7 +14,8 @@ struct rhw_pass_state;
 struct rhw_shared_vertices {
     struct rhw_segment segment;
     struct rhw_snapped_vertex *snapped;
-    uint32_t count; // those of the draw's indices 0 .. count − 1
+    uint32_t count;          // those of the draw's indices 0 .. count − 1
+    const uint32_t *indices; // or of these (effect_vertices.h); NULL: as said
 };
 
 enum {
@@ -36,6 +37,11 @@ struct rhw_shared_parts {
     uint64_t vertices;
     size_t bytes;
 };
+
+// Parts of so many vertices, at least one.
+uint32_t rhw_shared_parts_of(uint32_t count);
+// Lists those of all instances of a draw, and gives the end of the list.
+struct rhw_shared_part *rhw_shared_parts_list(struct rhw_shared_part *part, const struct rhw_draw *draw);
 
 // Finds the draws of the wave's chunks whose vertices are shared, which is where the vertices from base_vertex to the
 // end of the buffers are few beside the triangles, and these in no order; and gives them room, of `most` bytes

@@ -3,7 +3,8 @@
 // pair of groups: all that the program did not declare, and all that is still to be written, holds one rubbish the first
 // time and another the second. What differs then was read without being declared, or not written at all. The pipeline
 // goes on with the first result, in which undeclared floats are NaN. A group without another beside it is called as a
-// pair of itself, so that a function which works on the first alone is found however few groups there are.
+// pair of itself, so that a function which works on the first alone is found however few groups there are. Functions with
+// effects are called once, and what they read is not looked at.
 #ifndef RHW_WATCH_H
 #define RHW_WATCH_H
 
@@ -52,6 +53,8 @@ void rhw_watched_fragment(struct rhw_fragment *groups, int count);
 // Looks at what a shader function asks of its textures: slots that do not exist or have no texture, and levels that
 // nobody has written.
 bool rhw_watch_slot(const struct rhw_bindings *textures, int slot); // false: nothing is there
+// The same of storage, and effects that are not declared.
+void rhw_watch_storage(const struct rhw_bindings *textures, int slot, enum rhw_storage_operation operation);
 void rhw_watch_sample(const struct rhw_bindings *textures, int slot,
                       const struct rhw_sample_request *request);
 void rhw_watch_sample_groups(const struct rhw_fragment *groups, int count, uint32_t slots, int at);

@@ -87,6 +87,11 @@ static void spoil_builtins(struct rhw_fragment *group, uint32_t uses, int32_t ch
     }
 }
 
+static bool has_effects(const struct rhw_watch *watch)
+{
+    return watch->uses & RHW_USE_EFFECTS;
+}
+
 // Gives group g of a run what the pipeline has for it, and rubbish where that is nothing.
 static void prepare(const struct rhw_watch *watch, const struct rhw_fragment *group, int32_t changed,
                     bool second, int g, struct fragment_run *out)
@@ -108,6 +113,7 @@ static void prepare(const struct rhw_watch *watch, const struct rhw_fragment *gr
         }
     }
     out->textures[g] = *group->textures;
+    out->textures[g].drops_effects = !has_effects(watch);
     if (changed == 0) { // else coordinates may come from another rubbish
         out->textures[g].site = rhw_watch_site(watch, group->uniforms, &group->mask);
     }
@@ -123,17 +129,23 @@ static void prepare(const struct rhw_watch *watch, const struct rhw_fragment *gr
     spoil_builtins(copy, watch->uses, changed);
 }
 
-static void run(const struct rhw_watch *watch, const struct rhw_fragment *const pair[RHW_WATCH_GROUPS],
-                int32_t changed, bool second, struct fragment_run *out)
+static void run_groups(const struct rhw_watch *watch, const struct rhw_fragment *const pair[RHW_WATCH_GROUPS],
+                       int32_t changed, bool second, int count, struct fragment_run *out)
 {
-    for (int g = 0; g < RHW_WATCH_GROUPS; g++) {
+    for (int g = 0; g < count; g++) {
         prepare(watch, pair[g], changed, second, g, out);
     }
     if (watch->fragment) {
-        watch->fragment(out->group, RHW_WATCH_GROUPS);
+        watch->fragment(out->group, count);
     } else {
-        rhw_fragment1_run(watch->pipeline, out->group, RHW_WATCH_GROUPS);
+        rhw_fragment1_run(watch->pipeline, out->group, count);
     }
+}
+
+static void run(const struct rhw_watch *watch, const struct rhw_fragment *const pair[RHW_WATCH_GROUPS],
+                int32_t changed, bool second, struct fragment_run *out)
+{
+    run_groups(watch, pair, changed, second, RHW_WATCH_GROUPS, out);
 }
 
 static bool is_source_alpha(enum rhw_blend_factor factor)
@@ -149,15 +161,35 @@ static bool reads_source_alpha(const struct rhw_blend_component *color)
            (is_source_alpha(color->src) || is_source_alpha(color->dst));
 }
 
+// Of the second source, which stands behind the only target.
+static unsigned second_channels(const struct rhw_color_target *target, unsigned kept)
+{
+    const unsigned colors = RHW_WRITE_RED | RHW_WRITE_GREEN | RHW_WRITE_BLUE;
+    const enum rhw_blend_factor color[2] = {target->color.src, target->color.dst};
+    const enum rhw_blend_factor alpha[2] = {target->alpha.src, target->alpha.dst};
+    unsigned needed = 0;
+    for (int i = 0; i < 2; i++) {
+        const bool whole = color[i] == RHW_BLEND_SRC1 || color[i] == RHW_BLEND_ONE_MINUS_SRC1;
+        const bool by_alpha = color[i] >= RHW_BLEND_SRC1_ALPHA && kept & colors;
+        needed |= whole ? kept & colors : by_alpha ? RHW_WRITE_ALPHA : 0;
+        needed |= alpha[i] >= RHW_BLEND_SRC1 ? kept & RHW_WRITE_ALPHA : 0;
+    }
+    return needed;
+}
+
 // Channels of target t that a pass needs, a bit each: those it keeps, and the alpha that colours are blended by.
 static unsigned needed_channels(const struct rhw_watch *watch, int t)
 {
     const struct rhw_pipeline_def *const def = &watch->pipeline->def;
-    if (t >= def->target_count) {
+    if (t >= watch->pipeline->output_count) {
         return 0;
     }
-    const struct rhw_color_target *const target = &def->targets[t];
+    const bool is_second = t >= def->target_count;
+    const struct rhw_color_target *const target = &def->targets[is_second ? 0 : t];
     const unsigned kept = target->write_mask & ((1u << rhw_format_info(target->format)->channels) - 1);
+    if (is_second) {
+        return second_channels(target, kept);
+    }
     const bool any_color = kept & (RHW_WRITE_RED | RHW_WRITE_GREEN | RHW_WRITE_BLUE);
     const bool blends = target->blend && any_color && reads_source_alpha(&target->color);
     return kept | (blends || (t == 0 && def->alpha_to_coverage) ? RHW_WRITE_ALPHA : 0);
@@ -168,7 +200,7 @@ static rhw_int differing(const struct rhw_watch *watch, const struct rhw_fragmen
                          const struct rhw_fragment *b, rhw_int mask)
 {
     rhw_int lanes = rhw_splat_int(0);
-    for (int t = 0; t < watch->pipeline->def.target_count; t++) {
+    for (int t = 0; t < watch->pipeline->output_count; t++) {
         for (int c = 0; c < 4; c++) {
             if (needed_channels(watch, t) & 1u << c) {
                 lanes |= rhw_watch_differs(a->color[t][c], b->color[t][c], mask);
@@ -225,7 +257,7 @@ static bool check_channels(const struct rhw_watch *watch, const struct rhw_fragm
                 report_channel(watch, group, mask, RHW_FINDING_MISUSE, "does not write", t, c);
                 return true;
             }
-            if (t >= watch->pipeline->def.target_count &&
+            if (t >= watch->pipeline->output_count &&
                 rhw_any(((rhw_int)first->color[t][c] != (int32_t)rhw_watch_output[0]) & mask)) {
                 // One program may serve pipelines of more targets, and of depth alone.
                 report_channel(watch, group, mask, RHW_FINDING_WARNING,
@@ -280,13 +312,13 @@ static __attribute__((cold)) void name_input(const struct rhw_watch *watch,
 
 static bool is_integer(const struct rhw_watch *watch, int t)
 {
-    return rhw_format_info(watch->pipeline->def.targets[t].format)->codec == RHW_CODEC_UINT32;
+    return rhw_format_is_integer(rhw_format_info(watch->pipeline->def.targets[t].format));
 }
 
 static void warn_of_nan(const struct rhw_watch *watch, const struct rhw_fragment *group,
                         const struct rhw_fragment *first, rhw_int mask)
 {
-    for (int t = 0; t < watch->pipeline->def.target_count; t++) {
+    for (int t = 0; t < watch->pipeline->output_count; t++) {
         for (int c = 0; c < 4 && !is_integer(watch, t); c++) {
             const rhw_float value = first->color[t][c];
             const rhw_int nan = (value != value) & mask;
@@ -310,7 +342,7 @@ static rhw_int written_lanes(const struct rhw_watch *watch, const struct rhw_fra
                              const struct rhw_fragment *second)
 {
     rhw_int lanes = rhw_splat_int(0);
-    for (int t = 0; t < watch->pipeline->def.target_count; t++) {
+    for (int t = 0; t < watch->pipeline->output_count; t++) {
         for (int c = 0; c < 4; c++) {
             if (needed_channels(watch, t) & 1u << c) {
                 lanes |= ((rhw_int)first->color[t][c] != (int32_t)rhw_watch_output[0]) |
@@ -356,7 +388,7 @@ static void check_group(const struct rhw_watch *watch,
 static void take_results(const struct rhw_watch *watch, const struct rhw_fragment *first,
                          struct rhw_fragment *group)
 {
-    memcpy(group->color, first->color, (size_t)watch->pipeline->def.target_count * sizeof first->color[0]);
+    memcpy(group->color, first->color, (size_t)watch->pipeline->output_count * sizeof first->color[0]);
     if (watch->uses & RHW_USE_DISCARD) {
         group->mask = first->mask;
     }
@@ -368,9 +400,27 @@ static void take_results(const struct rhw_watch *watch, const struct rhw_fragmen
     }
 }
 
+// Calls a function with effects, once for each group.
+static void run_once(const struct rhw_watch *watch, struct rhw_fragment *groups, int count)
+{
+    for (int g = 0; g < count; g += RHW_WATCH_GROUPS) {
+        const int left = count - g < RHW_WATCH_GROUPS ? count - g : RHW_WATCH_GROUPS;
+        const struct rhw_fragment *const pair[RHW_WATCH_GROUPS] = {&groups[g], &groups[g + left - 1]};
+        struct fragment_run first;
+        run_groups(watch, pair, 0, false, left, &first);
+        for (int i = 0; i < left; i++) {
+            take_results(watch, &first.group[i], &groups[g + i]);
+        }
+    }
+}
+
 void rhw_watched_fragment(struct rhw_fragment *groups, int count)
 {
     const struct rhw_watch *const watch = groups->user;
+    if (has_effects(watch)) {
+        run_once(watch, groups, count);
+        return;
+    }
     for (int g = 0; g < count; g += RHW_WATCH_GROUPS) {
         const bool is_pair = g + 1 < count;
         const struct rhw_fragment *const pair[RHW_WATCH_GROUPS] = {&groups[g], &groups[is_pair ? g + 1 : g]};

@@ -18,6 +18,11 @@ struct vertex_run {
 // What a run may hold other rubbish in than the first: bits.
 enum { ATTRIBUTES = 1, UNIFORMS = 2, EVERYTHING = 3 };
 
+static bool has_effects(const struct rhw_watch *watch)
+{
+    return watch->pipeline->def.program.vertex_effects;
+}
+
 // Gives group g of a run what the pipeline has for it, and rubbish where that is nothing.
 static void prepare(const struct rhw_watch *watch, const struct rhw_vertex *group, uint32_t changed,
                     bool second, int g, struct vertex_run *out)
@@ -37,6 +42,7 @@ static void prepare(const struct rhw_watch *watch, const struct rhw_vertex *grou
         out->distance[g][0][i] = out->distance[g][1][i] = output;
     }
     out->textures[g] = *group->textures;
+    out->textures[g].drops_effects = !has_effects(watch);
     if (changed == 0) {
         out->textures[g].site = rhw_watch_site(watch, group->uniforms, NULL);
     }
@@ -55,17 +61,23 @@ static void prepare(const struct rhw_watch *watch, const struct rhw_vertex *grou
     }
 }
 
-static void run(const struct rhw_watch *watch, const struct rhw_vertex *const pair[RHW_WATCH_GROUPS],
-                uint32_t changed, bool second, struct vertex_run *out)
+static void run_groups(const struct rhw_watch *watch, const struct rhw_vertex *const pair[RHW_WATCH_GROUPS],
+                       uint32_t changed, bool second, int count, struct vertex_run *out)
 {
-    for (int g = 0; g < RHW_WATCH_GROUPS; g++) {
+    for (int g = 0; g < count; g++) {
         prepare(watch, pair[g], changed, second, g, out);
     }
     if (watch->vertex) {
-        watch->vertex(out->group, RHW_WATCH_GROUPS);
+        watch->vertex(out->group, count);
     } else {
-        rhw_vertex1_run(watch->pipeline, out->group, RHW_WATCH_GROUPS);
+        rhw_vertex1_run(watch->pipeline, out->group, count);
     }
+}
+
+static void run(const struct rhw_watch *watch, const struct rhw_vertex *const pair[RHW_WATCH_GROUPS],
+                uint32_t changed, bool second, struct vertex_run *out)
+{
+    run_groups(watch, pair, changed, second, RHW_WATCH_GROUPS, out);
 }
 
 static int distances_of(const struct rhw_program *program, int which)
@@ -236,9 +248,27 @@ static void take_results(const struct rhw_watch *watch, const struct rhw_vertex 
     group->point_size = first->point_size;
 }
 
+// Calls a function with effects, once for each group.
+static void run_once(const struct rhw_watch *watch, struct rhw_vertex *groups, int count)
+{
+    for (int g = 0; g < count; g += RHW_WATCH_GROUPS) {
+        const int left = count - g < RHW_WATCH_GROUPS ? count - g : RHW_WATCH_GROUPS;
+        const struct rhw_vertex *const pair[RHW_WATCH_GROUPS] = {&groups[g], &groups[g + left - 1]};
+        struct vertex_run first;
+        run_groups(watch, pair, 0, false, left, &first);
+        for (int i = 0; i < left; i++) {
+            take_results(watch, &first.group[i], &groups[g + i]);
+        }
+    }
+}
+
 void rhw_watched_vertex(struct rhw_vertex *groups, int count)
 {
     const struct rhw_watch *const watch = groups->user;
+    if (has_effects(watch)) {
+        run_once(watch, groups, count);
+        return;
+    }
     for (int g = 0; g < count; g += RHW_WATCH_GROUPS) {
         const bool is_pair = g + 1 < count;
         const struct rhw_vertex *const pair[RHW_WATCH_GROUPS] = {&groups[g], &groups[is_pair ? g + 1 : g]};

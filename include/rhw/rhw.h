@@ -48,6 +48,10 @@ RHW_API void rhw_buffer_destroy(rhw_context *context, rhw_buffer buffer);
 /// recorded uses it, the first write after a draw gives it new memory. Without memory for that it stays as it is.
 RHW_API enum rhw_result rhw_buffer_write(rhw_context *context, rhw_buffer buffer, size_t offset,
                                          const void *data, size_t size);
+/// Copies `size` bytes at `offset` out. Not while the buffer is set as a storage buffer of the pass being recorded, nor is
+/// rhw_buffer_write then.
+RHW_API enum rhw_result rhw_buffer_read(rhw_context *context, rhw_buffer buffer, size_t offset, void *data,
+                                        size_t size);
 
 // Textures and samplers -----------------------------------------------------------------------------
 
@@ -168,6 +172,12 @@ RHW_API void rhw_pass_set_uniforms(rhw_context *context, rhw_pass pass, const vo
 /// also depth that is only tested: end the pass and sample in the next one, which loads what it goes on with.
 RHW_API void rhw_pass_set_texture(rhw_context *context, rhw_pass pass, int slot, rhw_texture texture,
                                   rhw_sampler sampler);
+/// Bytes `offset`, a multiple of 4, to offset + size of the buffer, 0: to its end, as storage slot `slot`,
+/// 0..RHW_MAX_STORAGE_BUFFERS − 1, which shader functions read and write (shader_storage.h). A null buffer unbinds the
+/// slot. What they write is there when the pass has ended. A buffer that this pass reads as vertices or indices is
+/// refused, and from then on the other way round.
+RHW_API void rhw_pass_set_storage_buffer(rhw_context *context, rhw_pass pass, int slot, rhw_buffer buffer,
+                                         size_t offset, size_t size);
 RHW_API void rhw_pass_set_viewport(rhw_context *context, rhw_pass pass, const struct rhw_viewport *viewport);
 RHW_API void rhw_pass_set_scissor(rhw_context *context, rhw_pass pass, const struct rhw_rect *scissor);
 RHW_API void rhw_pass_set_blend_constant(rhw_context *context, rhw_pass pass, const float constant[4]);

@@ -27,6 +27,7 @@ struct rhw_vertex {
     rhw_float *varying;    ///< out: [component]
     rhw_float *clip_distance, *cull_distance; ///< out: [distance], as many as the program has
     rhw_float point_size;  ///< out, where the program writes_point_size: pixels
+    rhw_int mask;          ///< −1; with vertex_effects 0 in lanes that are no vertex of their own: they have no effects
 };
 
 /// 8 fragments. Lanes outside `mask` carry finite or non-finite rubbish and their results are ignored.

@@ -11,6 +11,7 @@
 #include "shader_memory.h"
 #include "shader_no_lanes.h"
 #include "shader_sample.h"
+#include "shader_storage.h"
 
 #include <stdbool.h>
 #include <string.h>

@@ -18,6 +18,9 @@ golden_draw_function golden_write_mask_draw; ///< all masks, replacing and blend
 golden_draw_function golden_formats_draw; ///< eight targets at once; infinities, NaN, denormals, what overflows
 golden_draw_function golden_passes_draw; ///< load and store operations over four passes
 
+// golden_targets.c
+golden_draw_function golden_targets_draw; ///< eight colour formats at once; masks, logic operations, blending
+
 // golden_raster.c
 golden_draw_function golden_depth_draw; ///< comparisons, writing or not, both depth ranges, reversed viewports
 golden_draw_function golden_culling_draw;  ///< culling, windings, orientations, the facing builtin
@@ -59,6 +62,9 @@ golden_draw_function golden_builtins_draw; ///< coordinates, weights, derivative
 golden_draw_function golden_heights_draw;  ///< fragment depth, discard, derivatives
 golden_draw_function golden_maths_draw; ///< shader maths; 0: ordinary arguments, 1: the whole range of floats
 golden_draw_function golden_single_draw; ///< the one-at-a-time form of vertex and fragment functions
+
+// golden_storage.c
+golden_draw_function golden_storage_draw; ///< lists of fragments by atomics, vertices counted
 
 // golden_gallery.c: models as `rhw render` draws them, with all its outputs
 golden_draw_function golden_gallery_draw; ///< every kind of material and light; numbers are views

@@ -314,7 +314,7 @@ static void test_pipeline_definitions(void **state)
         case 24: def.target_count = -1; break;
         case 25: def.targets[0].format = RHW_FORMAT_NONE; break;
         case 26: def.targets[0].format = RHW_FORMAT_D32_FLOAT; break;
-        case 27: def.targets[0].color.src = (enum rhw_blend_factor)14; break;
+        case 27: def.targets[0].color.src = (enum rhw_blend_factor)20; break;
         case 28: def.targets[0].alpha.operation = (enum rhw_blend_operation)5; break;
         case 29: def.targets[0].write_mask = RHW_WRITE_NONE | RHW_WRITE_RED; break;
         case 30:

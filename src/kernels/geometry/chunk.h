@@ -258,7 +258,9 @@ static void shade_shared_part(const struct rhw_pass_state *pass, const struct rh
     segment.vertices += (size_t)part->first * (size_t)segment.vertex_stride;
     scratch->special_paths = rhw_pass_takes_special_paths(pass);
     for (uint32_t i = 0; i < part->count; i++) {
-        scratch->unique[i] = segment.draw->base_vertex + part->first + i;
+        const uint32_t slot = part->first + i;
+        scratch->unique[i] =
+            segment.draw->base_vertex + (part->shared->indices ? part->shared->indices[slot] : slot);
     }
     shade_vertices(scratch, &segment, part->shared->snapped + part->first, part->count);
     worker->counters.vertex_ns += rhw_time_ns() - start;

@@ -104,15 +104,16 @@ static void fetch_group(struct rhw_geometry_scratch *scratch, const struct rhw_s
     for (int a = 0; a < def->attribute_count; a++) {
         const struct rhw_attribute *const attribute = &def->attributes[a];
         const struct rhw_vertex_layout *const layout = &def->buffers[attribute->buffer];
+        const struct rhw_fetch *const fetch = &state->pipeline->fetches[a];
         const struct rhw_vertex_stream *const stream = &state->streams[attribute->buffer];
         uint32_t stepped[8];
         const uint32_t *const elements =
             layout->per_instance ? instance_elements(segment, layout, stepped) : element;
         f8 *const out = scratch->attributes[g][a];
-        if (scratch->special_paths && lies_inside(stream, attribute, layout->stride, elements)) {
-            fetch_inside(stream, attribute, layout->stride, elements, out);
+        if (scratch->special_paths && lies_inside(stream, fetch, layout->stride, elements)) {
+            fetch_inside(stream, fetch, layout->stride, elements, out);
         } else {
-            fetch_checked(stream, attribute, layout->stride, elements, out);
+            fetch_checked(stream, fetch, layout->stride, elements, out);
         }
     }
     group->attribute = (const f8(*)[4])scratch->attributes[g];
@@ -122,6 +123,16 @@ static void fetch_group(struct rhw_geometry_scratch *scratch, const struct rhw_s
     group->user = def->program.user;
     group->textures = state->textures;
     group->varying = scratch->varyings + g * state->pipeline->varying_components;
+}
+
+// The lanes that are vertices, of groups whose function has effects.
+static __attribute__((noinline)) void mask_vertices(struct rhw_geometry_scratch *scratch, int groups,
+                                                    uint32_t vertices)
+{
+    for (int g = 0; g < groups; g++) {
+        const int32_t left = (int32_t)vertices - 8 * g;
+        scratch->groups[g].mask = rhw_less_int(rhw_lane_numbers(), i8_splat(left));
+    }
 }
 
 // Shades `count` vertices, whose indices are scratch->unique, into the segment. `count` is rounded up to 8:
@@ -140,10 +151,17 @@ static void shade_vertices(struct rhw_geometry_scratch *scratch, const struct rh
         for (int g = 0; g < groups; g++) {
             fetch_group(scratch, segment, g, 8 * (first + (uint32_t)g));
         }
+        const bool has_effects = pipeline->def.program.vertex_effects;
+        if (has_effects) {
+            mask_vertices(scratch, groups, count - 8 * first);
+        }
         if (pipeline->vertex) {
             pipeline->vertex(scratch->groups, groups);
         } else {
             rhw_vertex1_run(pipeline, scratch->groups, groups);
+        }
+        if (has_effects) {
+            mask_vertices(scratch, groups, 8 * RHW_VERTEX_GROUPS);
         }
         for (int g = 0; g < groups; g++) {
             const size_t slot = 8 * (first + (uint32_t)g);

@@ -55,6 +55,11 @@ static void set_state(struct tile_work *work, const struct rhw_draw_state *state
         plane->state = &state->depth_stencil;
         plane->passed = 0;
     }
+    work->orders_lanes = work->samples > 1;
+    for (int t = 0; t < work->pass->color_count; t++) {
+        work->orders_lanes = work->orders_lanes && !state->blend[t].blend;
+    }
+    work->scratch->gathered.overtakes = false;
     work->tests_bounds = work->samples == 1 && hiz_follow(depth, &work->plan);
     for (int g = 0; g < RHW_FRAGMENT_GROUPS; g++) {
         struct rhw_fragment *const group = &queue->groups[g];
