@@ -144,6 +144,10 @@ static bool check_range(const struct rhw_context *context, rhw_buffer buffer,
                      where, size) &&
            rhw_check(context, !is_stored(context, target),
                      "%s: %s is a storage buffer of this pass; end the pass first", where,
+                     rhw_name_of(&context->buffers, buffer.index).text) &&
+           rhw_check(context,
+                     !context->recording.active || target->captured_pass != context->recording.generation,
+                     "%s: %s is written by the transform feedback of this pass; end the pass first", where,
                      rhw_name_of(&context->buffers, buffer.index).text);
 }
 
@@ -153,12 +157,6 @@ static enum rhw_result write_bytes(struct rhw_context *context, rhw_buffer buffe
     static const char *const where = "rhw_buffer_write";
     struct rhw_buffer_data *const target = rhw_context_buffer(context, buffer, where);
     if (target == NULL || !check_range(context, buffer, target, offset, data, size, where)) {
-        return RHW_ERROR_MISUSE;
-    }
-    if (!rhw_check(context,
-                   !context->recording.active || target->captured_pass != context->recording.generation,
-                   "%s: %s is written by the transform feedback of the pass being recorded; end it first",
-                   where, rhw_name_of(&context->buffers, buffer.index).text)) {
         return RHW_ERROR_MISUSE;
     }
     if (size == 0) {

@@ -22,6 +22,8 @@ struct rhw_limits rhw_limits_get(void)
         .max_uniform_buffer_range = RHW_MAX_UNIFORM_SIZE,
         .max_per_stage_descriptor_samplers = RHW_MAX_TEXTURES,
         .max_per_stage_descriptor_sampled_images = RHW_MAX_TEXTURES,
+        .max_storage_buffer_range = UINT32_MAX,
+        .max_per_stage_descriptor_storage_buffers = RHW_MAX_STORAGE_BUFFERS,
         .max_vertex_input_attributes = RHW_MAX_ATTRIBUTES,
         .max_vertex_input_bindings = RHW_MAX_VERTEX_BUFFERS,
         .max_vertex_input_attribute_offset = UINT32_MAX - 16, // and an attribute
@@ -37,6 +39,8 @@ struct rhw_limits rhw_limits_get(void)
         .max_framebuffer_height = RHW_MAX_TARGET_SIZE,
         .max_color_attachments = RHW_MAX_COLOR_ATTACHMENTS,
         .max_fragment_output_attachments = RHW_MAX_COLOR_ATTACHMENTS,
+        .max_fragment_dual_src_attachments = 1,
+        .max_fragment_combined_output_resources = RHW_MAX_COLOR_ATTACHMENTS + RHW_MAX_STORAGE_BUFFERS,
         .framebuffer_color_sample_counts = SAMPLE_COUNTS,
         .framebuffer_depth_sample_counts = SAMPLE_COUNTS,
         .framebuffer_stencil_sample_counts = SAMPLE_COUNTS,

@@ -176,7 +176,7 @@ static bool check_target(const struct rhw_pass_state *pass, const struct rhw_fee
         !rhw_check(context,
                    buffer->captured_pass == generation ||
                        rhw_pool_last_use(&context->buffers, target->buffer.index) != generation,
-                   "%s: %s, targets[%d], is read by this pass", begin_name,
+                   "%s: %s, targets[%d], is a vertex, index or storage buffer of this pass", begin_name,
                    rhw_name_of(&context->buffers, target->buffer.index).text, i)) {
         return false;
     }
