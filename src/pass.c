@@ -17,6 +17,7 @@
 #include "hidden_surface.h"
 #include "lookup.h"
 #include "misuse.h"
+#include "pass_enter.h"
 #include "pass_run.h"
 #include "pass_state.h"
 #include "pass_storage.h"
@@ -52,33 +53,6 @@ void rhw_pass_state_destroy(struct rhw_context *context, struct rhw_pass_state *
     rhw_draw_list_destroy(&context->memory, &pass->draws);
     rhw_arena_destroy(&pass->arena);
     rhw_memory_release(&context->memory, pass, sizeof *pass);
-}
-
-static __attribute__((cold)) void report_pass(const rhw_context *context, rhw_pass id, const char *where)
-{
-    const bool foreign = id.index != 0 && id.context != context->number;
-    rhw_misuse(context, "%s: %s", where,
-               foreign ? "the pass belongs to another context" : "the pass id is null or its pass has ended");
-}
-
-// Enters the context and gives the pass that `id` names; or reports misuse, leaves again, and gives NULL.
-static inline struct rhw_pass_state *enter(rhw_context *context, rhw_pass id, const char *where)
-{
-    if (!rhw_context_enter(context, where)) {
-        return NULL;
-    }
-    const struct rhw_recording *const recording = &context->recording;
-    if (recording->active && id.generation == recording->generation && id.context == context->number) {
-        return context->pass;
-    }
-    report_pass(context, id, where);
-    rhw_context_leave(context);
-    return NULL;
-}
-
-struct rhw_pass_state *rhw_pass_enter(rhw_context *context, rhw_pass id, const char *where)
-{
-    return enter(context, id, where);
 }
 
 // A definition whose targets are those of another, for depth alone, is right; but a reason to look at first.
@@ -135,7 +109,7 @@ static void warn_of_samples(const struct rhw_pass_state *pass, rhw_pipeline id,
 void rhw_pass_set_pipeline(rhw_context *context, rhw_pass id, rhw_pipeline pipeline_id)
 {
     static const char *const where = "rhw_pass_set_pipeline";
-    struct rhw_pass_state *const pass = enter(context, id, where);
+    struct rhw_pass_state *const pass = rhw_pass_enter(context, id, where);
     if (!pass) {
         return;
     }
@@ -184,7 +158,7 @@ static bool same_buffer(struct rhw_bound_buffer a, struct rhw_bound_buffer b)
 void rhw_pass_set_vertex_buffer(rhw_context *context, rhw_pass id, int slot, rhw_buffer buffer, size_t offset)
 {
     static const char *const where = "rhw_pass_set_vertex_buffer";
-    struct rhw_pass_state *const pass = enter(context, id, where);
+    struct rhw_pass_state *const pass = rhw_pass_enter(context, id, where);
     if (!pass) {
         return;
     }
@@ -203,7 +177,7 @@ void rhw_pass_set_index_buffer(rhw_context *context, rhw_pass id, rhw_buffer buf
                                size_t offset)
 {
     static const char *const where = "rhw_pass_set_index_buffer";
-    struct rhw_pass_state *const pass = enter(context, id, where);
+    struct rhw_pass_state *const pass = rhw_pass_enter(context, id, where);
     if (!pass) {
         return;
     }
@@ -243,7 +217,7 @@ static void set_uniforms(struct rhw_pass_state *pass, const void *data, size_t s
 
 void rhw_pass_set_uniforms(rhw_context *context, rhw_pass id, const void *data, size_t size)
 {
-    struct rhw_pass_state *const pass = enter(context, id, "rhw_pass_set_uniforms");
+    struct rhw_pass_state *const pass = rhw_pass_enter(context, id, "rhw_pass_set_uniforms");
     if (pass) {
         set_uniforms(pass, data, size);
         rhw_context_leave(context);
@@ -322,7 +296,7 @@ static void set_texture(struct rhw_pass_state *pass, int slot, rhw_texture textu
 void rhw_pass_set_texture(rhw_context *context, rhw_pass id, int slot, rhw_texture texture,
                           rhw_sampler sampler)
 {
-    struct rhw_pass_state *const pass = enter(context, id, "rhw_pass_set_texture");
+    struct rhw_pass_state *const pass = rhw_pass_enter(context, id, "rhw_pass_set_texture");
     if (pass) {
         set_texture(pass, slot, texture, sampler);
         rhw_context_leave(context);
@@ -359,7 +333,7 @@ static void set_viewport(struct rhw_pass_state *pass, const struct rhw_viewport 
 
 void rhw_pass_set_viewport(rhw_context *context, rhw_pass id, const struct rhw_viewport *viewport)
 {
-    struct rhw_pass_state *const pass = enter(context, id, "rhw_pass_set_viewport");
+    struct rhw_pass_state *const pass = rhw_pass_enter(context, id, "rhw_pass_set_viewport");
     if (pass) {
         set_viewport(pass, viewport);
         rhw_context_leave(context);
@@ -369,7 +343,7 @@ void rhw_pass_set_viewport(rhw_context *context, rhw_pass id, const struct rhw_v
 void rhw_pass_set_scissor(rhw_context *context, rhw_pass id, const struct rhw_rect *scissor)
 {
     static const char *const where = "rhw_pass_set_scissor";
-    struct rhw_pass_state *const pass = enter(context, id, where);
+    struct rhw_pass_state *const pass = rhw_pass_enter(context, id, where);
     if (!pass) {
         return;
     }
@@ -385,7 +359,7 @@ void rhw_pass_set_scissor(rhw_context *context, rhw_pass id, const struct rhw_re
 void rhw_pass_set_blend_constant(rhw_context *context, rhw_pass id, const float constant[4])
 {
     static const char *const where = "rhw_pass_set_blend_constant";
-    struct rhw_pass_state *const pass = enter(context, id, where);
+    struct rhw_pass_state *const pass = rhw_pass_enter(context, id, where);
     if (!pass) {
         return;
     }
@@ -399,7 +373,7 @@ void rhw_pass_set_blend_constant(rhw_context *context, rhw_pass id, const float 
 void rhw_pass_push_debug_group(rhw_context *context, rhw_pass id, const char *label)
 {
     static const char *const where = "rhw_pass_push_debug_group";
-    struct rhw_pass_state *const pass = enter(context, id, where);
+    struct rhw_pass_state *const pass = rhw_pass_enter(context, id, where);
     if (!pass) {
         return;
     }
@@ -418,7 +392,7 @@ void rhw_pass_push_debug_group(rhw_context *context, rhw_pass id, const char *la
 void rhw_pass_pop_debug_group(rhw_context *context, rhw_pass id)
 {
     static const char *const where = "rhw_pass_pop_debug_group";
-    struct rhw_pass_state *const pass = enter(context, id, where);
+    struct rhw_pass_state *const pass = rhw_pass_enter(context, id, where);
     if (!pass) {
         return;
     }
@@ -681,7 +655,7 @@ void rhw_pass_record(struct rhw_pass_state *pass, const struct rhw_draw *draw, u
 static void record(rhw_context *context, rhw_pass id, const struct rhw_draw *draw, uint32_t count,
                    const char *where)
 {
-    struct rhw_pass_state *const pass = enter(context, id, where);
+    struct rhw_pass_state *const pass = rhw_pass_enter(context, id, where);
     if (pass) {
         rhw_pass_record(pass, draw, count, where);
         rhw_context_leave(context);

@@ -5,7 +5,7 @@
 #include "entry.h"
 #include "findings.h"
 #include "misuse.h"
-#include "pass.h"
+#include "pass_enter.h"
 #include "pass_run.h"
 #include "pass_state.h"
 #include "pipeline.h"

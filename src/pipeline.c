@@ -527,7 +527,7 @@ void rhw_pipeline_data_init(struct rhw_pipeline_data *data, const struct rhw_pip
     lay_out_primitives(data);
     qualify_vectors(data);
     pair_derivatives(data);
-    rhw_feedback_lay_out(data);
+    data->feedback_targets = rhw_feedback_lay_out(&data->def, data->feedback);
 }
 
 void rhw_pipeline_data_release(struct rhw_memory *memory, struct rhw_pipeline_data *data)

@@ -3,8 +3,8 @@
 #ifndef RHW_PIPELINE_H
 #define RHW_PIPELINE_H
 
+#include "feedback_layout.h"
 #include "format.h"
-#include "transform_feedback.h"
 
 struct rhw_watch;
 struct rhw_memory;

@@ -10,7 +10,7 @@
 #include "entry.h"
 #include "lookup.h"
 #include "misuse.h"
-#include "pass.h"
+#include "pass_enter.h"
 #include "pass_state.h"
 #include "rhw/rhw.h"
 #include "thread.h"

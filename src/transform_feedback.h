@@ -8,7 +8,6 @@
 
 struct rhw_draw;
 struct rhw_pass_state;
-struct rhw_pipeline_data;
 
 // Bytes that a pass writes.
 struct rhw_feedback_range {
@@ -34,18 +33,6 @@ struct rhw_draw_feedback {
     int vertices;                                // of a primitive
 };
 
-// What an output reads of a vertex record, and where it goes.
-struct rhw_feedback_copy {
-    int first, count; // floats of the record
-    int target;
-    uint32_t offset; // bytes from the vertex
-};
-
-// Whether the outputs of a definition are as they must be, else misuse of `where`.
-bool rhw_feedback_check(const struct rhw_context *context, const struct rhw_pipeline_def *def,
-                        const char *where);
-// Sets what follows from the outputs of a pipeline, whose varyings are laid out.
-void rhw_feedback_lay_out(struct rhw_pipeline_data *pipeline);
 // Gives a draw that was prepared its place, where feedback is under way. False when out of memory.
 bool rhw_feedback_add_draw(struct rhw_pass_state *pass, struct rhw_draw *draw);
 // Reports what was begun and not ended.
