@@ -627,7 +627,8 @@ static void append_draw(struct rhw_pass_state *pass, const struct rhw_draw *draw
     slot->first_triangle = pass->triangle_count;
     const bool effects = state->pipeline->def.program.vertex_effects;
     if (pass->out_of_memory || !rhw_assembly_prepare(slot, count, &pass->arena) ||
-        (effects && !rhw_effect_vertices_prepare(slot, &pass->arena)) || !rhw_feedback_add_draw(pass, slot)) {
+        (effects && !rhw_effect_vertices_prepare(slot, &pass->arena)) ||
+        (pass->feedback.is_active && !rhw_feedback_add_draw(pass, slot))) {
         pass->out_of_memory = true;
         return;
     }

@@ -197,10 +197,6 @@ bool rhw_feedback_add_draw(struct rhw_pass_state *pass, struct rhw_draw *draw)
 {
     struct rhw_feedback_state *const feedback = &pass->feedback;
     const struct rhw_pipeline_data *const pipeline = draw->state->pipeline;
-    draw->feedback = NULL;
-    if (!feedback->is_active) {
-        return true;
-    }
     struct rhw_draw_feedback *const made =
         rhw_arena_alloc(&pass->arena, sizeof *made, _Alignof(struct rhw_draw_feedback));
     if (!made) {
