@@ -135,18 +135,23 @@ void rhw_pass_set_pipeline(rhw_context *context, rhw_pass id, rhw_pipeline pipel
 static struct rhw_bound_buffer bind_buffer(rhw_context *context, rhw_buffer id, size_t offset,
                                            const char *where)
 {
-    const struct rhw_buffer_data *const buffer = rhw_context_buffer(context, id, where);
+    const uint32_t generation = context->recording.generation;
+    struct rhw_buffer_data *const buffer = rhw_context_buffer(context, id, where);
     if (!buffer || !rhw_check(context, offset <= buffer->size, "%s: offset is %zu; %s has %zu bytes", where,
                               offset, rhw_name_of(&context->buffers, id.index).text, buffer->size)) {
         return (struct rhw_bound_buffer){.data = NULL};
     }
-    if (!rhw_pass_fetches(context, id, where) ||
-        !rhw_check(context, buffer->captured_pass != context->recording.generation,
+    // Nothing says what would come first, reading or writing.
+    if (!rhw_check(context, buffer->stored_pass != generation,
+                   "%s: %s is a storage buffer of this pass, which may write it", where,
+                   rhw_name_of(&context->buffers, id.index).text) ||
+        !rhw_check(context, buffer->captured_pass != generation,
                    "%s: %s is written by the transform feedback of this pass", where,
                    rhw_name_of(&context->buffers, id.index).text)) {
         return (struct rhw_bound_buffer){.data = NULL};
     }
-    rhw_pool_use(&context->buffers, id.index, context->recording.generation);
+    buffer->fetched_pass = generation;
+    rhw_pool_use(&context->buffers, id.index, generation);
     return (struct rhw_bound_buffer){buffer, offset, id.index};
 }
 

@@ -11,18 +11,6 @@
 #include "pass_state.h"
 #include "rhw/rhw.h"
 
-bool rhw_pass_fetches(struct rhw_context *context, rhw_buffer id, const char *where)
-{
-    struct rhw_buffer_data *const data = rhw_context_buffer(context, id, where);
-    if (!data || !rhw_check(context, data->stored_pass != context->recording.generation,
-                            "%s: %s is a storage buffer of this pass, which may write it", where,
-                            rhw_name_of(&context->buffers, id.index).text)) {
-        return false;
-    }
-    data->fetched_pass = context->recording.generation;
-    return true;
-}
-
 static bool check_storage(const struct rhw_context *context, rhw_buffer id,
                           const struct rhw_buffer_data *data, size_t offset, size_t size, const char *where)
 {
