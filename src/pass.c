@@ -131,9 +131,19 @@ void rhw_pass_set_pipeline(rhw_context *context, rhw_pass id, rhw_pipeline pipel
     rhw_context_leave(context);
 }
 
+// Nothing says what would come first, reading or writing.
+static __attribute__((cold)) void report_written(const rhw_context *context, rhw_buffer id,
+                                                 const struct rhw_buffer_data *buffer, const char *where)
+{
+    const bool is_stored = buffer->stored_pass == context->recording.generation;
+    rhw_misuse(context, "%s: %s is %s", where, rhw_name_of(&context->buffers, id.index).text,
+               is_stored ? "a storage buffer of this pass, which may write it"
+                         : "written by the transform feedback of this pass");
+}
+
 // A buffer that draws will read from `offset` on; its data is NULL when the call was misuse.
-static struct rhw_bound_buffer bind_buffer(rhw_context *context, rhw_buffer id, size_t offset,
-                                           const char *where)
+static inline struct rhw_bound_buffer bind_buffer(rhw_context *context, rhw_buffer id, size_t offset,
+                                                  const char *where)
 {
     const uint32_t generation = context->recording.generation;
     struct rhw_buffer_data *const buffer = rhw_context_buffer(context, id, where);
@@ -141,13 +151,8 @@ static struct rhw_bound_buffer bind_buffer(rhw_context *context, rhw_buffer id, 
                               offset, rhw_name_of(&context->buffers, id.index).text, buffer->size)) {
         return (struct rhw_bound_buffer){.data = NULL};
     }
-    // Nothing says what would come first, reading or writing.
-    if (!rhw_check(context, buffer->stored_pass != generation,
-                   "%s: %s is a storage buffer of this pass, which may write it", where,
-                   rhw_name_of(&context->buffers, id.index).text) ||
-        !rhw_check(context, buffer->captured_pass != generation,
-                   "%s: %s is written by the transform feedback of this pass", where,
-                   rhw_name_of(&context->buffers, id.index).text)) {
+    if (buffer->stored_pass == generation || buffer->captured_pass == generation) {
+        report_written(context, id, buffer, where);
         return (struct rhw_bound_buffer){.data = NULL};
     }
     buffer->fetched_pass = generation;
