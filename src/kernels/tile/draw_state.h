@@ -12,8 +12,9 @@ static __attribute__((noinline)) void give_counts(const struct tile_work *work)
 {
     struct rhw_used_query *const *const queries = work->state->queries->of;
     const uint64_t fragments = work->counters->fragments - work->fragments_before;
-    uint64_t samples = 0;
-    for (int s = 0; s < work->samples; s++) {
+    const bool by_test = work->state->depth_stencil.counts_by_test;
+    uint64_t samples = by_test ? 0 : fragments;
+    for (int s = 0; s < work->samples && by_test; s++) {
         samples += depth_plane(work->scratch, s)->passed;
     }
     for (int kind = RHW_QUERY_OCCLUSION; kind <= RHW_QUERY_ANY_PASSED; kind++) {
