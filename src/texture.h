@@ -76,6 +76,7 @@ struct rhw_texture_data {
         written; // levels that somebody has filled, a bit each; level 0 counts as filled from the beginning
     // The pass in which it last got other memory, and the draws that were recorded before and read the old one.
     uint32_t renewed_pass, renewed_draws;
+    uint32_t stored_pass; // generation of the last pass that has it as a storage image, hence as attached too
 };
 
 struct rhw_context;

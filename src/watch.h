@@ -55,6 +55,7 @@ void rhw_watched_fragment(struct rhw_fragment *groups, int count);
 bool rhw_watch_slot(const struct rhw_bindings *textures, int slot); // false: nothing is there
 // The same of storage, and effects that are not declared.
 void rhw_watch_storage(const struct rhw_bindings *textures, int slot, enum rhw_storage_operation operation);
+void rhw_watch_image(const struct rhw_bindings *textures, int slot, enum rhw_storage_operation operation);
 void rhw_watch_sample(const struct rhw_bindings *textures, int slot,
                       const struct rhw_sample_request *request);
 void rhw_watch_sample_groups(const struct rhw_fragment *groups, int count, uint32_t slots, int at);

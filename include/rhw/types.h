@@ -36,7 +36,9 @@ enum {
     RHW_MAX_CULL_DISTANCES = 8,
     RHW_MAX_POINT_SIZE = 256,    ///< pixels; the least is 1
     RHW_MAX_LINE_WIDTH = 256,    ///< pixels; the least is 1
-    RHW_MAX_STORAGE_BUFFERS = 16 ///< storage slots of a draw
+    RHW_MAX_STORAGE_BUFFERS = 16, ///< storage slots of a draw
+    RHW_MAX_STORAGE_IMAGES = 16,  ///< image slots, of storage images and texel buffers
+    RHW_MAX_TEXEL_BUFFER = 1 << 27 ///< texels of one
 };
 
 /// Instruction sets the kernels are compiled for, slowest first. BASELINE is the specification: SSE2 on

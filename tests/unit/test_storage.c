@@ -651,7 +651,7 @@ static void validation(void **state)
     expect_finding(0, write_slot0,
                    "writes to storage slot 0; its program declares no such effects, by RHW_USE_EFFECTS or "
                    "vertex_effects");
-    expect_finding(RHW_USE_EFFECTS, write_slot1, "uses storage slot 1, in which no buffer is set");
+    expect_finding(RHW_USE_EFFECTS, write_slot1, "uses storage slot 1, in which nothing is set");
     expect_finding(0, read_slot16, "uses storage slot 16; slots are 0..15");
 }
 
