@@ -358,7 +358,12 @@ enum rhw_fragment_use {
     RHW_USE_SAMPLE = 128,     ///< sample_id and sample_position; the function is called for every sample
     RHW_USE_SAMPLE_MASK = 256, ///< sample_mask, in and out
     RHW_USE_POINT_COORD = 512, ///< point_coord
-    RHW_USE_EFFECTS = 65536   ///< writes to storage, or changes it by atomics: see early_fragment_tests
+    RHW_USE_EFFECTS = 65536,   ///< writes to storage, or changes it by atomics: see early_fragment_tests
+    /// `color` holds on entry what the targets hold at the fragment's pixel, decoded: what came before it, in the order of
+    /// primitives (Vulkan 1.3, "Input Attachment Interface"; VK_EXT_rasterization_order_attachment_access). In
+    /// multisampled passes the function is called for every sample.
+    RHW_USE_COLOR_INPUT = 131072,
+    RHW_USE_DEPTH_INPUT = 262144 ///< the same of depth, in depth_input; depth is then tested after the function
 };
 
 struct rhw_vertex;
@@ -406,7 +411,7 @@ struct rhw_program {
     bool vertex_effects;
     /// Depth bounds, stencil and depth are tested, and written, before the fragment function, which is called for what
     /// passes; then what it discards or writes as depth does not change that (Vulkan 1.3 §28.1.2, EarlyFragmentTests).
-    /// false: with RHW_USE_EFFECTS they are tested after it, for every fragment.
+    /// false: with RHW_USE_EFFECTS and RHW_USE_DEPTH_INPUT they are tested after it, for every fragment.
     bool early_fragment_tests;
 };
 

@@ -301,7 +301,7 @@ RHW_INLINE void queue_rows(struct tile_work *work, struct triangle_work *triangl
                            const struct block_rows *rows)
 {
     struct fragment_queue *const queue = &work->scratch->queue;
-    if (queue->count + rows->count > RHW_FRAGMENT_GROUPS) {
+    if (queue->count + rows->count > RHW_FRAGMENT_GROUPS || (work->plan.reads_targets && queue->count != 0)) {
         shade_queue(work);
     }
     if (!triangle->has_values) {
