@@ -159,7 +159,8 @@ struct rhw_texture_def {
     enum rhw_format format; ///< to be set
     int width, height; ///< 1..RHW_MAX_TARGET_SIZE; equal for CUBE; height of 1D is 0 or 1
     int mip_levels;    ///< 0 or 1: one; RHW_MIP_LEVELS_ALL: the chain down to a single texel
-    int samples;       ///< of a texel: 0 or 1: one; 2, 4, 8, 16: a 2D target that is not sampled, and has one level
+    int samples;       ///< of a texel: 0 or 1: one; 2, 4, 8, 16: a 2D target that has one level; shaders read it by
+                       ///< rhw_sample_fetch_sample alone
     const char *label; ///< for messages
     enum rhw_texture_kind kind; ///< 2D
     int depth;         ///< 3D: 1..RHW_MAX_TEXTURE_DEPTH slices; else 0 or 1

@@ -49,3 +49,9 @@ void RHW_ISA_NAME(rhw_store_image)(const struct rhw_storage_image *image, const 
 {
     image_store(image, at, *mask, texel);
 }
+
+void RHW_ISA_NAME(rhw_fetch_sample_texels)(const struct rhw_texture_data *texture, const rhw_int *at,
+                                           const rhw_int *sample, rhw_float texel[4])
+{
+    fetch_sample(texture, at, *sample, texel);
+}
