@@ -136,6 +136,17 @@ bool rhw_assembly_prepare(struct rhw_draw *draw, uint32_t count, struct rhw_aren
     return true;
 }
 
+uint64_t rhw_assembly_vertices(const struct rhw_draw *draw, uint32_t count)
+{
+    uint64_t vertices = 0;
+    for (uint64_t at = 0; draw->expanded && at < count; at++) {
+        const uint64_t run = run_length(draw, at, count);
+        vertices += run;
+        at += run;
+    }
+    return draw->expanded ? vertices : count;
+}
+
 // Elements at .. at + count − 1 of a draw: what its index buffer holds there, 0 past its end; or the positions
 // themselves.
 static void read_elements(const struct rhw_draw *draw, uint64_t at, uint32_t count, uint32_t *out)

@@ -4,8 +4,6 @@
 
 #include <string.h>
 
-#include "texel.h"
-
 static bool is_over(struct rhw_blend_component component)
 {
     return (component.src == RHW_BLEND_SRC_ALPHA || component.src == RHW_BLEND_ONE) &&
@@ -26,8 +24,11 @@ static enum rhw_blend_path choose_path(const struct rhw_blend_state *state)
     if (state->write_mask == 0) {
         return BLEND_NOTHING;
     }
-    if (format->codec == RHW_CODEC_UINT32) {
-        return BLEND_UINT_REPLACE;
+    if (state->logic != RHW_LOGIC_OFF) {
+        return BLEND_GENERAL;
+    }
+    if (format->codec == RHW_CODEC_BITS32 && format->channels == 1) {
+        return BLEND_BITS_REPLACE;
     }
     if (format->path == RHW_TEXELS_RGBA8_UNORM && !state->blend) {
         return state->write_mask == 15 ? BLEND_RGBA8_REPLACE : BLEND_RGBA8_MASKED;
@@ -38,24 +39,45 @@ static enum rhw_blend_path choose_path(const struct rhw_blend_state *state)
     if (format->path == RHW_TEXELS_RGBA8_UNORM && is_over(state->color) && is_over(state->alpha)) {
         return BLEND_RGBA8_OVER;
     }
-    if (!rhw_codec_is_normalized(format->codec) && state->replaces) {
+    if (format->path == RHW_TEXELS_RGBA8_SRGB && is_over(state->color) && is_over(state->alpha)) {
+        return BLEND_SRGB8_OVER;
+    }
+    if (!rhw_format_is_normalized(format) && !rhw_format_is_integer(format) && state->replaces) {
         return BLEND_FLOAT_REPLACE;
     }
     return BLEND_GENERAL;
 }
 
-static float saturate(float value)
+static float clamp(float value, float least)
 {
-    const float above = value > 0.0f ? value : 0.0f;
+    const float above = value > least ? value : least;
     return above < 1.0f ? above : 1.0f;
 }
 
+// Floats and sRGB have none (Vulkan 1.3 §29.2).
+static bool has_logic(const struct rhw_format_info *format)
+{
+    return rhw_format_is_integer(format) ||
+           (rhw_format_is_normalized(format) && format->codec != RHW_CODEC_SRGB8);
+}
+
+static bool is_second(enum rhw_blend_factor factor)
+{
+    return factor >= RHW_BLEND_SRC1 && factor <= RHW_BLEND_ONE_MINUS_SRC1_ALPHA;
+}
+
+bool rhw_blend_reads_second(const struct rhw_color_target *target)
+{
+    return target->blend && (is_second(target->color.src) || is_second(target->color.dst) ||
+                             is_second(target->alpha.src) || is_second(target->alpha.dst));
+}
+
 void rhw_blend_state_init(struct rhw_blend_state *state, const struct rhw_color_target *target,
-                          const float constant[4])
+                          enum rhw_logic logic, const float constant[4])
 {
     memset(state, 0, sizeof *state);
     const struct rhw_format_info *const format = rhw_format_info(target->format);
-    const bool normalized = rhw_codec_is_normalized(format->codec);
+    const bool normalized = rhw_format_is_normalized(format);
     const uint8_t channels = (uint8_t)((1 << format->channels) - 1);
     state->format = format;
     state->color = target->color;
@@ -63,19 +85,24 @@ void rhw_blend_state_init(struct rhw_blend_state *state, const struct rhw_color_
     state->color_one = target->color.src == RHW_BLEND_ONE;
     state->alpha_one = target->alpha.src == RHW_BLEND_ONE;
     state->write_mask = target->write_mask & channels;
-    state->blend = target->blend && rhw_format_has_role(format, RHW_ROLE_BLENDED_TARGET) &&
+    state->logic = has_logic(format) ? logic : RHW_LOGIC_OFF;
+    state->least = rhw_format_least(format);
+    state->blend = target->blend && logic == RHW_LOGIC_OFF &&
+                   rhw_format_has_role(format, RHW_ROLE_BLENDED_TARGET) &&
                    !(normalized && is_replacement(target->color) && is_replacement(target->alpha));
-    state->replaces = !state->blend && state->write_mask == channels;
+    state->reads_second = state->blend && rhw_blend_reads_second(target);
+    state->writes_all = state->write_mask == channels;
+    state->replaces = !state->blend && state->writes_all;
+    if (state->writes_all) {
+        memset(state->texel_mask, 0xff, sizeof state->texel_mask);
+    }
     for (int i = 0; i < 4; i++) {
-        state->texel_mask |= !normalized || state->write_mask >> i & 1 ? 0xffu << 8 * i : 0;
-        state->constant[i] = normalized ? saturate(constant[i]) : constant[i];
+        if (state->write_mask >> i & 1 && !state->writes_all) {
+            rhw_format_channel_bits(format, i, state->texel_mask);
+        }
+        state->constant[i] = normalized ? clamp(constant[i], state->least) : constant[i];
     }
     state->path = choose_path(state);
-}
-
-static uint32_t uint_from_float(float value)
-{
-    return value >= 0x1p32f ? UINT32_MAX : value > 0.0f ? (uint32_t)value : 0;
 }
 
 void rhw_blend_state_generalize(struct rhw_blend_state *state)
@@ -84,20 +111,8 @@ void rhw_blend_state_generalize(struct rhw_blend_state *state)
     case BLEND_RGBA8_REPLACE:
     case BLEND_RGBA8_MASKED:
     case BLEND_SRGB8_REPLACE:
+    case BLEND_SRGB8_OVER:
     case BLEND_FLOAT_REPLACE: state->path = BLEND_GENERAL; break;
     default: break;
     }
-}
-
-void rhw_clear_texel(const struct rhw_format_info *format, const float clear[4], unsigned char *texel)
-{
-    float value[4];
-    for (int c = 0; c < 4; c++) {
-        value[c] = rhw_texel_is_code(format, c) ? saturate(clear[c]) * 255.0f : clear[c];
-        if (format->codec == RHW_CODEC_UINT32) {
-            const uint32_t bits = uint_from_float(clear[c]);
-            memcpy(&value[c], &bits, sizeof bits);
-        }
-    }
-    rhw_texel_store(format, value, texel);
 }

@@ -155,6 +155,12 @@ static enum rhw_result write_bytes(struct rhw_context *context, rhw_buffer buffe
     if (target == NULL || !check_range(context, buffer, target, offset, data, size, where)) {
         return RHW_ERROR_MISUSE;
     }
+    if (!rhw_check(context,
+                   !context->recording.active || target->captured_pass != context->recording.generation,
+                   "%s: %s is written by the transform feedback of the pass being recorded; end it first",
+                   where, rhw_name_of(&context->buffers, buffer.index).text)) {
+        return RHW_ERROR_MISUSE;
+    }
     if (size == 0) {
         return RHW_OK;
     }

@@ -18,6 +18,7 @@ struct rhw_buffer_data {
     uint32_t renewed_pass, renewed_draws;
     // The last passes that have it as a storage buffer, and that read it as vertices or indices, by generation.
     uint32_t stored_pass, fetched_pass;
+    uint32_t captured_pass; // the last that writes it by transform feedback
 };
 
 // Releases what the item owns.

@@ -28,17 +28,18 @@ static struct rhw_clean_tiles *create(struct rhw_memory *memory, int width, int 
     return clean;
 }
 
-struct rhw_clean_tiles *rhw_clean_tiles_of_layer(struct rhw_memory *memory, struct rhw_clean_tiles **list,
-                                                 int layer, int width, int height)
+struct rhw_clean_tiles *rhw_clean_tiles_of_part(struct rhw_memory *memory, struct rhw_clean_tiles **list,
+                                                int layer, int level, int width, int height)
 {
     for (struct rhw_clean_tiles *clean = *list; clean; clean = clean->next) {
-        if (clean->layer == layer) {
+        if (clean->layer == layer && clean->level == level) {
             return clean;
         }
     }
     struct rhw_clean_tiles *const clean = create(memory, width, height);
     if (clean) {
         clean->layer = layer;
+        clean->level = level;
         clean->next = *list;
         *list = clean;
     }

@@ -11,27 +11,27 @@ struct rhw_memory;
 
 enum { RHW_CLEAR_BYTES = 32 }; // every texel size divides it
 
-// Of one layer of a texture's first level, the one that is drawn into.
+// Of one layer of a level of a texture, which is drawn into.
 struct rhw_clean_tiles {
-    struct rhw_clean_tiles *next; // of another layer of the texture
-    int layer;
+    struct rhw_clean_tiles *next; // of another part of the texture
+    int layer, level;
     size_t count;
     unsigned char texels[RHW_CLEAR_BYTES]; // what clean tiles hold, texels side by side
     bool is_clean[];                       // row by row; each is written by the thread that has the tile
 };
 
-// The record of a layer in a texture's list, whose first level has that size in pixels; a new one has no tile clean. NULL
+// The record of a part in a texture's list, of that size in pixels; a new one has no tile clean. NULL
 // when out of memory.
-struct rhw_clean_tiles *rhw_clean_tiles_of_layer(struct rhw_memory *memory, struct rhw_clean_tiles **list,
-                                                 int layer, int width, int height);
+struct rhw_clean_tiles *rhw_clean_tiles_of_part(struct rhw_memory *memory, struct rhw_clean_tiles **list,
+                                                int layer, int level, int width, int height);
 
-// Of all layers; `list` may be NULL.
+// Of all parts; `list` may be NULL.
 void rhw_clean_tiles_destroy(struct rhw_memory *memory, struct rhw_clean_tiles *list);
 
-// From now on the layer's clean tiles are those that hold `texels`; `clean` may be NULL.
+// From now on the part's clean tiles are those that hold `texels`; `clean` may be NULL.
 void rhw_clean_tiles_expect(struct rhw_clean_tiles *clean, const unsigned char texels[RHW_CLEAR_BYTES]);
 
-// Texels have been written by other hands than a pass, of any layer; `list` may be NULL.
+// Texels have been written by other hands than a pass, of any part; `list` may be NULL.
 void rhw_clean_tiles_forget(struct rhw_clean_tiles *list);
 
 #endif

@@ -62,6 +62,7 @@ struct rhw_context {
     struct rhw_pool textures;  // struct rhw_texture_data *
     struct rhw_pool samplers;  // struct rhw_sampler_data
     struct rhw_pool pipelines; // struct rhw_pipeline_data
+    struct rhw_pool queries;   // struct rhw_query_data
 
     struct rhw_pass_state *pass; // created with the context, reused by every pass
     struct rhw_recording recording;

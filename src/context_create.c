@@ -12,6 +12,7 @@
 #include "misuse.h"
 #include "pass.h"
 #include "pipeline.h"
+#include "query.h"
 #include "rhw/rhw.h"
 #include "sampler.h"
 #include "scheduler.h"
@@ -41,6 +42,7 @@ static void destroy_resources(struct rhw_context *context)
     rhw_pool_destroy(&context->memory, &context->textures);
     rhw_pool_destroy(&context->memory, &context->samplers);
     rhw_pool_destroy(&context->memory, &context->pipelines);
+    rhw_pool_destroy(&context->memory, &context->queries);
 }
 
 bool rhw_isa_supported(enum rhw_isa isa)
@@ -182,6 +184,7 @@ enum rhw_result rhw_context_create_probed(const struct rhw_context_def *def, boo
     rhw_pool_init(&created->textures, "texture", sizeof(struct rhw_texture_data *));
     rhw_pool_init(&created->samplers, "sampler", sizeof(struct rhw_sampler_data));
     rhw_pool_init(&created->pipelines, "pipeline", sizeof(struct rhw_pipeline_data));
+    rhw_pool_init(&created->queries, "query", sizeof(struct rhw_query_data));
 
     const bool validates = def->validate == RHW_VALIDATE_DEFAULT ? debug : def->validate == RHW_VALIDATE_ON;
     const enum rhw_result result = create_parts(created, validates);

@@ -42,7 +42,8 @@ void rhw_depth_stencil_init(struct rhw_depth_stencil_state *state, const struct 
     state->tests_stencil = def->stencil_test;
     state->tests_bounds = def->depth_bounds_test;
     state->depth_steps = def->depth_test ? depth_steps : 0;
-    state->is_full = state->tests_stencil || state->tests_bounds || state->depth_steps != 0;
+    state->counts = setting->counts;
+    state->is_full = state->tests_stencil || state->tests_bounds || state->depth_steps != 0 || state->counts;
     state->face[0] = rule_of(&def->stencil_front, def->stencil_test, setting->reference[0]);
     state->face[1] = rule_of(&def->stencil_back, def->stencil_test, setting->reference[1]);
     state->rejects_early =

@@ -18,7 +18,8 @@ struct rhw_stencil_rule {
 };
 
 struct rhw_depth_stencil_state {
-    // The draw needs the full test: it tests stencil or depth bounds, or its depth has other steps than a float's.
+    // The draw needs the full test: it tests stencil or depth bounds, its depth has other steps than a float's, or what
+    // passes is counted.
     bool is_full;
     bool tests_stencil, tests_bounds;
     bool rejects_early;              // fragments that fail the depth test change nothing
@@ -27,6 +28,7 @@ struct rhw_depth_stencil_state {
     double depth_steps; // between 0 and 1, which depth is rounded to; 0: it stays a float
     bool is_biased;
     struct rhw_depth_bias bias;
+    bool counts; // samples that pass: for queries
 };
 
 // What pass state adds to a pipeline's.
@@ -35,6 +37,7 @@ struct rhw_depth_stencil_setting {
     bool has_bias;        // instead of the pipeline's
     struct rhw_depth_bias bias;
     float bounds_least, bounds_most;
+    bool counts; // a query counts what passes
 };
 
 // `def` is valid; depth_steps: of the pass's depth attachment, 0 for a float or none.

@@ -17,6 +17,8 @@
 
 struct rhw_memory;
 struct rhw_pipeline_data;
+struct rhw_active_queries;
+struct rhw_draw_feedback;
 struct rhw_shared_vertices;
 
 struct rhw_vertex_stream {
@@ -49,6 +51,7 @@ struct rhw_draw_state {
     // Added to a position, 1/256 pixel, they lead to the first pixel with a sample behind it, and past the last with one
     // before it (kernels/raster/sample_position.h).
     int32_t first_step, past_step;
+    const struct rhw_active_queries *queries; // NULL: none
 };
 
 struct rhw_draw {
@@ -59,8 +62,9 @@ struct rhw_draw {
     const struct rhw_shared_vertices *shared; // by instance, of the wave under way, or of the
                                               // pass (effect_vertices.h); mostly NULL
     uint32_t first, base_vertex, first_instance, instances;
-    uint32_t index;                      // of the draw in its pass
-    const struct rhw_debug_group *group; // the innermost one it was recorded in, or NULL
+    uint32_t index;                           // of the draw in its pass
+    const struct rhw_draw_feedback *feedback; // what it writes to buffers; NULL: nothing
+    const struct rhw_debug_group *group;      // the innermost one it was recorded in, or NULL
     uint32_t triangles_per_instance;
     uint64_t first_triangle; // in the line of all triangles of the pass
     bool indexed;
@@ -79,6 +83,12 @@ struct rhw_front_counters {
     uint64_t vertices_shaded, dropped, clipped, culled, rasterized, entries;
 };
 
+// What a query counts of the part of a chunk that belongs to one instance of one draw.
+struct rhw_counted_run {
+    const struct rhw_active_queries *queries;
+    uint64_t clipping_primitives;
+};
+
 struct rhw_chunk {
     // In the line of all triangles; the front end lowers a count whose bins are too large.
     uint64_t first, count;
@@ -94,6 +104,8 @@ struct rhw_chunk {
     uint32_t *offsets;
     uint16_t *entries;
     struct rhw_front_counters counters;
+    const struct rhw_counted_run *counted; // runs of which queries ask something
+    int counted_count;
 };
 
 // The draws of a pass. They stand in blocks, so that a draw never moves and growth copies none.

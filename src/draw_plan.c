@@ -44,10 +44,10 @@ static enum rhw_shading choose_shading(const struct rhw_pipeline_data *pipeline,
     if (!(pipeline->fragment || pipeline->def.program.fragment1) || phase == RHW_PHASE_DEPTH) {
         return RHW_SHADING_NONE;
     }
-    // Groups of several samples that differ, and depths of several samples, are those of rows.
-    const bool by_rows =
-        samples > 1 && (drops_late(&pipeline->def, samples) || tests_late(&pipeline->def, samples) ||
-                        choose_sampling(pipeline, samples) != RHW_SAMPLING_CENTER);
+    // Groups of several samples that differ, and depths of several samples, are those of rows; and in others a pixel may
+    // be twice, which effects must not meet.
+    const bool by_rows = samples > 1 && (drops_late(&pipeline->def, samples) || uses & RHW_USE_EFFECTS ||
+                                         choose_sampling(pipeline, samples) != RHW_SAMPLING_CENTER);
     if (paths == RHW_PATHS_GENERAL || by_rows) {
         return RHW_SHADING_ROWS;
     }
@@ -81,10 +81,11 @@ static enum rhw_depth_mode choose_depth_mode(const struct rhw_pipeline_def *def,
     if (shading == RHW_SHADING_NONE || !tests_late(def, samples)) {
         return RHW_DEPTH_EARLY;
     }
-    // A fragment that fails an ordering test now fails it later too, as depth only moves that way meanwhile.
+    // A fragment that fails an ordering test now fails it later too, as depth only moves that way meanwhile. How many do
+    // so now depends on the path: what is counted is tested once.
     const bool can_reject = !(uses & (RHW_USE_DEPTH | RHW_USE_EFFECTS | RHW_USE_DEPTH_INPUT)) &&
                             direction_of(def->depth_compare) != 0 && !depth_stencil->tests_stencil &&
-                            !depth_stencil->tests_bounds;
+                            !depth_stencil->tests_bounds && !depth_stencil->counts;
     return can_reject ? RHW_DEPTH_EARLY_REJECT : RHW_DEPTH_LATE;
 }
 

@@ -14,17 +14,25 @@ enum rhw_texel_codec {
     RHW_CODEC_SRGB8, // four channels: UNORM8 with the sRGB transfer function on the colour, alpha linear
     RHW_CODEC_FLOAT16,
     RHW_CODEC_FLOAT32,
-    RHW_CODEC_UINT32,  // shaders hand over the bits
+    RHW_CODEC_BITS32,  // integers: shaders hand over the bits
+    RHW_CODEC_FIELDS,  // each channel is some bits of a word: rhw_format_info has them
     RHW_CODEC_DEPTH16, // one channel: UNORM of 16 bits
     RHW_CODEC_DEPTH24  // UNORM of 24 bits in the low ones of 32
 };
 
-// Values are clamped to 0..1 before they are blended and stored.
-static inline bool rhw_codec_is_normalized(enum rhw_texel_codec codec)
-{
-    return codec == RHW_CODEC_UNORM8 || codec == RHW_CODEC_SRGB8 || codec == RHW_CODEC_DEPTH16 ||
-           codec == RHW_CODEC_DEPTH24;
-}
+// What the bits of a channel are, where the codec leaves that open.
+enum rhw_channel_type {
+    RHW_CHANNEL_OTHER, // what the codec says
+    RHW_CHANNEL_UNORM,
+    RHW_CHANNEL_SNORM,
+    RHW_CHANNEL_UINT,
+    RHW_CHANNEL_SINT,
+    RHW_CHANNEL_UFLOAT, // a half without its sign and its lowest bits
+    RHW_CHANNEL_SHARED  // 9 bits of each colour, the exponent above them
+};
+
+// Where red stands among channels of a byte each.
+enum rhw_channel_order { RHW_ORDER_RGBA, RHW_ORDER_BGRA, RHW_ORDER_ABGR };
 
 // Formats that the sampler and blending have fast paths for.
 enum rhw_texel_path { RHW_TEXELS_GENERAL, RHW_TEXELS_RGBA8_UNORM, RHW_TEXELS_RGBA8_SRGB };
@@ -34,8 +42,9 @@ enum {
     RHW_ROLE_COLOR_TARGET = 1,
     RHW_ROLE_BLENDED_TARGET = 2, // a colour target that blending works on
     RHW_ROLE_DEPTH_TARGET = 4,
-    RHW_ROLE_SAMPLED = 8, // rhw_sample filters it, and so does mip generation
-    RHW_ROLE_STENCIL_TARGET = 16
+    RHW_ROLE_SAMPLED = 8,
+    RHW_ROLE_STENCIL_TARGET = 16,
+    RHW_ROLE_FILTERED = 32 // by linear filters, and mip generation
 };
 
 enum {
@@ -51,6 +60,9 @@ struct rhw_format_info {
     enum rhw_texel_codec codec;
     enum rhw_texel_path path;
     uint8_t roles;
+    enum rhw_channel_order order; // of UNORM8 and SRGB8
+    enum rhw_channel_type type;   // of FIELDS and BITS32
+    uint8_t first[4], bits[4];    // of FIELDS: from the lowest bit of the texel; none crosses a word of 32
 };
 
 static inline bool rhw_format_valid(enum rhw_format format)
@@ -66,6 +78,29 @@ struct rhw_context;
 bool rhw_check_format(const struct rhw_context *context, const char *where, const char *field,
                       enum rhw_format format);
 
+// Whether shaders read and write the bits of its channels.
+static inline bool rhw_format_is_integer(const struct rhw_format_info *info)
+{
+    return info->type == RHW_CHANNEL_UINT || info->type == RHW_CHANNEL_SINT;
+}
+
+// Whether values are clamped to 0..1, or −1..1, before they are blended and stored.
+static inline bool rhw_format_is_normalized(const struct rhw_format_info *info)
+{
+    return info->type == RHW_CHANNEL_UNORM || info->type == RHW_CHANNEL_SNORM ||
+           info->codec == RHW_CODEC_UNORM8 || info->codec == RHW_CODEC_SRGB8 ||
+           info->codec == RHW_CODEC_DEPTH16 || info->codec == RHW_CODEC_DEPTH24;
+}
+
+// The least value of a normalized format.
+static inline float rhw_format_least(const struct rhw_format_info *info)
+{
+    return info->type == RHW_CHANNEL_SNORM ? -1.0f : 0.0f;
+}
+
+// The bits of the words of a texel that hold a channel that the format has.
+void rhw_format_channel_bits(const struct rhw_format_info *info, int channel, uint32_t words[4]);
+
 // The steps between 0 and 1 that depth of the codec is rounded to; 0 where it is a float.
 static inline double rhw_codec_depth_steps(enum rhw_texel_codec codec)
 {
@@ -78,19 +113,32 @@ static inline bool rhw_format_has_role(const struct rhw_format_info *info, int r
     return (info->roles & role) != 0;
 }
 
-// In the order of enum rhw_vertex_format, which has four entries (1 to 4 components) of each.
+// In the order of enum rhw_vertex_format, which has four entries (1 to 4 components) of each up to SINT32, and one of
+// those behind it.
 enum rhw_vertex_type {
     RHW_TYPE_FLOAT,
     RHW_TYPE_HALF,
     RHW_TYPE_UNORM8,
     RHW_TYPE_SNORM8,
+    RHW_TYPE_USCALED8,
+    RHW_TYPE_SSCALED8,
     RHW_TYPE_UINT8,
     RHW_TYPE_SINT8,
     RHW_TYPE_UNORM16,
     RHW_TYPE_SNORM16,
+    RHW_TYPE_USCALED16,
+    RHW_TYPE_SSCALED16,
     RHW_TYPE_UINT16,
     RHW_TYPE_SINT16,
-    RHW_TYPE_COUNT
+    RHW_TYPE_UINT32,
+    RHW_TYPE_SINT32,
+    RHW_TYPE_UNORM10,
+    RHW_TYPE_SNORM10,
+    RHW_TYPE_USCALED10,
+    RHW_TYPE_SSCALED10,
+    RHW_TYPE_UINT10,
+    RHW_TYPE_SINT10,
+    RHW_TYPE_BGRA8
 };
 
 static inline bool rhw_vertex_format_valid(enum rhw_vertex_format format)
@@ -98,20 +146,52 @@ static inline bool rhw_vertex_format_valid(enum rhw_vertex_format format)
     return (unsigned)format < RHW_VERTEX_FORMAT_COUNT;
 }
 
+// Words of doubles are those of integers.
 static inline enum rhw_vertex_type rhw_vertex_format_type(enum rhw_vertex_format format)
 {
-    return (enum rhw_vertex_type)((unsigned)format / 4);
+    if (format == RHW_VERTEX_FLOAT64X1 || format == RHW_VERTEX_FLOAT64X2) {
+        return RHW_TYPE_UINT32;
+    }
+    const unsigned packed = (unsigned)format - RHW_VERTEX_UNORM10_10_10_2;
+    return (enum rhw_vertex_type)(format >= RHW_VERTEX_UNORM10_10_10_2 ? RHW_TYPE_UNORM10 + packed
+                                                                       : (unsigned)format / 4);
 }
 
+// That the vertex function receives.
 static inline int rhw_vertex_format_components(enum rhw_vertex_format format)
 {
-    return (int)((unsigned)format % 4) + 1;
+    return format == RHW_VERTEX_FLOAT64X1   ? 2
+           : format >= RHW_VERTEX_FLOAT64X2 ? 4
+                                            : (int)((unsigned)format % 4) + 1;
 }
 
-// Bytes of one component.
+// Bytes of one component; of all where they share a word.
 static inline int rhw_vertex_type_size(enum rhw_vertex_type type)
 {
-    return type == RHW_TYPE_FLOAT ? 4 : type == RHW_TYPE_HALF || type >= RHW_TYPE_UNORM16 ? 2 : 1;
+    return type == RHW_TYPE_FLOAT || type >= RHW_TYPE_UINT32   ? 4
+           : type == RHW_TYPE_HALF || type >= RHW_TYPE_UNORM16 ? 2
+                                                               : 1;
+}
+
+static inline bool rhw_vertex_type_is_integer(enum rhw_vertex_type type)
+{
+    return type == RHW_TYPE_UINT8 || type == RHW_TYPE_SINT8 || type == RHW_TYPE_UINT16 ||
+           type == RHW_TYPE_SINT16 || type == RHW_TYPE_UINT32 || type == RHW_TYPE_SINT32 ||
+           type == RHW_TYPE_UINT10 || type == RHW_TYPE_SINT10;
+}
+
+// How an attribute is fetched: its format taken apart.
+struct rhw_fetch {
+    uint32_t offset;
+    uint8_t type, components, size; // enum rhw_vertex_type; bytes of all
+    bool is_integer;
+};
+
+static inline struct rhw_fetch rhw_fetch_of(enum rhw_vertex_format format, uint32_t offset)
+{
+    const enum rhw_vertex_type type = rhw_vertex_format_type(format);
+    return (struct rhw_fetch){offset, (uint8_t)type, (uint8_t)rhw_vertex_format_components(format),
+                              (uint8_t)rhw_vertex_format_size(format), rhw_vertex_type_is_integer(type)};
 }
 
 #endif

@@ -25,7 +25,8 @@ struct rhw_hidden_rule rhw_hidden_rule_of(const struct rhw_draw_state *state, in
         def->program.early_fragment_tests) {
         return in_order;
     }
-    if (depth->tests_stencil || depth->tests_bounds || !shades_opaque_texels(state, color_count)) {
+    if (depth->tests_stencil || depth->tests_bounds || depth->counts ||
+        !shades_opaque_texels(state, color_count)) {
         return in_order;
     }
     if (!def->depth_test) {

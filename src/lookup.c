@@ -79,6 +79,11 @@ struct rhw_pipeline_data *rhw_context_pipeline(const struct rhw_context *context
     return find(context, &context->pipelines, (struct id){id.index, id.generation, id.context}, where);
 }
 
+struct rhw_query_data *rhw_context_query(const struct rhw_context *context, rhw_query id, const char *where)
+{
+    return find(context, &context->queries, (struct id){id.index, id.generation, id.context}, where);
+}
+
 struct rhw_name rhw_name_of(const struct rhw_pool *pool, uint32_t index)
 {
     return write_name(pool->noun, index, rhw_pool_label(pool, index));

@@ -10,6 +10,7 @@ struct rhw_buffer_data;
 struct rhw_texture_data;
 struct rhw_sampler_data;
 struct rhw_pipeline_data;
+struct rhw_query_data;
 
 // An id that is null, stale or of another context is reported as misuse of `where` and gives NULL. Items do not move
 // while they live.
@@ -21,6 +22,7 @@ struct rhw_sampler_data *rhw_context_sampler(const struct rhw_context *context, 
                                              const char *where);
 struct rhw_pipeline_data *rhw_context_pipeline(const struct rhw_context *context, rhw_pipeline id,
                                                const char *where);
+struct rhw_query_data *rhw_context_query(const struct rhw_context *context, rhw_query id, const char *where);
 
 // What messages call a live item: 'texture 3 "albedo"', or 'texture 3' where it has no label.
 struct rhw_name {

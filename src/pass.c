@@ -17,14 +17,17 @@
 #include "hidden_surface.h"
 #include "lookup.h"
 #include "misuse.h"
+#include "pass_enter.h"
 #include "pass_run.h"
 #include "pass_state.h"
 #include "pass_storage.h"
 #include "pipeline.h"
+#include "query.h"
 #include "rhw/rhw.h"
 #include "sampler.h"
 #include "shared_vertices.h"
 #include "srgb_texture.h"
+#include "transform_feedback.h"
 #include "watch.h"
 
 enum rhw_result rhw_pass_state_create(struct rhw_context *context, struct rhw_pass_state **out)
@@ -50,33 +53,6 @@ void rhw_pass_state_destroy(struct rhw_context *context, struct rhw_pass_state *
     rhw_draw_list_destroy(&context->memory, &pass->draws);
     rhw_arena_destroy(&pass->arena);
     rhw_memory_release(&context->memory, pass, sizeof *pass);
-}
-
-static __attribute__((cold)) void report_pass(const rhw_context *context, rhw_pass id, const char *where)
-{
-    const bool foreign = id.index != 0 && id.context != context->number;
-    rhw_misuse(context, "%s: %s", where,
-               foreign ? "the pass belongs to another context" : "the pass id is null or its pass has ended");
-}
-
-// Enters the context and gives the pass that `id` names; or reports misuse, leaves again, and gives NULL.
-static inline struct rhw_pass_state *enter(rhw_context *context, rhw_pass id, const char *where)
-{
-    if (!rhw_context_enter(context, where)) {
-        return NULL;
-    }
-    const struct rhw_recording *const recording = &context->recording;
-    if (recording->active && id.generation == recording->generation && id.context == context->number) {
-        return context->pass;
-    }
-    report_pass(context, id, where);
-    rhw_context_leave(context);
-    return NULL;
-}
-
-struct rhw_pass_state *rhw_pass_enter(rhw_context *context, rhw_pass id, const char *where)
-{
-    return enter(context, id, where);
 }
 
 // A definition whose targets are those of another, for depth alone, is right; but a reason to look at first.
@@ -118,16 +94,37 @@ static bool targets_match(const struct rhw_pass_state *pass, rhw_pipeline id,
                      rhw_name_of(&context->pipelines, id.index).text);
 }
 
+// Under validation: what a pass of one sample has no use for. The pipeline may be meant for others too, hence no misuse.
+static void warn_of_samples(const struct rhw_pass_state *pass, rhw_pipeline id,
+                            const struct rhw_pipeline_def *def, const char *where)
+{
+    const char *const name = def->alpha_to_coverage           ? "alpha_to_coverage"
+                             : def->alpha_to_one              ? "alpha_to_one"
+                             : def->sample_mask != UINT32_MAX ? "sample_mask"
+                                                              : NULL;
+    if (name != NULL && pass->pattern->count == 1) {
+        rhw_context_log(pass->context, RHW_LOG_WARNING,
+                        "%s: %s has %s set and the pass has one sample a pixel; it has no effect", where,
+                        rhw_name_of(&pass->context->pipelines, id.index).text, name);
+    }
+}
+
 void rhw_pass_set_pipeline(rhw_context *context, rhw_pass id, rhw_pipeline pipeline_id)
 {
     static const char *const where = "rhw_pass_set_pipeline";
-    struct rhw_pass_state *const pass = enter(context, id, where);
+    struct rhw_pass_state *const pass = rhw_pass_enter(context, id, where);
     if (!pass) {
         return;
     }
     const struct rhw_pipeline_data *const pipeline = rhw_context_pipeline(context, pipeline_id, where);
-    if (pipeline && targets_match(pass, pipeline_id, pipeline, where)) {
+    if (pipeline &&
+        rhw_check(context, !pass->feedback.is_active, "%s: transform feedback is under way; end it first",
+                  where) &&
+        targets_match(pass, pipeline_id, pipeline, where)) {
         rhw_pool_use(&context->pipelines, pipeline_id.index, context->recording.generation);
+        if (context->findings && pass->pending.pipeline != pipeline) {
+            warn_of_samples(pass, pipeline_id, &pipeline->def, where);
+        }
         pass->pending_changed |= pass->pending.pipeline != pipeline;
         pass->pending.pipeline = pipeline;
         pass->bound.pipeline = pipeline_id;
@@ -146,7 +143,10 @@ static struct rhw_bound_buffer bind_buffer(rhw_context *context, rhw_buffer id, 
                               offset, rhw_name_of(&context->buffers, id.index).text, buffer->size)) {
         return (struct rhw_bound_buffer){.data = NULL};
     }
-    if (!rhw_pass_fetches(context, id, where)) {
+    if (!rhw_pass_fetches(context, id, where) ||
+        !rhw_check(context, buffer->captured_pass != context->recording.generation,
+                   "%s: %s is written by the transform feedback of this pass", where,
+                   rhw_name_of(&context->buffers, id.index).text)) {
         return (struct rhw_bound_buffer){.data = NULL};
     }
     rhw_pool_use(&context->buffers, id.index, context->recording.generation);
@@ -161,7 +161,7 @@ static bool same_buffer(struct rhw_bound_buffer a, struct rhw_bound_buffer b)
 void rhw_pass_set_vertex_buffer(rhw_context *context, rhw_pass id, int slot, rhw_buffer buffer, size_t offset)
 {
     static const char *const where = "rhw_pass_set_vertex_buffer";
-    struct rhw_pass_state *const pass = enter(context, id, where);
+    struct rhw_pass_state *const pass = rhw_pass_enter(context, id, where);
     if (!pass) {
         return;
     }
@@ -180,7 +180,7 @@ void rhw_pass_set_index_buffer(rhw_context *context, rhw_pass id, rhw_buffer buf
                                size_t offset)
 {
     static const char *const where = "rhw_pass_set_index_buffer";
-    struct rhw_pass_state *const pass = enter(context, id, where);
+    struct rhw_pass_state *const pass = rhw_pass_enter(context, id, where);
     if (!pass) {
         return;
     }
@@ -220,7 +220,7 @@ static void set_uniforms(struct rhw_pass_state *pass, const void *data, size_t s
 
 void rhw_pass_set_uniforms(rhw_context *context, rhw_pass id, const void *data, size_t size)
 {
-    struct rhw_pass_state *const pass = enter(context, id, "rhw_pass_set_uniforms");
+    struct rhw_pass_state *const pass = rhw_pass_enter(context, id, "rhw_pass_set_uniforms");
     if (pass) {
         set_uniforms(pass, data, size);
         rhw_context_leave(context);
@@ -239,13 +239,28 @@ static bool check_sampled(const rhw_context *context, rhw_texture id, int slot, 
                      rhw_name_of(&context->textures, id.index).text, slot);
 }
 
-// Coordinates in texels are those of a single 1D or 2D image (Vulkan 1.3, VkSamplerCreateInfo).
+// Whether a sampler gives texels as they are.
+static bool takes_texels(const struct rhw_texture_data *texture, const struct rhw_sampler_data *sampler)
+{
+    const struct rhw_sampler_def *const def = &sampler->def;
+    return def->min_filter == RHW_FILTER_NEAREST && def->mag_filter == RHW_FILTER_NEAREST &&
+           (def->mip_filter != RHW_MIP_FILTER_LINEAR || texture->levels == 1) && !def->compares &&
+           def->max_anisotropy <= 1 && def->reduction == RHW_REDUCTION_AVERAGE;
+}
+
+// Formats that are not filtered give their texels. Coordinates in texels are those of a single 1D or 2D image (Vulkan 1.3, VkSamplerCreateInfo).
 static bool check_sampler(const rhw_context *context, rhw_texture id, rhw_sampler sampler_id,
                           const struct rhw_sampler_data *sampler, const char *where)
 {
     const struct rhw_texture_data *const texture = rhw_context_texture(context, id, where);
     const struct rhw_texture_shape *const shape = &texture->shape;
     return rhw_check(context,
+                     rhw_format_has_role(texture->info, RHW_ROLE_FILTERED) || takes_texels(texture, sampler),
+                     "%s: %s is %s, which is not filtered; %s must have nearest filters, and no comparison, "
+                     "anisotropy or reduction",
+                     where, rhw_name_of(&context->textures, id.index).text, texture->info->name,
+                     rhw_name_of(&context->samplers, sampler_id.index).text) &&
+           rhw_check(context,
                      !sampler->def.unnormalized || (!shape->is_array && (shape->kind == RHW_TEXTURE_1D ||
                                                                          shape->kind == RHW_TEXTURE_2D)),
                      "%s: %s is unnormalized and %s has kind %d, layers %d; it must be 1D or 2D and no array",
@@ -288,7 +303,7 @@ static void set_texture(struct rhw_pass_state *pass, int slot, rhw_texture textu
 void rhw_pass_set_texture(rhw_context *context, rhw_pass id, int slot, rhw_texture texture,
                           rhw_sampler sampler)
 {
-    struct rhw_pass_state *const pass = enter(context, id, "rhw_pass_set_texture");
+    struct rhw_pass_state *const pass = rhw_pass_enter(context, id, "rhw_pass_set_texture");
     if (pass) {
         set_texture(pass, slot, texture, sampler);
         rhw_context_leave(context);
@@ -304,9 +319,12 @@ static void set_viewport(struct rhw_pass_state *pass, const struct rhw_viewport 
         !rhw_check(context, v->width > 0 && v->height > 0 && v->width <= limit && v->height <= limit,
                    "%s: the size is %gx%g; each is above 0 and at most %g", where, (double)v->width,
                    (double)v->height, (double)limit) ||
-        !rhw_check(context, v->x >= -limit && v->x <= limit && v->y >= -limit && v->y <= limit,
-                   "%s: the corner is %g,%g; each is within ±%g", where, (double)v->x, (double)v->y,
-                   (double)limit) ||
+        !rhw_check(context,
+                   v->x >= -2 * limit && v->x + v->width <= 2 * limit && v->y >= -2 * limit &&
+                       v->y + v->height <= 2 * limit,
+                   "%s: the corners are %g,%g and %g,%g; each is within ±%g", where, (double)v->x,
+                   (double)v->y, (double)(v->x + v->width), (double)(v->y + v->height),
+                   (double)(2 * limit)) ||
         !rhw_check(context,
                    v->depth_min >= 0 && v->depth_min <= 1 &&
                        ((v->depth_max >= 0 && v->depth_max <= 1) || v->depth_max == -1),
@@ -322,7 +340,7 @@ static void set_viewport(struct rhw_pass_state *pass, const struct rhw_viewport 
 
 void rhw_pass_set_viewport(rhw_context *context, rhw_pass id, const struct rhw_viewport *viewport)
 {
-    struct rhw_pass_state *const pass = enter(context, id, "rhw_pass_set_viewport");
+    struct rhw_pass_state *const pass = rhw_pass_enter(context, id, "rhw_pass_set_viewport");
     if (pass) {
         set_viewport(pass, viewport);
         rhw_context_leave(context);
@@ -332,7 +350,7 @@ void rhw_pass_set_viewport(rhw_context *context, rhw_pass id, const struct rhw_v
 void rhw_pass_set_scissor(rhw_context *context, rhw_pass id, const struct rhw_rect *scissor)
 {
     static const char *const where = "rhw_pass_set_scissor";
-    struct rhw_pass_state *const pass = enter(context, id, where);
+    struct rhw_pass_state *const pass = rhw_pass_enter(context, id, where);
     if (!pass) {
         return;
     }
@@ -348,7 +366,7 @@ void rhw_pass_set_scissor(rhw_context *context, rhw_pass id, const struct rhw_re
 void rhw_pass_set_blend_constant(rhw_context *context, rhw_pass id, const float constant[4])
 {
     static const char *const where = "rhw_pass_set_blend_constant";
-    struct rhw_pass_state *const pass = enter(context, id, where);
+    struct rhw_pass_state *const pass = rhw_pass_enter(context, id, where);
     if (!pass) {
         return;
     }
@@ -362,7 +380,7 @@ void rhw_pass_set_blend_constant(rhw_context *context, rhw_pass id, const float 
 void rhw_pass_push_debug_group(rhw_context *context, rhw_pass id, const char *label)
 {
     static const char *const where = "rhw_pass_push_debug_group";
-    struct rhw_pass_state *const pass = enter(context, id, where);
+    struct rhw_pass_state *const pass = rhw_pass_enter(context, id, where);
     if (!pass) {
         return;
     }
@@ -381,7 +399,7 @@ void rhw_pass_push_debug_group(rhw_context *context, rhw_pass id, const char *la
 void rhw_pass_pop_debug_group(rhw_context *context, rhw_pass id)
 {
     static const char *const where = "rhw_pass_pop_debug_group";
-    struct rhw_pass_state *const pass = enter(context, id, where);
+    struct rhw_pass_state *const pass = rhw_pass_enter(context, id, where);
     if (!pass) {
         return;
     }
@@ -526,7 +544,8 @@ static const struct rhw_draw_state *snapshot(struct rhw_pass_state *pass)
                                state->pipeline->primitive == RHW_PRIMITIVE_POINTS ||
                                    state->pipeline->primitive == RHW_PRIMITIVE_POLYGON_POINTS);
     for (int i = 0; i < pass->color_count; i++) {
-        rhw_blend_state_init(&state->blend[i], &state->pipeline->def.targets[i], state->blend_constant);
+        rhw_blend_state_init(&state->blend[i], &state->pipeline->def.targets[i], state->pipeline->def.logic,
+                             state->blend_constant);
         if (pass->paths == RHW_PATHS_GENERAL) {
             rhw_blend_state_generalize(&state->blend[i]);
         }
@@ -615,7 +634,7 @@ static void append_draw(struct rhw_pass_state *pass, const struct rhw_draw *draw
     slot->first_triangle = pass->triangle_count;
     const bool effects = state->pipeline->def.program.vertex_effects;
     if (pass->out_of_memory || !rhw_assembly_prepare(slot, count, &pass->arena) ||
-        (effects && !rhw_effect_vertices_prepare(slot, &pass->arena))) {
+        (effects && !rhw_effect_vertices_prepare(slot, &pass->arena)) || !rhw_feedback_add_draw(pass, slot)) {
         pass->out_of_memory = true;
         return;
     }
@@ -626,6 +645,9 @@ static void append_draw(struct rhw_pass_state *pass, const struct rhw_draw *draw
     const int triangles_most = state->pipeline->triangles_most;
     pass->triangles_most = triangles_most > pass->triangles_most ? triangles_most : pass->triangles_most;
     pass->triangle_count += (uint64_t)slot->triangles_per_instance * slot->instances;
+    if (state->queries) {
+        rhw_queries_count_draw(slot, count);
+    }
 }
 
 void rhw_pass_record(struct rhw_pass_state *pass, const struct rhw_draw *draw, uint32_t count,
@@ -640,7 +662,7 @@ void rhw_pass_record(struct rhw_pass_state *pass, const struct rhw_draw *draw, u
 static void record(rhw_context *context, rhw_pass id, const struct rhw_draw *draw, uint32_t count,
                    const char *where)
 {
-    struct rhw_pass_state *const pass = enter(context, id, where);
+    struct rhw_pass_state *const pass = rhw_pass_enter(context, id, where);
     if (pass) {
         rhw_pass_record(pass, draw, count, where);
         rhw_context_leave(context);

@@ -12,8 +12,6 @@ struct rhw_pass_state;
 enum rhw_result rhw_pass_state_create(struct rhw_context *context, struct rhw_pass_state **pass);
 void rhw_pass_state_destroy(struct rhw_context *context, struct rhw_pass_state *pass);
 
-// Enters the context and gives the pass that `id` names, until rhw_context_leave; NULL, and misuse, when there is none.
-struct rhw_pass_state *rhw_pass_enter(struct rhw_context *context, rhw_pass id, const char *where);
 // Records a draw of `count` vertices or indices; of `draw`, what the parameters of a draw say is set.
 void rhw_pass_record(struct rhw_pass_state *pass, const struct rhw_draw *draw, uint32_t count,
                      const char *where);

@@ -5,6 +5,7 @@
 #include <stdio.h>
 #include <string.h>
 
+#include "clear_texel.h"
 #include "context.h"
 #include "cpu.h"
 #include "format.h"
@@ -52,20 +53,37 @@ static bool is_attached(const struct rhw_pass_state *pass, const struct rhw_atta
     return false;
 }
 
-// Checks the texture of an attachment against the pass and the attachments before it.
-static bool check_texture(const struct rhw_pass_state *pass, rhw_texture id,
-                          const struct rhw_texture_data *texture, const char *name,
-                          const struct rhw_attachment *attachment, int layer)
+// What of a texture is attached.
+struct attached_part {
+    int layer, level;
+};
+
+// Checks the texture of an attachment against the pass and the attachments before it. The first gives the pass its size,
+// where that is not set.
+static bool check_texture(struct rhw_pass_state *pass, rhw_texture id, const struct rhw_texture_data *texture,
+                          const char *name, const struct rhw_attachment *attachment,
+                          struct attached_part part)
 {
     rhw_context *const context = pass->context;
-    const struct rhw_mip *const mip = &texture->mip[0];
-    return rhw_texture_check_layer(context, id, texture, 0, layer, where) &&
+    if (!rhw_check(context, part.level >= 0 && part.level < texture->levels,
+                   "%s: %s.level is %d; %s has levels 0..%d", where, name, part.level,
+                   name_of(context, id).text, texture->levels - 1)) {
+        return false;
+    }
+    const struct rhw_mip *const mip = &texture->mip[part.level];
+    const int layer = part.layer;
+    if (pass->width == 0) {
+        pass->width = mip->width;
+        pass->height = mip->height;
+    }
+    return rhw_texture_check_layer(context, id, texture, part.level, layer, where) &&
            rhw_check(context, !is_attached(pass, attachment, mip, layer),
                      "%s: %s is %s, as another attachment is; each needs its own texture or layer", where,
                      name, name_of(context, id).text) &&
            rhw_check(context, mip->width == pass->width && mip->height == pass->height,
-                     "%s: %s is %s, which is %dx%d; the pass is %dx%d", where, name,
-                     name_of(context, id).text, mip->width, mip->height, pass->width, pass->height);
+                     "%s: %s is %s, whose level %d is %dx%d; the pass is %dx%d", where, name,
+                     name_of(context, id).text, part.level, mip->width, mip->height, pass->width,
+                     pass->height);
 }
 
 // Whether a texture with other samples than the pass can be resolved into.
@@ -78,16 +96,18 @@ static bool check_attached_samples(const struct rhw_pass_state *pass, rhw_textur
                      name_of(pass->context, id).text, texture->samples, samples);
 }
 
-// Makes a layer of a texture one that the pass writes; gives the record of its tiles. NULL when out of memory.
+// Makes a part of a texture one that the pass writes; gives the record of its tiles. NULL when out of memory.
 static struct rhw_clean_tiles *take(struct rhw_pass_state *pass, rhw_texture id,
-                                    struct rhw_texture_data *texture, int layer)
+                                    struct rhw_texture_data *texture, struct attached_part part)
 {
     struct rhw_context *const context = pass->context;
     texture->linear_is_current = false;
+    texture->written |= 1u << part.level;
     texture->attached = context->recording.generation;
     rhw_pool_use(&context->textures, id.index, context->recording.generation);
-    return rhw_clean_tiles_of_layer(&context->memory, &texture->clean, layer, texture->mip[0].width,
-                                    texture->mip[0].height);
+    const struct rhw_mip *const mip = &texture->mip[part.level];
+    return rhw_clean_tiles_of_part(&context->memory, &texture->clean, part.layer, part.level, mip->width,
+                                   mip->height);
 }
 
 // The texture of the attachment `name`; NULL, and misuse, when there is none.
@@ -101,35 +121,32 @@ static struct rhw_texture_data *find_texture(const rhw_context *context, rhw_tex
 }
 
 // Fills what an attachment with a texture has. `name`: "colors[0]" or "depth".
-static enum rhw_result attach(struct rhw_pass_state *pass, rhw_texture id, int layer, const char *name,
-                              struct rhw_attachment *attachment)
+static enum rhw_result attach(struct rhw_pass_state *pass, rhw_texture id, struct attached_part part,
+                              const char *name, struct rhw_attachment *attachment)
 {
     struct rhw_context *const context = pass->context;
     struct rhw_texture_data *const texture = find_texture(context, id, name);
     if (!texture) {
         return RHW_ERROR_MISUSE;
     }
-    if (pass->width == 0) {
-        pass->width = texture->mip[0].width;
-        pass->height = texture->mip[0].height;
-    }
-    if (!check_texture(pass, id, texture, name, attachment, layer) ||
+    if (!check_texture(pass, id, texture, name, attachment, part) ||
         !check_attached_samples(pass, id, texture, name)) {
         return RHW_ERROR_MISUSE;
     }
-    struct rhw_clean_tiles *const clean = take(pass, id, texture, layer);
+    struct rhw_clean_tiles *const clean = take(pass, id, texture, part);
     if (!clean) {
         return RHW_ERROR_OUT_OF_MEMORY;
     }
-    attachment->layer = layer;
+    attachment->layer = part.layer;
+    attachment->level = part.level;
     attachment->format = texture->format;
     attachment->texel_size = rhw_format_size(texture->format);
     attachment->loads_resolved = texture->samples != pass->pattern->count;
     if (attachment->loads_resolved) {
-        attachment->resolve = &texture->mip[0];
+        attachment->resolve = &texture->mip[part.level];
         attachment->resolve_clean = clean;
     } else {
-        attachment->target = &texture->mip[0];
+        attachment->target = &texture->mip[part.level];
         attachment->clean = clean;
         attachment->sample_stride = texture->samples > 1 ? texture->sample_stride : 0;
     }
@@ -151,15 +168,40 @@ static void set_clear(struct rhw_attachment *attachment, const unsigned char *te
     }
 }
 
-// Under validation.
-static bool check_clear(const rhw_context *context, const float clear[4], int i)
+// NaN is told under validation.
+static bool check_clear(const rhw_context *context, const struct rhw_color_attachment *color,
+                        const struct rhw_format_info *info, int i)
 {
+    const bool is_integer = rhw_format_is_integer(info);
     for (int c = 0; c < 4; c++) {
-        if (!rhw_check(context, clear[c] == clear[c], "%s: colors[%d].clear[%d] is NaN", where, i, c)) {
+        const float value = color->clear[c];
+        if (!rhw_check(context, value == value || !context->findings, "%s: colors[%d].clear[%d] is NaN",
+                       where, i, c) ||
+            !rhw_check(context, !is_integer || value == 0,
+                       "%s: colors[%d].clear[%d] is set and %s holds integers; set clear_integer", where, i,
+                       c, info->name) ||
+            !rhw_check(context, is_integer || color->clear_integer[c] == 0,
+                       "%s: colors[%d].clear_integer[%d] is set and %s holds no integers; set clear", where,
+                       i, c, info->name)) {
             return false;
         }
     }
     return true;
+}
+
+static void set_color_clear(struct rhw_attachment *attachment, const struct rhw_color_attachment *color,
+                            const struct rhw_format_info *info)
+{
+    float value[4];
+    memcpy(value, color->clear, sizeof value);
+    if (rhw_format_is_integer(info)) {
+        memcpy(value, color->clear_integer, sizeof value);
+    }
+    unsigned char texel[RHW_TEXEL_BYTES];
+    const uint64_t environment = rhw_cpu_float_enter();
+    rhw_clear_texel(info, value, texel);
+    rhw_cpu_float_leave(environment);
+    set_clear(attachment, texel);
 }
 
 // What samples that have a texture of their own are resolved into besides.
@@ -169,20 +211,21 @@ static enum rhw_result attach_resolve(struct rhw_pass_state *pass, rhw_texture i
     struct rhw_context *const context = pass->context;
     char name[32];
     snprintf(name, sizeof name, "colors[%d].resolve", i);
+    const struct attached_part part = {attachment->layer, attachment->level};
     struct rhw_texture_data *const texture = rhw_context_texture(context, id, where);
-    if (!texture || !check_texture(pass, id, texture, name, attachment, attachment->layer) ||
+    if (!texture || !check_texture(pass, id, texture, name, attachment, part) ||
         !rhw_check(
             context, !attachment->loads_resolved && pass->pattern->count > 1,
             "%s: colors[%d].resolve is set and colors[%d].texture has one sample; it must be null then",
             where, i, i) ||
         !rhw_check(context, texture->samples == 1 && texture->format == attachment->format,
                    "%s: colors[%d].resolve is %s, which is %s with %d samples; it must be %s with one", where,
-                   i, name_of(context, id).text, texture->info->name, texture->samples,
+                   i, name_of(context, id).text, rhw_format_info(texture->format)->name, texture->samples,
                    rhw_format_info(attachment->format)->name)) {
         return RHW_ERROR_MISUSE;
     }
-    attachment->resolve = &texture->mip[0];
-    attachment->resolve_clean = take(pass, id, texture, attachment->layer);
+    attachment->resolve = &texture->mip[part.level];
+    attachment->resolve_clean = take(pass, id, texture, part);
     return attachment->resolve_clean ? RHW_OK : RHW_ERROR_OUT_OF_MEMORY;
 }
 
@@ -199,7 +242,8 @@ static enum rhw_result attach_color(struct rhw_pass_state *pass, const struct rh
         return RHW_ERROR_MISUSE;
     }
     *attachment = (struct rhw_attachment){.resolve_mode = color->resolve_mode};
-    enum rhw_result result = attach(pass, color->texture, color->layer, name, attachment);
+    enum rhw_result result =
+        attach(pass, color->texture, (struct attached_part){color->layer, color->level}, name, attachment);
     if (result == RHW_OK && color->resolve.index != 0) {
         result = attach_resolve(pass, color->resolve, i, attachment);
     }
@@ -214,16 +258,12 @@ static enum rhw_result attach_color(struct rhw_pass_state *pass, const struct rh
                    name_of(context, color->texture).text, info->name)) {
         return RHW_ERROR_MISUSE;
     }
-    if (context->findings && !check_clear(context, color->clear, i)) {
+    if (!check_clear(context, color, info, i)) {
         return RHW_ERROR_MISUSE;
     }
     attachment->load = load_of(color->load);
     attachment->store = color->store;
-    const uint64_t environment = rhw_cpu_float_enter();
-    unsigned char texel[RHW_TEXEL_BYTES];
-    rhw_clear_texel(info, color->clear, texel);
-    rhw_cpu_float_leave(environment);
-    set_clear(attachment, texel);
+    set_color_clear(attachment, color, info);
     return RHW_OK;
 }
 
@@ -236,7 +276,8 @@ static enum rhw_result attach_depth_texture(struct rhw_pass_state *pass,
                                             const struct rhw_depth_attachment *depth)
 {
     struct rhw_context *const context = pass->context;
-    const enum rhw_result result = attach(pass, depth->texture, depth->layer, "depth", &pass->depth);
+    const enum rhw_result result = attach(
+        pass, depth->texture, (struct attached_part){depth->layer, depth->level}, "depth", &pass->depth);
     if (result != RHW_OK) {
         return result;
     }

@@ -21,6 +21,9 @@ static void reset(struct rhw_pass_state *pass, const struct rhw_pass_def *def)
     pass->height = def->height;
     pass->draws.count = 0;
     pass->triangle_count = 0;
+    pass->queries = NULL;
+    pass->feedback = (struct rhw_feedback_state){0};
+    pass->has_feedback = false;
     pass->triangles_most = 1;
     pass->has_large_draws = false;
     pass->has_effect_vertices = false;

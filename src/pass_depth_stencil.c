@@ -3,7 +3,7 @@
 #include "context.h"
 #include "entry.h"
 #include "misuse.h"
-#include "pass.h"
+#include "pass_enter.h"
 #include "pass_state.h"
 #include "rhw/rhw.h"
 

@@ -5,10 +5,11 @@
 #include "entry.h"
 #include "findings.h"
 #include "misuse.h"
-#include "pass.h"
+#include "pass_enter.h"
 #include "pass_run.h"
 #include "pass_state.h"
 #include "pipeline.h"
+#include "query.h"
 #include "rhw/rhw.h"
 #include "texture.h"
 
@@ -63,6 +64,12 @@ static enum rhw_result end(struct rhw_pass_state *pass, struct rhw_stats *stats)
     const uint32_t generation = context->recording.generation;
     (void)rhw_check(context, context->recording.group == NULL,
                     "rhw_pass_end: a debug group was pushed and not popped");
+    if (context->recording.active && context->recording.generation == generation) {
+        rhw_queries_check_ended(pass);
+    }
+    if (context->recording.active && context->recording.generation == generation) {
+        rhw_feedback_check_ended(pass);
+    }
     if (!context->recording.active || context->recording.generation != generation) {
         return RHW_ERROR_MISUSE; // the hook ended the pass itself
     }
@@ -72,6 +79,9 @@ static enum rhw_result end(struct rhw_pass_state *pass, struct rhw_stats *stats)
     context->recording.active = false;
     bool misused = context->recording.misused;
     const enum rhw_result result = pass->out_of_memory ? RHW_ERROR_OUT_OF_MEMORY : rhw_pass_run(pass, stats);
+    if (result == RHW_OK) {
+        rhw_queries_answer(pass);
+    }
     release_retired(context);
     misused |= atomic_load_explicit(&context->refused, memory_order_relaxed);
     if (context->findings && result == RHW_OK) {

@@ -9,6 +9,7 @@
 #include "lookup.h"
 #include "misuse.h"
 #include "pass.h"
+#include "pass_enter.h"
 #include "pass_state.h"
 #include "rhw/rhw.h"
 

@@ -13,6 +13,7 @@
 #include "kernels/kernels.h"
 #include "kernels/tile_work.h"
 #include "pass_state.h"
+#include "query.h"
 #include "scheduler.h"
 #include "shared_vertices.h"
 #include "thread.h"
@@ -322,6 +323,11 @@ static void sum_front(const struct rhw_pass_state *pass, struct rhw_stats *stats
         stats->triangles_culled += c->culled;
         stats->triangles_rasterized += c->rasterized;
         stats->bin_entries += c->entries;
+        for (int n = 0; n < pass->chunks[i].counted_count; n++) {
+            const struct rhw_counted_run *const run = &pass->chunks[i].counted[n];
+            run->queries->of[RHW_QUERY_STATISTICS]->counts.statistics.clipping_primitives +=
+                run->clipping_primitives;
+        }
     }
 }
 
@@ -436,6 +442,7 @@ enum rhw_result rhw_pass_run(struct rhw_pass_state *pass, struct rhw_stats *stat
     }
     expect_clean(&pass->depth);
     pass->first_wave = true;
+    rhw_queries_stamp(pass, 0);
     if (!shade_effect_vertices(pass, &s)) {
         return RHW_ERROR_OUT_OF_MEMORY;
     }
@@ -453,6 +460,7 @@ enum rhw_result rhw_pass_run(struct rhw_pass_state *pass, struct rhw_stats *stat
         s.front_ms += milliseconds(middle - start);
         s.back_ms += milliseconds(rhw_time_ns() - middle);
         s.flushes += !pass->last_wave;
+        rhw_queries_stamp(pass, at.triangle);
         pass->first_wave = false;
     } while (!pass->last_wave);
     sum_counters(pass, &s);

@@ -12,13 +12,14 @@
 #include "rhw/shader.h"
 #include "sample_pattern.h"
 #include "texture.h"
+#include "transform_feedback.h"
 
 struct rhw_attachment {
     enum rhw_format format;
     enum rhw_load load;
     enum rhw_store store;
     const struct rhw_mip *target;  // NULL: exists in the tile alone
-    int layer;                     // of it that is drawn into
+    int layer, level;              // of its texture that is drawn into
     struct rhw_clean_tiles *clean; // of a texture; NULL where there is none
     size_t sample_stride;          // bytes from one sample of the target to the next; 0 where it has one
     // Where the samples of the tile are resolved into, if they are; NULL: nowhere.
@@ -48,6 +49,7 @@ struct rhw_context;
 struct rhw_geometry_scratch;
 struct rhw_tile_scratch;
 struct rhw_sample_plane;
+struct rhw_used_query;
 
 // One per thread; padded so that no two share a cache line.
 struct rhw_worker {
@@ -119,6 +121,10 @@ struct rhw_pass_state {
     const struct rhw_draw_state *current; // last copy of `pending`
     bool out_of_memory;
     bool refused_pipeline; // rhw_pass_set_pipeline was misuse
+
+    struct rhw_used_query *queries; // a list, the last one first
+    struct rhw_feedback_state feedback;
+    bool has_feedback; // of some draw
 
     struct rhw_draw_list draws;
     uint64_t triangle_count;

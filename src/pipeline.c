@@ -5,6 +5,7 @@
 #include <stdio.h>
 #include <string.h>
 
+#include "blend_state.h"
 #include "constants.h"
 #include "context.h"
 #include "depth_stencil.h"
@@ -242,14 +243,14 @@ static bool check_states(const struct rhw_context *context, const struct rhw_pip
            check_range(context, "front", def->front, 0, RHW_CLOCKWISE) &&
            check_range(context, "depth_range", def->depth_range, 0, RHW_DEPTH_MINUS_ONE_TO_ONE) &&
            check_range(context, "depth_compare", def->depth_compare, 0, RHW_COMPARE_ALWAYS) &&
-           check_depth_stencil(context, def);
+           check_range(context, "logic", def->logic, 0, RHW_LOGIC_SET) && check_depth_stencil(context, def);
 }
 
 static bool check_blend(const struct rhw_context *context, int index, const char *src, const char *dst,
                         const char *operation, const struct rhw_blend_component *blend)
 {
-    return check_element(context, "targets", index, src, blend->src, 0, RHW_BLEND_ONE_MINUS_CONSTANT) &&
-           check_element(context, "targets", index, dst, blend->dst, 0, RHW_BLEND_ONE_MINUS_CONSTANT) &&
+    return check_element(context, "targets", index, src, blend->src, 0, RHW_BLEND_ONE_MINUS_SRC1_ALPHA) &&
+           check_element(context, "targets", index, dst, blend->dst, 0, RHW_BLEND_ONE_MINUS_SRC1_ALPHA) &&
            check_element(context, "targets", index, operation, blend->operation, 0, RHW_BLEND_MAX);
 }
 
@@ -291,6 +292,10 @@ static bool check_targets(const struct rhw_context *context, const struct rhw_pi
     }
     for (int i = 0; i < def->target_count; i++) {
         if (!check_target(context, i, &def->targets[i]) ||
+            !rhw_check(context, def->target_count == 1 || !rhw_blend_reads_second(&def->targets[i]),
+                       "%s: targets[%d] blends with the second source, color[1], and target_count is %d; it "
+                       "must be 1",
+                       create_name, i, def->target_count) ||
             !rhw_check(context, has_fragment(&def->program) || def->targets[i].write_mask == RHW_WRITE_NONE,
                        "%s: the program has no fragment function and targets[%d] is written; give it one, or "
                        "the target the write_mask RHW_WRITE_NONE",
@@ -326,6 +331,12 @@ static bool replaces(const struct rhw_blend_component *blend)
            blend->operation == RHW_BLEND_ADD;
 }
 
+static bool is_set(const struct rhw_stencil_face *face)
+{
+    return face->compares || face->fail != RHW_STENCIL_KEEP || face->depth_fail != RHW_STENCIL_KEEP ||
+           face->pass != RHW_STENCIL_KEEP || face->read_mask != 0 || face->write_mask != 0;
+}
+
 // Under validation: what is set and switched off. Programs that switch on and off leave it so, hence no misuse.
 static void warn_of_contradictions(const struct rhw_context *context, const struct rhw_pipeline_def *def)
 {
@@ -336,6 +347,10 @@ static void warn_of_contradictions(const struct rhw_context *context, const stru
                             "%s: targets[%d].color or .alpha is set and targets[%d].blend is false",
                             create_name, i, i);
         }
+    }
+    if (!def->stencil_test && (is_set(&def->stencil_front) || is_set(&def->stencil_back))) {
+        rhw_context_log(context, RHW_LOG_WARNING,
+                        "%s: stencil_front or stencil_back is set and stencil_test is false", create_name);
     }
     if (def->depth_read_only && !def->depth_test) {
         rhw_context_log(context, RHW_LOG_WARNING, "%s: depth_read_only is true and depth_test is false",
@@ -349,7 +364,8 @@ static bool check_create(const struct rhw_context *context, const struct rhw_pip
     return rhw_check(context, def != NULL, "%s: def is NULL", create_name) &&
            rhw_check(context, pipeline != NULL, "%s: pipeline is NULL", create_name) &&
            check_flaws(context, flaws) && check_program(context, &def->program) &&
-           check_vertex_input(context, def) && check_states(context, def) && check_targets(context, def);
+           check_vertex_input(context, def) && check_states(context, def) && check_targets(context, def) &&
+           rhw_feedback_check(context, def, create_name);
 }
 
 // What draws need --------------------------------------------------------------------------------------
@@ -393,6 +409,14 @@ static void resolve_uses(struct rhw_pipeline_def *def)
         RHW_USE_DISCARD | RHW_USE_DEPTH | RHW_USE_SAMPLE_MASK | RHW_USE_EFFECTS | RHW_USE_DEPTH_INPUT;
     if (def->stencil_test && (def->program.uses & late || def->alpha_to_coverage)) {
         def->program.uses |= RHW_USE_FACING;
+    }
+}
+
+static void resolve_attributes(struct rhw_pipeline_data *data)
+{
+    for (int i = 0; i < data->def.attribute_count; i++) {
+        const struct rhw_attribute *const attribute = &data->def.attributes[i];
+        data->fetches[i] = rhw_fetch_of(attribute->format, attribute->offset);
     }
 }
 
@@ -476,11 +500,10 @@ static void lay_out_primitives(struct rhw_pipeline_data *data)
                                                                    : RHW_PRIMITIVE_TRIANGLES;
         break;
     }
-    static const int most[] = {[RHW_PRIMITIVE_TRIANGLES] = 1,
-                               [RHW_PRIMITIVE_LINES] = 2,
-                               [RHW_PRIMITIVE_POINTS] = 1,
-                               [RHW_PRIMITIVE_POLYGON_LINES] = 6,
-                               [RHW_PRIMITIVE_POLYGON_POINTS] = 3};
+    static const int most[] = {
+        [RHW_PRIMITIVE_TRIANGLES] = 1,     [RHW_PRIMITIVE_LINES] = 2,          [RHW_PRIMITIVE_POINTS] = 1,
+        [RHW_PRIMITIVE_POLYGON_LINES] = 6, [RHW_PRIMITIVE_POLYGON_POINTS] = 3, [RHW_PRIMITIVE_NOTHING] = 1};
+    data->primitive = def->rasterizer_discard ? RHW_PRIMITIVE_NOTHING : data->primitive;
     data->triangles_most = most[data->primitive];
     data->half_width_24_8 = (double)def->line_width * (RHW_SUBPIXEL / 2);
     const int distances = def->program.clip_distance_count + def->program.cull_distance_count;
@@ -496,11 +519,15 @@ void rhw_pipeline_data_init(struct rhw_pipeline_data *data, const struct rhw_pip
     data->def.label = NULL; // which is the caller's
     resolve_defaults(&data->def);
     resolve_uses(&data->def);
+    data->output_count =
+        def->target_count + (def->target_count == 1 && rhw_blend_reads_second(&data->def.targets[0]) ? 1 : 0);
+    resolve_attributes(data);
     resolve_functions(data, isa);
     lay_out_varyings(data);
     lay_out_primitives(data);
     qualify_vectors(data);
     pair_derivatives(data);
+    data->feedback_targets = rhw_feedback_lay_out(&data->def, data->feedback);
 }
 
 void rhw_pipeline_data_release(struct rhw_memory *memory, struct rhw_pipeline_data *data)

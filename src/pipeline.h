@@ -3,7 +3,8 @@
 #ifndef RHW_PIPELINE_H
 #define RHW_PIPELINE_H
 
-#include "rhw/types.h"
+#include "feedback_layout.h"
+#include "format.h"
 
 struct rhw_watch;
 struct rhw_memory;
@@ -13,15 +14,18 @@ struct rhw_pipeline_data {
     struct rhw_watch *watch;     // under validation, and then in the place of its functions; see watch.h
     rhw_vertex_function *vertex; // best entry for the context's instruction set; NULL: use program.vertex1
     rhw_fragment_function *fragment; // likewise; NULL: program.fragment1, and when that is NULL too, depth only
-    int varying_components;          // of all varyings together
-    enum rhw_sampling sampling;      // the most that one of them asks for
+    int output_count; // colours that the fragment function writes: the targets', and a second source
+    struct rhw_fetch fetches[RHW_MAX_ATTRIBUTES];
+    int varying_components;     // of all varyings together
+    enum rhw_sampling sampling; // the most that one of them asks for
     // What is drawn: `topology` and the polygon mode in one.
     enum rhw_primitive {
         RHW_PRIMITIVE_TRIANGLES,
         RHW_PRIMITIVE_LINES,
         RHW_PRIMITIVE_POINTS,
-        RHW_PRIMITIVE_POLYGON_LINES, // triangles as their edges
-        RHW_PRIMITIVE_POLYGON_POINTS // and as their corners
+        RHW_PRIMITIVE_POLYGON_LINES,  // triangles as their edges
+        RHW_PRIMITIVE_POLYGON_POINTS, // and as their corners
+        RHW_PRIMITIVE_NOTHING         // rasterizer_discard
     } primitive;
     int triangles_most;     // that tiles draw of a primitive
     double half_width_24_8; // of lines
@@ -44,6 +48,8 @@ struct rhw_pipeline_data {
     // Smooth components with derivatives, by twos; where their number is odd the last stands twice.
     int derivative_pairs;
     uint8_t derivative_component[RHW_MAX_VARYING_COMPONENTS / 2][2];
+    struct rhw_feedback_copy feedback[RHW_MAX_FEEDBACK_OUTPUTS]; // as many as outputs
+    unsigned feedback_targets;                                   // a bit for each that is written
 };
 
 // `def` is valid; `isa` is the highest whose functions are taken.

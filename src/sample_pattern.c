@@ -5,7 +5,7 @@
 #include "constants.h"
 #include "rhw/rhw.h"
 
-#define AT(sixteenths) (int16_t)((sixteenths)*RHW_SUBPIXEL / 16)
+#define AT(sixteenths) ((sixteenths)*RHW_SUBPIXEL / 16)
 
 // Vulkan 1.3 §27.5, table "Standard sample locations"; Direct3D 11.3 §19.2.4.1.
 static const struct rhw_sample_pattern patterns[] = {

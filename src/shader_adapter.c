@@ -111,7 +111,7 @@ static void run_fragment(const struct rhw_pipeline_data *pipeline, struct rhw_fr
 {
     const bool all = pipeline->watch != NULL;
     const int components = all ? RHW_WATCH_COMPONENTS : pipeline->varying_components;
-    const int targets = all ? RHW_MAX_COLOR_ATTACHMENTS : pipeline->def.target_count;
+    const int targets = all ? RHW_MAX_COLOR_ATTACHMENTS : pipeline->output_count;
     const uint32_t uses = all ? UINT32_MAX : pipeline->def.program.uses;
     float varying[RHW_WATCH_COMPONENTS], ddx[RHW_WATCH_COMPONENTS], ddy[RHW_WATCH_COMPONENTS];
     float color[RHW_MAX_COLOR_ATTACHMENTS][4] = {{0}};

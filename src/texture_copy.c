@@ -2,6 +2,7 @@
 // What programs write into textures and read from them, and mip levels made from the first one.
 #include "texture.h"
 
+#include <limits.h>
 #include <string.h>
 
 #include "block_format.h"
@@ -34,10 +35,12 @@ static bool check_unattached(const struct rhw_context *context, rhw_texture id,
                      rhw_name_of(&context->textures, id.index).text);
 }
 
+enum { NO_SAMPLE = INT_MIN }; // named by the caller
+
 // What the caller named, apart from the texture.
 struct copy_request {
     int level, layer;
-    int sample; // −1: of a texture that has one
+    int sample; // NO_SAMPLE: of a texture that has one
     bool stencil;
     bool is_decoded; // the caller's rows are of texels, also where the texture's format has blocks
     const void *outside;
@@ -47,11 +50,12 @@ struct copy_request {
 static bool check_sample(const struct rhw_context *context, rhw_texture id,
                          const struct rhw_texture_data *texture, int sample, const char *where)
 {
-    return rhw_check(context, sample >= 0 || texture->samples == 1,
+    return rhw_check(context, sample != NO_SAMPLE || texture->samples == 1,
                      "%s: %s has %d samples; they are drawn into, and read by rhw_texture_read_sample", where,
                      rhw_name_of(&context->textures, id.index).text, texture->samples) &&
-           rhw_check(context, sample < texture->samples, "%s: sample is %d; %s has samples 0..%d", where,
-                     sample, rhw_name_of(&context->textures, id.index).text, texture->samples - 1);
+           rhw_check(context, sample == NO_SAMPLE || (sample >= 0 && sample < texture->samples),
+                     "%s: sample is %d; %s has samples 0..%d", where, sample,
+                     rhw_name_of(&context->textures, id.index).text, texture->samples - 1);
 }
 
 static struct copy check_copy(const struct rhw_context *context, rhw_texture id,
@@ -80,7 +84,7 @@ static struct copy check_copy(const struct rhw_context *context, rhw_texture id,
                    rhw_name_of(&context->textures, id.index).text, row)) {
         return misuse;
     }
-    const int sample = request->sample < 0 ? 0 : request->sample;
+    const int sample = request->sample == NO_SAMPLE ? 0 : request->sample;
     return (struct copy){texture, level, request->layer, sample, request->stencil, row, pitch};
 }
 
@@ -173,50 +177,50 @@ static enum rhw_result read_level(struct rhw_context *context, rhw_texture textu
 enum rhw_result rhw_texture_write(rhw_context *context, rhw_texture texture, int level, const void *data,
                                   size_t row_pitch)
 {
-    const struct copy_request request = {level, 0, -1, false, false, data, row_pitch};
+    const struct copy_request request = {level, 0, NO_SAMPLE, false, false, data, row_pitch};
     return write_level(context, texture, &request, "rhw_texture_write");
 }
 
 enum rhw_result rhw_texture_read(rhw_context *context, rhw_texture texture, int level, void *data,
                                  size_t row_pitch)
 {
-    const struct copy_request request = {level, 0, -1, false, true, data, row_pitch};
+    const struct copy_request request = {level, 0, NO_SAMPLE, false, true, data, row_pitch};
     return read_level(context, texture, &request, data, "rhw_texture_read");
 }
 
 enum rhw_result rhw_texture_write_layer(rhw_context *context, rhw_texture texture, int level, int layer,
                                         const void *data, size_t row_pitch)
 {
-    const struct copy_request request = {level, layer, -1, false, false, data, row_pitch};
+    const struct copy_request request = {level, layer, NO_SAMPLE, false, false, data, row_pitch};
     return write_level(context, texture, &request, "rhw_texture_write_layer");
 }
 
 enum rhw_result rhw_texture_read_layer(rhw_context *context, rhw_texture texture, int level, int layer,
                                        void *data, size_t row_pitch)
 {
-    const struct copy_request request = {level, layer, -1, false, true, data, row_pitch};
+    const struct copy_request request = {level, layer, NO_SAMPLE, false, true, data, row_pitch};
     return read_level(context, texture, &request, data, "rhw_texture_read_layer");
 }
 
 enum rhw_result rhw_texture_read_sample(rhw_context *context, rhw_texture texture, int sample, void *data,
                                         size_t row_pitch)
 {
-    const struct copy_request request = {0,    0,        sample < 0 ? RHW_MAX_SAMPLES : sample, false, true,
-                                         data, row_pitch};
+    const int named = sample == NO_SAMPLE ? -1 : sample;
+    const struct copy_request request = {0, 0, named, false, true, data, row_pitch};
     return read_level(context, texture, &request, data, "rhw_texture_read_sample");
 }
 
 enum rhw_result rhw_texture_write_stencil(rhw_context *context, rhw_texture texture, int level,
                                           const uint8_t *data, size_t row_pitch)
 {
-    const struct copy_request request = {level, 0, -1, true, true, data, row_pitch};
+    const struct copy_request request = {level, 0, NO_SAMPLE, true, true, data, row_pitch};
     return write_level(context, texture, &request, "rhw_texture_write_stencil");
 }
 
 enum rhw_result rhw_texture_read_stencil(rhw_context *context, rhw_texture texture, int level, uint8_t *data,
                                          size_t row_pitch)
 {
-    const struct copy_request request = {level, 0, -1, true, true, data, row_pitch};
+    const struct copy_request request = {level, 0, NO_SAMPLE, true, true, data, row_pitch};
     return read_level(context, texture, &request, data, "rhw_texture_read_stencil");
 }
 
@@ -229,10 +233,10 @@ static enum rhw_result generate_mips(struct rhw_context *context, rhw_texture te
                    "%s: %s is %s; levels of compressed formats are written", where,
                    rhw_name_of(&context->textures, texture.index).text,
                    rhw_format_info(data->format)->name) ||
-        !rhw_check(context, rhw_format_has_role(data->info, RHW_ROLE_SAMPLED),
+        !rhw_check(context, rhw_format_has_role(data->info, RHW_ROLE_FILTERED),
                    "%s: %s is %s; that format is not filtered", where,
                    rhw_name_of(&context->textures, texture.index).text, data->info->name) ||
-        !check_sample(context, texture, data, -1, where)) {
+        !check_sample(context, texture, data, NO_SAMPLE, where)) {
         return RHW_ERROR_MISUSE;
     }
     struct rhw_texture_data *const target = to_write(context, texture, data);

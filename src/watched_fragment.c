@@ -168,15 +168,35 @@ static bool reads_source_alpha(const struct rhw_blend_component *color)
            (is_source_alpha(color->src) || is_source_alpha(color->dst));
 }
 
+// Of the second source, which stands behind the only target.
+static unsigned second_channels(const struct rhw_color_target *target, unsigned kept)
+{
+    const unsigned colors = RHW_WRITE_RED | RHW_WRITE_GREEN | RHW_WRITE_BLUE;
+    const enum rhw_blend_factor color[2] = {target->color.src, target->color.dst};
+    const enum rhw_blend_factor alpha[2] = {target->alpha.src, target->alpha.dst};
+    unsigned needed = 0;
+    for (int i = 0; i < 2; i++) {
+        const bool whole = color[i] == RHW_BLEND_SRC1 || color[i] == RHW_BLEND_ONE_MINUS_SRC1;
+        const bool by_alpha = color[i] >= RHW_BLEND_SRC1_ALPHA && kept & colors;
+        needed |= whole ? kept & colors : by_alpha ? RHW_WRITE_ALPHA : 0;
+        needed |= alpha[i] >= RHW_BLEND_SRC1 ? kept & RHW_WRITE_ALPHA : 0;
+    }
+    return needed;
+}
+
 // Channels of target t that a pass needs, a bit each: those it keeps, and the alpha that colours are blended by.
 static unsigned needed_channels(const struct rhw_watch *watch, int t)
 {
     const struct rhw_pipeline_def *const def = &watch->pipeline->def;
-    if (t >= def->target_count) {
+    if (t >= watch->pipeline->output_count) {
         return 0;
     }
-    const struct rhw_color_target *const target = &def->targets[t];
+    const bool is_second = t >= def->target_count;
+    const struct rhw_color_target *const target = &def->targets[is_second ? 0 : t];
     const unsigned kept = target->write_mask & ((1u << rhw_format_info(target->format)->channels) - 1);
+    if (is_second) {
+        return second_channels(target, kept);
+    }
     const bool any_color = kept & (RHW_WRITE_RED | RHW_WRITE_GREEN | RHW_WRITE_BLUE);
     const bool blends = target->blend && any_color && reads_source_alpha(&target->color);
     return kept | (blends || (t == 0 && def->alpha_to_coverage) ? RHW_WRITE_ALPHA : 0);
@@ -187,7 +207,7 @@ static rhw_int differing(const struct rhw_watch *watch, const struct rhw_fragmen
                          const struct rhw_fragment *b, rhw_int mask)
 {
     rhw_int lanes = rhw_splat_int(0);
-    for (int t = 0; t < watch->pipeline->def.target_count; t++) {
+    for (int t = 0; t < watch->pipeline->output_count; t++) {
         for (int c = 0; c < 4; c++) {
             if (needed_channels(watch, t) & 1u << c) {
                 lanes |= rhw_watch_differs(a->color[t][c], b->color[t][c], mask);
@@ -244,7 +264,7 @@ static bool check_channels(const struct rhw_watch *watch, const struct rhw_fragm
                 report_channel(watch, group, mask, RHW_FINDING_MISUSE, "does not write", t, c);
                 return true;
             }
-            if (t >= watch->pipeline->def.target_count &&
+            if (t >= watch->pipeline->output_count &&
                 rhw_any(((rhw_int)first->color[t][c] != (int32_t)rhw_watch_output[0]) & mask)) {
                 // One program may serve pipelines of more targets, and of depth alone.
                 report_channel(watch, group, mask, RHW_FINDING_WARNING,
@@ -299,13 +319,13 @@ static __attribute__((cold)) void name_input(const struct rhw_watch *watch,
 
 static bool is_integer(const struct rhw_watch *watch, int t)
 {
-    return rhw_format_info(watch->pipeline->def.targets[t].format)->codec == RHW_CODEC_UINT32;
+    return rhw_format_is_integer(rhw_format_info(watch->pipeline->def.targets[t].format));
 }
 
 static void warn_of_nan(const struct rhw_watch *watch, const struct rhw_fragment *group,
                         const struct rhw_fragment *first, rhw_int mask)
 {
-    for (int t = 0; t < watch->pipeline->def.target_count; t++) {
+    for (int t = 0; t < watch->pipeline->output_count; t++) {
         for (int c = 0; c < 4 && !is_integer(watch, t); c++) {
             const rhw_float value = first->color[t][c];
             const rhw_int nan = (value != value) & mask;
@@ -329,7 +349,7 @@ static rhw_int written_lanes(const struct rhw_watch *watch, const struct rhw_fra
                              const struct rhw_fragment *second)
 {
     rhw_int lanes = rhw_splat_int(0);
-    for (int t = 0; t < watch->pipeline->def.target_count; t++) {
+    for (int t = 0; t < watch->pipeline->output_count; t++) {
         for (int c = 0; c < 4; c++) {
             if (needed_channels(watch, t) & 1u << c) {
                 lanes |= ((rhw_int)first->color[t][c] != (int32_t)rhw_watch_output[0]) |
@@ -375,7 +395,7 @@ static void check_group(const struct rhw_watch *watch,
 static void take_results(const struct rhw_watch *watch, const struct rhw_fragment *first,
                          struct rhw_fragment *group)
 {
-    memcpy(group->color, first->color, (size_t)watch->pipeline->def.target_count * sizeof first->color[0]);
+    memcpy(group->color, first->color, (size_t)watch->pipeline->output_count * sizeof first->color[0]);
     if (watch->uses & RHW_USE_DISCARD) {
         group->mask = first->mask;
     }

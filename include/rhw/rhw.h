@@ -3,6 +3,8 @@
 #ifndef RHW_RHW_H
 #define RHW_RHW_H
 
+#include "limits.h"
+#include "transform_feedback.h"
 #include "types.h"
 
 // Context -------------------------------------------------------------------------------------------
@@ -33,6 +35,9 @@ RHW_API enum rhw_isa_limit rhw_isa_up_to(enum rhw_isa isa);
 RHW_API const char *rhw_isa_name(enum rhw_isa isa);
 /// Whether this build has kernels for `isa` and this CPU runs them.
 RHW_API bool rhw_isa_supported(enum rhw_isa isa);
+
+/// What the library can do at most, the same in every context.
+RHW_API struct rhw_limits rhw_limits_get(void);
 
 // Buffers -------------------------------------------------------------------------------------------
 
@@ -208,6 +213,13 @@ RHW_API void rhw_pass_draw_indexed_indirect(rhw_context *context, rhw_pass pass,
 /// Groups may stand in groups; each is popped before the pass ends.
 RHW_API void rhw_pass_push_debug_group(rhw_context *context, rhw_pass pass, const char *label);
 RHW_API void rhw_pass_pop_debug_group(rhw_context *context, rhw_pass pass);
+/// Draws recorded until rhw_pass_end_query are what the query is about. Of each kind one query may be under way at a time,
+/// and each query is used once in a pass. Draws are shaded in their turn then, and take longer. TIMESTAMP is refused.
+RHW_API void rhw_pass_begin_query(rhw_context *context, rhw_pass pass, rhw_query query);
+RHW_API void rhw_pass_end_query(rhw_context *context, rhw_pass pass, rhw_query query);
+/// For a query of kind TIMESTAMP. As a pass is drawn tile by tile, times within it are those of its beginning, before the
+/// first draw, and of the ends of its flushes (struct rhw_stats), mostly one.
+RHW_API void rhw_pass_write_timestamp(rhw_context *context, rhw_pass pass, rhw_query query);
 /// Runs the pass; all of it is drawn on return, and the id is stale. `stats` may be NULL. Where misuse was reported
 /// since the pass began and the assert hook returned, all that was no misuse is drawn, and the result is
 /// RHW_ERROR_MISUSE: also where it was that of another thread, which called something of this context meanwhile. On
@@ -216,5 +228,15 @@ RHW_API enum rhw_result rhw_pass_end(rhw_context *context, rhw_pass pass, struct
 /// Ends the pass without drawing any of it: the attachments are as they were, and the id is stale. For those who find in
 /// the middle that they cannot go on.
 RHW_API void rhw_pass_cancel(rhw_context *context, rhw_pass pass);
+
+// Queries -------------------------------------------------------------------------------------------
+
+RHW_API enum rhw_result rhw_query_create(rhw_context *context, const struct rhw_query_def *def,
+                                         rhw_query *query);
+RHW_API void rhw_query_destroy(rhw_context *context, rhw_query query);
+/// The answer of the last pass that used the query. Misuse, with `*counts` zeroed, where there is none: while that pass is
+/// recorded, and where none was ended with success.
+RHW_API enum rhw_result rhw_query_read(rhw_context *context, rhw_query query,
+                                       struct rhw_query_counts *counts);
 
 #endif

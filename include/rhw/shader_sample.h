@@ -39,21 +39,21 @@ struct rhw_sample_request {
 /// Samples slot `slot`, 0..RHW_MAX_TEXTURES − 1, of a group's `textures`; for shader functions, on the thread that runs
 /// them. `request` is read during the call alone, with all it points at. The sampler's bias and limits apply to the
 /// level of detail. sRGB texels are decoded before they are filtered; of plain 2D textures, where both filters are LINEAR
-/// and no border is met, they are held to 15 bits: at most 1/20 of the distance between two codes off, with 0 and 255 exact. A slot
-/// without a texture gives 0, 0, 0, 1. A lane's texel does not depend on other lanes.
+/// and no border is met, they are held to 15 bits: at most 1/20 of the distance between two codes off, with 0 and 255
+/// exact. A slot without a texture gives 0, 0, 0, 1. A lane's texel does not depend on other lanes.
 RHW_API void rhw_sample(const struct rhw_bindings *textures, int slot,
                         const struct rhw_sample_request *request, rhw_float texel[4]);
 
-/// Channel `channel`, 0..3, of the four texels that a linear filter would mix in level 0 of a 2D texture, a cube or an array
-/// of these: below left, below right, above right, above left as v grows downwards (Vulkan 1.3, "Texel Gathering"). By a
-/// sampler that compares each is 1 or 0, whatever the channel. The request's level and gradient do not matter. Textures
-/// of other kinds give zeros.
+/// Channel `channel`, 0..3, of the four texels that a linear filter would mix in level 0 of a 2D texture, a cube or an
+/// array of these: below left, below right, above right, above left as v grows downwards (Vulkan 1.3, "Texel
+/// Gathering"). By a sampler that compares each is 1 or 0, whatever the channel. The request's level and gradient do not
+/// matter. Textures of other kinds give zeros.
 RHW_API void rhw_sample_gather(const struct rhw_bindings *textures, int slot,
                                const struct rhw_sample_request *request, int channel, rhw_float texel[4]);
 
-/// The texel at whole coordinates of a level ([1]; NULL: 0), unfiltered: `at` has x, y and z as the kind has them, and the layer
-/// of an array; of a cube x, y and 6 × cube + face. Outside of the level, or where there is no such level, it is 0 in the
-/// channels that the format has (robustImageAccess2); those that it lacks are 0, 0, 0, 1 as ever.
+/// The texel at whole coordinates of a level ([1]; NULL: 0), unfiltered: `at` has x, y and z as the kind has them, and
+/// the layer of an array; of a cube x, y and 6 × cube + face. Outside of the level, or where there is no such level, it
+/// is 0 in the channels that the format has (robustImageAccess2); those that it lacks are 0, 0, 0, 1 as ever.
 RHW_API void rhw_sample_fetch(const struct rhw_bindings *textures, int slot, const rhw_int *at,
                               const rhw_int *level, rhw_float texel[4]);
 
@@ -68,8 +68,8 @@ RHW_API void rhw_sample_fetch_sample(const struct rhw_bindings *textures, int sl
 RHW_API void rhw_sample_query_lod(const struct rhw_bindings *textures, int slot,
                                   const struct rhw_sample_request *request, rhw_float lod[2]);
 
-/// Width, height and, of a 3D texture, slices of a level ([1]; NULL: 0), else layers, six for each cube. What the kind lacks is 1. Zeros
-/// where there is no such level, and in a slot without a texture.
+/// Width, height and, of a 3D texture, slices of a level ([1]; NULL: 0), else layers, six for each cube. What the kind
+/// lacks is 1. Zeros where there is no such level, and in a slot without a texture.
 RHW_API void rhw_sample_size(const struct rhw_bindings *textures, int slot, const rhw_int *level,
                              rhw_int size[3]);
 

@@ -19,26 +19,29 @@ typedef struct rhw_texture { uint32_t index, generation, context; } rhw_texture;
 typedef struct rhw_sampler { uint32_t index, generation, context; } rhw_sampler;
 typedef struct rhw_pipeline { uint32_t index, generation, context; } rhw_pipeline;
 typedef struct rhw_pass { uint32_t index, generation, context; } rhw_pass;
+typedef struct rhw_query { uint32_t index, generation, context; } rhw_query;
 
 enum {
     RHW_MAX_TARGET_SIZE = 16384, ///< pixels, each way; beyond it integer edge functions could overflow
     RHW_MAX_THREADS = 64,
     RHW_MAX_COLOR_ATTACHMENTS = 8,
-    RHW_MAX_VERTEX_BUFFERS = 8,
+    RHW_MAX_VERTEX_BUFFERS = 16,
     RHW_MAX_ATTRIBUTES = 16,
-    RHW_MAX_VARYINGS = 16,
-    RHW_MAX_VARYING_COMPONENTS = 48,
+    RHW_MAX_VARYINGS = 32,
+    RHW_MAX_VARYING_COMPONENTS = 64,
     RHW_MAX_TEXTURES = 16,       ///< texture slots of a draw
     RHW_MAX_SAMPLES = 16,        ///< of a pixel
     RHW_MAX_GROUPS = 16,         ///< groups of 8 lanes in one call of a shader function
-    RHW_MAX_UNIFORM_SIZE = 65536, ///< bytes
+    RHW_MAX_UNIFORM_SIZE = 1 << 20, ///< bytes
     RHW_MAX_CLIP_DISTANCES = 8,
     RHW_MAX_CULL_DISTANCES = 8,
     RHW_MAX_POINT_SIZE = 256,    ///< pixels; the least is 1
     RHW_MAX_LINE_WIDTH = 256,    ///< pixels; the least is 1
     RHW_MAX_STORAGE_BUFFERS = 16, ///< storage slots of a draw
     RHW_MAX_STORAGE_IMAGES = 16,  ///< image slots, of storage images and texel buffers
-    RHW_MAX_TEXEL_BUFFER = 1 << 27 ///< texels of one
+    RHW_MAX_TEXEL_BUFFER = 1 << 27, ///< texels of one
+    RHW_MAX_FEEDBACK_TARGETS = 4, ///< of transform feedback
+    RHW_MAX_FEEDBACK_OUTPUTS = 64
 };
 
 /// Instruction sets the kernels are compiled for, slowest first. BASELINE is the specification: SSE2 on
@@ -87,17 +90,33 @@ struct rhw_context_def {
                                     ///< copied
 };
 
-/// Texel formats. Channels stand in memory in the order of the name, little endian.
+/// Texel formats. Channels stand in memory in the order of the name, little endian: Vulkan's formats of the same name,
+/// and its A8B8G8R8 of 32 bits is RGBA8 here. UNORM is a part of 0..1, SNORM of −1..1 (the least code is −1, as the
+/// one above it); floats are rounded to them to nearest, ties to even. UINT and SINT hand the integer's bits over in the
+/// lanes, unconverted (rhw_bits), take its low bits, have no blending and are sampled with nearest filters.
 enum rhw_format {
     RHW_FORMAT_NONE,
-    RHW_FORMAT_R8_UNORM,  ///< sampled only, as RG8_UNORM; the others are drawn into too unless they say otherwise
-    RHW_FORMAT_RG8_UNORM,
-    RHW_FORMAT_RGBA8_UNORM,
-    RHW_FORMAT_RGBA8_SRGB, ///< colour channels stored with the sRGB transfer function, alpha linear
-    RHW_FORMAT_RGBA16_FLOAT,
-    RHW_FORMAT_R32_FLOAT,
-    RHW_FORMAT_RGBA32_FLOAT,
-    RHW_FORMAT_R32_UINT,  ///< target only: the bits of the first channel, no blending, no filtering
+    RHW_FORMAT_R8_UNORM, RHW_FORMAT_RG8_UNORM, RHW_FORMAT_RGBA8_UNORM, RHW_FORMAT_BGRA8_UNORM, RHW_FORMAT_ABGR8_UNORM,
+    // Colour channels stored with the sRGB transfer function, alpha linear.
+    RHW_FORMAT_R8_SRGB, RHW_FORMAT_RG8_SRGB, RHW_FORMAT_RGBA8_SRGB, RHW_FORMAT_BGRA8_SRGB, RHW_FORMAT_ABGR8_SRGB,
+    RHW_FORMAT_R8_SNORM, RHW_FORMAT_RG8_SNORM, RHW_FORMAT_RGBA8_SNORM,
+    RHW_FORMAT_R8_UINT, RHW_FORMAT_RG8_UINT, RHW_FORMAT_RGBA8_UINT,
+    RHW_FORMAT_R8_SINT, RHW_FORMAT_RG8_SINT, RHW_FORMAT_RGBA8_SINT,
+    RHW_FORMAT_R16_UNORM, RHW_FORMAT_RG16_UNORM, RHW_FORMAT_RGBA16_UNORM,
+    RHW_FORMAT_R16_SNORM, RHW_FORMAT_RG16_SNORM, RHW_FORMAT_RGBA16_SNORM,
+    RHW_FORMAT_R16_UINT, RHW_FORMAT_RG16_UINT, RHW_FORMAT_RGBA16_UINT,
+    RHW_FORMAT_R16_SINT, RHW_FORMAT_RG16_SINT, RHW_FORMAT_RGBA16_SINT,
+    RHW_FORMAT_R16_FLOAT, RHW_FORMAT_RG16_FLOAT, RHW_FORMAT_RGBA16_FLOAT,
+    RHW_FORMAT_R32_UINT, RHW_FORMAT_RG32_UINT, RHW_FORMAT_RGBA32_UINT,
+    RHW_FORMAT_R32_SINT, RHW_FORMAT_RG32_SINT, RHW_FORMAT_RGBA32_SINT,
+    RHW_FORMAT_R32_FLOAT, RHW_FORMAT_RG32_FLOAT, RHW_FORMAT_RGBA32_FLOAT,
+    // Packed in a word of 16 or 32 bits, the first channel in the lowest bits: Vulkan's A2B10G10R10 and B10G11R11.
+    RHW_FORMAT_RGB10A2_UNORM, RHW_FORMAT_RGB10A2_UINT,
+    RHW_FORMAT_RG11B10_FLOAT, ///< no sign: what is below 0 becomes 0, finite values stay finite
+    RHW_FORMAT_RGB9E5_FLOAT,  ///< one exponent for all, no sign; sampled only (Vulkan's E5B9G9R9)
+    // Packed with the first channel in the highest bits, as in Vulkan and OpenGL.
+    RHW_FORMAT_RGB565_UNORM, RHW_FORMAT_RGBA4_UNORM, RHW_FORMAT_BGRA4_UNORM,
+    RHW_FORMAT_RGB5A1_UNORM, RHW_FORMAT_A1RGB5_UNORM,
     RHW_FORMAT_D32_FLOAT, ///< depth; the others of depth and stencil stand together below
     RHW_FORMAT_D16_UNORM,
     RHW_FORMAT_D24_UNORM,         ///< in the low 24 bits of 32; the others are 0
@@ -123,6 +142,18 @@ enum rhw_format {
     RHW_FORMAT_ASTC_12X10_UNORM, RHW_FORMAT_ASTC_12X10_SRGB, RHW_FORMAT_ASTC_12X12_UNORM, RHW_FORMAT_ASTC_12X12_SRGB,
     RHW_FORMAT_COUNT
 };
+
+/// What textures of a format can be, or-ed.
+enum rhw_format_feature {
+    RHW_FEATURE_SAMPLED = 1,          ///< a texture that shaders fetch and sample
+    RHW_FEATURE_FILTERED = 2,         ///< sampled with linear filters too, and rhw_texture_generate_mips works
+    RHW_FEATURE_COLOR_ATTACHMENT = 4, ///< drawn into
+    RHW_FEATURE_BLENDED = 8,          ///< blended into
+    RHW_FEATURE_DEPTH_ATTACHMENT = 16, RHW_FEATURE_STENCIL_ATTACHMENT = 32
+};
+
+/// Gives or-ed rhw_format_feature; 0 for what is no format.
+RHW_API uint32_t rhw_format_features(enum rhw_format format);
 
 /// Bytes per texel; of depth where there is a plane of stencil too; 0 for compressed formats.
 RHW_API size_t rhw_format_size(enum rhw_format format);
@@ -184,7 +215,7 @@ struct rhw_sampler_def {
     enum rhw_filter min_filter, mag_filter; ///< LINEAR
     enum rhw_mip_filter mip_filter;         ///< LINEAR: trilinear where the texture has levels
     enum rhw_address address_u, address_v;  ///< REPEAT
-    float border[4];                        ///< for RHW_ADDRESS_BORDER, linear values; 0,0,0,0
+    float border[4];                        ///< for RHW_ADDRESS_BORDER, linear values, converted for integer formats; 0,0,0,0
     float lod_bias, lod_min;                ///< 0, 0
     float lod_max; ///< 0: no limit. There is nothing above level 0, so any negative one is a limit of 0
     /// Texels become 1 where `reference compare texel` holds for their first channel, else 0, before they are filtered
@@ -203,25 +234,40 @@ struct rhw_sampler_def {
     bool unnormalized;
 };
 
+/// How attributes stand in buffers. FLOAT, HALF, UNORM and SNORM are what texel formats of these names are; USCALED and
+/// SSCALED the integer's value as a float. UINT and SINT arrive as the integer's bits in the lanes (rhw_bits_from_float),
+/// as with texels; so do the two words of every FLOAT64, the low one first: three or four of them are two attributes.
 enum rhw_vertex_format {
     RHW_VERTEX_FLOAT1, RHW_VERTEX_FLOAT2, RHW_VERTEX_FLOAT3, RHW_VERTEX_FLOAT4,
     RHW_VERTEX_HALF1, RHW_VERTEX_HALF2, RHW_VERTEX_HALF3, RHW_VERTEX_HALF4,
     RHW_VERTEX_UNORM8X1, RHW_VERTEX_UNORM8X2, RHW_VERTEX_UNORM8X3, RHW_VERTEX_UNORM8X4,
     RHW_VERTEX_SNORM8X1, RHW_VERTEX_SNORM8X2, RHW_VERTEX_SNORM8X3, RHW_VERTEX_SNORM8X4,
+    RHW_VERTEX_USCALED8X1, RHW_VERTEX_USCALED8X2, RHW_VERTEX_USCALED8X3, RHW_VERTEX_USCALED8X4,
+    RHW_VERTEX_SSCALED8X1, RHW_VERTEX_SSCALED8X2, RHW_VERTEX_SSCALED8X3, RHW_VERTEX_SSCALED8X4,
     RHW_VERTEX_UINT8X1, RHW_VERTEX_UINT8X2, RHW_VERTEX_UINT8X3, RHW_VERTEX_UINT8X4,
     RHW_VERTEX_SINT8X1, RHW_VERTEX_SINT8X2, RHW_VERTEX_SINT8X3, RHW_VERTEX_SINT8X4,
     RHW_VERTEX_UNORM16X1, RHW_VERTEX_UNORM16X2, RHW_VERTEX_UNORM16X3, RHW_VERTEX_UNORM16X4,
     RHW_VERTEX_SNORM16X1, RHW_VERTEX_SNORM16X2, RHW_VERTEX_SNORM16X3, RHW_VERTEX_SNORM16X4,
+    RHW_VERTEX_USCALED16X1, RHW_VERTEX_USCALED16X2, RHW_VERTEX_USCALED16X3, RHW_VERTEX_USCALED16X4,
+    RHW_VERTEX_SSCALED16X1, RHW_VERTEX_SSCALED16X2, RHW_VERTEX_SSCALED16X3, RHW_VERTEX_SSCALED16X4,
     RHW_VERTEX_UINT16X1, RHW_VERTEX_UINT16X2, RHW_VERTEX_UINT16X3, RHW_VERTEX_UINT16X4,
     RHW_VERTEX_SINT16X1, RHW_VERTEX_SINT16X2, RHW_VERTEX_SINT16X3, RHW_VERTEX_SINT16X4,
+    RHW_VERTEX_UINT32X1, RHW_VERTEX_UINT32X2, RHW_VERTEX_UINT32X3, RHW_VERTEX_UINT32X4,
+    RHW_VERTEX_SINT32X1, RHW_VERTEX_SINT32X2, RHW_VERTEX_SINT32X3, RHW_VERTEX_SINT32X4,
+    RHW_VERTEX_FLOAT64X1, RHW_VERTEX_FLOAT64X2,
+    /// A word: x in the lowest 10 bits, w in the highest 2 (Vulkan's A2B10G10R10).
+    RHW_VERTEX_UNORM10_10_10_2, RHW_VERTEX_SNORM10_10_10_2, RHW_VERTEX_USCALED10_10_10_2,
+    RHW_VERTEX_SSCALED10_10_10_2, RHW_VERTEX_UINT10_10_10_2, RHW_VERTEX_SINT10_10_10_2,
+    RHW_VERTEX_UNORM8X4_BGRA, ///< bytes z, y, x, w
     RHW_VERTEX_FORMAT_COUNT
 };
 
-/// Bytes one value takes; the shader receives floats for every format (UINT and SINT: the integer's value).
+/// Bytes one value takes.
 RHW_API size_t rhw_vertex_format_size(enum rhw_vertex_format format);
 
 /// Attribute i of `rhw_pipeline_def.attributes` arrives in the vertex function as `attribute[i]`;
-/// components the format lacks are 0, 0, 0, 1. FLOAT formats arrive bit for bit, so that they may carry integers.
+/// components the format lacks are 0, 0, 0, 1, of UINT and SINT the integer 1. FLOAT formats arrive bit for bit, so that
+/// they may carry integers.
 struct rhw_attribute {
     enum rhw_vertex_format format;
     int buffer;      ///< index into rhw_pipeline_def.buffers
@@ -286,7 +332,11 @@ enum rhw_blend_factor {
     RHW_BLEND_ZERO, RHW_BLEND_ONE,
     RHW_BLEND_SRC, RHW_BLEND_ONE_MINUS_SRC, RHW_BLEND_SRC_ALPHA, RHW_BLEND_ONE_MINUS_SRC_ALPHA,
     RHW_BLEND_DST, RHW_BLEND_ONE_MINUS_DST, RHW_BLEND_DST_ALPHA, RHW_BLEND_ONE_MINUS_DST_ALPHA,
-    RHW_BLEND_SRC_ALPHA_SATURATED, RHW_BLEND_CONSTANT, RHW_BLEND_ONE_MINUS_CONSTANT
+    RHW_BLEND_SRC_ALPHA_SATURATED, RHW_BLEND_CONSTANT, RHW_BLEND_ONE_MINUS_CONSTANT,
+    RHW_BLEND_CONSTANT_ALPHA, RHW_BLEND_ONE_MINUS_CONSTANT_ALPHA,
+    /// Dual-source blending: the second source is color[1] of the fragment function; the pipeline has one target then
+    /// (Vulkan 1.3 §29.1.2, maxFragmentDualSrcAttachments 1).
+    RHW_BLEND_SRC1, RHW_BLEND_ONE_MINUS_SRC1, RHW_BLEND_SRC1_ALPHA, RHW_BLEND_ONE_MINUS_SRC1_ALPHA
 };
 enum rhw_blend_operation {
     RHW_BLEND_ADD, RHW_BLEND_SUBTRACT, RHW_BLEND_REVERSE_SUBTRACT, RHW_BLEND_MIN, RHW_BLEND_MAX
@@ -305,7 +355,16 @@ enum rhw_write_mask {
     RHW_WRITE_NONE = 16 ///< stands alone
 };
 
-/// Fixed-point and sRGB targets clamp the source to 0..1 before blending; sRGB targets blend in linear
+/// What happens to the bits of source and destination instead of blending, in targets of integers, UNORM and SNORM; those
+/// of floats and sRGB take the source as it is (Vulkan 1.3 §29.2). The write mask holds.
+enum rhw_logic {
+    RHW_LOGIC_OFF,
+    RHW_LOGIC_CLEAR, RHW_LOGIC_AND, RHW_LOGIC_AND_REVERSE, RHW_LOGIC_COPY, RHW_LOGIC_AND_INVERTED, RHW_LOGIC_NO_OP,
+    RHW_LOGIC_XOR, RHW_LOGIC_OR, RHW_LOGIC_NOR, RHW_LOGIC_EQUIVALENT, RHW_LOGIC_INVERT, RHW_LOGIC_OR_REVERSE,
+    RHW_LOGIC_COPY_INVERTED, RHW_LOGIC_OR_INVERTED, RHW_LOGIC_NAND, RHW_LOGIC_SET
+};
+
+/// UNORM and sRGB targets clamp the source to 0..1 before blending, SNORM to −1..1; sRGB targets blend in linear
 /// light (the destination is decoded, the result encoded).
 struct rhw_color_target {
     enum rhw_format format;                  ///< to be set
@@ -416,6 +475,21 @@ struct rhw_program {
     bool early_fragment_tests;
 };
 
+/// What transform feedback can keep of a vertex.
+enum rhw_feedback_source {
+    RHW_FEEDBACK_POSITION, ///< clip coordinates
+    RHW_FEEDBACK_VARYING, RHW_FEEDBACK_POINT_SIZE, RHW_FEEDBACK_CLIP_DISTANCES, RHW_FEEDBACK_CULL_DISTANCES
+};
+
+/// Floats of a vertex that go to a target (VK_EXT_transform_feedback: the decorations XfbBuffer, XfbStride and Offset).
+struct rhw_feedback_output {
+    enum rhw_feedback_source source; ///< POSITION
+    int index;                       ///< of a varying
+    int first_component, component_count; ///< 0, 0: all there are
+    int target;                      ///< 0..RHW_MAX_FEEDBACK_TARGETS − 1
+    uint32_t offset;                 ///< bytes from the start of a vertex; a multiple of 4
+};
+
 struct rhw_pipeline_def {
     struct rhw_program program;
     struct rhw_attribute attributes[RHW_MAX_ATTRIBUTES];
@@ -450,6 +524,12 @@ struct rhw_pipeline_def {
     struct rhw_color_target targets[RHW_MAX_COLOR_ATTACHMENTS];
     int target_count;
     const char *label; ///< for messages
+    enum rhw_logic logic; ///< OFF; otherwise no target is blended
+    struct rhw_feedback_output feedback_outputs[RHW_MAX_FEEDBACK_OUTPUTS]; ///< see rhw/transform_feedback.h
+    int feedback_output_count;
+    /// Bytes from one vertex to the next, a multiple of 4; 0: up to the end of the last output.
+    uint32_t feedback_strides[RHW_MAX_FEEDBACK_TARGETS];
+    bool rasterizer_discard; ///< primitives end before they are rasterized: nothing is drawn
 };
 
 /// DEFAULT clears as CLEAR does, but for a depth of 0, which it takes for 1: clear to depth 0 by CLEAR.
@@ -465,14 +545,16 @@ enum rhw_resolve {
 };
 
 struct rhw_color_attachment {
-    rhw_texture texture; ///< level 0 is drawn into. In a multisampled pass: with the pass's samples, which are stored;
+    rhw_texture texture; ///< In a multisampled pass: with the pass's samples, which are stored;
                          ///< or with one, into which they are resolved
     rhw_texture resolve; ///< what samples that are stored, or discarded, are resolved into besides; may be null
     enum rhw_resolve resolve_mode;
     enum rhw_load load;
     enum rhw_store store;
-    float clear[4]; ///< linear values; R32_UINT: clear[0] is converted to an integer
+    float clear[4]; ///< linear values; of integers: 0, see clear_integer
     int layer; ///< of an array; 6 × cube + face; slice of a 3D texture. 0
+    int32_t clear_integer[4]; ///< of UINT and SINT formats, which take the low bits
+    int level; ///< of mip levels, its texture's and that of `resolve`; the pass has its size. 0
 };
 
 /// Depth and stencil; what the texture's format has of them.
@@ -487,7 +569,7 @@ struct rhw_depth_attachment {
     enum rhw_store stencil_store;
     uint8_t stencil_clear;
     enum rhw_resolve resolve_mode; ///< where the texture has fewer samples than the pass
-    int layer; ///< as that of a colour attachment
+    int layer, level; ///< as those of a colour attachment
 };
 
 struct rhw_pass_def {
@@ -521,16 +603,16 @@ struct rhw_draw_commands {
 };
 
 struct rhw_viewport {
-    float x, y, width, height; ///< pixels from the top left; within ±RHW_MAX_TARGET_SIZE
+    float x, y, width, height; ///< pixels from the top left; corners within ±2·RHW_MAX_TARGET_SIZE
     float depth_min, depth_max; ///< 0..1; depth_min > depth_max reverses. Both 0: 0 and 1; for nothing but depth 0
                                 ///< depth_max is −1, which counts as 0
 };
 
 struct rhw_rect { int x, y, width, height; }; ///< pixels
 
-/// What a pass did. "Triangles" are primitives: points and lines count as one each. Times of stages are wall milliseconds. Busy times are milliseconds of threads, added up over
-/// all of them: front_busy_ms / (threads × front_ms) is the part of its threads that the front end used. A thread
-/// that waits for a core counts as busy.
+/// What a pass did. "Triangles" are primitives: points and lines count as one each. Times of stages are wall
+/// milliseconds. Busy times are milliseconds of threads, added up over all of them: front_busy_ms / (threads × front_ms)
+/// is the part of its threads that the front end used. A thread that waits for a core counts as busy.
 struct rhw_stats {
     double record_ms;  ///< from rhw_pass_begin to rhw_pass_end, whatever the program did meanwhile
     double front_ms;   ///< vertex fetch and shading, clip, cull, setup, binning
@@ -555,6 +637,46 @@ struct rhw_stats {
     uint64_t geometry_peak;        ///< of these, vertices, triangles and bins of this pass: the most at one time
     int threads, tiles;
     enum rhw_isa isa;
+};
+
+/// What a query asks of the draws between its beginning and its end (Vulkan 1.3 §18, "Queries"). The answers are the same
+/// for any threads, paths and instruction set.
+enum rhw_query_kind {
+    RHW_QUERY_OCCLUSION,  ///< how many samples passed all tests, in their draws' turn: also those hidden later
+    RHW_QUERY_ANY_PASSED, ///< whether any did
+    RHW_QUERY_STATISTICS, ///< struct rhw_pipeline_statistics
+    RHW_QUERY_TIMESTAMP,  ///< when everything recorded before rhw_pass_write_timestamp was drawn
+    RHW_QUERY_TRANSFORM_FEEDBACK, ///< primitives that it wrote, and that it would have with more room
+    RHW_QUERY_KIND_COUNT
+};
+
+struct rhw_query_def {
+    enum rhw_query_kind kind; ///< OCCLUSION
+    const char *label;        ///< for messages
+};
+
+/// VkQueryPipelineStatisticFlagBits. What is counted is what the draws ask for, whatever the library saves or repeats:
+/// how often functions are called is in struct rhw_stats.
+struct rhw_pipeline_statistics {
+    uint64_t input_assembly_vertices;   ///< for every instance; restart indices are none
+    uint64_t input_assembly_primitives; ///< complete ones
+    uint64_t vertex_shader_invocations; ///< one for each of the vertices
+    uint64_t clipping_invocations;      ///< one for each of the primitives
+    /// Of them, those that have finite positions and do not lie outside one side of the view volume, clip or cull
+    /// distance as a whole.
+    uint64_t clipping_primitives;
+    /// Fragments that passed the tests before the fragment function or, where it or alpha_to_coverage decides about
+    /// their samples or depth, were covered; one for each sample where it runs per sample.
+    uint64_t fragment_shader_invocations;
+};
+
+/// What a query's kind asks for is set, the rest 0.
+struct rhw_query_counts {
+    uint64_t samples_passed; ///< OCCLUSION
+    bool any_passed;         ///< ANY_PASSED
+    struct rhw_pipeline_statistics statistics;
+    uint64_t timestamp_ns;   ///< TIMESTAMP: of a clock that only counts up
+    uint64_t primitives_written, primitives_needed; ///< TRANSFORM_FEEDBACK
 };
 
 RHW_API struct rhw_context_def rhw_context_def_default(void);

@@ -220,6 +220,7 @@ static void draw_bins(struct tile_work *work, const struct bin *first, const str
         first = run.end;
     }
     flush(work);
+    end_counts(work);
 }
 
 static void load_tile(const struct tile_work *work)

@@ -49,6 +49,7 @@ struct gathered_fragments {
     int count;
     int32_t texel[RHW_GATHERED_FRAGMENTS + 8];   // and room for a vector that begins at the last
     int32_t samples[RHW_GATHERED_FRAGMENTS + 8]; // of multisampled passes
+    bool overtakes; // some lie where fragments of other triangles wait in the partial group: groups must not go first
     uint8_t set_lanes[256][8]; // by bits: which are set, in order; behind them lanes of any number
 };
 
@@ -133,6 +134,8 @@ struct tile_work {
     bool tests_bounds;         // fragments behind the tile's bounds fail the depth test
     bool is_scissored;         // the scissor, or the target's end, leaves out pixels of the tile
     bool constant_is_ready;    // the draw's constant colour was made
+    bool orders_lanes; // of multisampled passes: a group may have fragments of one pixel, of which the last is seen
+    uint64_t fragments_before; // of `counters`, when the state was set
 };
 
 // Tells where a block at (x, y) of the tile lies from the anchor.

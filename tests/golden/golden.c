@@ -26,6 +26,10 @@ static const struct scene features[] = {
     {"blend", golden_blend_draw, 0},
     {"write-masks", golden_write_mask_draw, 0},
     {"formats", golden_formats_draw, 0},
+    {"targets-bytes", golden_targets_draw, 0},
+    {"targets-words", golden_targets_draw, 1},
+    {"targets-packed", golden_targets_draw, 2},
+    {"targets-integers", golden_targets_draw, 3},
     {"passes", golden_passes_draw, 0},
     {"depth", golden_depth_draw, 0},
     {"culling", golden_culling_draw, 0},
@@ -144,9 +148,16 @@ static void show_pixel(const struct golden_image *image, size_t pixel, unsigned 
         }
         break;
     case RHW_FORMAT_RGBA32_FLOAT: memcpy(value, at, 12); break;
-    default: // one float
+    case RHW_FORMAT_R32_FLOAT:
+    case RHW_FORMAT_D32_FLOAT:
         memcpy(value, at, 4);
         value[1] = value[2] = value[0];
+        break;
+    default: // the first bytes
+        for (size_t c = 0; c < 3; c++) {
+            rgb[c] = c < rhw_format_size(image->format) ? at[c] : 0;
+        }
+        return;
     }
     for (int c = 0; c < 3; c++) {
         rgb[c] = display(value[c]);

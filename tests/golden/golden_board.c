@@ -110,8 +110,10 @@ void golden_board_make(struct golden_board *board, rhw_context *context, int wid
         if (formats[i] == RHW_FORMAT_D32_FLOAT) {
             board->def.depth = (struct rhw_depth_attachment){true, board->targets[i], .clear = 1};
         } else {
-            board->def.colors[i] =
-                (struct rhw_color_attachment){board->targets[i], .clear = {0.0625f, 0.125f, 0.25f, 1}};
+            board->def.colors[i] = (struct rhw_color_attachment){.texture = board->targets[i]};
+            if (rhw_format_features(formats[i]) & RHW_FEATURE_BLENDED) { // integers start at 0
+                memcpy(board->def.colors[i].clear, (const float[4]){0.0625f, 0.125f, 0.25f, 1}, 16);
+            }
             board->def.color_count = i + 1;
         }
     }

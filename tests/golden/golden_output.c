@@ -123,10 +123,11 @@ void golden_formats_draw(rhw_context *context, int number, struct golden_images 
     memcpy(formats, blend_formats, sizeof blend_formats);
     struct golden_board board;
     golden_board_make(&board, context, SIDE, SIDE, formats, COUNT);
-    const float hostile[COUNT] = {-2, 3, 70000, -1e-42f, 1e30f, -1e30f, 1e-40f, 4.0e9f};
-    for (int i = 0; i < COUNT; i++) {
+    const float hostile[COUNT - 1] = {-2, 3, 70000, -1e-42f, 1e30f, -1e30f, 1e-40f};
+    for (int i = 0; i < COUNT - 1; i++) {
         board.def.colors[i].clear[0] = hostile[i];
     }
+    board.def.colors[COUNT - 1].clear_integer[0] = (int32_t)4000000000u;
     golden_board_begin(&board);
     const struct golden_cell_uniforms uniforms = {.targets = COUNT};
     rhw_pass_set_uniforms(context, board.pass, &uniforms, sizeof uniforms);

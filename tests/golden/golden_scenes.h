@@ -18,6 +18,9 @@ golden_draw_function golden_write_mask_draw; ///< all masks, replacing and blend
 golden_draw_function golden_formats_draw; ///< eight targets at once; infinities, NaN, denormals, what overflows
 golden_draw_function golden_passes_draw; ///< load and store operations over four passes
 
+// golden_targets.c
+golden_draw_function golden_targets_draw; ///< eight colour formats at once; masks, logic operations, blending
+
 // golden_raster.c
 golden_draw_function golden_depth_draw; ///< comparisons, writing or not, both depth ranges, reversed viewports
 golden_draw_function golden_culling_draw;  ///< culling, windings, orientations, the facing builtin

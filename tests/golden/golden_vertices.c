@@ -32,7 +32,7 @@ void golden_vertex_format_draw(rhw_context *context, int number, struct golden_i
     // One column per number of components, in turn all bits random and all within the format's ordinary range.
     const enum rhw_format formats[] = {RHW_FORMAT_RGBA8_UNORM, RHW_FORMAT_RGBA32_FLOAT};
     struct golden_board board;
-    golden_board_make(&board, context, 8 * SIDE, 10 * SIDE, formats, 2);
+    golden_board_make(&board, context, 8 * SIDE, (RHW_VERTEX_FORMAT_COUNT + 3) / 4 * SIDE, formats, 2);
     golden_board_begin(&board);
     const struct golden_cell_uniforms uniforms = {.targets = 2};
     rhw_pass_set_uniforms(context, board.pass, &uniforms, sizeof uniforms);

@@ -75,7 +75,7 @@ static void run_blend(const void *input, void *result)
     const struct blend_input *const in = input;
     struct rhw_blend_state state;
     f8 color[4];
-    rhw_blend_state_init(&state, &in->target, in->constant);
+    rhw_blend_state_init(&state, &in->target, RHW_LOGIC_OFF, in->constant);
     memcpy(color, in->color, sizeof color);
     memcpy(result, in->texels, sizeof in->texels);
     blend_group(&state, color, i8_load(in->mask), result);

@@ -45,12 +45,11 @@ static void run_fetch(const void *input, void *result)
 {
     const struct fetch_input *const in = input;
     const struct rhw_vertex_stream stream = {in->bytes, in->size};
-    const struct rhw_attribute attribute = {.format = (enum rhw_vertex_format)in->format,
-                                            .offset = in->offset};
+    const struct rhw_fetch fetch = rhw_fetch_of((enum rhw_vertex_format)in->format, in->offset);
     f8 out[2][4];
-    fetch_checked(&stream, &attribute, in->stride, in->element, out[0]);
-    if (lies_inside(&stream, &attribute, in->stride, in->element)) {
-        fetch_inside(&stream, &attribute, in->stride, in->element, out[1]);
+    fetch_checked(&stream, &fetch, in->stride, in->element, out[0]);
+    if (lies_inside(&stream, &fetch, in->stride, in->element)) {
+        fetch_inside(&stream, &fetch, in->stride, in->element, out[1]);
     } else {
         memcpy(out[1], out[0], sizeof out[0]);
     }

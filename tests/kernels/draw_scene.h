@@ -185,7 +185,7 @@ static void set_draw_state(struct rhw_draw_state *state, const struct scene *sce
     state->viewport = *v;
     state->scissor = draw->scissor;
     for (int t = 0; t < in->target_count; t++) {
-        rhw_blend_state_init(&state->blend[t], &draw->targets[t], draw->constant);
+        rhw_blend_state_init(&state->blend[t], &draw->targets[t], RHW_LOGIC_OFF, draw->constant);
         if (paths == RHW_PATHS_GENERAL) {
             rhw_blend_state_generalize(&state->blend[t]);
         }

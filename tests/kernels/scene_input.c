@@ -5,6 +5,7 @@
 #include <math.h>
 
 #include "blend_state.h"
+#include "clear_texel.h"
 #include "constants.h"
 
 // What the vertices of a scene are drawn around, and how.

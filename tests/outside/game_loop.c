@@ -233,8 +233,9 @@ static void make_pipelines(struct game *game)
                                                     RHW_VARYING(struct sprite, color, RHW_FLAT, false)},
                                        .varying_count = 2,
                                        .uniform_size = sizeof(struct hud_uniforms)};
-    hud.attributes[0] = (struct rhw_attribute){RHW_VERTEX_SINT16X4, 0, offsetof(struct rectangle, window)};
-    hud.attributes[1] = (struct rhw_attribute){RHW_VERTEX_SINT16X4, 0, offsetof(struct rectangle, texture)};
+    hud.attributes[0] = (struct rhw_attribute){RHW_VERTEX_SSCALED16X4, 0, offsetof(struct rectangle, window)};
+    hud.attributes[1] =
+        (struct rhw_attribute){RHW_VERTEX_SSCALED16X4, 0, offsetof(struct rectangle, texture)};
     hud.attributes[2] = (struct rhw_attribute){RHW_VERTEX_UNORM8X4, 0, offsetof(struct rectangle, color)};
     hud.attribute_count = 3;
     hud.depth_test = hud.depth_read_only = false;

@@ -78,7 +78,7 @@ static rhw_pipeline make_pipeline(rhw_context *context, bool solid)
                     .uniform_size = sizeof(struct lens)},
         .attributes = {{RHW_VERTEX_FLOAT3, 0, offsetof(struct particle, center)},
                        {RHW_VERTEX_FLOAT1, 0, offsetof(struct particle, half)},
-                       {RHW_VERTEX_UINT8X3, 0, offsetof(struct particle, color)},
+                       {RHW_VERTEX_USCALED8X3, 0, offsetof(struct particle, color)},
                        {RHW_VERTEX_FLOAT1, 0, offsetof(struct particle, id)}}, // its bits pass unchanged
         .attribute_count = 4,
         .buffers = {{.stride = sizeof(struct particle), .per_instance = true}},

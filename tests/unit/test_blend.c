@@ -33,6 +33,12 @@ static double factor(enum rhw_blend_factor f, int c, const double src[4], const 
     case RHW_BLEND_SRC_ALPHA_SATURATED: return c == 3 ? 1 : fmin(src[3], 1 - dst[3]);
     case RHW_BLEND_CONSTANT: return constant[c];
     case RHW_BLEND_ONE_MINUS_CONSTANT: return 1 - constant[c];
+    case RHW_BLEND_CONSTANT_ALPHA: return constant[3];
+    case RHW_BLEND_ONE_MINUS_CONSTANT_ALPHA: return 1 - constant[3];
+    case RHW_BLEND_SRC1: // test_texel_formats.c has the second source
+    case RHW_BLEND_ONE_MINUS_SRC1:
+    case RHW_BLEND_SRC1_ALPHA:
+    case RHW_BLEND_ONE_MINUS_SRC1_ALPHA: break;
     }
     return NAN;
 }
@@ -436,7 +442,7 @@ static void test_integer_target(void **state)
     rig_set_target(&rig, 0, RHW_FORMAT_R32_UINT);
     rig_set_program(&rig, rig_vertex_pass, bits_fragment);
     rig.pipeline.program.uses = RHW_USE_IDS;
-    rig.pass.colors[0].clear[0] = 70000;
+    rig.pass.colors[0].clear_integer[0] = 70000;
     struct rig_vertex columns[18];
     for (int i = 0; i < 3; i++) {
         rig_rectangle(&rig, (float)i * 8, 0, (float)i * 8 + 8, 32, 0.5f, (const float[4]){0},

@@ -13,6 +13,7 @@
 
 #include "half.h"
 #include "blend_state.h"
+#include "clear_texel.h"
 #include "srgb.h"
 
 static float from_bits(uint32_t bits)
@@ -193,8 +194,8 @@ static struct rhw_color_target random_target(uint64_t *random)
     struct rhw_blend_component *const part[2] = {&target.color, &target.alpha};
     const bool usual = rig_random_int(random, 3) == 0;
     for (int i = 0; i < 2; i++) {
-        part[i]->src = (enum rhw_blend_factor)(RHW_BLEND_ZERO + rig_random_int(random, 13));
-        part[i]->dst = (enum rhw_blend_factor)(RHW_BLEND_ZERO + rig_random_int(random, 13));
+        part[i]->src = (enum rhw_blend_factor)(RHW_BLEND_ZERO + rig_random_int(random, 15));
+        part[i]->dst = (enum rhw_blend_factor)(RHW_BLEND_ZERO + rig_random_int(random, 15));
         part[i]->operation = (enum rhw_blend_operation)rig_random_int(random, 5);
         if (usual) {
             part[i]->src = rig_random_int(random, 2) ? RHW_BLEND_SRC_ALPHA : RHW_BLEND_ONE;
@@ -215,7 +216,7 @@ static void test_every_isa_writes_the_same_bytes(void **state)
         const float constant[4] = {rig_random_float(&random, -0.5f, 1.5f), 0.25f, 1.0f,
                                    awkward_float(&random)};
         struct rhw_blend_state blend;
-        rhw_blend_state_init(&blend, &target, constant);
+        rhw_blend_state_init(&blend, &target, RHW_LOGIC_OFF, constant);
         rhw_float color[4];
         rhw_int mask;
         unsigned char before[TEXELS * TEXEL_BYTES], expected[sizeof before], texels[sizeof before];
@@ -243,16 +244,11 @@ static void test_nothing_else_is_written(void **state)
         const struct rhw_color_target target = random_target(&random);
         const float constant[4] = {0.5f, 0.25f, 0.125f, 1.0f};
         struct rhw_blend_state blend;
-        rhw_blend_state_init(&blend, &target, constant);
+        rhw_blend_state_init(&blend, &target, RHW_LOGIC_OFF, constant);
         rhw_float color[4];
         rhw_int mask;
         unsigned char before[TEXELS * TEXEL_BYTES], texels[sizeof before];
         random_group(&random, color, &mask, before);
-        if (target.format == RHW_FORMAT_RGBA16_FLOAT) { // no signalling NaN: passing through floats quiets it
-            for (size_t i = 1; i < sizeof before; i += 2) {
-                before[i] &= 0xbf;
-            }
-        }
         memcpy(texels, before, sizeof before);
         baseline->blend(&blend, color, &mask, texels);
         const size_t size = rhw_format_size(target.format);
@@ -290,7 +286,7 @@ static void test_replacing_rounds_each_format(void **state)
         for (int f = 0; f < FORMATS; f++) {
             const struct rhw_color_target target = opaque(formats[f]);
             struct rhw_blend_state blend;
-            rhw_blend_state_init(&blend, &target, constant);
+            rhw_blend_state_init(&blend, &target, RHW_LOGIC_OFF, constant);
             baseline->blend(&blend, color, &all, texels);
             for (int i = 0; i < TEXELS; i++) {
                 const unsigned char *const texel = texels + (size_t)i * rhw_format_size(formats[f]);
@@ -335,7 +331,7 @@ static void test_rgba8_over_against_the_formula(void **state)
         target.alpha.src = n & 2 ? RHW_BLEND_ONE : RHW_BLEND_SRC_ALPHA;
         target.color.dst = target.alpha.dst = RHW_BLEND_ONE_MINUS_SRC_ALPHA;
         struct rhw_blend_state blend;
-        rhw_blend_state_init(&blend, &target, constant);
+        rhw_blend_state_init(&blend, &target, RHW_LOGIC_OFF, constant);
         assert_int_equal(blend.path, BLEND_RGBA8_OVER);
         rhw_float color[4];
         rhw_int mask;
@@ -371,7 +367,7 @@ static void test_blending_keeps_every_destination_code(void **state)
                 (struct rhw_blend_component){RHW_BLEND_SRC_ALPHA, RHW_BLEND_ONE_MINUS_SRC_ALPHA,
                                              generic ? RHW_BLEND_REVERSE_SUBTRACT : RHW_BLEND_ADD};
             struct rhw_blend_state blend;
-            rhw_blend_state_init(&blend, &target, constant);
+            rhw_blend_state_init(&blend, &target, RHW_LOGIC_OFF, constant);
             for (int code = 0; code < 256; code++) {
                 unsigned char texels[TEXELS * TEXEL_BYTES], before[sizeof texels];
                 memset(texels, code, sizeof texels);
@@ -392,10 +388,10 @@ static void test_clear_values_are_what_drawing_writes(void **state)
     const rhw_int all = rhw_splat_int(-1);
     uint64_t random = 11;
     for (int n = 0; n < 4000; n++) {
-        const enum rhw_format format = formats[n % (FORMATS - 1)]; // not R32_UINT, which converts
+        const enum rhw_format format = formats[n % FORMATS];
         const struct rhw_color_target target = opaque(format);
         struct rhw_blend_state blend;
-        rhw_blend_state_init(&blend, &target, constant);
+        rhw_blend_state_init(&blend, &target, RHW_LOGIC_OFF, constant);
         float value[4];
         rhw_float color[4];
         for (int c = 0; c < 4; c++) {
@@ -406,25 +402,6 @@ static void test_clear_values_are_what_drawing_writes(void **state)
         baseline->blend(&blend, color, &all, texels);
         rhw_clear_texel(rhw_format_info(format), value, cleared);
         assert_memory_equal(cleared, texels, rhw_format_size(format));
-    }
-    static const struct {
-        float value;
-        uint32_t word;
-    } integers[] = {{0, 0},
-                    {7.9f, 7},
-                    {-3, 0},
-                    {16777216, 16777216},
-                    {4294967040.0f, 4294967040u},
-                    {1e30f, UINT32_MAX},
-                    {INFINITY, UINT32_MAX},
-                    {NAN, 0}};
-    for (size_t i = 0; i < sizeof integers / sizeof integers[0]; i++) {
-        const float value[4] = {integers[i].value, 0, 0, 0};
-        unsigned char cleared[16];
-        uint32_t word;
-        rhw_clear_texel(rhw_format_info(RHW_FORMAT_R32_UINT), value, cleared);
-        memcpy(&word, cleared, sizeof word);
-        assert_int_equal(word, integers[i].word);
     }
 }
 

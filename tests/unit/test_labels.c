@@ -104,9 +104,10 @@ static void test_messages_name_the_place(void **state)
     rhw_pass_push_debug_group(rig.context, rig.recording, "forest");
     rhw_pass_draw(rig.context, rig.recording, 0, 3, 0, 1);
     rhw_pass_push_debug_group(rig.context, rig.recording, "trees");
-    rhw_pass_set_vertex_buffer(rig.context, rig.recording, 9, (rhw_buffer){0}, 0);
+    rhw_pass_set_vertex_buffer(rig.context, rig.recording, 19, (rhw_buffer){0}, 0);
     rig_expect_misuse(
-        &rig, "slot is 9; it is in 0..7 [draw 2 in forest / trees of pass \"main\", context \"thumbnails\"]");
+        &rig,
+        "slot is 19; it is in 0..15 [draw 2 in forest / trees of pass \"main\", context \"thumbnails\"]");
     rhw_pass_draw_indexed(rig.context, rig.recording, 0, 3, 0, 0, 1);
     rig_expect_misuse(&rig, "no index buffer is set [draw 2 in forest / trees of pass \"main\"");
     rhw_pass_pop_debug_group(rig.context, rig.recording);
@@ -114,7 +115,7 @@ static void test_messages_name_the_place(void **state)
                      1); // a draw that was misuse does not count, as for shaders
     rig_expect_misuse(&rig, "the buffer id is null [draw 2 in forest of pass \"main\"");
     rhw_pass_pop_debug_group(rig.context, rig.recording);
-    rhw_pass_set_vertex_buffer(rig.context, rig.recording, 9, (rhw_buffer){0}, 0);
+    rhw_pass_set_vertex_buffer(rig.context, rig.recording, 19, (rhw_buffer){0}, 0);
     rig_expect_misuse(&rig, "[draw 2 of pass \"main\"");
     rig_end(&rig);
     rhw_buffer_write(rig.context, (rhw_buffer){0}, 0, "", 1);

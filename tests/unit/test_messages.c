@@ -90,9 +90,9 @@ static void test_formats_are_named(void **state)
     rig.pipeline.targets[0].format = RHW_FORMAT_NONE;
     rhw_pipeline_create(rig.context, &rig.pipeline, &pipeline);
     rig_expect_misuse(&rig, "targets[0].format is not set (RHW_FORMAT_NONE)");
-    rig.pipeline.targets[0].format = 99;
+    rig.pipeline.targets[0].format = 999;
     rhw_pipeline_create(rig.context, &rig.pipeline, &pipeline);
-    rig_expect_misuse(&rig, "targets[0].format is 99; it must be RHW_FORMAT_R8_UNORM (1) to RHW_FORMAT_");
+    rig_expect_misuse(&rig, "targets[0].format is 999; it must be RHW_FORMAT_R8_UNORM (1) to RHW_FORMAT_");
     rig_close(&rig);
 }
 
@@ -205,6 +205,11 @@ static void test_contradictions(void **state)
         def.depth_read_only = true;
         assert_int_equal(rhw_pipeline_create(rig.context, &def, &pipeline), RHW_OK);
         expect_logged(validates, "rhw_pipeline_create: depth_read_only is true and depth_test is false");
+        def = rig.pipeline;
+        def.stencil_back.pass = RHW_STENCIL_INVERT;
+        assert_int_equal(rhw_pipeline_create(rig.context, &def, &pipeline), RHW_OK);
+        expect_logged(validates,
+                      "rhw_pipeline_create: stencil_front or stencil_back is set and stencil_test is false");
         rig_set_depth(&rig);
         rig.pass.depth.enabled = false;
         rhw_pass pass;

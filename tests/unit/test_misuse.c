@@ -289,8 +289,8 @@ static void test_pipeline_definitions(void **state)
         case 4: def.program.varyings[0].components = 5; break;
         case 5: def.program.varyings[0].qualifier = (enum rhw_qualifier)3; break;
         case 6:
-            def.program.varying_count = 13;
-            for (int i = 0; i < 13; i++) {
+            def.program.varying_count = 17;
+            for (int i = 0; i < 17; i++) {
                 def.program.varyings[i].components = 4;
             }
             break;
@@ -314,7 +314,7 @@ static void test_pipeline_definitions(void **state)
         case 24: def.target_count = -1; break;
         case 25: def.targets[0].format = RHW_FORMAT_NONE; break;
         case 26: def.targets[0].format = RHW_FORMAT_D32_FLOAT; break;
-        case 27: def.targets[0].color.src = (enum rhw_blend_factor)14; break;
+        case 27: def.targets[0].color.src = (enum rhw_blend_factor)20; break;
         case 28: def.targets[0].alpha.operation = (enum rhw_blend_operation)5; break;
         case 29: def.targets[0].write_mask = RHW_WRITE_NONE | RHW_WRITE_RED; break;
         case 30:
@@ -438,7 +438,7 @@ static void test_pass_state(void **state)
     const struct rhw_viewport viewports[] = {
         {0, 0, 0, 8, 0, 1},   {0, 0, 8, -8, 0, 1},       {0, 0, 8, 8, -0.5f, 1}, {0, 0, 8, 8, 0, 2},
         {NAN, 0, 8, 8, 0, 1}, {0, 0, INFINITY, 8, 0, 1}, {0, 0, 8, 8, NAN, 1},   {0, 1e9f, 8, 8, 0, 1},
-        {0, 0, 8, NAN, 0, 1}, {-16385, 0, 8, 8, 0, 1},   {0, 0, 8, 8, 0, -0.5f},
+        {0, 0, 8, NAN, 0, 1}, {-32769, 0, 8, 8, 0, 1},   {0, 0, 8, 8, 0, -0.5f},
     };
     for (size_t i = 0; i < sizeof viewports / sizeof *viewports; i++) {
         rhw_pass_set_viewport(context, rig.recording, &viewports[i]);

@@ -94,9 +94,9 @@ static double sint16_value(uint32_t bits)
 static const struct format_row families[] = {
     {RHW_VERTEX_FLOAT1, 4, float_value},      {RHW_VERTEX_HALF1, 2, half_value},
     {RHW_VERTEX_UNORM8X1, 1, unorm8_value},   {RHW_VERTEX_SNORM8X1, 1, snorm8_value},
-    {RHW_VERTEX_UINT8X1, 1, uint_value},      {RHW_VERTEX_SINT8X1, 1, sint8_value},
+    {RHW_VERTEX_USCALED8X1, 1, uint_value},   {RHW_VERTEX_SSCALED8X1, 1, sint8_value},
     {RHW_VERTEX_UNORM16X1, 2, unorm16_value}, {RHW_VERTEX_SNORM16X1, 2, snorm16_value},
-    {RHW_VERTEX_UINT16X1, 2, uint_value},     {RHW_VERTEX_SINT16X1, 2, sint16_value},
+    {RHW_VERTEX_USCALED16X1, 2, uint_value},  {RHW_VERTEX_SSCALED16X1, 2, sint16_value},
 };
 
 // A fixed-point value may be one rounding off the nearest float; its ends are exact, and so is all else.
@@ -240,8 +240,8 @@ static void test_buffers_strides_offsets_and_instances(void **state)
     rig_set_program(&rig, sum_vertex, rig_fragment_pass);
     rig.pipeline.program.varyings[0].qualifier = RHW_FLAT;
     const struct rhw_attribute attributes[5] = {
-        {RHW_VERTEX_FLOAT2, 0, 3}, {RHW_VERTEX_HALF1, 1, 1},    {RHW_VERTEX_UNORM8X2, 1, 4},
-        {RHW_VERTEX_FLOAT3, 2, 1}, {RHW_VERTEX_SINT16X1, 3, 0},
+        {RHW_VERTEX_FLOAT2, 0, 3}, {RHW_VERTEX_HALF1, 1, 1},       {RHW_VERTEX_UNORM8X2, 1, 4},
+        {RHW_VERTEX_FLOAT3, 2, 1}, {RHW_VERTEX_SSCALED16X1, 3, 0},
     };
     memcpy(rig.pipeline.attributes, attributes, sizeof attributes);
     rig.pipeline.attribute_count = 5;

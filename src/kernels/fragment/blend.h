@@ -32,8 +32,24 @@ static inline void blend_rgba8_over(const struct rhw_blend_state *state, const f
     }
     result[3] = alpha * alpha_scale + rhw_float_from_int((i8)((u8)old >> 24)) * keep;
     const i8 packed = i8_bytes_from_small_f8(result); // ONE may carry the sum beyond 255
-    const i8 written = mask & (i8)i8_splat((int32_t)state->texel_mask);
+    const i8 written = mask & (i8)i8_splat((int32_t)state->texel_mask[0]);
     i8_store(texels, old ^ ((old ^ packed) & written));
+}
+
+// The same for RGBA8_SRGB in linear light, with the bytes of the general path.
+static __attribute__((noinline)) void blend_srgb8_over(const struct rhw_blend_state *state, const f8 *color,
+                                                       const i8 *mask, unsigned char *texels)
+{
+    const i8 old = i8_load(texels);
+    const f8 alpha = rhw_saturate(color[3]);
+    const f8 keep = 1.0f - alpha;
+    f8 result[4];
+    for (int i = 0; i < 3; i++) {
+        const f8 src = rhw_saturate(color[i]);
+        result[i] = (state->color_one ? src : src * alpha) + srgb8_to_float(channel_byte(old, i)) * keep;
+    }
+    result[3] = (state->alpha_one ? alpha : alpha * alpha) + unorm8_to_float(channel_byte(old, 3)) * keep;
+    store_word_bits(texels, srgb8_texels(result), *mask & (i8)i8_splat((int32_t)state->texel_mask[0]));
 }
 
 RHW_INLINE void store_target(const struct rhw_blend_state *state, const f8 value[4], i8 mask,
@@ -41,12 +57,12 @@ RHW_INLINE void store_target(const struct rhw_blend_state *state, const f8 value
 {
     struct raw_texels raw;
     encode_texels(state->format, value, &raw);
-    store_texel_row(state->format->size, &raw, mask, state->texel_mask, texels);
+    store_texel_row(state->format->size, &raw, mask, texels);
 }
 
-// Gives the factor of channel `i` (3: alpha).
+// Gives the factor of channel `i` (3: alpha). src[4..7] is the second source.
 static inline f8 blend_factor(const struct rhw_blend_state *state, enum rhw_blend_factor factor,
-                              const f8 src[4], const f8 dst[4], int i)
+                              const f8 *src, const f8 dst[4], int i)
 {
     switch (factor) {
     case RHW_BLEND_DEFAULT: break; // pipeline.c has put what it stands for in its place
@@ -63,11 +79,17 @@ static inline f8 blend_factor(const struct rhw_blend_state *state, enum rhw_blen
     case RHW_BLEND_SRC_ALPHA_SATURATED: return i == 3 ? rhw_splat(1.0f) : rhw_min(src[3], 1.0f - dst[3]);
     case RHW_BLEND_CONSTANT: return rhw_splat(state->constant[i]);
     case RHW_BLEND_ONE_MINUS_CONSTANT: return rhw_splat(1.0f - state->constant[i]);
+    case RHW_BLEND_CONSTANT_ALPHA: return rhw_splat(state->constant[3]);
+    case RHW_BLEND_ONE_MINUS_CONSTANT_ALPHA: return rhw_splat(1.0f - state->constant[3]);
+    case RHW_BLEND_SRC1: return src[4 + i];
+    case RHW_BLEND_ONE_MINUS_SRC1: return 1.0f - src[4 + i];
+    case RHW_BLEND_SRC1_ALPHA: return src[7];
+    case RHW_BLEND_ONE_MINUS_SRC1_ALPHA: return 1.0f - src[7];
     }
     return rhw_splat(0.0f);
 }
 
-static inline f8 blend_channel(const struct rhw_blend_state *state, const f8 src[4], const f8 dst[4], int i)
+static inline f8 blend_channel(const struct rhw_blend_state *state, const f8 *src, const f8 dst[4], int i)
 {
     const struct rhw_blend_component *const component = i == 3 ? &state->alpha : &state->color;
     if (component->operation == RHW_BLEND_MIN) { // MIN and MAX ignore the factors
@@ -85,34 +107,98 @@ static inline f8 blend_channel(const struct rhw_blend_state *state, const f8 src
     }
 }
 
-// One NaN for all: which one arithmetic makes differs between processors.
-RHW_INLINE f8 canonical_nan(f8 value)
+// Vulkan 1.3 §29.2, "Logical Operations".
+RHW_INLINE i8 combine_bits(enum rhw_logic logic, i8 src, i8 dst)
 {
-    return rhw_select(rhw_equal(value, value), value, (f8)i8_splat(0x7fc00000));
+    switch (logic) {
+    case RHW_LOGIC_CLEAR: return i8_splat(0);
+    case RHW_LOGIC_AND: return src & dst;
+    case RHW_LOGIC_AND_REVERSE: return src & ~dst;
+    case RHW_LOGIC_AND_INVERTED: return ~src & dst;
+    case RHW_LOGIC_NO_OP: return dst;
+    case RHW_LOGIC_XOR: return src ^ dst;
+    case RHW_LOGIC_OR: return src | dst;
+    case RHW_LOGIC_NOR: return ~(src | dst);
+    case RHW_LOGIC_EQUIVALENT: return ~(src ^ dst);
+    case RHW_LOGIC_INVERT: return ~dst;
+    case RHW_LOGIC_OR_REVERSE: return src | ~dst;
+    case RHW_LOGIC_COPY_INVERTED: return ~src;
+    case RHW_LOGIC_OR_INVERTED: return ~src | dst;
+    case RHW_LOGIC_NAND: return ~(src & dst);
+    case RHW_LOGIC_SET: return i8_splat(-1);
+    default: return src;
+    }
 }
 
-// Serves any format and any blending. It is not inline, being large and seldom hot.
-static __attribute__((noinline)) void blend_general(const struct rhw_blend_state *state, const f8 color[4],
+// Gives the blended values of the channels.
+RHW_INLINE void blend_values(const struct rhw_blend_state *state, const struct raw_texels *old, const f8 *src,
+                             f8 result[4])
+{
+    f8 dst[4];
+    decode_texels(state->format, old, dst);
+    for (int i = 0; i < 4; i++) {
+        result[i] = blend_channel(state, src, dst, i);
+    }
+}
+
+// Four values as a normalized format holds them; NaN becomes 0.
+RHW_INLINE void clamp_values(const struct rhw_blend_state *state, const f8 *value, f8 *clamped)
+{
+    for (int i = 0; i < 4; i++) {
+        clamped[i] = rhw_clamp(value[i], rhw_splat(state->least), rhw_splat(1.0f));
+    }
+    for (int i = 0; i < 4 && state->least < 0; i++) {
+        clamped[i] = rhw_select(rhw_equal(value[i], value[i]), clamped[i], rhw_splat(0.0f));
+    }
+}
+
+// Puts what texels keep of their old bits, and what logic operations make of them.
+static __attribute__((noinline)) void merge_bits(const struct rhw_blend_state *state,
+                                                 const struct raw_texels *old, struct raw_texels *raw)
+{
+    for (int w = 0; w < (state->format->size + 3) / 4; w++) {
+        const i8 word = combine_bits(state->logic, raw->word[w], old->word[w]);
+        raw->word[w] = old->word[w] ^ ((old->word[w] ^ word) & (int32_t)state->texel_mask[w]);
+    }
+}
+
+// Serves any format and any blending; the write mask counts bits, so that what is kept stays as it was. It is not inline,
+// being large and seldom hot.
+static __attribute__((noinline)) void blend_general(const struct rhw_blend_state *state, const f8 *color,
                                                     const i8 *mask, unsigned char *texels)
 {
-    const bool normalized = rhw_codec_is_normalized(state->format->codec);
-    struct raw_texels raw;
-    f8 src[4], dst[4], result[4];
-    load_texel_row(state->format->size, texels, &raw);
-    decode_texels(state->format, &raw, dst);
-    for (int i = 0; i < 4; i++) {
-        src[i] = normalized ? rhw_saturate(color[i]) : color[i];
+    const struct rhw_format_info *const format = state->format;
+    const bool normalized = rhw_format_is_normalized(format);
+    struct raw_texels old, raw;
+    f8 src[8], result[4];
+    load_texel_row(format->size, texels, &old);
+    for (int first = 0; first <= (state->reads_second ? 4 : 0); first += 4) {
+        if (normalized) {
+            clamp_values(state, color + first, src + first);
+        } else {
+            memcpy(src + first, color + first, sizeof result);
+        }
     }
-    for (int i = 0; i < 4; i++) {
-        const f8 value = state->blend ? blend_channel(state, src, dst, i) : src[i];
-        result[i] = state->write_mask >> i & 1 ? canonical_nan(value) : dst[i];
+    if (state->blend) {
+        blend_values(state, &old, src, result);
+    } else {
+        memcpy(result, src, sizeof result);
     }
-    store_target(state, result, *mask, texels);
+    if (!rhw_format_is_integer(format)) {
+        for (int i = 0; i < 4; i++) {
+            result[i] = canonical_nan(result[i]);
+        }
+    }
+    encode_texels(format, result, &raw);
+    if (!state->writes_all || state->logic != RHW_LOGIC_OFF) {
+        merge_bits(state, &old, &raw);
+    }
+    store_texel_row(format->size, &raw, *mask, texels);
 }
 
 // Blends 8 fragments into the 8 texels at `texels`, in the target's format; lanes whose mask is 0 keep
-// theirs.
-RHW_INLINE void blend_group(const struct rhw_blend_state *state, const f8 color[4], i8 mask,
+// theirs. `color` has 4 channels, and behind them those of the second source where the state reads it.
+RHW_INLINE void blend_group(const struct rhw_blend_state *state, const f8 *color, i8 mask,
                             unsigned char *texels)
 {
     switch (state->path) {
@@ -123,16 +209,17 @@ RHW_INLINE void blend_group(const struct rhw_blend_state *state, const f8 color[
         if (state->path == BLEND_RGBA8_REPLACE) {
             store_words(texels, packed, mask);
         } else {
-            store_word_bits(texels, packed, mask & i8_splat((int32_t)state->texel_mask));
+            store_word_bits(texels, packed, mask & i8_splat((int32_t)state->texel_mask[0]));
         }
         break;
     }
     case BLEND_RGBA8_OVER: blend_rgba8_over(state, color, mask, texels); break;
     case BLEND_SRGB8_REPLACE: {
-        store_word_bits(texels, srgb8_texels(color), mask & i8_splat((int32_t)state->texel_mask));
+        store_word_bits(texels, srgb8_texels(color), mask & i8_splat((int32_t)state->texel_mask[0]));
         break;
     }
-    case BLEND_UINT_REPLACE: store_words(texels, (i8)color[0], mask); break;
+    case BLEND_SRGB8_OVER: blend_srgb8_over(state, color, &mask, texels); break;
+    case BLEND_BITS_REPLACE: store_words(texels, (i8)color[0], mask); break;
     case BLEND_FLOAT_REPLACE: {
         f8 value[4];
         for (int i = 0; i < 4; i++) {

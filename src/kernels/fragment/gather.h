@@ -131,6 +131,10 @@ static __attribute__((noinline)) void queue_gathered(struct tile_work *work, str
 {
     struct gathered_fragments *const gathered = &work->scratch->gathered;
     const int groups = gathered->count / 8, rest = gathered->count % 8;
+    if (gathered->overtakes && work->scratch->partial.count != 0) {
+        release_partial(work);
+    }
+    gathered->overtakes = false;
     queue_scattered(work, triangle, gathered->texel, groups);
     memcpy(gathered->texel, &gathered->texel[8 * groups], 8 * sizeof *gathered->texel);
     memcpy(gathered->samples, &gathered->samples[8 * groups], 8 * sizeof *gathered->samples);
@@ -145,6 +149,7 @@ static __attribute__((noinline)) void release_gathered(struct tile_work *work, s
     if (work->scratch->gathered.count != 0) {
         pack_gathered(work, triangle);
     }
+    work->scratch->gathered.overtakes = false;
 }
 
 // Lets go of all gathered fragments of a triangle, which is done. Many have none: those are spared the call.
@@ -180,7 +185,11 @@ static void gather_samples(struct tile_work *work, struct triangle_work *triangl
                            const uint64_t mask[RHW_MAX_SAMPLES], uint64_t any)
 {
     struct gathered_fragments *const gathered = &work->scratch->gathered;
-    release_overtaken(work, x, y, any);
+    if (!work->orders_lanes) {
+        release_overtaken(work, x, y, any);
+    } else if (fragments_wait(work, x, y, any)) {
+        gathered->overtakes = true; // unless they wait there too
+    }
     if (gathered->count > RHW_GATHERED_FRAGMENTS - RHW_BLOCK * RHW_BLOCK) {
         queue_gathered(work, triangle);
     }

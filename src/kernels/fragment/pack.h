@@ -2,7 +2,8 @@
 // The partial group: single fragments of several triangles, the few of each that its own groups leave over. They wait
 // until 8 make a group, which is then packed: a fragment is evaluated as one vector over quantities and one over
 // components, then 8 of them are turned into lanes. Only fragments that wait here can be overtaken by later ones of the
-// same pixel, so such a one closes the group first.
+// same pixel, so such a one closes the group first. Where pixels have several samples neighbours share most of them:
+// what replaces, as it were without blending, may share a group too, as the last lane is stored last.
 #ifndef RHW_PACK_H
 #define RHW_PACK_H
 
@@ -265,11 +266,17 @@ static __attribute__((noinline)) void release_partial(struct tile_work *work)
     pack_group(work, 0xffu >> (8 - live));
 }
 
-// Fragments that wait would be overtaken by those of the block at (x, y) that are set in `mask`.
-RHW_INLINE void release_overtaken(struct tile_work *work, int x, int y, uint64_t mask)
+// Whether fragments wait where those of the block at (x, y) are that are set in `mask`.
+RHW_INLINE bool fragments_wait(const struct tile_work *work, int x, int y, uint64_t mask)
 {
     const struct partial_group *const partial = &work->scratch->partial;
-    if (partial->count != 0 && block_bits(&partial->pixels[y], x) & mask) {
+    return partial->count != 0 && block_bits(&partial->pixels[y], x) & mask;
+}
+
+// Fragments that wait would be overtaken by those of the block.
+RHW_INLINE void release_overtaken(struct tile_work *work, int x, int y, uint64_t mask)
+{
+    if (fragments_wait(work, x, y, mask)) {
         release_partial(work);
     }
 }

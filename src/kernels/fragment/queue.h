@@ -59,8 +59,8 @@ RHW_INLINE void blend_target(const struct tile_work *work, int t, enum rhw_blend
     unsigned char *const texels = work->scratch->color[t];
     const int count = queue->count;
     const bool is_common = path == BLEND_RGBA8_REPLACE || path == BLEND_RGBA8_OVER;
-    if (is_common && queue->only_full_rows && state.texel_mask == UINT32_MAX) {
-        state.texel_mask = UINT32_MAX; // known from here on
+    if (is_common && queue->only_full_rows && state.texel_mask[0] == UINT32_MAX) {
+        state.texel_mask[0] = UINT32_MAX; // known from here on
         for (int g = 0; g < count; g++) {
             blend_group(&state, queue->colors[g][t], i8_splat(-1), texels + (size_t)queue->row_at[g] * size);
         }

@@ -59,7 +59,7 @@ static int triangles_that_fit(const struct rhw_chunk *chunk, const struct rhw_tr
     if ((size_t)list->count * tiles_of(chunk) <= most) {
         return list->count;
     }
-    uint32_t entries = 0; // below 2^13 triangles · 2^16 tiles
+    uint32_t entries = 0; // below 2^16 triangles · 2^16 tiles
     for (int t = 0; t < list->count; t++) {
         const struct rhw_tile_range *const r = &list->ranges[t];
         entries += (uint32_t)((r->x1 - r->x0 + 1) * (r->y1 - r->y0 + 1));

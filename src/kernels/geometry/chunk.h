@@ -9,6 +9,8 @@
 #include "../../shared_vertices.h"
 #include "../../thread.h"
 #include "binning.h"
+#include "clipping_count.h"
+#include "feedback.h"
 #include "line_setup.h"
 #include "point_setup.h"
 #include "polygon_setup.h"
@@ -129,6 +131,7 @@ RHW_INLINE void setup_primitives(struct rhw_geometry_scratch *scratch, uint32_t 
     case RHW_PRIMITIVE_LINES: setup_run(scratch, run, list, setup_lines8); return;
     case RHW_PRIMITIVE_POLYGON_LINES:
     case RHW_PRIMITIVE_POLYGON_POINTS: setup_run(scratch, run, list, setup_polygons8); return;
+    case RHW_PRIMITIVE_NOTHING: return;
     case RHW_PRIMITIVE_TRIANGLES: break;
     }
     setup_run(scratch, run, list, setup8);
@@ -231,6 +234,12 @@ static bool make_chunk(const struct rhw_pass_state *pass, struct rhw_chunk *chun
         keep(arena, scratch->segments, (size_t)scratch->segment_count * sizeof *chunk->segments);
     chunk->polygons =
         keep(arena, scratch->polygons, (size_t)scratch->polygon_count * sizeof *chunk->polygons);
+    if (pass->has_feedback) {
+        capture_runs(scratch);
+    }
+    if (pass->queries && !count_runs(chunk, worker)) {
+        return false;
+    }
     const bool binned = chunk->segments && chunk->polygons && bin(chunk, &list, arena);
     worker->counters.bin_ns += rhw_time_ns() - start;
     return binned;

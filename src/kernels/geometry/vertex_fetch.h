@@ -9,72 +9,26 @@
 
 #include "../../draw_list.h"
 #include "../../format.h"
-#include "../../half.h"
 #include "../../pipeline.h"
 #include "../../simd_layout.h"
 
-// One attribute of `type` with 1 to 4 components; the rest of `out` is left alone.
-static void read_attribute(const unsigned char *p, enum rhw_vertex_type type, int components, float out[4])
-{
-    for (int c = 0; c < components; c++) {
-        uint16_t u16 = 0;
-        if (rhw_vertex_type_size(type) == 2) {
-            memcpy(&u16, p + 2 * c, sizeof u16);
-        }
-        switch (type) {
-        case RHW_TYPE_FLOAT: memcpy(&out[c], p + 4 * c, sizeof out[c]); break;
-        case RHW_TYPE_HALF: out[c] = rhw_half_to_float(u16); break;
-        case RHW_TYPE_UNORM8: out[c] = (float)p[c] / 255.0f; break;
-        case RHW_TYPE_SNORM8: out[c] = (int8_t)p[c] == -128 ? -1.0f : (float)(int8_t)p[c] / 127.0f; break;
-        case RHW_TYPE_UINT8: out[c] = (float)p[c]; break;
-        case RHW_TYPE_SINT8: out[c] = (float)(int8_t)p[c]; break;
-        case RHW_TYPE_UNORM16: out[c] = (float)u16 / 65535.0f; break;
-        case RHW_TYPE_SNORM16:
-            out[c] = (int16_t)u16 == -32768 ? -1.0f : (float)(int16_t)u16 / 32767.0f;
-            break;
-        case RHW_TYPE_UINT16: out[c] = (float)u16; break;
-        default: out[c] = (float)(int16_t)u16; break;
-        }
-    }
-}
-
-// One attribute of 8 vertices, the general path. `element` says which element of the stream each lane reads; a lane
-// whose element is not wholly inside the buffer reads 0, 0, 0, 1.
-static __attribute__((noinline)) void fetch_checked(const struct rhw_vertex_stream *stream,
-                                                    const struct rhw_attribute *attribute, uint32_t stride,
-                                                    const uint32_t element[8], f8 out[4])
-{
-    const enum rhw_vertex_type type = rhw_vertex_format_type(attribute->format);
-    const int components = rhw_vertex_format_components(attribute->format);
-    const size_t size = (size_t)(components * rhw_vertex_type_size(type));
-    float rows[8][4];
-    const void *places[8];
-    for (int lane = 0; lane < 8; lane++) {
-        const uint64_t offset = (uint64_t)element[lane] * stride + attribute->offset;
-        rows[lane][0] = rows[lane][1] = rows[lane][2] = 0;
-        rows[lane][3] = 1;
-        if (offset <= stream->size && stream->size - offset >= size) {
-            read_attribute(stream->bytes + offset, type, components, rows[lane]);
-        }
-        places[lane] = rows[lane];
-    }
-    f8_load_columns(places, out);
-}
-
-// The floats that read_attribute makes of numbers of 8 or 16 bits, one of each lane: `bits` has the number, and above
-// it rubbish.
-static f8 narrow_to_float(enum rhw_vertex_type type, i8 bits)
+// What numbers of 8 or 16 bits are in the lanes: `bits` has the number, and above it rubbish.
+static f8 narrow_to_lane(enum rhw_vertex_type type, i8 bits)
 {
     switch (type) {
     case RHW_TYPE_HALF: return f8_from_half(bits & 0xffff);
     case RHW_TYPE_UNORM8: return rhw_float_from_int(bits & 0xff) / 255.0f;
     case RHW_TYPE_SNORM8: return f8_max(rhw_float_from_int(bits << 24 >> 24) / 127.0f, f8_splat(-1));
-    case RHW_TYPE_UINT8: return rhw_float_from_int(bits & 0xff);
-    case RHW_TYPE_SINT8: return rhw_float_from_int(bits << 24 >> 24);
+    case RHW_TYPE_USCALED8: return rhw_float_from_int(bits & 0xff);
+    case RHW_TYPE_SSCALED8: return rhw_float_from_int(bits << 24 >> 24);
+    case RHW_TYPE_UINT8: return (f8)(bits & 0xff);
+    case RHW_TYPE_SINT8: return (f8)(bits << 24 >> 24);
     case RHW_TYPE_UNORM16: return rhw_float_from_int(bits & 0xffff) / 65535.0f;
     case RHW_TYPE_SNORM16: return f8_max(rhw_float_from_int(bits << 16 >> 16) / 32767.0f, f8_splat(-1));
-    case RHW_TYPE_UINT16: return rhw_float_from_int(bits & 0xffff);
-    default: return rhw_float_from_int(bits << 16 >> 16);
+    case RHW_TYPE_USCALED16: return rhw_float_from_int(bits & 0xffff);
+    case RHW_TYPE_SSCALED16: return rhw_float_from_int(bits << 16 >> 16);
+    case RHW_TYPE_UINT16: return (f8)(bits & 0xffff);
+    default: return (f8)(bits << 16 >> 16);
     }
 }
 
@@ -89,45 +43,106 @@ static void fetch_narrow(const void *const place[8], enum rhw_vertex_type type, 
     }
     for (int c = 0; c < 4; c++) {
         const i8 bits = i8_load(word[has_16_bits ? c / 2 : 0]);
-        out[c] = narrow_to_float(type, bits >> (has_16_bits ? 16 * (c % 2) : 8 * c));
+        out[c] = narrow_to_lane(type, bits >> (has_16_bits ? 16 * (c % 2) : 8 * c));
+    }
+}
+
+// What a field of `bits` bits is in the lanes, given at the top of a word.
+static f8 field_to_lane(enum rhw_vertex_type type, i8 top, int bits)
+{
+    const i8 code = (i8)((u8)top >> (32 - bits)), number = top >> (32 - bits);
+    switch (type) {
+    case RHW_TYPE_UNORM10: return rhw_float_from_int(code) / (float)((1 << bits) - 1);
+    case RHW_TYPE_SNORM10:
+        return f8_max(rhw_float_from_int(number) / (float)((1 << (bits - 1)) - 1), f8_splat(-1));
+    case RHW_TYPE_USCALED10: return rhw_float_from_int(code);
+    case RHW_TYPE_SSCALED10: return rhw_float_from_int(number);
+    case RHW_TYPE_UINT10: return (f8)code;
+    default: return (f8)number;
+    }
+}
+
+// Fetches four components that share a word at each of 8 places.
+static void fetch_packed(const void *const place[8], enum rhw_vertex_type type, f8 out[4])
+{
+    int32_t words[8];
+    for (int lane = 0; lane < 8; lane++) {
+        memcpy(&words[lane], place[lane], sizeof words[lane]);
+    }
+    const i8 word = i8_load(words);
+    for (int c = 0; c < 4; c++) {
+        out[c] = type == RHW_TYPE_BGRA8
+                     ? narrow_to_lane(RHW_TYPE_UNORM8, word >> (c < 3 ? 16 - 8 * c : 24))
+                     : field_to_lane(type, c < 3 ? word << (22 - 10 * c) : word, c < 3 ? 10 : 2);
+    }
+}
+
+// One attribute of 8 vertices. Four components are loaded at each place, however many there are, and what is not theirs
+// is replaced: what lies behind a buffer may be read too (buffer.h).
+RHW_INLINE void fetch_places(const void *const place[8], const struct rhw_fetch *fetch, f8 out[4])
+{
+    const enum rhw_vertex_type type = (enum rhw_vertex_type)fetch->type;
+    if (type == RHW_TYPE_FLOAT || type == RHW_TYPE_UINT32 || type == RHW_TYPE_SINT32) {
+        f8_load_columns(place, out);
+    } else if (type < RHW_TYPE_UNORM10) {
+        fetch_narrow(place, type, out);
+    } else {
+        fetch_packed(place, type, out);
+    }
+    switch (fetch->components) {
+    case 1: out[1] = f8_splat(0);                                       // fall through
+    case 2: out[2] = f8_splat(0);                                       // fall through
+    case 3: out[3] = fetch->is_integer ? (f8)i8_splat(1) : f8_splat(1); // fall through
+    default: break;
+    }
+}
+
+// Those of a buffer that may end before. `element` says which element of the stream each lane reads; a lane whose element
+// is not wholly inside the buffer reads 0, 0, 0, 1.
+static __attribute__((noinline)) void fetch_checked(const struct rhw_vertex_stream *stream,
+                                                    const struct rhw_fetch *fetch, uint32_t stride,
+                                                    const uint32_t element[8], f8 out[4])
+{
+    unsigned char bytes[8][16] = {{0}};
+    const void *places[8];
+    unsigned outside = 0;
+    for (int lane = 0; lane < 8; lane++) {
+        const uint64_t offset = (uint64_t)element[lane] * stride + fetch->offset;
+        if (offset <= stream->size && stream->size - offset >= fetch->size) {
+            memcpy(bytes[lane], stream->bytes + offset, fetch->size);
+        } else {
+            outside |= 1u << lane;
+        }
+        places[lane] = bytes[lane];
+    }
+    fetch_places(places, fetch, out);
+    const f8 one = fetch->is_integer ? (f8)i8_splat(1) : f8_splat(1);
+    for (int c = 0; c < 4; c++) {
+        out[c] = f8_select(i8_from_bits(outside), c < 3 ? f8_splat(0) : one, out[c]);
     }
 }
 
 // Whether the attribute lies wholly inside the buffer for all of 8 vertices.
-static bool lies_inside(const struct rhw_vertex_stream *stream, const struct rhw_attribute *attribute,
+static bool lies_inside(const struct rhw_vertex_stream *stream, const struct rhw_fetch *fetch,
                         uint32_t stride, const uint32_t element[8])
 {
     uint32_t last = element[0];
     for (int lane = 1; lane < 8; lane++) {
         last = element[lane] > last ? element[lane] : last;
     }
-    const uint64_t size = (uint64_t)rhw_vertex_format_components(attribute->format) *
-                          (uint64_t)rhw_vertex_type_size(rhw_vertex_format_type(attribute->format));
-    return (uint64_t)last * stride + attribute->offset + size <= stream->size;
+    return (uint64_t)last * stride + fetch->offset + fetch->size <= stream->size;
 }
 
-// One attribute of 8 vertices that lies inside. Four components are loaded where each starts, however many there are,
-// and what is not theirs is replaced: what lies behind a buffer may be read too (buffer.h).
-static void fetch_inside(const struct rhw_vertex_stream *stream, const struct rhw_attribute *attribute,
+// Those of a buffer that has all 8.
+static void fetch_inside(const struct rhw_vertex_stream *stream, const struct rhw_fetch *fetch,
                          uint32_t stride, const uint32_t element[8], f8 out[4])
 {
-    const enum rhw_vertex_type type = rhw_vertex_format_type(attribute->format);
-    const unsigned char *const bytes = stream->bytes + attribute->offset;
+    const unsigned char *const bytes = stream->bytes + fetch->offset;
     const void *places[8];
     for (int lane = 0; lane < 8; lane++) {
         places[lane] = bytes + (size_t)element[lane] * stride;
     }
-    if (type == RHW_TYPE_FLOAT) {
-        f8_load_columns(places, out);
-    } else {
-        fetch_narrow(places, type, out);
-    }
-    switch (rhw_vertex_format_components(attribute->format)) {
-    case 1: out[1] = f8_splat(0); // fall through
-    case 2: out[2] = f8_splat(0); // fall through
-    case 3: out[3] = f8_splat(1); // fall through
-    default: break;
-    }
+    fetch_places(places, fetch, out);
 }
 
 #endif

@@ -104,15 +104,16 @@ static void fetch_group(struct rhw_geometry_scratch *scratch, const struct rhw_s
     for (int a = 0; a < def->attribute_count; a++) {
         const struct rhw_attribute *const attribute = &def->attributes[a];
         const struct rhw_vertex_layout *const layout = &def->buffers[attribute->buffer];
+        const struct rhw_fetch *const fetch = &state->pipeline->fetches[a];
         const struct rhw_vertex_stream *const stream = &state->streams[attribute->buffer];
         uint32_t stepped[8];
         const uint32_t *const elements =
             layout->per_instance ? instance_elements(segment, layout, stepped) : element;
         f8 *const out = scratch->attributes[g][a];
-        if (scratch->special_paths && lies_inside(stream, attribute, layout->stride, elements)) {
-            fetch_inside(stream, attribute, layout->stride, elements, out);
+        if (scratch->special_paths && lies_inside(stream, fetch, layout->stride, elements)) {
+            fetch_inside(stream, fetch, layout->stride, elements, out);
         } else {
-            fetch_checked(stream, attribute, layout->stride, elements, out);
+            fetch_checked(stream, fetch, layout->stride, elements, out);
         }
     }
     group->attribute = (const f8(*)[4])scratch->attributes[g];

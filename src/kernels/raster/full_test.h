@@ -61,6 +61,14 @@ RHW_INLINE i8 test_pixels(struct tested_pixels *pixels, const struct rhw_depth_s
     return pass;
 }
 
+// Counts what passed, where a query asks for it.
+RHW_INLINE void count_passed(struct tile_depth *depth, uint64_t passed)
+{
+    if (depth->state->counts) {
+        depth->passed += (uint64_t)__builtin_popcountll(passed);
+    }
+}
+
 // Tests the fragments of a row from (x, y) on; gives the lanes that pass.
 static i8 test_row_full(struct tile_depth *depth, int x, int y, const struct rhw_stencil_rule *face,
                         const struct rhw_depth_rule rule, f8 z, i8 live)
@@ -89,6 +97,7 @@ static __attribute__((noinline)) uint64_t test_block_full(const struct block_pix
             passed |= (uint64_t)i8_sign_bits(pass) << (8 * row);
         }
     }
+    count_passed(depth, passed);
     return settle_block(depth, block->x, block->y, passed, rule);
 }
 
@@ -105,6 +114,7 @@ static __attribute__((noinline)) unsigned test_row_late_full(struct tile_depth *
         }
     }
     const unsigned passed = i8_sign_bits(pass);
+    count_passed(depth, passed);
     if (rule.open == RHW_OPEN_CLOSE) {
         depth->open[y] &= ~((uint64_t)passed << x);
     }
@@ -131,6 +141,7 @@ static __attribute__((noinline)) unsigned test_texels_late_full(struct tile_dept
     const i8 other =
         test_pixels(&pixels, depth->state, &depth->state->face[1], rule, z, i8_from_bits(bits & back), open);
     const unsigned passed = i8_sign_bits(front | other);
+    count_passed(depth, passed);
     f8_store(depths, pixels.depth);
     i8_store(stencils, pixels.stencil);
     for (unsigned left = bits; left != 0; left &= left - 1) {

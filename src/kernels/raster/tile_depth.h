@@ -21,6 +21,7 @@ struct tile_depth {
     bool marked;             // a fragment opened its pixel since this was last cleared
     float least, most;       // what depth is held to
     const struct rhw_depth_stencil_state *state;
+    uint64_t passed;                      // fragments of draws that are counted, since this was last cleared
     uint8_t stencil[RHW_TILE * RHW_TILE]; // row by row; set where the pass has one
 };
 

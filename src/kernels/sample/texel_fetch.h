@@ -53,6 +53,12 @@ RHW_INLINE i8 texel_number(i8 xy, const struct rhw_mip *mip)
     return i8_dot_halves(xy, i8_load(mip->step));
 }
 
+// A channel of the border; of integer formats it is converted.
+RHW_INLINE f8 border_channel(const struct rhw_format_info *format, float value)
+{
+    return rhw_format_is_integer(format) ? (f8)rhw_int_from_float(rhw_splat(value)) : rhw_splat(value);
+}
+
 // Loads ---------------------------------------------------------------------------------------------
 
 // Puts 8 numbers into memory: one store and 8 loads cost less than taking the lanes out of a register, which gcc

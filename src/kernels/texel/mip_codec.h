@@ -9,40 +9,36 @@
 // Of which the channels that the format has count.
 RHW_INLINE void widen_texels(const struct rhw_format_info *format, const struct raw_texels *raw, f8 value[4])
 {
+    const i8 word = in_order(format->order, raw->word[0]);
     switch (format->codec) {
     case RHW_CODEC_UNORM8:
         for (int c = 0; c < 4; c++) {
-            value[c] = rhw_float_from_int(channel_byte(raw->word[0], c));
+            value[c] = rhw_float_from_int(channel_byte(word, c));
         }
         break;
     case RHW_CODEC_SRGB8:
         for (int c = 0; c < 3; c++) {
-            value[c] = srgb8_to_float(channel_byte(raw->word[0], c));
+            value[c] = srgb8_to_float(channel_byte(word, c));
         }
-        value[3] = rhw_float_from_int(channel_byte(raw->word[0], 3));
+        value[3] = rhw_float_from_int(channel_byte(word, 3));
         break;
     default: decode_texels(format, raw, value); break;
     }
 }
 
-// One quiet NaN for every NaN: which one an operation gives depends on the processor.
-RHW_INLINE f8 canonical(f8 value)
-{
-    return f8_select(rhw_equal(value, value), value, (f8)i8_splat(0x7fc00000));
-}
-
 RHW_INLINE void narrow_texels(const struct rhw_format_info *format, const f8 value[4], struct raw_texels *raw)
 {
     switch (format->codec) {
-    case RHW_CODEC_UNORM8: raw->word[0] = i8_bytes_from_small_f8(value); break;
+    case RHW_CODEC_UNORM8: raw->word[0] = in_order(format->order, i8_bytes_from_small_f8(value)); break;
     case RHW_CODEC_SRGB8:
-        raw->word[0] = srgb8_from_float(value[0]) | (srgb8_from_float(value[1]) << 8) |
-                       (srgb8_from_float(value[2]) << 16) | ((i8)(value[3] + 0x1p23f) << 24);
+        raw->word[0] = in_order(format->order,
+                                srgb8_from_float(value[0]) | (srgb8_from_float(value[1]) << 8) |
+                                    (srgb8_from_float(value[2]) << 16) | ((i8)(value[3] + 0x1p23f) << 24));
         break;
     default: {
         f8 number[4];
         for (int c = 0; c < 4; c++) {
-            number[c] = canonical(value[c]);
+            number[c] = canonical_nan(value[c]);
         }
         encode_texels(format, number, raw);
         break;
@@ -86,10 +82,10 @@ RHW_INLINE void narrow_row(const struct rhw_format_info *format, const float *pl
         narrow_texels(format, value, &raw);
         unsigned char *const group = texels + (size_t)x * size;
         if (width - x >= RHW_LANES) {
-            store_texel_row(size, &raw, i8_splat(-1), UINT32_MAX, group);
+            store_texel_row(size, &raw, i8_splat(-1), group);
         } else {
             unsigned char last[RHW_LANES * RHW_TEXEL_BYTES] = {0};
-            store_texel_row(size, &raw, i8_splat(-1), UINT32_MAX, last);
+            store_texel_row(size, &raw, i8_splat(-1), last);
             memcpy(group, last, (size_t)(width - x) * size);
         }
     }

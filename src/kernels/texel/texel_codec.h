@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: MIT
-// 8 texels of any format as floats and back: the kernels' half of the codecs (texel.h has the scalar one). The sampler
-// gathers its texels from anywhere in a level, blending loads and stores those of a row; between them and the floats
-// stand the texels' own words, so that a codec is written once. To add one is to add a case here and in texel.h.
+// 8 texels of any format as floats and back. The sampler gathers its texels from anywhere in a level, blending loads and
+// stores those of a row; between them and the floats stand the texels' own words, so that a codec is written once.
 #ifndef RHW_TEXEL_CODEC_H
 #define RHW_TEXEL_CODEC_H
 
 #include "../../format.h"
 #include "../../simd_layout.h"
 #include "../../srgb.h"
+#include "texel_fields.h"
 
 // 8 texels as they stand in memory, in words of 4 bytes; a smaller texel in the low bytes of the first, zero above.
 struct raw_texels {
@@ -52,6 +52,21 @@ RHW_INLINE i8 channel_byte(i8 word, int channel)
     return (word >> (8 * channel)) & 0xff;
 }
 
+// Texels of four bytes as red, green, blue, alpha from the lowest byte on, and back.
+RHW_INLINE i8 in_order(enum rhw_channel_order order, i8 word)
+{
+    const i8 swapped = ((word & 0xff) << 16) | ((i8)((u8)word >> 16) & 0xff);
+    switch (order) {
+    case RHW_ORDER_RGBA: break;
+    case RHW_ORDER_BGRA: return (word & (int32_t)0xff00ff00) | swapped;
+    case RHW_ORDER_ABGR: {
+        const i8 pairs = (word << 16) | (i8)((u8)word >> 16);
+        return ((pairs & 0x00ff00ff) << 8) | ((i8)((u8)pairs >> 8) & 0x00ff00ff);
+    }
+    }
+    return word;
+}
+
 // Makes RGBA8_SRGB texels of four values.
 RHW_INLINE i8 srgb8_texels(const f8 value[4])
 {
@@ -86,51 +101,61 @@ RHW_INLINE d8 steps_of_depth(f8 depth, double steps)
 
 // Codecs ---------------------------------------------------------------------------------------------
 
-// Gives what a channel reads that the format lacks.
-RHW_INLINE f8 absent_channel(int c)
+// One NaN for all: which one arithmetic makes differs between processors.
+RHW_INLINE f8 canonical_nan(f8 value)
 {
-    return rhw_splat(c == 3 ? 1.0f : 0.0f);
+    return rhw_select(rhw_equal(value, value), value, (f8)i8_splat(0x7fc00000));
 }
 
-// Decodes texels to floats, colour linear. Channels that the format lacks read 0, 0, 0, 1.
+// Gives what a channel reads that the format lacks.
+RHW_INLINE f8 absent_channel(const struct rhw_format_info *format, int c)
+{
+    return rhw_format_is_integer(format) ? (f8)i8_splat(c == 3) : rhw_splat(c == 3 ? 1.0f : 0.0f);
+}
+
+// Decodes texels to floats, colour linear. Channels that the format lacks read 0, 0, 0, 1. Of integer formats these are
+// the bits of integers, here and everywhere.
 RHW_INLINE void decode_texels(const struct rhw_format_info *format, const struct raw_texels *raw, f8 value[4])
 {
     const int channels = format->channels;
     switch (format->codec) {
-    case RHW_CODEC_UNORM8:
+    case RHW_CODEC_UNORM8: {
+        const i8 word = in_order(format->order, raw->word[0]);
         for (int c = 0; c < 4; c++) {
-            value[c] = c < channels ? unorm8_to_float(channel_byte(raw->word[0], c)) : absent_channel(c);
+            value[c] = unorm8_to_float(channel_byte(word, c));
         }
         break;
-    case RHW_CODEC_SRGB8:
+    }
+    case RHW_CODEC_SRGB8: {
+        const i8 word = in_order(format->order, raw->word[0]);
         for (int c = 0; c < 3; c++) {
-            value[c] = srgb8_to_float(channel_byte(raw->word[0], c));
+            value[c] = srgb8_to_float(channel_byte(word, c));
         }
-        value[3] = unorm8_to_float(channel_byte(raw->word[0], 3));
+        value[3] = unorm8_to_float(channel_byte(word, 3));
         break;
+    }
     case RHW_CODEC_FLOAT16:
-        for (int c = 0; c < 4; c++) {
-            const int shift = 16 * (c % 2);
-            value[c] =
-                c < channels ? f8_from_half((i8)((u8)raw->word[c / 2] >> shift) & 0xffff) : absent_channel(c);
+        for (int c = 0; c < channels; c++) {
+            value[c] = f8_from_half((i8)((u8)raw->word[c / 2] >> (16 * (c % 2))) & 0xffff);
         }
         break;
     case RHW_CODEC_DEPTH16:
     case RHW_CODEC_DEPTH24: {
         const double steps = rhw_codec_depth_steps(format->codec);
         value[0] = depth_from_steps(d8_from_i8(raw->word[0] & i8_splat((int32_t)steps)), steps);
-        for (int c = 1; c < 4; c++) {
-            value[c] = absent_channel(c);
+        break;
+    }
+    case RHW_CODEC_FIELDS: decode_fields(format, raw->word, value); break;
+    case RHW_CODEC_FLOAT32:
+    case RHW_CODEC_BITS32:
+    case RHW_CODEC_NONE:
+        for (int c = 0; c < channels; c++) {
+            value[c] = (f8)raw->word[c];
         }
         break;
     }
-    case RHW_CODEC_FLOAT32:
-    case RHW_CODEC_UINT32:
-    case RHW_CODEC_NONE:
-        for (int c = 0; c < 4; c++) {
-            value[c] = c < channels ? (f8)raw->word[c] : absent_channel(c);
-        }
-        break;
+    for (int c = channels; c < 4; c++) {
+        value[c] = absent_channel(format, c);
     }
 }
 
@@ -138,15 +163,15 @@ RHW_INLINE void decode_texels(const struct rhw_format_info *format, const struct
 RHW_INLINE void encode_texels(const struct rhw_format_info *format, const f8 value[4], struct raw_texels *raw)
 {
     switch (format->codec) {
-    case RHW_CODEC_UNORM8: raw->word[0] = unorm8_texels(value); break;
-    case RHW_CODEC_SRGB8: raw->word[0] = srgb8_texels(value); break;
+    case RHW_CODEC_UNORM8: raw->word[0] = in_order(format->order, unorm8_texels(value)); break;
+    case RHW_CODEC_SRGB8: raw->word[0] = in_order(format->order, srgb8_texels(value)); break;
     case RHW_CODEC_FLOAT16:
         for (int w = 0; w < 2; w++) {
             raw->word[w] = i8_half_from_f8(value[2 * w]) | (i8_half_from_f8(value[2 * w + 1]) << 16);
         }
         break;
     case RHW_CODEC_FLOAT32:
-    case RHW_CODEC_UINT32:
+    case RHW_CODEC_BITS32:
         for (int c = 0; c < 4; c++) {
             raw->word[c] = (i8)value[c];
         }
@@ -157,6 +182,7 @@ RHW_INLINE void encode_texels(const struct rhw_format_info *format, const f8 val
         raw->word[0] = rhw_int_from_float_unchecked(f8_from_d8(count)); // below 2^24: exact
         break;
     }
+    case RHW_CODEC_FIELDS: encode_fields(format, value, raw->word); break;
     case RHW_CODEC_NONE: break;
     }
 }
@@ -231,14 +257,12 @@ RHW_INLINE void store_rows(const f4 row[RHW_LANES], unsigned live, size_t size, 
     }
 }
 
-// Stores 8 texels in a row, of lanes that are set in `mask`; of texels of 4 bytes, those bits that are set in
-// `texel_mask` too.
-RHW_INLINE void store_texel_row(size_t size, const struct raw_texels *raw, i8 mask, uint32_t texel_mask,
-                                unsigned char *texels)
+// Stores 8 texels in a row, of lanes that are set in `mask`.
+RHW_INLINE void store_texel_row(size_t size, const struct raw_texels *raw, i8 mask, unsigned char *texels)
 {
     const i8 *const word = raw->word;
     if (size == 4) {
-        store_word_bits(texels, word[0], mask & i8_splat((int32_t)texel_mask));
+        store_words(texels, word[0], mask);
         return;
     }
     if (size == 8) {

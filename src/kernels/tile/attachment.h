@@ -151,7 +151,7 @@ static void write_depth_steps(const struct tile_work *work, struct memory_rows r
             const f8 value[4] = {f8_load(tile + y * RHW_TILE + x)};
             struct raw_texels raw;
             encode_texels(info, value, &raw);
-            store_texel_row(info->size, &raw, mask, UINT32_MAX,
+            store_texel_row(info->size, &raw, mask,
                             rows.first + (size_t)y * rows.pitch + (size_t)x * info->size);
         }
     }

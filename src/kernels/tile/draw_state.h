@@ -3,8 +3,36 @@
 #ifndef RHW_DRAW_STATE_H
 #define RHW_DRAW_STATE_H
 
+#include "../../query.h"
 #include "../fragment/pack.h"
 #include "../raster/hiz.h"
+
+// Gives queries what was counted since the state was set.
+static __attribute__((noinline)) void give_counts(const struct tile_work *work)
+{
+    struct rhw_used_query *const *const queries = work->state->queries->of;
+    const uint64_t fragments = work->counters->fragments - work->fragments_before;
+    uint64_t samples = 0;
+    for (int s = 0; s < work->samples; s++) {
+        samples += depth_plane(work->scratch, s)->passed;
+    }
+    for (int kind = RHW_QUERY_OCCLUSION; kind <= RHW_QUERY_ANY_PASSED; kind++) {
+        if (queries[kind] && samples != 0) {
+            atomic_fetch_add_explicit(&queries[kind]->samples, samples, memory_order_relaxed);
+        }
+    }
+    if (queries[RHW_QUERY_STATISTICS] && fragments != 0) {
+        atomic_fetch_add_explicit(&queries[RHW_QUERY_STATISTICS]->fragments, fragments, memory_order_relaxed);
+    }
+}
+
+// Ends what is counted for the queries of the state under way.
+static void end_counts(const struct tile_work *work)
+{
+    if (work->state && work->state->queries) {
+        give_counts(work);
+    }
+}
 
 static void set_state(struct tile_work *work, const struct rhw_draw_state *state)
 {
@@ -12,7 +40,9 @@ static void set_state(struct tile_work *work, const struct rhw_draw_state *state
     const struct rhw_rect *const scissor = &state->scissor;
     struct fragment_queue *const queue = &work->scratch->queue;
     struct tile_depth *const depth = &work->scratch->depth;
+    end_counts(work);
     work->state = state;
+    work->fragments_before = work->counters->fragments;
     work->pipeline = pipeline;
     work->plan = state->plans[work->phase];
     work->is_scissored = scissor->x > work->x || scissor->y > work->y ||
@@ -23,7 +53,13 @@ static void set_state(struct tile_work *work, const struct rhw_draw_state *state
         plane->least = state->depth_least;
         plane->most = state->depth_most;
         plane->state = &state->depth_stencil;
+        plane->passed = 0;
     }
+    work->orders_lanes = work->samples > 1;
+    for (int t = 0; t < work->pass->color_count; t++) {
+        work->orders_lanes = work->orders_lanes && !state->blend[t].blend;
+    }
+    work->scratch->gathered.overtakes = false;
     work->tests_bounds = work->samples == 1 && hiz_follow(depth, &work->plan);
     for (int g = 0; g < RHW_FRAGMENT_GROUPS; g++) {
         struct rhw_fragment *const group = &queue->groups[g];

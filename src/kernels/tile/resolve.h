@@ -58,7 +58,7 @@ static void resolve_row(const struct rhw_format_info *info, enum rhw_resolve mod
     for (int w = 0; w < words; w++) {
         raw.word[w] = rhw_select_int(agree, first.word[w], raw.word[w]);
     }
-    store_texel_row(info->size, &raw, i8_from_bits(lanes), UINT32_MAX, to);
+    store_texel_row(info->size, &raw, i8_from_bits(lanes), to);
 }
 
 static enum rhw_resolve color_mode(const struct rhw_attachment *attachment,
@@ -66,7 +66,7 @@ static enum rhw_resolve color_mode(const struct rhw_attachment *attachment,
 {
     const enum rhw_resolve mode =
         attachment->resolve_mode == RHW_RESOLVE_DEFAULT ? RHW_RESOLVE_AVERAGE : attachment->resolve_mode;
-    return info->codec == RHW_CODEC_UINT32 ? RHW_RESOLVE_SAMPLE_ZERO : mode;
+    return rhw_format_is_integer(info) ? RHW_RESOLVE_SAMPLE_ZERO : mode;
 }
 
 // Resolves target t.
@@ -113,7 +113,11 @@ static void resolve_depth_planes(const struct tile_work *work, enum rhw_resolve 
                       : mode == RHW_RESOLVE_MIN ? i8_min(stencil, other)
                                                 : i8_max(stencil, other);
         }
-        f8_store(&first->texels[i], resolved_value(mode, value, work->samples));
+        i8 agree = i8_splat(-1); // a mean of equal floats may round to another one
+        for (int s = 1; s < work->samples; s++) {
+            agree &= rhw_equal(value[s], value[0]);
+        }
+        f8_store(&first->texels[i], f8_select(agree, value[0], resolved_value(mode, value, work->samples)));
         const uint64_t bytes = i8_to_bytes(stencil);
         memcpy(&first->stencil[i], &bytes, sizeof bytes);
     }

@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: MIT
+// Transform feedback. How many primitives a draw has is known when it is recorded, so each has its place in the buffers from
+// then on: chunks write theirs in any order (kernels/geometry/feedback.h), and one that is made again writes the same.
+#ifndef RHW_FEEDBACK_H
+#define RHW_FEEDBACK_H
+
+#include "rhw/transform_feedback.h"
+
+struct rhw_draw;
+struct rhw_pass_state;
+
+// Bytes that a pass writes.
+struct rhw_feedback_range {
+    const struct rhw_feedback_range *next;
+    uint32_t buffer; // index
+    size_t first, end;
+};
+
+// Of a pass, between the calls.
+struct rhw_feedback_state {
+    bool is_active;
+    const struct rhw_feedback_range *ranges;                    // of those before, and of the one under way
+    struct rhw_feedback_range *range[RHW_MAX_FEEDBACK_TARGETS]; // under way; NULL: no target
+    unsigned char *bytes[RHW_MAX_FEEDBACK_TARGETS];             // of the buffers
+    size_t at[RHW_MAX_FEEDBACK_TARGETS];                        // where the next vertex goes
+    int vertices;                                               // of a primitive
+};
+
+// Where a draw writes.
+struct rhw_draw_feedback {
+    unsigned char *to[RHW_MAX_FEEDBACK_TARGETS]; // its first vertex
+    uint64_t primitives;                         // that are written, those of all instances in one line
+    int vertices;                                // of a primitive
+};
+
+// Gives a draw that was prepared its place, where feedback is under way. False when out of memory.
+bool rhw_feedback_add_draw(struct rhw_pass_state *pass, struct rhw_draw *draw);
+// Reports what was begun and not ended.
+void rhw_feedback_check_ended(const struct rhw_pass_state *pass);
+
+#endif

@@ -1,0 +1,238 @@
+// SPDX-License-Identifier: MIT
+// Limits: member by member against what Vulkan 1.0 requires, and some of them drawn with.
+#include "harness.h"
+
+#include <string.h>
+
+// Beside the table "Required Limits" --------------------------------------------------------------------
+
+struct required {
+    const char *name;
+    double ours, least;
+};
+
+static void expect_at_least(const struct required *rows, size_t count)
+{
+    for (size_t i = 0; i < count; i++) {
+        print_message("%-42s %12g, required %g\n", rows[i].name, rows[i].ours, rows[i].least);
+        assert_true(rows[i].ours >= rows[i].least);
+    }
+}
+
+// By hand from Vulkan 1.0, table 33.2 "Required Limits". Not here, as there is nothing of theirs: memory, descriptor sets,
+// tessellation, geometry and compute.
+static void test_what_vulkan_requires(void **state)
+{
+    (void)state;
+    const struct rhw_limits l = rhw_limits_get();
+    const struct required rows[] = {
+        {"maxImageDimension1D", l.max_image_dimension_1d, 4096},
+        {"maxImageDimension2D", l.max_image_dimension_2d, 4096},
+        {"maxImageDimension3D", l.max_image_dimension_3d, 256},
+        {"maxImageDimensionCube", l.max_image_dimension_cube, 4096},
+        {"maxImageArrayLayers", l.max_image_array_layers, 256},
+        {"maxSamplerAllocationCount", l.max_sampler_allocation_count, 4000},
+        {"maxUniformBufferRange", l.max_uniform_buffer_range, 16384},
+        {"maxPerStageDescriptorUniformBuffers of it", l.max_uniform_buffer_range, 12 * 16384},
+        {"maxPushConstantsSize of it", l.max_uniform_buffer_range, 128 + 12 * 16384},
+        {"maxPerStageDescriptorSamplers", l.max_per_stage_descriptor_samplers, 16},
+        {"maxPerStageDescriptorSampledImages", l.max_per_stage_descriptor_sampled_images, 16},
+        {"maxVertexInputAttributes", l.max_vertex_input_attributes, 16},
+        {"maxVertexInputBindings", l.max_vertex_input_bindings, 16},
+        {"maxVertexInputAttributeOffset", l.max_vertex_input_attribute_offset, 2047},
+        {"maxVertexInputBindingStride", l.max_vertex_input_binding_stride, 2048},
+        {"maxDrawIndexedIndexValue", l.max_draw_indexed_index_value, 4294967295.0}, // fullDrawIndexUint32
+        {"maxDrawIndirectCount", l.max_draw_indirect_count, 65535},                 // multiDrawIndirect
+        {"maxVertexOutputComponents", l.max_vertex_output_components, 64},
+        {"maxFragmentInputComponents", l.max_fragment_input_components, 64},
+        {"maxClipDistances", l.max_clip_distances, 8},
+        {"maxCullDistances", l.max_cull_distances, 8},
+        {"maxCombinedClipAndCullDistances", l.max_combined_clip_and_cull_distances, 8},
+        {"maxFramebufferWidth", l.max_framebuffer_width, 4096},
+        {"maxFramebufferHeight", l.max_framebuffer_height, 4096},
+        {"maxColorAttachments", l.max_color_attachments, 4},
+        {"maxFragmentOutputAttachments", l.max_fragment_output_attachments, 4},
+        {"maxSampleMaskWords", l.max_sample_mask_words, 1},
+        {"subPixelPrecisionBits", l.sub_pixel_precision_bits, 4},
+        {"maxViewportDimensions[0]", l.max_viewport_dimensions[0], l.max_framebuffer_width},
+        {"maxViewportDimensions[1]", l.max_viewport_dimensions[1], l.max_framebuffer_height},
+        {"-viewportBoundsRange[0]", -(double)l.viewport_bounds_range[0], 2.0 * l.max_viewport_dimensions[0]},
+        {"viewportBoundsRange[1]", (double)l.viewport_bounds_range[1],
+         2.0 * l.max_viewport_dimensions[0] - 1},
+        {"viewportSubPixelBits", l.viewport_sub_pixel_bits, 0},
+        {"-pointSizeRange[0]", -(double)l.point_size_range[0], -1},
+        {"pointSizeRange[1]", (double)l.point_size_range[1], 64},
+        {"-pointSizeGranularity", -(double)l.point_size_granularity, -1},
+        {"-lineWidthRange[0]", -(double)l.line_width_range[0], -1},
+        {"lineWidthRange[1]", (double)l.line_width_range[1], 8},
+        {"-lineWidthGranularity", -(double)l.line_width_granularity, -1},
+        {"subTexelPrecisionBits", l.sub_texel_precision_bits, 4},
+        {"mipmapPrecisionBits", l.mipmap_precision_bits, 4},
+        {"maxSamplerLodBias", (double)l.max_sampler_lod_bias, 2},
+        {"maxSamplerAnisotropy", (double)l.max_sampler_anisotropy, 16},
+        {"-minTexelOffset", -(double)l.min_texel_offset, 8},
+        {"maxTexelOffset", l.max_texel_offset, 7},
+        {"-minTexelGatherOffset", -(double)l.min_texel_gather_offset, 8},
+        {"maxTexelGatherOffset", l.max_texel_gather_offset, 7},
+        {"timestampPeriod", (double)l.timestamp_period, 1},
+    };
+    expect_at_least(rows, sizeof rows / sizeof *rows);
+    const uint32_t counts[] = {l.framebuffer_color_sample_counts, l.framebuffer_depth_sample_counts,
+                               l.framebuffer_stencil_sample_counts};
+    for (size_t i = 0; i < sizeof counts / sizeof *counts; i++) {
+        assert_int_equal(counts[i] & (1 | 4), 1 | 4);
+    }
+    assert_true(l.standard_sample_locations);
+}
+
+// What is drawn with ------------------------------------------------------------------------------------
+
+// Position from attribute 0, which has x alone; the colour is the sum of all, each times its number.
+static void add_attributes(struct rhw_vertex *groups, int count)
+{
+    for (int g = 0; g < count; g++) {
+        rhw_float sum = rhw_splat(0);
+        for (int i = 0; i < RHW_MAX_ATTRIBUTES; i++) {
+            sum += groups[g].attribute[i][0] * (float)(i + 1);
+        }
+        const rhw_int corner = groups[g].vertex_index;
+        groups[g].position[0] =
+            rhw_select(rhw_equal_int(corner, rhw_splat_int(1)), rhw_splat(3), rhw_splat(-1));
+        groups[g].position[1] =
+            rhw_select(rhw_equal_int(corner, rhw_splat_int(2)), rhw_splat(3), rhw_splat(-1));
+        groups[g].position[2] = rhw_splat(0.5f);
+        groups[g].position[3] = rhw_splat(1);
+        for (int c = 0; c < 4; c++) {
+            groups[g].varying[c] = sum;
+        }
+    }
+}
+
+static void test_vertex_buffers(void **state)
+{
+    (void)state;
+    struct rig rig;
+    const int count = (int)rhw_limits_get().max_vertex_input_bindings;
+    rig_open(&rig, 8, 8);
+    rig_set_program(&rig, add_attributes, rig_fragment_pass);
+    rig.pipeline.attribute_count = rig.pipeline.buffer_count = count;
+    for (int i = 0; i < count; i++) {
+        rig.pipeline.attributes[i] = (struct rhw_attribute){RHW_VERTEX_FLOAT1, count - 1 - i, 0};
+        rig.pipeline.buffers[i].stride = sizeof(float);
+    }
+    rig_begin(&rig);
+    rig_use_pipeline(&rig);
+    float expected = 0;
+    for (int i = 0; i < count; i++) {
+        const float value[3] = {(float)(1 << i), (float)(1 << i), (float)(1 << i)};
+        rig_use_vertices(&rig, i, value, sizeof value);
+        expected += (float)((1 << i) * (count - i));
+    }
+    rhw_pass_draw(rig.context, rig.recording, 0, 3, 0, 1);
+    rig_end(&rig);
+    for (int i = 0; i < 64; i++) {
+        assert_true(rig_read_float4(&rig)[i][0] == expected);
+    }
+    rig_close(&rig);
+}
+
+static void last_uniform(struct rhw_fragment *groups, int count)
+{
+    for (int g = 0; g < count; g++) {
+        const float *const uniforms = groups[g].uniforms;
+        for (int c = 0; c < 4; c++) {
+            groups[g].color[0][c] = rhw_splat(uniforms[RHW_MAX_UNIFORM_SIZE / sizeof(float) - 4 + (size_t)c]);
+        }
+    }
+}
+
+static void test_uniforms(void **state)
+{
+    (void)state;
+    static float block[RHW_MAX_UNIFORM_SIZE / sizeof(float)];
+    struct rig rig;
+    struct rig_vertex vertices[6];
+    rig_open(&rig, 8, 8);
+    assert_int_equal(sizeof block, rhw_limits_get().max_uniform_buffer_range);
+    for (size_t i = 0; i < sizeof block / sizeof *block; i++) {
+        block[i] = (float)i;
+    }
+    rig_cover(&rig, 0.5f, (const float[4]){0}, vertices);
+    rig_set_program(&rig, rig_vertex_pass, last_uniform);
+    rig.pipeline.program.uniform_size = sizeof block;
+    rig_begin(&rig);
+    rhw_pass_set_uniforms(rig.context, rig.recording, block, sizeof block);
+    rig_draw(&rig, vertices, 6);
+    rig_end(&rig);
+    assert_memory_equal(rig_read_float4(&rig)[63], block + sizeof block / sizeof *block - 4, 16);
+    rig_close(&rig);
+}
+
+// A target that is as wide as may be, and viewports at the ends of their range: the last pixels are drawn.
+static void test_sizes(void **state)
+{
+    (void)state;
+    const struct rhw_limits limits = rhw_limits_get();
+    const int size = (int)limits.max_framebuffer_width;
+    const float low = limits.viewport_bounds_range[0], high = limits.viewport_bounds_range[1];
+    struct rig rig;
+    struct rig_vertex vertices[6];
+    rig_open(&rig, size, 2);
+    rig_cover(&rig, 0.5f, (const float[4]){1, 2, 3, 4}, vertices);
+    rig_begin(&rig);
+    rig_draw(&rig, vertices, 6);
+    const struct rhw_viewport ends[2] = {
+        {low, low, (float)size, (float)size, 0, 1},
+        {high - (float)size, high - (float)size, (float)size, (float)size, 0, 1}};
+    for (int i = 0; i < 2; i++) { // neither shows anything
+        rhw_pass_set_viewport(rig.context, rig.recording, &ends[i]);
+        rig_draw(&rig, vertices, 6);
+    }
+    rhw_pass_set_viewport(rig.context, rig.recording, &(struct rhw_viewport){low - 1, 0, 8, 8, 0, 1});
+    rig_expect_misuse(&rig, "each is within ±32768");
+    rig_end(&rig);
+    for (int i = 0; i < 2 * size; i++) {
+        assert_memory_equal(rig_read_float4(&rig)[i], ((const float[4]){1, 2, 3, 4}), 16);
+    }
+    rig_close(&rig);
+}
+
+// The largest textures of each kind, as flat as may be.
+static void test_textures(void **state)
+{
+    (void)state;
+    const struct rhw_limits l = rhw_limits_get();
+    const int d1 = (int)l.max_image_dimension_1d, d2 = (int)l.max_image_dimension_2d,
+              d3 = (int)l.max_image_dimension_3d, layers = (int)l.max_image_array_layers;
+    const struct rhw_texture_def defs[] = {
+        {.width = d1, .kind = RHW_TEXTURE_1D},
+        {.width = d1, .kind = RHW_TEXTURE_1D, .layers = layers},
+        {.width = 1, .height = d2},
+        {.width = d2, .height = 1},
+        {.width = 1, .height = 1, .layers = layers},
+        {.width = d3, .height = 1, .kind = RHW_TEXTURE_3D, .depth = d3},
+        {.width = 1, .height = d3, .kind = RHW_TEXTURE_3D, .depth = d3},
+    };
+    struct rig rig;
+    rig_open(&rig, 8, 8);
+    for (size_t i = 0; i < sizeof defs / sizeof *defs; i++) {
+        struct rhw_texture_def def = defs[i];
+        rhw_texture texture;
+        def.format = RHW_FORMAT_R8_UNORM;
+        assert_int_equal(rhw_texture_create(rig.context, &def, &texture), RHW_OK);
+        rhw_texture_destroy(rig.context, texture);
+    }
+    rig_close(&rig);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(test_what_vulkan_requires),
+        cmocka_unit_test(test_vertex_buffers),
+        cmocka_unit_test(test_uniforms),
+        cmocka_unit_test(test_sizes),
+        cmocka_unit_test(test_textures),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}

@@ -1,0 +1,353 @@
+// SPDX-License-Identifier: MIT
+// Rules of multisampled passes off the beaten way: tiles that a wave draws nothing in, stencil by facing after the
+// fragment function, what equal samples resolve to, what is counted, refused and warned of; and what fragments are told
+// of samples where there is one.
+#include "harness.h"
+
+#include <stdio.h>
+#include <string.h>
+
+enum { SIZE = 136, PIXELS = SIZE * SIZE, TILE = 64 }; // three tiles each way, the last ones cut
+
+static const float red[4] = {1, 0, 0, 1}, green[4] = {0, 1, 0, 1};
+
+static void draw_rectangle(struct rig *rig, float x0, float y0, float x1, float y1, const float color[4])
+{
+    struct rig_vertex vertices[6];
+    rig_rectangle(rig, x0, y0, x1, y1, 0.5f, color, vertices);
+    rig_draw(rig, vertices, 6);
+}
+
+// What was resolved is loaded also into tiles where the first wave draws nothing, and a later one does.
+static void test_loading_in_waves(void **state)
+{
+    (void)state;
+    static struct rig_vertex vertices[6000];
+    for (int waves = 0; waves < 2; waves++) {
+        struct rig rig;
+        rig_open_with(&rig, SIZE, SIZE, &(struct rhw_context_def){.threads = 1, .bin_memory = waves ? 1 : 0});
+        rig.pass.samples = 4;
+        rig_begin(&rig);
+        draw_rectangle(&rig, 0, 0, SIZE, SIZE, red);
+        rig_end(&rig);
+        rig.pass.colors[0].load = RHW_LOAD_LOAD;
+        rig_begin(&rig);
+        for (int i = 0; i < 6000; i += 6) {
+            rig_rectangle(&rig, 1, 1, 9, 9, 0.5f, green, vertices + i);
+        }
+        for (int i = 0; i < 9; i++) {
+            rig_draw(&rig, vertices, 6000);
+        }
+        draw_rectangle(&rig, 100, 100, 110, 110, green);
+        rig_end(&rig);
+        assert_true((rig.stats.flushes > 0) == (waves != 0));
+        const float(*const pixels)[4] = rig_read_float4(&rig);
+        for (int p = 0; p < PIXELS; p++) {
+            const int x = p % SIZE, y = p / SIZE;
+            const bool is_green =
+                (x >= 1 && x < 9 && y >= 1 && y < 9) || (x >= 100 && x < 110 && y >= 100 && y < 110);
+            assert_memory_equal(pixels[p], is_green ? green : red, sizeof red);
+        }
+        rig_close(&rig);
+    }
+}
+
+// Stencil after the fragment function goes by facing: triangles that face away take the rule of the back.
+static void test_late_stencil_by_facing(void **state)
+{
+    (void)state;
+    for (int by_alpha = 0; by_alpha < 2; by_alpha++) {
+        struct rig rig;
+        rig_open(&rig, SIZE, SIZE);
+        rig.pass.samples = 4;
+        rig.pass.depth = (struct rhw_depth_attachment){
+            .enabled = true, .format = RHW_FORMAT_S8_UINT, .stencil_store = RHW_STORE_DISCARD};
+        rig.pipeline.stencil_test = true;
+        rig.pipeline.stencil_back.pass = RHW_STENCIL_INVERT;
+        rig.pipeline.alpha_to_coverage = by_alpha;
+        rig.pipeline.program.uses = by_alpha ? 0 : RHW_USE_SAMPLE_MASK;
+        rig_begin(&rig);
+        draw_rectangle(&rig, 0, 0, 40, SIZE, red); // faces the viewer
+        struct rig_vertex away[6];
+        rig_rectangle(&rig, 60, 0, 100, SIZE, 0.5f, red, away);
+        for (int i = 0; i < 6; i += 3) {
+            const struct rig_vertex first = away[i];
+            away[i] = away[i + 1];
+            away[i + 1] = first;
+        }
+        rig_draw(&rig, away, 6);
+        rig.pipeline.alpha_to_coverage = false;
+        rig.pipeline.program.uses = 0;
+        rig.pipeline.stencil_back = (struct rhw_stencil_face){.compares = false};
+        rig.pipeline.stencil_front =
+            (struct rhw_stencil_face){.compares = true, .compare = RHW_COMPARE_NOT_EQUAL};
+        draw_rectangle(&rig, 0, 0, SIZE, SIZE, green);
+        rig_end(&rig);
+        const float(*const pixels)[4] = rig_read_float4(&rig);
+        assert_true(pixels[20][0] == 1 && pixels[20][1] == 0);
+        assert_true(pixels[80][0] == 0 && pixels[80][1] == 1);
+        assert_true(pixels[120][0] == 0 && pixels[120][1] == 0);
+        rig_close(&rig);
+    }
+}
+
+static void sample_fragment(struct rhw_fragment *groups, int count)
+{
+    for (int g = 0; g < count; g++) {
+        struct rhw_fragment *const f = &groups[g];
+        f->color[0][0] = rhw_float_from_int(f->sample_id);
+        f->color[0][1] = f->sample_position[0];
+        f->color[0][2] = f->sample_position[1];
+        f->color[0][3] = rhw_float_from_int(f->sample_mask);
+        f->sample_mask = rhw_splat_int(0);
+    }
+}
+
+// Full rows, parts of blocks and small triangles; what the function leaves in sample_mask has no say.
+static void test_one_sample(void **state)
+{
+    (void)state;
+    const float expected[4] = {0, 0.5f, 0.5f, 1};
+    for (int general = 0; general < 2; general++) {
+        struct rig rig;
+        rig_open_with(
+            &rig, SIZE, SIZE,
+            &(struct rhw_context_def){.threads = 1, .paths = general ? RHW_PATHS_GENERAL : RHW_PATHS_ALL});
+        rig_set_program(&rig, rig_vertex_pass, sample_fragment);
+        rig.pipeline.program.uses = RHW_USE_SAMPLE | RHW_USE_SAMPLE_MASK;
+        rig_begin(&rig);
+        draw_rectangle(&rig, 0, 0, 100, 100, red);
+        for (int i = 0; i < 30; i++) {
+            draw_rectangle(&rig, (float)(4 * i), 110, (float)(4 * i + i % 3 + 1), 113, red);
+        }
+        rig_end(&rig);
+        const float(*const pixels)[4] = rig_read_float4(&rig);
+        for (int i = 0; i < 100 * 100; i++) {
+            assert_memory_equal(pixels[i / 100 * SIZE + i % 100], expected, sizeof expected);
+        }
+        for (int i = 0; i < 30; i++) {
+            assert_memory_equal(pixels[111 * SIZE + 4 * i + i % 3], expected, sizeof expected);
+        }
+        rig_close(&rig);
+    }
+}
+
+// Where samples agree they resolve to themselves, also in blocks that keep them apart: the mean of 16 times 0.1 would
+// round to another float, and a NaN that was loaded keeps its bits.
+static void test_equal_samples_resolve_to_themselves(void **state)
+{
+    (void)state;
+    const enum rhw_resolve modes[] = {RHW_RESOLVE_AVERAGE, RHW_RESOLVE_MIN, RHW_RESOLVE_MAX};
+    static uint32_t texels[PIXELS][4];
+    for (int i = 0; i < PIXELS; i++) {
+        memcpy(texels[i], (const uint32_t[]){0x7fc12345u, 0x80000000u, 0x3dcccccdu, 0xffc00001u},
+               sizeof texels[i]);
+    }
+    for (int m = 0; m < 3; m++) {
+        struct rig rig;
+        rig_open(&rig, SIZE, SIZE);
+        rig_set_depth(&rig);
+        rig.pass.samples = 16;
+        rig.pass.colors[0].load = RHW_LOAD_LOAD;
+        rig.pass.colors[0].resolve_mode = rig.pass.depth.resolve_mode = modes[m];
+        rig.pass.depth.clear = 0.1f;
+        assert_int_equal(rhw_texture_write(rig.context, rig.pass.colors[0].texture, 0, texels, 0), RHW_OK);
+        rig.pipeline.depth_compare = RHW_COMPARE_ALWAYS;
+        rig.pipeline.depth_read_only = true;
+        rig_begin(&rig);
+        draw_rectangle(&rig, 8.5f, 8.5f, 40.5f, 9.5f, red); // expands its blocks
+        rig_end(&rig);
+        const float(*const pixels)[4] = rig_read_float4(&rig);
+        for (int i = 0; i < PIXELS; i++) {
+            const int x = i % SIZE, y = i / SIZE;
+            if ((x < 8 || x > 40 || y < 8 || y > 9) && memcmp(pixels[i], texels[i], sizeof texels[i]) != 0) {
+                uint32_t bits[4];
+                memcpy(bits, pixels[i], sizeof bits);
+                fail_msg("mode %d: pixel %d,%d is %x %x %x %x", m, x, y, bits[0], bits[1], bits[2], bits[3]);
+            }
+        }
+        assert_true(rig_read_depth(&rig)[0] == 0.1f);
+        rig_close(&rig);
+    }
+}
+
+// Shaded sample by sample, each sample counts; else a fragment does once.
+static void test_fragments_are_counted(void **state)
+{
+    (void)state;
+    for (int by_sample = 0; by_sample < 2; by_sample++) {
+        struct rig rig;
+        rig_open(&rig, SIZE, SIZE);
+        rig.pass.samples = 4;
+        rig.pipeline.program.varyings[0].sampling = by_sample ? RHW_SAMPLING_SAMPLE : RHW_SAMPLING_CENTER;
+        rig_begin(&rig);
+        struct rig_vertex over[3];
+        const float corners[3][2] = {{-10, -10}, {3 * SIZE, -10}, {-10, 3 * SIZE}};
+        for (int i = 0; i < 3; i++) {
+            rig_place(&rig, corners[i][0], corners[i][1], 0.5f, 1, over[i].position);
+            memcpy(over[i].value, red, sizeof red);
+        }
+        rig_draw(&rig, over, 3);
+        rig_end(&rig);
+        assert_int_equal(rig.stats.fragments_shaded, by_sample ? 4 * PIXELS : PIXELS);
+        rig_close(&rig);
+    }
+}
+
+// Triangles of a few pixels and of many in one draw, above each other: the last is seen, or all are blended in order.
+static uint64_t hash_of_crowd(int samples, bool blends, enum rhw_compare compare, enum rhw_paths paths)
+{
+    static struct rig_vertex vertices[6000];
+    struct rig rig;
+    uint64_t random = 5, hash = 0;
+    rig_open_with(&rig, SIZE, SIZE, &(struct rhw_context_def){.threads = 1, .paths = paths});
+    const struct rhw_texture_def def = {
+        .format = RHW_FORMAT_RGBA32_FLOAT, .width = SIZE, .height = SIZE, .samples = samples};
+    rhw_texture_destroy(rig.context, rig.pass.colors[0].texture);
+    assert_int_equal(rhw_texture_create(rig.context, &def, &rig.pass.colors[0].texture), RHW_OK);
+    rig.pass.samples = samples;
+    rig.pass.depth =
+        (struct rhw_depth_attachment){.enabled = true, .store = RHW_STORE_DISCARD, .clear = 0.9f};
+    rig.pipeline.depth_test = true;
+    rig.pipeline.depth_compare = compare;
+    rig.pipeline.targets[0].blend = blends;
+    rig.pipeline.targets[0].color =
+        (struct rhw_blend_component){RHW_BLEND_SRC_ALPHA, RHW_BLEND_ONE_MINUS_SRC_ALPHA, RHW_BLEND_ADD};
+    for (int v = 0; v < 6000; v += 3) {
+        const float size = v % 100 < 90 ? 2.5f : 30;
+        const float x = rig_random_float(&random, 0, SIZE), y = rig_random_float(&random, 0, SIZE);
+        const float z = rig_random_float(&random, 0, 1);
+        for (int i = 0; i < 3; i++) {
+            rig_place(&rig, x + rig_random_float(&random, 0, size), y + rig_random_float(&random, 0, size),
+                      z + rig_random_float(&random, 0, 0.1f), 1, vertices[v + i].position);
+            for (int c = 0; c < 4; c++) {
+                vertices[v + i].value[c] = rig_random_float(&random, 0, 1);
+            }
+        }
+    }
+    rig_draw_once(&rig, vertices, 6000);
+    for (int s = 0; s < samples; s++) {
+        static float pixels[PIXELS][4];
+        const rhw_texture texture = rig.pass.colors[0].texture;
+        assert_int_equal(rhw_texture_read_sample(rig.context, texture, s, pixels, 0), RHW_OK);
+        hash = rig_hash_bytes(hash, pixels, sizeof pixels);
+    }
+    rig_close(&rig);
+    return hash;
+}
+
+static void test_order(void **state)
+{
+    (void)state;
+    const enum rhw_compare compares[] = {RHW_COMPARE_ALWAYS, RHW_COMPARE_LESS, RHW_COMPARE_GREATER_EQUAL};
+    for (int i = 0; i < 4 * 3 * 2; i++) {
+        const int samples = 2 << i % 4;
+        const enum rhw_compare compare = compares[i / 4 % 3];
+        const bool blends = i / 12;
+        assert_true(hash_of_crowd(samples, blends, compare, RHW_PATHS_ALL) ==
+                    hash_of_crowd(samples, blends, compare, RHW_PATHS_GENERAL));
+    }
+}
+
+static void test_misuse(void **state)
+{
+    (void)state;
+    struct rig rig;
+    rig_open(&rig, SIZE, SIZE);
+    struct rhw_pipeline_def def = rig.pipeline;
+    rhw_pipeline pipeline;
+    def.alpha_to_coverage = true;
+    def.target_count = 0;
+    assert_int_equal(rhw_pipeline_create(rig.context, &def, &pipeline), RHW_ERROR_MISUSE);
+    rig_expect_misuse(&rig, "alpha_to_coverage is true and no alpha is written");
+    def = rig.pipeline;
+    def.alpha_to_coverage = true;
+    memset(def.program.fragment, 0, sizeof def.program.fragment);
+    def.targets[0].write_mask = RHW_WRITE_NONE;
+    assert_int_equal(rhw_pipeline_create(rig.context, &def, &pipeline), RHW_ERROR_MISUSE);
+    rig_expect_misuse(&rig, "alpha_to_coverage is true and no alpha is written");
+
+    struct rhw_texture_def texture_def = {
+        .format = RHW_FORMAT_RGBA32_FLOAT, .width = SIZE, .height = SIZE, .samples = 4};
+    rhw_texture samples, blocks;
+    static float pixels[PIXELS][4];
+    assert_int_equal(rhw_texture_create(rig.context, &texture_def, &samples), RHW_OK);
+    const int wrong[] = {-1, INT32_MIN, 4};
+    for (int i = 0; i < 3; i++) {
+        char part[64];
+        snprintf(part, sizeof part, "sample is %d; ", i == 1 ? -1 : wrong[i]);
+        assert_int_equal(rhw_texture_read_sample(rig.context, samples, wrong[i], pixels, 0),
+                         RHW_ERROR_MISUSE);
+        assert_non_null(strstr(rig.message, "has samples 0..3"));
+        rig_expect_misuse(&rig, part);
+    }
+    texture_def.format = RHW_FORMAT_BC7_UNORM;
+    texture_def.samples = 1;
+    assert_int_equal(rhw_texture_create(rig.context, &texture_def, &blocks), RHW_OK);
+    rig.pass.samples = 4;
+    const rhw_texture one = rig.pass.colors[0].texture;
+    rig.pass.colors[0].texture = samples;
+    rig.pass.colors[0].resolve = blocks;
+    rhw_pass pass;
+    assert_int_equal(rhw_pass_begin(rig.context, &rig.pass, &pass), RHW_ERROR_MISUSE);
+    rig_expect_misuse(&rig,
+                      "which is RHW_FORMAT_BC7_UNORM with 1 samples; it must be RHW_FORMAT_RGBA32_FLOAT");
+    rig.pass.colors[0].texture = one;
+    rig.pass.colors[0].resolve = (rhw_texture){0};
+    rhw_texture_destroy(rig.context, samples);
+    rhw_texture_destroy(rig.context, blocks);
+    rig_close(&rig);
+}
+
+static char logged[512];
+
+static void keep_log(void *user, enum rhw_log_level level, const char *message)
+{
+    (void)user;
+    if (level == RHW_LOG_WARNING) {
+        snprintf(logged, sizeof logged, "%s", message);
+    }
+}
+
+// Under validation a pass of one sample tells what of a pipeline it has no use for; one of several does not.
+static void test_warnings(void **state)
+{
+    (void)state;
+    static const char *const names[] = {"alpha_to_coverage", "alpha_to_one", "sample_mask"};
+    for (int i = 0; i < 3 * 4; i++) {
+        const bool validates = i % 2, several = i / 2 % 2;
+        struct rig rig;
+        rig_open_with(&rig, 8, 8,
+                      &(struct rhw_context_def){.threads = 1,
+                                                .validate = validates ? RHW_VALIDATE_ON : RHW_VALIDATE_OFF,
+                                                .log = keep_log});
+        rig.pass.samples = several ? 4 : 1;
+        rig.pipeline.alpha_to_coverage = i / 4 == 0;
+        rig.pipeline.alpha_to_one = i / 4 == 1;
+        rig.pipeline.sample_mask = i / 4 == 2 ? 3 : 0;
+        logged[0] = 0;
+        rig_begin(&rig);
+        rig_use_pipeline(&rig);
+        char expected[64];
+        snprintf(expected, sizeof expected, "has %s set and the pass has one sample", names[i / 4]);
+        assert_true((strstr(logged, expected) != NULL) == (validates && !several));
+        assert_true((logged[0] != 0) == (validates && !several));
+        rig_end(&rig);
+        rig_close(&rig);
+    }
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(test_loading_in_waves),
+        cmocka_unit_test(test_late_stencil_by_facing),
+        cmocka_unit_test(test_one_sample),
+        cmocka_unit_test(test_equal_samples_resolve_to_themselves),
+        cmocka_unit_test(test_fragments_are_counted),
+        cmocka_unit_test(test_order),
+        cmocka_unit_test(test_misuse),
+        cmocka_unit_test(test_warnings),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}
