@@ -66,7 +66,8 @@ static uint32_t *word_at(const struct rhw_storage_image *image, const int32_t *a
 
 static bool has_atomics(const struct rhw_storage_image *image)
 {
-    return image->texture && image->texture->format == RHW_FORMAT_R32_UINT;
+    return image->texture &&
+           (image->texture->format == RHW_FORMAT_R32_UINT || image->texture->format == RHW_FORMAT_R32_SINT);
 }
 
 void rhw_image_atomic(const struct rhw_bindings *textures, int slot,

@@ -58,6 +58,18 @@ struct rhw_limits rhw_limits_get(void)
         .min_texel_gather_offset = -32768,
         .max_texel_offset = 32767,
         .max_texel_gather_offset = 32767,
+        .max_per_stage_descriptor_storage_buffers = RHW_MAX_STORAGE_BUFFERS,
+        .max_per_stage_descriptor_storage_images = RHW_MAX_STORAGE_IMAGES,
+        .max_per_stage_descriptor_input_attachments = RHW_MAX_COLOR_ATTACHMENTS + 1,
+        .max_fragment_combined_output_resources =
+            RHW_MAX_COLOR_ATTACHMENTS + RHW_MAX_STORAGE_BUFFERS + RHW_MAX_STORAGE_IMAGES,
+        .max_storage_buffer_range = UINT32_MAX,
+        .max_texel_buffer_elements = RHW_MAX_TEXEL_BUFFER,
+        .min_storage_buffer_offset_alignment = 4,
+        .min_texel_buffer_offset_alignment = 16,
+        .sampled_image_color_sample_counts = SAMPLE_COUNTS,
+        .sampled_image_depth_sample_counts = SAMPLE_COUNTS,
+        .storage_image_sample_counts = 1,
         .timestamp_period = 1,
     };
 }

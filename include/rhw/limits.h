@@ -50,6 +50,16 @@ struct rhw_limits {
     int32_t min_texel_offset, min_texel_gather_offset;
     uint32_t max_texel_offset, max_texel_gather_offset;
 
+    // Storage. Slots are shared by both functions of a program; offsets in bytes.
+    uint32_t max_per_stage_descriptor_storage_buffers, max_per_stage_descriptor_storage_images;
+    uint32_t max_per_stage_descriptor_input_attachments; ///< every colour target, and depth
+    uint32_t max_fragment_combined_output_resources;
+    uint32_t max_storage_buffer_range, max_texel_buffer_elements;
+    uint32_t min_storage_buffer_offset_alignment, min_texel_buffer_offset_alignment;
+    uint32_t sampled_image_color_sample_counts,
+        sampled_image_depth_sample_counts; ///< by rhw_sample_fetch_sample
+    uint32_t storage_image_sample_counts;
+
     float timestamp_period; ///< nanoseconds of a step of rhw_query_counts.timestamp_ns
 };
 

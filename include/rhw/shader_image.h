@@ -21,7 +21,7 @@ RHW_API void rhw_image_size1(const struct rhw_bindings *textures, int slot, int3
 /// The texel at `at` of image slot `slot`, 0..RHW_MAX_STORAGE_IMAGES − 1, that a group's `textures` stand for: `at` has x,
 /// y and z as the texture has them, and the layer of an array; of a cube x, y and 6 × cube + face; of a texel buffer x. It
 /// is decoded as by rhw_sample_fetch; integer formats give their bits. Outside it is 0 in the channels that the format
-/// has; those that it lacks are 0, 0, 0, 1, as all are in a slot without an image (robustImageAccess2).
+/// has; those that it lacks are 0, 0, 0, 1, of integers the whole number, as all are in a slot without an image (robustImageAccess2).
 RHW_API void rhw_image_load(const struct rhw_bindings *textures, int slot, const rhw_int *at,
                             rhw_float texel[4]);
 
@@ -30,7 +30,7 @@ RHW_API void rhw_image_load(const struct rhw_bindings *textures, int slot, const
 RHW_API void rhw_image_store(const struct rhw_bindings *textures, int slot, const rhw_int *at,
                              const rhw_int *mask, const rhw_float texel[4]);
 
-/// Does what the request says to texels of R32_UINT: request->index is what `at` is elsewhere. `before` gets the texels as
+/// Does what the request says to texels of R32_UINT and R32_SINT: request->index is what `at` is elsewhere. `before` gets the texels as
 /// they were, 0 outside and with other formats, which stay as they are; it may be NULL.
 RHW_API void rhw_image_atomic(const struct rhw_bindings *textures, int slot,
                               const struct rhw_storage_request *request, rhw_int *before);

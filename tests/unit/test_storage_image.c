@@ -132,7 +132,11 @@ static void check_format(enum rhw_format format, bool one, const struct rhw_cont
         }
     } else if (format == RHW_FORMAT_R32_FLOAT || format == RHW_FORMAT_R32_UINT) {
         assert_memory_equal(&pixels[last][0], stored + 4 * (size_t)last, 4);
-        assert_true(pixels[last][1] == 0 && pixels[last][2] == 0 && pixels[last][3] == 1);
+        const uint32_t whole_one = 1; // of integers
+        const float one_float = 1;
+        const bool is_float = format == RHW_FORMAT_R32_FLOAT;
+        assert_true(pixels[last][1] == 0 && pixels[last][2] == 0);
+        assert_memory_equal(&pixels[last][3], is_float ? (const void *)&one_float : &whole_one, 4);
     }
     rhw_texture_destroy(rig.context, image);
     rig_close(&rig);
@@ -273,10 +277,12 @@ static void atomics(void **state)
         uint32_t counts[WIDTH * HEIGHT];
         rig_open(&rig, WIDTH, HEIGHT);
         const rhw_texture floats = make_plain(&rig, RHW_FORMAT_R32_FLOAT),
-                          image = make_texture(&rig, &(struct rhw_texture_def){.format = RHW_FORMAT_R32_UINT,
-                                                                               .width = WIDTH,
-                                                                               .height = HEIGHT,
-                                                                               .layers = 2});
+                          image = make_texture(&rig,
+                                               &(struct rhw_texture_def){.format = one ? RHW_FORMAT_R32_SINT
+                                                                                       : RHW_FORMAT_R32_UINT,
+                                                                         .width = WIDTH,
+                                                                         .height = HEIGHT,
+                                                                         .layers = 2});
         rig_begin(&rig);
         rhw_pass_set_storage_image(rig.context, rig.recording, 0, image, 0);
         rhw_pass_set_storage_image(rig.context, rig.recording, 1, floats, 0);
