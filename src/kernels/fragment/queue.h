@@ -10,7 +10,6 @@
 #include "../tile_work.h"
 #include "blend.h"
 #include "sample_queue.h"
-#include "target_input.h"
 
 static void run_fragment_function(const struct tile_work *work, int count)
 {
@@ -109,9 +108,6 @@ RHW_INLINE void finish_queue(struct tile_work *work)
 static void shade_queue(struct tile_work *work)
 {
     struct fragment_queue *const queue = &work->scratch->queue;
-    if (work->plan.reads_targets) {
-        read_targets(work);
-    }
     run_fragment_function(work, queue->count);
     if (work->samples > 1) {
         finish_sample_queue(work);

@@ -19,14 +19,14 @@ static int plane_of_group(const struct fragment_queue *queue, int g)
     return __builtin_ctz((unsigned)samples);
 }
 
-// Decodes them into the groups' colours and depth inputs.
-static __attribute__((noinline)) void read_targets(struct tile_work *work)
+// Decodes them into the colours and depth inputs of `added` groups from `first` on, before which the queue is empty.
+static __attribute__((noinline)) void read_targets(const struct tile_work *work, int first, int added)
 {
     struct rhw_tile_scratch *const scratch = work->scratch;
     struct fragment_queue *const queue = &scratch->queue;
     const uint32_t uses = work->pipeline->def.program.uses;
     const int count = uses & RHW_USE_COLOR_INPUT ? work->pass->color_count : 0;
-    for (int g = 0; g < queue->count; g++) {
+    for (int g = first; g < first + added; g++) {
         const int at = queue->row_at[g];
         const int sample = work->samples > 1 ? plane_of_group(queue, g) : 0;
         const bool is_expanded = scratch->expanded >> block_of_texel(at) & 1;
