@@ -51,6 +51,8 @@ struct rhw_binding rhw_binding_of(const struct rhw_kernels *kernels, enum rhw_pa
                                   const struct rhw_texture_data *texture,
                                   const struct rhw_sampler_data *sampler)
 {
+    const struct rhw_texture_data *const multisampled = texture && texture->samples > 1 ? texture : NULL;
+    texture = multisampled ? NULL : texture;
     const bool special = paths != RHW_PATHS_GENERAL;
     const bool fixed =
         texture && texture->is_plain && sampler->filters_fixed && texture->info->path != RHW_TEXELS_GENERAL;
@@ -58,7 +60,8 @@ struct rhw_binding rhw_binding_of(const struct rhw_kernels *kernels, enum rhw_pa
                                   .sample_offset = kernels->sample_general,
                                   .general = kernels->sample_general,
                                   .texture = texture,
-                                  .sampler = sampler};
+                                  .sampler = sampler,
+                                  .multisampled = multisampled};
     if (texture && (!texture->is_plain || sampler->is_general)) {
         binding.sample = kernels->sample_general;
     } else if (fixed && texture->info->path == RHW_TEXELS_RGBA8_UNORM) {
@@ -145,6 +148,19 @@ void rhw_sample_fetch(const struct rhw_bindings *textures, int slot, const rhw_i
     if (binding) {
         textures->kernels->fetch(binding, at, level, texel);
         swizzle(binding->texture, texel);
+    } else {
+        no_texel(texel);
+    }
+}
+
+void rhw_sample_fetch_sample(const struct rhw_bindings *textures, int slot, const rhw_int *at,
+                             const rhw_int *sample, rhw_float texel[4])
+{
+    if (textures->site.findings) {
+        rhw_watch_samples(textures, slot);
+    }
+    if ((unsigned)slot < RHW_MAX_TEXTURES && textures->slot[slot].multisampled) {
+        textures->kernels->fetch_sample(textures->slot[slot].multisampled, at, sample, texel);
     } else {
         no_texel(texel);
     }

@@ -23,6 +23,7 @@ struct rhw_binding {
     // The texture is filtered in fixed point and special paths are taken: rhw_sample_groups may sample it together with
     // others.
     bool shares_footprints;
+    const struct rhw_texture_data *multisampled; // in the place of `texture`; NULL: none
 };
 
 struct rhw_findings;

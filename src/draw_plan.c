@@ -18,18 +18,20 @@ static bool drops_late(const struct rhw_pipeline_def *def, int samples)
     return def->program.uses & (RHW_USE_DISCARD | RHW_USE_DEPTH) || masks_samples(def, samples);
 }
 
-// Whether depth is tested after it: for that reason, or since the function has effects for fragments that fail too.
+// Whether depth is tested after it: for that reason, since the function has effects for fragments that fail too, or reads
+// what depth was before.
 static bool tests_late(const struct rhw_pipeline_def *def, int samples)
 {
     return !def->program.early_fragment_tests &&
-           (drops_late(def, samples) || def->program.uses & RHW_USE_EFFECTS);
+           (drops_late(def, samples) || def->program.uses & (RHW_USE_EFFECTS | RHW_USE_DEPTH_INPUT));
 }
 
 static enum rhw_sampling choose_sampling(const struct rhw_pipeline_data *pipeline, int samples)
 {
-    return samples == 1                                  ? RHW_SAMPLING_CENTER
-           : pipeline->def.program.uses & RHW_USE_SAMPLE ? RHW_SAMPLING_SAMPLE
-                                                         : pipeline->sampling;
+    const uint32_t each = RHW_USE_SAMPLE | RHW_USE_COLOR_INPUT | RHW_USE_DEPTH_INPUT;
+    return samples == 1                        ? RHW_SAMPLING_CENTER
+           : pipeline->def.program.uses & each ? RHW_SAMPLING_SAMPLE
+                                               : pipeline->sampling;
 }
 
 static enum rhw_shading choose_shading(const struct rhw_pipeline_data *pipeline, enum rhw_phase phase,
@@ -42,12 +44,10 @@ static enum rhw_shading choose_shading(const struct rhw_pipeline_data *pipeline,
     if (!(pipeline->fragment || pipeline->def.program.fragment1) || phase == RHW_PHASE_DEPTH) {
         return RHW_SHADING_NONE;
     }
-    // What a fragment function sees of samples, and does to them, is kept by rows; so are its effects where it may drop
-    // fragments, or is called for some that are not seen.
-    const bool has_effects = uses & RHW_USE_EFFECTS &&
-                             (drops_late(&pipeline->def, samples) || tests_late(&pipeline->def, samples));
+    // What a fragment function sees of samples, and does to them, is kept by rows; and in other groups a pixel may be
+    // twice, which effects must not meet.
     const bool by_rows =
-        samples > 1 && (masks_samples(&pipeline->def, samples) || uses & RHW_USE_DEPTH || has_effects ||
+        samples > 1 && (masks_samples(&pipeline->def, samples) || uses & (RHW_USE_DEPTH | RHW_USE_EFFECTS) ||
                         choose_sampling(pipeline, samples) != RHW_SAMPLING_CENTER);
     if (paths == RHW_PATHS_GENERAL || by_rows) {
         return RHW_SHADING_ROWS;
@@ -84,7 +84,7 @@ static enum rhw_depth_mode choose_depth_mode(const struct rhw_pipeline_def *def,
     }
     // A fragment that fails an ordering test now fails it later too, as depth only moves that way meanwhile. How many do
     // so now depends on the path: what is counted is tested once.
-    const bool can_reject = !(uses & (RHW_USE_DEPTH | RHW_USE_EFFECTS)) &&
+    const bool can_reject = !(uses & (RHW_USE_DEPTH | RHW_USE_EFFECTS | RHW_USE_DEPTH_INPUT)) &&
                             direction_of(def->depth_compare) != 0 && !depth_stencil->tests_stencil &&
                             !depth_stencil->tests_bounds && !depth_stencil->counts;
     return can_reject ? RHW_DEPTH_EARLY_REJECT : RHW_DEPTH_LATE;
@@ -146,7 +146,10 @@ static struct rhw_draw_plan plan_of(const struct rhw_pipeline_data *pipeline,
                                     int samples, enum rhw_paths paths)
 {
     const uint32_t uses = pipeline->def.program.uses;
-    struct rhw_draw_plan plan = {.shading = choose_shading(pipeline, phase, samples, paths),
+    const bool reads_targets = uses & (RHW_USE_COLOR_INPUT | RHW_USE_DEPTH_INPUT);
+    paths = reads_targets ? RHW_PATHS_GENERAL : paths; // whose groups are rows
+    struct rhw_draw_plan plan = {.reads_targets = reads_targets,
+                                 .shading = choose_shading(pipeline, phase, samples, paths),
                                  .sampling = choose_sampling(pipeline, samples),
                                  .masks_samples = masks_samples(&pipeline->def, samples)};
     const bool shades = plan.shading != RHW_SHADING_NONE;

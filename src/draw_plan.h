@@ -72,6 +72,7 @@ struct rhw_draw_plan {
     struct rhw_depth_rule early, late; // before and after the fragment function
     enum rhw_rule_name early_name;
     enum rhw_sampling sampling; // of a multisampled pass; CENTER in others
+    bool reads_targets;         // before the fragment function (kernels/fragment/target_input.h)
     bool masks_samples;         // after the fragment function: by alpha, or the function itself
     bool is_full;               // tests are full ones (kernels/raster/full_test.h)
     bool is_biased;             // depth is

@@ -27,7 +27,8 @@ static inline bool rhw_hidden_rule_equal(struct rhw_hidden_rule a, struct rhw_hi
 
 // The rule of draws with that state, which has its pipeline, blending, and depth and stencil. In order go draws that
 // blend, keep a part of a texel, test depth without writing it, compute it, test stencil or depth bounds, are counted
-// by a query, discard without a depth test, have effects, or ask for early tests.
+// by a query, discard without a depth test, have effects, read their targets, or ask for early
+// tests.
 struct rhw_hidden_rule rhw_hidden_rule_of(const struct rhw_draw_state *state, int color_count);
 
 #endif

@@ -88,6 +88,9 @@ static bool targets_match(const struct rhw_pass_state *pass, rhw_pipeline id,
                      pass->has_depth || !(pipeline->def.depth_test || pipeline->def.depth_bounds_test),
                      "%s: %s tests depth; the pass has no depth attachment", where,
                      rhw_name_of(&context->pipelines, id.index).text) &&
+           rhw_check(context, pass->has_depth || !(pipeline->def.program.uses & RHW_USE_DEPTH_INPUT),
+                     "%s: %s reads depth_input; the pass has no depth attachment", where,
+                     rhw_name_of(&context->pipelines, id.index).text) &&
            rhw_check(context, pass->has_stencil || !pipeline->def.stencil_test,
                      "%s: %s tests stencil; the pass has no stencil attachment", where,
                      rhw_name_of(&context->pipelines, id.index).text);
@@ -244,8 +247,6 @@ static bool check_sampled(const rhw_context *context, rhw_texture id, int slot, 
            rhw_check(context, rhw_format_has_role(texture->info, RHW_ROLE_SAMPLED),
                      "%s: %s is %s; it cannot be sampled", where,
                      rhw_name_of(&context->textures, id.index).text, texture->info->name) &&
-           rhw_check(context, texture->samples == 1, "%s: %s has %d samples; it cannot be sampled", where,
-                     rhw_name_of(&context->textures, id.index).text, texture->samples) &&
            rhw_check(context, !rhw_texture_is_attached(context, texture),
                      "%s: %s, for slot %d, is an attachment of this pass", where,
                      rhw_name_of(&context->textures, id.index).text, slot);
@@ -280,6 +281,12 @@ static bool check_sampler(const rhw_context *context, rhw_texture id, rhw_sample
                      rhw_name_of(&context->textures, id.index).text, (int)shape->kind, shape->layers);
 }
 
+// Single samples are not filtered. False when out of memory.
+static bool linearize(struct rhw_context *context, struct rhw_texture_data *texture)
+{
+    return texture->samples > 1 || rhw_texture_linearize(context, texture);
+}
+
 static void set_texture(struct rhw_pass_state *pass, int slot, rhw_texture texture, rhw_sampler sampler)
 {
     static const char *const where = "rhw_pass_set_texture";
@@ -298,7 +305,7 @@ static void set_texture(struct rhw_pass_state *pass, int slot, rhw_texture textu
         }
         bound.texture = rhw_pool_get(&context->textures, texture.index, texture.generation);
         rhw_texture_note_sampled(*bound.texture, context->recording.generation);
-        pass->out_of_memory |= !rhw_texture_linearize(context, *bound.texture);
+        pass->out_of_memory |= !linearize(context, *bound.texture);
         rhw_pool_use(&context->textures, texture.index, context->recording.generation);
         rhw_pool_use(&context->samplers, sampler.index, context->recording.generation);
     }
@@ -501,7 +508,7 @@ static bool resolve_textures(struct rhw_pass_state *pass)
     for (int i = 0; i < RHW_MAX_TEXTURES; i++) {
         const struct rhw_bound_texture *const bound = &pass->bound.textures[i];
         if (bound->texture) {
-            if (!rhw_texture_linearize(context, *bound->texture)) {
+            if (!linearize(context, *bound->texture)) {
                 return false;
             }
             bindings->slot[i] =

@@ -79,11 +79,19 @@ struct rhw_bound_range {
     const struct rhw_buffer_data *data; // NULL: nothing is set
     size_t offset, size;                // bytes
 };
+// A level of a texture, or a range of a buffer as texels.
+struct rhw_bound_image {
+    struct rhw_texture_data *const *texture; // in the context's pool; NULL: none
+    int level;
+    struct rhw_bound_range range;
+    enum rhw_format format; // of the range
+};
 struct rhw_bound {
     struct rhw_bound_buffer vertices[RHW_MAX_VERTEX_BUFFERS], indices;
     struct rhw_bound_texture textures[RHW_MAX_TEXTURES];
     rhw_pipeline pipeline; // for messages
     struct rhw_bound_range storage[RHW_MAX_STORAGE_BUFFERS];
+    struct rhw_bound_image images[RHW_MAX_STORAGE_IMAGES];
 };
 
 struct rhw_pass_state {

@@ -3,20 +3,23 @@
 #include "pass_storage.h"
 
 #include "buffer.h"
+#include "clean_tiles.h"
 #include "context.h"
 #include "entry.h"
+#include "format.h"
 #include "lookup.h"
 #include "misuse.h"
 #include "pass_enter.h"
 #include "pass_state.h"
 #include "rhw/rhw.h"
+#include "shared_texels.h"
+#include "texture.h"
+#include "texture_access.h"
 
-static bool check_storage(const struct rhw_context *context, rhw_buffer id,
-                          const struct rhw_buffer_data *data, size_t offset, size_t size, const char *where)
+static bool check_range(const struct rhw_context *context, rhw_buffer id, const struct rhw_buffer_data *data,
+                        size_t offset, size_t size, const char *where)
 {
-    return rhw_check(context, offset % 4 == 0, "%s: offset is %zu; it must be a multiple of 4", where,
-                     offset) &&
-           rhw_check(context, offset <= data->size && size <= data->size - offset,
+    return rhw_check(context, offset <= data->size && size <= data->size - offset,
                      "%s: offset is %zu and size is %zu; together they must stay within the %zu bytes of %s",
                      where, offset, size, data->size, rhw_name_of(&context->buffers, id.index).text) &&
            rhw_check(context, data->captured_pass != context->recording.generation,
@@ -27,27 +30,35 @@ static bool check_storage(const struct rhw_context *context, rhw_buffer id,
                      rhw_name_of(&context->buffers, id.index).text);
 }
 
+// Makes bytes of a live buffer ones that shader functions write. False when that is misuse.
+static bool bind_range(struct rhw_context *context, rhw_buffer id, size_t offset, size_t size,
+                       const char *where, struct rhw_bound_range *range)
+{
+    struct rhw_buffer_data *const data = rhw_context_buffer(context, id, where);
+    if (!data || !check_range(context, id, data, offset, size, where) ||
+        !rhw_buffer_check_unmapped(context, id, data, where)) {
+        return false;
+    }
+    data->stored_pass = context->recording.generation;
+    rhw_pool_use(&context->buffers, id.index, context->recording.generation);
+    *range = (struct rhw_bound_range){data, offset, size == 0 ? data->size - offset : size};
+    return true;
+}
+
 static void set_storage_buffer(struct rhw_pass_state *pass, int slot, rhw_buffer id, size_t offset,
                                size_t size)
 {
     static const char *const where = "rhw_pass_set_storage_buffer";
     struct rhw_context *const context = pass->context;
-    struct rhw_bound_range bound = {NULL, 0, 0};
+    struct rhw_bound_range range = {NULL, 0, 0};
     if (!rhw_check(context, slot >= 0 && slot < RHW_MAX_STORAGE_BUFFERS, "%s: slot is %d; it is in 0..%d",
-                   where, slot, RHW_MAX_STORAGE_BUFFERS - 1)) {
+                   where, slot, RHW_MAX_STORAGE_BUFFERS - 1) ||
+        !rhw_check(context, offset % 4 == 0, "%s: offset is %zu; it must be a multiple of 4", where,
+                   offset) ||
+        (id.index != 0 && !bind_range(context, id, offset, size, where, &range))) {
         return;
     }
-    if (id.index != 0) {
-        struct rhw_buffer_data *const data = rhw_context_buffer(context, id, where);
-        if (!data || !check_storage(context, id, data, offset, size, where) ||
-            !rhw_buffer_check_unmapped(context, id, data, where)) {
-            return;
-        }
-        data->stored_pass = context->recording.generation;
-        rhw_pool_use(&context->buffers, id.index, context->recording.generation);
-        bound = (struct rhw_bound_range){data, offset, size == 0 ? data->size - offset : size};
-    }
-    pass->bound.storage[slot] = bound;
+    pass->bound.storage[slot] = range;
     pass->textures_changed = true;
 }
 
@@ -61,10 +72,134 @@ void rhw_pass_set_storage_buffer(rhw_context *context, rhw_pass id, int slot, rh
     }
 }
 
+// Images and texel buffers ------------------------------------------------------------------------------
+
+static bool check_slot(const struct rhw_context *context, int slot, const char *where)
+{
+    return rhw_check(context, slot >= 0 && slot < RHW_MAX_STORAGE_IMAGES, "%s: slot is %d; it is in 0..%d",
+                     where, slot, RHW_MAX_STORAGE_IMAGES - 1);
+}
+
+static bool check_image(const struct rhw_context *context, rhw_texture id,
+                        const struct rhw_texture_data *texture, int level, const char *where)
+{
+    const uint32_t generation = context->recording.generation;
+    const bool is_stored = texture->stored_pass == generation;
+    return rhw_check(context, level >= 0 && level < texture->levels, "%s: level is %d; %s has levels 0..%d",
+                     where, level, rhw_name_of(&context->textures, id.index).text, texture->levels - 1) &&
+           rhw_check(context,
+                     texture->info == rhw_format_info(texture->format) &&
+                         rhw_format_has_role(texture->info, RHW_ROLE_COLOR_TARGET),
+                     "%s: %s is %s; it must be a format that can be drawn into as colour", where,
+                     rhw_name_of(&context->textures, id.index).text,
+                     rhw_format_info(texture->format)->name) &&
+           rhw_check(context, texture->samples == 1, "%s: %s has %d samples; it must have one", where,
+                     rhw_name_of(&context->textures, id.index).text, texture->samples) &&
+           rhw_check(context, !texture->swizzles, "%s: %s is a view that swizzles; it must have its channels in order",
+                     where, rhw_name_of(&context->textures, id.index).text) &&
+           rhw_check(context, is_stored || !rhw_texture_is_attached(context, texture),
+                     "%s: %s is an attachment of this pass", where,
+                     rhw_name_of(&context->textures, id.index).text) &&
+           rhw_check(context, is_stored || rhw_pool_last_use(&context->textures, id.index) != generation,
+                     "%s: %s is sampled in this pass", where, rhw_name_of(&context->textures, id.index).text);
+}
+
+static void bind_image(struct rhw_pass_state *pass, int slot, struct rhw_bound_image image)
+{
+    pass->bound.images[slot] = image;
+    pass->textures_changed = true;
+}
+
+static void set_storage_image(struct rhw_pass_state *pass, int slot, rhw_texture id, int level)
+{
+    static const char *const where = "rhw_pass_set_storage_image";
+    struct rhw_context *const context = pass->context;
+    struct rhw_bound_image bound = {.texture = NULL};
+    if (!check_slot(context, slot, where)) {
+        return;
+    }
+    if (id.index != 0) {
+        struct rhw_texture_data *const texture = rhw_context_texture(context, id, where);
+        if (!texture || !check_image(context, id, texture, level, where)) {
+            return;
+        }
+        texture->stored_pass = context->recording.generation;
+        rhw_texture_note_attached(texture, context->recording.generation);
+        texture->written |= 1u << level;
+        texture->linear_is_current = false;
+        rhw_clean_tiles_forget(texture->clean);
+        rhw_pool_use(&context->textures, id.index, context->recording.generation);
+        bound.texture = rhw_pool_get(&context->textures, id.index, id.generation);
+        bound.level = level;
+    }
+    bind_image(pass, slot, bound);
+}
+
+void rhw_pass_set_storage_image(rhw_context *context, rhw_pass id, int slot, rhw_texture texture, int level)
+{
+    struct rhw_pass_state *const pass = rhw_pass_enter(context, id, "rhw_pass_set_storage_image");
+    if (pass) {
+        set_storage_image(pass, slot, texture, level);
+        rhw_context_leave(context);
+    }
+}
+
+static bool check_texels(const struct rhw_context *context, enum rhw_format format, size_t offset,
+                         const char *where)
+{
+    if (!rhw_check_format(context, where, "format", format)) {
+        return false;
+    }
+    const struct rhw_format_info *const info = rhw_format_info(format);
+    const bool is_color = rhw_format_decoded(format) == format && info->codec != RHW_CODEC_NONE &&
+                          !rhw_format_has_role(info, RHW_ROLE_DEPTH_TARGET | RHW_ROLE_STENCIL_TARGET);
+    return rhw_check(context, is_color, "%s: format is %s; it must be of colour, and not compressed", where,
+                     info->name) &&
+           rhw_check(context, offset % info->size == 0,
+                     "%s: offset is %zu; it must be a multiple of the %d bytes of a texel of %s", where,
+                     offset, info->size, info->name);
+}
+
+static void set_texel_buffer(struct rhw_pass_state *pass, int slot, rhw_buffer id, enum rhw_format format,
+                             size_t offset, size_t size)
+{
+    static const char *const where = "rhw_pass_set_texel_buffer";
+    struct rhw_context *const context = pass->context;
+    struct rhw_bound_image bound = {.texture = NULL};
+    if (!check_slot(context, slot, where)) {
+        return;
+    }
+    if (id.index != 0) {
+        if (!check_texels(context, format, offset, where) ||
+            !bind_range(context, id, offset, size, where, &bound.range)) {
+            return;
+        }
+        bound.format = format;
+    }
+    bind_image(pass, slot, bound);
+}
+
+void rhw_pass_set_texel_buffer(rhw_context *context, rhw_pass id, int slot, rhw_buffer buffer,
+                               enum rhw_format format, size_t offset, size_t size)
+{
+    struct rhw_pass_state *const pass = rhw_pass_enter(context, id, "rhw_pass_set_texel_buffer");
+    if (pass) {
+        set_texel_buffer(pass, slot, buffer, format, offset, size);
+        rhw_context_leave(context);
+    }
+}
+
+// For draws ---------------------------------------------------------------------------------------------
+
 static bool has_storage(const struct rhw_bound *bound)
 {
     for (int i = 0; i < RHW_MAX_STORAGE_BUFFERS; i++) {
         if (bound->storage[i].data) {
+            return true;
+        }
+    }
+    for (int i = 0; i < RHW_MAX_STORAGE_IMAGES; i++) {
+        if (bound->images[i].texture || bound->images[i].range.data) {
             return true;
         }
     }
@@ -79,6 +214,34 @@ static struct rhw_storage_words words_of(const struct rhw_bound_range *range)
                        : (struct rhw_storage_words){NULL, 0};
 }
 
+// A texel buffer as a texture of one row. NULL when out of memory.
+static const struct rhw_texture_data *row_of_texels(const struct rhw_bound_image *bound,
+                                                    struct rhw_arena *arena)
+{
+    struct rhw_texture_data *const texture = rhw_arena_alloc(arena, sizeof *texture, RHW_CACHE_LINE);
+    const size_t count = bound->range.size / rhw_format_size(bound->format);
+    if (!texture) {
+        return NULL;
+    }
+    const int width = count < RHW_MAX_TEXEL_BUFFER ? (int)count : RHW_MAX_TEXEL_BUFFER;
+    const struct rhw_texture_shape shape = {.kind = RHW_TEXTURE_1D, .width = width, .height = 1, .depth = 1, .layers = 1, .levels = 1, .samples = 1};
+    rhw_texture_data_init(texture, bound->format, &shape);
+    texture->mip[0].texels = bound->range.data->bytes + bound->range.offset;
+    return texture;
+}
+
+// False when out of memory.
+static bool image_of(const struct rhw_bound_image *bound, struct rhw_arena *arena,
+                     struct rhw_storage_image *image)
+{
+    const bool has_texels = bound->range.data && bound->range.size >= rhw_format_size(bound->format);
+    *image = (struct rhw_storage_image){bound->texture ? *bound->texture : NULL, bound->level};
+    if (has_texels) {
+        image->texture = row_of_texels(bound, arena);
+    }
+    return image->texture || !has_texels;
+}
+
 const struct rhw_storage *rhw_pass_storage_of(struct rhw_pass_state *pass)
 {
     if (!has_storage(&pass->bound)) {
@@ -87,6 +250,11 @@ const struct rhw_storage *rhw_pass_storage_of(struct rhw_pass_state *pass)
     struct rhw_storage *const storage = rhw_arena_alloc(&pass->arena, sizeof *storage, RHW_CACHE_LINE);
     for (int i = 0; storage && i < RHW_MAX_STORAGE_BUFFERS; i++) {
         storage->buffers[i] = words_of(&pass->bound.storage[i]);
+    }
+    for (int i = 0; storage && i < RHW_MAX_STORAGE_IMAGES; i++) {
+        if (!image_of(&pass->bound.images[i], &pass->arena, &storage->images[i])) {
+            return NULL;
+        }
     }
     return storage;
 }

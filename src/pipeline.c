@@ -21,7 +21,7 @@ static const char *const create_name = "rhw_pipeline_create";
 static const uint32_t known_uses = RHW_USE_COORD | RHW_USE_FACING | RHW_USE_IDS | RHW_USE_BARYCENTRIC |
                                    RHW_USE_DISCARD | RHW_USE_DEPTH | RHW_USE_BARYCENTRIC_DERIVATIVES |
                                    RHW_USE_SAMPLE | RHW_USE_SAMPLE_MASK | RHW_USE_POINT_COORD |
-                                   RHW_USE_EFFECTS;
+                                   RHW_USE_EFFECTS | RHW_USE_COLOR_INPUT | RHW_USE_DEPTH_INPUT;
 
 static bool check_range(const struct rhw_context *context, const char *field, long long value, long long low,
                         long long high)
@@ -419,9 +419,9 @@ static void resolve_defaults(struct rhw_pipeline_def *def)
 // With two-sided stencil after the fragment function, groups say which way their fragments face.
 static void resolve_uses(struct rhw_pipeline_def *def)
 {
-    const uint32_t late = RHW_USE_DISCARD | RHW_USE_DEPTH | RHW_USE_SAMPLE_MASK;
-    const bool effects = def->program.uses & RHW_USE_EFFECTS && !def->program.early_fragment_tests;
-    if (def->stencil_test && (def->program.uses & late || def->alpha_to_coverage || effects)) {
+    const uint32_t late =
+        RHW_USE_DISCARD | RHW_USE_DEPTH | RHW_USE_SAMPLE_MASK | RHW_USE_EFFECTS | RHW_USE_DEPTH_INPUT;
+    if (def->stencil_test && (def->program.uses & late || def->alpha_to_coverage)) {
         def->program.uses |= RHW_USE_FACING;
     }
 }

@@ -84,6 +84,15 @@ void rhw_sample_fetch1(const struct rhw_bindings *textures, int slot, const int3
     first_lane(texels, 4, texel);
 }
 
+void rhw_sample_fetch_sample1(const struct rhw_bindings *textures, int slot, const int32_t *at,
+                              int32_t sample, float texel[4])
+{
+    const rhw_int lanes[2] = {rhw_splat_int(at[0]), rhw_splat_int(at[1])}, samples = rhw_splat_int(sample);
+    rhw_float texels[4];
+    rhw_sample_fetch_sample(textures, slot, lanes, &samples, texels);
+    first_lane(texels, 4, texel);
+}
+
 void rhw_sample_query_lod1(const struct rhw_bindings *textures, int slot,
                            const struct rhw_sample_request1 *request, float lod[2])
 {

@@ -76,6 +76,7 @@ static void load_builtins(const struct rhw_fragment *group, int lane, uint32_t u
                           struct rhw_fragment1 *one)
 {
     one->depth = uses & RHW_USE_DEPTH ? group->depth[lane] : 0;
+    one->depth_input = uses & RHW_USE_DEPTH_INPUT ? group->depth_input[lane] : 0;
     for (int c = 0; c < 4 && uses & RHW_USE_COORD; c++) {
         one->coord[c] = group->coord[c][lane];
     }
@@ -119,7 +120,7 @@ static void run_fragment(const struct rhw_pipeline_data *pipeline, struct rhw_fr
         ddx[c] = all || pipeline->component_derivatives[c] ? group->ddx[c][lane] : 0;
         ddy[c] = all || pipeline->component_derivatives[c] ? group->ddy[c][lane] : 0;
     }
-    for (int t = 0; t < targets && all; t++) {
+    for (int t = 0; t < targets && uses & RHW_USE_COLOR_INPUT; t++) {
         for (int c = 0; c < 4; c++) {
             color[t][c] = group->color[t][c][lane];
         }

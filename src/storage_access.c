@@ -38,9 +38,8 @@ static bool is_below_unsigned(uint32_t now, uint32_t value)
     return now < value;
 }
 
-// Does the operation to a word, and gives what it was.
-static int32_t access_word(uint32_t *word, enum rhw_storage_operation operation, uint32_t value,
-                           uint32_t comparand)
+int32_t rhw_storage_word(uint32_t *word, enum rhw_storage_operation operation, uint32_t value,
+                         uint32_t comparand)
 {
     switch (operation) {
     case RHW_STORAGE_LOAD: return (int32_t)__atomic_load_n(word, __ATOMIC_RELAXED);
@@ -88,7 +87,7 @@ void rhw_storage_access(const struct rhw_bindings *textures, int slot,
         const int lane = __builtin_ctz(left);
         const uint32_t value = request->value ? (uint32_t)(*request->value)[lane] : 0;
         const uint32_t comparand = request->comparand ? (uint32_t)(*request->comparand)[lane] : 0;
-        result[lane] = access_word(&range.words[index[lane]], operation, value, comparand);
+        result[lane] = rhw_storage_word(&range.words[index[lane]], operation, value, comparand);
     }
     if (before) {
         *before = result;
@@ -101,7 +100,7 @@ int32_t rhw_storage_access1(const struct rhw_bindings *textures, int slot,
 {
     const struct rhw_storage_words range = words_of(textures, slot, operation);
     return index < range.count
-               ? access_word(&range.words[index], operation, (uint32_t)value, (uint32_t)comparand)
+               ? rhw_storage_word(&range.words[index], operation, (uint32_t)value, (uint32_t)comparand)
                : 0;
 }
 

@@ -80,6 +80,7 @@ struct rhw_texture_data {
     uint32_t version;                 // of these, up to which `clean` and `linear_is_current` hold
     bool swizzles;                    // a view's channels are other ones
     enum rhw_swizzle swizzle[4];
+    uint32_t stored_pass; // generation of the last pass that has it as a storage image, hence as attached too
 };
 
 struct rhw_context;

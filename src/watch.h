@@ -52,9 +52,11 @@ void rhw_watched_fragment(struct rhw_fragment *groups, int count);
 
 // Looks at what a shader function asks of its textures: slots that do not exist or have no texture, and levels that
 // nobody has written.
-bool rhw_watch_slot(const struct rhw_bindings *textures, int slot); // false: nothing is there
+bool rhw_watch_slot(const struct rhw_bindings *textures, int slot);    // false: nothing is there
+void rhw_watch_samples(const struct rhw_bindings *textures, int slot); // of a multisampled texture
 // The same of storage, and effects that are not declared.
 void rhw_watch_storage(const struct rhw_bindings *textures, int slot, enum rhw_storage_operation operation);
+void rhw_watch_image(const struct rhw_bindings *textures, int slot, enum rhw_storage_operation operation);
 void rhw_watch_sample(const struct rhw_bindings *textures, int slot,
                       const struct rhw_sample_request *request);
 // False where the call must not be made: its stride leaves no room.

@@ -19,9 +19,9 @@ struct fragment_run {
 
 // What may hold other rubbish than in the first run, a bit each: what the program can leave undeclared.
 enum {
-    VARYINGS = 1 << 16, // above enum rhw_fragment_use
-    DERIVATIVES = 1 << 17,
-    UNIFORMS = 1 << 18,
+    VARYINGS = 1 << 24, // above enum rhw_fragment_use
+    DERIVATIVES = 1 << 25,
+    UNIFORMS = 1 << 26,
     EVERYTHING = -1
 };
 
@@ -41,6 +41,7 @@ static const struct {
     {RHW_USE_SAMPLE, "reads sample_id or sample_position; RHW_USE_SAMPLE is missing in its program's uses"},
     {RHW_USE_SAMPLE_MASK, "reads sample_mask; RHW_USE_SAMPLE_MASK is missing in its program's uses"},
     {RHW_USE_POINT_COORD, "reads point_coord; RHW_USE_POINT_COORD is missing in its program's uses"},
+    {RHW_USE_DEPTH_INPUT, "reads depth_input; RHW_USE_DEPTH_INPUT is missing in its program's uses"},
     {RHW_USE_DEPTH, "reads depth; RHW_USE_DEPTH is missing in its program's uses"},
 };
 
@@ -82,6 +83,9 @@ static void spoil_builtins(struct rhw_fragment *group, uint32_t uses, int32_t ch
     if (!(uses & RHW_USE_POINT_COORD)) {
         spoil(group->point_coord, 2, changed & RHW_USE_POINT_COORD);
     }
+    if (!(uses & RHW_USE_DEPTH_INPUT)) {
+        spoil(&group->depth_input, 1, changed & RHW_USE_DEPTH_INPUT);
+    }
     if (!(uses & RHW_USE_DEPTH)) {
         spoil(&group->depth, 1, changed & RHW_USE_DEPTH);
     }
@@ -111,6 +115,9 @@ static void prepare(const struct rhw_watch *watch, const struct rhw_fragment *gr
         for (int c = 0; c < 4; c++) {
             out->color[g][t][c] = rhw_watch_rubbish(rhw_watch_output[second]);
         }
+    }
+    if (watch->uses & RHW_USE_COLOR_INPUT) {
+        memcpy(out->color[g], group->color, (size_t)pipeline->def.target_count * sizeof group->color[0]);
     }
     out->textures[g] = *group->textures;
     out->textures[g].drops_effects = !has_effects(watch);

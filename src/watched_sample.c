@@ -59,6 +59,27 @@ static int unwritten_level(const struct rhw_binding *binding, const struct rhw_s
     return 0;
 }
 
+static void tell_missing(const struct rhw_bindings *textures, int slot)
+{
+    const struct rhw_sample_site *const site = &textures->site;
+    const struct rhw_binding *const binding = &textures->slot[slot];
+    const char *const what = binding->multisampled
+                                 ? "whose texture is multisampled; rhw_sample_fetch_sample reads it"
+                             : binding->texture ? "whose texture is not multisampled"
+                                                : "in which no texture is set";
+    rhw_findings_add(site->findings, RHW_FINDING_MISUSE, site->draw,
+                     "a shader function of %s samples slot %d, %s", site->pipeline, slot, what);
+}
+
+void rhw_watch_samples(const struct rhw_bindings *textures, int slot)
+{
+    if ((unsigned)slot >= RHW_MAX_TEXTURES) {
+        (void)rhw_watch_slot(textures, slot);
+    } else if (!textures->slot[slot].multisampled) {
+        tell_missing(textures, slot);
+    }
+}
+
 bool rhw_watch_slot(const struct rhw_bindings *textures, int slot)
 {
     const struct rhw_sample_site *const site = &textures->site;
@@ -69,9 +90,7 @@ bool rhw_watch_slot(const struct rhw_bindings *textures, int slot)
         return false;
     }
     if (!textures->slot[slot].texture) {
-        rhw_findings_add(site->findings, RHW_FINDING_MISUSE, site->draw,
-                         "a shader function of %s samples slot %d, in which no texture is set",
-                         site->pipeline, slot);
+        tell_missing(textures, slot);
         return false;
     }
     return true;

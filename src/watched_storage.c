@@ -3,21 +3,36 @@
 #include "findings.h"
 #include "watch.h"
 
-void rhw_watch_storage(const struct rhw_bindings *textures, int slot, enum rhw_storage_operation operation)
+static void watch(const struct rhw_bindings *textures, int slot, int count, bool is_set, const char *noun,
+                  enum rhw_storage_operation operation)
 {
     const struct rhw_sample_site *const site = &textures->site;
-    if ((unsigned)slot >= RHW_MAX_STORAGE_BUFFERS) {
+    if ((unsigned)slot >= (unsigned)count) {
         rhw_findings_add(site->findings, RHW_FINDING_MISUSE, site->draw,
-                         "a shader function of %s uses storage slot %d; slots are 0..%d", site->pipeline,
-                         slot, RHW_MAX_STORAGE_BUFFERS - 1);
-    } else if (!textures->storage->buffers[slot].words) {
+                         "a shader function of %s uses %s slot %d; slots are 0..%d", site->pipeline, noun,
+                         slot, count - 1);
+    } else if (!is_set) {
         rhw_findings_add(site->findings, RHW_FINDING_MISUSE, site->draw,
-                         "a shader function of %s uses storage slot %d, in which no buffer is set",
-                         site->pipeline, slot);
+                         "a shader function of %s uses %s slot %d, in which nothing is set", site->pipeline,
+                         noun, slot);
     } else if (textures->drops_effects && operation != RHW_STORAGE_LOAD) {
         rhw_findings_add(site->findings, RHW_FINDING_MISUSE, site->draw,
-                         "a shader function of %s writes to storage slot %d; its program declares no such "
+                         "a shader function of %s writes to %s slot %d; its program declares no such "
                          "effects, by RHW_USE_EFFECTS or vertex_effects",
-                         site->pipeline, slot);
+                         site->pipeline, noun, slot);
     }
+}
+
+void rhw_watch_storage(const struct rhw_bindings *textures, int slot, enum rhw_storage_operation operation)
+{
+    const int count = RHW_MAX_STORAGE_BUFFERS;
+    const bool is_set = (unsigned)slot < (unsigned)count && textures->storage->buffers[slot].words;
+    watch(textures, slot, count, is_set, "storage", operation);
+}
+
+void rhw_watch_image(const struct rhw_bindings *textures, int slot, enum rhw_storage_operation operation)
+{
+    const int count = RHW_MAX_STORAGE_IMAGES;
+    const bool is_set = (unsigned)slot < (unsigned)count && textures->storage->images[slot].texture;
+    watch(textures, slot, count, is_set, "image", operation);
 }

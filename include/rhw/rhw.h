@@ -181,6 +181,15 @@ RHW_API void rhw_pass_set_texture(rhw_context *context, rhw_pass pass, int slot,
 /// refused, and from then on the other way round.
 RHW_API void rhw_pass_set_storage_buffer(rhw_context *context, rhw_pass pass, int slot, rhw_buffer buffer,
                                          size_t offset, size_t size);
+/// A level of a texture, all its layers or slices, as image slot `slot`, 0..RHW_MAX_STORAGE_IMAGES − 1, which shader
+/// functions read and write (shader_image.h). Its format can be drawn into as colour, its texels have one sample. A null
+/// texture unbinds the slot. It counts as an attachment of this pass, and is neither attached nor sampled besides.
+RHW_API void rhw_pass_set_storage_image(rhw_context *context, rhw_pass pass, int slot, rhw_texture texture,
+                                        int level);
+/// The same of bytes `offset` to offset + size of a buffer, 0: to its end, read and written as texels of a colour format.
+/// `offset` is a multiple of the texel's size. It is a storage buffer of this pass. A null buffer unbinds the slot.
+RHW_API void rhw_pass_set_texel_buffer(rhw_context *context, rhw_pass pass, int slot, rhw_buffer buffer,
+                                       enum rhw_format format, size_t offset, size_t size);
 RHW_API void rhw_pass_set_viewport(rhw_context *context, rhw_pass pass, const struct rhw_viewport *viewport);
 RHW_API void rhw_pass_set_scissor(rhw_context *context, rhw_pass pass, const struct rhw_rect *scissor);
 RHW_API void rhw_pass_set_blend_constant(rhw_context *context, rhw_pass pass, const float constant[4]);

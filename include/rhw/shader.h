@@ -37,7 +37,7 @@ struct rhw_fragment {
     const void *uniforms;
     const void *user;                ///< of the program
     const struct rhw_bindings *textures; ///< see rhw_sample
-    rhw_float (*color)[4];           ///< out: [target][channel]; not initialized. Groups of one call have theirs
+    rhw_float (*color)[4];           ///< out: [target][channel]; not initialized but with RHW_USE_COLOR_INPUT. Groups of one call have theirs
                                      ///< one after the other, RHW_MAX_COLOR_ATTACHMENTS targets each
     rhw_int mask;                    ///< −1 live, 0 dead; clear lanes to discard them
     rhw_float depth;                 ///< out, with RHW_USE_DEPTH; holds the interpolated depth on entry
@@ -55,6 +55,7 @@ struct rhw_fragment {
     rhw_int sample_id;
     rhw_float sample_position[2];    ///< in the pixel: 0..1 from its top left
     rhw_float point_coord[2]; ///< on a point: 0, 0 at its top left corner, 1, 1 at the opposite; elsewhere rubbish
+    rhw_float depth_input;    ///< with RHW_USE_DEPTH_INPUT: the depth attachment's value
 };
 
 #endif
@@ -89,6 +90,7 @@ struct rhw_fragment1 {
     int32_t sample_mask, sample_id;
     float sample_position[2];
     float point_coord[2];
+    float depth_input;
 };
 
 #include "shader_one.h"

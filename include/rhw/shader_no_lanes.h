@@ -39,13 +39,16 @@ struct rhw_sample_request1 {
     const int32_t *offset;
 };
 
-/// A lane of rhw_sample, rhw_sample_gather, rhw_sample_fetch, rhw_sample_query_lod and rhw_sample_size.
+/// A lane of rhw_sample, rhw_sample_gather, rhw_sample_fetch, rhw_sample_fetch_sample, rhw_sample_query_lod and
+/// rhw_sample_size.
 RHW_API void rhw_sample1(const struct rhw_bindings *textures, int slot,
                          const struct rhw_sample_request1 *request, float texel[4]);
 RHW_API void rhw_sample_gather1(const struct rhw_bindings *textures, int slot,
                                 const struct rhw_sample_request1 *request, int channel, float texel[4]);
 RHW_API void rhw_sample_fetch1(const struct rhw_bindings *textures, int slot, const int32_t *at,
                                int32_t level, float texel[4]);
+RHW_API void rhw_sample_fetch_sample1(const struct rhw_bindings *textures, int slot, const int32_t *at,
+                                      int32_t sample, float texel[4]);
 RHW_API void rhw_sample_query_lod1(const struct rhw_bindings *textures, int slot,
                                    const struct rhw_sample_request1 *request, float lod[2]);
 RHW_API void rhw_sample_size1(const struct rhw_bindings *textures, int slot, int32_t level, int32_t size[3]);

@@ -57,6 +57,12 @@ RHW_API void rhw_sample_gather(const struct rhw_bindings *textures, int slot,
 RHW_API void rhw_sample_fetch(const struct rhw_bindings *textures, int slot, const rhw_int *at,
                               const rhw_int *level, rhw_float texel[4]);
 
+/// The texel at x, y of `at` in one sample of a multisampled texture, unfiltered, as rhw_sample_fetch gives it; zeros where
+/// there is no such sample. The other functions take a slot with a multisampled texture for one without, and this one a
+/// slot with any other.
+RHW_API void rhw_sample_fetch_sample(const struct rhw_bindings *textures, int slot, const rhw_int *at,
+                                     const rhw_int *sample, rhw_float texel[4]);
+
 /// The level that rhw_sample would read for the request, between two of them with a fraction, and the level of detail
 /// with the sampler's bias, before any limit (Vulkan 1.3, OpImageQueryLod). Zeros in a slot without a texture.
 RHW_API void rhw_sample_query_lod(const struct rhw_bindings *textures, int slot,

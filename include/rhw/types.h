@@ -38,6 +38,8 @@ enum {
     RHW_MAX_POINT_SIZE = 256,    ///< pixels; the least is 1
     RHW_MAX_LINE_WIDTH = 256,    ///< pixels; the least is 1
     RHW_MAX_STORAGE_BUFFERS = 16, ///< storage slots of a draw
+    RHW_MAX_STORAGE_IMAGES = 16,  ///< image slots, of storage images and texel buffers
+    RHW_MAX_TEXEL_BUFFER = 1 << 27, ///< texels of one
     RHW_MAX_FEEDBACK_TARGETS = 4, ///< of transform feedback
     RHW_MAX_FEEDBACK_OUTPUTS = 64
 };
@@ -197,7 +199,8 @@ struct rhw_texture_def {
     enum rhw_format format; ///< to be set
     int width, height; ///< 1..RHW_MAX_TARGET_SIZE; equal for CUBE; height of 1D is 0 or 1
     int mip_levels;    ///< 0 or 1: one; RHW_MIP_LEVELS_ALL: the chain down to a single texel
-    int samples;       ///< of a texel: 0 or 1: one; 2, 4, 8, 16: a 2D target that is not sampled, and has one level
+    int samples;       ///< of a texel: 0 or 1: one; 2, 4, 8, 16: a 2D target that has one level; shaders read it by
+                       ///< rhw_sample_fetch_sample alone
     const char *label; ///< for messages
     enum rhw_texture_kind kind; ///< 2D
     int depth;         ///< 3D: 1..RHW_MAX_TEXTURE_DEPTH slices; else 0 or 1
@@ -431,7 +434,12 @@ enum rhw_fragment_use {
     RHW_USE_SAMPLE = 128,     ///< sample_id and sample_position; the function is called for every sample
     RHW_USE_SAMPLE_MASK = 256, ///< sample_mask, in and out
     RHW_USE_POINT_COORD = 512, ///< point_coord
-    RHW_USE_EFFECTS = 65536   ///< writes to storage, or changes it by atomics: see early_fragment_tests
+    RHW_USE_EFFECTS = 65536,   ///< writes to storage, or changes it by atomics: see early_fragment_tests
+    /// `color` holds on entry what the targets hold at the fragment's pixel, decoded: what came before it, in the order of
+    /// primitives (Vulkan 1.3, "Input Attachment Interface"; VK_EXT_rasterization_order_attachment_access). In
+    /// multisampled passes the function is called for every sample.
+    RHW_USE_COLOR_INPUT = 131072,
+    RHW_USE_DEPTH_INPUT = 262144 ///< the same of depth, in depth_input; depth is then tested after the function
 };
 
 struct rhw_vertex;
@@ -479,7 +487,7 @@ struct rhw_program {
     bool vertex_effects;
     /// Depth bounds, stencil and depth are tested, and written, before the fragment function, which is called for what
     /// passes; then what it discards or writes as depth does not change that (Vulkan 1.3 §28.1.2, EarlyFragmentTests).
-    /// false: with RHW_USE_EFFECTS they are tested after it, for every fragment.
+    /// false: with RHW_USE_EFFECTS and RHW_USE_DEPTH_INPUT they are tested after it, for every fragment.
     bool early_fragment_tests;
 };
 

@@ -16,6 +16,8 @@ struct rhw_blit_job;
 struct rhw_resolve_job;
 
 struct rhw_binding;
+struct rhw_storage_image;
+struct rhw_texture_data;
 
 // Does what rhw_sample does, for one slot.
 typedef void rhw_sample_function(const struct rhw_binding *binding, const struct rhw_sample_request *request,
@@ -34,6 +36,11 @@ typedef void rhw_query_level_function(const struct rhw_binding *binding,
                                       const struct rhw_sample_request *request, rhw_float lod[2]);
 typedef void rhw_query_size_function(const struct rhw_binding *binding, const rhw_int *level,
                                      rhw_int size[3]);
+
+typedef void rhw_fetch_sample_function(const struct rhw_texture_data *texture, const rhw_int *at,
+                                       const rhw_int *sample, rhw_float texel[4]);
+typedef void rhw_image_store_function(const struct rhw_storage_image *image, const rhw_int *at,
+                                      const rhw_int *mask, const rhw_float texel[4]);
 
 struct rhw_kernels {
     // Shades some of the vertices that chunks share.
@@ -57,6 +64,10 @@ struct rhw_kernels {
     rhw_fetch_function *fetch;
     rhw_query_level_function *query_level;
     rhw_query_size_function *query_size;
+    // Does what rhw_sample_fetch_sample does, of a multisampled texture.
+    rhw_fetch_sample_function *fetch_sample;
+    // Does what rhw_image_store does, for one image whose format can be encoded.
+    rhw_image_store_function *image_store;
     // A band of rows of a few levels of a texture: see mip_work.h.
     void (*mip_band)(const struct rhw_mip_job *job, int index, int worker);
     // A slice of a level of a 3D texture.

@@ -5,6 +5,7 @@
 
 #include "sample/anisotropy.h"
 #include "sample/filter_general.h"
+#include "sample/storage_image.h"
 #include "sample/texel_query.h"
 
 void RHW_ISA_NAME(rhw_sample_general)(const struct rhw_binding *binding,
@@ -41,4 +42,16 @@ void RHW_ISA_NAME(rhw_query_level)(const struct rhw_binding *binding,
 void RHW_ISA_NAME(rhw_query_size)(const struct rhw_binding *binding, const rhw_int *level, rhw_int size[3])
 {
     query_size(binding->texture, level ? *level : rhw_splat_int(0), size);
+}
+
+void RHW_ISA_NAME(rhw_store_image)(const struct rhw_storage_image *image, const rhw_int *at,
+                                   const rhw_int *mask, const rhw_float texel[4])
+{
+    image_store(image, at, *mask, texel);
+}
+
+void RHW_ISA_NAME(rhw_fetch_sample_texels)(const struct rhw_texture_data *texture, const rhw_int *at,
+                                           const rhw_int *sample, rhw_float texel[4])
+{
+    fetch_sample(texture, at, *sample, texel);
 }

@@ -10,6 +10,9 @@
 
 enum { SIDE = 112, SHARDS = 40, NODES = SIDE * SIDE * 24, NODE_WORDS = 4 };
 
+// Image slots: fragments of each pixel; the picture in a mirror.
+enum { IMAGE_COUNTS, IMAGE_MIRROR };
+
 // Slots: how many nodes there are; the first node of each pixel's list, 0: none; nodes: the next one, depth, colour, and
 // which vertex was met how often.
 enum { SLOT_COUNT, SLOT_HEADS, SLOT_NODES, SLOT_VERTICES, SLOTS };
@@ -37,6 +40,11 @@ static void list(struct rhw_fragment *groups, int count)
     for (int g = 0; g < count; g++) {
         const struct rhw_fragment *const f = &groups[g];
         const struct rhw_bindings *const t = f->textures;
+        const rhw_int at[2] = {rhw_int_from_float(f->coord[0]), rhw_int_from_float(f->coord[1])};
+        const rhw_int one = rhw_splat_int(1);
+        const struct rhw_storage_request request = {
+            .operation = RHW_STORAGE_ADD, .mask = &f->mask, .index = at, .value = &one};
+        rhw_image_atomic(t, IMAGE_COUNTS, &request, NULL);
         const rhw_int node =
             rhw_storage_atomic(t, SLOT_COUNT, RHW_STORAGE_ADD, rhw_splat_int(0), rhw_splat_int(1), f->mask);
         const rhw_int next =
@@ -86,6 +94,8 @@ static void blend1(struct rhw_fragment1 *f)
         f->color[0][c] = color[c];
     }
     f->color[0][3] = 1;
+    const int32_t at[2] = {SIDE - 1 - (int32_t)f->coord[0], (int32_t)f->coord[1]};
+    rhw_image_store1(f->textures, IMAGE_MIRROR, at, f->color[0]);
 }
 
 static void make_shards(float shards[3 * SHARDS][8])
@@ -138,6 +148,10 @@ void golden_storage_draw(rhw_context *context, int number, struct golden_images 
         buffers[i] = golden_buffer(context, i == SLOT_COUNT ? &first_node : NULL, sizes[i]);
         rhw_pass_set_storage_buffer(context, board.pass, i, buffers[i], 0, 0);
     }
+    const rhw_texture counted = golden_texture(context, RHW_FORMAT_R32_UINT, SIDE, SIDE, 1),
+                      mirror = golden_texture(context, RHW_FORMAT_RGBA16_FLOAT, SIDE, SIDE, 1);
+    rhw_pass_set_storage_image(context, board.pass, IMAGE_COUNTS, counted, 0);
+    rhw_pass_set_storage_image(context, board.pass, IMAGE_MIRROR, mirror, 0);
     struct rhw_pipeline_def def = pipeline_def();
     rhw_pass_set_pipeline(context, board.pass, golden_pipeline(context, &def));
     rhw_pass_set_vertex_buffer(context, board.pass, 0, golden_buffer(context, shards, sizeof shards), 0);
@@ -149,6 +163,8 @@ void golden_storage_draw(rhw_context *context, int number, struct golden_images 
     rhw_pass_draw(context, board.pass, 0, 3, 0, 1);
     golden_board_end(&board);
     golden_board_keep(&board, images);
+    golden_keep(images, context, counted);
+    golden_keep(images, context, mirror);
     uint32_t *const counts = malloc(sizes[SLOT_VERTICES] + 4);
     golden_check(rhw_buffer_read(context, buffers[SLOT_VERTICES], 0, counts, sizes[SLOT_VERTICES]),
                  "vertices");

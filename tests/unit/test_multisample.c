@@ -591,13 +591,6 @@ static void test_misuse(void **state)
     rig_expect_misuse(&rig, "rhw_texture_read_sample");
     assert_int_equal(rhw_texture_read_sample(rig.context, texture, 4, pixels, 0), RHW_ERROR_MISUSE);
     rig_expect_misuse(&rig, "has samples 0..3");
-    const struct rhw_sampler_def sampler_def = {.lod_bias = 0};
-    rhw_sampler sampler;
-    assert_int_equal(rhw_sampler_create(rig.context, &sampler_def, &sampler), RHW_OK);
-    rig_begin(&rig);
-    rhw_pass_set_texture(rig.context, rig.recording, 0, texture, sampler);
-    rig_end(&rig);
-    rig_expect_misuse(&rig, "it cannot be sampled");
     rhw_pass pass;
     rig.pass.samples = 8;
     const rhw_texture one = rig.pass.colors[0].texture;

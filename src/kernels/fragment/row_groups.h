@@ -10,6 +10,7 @@
 #include "derivative.h"
 #include "interpolate.h"
 #include "queue.h"
+#include "target_input.h"
 
 // The samples of a block that a triangle covers, and where in its pixels their fragments take their values.
 struct block_samples {
@@ -122,6 +123,9 @@ static __attribute__((noinline)) void fill_any_rows(const struct tile_work *work
                                                     const struct block *block, const struct block_rows *rows,
                                                     int first)
 {
+    if (work->plan.reads_targets) {
+        read_targets(work, first, rows->count);
+    }
     const struct planes *const planes = &triangle->planes;
     const bool is_general = work->plan.shading == RHW_SHADING_ROWS;
     const enum weight_path best = weight_path_of(planes);
@@ -301,7 +305,7 @@ RHW_INLINE void queue_rows(struct tile_work *work, struct triangle_work *triangl
                            const struct block_rows *rows)
 {
     struct fragment_queue *const queue = &work->scratch->queue;
-    if (queue->count + rows->count > RHW_FRAGMENT_GROUPS) {
+    if (queue->count + rows->count > RHW_FRAGMENT_GROUPS || (work->plan.reads_targets && queue->count != 0)) {
         shade_queue(work);
     }
     if (!triangle->has_values) {

@@ -31,6 +31,34 @@ static inline void fetch(const struct rhw_texture_data *texture, const i8 *at, i
     }
 }
 
+// The same of a sample of a multisampled texture. Lanes of one sample are read together: the samples stand so far apart
+// that texels of all of them are too many to number.
+static inline void fetch_sample(const struct rhw_texture_data *texture, const i8 *at, i8 sample, f8 texel[4])
+{
+    const struct rhw_mip *const mip = &texture->mip[0];
+    const size_t size = texture->info->size;
+    i8 inside = i8_splat(-1);
+    const i8 x = keep_inside(at[0], i8_splat(mip->width), &inside);
+    const i8 y = keep_inside(at[1], i8_splat(mip->height), &inside);
+    const i8 existing = keep_inside(sample, i8_splat(texture->samples), &inside);
+    const i8 number = y * i8_splat((int32_t)(mip->row_pitch / size)) + x;
+    for (unsigned left = 0xff; left != 0;) {
+        const int32_t s = existing[__builtin_ctz(left)];
+        const i8 lanes = rhw_equal_int(existing, i8_splat(s));
+        struct raw_texels raw;
+        f8 value[4];
+        fetch_numbered_texels(size, mip->texels + (size_t)s * texture->sample_stride, number, &raw);
+        decode_texels(texture->info, &raw, value);
+        for (int c = 0; c < 4; c++) {
+            texel[c] = rhw_select(lanes, value[c], left == 0xff ? value[c] : texel[c]);
+        }
+        left &= ~i8_sign_bits(lanes);
+    }
+    for (int c = 0; c < texture->info->channels; c++) {
+        texel[c] = rhw_select(inside, texel[c], rhw_splat(0.0f));
+    }
+}
+
 // One channel of the texels that a linear filter would mix in level 0: below left, below right, above right, above left,
 // v down (Vulkan 1.3, "Texel Gathering"). Where there are not four, zeros.
 static inline void gather(const struct rhw_binding *binding, const struct rhw_sample_request *request,
