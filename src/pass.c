@@ -25,8 +25,10 @@
 #include "query.h"
 #include "rhw/rhw.h"
 #include "sampler.h"
+#include "shared_texels.h"
 #include "shared_vertices.h"
 #include "srgb_texture.h"
+#include "texture_access.h"
 #include "transform_feedback.h"
 #include "watch.h"
 
@@ -155,6 +157,9 @@ static inline struct rhw_bound_buffer bind_buffer(rhw_context *context, rhw_buff
         report_written(context, id, buffer, where);
         return (struct rhw_bound_buffer){.data = NULL};
     }
+    if (buffer->is_map_written && !rhw_buffer_check_drawable(context, id, buffer, where)) {
+        return (struct rhw_bound_buffer){.data = NULL};
+    }
     buffer->fetched_pass = generation;
     rhw_pool_use(&context->buffers, id.index, generation);
     return (struct rhw_bound_buffer){buffer, offset, id.index};
@@ -243,7 +248,7 @@ static bool check_sampled(const rhw_context *context, rhw_texture id, int slot, 
                      rhw_name_of(&context->textures, id.index).text, texture->info->name) &&
            rhw_check(context, texture->samples == 1, "%s: %s has %d samples; it cannot be sampled", where,
                      rhw_name_of(&context->textures, id.index).text, texture->samples) &&
-           rhw_check(context, texture->attached != context->recording.generation,
+           rhw_check(context, !rhw_texture_is_attached(context, texture),
                      "%s: %s, for slot %d, is an attachment of this pass", where,
                      rhw_name_of(&context->textures, id.index).text, slot);
 }
@@ -294,6 +299,7 @@ static void set_texture(struct rhw_pass_state *pass, int slot, rhw_texture textu
             return;
         }
         bound.texture = rhw_pool_get(&context->textures, texture.index, texture.generation);
+        rhw_texture_note_sampled(*bound.texture, context->recording.generation);
         pass->out_of_memory |= !rhw_texture_linearize(context, *bound.texture);
         rhw_pool_use(&context->textures, texture.index, context->recording.generation);
         rhw_pool_use(&context->samplers, sampler.index, context->recording.generation);

@@ -53,6 +53,8 @@ static const struct scene features[] = {
     {"queries-4", golden_queries_draw, 1},
     {"texture-kinds", golden_kinds_draw, 0},
     {"texture-layers", golden_layers_draw, 0},
+    {"texture-views", golden_views_draw, 0},
+    {"transfers", golden_transfers_draw, 0},
     {"builtins", golden_builtins_draw, 0},
     {"heights", golden_heights_draw, 0},
     {"maths", golden_maths_draw, 0},
