@@ -153,12 +153,7 @@ static inline struct rhw_bound_buffer bind_buffer(rhw_context *context, rhw_buff
     const uint32_t generation = context->recording.generation;
     struct rhw_buffer_data *const buffer = rhw_context_buffer(context, id, where);
     if (!buffer || !rhw_check(context, offset <= buffer->size, "%s: offset is %zu; %s has %zu bytes", where,
-<<<<<<< HEAD
-                              offset, rhw_name_of(&context->buffers, id.index).text, buffer->size) ||
-        !rhw_buffer_check_drawable(context, id, buffer, where)) {
-=======
                               offset, rhw_name_of(&context->buffers, id.index).text, buffer->size)) {
->>>>>>> wt-queries
         return (struct rhw_bound_buffer){.data = NULL};
     }
     if (buffer->stored_pass == generation || buffer->captured_pass == generation) {

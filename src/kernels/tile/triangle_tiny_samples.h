@@ -79,9 +79,9 @@ struct tiny_test {
 // The depth of two pixels in four planes.
 RHW_INLINE f8 tiny_depth(float *const texels[TINY_SAMPLES], int at)
 {
-    d4 pairs;
+    ul4 pairs;
     for (int s = 0; s < TINY_SAMPLES; s++) {
-        double pair;
+        uint64_t pair;
         memcpy(&pair, &texels[s][at], sizeof pair);
         pairs[s] = pair;
     }
@@ -90,9 +90,9 @@ RHW_INLINE f8 tiny_depth(float *const texels[TINY_SAMPLES], int at)
 
 RHW_INLINE void tiny_depth_store(float *const texels[TINY_SAMPLES], int at, f8 depth)
 {
-    const d4 pairs = (d4)depth;
+    const ul4 pairs = (ul4)depth;
     for (int s = 0; s < TINY_SAMPLES; s++) {
-        const double pair = pairs[s];
+        const uint64_t pair = pairs[s];
         memcpy(&texels[s][at], &pair, sizeof pair);
     }
 }
