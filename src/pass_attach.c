@@ -12,6 +12,7 @@
 #include "lookup.h"
 #include "misuse.h"
 #include "pass_state.h"
+#include "shared_texels.h"
 #include "texture_shape.h"
 
 static const char *const where = "rhw_pass_begin";
@@ -41,9 +42,11 @@ static struct rhw_name name_of(const rhw_context *context, rhw_texture id)
 static bool is_attached(const struct rhw_pass_state *pass, const struct rhw_attachment *attachment,
                         const struct rhw_mip *mip, int layer)
 {
+    const unsigned char *const first = rhw_mip_slice(mip, layer);
     for (int i = 0; i < pass->color_count; i++) {
         const struct rhw_attachment *const other = &pass->colors[i];
-        if ((other->target == mip || other->resolve == mip) && other->layer == layer) {
+        if ((other->target && rhw_mip_slice(other->target, other->layer) == first) ||
+            (other->resolve && rhw_mip_slice(other->resolve, other->layer) == first)) {
             return true;
         }
         if (other == attachment) {
@@ -77,6 +80,9 @@ static bool check_texture(struct rhw_pass_state *pass, rhw_texture id, const str
         pass->height = mip->height;
     }
     return rhw_texture_check_layer(context, id, texture, part.level, layer, where) &&
+           rhw_check(context, !texture->swizzles,
+                     "%s: %s is %s, a view with a swizzle; attachments have none", where, name,
+                     name_of(context, id).text) &&
            rhw_check(context, !is_attached(pass, attachment, mip, layer),
                      "%s: %s is %s, as another attachment is; each needs its own texture or layer", where,
                      name, name_of(context, id).text) &&
@@ -101,9 +107,8 @@ static struct rhw_clean_tiles *take(struct rhw_pass_state *pass, rhw_texture id,
                                     struct rhw_texture_data *texture, struct attached_part part)
 {
     struct rhw_context *const context = pass->context;
-    texture->linear_is_current = false;
+    rhw_texture_note_attached(texture, context->recording.generation);
     texture->written |= 1u << part.level;
-    texture->attached = context->recording.generation;
     rhw_pool_use(&context->textures, id.index, context->recording.generation);
     const struct rhw_mip *const mip = &texture->mip[part.level];
     return rhw_clean_tiles_of_part(&context->memory, &texture->clean, part.layer, part.level, mip->width,

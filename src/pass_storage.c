@@ -3,7 +3,6 @@
 #include "pass_storage.h"
 
 #include "buffer.h"
-#include "clean_tiles.h"
 #include "context.h"
 #include "entry.h"
 #include "format.h"
@@ -12,19 +11,9 @@
 #include "pass_enter.h"
 #include "pass_state.h"
 #include "rhw/rhw.h"
+#include "shared_texels.h"
 #include "texture.h"
-
-bool rhw_pass_fetches(struct rhw_context *context, rhw_buffer id, const char *where)
-{
-    struct rhw_buffer_data *const data = rhw_context_buffer(context, id, where);
-    if (!data || !rhw_check(context, data->stored_pass != context->recording.generation,
-                            "%s: %s is a storage buffer of this pass, which may write it", where,
-                            rhw_name_of(&context->buffers, id.index).text)) {
-        return false;
-    }
-    data->fetched_pass = context->recording.generation;
-    return true;
-}
+#include "texture_access.h"
 
 static bool check_range(const struct rhw_context *context, rhw_buffer id, const struct rhw_buffer_data *data,
                         size_t offset, size_t size, const char *where)
@@ -32,6 +21,9 @@ static bool check_range(const struct rhw_context *context, rhw_buffer id, const 
     return rhw_check(context, offset <= data->size && size <= data->size - offset,
                      "%s: offset is %zu and size is %zu; together they must stay within the %zu bytes of %s",
                      where, offset, size, data->size, rhw_name_of(&context->buffers, id.index).text) &&
+           rhw_check(context, data->captured_pass != context->recording.generation,
+                     "%s: %s is written by the transform feedback of this pass", where,
+                     rhw_name_of(&context->buffers, id.index).text) &&
            rhw_check(context, data->fetched_pass != context->recording.generation,
                      "%s: %s is a vertex or index buffer of this pass, which may not write it", where,
                      rhw_name_of(&context->buffers, id.index).text);
@@ -42,7 +34,8 @@ static bool bind_range(struct rhw_context *context, rhw_buffer id, size_t offset
                        const char *where, struct rhw_bound_range *range)
 {
     struct rhw_buffer_data *const data = rhw_context_buffer(context, id, where);
-    if (!data || !check_range(context, id, data, offset, size, where)) {
+    if (!data || !check_range(context, id, data, offset, size, where) ||
+        !rhw_buffer_check_unmapped(context, id, data, where)) {
         return false;
     }
     data->stored_pass = context->recording.generation;
@@ -99,12 +92,16 @@ static bool check_image(const struct rhw_context *context, rhw_texture id,
                      "%s: %s is %s; it must be a format that can be drawn into as colour", where,
                      rhw_name_of(&context->textures, id.index).text,
                      rhw_format_info(texture->format)->name) &&
+           rhw_check(context, !texture->swizzles, "%s: %s is a view that swizzles; it must not", where,
+                     rhw_name_of(&context->textures, id.index).text) &&
            rhw_check(context, texture->samples == 1, "%s: %s has %d samples; it must have one", where,
                      rhw_name_of(&context->textures, id.index).text, texture->samples) &&
-           rhw_check(context, is_stored || texture->attached != generation,
+           rhw_check(context, is_stored || !rhw_texture_is_attached(context, texture),
                      "%s: %s is an attachment of this pass", where,
                      rhw_name_of(&context->textures, id.index).text) &&
-           rhw_check(context, is_stored || rhw_pool_last_use(&context->textures, id.index) != generation,
+           rhw_check(context,
+                     is_stored || (rhw_pool_last_use(&context->textures, id.index) != generation &&
+                                   !(texture->shared && texture->shared->sampled == generation)),
                      "%s: %s is sampled in this pass", where, rhw_name_of(&context->textures, id.index).text);
 }
 
@@ -127,10 +124,10 @@ static void set_storage_image(struct rhw_pass_state *pass, int slot, rhw_texture
         if (!texture || !check_image(context, id, texture, level, where)) {
             return;
         }
-        texture->stored_pass = texture->attached = context->recording.generation;
+        texture->stored_pass = context->recording.generation;
+        rhw_texture_note_attached(texture, context->recording.generation);
+        rhw_texture_note_written(texture);
         texture->written |= 1u << level;
-        texture->linear_is_current = false;
-        rhw_clean_tiles_forget(texture->clean);
         rhw_pool_use(&context->textures, id.index, context->recording.generation);
         bound.texture = rhw_pool_get(&context->textures, id.index, id.generation);
         bound.level = level;
@@ -227,7 +224,13 @@ static const struct rhw_texture_data *row_of_texels(const struct rhw_bound_image
         return NULL;
     }
     const int width = count < RHW_MAX_TEXEL_BUFFER ? (int)count : RHW_MAX_TEXEL_BUFFER;
-    const struct rhw_texture_shape shape = {RHW_TEXTURE_1D, false, width, 1, 1, 1, 1, 1};
+    const struct rhw_texture_shape shape = {.kind = RHW_TEXTURE_1D,
+                                            .width = width,
+                                            .height = 1,
+                                            .depth = 1,
+                                            .layers = 1,
+                                            .levels = 1,
+                                            .samples = 1};
     rhw_texture_data_init(texture, bound->format, &shape);
     texture->mip[0].texels = bound->range.data->bytes + bound->range.offset;
     return texture;

@@ -4,8 +4,10 @@
 #define RHW_RHW_H
 
 #include "limits.h"
+#include "transfer.h"
 #include "transform_feedback.h"
 #include "types.h"
+#include "view.h"
 
 // Context -------------------------------------------------------------------------------------------
 
@@ -89,7 +91,8 @@ RHW_API int rhw_texture_samples(const rhw_context *context, rhw_texture texture)
 /// Where a sample lies in its pixel, 0..1 from the top left (Vulkan 1.3 §27.5, standardSampleLocations). `samples`: 1, 2,
 /// 4, 8 or 16; false, with the centre, for other numbers.
 RHW_API bool rhw_sample_position(int samples, int sample, float position[2]);
-/// The same for the plane of stencil, a byte per texel, of a format that has one.
+/// The same for the plane of stencil, a byte per texel, of a format that has one. For layers, samples and parts of a level
+/// see rhw_texture_write_region.
 RHW_API enum rhw_result rhw_texture_write_stencil(rhw_context *context, rhw_texture texture, int level,
                                                   const uint8_t *data, size_t row_pitch);
 RHW_API enum rhw_result rhw_texture_read_stencil(rhw_context *context, rhw_texture texture, int level,
@@ -214,7 +217,8 @@ RHW_API void rhw_pass_draw_indexed_indirect(rhw_context *context, rhw_pass pass,
 RHW_API void rhw_pass_push_debug_group(rhw_context *context, rhw_pass pass, const char *label);
 RHW_API void rhw_pass_pop_debug_group(rhw_context *context, rhw_pass pass);
 /// Draws recorded until rhw_pass_end_query are what the query is about. Of each kind one query may be under way at a time,
-/// and each query is used once in a pass. Draws are shaded in their turn then, and take longer. TIMESTAMP is refused.
+/// and each query is used once in a pass. Draws are shaded in their turn then, also where later ones hide
+/// them. TIMESTAMP is refused.
 RHW_API void rhw_pass_begin_query(rhw_context *context, rhw_pass pass, rhw_query query);
 RHW_API void rhw_pass_end_query(rhw_context *context, rhw_pass pass, rhw_query query);
 /// For a query of kind TIMESTAMP. As a pass is drawn tile by tile, times within it are those of its beginning, before the

@@ -165,10 +165,19 @@ RHW_API size_t rhw_format_block_bytes(enum rhw_format format);
 /// BC4, BC5 and EAC, halves for BC6H. Other formats are their own.
 RHW_API enum rhw_format rhw_format_decoded(enum rhw_format format);
 
+enum {
+    RHW_MEMORY_ALIGNMENT = 64, ///< bytes, of memory that buffers and textures stand on, and of rows of texels
+    RHW_MEMORY_PADDING = 64    ///< bytes behind a buffer or texture, which kernels may load as parts of vectors
+};
+
 struct rhw_buffer_def {
     size_t size;      ///< bytes, at least 1
-    const void *data; ///< copied; NULL: zeroed
+    const void *data; ///< copied; NULL: zeroed, or what `memory` holds
     const char *label; ///< for messages; see rhw_context_def
+    /// Memory of the program's that the bytes stand on, at a multiple of RHW_MEMORY_ALIGNMENT; it may read and write them
+    /// while no pass is recorded. It lives as long as the buffer. NULL: the library's own
+    void *memory;
+    size_t memory_size; ///< at least size + RHW_MEMORY_PADDING; what lies behind the bytes is the library's, which zeroes it
 };
 
 enum { RHW_MIP_LEVELS_ALL = -1 };
@@ -196,6 +205,13 @@ struct rhw_texture_def {
     enum rhw_texture_kind kind; ///< 2D
     int depth;         ///< 3D: 1..RHW_MAX_TEXTURE_DEPTH slices; else 0 or 1
     int layers;        ///< 0: no array; an array's layers, 1.., of CUBE its cubes. Not of 3D
+    /// Memory of the program's that the texels stand on, as rhw_texture_query_layout says; they are what it holds, and the
+    /// program may read and write it while no pass is recorded. It lives as long as the texture and its views. NULL: the
+    /// library's own
+    void *memory;
+    size_t memory_size; ///< bytes, at least those of the layout
+    size_t row_pitch;   ///< bytes between rows, a multiple of RHW_MEMORY_ALIGNMENT, of textures with one level; 0: the
+                        ///< texels of a row, rounded up to that
 };
 
 enum rhw_filter { RHW_FILTER_LINEAR, RHW_FILTER_NEAREST };
@@ -602,6 +618,9 @@ struct rhw_draw_commands {
     size_t count_offset;     ///< bytes to it; a multiple of 4
 };
 
+/// Where −1..1 in x and y goes. Triangles and lines are cut off at its edges; a point is kept or left out by its centre, and
+/// one near an edge reaches beyond (Vulkan 1.3 §27.4): rhw_pass_set_scissor cuts that too. Positions are rounded to 1/256
+/// pixel after x and y were added, so that a viewport moved by whole pixels need not draw the same bytes to the last bit.
 struct rhw_viewport {
     float x, y, width, height; ///< pixels from the top left; corners within ±2·RHW_MAX_TARGET_SIZE
     float depth_min, depth_max; ///< 0..1; depth_min > depth_max reverses. Both 0: 0 and 1; for nothing but depth 0

@@ -21,4 +21,6 @@ const struct rhw_kernels RHW_ISA_NAME(rhw_kernels) = {
     .fetch_sample = RHW_ISA_NAME(rhw_fetch_sample_texels),
     .image_store = RHW_ISA_NAME(rhw_store_image),
     .mip_band = RHW_ISA_NAME(rhw_make_mip_band),
-    .mip_slice = RHW_ISA_NAME(rhw_make_mip_slice)};
+    .mip_slice = RHW_ISA_NAME(rhw_make_mip_slice),
+    .blit_band = RHW_ISA_NAME(rhw_blit_band),
+    .resolve_band = RHW_ISA_NAME(rhw_resolve_band)};

@@ -37,6 +37,10 @@ golden_draw_function
 golden_draw_function
     golden_primitives_draw; ///< points, lines, polygon modes, adjacency, clip and cull distances
 
+// golden_queries.c
+golden_draw_function
+    golden_queries_draw; ///< counts, and vertices kept and drawn again; 1 or 4 samples by number
+
 // golden_vertices.c
 golden_draw_function golden_vertex_format_draw; ///< all vertex formats, odd strides and offsets
 golden_draw_function golden_instances_draw;     ///< per-instance attributes, first instance, ids
@@ -52,6 +56,12 @@ golden_draw_function golden_blocks_draw; ///< every compressed format, in levels
 golden_draw_function golden_kinds_draw; ///< textures of every kind, asked in every way
 golden_draw_function
     golden_layers_draw; ///< layers, faces and slices drawn into, their levels, and sampled again
+
+golden_draw_function golden_views_draw; ///< views of every kind, sampled and drawn into
+
+// golden_transfers.c
+golden_draw_function
+    golden_transfers_draw; ///< texels scaled, converted, resolved, cleared and copied without passes
 
 // golden_fragments.c
 golden_draw_function golden_builtins_draw; ///< coordinates, weights, derivatives, ids as floats and integers
