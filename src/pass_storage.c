@@ -3,7 +3,6 @@
 #include "pass_storage.h"
 
 #include "buffer.h"
-#include "clean_tiles.h"
 #include "context.h"
 #include "entry.h"
 #include "format.h"
@@ -93,14 +92,16 @@ static bool check_image(const struct rhw_context *context, rhw_texture id,
                      "%s: %s is %s; it must be a format that can be drawn into as colour", where,
                      rhw_name_of(&context->textures, id.index).text,
                      rhw_format_info(texture->format)->name) &&
+           rhw_check(context, !texture->swizzles, "%s: %s is a view that swizzles; it must not", where,
+                     rhw_name_of(&context->textures, id.index).text) &&
            rhw_check(context, texture->samples == 1, "%s: %s has %d samples; it must have one", where,
                      rhw_name_of(&context->textures, id.index).text, texture->samples) &&
-           rhw_check(context, !texture->swizzles, "%s: %s is a view that swizzles; it must have its channels in order",
-                     where, rhw_name_of(&context->textures, id.index).text) &&
            rhw_check(context, is_stored || !rhw_texture_is_attached(context, texture),
                      "%s: %s is an attachment of this pass", where,
                      rhw_name_of(&context->textures, id.index).text) &&
-           rhw_check(context, is_stored || rhw_pool_last_use(&context->textures, id.index) != generation,
+           rhw_check(context,
+                     is_stored || (rhw_pool_last_use(&context->textures, id.index) != generation &&
+                                   !(texture->shared && texture->shared->sampled == generation)),
                      "%s: %s is sampled in this pass", where, rhw_name_of(&context->textures, id.index).text);
 }
 
@@ -125,9 +126,8 @@ static void set_storage_image(struct rhw_pass_state *pass, int slot, rhw_texture
         }
         texture->stored_pass = context->recording.generation;
         rhw_texture_note_attached(texture, context->recording.generation);
+        rhw_texture_note_written(texture);
         texture->written |= 1u << level;
-        texture->linear_is_current = false;
-        rhw_clean_tiles_forget(texture->clean);
         rhw_pool_use(&context->textures, id.index, context->recording.generation);
         bound.texture = rhw_pool_get(&context->textures, id.index, id.generation);
         bound.level = level;
@@ -224,7 +224,13 @@ static const struct rhw_texture_data *row_of_texels(const struct rhw_bound_image
         return NULL;
     }
     const int width = count < RHW_MAX_TEXEL_BUFFER ? (int)count : RHW_MAX_TEXEL_BUFFER;
-    const struct rhw_texture_shape shape = {.kind = RHW_TEXTURE_1D, .width = width, .height = 1, .depth = 1, .layers = 1, .levels = 1, .samples = 1};
+    const struct rhw_texture_shape shape = {.kind = RHW_TEXTURE_1D,
+                                            .width = width,
+                                            .height = 1,
+                                            .depth = 1,
+                                            .layers = 1,
+                                            .levels = 1,
+                                            .samples = 1};
     rhw_texture_data_init(texture, bound->format, &shape);
     texture->mip[0].texels = bound->range.data->bytes + bound->range.offset;
     return texture;

@@ -24,7 +24,7 @@ RHW_INLINE f8 resolved_value(enum rhw_resolve mode, const f8 *value, int count)
 
 // Resolves the pixels of `lanes`.
 RHW_INLINE void resolve_row(const struct rhw_format_info *info, enum rhw_resolve mode,
-                        const struct sample_row *row, unsigned lanes, unsigned char *to)
+                            const struct sample_row *row, unsigned lanes, unsigned char *to)
 {
     struct raw_texels sample[RHW_MAX_SAMPLES], raw;
     f8 value[4][RHW_MAX_SAMPLES], result[4];
