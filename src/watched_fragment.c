@@ -41,6 +41,7 @@ static const struct {
     {RHW_USE_SAMPLE, "reads sample_id or sample_position; RHW_USE_SAMPLE is missing in its program's uses"},
     {RHW_USE_SAMPLE_MASK, "reads sample_mask; RHW_USE_SAMPLE_MASK is missing in its program's uses"},
     {RHW_USE_POINT_COORD, "reads point_coord; RHW_USE_POINT_COORD is missing in its program's uses"},
+    {RHW_USE_LAYER, "reads layer or viewport_index; RHW_USE_LAYER is missing in its program's uses"},
     {RHW_USE_DEPTH, "reads depth; RHW_USE_DEPTH is missing in its program's uses"},
 };
 
@@ -81,6 +82,9 @@ static void spoil_builtins(struct rhw_fragment *group, uint32_t uses, int32_t ch
     }
     if (!(uses & RHW_USE_POINT_COORD)) {
         spoil(group->point_coord, 2, changed & RHW_USE_POINT_COORD);
+    }
+    if (!(uses & RHW_USE_LAYER)) {
+        group->layer = group->viewport_index = rhw_splat_int(changed & RHW_USE_LAYER ? 0 : 1);
     }
     if (!(uses & RHW_USE_DEPTH)) {
         spoil(&group->depth, 1, changed & RHW_USE_DEPTH);
