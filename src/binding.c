@@ -8,6 +8,45 @@
 #include "texture.h"
 #include "watch.h"
 
+// What a constant channel has, of integer formats the bits of 0 and 1.
+static rhw_float constant_channel(const struct rhw_texture_data *texture, enum rhw_swizzle swizzle)
+{
+    if (swizzle == RHW_SWIZZLE_ZERO) {
+        return rhw_splat(0);
+    }
+    return rhw_format_is_integer(texture->info) ? rhw_float_from_bits(rhw_splat_int(1)) : rhw_splat(1);
+}
+
+static bool is_constant(enum rhw_swizzle swizzle)
+{
+    return swizzle == RHW_SWIZZLE_ZERO || swizzle == RHW_SWIZZLE_ONE;
+}
+
+// The channel that a view reads as channel `c`.
+static int swizzled_channel(const struct rhw_texture_data *texture, int c)
+{
+    const enum rhw_swizzle swizzle = texture->swizzle[c];
+    return swizzle == RHW_SWIZZLE_IDENTITY ? c : (int)swizzle - (int)RHW_SWIZZLE_RED;
+}
+
+// Channels of a view stand in another order (Vulkan 1.3, "Component Swizzle"). Filters mix channels each by itself, so
+// that the order does not matter to them.
+static void swizzle(const struct rhw_texture_data *texture, rhw_float texel[4])
+{
+    const rhw_float own[4] = {texel[0], texel[1], texel[2], texel[3]};
+    for (int c = 0; texture->swizzles && c < 4; c++) {
+        texel[c] = is_constant(texture->swizzle[c]) ? constant_channel(texture, texture->swizzle[c])
+                                                    : own[swizzled_channel(texture, c)];
+    }
+}
+
+static void sample_swizzled(const struct rhw_binding *binding, const struct rhw_sample_request *request,
+                            rhw_float texel[4])
+{
+    (request->offset ? binding->own_offset : binding->own)(binding, request, texel);
+    swizzle(binding->texture, texel);
+}
+
 struct rhw_binding rhw_binding_of(const struct rhw_kernels *kernels, enum rhw_paths paths,
                                   const struct rhw_texture_data *texture,
                                   const struct rhw_sampler_data *sampler)
@@ -35,6 +74,12 @@ struct rhw_binding rhw_binding_of(const struct rhw_kernels *kernels, enum rhw_pa
         binding.sample = binding.sample_offset = kernels->sample_anisotropic;
     }
     binding.shares_footprints = fixed && special && !anisotropic;
+    if (texture && texture->swizzles) {
+        binding.own = binding.sample;
+        binding.own_offset = binding.sample_offset;
+        binding.sample = binding.sample_offset = sample_swizzled;
+        binding.shares_footprints = false;
+    }
     return binding;
 }
 
@@ -83,8 +128,11 @@ void rhw_sample_gather(const struct rhw_bindings *textures, int slot,
                        const struct rhw_sample_request *request, int channel, rhw_float texel[4])
 {
     const struct rhw_binding *const binding = bound_slot(textures, slot);
-    if (binding && channel >= 0 && channel < 4) {
-        textures->kernels->gather(binding, request, channel, texel);
+    if (binding && channel >= 0 && channel < 4 && is_constant(binding->texture->swizzle[channel])) {
+        texel[0] = constant_channel(binding->texture, binding->texture->swizzle[channel]);
+        texel[1] = texel[2] = texel[3] = texel[0];
+    } else if (binding && channel >= 0 && channel < 4) {
+        textures->kernels->gather(binding, request, swizzled_channel(binding->texture, channel), texel);
     } else {
         texel[0] = texel[1] = texel[2] = texel[3] = rhw_splat(channel == 3 ? 1.0f : 0.0f);
     }
@@ -96,6 +144,7 @@ void rhw_sample_fetch(const struct rhw_bindings *textures, int slot, const rhw_i
     const struct rhw_binding *const binding = bound_slot(textures, slot);
     if (binding) {
         textures->kernels->fetch(binding, at, level, texel);
+        swizzle(binding->texture, texel);
     } else {
         no_texel(texel);
     }

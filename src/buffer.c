@@ -14,17 +14,27 @@
 
 void rhw_buffer_data_release(struct rhw_memory *memory, struct rhw_buffer_data *data)
 {
-    if (data->bytes != NULL) {
+    if (data->bytes != NULL && !data->is_callers) {
         rhw_memory_release(memory, data->bytes, data->size + RHW_BUFFER_PADDING);
     }
 }
+
+_Static_assert((int)RHW_BUFFER_PADDING == (int)RHW_MEMORY_PADDING, "what rhw_buffer_def says");
 
 static bool check_create(const struct rhw_context *context, const struct rhw_buffer_def *def,
                          const rhw_buffer *buffer, const char *where)
 {
     return rhw_check(context, def != NULL, "%s: def is NULL", where) &&
            rhw_check(context, buffer != NULL, "%s: buffer is NULL", where) &&
-           rhw_check(context, def->size >= 1, "%s: size is 0; it must be at least 1 byte", where);
+           rhw_check(context, def->size >= 1, "%s: size is 0; it must be at least 1 byte", where) &&
+           rhw_check(context, (uintptr_t)def->memory % RHW_MEMORY_ALIGNMENT == 0,
+                     "%s: memory is %p; its address must be a multiple of %d", where, def->memory,
+                     RHW_MEMORY_ALIGNMENT) &&
+           rhw_check(context,
+                     def->memory == NULL || (def->memory_size >= RHW_BUFFER_PADDING &&
+                                             def->size <= def->memory_size - RHW_BUFFER_PADDING),
+                     "%s: memory_size is %zu; %zu bytes need %d more", where, def->memory_size, def->size,
+                     RHW_BUFFER_PADDING);
 }
 
 // Zeroed, or undefined when something will be copied there; NULL when out of memory.
@@ -40,13 +50,16 @@ static unsigned char *allocate_bytes(struct rhw_memory *memory, size_t size, boo
 // Fills a new item; false when out of memory.
 static bool fill(struct rhw_memory *memory, struct rhw_buffer_data *data, const struct rhw_buffer_def *def)
 {
-    data->bytes = allocate_bytes(memory, def->size, def->data == NULL);
+    data->is_callers = def->memory != NULL;
+    data->bytes = data->is_callers ? def->memory : allocate_bytes(memory, def->size, def->data == NULL);
     if (data->bytes == NULL) {
         return false;
     }
     data->size = def->size;
     if (def->data != NULL) {
         memcpy(data->bytes, def->data, def->size);
+    }
+    if (def->data != NULL || data->is_callers) {
         memset(data->bytes + def->size, 0, RHW_BUFFER_PADDING);
     }
     return true;
@@ -103,6 +116,54 @@ void rhw_buffer_destroy(rhw_context *context, rhw_buffer buffer)
     rhw_context_leave(context);
 }
 
+bool rhw_buffer_check_range(const struct rhw_context *context, rhw_buffer buffer,
+                            const struct rhw_buffer_data *data, size_t offset, size_t size, const char *where)
+{
+    return rhw_check(context, offset <= data->size && size <= data->size - offset,
+                     "%s: offset is %zu and size is %zu; together they must stay within the %zu bytes of %s",
+                     where, offset, size, data->size, rhw_name_of(&context->buffers, buffer.index).text);
+}
+
+bool rhw_buffer_check_readable(const struct rhw_context *context, rhw_buffer buffer,
+                               const struct rhw_buffer_data *data, const char *where)
+{
+    return rhw_check(context,
+                     !context->recording.active || data->stored_pass != context->recording.generation,
+                     "%s: %s is a storage buffer of this pass; end the pass first", where,
+                     rhw_name_of(&context->buffers, buffer.index).text);
+}
+
+bool rhw_buffer_check_unmapped(const struct rhw_context *context, rhw_buffer buffer,
+                               const struct rhw_buffer_data *data, const char *where)
+{
+    return rhw_check(context, !data->is_mapped, "%s: %s is mapped; call rhw_buffer_unmap first", where,
+                     rhw_name_of(&context->buffers, buffer.index).text);
+}
+
+bool rhw_buffer_check_writable(const struct rhw_context *context, rhw_buffer buffer,
+                               const struct rhw_buffer_data *data, const char *where)
+{
+    return rhw_buffer_check_readable(context, buffer, data, where) &&
+           rhw_check(context,
+                     !context->recording.active || data->captured_pass != context->recording.generation,
+                     "%s: %s is written by the transform feedback of the pass being recorded; end it first",
+                     where, rhw_name_of(&context->buffers, buffer.index).text) &&
+           rhw_buffer_check_unmapped(context, buffer, data, where) &&
+           rhw_check(context,
+                     !data->is_callers || !rhw_context_records(context, &context->buffers, buffer.index),
+                     "%s: %s stands on memory of the program and the pass being recorded uses it; end that "
+                     "first",
+                     where, rhw_name_of(&context->buffers, buffer.index).text);
+}
+
+bool rhw_buffer_check_drawable(const struct rhw_context *context, rhw_buffer buffer,
+                               const struct rhw_buffer_data *data, const char *where)
+{
+    return rhw_check(context, !data->is_map_written,
+                     "%s: %s is mapped for writing; call rhw_buffer_unmap first", where,
+                     rhw_name_of(&context->buffers, buffer.index).text);
+}
+
 // Gives the buffer new memory; draws that were recorded keep the old one. The bytes that will not be written are copied.
 // False when out of memory.
 static bool renew(struct rhw_context *context, uint32_t index, struct rhw_buffer_data *data, size_t written)
@@ -126,25 +187,12 @@ static bool renew(struct rhw_context *context, uint32_t index, struct rhw_buffer
     return true;
 }
 
-// Whether the pass being recorded has the buffer for its shader functions to write.
-static bool is_stored(const struct rhw_context *context, const struct rhw_buffer_data *data)
+bool rhw_buffer_to_write(struct rhw_context *context, uint32_t index, struct rhw_buffer_data *data,
+                         size_t written)
 {
-    return context->recording.active && data->stored_pass == context->recording.generation;
-}
-
-// A range that a call reads or writes now.
-static bool check_range(const struct rhw_context *context, rhw_buffer buffer,
-                        const struct rhw_buffer_data *target, size_t offset, const void *data, size_t size,
-                        const char *where)
-{
-    return rhw_check(context, offset <= target->size && size <= target->size - offset,
-                     "%s: offset is %zu and size is %zu; together they must stay within the %zu bytes of %s",
-                     where, offset, size, target->size, rhw_name_of(&context->buffers, buffer.index).text) &&
-           rhw_check(context, data != NULL || size == 0, "%s: data is NULL; it must point to %zu bytes",
-                     where, size) &&
-           rhw_check(context, !is_stored(context, target),
-                     "%s: %s is a storage buffer of this pass; end the pass first", where,
-                     rhw_name_of(&context->buffers, buffer.index).text);
+    return !rhw_context_draws_read(context, &context->buffers, index, data->renewed_pass,
+                                   data->renewed_draws) ||
+           renew(context, index, data, written);
 }
 
 static enum rhw_result write_bytes(struct rhw_context *context, rhw_buffer buffer, size_t offset,
@@ -152,21 +200,16 @@ static enum rhw_result write_bytes(struct rhw_context *context, rhw_buffer buffe
 {
     static const char *const where = "rhw_buffer_write";
     struct rhw_buffer_data *const target = rhw_context_buffer(context, buffer, where);
-    if (target == NULL || !check_range(context, buffer, target, offset, data, size, where)) {
-        return RHW_ERROR_MISUSE;
-    }
-    if (!rhw_check(context,
-                   !context->recording.active || target->captured_pass != context->recording.generation,
-                   "%s: %s is written by the transform feedback of the pass being recorded; end it first",
-                   where, rhw_name_of(&context->buffers, buffer.index).text)) {
+    if (target == NULL || !rhw_buffer_check_range(context, buffer, target, offset, size, where) ||
+        !rhw_buffer_check_writable(context, buffer, target, where) ||
+        !rhw_check(context, data != NULL || size == 0, "%s: data is NULL; it must point to %zu bytes", where,
+                   size)) {
         return RHW_ERROR_MISUSE;
     }
     if (size == 0) {
         return RHW_OK;
     }
-    if (rhw_context_draws_read(context, &context->buffers, buffer.index, target->renewed_pass,
-                               target->renewed_draws) &&
-        !renew(context, buffer.index, target, size)) {
+    if (!rhw_buffer_to_write(context, buffer.index, target, size)) {
         return RHW_ERROR_OUT_OF_MEMORY;
     }
     memcpy(target->bytes + offset, data, size);
@@ -192,7 +235,11 @@ enum rhw_result rhw_buffer_read(rhw_context *context, rhw_buffer buffer, size_t 
         return RHW_ERROR_MISUSE;
     }
     const struct rhw_buffer_data *const source = rhw_context_buffer(context, buffer, where);
-    const bool valid = source != NULL && check_range(context, buffer, source, offset, data, size, where);
+    const bool valid = source != NULL &&
+                       rhw_buffer_check_range(context, buffer, source, offset, size, where) &&
+                       rhw_buffer_check_readable(context, buffer, source, where) &&
+                       rhw_check(context, data != NULL || size == 0,
+                                 "%s: data is NULL; it must point to %zu bytes", where, size);
     if (valid && size != 0) {
         memcpy(data, source->bytes + offset, size);
     }

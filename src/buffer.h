@@ -3,9 +3,13 @@
 #ifndef RHW_BUFFER_H
 #define RHW_BUFFER_H
 
+#include <stdbool.h>
 #include <stddef.h>
 #include <stdint.h>
 
+#include "rhw/types.h"
+
+struct rhw_context;
 struct rhw_memory;
 
 // Readable zero bytes after the end of every buffer: a kernel may load whole vectors at the last byte.
@@ -16,6 +20,8 @@ struct rhw_buffer_data {
     size_t size;          // as the user gave it, without padding
     // The pass in which it last got other memory, and the draws that were recorded before and read the old one.
     uint32_t renewed_pass, renewed_draws;
+    bool is_callers;                // `bytes` is the program's memory
+    bool is_mapped, is_map_written; // see rhw_buffer_map; the second: not for reading alone
     // The last passes that have it as a storage buffer, and that read it as vertices or indices, by generation.
     uint32_t stored_pass, fetched_pass;
     uint32_t captured_pass; // the last that writes it by transform feedback
@@ -23,5 +29,32 @@ struct rhw_buffer_data {
 
 // Releases what the item owns.
 void rhw_buffer_data_release(struct rhw_memory *memory, struct rhw_buffer_data *data);
+
+// Reports bytes that the buffer does not have.
+bool rhw_buffer_check_range(const struct rhw_context *context, rhw_buffer buffer,
+                            const struct rhw_buffer_data *data, size_t offset, size_t size,
+                            const char *where);
+
+// Reports a buffer whose bytes are not known before the pass being recorded has ended.
+bool rhw_buffer_check_readable(const struct rhw_context *context, rhw_buffer buffer,
+                               const struct rhw_buffer_data *data, const char *where);
+
+// Reports a mapped buffer, which passes do not write.
+bool rhw_buffer_check_unmapped(const struct rhw_context *context, rhw_buffer buffer,
+                               const struct rhw_buffer_data *data, const char *where);
+
+// Reports a buffer that nobody may write now: a mapped one, one that the pass being recorded writes, and one on the program's memory that draws read which were
+// recorded.
+bool rhw_buffer_check_writable(const struct rhw_context *context, rhw_buffer buffer,
+                               const struct rhw_buffer_data *data, const char *where);
+
+// Reports a buffer that is mapped for writing, which passes do not use.
+bool rhw_buffer_check_drawable(const struct rhw_context *context, rhw_buffer buffer,
+                               const struct rhw_buffer_data *data, const char *where);
+
+// Makes the live buffer one that is written now: draws that were recorded keep what it holds. `written` bytes will be, all
+// or some. False when out of memory.
+bool rhw_buffer_to_write(struct rhw_context *context, uint32_t index, struct rhw_buffer_data *data,
+                         size_t written);
 
 #endif

@@ -25,8 +25,10 @@
 #include "query.h"
 #include "rhw/rhw.h"
 #include "sampler.h"
+#include "shared_texels.h"
 #include "shared_vertices.h"
 #include "srgb_texture.h"
+#include "texture_access.h"
 #include "transform_feedback.h"
 #include "watch.h"
 
@@ -136,8 +138,10 @@ static struct rhw_bound_buffer bind_buffer(rhw_context *context, rhw_buffer id, 
                                            const char *where)
 {
     const struct rhw_buffer_data *const buffer = rhw_context_buffer(context, id, where);
-    if (!buffer || !rhw_check(context, offset <= buffer->size, "%s: offset is %zu; %s has %zu bytes", where,
-                              offset, rhw_name_of(&context->buffers, id.index).text, buffer->size)) {
+    if (!buffer ||
+        !rhw_check(context, offset <= buffer->size, "%s: offset is %zu; %s has %zu bytes", where, offset,
+                   rhw_name_of(&context->buffers, id.index).text, buffer->size) ||
+        !rhw_buffer_check_drawable(context, id, buffer, where)) {
         return (struct rhw_bound_buffer){.data = NULL};
     }
     if (!rhw_pass_fetches(context, id, where) ||
@@ -233,7 +237,7 @@ static bool check_sampled(const rhw_context *context, rhw_texture id, int slot, 
                      rhw_name_of(&context->textures, id.index).text, texture->info->name) &&
            rhw_check(context, texture->samples == 1, "%s: %s has %d samples; it cannot be sampled", where,
                      rhw_name_of(&context->textures, id.index).text, texture->samples) &&
-           rhw_check(context, texture->attached != context->recording.generation,
+           rhw_check(context, !rhw_texture_is_attached(context, texture),
                      "%s: %s, for slot %d, is an attachment of this pass", where,
                      rhw_name_of(&context->textures, id.index).text, slot);
 }
@@ -284,6 +288,7 @@ static void set_texture(struct rhw_pass_state *pass, int slot, rhw_texture textu
             return;
         }
         bound.texture = rhw_pool_get(&context->textures, texture.index, texture.generation);
+        rhw_texture_note_sampled(*bound.texture, context->recording.generation);
         pass->out_of_memory |= !rhw_texture_linearize(context, *bound.texture);
         rhw_pool_use(&context->textures, texture.index, context->recording.generation);
         rhw_pool_use(&context->samplers, sampler.index, context->recording.generation);

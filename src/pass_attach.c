@@ -12,6 +12,7 @@
 #include "lookup.h"
 #include "misuse.h"
 #include "pass_state.h"
+#include "shared_texels.h"
 #include "texture_shape.h"
 
 static const char *const where = "rhw_pass_begin";
@@ -37,14 +38,24 @@ static struct rhw_name name_of(const rhw_context *context, rhw_texture id)
     return rhw_name_of(&context->textures, id.index);
 }
 
+// Whether the pass's layers from `a` on of one level and from `b` on of another have memory in common. The slices of a
+// level stand one after the other.
+static bool overlaps(const struct rhw_pass_state *pass, const struct rhw_mip *mip_a, int a,
+                     const struct rhw_mip *mip_b, int b)
+{
+    const int more = pass->layers - 1;
+    return (uintptr_t)rhw_mip_slice(mip_a, a) <= (uintptr_t)rhw_mip_slice(mip_b, b + more) &&
+           (uintptr_t)rhw_mip_slice(mip_b, b) <= (uintptr_t)rhw_mip_slice(mip_a, a + more);
+}
+
 // Whether an attachment before the one that is attached now draws into the same texels.
 static bool is_attached(const struct rhw_pass_state *pass, const struct rhw_attachment *attachment,
                         const struct rhw_mip *mip, int layer)
 {
     for (int i = 0; i < pass->color_count; i++) {
         const struct rhw_attachment *const other = &pass->colors[i];
-        if ((other->target == mip || other->resolve == mip) && other->layer < layer + pass->layers &&
-            layer < other->layer + pass->layers) {
+        if ((other->target && overlaps(pass, other->target, other->layer, mip, layer)) ||
+            (other->resolve && overlaps(pass, other->resolve, other->layer, mip, layer))) {
             return true;
         }
         if (other == attachment) {
@@ -89,6 +100,9 @@ static bool check_texture(struct rhw_pass_state *pass, rhw_texture id, const str
            rhw_check(context, pass->layers <= mip->slices - layer,
                      "%s: %s has %d layers from %d on; level %d of %s has 0..%d", where, name, pass->layers,
                      layer, part.level, name_of(context, id).text, mip->slices - 1) &&
+           rhw_check(context, !texture->swizzles,
+                     "%s: %s is %s, a view with a swizzle; attachments have none", where, name,
+                     name_of(context, id).text) &&
            rhw_check(context, !is_attached(pass, attachment, mip, layer),
                      "%s: %s is %s, as another attachment is; each needs its own texture or layer", where,
                      name, name_of(context, id).text) &&
@@ -114,9 +128,8 @@ static bool take(struct rhw_pass_state *pass, rhw_texture id, struct rhw_texture
                  struct attached_part part, struct rhw_clean_tiles **clean)
 {
     struct rhw_context *const context = pass->context;
-    texture->linear_is_current = false;
+    rhw_texture_note_attached(texture, context->recording.generation);
     texture->written |= 1u << part.level;
-    texture->attached = context->recording.generation;
     rhw_pool_use(&context->textures, id.index, context->recording.generation);
     const struct rhw_mip *const mip = &texture->mip[part.level];
     *clean = NULL;

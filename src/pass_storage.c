@@ -48,7 +48,8 @@ static void set_storage_buffer(struct rhw_pass_state *pass, int slot, rhw_buffer
     }
     if (id.index != 0) {
         struct rhw_buffer_data *const data = rhw_context_buffer(context, id, where);
-        if (!data || !check_storage(context, id, data, offset, size, where)) {
+        if (!data || !check_storage(context, id, data, offset, size, where) ||
+            !rhw_buffer_check_unmapped(context, id, data, where)) {
             return;
         }
         data->stored_pass = context->recording.generation;

@@ -13,6 +13,8 @@
 #include "memory.h"
 #include "misuse.h"
 #include "rhw/rhw.h"
+#include "shared_texels.h"
+#include "texture_layout.h"
 #include "texture_shape.h"
 
 static int level_size(int size, int level)
@@ -67,7 +69,8 @@ void rhw_texture_data_init(struct rhw_texture_data *texture, enum rhw_format for
         mip->width = level_size(shape->width, i);
         mip->height = level_size(shape->height, i);
         mip->slices = shape->kind == RHW_TEXTURE_3D ? level_size(shape->depth, i) : shape->layers;
-        mip->row_pitch = aligned_pitch((size_t)mip->width * texture->info->size);
+        mip->row_pitch = shape->row_pitch != 0 ? shape->row_pitch
+                                               : aligned_pitch((size_t)mip->width * texture->info->size);
         mip->stencil_pitch = aligned_pitch((size_t)mip->width);
         const uint64_t slice = (uint64_t)mip->row_pitch * (uint64_t)mip->height;
         mip->slice_pitch = (size_t)slice;
@@ -87,17 +90,10 @@ void rhw_texture_data_init(struct rhw_texture_data *texture, enum rhw_format for
     texture->sample_stride = (size_t)size;
 }
 
-// Zeroed memory of all levels. False when out of memory.
-static bool allocate_levels(struct rhw_memory *memory, struct rhw_texture_data *texture)
+static void place_levels(struct rhw_texture_data *texture, void *memory)
 {
-    if (texture->memory_size == SIZE_MAX) {
-        return false;
-    }
-    unsigned char *next = rhw_memory_allocate_zeroed(memory, texture->memory_size, RHW_CACHE_LINE);
-    if (!next) {
-        return false;
-    }
-    texture->memory = next;
+    unsigned char *next = memory;
+    texture->memory = memory;
     for (int i = 0; i < texture->levels; i++) {
         struct rhw_mip *const mip = &texture->mip[i];
         const size_t stencil = (size_t)stencil_size(texture->info, mip);
@@ -108,12 +104,27 @@ static bool allocate_levels(struct rhw_memory *memory, struct rhw_texture_data *
         }
         next += stencil;
     }
-    return true;
+}
+
+// Zeroed memory of all levels. False when out of memory.
+static bool allocate_levels(struct rhw_memory *memory, struct rhw_texture_data *texture)
+{
+    void *const bytes = texture->memory_size != SIZE_MAX
+                            ? rhw_memory_allocate_zeroed(memory, texture->memory_size, RHW_CACHE_LINE)
+                            : NULL;
+    if (bytes) {
+        place_levels(texture, bytes);
+    }
+    return bytes != NULL;
 }
 
 void rhw_texture_data_destroy(struct rhw_memory *memory, struct rhw_texture_data *texture)
 {
-    rhw_memory_release(memory, texture->memory, texture->memory_size);
+    if (texture->shared) {
+        rhw_shared_texels_release(memory, texture->shared);
+    } else {
+        rhw_memory_release(memory, texture->memory, texture->memory_size);
+    }
     rhw_memory_release(memory, texture->linear_memory, texture->linear_size);
     rhw_clean_tiles_destroy(memory, texture->clean);
     rhw_memory_release(memory, texture, sizeof *texture);
@@ -135,6 +146,25 @@ struct rhw_texture_data *rhw_texture_data_create(struct rhw_memory *memory, enum
     return data;
 }
 
+struct rhw_texture_data *rhw_texture_data_create_on(struct rhw_memory *memory, enum rhw_format format,
+                                                    const struct rhw_texture_shape *shape, void *bytes)
+{
+    struct rhw_texture_data *const data =
+        rhw_memory_allocate(memory, sizeof *data, _Alignof(struct rhw_texture_data));
+    if (!data) {
+        return NULL;
+    }
+    rhw_texture_data_init(data, format, shape);
+    place_levels(data, bytes);
+    if (!rhw_texture_share(memory, data)) {
+        rhw_memory_release(memory, data, sizeof *data);
+        return NULL;
+    }
+    data->shared->is_callers = true;
+    data->written = (1u << data->levels) - 1;
+    return data;
+}
+
 // Public functions ----------------------------------------------------------------------------------
 
 static bool check_create(const struct rhw_context *context, const struct rhw_texture_def *def,
@@ -144,7 +174,7 @@ static bool check_create(const struct rhw_context *context, const struct rhw_tex
     return rhw_check(context, def != NULL, "%s: def is NULL", where) &&
            rhw_check(context, texture != NULL, "%s: texture is NULL", where) &&
            rhw_check_format(context, where, "format", def->format) &&
-           rhw_texture_shape_check(context, def, where);
+           rhw_texture_shape_check(context, def, where) && rhw_texture_memory_check(context, def, where);
 }
 
 static enum rhw_result create(struct rhw_context *context, const struct rhw_texture_def *def,
@@ -160,7 +190,8 @@ static enum rhw_result create(struct rhw_context *context, const struct rhw_text
         return RHW_ERROR_OUT_OF_MEMORY;
     }
     const struct rhw_texture_shape shape = rhw_texture_shape_of(def);
-    *item = rhw_texture_data_create(&context->memory, def->format, &shape);
+    *item = def->memory ? rhw_texture_data_create_on(&context->memory, def->format, &shape, def->memory)
+                        : rhw_texture_data_create(&context->memory, def->format, &shape);
     if (!*item) {
         rhw_pool_remove(&context->memory, &context->textures, id.index);
         return RHW_ERROR_OUT_OF_MEMORY;

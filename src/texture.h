@@ -5,10 +5,9 @@
 
 #include "rhw/shader_lanes.h"
 #include "rhw/types.h"
+#include "rhw/view.h"
 
 enum {
-    RHW_MAX_MIP_LEVELS = 15, // 16384 down to 1
-
     // Bytes. Rows start on a cache line, so that tiles of different threads share none; memory goes on this
     // far behind the last texel, so that the sampler may read texels in pairs.
     RHW_ROW_ALIGNMENT = 64,
@@ -50,6 +49,7 @@ struct rhw_texture_shape {
     int width, height, depth, layers;
     int levels;
     int samples;
+    size_t row_pitch; // of level 0, of a texture that has one level; 0: rounded up from the texels
 };
 
 // The pool of a context has pointers to these: a texture that is written while draws wait gets new data (texture.c).
@@ -76,6 +76,10 @@ struct rhw_texture_data {
         written; // levels that somebody has filled, a bit each; level 0 counts as filled from the beginning
     // The pass in which it last got other memory, and the draws that were recorded before and read the old one.
     uint32_t renewed_pass, renewed_draws;
+    struct rhw_shared_texels *shared; // with views, or of the caller; NULL: the texels are its own
+    uint32_t version;                 // of these, up to which `clean` and `linear_is_current` hold
+    bool swizzles;                    // a view's channels are other ones
+    enum rhw_swizzle swizzle[4];
 };
 
 struct rhw_context;
@@ -90,7 +94,7 @@ static inline int rhw_texture_components(enum rhw_texture_kind kind)
 // A plain 2D texture's.
 static inline struct rhw_texture_shape rhw_texture_shape_2d(int width, int height, int levels)
 {
-    return (struct rhw_texture_shape){RHW_TEXTURE_2D, false, width, height, 1, 1, levels, 1};
+    return (struct rhw_texture_shape){RHW_TEXTURE_2D, false, width, height, 1, 1, levels, 1, 0};
 }
 
 // Sets format, levels, sizes and pitches; no memory yet. All arguments are valid.
@@ -100,6 +104,10 @@ void rhw_texture_data_init(struct rhw_texture_data *texture, enum rhw_format for
 // A texture with zeroed texels; NULL when out of memory.
 struct rhw_texture_data *rhw_texture_data_create(struct rhw_memory *memory, enum rhw_format format,
                                                  const struct rhw_texture_shape *shape);
+
+// The same on memory of the caller, which stays as it is and is large enough.
+struct rhw_texture_data *rhw_texture_data_create_on(struct rhw_memory *memory, enum rhw_format format,
+                                                    const struct rhw_texture_shape *shape, void *bytes);
 
 // Releases the texture and what it owns.
 void rhw_texture_data_destroy(struct rhw_memory *memory, struct rhw_texture_data *texture);

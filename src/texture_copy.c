@@ -7,14 +7,13 @@
 
 #include "block_format.h"
 #include "block_level.h"
-#include "clean_tiles.h"
 #include "context.h"
 #include "entry.h"
 #include "format.h"
 #include "lookup.h"
-#include "memory.h"
 #include "misuse.h"
 #include "rhw/rhw.h"
+#include "texture_access.h"
 #include "texture_shape.h"
 
 // A level and the caller's rows, as write and read have them in common.
@@ -24,16 +23,6 @@ struct copy {
     bool stencil;          // the plane of stencil
     size_t row, row_pitch; // bytes of a row; distance of the caller's rows
 };
-
-// What an attachment holds is known when its pass has ended.
-static bool check_unattached(const struct rhw_context *context, rhw_texture id,
-                             const struct rhw_texture_data *texture, const char *where)
-{
-    const struct rhw_recording *const recording = &context->recording;
-    return rhw_check(context, !recording->active || texture->attached != recording->generation,
-                     "%s: %s is an attachment of the pass being recorded; end that first", where,
-                     rhw_name_of(&context->textures, id.index).text);
-}
 
 enum { NO_SAMPLE = INT_MIN }; // named by the caller
 
@@ -64,7 +53,7 @@ static struct copy check_copy(const struct rhw_context *context, rhw_texture id,
     const struct copy misuse = {.texture = NULL};
     const int level = request->level;
     struct rhw_texture_data *const texture = rhw_context_texture(context, id, where);
-    if (!texture || !check_unattached(context, id, texture, where) ||
+    if (!texture || !rhw_texture_check_unattached(context, id, texture, where) ||
         !rhw_check(context, !request->stencil || rhw_format_has_role(texture->info, RHW_ROLE_STENCIL_TARGET),
                    "%s: %s is %s; that has no stencil", where, rhw_name_of(&context->textures, id.index).text,
                    texture->info->name) ||
@@ -98,42 +87,6 @@ static unsigned char *row_of(const struct copy *copy, size_t y)
            (copy->stencil ? mip->stencil + stencil : rhw_mip_slice(mip, copy->layer) + y * mip->row_pitch);
 }
 
-// Gives the texture new memory with the same texels; draws that were recorded keep the old one. NULL when out of memory.
-static struct rhw_texture_data *renew(struct rhw_context *context, rhw_texture id)
-{
-    struct rhw_texture_data **const item = rhw_pool_get(&context->textures, id.index, id.generation);
-    const struct rhw_texture_data *const old = *item;
-    struct rhw_texture_data *const data = rhw_texture_data_create(&context->memory, old->format, &old->shape);
-    if (!data) {
-        return NULL;
-    }
-    if (!rhw_pool_retire_copy(&context->memory, &context->textures, id.index)) {
-        rhw_texture_data_destroy(&context->memory, data);
-        return NULL;
-    }
-    memcpy(data->memory, old->memory, old->memory_size);
-    data->written = old->written;
-    data->renewed_pass = context->recording.generation;
-    data->renewed_draws = context->recording.draw;
-    *item = data;
-    return data;
-}
-
-// The texture as it may be written now; NULL when out of memory.
-static struct rhw_texture_data *to_write(struct rhw_context *context, rhw_texture id,
-                                         struct rhw_texture_data *texture)
-{
-    const bool read = rhw_context_draws_read(context, &context->textures, id.index, texture->renewed_pass,
-                                             texture->renewed_draws);
-    struct rhw_texture_data *const written = read ? renew(context, id) : texture;
-    if (written) {
-        context->recording.rewrites += rhw_context_records(context, &context->textures, id.index);
-        written->linear_is_current = false;
-        rhw_clean_tiles_forget(written->clean);
-    }
-    return written;
-}
-
 static enum rhw_result write_level(struct rhw_context *context, rhw_texture texture,
                                    const struct copy_request *request, const char *where)
 {
@@ -141,8 +94,8 @@ static enum rhw_result write_level(struct rhw_context *context, rhw_texture text
         return RHW_ERROR_MISUSE;
     }
     struct copy copy = check_copy(context, texture, request, where);
-    const bool is_valid = copy.texture != NULL;
-    copy.texture = is_valid ? to_write(context, texture, copy.texture) : NULL;
+    const bool is_valid = copy.texture && rhw_texture_check_unread(context, texture, copy.texture, where);
+    copy.texture = is_valid ? rhw_texture_to_write(context, texture, copy.texture) : NULL;
     if (copy.texture) {
         copy.texture->written |= 1u << copy.level;
     }
@@ -228,7 +181,7 @@ static enum rhw_result generate_mips(struct rhw_context *context, rhw_texture te
 {
     static const char *const where = "rhw_texture_generate_mips";
     struct rhw_texture_data *const data = rhw_context_texture(context, texture, where);
-    if (!data || !check_unattached(context, texture, data, where) ||
+    if (!data || !rhw_texture_check_unattached(context, texture, data, where) ||
         !rhw_check(context, !rhw_block_format(data->format),
                    "%s: %s is %s; levels of compressed formats are written", where,
                    rhw_name_of(&context->textures, texture.index).text,
@@ -236,10 +189,11 @@ static enum rhw_result generate_mips(struct rhw_context *context, rhw_texture te
         !rhw_check(context, rhw_format_has_role(data->info, RHW_ROLE_FILTERED),
                    "%s: %s is %s; that format is not filtered", where,
                    rhw_name_of(&context->textures, texture.index).text, data->info->name) ||
-        !check_sample(context, texture, data, NO_SAMPLE, where)) {
+        !check_sample(context, texture, data, NO_SAMPLE, where) ||
+        !rhw_texture_check_unread(context, texture, data, where)) {
         return RHW_ERROR_MISUSE;
     }
-    struct rhw_texture_data *const target = to_write(context, texture, data);
+    struct rhw_texture_data *const target = rhw_texture_to_write(context, texture, data);
     if (!target || !rhw_texture_data_generate_mips(context, target)) {
         return RHW_ERROR_OUT_OF_MEMORY;
     }

@@ -84,6 +84,21 @@ static bool check_samples(const struct rhw_context *context, const struct rhw_te
                      def->samples, def->mip_levels);
 }
 
+static bool check_row_pitch(const struct rhw_context *context, const struct rhw_texture_def *def,
+                            const char *where)
+{
+    const size_t size = rhw_format_size(rhw_format_decoded(def->format));
+    const size_t least = (size_t)def->width * size, most = RHW_MAX_TARGET_SIZE * size;
+    return rhw_check(context,
+                     def->row_pitch == 0 || (def->row_pitch % RHW_ROW_ALIGNMENT == 0 &&
+                                             def->row_pitch >= least && def->row_pitch <= most),
+                     "%s: row_pitch is %zu; it is 0, or a multiple of %d in %zu..%zu", where, def->row_pitch,
+                     RHW_ROW_ALIGNMENT, least, most) &&
+           rhw_check(context, def->row_pitch == 0 || def->mip_levels == 0 || def->mip_levels == 1,
+                     "%s: row_pitch is set and mip_levels is %d; with one level alone", where,
+                     def->mip_levels);
+}
+
 static struct rhw_texture_shape without_levels(const struct rhw_texture_def *def)
 {
     const int count = def->layers > 1 ? def->layers : 1;
@@ -95,6 +110,7 @@ static struct rhw_texture_shape without_levels(const struct rhw_texture_def *def
         .depth = def->depth > 1 ? def->depth : 1,
         .layers = def->kind == RHW_TEXTURE_CUBE ? FACES * count : count,
         .samples = def->samples > 1 ? def->samples : 1,
+        .row_pitch = def->row_pitch,
     };
 }
 
@@ -103,8 +119,9 @@ static bool fits_numbers(const struct rhw_texture_def *def)
 {
     const struct rhw_texture_shape shape = without_levels(def);
     const uint64_t size = rhw_format_size(rhw_format_decoded(def->format));
-    const uint64_t row =
-        ((uint64_t)shape.width * size + RHW_ROW_ALIGNMENT - 1) / RHW_ROW_ALIGNMENT * RHW_ROW_ALIGNMENT / size;
+    const uint64_t rounded =
+        ((uint64_t)shape.width * size + RHW_ROW_ALIGNMENT - 1) / RHW_ROW_ALIGNMENT * RHW_ROW_ALIGNMENT;
+    const uint64_t row = (shape.row_pitch != 0 ? shape.row_pitch : rounded) / size;
     const uint64_t level = row * (uint64_t)shape.height * (uint64_t)shape.depth * (uint64_t)shape.layers;
     const bool is_plain = def->kind == RHW_TEXTURE_2D && !shape.is_array;
     return is_plain || (def->mip_levels == 0 || def->mip_levels == 1 ? level : 2 * level) <= INT32_MAX;
@@ -113,7 +130,8 @@ static bool fits_numbers(const struct rhw_texture_def *def)
 bool rhw_texture_shape_check(const struct rhw_context *context, const struct rhw_texture_def *def,
                              const char *where)
 {
-    if (!check_kind(context, def, where) || !check_samples(context, def, where)) {
+    if (!check_kind(context, def, where) || !check_samples(context, def, where) ||
+        !check_row_pitch(context, def, where)) {
         return false;
     }
     const struct rhw_texture_shape shape = without_levels(def);

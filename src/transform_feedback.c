@@ -21,7 +21,7 @@ static bool check_target(const struct rhw_pass_state *pass, const struct rhw_fee
     const struct rhw_context *const context = pass->context;
     const struct rhw_buffer_data *const buffer = rhw_context_buffer(context, target->buffer, begin_name);
     const uint32_t generation = context->recording.generation;
-    if (!buffer ||
+    if (!buffer || !rhw_buffer_check_unmapped(context, target->buffer, buffer, begin_name) ||
         !rhw_check(context,
                    target->offset % 4 == 0 && target->offset <= buffer->size &&
                        target->size <= buffer->size - target->offset,

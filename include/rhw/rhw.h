@@ -4,8 +4,10 @@
 #define RHW_RHW_H
 
 #include "limits.h"
+#include "transfer.h"
 #include "transform_feedback.h"
 #include "types.h"
+#include "view.h"
 
 // Context -------------------------------------------------------------------------------------------
 
@@ -89,7 +91,8 @@ RHW_API int rhw_texture_samples(const rhw_context *context, rhw_texture texture)
 /// Where a sample lies in its pixel, 0..1 from the top left (Vulkan 1.3 §27.5, standardSampleLocations). `samples`: 1, 2,
 /// 4, 8 or 16; false, with the centre, for other numbers.
 RHW_API bool rhw_sample_position(int samples, int sample, float position[2]);
-/// The same for the plane of stencil, a byte per texel, of a format that has one.
+/// The same for the plane of stencil, a byte per texel, of a format that has one. For layers, samples and parts of a level
+/// see rhw_texture_write_region.
 RHW_API enum rhw_result rhw_texture_write_stencil(rhw_context *context, rhw_texture texture, int level,
                                                   const uint8_t *data, size_t row_pitch);
 RHW_API enum rhw_result rhw_texture_read_stencil(rhw_context *context, rhw_texture texture, int level,

@@ -164,10 +164,19 @@ RHW_API size_t rhw_format_block_bytes(enum rhw_format format);
 /// BC4, BC5 and EAC, halves for BC6H. Other formats are their own.
 RHW_API enum rhw_format rhw_format_decoded(enum rhw_format format);
 
+enum {
+    RHW_MEMORY_ALIGNMENT = 64, ///< bytes, of memory that buffers and textures stand on, and of rows of texels
+    RHW_MEMORY_PADDING = 64    ///< bytes behind a buffer or texture, which kernels may load as parts of vectors
+};
+
 struct rhw_buffer_def {
     size_t size;      ///< bytes, at least 1
-    const void *data; ///< copied; NULL: zeroed
+    const void *data; ///< copied; NULL: zeroed, or what `memory` holds
     const char *label; ///< for messages; see rhw_context_def
+    /// Memory of the program's that the bytes stand on, at a multiple of RHW_MEMORY_ALIGNMENT; it may read and write them
+    /// while no pass is recorded. It lives as long as the buffer. NULL: the library's own
+    void *memory;
+    size_t memory_size; ///< at least size + RHW_MEMORY_PADDING; what lies behind the bytes is the library's, which zeroes it
 };
 
 enum { RHW_MIP_LEVELS_ALL = -1 };
@@ -194,6 +203,13 @@ struct rhw_texture_def {
     enum rhw_texture_kind kind; ///< 2D
     int depth;         ///< 3D: 1..RHW_MAX_TEXTURE_DEPTH slices; else 0 or 1
     int layers;        ///< 0: no array; an array's layers, 1.., of CUBE its cubes. Not of 3D
+    /// Memory of the program's that the texels stand on, as rhw_texture_query_layout says; they are what it holds, and the
+    /// program may read and write it while no pass is recorded. It lives as long as the texture and its views. NULL: the
+    /// library's own
+    void *memory;
+    size_t memory_size; ///< bytes, at least those of the layout
+    size_t row_pitch;   ///< bytes between rows, a multiple of RHW_MEMORY_ALIGNMENT, of textures with one level; 0: the
+                        ///< texels of a row, rounded up to that
 };
 
 enum rhw_filter { RHW_FILTER_LINEAR, RHW_FILTER_NEAREST };

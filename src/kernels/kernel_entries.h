@@ -28,5 +28,8 @@ rhw_query_size_function RHW_ISA_NAME(rhw_query_size);
 // mip_band.c
 void RHW_ISA_NAME(rhw_make_mip_band)(const struct rhw_mip_job *job, int index, int worker);
 void RHW_ISA_NAME(rhw_make_mip_slice)(const struct rhw_mip_volume_job *job, int index, int worker);
+// transfer.c
+void RHW_ISA_NAME(rhw_blit_band)(const struct rhw_blit_job *job, int index);
+void RHW_ISA_NAME(rhw_resolve_band)(const struct rhw_resolve_job *job, int index);
 
 #endif

@@ -19,4 +19,6 @@ const struct rhw_kernels RHW_ISA_NAME(rhw_kernels) = {
     .query_level = RHW_ISA_NAME(rhw_query_level),
     .query_size = RHW_ISA_NAME(rhw_query_size),
     .mip_band = RHW_ISA_NAME(rhw_make_mip_band),
-    .mip_slice = RHW_ISA_NAME(rhw_make_mip_slice)};
+    .mip_slice = RHW_ISA_NAME(rhw_make_mip_slice),
+    .blit_band = RHW_ISA_NAME(rhw_blit_band),
+    .resolve_band = RHW_ISA_NAME(rhw_resolve_band)};

@@ -12,6 +12,8 @@ struct rhw_chunk;
 struct rhw_shared_part;
 struct rhw_mip_job;
 struct rhw_mip_volume_job;
+struct rhw_blit_job;
+struct rhw_resolve_job;
 
 struct rhw_binding;
 
@@ -59,6 +61,9 @@ struct rhw_kernels {
     void (*mip_band)(const struct rhw_mip_job *job, int index, int worker);
     // A slice of a level of a 3D texture.
     void (*mip_slice)(const struct rhw_mip_volume_job *job, int index, int worker);
+    // A band of rows of a region that is scaled, or resolved: see transfer_work.h.
+    void (*blit_band)(const struct rhw_blit_job *job, int index);
+    void (*resolve_band)(const struct rhw_resolve_job *job, int index);
 };
 
 RHW_ISA_DECLARE(const struct rhw_kernels, rhw_kernels);

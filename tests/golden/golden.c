@@ -51,6 +51,8 @@ static const struct scene features[] = {
     {"samples-16", golden_samples_draw, 3},
     {"texture-kinds", golden_kinds_draw, 0},
     {"texture-layers", golden_layers_draw, 0},
+    {"texture-views", golden_views_draw, 0},
+    {"transfers", golden_transfers_draw, 0},
     {"builtins", golden_builtins_draw, 0},
     {"heights", golden_heights_draw, 0},
     {"maths", golden_maths_draw, 0},

@@ -169,3 +169,60 @@ void golden_layers_draw(rhw_context *context, int number, struct golden_images *
     golden_board_end(&board);
     golden_board_keep(&board, images);
 }
+
+// Views of the textures above, by number, and components of their coordinates, without the layer.
+static const struct {
+    int parent;
+    struct rhw_texture_view_def def;
+    int components;
+} views[] = {
+    {1, {.kind = RHW_TEXTURE_1D, .layer = 2, .swizzle = {RHW_SWIZZLE_BLUE, RHW_SWIZZLE_ONE}}, 1},
+    {2, {.format = RHW_FORMAT_RGBA8_UNORM, .level = 1}, 2},
+    {2, {.layers = 1, .swizzle = {RHW_SWIZZLE_ALPHA, RHW_SWIZZLE_RED, RHW_SWIZZLE_ZERO}}, 2},
+    {3, {.layer = 3, .levels = 2}, 2},
+    {4, {.layer = 2}, 2},
+    {4, {.kind = RHW_TEXTURE_3D, .level = 1}, 3},
+    {5, {.layer = 4}, 2},
+    {6, {.layer = 1, .layers = 9, .level = 1}, 2},
+    {6, {.kind = RHW_TEXTURE_CUBE, .layer = 5, .format = RHW_FORMAT_RGBA8_SRGB}, 3},
+};
+
+// Asked as the textures are; then drawn into, and their textures kept.
+void golden_views_draw(rhw_context *context, int number, struct golden_images *images)
+{
+    (void)number;
+    enum { VIEWS = sizeof views / sizeof *views };
+    const enum rhw_format format = RHW_FORMAT_RGBA32_FLOAT;
+    struct golden_board board;
+    golden_board_make(&board, context, VIEWS * SIDE, GOLDEN_QUESTIONS * SIDE, &format, 1);
+    golden_board_begin(&board);
+    const struct rhw_pipeline_def def = golden_cells_def(GOLDEN_CELL_KINDS, format);
+    rhw_pass_set_pipeline(context, board.pass, golden_pipeline(context, &def));
+    rhw_pass_set_vertex_buffer(context, board.pass, 0, receding(context), 0);
+    const struct rhw_sampler_def state = {.address_v = RHW_ADDRESS_MIRROR};
+    rhw_sampler sampler;
+    golden_check(rhw_sampler_create(context, &state, &sampler), "sampler");
+    rhw_texture parents[VIEWS], made[VIEWS];
+    for (int column = 0; column < VIEWS; column++) {
+        struct rhw_texture_view_def view = views[column].def;
+        view.texture = parents[column] = filled(context, &kinds[views[column].parent].def);
+        golden_check(rhw_texture_view_create(context, &view, &made[column]), "view");
+        for (int row = 0; row < GOLDEN_QUESTIONS; row++) {
+            const struct golden_kind_uniforms uniforms = {row, views[column].components};
+            golden_cell(context, board.pass, column, row, SIDE, SIDE);
+            rhw_pass_set_texture(context, board.pass, 0, made[column], sampler);
+            rhw_pass_set_uniforms(context, board.pass, &uniforms, sizeof uniforms);
+            rhw_pass_draw(context, board.pass, 0, 6, 0, 1);
+        }
+    }
+    golden_board_end(&board);
+    golden_board_keep(&board, images);
+    const rhw_texture plain = filled(context, &kinds[2].def);
+    for (int i = 0; i < VIEWS; i++) {
+        if (views[i].def.swizzle[0] == RHW_SWIZZLE_IDENTITY) {
+            draw_layer(context, made[i], slices_of(context, made[i]) - 1, plain, sampler);
+            golden_keep(images, context, made[i]);
+            golden_keep(images, context, parents[i]);
+        }
+    }
+}

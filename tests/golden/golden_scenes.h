@@ -53,6 +53,12 @@ golden_draw_function golden_kinds_draw; ///< textures of every kind, asked in ev
 golden_draw_function
     golden_layers_draw; ///< layers, faces and slices drawn into, their levels, and sampled again
 
+golden_draw_function golden_views_draw; ///< views of every kind, sampled and drawn into
+
+// golden_transfers.c
+golden_draw_function
+    golden_transfers_draw; ///< texels scaled, converted, resolved, cleared and copied without passes
+
 // golden_fragments.c
 golden_draw_function golden_builtins_draw; ///< coordinates, weights, derivatives, ids as floats and integers
 golden_draw_function golden_heights_draw;  ///< fragment depth, discard, derivatives

@@ -54,7 +54,8 @@ static void make_vertices(struct rig_vertex *vertices, int viewports, int layers
     }
 }
 
-static void make_views(struct rhw_viewport views[RHW_MAX_VIEWPORTS], struct rhw_rect scissors[RHW_MAX_VIEWPORTS])
+static void make_views(struct rhw_viewport views[RHW_MAX_VIEWPORTS],
+                       struct rhw_rect scissors[RHW_MAX_VIEWPORTS])
 {
     uint64_t seed = 3;
     for (int i = 0; i < RHW_MAX_VIEWPORTS; i++) {
@@ -288,8 +289,12 @@ static void test_builtins(void **state)
         for (int layer = 0; layer < LAYERS; layer++) {
             for (int i = 0; i < WIDTH * HEIGHT; i++) {
                 const bool is_half = layer == 4 && i % WIDTH < WIDTH / 2;
-                const float by_layer[2] = {layer == 2 ? 3.0f : is_half ? 5.0f : 0,
-                                           layer == 2 ? 7.0f : is_half ? 8.0f : 0};
+                const float by_layer[2] = {layer == 2 ? 3.0f
+                                           : is_half  ? 5.0f
+                                                      : 0,
+                                           layer == 2 ? 7.0f
+                                           : is_half  ? 8.0f
+                                                      : 0};
                 const float by_view[2] = {layer == 2 ? 1.0f : is_half ? 10.0f : 0, 0};
                 assert_true(read[layer][i][0] == by_layer[form]);
                 assert_true(read[layer][i][1] == by_view[form]);
@@ -364,9 +369,12 @@ static void test_declarations(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_viewports), cmocka_unit_test(test_layers),
-        cmocka_unit_test(test_clean_tiles_are_forgotten), cmocka_unit_test(test_builtins),
-        cmocka_unit_test(test_misuse), cmocka_unit_test(test_declarations),
+        cmocka_unit_test(test_viewports),
+        cmocka_unit_test(test_layers),
+        cmocka_unit_test(test_clean_tiles_are_forgotten),
+        cmocka_unit_test(test_builtins),
+        cmocka_unit_test(test_misuse),
+        cmocka_unit_test(test_declarations),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -70,7 +70,8 @@ static void project_again(const struct rhw_draw_state *state, int stride, float 
 }
 
 // Copies the run's vertices into one of its own for the draw of a viewport. False when out of memory.
-static bool copy_run(struct rhw_geometry_scratch *scratch, uint32_t from, const struct rhw_draw *draw, uint32_t to)
+static bool copy_run(struct rhw_geometry_scratch *scratch, uint32_t from, const struct rhw_draw *draw,
+                     uint32_t to)
 {
     const struct rhw_run *const old = &scratch->runs[from];
     const struct rhw_segment *const segment = &scratch->segments[from];
@@ -87,7 +88,8 @@ static bool copy_run(struct rhw_geometry_scratch *scratch, uint32_t from, const 
     memcpy(records, record_at(segment, low - old->first_slot), count * record);
     memset((unsigned char *)records + count * record, 0, (room - count) * record);
     for (size_t i = 0; i < room; i += 8) {
-        project_again(draw->state, segment->vertex_stride, records + i * (size_t)segment->vertex_stride, snapped + i);
+        project_again(draw->state, segment->vertex_stride, records + i * (size_t)segment->vertex_stride,
+                      snapped + i);
     }
     scratch->segments[to] = *segment;
     scratch->segments[to].draw = draw;

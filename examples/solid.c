@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: MIT
+// See solid.h.
+#include "solid.h"
+
+#include <string.h>
+
+#include <rhw/shader.h>
+
+static const int corners[6][2] = {{0, 0}, {1, 1}, {1, 0}, {0, 0}, {0, 1}, {1, 1}};
+
+void solid_ball(struct solid_vertex vertices[BALL_VERTICES])
+{
+    for (int i = 0; i < BALL_VERTICES; i++) {
+        const int field = i / 6, ring = field / BALL_SECTORS, sector = field % BALL_SECTORS;
+        const float polar = (float)(ring + corners[i % 6][1]) * 3.14159265f / BALL_RINGS;
+        const float turn = (float)(sector + corners[i % 6][0]) * 6.28318531f / BALL_SECTORS;
+        const float p[3] = {rhw_sin1(polar) * rhw_sin1(turn), rhw_cos1(polar),
+                            rhw_sin1(polar) * rhw_cos1(turn)};
+        memcpy(vertices[i].position, p, sizeof p);
+        memcpy(vertices[i].normal, p, sizeof p);
+    }
+}
+
+void solid_box(struct solid_vertex vertices[BOX_VERTICES])
+{
+    for (int i = 0; i < BOX_VERTICES; i++) {
+        const int axis = i / 12, side = i / 6 % 2 == 0 ? 1 : -1, *corner = corners[i % 6];
+        struct solid_vertex *v = &vertices[i];
+        memset(v, 0, sizeof *v);
+        v->normal[axis] = v->position[axis] = (float)side;
+        v->position[(axis + 1) % 3] = (float)(2 * corner[1] - 1);
+        v->position[(axis + 2) % 3] = (float)(side * (2 * corner[0] - 1));
+    }
+}
+
+void solid_camera(const float eye[3], const float target[3], float zoom, float matrix[16])
+{
+    float ahead[3], right[3] = {0}, up[3];
+    for (int k = 0; k < 3; k++) {
+        ahead[k] = target[k] - eye[k];
+    }
+    rhw_normalize3_1(ahead, ahead);
+    right[0] = -ahead[2], right[2] = ahead[0]; // ahead × y
+    rhw_normalize3_1(right, right);
+    up[0] = right[1] * ahead[2] - right[2] * ahead[1];
+    up[1] = right[2] * ahead[0] - right[0] * ahead[2];
+    up[2] = right[0] * ahead[1] - right[1] * ahead[0];
+    for (int k = 0; k < 3; k++) {
+        matrix[4 * k] = zoom * right[k];
+        matrix[4 * k + 1] = zoom * up[k];
+        matrix[4 * k + 2] = matrix[4 * k + 3] = ahead[k];
+    }
+    const float near = 0.5f;
+    matrix[12] = -zoom * rhw_dot3_1(right, eye);
+    matrix[13] = -zoom * rhw_dot3_1(up, eye);
+    matrix[15] = -rhw_dot3_1(ahead, eye);
+    matrix[14] = matrix[15] - near;
+}

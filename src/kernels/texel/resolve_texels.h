@@ -1,0 +1,61 @@
+// SPDX-License-Identifier: MIT
+// 8 texels of several samples as texels of one: the tiles' resolve and that of whole regions.
+#ifndef RHW_RESOLVE_TEXELS_H
+#define RHW_RESOLVE_TEXELS_H
+
+#include "mip_codec.h"
+
+// What to resolve: 8 pixels of each plane.
+struct sample_row {
+    const unsigned char *plane[RHW_MAX_SAMPLES];
+    int count;
+};
+
+RHW_INLINE f8 resolved_value(enum rhw_resolve mode, const f8 *value, int count)
+{
+    f8 result = value[0];
+    for (int s = 1; s < count; s++) {
+        result = mode == RHW_RESOLVE_MIN   ? rhw_min(value[s], result)
+                 : mode == RHW_RESOLVE_MAX ? rhw_max(value[s], result)
+                                           : result + value[s];
+    }
+    return mode == RHW_RESOLVE_AVERAGE ? result * rhw_splat(1.0f / (float)count) : result;
+}
+
+// Resolves the pixels of `lanes`.
+RHW_INLINE void resolve_row(const struct rhw_format_info *info, enum rhw_resolve mode,
+                            const struct sample_row *row, unsigned lanes, unsigned char *to)
+{
+    struct raw_texels raw;
+    f8 value[4][RHW_MAX_SAMPLES], result[4];
+    const int count = mode == RHW_RESOLVE_SAMPLE_ZERO ? 1 : row->count;
+    struct raw_texels first;
+    i8 agree = i8_splat(-1);
+    const int words = (int)(info->size + 3) / 4;
+    load_texel_row(info->size, row->plane[0], &first);
+    raw = first;
+    for (int s = 0; s < count; s++) {
+        f8 channels[4];
+        load_texel_row(info->size, row->plane[s], &raw);
+        decode_texels(info, &raw, channels);
+        for (int c = 0; c < 4; c++) {
+            value[c][s] = channels[c];
+        }
+        for (int w = 0; w < words; w++) {
+            agree &= rhw_equal_int(raw.word[w], first.word[w]);
+        }
+    }
+    if (mode != RHW_RESOLVE_SAMPLE_ZERO) {
+        for (int c = 0; c < 4; c++) {
+            result[c] = canonical_nan(resolved_value(mode, value[c], count));
+        }
+        encode_texels(info, result, &raw);
+    }
+    // A mean of equal floats may round to another one.
+    for (int w = 0; w < words; w++) {
+        raw.word[w] = rhw_select_int(agree, first.word[w], raw.word[w]);
+    }
+    store_texel_row(info->size, &raw, i8_from_bits(lanes), to);
+}
+
+#endif

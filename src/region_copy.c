@@ -1,0 +1,272 @@
+// SPDX-License-Identifier: MIT
+// Regions of textures copied bit for bit: from and to the caller's memory, buffers and other textures.
+#include <string.h>
+
+#include "block_format.h"
+#include "buffer.h"
+#include "context.h"
+#include "entry.h"
+#include "format.h"
+#include "lookup.h"
+#include "misuse.h"
+#include "rhw/rhw.h"
+#include "texture_access.h"
+#include "texture_region.h"
+
+// Rows outside of a texture, at their distances in bytes.
+struct rows {
+    unsigned char *first;
+    size_t row_pitch, slice_pitch;
+};
+
+enum direction { INTO_TEXTURE, OUT_OF_TEXTURE };
+
+static void copy_rows(const struct rhw_region *region, const struct rows *rows, enum direction direction)
+{
+    const size_t size = rhw_region_row_size(region);
+    for (int z = 0; z < region->depth; z++) {
+        for (int y = 0; y < region->height; y++) {
+            unsigned char *const inside = rhw_region_row(region, y, z);
+            unsigned char *const outside =
+                rows->first + (size_t)z * rows->slice_pitch + (size_t)y * rows->row_pitch;
+            memcpy(direction == INTO_TEXTURE ? inside : outside, direction == INTO_TEXTURE ? outside : inside,
+                   size);
+        }
+    }
+}
+
+// The caller's memory -------------------------------------------------------------------------------
+
+static bool check_pitches(const struct rhw_context *context, const struct rhw_region *region,
+                          struct rows *rows, const char *where)
+{
+    const size_t row = rhw_region_row_size(region);
+    rows->row_pitch = rows->row_pitch == 0 ? row : rows->row_pitch;
+    if (!rhw_check(context, rows->first != NULL, "%s: data is NULL", where) ||
+        !rhw_check(context, rows->row_pitch >= row, "%s: row_pitch is %zu; a row of the region has %zu bytes",
+                   where, rows->row_pitch, row) ||
+        !rhw_check(context, rows->row_pitch <= SIZE_MAX / (size_t)region->height,
+                   "%s: row_pitch is %zu; %d such rows have no place in memory", where, rows->row_pitch,
+                   region->height)) {
+        return false;
+    }
+    const size_t slice = rows->row_pitch * (size_t)region->height;
+    rows->slice_pitch = rows->slice_pitch == 0 ? slice : rows->slice_pitch;
+    return rhw_check(context, rows->slice_pitch >= slice - rows->row_pitch + row,
+                     "%s: slice_pitch is %zu; a slice of the region has %zu bytes", where, rows->slice_pitch,
+                     slice - rows->row_pitch + row);
+}
+
+static enum rhw_result write_region(struct rhw_context *context, rhw_texture texture,
+                                    const struct rhw_texture_region *region, struct rows *rows,
+                                    const char *where)
+{
+    struct rhw_region checked = rhw_region_check(context, texture, region, "region", where);
+    if (!checked.texture || !rhw_region_check_writable(context, &checked, where) ||
+        !check_pitches(context, &checked, rows, where)) {
+        return RHW_ERROR_MISUSE;
+    }
+    if (!rhw_region_to_write(context, &checked)) {
+        return RHW_ERROR_OUT_OF_MEMORY;
+    }
+    copy_rows(&checked, rows, INTO_TEXTURE);
+    return RHW_OK;
+}
+
+enum rhw_result rhw_texture_write_region(rhw_context *context, rhw_texture texture,
+                                         const struct rhw_texture_region *region, const void *data,
+                                         size_t row_pitch, size_t slice_pitch)
+{
+    static const char *const where = "rhw_texture_write_region";
+    if (!rhw_context_enter(context, where)) {
+        return RHW_ERROR_MISUSE;
+    }
+    struct rows rows = {(unsigned char *)data, row_pitch, slice_pitch}; // only read
+    const enum rhw_result result = write_region(context, texture, region, &rows, where);
+    rhw_context_leave(context);
+    return result;
+}
+
+enum rhw_result rhw_texture_read_region(rhw_context *context, rhw_texture texture,
+                                        const struct rhw_texture_region *region, void *data, size_t row_pitch,
+                                        size_t slice_pitch)
+{
+    static const char *const where = "rhw_texture_read_region";
+    if (!rhw_context_enter(context, where)) {
+        return RHW_ERROR_MISUSE;
+    }
+    struct rows rows = {data, row_pitch, slice_pitch};
+    const struct rhw_region checked = rhw_region_check(context, texture, region, "region", where);
+    const bool is_valid = checked.texture && check_pitches(context, &checked, &rows, where);
+    if (is_valid) {
+        copy_rows(&checked, &rows, OUT_OF_TEXTURE);
+    }
+    rhw_context_leave(context);
+    return is_valid ? RHW_OK : RHW_ERROR_MISUSE;
+}
+
+// Buffers -------------------------------------------------------------------------------------------
+
+// Bytes from the layout's offset to the end of the last row. Sizes are at most 2^14 texels and 2^31 rows.
+static bool check_layout(const struct rhw_context *context, const struct rhw_region *region,
+                         const struct rhw_texel_layout *layout, rhw_buffer buffer,
+                         const struct rhw_buffer_data *data, struct rows *rows, const char *where)
+{
+    const int length = layout->row_length == 0 ? region->width : layout->row_length;
+    const int height = layout->image_height == 0 ? region->height : layout->image_height;
+    if (!rhw_check(context, length >= region->width, "%s: layout.row_length is %d; the region is %d wide",
+                   where, length, region->width) ||
+        !rhw_check(context, height >= region->height, "%s: layout.image_height is %d; the region is %d high",
+                   where, height, region->height)) {
+        return false;
+    }
+    // Of exact numbers, which may exceed 64 bits only where the rows before the last do.
+    const uint64_t row = (uint64_t)length * region->texel;
+    const uint64_t before = (uint64_t)(region->depth - 1) * (uint64_t)height + (uint64_t)(region->height - 1);
+    const uint64_t last = rhw_region_row_size(region);
+    const bool fits = layout->offset <= data->size && last <= data->size - layout->offset &&
+                      (before == 0 || row <= (data->size - layout->offset - last) / before);
+    rows->row_pitch = (size_t)row;
+    rows->slice_pitch = (size_t)(row * (uint64_t)height);
+    return rhw_check(context, fits,
+                     "%s: layout.offset is %zu and %dx%dx%d texels follow in rows of %d; %s has %zu bytes",
+                     where, layout->offset, region->width, region->height, region->depth, length,
+                     rhw_name_of(&context->buffers, buffer.index).text, data->size);
+}
+
+static enum rhw_result copy_from_buffer(struct rhw_context *context, rhw_texture texture,
+                                        const struct rhw_texture_region *region, rhw_buffer buffer,
+                                        const struct rhw_texel_layout *layout)
+{
+    static const char *const where = "rhw_texture_copy_from_buffer";
+    struct rhw_region checked = rhw_region_check(context, texture, region, "region", where);
+    const struct rhw_buffer_data *const data =
+        checked.texture ? rhw_context_buffer(context, buffer, where) : NULL;
+    struct rows rows;
+    if (!data || !rhw_buffer_check_readable(context, buffer, data, where) ||
+        !rhw_region_check_writable(context, &checked, where) ||
+        !check_layout(context, &checked, layout, buffer, data, &rows, where)) {
+        return RHW_ERROR_MISUSE;
+    }
+    if (!rhw_region_to_write(context, &checked)) {
+        return RHW_ERROR_OUT_OF_MEMORY;
+    }
+    rows.first = data->bytes + layout->offset;
+    copy_rows(&checked, &rows, INTO_TEXTURE);
+    return RHW_OK;
+}
+
+static enum rhw_result copy_to_buffer(struct rhw_context *context, rhw_texture texture,
+                                      const struct rhw_texture_region *region, rhw_buffer buffer,
+                                      const struct rhw_texel_layout *layout)
+{
+    static const char *const where = "rhw_texture_copy_to_buffer";
+    const struct rhw_region checked = rhw_region_check(context, texture, region, "region", where);
+    struct rhw_buffer_data *const data = checked.texture ? rhw_context_buffer(context, buffer, where) : NULL;
+    struct rows rows;
+    if (!data || !rhw_buffer_check_writable(context, buffer, data, where) ||
+        !check_layout(context, &checked, layout, buffer, data, &rows, where)) {
+        return RHW_ERROR_MISUSE;
+    }
+    if (!rhw_buffer_to_write(context, buffer.index, data, 0)) {
+        return RHW_ERROR_OUT_OF_MEMORY;
+    }
+    rows.first = data->bytes + layout->offset;
+    copy_rows(&checked, &rows, OUT_OF_TEXTURE);
+    return RHW_OK;
+}
+
+static const struct rhw_texel_layout packed = {0};
+
+enum rhw_result rhw_texture_copy_from_buffer(rhw_context *context, rhw_texture texture,
+                                             const struct rhw_texture_region *region, rhw_buffer buffer,
+                                             const struct rhw_texel_layout *layout)
+{
+    if (!rhw_context_enter(context, "rhw_texture_copy_from_buffer")) {
+        return RHW_ERROR_MISUSE;
+    }
+    const enum rhw_result result =
+        copy_from_buffer(context, texture, region, buffer, layout ? layout : &packed);
+    rhw_context_leave(context);
+    return result;
+}
+
+enum rhw_result rhw_texture_copy_to_buffer(rhw_context *context, rhw_texture texture,
+                                           const struct rhw_texture_region *region, rhw_buffer buffer,
+                                           const struct rhw_texel_layout *layout)
+{
+    if (!rhw_context_enter(context, "rhw_texture_copy_to_buffer")) {
+        return RHW_ERROR_MISUSE;
+    }
+    const enum rhw_result result =
+        copy_to_buffer(context, texture, region, buffer, layout ? layout : &packed);
+    rhw_context_leave(context);
+    return result;
+}
+
+// Textures ------------------------------------------------------------------------------------------
+
+static bool have_color(const struct rhw_region *region)
+{
+    return !rhw_format_has_role(region->texture->info, RHW_ROLE_DEPTH_TARGET | RHW_ROLE_STENCIL_TARGET);
+}
+
+static bool check_formats(const struct rhw_context *context, const struct rhw_region *from,
+                          const struct rhw_region *to, const char *where)
+{
+    const enum rhw_format a = from->texture->format, b = to->texture->format;
+    const bool compatible = a == b || (have_color(from) && have_color(to) && from->texel == to->texel &&
+                                       !rhw_block_format(a) && !rhw_block_format(b));
+    return rhw_check(context, compatible,
+                     "%s: %s is %s and %s is %s; formats are equal, or colour with texels of one size, not "
+                     "compressed",
+                     where, rhw_name_of(&context->textures, from->id.index).text, rhw_format_info(a)->name,
+                     rhw_name_of(&context->textures, to->id.index).text, rhw_format_info(b)->name) &&
+           rhw_check(context, from->is_stencil == to->is_stencil,
+                     "%s: from.aspect and to.aspect differ; stencil is copied to stencil", where) &&
+           rhw_check(context, from->texture->samples == to->texture->samples,
+                     "%s: %s has %d samples and %s has %d; they must be equal", where,
+                     rhw_name_of(&context->textures, from->id.index).text, from->texture->samples,
+                     rhw_name_of(&context->textures, to->id.index).text, to->texture->samples);
+}
+
+static enum rhw_result copy_texture(struct rhw_context *context, rhw_texture from_texture,
+                                    const struct rhw_texture_region *from_region, rhw_texture to_texture,
+                                    const struct rhw_texture_region *to_region)
+{
+    static const char *const where = "rhw_texture_copy";
+    struct rhw_region from = rhw_region_check(context, from_texture, from_region, "from", where);
+    struct rhw_region to = {.texture = NULL};
+    if (from.texture) {
+        to = rhw_region_check_place(context, to_texture, to_region, &from, where);
+    }
+    if (!to.texture || !rhw_region_check_no_sample(context, from_region, "from", where) ||
+        !rhw_region_check_no_sample(context, to_region, "to", where) ||
+        !check_formats(context, &from, &to, where) || !rhw_region_check_apart(context, &from, &to, where) ||
+        !rhw_texture_check_unread(context, to.id, to.texture, where)) {
+        return RHW_ERROR_MISUSE;
+    }
+    // Where both are one texture, that keeps its old texels, and `from` them, until the pass ends.
+    if (!rhw_region_to_write(context, &to)) {
+        return RHW_ERROR_OUT_OF_MEMORY;
+    }
+    for (int sample = 0; sample < to.texture->samples; sample++) {
+        from.sample = to.sample = sample;
+        const struct rhw_mip plane = rhw_region_plane(&from, sample);
+        copy_rows(&to, &(struct rows){rhw_region_row(&from, 0, 0), plane.row_pitch, plane.slice_pitch},
+                  INTO_TEXTURE);
+    }
+    return RHW_OK;
+}
+
+enum rhw_result rhw_texture_copy(rhw_context *context, rhw_texture from_texture,
+                                 const struct rhw_texture_region *from, rhw_texture to_texture,
+                                 const struct rhw_texture_region *to)
+{
+    if (!rhw_context_enter(context, "rhw_texture_copy")) {
+        return RHW_ERROR_MISUSE;
+    }
+    const enum rhw_result result = copy_texture(context, from_texture, from, to_texture, to);
+    rhw_context_leave(context);
+    return result;
+}

@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: MIT
+// Who may touch a texture's texels between draws: what is drawn into waits for its pass to end, and what recorded draws read
+// stays as it is, so that a texture which is written gets new memory.
+#ifndef RHW_TEXTURE_ACCESS_H
+#define RHW_TEXTURE_ACCESS_H
+
+#include "rhw/types.h"
+
+struct rhw_texture_data;
+
+// Whether the pass being recorded draws into the texture, or into texels that it shares.
+bool rhw_texture_is_attached(const struct rhw_context *context, const struct rhw_texture_data *texture);
+
+// Reports texels that are to be written while the pass being recorded samples them, where they cannot be others then.
+bool rhw_texture_check_unread(const struct rhw_context *context, rhw_texture id,
+                              const struct rhw_texture_data *texture, const char *where);
+
+// Reports an attachment of the pass being recorded: what it holds is known when that has ended.
+bool rhw_texture_check_unattached(const struct rhw_context *context, rhw_texture id,
+                                  const struct rhw_texture_data *texture, const char *where);
+
+// The texture as it may be written now; NULL when out of memory. Other data than `texture` where draws that were recorded
+// read that.
+struct rhw_texture_data *rhw_texture_to_write(struct rhw_context *context, rhw_texture id,
+                                              struct rhw_texture_data *texture);
+
+#endif
