@@ -37,6 +37,10 @@ golden_draw_function
 golden_draw_function
     golden_primitives_draw; ///< points, lines, polygon modes, adjacency, clip and cull distances
 
+// golden_routing.c
+golden_draw_function
+    golden_routing_draw; ///< one pass draws six faces of a cube, in four viewports; sampled again
+
 // golden_vertices.c
 golden_draw_function golden_vertex_format_draw; ///< all vertex formats, odd strides and offsets
 golden_draw_function golden_instances_draw;     ///< per-instance attributes, first instance, ids
