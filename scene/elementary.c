@@ -43,6 +43,13 @@ static void sin_cos_quarter(int64_t quarter, double rest, double *sine, double *
 
 void scene_sin_cos_degrees(double degrees, double *sine, double *cosine)
 {
+    if (!(fabs(degrees) <= DBL_MAX)) {
+        *sine = *cosine = (double)NAN;
+        return;
+    }
+    if (fabs(degrees) >= 0x1p31) { // more quarters than an integer need hold; the remainder is exact
+        degrees = fmod(degrees, 360.0);
+    }
     const int64_t quarter = (int64_t)(degrees / 90.0 + (degrees < 0.0 ? -0.5 : 0.5));
     sin_cos_quarter(quarter, (degrees - 90.0 * (double)quarter) * (pi / 180.0), sine, cosine);
 }
@@ -130,5 +137,8 @@ double scene_log(double a)
 
 double scene_pow(double a, double b)
 {
+    if (b == 0 || a == 1) {
+        return 1; // also where the other one is infinite or NaN, and 0^0, as C's pow
+    }
     return scene_exp(b * scene_log(a));
 }

@@ -179,8 +179,8 @@ void rhw_sample_groups(const struct rhw_fragment *groups, int count, uint32_t sl
                        rhw_float (*texels)[4], int stride)
 {
     const uint32_t known = slots & ((1u << RHW_MAX_TEXTURES) - 1);
-    if (groups->textures->site.findings) {
-        rhw_watch_sample_groups(groups, count, slots, at);
+    if (groups->textures->site.findings && !rhw_watch_sample_groups(groups, count, known, at, stride)) {
+        return;
     }
     if (known != 0) {
         groups->textures->kernels->sample_groups(groups, count, known, at, texels, stride);

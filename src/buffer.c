@@ -130,6 +130,10 @@ bool rhw_buffer_check_readable(const struct rhw_context *context, rhw_buffer buf
     return rhw_check(context,
                      !context->recording.active || data->stored_pass != context->recording.generation,
                      "%s: %s is a storage buffer of this pass; end the pass first", where,
+                     rhw_name_of(&context->buffers, buffer.index).text) &&
+           rhw_check(context,
+                     !context->recording.active || data->captured_pass != context->recording.generation,
+                     "%s: %s is written by the transform feedback of this pass; end the pass first", where,
                      rhw_name_of(&context->buffers, buffer.index).text);
 }
 
@@ -144,10 +148,6 @@ bool rhw_buffer_check_writable(const struct rhw_context *context, rhw_buffer buf
                                const struct rhw_buffer_data *data, const char *where)
 {
     return rhw_buffer_check_readable(context, buffer, data, where) &&
-           rhw_check(context,
-                     !context->recording.active || data->captured_pass != context->recording.generation,
-                     "%s: %s is written by the transform feedback of the pass being recorded; end it first",
-                     where, rhw_name_of(&context->buffers, buffer.index).text) &&
            rhw_buffer_check_unmapped(context, buffer, data, where) &&
            rhw_check(context,
                      !data->is_callers || !rhw_context_records(context, &context->buffers, buffer.index),

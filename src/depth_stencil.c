@@ -35,6 +35,15 @@ static bool draws_polygons(enum rhw_topology topology)
            topology == RHW_TRIANGLE_LIST_ADJACENCY || topology == RHW_TRIANGLE_STRIP_ADJACENCY;
 }
 
+// Whether samples that pass are not the fragments that are shaded: those are fewer, or more, or none.
+static bool counts_by_test(const struct rhw_pipeline_def *def, bool many_samples)
+{
+    const struct rhw_program *const program = &def->program;
+    const bool has_fragment = program->fragment[RHW_ISA_BASELINE] != NULL || program->fragment1 != NULL;
+    return many_samples || !has_fragment ||
+           program->uses & (RHW_USE_DISCARD | RHW_USE_DEPTH | RHW_USE_EFFECTS);
+}
+
 void rhw_depth_stencil_init(struct rhw_depth_stencil_state *state, const struct rhw_pipeline_def *def,
                             const struct rhw_depth_stencil_setting *setting, double depth_steps)
 {
@@ -43,7 +52,9 @@ void rhw_depth_stencil_init(struct rhw_depth_stencil_state *state, const struct 
     state->tests_bounds = def->depth_bounds_test;
     state->depth_steps = def->depth_test ? depth_steps : 0;
     state->counts = setting->counts;
-    state->is_full = state->tests_stencil || state->tests_bounds || state->depth_steps != 0 || state->counts;
+    state->counts_by_test = state->counts && counts_by_test(def, setting->many_samples);
+    state->is_full =
+        state->tests_stencil || state->tests_bounds || state->depth_steps != 0 || state->counts_by_test;
     state->face[0] = rule_of(&def->stencil_front, def->stencil_test, setting->reference[0]);
     state->face[1] = rule_of(&def->stencil_back, def->stencil_test, setting->reference[1]);
     state->rejects_early =

@@ -19,7 +19,7 @@ struct rhw_stencil_rule {
 
 struct rhw_depth_stencil_state {
     // The draw needs the full test: it tests stencil or depth bounds, its depth has other steps than a float's, or what
-    // passes is counted.
+    // passes is counted by it.
     bool is_full;
     bool tests_stencil, tests_bounds;
     bool rejects_early;              // fragments that fail the depth test change nothing
@@ -28,7 +28,8 @@ struct rhw_depth_stencil_state {
     double depth_steps; // between 0 and 1, which depth is rounded to; 0: it stays a float
     bool is_biased;
     struct rhw_depth_bias bias;
-    bool counts; // samples that pass: for queries
+    bool counts;         // samples that pass: for queries
+    bool counts_by_test; // each is counted where it is tested; else they are the fragments that are shaded
 };
 
 // What pass state adds to a pipeline's.
@@ -37,7 +38,8 @@ struct rhw_depth_stencil_setting {
     bool has_bias;        // instead of the pipeline's
     struct rhw_depth_bias bias;
     float bounds_least, bounds_most;
-    bool counts; // a query counts what passes
+    bool counts;       // a query counts what passes
+    bool many_samples; // a pixel has several
 };
 
 // `def` is valid; depth_steps: of the pass's depth attachment, 0 for a float or none.

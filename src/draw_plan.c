@@ -42,9 +42,12 @@ static enum rhw_shading choose_shading(const struct rhw_pipeline_data *pipeline,
     if (!(pipeline->fragment || pipeline->def.program.fragment1) || phase == RHW_PHASE_DEPTH) {
         return RHW_SHADING_NONE;
     }
-    // Groups of several samples that differ, and depths of several samples, are those of rows.
+    // What a fragment function sees of samples, and does to them, is kept by rows; so are its effects where it may drop
+    // fragments, or is called for some that are not seen.
+    const bool has_effects = uses & RHW_USE_EFFECTS &&
+                             (drops_late(&pipeline->def, samples) || tests_late(&pipeline->def, samples));
     const bool by_rows =
-        samples > 1 && (drops_late(&pipeline->def, samples) || tests_late(&pipeline->def, samples) ||
+        samples > 1 && (masks_samples(&pipeline->def, samples) || uses & RHW_USE_DEPTH || has_effects ||
                         choose_sampling(pipeline, samples) != RHW_SAMPLING_CENTER);
     if (paths == RHW_PATHS_GENERAL || by_rows) {
         return RHW_SHADING_ROWS;
@@ -165,7 +168,7 @@ static struct rhw_draw_plan plan_of(const struct rhw_pipeline_data *pipeline,
     }
     const bool any_group = plan.shading == RHW_SHADING_SMOOTH || plan.shading == RHW_SHADING_NONE;
     if (paths != RHW_PATHS_GENERAL && samples > 1 && !plan.is_skipped && phase != RHW_PHASE_BACKWARDS &&
-        any_group && !plan.is_full && plan.depth_mode <= RHW_DEPTH_EARLY) {
+        any_group && !plan.is_full) {
         plan.sampled_small_flag = RHW_TRIANGLE_SMALL;
     }
     return plan;

@@ -22,6 +22,8 @@ struct rhw_limits rhw_limits_get(void)
         .max_uniform_buffer_range = RHW_MAX_UNIFORM_SIZE,
         .max_per_stage_descriptor_samplers = RHW_MAX_TEXTURES,
         .max_per_stage_descriptor_sampled_images = RHW_MAX_TEXTURES,
+        .max_storage_buffer_range = UINT32_MAX,
+        .max_per_stage_descriptor_storage_buffers = RHW_MAX_STORAGE_BUFFERS,
         .max_vertex_input_attributes = RHW_MAX_ATTRIBUTES,
         .max_vertex_input_bindings = RHW_MAX_VERTEX_BUFFERS,
         .max_vertex_input_attribute_offset = UINT32_MAX - 16, // and an attribute
@@ -37,6 +39,8 @@ struct rhw_limits rhw_limits_get(void)
         .max_framebuffer_height = RHW_MAX_TARGET_SIZE,
         .max_color_attachments = RHW_MAX_COLOR_ATTACHMENTS,
         .max_fragment_output_attachments = RHW_MAX_COLOR_ATTACHMENTS,
+        .max_fragment_dual_src_attachments = 1,
+        .max_fragment_combined_output_resources = RHW_MAX_COLOR_ATTACHMENTS + RHW_MAX_STORAGE_BUFFERS,
         .framebuffer_color_sample_counts = SAMPLE_COUNTS,
         .framebuffer_depth_sample_counts = SAMPLE_COUNTS,
         .framebuffer_stencil_sample_counts = SAMPLE_COUNTS,
@@ -60,6 +64,12 @@ struct rhw_limits rhw_limits_get(void)
         .min_texel_gather_offset = -32768,
         .max_texel_offset = 32767,
         .max_texel_gather_offset = 32767,
+        .max_transform_feedback_streams = 1,
+        .max_transform_feedback_buffers = RHW_MAX_FEEDBACK_TARGETS,
+        .max_transform_feedback_buffer_size = SIZE_MAX / 2,
+        .max_transform_feedback_stream_data_size = RHW_MAX_FEEDBACK_OUTPUTS * 4 * sizeof(float),
+        .max_transform_feedback_buffer_data_size = RHW_MAX_FEEDBACK_OUTPUTS * 4 * sizeof(float),
+        .max_transform_feedback_buffer_data_stride = UINT32_MAX - 3, // a multiple of 4
         .timestamp_period = 1,
     };
 }

@@ -133,24 +133,34 @@ void rhw_pass_set_pipeline(rhw_context *context, rhw_pass id, rhw_pipeline pipel
     rhw_context_leave(context);
 }
 
-// A buffer that draws will read from `offset` on; its data is NULL when the call was misuse.
-static struct rhw_bound_buffer bind_buffer(rhw_context *context, rhw_buffer id, size_t offset,
-                                           const char *where)
+// Nothing says what would come first, reading or writing.
+static __attribute__((cold)) void report_written(const rhw_context *context, rhw_buffer id,
+                                                 const struct rhw_buffer_data *buffer, const char *where)
 {
-    const struct rhw_buffer_data *const buffer = rhw_context_buffer(context, id, where);
+    const bool is_stored = buffer->stored_pass == context->recording.generation;
+    rhw_misuse(context, "%s: %s is %s", where, rhw_name_of(&context->buffers, id.index).text,
+               is_stored ? "a storage buffer of this pass, which may write it"
+                         : "written by the transform feedback of this pass");
+}
+
+// A buffer that draws will read from `offset` on; its data is NULL when the call was misuse.
+static inline struct rhw_bound_buffer bind_buffer(rhw_context *context, rhw_buffer id, size_t offset,
+                                                  const char *where)
+{
+    const uint32_t generation = context->recording.generation;
+    struct rhw_buffer_data *const buffer = rhw_context_buffer(context, id, where);
     if (!buffer ||
         !rhw_check(context, offset <= buffer->size, "%s: offset is %zu; %s has %zu bytes", where, offset,
                    rhw_name_of(&context->buffers, id.index).text, buffer->size) ||
         !rhw_buffer_check_drawable(context, id, buffer, where)) {
         return (struct rhw_bound_buffer){.data = NULL};
     }
-    if (!rhw_pass_fetches(context, id, where) ||
-        !rhw_check(context, buffer->captured_pass != context->recording.generation,
-                   "%s: %s is written by the transform feedback of this pass", where,
-                   rhw_name_of(&context->buffers, id.index).text)) {
+    if (buffer->stored_pass == generation || buffer->captured_pass == generation) {
+        report_written(context, id, buffer, where);
         return (struct rhw_bound_buffer){.data = NULL};
     }
-    rhw_pool_use(&context->buffers, id.index, context->recording.generation);
+    buffer->fetched_pass = generation;
+    rhw_pool_use(&context->buffers, id.index, generation);
     return (struct rhw_bound_buffer){buffer, offset, id.index};
 }
 
@@ -732,8 +742,8 @@ static void append_draw(struct rhw_pass_state *pass, const struct rhw_draw *draw
     slot->first_triangle = pass->triangle_count;
     const bool effects = state->pipeline->def.program.vertex_effects;
     if (pass->out_of_memory || !rhw_assembly_prepare(slot, count, &pass->arena) ||
-        (effects && !rhw_effect_vertices_prepare(slot, &pass->arena)) || !rhw_feedback_add_draw(pass, slot) ||
-        !route_draw(pass, slot)) {
+        (effects && !rhw_effect_vertices_prepare(slot, &pass->arena)) ||
+        (pass->feedback.is_active && !rhw_feedback_add_draw(pass, slot)) || !route_draw(pass, slot)) {
         pass->out_of_memory = true;
         return;
     }

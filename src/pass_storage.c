@@ -11,18 +11,6 @@
 #include "pass_state.h"
 #include "rhw/rhw.h"
 
-bool rhw_pass_fetches(struct rhw_context *context, rhw_buffer id, const char *where)
-{
-    struct rhw_buffer_data *const data = rhw_context_buffer(context, id, where);
-    if (!data || !rhw_check(context, data->stored_pass != context->recording.generation,
-                            "%s: %s is a storage buffer of this pass, which may write it", where,
-                            rhw_name_of(&context->buffers, id.index).text)) {
-        return false;
-    }
-    data->fetched_pass = context->recording.generation;
-    return true;
-}
-
 static bool check_storage(const struct rhw_context *context, rhw_buffer id,
                           const struct rhw_buffer_data *data, size_t offset, size_t size, const char *where)
 {
@@ -31,6 +19,9 @@ static bool check_storage(const struct rhw_context *context, rhw_buffer id,
            rhw_check(context, offset <= data->size && size <= data->size - offset,
                      "%s: offset is %zu and size is %zu; together they must stay within the %zu bytes of %s",
                      where, offset, size, data->size, rhw_name_of(&context->buffers, id.index).text) &&
+           rhw_check(context, data->captured_pass != context->recording.generation,
+                     "%s: %s is written by the transform feedback of this pass", where,
+                     rhw_name_of(&context->buffers, id.index).text) &&
            rhw_check(context, data->fetched_pass != context->recording.generation,
                      "%s: %s is a vertex or index buffer of this pass, which may not write it", where,
                      rhw_name_of(&context->buffers, id.index).text);

@@ -30,6 +30,14 @@ static bool check_range(const struct rhw_context *context, const char *field, lo
                      create_name, field, value, low, high);
 }
 
+// `type` is the enum that the value is of, without the word.
+static bool check_enum(const struct rhw_context *context, const char *field, const char *type, int value,
+                       int last)
+{
+    return rhw_check(context, value >= 0 && value <= last, "%s: %s is %d; it must be 0..%d (enum %s)",
+                     create_name, field, value, last, type);
+}
+
 static bool check_element(const struct rhw_context *context, const char *array, int index, const char *field,
                           long long value, long long low, long long high)
 {
@@ -204,15 +212,17 @@ static bool check_stencil_face(const struct rhw_context *context, const char *na
 {
     const unsigned last = RHW_STENCIL_DECREMENT_WRAP;
     return rhw_check(context, (unsigned)face->compare <= RHW_COMPARE_ALWAYS,
-                     "%s: %s.compare is %d; not a comparison", create_name, name, (int)face->compare) &&
+                     "%s: %s.compare is %d; it must be 0..%d (enum rhw_compare)", create_name, name,
+                     (int)face->compare, RHW_COMPARE_ALWAYS) &&
            rhw_check(context, face->compares || face->compare == 0,
                      "%s: %s.compare is %d and compares is false; it must be true for a face that compares",
                      create_name, name, (int)face->compare) &&
            rhw_check(context,
                      (unsigned)face->fail <= last && (unsigned)face->depth_fail <= last &&
                          (unsigned)face->pass <= last,
-                     "%s: %s has operations %d, %d, %d; not all are stencil operations", create_name, name,
-                     (int)face->fail, (int)face->depth_fail, (int)face->pass) &&
+                     "%s: %s has operations %d, %d, %d; not all are stencil operations, 0..%d (enum "
+                     "rhw_stencil_operation)",
+                     create_name, name, (int)face->fail, (int)face->depth_fail, (int)face->pass, (int)last) &&
            rhw_check(context,
                      face->read_mask <= RHW_STENCIL_NO_BITS && face->write_mask <= RHW_STENCIL_NO_BITS,
                      "%s: %s has masks 0x%x and 0x%x; each is 0..0xff, or RHW_STENCIL_NO_BITS alone",
@@ -235,15 +245,19 @@ static bool check_line_width(const struct rhw_context *context, float width)
 
 static bool check_states(const struct rhw_context *context, const struct rhw_pipeline_def *def)
 {
-    return check_range(context, "topology", def->topology, 0, RHW_TRIANGLE_STRIP_ADJACENCY) &&
-           check_range(context, "polygon_mode", def->polygon_mode, 0, RHW_POLYGON_POINT) &&
+    return check_enum(context, "topology", "rhw_topology", (int)def->topology,
+                      RHW_TRIANGLE_STRIP_ADJACENCY) &&
+           check_enum(context, "polygon_mode", "rhw_polygon_mode", (int)def->polygon_mode,
+                      RHW_POLYGON_POINT) &&
            check_line_width(context, def->line_width) &&
-           check_range(context, "provoking", def->provoking, 0, RHW_PROVOKING_LAST) &&
-           check_range(context, "cull", def->cull, 0, RHW_CULL_BACK) &&
-           check_range(context, "front", def->front, 0, RHW_CLOCKWISE) &&
-           check_range(context, "depth_range", def->depth_range, 0, RHW_DEPTH_MINUS_ONE_TO_ONE) &&
-           check_range(context, "depth_compare", def->depth_compare, 0, RHW_COMPARE_ALWAYS) &&
-           check_range(context, "logic", def->logic, 0, RHW_LOGIC_SET) && check_depth_stencil(context, def);
+           check_enum(context, "provoking", "rhw_provoking", (int)def->provoking, RHW_PROVOKING_LAST) &&
+           check_enum(context, "cull", "rhw_cull", (int)def->cull, RHW_CULL_BACK) &&
+           check_enum(context, "front", "rhw_winding", (int)def->front, RHW_CLOCKWISE) &&
+           check_enum(context, "depth_range", "rhw_depth_range", (int)def->depth_range,
+                      RHW_DEPTH_MINUS_ONE_TO_ONE) &&
+           check_enum(context, "depth_compare", "rhw_compare", (int)def->depth_compare, RHW_COMPARE_ALWAYS) &&
+           check_enum(context, "logic", "rhw_logic", (int)def->logic, RHW_LOGIC_SET) &&
+           check_depth_stencil(context, def);
 }
 
 static bool check_blend(const struct rhw_context *context, int index, const char *src, const char *dst,

@@ -124,6 +124,7 @@ static void set_active(struct rhw_pass_state *pass, enum rhw_query_kind kind, st
     pass->pending.depth_setting.counts = queries->of[RHW_QUERY_OCCLUSION] ||
                                          queries->of[RHW_QUERY_ANY_PASSED] ||
                                          queries->of[RHW_QUERY_STATISTICS];
+    pass->pending.depth_setting.many_samples = pass->pattern->count > 1;
     pass->pending_changed = true;
 }
 

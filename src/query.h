@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Queries: what they are between passes, and what the pass under way counts for them. Draws carry those that are under
-// way in their state; a draw that a query counts the samples of takes plans that test each of them once, in its turn.
+// way in their state; a draw that a query counts the samples of is drawn in its turn (depth_stencil.h: `counts`).
 #ifndef RHW_QUERY_H
 #define RHW_QUERY_H
 

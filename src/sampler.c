@@ -12,10 +12,11 @@
 
 static const char *const create_name = "rhw_sampler_create";
 
-static bool check_enum(const struct rhw_context *context, const char *field, unsigned value, unsigned last)
+static bool check_enum(const struct rhw_context *context, const char *field, const char *type, unsigned value,
+                       unsigned last)
 {
-    return rhw_check(context, value <= last, "%s: %s is %u; it must be 0..%u", create_name, field, value,
-                     last);
+    return rhw_check(context, value <= last, "%s: %s is %u; it must be 0..%u (enum %s)", create_name, field,
+                     value, last, type);
 }
 
 static bool check_finite(const struct rhw_context *context, const char *field, float value)
@@ -59,8 +60,8 @@ static bool check_unnormalized(const struct rhw_context *context, const struct r
 
 static bool check_filter_state(const struct rhw_context *context, const struct rhw_sampler_def *def)
 {
-    return check_enum(context, "address_w", def->address_w, RHW_ADDRESS_BORDER) &&
-           check_enum(context, "reduction", def->reduction, RHW_REDUCTION_MAX) &&
+    return check_enum(context, "address_w", "rhw_address", def->address_w, RHW_ADDRESS_BORDER) &&
+           check_enum(context, "reduction", "rhw_reduction", def->reduction, RHW_REDUCTION_MAX) &&
            rhw_check(context, def->max_anisotropy >= 0 && def->max_anisotropy <= 16,
                      "%s: max_anisotropy is %g; it must be 0..16", create_name,
                      (double)def->max_anisotropy) &&
@@ -75,12 +76,12 @@ static bool check_create(const struct rhw_context *context, const struct rhw_sam
 {
     return rhw_check(context, def != NULL, "%s: def is NULL", create_name) &&
            rhw_check(context, sampler != NULL, "%s: sampler is NULL", create_name) &&
-           check_enum(context, "min_filter", def->min_filter, RHW_FILTER_NEAREST) &&
-           check_enum(context, "mag_filter", def->mag_filter, RHW_FILTER_NEAREST) &&
-           check_enum(context, "mip_filter", def->mip_filter, RHW_MIP_FILTER_NONE) &&
-           check_enum(context, "address_u", def->address_u, RHW_ADDRESS_BORDER) &&
-           check_enum(context, "address_v", def->address_v, RHW_ADDRESS_BORDER) &&
-           check_enum(context, "compare", def->compare, RHW_COMPARE_ALWAYS) &&
+           check_enum(context, "min_filter", "rhw_filter", def->min_filter, RHW_FILTER_NEAREST) &&
+           check_enum(context, "mag_filter", "rhw_filter", def->mag_filter, RHW_FILTER_NEAREST) &&
+           check_enum(context, "mip_filter", "rhw_mip_filter", def->mip_filter, RHW_MIP_FILTER_NONE) &&
+           check_enum(context, "address_u", "rhw_address", def->address_u, RHW_ADDRESS_BORDER) &&
+           check_enum(context, "address_v", "rhw_address", def->address_v, RHW_ADDRESS_BORDER) &&
+           check_enum(context, "compare", "rhw_compare", def->compare, RHW_COMPARE_ALWAYS) &&
            rhw_check(context, def->compares || def->compare == 0,
                      "%s: compare is %u and compares is false; it must be true for a sampler that compares",
                      create_name, (unsigned)def->compare) &&

@@ -14,7 +14,6 @@
 #include "misuse.h"
 #include "rhw/rhw.h"
 #include "shared_texels.h"
-#include "texture_layout.h"
 #include "texture_shape.h"
 
 static int level_size(int size, int level)

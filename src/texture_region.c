@@ -99,20 +99,46 @@ bool rhw_region_check_writable(const struct rhw_context *context, const struct r
            rhw_texture_check_unread(context, region->id, region->texture, where);
 }
 
-static bool spans_overlap(int a, int b, int size)
+struct rhw_mip rhw_region_plane(const struct rhw_region *region, int sample)
 {
-    return a < b + size && b < a + size;
+    struct rhw_mip plane = region->texture->mip[region->level];
+    if (region->is_stencil) {
+        plane.texels = plane.stencil;
+        plane.row_pitch = plane.stencil_pitch;
+        plane.slice_pitch = plane.stencil_pitch * (size_t)plane.height;
+    }
+    plane.texels += (size_t)sample * region->texture->sample_stride;
+    return plane;
+}
+
+static bool spans_overlap(int a, int b, int a_size, int b_size)
+{
+    return a < b + b_size && b < a + a_size;
+}
+
+// Whether both lie in texels that one texture, or its views, have. Levels differ in a pitch, or slices of one pitch that lie
+// that far apart have no texel in common.
+static bool regions_overlap(const struct rhw_region *from, const struct rhw_region *to)
+{
+    const struct rhw_mip a = rhw_region_plane(from, 0), b = rhw_region_plane(to, 0);
+    const bool are_one = from->texture == to->texture ||
+                         (from->texture->shared && from->texture->shared == to->texture->shared);
+    if (!are_one || a.row_pitch != b.row_pitch || a.slice_pitch != b.slice_pitch) {
+        return false;
+    }
+    const ptrdiff_t slices = (b.texels - a.texels) / (ptrdiff_t)a.slice_pitch;
+    return (b.texels - a.texels) % (ptrdiff_t)a.slice_pitch == 0 &&
+           spans_overlap(from->x, to->x, from->width, to->width) &&
+           spans_overlap(from->y, to->y, from->height, to->height) &&
+           spans_overlap(from->z, to->z + (int)slices, from->depth, to->depth);
 }
 
 bool rhw_region_check_apart(const struct rhw_context *context, const struct rhw_region *from,
                             const struct rhw_region *to, const char *where)
 {
-    const bool overlap = from->texture == to->texture && from->level == to->level &&
-                         spans_overlap(from->x, to->x, to->width) &&
-                         spans_overlap(from->y, to->y, to->height) &&
-                         spans_overlap(from->z, to->z, to->depth);
-    return rhw_check(context, !overlap, "%s: the regions overlap in %s; copy by way of another texture",
-                     where, rhw_name_of(&context->textures, to->id.index).text);
+    return rhw_check(context, !regions_overlap(from, to),
+                     "%s: the regions overlap in %s; copy by way of another texture", where,
+                     rhw_name_of(&context->textures, to->id.index).text);
 }
 
 bool rhw_region_check_no_sample(const struct rhw_context *context, const struct rhw_texture_region *region,
@@ -153,18 +179,6 @@ bool rhw_region_to_write(struct rhw_context *context, struct rhw_region *region)
         region->texture->written |= 1u << region->level;
     }
     return region->texture != NULL;
-}
-
-struct rhw_mip rhw_region_plane(const struct rhw_region *region, int sample)
-{
-    struct rhw_mip plane = region->texture->mip[region->level];
-    if (region->is_stencil) {
-        plane.texels = plane.stencil;
-        plane.row_pitch = plane.stencil_pitch;
-        plane.slice_pitch = plane.stencil_pitch * (size_t)plane.height;
-    }
-    plane.texels += (size_t)sample * region->texture->sample_stride;
-    return plane;
 }
 
 unsigned char *rhw_region_row(const struct rhw_region *region, int y, int z)

@@ -9,6 +9,10 @@
 #include "misuse.h"
 #include "sample_pattern.h"
 
+_Static_assert((int)RHW_ROW_ALIGNMENT == (int)RHW_MEMORY_ALIGNMENT &&
+                   (int)RHW_TEXEL_PADDING == (int)RHW_MEMORY_PADDING,
+               "what rhw_texture_def says");
+
 enum { FACES = 6 };
 
 int rhw_mip_chain_length(int width, int height, int depth)
@@ -152,6 +156,25 @@ struct rhw_texture_shape rhw_texture_shape_of(const struct rhw_texture_def *def)
                    : def->mip_levels == 0 ? 1
                                           : def->mip_levels;
     return shape;
+}
+
+bool rhw_texture_memory_check(const struct rhw_context *context, const struct rhw_texture_def *def,
+                              const char *where)
+{
+    if (!def->memory) {
+        return rhw_check(context, def->memory_size == 0,
+                         "%s: memory_size is %zu and memory is NULL; it must be 0 then", where,
+                         def->memory_size);
+    }
+    const struct rhw_texture_shape shape = rhw_texture_shape_of(def);
+    struct rhw_texture_data texture;
+    rhw_texture_data_init(&texture, def->format, &shape);
+    return rhw_check(context, (uintptr_t)def->memory % RHW_MEMORY_ALIGNMENT == 0,
+                     "%s: memory is %p; its address must be a multiple of %d", where, def->memory,
+                     RHW_MEMORY_ALIGNMENT) &&
+           rhw_check(context, def->memory_size >= texture.memory_size && texture.memory_size != SIZE_MAX,
+                     "%s: memory_size is %zu; the texture takes %zu bytes (rhw_texture_query_layout)", where,
+                     def->memory_size, texture.memory_size);
 }
 
 bool rhw_texture_check_layer(const struct rhw_context *context, rhw_texture id,

@@ -12,6 +12,10 @@ bool rhw_texture_shape_check(const struct rhw_context *context, const struct rhw
 // `def` is valid.
 struct rhw_texture_shape rhw_texture_shape_of(const struct rhw_texture_def *def);
 
+// Reports memory of the program's that is misaligned or too small; `def` is valid otherwise.
+bool rhw_texture_memory_check(const struct rhw_context *context, const struct rhw_texture_def *def,
+                              const char *where);
+
 // Reports a layer, or slice of a 3D texture, that the level does not have.
 bool rhw_texture_check_layer(const struct rhw_context *context, rhw_texture id,
                              const struct rhw_texture_data *texture, int level, int layer, const char *where);

@@ -32,7 +32,7 @@ static bool check_target(const struct rhw_pass_state *pass, const struct rhw_fee
         !rhw_check(context,
                    buffer->captured_pass == generation ||
                        rhw_pool_last_use(&context->buffers, target->buffer.index) != generation,
-                   "%s: %s, targets[%d], is read by this pass", begin_name,
+                   "%s: %s, targets[%d], is a vertex, index or storage buffer of this pass", begin_name,
                    rhw_name_of(&context->buffers, target->buffer.index).text, i)) {
         return false;
     }
@@ -60,14 +60,25 @@ static void begin_target(struct rhw_pass_state *pass, const struct rhw_feedback_
         pass->out_of_memory = true;
         return;
     }
-    struct rhw_buffer_data *const buffer = rhw_context_buffer(context, target->buffer, begin_name);
+    const struct rhw_buffer_data *const buffer = rhw_context_buffer(context, target->buffer, begin_name);
     const size_t end = target->size == 0 ? buffer->size : target->offset + target->size;
     *range = (struct rhw_feedback_range){feedback->ranges, target->buffer.index, target->offset, end};
     feedback->ranges = feedback->range[i] = range;
     feedback->bytes[i] = buffer->bytes;
     feedback->at[i] = target->offset;
-    buffer->captured_pass = context->recording.generation;
-    rhw_pool_use(&context->buffers, target->buffer.index, context->recording.generation);
+}
+
+// Notes that the pass writes the buffers of its targets.
+static void note_writes(const struct rhw_pass_state *pass, const struct rhw_feedback_target *targets)
+{
+    struct rhw_context *const context = pass->context;
+    for (int i = 0; i < RHW_MAX_FEEDBACK_TARGETS; i++) {
+        if (pass->feedback.range[i]) {
+            struct rhw_buffer_data *const buffer = rhw_context_buffer(context, targets[i].buffer, begin_name);
+            buffer->captured_pass = context->recording.generation;
+            rhw_pool_use(&context->buffers, targets[i].buffer.index, context->recording.generation);
+        }
+    }
 }
 
 static int vertices_of(const struct rhw_pipeline_def *def)
@@ -127,6 +138,7 @@ static void begin(struct rhw_pass_state *pass, const struct rhw_feedback_target 
             return;
         }
     }
+    note_writes(pass, targets);
     feedback->vertices = vertices_of(&pass->pending.pipeline->def);
     feedback->is_active = true;
 }
@@ -185,10 +197,6 @@ bool rhw_feedback_add_draw(struct rhw_pass_state *pass, struct rhw_draw *draw)
 {
     struct rhw_feedback_state *const feedback = &pass->feedback;
     const struct rhw_pipeline_data *const pipeline = draw->state->pipeline;
-    draw->feedback = NULL;
-    if (!feedback->is_active) {
-        return true;
-    }
     struct rhw_draw_feedback *const made =
         rhw_arena_alloc(&pass->arena, sizeof *made, _Alignof(struct rhw_draw_feedback));
     if (!made) {

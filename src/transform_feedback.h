@@ -33,7 +33,7 @@ struct rhw_draw_feedback {
     int vertices;                                // of a primitive
 };
 
-// Gives a draw that was prepared its place, where feedback is under way. False when out of memory.
+// Gives a draw that was prepared its place; feedback is under way. False when out of memory.
 bool rhw_feedback_add_draw(struct rhw_pass_state *pass, struct rhw_draw *draw);
 // Reports what was begun and not ended.
 void rhw_feedback_check_ended(const struct rhw_pass_state *pass);

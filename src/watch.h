@@ -57,7 +57,9 @@ bool rhw_watch_slot(const struct rhw_bindings *textures, int slot); // false: no
 void rhw_watch_storage(const struct rhw_bindings *textures, int slot, enum rhw_storage_operation operation);
 void rhw_watch_sample(const struct rhw_bindings *textures, int slot,
                       const struct rhw_sample_request *request);
-void rhw_watch_sample_groups(const struct rhw_fragment *groups, int count, uint32_t slots, int at);
+// False where the call must not be made: its stride leaves no room.
+bool rhw_watch_sample_groups(const struct rhw_fragment *groups, int count, uint32_t slots, int at,
+                             int stride);
 
 // The rubbish: [0] is NaN, [1] a number that nobody means. Outputs have their own, so that an input that is copied to
 // an output does not pass for one that was not written.

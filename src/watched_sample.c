@@ -93,8 +93,18 @@ void rhw_watch_sample(const struct rhw_bindings *textures, int slot, const struc
     }
 }
 
-void rhw_watch_sample_groups(const struct rhw_fragment *groups, int count, uint32_t slots, int at)
+bool rhw_watch_sample_groups(const struct rhw_fragment *groups, int count, uint32_t slots, int at, int stride)
 {
+    const struct rhw_sample_site *const site = &groups->textures->site;
+    const int highest = slots ? 31 - __builtin_clz(slots) : 0;
+    if (stride <= highest) {
+        rhw_findings_add(
+            site->findings, RHW_FINDING_MISUSE, site->draw,
+            "a shader function of %s calls rhw_sample_groups with stride %d; it must be above the highest "
+            "slot, which is %d",
+            site->pipeline, stride, highest);
+        return false;
+    }
     for (int g = 0; g < count; g++) {
         const struct rhw_fragment *const group = &groups[g];
         const rhw_float gradient[4] = {group->ddx[at], group->ddx[at + 1], group->ddy[at],
@@ -104,4 +114,5 @@ void rhw_watch_sample_groups(const struct rhw_fragment *groups, int count, uint3
             rhw_watch_sample(group->textures, __builtin_ctz(left), &request);
         }
     }
+    return true;
 }

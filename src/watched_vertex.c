@@ -211,6 +211,43 @@ static bool check_extras(const struct rhw_watch *watch, uint32_t draw, const str
                         program->writes_layer);
 }
 
+// Names an output that some lanes were left without. False when there is none.
+static __attribute__((cold)) bool name_lanes(const struct rhw_watch *watch, uint32_t draw,
+                                             const struct rhw_vertex *first, const struct rhw_vertex *second)
+{
+    static const char message[] = "the vertex function of %s does not write %s[%d] in every lane";
+    static const char *const names[2] = {"clip_distance", "cull_distance"};
+    const struct rhw_program *const program = &watch->pipeline->def.program;
+    const rhw_int all = rhw_splat_int(-1);
+    for (int c = 0; c < 4; c++) {
+        if (rhw_watch_unwritten(first->position[c], second->position[c], all)) {
+            rhw_findings_add(watch->findings, RHW_FINDING_MISUSE, draw, message, watch->name, "position", c);
+            return true;
+        }
+    }
+    for (int i = 0; i < watch->pipeline->varying_components; i++) {
+        if (rhw_watch_unwritten(first->varying[i], second->varying[i], all)) {
+            rhw_findings_add(watch->findings, RHW_FINDING_MISUSE, draw, message, watch->name, "varying", i);
+            return true;
+        }
+    }
+    for (int which = 0; which < 2; which++) {
+        for (int i = 0; i < distances_of(program, which); i++) {
+            if (rhw_watch_unwritten(distances_at(first, which)[i], distances_at(second, which)[i], all)) {
+                rhw_findings_add(watch->findings, RHW_FINDING_MISUSE, draw, message, watch->name,
+                                 names[which], i);
+                return true;
+            }
+        }
+    }
+    if (program->writes_point_size && rhw_watch_unwritten(first->point_size, second->point_size, all)) {
+        rhw_findings_add(watch->findings, RHW_FINDING_MISUSE, draw,
+                         "the vertex function of %s does not write point_size in every lane", watch->name);
+        return true;
+    }
+    return false;
+}
+
 static __attribute__((cold)) void name_input(const struct rhw_watch *watch, uint32_t draw,
                                              const struct rhw_vertex *const pair[RHW_WATCH_GROUPS], int g,
                                              const struct rhw_vertex *first)
@@ -246,7 +283,7 @@ static void check_group(const struct rhw_watch *watch, const struct rhw_vertex *
                          "`count` of them",
                          watch->name);
     } else if (!check_outputs(watch, draw, first, second) && !check_extras(watch, draw, first, second) &&
-               !same(watch, first, second)) {
+               !same(watch, first, second) && !name_lanes(watch, draw, first, second)) {
         name_input(watch, draw, pair, g, first);
     }
 }

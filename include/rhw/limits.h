@@ -18,6 +18,9 @@ struct rhw_limits {
     /// Slots that both functions of a program share: Vulkan has 16 for each.
     uint32_t max_per_stage_descriptor_samplers, max_per_stage_descriptor_sampled_images;
 
+    uint32_t max_storage_buffer_range;                 ///< bytes
+    uint32_t max_per_stage_descriptor_storage_buffers; ///< slots that both functions share
+
     // Vertex input; offsets and strides in bytes.
     uint32_t max_vertex_input_attributes, max_vertex_input_bindings;
     uint32_t max_vertex_input_attribute_offset, max_vertex_input_binding_stride;
@@ -29,8 +32,9 @@ struct rhw_limits {
 
     // Targets.
     uint32_t max_framebuffer_width, max_framebuffer_height;
-    uint32_t max_color_attachments, max_fragment_output_attachments;
-    uint32_t framebuffer_color_sample_counts; ///< or-ed numbers of samples
+    uint32_t max_color_attachments, max_fragment_output_attachments, max_fragment_dual_src_attachments;
+    uint32_t max_fragment_combined_output_resources; ///< attachments and storage buffers
+    uint32_t framebuffer_color_sample_counts;        ///< or-ed numbers of samples
     uint32_t framebuffer_depth_sample_counts, framebuffer_stencil_sample_counts;
     uint32_t max_sample_mask_words;
 
@@ -50,6 +54,12 @@ struct rhw_limits {
     float max_sampler_anisotropy;
     int32_t min_texel_offset, min_texel_gather_offset;
     uint32_t max_texel_offset, max_texel_gather_offset;
+
+    // Transform feedback (VkPhysicalDeviceTransformFeedbackPropertiesEXT), bytes.
+    uint32_t max_transform_feedback_streams, max_transform_feedback_buffers;
+    uint64_t max_transform_feedback_buffer_size;
+    uint32_t max_transform_feedback_stream_data_size, max_transform_feedback_buffer_data_size;
+    uint32_t max_transform_feedback_buffer_data_stride;
 
     float timestamp_period; ///< nanoseconds of a step of rhw_query_counts.timestamp_ns
 };

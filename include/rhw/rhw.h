@@ -214,7 +214,8 @@ RHW_API void rhw_pass_draw_indexed_indirect(rhw_context *context, rhw_pass pass,
 RHW_API void rhw_pass_push_debug_group(rhw_context *context, rhw_pass pass, const char *label);
 RHW_API void rhw_pass_pop_debug_group(rhw_context *context, rhw_pass pass);
 /// Draws recorded until rhw_pass_end_query are what the query is about. Of each kind one query may be under way at a time,
-/// and each query is used once in a pass. Draws are shaded in their turn then, and take longer. TIMESTAMP is refused.
+/// and each query is used once in a pass. Draws are shaded in their turn then, also where later ones hide
+/// them. TIMESTAMP is refused.
 RHW_API void rhw_pass_begin_query(rhw_context *context, rhw_pass pass, rhw_query query);
 RHW_API void rhw_pass_end_query(rhw_context *context, rhw_pass pass, rhw_query query);
 /// For a query of kind TIMESTAMP. As a pass is drawn tile by tile, times within it are those of its beginning, before the

@@ -12,7 +12,8 @@ RHW_QUIET_BEGIN
 
 // Lengths and products ------------------------------------------------------------------------------
 
-/// The scalar product.
+/// The scalar product. Either side may also be plain floats, a uniform `float[2]` for instance, the same for all lanes;
+/// so may those of rhw_dot3 and rhw_dot4.
 static inline rhw_float rhw_dot2(const rhw_float a[2], const rhw_float b[2])
 {
     return a[0] * b[0] + a[1] * b[1];
@@ -111,7 +112,9 @@ static inline void rhw_reflect3(const rhw_float incident[3], const rhw_float nor
 
 // Matrices ------------------------------------------------------------------------------------------
 // Column by column, as GLSL and the uniforms of most programs have them: element (row, column) of a 4×4 matrix is
-// m[4 * column + row]. They are plain floats, uniforms for instance. `result` may be `v`.
+// m[4 * column + row]. They are plain floats, uniforms for instance. `result` may be `v`, and
+// may not overlap it otherwise, nor `m`. A product of two matrices is four of rhw_mat4_mul_vec4_1, column by column into a
+// third.
 
 /// m · v.
 static inline void rhw_mat4_mul_vec4(const float m[16], const rhw_float v[4], rhw_float result[4])
@@ -148,6 +151,79 @@ static inline void rhw_mat3_mul_vec3(const float m[9], const rhw_float v[3], rhw
         result[r] = m[r] * x + m[3 + r] * y + m[6 + r] * z;
     }
 }
+
+// Plain floats in the place of lanes -----------------------------------------------------------------
+
+static inline const rhw_float *rhw_vector_from_floats(const float *floats, rhw_float *room, int components)
+{
+    for (int i = 0; i < components; i++) {
+        room[i] = rhw_splat(floats[i]);
+    }
+    return room;
+}
+
+#if defined(__cplusplus)
+
+extern "C++" {
+
+static inline rhw_float rhw_dot2(const float a[2], const rhw_float b[2])
+{
+    rhw_float room[2];
+    return rhw_dot2(rhw_vector_from_floats(a, room, 2), b);
+}
+
+static inline rhw_float rhw_dot2(const rhw_float a[2], const float b[2])
+{
+    rhw_float room[2];
+    return rhw_dot2(a, rhw_vector_from_floats(b, room, 2));
+}
+
+static inline rhw_float rhw_dot3(const float a[3], const rhw_float b[3])
+{
+    rhw_float room[3];
+    return rhw_dot3(rhw_vector_from_floats(a, room, 3), b);
+}
+
+static inline rhw_float rhw_dot3(const rhw_float a[3], const float b[3])
+{
+    rhw_float room[3];
+    return rhw_dot3(a, rhw_vector_from_floats(b, room, 3));
+}
+
+static inline rhw_float rhw_dot4(const float a[4], const rhw_float b[4])
+{
+    rhw_float room[4];
+    return rhw_dot4(rhw_vector_from_floats(a, room, 4), b);
+}
+
+static inline rhw_float rhw_dot4(const rhw_float a[4], const float b[4])
+{
+    rhw_float room[4];
+    return rhw_dot4(a, rhw_vector_from_floats(b, room, 4));
+}
+
+} // extern "C++"
+
+#else
+
+static inline const rhw_float *rhw_same_vector(const rhw_float *lanes, rhw_float *room, int components)
+{
+    (void)room;
+    (void)components;
+    return lanes;
+}
+
+#define RHW_VECTOR_FROM(a, components)         \
+    _Generic(&(a)[0],                          \
+        float *: rhw_vector_from_floats,       \
+        const float *: rhw_vector_from_floats, \
+        default: rhw_same_vector)((a), (rhw_float[components]){{0}}, (components))
+
+#define rhw_dot2(a, b) rhw_dot2(RHW_VECTOR_FROM(a, 2), RHW_VECTOR_FROM(b, 2))
+#define rhw_dot3(a, b) rhw_dot3(RHW_VECTOR_FROM(a, 3), RHW_VECTOR_FROM(b, 3))
+#define rhw_dot4(a, b) rhw_dot4(RHW_VECTOR_FROM(a, 4), RHW_VECTOR_FROM(b, 4))
+
+#endif
 
 RHW_QUIET_END
 

@@ -111,8 +111,8 @@ static inline rhw_float rhw_sample_compare_lod(const struct rhw_bindings *textur
 }
 
 /// rhw_sample_grad of several texture slots for `count` groups (1..RHW_MAX_GROUPS) of one call of a fragment function,
-/// at coordinates that are varyings with derivatives: components `at` and `at + 1`, and those behind them where a
-/// slot's texture asks for more. Bit n of `slots` (at least one)
+/// at coordinates that are varyings with derivatives: components `at` (RHW_COMPONENT of a struct's member) and `at + 1`, and those
+/// behind them where a slot's texture asks for more. Bit n of `slots` (at least one)
 /// samples slot n of group g into texels[g * stride + n], the same bits as by itself; `stride` is above the highest
 /// slot, and no other texel is written. In less time than one group after the other: levels of detail are worked out
 /// for all groups together, and textures of 8 bits with the same size and equal samplers, as those of one material

@@ -37,6 +37,13 @@
             offsetof(type, member) / (lane), sizeof(type) / (lane), RHW_SAMPLING_CENTER \
     }
 
+/// The number of a member's first component in `varying[]`, as rhw_sample_groups and rhw_dual_varying ask for; of a struct
+/// of rhw_float.
+#define RHW_COMPONENT(type, member) ((int)(offsetof(type, member) / sizeof(rhw_float)))
+
+/// The same for a struct of float.
+#define RHW_COMPONENT1(type, member) ((int)(offsetof(type, member) / sizeof(float)))
+
 #if defined(__cplusplus)
 
 #define RHW_NOWHERE(type)                  static_cast<type *>(0)

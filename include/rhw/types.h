@@ -620,6 +620,9 @@ struct rhw_draw_commands {
     size_t count_offset;     ///< bytes to it; a multiple of 4
 };
 
+/// Where −1..1 in x and y goes. Triangles and lines are cut off at its edges; a point is kept or left out by its centre, and
+/// one near an edge reaches beyond (Vulkan 1.3 §27.4): rhw_pass_set_scissor cuts that too. Positions are rounded to 1/256
+/// pixel after x and y were added, so that a viewport moved by whole pixels need not draw the same bytes to the last bit.
 struct rhw_viewport {
     float x, y, width, height; ///< pixels from the top left; corners within ±2·RHW_MAX_TARGET_SIZE
     float depth_min, depth_max; ///< 0..1; depth_min > depth_max reverses. Both 0: 0 and 1; for nothing but depth 0

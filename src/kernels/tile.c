@@ -11,6 +11,7 @@
 #include "tile/triangle_multisample.h"
 #include "tile/triangle_small_samples.h"
 #include "tile/triangle_small.h"
+#include "tile/triangle_tiny_samples.h"
 
 // Lists the bins of the tile that are not empty, in the order of their chunks; returns how many there are.
 static int list_bins(const struct tile_work *work)
@@ -47,7 +48,11 @@ static void draw_any(struct tile_work *work, struct triangle_work *triangle, con
     if (work->samples == 1) {
         draw_large(work, triangle, chunk);
     } else if (takes_small_samples(work, triangle)) {
-        draw_small_samples(work, triangle);
+        if (takes_tiny_samples(work, triangle)) {
+            draw_tiny_samples(work, triangle);
+        } else {
+            draw_small_samples(work, triangle);
+        }
     } else {
         draw_multisampled(work, triangle, chunk);
     }

@@ -66,7 +66,8 @@ struct packed_triangle {
 // Fragments of several triangles that wait until 8 make a group (fragment/pack.h).
 struct partial_group {
     int count;
-    int32_t samples[8];      // of multisampled passes
+    int32_t samples[8];                     // of multisampled passes
+    float sample_depth[RHW_MAX_SAMPLES][8]; // and where they are tested late their depths
     unsigned triangle_count; // packed so far; the last RHW_PACKED_TRIANGLES of them stand in `triangles`
     int32_t texel[8];
     const struct packed_triangle *triangle[8];
@@ -135,7 +136,7 @@ struct tile_work {
     bool tests_bounds;         // fragments behind the tile's bounds fail the depth test
     bool is_scissored;         // the scissor, or the target's end, leaves out pixels of the tile
     bool constant_is_ready;    // the draw's constant colour was made
-    bool orders_lanes; // of multisampled passes: a group may have fragments of one pixel, of which the last is seen
+    bool orders_lanes; // of multisampled passes: a group may cover a sample twice, and the last is seen
     uint64_t fragments_before; // of `counters`, when the state was set
 };
 

@@ -34,9 +34,10 @@ static rhw_texture draw_cube(rhw_context *context)
         .format = RHW_FORMAT_RGBA8_UNORM, .width = SIDE, .height = SIDE, .kind = RHW_TEXTURE_CUBE};
     rhw_texture texture;
     golden_check(rhw_texture_create(context, &cube, &texture), "texture");
-    struct rhw_pass_def def = {.color_count = 1,
-                               .colors = {{.texture = texture, .layer_count = FACES, .clear = {0.1f, 0, 0.2f, 1}}},
-                               .depth = {.enabled = true, .clear = 1, .store = RHW_STORE_DISCARD}};
+    struct rhw_pass_def def = {
+        .color_count = 1,
+        .colors = {{.texture = texture, .layer_count = FACES, .clear = {0.1f, 0, 0.2f, 1}}},
+        .depth = {.enabled = true, .clear = 1, .store = RHW_STORE_DISCARD}};
     rhw_pass pass;
     golden_check(rhw_pass_begin(context, &def, &pass), "pass");
     struct rhw_pipeline_def pipeline = golden_cells_def(GOLDEN_CELL_ROUTE, RHW_FORMAT_RGBA8_UNORM);
@@ -81,7 +82,8 @@ void golden_routing_draw(rhw_context *context, int number, struct golden_images 
             corners[i].value[(face / 2 + 2) % 3] = 1.2f * y;
         }
         golden_cell(context, board.pass, face, 0, LARGE, LARGE);
-        rhw_pass_set_vertex_buffer(context, board.pass, 0, golden_buffer(context, corners, sizeof corners), 0);
+        rhw_pass_set_vertex_buffer(context, board.pass, 0, golden_buffer(context, corners, sizeof corners),
+                                   0);
         rhw_pass_draw(context, board.pass, 0, 3, 0, 1);
     }
     golden_board_end(&board);

@@ -41,6 +41,10 @@ golden_draw_function
 golden_draw_function
     golden_routing_draw; ///< one pass draws six faces of a cube, in four viewports; sampled again
 
+// golden_queries.c
+golden_draw_function
+    golden_queries_draw; ///< counts, and vertices kept and drawn again; 1 or 4 samples by number
+
 // golden_vertices.c
 golden_draw_function golden_vertex_format_draw; ///< all vertex formats, odd strides and offsets
 golden_draw_function golden_instances_draw;     ///< per-instance attributes, first instance, ids

@@ -50,7 +50,8 @@ static rhw_float highlight(const struct material *material, const rhw_float worl
 void RHW_ISA_NAME(normal_map_light)(struct rhw_fragment *groups, int count)
 {
     rhw_float texels[RHW_MAX_GROUPS][2][4]; // albedo and normal of each group, sampled together
-    rhw_sample_groups(groups, count, 1u << ALBEDO | 1u << NORMALS, 0, texels[0], 2);
+    rhw_sample_groups(groups, count, 1u << ALBEDO | 1u << NORMALS, RHW_COMPONENT(struct surface, uv),
+                      texels[0], 2);
     for (int g = 0; g < count; g++) {
         struct rhw_fragment *f = &groups[g];
         const struct material *material = f->uniforms;

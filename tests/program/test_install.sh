@@ -51,6 +51,7 @@ case $isas in baseline*) ;; *) check "pkg-config names the instruction sets: '$i
 strict="-Wall -Wextra -Wpedantic -Wconversion -Wmissing-prototypes -Werror"
 
 cp -r "$root/examples/project" make
+check "make without the package says so" sh -c '! PKG_CONFIG_LIBDIR=/nowhere PKG_CONFIG_PATH=/nowhere make -C make >said 2>&1 && grep -q "pkg-config does not find rhw: set PKG_CONFIG_PATH" said'
 check "make" make -C make CFLAGS="-std=gnu17 -O2 $strict"
 cp -r "$root/examples/project" cmake
 check "cmake configures" cmake -S cmake -B cmake/build -DCMAKE_PREFIX_PATH="$folder/prefix" \

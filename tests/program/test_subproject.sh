@@ -102,9 +102,18 @@ if(OWN)
   install(TARGETS ripples)
 endif()
 CMAKE
+# Flags of shaders are for C and C++; a file in another language has none of them.
+cat >>c/CMakeLists.txt <<'CMAKE'
+enable_language(ASM)
+file(WRITE ${CMAKE_BINARY_DIR}/other.S ".section .note.GNU-stack,\"\",%progbits\n")
+add_library(other OBJECT ${CMAKE_BINARY_DIR}/other.S)
+target_link_libraries(other PRIVATE rhw::rhw)
+CMAKE
 check "c configures" cmake -S c -B c/build -DOWN=ON
 check "c builds" cmake --build c/build --parallel 2
 check "c has no warning" sh -c '! grep -q warning: log'
+check "shaders have their flags" grep -q -e '-ffp-contract=off' c/build/CMakeFiles/ripples.dir/flags.make
+check "another language does not have them" sh -c '! grep -q -e -ffp-contract -e -Wno-psabi c/build/CMakeFiles/other.dir/flags.make'
 c/build/ripples c.ppm >c.txt || check "the program of c ends with 0" false
 check "c draws the known bytes: $(cat c.txt)" test "$(awk '{print $NF}' c.txt | sort -u)" = $known
 check "c has no test of rhw" sh -c 'ctest --test-dir c/build -N | grep -q "Total Tests: 0"'

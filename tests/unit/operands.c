@@ -70,6 +70,27 @@ static void numbers(rhw_float v, rhw_float w)
     same_int(__LINE__, rhw_less(v, 1.0), rhw_less(v, one));
 }
 
+// Plain vectors, const and not, on either side; both sides evaluated once.
+static void vectors(rhw_float v, rhw_float w)
+{
+    static const float uniform[4] = {0.5f, -1.25f, 3, 0.1f};
+    float own[4] = {2, 0.75f, -0.3f, 1};
+    const rhw_float a[4] = {v, w, v - w, v + w};
+    const rhw_float lanes[4] = {rhw_splat(0.5f), rhw_splat(-1.25f), rhw_splat(3), rhw_splat(0.1f)};
+    const rhw_float own_lanes[4] = {rhw_splat(2), rhw_splat(0.75f), rhw_splat(-0.3f), rhw_splat(1)};
+    same(__LINE__, rhw_dot2(a, uniform), rhw_dot2(a, lanes));
+    same(__LINE__, rhw_dot2(own, a), rhw_dot2(own_lanes, a));
+    same(__LINE__, rhw_dot3(a, uniform), rhw_dot3(a, lanes));
+    same(__LINE__, rhw_dot3(uniform, a), rhw_dot3(lanes, a));
+    same(__LINE__, rhw_dot3(own, a), rhw_dot3(own_lanes, a));
+    same(__LINE__, rhw_dot3(&own[1], a), rhw_dot3(&own_lanes[1], a));
+    same(__LINE__, rhw_dot4(a, own), rhw_dot4(a, own_lanes));
+    same(__LINE__, rhw_dot4(uniform, a), rhw_dot4(lanes, a));
+    const float *next = uniform;
+    same(__LINE__, rhw_dot2(a, next++), rhw_dot2(a, lanes));
+    same_int(__LINE__, rhw_splat_int((int)(next - uniform)), rhw_splat_int(1));
+}
+
 static void integers(rhw_int i)
 {
     const rhw_int three = rhw_splat_int(3);
@@ -176,6 +197,7 @@ int main(void)
     const rhw_float w = {1.0f, 2.0f, -1.0f, 0.75f, 0.5f, -8.0f, 1e-9f, 0.1f};
     const rhw_int i = {-5, 0, 3, 4, 1, 2, 2147483647, 3};
     numbers(v, w);
+    vectors(v, w);
     integers(i);
     duals(rhw_abs(v) + 0.25f, w);
     duals_one_at_a_time(0.75f, -3.0f);

@@ -86,6 +86,18 @@ static void test_ends(void **state)
     for (size_t i = 0; i < sizeof all / sizeof *all; i++) {
         assert_true(isnan(all[i](NAN)));
     }
+    assert_true(scene_pow(0, 0) == 1 && scene_pow(INFINITY, 0) == 1 && scene_pow(NAN, 0) == 1);
+    assert_true(scene_pow(1, INFINITY) == 1 && scene_pow(0, 2) == 0 && scene_pow(0, -1) == INFINITY);
+    double sine, cosine;
+    scene_sin_cos_degrees(90 * 0x1p62, &sine, &cosine);
+    assert_true(sine == 0 && cosine == 1);
+    scene_sin_cos_degrees(-90 * (0x1p40 + 1), &sine, &cosine);
+    assert_true(sine == -1 && cosine == 0);
+    static const double no_angles[] = {INFINITY, -INFINITY, NAN};
+    for (int i = 0; i < 3; i++) {
+        scene_sin_cos_degrees(no_angles[i], &sine, &cosine);
+        assert_true(isnan(sine) && isnan(cosine));
+    }
     assert_true(isnan(scene_sin(INFINITY)) && isnan(scene_cos(-INFINITY)) && isnan(scene_log(-1)));
 }
 

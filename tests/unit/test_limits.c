@@ -19,7 +19,7 @@ static void expect_at_least(const struct required *rows, size_t count)
     }
 }
 
-// By hand from Vulkan 1.0, table 33.2 "Required Limits". Not here, as there is nothing of theirs: memory, descriptor sets,
+// By hand from Vulkan 1.0, table "Required Limits", and VK_EXT_transform_feedback. Not here, as there is nothing of theirs: memory, descriptor sets,
 // tessellation, geometry and compute.
 static void test_what_vulkan_requires(void **state)
 {
@@ -39,6 +39,8 @@ static void test_what_vulkan_requires(void **state)
         {"maxPushConstantsSize of it", l.max_uniform_buffer_range, 128 + 12 * 16384},
         {"maxPerStageDescriptorSamplers", l.max_per_stage_descriptor_samplers, 16},
         {"maxPerStageDescriptorSampledImages", l.max_per_stage_descriptor_sampled_images, 16},
+        {"maxStorageBufferRange", l.max_storage_buffer_range, 134217728},
+        {"maxPerStageDescriptorStorageBuffers", l.max_per_stage_descriptor_storage_buffers, 4},
         {"maxVertexInputAttributes", l.max_vertex_input_attributes, 16},
         {"maxVertexInputBindings", l.max_vertex_input_bindings, 16},
         {"maxVertexInputAttributeOffset", l.max_vertex_input_attribute_offset, 2047},
@@ -54,6 +56,8 @@ static void test_what_vulkan_requires(void **state)
         {"maxFramebufferHeight", l.max_framebuffer_height, 4096},
         {"maxColorAttachments", l.max_color_attachments, 4},
         {"maxFragmentOutputAttachments", l.max_fragment_output_attachments, 4},
+        {"maxFragmentDualSrcAttachments", l.max_fragment_dual_src_attachments, 1},
+        {"maxFragmentCombinedOutputResources", l.max_fragment_combined_output_resources, 4},
         {"maxSampleMaskWords", l.max_sample_mask_words, 1},
         {"subPixelPrecisionBits", l.sub_pixel_precision_bits, 4},
         {"maxViewportDimensions[0]", l.max_viewport_dimensions[0], l.max_framebuffer_width},
@@ -76,6 +80,12 @@ static void test_what_vulkan_requires(void **state)
         {"maxTexelOffset", l.max_texel_offset, 7},
         {"-minTexelGatherOffset", -(double)l.min_texel_gather_offset, 8},
         {"maxTexelGatherOffset", l.max_texel_gather_offset, 7},
+        {"maxTransformFeedbackStreams", l.max_transform_feedback_streams, 1},
+        {"maxTransformFeedbackBuffers", l.max_transform_feedback_buffers, 1},
+        {"maxTransformFeedbackBufferSize", (double)l.max_transform_feedback_buffer_size, 134217728},
+        {"maxTransformFeedbackStreamDataSize", l.max_transform_feedback_stream_data_size, 512},
+        {"maxTransformFeedbackBufferDataSize", l.max_transform_feedback_buffer_data_size, 512},
+        {"maxTransformFeedbackBufferDataStride", l.max_transform_feedback_buffer_data_stride, 512},
         {"timestampPeriod", (double)l.timestamp_period, 1},
     };
     expect_at_least(rows, sizeof rows / sizeof *rows);

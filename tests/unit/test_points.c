@@ -193,6 +193,35 @@ static void test_the_scissor_cuts_points(void **state)
     rig_close(&rig);
 }
 
+// A viewport keeps or leaves out a point by its centre, and does not cut it; a line it does cut.
+static void test_a_viewport_does_not_cut_points(void **state)
+{
+    (void)state;
+    struct rig rig;
+    open_rig(&rig, RHW_PATHS_ALL);
+    const struct rhw_viewport viewport = {20, 20, 16, 16, 0, 1};
+    const struct rig_vertex v[2] = {{{0.875f, 0, 0, 1}, {1, 0, 0, 8}}, {{1.125f, 0, 0, 1}, {1, 0, 0, 8}}};
+    for (int i = 0; i < 2; i++) {
+        rig_begin(&rig);
+        rhw_pass_set_viewport(rig.context, rig.recording, &viewport);
+        rig_draw(&rig, &v[i], 1);
+        rig_end(&rig);
+        assert_int_equal(covered(&rig),
+                         i == 0 ? 8 * 8 : 0); // x 31..38 the first, where the viewport ends at 35
+    }
+    const struct rig_vertex line[2] = {{{-2, 0, 0, 1}, {1, 0, 0, 1}}, {{2, 0, 0, 1}, {1, 0, 0, 1}}};
+    rig.pipeline.topology = RHW_LINE_LIST;
+    rig.pipeline.line_width = 4;
+    rig.pipeline.program.uses = 0;
+    rig_set_program(&rig, sized_vertex, rig_fragment_pass);
+    rig_begin(&rig);
+    rhw_pass_set_viewport(rig.context, rig.recording, &viewport);
+    rig_draw(&rig, line, 2);
+    rig_end(&rig);
+    assert_int_equal(covered(&rig), 16 * 4);
+    rig_close(&rig);
+}
+
 // Many points above each other: drawn in order, and the same on every path and in both shader forms.
 static void test_forms_and_paths_agree(void **state)
 {
@@ -267,6 +296,7 @@ int main(void)
         cmocka_unit_test(test_sizes_are_clamped),
         cmocka_unit_test(test_the_centre_decides_what_is_clipped),
         cmocka_unit_test(test_the_scissor_cuts_points),
+        cmocka_unit_test(test_a_viewport_does_not_cut_points),
         cmocka_unit_test(test_forms_and_paths_agree),
         cmocka_unit_test(test_validation_looks_at_points),
     };

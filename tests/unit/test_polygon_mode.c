@@ -162,7 +162,7 @@ static void test_an_unknown_mode_is_misuse(void **state)
     rig.pipeline.polygon_mode = (enum rhw_polygon_mode)3;
     rhw_pipeline pipeline;
     assert_int_equal(rhw_pipeline_create(rig.context, &rig.pipeline, &pipeline), RHW_ERROR_MISUSE);
-    rig_expect_misuse(&rig, "polygon_mode is 3; it must be 0..2");
+    rig_expect_misuse(&rig, "polygon_mode is 3; it must be 0..2 (enum rhw_polygon_mode)");
     rig_close(&rig);
 }
 

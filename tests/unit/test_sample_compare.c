@@ -174,7 +174,7 @@ static void test_misuse(void **state)
     rhw_sampler sampler;
     const struct rhw_sampler_def beyond = {.compares = true, .compare = (enum rhw_compare)8};
     assert_int_equal(rhw_sampler_create(rig.context, &beyond, &sampler), RHW_ERROR_MISUSE);
-    rig_expect_misuse(&rig, "compare is 8; it must be 0..7");
+    rig_expect_misuse(&rig, "compare is 8; it must be 0..7 (enum rhw_compare)");
     const struct rhw_sampler_def unused = {.compare = RHW_COMPARE_GREATER};
     assert_int_equal(rhw_sampler_create(rig.context, &unused, &sampler), RHW_ERROR_MISUSE);
     rig_expect_misuse(&rig, "compare is 4 and compares is false");

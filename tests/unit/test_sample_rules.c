@@ -194,8 +194,20 @@ static void test_fragments_are_counted(void **state)
     }
 }
 
+static void discarding_fragment(struct rhw_fragment *groups, int count)
+{
+    rig_fragment_pass(groups, count);
+    for (int g = 0; g < count; g++) {
+        groups[g].mask &= rhw_less(0.3f, groups[g].color[0][3]);
+    }
+}
+
+// What is tested after the fragment function.
+enum late { LATE_NOTHING, LATE_DEPTH, LATE_STENCIL, LATE_COUNT };
+
 // Triangles of a few pixels and of many in one draw, above each other: the last is seen, or all are blended in order.
-static uint64_t hash_of_crowd(int samples, bool blends, enum rhw_compare compare, enum rhw_paths paths)
+static uint64_t hash_of_crowd(int samples, bool blends, enum rhw_compare compare, enum late late,
+                              enum rhw_paths paths)
 {
     static struct rig_vertex vertices[6000];
     struct rig rig;
@@ -210,16 +222,30 @@ static uint64_t hash_of_crowd(int samples, bool blends, enum rhw_compare compare
         (struct rhw_depth_attachment){.enabled = true, .store = RHW_STORE_DISCARD, .clear = 0.9f};
     rig.pipeline.depth_test = true;
     rig.pipeline.depth_compare = compare;
+    if (late != LATE_NOTHING) {
+        rig.pipeline.program.uses = RHW_USE_DISCARD;
+        rig_set_program(&rig, rig_vertex_pass, discarding_fragment);
+    }
+    if (late == LATE_STENCIL) {
+        rig.pass.depth.format = RHW_FORMAT_D32_FLOAT_S8_UINT;
+        rig.pass.depth.stencil_store = RHW_STORE_DISCARD;
+        rig.pipeline.stencil_test = true;
+        rig.pipeline.stencil_front = (struct rhw_stencil_face){.compares = true,
+                                                               .compare = RHW_COMPARE_EQUAL,
+                                                               .pass = RHW_STENCIL_INCREMENT_WRAP,
+                                                               .read_mask = 1};
+        rig.pipeline.stencil_back = (struct rhw_stencil_face){.pass = RHW_STENCIL_DECREMENT_WRAP};
+    }
     rig.pipeline.targets[0].blend = blends;
     rig.pipeline.targets[0].color =
         (struct rhw_blend_component){RHW_BLEND_SRC_ALPHA, RHW_BLEND_ONE_MINUS_SRC_ALPHA, RHW_BLEND_ADD};
     for (int v = 0; v < 6000; v += 3) {
-        const float size = v % 100 < 90 ? 2.5f : 30;
+        const float size = v % 100 < 90 ? 2.5f : 90;
         const float x = rig_random_float(&random, 0, SIZE), y = rig_random_float(&random, 0, SIZE);
-        const float z = rig_random_float(&random, 0, 1);
+        const float z = (float)rig_random_int(&random, 8) / 9, slope = v % 2 ? 0.1f : 0; // many are equal
         for (int i = 0; i < 3; i++) {
             rig_place(&rig, x + rig_random_float(&random, 0, size), y + rig_random_float(&random, 0, size),
-                      z + rig_random_float(&random, 0, 0.1f), 1, vertices[v + i].position);
+                      z + rig_random_float(&random, 0, slope), 1, vertices[v + i].position);
             for (int c = 0; c < 4; c++) {
                 vertices[v + i].value[c] = rig_random_float(&random, 0, 1);
             }
@@ -240,12 +266,13 @@ static void test_order(void **state)
 {
     (void)state;
     const enum rhw_compare compares[] = {RHW_COMPARE_ALWAYS, RHW_COMPARE_LESS, RHW_COMPARE_GREATER_EQUAL};
-    for (int i = 0; i < 4 * 3 * 2; i++) {
+    for (int i = 0; i < 4 * 3 * 2 * LATE_COUNT; i++) {
         const int samples = 2 << i % 4;
         const enum rhw_compare compare = compares[i / 4 % 3];
-        const bool blends = i / 12;
-        assert_true(hash_of_crowd(samples, blends, compare, RHW_PATHS_ALL) ==
-                    hash_of_crowd(samples, blends, compare, RHW_PATHS_GENERAL));
+        const bool blends = i / 12 % 2;
+        const enum late late = (enum late)(i / 24);
+        assert_true(hash_of_crowd(samples, blends, compare, late, RHW_PATHS_ALL) ==
+                    hash_of_crowd(samples, blends, compare, late, RHW_PATHS_GENERAL));
     }
 }
 

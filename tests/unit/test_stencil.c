@@ -327,7 +327,7 @@ static void test_misuse(void **state)
     rig_expect_misuse(&rig, "stencil_front.compare is 2 and compares is false");
     def->stencil_front = (struct rhw_stencil_face){.pass = (enum rhw_stencil_operation)8};
     assert_int_equal(rhw_pipeline_create(rig.context, def, &pipeline), RHW_ERROR_MISUSE);
-    rig_expect_misuse(&rig, "not all are stencil operations");
+    rig_expect_misuse(&rig, "not all are stencil operations, 0..7 (enum rhw_stencil_operation)");
     def->stencil_front = (struct rhw_stencil_face){.write_mask = 0x101};
     assert_int_equal(rhw_pipeline_create(rig.context, def, &pipeline), RHW_ERROR_MISUSE);
     rig_expect_misuse(&rig, "RHW_STENCIL_NO_BITS alone");

@@ -437,6 +437,38 @@ static void test_feedback(void **state)
     rig_close(&rig);
 }
 
+// Regions that overlap do so by any name.
+static void test_overlap(void **state)
+{
+    (void)state;
+    struct rig rig;
+    rig_open(&rig, 4, 4);
+    const struct rhw_texture_def def = {.width = 8, .height = 8, .layers = 4};
+    const rhw_texture array = make(&rig, def, RHW_FORMAT_R32_FLOAT, 2);
+    const rhw_texture layer = make_view(&rig, array, (struct rhw_texture_view_def){.layer = 2, .levels = 1}),
+                      small = make_view(&rig, array, (struct rhw_texture_view_def){.layer = 2, .level = 1});
+    const struct rhw_texture_region second = {.z = 2, .depth = 1, .width = 4, .height = 4},
+                                    third = {.z = 3, .depth = 1}, quarter = {.width = 4, .height = 4},
+                                    place = {.x = 4, .y = 4};
+    rhw_texture_copy(rig.context, array, &second, layer, NULL);
+    rig_expect_misuse(&rig, "rhw_texture_copy: the regions overlap in texture 3");
+    rhw_texture_copy(rig.context, layer, &quarter, array, &second);
+    rig_expect_misuse(&rig, "rhw_texture_copy: the regions overlap in texture 2");
+    rhw_texture_blit(rig.context, layer, NULL, array, &(struct rhw_blit_region){.z0 = 2, .z1 = 3},
+                     RHW_FILTER_LINEAR);
+    rig_expect_misuse(&rig, "rhw_texture_blit: the regions overlap in texture 2");
+    assert_int_equal(rhw_texture_copy(rig.context, array, &second, layer, &place), RHW_OK);
+    assert_int_equal(rhw_texture_copy(rig.context, array, &third, layer, NULL), RHW_OK);
+    assert_int_equal(rhw_texture_copy(rig.context, small, NULL, layer, NULL), RHW_OK);
+    assert_int_equal(rhw_texture_blit(rig.context, layer, NULL, small, NULL, RHW_FILTER_LINEAR), RHW_OK);
+    // A blit's regions may be of two sizes: the larger one reaches into the smaller.
+    rhw_texture_blit(rig.context, array, &(struct rhw_blit_region){.x1 = 8, .y1 = 8, .z1 = 1}, array,
+                     &(struct rhw_blit_region){.x0 = 6, .y0 = 6, .x1 = 8, .y1 = 8, .z1 = 1},
+                     RHW_FILTER_LINEAR);
+    rig_expect_misuse(&rig, "the regions overlap in texture 2");
+    rig_close(&rig);
+}
+
 // A view that is made after draws of the texture were recorded cannot change what they read; what is destroyed lives on.
 static void test_made_while_recording(void **state)
 {
@@ -540,6 +572,7 @@ int main(void)
         cmocka_unit_test(test_linear_copies),
         cmocka_unit_test(test_planes),
         cmocka_unit_test(test_feedback),
+        cmocka_unit_test(test_overlap),
         cmocka_unit_test(test_made_while_recording),
         cmocka_unit_test(test_misuse),
     };

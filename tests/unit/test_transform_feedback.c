@@ -7,9 +7,6 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "buffer.h"
-#include "lookup.h"
-
 enum { SIZE = 16, FLOATS = 4096 };
 
 static rhw_buffer make_buffer(struct rig *rig, size_t size)
@@ -20,9 +17,13 @@ static rhw_buffer make_buffer(struct rig *rig, size_t size)
     return buffer;
 }
 
-static const float *read_buffer(struct rig *rig, rhw_buffer buffer)
+// `size` bytes of a buffer, until the next read.
+static const float *read_buffer(struct rig *rig, rhw_buffer buffer, size_t size)
 {
-    return (const float *)(const void *)rhw_context_buffer(rig->context, buffer, "test")->bytes;
+    static float floats[2 * 2 * 3 * 3000 * 4];
+    assert_true(size <= sizeof floats);
+    assert_int_equal(rhw_buffer_read(rig->context, buffer, 0, floats, size), RHW_OK);
+    return floats;
 }
 
 // Vertex i of instance k has the varying (i, k, i + 0.5, -i), and varying 1 (1000 + i).
@@ -107,7 +108,7 @@ static void expect_order(enum rhw_topology topology, const uint8_t *indices, uin
     assert_int_equal(written[0], length * sizeof(float));
     for (size_t i = 0; i <= length; i++) {
         const float expected = i < length ? (float)order[i] : 0;
-        assert_true(read_buffer(&rig, buffer)[i] == expected);
+        assert_true(read_buffer(&rig, buffer, (i + 1) * sizeof(float))[i] == expected);
     }
     rig_close(&rig);
 }
@@ -167,8 +168,8 @@ static void test_sources_and_places(void **state)
         const float i = (float)(5 + n % 2), k = (float)(7 + n / 2);
         const float a[9] = {0, i * 0.125f - 2, 0.5f - k, 0.5f, 1, 0, k, i + 0.5f, 0};
         const float b[5] = {i + 1000, i + 1, i + 4, i + 2, i + 3};
-        assert_memory_equal(read_buffer(&rig, one) + 2 + 9 * n, a, sizeof a);
-        assert_memory_equal(read_buffer(&rig, three) + 5 * n, b, sizeof b);
+        assert_memory_equal(read_buffer(&rig, one, FLOATS) + 2 + 9 * n, a, sizeof a);
+        assert_memory_equal(read_buffer(&rig, three, FLOATS) + 5 * n, b, sizeof b);
     }
     rig_close(&rig);
 }
@@ -197,7 +198,7 @@ static void draw_many(const struct rhw_context_def *def, bool discards, float (*
     rig_end(&rig);
     assert_true(def->bin_memory == 0 || discards || rig.stats.flushes > 0);
     assert_true(!discards || rig.stats.triangles_rasterized == 0);
-    memcpy(kept, read_buffer(&rig, buffer), 2 * VERTICES * sizeof *kept);
+    memcpy(kept, read_buffer(&rig, buffer, 2 * VERTICES * sizeof *kept), 2 * VERTICES * sizeof *kept);
     rig_close(&rig);
 }
 
@@ -258,7 +259,7 @@ static void test_overflow(void **state)
         rig_end(&rig);
         assert_int_equal(written[0], wide ? 0 : 24);
         const float full[16] = {0, 1, 2, 3, 4, 5, 6, 50, 51, 52}, empty[16] = {0};
-        assert_memory_equal(read_buffer(&rig, buffer), wide ? empty : full, sizeof full);
+        assert_memory_equal(read_buffer(&rig, buffer, sizeof full), wide ? empty : full, sizeof full);
         struct rhw_query_counts counts;
         assert_int_equal(rhw_query_read(rig.context, query, &counts), RHW_OK);
         assert_int_equal(counts.primitives_written, wide ? 0 : 3);
@@ -289,7 +290,7 @@ static void test_kept_vertices_are_drawn(void **state)
     end_feedback(&rig, NULL);
     rig_end(&rig);
     assert_true(rig_read_float4(&rig)[0][3] == 0);
-    assert_memory_equal(read_buffer(&rig, buffer), vertices, sizeof vertices);
+    assert_memory_equal(read_buffer(&rig, buffer, sizeof vertices), vertices, sizeof vertices);
     rig.pipeline.rasterizer_discard = false;
     rig.pipeline.feedback_output_count = 0;
     rig_begin(&rig);
@@ -375,14 +376,22 @@ static void test_misuse_in_a_pass(void **state)
     rig_expect_misuse(&rig, "targets[0] has offset 8 and size 249");
     rhw_pass_set_vertex_buffer(rig.context, rig.recording, 0, read, 0);
     begin_feedback(&rig, &(struct rhw_feedback_target){.buffer = read}, 1);
-    rig_expect_misuse(&rig, "buffer 2 \"kept\", targets[0], is read by this pass");
+    rig_expect_misuse(&rig,
+                      "buffer 2 \"kept\", targets[0], is a vertex, index or storage buffer of this pass");
     begin_feedback(&rig, &target, 1);
     begin_feedback(&rig, &target, 1);
     rig_expect_misuse(&rig, "it is under way; end it first");
     rhw_pass_set_vertex_buffer(rig.context, rig.recording, 0, buffer, 0);
     rig_expect_misuse(&rig, "buffer 1 \"kept\" is written by the transform feedback of this pass");
     assert_int_equal(rhw_buffer_write(rig.context, buffer, 0, "x", 1), RHW_ERROR_MISUSE);
-    rig_expect_misuse(&rig, "buffer 1 \"kept\" is written by the transform feedback of the pass");
+    rig_expect_misuse(&rig,
+                      "buffer 1 \"kept\" is written by the transform feedback of this pass; end the pass");
+    char byte;
+    assert_int_equal(rhw_buffer_read(rig.context, buffer, 0, &byte, 1), RHW_ERROR_MISUSE);
+    rig_expect_misuse(&rig, "rhw_buffer_read: buffer 1 \"kept\" is written by the transform feedback");
+    rhw_pass_set_storage_buffer(rig.context, rig.recording, 0, buffer, 0, 0);
+    rig_expect_misuse(&rig,
+                      "rhw_pass_set_storage_buffer: buffer 1 \"kept\" is written by the transform feedback");
     rig_use_pipeline(&rig);
     rig_expect_misuse(&rig, "rhw_pass_set_pipeline: transform feedback is under way; end it first");
     rhw_pass_draw(rig.context, rig.recording, 0, 3, 0, 1);

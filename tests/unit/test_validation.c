@@ -261,6 +261,8 @@ static void test_warnings(void **state)
 enum {
     LEAVE_W = DEEDS,
     LEAVE_VARYING,
+    LEAVE_SOME_POSITIONS,
+    LEAVE_SOME_VARYINGS,
     WRITE_FAR_VARYING,
     READ_ATTRIBUTE,
     READ_FAR_UNIFORMS,
@@ -273,6 +275,7 @@ static void place(struct rhw_vertex *groups, int count)
 {
     for (int g = 0; g < count; g++) {
         struct rhw_vertex *const v = &groups[g];
+        const rhw_float before = v->position[2], varied = v->varying[3];
         rhw_float extra = rhw_splat(0), texel[4];
         if (vertex_deed == READ_ATTRIBUTE) {
             extra = v->attribute[2][1];
@@ -292,11 +295,18 @@ static void place(struct rhw_vertex *groups, int count)
                 v->varying[c] = v->attribute[1][c];
             }
         }
+        if (vertex_deed == LEAVE_SOME_POSITIONS) {
+            v->position[2] = rhw_select(rhw_less_int(rhw_lane_numbers(), 3), v->position[2], before);
+        } else if (vertex_deed == LEAVE_SOME_VARYINGS) {
+            v->varying[3] = rhw_select(rhw_less_int(rhw_lane_numbers(), 3), v->varying[3], varied);
+        }
     }
 }
 
 static void place1(struct rhw_vertex1 *v)
 {
+    const float before = v->position[2], varied = v->varying[3];
+    const bool leaves = v->vertex_index % 2 != 0;
     float extra = 0, texel[4];
     if (vertex_deed == READ_ATTRIBUTE) {
         extra = v->attribute[2][1];
@@ -315,6 +325,11 @@ static void place1(struct rhw_vertex1 *v)
             v->varying[c] = v->attribute[1][c];
         }
     }
+    if (vertex_deed == LEAVE_SOME_POSITIONS && leaves) {
+        v->position[2] = before;
+    } else if (vertex_deed == LEAVE_SOME_VARYINGS && leaves) {
+        v->varying[3] = varied;
+    }
 }
 
 static void test_vertex_functions(void **state)
@@ -327,6 +342,8 @@ static void test_vertex_functions(void **state)
         {LEAVE_W,
          "the vertex function of pipeline 1 \"wrong\" does not write position[3] [draw 0 of pass \"main\"]"},
         {LEAVE_VARYING, "does not write varying[1]; its program has 4 components"},
+        {LEAVE_SOME_POSITIONS, "does not write position[2] in every lane"},
+        {LEAVE_SOME_VARYINGS, "does not write varying[3] in every lane"},
         {WRITE_FAR_VARYING, "writes varying[4]; its program has 4 components"},
         {READ_ATTRIBUTE, "reads an attribute behind the last; the pipeline has 2"},
         {READ_FAR_UNIFORMS, "reads uniforms behind uniform_size, which is 8"},

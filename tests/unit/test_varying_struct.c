@@ -86,6 +86,13 @@ static void draw(bool vertex_lanes, bool fragment_lanes, float result[16 * 16][4
     rig_close(&rig);
 }
 
+static void test_members_have_numbers(void **state)
+{
+    (void)state;
+    assert_true(RHW_COMPONENT(struct surface, normal) == 0 && RHW_COMPONENT(struct surface, uv) == 3);
+    assert_true(RHW_COMPONENT1(struct surface1, uv) == 3 && RHW_COMPONENT1(struct surface1, height) == 5);
+}
+
 static void test_members_arrive_by_name(void **state)
 {
     (void)state;
@@ -171,6 +178,7 @@ static void test_what_does_not_fit_is_told(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
+        cmocka_unit_test(test_members_have_numbers),
         cmocka_unit_test(test_members_arrive_by_name),
         cmocka_unit_test(test_what_does_not_fit_is_told),
     };

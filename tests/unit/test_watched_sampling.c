@@ -55,6 +55,16 @@ static void sample_groups(struct rhw_fragment *groups, int count)
     }
 }
 
+static void sample_narrow(struct rhw_fragment *groups, int count)
+{
+    rhw_float texels[RHW_MAX_GROUPS * 3][4];
+    memset(texels, 0, sizeof texels);
+    rhw_sample_groups(groups, count, 9, 0, texels, 3);
+    for (int g = 0; g < count; g++) {
+        memcpy(groups[g].color[0], texels[3 * g], sizeof texels[0]);
+    }
+}
+
 static void place(struct rhw_vertex *groups, int count)
 {
     rig_vertex_pass(groups, count);
@@ -94,6 +104,22 @@ static void test_an_empty_slot(void **state)
         assert_true(texel[0] == 0 && texel[1] == 0 && texel[2] == 0 && texel[3] == 1);
         rig_close(&rig);
     }
+}
+
+// Slot 3 of a group would lie in the next one.
+static void test_a_stride_without_room(void **state)
+{
+    (void)state;
+    struct rig rig;
+    open_validated(&rig, NULL);
+    rig_set_program(&rig, rig_vertex_pass, sample_narrow);
+    rig.pipeline.program.varyings[0].derivatives = true;
+    assert_int_equal(draw(&rig, (rhw_texture){0}, (rhw_sampler){0}), RHW_ERROR_MISUSE);
+    rig_expect_misuse(
+        &rig, "a shader function of pipeline 1 \"sky\" calls rhw_sample_groups with stride 3; it must be "
+              "above the highest slot, which is 3 [draw 0 of pass \"main\"]");
+    assert_true(rig_read_float4(&rig)[0][0] == 0);
+    rig_close(&rig);
 }
 
 // Levels --------------------------------------------------------------------------------------------------
@@ -297,6 +323,7 @@ int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(test_an_empty_slot),
+        cmocka_unit_test(test_a_stride_without_room),
         cmocka_unit_test(test_levels_that_nobody_wrote),
         cmocka_unit_test(test_levels_written_one_by_one),
         cmocka_unit_test(test_dead_lanes_do_not_count),

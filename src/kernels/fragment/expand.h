@@ -9,7 +9,20 @@
 // The block of a texel of the tile.
 RHW_INLINE int block_of_texel(int texel)
 {
-    return texel / RHW_TILE / RHW_BLOCK * HIZ_BLOCKS + texel % RHW_TILE / RHW_BLOCK;
+    const unsigned at = (unsigned)texel;
+    return (int)(at / RHW_TILE / RHW_BLOCK * HIZ_BLOCKS + at % RHW_TILE / RHW_BLOCK);
+}
+
+// The lanes whose texels lie in blocks that are expanded.
+RHW_INLINE unsigned expanded_texels(uint64_t expanded, const int32_t texel[8])
+{
+    const i8 at = i8_load(texel);
+    const i8 block = (at >> (RHW_TILE_LOG2 + RHW_BLOCK_LOG2) << RHW_BLOCK_LOG2) +
+                     ((at >> RHW_BLOCK_LOG2) & i8_splat(HIZ_BLOCKS - 1));
+    const i8 in_low = rhw_less_int(block, i8_splat(32));
+    const i8 word =
+        rhw_select_int(in_low, i8_splat((int32_t)(uint32_t)expanded), i8_splat((int32_t)(expanded >> 32)));
+    return i8_sign_bits((i8)((u8)word << (u8)(i8_splat(31) - (block & i8_splat(31)))));
 }
 
 // Rows of a block are short, and most of them whole vectors.

@@ -88,6 +88,20 @@ static __attribute__((noinline)) void fill_any_scattered(const struct tile_work 
                            &weights, &screen, count);
 }
 
+// Keeps the depths of the samples of group g, which is scattered.
+static void keep_sample_depths(const struct tile_work *work, const struct planes *planes, int g)
+{
+    const struct rhw_sample_pattern *const pattern = work->pass->pattern;
+    struct fragment_queue *const queue = &work->scratch->queue;
+    const struct anchor_offset at = texel_offsets(work, planes, queue->texels[g]);
+    for (int s = 0; s < work->samples; s++) {
+        const d8 z = plane_value8(plane_of(&planes->quantities, QUANTITY_Z),
+                                  d8_add(at.dx, d8_splat(from_center(pattern->x_0_8[s]))),
+                                  d8_add(at.dy, d8_splat(from_center(pattern->y_0_8[s]))));
+        queue->sample_depth[g][s] = viewport_clamp(&work->scratch->depth, f8_from_d8(z));
+    }
+}
+
 // Queues groups of the fragments at `texel`, 8 each.
 static void queue_scattered(struct tile_work *work, struct triangle_work *triangle, const int32_t *texel,
                             int count)
@@ -106,6 +120,9 @@ static void queue_scattered(struct tile_work *work, struct triangle_work *triang
             if (work->samples > 1) {
                 const ptrdiff_t at = texel - work->scratch->gathered.texel + 8 * (g - first);
                 queue->samples[g] = i8_load(&work->scratch->gathered.samples[at]);
+            }
+            if (work->samples > 1 && work->plan.depth_mode >= RHW_DEPTH_LATE) {
+                keep_sample_depths(work, &triangle->planes, g);
             }
             if (work->plan.keeps_identity) {
                 fill_identity(&queue->groups[g], work->pipeline->def.program.uses, triangle);
@@ -147,6 +164,9 @@ static __attribute__((noinline)) void release_gathered(struct tile_work *work, s
         queue_gathered(work, triangle);
     }
     if (work->scratch->gathered.count != 0) {
+        if (work->scratch->gathered.overtakes && !work->orders_lanes && samples_meet(work)) {
+            release_partial(work);
+        }
         pack_gathered(work, triangle);
     }
     work->scratch->gathered.overtakes = false;
@@ -185,9 +205,7 @@ static void gather_samples(struct tile_work *work, struct triangle_work *triangl
                            const uint64_t mask[RHW_MAX_SAMPLES], uint64_t any)
 {
     struct gathered_fragments *const gathered = &work->scratch->gathered;
-    if (!work->orders_lanes) {
-        release_overtaken(work, x, y, any);
-    } else if (fragments_wait(work, x, y, any)) {
+    if (fragments_wait(work, x, y, any)) {
         gathered->overtakes = true; // unless they wait there too
     }
     if (gathered->count > RHW_GATHERED_FRAGMENTS - RHW_BLOCK * RHW_BLOCK) {

@@ -3,7 +3,7 @@
 // until 8 make a group, which is then packed: a fragment is evaluated as one vector over quantities and one over
 // components, then 8 of them are turned into lanes. Only fragments that wait here can be overtaken by later ones of the
 // same pixel, so such a one closes the group first. Where pixels have several samples neighbours share most of them:
-// what replaces, as it were without blending, may share a group too, as the last lane is stored last.
+// what has samples of its own may share a group, and what replaces too, as the last lane is stored last.
 #ifndef RHW_PACK_H
 #define RHW_PACK_H
 
@@ -215,7 +215,7 @@ static int place_partial(struct tile_work *work, unsigned bits)
         queue->samples[g] = i8_load(partial->samples) & i8_from_bits(bits);
     }
     for (int i = 0; i < 8; i++) {
-        partial->pixels[partial->texel[i] / RHW_TILE] = 0;
+        partial->pixels[partial->texel[i] >> RHW_TILE_LOG2] = 0;
     }
     partial->count = 0;
     return g;
@@ -238,6 +238,12 @@ static void pack_group(struct tile_work *work, unsigned bits)
                                          c}; // nothing asks for those on the screen where they are not wanted
     if (work->plan.keeps_depth) {
         group->depth = viewport_clamp(&work->scratch->depth, f8_from_d8(quantity[QUANTITY_Z]));
+    }
+    if (work->samples > 1 && work->plan.depth_mode >= RHW_DEPTH_LATE) {
+        for (int s = 0; s < work->samples; s++) {
+            work->scratch->queue.sample_depth[g][s] =
+                viewport_clamp(&work->scratch->depth, f8_load(partial->sample_depth[s]));
+        }
     }
     if (work->plan.shading == RHW_SHADING_ANY) {
         pack_any(work, g, &weights, &lanes);
@@ -292,6 +298,21 @@ static void flush(struct tile_work *work)
     }
 }
 
+// Whether a fragment that waits and a gathered one have a sample in common.
+static bool samples_meet(const struct tile_work *work)
+{
+    const struct partial_group *const partial = &work->scratch->partial;
+    const struct gathered_fragments *const gathered = &work->scratch->gathered;
+    const i8 texels = i8_load(partial->texel), samples = i8_load(partial->samples);
+    i8 meet = i8_splat(0);
+    for (int i = 0; i < gathered->count; i++) {
+        meet |=
+            rhw_equal_int(texels, i8_splat(gathered->texel[i])) & samples & i8_splat(gathered->samples[i]);
+    }
+    const unsigned free = i8_sign_bits(rhw_equal_int(meet, i8_splat(0)));
+    return (~free & ((1u << partial->count) - 1)) != 0;
+}
+
 // Copies what packing needs of a triangle.
 static const struct packed_triangle *pack_triangle(struct tile_work *work, struct triangle_work *triangle)
 {
@@ -332,16 +353,28 @@ enum packed_parts {
     PACKED_ANY         // and whatever the plan wants
 };
 
+// Keeps the depths of the samples of fragment n.
+static void pack_sample_depths(const struct tile_work *work, struct plane z, int n, double dx, double dy)
+{
+    const struct rhw_sample_pattern *const pattern = work->pass->pattern;
+    for (int s = 0; s < work->samples; s++) {
+        const double value =
+            plane_value(z, dx + from_center(pattern->x_0_8[s]), dy + from_center(pattern->y_0_8[s]));
+        work->scratch->partial.sample_depth[s][n] = (float)value;
+    }
+}
+
 // Adds gathered fragment i of a triangle whose planes are `planes`.
 RHW_INLINE void pack_fragment(struct tile_work *work, const struct quantity_planes *planes,
                               const struct packed_triangle *packed, int i, enum packed_parts parts)
 {
     struct partial_group *const partial = &work->scratch->partial;
     const int texel = work->scratch->gathered.texel[i];
-    const double dx = texel % RHW_TILE - packed->anchor_x, dy = texel / RHW_TILE - packed->anchor_y;
+    const int x = texel & (RHW_TILE - 1), y = texel >> RHW_TILE_LOG2;
+    const double dx = x - packed->anchor_x, dy = y - packed->anchor_y;
     const int n = partial->count;
     partial->texel[n] = texel;
-    partial->pixels[texel / RHW_TILE] |= (uint64_t)1 << texel % RHW_TILE;
+    partial->pixels[y] |= (uint64_t)1 << x;
     partial->triangle[n] = packed;
     partial->quantities[n] = quantity_values(planes, dx, dy);
     if (parts != PACKED_QUANTITIES) {
@@ -349,6 +382,9 @@ RHW_INLINE void pack_fragment(struct tile_work *work, const struct quantity_plan
     }
     if (parts == PACKED_ANY) {
         partial->samples[n] = work->scratch->gathered.samples[i];
+    }
+    if (parts == PACKED_ANY && work->samples > 1 && work->plan.depth_mode >= RHW_DEPTH_LATE) {
+        pack_sample_depths(work, plane_of(planes, QUANTITY_Z), n, dx, dy);
     }
     if (parts == PACKED_ANY && work->plan.needs_screen) {
         partial->screen[n] = (d4){plane_value(packed->n1, dx, dy), plane_value(packed->n2, dx, dy), 0, 0};

@@ -21,23 +21,34 @@ RHW_INLINE i8 samples_of_alpha(f8 alpha, int count)
     return i8_power2(rhw_int_from_float_unchecked(kept)) - i8_splat(1);
 }
 
-// Tests the samples of group g, a row of 8 pixels, after the fragment function.
+// Tests the lanes of group g in `bits` after the fragment function, whose sample in the plane `depth` is at z.
+static unsigned test_plane_late(struct tile_depth *depth, const struct tile_work *work, int g, f8 z,
+                                unsigned bits, unsigned back)
+{
+    const struct fragment_queue *const queue = &work->scratch->queue;
+    const struct rhw_depth_rule rule = work->plan.late;
+    const int x = queue->row_at[g] % RHW_TILE, y = queue->row_at[g] / RHW_TILE; // of a row
+    if (queue->is_scattered[g]) {
+        return work->plan.is_full ? test_texels_late_full(depth, queue->texels[g], z, bits, back, rule)
+                                  : test_texels_late(depth, queue->texels[g], z, bits, rule);
+    }
+    return work->plan.is_full ? test_row_late_full(depth, x, y, z, bits, back, rule)
+                              : test_row_late(depth, x, y, z, bits, rule);
+}
+
+// Tests the samples of group g after the fragment function.
 static i8 test_samples_late(struct tile_work *work, int g, i8 samples)
 {
     const struct fragment_queue *const queue = &work->scratch->queue;
     const struct rhw_fragment *const group = &queue->groups[g];
     const uint32_t uses = work->pipeline->def.program.uses;
-    const struct rhw_depth_rule rule = work->plan.late;
-    const int x = queue->row_at[g] % RHW_TILE, y = queue->row_at[g] / RHW_TILE;
     const unsigned back = uses & RHW_USE_FACING ? i8_sign_bits(~group->front_facing) : 0;
     i8 passed = i8_splat(0);
     for (int s = 0; s < work->samples; s++) {
         struct tile_depth *const depth = depth_plane(work->scratch, s);
         const unsigned bits = lanes_of_sample(samples, s);
         const f8 z = uses & RHW_USE_DEPTH ? viewport_clamp(depth, group->depth) : queue->sample_depth[g][s];
-        const unsigned kept = bits == 0            ? 0
-                              : work->plan.is_full ? test_row_late_full(depth, x, y, z, bits, back, rule)
-                                                   : test_row_late(depth, x, y, z, bits, rule);
+        const unsigned kept = bits == 0 ? 0 : test_plane_late(depth, work, g, z, bits, back);
         passed |= i8_from_bits(kept) & i8_splat(1 << s);
     }
     return passed;
@@ -63,11 +74,10 @@ static i8 finish_samples(struct tile_work *work, int g)
 }
 
 // Where a group is: which of its lanes lie in expanded blocks. The blocks of lanes in `partial` become so.
-static unsigned expanded_lanes(const struct tile_work *work, int g, unsigned partial)
+RHW_INLINE unsigned expanded_lanes(const struct tile_work *work, int g, unsigned partial)
 {
     const struct fragment_queue *const queue = &work->scratch->queue;
     const uint64_t *const expanded = &work->scratch->expanded;
-    unsigned lanes = 0;
     if (!queue->is_scattered[g]) { // in one block
         const int block = block_of_texel(queue->row_at[g]);
         if (partial != 0 && !(*expanded >> block & 1)) {
@@ -75,41 +85,56 @@ static unsigned expanded_lanes(const struct tile_work *work, int g, unsigned par
         }
         return *expanded >> block & 1 ? 0xff : 0;
     }
-    for (; partial != 0; partial &= partial - 1) {
-        const int block = block_of_texel(queue->texels[g][__builtin_ctz(partial)]);
-        if (!(*expanded >> block & 1)) {
-            expand_block(work, block);
+    unsigned left = partial & ~expanded_texels(*expanded, queue->texels[g]);
+    for (; left != 0; left = partial & ~expanded_texels(*expanded, queue->texels[g])) {
+        expand_block(work, block_of_texel(queue->texels[g][__builtin_ctz(left)]));
+    }
+    return expanded_texels(*expanded, queue->texels[g]);
+}
+
+// Blends the lanes of group g, of which some are expanded, into target t. `samples`: what is to be drawn, not none.
+RHW_INLINE void blend_row_samples(const struct tile_work *work, int t, int g, i8 samples, unsigned expanded)
+{
+    const struct fragment_queue *const queue = &work->scratch->queue;
+    const struct rhw_blend_state *const state = &work->state->blend[t];
+    const size_t at = (size_t)queue->row_at[g] * work->pass->colors[t].texel_size;
+    for (int s = 0; s < (expanded == 0 ? 1 : work->samples); s++) {
+        const unsigned bits = lanes_of_sample(samples, s);
+        if (bits != 0) {
+            blend_group(state, queue->colors[g][t], i8_from_bits(bits),
+                        color_plane(work->scratch, t, s) + at);
         }
     }
-    for (int lane = 0; lane < 8 && *expanded != 0; lane++) {
-        lanes |= (unsigned)(*expanded >> block_of_texel(queue->texels[g][lane]) & 1) << lane;
-    }
-    return lanes;
 }
 
-// Blends the lanes of group g that are set in `bits` into a plane of target t.
-static void blend_plane(const struct tile_work *work, int t, int g, int sample, unsigned bits)
+RHW_INLINE void blend_scattered_samples(const struct tile_work *work, int t, int g, i8 samples,
+                                        unsigned expanded)
 {
-    struct fragment_queue *const queue = &work->scratch->queue;
+    const struct fragment_queue *const queue = &work->scratch->queue;
     const struct rhw_blend_state *const state = &work->state->blend[t];
     const size_t size = work->pass->colors[t].texel_size;
-    unsigned char *const texels = color_plane(work->scratch, t, sample);
-    if (!queue->is_scattered[g]) {
-        blend_group(state, queue->colors[g][t], i8_from_bits(bits), texels + (size_t)queue->row_at[g] * size);
-        return;
-    }
+    const bool replaces = state->path == BLEND_RGBA8_REPLACE;
     _Alignas(32) unsigned char lanes[8 * 16];
-    if (state->path == BLEND_RGBA8_REPLACE) {
+    if (replaces) {
         i8_store(lanes, unorm8_texels(queue->colors[g][t]));
-        scatter_texels(queue->texels[g], bits, texels, 4, lanes);
-        return;
     }
-    gather_texels(queue->texels[g], texels, size, lanes);
-    blend_group(state, queue->colors[g][t], i8_splat(-1), lanes);
-    scatter_texels(queue->texels[g], bits, texels, size, lanes);
+    for (int s = 0; s < (expanded == 0 ? 1 : work->samples); s++) {
+        const unsigned bits = lanes_of_sample(samples, s) & (s == 0 ? 0xff : expanded);
+        unsigned char *const texels = color_plane(work->scratch, t, s);
+        if (bits == 0) {
+            continue;
+        }
+        if (replaces) {
+            scatter_texels(queue->texels[g], bits, texels, 4, lanes);
+            continue;
+        }
+        gather_texels(queue->texels[g], texels, size, lanes);
+        blend_group(state, queue->colors[g][t], i8_splat(-1), lanes);
+        scatter_texels(queue->texels[g], bits, texels, size, lanes);
+    }
 }
 
-static void blend_samples(const struct tile_work *work, int g, i8 samples)
+RHW_INLINE void blend_samples(const struct tile_work *work, int g, i8 samples)
 {
     const i8 all = i8_splat((int32_t)(((int64_t)1 << work->samples) - 1));
     const unsigned live = ~i8_sign_bits(rhw_equal_int(samples, i8_splat(0))) & 0xff;
@@ -118,13 +143,11 @@ static void blend_samples(const struct tile_work *work, int g, i8 samples)
         return;
     }
     const unsigned expanded = expanded_lanes(work, g, partial);
-    for (int s = 0; s < work->samples; s++) {
-        const unsigned bits = lanes_of_sample(samples, s) & (s == 0 ? 0xff : expanded);
-        for (int t = 0; t < work->pass->color_count && bits != 0; t++) {
-            blend_plane(work, t, g, s, bits);
-        }
-        if (expanded == 0) {
-            break;
+    for (int t = 0; t < work->pass->color_count; t++) {
+        if (work->scratch->queue.is_scattered[g]) {
+            blend_scattered_samples(work, t, g, samples, expanded);
+        } else {
+            blend_row_samples(work, t, g, samples, expanded);
         }
     }
 }

@@ -61,10 +61,10 @@ RHW_INLINE i8 test_pixels(struct tested_pixels *pixels, const struct rhw_depth_s
     return pass;
 }
 
-// Counts what passed, where a query asks for it.
+// Counts what passed, where a query asks for it here.
 RHW_INLINE void count_passed(struct tile_depth *depth, uint64_t passed)
 {
-    if (depth->state->counts) {
+    if (depth->state->counts_by_test) {
         depth->passed += (uint64_t)__builtin_popcountll(passed);
     }
 }

@@ -26,34 +26,36 @@ RHW_INLINE f8 resolved_value(enum rhw_resolve mode, const f8 *value, int count)
 RHW_INLINE void resolve_row(const struct rhw_format_info *info, enum rhw_resolve mode,
                             const struct sample_row *row, unsigned lanes, unsigned char *to)
 {
-    struct raw_texels raw;
+    struct raw_texels sample[RHW_MAX_SAMPLES], raw;
     f8 value[4][RHW_MAX_SAMPLES], result[4];
     const int count = mode == RHW_RESOLVE_SAMPLE_ZERO ? 1 : row->count;
-    struct raw_texels first;
+    const struct raw_texels *const first = &sample[0];
     i8 agree = i8_splat(-1);
     const int words = (int)(info->size + 3) / 4;
-    load_texel_row(info->size, row->plane[0], &first);
-    raw = first;
+    for (int s = 0; s < count; s++) {
+        load_texel_row(info->size, row->plane[s], &sample[s]);
+        for (int w = 0; w < words; w++) {
+            agree &= rhw_equal_int(sample[s].word[w], first->word[w]);
+        }
+    }
+    if ((i8_sign_bits(agree) & lanes) == lanes) {
+        store_texel_row(info->size, first, i8_from_bits(lanes), to);
+        return;
+    }
     for (int s = 0; s < count; s++) {
         f8 channels[4];
-        load_texel_row(info->size, row->plane[s], &raw);
-        decode_texels(info, &raw, channels);
+        decode_texels(info, &sample[s], channels);
         for (int c = 0; c < 4; c++) {
             value[c][s] = channels[c];
         }
-        for (int w = 0; w < words; w++) {
-            agree &= rhw_equal_int(raw.word[w], first.word[w]);
-        }
     }
-    if (mode != RHW_RESOLVE_SAMPLE_ZERO) {
-        for (int c = 0; c < 4; c++) {
-            result[c] = canonical_nan(resolved_value(mode, value[c], count));
-        }
-        encode_texels(info, result, &raw);
+    for (int c = 0; c < 4; c++) {
+        result[c] = canonical_nan(resolved_value(mode, value[c], count));
     }
+    encode_texels(info, result, &raw);
     // A mean of equal floats may round to another one.
     for (int w = 0; w < words; w++) {
-        raw.word[w] = rhw_select_int(agree, first.word[w], raw.word[w]);
+        raw.word[w] = rhw_select_int(agree, first->word[w], raw.word[w]);
     }
     store_texel_row(info->size, &raw, i8_from_bits(lanes), to);
 }

@@ -12,8 +12,9 @@ static __attribute__((noinline)) void give_counts(const struct tile_work *work)
 {
     struct rhw_used_query *const *const queries = work->state->queries->of;
     const uint64_t fragments = work->counters->fragments - work->fragments_before;
-    uint64_t samples = 0;
-    for (int s = 0; s < work->samples; s++) {
+    const bool by_test = work->state->depth_stencil.counts_by_test;
+    uint64_t samples = by_test ? 0 : fragments;
+    for (int s = 0; s < work->samples && by_test; s++) {
         samples += depth_plane(work->scratch, s)->passed;
     }
     for (int kind = RHW_QUERY_OCCLUSION; kind <= RHW_QUERY_ANY_PASSED; kind++) {
@@ -55,7 +56,7 @@ static void set_state(struct tile_work *work, const struct rhw_draw_state *state
         plane->state = &state->depth_stencil;
         plane->passed = 0;
     }
-    work->orders_lanes = work->samples > 1;
+    work->orders_lanes = work->samples > 1 && work->plan.depth_mode < RHW_DEPTH_LATE;
     for (int t = 0; t < work->pass->color_count; t++) {
         work->orders_lanes = work->orders_lanes && !state->blend[t].blend;
     }

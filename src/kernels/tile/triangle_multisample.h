@@ -17,8 +17,8 @@ struct sampled_block {
 };
 
 // The block as its pixels are at sample s; −1: at their centres.
-static struct block block_at(const struct tile_work *work, const struct triangle_work *triangle,
-                             const struct sampled_block *from, int s)
+RHW_INLINE struct block block_at(const struct tile_work *work, const struct triangle_work *triangle,
+                                 const struct sampled_block *from, int s)
 {
     const struct rhw_sample_pattern *const pattern = work->pass->pattern;
     struct block block = {.x = from->x, .y = from->y};

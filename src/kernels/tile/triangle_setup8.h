@@ -17,7 +17,8 @@ struct tile_rect {
 
 // Edges and pixels are those of small triangles (RHW_TRIANGLE_SMALL) alone, planes those of snapped ones. Edges: q, a,
 // b as in coverage.h, q at pixel (x, y0) of the tile. Vertices lie within 64 pixels of each other and within 72 of any
-// pixel of a block that reaches into their rectangle, as edge_lanes asks.
+// pixel of a block that reaches into their rectangle, as edge_lanes asks. Where pixels have several samples q is that of
+// the pixel's top left corner, times 256: those of samples follow from it.
 struct triangle_setup8 {
     const struct bin_batch *read; // the triangles
     // What they may cover of the tile: see struct tile_rect.
@@ -62,13 +63,16 @@ RHW_INLINE void setup_edges8(struct triangle_setup8 *setup, const struct triangl
                              const struct tile_work *work)
 {
     const i8 x = i8_min(words->x0, i8_splat(RHW_TILE - RHW_BLOCK)); // so that 8 lanes stay in the tile
-    const i8 px = sample_of_pixel8(x + i8_splat(work->x)),
-             py = sample_of_pixel8(words->y0 + i8_splat(work->y));
+    const bool several = work->samples > 1;
+    const i8 center = i8_splat(several ? SAMPLE_OFFSET_0_8 : 0);
+    const i8 px = sample_of_pixel8(x + i8_splat(work->x)) - center,
+             py = sample_of_pixel8(words->y0 + i8_splat(work->y)) - center;
+    const int shift = several ? 0 : RHW_SUBPIXEL_BITS;
     const i8 negative = i8_splat(RHW_TRIANGLE_NEGATIVE);
     const i8 turn = rhw_equal_int(words->flags & negative, negative);
     for (int i = 0; i < 3; i++) {
         const struct edge_lanes edge = edge_lanes(words->x, words->y, i, turn, px, py);
-        i8_store(setup->q[i], edge.e >> RHW_SUBPIXEL_BITS);
+        i8_store(setup->q[i], edge.e >> shift);
         i8_store(setup->a[i], edge.a);
         i8_store(setup->b[i], edge.b);
     }

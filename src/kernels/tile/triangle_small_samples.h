@@ -1,123 +1,115 @@
 // SPDX-License-Identifier: MIT
 // Small triangles where pixels have several samples: their edges fit into 32 bits, those of all samples side by side, and
-// coverage and the early depth test of a row are one step, in the rows and blocks that the triangle reaches alone. It is
-// the special path of triangle_multisample.h for draws that are tested early and shaded at pixel centres.
+// coverage and the early depth test of a row are one step. Parts of 8 columns and rows start where the triangle does. It
+// is the special path of triangle_multisample.h for draws that are shaded at pixel centres.
 #ifndef RHW_TRIANGLE_SMALL_SAMPLES_H
 #define RHW_TRIANGLE_SMALL_SAMPLES_H
 
 #include "../fragment/gather.h"
 #include "triangle_planes.h"
 
-// The edges at each sample of the first pixel of a block: as q in coverage.h.
-struct sample_edges {
-    int32_t q[3][RHW_MAX_SAMPLES], a[3], b[3];
+// A part of a triangle's rectangle: rows y .. y1 − 1, and the columns of the 8 from x on whose lanes are not negative in
+// `sides`. Masks of it are those of the block whose first row is `top`; all of that lies in the tile.
+struct small_part {
+    int x, y, y1, top;
+    i8 sides;
+    int32_t q[3][RHW_MAX_SAMPLES]; // the edges at each sample of the pixel (x, y): as q in coverage.h
 };
 
-static inline void sample_edges_set(struct sample_edges *edges, const struct tile_work *work,
-                                    const struct triangle_work *triangle, int x, int y)
+// What is the same for all parts of a triangle.
+struct small_edges {
+    i8 along[3], step[3]; // what the edges change by to the lanes of a row, and to the next row
+};
+
+// Sets the edges of a part. Gives whether a sample may lie within.
+static inline bool part_edges_set(struct small_part *part, const struct tile_work *work,
+                                  const struct triangle_work *triangle)
 {
     const struct triangle_setup8 *const setup = triangle->setup;
     const struct rhw_sample_pattern *const pattern = work->pass->pattern;
-    const struct rhw_triangle *const t = triangle->t;
-    const int i = triangle->lane;
-    const int32_t px = (work->x + x) * RHW_SUBPIXEL, py = (work->y + y) * RHW_SUBPIXEL;
+    const int i = triangle->lane, right = part->x - setup->x[i], down = part->y - setup->y0[i];
+    const int last = part->y1 - part->y - 1;
+    bool reaches = true;
     for (int e = 0; e < 3; e++) {
         const int32_t a = setup->a[e][i], b = setup->b[e][i];
-        const bool top_left = a > 0 || (a == 0 && b > 0);
-        const int32_t first = a * (px - t->x_24_8[e]) + b * (py - t->y_24_8[e]) - (top_left ? 0 : 1);
+        const int32_t first = setup->q[e][i] + (a * right + b * down) * RHW_SUBPIXEL;
+        const i8 most = i8_splat((RHW_BLOCK - 1) * max_int(a, 0) + last * max_int(b, 0));
+        unsigned outside = 0xff;
         for (int s = 0; s < work->samples; s += RHW_LANES) {
             const i8 at = i8_splat(first) + i8_splat(a) * i8_load(&pattern->x_0_8[s]) +
                           i8_splat(b) * i8_load(&pattern->y_0_8[s]);
-            i8_store(&edges->q[e][s], at >> RHW_SUBPIXEL_BITS);
+            i8_store(&part->q[e][s], at >> RHW_SUBPIXEL_BITS);
+            outside &= i8_sign_bits((at >> RHW_SUBPIXEL_BITS) + most);
         }
-        edges->a[e] = a;
-        edges->b[e] = b;
+        reaches = reaches && outside != 0xff;
     }
+    return reaches;
 }
 
-// The part of a block that a triangle may cover: rows, and columns as bits.
-struct block_part {
-    int x, y, row0, row1;
-    unsigned columns;
-};
-
-// Pixels of the part whose sample s the triangle covers.
-RHW_INLINE uint64_t cover_sample(const struct sample_edges *edges, const struct block_part *part, int s)
-{
-    i8 q[3];
-    for (int e = 0; e < 3; e++) {
-        const int32_t first = edges->q[e][s] + edges->b[e] * part->row0;
-        q[e] = i8_splat(first) + i8_splat(edges->a[e]) * rhw_lane_index;
-    }
-    uint64_t covered = 0;
-    for (int row = part->row0; row < part->row1; row++) {
-        const unsigned bits = (i8_sign_bits(q[0] | q[1] | q[2]) ^ 0xff) & part->columns;
-        covered |= (uint64_t)bits << (8 * row);
-        for (int e = 0; e < 3; e++) {
-            q[e] += i8_splat(edges->b[e]);
-        }
-    }
-    return covered;
-}
-
-// Samples of a part to be tested: those set in `mask`.
+// What is drawn of a part.
 struct part_test {
     struct tile_work *work;
     const struct triangle_work *triangle;
-    const struct block_part *part;
-    uint64_t *mask; // by sample; what passes stays
+    const struct small_edges *edges;
+    const struct small_part *part;
+    uint64_t *mask; // by sample: what is covered and passes
 };
 
-// Does so with the depth test, which writes depth. Gives the pixels of which a sample passes.
-RHW_INLINE uint64_t test_part(const void *pixels, const struct rhw_depth_rule rule)
+// The pixels whose sample s the triangle covers, and which pass the depth test, which writes depth.
+RHW_INLINE uint64_t test_part_sample(const struct part_test *test, int s, const struct rhw_depth_rule rule)
 {
-    const struct part_test *const test = pixels;
     struct tile_work *const work = test->work;
-    const struct rhw_sample_pattern *const pattern = work->pass->pattern;
     const struct triangle_setup8 *const setup = test->triangle->setup;
-    const struct block_part *const part = test->part;
+    const struct small_edges *const edges = test->edges;
+    const struct small_part *const part = test->part;
+    const struct rhw_sample_pattern *const pattern = work->pass->pattern;
+    struct tile_depth *const depth = depth_plane(work->scratch, s);
     const int i = test->triangle->lane;
     const struct plane z = plane_of(&setup->quantities[i], QUANTITY_Z);
     const d8 dx = d8_from_i8(i8_splat(work->x + part->x - setup->anchor_x[i]) + rhw_lane_index);
-    const double dy = work->y + part->y - setup->anchor_y[i];
+    const d8 column = plane_column(z, d8_add(dx, d8_splat(from_center(pattern->x_0_8[s]))));
+    const double dy = work->y - setup->anchor_y[i] + from_center(pattern->y_0_8[s]);
+    const bool tests = work->plan.tests_early;
+    i8 q[3];
+    for (int e = 0; e < 3; e++) {
+        q[e] = i8_splat(part->q[e][s]) + edges->along[e];
+    }
+    uint64_t passed = 0;
+    for (int y = part->y; y < part->y1; y++) {
+        const i8 inside = ~((q[0] | q[1] | q[2] | part->sides) >> 31);
+        unsigned bits = i8_sign_bits(inside);
+        for (int e = 0; e < 3; e++) {
+            q[e] += edges->step[e];
+        }
+        if (bits != 0 && tests) {
+            const f8 value = f8_from_d8(d8_add(column, d8_splat(z.at + z.dy * (dy + y))));
+            const unsigned open = open_row(depth, part->x, y, rule);
+            bits = i8_sign_bits(test_lanes(depth_texels(depth, part->x, y), value, inside, open, rule));
+        }
+        passed |= (uint64_t)bits << (8 * (y - part->top));
+    }
+    return tests ? settle_block(depth, part->x, part->top, passed, rule) : passed;
+}
+
+// Does so for all samples. Gives the pixels of which one is left.
+RHW_INLINE uint64_t test_part(const void *what, const struct rhw_depth_rule rule)
+{
+    const struct part_test *const test = what;
+    const uint32_t drawn = test->work->pipeline->def.sample_mask;
     uint64_t any = 0;
-    for (int s = 0; s < work->samples; s++) {
-        const uint64_t mask = test->mask[s];
-        if (mask == 0) {
-            continue;
-        }
-        struct tile_depth *const depth = depth_plane(work->scratch, s);
-        const d8 column = plane_column(z, d8_add(dx, d8_splat(from_center(pattern->x_0_8[s]))));
-        const double at = dy + from_center(pattern->y_0_8[s]);
-        const int first = __builtin_ctzll(mask) / 8, last = 7 - __builtin_clzll(mask) / 8;
-        float *texels = depth_texels(depth, part->x, part->y + first);
-        uint64_t passed = 0;
-        for (int row = first; row <= last; row++) {
-            const f8 value = f8_from_d8(d8_add(column, d8_splat(z.at + z.dy * (at + row))));
-            const unsigned open = open_row(depth, part->x, part->y + row, rule);
-            const i8 live = i8_from_bits((unsigned)(mask >> (8 * row)) & 0xff);
-            passed |= (uint64_t)i8_sign_bits(test_lanes(texels, value, live, open, rule)) << (8 * row);
-            texels += RHW_TILE;
-        }
-        test->mask[s] = settle_block(depth, part->x, part->y, passed, rule);
+    for (int s = 0; s < test->work->samples; s++) {
+        test->mask[s] = drawn >> s & 1 ? test_part_sample(test, s, rule) : 0;
         any |= test->mask[s];
     }
     return any;
 }
 
 static void draw_small_part(struct tile_work *work, struct triangle_work *triangle,
-                            const struct sample_edges *edges, const struct block_part *part)
+                            const struct small_edges *edges, const struct small_part *part)
 {
-    const uint32_t drawn = work->pipeline->def.sample_mask;
-    uint64_t mask[RHW_MAX_SAMPLES], any = 0;
-    for (int s = 0; s < work->samples; s++) {
-        mask[s] = drawn >> s & 1 ? cover_sample(edges, part, s) : 0;
-        any |= mask[s];
-    }
-    if (any != 0 && work->plan.tests_early) {
-        const struct part_test test = {work, triangle, part, mask};
-        any = test_early(&work->plan, test_part, &test);
-    }
+    uint64_t mask[RHW_MAX_SAMPLES];
+    const struct part_test test = {work, triangle, edges, part, mask};
+    const uint64_t any = test_early(&work->plan, test_part, &test);
     if (any == 0 || work->plan.shading == RHW_SHADING_NONE) {
         return;
     }
@@ -125,7 +117,7 @@ static void draw_small_part(struct tile_work *work, struct triangle_work *triang
     if (!triangle->has_planes) {
         copy_planes(work, triangle);
     }
-    gather_samples(work, triangle, part->x, part->y, mask, any);
+    gather_samples(work, triangle, part->x, part->top, mask, any);
 }
 
 // Whether a triangle takes this path: a small one that is no point, and whose planes are not exact ones.
@@ -142,18 +134,25 @@ static __attribute__((noinline)) void draw_small_samples(struct tile_work *work,
     const struct triangle_setup8 *const setup = triangle->setup;
     const int i = triangle->lane;
     const int x0 = setup->x0[i], y0 = setup->y0[i], x1 = setup->x1[i], y1 = setup->y1[i];
-    const int left = x0 & -RHW_BLOCK, top = y0 & -RHW_BLOCK;
-    struct sample_edges edges;
+    struct small_edges edges;
+    for (int e = 0; e < 3; e++) {
+        edges.along[e] = i8_splat(setup->a[e][i]) * rhw_lane_index;
+        edges.step[e] = i8_splat(setup->b[e][i]);
+    }
     for (int s = 0; s < work->samples; s++) {
         depth_plane(work->scratch, s)->marked = false;
     }
-    for (int y = top; y < y1; y += RHW_BLOCK) {
-        for (int x = left; x < x1; x += RHW_BLOCK) {
-            const struct block_part part = {x, y, max_int(y0 - y, 0), min_int(y1 - y, RHW_BLOCK),
-                                            0xffu << max_int(x0 - x, 0) &
-                                                0xffu >> max_int(x + RHW_BLOCK - x1, 0) & 0xffu};
-            sample_edges_set(&edges, work, triangle, x, y);
-            draw_small_part(work, triangle, &edges, &part);
+    struct small_part part;
+    for (part.y = y0; part.y < y1; part.y += RHW_BLOCK) {
+        part.top = min_int(part.y, RHW_TILE - RHW_BLOCK);
+        part.y1 = min_int(part.y + RHW_BLOCK, y1);
+        for (int x = x0; x < x1; x += RHW_BLOCK) {
+            part.x = min_int(x, RHW_TILE - RHW_BLOCK);
+            const i8 column = i8_splat(part.x) + rhw_lane_index;
+            part.sides = (column - i8_splat(x)) | (i8_splat(x1 - 1) - column);
+            if (part_edges_set(&part, work, triangle)) {
+                draw_small_part(work, triangle, &edges, &part);
+            }
         }
     }
     finish_gathered(work, triangle);
