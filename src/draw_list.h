@@ -52,6 +52,7 @@ struct rhw_draw_state {
     // before it (kernels/raster/sample_position.h).
     int32_t first_step, past_step;
     const struct rhw_active_queries *queries; // NULL: none
+    int viewport_index;                       // of `viewport`
 };
 
 struct rhw_draw {
@@ -68,6 +69,8 @@ struct rhw_draw {
     uint32_t triangles_per_instance;
     uint64_t first_triangle; // in the line of all triangles of the pass
     bool indexed;
+    const struct rhw_draw
+        *viewports; // RHW_MAX_VIEWPORTS, the same for each viewport; NULL: the first alone is used
 };
 
 // The part of a chunk that belongs to one instance of one draw.
@@ -100,7 +103,9 @@ struct rhw_chunk {
     struct rhw_polygon *polygons;
     // Bins: tile (x, y) of the rectangle lists entries[offsets[i]] .. entries[offsets[i + 1] − 1], where
     // i = (y − tile_y0)·(tile_x1 − tile_x0) + x − tile_x0; entries are numbers of triangles, rising.
+    // Bins of layer l begin behind those of l − layer0 such rectangles.
     int tile_x0, tile_y0, tile_x1, tile_y1;
+    int layer0, layer_count;
     uint32_t *offsets;
     uint16_t *entries;
     struct rhw_front_counters counters;

@@ -40,7 +40,7 @@ static enum rhw_shading choose_shading(const struct rhw_pipeline_data *pipeline,
     const uint32_t uses = pipeline->def.program.uses;
     // What groups can be filled with together.
     const uint32_t together =
-        RHW_USE_DISCARD | RHW_USE_DEPTH | RHW_USE_FACING | RHW_USE_IDS | RHW_USE_EFFECTS;
+        RHW_USE_DISCARD | RHW_USE_DEPTH | RHW_USE_FACING | RHW_USE_IDS | RHW_USE_EFFECTS | RHW_USE_LAYER;
     if (!(pipeline->fragment || pipeline->def.program.fragment1) || phase == RHW_PHASE_DEPTH) {
         return RHW_SHADING_NONE;
     }

@@ -43,6 +43,8 @@ struct rhw_limits rhw_limits_get(void)
         .framebuffer_stencil_sample_counts = SAMPLE_COUNTS,
         .max_sample_mask_words = 1,
         .sub_pixel_precision_bits = RHW_SUBPIXEL_BITS,
+        .max_framebuffer_layers = RHW_MAX_TEXTURE_LAYERS,
+        .max_viewports = RHW_MAX_VIEWPORTS,
         .max_viewport_dimensions = {RHW_MAX_TARGET_SIZE, RHW_MAX_TARGET_SIZE},
         .viewport_bounds_range = {-2 * RHW_MAX_TARGET_SIZE, 2 * RHW_MAX_TARGET_SIZE},
         .viewport_sub_pixel_bits = RHW_SUBPIXEL_BITS,

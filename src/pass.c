@@ -326,9 +326,9 @@ void rhw_pass_set_texture(rhw_context *context, rhw_pass id, int slot, rhw_textu
     }
 }
 
-static void set_viewport(struct rhw_pass_state *pass, const struct rhw_viewport *v)
+static void set_viewport(struct rhw_pass_state *pass, int index, const struct rhw_viewport *v,
+                         const char *where)
 {
-    static const char *const where = "rhw_pass_set_viewport";
     rhw_context *const context = pass->context;
     const float limit = RHW_MAX_TARGET_SIZE;
     if (!rhw_check(context, v != NULL, "%s: viewport is NULL", where) ||
@@ -348,9 +348,11 @@ static void set_viewport(struct rhw_pass_state *pass, const struct rhw_viewport 
                    (double)v->depth_min, (double)v->depth_max)) {
         return;
     }
-    pass->pending.viewport = *v;
+    struct rhw_viewport *const viewport = &pass->viewports[index];
+    *viewport = *v;
     const bool unset = v->depth_min == 0 && v->depth_max == 0;
-    pass->pending.viewport.depth_max = unset ? 1 : v->depth_max > 0 ? v->depth_max : 0;
+    viewport->depth_max = unset ? 1 : v->depth_max > 0 ? v->depth_max : 0;
+    pass->pending.viewport = pass->viewports[0];
     pass->pending_changed = true;
 }
 
@@ -358,25 +360,73 @@ void rhw_pass_set_viewport(rhw_context *context, rhw_pass id, const struct rhw_v
 {
     struct rhw_pass_state *const pass = rhw_pass_enter(context, id, "rhw_pass_set_viewport");
     if (pass) {
-        set_viewport(pass, viewport);
+        set_viewport(pass, 0, viewport, "rhw_pass_set_viewport");
         rhw_context_leave(context);
     }
+}
+
+// Whether `count` viewports or scissors from `first` on exist. `name`: of the array.
+static bool check_viewports(const rhw_context *context, int first, int count, const void *array,
+                            const char *name, const char *where)
+{
+    return rhw_check(context, first >= 0 && count >= 0 && first <= RHW_MAX_VIEWPORTS - count,
+                     "%s: first is %d and count %d; there are %d", where, first, count, RHW_MAX_VIEWPORTS) &&
+           rhw_check(context, array != NULL || count == 0, "%s: %s is NULL", where, name);
+}
+
+void rhw_pass_set_viewports(rhw_context *context, rhw_pass id, int first, int count,
+                            const struct rhw_viewport *viewports)
+{
+    static const char *const where = "rhw_pass_set_viewports";
+    struct rhw_pass_state *const pass = rhw_pass_enter(context, id, where);
+    if (!pass) {
+        return;
+    }
+    if (check_viewports(context, first, count, viewports, "viewports", where)) {
+        for (int i = 0; i < count; i++) {
+            set_viewport(pass, first + i, &viewports[i], where);
+        }
+    }
+    rhw_context_leave(context);
+}
+
+static void set_scissor(struct rhw_pass_state *pass, int index, const struct rhw_rect *scissor,
+                        const char *where)
+{
+    rhw_context *const context = pass->context;
+    if (rhw_check(context, scissor != NULL, "%s: scissor is NULL", where) &&
+        rhw_check(context, scissor->width >= 0 && scissor->height >= 0,
+                  "%s: the size is %dx%d; neither is negative", where, scissor->width, scissor->height)) {
+        pass->scissors[index] = *scissor;
+        pass->pending.scissor = pass->scissors[0];
+        pass->pending_changed = true;
+    }
+}
+
+void rhw_pass_set_scissors(rhw_context *context, rhw_pass id, int first, int count,
+                           const struct rhw_rect *scissors)
+{
+    static const char *const where = "rhw_pass_set_scissors";
+    struct rhw_pass_state *const pass = rhw_pass_enter(context, id, where);
+    if (!pass) {
+        return;
+    }
+    if (check_viewports(context, first, count, scissors, "scissors", where)) {
+        for (int i = 0; i < count; i++) {
+            set_scissor(pass, first + i, &scissors[i], where);
+        }
+    }
+    rhw_context_leave(context);
 }
 
 void rhw_pass_set_scissor(rhw_context *context, rhw_pass id, const struct rhw_rect *scissor)
 {
     static const char *const where = "rhw_pass_set_scissor";
     struct rhw_pass_state *const pass = rhw_pass_enter(context, id, where);
-    if (!pass) {
-        return;
+    if (pass) {
+        set_scissor(pass, 0, scissor, where);
+        rhw_context_leave(context);
     }
-    if (rhw_check(context, scissor != NULL, "%s: scissor is NULL", where) &&
-        rhw_check(context, scissor->width >= 0 && scissor->height >= 0,
-                  "%s: the size is %dx%d; neither is negative", where, scissor->width, scissor->height)) {
-        pass->pending.scissor = *scissor;
-        pass->pending_changed = true;
-    }
-    rhw_context_leave(context);
 }
 
 void rhw_pass_set_blend_constant(rhw_context *context, rhw_pass id, const float constant[4])
@@ -454,6 +504,14 @@ static struct rhw_rect clip_rect(const struct rhw_pass_state *pass, const struct
     const int x0 = vx0 > sx0 ? vx0 : sx0, y0 = vy0 > sy0 ? vy0 : sy0;
     const int x1 = vx1 < sx1 ? vx1 : sx1, y1 = vy1 < sy1 ? vy1 : sy1;
     return (struct rhw_rect){x0, y0, x1 > x0 ? x1 - x0 : 0, y1 > y0 ? y1 - y0 : 0};
+}
+
+// Holds the state's scissor within its viewport and the target.
+static void clip_scissor(const struct rhw_pass_state *pass, struct rhw_draw_state *state)
+{
+    state->scissor = clip_rect(pass, &state->viewport, &state->scissor,
+                               state->pipeline->primitive == RHW_PRIMITIVE_POINTS ||
+                                   state->pipeline->primitive == RHW_PRIMITIVE_POLYGON_POINTS);
 }
 
 // Sets what vertices and depth need of the viewport and of the pipeline's range of Z.
@@ -556,9 +614,7 @@ static const struct rhw_draw_state *snapshot(struct rhw_pass_state *pass)
         return NULL;
     }
     *state = pass->pending;
-    state->scissor = clip_rect(pass, &state->viewport, &state->scissor,
-                               state->pipeline->primitive == RHW_PRIMITIVE_POINTS ||
-                                   state->pipeline->primitive == RHW_PRIMITIVE_POLYGON_POINTS);
+    clip_scissor(pass, state);
     for (int i = 0; i < pass->color_count; i++) {
         rhw_blend_state_init(&state->blend[i], &state->pipeline->def.targets[i], state->pipeline->def.logic,
                              state->blend_constant);
@@ -577,8 +633,52 @@ static const struct rhw_draw_state *snapshot(struct rhw_pass_state *pass)
         state->hidden = rhw_hidden_rule_of(state, pass->color_count);
     }
     pass->current = state;
+    memset(pass->routed, 0, sizeof pass->routed);
     pass->pending_changed = false;
     return state;
+}
+
+// The state of the draw in viewport `i`. NULL when out of memory.
+static const struct rhw_draw_state *routed_state(struct rhw_pass_state *pass, int i)
+{
+    if (i == 0 || pass->routed[i]) {
+        return i == 0 ? pass->current : pass->routed[i];
+    }
+    struct rhw_draw_state *const state = rhw_arena_alloc(&pass->arena, sizeof *state, RHW_CACHE_LINE);
+    if (!state) {
+        return NULL;
+    }
+    *state = *pass->current;
+    state->viewport = pass->viewports[i];
+    state->scissor = pass->scissors[i];
+    state->viewport_index = i;
+    clip_scissor(pass, state);
+    set_viewport_map(state);
+    pass->routed[i] = state;
+    return state;
+}
+
+// Gives a draw whose vertices name their viewport the same draw in each. False when out of memory.
+static bool route_draw(struct rhw_pass_state *pass, struct rhw_draw *draw)
+{
+    if (!draw->state->pipeline->def.program.writes_viewport_index) {
+        return true;
+    }
+    struct rhw_draw *const draws =
+        rhw_arena_alloc(&pass->arena, RHW_MAX_VIEWPORTS * sizeof *draws, RHW_CACHE_LINE);
+    if (!draws) {
+        return false;
+    }
+    const uint64_t environment = rhw_cpu_float_enter();
+    bool made = true;
+    for (int i = 0; i < RHW_MAX_VIEWPORTS && made; i++) {
+        draws[i] = *draw;
+        draws[i].state = routed_state(pass, i);
+        made = draws[i].state != NULL;
+    }
+    rhw_cpu_float_leave(environment);
+    draw->viewports = draws;
+    return made;
 }
 
 // A first draw that nothing of can be seen: depth is 1 because nobody said what it is, as with reversed depth in a
@@ -651,7 +751,7 @@ static void append_draw(struct rhw_pass_state *pass, const struct rhw_draw *draw
     const bool effects = state->pipeline->def.program.vertex_effects;
     if (pass->out_of_memory || !rhw_assembly_prepare(slot, count, &pass->arena) ||
         (effects && !rhw_effect_vertices_prepare(slot, &pass->arena)) ||
-        (pass->feedback.is_active && !rhw_feedback_add_draw(pass, slot))) {
+        (pass->feedback.is_active && !rhw_feedback_add_draw(pass, slot)) || !route_draw(pass, slot)) {
         pass->out_of_memory = true;
         return;
     }

@@ -38,15 +38,24 @@ static struct rhw_name name_of(const rhw_context *context, rhw_texture id)
     return rhw_name_of(&context->textures, id.index);
 }
 
+// Whether the pass's layers from `a` on of one level and from `b` on of another have memory in common. The slices of a
+// level stand one after the other.
+static bool overlaps(const struct rhw_pass_state *pass, const struct rhw_mip *mip_a, int a,
+                     const struct rhw_mip *mip_b, int b)
+{
+    const int more = pass->layers - 1;
+    return (uintptr_t)rhw_mip_slice(mip_a, a) <= (uintptr_t)rhw_mip_slice(mip_b, b + more) &&
+           (uintptr_t)rhw_mip_slice(mip_b, b) <= (uintptr_t)rhw_mip_slice(mip_a, a + more);
+}
+
 // Whether an attachment before the one that is attached now draws into the same texels.
 static bool is_attached(const struct rhw_pass_state *pass, const struct rhw_attachment *attachment,
                         const struct rhw_mip *mip, int layer)
 {
-    const unsigned char *const first = rhw_mip_slice(mip, layer);
     for (int i = 0; i < pass->color_count; i++) {
         const struct rhw_attachment *const other = &pass->colors[i];
-        if ((other->target && rhw_mip_slice(other->target, other->layer) == first) ||
-            (other->resolve && rhw_mip_slice(other->resolve, other->layer) == first)) {
+        if ((other->target && overlaps(pass, other->target, other->layer, mip, layer)) ||
+            (other->resolve && overlaps(pass, other->resolve, other->layer, mip, layer))) {
             return true;
         }
         if (other == attachment) {
@@ -58,8 +67,13 @@ static bool is_attached(const struct rhw_pass_state *pass, const struct rhw_atta
 
 // What of a texture is attached.
 struct attached_part {
-    int layer, level;
+    int layer, level, layer_count;
 };
+
+static int layers_of(int layer_count)
+{
+    return layer_count == 0 ? 1 : layer_count;
+}
 
 // Checks the texture of an attachment against the pass and the attachments before it. The first gives the pass its size,
 // where that is not set.
@@ -79,7 +93,13 @@ static bool check_texture(struct rhw_pass_state *pass, rhw_texture id, const str
         pass->width = mip->width;
         pass->height = mip->height;
     }
-    return rhw_texture_check_layer(context, id, texture, part.level, layer, where) &&
+    return rhw_check(context, part.layer_count == pass->layers,
+                     "%s: %s.layer_count is %d; the first attachment has %d", where, name, part.layer_count,
+                     pass->layers) &&
+           rhw_texture_check_layer(context, id, texture, part.level, layer, where) &&
+           rhw_check(context, pass->layers <= mip->slices - layer,
+                     "%s: %s has %d layers from %d on; level %d of %s has 0..%d", where, name, pass->layers,
+                     layer, part.level, name_of(context, id).text, mip->slices - 1) &&
            rhw_check(context, !texture->swizzles,
                      "%s: %s is %s, a view with a swizzle; attachments have none", where, name,
                      name_of(context, id).text) &&
@@ -102,17 +122,24 @@ static bool check_attached_samples(const struct rhw_pass_state *pass, rhw_textur
                      name_of(pass->context, id).text, texture->samples, samples);
 }
 
-// Makes a part of a texture one that the pass writes; gives the record of its tiles. NULL when out of memory.
-static struct rhw_clean_tiles *take(struct rhw_pass_state *pass, rhw_texture id,
-                                    struct rhw_texture_data *texture, struct attached_part part)
+// Makes a part of a texture one that the pass writes; gives the record of its tiles. Several layers have none, and what
+// is recorded of the texture's is forgotten. False when out of memory.
+static bool take(struct rhw_pass_state *pass, rhw_texture id, struct rhw_texture_data *texture,
+                 struct attached_part part, struct rhw_clean_tiles **clean)
 {
     struct rhw_context *const context = pass->context;
     rhw_texture_note_attached(texture, context->recording.generation);
     texture->written |= 1u << part.level;
     rhw_pool_use(&context->textures, id.index, context->recording.generation);
     const struct rhw_mip *const mip = &texture->mip[part.level];
-    return rhw_clean_tiles_of_part(&context->memory, &texture->clean, part.layer, part.level, mip->width,
-                                   mip->height);
+    *clean = NULL;
+    if (pass->layers > 1) {
+        rhw_clean_tiles_forget(texture->clean);
+        return true;
+    }
+    *clean = rhw_clean_tiles_of_part(&context->memory, &texture->clean, part.layer, part.level, mip->width,
+                                     mip->height);
+    return *clean != NULL;
 }
 
 // The texture of the attachment `name`; NULL, and misuse, when there is none.
@@ -138,8 +165,8 @@ static enum rhw_result attach(struct rhw_pass_state *pass, rhw_texture id, struc
         !check_attached_samples(pass, id, texture, name)) {
         return RHW_ERROR_MISUSE;
     }
-    struct rhw_clean_tiles *const clean = take(pass, id, texture, part);
-    if (!clean) {
+    struct rhw_clean_tiles *clean;
+    if (!take(pass, id, texture, part, &clean)) {
         return RHW_ERROR_OUT_OF_MEMORY;
     }
     attachment->layer = part.layer;
@@ -216,7 +243,7 @@ static enum rhw_result attach_resolve(struct rhw_pass_state *pass, rhw_texture i
     struct rhw_context *const context = pass->context;
     char name[32];
     snprintf(name, sizeof name, "colors[%d].resolve", i);
-    const struct attached_part part = {attachment->layer, attachment->level};
+    const struct attached_part part = {attachment->layer, attachment->level, pass->layers};
     struct rhw_texture_data *const texture = rhw_context_texture(context, id, where);
     if (!texture || !check_texture(pass, id, texture, name, attachment, part) ||
         !rhw_check(
@@ -230,8 +257,7 @@ static enum rhw_result attach_resolve(struct rhw_pass_state *pass, rhw_texture i
         return RHW_ERROR_MISUSE;
     }
     attachment->resolve = &texture->mip[part.level];
-    attachment->resolve_clean = take(pass, id, texture, part);
-    return attachment->resolve_clean ? RHW_OK : RHW_ERROR_OUT_OF_MEMORY;
+    return take(pass, id, texture, part, &attachment->resolve_clean) ? RHW_OK : RHW_ERROR_OUT_OF_MEMORY;
 }
 
 static enum rhw_result attach_color(struct rhw_pass_state *pass, const struct rhw_pass_def *def, int i)
@@ -247,8 +273,9 @@ static enum rhw_result attach_color(struct rhw_pass_state *pass, const struct rh
         return RHW_ERROR_MISUSE;
     }
     *attachment = (struct rhw_attachment){.resolve_mode = color->resolve_mode};
-    enum rhw_result result =
-        attach(pass, color->texture, (struct attached_part){color->layer, color->level}, name, attachment);
+    enum rhw_result result = attach(
+        pass, color->texture,
+        (struct attached_part){color->layer, color->level, layers_of(color->layer_count)}, name, attachment);
     if (result == RHW_OK && color->resolve.index != 0) {
         result = attach_resolve(pass, color->resolve, i, attachment);
     }
@@ -281,8 +308,10 @@ static enum rhw_result attach_depth_texture(struct rhw_pass_state *pass,
                                             const struct rhw_depth_attachment *depth)
 {
     struct rhw_context *const context = pass->context;
-    const enum rhw_result result = attach(
-        pass, depth->texture, (struct attached_part){depth->layer, depth->level}, "depth", &pass->depth);
+    const enum rhw_result result =
+        attach(pass, depth->texture,
+               (struct attached_part){depth->layer, depth->level, layers_of(depth->layer_count)}, "depth",
+               &pass->depth);
     if (result != RHW_OK) {
         return result;
     }
@@ -428,6 +457,12 @@ enum rhw_result rhw_pass_attach(struct rhw_pass_state *pass, const struct rhw_pa
         return RHW_ERROR_MISUSE;
     }
     pass->pattern = rhw_sample_pattern_of(samples);
+    pass->layers = layers_of(def->color_count > 0 ? def->colors[0].layer_count : def->depth.layer_count);
+    if (!rhw_check(pass->context, pass->layers > 0 && pass->layers <= RHW_MAX_TEXTURE_LAYERS,
+                   "%s: %s.layer_count is %d; it is 0..%d", where,
+                   def->color_count > 0 ? "colors[0]" : "depth", pass->layers, RHW_MAX_TEXTURE_LAYERS)) {
+        return RHW_ERROR_MISUSE;
+    }
     for (int i = 0; i < def->color_count; i++) {
         const enum rhw_result result = attach_color(pass, def, i);
         if (result != RHW_OK) {

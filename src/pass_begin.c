@@ -89,8 +89,12 @@ static enum rhw_result begin(rhw_context *context, const struct rhw_pass_def *de
     }
     pass->tiles_x = (pass->width + RHW_TILE - 1) / RHW_TILE;
     pass->tiles_y = (pass->height + RHW_TILE - 1) / RHW_TILE;
-    pass->pending.viewport = (struct rhw_viewport){0, 0, (float)pass->width, (float)pass->height, 0, 1};
-    pass->pending.scissor = (struct rhw_rect){0, 0, pass->width, pass->height};
+    for (int i = 0; i < RHW_MAX_VIEWPORTS; i++) {
+        pass->viewports[i] = (struct rhw_viewport){0, 0, (float)pass->width, (float)pass->height, 0, 1};
+        pass->scissors[i] = (struct rhw_rect){0, 0, pass->width, pass->height};
+    }
+    pass->pending.viewport = pass->viewports[0];
+    pass->pending.scissor = pass->scissors[0];
     pass->pending.depth_setting.bounds_most = 1;
     begin_recording(context, def);
     if (context->findings && def->depth.texture.index != 0 && !def->depth.enabled) {

@@ -305,7 +305,7 @@ static void run_tile(void *user, int index, int worker)
 static uint64_t run_tiles(struct rhw_pass_state *pass)
 {
     struct rhw_context *const context = pass->context;
-    const int tiles = pass->tiles_x * pass->tiles_y;
+    const int tiles = pass->tiles_x * pass->tiles_y * pass->layers;
     for (int i = 0; i < context->threads; i++) {
         pass->workers[i].next_tile = (int)((int64_t)tiles * i / context->threads);
         pass->workers[i].end_tile = (int)((int64_t)tiles * (i + 1) / context->threads);
@@ -368,7 +368,8 @@ static bool transient_ready(struct rhw_pass_state *pass, struct rhw_attachment *
     const size_t row = (size_t)pass->width * attachment->texel_size;
     const size_t pitch = (row + RHW_CACHE_LINE - 1) & ~(size_t)(RHW_CACHE_LINE - 1);
     const uint64_t plane = (uint64_t)pitch * (uint64_t)pass->height,
-                   all = plane * (uint64_t)pass->pattern->count;
+                   slice = plane * (uint64_t)pass->pattern->count;
+    const uint64_t all = slice * (uint64_t)pass->layers;
     if (all > SIZE_MAX) {
         return false;
     }
@@ -383,6 +384,7 @@ static bool transient_ready(struct rhw_pass_state *pass, struct rhw_attachment *
         transient->size = size;
     }
     transient->plane.row_pitch = pitch;
+    transient->plane.slice_pitch = (size_t)slice;
     attachment->target = &transient->plane;
     attachment->sample_stride = pass->pattern->count > 1 ? (size_t)plane : 0;
     return true;
@@ -432,7 +434,7 @@ enum rhw_result rhw_pass_run(struct rhw_pass_state *pass, struct rhw_stats *stat
                           .draws = pass->draws.count,
                           .triangles_in = pass->triangle_count,
                           .threads = context->threads,
-                          .tiles = pass->tiles_x * pass->tiles_y,
+                          .tiles = pass->tiles_x * pass->tiles_y * pass->layers,
                           .isa = context->isa};
     struct position at = {0, 0};
     pass->chunk_size = chunk_size(pass);

@@ -19,7 +19,7 @@ struct rhw_attachment {
     enum rhw_load load;
     enum rhw_store store;
     const struct rhw_mip *target;  // NULL: exists in the tile alone
-    int layer, level;              // of its texture that is drawn into
+    int layer, level;              // of its texture that is drawn into; the first layer
     struct rhw_clean_tiles *clean; // of a texture; NULL where there is none
     size_t sample_stride;          // bytes from one sample of the target to the next; 0 where it has one
     // Where the samples of the tile are resolved into, if they are; NULL: nowhere.
@@ -98,6 +98,7 @@ struct rhw_pass_state {
     struct rhw_context *context;
     uint64_t begun_ns;
     int width, height, tiles_x, tiles_y;
+    int layers;                               // of every attachment
     const struct rhw_sample_pattern *pattern; // samples of a pixel
     int color_count;
     struct rhw_attachment colors[RHW_MAX_COLOR_ATTACHMENTS];
@@ -120,7 +121,10 @@ struct rhw_pass_state {
     uint32_t uniform_size;
     const struct rhw_draw_state *current; // last copy of `pending`
     bool out_of_memory;
-    bool refused_pipeline; // rhw_pass_set_pipeline was misuse
+    bool refused_pipeline;                            // rhw_pass_set_pipeline was misuse
+    struct rhw_viewport viewports[RHW_MAX_VIEWPORTS]; // of the next draw; `pending` has the first as well
+    struct rhw_rect scissors[RHW_MAX_VIEWPORTS];
+    const struct rhw_draw_state *routed[RHW_MAX_VIEWPORTS]; // `current` by viewport; NULL: not made yet
 
     struct rhw_used_query *queries; // a list, the last one first
     struct rhw_feedback_state feedback;

@@ -21,7 +21,7 @@ static const char *const create_name = "rhw_pipeline_create";
 static const uint32_t known_uses = RHW_USE_COORD | RHW_USE_FACING | RHW_USE_IDS | RHW_USE_BARYCENTRIC |
                                    RHW_USE_DISCARD | RHW_USE_DEPTH | RHW_USE_BARYCENTRIC_DERIVATIVES |
                                    RHW_USE_SAMPLE | RHW_USE_SAMPLE_MASK | RHW_USE_POINT_COORD |
-                                   RHW_USE_EFFECTS | RHW_USE_COLOR_INPUT | RHW_USE_DEPTH_INPUT;
+                                   RHW_USE_LAYER | RHW_USE_EFFECTS | RHW_USE_COLOR_INPUT | RHW_USE_DEPTH_INPUT;
 
 static bool check_range(const struct rhw_context *context, const char *field, long long value, long long low,
                         long long high)
@@ -523,6 +523,9 @@ static void lay_out_primitives(struct rhw_pipeline_data *data)
     const int distances = def->program.clip_distance_count + def->program.cull_distance_count;
     data->point_size_component = data->varying_components + distances;
     data->extra_components = distances + (def->program.writes_point_size ? 1 : 0);
+    data->is_routed = def->program.writes_viewport_index || def->program.writes_layer;
+    data->route_component = data->varying_components + data->extra_components;
+    data->extra_components += data->is_routed ? 2 : 0;
 }
 
 void rhw_pipeline_data_init(struct rhw_pipeline_data *data, const struct rhw_pipeline_def *def,

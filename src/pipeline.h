@@ -50,6 +50,8 @@ struct rhw_pipeline_data {
     uint8_t derivative_component[RHW_MAX_VARYING_COMPONENTS / 2][2];
     struct rhw_feedback_copy feedback[RHW_MAX_FEEDBACK_OUTPUTS]; // as many as outputs
     unsigned feedback_targets;                                   // a bit for each that is written
+    bool is_routed;                                              // vertices name a viewport or a layer
+    int route_component; // of the record, behind the point size: the viewport's number and the layer's, as bits
 };
 
 // `def` is valid; `isa` is the highest whose functions are taken.

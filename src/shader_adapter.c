@@ -19,6 +19,8 @@ static void store_extras(const struct rhw_program *program, bool all, const stru
         group->cull_distance[d][lane] = one->cull_distance[d];
     }
     group->point_size[lane] = one->point_size;
+    group->viewport_index[lane] = one->viewport_index;
+    group->layer[lane] = one->layer;
 }
 
 void rhw_vertex1_run(const struct rhw_pipeline_data *pipeline, struct rhw_vertex *groups, int count)
@@ -52,7 +54,9 @@ void rhw_vertex1_run(const struct rhw_pipeline_data *pipeline, struct rhw_vertex
                                   .varying = varying,
                                   .clip_distance = distance[0],
                                   .cull_distance = distance[1],
-                                  .point_size = all ? group->point_size[lane] : 1};
+                                  .point_size = all ? group->point_size[lane] : 1,
+                                  .viewport_index = all ? group->viewport_index[lane] : 0,
+                                  .layer = all ? group->layer[lane] : 0};
         for (int d = 0; d < RHW_MAX_CLIP_DISTANCES && all; d++) {
             distance[0][d] = group->clip_distance[d][lane];
             distance[1][d] = group->cull_distance[d][lane];
@@ -100,6 +104,10 @@ static void load_builtins(const struct rhw_fragment *group, int lane, uint32_t u
     }
     for (int c = 0; c < 2 && uses & RHW_USE_POINT_COORD; c++) {
         one->point_coord[c] = group->point_coord[c][lane];
+    }
+    if (uses & RHW_USE_LAYER) {
+        one->layer = group->layer[lane];
+        one->viewport_index = group->viewport_index[lane];
     }
     for (int c = 0; c < 3 && uses & RHW_USE_BARYCENTRIC_DERIVATIVES; c++) {
         one->barycentric_ddx[c] = group->barycentric_ddx[c][lane];

@@ -69,6 +69,7 @@ struct rhw_triangle {
     uint32_t polygon;   // of the chunk, with RHW_TRIANGLE_POLYGON
     uint16_t flags;
     int16_t x0, y0, x1, y1; // pixels it may cover, within the scissor; x1 and y1 exclusive
+    uint16_t layer;         // of the pass
 };
 
 // Those of a triangle, and one more for each of 6 planes and 8 clip distances.

@@ -56,6 +56,7 @@ static void prepare(const struct rhw_watch *watch, const struct rhw_vertex *grou
     copy->clip_distance = out->distance[g][0];
     copy->cull_distance = out->distance[g][1];
     copy->point_size = output;
+    copy->viewport_index = copy->layer = (rhw_int)output;
     for (int c = 0; c < 4; c++) {
         copy->position[c] = output;
     }
@@ -103,6 +104,12 @@ static bool same(const struct rhw_watch *watch, const struct rhw_vertex *a, cons
     }
     if (program->writes_point_size) {
         differs |= rhw_any(rhw_watch_differs(a->point_size, b->point_size, all));
+    }
+    if (program->writes_viewport_index) {
+        differs |= rhw_any(a->viewport_index != b->viewport_index);
+    }
+    if (program->writes_layer) {
+        differs |= rhw_any(a->layer != b->layer);
     }
     for (int c = 0; c < 4; c++) {
         differs |= rhw_any(rhw_watch_differs(a->position[c], b->position[c], all));
@@ -160,7 +167,22 @@ static bool check_outputs(const struct rhw_watch *watch, uint32_t draw, const st
     return false;
 }
 
-// The same for distances and the point size.
+// The same for an output that the program declares by writes_NAME.
+static bool check_scalar(const struct rhw_watch *watch, uint32_t draw, rhw_float first, rhw_float second,
+                         const char *name, bool declared)
+{
+    const bool written = !is_rubbish(first, false) || !is_rubbish(second, true);
+    if (written != declared) {
+        rhw_findings_add(watch->findings, RHW_FINDING_MISUSE, draw,
+                         written
+                             ? "the vertex function of %s writes %s; its program's writes_%s is false"
+                             : "the vertex function of %s does not write %s; its program's writes_%s is true",
+                         watch->name, name, name);
+    }
+    return written != declared;
+}
+
+// The same for distances, the point size and the route.
 static bool check_extras(const struct rhw_watch *watch, uint32_t draw, const struct rhw_vertex *first,
                          const struct rhw_vertex *second)
 {
@@ -181,17 +203,12 @@ static bool check_extras(const struct rhw_watch *watch, uint32_t draw, const str
             }
         }
     }
-    const bool sized = !is_rubbish(first->point_size, false) || !is_rubbish(second->point_size, true);
-    if (sized != program->writes_point_size) {
-        rhw_findings_add(
-            watch->findings, RHW_FINDING_MISUSE, draw,
-            sized ? "the vertex function of %s writes point_size; its program's writes_point_size is false"
-                  : "the vertex function of %s does not write point_size; its program's writes_point_size is "
-                    "true",
-            watch->name);
-        return true;
-    }
-    return false;
+    return check_scalar(watch, draw, first->point_size, second->point_size, "point_size",
+                        program->writes_point_size) ||
+           check_scalar(watch, draw, (rhw_float)first->viewport_index, (rhw_float)second->viewport_index,
+                        "viewport_index", program->writes_viewport_index) ||
+           check_scalar(watch, draw, (rhw_float)first->layer, (rhw_float)second->layer, "layer",
+                        program->writes_layer);
 }
 
 // Names an output that some lanes were left without. False when there is none.
@@ -283,6 +300,8 @@ static void take_results(const struct rhw_watch *watch, const struct rhw_vertex 
     memcpy(group->cull_distance, first->cull_distance,
            (size_t)distances_of(program, 1) * sizeof first->cull_distance[0]);
     group->point_size = first->point_size;
+    group->viewport_index = first->viewport_index;
+    group->layer = first->layer;
 }
 
 // Calls a function with effects, once for each group.

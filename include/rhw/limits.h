@@ -37,6 +37,7 @@ struct rhw_limits {
 
     // Rasterization: pixels, and bits behind the point.
     uint32_t sub_pixel_precision_bits;
+    uint32_t max_framebuffer_layers, max_viewports;
     uint32_t max_viewport_dimensions[2];
     float viewport_bounds_range[2]; ///< of corners
     uint32_t viewport_sub_pixel_bits;

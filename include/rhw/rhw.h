@@ -192,6 +192,12 @@ RHW_API void rhw_pass_set_texel_buffer(rhw_context *context, rhw_pass pass, int 
                                        enum rhw_format format, size_t offset, size_t size);
 RHW_API void rhw_pass_set_viewport(rhw_context *context, rhw_pass pass, const struct rhw_viewport *viewport);
 RHW_API void rhw_pass_set_scissor(rhw_context *context, rhw_pass pass, const struct rhw_rect *scissor);
+/// Viewports and scissors `first` .. `first` + count − 1 of RHW_MAX_VIEWPORTS, for programs that write viewport_index;
+/// the first of all is that of rhw_pass_set_viewport and rhw_pass_set_scissor. Each is the whole target until it is set.
+RHW_API void rhw_pass_set_viewports(rhw_context *context, rhw_pass pass, int first, int count,
+                                    const struct rhw_viewport *viewports);
+RHW_API void rhw_pass_set_scissors(rhw_context *context, rhw_pass pass, int first, int count,
+                                   const struct rhw_rect *scissors);
 RHW_API void rhw_pass_set_blend_constant(rhw_context *context, rhw_pass pass, const float constant[4]);
 /// What stencil tests compare with and REPLACE writes, by facing. 0 and 0 at the start.
 RHW_API void rhw_pass_set_stencil_reference(rhw_context *context, rhw_pass pass, uint8_t front, uint8_t back);

@@ -28,6 +28,7 @@ struct rhw_vertex {
     rhw_float *clip_distance, *cull_distance; ///< out: [distance], as many as the program has
     rhw_float point_size;  ///< out, where the program writes_point_size: pixels
     rhw_int mask;          ///< −1; with vertex_effects 0 in lanes that are no vertex of their own: they have no effects
+    rhw_int viewport_index, layer; ///< out, where the program writes_viewport_index, writes_layer
 };
 
 /// 8 fragments. Lanes outside `mask` carry finite or non-finite rubbish and their results are ignored.
@@ -56,6 +57,7 @@ struct rhw_fragment {
     rhw_float sample_position[2];    ///< in the pixel: 0..1 from its top left
     rhw_float point_coord[2]; ///< on a point: 0, 0 at its top left corner, 1, 1 at the opposite; elsewhere rubbish
     rhw_float depth_input;    ///< with RHW_USE_DEPTH_INPUT: the depth attachment's value
+    rhw_int layer, viewport_index; ///< of the primitive
 };
 
 #endif
@@ -71,6 +73,7 @@ struct rhw_vertex1 {
     float *varying;
     float *clip_distance, *cull_distance;
     float point_size;
+    int32_t viewport_index, layer;
 };
 
 struct rhw_fragment1 {
@@ -91,6 +94,7 @@ struct rhw_fragment1 {
     float sample_position[2];
     float point_coord[2];
     float depth_input;
+    int32_t layer, viewport_index;
 };
 
 #include "shader_one.h"

@@ -41,7 +41,8 @@ enum {
     RHW_MAX_STORAGE_IMAGES = 16,  ///< image slots, of storage images and texel buffers
     RHW_MAX_TEXEL_BUFFER = 1 << 27, ///< texels of one
     RHW_MAX_FEEDBACK_TARGETS = 4, ///< of transform feedback
-    RHW_MAX_FEEDBACK_OUTPUTS = 64
+    RHW_MAX_FEEDBACK_OUTPUTS = 64,
+    RHW_MAX_VIEWPORTS = 16       ///< of a pass, and scissors
 };
 
 /// Instruction sets the kernels are compiled for, slowest first. BASELINE is the specification: SSE2 on
@@ -434,6 +435,7 @@ enum rhw_fragment_use {
     RHW_USE_SAMPLE = 128,     ///< sample_id and sample_position; the function is called for every sample
     RHW_USE_SAMPLE_MASK = 256, ///< sample_mask, in and out
     RHW_USE_POINT_COORD = 512, ///< point_coord
+    RHW_USE_LAYER = 2048,     ///< layer and viewport_index
     RHW_USE_EFFECTS = 65536,   ///< writes to storage, or changes it by atomics: see early_fragment_tests
     /// `color` holds on entry what the targets hold at the fragment's pixel, decoded: what came before it, in the order of
     /// primitives (Vulkan 1.3, "Input Attachment Interface"; VK_EXT_rasterization_order_attachment_access). In
@@ -489,6 +491,10 @@ struct rhw_program {
     /// passes; then what it discards or writes as depth does not change that (Vulkan 1.3 §28.1.2, EarlyFragmentTests).
     /// false: with RHW_USE_EFFECTS and RHW_USE_DEPTH_INPUT they are tested after it, for every fragment.
     bool early_fragment_tests;
+    /// The vertex function writes `viewport_index`, or `layer`: which viewport and scissor a primitive takes, and which
+    /// layer of the pass's attachments it is drawn into, as its provoking vertex says (VK_EXT_shader_viewport_index_layer).
+    /// One whose viewport is not in 0..RHW_MAX_VIEWPORTS − 1, or whose layer the pass has not, is not drawn. false: 0
+    bool writes_viewport_index, writes_layer;
 };
 
 /// What transform feedback can keep of a vertex.
@@ -571,6 +577,9 @@ struct rhw_color_attachment {
     int layer; ///< of an array; 6 × cube + face; slice of a 3D texture. 0
     int32_t clear_integer[4]; ///< of UINT and SINT formats, which take the low bits
     int level; ///< of mip levels, its texture's and that of `resolve`; the pass has its size. 0
+    /// Layers, or slices of a 3D texture, from `layer` on that the pass draws into, each where the vertex function's
+    /// `layer` says so (Vulkan 1.3 §8.3, layers of a framebuffer); every attachment has as many. 0: 1
+    int layer_count;
 };
 
 /// Depth and stencil; what the texture's format has of them.
@@ -586,6 +595,7 @@ struct rhw_depth_attachment {
     uint8_t stencil_clear;
     enum rhw_resolve resolve_mode; ///< where the texture has fewer samples than the pass
     int layer, level; ///< as those of a colour attachment
+    int layer_count;  ///< as that of a colour attachment; without a texture there are as many as colours have
 };
 
 struct rhw_pass_def {

@@ -23,7 +23,12 @@ static int list_bins(const struct tile_work *work)
         if (x < chunk->tile_x0 || x >= chunk->tile_x1 || y < chunk->tile_y0 || y >= chunk->tile_y1) {
             continue;
         }
-        const int i = (y - chunk->tile_y0) * (chunk->tile_x1 - chunk->tile_x0) + x - chunk->tile_x0;
+        const int layer = work->layer - chunk->layer0;
+        if (layer < 0 || layer >= chunk->layer_count) {
+            continue;
+        }
+        const int row = layer * (chunk->tile_y1 - chunk->tile_y0) + y - chunk->tile_y0;
+        const int i = row * (chunk->tile_x1 - chunk->tile_x0) + x - chunk->tile_x0;
         if (chunk->offsets[i] != chunk->offsets[i + 1]) {
             work->scratch->bins[count++] = (struct bin){chunk, chunk->offsets[i], chunk->offsets[i + 1]};
         }
@@ -270,14 +275,16 @@ static void pass_tile_through(const struct tile_work *work)
     }
 }
 
-void RHW_ISA_NAME(rhw_draw_tile)(struct rhw_pass_state *pass, int tile, int worker)
+void RHW_ISA_NAME(rhw_draw_tile)(struct rhw_pass_state *pass, int number, int worker)
 {
+    const int tiles = pass->tiles_x * pass->tiles_y, tile = number % tiles;
     const int tile_x = tile % pass->tiles_x, tile_y = tile / pass->tiles_x;
     struct rhw_tile_scratch *const scratch = pass->workers[worker].tile;
     struct tile_work work = {.pass = pass,
                              .scratch = scratch,
                              .counters = &pass->workers[worker].counters,
                              .tile = tile,
+                             .layer = number / tiles,
                              .x = tile_x * RHW_TILE,
                              .y = tile_y * RHW_TILE,
                              .width = min_int(pass->width - tile_x * RHW_TILE, RHW_TILE),

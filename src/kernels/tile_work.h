@@ -122,6 +122,7 @@ struct tile_work {
     struct rhw_tile_scratch *scratch;
     struct rhw_counters *counters;
     int tile;          // its number, row by row
+    int layer;         // of the pass
     int x, y;          // pixels of the tile's first pixel in the target
     int width, height; // pixels of the tile: fewer at the target's end
     int samples;       // of a pixel

@@ -36,6 +36,7 @@ static const struct scene features[] = {
     {"topology", golden_topology_draw, 0},
     {"primitives", golden_primitives_draw, 0},
     {"viewports", golden_viewport_draw, 0},
+    {"layered-cube", golden_routing_draw, 0},
     {"clipping", golden_clipping_draw, 0},
     {"vertex-formats", golden_vertex_format_draw, 0},
     {"instances", golden_instances_draw, 0},

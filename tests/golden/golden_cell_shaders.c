@@ -61,6 +61,27 @@ static void sized(struct rhw_vertex *groups, int count)
     }
 }
 
+static void routed(struct rhw_vertex *groups, int count)
+{
+    plain(groups, count);
+    for (int g = 0; g < count; g++) {
+        groups[g].layer = groups[g].instance_index;
+        groups[g].viewport_index = groups[g].vertex_index & 3;
+    }
+}
+
+static void route(struct rhw_fragment *groups, int count)
+{
+    for (int g = 0; g < count; g++) {
+        struct rhw_fragment *f = &groups[g];
+        const rhw_float factor =
+            1.0f - 0.1f * rhw_float_from_int(f->layer) - 0.1f * rhw_float_from_int(f->viewport_index);
+        for (int c = 0; c < 4; c++) {
+            f->color[0][c] = f->varying[c] * factor;
+        }
+    }
+}
+
 static void point(struct rhw_fragment *groups, int count)
 {
     for (int g = 0; g < count; g++) {
@@ -280,9 +301,9 @@ static void maths(struct rhw_fragment *groups, int count)
 void RHW_ISA_NAME(golden_cells)(struct rhw_program *program, enum rhw_isa isa, enum golden_cell_vertex vertex,
                                 enum golden_cell_fragment fragment)
 {
-    rhw_vertex_function *const vertices[GOLDEN_CELL_VERTICES] = {plain, instanced, screen, sized};
+    rhw_vertex_function *const vertices[GOLDEN_CELL_VERTICES] = {plain, instanced, screen, sized, routed};
     rhw_fragment_function *const fragments[GOLDEN_CELL_FRAGMENTS] = {
-        value, facing, texture, level, ids, builtins, heights, maths, kinds, point};
+        value, facing, texture, level, ids, builtins, heights, maths, kinds, point, route};
     program->vertex[isa] = vertices[vertex];
     program->fragment[isa] = fragments[fragment];
 }

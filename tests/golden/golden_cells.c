@@ -24,6 +24,7 @@ void golden_cells_fill(struct rhw_program *program, enum golden_cell_vertex vert
                                  RHW_USE_BARYCENTRIC_DERIVATIVES,
         [GOLDEN_CELL_HEIGHTS] = RHW_USE_DISCARD | RHW_USE_DEPTH,
         [GOLDEN_CELL_POINT] = RHW_USE_POINT_COORD,
+        [GOLDEN_CELL_ROUTE] = RHW_USE_LAYER,
     };
     static golden_cells_function *const copies[RHW_ISA_COUNT] = RHW_ISA_TABLE(golden_cells);
     for (int isa = 0; isa < RHW_ISA_COUNT; isa++) {
@@ -33,6 +34,7 @@ void golden_cells_fill(struct rhw_program *program, enum golden_cell_vertex vert
     }
     program->uses = uses[fragment];
     program->writes_point_size = vertex == GOLDEN_CELL_SIZED;
+    program->writes_viewport_index = program->writes_layer = vertex == GOLDEN_CELL_ROUTED;
     program->clip_distance_count = vertex == GOLDEN_CELL_SIZED ? 2 : 0;
     program->cull_distance_count = vertex == GOLDEN_CELL_SIZED ? 1 : 0;
     if (fragment == GOLDEN_CELL_VALUE || fragment == GOLDEN_CELL_MATHS) {

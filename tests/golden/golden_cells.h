@@ -16,6 +16,7 @@ enum golden_cell_vertex {
     GOLDEN_CELL_INSTANCED, ///< as PLAIN; attribute 2: offset x, y, scale; 3: factor of the value; varying 4, 5: ids
     GOLDEN_CELL_SCREEN, ///< no attributes: a triangle over the viewport; varyings 0, 1 run over it from 0 to 1
     GOLDEN_CELL_SIZED,  ///< as PLAIN; with point sizes, two clip distances and a cull distance
+    GOLDEN_CELL_ROUTED, ///< as PLAIN; an instance to each layer, triangles to four viewports in turn
     GOLDEN_CELL_VERTICES
 };
 
@@ -30,6 +31,7 @@ enum golden_cell_fragment {
     GOLDEN_CELL_MATHS,    ///< a function for each of 8×4 cells, over arguments that uniforms scale
     GOLDEN_CELL_KINDS,    ///< texture 0 of any kind at varyings 0.., asked as uniforms say
     GOLDEN_CELL_POINT,    ///< varyings 0, 1 times point coordinates
+    GOLDEN_CELL_ROUTE,    ///< varyings 0..3, darker by layer and viewport
     GOLDEN_CELL_FRAGMENTS
 };
 

@@ -37,6 +37,10 @@ golden_draw_function
 golden_draw_function
     golden_primitives_draw; ///< points, lines, polygon modes, adjacency, clip and cull distances
 
+// golden_routing.c
+golden_draw_function
+    golden_routing_draw; ///< one pass draws six faces of a cube, in four viewports; sampled again
+
 // golden_queries.c
 golden_draw_function
     golden_queries_draw; ///< counts, and vertices kept and drawn again; 1 or 4 samples by number

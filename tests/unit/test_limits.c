@@ -31,6 +31,8 @@ static void test_what_vulkan_requires(void **state)
         {"maxImageDimension3D", l.max_image_dimension_3d, 256},
         {"maxImageDimensionCube", l.max_image_dimension_cube, 4096},
         {"maxImageArrayLayers", l.max_image_array_layers, 256},
+        {"maxFramebufferLayers", l.max_framebuffer_layers, 256},
+        {"maxViewports", l.max_viewports, 16},
         {"maxSamplerAllocationCount", l.max_sampler_allocation_count, 4000},
         {"maxUniformBufferRange", l.max_uniform_buffer_range, 16384},
         {"maxPerStageDescriptorUniformBuffers of it", l.max_uniform_buffer_range, 12 * 16384},

@@ -34,8 +34,21 @@ static struct rhw_tile_range unite_ranges(const struct rhw_triangle_list *list)
     return all;
 }
 
-// Sets the rectangle of tiles that the chunk's bins cover.
-static void bound_bins(struct rhw_chunk *chunk, const struct rhw_triangle_list *list)
+// Sets the layers that the chunk's bins cover.
+static void bound_layers(struct rhw_chunk *chunk, const struct rhw_triangle_list *list, int layers)
+{
+    int low = list->count != 0 ? layers - 1 : 0, high = 0;
+    for (int t = 0; t < list->count && layers > 1; t++) {
+        const int layer = list->triangles[t].layer;
+        low = layer < low ? layer : low;
+        high = layer > high ? layer : high;
+    }
+    chunk->layer0 = low;
+    chunk->layer_count = high - low + 1;
+}
+
+// Sets the rectangle of tiles that the chunk's bins cover, and their layers, of `layers` that the pass has.
+static void bound_bins(struct rhw_chunk *chunk, const struct rhw_triangle_list *list, int layers)
 {
     chunk->tile_x0 = chunk->tile_y0 = chunk->tile_x1 = chunk->tile_y1 = 0;
     if (list->count != 0) {
@@ -45,11 +58,13 @@ static void bound_bins(struct rhw_chunk *chunk, const struct rhw_triangle_list *
         chunk->tile_x1 = all.x1 + 1;
         chunk->tile_y1 = all.y1 + 1;
     }
+    bound_layers(chunk, list, layers);
 }
 
 static size_t tiles_of(const struct rhw_chunk *chunk)
 {
-    return (size_t)(chunk->tile_x1 - chunk->tile_x0) * (size_t)(chunk->tile_y1 - chunk->tile_y0);
+    return (size_t)(chunk->tile_x1 - chunk->tile_x0) * (size_t)(chunk->tile_y1 - chunk->tile_y0) *
+           (size_t)chunk->layer_count;
 }
 
 // Tells how many triangles, from the first on, have at most `most` entries in the bins. One always has.
@@ -70,22 +85,28 @@ static int triangles_that_fit(const struct rhw_chunk *chunk, const struct rhw_tr
     return list->count;
 }
 
-// Tile (x, y) has the bin y·width + x − origin.
+// Tile (x, y) has the bin y·width + x − origin, and one of layer l the bin (l − layer0)·layer_size behind it.
 struct bin_grid {
-    int width, origin;
+    int width, origin, layer_size, layer0;
 };
 
-static inline int first_bin(struct bin_grid grid, const struct rhw_tile_range *range)
+// Of triangle `t`. is_layered: the bins are those of several layers.
+RHW_INLINE ptrdiff_t first_bin(struct bin_grid grid, const struct rhw_triangle_list *list, int t,
+                               bool is_layered)
 {
-    return range->y0 * grid.width + range->x0 - grid.origin;
+    const struct rhw_tile_range *const range = &list->ranges[t];
+    const ptrdiff_t in_layer = range->y0 * grid.width + range->x0 - grid.origin;
+    return is_layered ? in_layer + (ptrdiff_t)(list->triangles[t].layer - grid.layer0) * grid.layer_size
+                      : in_layer;
 }
 
 // Adds the number of entries of each bin to counts[bin]. Most triangles lie in one tile.
-static void count_entries(uint32_t *counts, struct bin_grid grid, const struct rhw_triangle_list *list)
+RHW_INLINE void count_entries(uint32_t *counts, struct bin_grid grid, const struct rhw_triangle_list *list,
+                              bool is_layered)
 {
     for (int t = 0; t < list->count; t++) {
         const struct rhw_tile_range *const r = &list->ranges[t];
-        uint32_t *const count = counts + first_bin(grid, r);
+        uint32_t *const count = counts + first_bin(grid, list, t, is_layered);
         if (is_one_tile(r)) {
             ++*count;
             continue;
@@ -99,12 +120,12 @@ static void count_entries(uint32_t *counts, struct bin_grid grid, const struct r
 }
 
 // Writes the entries of each bin from ends[bin] on, and moves that behind them.
-static void place_entries(uint16_t *entries, uint32_t *ends, struct bin_grid grid,
-                          const struct rhw_triangle_list *list)
+RHW_INLINE void place_entries(uint16_t *entries, uint32_t *ends, struct bin_grid grid,
+                              const struct rhw_triangle_list *list, bool is_layered)
 {
     for (int t = 0; t < list->count; t++) {
         const struct rhw_tile_range *const r = &list->ranges[t];
-        uint32_t *const end = ends + first_bin(grid, r);
+        uint32_t *const end = ends + first_bin(grid, list, t, is_layered);
         if (is_one_tile(r)) {
             entries[(*end)++] = (uint16_t)t;
             continue;
@@ -120,17 +141,19 @@ static void place_entries(uint16_t *entries, uint32_t *ends, struct bin_grid gri
 // Counting sort of triangles by tile: counts, sums, then entries. offsets[i + 1] runs from the start of bin i to its
 // end while entries are placed, which is where bin i + 1 starts; so counts stand one further still. False when out of
 // memory.
-static bool bin(struct rhw_chunk *chunk, const struct rhw_triangle_list *list, struct rhw_arena *arena)
+RHW_INLINE bool bin_by(struct rhw_chunk *chunk, const struct rhw_triangle_list *list, struct rhw_arena *arena,
+                       bool is_layered)
 {
     const size_t tiles = tiles_of(chunk);
     const int width = chunk->tile_x1 - chunk->tile_x0;
-    const struct bin_grid grid = {width, chunk->tile_y0 * width + chunk->tile_x0};
+    const int layer_size = width * (chunk->tile_y1 - chunk->tile_y0);
+    const struct bin_grid grid = {width, chunk->tile_y0 * width + chunk->tile_x0, layer_size, chunk->layer0};
     uint32_t *const offsets = rhw_arena_alloc(arena, (tiles + 2) * sizeof *offsets, RHW_CACHE_LINE);
     if (!offsets) {
         return false;
     }
     memset(offsets, 0, (tiles + 2) * sizeof *offsets);
-    count_entries(offsets + 2, grid, list);
+    count_entries(offsets + 2, grid, list, is_layered);
     for (size_t i = 2; i < tiles + 2; i++) {
         offsets[i] += offsets[i - 1];
     }
@@ -140,10 +163,22 @@ static bool bin(struct rhw_chunk *chunk, const struct rhw_triangle_list *list, s
     if (!entries) {
         return false;
     }
-    place_entries(entries, offsets + 1, grid, list);
+    place_entries(entries, offsets + 1, grid, list, is_layered);
     chunk->offsets = offsets;
     chunk->entries = entries;
     return true;
+}
+
+static __attribute__((noinline)) bool bin_layers(struct rhw_chunk *chunk,
+                                                 const struct rhw_triangle_list *list,
+                                                 struct rhw_arena *arena)
+{
+    return bin_by(chunk, list, arena, true);
+}
+
+static bool bin(struct rhw_chunk *chunk, const struct rhw_triangle_list *list, struct rhw_arena *arena)
+{
+    return chunk->layer_count > 1 ? bin_layers(chunk, list, arena) : bin_by(chunk, list, arena, false);
 }
 
 #endif

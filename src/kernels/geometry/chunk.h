@@ -15,6 +15,7 @@
 #include "point_setup.h"
 #include "polygon_setup.h"
 #include "triangle_setup.h"
+#include "routing.h"
 #include "vertex_reuse.h"
 #include "vertex_shading.h"
 
@@ -101,18 +102,18 @@ static bool start_runs(const struct rhw_pass_state *pass, const struct rhw_chunk
 typedef void setup8_function(struct rhw_geometry_scratch *scratch, const struct run_slice *slice,
                              struct rhw_triangle_list *list);
 
-RHW_INLINE void setup_run(struct rhw_geometry_scratch *scratch, uint32_t run_index,
-                          struct rhw_triangle_list *list, setup8_function *setup)
+// Those from `i` to `end`, exclusive.
+RHW_INLINE void setup_part(struct rhw_geometry_scratch *scratch, uint32_t run_index, uint32_t i, uint32_t end,
+                           struct rhw_triangle_list *list, setup8_function *setup)
 {
     const struct rhw_run *const run = &scratch->runs[run_index];
-    uint32_t i = 0;
-    for (; i + 8 < run->count; i += 8) {
+    for (; i + 8 < end; i += 8) {
         const struct run_slice slice = {run_index, run->indices + i, run->first_primitive + i, 0xff};
         setup(scratch, &slice, list);
     }
     // The last ones are repeated, so that `setup` reads nothing else behind them.
     uint32_t indices[9][3];
-    const uint32_t left = run->count - i;
+    const uint32_t left = end - i;
     for (uint32_t lane = 0; lane < 9; lane++) {
         memcpy(indices[lane], run->indices[i + (lane < left ? lane : left - 1)], sizeof *indices);
     }
@@ -121,21 +122,46 @@ RHW_INLINE void setup_run(struct rhw_geometry_scratch *scratch, uint32_t run_ind
     setup(scratch, &slice, list);
 }
 
-// Adds what is drawn of the run's primitives to the list, in submission order.
-RHW_INLINE void setup_primitives(struct rhw_geometry_scratch *scratch, uint32_t run,
-                                 struct rhw_triangle_list *list)
+// Adds what is drawn of a part of the run's primitives to the list, in submission order.
+static void setup_primitives(struct rhw_geometry_scratch *scratch, uint32_t run, uint32_t first, uint32_t end,
+                             struct rhw_triangle_list *list)
 {
     const int before = list->count;
     switch (scratch->segments[run].draw->state->pipeline->primitive) {
-    case RHW_PRIMITIVE_POINTS: setup_run(scratch, run, list, setup_points8); return;
-    case RHW_PRIMITIVE_LINES: setup_run(scratch, run, list, setup_lines8); return;
+    case RHW_PRIMITIVE_POINTS: setup_part(scratch, run, first, end, list, setup_points8); return;
+    case RHW_PRIMITIVE_LINES: setup_part(scratch, run, first, end, list, setup_lines8); return;
     case RHW_PRIMITIVE_POLYGON_LINES:
-    case RHW_PRIMITIVE_POLYGON_POINTS: setup_run(scratch, run, list, setup_polygons8); return;
+    case RHW_PRIMITIVE_POLYGON_POINTS: setup_part(scratch, run, first, end, list, setup_polygons8); return;
     case RHW_PRIMITIVE_NOTHING: return;
     case RHW_PRIMITIVE_TRIANGLES: break;
     }
-    setup_run(scratch, run, list, setup8);
+    setup_part(scratch, run, first, end, list, setup8);
     scratch->counters.rasterized += (uint64_t)(list->count - before);
+}
+
+// Does so where each primitive names its viewport and layer.
+static void setup_routed(struct rhw_geometry_scratch *scratch, uint32_t run_index,
+                         struct rhw_triangle_list *list)
+{
+    const struct rhw_run *const run = &scratch->runs[run_index];
+    struct viewport_runs runs = {{0}};
+    for (uint32_t i = 0, end; i < run->count && !scratch->out_of_memory; i = end) {
+        const struct route route = route_of(scratch, run_index, i);
+        for (end = i + 1; end < run->count && same_route(route, route_of(scratch, run_index, end)); end++) {
+        }
+        if (!is_drawn(scratch, route)) {
+            scratch->counters.culled += end - i;
+            continue;
+        }
+        const int before = list->count;
+        const uint32_t number = run_of_viewport(scratch, run_index, route.viewport, &runs);
+        if (!scratch->out_of_memory) {
+            setup_primitives(scratch, number, i, end, list);
+        }
+        for (int t = before; t < list->count; t++) {
+            list->triangles[t].layer = (uint16_t)route.layer;
+        }
+    }
 }
 
 // Makes the vertices and triangles of a chunk. False when out of memory.
@@ -150,6 +176,7 @@ static bool make_triangles(const struct rhw_pass_state *pass, const struct rhw_c
     scratch->arena = &worker->arena;
     scratch->made_run = UINT32_MAX;
     scratch->out_of_memory = false;
+    scratch->layers = pass->layers;
     scratch->counters = (struct rhw_front_counters){0};
     const uint64_t start = rhw_time_ns();
     if (!start_runs(pass, chunk, worker)) {
@@ -165,7 +192,11 @@ static bool make_triangles(const struct rhw_pass_state *pass, const struct rhw_c
     }
     scratch->segment_count = scratch->run_count;
     for (int i = 0; i < scratch->run_count; i++) {
-        setup_primitives(scratch, (uint32_t)i, list);
+        if (scratch->segments[i].draw->state->pipeline->is_routed) {
+            setup_routed(scratch, (uint32_t)i, list);
+        } else {
+            setup_primitives(scratch, (uint32_t)i, 0, scratch->runs[i].count, list);
+        }
     }
     if (scratch->segment_count == scratch->run_count) { // else made vertices stand behind the triangles
         rhw_arena_trim(&worker->arena, list->triangles + list->count);
@@ -216,7 +247,7 @@ static bool make_chunk(const struct rhw_pass_state *pass, struct rhw_chunk *chun
     }
     // Large triangles on a large target: the chunk ends where its bins are full. Doing it again costs nothing beside
     // drawing that many entries, and its counters stay those of the triangles it has.
-    bound_bins(chunk, &list);
+    bound_bins(chunk, &list, pass->layers);
     const int fit = triangles_that_fit(chunk, &list, pass->entries_most);
     if (fit < list.count) {
         const uint64_t place = place_in_line(scratch, &list.triangles[fit]) - chunk->first;
@@ -224,7 +255,7 @@ static bool make_chunk(const struct rhw_pass_state *pass, struct rhw_chunk *chun
         if (!make_triangles(pass, chunk, worker, &list)) {
             return false;
         }
-        bound_bins(chunk, &list);
+        bound_bins(chunk, &list, pass->layers);
     }
     const uint64_t start = rhw_time_ns();
     chunk->counters = scratch->counters;

@@ -22,7 +22,10 @@ enum {
     // Vertices of a segment of those that clipping makes; see made_vertices.h. A chunk needs a segment for every run,
     // and another one whenever it is full; a triangle drawn as lines has up to 8: three cut edges and one copied.
     RHW_MADE_VERTICES = 256,
-    RHW_MADE_MOST = 8 * RHW_CHUNK_TRIANGLES / (RHW_MADE_VERTICES - 8) + 1
+    RHW_MADE_MOST = 8 * RHW_CHUNK_TRIANGLES / (RHW_MADE_VERTICES - 8) + 1,
+    // Segments of runs, of the same for another viewport, and of vertices that are made after a change between them; at
+    // most one of each for a primitive.
+    RHW_SEGMENTS_MOST = 3 * RHW_CHUNK_TRIANGLES + RHW_MADE_MOST
 };
 
 struct rhw_cache_entry {
@@ -55,8 +58,9 @@ struct rhw_geometry_scratch {
     // Of all runs of the chunk. Each run's vertices fill up groups of 8.
     uint32_t indices[RHW_CHUNK_TRIANGLES][3];
     struct rhw_snapped_vertex vertices[(3 + 7) * RHW_CHUNK_TRIANGLES];
-    struct rhw_run runs[RHW_CHUNK_TRIANGLES];
-    struct rhw_segment segments[2 * RHW_CHUNK_TRIANGLES + RHW_MADE_MOST]; // of the runs, then of made vertices
+    struct rhw_run
+        runs[RHW_SEGMENTS_MOST]; // and of those for another viewport, which have the number of their segment
+    struct rhw_segment segments[RHW_SEGMENTS_MOST]; // of the runs, then of made vertices and other viewports
     struct rhw_polygon polygons[RHW_CHUNK_TRIANGLES];
     struct rhw_tile_range
         tile_ranges[RHW_TRIANGLES_MOST * RHW_CHUNK_TRIANGLES]; // of the triangles that are drawn
@@ -68,6 +72,7 @@ struct rhw_geometry_scratch {
     struct rhw_arena *arena;
     uint32_t made_run, made_count;
     bool out_of_memory;
+    int layers; // of the pass
     struct rhw_front_counters counters;
 };
 

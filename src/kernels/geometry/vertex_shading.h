@@ -49,7 +49,12 @@ static __attribute__((noinline)) void store_extras(const struct rhw_pipeline_dat
             *out++ = group->cull_distance[i][lane];
         }
         if (program->writes_point_size) {
-            *out = group->point_size[lane];
+            *out++ = group->point_size[lane];
+        }
+        if (pipeline->is_routed) {
+            const int32_t route[2] = {program->writes_viewport_index ? group->viewport_index[lane] : 0,
+                                      program->writes_layer ? group->layer[lane] : 0};
+            memcpy(out, route, sizeof route);
         }
     }
 }

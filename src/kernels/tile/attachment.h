@@ -51,7 +51,8 @@ struct memory_rows {
 static struct memory_rows rows_of_level(const struct tile_work *work, const struct rhw_attachment *attachment,
                                         const struct rhw_mip *mip)
 {
-    return (struct memory_rows){rhw_mip_slice(mip, attachment->layer) + (size_t)work->y * mip->row_pitch +
+    return (struct memory_rows){rhw_mip_slice(mip, attachment->layer + work->layer) +
+                                    (size_t)work->y * mip->row_pitch +
                                     (size_t)work->x * attachment->texel_size,
                                 mip->row_pitch};
 }
