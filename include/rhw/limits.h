@@ -18,7 +18,6 @@ struct rhw_limits {
     /// Slots that both functions of a program share: Vulkan has 16 for each.
     uint32_t max_per_stage_descriptor_samplers, max_per_stage_descriptor_sampled_images;
 
-
     // Vertex input; offsets and strides in bytes.
     uint32_t max_vertex_input_attributes, max_vertex_input_bindings;
     uint32_t max_vertex_input_attribute_offset, max_vertex_input_binding_stride;
@@ -31,7 +30,7 @@ struct rhw_limits {
     // Targets.
     uint32_t max_framebuffer_width, max_framebuffer_height;
     uint32_t max_color_attachments, max_fragment_output_attachments, max_fragment_dual_src_attachments;
-    uint32_t framebuffer_color_sample_counts;        ///< or-ed numbers of samples
+    uint32_t framebuffer_color_sample_counts; ///< or-ed numbers of samples
     uint32_t framebuffer_depth_sample_counts, framebuffer_stencil_sample_counts;
     uint32_t max_sample_mask_words;
 

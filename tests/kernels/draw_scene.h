@@ -287,6 +287,7 @@ static struct scene *front_of_scene(const struct scene_input *in, enum rhw_paths
     rhw_arena_reset(&scene->worker.arena);
     rhw_arena_reset(&pass->arena);
     pass->pattern = rhw_sample_pattern_of(1);
+    pass->layers = 1;
     pass->paths = paths;
     pass->entries_most = in->entries_most;
     set_attachments(pass, in);

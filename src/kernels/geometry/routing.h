@@ -9,6 +9,7 @@
 #define RHW_ROUTING_H
 
 #include "../../arena.h"
+#include "../../simd_layout.h"
 #include "../raster/vertex_record.h"
 #include "geometry_scratch.h"
 #include "projection.h"
