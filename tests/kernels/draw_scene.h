@@ -263,6 +263,7 @@ static void set_attachments(struct rhw_pass_state *pass, const struct scene_inpu
     pass->width = in->width;
     pass->height = in->height;
     pass->tiles_x = (in->width + RHW_TILE - 1) / RHW_TILE;
+    pass->tiles_y = (in->height + RHW_TILE - 1) / RHW_TILE;
     pass->color_count = in->target_count;
     for (int t = 0; t < in->target_count; t++) {
         struct rhw_attachment *const color = &pass->colors[t];

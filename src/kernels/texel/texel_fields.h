@@ -31,7 +31,7 @@ RHW_INLINE i8 ufloat_from_float(f8 value, int places)
     const int dropped = 23 - places;
     const i8 bits = (i8)value, infinity = i8_splat(31 << places);
     // Half of the last kept place less one, plus that place's own bit: ties go to even.
-    const i8 rounded = (bits + ((1 << (dropped - 1)) - 1) + ((bits >> dropped) & 1)) >> dropped;
+    const i8 rounded = (bits + i8_splat((1 << (dropped - 1)) - 1) + ((bits >> dropped) & 1)) >> dropped;
     const i8 normal = rounded - ((127 - 15) << places);
     // Below 2^-14 the last place stands for 2^-14 / 2^places; from 2^23 on floats have no fraction.
     const float units = places == 6 ? 0x1p20f : 0x1p19f;
@@ -40,7 +40,7 @@ RHW_INLINE i8 ufloat_from_float(f8 value, int places)
     code = rhw_min_int(code, infinity - 1);
     code = rhw_select_int(rhw_equal_int(bits, i8_splat(0x7f800000)), infinity, code);
     code = rhw_select_int(rhw_less_equal(value, rhw_splat(0.0f)), i8_splat(0), code);
-    return rhw_select_int(rhw_equal(value, value), code, infinity | (1 << (places - 1)));
+    return rhw_select_int(rhw_equal(value, value), code, infinity | i8_splat(1 << (places - 1)));
 }
 
 // Nine bits each, and one exponent --------------------------------------------------------------------
@@ -128,7 +128,7 @@ static __attribute__((noinline)) void encode_fields(const struct rhw_format_info
     }
     for (int c = 0; c < format->channels; c++) {
         const int first = format->first[c], bits = format->bits[c];
-        const i8 code = field_code(format->type, value[c], bits) & ((1 << bits) - 1);
+        const i8 code = field_code(format->type, value[c], bits) & i8_splat((1 << bits) - 1);
         word[first / 32] = word[first / 32] | (code << (first % 32));
     }
 }
