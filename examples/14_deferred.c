@@ -280,15 +280,15 @@ static void save(rhw_context *context, const char *directory, rhw_texture pictur
         memcpy(out[y], pixels + (size_t)y * SIZE * 4, SIZE * 4);
         for (int x = 0; x < THUMB; x++) {
             const int row = y % THUMB * STEP + STEP / 2, column = x * STEP + STEP / 2;
-            uint8_t *to = out[y][SIZE + x];
             for (int k = 0; k < 3; k++) {
                 const uint16_t half = normals[row][column][k]; // of −1..1: its sign and size as a grey
                 const int grey =
                     half >> 15 ? 128 - (half & 0x7fff) * 128 / 0x3c00 : 128 + half * 127 / 0x3c00;
-                to[k] = y / THUMB == 0   ? colors[row][column][k]
-                        : y / THUMB == 1 ? (uint8_t)(grey < 0 ? 0 : grey)
-                        : y / THUMB == 2 ? to_byte(0.5f + places[row][column][k] / 7)
-                                         : (uint8_t)((ids[row][column] * 2654435761u) >> (8 * k + 8));
+                const uint8_t shown[TARGETS] = {
+                    colors[row][column][k], (uint8_t)(grey < 0 ? 0 : grey),
+                    to_byte(0.5f + places[row][column][k] / 7),
+                    (uint8_t)((ids[row][column] * 2654435761u) >> (8 * k + 8))}; // a colour for each number
+                out[y][SIZE + x][k] = shown[y / THUMB];
             }
         }
     }

@@ -205,26 +205,36 @@ void rhw_format_channel_bits(const struct rhw_format_info *info, int channel, ui
     }
 }
 
-uint32_t rhw_format_features(enum rhw_format format)
+// Of a format that is not compressed.
+static uint32_t features_of(const struct rhw_format_info *info)
 {
     static const struct {
         int role;
         uint32_t feature;
     } features[] = {{RHW_ROLE_SAMPLED, RHW_FEATURE_SAMPLED},
                     {RHW_ROLE_FILTERED, RHW_FEATURE_FILTERED},
-                    {RHW_ROLE_COLOR_TARGET, RHW_FEATURE_COLOR_ATTACHMENT},
+                    {RHW_ROLE_COLOR_TARGET, RHW_FEATURE_COLOR_ATTACHMENT | RHW_FEATURE_STORAGE_IMAGE},
                     {RHW_ROLE_BLENDED_TARGET, RHW_FEATURE_BLENDED},
                     {RHW_ROLE_DEPTH_TARGET, RHW_FEATURE_DEPTH_ATTACHMENT},
                     {RHW_ROLE_STENCIL_TARGET, RHW_FEATURE_STENCIL_ATTACHMENT}};
     uint32_t found = 0;
-    for (size_t i = 0; i < sizeof features / sizeof features[0] && rhw_format_valid(format); i++) {
-        const enum rhw_format stored = rhw_format_decoded(format);
-        const bool writes = features[i].role & ~(RHW_ROLE_SAMPLED | RHW_ROLE_FILTERED);
-        if (rhw_format_has_role(rhw_format_info(stored), features[i].role) && (stored == format || !writes)) {
-            found |= features[i].feature;
-        }
+    for (size_t i = 0; i < sizeof features / sizeof features[0]; i++) {
+        found |= rhw_format_has_role(info, features[i].role) ? features[i].feature : 0;
     }
-    return found;
+    if (!rhw_format_has_role(info, RHW_ROLE_DEPTH_TARGET | RHW_ROLE_STENCIL_TARGET)) {
+        found |= RHW_FEATURE_TEXEL_BUFFER;
+    }
+    return found | (info->codec == RHW_CODEC_BITS32 && info->channels == 1 ? RHW_FEATURE_STORAGE_ATOMIC : 0);
+}
+
+uint32_t rhw_format_features(enum rhw_format format)
+{
+    if (!rhw_format_valid(format)) {
+        return 0;
+    }
+    const enum rhw_format stored = rhw_format_decoded(format);
+    const uint32_t read = RHW_FEATURE_SAMPLED | RHW_FEATURE_FILTERED;
+    return features_of(rhw_format_info(stored)) & (stored == format ? UINT32_MAX : read);
 }
 
 size_t rhw_format_size(enum rhw_format format)

@@ -150,7 +150,10 @@ enum rhw_format_feature {
     RHW_FEATURE_FILTERED = 2,         ///< sampled with linear filters too, and rhw_texture_generate_mips works
     RHW_FEATURE_COLOR_ATTACHMENT = 4, ///< drawn into
     RHW_FEATURE_BLENDED = 8,          ///< blended into
-    RHW_FEATURE_DEPTH_ATTACHMENT = 16, RHW_FEATURE_STENCIL_ATTACHMENT = 32
+    RHW_FEATURE_DEPTH_ATTACHMENT = 16, RHW_FEATURE_STENCIL_ATTACHMENT = 32,
+    RHW_FEATURE_STORAGE_IMAGE = 64,   ///< see rhw_pass_set_storage_image
+    RHW_FEATURE_STORAGE_ATOMIC = 128, ///< with atomics
+    RHW_FEATURE_TEXEL_BUFFER = 256    ///< see rhw_pass_set_texel_buffer
 };
 
 /// Gives or-ed rhw_format_feature; 0 for what is no format.

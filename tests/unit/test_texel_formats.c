@@ -214,8 +214,11 @@ static void test_the_table_has_them_all(void **state)
     assert_int_equal(color_formats, FORMATS);
     for (int f = 0; f < FORMATS; f++) {
         const struct texel_model model = texel_model_of(formats[f].name);
-        const uint32_t integer = RHW_FEATURE_SAMPLED | RHW_FEATURE_COLOR_ATTACHMENT,
-                       shared = RHW_FEATURE_SAMPLED | RHW_FEATURE_FILTERED;
+        const bool is_word = strstr(formats[f].name, "_R32_") && is_integer(&model);
+        const uint32_t shared = RHW_FEATURE_SAMPLED | RHW_FEATURE_FILTERED | RHW_FEATURE_TEXEL_BUFFER,
+                       integer = RHW_FEATURE_SAMPLED | RHW_FEATURE_COLOR_ATTACHMENT |
+                                 RHW_FEATURE_STORAGE_IMAGE | RHW_FEATURE_TEXEL_BUFFER |
+                                 (is_word ? RHW_FEATURE_STORAGE_ATOMIC : 0);
         assert_int_equal(rhw_format_features(formats[f].format),
                          is_integer(&model)           ? integer
                          : model.type == TEXEL_SHARED ? shared
