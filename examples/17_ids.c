@@ -143,11 +143,12 @@ int main(int argc, char **argv)
     must(rhw_texture_read(context, ids, 0, numbers, 0), "read");
     for (int p = 0; p < SIZE * SIZE; p++) {
         const int x = p % SIZE, y = p / SIZE;
-        const uint32_t hash = (numbers[p] - first_number + 1) * 2654435761u;
+        const uint32_t hash = numbers[p] == nothing ? 0 : (numbers[p] - first_number + 1) * 2654435761u;
         const bool chosen = is_outline(numbers, x, y, first_number + CHOSEN);
         for (int k = 0; k < 3; k++) {
-            picture[y][x][k] = chosen ? (k == 0 ? 255 : 30) : seen[p][k];
-            picture[y][SIZE + x][k] = numbers[p] == nothing ? 24 : (uint8_t)(hash >> (8 * k + 8));
+            static const uint8_t outline[3] = {255, 30, 30};
+            picture[y][x][k] = chosen ? outline[k] : seen[p][k];
+            picture[y][SIZE + x][k] = (uint8_t)(hash >> (8 * k + 8));
         }
     }
     picture_write_png(directory, "17_ids.png", 2 * SIZE, SIZE, picture[0][0]);
