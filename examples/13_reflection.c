@@ -168,25 +168,6 @@ static rhw_pass begin_world(rhw_context *context, const struct rhw_color_attachm
     return pass;
 }
 
-// The view of a face: X runs with its s, Y against its t, as rows of texels run down; W is the distance ahead.
-static void set_face_camera(int face, float matrix[16])
-{
-    static const float axes[FACES][3][3] = {
-        {{0, 0, -1}, {0, -1, 0}, {1, 0, 0}}, {{0, 0, 1}, {0, -1, 0}, {-1, 0, 0}},
-        {{1, 0, 0}, {0, 0, 1}, {0, 1, 0}},   {{1, 0, 0}, {0, 0, -1}, {0, -1, 0}},
-        {{1, 0, 0}, {0, -1, 0}, {0, 0, 1}},  {{-1, 0, 0}, {0, -1, 0}, {0, 0, -1}}};
-    const float *s = axes[face][0], *t = axes[face][1], *ahead = axes[face][2], near = 0.1f;
-    for (int k = 0; k < 3; k++) {
-        matrix[4 * k] = s[k];
-        matrix[4 * k + 1] = -t[k];
-        matrix[4 * k + 2] = matrix[4 * k + 3] = ahead[k];
-    }
-    matrix[12] = -rhw_dot3_1(s, mirror_center);
-    matrix[13] = rhw_dot3_1(t, mirror_center);
-    matrix[15] = -rhw_dot3_1(ahead, mirror_center);
-    matrix[14] = matrix[15] - near;
-}
-
 static rhw_texture draw_cube(rhw_context *context, rhw_buffer vertices)
 {
     const struct rhw_texture_def def = {
@@ -196,7 +177,7 @@ static rhw_texture draw_cube(rhw_context *context, rhw_buffer vertices)
     const rhw_pipeline pipeline = make_pipeline(context, paint, def.format);
     for (int face = 0; face < FACES; face++) {
         float camera[16];
-        set_face_camera(face, camera);
+        solid_face_camera(face, mirror_center, 0.1f, camera);
         const struct rhw_color_attachment target = {.texture = cube, .layer = face};
         must(rhw_pass_end(context, begin_world(context, &target, pipeline, vertices, camera), NULL), "pass");
     }

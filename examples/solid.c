@@ -56,3 +56,22 @@ void solid_camera(const float eye[3], const float target[3], float zoom, float m
     matrix[15] = -rhw_dot3_1(ahead, eye);
     matrix[14] = matrix[15] - near;
 }
+
+void solid_face_camera(int face, const float center[3], float near, float matrix[16])
+{
+    static const float axes[6][3][3] = {
+        // s, t and ahead
+        {{0, 0, -1}, {0, -1, 0}, {1, 0, 0}}, {{0, 0, 1}, {0, -1, 0}, {-1, 0, 0}},
+        {{1, 0, 0}, {0, 0, 1}, {0, 1, 0}},   {{1, 0, 0}, {0, 0, -1}, {0, -1, 0}},
+        {{1, 0, 0}, {0, -1, 0}, {0, 0, 1}},  {{-1, 0, 0}, {0, -1, 0}, {0, 0, -1}}};
+    const float *s = axes[face][0], *t = axes[face][1], *ahead = axes[face][2];
+    for (int k = 0; k < 3; k++) {
+        matrix[4 * k] = s[k];
+        matrix[4 * k + 1] = -t[k];
+        matrix[4 * k + 2] = matrix[4 * k + 3] = ahead[k];
+    }
+    matrix[12] = -rhw_dot3_1(s, center);
+    matrix[13] = rhw_dot3_1(t, center);
+    matrix[15] = -rhw_dot3_1(ahead, center);
+    matrix[14] = matrix[15] - near;
+}

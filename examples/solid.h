@@ -17,4 +17,8 @@ void solid_box(struct solid_vertex vertices[BOX_VERTICES]);
 /// angle of view, the same each way. W is the distance ahead and Z half a unit less.
 void solid_camera(const float eye[3], const float target[3], float zoom, float matrix[16]);
 
+/// The same for a face of a cube texture, 0..5, as seen from `center`: X runs with the face's s, Y against its t, as rows
+/// of texels run down (Vulkan 1.3, "Cube Map Face Selection"). Z is `near` less than W.
+void solid_face_camera(int face, const float center[3], float near, float matrix[16]);
+
 #endif
