@@ -377,6 +377,9 @@ void scene_import_run(struct scene_import *import)
     } else {
         scene_import_assimp(import);
     }
+    if (import->variant != NULL && model->variant_count == 0) {
+        scene_import_fail(import, "has no variants of its materials");
+    }
     scene_import_decode_images(import);
     mark_image_uses(model);
     warn_of_missing_uvs(import);

@@ -87,6 +87,8 @@ static const struct field model_fields[] = {
      sizeof(char *), false, true, NULL},
     {FIELD_STRINGS, offsetof(struct scene_model, unsupported),
      offsetof(struct scene_model, unsupported_count), sizeof(char *), false, true, NULL},
+    {FIELD_STRINGS, offsetof(struct scene_model, variants), offsetof(struct scene_model, variant_count),
+     sizeof(char *), false, true, NULL},
 };
 static const struct layout model_layout = {COUNT(model_fields), model_fields};
 

@@ -137,22 +137,24 @@ struct scene_model {
     struct scene_model_light *lights;
     float bounds_min[3], bounds_max[3]; ///< of all instances, in the world; min > max: nothing to draw
     uint64_t triangles_stored, triangles_drawn; ///< in the meshes / after instancing
-    uint32_t warning_count, unsupported_count;
+    uint32_t warning_count, unsupported_count, variant_count;
     const char **warnings;    ///< what was wrong with the file and how it was met; one line each
     const char **unsupported; ///< what the file has that is not drawn; one line each
+    const char **variants;    ///< names of the choices of materials that the file offers
     size_t size;              ///< bytes of the one allocation that all of this lives in
 };
 
-/// Limits of an import. Zeroed: the defaults.
-struct scene_model_limits {
-    unsigned seconds; ///< of CPU time; 0: 60
-    size_t memory;    ///< bytes of address space; 0: 3/4 of the machine's memory, at most 16 GiB
+/// What to import, and its limits. Zeroed: the defaults.
+struct scene_model_options {
+    unsigned seconds;    ///< of CPU time; 0: 60
+    size_t memory;       ///< bytes of address space; 0: 3/4 of the machine's memory, at most 16 GiB
+    const char *variant; ///< of the materials, by its name (KHR_materials_variants); NULL: as they are without
 };
 
 /// Reads a model file and its textures in a child process, so that no file can take the caller down.
 /// Returns NULL on failure with one line in `error` that names the cause (the path is not in it).
-/// `limits` may be NULL. Free with scene_model_free.
-struct scene_model *scene_model_load(const char *path, const struct scene_model_limits *limits, char *error,
+/// `options` may be NULL. Free with scene_model_free.
+struct scene_model *scene_model_load(const char *path, const struct scene_model_options *options, char *error,
                                      size_t error_size);
 void scene_model_free(struct scene_model *model);
 

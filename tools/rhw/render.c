@@ -86,10 +86,11 @@ static bool plan_files(struct render *render)
 static bool import_model(struct render *render)
 {
     const struct cli_render_job *job = &render->job;
+    const struct scene_model_options options = {.variant = job->variant};
     char error[512];
     const double start = now_ms();
     cli_stage("reading", job->model_path);
-    render->model = scene_model_load(job->model_path, NULL, error, sizeof error);
+    render->model = scene_model_load(job->model_path, &options, error, sizeof error);
     cli_stage_end();
     render->times.import_ms = now_ms() - start;
     if (!render->model) {

@@ -16,6 +16,7 @@ enum cli_camera_choice {
 
 struct cli_render_job {
     const char *model_path, *out;
+    const char *variant; ///< of the materials; NULL: none
     enum cli_picture_format format;
     int width, height, samples, supersample;
     enum cli_camera_choice camera;

@@ -18,6 +18,7 @@ enum {
     OPTION_CAMERA,
     OPTION_ORBIT,
     OPTION_FIT,
+    OPTION_VARIANT,
     OPTION_CAMERA_INDEX,
     OPTION_CAMERA_NAME,
     OPTION_FOVY,
@@ -60,6 +61,8 @@ static const struct cli_option options[] = {
      "edges over the shaded surface (over) or over a plain one (plain)"},
     {"background", OPTION_BACKGROUND, "COLOR",
      "rrggbb in hexadecimal, black, grey, white, transparent or default"},
+    {"variant", OPTION_VARIANT, "NAME",
+     "the materials of this name, of a glTF that offers a choice; see rhw info"},
     {"lights", OPTION_LIGHTS, "WHICH", "file (default: those of the file, if any) or default"},
     {"exposure", OPTION_EXPOSURE, "STOPS", "brighter by this many factors of two; -20..20"},
     {"threads", OPTION_THREADS, "N",
@@ -308,6 +311,7 @@ static bool parse_option(struct cli_render_job *job, int id, const char *argumen
     switch (id) {
     case OPTION_OUT: job->out = argument; return true;
     case OPTION_QUIET: job->quiet = true; return true;
+    case OPTION_VARIANT: job->variant = argument; return true;
     case OPTION_STATS:
         job->stats = true;
         job->stats_path = argument ? argument : "-";
