@@ -532,10 +532,22 @@ static void test_up(void **state)
             scene_model_free(model);
         }
     }
-    // A picture that faces the viewer stands on z as well, but not so that it would lie.
-    struct scene_model *model = load_text("card.obj", "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nf 1 2 3 4\n");
+    // A relief that faces the viewer has its broad side below along z, but must not lie.
+    struct scene_model *model = load_text("card.obj", "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nv .5 .5 .05\n"
+                                                      "f 1 2 5\nf 2 3 5\nf 3 4 5\nf 4 1 5\n");
     assert_int_equal(model->up, SCENE_AXIS_Y);
     scene_model_free(model);
+    // Along z all of the base, along y a strip beside it: a fifth or a tenth of that side.
+    for (int tenth = 0; tenth < 2; tenth++) {
+        char text[256];
+        snprintf(text, sizeof text,
+                 "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nv .5 .5 1\nv 0 0 %g\nv 1 0 %g\n"
+                 "f 4 3 2 1\nf 1 2 7 6\nf 2 3 5\nf 3 4 5\nf 4 1 5\n",
+                 tenth ? 0.1 : 0.2, tenth ? 0.1 : 0.2);
+        model = load_text("strip.obj", text);
+        assert_int_equal(model->up, tenth ? SCENE_AXIS_Z : SCENE_AXIS_Y);
+        scene_model_free(model);
+    }
     // Nothing to stand on, neither way: what is usual.
     model = load_text("tip.obj", "v 0 0 0\nv 1 3 3\nv 3 2 1\nv 1 2 4\nf 1 2 3\nf 1 3 4\n");
     assert_int_equal(model->up, SCENE_AXIS_Y);
