@@ -607,6 +607,7 @@ struct rhw_depth_attachment {
     int layer_count;  ///< as that of a colour attachment; without a texture there are as many as colours have
 };
 
+/// Without attachments, for effects and queries alone, a pass says its size, samples and layers itself.
 struct rhw_pass_def {
     int width, height; ///< of every attachment; 0: taken from the first attachment
     struct rhw_color_attachment colors[RHW_MAX_COLOR_ATTACHMENTS];
@@ -614,6 +615,7 @@ struct rhw_pass_def {
     struct rhw_depth_attachment depth;
     int samples; ///< of each pixel: 0: as many as the first attachment's texture has; 1, 2, 4, 8, 16
     const char *label; ///< for messages
+    int layers; ///< of a pass without attachments; others have those of the first. 0: 1
 };
 
 /// What rhw_pass_draw_indirect reads from a buffer; the members mean what those parameters of rhw_pass_draw do
