@@ -618,6 +618,19 @@ struct rhw_pass_def {
     int layers; ///< of a pass without attachments; others have those of the first. 0: 1
 };
 
+/// What rhw_pass_clear_attachments clears, and to what.
+struct rhw_clear {
+    uint32_t colors; ///< bit i: colour attachment i of the pass
+    bool depth, stencil;
+    float color[RHW_MAX_COLOR_ATTACHMENTS][4]; ///< linear values, of formats that are no integers
+    int32_t color_integer[RHW_MAX_COLOR_ATTACHMENTS][4]; ///< of UINT and SINT formats, within their range
+    float depth_value; ///< 0..1
+    uint8_t stencil_value;
+    const struct rhw_rect *rects; ///< within the pass; read during the call
+    int rect_count;               ///< 0: everything
+    int layer, layer_count;       ///< of the pass's; 0: all from `layer` on
+};
+
 /// What rhw_pass_draw_indirect reads from a buffer; the members mean what those parameters of rhw_pass_draw do
 /// (VkDrawIndirectCommand).
 struct rhw_draw_command { uint32_t count, instances, first, first_instance; };
