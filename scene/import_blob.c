@@ -290,6 +290,9 @@ static bool material_valid(const struct scene_material *material, const struct s
 
 static bool model_valid(const struct scene_model *model)
 {
+    if ((unsigned)model->up > SCENE_AXIS_MINUS_X) {
+        return false;
+    }
     for (uint32_t i = 0; i < model->mesh_count; i++) {
         if (!mesh_valid(&model->meshes[i], model)) {
             return false;

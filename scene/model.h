@@ -111,6 +111,16 @@ struct scene_model_camera {
     float znear, zfar; ///< zfar 0: infinitely far
 };
 
+/// Directions of the world.
+enum scene_axis {
+    SCENE_AXIS_Y,
+    SCENE_AXIS_Z,
+    SCENE_AXIS_X,
+    SCENE_AXIS_MINUS_Y,
+    SCENE_AXIS_MINUS_Z,
+    SCENE_AXIS_MINUS_X
+};
+
 enum scene_light_type { SCENE_LIGHT_DIRECTIONAL, SCENE_LIGHT_POINT, SCENE_LIGHT_SPOT };
 
 /// KHR_lights_punctual.
@@ -128,6 +138,8 @@ struct scene_model_light {
 struct scene_model {
     const char *path;   ///< as it was given
     const char *format; ///< for example "glTF 2.0" or "Stanford Polygon Library (PLY)"
+    enum scene_axis up; ///< what the format says, or where it says little, what the model stands on
+    bool up_guessed;
     uint32_t mesh_count, material_count, image_count, instance_count, camera_count, light_count;
     struct scene_mesh *meshes;
     struct scene_material *materials;
