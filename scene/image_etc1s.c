@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
-// ETC1S and BasisLZ, written from KTX 2.0, appendix "BasisLZ/ETC1S Bitstream Specification". A block of 4 × 4 texels is a
-// reference to an endpoint (a base colour and a table of steps) and one to a selector (which step each texel takes).
-// Endpoints are told by their difference to the one before, or are those of a neighbour; selectors were often used shortly
-// before, so a history of them is at hand.
+// ETC1S and BasisLZ, written from KTX 2.0, appendix "BasisLZ/ETC1S Bitstream Specification". A block of 4 × 4 texels is
+// a reference to an endpoint (a base colour and a table of steps) and one to a selector (which step each texel takes).
+// Endpoints are told by their difference to the one before, or are those of a neighbour; selectors were often used
+// shortly before, so a history of them is at hand.
 #include "image_etc1s.h"
 
 #include <stdlib.h>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// See image_huffman.h. Codes are told bit by bit: the number of codes of each length says whether one has ended. That needs
-// no table for each prefix, and textures are small beside the time that drawing them takes.
+// See image_huffman.h. Codes are told bit by bit: the number of codes of each length says whether one has ended. That
+// needs no table for each prefix, and textures are small beside the time that drawing them takes.
 #include "image_huffman.h"
 
 #include <string.h>

@@ -7,8 +7,9 @@
 #include <stddef.h>
 #include <stdint.h>
 
-/// Bytes that are read from the lowest bit of the first one upwards. Behind the end there are zeros, and `failed` is set;
-/// so it is by whatever the stream may not say. Reading goes on then, so that it is enough to look at it now and then.
+/// Bytes that are read from the lowest bit of the first one upwards. Behind the end there are zeros, and `failed` is
+/// set; so it is by whatever the stream may not say. Reading goes on then, so that it is enough to look at it now and
+/// then.
 struct scene_bits {
     const uint8_t *bytes;
     size_t size, next; // next: the byte that comes into `window`

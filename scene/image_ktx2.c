@@ -58,7 +58,8 @@ bool scene_image_is_ktx2(const unsigned char *bytes, size_t size)
     return size >= IDENTIFIER && memcmp(bytes, identifier, IDENTIFIER) == 0;
 }
 
-// Of a descriptor only its first block counts; samples of 16 bytes stand behind 28 bytes that say what they have in common.
+// Of a descriptor only its first block counts; samples of 16 bytes stand behind 28 bytes that say what they have in
+// common.
 static bool read_descriptor(struct ktx2 *ktx2)
 {
     const struct scene_span descriptor = ktx2->descriptor;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // UASTC LDR 4×4, written from the Khronos Data Format Specification 1.4, chapter "Universal ASTC Compressed Texture
-// Images". A block of 128 bits, lowest first, has one of 18 layouts or is one colour. It consists of hints for those who
-// make other formats of it, which we skip, endpoints of one to three subsets of texels, and weights between them.
+// Images". A block of 128 bits, lowest first, has one of 18 layouts or is one colour. It consists of hints for those
+// who make other formats of it, which we skip, endpoints of one to three subsets of texels, and weights between them.
 // Endpoints are widened to 16 bits by repetition also where texels are sRGB, as decoders to RGBA8 do.
 #include "image_uastc.h"
 
@@ -88,8 +88,8 @@ static int take_mode(struct bits *bits)
 
 // Subsets ------------------------------------------------------------------------------------------------
 
-// A bit for each texel, row by row ("Partition table for 2-subset Mode Indices 2, 4, 9, and 16"), in mode 7, and two bits
-// in mode 3.
+// A bit for each texel, row by row ("Partition table for 2-subset Mode Indices 2, 4, 9, and 16"), in mode 7, and two
+// bits in mode 3.
 static const uint16_t two_subsets[30] = {
     0xcccc, 0x8888, 0x1111, 0xecc8, 0x377f, 0xfeec, 0x0137, 0x137f, 0xc800, 0x0013,
     0xfe80, 0x17ff, 0x0017, 0x00ff, 0xfff0, 0x0fff, 0xff71, 0x8eff, 0x08ce, 0x008c,
@@ -125,7 +125,8 @@ static bool take_pattern(struct bits *bits, int mode, uint8_t subset[TEXELS])
 
 // Endpoints ----------------------------------------------------------------------------------------------
 
-// To 0..255, as ASTC does ("ASTC color unquantization parameters"): the lowest bit mirrors, the others and the digit add.
+// To 0..255, as ASTC does ("ASTC color unquantization parameters"): the lowest bit mirrors, the others and the digit
+// add.
 static uint8_t widen_endpoint(const struct mode *mode, int digit, int value)
 {
     const int upper = value >> 1;

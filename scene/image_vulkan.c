@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// See image_vulkan.h. A texture of the format decodes and a blit converts, where the format is not one that images have.
-// Numbers are those of Vulkan 1.3, VkFormat. Signed formats are left out: images hold 0..1, or light.
+// See image_vulkan.h. A texture of the format decodes and a blit converts, where the format is not one that images
+// have. Numbers are those of Vulkan 1.3, VkFormat. Signed formats are left out: images hold 0..1, or light.
 #include "image_vulkan.h"
 
 #include <stdlib.h>
@@ -48,7 +48,8 @@ static bool lacks_alpha(uint32_t format)
 _Static_assert(ASTC_12X12_SRGB - BC1_RGB_UNORM == RHW_FORMAT_ASTC_12X12_SRGB - RHW_FORMAT_BC1_RGB_UNORM,
                "both count the same formats");
 
-// What an image of it becomes: bytes as they are or blocks decode to, 16 bits where bytes would round, floats for light.
+// What an image of it becomes: bytes as they are or blocks decode to, 16 bits where bytes would round, floats for
+// light.
 static enum rhw_format image_format(enum rhw_format format)
 {
     switch (format) {

@@ -14,8 +14,8 @@ struct ktx2_sample {
     uint64_t hash;
 };
 
-// Bands and a checker with alpha: blocks repeat their neighbours, and runs of them do. A wave: so many selectors that they
-// are compressed and their history is full. A grey picture.
+// Bands and a checker with alpha: blocks repeat their neighbours, and runs of them do. A wave: so many selectors that
+// they are compressed and their history is full. A grey picture.
 static const struct ktx2_sample ktx2_samples[] = {
     {"q0tUWCAyMLsNChoKAAAAAAEAAAA9AAAAIgAAAAAAAAAAAAAAAQAAAAEAAAABAAAAaAAAADwAAACkAAAAJAAAAMgAAAAAAAAAVAEA"
      "AAAAAAAcAgAAAAAAAFsAAAAAAAAAAAAAAAAAAAA8AAAAAAAAAAIAOACjAQIAAwMAAAgIAAAAAAAAAAA/AAAAAAAAAAAA/////0AA"
