@@ -46,6 +46,8 @@ struct ktx2_def {
     const char *swizzle;
     const void *texels;
     size_t size;
+    const void *global; // data of BasisLZ
+    size_t global_size;
 };
 
 struct ktx2_file {
@@ -56,7 +58,7 @@ struct ktx2_file {
 static void put(struct ktx2_file *file, uint64_t value, int bytes)
 {
     for (int i = 0; i < bytes; i++) {
-        file->bytes[file->size++] = (uint8_t)(value >> 8 * i);
+        file->bytes[file->size++] = (uint8_t)(i < 8 ? value >> 8 * i : 0);
     }
 }
 
@@ -70,8 +72,8 @@ static void put_header(struct ktx2_file *file, const struct ktx2_def *def, size_
     for (int i = 0; i < 13; i++) {
         put(file, numbers[i], 4);
     }
-    put(file, 0, 8); // no global data
-    put(file, 0, 8);
+    put(file, 148 + pairs + level_size, 8);
+    put(file, def->global_size, 8);
     put(file, 148 + pairs, 8);
     put(file, level_size, 8);
     put(file, def->size, 8);
@@ -102,6 +104,10 @@ static const struct ktx2_file *make_file(const struct ktx2_def *def)
     }
     memcpy(file.bytes + file.size, packed, level_size);
     file.size += level_size;
+    if (def->global_size > 0) {
+        memcpy(file.bytes + file.size, def->global, def->global_size);
+        file.size += def->global_size;
+    }
     return &file;
 }
 
@@ -140,6 +146,98 @@ static void test_etc1s(void **state)
         assert_int_equal(image.has_alpha, sample->has_alpha);
         assert_int_equal(hash_of(&image), sample->hash);
         free(image.texels);
+    }
+}
+
+struct bit_writer {
+    uint8_t bytes[512];
+    size_t count; // of bits
+};
+
+static void put_bits(struct bit_writer *writer, uint32_t value, int count)
+{
+    for (int i = 0; i < count; i++, writer->count++) {
+        writer->bytes[writer->count / 8] |= (uint8_t)((value >> i & 1) << writer->count % 8);
+    }
+}
+
+static size_t end_bytes(struct bit_writer *writer)
+{
+    writer->count = (writer->count + 7) / 8 * 8;
+    return writer->count / 8;
+}
+
+// A code of one symbol, a bit that is 0. The lengths of all symbols up to it have a code of the two lengths 0 and 1.
+static void put_code(struct bit_writer *writer, uint32_t symbol)
+{
+    put_bits(writer, symbol + 1, 14);
+    put_bits(writer, 19, 5);
+    for (int i = 0; i < 19; i++) {
+        put_bits(writer, i == 4 || i == 18, 3); // where 0 and 1 stand
+    }
+    for (uint32_t i = 0; i < symbol; i++) {
+        put_bits(writer, 0, 1);
+    }
+    put_bits(writer, 1, 1);
+}
+
+// One block of one grey: an endpoint whose differences are 0, a selector of the darkest step. `prediction` says where the
+// endpoint of the block comes from.
+static const struct ktx2_file *make_etc1s(uint32_t prediction)
+{
+    struct bit_writer writer = {.count = 0};
+    put_bits(&writer, 1 | 1 << 16, 32);
+    put_bits(&writer, 0, 32); // the sizes, below
+    put_bits(&writer, 0, 32);
+    put_bits(&writer, 0, 32);
+    put_bits(&writer, 0, 32);
+    const uint32_t slices[5] = {0, 0, 1, 0, 0};
+    for (int i = 0; i < 5; i++) {
+        put_bits(&writer, slices[i], 32);
+    }
+    const size_t begin = end_bytes(&writer);
+    for (int i = 0; i < 4; i++) {
+        put_code(&writer, 0);
+    }
+    put_bits(&writer, 1, 1); // grey
+    put_bits(&writer, 0, 2);
+    const size_t selectors = end_bytes(&writer);
+    put_bits(&writer, 4, 3); // as they are
+    put_bits(&writer, 0, 32);
+    const size_t tables = end_bytes(&writer);
+    put_code(&writer, 0xfc | prediction);
+    for (int i = 0; i < 3; i++) {
+        put_code(&writer, 0);
+    }
+    put_bits(&writer, 0, 13);
+    const size_t end = end_bytes(&writer);
+    writer.bytes[4] = (uint8_t)(selectors - begin);
+    writer.bytes[8] = (uint8_t)(tables - selectors);
+    writer.bytes[12] = (uint8_t)(end - tables);
+    const uint8_t slice = 0;
+    return make_file(&(struct ktx2_def){.width = 4,
+                                        .height = 4,
+                                        .scheme = 1,
+                                        .model = MODEL_ETC1S,
+                                        .texels = &slice,
+                                        .size = 1,
+                                        .global = writer.bytes,
+                                        .global_size = end});
+}
+
+static void test_etc1s_by_hand(void **state)
+{
+    (void)state;
+    const struct ktx2_file *file = make_etc1s(3);
+    struct scene_image image = decode_file(file->bytes, file->size);
+    const uint8_t grey[4] = {16 * 8 + 4 - 8, 124, 124, 255};
+    for (int i = 0; i < 16; i++) {
+        assert_memory_equal((const uint8_t *)image.texels + 4 * i, grey, 4);
+    }
+    free(image.texels);
+    for (uint32_t prediction = 0; prediction < 3; prediction++) { // from blocks beside the image
+        file = make_etc1s(prediction);
+        assert_refused(file->bytes, file->size, "damaged KTX2: its ETC1S data");
     }
 }
 
@@ -589,12 +687,19 @@ static void test_gltf(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_etc1s),         cmocka_unit_test(test_etc1s_of_two_channels),
-        cmocka_unit_test(test_uastc_modes),   cmocka_unit_test(test_uastc_by_hand),
-        cmocka_unit_test(test_uastc_errors),  cmocka_unit_test(test_plain_formats),
-        cmocka_unit_test(test_srgb_codes),    cmocka_unit_test(test_block_formats),
-        cmocka_unit_test(test_swizzle),       cmocka_unit_test(test_refused),
-        cmocka_unit_test(test_damaged_etc1s), cmocka_unit_test(test_mutations),
+        cmocka_unit_test(test_etc1s),
+        cmocka_unit_test(test_etc1s_by_hand),
+        cmocka_unit_test(test_etc1s_of_two_channels),
+        cmocka_unit_test(test_uastc_modes),
+        cmocka_unit_test(test_uastc_by_hand),
+        cmocka_unit_test(test_uastc_errors),
+        cmocka_unit_test(test_plain_formats),
+        cmocka_unit_test(test_srgb_codes),
+        cmocka_unit_test(test_block_formats),
+        cmocka_unit_test(test_swizzle),
+        cmocka_unit_test(test_refused),
+        cmocka_unit_test(test_damaged_etc1s),
+        cmocka_unit_test(test_mutations),
         cmocka_unit_test(test_gltf),
     };
     return cmocka_run_group_tests(tests, make_directory, remove_directory);
