@@ -201,6 +201,9 @@ RHW_API void rhw_pass_set_scissors(rhw_context *context, rhw_pass pass, int firs
 RHW_API void rhw_pass_set_blend_constant(rhw_context *context, rhw_pass pass, const float constant[4]);
 /// What stencil tests compare with and REPLACE writes, by facing. 0 and 0 at the start.
 RHW_API void rhw_pass_set_stencil_reference(rhw_context *context, rhw_pass pass, uint8_t front, uint8_t back);
+/// Stand in the place of the pipelines' own read_mask and write_mask until NULL is set.
+RHW_API void rhw_pass_set_stencil_masks(rhw_context *context, rhw_pass pass,
+                                        const struct rhw_stencil_masks *masks);
 /// Stands in the place of the pipelines' own depth_bias until NULL is set.
 RHW_API void rhw_pass_set_depth_bias(rhw_context *context, rhw_pass pass, const struct rhw_depth_bias *bias);
 /// For pipelines with depth_bounds_test: 0 <= least <= most <= 1. 0 and 1 at the start.

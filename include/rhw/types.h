@@ -345,7 +345,8 @@ enum rhw_topology {
 /// §28.10.2). Facing and flat values are those of the triangle.
 enum rhw_polygon_mode { RHW_POLYGON_FILL, RHW_POLYGON_LINE, RHW_POLYGON_POINT };
 enum rhw_index_type { RHW_INDEX_UINT8, RHW_INDEX_UINT16, RHW_INDEX_UINT32 };
-enum rhw_cull { RHW_CULL_NONE, RHW_CULL_FRONT, RHW_CULL_BACK };
+/// Of triangles; points and lines have no side. BOTH leaves nothing to rasterize of them.
+enum rhw_cull { RHW_CULL_NONE, RHW_CULL_FRONT, RHW_CULL_BACK, RHW_CULL_BOTH };
 enum rhw_winding { RHW_COUNTER_CLOCKWISE, RHW_CLOCKWISE }; ///< as seen on the screen, y up
 enum rhw_blend_factor {
     RHW_BLEND_DEFAULT, ///< ONE as src, ZERO as dst: the source replaces
@@ -412,6 +413,11 @@ struct rhw_stencil_face {
     enum rhw_stencil_operation depth_fail; ///< where that passes and the depth test fails. KEEP
     enum rhw_stencil_operation pass;       ///< where both pass, or depth is not tested. KEEP
     uint16_t read_mask, write_mask;        ///< 1..255; 0: all bits; RHW_STENCIL_NO_BITS alone: none
+};
+
+/// Bits of the stencil that tests look at and operations change, by facing; 0: none.
+struct rhw_stencil_masks {
+    uint8_t read_front, read_back, write_front, write_back;
 };
 
 /// What is added to the depth of a triangle's fragments, to hold shadows and decals off their surfaces (Vulkan 1.3
