@@ -607,6 +607,7 @@ struct rhw_depth_attachment {
     int layer_count;  ///< as that of a colour attachment; without a texture there are as many as colours have
 };
 
+/// Without attachments, for effects and queries alone, a pass says its size, samples and layers itself.
 struct rhw_pass_def {
     int width, height; ///< of every attachment; 0: taken from the first attachment
     struct rhw_color_attachment colors[RHW_MAX_COLOR_ATTACHMENTS];
@@ -614,6 +615,20 @@ struct rhw_pass_def {
     struct rhw_depth_attachment depth;
     int samples; ///< of each pixel: 0: as many as the first attachment's texture has; 1, 2, 4, 8, 16
     const char *label; ///< for messages
+    int layers; ///< of a pass without attachments; others have those of the first. 0: 1
+};
+
+/// What rhw_pass_clear_attachments clears, and to what.
+struct rhw_clear {
+    uint32_t colors; ///< bit i: colour attachment i of the pass
+    bool depth, stencil;
+    float color[RHW_MAX_COLOR_ATTACHMENTS][4]; ///< linear values, of formats that are no integers
+    int32_t color_integer[RHW_MAX_COLOR_ATTACHMENTS][4]; ///< of UINT and SINT formats, within their range
+    float depth_value; ///< 0..1
+    uint8_t stencil_value;
+    const struct rhw_rect *rects; ///< within the pass; read during the call
+    int rect_count;               ///< 0: everything
+    int layer, layer_count;       ///< of the pass's; 0: all from `layer` on
 };
 
 /// What rhw_pass_draw_indirect reads from a buffer; the members mean what those parameters of rhw_pass_draw do
