@@ -273,6 +273,7 @@ static void paint(const struct endpoint *endpoint, const uint8_t selector[4], ui
                 texels[y * pitch + x][3] = color[1];
             } else {
                 memcpy(texels[y * pitch + x], color, 3);
+                texels[y * pitch + x][3] = UINT8_MAX;
             }
         }
     }

@@ -22,7 +22,7 @@ const char *scene_etc1s_open(uint32_t endpoint_count, uint32_t selector_count, s
                              struct scene_span selectors, struct scene_span tables,
                              struct scene_etc1s **codebooks);
 /// Decodes a slice of `width` × `height` texels. With `alpha` its green channel becomes the alpha of `texels`, else its
-/// colours their red, green and blue. NULL on success, else a short reason.
+/// colours their red, green and blue, and they are opaque. NULL on success, else a short reason.
 const char *scene_etc1s_decode(const struct scene_etc1s *codebooks, struct scene_span slice, uint32_t width,
                                uint32_t height, bool alpha, uint8_t (*texels)[4]);
 void scene_etc1s_free(struct scene_etc1s *codebooks);

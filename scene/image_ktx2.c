@@ -160,13 +160,11 @@ static const char *decode_etc1s(const struct ktx2 *ktx2, struct scene_image *ima
         !cut(ktx2->level, read_32(slices + 12), read_32(slices + 16), &second)) {
         return damaged;
     }
-    const char *problem = make_rgba8(image);
-    if (problem != NULL) {
-        return problem;
-    }
-    memset(image->texels, UINT8_MAX, image->size);
     struct scene_etc1s *codebooks;
-    problem = scene_etc1s_open(endpoints, selectors, part[0], part[1], part[2], &codebooks);
+    const char *problem = scene_etc1s_open(endpoints, selectors, part[0], part[1], part[2], &codebooks);
+    if (problem == NULL) {
+        problem = make_rgba8(image);
+    }
     if (problem == NULL) {
         problem = scene_etc1s_decode(codebooks, colors, image->width, image->height, false, image->texels);
     }
