@@ -627,6 +627,10 @@ static const struct rhw_draw_state *snapshot(struct rhw_pass_state *pass)
     set_viewport_map(state);
     state->first_step = RHW_SUBPIXEL - pass->pattern->most_0_8 - 1;
     state->past_step = RHW_SUBPIXEL - pass->pattern->least_0_8;
+    if (state->pipeline->is_conservative) { // borders of pixels instead
+        state->first_step = -1;
+        state->past_step = RHW_SUBPIXEL;
+    }
     rhw_draw_plans_make(state->plans, state->pipeline, &state->depth_stencil, pass->pattern->count,
                         pass->paths);
     if (pass->paths == RHW_PATHS_ALL) {

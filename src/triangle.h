@@ -57,8 +57,9 @@ enum rhw_triangle_flag {
     // BACK and NEGATIVE apart it has none of the others, and it is less than RHW_TILE pixels wide and high.
     RHW_TRIANGLE_SMALL = 32,
     RHW_TRIANGLE_RECTANGLE = 64, // a point: of what it covers, the pixels x0, y0, x1, y1 alone are drawn
-    RHW_TRIANGLE_LINE =
-        128 // a Bresenham line: not what it covers is drawn, but the line from vertex 0 to vertex 2
+    // A Bresenham line: not what it covers is drawn, but the line from vertex 0 to vertex 2.
+    RHW_TRIANGLE_LINE = 128,
+    RHW_TRIANGLE_CONSERVATIVE = 256 // the pixels that it touches or contains
 };
 
 // One cache line. Vertices stay in submission order.

@@ -345,6 +345,11 @@ enum rhw_topology {
 /// §28.10.2). Facing and flat values are those of the triangle.
 enum rhw_polygon_mode { RHW_POLYGON_FILL, RHW_POLYGON_LINE, RHW_POLYGON_POINT };
 enum rhw_index_type { RHW_INDEX_UINT8, RHW_INDEX_UINT16, RHW_INDEX_UINT32 };
+/// Which pixels a filled triangle covers, all their samples (VK_EXT_conservative_rasterization): by samples; those whose
+/// square it touches, or lies next to; those whose square it contains. Exact for the snapped triangle; one without area
+/// covers none. Values are taken at the centre as ever, which may lie outside of the triangle. Points and lines are drawn as
+/// without it.
+enum rhw_conservative { RHW_CONSERVATIVE_OFF, RHW_CONSERVATIVE_OVERESTIMATE, RHW_CONSERVATIVE_UNDERESTIMATE };
 /// RECTANGULAR: what lies within half the width of a line, between its ends. BRESENHAM: by the diamond-exit rule one pixel
 /// of each column, or row, that it passes, or as many as the width rounded; all samples of a pixel (Vulkan 1.3 §28.10.1).
 enum rhw_line_mode { RHW_LINE_RECTANGULAR, RHW_LINE_BRESENHAM };
@@ -565,6 +570,7 @@ struct rhw_pipeline_def {
     uint32_t feedback_strides[RHW_MAX_FEEDBACK_TARGETS];
     bool rasterizer_discard; ///< primitives end before they are rasterized: nothing is drawn
     enum rhw_line_mode line_mode; ///< of lines, and of triangles drawn as lines. RECTANGULAR
+    enum rhw_conservative conservative; ///< OFF
 };
 
 /// DEFAULT clears as CLEAR does, but for a depth of 0, which it takes for 1: clear to depth 0 by CLEAR.

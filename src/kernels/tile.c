@@ -5,6 +5,7 @@
 #include "kernel_entries.h"
 
 #include "integer.h"
+#include "raster/conservative.h"
 #include "raster/line_pixels.h"
 #include "tile/draw_state.h"
 #include "tile/resolve.h"
@@ -37,9 +38,31 @@ static int list_bins(const struct tile_work *work)
     return count;
 }
 
-// Several samples of a pixel are all covered.
-static void draw_line_block(struct tile_work *work, struct triangle_work *triangle, int x, int y,
-                            uint64_t mask)
+// What is no matter of samples: the pixels of a Bresenham line, and conservative ones.
+struct pixel_shape {
+    bool is_line;
+    struct line_pixels line;
+    struct conservative_edges edges;
+};
+
+// False where the tile has nothing of it.
+static bool set_shape(const struct tile_work *work, const struct rhw_triangle *t,
+                      const struct rhw_chunk *chunk, struct pixel_shape *shape)
+{
+    const struct rhw_pipeline_data *const pipeline = work->pipeline;
+    shape->is_line = t->flags & RHW_TRIANGLE_LINE;
+    if (shape->is_line) {
+        shape->line = line_pixels_of(t, pipeline->line_pixels);
+        return true;
+    }
+    return conservative_setup(&shape->edges, chunk, t,
+                              pipeline->def.conservative == RHW_CONSERVATIVE_UNDERESTIMATE,
+                              center_of_pixel(work->x, work->y));
+}
+
+// All samples of the pixels are covered.
+static void draw_shape_block(struct tile_work *work, struct triangle_work *triangle, int x, int y,
+                             uint64_t mask)
 {
     if (work->samples == 1) {
         draw_block(work, triangle, x, y, mask);
@@ -52,19 +75,24 @@ static void draw_line_block(struct tile_work *work, struct triangle_work *triang
     draw_sampled_block(work, triangle, &block);
 }
 
-static __attribute__((noinline)) void draw_line(struct tile_work *work, struct triangle_work *triangle)
+static __attribute__((noinline)) void draw_shape(struct tile_work *work, struct triangle_work *triangle,
+                                                 const struct rhw_chunk *chunk)
 {
     const struct tile_rect rect = rect_of(work, triangle->t);
-    const struct line_pixels line = line_pixels_of(triangle->t, work->pipeline->line_pixels);
+    struct pixel_shape shape;
+    if (!set_shape(work, triangle->t, chunk, &shape)) {
+        return;
+    }
     for (int s = 1; s < work->samples; s++) {
         depth_plane(work->scratch, s)->marked = false;
     }
     for (int y = rect.y0 & -RHW_BLOCK; y < rect.y1; y += RHW_BLOCK) {
         for (int x = rect.x0 & -RHW_BLOCK; x < rect.x1; x += RHW_BLOCK) {
-            const uint64_t mask = line_mask(&line, work->x + x, work->y + y) &
-                                  rect_mask(x, y, rect.x0, rect.y0, rect.x1, rect.y1);
+            const uint64_t pixels = shape.is_line ? line_mask(&shape.line, work->x + x, work->y + y)
+                                                  : conservative_mask(&shape.edges, x, y);
+            const uint64_t mask = pixels & rect_mask(x, y, rect.x0, rect.y0, rect.x1, rect.y1);
             if (mask != 0) {
-                draw_line_block(work, triangle, x, y, mask);
+                draw_shape_block(work, triangle, x, y, mask);
             }
         }
     }
@@ -83,8 +111,8 @@ static void draw_any(struct tile_work *work, struct triangle_work *triangle, con
         triangle->clamps_depth = triangle->t->flags & RHW_TRIANGLE_CLAMP;
         triangle->depth_bias = 0;
     }
-    if (triangle->t->flags & RHW_TRIANGLE_LINE) {
-        draw_line(work, triangle);
+    if (triangle->t->flags & (RHW_TRIANGLE_LINE | RHW_TRIANGLE_CONSERVATIVE)) {
+        draw_shape(work, triangle, chunk);
     } else if (work->samples == 1) {
         draw_large(work, triangle, chunk);
     } else if (takes_small_samples(work, triangle)) {

@@ -36,6 +36,7 @@ static const struct scene features[] = {
     {"topology", golden_topology_draw, 0},
     {"primitives", golden_primitives_draw, 0},
     {"primitives-bresenham", golden_primitives_draw, 1},
+    {"primitives-conservative", golden_primitives_draw, 2},
     {"viewports", golden_viewport_draw, 0},
     {"layered-cube", golden_routing_draw, 0},
     {"clipping", golden_clipping_draw, 0},

@@ -92,7 +92,8 @@ static bool setup_clipped(struct rhw_geometry_scratch *scratch, const struct rhw
     }
     triangle->flags = (uint16_t)(RHW_TRIANGLE_POLYGON | RHW_TRIANGLE_CLAMP | (back ? RHW_TRIANGLE_BACK : 0) |
                                  (negative ? RHW_TRIANGLE_NEGATIVE : 0) |
-                                 (any & RHW_VERTEX_UNSNAPPED ? RHW_TRIANGLE_UNSNAPPED : 0));
+                                 (any & RHW_VERTEX_UNSNAPPED ? RHW_TRIANGLE_UNSNAPPED : 0) |
+                                 (state->pipeline->is_conservative ? RHW_TRIANGLE_CONSERVATIVE : 0));
     triangle->polygon = (uint32_t)scratch->polygon_count++;
     return true;
 }

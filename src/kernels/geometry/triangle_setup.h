@@ -17,9 +17,12 @@ RHW_INLINE i8 triangle_flags8(const struct triangle8 *t, const struct cull8 *cul
     const float margin = 0x1p-20f;
     const i8 clamp = rhw_less(t->depth_min, f8_splat(state->depth_least + margin)) |
                      rhw_less(f8_splat(state->depth_most - margin), t->depth_max);
-    return (i8_from_bits(cull->back) & i8_splat(RHW_TRIANGLE_BACK)) |
-           (i8_from_bits(cull->negative) & i8_splat(RHW_TRIANGLE_NEGATIVE)) |
-           (clamp & i8_splat(RHW_TRIANGLE_CLAMP)) |
+    const i8 sides = (i8_from_bits(cull->back) & i8_splat(RHW_TRIANGLE_BACK)) |
+                     (i8_from_bits(cull->negative) & i8_splat(RHW_TRIANGLE_NEGATIVE));
+    if (state->pipeline->is_conservative) { // drawn beyond its corners, too
+        return sides | i8_splat(RHW_TRIANGLE_CONSERVATIVE | RHW_TRIANGLE_CLAMP);
+    }
+    return sides | (clamp & i8_splat(RHW_TRIANGLE_CLAMP)) |
            (small_triangles8(t) & ~clamp & i8_splat(RHW_TRIANGLE_SMALL));
 }
 
@@ -31,7 +34,8 @@ static void setup8(struct rhw_geometry_scratch *scratch, const struct run_slice 
     const struct rhw_segment *const segment = &scratch->segments[slice->run];
     const struct rhw_draw_state *const state = segment->draw->state;
     const struct triangle8 t = load_triangle8(run->vertices, run->first_slot, slice->indices);
-    const struct cull8 cull = cull8(&t, state, slice->live, scratch->culls_uncovered);
+    const struct cull8 cull =
+        cull8(&t, state, slice->live, scratch->culls_uncovered && !state->pipeline->is_conservative);
     scratch->counters.culled += (unsigned)__builtin_popcount(cull.culled);
     if ((cull.drawn | cull.clipped) == 0) {
         return;
