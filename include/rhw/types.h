@@ -123,7 +123,7 @@ enum rhw_format {
     RHW_FORMAT_D24_UNORM,         ///< in the low 24 bits of 32; the others are 0
     RHW_FORMAT_D24_UNORM_S8_UINT, ///< depth as D24_UNORM, and beside it a plane of stencil, a byte each
     RHW_FORMAT_D32_FLOAT_S8_UINT, ///< depth as D32_FLOAT, and beside it a plane of stencil
-    RHW_FORMAT_S8_UINT,           ///< stencil alone; not sampled
+    RHW_FORMAT_S8_UINT,           ///< stencil alone; sampled by a view of R8_UINT
     // Compressed formats, which stand last: textures that are sampled, never drawn into. rhw_texture_write takes blocks
     // and decodes them, so that their texels take the memory of rhw_format_decoded from then on.
     RHW_FORMAT_BC1_RGB_UNORM, RHW_FORMAT_BC1_RGB_SRGB, RHW_FORMAT_BC1_RGBA_UNORM, RHW_FORMAT_BC1_RGBA_SRGB,
