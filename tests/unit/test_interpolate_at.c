@@ -93,8 +93,8 @@ static const float (*draw(struct rig *rig, const struct vertex vertices[3], cons
 static void expect_near(double seen, double expected, double bound)
 {
     if (!(fabs(seen - expected) <= bound)) {
-        fail_msg("%.9g is not %.17g: off by %.3g where %.3g is allowed", seen, expected, fabs(seen - expected),
-                 bound);
+        fail_msg("%.9g is not %.17g: off by %.3g where %.3g is allowed", seen, expected,
+                 fabs(seen - expected), bound);
     }
 }
 
@@ -105,9 +105,12 @@ static void test_by_hand(void **state)
     (void)state;
     static const struct {
         float offset[2], value, w;
-    } cases[] = {{{31.5f, 0}, 1 / 3.0f, 4 / 3.0f}, {{31.5f, 7}, 1 / 3.0f, 4 / 3.0f},
-                 {{0.25f, -0.5f}, 0.75f / 127.25f, 128 / 127.25f}, {{63.5f, 0}, 1, 2},
-                 {{-0.5f, 0}, 0, 1}, {{-128.5f, 0}, -0.5f, 0.5f}};
+    } cases[] = {{{31.5f, 0}, 1 / 3.0f, 4 / 3.0f},
+                 {{31.5f, 7}, 1 / 3.0f, 4 / 3.0f},
+                 {{0.25f, -0.5f}, 0.75f / 127.25f, 128 / 127.25f},
+                 {{63.5f, 0}, 1, 2},
+                 {{-0.5f, 0}, 0, 1},
+                 {{-128.5f, 0}, -0.5f, 0.5f}};
     struct rig rig;
     open_rig(&rig, move, NULL);
     struct vertex vertices[3] = {{.smooth = 0, .screen = 0}, {.smooth = 1, .screen = 64}, {.screen = 0}};
@@ -198,7 +201,7 @@ static void test_from_samples(void **state)
     for (int n = 0; n < 20; n++) {
         struct random_triangle t = make_triangle(&rig, &random);
         const float(*const moved)[4] = draw(&rig, t.vertices, none),
-                   (*const expected)[4] = draw(&plain, t.vertices, none);
+                           (*const expected)[4] = draw(&plain, t.vertices, none);
         for (int i = 0; i < SIZE * SIZE; i++) {
             if (moved[i][3] == 1 && expected[i][3] != 0) { // all samples are covered
                 for (int c = 0; c < 3; c++) {

@@ -523,7 +523,8 @@ static void test_stencil_as_bytes_is_checked(void **state)
     const rhw_texture both = make(&rig, def, RHW_FORMAT_D24_UNORM_S8_UINT, 1);
     const struct rhw_pass_def twice = {
         .color_count = 1,
-        .colors = {{make_view(&rig, both, (struct rhw_texture_view_def){.format = RHW_FORMAT_R8_UINT})}},
+        .colors = {{.texture =
+                        make_view(&rig, both, (struct rhw_texture_view_def){.format = RHW_FORMAT_R8_UINT})}},
         .depth = {.enabled = true, .texture = both}};
     rhw_pass recording;
     assert_int_equal(rhw_pass_begin(rig.context, &twice, &recording), RHW_ERROR_MISUSE);
