@@ -48,14 +48,36 @@ static bool overlaps(const struct rhw_pass_state *pass, const struct rhw_mip *mi
            (uintptr_t)rhw_mip_slice(mip_b, b) <= (uintptr_t)rhw_mip_slice(mip_a, a + more);
 }
 
+// The plane of stencil of a level as a level of its own in `plane`.
+static const struct rhw_mip *stencil_of(const struct rhw_mip *mip, struct rhw_mip *plane)
+{
+    if (!mip) {
+        return NULL;
+    }
+    *plane = *mip;
+    plane->texels = mip->stencil;
+    plane->row_pitch = mip->stencil_pitch;
+    plane->slice_pitch = mip->stencil_pitch * (size_t)mip->height;
+    return plane;
+}
+
+// The same of a level and one with a plane of stencil, which a view may have as texels of its own.
+static bool overlaps_any_plane(const struct rhw_pass_state *pass, const struct rhw_mip *mip_a, int a,
+                               const struct rhw_mip *mip_b, int b)
+{
+    struct rhw_mip plane;
+    return overlaps(pass, mip_a, a, mip_b, b) ||
+           (mip_b->stencil && overlaps(pass, mip_a, a, stencil_of(mip_b, &plane), b));
+}
+
 // Whether an attachment before the one that is attached now draws into the same texels.
 static bool is_attached(const struct rhw_pass_state *pass, const struct rhw_attachment *attachment,
                         const struct rhw_mip *mip, int layer)
 {
     for (int i = 0; i < pass->color_count; i++) {
         const struct rhw_attachment *const other = &pass->colors[i];
-        if ((other->target && overlaps(pass, other->target, other->layer, mip, layer)) ||
-            (other->resolve && overlaps(pass, other->resolve, other->layer, mip, layer))) {
+        if ((other->target && overlaps_any_plane(pass, other->target, other->layer, mip, layer)) ||
+            (other->resolve && overlaps_any_plane(pass, other->resolve, other->layer, mip, layer))) {
             return true;
         }
         if (other == attachment) {
@@ -354,19 +376,6 @@ static bool check_transient(const struct rhw_pass_state *pass, const struct rhw_
             check_not_kept(context, "depth.", depth->load, depth->store)) &&
            (!has_role(format, RHW_ROLE_STENCIL_TARGET) ||
             check_not_kept(context, "depth.stencil_", depth->stencil_load, depth->stencil_store));
-}
-
-// The plane of stencil of a level as a level of its own in `plane`.
-static const struct rhw_mip *stencil_of(const struct rhw_mip *mip, struct rhw_mip *plane)
-{
-    if (!mip) {
-        return NULL;
-    }
-    *plane = *mip;
-    plane->texels = mip->stencil;
-    plane->row_pitch = mip->stencil_pitch;
-    plane->slice_pitch = mip->stencil_pitch * (size_t)mip->height;
-    return plane;
 }
 
 // Makes the stencil attachment from that of depth, whose texture and format it shares.

@@ -3,6 +3,7 @@
 #include <string.h>
 
 #include "block_format.h"
+#include "block_level.h"
 #include "buffer.h"
 #include "context.h"
 #include "entry.h"
@@ -21,6 +22,29 @@ struct rows {
 
 enum direction { INTO_TEXTURE, OUT_OF_TEXTURE };
 
+// What stands together in the rows outside: a texel, or a block on its way in.
+struct unit {
+    int width, height; // texels
+    size_t bytes;
+};
+
+static struct unit unit_of(const struct rhw_region *region, enum direction direction)
+{
+    const struct rhw_block_format *const block = rhw_block_format(region->texture->format);
+    return block && direction == INTO_TEXTURE ? (struct unit){block->width, block->height, block->bytes}
+                                              : (struct unit){1, 1, region->texel};
+}
+
+static int units(int texels, int unit)
+{
+    return (texels + unit - 1) / unit;
+}
+
+static size_t row_size(const struct rhw_region *region, struct unit unit)
+{
+    return (size_t)units(region->width, unit.width) * unit.bytes;
+}
+
 static void copy_rows(const struct rhw_region *region, const struct rows *rows, enum direction direction)
 {
     const size_t size = rhw_region_row_size(region);
@@ -35,22 +59,72 @@ static void copy_rows(const struct rhw_region *region, const struct rows *rows, 
     }
 }
 
+// Blocks become texels: rows outside are of blocks.
+static void decode_rows(struct rhw_context *context, const struct rhw_region *region, const struct rows *rows)
+{
+    struct rhw_mip part = rhw_region_plane(region, 0);
+    part.width = region->width;
+    part.height = region->height;
+    for (int z = 0; z < region->depth; z++) {
+        rhw_decode_level(context, region->texture->format, rows->first + (size_t)z * rows->slice_pitch,
+                         rows->row_pitch, &part, rhw_region_row(region, 0, z));
+    }
+}
+
+static void write_rows(struct rhw_context *context, const struct rhw_region *region, const struct rows *rows)
+{
+    if (rhw_block_format(region->texture->format)) {
+        decode_rows(context, region, rows);
+    } else {
+        copy_rows(region, rows, INTO_TEXTURE);
+    }
+}
+
+static bool check_block_axis(const struct rhw_context *context, const struct rhw_region *region,
+                             const char *first_name, int first, const char *size_name, int size, int whole,
+                             int block, const char *where)
+{
+    return rhw_check(context, first % block == 0,
+                     "%s: region.%s is %d; blocks of %s are %d texels apart, it must be a multiple", where,
+                     first_name, first, rhw_format_info(region->texture->format)->name, block) &&
+           rhw_check(context, size % block == 0 || first + size == whole,
+                     "%s: region.%s is %d; it must be a multiple of the %d texels of a block of %s, or end "
+                     "with the level",
+                     where, size_name, size, block, rhw_format_info(region->texture->format)->name);
+}
+
+// Regions are written by whole blocks; those at the end of a level may stand out of it (Vulkan 1.3,
+// vkCmdCopyBufferToImage, imageOffset and imageExtent).
+static bool check_whole_blocks(const struct rhw_context *context, const struct rhw_region *region,
+                               const char *where)
+{
+    const struct unit unit = unit_of(region, INTO_TEXTURE);
+    const struct rhw_mip *const mip = &region->texture->mip[region->level];
+    return check_block_axis(context, region, "x", region->x, "width", region->width, mip->width, unit.width,
+                            where) &&
+           check_block_axis(context, region, "y", region->y, "height", region->height, mip->height,
+                            unit.height, where) &&
+           rhw_texture_check_unread(context, region->id, region->texture, where);
+}
+
 // The caller's memory -------------------------------------------------------------------------------
 
 static bool check_pitches(const struct rhw_context *context, const struct rhw_region *region,
-                          struct rows *rows, const char *where)
+                          enum direction direction, struct rows *rows, const char *where)
 {
-    const size_t row = rhw_region_row_size(region);
+    const struct unit unit = unit_of(region, direction);
+    const size_t row = row_size(region, unit);
+    const int height = units(region->height, unit.height);
     rows->row_pitch = rows->row_pitch == 0 ? row : rows->row_pitch;
     if (!rhw_check(context, rows->first != NULL, "%s: data is NULL", where) ||
         !rhw_check(context, rows->row_pitch >= row, "%s: row_pitch is %zu; a row of the region has %zu bytes",
                    where, rows->row_pitch, row) ||
-        !rhw_check(context, rows->row_pitch <= SIZE_MAX / (size_t)region->height,
+        !rhw_check(context, rows->row_pitch <= SIZE_MAX / (size_t)height,
                    "%s: row_pitch is %zu; %d such rows have no place in memory", where, rows->row_pitch,
-                   region->height)) {
+                   height)) {
         return false;
     }
-    const size_t slice = rows->row_pitch * (size_t)region->height;
+    const size_t slice = rows->row_pitch * (size_t)height;
     rows->slice_pitch = rows->slice_pitch == 0 ? slice : rows->slice_pitch;
     return rhw_check(context, rows->slice_pitch >= slice - rows->row_pitch + row,
                      "%s: slice_pitch is %zu; a slice of the region has %zu bytes", where, rows->slice_pitch,
@@ -62,14 +136,14 @@ static enum rhw_result write_region(struct rhw_context *context, rhw_texture tex
                                     const char *where)
 {
     struct rhw_region checked = rhw_region_check(context, texture, region, "region", where);
-    if (!checked.texture || !rhw_region_check_writable(context, &checked, where) ||
-        !check_pitches(context, &checked, rows, where)) {
+    if (!checked.texture || !check_whole_blocks(context, &checked, where) ||
+        !check_pitches(context, &checked, INTO_TEXTURE, rows, where)) {
         return RHW_ERROR_MISUSE;
     }
     if (!rhw_region_to_write(context, &checked)) {
         return RHW_ERROR_OUT_OF_MEMORY;
     }
-    copy_rows(&checked, rows, INTO_TEXTURE);
+    write_rows(context, &checked, rows);
     return RHW_OK;
 }
 
@@ -97,7 +171,7 @@ enum rhw_result rhw_texture_read_region(rhw_context *context, rhw_texture textur
     }
     struct rows rows = {data, row_pitch, slice_pitch};
     const struct rhw_region checked = rhw_region_check(context, texture, region, "region", where);
-    const bool is_valid = checked.texture && check_pitches(context, &checked, &rows, where);
+    const bool is_valid = checked.texture && check_pitches(context, &checked, OUT_OF_TEXTURE, &rows, where);
     if (is_valid) {
         copy_rows(&checked, &rows, OUT_OF_TEXTURE);
     }
@@ -107,27 +181,42 @@ enum rhw_result rhw_texture_read_region(rhw_context *context, rhw_texture textur
 
 // Buffers -------------------------------------------------------------------------------------------
 
+static bool check_layout_blocks(const struct rhw_context *context, const struct rhw_texel_layout *layout,
+                                struct unit unit, const char *where)
+{
+    return rhw_check(context, layout->row_length % unit.width == 0,
+                     "%s: layout.row_length is %d; it must be a multiple of the %d texels of a block", where,
+                     layout->row_length, unit.width) &&
+           rhw_check(context, layout->image_height % unit.height == 0,
+                     "%s: layout.image_height is %d; it must be a multiple of the %d texels of a block",
+                     where, layout->image_height, unit.height);
+}
+
 // Bytes from the layout's offset to the end of the last row. Sizes are at most 2^14 texels and 2^31 rows.
 static bool check_layout(const struct rhw_context *context, const struct rhw_region *region,
-                         const struct rhw_texel_layout *layout, rhw_buffer buffer,
+                         enum direction direction, const struct rhw_texel_layout *layout, rhw_buffer buffer,
                          const struct rhw_buffer_data *data, struct rows *rows, const char *where)
 {
+    const struct unit unit = unit_of(region, direction);
     const int length = layout->row_length == 0 ? region->width : layout->row_length;
     const int height = layout->image_height == 0 ? region->height : layout->image_height;
     if (!rhw_check(context, length >= region->width, "%s: layout.row_length is %d; the region is %d wide",
                    where, length, region->width) ||
         !rhw_check(context, height >= region->height, "%s: layout.image_height is %d; the region is %d high",
-                   where, height, region->height)) {
+                   where, height, region->height) ||
+        !check_layout_blocks(context, layout, unit, where)) {
         return false;
     }
     // Of exact numbers, which may exceed 64 bits only where the rows before the last do.
-    const uint64_t row = (uint64_t)length * region->texel;
-    const uint64_t before = (uint64_t)(region->depth - 1) * (uint64_t)height + (uint64_t)(region->height - 1);
-    const uint64_t last = rhw_region_row_size(region);
+    const uint64_t row = (uint64_t)units(length, unit.width) * unit.bytes;
+    const uint64_t rows_of_slice = (uint64_t)units(height, unit.height);
+    const uint64_t before =
+        (uint64_t)(region->depth - 1) * rows_of_slice + (uint64_t)(units(region->height, unit.height) - 1);
+    const uint64_t last = row_size(region, unit);
     const bool fits = layout->offset <= data->size && last <= data->size - layout->offset &&
                       (before == 0 || row <= (data->size - layout->offset - last) / before);
     rows->row_pitch = (size_t)row;
-    rows->slice_pitch = (size_t)(row * (uint64_t)height);
+    rows->slice_pitch = (size_t)(row * rows_of_slice);
     return rhw_check(context, fits,
                      "%s: layout.offset is %zu and %dx%dx%d texels follow in rows of %d; %s has %zu bytes",
                      where, layout->offset, region->width, region->height, region->depth, length,
@@ -144,15 +233,15 @@ static enum rhw_result copy_from_buffer(struct rhw_context *context, rhw_texture
         checked.texture ? rhw_context_buffer(context, buffer, where) : NULL;
     struct rows rows;
     if (!data || !rhw_buffer_check_readable(context, buffer, data, where) ||
-        !rhw_region_check_writable(context, &checked, where) ||
-        !check_layout(context, &checked, layout, buffer, data, &rows, where)) {
+        !check_whole_blocks(context, &checked, where) ||
+        !check_layout(context, &checked, INTO_TEXTURE, layout, buffer, data, &rows, where)) {
         return RHW_ERROR_MISUSE;
     }
     if (!rhw_region_to_write(context, &checked)) {
         return RHW_ERROR_OUT_OF_MEMORY;
     }
     rows.first = data->bytes + layout->offset;
-    copy_rows(&checked, &rows, INTO_TEXTURE);
+    write_rows(context, &checked, &rows);
     return RHW_OK;
 }
 
@@ -165,7 +254,7 @@ static enum rhw_result copy_to_buffer(struct rhw_context *context, rhw_texture t
     struct rhw_buffer_data *const data = checked.texture ? rhw_context_buffer(context, buffer, where) : NULL;
     struct rows rows;
     if (!data || !rhw_buffer_check_writable(context, buffer, data, where) ||
-        !check_layout(context, &checked, layout, buffer, data, &rows, where)) {
+        !check_layout(context, &checked, OUT_OF_TEXTURE, layout, buffer, data, &rows, where)) {
         return RHW_ERROR_MISUSE;
     }
     if (!rhw_buffer_to_write(context, buffer.index, data, 0)) {

@@ -60,7 +60,7 @@ static bool check_unnormalized(const struct rhw_context *context, const struct r
 
 static bool check_filter_state(const struct rhw_context *context, const struct rhw_sampler_def *def)
 {
-    return check_enum(context, "address_w", "rhw_address", def->address_w, RHW_ADDRESS_BORDER) &&
+    return check_enum(context, "address_w", "rhw_address", def->address_w, RHW_ADDRESS_MIRROR_ONCE) &&
            check_enum(context, "reduction", "rhw_reduction", def->reduction, RHW_REDUCTION_MAX) &&
            rhw_check(context, def->max_anisotropy >= 0 && def->max_anisotropy <= 16,
                      "%s: max_anisotropy is %g; it must be 0..16", create_name,
@@ -79,8 +79,8 @@ static bool check_create(const struct rhw_context *context, const struct rhw_sam
            check_enum(context, "min_filter", "rhw_filter", def->min_filter, RHW_FILTER_NEAREST) &&
            check_enum(context, "mag_filter", "rhw_filter", def->mag_filter, RHW_FILTER_NEAREST) &&
            check_enum(context, "mip_filter", "rhw_mip_filter", def->mip_filter, RHW_MIP_FILTER_NONE) &&
-           check_enum(context, "address_u", "rhw_address", def->address_u, RHW_ADDRESS_BORDER) &&
-           check_enum(context, "address_v", "rhw_address", def->address_v, RHW_ADDRESS_BORDER) &&
+           check_enum(context, "address_u", "rhw_address", def->address_u, RHW_ADDRESS_MIRROR_ONCE) &&
+           check_enum(context, "address_v", "rhw_address", def->address_v, RHW_ADDRESS_MIRROR_ONCE) &&
            check_enum(context, "compare", "rhw_compare", def->compare, RHW_COMPARE_ALWAYS) &&
            rhw_check(context, def->compares || def->compare == 0,
                      "%s: compare is %u and compares is false; it must be true for a sampler that compares",
@@ -94,7 +94,8 @@ static bool check_create(const struct rhw_context *context, const struct rhw_sam
 
 static bool is_general(const struct rhw_sampler_def *def)
 {
-    return def->unnormalized || def->reduction != RHW_REDUCTION_AVERAGE;
+    return def->unnormalized || def->reduction != RHW_REDUCTION_AVERAGE ||
+           def->address_u == RHW_ADDRESS_MIRROR_ONCE || def->address_v == RHW_ADDRESS_MIRROR_ONCE;
 }
 
 static bool filters_fixed(const struct rhw_sampler_def *def)

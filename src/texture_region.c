@@ -94,8 +94,9 @@ bool rhw_region_check_writable(const struct rhw_context *context, const struct r
                                const char *where)
 {
     return rhw_check(context, !rhw_block_format(region->texture->format),
-                     "%s: %s is %s; blocks are written in whole levels, by rhw_texture_write", where,
-                     name_of(context, region->id).text, rhw_format_info(region->texture->format)->name) &&
+                     "%s: %s is %s; blocks are written by rhw_texture_write and rhw_texture_write_region",
+                     where, name_of(context, region->id).text,
+                     rhw_format_info(region->texture->format)->name) &&
            rhw_texture_check_unread(context, region->id, region->texture, where);
 }
 

@@ -24,7 +24,7 @@ struct plan {
     rhw_texture id; // of the parent
     enum rhw_format format;
     struct rhw_texture_shape shape;
-    bool is_stencil; // of the plane beside depth
+    bool is_stencil; // of the parent's plane of stencil
 };
 
 static struct rhw_name name_of(const struct rhw_context *context, const struct plan *plan)
@@ -55,6 +55,12 @@ static bool is_plane_of(const struct rhw_format_info *plane, const struct rhw_fo
     return has_both && is_depth != is_stencil;
 }
 
+// Shaders read stencil as these bytes (VK_IMAGE_ASPECT_STENCIL_BIT).
+static bool reads_stencil(const struct rhw_format_info *parent, enum rhw_format view)
+{
+    return view == RHW_FORMAT_R8_UINT && rhw_format_has_role(parent, RHW_ROLE_STENCIL_TARGET);
+}
+
 static bool formats_fit(enum rhw_format parent, enum rhw_format view)
 {
     const struct rhw_block_format *const a = rhw_block_format(parent), *const b = rhw_block_format(view);
@@ -66,7 +72,7 @@ static bool formats_fit(enum rhw_format parent, enum rhw_format view)
     }
     const struct rhw_format_info *const from = rhw_format_info(parent), *const to = rhw_format_info(view);
     if (has_depth_or_stencil(from) || has_depth_or_stencil(to)) {
-        return is_plane_of(to, from);
+        return is_plane_of(to, from) || reads_stencil(from, view);
     }
     return from->size == to->size;
 }
@@ -78,11 +84,12 @@ static bool check_view_format(const struct rhw_context *context, struct plan *pl
         return false;
     }
     const struct rhw_format_info *const info = rhw_format_info(plan->format);
-    plan->is_stencil = rhw_format_has_role(info, RHW_ROLE_STENCIL_TARGET) &&
-                       !rhw_format_has_role(info, RHW_ROLE_DEPTH_TARGET);
+    plan->is_stencil = reads_stencil(plan->parent->info, plan->format) ||
+                       (rhw_format_has_role(info, RHW_ROLE_STENCIL_TARGET) &&
+                        !rhw_format_has_role(info, RHW_ROLE_DEPTH_TARGET));
     return rhw_check(context, formats_fit(plan->parent->format, plan->format),
                      "%s: format is %s and %s is %s; colour has texels of one size, depth with stencil the "
-                     "format of one of both",
+                     "format of one of both, stencil R8_UINT",
                      where, info->name, name_of(context, plan).text,
                      rhw_format_info(plan->parent->format)->name);
 }
@@ -195,7 +202,7 @@ static void set_level(const struct plan *plan, const struct rhw_texture_view_def
     if (def->kind != RHW_TEXTURE_3D) {
         mip->slices = plan->shape.layers;
     }
-    if (plan->is_stencil) {
+    if (plan->is_stencil && plan->format == RHW_FORMAT_S8_UINT) {
         mip->stencil = mip->texels;
     } else if (rhw_format_has_role(rhw_format_info(plan->format), RHW_ROLE_STENCIL_TARGET)) {
         mip->stencil += (size_t)def->layer * mip->stencil_pitch * (size_t)mip->height;

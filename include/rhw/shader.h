@@ -97,6 +97,7 @@ struct rhw_fragment1 {
     int32_t layer, viewport_index;
 };
 
+#include "shader_interpolate.h"
 #include "shader_one.h"
 #include "shader_scalar.h"
 #include "shader_varying.h"

@@ -25,6 +25,7 @@ struct rhw_texture_region {
 
 /// Where texels stand in a buffer (VkBufferImageCopy): row r of slice s of a region begins at offset +
 /// (s · image_height + r) · row_length · bytes of a texel. No alignment is asked.
+/// Where blocks are copied into a texture: rows and bytes of blocks, and both lengths are multiples of a block's.
 struct rhw_texel_layout {
     size_t offset;    ///< bytes
     int row_length;   ///< texels, at least the region's width; 0: that
@@ -32,7 +33,8 @@ struct rhw_texel_layout {
 };
 
 /// Replaces the texels of a region: rows `row_pitch` bytes apart (0: tightly packed), slices or layers `slice_pitch` (0:
-/// one behind the other), in the texture's format. Compressed formats are written in whole levels, by rhw_texture_write.
+/// one behind the other), in the texture's format. Of a compressed format they are of whole blocks: x and y are multiples of a block's size, width
+/// and height are too or end with the level, whose last blocks may reach out of it (Vulkan 1.3, vkCmdCopyBufferToImage).
 /// `region` may be NULL: level 0, whole.
 RHW_API enum rhw_result rhw_texture_write_region(rhw_context *context, rhw_texture texture,
                                                  const struct rhw_texture_region *region, const void *data,

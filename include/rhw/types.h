@@ -123,7 +123,7 @@ enum rhw_format {
     RHW_FORMAT_D24_UNORM,         ///< in the low 24 bits of 32; the others are 0
     RHW_FORMAT_D24_UNORM_S8_UINT, ///< depth as D24_UNORM, and beside it a plane of stencil, a byte each
     RHW_FORMAT_D32_FLOAT_S8_UINT, ///< depth as D32_FLOAT, and beside it a plane of stencil
-    RHW_FORMAT_S8_UINT,           ///< stencil alone; not sampled
+    RHW_FORMAT_S8_UINT,           ///< stencil alone; sampled by a view of R8_UINT
     // Compressed formats, which stand last: textures that are sampled, never drawn into. rhw_texture_write takes blocks
     // and decodes them, so that their texels take the memory of rhw_format_decoded from then on.
     RHW_FORMAT_BC1_RGB_UNORM, RHW_FORMAT_BC1_RGB_SRGB, RHW_FORMAT_BC1_RGBA_UNORM, RHW_FORMAT_BC1_RGBA_SRGB,
@@ -220,7 +220,10 @@ struct rhw_texture_def {
 
 enum rhw_filter { RHW_FILTER_LINEAR, RHW_FILTER_NEAREST };
 enum rhw_mip_filter { RHW_MIP_FILTER_LINEAR, RHW_MIP_FILTER_NEAREST, RHW_MIP_FILTER_NONE };
-enum rhw_address { RHW_ADDRESS_REPEAT, RHW_ADDRESS_MIRROR, RHW_ADDRESS_CLAMP, RHW_ADDRESS_BORDER };
+/// MIRROR_ONCE: the texture and its mirror image beside 0, then the edge (VK_SAMPLER_ADDRESS_MODE_MIRROR_CLAMP_TO_EDGE).
+enum rhw_address {
+    RHW_ADDRESS_REPEAT, RHW_ADDRESS_MIRROR, RHW_ADDRESS_CLAMP, RHW_ADDRESS_BORDER, RHW_ADDRESS_MIRROR_ONCE
+};
 
 enum rhw_compare {
     RHW_COMPARE_LESS, RHW_COMPARE_NEVER, RHW_COMPARE_EQUAL, RHW_COMPARE_LESS_EQUAL,

@@ -20,7 +20,8 @@ enum rhw_swizzle {
 struct rhw_texture_view_def {
     rhw_texture texture; ///< or a view; to be set
     /// NONE: the texture's own. Else one with texels of the same size, both of colour; of depth with stencil also the format
-    /// of one of both, as D32_FLOAT and S8_UINT. Of a compressed format one whose blocks are decoded in the same way.
+    /// of one of both, as D32_FLOAT and S8_UINT; of stencil R8_UINT, as which shaders read it (VK_IMAGE_ASPECT_STENCIL_BIT).
+    /// Of a compressed format one whose blocks are decoded in the same way.
     enum rhw_format format;
     /// 1D of 1D textures; 2D and CUBE of 2D textures and cubes, which are then square and have six layers for each; 3D of 3D
     /// textures, and 2D of their slices, of one level

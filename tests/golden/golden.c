@@ -44,6 +44,7 @@ static const struct scene features[] = {
     {"instances", golden_instances_draw, 0},
     {"samplers", golden_sampler_draw, 0},
     {"texels", golden_texel_draw, 0},
+    {"texels-mirrored-once", golden_texel_draw, 1},
     {"chain", golden_chain_draw, 0},
     {"blocks", golden_blocks_draw, 0},
     {"stencil", golden_stencil_draw, 0},

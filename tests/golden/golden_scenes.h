@@ -51,8 +51,9 @@ golden_draw_function golden_instances_draw;     ///< per-instance attributes, fi
 
 // golden_textures.c
 golden_draw_function golden_sampler_draw; ///< addresses, filters, mip filters, level bounds, bias, border
-golden_draw_function golden_texel_draw;   ///< every sampled format and every level of odd sizes
-golden_draw_function golden_chain_draw;   ///< what one pass draws, the next samples
+golden_draw_function
+    golden_texel_draw; ///< every sampled format and every level of odd sizes; mirrored, mirrored once
+golden_draw_function golden_chain_draw; ///< what one pass draws, the next samples
 
 // golden_blocks.c
 golden_draw_function golden_blocks_draw; ///< every compressed format, in levels that end within a block

@@ -115,7 +115,6 @@ void golden_sampler_draw(rhw_context *context, int number, struct golden_images 
 
 void golden_texel_draw(rhw_context *context, int number, struct golden_images *images)
 {
-    (void)number;
     enum { SIDE = 48, LEVELS = 6 };
     static const enum rhw_format sampled[] = {
         RHW_FORMAT_R8_UNORM,     RHW_FORMAT_RG8_UNORM, RHW_FORMAT_RGBA8_UNORM,  RHW_FORMAT_RGBA8_SRGB,
@@ -135,7 +134,7 @@ void golden_texel_draw(rhw_context *context, int number, struct golden_images *i
     const rhw_buffer levels = golden_buffer(context, corners, sizeof corners),
                      perspective = floor_and_wall(context);
     struct rhw_sampler_def state = rhw_sampler_def_default();
-    state.address_u = RHW_ADDRESS_MIRROR;
+    state.address_u = number == 0 ? RHW_ADDRESS_MIRROR : RHW_ADDRESS_MIRROR_ONCE;
     const rhw_sampler linear = sampler(context, &state);
     const struct rhw_pipeline_def by_level = golden_cells_def(GOLDEN_CELL_LEVEL, formats[0]),
                                   by_slope = golden_cells_def(GOLDEN_CELL_TEXTURE, formats[0]);

@@ -73,6 +73,10 @@ static bool wrap(enum rhw_address address, long n, long *i)
         *i = period < n ? period : 2 * n - 1 - period;
         break;
     case RHW_ADDRESS_CLAMP: *i = *i < 0 ? 0 : *i >= n ? n - 1 : *i; break;
+    case RHW_ADDRESS_MIRROR_ONCE:
+        *i = *i < 0 ? -1 - *i : *i;
+        *i = *i >= n ? n - 1 : *i;
+        break;
     case RHW_ADDRESS_BORDER: return *i >= 0 && *i < n;
     }
     return true;

@@ -259,7 +259,7 @@ static void test_sampler_definitions(void **state)
         case 0: def.min_filter = (enum rhw_filter)2; break;
         case 1: def.mag_filter = (enum rhw_filter)99; break;
         case 2: def.mip_filter = (enum rhw_mip_filter)3; break;
-        case 3: def.address_u = (enum rhw_address)4; break;
+        case 3: def.address_u = (enum rhw_address)5; break;
         case 4: def.address_v = (enum rhw_address)77; break;
         case 5: def.lod_bias = NAN; break;
         case 6: def.lod_min = INFINITY; break;

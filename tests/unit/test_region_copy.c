@@ -304,7 +304,7 @@ static void test_samples(void **state)
     rig_close(&rig);
 }
 
-// Texels of blocks are copied between textures of one format, read, and not written.
+// Texels of blocks are copied between textures of one format, and read.
 static void test_blocks(void **state)
 {
     (void)state;
@@ -326,8 +326,100 @@ static void test_blocks(void **state)
     }
     rhw_texture_copy(rig.context, a, &from, c, &to);
     rig_expect_misuse(&rig, "formats are equal, or colour with texels of one size, not compressed");
-    rhw_texture_write_region(rig.context, a, NULL, texels, 0, 0);
-    rig_expect_misuse(&rig, "blocks are written in whole levels, by rhw_texture_write");
+    rig_close(&rig);
+}
+
+// A block of BC1 whose texels all are red, green or blue.
+static const unsigned char colored[3][8] = {{0, 0xf8}, {0xe0, 0x07}, {0x1f, 0}};
+static const uint32_t colors[3] = {0xff0000ff, 0xff00ff00, 0xffff0000};
+
+// 10 × 7 texels in two layers: 3 × 2 blocks, of which the last column and row reach out of the level.
+static const struct rhw_texture_def blocky = {
+    .format = RHW_FORMAT_BC1_RGBA_UNORM, .width = 10, .height = 7, .layers = 2, .label = "blocky"};
+
+static void expect_blocks(const struct rig *rig, rhw_texture texture, const int expected[2][2][3])
+{
+    uint32_t texels[2][7][10];
+    assert_int_equal(rhw_texture_read_region(rig->context, texture, NULL, texels, 0, 0), RHW_OK);
+    for (int i = 0; i < 2 * 7 * 10; i++) {
+        const int x = i % 10, y = i / 10 % 7, z = i / 70, color = expected[z][y / 4][x / 4];
+        assert_int_equal(texels[z][y][x], color < 0 ? 0 : colors[color]);
+    }
+}
+
+static void test_blocks_are_written_in_parts(void **state)
+{
+    (void)state;
+    struct rig rig;
+    rig_open(&rig, 4, 4);
+    const rhw_texture texture = make(&rig, &blocky);
+    // Both layers, the right two columns, the lower row; slices 40 bytes apart.
+    unsigned char blocks[56] = {0};
+    memcpy(blocks, colored[0], 8);
+    memcpy(blocks + 8, colored[1], 8);
+    memcpy(blocks + 40, colored[2], 8);
+    memcpy(blocks + 48, colored[0], 8);
+    const struct rhw_texture_region lower = {.x = 4, .y = 4};
+    assert_int_equal(rhw_texture_write_region(rig.context, texture, &lower, blocks, 0, 40), RHW_OK);
+    expect_blocks(&rig, texture,
+                  (const int[2][2][3]){{{-1, -1, -1}, {-1, 0, 1}}, {{-1, -1, -1}, {-1, 2, 0}}});
+    // One block above, whose neighbours stay.
+    const struct rhw_texture_region one = {.x = 4, .z = 1, .width = 4, .height = 4, .depth = 1};
+    assert_int_equal(rhw_texture_write_region(rig.context, texture, &one, colored[1], 0, 0), RHW_OK);
+    expect_blocks(&rig, texture, (const int[2][2][3]){{{-1, -1, -1}, {-1, 0, 1}}, {{-1, 1, -1}, {-1, 2, 0}}});
+    // From a buffer: rows of 4 blocks, slices of 3 rows; a column of two layers. The last block ends with the buffer.
+    enum { FIRST = 3, ROW = 4 * 8, SLICE = 3 * ROW, BYTES = FIRST + SLICE + ROW + 8 };
+    unsigned char bytes[BYTES] = {0};
+    for (int i = 0; i < 4; i++) {
+        memcpy(bytes + FIRST + i / 2 * SLICE + i % 2 * ROW, colored[i % 3], 8);
+    }
+    const struct rhw_buffer_def def = {.data = bytes, .size = BYTES};
+    rhw_buffer buffer;
+    assert_int_equal(rhw_buffer_create(rig.context, &def, &buffer), RHW_OK);
+    const struct rhw_texture_region column = {.width = 4};
+    struct rhw_texel_layout layout = {.offset = FIRST, .row_length = 16, .image_height = 12};
+    assert_int_equal(rhw_texture_copy_from_buffer(rig.context, texture, &column, buffer, &layout), RHW_OK);
+    expect_blocks(&rig, texture, (const int[2][2][3]){{{0, -1, -1}, {1, 0, 1}}, {{2, 1, -1}, {0, 2, 0}}});
+    layout.offset++;
+    rhw_texture_copy_from_buffer(rig.context, texture, &column, buffer, &layout);
+    rig_expect_misuse(&rig,
+                      "layout.offset is 4 and 4x7x2 texels follow in rows of 16; buffer 1 has 139 bytes");
+    layout.offset = 0;
+    layout.row_length = 18;
+    rhw_texture_copy_from_buffer(rig.context, texture, &column, buffer, &layout);
+    rig_expect_misuse(&rig, "layout.row_length is 18; it must be a multiple of the 4 texels of a block");
+    layout.row_length = 0;
+    layout.image_height = 7;
+    rhw_texture_copy_from_buffer(rig.context, texture, &column, buffer, &layout);
+    rig_expect_misuse(&rig, "layout.image_height is 7; it must be a multiple of the 4 texels of a block");
+    rig_close(&rig);
+}
+
+static void test_parts_are_of_whole_blocks(void **state)
+{
+    (void)state;
+    struct rig rig;
+    rig_open(&rig, 4, 4);
+    const rhw_texture texture = make(&rig, &blocky);
+    static const struct {
+        struct rhw_texture_region region;
+        const char *message;
+    } wrong[] = {
+        {{.x = 2}, "region.x is 2; blocks of RHW_FORMAT_BC1_RGBA_UNORM are 4 texels apart"},
+        {{.y = 5}, "region.y is 5; blocks of RHW_FORMAT_BC1_RGBA_UNORM are 4 texels apart"},
+        {{.width = 6}, "region.width is 6; it must be a multiple of the 4 texels of a block of"},
+        {{.height = 3}, "region.height is 3; it must be a multiple of the 4 texels of a block of"},
+    };
+    const unsigned char blocks[2 * 3 * 2 * 8] = {0};
+    for (size_t i = 0; i < sizeof wrong / sizeof *wrong; i++) {
+        assert_int_equal(rhw_texture_write_region(rig.context, texture, &wrong[i].region, blocks, 0, 0),
+                         RHW_ERROR_MISUSE);
+        rig_expect_misuse(&rig, wrong[i].message);
+    }
+    rhw_texture_write_region(rig.context, texture, NULL, blocks, 23, 0);
+    rig_expect_misuse(&rig, "row_pitch is 23; a row of the region has 24 bytes");
+    rhw_texture_write_region(rig.context, texture, NULL, blocks, 24, 47);
+    rig_expect_misuse(&rig, "slice_pitch is 47; a slice of the region has 48 bytes");
     rig_close(&rig);
 }
 
@@ -379,10 +471,16 @@ static void test_misuse(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_write_and_read), cmocka_unit_test(test_levels),
-        cmocka_unit_test(test_stencil),        cmocka_unit_test(test_buffers),
-        cmocka_unit_test(test_textures),       cmocka_unit_test(test_samples),
-        cmocka_unit_test(test_blocks),         cmocka_unit_test(test_misuse),
+        cmocka_unit_test(test_write_and_read),
+        cmocka_unit_test(test_levels),
+        cmocka_unit_test(test_stencil),
+        cmocka_unit_test(test_buffers),
+        cmocka_unit_test(test_textures),
+        cmocka_unit_test(test_samples),
+        cmocka_unit_test(test_blocks),
+        cmocka_unit_test(test_blocks_are_written_in_parts),
+        cmocka_unit_test(test_parts_are_of_whole_blocks),
+        cmocka_unit_test(test_misuse),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

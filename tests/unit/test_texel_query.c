@@ -336,6 +336,36 @@ static void test_coordinates_in_texels(void **state)
     rig_close(&rig);
 }
 
+static void test_mirror_once(void **state)
+{
+    (void)state;
+    struct rig rig;
+    rig_open(&rig, 4, 4);
+    struct bound bound;
+    struct rhw_sampler_def def = {.min_filter = RHW_FILTER_NEAREST,
+                                  .mag_filter = RHW_FILTER_NEAREST,
+                                  .address_u = RHW_ADDRESS_MIRROR_ONCE};
+    const struct rhw_texture_def plain = {.format = RHW_FORMAT_R32_FLOAT, .width = 4, .height = 1};
+    const rhw_texture texture = numbered(&rig, plain);
+    static const struct {
+        float u, nearest, linear; // the plane's texels: … 3, 3, 2, 1, 0 | 0, 1, 2, 3, 3 …
+    } cases[] = {{0.625f, 2, 2},  {1.375f, 3, 3}, {0, 0, 0},       {-0.25f, 0, 0.5f}, {-0.375f, 1, 1},
+                 {-0.875f, 3, 3}, {-1, 3, 3},     {-1.625f, 3, 3}, {-9, 3, 3}};
+    for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
+        const float at[2] = {cases[i].u, 0.5f};
+        def.min_filter = def.mag_filter = RHW_FILTER_NEAREST;
+        bind(&bound, &rig, texture, &def);
+        assert_true(sample_red(&bound, at, 0) == cases[i].nearest);
+        def.min_filter = def.mag_filter = RHW_FILTER_LINEAR;
+        bind(&bound, &rig, texture, &def);
+        assert_true(sample_red(&bound, at, 0) == cases[i].linear);
+    }
+    const float middle[2] = {-0.375f, 0.5f};
+    const struct rhw_sample_request1 request = {.coordinates = middle};
+    expect_four(&bound, &request, 0, 1, 0, 0, 1);
+    rig_close(&rig);
+}
+
 static void expect_refused(struct rig *rig, const struct rhw_sampler_def *def, const char *part)
 {
     rhw_sampler sampler;
@@ -352,7 +382,7 @@ static void test_misuse(void **state)
         {.max_anisotropy = 17},
         {.max_anisotropy = NAN},
         {.reduction = (enum rhw_reduction)3},
-        {.address_w = (enum rhw_address)4},
+        {.address_w = (enum rhw_address)5},
         {.reduction = RHW_REDUCTION_MAX, .compares = true},
         {.unnormalized = true, .mag_filter = RHW_FILTER_NEAREST},
         {.unnormalized = true},
@@ -366,7 +396,7 @@ static void test_misuse(void **state)
     static const char *const parts[] = {"max_anisotropy is 17; it must be 0..16",
                                         "max_anisotropy is",
                                         "reduction is 3",
-                                        "address_w is 4",
+                                        "address_w is 5",
                                         "reduction is 2 and compares is true",
                                         "they must be equal",
                                         "they must be CLAMP or BORDER",
@@ -399,6 +429,7 @@ int main(void)
         cmocka_unit_test(test_bias),
         cmocka_unit_test(test_bias_of_bytes),
         cmocka_unit_test(test_coordinates_in_texels),
+        cmocka_unit_test(test_mirror_once),
         cmocka_unit_test(test_misuse),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);

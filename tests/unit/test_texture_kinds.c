@@ -72,9 +72,9 @@ static struct rhw_sampler_def random_sampler(uint64_t *random)
     def.min_filter = (enum rhw_filter)rig_random_int(random, 2);
     def.mag_filter = (enum rhw_filter)rig_random_int(random, 2);
     def.mip_filter = (enum rhw_mip_filter)rig_random_int(random, 3);
-    def.address_u = (enum rhw_address)rig_random_int(random, 4);
-    def.address_v = (enum rhw_address)rig_random_int(random, 4);
-    def.address_w = (enum rhw_address)rig_random_int(random, 4);
+    def.address_u = (enum rhw_address)rig_random_int(random, 5);
+    def.address_v = (enum rhw_address)rig_random_int(random, 5);
+    def.address_w = (enum rhw_address)rig_random_int(random, 5);
     for (int c = 0; c < 4; c++) {
         def.border[c] = rig_random_float(random, -1, 1);
     }

@@ -386,6 +386,160 @@ static void test_planes(void **state)
     rig_close(&rig);
 }
 
+// Each pixel's texel of layer 1, then of sample 1.
+static void fetch_pixel(struct rhw_fragment *groups, int count)
+{
+    for (int g = 0; g < count; g++) {
+        struct rhw_fragment *const f = &groups[g];
+        const rhw_int at[3] = {rhw_int_from_float(f->coord[0]), rhw_int_from_float(f->coord[1]),
+                               rhw_splat_int(1)};
+        const rhw_int level = rhw_splat_int(*(const int *)f->uniforms);
+        rhw_float texel[4];
+        rhw_sample_fetch(f->textures, 0, at, &level, texel);
+        f->color[0][0] = rhw_float_from_int(rhw_bits_from_float(texel[0]));
+        f->color[0][1] = f->color[0][2] = f->color[0][3] = rhw_splat(0);
+    }
+}
+
+static void fetch_sample(struct rhw_fragment *groups, int count)
+{
+    for (int g = 0; g < count; g++) {
+        struct rhw_fragment *const f = &groups[g];
+        const rhw_int at[2] = {rhw_int_from_float(f->coord[0]), rhw_int_from_float(f->coord[1])};
+        const rhw_int sample = rhw_splat_int(*(const int *)f->uniforms);
+        rhw_float texel[4];
+        rhw_sample_fetch_sample(f->textures, 0, at, &sample, texel);
+        f->color[0][0] = rhw_float_from_int(rhw_bits_from_float(texel[0]));
+        f->color[0][1] = f->color[0][2] = f->color[0][3] = rhw_splat(0);
+    }
+}
+
+// What every pixel of the rig reads.
+static const float (*read_everywhere(struct rig *rig, rhw_texture texture, int uniform))[4]
+{
+    static const float zero[4];
+    const struct rhw_sampler_def def = {.min_filter = RHW_FILTER_NEAREST,
+                                        .mag_filter = RHW_FILTER_NEAREST,
+                                        .mip_filter = RHW_MIP_FILTER_NONE};
+    rhw_sampler sampler;
+    assert_int_equal(rhw_sampler_create(rig->context, &def, &sampler), RHW_OK);
+    struct rig_vertex vertices[6];
+    rig_cover(rig, 0, zero, vertices);
+    rig_begin(rig);
+    rhw_pass_set_texture(rig->context, rig->recording, 0, texture, sampler);
+    rhw_pass_set_uniforms(rig->context, rig->recording, &uniform, sizeof uniform);
+    rig_draw(rig, vertices, 6);
+    rig_end(rig);
+    return rig_read_float4(rig);
+}
+
+// Shaders read stencil through a view: of every format that has it, and of a view of its plane.
+static void test_stencil_is_sampled(void **state)
+{
+    (void)state;
+    static const enum rhw_format formats[] = {RHW_FORMAT_D32_FLOAT_S8_UINT, RHW_FORMAT_D24_UNORM_S8_UINT,
+                                              RHW_FORMAT_S8_UINT};
+    for (int i = 0; i < 4; i++) {
+        struct rig rig;
+        rig_open(&rig, 5, 3);
+        rig_set_program(&rig, rig_vertex_pass, fetch_pixel);
+        rig.pipeline.program.uses = RHW_USE_COORD;
+        const struct rhw_texture_def def = {.width = 11, .height = 7, .layers = 4};
+        rhw_texture texture = make(&rig, def, formats[i % 3], 2);
+        // Texel x, y of level 1, layer 2, which is the second layer of the view.
+        uint8_t bytes[5 * 3];
+        for (int n = 0; n < 5 * 3; n++) {
+            bytes[n] = (uint8_t)(250 - 10 * (n / 5) + n % 5);
+        }
+        const struct rhw_texture_region layer = {
+            .level = 1, .z = 2, .depth = 1, .aspect = RHW_ASPECT_STENCIL};
+        assert_int_equal(rhw_texture_write_region(rig.context, texture, &layer, bytes, 0, 0), RHW_OK);
+        if (i == 3) {
+            texture = make_view(&rig, texture,
+                                (struct rhw_texture_view_def){.format = RHW_FORMAT_S8_UINT, .layers = 4});
+        }
+        const rhw_texture view =
+            make_view(&rig, texture,
+                      (struct rhw_texture_view_def){.format = RHW_FORMAT_R8_UINT, .layer = 1, .layers = 2});
+        assert_int_equal(rhw_texture_format(rig.context, view), RHW_FORMAT_R8_UINT);
+        const float(*const pixels)[4] = read_everywhere(&rig, view, 1);
+        for (int n = 0; n < 5 * 3; n++) {
+            assert_true(pixels[n][0] == (float)bytes[n]);
+        }
+        rhw_texture_read_stencil(rig.context, view, 0, bytes, 0);
+        rig_expect_misuse(&rig, "is RHW_FORMAT_R8_UINT; that has no stencil");
+        rig_close(&rig);
+    }
+}
+
+static void test_samples_of_stencil_are_fetched(void **state)
+{
+    (void)state;
+    struct rig rig;
+    rig_open(&rig, 4, 4);
+    const struct rhw_texture_def def = {.width = 4, .height = 4, .samples = 4};
+    const rhw_texture texture = make(&rig, def, RHW_FORMAT_D24_UNORM_S8_UINT, 1);
+    const rhw_texture view =
+        make_view(&rig, texture, (struct rhw_texture_view_def){.format = RHW_FORMAT_R8_UINT});
+    const struct rhw_clear_value value = {.stencil = 200};
+    const struct rhw_texture_region stencil = {.aspect = RHW_ASPECT_STENCIL};
+    assert_int_equal(rhw_texture_clear(rig.context, texture, &stencil, &value), RHW_OK);
+    rig_set_program(&rig, rig_vertex_pass, fetch_sample);
+    rig.pipeline.program.uses = RHW_USE_COORD;
+    for (int sample = 0; sample < 4; sample++) {
+        assert_true(read_everywhere(&rig, view, sample)[9][0] == 200);
+    }
+    assert_true(read_everywhere(&rig, view, 4)[9][0] == 0);
+    // Not while it is tested.
+    const struct rhw_pass_def pass = {.depth = {.enabled = true, .texture = texture}, .samples = 4};
+    rhw_pass recording;
+    rhw_sampler sampler;
+    assert_int_equal(rhw_sampler_create(rig.context,
+                                        &(struct rhw_sampler_def){.min_filter = RHW_FILTER_NEAREST,
+                                                                  .mag_filter = RHW_FILTER_NEAREST},
+                                        &sampler),
+                     RHW_OK);
+    assert_int_equal(rhw_pass_begin(rig.context, &pass, &recording), RHW_OK);
+    rhw_pass_set_texture(rig.context, recording, 0, view, sampler);
+    rig_expect_misuse(&rig, "for slot 0, is an attachment of this pass");
+    rhw_pass_end(rig.context, recording, NULL);
+    rig_close(&rig);
+}
+
+// What has no stencil, or is stencil and seen as something else; and what is attached twice.
+static void test_stencil_as_bytes_is_checked(void **state)
+{
+    (void)state;
+    struct rig rig;
+    rig_open(&rig, 4, 4);
+    const struct rhw_texture_def def = {.width = 4, .height = 4};
+    struct rhw_texture_view_def wrong = {.texture = make(&rig, def, RHW_FORMAT_D16_UNORM, 1),
+                                         .format = RHW_FORMAT_R8_UINT};
+    static const char *const message = "depth with stencil the format of one of both, stencil R8_UINT";
+    rhw_texture view;
+    rhw_texture_view_create(rig.context, &wrong, &view);
+    rig_expect_misuse(&rig, message);
+    // Drawn into beside the stencil itself.
+    const rhw_texture both = make(&rig, def, RHW_FORMAT_D24_UNORM_S8_UINT, 1);
+    const struct rhw_pass_def twice = {
+        .color_count = 1,
+        .colors = {{.texture =
+                        make_view(&rig, both, (struct rhw_texture_view_def){.format = RHW_FORMAT_R8_UINT})}},
+        .depth = {.enabled = true, .texture = both}};
+    rhw_pass recording;
+    assert_int_equal(rhw_pass_begin(rig.context, &twice, &recording), RHW_ERROR_MISUSE);
+    rig_expect_misuse(&rig, "as another attachment is; each needs its own texture or layer");
+    wrong.texture = make(&rig, def, RHW_FORMAT_S8_UINT, 1);
+    wrong.format = RHW_FORMAT_R8_UNORM;
+    rhw_texture_view_create(rig.context, &wrong, &view);
+    rig_expect_misuse(&rig, message);
+    wrong.texture = make(&rig, def, RHW_FORMAT_R8_UINT, 1);
+    wrong.format = RHW_FORMAT_S8_UINT;
+    rhw_texture_view_create(rig.context, &wrong, &view);
+    rig_expect_misuse(&rig, message);
+    rig_close(&rig);
+}
+
 static void test_feedback(void **state)
 {
     (void)state;
@@ -571,6 +725,9 @@ int main(void)
         cmocka_unit_test(test_attachments),
         cmocka_unit_test(test_linear_copies),
         cmocka_unit_test(test_planes),
+        cmocka_unit_test(test_stencil_is_sampled),
+        cmocka_unit_test(test_samples_of_stencil_are_fetched),
+        cmocka_unit_test(test_stencil_as_bytes_is_checked),
         cmocka_unit_test(test_feedback),
         cmocka_unit_test(test_overlap),
         cmocka_unit_test(test_made_while_recording),

@@ -66,6 +66,10 @@ static void model_texel(const struct rhw_texture_data *texture, const struct rhw
             period = (at[i] % (2 * n) + 2 * n) % (2 * n);
             at[i] = period < n ? period : 2 * n - 1 - period;
             break;
+        case RHW_ADDRESS_MIRROR_ONCE:
+            at[i] = at[i] < 0 ? -1 - at[i] : at[i];
+            at[i] = at[i] >= n ? n - 1 : at[i];
+            break;
         case RHW_ADDRESS_CLAMP: at[i] = at[i] < 0 ? 0 : at[i] >= n ? n - 1 : at[i]; break;
         case RHW_ADDRESS_BORDER:
             if (at[i] < 0 || at[i] >= n) {

@@ -7,6 +7,7 @@ set -eu
 cd "$1"
 lanes_alone="splat splat_int lane_numbers load load_int store store_int mask_bits any all"
 drawn_by_others="sample_grad sample_lod sample_bias sample_compare_grad sample_compare_lod sample_dual" # they need textures: test_sample.c, test_shader_dual.c
+drawn_by_others="$drawn_by_others interpolate_at" # test_interpolate_at.c
 failed=0
 count=0
 
@@ -18,14 +19,16 @@ documented() {
 }
 
 for name in $(documented include/rhw/shader_vector.h include/rhw/shader_memory.h include/rhw/shader_linear.h \
-    include/rhw/shader_math.h include/rhw/shader_sample.h include/rhw/shader_dual_lanes.h); do
+    include/rhw/shader_math.h include/rhw/shader_sample.h include/rhw/shader_dual_lanes.h \
+    include/rhw/shader_interpolate.h); do
     case " $lanes_alone " in *" $name "*) continue ;; esac
     count=$((count + 1))
     case $name in
     *[0-9]) twin=rhw_${name}_1 ;;
     *) twin=rhw_${name}1 ;;
     esac
-    if ! grep -q "^static inline .*[ *]$twin(" include/rhw/shader_one.h include/rhw/shader_dual_one.h; then
+    if ! grep -q "^static inline .*[ *]$twin(" include/rhw/shader_one.h include/rhw/shader_dual_one.h \
+        include/rhw/shader_interpolate.h; then
         echo "rhw_$name has no $twin"
         failed=$((failed + 1))
     fi

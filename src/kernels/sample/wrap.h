@@ -43,7 +43,8 @@ static inline i8 wrap_texel(enum rhw_address address, i8 i, i8 size)
         const i8 period = modulo(i, size + size);
         return rhw_min_int(period, size + size - 1 - period);
     }
-    return rhw_max_int(rhw_min_int(i, size - 1), i8_splat(0));
+    const i8 mirrored = address == RHW_ADDRESS_MIRROR_ONCE ? i ^ (i >> 31) : i; // −1 − i below 0
+    return rhw_max_int(rhw_min_int(mirrored, size - 1), i8_splat(0));
 }
 
 #endif
