@@ -71,6 +71,7 @@ static bool load(struct gles *gl, PFNEGLGETPROCADDRESSPROC find)
         {"glEnable", &gl->enable},
         {"glDisable", &gl->disable},
         {"glDepthFunc", &gl->depth_func},
+        {"glFrontFace", &gl->front_face},
         {"glBlendFunc", &gl->blend_func},
         {"glDrawArrays", &gl->draw_arrays},
         {"glDrawElements", &gl->draw_elements},

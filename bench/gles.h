@@ -66,6 +66,7 @@ struct gles {
     PFNGLENABLEPROC enable;
     PFNGLDISABLEPROC disable;
     PFNGLDEPTHFUNCPROC depth_func;
+    PFNGLFRONTFACEPROC front_face;
     PFNGLBLENDFUNCPROC blend_func;
     PFNGLDRAWARRAYSPROC draw_arrays;
     PFNGLDRAWELEMENTSPROC draw_elements;

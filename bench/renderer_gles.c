@@ -28,6 +28,8 @@ struct gles_state {
     GLuint sampled, sampled_color, sampled_depth; // what is drawn into with several samples; else 0
     GLuint *arrays, *vertices, *indices;          // per mesh
     GLuint *textures;
+    float *uniforms; // per draw, `uniform_count` floats
+    uint32_t uniform_count;
 };
 
 // Scenes -------------------------------------------------------------------------------------------
@@ -116,6 +118,25 @@ static void set_frame_uniforms(const struct gles_state *s)
     }
 }
 
+// GL's rows run from the bottom to the top, those of rhw from the top to the bottom. With y turned round they stand in
+// memory alike, and what lies between two pixels goes to the same one.
+static bool make_uniforms(struct gles_state *s)
+{
+    const struct bench_scene *const scene = s->scene;
+    s->uniform_count =
+        (scene->surfaces ? sizeof *scene->surfaces->uniforms : sizeof scene->draws->uniforms) / sizeof(float);
+    s->uniforms = calloc((size_t)scene->draw_count + 1, s->uniform_count * sizeof(float));
+    for (uint32_t i = 0; s->uniforms && i < scene->draw_count; i++) {
+        float *const to = s->uniforms + (size_t)i * s->uniform_count;
+        memcpy(to, scene->surfaces ? scene->surfaces->uniforms[i].clip : scene->draws[i].uniforms.clip,
+               s->uniform_count * sizeof(float));
+        for (int column = 0; column < 4; column++) {
+            to[4 * column + 1] = -to[4 * column + 1];
+        }
+    }
+    return s->uniforms != NULL;
+}
+
 static void attach_depth(struct gles_state *s)
 {
     const struct gles *const gl = &s->gl;
@@ -187,6 +208,7 @@ static void set_state(const struct gles_state *s)
     (scene->blends ? gl->enable : gl->disable)(GL_BLEND);
     gl->blend_func(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA);
     gl->depth_func(GL_LESS);
+    gl->front_face(GL_CW); // y is turned round, see make_uniforms
     gl->disable(GL_DITHER);
     gl->viewport(0, 0, s->width, s->height);
     gl->clear_color(scene->clear[0], scene->clear[1], scene->clear[2], scene->clear[3]);
@@ -203,7 +225,7 @@ static bool take(struct bench_renderer *renderer, const struct bench_scene *scen
     s->vertices = calloc((size_t)scene->mesh_count + 1, sizeof *s->vertices);
     s->indices = calloc((size_t)scene->mesh_count + 1, sizeof *s->indices);
     s->textures = calloc((size_t)scene->texture_count + 1, sizeof *s->textures);
-    if (!s->arrays || !s->vertices || !s->indices || !s->textures || !make_targets(s)) {
+    if (!s->arrays || !s->vertices || !s->indices || !s->textures || !make_uniforms(s) || !make_targets(s)) {
         return false;
     }
     gl->gen_vertex_arrays((GLsizei)scene->mesh_count, s->arrays);
@@ -248,23 +270,13 @@ static void release(struct bench_renderer *renderer)
     free(s->vertices);
     free(s->indices);
     free(s->textures);
+    free(s->uniforms);
     s->arrays = s->vertices = s->indices = s->textures = NULL;
+    s->uniforms = NULL;
     s->framebuffer = s->color = s->depth = s->sampled = s->sampled_color = s->sampled_depth = 0;
 }
 
 // Frames -------------------------------------------------------------------------------------------
-
-static void set_uniforms(const struct gles_state *s, uint32_t draw)
-{
-    const GLint at = s->shaders[s->scene->draws[draw].shader].uniforms;
-    if (s->scene->surfaces) {
-        const struct bench_surface_uniforms *const uniforms = &s->scene->surfaces->uniforms[draw];
-        s->gl.uniform_4fv(at, sizeof *uniforms / (4 * sizeof(float)), uniforms->clip);
-    } else {
-        const struct bench_uniforms *const uniforms = &s->scene->draws[draw].uniforms;
-        s->gl.uniform_4fv(at, sizeof *uniforms / (4 * sizeof(float)), uniforms->clip);
-    }
-}
 
 static bool frame(struct bench_renderer *renderer)
 {
@@ -279,7 +291,8 @@ static bool frame(struct bench_renderer *renderer)
     for (uint32_t i = 0; i < scene->draw_count; i++) {
         const struct bench_draw *const draw = &scene->draws[i];
         gl->use_program(s->shaders[draw->shader].program);
-        set_uniforms(s, i);
+        gl->uniform_4fv(s->shaders[draw->shader].uniforms, (GLsizei)s->uniform_count / 4,
+                        s->uniforms + (size_t)i * s->uniform_count);
         gl->bind_vertex_array(s->arrays[draw->mesh]);
         for (int t = draw->texture_count - 1; t >= 0; t--) { // unit 0 last: it stays the active one
             gl->active_texture(GL_TEXTURE0 + (GLenum)t);
@@ -297,18 +310,6 @@ static bool frame(struct bench_renderer *renderer)
     }
     gl->finish();
     return gl->get_error() == GL_NO_ERROR;
-}
-
-// Rows come bottom up.
-static void flip(void *pixels, void *row, size_t row_size, int height)
-{
-    for (int y = 0; y < height / 2; y++) {
-        char *const a = (char *)pixels + (size_t)y * row_size;
-        char *const b = (char *)pixels + (size_t)(height - 1 - y) * row_size;
-        memcpy(row, a, row_size);
-        memcpy(a, b, row_size);
-        memcpy(b, row, row_size);
-    }
 }
 
 // GLES gives no depth to a program, but it lets a shader sample it.
@@ -350,7 +351,6 @@ static bool read_depth(struct gles_state *s, float *depth)
     for (size_t i = 0; i < count; i++) {
         depth[i] = pixels[4 * i];
     }
-    flip(depth, pixels, (size_t)s->width * sizeof *depth, s->height);
     free(pixels);
     gl->delete_vertex_arrays(1, &array);
     gl->delete_framebuffers(1, &framebuffer);
@@ -362,14 +362,7 @@ static bool read_depth(struct gles_state *s, float *depth)
 
 static bool read_color(struct gles_state *s, uint8_t *color)
 {
-    const size_t row_size = (size_t)s->width * 4;
-    void *const row = malloc(row_size);
-    if (!row) {
-        return false;
-    }
     s->gl.read_pixels(0, 0, s->width, s->height, GL_RGBA, GL_UNSIGNED_BYTE, color);
-    flip(color, row, row_size, s->height);
-    free(row);
     return s->gl.get_error() == GL_NO_ERROR;
 }
 
