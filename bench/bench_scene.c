@@ -36,6 +36,8 @@ const struct bench_scene_entry bench_scene_entries[] = {
     {"sphere_1m_tex", "the same with a trilinear texture", bench_make_sphere, BENCH_SPHERE_1M_TEXTURE},
     {"sphere_1m_depth", "the same, depth only", bench_make_sphere, BENCH_SPHERE_1M_DEPTH},
     {"msaa4_sphere_1m", "sphere_1m with 4 samples a pixel", bench_make_sphere, BENCH_SPHERE_1M_SAMPLES},
+    {"points_1m", "1,000,000 points of one pixel on the same sphere", bench_make_sphere,
+     BENCH_SPHERE_1M_POINTS},
     {"bunny_lit", "Stanford bunny, Blinn-Phong per pixel", bench_make_model, BENCH_MODEL_BUNNY},
     {"bunny_depth", "the same, depth only", bench_make_model, BENCH_MODEL_BUNNY_DEPTH},
     {"sponza", "Sponza: 262k triangles, 25 materials, textures, alpha test", bench_make_model,

@@ -29,7 +29,8 @@ struct bench_mesh {
     uint32_t vertex_count, index_count;
     bool has[BENCH_ATTRIBUTES];
     float *vertices;
-    uint32_t *indices; // triangle list
+    uint32_t *indices; // triangle list, or points
+    bool points;
 };
 
 // RGBA8 with its whole mip chain; repeated, trilinear.
@@ -41,11 +42,12 @@ struct bench_texture {
 
 // The pairs of shaders; both forms of each stand in shaders_lanes.c (8 lanes) and shaders_glsl.c.
 enum bench_shader {
-    BENCH_SHADER_FLAT,     // one colour, a uniform
-    BENCH_SHADER_LITERAL,  // one colour, which the shader itself names
-    BENCH_SHADER_COLOR,    // interpolated colour
-    BENCH_SHADER_TEXTURE,  // a texel
-    BENCH_SHADER_LIT,      // Blinn-Phong
+    BENCH_SHADER_FLAT,      // one colour, a uniform
+    BENCH_SHADER_LITERAL,   // one colour, which the shader itself names
+    BENCH_SHADER_COLOR,     // interpolated colour
+    BENCH_SHADER_TEXTURE,   // a texel
+    BENCH_SHADER_LIT,       // Blinn-Phong
+    BENCH_SHADER_LIT_POINT, // the same for points, of one pixel
     BENCH_SHADER_LIT_FLAT, // Blinn-Phong; the colour is a flat varying, and the fragment looks at its instance
     BENCH_SHADER_LIT_TEXTURE, // Blinn-Phong, texel times colour
     BENCH_SHADER_LIT_MASKED,  // the same; a texel whose alpha is below the cutoff is discarded
@@ -88,7 +90,7 @@ struct bench_tolerance {
 };
 
 // What the rate of a scene counts.
-enum bench_unit { BENCH_FRAGMENTS, BENCH_TRIANGLES, BENCH_DRAWS };
+enum bench_unit { BENCH_FRAGMENTS, BENCH_TRIANGLES, BENCH_DRAWS, BENCH_POINTS };
 
 struct bench_scene {
     uint32_t mesh_count, texture_count, draw_count;

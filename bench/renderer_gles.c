@@ -299,8 +299,9 @@ static bool frame(struct bench_renderer *renderer)
             gl->bind_texture(GL_TEXTURE_2D, s->textures[draw->textures[t]]);
         }
         (draw->cull_back ? gl->enable : gl->disable)(GL_CULL_FACE);
-        gl->draw_elements(GL_TRIANGLES, (GLsizei)scene->meshes[draw->mesh].index_count, GL_UNSIGNED_INT,
-                          NULL);
+        const struct bench_mesh *const mesh = &scene->meshes[draw->mesh];
+        gl->draw_elements(mesh->points ? GL_POINTS : GL_TRIANGLES, (GLsizei)mesh->index_count,
+                          GL_UNSIGNED_INT, NULL);
     }
     if (scene->has_color && !scene->without_depth) {
         gl->invalidate_framebuffer(GL_FRAMEBUFFER, 1, &depth);

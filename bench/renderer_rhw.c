@@ -100,6 +100,7 @@ static bool make_pipeline(struct bench_state *s, const struct bench_draw *draw)
     struct rhw_pipeline_def def = rhw_pipeline_def_default();
     bench_program(&def.program, draw->shader);
     set_attributes(&def, &s->scene->meshes[draw->mesh], bench_shader_attributes[draw->shader]);
+    def.topology = s->scene->meshes[draw->mesh].points ? RHW_POINT_LIST : RHW_TRIANGLE_LIST;
     def.depth_range = RHW_DEPTH_MINUS_ONE_TO_ONE;
     def.cull = draw->cull_back ? RHW_CULL_BACK : RHW_CULL_NONE;
     def.depth_test = s->scene->depth_test;

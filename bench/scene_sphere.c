@@ -50,7 +50,8 @@ static void place_vertex(const struct bench_mesh *mesh, double theta, double phi
 
 static bool make_mesh(struct bench_mesh *mesh, uint32_t stacks, uint32_t slices)
 {
-    if (!bench_mesh_allocate(mesh, (stacks + 1) * (slices + 1), 6 * stacks * slices)) {
+    const uint32_t vertices = (stacks + 1) * (slices + 1);
+    if (!bench_mesh_allocate(mesh, vertices, mesh->points ? vertices : 6 * stacks * slices)) {
         return false;
     }
     const uint32_t stride = bench_mesh_stride(mesh);
@@ -59,6 +60,12 @@ static bool make_mesh(struct bench_mesh *mesh, uint32_t stacks, uint32_t slices)
         for (uint32_t k = 0; k <= slices; k++, to += stride) {
             place_vertex(mesh, pi * i / stacks, 2.0 * pi * k / slices, to);
         }
+    }
+    for (uint32_t i = 0; mesh->points && i < vertices; i++) {
+        mesh->indices[i] = i;
+    }
+    if (mesh->points) {
+        return true;
     }
     uint32_t *index = mesh->indices;
     for (uint32_t i = 0; i < stacks; i++) {
@@ -82,6 +89,11 @@ static void set_tolerance(struct bench_tolerance *tolerance, enum bench_sphere_v
     if (variant == BENCH_SPHERE_1M_SAMPLES) { // a sample of an edge may be in one image alone
         tolerance->color = 64;
     }
+    // A point is one pixel whole: the one that its position is in, rounded to 1/256. Half of that is rounded to even here and
+    // up in the peer; so single points move to the next pixel, and what was behind them shows.
+    if (variant == BENCH_SPHERE_1M_POINTS) {
+        tolerance->outliers = 1e-4;
+    }
 }
 
 // The sphere has twice as many slices, and two triangles for each quad: 4·stacks².
@@ -91,6 +103,7 @@ static uint32_t stacks_of(enum bench_sphere_variant variant)
     case BENCH_SPHERE_10K: return 50;
     case BENCH_SPHERE_82K:
     case BENCH_SPHERE_82K_FLAT: return 143;
+    case BENCH_SPHERE_1M_POINTS: return 706;
     default: return 500;
     }
 }
@@ -101,31 +114,34 @@ bool bench_make_sphere(const struct bench_scene_entry *entry, struct bench_scene
     (void)why, (void)why_size; // nothing but memory can fail
     const enum bench_sphere_variant variant = (enum bench_sphere_variant)entry->variant;
     const bool depth_only = variant == BENCH_SPHERE_1M_DEPTH, textured = variant == BENCH_SPHERE_1M_TEXTURE;
+    const bool points = variant == BENCH_SPHERE_1M_POINTS;
     const uint32_t stacks = stacks_of(variant);
     scene->mesh_count = scene->draw_count = 1;
     scene->texture_count = textured;
     scene->depth_test = true;
     scene->has_color = !depth_only;
     scene->samples = variant == BENCH_SPHERE_1M_SAMPLES ? 4 : 0;
-    scene->unit = BENCH_TRIANGLES;
+    scene->unit = points ? BENCH_POINTS : BENCH_TRIANGLES;
     set_tolerance(&scene->tolerance, variant);
     if (!bench_scene_allocate(scene) || (textured && !bench_texture_checker(&scene->textures[0]))) {
         return false;
     }
     struct bench_mesh *const mesh = &scene->meshes[0];
+    mesh->points = points;
     mesh->has[BENCH_POSITION] = true;
     mesh->has[BENCH_NORMAL] = !depth_only;
     mesh->has[BENCH_UV] = textured;
     if (!make_mesh(mesh, stacks, 2 * stacks)) {
         return false;
     }
-    scene->work = mesh->index_count / 3;
+    scene->work = points ? mesh->index_count : mesh->index_count / 3;
     const double world[16] = {scene_cos(turn), 0, -scene_sin(turn), 0, 0, 1, 0, 0,
                               scene_sin(turn), 0, scene_cos(turn),  0, 0, 0, 0, 1};
     struct bench_draw *const draw = &scene->draws[0];
     *draw = (struct bench_draw){.shader = depth_only                         ? BENCH_SHADER_DEPTH
                                           : textured                         ? BENCH_SHADER_LIT_TEXTURE
                                           : variant == BENCH_SPHERE_82K_FLAT ? BENCH_SHADER_LIT_FLAT
+                                          : points                           ? BENCH_SHADER_LIT_POINT
                                                                              : BENCH_SHADER_LIT,
                                 .texture_count = textured ? 1 : 0,
                                 .cull_back = true,

@@ -13,6 +13,7 @@ const uint32_t bench_shader_attributes[BENCH_SHADERS] = {
     [BENCH_SHADER_COLOR] = P | C,
     [BENCH_SHADER_TEXTURE] = P | T,
     [BENCH_SHADER_LIT] = P | N,
+    [BENCH_SHADER_LIT_POINT] = P | N,
     [BENCH_SHADER_LIT_FLAT] = P | N,
     [BENCH_SHADER_LIT_TEXTURE] = P | N | T,
     [BENCH_SHADER_LIT_MASKED] = P | N | T,

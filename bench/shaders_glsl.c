@@ -48,6 +48,12 @@ static const struct {
          "varying_position = to_world(vec4(position, 1.0)); }\n",
          "in vec3 varying_normal, varying_position;\n"
          "void main() { target = vec4(shade(varying_normal, varying_position, u[9].rgb), 1.0); }\n"},
+    [BENCH_SHADER_LIT_POINT] =
+        {"out vec3 varying_normal, varying_position;\n"
+         "void main() { to_clip(); gl_PointSize = 1.0; varying_normal = to_world(vec4(normal, 0.0));\n"
+         "varying_position = to_world(vec4(position, 1.0)); }\n",
+         "in vec3 varying_normal, varying_position;\n"
+         "void main() { target = vec4(shade(varying_normal, varying_position, u[9].rgb), 1.0); }\n"},
     [BENCH_SHADER_LIT_FLAT] =
         {"out vec3 varying_normal, varying_position; flat out vec3 flat_color; flat out int instance;\n"
          "void main() { to_clip(); varying_normal = to_world(vec4(normal, 0.0));\n"
