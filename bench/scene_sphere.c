@@ -48,10 +48,24 @@ static void place_vertex(const struct bench_mesh *mesh, double theta, double phi
     }
 }
 
+// Two triangles for each quad of the grid.
+static void index_triangles(uint32_t *index, uint32_t stacks, uint32_t slices)
+{
+    for (uint32_t i = 0; i < stacks; i++) {
+        for (uint32_t k = 0; k < slices; k++) {
+            const uint32_t a = i * (slices + 1) + k, b = a + slices + 1;
+            const uint32_t quad[6] = {a, a + 1, b, a + 1, b + 1, b};
+            memcpy(index, quad, sizeof quad);
+            index += 6;
+        }
+    }
+}
+
 static bool make_mesh(struct bench_mesh *mesh, uint32_t stacks, uint32_t slices)
 {
     const uint32_t vertices = (stacks + 1) * (slices + 1);
-    if (!bench_mesh_allocate(mesh, vertices, mesh->points ? vertices : 6 * stacks * slices)) {
+    const bool points = mesh->topology == BENCH_POINT_LIST;
+    if (!bench_mesh_allocate(mesh, vertices, points ? vertices : 6 * stacks * slices)) {
         return false;
     }
     const uint32_t stride = bench_mesh_stride(mesh);
@@ -61,20 +75,11 @@ static bool make_mesh(struct bench_mesh *mesh, uint32_t stacks, uint32_t slices)
             place_vertex(mesh, pi * i / stacks, 2.0 * pi * k / slices, to);
         }
     }
-    for (uint32_t i = 0; mesh->points && i < vertices; i++) {
+    if (!points) {
+        index_triangles(mesh->indices, stacks, slices);
+    }
+    for (uint32_t i = 0; points && i < vertices; i++) {
         mesh->indices[i] = i;
-    }
-    if (mesh->points) {
-        return true;
-    }
-    uint32_t *index = mesh->indices;
-    for (uint32_t i = 0; i < stacks; i++) {
-        for (uint32_t k = 0; k < slices; k++) {
-            const uint32_t a = i * (slices + 1) + k, b = a + slices + 1;
-            const uint32_t quad[6] = {a, a + 1, b, a + 1, b + 1, b};
-            memcpy(index, quad, sizeof quad);
-            index += 6;
-        }
     }
     return true;
 }
@@ -118,7 +123,6 @@ bool bench_make_sphere(const struct bench_scene_entry *entry, struct bench_scene
     const uint32_t stacks = stacks_of(variant);
     scene->mesh_count = scene->draw_count = 1;
     scene->texture_count = textured;
-    scene->depth_test = true;
     scene->has_color = !depth_only;
     scene->samples = variant == BENCH_SPHERE_1M_SAMPLES ? 4 : 0;
     scene->unit = points ? BENCH_POINTS : BENCH_TRIANGLES;
@@ -127,7 +131,7 @@ bool bench_make_sphere(const struct bench_scene_entry *entry, struct bench_scene
         return false;
     }
     struct bench_mesh *const mesh = &scene->meshes[0];
-    mesh->points = points;
+    mesh->topology = points ? BENCH_POINT_LIST : BENCH_TRIANGLE_LIST;
     mesh->has[BENCH_POSITION] = true;
     mesh->has[BENCH_NORMAL] = !depth_only;
     mesh->has[BENCH_UV] = textured;
@@ -144,6 +148,7 @@ bool bench_make_sphere(const struct bench_scene_entry *entry, struct bench_scene
                                           : points                           ? BENCH_SHADER_LIT_POINT
                                                                              : BENCH_SHADER_LIT,
                                 .texture_count = textured ? 1 : 0,
+                                .depth = BENCH_DEPTH_LESS,
                                 .cull_back = true,
                                 .uniforms = bench_look(&camera, (double)width / (double)height, world)};
     const float color[4] = {0.85f, 0.55f, 0.3f, 1.0f};

@@ -3,6 +3,8 @@
 // shaders_lanes.c.
 #include "shaders_bench.h"
 
+#include <string.h>
+
 static const struct bench_shader_table *const tables[RHW_ISA_COUNT] = RHW_ISA_TABLE(&bench_shader_table);
 
 enum { P = 1 << BENCH_POSITION, N = 1 << BENCH_NORMAL, T = 1 << BENCH_UV, C = 1 << BENCH_COLOR };
@@ -20,6 +22,16 @@ const uint32_t bench_shader_attributes[BENCH_SHADERS] = {
     [BENCH_SHADER_DEPTH] = P,
 };
 
+const uint32_t bench_shader_shared[BENCH_SHADERS] = {0};
+
+size_t bench_uniforms_copy(const struct bench_scene *scene, const struct bench_draw *draw, float *to)
+{
+    const size_t own = sizeof draw->uniforms / sizeof *to, shared = 4 * bench_shader_shared[draw->shader];
+    memcpy(to, &draw->uniforms, own * sizeof *to);
+    memcpy(to + own, scene->shared, shared * sizeof *to);
+    return own + shared;
+}
+
 static void add_varying(struct rhw_program *program, int components, bool derivatives)
 {
     program->varyings[program->varying_count++] =
@@ -28,7 +40,8 @@ static void add_varying(struct rhw_program *program, int components, bool deriva
 
 void bench_program(struct rhw_program *program, enum bench_shader shader)
 {
-    *program = (struct rhw_program){.uniform_size = sizeof(struct bench_uniforms)};
+    *program = (struct rhw_program){.uniform_size = (uint32_t)sizeof(struct bench_uniforms) +
+                                                    16 * bench_shader_shared[shader]};
     for (int isa = 0; isa < RHW_ISA_COUNT; isa++) {
         if (tables[isa]) {
             program->vertex[isa] = tables[isa]->vertex[shader];

@@ -74,7 +74,7 @@ static void leave_out_triangles(struct bench_scene *scene)
 
 static void leave_out_last_draw(struct bench_scene *scene)
 {
-    scene->draw_count--;
+    scene->passes[0].draw_count--;
 }
 
 static void dim(struct bench_scene *scene)
