@@ -158,7 +158,7 @@ struct bench_tolerance {
 };
 
 // What the rate of a scene counts.
-enum bench_unit { BENCH_FRAGMENTS, BENCH_TRIANGLES, BENCH_DRAWS, BENCH_POINTS };
+enum bench_unit { BENCH_FRAGMENTS, BENCH_TRIANGLES, BENCH_DRAWS, BENCH_POINTS, BENCH_LINES };
 
 struct bench_scene {
     uint32_t mesh_count, texture_count, draw_count, pass_count;

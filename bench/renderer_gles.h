@@ -25,11 +25,11 @@ struct gles_state {
     struct gles gl;
     const struct bench_scene *scene;
     int width, height;
-    struct gles_shader shaders[BENCH_SHADERS];    // made when first needed, kept
-    GLuint show_depth;                            // program of gles_read_depth; 0: not made yet
-    GLuint color, depth;                          // the picture: a renderbuffer, and a texture where depth is it
-    GLuint sampled, sampled_color, sampled_depth; // what is drawn into with several samples; else 0
-    struct gles_target *targets;                  // per pass
+    struct gles_shader shaders[BENCH_SHADERS]; // made when first needed, kept
+    GLuint show_depth;                         // program of gles_read_depth; 0: not made yet
+    GLuint color, depth;                       // the picture: a renderbuffer, and a texture where depth is it
+    GLuint sampled, sampled_color, sampled_depth;    // what is drawn into with several samples; else 0
+    struct gles_target *targets;                     // per pass
     GLuint *arrays, *vertices, *indices, *instances; // per mesh
     GLuint *textures;
     float *uniforms;         // of all draws, and where those of each begin

@@ -66,7 +66,8 @@ static void attach_colors(const struct gles_state *s, const struct bench_pass *p
         } else {
             const bool cube = s->scene->textures[pass->colors[i]].cube;
             gl->framebuffer_texture_2d(GL_FRAMEBUFFER, attachment,
-                                       cube ? GL_TEXTURE_CUBE_MAP_POSITIVE_X + (GLenum)pass->face : GL_TEXTURE_2D,
+                                       cube ? GL_TEXTURE_CUBE_MAP_POSITIVE_X + (GLenum)pass->face
+                                            : GL_TEXTURE_2D,
                                        s->textures[pass->colors[i]], 0);
         }
     }
@@ -74,8 +75,8 @@ static void attach_colors(const struct gles_state *s, const struct bench_pass *p
 }
 
 // `before`: the target of the pass before, or NULL.
-static void attach_depth(const struct gles_state *s, const struct bench_pass *pass, struct gles_target *target,
-                         const struct gles_target *before)
+static void attach_depth(const struct gles_state *s, const struct bench_pass *pass,
+                         struct gles_target *target, const struct gles_target *before)
 {
     const struct gles *const gl = &s->gl;
     const bool stencil = pass->depth == BENCH_PASS_DEPTH_STENCIL;
@@ -84,9 +85,9 @@ static void attach_depth(const struct gles_state *s, const struct bench_pass *pa
         return;
     }
     if (pass->depth == BENCH_PASS_DEPTH_KEPT) {
-        gl->framebuffer_texture_2d(GL_FRAMEBUFFER, attachment, GL_TEXTURE_2D,
-                                   pass->depth_texture == BENCH_PICTURE ? s->depth : s->textures[pass->depth_texture],
-                                   0);
+        gl->framebuffer_texture_2d(
+            GL_FRAMEBUFFER, attachment, GL_TEXTURE_2D,
+            pass->depth_texture == BENCH_PICTURE ? s->depth : s->textures[pass->depth_texture], 0);
         return;
     }
     if (before && before->depth && pass[-1].depth == pass->depth && before->width == target->width &&
@@ -105,7 +106,8 @@ bool gles_targets_make(struct gles_state *s)
     const struct bench_scene *const scene = s->scene;
     bool complete = true;
     if (scene->has_color) {
-        s->color = make_renderbuffer(gl, scene->surfaces ? GL_SRGB8_ALPHA8 : GL_RGBA8, 0, s->width, s->height);
+        s->color =
+            make_renderbuffer(gl, scene->surfaces ? GL_SRGB8_ALPHA8 : GL_RGBA8, 0, s->width, s->height);
     } else {
         s->depth = make_depth_texture(s);
     }

@@ -18,8 +18,8 @@ struct bench_state {
     rhw_buffer *vertices, *indices, *instances; // per mesh
     rhw_texture *textures;
     rhw_sampler samplers[BENCH_FILTERS];
-    rhw_pipeline *pipelines; // per draw; equal ones in a row are one
-    rhw_texture color, depth; // the picture
+    rhw_pipeline *pipelines;    // per draw; equal ones in a row are one
+    rhw_texture color, depth;   // the picture
     struct scene_upload upload; // of the model of a physically based scene, instead of the above
     struct scene_surface_pipelines surface_pipelines;
 };

@@ -93,8 +93,8 @@ static bool make_picture(struct bench_state *s, enum rhw_format format, rhw_text
 
 static void set_attributes(struct rhw_pipeline_def *def, const struct bench_mesh *mesh, uint32_t reads)
 {
-    static const enum rhw_vertex_format of_components[] = {[2] = RHW_VERTEX_FLOAT2, RHW_VERTEX_FLOAT3,
-                                                           RHW_VERTEX_FLOAT4};
+    static const enum rhw_vertex_format of_components[] = {
+        [2] = RHW_VERTEX_FLOAT2, RHW_VERTEX_FLOAT3, RHW_VERTEX_FLOAT4};
     uint32_t offsets[2] = {0};
     for (int a = 0; a < BENCH_ATTRIBUTES; a++) {
         const int components = bench_attribute_components[a], buffer = a >= BENCH_VERTEX_ATTRIBUTES;

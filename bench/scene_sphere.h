@@ -13,6 +13,7 @@ enum bench_sphere_variant {
     BENCH_SPHERE_1M_TEXTURE,
     BENCH_SPHERE_1M_DEPTH,
     BENCH_SPHERE_1M_SAMPLES, // 4 a pixel
+    BENCH_SPHERE_1M_LINES,
     BENCH_SPHERE_1M_POINTS
 };
 
