@@ -7,7 +7,14 @@
 
 static const struct bench_shader_table *const tables[RHW_ISA_COUNT] = RHW_ISA_TABLE(&bench_shader_table);
 
-enum { P = 1 << BENCH_POSITION, N = 1 << BENCH_NORMAL, T = 1 << BENCH_UV, C = 1 << BENCH_COLOR };
+enum {
+    P = 1 << BENCH_POSITION,
+    N = 1 << BENCH_NORMAL,
+    T = 1 << BENCH_UV,
+    C = 1 << BENCH_COLOR,
+    PLACE = 1 << BENCH_PLACE,
+    TINT = 1 << BENCH_TINT
+};
 
 const uint32_t bench_shader_attributes[BENCH_SHADERS] = {
     [BENCH_SHADER_FLAT] = P,
@@ -20,6 +27,7 @@ const uint32_t bench_shader_attributes[BENCH_SHADERS] = {
     [BENCH_SHADER_LIT_TEXTURE] = P | N | T,
     [BENCH_SHADER_LIT_MASKED] = P | N | T,
     [BENCH_SHADER_DEPTH] = P,
+    [BENCH_SHADER_PARTICLE] = P | PLACE | TINT,
 };
 
 const uint32_t bench_shader_shared[BENCH_SHADERS] = {0};
@@ -36,6 +44,12 @@ static void add_varying(struct rhw_program *program, int components, bool deriva
 {
     program->varyings[program->varying_count++] =
         (struct rhw_varying){.components = components, .derivatives = derivatives};
+}
+
+static void add_flat(struct rhw_program *program, int components)
+{
+    program->varyings[program->varying_count++] =
+        (struct rhw_varying){.components = components, .qualifier = RHW_FLAT};
 }
 
 void bench_program(struct rhw_program *program, enum bench_shader shader)
@@ -59,9 +73,12 @@ void bench_program(struct rhw_program *program, enum bench_shader shader)
     if (attributes & T) {
         add_varying(program, 2, true);
     }
+    if (attributes & TINT) {
+        add_varying(program, 2, false); // corner
+        add_flat(program, 4);
+    }
     if (shader == BENCH_SHADER_LIT_FLAT) {
-        program->varyings[program->varying_count++] =
-            (struct rhw_varying){.components = 3, .qualifier = RHW_FLAT};
+        add_flat(program, 3);
     }
     program->uses = shader == BENCH_SHADER_LIT_MASKED ? RHW_USE_DISCARD
                     : shader == BENCH_SHADER_LIT_FLAT ? RHW_USE_IDS

@@ -8,10 +8,13 @@ static const char vertex_head[] = "#version 300 es\n"
                                   "layout(location = 1) in vec3 normal;\n"
                                   "layout(location = 2) in vec2 uv;\n"
                                   "layout(location = 3) in vec4 color;\n"
+                                  "layout(location = 5) in vec4 place;\n"
+                                  "layout(location = 6) in vec4 tint;\n"
                                   "uniform vec4 u[11];\n";
 
 static const char vertex_common[] =
-    "void to_clip() { gl_Position = u[0] * position.x + u[1] * position.y + u[2] * position.z + u[3]; }\n"
+    "void to_clip(vec3 p) { gl_Position = u[0] * p.x + u[1] * p.y + u[2] * p.z + u[3]; }\n"
+    "void to_clip() { to_clip(position); }\n"
     "vec3 to_world(vec4 p) { return vec3(dot(u[4], p), dot(u[5], p), dot(u[6], p)); }\n";
 
 static const char fragment_head[] = "#version 300 es\n"
@@ -76,6 +79,13 @@ static const struct {
          "in vec3 varying_normal, varying_position; in vec2 varying_uv;\n"
          "void main() { vec4 texel = texture(base, varying_uv); if (texel.a < u[10].y) discard;\n"
          "target = vec4(shade(varying_normal, varying_position, texel.rgb * u[9].rgb), 1.0); }\n"},
+    [BENCH_SHADER_PARTICLE] =
+        {"out vec2 corner; flat out vec4 flat_tint;\n"
+         "void main() { corner = position.xy; flat_tint = tint;\n"
+         "to_clip(place.xyz + (u[4].xyz * corner.x + u[5].xyz * corner.y) * place.w); }\n",
+         "in vec2 corner; flat in vec4 flat_tint;\n"
+         "void main() { target = vec4(flat_tint.rgb, flat_tint.a * max(1.0 - dot(corner, corner), 0.0)); "
+         "}\n"},
     [BENCH_SHADER_DEPTH] = {"void main() { to_clip(); }\n", "void main() { }\n"},
 };
 

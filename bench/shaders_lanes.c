@@ -10,7 +10,7 @@
 
 // Vertices ------------------------------------------------------------------------------------------
 
-ALWAYS_INLINE void to_clip(const struct bench_uniforms *u, const rhw_float p[4], rhw_float clip[4])
+ALWAYS_INLINE void to_clip(const struct bench_uniforms *u, const rhw_float p[3], rhw_float clip[4])
 {
     rhw_mat4_mul_point(u->clip, p, clip);
 }
@@ -86,6 +86,25 @@ static void lit_texture_vertex(struct rhw_vertex *groups, int count)
     }
 }
 
+static void particle_vertex(struct rhw_vertex *groups, int count)
+{
+    for (int g = 0; g < count; g++) {
+        struct rhw_vertex *const v = &groups[g];
+        const struct bench_uniforms *const u = v->uniforms;
+        const rhw_float *const corner = v->attribute[0], *const place = v->attribute[1];
+        rhw_float position[3];
+        for (int c = 0; c < 3; c++) {
+            position[c] = place[c] + (u->world[c] * corner[0] + u->world[4 + c] * corner[1]) * place[3];
+        }
+        to_clip(u, position, v->position);
+        v->varying[0] = corner[0];
+        v->varying[1] = corner[1];
+        for (int c = 0; c < 4; c++) {
+            v->varying[2 + c] = v->attribute[2][c];
+        }
+    }
+}
+
 // Fragments -----------------------------------------------------------------------------------------
 
 static void flat_fragment(struct rhw_fragment *groups, int count)
@@ -120,6 +139,18 @@ static void color_fragment(struct rhw_fragment *groups, int count)
 static void texture_fragment(struct rhw_fragment *groups, int count)
 {
     rhw_sample_groups(groups, count, 1, 0, groups->color, RHW_MAX_COLOR_ATTACHMENTS);
+}
+
+static void particle_fragment(struct rhw_fragment *groups, int count)
+{
+    for (int g = 0; g < count; g++) {
+        const rhw_float *const v = groups[g].varying;
+        rhw_float *const color = groups[g].color[0];
+        for (int c = 0; c < 3; c++) {
+            color[c] = v[2 + c];
+        }
+        color[3] = v[5] * rhw_max(1.0f - (v[0] * v[0] + v[1] * v[1]), rhw_splat(0.0f));
+    }
 }
 
 // Blinn-Phong with one directional light, step by step over all groups: a group by itself is one long chain of
@@ -240,6 +271,7 @@ const struct bench_shader_table RHW_ISA_NAME(bench_shader_table) = {
             [BENCH_SHADER_LIT_TEXTURE] = lit_texture_vertex,
             [BENCH_SHADER_LIT_MASKED] = lit_texture_vertex,
             [BENCH_SHADER_DEPTH] = position_vertex,
+            [BENCH_SHADER_PARTICLE] = particle_vertex,
         },
     .fragment =
         {
@@ -252,5 +284,6 @@ const struct bench_shader_table RHW_ISA_NAME(bench_shader_table) = {
             [BENCH_SHADER_LIT_FLAT] = lit_flat_fragment,
             [BENCH_SHADER_LIT_TEXTURE] = lit_texture_fragment,
             [BENCH_SHADER_LIT_MASKED] = lit_masked_fragment,
+            [BENCH_SHADER_PARTICLE] = particle_fragment,
         },
 };
