@@ -7,6 +7,7 @@
 #include "scene_model.h"
 #include "scene_particles.h"
 #include "scene_pbr.h"
+#include "scene_shadow_volume.h"
 #include "scene_sphere.h"
 
 #include <stdio.h>
@@ -48,6 +49,8 @@ const struct bench_scene_entry bench_scene_entries[] = {
     {"pbr_helmet", "DamagedHelmet: physically based, 5 textures", bench_make_pbr, BENCH_PBR_HELMET},
     {"pbr_sponza", "Sponza: physically based, up to 3 textures, alpha test", bench_make_pbr,
      BENCH_PBR_SPONZA},
+    {"shadow_volumes", "50 bodies on a floor, their shadows counted in stencil", bench_make_shadow_volumes,
+     0},
     {"particles", "100,000 instances of a quad, blended", bench_make_particles, 0},
     {"empty", "a frame that is cleared and nothing else", bench_make_latency, BENCH_LATENCY_EMPTY},
     {"draws_10k", "10,000 draws of 12 triangles with uniforms of their own", bench_make_latency,

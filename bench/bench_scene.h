@@ -77,6 +77,7 @@ enum bench_shader {
     BENCH_SHADER_LIT_MASKED,  // the same; a texel whose alpha is below the cutoff is discarded
     BENCH_SHADER_DEPTH,       // no colour at all
     BENCH_SHADER_PARTICLE,    // a disc of the instance's tint, on the plane of the first two rows of `world`
+    BENCH_SHADER_VOLUME,      // no colour; what faces along `color`, in the model, is moved by it
     // The physically based shader of rhw with the textures that a material has. The 8-lane form is that of
     // scene/, which `rhw render` draws with; see scene_pbr.h.
     BENCH_SHADER_PBR_BASE,   // base colour

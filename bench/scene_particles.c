@@ -30,14 +30,10 @@ static void place(float *to, uint32_t *state)
     const double spread = next(state) - next(state), angle = arm + 4.0 * radius + 0.9 * spread;
     const double height = 0.15 * (next(state) - next(state)) * (1.3 - radius);
     const double age = next(state);
-    const float particle[8] = {(float)(radius * scene_cos(angle)),
-                               (float)height,
-                               (float)(radius * scene_sin(angle)),
-                               (float)(0.004 + 0.006 * next(state)),
-                               (float)(1.0 - 0.5 * radius),
-                               (float)(0.5 + 0.3 * age),
-                               (float)(0.3 + 0.5 * radius),
-                               (float)(0.2 + 0.5 * age)};
+    const float particle[8] = {(float)(radius * scene_cos(angle)), (float)height,
+                               (float)(radius * scene_sin(angle)), (float)(0.004 + 0.006 * next(state)),
+                               (float)(1.0 - 0.5 * radius),        (float)(0.5 + 0.3 * age),
+                               (float)(0.3 + 0.5 * radius),        (float)(0.2 + 0.5 * age)};
     memcpy(to, particle, sizeof particle);
 }
 
@@ -58,8 +54,8 @@ static bool make_mesh(struct bench_mesh *mesh)
     return true;
 }
 
-bool bench_make_particles(const struct bench_scene_entry *entry, struct bench_scene *scene, int width, int height,
-                          char *why, size_t why_size)
+bool bench_make_particles(const struct bench_scene_entry *entry, struct bench_scene *scene, int width,
+                          int height, char *why, size_t why_size)
 {
     (void)entry, (void)why, (void)why_size; // nothing but memory can fail
     static const double identity[16] = {1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1};

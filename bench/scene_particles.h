@@ -5,7 +5,7 @@
 
 #include "bench_scene.h"
 
-bool bench_make_particles(const struct bench_scene_entry *entry, struct bench_scene *scene, int width, int height,
-                          char *why, size_t why_size);
+bool bench_make_particles(const struct bench_scene_entry *entry, struct bench_scene *scene, int width,
+                          int height, char *why, size_t why_size);
 
 #endif

@@ -28,6 +28,7 @@ const uint32_t bench_shader_attributes[BENCH_SHADERS] = {
     [BENCH_SHADER_LIT_MASKED] = P | N | T,
     [BENCH_SHADER_DEPTH] = P,
     [BENCH_SHADER_PARTICLE] = P | PLACE | TINT,
+    [BENCH_SHADER_VOLUME] = P | N,
 };
 
 const uint32_t bench_shader_shared[BENCH_SHADERS] = {0};
@@ -66,7 +67,7 @@ void bench_program(struct rhw_program *program, enum bench_shader shader)
     if (attributes & C) {
         add_varying(program, 4, false);
     }
-    if (attributes & N) {
+    if ((attributes & N) && shader != BENCH_SHADER_VOLUME) {
         add_varying(program, 3, false); // normal
         add_varying(program, 3, false); // position
     }

@@ -86,6 +86,9 @@ static const struct {
          "in vec2 corner; flat in vec4 flat_tint;\n"
          "void main() { target = vec4(flat_tint.rgb, flat_tint.a * max(1.0 - dot(corner, corner), 0.0)); "
          "}\n"},
+    [BENCH_SHADER_VOLUME] =
+        {"void main() { to_clip(dot(normal, u[9].xyz) > 0.0 ? position + u[9].xyz : position); }\n",
+         "void main() { }\n"},
     [BENCH_SHADER_DEPTH] = {"void main() { to_clip(); }\n", "void main() { }\n"},
 };
 
