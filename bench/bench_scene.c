@@ -2,11 +2,14 @@
 // The list of scenes and the memory of one; see bench_scene.h.
 #include "bench_scene.h"
 
+#include "scene_deferred.h"
 #include "scene_floor.h"
 #include "scene_latency.h"
 #include "scene_model.h"
 #include "scene_particles.h"
 #include "scene_pbr.h"
+#include "scene_reflection.h"
+#include "scene_shadow_map.h"
 #include "scene_shadow_volume.h"
 #include "scene_sphere.h"
 
@@ -51,6 +54,11 @@ const struct bench_scene_entry bench_scene_entries[] = {
      BENCH_PBR_SPONZA},
     {"shadow_volumes", "50 bodies on a floor, their shadows counted in stencil", bench_make_shadow_volumes,
      0},
+    {"shadow_map", "100,000 triangles and a shadow map of 2048x2048, 3x3 footprints compared",
+     bench_make_shadow_map, 0},
+    {"reflection", "a ball that shows its surroundings, drawn into six faces of 256x256",
+     bench_make_reflection, 0},
+    {"deferred", "four targets, and 32 lights that read them", bench_make_deferred, 0},
     {"particles", "100,000 instances of a quad, blended", bench_make_particles, 0},
     {"empty", "a frame that is cleared and nothing else", bench_make_latency, BENCH_LATENCY_EMPTY},
     {"draws_10k", "10,000 draws of 12 triangles with uniforms of their own", bench_make_latency,

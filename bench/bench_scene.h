@@ -13,7 +13,7 @@
 #include <stddef.h>
 #include <stdint.h>
 
-enum { BENCH_MIP_LEVELS = 15, BENCH_DRAW_TEXTURES = 5, BENCH_PASS_COLORS = 4 };
+enum { BENCH_MIP_LEVELS = 15, BENCH_DRAW_TEXTURES = 5, BENCH_PASS_COLORS = 4, BENCH_LIGHTS = 32 };
 
 // What a vertex may have, in this order, as floats one after the other.
 enum bench_attribute {
@@ -78,6 +78,13 @@ enum bench_shader {
     BENCH_SHADER_DEPTH,       // no colour at all
     BENCH_SHADER_PARTICLE,    // a disc of the instance's tint, on the plane of the first two rows of `world`
     BENCH_SHADER_VOLUME,      // no colour; what faces along `color`, in the model, is moved by it
+    // Those that read what earlier passes drew, shaders_lanes_passes.c. All but the last draw bodies.
+    BENCH_SHADER_SHADOWED, // Blinn-Phong times the light that a shadow map lets through; shared: rows from the world to
+                           // u, v and depth of the map, and the size of a texel
+    BENCH_SHADER_REFLECT, // what a cube shows in the direction of reflection
+    BENCH_SHADER_SURFACE, // colour, normal, distance and material into four targets
+    BENCH_SHADER_LIGHTS, // reads these; the normal is the ray of the pixel. Shared: per light its place and 1 / radius²,
+                         // and its colour
     // The physically based shader of rhw with the textures that a material has. The 8-lane form is that of
     // scene/, which `rhw render` draws with; see scene_pbr.h.
     BENCH_SHADER_PBR_BASE,   // base colour

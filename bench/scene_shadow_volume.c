@@ -25,9 +25,10 @@ struct solid {
 static void face_normal(const struct solid *solid, uint32_t triangle, float normal[3])
 {
     const float *const a = solid->corners[solid->triangles[triangle][0]],
-                *const b = solid->corners[solid->triangles[triangle][1]],
-                *const c = solid->corners[solid->triangles[triangle][2]];
-    const double u[3] = {b[0] - a[0], b[1] - a[1], b[2] - a[2]}, v[3] = {c[0] - a[0], c[1] - a[1], c[2] - a[2]};
+                       *const b = solid->corners[solid->triangles[triangle][1]],
+                       *const c = solid->corners[solid->triangles[triangle][2]];
+    const double u[3] = {b[0] - a[0], b[1] - a[1], b[2] - a[2]},
+                 v[3] = {c[0] - a[0], c[1] - a[1], c[2] - a[2]};
     const double n[3] = {u[1] * v[2] - u[2] * v[1], u[2] * v[0] - u[0] * v[2], u[0] * v[1] - u[1] * v[0]};
     const double length = sqrt(n[0] * n[0] + n[1] * n[1] + n[2] * n[2]);
     for (int i = 0; i < 3; i++) {

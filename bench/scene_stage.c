@@ -72,15 +72,30 @@ void bench_stage_place(int number, double world[16], float color[4])
     const int column = number % SIDE, row = number / SIDE;
     const double size = number == BENCH_STAGE_MIDDLE ? 1.1 : 0.45 + 0.07 * (number * 7 % 6);
     const double turn = 0.7 * number + 0.3, c = size * scene_cos(turn), s = size * scene_sin(turn);
-    const double place[16] = {c, 0, -s, 0, 0, size, 0, 0, s, 0, c, 0, spacing * (column - SIDE / 2),
-                              1.15 + 0.12 * (number * 5 % 7), spacing * (row - SIDE / 2), 1};
+    const double place[16] = {c,
+                              0,
+                              -s,
+                              0,
+                              0,
+                              size,
+                              0,
+                              0,
+                              s,
+                              0,
+                              c,
+                              0,
+                              spacing * (column - SIDE / 2),
+                              1.15 + 0.12 * (number * 5 % 7),
+                              spacing * (row - SIDE / 2),
+                              1};
     const float paint[4] = {0.3f + 0.15f * (float)column, 0.75f - 0.08f * (float)(number * 3 % 7),
                             0.9f - 0.15f * (float)row, 1.0f};
     memcpy(world, place, sizeof place);
     memcpy(color, paint, sizeof paint);
 }
 
-struct bench_draw bench_stage_draw(int number, uint32_t mesh, const struct scene_camera *camera, double aspect)
+struct bench_draw bench_stage_draw(int number, uint32_t mesh, const struct scene_camera *camera,
+                                   double aspect)
 {
     double world[16];
     float color[4];

@@ -16,7 +16,8 @@ bool bench_stage_ball(struct bench_mesh *mesh, uint32_t stacks);
 // Where a body, or the floor, stands, and how it looks.
 void bench_stage_place(int number, double world[16], float color[4]);
 // A draw of it by BENCH_SHADER_LIT, in front of that camera.
-struct bench_draw bench_stage_draw(int number, uint32_t mesh, const struct scene_camera *camera, double aspect);
+struct bench_draw bench_stage_draw(int number, uint32_t mesh, const struct scene_camera *camera,
+                                   double aspect);
 double bench_stage_triangles(const struct bench_scene *scene); // of all draws
 
 #endif

@@ -5,7 +5,9 @@
 
 #include <string.h>
 
-static const struct bench_shader_table *const tables[RHW_ISA_COUNT] = RHW_ISA_TABLE(&bench_shader_table);
+static const struct bench_shader_table *const tables[RHW_ISA_COUNT] = RHW_ISA_TABLE(&bench_shader_table),
+                                              *const pass_tables[RHW_ISA_COUNT] =
+                                                  RHW_ISA_TABLE(&bench_pass_shader_table);
 
 enum {
     P = 1 << BENCH_POSITION,
@@ -29,9 +31,23 @@ const uint32_t bench_shader_attributes[BENCH_SHADERS] = {
     [BENCH_SHADER_DEPTH] = P,
     [BENCH_SHADER_PARTICLE] = P | PLACE | TINT,
     [BENCH_SHADER_VOLUME] = P | N,
+    [BENCH_SHADER_SHADOWED] = P | N,
+    [BENCH_SHADER_REFLECT] = P | N,
+    [BENCH_SHADER_SURFACE] = P | N,
+    [BENCH_SHADER_LIGHTS] = P | N,
 };
 
-const uint32_t bench_shader_shared[BENCH_SHADERS] = {0};
+static const uint32_t uses[BENCH_SHADERS] = {
+    [BENCH_SHADER_LIT_FLAT] = RHW_USE_IDS,
+    [BENCH_SHADER_LIT_MASKED] = RHW_USE_DISCARD,
+    [BENCH_SHADER_SURFACE] = RHW_USE_COORD,
+    [BENCH_SHADER_LIGHTS] = RHW_USE_COORD,
+};
+
+const uint32_t bench_shader_shared[BENCH_SHADERS] = {
+    [BENCH_SHADER_SHADOWED] = 4,
+    [BENCH_SHADER_LIGHTS] = 2 * BENCH_LIGHTS,
+};
 
 size_t bench_uniforms_copy(const struct bench_scene *scene, const struct bench_draw *draw, float *to)
 {
@@ -58,9 +74,11 @@ void bench_program(struct rhw_program *program, enum bench_shader shader)
     *program = (struct rhw_program){.uniform_size = (uint32_t)sizeof(struct bench_uniforms) +
                                                     16 * bench_shader_shared[shader]};
     for (int isa = 0; isa < RHW_ISA_COUNT; isa++) {
-        if (tables[isa]) {
-            program->vertex[isa] = tables[isa]->vertex[shader];
-            program->fragment[isa] = tables[isa]->fragment[shader];
+        const struct bench_shader_table *const table =
+            shader >= BENCH_SHADER_SHADOWED ? pass_tables[isa] : tables[isa];
+        if (table) {
+            program->vertex[isa] = table->vertex[shader];
+            program->fragment[isa] = table->fragment[shader];
         }
     }
     const uint32_t attributes = bench_shader_attributes[shader];
@@ -81,7 +99,8 @@ void bench_program(struct rhw_program *program, enum bench_shader shader)
     if (shader == BENCH_SHADER_LIT_FLAT) {
         add_flat(program, 3);
     }
-    program->uses = shader == BENCH_SHADER_LIT_MASKED ? RHW_USE_DISCARD
-                    : shader == BENCH_SHADER_LIT_FLAT ? RHW_USE_IDS
-                                                      : 0;
+    if (shader == BENCH_SHADER_SHADOWED) {
+        add_varying(program, 3, false); // place in the map
+    }
+    program->uses = uses[shader];
 }

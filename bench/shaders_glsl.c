@@ -1,25 +1,26 @@
 // SPDX-License-Identifier: MIT
-// See shaders_glsl.h. The pieces are: version and interface, the common functions, main.
+// See shaders_glsl.h. The pieces are: version and number of uniforms, interface, the common functions, main.
 #include "shaders_glsl.h"
 
-static const char vertex_head[] = "#version 300 es\n"
-                                  "precision highp float;\n"
+static const char version[] = "#version 300 es\n#define UNIFORMS 11\n";
+
+static const char vertex_head[] = "precision highp float;\n"
                                   "layout(location = 0) in vec3 position;\n"
                                   "layout(location = 1) in vec3 normal;\n"
                                   "layout(location = 2) in vec2 uv;\n"
                                   "layout(location = 3) in vec4 color;\n"
                                   "layout(location = 5) in vec4 place;\n"
                                   "layout(location = 6) in vec4 tint;\n"
-                                  "uniform vec4 u[11];\n";
+                                  "uniform vec4 u[UNIFORMS];\n";
 
 static const char vertex_common[] =
     "void to_clip(vec3 p) { gl_Position = u[0] * p.x + u[1] * p.y + u[2] * p.z + u[3]; }\n"
     "void to_clip() { to_clip(position); }\n"
     "vec3 to_world(vec4 p) { return vec3(dot(u[4], p), dot(u[5], p), dot(u[6], p)); }\n";
 
-static const char fragment_head[] = "#version 300 es\n"
-                                    "precision highp float;\n"
-                                    "uniform vec4 u[11];\n"
+static const char fragment_head[] = "precision highp float;\n"
+                                    "precision highp sampler2D;\n"
+                                    "uniform vec4 u[UNIFORMS];\n"
                                     "uniform sampler2D base;\n"
                                     "layout(location = 0) out vec4 target;\n";
 
@@ -99,10 +100,15 @@ void bench_glsl(enum bench_shader shader, const char *vertex[BENCH_GLSL_PIECES],
         bench_glsl_pbr(shader, vertex, fragment);
         return;
     }
-    vertex[0] = vertex_head;
-    vertex[1] = vertex_common;
-    vertex[2] = mains[shader].vertex;
-    fragment[0] = fragment_head;
-    fragment[1] = fragment_common;
-    fragment[2] = mains[shader].fragment;
+    vertex[1] = vertex_head;
+    vertex[2] = vertex_common;
+    fragment[1] = fragment_head;
+    fragment[2] = fragment_common;
+    if (shader >= BENCH_SHADER_SHADOWED) {
+        bench_glsl_passes(shader, vertex, fragment);
+        return;
+    }
+    vertex[0] = fragment[0] = version;
+    vertex[3] = mains[shader].vertex;
+    fragment[3] = mains[shader].fragment;
 }
