@@ -188,7 +188,7 @@ static struct bench_frame_uniforms make_frame_uniforms(const struct scene_frame 
 // The studio's light, whatever the file has: one directional light is what the GLSL knows.
 static bool look(struct bench_surfaces *surfaces, const struct scene_camera *camera, double aspect)
 {
-    if (!scene_lighting_create(&surfaces->lighting, surfaces->model, camera, true, 0.0)) {
+    if (!scene_lighting_create(&surfaces->lighting, surfaces->model, camera, SCENE_AXIS_Y, true, 0.0)) {
         return false;
     }
     scene_frame_look(&surfaces->frame, camera, aspect, &surfaces->lighting, surfaces->view_projection);
@@ -219,9 +219,10 @@ bool bench_make_pbr(const struct bench_scene_entry *entry, struct bench_scene *s
         return false;
     }
     scene->surfaces->model = model;
-    const struct scene_camera camera = helmet ? scene_camera_fit(model, scene_camera_default_orbit(model),
-                                                                 scene_camera_default_yfov(), aspect)
-                                              : bench_sponza_camera;
+    const struct scene_camera camera =
+        helmet ? scene_camera_fit(model, scene_camera_default_orbit(model, SCENE_AXIS_Y),
+                                  scene_camera_default_yfov(), aspect)
+               : bench_sponza_camera;
     scene->mesh_count = model->mesh_count;
     scene->texture_count = 2 * model->image_count;
     scene->draw_count = model->instance_count;

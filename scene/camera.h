@@ -17,30 +17,38 @@ struct scene_camera {
     double znear, zfar; ///< distances along the view; zfar 0: infinitely far (perspective only)
 };
 
-/// Degrees. Azimuth 0 looks at the model's front (from +Z), 90 from its left hand side (+X); elevation 90
-/// looks straight down (−Y).
+/// Degrees. With y up azimuth 0 looks at the model's front (from +Z), 90 from its left hand side (+X); elevation 90 looks
+/// straight down (−Y). With z up the front is −Y; x and −x up keep the front, y turning to them; −y up stands on its head.
 struct scene_orbit {
     double azimuth, elevation;
+    enum scene_axis up;
+    bool whole; ///< also what is no part of the subject (subject.h) is brought into the picture
 };
+
+/// Turns a direction of a world with y up to what it is with another.
+void scene_axis_turn(enum scene_axis up, double direction[3]);
 
 /// 30 degrees: long enough a lens to keep proportions, short enough to show depth.
 double scene_camera_default_yfov(void);
 
 /// The angle from which a model shows best: from the front, a little to the side and from above; a flat
 /// model from the side it faces.
-struct scene_orbit scene_camera_default_orbit(const struct scene_model *model);
+struct scene_orbit scene_camera_default_orbit(const struct scene_model *model, enum scene_axis up);
 
-/// The camera at those angles that is as near as it can be with every vertex of the model in the picture
+/// The camera at those angles that is as near as it can be with every vertex of the subject in the picture
 /// and a margin of 4% around it; near and far planes enclose the model. A model without vertices gets a
 /// camera that looks at the origin.
 struct scene_camera scene_camera_fit(const struct scene_model *model, struct scene_orbit orbit, double yfov,
                                      double aspect);
 
 /// Perspective from `eye` to `target`, planes around the model. False with one line in `error` when the
-/// numbers make no camera: not finite, eye equals target, yfov (radians) outside 0.01..179 degrees.
+/// numbers make no camera: not finite, eye equals target, up along the view, yfov (radians) outside 0.01..179 degrees.
 bool scene_camera_look(struct scene_camera *camera, const struct scene_model *model, const double eye[3],
                        const double target[3], const double up[3], double yfov, char *error,
                        size_t error_size);
+
+/// Puts the near and the far plane around the model.
+void scene_camera_enclose(struct scene_camera *camera, const struct scene_model *model);
 
 /// A camera of the file. Where the picture's aspect ratio differs from the camera's, all of what the camera
 /// frames stays in the picture.

@@ -95,10 +95,14 @@ static int grid_side(int supersample)
 
 struct scene_view scene_view_default(const struct scene_model *model)
 {
-    struct scene_view view = {
-        .width = 1280, .height = 720, .samples = 1, .supersample = 1, .outputs = SCENE_OUTPUT_COLOR};
-    view.camera = scene_camera_fit(model, scene_camera_default_orbit(model), scene_camera_default_yfov(),
-                                   1280.0 / 720.0);
+    struct scene_view view = {.width = 1280,
+                              .height = 720,
+                              .samples = 1,
+                              .supersample = 1,
+                              .up = model->up,
+                              .outputs = SCENE_OUTPUT_COLOR};
+    view.camera = scene_camera_fit(model, scene_camera_default_orbit(model, model->up),
+                                   scene_camera_default_yfov(), 1280.0 / 720.0);
     return view;
 }
 
@@ -622,8 +626,8 @@ enum rhw_result scene_draw(struct scene *scene, const struct scene_view *view,
         .scene = scene, .view = view, .pictures = pictures, .side = grid_side(view->supersample)};
     draw.stats.upload_ms = scene->upload_ms;
     enum rhw_result result = RHW_ERROR_OUT_OF_MEMORY;
-    if (scene_lighting_create(&draw.lighting, scene->upload.model, &view->camera, view->default_lights,
-                              view->exposure)) {
+    if (scene_lighting_create(&draw.lighting, scene->upload.model, &view->camera, view->up,
+                              view->default_lights, view->exposure)) {
         set_frame(&draw);
         result = draw_color(&draw);
     }

@@ -45,6 +45,7 @@ struct scene_view {
     int samples; ///< per pixel for colour: 1, 2, 4, 8 or 16, at each of which surfaces are tested, not shaded
     int supersample; ///< pixels drawn and shaded for one of the picture: 1, 4, 9 or 16, a regular grid
     struct scene_camera camera;
+    enum scene_axis up;             ///< where the sky of the studio is
     enum rhw_qualifier interpolate; ///< of all varyings: SMOOTH; NOPERSPECTIVE shows what is wrong with it
     enum scene_wireframe wireframe;
     enum scene_background background;

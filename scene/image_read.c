@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Image files through stb_image. The size is read first, so that a small file cannot ask for more memory
+// Image files through stb_image, and WebP through libwebp. The size is read first, so that a small file cannot ask for more memory
 // than the largest texture takes. GIF and PIC are left out: no model format we read uses them, and their
 // decoders are where stb_image's known faults lie.
 #include "image_read.h"
@@ -22,6 +22,7 @@
 #define pow                 scene_pow // what makes 8 bits of Radiance files
 #include <stb_image.h>
 #undef pow
+#include <webp/decode.h>
 
 _Static_assert(STBI_MAX_DIMENSIONS == RHW_MAX_TARGET_SIZE, "a texture takes what can be decoded");
 
@@ -43,10 +44,43 @@ void scene_image_find_alpha(struct scene_image *image)
     image->has_alpha = found; // Radiance HDR has none
 }
 
+static bool is_webp(const unsigned char *bytes, size_t size)
+{
+    return size >= 12 && memcmp(bytes, "RIFF", 4) == 0 && memcmp(bytes + 8, "WEBP", 4) == 0;
+}
+
+static const char *decode_webp(const void *bytes, size_t size, struct scene_image *image)
+{
+    WebPBitstreamFeatures features;
+    if (WebPGetFeatures(bytes, size, &features) != VP8_STATUS_OK) { // at most 16383 each way
+        return "damaged WebP";
+    }
+    if (features.has_animation) {
+        return "an animated WebP";
+    }
+    image->type = SCENE_IMAGE_RGBA8;
+    image->width = (uint32_t)features.width;
+    image->height = (uint32_t)features.height;
+    image->size = (size_t)image->width * image->height * 4;
+    image->texels = malloc(image->size);
+    if (image->texels == NULL) {
+        return "outofmem";
+    }
+    if (WebPDecodeRGBAInto(bytes, size, image->texels, image->size, 4 * features.width) == NULL) {
+        free(image->texels);
+        return "damaged WebP";
+    }
+    scene_image_find_alpha(image);
+    return NULL;
+}
+
 const char *scene_image_decode(const void *bytes, size_t size, struct scene_image *image)
 {
     if (size == 0) {
         return "the file is empty";
+    }
+    if (is_webp(bytes, size)) {
+        return decode_webp(bytes, size, image);
     }
     if (size > INT_MAX) {
         return "the file is too large";

@@ -11,6 +11,8 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
+#include "model_up.h"
+
 enum { MESSAGES = 64 }; // lines of each kind that are kept; a hostile file could make millions
 
 void *scene_import_allocate(struct scene_import *import, size_t count, size_t size)
@@ -377,6 +379,9 @@ void scene_import_run(struct scene_import *import)
     } else {
         scene_import_assimp(import);
     }
+    if (import->variant != NULL && model->variant_count == 0) {
+        scene_import_fail(import, "has no variants of its materials");
+    }
     scene_import_decode_images(import);
     mark_image_uses(model);
     warn_of_missing_uvs(import);
@@ -387,4 +392,9 @@ void scene_import_run(struct scene_import *import)
         }
     }
     keep_drawable_instances(import);
+    if (import->up_is_open) {
+        const enum scene_axis usual = model->up;
+        model->up = scene_model_guess_up(model, usual);
+        model->up_guessed = model->up != usual;
+    }
 }

@@ -30,6 +30,8 @@ struct scene_import {
     struct scene_import_source *sources; // one per image
     uint32_t source_count;
     const char *directory; // of the model file, with a trailing slash; "" for the current one
+    const char *variant;   // of the options
+    bool up_is_open;       // model.up is what is usual in the format; the model's shape decides
     FILE *reply;           // what the parent reads
 };
 

@@ -12,6 +12,7 @@
 #include <assimp/postprocess.h>
 #include <math.h>
 #include <string.h>
+#include <strings.h>
 #include <sys/resource.h>
 #include <sys/stat.h>
 
@@ -459,11 +460,40 @@ static const char *format_of(struct scene_import *import)
     return scene_import_string(import, description->mName, importer ? length - 9 : length);
 }
 
+// What an FBX says of its axes; 1 (y) where it says nothing.
+static int fbx_up_axis(const struct aiScene *scene)
+{
+    const struct aiMetadata *data = scene->mMetaData;
+    for (unsigned i = 0; data != NULL && i < data->mNumProperties; i++) {
+        if (strcmp(data->mKeys[i].data, "UpAxis") == 0 && data->mValues[i].mType == AI_INT32) {
+            int32_t axis;
+            memcpy(&axis, data->mValues[i].mData, sizeof axis);
+            return axis;
+        }
+    }
+    return 1;
+}
+
+// Assimp turns most formats so that y is up; these it leaves as they are. STL says nothing, but is what is printed.
+static void set_up(struct scene_import *import, const struct aiScene *scene)
+{
+    const char *dot = strrchr(import->model.path, '.'), *ending = dot == NULL ? "" : dot + 1;
+    const bool is_stl = strcasecmp(ending, "stl") == 0;
+    if (is_stl || strcasecmp(ending, "3mf") == 0 || strcasecmp(ending, "amf") == 0) {
+        import->model.up = SCENE_AXIS_Z;
+    } else if (strcasecmp(ending, "fbx") == 0) {
+        const int axis = fbx_up_axis(scene);
+        import->model.up = axis == 2 ? SCENE_AXIS_Z : axis == 0 ? SCENE_AXIS_X : SCENE_AXIS_Y;
+    }
+    import->up_is_open = is_stl || strcasecmp(ending, "off") == 0;
+}
+
 void scene_import_assimp(struct scene_import *import)
 {
     const struct aiScene *scene = read_scene(import);
     struct reader reader = {.import = import, .scene = scene};
     import->model.format = format_of(import);
+    set_up(import, scene);
     if (scene->mRootNode == NULL) {
         scene_import_fail(import, "has no nodes");
     }

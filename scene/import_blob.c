@@ -87,6 +87,8 @@ static const struct field model_fields[] = {
      sizeof(char *), false, true, NULL},
     {FIELD_STRINGS, offsetof(struct scene_model, unsupported),
      offsetof(struct scene_model, unsupported_count), sizeof(char *), false, true, NULL},
+    {FIELD_STRINGS, offsetof(struct scene_model, variants), offsetof(struct scene_model, variant_count),
+     sizeof(char *), false, true, NULL},
 };
 static const struct layout model_layout = {COUNT(model_fields), model_fields};
 
@@ -288,6 +290,9 @@ static bool material_valid(const struct scene_material *material, const struct s
 
 static bool model_valid(const struct scene_model *model)
 {
+    if ((unsigned)model->up > SCENE_AXIS_MINUS_X) {
+        return false;
+    }
     for (uint32_t i = 0; i < model->mesh_count; i++) {
         if (!mesh_valid(&model->meshes[i], model)) {
             return false;

@@ -11,8 +11,19 @@ enum { GLB_MAGIC = 0x46546c67, GLB_JSON = 0x4e4f534a, GLB_BIN = 0x004e4942, GLB_
 
 // Extensions that are drawn as they are meant.
 static const char *const known_extensions[] = {
-    "KHR_lights_punctual", "KHR_materials_emissive_strength", "KHR_materials_pbrSpecularGlossiness",
-    "KHR_materials_unlit", "KHR_mesh_quantization",           "KHR_texture_transform",
+    "EXT_mesh_gpu_instancing",
+    "EXT_meshopt_compression",
+    "EXT_texture_webp",
+    "KHR_draco_mesh_compression",
+    "KHR_lights_punctual",
+    "KHR_materials_emissive_strength",
+    "KHR_materials_pbrSpecularGlossiness",
+    "KHR_materials_unlit",
+    "KHR_materials_variants",
+    "KHR_mesh_quantization",
+    "KHR_meshopt_compression",
+    "KHR_node_visibility",
+    "KHR_texture_transform",
 };
 
 // Typed access --------------------------------------------------------------------------------------
@@ -266,6 +277,34 @@ static void check_extensions(struct scene_gltf *gltf)
     }
 }
 
+// KHR_materials_variants: the names, for the model, and the number of the one that is wanted.
+static void read_variants(struct scene_gltf *gltf)
+{
+    struct scene_import *import = gltf->import;
+    const json_t *extension = scene_gltf_extension(gltf, gltf->root, "KHR_materials_variants");
+    const json_t *list = scene_gltf_array(gltf, extension, "variants");
+    const size_t count = json_array_size(list);
+    char names[256] = "";
+    size_t i;
+    json_t *variant;
+    import->model.variants = scene_import_allocate(import, count, sizeof *import->model.variants);
+    import->model.variant_count = (uint32_t)count;
+    gltf->variant = -1;
+    json_array_foreach(list, i, variant)
+    {
+        const char *name = scene_gltf_name(gltf, variant);
+        import->model.variants[i] = name;
+        if (import->variant != NULL && gltf->variant < 0 && strcmp(name, import->variant) == 0) {
+            gltf->variant = (int64_t)i;
+        }
+        const size_t length = strlen(names);
+        snprintf(names + length, sizeof names - length, "%s'%s'", i > 0 ? ", " : "", name);
+    }
+    if (import->variant != NULL && gltf->variant < 0 && count > 0) {
+        scene_import_fail(import, "has no variant '%s'; it has %s", import->variant, names);
+    }
+}
+
 static int32_t *none_made(struct scene_gltf *gltf, const char *list)
 {
     const size_t count = scene_gltf_count(gltf, list);
@@ -294,10 +333,14 @@ void scene_import_gltf(struct scene_import *import)
     check_extensions(&gltf);
     import->model.format = "glTF 2.0";
     gltf.buffers = scene_import_allocate(import, scene_gltf_count(&gltf, "buffers"), sizeof *gltf.buffers);
+    gltf.views = scene_import_allocate(import, scene_gltf_count(&gltf, "bufferViews"), sizeof *gltf.views);
+    gltf.accessors =
+        scene_import_allocate(import, scene_gltf_count(&gltf, "accessors"), sizeof *gltf.accessors);
     gltf.nodes = scene_import_allocate(import, scene_gltf_count(&gltf, "nodes"), sizeof *gltf.nodes);
     gltf.meshes = scene_import_allocate(import, scene_gltf_count(&gltf, "meshes"), sizeof *gltf.meshes);
     gltf.materials = none_made(&gltf, "materials");
     gltf.images = none_made(&gltf, "images");
+    read_variants(&gltf);
     const size_t animations = scene_gltf_count(&gltf, "animations");
     if (animations > 0) {
         scene_import_unsupported(import, "%zu animation%s: drawn at rest", animations,

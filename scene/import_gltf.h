@@ -15,11 +15,19 @@ struct scene_gltf_buffer {
     size_t size;
 };
 
+/// What decompression left in the place of a buffer view, or of an accessor's data.
+struct scene_gltf_decoded {
+    const unsigned char *bytes; // NULL: nothing
+    size_t size, stride;
+    uint32_t count; // of an accessor: its elements
+    int type;       // of an accessor: its componentType
+};
+
 struct scene_gltf_node {
     float world[16];
     uint32_t parent; // UINT32_MAX: a root
     bool placed;     // `world` is set
-    bool in_scene;
+    bool in_scene, visited;
 };
 
 /// The meshes that one glTF mesh became, one per primitive.
@@ -35,11 +43,13 @@ struct scene_gltf {
     const unsigned char *binary; // BIN chunk of a GLB
     size_t binary_size;
     struct scene_gltf_buffer *buffers;
+    struct scene_gltf_decoded *views, *accessors;
     struct scene_gltf_node *nodes;
     struct scene_gltf_meshes *meshes;
     int32_t *materials; // model index by glTF index; −1: not made yet
     int32_t *images;    // the same
     int32_t default_material;
+    int64_t variant; // of KHR_materials_variants; −1: none is wanted
 };
 
 // Reading JSON. What is absent gives the fallback; what has the wrong type fails the import by name.
@@ -62,7 +72,10 @@ json_t *scene_gltf_item(struct scene_gltf *gltf, const char *list, int64_t index
 
 /// The bytes of a data URI, or NULL when it is none that can be read.
 unsigned char *scene_gltf_data_uri(struct scene_gltf *gltf, const char *uri, size_t *size);
-/// Bytes of a buffer view.
+/// The bytes that "buffer", "byteOffset" and "byteLength" of an object name; `what` names it in messages.
+const unsigned char *scene_gltf_range(struct scene_gltf *gltf, const json_t *object, const char *what,
+                                      size_t *size);
+/// Bytes of a buffer view, decompressed where EXT_meshopt_compression says so. `stride` 0: none is given.
 const unsigned char *scene_gltf_view(struct scene_gltf *gltf, int64_t index, size_t *size, size_t *stride);
 /// All elements of an accessor as floats, `width` per element. The accessor has `least` to `width` components;
 /// components it lacks are 1.
@@ -70,6 +83,12 @@ float *scene_gltf_read_floats(struct scene_gltf *gltf, int64_t accessor, int lea
                               uint32_t *count);
 /// All elements of a scalar accessor of unsigned integers, or of a VEC4 of them with `width` 4.
 uint32_t *scene_gltf_read_integers(struct scene_gltf *gltf, int64_t accessor, int width, uint32_t *count);
+
+/// Decompresses a buffer view (EXT_meshopt_compression).
+struct scene_gltf_decoded scene_gltf_meshopt(struct scene_gltf *gltf, int64_t view, const json_t *extension);
+/// Decompresses a primitive (KHR_draco_mesh_compression) into the places of its accessors.
+void scene_gltf_draco(struct scene_gltf *gltf, const json_t *primitive, const json_t *extension,
+                      const char *what);
 
 /// Model index of a material; −1 gives the default material.
 uint32_t scene_gltf_material(struct scene_gltf *gltf, int64_t index);

@@ -105,31 +105,55 @@ static void load_buffer(struct scene_gltf *gltf, int64_t index, struct scene_glt
     buffer->size = (size_t)length;
 }
 
-const unsigned char *scene_gltf_view(struct scene_gltf *gltf, int64_t index, size_t *size, size_t *stride)
+const unsigned char *scene_gltf_range(struct scene_gltf *gltf, const json_t *object, const char *what,
+                                      size_t *size)
 {
-    const json_t *view = scene_gltf_item(gltf, "bufferViews", index);
-    const int64_t number = scene_gltf_integer(gltf, view, "buffer", -1);
-    const int64_t offset = scene_gltf_integer(gltf, view, "byteOffset", 0);
-    const int64_t length = scene_gltf_integer(gltf, view, "byteLength", -1);
-    const int64_t step = scene_gltf_integer(gltf, view, "byteStride", 0);
+    const int64_t number = scene_gltf_integer(gltf, object, "buffer", -1);
+    const int64_t offset = scene_gltf_integer(gltf, object, "byteOffset", 0);
+    const int64_t length = scene_gltf_integer(gltf, object, "byteLength", -1);
     scene_gltf_item(gltf, "buffers", number);
     struct scene_gltf_buffer *buffer = &gltf->buffers[number];
     if (buffer->bytes == NULL) {
         load_buffer(gltf, number, buffer);
     }
     if (length < 0) {
-        scene_import_fail(gltf->import, "bufferViews[%lld] has no byteLength", (long long)index);
+        scene_import_fail(gltf->import, "%s has no byteLength", what);
     }
     if ((uint64_t)offset > buffer->size || (uint64_t)length > buffer->size - (uint64_t)offset) {
-        scene_import_fail(gltf->import, "bufferViews[%lld] reaches past the end of its buffer",
-                          (long long)index);
-    }
-    if (step > 252) {
-        scene_import_fail(gltf->import, "bufferViews[%lld]: byteStride must be 4 to 252", (long long)index);
+        scene_import_fail(gltf->import, "%s reaches past the end of its buffer", what);
     }
     *size = (size_t)length;
-    *stride = (size_t)step;
     return buffer->bytes + offset;
+}
+
+// EXT_meshopt_compression, or what became of it at Khronos under the same terms.
+static const json_t *find_compression(struct scene_gltf *gltf, const json_t *view)
+{
+    const json_t *extension = scene_gltf_extension(gltf, view, "EXT_meshopt_compression");
+    return extension != NULL ? extension : scene_gltf_extension(gltf, view, "KHR_meshopt_compression");
+}
+
+const unsigned char *scene_gltf_view(struct scene_gltf *gltf, int64_t index, size_t *size, size_t *stride)
+{
+    const json_t *view = scene_gltf_item(gltf, "bufferViews", index);
+    const json_t *compression = find_compression(gltf, view);
+    if (compression != NULL) {
+        struct scene_gltf_decoded *decoded = &gltf->views[index];
+        if (decoded->bytes == NULL) {
+            *decoded = scene_gltf_meshopt(gltf, index, compression);
+        }
+        *size = decoded->size;
+        *stride = decoded->stride;
+        return decoded->bytes;
+    }
+    char what[40];
+    snprintf(what, sizeof what, "bufferViews[%lld]", (long long)index);
+    const int64_t step = scene_gltf_integer(gltf, view, "byteStride", 0);
+    if (step > 252) {
+        scene_import_fail(gltf->import, "%s: byteStride must be 4 to 252", what);
+    }
+    *stride = (size_t)step;
+    return scene_gltf_range(gltf, view, what, size);
 }
 
 // Accessors -----------------------------------------------------------------------------------------
@@ -194,7 +218,13 @@ static struct accessor open_accessor(struct scene_gltf *gltf, int64_t index)
         scene_import_fail(gltf->import, "accessors[%lld]: its count must be at least 1", number);
     }
     accessor.count = (uint32_t)count;
-    if (json_object_get(object, "bufferView") != NULL) {
+    const struct scene_gltf_decoded *decoded = &gltf->accessors[index];
+    if (decoded->bytes != NULL) {
+        accessor.bytes = decoded->bytes;
+        accessor.stride = decoded->stride;
+        accessor.count = decoded->count;
+        accessor.type = decoded->type;
+    } else if (json_object_get(object, "bufferView") != NULL) {
         accessor.bytes = elements(gltf, &accessor, object, accessor.count, element, &accessor.stride);
     } else if (count > most_without_data) {
         scene_import_fail(gltf->import, "accessors[%lld] has %lld elements and no data", number,

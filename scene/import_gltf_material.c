@@ -46,7 +46,8 @@ static int32_t add_missing(struct scene_gltf *gltf, int64_t texture)
 {
     char name[40];
     snprintf(name, sizeof name, "textures[%lld]", (long long)texture);
-    const struct scene_import_source source = {.opacity_image = -1, .problem = "has no PNG or JPEG image"};
+    const struct scene_import_source source = {.opacity_image = -1,
+                                               .problem = "has no image that can be read"};
     return scene_import_add_image(gltf->import, scene_import_string(gltf->import, name, sizeof name),
                                   &source);
 }
@@ -92,6 +93,14 @@ static void read_transform(struct scene_gltf *gltf, const json_t *extension, str
     }
 }
 
+// The image in a format that glTF itself has not comes first; `source` may be there for those who cannot read it.
+static int64_t find_image(struct scene_gltf *gltf, const json_t *texture)
+{
+    const json_t *webp = scene_gltf_extension(gltf, texture, "EXT_texture_webp");
+    const int64_t source = scene_gltf_integer(gltf, texture, "source", -1);
+    return scene_gltf_integer(gltf, webp, "source", source);
+}
+
 static void read_slot(struct scene_gltf *gltf, const json_t *info, struct scene_texture_slot *slot)
 {
     if (info == NULL) {
@@ -99,7 +108,7 @@ static void read_slot(struct scene_gltf *gltf, const json_t *info, struct scene_
     }
     const int64_t number = scene_gltf_integer(gltf, info, "index", -1);
     const json_t *texture = scene_gltf_item(gltf, "textures", number);
-    const int64_t image = scene_gltf_integer(gltf, texture, "source", -1);
+    const int64_t image = find_image(gltf, texture);
     const int64_t sampler = scene_gltf_integer(gltf, texture, "sampler", -1);
     const json_t *transform = scene_gltf_extension(gltf, info, "KHR_texture_transform");
     const int64_t own_set = scene_gltf_integer(gltf, info, "texCoord", 0);

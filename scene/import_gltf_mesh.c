@@ -12,6 +12,7 @@ struct primitive {
     struct scene_gltf *gltf;
     const json_t *object, *attributes;
     int mesh_number, number;
+    bool is_draco; // its indices are of triangles, whatever its mode was before
     struct scene_mesh mesh;
 };
 
@@ -118,7 +119,9 @@ static void make_list(struct primitive *primitive, int mode, const uint32_t *in,
 static void read_topology(struct primitive *primitive)
 {
     struct scene_mesh *mesh = &primitive->mesh;
-    const int64_t mode = scene_gltf_integer(primitive->gltf, primitive->object, "mode", MODE_TRIANGLES);
+    const int64_t mode = primitive->is_draco
+                             ? MODE_TRIANGLES
+                             : scene_gltf_integer(primitive->gltf, primitive->object, "mode", MODE_TRIANGLES);
     if (mode > MODE_FAN) {
         refuse(primitive, "has a mode that does not exist");
     }
@@ -277,6 +280,26 @@ static void apply_skin(struct primitive *primitive, int64_t skin, const float wo
     free(blended);
 }
 
+// The material of the variant that is wanted, else the primitive's own (KHR_materials_variants).
+static int64_t find_material(const struct primitive *primitive)
+{
+    struct scene_gltf *gltf = primitive->gltf;
+    const json_t *extension = scene_gltf_extension(gltf, primitive->object, "KHR_materials_variants");
+    size_t i, k;
+    json_t *mapping, *number;
+    json_array_foreach(scene_gltf_array(gltf, extension, "mappings"), i, mapping)
+    {
+        json_array_foreach(scene_gltf_array(gltf, mapping, "variants"), k, number)
+        {
+            if (gltf->variant >= 0 && json_is_number(number) &&
+                json_number_value(number) == (double)gltf->variant) {
+                return scene_gltf_integer(gltf, mapping, "material", -1);
+            }
+        }
+    }
+    return scene_gltf_integer(gltf, primitive->object, "material", -1);
+}
+
 // Entry ---------------------------------------------------------------------------------------------
 
 static bool make_primitive(struct primitive *primitive, const char *name, const json_t *weights, int64_t skin,
@@ -292,11 +315,12 @@ static bool make_primitive(struct primitive *primitive, const char *name, const 
                           primitive->mesh_number, primitive->number);
         return false;
     }
-    const int64_t accessor = scene_gltf_integer(gltf, primitive->attributes, "POSITION", -1);
-    const json_t *positions = scene_gltf_item(gltf, "accessors", accessor);
-    if (json_object_get(positions, "bufferView") == NULL &&
-        scene_gltf_extension(gltf, primitive->object, "KHR_draco_mesh_compression") != NULL) {
-        refuse(primitive, "needs the glTF extension KHR_draco_mesh_compression, which is not supported");
+    const json_t *draco = scene_gltf_extension(gltf, primitive->object, "KHR_draco_mesh_compression");
+    primitive->is_draco = draco != NULL;
+    if (draco != NULL) {
+        char what[64];
+        snprintf(what, sizeof what, "meshes[%d].primitives[%d]", primitive->mesh_number, primitive->number);
+        scene_gltf_draco(gltf, primitive->object, draco, what);
     }
     read_attributes(primitive);
     read_topology(primitive);
@@ -305,8 +329,7 @@ static bool make_primitive(struct primitive *primitive, const char *name, const 
         apply_skin(primitive, skin, world);
     }
     primitive->mesh.name = name;
-    primitive->mesh.material =
-        scene_gltf_material(gltf, scene_gltf_integer(gltf, primitive->object, "material", -1));
+    primitive->mesh.material = scene_gltf_material(gltf, find_material(primitive));
     *scene_import_add_mesh(gltf->import) = primitive->mesh;
     scene_import_complete_mesh(gltf->import, gltf->import->model.mesh_count - 1, SCENE_IMPORT_FLAT, false);
     return true;

@@ -8,8 +8,8 @@
 
 static const uint32_t no_parent = UINT32_MAX;
 
-// Nodes still to be visited. Each stands in it at most once, so the node count bounds it; recursion would let
-// a deep file overflow the stack.
+// Nodes still to be visited. Each stands in it at most twice, as a child and as a root, so the node count bounds it;
+// recursion would let a deep file overflow the stack.
 struct stack {
     uint32_t *nodes;
     size_t count;
@@ -45,15 +45,9 @@ static void find_parents(struct scene_gltf *gltf)
     }
 }
 
-static void local_matrix(struct scene_gltf *gltf, const json_t *node, float matrix[16])
+// Scaled, then turned by a quaternion of any length, then moved.
+static void compose(const float t[3], const float q[4], const float s[3], float matrix[16])
 {
-    float t[3] = {0, 0, 0}, q[4] = {0, 0, 0, 1}, s[3] = {1, 1, 1};
-    if (scene_gltf_floats(gltf, node, "matrix", matrix, 16)) {
-        return;
-    }
-    scene_gltf_floats(gltf, node, "translation", t, 3);
-    scene_gltf_floats(gltf, node, "rotation", q, 4);
-    scene_gltf_floats(gltf, node, "scale", s, 3);
     const float square = q[0] * q[0] + q[1] * q[1] + q[2] * q[2] + q[3] * q[3];
     const float scale = square > 0 ? 1 / __builtin_sqrtf(square) : 0;
     const float x = q[0] * scale, y = q[1] * scale, z = q[2] * scale, w = square > 0 ? q[3] * scale : 1;
@@ -68,7 +62,19 @@ static void local_matrix(struct scene_gltf *gltf, const json_t *node, float matr
             matrix[4 * column + row] = rotation[3 * column + row] * s[column];
         }
     }
-    memcpy(matrix + 12, t, sizeof t);
+    memcpy(matrix + 12, t, 3 * sizeof *t);
+}
+
+static void local_matrix(struct scene_gltf *gltf, const json_t *node, float matrix[16])
+{
+    float t[3] = {0, 0, 0}, q[4] = {0, 0, 0, 1}, s[3] = {1, 1, 1};
+    if (scene_gltf_floats(gltf, node, "matrix", matrix, 16)) {
+        return;
+    }
+    scene_gltf_floats(gltf, node, "translation", t, 3);
+    scene_gltf_floats(gltf, node, "rotation", q, 4);
+    scene_gltf_floats(gltf, node, "scale", s, 3);
+    compose(t, q, s, matrix);
 }
 
 // Pushes the children of a node, the first on top.
@@ -107,9 +113,9 @@ static void place_nodes(struct scene_gltf *gltf, struct stack *stack)
 
 // What a node holds ---------------------------------------------------------------------------------
 
-static void add_instances(struct scene_gltf *gltf, const json_t *node, const float world[16], uint32_t object)
+static void add_instance(struct scene_gltf *gltf, const json_t *node, struct scene_gltf_meshes meshes,
+                         const float world[16], uint32_t object)
 {
-    const struct scene_gltf_meshes meshes = scene_gltf_mesh(gltf, node, world);
     const char *name = scene_gltf_name(gltf, node);
     for (uint32_t i = 0; i < meshes.count; i++) {
         struct scene_instance *instance = scene_import_add_instance(gltf->import);
@@ -117,9 +123,63 @@ static void add_instances(struct scene_gltf *gltf, const json_t *node, const flo
         instance->mesh = meshes.first + i;
         instance->object = object;
         memcpy(instance->world, world, sizeof instance->world);
-        if (meshes.in_world) {
-            scene_import_identity(instance->world);
-        }
+    }
+}
+
+// An attribute of EXT_mesh_gpu_instancing, or NULL. Every one has as many elements.
+static float *instance_attribute(struct scene_gltf *gltf, const json_t *attributes, const char *name,
+                                 int width, uint32_t *count)
+{
+    const int64_t accessor = scene_gltf_integer(gltf, attributes, name, -1);
+    if (accessor < 0) {
+        return NULL;
+    }
+    uint32_t own = 0;
+    float *values = scene_gltf_read_floats(gltf, accessor, width, width, &own);
+    if (*count != 0 && own != *count) {
+        scene_import_fail(gltf->import, "EXT_mesh_gpu_instancing: %s has %u elements where others have %u",
+                          name, own, *count);
+    }
+    *count = own;
+    return values;
+}
+
+// EXT_mesh_gpu_instancing: the node's mesh many times, each an object of its own.
+static void add_many(struct scene_gltf *gltf, const json_t *node, struct scene_gltf_meshes meshes,
+                     const float world[16], uint32_t *objects)
+{
+    static const float no_move[3] = {0, 0, 0}, no_turn[4] = {0, 0, 0, 1}, no_scale[3] = {1, 1, 1};
+    const json_t *extension = scene_gltf_extension(gltf, node, "EXT_mesh_gpu_instancing");
+    const json_t *attributes = scene_gltf_object(gltf, extension, "attributes");
+    uint32_t count = 0;
+    float *moves = instance_attribute(gltf, attributes, "TRANSLATION", 3, &count);
+    float *turns = instance_attribute(gltf, attributes, "ROTATION", 4, &count);
+    float *scales = instance_attribute(gltf, attributes, "SCALE", 3, &count);
+    for (uint32_t i = 0; i < count; i++) {
+        float place[16];
+        compose(moves != NULL ? moves + 3 * (size_t)i : no_move,
+                turns != NULL ? turns + 4 * (size_t)i : no_turn,
+                scales != NULL ? scales + 3 * (size_t)i : no_scale, place);
+        scene_import_multiply(world, place, place);
+        add_instance(gltf, node, meshes, place, ++*objects);
+    }
+    free(moves);
+    free(turns);
+    free(scales);
+}
+
+static void add_instances(struct scene_gltf *gltf, const json_t *node, const float world[16],
+                          uint32_t *objects)
+{
+    const struct scene_gltf_meshes meshes = scene_gltf_mesh(gltf, node, world);
+    float identity[16];
+    if (meshes.in_world) {
+        scene_import_identity(identity);
+        add_instance(gltf, node, meshes, identity, ++*objects);
+    } else if (scene_gltf_extension(gltf, node, "EXT_mesh_gpu_instancing") != NULL) {
+        add_many(gltf, node, meshes, world, objects);
+    } else {
+        add_instance(gltf, node, meshes, world, ++*objects);
     }
 }
 
@@ -192,13 +252,20 @@ static void add_light(struct scene_gltf *gltf, int64_t index, const float world[
     }
 }
 
+// KHR_node_visibility: false hides the children too.
+static bool is_visible(struct scene_gltf *gltf, uint32_t index)
+{
+    const json_t *node = scene_gltf_item(gltf, "nodes", index);
+    return scene_gltf_flag(gltf, scene_gltf_extension(gltf, node, "KHR_node_visibility"), "visible", true);
+}
+
 static void visit(struct scene_gltf *gltf, uint32_t index, uint32_t *objects)
 {
     const json_t *node = scene_gltf_item(gltf, "nodes", index);
     const float *world = gltf->nodes[index].world;
     const json_t *light = scene_gltf_extension(gltf, node, "KHR_lights_punctual");
     if (json_object_get(node, "mesh") != NULL) {
-        add_instances(gltf, node, world, ++*objects);
+        add_instances(gltf, node, world, objects);
     }
     if (json_object_get(node, "camera") != NULL) {
         add_camera(gltf, node, world);
@@ -223,8 +290,11 @@ static void push_scene(struct scene_gltf *gltf, struct stack *stack)
     const json_t *roots = scene_gltf_array(gltf, scene, "nodes");
     for (size_t i = json_array_size(roots); i > 0; i--) {
         const uint32_t root = node_index(gltf, json_array_get(roots, i - 1), "scenes");
-        if (gltf->nodes[root].parent != no_parent) {
-            scene_import_fail(gltf->import, "nodes[%u] is a root of the scene and a child of a node", root);
+        if (gltf->nodes[root].parent != no_parent) { // against §3.5.1, but others draw it
+            scene_import_warn(
+                gltf->import,
+                "nodes[%u] is a root of the scene and a child of nodes[%u]: drawn once, as its child", root,
+                gltf->nodes[root].parent);
         }
         if (!gltf->nodes[root].in_scene) {
             stack->nodes[stack->count++] = root;
@@ -236,7 +306,7 @@ static void push_scene(struct scene_gltf *gltf, struct stack *stack)
 void scene_gltf_scene(struct scene_gltf *gltf)
 {
     const size_t count = scene_gltf_count(gltf, "nodes");
-    struct stack stack = {scene_import_allocate(gltf->import, count, sizeof *stack.nodes), 0};
+    struct stack stack = {scene_import_allocate(gltf->import, 2 * count, sizeof *stack.nodes), 0};
     uint32_t objects = 0;
     if (count >= no_parent) {
         scene_import_fail(gltf->import, "has too many nodes");
@@ -246,8 +316,11 @@ void scene_gltf_scene(struct scene_gltf *gltf)
     push_scene(gltf, &stack);
     while (stack.count > 0) {
         const uint32_t node = stack.nodes[--stack.count];
-        push_children(gltf, &stack, node);
-        visit(gltf, node, &objects);
+        if (!gltf->nodes[node].visited && is_visible(gltf, node)) {
+            push_children(gltf, &stack, node);
+            visit(gltf, node, &objects);
+        }
+        gltf->nodes[node].visited = true;
     }
     free(stack.nodes);
 }

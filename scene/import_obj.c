@@ -462,6 +462,7 @@ void scene_import_obj(struct scene_import *import)
         scene_import_fail(import, "cannot be read: %s", problem);
     }
     import->model.format = "Wavefront OBJ";
+    import->up_is_open = true;
     obj.text = scene_text_open(import, bytes, size);
     obj.material = scene_mtl_find(import, &obj.mtl, "");
     start_object(&obj, "");

@@ -683,6 +683,7 @@ void scene_import_ply(struct scene_import *import)
         scene_import_fail(import, "is no PLY file: it does not begin with \"ply\"");
     }
     import->model.format = "PLY";
+    import->up_is_open = true;
     ply.text = (struct scene_text){bytes, bytes + size, 0};
     ply.end = (const unsigned char *)bytes + size;
     parse_header(&ply, &ply.text);

@@ -2,7 +2,7 @@
 // Runs an import in a child process of its own and takes the finished model from it.
 //
 // Model files come from anywhere, and the libraries that read them are large: a file may make them crash,
-// hang or ask for all memory. None of that can reach the caller: the child has limits on time and memory,
+// hang or ask for all memory. None of that can reach the caller: the child has options on time and memory,
 // and what comes back is bytes that are checked from end to end. They travel in an anonymous memory file,
 // which the parent maps and uses in place.
 #define _GNU_SOURCE // memfd_create
@@ -109,13 +109,13 @@ static size_t default_memory(void)
     return share < most ? share : most;
 }
 
-static void restrict_child(const struct scene_model_limits *limits)
+static void restrict_child(const struct scene_model_options *options)
 {
-    const unsigned seconds = limits->seconds > 0 ? limits->seconds : DEFAULT_SECONDS;
+    const unsigned seconds = options->seconds > 0 ? options->seconds : DEFAULT_SECONDS;
     prctl(PR_SET_PDEATHSIG, SIGKILL);
     limit_core();
     if (!sanitized()) { // their shadow memory takes terabytes of address space
-        limit_memory(limits->memory > 0 ? limits->memory : default_memory());
+        limit_memory(options->memory > 0 ? options->memory : default_memory());
     }
     setlocale(LC_ALL, "C"); // numbers in files have points
     sigset_t none;
@@ -142,13 +142,14 @@ static void silence(void)
     }
 }
 
-_Noreturn static void run_child(const char *path, const struct scene_model_limits *limits, int descriptor)
+_Noreturn static void run_child(const char *path, const struct scene_model_options *options, int descriptor)
 {
-    struct scene_import import = {.model.path = path, .reply = fdopen(descriptor, "wb")};
+    struct scene_import import = {
+        .model.path = path, .variant = options->variant, .reply = fdopen(descriptor, "wb")};
     if (import.reply == NULL) {
         abort();
     }
-    restrict_child(limits);
+    restrict_child(options);
     silence();
     scene_import_run(&import);
     if (!scene_blob_write(&import.model, import.reply)) {
@@ -197,7 +198,7 @@ static bool file_acceptable(const char *path, char *error, size_t error_size)
 }
 
 // Whether the child said that it finished; else `error` says how it ended.
-static bool child_finished(int status, int descriptor, const struct scene_model_limits *limits, char *error,
+static bool child_finished(int status, int descriptor, const struct scene_model_options *options, char *error,
                            size_t error_size)
 {
     if (WIFEXITED(status) && WEXITSTATUS(status) == EXIT_MODEL) {
@@ -212,7 +213,7 @@ static bool child_finished(int status, int descriptor, const struct scene_model_
                           ? line
                           : "what was read could not be passed on; is there a limit on the size of files?");
     }
-    const unsigned seconds = limits->seconds > 0 ? limits->seconds : DEFAULT_SECONDS;
+    const unsigned seconds = options->seconds > 0 ? options->seconds : DEFAULT_SECONDS;
     if (WIFSIGNALED(status)) {
         const int number = WTERMSIG(status);
         if (number == SIGXCPU) {
@@ -252,12 +253,12 @@ static struct scene_model *map_model(int descriptor, char *error, size_t error_s
     return model;
 }
 
-struct scene_model *scene_model_load(const char *path, const struct scene_model_limits *limits, char *error,
+struct scene_model *scene_model_load(const char *path, const struct scene_model_options *options, char *error,
                                      size_t error_size)
 {
-    static const struct scene_model_limits defaults = {0};
-    if (limits == NULL) {
-        limits = &defaults;
+    static const struct scene_model_options defaults = {0};
+    if (options == NULL) {
+        options = &defaults;
     }
     if (!file_acceptable(path, error, error_size)) {
         return NULL;
@@ -269,7 +270,7 @@ struct scene_model *scene_model_load(const char *path, const struct scene_model_
     }
     const pid_t child = fork();
     if (child == 0) {
-        run_child(path, limits, descriptor);
+        run_child(path, options, descriptor);
     }
     int status = 0;
     pid_t waited = child;
@@ -281,7 +282,7 @@ struct scene_model *scene_model_load(const char *path, const struct scene_model_
     struct scene_model *model = NULL;
     if (waited < 0) {
         refuse(error, error_size, "import could not start: %s", strerror(errno));
-    } else if (child_finished(status, descriptor, limits, error, error_size)) {
+    } else if (child_finished(status, descriptor, options, error, error_size)) {
         model = map_model(descriptor, error, error_size);
     }
     close(descriptor);

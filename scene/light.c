@@ -61,9 +61,14 @@ static void lobe_diffuse(double lambda, float coefficients[3])
     coefficients[2] = (float)(f2 * 3.0 / 8.0);
 }
 
-static void set_environment(struct scene_environment *e, const double view[16], double scale)
+static void set_environment(struct scene_environment *e, const double view[16], enum scene_axis up,
+                            double scale)
 {
-    e->up[1] = 1.0f;
+    double upward[3] = {0.0, 1.0, 0.0};
+    scene_axis_turn(up, upward);
+    for (int i = 0; i < 3; i++) {
+        e->up[i] = (float)upward[i];
+    }
     e->sharpness = (float)lobe_sharpness;
     lobe_diffuse(lobe_sharpness, e->diffuse);
     for (int c = 0; c < 3; c++) {
@@ -135,7 +140,8 @@ static void set_light(struct scene_shader_light *light, const struct scene_model
 }
 
 bool scene_lighting_create(struct scene_lighting *lighting, const struct scene_model *model,
-                           const struct scene_camera *camera, bool default_lights, double exposure)
+                           const struct scene_camera *camera, enum scene_axis up, bool default_lights,
+                           double exposure)
 {
     const double stops = power_of_two(exposure);
     double view[16];
@@ -152,14 +158,14 @@ bool scene_lighting_create(struct scene_lighting *lighting, const struct scene_m
     }
     if (!from_file) {
         set_key(&lighting->lights[0], view, stops);
-        set_environment(&lighting->environment, view, stops);
+        set_environment(&lighting->environment, view, up, stops);
         return true;
     }
     const double white = 0.9 * pi / irradiance;
     for (uint32_t i = 0; i < lighting->count; i++) {
         set_light(&lighting->lights[i], &model->lights[i], white * stops);
     }
-    set_environment(&lighting->environment, view, 0.25 * stops);
+    set_environment(&lighting->environment, view, up, 0.25 * stops);
     return true;
 }
 

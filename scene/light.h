@@ -12,7 +12,7 @@ struct scene_lighting {
     struct scene_environment environment;
 };
 
-/// The lights of the model, or the studio where it has none or `default_lights` says so. `exposure` in
+/// The lights of the model, or the studio where it has none or `default_lights` says so; its sky is where `up` says. `exposure` in
 /// stops is multiplied into everything. False when memory runs out.
 ///
 /// Studio: a key light from above the viewer's left shoulder, soft boxes above, to the right and behind, a
@@ -21,7 +21,8 @@ struct scene_lighting {
 /// white surface in the middle of the model is about white, and a quarter of the studio's surroundings is
 /// added, because a file has no sky and its metals would be black.
 bool scene_lighting_create(struct scene_lighting *lighting, const struct scene_model *model,
-                           const struct scene_camera *camera, bool default_lights, double exposure);
+                           const struct scene_camera *camera, enum scene_axis up, bool default_lights,
+                           double exposure);
 void scene_lighting_destroy(struct scene_lighting *lighting);
 
 #endif

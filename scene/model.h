@@ -111,6 +111,16 @@ struct scene_model_camera {
     float znear, zfar; ///< zfar 0: infinitely far
 };
 
+/// Directions of the world.
+enum scene_axis {
+    SCENE_AXIS_Y,
+    SCENE_AXIS_Z,
+    SCENE_AXIS_X,
+    SCENE_AXIS_MINUS_Y,
+    SCENE_AXIS_MINUS_Z,
+    SCENE_AXIS_MINUS_X
+};
+
 enum scene_light_type { SCENE_LIGHT_DIRECTIONAL, SCENE_LIGHT_POINT, SCENE_LIGHT_SPOT };
 
 /// KHR_lights_punctual.
@@ -128,6 +138,8 @@ struct scene_model_light {
 struct scene_model {
     const char *path;   ///< as it was given
     const char *format; ///< for example "glTF 2.0" or "Stanford Polygon Library (PLY)"
+    enum scene_axis up; ///< what the format says, or where it says little, what the model stands on
+    bool up_guessed;
     uint32_t mesh_count, material_count, image_count, instance_count, camera_count, light_count;
     struct scene_mesh *meshes;
     struct scene_material *materials;
@@ -137,22 +149,24 @@ struct scene_model {
     struct scene_model_light *lights;
     float bounds_min[3], bounds_max[3]; ///< of all instances, in the world; min > max: nothing to draw
     uint64_t triangles_stored, triangles_drawn; ///< in the meshes / after instancing
-    uint32_t warning_count, unsupported_count;
+    uint32_t warning_count, unsupported_count, variant_count;
     const char **warnings;    ///< what was wrong with the file and how it was met; one line each
     const char **unsupported; ///< what the file has that is not drawn; one line each
+    const char **variants;    ///< names of the choices of materials that the file offers
     size_t size;              ///< bytes of the one allocation that all of this lives in
 };
 
-/// Limits of an import. Zeroed: the defaults.
-struct scene_model_limits {
-    unsigned seconds; ///< of CPU time; 0: 60
-    size_t memory;    ///< bytes of address space; 0: 3/4 of the machine's memory, at most 16 GiB
+/// What to import, and its limits. Zeroed: the defaults.
+struct scene_model_options {
+    unsigned seconds;    ///< of CPU time; 0: 60
+    size_t memory;       ///< bytes of address space; 0: 3/4 of the machine's memory, at most 16 GiB
+    const char *variant; ///< of the materials, by its name (KHR_materials_variants); NULL: as they are without
 };
 
 /// Reads a model file and its textures in a child process, so that no file can take the caller down.
 /// Returns NULL on failure with one line in `error` that names the cause (the path is not in it).
-/// `limits` may be NULL. Free with scene_model_free.
-struct scene_model *scene_model_load(const char *path, const struct scene_model_limits *limits, char *error,
+/// `options` may be NULL. Free with scene_model_free.
+struct scene_model *scene_model_load(const char *path, const struct scene_model_options *options, char *error,
                                      size_t error_size);
 void scene_model_free(struct scene_model *model);
 

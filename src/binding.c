@@ -121,7 +121,11 @@ void rhw_sample(const struct rhw_bindings *textures, int slot, const struct rhw_
         return;
     }
     const struct rhw_binding *const binding = &textures->slot[slot];
-    if (request->offset) {
+    if (((uintptr_t)request->bias | (uintptr_t)request->offset) == 0) {
+        binding->sample(binding, request, texel);
+    } else if (request->bias && binding->texture) {
+        textures->kernels->sample_biased(binding, request, texel);
+    } else if (request->offset) {
         binding->sample_offset(binding, request, texel);
     } else {
         binding->sample(binding, request, texel);

@@ -23,6 +23,14 @@ static struct rhw_stencil_rule rule_of(const struct rhw_stencil_face *face, bool
                                      .reference = reference};
 }
 
+static void set_masks(struct rhw_stencil_rule face[2], const struct rhw_stencil_masks *masks)
+{
+    face[0].read_mask = masks->read_front;
+    face[0].write_mask = masks->write_front;
+    face[1].read_mask = masks->read_back;
+    face[1].write_mask = masks->write_back;
+}
+
 static bool keeps_failed(const struct rhw_stencil_rule *rule)
 {
     return rule->write_mask == 0 || (rule->fail == RHW_STENCIL_KEEP && rule->depth_fail == RHW_STENCIL_KEEP);
@@ -58,6 +66,9 @@ void rhw_depth_stencil_init(struct rhw_depth_stencil_state *state, const struct 
         state->tests_stencil || state->tests_bounds || state->depth_steps != 0 || state->counts_by_test;
     state->face[0] = rule_of(&def->stencil_front, def->stencil_test, setting->reference[0]);
     state->face[1] = rule_of(&def->stencil_back, def->stencil_test, setting->reference[1]);
+    if (setting->has_masks) {
+        set_masks(state->face, &setting->masks);
+    }
     state->rejects_early =
         !state->tests_stencil || (keeps_failed(&state->face[0]) && keeps_failed(&state->face[1]));
     state->bounds_least = setting->bounds_least;

@@ -35,8 +35,9 @@ struct rhw_depth_stencil_state {
 
 // What pass state adds to a pipeline's.
 struct rhw_depth_stencil_setting {
-    uint8_t reference[2]; // front and back
-    bool has_bias;        // instead of the pipeline's
+    uint8_t reference[2];     // front and back
+    bool has_masks, has_bias; // instead of the pipeline's
+    struct rhw_stencil_masks masks;
     struct rhw_depth_bias bias;
     float bounds_least, bounds_most;
     bool counts;       // a query counts what passes

@@ -18,6 +18,17 @@ void rhw_pass_set_stencil_reference(rhw_context *context, rhw_pass id, uint8_t f
     }
 }
 
+void rhw_pass_set_stencil_masks(rhw_context *context, rhw_pass id, const struct rhw_stencil_masks *masks)
+{
+    struct rhw_pass_state *const pass = rhw_pass_enter(context, id, "rhw_pass_set_stencil_masks");
+    if (pass) {
+        pass->pending.depth_setting.has_masks = masks != NULL;
+        pass->pending.depth_setting.masks = masks ? *masks : (struct rhw_stencil_masks){0};
+        pass->pending_changed = true;
+        rhw_context_leave(context);
+    }
+}
+
 void rhw_pass_set_depth_bias(rhw_context *context, rhw_pass id, const struct rhw_depth_bias *bias)
 {
     static const char *const where = "rhw_pass_set_depth_bias";

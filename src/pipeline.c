@@ -251,7 +251,7 @@ static bool check_states(const struct rhw_context *context, const struct rhw_pip
                       RHW_POLYGON_POINT) &&
            check_line_width(context, def->line_width) &&
            check_enum(context, "provoking", "rhw_provoking", (int)def->provoking, RHW_PROVOKING_LAST) &&
-           check_enum(context, "cull", "rhw_cull", (int)def->cull, RHW_CULL_BACK) &&
+           check_enum(context, "cull", "rhw_cull", (int)def->cull, RHW_CULL_BOTH) &&
            check_enum(context, "front", "rhw_winding", (int)def->front, RHW_CLOCKWISE) &&
            check_enum(context, "depth_range", "rhw_depth_range", (int)def->depth_range,
                       RHW_DEPTH_MINUS_ONE_TO_ONE) &&

@@ -6,7 +6,7 @@
 
 // A request of one lane, in all of them.
 struct widened {
-    rhw_float coordinates[4], gradient[6], lod, reference;
+    rhw_float coordinates[4], gradient[6], lod, reference, bias;
     rhw_int offset[3];
     struct rhw_sample_request request;
 };
@@ -35,7 +35,8 @@ static void widen(const struct rhw_bindings *textures, int slot, const struct rh
         .gradient = widen_floats(one->gradient, 2 * components, lanes->gradient),
         .lod = widen_floats(one->lod, 1, &lanes->lod),
         .reference = widen_floats(one->reference, 1, &lanes->reference),
-        .offset = shifts ? lanes->offset : NULL};
+        .offset = shifts ? lanes->offset : NULL,
+        .bias = widen_floats(one->bias, 1, &lanes->bias)};
 }
 
 static void first_lane(const rhw_float *lanes, int count, float *to)

@@ -13,13 +13,14 @@ static rhw_float level_of_detail(const struct rhw_texture_data *texture, const s
                                  const struct rhw_sample_request *request)
 {
     const rhw_float *const gradient = request->gradient;
+    const rhw_float bias = (request->bias ? *request->bias : rhw_splat(0)) + def->lod_bias;
     if (!gradient) {
-        return (request->lod ? *request->lod : rhw_splat(0)) + def->lod_bias;
+        return (request->lod ? *request->lod : rhw_splat(0)) + bias;
     }
     const float width = (float)texture->mip[0].width, height = (float)texture->mip[0].height;
     const rhw_float ux = gradient[0] * width, vx = gradient[1] * height;
     const rhw_float uy = gradient[2] * width, vy = gradient[3] * height;
-    return rhw_log2(rhw_max(ux * ux + vx * vx, uy * uy + vy * vy)) * 0.5f + def->lod_bias;
+    return rhw_log2(rhw_max(ux * ux + vx * vx, uy * uy + vy * vy)) * 0.5f + bias;
 }
 
 // The two levels that each lane reads, which may be one.

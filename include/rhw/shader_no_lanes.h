@@ -37,6 +37,7 @@ struct rhw_sample_request1 {
     const float *coordinates, *gradient;
     const float *lod, *reference;
     const int32_t *offset;
+    const float *bias;
 };
 
 /// A lane of rhw_sample, rhw_sample_gather, rhw_sample_fetch, rhw_sample_fetch_sample, rhw_sample_query_lod and

@@ -34,6 +34,9 @@ struct rhw_sample_request {
     /// In texels of each level that is read, added before the address mode applies; a component for u, v and w as the
     /// texture has them; cubes have none and do not read it. Vulkan asks for −8..7; held to ±32768 here. NULL
     const rhw_int *offset;
+    /// [1]: added to the level of detail, that of the gradient or the one given, before limits; the sampler's own bias is
+    /// added too. NULL
+    const rhw_float *bias;
 };
 
 /// Samples slot `slot`, 0..RHW_MAX_TEXTURES − 1, of a group's `textures`; for shader functions, on the thread that runs
@@ -77,8 +80,9 @@ RHW_API void rhw_sample_size(const struct rhw_bindings *textures, int slot, cons
 static inline void rhw_sample_grad(const struct rhw_bindings *textures, int slot,
                                    const rhw_float *coordinates, const rhw_float *grad, rhw_float texel[4])
 {
-    const struct rhw_sample_request request = {coordinates, grad, (const rhw_float *)0, (const rhw_float *)0,
-                                               (const rhw_int *)0};
+    const struct rhw_sample_request request = {coordinates,          grad,
+                                               (const rhw_float *)0, (const rhw_float *)0,
+                                               (const rhw_int *)0,   (const rhw_float *)0};
     rhw_sample(textures, slot, &request, texel);
 }
 
@@ -86,8 +90,20 @@ static inline void rhw_sample_grad(const struct rhw_bindings *textures, int slot
 static inline void rhw_sample_lod(const struct rhw_bindings *textures, int slot, const rhw_float *coordinates,
                                   rhw_float lod, rhw_float texel[4])
 {
-    const struct rhw_sample_request request = {coordinates, (const rhw_float *)0, &lod, (const rhw_float *)0,
-                                               (const rhw_int *)0};
+    const struct rhw_sample_request request = {
+        coordinates,          (const rhw_float *)0, &lod,
+        (const rhw_float *)0, (const rhw_int *)0,   (const rhw_float *)0};
+    rhw_sample(textures, slot, &request, texel);
+}
+
+/// rhw_sample_grad, `bias` levels coarser or, where it is negative, finer (OpenGL's texture() with a bias, Vulkan 1.3
+/// "Level-of-Detail Operation").
+static inline void rhw_sample_bias(const struct rhw_bindings *textures, int slot,
+                                   const rhw_float *coordinates, const rhw_float *grad, rhw_float bias,
+                                   rhw_float texel[4])
+{
+    const struct rhw_sample_request request = {
+        coordinates, grad, (const rhw_float *)0, (const rhw_float *)0, (const rhw_int *)0, &bias};
     rhw_sample(textures, slot, &request, texel);
 }
 
@@ -97,8 +113,8 @@ static inline rhw_float rhw_sample_compare_grad(const struct rhw_bindings *textu
                                                 const rhw_float *coordinates, rhw_float reference,
                                                 const rhw_float *grad)
 {
-    const struct rhw_sample_request request = {coordinates, grad, (const rhw_float *)0, &reference,
-                                               (const rhw_int *)0};
+    const struct rhw_sample_request request = {
+        coordinates, grad, (const rhw_float *)0, &reference, (const rhw_int *)0, (const rhw_float *)0};
     rhw_float texel[4];
     rhw_sample(textures, slot, &request, texel);
     return texel[0];
@@ -109,8 +125,8 @@ static inline rhw_float rhw_sample_compare_lod(const struct rhw_bindings *textur
                                                const rhw_float *coordinates, rhw_float reference,
                                                rhw_float lod)
 {
-    const struct rhw_sample_request request = {coordinates, (const rhw_float *)0, &lod, &reference,
-                                               (const rhw_int *)0};
+    const struct rhw_sample_request request = {coordinates, (const rhw_float *)0, &lod,
+                                               &reference,  (const rhw_int *)0,   (const rhw_float *)0};
     rhw_float texel[4];
     rhw_sample(textures, slot, &request, texel);
     return texel[0];

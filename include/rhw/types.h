@@ -345,7 +345,8 @@ enum rhw_topology {
 /// §28.10.2). Facing and flat values are those of the triangle.
 enum rhw_polygon_mode { RHW_POLYGON_FILL, RHW_POLYGON_LINE, RHW_POLYGON_POINT };
 enum rhw_index_type { RHW_INDEX_UINT8, RHW_INDEX_UINT16, RHW_INDEX_UINT32 };
-enum rhw_cull { RHW_CULL_NONE, RHW_CULL_FRONT, RHW_CULL_BACK };
+/// Of triangles; points and lines have no side. BOTH leaves nothing to rasterize of them.
+enum rhw_cull { RHW_CULL_NONE, RHW_CULL_FRONT, RHW_CULL_BACK, RHW_CULL_BOTH };
 enum rhw_winding { RHW_COUNTER_CLOCKWISE, RHW_CLOCKWISE }; ///< as seen on the screen, y up
 enum rhw_blend_factor {
     RHW_BLEND_DEFAULT, ///< ONE as src, ZERO as dst: the source replaces
@@ -412,6 +413,11 @@ struct rhw_stencil_face {
     enum rhw_stencil_operation depth_fail; ///< where that passes and the depth test fails. KEEP
     enum rhw_stencil_operation pass;       ///< where both pass, or depth is not tested. KEEP
     uint16_t read_mask, write_mask;        ///< 1..255; 0: all bits; RHW_STENCIL_NO_BITS alone: none
+};
+
+/// Bits of the stencil that tests look at and operations change, by facing; 0: none.
+struct rhw_stencil_masks {
+    uint8_t read_front, read_back, write_front, write_back;
 };
 
 /// What is added to the depth of a triangle's fragments, to hold shadows and decals off their surfaces (Vulkan 1.3
@@ -601,6 +607,7 @@ struct rhw_depth_attachment {
     int layer_count;  ///< as that of a colour attachment; without a texture there are as many as colours have
 };
 
+/// Without attachments, for effects and queries alone, a pass says its size, samples and layers itself.
 struct rhw_pass_def {
     int width, height; ///< of every attachment; 0: taken from the first attachment
     struct rhw_color_attachment colors[RHW_MAX_COLOR_ATTACHMENTS];
@@ -608,6 +615,20 @@ struct rhw_pass_def {
     struct rhw_depth_attachment depth;
     int samples; ///< of each pixel: 0: as many as the first attachment's texture has; 1, 2, 4, 8, 16
     const char *label; ///< for messages
+    int layers; ///< of a pass without attachments; others have those of the first. 0: 1
+};
+
+/// What rhw_pass_clear_attachments clears, and to what.
+struct rhw_clear {
+    uint32_t colors; ///< bit i: colour attachment i of the pass
+    bool depth, stencil;
+    float color[RHW_MAX_COLOR_ATTACHMENTS][4]; ///< linear values, of formats that are no integers
+    int32_t color_integer[RHW_MAX_COLOR_ATTACHMENTS][4]; ///< of UINT and SINT formats, within their range
+    float depth_value; ///< 0..1
+    uint8_t stencil_value;
+    const struct rhw_rect *rects; ///< within the pass; read during the call
+    int rect_count;               ///< 0: everything
+    int layer, layer_count;       ///< of the pass's; 0: all from `layer` on
 };
 
 /// What rhw_pass_draw_indirect reads from a buffer; the members mean what those parameters of rhw_pass_draw do

@@ -22,6 +22,7 @@ rhw_sample_groups_function RHW_ISA_NAME(rhw_sample_groups);
 // sample_general.c
 rhw_sample_function RHW_ISA_NAME(rhw_sample_general);
 rhw_sample_function RHW_ISA_NAME(rhw_sample_anisotropic);
+rhw_sample_function RHW_ISA_NAME(rhw_sample_biased);
 rhw_gather_function RHW_ISA_NAME(rhw_gather_texels);
 rhw_fetch_function RHW_ISA_NAME(rhw_fetch_texels);
 rhw_query_level_function RHW_ISA_NAME(rhw_query_level);

@@ -15,6 +15,7 @@ const struct rhw_kernels RHW_ISA_NAME(rhw_kernels) = {
     .sample_groups = RHW_ISA_NAME(rhw_sample_groups),
     .sample_general = RHW_ISA_NAME(rhw_sample_general),
     .sample_anisotropic = RHW_ISA_NAME(rhw_sample_anisotropic),
+    .sample_biased = RHW_ISA_NAME(rhw_sample_biased),
     .gather = RHW_ISA_NAME(rhw_gather_texels),
     .fetch = RHW_ISA_NAME(rhw_fetch_texels),
     .query_level = RHW_ISA_NAME(rhw_query_level),

@@ -62,6 +62,8 @@ struct rhw_kernels {
     rhw_sample_function *sample_general;
     // Takes several samples of the binding's isotropic function.
     rhw_sample_function *sample_anisotropic;
+    // Samples a bound texture at the level of a request with a bias, by the function that the binding has.
+    rhw_sample_function *sample_biased;
     rhw_gather_function *gather;
     rhw_fetch_function *fetch;
     rhw_query_level_function *query_level;

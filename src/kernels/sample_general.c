@@ -20,6 +20,12 @@ void RHW_ISA_NAME(rhw_sample_anisotropic)(const struct rhw_binding *binding,
     sample_anisotropic(binding, request, texel);
 }
 
+void RHW_ISA_NAME(rhw_sample_biased)(const struct rhw_binding *binding,
+                                     const struct rhw_sample_request *request, rhw_float texel[4])
+{
+    sample_biased(binding, request, texel);
+}
+
 void RHW_ISA_NAME(rhw_gather_texels)(const struct rhw_binding *binding,
                                      const struct rhw_sample_request *request, int channel,
                                      rhw_float texel[4])

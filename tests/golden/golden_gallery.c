@@ -324,7 +324,8 @@ void golden_gallery_draw(rhw_context *context, int number, struct golden_images 
     const double aspect = (double)view.width / view.height;
     struct scene_model_camera camera = file_camera(number == 2);
     camera.yfov = 0.25f; // the narrower picture takes a taller angle
-    view.camera = number < 2 ? scene_camera_fit(model, (struct scene_orbit){25, 15}, 0.5, aspect)
+    view.camera = number < 2 ? scene_camera_fit(model, (struct scene_orbit){.azimuth = 25, .elevation = 15},
+                                                0.5, aspect)
                              : scene_camera_from_model(&camera, aspect);
     if (number == 1) {
         view.default_lights = true;
@@ -355,7 +356,8 @@ void golden_model_draw(rhw_context *context, int number, struct golden_images *i
     view.height = 120;
     view.supersample = 4;
     view.outputs = SCENE_OUTPUT_ALL;
-    view.camera =
-        scene_camera_fit(models[number], (struct scene_orbit){number == 0 ? 215 : 30, 20}, 0.5, 160.0 / 120);
+    view.camera = scene_camera_fit(models[number],
+                                   (struct scene_orbit){.azimuth = number == 0 ? 215 : 30, .elevation = 20},
+                                   0.5, 160.0 / 120);
     draw_model(context, models[number], &view, images);
 }

@@ -44,7 +44,7 @@ static void test_fit_touches_the_margin(void **state)
     for (double azimuth = -200.0; azimuth < 400.0; azimuth += 37.0) {
         for (double elevation = -90.0; elevation <= 90.0; elevation += 22.5) {
             for (double aspect = 0.25; aspect <= 4.0; aspect *= 2.0) {
-                const struct scene_orbit orbit = {azimuth, elevation};
+                const struct scene_orbit orbit = {.azimuth = azimuth, .elevation = elevation};
                 const struct scene_camera camera = scene_camera_fit(&t.model, orbit, 0.6, aspect);
                 double m[16], view[16], widest = 0.0, nearest = INFINITY, furthest = 0.0;
                 view_projection(&camera, aspect, m);
@@ -80,7 +80,7 @@ static void test_fit_angles(void **state)
         {180, 0, 0, 0, -1}, {-90, 0, -1, 0, 0},
         {0, 90, 0, 1, 0},   {30, 20, 0.469846310392954, 0.342020143325669, 0.813797681349374}};
     for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
-        const struct scene_orbit orbit = {cases[i][0], cases[i][1]};
+        const struct scene_orbit orbit = {.azimuth = cases[i][0], .elevation = cases[i][1]};
         const struct scene_camera camera = scene_camera_fit(&t.model, orbit, 0.5, 1.0);
         double back[3], length = 0.0;
         for (int c = 0; c < 3; c++) {
@@ -106,13 +106,13 @@ static void test_fit_of_degenerate_models(void **state)
         }
         tiny_set_bounds(&t);
         struct scene_view view = tiny_view(&t, 8);
-        view.camera = scene_camera_fit(&t.model, (struct scene_orbit){0, 0}, 0.5, 1.0);
+        view.camera = scene_camera_fit(&t.model, (struct scene_orbit){0}, 0.5, 1.0);
         char error[200];
         assert_true(scene_view_check(&view, error, sizeof error));
         assert_true(view.camera.eye[2] > (double)t.positions[3][2]);
     }
     t.model.instance_count = 0;
-    const struct scene_camera camera = scene_camera_fit(&t.model, (struct scene_orbit){0, 0}, 0.5, 1.0);
+    const struct scene_camera camera = scene_camera_fit(&t.model, (struct scene_orbit){0}, 0.5, 1.0);
     assert_true(camera.znear > 0.0 && camera.zfar > camera.znear);
 }
 
@@ -121,13 +121,78 @@ static void test_default_orbit_faces_flat_models(void **state)
     (void)state;
     struct tiny t;
     tiny_make(&t);
-    tiny_assert_close(scene_camera_default_orbit(&t.model).azimuth, 0.0, 0.0);
-    tiny_assert_close(scene_camera_default_orbit(&t.model).elevation, 0.0, 0.0);
+    tiny_assert_close(scene_camera_default_orbit(&t.model, SCENE_AXIS_Y).azimuth, 0.0, 0.0);
+    tiny_assert_close(scene_camera_default_orbit(&t.model, SCENE_AXIS_Y).elevation, 0.0, 0.0);
     t.indices[1] = 2;
     t.indices[2] = 1;
     t.indices[4] = 3;
     t.indices[5] = 2;
-    tiny_assert_close(scene_camera_default_orbit(&t.model).azimuth, 180.0, 0.0);
+    tiny_assert_close(scene_camera_default_orbit(&t.model, SCENE_AXIS_Y).azimuth, 180.0, 0.0);
+}
+
+// A model whose up is another axis is one with y up, turned: the same picture of it.
+static void test_fit_turns_with_up(void **state)
+{
+    (void)state;
+    static const double directions[6][2][3] = {
+        // up, and where azimuth 0 looks from
+        [SCENE_AXIS_Y] = {{0, 1, 0}, {0, 0, 1}},        [SCENE_AXIS_Z] = {{0, 0, 1}, {0, -1, 0}},
+        [SCENE_AXIS_X] = {{1, 0, 0}, {0, 0, 1}},        [SCENE_AXIS_MINUS_Y] = {{0, -1, 0}, {0, 0, 1}},
+        [SCENE_AXIS_MINUS_Z] = {{0, 0, -1}, {0, 1, 0}}, [SCENE_AXIS_MINUS_X] = {{-1, 0, 0}, {0, 0, 1}}};
+    for (int up = 0; up < 6; up++) {
+        struct tiny t;
+        tiny_make(&t);
+        const double *y = directions[up][0], *z = directions[up][1];
+        const double x[3] = {y[1] * z[2] - y[2] * z[1], y[2] * z[0] - y[0] * z[2], y[0] * z[1] - y[1] * z[0]};
+        struct scene_camera upright =
+            scene_camera_fit(&t.model, (struct scene_orbit){.azimuth = 50, .elevation = 35}, 0.5, 1.5);
+        for (int v = 0; v < 4; v++) {
+            const double p[3] = {(double)t.positions[v][0], (double)t.positions[v][1],
+                                 (double)t.positions[v][2]};
+            for (int i = 0; i < 3; i++) {
+                t.positions[v][i] = (float)(p[0] * x[i] + p[1] * y[i] + p[2] * z[i]);
+            }
+        }
+        tiny_set_bounds(&t);
+        const struct scene_camera camera = scene_camera_fit(
+            &t.model, (struct scene_orbit){.azimuth = 50, .elevation = 35, .up = (enum scene_axis)up}, 0.5,
+            1.5);
+        for (int i = 0; i < 3; i++) {
+            const double *e = upright.eye, *u = upright.up;
+            tiny_assert_close(camera.eye[i], e[0] * x[i] + e[1] * y[i] + e[2] * z[i], 1e-12);
+            tiny_assert_close(camera.up[i], u[0] * x[i] + u[1] * y[i] + u[2] * z[i], 1e-12);
+        }
+        // The square faces where azimuth 0 looks from, and so the orbit of a flat model does.
+        const struct scene_orbit orbit = scene_camera_default_orbit(&t.model, (enum scene_axis)up);
+        assert_true(orbit.azimuth == 0 && orbit.elevation == 0 && orbit.up == (enum scene_axis)up);
+    }
+}
+
+// Two instances of one mesh: a cube-like square of corners, and a ground.
+static void test_fit_leaves_a_vast_ground_out(void **state)
+{
+    (void)state;
+    struct tiny t;
+    tiny_make(&t);
+    t.positions[0][2] = t.positions[2][2] = 1.0f; // no longer flat
+    tiny_set_bounds(&t);
+    const struct scene_orbit orbit = {.azimuth = 30, .elevation = 20},
+                             whole = {.azimuth = 30, .elevation = 20, .whole = true};
+    const double alone = scene_camera_fit(&t.model, orbit, 0.5, 1.0).zfar;
+    t.model.instance_count = 2;
+    for (int large = 0; large < 2; large++) {
+        const float side = large ? 10.01f : 9.99f; // times the side, 100 times the area
+        t.instances[1].world[0] = t.instances[1].world[5] = side;
+        t.instances[1].world[10] = 0.001f;
+        const struct scene_camera camera = scene_camera_fit(&t.model, orbit, 0.5, 1.0);
+        const struct scene_camera all = scene_camera_fit(&t.model, whole, 0.5, 1.0);
+        const double far = sqrt(camera.eye[0] * camera.eye[0] + camera.eye[2] * camera.eye[2]);
+        const double far_all = sqrt(all.eye[0] * all.eye[0] + all.eye[2] * all.eye[2]);
+        assert_true(far_all > 25 && (far < 8) == (large == 1));
+        assert_true(camera.zfar > alone); // the ground is drawn all the same
+    }
+    t.instances[0].world[10] = 0; // everything is flat: all is the subject
+    assert_true(scene_camera_fit(&t.model, orbit, 0.5, 1.0).eye[2] > 20);
 }
 
 static void test_look_refuses_what_is_no_camera(void **state)
@@ -146,8 +211,12 @@ static void test_look_refuses_what_is_no_camera(void **state)
     assert_false(scene_camera_look(&camera, &t.model, eye, target, up, 0.0, error, sizeof error));
     assert_false(scene_camera_look(&camera, &t.model, eye, target, up, pi, error, sizeof error));
     assert_non_null(strstr(error, "179 degrees"));
-    // Looking along `up` is allowed: the rows of the view matrix are still perpendicular and of length 1.
-    assert_true(scene_camera_look(&camera, &t.model, eye, target, eye, 0.7, error, sizeof error));
+    const double along[3] = {-2, -4, -6.000001}; // 2e-8 radians from it
+    assert_false(scene_camera_look(&camera, &t.model, eye, target, eye, 0.7, error, sizeof error));
+    assert_false(scene_camera_look(&camera, &t.model, eye, target, along, 0.7, error, sizeof error));
+    assert_string_equal(error, "not a camera: up must not be parallel to the view");
+    // A camera of a file may look along its `up`: the rows of the view matrix are still perpendicular and of length 1.
+    memcpy(camera.up, eye, sizeof eye);
     double m[16];
     scene_camera_view(&camera, m);
     for (int a = 0; a < 3; a++) {
@@ -232,6 +301,8 @@ int main(void)
         cmocka_unit_test(test_fit_angles),
         cmocka_unit_test(test_fit_of_degenerate_models),
         cmocka_unit_test(test_default_orbit_faces_flat_models),
+        cmocka_unit_test(test_fit_turns_with_up),
+        cmocka_unit_test(test_fit_leaves_a_vast_ground_out),
         cmocka_unit_test(test_look_refuses_what_is_no_camera),
         cmocka_unit_test(test_projection_against_formulas),
         cmocka_unit_test(test_file_camera_in_a_narrow_picture),

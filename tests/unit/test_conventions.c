@@ -247,7 +247,7 @@ static void test_winding_and_culling(void **state)
     const float corners[3][2] = {{-0.75f, -0.75f}, {0.75f, -0.75f}, {0, 0.75f}};
     for (int clockwise = 0; clockwise < 2; clockwise++) {
         for (int front = 0; front < 2; front++) {
-            for (int cull = 0; cull < 3; cull++) {
+            for (int cull = RHW_CULL_NONE; cull <= RHW_CULL_BOTH; cull++) {
                 for (int mirrored = 0; mirrored < 2; mirrored++) {
                     struct rig_vertex triangle[3] = {0};
                     for (int i = 0; i < 3; i++) {
@@ -261,7 +261,8 @@ static void test_winding_and_culling(void **state)
                     rig.pipeline.cull = (enum rhw_cull)cull;
                     rig_draw_once(&rig, triangle, 3);
                     const bool is_front = (clockwise ^ mirrored) == front;
-                    const bool gone = cull == (is_front ? RHW_CULL_FRONT : RHW_CULL_BACK);
+                    const bool gone =
+                        cull == RHW_CULL_BOTH || cull == (is_front ? RHW_CULL_FRONT : RHW_CULL_BACK);
                     const float seen = rig_read_float4(&rig)[16 * 32 + 16][0];
                     assert_true(seen == (gone ? 0.0f : is_front ? 2.0f : 1.0f));
                     assert_int_equal(rig.stats.triangles_culled, gone ? 1 : 0);

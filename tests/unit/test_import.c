@@ -483,6 +483,77 @@ static void test_blob(void **state)
     free(original);
 }
 
+// What is up --------------------------------------------------------------------------------------
+
+// A pyramid that stands on its base, seen along an axis, which points to its tip; as OBJ, OFF or STL.
+static void write_pyramid(const char *name, int axis)
+{
+    static const float corners[5][3] = {{-1, -1, 0}, {1, -1, 0}, {1, 1, 0}, {-1, 1, 0}, {0.5f, 0.5f, 3}};
+    static const int faces[6][3] = {{0, 2, 1}, {0, 3, 2}, {0, 1, 4}, {1, 2, 4}, {2, 3, 4}, {3, 0, 4}};
+    FILE *file = fopen(path_of(name), "w");
+    assert_non_null(file);
+    const char ending = name[strlen(name) - 1]; // obJ, ofF, stL
+    fputs(ending == 'f' ? "OFF\n5 6 0\n" : ending == 'l' ? "solid s\n" : "", file);
+    for (int v = 0; v < 5 && ending != 'l'; v++) {
+        const float *p = corners[v];
+        fprintf(file, "%s%g %g %g\n", ending == 'j' ? "v " : "", (double)p[(5 - axis) % 3],
+                (double)p[(6 - axis) % 3], (double)p[(7 - axis) % 3]);
+    }
+    for (int f = 0; f < 6; f++) {
+        const int *c = faces[f];
+        if (ending != 'l') {
+            const int base = ending == 'j';
+            fprintf(file, "%s%d %d %d\n", base ? "f " : "3 ", c[0] + base, c[1] + base, c[2] + base);
+            continue;
+        }
+        fputs("facet normal 0 0 0\nouter loop\n", file);
+        for (int k = 0; k < 3; k++) {
+            const float *p = corners[c[k]];
+            fprintf(file, "vertex %g %g %g\n", (double)p[(5 - axis) % 3], (double)p[(6 - axis) % 3],
+                    (double)p[(7 - axis) % 3]);
+        }
+        fputs("endloop\nendfacet\n", file);
+    }
+    fputs(ending == 'l' ? "endsolid s\n" : "", file);
+    assert_int_equal(fclose(file), 0);
+}
+
+static void test_up(void **state)
+{
+    (void)state;
+    static const char *const names[] = {"up.obj", "up.off", "up.stl"};
+    for (int i = 0; i < 3; i++) {
+        for (int axis = 1; axis < 3; axis++) {
+            write_pyramid(names[i], axis);
+            struct scene_model *model = load(names[i]);
+            assert_true(model->bounds_max[axis] == 3);
+            assert_int_equal(model->up, axis == 2 ? SCENE_AXIS_Z : SCENE_AXIS_Y);
+            assert_int_equal(model->up_guessed, (axis == 2) != (i == 2));
+            scene_model_free(model);
+        }
+    }
+    // A relief that faces the viewer has its broad side below along z, but must not lie.
+    struct scene_model *model = load_text("card.obj", "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nv .5 .5 .05\n"
+                                                      "f 1 2 5\nf 2 3 5\nf 3 4 5\nf 4 1 5\n");
+    assert_int_equal(model->up, SCENE_AXIS_Y);
+    scene_model_free(model);
+    // Along z all of the base, along y a strip beside it: a fifth or a tenth of that side.
+    for (int tenth = 0; tenth < 2; tenth++) {
+        char text[256];
+        snprintf(text, sizeof text,
+                 "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nv .5 .5 1\nv 0 0 %g\nv 1 0 %g\n"
+                 "f 4 3 2 1\nf 1 2 7 6\nf 2 3 5\nf 3 4 5\nf 4 1 5\n",
+                 tenth ? 0.1 : 0.2, tenth ? 0.1 : 0.2);
+        model = load_text("strip.obj", text);
+        assert_int_equal(model->up, tenth ? SCENE_AXIS_Z : SCENE_AXIS_Y);
+        scene_model_free(model);
+    }
+    // Nothing to stand on, neither way: what is usual.
+    model = load_text("tip.obj", "v 0 0 0\nv 1 3 3\nv 3 2 1\nv 1 2 4\nf 1 2 3\nf 1 3 4\n");
+    assert_int_equal(model->up, SCENE_AXIS_Y);
+    scene_model_free(model);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -498,6 +569,7 @@ int main(void)
         cmocka_unit_test(test_ply),
         cmocka_unit_test(test_ply_elements),
         cmocka_unit_test(test_blob),
+        cmocka_unit_test(test_up),
     };
     return cmocka_run_group_tests(tests, make_directory, remove_directory);
 }

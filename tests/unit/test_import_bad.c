@@ -24,9 +24,8 @@ static const struct {
     {"old.gltf", "{\"asset\":{\"version\":\"1.0\"}}", "is glTF 1.0, which is not supported"},
     {"older.gltf", "{\"asset\":{\"version\":1.0}}", "is glTF 1.0, which is not supported"},
     {"new.gltf", "{\"asset\":{\"version\":\"2.1\",\"minVersion\":\"2.1\"}}", "at least glTF 2.1"},
-    {"draco.gltf",
-     "{\"asset\":{\"version\":\"2.0\"},\"extensionsRequired\":[\"KHR_draco_mesh_compression\"]}",
-     "requires the glTF extension KHR_draco_mesh_compression"},
+    {"voxels.gltf", "{\"asset\":{\"version\":\"2.0\"},\"extensionsRequired\":[\"EXT_primitive_voxels\"]}",
+     "requires the glTF extension EXT_primitive_voxels"},
     {"cycle.gltf", "{\"asset\":{\"version\":\"2.0\"},\"nodes\":[{\"children\":[1]},{\"children\":[0]}]}",
      "the node graph has a cycle"},
     {"self.gltf", "{\"asset\":{\"version\":\"2.0\"},\"nodes\":[{\"children\":[0]}]}",
@@ -193,7 +192,7 @@ static void test_limits(void **state)
     (void)state;
     char error[512] = "";
     write_slow_file();
-    const struct scene_model_limits time_limit = {.seconds = 1};
+    const struct scene_model_options time_limit = {.seconds = 1};
     struct timespec start, end;
     clock_gettime(CLOCK_MONOTONIC, &start);
     assert_null(scene_model_load(path_of("slow.gltf"), &time_limit, error, sizeof error));
@@ -216,7 +215,7 @@ static void test_memory_limit(void **state)
 #endif
     char error[512] = "";
     write_slow_file();
-    const struct scene_model_limits memory_limit = {.memory = (size_t)128 << 20};
+    const struct scene_model_options memory_limit = {.memory = (size_t)128 << 20};
     assert_null(scene_model_load(path_of("slow.gltf"), &memory_limit, error, sizeof error));
     assert_non_null(strstr(error, "needs more memory"));
 }

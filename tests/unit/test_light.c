@@ -136,7 +136,7 @@ static void test_environment_irradiance(void **state)
     tiny_make(&t);
     struct scene_lighting lighting;
     const struct scene_view view = tiny_view(&t, 8);
-    assert_true(scene_lighting_create(&lighting, &t.model, &view.camera, false, 0.0));
+    assert_true(scene_lighting_create(&lighting, &t.model, &view.camera, SCENE_AXIS_Y, false, 0.0));
     struct scene_environment e = lighting.environment;
     for (int c = 0; c < 3; c++) {
         e.sky[c] = e.ground[c] = 0.0f;
@@ -169,7 +169,7 @@ static void test_environment_reflection(void **state)
     tiny_make(&t);
     struct scene_lighting lighting;
     const struct scene_view view = tiny_view(&t, 8);
-    assert_true(scene_lighting_create(&lighting, &t.model, &view.camera, false, 1.0));
+    assert_true(scene_lighting_create(&lighting, &t.model, &view.camera, SCENE_AXIS_Y, false, 1.0));
     const struct scene_environment *e = &lighting.environment;
     rhw_float direction[3], sharp[3], rough[3];
     const double axis[3] = {(double)e->lobe_direction[0][0], (double)e->lobe_direction[0][1],
@@ -200,7 +200,7 @@ static void test_exposure_follows_the_lights(void **state)
     for (float intensity = 0.01f; intensity < 1e7f; intensity *= 100.0f) {
         t.light.intensity = intensity;
         struct scene_lighting lighting;
-        assert_true(scene_lighting_create(&lighting, &t.model, &view.camera, false, 0.0));
+        assert_true(scene_lighting_create(&lighting, &t.model, &view.camera, SCENE_AXIS_Y, false, 0.0));
         const rhw_float middle[3] = {rhw_splat(0.0f), rhw_splat(0.0f), rhw_splat(0.0f)};
         rhw_float to_light[3], irradiance[3];
         scene_light_at(&lighting.lights[0], middle, to_light, irradiance);
@@ -227,7 +227,7 @@ static void test_spot_and_range(void **state)
     t.model.light_count = 1;
     const struct scene_view view = tiny_view(&t, 8);
     struct scene_lighting lighting;
-    assert_true(scene_lighting_create(&lighting, &t.model, &view.camera, false, 0.0));
+    assert_true(scene_lighting_create(&lighting, &t.model, &view.camera, SCENE_AXIS_Y, false, 0.0));
     const double scale = (double)lighting.lights[0].color[0];
     const double points[][3] = {{0, 0, 0}, {0.5, 0, 0}, {2.0, 0, 0}, {4, 0, 0}, {0, 0, -3.9}, {0, 0, -5}};
     for (int i = 0; i < 6; i++) {

@@ -306,7 +306,7 @@ static void test_pipeline_definitions(void **state)
         case 16: def.buffer_count = -1; break;
         case 17: def.topology = (enum rhw_topology)10; break;
         case 18: def.provoking = (enum rhw_provoking)2; break;
-        case 19: def.cull = (enum rhw_cull)3; break;
+        case 19: def.cull = (enum rhw_cull)4; break;
         case 20: def.front = (enum rhw_winding)2; break;
         case 21: def.depth_range = (enum rhw_depth_range)2; break;
         case 22: def.depth_compare = (enum rhw_compare)8; break;

@@ -430,7 +430,7 @@ static void test_pictures_do_not_depend_on_the_machine(void **state)
     t.material.metallic = 0.4f;
     t.material.roughness = 0.3f;
     struct scene_view view = tiny_view(&t, 200);
-    view.camera = scene_camera_fit(&t.model, (struct scene_orbit){35, 15}, 0.6, 1.0);
+    view.camera = scene_camera_fit(&t.model, (struct scene_orbit){.azimuth = 35, .elevation = 15}, 0.6, 1.0);
     view.background = SCENE_BACKGROUND_DEFAULT;
     view.supersample = 4;
     struct scene_pictures first = draw_model(&t.model, &view);

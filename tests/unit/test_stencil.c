@@ -14,6 +14,8 @@ struct layer {
     enum rhw_compare depth_compare;
     struct rhw_stencil_face face[2];
     uint8_t reference[2];
+    bool has_masks; // set in the pass
+    struct rhw_stencil_masks masks;
 };
 
 struct model {
@@ -68,8 +70,14 @@ static int mask_bits(uint16_t mask)
 static void model_fragment(struct model *model, const struct layer *layer, int at)
 {
     const struct rhw_stencil_face *const face = &layer->face[layer->back];
-    const int reference = layer->reference[layer->back], read = mask_bits(face->read_mask),
-              write = mask_bits(face->write_mask), stencil = model->stencil[at];
+    const int reference = layer->reference[layer->back], stencil = model->stencil[at];
+    const struct rhw_stencil_masks *const set = &layer->masks;
+    const int read = !layer->has_masks ? mask_bits(face->read_mask)
+                     : layer->back     ? set->read_back
+                                       : set->read_front;
+    const int write = !layer->has_masks ? mask_bits(face->write_mask)
+                      : layer->back     ? set->write_back
+                                        : set->write_front;
     const bool passes_stencil = !face->compares || holds(face->compare, reference & read, stencil & read);
     const bool passes_depth =
         !layer->depth_test || holds(layer->depth_compare, (double)layer->depth, (double)model->depth[at]);
@@ -127,6 +135,12 @@ static struct layer random_layer(uint64_t *random)
     layer.face[1] = random_face(random);
     layer.reference[0] = (uint8_t)rig_random_int(random, 256);
     layer.reference[1] = (uint8_t)rig_random_int(random, 256);
+    layer.has_masks = rig_random_int(random, 3) == 0;
+    layer.masks = (struct rhw_stencil_masks){
+        .read_front = (uint8_t)rig_random_int(random, 256),
+        .read_back = rig_random_int(random, 2) ? 0 : 0xf0,
+        .write_front = rig_random_int(random, 2) ? 0 : (uint8_t)rig_random_int(random, 256),
+        .write_back = (uint8_t)rig_random_int(random, 256)};
     return layer;
 }
 
@@ -149,6 +163,7 @@ static void draw_layer(struct rig *rig, const struct layer *layer)
     rig->pipeline.program.uses = layer->late ? RHW_USE_DISCARD | RHW_USE_COORD : 0;
     rig_set_program(rig, rig_vertex_pass, layer->late ? discarding_fragment : rig_fragment_pass);
     rhw_pass_set_stencil_reference(rig->context, rig->recording, layer->reference[0], layer->reference[1]);
+    rhw_pass_set_stencil_masks(rig->context, rig->recording, layer->has_masks ? &layer->masks : NULL);
     rig_draw(rig, vertices, 6);
 }
 

@@ -204,6 +204,112 @@ static void test_reductions(void **state)
     rig_close(&rig);
 }
 
+// The level that a sample is from: numbered() has it in the thousands.
+static int level_of(const struct bound *bound, const struct rhw_sample_request1 *request)
+{
+    float texel[4];
+    rhw_sample1(&bound->bindings, SLOT, request, texel);
+    return (int)(texel[0] / 1000);
+}
+
+// Gradients of two texels of level 0 ask for level 1.
+static void test_bias(void **state)
+{
+    (void)state;
+    struct rig rig;
+    rig_open(&rig, 4, 4);
+    struct bound bound;
+    static const struct {
+        enum rhw_texture_kind kind;
+        int layers;
+        float gradient[6];
+    } cases[] = {{RHW_TEXTURE_1D, 0, {0.25f}},
+                 {RHW_TEXTURE_2D, 0, {0.25f, 0, 0, 0.125f}},
+                 {RHW_TEXTURE_2D, 2, {0.125f, 0, 0, 0.25f}},
+                 {RHW_TEXTURE_3D, 0, {0, 0, 0, 0, 0, 0.25f}},
+                 {RHW_TEXTURE_CUBE, 0, {0, 0, 0, 0, 0.5f, 0}}}; // a face is 2 wide
+    static const float at[4] = {1, 0.1f, 0.1f, 0};
+    for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
+        const bool is_line = cases[i].kind == RHW_TEXTURE_1D, is_volume = cases[i].kind == RHW_TEXTURE_3D;
+        const struct rhw_texture_def def = {.format = RHW_FORMAT_R32_FLOAT,
+                                            .kind = cases[i].kind,
+                                            .layers = cases[i].layers,
+                                            .width = 8,
+                                            .height = is_line ? 1 : 8,
+                                            .depth = is_volume ? 8 : 0,
+                                            .mip_levels = 4};
+        const rhw_texture texture = numbered(&rig, def);
+        for (int way = 0; way < 3; way++) {
+            const bool by_sampler = way == 1, anisotropic = way == 2;
+            const struct rhw_sampler_def sampler = {.mip_filter = RHW_MIP_FILTER_NEAREST,
+                                                    .min_filter = RHW_FILTER_NEAREST,
+                                                    .mag_filter = RHW_FILTER_NEAREST,
+                                                    .lod_bias = by_sampler ? 1 : 0,
+                                                    .lod_max = by_sampler ? 2 : 0,
+                                                    .max_anisotropy = anisotropic ? 4 : 0};
+            bind(&bound, &rig, texture, &sampler);
+            // Four samples along the one axis there is have a quarter of its length each.
+            const bool is_long = anisotropic && cases[i].kind != RHW_TEXTURE_2D;
+            const int own = by_sampler ? 2 : is_long ? -1 : anisotropic ? 0 : 1;
+            for (float bias = -3; bias <= 4; bias++) {
+                const int wanted = own + (int)bias, most = by_sampler ? 2 : 3;
+                const int expected = wanted < 0 ? 0 : wanted > most ? most : wanted;
+                const struct rhw_sample_request1 along = {
+                    .coordinates = at, .gradient = cases[i].gradient, .bias = &bias};
+                assert_int_equal(level_of(&bound, &along), expected);
+                float texel[4];
+                rhw_sample_bias1(&bound.bindings, SLOT, at, cases[i].gradient, bias, texel);
+                assert_int_equal((int)(texel[0] / 1000), expected);
+                float lods[2];
+                rhw_sample_query_lod1(&bound.bindings, SLOT, &along, lods);
+                assert_true((int)lods[0] == expected && lods[1] == (float)wanted);
+                // A level that is given is biased as well; an offset is kept.
+                const float one = is_long ? -1 : anisotropic ? 0 : 1;
+                const int32_t offset[3] = {0, 0, 0};
+                const struct rhw_sample_request1 given = {
+                    .coordinates = at, .lod = &one, .bias = &bias, .offset = offset};
+                assert_int_equal(level_of(&bound, &given), expected);
+            }
+        }
+    }
+    // Nothing is bound: no texel, whatever the bias.
+    rhw_bindings_init(&bound.bindings, rhw_kernels_for(RHW_ISA_BASELINE));
+    float texel[4];
+    rhw_sample_bias1(&bound.bindings, SLOT, at, cases[1].gradient, 1, texel);
+    assert_true(texel[0] == 0 && texel[3] == 1);
+    rig_close(&rig);
+}
+
+// The fast paths of 8 bits take a biased level as they take one that is given.
+static void test_bias_of_bytes(void **state)
+{
+    (void)state;
+    struct rig rig;
+    rig_open(&rig, 4, 4);
+    struct bound bound;
+    const struct rhw_sampler_def sampler = {0};
+    const struct rhw_texture_def def = {
+        .format = RHW_FORMAT_RGBA8_UNORM, .width = 16, .height = 16, .mip_levels = RHW_MIP_LEVELS_ALL};
+    rhw_texture texture;
+    uint8_t texels[16 * 16 * 4];
+    for (size_t i = 0; i < sizeof texels; i++) {
+        texels[i] = (uint8_t)(i * i * 7 + i / 64 * 31);
+    }
+    assert_int_equal(rhw_texture_create(rig.context, &def, &texture), RHW_OK);
+    assert_int_equal(rhw_texture_write(rig.context, texture, 0, texels, 0), RHW_OK);
+    assert_int_equal(rhw_texture_generate_mips(rig.context, texture), RHW_OK);
+    bind(&bound, &rig, texture, &sampler);
+    const rhw_float lanes = rhw_float_from_int(rhw_lane_numbers());
+    const rhw_float coordinates[2] = {lanes * 0.11f, lanes * 0.07f};
+    const rhw_float gradient[4] = {rhw_splat(0.0625f), rhw_splat(0), rhw_splat(0), rhw_splat(0.0625f)};
+    const rhw_float bias = lanes * 0.37f - 0.5f;
+    rhw_float biased[4], given[4];
+    rhw_sample_bias(&bound.bindings, SLOT, coordinates, gradient, bias, biased);
+    rhw_sample_lod(&bound.bindings, SLOT, coordinates, bias, given);
+    assert_memory_equal(biased, given, sizeof given);
+    rig_close(&rig);
+}
+
 static void test_coordinates_in_texels(void **state)
 {
     (void)state;
@@ -290,6 +396,8 @@ int main(void)
         cmocka_unit_test(test_sizes),
         cmocka_unit_test(test_gather),
         cmocka_unit_test(test_reductions),
+        cmocka_unit_test(test_bias),
+        cmocka_unit_test(test_bias_of_bytes),
         cmocka_unit_test(test_coordinates_in_texels),
         cmocka_unit_test(test_misuse),
     };

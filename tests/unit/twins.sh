@@ -6,7 +6,7 @@
 set -eu
 cd "$1"
 lanes_alone="splat splat_int lane_numbers load load_int store store_int mask_bits any all"
-drawn_by_others="sample_grad sample_lod sample_compare_grad sample_compare_lod sample_dual" # they need textures: test_sample.c, test_shader_dual.c
+drawn_by_others="sample_grad sample_lod sample_bias sample_compare_grad sample_compare_lod sample_dual" # they need textures: test_sample.c, test_shader_dual.c
 failed=0
 count=0
 

@@ -171,6 +171,7 @@ static void print_text(const struct scene_model *model)
     print_materials(model);
     print_images(model);
     print_cameras_and_lights(model);
+    print_lines("variants", model->variants, model->variant_count);
     print_lines("warnings", model->warnings, model->warning_count);
     print_lines("not supported", model->unsupported, model->unsupported_count);
 }
@@ -347,6 +348,7 @@ static void print_json(const struct scene_model *model)
     json_images(model);
     json_cameras(model);
     json_lights(model);
+    json_lines("variants", model->variants, model->variant_count);
     json_lines("warnings", model->warnings, model->warning_count);
     json_lines("unsupported", model->unsupported, model->unsupported_count);
     printf("\n}\n");

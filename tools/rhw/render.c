@@ -86,10 +86,11 @@ static bool plan_files(struct render *render)
 static bool import_model(struct render *render)
 {
     const struct cli_render_job *job = &render->job;
+    const struct scene_model_options options = {.variant = job->variant};
     char error[512];
     const double start = now_ms();
     cli_stage("reading", job->model_path);
-    render->model = scene_model_load(job->model_path, NULL, error, sizeof error);
+    render->model = scene_model_load(job->model_path, &options, error, sizeof error);
     cli_stage_end();
     render->times.import_ms = now_ms() - start;
     if (!render->model) {
@@ -160,8 +161,11 @@ static bool look_from_numbers(const struct render *render, struct scene_camera *
 static struct scene_camera fit_camera(const struct render *render)
 {
     const struct cli_render_job *job = &render->job;
-    const struct scene_orbit orbit =
-        job->camera == CLI_CAMERA_ORBIT ? job->orbit : scene_camera_default_orbit(render->model);
+    const enum scene_axis up = job->has_up ? job->up : render->model->up;
+    struct scene_orbit orbit =
+        job->camera == CLI_CAMERA_ORBIT ? job->orbit : scene_camera_default_orbit(render->model, up);
+    orbit.up = up;
+    orbit.whole = job->fit_all;
     const double yfov = job->fovy > 0.0f ? (double)job->fovy * degree : scene_camera_default_yfov();
     return scene_camera_fit(render->model, orbit, yfov, (double)job->width / (double)job->height);
 }
@@ -198,6 +202,7 @@ static bool set_view(struct render *render)
     view->background = job->background;
     memcpy(view->background_color, job->background_color, sizeof view->background_color);
     view->default_lights = job->default_lights;
+    view->up = job->has_up ? job->up : render->model->up;
     view->exposure = (double)job->exposure;
     view->outputs = cli_outputs_needed(job->kinds, job->format, job->bits);
     if (!choose_camera(render, &view->camera)) {

@@ -16,11 +16,14 @@ enum cli_camera_choice {
 
 struct cli_render_job {
     const char *model_path, *out;
+    const char *variant; ///< of the materials; NULL: none
     enum cli_picture_format format;
     int width, height, samples, supersample;
     enum cli_camera_choice camera;
     const char *camera_option; ///< the option that chose it, for messages
     struct scene_orbit orbit;
+    bool fit_all, has_up;
+    enum scene_axis up; ///< with has_up; else the model's
     float look[10];
     int camera_index;
     const char *camera_name;
@@ -39,6 +42,10 @@ struct cli_render_job {
     bool stats;
     const char *stats_path; ///< "-": standard output
 };
+
+enum { CLI_AXES = SCENE_AXIS_MINUS_X + 1 };
+
+extern const char *const cli_axis_names[CLI_AXES]; ///< of enum scene_axis
 
 struct cli_render_times {
     double import_ms, encode_ms, total_ms;

@@ -18,6 +18,8 @@ enum {
     OPTION_CAMERA,
     OPTION_ORBIT,
     OPTION_FIT,
+    OPTION_UP,
+    OPTION_VARIANT,
     OPTION_CAMERA_INDEX,
     OPTION_CAMERA_NAME,
     OPTION_FOVY,
@@ -44,7 +46,11 @@ static const struct cli_option options[] = {
     {"output", OPTION_OUTPUT, "LIST", "what to write, separated by commas; default color (see below)"},
     {"bits", OPTION_BITS, "N", "8 or 16 bits per sample of PNG and PPM; default: as the output needs"},
     {"format", OPTION_FORMAT, "NAME", "png, exr or ppm, whatever OUT ends in"},
-    {"fit", OPTION_FIT, NULL, "fit the whole model into the picture, also when the file has cameras"},
+    {"fit", OPTION_FIT, "[WHAT]",
+     "fit the model into the picture, also when the file has cameras: its\nsubject (the default), without a "
+     "ground "
+     "that would make it a dot, or\nall"},
+    {"up", OPTION_UP, "AXIS", "what is up: x, y, z, -x, -y or -z; default: as the file says (see below)"},
     {"orbit", OPTION_ORBIT, "AZ,EL",
      "fit it from these angles in degrees: azimuth 0 is the front, 90 the\nright side; elevation 90 is "
      "straight from above; default: 30,20,\nor a flat model from its front"},
@@ -60,6 +66,8 @@ static const struct cli_option options[] = {
      "edges over the shaded surface (over) or over a plain one (plain)"},
     {"background", OPTION_BACKGROUND, "COLOR",
      "rrggbb in hexadecimal, black, grey, white, transparent or default"},
+    {"variant", OPTION_VARIANT, "NAME",
+     "the materials of this name, of a glTF that offers a choice; see rhw info"},
     {"lights", OPTION_LIGHTS, "WHICH", "file (default: those of the file, if any) or default"},
     {"exposure", OPTION_EXPOSURE, "STOPS", "brighter by this many factors of two; -20..20"},
     {"threads", OPTION_THREADS, "N",
@@ -97,6 +105,10 @@ static const char notes[] =
     "background), depth.Z, distance.Z, normal.XYZA, position.XYZA, uv.UV, object.id, triangle.id (integers, "
     "0\n"
     "is nothing), bary.abc.\n\n"
+    "What is up matters to a fitted camera and to the sky. glTF has y, 3MF and AMF z; FBX says it; STL has "
+    "z, OBJ, PLY and "
+    "OFF y,\nunless the model clearly stands on another side, which --stats tells. Numbers stay those of the "
+    "file.\n\n"
     "Without --fit, --orbit or --camera the file's first camera is taken; where there is none, or it sees "
     "nothing of\n"
     "the model, the model is fitted into the picture.\n"
@@ -192,6 +204,27 @@ static bool parse_background(struct cli_render_job *job, const char *argument)
     return true;
 }
 
+static bool parse_fit(struct cli_render_job *job, const char *argument)
+{
+    static const char *const names[] = {"subject", "all"};
+    const int what = argument ? choose("--fit", argument, names, 2) : 0;
+    job->fit_all = what == 1;
+    // --orbit fits as well
+    return what >= 0 && (job->camera == CLI_CAMERA_ORBIT || choose_camera(job, CLI_CAMERA_FIT, "--fit"));
+}
+
+const char *const cli_axis_names[CLI_AXES] = {
+    [SCENE_AXIS_Y] = "y",        [SCENE_AXIS_Z] = "z",        [SCENE_AXIS_X] = "x",
+    [SCENE_AXIS_MINUS_Y] = "-y", [SCENE_AXIS_MINUS_Z] = "-z", [SCENE_AXIS_MINUS_X] = "-x"};
+
+static bool parse_up(struct cli_render_job *job, const char *argument)
+{
+    const int up = choose("--up", argument, cli_axis_names, CLI_AXES);
+    job->up = (enum scene_axis)up;
+    job->has_up = true;
+    return up >= 0;
+}
+
 static bool parse_camera_option(struct cli_render_job *job, int id, const char *argument)
 {
     float angles[2];
@@ -208,7 +241,7 @@ static bool parse_camera_option(struct cli_render_job *job, int id, const char *
             cli_error("--orbit", "'%s' is not two angles in degrees: azimuth,elevation", argument);
             return false;
         }
-        job->orbit = (struct scene_orbit){angles[0], angles[1]};
+        job->orbit = (struct scene_orbit){.azimuth = angles[0], .elevation = angles[1]};
         return choose_camera(job, CLI_CAMERA_ORBIT, "--orbit");
     case OPTION_CAMERA_INDEX:
         if (cli_parse_int(argument, 0, 1 << 20, &job->camera_index)) {
@@ -225,8 +258,7 @@ static bool parse_camera_option(struct cli_render_job *job, int id, const char *
         }
         cli_error("--fovy", "'%s' is not an angle of 0.01 to 179 degrees", argument);
         return false;
-    default: // fit: --orbit fits as well
-        return job->camera == CLI_CAMERA_ORBIT || choose_camera(job, CLI_CAMERA_FIT, "--fit");
+    default: return parse_fit(job, argument);
     }
 }
 
@@ -308,11 +340,13 @@ static bool parse_option(struct cli_render_job *job, int id, const char *argumen
     switch (id) {
     case OPTION_OUT: job->out = argument; return true;
     case OPTION_QUIET: job->quiet = true; return true;
+    case OPTION_VARIANT: job->variant = argument; return true;
     case OPTION_STATS:
         job->stats = true;
         job->stats_path = argument ? argument : "-";
         return true;
     case OPTION_ISA: return parse_isa(job, argument);
+    case OPTION_UP: return parse_up(job, argument);
     case OPTION_PATHS: return parse_paths(job, argument);
     case OPTION_THREADS:
         if (cli_parse_int(argument, 1, RHW_MAX_THREADS, &job->threads)) {

@@ -53,6 +53,11 @@ static void print_report(FILE *stream, const struct cli_render_job *job, const s
     cli_json_string(stream, job->model_path);
     fputs(",\n  \"model_format\": ", stream);
     cli_json_string(stream, model->format);
+    fprintf(stream, ",\n  \"up\": \"%s\",\n  \"up_from\": \"%s\"",
+            cli_axis_names[job->has_up ? job->up : model->up],
+            job->has_up         ? "option"
+            : model->up_guessed ? "shape"
+                                : "format");
     fprintf(stream,
             ",\n  \"width\": %d,\n  \"height\": %d,\n  \"samples\": %d,\n  \"supersample\": %d,\n  "
             "\"outputs\": [",

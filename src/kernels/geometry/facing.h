@@ -15,7 +15,12 @@ static inline unsigned facing_back(const struct rhw_pipeline_def *def, unsigned 
 // Gives the bits of those that the pipeline culls for where they face.
 static inline unsigned culled_facing(const struct rhw_pipeline_def *def, unsigned back)
 {
-    return def->cull == RHW_CULL_NONE ? 0 : def->cull == RHW_CULL_BACK ? back : ~back;
+    switch (def->cull) {
+    case RHW_CULL_NONE: return 0;
+    case RHW_CULL_BACK: return back;
+    case RHW_CULL_FRONT: return ~back;
+    default: return ~0u;
+    }
 }
 
 #endif

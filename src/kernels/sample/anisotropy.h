@@ -30,7 +30,7 @@ static inline void find_long_axis(const struct rhw_binding *binding, const struc
     const f8 ratio = rhw_select(rhw_less(shorter, longer), rhw_sqrt(longer / shorter), rhw_splat(1.0f));
     const f8 eta = rhw_min(ratio, rhw_splat(binding->sampler->def.max_anisotropy));
     axis->count = rhw_ceil(eta);
-    axis->level = half_log2(longer / (eta * eta));
+    axis->level = half_log2(longer / (eta * eta)) + requested_bias(request);
     for (int i = 0; i < MOST_COMPONENTS; i++) {
         axis->change[i] = i < components ? rhw_select(along_y, by_y[i], by_x[i]) : rhw_splat(0.0f);
     }
@@ -83,11 +83,28 @@ static void sample_anisotropic(const struct rhw_binding *binding, const struct r
         one.coordinates = at;
         one.gradient = NULL;
         one.lod = &axis.level;
+        one.bias = NULL;
         sample(binding, &one, n == 0 ? texel : next);
         if (n > 0) {
             add_sample(&binding->sampler->def, n, rhw_less(rhw_splat((float)n), axis.count), next, texel);
         }
     }
+}
+
+// A request with a bias: at its level of detail, given as such.
+static void sample_biased(const struct rhw_binding *binding, const struct rhw_sample_request *request,
+                          f8 texel[4])
+{
+    rhw_sample_function *const sample = request->offset ? binding->sample_offset : binding->sample;
+    if (request->gradient && binding->sampler->def.max_anisotropy > 1) {
+        sample(binding, request, texel); // which finds the level for its long axis
+        return;
+    }
+    const f8 level = requested_level(binding->texture, request);
+    struct rhw_sample_request given = *request;
+    given.gradient = given.bias = NULL;
+    given.lod = &level;
+    sample(binding, &given, texel);
 }
 
 #endif

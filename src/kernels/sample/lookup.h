@@ -120,17 +120,22 @@ static inline f8 squared_length(const struct rhw_texture_data *texture, const f8
     return sum;
 }
 
+static inline f8 requested_bias(const struct rhw_sample_request *request)
+{
+    return request->bias ? *request->bias : rhw_splat(0.0f);
+}
+
 // The level of detail that the request names, before the sampler's bias and limits.
 static inline f8 requested_level(const struct rhw_texture_data *texture,
                                  const struct rhw_sample_request *request)
 {
     if (!request->gradient) {
-        return request->lod ? *request->lod : rhw_splat(0.0f);
+        return (request->lod ? *request->lod : rhw_splat(0.0f)) + requested_bias(request);
     }
     const f8 *const gradient = request->gradient;
     const f8 x = squared_length(texture, request->coordinates, gradient);
     const f8 y = squared_length(texture, request->coordinates, gradient + spatial_components(texture));
-    return half_log2(rhw_max(x, y));
+    return half_log2(rhw_max(x, y)) + requested_bias(request);
 }
 
 // The same as a sampler reads it: `limited` by its own limits, `within` those and the levels there are.

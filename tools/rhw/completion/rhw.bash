@@ -30,15 +30,16 @@ _rhw_render() { # CURRENT PREVIOUS
     --format) _rhw_words "$1" png exr ppm ;;
     --interpolate) _rhw_words "$1" smooth noperspective ;;
     --background) _rhw_words "$1" default transparent black grey white ;;
+    --up) _rhw_words "$1" x y z -x -y -z ;;
     --lights) _rhw_words "$1" file default ;;
     --isa) _rhw_words "$1" baseline avx2 avx512 ;;
     --paths) _rhw_words "$1" all in-order general ;;
     --size | -s) _rhw_words "$1" 1280x720 1920x1080 1024x1024 3840x2160 ;;
-    --orbit | --camera | --camera-index | --camera-name | --fovy | --exposure | --threads | -j) ;;
+    --orbit | --camera | --camera-index | --camera-name | --fovy | --variant | --exposure | --threads | -j) ;;
     *)
         if [[ $1 == -* ]]; then
-            _rhw_words "$1" --out --size --samples --supersample --output --bits --format --fit --orbit --camera --camera-index \
-                --camera-name --fovy --interpolate --wireframe --background --lights --exposure --threads --isa --paths \
+            _rhw_words "$1" --out --size --samples --supersample --output --bits --format --fit --up --orbit --camera --camera-index \
+                --camera-name --fovy --interpolate --wireframe --background --variant --lights --exposure --threads --isa --paths \
                 --stats --quiet --help
         else
             _rhw_files "$1"

@@ -1,0 +1,217 @@
+// SPDX-License-Identifier: MIT
+// The fit of a model into the view.
+//
+// It is exact, not an iteration: for a fixed orientation each vertex bounds the eye's place by linear inequalities, and
+// their extreme values over all vertices give the nearest eye in closed form.
+#include <float.h>
+
+#include "camera.h"
+#include "camera_math.h"
+#include "subject.h"
+
+static const double pi = 3.14159265358979323846;
+static const double fit_margin = 0.04; // of the picture, on each side
+
+double scene_camera_default_yfov(void)
+{
+    return 30.0 * (pi / 180.0);
+}
+
+void scene_axis_turn(enum scene_axis up, double v[3])
+{
+    const double x = v[0], y = v[1], z = v[2];
+    const double turned[6][3] = {[SCENE_AXIS_Y] = {x, y, z},        [SCENE_AXIS_Z] = {x, -z, y},
+                                 [SCENE_AXIS_X] = {y, -x, z},       [SCENE_AXIS_MINUS_Y] = {-x, -y, z},
+                                 [SCENE_AXIS_MINUS_Z] = {x, z, -y}, [SCENE_AXIS_MINUS_X] = {-y, x, z}};
+    for (int i = 0; i < 3; i++) {
+        v[i] = turned[up][i];
+    }
+}
+
+// The component along `axis` of the sum of all triangles' area vectors: which way a flat model faces.
+static double facing(const struct scene_model *model, int axis)
+{
+    const int u = (axis + 1) % 3, v = (axis + 2) % 3;
+    double sum = 0.0;
+    for (uint32_t i = 0; i < model->instance_count; i++) {
+        const struct scene_instance *instance = &model->instances[i];
+        const struct scene_mesh *mesh = &model->meshes[instance->mesh];
+        if (mesh->primitive != SCENE_PRIMITIVE_TRIANGLES) {
+            continue;
+        }
+        double part = 0.0;
+        for (uint32_t k = 0; k + 2 < mesh->index_count; k += 3) {
+            double p[3][3];
+            for (int c = 0; c < 3; c++) {
+                scene_place_point(instance->world, mesh->positions[mesh->indices[k + (uint32_t)c]], p[c]);
+            }
+            part += (p[1][u] - p[0][u]) * (p[2][v] - p[0][v]) - (p[1][v] - p[0][v]) * (p[2][u] - p[0][u]);
+        }
+        sum += instance->mirrored ? -part : part;
+    }
+    return sum;
+}
+
+// The axis of the world that a direction with y up becomes, and whether it points against it.
+static int turned_axis(enum scene_axis up, int axis, bool *against)
+{
+    double v[3] = {axis == 0, axis == 1, axis == 2};
+    scene_axis_turn(up, v);
+    const int found = v[0] != 0.0 ? 0 : v[1] != 0.0 ? 1 : 2;
+    *against = v[found] < 0.0;
+    return found;
+}
+
+// Whether a model that is flat along an axis, as counted with y up, faces its far end.
+static bool faces_back(const struct scene_model *model, enum scene_axis up, int axis)
+{
+    bool against;
+    const int world = turned_axis(up, axis, &against);
+    return (facing(model, world) < 0.0) != against;
+}
+
+struct scene_orbit scene_camera_default_orbit(const struct scene_model *model, enum scene_axis up)
+{
+    const double flat = 0.06;
+    double extent[3], largest = 0.0;
+    for (int i = 0; i < 3; i++) {
+        bool against;
+        const int world = turned_axis(up, i, &against);
+        extent[i] = (double)model->bounds_max[world] - (double)model->bounds_min[world];
+        largest = extent[i] > largest ? extent[i] : largest;
+    }
+    struct scene_orbit orbit = {.azimuth = 30.0, .elevation = 20.0, .up = up};
+    if (extent[2] <= flat * largest) {
+        orbit.azimuth = faces_back(model, up, 2) ? 180.0 : 0.0;
+        orbit.elevation = 0.0;
+    } else if (extent[0] <= flat * largest) {
+        orbit.azimuth = faces_back(model, up, 0) ? -90.0 : 90.0;
+        orbit.elevation = 0.0;
+    } else if (extent[1] <= flat * largest) {
+        orbit.elevation = faces_back(model, up, 1) ? -40.0 : 40.0;
+    }
+    return orbit;
+}
+
+// Extreme values over all vertices, in camera axes (right, up, back).
+struct fit {
+    double tan_x, tan_y;
+    double x_plus, x_minus; // max of x + tan_x z, min of x − tan_x z
+    double y_plus, y_minus;
+    double z_min, z_max;
+    uint64_t count;
+};
+
+static void fit_vertex(struct fit *fit, const double p[3])
+{
+    const double values[4] = {p[0] + fit->tan_x * p[2], p[0] - fit->tan_x * p[2], p[1] + fit->tan_y * p[2],
+                              p[1] - fit->tan_y * p[2]};
+    fit->x_plus = values[0] > fit->x_plus ? values[0] : fit->x_plus;
+    fit->x_minus = values[1] < fit->x_minus ? values[1] : fit->x_minus;
+    fit->y_plus = values[2] > fit->y_plus ? values[2] : fit->y_plus;
+    fit->y_minus = values[3] < fit->y_minus ? values[3] : fit->y_minus;
+    fit->z_min = p[2] < fit->z_min ? p[2] : fit->z_min;
+    fit->z_max = p[2] > fit->z_max ? p[2] : fit->z_max;
+    fit->count++;
+}
+
+// Model space to camera axes for one instance, in double: 3 rows of 4.
+static void instance_rows(const struct scene_instance *instance, const double axes[3][3], double rows[3][4])
+{
+    for (int r = 0; r < 3; r++) {
+        for (int c = 0; c < 4; c++) {
+            rows[r][c] = 0.0;
+            for (int k = 0; k < 3; k++) {
+                rows[r][c] += axes[r][k] * (double)instance->world[4 * c + k];
+            }
+        }
+    }
+}
+
+static void fit_model(const struct scene_model *model, const double axes[3][3], bool whole, struct fit *fit)
+{
+    const struct scene_subject subject = scene_subject_find(model);
+    for (uint32_t i = 0; i < model->instance_count; i++) {
+        const struct scene_instance *instance = &model->instances[i];
+        const struct scene_mesh *mesh = &model->meshes[instance->mesh];
+        double rows[3][4];
+        if (!whole && !scene_subject_has(&subject, model, i)) {
+            continue;
+        }
+        instance_rows(instance, axes, rows);
+        // Vertices that no index uses are not part of the picture; the mesh's bounds leave them out.
+        for (uint32_t v = 0; v < mesh->vertex_count; v++) {
+            const float *p = mesh->positions[v];
+            bool used = true;
+            double q[3];
+            for (int r = 0; r < 3; r++) {
+                used = used && p[r] >= mesh->bounds_min[r] && p[r] <= mesh->bounds_max[r];
+                q[r] = rows[r][0] * (double)p[0] + rows[r][1] * (double)p[1] + rows[r][2] * (double)p[2] +
+                       rows[r][3];
+            }
+            if (used && scene_finite3(q)) {
+                fit_vertex(fit, q);
+            }
+        }
+    }
+}
+
+struct scene_camera scene_camera_fit(const struct scene_model *model, struct scene_orbit orbit, double yfov,
+                                     double aspect)
+{
+    double sin_a, cos_a, sin_e, cos_e;
+    scene_sin_cos_degrees(orbit.azimuth, &sin_a, &cos_a);
+    scene_sin_cos_degrees(orbit.elevation, &sin_e, &cos_e);
+    struct scene_camera camera = {.yfov = yfov};
+    // At ±90 degrees `back` is vertical; this `up` is right at every angle in between.
+    double back[3] = {cos_e * sin_a, sin_e, cos_e * cos_a};
+    double up[3] = {-sin_e * sin_a, cos_e, -sin_e * cos_a};
+    double right[3];
+    scene_axis_turn(orbit.up, back);
+    scene_axis_turn(orbit.up, up);
+    scene_cross(up, back, right);
+    const double axes[3][3] = {
+        {right[0], right[1], right[2]}, {up[0], up[1], up[2]}, {back[0], back[1], back[2]}};
+
+    const double tan_y = scene_tangent_of_half(yfov) * (1.0 - 2.0 * fit_margin);
+    struct fit fit = {.tan_x = tan_y * aspect,
+                      .tan_y = tan_y,
+                      .x_plus = -DBL_MAX,
+                      .x_minus = DBL_MAX,
+                      .y_plus = -DBL_MAX,
+                      .y_minus = DBL_MAX,
+                      .z_min = DBL_MAX,
+                      .z_max = -DBL_MAX};
+    fit_model(model, axes, orbit.whole, &fit);
+    double place[3] = {0.0, 0.0, 4.0}, distance = 4.0; // in camera axes
+    if (fit.count > 0) {
+        // x − e_x <= tan_x (e_z − z) and its mirror image, for every vertex:
+        // x_plus − tan_x e_z <= e_x <= x_minus + tan_x e_z; the smallest e_z that leaves an e_x.
+        const double z_x = (fit.x_plus - fit.x_minus) / (2.0 * fit.tan_x);
+        const double z_y = (fit.y_plus - fit.y_minus) / (2.0 * fit.tan_y);
+        place[0] = 0.5 * (fit.x_plus + fit.x_minus);
+        place[1] = 0.5 * (fit.y_plus + fit.y_minus);
+        place[2] = z_x > z_y ? z_x : z_y;
+        // All of a long model may lie in the picture as seen from its own near end: stay off by a fifth of its
+        // length. A single point has no length: step back far enough for floats to tell.
+        double scale = 0.0;
+        for (int i = 0; i < 3; i++) {
+            const double magnitude = place[i] < 0.0 ? -place[i] : place[i];
+            scale = magnitude > scale ? magnitude : scale;
+        }
+        const double length = fit.z_max - fit.z_min;
+        const double least = length > 1e-5 * scale ? 0.2 * length : scale > 0.0 ? 0.1 * scale : 4.0;
+        distance = place[2] - fit.z_max;
+        if (distance < least && (length > 1e-5 * scale || distance <= 1e-5 * scale)) {
+            distance = least;
+            place[2] = fit.z_max + distance;
+        }
+    }
+    for (int i = 0; i < 3; i++) {
+        camera.eye[i] = right[i] * place[0] + up[i] * place[1] + back[i] * place[2];
+        camera.target[i] = camera.eye[i] - back[i] * distance;
+        camera.up[i] = up[i];
+    }
+    scene_camera_enclose(&camera, model);
+    return camera;
+}

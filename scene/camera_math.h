@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: MIT
+// Vectors for cameras, in double.
+#ifndef SCENE_CAMERA_MATH_H
+#define SCENE_CAMERA_MATH_H
+
+#include <stdbool.h>
+
+#include "elementary.h"
+
+static inline double scene_tangent_of_half(double angle)
+{
+    double s, c;
+    scene_sin_cos_degrees(angle * (90.0 / 3.14159265358979323846), &s, &c);
+    return s / c;
+}
+
+static inline double scene_dot(const double a[3], const double b[3])
+{
+    return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
+}
+
+static inline void scene_cross(const double a[3], const double b[3], double result[3])
+{
+    result[0] = a[1] * b[2] - a[2] * b[1];
+    result[1] = a[2] * b[0] - a[0] * b[2];
+    result[2] = a[0] * b[1] - a[1] * b[0];
+}
+
+static inline bool scene_finite3(const double a[3])
+{
+    return a[0] - a[0] == 0.0 && a[1] - a[1] == 0.0 && a[2] - a[2] == 0.0;
+}
+
+static inline void scene_place_point(const float m[16], const float p[3], double result[3])
+{
+    for (int i = 0; i < 3; i++) {
+        result[i] = (double)m[i] * (double)p[0] + (double)m[4 + i] * (double)p[1] +
+                    (double)m[8 + i] * (double)p[2] + (double)m[12 + i];
+    }
+}
+
+#endif

@@ -1,0 +1,496 @@
+// SPDX-License-Identifier: MIT
+// Extensions of glTF: compressed geometry and images, written here by the encoders of the libraries that read them;
+// instances, visibility and variants.
+#include "draco_encode.h"
+#include "model_files.h"
+
+#include <math.h>
+#include <setjmp.h>
+#include <stdarg.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include <cmocka.h>
+#include <meshoptimizer.h>
+#include <webp/encode.h>
+
+static uint32_t random_state = 7;
+
+static uint32_t next_random(void)
+{
+    random_state ^= random_state << 13;
+    random_state ^= random_state >> 17;
+    random_state ^= random_state << 5;
+    return random_state;
+}
+
+static int random_between(int least, int most)
+{
+    return least + (int)(next_random() % (uint32_t)(most - least + 1));
+}
+
+// EXT_meshopt_compression ---------------------------------------------------------------------------
+
+enum { POINTS = 64 };
+
+// A file with points in one compressed view.
+static void write_points(const char *extension, const char *filter, int type, int stride, const void *bytes,
+                         size_t size)
+{
+    write_format(
+        "points.gltf",
+        "{\"asset\":{\"version\":\"2.0\"},\"extensionsRequired\":[\"%s\"],\"scenes\":[{\"nodes\":[0]}],"
+        "\"nodes\":[{\"mesh\":0}],\"meshes\":[{\"primitives\":[{\"mode\":0,\"attributes\":{\"POSITION\":"
+        "0}}]}],\"accessors\":[{\"bufferView\":0,\"componentType\":%d,\"normalized\":%s,\"count\":%d,"
+        "\"type\":\"VEC3\"}],\"bufferViews\":[{\"buffer\":1,\"byteLength\":%d,\"byteStride\":%d,"
+        "\"extensions\":{\"%s\":{\"buffer\":0,\"byteLength\":%zu,\"byteStride\":%d,\"count\":%d,"
+        "\"mode\":\"ATTRIBUTES\",\"filter\":\"%s\"}}}],\"buffers\":[{\"byteLength\":%zu,\"uri\":\"%s\"},"
+        "{\"byteLength\":%d,\"extensions\":{\"%s\":{\"fallback\":true}}}]}",
+        extension, type, type == 5126 ? "false" : "true", POINTS, POINTS * stride, stride, extension, size,
+        stride, POINTS, filter, size, data_uri(bytes, size), POINTS * stride, extension);
+}
+
+// Numbers as the filter takes them.
+static void make_element(const char *filter, int stride, unsigned char *element)
+{
+    const bool is_octahedron = strcmp(filter, "OCTAHEDRAL") == 0;
+    if (strcmp(filter, "EXPONENTIAL") == 0 || strcmp(filter, "NONE") == 0) {
+        for (int c = 0; c < 3; c++) {
+            const float value = (float)random_between(-1000, 1000) / 8;
+            const uint32_t word = (uint32_t)random_between(-40, 40) << 24 | (next_random() & 0xffffff);
+            memcpy(element + 4 * c, strcmp(filter, "NONE") == 0 ? (const void *)&value : &word, 4);
+        }
+        return;
+    }
+    const int one = is_octahedron ? (stride == 4 ? 127 : 2047) : 4095;
+    for (int c = 0; c < 4; c++) {
+        int value = c == 2 && is_octahedron ? one : random_between(-one, one);
+        if (is_octahedron && c == 1 && random_between(0, 9) == 0) {
+            value = 0;
+        }
+        if (!is_octahedron) {
+            value = c == 3 ? (one & ~3) | random_between(0, 3) : value / 2;
+        }
+        const int16_t word = (int16_t)value;
+        memcpy(element + c * stride / 4, &word, (size_t)stride / 4);
+    }
+}
+
+// Filters give what the library's give, though they are computed by other means: of 16 bits to one unit, where a number is
+// near the middle of two.
+static void test_meshopt_filters(void **state)
+{
+    (void)state;
+    static const struct {
+        const char *extension, *filter;
+        int type, stride;
+        void (*expected)(void *buffer, size_t count, size_t stride);
+    } cases[] = {
+        {"EXT_meshopt_compression", "NONE", 5126, 12, NULL},
+        {"EXT_meshopt_compression", "OCTAHEDRAL", 5120, 4, meshopt_decodeFilterOct},
+        {"EXT_meshopt_compression", "OCTAHEDRAL", 5122, 8, meshopt_decodeFilterOct},
+        {"KHR_meshopt_compression", "QUATERNION", 5122, 8, meshopt_decodeFilterQuat},
+        {"EXT_meshopt_compression", "EXPONENTIAL", 5126, 12, meshopt_decodeFilterExp},
+    };
+    for (size_t i = 0; i < sizeof cases / sizeof cases[0]; i++) {
+        const int stride = cases[i].stride;
+        unsigned char elements[POINTS * 12], bytes[4096];
+        for (int p = 0; p < POINTS; p++) {
+            make_element(cases[i].filter, stride, elements + p * stride);
+        }
+        const size_t size = meshopt_encodeVertexBuffer(bytes, sizeof bytes, elements, POINTS, (size_t)stride);
+        assert_true(size > 0);
+        write_points(cases[i].extension, cases[i].filter, cases[i].type, stride, bytes, size);
+        if (cases[i].expected != NULL) {
+            cases[i].expected(elements, POINTS, (size_t)stride);
+        }
+        struct scene_model *model = load("points.gltf");
+        assert_int_equal(model->meshes[0].vertex_count, POINTS);
+        for (int p = 0; p < POINTS; p++) {
+            for (int c = 0; c < 3; c++) {
+                float value;
+                int16_t word;
+                memcpy(&value, elements + p * stride + 4 * c * (stride == 12), 4);
+                memcpy(&word, elements + p * stride + 2 * c, 2);
+                const float expected = stride == 12  ? value
+                                       : stride == 8 ? (float)word / 32767
+                                                     : (float)(int8_t)elements[p * stride + c] / 127;
+                const float step = stride == 12 ? 0 : stride == 8 ? 1.001f / 32767 : 0;
+                assert_float_equal(model->meshes[0].positions[p][c], expected, step);
+            }
+        }
+        scene_model_free(model);
+    }
+}
+
+// Indices of 2 and 4 bytes, as triangles and as a sequence.
+static void test_meshopt_indices(void **state)
+{
+    (void)state;
+    enum { TRIANGLES = 40, VERTICES = 30 };
+    float positions[VERTICES][3];
+    unsigned indices[3 * TRIANGLES];
+    for (int i = 0; i < VERTICES; i++) {
+        positions[i][0] = (float)i, positions[i][1] = (float)(i * i), positions[i][2] = 1;
+    }
+    for (int i = 0; i < 3 * TRIANGLES; i++) {
+        indices[i] = i % 3 == 0 ? (unsigned)i / 3 % (VERTICES - 2) : indices[i - 1] + 1;
+    }
+    for (int variant = 0; variant < 4; variant++) {
+        const bool is_sequence = variant % 2 == 1;
+        const int width = variant / 2 == 0 ? 2 : 4;
+        unsigned char bytes[1024];
+        const size_t size = is_sequence
+                                ? meshopt_encodeIndexSequence(bytes, sizeof bytes, indices, 3 * TRIANGLES)
+                                : meshopt_encodeIndexBuffer(bytes, sizeof bytes, indices, 3 * TRIANGLES);
+        assert_true(size > 0);
+        write_format(
+            "indices.gltf",
+            "{\"asset\":{\"version\":\"2.0\"},\"scenes\":[{\"nodes\":[0]}],\"nodes\":[{\"mesh\":0}],"
+            "\"meshes\":[{\"primitives\":[{\"attributes\":{\"POSITION\":0},\"indices\":1}]}],"
+            "\"accessors\":[{\"bufferView\":0,\"componentType\":5126,\"count\":%d,\"type\":\"VEC3\"},"
+            "{\"bufferView\":1,\"componentType\":%d,\"count\":%d,\"type\":\"SCALAR\"}],"
+            "\"bufferViews\":[{\"buffer\":0,\"byteLength\":%zu},{\"buffer\":1,\"byteLength\":%d,"
+            "\"extensions\":{\"EXT_meshopt_compression\":{\"buffer\":1,\"byteLength\":%zu,"
+            "\"byteStride\":%d,\"count\":%d,\"mode\":\"%s\"}}}],"
+            "\"buffers\":[{\"byteLength\":%zu,\"uri\":\"%s\"},{\"byteLength\":%zu,\"uri\":\"%s\"}]}",
+            VERTICES, width == 2 ? 5123 : 5125, 3 * TRIANGLES, sizeof positions, 3 * TRIANGLES * width, size,
+            width, 3 * TRIANGLES, is_sequence ? "INDICES" : "TRIANGLES", sizeof positions,
+            data_uri(positions, sizeof positions), size, data_uri(bytes, size));
+        struct scene_model *model = load("indices.gltf");
+        const struct scene_mesh *mesh = &model->meshes[0];
+        assert_int_equal(mesh->index_count, 3 * TRIANGLES);
+        for (int t = 0; t < TRIANGLES; t++) { // the codec may begin with another corner
+            float sum = 0, product = 1, sum_of = 0, product_of = 1;
+            for (int k = 0; k < 3; k++) {
+                sum += mesh->positions[mesh->indices[3 * t + k]][1];
+                product *= mesh->positions[mesh->indices[3 * t + k]][0] + 1;
+                sum_of += positions[indices[3 * t + k]][1];
+                product_of *= positions[indices[3 * t + k]][0] + 1;
+            }
+            assert_true(sum == sum_of && product == product_of);
+        }
+        scene_model_free(model);
+    }
+}
+
+static void test_meshopt_refused(void **state)
+{
+    (void)state;
+    unsigned char elements[POINTS * 12] = {0}, bytes[4096];
+    const size_t size = meshopt_encodeVertexBuffer(bytes, sizeof bytes, elements, POINTS, 12);
+    write_points("EXT_meshopt_compression", "COLOR", 5126, 12, bytes, size);
+    expect_refused("points.gltf", "\"COLOR\" is no mode or filter");
+    write_points("EXT_meshopt_compression", "QUATERNION", 5126, 12, bytes, size);
+    expect_refused("points.gltf", "do not go together");
+    write_points("EXT_meshopt_compression", "NONE", 5126, 12, bytes, size - 1);
+    expect_refused("points.gltf", "bufferViews[0]: its meshopt data is damaged");
+    bytes[0] = 0;
+    write_points("EXT_meshopt_compression", "NONE", 5126, 12, bytes, size);
+    expect_refused("points.gltf", "damaged");
+    write_text(
+        "bomb.gltf",
+        "{\"asset\":{\"version\":\"2.0\"},\"scenes\":[{\"nodes\":[0]}],\"nodes\":[{\"mesh\":0}],"
+        "\"meshes\":[{\"primitives\":[{\"attributes\":{\"POSITION\":0}}]}],\"accessors\":[{\"bufferView\":0,"
+        "\"componentType\":5126,\"count\":3,\"type\":\"VEC3\"}],\"bufferViews\":[{\"buffer\":0,"
+        "\"byteLength\":36,\"extensions\":{\"EXT_meshopt_compression\":{\"buffer\":0,\"byteLength\":3,"
+        "\"byteStride\":256,\"count\":4000000000,\"mode\":\"ATTRIBUTES\"}}}],"
+        "\"buffers\":[{\"byteLength\":3,\"uri\":\"data:a/b;base64,AAAA\"}]}");
+    expect_refused("bomb.gltf", "do not go together");
+}
+
+// KHR_draco_mesh_compression ------------------------------------------------------------------------
+
+enum { SIDE = 9, CORNERS = SIDE * SIDE * 6 };
+
+static float soup_positions[CORNERS][3], soup_normals[CORNERS][3], soup_uvs[CORNERS][2];
+static uint8_t soup_colors[CORNERS][4];
+
+// A curved sheet.
+static struct draco_soup make_soup(void)
+{
+    static const int corners[6][2] = {{0, 0}, {1, 0}, {1, 1}, {0, 0}, {1, 1}, {0, 1}};
+    for (int i = 0; i < CORNERS; i++) {
+        const float x = (float)(i / 6 % SIDE + corners[i % 6][0]) / SIDE;
+        const float y = (float)(i / 6 / SIDE + corners[i % 6][1]) / SIDE;
+        const float length = sqrtf(1 + x * x + y * y);
+        soup_positions[i][0] = 4 * x - 1, soup_positions[i][1] = 3 * y, soup_positions[i][2] = x * y;
+        soup_normals[i][0] = -x / length, soup_normals[i][1] = y / length;
+        soup_normals[i][2] = (i / 6 % 2 == 0 ? 1 : -1) / length;
+        soup_uvs[i][0] = x, soup_uvs[i][1] = 1 - y;
+        for (int c = 0; c < 4; c++) {
+            soup_colors[i][c] = (uint8_t)(20 * c + (int)(100 * x));
+        }
+    }
+    return (struct draco_soup){.triangles = CORNERS / 3,
+                               .positions = (const float(*)[3])soup_positions,
+                               .normals = (const float(*)[3])soup_normals,
+                               .uvs = (const float(*)[2])soup_uvs,
+                               .colors = (const uint8_t(*)[4])soup_colors};
+}
+
+static void write_draco(const void *bytes, size_t size, int color_type, int mode)
+{
+    write_format(
+        "draco.gltf",
+        "{\"asset\":{\"version\":\"2.0\"},\"extensionsRequired\":[\"KHR_draco_mesh_compression\"],"
+        "\"scenes\":[{\"nodes\":[0]}],\"nodes\":[{\"mesh\":0}],\"meshes\":[{\"primitives\":[{\"mode\":%d,"
+        "\"attributes\":{\"POSITION\":0,\"NORMAL\":1,\"TEXCOORD_0\":2,\"COLOR_0\":3},\"indices\":4,"
+        "\"extensions\":{\"KHR_draco_mesh_compression\":{\"bufferView\":0,\"attributes\":{\"POSITION\":0,"
+        "\"NORMAL\":1,\"TEXCOORD_0\":2,\"COLOR_0\":3}}}}]}],"
+        "\"accessors\":[{\"componentType\":5126,\"count\":9,\"type\":\"VEC3\"},"
+        "{\"componentType\":5126,\"count\":9,\"type\":\"VEC3\"},{\"componentType\":5126,\"count\":9,\"type\":"
+        "\"VEC2\"},{\"componentType\":%d,\"normalized\":true,\"count\":9,\"type\":\"VEC4\"},"
+        "{\"componentType\":5123,\"count\":9,\"type\":\"SCALAR\"}],"
+        "\"bufferViews\":[{\"buffer\":0,\"byteLength\":%zu}],\"buffers\":[{\"byteLength\":%zu,\"uri\":\"%s\"}"
+        "]}",
+        mode, color_type, size, size, data_uri(bytes, size));
+}
+
+// The corner of the soup that has this position and, as there are two of each, this normal.
+static int find_corner(const float position[3], const float normal[3])
+{
+    int best = 0;
+    float least = 1e9f;
+    for (int i = 0; i < CORNERS; i++) {
+        float distance = 0;
+        for (int c = 0; c < 3; c++) {
+            distance += fabsf(soup_positions[i][c] - position[c]) + fabsf(soup_normals[i][c] - normal[c]);
+        }
+        if (distance < least) {
+            least = distance;
+            best = i;
+        }
+    }
+    return best;
+}
+
+static void check_draco(const struct scene_mesh *mesh, float position, float normal, float uv)
+{
+    assert_int_equal(mesh->index_count, CORNERS);
+    for (uint32_t i = 0; i < mesh->index_count; i++) {
+        const uint32_t v = mesh->indices[i];
+        const int corner = find_corner(mesh->positions[v], mesh->normals[v]);
+        assert_floats(mesh->positions[v], soup_positions[corner], 3, position);
+        assert_floats(mesh->normals[v], soup_normals[corner], 3, normal);
+        assert_floats(mesh->uvs[0][v], soup_uvs[corner], 2, uv);
+        for (int c = 0; c < 4; c++) {
+            assert_true(mesh->colors[v][c] == (float)soup_colors[corner][c] / 255);
+        }
+    }
+    double area = 0; // of the sheet's shadow: every triangle is there once, counter-clockwise
+    for (uint32_t i = 0; i < mesh->index_count; i += 3) {
+        const float *a = mesh->positions[mesh->indices[i]], *b = mesh->positions[mesh->indices[i + 1]],
+                    *c = mesh->positions[mesh->indices[i + 2]];
+        area += 0.5 * (double)((b[0] - a[0]) * (c[1] - a[1]) - (b[1] - a[1]) * (c[0] - a[0]));
+    }
+    assert_float_equal(area, 12, 1e-3);
+}
+
+static void test_draco(void **state)
+{
+    (void)state;
+    unsigned char bytes[12000];
+    struct draco_soup soup = make_soup();
+    size_t size = draco_encode(&soup, bytes, sizeof bytes); // floats as they are
+    assert_true(size > 0);
+    write_draco(bytes, size, 5121, 4);
+    struct scene_model *model = load("draco.gltf");
+    check_draco(&model->meshes[0], 0, 1e-7f, 0); // normals get the length 1 again
+    scene_model_free(model);
+    soup.position_bits = 14, soup.normal_bits = 10, soup.uv_bits = 12;
+    size = draco_encode(&soup, bytes, sizeof bytes);
+    assert_true(size > 0);
+    write_draco(bytes, size, 5121, 5); // a strip, which Draco made a list of
+    model = load("draco.gltf");
+    check_draco(&model->meshes[0], 0.5001f * 4 / ((1 << 14) - 1), 4.0f / (1 << 10),
+                0.5001f / ((1 << 12) - 1));
+    scene_model_free(model);
+}
+
+static void test_draco_refused(void **state)
+{
+    (void)state;
+    unsigned char bytes[12000];
+    struct draco_soup soup = make_soup();
+    size_t size = draco_encode(&soup, bytes, sizeof bytes);
+    write_draco(bytes, size / 2, 5121, 4);
+    expect_refused("draco.gltf", "meshes[0].primitives[0]: its Draco data cannot be read");
+    write_draco("DRACO nothing", 13, 5121, 4);
+    expect_refused("draco.gltf", "its Draco data cannot be read");
+    write_draco(bytes, size, 5130, 4);
+    expect_refused("draco.gltf", "has no attribute COLOR_0 of the shape its accessor says");
+    soup.uvs = NULL;
+    size = draco_encode(&soup, bytes, sizeof bytes);
+    write_draco(bytes, size, 5121, 4);
+    expect_refused("draco.gltf", "has no attribute TEXCOORD_0");
+}
+
+// EXT_texture_webp ----------------------------------------------------------------------------------
+
+static void write_textured(const char *name, const char *texture, const void *image, size_t size)
+{
+    write_bytes("image.webp", image, size);
+    write_format(name,
+                 "{\"asset\":{\"version\":\"2.0\"},\"scenes\":[{\"nodes\":[0]}],\"nodes\":[{\"mesh\":0}],"
+                 "\"meshes\":[{\"primitives\":[{\"attributes\":{\"POSITION\":0},\"material\":0}]}],"
+                 "\"accessors\":[{\"componentType\":5126,\"count\":3,\"type\":\"VEC3\"}],"
+                 "\"materials\":[{\"pbrMetallicRoughness\":{\"baseColorTexture\":{\"index\":0}}}],"
+                 "\"textures\":[%s],\"images\":[{\"uri\":\"nothing.png\"},{\"uri\":\"image.webp\"}]}",
+                 texture);
+}
+
+static void test_webp(void **state)
+{
+    (void)state;
+    enum { WIDTH = 5, HEIGHT = 3 };
+    uint8_t texels[HEIGHT][WIDTH][4], *encoded = NULL;
+    for (size_t i = 0; i < sizeof texels; i++) {
+        (&texels[0][0][0])[i] = i % 4 == 3 ? 255 : (uint8_t)next_random();
+    }
+    texels[1][2][3] = 90;
+    const size_t size = WebPEncodeLosslessRGBA(texels[0][0], WIDTH, HEIGHT, 4 * WIDTH, &encoded);
+    assert_true(size > 0);
+    write_textured("webp.gltf", "{\"source\":0,\"extensions\":{\"EXT_texture_webp\":{\"source\":1}}}",
+                   encoded, size);
+    struct scene_model *model = load("webp.gltf");
+    const struct scene_image *image = &model->images[model->materials[0].slots[SCENE_SLOT_BASE_COLOR].image];
+    assert_int_equal(image->width, WIDTH);
+    assert_int_equal(image->height, HEIGHT);
+    assert_true(image->has_alpha && !image->missing);
+    assert_memory_equal(image->texels, texels, sizeof texels);
+    scene_model_free(model);
+    write_textured("webp.gltf", "{\"source\":1}", encoded, size / 2);
+    model = load("webp.gltf");
+    assert_true(has_warning(model, "image.webp\": damaged WebP"));
+    assert_true(model->images[0].missing);
+    scene_model_free(model);
+    WebPFree(encoded);
+}
+
+// Nodes ---------------------------------------------------------------------------------------------
+
+#define TRIANGLE                                                                                     \
+    "\"meshes\":[{\"primitives\":[{\"attributes\":{\"POSITION\":0},\"material\":0,\"extensions\":{"  \
+    "\"KHR_materials_variants\":{\"mappings\":[{\"material\":1,\"variants\":[0,2]},{\"material\":2," \
+    "\"variants\":[1]}]}}}]}],\"materials\":[{\"name\":\"plain\"},{\"name\":\"red\"},{\"name\":\"blue\"}],"
+
+static void write_nodes(const char *name, const char *nodes, const char *roots)
+{
+    const struct {
+        float positions[3][3], moves[4][3], turns[4][4], scales[4][3];
+    } data = {{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}},
+              {{0, 0, 0}, {1, 2, 3}, {4, 0, 0}, {0, 5, 0}},
+              {{0, 0, 0, 1}, {0, 0, 0.70710678f, 0.70710678f}, {0, 0, 0, 1}, {0, 0, 0, 1}},
+              {{1, 1, 1}, {2, 2, 2}, {1, 1, 1}, {1, 3, 1}}};
+    write_format(
+        name,
+        "{\"asset\":{\"version\":\"2.0\"},\"scenes\":[{\"nodes\":[%s]}],\"nodes\":[%s]," TRIANGLE
+        "\"extensions\":{\"KHR_materials_variants\":{\"variants\":[{\"name\":\"rust\"},{\"name\":\"sea\"},"
+        "{\"name\":\"old\"},{\"name\":\"bare\"}]}},"
+        "\"accessors\":[{\"bufferView\":0,\"componentType\":5126,\"count\":3,\"type\":\"VEC3\"},"
+        "{\"bufferView\":0,\"byteOffset\":36,\"componentType\":5126,\"count\":4,\"type\":\"VEC3\"},"
+        "{\"bufferView\":0,\"byteOffset\":84,\"componentType\":5126,\"count\":4,\"type\":\"VEC4\"},"
+        "{\"bufferView\":0,\"byteOffset\":148,\"componentType\":5126,\"count\":4,\"type\":\"VEC3\"}],"
+        "\"bufferViews\":[{\"buffer\":0,\"byteLength\":196}],"
+        "\"buffers\":[{\"byteLength\":196,\"uri\":\"%s\"}]}",
+        roots, nodes, data_uri(&data, sizeof data));
+}
+
+static void test_instancing(void **state)
+{
+    (void)state;
+    write_nodes(
+        "many.gltf",
+        "{\"mesh\":0,\"translation\":[10,0,0],\"extensions\":{\"EXT_mesh_gpu_instancing\":{\"attributes\":{"
+        "\"TRANSLATION\":1,\"ROTATION\":2,\"SCALE\":3}}}}",
+        "0");
+    struct scene_model *model = load("many.gltf");
+    assert_int_equal(model->instance_count, 4);
+    assert_int_equal(model->triangles_drawn, 4);
+    for (uint32_t i = 0; i < 4; i++) {
+        assert_int_equal(model->instances[i].object, i + 1);
+        assert_int_equal(model->instances[i].mesh, 0);
+    }
+    const float turned[16] = {0, 2, 0, 0, -2, 0, 0, 0, 0, 0, 2, 0, 11, 2, 3, 1};
+    assert_floats(model->instances[1].world, turned, 16, 1e-6f);
+    const float stretched[16] = {1, 0, 0, 0, 0, 3, 0, 0, 0, 0, 1, 0, 10, 5, 0, 1};
+    assert_floats(model->instances[3].world, stretched, 16, 0);
+    scene_model_free(model);
+    write_nodes("many.gltf",
+                "{\"mesh\":0,\"extensions\":{\"EXT_mesh_gpu_instancing\":{\"attributes\":{\"TRANSLATION\":1,"
+                "\"SCALE\":0}}}}",
+                "0");
+    expect_refused("many.gltf", "EXT_mesh_gpu_instancing: SCALE has 3 elements where others have 4");
+}
+
+static void test_visibility(void **state)
+{
+    (void)state;
+    write_nodes("hidden.gltf",
+                "{\"children\":[1,2]},{\"mesh\":0,\"children\":[3],\"extensions\":{\"KHR_node_visibility\":{"
+                "\"visible\":false}}},{\"name\":\"seen\",\"mesh\":0,\"extensions\":{\"KHR_node_visibility\":{"
+                "\"visible\":true}}},{\"mesh\":0}",
+                "0");
+    struct scene_model *model = load("hidden.gltf");
+    assert_int_equal(model->instance_count, 1);
+    assert_string_equal(model->instances[0].name, "seen");
+    scene_model_free(model);
+}
+
+// Against the rules, but drawn elsewhere: once, with a warning.
+static void test_root_and_child(void **state)
+{
+    (void)state;
+    write_nodes("both.gltf", "{\"translation\":[1,0,0],\"children\":[1]},{\"mesh\":0}", "1,0");
+    struct scene_model *model = load("both.gltf");
+    assert_int_equal(model->instance_count, 1);
+    assert_true(model->instances[0].world[12] == 1);
+    assert_true(has_warning(model, "nodes[1] is a root of the scene and a child of nodes[0]"));
+    scene_model_free(model);
+}
+
+static const char *material_of(const char *variant)
+{
+    static char name[32];
+    char error[512] = "";
+    const struct scene_model_options options = {.variant = variant};
+    struct scene_model *model = scene_model_load(path_of("variants.gltf"), &options, error, sizeof error);
+    assert_non_null(model);
+    assert_int_equal(model->variant_count, 4);
+    assert_string_equal(model->variants[1], "sea");
+    snprintf(name, sizeof name, "%s", model->materials[model->meshes[0].material].name);
+    scene_model_free(model);
+    return name;
+}
+
+static void test_variants(void **state)
+{
+    (void)state;
+    write_nodes("variants.gltf", "{\"mesh\":0}", "0");
+    assert_string_equal(material_of(NULL), "plain");
+    assert_string_equal(material_of("rust"), "red");
+    assert_string_equal(material_of("sea"), "blue");
+    assert_string_equal(material_of("old"), "red");
+    assert_string_equal(material_of("bare"), "plain");
+    char error[512] = "";
+    const struct scene_model_options unknown = {.variant = "gold"};
+    assert_null(scene_model_load(path_of("variants.gltf"), &unknown, error, sizeof error));
+    assert_string_equal(error, "has no variant 'gold'; it has 'rust', 'sea', 'old', 'bare'");
+    write_text("none.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n");
+    assert_null(scene_model_load(path_of("none.obj"), &unknown, error, sizeof error));
+    assert_string_equal(error, "has no variants of its materials");
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(test_meshopt_filters), cmocka_unit_test(test_meshopt_indices),
+        cmocka_unit_test(test_meshopt_refused), cmocka_unit_test(test_draco),
+        cmocka_unit_test(test_draco_refused),   cmocka_unit_test(test_webp),
+        cmocka_unit_test(test_instancing),      cmocka_unit_test(test_visibility),
+        cmocka_unit_test(test_root_and_child),  cmocka_unit_test(test_variants),
+    };
+    return cmocka_run_group_tests(tests, make_directory, remove_directory);
+}
