@@ -86,7 +86,9 @@ void bench_program(struct rhw_program *program, enum bench_shader shader)
         add_varying(program, 4, false);
     }
     if ((attributes & N) && shader != BENCH_SHADER_VOLUME) {
-        add_varying(program, 3, false); // normal
+        add_varying(program, 3, false); // normal, or ray
+    }
+    if ((attributes & N) && shader != BENCH_SHADER_VOLUME && shader != BENCH_SHADER_LIGHTS) {
         add_varying(program, 3, false); // position
     }
     if (attributes & T) {

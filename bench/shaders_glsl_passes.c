@@ -7,6 +7,9 @@ static const char lit_vertex[] = "out vec3 varying_normal, varying_position;\n"
                                  "void main() { to_clip(); varying_normal = to_world(vec4(normal, 0.0));\n"
                                  "varying_position = to_world(vec4(position, 1.0)); }\n";
 
+static const char ray_vertex[] = "out vec3 ray;\n"
+                                 "void main() { to_clip(); ray = normal; }\n";
+
 static const char shadowed_vertex[] =
     "out vec3 varying_normal, varying_position, varying_map;\n"
     "void main() { to_clip(); varying_normal = to_world(vec4(normal, 0.0));\n"
@@ -51,13 +54,13 @@ static const char surface_fragment[] = "layout(location = 1) out vec4 target1;\n
 
 static const char lights_fragment[] =
     "uniform sampler2D map0, map1, map2, map3;\n"
-    "in vec3 varying_normal, varying_position;\n"
+    "in vec3 ray;\n"
     "void main() {\n"
     "    ivec2 at = ivec2(gl_FragCoord.xy);\n"
     "    vec3 albedo = texelFetch(map0, at, 0).rgb, n = normalize(texelFetch(map1, at, 0).xyz);\n"
     "    float distance = texelFetch(map2, at, 0).x;\n"
     "    vec4 material = texelFetch(map3, at, 0);\n"
-    "    vec3 p = u[7].xyz + varying_normal * distance, v = normalize(-varying_normal);\n"
+    "    vec3 p = u[7].xyz + ray * distance, v = normalize(-ray);\n"
     "    vec3 sum = albedo * material.z;\n"
     "    for (int i = 0; i < LIGHTS; i++) {\n"
     "        vec4 place = u[11 + 2 * i];\n"
@@ -82,7 +85,7 @@ static const struct {
     [BENCH_SHADER_SHADOWED] = {"#version 300 es\n#define UNIFORMS 15\n", shadowed_vertex, shadowed_fragment},
     [BENCH_SHADER_REFLECT] = {"#version 300 es\n#define UNIFORMS 11\n", lit_vertex, reflect_fragment},
     [BENCH_SHADER_SURFACE] = {"#version 300 es\n#define UNIFORMS 11\n", lit_vertex, surface_fragment},
-    [BENCH_SHADER_LIGHTS] = {"#version 300 es\n#define UNIFORMS 75\n#define LIGHTS 32\n", lit_vertex,
+    [BENCH_SHADER_LIGHTS] = {"#version 300 es\n#define UNIFORMS 75\n#define LIGHTS 32\n", ray_vertex,
                              lights_fragment},
 };
 

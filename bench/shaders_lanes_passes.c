@@ -89,6 +89,18 @@ static void reflect_fragment(struct rhw_fragment *groups, int count)
 
 // Deferred -------------------------------------------------------------------------------------------
 
+// The ray of a corner, which the mesh has in the place of a normal.
+static void ray_vertex(struct rhw_vertex *groups, int count)
+{
+    for (int g = 0; g < count; g++) {
+        struct rhw_vertex *const v = &groups[g];
+        to_clip(v->uniforms, v->attribute[0], v->position);
+        for (int c = 0; c < 3; c++) {
+            v->varying[c] = v->attribute[1][c];
+        }
+    }
+}
+
 // Colour, normal, distance along the view, and the numbers of Blinn-Phong.
 static void surface_fragment(struct rhw_fragment *groups, int count)
 {
@@ -186,7 +198,7 @@ const struct bench_shader_table RHW_ISA_NAME(bench_pass_shader_table) = {
             [BENCH_SHADER_SHADOWED] = shadowed_vertex,
             [BENCH_SHADER_REFLECT] = lit_vertex,
             [BENCH_SHADER_SURFACE] = lit_vertex,
-            [BENCH_SHADER_LIGHTS] = lit_vertex,
+            [BENCH_SHADER_LIGHTS] = ray_vertex,
         },
     .fragment =
         {
