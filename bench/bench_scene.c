@@ -2,10 +2,15 @@
 // The list of scenes and the memory of one; see bench_scene.h.
 #include "bench_scene.h"
 
+#include "scene_deferred.h"
 #include "scene_floor.h"
 #include "scene_latency.h"
 #include "scene_model.h"
+#include "scene_particles.h"
 #include "scene_pbr.h"
+#include "scene_reflection.h"
+#include "scene_shadow_map.h"
+#include "scene_shadow_volume.h"
 #include "scene_sphere.h"
 
 #include <stdio.h>
@@ -36,6 +41,9 @@ const struct bench_scene_entry bench_scene_entries[] = {
     {"sphere_1m_tex", "the same with a trilinear texture", bench_make_sphere, BENCH_SPHERE_1M_TEXTURE},
     {"sphere_1m_depth", "the same, depth only", bench_make_sphere, BENCH_SPHERE_1M_DEPTH},
     {"msaa4_sphere_1m", "sphere_1m with 4 samples a pixel", bench_make_sphere, BENCH_SPHERE_1M_SAMPLES},
+    {"lines_1m", "the grid of the same as 1,000,000 lines of one pixel", bench_make_sphere,
+     BENCH_SPHERE_1M_LINES},
+    {"points_1m", "its vertices as 1,000,000 points of one pixel", bench_make_sphere, BENCH_SPHERE_1M_POINTS},
     {"bunny_lit", "Stanford bunny, Blinn-Phong per pixel", bench_make_model, BENCH_MODEL_BUNNY},
     {"bunny_depth", "the same, depth only", bench_make_model, BENCH_MODEL_BUNNY_DEPTH},
     {"sponza", "Sponza: 262k triangles, 25 materials, textures, alpha test", bench_make_model,
@@ -44,6 +52,14 @@ const struct bench_scene_entry bench_scene_entries[] = {
     {"pbr_helmet", "DamagedHelmet: physically based, 5 textures", bench_make_pbr, BENCH_PBR_HELMET},
     {"pbr_sponza", "Sponza: physically based, up to 3 textures, alpha test", bench_make_pbr,
      BENCH_PBR_SPONZA},
+    {"shadow_volumes", "50 bodies on a floor, their shadows counted in stencil", bench_make_shadow_volumes,
+     0},
+    {"shadow_map", "100,000 triangles and a shadow map of 2048x2048, 3x3 footprints compared",
+     bench_make_shadow_map, 0},
+    {"reflection", "a ball that shows its surroundings, drawn into six faces of 256x256",
+     bench_make_reflection, 0},
+    {"deferred", "four targets, and 32 lights that read them", bench_make_deferred, 0},
+    {"particles", "100,000 instances of a quad, blended", bench_make_particles, 0},
     {"empty", "a frame that is cleared and nothing else", bench_make_latency, BENCH_LATENCY_EMPTY},
     {"draws_10k", "10,000 draws of 12 triangles with uniforms of their own", bench_make_latency,
      BENCH_LATENCY_DRAWS},
@@ -55,7 +71,7 @@ const struct bench_scene_entry bench_scene_entries[] = {
 };
 const int bench_scene_entry_count = (int)(sizeof bench_scene_entries / sizeof *bench_scene_entries);
 
-static const uint32_t components[BENCH_ATTRIBUTES] = {3, 3, 2, 4, 4};
+const int bench_attribute_components[BENCH_ATTRIBUTES] = {3, 3, 2, 4, 4, 4, 4};
 
 bool bench_scene_make(const struct bench_scene_entry *entry, struct bench_scene *scene, int width, int height,
                       char *why, size_t why_size)
@@ -73,6 +89,7 @@ void bench_scene_free(struct bench_scene *scene)
 {
     for (uint32_t i = 0; scene->meshes && i < scene->mesh_count; i++) {
         free(scene->meshes[i].vertices);
+        free(scene->meshes[i].instances);
         free(scene->meshes[i].indices);
     }
     for (uint32_t i = 0; scene->textures && i < scene->texture_count; i++) {
@@ -83,6 +100,8 @@ void bench_scene_free(struct bench_scene *scene)
     free(scene->meshes);
     free(scene->textures);
     free(scene->draws);
+    free(scene->passes);
+    free(scene->shared);
     bench_surfaces_free(scene->surfaces);
     *scene = (struct bench_scene){0};
 }
@@ -94,20 +113,54 @@ bool bench_scene_has_picture(const struct bench_scene *scene)
 
 bool bench_scene_allocate(struct bench_scene *scene)
 {
+    const bool simple = scene->pass_count == 0;
+    scene->pass_count += simple;
     // One more than needed: calloc(0) may return NULL.
     scene->meshes = calloc((size_t)scene->mesh_count + 1, sizeof *scene->meshes);
     scene->textures = calloc((size_t)scene->texture_count + 1, sizeof *scene->textures);
     scene->draws = calloc((size_t)scene->draw_count + 1, sizeof *scene->draws);
-    return scene->meshes && scene->textures && scene->draws;
+    scene->passes = calloc(scene->pass_count, sizeof *scene->passes);
+    scene->shared = calloc((size_t)scene->shared_count + 1, sizeof *scene->shared);
+    if (!scene->meshes || !scene->textures || !scene->draws || !scene->passes || !scene->shared) {
+        return false;
+    }
+    if (simple) {
+        scene->passes[0] =
+            (struct bench_pass){.color_count = scene->has_color,
+                                .colors = {BENCH_PICTURE},
+                                .depth = scene->has_color ? BENCH_PASS_DEPTH : BENCH_PASS_DEPTH_KEPT,
+                                .depth_texture = BENCH_PICTURE,
+                                .draw_count = scene->draw_count};
+    }
+    return true;
+}
+
+void bench_pass_size(const struct bench_scene *scene, const struct bench_pass *pass, int *width, int *height)
+{
+    const int number = pass->color_count ? pass->colors[0] : pass->depth_texture;
+    if (number != BENCH_PICTURE) {
+        *width = scene->textures[number].width;
+        *height = scene->textures[number].height;
+    }
+}
+
+static uint32_t stride(const struct bench_mesh *mesh, int first, int end)
+{
+    int floats = 0;
+    for (int a = first; a < end; a++) {
+        floats += mesh->has[a] ? bench_attribute_components[a] : 0;
+    }
+    return (uint32_t)floats;
 }
 
 uint32_t bench_mesh_stride(const struct bench_mesh *mesh)
 {
-    uint32_t stride = 0;
-    for (int a = 0; a < BENCH_ATTRIBUTES; a++) {
-        stride += mesh->has[a] ? components[a] : 0;
-    }
-    return stride;
+    return stride(mesh, 0, BENCH_VERTEX_ATTRIBUTES);
+}
+
+uint32_t bench_mesh_instance_stride(const struct bench_mesh *mesh)
+{
+    return stride(mesh, BENCH_VERTEX_ATTRIBUTES, BENCH_ATTRIBUTES);
 }
 
 bool bench_mesh_allocate(struct bench_mesh *mesh, uint32_t vertex_count, uint32_t index_count)
@@ -117,6 +170,14 @@ bool bench_mesh_allocate(struct bench_mesh *mesh, uint32_t vertex_count, uint32_
     mesh->vertices = calloc((size_t)vertex_count * bench_mesh_stride(mesh), sizeof *mesh->vertices);
     mesh->indices = calloc(index_count, sizeof *mesh->indices);
     return mesh->vertices && mesh->indices;
+}
+
+bool bench_mesh_allocate_instances(struct bench_mesh *mesh, uint32_t instance_count)
+{
+    mesh->instance_count = instance_count;
+    mesh->instances =
+        calloc((size_t)instance_count * bench_mesh_instance_stride(mesh), sizeof *mesh->instances);
+    return mesh->instances != NULL;
 }
 
 bool bench_texture_allocate(struct bench_texture *texture, int width, int height)

@@ -40,6 +40,7 @@ static bool load(struct gles *gl, PFNEGLGETPROCADDRESSPROC find)
         {"glDeleteBuffers", &gl->delete_buffers},
         {"glVertexAttribPointer", &gl->vertex_attrib_pointer},
         {"glEnableVertexAttribArray", &gl->enable_vertex_attrib_array},
+        {"glVertexAttribDivisor", &gl->vertex_attrib_divisor},
         {"glGenTextures", &gl->gen_textures},
         {"glBindTexture", &gl->bind_texture},
         {"glActiveTexture", &gl->active_texture},
@@ -71,9 +72,15 @@ static bool load(struct gles *gl, PFNEGLGETPROCADDRESSPROC find)
         {"glEnable", &gl->enable},
         {"glDisable", &gl->disable},
         {"glDepthFunc", &gl->depth_func},
+        {"glDepthMask", &gl->depth_mask},
+        {"glColorMask", &gl->color_mask},
+        {"glStencilFunc", &gl->stencil_func},
+        {"glStencilOpSeparate", &gl->stencil_op_separate},
+        {"glFrontFace", &gl->front_face},
         {"glBlendFunc", &gl->blend_func},
         {"glDrawArrays", &gl->draw_arrays},
         {"glDrawElements", &gl->draw_elements},
+        {"glDrawElementsInstanced", &gl->draw_elements_instanced},
         {"glFinish", &gl->finish},
     };
     for (size_t i = 0; i < sizeof names / sizeof *names; i++) {

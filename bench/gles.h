@@ -35,6 +35,7 @@ struct gles {
     PFNGLDELETEBUFFERSPROC delete_buffers;
     PFNGLVERTEXATTRIBPOINTERPROC vertex_attrib_pointer;
     PFNGLENABLEVERTEXATTRIBARRAYPROC enable_vertex_attrib_array;
+    PFNGLVERTEXATTRIBDIVISORPROC vertex_attrib_divisor;
     PFNGLGENTEXTURESPROC gen_textures;
     PFNGLBINDTEXTUREPROC bind_texture;
     PFNGLACTIVETEXTUREPROC active_texture;
@@ -66,9 +67,15 @@ struct gles {
     PFNGLENABLEPROC enable;
     PFNGLDISABLEPROC disable;
     PFNGLDEPTHFUNCPROC depth_func;
+    PFNGLDEPTHMASKPROC depth_mask;
+    PFNGLCOLORMASKPROC color_mask;
+    PFNGLSTENCILFUNCPROC stencil_func;
+    PFNGLSTENCILOPSEPARATEPROC stencil_op_separate;
+    PFNGLFRONTFACEPROC front_face;
     PFNGLBLENDFUNCPROC blend_func;
     PFNGLDRAWARRAYSPROC draw_arrays;
     PFNGLDRAWELEMENTSPROC draw_elements;
+    PFNGLDRAWELEMENTSINSTANCEDPROC draw_elements_instanced;
     PFNGLFINISHPROC finish;
     char name[256]; // GL_RENDERER and GL_VERSION
     // ---

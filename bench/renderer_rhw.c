@@ -1,126 +1,16 @@
 // SPDX-License-Identifier: MIT
-// rhw under measurement. Textures and buffers are made when a scene is taken; a frame records and runs one
-// pass, as a program does that draws a scene again and again.
+// rhw under measurement. Textures and buffers are made when a scene is taken; a frame records and runs its
+// passes, as a program does that draws a scene again and again.
 #include "renderer.h"
 
 #include "process.h"
-#include "rhw/rhw.h"
+#include "renderer_rhw.h"
 #include "scene_pbr.h"
 #include "shaders_bench.h"
-#include "surface.h"
 
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
-
-struct bench_state {
-    rhw_context *context;
-    struct rhw_context_def def;
-    const struct bench_scene *scene;
-    int width, height;
-    rhw_buffer *vertices, *indices; // per mesh
-    rhw_texture *textures;
-    rhw_sampler sampler;
-    rhw_pipeline pipelines[BENCH_SHADERS][2]; // [shader][culls back faces]
-    rhw_texture color, depth;
-    struct scene_upload upload; // of the model of a physically based scene, instead of the above
-    struct scene_surface_pipelines surface_pipelines;
-};
-
-static bool make_buffer(rhw_context *context, const void *data, size_t size, rhw_buffer *buffer)
-{
-    const struct rhw_buffer_def def = {.size = size, .data = data};
-    return rhw_buffer_create(context, &def, buffer) == RHW_OK;
-}
-
-static bool make_meshes(struct bench_state *s)
-{
-    for (uint32_t i = 0; i < s->scene->mesh_count; i++) {
-        const struct bench_mesh *const mesh = &s->scene->meshes[i];
-        const size_t vertex_size = bench_mesh_stride(mesh) * sizeof *mesh->vertices;
-        if (!make_buffer(s->context, mesh->vertices, mesh->vertex_count * vertex_size, &s->vertices[i]) ||
-            !make_buffer(s->context, mesh->indices, mesh->index_count * sizeof *mesh->indices,
-                         &s->indices[i])) {
-            return false;
-        }
-    }
-    return true;
-}
-
-static bool make_textures(struct bench_state *s)
-{
-    for (uint32_t i = 0; i < s->scene->texture_count; i++) {
-        const struct bench_texture *const texture = &s->scene->textures[i];
-        if (!texture->texels[0]) {
-            continue; // of a slot that no draw reads
-        }
-        struct rhw_texture_def def = rhw_texture_def_default();
-        def.format = texture->srgb ? RHW_FORMAT_RGBA8_SRGB : RHW_FORMAT_RGBA8_UNORM;
-        def.width = texture->width;
-        def.height = texture->height;
-        def.mip_levels = texture->levels;
-        if (rhw_texture_create(s->context, &def, &s->textures[i]) != RHW_OK) {
-            return false;
-        }
-        for (int level = 0; level < texture->levels; level++) {
-            rhw_texture_write(s->context, s->textures[i], level, texture->texels[level], 0);
-        }
-    }
-    return true;
-}
-
-static bool make_target(struct bench_state *s, enum rhw_format format, rhw_texture *target)
-{
-    struct rhw_texture_def def = rhw_texture_def_default();
-    def.format = format;
-    def.width = s->width;
-    def.height = s->height;
-    return rhw_texture_create(s->context, &def, target) == RHW_OK;
-}
-
-static void set_attributes(struct rhw_pipeline_def *def, const struct bench_mesh *mesh, uint32_t reads)
-{
-    static const enum rhw_vertex_format formats[BENCH_ATTRIBUTES] = {
-        RHW_VERTEX_FLOAT3, RHW_VERTEX_FLOAT3, RHW_VERTEX_FLOAT2, RHW_VERTEX_FLOAT4, RHW_VERTEX_FLOAT4};
-    uint32_t offset = 0;
-    for (int a = 0; a < BENCH_ATTRIBUTES; a++) {
-        if (reads >> a & 1) {
-            def->attributes[def->attribute_count++] =
-                (struct rhw_attribute){.format = formats[a], .offset = offset};
-        }
-        offset += mesh->has[a] ? (uint32_t)rhw_vertex_format_size(formats[a]) : 0;
-    }
-    def->buffers[0].stride = offset;
-    def->buffer_count = 1;
-}
-
-// The meshes that a shader draws are laid out alike within a scene, so one pipeline serves them.
-static bool make_pipeline(struct bench_state *s, const struct bench_draw *draw)
-{
-    struct rhw_pipeline_def def = rhw_pipeline_def_default();
-    bench_program(&def.program, draw->shader);
-    set_attributes(&def, &s->scene->meshes[draw->mesh], bench_shader_attributes[draw->shader]);
-    def.depth_range = RHW_DEPTH_MINUS_ONE_TO_ONE;
-    def.cull = draw->cull_back ? RHW_CULL_BACK : RHW_CULL_NONE;
-    def.depth_test = s->scene->depth_test;
-    def.target_count = s->scene->has_color;
-    const struct rhw_blend_component over = {RHW_BLEND_SRC_ALPHA, RHW_BLEND_ONE_MINUS_SRC_ALPHA,
-                                             RHW_BLEND_ADD};
-    def.targets[0].blend = s->scene->blends;
-    def.targets[0].color = def.targets[0].alpha = over;
-    return rhw_pipeline_create(s->context, &def, &s->pipelines[draw->shader][draw->cull_back]) == RHW_OK;
-}
-
-static bool make_pipelines(struct bench_state *s)
-{
-    for (uint32_t i = 0; i < s->scene->draw_count; i++) {
-        const struct bench_draw *const draw = &s->scene->draws[i];
-        if (s->pipelines[draw->shader][draw->cull_back].generation == 0 && !make_pipeline(s, draw)) {
-            return false;
-        }
-    }
-    return true;
-}
 
 // Paths are a matter of the context: another one takes its place where the scene asks for other paths.
 static bool use_paths(struct bench_state *s, enum rhw_paths paths)
@@ -149,36 +39,35 @@ static bool take(struct bench_renderer *renderer, const struct bench_scene *scen
     s->scene = scene;
     s->width = width;
     s->height = height;
-    s->vertices = calloc((size_t)scene->mesh_count + 1, sizeof *s->vertices);
-    s->indices = calloc((size_t)scene->mesh_count + 1, sizeof *s->indices);
-    s->textures = calloc((size_t)scene->texture_count + 1, sizeof *s->textures);
-    struct rhw_sampler_def sampler = rhw_sampler_def_default();
-    sampler.max_anisotropy = (float)scene->max_anisotropy;
-    if (scene->surfaces) {
-        return make_target(s, RHW_FORMAT_RGBA8_SRGB, &s->color) &&
-               scene_upload_create(s->context, scene->surfaces->model, &s->upload) == RHW_OK;
-    }
-    return s->vertices && s->indices && s->textures &&
-           rhw_sampler_create(s->context, &sampler, &s->sampler) == RHW_OK &&
-           (!scene->has_color || make_target(s, RHW_FORMAT_RGBA8_UNORM, &s->color)) &&
-           (scene->has_color || make_target(s, RHW_FORMAT_D32_FLOAT, &s->depth)) && make_meshes(s) &&
-           make_textures(s) && make_pipelines(s);
+    return bench_rhw_upload(s);
 }
 
-// Depth is the result where there is no colour, and else nothing that anybody keeps.
-static struct rhw_pass_def pass_of(const struct bench_state *s)
+// Depth that is not kept needs no memory of its own.
+static struct rhw_pass_def describe(const struct bench_state *s, const struct bench_pass *pass)
 {
     struct rhw_pass_def def = rhw_pass_def_default();
+    const bool to_picture = pass == &s->scene->passes[s->scene->pass_count - 1];
     def.width = s->width;
     def.height = s->height;
-    def.color_count = s->scene->has_color;
-    def.colors[0].texture = s->scene->has_color ? s->color : (rhw_texture){0};
-    memcpy(def.colors[0].clear, s->scene->clear, sizeof def.colors[0].clear);
-    def.samples = s->scene->samples;
-    def.depth.enabled = true;
-    def.depth.texture = s->depth;
-    def.depth.store = s->scene->has_color ? RHW_STORE_DISCARD : RHW_STORE_STORE;
+    bench_pass_size(s->scene, pass, &def.width, &def.height);
+    def.color_count = pass->color_count;
+    for (int i = 0; i < pass->color_count; i++) {
+        struct rhw_color_attachment *const color = &def.colors[i];
+        color->texture = pass->colors[i] == BENCH_PICTURE ? s->color : s->textures[pass->colors[i]];
+        color->layer = i == 0 ? pass->face : 0;
+        memcpy(color->clear, pass->clear, sizeof color->clear);
+    }
+    def.samples = to_picture ? s->scene->samples : 0;
+    def.depth.enabled = pass->depth != BENCH_PASS_NO_DEPTH;
+    def.depth.store = pass->depth == BENCH_PASS_DEPTH_KEPT ? RHW_STORE_STORE : RHW_STORE_DISCARD;
     def.depth.clear = s->scene->surfaces ? 0.0f : 1.0f; // surfaces: reversed
+    if (pass->depth == BENCH_PASS_DEPTH_KEPT) {
+        def.depth.texture =
+            pass->depth_texture == BENCH_PICTURE ? s->depth : s->textures[pass->depth_texture];
+    } else if (pass->depth == BENCH_PASS_DEPTH_STENCIL) {
+        def.depth.format = RHW_FORMAT_D24_UNORM_S8_UINT;
+        def.depth.stencil_store = RHW_STORE_DISCARD;
+    }
     return def;
 }
 
@@ -199,20 +88,56 @@ static enum rhw_result record_surfaces(struct bench_state *s, rhw_pass pass)
     return scene_surfaces_record(&s->upload, &s->surface_pipelines, &def, pass);
 }
 
-static void record_draws(const struct bench_state *s, rhw_pass pass)
+static void set_uniforms(const struct bench_state *s, rhw_pass pass, const struct bench_draw *draw)
+{
+    float both[BENCH_UNIFORMS_MAX];
+    if (bench_shader_shared[draw->shader] == 0) {
+        rhw_pass_set_uniforms(s->context, pass, &draw->uniforms, sizeof draw->uniforms);
+        return;
+    }
+    rhw_pass_set_uniforms(s->context, pass, both, bench_uniforms_copy(s->scene, draw, both) * sizeof *both);
+}
+
+static void record_draws(const struct bench_state *s, rhw_pass pass, uint32_t first, uint32_t count)
 {
     const struct bench_scene *const scene = s->scene;
-    for (uint32_t i = 0; i < scene->draw_count; i++) {
+    for (uint32_t i = first; i < first + count; i++) {
         const struct bench_draw *const draw = &scene->draws[i];
-        rhw_pass_set_pipeline(s->context, pass, s->pipelines[draw->shader][draw->cull_back]);
+        const struct bench_mesh *const mesh = &scene->meshes[draw->mesh];
+        rhw_pass_set_pipeline(s->context, pass, s->pipelines[i]);
         rhw_pass_set_vertex_buffer(s->context, pass, 0, s->vertices[draw->mesh], 0);
-        rhw_pass_set_index_buffer(s->context, pass, s->indices[draw->mesh], RHW_INDEX_UINT32, 0);
-        rhw_pass_set_uniforms(s->context, pass, &draw->uniforms, sizeof draw->uniforms);
-        for (int t = 0; t < draw->texture_count; t++) {
-            rhw_pass_set_texture(s->context, pass, t, s->textures[draw->textures[t]], s->sampler);
+        if (mesh->instance_count) {
+            rhw_pass_set_vertex_buffer(s->context, pass, 1, s->instances[draw->mesh], 0);
         }
-        rhw_pass_draw_indexed(s->context, pass, 0, scene->meshes[draw->mesh].index_count, 0, 0, 1);
+        rhw_pass_set_index_buffer(s->context, pass, s->indices[draw->mesh], RHW_INDEX_UINT32, 0);
+        set_uniforms(s, pass, draw);
+        for (int t = 0; t < draw->texture_count; t++) {
+            const uint32_t texture = draw->textures[t];
+            rhw_pass_set_texture(s->context, pass, t, s->textures[texture],
+                                 s->samplers[scene->textures[texture].filter]);
+        }
+        rhw_pass_draw_indexed(s->context, pass, 0, mesh->index_count, 0, 0,
+                              mesh->instance_count ? mesh->instance_count : 1);
     }
+}
+
+static bool run_pass(struct bench_state *s, const struct bench_pass *pass, uint64_t *fragments)
+{
+    const struct rhw_pass_def def = describe(s, pass);
+    struct rhw_stats stats;
+    rhw_pass id;
+    if (rhw_pass_begin(s->context, &def, &id) != RHW_OK) {
+        return false;
+    }
+    enum rhw_result recorded = RHW_OK;
+    if (s->scene->surfaces) {
+        recorded = record_surfaces(s, id);
+    } else {
+        record_draws(s, id, pass->first_draw, pass->draw_count);
+    }
+    const enum rhw_result ended = rhw_pass_end(s->context, id, &stats);
+    *fragments += ended == RHW_OK ? stats.fragments_shaded : 0;
+    return recorded == RHW_OK && ended == RHW_OK;
 }
 
 static bool open_texture(rhw_context *context)
@@ -232,7 +157,6 @@ static bool frame(struct bench_renderer *renderer)
 {
     struct bench_state *const s = renderer->state;
     const struct bench_scene *const scene = s->scene;
-    struct rhw_stats stats;
     if (scene->opens_context) {
         return open_and_close(&s->def);
     }
@@ -246,21 +170,12 @@ static bool frame(struct bench_renderer *renderer)
         return bench_render_process(scene->renders_file, s->width, s->height, renderer->threads,
                                     renderer->isa);
     }
-    const struct rhw_pass_def def = pass_of(s);
-    rhw_pass pass;
-    if (rhw_pass_begin(s->context, &def, &pass) != RHW_OK) {
-        return false;
+    bool works = true;
+    renderer->fragments = 0;
+    for (uint32_t i = 0; works && i < scene->pass_count; i++) {
+        works = run_pass(s, &scene->passes[i], &renderer->fragments);
     }
-    enum rhw_result recorded = RHW_OK;
-    if (scene->surfaces) {
-        recorded = record_surfaces(s, pass);
-    } else {
-        record_draws(s, pass);
-    }
-    const enum rhw_result ended = rhw_pass_end(s->context, pass, &stats);
-    const enum rhw_result result = recorded == RHW_OK ? ended : recorded;
-    renderer->fragments = result == RHW_OK ? stats.fragments_shaded : 0;
-    return result == RHW_OK;
+    return works;
 }
 
 static bool read_image(struct bench_renderer *renderer, struct bench_image *image)
@@ -275,48 +190,9 @@ static bool read_image(struct bench_renderer *renderer, struct bench_image *imag
     return true;
 }
 
-static void drop_texture(const struct bench_state *s, rhw_texture texture)
-{
-    if (texture.generation) {
-        rhw_texture_destroy(s->context, texture);
-    }
-}
-
-static void drop_buffer(const struct bench_state *s, rhw_buffer buffer)
-{
-    if (buffer.generation) {
-        rhw_buffer_destroy(s->context, buffer);
-    }
-}
-
 static void release(struct bench_renderer *renderer)
 {
-    struct bench_state *const s = renderer->state;
-    for (uint32_t i = 0; s->vertices && s->indices && i < s->scene->mesh_count; i++) {
-        drop_buffer(s, s->vertices[i]);
-        drop_buffer(s, s->indices[i]);
-    }
-    for (uint32_t i = 0; s->textures && i < s->scene->texture_count; i++) {
-        drop_texture(s, s->textures[i]);
-    }
-    for (int i = 0; i < 2 * BENCH_SHADERS; i++) {
-        if (s->pipelines[i / 2][i % 2].generation) {
-            rhw_pipeline_destroy(s->context, s->pipelines[i / 2][i % 2]);
-        }
-    }
-    scene_surface_pipelines_destroy(s->context, &s->surface_pipelines);
-    if (s->upload.model) {
-        scene_upload_destroy(&s->upload);
-    }
-    drop_texture(s, s->color);
-    drop_texture(s, s->depth);
-    if (s->sampler.generation) {
-        rhw_sampler_destroy(s->context, s->sampler);
-    }
-    free(s->vertices);
-    free(s->indices);
-    free(s->textures);
-    *s = (struct bench_state){.context = s->context, .def = s->def};
+    bench_rhw_drop(renderer->state);
 }
 
 static void close_rhw(struct bench_renderer *renderer)

@@ -93,17 +93,17 @@ bool bench_make_floor(const struct bench_scene_entry *entry, struct bench_scene 
     const double aspect = (double)width / (double)height;
     scene->mesh_count = scene->draw_count = LAYERS;
     scene->texture_count = shader == BENCH_SHADER_TEXTURE;
-    scene->blends = variant == BENCH_FLOOR_BLEND;
-    scene->depth_test = variant == BENCH_FLOOR_OVERDRAW;
     scene->shades_all = variant < BENCH_FLOOR_OVERDRAW;
     scene->max_anisotropy = variant == BENCH_FLOOR_ANISOTROPIC ? 16 : 0;
-    scene->without_depth = variant == BENCH_FLOOR_PAINTER_FREE;
     scene->unit = BENCH_FRAGMENTS;
     scene->work = (double)LAYERS * width * height;
     set_tolerance(&scene->tolerance, variant);
     if (!bench_scene_allocate(scene) ||
         (scene->texture_count && !bench_texture_checker(&scene->textures[0]))) {
         return false;
+    }
+    if (variant == BENCH_FLOOR_PAINTER_FREE) {
+        scene->passes[0].depth = BENCH_PASS_NO_DEPTH;
     }
     for (int i = 0; i < LAYERS; i++) {
         struct bench_mesh *const mesh = &scene->meshes[i];
@@ -115,10 +115,13 @@ bool bench_make_floor(const struct bench_scene_entry *entry, struct bench_scene 
         }
         place_vertices(mesh, i, aspect);
         struct bench_draw *const draw = &scene->draws[i];
-        *draw = (struct bench_draw){.shader = shader,
-                                    .mesh = (uint32_t)i,
-                                    .texture_count = (int)scene->texture_count,
-                                    .uniforms = bench_look(&camera, aspect, identity)};
+        *draw =
+            (struct bench_draw){.shader = shader,
+                                .depth = variant == BENCH_FLOOR_OVERDRAW ? BENCH_DEPTH_LESS : BENCH_DEPTH_OFF,
+                                .blend = variant == BENCH_FLOOR_BLEND ? BENCH_BLEND_OVER : BENCH_BLEND_OFF,
+                                .mesh = (uint32_t)i,
+                                .texture_count = (int)scene->texture_count,
+                                .uniforms = bench_look(&camera, aspect, identity)};
         memcpy(draw->uniforms.color, layer_color[i], sizeof draw->uniforms.color);
     }
     return true;

@@ -53,8 +53,10 @@ static void place_cube(struct bench_draw *draw, int number, double aspect)
     const double turn = 0.37 * number, c = size * scene_cos(turn), s = size * scene_sin(turn);
     const double x = 1.6 * (column - 0.5 * (SIDE - 1)), z = 1.6 * (row - 0.5 * (SIDE - 1));
     const double world[16] = {c, 0, -s, 0, 0, size, 0, 0, s, 0, c, 0, x, 0, z, 1};
-    *draw = (struct bench_draw){
-        .shader = BENCH_SHADER_LIT, .cull_back = true, .uniforms = bench_look(&camera, aspect, world)};
+    *draw = (struct bench_draw){.shader = BENCH_SHADER_LIT,
+                                .depth = BENCH_DEPTH_LESS,
+                                .cull_back = true,
+                                .uniforms = bench_look(&camera, aspect, world)};
     const float color[4] = {0.2f + 0.006f * (float)column, 0.5f, 0.8f - 0.006f * (float)row, 1.0f};
     memcpy(draw->uniforms.color, color, sizeof color);
 }
@@ -72,7 +74,7 @@ static bool choose_file(struct bench_scene *scene, char *why, size_t why_size)
 static bool make_noise(struct bench_texture *texture)
 {
     enum { SIZE = 2048 };
-    texture->srgb = true;
+    texture->format = BENCH_SRGB8_ALPHA8;
     if (!bench_texture_allocate(texture, SIZE, SIZE)) {
         return false;
     }
@@ -95,7 +97,6 @@ bool bench_make_latency(const struct bench_scene_entry *entry, struct bench_scen
     if (entry->variant == BENCH_LATENCY_PROCESS && !choose_file(scene, why, why_size)) {
         return false;
     }
-    scene->depth_test = true;
     scene->mesh_count = draws;
     scene->texture_count = scene->makes_mips;
     scene->draw_count = draws ? SIDE * SIDE : 0;

@@ -64,6 +64,7 @@ static struct bench_draw make_draw(const struct scene_model *model, const struct
         world[i] = (double)instance->world[i];
     }
     struct bench_draw draw = {.shader = BENCH_SHADER_LIT,
+                              .depth = BENCH_DEPTH_LESS,
                               .mesh = instance->mesh,
                               .cull_back = !material->double_sided,
                               .uniforms = bench_look(camera, aspect, world)};
@@ -84,7 +85,6 @@ static bool make_scene(struct bench_scene *scene, const struct scene_model *mode
     scene->mesh_count = model->mesh_count;
     scene->texture_count = model->image_count;
     scene->draw_count = model->instance_count;
-    scene->depth_test = true;
     scene->unit = BENCH_TRIANGLES;
     scene->work = (double)model->triangles_drawn;
     if (!bench_scene_allocate(scene)) {

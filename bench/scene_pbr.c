@@ -22,7 +22,7 @@ static bool fill_levels(rhw_context *context, const struct scene_image *image, s
     def.width = texture->width;
     def.height = texture->height;
     def.mip_levels = texture->levels;
-    def.format = texture->srgb ? RHW_FORMAT_RGBA8_SRGB : RHW_FORMAT_RGBA8_UNORM;
+    def.format = texture->format == BENCH_SRGB8_ALPHA8 ? RHW_FORMAT_RGBA8_SRGB : RHW_FORMAT_RGBA8_UNORM;
     if (rhw_texture_create(context, &def, &made) != RHW_OK) {
         return false;
     }
@@ -45,8 +45,8 @@ static bool make_textures(struct bench_scene *scene, const struct scene_model *m
     for (uint32_t i = 0; works && i < scene->texture_count; i++) {
         const struct scene_image *const image = &model->images[i / 2];
         struct bench_texture *const texture = &scene->textures[i];
-        texture->srgb = i % 2 == 0;
-        if (texture->srgb ? image->used_as_color : image->used_as_data) {
+        texture->format = i % 2 == 0 ? BENCH_SRGB8_ALPHA8 : BENCH_RGBA8;
+        if (i % 2 == 0 ? image->used_as_color : image->used_as_data) {
             works = image->type == SCENE_IMAGE_RGBA8 &&
                     bench_texture_allocate(texture, (int)image->width, (int)image->height) &&
                     fill_levels(context, image, texture);
@@ -143,6 +143,7 @@ static bool make_draws(struct bench_scene *scene, const struct scene_camera *cam
     bool works = items && scene->surfaces->uniforms;
     scene->draw_count =
         works ? (uint32_t)scene_surface_items_list(model, &scene->surfaces->frame, true, items) : 0;
+    scene->passes[0].draw_count = scene->draw_count;
     for (uint32_t i = 0; works && i < scene->draw_count; i++) {
         const struct scene_instance *const instance = &model->instances[items[i].instance];
         const struct scene_material *const material =
@@ -150,6 +151,7 @@ static bool make_draws(struct bench_scene *scene, const struct scene_camera *cam
         struct bench_draw *const draw = &scene->draws[i];
         draw->shader = find_shader(instance, material, &draw->texture_count);
         draw->mesh = instance->mesh;
+        draw->depth = BENCH_DEPTH_LESS;
         draw->cull_back = !material->double_sided;
         for (int s = 0; s < draw->texture_count; s++) {
             const bool as_color = scene_slot_is_color((enum scene_slot)s);
@@ -224,7 +226,6 @@ bool bench_make_pbr(const struct bench_scene_entry *entry, struct bench_scene *s
     scene->mesh_count = model->mesh_count;
     scene->texture_count = 2 * model->image_count;
     scene->draw_count = model->instance_count;
-    scene->depth_test = true;
     scene->unit = BENCH_TRIANGLES;
     scene->work = (double)model->triangles_drawn;
     scene->tolerance = (struct bench_tolerance){.color = 6, .outliers = 5e-4};

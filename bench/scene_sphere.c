@@ -48,9 +48,44 @@ static void place_vertex(const struct bench_mesh *mesh, double theta, double phi
     }
 }
 
+// Two triangles for each quad of the grid.
+static void index_triangles(uint32_t *index, uint32_t stacks, uint32_t slices)
+{
+    for (uint32_t i = 0; i < stacks; i++) {
+        for (uint32_t k = 0; k < slices; k++) {
+            const uint32_t a = i * (slices + 1) + k, b = a + slices + 1;
+            const uint32_t quad[6] = {a, a + 1, b, a + 1, b + 1, b};
+            memcpy(index, quad, sizeof quad);
+            index += 6;
+        }
+    }
+}
+
+// Two sides of each quad: one along its row, one down its column.
+static void index_lines(uint32_t *index, uint32_t stacks, uint32_t slices)
+{
+    for (uint32_t i = 0; i < stacks; i++) {
+        for (uint32_t k = 0; k < slices; k++) {
+            const uint32_t a = i * (slices + 1) + k;
+            const uint32_t sides[4] = {a, a + 1, a, a + slices + 1};
+            memcpy(index, sides, sizeof sides);
+            index += 4;
+        }
+    }
+}
+
+static void index_points(uint32_t *index, uint32_t vertices)
+{
+    for (uint32_t i = 0; i < vertices; i++) {
+        index[i] = i;
+    }
+}
+
 static bool make_mesh(struct bench_mesh *mesh, uint32_t stacks, uint32_t slices)
 {
-    if (!bench_mesh_allocate(mesh, (stacks + 1) * (slices + 1), 6 * stacks * slices)) {
+    const uint32_t vertices = (stacks + 1) * (slices + 1), quads = stacks * slices;
+    const bool lines = mesh->topology == BENCH_LINE_LIST, points = mesh->topology == BENCH_POINT_LIST;
+    if (!bench_mesh_allocate(mesh, vertices, points ? vertices : lines ? 4 * quads : 6 * quads)) {
         return false;
     }
     const uint32_t stride = bench_mesh_stride(mesh);
@@ -60,14 +95,10 @@ static bool make_mesh(struct bench_mesh *mesh, uint32_t stacks, uint32_t slices)
             place_vertex(mesh, pi * i / stacks, 2.0 * pi * k / slices, to);
         }
     }
-    uint32_t *index = mesh->indices;
-    for (uint32_t i = 0; i < stacks; i++) {
-        for (uint32_t k = 0; k < slices; k++) {
-            const uint32_t a = i * (slices + 1) + k, b = a + slices + 1;
-            const uint32_t quad[6] = {a, a + 1, b, a + 1, b + 1, b};
-            memcpy(index, quad, sizeof quad);
-            index += 6;
-        }
+    if (points) {
+        index_points(mesh->indices, vertices);
+    } else {
+        (lines ? index_lines : index_triangles)(mesh->indices, stacks, slices);
     }
     return true;
 }
@@ -82,6 +113,16 @@ static void set_tolerance(struct bench_tolerance *tolerance, enum bench_sphere_v
     if (variant == BENCH_SPHERE_1M_SAMPLES) { // a sample of an edge may be in one image alone
         tolerance->color = 64;
     }
+    // Lines are rectangles here, a pixel wide, and to the peer the pixels whose diamonds they leave (Vulkan 1.3 §28.8.1):
+    // as many, but on a steep piece of the grid not all the same ones.
+    if (variant == BENCH_SPHERE_1M_LINES) {
+        tolerance->outliers = 5e-2;
+    }
+    // A point is one pixel whole: the one that its position is in, rounded to 1/256. Half of that is rounded to even here and
+    // up in the peer; so single points move to the next pixel, and what was behind them shows.
+    if (variant == BENCH_SPHERE_1M_POINTS) {
+        tolerance->outliers = 1e-4;
+    }
 }
 
 // The sphere has twice as many slices, and two triangles for each quad: 4·stacks².
@@ -91,9 +132,17 @@ static uint32_t stacks_of(enum bench_sphere_variant variant)
     case BENCH_SPHERE_10K: return 50;
     case BENCH_SPHERE_82K:
     case BENCH_SPHERE_82K_FLAT: return 143;
+    case BENCH_SPHERE_1M_POINTS: return 706;
     default: return 500;
     }
 }
+
+static const struct {
+    uint32_t vertices;
+    enum bench_unit unit;
+} forms[] = {[BENCH_TRIANGLE_LIST] = {3, BENCH_TRIANGLES},
+             [BENCH_LINE_LIST] = {2, BENCH_LINES},
+             [BENCH_POINT_LIST] = {1, BENCH_POINTS}};
 
 bool bench_make_sphere(const struct bench_scene_entry *entry, struct bench_scene *scene, int width,
                        int height, char *why, size_t why_size)
@@ -101,33 +150,38 @@ bool bench_make_sphere(const struct bench_scene_entry *entry, struct bench_scene
     (void)why, (void)why_size; // nothing but memory can fail
     const enum bench_sphere_variant variant = (enum bench_sphere_variant)entry->variant;
     const bool depth_only = variant == BENCH_SPHERE_1M_DEPTH, textured = variant == BENCH_SPHERE_1M_TEXTURE;
+    const enum bench_topology topology = variant == BENCH_SPHERE_1M_LINES    ? BENCH_LINE_LIST
+                                         : variant == BENCH_SPHERE_1M_POINTS ? BENCH_POINT_LIST
+                                                                             : BENCH_TRIANGLE_LIST;
     const uint32_t stacks = stacks_of(variant);
     scene->mesh_count = scene->draw_count = 1;
     scene->texture_count = textured;
-    scene->depth_test = true;
     scene->has_color = !depth_only;
     scene->samples = variant == BENCH_SPHERE_1M_SAMPLES ? 4 : 0;
-    scene->unit = BENCH_TRIANGLES;
+    scene->unit = forms[topology].unit;
     set_tolerance(&scene->tolerance, variant);
     if (!bench_scene_allocate(scene) || (textured && !bench_texture_checker(&scene->textures[0]))) {
         return false;
     }
     struct bench_mesh *const mesh = &scene->meshes[0];
+    mesh->topology = topology;
     mesh->has[BENCH_POSITION] = true;
     mesh->has[BENCH_NORMAL] = !depth_only;
     mesh->has[BENCH_UV] = textured;
     if (!make_mesh(mesh, stacks, 2 * stacks)) {
         return false;
     }
-    scene->work = mesh->index_count / 3;
+    scene->work = mesh->index_count / forms[topology].vertices;
     const double world[16] = {scene_cos(turn), 0, -scene_sin(turn), 0, 0, 1, 0, 0,
                               scene_sin(turn), 0, scene_cos(turn),  0, 0, 0, 0, 1};
     struct bench_draw *const draw = &scene->draws[0];
     *draw = (struct bench_draw){.shader = depth_only                         ? BENCH_SHADER_DEPTH
                                           : textured                         ? BENCH_SHADER_LIT_TEXTURE
                                           : variant == BENCH_SPHERE_82K_FLAT ? BENCH_SHADER_LIT_FLAT
+                                          : topology == BENCH_POINT_LIST     ? BENCH_SHADER_LIT_POINT
                                                                              : BENCH_SHADER_LIT,
                                 .texture_count = textured ? 1 : 0,
+                                .depth = BENCH_DEPTH_LESS,
                                 .cull_back = true,
                                 .uniforms = bench_look(&camera, (double)width / (double)height, world)};
     const float color[4] = {0.85f, 0.55f, 0.3f, 1.0f};

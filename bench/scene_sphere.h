@@ -12,7 +12,9 @@ enum bench_sphere_variant {
     BENCH_SPHERE_1M,
     BENCH_SPHERE_1M_TEXTURE,
     BENCH_SPHERE_1M_DEPTH,
-    BENCH_SPHERE_1M_SAMPLES // 4 a pixel
+    BENCH_SPHERE_1M_SAMPLES, // 4 a pixel
+    BENCH_SPHERE_1M_LINES,
+    BENCH_SPHERE_1M_POINTS
 };
 
 bool bench_make_sphere(const struct bench_scene_entry *entry, struct bench_scene *scene, int width,

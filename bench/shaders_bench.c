@@ -3,9 +3,20 @@
 // shaders_lanes.c.
 #include "shaders_bench.h"
 
-static const struct bench_shader_table *const tables[RHW_ISA_COUNT] = RHW_ISA_TABLE(&bench_shader_table);
+#include <string.h>
 
-enum { P = 1 << BENCH_POSITION, N = 1 << BENCH_NORMAL, T = 1 << BENCH_UV, C = 1 << BENCH_COLOR };
+static const struct bench_shader_table *const tables[RHW_ISA_COUNT] = RHW_ISA_TABLE(&bench_shader_table),
+                                              *const pass_tables[RHW_ISA_COUNT] =
+                                                  RHW_ISA_TABLE(&bench_pass_shader_table);
+
+enum {
+    P = 1 << BENCH_POSITION,
+    N = 1 << BENCH_NORMAL,
+    T = 1 << BENCH_UV,
+    C = 1 << BENCH_COLOR,
+    PLACE = 1 << BENCH_PLACE,
+    TINT = 1 << BENCH_TINT
+};
 
 const uint32_t bench_shader_attributes[BENCH_SHADERS] = {
     [BENCH_SHADER_FLAT] = P,
@@ -13,11 +24,38 @@ const uint32_t bench_shader_attributes[BENCH_SHADERS] = {
     [BENCH_SHADER_COLOR] = P | C,
     [BENCH_SHADER_TEXTURE] = P | T,
     [BENCH_SHADER_LIT] = P | N,
+    [BENCH_SHADER_LIT_POINT] = P | N,
     [BENCH_SHADER_LIT_FLAT] = P | N,
     [BENCH_SHADER_LIT_TEXTURE] = P | N | T,
     [BENCH_SHADER_LIT_MASKED] = P | N | T,
     [BENCH_SHADER_DEPTH] = P,
+    [BENCH_SHADER_PARTICLE] = P | PLACE | TINT,
+    [BENCH_SHADER_VOLUME] = P | N,
+    [BENCH_SHADER_SHADOWED] = P | N,
+    [BENCH_SHADER_REFLECT] = P | N,
+    [BENCH_SHADER_SURFACE] = P | N,
+    [BENCH_SHADER_LIGHTS] = P | N,
 };
+
+static const uint32_t uses[BENCH_SHADERS] = {
+    [BENCH_SHADER_LIT_FLAT] = RHW_USE_IDS,
+    [BENCH_SHADER_LIT_MASKED] = RHW_USE_DISCARD,
+    [BENCH_SHADER_SURFACE] = RHW_USE_COORD,
+    [BENCH_SHADER_LIGHTS] = RHW_USE_COORD,
+};
+
+const uint32_t bench_shader_shared[BENCH_SHADERS] = {
+    [BENCH_SHADER_SHADOWED] = 4,
+    [BENCH_SHADER_LIGHTS] = 2 * BENCH_LIGHTS,
+};
+
+size_t bench_uniforms_copy(const struct bench_scene *scene, const struct bench_draw *draw, float *to)
+{
+    const size_t own = sizeof draw->uniforms / sizeof *to, shared = 4 * bench_shader_shared[draw->shader];
+    memcpy(to, &draw->uniforms, own * sizeof *to);
+    memcpy(to + own, scene->shared, shared * sizeof *to);
+    return own + shared;
+}
 
 static void add_varying(struct rhw_program *program, int components, bool derivatives)
 {
@@ -25,31 +63,46 @@ static void add_varying(struct rhw_program *program, int components, bool deriva
         (struct rhw_varying){.components = components, .derivatives = derivatives};
 }
 
+static void add_flat(struct rhw_program *program, int components)
+{
+    program->varyings[program->varying_count++] =
+        (struct rhw_varying){.components = components, .qualifier = RHW_FLAT};
+}
+
 void bench_program(struct rhw_program *program, enum bench_shader shader)
 {
-    *program = (struct rhw_program){.uniform_size = sizeof(struct bench_uniforms)};
+    *program = (struct rhw_program){.uniform_size = (uint32_t)sizeof(struct bench_uniforms) +
+                                                    16 * bench_shader_shared[shader]};
     for (int isa = 0; isa < RHW_ISA_COUNT; isa++) {
-        if (tables[isa]) {
-            program->vertex[isa] = tables[isa]->vertex[shader];
-            program->fragment[isa] = tables[isa]->fragment[shader];
+        const struct bench_shader_table *const table =
+            shader >= BENCH_SHADER_SHADOWED ? pass_tables[isa] : tables[isa];
+        if (table) {
+            program->vertex[isa] = table->vertex[shader];
+            program->fragment[isa] = table->fragment[shader];
         }
     }
     const uint32_t attributes = bench_shader_attributes[shader];
     if (attributes & C) {
         add_varying(program, 4, false);
     }
-    if (attributes & N) {
-        add_varying(program, 3, false); // normal
+    if ((attributes & N) && shader != BENCH_SHADER_VOLUME) {
+        add_varying(program, 3, false); // normal, or ray
+    }
+    if ((attributes & N) && shader != BENCH_SHADER_VOLUME && shader != BENCH_SHADER_LIGHTS) {
         add_varying(program, 3, false); // position
     }
     if (attributes & T) {
         add_varying(program, 2, true);
     }
-    if (shader == BENCH_SHADER_LIT_FLAT) {
-        program->varyings[program->varying_count++] =
-            (struct rhw_varying){.components = 3, .qualifier = RHW_FLAT};
+    if (attributes & TINT) {
+        add_varying(program, 2, false); // corner
+        add_flat(program, 4);
     }
-    program->uses = shader == BENCH_SHADER_LIT_MASKED ? RHW_USE_DISCARD
-                    : shader == BENCH_SHADER_LIT_FLAT ? RHW_USE_IDS
-                                                      : 0;
+    if (shader == BENCH_SHADER_LIT_FLAT) {
+        add_flat(program, 3);
+    }
+    if (shader == BENCH_SHADER_SHADOWED) {
+        add_varying(program, 3, false); // place in the map
+    }
+    program->uses = uses[shader];
 }

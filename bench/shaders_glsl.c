@@ -1,22 +1,26 @@
 // SPDX-License-Identifier: MIT
-// See shaders_glsl.h. The pieces are: version and interface, the common functions, main.
+// See shaders_glsl.h. The pieces are: version and number of uniforms, interface, the common functions, main.
 #include "shaders_glsl.h"
 
-static const char vertex_head[] = "#version 300 es\n"
-                                  "precision highp float;\n"
+static const char version[] = "#version 300 es\n#define UNIFORMS 11\n";
+
+static const char vertex_head[] = "precision highp float;\n"
                                   "layout(location = 0) in vec3 position;\n"
                                   "layout(location = 1) in vec3 normal;\n"
                                   "layout(location = 2) in vec2 uv;\n"
                                   "layout(location = 3) in vec4 color;\n"
-                                  "uniform vec4 u[11];\n";
+                                  "layout(location = 5) in vec4 place;\n"
+                                  "layout(location = 6) in vec4 tint;\n"
+                                  "uniform vec4 u[UNIFORMS];\n";
 
 static const char vertex_common[] =
-    "void to_clip() { gl_Position = u[0] * position.x + u[1] * position.y + u[2] * position.z + u[3]; }\n"
+    "void to_clip(vec3 p) { gl_Position = u[0] * p.x + u[1] * p.y + u[2] * p.z + u[3]; }\n"
+    "void to_clip() { to_clip(position); }\n"
     "vec3 to_world(vec4 p) { return vec3(dot(u[4], p), dot(u[5], p), dot(u[6], p)); }\n";
 
-static const char fragment_head[] = "#version 300 es\n"
-                                    "precision highp float;\n"
-                                    "uniform vec4 u[11];\n"
+static const char fragment_head[] = "precision highp float;\n"
+                                    "precision highp sampler2D;\n"
+                                    "uniform vec4 u[UNIFORMS];\n"
                                     "uniform sampler2D base;\n"
                                     "layout(location = 0) out vec4 target;\n";
 
@@ -48,6 +52,12 @@ static const struct {
          "varying_position = to_world(vec4(position, 1.0)); }\n",
          "in vec3 varying_normal, varying_position;\n"
          "void main() { target = vec4(shade(varying_normal, varying_position, u[9].rgb), 1.0); }\n"},
+    [BENCH_SHADER_LIT_POINT] =
+        {"out vec3 varying_normal, varying_position;\n"
+         "void main() { to_clip(); gl_PointSize = 1.0; varying_normal = to_world(vec4(normal, 0.0));\n"
+         "varying_position = to_world(vec4(position, 1.0)); }\n",
+         "in vec3 varying_normal, varying_position;\n"
+         "void main() { target = vec4(shade(varying_normal, varying_position, u[9].rgb), 1.0); }\n"},
     [BENCH_SHADER_LIT_FLAT] =
         {"out vec3 varying_normal, varying_position; flat out vec3 flat_color; flat out int instance;\n"
          "void main() { to_clip(); varying_normal = to_world(vec4(normal, 0.0));\n"
@@ -70,6 +80,16 @@ static const struct {
          "in vec3 varying_normal, varying_position; in vec2 varying_uv;\n"
          "void main() { vec4 texel = texture(base, varying_uv); if (texel.a < u[10].y) discard;\n"
          "target = vec4(shade(varying_normal, varying_position, texel.rgb * u[9].rgb), 1.0); }\n"},
+    [BENCH_SHADER_PARTICLE] =
+        {"out vec2 corner; flat out vec4 flat_tint;\n"
+         "void main() { corner = position.xy; flat_tint = tint;\n"
+         "to_clip(place.xyz + (u[4].xyz * corner.x + u[5].xyz * corner.y) * place.w); }\n",
+         "in vec2 corner; flat in vec4 flat_tint;\n"
+         "void main() { target = vec4(flat_tint.rgb, flat_tint.a * max(1.0 - dot(corner, corner), 0.0)); "
+         "}\n"},
+    [BENCH_SHADER_VOLUME] =
+        {"void main() { to_clip(dot(normal, u[9].xyz) > 0.0 ? position + u[9].xyz : position); }\n",
+         "void main() { }\n"},
     [BENCH_SHADER_DEPTH] = {"void main() { to_clip(); }\n", "void main() { }\n"},
 };
 
@@ -80,10 +100,15 @@ void bench_glsl(enum bench_shader shader, const char *vertex[BENCH_GLSL_PIECES],
         bench_glsl_pbr(shader, vertex, fragment);
         return;
     }
-    vertex[0] = vertex_head;
-    vertex[1] = vertex_common;
-    vertex[2] = mains[shader].vertex;
-    fragment[0] = fragment_head;
-    fragment[1] = fragment_common;
-    fragment[2] = mains[shader].fragment;
+    vertex[1] = vertex_head;
+    vertex[2] = vertex_common;
+    fragment[1] = fragment_head;
+    fragment[2] = fragment_common;
+    if (shader >= BENCH_SHADER_SHADOWED) {
+        bench_glsl_passes(shader, vertex, fragment);
+        return;
+    }
+    vertex[0] = fragment[0] = version;
+    vertex[3] = mains[shader].vertex;
+    fragment[3] = mains[shader].fragment;
 }

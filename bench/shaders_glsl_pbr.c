@@ -150,7 +150,7 @@ void bench_glsl_pbr(enum bench_shader shader, const char *vertex[BENCH_GLSL_PIEC
 {
     vertex[0] = fragment[0] = heads[shader];
     vertex[1] = vertex_main;
-    vertex[2] = "";
+    vertex[2] = vertex[3] = fragment[3] = "";
     fragment[1] = fragment_formulas;
     fragment[2] = fragment_main;
 }

@@ -1,30 +1,10 @@
 // SPDX-License-Identifier: MIT
 // The benchmark's shaders on 8 lanes, compiled once per instruction set: what a user who cares for speed
 // writes. Every formula has its twin in shaders_glsl.c; pow is exp2 of a product, as GLSL defines it.
-#include "shaders.h"
 #include "shaders_bench.h"
-
-#include "rhw/shader.h"
-
-#define ALWAYS_INLINE static inline __attribute__((always_inline))
+#include "shaders_lanes.h"
 
 // Vertices ------------------------------------------------------------------------------------------
-
-ALWAYS_INLINE void to_clip(const struct bench_uniforms *u, const rhw_float p[4], rhw_float clip[4])
-{
-    rhw_mat4_mul_point(u->clip, p, clip);
-}
-
-// Normal, then position in the world.
-ALWAYS_INLINE void to_world(const struct bench_uniforms *u, const rhw_float p[4], const rhw_float n[4],
-                            rhw_float *varying)
-{
-    for (int r = 0; r < 3; r++) {
-        const float *const row = &u->world[4 * r];
-        varying[r] = row[0] * n[0] + row[1] * n[1] + row[2] * n[2];
-        varying[3 + r] = row[0] * p[0] + row[1] * p[1] + row[2] * p[2] + row[3];
-    }
-}
 
 static void position_vertex(struct rhw_vertex *groups, int count)
 {
@@ -86,6 +66,42 @@ static void lit_texture_vertex(struct rhw_vertex *groups, int count)
     }
 }
 
+static void particle_vertex(struct rhw_vertex *groups, int count)
+{
+    for (int g = 0; g < count; g++) {
+        struct rhw_vertex *const v = &groups[g];
+        const struct bench_uniforms *const u = v->uniforms;
+        const rhw_float *const corner = v->attribute[0], *const place = v->attribute[1];
+        rhw_float position[3];
+        for (int c = 0; c < 3; c++) {
+            position[c] = place[c] + (u->world[c] * corner[0] + u->world[4 + c] * corner[1]) * place[3];
+        }
+        to_clip(u, position, v->position);
+        v->varying[0] = corner[0];
+        v->varying[1] = corner[1];
+        for (int c = 0; c < 4; c++) {
+            v->varying[2 + c] = v->attribute[2][c];
+        }
+    }
+}
+
+// What faces away from the light moves with it, by `color` in the model: the mesh becomes its shadow's volume.
+static void volume_vertex(struct rhw_vertex *groups, int count)
+{
+    for (int g = 0; g < count; g++) {
+        struct rhw_vertex *const v = &groups[g];
+        const struct bench_uniforms *const u = v->uniforms;
+        const rhw_float *const p = v->attribute[0], *const n = v->attribute[1];
+        const rhw_int away =
+            rhw_less(rhw_splat(0.0f), n[0] * u->color[0] + n[1] * u->color[1] + n[2] * u->color[2]);
+        rhw_float position[3];
+        for (int c = 0; c < 3; c++) {
+            position[c] = rhw_select(away, p[c] + u->color[c], p[c]);
+        }
+        to_clip(u, position, v->position);
+    }
+}
+
 // Fragments -----------------------------------------------------------------------------------------
 
 static void flat_fragment(struct rhw_fragment *groups, int count)
@@ -122,26 +138,20 @@ static void texture_fragment(struct rhw_fragment *groups, int count)
     rhw_sample_groups(groups, count, 1, 0, groups->color, RHW_MAX_COLOR_ATTACHMENTS);
 }
 
+static void particle_fragment(struct rhw_fragment *groups, int count)
+{
+    for (int g = 0; g < count; g++) {
+        const rhw_float *const v = groups[g].varying;
+        rhw_float *const color = groups[g].color[0];
+        for (int c = 0; c < 3; c++) {
+            color[c] = v[2 + c];
+        }
+        color[3] = v[5] * rhw_max(1.0f - (v[0] * v[0] + v[1] * v[1]), rhw_splat(0.0f));
+    }
+}
+
 // Blinn-Phong with one directional light, step by step over all groups: a group by itself is one long chain of
 // operations that wait for each other, and those of the next begin too late to fill the gaps.
-
-ALWAYS_INLINE void light(const struct rhw_fragment *f, const struct bench_uniforms *u, rhw_float *n_dot_l,
-                         rhw_float *n_dot_h)
-{
-    rhw_float normal[3], view[3], half[3];
-    rhw_normalize3(f->varying, normal);
-    for (int c = 0; c < 3; c++) {
-        view[c] = u->eye[c] - f->varying[3 + c];
-    }
-    rhw_normalize3(view, view);
-    for (int c = 0; c < 3; c++) {
-        half[c] = view[c] + u->light[c];
-    }
-    rhw_normalize3(half, half);
-    const rhw_float zero = rhw_splat(0.0f);
-    *n_dot_l = rhw_max(normal[0] * u->light[0] + normal[1] * u->light[1] + normal[2] * u->light[2], zero);
-    *n_dot_h = rhw_max(rhw_dot3(normal, half), zero);
-}
 
 // Groups of one step: few enough to keep what passes between steps near.
 enum { STEP = 8 };
@@ -235,10 +245,13 @@ const struct bench_shader_table RHW_ISA_NAME(bench_shader_table) = {
             [BENCH_SHADER_COLOR] = color_vertex,
             [BENCH_SHADER_TEXTURE] = texture_vertex,
             [BENCH_SHADER_LIT] = lit_vertex,
+            [BENCH_SHADER_LIT_POINT] = lit_vertex,
             [BENCH_SHADER_LIT_FLAT] = lit_flat_vertex,
             [BENCH_SHADER_LIT_TEXTURE] = lit_texture_vertex,
             [BENCH_SHADER_LIT_MASKED] = lit_texture_vertex,
             [BENCH_SHADER_DEPTH] = position_vertex,
+            [BENCH_SHADER_PARTICLE] = particle_vertex,
+            [BENCH_SHADER_VOLUME] = volume_vertex,
         },
     .fragment =
         {
@@ -247,8 +260,10 @@ const struct bench_shader_table RHW_ISA_NAME(bench_shader_table) = {
             [BENCH_SHADER_COLOR] = color_fragment,
             [BENCH_SHADER_TEXTURE] = texture_fragment,
             [BENCH_SHADER_LIT] = lit_fragment,
+            [BENCH_SHADER_LIT_POINT] = lit_fragment,
             [BENCH_SHADER_LIT_FLAT] = lit_flat_fragment,
             [BENCH_SHADER_LIT_TEXTURE] = lit_texture_fragment,
             [BENCH_SHADER_LIT_MASKED] = lit_masked_fragment,
+            [BENCH_SHADER_PARTICLE] = particle_fragment,
         },
 };

@@ -47,6 +47,14 @@ static void sample_swizzled(const struct rhw_binding *binding, const struct rhw_
     swizzle(binding->texture, texel);
 }
 
+// One float a texel, of which no level but the first is read.
+static bool is_shadow_map(const struct rhw_texture_data *texture, const struct rhw_sampler_data *sampler)
+{
+    return texture->info->codec == RHW_CODEC_FLOAT32 && texture->info->channels == 1 &&
+           texture->info->size == 4 &&
+           (texture->levels == 1 || sampler->def.mip_filter == RHW_MIP_FILTER_NONE);
+}
+
 struct rhw_binding rhw_binding_of(const struct rhw_kernels *kernels, enum rhw_paths paths,
                                   const struct rhw_texture_data *texture,
                                   const struct rhw_sampler_data *sampler)
@@ -68,6 +76,8 @@ struct rhw_binding rhw_binding_of(const struct rhw_kernels *kernels, enum rhw_pa
         binding.sample = special ? kernels->sample_unorm8 : kernels->sample_unorm8_general;
     } else if (fixed) {
         binding.sample = special ? kernels->sample_srgb8 : kernels->sample_srgb8_general;
+    } else if (texture && special && sampler->filters_compared && is_shadow_map(texture, sampler)) {
+        binding.sample = kernels->sample_compared;
     }
     const bool anisotropic = texture && sampler->def.max_anisotropy > 1;
     if (!texture) {

@@ -59,6 +59,7 @@ void rhw_depth_stencil_init(struct rhw_depth_stencil_state *state, const struct 
     state->tests_stencil = def->stencil_test;
     state->tests_bounds = def->depth_bounds_test;
     state->depth_steps = def->depth_test ? depth_steps : 0;
+    state->depth_margin = state->depth_steps != 0 ? (float)(2 / state->depth_steps) : 0;
     state->counts = setting->counts;
     state->counts_by_test = state->counts && counts_by_test(def, setting->many_samples);
     state->is_full =

@@ -26,6 +26,7 @@ struct rhw_depth_stencil_state {
     struct rhw_stencil_rule face[2]; // front and back
     float bounds_least, bounds_most;
     double depth_steps; // between 0 and 1, which depth is rounded to; 0: it stays a float
+    float depth_margin; // two steps: more than rounding moves a depth, in double and to a float
     bool is_biased;
     struct rhw_depth_bias bias;
     bool counts;         // samples that pass: for queries

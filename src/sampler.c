@@ -105,6 +105,13 @@ static bool filters_fixed(const struct rhw_sampler_def *def)
            def->address_u != RHW_ADDRESS_BORDER && def->address_v != RHW_ADDRESS_BORDER;
 }
 
+static bool filters_compared(const struct rhw_sampler_def *def)
+{
+    return !is_general(def) && def->compares && def->min_filter == RHW_FILTER_LINEAR &&
+           def->mag_filter == RHW_FILTER_LINEAR && def->address_u != RHW_ADDRESS_BORDER &&
+           def->address_v != RHW_ADDRESS_BORDER;
+}
+
 static float lod_max_of(const struct rhw_sampler_def *def)
 {
     const float no_limit = 1000; // more levels than there are
@@ -113,8 +120,10 @@ static float lod_max_of(const struct rhw_sampler_def *def)
 
 void rhw_sampler_data_init(struct rhw_sampler_data *sampler, const struct rhw_sampler_def *def)
 {
-    *sampler = (struct rhw_sampler_data){
-        .def = *def, .filters_fixed = filters_fixed(def), .is_general = is_general(def)};
+    *sampler = (struct rhw_sampler_data){.def = *def,
+                                         .filters_fixed = filters_fixed(def),
+                                         .filters_compared = filters_compared(def),
+                                         .is_general = is_general(def)};
     sampler->def.lod_max = lod_max_of(def);
     sampler->def.label = NULL; // which is the caller's
     for (int lane = 0; lane < RHW_LANES; lane++) {

@@ -8,8 +8,9 @@
 
 struct rhw_sampler_data {
     struct rhw_sampler_def def;
-    bool filters_fixed; // textures of 8 bits take the fixed-point path: see filter_fixed.h
-    bool is_general;    // only the general sampler does what it asks for: see filter_general.h
+    bool filters_fixed;    // textures of 8 bits take the fixed-point path: see filter_fixed.h
+    bool filters_compared; // shadow maps of one level may take a path of their own: see filter_compare.h
+    bool is_general;       // only the general sampler does what it asks for: see filter_general.h
     // Of the level of detail, in all lanes. The bias for gradients is less by 16, as sizes are 2^16 too large
     // (rhw_mip).
     _Alignas(32) float gradient_bias[RHW_LANES];

@@ -7,6 +7,7 @@ const struct rhw_kernels RHW_ISA_NAME(rhw_kernels) = {
     .chunk = RHW_ISA_NAME(rhw_make_chunk),
     .tile = RHW_ISA_NAME(rhw_draw_tile),
     .sample_float = RHW_ISA_NAME(rhw_sample_float),
+    .sample_compared = RHW_ISA_NAME(rhw_sample_compared),
     .sample_unorm8 = RHW_ISA_NAME(rhw_sample_unorm8),
     .sample_srgb8 = RHW_ISA_NAME(rhw_sample_srgb8),
     .sample_unorm8_general = RHW_ISA_NAME(rhw_sample_unorm8_general),

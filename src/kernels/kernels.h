@@ -52,6 +52,8 @@ struct rhw_kernels {
     // Samples plain 2D textures of every format with every sampler that asks for no more, in floats, and a slot without
     // a texture.
     rhw_sample_function *sample_float;
+    // Samples one level of plain 2D textures of one float by samplers that take it (sampler.h): the same bytes sooner.
+    rhw_sample_function *sample_compared;
     // Sample RGBA8 textures of either encoding, with samplers that allow it (sampler.h), in fixed point: with the
     // special paths of filter_fixed.h, and always on the general path, which gives the same bytes.
     rhw_sample_function *sample_unorm8, *sample_srgb8, *sample_unorm8_general, *sample_srgb8_general;

@@ -3,6 +3,7 @@
 // samples a texture, binding.c says.
 #include "kernel_entries.h"
 
+#include "sample/filter_compare.h"
 #include "sample/filter_fixed.h"
 #include "sample/filter_float.h"
 #include "sample/multi_texture.h"
@@ -16,6 +17,12 @@ void RHW_ISA_NAME(rhw_sample_float)(const struct rhw_binding *binding,
     } else {
         sample_float(binding, request, texel);
     }
+}
+
+void RHW_ISA_NAME(rhw_sample_compared)(const struct rhw_binding *binding,
+                                       const struct rhw_sample_request *request, rhw_float texel[4])
+{
+    sample_compared(binding, request, texel);
 }
 
 void RHW_ISA_NAME(rhw_sample_unorm8)(const struct rhw_binding *binding,

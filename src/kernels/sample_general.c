@@ -36,7 +36,11 @@ void RHW_ISA_NAME(rhw_gather_texels)(const struct rhw_binding *binding,
 void RHW_ISA_NAME(rhw_fetch_texels)(const struct rhw_binding *binding, const rhw_int *at,
                                     const rhw_int *level, rhw_float texel[4])
 {
-    fetch(binding->texture, at, level ? *level : rhw_splat_int(0), texel);
+    if (!level && binding->texture->is_plain) {
+        fetch_plain(binding->texture, at, texel);
+    } else {
+        fetch(binding->texture, at, level ? *level : rhw_splat_int(0), texel);
+    }
 }
 
 void RHW_ISA_NAME(rhw_query_level)(const struct rhw_binding *binding,

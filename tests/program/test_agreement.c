@@ -74,7 +74,7 @@ static void leave_out_triangles(struct bench_scene *scene)
 
 static void leave_out_last_draw(struct bench_scene *scene)
 {
-    scene->draw_count--;
+    scene->passes[0].draw_count--;
 }
 
 static void dim(struct bench_scene *scene)
@@ -95,6 +95,43 @@ static void filter_without_anisotropy(struct bench_scene *scene)
 {
     scene->max_anisotropy = 0;
     scene->tolerance.color = 6;
+}
+
+static void ignore_shadows(struct bench_scene *scene)
+{
+    for (uint32_t i = 0; i < scene->draw_count; i++) {
+        if (scene->draws[i].stencil == BENCH_STENCIL_ZERO) {
+            scene->draws[i].stencil = BENCH_STENCIL_OFF;
+        }
+    }
+}
+
+// Of the volumes alone.
+static void leave_out_edges(struct bench_scene *scene)
+{
+    scene->meshes[2].index_count /= 4;
+    scene->meshes[4].index_count /= 4;
+}
+
+static void leave_out_first_pass(struct bench_scene *scene)
+{
+    scene->passes[0].draw_count = 0;
+}
+
+static void leave_out_a_light(struct bench_scene *scene)
+{
+    memset(scene->shared[1], 0, sizeof scene->shared[1]);
+}
+
+static void swap_faces(struct bench_scene *scene)
+{
+    scene->passes[0].face = 1;
+    scene->passes[1].face = 0;
+}
+
+static void leave_out_instances(struct bench_scene *scene)
+{
+    scene->meshes[0].instance_count -= scene->meshes[0].instance_count / 50;
 }
 
 static void test_missing_triangles_are_noticed(void **state)
@@ -124,6 +161,26 @@ static void test_other_colors_are_noticed(void **state)
     assert_false(against_spoiled("sphere_10k", dim).agrees);
     assert_false(against_spoiled("fill_tex", use_one_mip_level_less).agrees);
     assert_false(against_spoiled("fill_aniso", filter_without_anisotropy).agrees);
+}
+
+static void test_missing_passes_are_noticed(void **state)
+{
+    (void)state;
+    assert_false(against_spoiled("shadow_volumes", ignore_shadows).agrees);
+    assert_false(against_spoiled("shadow_volumes", leave_out_edges).agrees);
+    assert_false(against_spoiled("shadow_map", leave_out_first_pass).agrees);
+    assert_false(against_spoiled("reflection", leave_out_first_pass).agrees);
+    assert_false(against_spoiled("reflection", swap_faces).agrees);
+    assert_false(against_spoiled("deferred", leave_out_first_pass).agrees);
+    assert_false(against_spoiled("deferred", leave_out_a_light).agrees);
+}
+
+static void test_missing_lines_points_and_instances_are_noticed(void **state)
+{
+    (void)state;
+    assert_false(against_spoiled("lines_1m", leave_out_triangles).agrees);
+    assert_false(against_spoiled("points_1m", leave_out_triangles).agrees);
+    assert_false(against_spoiled("particles", leave_out_instances).agrees);
 }
 
 static void test_what_is_tolerated_is_exactly_what_is_stated(void **state)
@@ -182,6 +239,8 @@ int main(void)
         cmocka_unit_test(test_missing_triangles_are_noticed),
         cmocka_unit_test(test_a_missing_layer_is_noticed),
         cmocka_unit_test(test_other_colors_are_noticed),
+        cmocka_unit_test(test_missing_passes_are_noticed),
+        cmocka_unit_test(test_missing_lines_points_and_instances_are_noticed),
         cmocka_unit_test(test_what_is_tolerated_is_exactly_what_is_stated),
         cmocka_unit_test(test_depths_that_are_no_numbers_differ),
         cmocka_unit_test(test_median),

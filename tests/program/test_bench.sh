@@ -6,7 +6,7 @@
 tiny="--size 96x54 --frames 2"
 
 succeed bench --list
-check "list names the scenes" test "$(grep -cE "^(fill_flat|overdraw|painter|sphere_1m_depth|bunny_lit|sponza|pbr_helmet|pbr_sponza|context|texture|mips|process) " "$folder/log/out")" = 12
+check "list names the scenes" test "$(grep -cE "^(fill_flat|overdraw|painter|sphere_1m_depth|bunny_lit|sponza|pbr_helmet|pbr_sponza|context|texture|mips|process|lines_1m|points_1m|shadow_volumes|shadow_map|reflection|deferred|particles) " "$folder/log/out")" = 19
 
 succeed bench $tiny --peer none --scene fill --threads 2
 check "table has its rows" test "$(grep -cE '^fill_(flat|color|blend|tex) ' "$folder/log/out")" = 4
@@ -49,7 +49,7 @@ fi
 check "process: nothing left" test -z "$(ls leaves)"
 
 # The peer, or one line that says why there is none.
-run bench $tiny --scene fill_blend,sphere_10k,empty,draws_10k,context,texture,mips --json
+run bench $tiny --scene fill_blend,sphere_10k,points,shadow,reflection,deferred,particles,empty,draws_10k,context,texture,mips --json
 check "with the peer: status" test "$status" = 0
 if grep -q 'not compared with' "$folder/log/err"; then
     check "without Mesa: one line" test "$(wc -l <"$folder/log/err")" = 1

@@ -132,6 +132,69 @@ static void test_comparisons_come_before_the_filter(void **state)
     rig_close(&rig);
 }
 
+// Coordinates near each other, inside or at an edge; sometimes far outside, or no numbers at all.
+static rhw_float wild_coordinates(uint64_t *random)
+{
+    static const float wild[] = {0, 1, -1e-8f, 0.99999994f, -7.25f, 1e9f, INFINITY, -INFINITY, NAN};
+    const float middle = rig_random_float(random, 0, 1);
+    rhw_float at;
+    for (int lane = 0; lane < RHW_LANES; lane++) {
+        const int kind = rig_random_int(random, 400);
+        at[lane] = kind < 9 ? wild[kind] : middle + rig_random_float(random, -0.06f, 0.06f);
+    }
+    return at;
+}
+
+// The path of shadow maps against the general one, bit for bit, in maps so small that edges are everywhere.
+static void compare_paths(rhw_context *context, int width, int height, const struct rhw_sampler_def *def,
+                          uint64_t *random)
+{
+    const struct rhw_texture_def texture_def = {
+        .format = RHW_FORMAT_D32_FLOAT, .width = width, .height = height};
+    rhw_texture texture;
+    rhw_sampler sampler;
+    float texels[32];
+    assert_int_equal(rhw_texture_create(context, &texture_def, &texture), RHW_OK);
+    for (int i = 0; i < width * height; i++) {
+        texels[i] = rig_random_float(random, 0, 1);
+    }
+    assert_int_equal(rhw_texture_write(context, texture, 0, texels, 0), RHW_OK);
+    assert_int_equal(rhw_sampler_create(context, def, &sampler), RHW_OK);
+    const struct rhw_texture_data *const data = rhw_context_texture(context, texture, "test");
+    const struct rhw_sampler_data *const sampler_data = rhw_context_sampler(context, sampler, "test");
+    for (int n = 0; n < 100; n++) {
+        const rhw_float uv[2] = {wild_coordinates(random), wild_coordinates(random)};
+        const float reference = n % 2 ? texels[0] : rig_random_float(random, 0, 1);
+        const rhw_float result = sample_with(rhw_kernels_for(RHW_ISA_BASELINE), RHW_PATHS_GENERAL, data,
+                                             sampler_data, uv, reference, 0);
+        for (int isa = 0; isa < RHW_ISA_COUNT && rhw_isa_supported((enum rhw_isa)isa); isa++) {
+            const rhw_float special = sample_with(rhw_kernels_for((enum rhw_isa)isa), RHW_PATHS_ALL, data,
+                                                  sampler_data, uv, reference, 0);
+            assert_memory_equal(&special, &result, sizeof result);
+        }
+    }
+    rhw_sampler_destroy(context, sampler);
+    rhw_texture_destroy(context, texture);
+}
+
+static void test_shadow_maps_give_the_bytes_of_the_general_path(void **state)
+{
+    (void)state;
+    struct rig rig;
+    rig_open(&rig, 4, 4);
+    uint64_t random = 17;
+    for (int n = 0; n < 8 * 9; n++) {
+        const struct rhw_sampler_def def = {.compares = true,
+                                            .compare = (enum rhw_compare)(n % 8),
+                                            .address_u = (enum rhw_address)(n / 8 % 3),
+                                            .address_v = (enum rhw_address)(n / 24)};
+        compare_paths(rig.context, 1, 1, &def, &random);
+        compare_paths(rig.context, 2, 3, &def, &random);
+        compare_paths(rig.context, 8, 4, &def, &random);
+    }
+    rig_close(&rig);
+}
+
 // Four texels by hand: 0.25 and 0.75 above 0.5 and 1, looked at from the middle of all four.
 static void test_a_footprint_by_hand(void **state)
 {
@@ -185,6 +248,7 @@ int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(test_comparisons_come_before_the_filter),
+        cmocka_unit_test(test_shadow_maps_give_the_bytes_of_the_general_path),
         cmocka_unit_test(test_a_footprint_by_hand),
         cmocka_unit_test(test_misuse),
     };

@@ -54,6 +54,24 @@ static void expect_fetch(const struct bound *bound, const int32_t *at, int32_t l
     assert_true(texel[0] == red && texel[1] == 0 && texel[2] == 0 && texel[3] == 1);
 }
 
+// Without a level plain textures are fetched from level 0 by a way of their own: 8 texels about (x, y), inside and out.
+static void expect_plain_fetch(const struct bound *bound, int x, int y, int width, int height)
+{
+    rhw_int at[2];
+    rhw_float texel[4];
+    for (int lane = 0; lane < RHW_LANES; lane++) {
+        at[0][lane] = x + lane % 3 - 1;
+        at[1][lane] = y + lane / 3 - 1;
+    }
+    rhw_sample_fetch(&bound->bindings, SLOT, at, NULL, texel);
+    for (int lane = 0; lane < RHW_LANES; lane++) {
+        const int column = at[0][lane], row = at[1][lane];
+        const bool inside = column >= 0 && column < width && row >= 0 && row < height;
+        assert_true(texel[0][lane] == (inside ? (float)(10 * row + column) : 0));
+        assert_true(texel[1][lane] == 0 && texel[2][lane] == 0 && texel[3][lane] == 1);
+    }
+}
+
 static void test_fetch(void **state)
 {
     (void)state;
@@ -73,6 +91,13 @@ static void test_fetch(void **state)
                  {{0, 0}, INT32_MAX, 0}};
     for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
         expect_fetch(&bound, cases[i].at, cases[i].level, cases[i].red);
+    }
+    const struct rhw_texture_def wide = {
+        .format = RHW_FORMAT_R32_FLOAT, .width = 16, .height = 3}; // no padding
+    const int32_t edges[][2] = {{0, 0}, {15, 0}, {0, 2}, {15, 2}, {INT32_MAX - 1, 1}, {2, INT32_MIN + 1}};
+    bind(&bound, &rig, numbered(&rig, wide), &def);
+    for (size_t i = 0; i < sizeof edges / sizeof *edges; i++) {
+        expect_plain_fetch(&bound, edges[i][0], edges[i][1], wide.width, wide.height);
     }
     const struct rhw_texture_def volume = {
         .format = RHW_FORMAT_R32_FLOAT, .width = 4, .height = 4, .depth = 3, .kind = RHW_TEXTURE_3D};

@@ -14,7 +14,7 @@ static double rate_of(const struct cli_bench_result *result, double ms)
 
 static const char *unit_of(const struct cli_bench_result *result)
 {
-    static const char *const names[] = {"Mpix/s", "Mtri/s", "kdraw/s"};
+    static const char *const names[] = {"Mpix/s", "Mtri/s", "kdraw/s", "Mpoint/s", "Mline/s"};
     return names[result->unit];
 }
 

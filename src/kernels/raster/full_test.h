@@ -28,35 +28,59 @@ RHW_INLINE i8 stencil_result(enum rhw_stencil_operation operation, i8 stencil, i
 struct tested_pixels {
     f8 depth;
     i8 stencil;
+    bool changes_stencil;
 };
 
-// Tests the fragments of depth z in the lanes of `live` and changes what they change; gives the lanes that pass.
+RHW_INLINE void change_stencil(struct tested_pixels *pixels, const struct rhw_stencil_rule *face,
+                               enum rhw_stencil_operation operation, i8 lanes)
+{
+    if (operation != RHW_STENCIL_KEEP && rhw_any(lanes)) {
+        const i8 written = lanes & i8_splat(face->write_mask);
+        const i8 result = stencil_result(operation, pixels->stencil, face->reference);
+        pixels->stencil = (pixels->stencil & ~written) | (result & written);
+        pixels->changes_stencil = true;
+    }
+}
+
+RHW_INLINE f8 round_depth(f8 z, double steps)
+{
+    return depth_from_steps(steps_of_depth(z, steps), steps);
+}
+
+// Tests the fragments of depth z in the lanes of `live` and changes what they change; gives the lanes that pass. Depth is
+// rounded to its steps, by a division in double, only where that decides: where it is near what the pixel has, or is
+// written. What is further away than the margin lies on the same side without.
 RHW_INLINE i8 test_pixels(struct tested_pixels *pixels, const struct rhw_depth_stencil_state *state,
                           const struct rhw_stencil_rule *face, const struct rhw_depth_rule rule, f8 z,
                           i8 live, unsigned open)
 {
-    if (state->depth_steps != 0) {
-        z = depth_from_steps(steps_of_depth(rhw_saturate(z), state->depth_steps), state->depth_steps);
+    bool is_rounded = state->depth_steps == 0;
+    if (!is_rounded) {
+        z = rhw_saturate(z);
+        const i8 near = rhw_less_equal(rhw_abs(z - pixels->depth), f8_splat(state->depth_margin));
+        if (rhw_any(live & near)) {
+            z = round_depth(z, state->depth_steps);
+            is_rounded = true;
+        }
     }
     if (state->tests_bounds) {
         live &= rhw_less_equal(f8_splat(state->bounds_least), pixels->depth) &
                 rhw_less_equal(pixels->depth, f8_splat(state->bounds_most));
     }
-    const i8 read = i8_splat(face->read_mask);
-    const i8 unfailed =
-        live & compare_lanes(face->compare, rhw_float_from_int(i8_splat(face->reference) & read),
-                             rhw_float_from_int(pixels->stencil & read));
-    const i8 pass = unfailed & rule_passes(rule, z, pixels->depth, open);
-    if (state->tests_stencil) {
-        i8 result = stencil_result(face->fail, pixels->stencil, face->reference);
-        result = rhw_select_int(unfailed, stencil_result(face->depth_fail, pixels->stencil, face->reference),
-                                result);
-        result = rhw_select_int(pass, stencil_result(face->pass, pixels->stencil, face->reference), result);
-        const i8 written = live & i8_splat(face->write_mask);
-        pixels->stencil = (pixels->stencil & ~written) | (result & written);
+    i8 unfailed = live;
+    if (face->compare != RHW_COMPARE_ALWAYS) {
+        const i8 read = i8_splat(face->read_mask);
+        unfailed &= compare_lanes(face->compare, rhw_float_from_int(i8_splat(face->reference) & read),
+                                  rhw_float_from_int(pixels->stencil & read));
     }
-    if (rule.write) {
-        pixels->depth = f8_select(pass, z, pixels->depth);
+    const i8 pass = unfailed & rule_passes(rule, z, pixels->depth, open);
+    if (state->tests_stencil) { // the lanes of each are others
+        change_stencil(pixels, face, face->fail, live & ~unfailed);
+        change_stencil(pixels, face, face->depth_fail, unfailed & ~pass);
+        change_stencil(pixels, face, face->pass, pass);
+    }
+    if (rule.write && rhw_any(pass)) {
+        pixels->depth = f8_select(pass, is_rounded ? z : round_depth(z, state->depth_steps), pixels->depth);
     }
     return pass;
 }
@@ -70,16 +94,21 @@ RHW_INLINE void count_passed(struct tile_depth *depth, uint64_t passed)
 }
 
 // Tests the fragments of a row from (x, y) on; gives the lanes that pass.
-static i8 test_row_full(struct tile_depth *depth, int x, int y, const struct rhw_stencil_rule *face,
-                        const struct rhw_depth_rule rule, f8 z, i8 live)
+RHW_INLINE i8 test_row_full(struct tile_depth *depth, int x, int y,
+                            const struct rhw_depth_stencil_state *state, const struct rhw_stencil_rule *face,
+                            const struct rhw_depth_rule rule, f8 z, i8 live)
 {
     float *const texels = depth_texels(depth, x, y);
     uint8_t *const stencil = &depth->stencil[y * RHW_TILE + x];
-    struct tested_pixels pixels = {f8_load(texels), i8_load_bytes(stencil)};
-    const i8 pass = test_pixels(&pixels, depth->state, face, rule, z, live, open_row(depth, x, y, rule));
-    f8_store(texels, pixels.depth);
-    const uint64_t bytes = i8_to_bytes(pixels.stencil);
-    memcpy(stencil, &bytes, sizeof bytes);
+    struct tested_pixels pixels = {f8_load(texels), i8_load_bytes(stencil), false};
+    const i8 pass = test_pixels(&pixels, state, face, rule, z, live, open_row(depth, x, y, rule));
+    if (rule.write) {
+        f8_store(texels, pixels.depth);
+    }
+    if (pixels.changes_stencil) {
+        const uint64_t bytes = i8_to_bytes(pixels.stencil);
+        memcpy(stencil, &bytes, sizeof bytes);
+    }
     return pass;
 }
 
@@ -88,11 +117,14 @@ static __attribute__((noinline)) uint64_t test_block_full(const struct block_pix
                                                           const struct rhw_depth_rule rule, int face)
 {
     struct tile_depth *const depth = block->depth;
+    // Copies, which stay in registers: what rows write might else be these.
+    const struct rhw_depth_stencil_state state = *depth->state;
+    const struct rhw_stencil_rule rules = depth->state->face[face];
     uint64_t passed = 0;
     for (int row = 0; row < RHW_BLOCK; row++) {
         const unsigned bits = (unsigned)(block->mask >> (8 * row)) & 0xff;
         if (bits != 0) {
-            const i8 pass = test_row_full(depth, block->x, block->y + row, &depth->state->face[face], rule,
+            const i8 pass = test_row_full(depth, block->x, block->y + row, &state, &rules, rule,
                                           block->z[row], i8_from_bits(bits));
             passed |= (uint64_t)i8_sign_bits(pass) << (8 * row);
         }
@@ -110,7 +142,8 @@ static __attribute__((noinline)) unsigned test_row_late_full(struct tile_depth *
     for (int face = 0; face < 2; face++) {
         const unsigned facing = bits & (face == 0 ? ~back : back);
         if (facing != 0) {
-            pass |= test_row_full(depth, x, y, &depth->state->face[face], rule, z, i8_from_bits(facing));
+            pass |= test_row_full(depth, x, y, depth->state, &depth->state->face[face], rule, z,
+                                  i8_from_bits(facing));
         }
     }
     const unsigned passed = i8_sign_bits(pass);
@@ -135,7 +168,7 @@ static __attribute__((noinline)) unsigned test_texels_late_full(struct tile_dept
         stencils[i] = depth->stencil[texel[i]];
         open |= (unsigned)(depth->open[texel[i] / RHW_TILE] >> texel[i] % RHW_TILE & 1) << i;
     }
-    struct tested_pixels pixels = {f8_load(depths), i8_load(stencils)};
+    struct tested_pixels pixels = {f8_load(depths), i8_load(stencils), false};
     const i8 front =
         test_pixels(&pixels, depth->state, &depth->state->face[0], rule, z, i8_from_bits(bits & ~back), open);
     const i8 other =

@@ -31,6 +31,21 @@ static inline void fetch(const struct rhw_texture_data *texture, const i8 *at, i
     }
 }
 
+// The same in level 0 of a plain 2D texture, as passes read what others drew: nothing is looked up for each lane.
+static inline void fetch_plain(const struct rhw_texture_data *texture, const i8 *at, f8 texel[4])
+{
+    const struct rhw_mip *const mip = &texture->mip[0];
+    struct raw_texels raw;
+    i8 inside = i8_splat(-1);
+    const i8 x = keep_inside(at[0], i8_splat(mip->width), &inside);
+    const i8 y = keep_inside(at[1], i8_splat(mip->height), &inside);
+    fetch_raw_texels(texture->info->size, mip, x, y, &raw);
+    decode_texels(texture->info, &raw, texel);
+    for (int c = 0; c < texture->info->channels; c++) {
+        texel[c] = rhw_select(inside, texel[c], rhw_splat(0.0f));
+    }
+}
+
 // The same of a sample of a multisampled texture. Lanes of one sample are read together: the samples stand so far apart
 // that texels of all of them are too many to number.
 static inline void fetch_sample(const struct rhw_texture_data *texture, const i8 *at, i8 sample, f8 texel[4])

@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: MIT
+// What the files of rhw under measurement share: renderer_rhw.c draws frames, renderer_rhw_upload.c makes what a scene
+// needs for them.
+#ifndef BENCH_RENDERER_RHW_H
+#define BENCH_RENDERER_RHW_H
+
+#include "bench_scene.h"
+#include "rhw/rhw.h"
+#include "surface.h"
+
+enum { BENCH_FILTERS = BENCH_COMPARE + 1 };
+
+struct bench_state {
+    rhw_context *context;
+    struct rhw_context_def def;
+    const struct bench_scene *scene;
+    int width, height;
+    rhw_buffer *vertices, *indices, *instances; // per mesh
+    rhw_texture *textures;
+    rhw_sampler samplers[BENCH_FILTERS];
+    rhw_pipeline *pipelines;    // per draw; equal ones in a row are one
+    rhw_texture color, depth;   // the picture
+    struct scene_upload upload; // of the model of a physically based scene, instead of the above
+    struct scene_surface_pipelines surface_pipelines;
+};
+
+// Makes everything of `state->scene` in `state->context`. What there is after a failure is for bench_rhw_drop, which
+// leaves the context and its definition.
+bool bench_rhw_upload(struct bench_state *state);
+void bench_rhw_drop(struct bench_state *state);
+
+#endif

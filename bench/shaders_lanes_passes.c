@@ -1,0 +1,210 @@
+// SPDX-License-Identifier: MIT
+// The shaders that read what earlier passes drew, on 8 lanes, compiled once per instruction set; shaders_glsl_passes.c
+// has their twins.
+#include "shaders_bench.h"
+#include "shaders_lanes.h"
+
+static void lit_vertex(struct rhw_vertex *groups, int count)
+{
+    for (int g = 0; g < count; g++) {
+        struct rhw_vertex *const v = &groups[g];
+        to_clip(v->uniforms, v->attribute[0], v->position);
+        to_world(v->uniforms, v->attribute[0], v->attribute[1], v->varying);
+    }
+}
+
+static const float (*shared_of(const struct bench_uniforms *u))[4]
+{
+    return (const float(*)[4])(u + 1);
+}
+
+// Shadow map -----------------------------------------------------------------------------------------
+
+// Normal and position in the world, then where that is in the map: u, v and depth.
+static void shadowed_vertex(struct rhw_vertex *groups, int count)
+{
+    lit_vertex(groups, count);
+    for (int g = 0; g < count; g++) {
+        const float(*const to_map)[4] = shared_of(groups[g].uniforms);
+        const rhw_float *const p = groups[g].varying + 3;
+        for (int r = 0; r < 3; r++) {
+            groups[g].varying[6 + r] =
+                to_map[r][0] * p[0] + to_map[r][1] * p[1] + to_map[r][2] * p[2] + to_map[r][3];
+        }
+    }
+}
+
+// The part of the light that arrives: 3 × 3 footprints of 2 × 2 texels, a texel apart.
+ALWAYS_INLINE rhw_float lightness(const struct rhw_fragment *f, float texel)
+{
+    const rhw_float *const at = f->varying + 6;
+    const rhw_float reference = rhw_min(at[2], rhw_splat(1.0f)); // beyond the map it is light
+    rhw_float sum = rhw_splat(0.0f);
+    for (int y = -1; y <= 1; y++) {
+        for (int x = -1; x <= 1; x++) {
+            const rhw_float uv[2] = {at[0] + texel * (float)x, at[1] + texel * (float)y};
+            sum = sum + rhw_sample_compare_lod(f->textures, 0, uv, reference, rhw_splat(0.0f));
+        }
+    }
+    return sum * (1.0f / 9.0f);
+}
+
+static void shadowed_fragment(struct rhw_fragment *groups, int count)
+{
+    const struct bench_uniforms *const u = groups->uniforms;
+    const float texel = shared_of(u)[3][0];
+    for (int g = 0; g < count; g++) {
+        rhw_float n_dot_l, n_dot_h;
+        light(&groups[g], u, &n_dot_l, &n_dot_h);
+        const rhw_float lit = lightness(&groups[g], texel);
+        const rhw_float gloss = u->specular * rhw_exp2(u->shininess * rhw_log2(n_dot_h)) * lit;
+        const rhw_float diffuse = u->ambient + (1.0f - u->ambient) * n_dot_l * lit;
+        for (int c = 0; c < 3; c++) {
+            groups[g].color[0][c] = u->color[c] * diffuse + gloss;
+        }
+        groups[g].color[0][3] = rhw_splat(1.0f);
+    }
+}
+
+// Reflection -----------------------------------------------------------------------------------------
+
+static void reflect_fragment(struct rhw_fragment *groups, int count)
+{
+    const struct bench_uniforms *const u = groups->uniforms;
+    for (int g = 0; g < count; g++) {
+        const rhw_float *const v = groups[g].varying;
+        rhw_float normal[3], incident[3], direction[3], texel[4];
+        rhw_normalize3(v, normal);
+        for (int c = 0; c < 3; c++) {
+            incident[c] = v[3 + c] - u->eye[c];
+        }
+        rhw_reflect3(incident, normal, direction);
+        rhw_sample_lod(groups[g].textures, 0, direction, rhw_splat(0.0f), texel);
+        for (int c = 0; c < 3; c++) {
+            groups[g].color[0][c] = u->color[c] * texel[c];
+        }
+        groups[g].color[0][3] = rhw_splat(1.0f);
+    }
+}
+
+// Deferred -------------------------------------------------------------------------------------------
+
+// The ray of a corner, which the mesh has in the place of a normal.
+static void ray_vertex(struct rhw_vertex *groups, int count)
+{
+    for (int g = 0; g < count; g++) {
+        struct rhw_vertex *const v = &groups[g];
+        to_clip(v->uniforms, v->attribute[0], v->position);
+        for (int c = 0; c < 3; c++) {
+            v->varying[c] = v->attribute[1][c];
+        }
+    }
+}
+
+// Colour, normal, distance along the view, and the numbers of Blinn-Phong.
+static void surface_fragment(struct rhw_fragment *groups, int count)
+{
+    const struct bench_uniforms *const u = groups->uniforms;
+    for (int g = 0; g < count; g++) {
+        struct rhw_fragment *const f = &groups[g];
+        rhw_normalize3(f->varying, f->color[1]);
+        f->color[1][3] = rhw_splat(0.0f);
+        for (int c = 0; c < 4; c++) {
+            f->color[0][c] = rhw_splat(u->color[c]);
+            f->color[2][c] = 1.0f / f->coord[3];
+        }
+        f->color[3][0] = rhw_splat(u->specular);
+        f->color[3][1] = rhw_splat(u->shininess * (1.0f / 256.0f));
+        f->color[3][2] = rhw_splat(u->ambient);
+        f->color[3][3] = rhw_splat(1.0f);
+    }
+}
+
+// What the first pass left of a group's pixels.
+struct surface {
+    rhw_float position[3], normal[3], view[3], albedo[4], material[4];
+};
+
+ALWAYS_INLINE void fetch_surface(const struct rhw_fragment *f, const struct bench_uniforms *u,
+                                 struct surface *s)
+{
+    const rhw_int at[2] = {rhw_int_from_float_unchecked(f->coord[0]),
+                           rhw_int_from_float_unchecked(f->coord[1])};
+    const rhw_float *const ray = f->varying; // to distance 1
+    rhw_float normal[4], distance[4];
+    rhw_sample_fetch(f->textures, 0, at, NULL, s->albedo);
+    rhw_sample_fetch(f->textures, 1, at, NULL, normal);
+    rhw_sample_fetch(f->textures, 2, at, NULL, distance);
+    rhw_sample_fetch(f->textures, 3, at, NULL, s->material);
+    rhw_normalize3(normal, s->normal);
+    for (int c = 0; c < 3; c++) {
+        s->position[c] = u->eye[c] + ray[c] * distance[0];
+        s->view[c] = -ray[c];
+    }
+    rhw_normalize3(s->view, s->view);
+}
+
+// Adds what one light gives to the lanes that it reaches.
+ALWAYS_INLINE void add_light(const struct surface *s, const float place[4], const float color[4],
+                             rhw_float sum[3])
+{
+    rhw_float to_light[3], half[3];
+    for (int c = 0; c < 3; c++) {
+        to_light[c] = place[c] - s->position[c];
+    }
+    const rhw_float distance2 = rhw_dot3(to_light, to_light);
+    const rhw_float left = rhw_max(1.0f - distance2 * place[3], rhw_splat(0.0f));
+    if (!rhw_any(rhw_less(rhw_splat(0.0f), left))) {
+        return;
+    }
+    rhw_normalize3(to_light, to_light);
+    for (int c = 0; c < 3; c++) {
+        half[c] = to_light[c] + s->view[c];
+    }
+    rhw_normalize3(half, half);
+    const rhw_float zero = rhw_splat(0.0f), strength = left * left;
+    const rhw_float n_dot_l = rhw_max(rhw_dot3(s->normal, to_light), zero);
+    const rhw_float n_dot_h = rhw_max(rhw_dot3(s->normal, half), zero);
+    const rhw_float gloss = s->material[0] * rhw_exp2(256.0f * s->material[1] * rhw_log2(n_dot_h));
+    for (int c = 0; c < 3; c++) {
+        sum[c] = sum[c] + color[c] * strength * (s->albedo[c] * n_dot_l + gloss);
+    }
+}
+
+static void lights_fragment(struct rhw_fragment *groups, int count)
+{
+    const struct bench_uniforms *const u = groups->uniforms;
+    const float(*const lights)[4] = shared_of(u);
+    for (int g = 0; g < count; g++) {
+        struct surface s;
+        rhw_float sum[3];
+        fetch_surface(&groups[g], u, &s);
+        for (int c = 0; c < 3; c++) {
+            sum[c] = s.albedo[c] * s.material[2];
+        }
+        for (int i = 0; i < BENCH_LIGHTS; i++) {
+            add_light(&s, lights[2 * i], lights[2 * i + 1], sum);
+        }
+        for (int c = 0; c < 3; c++) {
+            groups[g].color[0][c] = sum[c];
+        }
+        groups[g].color[0][3] = rhw_splat(1.0f);
+    }
+}
+
+const struct bench_shader_table RHW_ISA_NAME(bench_pass_shader_table) = {
+    .vertex =
+        {
+            [BENCH_SHADER_SHADOWED] = shadowed_vertex,
+            [BENCH_SHADER_REFLECT] = lit_vertex,
+            [BENCH_SHADER_SURFACE] = lit_vertex,
+            [BENCH_SHADER_LIGHTS] = ray_vertex,
+        },
+    .fragment =
+        {
+            [BENCH_SHADER_SHADOWED] = shadowed_fragment,
+            [BENCH_SHADER_REFLECT] = reflect_fragment,
+            [BENCH_SHADER_SURFACE] = surface_fragment,
+            [BENCH_SHADER_LIGHTS] = lights_fragment,
+        },
+};
