@@ -12,12 +12,13 @@
 #include "scenes.h"
 #include "texel_pair.h"
 
-enum { EXIT_SKIPPED = 77, SHOWN = 12 };
+enum { EXIT_SKIPPED = 77, SHOWN = 4 };
 
 struct difference {
     long pixels; // by more than one unit; numbers count as pixels
     long compared;
-    double most; // units
+    double most;             // units
+    int worst_target, worst; // where
 };
 
 static struct {
@@ -44,7 +45,11 @@ static void compare_pixel(struct difference *d, const struct texel_pair *pair, i
     }
     d->pixels += most > 1;
     d->compared++;
-    d->most = fmax(d->most, most);
+    if (most > d->most) {
+        d->most = most;
+        d->worst_target = target;
+        d->worst = at;
+    }
     if (most > 1 && all.shows && d->pixels <= SHOWN) {
         show(target, at, here, there);
     }
@@ -58,6 +63,10 @@ static struct difference compare(void)
         for (int at = 0; at < all.frame.width * all.frame.height; at++) {
             compare_pixel(&d, pair, target, at);
         }
+    }
+    if (all.shows && d.most > 1) {
+        show(d.worst_target, d.worst, all.here.targets[d.worst_target][d.worst],
+             all.there.targets[d.worst_target][d.worst]);
     }
     for (int i = 0; i < all.frame.number_count; i++) {
         const double here = all.here.numbers[i], there = all.there.numbers[i];
@@ -83,7 +92,8 @@ static const char *run(const struct scene *scene, struct difference *d)
         return "not drawn there";
     }
     *d = compare();
-    return d->pixels > scene->pixels || (scene->why ? d->most > scene->most : d->most > 1) ? "too different" : NULL;
+    return d->pixels > scene->pixels || (scene->why ? d->most > scene->most : d->most > 1) ? "too different"
+                                                                                           : NULL;
 }
 
 static bool is_wanted(const char *name, char *const *names, int count)
@@ -100,9 +110,12 @@ static void write_head(FILE *file)
 {
     fprintf(file,
             "# The same scenes by OpenGL ES\n\n"
-            "Written by `differential --write docs/differential.md` (tests/differential), which the tests run too. Each "
-            "scene is drawn\nby rhw and by %s; their pixels are compared. A unit is a step of the\ntarget's format: of a "
-            "half or smaller float its last bit, of 32-bit floats 2^-16. A scene fails where more differs than\nis "
+            "Written by `differential --write docs/differential.md` (tests/differential), which the tests "
+            "run too. Each "
+            "scene is drawn\nby rhw and by %s; their pixels are compared. A unit is a step of the\ntarget's "
+            "format: of a "
+            "half or smaller float its last bit, of 32-bit floats 2^-16. A scene fails where more differs "
+            "than\nis "
             "explained.\n\n"
             "| scene | pixels | off by more than 1 | largest, units | why |\n|---|---:|---:|---:|---|\n",
             peer_name(all.peer));
@@ -110,7 +123,8 @@ static void write_head(FILE *file)
 
 static int run_all(FILE *file, char *const *names, int name_count)
 {
-    const struct scene_list lists[] = {raster_scenes()};
+    const struct scene_list lists[] = {raster_scenes(), primitive_scenes(), test_scenes(),
+                                       output_scenes(), texture_scenes(),   filter_scenes()};
     int failed = 0;
     printf("%s\n%-36s %8s %8s %8s\n", peer_name(all.peer), "scene", "pixels", "over 1", "most");
     for (size_t i = 0; i < sizeof lists / sizeof *lists; i++) {

@@ -49,9 +49,8 @@ struct frame_vertex frame_vertex_at(const struct frame *frame, double x, double 
                                     const float value[4])
 {
     const double left = round(x * FRAME_SNAP) / FRAME_SNAP, top = round(y * FRAME_SNAP) / FRAME_SNAP;
-    struct frame_vertex vertex = {{(float)(2 * left / frame->width - 1), (float)(1 - 2 * top / frame->height),
-                                   (float)z, 1},
-                                  {0}};
+    struct frame_vertex vertex = {
+        {(float)(2 * left / frame->width - 1), (float)(1 - 2 * top / frame->height), (float)z, 1}, {0}};
     memcpy(vertex.value, value, sizeof vertex.value);
     return vertex;
 }
@@ -140,13 +139,14 @@ static uint16_t half_of(float part) // of 0..1 in steps of 1/256
 
 static bool is_half(enum rhw_format format)
 {
-    return format == RHW_FORMAT_R16_FLOAT || format == RHW_FORMAT_RG16_FLOAT || format == RHW_FORMAT_RGBA16_FLOAT;
+    return format == RHW_FORMAT_R16_FLOAT || format == RHW_FORMAT_RG16_FLOAT ||
+           format == RHW_FORMAT_RGBA16_FLOAT;
 }
 
 static bool is_float(enum rhw_format format)
 {
-    return format == RHW_FORMAT_D32_FLOAT || format == RHW_FORMAT_R32_FLOAT || format == RHW_FORMAT_RG32_FLOAT ||
-           format == RHW_FORMAT_RGBA32_FLOAT;
+    return format == RHW_FORMAT_D32_FLOAT || format == RHW_FORMAT_R32_FLOAT ||
+           format == RHW_FORMAT_RG32_FLOAT || format == RHW_FORMAT_RGBA32_FLOAT;
 }
 
 void frame_texels(const struct frame_texture *texture, int level, int layer, unsigned char *texels)
@@ -165,8 +165,7 @@ void frame_texels(const struct frame_texture *texture, int level, int layer, uns
                 const uint32_t noise =
                     hash(hash(hash((uint32_t)x + 1000u * (uint32_t)y) + 16u * (uint32_t)layer + channel) +
                          (uint32_t)level);
-                const int waves = (x * (3 + (int)channel) + y * (5 - (int)channel) + 40 * layer + 60 * level) % 510;
-                const int byte = texture->smooth ? (waves > 255 ? 510 - waves : waves) : (int)(noise & 255);
+                const int byte = texture->plain ? level * (15 + 5 * (int)channel) : (int)(noise & 255);
                 const float part = (float)byte / 256;
                 const uint16_t half = half_of(part);
                 if (step == 4) {

@@ -31,7 +31,7 @@ struct frame_vertex {
 struct shader_pair {
     const char *fragment; // GLSL: declarations and main
     rhw_fragment1_function *fragment1;
-    const char *vertex; // GLSL statements at the end of the vertex shader's main; may be NULL
+    const char *vertex;            // GLSL statements at the end of the vertex shader's main; may be NULL
     rhw_vertex1_function *vertex1; // NULL: that of every pair
     uint32_t uses;
     enum rhw_sampling sampling;
@@ -41,7 +41,7 @@ struct shader_pair {
 struct frame_texture {
     struct rhw_texture_def def;
     struct rhw_sampler_def sampler;
-    bool smooth; // texels change little from one to the next; false: random ones
+    bool plain; // each level is of one colour, by which it is seen; false: random texels
 };
 
 struct frame_draw {
@@ -63,7 +63,7 @@ enum frame_extra {
     FRAME_OCCLUSION, // numbers[i]: whether draw i had samples that passed
     FRAME_FEEDBACK,  // numbers: positions and values of the first draw, captured
     FRAME_STORAGE,   // numbers: a storage buffer of words in slot 0
-    FRAME_BLIT       // the first target is blitted into itself, see frame.blit
+    FRAME_BLIT       // a region of the first target is blitted into the second
 };
 
 struct frame {

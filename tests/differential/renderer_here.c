@@ -30,7 +30,7 @@ static void keep(struct here *h, enum rhw_result result)
 static void place(struct rhw_vertex1 *v)
 {
     const float *const position = v->attribute[0], *const value = v->attribute[1],
-                *const instance = v->attribute[2];
+                       *const instance = v->attribute[2];
     v->position[0] = position[0] + instance[0];
     v->position[1] = position[1] + instance[1];
     v->position[2] = position[2];
@@ -112,8 +112,8 @@ static rhw_pipeline make_pipeline(struct here *h, const struct frame_draw *draw)
     };
     memcpy(def.attributes, attributes, sizeof attributes);
     def.attribute_count = 3;
-    def.buffers[1] = (struct rhw_vertex_layout){.per_instance = true,
-                                                .instance_step = (uint32_t)draw->instance_step};
+    def.buffers[1] =
+        (struct rhw_vertex_layout){.per_instance = true, .instance_step = (uint32_t)draw->instance_step};
     def.buffer_count = 2;
     if (h->frame->extra == FRAME_FEEDBACK) {
         def.feedback_outputs[0] = (struct rhw_feedback_output){.source = RHW_FEEDBACK_POSITION};
@@ -248,7 +248,7 @@ static void blit(struct here *h)
     const int *const a = h->frame->blit_from, *const b = h->frame->blit_to;
     const struct rhw_blit_region from = {.x0 = a[0], .y0 = a[1], .x1 = a[2], .y1 = a[3]};
     const struct rhw_blit_region to = {.x0 = b[0], .y0 = b[1], .x1 = b[2], .y1 = b[3]};
-    keep(h, rhw_texture_blit(h->context, h->targets[0], &from, h->targets[0], &to, h->frame->blit_filter));
+    keep(h, rhw_texture_blit(h->context, h->targets[0], &from, h->targets[1], &to, h->frame->blit_filter));
 }
 
 static void release(struct here *h)

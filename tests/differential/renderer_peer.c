@@ -29,7 +29,8 @@ static const char prelude[] =
     "precision highp sampler2D; precision highp sampler3D; precision highp samplerCube;\n"
     "precision highp sampler2DArray; precision highp samplerCubeArray; precision highp sampler2DShadow;\n"
     "precision highp usampler2D; precision highp isampler2D; precision highp usampler3D;\n"
-    "precision highp usampler2DArray; precision highp samplerCubeShadow; precision highp sampler2DArrayShadow;\n"
+    "precision highp usampler2DArray; precision highp samplerCubeShadow; precision highp "
+    "sampler2DArrayShadow;\n"
     "uniform vec4 uniforms[4];\n";
 
 static GLuint compile(const struct peer *p, GLenum type, const char *const *pieces, GLsizei count)
@@ -65,12 +66,13 @@ static GLuint make_program(const struct peer *p, const struct shader_pair *shade
         shaders->vertex ? shaders->vertex : "",
         "gl_Position.y = -gl_Position.y; }",
     };
-    const char *const fragment[] = {
-        prelude, shaders->early_tests ? "layout(early_fragment_tests) in;\n" : "", sampling,
-        "in vec4 values; flat in vec4 flat_values, instance_values;\n", shaders->fragment};
+    const char *const fragment[] = {prelude, shaders->early_tests ? "layout(early_fragment_tests) in;\n" : "",
+                                    sampling, "in vec4 values; flat in vec4 flat_values, instance_values;\n",
+                                    shaders->fragment};
     const GLuint program = p->gl.create_program();
     p->gl.attach_shader(program, compile(p, GL_VERTEX_SHADER, vertex, sizeof vertex / sizeof *vertex));
-    p->gl.attach_shader(program, compile(p, GL_FRAGMENT_SHADER, fragment, sizeof fragment / sizeof *fragment));
+    p->gl.attach_shader(program,
+                        compile(p, GL_FRAGMENT_SHADER, fragment, sizeof fragment / sizeof *fragment));
     p->more.transform_feedback_varyings(program, 2, kept, GL_INTERLEAVED_ATTRIBS);
     p->gl.link_program(program);
     GLint ok = 0;
@@ -109,7 +111,8 @@ static int least_one(int size)
     return size > 0 ? size : 1;
 }
 
-static void write_layer(const struct peer *p, GLenum target, const struct frame_texture *from, int level, int layer)
+static void write_layer(const struct peer *p, GLenum target, const struct frame_texture *from, int level,
+                        int layer)
 {
     const struct texel_pair *const pair = texel_pair_find(from->def.format);
     const int width = least_one(from->def.width >> level), height = least_one(from->def.height >> level);
@@ -120,8 +123,7 @@ static void write_layer(const struct peer *p, GLenum target, const struct frame_
         p->more.compressed_tex_sub_image_2d(target, level, 0, 0, width, height, pair->internal,
                                             (GLsizei)(blocks * rhw_format_block_bytes(pair->format)), texels);
     } else if (target == GL_TEXTURE_2D || target == GL_TEXTURE_CUBE_MAP) {
-        const GLenum face =
-            target == GL_TEXTURE_2D ? target : GL_TEXTURE_CUBE_MAP_POSITIVE_X + (GLenum)layer;
+        const GLenum face = target == GL_TEXTURE_2D ? target : GL_TEXTURE_CUBE_MAP_POSITIVE_X + (GLenum)layer;
         p->gl.tex_sub_image_2d(face, level, 0, 0, width, height, pair->external, pair->type, texels);
     } else {
         p->more.tex_sub_image_3d(target, level, 0, 0, layer, width, height, 1, pair->external, pair->type,
@@ -157,10 +159,10 @@ static void make_texture(struct peer *p, const struct frame_texture *from, int i
 static void make_targets(struct peer *p, const struct frame *f)
 {
     GLenum attachments[FRAME_TARGETS];
-    const GLenum depth_point = f->depth_format == RHW_FORMAT_D24_UNORM_S8_UINT ||
-                                       f->depth_format == RHW_FORMAT_D32_FLOAT_S8_UINT
-                                   ? GL_DEPTH_STENCIL_ATTACHMENT
-                                   : GL_DEPTH_ATTACHMENT;
+    const GLenum depth_point =
+        f->depth_format == RHW_FORMAT_D24_UNORM_S8_UINT || f->depth_format == RHW_FORMAT_D32_FLOAT_S8_UINT
+            ? GL_DEPTH_STENCIL_ATTACHMENT
+            : GL_DEPTH_ATTACHMENT;
     p->gl.gen_framebuffers(2, p->framebuffers);
     p->gl.gen_textures(f->target_count, p->targets);
     p->gl.gen_renderbuffers(f->target_count, p->samples);
@@ -177,7 +179,8 @@ static void make_targets(struct peer *p, const struct frame *f)
                 p->gl.bind_renderbuffer(GL_RENDERBUFFER, p->samples[i]);
                 p->gl.renderbuffer_storage_multisample(GL_RENDERBUFFER, f->samples, internal, f->width,
                                                        f->height);
-                p->gl.framebuffer_renderbuffer(GL_FRAMEBUFFER, attachments[i], GL_RENDERBUFFER, p->samples[i]);
+                p->gl.framebuffer_renderbuffer(GL_FRAMEBUFFER, attachments[i], GL_RENDERBUFFER,
+                                               p->samples[i]);
             }
         }
         p->gl.draw_buffers(f->target_count, attachments);
@@ -187,7 +190,8 @@ static void make_targets(struct peer *p, const struct frame *f)
         p->gl.gen_renderbuffers(1, &p->depth);
         p->gl.bind_renderbuffer(GL_RENDERBUFFER, p->depth);
         p->gl.renderbuffer_storage_multisample(GL_RENDERBUFFER, f->samples > 1 ? f->samples : 0,
-                                               texel_pair_find(f->depth_format)->internal, f->width, f->height);
+                                               texel_pair_find(f->depth_format)->internal, f->width,
+                                               f->height);
         p->gl.framebuffer_renderbuffer(GL_FRAMEBUFFER, depth_point, GL_RENDERBUFFER, p->depth);
     }
 }
@@ -198,8 +202,8 @@ static void make_buffers(struct peer *p, const struct frame *f)
     static const GLuint zeros[FRAME_NUMBERS];
     p->gl.gen_buffers(4, p->buffers);
     p->gl.bind_buffer(GL_ARRAY_BUFFER, p->buffers[VERTICES]);
-    p->gl.buffer_data(GL_ARRAY_BUFFER, (GLsizeiptr)((size_t)f->vertex_count * sizeof *f->vertices), f->vertices,
-                      GL_STATIC_DRAW);
+    p->gl.buffer_data(GL_ARRAY_BUFFER, (GLsizeiptr)((size_t)f->vertex_count * sizeof *f->vertices),
+                      f->vertices, GL_STATIC_DRAW);
     const GLsizei stride = sizeof *f->vertices;
     p->gl.vertex_attrib_pointer(0, 4, GL_FLOAT, GL_FALSE, stride,
                                 (const void *)offsetof(struct frame_vertex, position));
@@ -213,8 +217,7 @@ static void make_buffers(struct peer *p, const struct frame *f)
     }
     p->gl.bind_buffer(GL_ELEMENT_ARRAY_BUFFER, p->buffers[INDICES]);
     p->gl.buffer_data(GL_ELEMENT_ARRAY_BUFFER, sizeof f->indices, f->indices, GL_STATIC_DRAW);
-    const GLenum kind =
-        f->extra == FRAME_FEEDBACK ? GL_TRANSFORM_FEEDBACK_BUFFER : GL_SHADER_STORAGE_BUFFER;
+    const GLenum kind = f->extra == FRAME_FEEDBACK ? GL_TRANSFORM_FEEDBACK_BUFFER : GL_SHADER_STORAGE_BUFFER;
     p->gl.bind_buffer(kind, p->buffers[NUMBERS]);
     p->gl.buffer_data(kind, sizeof zeros, zeros, GL_DYNAMIC_READ);
     p->more.bind_buffer_base(kind, 0, p->buffers[NUMBERS]);
@@ -294,7 +297,9 @@ static void finish(const struct peer *p, const struct frame *f)
     }
     p->gl.bind_framebuffer(GL_FRAMEBUFFER, p->framebuffers[0]);
     if (f->extra == FRAME_BLIT) {
+        static const GLenum second[] = {GL_NONE, GL_COLOR_ATTACHMENT1};
         p->gl.read_buffer(GL_COLOR_ATTACHMENT0);
+        p->gl.draw_buffers(2, second);
         p->gl.blit_framebuffer(a[0], a[1], a[2], a[3], b[0], b[1], b[2], b[3], GL_COLOR_BUFFER_BIT,
                                f->blit_filter == RHW_FILTER_LINEAR ? GL_LINEAR : GL_NEAREST);
     }
@@ -317,12 +322,12 @@ static void read_target(const struct peer *p, const struct frame *f, int target,
         memcpy(words, texels + (type == GL_UNSIGNED_INT_2_10_10_10_REV ? 4 : 16) * (size_t)at, sizeof words);
         memcpy(numbers, words, sizeof words);
         for (int c = 0; c < pair->channels; c++) {
-            values[at][c] = type == GL_INT                           ? (double)(int32_t)words[c]
-                            : type == GL_UNSIGNED_INT                ? (double)words[c]
-                            : type == GL_UNSIGNED_BYTE               ? texels[4 * at + c]
-                            : type == GL_UNSIGNED_INT_2_10_10_10_REV ? (c == 3 ? words[0] >> 30
-                                                                               : words[0] >> 10 * c & 1023)
-                                                                     : (double)numbers[c];
+            values[at][c] = type == GL_INT             ? (double)(int32_t)words[c]
+                            : type == GL_UNSIGNED_INT  ? (double)words[c]
+                            : type == GL_UNSIGNED_BYTE ? texels[4 * at + c]
+                            : type == GL_UNSIGNED_INT_2_10_10_10_REV
+                                ? (c == 3 ? words[0] >> 30 : words[0] >> 10 * c & 1023)
+                                : (double)numbers[c];
         }
     }
 }
@@ -338,8 +343,7 @@ static void read_numbers(const struct peer *p, const struct frame *f, double *nu
         p->more.delete_queries(f->draw_count, p->queries);
         return;
     }
-    const GLenum kind =
-        f->extra == FRAME_FEEDBACK ? GL_TRANSFORM_FEEDBACK_BUFFER : GL_SHADER_STORAGE_BUFFER;
+    const GLenum kind = f->extra == FRAME_FEEDBACK ? GL_TRANSFORM_FEEDBACK_BUFFER : GL_SHADER_STORAGE_BUFFER;
     p->more.memory_barrier(GL_ALL_BARRIER_BITS);
     const void *const words =
         p->more.map_buffer_range(kind, 0, FRAME_NUMBERS * (GLsizeiptr)sizeof(GLuint), GL_MAP_READ_BIT);

@@ -185,8 +185,10 @@ static void clipping(struct frame *f)
 
 static void viewports(struct frame *f)
 {
-    static const struct rhw_viewport viewports[] = {{-64, -32, 256, 128, 0, 0}, {128, 100, 300, 300, 0, 0},
-                                                    {16, 128, 64, 64, 0, 0},    {-512, 0, 1024, 64, 0, 0},
+    static const struct rhw_viewport viewports[] = {{-64, -32, 256, 128, 0, 0},
+                                                    {128, 100, 300, 300, 0, 0},
+                                                    {16, 128, 64, 64, 0, 0},
+                                                    {-512, 0, 1024, 64, 0, 0},
                                                     {0, -128, 256, 512, 0, 0}};
     frame_begin(f, 256, 256);
     for (int i = 0; i < 5; i++) {
@@ -236,7 +238,8 @@ struct scene_list raster_scenes(void)
     static const struct scene scenes[] = {
         {"coverage", coverage, NULL, 0, 0},
         {"coverage of what leaves the target", wide_coverage,
-         "the peer cuts triangles at the target's sides and rounds the new corners to 1/256 pixel, which bends edges; "
+         "the peer cuts triangles at the target's sides and rounds the new corners to 1/256 pixel, which "
+         "bends edges; "
          "here edges stay straight",
          2, 255},
         {"coverage of slivers", slivers, NULL, 0, 0},

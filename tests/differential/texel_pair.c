@@ -28,8 +28,8 @@ static const struct texel_pair pairs[] = {
     {RHW_FORMAT_D32_FLOAT, GL_DEPTH_COMPONENT32F, GL_DEPTH_COMPONENT, GL_FLOAT, TEXEL_FLOAT, 1},
     {RHW_FORMAT_D24_UNORM_S8_UINT, GL_DEPTH24_STENCIL8, GL_DEPTH_STENCIL, GL_UNSIGNED_INT_24_8,
      TEXEL_UNSIGNED, 1},
-    {RHW_FORMAT_D32_FLOAT_S8_UINT, GL_DEPTH32F_STENCIL8, GL_DEPTH_STENCIL,
-     GL_FLOAT_32_UNSIGNED_INT_24_8_REV, TEXEL_FLOAT, 1},
+    {RHW_FORMAT_D32_FLOAT_S8_UINT, GL_DEPTH32F_STENCIL8, GL_DEPTH_STENCIL, GL_FLOAT_32_UNSIGNED_INT_24_8_REV,
+     TEXEL_FLOAT, 1},
     {RHW_FORMAT_ETC2_RGB8_UNORM, GL_COMPRESSED_RGB8_ETC2, 0, 0, TEXEL_BYTES, 3},
     {RHW_FORMAT_ETC2_RGBA8_SRGB, GL_COMPRESSED_SRGB8_ALPHA8_ETC2_EAC, 0, 0, TEXEL_BYTES, 4},
     {RHW_FORMAT_ETC2_RGB8A1_UNORM, GL_COMPRESSED_RGB8_PUNCHTHROUGH_ALPHA1_ETC2, 0, 0, TEXEL_BYTES, 4},
@@ -89,9 +89,7 @@ void texel_decode(const struct texel_pair *pair, const unsigned char *texel, dou
         case TEXEL_11_10:
             value[c] = c == 2 ? small_float(word >> 22, 5) : small_float(word >> 11 * c & 2047, 6);
             break;
-        default:
-            memcpy(&number, at, sizeof number);
-            value[c] = (double)number;
+        default: memcpy(&number, at, sizeof number); value[c] = (double)number;
         }
     }
 }
@@ -102,11 +100,11 @@ double texel_difference(const struct texel_pair *pair, int channel, double a, do
         return 0;
     }
     int exponent = 0;
-    frexp(fmax(fabs(a), fabs(b)), &exponent); // the size is in 2^(exponent − 1) .. 2^exponent
+    frexp(fmax(fmax(fabs(a), fabs(b)), 0.25), &exponent); // the largest is in 2^(exponent − 1) .. 2^exponent
     const int mantissa_bits = pair->kind == TEXEL_HALF ? 10 : channel == 2 ? 5 : 6;
     switch (pair->kind) {
     case TEXEL_HALF:
-    case TEXEL_11_10: return fabs(a - b) / ldexp(1, (exponent < -13 ? -13 : exponent) - 1 - mantissa_bits);
+    case TEXEL_11_10: return fabs(a - b) / ldexp(1, exponent - 1 - mantissa_bits);
     case TEXEL_FLOAT: return fabs(a - b) * 65536;
     default: return fabs(a - b);
     }

@@ -8,13 +8,13 @@
 
 // How texels are compared: what numbers they are decoded to, and what a unit is.
 enum texel_kind {
-    TEXEL_BYTES,   // UNORM of 8 bits and sRGB: codes
-    TEXEL_PACKED,  // RGB10A2 UNORM: codes
-    TEXEL_SIGNED,  // integers
+    TEXEL_BYTES,  // UNORM of 8 bits and sRGB: codes
+    TEXEL_PACKED, // RGB10A2 UNORM: codes
+    TEXEL_SIGNED, // integers
     TEXEL_UNSIGNED,
-    TEXEL_HALF,    // values; a unit is a step of the format at the larger of both
-    TEXEL_11_10,   // RG11B10, likewise
-    TEXEL_FLOAT    // values; a unit is 2^-16
+    TEXEL_HALF,  // values; a unit is a step of the format at the largest of both and 1/4
+    TEXEL_11_10, // RG11B10, likewise
+    TEXEL_FLOAT  // values; a unit is 2^-16
 };
 
 struct texel_pair {
