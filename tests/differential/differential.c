@@ -124,7 +124,8 @@ static void write_head(FILE *file)
 static int run_all(FILE *file, char *const *names, int name_count)
 {
     const struct scene_list lists[] = {raster_scenes(), primitive_scenes(), test_scenes(),
-                                       output_scenes(), texture_scenes(),   filter_scenes()};
+                                       output_scenes(), texture_scenes(),   filter_scenes(),
+                                       sample_scenes(), storage_scenes()};
     int failed = 0;
     printf("%s\n%-36s %8s %8s %8s\n", peer_name(all.peer), "scene", "pixels", "over 1", "most");
     for (size_t i = 0; i < sizeof lists / sizeof *lists; i++) {

@@ -25,6 +25,8 @@ struct scene_list test_scenes(void); // depth, stencil, queries
 struct scene_list output_scenes(void);
 struct scene_list texture_scenes(void);
 struct scene_list filter_scenes(void);
+struct scene_list sample_scenes(void);
+struct scene_list storage_scenes(void);
 // The value as colour, smooth and flat.
 extern const struct shader_pair smooth_color, flat_color;
 

@@ -11,7 +11,8 @@ static void paint_implicit(struct rhw_fragment1 *f)
 }
 
 static const struct shader_pair implicit = {
-    .fragment = "uniform sampler2D texture0; out vec4 color; void main() { color = texture(texture0, values.xy); }",
+    .fragment =
+        "uniform sampler2D texture0; out vec4 color; void main() { color = texture(texture0, values.xy); }",
     .fragment1 = paint_implicit,
     .derivatives = true};
 
@@ -21,10 +22,10 @@ static void paint_bias(struct rhw_fragment1 *f)
     rhw_sample_bias1(f->textures, 0, f->varying, gradient, 1.25f, f->color[0]);
 }
 
-static const struct shader_pair bias = {
-    .fragment = "uniform sampler2D texture0; out vec4 color; void main() { color = texture(texture0, values.xy, 1.25); }",
-    .fragment1 = paint_bias,
-    .derivatives = true};
+static const struct shader_pair bias = {.fragment = "uniform sampler2D texture0; out vec4 color; void main() "
+                                                    "{ color = texture(texture0, values.xy, 1.25); }",
+                                        .fragment1 = paint_bias,
+                                        .derivatives = true};
 
 static void paint_lod(struct rhw_fragment1 *f)
 {
@@ -44,8 +45,9 @@ static void paint_gradient(struct rhw_fragment1 *f)
 }
 
 static const struct shader_pair gradient = {
-    .fragment = "uniform sampler2D texture0; out vec4 color;\n"
-                "void main() { color = textureGrad(texture0, values.xy, vec2(1.0 / 32.0, 0), vec2(0, 1.0 / 64.0)); }",
+    .fragment =
+        "uniform sampler2D texture0; out vec4 color;\n"
+        "void main() { color = textureGrad(texture0, values.xy, vec2(1.0 / 32.0, 0), vec2(0, 1.0 / 64.0)); }",
     .fragment1 = paint_gradient};
 
 static struct frame_texture *begin(struct frame *f, enum rhw_filter filter, enum rhw_mip_filter mip)
@@ -142,12 +144,13 @@ static void magnify(struct frame *f)
 }
 
 // With GALLIVM_PERF=no_aos_sampling, by which the peer mixes in floats, these differ by one unit at most.
-static const char coarse_weights[] = "the peer mixes 8-bit texels by weights of 8 bits and rounds after every step";
+static const char coarse_weights[] =
+    "the peer mixes 8-bit texels by weights of 8 bits and rounds after every step";
 
 // Seen to follow that formula: the pixels that it says are those that differ.
-static const char rough_logarithm[] =
-    "for the level the peer takes log2 of the square of the footprint as linear between powers of 2: up to 0.043 of a level "
-    "low";
+static const char rough_logarithm[] = "for the level the peer takes log2 of the square of the footprint as "
+                                      "linear between powers of 2: up to 0.043 of a level "
+                                      "low";
 
 struct scene_list filter_scenes(void)
 {

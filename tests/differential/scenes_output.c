@@ -64,8 +64,8 @@ static void blend_layers(struct frame *f)
     frame_add_triangles(f, 100, 200);
     struct frame_draw draw = frame_draw_default(f, &smooth_color);
     draw.state.targets[0].blend = true;
-    draw.state.targets[0].color = draw.state.targets[0].alpha = (struct rhw_blend_component){
-        RHW_BLEND_SRC_ALPHA, RHW_BLEND_ONE_MINUS_SRC_ALPHA, RHW_BLEND_ADD};
+    draw.state.targets[0].color = draw.state.targets[0].alpha =
+        (struct rhw_blend_component){RHW_BLEND_SRC_ALPHA, RHW_BLEND_ONE_MINUS_SRC_ALPHA, RHW_BLEND_ADD};
     frame_add_draw(f, draw);
 }
 
@@ -185,9 +185,11 @@ static void paint_bytes(struct rhw_fragment1 *f)
 }
 
 static const struct shader_pair bytes_color = {
-    .fragment = "out uvec4 color; void main() { color = uvec4(flat_values * 120.0); }", .fragment1 = paint_bytes};
+    .fragment = "out uvec4 color; void main() { color = uvec4(flat_values * 120.0); }",
+    .fragment1 = paint_bytes};
 static const struct shader_pair signed_bytes_color = {
-    .fragment = "out ivec4 color; void main() { color = ivec4(flat_values * 120.0); }", .fragment1 = paint_bytes};
+    .fragment = "out ivec4 color; void main() { color = ivec4(flat_values * 120.0); }",
+    .fragment1 = paint_bytes};
 
 static void integers_bytes(struct frame *f)
 {
@@ -227,8 +229,8 @@ static void blit_linear(struct frame *f)
     add_blit(f, RHW_FILTER_LINEAR, to);
 }
 
-static const char rounds_often[] =
-    "the peer rounds the source, factors and both products to codes before it adds them; here the sum alone is rounded";
+static const char rounds_often[] = "the peer rounds the source, factors and both products to codes before it "
+                                   "adds them; here the sum alone is rounded";
 
 struct scene_list output_scenes(void)
 {
@@ -237,11 +239,13 @@ struct scene_list output_scenes(void)
         {"the same, other pairs", blend_more_factors, NULL, 0, 0},
         {"blending RGB10A2", blend_packed, NULL, 0, 0},
         {"blending sRGB", blend_srgb,
-         "the peer decodes and encodes sRGB by polynomials, up to 0.1 % of white off; where a difference is near black, that "
+         "the peer decodes and encodes sRGB by polynomials, up to 0.1 % of white off; where a difference is "
+         "near black, that "
          "is many codes",
          1000, 16},
         {"blending RGBA16F", blend_half,
-         "the peer cuts what does not fit into a half float, where it is rounded to nearest here: once when the first quad "
+         "the peer cuts what does not fit into a half float, where it is rounded to nearest here: once when "
+         "the first quad "
          "is drawn, and once when it is blended",
          7000, 5},
         {"100 layers blended", blend_layers, "as above, and every layer adds to it", 1300, 4},
@@ -257,7 +261,8 @@ struct scene_list output_scenes(void)
         {"RG16I target", integers_short, NULL, 0, 0},
         {"blit, nearest", blit_nearest, NULL, 0, 0},
         {"blit, linear", blit_linear,
-         "at the region's edge the filter repeats the last texel here, as the documentation says; there it takes the next "
+         "at the region's edge the filter repeats the last texel here, as the documentation says; there it "
+         "takes the next "
          "one of the source",
          80, 255},
     };

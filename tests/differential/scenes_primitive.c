@@ -16,8 +16,8 @@ static void paint_point(struct rhw_fragment1 *f)
 
 // The peer counts gl_PointCoord from its top, which y turns.
 static const struct shader_pair point_color = {
-    .fragment =
-        "out vec4 color; void main() { color = vec4(gl_PointCoord.x, 1.0 - gl_PointCoord.y, flat_values.x, 1); }",
+    .fragment = "out vec4 color; void main() { color = vec4(gl_PointCoord.x, 1.0 - gl_PointCoord.y, "
+                "flat_values.x, 1); }",
     .fragment1 = paint_point,
     .uses = RHW_USE_POINT_COORD,
     .writes_point_size = true};
@@ -37,8 +37,8 @@ static void add_points(struct frame *f, int count, const struct shader_pair *sha
     for (int i = 0; i < count; i++) {
         const float value[4] = {frame_random_part(f), frame_random_part(f), frame_random_part(f),
                                 (float)(1 + frame_random(f, sizes))};
-        frame_add_vertex(f, frame_vertex_at(f, frame_random(f, f->width) + part, frame_random(f, f->height) + part,
-                                            0, value));
+        frame_add_vertex(f, frame_vertex_at(f, frame_random(f, f->width) + part,
+                                            frame_random(f, f->height) + part, 0, value));
     }
     struct frame_draw draw = frame_draw_default(f, shaders);
     draw.state.topology = RHW_POINT_LIST;
@@ -142,13 +142,14 @@ static void strips(struct frame *f)
 
 static void fans(struct frame *f)
 {
-    static const int rim[9][2] = {{30, 0}, {21, -21}, {0, -30}, {-21, -21}, {-30, 0}, {-21, 21}, {0, 30}, {21, 21},
-                                  {30, 0}};
+    static const int rim[9][2] = {{30, 0},   {21, -21}, {0, -30}, {-21, -21}, {-30, 0},
+                                  {-21, 21}, {0, 30},   {21, 21}, {30, 0}};
     frame_begin(f, 256, 256);
     for (int n = 0; n < 9; n++) {
         for (int i = -1; i < 9; i++) {
             struct frame_vertex v = random_vertex(f);
-            const double x = 43 + 80 * (n % 3) + (i < 0 ? 5 : rim[i][0]), y = 43 + 80 * (n / 3) + (i < 0 ? 3 : rim[i][1]);
+            const double x = 43 + 80 * (n % 3) + (i < 0 ? 5 : rim[i][0]),
+                         y = 43 + 80 * (n / 3) + (i < 0 ? 3 : rim[i][1]);
             const struct frame_vertex place = frame_vertex_at(f, x + 1.0 / 256, y + 3.0 / 256, 0, white);
             memcpy(v.position, place.position, sizeof v.position);
             frame_add_vertex(f, v);
@@ -228,7 +229,8 @@ static void place_by_id(struct rhw_vertex1 *v)
     memcpy(v->position, v->attribute[0], sizeof v->position);
     v->point_size = 1;
     for (int c = 0; c < 4; c++) {
-        v->varying[c] = v->varying[4 + c] = (float)((v->vertex_index * (c + 1) + v->instance_index * 31) % 64) / 64;
+        v->varying[c] = v->varying[4 + c] =
+            (float)((v->vertex_index * (c + 1) + v->instance_index * 31) % 64) / 64;
         v->varying[8 + c] = 0;
     }
 }
@@ -241,7 +243,8 @@ static void paint_ids(struct rhw_fragment1 *f)
 static const struct shader_pair id_color = {
     .fragment = "out vec4 color; void main() { color = flat_values; }",
     .fragment1 = paint_ids,
-    .vertex = "gl_Position = position; ivec4 id = (ivec4(gl_VertexID) * ivec4(1, 2, 3, 4) + gl_InstanceID * 31) % 64;\n"
+    .vertex = "gl_Position = position; ivec4 id = (ivec4(gl_VertexID) * ivec4(1, 2, 3, 4) + gl_InstanceID * "
+              "31) % 64;\n"
               "flat_values = values = vec4(id) / 64.0;\n",
     .vertex1 = place_by_id};
 
@@ -256,9 +259,9 @@ static void ids(struct frame *f)
     }
 }
 
-static const char thin[] =
-    "here a line is a rectangle one pixel across (Vulkan, rectangular lines), there one pixel of each column or row that "
-    "its longer axis passes (diamond exit): fewer where it is slanted";
+static const char thin[] = "here a line is a rectangle one pixel across (Vulkan, rectangular lines), there "
+                           "one pixel of each column or row that "
+                           "its longer axis passes (diamond exit): fewer where it is slanted";
 
 struct scene_list primitive_scenes(void)
 {
@@ -269,7 +272,8 @@ struct scene_list primitive_scenes(void)
         {"level and upright lines", lines_level, NULL, 0, 0},
         {"lines", lines, thin, 400, 255},
         {"lines 5 pixels wide", wide_lines,
-         "here a line is a rectangle 5 pixels across (Vulkan, rectangular lines), there 5 pixels of each column or row "
+         "here a line is a rectangle 5 pixels across (Vulkan, rectangular lines), there 5 pixels of each "
+         "column or row "
          "that its longer axis passes",
          1400, 255},
         {"line strip", line_strip, thin, 350, 255},

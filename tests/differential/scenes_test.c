@@ -230,7 +230,8 @@ static void queries(struct frame *f)
 }
 
 // With units twice as large 8 of the 64 cells are seen, or not, where they would not be otherwise.
-static const char two_steps[] = "a unit is one step of the format here, two there, which OpenGL and Vulkan both allow";
+static const char two_steps[] =
+    "a unit is one step of the format here, two there, which OpenGL and Vulkan both allow";
 
 struct scene_list test_scenes(void)
 {

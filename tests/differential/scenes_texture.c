@@ -5,16 +5,19 @@
 #include "scenes.h"
 
 // Coordinates as value.x, y over the target, and what lies behind, from `low` to `high`.
-static void add_textured(struct frame *f, const struct shader_pair *shaders, const float low[4], const float high[4])
+static void add_textured(struct frame *f, const struct shader_pair *shaders, const float low[4],
+                         const float high[4])
 {
     frame_add_quad(f, 0, 0, f->width, f->height, 0, low, high);
     frame_add_draw(f, frame_draw_default(f, shaders));
 }
 
-static struct frame_texture *add_texture(struct frame *f, enum rhw_format format, enum rhw_texture_kind kind, int size)
+static struct frame_texture *add_texture(struct frame *f, enum rhw_format format, enum rhw_texture_kind kind,
+                                         int size)
 {
     struct frame_texture *const t = &f->textures[f->texture_count++];
-    t->def = (struct rhw_texture_def){.format = format, .kind = kind, .width = size, .height = size, .mip_levels = 1};
+    t->def = (struct rhw_texture_def){
+        .format = format, .kind = kind, .width = size, .height = size, .mip_levels = 1};
     t->sampler = (struct rhw_sampler_def){.min_filter = RHW_FILTER_NEAREST,
                                           .mag_filter = RHW_FILTER_NEAREST,
                                           .mip_filter = RHW_MIP_FILTER_NONE,
@@ -29,9 +32,10 @@ static void paint_plain(struct rhw_fragment1 *f)
     rhw_sample_lod1(f->textures, 0, f->varying, 0, f->color[0]);
 }
 
-static const struct shader_pair plain = {
-    .fragment = "uniform sampler2D texture0; out vec4 color; void main() { color = textureLod(texture0, values.xy, 0.0); }",
-    .fragment1 = paint_plain};
+static const struct shader_pair plain = {.fragment =
+                                             "uniform sampler2D texture0; out vec4 color; void main() { "
+                                             "color = textureLod(texture0, values.xy, 0.0); }",
+                                         .fragment1 = paint_plain};
 
 static const float zero[4], one[4] = {1, 1, 1, 1};
 // Off the borders of texels, where rounding decides for one or the other.
@@ -118,9 +122,10 @@ static void paint_volume(struct rhw_fragment1 *f)
     rhw_sample_lod1(f->textures, 0, at, 0, f->color[0]);
 }
 
-static const struct shader_pair volume = {
-    .fragment = "uniform sampler3D texture0; out vec4 color; void main() { color = textureLod(texture0, values.xyz, 0.0); }",
-    .fragment1 = paint_volume};
+static const struct shader_pair volume = {.fragment =
+                                              "uniform sampler3D texture0; out vec4 color; void main() { "
+                                              "color = textureLod(texture0, values.xyz, 0.0); }",
+                                          .fragment1 = paint_volume};
 static const struct shader_pair layered = {
     .fragment = "uniform sampler2DArray texture0; out vec4 color;\n"
                 "void main() { color = textureLod(texture0, values.xyz, 0.0); }",
@@ -169,8 +174,9 @@ static void around(const float *value, float direction[3])
     direction[2] = 1 - 4 * value[0] * value[1];
 }
 
-#define AROUND \
-    "vec3 around() { return vec3(3.7 * values.x - 1.9, 3.1 * values.y - 1.6, 1.0 - 4.0 * values.x * values.y); }\n"
+#define AROUND                                                                                        \
+    "vec3 around() { return vec3(3.7 * values.x - 1.9, 3.1 * values.y - 1.6, 1.0 - 4.0 * values.x * " \
+    "values.y); }\n"
 
 static void paint_cube(struct rhw_fragment1 *f)
 {
@@ -179,10 +185,10 @@ static void paint_cube(struct rhw_fragment1 *f)
     rhw_sample_lod1(f->textures, 0, at, 0, f->color[0]);
 }
 
-static const struct shader_pair cube = {
-    .fragment = "uniform samplerCube texture0; out vec4 color;\n" AROUND
-                "void main() { color = textureLod(texture0, around(), 0.0); }",
-    .fragment1 = paint_cube};
+static const struct shader_pair cube = {.fragment =
+                                            "uniform samplerCube texture0; out vec4 color;\n" AROUND
+                                            "void main() { color = textureLod(texture0, around(), 0.0); }",
+                                        .fragment1 = paint_cube};
 
 static void paint_cubes(struct rhw_fragment1 *f)
 {
@@ -261,9 +267,10 @@ static void paint_gather(struct rhw_fragment1 *f)
     rhw_sample_gather1(f->textures, 0, &request, 2, f->color[0]);
 }
 
-static const struct shader_pair gather = {
-    .fragment = "uniform sampler2D texture0; out vec4 color; void main() { color = textureGather(texture0, values.xy, 2); }",
-    .fragment1 = paint_gather};
+static const struct shader_pair gather = {.fragment =
+                                              "uniform sampler2D texture0; out vec4 color; void main() { "
+                                              "color = textureGather(texture0, values.xy, 2); }",
+                                          .fragment1 = paint_gather};
 
 static void gathers(struct frame *f)
 {
@@ -300,10 +307,11 @@ static void paint_shadow(struct rhw_fragment1 *f)
     f->color[0][3] = 1;
 }
 
-static const struct shader_pair shadow = {
-    .fragment = "uniform sampler2DShadow texture0; out vec4 color;\n"
-                "void main() { float lit = textureLod(texture0, values.xyz, 0.0); color = vec4(lit, lit, values.z, 1); }",
-    .fragment1 = paint_shadow};
+static const struct shader_pair shadow = {.fragment =
+                                              "uniform sampler2DShadow texture0; out vec4 color;\n"
+                                              "void main() { float lit = textureLod(texture0, values.xyz, "
+                                              "0.0); color = vec4(lit, lit, values.z, 1); }",
+                                          .fragment1 = paint_shadow};
 
 static void add_shadow(struct frame *f, enum rhw_filter filter, enum rhw_compare compare)
 {
@@ -326,7 +334,8 @@ static void shadow_linear(struct frame *f)
 }
 
 // With GALLIVM_PERF=no_aos_sampling, by which the peer mixes in floats, it differs by one unit at most.
-static const char coarse_weights[] = "the peer mixes 8-bit texels by weights of 8 bits and rounds after every axis";
+static const char coarse_weights[] =
+    "the peer mixes 8-bit texels by weights of 8 bits and rounds after every axis";
 
 struct scene_list texture_scenes(void)
 {
@@ -335,8 +344,8 @@ struct scene_list texture_scenes(void)
         {"clamp and border", wrap_clamp, NULL, 0, 0},
         {"repeat and mirror, linear", wrap_linear, NULL, 0, 0},
         {"border and clamp, linear", wrap_border_linear, NULL, 0, 0},
-        {"sRGB texels", format_srgb, "the peer decodes sRGB by a polynomial, up to 0.1 % of white off; here tables are exact", 16384,
-         4},
+        {"sRGB texels", format_srgb,
+         "the peer decodes sRGB by a polynomial, up to 0.1 % of white off; here tables are exact", 16384, 4},
         {"RGB10A2 texels", format_packed, NULL, 0, 0},
         {"RGB9E5 texels", format_small_float, NULL, 0, 0},
         {"ETC2", format_etc2, NULL, 0, 0},
