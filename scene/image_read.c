@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Image files through stb_image, and WebP through libwebp. The size is read first, so that a small file cannot ask for more memory
-// than the largest texture takes. GIF and PIC are left out: no model format we read uses them, and their
+// Image files through stb_image, WebP through libwebp, and KTX2. The size is read first, so that a small file cannot ask
+// for more memory than the largest texture takes. GIF and PIC are left out: no model format we read uses them, and their
 // decoders are where stb_image's known faults lie.
 #include "image_read.h"
 
@@ -10,6 +10,7 @@
 #include <string.h>
 
 #include "elementary.h"
+#include "image_ktx2.h"
 
 // stb_image declares a function that it never defines; gcc says so at the end of the file.
 #pragma GCC diagnostic ignored "-Wunused-function"
@@ -81,6 +82,13 @@ const char *scene_image_decode(const void *bytes, size_t size, struct scene_imag
     }
     if (is_webp(bytes, size)) {
         return decode_webp(bytes, size, image);
+    }
+    if (scene_image_is_ktx2(bytes, size)) {
+        const char *const problem = scene_image_decode_ktx2(bytes, size, image);
+        if (problem == NULL) {
+            scene_image_find_alpha(image);
+        }
+        return problem;
     }
     if (size > INT_MAX) {
         return "the file is too large";

@@ -23,6 +23,7 @@ static const char *const known_extensions[] = {
     "KHR_mesh_quantization",
     "KHR_meshopt_compression",
     "KHR_node_visibility",
+    "KHR_texture_basisu",
     "KHR_texture_transform",
 };
 

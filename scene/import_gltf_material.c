@@ -97,8 +97,10 @@ static void read_transform(struct scene_gltf *gltf, const json_t *extension, str
 static int64_t find_image(struct scene_gltf *gltf, const json_t *texture)
 {
     const json_t *webp = scene_gltf_extension(gltf, texture, "EXT_texture_webp");
-    const int64_t source = scene_gltf_integer(gltf, texture, "source", -1);
-    return scene_gltf_integer(gltf, webp, "source", source);
+    const json_t *basis = scene_gltf_extension(gltf, texture, "KHR_texture_basisu");
+    const int64_t plain = scene_gltf_integer(gltf, texture, "source", -1);
+    const int64_t source = scene_gltf_integer(gltf, webp, "source", plain);
+    return scene_gltf_integer(gltf, basis, "source", source);
 }
 
 static void read_slot(struct scene_gltf *gltf, const json_t *info, struct scene_texture_slot *slot)

@@ -457,10 +457,14 @@ enum rhw_result rhw_pass_attach(struct rhw_pass_state *pass, const struct rhw_pa
         return RHW_ERROR_MISUSE;
     }
     pass->pattern = rhw_sample_pattern_of(samples);
-    pass->layers = layers_of(def->color_count > 0 ? def->colors[0].layer_count : def->depth.layer_count);
+    const char *const counted = def->color_count > 0 ? "colors[0].layer_count"
+                                : def->depth.enabled ? "depth.layer_count"
+                                                     : "layers";
+    pass->layers = layers_of(def->color_count > 0 ? def->colors[0].layer_count
+                             : def->depth.enabled ? def->depth.layer_count
+                                                  : def->layers);
     if (!rhw_check(pass->context, pass->layers > 0 && pass->layers <= RHW_MAX_TEXTURE_LAYERS,
-                   "%s: %s.layer_count is %d; it is 0..%d", where,
-                   def->color_count > 0 ? "colors[0]" : "depth", pass->layers, RHW_MAX_TEXTURE_LAYERS)) {
+                   "%s: %s is %d; it is 0..%d", where, counted, pass->layers, RHW_MAX_TEXTURE_LAYERS)) {
         return RHW_ERROR_MISUSE;
     }
     for (int i = 0; i < def->color_count; i++) {

@@ -51,8 +51,13 @@ static bool check_def(rhw_context *context, const struct rhw_pass_def *def, cons
                      "%s: colors[0].texture is set and color_count is 0; it must be 1 or more, or the "
                      "texture null",
                      where) &&
-           rhw_check(context, def->color_count > 0 || def->depth.enabled, "%s: the pass has no attachment",
-                     where);
+           rhw_check(context,
+                     def->color_count > 0 || def->depth.enabled || (def->width > 0 && def->height > 0),
+                     "%s: the pass has no attachment, so width and height must be set", where) &&
+           rhw_check(
+               context, def->layers == 0 || (def->color_count == 0 && !def->depth.enabled),
+               "%s: layers is %d and the pass has an attachment; its layer_count says how many there are",
+               where, def->layers);
 }
 
 static void begin_recording(struct rhw_context *context, const struct rhw_pass_def *def)

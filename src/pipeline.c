@@ -250,6 +250,7 @@ static bool check_states(const struct rhw_context *context, const struct rhw_pip
            check_enum(context, "polygon_mode", "rhw_polygon_mode", (int)def->polygon_mode,
                       RHW_POLYGON_POINT) &&
            check_line_width(context, def->line_width) &&
+           check_enum(context, "line_mode", "rhw_line_mode", (int)def->line_mode, RHW_LINE_BRESENHAM) &&
            check_enum(context, "provoking", "rhw_provoking", (int)def->provoking, RHW_PROVOKING_LAST) &&
            check_enum(context, "cull", "rhw_cull", (int)def->cull, RHW_CULL_BOTH) &&
            check_enum(context, "front", "rhw_winding", (int)def->front, RHW_CLOCKWISE) &&
@@ -519,6 +520,7 @@ static void lay_out_primitives(struct rhw_pipeline_data *data)
         [RHW_PRIMITIVE_POLYGON_LINES] = 6, [RHW_PRIMITIVE_POLYGON_POINTS] = 3, [RHW_PRIMITIVE_NOTHING] = 1};
     data->primitive = def->rasterizer_discard ? RHW_PRIMITIVE_NOTHING : data->primitive;
     data->triangles_most = most[data->primitive];
+    data->line_pixels = (int)(def->line_width + 0.5f);
     data->half_width_24_8 = (double)def->line_width * (RHW_SUBPIXEL / 2);
     const int distances = def->program.clip_distance_count + def->program.cull_distance_count;
     data->point_size_component = data->varying_components + distances;

@@ -29,6 +29,7 @@ struct rhw_pipeline_data {
     } primitive;
     int triangles_most;     // that tiles draw of a primitive
     double half_width_24_8; // of lines
+    int line_pixels;        // the width of Bresenham lines
     int extra_components; // behind the varyings in a vertex record: clip distances, cull distances, point size
     int point_size_component; // of the record; where it is written
     bool any_noperspective, any_derivatives;

@@ -56,7 +56,9 @@ enum rhw_triangle_flag {
     RHW_TRIANGLE_CLAMP = 16,    // depth may leave the viewport's range by a rounding: clamp it
     // BACK and NEGATIVE apart it has none of the others, and it is less than RHW_TILE pixels wide and high.
     RHW_TRIANGLE_SMALL = 32,
-    RHW_TRIANGLE_RECTANGLE = 64 // a point: of what it covers, the pixels x0, y0, x1, y1 alone are drawn
+    RHW_TRIANGLE_RECTANGLE = 64, // a point: of what it covers, the pixels x0, y0, x1, y1 alone are drawn
+    RHW_TRIANGLE_LINE =
+        128 // a Bresenham line: not what it covers is drawn, but the line from vertex 0 to vertex 2
 };
 
 // One cache line. Vertices stay in submission order.

@@ -208,6 +208,10 @@ RHW_API void rhw_pass_set_stencil_masks(rhw_context *context, rhw_pass pass,
 RHW_API void rhw_pass_set_depth_bias(rhw_context *context, rhw_pass pass, const struct rhw_depth_bias *bias);
 /// For pipelines with depth_bounds_test: 0 <= least <= most <= 1. 0 and 1 at the start.
 RHW_API void rhw_pass_set_depth_bounds(rhw_context *context, rhw_pass pass, float least, float most);
+/// Clears rectangles of attachments, all samples of them, after what was drawn before and below what is drawn after
+/// (vkCmdClearAttachments). What the pass has set stays and has no say: pipeline, scissor, masks, queries. Every rectangle is
+/// a draw in the numbers of draws.
+RHW_API void rhw_pass_clear_attachments(rhw_context *context, rhw_pass pass, const struct rhw_clear *clear);
 /// Vertices `first`.. of the vertex buffers. A vertex outside its buffer reads 0, 0, 0, 1.
 RHW_API void rhw_pass_draw(rhw_context *context, rhw_pass pass, uint32_t first, uint32_t count,
                            uint32_t first_instance, uint32_t instances);

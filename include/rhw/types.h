@@ -345,6 +345,9 @@ enum rhw_topology {
 /// §28.10.2). Facing and flat values are those of the triangle.
 enum rhw_polygon_mode { RHW_POLYGON_FILL, RHW_POLYGON_LINE, RHW_POLYGON_POINT };
 enum rhw_index_type { RHW_INDEX_UINT8, RHW_INDEX_UINT16, RHW_INDEX_UINT32 };
+/// RECTANGULAR: what lies within half the width of a line, between its ends. BRESENHAM: by the diamond-exit rule one pixel
+/// of each column, or row, that it passes, or as many as the width rounded; all samples of a pixel (Vulkan 1.3 §28.10.1).
+enum rhw_line_mode { RHW_LINE_RECTANGULAR, RHW_LINE_BRESENHAM };
 /// Of triangles; points and lines have no side. BOTH leaves nothing to rasterize of them.
 enum rhw_cull { RHW_CULL_NONE, RHW_CULL_FRONT, RHW_CULL_BACK, RHW_CULL_BOTH };
 enum rhw_winding { RHW_COUNTER_CLOCKWISE, RHW_CLOCKWISE }; ///< as seen on the screen, y up
@@ -561,6 +564,7 @@ struct rhw_pipeline_def {
     /// Bytes from one vertex to the next, a multiple of 4; 0: up to the end of the last output.
     uint32_t feedback_strides[RHW_MAX_FEEDBACK_TARGETS];
     bool rasterizer_discard; ///< primitives end before they are rasterized: nothing is drawn
+    enum rhw_line_mode line_mode; ///< of lines, and of triangles drawn as lines. RECTANGULAR
 };
 
 /// DEFAULT clears as CLEAR does, but for a depth of 0, which it takes for 1: clear to depth 0 by CLEAR.
@@ -607,6 +611,7 @@ struct rhw_depth_attachment {
     int layer_count;  ///< as that of a colour attachment; without a texture there are as many as colours have
 };
 
+/// Without attachments, for effects and queries alone, a pass says its size, samples and layers itself.
 struct rhw_pass_def {
     int width, height; ///< of every attachment; 0: taken from the first attachment
     struct rhw_color_attachment colors[RHW_MAX_COLOR_ATTACHMENTS];
@@ -614,6 +619,20 @@ struct rhw_pass_def {
     struct rhw_depth_attachment depth;
     int samples; ///< of each pixel: 0: as many as the first attachment's texture has; 1, 2, 4, 8, 16
     const char *label; ///< for messages
+    int layers; ///< of a pass without attachments; others have those of the first. 0: 1
+};
+
+/// What rhw_pass_clear_attachments clears, and to what.
+struct rhw_clear {
+    uint32_t colors; ///< bit i: colour attachment i of the pass
+    bool depth, stencil;
+    float color[RHW_MAX_COLOR_ATTACHMENTS][4]; ///< linear values, of formats that are no integers
+    int32_t color_integer[RHW_MAX_COLOR_ATTACHMENTS][4]; ///< of UINT and SINT formats, within their range
+    float depth_value; ///< 0..1
+    uint8_t stencil_value;
+    const struct rhw_rect *rects; ///< within the pass; read during the call
+    int rect_count;               ///< 0: everything
+    int layer, layer_count;       ///< of the pass's; 0: all from `layer` on
 };
 
 /// What rhw_pass_draw_indirect reads from a buffer; the members mean what those parameters of rhw_pass_draw do

@@ -8,6 +8,7 @@
 #include "tile/draw_state.h"
 #include "tile/resolve.h"
 #include "tile/triangle_large.h"
+#include "tile/triangle_line.h"
 #include "tile/triangle_multisample.h"
 #include "tile/triangle_small_samples.h"
 #include "tile/triangle_small.h"
@@ -45,7 +46,9 @@ static void draw_any(struct tile_work *work, struct triangle_work *triangle, con
         triangle->clamps_depth = triangle->t->flags & RHW_TRIANGLE_CLAMP;
         triangle->depth_bias = 0;
     }
-    if (work->samples == 1) {
+    if (triangle->t->flags & RHW_TRIANGLE_LINE) {
+        draw_line(work, triangle);
+    } else if (work->samples == 1) {
         draw_large(work, triangle, chunk);
     } else if (takes_small_samples(work, triangle)) {
         if (takes_tiny_samples(work, triangle)) {

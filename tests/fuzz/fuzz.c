@@ -65,7 +65,7 @@ static const char *extension(const char *path)
 
 static bool is_image(const char *path)
 {
-    return strcmp(extension(path), ".png") == 0;
+    return strcmp(extension(path), ".png") == 0 || strcmp(extension(path), ".ktx2") == 0;
 }
 
 static int compare_files(const void *a, const void *b)
@@ -261,7 +261,7 @@ static bool check_model(struct fuzz *fuzz, const char *model, const char *name)
     return false;
 }
 
-// A square that wears the image: hostile images reach the program as textures.
+// A square that wears the image, whose bytes tell what it is: hostile images reach the program as textures.
 static bool check_image(struct fuzz *fuzz, const char *image)
 {
     char material[1200];

@@ -35,6 +35,7 @@ static const struct scene features[] = {
     {"culling", golden_culling_draw, 0},
     {"topology", golden_topology_draw, 0},
     {"primitives", golden_primitives_draw, 0},
+    {"primitives-bresenham", golden_primitives_draw, 1},
     {"viewports", golden_viewport_draw, 0},
     {"layered-cube", golden_routing_draw, 0},
     {"clipping", golden_clipping_draw, 0},

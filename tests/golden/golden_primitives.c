@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The golden scene of points and lines, and of triangles drawn as such.
+// The golden scenes of points and lines, and of triangles drawn as such; the second with Bresenham lines.
 #include "golden_cells.h"
 #include "golden_scenes.h"
 
@@ -33,7 +33,7 @@ static const enum rhw_topology topologies[COLUMNS] = {RHW_POINT_LIST,
                                                       RHW_TRIANGLE_STRIP_ADJACENCY};
 
 // Rows: by polygon mode, with sizes, widths, distances, culling and flat values in turn.
-static struct rhw_pipeline_def row_def(int row, enum rhw_topology topology)
+static struct rhw_pipeline_def row_def(int row, enum rhw_topology topology, enum rhw_line_mode line_mode)
 {
     const bool is_lines = topology == RHW_LINE_LIST || topology == RHW_LINE_STRIP ||
                           topology == RHW_LINE_LIST_ADJACENCY || topology == RHW_LINE_STRIP_ADJACENCY;
@@ -47,6 +47,7 @@ static struct rhw_pipeline_def row_def(int row, enum rhw_topology topology)
     def.topology = topology;
     def.polygon_mode = (enum rhw_polygon_mode)(row % 4 == 3 ? 0 : row % 4);
     def.line_width = row < 2 ? 0 : 0.75f * (float)row;
+    def.line_mode = line_mode;
     def.depth_test = row >= 4;
     def.cull = row == 5 ? RHW_CULL_BACK : RHW_CULL_NONE;
     def.primitive_restart = row % 2 == 1;
@@ -57,7 +58,6 @@ static struct rhw_pipeline_def row_def(int row, enum rhw_topology topology)
 
 void golden_primitives_draw(rhw_context *context, int number, struct golden_images *images)
 {
-    (void)number;
     const enum rhw_format formats[] = {RHW_FORMAT_RGBA8_UNORM, RHW_FORMAT_D32_FLOAT};
     struct golden_vertex vertices[VERTICES];
     make_vertices(vertices);
@@ -73,7 +73,8 @@ void golden_primitives_draw(rhw_context *context, int number, struct golden_imag
                               RHW_INDEX_UINT16, 0);
     for (int cell = 0; cell < COLUMNS * ROWS; cell++) {
         const int row = cell / COLUMNS;
-        const struct rhw_pipeline_def def = row_def(row, topologies[cell % COLUMNS]);
+        const struct rhw_pipeline_def def =
+            row_def(row, topologies[cell % COLUMNS], (enum rhw_line_mode)number);
         golden_cell(context, board.pass, cell % COLUMNS, row, SIDE, SIDE);
         rhw_pass_set_pipeline(context, board.pass, golden_pipeline(context, &def));
         if (def.primitive_restart) {

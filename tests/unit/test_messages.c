@@ -43,7 +43,7 @@ static void test_definitions_are_named(void **state)
     rhw_context_create(&wrong, &context);
     rig_expect_misuse(&rig, "rhw_context_create \"e\": threads is -1");
     refuse_pass(&rig, &(struct rhw_pass_def){.label = "f"},
-                "rhw_pass_begin \"f\": the pass has no attachment");
+                "rhw_pass_begin \"f\": the pass has no attachment, so width and height must be set");
     // Others have none, nor has what comes after.
     rhw_buffer_create(rig.context, &(struct rhw_buffer_def){0}, &buffer);
     rig_expect_misuse(&rig, "rhw_buffer_create: size is 0");

@@ -62,8 +62,8 @@ static void set_half8(struct line_half8 *half, const struct rhw_draw_state *stat
 }
 
 // Adds those of 8 lines that are `live` and cover something; returns their bits.
-static unsigned add_lines8(struct rhw_geometry_scratch *scratch, const struct rhw_draw_state *state,
-                           const struct lines8 *l, unsigned live, struct rhw_triangle_list *list)
+static unsigned add_rectangles8(struct rhw_geometry_scratch *scratch, const struct rhw_draw_state *state,
+                                const struct lines8 *l, unsigned live, struct rhw_triangle_list *list)
 {
     const struct line_sides8 n = line_sides8(l, state->pipeline->half_width_24_8);
     const i8 *const x = l->x, *const y = l->y;

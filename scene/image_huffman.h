@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: MIT
+// Bits and Huffman codes of BasisLZ streams (KTX 2.0, appendix "BasisLZ/ETC1S Bitstream Specification").
+#ifndef SCENE_IMAGE_HUFFMAN_H
+#define SCENE_IMAGE_HUFFMAN_H
+
+#include <stdbool.h>
+#include <stddef.h>
+#include <stdint.h>
+
+/// Bytes that are read from the lowest bit of the first one upwards. Behind the end there are zeros, and `failed` is
+/// set; so it is by whatever the stream may not say. Reading goes on then, so that it is enough to look at it now and
+/// then.
+struct scene_bits {
+    const uint8_t *bytes;
+    size_t size, next; // next: the byte that comes into `window`
+    uint64_t window;   // bits that are not taken yet, from the lowest on
+    unsigned count;    // of them
+    bool failed;
+};
+
+struct scene_bits scene_bits_open(const uint8_t *bytes, size_t size);
+/// The next `count` bits, 0..32.
+uint32_t scene_bits_take(struct scene_bits *bits, unsigned count);
+
+enum { SCENE_HUFFMAN_LENGTHS = 17, SCENE_HUFFMAN_SYMBOLS = 1 << 14 };
+
+/// A canonical code as RFC 1951 defines it.
+struct scene_huffman {
+    uint16_t count[SCENE_HUFFMAN_LENGTHS];   // codes of each length
+    uint16_t symbols[SCENE_HUFFMAN_SYMBOLS]; // by length, then by number
+};
+
+/// Reads the lengths of a code's symbols, compressed as they are.
+void scene_huffman_read(struct scene_bits *bits, struct scene_huffman *code);
+/// The next symbol; 0 where no code is met.
+uint32_t scene_huffman_take(struct scene_bits *bits, const struct scene_huffman *code);
+
+#endif

@@ -1,0 +1,13 @@
+// SPDX-License-Identifier: MIT
+// KTX2 files: textures as graphics processors take them, and those of Basis Universal (KHR_texture_basisu of glTF).
+#ifndef SCENE_IMAGE_KTX2_H
+#define SCENE_IMAGE_KTX2_H
+
+#include "model.h"
+
+bool scene_image_is_ktx2(const unsigned char *bytes, size_t size);
+/// As scene_image_decode, but has_alpha is not set. Of the levels the first one is read: the others are made of it
+/// anyway.
+const char *scene_image_decode_ktx2(const unsigned char *bytes, size_t size, struct scene_image *image);
+
+#endif

@@ -1,0 +1,92 @@
+// SPDX-License-Identifier: MIT
+// A Bresenham line in a tile (geometry/line_bresenham.h): of each column of its rectangle the pixel that it passes nearest
+// to the centre of, or of each row where it is steep. Several samples of a pixel are all covered.
+#ifndef RHW_TRIANGLE_LINE_H
+#define RHW_TRIANGLE_LINE_H
+
+#include "triangle_large.h"
+#include "triangle_multisample.h"
+
+// The pixel across in column c, counted from the target's edge, is ⌊(n + step·c) / scale⌋: where the line passes c's
+// centre, in whole pixels. All numbers are integers, or halves of them, below 2^50.
+struct line_pixels {
+    bool is_y_major;
+    double n, step, scale;
+    int width; // pixels across, from that one on
+};
+
+static struct line_pixels line_pixels_of(const struct rhw_triangle *t, int width)
+{
+    const double dx = t->x_24_8[2] - t->x_24_8[0], dy = t->y_24_8[2] - t->y_24_8[0];
+    const bool is_y_major = (dy < 0 ? -dy : dy) > (dx < 0 ? -dx : dx);
+    const double along = is_y_major ? dy : dx, across = is_y_major ? dx : dy, sign = along < 0 ? -1 : 1;
+    const double major = is_y_major ? t->y_24_8[0] : t->x_24_8[0],
+                 minor = (is_y_major ? t->x_24_8[0] : t->y_24_8[0]) - (width - 1) * (RHW_SUBPIXEL / 2);
+    // Moved by (−ε, −ε²) a line that rises to the right comes to lie higher; any other lower, and a steep one to the left.
+    const bool goes_up = !is_y_major && across * sign > 0;
+    const double n = sign * (minor * along + across * (RHW_SUBPIXEL / 2 - major));
+    return (struct line_pixels){is_y_major, n + (goes_up ? 0.5 : -0.5), sign * across * RHW_SUBPIXEL,
+                                sign * along * RHW_SUBPIXEL, width};
+}
+
+// Where the line is in the 8 columns, or rows, from `first` on. The dividend is never a multiple of `scale`, nor nearer to
+// one than the quotient's rounding.
+RHW_INLINE i8 line_places(const struct line_pixels *line, int first)
+{
+    const d8 columns = d8_from_i8(i8_splat(first) + rhw_lane_index);
+    const d8 at =
+        d8_div(d8_add(d8_splat(line->n), d8_mul(d8_splat(line->step), columns)), d8_splat(line->scale));
+    return i8_round_d8(d8_sub(at, d8_splat(0.5)));
+}
+
+// Its pixels in the block at (x, y) of the target, a byte for each row.
+static uint64_t line_mask(const struct line_pixels *line, int x, int y)
+{
+    const i8 at = line_places(line, line->is_y_major ? y : x) - i8_splat(line->is_y_major ? x : y);
+    uint64_t mask = 0;
+    for (int row = 0; row < RHW_BLOCK; row++) {
+        const i8 from = line->is_y_major ? i8_splat(at[row]) : at;
+        const i8 place = line->is_y_major ? rhw_lane_index : i8_splat(row);
+        const i8 is_drawn = ~rhw_less_int(place, from) & rhw_less_int(place, from + i8_splat(line->width));
+        mask |= (uint64_t)i8_sign_bits(is_drawn) << (8 * row);
+    }
+    return mask;
+}
+
+static void draw_line_block(struct tile_work *work, struct triangle_work *triangle, int x, int y,
+                            uint64_t mask)
+{
+    if (work->samples == 1) {
+        draw_block(work, triangle, x, y, mask);
+        return;
+    }
+    struct sampled_block block = {.x = x, .y = y};
+    for (int s = 0; s < work->samples; s++) {
+        block.mask[s] = work->pipeline->def.sample_mask >> s & 1 ? mask : 0;
+    }
+    draw_sampled_block(work, triangle, &block);
+}
+
+static __attribute__((noinline)) void draw_line(struct tile_work *work, struct triangle_work *triangle)
+{
+    const struct tile_rect rect = rect_of(work, triangle->t);
+    const struct line_pixels line = line_pixels_of(triangle->t, work->pipeline->line_pixels);
+    for (int s = 1; s < work->samples; s++) {
+        depth_plane(work->scratch, s)->marked = false;
+    }
+    for (int y = rect.y0 & -RHW_BLOCK; y < rect.y1; y += RHW_BLOCK) {
+        for (int x = rect.x0 & -RHW_BLOCK; x < rect.x1; x += RHW_BLOCK) {
+            const uint64_t mask = line_mask(&line, work->x + x, work->y + y) &
+                                  rect_mask(x, y, rect.x0, rect.y0, rect.x1, rect.y1);
+            if (mask != 0) {
+                draw_line_block(work, triangle, x, y, mask);
+            }
+        }
+    }
+    finish_gathered(work, triangle);
+    for (int s = 1; s < work->samples; s++) {
+        work->scratch->depth.marked |= depth_plane(work->scratch, s)->marked;
+    }
+}
+
+#endif
