@@ -79,6 +79,21 @@ static struct difference compare(void)
     return d;
 }
 
+// Whether there is anything to compare: a picture of one colour, or equal numbers, could be of nothing.
+static bool shows_something(void)
+{
+    const int pixels = all.frame.width * all.frame.height;
+    bool differs = false, counts = all.frame.number_count == 0;
+    for (int at = 1; at < pixels; at++) {
+        differs =
+            differs || memcmp(all.here.targets[0][at], all.here.targets[0][0], sizeof *all.here.targets[0]);
+    }
+    for (int i = 1; i < all.frame.number_count; i++) {
+        counts = counts || all.here.numbers[i] != all.here.numbers[0];
+    }
+    return differs && counts;
+}
+
 // NULL, or what went wrong.
 static const char *run(const struct scene *scene, struct difference *d)
 {
@@ -92,6 +107,9 @@ static const char *run(const struct scene *scene, struct difference *d)
         return "not drawn there";
     }
     *d = compare();
+    if (!shows_something()) {
+        return "nothing to be seen";
+    }
     return d->pixels > scene->pixels || (scene->why ? d->most > scene->most : d->most > 1) ? "too different"
                                                                                            : NULL;
 }

@@ -5,97 +5,21 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "peer_program.h"
 #include "peer_state.h"
 #include "renderers.h"
 #include "texel_pair.h"
 
-enum { PROGRAMS = 128, LOG = 1024 };
-
 struct peer {
     struct gles gl;
     struct peer_functions more;
-    const struct shader_pair *shaders[PROGRAMS]; // what programs were made of
-    GLuint programs[PROGRAMS];
-    int program_count;
+    struct peer_programs programs;
     // --- of the frame that is drawn
     GLuint targets[FRAME_TARGETS], depth, textures[FRAME_TEXTURES], framebuffers[2], samples[FRAME_TARGETS];
     GLuint buffers[4], queries[FRAME_DRAWS];
 };
 
 static unsigned char texels[FRAME_SIDE * FRAME_SIDE * 16];
-
-static const char prelude[] =
-    "#version 320 es\nprecision highp float; precision highp int;\n"
-    "precision highp sampler2D; precision highp sampler3D; precision highp samplerCube;\n"
-    "precision highp sampler2DArray; precision highp samplerCubeArray; precision highp sampler2DShadow;\n"
-    "precision highp usampler2D; precision highp isampler2D; precision highp usampler3D;\n"
-    "precision highp usampler2DArray; precision highp samplerCubeShadow; precision highp "
-    "sampler2DArrayShadow;\n"
-    "uniform vec4 uniforms[4];\n";
-
-static GLuint compile(const struct peer *p, GLenum type, const char *const *pieces, GLsizei count)
-{
-    char log[LOG] = "";
-    GLint ok = 0;
-    const GLuint shader = p->gl.create_shader(type);
-    p->gl.shader_source(shader, count, pieces, NULL);
-    p->gl.compile_shader(shader);
-    p->gl.get_shader_iv(shader, GL_COMPILE_STATUS, &ok);
-    if (!ok) {
-        p->gl.get_shader_info_log(shader, LOG, NULL, log);
-        fprintf(stderr, "%s\n%s\n", pieces[count - 1], log);
-    }
-    return shader;
-}
-
-// Linked for transform feedback too, which draws without it do not notice.
-static GLuint make_program(const struct peer *p, const struct shader_pair *shaders)
-{
-    static const char *const kept[] = {"gl_Position", "values"};
-    const char *const sampling = shaders->sampling == RHW_SAMPLING_CENTROID ? "centroid "
-                                 : shaders->sampling == RHW_SAMPLING_SAMPLE ? "sample "
-                                                                            : "";
-    const char *const vertex[] = {
-        prelude,
-        sampling,
-        "out vec4 values; flat out vec4 flat_values, instance_values;\n"
-        "layout(location = 0) in vec4 position; layout(location = 1) in vec4 value;\n"
-        "layout(location = 2) in vec4 instance;\n"
-        "void main() { gl_Position = position + vec4(instance.xy, 0, 0); gl_PointSize = value.w;\n"
-        "values = flat_values = value; instance_values = instance;\n",
-        shaders->vertex ? shaders->vertex : "",
-        "gl_Position.y = -gl_Position.y; }",
-    };
-    const char *const fragment[] = {prelude, shaders->early_tests ? "layout(early_fragment_tests) in;\n" : "",
-                                    sampling, "in vec4 values; flat in vec4 flat_values, instance_values;\n",
-                                    shaders->fragment};
-    const GLuint program = p->gl.create_program();
-    p->gl.attach_shader(program, compile(p, GL_VERTEX_SHADER, vertex, sizeof vertex / sizeof *vertex));
-    p->gl.attach_shader(program,
-                        compile(p, GL_FRAGMENT_SHADER, fragment, sizeof fragment / sizeof *fragment));
-    p->more.transform_feedback_varyings(program, 2, kept, GL_INTERLEAVED_ATTRIBS);
-    p->gl.link_program(program);
-    GLint ok = 0;
-    p->gl.get_program_iv(program, GL_LINK_STATUS, &ok);
-    if (!ok) {
-        char log[LOG] = "";
-        p->more.get_program_info_log(program, LOG, NULL, log);
-        fprintf(stderr, "%s\n", log);
-    }
-    return program;
-}
-
-static GLuint find_program(struct peer *p, const struct shader_pair *shaders)
-{
-    for (int i = 0; i < p->program_count; i++) {
-        if (p->shaders[i] == shaders) {
-            return p->programs[i];
-        }
-    }
-    p->shaders[p->program_count] = shaders;
-    p->programs[p->program_count] = make_program(p, shaders);
-    return p->programs[p->program_count++];
-}
 
 static GLenum texture_target(const struct rhw_texture_def *def)
 {
@@ -249,7 +173,7 @@ static void clear(const struct peer *p, const struct frame *f)
 static void draw_one(struct peer *p, const struct frame *f, int index)
 {
     const struct frame_draw *const d = &f->draws[index];
-    const GLuint program = find_program(p, d->shaders);
+    const GLuint program = peer_program_find(&p->gl, &p->more, &p->programs, d->shaders);
     const GLenum topology = peer_state_topology(d->state.topology);
     static const char *const names[FRAME_TEXTURES] = {"texture0", "texture1"};
     p->gl.use_program(program);

@@ -72,6 +72,15 @@ static struct frame_vertex random_vertex(struct frame *f)
                            (8 + frame_random(f, f->height - 16)) + 3.0 / 256, 0, value);
 }
 
+static struct frame_draw line_draw(const struct frame *f, const struct shader_pair *shaders,
+                                   enum rhw_topology topology, enum rhw_line_mode mode)
+{
+    struct frame_draw draw = frame_draw_default(f, shaders);
+    draw.state.topology = topology;
+    draw.state.line_mode = mode;
+    return draw;
+}
+
 static void lines_level(struct frame *f)
 {
     frame_begin(f, 128, 128);
@@ -87,38 +96,41 @@ static void lines_level(struct frame *f)
     frame_add_draw(f, draw);
 }
 
-static void lines(struct frame *f)
+static void add_lines(struct frame *f, int vertices, const struct shader_pair *shaders,
+                      enum rhw_topology topology, enum rhw_line_mode mode, float width)
 {
     frame_begin(f, 256, 256);
-    for (int i = 0; i < 80; i++) {
+    for (int i = 0; i < vertices; i++) {
         frame_add_vertex(f, random_vertex(f));
     }
-    struct frame_draw draw = frame_draw_default(f, &flat_color);
-    draw.state.topology = RHW_LINE_LIST;
+    struct frame_draw draw = line_draw(f, shaders, topology, mode);
+    draw.state.line_width = width;
     frame_add_draw(f, draw);
+}
+
+static void lines(struct frame *f)
+{
+    add_lines(f, 80, &flat_color, RHW_LINE_LIST, RHW_LINE_BRESENHAM, 1);
 }
 
 static void wide_lines(struct frame *f)
 {
-    frame_begin(f, 256, 256);
-    for (int i = 0; i < 60; i++) {
-        frame_add_vertex(f, random_vertex(f));
-    }
-    struct frame_draw draw = frame_draw_default(f, &flat_color);
-    draw.state.topology = RHW_LINE_LIST;
-    draw.state.line_width = 5;
-    frame_add_draw(f, draw);
+    add_lines(f, 60, &flat_color, RHW_LINE_LIST, RHW_LINE_BRESENHAM, 5);
 }
 
 static void line_strip(struct frame *f)
 {
-    frame_begin(f, 256, 256);
-    for (int i = 0; i < 30; i++) {
-        frame_add_vertex(f, random_vertex(f));
-    }
-    struct frame_draw draw = frame_draw_default(f, &smooth_color);
-    draw.state.topology = RHW_LINE_STRIP;
-    frame_add_draw(f, draw);
+    add_lines(f, 30, &smooth_color, RHW_LINE_STRIP, RHW_LINE_BRESENHAM, 1);
+}
+
+static void rectangles(struct frame *f)
+{
+    add_lines(f, 80, &flat_color, RHW_LINE_LIST, RHW_LINE_RECTANGULAR, 1);
+}
+
+static void wide_rectangles(struct frame *f)
+{
+    add_lines(f, 60, &flat_color, RHW_LINE_LIST, RHW_LINE_RECTANGULAR, 5);
 }
 
 // A strip, and a fan, of corners on a grid, flat: the provoking vertex is the last.
@@ -175,6 +187,7 @@ static void add_restarts(struct frame *f, const enum rhw_topology *topologies, i
         struct frame_draw draw = frame_draw_default(f, &flat_color);
         draw.state.topology = topologies[t];
         draw.state.primitive_restart = true;
+        draw.state.line_mode = RHW_LINE_BRESENHAM;
         struct frame_draw *const added = frame_add_draw(f, draw);
         added->indexed = true;
         added->first = t * EACH;
@@ -259,10 +272,6 @@ static void ids(struct frame *f)
     }
 }
 
-static const char thin[] = "here a line is a rectangle one pixel across (Vulkan, rectangular lines), there "
-                           "one pixel of each column or row that "
-                           "its longer axis passes (diamond exit): fewer where it is slanted";
-
 struct scene_list primitive_scenes(void)
 {
     static const struct scene scenes[] = {
@@ -270,17 +279,27 @@ struct scene_list primitive_scenes(void)
         {"points with sizes", points, NULL, 0, 0},
         {"point coordinates", point_coordinates, NULL, 0, 0},
         {"level and upright lines", lines_level, NULL, 0, 0},
-        {"lines", lines, thin, 400, 255},
-        {"lines 5 pixels wide", wide_lines,
+        {"lines", lines, NULL, 0, 0},
+        {"lines 5 pixels wide", wide_lines, NULL, 0, 0},
+        {"line strip", line_strip,
+         "a value is taken where the line is nearest to the pixel's centre here (the formula of OpenGL ES "
+         "and Vulkan), and where it passes "
+         "the middle of the column or row there",
+         2, 2},
+        {"lines as rectangles", rectangles,
+         "here a line is a rectangle one pixel across (Vulkan, rectangular lines), there one pixel of each "
+         "column or row that "
+         "its longer axis passes (diamond exit): fewer where it is slanted",
+         400, 255},
+        {"rectangles 5 pixels wide", wide_rectangles,
          "here a line is a rectangle 5 pixels across (Vulkan, rectangular lines), there 5 pixels of each "
          "column or row "
          "that its longer axis passes",
          1400, 255},
-        {"line strip", line_strip, thin, 350, 255},
         {"triangle strips", strips, NULL, 0, 0},
         {"triangle fans", fans, NULL, 0, 0},
         {"indices with restart", restarts, NULL, 0, 0},
-        {"lines with restart", line_restarts, thin, 800, 255},
+        {"lines with restart", line_restarts, NULL, 0, 0},
         {"instances with divisors", instances, NULL, 0, 0},
         {"vertex and instance ids", ids, NULL, 0, 0},
     };

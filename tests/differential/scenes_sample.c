@@ -30,7 +30,8 @@ static void paint_smooth(struct rhw_fragment1 *f)
 static const struct shader_pair sample_color = {.fragment = "out vec4 color; void main() { color = values; }",
                                                 .fragment1 = paint_smooth,
                                                 .sampling = RHW_SAMPLING_SAMPLE};
-static const struct shader_pair centroid_color = {.fragment = "out vec4 color; void main() { color = values; }",
+static const struct shader_pair centroid_color = {.fragment =
+                                                      "out vec4 color; void main() { color = values; }",
                                                   .fragment1 = paint_smooth,
                                                   .sampling = RHW_SAMPLING_CENTROID};
 
@@ -176,7 +177,9 @@ struct scene_list sample_scenes(void)
         {"4 samples: gl_SampleMask", mask_out, NULL, 0, 0},
         {"4 samples: blending", blended, NULL, 0, 0},
         {"4 samples: sRGB", srgb,
-         "the peer's polynomials for sRGB: a sample is stored up to a code off, decoded and, averaged, encoded again", 10, 2},
+         "the peer's polynomials for sRGB: a sample is stored up to a code off, decoded and, averaged, "
+         "encoded again",
+         10, 2},
         {"4 samples: RGBA16F", halves, NULL, 0, 0},
     };
     return (struct scene_list){scenes, sizeof scenes / sizeof *scenes};

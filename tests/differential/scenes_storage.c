@@ -49,12 +49,12 @@ static void count(struct rhw_fragment1 *f)
     memcpy(f->color[0], f->varying + 4, sizeof f->color[0]);
 }
 
-#define COUNT                                                                                     \
-    "layout(std430, binding = 0) buffer Numbers { uint words[]; }; out vec4 color;\n"             \
-    "void main() { int cell = 4 * (int(gl_FragCoord.y) / 16 * 16 + int(gl_FragCoord.x) / 16);\n"  \
-    "uint value = uint(flat_values.x * 256.0);\n"                                                 \
-    "atomicAdd(words[cell], value); atomicMax(words[cell + 1], value);\n"                         \
-    "atomicOr(words[cell + 2], value);\n"                                                         \
+#define COUNT                                                                                    \
+    "layout(std430, binding = 0) buffer Numbers { uint words[]; }; out vec4 color;\n"            \
+    "void main() { int cell = 4 * (int(gl_FragCoord.y) / 16 * 16 + int(gl_FragCoord.x) / 16);\n" \
+    "uint value = uint(flat_values.x * 256.0);\n"                                                \
+    "atomicAdd(words[cell], value); atomicMax(words[cell + 1], value);\n"                        \
+    "atomicOr(words[cell + 2], value);\n"                                                        \
     "atomicXor(words[cell + 3], uint(int(gl_FragCoord.x) * 31) + value); color = flat_values; }"
 
 static const struct shader_pair counting = {
