@@ -5,10 +5,10 @@
 #include "kernel_entries.h"
 
 #include "integer.h"
+#include "raster/line_pixels.h"
 #include "tile/draw_state.h"
 #include "tile/resolve.h"
 #include "tile/triangle_large.h"
-#include "tile/triangle_line.h"
 #include "tile/triangle_multisample.h"
 #include "tile/triangle_small_samples.h"
 #include "tile/triangle_small.h"
@@ -35,6 +35,43 @@ static int list_bins(const struct tile_work *work)
         }
     }
     return count;
+}
+
+// Several samples of a pixel are all covered.
+static void draw_line_block(struct tile_work *work, struct triangle_work *triangle, int x, int y,
+                            uint64_t mask)
+{
+    if (work->samples == 1) {
+        draw_block(work, triangle, x, y, mask);
+        return;
+    }
+    struct sampled_block block = {.x = x, .y = y};
+    for (int s = 0; s < work->samples; s++) {
+        block.mask[s] = work->pipeline->def.sample_mask >> s & 1 ? mask : 0;
+    }
+    draw_sampled_block(work, triangle, &block);
+}
+
+static __attribute__((noinline)) void draw_line(struct tile_work *work, struct triangle_work *triangle)
+{
+    const struct tile_rect rect = rect_of(work, triangle->t);
+    const struct line_pixels line = line_pixels_of(triangle->t, work->pipeline->line_pixels);
+    for (int s = 1; s < work->samples; s++) {
+        depth_plane(work->scratch, s)->marked = false;
+    }
+    for (int y = rect.y0 & -RHW_BLOCK; y < rect.y1; y += RHW_BLOCK) {
+        for (int x = rect.x0 & -RHW_BLOCK; x < rect.x1; x += RHW_BLOCK) {
+            const uint64_t mask = line_mask(&line, work->x + x, work->y + y) &
+                                  rect_mask(x, y, rect.x0, rect.y0, rect.x1, rect.y1);
+            if (mask != 0) {
+                draw_line_block(work, triangle, x, y, mask);
+            }
+        }
+    }
+    finish_gathered(work, triangle);
+    for (int s = 1; s < work->samples; s++) {
+        work->scratch->depth.marked |= depth_plane(work->scratch, s)->marked;
+    }
 }
 
 // Draws any triangle, small ones too.

@@ -9,7 +9,9 @@
 #ifndef RHW_LINE_BRESENHAM_H
 #define RHW_LINE_BRESENHAM_H
 
-#include "line_rectangle.h"
+#include "../../pipeline.h"
+#include "lines8.h"
+#include "triangle_words.h"
 
 // A line by its major and its minor axis, 24.8.
 struct line_ends {
@@ -129,14 +131,6 @@ static unsigned add_bresenham8(const struct rhw_draw_state *state, const struct 
         add_words(list, &words, ranges, __builtin_ctz(left));
     }
     return drawn;
-}
-
-static unsigned add_lines8(struct rhw_geometry_scratch *scratch, const struct rhw_draw_state *state,
-                           const struct lines8 *l, unsigned live, struct rhw_triangle_list *list)
-{
-    return state->pipeline->def.line_mode == RHW_LINE_BRESENHAM
-               ? add_bresenham8(state, l, live, list)
-               : add_rectangles8(scratch, state, l, live, list);
 }
 
 #endif

@@ -12,28 +12,8 @@
 #ifndef RHW_LINE_RECTANGLE_H
 #define RHW_LINE_RECTANGLE_H
 
-#include "../../pipeline.h"
 #include "cull_uncovered.h"
-#include "lines8.h"
-#include "triangle_words.h"
-
-// The corners beside the ends, 24.8.
-struct line_sides8 {
-    i8 x, y;          // of n
-    unsigned nonzero; // bits of lines that are not points
-};
-
-static struct line_sides8 line_sides8(const struct lines8 *l, double half_width_24_8)
-{
-    const d8 dx = d8_from_i8(l->x[1] - l->x[0]), dy = d8_from_i8(l->y[1] - l->y[0]);
-    const d8 squared = d8_add(d8_mul(dx, dx), d8_mul(dy, dy)); // below 2^49: exact
-    const d8 scale = d8_div(d8_splat(half_width_24_8), d8_sqrt(squared));
-    const double most = RHW_MAX_LINE_WIDTH * RHW_SUBPIXEL;
-    const i8 x = i8_round_d8(d8_clamp(d8_mul(dy, scale), -most, most));
-    const i8 y = i8_round_d8(d8_clamp(d8_mul(dx, scale), -most, most));
-    const i8 zero = rhw_equal_int(l->x[0], l->x[1]) & rhw_equal_int(l->y[0], l->y[1]);
-    return (struct line_sides8){-x, y, ~i8_sign_bits(zero)};
-}
+#include "line_bresenham.h"
 
 // 8 of the triangles that lines are made of, those that cover something.
 struct line_half8 {
@@ -84,6 +64,15 @@ static unsigned add_rectangles8(struct rhw_geometry_scratch *scratch, const stru
         }
     }
     return drawn;
+}
+
+// Adds lines of either mode.
+static unsigned add_lines8(struct rhw_geometry_scratch *scratch, const struct rhw_draw_state *state,
+                           const struct lines8 *l, unsigned live, struct rhw_triangle_list *list)
+{
+    return state->pipeline->def.line_mode == RHW_LINE_BRESENHAM
+               ? add_bresenham8(state, l, live, list)
+               : add_rectangles8(scratch, state, l, live, list);
 }
 
 #endif

@@ -5,7 +5,7 @@
 #define RHW_LINE_SETUP_H
 
 #include "clipped_line.h"
-#include "line_bresenham.h"
+#include "line_rectangle.h"
 
 // Bits of those of 8 lines that may be seen, counting the others. Those that a plane cuts become what is left of them.
 static unsigned seen_lines8(struct rhw_geometry_scratch *scratch, uint32_t run, struct lines8 *l,

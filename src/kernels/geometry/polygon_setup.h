@@ -11,7 +11,7 @@
 #include "clipped_line.h"
 #include "clipped_setup.h"
 #include "cull.h"
-#include "line_bresenham.h"
+#include "line_rectangle.h"
 #include "point_setup.h"
 
 // Lines and points on their way, in order; 8 are set up together. Points have one end alone.

@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: MIT
-// A Bresenham line in a tile (geometry/line_bresenham.h): of each column of its rectangle the pixel that it passes nearest
-// to the centre of, or of each row where it is steep. Several samples of a pixel are all covered.
-#ifndef RHW_TRIANGLE_LINE_H
-#define RHW_TRIANGLE_LINE_H
+// The pixels of a Bresenham line (geometry/line_bresenham.h): of each column of its rectangle the one that it passes nearest
+// to the centre of, or of each row where it is steep.
+#ifndef RHW_LINE_PIXELS_H
+#define RHW_LINE_PIXELS_H
 
-#include "triangle_large.h"
-#include "triangle_multisample.h"
+#include "../../constants.h"
+#include "../../simd.h"
+#include "../../triangle.h"
 
 // The pixel across in column c, counted from the target's edge, is ⌊(n + step·c) / scale⌋: where the line passes c's
 // centre, in whole pixels. All numbers are integers, or halves of them, below 2^50.
@@ -51,42 +52,6 @@ static uint64_t line_mask(const struct line_pixels *line, int x, int y)
         mask |= (uint64_t)i8_sign_bits(is_drawn) << (8 * row);
     }
     return mask;
-}
-
-static void draw_line_block(struct tile_work *work, struct triangle_work *triangle, int x, int y,
-                            uint64_t mask)
-{
-    if (work->samples == 1) {
-        draw_block(work, triangle, x, y, mask);
-        return;
-    }
-    struct sampled_block block = {.x = x, .y = y};
-    for (int s = 0; s < work->samples; s++) {
-        block.mask[s] = work->pipeline->def.sample_mask >> s & 1 ? mask : 0;
-    }
-    draw_sampled_block(work, triangle, &block);
-}
-
-static __attribute__((noinline)) void draw_line(struct tile_work *work, struct triangle_work *triangle)
-{
-    const struct tile_rect rect = rect_of(work, triangle->t);
-    const struct line_pixels line = line_pixels_of(triangle->t, work->pipeline->line_pixels);
-    for (int s = 1; s < work->samples; s++) {
-        depth_plane(work->scratch, s)->marked = false;
-    }
-    for (int y = rect.y0 & -RHW_BLOCK; y < rect.y1; y += RHW_BLOCK) {
-        for (int x = rect.x0 & -RHW_BLOCK; x < rect.x1; x += RHW_BLOCK) {
-            const uint64_t mask = line_mask(&line, work->x + x, work->y + y) &
-                                  rect_mask(x, y, rect.x0, rect.y0, rect.x1, rect.y1);
-            if (mask != 0) {
-                draw_line_block(work, triangle, x, y, mask);
-            }
-        }
-    }
-    finish_gathered(work, triangle);
-    for (int s = 1; s < work->samples; s++) {
-        work->scratch->depth.marked |= depth_plane(work->scratch, s)->marked;
-    }
 }
 
 #endif
