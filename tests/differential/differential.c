@@ -128,12 +128,14 @@ static void write_head(FILE *file)
 {
     fprintf(file,
             "# The same scenes by OpenGL ES\n\n"
-            "Written by `differential --write docs/differential.md` (tests/differential), which the tests "
-            "run too. Each "
-            "scene is drawn\nby rhw and by %s; their pixels are compared. A unit is a step of the\ntarget's "
-            "format: of a "
-            "half or smaller float its last bit, of 32-bit floats 2^-16. A scene fails where more differs "
-            "than\nis "
+            "Each scene is drawn by rhw and by a peer, %s,\n"
+            "and their pixels are compared, by `differential --write docs/differential.md` "
+            "(tests/differential).\n"
+            "A unit is a step of the target's format: of half floats one of the larger value, or of 1/4 "
+            "where both\n"
+            "are less, and likewise of smaller ones; of 32-bit floats 2^-16. Numbers of queries, transform "
+            "feedback\n"
+            "and storage buffers count as pixels and are equal. The test fails where more differs than is "
             "explained.\n\n"
             "| scene | pixels | off by more than 1 | largest, units | why |\n|---|---:|---:|---:|---|\n",
             peer_name(all.peer));
