@@ -172,6 +172,17 @@ void gles_close(struct gles *gl)
     memset(gl, 0, sizeof *gl);
 }
 
+bool gles_find(const struct gles *gl, const char *name, void *function)
+{
+    PFNEGLGETPROCADDRESSPROC find;
+    if (!find_symbol(gl->library, "eglGetProcAddress", &find)) {
+        return false;
+    }
+    const __eglMustCastToProperFunctionPointerType found = find(name);
+    memcpy(function, &found, sizeof found);
+    return found != NULL;
+}
+
 static GLuint compile(const struct gles *gl, GLenum type, const char *const *pieces, int count, char *log,
                       GLsizei log_size)
 {

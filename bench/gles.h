@@ -89,6 +89,8 @@ struct gles {
 // a process.
 bool gles_open(struct gles *gl, const char *driver, const char **why);
 void gles_close(struct gles *gl);
+// Another function of OpenGL ES, by name, into the pointer to it at `function`; false where there is none.
+bool gles_find(const struct gles *gl, const char *name, void *function);
 // Compiles and links two shaders, each given as `count` pieces. 0 when the driver refuses; `log` (may be NULL)
 // then holds its first words.
 GLuint gles_program(const struct gles *gl, const char *const *vertex, const char *const *fragment, int count,

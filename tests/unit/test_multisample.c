@@ -382,6 +382,32 @@ static void test_where_values_are_taken(void **state)
     }
 }
 
+// What hides samples of a fragment later does not move its centroid, on any path: in pixel 30 the ramp covers every
+// sample, and those left of the middle are seen.
+static void test_centroids_of_what_is_half_hidden(void **state)
+{
+    (void)state;
+    for (int i = 0; i < 4; i++) {
+        struct rig rig;
+        open_samples(&rig, 4, i % 2 ? RHW_PATHS_GENERAL : RHW_PATHS_ALL);
+        rig.pipeline.program.varyings[0].sampling = RHW_SAMPLING_CENTROID;
+        rig.pipeline.depth_test = i / 2;
+        const struct triangle cover = {
+            {30 * 256 + 128, 30 * 256 + 128, 600 * 256}, {-200 * 256, 300 * 256, 50 * 256}, 0.25f};
+        rig_begin(&rig);
+        draw_ramp(&rig);
+        draw_triangle(&rig, &cover, 7);
+        rig_end(&rig);
+        for (int s = 0; s < 4; s++) {
+            float at[2];
+            rhw_sample_position(4, s, at);
+            const float *const pixel = read_color(&rig, s)[7 * SIZE + 30];
+            assert_true(fabsf(pixel[0] - (at[0] < 0.5f ? 30.5f : 7)) < 2e-4f);
+        }
+        rig_close(&rig);
+    }
+}
+
 static void sample_fragment(struct rhw_fragment *groups, int count)
 {
     for (int g = 0; g < count; g++) {
@@ -620,6 +646,7 @@ int main(void)
         cmocka_unit_test(test_resolve_modes),
         cmocka_unit_test(test_loading),
         cmocka_unit_test(test_where_values_are_taken),
+        cmocka_unit_test(test_centroids_of_what_is_half_hidden),
         cmocka_unit_test(test_sample_inputs),
         cmocka_unit_test(test_sample_masks),
         cmocka_unit_test(test_alpha_to_coverage),
