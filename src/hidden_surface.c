@@ -25,10 +25,6 @@ struct rhw_hidden_rule rhw_hidden_rule_of(const struct rhw_draw_state *state, in
         def->program.early_fragment_tests) {
         return in_order;
     }
-    // Hidden samples would be missing where the first one is looked for.
-    if (state->plans[RHW_PHASE_ONLY].sampling == RHW_SAMPLING_CENTROID) {
-        return in_order;
-    }
     if (depth->tests_stencil || depth->tests_bounds || depth->counts ||
         !shades_opaque_texels(state, color_count)) {
         return in_order;

@@ -382,21 +382,28 @@ static void test_where_values_are_taken(void **state)
     }
 }
 
-// What hides samples of a fragment later does not move its centroid, on any path: in pixel 30 the ramp covers every
-// sample, and those left of the middle are seen.
+// What hides samples of a fragment, drawn before it or after, does not move its centroid: in pixel 30 the ramp covers
+// every sample, and those left of the middle are seen.
 static void test_centroids_of_what_is_half_hidden(void **state)
 {
     (void)state;
-    for (int i = 0; i < 4; i++) {
+    enum { NO_DEPTH, HIDDEN_LATER, HIDDEN_BEFORE, HIDINGS };
+    for (int i = 0; i < HIDINGS * 2; i++) {
+        const int hiding = i / 2;
         struct rig rig;
         open_samples(&rig, 4, i % 2 ? RHW_PATHS_GENERAL : RHW_PATHS_ALL);
         rig.pipeline.program.varyings[0].sampling = RHW_SAMPLING_CENTROID;
-        rig.pipeline.depth_test = i / 2;
+        rig.pipeline.depth_test = hiding != NO_DEPTH;
         const struct triangle cover = {
-            {30 * 256 + 128, 30 * 256 + 128, 600 * 256}, {-200 * 256, 300 * 256, 50 * 256}, 0.25f};
+            {30 * 256 + 128, 30 * 256 + 128, 600 * 256}, {-51200, 76800, 12800}, 0.25f};
         rig_begin(&rig);
+        if (hiding == HIDDEN_BEFORE) {
+            draw_triangle(&rig, &cover, 7);
+        }
         draw_ramp(&rig);
-        draw_triangle(&rig, &cover, 7);
+        if (hiding != HIDDEN_BEFORE) {
+            draw_triangle(&rig, &cover, 7);
+        }
         rig_end(&rig);
         for (int s = 0; s < 4; s++) {
             float at[2];

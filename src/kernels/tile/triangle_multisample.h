@@ -13,6 +13,7 @@
 struct sampled_block {
     int x, y;
     uint64_t mask[RHW_MAX_SAMPLES];
+    uint64_t covered[RHW_MAX_SAMPLES]; // the same before any test, for centroids alone
     f8 z[RHW_MAX_SAMPLES][RHW_BLOCK];
 };
 
@@ -40,11 +41,11 @@ static uint64_t any_sample(const struct tile_work *work, const struct sampled_bl
     return any;
 }
 
-static uint64_t all_samples(const struct tile_work *work, const struct sampled_block *block)
+static uint64_t all_samples(const struct tile_work *work, const uint64_t *mask)
 {
     uint64_t all = ~(uint64_t)0;
     for (int s = 0; s < work->samples; s++) {
-        all &= block->mask[s];
+        all &= mask[s];
     }
     return all;
 }
@@ -101,7 +102,7 @@ static void queue_samples(struct tile_work *work, struct triangle_work *triangle
         depth_rows(work, triangle, &block, pixels, z);
     }
     const bool is_whole = pixels == ~(uint64_t)0;
-    if (at < 0 && (!is_whole || all_samples(work, from) != pixels) &&
+    if (at < 0 && (!is_whole || all_samples(work, from->mask) != pixels) &&
         can_scatter(work, triangle, &block, pixels)) {
         gather_samples(work, triangle, block.x, block.y, from->mask, pixels);
         return;
@@ -120,12 +121,12 @@ static void collect_samples(struct tile_work *work, struct triangle_work *triang
     uint64_t left = any;
     switch (work->plan.sampling) {
     case RHW_SAMPLING_CENTER: queue_samples(work, triangle, block, any, -1); break;
-    case RHW_SAMPLING_CENTROID: // at the first sample that is covered, where not all are
-        left &= ~all_samples(work, block);
+    case RHW_SAMPLING_CENTROID: // at the first sample that is covered, seen or not, where not all are
+        left &= ~all_samples(work, block->covered);
         queue_samples(work, triangle, block, any & ~left, -1);
         for (int s = 0; s < work->samples && left != 0; s++) {
-            queue_samples(work, triangle, block, left & block->mask[s], s);
-            left &= ~block->mask[s];
+            queue_samples(work, triangle, block, left & block->covered[s], s);
+            left &= ~block->covered[s];
         }
         break;
     case RHW_SAMPLING_SAMPLE:
@@ -140,6 +141,9 @@ static void draw_sampled_block(struct tile_work *work, struct triangle_work *tri
                                struct sampled_block *block)
 {
     const struct rhw_draw_plan *const plan = &work->plan;
+    for (int s = 0; s < work->samples && plan->sampling == RHW_SAMPLING_CENTROID; s++) {
+        block->covered[s] = block->mask[s];
+    }
     leave_open(work, block);
     uint64_t any = any_sample(work, block);
     if (any == 0) {
