@@ -11,10 +11,14 @@
 
 static float *faces;
 static float drawn[SIZE][SIZE][4];
+static double at_lamp[3];
 
 static int draw_floats(void **state)
 {
     (void)state;
+    for (int k = 0; k < 3; k++) {
+        at_lamp[k] = (double)lamp[k];
+    }
     rhw_context *context = picture_context();
     const rhw_texture target = picture_target(context, RHW_FORMAT_RGBA32_FLOAT, SIZE, SIZE, 1),
                       cube = make_cube(context);
@@ -67,8 +71,6 @@ static int meet(const double from[3], const double direction[3], double *where)
     }
     return met;
 }
-
-static const double at_lamp[3] = {(double)lamp[0], (double)lamp[1], (double)lamp[2]};
 
 // The direction of a place on a face; its longest component is 1 (Vulkan 1.3, table 19).
 static void find_direction(int face, double column, double row, double direction[3])
