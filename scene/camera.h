@@ -58,6 +58,11 @@ struct scene_camera scene_camera_from_model(const struct scene_model_camera *cam
 bool scene_camera_shows_most(const struct scene_model *model, const struct scene_camera *camera,
                              double aspect);
 
+/// Whether it has a hundredth of the vertices in the picture, or a fifth where it stands within the model's bounds, as that of
+/// a room does. Cameras of formats that many programs write wrongly are often elsewhere.
+bool scene_camera_is_believable(const struct scene_model *model, const struct scene_camera *camera,
+                                double aspect);
+
 /// World to camera space (looking along −Z).
 void scene_camera_view(const struct scene_camera *camera, double matrix[16]);
 /// Camera space to clip space: NDC y up, depth 0 at znear and 1 at zfar.

@@ -23,12 +23,9 @@ static bool is_seen(const double matrix[16], const float p[3])
            clip[2] >= 0 && clip[2] <= clip[3];
 }
 
-bool scene_camera_shows_most(const struct scene_model *model, const struct scene_camera *camera,
-                             double aspect)
+// The part of the vertices that the camera has in its picture, 0..1.
+static double seen_share(const struct scene_model *model, const struct scene_camera *camera, double aspect)
 {
-    if (is_inside(model, camera->eye)) {
-        return false;
-    }
     double view[16], projection[16], both[16];
     scene_camera_view(camera, view);
     scene_camera_projection(camera, aspect, projection);
@@ -47,5 +44,17 @@ bool scene_camera_shows_most(const struct scene_model *model, const struct scene
         }
         all += mesh->vertex_count;
     }
-    return 2 * seen >= all;
+    return all == 0 ? 1 : (double)seen / (double)all;
+}
+
+bool scene_camera_shows_most(const struct scene_model *model, const struct scene_camera *camera,
+                             double aspect)
+{
+    return !is_inside(model, camera->eye) && seen_share(model, camera, aspect) >= 0.5;
+}
+
+bool scene_camera_is_believable(const struct scene_model *model, const struct scene_camera *camera,
+                                double aspect)
+{
+    return seen_share(model, camera, aspect) >= (is_inside(model, camera->eye) ? 0.2 : 0.01);
 }

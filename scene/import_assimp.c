@@ -493,6 +493,7 @@ void scene_import_assimp(struct scene_import *import)
     const struct aiScene *scene = read_scene(import);
     struct reader reader = {.import = import, .scene = scene};
     import->model.format = format_of(import);
+    import->model.doubts_cameras = true;
     set_up(import, scene);
     if (scene->mRootNode == NULL) {
         scene_import_fail(import, "has no nodes");

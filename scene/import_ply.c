@@ -670,6 +670,23 @@ static void add_points(struct ply *ply)
     add_mesh(ply, mesh, false);
 }
 
+// Scans as clouds of soft ellipsoids come as PLY as well; drawn as points they would be no picture of anything.
+static void refuse_gaussians(const struct ply *ply)
+{
+    static const char *const names[] = {"f_dc_0", "opacity", "scale_0", "rot_0"};
+    unsigned found = 0;
+    for (int i = 0; i < ply->element_count; i++) {
+        for (int k = 0; k < ply->elements[i].property_count; k++) {
+            for (int n = 0; n < 4; n++) {
+                found |= scene_word_is(ply->elements[i].properties[k].name, names[n]) ? 1u << n : 0;
+            }
+        }
+    }
+    if (found == 15) {
+        scene_import_fail(ply->import, "holds Gaussian splats, which are not supported");
+    }
+}
+
 void scene_import_ply(struct scene_import *import)
 {
     struct ply ply = {.import = import, .mesh = {.name = ""}};
@@ -687,6 +704,7 @@ void scene_import_ply(struct scene_import *import)
     ply.text = (struct scene_text){bytes, bytes + size, 0};
     ply.end = (const unsigned char *)bytes + size;
     parse_header(&ply, &ply.text);
+    refuse_gaussians(&ply);
     ply.cursor = (const unsigned char *)ply.text.cursor;
     ply.line = (struct scene_line){ply.text.cursor, ply.text.cursor};
     for (int i = 0; i < ply.element_count; i++) {

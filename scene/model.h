@@ -140,6 +140,7 @@ struct scene_model {
     const char *format; ///< for example "glTF 2.0" or "Stanford Polygon Library (PLY)"
     enum scene_axis up; ///< what the format says, or where it says little, what the model stands on
     bool up_guessed;
+    bool doubts_cameras; ///< of a format whose cameras are often wrong
     uint32_t mesh_count, material_count, image_count, instance_count, camera_count, light_count;
     struct scene_mesh *meshes;
     struct scene_material *materials;

@@ -195,6 +195,29 @@ static void test_fit_leaves_a_vast_ground_out(void **state)
     assert_true(scene_camera_fit(&t.model, orbit, 0.5, 1.0).eye[2] > 20);
 }
 
+// Of 8 vertices one is in the picture: enough from outside, not from within.
+static void test_what_a_camera_must_show(void **state)
+{
+    (void)state;
+    struct tiny t;
+    tiny_make(&t);
+    t.model.instance_count = 2;
+    t.instances[1].world[14] = 9;
+    t.model.bounds_max[2] = 9;
+    const double up[3] = {0, 1, 0}, corner[3] = {1, 1, 9}, before[3] = {1, 1, 12},
+                 beside[3] = {0.5, 0.5, 8.9};
+    struct scene_camera camera;
+    char error[200];
+    assert_true(scene_camera_look(&camera, &t.model, before, corner, up, 0.02, error, sizeof error));
+    camera.zfar = 4;
+    assert_true(scene_camera_is_believable(&t.model, &camera, 1.0));
+    assert_true(scene_camera_look(&camera, &t.model, beside, corner, up, 0.02, error, sizeof error));
+    assert_false(scene_camera_is_believable(&t.model, &camera, 1.0));
+    assert_true(
+        scene_camera_look(&camera, &t.model, before, (double[]){1, 1, 30}, up, 0.02, error, sizeof error));
+    assert_false(scene_camera_is_believable(&t.model, &camera, 1.0));
+}
+
 static void test_look_refuses_what_is_no_camera(void **state)
 {
     (void)state;
@@ -303,6 +326,7 @@ int main(void)
         cmocka_unit_test(test_default_orbit_faces_flat_models),
         cmocka_unit_test(test_fit_turns_with_up),
         cmocka_unit_test(test_fit_leaves_a_vast_ground_out),
+        cmocka_unit_test(test_what_a_camera_must_show),
         cmocka_unit_test(test_look_refuses_what_is_no_camera),
         cmocka_unit_test(test_projection_against_formulas),
         cmocka_unit_test(test_file_camera_in_a_narrow_picture),

@@ -24,6 +24,12 @@ static const struct {
     {"old.gltf", "{\"asset\":{\"version\":\"1.0\"}}", "is glTF 1.0, which is not supported"},
     {"older.gltf", "{\"asset\":{\"version\":1.0}}", "is glTF 1.0, which is not supported"},
     {"new.gltf", "{\"asset\":{\"version\":\"2.1\",\"minVersion\":\"2.1\"}}", "at least glTF 2.1"},
+    {"splats.ply",
+     "ply\nformat ascii 1.0\nelement vertex 1\nproperty float x\nproperty float y\nproperty float z\n"
+     "property float f_dc_0\nproperty float opacity\nproperty float scale_0\nproperty float "
+     "rot_0\nend_header\n"
+     "0 0 0 1 1 1 1\n",
+     "holds Gaussian splats, which are not supported"},
     {"voxels.gltf", "{\"asset\":{\"version\":\"2.0\"},\"extensionsRequired\":[\"EXT_primitive_voxels\"]}",
      "requires the glTF extension EXT_primitive_voxels"},
     {"cycle.gltf", "{\"asset\":{\"version\":\"2.0\"},\"nodes\":[{\"children\":[1]},{\"children\":[0]}]}",

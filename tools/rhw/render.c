@@ -27,7 +27,8 @@ struct render {
     struct cli_render_times times;
     char *paths[CLI_KIND_COUNT]; // NULL: not written
     struct cli_output_file files[CLI_KIND_COUNT];
-    int file_count; // open ones
+    int file_count;        // open ones
+    bool distrusts_camera; // the file's first camera gave way to the fit
 };
 
 static double now_ms(void)
@@ -170,7 +171,7 @@ static struct scene_camera fit_camera(const struct render *render)
     return scene_camera_fit(render->model, orbit, yfov, (double)job->width / (double)job->height);
 }
 
-static bool choose_camera(const struct render *render, struct scene_camera *camera)
+static bool choose_camera(struct render *render, struct scene_camera *camera)
 {
     const struct cli_render_job *job = &render->job;
     if (job->camera == CLI_CAMERA_LOOK) {
@@ -181,8 +182,17 @@ static bool choose_camera(const struct render *render, struct scene_camera *came
     if (!fitted && !found && job->camera != CLI_CAMERA_AUTO) {
         return report_missing_camera(job, render->model);
     }
-    *camera =
-        found ? scene_camera_from_model(found, (double)job->width / (double)job->height) : fit_camera(render);
+    const double aspect = (double)job->width / (double)job->height;
+    *camera = found ? scene_camera_from_model(found, aspect) : fit_camera(render);
+    if (found && job->camera == CLI_CAMERA_AUTO && render->model->doubts_cameras &&
+        !scene_camera_is_believable(render->model, camera, aspect)) {
+        if (!job->quiet) {
+            cli_warning(job->model_path,
+                        "its camera sees next to nothing of the model, which is fitted instead");
+        }
+        *camera = fit_camera(render);
+        render->distrusts_camera = true;
+    }
     return true;
 }
 
@@ -228,7 +238,8 @@ static void log_line(void *user, enum rhw_log_level level, const char *message)
 static enum rhw_result draw_again(struct render *render)
 {
     const struct cli_render_job *job = &render->job;
-    const bool refit = job->camera == CLI_CAMERA_AUTO && find_camera(job, render->model);
+    const bool refit =
+        job->camera == CLI_CAMERA_AUTO && find_camera(job, render->model) && !render->distrusts_camera;
     if (!job->quiet) {
         cli_warning(job->model_path, refit ? "its camera sees nothing of the model, which is fitted instead"
                                            : "nothing of the model is in the picture");
@@ -246,6 +257,7 @@ static void warn_of_a_partial_view(const struct render *render)
 {
     const struct cli_render_job *job = &render->job;
     if (!job->quiet && job->camera == CLI_CAMERA_AUTO && find_camera(job, render->model) &&
+        !render->distrusts_camera &&
         !scene_camera_shows_most(render->model, &render->view.camera,
                                  (double)job->width / (double)job->height)) {
         cli_warning(job->model_path, "the file's camera shows part of the model; --fit shows all");
