@@ -86,6 +86,40 @@ static void draw_triangle(struct rig *rig, const struct triangle *t, float value
     rig_draw(rig, vertices, 3);
 }
 
+// Vulkan 1.3, "Standard sample locations", in sixteenths of a pixel.
+static void test_positions_are_the_standard_ones(void **state)
+{
+    (void)state;
+    static const uint8_t positions[][16][2] = {
+        {{8, 8}},
+        {{12, 12}, {4, 4}},
+        {{6, 2}, {14, 6}, {2, 10}, {10, 14}},
+        {{9, 5}, {7, 11}, {13, 9}, {5, 3}, {3, 13}, {1, 7}, {11, 15}, {15, 1}},
+        {{9, 9},
+         {7, 5},
+         {5, 10},
+         {12, 7},
+         {3, 6},
+         {10, 13},
+         {13, 11},
+         {11, 3},
+         {6, 14},
+         {8, 1},
+         {4, 2},
+         {2, 12},
+         {0, 8},
+         {15, 4},
+         {14, 15},
+         {1, 0}}};
+    for (int i = 0; i < 5; i++) {
+        for (int s = 0; s < 1 << i; s++) {
+            float at[2];
+            assert_true(rhw_sample_position(1 << i, s, at));
+            assert_true(at[0] == (float)positions[i][s][0] / 16 && at[1] == (float)positions[i][s][1] / 16);
+        }
+    }
+}
+
 // Every sample has the nearest triangle that covers it.
 static void compare_samples(int samples, enum rhw_paths paths, int size, int count)
 {
@@ -645,6 +679,7 @@ static void test_misuse(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
+        cmocka_unit_test(test_positions_are_the_standard_ones),
         cmocka_unit_test(test_every_sample_is_exact),
         cmocka_unit_test(test_paths_agree),
         cmocka_unit_test(test_fragments_are_shaded_once),
