@@ -37,7 +37,7 @@ static struct unit unit_of(const struct rhw_region *region, enum direction direc
 
 static int units(int texels, int unit)
 {
-    return (texels + unit - 1) / unit;
+    return texels / unit + (texels % unit != 0);
 }
 
 static size_t row_size(const struct rhw_region *region, struct unit unit)

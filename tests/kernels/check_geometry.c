@@ -167,6 +167,7 @@ static void run_cull(const void *input, void *result)
     struct rhw_draw_state state;
     pipeline.def.front = (enum rhw_winding)in->front;
     pipeline.def.cull = (enum rhw_cull)in->cull;
+    pipeline.is_conservative = false;
     state.pipeline = &pipeline;
     state.scissor = in->scissor;
     state.first_step = 127;

@@ -60,8 +60,8 @@ static void expect_plain_fetch(const struct bound *bound, int x, int y, int widt
     rhw_int at[2];
     rhw_float texel[4];
     for (int lane = 0; lane < RHW_LANES; lane++) {
-        at[0][lane] = x + lane % 3 - 1;
-        at[1][lane] = y + lane / 3 - 1;
+        at[0][lane] = (int32_t)((uint32_t)x + (uint32_t)lane % 3 - 1); // beyond the last number as well
+        at[1][lane] = (int32_t)((uint32_t)y + (uint32_t)lane / 3 - 1);
     }
     rhw_sample_fetch(&bound->bindings, SLOT, at, NULL, texel);
     for (int lane = 0; lane < RHW_LANES; lane++) {
