@@ -224,6 +224,10 @@ static struct accessor open_accessor(struct scene_gltf *gltf, int64_t index)
         accessor.stride = decoded->stride;
         accessor.count = decoded->count;
         accessor.type = decoded->type;
+        if (component_size(accessor.type) * (size_t)accessor.components != decoded->stride) {
+            scene_import_fail(gltf->import, "accessors[%lld] stands for indices and for an attribute",
+                              number);
+        }
     } else if (json_object_get(object, "bufferView") != NULL) {
         accessor.bytes = elements(gltf, &accessor, object, accessor.count, element, &accessor.stride);
     } else if (count > most_without_data) {

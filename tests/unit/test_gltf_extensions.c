@@ -230,13 +230,15 @@ static struct draco_soup make_soup(void)
                                .colors = (const uint8_t(*)[4])soup_colors};
 }
 
+static int draco_indices = 4; // the accessor
+
 static void write_draco(const void *bytes, size_t size, int color_type, int mode)
 {
     write_format(
         "draco.gltf",
         "{\"asset\":{\"version\":\"2.0\"},\"extensionsRequired\":[\"KHR_draco_mesh_compression\"],"
         "\"scenes\":[{\"nodes\":[0]}],\"nodes\":[{\"mesh\":0}],\"meshes\":[{\"primitives\":[{\"mode\":%d,"
-        "\"attributes\":{\"POSITION\":0,\"NORMAL\":1,\"TEXCOORD_0\":2,\"COLOR_0\":3},\"indices\":4,"
+        "\"attributes\":{\"POSITION\":0,\"NORMAL\":1,\"TEXCOORD_0\":2,\"COLOR_0\":3},\"indices\":%d,"
         "\"extensions\":{\"KHR_draco_mesh_compression\":{\"bufferView\":0,\"attributes\":{\"POSITION\":0,"
         "\"NORMAL\":1,\"TEXCOORD_0\":2,\"COLOR_0\":3}}}}]}],"
         "\"accessors\":[{\"componentType\":5126,\"count\":9,\"type\":\"VEC3\"},"
@@ -245,7 +247,7 @@ static void write_draco(const void *bytes, size_t size, int color_type, int mode
         "{\"componentType\":5123,\"count\":9,\"type\":\"SCALAR\"}],"
         "\"bufferViews\":[{\"buffer\":0,\"byteLength\":%zu}],\"buffers\":[{\"byteLength\":%zu,\"uri\":\"%s\"}"
         "]}",
-        mode, color_type, size, size, data_uri(bytes, size));
+        mode, draco_indices, color_type, size, size, data_uri(bytes, size));
 }
 
 // The corner of the soup that has this position and, as there are two of each, this normal.
@@ -321,6 +323,10 @@ static void test_draco_refused(void **state)
     expect_refused("draco.gltf", "its Draco data cannot be read");
     write_draco(bytes, size, 5130, 4);
     expect_refused("draco.gltf", "has no attribute COLOR_0 of the shape its accessor says");
+    draco_indices = 0; // that of positions
+    write_draco(bytes, size, 5121, 4);
+    expect_refused("draco.gltf", "accessors[0] stands for indices and for an attribute");
+    draco_indices = 4;
     soup.uvs = NULL;
     size = draco_encode(&soup, bytes, sizeof bytes);
     write_draco(bytes, size, 5121, 4);
