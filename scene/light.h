@@ -17,6 +17,8 @@ struct scene_lighting {
 ///
 /// Studio: a key light from above the viewer's left shoulder, soft boxes above, to the right and behind, a
 /// sky and a ground. The boxes turn with the camera, so that no view is of the dark side; sky and ground do not.
+/// A camera within the model's bounds stands in a room, whose walls would take all of the key light: there it casts no
+/// shadows.
 /// Lights of a file keep their proportions, but not their absolute strength: exposure is chosen so that a
 /// white surface in the middle of the model is about white, and a quarter of the studio's surroundings is
 /// added, because a file has no sky and its metals would be black.

@@ -131,6 +131,14 @@ static inline void scene_environment_brdf(rhw_float roughness, rhw_float n_dot_v
     *bias = 1.04f * a + r3;
 }
 
+/// How much of what a surface mirrors gets past that which occludes it: more than of what it scatters where it is seen at a
+/// slant (S. Lagarde, C. de Rousiers, "Moving Frostbite to physically based rendering", 2014, with an exponent of 2).
+static inline rhw_float scene_specular_occlusion(rhw_float occlusion, rhw_float n_dot_v)
+{
+    const rhw_float sum = n_dot_v + occlusion;
+    return rhw_saturate(sum * sum - 1.0f + occlusion);
+}
+
 /// Adds what the surroundings send to the eye, dimmed by `occlusion`. Light that bounces between the
 /// facets of a rough surface is given back (Turquin 2019), else rough metals come out too dark.
 static inline void scene_reflect_environment(const struct scene_reflector *r,
@@ -146,10 +154,11 @@ static inline void scene_reflect_environment(const struct scene_reflector *r,
     scene_environment_diffuse(e, r->normal, diffuse);
     scene_environment_brdf(roughness, r->n_dot_v, &scale, &bias);
     const rhw_float lost = 1.0f / (scale + bias) - 1.0f;
+    const rhw_float mirrors = scene_specular_occlusion(occlusion, r->n_dot_v);
     for (int c = 0; c < 3; c++) {
         const rhw_float single = r->f0[c] * scale + bias;
         const rhw_float specular = single * (1.0f + r->f0[c] * lost);
-        sum[c] += occlusion * (mirrored[c] * specular + diffuse[c] * r->diffuse[c] * (1.0f - single));
+        sum[c] += mirrors * mirrored[c] * specular + occlusion * diffuse[c] * r->diffuse[c] * (1.0f - single);
     }
 }
 

@@ -212,6 +212,8 @@ static bool set_view(struct render *render)
     view->background = job->background;
     memcpy(view->background_color, job->background_color, sizeof view->background_color);
     view->default_lights = job->default_lights;
+    view->shadows = job->shadows;
+    view->ambient_occlusion = job->ambient_occlusion;
     view->up = job->has_up ? job->up : render->model->up;
     view->exposure = (double)job->exposure;
     view->outputs = cli_outputs_needed(job->kinds, job->format, job->bits);
