@@ -12,6 +12,7 @@
 #include "color.h"
 #include "guide.h"
 #include "light.h"
+#include "panorama.h"
 #include "screen.h"
 #include "shadow.h"
 #include "subject.h"
@@ -40,6 +41,7 @@ struct scene {
     struct scene_target targets[TARGET_COUNT];
     struct scene_guide guide;
     struct scene_shadows shadows;
+    struct scene_surroundings surroundings;
     rhw_sampler nearest;
     double upload_ms;
 };
@@ -142,6 +144,7 @@ void scene_destroy(struct scene *scene)
     }
     scene_guide_destroy(context, &scene->guide);
     scene_shadows_destroy(context, &scene->shadows);
+    scene_surroundings_destroy(context, &scene->surroundings);
     rhw_sampler_destroy(context, scene->nearest);
     scene_upload_destroy(&scene->upload);
     free(scene);
@@ -207,6 +210,7 @@ static void set_frame(struct draw *draw)
     struct scene_frame *frame = &draw->frame;
     scene_frame_look(frame, &view->camera, (double)view->width / view->height, &draw->lighting,
                      draw->view_projection);
+    frame->tone = view->tone;
     frame->plain = view->wireframe == SCENE_WIREFRAME_PLAIN;
     for (int c = 0; c < 3; c++) {
         frame->line_color[c] = scene_color_decode(28);
@@ -251,12 +255,25 @@ static void set_background(const struct draw *draw, struct scene_backdrop *backd
     backdrop->top[3] = backdrop->bottom[3] = 1.0f;
 }
 
+static void set_panorama(const struct draw *draw, struct scene_panorama_pass *pass)
+{
+    const struct scene_view *view = draw->view;
+    *pass = scene_surroundings_background(&draw->scene->surroundings, view);
+    pass->strength = draw->frame.environment.strength;
+    pass->tone = view->tone;
+    pass->scale[0] = 2.0f / (float)(view->width * draw->side);
+    pass->scale[1] = 2.0f / (float)(view->height * draw->side);
+    pass->offset[0] = -1.0f;
+    pass->offset[1] = 2.0f * (float)draw->first_row / (float)view->height - 1.0f;
+}
+
 static enum rhw_result draw_samples(struct draw *draw, const enum rhw_format formats[2], int format_count)
 {
     struct scene *scene = draw->scene;
     rhw_context *context = scene->upload.context;
     struct rhw_pass_def def = rhw_pass_def_default();
     struct scene_backdrop backdrop;
+    struct scene_panorama_pass panorama;
     set_background(draw, &backdrop);
     def.color_count = format_count;
     for (int i = 0; i < format_count; i++) {
@@ -271,15 +288,25 @@ static enum rhw_result draw_samples(struct draw *draw, const enum rhw_format for
     if (result != RHW_OK) {
         return result;
     }
-    const bool backdropped = draw->view->background == SCENE_BACKGROUND_DEFAULT;
-    if (backdropped) {
+    const enum scene_background background = draw->view->background;
+    const bool backdropped =
+        background == SCENE_BACKGROUND_DEFAULT || background == SCENE_BACKGROUND_PANORAMA;
+    if (background == SCENE_BACKGROUND_DEFAULT) {
         result = scene_screen_record(context, pass, SCENE_SCREEN_BACKDROP, formats, format_count, &backdrop);
+    } else if (background == SCENE_BACKGROUND_PANORAMA) {
+        set_panorama(draw, &panorama);
+        rhw_pass_set_texture(context, pass, 0, scene->surroundings.picture,
+                             scene->surroundings.picture_sampler);
+        result =
+            scene_screen_record(context, pass, SCENE_SCREEN_SURROUNDINGS, formats, format_count, &panorama);
     }
     set_band_viewport(draw, pass, draw->side);
     struct scene_surface_pass surfaces = {.frame = &draw->frame,
                                           .interpolate = draw->view->interpolate,
                                           .wireframe = draw->view->wireframe,
-                                          .format_count = format_count};
+                                          .format_count = format_count,
+                                          .environment = scene->surroundings.cube,
+                                          .environment_sampler = scene->surroundings.cube_sampler};
     memcpy(surfaces.formats, formats, (size_t)format_count * sizeof *formats);
     memcpy(surfaces.view_projection, draw->view_projection, sizeof surfaces.view_projection);
     if (result == RHW_OK) {
@@ -546,6 +573,22 @@ static enum rhw_result draw_data(struct draw *draw)
     return draw_bands(draw, draw_data_band);
 }
 
+static enum rhw_result surround(struct draw *draw)
+{
+    struct scene *scene = draw->scene;
+    const struct scene_view *view = draw->view;
+    if (!view->panorama) {
+        scene_surroundings_destroy(scene->upload.context, &scene->surroundings);
+        return RHW_OK;
+    }
+    const enum rhw_result result = scene_surroundings_make(&scene->surroundings, scene->upload.context,
+                                                           view->panorama, view->up, view->panorama_rotation);
+    if (result == RHW_OK) {
+        scene_lighting_surround(&draw->lighting, &scene->surroundings, view->exposure);
+    }
+    return result;
+}
+
 enum rhw_result scene_draw(struct scene *scene, const struct scene_view *view,
                            struct scene_pictures *pictures, struct scene_draw_stats *stats)
 {
@@ -556,6 +599,9 @@ enum rhw_result scene_draw(struct scene *scene, const struct scene_view *view,
     enum rhw_result result = RHW_ERROR_OUT_OF_MEMORY;
     if (scene_lighting_create(&draw.lighting, scene->upload.model, &view->camera, view->up,
                               view->default_lights, view->exposure)) {
+        result = surround(&draw);
+    }
+    if (result == RHW_OK) {
         set_frame(&draw);
         result = draw_color(&draw);
     }

@@ -4,6 +4,8 @@
 // colour and one that faces the key light with all of it, so that the neutral tone mapping keeps colours.
 #include "light.h"
 
+#include "panorama.h"
+
 #include "rhw/shader.h"
 
 #include <stdlib.h>
@@ -164,6 +166,7 @@ bool scene_lighting_create(struct scene_lighting *lighting, const struct scene_m
     *lighting = (struct scene_lighting){.count = 1};
     const double irradiance = default_lights ? 0.0 : reference_irradiance(model);
     const bool from_file = irradiance > 0.0 && irradiance < 1e30;
+    lighting->from_file = from_file;
     if (from_file) {
         lighting->count = model->light_count;
     }
@@ -183,6 +186,28 @@ bool scene_lighting_create(struct scene_lighting *lighting, const struct scene_m
     }
     set_environment(&lighting->environment, view, up, 0.25 * stops);
     return true;
+}
+
+void scene_lighting_surround(struct scene_lighting *lighting, const struct scene_surroundings *surroundings,
+                             double exposure)
+{
+    const float scale = (float)power_of_two(exposure);
+    struct scene_environment *e = &lighting->environment;
+    *e = surroundings->environment;
+    e->strength *= scale;
+    for (int i = 0; i < 27; i++) {
+        e->irradiance[i / 3][i % 3] *= scale;
+    }
+    if (!lighting->from_file) { // in place of the key light
+        struct scene_shader_light *sun = &lighting->lights[0];
+        *sun = surroundings->sun;
+        sun->casts = 1;
+        sun->softness = (float)lamp_softness;
+        for (int c = 0; c < 3; c++) {
+            sun->color[c] *= scale;
+        }
+        lighting->count = sun->color[1] > 0.0f ? 1 : 0;
+    }
 }
 
 void scene_lighting_destroy(struct scene_lighting *lighting)

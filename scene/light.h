@@ -8,6 +8,7 @@
 
 struct scene_lighting {
     uint32_t count;
+    bool from_file;
     struct scene_shader_light *lights; ///< owned
     struct scene_environment environment;
 };
@@ -25,6 +26,12 @@ struct scene_lighting {
 bool scene_lighting_create(struct scene_lighting *lighting, const struct scene_model *model,
                            const struct scene_camera *camera, enum scene_axis up, bool default_lights,
                            double exposure);
+
+struct scene_surroundings;
+
+/// With a panorama: it takes the place of the studio, with its sun for the key light; lights of the file stay.
+void scene_lighting_surround(struct scene_lighting *lighting, const struct scene_surroundings *surroundings,
+                             double exposure);
 void scene_lighting_destroy(struct scene_lighting *lighting);
 
 #endif

@@ -11,6 +11,9 @@ static const struct scene_screen_shaders *const screen_shaders[RHW_ISA_COUNT] =
 static const struct scene_occlusion_shaders *const occlusion_shaders[RHW_ISA_COUNT] =
     RHW_ISA_TABLE(&scene_occlusion_shaders);
 
+static const struct scene_panorama_shaders *const panorama_shaders[RHW_ISA_COUNT] =
+    RHW_ISA_TABLE(&scene_panorama_shaders);
+
 void scene_program_surface(struct rhw_program *program, enum scene_vertex_kind vertex,
                            enum scene_fragment_kind fragment)
 {
@@ -24,21 +27,30 @@ void scene_program_surface(struct rhw_program *program, enum scene_vertex_kind v
     program->uniform_size = sizeof(struct scene_surface);
 }
 
+static rhw_fragment_function *screen_fragment(int isa, enum scene_screen_kind kind)
+{
+    if (kind >= SCENE_SCREEN_PANORAMA) {
+        return panorama_shaders[isa]->fragment[kind - SCENE_SCREEN_PANORAMA];
+    }
+    return kind >= SCENE_SCREEN_OCCLUSION ? occlusion_shaders[isa]->fragment[kind - SCENE_SCREEN_OCCLUSION]
+                                          : screen_shaders[isa]->fragment[kind];
+}
+
 void scene_program_screen(struct rhw_program *program, enum scene_screen_kind kind)
 {
-    static const uint32_t sizes[] = {
+    static const uint32_t sizes[SCENE_SCREEN_KINDS] = {
         [SCENE_SCREEN_BACKDROP] = sizeof(struct scene_backdrop),
         [SCENE_SCREEN_RESOLVE] = sizeof(struct scene_resolve),
         [SCENE_SCREEN_OCCLUSION] = sizeof(struct scene_ambient),
         [SCENE_SCREEN_OCCLUSION_BLUR] = sizeof(struct scene_ambient),
+        [SCENE_SCREEN_PANORAMA] = sizeof(struct scene_panorama_pass),
+        [SCENE_SCREEN_PREFILTER] = sizeof(struct scene_panorama_pass),
+        [SCENE_SCREEN_SURROUNDINGS] = sizeof(struct scene_panorama_pass),
     };
-    const bool occlusion = kind >= SCENE_SCREEN_OCCLUSION;
     for (int isa = 0; isa < RHW_ISA_COUNT; isa++) {
         if (screen_shaders[isa]) {
             program->vertex[isa] = screen_shaders[isa]->vertex;
-            program->fragment[isa] = occlusion
-                                         ? occlusion_shaders[isa]->fragment[kind - SCENE_SCREEN_OCCLUSION]
-                                         : screen_shaders[isa]->fragment[kind];
+            program->fragment[isa] = screen_fragment(isa, kind);
         }
     }
     program->uses = RHW_USE_COORD;

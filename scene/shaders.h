@@ -15,8 +15,11 @@
 enum {
     SCENE_LOBES = 3,      // soft boxes of the environment
     SCENE_UV_STREAMS = 6, // one for each texture slot at most, and the untransformed set 0
-    SCENE_DATA_OUTPUTS = 8
+    SCENE_DATA_OUTPUTS = 8,
+    SCENE_SLOT_ENVIRONMENT = RHW_MAX_TEXTURES - 1
 };
+
+enum scene_tone { SCENE_TONE_NEUTRAL, SCENE_TONE_ACES, SCENE_TONE_AGX, SCENE_TONE_NONE };
 
 // What a light sees first, in a square map. A point p of the world lies at column and row c/w, where c = rows · (p, 1); its
 // depth is reversed, 1 near and 0 far. w is 1 for a directional light and the distance along the map's axis for others.
@@ -55,6 +58,11 @@ struct scene_environment {
     float lobe_color[SCENE_LOBES][3];
     float sharpness;  // of every lobe
     float diffuse[3]; // a lobe's irradiance / π at cosine t: diffuse[0] + diffuse[1] t + diffuse[2] t²
+    // With a panorama instead of all that: a cube in texture slot SCENE_SLOT_ENVIRONMENT, whose level is roughness times
+    // `levels`, and irradiance / π as 9 products with 1, x, y, z, xy, yz, zx, 3z² − 1 and x² − y².
+    int32_t mapped;
+    float levels, strength; // what the cube is multiplied by
+    float irradiance[9][3];
 };
 
 // A plane of scene_guide, and the one of distances beside it, as shaders gather from them.
@@ -76,6 +84,7 @@ struct scene_frame {
     int32_t light_count;
     const struct scene_shader_light *lights;
     struct scene_environment environment;
+    enum scene_tone tone;
     int32_t write_linear;                    // color[1] takes the light before tone mapping
     float line_color[3], plain_color[3];     // wireframe
     float line_half_width;                   // pixels of the pass
@@ -150,6 +159,21 @@ struct scene_ambient {
     int32_t step;              // of a blur, from texel to texel: 1 or pitch
 };
 
+enum { SCENE_PREFILTER_SAMPLES = 64 };
+
+// Uniforms of the passes that turn a panorama into a cube, and show it. A pixel at (u, v), each −1..1, right and down,
+// looks along u axes[0] + v axes[1] + axes[2] in the world.
+struct scene_panorama_pass {
+    float axes[3][3];
+    float scale[2], offset[2]; // of the pass's coordinates to u and v
+    float turn[3][3];          // the world to the panorama
+    float level;
+    float strength;
+    enum scene_tone tone;
+    int32_t sample_count;
+    float samples[SCENE_PREFILTER_SAMPLES][4]; // direction around the pixel's, level
+};
+
 // Uniforms of the resolve: `side`² samples of texture 0 become a pixel.
 struct scene_resolve {
     int32_t side;
@@ -173,6 +197,9 @@ enum scene_screen_kind {
     SCENE_SCREEN_RESOLVE,
     SCENE_SCREEN_OCCLUSION,
     SCENE_SCREEN_OCCLUSION_BLUR,
+    SCENE_SCREEN_PANORAMA,  // to a face of a cube
+    SCENE_SCREEN_PREFILTER, // a cube to a rougher one
+    SCENE_SCREEN_SURROUNDINGS,
     SCENE_SCREEN_KINDS
 };
 
@@ -184,6 +211,10 @@ struct scene_surface_shaders {
 struct scene_screen_shaders {
     rhw_vertex_function *vertex;                             // a triangle over the whole viewport; draw(0, 3)
     rhw_fragment_function *fragment[SCENE_SCREEN_OCCLUSION]; // the kinds before that one
+};
+
+struct scene_panorama_shaders {
+    rhw_fragment_function *fragment[3]; // from SCENE_SCREEN_PANORAMA on
 };
 
 struct scene_occlusion_shaders {
@@ -200,5 +231,6 @@ void scene_program_screen(struct rhw_program *program, enum scene_screen_kind ki
 RHW_ISA_DECLARE(const struct scene_surface_shaders, scene_surface_shaders);
 RHW_ISA_DECLARE(const struct scene_screen_shaders, scene_screen_shaders);
 RHW_ISA_DECLARE(const struct scene_occlusion_shaders, scene_occlusion_shaders);
+RHW_ISA_DECLARE(const struct scene_panorama_shaders, scene_panorama_shaders);
 
 #endif

@@ -4,6 +4,7 @@
 #include "shaders_guide.h"
 #include "shaders_pbr.h"
 #include "shaders_shadow.h"
+#include "shaders_tone.h"
 
 #define ALWAYS_INLINE static inline __attribute__((always_inline))
 
@@ -383,7 +384,7 @@ ALWAYS_INLINE void shade_lit(struct rhw_fragment *f, const struct scene_surface 
     }
 
     rhw_float sum[3] = {emissive[0], emissive[1], emissive[2]};
-    scene_reflect_environment(&reflector, &frame->environment, roughness, occlusion, sum);
+    scene_reflect_environment(&reflector, &frame->environment, f->textures, roughness, occlusion, sum);
     for (int i = 0; i < frame->light_count; i++) {
         rhw_float to_light[3], irradiance[3];
         scene_light_at(&frame->lights[i], position, to_light, irradiance);
@@ -394,7 +395,7 @@ ALWAYS_INLINE void shade_lit(struct rhw_fragment *f, const struct scene_surface 
         scene_reflect_light(&reflector, to_light, irradiance, frame->lights[i].size, sum);
     }
     rhw_float linear[4] = {sum[0], sum[1], sum[2], base[3]};
-    scene_tone_map(sum);
+    scene_tone_map(frame->tone, sum);
     rhw_float color[4] = {sum[0], sum[1], sum[2], base[3]};
     write_output(f, s, color, linear);
 }

@@ -508,6 +508,10 @@ static enum rhw_result record_instance(const struct scene_upload *upload,
             rhw_pass_set_texture(context, pass, s, material->slots[s].texture, material->slots[s].sampler);
         }
     }
+    if (def->environment.generation) {
+        rhw_pass_set_texture(context, pass, SCENE_SLOT_ENVIRONMENT, def->environment,
+                             def->environment_sampler);
+    }
     // A blended surface with two sides shows its far side through the near one: far side first.
     const bool twice = key.blend && key.cull == RHW_CULL_NONE && surface.is_triangle;
     for (int side = twice ? 0 : 1; side < 2; side++) {

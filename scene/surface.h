@@ -19,6 +19,8 @@ struct scene_surface_pass {
     enum rhw_format formats[RHW_MAX_COLOR_ATTACHMENTS];
     int format_count;
     double view_projection[16]; ///< depth reversed
+    rhw_texture environment;    ///< with frame->environment.mapped: the cube
+    rhw_sampler environment_sampler;
 };
 
 /// Sets what a frame has from the camera and the lights, which must outlive it, and `view_projection` for a

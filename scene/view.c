@@ -49,6 +49,10 @@ bool scene_view_check(const struct scene_view *view, char *error, size_t error_s
         snprintf(error, error_size, "outputs: none, or unknown ones, asked for");
     } else if (view->interpolate != RHW_SMOOTH && view->interpolate != RHW_NOPERSPECTIVE) {
         snprintf(error, error_size, "interpolate: must be smooth or noperspective");
+    } else if (view->background == SCENE_BACKGROUND_PANORAMA && !view->panorama) {
+        snprintf(error, error_size, "background: there is no environment to show");
+    } else if (view->panorama_rotation - view->panorama_rotation != 0.0) {
+        snprintf(error, error_size, "environment: its rotation must be a finite number of degrees");
     } else if (!(view->exposure >= -20.0 && view->exposure <= 20.0)) {
         snprintf(error, error_size, "exposure: must lie between -20 and 20 stops");
     } else {

@@ -6,6 +6,9 @@
 #include <stddef.h>
 
 #include "camera.h"
+#include "shaders.h"
+
+struct scene_panorama;
 
 /// What a draw gives; or them together. Rows top to bottom, tightly packed. Data outputs show the nearest
 /// surface; a surface of alpha mode BLEND counts where its opacity is at least one half.
@@ -34,6 +37,7 @@ enum scene_wireframe {
 enum scene_background {
     SCENE_BACKGROUND_DEFAULT, ///< a soft vertical gradient
     SCENE_BACKGROUND_COLOR,
+    SCENE_BACKGROUND_PANORAMA, ///< needs one
     SCENE_BACKGROUND_TRANSPARENT
 };
 
@@ -50,8 +54,12 @@ struct scene_view {
     bool default_lights;         ///< leave the lights of the file off
     bool shadows;                ///< of the lights
     bool ambient_occlusion;      ///< what stands near dims the light of the surroundings
-    double exposure;             ///< stops, added to what is chosen for the lights; −20..20
-    uint32_t outputs;            ///< scene_output, at least one
+    const struct scene_panorama
+        *panorama;            ///< lights the model instead of the studio; NULL: none. Outlives the scene
+    double panorama_rotation; ///< degrees about what is up, against the clock as seen from there
+    enum scene_tone tone;     ///< how light becomes a picture
+    double exposure;          ///< stops, added to what is chosen for the lights; −20..20
+    uint32_t outputs;         ///< scene_output, at least one
 };
 
 /// 1280×720, one sample, the whole model fitted, gradient, colour.

@@ -12,7 +12,10 @@ enum cli_look_option {
     CLI_LOOK_LIGHTS,
     CLI_LOOK_SHADOWS,
     CLI_LOOK_AMBIENT_OCCLUSION,
-    CLI_LOOK_EXPOSURE
+    CLI_LOOK_EXPOSURE,
+    CLI_LOOK_ENVIRONMENT,
+    CLI_LOOK_ENVIRONMENT_ROTATION,
+    CLI_LOOK_TONE_MAP
 };
 
 /// Sets what one of them says. False after a message.

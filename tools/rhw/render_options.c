@@ -61,13 +61,19 @@ static const struct cli_option options[] = {
     {"wireframe", CLI_LOOK_WIREFRAME, "[KIND]",
      "edges over the shaded surface (over) or over a plain one (plain)"},
     {"background", CLI_LOOK_BACKGROUND, "COLOR",
-     "rrggbb in hexadecimal, black, grey, white, transparent or default"},
+     "rrggbb in hexadecimal, black, grey, white, transparent, environment or\ndefault"},
     {"variant", OPTION_VARIANT, "NAME",
      "the materials of this name, of a glTF that offers a choice; see rhw info"},
     {"lights", CLI_LOOK_LIGHTS, "WHICH", "file (default: those of the file, if any) or default"},
     {"shadows", CLI_LOOK_SHADOWS, "WHICH", "of the lights: on (the default) or off"},
     {"ambient-occlusion", CLI_LOOK_AMBIENT_OCCLUSION, "WHICH",
      "darken where things stand close together: on (the default) or off"},
+    {"environment", CLI_LOOK_ENVIRONMENT, "FILE",
+     "light the model by a panorama (.hdr or .exr) instead of the studio;\n--background environment shows "
+     "it"},
+    {"environment-rotation", CLI_LOOK_ENVIRONMENT_ROTATION, "DEGREES", "turn it about what is up"},
+    {"tone-map", CLI_LOOK_TONE_MAP, "NAME",
+     "how light becomes colours: neutral (the default), aces, agx or none"},
     {"exposure", CLI_LOOK_EXPOSURE, "STOPS", "brighter by this many factors of two; -20..20"},
     {"threads", OPTION_THREADS, "N",
      "threads to use, 1..64; default: one for each core that the process may\nuse. The picture is the same"},
@@ -309,6 +315,10 @@ static bool parse_option(struct cli_render_job *job, int id, const char *argumen
 
 static bool check_together(struct cli_render_job *job)
 {
+    if (job->background == SCENE_BACKGROUND_PANORAMA && !job->environment) {
+        cli_error("--background", "environment needs --environment FILE");
+        return false;
+    }
     if (!job->out) {
         cli_error("render", "-o OUT is missing: where should the picture go?");
         return false;
