@@ -376,6 +376,8 @@ void scene_import_run(struct scene_import *import)
         scene_import_ply(import);
     } else if (scene_import_is_obj(model->path)) {
         scene_import_obj(import);
+    } else if (scene_import_is_3mf(model->path)) {
+        scene_import_3mf(import);
     } else {
         scene_import_assimp(import);
     }

@@ -21,6 +21,14 @@ struct scene_import_source {
     int32_t opacity_image;          ///< image whose alpha or brightness becomes the alpha of this one; −1
     bool white;                     ///< with opacity_image: the colour becomes white
     uint32_t raw_width, raw_height; ///< not 0: `bytes` are RGBA8 texels already
+    const struct scene_import_layer
+        *layer; ///< what shines through where the image is not opaque; NULL: nothing
+};
+
+/// What lies below an image with alpha: another image at the same coordinates, and a colour below that.
+struct scene_import_layer {
+    int32_t image;  ///< added before; −1: none
+    float color[3]; ///< linear
 };
 
 struct scene_import {
@@ -66,6 +74,11 @@ struct scene_model_light *scene_import_add_light(struct scene_import *import);
 int32_t scene_import_add_image(struct scene_import *import, const char *name,
                                const struct scene_import_source *source);
 struct scene_texture_slot scene_import_slot_default(void);
+/// Makes 8 bits of 16; false for images of floats.
+bool scene_import_make_rgba8(struct scene_import *import, struct scene_image *image);
+/// Lays an image over what its source says lies below; it is opaque then.
+void scene_import_lay_image(struct scene_import *import, struct scene_image *image,
+                            const struct scene_import_layer *layer);
 
 // The readers.
 bool scene_import_is_gltf(const char *path, const unsigned char *start, size_t size);
@@ -74,6 +87,8 @@ bool scene_import_is_obj(const char *path);
 void scene_import_obj(struct scene_import *import);
 bool scene_import_is_ply(const char *path, const unsigned char *start, size_t size);
 void scene_import_ply(struct scene_import *import);
+bool scene_import_is_3mf(const char *path);
+void scene_import_3mf(struct scene_import *import);
 void scene_import_assimp(struct scene_import *import);
 
 /// Reads import->model.path completely. What comes out may be sent to the parent.

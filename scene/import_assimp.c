@@ -479,7 +479,7 @@ static void set_up(struct scene_import *import, const struct aiScene *scene)
 {
     const char *dot = strrchr(import->model.path, '.'), *ending = dot == NULL ? "" : dot + 1;
     const bool is_stl = strcasecmp(ending, "stl") == 0;
-    if (is_stl || strcasecmp(ending, "3mf") == 0 || strcasecmp(ending, "amf") == 0) {
+    if (is_stl || strcasecmp(ending, "amf") == 0) {
         import->model.up = SCENE_AXIS_Z;
     } else if (strcasecmp(ending, "fbx") == 0) {
         const int axis = fbx_up_axis(scene);

@@ -205,7 +205,7 @@ static int helper_count(uint32_t images)
 
 // Conversions ---------------------------------------------------------------------------------------
 
-static bool make_rgba8(struct scene_import *import, struct scene_image *image)
+bool scene_import_make_rgba8(struct scene_import *import, struct scene_image *image)
 {
     if (image->type != SCENE_IMAGE_RGBA16) {
         return image->type == SCENE_IMAGE_RGBA8;
@@ -227,7 +227,8 @@ static bool make_rgba8(struct scene_import *import, struct scene_image *image)
 static void apply_opacity(struct scene_import *import, struct scene_image *image, struct scene_image *opacity,
                           bool white)
 {
-    if (opacity->missing || !make_rgba8(import, image) || !make_rgba8(import, opacity)) {
+    if (opacity->missing || !scene_import_make_rgba8(import, image) ||
+        !scene_import_make_rgba8(import, opacity)) {
         return;
     }
     const bool alpha = opacity->has_alpha;
@@ -266,7 +267,7 @@ static bool is_grey(const struct scene_image *image)
 // Normals of a height field: central differences, the whole range of heights as high as 4 texels are broad.
 static void height_to_normals(struct scene_import *import, struct scene_image *image)
 {
-    if (image->missing || !make_rgba8(import, image) || !is_grey(image)) {
+    if (image->missing || !scene_import_make_rgba8(import, image) || !is_grey(image)) {
         return;
     }
     const float scale = 4.0f / 255 / 2;
@@ -389,6 +390,9 @@ void scene_import_decode_images(struct scene_import *import)
         }
         if (import->sources[i].height) {
             height_to_normals(import, &model->images[i]);
+        }
+        if (import->sources[i].layer != NULL) {
+            scene_import_lay_image(import, &model->images[i], import->sources[i].layer);
         }
     }
     choose_alpha_modes(import);
