@@ -378,6 +378,8 @@ void scene_import_run(struct scene_import *import)
         scene_import_obj(import);
     } else if (scene_import_is_3mf(model->path)) {
         scene_import_3mf(import);
+    } else if (scene_import_is_stl(model->path)) {
+        scene_import_stl(import);
     } else {
         scene_import_assimp(import);
     }

@@ -89,6 +89,8 @@ bool scene_import_is_ply(const char *path, const unsigned char *start, size_t si
 void scene_import_ply(struct scene_import *import);
 bool scene_import_is_3mf(const char *path);
 void scene_import_3mf(struct scene_import *import);
+bool scene_import_is_stl(const char *path);
+void scene_import_stl(struct scene_import *import);
 void scene_import_assimp(struct scene_import *import);
 
 /// Reads import->model.path completely. What comes out may be sent to the parent.

@@ -474,18 +474,17 @@ static int fbx_up_axis(const struct aiScene *scene)
     return 1;
 }
 
-// Assimp turns most formats so that y is up; these it leaves as they are. STL says nothing, but is what is printed.
+// Assimp turns most formats so that y is up; these it leaves as they are.
 static void set_up(struct scene_import *import, const struct aiScene *scene)
 {
     const char *dot = strrchr(import->model.path, '.'), *ending = dot == NULL ? "" : dot + 1;
-    const bool is_stl = strcasecmp(ending, "stl") == 0;
-    if (is_stl || strcasecmp(ending, "amf") == 0) {
+    if (strcasecmp(ending, "amf") == 0) {
         import->model.up = SCENE_AXIS_Z;
     } else if (strcasecmp(ending, "fbx") == 0) {
         const int axis = fbx_up_axis(scene);
         import->model.up = axis == 2 ? SCENE_AXIS_Z : axis == 0 ? SCENE_AXIS_X : SCENE_AXIS_Y;
     }
-    import->up_is_open = is_stl || strcasecmp(ending, "off") == 0;
+    import->up_is_open = strcasecmp(ending, "off") == 0;
 }
 
 void scene_import_assimp(struct scene_import *import)

@@ -96,7 +96,7 @@ static const struct {
      "element face 1\nproperty list uchar int vertex_indices\nend_header\n0 0 0\n3 0 0 -1\n",
      "face 0 refers to vertex -1 of 1"},
     {"text.xyzzy", "not a model\n", "is not a model in a format that can be read"},
-    {"solid.stl", "solid", "cannot be read"},
+    {"solid.stl", "solid", "is no STL model: it has no facets"},
 };
 
 static void test_bad_files(void **state)
