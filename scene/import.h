@@ -23,12 +23,20 @@ struct scene_import_source {
     uint32_t raw_width, raw_height; ///< not 0: `bytes` are RGBA8 texels already
     const struct scene_import_layer
         *layer; ///< what shines through where the image is not opaque; NULL: nothing
+    const struct scene_import_channels
+        *channels; ///< what the image is made from, instead of a file; NULL: nothing
 };
 
 /// What lies below an image with alpha: another image at the same coordinates, and a colour below that.
 struct scene_import_layer {
     int32_t image;  ///< added before; −1: none
     float color[3]; ///< linear
+};
+
+/// Images that become one of a metallic and rough surface, G and B; −1: none. And the channel of each, 0..3.
+struct scene_import_channels {
+    int32_t roughness, metallic;
+    int roughness_channel, metallic_channel;
 };
 
 struct scene_import {
@@ -76,6 +84,9 @@ int32_t scene_import_add_image(struct scene_import *import, const char *name,
 struct scene_texture_slot scene_import_slot_default(void);
 /// Makes 8 bits of 16; false for images of floats.
 bool scene_import_make_rgba8(struct scene_import *import, struct scene_image *image);
+/// Makes an image of others that are decoded; false where none could be read.
+bool scene_import_join_channels(struct scene_import *import, struct scene_image *image,
+                                const struct scene_import_channels *channels);
 /// Lays an image over what its source says lies below; it is opaque then.
 void scene_import_lay_image(struct scene_import *import, struct scene_image *image,
                             const struct scene_import_layer *layer);

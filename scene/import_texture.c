@@ -149,6 +149,9 @@ static const char *decode_image(struct scene_import *import, uint32_t index)
     struct scene_image *image = &import->model.images[index];
     const struct scene_import_source *source = &import->sources[index];
     const char *problem = source->problem != NULL ? source->problem : "is not there";
+    if (source->channels != NULL) {
+        return NULL; // later, of others
+    }
     if (source->raw_width > 0) {
         image->type = SCENE_IMAGE_RGBA8;
         image->width = source->raw_width;
@@ -384,6 +387,11 @@ void scene_import_decode_images(struct scene_import *import)
         }
     }
     for (uint32_t i = 0; i < model->image_count; i++) {
+        const struct scene_import_channels *channels = import->sources[i].channels;
+        if (channels != NULL && !scene_import_join_channels(import, &model->images[i], channels) &&
+            !scene_image_stand_in(&model->images[i])) {
+            scene_import_fail(import, "needs more memory than there is");
+        }
         if (import->sources[i].opacity_image >= 0) {
             apply_opacity(import, &model->images[i], &model->images[import->sources[i].opacity_image],
                           import->sources[i].white);
