@@ -10,10 +10,15 @@
 #include "draw.h"
 
 #include "color.h"
+#include "guide.h"
 #include "light.h"
+#include "panorama.h"
+#include "screen.h"
+#include "shadow.h"
+#include "subject.h"
 #include "surface.h"
+#include "target.h"
 
-#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 #include <time.h>
@@ -24,20 +29,19 @@ enum {
     TARGET_COUNT = SCENE_DATA_OUTPUTS + 5
 };
 
+// Of the subject's radius: how far things occlude each other.
+static const double occlusion_reach = 0.12;
+
 // sRGB codes of the default background, top and bottom.
 static const uint8_t gradient_top[3] = {134, 146, 160}, gradient_bottom[3] = {66, 72, 80};
-
-// A texture that is drawn into, kept from draw to draw.
-struct target {
-    rhw_texture texture;
-    enum rhw_format format;
-    int width, height;
-};
 
 struct scene {
     struct scene_upload upload;
     struct scene_surface_pipelines pipelines;
-    struct target targets[TARGET_COUNT];
+    struct scene_target targets[TARGET_COUNT];
+    struct scene_guide guide;
+    struct scene_shadows shadows;
+    struct scene_surroundings surroundings;
     rhw_sampler nearest;
     double upload_ms;
 };
@@ -81,67 +85,7 @@ static double milliseconds(void)
     return (double)now.tv_sec * 1e3 + (double)now.tv_nsec * 1e-6;
 }
 
-static int grid_side(int supersample)
-{
-    for (int side = 1; side <= 4; side++) {
-        if (side * side == supersample) {
-            return side;
-        }
-    }
-    return 0;
-}
-
-// View ----------------------------------------------------------------------------------------------
-
-struct scene_view scene_view_default(const struct scene_model *model)
-{
-    struct scene_view view = {.width = 1280,
-                              .height = 720,
-                              .samples = 1,
-                              .supersample = 1,
-                              .up = model->up,
-                              .outputs = SCENE_OUTPUT_COLOR};
-    view.camera = scene_camera_fit(model, scene_camera_default_orbit(model, model->up),
-                                   scene_camera_default_yfov(), 1280.0 / 720.0);
-    return view;
-}
-
-bool scene_view_check(const struct scene_view *view, char *error, size_t error_size)
-{
-    const int side = grid_side(view->supersample);
-    const int limit = RHW_MAX_TARGET_SIZE;
-    const char *place = "";
-    if (view->width < 1 || view->height < 1 || view->width > limit || view->height > limit) {
-        snprintf(error, error_size, "size %dx%d: width and height must lie between 1 and %d", view->width,
-                 view->height, limit);
-    } else if (side == 0) {
-        snprintf(error, error_size, "supersample %d: must be 1, 4, 9 or 16", view->supersample);
-    } else if (view->samples < 1 || view->samples > 16 || (view->samples & (view->samples - 1)) != 0) {
-        snprintf(error, error_size, "samples %d: must be 1, 2, 4, 8 or 16", view->samples);
-    } else if (view->width * side > limit || view->height * side > limit) {
-        snprintf(error, error_size,
-                 "size %dx%d with %d pixels for one: %d times width and height must not exceed %d",
-                 view->width, view->height, view->supersample, side, limit);
-    } else if (view->outputs == 0 || (view->outputs & ~(uint32_t)SCENE_OUTPUT_ALL)) {
-        snprintf(error, error_size, "outputs: none, or unknown ones, asked for");
-    } else if (view->interpolate != RHW_SMOOTH && view->interpolate != RHW_NOPERSPECTIVE) {
-        snprintf(error, error_size, "interpolate: must be smooth or noperspective");
-    } else if (!(view->exposure >= -20.0 && view->exposure <= 20.0)) {
-        snprintf(error, error_size, "exposure: must lie between -20 and 20 stops");
-    } else {
-        const struct scene_camera *c = &view->camera;
-        const bool infinite = c->zfar == 0.0 && !c->orthographic;
-        if (!(c->orthographic ? c->ymag > 0.0 : c->yfov > 0.0 && c->yfov < 3.14159)) {
-            place = c->orthographic ? "the height" : "the field of view";
-        } else if (!(infinite || c->zfar > c->znear) || !(c->orthographic || c->znear > 0.0)) {
-            place = "the distance of the near or far plane";
-        } else {
-            return true;
-        }
-        snprintf(error, error_size, "camera: %s is out of range", place);
-    }
-    return false;
-}
+// Pictures ------------------------------------------------------------------------------------------
 
 void scene_pictures_free(struct scene_pictures *pictures)
 {
@@ -196,10 +140,11 @@ void scene_destroy(struct scene *scene)
     rhw_context *context = scene->upload.context;
     scene_surface_pipelines_destroy(context, &scene->pipelines);
     for (int i = 0; i < TARGET_COUNT; i++) {
-        if (scene->targets[i].texture.generation) {
-            rhw_texture_destroy(context, scene->targets[i].texture);
-        }
+        scene_target_destroy(context, &scene->targets[i]);
     }
+    scene_guide_destroy(context, &scene->guide);
+    scene_shadows_destroy(context, &scene->shadows);
+    scene_surroundings_destroy(context, &scene->surroundings);
     rhw_sampler_destroy(context, scene->nearest);
     scene_upload_destroy(&scene->upload);
     free(scene);
@@ -208,21 +153,7 @@ void scene_destroy(struct scene *scene)
 static enum rhw_result get_target(struct scene *scene, int which, enum rhw_format format, int width,
                                   int height)
 {
-    rhw_context *context = scene->upload.context;
-    struct target *target = &scene->targets[which];
-    if (target->texture.generation && target->format == format && target->width == width &&
-        target->height == height) {
-        return RHW_OK;
-    }
-    if (target->texture.generation) {
-        rhw_texture_destroy(context, target->texture);
-    }
-    *target = (struct target){.format = format, .width = width, .height = height};
-    struct rhw_texture_def def = rhw_texture_def_default();
-    def.format = format;
-    def.width = width;
-    def.height = height;
-    return rhw_texture_create(context, &def, &target->texture);
+    return scene_target_get(scene->upload.context, &scene->targets[which], format, width, height);
 }
 
 // Passes --------------------------------------------------------------------------------------------
@@ -260,12 +191,26 @@ static void add_stats(struct rhw_stats *sum, const struct rhw_stats *pass)
     sum->isa = pass->isa;
 }
 
+// Half the diagonal of the box around what the picture is about.
+static double subject_radius(const struct scene_model *model)
+{
+    const struct scene_subject subject = scene_subject_find(model);
+    double square = 0.0;
+    for (int c = 0; c < 3; c++) {
+        const double side = subject.is_all ? (double)model->bounds_max[c] - (double)model->bounds_min[c]
+                                           : subject.high[c] - subject.low[c];
+        square += side * side;
+    }
+    return 0.5 * __builtin_sqrt(square);
+}
+
 static void set_frame(struct draw *draw)
 {
     const struct scene_view *view = draw->view;
     struct scene_frame *frame = &draw->frame;
     scene_frame_look(frame, &view->camera, (double)view->width / view->height, &draw->lighting,
                      draw->view_projection);
+    frame->tone = view->tone;
     frame->plain = view->wireframe == SCENE_WIREFRAME_PLAIN;
     for (int c = 0; c < 3; c++) {
         frame->line_color[c] = scene_color_decode(28);
@@ -310,34 +255,16 @@ static void set_background(const struct draw *draw, struct scene_backdrop *backd
     backdrop->top[3] = backdrop->bottom[3] = 1.0f;
 }
 
-// Records a triangle over the whole target; writes colour 0 alone.
-static enum rhw_result record_screen(struct draw *draw, rhw_pass pass, enum scene_screen_kind kind,
-                                     const enum rhw_format *formats, int format_count, const void *uniforms,
-                                     rhw_pipeline *pipeline)
+static void set_panorama(const struct draw *draw, struct scene_panorama_pass *pass)
 {
-    rhw_context *context = draw->scene->upload.context;
-    struct rhw_pipeline_def def = rhw_pipeline_def_default();
-    scene_program_screen(&def.program, kind);
-    def.target_count = format_count;
-    for (int i = 0; i < format_count; i++) {
-        def.targets[i] =
-            (struct rhw_color_target){.format = formats[i], .write_mask = i == 0 ? 0 : RHW_WRITE_NONE};
-    }
-    const enum rhw_result result = rhw_pipeline_create(context, &def, pipeline);
-    if (result == RHW_OK) {
-        rhw_pass_set_pipeline(context, pass, *pipeline);
-        rhw_pass_set_uniforms(context, pass, uniforms, def.program.uniform_size);
-        rhw_pass_draw(context, pass, 0, 3, 0, 1);
-    }
-    return result;
-}
-
-// Ends a pass whatever came before, since only that gives it back.
-static enum rhw_result end_pass(struct draw *draw, rhw_pass pass, enum rhw_result so_far,
-                                struct rhw_stats *stats)
-{
-    const enum rhw_result result = rhw_pass_end(draw->scene->upload.context, pass, stats);
-    return so_far != RHW_OK ? so_far : result;
+    const struct scene_view *view = draw->view;
+    *pass = scene_surroundings_background(&draw->scene->surroundings, view);
+    pass->strength = draw->frame.environment.strength;
+    pass->tone = view->tone;
+    pass->scale[0] = 2.0f / (float)(view->width * draw->side);
+    pass->scale[1] = 2.0f / (float)(view->height * draw->side);
+    pass->offset[0] = -1.0f;
+    pass->offset[1] = 2.0f * (float)draw->first_row / (float)view->height - 1.0f;
 }
 
 static enum rhw_result draw_samples(struct draw *draw, const enum rhw_format formats[2], int format_count)
@@ -346,6 +273,7 @@ static enum rhw_result draw_samples(struct draw *draw, const enum rhw_format for
     rhw_context *context = scene->upload.context;
     struct rhw_pass_def def = rhw_pass_def_default();
     struct scene_backdrop backdrop;
+    struct scene_panorama_pass panorama;
     set_background(draw, &backdrop);
     def.color_count = format_count;
     for (int i = 0; i < format_count; i++) {
@@ -360,23 +288,33 @@ static enum rhw_result draw_samples(struct draw *draw, const enum rhw_format for
     if (result != RHW_OK) {
         return result;
     }
-    rhw_pipeline screen = {0};
-    if (draw->view->background == SCENE_BACKGROUND_DEFAULT) {
-        result = record_screen(draw, pass, SCENE_SCREEN_BACKDROP, formats, format_count, &backdrop, &screen);
+    const enum scene_background background = draw->view->background;
+    const bool backdropped =
+        background == SCENE_BACKGROUND_DEFAULT || background == SCENE_BACKGROUND_PANORAMA;
+    if (background == SCENE_BACKGROUND_DEFAULT) {
+        result = scene_screen_record(context, pass, SCENE_SCREEN_BACKDROP, formats, format_count, &backdrop);
+    } else if (background == SCENE_BACKGROUND_PANORAMA) {
+        set_panorama(draw, &panorama);
+        rhw_pass_set_texture(context, pass, 0, scene->surroundings.picture,
+                             scene->surroundings.picture_sampler);
+        result =
+            scene_screen_record(context, pass, SCENE_SCREEN_SURROUNDINGS, formats, format_count, &panorama);
     }
     set_band_viewport(draw, pass, draw->side);
     struct scene_surface_pass surfaces = {.frame = &draw->frame,
                                           .interpolate = draw->view->interpolate,
                                           .wireframe = draw->view->wireframe,
-                                          .format_count = format_count};
+                                          .format_count = format_count,
+                                          .environment = scene->surroundings.cube,
+                                          .environment_sampler = scene->surroundings.cube_sampler};
     memcpy(surfaces.formats, formats, (size_t)format_count * sizeof *formats);
     memcpy(surfaces.view_projection, draw->view_projection, sizeof surfaces.view_projection);
     if (result == RHW_OK) {
         result = scene_surfaces_record(&scene->upload, &scene->pipelines, &surfaces, pass);
     }
     struct rhw_stats stats = {0};
-    result = end_pass(draw, pass, result, &stats);
-    if (screen.generation && result == RHW_OK) { // the background is no part of the model
+    result = scene_pass_end(context, pass, result, &stats);
+    if (backdropped && result == RHW_OK) { // the background is no part of the model
         stats.draws--;
         stats.vertices_shaded -= 3;
         stats.triangles_in--;
@@ -384,9 +322,6 @@ static enum rhw_result draw_samples(struct draw *draw, const enum rhw_format for
         stats.bin_entries -= (uint64_t)stats.tiles;
     }
     add_stats(&draw->stats.pipeline, &stats);
-    if (screen.generation) {
-        rhw_pipeline_destroy(context, screen);
-    }
     return result;
 }
 
@@ -399,34 +334,24 @@ static enum rhw_result resolve(struct draw *draw, int from, int to, enum rhw_for
     if (result != RHW_OK) {
         return result;
     }
-    const struct target *source = &scene->targets[from];
+    const struct scene_target *source = &scene->targets[from];
     const struct scene_resolve uniforms = {
         .side = draw->side,
         .straight_alpha = straight_alpha,
         .inverse_size = {1.0f / (float)source->width, 1.0f / (float)source->height}};
-    struct rhw_pass_def def = rhw_pass_def_default();
-    def.color_count = 1;
-    def.colors[0] =
-        (struct rhw_color_attachment){.texture = scene->targets[to].texture, .load = RHW_LOAD_DISCARD};
-    def.depth = (struct rhw_depth_attachment){.enabled = false};
     rhw_pass pass;
-    result = rhw_pass_begin(context, &def, &pass);
+    result = scene_screen_begin(context, scene->targets[to].texture, &pass);
     if (result != RHW_OK) {
         return result;
     }
-    rhw_pipeline pipeline = {0};
     rhw_pass_set_texture(context, pass, 0, source->texture, scene->nearest);
-    result = record_screen(draw, pass, SCENE_SCREEN_RESOLVE, &format, 1, &uniforms, &pipeline);
-    result = end_pass(draw, pass, result, NULL);
-    if (pipeline.generation) {
-        rhw_pipeline_destroy(context, pipeline);
-    }
-    return result;
+    result = scene_screen_record(context, pass, SCENE_SCREEN_RESOLVE, &format, 1, &uniforms);
+    return scene_pass_end(context, pass, result, NULL);
 }
 
 static void read_band(struct draw *draw, int target, void *picture)
 {
-    const struct target *t = &draw->scene->targets[target];
+    const struct scene_target *t = &draw->scene->targets[target];
     const size_t row = (size_t)t->width * rhw_format_size(t->format);
     rhw_texture_read(draw->scene->upload.context, t->texture, 0,
                      (unsigned char *)picture + (size_t)draw->first_row * row, row);
@@ -437,7 +362,7 @@ static enum rhw_result finish_band(struct draw *draw, int samples, int resolved,
                                    bool straight_alpha, void *picture)
 {
     const double start = milliseconds();
-    const struct target *source = &draw->scene->targets[samples];
+    const struct scene_target *source = &draw->scene->targets[samples];
     const bool needed = draw->side > 1 || straight_alpha || source->format != format;
     const enum rhw_result result = needed ? resolve(draw, samples, resolved, format, straight_alpha) : RHW_OK;
     const double read = milliseconds();
@@ -486,6 +411,7 @@ static enum rhw_result draw_color_band(struct draw *draw)
 static enum rhw_result draw_data_band(struct draw *draw)
 {
     struct scene *scene = draw->scene;
+    rhw_context *context = scene->upload.context;
     const double start = milliseconds();
     struct scene_surface_pass surfaces = {.frame = &draw->frame, .interpolate = draw->view->interpolate};
     struct rhw_pass_def def = rhw_pass_def_default();
@@ -512,14 +438,14 @@ static enum rhw_result draw_data_band(struct draw *draw)
     surfaces.format_count = def.color_count;
     memcpy(surfaces.view_projection, draw->view_projection, sizeof surfaces.view_projection);
     rhw_pass pass;
-    enum rhw_result result = rhw_pass_begin(scene->upload.context, &def, &pass);
+    enum rhw_result result = rhw_pass_begin(context, &def, &pass);
     if (result != RHW_OK) {
         return result;
     }
     set_band_viewport(draw, pass, 1);
     result = scene_surfaces_record(&scene->upload, &scene->pipelines, &surfaces, pass);
     struct rhw_stats stats = {0};
-    result = end_pass(draw, pass, result, &stats);
+    result = scene_pass_end(context, pass, result, &stats);
     add_stats(&draw->stats.pipeline, &stats);
     const double drawn = milliseconds();
     for (int i = 0; i < SCENE_DATA_OUTPUTS && result == RHW_OK; i++) {
@@ -545,6 +471,7 @@ static enum rhw_result draw_bands(struct draw *draw, enum rhw_result (*draw_band
     enum rhw_result result = RHW_OK;
     for (draw->first_row = 0; draw->first_row < draw->view->height && result == RHW_OK;
          draw->first_row += draw->band_rows) {
+        draw->frame.first_row = (float)draw->first_row;
         result = draw_band(draw);
     }
     return result;
@@ -556,6 +483,30 @@ static bool allocate_picture(const struct draw *draw, enum rhw_format format, vo
     const size_t bands = ((size_t)draw->view->height + (size_t)draw->band_rows - 1) / (size_t)draw->band_rows;
     *picture = malloc(bands * (size_t)draw->band_rows * (size_t)draw->view->width * rhw_format_size(format));
     return *picture != NULL;
+}
+
+// What light needs to know of the whole picture before any of it is drawn.
+static enum rhw_result prepare_light(struct draw *draw)
+{
+    struct scene *scene = draw->scene;
+    const struct scene_view *view = draw->view;
+    if (!(view->ambient_occlusion || view->shadows) || draw->frame.plain) {
+        return RHW_OK;
+    }
+    const double start = milliseconds();
+    enum rhw_result result = scene_guide_draw(&scene->guide, &scene->upload, &scene->pipelines, view,
+                                              &draw->frame, draw->view_projection);
+    if (result == RHW_OK && view->ambient_occlusion) {
+        result = scene_guide_occlude(&scene->guide, scene->upload.context, scene->nearest, view,
+                                     occlusion_reach * subject_radius(scene->upload.model));
+        draw->frame.guide = scene_guide_lookup(&scene->guide, view);
+    }
+    if (result == RHW_OK && view->shadows) {
+        result = scene_shadows_draw(&scene->shadows, &scene->upload, &scene->pipelines, view, &scene->guide,
+                                    &draw->frame, &draw->lighting);
+    }
+    draw->stats.light_ms += milliseconds() - start;
+    return result;
 }
 
 static enum rhw_result draw_color(struct draw *draw)
@@ -580,6 +531,10 @@ static enum rhw_result draw_color(struct draw *draw)
         return RHW_ERROR_OUT_OF_MEMORY;
     }
     draw->frame.write_linear = linear != NULL;
+    const enum rhw_result result = prepare_light(draw);
+    if (result != RHW_OK) {
+        return result;
+    }
     set_frame_samples(draw, draw->side);
     return draw_bands(draw, draw_color_band);
 }
@@ -618,16 +573,35 @@ static enum rhw_result draw_data(struct draw *draw)
     return draw_bands(draw, draw_data_band);
 }
 
+static enum rhw_result surround(struct draw *draw)
+{
+    struct scene *scene = draw->scene;
+    const struct scene_view *view = draw->view;
+    if (!view->panorama) {
+        scene_surroundings_destroy(scene->upload.context, &scene->surroundings);
+        return RHW_OK;
+    }
+    const enum rhw_result result = scene_surroundings_make(&scene->surroundings, scene->upload.context,
+                                                           view->panorama, view->up, view->panorama_rotation);
+    if (result == RHW_OK) {
+        scene_lighting_surround(&draw->lighting, &scene->surroundings, view->exposure);
+    }
+    return result;
+}
+
 enum rhw_result scene_draw(struct scene *scene, const struct scene_view *view,
                            struct scene_pictures *pictures, struct scene_draw_stats *stats)
 {
     *pictures = (struct scene_pictures){.width = view->width, .height = view->height};
     struct draw draw = {
-        .scene = scene, .view = view, .pictures = pictures, .side = grid_side(view->supersample)};
+        .scene = scene, .view = view, .pictures = pictures, .side = scene_view_grid_side(view)};
     draw.stats.upload_ms = scene->upload_ms;
     enum rhw_result result = RHW_ERROR_OUT_OF_MEMORY;
     if (scene_lighting_create(&draw.lighting, scene->upload.model, &view->camera, view->up,
                               view->default_lights, view->exposure)) {
+        result = surround(&draw);
+    }
+    if (result == RHW_OK) {
         set_frame(&draw);
         result = draw_color(&draw);
     }

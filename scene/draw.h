@@ -7,59 +7,8 @@
 #ifndef SCENE_DRAW_H
 #define SCENE_DRAW_H
 
-#include "camera.h"
 #include "rhw/rhw.h"
-
-/// What a draw gives; or them together. Rows top to bottom, tightly packed. Data outputs show the nearest
-/// surface; a surface of alpha mode BLEND counts where its opacity is at least one half.
-enum scene_output {
-    SCENE_OUTPUT_COLOR = 1,    ///< tone-mapped sRGB, RGBA8, straight alpha
-    SCENE_OUTPUT_LINEAR = 2,   ///< light before tone mapping, RGBA32F, premultiplied, without background
-    SCENE_OUTPUT_DEPTH = 4,    ///< R32F: NDC depth, 0 near to 1 far; 1 where nothing is
-    SCENE_OUTPUT_DISTANCE = 8, ///< R32F: world units along the view axis; +infinity where nothing is
-    SCENE_OUTPUT_NORMAL = 16, ///< RGBA32F: unit world normal as shaded, turned to the viewer; w 1; else all 0
-    SCENE_OUTPUT_POSITION = 32, ///< RGBA32F: world position; w as above
-    SCENE_OUTPUT_UV = 64,       ///< RGBA32F: first texture coordinate set u, v, then 0; w as above
-    SCENE_OUTPUT_OBJECT = 128,  ///< R32_UINT: scene_instance.object; 0 where nothing is
-    SCENE_OUTPUT_TRIANGLE =
-        256, ///< R32_UINT: 1 + number of the triangle (line, point), instances in their order
-    SCENE_OUTPUT_BARYCENTRIC = 512, ///< RGBA32F: perspective-correct a, b, c; w as above
-    SCENE_OUTPUT_DISPLAY = 1024,    ///< RGBA32F: COLOR before it is sRGB encoded and rounded to 8 bits
-    SCENE_OUTPUT_ALL = 2047
-};
-
-enum scene_wireframe {
-    SCENE_WIREFRAME_NONE,
-    SCENE_WIREFRAME_OVER, ///< lines over the shaded surface
-    SCENE_WIREFRAME_PLAIN ///< lines over one even surface
-};
-
-enum scene_background {
-    SCENE_BACKGROUND_DEFAULT, ///< a soft vertical gradient
-    SCENE_BACKGROUND_COLOR,
-    SCENE_BACKGROUND_TRANSPARENT
-};
-
-struct scene_view {
-    int width, height; ///< 1..RHW_MAX_TARGET_SIZE
-    int samples; ///< per pixel for colour: 1, 2, 4, 8 or 16, at each of which surfaces are tested, not shaded
-    int supersample; ///< pixels drawn and shaded for one of the picture: 1, 4, 9 or 16, a regular grid
-    struct scene_camera camera;
-    enum scene_axis up;             ///< where the sky of the studio is
-    enum rhw_qualifier interpolate; ///< of all varyings: SMOOTH; NOPERSPECTIVE shows what is wrong with it
-    enum scene_wireframe wireframe;
-    enum scene_background background;
-    uint8_t background_color[3]; ///< sRGB, for SCENE_BACKGROUND_COLOR
-    bool default_lights;         ///< leave the lights of the file off
-    double exposure;             ///< stops, added to what is chosen for the lights; −20..20
-    uint32_t outputs;            ///< scene_output, at least one
-};
-
-/// 1280×720, one sample, the whole model fitted, gradient, colour.
-struct scene_view scene_view_default(const struct scene_model *model);
-
-/// False with one line in `error` when the view cannot be drawn (a usage error); names the rule.
-bool scene_view_check(const struct scene_view *view, char *error, size_t error_size);
+#include "view.h"
 
 /// Images of one draw; NULL where not asked for. Owned by the caller, freed by scene_pictures_free.
 struct scene_pictures {
@@ -75,6 +24,7 @@ void scene_pictures_free(struct scene_pictures *pictures);
 
 struct scene_draw_stats {
     double upload_ms;                     ///< of scene_create: buffers, textures, mip chains
+    double light_ms;                      ///< wall time of what is drawn for light alone: ambient occlusion
     double color_ms, data_ms, resolve_ms; ///< wall time of the passes
     double read_ms;                       ///< copying the pictures out
     /// Sums over the colour and data passes; peaks and tiles: the largest. The triangle of the background

@@ -45,6 +45,54 @@ void scene_image_find_alpha(struct scene_image *image)
     image->has_alpha = found; // Radiance HDR has none
 }
 
+// Bytes that stb_image asks for as it goes: only so can it be told that there were too few.
+struct supply {
+    const unsigned char *bytes;
+    size_t size, at;
+    bool ran_out;
+};
+
+static int supply_read(void *user, char *data, int size)
+{
+    enum { BUFFERED = 128 }; // what stb_image asks for ahead; less, or more, it needs
+    struct supply *supply = user;
+    const size_t left = supply->size - supply->at;
+    const size_t got = left < (size_t)size ? left : (size_t)size;
+    memcpy(data, supply->bytes + supply->at, got);
+    supply->at += got;
+    supply->ran_out = supply->ran_out || got == 0 || (got < (size_t)size && size != BUFFERED);
+    return (int)got;
+}
+
+static void supply_skip(void *user, int count)
+{
+    struct supply *supply = user;
+    const size_t left = supply->size - supply->at;
+    supply->at += count > 0 && (size_t)count < left ? (size_t)count : count > 0 ? left : 0;
+}
+
+static int supply_ended(void *user)
+{
+    const struct supply *supply = user;
+    return supply->at == supply->size;
+}
+
+// Radiance files: what is missing at the end stb_image takes for black.
+static float *decode_radiance(const void *bytes, size_t size, int *width, int *height, const char **problem)
+{
+    const stbi_io_callbacks callbacks = {supply_read, supply_skip, supply_ended};
+    struct supply supply = {.bytes = bytes, .size = size};
+    int channels = 0;
+    float *texels = stbi_loadf_from_callbacks(&callbacks, &supply, width, height, &channels, 4);
+    *problem = texels == NULL ? stbi_failure_reason() : NULL;
+    if (texels != NULL && supply.ran_out) {
+        free(texels);
+        texels = NULL;
+        *problem = "the Radiance HDR file ends too early";
+    }
+    return texels;
+}
+
 static bool is_webp(const unsigned char *bytes, size_t size)
 {
     return size >= 12 && memcmp(bytes, "RIFF", 4) == 0 && memcmp(bytes + 8, "WEBP", 4) == 0;
@@ -108,7 +156,11 @@ const char *scene_image_decode(const void *bytes, size_t size, struct scene_imag
     if (stbi_is_hdr_from_memory(bytes, length)) {
         type = SCENE_IMAGE_RGBA32F;
         texel = 16;
-        texels = stbi_loadf_from_memory(bytes, length, &width, &height, &channels, 4);
+        const char *problem;
+        texels = decode_radiance(bytes, size, &width, &height, &problem);
+        if (texels == NULL) {
+            return problem;
+        }
     } else if (stbi_is_16_bit_from_memory(bytes, length)) {
         type = SCENE_IMAGE_RGBA16;
         texel = 8;

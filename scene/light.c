@@ -4,6 +4,8 @@
 // colour and one that faces the key light with all of it, so that the neutral tone mapping keeps colours.
 #include "light.h"
 
+#include "panorama.h"
+
 #include "rhw/shader.h"
 
 #include <stdlib.h>
@@ -18,6 +20,8 @@ struct studio_lobe {
 static const double key_direction[3] = {-0.50, 0.62, 0.60};
 static const double key_color[3] = {0.56, 0.535, 0.50}; // radiance of white that faces it
 static const double key_size = 0.012;
+static const double key_softness = 0.12, lamp_softness = 0.02;
+static const double widest_cosine = 0.1; // of the half angle within which a spot casts shadows
 static const double sky_color[3] = {0.31, 0.33, 0.36};
 static const double ground_color[3] = {0.18, 0.17, 0.16};
 static const double lobe_sharpness = 9.0;
@@ -85,7 +89,8 @@ static void set_environment(struct scene_environment *e, const double view[16], 
 
 static void set_key(struct scene_shader_light *key, const double view[16], double scale)
 {
-    *key = (struct scene_shader_light){.type = SCENE_LIGHT_DIRECTIONAL, .size = (float)key_size};
+    *key = (struct scene_shader_light){
+        .type = SCENE_LIGHT_DIRECTIONAL, .size = (float)key_size, .softness = (float)key_softness};
     to_world(view, key_direction, key->direction);
     for (int c = 0; c < 3; c++) {
         key->color[c] = (float)(key_color[c] * pi * scale);
@@ -126,7 +131,7 @@ static double reference_irradiance(const struct scene_model *model)
 
 static void set_light(struct scene_shader_light *light, const struct scene_model_light *source, double scale)
 {
-    *light = (struct scene_shader_light){.type = source->type};
+    *light = (struct scene_shader_light){.type = source->type, .casts = 1, .softness = (float)lamp_softness};
     const bool directional = source->type == SCENE_LIGHT_DIRECTIONAL;
     for (int c = 0; c < 3; c++) {
         light->position[c] = source->position[c];
@@ -137,6 +142,18 @@ static void set_light(struct scene_shader_light *light, const struct scene_model
     const float width = source->inner_cos - source->outer_cos;
     light->spot_scale = 1.0f / (width > 0.001f ? width : 0.001f);
     light->spot_offset = -source->outer_cos * light->spot_scale;
+    const double cosine =
+        (double)source->outer_cos > widest_cosine ? (double)source->outer_cos : widest_cosine;
+    light->spread = (float)(__builtin_sqrt(1.0 - cosine * cosine) / cosine);
+}
+
+static bool stands_within(const struct scene_model *model, const double eye[3])
+{
+    bool within = true;
+    for (int c = 0; c < 3; c++) {
+        within = within && eye[c] > (double)model->bounds_min[c] && eye[c] < (double)model->bounds_max[c];
+    }
+    return within;
 }
 
 bool scene_lighting_create(struct scene_lighting *lighting, const struct scene_model *model,
@@ -149,6 +166,7 @@ bool scene_lighting_create(struct scene_lighting *lighting, const struct scene_m
     *lighting = (struct scene_lighting){.count = 1};
     const double irradiance = default_lights ? 0.0 : reference_irradiance(model);
     const bool from_file = irradiance > 0.0 && irradiance < 1e30;
+    lighting->from_file = from_file;
     if (from_file) {
         lighting->count = model->light_count;
     }
@@ -158,6 +176,7 @@ bool scene_lighting_create(struct scene_lighting *lighting, const struct scene_m
     }
     if (!from_file) {
         set_key(&lighting->lights[0], view, stops);
+        lighting->lights[0].casts = !stands_within(model, camera->eye);
         set_environment(&lighting->environment, view, up, stops);
         return true;
     }
@@ -167,6 +186,28 @@ bool scene_lighting_create(struct scene_lighting *lighting, const struct scene_m
     }
     set_environment(&lighting->environment, view, up, 0.25 * stops);
     return true;
+}
+
+void scene_lighting_surround(struct scene_lighting *lighting, const struct scene_surroundings *surroundings,
+                             double exposure)
+{
+    const float scale = (float)power_of_two(exposure);
+    struct scene_environment *e = &lighting->environment;
+    *e = surroundings->environment;
+    e->strength *= scale;
+    for (int i = 0; i < 27; i++) {
+        e->irradiance[i / 3][i % 3] *= scale;
+    }
+    if (!lighting->from_file) { // in place of the key light
+        struct scene_shader_light *sun = &lighting->lights[0];
+        *sun = surroundings->sun;
+        sun->casts = 1;
+        sun->softness = (float)lamp_softness;
+        for (int c = 0; c < 3; c++) {
+            sun->color[c] *= scale;
+        }
+        lighting->count = sun->color[1] > 0.0f ? 1 : 0;
+    }
 }
 
 void scene_lighting_destroy(struct scene_lighting *lighting)

@@ -15,7 +15,22 @@
 enum {
     SCENE_LOBES = 3,      // soft boxes of the environment
     SCENE_UV_STREAMS = 6, // one for each texture slot at most, and the untransformed set 0
-    SCENE_DATA_OUTPUTS = 8
+    SCENE_DATA_OUTPUTS = 8,
+    SCENE_SLOT_ENVIRONMENT = RHW_MAX_TEXTURES - 1
+};
+
+enum scene_tone { SCENE_TONE_NEUTRAL, SCENE_TONE_ACES, SCENE_TONE_AGX, SCENE_TONE_NONE };
+
+// What a light sees first, in a square map. A point p of the world lies at column and row c/w, where c = rows · (p, 1); its
+// depth is reversed, 1 near and 0 far. w is 1 for a directional light and the distance along the map's axis for others.
+struct scene_shadow_map {
+    const float *depth; // NULL: nothing casts a shadow
+    int32_t size, pitch;
+    float rows[4][4]; // column, row, depth and w
+    int32_t perspective;
+    float unit;     // texels that a length of 1 across the light takes; perspective: at distance 1
+    float range;    // depth is 1 − distance / range; perspective: range / distance
+    float softness; // as the light's
 };
 
 // A light as the shader sums it. `color` holds intensity and exposure.
@@ -27,6 +42,11 @@ struct scene_shader_light {
     float inverse_range;           // 0: unlimited
     float spot_scale, spot_offset; // of the cosine: KHR_lights_punctual's recommended falloff
     float size;                    // added to the squared roughness, as a light of some extent does
+    int32_t casts;                 // shadows
+    float softness;                // of them: the width of a penumbra per distance from what casts it
+    float spread;                  // of a spot: tangent of half its angle
+    int32_t map_count; // shadow maps: 0; 1; 6 around a point light, in the order of a cube's faces
+    const struct scene_shadow_map *maps;
 };
 
 // The surroundings: a ground and a sky with a soft horizon, and soft boxes of light with the shape of a
@@ -38,6 +58,18 @@ struct scene_environment {
     float lobe_color[SCENE_LOBES][3];
     float sharpness;  // of every lobe
     float diffuse[3]; // a lobe's irradiance / π at cosine t: diffuse[0] + diffuse[1] t + diffuse[2] t²
+    // With a panorama instead of all that: a cube in texture slot SCENE_SLOT_ENVIRONMENT, whose level is roughness times
+    // `levels`, and irradiance / π as 9 products with 1, x, y, z, xy, yz, zx, 3z² − 1 and x² − y².
+    int32_t mapped;
+    float levels, strength; // what the cube is multiplied by
+    float irradiance[9][3];
+};
+
+// A plane of scene_guide, and the one of distances beside it, as shaders gather from them.
+struct scene_guide_lookup {
+    const float *distance, *occlusion; // occlusion NULL: there is none
+    int32_t width, height, pitch;      // texels
+    float scale;                       // texels of the guide per pixel of the picture
 };
 
 // Constant over a pass.
@@ -45,11 +77,14 @@ struct scene_frame {
     float eye[3];
     float forward[3]; // unit, the way the camera looks
     int32_t orthographic;
-    float pixel[2]; // size of a pixel in NDC
-    float samples;  // side of the sample grid: pixels of the pass per pixel of the picture
+    float pixel[2];  // size of a pixel in NDC
+    float samples;   // side of the sample grid: pixels of the pass per pixel of the picture
+    float first_row; // of the picture, that the pass begins with
+    struct scene_guide_lookup guide;
     int32_t light_count;
     const struct scene_shader_light *lights;
     struct scene_environment environment;
+    enum scene_tone tone;
     int32_t write_linear;                    // color[1] takes the light before tone mapping
     float line_color[3], plain_color[3];     // wireframe
     float line_half_width;                   // pixels of the pass
@@ -95,6 +130,7 @@ struct scene_surface {
     int32_t alpha_mode; // enum scene_alpha_mode
     float alpha_cutoff; // fragments below are discarded; 0: none is
     int32_t double_sided, wireframe;
+    int32_t shadowed; // some light has a shadow map
 
     uint32_t object, first_triangle;
     uint32_t triangles_per_id; // 1; 2 where a quad stands for a line or a point
@@ -107,6 +143,35 @@ struct scene_backdrop {
     float top[4], bottom[4];
     float inverse_height; // of the picture, in pixels of the pass
     float first_row;      // of this band
+};
+
+// Uniforms of the passes that make ambient occlusion. View space: x right, y up, z to the viewer; a texel's centre (x, y)
+// at distance d lies at d (x ray[0] + ray[1], y ray[2] + ray[3], −1), of an orthographic camera at
+// (x ray[0] + ray[1], y ray[2] + ray[3], −d).
+struct scene_ambient {
+    const float *distance, *source; // source: what a blur reads
+    int32_t width, height, pitch;
+    int32_t orthographic;
+    float ray[4];
+    float axes[3][3];          // of the view, in the world
+    float radius;              // in the world
+    float texels, most_texels; // that the radius takes at distance 1; at most
+    int32_t step;              // of a blur, from texel to texel: 1 or pitch
+};
+
+enum { SCENE_PREFILTER_SAMPLES = 64 };
+
+// Uniforms of the passes that turn a panorama into a cube, and show it. A pixel at (u, v), each −1..1, right and down,
+// looks along u axes[0] + v axes[1] + axes[2] in the world.
+struct scene_panorama_pass {
+    float axes[3][3];
+    float scale[2], offset[2]; // of the pass's coordinates to u and v
+    float turn[3][3];          // the world to the panorama
+    float level;
+    float strength;
+    enum scene_tone tone;
+    int32_t sample_count;
+    float samples[SCENE_PREFILTER_SAMPLES][4]; // direction around the pixel's, level
 };
 
 // Uniforms of the resolve: `side`² samples of texture 0 become a pixel.
@@ -122,10 +187,21 @@ enum scene_fragment_kind {
     SCENE_FRAGMENT_MAPPED,   // a normal map too
     SCENE_FRAGMENT_UNLIT,
     SCENE_FRAGMENT_DATA,
-    SCENE_FRAGMENT_KINDS
+    SCENE_FRAGMENT_SHADOW, // discards what casts no shadow
+    SCENE_FRAGMENT_KINDS,
+    SCENE_FRAGMENT_NONE = -1
 };
 enum scene_vertex_kind { SCENE_VERTEX_SURFACE, SCENE_VERTEX_LINE, SCENE_VERTEX_POINT, SCENE_VERTEX_KINDS };
-enum scene_screen_kind { SCENE_SCREEN_BACKDROP, SCENE_SCREEN_RESOLVE, SCENE_SCREEN_KINDS };
+enum scene_screen_kind {
+    SCENE_SCREEN_BACKDROP,
+    SCENE_SCREEN_RESOLVE,
+    SCENE_SCREEN_OCCLUSION,
+    SCENE_SCREEN_OCCLUSION_BLUR,
+    SCENE_SCREEN_PANORAMA,  // to a face of a cube
+    SCENE_SCREEN_PREFILTER, // a cube to a rougher one
+    SCENE_SCREEN_SURROUNDINGS,
+    SCENE_SCREEN_KINDS
+};
 
 struct scene_surface_shaders {
     rhw_vertex_function *vertex[SCENE_VERTEX_KINDS];
@@ -133,8 +209,16 @@ struct scene_surface_shaders {
 };
 
 struct scene_screen_shaders {
-    rhw_vertex_function *vertex; // a triangle over the whole viewport; draw(0, 3)
-    rhw_fragment_function *fragment[SCENE_SCREEN_KINDS];
+    rhw_vertex_function *vertex;                             // a triangle over the whole viewport; draw(0, 3)
+    rhw_fragment_function *fragment[SCENE_SCREEN_OCCLUSION]; // the kinds before that one
+};
+
+struct scene_panorama_shaders {
+    rhw_fragment_function *fragment[3]; // from SCENE_SCREEN_PANORAMA on
+};
+
+struct scene_occlusion_shaders {
+    rhw_fragment_function *fragment[2]; // SCENE_SCREEN_OCCLUSION, its blur
 };
 
 // Attribute 0 of surfaces is the position. Lines and points: 4 vertices per quad, attributes 0 position of
@@ -146,5 +230,7 @@ void scene_program_screen(struct rhw_program *program, enum scene_screen_kind ki
 
 RHW_ISA_DECLARE(const struct scene_surface_shaders, scene_surface_shaders);
 RHW_ISA_DECLARE(const struct scene_screen_shaders, scene_screen_shaders);
+RHW_ISA_DECLARE(const struct scene_occlusion_shaders, scene_occlusion_shaders);
+RHW_ISA_DECLARE(const struct scene_panorama_shaders, scene_panorama_shaders);
 
 #endif

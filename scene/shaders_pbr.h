@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Reflection, surroundings and tone mapping on 8 lanes. Inline, so that every shader variant keeps only
+// Reflection and surroundings on 8 lanes. Inline, so that every shader variant keeps only
 // what it uses, and so that tests can hold each formula against double precision.
 //
 // Reflection is that of glTF 2.0, appendix B: GGX distribution, Smith's shadowing in its separable form,
@@ -76,9 +76,18 @@ static inline void scene_reflect_light(const struct scene_reflector *r, const rh
 /// normal distribution is close to a Gaussian of sharpness 2 / α², its reflection to a fourth of that;
 /// Gaussians convolve into Gaussians: with k = 1 / (1 + 2 λ α²) sharpness and amplitude shrink by k.
 static inline void scene_environment_reflection(const struct scene_environment *e,
+                                                const struct rhw_bindings *textures,
                                                 const rhw_float direction[3], rhw_float alpha,
                                                 rhw_float radiance[3])
 {
+    if (e->mapped) {
+        rhw_float texel[4];
+        rhw_sample_lod(textures, SCENE_SLOT_ENVIRONMENT, direction, rhw_sqrt(alpha) * e->levels, texel);
+        for (int c = 0; c < 3; c++) {
+            radiance[c] = texel[c] * e->strength;
+        }
+        return;
+    }
     const rhw_float alpha2 = alpha * alpha;
     const rhw_float height = direction[0] * e->up[0] + direction[1] * e->up[1] + direction[2] * e->up[2];
     const rhw_float above = 0.5f + 0.5f * height * rhw_rsqrt(height * height + (0.03f + 1.2f * alpha2));
@@ -97,11 +106,36 @@ static inline void scene_environment_reflection(const struct scene_environment *
     }
 }
 
+/// Irradiance / π of a panorama, from spherical harmonics of order 2 (R. Ramamoorthi, P. Hanrahan, "An efficient
+/// representation for irradiance environment maps", SIGGRAPH 2001). Beside a strong light they swing below 0.
+static inline void scene_harmonics(const float k[9][3], const rhw_float n[3], rhw_float irradiance[3])
+{
+    const rhw_float products[8] = {n[0],
+                                   n[1],
+                                   n[2],
+                                   n[0] * n[1],
+                                   n[1] * n[2],
+                                   n[2] * n[0],
+                                   3.0f * n[2] * n[2] - 1.0f,
+                                   n[0] * n[0] - n[1] * n[1]};
+    for (int c = 0; c < 3; c++) {
+        irradiance[c] = rhw_splat(k[0][c]);
+        for (int i = 0; i < 8; i++) {
+            irradiance[c] += products[i] * k[i + 1][c];
+        }
+        irradiance[c] = rhw_max(irradiance[c], 0.0f);
+    }
+}
+
 /// Irradiance / π of the surroundings on a surface that faces `normal`. Zonal harmonics up to order 2 of
 /// every lobe; the sky's half of the sphere gives exactly (1 + cos) / 2.
 static inline void scene_environment_diffuse(const struct scene_environment *e, const rhw_float normal[3],
                                              rhw_float irradiance[3])
 {
+    if (e->mapped) {
+        scene_harmonics(e->irradiance, normal, irradiance);
+        return;
+    }
     const rhw_float height = normal[0] * e->up[0] + normal[1] * e->up[1] + normal[2] * e->up[2];
     const rhw_float above = 0.5f + 0.5f * height;
     for (int c = 0; c < 3; c++) {
@@ -131,10 +165,19 @@ static inline void scene_environment_brdf(rhw_float roughness, rhw_float n_dot_v
     *bias = 1.04f * a + r3;
 }
 
+/// How much of what a surface mirrors gets past that which occludes it: more than of what it scatters where it is seen at a
+/// slant (S. Lagarde, C. de Rousiers, "Moving Frostbite to physically based rendering", 2014, with an exponent of 2).
+static inline rhw_float scene_specular_occlusion(rhw_float occlusion, rhw_float n_dot_v)
+{
+    const rhw_float sum = n_dot_v + occlusion;
+    return rhw_saturate(sum * sum - 1.0f + occlusion);
+}
+
 /// Adds what the surroundings send to the eye, dimmed by `occlusion`. Light that bounces between the
 /// facets of a rough surface is given back (Turquin 2019), else rough metals come out too dark.
 static inline void scene_reflect_environment(const struct scene_reflector *r,
-                                             const struct scene_environment *e, rhw_float roughness,
+                                             const struct scene_environment *e,
+                                             const struct rhw_bindings *textures, rhw_float roughness,
                                              rhw_float occlusion, rhw_float sum[3])
 {
     rhw_float mirrored[3], diffuse[3], incident[3], direction[3], scale, bias;
@@ -142,38 +185,15 @@ static inline void scene_reflect_environment(const struct scene_reflector *r,
         incident[c] = -r->view[c];
     }
     rhw_reflect3(incident, r->normal, direction);
-    scene_environment_reflection(e, direction, r->alpha, mirrored);
+    scene_environment_reflection(e, textures, direction, r->alpha, mirrored);
     scene_environment_diffuse(e, r->normal, diffuse);
     scene_environment_brdf(roughness, r->n_dot_v, &scale, &bias);
     const rhw_float lost = 1.0f / (scale + bias) - 1.0f;
+    const rhw_float mirrors = scene_specular_occlusion(occlusion, r->n_dot_v);
     for (int c = 0; c < 3; c++) {
         const rhw_float single = r->f0[c] * scale + bias;
         const rhw_float specular = single * (1.0f + r->f0[c] * lost);
-        sum[c] += occlusion * (mirrored[c] * specular + diffuse[c] * r->diffuse[c] * (1.0f - single));
-    }
-}
-
-/// Khronos PBR Neutral (its specification, 2024): the identity for what is not bright, less the 4% that a
-/// dielectric mirrors; highlights are compressed towards white.
-static inline void scene_tone_map(rhw_float color[3])
-{
-    const float start = 0.8f - 0.04f, desaturation = 0.15f, rest = 1.0f - start;
-    const rhw_float low = rhw_min(color[0], rhw_min(color[1], color[2]));
-    const rhw_float offset = rhw_select(rhw_less(low, 0.08f), low - 6.25f * low * low, 0.04f);
-    for (int c = 0; c < 3; c++) {
-        color[c] = color[c] - offset;
-    }
-    const rhw_float peak = rhw_max(color[0], rhw_max(color[1], color[2]));
-    const rhw_int bright = rhw_less(start, peak);
-    if (!rhw_any(bright)) {
-        return;
-    }
-    const rhw_float top = rhw_max(peak, start);
-    const rhw_float new_peak = 1.0f - rest * rest / (top + (rest - start));
-    const rhw_float scale = new_peak / top;
-    const rhw_float grey = 1.0f - 1.0f / (desaturation * (top - new_peak) + 1.0f);
-    for (int c = 0; c < 3; c++) {
-        color[c] = rhw_select(bright, rhw_mix(color[c] * scale, new_peak, grey), color[c]);
+        sum[c] += mirrors * mirrored[c] * specular + occlusion * diffuse[c] * r->diffuse[c] * (1.0f - single);
     }
 }
 

@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: MIT
 // The built-in shaders of surfaces, lines and points, compiled once per instruction set. One inlined body
 // serves all lit variants; its constant arguments drop what a variant does not need.
+#include "shaders_guide.h"
 #include "shaders_pbr.h"
+#include "shaders_shadow.h"
+#include "shaders_tone.h"
 
 #define ALWAYS_INLINE static inline __attribute__((always_inline))
 
@@ -305,6 +308,41 @@ ALWAYS_INLINE void write_output(struct rhw_fragment *f, const struct scene_surfa
     }
 }
 
+ALWAYS_INLINE rhw_float view_distance(const struct rhw_fragment *f, const struct scene_frame *frame,
+                                      const rhw_float position[3])
+{
+    if (!frame->orthographic) {
+        return 1.0f / f->coord[3];
+    }
+    rhw_float sum = rhw_splat(0.0f);
+    for (int c = 0; c < 3; c++) {
+        sum += (position[c] - frame->eye[c]) * frame->forward[c];
+    }
+    return sum;
+}
+
+ALWAYS_INLINE rhw_float ambient_open(const struct rhw_fragment *f, const struct scene_frame *frame,
+                                     const rhw_float position[3])
+{
+    const float pixels = 1.0f / frame->samples;
+    return scene_guide_open(&frame->guide, f->coord[0] * pixels, f->coord[1] * pixels + frame->first_row,
+                            view_distance(f, frame, position));
+}
+
+// Dims the light of the lanes that it reaches, those that face it.
+ALWAYS_INLINE void shadow_irradiance(const struct rhw_fragment *f, const struct scene_surface *s,
+                                     const struct scene_shader_light *light, rhw_int facing,
+                                     rhw_float irradiance[3])
+{
+    const int at = s->varying_position;
+    const bool plane = s->is_triangle;
+    const rhw_float open = scene_shadow(light, &f->varying[at], plane ? &f->ddx[at] : NULL,
+                                        plane ? &f->ddy[at] : NULL, f->mask & facing);
+    for (int c = 0; c < 3; c++) {
+        irradiance[c] = irradiance[c] * open;
+    }
+}
+
 // `texels` has those of shared slots.
 ALWAYS_INLINE void shade_lit(struct rhw_fragment *f, const struct scene_surface *s, bool textured,
                              bool mapped, slot_texels texels)
@@ -341,16 +379,23 @@ ALWAYS_INLINE void shade_lit(struct rhw_fragment *f, const struct scene_surface 
     view_direction(frame, position, reflector.view);
     surface_normal(f, s, mapped, texels, reflector.normal);
     scene_reflector_set(&reflector, base, metallic, roughness);
+    if (frame->guide.occlusion) {
+        occlusion = rhw_min(occlusion, ambient_open(f, frame, position));
+    }
 
     rhw_float sum[3] = {emissive[0], emissive[1], emissive[2]};
-    scene_reflect_environment(&reflector, &frame->environment, roughness, occlusion, sum);
+    scene_reflect_environment(&reflector, &frame->environment, f->textures, roughness, occlusion, sum);
     for (int i = 0; i < frame->light_count; i++) {
         rhw_float to_light[3], irradiance[3];
         scene_light_at(&frame->lights[i], position, to_light, irradiance);
+        if (frame->lights[i].map_count > 0) {
+            shadow_irradiance(f, s, &frame->lights[i], rhw_less(0.0f, rhw_dot3(reflector.normal, to_light)),
+                              irradiance);
+        }
         scene_reflect_light(&reflector, to_light, irradiance, frame->lights[i].size, sum);
     }
     rhw_float linear[4] = {sum[0], sum[1], sum[2], base[3]};
-    scene_tone_map(sum);
+    scene_tone_map(frame->tone, sum);
     rhw_float color[4] = {sum[0], sum[1], sum[2], base[3]};
     write_output(f, s, color, linear);
 }
@@ -411,6 +456,16 @@ static void unlit_fragment(struct rhw_fragment *groups, int count)
     }
 }
 
+// Keeps what casts a shadow.
+static void shadow_fragment(struct rhw_fragment *groups, int count)
+{
+    for (int g = 0; g < count; g++) {
+        slot_texels texels;
+        rhw_float color[4];
+        base_color(&groups[g], groups->uniforms, true, texels, color);
+    }
+}
+
 // Data ----------------------------------------------------------------------------------------------
 
 ALWAYS_INLINE void write_vector(struct rhw_fragment *f, int slot, rhw_float x, rhw_float y, rhw_float z)
@@ -434,15 +489,7 @@ ALWAYS_INLINE void write_distance(struct rhw_fragment *f, const struct scene_sur
     if (distance < 0) {
         return;
     }
-    if (!frame->orthographic) {
-        f->color[distance][0] = 1.0f / f->coord[3];
-        return;
-    }
-    rhw_float sum = rhw_splat(0.0f);
-    for (int c = 0; c < 3; c++) {
-        sum += (f->varying[s->varying_position + c] - frame->eye[c]) * frame->forward[c];
-    }
-    f->color[distance][0] = sum;
+    f->color[distance][0] = view_distance(f, frame, &f->varying[s->varying_position]);
 }
 
 ALWAYS_INLINE void write_ids(struct rhw_fragment *f, const struct scene_surface *s)
@@ -501,5 +548,6 @@ const struct scene_surface_shaders RHW_ISA_NAME(scene_surface_shaders) = {
                  [SCENE_FRAGMENT_TEXTURED] = textured_fragment,
                  [SCENE_FRAGMENT_MAPPED] = mapped_fragment,
                  [SCENE_FRAGMENT_UNLIT] = unlit_fragment,
-                 [SCENE_FRAGMENT_DATA] = data_fragment},
+                 [SCENE_FRAGMENT_DATA] = data_fragment,
+                 [SCENE_FRAGMENT_SHADOW] = shadow_fragment},
 };

@@ -211,7 +211,7 @@ static void set_material(struct scene_surface *s, const struct scene_surface_pas
     s->alpha_mode = (int32_t)material->alpha_mode;
     if (material->alpha_mode == SCENE_ALPHA_MASK) {
         s->alpha_cutoff = material->alpha_cutoff;
-    } else if (material->alpha_mode == SCENE_ALPHA_BLEND && def->data_outputs) {
+    } else if (material->alpha_mode == SCENE_ALPHA_BLEND && (def->data_outputs || def->shadow)) {
         s->alpha_cutoff = data_blend_cutoff;
     }
 }
@@ -219,6 +219,17 @@ static void set_material(struct scene_surface *s, const struct scene_surface_pas
 static void use_position(struct scene_surface *s, struct scene_surface_key *key)
 {
     s->varying_position = add_varying(key, 3);
+    key->position_number = key->varying_count;
+}
+
+// The plane of a fragment, in which shadows are looked up, follows from the derivatives of its position.
+static void use_shadows(struct scene_surface *s, struct scene_surface_key *key,
+                        const struct scene_frame *frame)
+{
+    for (int32_t i = 0; i < frame->light_count; i++) {
+        s->shadowed = s->shadowed || frame->lights[i].map_count > 0;
+    }
+    key->position_derivatives = s->shadowed && s->is_triangle;
 }
 
 static void use_normal(struct scene_surface *s, struct scene_surface_key *key,
@@ -260,6 +271,8 @@ static void lay_out_color(struct scene_surface *s, struct scene_surface_key *key
     if (lit) {
         use_position(s, key);
         use_normal(s, key, mesh);
+        use_shadows(s, key, def->frame);
+        key->uses |= def->frame->guide.occlusion ? RHW_USE_COORD : 0;
     }
     if (mapped) {
         use_tangent(s, key, mesh);
@@ -296,7 +309,8 @@ static void lay_out_data(struct scene_surface *s, struct scene_surface_key *key,
 {
     const uint32_t outputs = def->data_outputs;
     const bool normal = (outputs & SCENE_OUTPUT_NORMAL) && mesh->normal >= 0;
-    const bool mapped = normal && mesh->tangent >= 0 && material->slots[SCENE_SLOT_NORMAL].image >= 0;
+    const bool mapped =
+        normal && !def->unmapped && mesh->tangent >= 0 && material->slots[SCENE_SLOT_NORMAL].image >= 0;
     use_position(s, key);
     if (normal) {
         use_normal(s, key, mesh);
@@ -326,6 +340,17 @@ static void lay_out_data(struct scene_surface *s, struct scene_surface_key *key,
     key->uses |= outputs & (SCENE_OUTPUT_DEPTH | SCENE_OUTPUT_DISTANCE) ? RHW_USE_COORD : 0;
     key->uses |= outputs & SCENE_OUTPUT_TRIANGLE ? RHW_USE_IDS : 0;
     key->uses |= outputs & SCENE_OUTPUT_BARYCENTRIC ? RHW_USE_BARYCENTRIC : 0;
+}
+
+static void lay_out_shadow(struct scene_surface *s, struct scene_surface_key *key,
+                           const struct scene_uploaded_mesh *mesh, const struct scene_material *material)
+{
+    key->fragment = SCENE_FRAGMENT_NONE;
+    if (s->alpha_cutoff > 0.0f) {
+        use_color(s, key, mesh);
+        use_slot(s, key, mesh, material, SCENE_SLOT_BASE_COLOR);
+        key->fragment = SCENE_FRAGMENT_SHADOW;
+    }
 }
 
 static void lay_out(const struct scene_upload *upload, const struct scene_surface_pass *def,
@@ -369,7 +394,9 @@ static void lay_out(const struct scene_upload *upload, const struct scene_surfac
     if (mesh->kind == SCENE_VERTEX_LINE) {
         use_attribute(key, mesh, 1);
     }
-    if (def->data_outputs) {
+    if (def->shadow) {
+        lay_out_shadow(s, key, mesh, material);
+    } else if (def->data_outputs) {
         lay_out_data(s, key, def, mesh, material);
     } else {
         lay_out_color(s, key, def, mesh, material, &upload->materials[material_index]);
@@ -390,7 +417,8 @@ static struct rhw_pipeline_def pipeline_def(const struct scene_surface_key *key)
         def.program.varyings[i] =
             (struct rhw_varying){.components = key->varyings[i],
                                  .qualifier = (enum rhw_qualifier)key->interpolate,
-                                 .derivatives = i >= key->varying_count - key->stream_count};
+                                 .derivatives = i >= key->varying_count - key->stream_count ||
+                                                (key->position_derivatives && i + 1 == key->position_number)};
     }
     def.attribute_count = key->attribute_count;
     for (int i = 0; i < key->attribute_count; i++) {
@@ -480,6 +508,10 @@ static enum rhw_result record_instance(const struct scene_upload *upload,
             rhw_pass_set_texture(context, pass, s, material->slots[s].texture, material->slots[s].sampler);
         }
     }
+    if (def->environment.generation) {
+        rhw_pass_set_texture(context, pass, SCENE_SLOT_ENVIRONMENT, def->environment,
+                             def->environment_sampler);
+    }
     // A blended surface with two sides shows its far side through the near one: far side first.
     const bool twice = key.blend && key.cull == RHW_CULL_NONE && surface.is_triangle;
     for (int side = twice ? 0 : 1; side < 2; side++) {
@@ -506,10 +538,14 @@ enum rhw_result scene_surfaces_record(const struct scene_upload *upload,
     if (!items) {
         return RHW_ERROR_OUT_OF_MEMORY;
     }
-    const bool blends = !def->data_outputs && !def->frame->plain;
+    const bool blends = !def->data_outputs && !def->shadow && !def->frame->plain;
     const size_t count = scene_surface_items_list(model, def->frame, blends, items);
     enum rhw_result result = RHW_OK;
     for (size_t i = 0; i < count && result == RHW_OK; i++) {
+        const uint32_t mesh = model->instances[items[i].instance].mesh;
+        if (def->shadow && upload->meshes[mesh].kind != SCENE_VERTEX_SURFACE) {
+            continue; // lines and points have no extent in the world
+        }
         result = record_instance(upload, pipelines, def, pass, items[i].instance);
     }
     free(items);

@@ -12,11 +12,15 @@ struct scene_lighting;
 struct scene_surface_pass {
     const struct scene_frame *frame; ///< must live until the pass has ended
     uint32_t data_outputs;           ///< scene_output of a data pass; 0: a colour pass
+    bool shadow;                     ///< depth alone, of what casts a shadow
+    bool unmapped;                   ///< normals of a data pass are those of the mesh, without normal maps
     enum rhw_qualifier interpolate;
     enum scene_wireframe wireframe;
     enum rhw_format formats[RHW_MAX_COLOR_ATTACHMENTS];
     int format_count;
     double view_projection[16]; ///< depth reversed
+    rhw_texture environment;    ///< with frame->environment.mapped: the cube
+    rhw_sampler environment_sampler;
 };
 
 /// Sets what a frame has from the camera and the lights, which must outlive it, and `view_projection` for a
@@ -29,7 +33,9 @@ struct scene_surface_key {
     int32_t vertex, fragment;
     int32_t attribute_count, stride, attributes[SCENE_MESH_ATTRIBUTES][2]; // format, offset
     int32_t varying_count, varyings[RHW_MAX_VARYINGS];                     // components
-    int32_t stream_count; // the last varyings, which need derivatives
+    int32_t stream_count;    // the last varyings, which need derivatives
+    int32_t position_number; // 1 + that of its varying
+    int32_t position_derivatives;
     int32_t interpolate, uses, cull, front, blend;
     int32_t format_count, formats[RHW_MAX_COLOR_ATTACHMENTS];
 };

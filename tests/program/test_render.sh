@@ -114,6 +114,55 @@ differs "--camera" --camera 0,0,9,0,0,0,0,1,0,30
 differs "--fovy" --fovy 80
 differs "--background" --background black
 differs "--exposure" --exposure=-2
+# A step: its upper edge casts a shadow and its corner is dark.
+cat >step.obj <<'OBJ'
+v -2 0 2
+v 2 0 2
+v 2 0 0
+v -2 0 0
+v 2 2 0
+v -2 2 0
+v 2 2 -1
+v -2 2 -1
+v -1 0 1
+v -1 1 1
+v -1 1 0.5
+v -1 0 0.5
+f 1 2 3 4
+f 4 3 5 6
+f 6 5 7 8
+f 9 10 11 12
+f 12 11 10 9
+OBJ
+succeed render step.obj $view -o a.png
+for light in shadows ambient-occlusion; do
+    succeed render step.obj $view -o other.png --$light off
+    equal a.png other.png && fail "--$light does not show"
+    succeed render step.obj $view -o other.png --$light on
+    check "--$light is on by default" equal a.png other.png
+done
+succeed render cube.obj $view -o a.png
+# A panorama of 4 × 2 texels, red on one side.
+{
+    printf '#?RADIANCE\nFORMAT=32-bit_rle_rgbe\n\n-Y 2 +X 4\n'
+    printf '\377\100\100\201\377\100\100\201\100\100\377\201\100\100\377\201'
+    printf '\377\100\100\201\377\100\100\201\100\100\377\201\100\100\377\201'
+} >sky.hdr
+differs "--environment" --environment sky.hdr
+for tone in aces agx none; do
+    differs "--tone-map $tone" --tone-map $tone
+done
+succeed render cube.obj $view -o a.png --environment sky.hdr
+differs "--environment-rotation" --environment sky.hdr --environment-rotation 90
+differs "--background environment" --environment sky.hdr --background environment
+succeed render cube.obj $view -o other.exr --environment sky.hdr
+succeed render cube.obj $view -o a.png --environment other.exr
+succeed render cube.obj $view -o a.png
+refuse 1 "nowhere.hdr: No such file" render cube.obj -o a.png --environment nowhere.hdr
+refuse 1 "a.png: an environment must be a Radiance HDR or an OpenEXR picture" render cube.obj -o b.png --environment a.png
+head -c 60 sky.hdr >cut.hdr
+refuse 1 "cut.hdr: the Radiance HDR file ends too early" render cube.obj -o b.png --environment cut.hdr
+check "nothing is left of a failure" test ! -e b.png
 succeed render cube.obj $view -o other.png --fit
 check "--fit is the default here" equal a.png other.png
 succeed render cube.obj $view -o other.png --output uv --camera 0,0,4,0,0,0,0,1,0,60

@@ -55,6 +55,10 @@ refuse 2 "--output: 'colour' is no output; there are color, depth, distance, nor
 refuse 2 "--output: '' is no output" render cube.obj -o a.png --output depth,
 refuse 2 "--bits: '10' is not 8 or 16" render cube.obj -o a.png --bits 10
 refuse 2 "--format: 'jpg' is not png, exr or ppm" render cube.obj -o a.png --format jpg
+refuse 2 "--background: environment needs --environment FILE" render cube.obj -o a.png --background environment
+refuse 2 "--tone-map: 'filmic' is not neutral, aces, agx or none" render cube.obj -o a.png --tone-map filmic
+refuse 2 "--shadows: 'soft' is not on or off" render cube.obj -o a.png --shadows soft
+refuse 2 "--environment-rotation: 'north' is not a number" render cube.obj -o a.png --environment-rotation north
 refuse 2 "--exposure: '21' is not a number of -20 to 20" render cube.obj -o a.png --exposure 21
 refuse 2 "--exposure: 'nan' is not" render cube.obj -o a.png --exposure nan
 refuse 2 "--lights: 'none' is not file or default" render cube.obj -o a.png --lights none

@@ -7,6 +7,7 @@
 
 #include "light.h"
 #include "shaders_pbr.h"
+#include "shaders_tone.h"
 
 static const double pi = 3.14159265358979323846;
 
@@ -107,10 +108,76 @@ static void test_tone_map_against_its_definition(void **state)
             color[c][5] = (float)expected[c];
         }
         neutral(expected);
-        scene_tone_map(color);
+        scene_tone_map(SCENE_TONE_NEUTRAL, color);
         for (int c = 0; c < 3; c++) {
             tiny_assert_close((double)color[c][5], expected[c], 3e-6);
             tiny_assert_close((double)color[c][0], 0.21, 1e-7);
+        }
+    }
+}
+
+// The published shaders of ACES' fit and of AgX, in double.
+static void aces(double c[3])
+{
+    const double in[3][3] = {
+        {0.59719, 0.35458, 0.04823}, {0.07600, 0.90834, 0.01566}, {0.02840, 0.13383, 0.83777}};
+    const double out[3][3] = {
+        {1.60475, -0.53108, -0.07367}, {-0.10208, 1.10813, -0.00605}, {-0.00327, -0.07276, 1.07602}};
+    double v[3];
+    for (int i = 0; i < 3; i++) {
+        v[i] = (in[i][0] * c[0] + in[i][1] * c[1] + in[i][2] * c[2]) / 0.6;
+        v[i] = (v[i] * (v[i] + 0.0245786) - 0.000090537) / (v[i] * (0.983729 * v[i] + 0.4329510) + 0.238081);
+    }
+    for (int i = 0; i < 3; i++) {
+        c[i] = fmin(fmax(out[i][0] * v[0] + out[i][1] * v[1] + out[i][2] * v[2], 0.0), 1.0);
+    }
+}
+
+static void agx(double c[3])
+{
+    const double in[3][3] = {{0.842479062253094, 0.0784335999999992, 0.0792237451477643},
+                             {0.0423282422610123, 0.878468636469772, 0.0791661274605434},
+                             {0.0423756549057051, 0.0784336, 0.879142973793104}};
+    const double out[3][3] = {{1.19687900512017, -0.0980208811401368, -0.0990297440797205},
+                              {-0.0528968517574562, 1.15190312990417, -0.0989611768448433},
+                              {-0.0529716355144438, -0.0980434501171241, 1.15107367264116}};
+    double v[3];
+    for (int i = 0; i < 3; i++) {
+        const double light = fmax(in[i][0] * c[0] + in[i][1] * c[1] + in[i][2] * c[2], 1e-10);
+        const double x = (fmin(fmax(log2(light), -12.47393), 4.026069) + 12.47393) / (4.026069 + 12.47393);
+        v[i] = 15.5 * pow(x, 6) - 40.14 * pow(x, 5) + 31.96 * pow(x, 4) - 6.868 * pow(x, 3) + 0.4298 * x * x +
+               0.1191 * x - 0.00232;
+    }
+    for (int i = 0; i < 3; i++) {
+        c[i] = pow(fmin(fmax(out[i][0] * v[0] + out[i][1] * v[1] + out[i][2] * v[2], 0.0), 1.0), 2.2);
+    }
+}
+
+static void cut(double c[3])
+{
+    for (int i = 0; i < 3; i++) {
+        c[i] = fmin(c[i], 1.0);
+    }
+}
+
+static void test_other_tone_maps(void **state)
+{
+    (void)state;
+    static void (*const maps[])(double[3]) = {
+        [SCENE_TONE_NEUTRAL] = neutral, [SCENE_TONE_ACES] = aces, [SCENE_TONE_AGX] = agx, [SCENE_TONE_NONE] = cut};
+    const double values[] = {0.0, 1e-4, 0.02, 0.18, 0.5, 1.0, 7.0, 900.0};
+    for (int tone = SCENE_TONE_ACES; tone <= SCENE_TONE_NONE; tone++) {
+        for (size_t i = 0; i < 8 * 8 * 8; i++) {
+            double expected[3] = {values[i % 8], values[i / 8 % 8], values[i / 64]};
+            rhw_float color[3];
+            for (int c = 0; c < 3; c++) {
+                color[c] = rhw_splat((float)expected[c]);
+            }
+            maps[tone](expected);
+            scene_tone_map((enum scene_tone)tone, color);
+            for (int c = 0; c < 3; c++) {
+                tiny_assert_close((double)color[c][5], expected[c], 2e-5);
+            }
         }
     }
 }
@@ -177,8 +244,8 @@ static void test_environment_reflection(void **state)
     for (int c = 0; c < 3; c++) {
         direction[c] = rhw_splat((float)axis[c]);
     }
-    scene_environment_reflection(e, direction, rhw_splat(0.0f), sharp);
-    scene_environment_reflection(e, direction, rhw_splat(1.0f), rough);
+    scene_environment_reflection(e, NULL, direction, rhw_splat(0.0f), sharp);
+    scene_environment_reflection(e, NULL, direction, rhw_splat(1.0f), rough);
     const double height = axis[1];
     const double above = 0.5 + 0.5 * height / sqrt(height * height + 0.03);
     const double sky = (double)e->ground[0] + (double)(e->sky[0] - e->ground[0]) * above;
@@ -249,6 +316,7 @@ int main(void)
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(test_reflection_against_gltf_appendix_b),
         cmocka_unit_test(test_tone_map_against_its_definition),
+        cmocka_unit_test(test_other_tone_maps),
         cmocka_unit_test(test_environment_irradiance),
         cmocka_unit_test(test_environment_reflection),
         cmocka_unit_test(test_exposure_follows_the_lights),

@@ -238,3 +238,18 @@ int cli_parse_name(const char *text, const char *const *names, int count)
     }
     return -1;
 }
+
+int cli_choose(const char *option, const char *argument, const char *const *names, int count)
+{
+    const int found = cli_parse_name(argument, names, count);
+    if (found >= 0) {
+        return found;
+    }
+    char list[128] = "";
+    for (int i = 0; i < count; i++) {
+        strcat(list, i == 0 ? "" : i + 1 < count ? ", " : " or ");
+        strcat(list, names[i]);
+    }
+    cli_error(option, "'%s' is not %s", argument, list);
+    return -1;
+}

@@ -79,4 +79,7 @@ bool cli_parse_color(const char *text, uint8_t color[3]);
 /// The index of `text` among `count` names, or -1.
 int cli_parse_name(const char *text, const char *const *names, int count);
 
+/// The position of `argument` among `names`; −1 after a line that lists them.
+int cli_choose(const char *option, const char *argument, const char *const *names, int count);
+
 #endif

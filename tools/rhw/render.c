@@ -3,6 +3,7 @@
 // means stands in render_options.c, what becomes of an output in outputs.c.
 #include "options.h"
 #include "output_file.h"
+#include "panorama_load.h"
 #include "render_job.h"
 #include "verbs.h"
 
@@ -19,6 +20,7 @@ static const double degree = 3.14159265358979323846 / 180.0;
 struct render {
     struct cli_render_job job;
     struct scene_model *model;
+    struct scene_panorama panorama; // with job.environment
     rhw_context *context;
     struct scene *scene;
     struct scene_view view;
@@ -212,6 +214,11 @@ static bool set_view(struct render *render)
     view->background = job->background;
     memcpy(view->background_color, job->background_color, sizeof view->background_color);
     view->default_lights = job->default_lights;
+    view->shadows = job->shadows;
+    view->ambient_occlusion = job->ambient_occlusion;
+    view->panorama = job->environment ? &render->panorama : NULL;
+    view->panorama_rotation = (double)job->environment_rotation;
+    view->tone = job->tone;
     view->up = job->has_up ? job->up : render->model->up;
     view->exposure = (double)job->exposure;
     view->outputs = cli_outputs_needed(job->kinds, job->format, job->bits);
@@ -352,7 +359,9 @@ static int run(struct render *render)
         cli_error("--isa", "this computer or this build has no %s", rhw_isa_name(job->isa));
         return CLI_FAILED;
     }
-    if (!plan_files(render) || !import_model(render)) {
+    if (!plan_files(render) ||
+        (job->environment && !cli_panorama_load(&render->panorama, job->environment)) ||
+        !import_model(render)) {
         return CLI_FAILED;
     }
     if (!set_view(render)) {
@@ -384,6 +393,7 @@ int cli_render(int argc, char **argv)
     if (render.model) {
         scene_model_free(render.model);
     }
+    free(render.panorama.texels);
     for (int kind = 0; kind < CLI_KIND_COUNT; kind++) {
         free(render.paths[kind]);
     }

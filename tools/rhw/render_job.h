@@ -32,8 +32,11 @@ struct cli_render_job {
     enum scene_wireframe wireframe;
     enum scene_background background;
     uint8_t background_color[3];
-    bool default_lights, quiet;
+    bool default_lights, shadows, ambient_occlusion, quiet;
     float exposure;
+    const char *environment; ///< a file; NULL: the studio
+    float environment_rotation;
+    enum scene_tone tone;
     unsigned kinds; ///< set of 1 << enum cli_output_kind
     int bits;       ///< 0: as the output wants
     int threads;

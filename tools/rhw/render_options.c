@@ -4,6 +4,7 @@
 #include "options.h"
 #include "output_file.h"
 #include "render_job.h"
+#include "render_look.h"
 
 #include <stdio.h>
 #include <string.h>
@@ -23,14 +24,9 @@ enum {
     OPTION_CAMERA_INDEX,
     OPTION_CAMERA_NAME,
     OPTION_FOVY,
-    OPTION_INTERPOLATE,
-    OPTION_WIREFRAME,
-    OPTION_BACKGROUND,
     OPTION_OUTPUT,
     OPTION_BITS,
     OPTION_FORMAT,
-    OPTION_LIGHTS,
-    OPTION_EXPOSURE,
     OPTION_ISA,
     OPTION_PATHS,
     OPTION_STATS
@@ -60,16 +56,25 @@ static const struct cli_option options[] = {
     {"camera-index", OPTION_CAMERA_INDEX, "N", "a camera of the file, counted from 0; see rhw info"},
     {"camera-name", OPTION_CAMERA_NAME, "NAME", "a camera of the file"},
     {"fovy", OPTION_FOVY, "DEGREES", "vertical field of view of a fitted camera; default 30"},
-    {"interpolate", OPTION_INTERPOLATE, "HOW",
+    {"interpolate", CLI_LOOK_INTERPOLATE, "HOW",
      "smooth (right in perspective) or noperspective (to see the error)"},
-    {"wireframe", OPTION_WIREFRAME, "[KIND]",
+    {"wireframe", CLI_LOOK_WIREFRAME, "[KIND]",
      "edges over the shaded surface (over) or over a plain one (plain)"},
-    {"background", OPTION_BACKGROUND, "COLOR",
-     "rrggbb in hexadecimal, black, grey, white, transparent or default"},
+    {"background", CLI_LOOK_BACKGROUND, "COLOR",
+     "rrggbb in hexadecimal, black, grey, white, transparent, environment or\ndefault"},
     {"variant", OPTION_VARIANT, "NAME",
      "the materials of this name, of a glTF that offers a choice; see rhw info"},
-    {"lights", OPTION_LIGHTS, "WHICH", "file (default: those of the file, if any) or default"},
-    {"exposure", OPTION_EXPOSURE, "STOPS", "brighter by this many factors of two; -20..20"},
+    {"lights", CLI_LOOK_LIGHTS, "WHICH", "file (default: those of the file, if any) or default"},
+    {"shadows", CLI_LOOK_SHADOWS, "WHICH", "of the lights: on (the default) or off"},
+    {"ambient-occlusion", CLI_LOOK_AMBIENT_OCCLUSION, "WHICH",
+     "darken where things stand close together: on (the default) or off"},
+    {"environment", CLI_LOOK_ENVIRONMENT, "FILE",
+     "light the model by a panorama (.hdr or .exr) instead of the studio;\n--background environment shows "
+     "it"},
+    {"environment-rotation", CLI_LOOK_ENVIRONMENT_ROTATION, "DEGREES", "turn it about what is up"},
+    {"tone-map", CLI_LOOK_TONE_MAP, "NAME",
+     "how light becomes colours: neutral (the default), aces, agx or none"},
+    {"exposure", CLI_LOOK_EXPOSURE, "STOPS", "brighter by this many factors of two; -20..20"},
     {"threads", OPTION_THREADS, "N",
      "threads to use, 1..64; default: one for each core that the process may\nuse. The picture is the same"},
     {"isa", OPTION_ISA, "NAME",
@@ -136,22 +141,6 @@ static bool choose_camera(struct cli_render_job *job, enum cli_camera_choice cho
     return true;
 }
 
-// The position of `argument` among `names` or a line that lists them.
-static int choose(const char *option, const char *argument, const char *const *names, int count)
-{
-    const int found = cli_parse_name(argument, names, count);
-    if (found >= 0) {
-        return found;
-    }
-    char list[128] = "";
-    for (int i = 0; i < count; i++) {
-        strcat(list, i == 0 ? "" : i + 1 < count ? ", " : " or ");
-        strcat(list, names[i]);
-    }
-    cli_error(option, "'%s' is not %s", argument, list);
-    return -1;
-}
-
 // `bad`: where an unknown name begins.
 static void refuse_output(const char *bad)
 {
@@ -169,7 +158,7 @@ static bool parse_isa(struct cli_render_job *job, const char *argument)
     for (int isa = 0; isa < RHW_ISA_COUNT; isa++) {
         names[isa] = rhw_isa_name((enum rhw_isa)isa);
     }
-    const int isa = choose("--isa", argument, names, RHW_ISA_COUNT);
+    const int isa = cli_choose("--isa", argument, names, RHW_ISA_COUNT);
     if (isa < 0) {
         return false;
     }
@@ -181,7 +170,8 @@ static bool parse_paths(struct cli_render_job *job, const char *argument)
 {
     static const char *const names[] = {
         [RHW_PATHS_ALL] = "all", [RHW_PATHS_IN_ORDER] = "in-order", [RHW_PATHS_GENERAL] = "general"};
-    const int paths = choose("--paths", argument, (const char *const *)names, sizeof names / sizeof *names);
+    const int paths =
+        cli_choose("--paths", argument, (const char *const *)names, sizeof names / sizeof *names);
     if (paths < 0) {
         return false;
     }
@@ -189,25 +179,10 @@ static bool parse_paths(struct cli_render_job *job, const char *argument)
     return true;
 }
 
-static bool parse_background(struct cli_render_job *job, const char *argument)
-{
-    job->background = SCENE_BACKGROUND_COLOR;
-    if (strcmp(argument, "transparent") == 0) {
-        job->background = SCENE_BACKGROUND_TRANSPARENT;
-    } else if (strcmp(argument, "default") == 0) {
-        job->background = SCENE_BACKGROUND_DEFAULT;
-    } else if (!cli_parse_color(argument, job->background_color)) {
-        cli_error("--background", "'%s' is not a colour (rrggbb, black, grey, white), transparent or default",
-                  argument);
-        return false;
-    }
-    return true;
-}
-
 static bool parse_fit(struct cli_render_job *job, const char *argument)
 {
     static const char *const names[] = {"subject", "all"};
-    const int what = argument ? choose("--fit", argument, names, 2) : 0;
+    const int what = argument ? cli_choose("--fit", argument, names, 2) : 0;
     job->fit_all = what == 1;
     // --orbit fits as well
     return what >= 0 && (job->camera == CLI_CAMERA_ORBIT || choose_camera(job, CLI_CAMERA_FIT, "--fit"));
@@ -219,7 +194,7 @@ const char *const cli_axis_names[CLI_AXES] = {
 
 static bool parse_up(struct cli_render_job *job, const char *argument)
 {
-    const int up = choose("--up", argument, cli_axis_names, CLI_AXES);
+    const int up = cli_choose("--up", argument, cli_axis_names, CLI_AXES);
     job->up = (enum scene_axis)up;
     job->has_up = true;
     return up >= 0;
@@ -301,37 +276,9 @@ static bool parse_picture_option(struct cli_render_job *job, int id, const char 
         cli_error("--bits", "'%s' is not 8 or 16", argument);
         return false;
     default:
-        format = choose("--format", argument, formats, 3);
+        format = cli_choose("--format", argument, formats, 3);
         job->format = (enum cli_picture_format)format;
         return format >= 0;
-    }
-}
-
-static bool parse_look_option(struct cli_render_job *job, int id, const char *argument)
-{
-    static const char *const qualifiers[] = {"smooth", "noperspective"},
-                             *const wireframes[] = {"over", "plain"}, *const lights[] = {"file", "default"};
-    int choice;
-    switch (id) {
-    case OPTION_INTERPOLATE:
-        choice = choose("--interpolate", argument, qualifiers, 2);
-        job->interpolate = choice == 1 ? RHW_NOPERSPECTIVE : RHW_SMOOTH;
-        return choice >= 0;
-    case OPTION_WIREFRAME:
-        choice = argument ? choose("--wireframe", argument, wireframes, 2) : 0;
-        job->wireframe = choice == 1 ? SCENE_WIREFRAME_PLAIN : SCENE_WIREFRAME_OVER;
-        return choice >= 0;
-    case OPTION_LIGHTS:
-        choice = choose("--lights", argument, lights, 2);
-        job->default_lights = choice == 1;
-        return choice >= 0;
-    case OPTION_EXPOSURE:
-        if (cli_parse_float(argument, &job->exposure) && job->exposure >= -20.0f && job->exposure <= 20.0f) {
-            return true;
-        }
-        cli_error("--exposure", "'%s' is not a number of -20 to 20", argument);
-        return false;
-    default: return parse_background(job, argument);
     }
 }
 
@@ -360,17 +307,18 @@ static bool parse_option(struct cli_render_job *job, int id, const char *argumen
     case OPTION_CAMERA_INDEX:
     case OPTION_CAMERA_NAME:
     case OPTION_FOVY: return parse_camera_option(job, id, argument);
-    case OPTION_INTERPOLATE:
-    case OPTION_WIREFRAME:
-    case OPTION_BACKGROUND:
-    case OPTION_LIGHTS:
-    case OPTION_EXPOSURE: return parse_look_option(job, id, argument);
-    default: return parse_picture_option(job, id, argument);
+    default:
+        return id >= CLI_LOOK_INTERPOLATE ? cli_parse_look(job, id, argument)
+                                          : parse_picture_option(job, id, argument);
     }
 }
 
 static bool check_together(struct cli_render_job *job)
 {
+    if (job->background == SCENE_BACKGROUND_PANORAMA && !job->environment) {
+        cli_error("--background", "environment needs --environment FILE");
+        return false;
+    }
     if (!job->out) {
         cli_error("render", "-o OUT is missing: where should the picture go?");
         return false;
@@ -415,7 +363,9 @@ static bool check_together(struct cli_render_job *job)
 
 bool cli_render_job_parse(struct cli_render_job *job, int argc, char **argv, int *status)
 {
-    *job = (struct cli_render_job){.format = CLI_PICTURE_UNKNOWN,
+    *job = (struct cli_render_job){.shadows = true,
+                                   .ambient_occlusion = true,
+                                   .format = CLI_PICTURE_UNKNOWN,
                                    .width = 1280,
                                    .height = 720,
                                    .samples = 1,

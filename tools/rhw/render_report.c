@@ -31,9 +31,11 @@ static void print_times(FILE *stream, const struct scene_draw_stats *stats,
 {
     const struct rhw_stats *pipeline = &stats->pipeline;
     fprintf(stream,
-            "  \"times_ms\": {\n    \"import\": %.3f,\n    \"upload\": %.3f,\n    \"record\": %.3f,\n"
+            "  \"times_ms\": {\n    \"import\": %.3f,\n    \"upload\": %.3f,\n    \"light\": %.3f,\n    "
+            "\"record\": %.3f,\n"
             "    \"front\": %.3f,\n    \"back\": %.3f,\n",
-            times->import_ms, stats->upload_ms, pipeline->record_ms, pipeline->front_ms, pipeline->back_ms);
+            times->import_ms, stats->upload_ms, stats->light_ms, pipeline->record_ms, pipeline->front_ms,
+            pipeline->back_ms);
     fprintf(stream,
             "    \"resolve\": %.3f,\n    \"read\": %.3f,\n    \"encode\": %.3f,\n    \"total\": %.3f\n  },\n",
             stats->resolve_ms, stats->read_ms, times->encode_ms, times->total_ms);

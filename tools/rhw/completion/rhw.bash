@@ -29,17 +29,20 @@ _rhw_render() { # CURRENT PREVIOUS
     --bits) _rhw_words "$1" 8 16 ;;
     --format) _rhw_words "$1" png exr ppm ;;
     --interpolate) _rhw_words "$1" smooth noperspective ;;
-    --background) _rhw_words "$1" default transparent black grey white ;;
+    --background) _rhw_words "$1" default transparent environment black grey white ;;
     --up) _rhw_words "$1" x y z -x -y -z ;;
     --lights) _rhw_words "$1" file default ;;
+    --tone-map) _rhw_words "$1" neutral aces agx none ;;
+    --environment) _rhw_files "$1" ;;
+    --shadows | --ambient-occlusion) _rhw_words "$1" on off ;;
     --isa) _rhw_words "$1" baseline avx2 avx512 ;;
     --paths) _rhw_words "$1" all in-order general ;;
     --size | -s) _rhw_words "$1" 1280x720 1920x1080 1024x1024 3840x2160 ;;
-    --orbit | --camera | --camera-index | --camera-name | --fovy | --variant | --exposure | --threads | -j) ;;
+    --orbit | --camera | --camera-index | --camera-name | --fovy | --variant | --exposure | --environment-rotation | --threads | -j) ;;
     *)
         if [[ $1 == -* ]]; then
             _rhw_words "$1" --out --size --samples --supersample --output --bits --format --fit --up --orbit --camera --camera-index \
-                --camera-name --fovy --interpolate --wireframe --background --variant --lights --exposure --threads --isa --paths \
+                --camera-name --fovy --interpolate --wireframe --background --variant --lights --shadows --ambient-occlusion --environment --environment-rotation --tone-map --exposure --threads --isa --paths \
                 --stats --quiet --help
         else
             _rhw_files "$1"

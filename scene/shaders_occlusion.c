@@ -1,0 +1,198 @@
+// SPDX-License-Identifier: MIT
+// Ambient occlusion from distances: the horizon of every pixel along a few directions of the screen, and the part of the
+// cosine-weighted hemisphere that stays open between two horizons, in closed form (J. Jimenez, X. Wu, A. Pesce, A.
+// Jarabo, "Practical Realtime Strategies for Accurate Indirect Occlusion", SIGGRAPH 2016, "GTAO").
+//
+// Directions and steps follow a pattern of 4 × 4 pixels, so that 16 pixels together look along 32 directions; a blur of
+// just that width, which does not mix surfaces, makes them even.
+#include "rhw/shader.h"
+#include "shaders.h"
+
+#define ALWAYS_INLINE static inline __attribute__((always_inline))
+
+enum { SLICES = 2, STEPS = 5 };
+
+static const float pi = 3.14159265358979f;
+
+// Where the surface of a texel lies in view space; `distance` as the guide has it.
+ALWAYS_INLINE void place(const struct scene_ambient *o, rhw_float x, rhw_float y, rhw_float distance,
+                         rhw_float point[3])
+{
+    const rhw_float scale = o->orthographic ? rhw_splat(1.0f) : distance;
+    point[0] = (x * o->ray[0] + o->ray[1]) * scale;
+    point[1] = (y * o->ray[2] + o->ray[3]) * scale;
+    point[2] = -distance;
+}
+
+// What the radius takes on the screen at a distance.
+ALWAYS_INLINE rhw_float radius_texels(const struct scene_ambient *o, rhw_float distance)
+{
+    return o->orthographic ? rhw_splat(o->texels) : o->texels / distance;
+}
+
+ALWAYS_INLINE rhw_int texel_index(const struct scene_ambient *o, rhw_float x, rhw_float y)
+{
+    const rhw_int column = rhw_int_from_float_unchecked(rhw_clamp(x, 0.0f, (float)(o->width - 1)));
+    const rhw_int row = rhw_int_from_float_unchecked(rhw_clamp(y, 0.0f, (float)(o->height - 1)));
+    return row * o->pitch + column;
+}
+
+// The unit normal of the pixel in view space; 0, 0, 1 where nothing is.
+ALWAYS_INLINE void view_normal(const struct rhw_fragment *f, const struct scene_ambient *o,
+                               rhw_float normal[3])
+{
+    const rhw_int at[2] = {rhw_int_from_float_unchecked(f->coord[0]),
+                           rhw_int_from_float_unchecked(f->coord[1])};
+    rhw_float world[4];
+    rhw_sample_fetch(f->textures, 0, at, NULL, world);
+    for (int r = 0; r < 3; r++) {
+        normal[r] = world[0] * o->axes[r][0] + world[1] * o->axes[r][1] + world[2] * o->axes[r][2];
+    }
+    const rhw_float length2 = rhw_dot3(normal, normal);
+    const rhw_int some = rhw_less(0.25f, length2);
+    const rhw_float inverse = rhw_rsqrt(rhw_select(some, length2, 1.0f));
+    for (int c = 0; c < 3; c++) {
+        normal[c] = rhw_select(some, normal[c] * inverse, c == 2 ? 1.0f : 0.0f);
+    }
+}
+
+// The highest cosine, towards the eye, of what stands along (dx, dy) within the radius; `lowest` is the cosine of the
+// surface's own horizon. What is far from the pixel counts less, so that the radius leaves no edge.
+ALWAYS_INLINE rhw_float horizon(const struct scene_ambient *o, const rhw_float coord[2],
+                                const rhw_float point[3], const rhw_float view[3], rhw_float dx, rhw_float dy,
+                                rhw_float jitter, rhw_float lowest)
+{
+    const float inverse_radius2 = 1.0f / (o->radius * o->radius);
+    rhw_float highest = lowest;
+    for (int k = 0; k < STEPS; k++) {
+        const rhw_float along = (jitter + (float)k) * (1.0f / STEPS);
+        const rhw_float spread = along * along; // near ones matter most
+        const rhw_float x = rhw_floor(coord[0] + dx * spread), y = rhw_floor(coord[1] + dy * spread);
+        const rhw_float distance = rhw_gather(o->distance, o->pitch * o->height, texel_index(o, x, y));
+        rhw_float other[3];
+        place(o, x + 0.5f, y + 0.5f, distance, other);
+        for (int c = 0; c < 3; c++) {
+            other[c] -= point[c];
+        }
+        const rhw_float length2 = rhw_dot3(other, other);
+        const rhw_float cosine = rhw_dot3(other, view) * rhw_rsqrt(rhw_max(length2, 1e-30f));
+        const rhw_float weight = rhw_saturate(1.0f - length2 * inverse_radius2);
+        const rhw_int real = rhw_less(distance, 1e30f) & rhw_less(0.0f, weight) & rhw_less(0.0f, length2);
+        const rhw_float faded = rhw_mix(lowest, cosine, weight);
+        highest = rhw_select(real, rhw_max(highest, faded), highest);
+    }
+    return highest;
+}
+
+// The open part of one slice of the hemisphere, along the angle `turn` of the screen.
+ALWAYS_INLINE rhw_float open_part(const struct scene_ambient *o, const rhw_float coord[2],
+                                  const rhw_float point[3], const rhw_float normal[3],
+                                  const rhw_float view[3], rhw_float reach, rhw_float turn, rhw_float jitter)
+{
+    rhw_float sine, cosine, ortho[3], axis[3], projected[3];
+    rhw_sincos(turn, &sine, &cosine);
+    const rhw_float direction[3] = {cosine, sine, rhw_splat(0.0f)};
+    const rhw_float along_view = rhw_dot3(direction, view);
+    for (int c = 0; c < 3; c++) {
+        ortho[c] = direction[c] - along_view * view[c];
+    }
+    rhw_cross(ortho, view, axis);
+    rhw_normalize3(axis, axis);
+    const rhw_float beside = rhw_dot3(normal, axis);
+    for (int c = 0; c < 3; c++) {
+        projected[c] = normal[c] - axis[c] * beside;
+    }
+    const rhw_float length = rhw_sqrt(rhw_max(rhw_dot3(projected, projected), 1e-12f));
+    const rhw_float cos_n = rhw_clamp(rhw_dot3(projected, view) / length, -1.0f, 1.0f);
+    const rhw_float n = rhw_copysign(rhw_acos(cos_n), rhw_dot3(ortho, projected));
+    const rhw_float sin_n = rhw_sin(n);
+    // The surface's own horizons: cos(n ± π/2).
+    const rhw_float dx = cosine * reach, dy = -sine * reach;
+    const rhw_float ahead = horizon(o, coord, point, view, dx, dy, jitter, -sin_n);
+    const rhw_float behind = horizon(o, coord, point, view, -dx, -dy, jitter, sin_n);
+    const rhw_float h1 = rhw_acos(rhw_clamp(ahead, -1.0f, 1.0f));
+    const rhw_float h0 = -rhw_acos(rhw_clamp(behind, -1.0f, 1.0f));
+    const rhw_float arc0 = cos_n + 2.0f * h0 * sin_n - rhw_cos(2.0f * h0 - n);
+    const rhw_float arc1 = cos_n + 2.0f * h1 * sin_n - rhw_cos(2.0f * h1 - n);
+    return 0.25f * length * (arc0 + arc1);
+}
+
+static void occlusion_fragment(struct rhw_fragment *groups, int count)
+{
+    const struct scene_ambient *o = groups->uniforms;
+    for (int g = 0; g < count; g++) {
+        struct rhw_fragment *f = &groups[g];
+        const rhw_float coord[2] = {f->coord[0], f->coord[1]};
+        const rhw_float x = rhw_floor(coord[0]), y = rhw_floor(coord[1]);
+        const rhw_float distance = rhw_gather(o->distance, o->pitch * o->height, texel_index(o, x, y));
+        f->color[0][0] = rhw_splat(1.0f);
+        const rhw_int some = rhw_less(distance, 1e30f);
+        const rhw_float reach = rhw_min(radius_texels(o, distance), o->most_texels);
+        if (!rhw_any(f->mask & some & rhw_less(1.0f, reach))) {
+            continue;
+        }
+        rhw_float point[3], normal[3], view[3], sum = rhw_splat(0.0f);
+        place(o, coord[0], coord[1], rhw_select(some, distance, 1.0f), point);
+        view_normal(f, o, normal);
+        const rhw_float to_eye[3] = {-point[0], -point[1], -point[2]};
+        const rhw_float forward[3] = {rhw_splat(0.0f), rhw_splat(0.0f), rhw_splat(1.0f)};
+        rhw_normalize3(o->orthographic ? forward : to_eye, view);
+        // 16 directions and 4 places along them, spread over 4 × 4 pixels.
+        const rhw_int column = rhw_int_from_float_unchecked(x), row = rhw_int_from_float_unchecked(y);
+        const rhw_int cell = ((((column + row) & 3) << 2) + (column & 3));
+        const rhw_float rotation = rhw_float_from_int(cell) * (1.0f / 16.0f);
+        const rhw_float jitter = 0.25f + rhw_float_from_int((row - column) & 3) * 0.25f;
+        for (int s = 0; s < SLICES; s++) {
+            const rhw_float turn = (rotation + (float)s) * (pi / (float)SLICES);
+            sum += open_part(o, coord, point, normal, view, reach, turn, jitter);
+        }
+        const rhw_float open = rhw_saturate(sum * (1.0f / SLICES));
+        f->color[0][0] = rhw_select(some & rhw_less(1.0f, reach), open, 1.0f);
+    }
+}
+
+// Five texels in a row or a column, the outer ones counting half: as wide as the pattern. A texel counts as far as it lies
+// in the plane of the pixel.
+static void blur_fragment(struct rhw_fragment *groups, int count)
+{
+    const struct scene_ambient *o = groups->uniforms;
+    const bool upright = o->step != 1;
+    for (int g = 0; g < count; g++) {
+        struct rhw_fragment *f = &groups[g];
+        const rhw_float coord[2] = {f->coord[0], f->coord[1]};
+        const rhw_int index = texel_index(o, rhw_floor(coord[0]), rhw_floor(coord[1]));
+        const rhw_float distance = rhw_gather(o->distance, o->pitch * o->height, index);
+        const rhw_int some = rhw_less(distance, 1e30f);
+        f->color[0][0] = rhw_splat(1.0f);
+        if (!rhw_any(f->mask & some)) {
+            continue;
+        }
+        rhw_float point[3], normal[3], sum = rhw_splat(0.0f), weights = rhw_splat(0.0f);
+        const rhw_float held = rhw_select(some, distance, 1.0f);
+        place(o, coord[0], coord[1], held, point);
+        view_normal(f, o, normal);
+        const rhw_float tolerance = o->radius * (0.08f + 2.0f / radius_texels(o, held));
+        for (int k = -2; k <= 2; k++) {
+            const rhw_float x = coord[0] + (upright ? 0.0f : (float)k),
+                            y = coord[1] + (upright ? (float)k : 0.0f);
+            const rhw_int at = texel_index(o, rhw_floor(x), rhw_floor(y));
+            const rhw_float there = rhw_gather(o->distance, o->pitch * o->height, at);
+            const rhw_float value = rhw_gather(o->source, o->pitch * o->height, at);
+            rhw_float other[3];
+            place(o, x, y, rhw_min(there, 1e30f), other);
+            for (int c = 0; c < 3; c++) {
+                other[c] -= point[c];
+            }
+            const rhw_float off = rhw_abs(rhw_dot3(other, normal));
+            const rhw_float weight = (k == -2 || k == 2 ? 0.5f : 1.0f) * rhw_saturate(1.0f - off / tolerance);
+            const rhw_int real = rhw_less(there, 1e30f);
+            sum += rhw_select(real, weight * value, 0.0f);
+            weights += rhw_select(real, weight, 0.0f);
+        }
+        f->color[0][0] = rhw_select(some & rhw_less(0.0f, weights), sum / weights, 1.0f);
+    }
+}
+
+const struct scene_occlusion_shaders RHW_ISA_NAME(scene_occlusion_shaders) = {
+    .fragment = {occlusion_fragment, blur_fragment},
+};

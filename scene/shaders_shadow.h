@@ -1,0 +1,203 @@
+// SPDX-License-Identifier: MIT
+// How much of a light arrives at a fragment: percentage-closer soft shadows (R. Fernando, SIGGRAPH 2005). The mean
+// distance of what stands before the fragment says how wide the penumbra is there; over that width the map is compared,
+// four texels at a time, weighted as a linear filter does.
+//
+// Every texel is compared with the depth that the fragment's own plane has at its centre: depth, and in a perspective
+// map 1/distance, is linear there, with a gradient that follows from exact derivatives on the screen. So a plane never
+// shades itself, however slanted it is and however wide the filter.
+#ifndef SCENE_SHADERS_SHADOW_H
+#define SCENE_SHADERS_SHADOW_H
+
+#include "rhw/shader.h"
+#include "shaders.h"
+
+enum { SCENE_SHADOW_SEARCHES = 12, SCENE_SHADOW_TAPS = 20 };
+
+static const float scene_shadow_widest = 24.0f; // texels, the radius of the widest filter
+static const float scene_shadow_steepest =
+    8.0f; // of the planes that are followed: depth per width, both in the world
+
+/// A fragment as a light sees it.
+struct scene_shadow_point {
+    rhw_float column, row, depth;
+    rhw_float slope[2];  // depth per column and per row on the fragment's plane
+    rhw_float step;      // of depth, that is as far as a texel is wide
+    rhw_float per_texel; // width of a texel in the world
+    rhw_float distance;  // from the light
+    rhw_int inside;      // the map reaches there
+};
+
+// Place n of `count` on a disc of radius 1: sunflower seeds (H. Vogel 1979), as even as any.
+static inline void scene_shadow_seed(int n, int count, float seed[2])
+{
+    static const float turns[SCENE_SHADOW_TAPS][2] = {
+        {1.000000f, 0.000000f},   {-0.737369f, 0.675490f}, {0.087426f, -0.996171f}, {0.608439f, 0.793601f},
+        {-0.984713f, -0.174182f}, {0.843755f, -0.536728f}, {-0.259604f, 0.965715f}, {-0.460907f, -0.887448f},
+        {0.939321f, 0.343039f},   {-0.924346f, 0.381556f}, {0.423846f, -0.905734f}, {0.299284f, 0.954164f},
+        {-0.865211f, -0.501408f}, {0.976676f, -0.214719f}, {-0.575129f, 0.818062f}, {-0.128511f, -0.991708f},
+        {0.764649f, 0.644447f},   {-0.999146f, 0.041318f}, {0.708829f, -0.705380f}, {-0.046191f, 0.998933f}};
+    const float radius = __builtin_sqrtf(((float)n + 0.5f) / (float)count);
+    seed[0] = turns[n][0] * radius;
+    seed[1] = turns[n][1] * radius;
+}
+
+static inline void scene_shadow_project(const struct scene_shadow_map *map, const rhw_float p[3], float one,
+                                        rhw_float projected[4])
+{
+    for (int r = 0; r < 4; r++) {
+        const float *row = map->rows[r];
+        projected[r] = row[0] * p[0] + row[1] * p[1] + row[2] * p[2] + row[3] * one;
+    }
+}
+
+/// `ddx` and `ddy` are the derivatives of `position` on the screen; they may be NULL: the plane then faces the light.
+static inline struct scene_shadow_point scene_shadow_place(const struct scene_shadow_map *map,
+                                                           const rhw_float position[3],
+                                                           const rhw_float ddx[3], const rhw_float ddy[3])
+{
+    struct scene_shadow_point p;
+    rhw_float c[4];
+    scene_shadow_project(map, position, 1.0f, c);
+    const rhw_int before = rhw_less(1e-20f, c[3]);
+    const rhw_float inverse = 1.0f / rhw_select(before, c[3], 1.0f);
+    p.column = c[0] * inverse;
+    p.row = c[1] * inverse;
+    p.depth = c[2] * inverse;
+    const float edge = (float)map->size;
+    p.inside = before & rhw_less(0.0f, p.column) & rhw_less(p.column, edge) & rhw_less(0.0f, p.row) &
+               rhw_less(p.row, edge);
+    if (map->perspective) {
+        p.distance = c[3];
+        p.per_texel = c[3] * (1.0f / map->unit);
+        p.step = p.depth * (1.0f / map->unit);
+    } else {
+        p.distance = (1.0f - p.depth) * map->range;
+        p.per_texel = rhw_splat(1.0f / map->unit);
+        p.step = rhw_splat(1.0f / (map->unit * map->range));
+    }
+    p.slope[0] = p.slope[1] = rhw_splat(0.0f);
+    if (ddx) {
+        // (∂column, ∂row) · slope = ∂depth, along both axes of the screen.
+        rhw_float x[4], y[4];
+        scene_shadow_project(map, ddx, 0.0f, x);
+        scene_shadow_project(map, ddy, 0.0f, y);
+        for (int r = 0; r < 3; r++) {
+            const rhw_float own = r == 0 ? p.column : r == 1 ? p.row : p.depth;
+            x[r] = x[r] - own * x[3];
+            y[r] = y[r] - own * y[3];
+        }
+        const rhw_float area = x[0] * y[1] - x[1] * y[0];
+        const rhw_int flat = rhw_less(rhw_abs(area), 1e-30f);
+        const rhw_float scale = rhw_select(flat, 0.0f, 1.0f / rhw_select(flat, 1.0f, area));
+        const rhw_float steepest = p.step * scene_shadow_steepest;
+        p.slope[0] = rhw_clamp((y[1] * x[2] - x[1] * y[2]) * scale, -steepest, steepest);
+        p.slope[1] = rhw_clamp((x[0] * y[2] - y[0] * x[2]) * scale, -steepest, steepest);
+    }
+    return p;
+}
+
+static inline rhw_int scene_shadow_texel(const struct scene_shadow_map *map, rhw_float place)
+{
+    return rhw_int_from_float_unchecked(rhw_clamp(place, 0.0f, (float)(map->size - 1)));
+}
+
+// Depth of the fragment's plane at the centre of a texel, brought `bias` nearer to the light.
+static inline rhw_float scene_shadow_reference(const struct scene_shadow_point *p, rhw_int column,
+                                               rhw_int row, rhw_float bias)
+{
+    return p->depth + p->slope[0] * (rhw_float_from_int(column) + 0.5f - p->column) +
+           p->slope[1] * (rhw_float_from_int(row) + 0.5f - p->row) + bias;
+}
+
+/// Radius of the penumbra in texels, from the mean distance of what casts it; −1 where nothing does, −2 where everything
+/// within reach does.
+static inline rhw_float scene_shadow_penumbra(const struct scene_shadow_map *map,
+                                              const struct scene_shadow_point *p)
+{
+    const rhw_float reach = rhw_clamp(map->softness * p->distance / p->per_texel, 1.5f, scene_shadow_widest);
+    const rhw_float bias = p->step * (1.0f + 0.1f * reach);
+    rhw_float sum = rhw_splat(0.0f), count = rhw_splat(0.0f);
+    for (int n = 0; n < SCENE_SHADOW_SEARCHES; n++) {
+        float seed[2];
+        scene_shadow_seed(n, SCENE_SHADOW_SEARCHES, seed);
+        const rhw_int column = scene_shadow_texel(map, p->column + seed[0] * reach);
+        const rhw_int row = scene_shadow_texel(map, p->row + seed[1] * reach);
+        const rhw_float depth = rhw_gather(map->depth, map->pitch * map->size, row * map->pitch + column);
+        const rhw_int blocks = rhw_less(scene_shadow_reference(p, column, row, bias), depth);
+        const rhw_float distance =
+            map->perspective ? map->range / rhw_max(depth, 1e-20f) : (1.0f - depth) * map->range;
+        sum += rhw_select(blocks, distance, 0.0f);
+        count += rhw_select(blocks, 1.0f, 0.0f);
+    }
+    const rhw_int some = rhw_less(0.0f, count);
+    const rhw_float mean = sum / rhw_select(some, count, 1.0f);
+    const rhw_float radius =
+        rhw_clamp(map->softness * (p->distance - mean) / p->per_texel, 1.0f, scene_shadow_widest);
+    const rhw_int all = rhw_less((float)SCENE_SHADOW_SEARCHES - 0.5f, count);
+    return rhw_select(some, rhw_select(all, -2.0f, radius), -1.0f);
+}
+
+/// The part of the light that arrives, by a filter of `radius` texels.
+static inline rhw_float scene_shadow_filter(const struct scene_shadow_map *map,
+                                            const struct scene_shadow_point *p, rhw_float radius)
+{
+    const rhw_float bias = p->step * (0.7f + 0.1f * radius);
+    rhw_float sum = rhw_splat(0.0f);
+    for (int n = 0; n < SCENE_SHADOW_TAPS; n++) {
+        float seed[2];
+        scene_shadow_seed(n, SCENE_SHADOW_TAPS, seed);
+        const rhw_float x = p->column + seed[0] * radius - 0.5f, y = p->row + seed[1] * radius - 0.5f;
+        const rhw_float left = rhw_floor(x), top = rhw_floor(y);
+        for (int i = 0; i < 4; i++) {
+            const rhw_int column = scene_shadow_texel(map, left + (float)(i & 1));
+            const rhw_int row = scene_shadow_texel(map, top + (float)(i >> 1));
+            const rhw_float depth = rhw_gather(map->depth, map->pitch * map->size, row * map->pitch + column);
+            const rhw_float share =
+                (i & 1 ? x - left : 1.0f - (x - left)) * (i & 2 ? y - top : 1.0f - (y - top));
+            const rhw_int open = rhw_less_equal(depth, scene_shadow_reference(p, column, row, bias));
+            sum += rhw_select(open, share, 0.0f);
+        }
+    }
+    return sum * (1.0f / SCENE_SHADOW_TAPS);
+}
+
+/// The part of the light, 0..1, that arrives at those of the lanes `who` that lie in the map; 1 elsewhere.
+static inline rhw_float scene_shadow_look(const struct scene_shadow_map *map,
+                                          const struct scene_shadow_point *p, rhw_int who)
+{
+    const rhw_int mine = who & p->inside;
+    if (!rhw_any(mine)) {
+        return rhw_splat(1.0f);
+    }
+    const rhw_float radius = scene_shadow_penumbra(map, p);
+    const rhw_int partly = rhw_less(0.0f, radius) & mine;
+    rhw_float open = rhw_select(rhw_equal(radius, -2.0f), 0.0f, 1.0f);
+    if (rhw_any(partly)) {
+        open = rhw_select(partly, scene_shadow_filter(map, p, rhw_max(radius, 1.0f)), open);
+    }
+    return rhw_select(mine, open, 1.0f);
+}
+
+/// The part of a light that arrives at the lanes `mask`. Of the maps around a point light each lane takes the first that
+/// has it well within.
+static inline rhw_float scene_shadow(const struct scene_shader_light *light, const rhw_float position[3],
+                                     const rhw_float ddx[3], const rhw_float ddy[3], rhw_int mask)
+{
+    rhw_float open = rhw_splat(1.0f);
+    for (int m = 0; m < light->map_count && rhw_any(mask); m++) {
+        const struct scene_shadow_map *map = &light->maps[m];
+        const struct scene_shadow_point p = scene_shadow_place(map, position, ddx, ddy);
+        const float low = light->map_count > 1 ? scene_shadow_widest + 1.0f : 0.0f,
+                    high = (float)map->size - low;
+        const rhw_int mine = mask & p.inside & rhw_less(low, p.column) & rhw_less(p.column, high) &
+                             rhw_less(low, p.row) & rhw_less(p.row, high);
+        if (rhw_any(mine)) {
+            open = rhw_select(mine, scene_shadow_look(map, &p, mine), open);
+            mask = mask & ~mine;
+        }
+    }
+    return open;
+}
+
+#endif

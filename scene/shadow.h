@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: MIT
+// Shadow maps of a scene's lights.
+//
+// A directional light's map covers what is in the picture and nothing else, so that its texels are as fine as they can be
+// (A. Lauritzen, M. Salvi, A. Lefohn, "Sample distribution shadow maps", I3D 2011). A spot has one in perspective, a point
+// light six. What casts a shadow is what a camera in the light's place would see: faces that are culled cast none.
+#ifndef SCENE_SHADOW_H
+#define SCENE_SHADOW_H
+
+#include "guide.h"
+#include "light.h"
+
+enum { SCENE_SHADOW_MAPS = 12, SCENE_SHADOW_SIZE = 1024 };
+
+/// Zeroed: none.
+struct scene_shadows {
+    int count;
+    struct scene_shadow_map maps[SCENE_SHADOW_MAPS];
+    struct scene_plane planes[SCENE_SHADOW_MAPS];
+};
+
+/// Draws the maps of as many lights, in their order, as there are maps, and gives them to the lights; the shadows must
+/// outlive their use. `guide` has the view's distances.
+enum rhw_result scene_shadows_draw(struct scene_shadows *shadows, const struct scene_upload *upload,
+                                   struct scene_surface_pipelines *pipelines, const struct scene_view *view,
+                                   const struct scene_guide *guide, const struct scene_frame *frame,
+                                   struct scene_lighting *lighting);
+void scene_shadows_destroy(rhw_context *context, struct scene_shadows *shadows);
+
+#endif

@@ -1,0 +1,64 @@
+// SPDX-License-Identifier: MIT
+#include "target.h"
+
+#include <stdint.h>
+#include <stdlib.h>
+
+enum rhw_result scene_target_get(rhw_context *context, struct scene_target *target, enum rhw_format format,
+                                 int width, int height)
+{
+    if (target->texture.generation && target->format == format && target->width == width &&
+        target->height == height) {
+        return RHW_OK;
+    }
+    scene_target_destroy(context, target);
+    *target = (struct scene_target){.format = format, .width = width, .height = height};
+    struct rhw_texture_def def = rhw_texture_def_default();
+    def.format = format;
+    def.width = width;
+    def.height = height;
+    return rhw_texture_create(context, &def, &target->texture);
+}
+
+void scene_target_destroy(rhw_context *context, struct scene_target *target)
+{
+    if (target->texture.generation) {
+        rhw_texture_destroy(context, target->texture);
+    }
+    *target = (struct scene_target){0};
+}
+
+void scene_plane_destroy(rhw_context *context, struct scene_plane *plane)
+{
+    if (plane->texture.generation) {
+        rhw_texture_destroy(context, plane->texture);
+    }
+    free(plane->block);
+    *plane = (struct scene_plane){0};
+}
+
+enum rhw_result scene_plane_create(rhw_context *context, enum rhw_format format, int width, int height,
+                                   struct scene_plane *plane)
+{
+    enum { ALIGNED = RHW_MEMORY_ALIGNMENT / (int)sizeof(float) };
+    plane->pitch = (width + ALIGNED - 1) / ALIGNED * ALIGNED;
+    struct rhw_texture_def def = rhw_texture_def_default();
+    def.format = format;
+    def.width = width;
+    def.height = height;
+    def.row_pitch = (size_t)plane->pitch * sizeof *plane->texels;
+    struct rhw_texture_layout layout;
+    enum rhw_result result = rhw_texture_query_layout(context, &def, &layout);
+    if (result != RHW_OK) {
+        return result;
+    }
+    plane->block = calloc(1, layout.size + RHW_MEMORY_ALIGNMENT);
+    if (!plane->block) {
+        return RHW_ERROR_OUT_OF_MEMORY;
+    }
+    const size_t over = (uintptr_t)plane->block % RHW_MEMORY_ALIGNMENT;
+    plane->texels = (float *)((unsigned char *)plane->block + (RHW_MEMORY_ALIGNMENT - over));
+    def.memory = plane->texels;
+    def.memory_size = layout.size;
+    return rhw_texture_create(context, &def, &plane->texture);
+}

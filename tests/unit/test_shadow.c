@@ -1,0 +1,388 @@
+// SPDX-License-Identifier: MIT
+// Shadows and ambient occlusion: filters against maps whose shadows are known, and small scenes whose shadows and corners
+// can be worked out by hand.
+#include "tiny_model.h"
+
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "shaders_shadow.h"
+
+enum { SIZE = 128 };
+
+static float texels[SIZE * SIZE];
+
+// Looks down −Z from z = 0 over −1..1; depth is 1 + z / range.
+static struct scene_shadow_map parallel_map(float softness)
+{
+    const float half = 0.5f * SIZE, range = 4.0f;
+    return (struct scene_shadow_map){
+        .depth = texels,
+        .size = SIZE,
+        .pitch = SIZE,
+        .rows = {{half, 0, 0, half}, {0, -half, 0, half}, {0, 0, 1.0f / range, 1.0f}, {0, 0, 0, 1.0f}},
+        .unit = half,
+        .range = range,
+        .softness = softness};
+}
+
+// The same from the origin, with a right angle: column = half (x / −z + 1).
+static struct scene_shadow_map perspective_map(float softness)
+{
+    const float half = 0.5f * SIZE, near = 0.125f;
+    return (struct scene_shadow_map){
+        .depth = texels,
+        .size = SIZE,
+        .pitch = SIZE,
+        .rows = {{half, 0, -half, 0}, {0, -half, -half, 0}, {0, 0, 0, near}, {0, 0, -1.0f, 0}},
+        .perspective = 1,
+        .unit = half,
+        .range = near,
+        .softness = softness};
+}
+
+struct plane {
+    double x, y, at; // z = at + x·X + y·Y
+};
+
+static double plane_depth(const struct scene_shadow_map *map, const struct plane *p, double column,
+                          double row)
+{
+    const double u = column / (0.5 * SIZE) - 1.0, v = 1.0 - row / (0.5 * SIZE);
+    if (!map->perspective) {
+        return 1.0 + (p->at + p->x * u + p->y * v) / (double)map->range;
+    }
+    // z = at + x·u·(−z) + y·v·(−z)
+    const double z = p->at / (1.0 + p->x * u + p->y * v);
+    return (double)map->range / -z;
+}
+
+static void fill(const struct scene_shadow_map *map, const struct plane *p)
+{
+    for (int y = 0; y < SIZE; y++) {
+        for (int x = 0; x < SIZE; x++) {
+            texels[y * SIZE + x] = (float)plane_depth(map, p, x + 0.5, y + 0.5);
+        }
+    }
+}
+
+// Of the light at 8 points of a plane beside each other from x on, with derivatives as a screen would have.
+static rhw_float look(const struct scene_shadow_map *map, const struct plane *p, double x, double y,
+                      double step)
+{
+    rhw_float position[3], ddx[3], ddy[3];
+    for (int i = 0; i < RHW_LANES; i++) {
+        position[0][i] = (float)(x + step * i);
+        position[1][i] = (float)y;
+        position[2][i] = (float)(p->at + p->x * (x + step * i) + p->y * y);
+    }
+    ddx[0] = rhw_splat(0.01f);
+    ddx[1] = rhw_splat(0.003f);
+    ddx[2] = rhw_splat((float)(0.01 * p->x + 0.003 * p->y));
+    ddy[0] = rhw_splat(-0.002f);
+    ddy[1] = rhw_splat(-0.01f);
+    ddy[2] = rhw_splat((float)(-0.002 * p->x - 0.01 * p->y));
+    const struct scene_shader_light light = {.map_count = 1, .maps = map};
+    return scene_shadow(&light, position, ddx, ddy, rhw_splat_int(-1));
+}
+
+static void test_a_plane_does_not_shade_itself(void **state)
+{
+    (void)state;
+    const struct plane planes[] = {{0, 0, -2}, {1, 0, -2}, {0, -1.5, -2}, {0.7, 0.7, -2}, {-0.6, 0.3, -1.7}};
+    for (size_t i = 0; i < sizeof planes / sizeof *planes; i++) {
+        const struct scene_shadow_map maps[] = {parallel_map(0.3f), perspective_map(0.3f)};
+        for (int m = 0; m < 2; m++) {
+            fill(&maps[m], &planes[i]);
+            for (double y = -0.7; y < 0.71; y += 0.1) {
+                const rhw_float open = look(&maps[m], &planes[i], -0.7, y, 0.19);
+                for (int lane = 0; lane < RHW_LANES; lane++) {
+                    tiny_assert_close((double)open[lane], 1.0, 1e-6);
+                }
+            }
+        }
+    }
+}
+
+// A half plane of height z = −1 over x < 0 above a floor at z = −2: the penumbra is as wide as softness · 1 on either side
+// of the edge, and half of the light arrives below the edge itself.
+static void test_penumbra(void **state)
+{
+    (void)state;
+    const float softness = 0.2f;
+    const struct scene_shadow_map map = parallel_map(softness);
+    const struct plane floor = {0, 0, -2}, block = {0, 0, -1};
+    fill(&map, &block);
+    for (int y = 0; y < SIZE; y++) {
+        for (int x = SIZE / 2; x < SIZE; x++) {
+            texels[y * SIZE + x] = (float)plane_depth(&map, &floor, x + 0.5, y + 0.5);
+        }
+    }
+    double before = -1.0;
+    for (double x = -0.4; x < 0.4; x += 0.01) {
+        const double open = (double)look(&map, &floor, x, 0.1, 0.0)[0];
+        // A disc of light behind a straight edge: the part of a circle beyond a chord at t radii.
+        const double t = fmax(-1.0, fmin(1.0, x / (double)softness));
+        const double expected = 0.5 + (t * sqrt(1.0 - t * t) + asin(t)) / 3.14159265358979;
+        tiny_assert_close(open, expected, 0.06);
+        assert_true(open >= before - 1e-6);
+        before = open;
+    }
+    tiny_assert_close((double)look(&map, &floor, -0.3, 0.0, 0.0)[0], 0.0, 0.0);
+    tiny_assert_close((double)look(&map, &floor, 0.3, 0.0, 0.0)[0], 1.0, 0.0);
+}
+
+static void test_beyond_the_map_is_light(void **state)
+{
+    (void)state;
+    const struct scene_shadow_map map = parallel_map(0.1f);
+    const struct plane floor = {0, 0, -2}, block = {0, 0, -1};
+    fill(&map, &block);
+    const rhw_float open = look(&map, &floor, -1.3, 0.0, 0.5); // −1.3, −0.8, .. 0.7, 1.2 ..
+    const double expected[RHW_LANES] = {1, 0, 0, 0, 0, 1, 1, 1};
+    for (int lane = 0; lane < RHW_LANES; lane++) {
+        tiny_assert_close((double)open[lane], expected[lane], 0.0);
+    }
+}
+
+// Scenes --------------------------------------------------------------------------------------------
+
+static struct scene_pictures draw_scene(const struct tiny *t, const struct scene_view *view)
+{
+    struct rhw_context_def def = rhw_context_def_default();
+    rhw_context *context;
+    struct scene *scene;
+    struct scene_pictures pictures;
+    assert_int_equal(rhw_context_create(&def, &context), RHW_OK);
+    assert_int_equal(scene_create(context, &t->model, &scene), RHW_OK);
+    assert_int_equal(scene_draw(scene, view, &pictures, NULL), RHW_OK);
+    scene_destroy(scene);
+    rhw_context_destroy(context);
+    return pictures;
+}
+
+static void place(struct scene_instance *instance, float scale, float x, float y, float z)
+{
+    tiny_identity(instance->world);
+    for (int c = 0; c < 3; c++) {
+        instance->world[5 * c] = scale;
+    }
+    instance->world[12] = x;
+    instance->world[13] = y;
+    instance->world[14] = z;
+}
+
+// A floor of −2..2 and a square of −0.5..0.5 at height 1 above it.
+static void make_floor(struct tiny *t)
+{
+    tiny_make(t);
+    t->material.unlit = false;
+    t->model.instance_count = 2;
+    place(&t->instances[0], 2.0f, 0, 0, 0);
+    place(&t->instances[1], 0.5f, 0, 0, 1);
+    for (int c = 0; c < 3; c++) {
+        t->model.bounds_min[c] = c < 2 ? -2.0f : 0.0f;
+        t->model.bounds_max[c] = c < 2 ? 2.0f : 1.0f;
+    }
+}
+
+// Of the pixel over (x, y), which light that is no lamp's cannot change.
+static double brightness(const struct scene_pictures *pictures, double x, double y)
+{
+    const int column = (int)((x + 2.0) / 4.0 * pictures->width),
+              row = (int)((2.0 - y) / 4.0 * pictures->height);
+    return (double)pictures->linear[4 * (row * pictures->width + column)];
+}
+
+static struct scene_view floor_view(const struct tiny *t, int size)
+{
+    struct scene_view view = tiny_view(t, size);
+    view.outputs = SCENE_OUTPUT_LINEAR;
+    view.ambient_occlusion = false;
+    return view;
+}
+
+static void check_shadow(struct tiny *t)
+{
+    struct scene_view view = floor_view(t, 64);
+    struct scene_pictures with = draw_scene(t, &view);
+    view.shadows = false;
+    struct scene_pictures without = draw_scene(t, &view);
+    // The square's shadow lies a unit to the right; light comes from the left at 45 degrees.
+    static const double points[][3] = {{1.0, 0.0, 1},  {0.6, 0.4, 1}, {1.4, -0.4, 1},
+                                       {-1.0, 0.0, 0}, {0.0, 0.0, 0}, {1.0, 0.7, 0},
+                                       {1.0, -0.7, 0}, {1.7, 0.0, 0}, {0.0, 1.5, 0}};
+    for (size_t i = 0; i < sizeof points / sizeof *points; i++) {
+        const double lit = brightness(&without, points[i][0], points[i][1]);
+        const double now = brightness(&with, points[i][0], points[i][1]);
+        if (points[i][2] > 0.0) {
+            assert_true(now < 0.7 * lit);
+        } else {
+            tiny_assert_close(now, lit, 1e-6);
+        }
+    }
+    scene_pictures_free(&with);
+    scene_pictures_free(&without);
+}
+
+static void test_shadow_of_a_sun(void **state)
+{
+    (void)state;
+    struct tiny t;
+    make_floor(&t);
+    t.model.light_count = 1;
+    t.light = (struct scene_model_light){.type = SCENE_LIGHT_DIRECTIONAL,
+                                         .direction = {(float)sqrt(0.5), 0, -(float)sqrt(0.5)},
+                                         .color = {1, 1, 1},
+                                         .intensity = 1};
+    check_shadow(&t);
+}
+
+// From 30 units away rays through the square are nearly parallel.
+static void test_shadow_of_lamps(void **state)
+{
+    (void)state;
+    for (int spot = 0; spot < 2; spot++) {
+        struct tiny t;
+        make_floor(&t);
+        t.model.light_count = 1;
+        t.light = (struct scene_model_light){.type = spot ? SCENE_LIGHT_SPOT : SCENE_LIGHT_POINT,
+                                             .position = {-30, 0, 31},
+                                             .direction = {(float)sqrt(0.5), 0, -(float)sqrt(0.5)},
+                                             .color = {1, 1, 1},
+                                             .intensity = 1000,
+                                             .inner_cos = 0.97f,
+                                             .outer_cos = 0.95f};
+        check_shadow(&t);
+    }
+}
+
+// What is culled, and what is less than half opaque, casts none.
+static void test_what_casts_no_shadow(void **state)
+{
+    (void)state;
+    for (int how = 0; how < 2; how++) {
+        struct tiny t;
+        make_floor(&t);
+        t.model.light_count = 1;
+        t.light = (struct scene_model_light){.type = SCENE_LIGHT_DIRECTIONAL,
+                                             .direction = {(float)sqrt(0.5), 0, -(float)sqrt(0.5)},
+                                             .color = {1, 1, 1},
+                                             .intensity = 1};
+        if (how == 0) {
+            t.instances[1].world[0] = -0.5f; // turned over: its back is up
+            t.instances[1].world[10] = -0.5f;
+        } else {
+            t.material.alpha_mode = SCENE_ALPHA_BLEND;
+            t.material.base_color[3] = 0.4f;
+        }
+        struct scene_view view = floor_view(&t, 64);
+        struct scene_pictures with = draw_scene(&t, &view);
+        view.shadows = false;
+        struct scene_pictures without = draw_scene(&t, &view);
+        tiny_assert_close(brightness(&with, 1.0, 0.0), brightness(&without, 1.0, 0.0), 1e-6);
+        scene_pictures_free(&with);
+        scene_pictures_free(&without);
+    }
+}
+
+// Ambient occlusion ---------------------------------------------------------------------------------
+
+// Two squares that meet in a right angle along the line x = 0: there each sees half of its cosine-weighted hemisphere, far
+// from it nearly all.
+static void test_corner(void **state)
+{
+    (void)state;
+    struct tiny t;
+    tiny_make(&t);
+    t.material.unlit = false;
+    t.material.roughness = 1;
+    t.material.base_color[0] = 1;
+    t.model.instance_count = 2;
+    t.material.double_sided = true;
+    const float half = (float)sqrt(0.5);
+    for (int i = 0; i < 2; i++) {
+        // Roofs turned upside down, at 45 degrees to either side.
+        const float side = i ? 1.0f : -1.0f;
+        float *m = t.instances[i].world;
+        tiny_identity(m);
+        m[0] = half * 2;
+        m[2] = side * half * 2;
+        m[5] = 4;
+        m[8] = -side * half * 2;
+        m[10] = half * 2;
+        m[12] = side * half * 2;
+        m[14] = half * 2;
+    }
+    for (int c = 0; c < 3; c++) {
+        t.model.bounds_min[c] = c == 2 ? 0.0f : c == 1 ? -4.0f : -4 * half;
+        t.model.bounds_max[c] = c == 2 ? 4 * half : c == 1 ? 4.0f : 4 * half;
+    }
+    struct scene_view view = tiny_view(&t, 256);
+    view.outputs = SCENE_OUTPUT_LINEAR;
+    view.shadows = false;
+    view.camera.zfar = 100;
+    // The lamp shines from behind: the surroundings alone are left.
+    t.model.light_count = 1;
+    t.light = (struct scene_model_light){
+        .type = SCENE_LIGHT_DIRECTIONAL, .direction = {0, 0, 1}, .color = {1, 1, 1}, .intensity = 1};
+    view.ambient_occlusion = true;
+    struct scene_pictures with = draw_scene(&t, &view);
+    view.ambient_occlusion = false;
+    struct scene_pictures without = draw_scene(&t, &view);
+    // The reach is 0.12 of half the diagonal of the bounds, which is 0.6 here.
+    const double at_corner = brightness(&with, 0.02, 0) / brightness(&without, 0.02, 0);
+    const double far = brightness(&with, 1.6, 0) / brightness(&without, 1.6, 0);
+    const double between = brightness(&with, 0.25, 0) / brightness(&without, 0.25, 0);
+    tiny_assert_close(far, 1.0, 0.015);
+    assert_true(at_corner > 0.5 && at_corner < 0.75);
+    assert_true(between > at_corner + 0.2 && between < far);
+    scene_pictures_free(&with);
+    scene_pictures_free(&without);
+}
+
+// A square by itself has nothing above it.
+static void test_open_square(void **state)
+{
+    (void)state;
+    struct tiny t;
+    tiny_make(&t);
+    t.material.unlit = false;
+    for (int tilted = 0; tilted < 2; tilted++) {
+        if (tilted) { // about the Y axis
+            t.instances[0].world[2] = 1.0f;
+            t.instances[0].world[8] = -1.0f;
+            t.model.bounds_min[2] = -1;
+            t.model.bounds_max[2] = 1;
+        }
+        struct scene_view view = tiny_view(&t, 128);
+        view.outputs = SCENE_OUTPUT_LINEAR;
+        view.camera.eye[2] = 20;
+        view.camera.zfar = 100;
+        struct scene_pictures with = draw_scene(&t, &view);
+        view.ambient_occlusion = false;
+        view.shadows = false;
+        struct scene_pictures without = draw_scene(&t, &view);
+        for (size_t i = 0; i < 4 * 128 * 128; i++) {
+            tiny_assert_close((double)with.linear[i], (double)without.linear[i], 0.01);
+        }
+        scene_pictures_free(&with);
+        scene_pictures_free(&without);
+    }
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(test_a_plane_does_not_shade_itself),
+        cmocka_unit_test(test_penumbra),
+        cmocka_unit_test(test_beyond_the_map_is_light),
+        cmocka_unit_test(test_shadow_of_a_sun),
+        cmocka_unit_test(test_shadow_of_lamps),
+        cmocka_unit_test(test_what_casts_no_shadow),
+        cmocka_unit_test(test_corner),
+        cmocka_unit_test(test_open_square),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}

@@ -1,0 +1,123 @@
+// SPDX-License-Identifier: MIT
+#include "panorama_load.h"
+
+#include <errno.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "image_load.h"
+#include "image_read.h"
+#include "message.h"
+
+static const float most_light = 60000.0f;
+
+static bool allocate(struct scene_panorama *p, const char *path)
+{
+    p->texels = malloc((size_t)p->width * (size_t)p->height * sizeof *p->texels);
+    if (p->texels == NULL) {
+        cli_error(path, "out of memory");
+    }
+    return p->texels != NULL;
+}
+
+static void clean(struct scene_panorama *p)
+{
+    for (size_t i = 0; i < (size_t)p->width * (size_t)p->height; i++) {
+        for (int c = 0; c < 3; c++) {
+            const float light = p->texels[i][c];
+            p->texels[i][c] = light > most_light ? most_light : light > 0.0f ? light : 0.0f; // NaN: 0
+        }
+        p->texels[i][3] = 1.0f;
+    }
+}
+
+static void *read_all(FILE *stream, size_t *size)
+{
+    unsigned char *bytes = NULL;
+    size_t room = 0, got = 1;
+    for (*size = 0; got > 0; *size += got) {
+        if (*size == room) {
+            room = room ? 2 * room : 1 << 20;
+            unsigned char *larger = realloc(bytes, room);
+            if (larger == NULL) {
+                free(bytes);
+                return NULL;
+            }
+            bytes = larger;
+        }
+        got = fread(bytes + *size, 1, room - *size, stream);
+    }
+    return bytes;
+}
+
+static bool load_radiance(struct scene_panorama *p, const char *path, FILE *stream)
+{
+    size_t size;
+    struct scene_image image = {0};
+    void *bytes = read_all(stream, &size);
+    const char *problem = bytes ? scene_image_decode(bytes, size, &image) : "out of memory";
+    free(bytes);
+    if (problem == NULL && image.type != SCENE_IMAGE_RGBA32F) {
+        free(image.texels);
+        problem = "not a Radiance HDR picture";
+    }
+    if (problem != NULL) {
+        cli_error(path, "%s", problem);
+        return false;
+    }
+    *p = (struct scene_panorama){(int)image.width, (int)image.height, image.texels};
+    return true;
+}
+
+static bool load_exr(struct scene_panorama *p, const char *path)
+{
+    static const char *const names[3] = {"R", "G", "B"};
+    struct cli_loaded_image image;
+    int channels[3];
+    if (!cli_image_load(&image, path)) {
+        return false;
+    }
+    *p = (struct scene_panorama){image.width, image.height, NULL};
+    double *row = malloc((size_t)image.width * sizeof *row);
+    bool ok = row != NULL && allocate(p, path);
+    for (int c = 0; c < 3 && ok; c++) {
+        channels[c] = image.encoded ? -1 : cli_image_find_channel(&image, names[c]);
+        if (channels[c] < 0) {
+            cli_error(path, image.encoded ? "an environment must be a Radiance HDR or an OpenEXR picture"
+                                          : "an environment must have the channels R, G and B");
+            ok = false;
+        }
+        for (int y = 0; y < image.height && ok; y++) {
+            cli_image_row(&image, channels[c], y, row);
+            for (int x = 0; x < image.width; x++) {
+                p->texels[(size_t)y * (size_t)image.width + (size_t)x][c] = (float)row[x];
+            }
+        }
+    }
+    free(row);
+    cli_image_unload(&image);
+    if (!ok) {
+        free(p->texels);
+        p->texels = NULL;
+    }
+    return ok;
+}
+
+bool cli_panorama_load(struct scene_panorama *panorama, const char *path)
+{
+    char magic[2] = {0};
+    FILE *stream = fopen(path, "rb");
+    if (stream == NULL) {
+        cli_error(path, "%s", strerror(errno));
+        return false;
+    }
+    const bool radiance = fread(magic, 1, 2, stream) == 2 && memcmp(magic, "#?", 2) == 0;
+    rewind(stream);
+    const bool loaded = radiance ? load_radiance(panorama, path, stream) : load_exr(panorama, path);
+    fclose(stream);
+    if (loaded) {
+        clean(panorama);
+    }
+    return loaded;
+}

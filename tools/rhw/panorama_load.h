@@ -1,0 +1,14 @@
+// SPDX-License-Identifier: MIT
+// Panoramas that light a model: Radiance HDR and OpenEXR files.
+#ifndef CLI_PANORAMA_LOAD_H
+#define CLI_PANORAMA_LOAD_H
+
+#include <stdbool.h>
+
+#include "panorama.h"
+
+/// Reads one; what no light can be (negative, infinite, not a number) becomes black or the most that half floats hold.
+/// Reports failure in one line. The texels are the caller's to free.
+bool cli_panorama_load(struct scene_panorama *panorama, const char *path);
+
+#endif
