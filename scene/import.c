@@ -401,4 +401,5 @@ void scene_import_run(struct scene_import *import)
         model->up = scene_model_guess_up(model, usual);
         model->up_guessed = model->up != usual;
     }
+    scene_import_dress_points(import);
 }

@@ -141,6 +141,9 @@ void scene_import_make_tangents(struct scene_import *import, struct scene_mesh *
 void scene_import_triangulate(const float (*positions)[3], const uint32_t *corners, uint32_t count,
                               uint32_t *triangles);
 
+/// Gives clouds of points a size and, where they have none, colours by height; last, when it is known what is up.
+void scene_import_dress_points(struct scene_import *import);
+
 // Small mathematics (import_math.c). Matrices column major.
 void scene_import_identity(float matrix[16]);
 void scene_import_multiply(const float a[16], const float b[16], float product[16]); ///< may alias

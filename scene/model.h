@@ -28,6 +28,7 @@ struct scene_mesh {
     float (*uvs[SCENE_UV_SETS])[2];     ///< NULL: the set is absent, read 0,0
     float (*colors)[4];                 ///< linear RGBA, multiplies the base colour; NULL: 1,1,1,1
     float bounds_min[3], bounds_max[3]; ///< of the vertices that indices use
+    float point_radius; ///< of the disc of a point, in the units of the positions; 0: a few pixels, as single points
 };
 
 enum scene_image_type {
