@@ -94,6 +94,29 @@ static bool exists_in_some_case(char *path, size_t known)
     return is_file(path);
 }
 
+// A path of the machine that the model was made on: as much of its end as stands beside the model is meant, or the file
+// alone in one of the folders that archives of models have.
+static const char *find_moved(struct scene_import *import, const char *directory, const char *name)
+{
+    static const char *const folders[] = {"textures/", "texture/",     "tex/",        "maps/",
+                                          "images/",   "../textures/", "../texture/", "../images/"};
+    const char *file = name;
+    for (const char *slash = strchr(name, '/'); slash != NULL; slash = strchr(slash + 1, '/')) {
+        file = slash + 1;
+        char *path = join(import, directory, file);
+        if (exists_in_some_case(path, strlen(directory))) {
+            return path;
+        }
+    }
+    for (size_t i = 0; i < sizeof folders / sizeof folders[0]; i++) {
+        char *path = join(import, join(import, directory, folders[i]), file);
+        if (exists_in_some_case(path, strlen(directory))) {
+            return path;
+        }
+    }
+    return NULL;
+}
+
 const char *scene_import_find_file(struct scene_import *import, const char *name)
 {
     if (strncmp(name, "file://", 7) == 0) {
@@ -123,17 +146,7 @@ const char *scene_import_find_file(struct scene_import *import, const char *name
     if (exists_in_some_case(path, strlen(directory))) {
         return path;
     }
-    // Paths of the machine that the model was made on: what stands beside the model is meant, or in one of the
-    // folders that archives of models have.
-    static const char *const folders[] = {"", "textures/", "../textures/"};
-    const char *slash = strrchr(decoded, '/');
-    for (size_t i = 0; i < sizeof folders / sizeof folders[0]; i++) {
-        path = join(import, join(import, directory, folders[i]), slash == NULL ? decoded : slash + 1);
-        if (exists_in_some_case(path, strlen(directory))) {
-            return path;
-        }
-    }
-    return NULL;
+    return find_moved(import, directory, decoded);
 }
 
 // Decoding ------------------------------------------------------------------------------------------
