@@ -45,7 +45,9 @@ struct scene_import {
         light_capacity, warning_capacity, unsupported_capacity, source_capacity;
     struct scene_import_source *sources; // one per image
     uint32_t source_count;
-    const char *directory; // of the model file, with a trailing slash; "" for the current one
+    const char *name;      // of the options; else the path of the model
+    const char *ending;    // of the name, without its point; "" where it has none
+    const char *directory; // of the name, with a trailing slash; "" for the current one
     const char *variant;   // of the options
     bool up_is_open;       // model.up is what is usual in the format; the model's shape decides
     FILE *reply;           // what the parent reads
@@ -91,16 +93,16 @@ bool scene_import_join_channels(struct scene_import *import, struct scene_image 
 void scene_import_lay_image(struct scene_import *import, struct scene_image *image,
                             const struct scene_import_layer *layer);
 
+/// Reads import->model.path by the reader it is for (import_kind.c).
+void scene_import_read(struct scene_import *import);
+
 // The readers.
 bool scene_import_is_gltf(const char *path, const unsigned char *start, size_t size);
 void scene_import_gltf(struct scene_import *import);
-bool scene_import_is_obj(const char *path);
 void scene_import_obj(struct scene_import *import);
 bool scene_import_is_ply(const char *path, const unsigned char *start, size_t size);
 void scene_import_ply(struct scene_import *import);
-bool scene_import_is_3mf(const char *path);
 void scene_import_3mf(struct scene_import *import);
-bool scene_import_is_stl(const char *path);
 void scene_import_stl(struct scene_import *import);
 void scene_import_assimp(struct scene_import *import);
 

@@ -7,12 +7,6 @@
 #include <string.h>
 #include <strings.h>
 
-bool scene_import_is_3mf(const char *path)
-{
-    const char *dot = strrchr(path, '.');
-    return dot != NULL && strcasecmp(dot, ".3mf") == 0;
-}
-
 uint32_t scene_3mf_part(struct scene_3mf *file, const char *name)
 {
     enum { MOST = 1 << 16 };

@@ -56,12 +56,6 @@ struct obj {
     uint32_t small_faces; // of fewer than three corners
 };
 
-bool scene_import_is_obj(const char *path)
-{
-    const char *dot = strrchr(path, '.');
-    return dot != NULL && strcasecmp(dot, ".obj") == 0;
-}
-
 static bool ends_within_line(const struct obj *obj)
 {
     return obj->text.end[-1] != '\n' && obj->text.end[-1] != '\r';

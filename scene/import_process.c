@@ -144,8 +144,10 @@ static void silence(void)
 
 _Noreturn static void run_child(const char *path, const struct scene_model_options *options, int descriptor)
 {
-    struct scene_import import = {
-        .model.path = path, .variant = options->variant, .reply = fdopen(descriptor, "wb")};
+    struct scene_import import = {.model.path = path,
+                                  .name = options->name != NULL ? options->name : path,
+                                  .variant = options->variant,
+                                  .reply = fdopen(descriptor, "wb")};
     if (import.reply == NULL) {
         abort();
     }

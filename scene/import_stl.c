@@ -21,12 +21,6 @@ struct solid {
     bool lacks_normals; // of some facet
 };
 
-bool scene_import_is_stl(const char *path)
-{
-    const char *dot = strrchr(path, '.');
-    return dot != NULL && strcasecmp(dot, ".stl") == 0;
-}
-
 static void add_solid(struct scene_import *import, struct solid *solid)
 {
     if (solid->corners > UINT32_MAX) {

@@ -160,8 +160,11 @@ struct scene_model {
 
 /// What to import, and its limits. Zeroed: the defaults.
 struct scene_model_options {
-    unsigned seconds;    ///< of CPU time; 0: 60
-    size_t memory;       ///< bytes of address space; 0: 3/4 of the machine's memory, at most 16 GiB
+    unsigned seconds; ///< of CPU time; 0: 60
+    size_t memory;    ///< bytes of address space; 0: 3/4 of the machine's memory, at most 16 GiB
+    /// What the file is called: its ending tells the format where nothing in it does, and files that it names are looked
+    /// for beside it. NULL: the path.
+    const char *name;
     const char *variant; ///< of the materials, by its name (KHR_materials_variants); NULL: as they are without
 };
 
