@@ -104,6 +104,8 @@ bool scene_import_is_ply(const char *path, const unsigned char *start, size_t si
 void scene_import_ply(struct scene_import *import);
 void scene_import_3mf(struct scene_import *import);
 void scene_import_stl(struct scene_import *import);
+/// Fails the import where an FBX is cut; assimp reads it.
+void scene_import_check_fbx(struct scene_import *import);
 void scene_import_assimp(struct scene_import *import);
 
 /// Reads import->model.path completely. What comes out may be sent to the parent.

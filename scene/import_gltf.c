@@ -99,7 +99,7 @@ int64_t scene_gltf_integer(struct scene_gltf *gltf, const json_t *object, const 
     }
     const double number = json_number_value(value); // some exporters write 3.0
     if (!(number >= 0 && number <= 9007199254740992.0) || number != floor(number)) {
-        scene_import_fail(gltf->import, "\"%s\" must be a whole number, 0 or more", key);
+        scene_import_fail(gltf->import, "\"%s\" must be a whole number, 0 to 9007199254740992", key);
     }
     return (int64_t)number;
 }
@@ -229,6 +229,12 @@ static void check_version(struct scene_gltf *gltf)
 {
     const json_t *asset = scene_gltf_object(gltf, gltf->root, "asset");
     const json_t *number = json_object_get(asset, "version"); // glTF 1.0 allowed a number
+    if (json_is_number(number) && json_number_value(number) == 2) {
+        scene_import_warn(
+            gltf->import,
+            "asset.version is the number 2; it must be the string \"2.0\", as which it is read");
+        return;
+    }
     if (json_is_number(number)) {
         scene_import_fail(gltf->import, "is glTF %.1f, which is not supported; only 2.0 is",
                           json_number_value(number));

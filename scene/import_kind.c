@@ -121,6 +121,9 @@ void scene_import_read(struct scene_import *import)
         scene_import_stl(import);
     } else {
         refuse_unread(import, &start);
+        if (ends_in(import, "fbx")) {
+            scene_import_check_fbx(import);
+        }
         scene_import_assimp(import);
     }
 }

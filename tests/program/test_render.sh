@@ -266,6 +266,10 @@ echo words | "$rhw" info - 2>"$folder/log/err" || status=$?
 check "words on standard input" grep -q "^rhw: standard input: is not a model in a format" "$folder/log/err"
 check "rhw info of standard input" test "$("$rhw" info - <cube.obj | head -1)" = "standard input: Wavefront OBJ"
 
+# With nothing open but the files that are asked for.
+"$rhw" render cube.obj $view -o closed.png <&- >&- 2>&-
+check "standard streams that are closed" cmp -s a.png closed.png
+
 # A picture does not take the model's place.
 cp cube.obj self.png
 ln -s self.png link.png
