@@ -350,8 +350,19 @@ static bool colors_something(const struct scene_model *model, uint32_t image)
     return found;
 }
 
-// A stand-in is for colours to show that something is missing, by a checker with hard edges; as a normal or a roughness
-// it would lie.
+// A checker with hard edges in plain magenta: nothing else of the material darkens, tints or thins it.
+static void show_stand_in(struct scene_material *material)
+{
+    struct scene_texture_slot *slot = &material->slots[SCENE_SLOT_BASE_COLOR];
+    slot->min_filter = slot->mag_filter = RHW_FILTER_NEAREST;
+    for (int c = 0; c < 4; c++) {
+        material->base_color[c] = 1;
+    }
+    material->metallic = 0;
+    material->alpha_mode = SCENE_ALPHA_OPAQUE;
+}
+
+// A stand-in is for colours to show that something is missing; as a normal or a roughness it would lie.
 static void drop_missing_data(struct scene_model *model)
 {
     for (uint32_t i = 0; i < model->material_count; i++) {
@@ -362,7 +373,7 @@ static void drop_missing_data(struct scene_model *model)
                 continue;
             }
             if (k == SCENE_SLOT_BASE_COLOR) {
-                slot->min_filter = slot->mag_filter = RHW_FILTER_NEAREST;
+                show_stand_in(material);
                 continue;
             }
             slot->image = -1;

@@ -82,12 +82,29 @@ static void test_longest_end(void **state)
     rmdir(path_of("b"));
 }
 
+// What stands in for a missing colour is plain magenta, whatever the material does to its texture.
+static void test_stand_in(void **state)
+{
+    (void)state;
+    write_text("m.mtl", "newmtl m\nKd 0.1 0.2 0.05\nd 0.2\nPm 1\nmap_Kd none.tga\n");
+    struct scene_model *model =
+        load_text("m.obj", "mtllib m.mtl\nv 0 0 0\nv 1 0 0\nv 0 1 0\nvt 0 0\nusemtl m\nf 1/1 2/1 3/1\n");
+    const struct scene_material *material = &model->materials[model->meshes[0].material];
+    assert_floats(material->base_color, (const float[]){1, 1, 1, 1}, 4, 0);
+    assert_floats(&material->metallic, (const float[]){0}, 1, 0);
+    assert_int_equal(material->alpha_mode, SCENE_ALPHA_OPAQUE);
+    assert_int_equal(material->slots[SCENE_SLOT_BASE_COLOR].mag_filter, RHW_FILTER_NEAREST);
+    assert_memory_equal(model->images[0].texels, ((const uint8_t[]){255, 0, 255, 255, 96, 0, 96, 255}), 8);
+    scene_model_free(model);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(test_beside),
         cmocka_unit_test(test_folders),
         cmocka_unit_test(test_longest_end),
+        cmocka_unit_test(test_stand_in),
     };
     return cmocka_run_group_tests(tests, make_directory, remove_directory);
 }
