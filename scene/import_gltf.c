@@ -27,6 +27,19 @@ static const char *const known_extensions[] = {
     "KHR_texture_transform",
 };
 
+// Extensions that say nothing about the picture.
+static const char *const silent_extensions[] = {
+    "EXT_instance_features",
+    "EXT_mesh_features",
+    "EXT_structural_metadata",
+    "FB_geometry_metadata",
+    "KHR_audio_emitter",
+    "KHR_physics_rigid_bodies",
+    "KHR_xmp",
+    "KHR_xmp_json_ld",
+    "MSFT_audio_emitter",
+};
+
 // Typed access --------------------------------------------------------------------------------------
 
 static json_t *typed(struct scene_gltf *gltf, const json_t *object, const char *key,
@@ -252,14 +265,20 @@ static void check_version(struct scene_gltf *gltf)
     }
 }
 
-static bool is_known(const char *extension)
+static bool is_among(const char *const *list, size_t count, const char *extension)
 {
-    for (size_t i = 0; i < sizeof known_extensions / sizeof known_extensions[0]; i++) {
-        if (strcmp(known_extensions[i], extension) == 0) {
+    for (size_t i = 0; i < count; i++) {
+        if (strcmp(list[i], extension) == 0) {
             return true;
         }
     }
     return false;
+}
+
+static bool is_known(const char *extension)
+{
+    return is_among(known_extensions, sizeof known_extensions / sizeof *known_extensions, extension) ||
+           is_among(silent_extensions, sizeof silent_extensions / sizeof *silent_extensions, extension);
 }
 
 static void check_extensions(struct scene_gltf *gltf)

@@ -314,6 +314,9 @@ done
 printf 'v 0 0 0\nv 1 0 0\nv nan 1 0\nv 0 1 0\nf 1 2 3\nf 1 2 4\n' >nan.obj
 run render nan.obj $view -o x.png
 check "NaN vertices end in a status, not a crash" test $status -le 1
+printf 'v 0 0 0\nv 1 0 0\nv nan 1 0\nf 1 2 3\n' >bad.obj
+refuse 1 "bad.obj: the file has nothing to draw: mesh .* positions that are not finite are left out, 1 of them$" \
+    render bad.obj -o x.png
 cat >missing.mtl <<'MTL'
 newmtl m
 map_Kd not-there.png

@@ -116,11 +116,14 @@ static bool import_model(struct render *render)
     if (!render->model) {
         return false;
     }
-    const uint32_t lines = warn(render);
-    if (!(render->model->bounds_min[0] <= render->model->bounds_max[0])) {
-        cli_error(job->model_path, "the file has nothing to draw");
+    const struct scene_model *model = render->model;
+    if (!(model->bounds_min[0] <= model->bounds_max[0])) { // one line, with the reason if there is one
+        const bool reason = model->warning_count > 0;
+        cli_error(job->model_path, "the file has nothing to draw%s%s", reason ? ": " : "",
+                  reason ? model->warnings[0] : "");
         return false;
     }
+    const uint32_t lines = warn(render);
     if (job->strict && lines > 0) {
         cli_error(job->model_path,
                   "is not drawn as it is meant, for the reasons above (%u); --strict allows none", lines);
