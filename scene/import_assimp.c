@@ -424,7 +424,9 @@ static const struct aiScene *read_scene(struct scene_import *import)
 {
     struct aiPropertyStore *properties = aiCreatePropertyStore();
     aiSetImportPropertyInteger(properties, AI_CONFIG_IMPORT_NO_SKELETON_MESHES, 1);
-    aiSetImportPropertyInteger(properties, AI_CONFIG_IMPORT_FBX_PRESERVE_PIVOTS, 0);
+    // The matrices that a node of an FBX is made of, each in a node of its own: where assimp 5.2.5 multiplies them, it turns
+    // what exporters aim cameras and lights with the wrong way.
+    aiSetImportPropertyInteger(properties, AI_CONFIG_IMPORT_FBX_PRESERVE_PIVOTS, 1);
     const struct rlimit before = limit_memory(import);
     const struct aiScene *scene = aiImportFileExWithProperties(
         import->model.path, aiProcess_Triangulate | aiProcess_SortByPType | aiProcess_GenUVCoords, NULL,

@@ -58,11 +58,38 @@ static void test_text(void **state)
     expect_refused("x.fbx", "is cut: 2 of its sections are open where it ends");
 }
 
+// A light shines along its -Y, which its post-rotation of -90 degrees about X turns to -Z: it is applied backward.
+static void test_light(void **state)
+{
+    (void)state;
+    struct scene_model *model = load_text(
+        "light.fbx",
+        "; FBX 7.4.0 project file\n"
+        "FBXHeaderExtension:  {\n\tFBXHeaderVersion: 1003\n\tFBXVersion: 7400\n}\n"
+        "Objects:  {\n"
+        "\tGeometry: 10, \"Geometry::\", \"Mesh\" {\n"
+        "\t\tVertices: *9 {\n\t\t\ta: 0,0,0,1,0,0,0,1,0\n\t\t}\n"
+        "\t\tPolygonVertexIndex: *3 {\n\t\t\ta: 0,1,-3\n\t\t}\n\t\tGeometryVersion: 124\n\t}\n"
+        "\tModel: 11, \"Model::mesh\", \"Mesh\" {\n\t\tVersion: 232\n\t}\n"
+        "\tNodeAttribute: 20, \"NodeAttribute::\", \"Light\" {\n\t\tProperties70:  {\n"
+        "\t\t\tP: \"LightType\", \"enum\", \"\", \"\",1\n\t\t}\n\t\tTypeFlags: \"Light\"\n\t}\n"
+        "\tModel: 21, \"Model::lamp\", \"Light\" {\n\t\tVersion: 232\n\t\tProperties70:  {\n"
+        "\t\t\tP: \"RotationActive\", \"bool\", \"\", \"\",1\n"
+        "\t\t\tP: \"PostRotation\", \"Vector3D\", \"Vector\", \"\",-90,0,0\n\t\t}\n\t}\n"
+        "}\n"
+        "Connections:  {\n\tC: \"OO\",11,0\n\tC: \"OO\",10,11\n\tC: \"OO\",21,0\n\tC: \"OO\",20,21\n}\n");
+    assert_int_equal(model->light_count, 1);
+    assert_int_equal(model->lights[0].type, SCENE_LIGHT_DIRECTIONAL);
+    assert_floats(model->lights[0].direction, (const float[]){0, 0, -1}, 3, 1e-6f);
+    scene_model_free(model);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(test_binary),
         cmocka_unit_test(test_text),
+        cmocka_unit_test(test_light),
     };
     return cmocka_run_group_tests(tests, make_directory, remove_directory);
 }
