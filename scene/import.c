@@ -363,33 +363,18 @@ static void mark_image_uses(struct scene_model *model)
 
 static void set_directory(struct scene_import *import)
 {
-    const char *slash = strrchr(import->model.path, '/');
-    const size_t length = slash == NULL ? 0 : (size_t)(slash - import->model.path) + 1;
+    const char *slash = strrchr(import->name, '/');
+    const size_t length = slash == NULL ? 0 : (size_t)(slash - import->name) + 1;
     char *directory = scene_import_allocate(import, length + 1, 1);
-    memcpy(directory, import->model.path, length);
+    memcpy(directory, import->name, length);
     import->directory = directory;
 }
 
 void scene_import_run(struct scene_import *import)
 {
-    unsigned char start[64] = {0};
-    FILE *file = fopen(import->model.path, "rb");
-    if (file == NULL) {
-        scene_import_fail(import, "cannot be opened: %s", strerror(errno));
-    }
-    const size_t size = fread(start, 1, sizeof start, file);
-    fclose(file);
-    set_directory(import);
     struct scene_model *model = &import->model;
-    if (scene_import_is_gltf(model->path, start, size)) {
-        scene_import_gltf(import);
-    } else if (scene_import_is_ply(model->path, start, size)) {
-        scene_import_ply(import);
-    } else if (scene_import_is_obj(model->path)) {
-        scene_import_obj(import);
-    } else {
-        scene_import_assimp(import);
-    }
+    set_directory(import);
+    scene_import_read(import);
     if (import->variant != NULL && model->variant_count == 0) {
         scene_import_fail(import, "has no variants of its materials");
     }
@@ -408,4 +393,5 @@ void scene_import_run(struct scene_import *import)
         model->up = scene_model_guess_up(model, usual);
         model->up_guessed = model->up != usual;
     }
+    scene_import_dress_points(import);
 }

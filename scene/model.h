@@ -28,6 +28,7 @@ struct scene_mesh {
     float (*uvs[SCENE_UV_SETS])[2];     ///< NULL: the set is absent, read 0,0
     float (*colors)[4];                 ///< linear RGBA, multiplies the base colour; NULL: 1,1,1,1
     float bounds_min[3], bounds_max[3]; ///< of the vertices that indices use
+    float point_radius; ///< of the disc of a point, in the units of the positions; 0: a few pixels, as single points
 };
 
 enum scene_image_type {
@@ -201,8 +202,11 @@ struct scene_model {
 
 /// What to import, and its limits. Zeroed: the defaults.
 struct scene_model_options {
-    unsigned seconds;    ///< of CPU time; 0: 60
-    size_t memory;       ///< bytes of address space; 0: 3/4 of the machine's memory, at most 16 GiB
+    unsigned seconds; ///< of CPU time; 0: 60
+    size_t memory;    ///< bytes of address space; 0: 3/4 of the machine's memory, at most 16 GiB
+    /// What the file is called: its ending tells the format where nothing in it does, and files that it names are looked
+    /// for beside it. NULL: the path.
+    const char *name;
     const char *variant; ///< of the materials, by its name (KHR_materials_variants); NULL: as they are without
 };
 

@@ -144,6 +144,7 @@ struct scene_surface {
     uint32_t triangles_per_id; // 1; 2 where a quad stands for a line or a point
     int32_t is_triangle;
     float half_width; // of lines and points, pixels of the pass
+    float disc[2];    // the least half width and height of points, in clip coordinates
 };
 
 // Uniforms of the background. Colours are linear and premultiplied.

@@ -140,8 +140,8 @@ static void point_vertex(struct rhw_vertex *groups, int count)
         rhw_mat4_mul_point(s->clip, v->attribute[0], clip);
         const rhw_float x = rhw_float_from_int((v->vertex_index & 1) * 2 - 1);
         const rhw_float y = rhw_float_from_int((v->vertex_index & 2) - 1);
-        v->position[0] = clip[0] + x * (s->half_width * pixel[0]) * clip[3];
-        v->position[1] = clip[1] + y * (s->half_width * pixel[1]) * clip[3];
+        v->position[0] = clip[0] + x * rhw_max(s->half_width * pixel[0] * clip[3], s->disc[0]);
+        v->position[1] = clip[1] + y * rhw_max(s->half_width * pixel[1] * clip[3], s->disc[1]);
         v->position[2] = clip[2];
         v->position[3] = clip[3];
         write_position(s, v->attribute[0], v->varying);

@@ -9,7 +9,8 @@
 #include <stdlib.h>
 #include <string.h>
 
-static const double line_half_width = 0.75, point_half_width = 2.25; // pixels of the picture
+// Pixels of the picture; the last, the least of points that have a size of their own.
+static const double line_half_width = 0.75, point_half_width = 2.25, disc_half_width = 1.0;
 static const float data_blend_cutoff = 0.5f;
 
 // View ----------------------------------------------------------------------------------------------
@@ -401,6 +402,15 @@ static void lay_out_shadow(struct scene_surface *s, struct scene_surface_key *ke
     }
 }
 
+// A row of the matrix is as long as a unit of the model is wide, or high, in clip coordinates.
+static void set_disc(struct scene_surface *s, float radius)
+{
+    for (int row = 0; row < 2; row++) {
+        const float *m = s->clip + row;
+        s->disc[row] = radius * __builtin_sqrtf(m[0] * m[0] + m[4] * m[4] + m[8] * m[8]);
+    }
+}
+
 static void lay_out(const struct scene_upload *upload, const struct scene_surface_pass *def,
                     uint32_t instance_index, struct scene_surface *s, struct scene_surface_key *key)
 {
@@ -426,9 +436,12 @@ static void lay_out(const struct scene_upload *upload, const struct scene_surfac
     s->triangles_per_id = s->is_triangle ? 1 : 2;
     s->object = instance->object;
     s->first_triangle = upload->first_triangle[instance_index];
-    s->half_width =
-        def->frame->samples * (float)(mesh->kind == SCENE_VERTEX_LINE ? line_half_width : point_half_width);
+    const float radius = upload->model->meshes[instance->mesh].point_radius;
+    s->half_width = def->frame->samples * (float)(mesh->kind == SCENE_VERTEX_LINE ? line_half_width
+                                                  : radius > 0                    ? disc_half_width
+                                                                                  : point_half_width);
     set_matrices(s, def, instance);
+    set_disc(s, radius);
     set_material(s, def, material);
 
     key->vertex = (int32_t)mesh->kind;

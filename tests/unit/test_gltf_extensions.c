@@ -582,14 +582,31 @@ static void test_layers(void **state)
     scene_model_free(model);
 }
 
+// Rules that other viewers forgive, and what is left out.
+static void test_forgiven(void **state)
+{
+    (void)state;
+    struct scene_model *model =
+        load_text("number.gltf",
+                  "{\"asset\":{\"version\":2},\"scenes\":[{\"nodes\":[0]}],\"nodes\":[{\"name\":\"a\"}]}");
+    assert_true(has_warning(model, "asset.version is the number 2; it must be the string \"2.0\""));
+    scene_model_free(model);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_meshopt_filters), cmocka_unit_test(test_meshopt_indices),
-        cmocka_unit_test(test_meshopt_refused), cmocka_unit_test(test_draco),
-        cmocka_unit_test(test_draco_refused),   cmocka_unit_test(test_webp),
-        cmocka_unit_test(test_instancing),      cmocka_unit_test(test_visibility),
-        cmocka_unit_test(test_root_and_child),  cmocka_unit_test(test_variants),
+        cmocka_unit_test(test_forgiven),
+        cmocka_unit_test(test_meshopt_filters),
+        cmocka_unit_test(test_meshopt_indices),
+        cmocka_unit_test(test_meshopt_refused),
+        cmocka_unit_test(test_draco),
+        cmocka_unit_test(test_draco_refused),
+        cmocka_unit_test(test_webp),
+        cmocka_unit_test(test_instancing),
+        cmocka_unit_test(test_visibility),
+        cmocka_unit_test(test_root_and_child),
+        cmocka_unit_test(test_variants),
         cmocka_unit_test(test_layers),
     };
     return cmocka_run_group_tests(tests, make_directory, remove_directory);

@@ -2,7 +2,7 @@
 // rhw info: what is in a model file, as the renderer will see it, and what of it will not be drawn.
 #include "json.h"
 #include "message.h"
-#include "model.h"
+#include "model_input.h"
 #include "options.h"
 #include "verbs.h"
 
@@ -24,7 +24,7 @@ static const char notes[] =
 static const struct cli_verb verb = {
     .name = "info",
     .operands = "MODEL",
-    .summary = "Tells what is in a model file and what of it is not drawn.",
+    .summary = "Tells what is in a model file ('-': standard input) and what of it is not drawn.",
     .options = options,
     .option_count = (int)(sizeof options / sizeof *options),
     .notes = notes,
@@ -388,13 +388,13 @@ int cli_info(int argc, char **argv)
         return CLI_USAGE;
     }
 
-    const char *path = parser.operands[0];
-    char error[512];
-    cli_stage("reading", path);
-    struct scene_model *model = scene_model_load(path, NULL, error, sizeof error);
-    cli_stage_end();
+    struct cli_model_input input;
+    struct scene_model *model = NULL;
+    if (cli_model_input_open(&input, parser.operands[0])) {
+        model = cli_model_input_load(&input, NULL);
+    }
+    cli_model_input_close(&input);
     if (model == NULL) {
-        cli_error(path, "%s", error);
         return CLI_FAILED;
     }
     if (json) {
