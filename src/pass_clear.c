@@ -17,6 +17,7 @@ struct clear_uniforms {
     float color[RHW_MAX_COLOR_ATTACHMENTS][4];
     float depth;
     int32_t color_count;
+    bool writes_layer;
 };
 
 // A triangle around everything, for every instance in its layer.
@@ -29,7 +30,9 @@ static void cover(struct rhw_vertex *groups, int count)
         groups[g].position[1] = rhw_select(rhw_equal(index, 2.0f), rhw_splat(3), rhw_splat(-1));
         groups[g].position[2] = rhw_splat(uniforms->depth);
         groups[g].position[3] = rhw_splat(1);
-        groups[g].layer = groups[g].instance_index;
+        if (uniforms->writes_layer) {
+            groups[g].layer = groups[g].instance_index;
+        }
     }
 }
 
@@ -118,7 +121,8 @@ static struct rhw_pipeline_def pipeline_of(const struct rhw_pass_state *pass, co
 static struct clear_uniforms uniforms_of(const struct rhw_pass_state *pass, const struct rhw_clear *clear)
 {
     struct clear_uniforms uniforms = {.depth = clear->depth ? clear->depth_value : 0,
-                                      .color_count = pass->color_count};
+                                      .color_count = pass->color_count,
+                                      .writes_layer = pass->layers > 1};
     for (int i = 0; i < pass->color_count; i++) {
         const struct rhw_format_info *const info = rhw_format_info(pass->colors[i].format);
         const void *const value =

@@ -159,15 +159,16 @@ static void test_among_draws(void **state)
         compare_with_model(&(struct rhw_context_def){.threads = 2}, samples);
         compare_with_model(&(struct rhw_context_def){.threads = 1, .paths = RHW_PATHS_GENERAL}, samples);
         compare_with_model(&(struct rhw_context_def){.threads = 2, .bin_memory = 1}, samples);
+        compare_with_model(&(struct rhw_context_def){.threads = 2, .validate = RHW_VALIDATE_ON}, samples);
     }
 }
 
-// Integers are bits; the layers that are named and no other; every sample of a texture that keeps them.
+// Integers are bits; the layers that are named and no other; nothing that validation finds fault with.
 static void test_layers_and_integers(void **state)
 {
     (void)state;
     struct rig rig;
-    rig_open(&rig, WIDTH, HEIGHT);
+    rig_open_with(&rig, WIDTH, HEIGHT, &(struct rhw_context_def){.validate = RHW_VALIDATE_ON});
     const rhw_texture texture = make_target(&rig, RHW_FORMAT_RGBA16_SINT, 1, 4);
     rig.pass.colors[0] = (struct rhw_color_attachment){.texture = texture, .layer_count = 4};
     const struct rhw_rect rect = {3, 5, 70, 9};
