@@ -11,6 +11,18 @@ struct widened {
     struct rhw_sample_request request;
 };
 
+// NULL in a slot without one, or that does not exist.
+static const struct rhw_texture_data *texture_of(const struct rhw_bindings *textures, int slot)
+{
+    return (unsigned)slot < RHW_MAX_TEXTURES ? textures->slot[slot].texture : NULL;
+}
+
+// Of its coordinates, without the layer.
+static int components_of(const struct rhw_texture_data *texture)
+{
+    return texture ? rhw_texture_components(texture->shape.kind) : 0;
+}
+
 static rhw_float *widen_floats(const float *from, int count, rhw_float *to)
 {
     for (int i = 0; from && i < count; i++) {
@@ -22,9 +34,8 @@ static rhw_float *widen_floats(const float *from, int count, rhw_float *to)
 static void widen(const struct rhw_bindings *textures, int slot, const struct rhw_sample_request1 *one,
                   struct widened *lanes)
 {
-    const struct rhw_texture_data *const texture =
-        (unsigned)slot < RHW_MAX_TEXTURES ? textures->slot[slot].texture : NULL;
-    const int components = texture ? rhw_texture_components(texture->shape.kind) : 0;
+    const struct rhw_texture_data *const texture = texture_of(textures, slot);
+    const int components = components_of(texture);
     const int layer = texture ? texture->shape.is_array : 0;
     const bool shifts = one->offset && texture && texture->shape.kind != RHW_TEXTURE_CUBE;
     for (int i = 0; shifts && i < components; i++) {
@@ -69,12 +80,9 @@ void rhw_sample_gather1(const struct rhw_bindings *textures, int slot,
 void rhw_sample_fetch1(const struct rhw_bindings *textures, int slot, const int32_t *at, int32_t level,
                        float texel[4])
 {
-    const struct rhw_texture_data *const texture =
-        (unsigned)slot < RHW_MAX_TEXTURES ? textures->slot[slot].texture : NULL;
-    const int components = !texture
-                               ? 0
-                               : rhw_texture_components(texture->shape.kind) +
-                                     (texture->shape.is_array && texture->shape.kind != RHW_TEXTURE_CUBE);
+    const struct rhw_texture_data *const texture = texture_of(textures, slot);
+    const bool has_layer = texture && texture->shape.is_array && texture->shape.kind != RHW_TEXTURE_CUBE;
+    const int components = components_of(texture) + has_layer;
     rhw_int lanes[3];
     rhw_float texels[4];
     for (int i = 0; i < components; i++) {
@@ -111,5 +119,21 @@ void rhw_sample_size1(const struct rhw_bindings *textures, int slot, int32_t lev
     rhw_sample_size(textures, slot, &levels, lanes);
     for (int i = 0; i < 3; i++) {
         size[i] = lanes[i][0];
+    }
+}
+
+void rhw_sample_groups1(const struct rhw_fragment1 *fragment, uint32_t slots, int at, float (*texels)[4])
+{
+    for (uint32_t todo = slots & ((1u << RHW_MAX_TEXTURES) - 1); todo != 0; todo &= todo - 1) {
+        const int slot = __builtin_ctz(todo);
+        const int components = components_of(texture_of(fragment->textures, slot));
+        float gradient[6];
+        for (int i = 0; i < components; i++) {
+            gradient[i] = fragment->ddx[at + i];
+            gradient[components + i] = fragment->ddy[at + i];
+        }
+        const struct rhw_sample_request1 request = {.coordinates = &fragment->varying[at],
+                                                    .gradient = gradient};
+        rhw_sample1(fragment->textures, slot, &request, texels[slot]);
     }
 }

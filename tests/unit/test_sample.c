@@ -351,8 +351,29 @@ enum { SLOTS = 6 };
 
 enum { GROUPS = 16, VARYINGS = 5 };
 
+// What rhw_sample_groups1 gives each lane of a group, slots that it does not name included.
+static void sample_one_at_a_time(const struct rhw_fragment *group, uint32_t slots, int at,
+                                 rhw_float texels[SLOTS + 1][4])
+{
+    for (int lane = 0; lane < RHW_LANES; lane++) {
+        float varying[VARYINGS], ddx[VARYINGS], ddy[VARYINGS], one[SLOTS + 1][4];
+        memset(one, 0x5a, sizeof one);
+        for (int i = 0; i < VARYINGS; i++) {
+            varying[i] = group->varying[i][lane];
+            ddx[i] = group->ddx[i][lane];
+            ddy[i] = group->ddy[i][lane];
+        }
+        rhw_sample_groups1(
+            &(struct rhw_fragment1){.varying = varying, .ddx = ddx, .ddy = ddy, .textures = group->textures},
+            slots, at, one);
+        for (int i = 0; i < (SLOTS + 1) * 4; i++) {
+            texels[i / 4][i % 4][lane] = one[i / 4][i % 4];
+        }
+    }
+}
+
 // Every subset of the slots gives each of its textures the bits that it has alone, for any number of groups, at any
-// varyings, and leaves the others be.
+// varyings, and leaves the others be; one fragment at a time too.
 static void expect_groups_as_alone(const struct rhw_bindings *bindings, uint64_t *random)
 {
     static rhw_float varying[GROUPS][VARYINGS], ddx[GROUPS][VARYINGS], ddy[GROUPS][VARYINGS];
@@ -375,6 +396,11 @@ static void expect_groups_as_alone(const struct rhw_bindings *bindings, uint64_t
         groups[g].textures = bindings;
     }
     rhw_sample_groups(groups, count, slots, at, texels[0], SLOTS + 1);
+    for (int g = 0; g < count; g++) {
+        rhw_float one_at_a_time[SLOTS + 1][4];
+        sample_one_at_a_time(&groups[g], slots, at, one_at_a_time);
+        assert_memory_equal(one_at_a_time, texels[g], sizeof one_at_a_time);
+    }
     for (int g = 0; g < GROUPS; g++) {
         for (int i = 0; i < SLOTS + 1; i++) {
             rhw_float alone[4];

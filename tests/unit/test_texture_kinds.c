@@ -333,7 +333,28 @@ static void test_gradients(void **state)
     rig_close(&rig);
 }
 
-// rhw_sample_groups takes as many varyings as the slot's texture asks for; anisotropic samplers come to the same too.
+// Every lane of a group by rhw_sample_groups1.
+static void expect_one_at_a_time(const struct rhw_fragment *group, int components, int at,
+                                 const rhw_float texel[4])
+{
+    for (int lane = 0; lane < RHW_LANES; lane++) {
+        float varying[6], ddx[6], ddy[6], texels[SLOT + 1][4];
+        for (int i = 0; i < components; i++) {
+            varying[i] = group->varying[i][lane];
+            ddx[i] = group->ddx[i][lane];
+            ddy[i] = group->ddy[i][lane];
+        }
+        const struct rhw_fragment1 one = {
+            .varying = varying, .ddx = ddx, .ddy = ddy, .textures = group->textures};
+        rhw_sample_groups1(&one, 1u << SLOT, at, texels);
+        for (int c = 0; c < 4; c++) {
+            assert_int_equal(rhw_bits_from_float1(texels[SLOT][c]), rhw_bits_from_float1(texel[c][lane]));
+        }
+    }
+}
+
+// rhw_sample_groups takes as many varyings as the slot's texture asks for; anisotropic samplers come to the same too, and
+// so does a fragment at a time.
 static void test_groups(void **state)
 {
     (void)state;
@@ -370,6 +391,7 @@ static void test_groups(void **state)
             memcpy(gradient + components, ddy[g] + 1, (size_t)components * sizeof *gradient);
             rhw_sample_grad(&bindings, SLOT, varyings[g] + 1, gradient, texel);
             assert_memory_equal(texels[g][SLOT], texel, sizeof texel);
+            expect_one_at_a_time(&groups[g], 6, 1, texel);
         }
     }
     rig_close(&rig);

@@ -55,6 +55,13 @@ static void sample_groups(struct rhw_fragment *groups, int count)
     }
 }
 
+static void sample_groups_one(struct rhw_fragment1 *f)
+{
+    float texels[4][4];
+    rhw_sample_groups1(f, 8, 0, texels);
+    memcpy(f->color[0], texels[3], sizeof texels[3]);
+}
+
 static void sample_narrow(struct rhw_fragment *groups, int count)
 {
     rhw_float texels[RHW_MAX_GROUPS * 3][4];
@@ -74,7 +81,7 @@ static void place(struct rhw_vertex *groups, int count)
     }
 }
 
-enum { FORMS = 4 };
+enum { FORMS = 5 };
 
 static void use_form(struct rig *rig, int form)
 {
@@ -82,10 +89,11 @@ static void use_form(struct rig *rig, int form)
     rig_set_program(rig, form == 3 ? place : rig_vertex_pass,
                     form == 0   ? sample
                     : form == 1 ? NULL
+                    : form == 4 ? NULL
                     : form == 2 ? sample_groups
                                 : rig_fragment_pass);
-    program->fragment1 = form == 1 ? sample_one : NULL;
-    program->varyings[0].derivatives = form == 2;
+    program->fragment1 = form == 1 ? sample_one : form == 4 ? sample_groups_one : NULL;
+    program->varyings[0].derivatives = form == 2 || form == 4;
 }
 
 static void test_an_empty_slot(void **state)

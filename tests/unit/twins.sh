@@ -38,6 +38,16 @@ for name in $(documented include/rhw/shader_vector.h include/rhw/shader_memory.h
         failed=$((failed + 1))
     fi
 done
-[ $count -gt 50 ] || { echo "only $count functions found"; failed=$((failed + 1)); }
+# Functions of the library that take or give lanes: textures, images and storage, compared by their own tests.
+for name in $(sed -n '/^#if RHW_HAS_LANES/,/^#endif/s/^RHW_API .*[ *]rhw_\([a-z0-9_]*\)(.*/\1/p' \
+    include/rhw/shader_sample.h include/rhw/shader_image.h include/rhw/shader_storage.h); do
+    count=$((count + 1))
+    if ! grep -q "^RHW_API .*[ *]rhw_${name}1(" include/rhw/shader_no_lanes.h include/rhw/shader_image.h \
+        include/rhw/shader_storage.h; then
+        echo "rhw_$name has no rhw_${name}1"
+        failed=$((failed + 1))
+    fi
+done
+[ $count -gt 60 ] || { echo "only $count functions found"; failed=$((failed + 1)); }
 echo "$((count - failed)) passed, $failed failed"
 [ $failed -eq 0 ]
