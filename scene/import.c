@@ -172,6 +172,17 @@ struct scene_material *scene_import_add_material(struct scene_import *import)
         .normal_scale = 1,
         .occlusion_strength = 1,
         .alpha_cutoff = 0.5f,
+        .layers = {.clearcoat_normal_scale = 1,
+                   .specular = 1,
+                   .specular_color = {1, 1, 1},
+                   .ior = 1.5f,
+                   .attenuation_distance = __builtin_inff(),
+                   .attenuation_color = {1, 1, 1},
+                   .anisotropy_direction = {1, 0},
+                   .iridescence_ior = 1.3f,
+                   .iridescence_thickness = {100, 400},
+                   .gloss_specular = {1, 1, 1},
+                   .glossiness = 1},
     };
     for (int i = 0; i < SCENE_SLOT_COUNT; i++) {
         material->slots[i] = scene_import_slot_default();

@@ -11,20 +11,14 @@ enum { GLB_MAGIC = 0x46546c67, GLB_JSON = 0x4e4f534a, GLB_BIN = 0x004e4942, GLB_
 
 // Extensions that are drawn as they are meant.
 static const char *const known_extensions[] = {
-    "EXT_mesh_gpu_instancing",
-    "EXT_meshopt_compression",
-    "EXT_texture_webp",
-    "KHR_draco_mesh_compression",
-    "KHR_lights_punctual",
-    "KHR_materials_emissive_strength",
-    "KHR_materials_pbrSpecularGlossiness",
-    "KHR_materials_unlit",
-    "KHR_materials_variants",
-    "KHR_mesh_quantization",
-    "KHR_meshopt_compression",
-    "KHR_node_visibility",
-    "KHR_texture_basisu",
-    "KHR_texture_transform",
+    "EXT_mesh_gpu_instancing",    "EXT_meshopt_compression",   "EXT_texture_webp",
+    "KHR_draco_mesh_compression", "KHR_lights_punctual",       "KHR_materials_anisotropy",
+    "KHR_materials_clearcoat",    "KHR_materials_dispersion",  "KHR_materials_emissive_strength",
+    "KHR_materials_ior",          "KHR_materials_iridescence", "KHR_materials_pbrSpecularGlossiness",
+    "KHR_materials_sheen",        "KHR_materials_specular",    "KHR_materials_transmission",
+    "KHR_materials_unlit",        "KHR_materials_variants",    "KHR_materials_volume",
+    "KHR_mesh_quantization",      "KHR_meshopt_compression",   "KHR_node_visibility",
+    "KHR_texture_basisu",         "KHR_texture_transform",
 };
 
 // Extensions that say nothing about the picture.

@@ -34,8 +34,26 @@ static const char *const primitive_names[] = {"triangles", "lines", "points"};
 static const char *const image_type_names[] = {"RGBA8", "RGBA16", "RGBA32F"};
 static const char *const alpha_names[] = {"opaque", "mask", "blend"};
 static const char *const light_names[] = {"directional", "point", "spot"};
-static const char *const slot_names[SCENE_SLOT_COUNT] = {"base_color", "metallic_roughness", "normal",
-                                                         "occlusion", "emissive"};
+static const char *const slot_names[SCENE_SLOT_COUNT] = {
+    [SCENE_SLOT_BASE_COLOR] = "base_color",
+    [SCENE_SLOT_METALLIC_ROUGHNESS] = "metallic_roughness",
+    [SCENE_SLOT_NORMAL] = "normal",
+    [SCENE_SLOT_OCCLUSION] = "occlusion",
+    [SCENE_SLOT_EMISSIVE] = "emissive",
+    [SCENE_SLOT_CLEARCOAT] = "clearcoat",
+    [SCENE_SLOT_CLEARCOAT_ROUGHNESS] = "clearcoat_roughness",
+    [SCENE_SLOT_CLEARCOAT_NORMAL] = "clearcoat_normal",
+    [SCENE_SLOT_SHEEN_COLOR] = "sheen_color",
+    [SCENE_SLOT_SHEEN_ROUGHNESS] = "sheen_roughness",
+    [SCENE_SLOT_SPECULAR] = "specular",
+    [SCENE_SLOT_SPECULAR_COLOR] = "specular_color",
+    [SCENE_SLOT_TRANSMISSION] = "transmission",
+    [SCENE_SLOT_THICKNESS] = "thickness",
+    [SCENE_SLOT_ANISOTROPY] = "anisotropy",
+    [SCENE_SLOT_IRIDESCENCE] = "iridescence",
+    [SCENE_SLOT_IRIDESCENCE_THICKNESS] = "iridescence_thickness",
+    [SCENE_SLOT_GLOSS] = "specular_glossiness",
+};
 static const uint32_t corners[] = {3, 2, 1};
 
 static uint32_t object_count(const struct scene_model *model)
