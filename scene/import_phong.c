@@ -110,7 +110,12 @@ static void set_opacity_map(struct scene_import *import, const struct scene_phon
     material->alpha_mode = SCENE_ALPHA_BLEND; // MASK, if the decoded map turns out to be one
 }
 
-// Two maps of one number each; each takes the place of its number, as in Blender.
+static bool is_there(const struct scene_phong_texture *texture)
+{
+    return texture->source.file != NULL || texture->source.bytes != NULL;
+}
+
+// Two maps of one number each; each takes the place of its number, as in Blender, unless it is missing.
 static void set_surface_maps(struct scene_import *import, const struct scene_phong *phong,
                              struct scene_material *material)
 {
@@ -123,11 +128,11 @@ static void set_surface_maps(struct scene_import *import, const struct scene_pho
     *channels = (struct scene_import_channels){-1, -1, roughness->channel, metallic->channel};
     if (roughness->name != NULL) {
         channels->roughness = find_or_add(import, roughness->name, &roughness->source);
-        material->roughness = 1;
+        material->roughness = is_there(roughness) ? 1 : material->roughness;
     }
     if (metallic->name != NULL) {
         channels->metallic = find_or_add(import, metallic->name, &metallic->source);
-        material->metallic = 1;
+        material->metallic = is_there(metallic) ? 1 : material->metallic;
     }
     const struct scene_import_source source = {.opacity_image = -1, .channels = channels};
     struct scene_texture_slot *slot = &material->slots[SCENE_SLOT_METALLIC_ROUGHNESS];

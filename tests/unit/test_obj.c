@@ -103,9 +103,10 @@ static void test_one_surface_map(void **state)
 static void test_missing_surface_map(void **state)
 {
     (void)state;
-    struct scene_model *model = load_material("map_Pr none.tga\n");
+    struct scene_model *model = load_material("Pr 0.25\nmap_Pr none.tga\n");
     assert_true(has_warning(model, "texture \"none.tga\": No such file or directory; left out"));
     assert_int_equal(material_of(model)->slots[SCENE_SLOT_METALLIC_ROUGHNESS].image, -1);
+    assert_floats(&material_of(model)->roughness, (const float[]){0.25f}, 1, 0);
     scene_model_free(model);
 }
 
