@@ -143,6 +143,20 @@ static void test_factors(void **state)
     }
 }
 
+// A # that stands alone begins a comment; one in a name does not.
+static void test_comments(void **state)
+{
+    (void)state;
+    write_text("a b.mtl", "newmtl _Material #25 # of 3ds Max\nKd 1 0 0 # red\n");
+    struct scene_model *model = load_text(
+        "m.obj",
+        "mtllib a b.mtl # beside\nv 0 0 0 # here\nv 1 0 0\nv 0 1 0\nusemtl _Material #25 #\nf 1 2 3 # all\n");
+    assert_int_equal(model->warning_count, 0);
+    assert_string_equal(material_of(model)->name, "_Material #25");
+    assert_floats(material_of(model)->base_color, (const float[]){1, 0, 0, 1}, 4, 0);
+    scene_model_free(model);
+}
+
 static void test_cut(void **state)
 {
     (void)state;
@@ -171,6 +185,7 @@ int main(void)
         cmocka_unit_test(test_missing_surface_map),
         cmocka_unit_test(test_emission_and_relief),
         cmocka_unit_test(test_factors),
+        cmocka_unit_test(test_comments),
         cmocka_unit_test(test_cut),
     };
     return cmocka_run_group_tests(tests, make_directory, remove_directory);
