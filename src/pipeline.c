@@ -11,6 +11,7 @@
 #include "depth_stencil.h"
 #include "entry.h"
 #include "format.h"
+#include "line_stipple.h"
 #include "lookup.h"
 #include "misuse.h"
 #include "rhw/rhw.h"
@@ -253,6 +254,7 @@ static bool check_states(const struct rhw_context *context, const struct rhw_pip
            check_enum(context, "line_mode", "rhw_line_mode", (int)def->line_mode, RHW_LINE_BRESENHAM) &&
            check_enum(context, "conservative", "rhw_conservative", (int)def->conservative,
                       RHW_CONSERVATIVE_UNDERESTIMATE) &&
+           rhw_check_line_stipple(context, &def->line_stipple, create_name) &&
            check_enum(context, "provoking", "rhw_provoking", (int)def->provoking, RHW_PROVOKING_LAST) &&
            check_enum(context, "cull", "rhw_cull", (int)def->cull, RHW_CULL_BOTH) &&
            check_enum(context, "front", "rhw_winding", (int)def->front, RHW_CLOCKWISE) &&

@@ -9,6 +9,7 @@
 #include "raster/line_pixels.h"
 #include "tile/draw_state.h"
 #include "tile/resolve.h"
+#include "tile/stippled_line.h"
 #include "tile/triangle_large.h"
 #include "tile/triangle_multisample.h"
 #include "tile/triangle_small_samples.h"
@@ -60,6 +61,16 @@ static bool set_shape(const struct tile_work *work, const struct rhw_triangle *t
                               center_of_pixel(work->x, work->y));
 }
 
+// The pixels of a Bresenham line in the block at (x, y) of the tile.
+static uint64_t line_shape_mask(const struct tile_work *work, const struct rhw_triangle *t,
+                                const struct line_pixels *line, int x, int y)
+{
+    const uint64_t mask = line_mask(line, work->x + x, work->y + y);
+    return t->flags & RHW_TRIANGLE_STIPPLE && mask != 0
+               ? mask & stippled_columns(t, &work->state->stipple, line->is_y_major, work->x + x, work->y + y)
+               : mask;
+}
+
 // All samples of the pixels are covered.
 static void draw_shape_block(struct tile_work *work, struct triangle_work *triangle, int x, int y,
                              uint64_t mask)
@@ -75,6 +86,21 @@ static void draw_shape_block(struct tile_work *work, struct triangle_work *trian
     draw_sampled_block(work, triangle, &block);
 }
 
+// Whether a triangle was seen is kept by sample, and then told of all.
+static void unmark_samples(struct tile_work *work)
+{
+    for (int s = 1; s < work->samples; s++) {
+        depth_plane(work->scratch, s)->marked = false;
+    }
+}
+
+static void unite_marks(struct tile_work *work)
+{
+    for (int s = 1; s < work->samples; s++) {
+        work->scratch->depth.marked |= depth_plane(work->scratch, s)->marked;
+    }
+}
+
 static __attribute__((noinline)) void draw_shape(struct tile_work *work, struct triangle_work *triangle,
                                                  const struct rhw_chunk *chunk)
 {
@@ -83,12 +109,10 @@ static __attribute__((noinline)) void draw_shape(struct tile_work *work, struct 
     if (!set_shape(work, triangle->t, chunk, &shape)) {
         return;
     }
-    for (int s = 1; s < work->samples; s++) {
-        depth_plane(work->scratch, s)->marked = false;
-    }
+    unmark_samples(work);
     for (int y = rect.y0 & -RHW_BLOCK; y < rect.y1; y += RHW_BLOCK) {
         for (int x = rect.x0 & -RHW_BLOCK; x < rect.x1; x += RHW_BLOCK) {
-            const uint64_t pixels = shape.is_line ? line_mask(&shape.line, work->x + x, work->y + y)
+            const uint64_t pixels = shape.is_line ? line_shape_mask(work, triangle->t, &shape.line, x, y)
                                                   : conservative_mask(&shape.edges, x, y);
             const uint64_t mask = pixels & rect_mask(x, y, rect.x0, rect.y0, rect.x1, rect.y1);
             if (mask != 0) {
@@ -97,9 +121,33 @@ static __attribute__((noinline)) void draw_shape(struct tile_work *work, struct 
         }
     }
     finish_gathered(work, triangle);
-    for (int s = 1; s < work->samples; s++) {
-        work->scratch->depth.marked |= depth_plane(work->scratch, s)->marked;
+    unite_marks(work);
+}
+
+static __attribute__((noinline)) void draw_stippled_line(struct tile_work *work,
+                                                         struct triangle_work *triangle,
+                                                         const struct rhw_chunk *chunk)
+{
+    const struct tile_rect rect = rect_of(work, triangle->t);
+    struct stippled_line line;
+    set_stippled_line(&line, work, chunk, triangle->t);
+    unmark_samples(work);
+    for (int y = rect.y0 & -RHW_BLOCK; y < rect.y1; y += RHW_BLOCK) {
+        for (int x = rect.x0 & -RHW_BLOCK; x < rect.x1; x += RHW_BLOCK) {
+            const uint64_t inside = rect_mask(x, y, rect.x0, rect.y0, rect.x1, rect.y1);
+            struct sampled_block block = {.x = x, .y = y};
+            for (int s = 0; s < work->samples; s++) {
+                block.mask[s] = inside & stippled_line_mask(&line, work, x, y, s);
+            }
+            if (work->samples == 1) {
+                draw_block(work, triangle, x, y, block.mask[0]);
+            } else {
+                draw_sampled_block(work, triangle, &block);
+            }
+        }
     }
+    finish_gathered(work, triangle);
+    unite_marks(work);
 }
 
 // Draws any triangle, small ones too.
@@ -113,6 +161,8 @@ static void draw_any(struct tile_work *work, struct triangle_work *triangle, con
     }
     if (triangle->t->flags & (RHW_TRIANGLE_LINE | RHW_TRIANGLE_CONSERVATIVE)) {
         draw_shape(work, triangle, chunk);
+    } else if (triangle->t->flags & RHW_TRIANGLE_STIPPLE) {
+        draw_stippled_line(work, triangle, chunk);
     } else if (work->samples == 1) {
         draw_large(work, triangle, chunk);
     } else if (takes_small_samples(work, triangle)) {
