@@ -15,8 +15,9 @@ struct rhw_line_stipple rhw_line_stipple_of(const struct rhw_line_stipple_settin
 {
     const bool is_lines =
         pipeline->primitive == RHW_PRIMITIVE_LINES || pipeline->primitive == RHW_PRIMITIVE_POLYGON_LINES;
-    return !is_lines ? (struct rhw_line_stipple){0}
-           : setting->is_set ? setting->stipple : pipeline->def.line_stipple;
+    return !is_lines         ? (struct rhw_line_stipple){0}
+           : setting->is_set ? setting->stipple
+                             : pipeline->def.line_stipple;
 }
 
 void rhw_pass_set_line_stipple(rhw_context *context, rhw_pass id, const struct rhw_line_stipple *stipple)

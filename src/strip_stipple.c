@@ -30,8 +30,7 @@ bool rhw_strip_stipple_prepare(struct rhw_draw *draw, uint32_t count, struct rhw
     }
     struct rhw_strip_stipple *const strip = rhw_arena_alloc(arena, sizeof *strip, RHW_CACHE_LINE);
     uint8_t *const begins = rhw_arena_alloc(arena, lines, RHW_CACHE_LINE);
-    int32_t *const phases =
-        rhw_arena_alloc(arena, lines * draw->instances * sizeof *phases, RHW_CACHE_LINE);
+    int32_t *const phases = rhw_arena_alloc(arena, lines * draw->instances * sizeof *phases, RHW_CACHE_LINE);
     if (!strip || !begins || !phases) {
         return false;
     }

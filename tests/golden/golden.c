@@ -37,6 +37,7 @@ static const struct scene features[] = {
     {"primitives", golden_primitives_draw, 0},
     {"primitives-bresenham", golden_primitives_draw, 1},
     {"primitives-conservative", golden_primitives_draw, 2},
+    {"primitives-stipple", golden_primitives_draw, 3},
     {"viewports", golden_viewport_draw, 0},
     {"layered-cube", golden_routing_draw, 0},
     {"clipping", golden_clipping_draw, 0},

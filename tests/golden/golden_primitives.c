@@ -49,7 +49,11 @@ static struct rhw_pipeline_def row_def(int row, enum rhw_topology topology, int 
     def.polygon_mode = (enum rhw_polygon_mode)(row % 4 == 3 ? 0 : row % 4);
     def.line_width = row < 2 ? 0 : 0.75f * (float)row;
     def.line_mode = number == 1 ? RHW_LINE_BRESENHAM : RHW_LINE_RECTANGULAR;
-    def.conservative = number < 2     ? RHW_CONSERVATIVE_OFF
+    if (number == 3) {
+        def.line_mode = row % 2 == 0 ? RHW_LINE_BRESENHAM : RHW_LINE_RECTANGULAR;
+        def.line_stipple = (struct rhw_line_stipple){1 + row / 2, 0x72e5};
+    }
+    def.conservative = number != 2    ? RHW_CONSERVATIVE_OFF
                        : row % 2 == 0 ? RHW_CONSERVATIVE_OVERESTIMATE
                                       : RHW_CONSERVATIVE_UNDERESTIMATE;
     def.depth_test = row >= 4;

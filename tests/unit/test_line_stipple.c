@@ -49,9 +49,9 @@ static void test_by_hand(void **state)
     (void)state;
     struct rig rig;
     open_rig(&rig, RHW_LINE_BRESENHAM, 2, RHW_PATHS_ALL);
-    const struct rig_vertex v[] = {vertex_at(&rig, 2.5, 1.5),  vertex_at(&rig, 22.5, 1.5),
-                                   vertex_at(&rig, 22.5, 3.5), vertex_at(&rig, 2.5, 3.5),
-                                   vertex_at(&rig, 40.5, 2.5), vertex_at(&rig, 40.5, 22.5),
+    const struct rig_vertex v[] = {vertex_at(&rig, 2.5, 1.5),   vertex_at(&rig, 22.5, 1.5),
+                                   vertex_at(&rig, 22.5, 3.5),  vertex_at(&rig, 2.5, 3.5),
+                                   vertex_at(&rig, 40.5, 2.5),  vertex_at(&rig, 40.5, 22.5),
                                    vertex_at(&rig, 42.5, 22.5), vertex_at(&rig, 42.5, 2.5)};
     rig.pipeline.line_stipple = (struct rhw_line_stipple){1, 0x800b};
     rig_draw_once(&rig, v, 8);
@@ -63,7 +63,8 @@ static void test_by_hand(void **state)
     rig_draw_once(&rig, v, 8);
     expect_row(&rig, 1, "..###...###..............");
     expect_row(&rig, 3, "..............###...###..");
-    rig.pipeline.line_mode = RHW_LINE_RECTANGULAR; // pixel 2 lies half a pixel along the line, and pixel 22 beyond it
+    rig.pipeline.line_mode =
+        RHW_LINE_RECTANGULAR; // pixel 2 lies half a pixel along the line, and pixel 22 beyond it
     rig.pipeline.line_stipple = (struct rhw_line_stipple){1, 0x800b};
     const struct rig_vertex r[] = {vertex_at(&rig, 2, 1.5), vertex_at(&rig, 22, 1.5),
                                    vertex_at(&rig, 22, 3.5), vertex_at(&rig, 2, 3.5)};
@@ -355,9 +356,9 @@ static void test_misuse(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_by_hand),     cmocka_unit_test(test_strips),
-        cmocka_unit_test(test_model),       cmocka_unit_test(test_long_strips),
-        cmocka_unit_test(test_samples),     cmocka_unit_test(test_edges_and_clipping),
-        cmocka_unit_test(test_pass_sets),   cmocka_unit_test(test_misuse)};
+        cmocka_unit_test(test_by_hand),   cmocka_unit_test(test_strips),
+        cmocka_unit_test(test_model),     cmocka_unit_test(test_long_strips),
+        cmocka_unit_test(test_samples),   cmocka_unit_test(test_edges_and_clipping),
+        cmocka_unit_test(test_pass_sets), cmocka_unit_test(test_misuse)};
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
