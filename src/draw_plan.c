@@ -49,7 +49,7 @@ static enum rhw_shading choose_shading(const struct rhw_pipeline_data *pipeline,
     const bool by_rows =
         samples > 1 && (masks_samples(&pipeline->def, samples) || uses & (RHW_USE_DEPTH | RHW_USE_EFFECTS) ||
                         choose_sampling(pipeline, samples) != RHW_SAMPLING_CENTER);
-    if (paths == RHW_PATHS_GENERAL || by_rows) {
+    if (paths == RHW_PATHS_GENERAL || by_rows || uses & RHW_USE_FULLY_COVERED) {
         return RHW_SHADING_ROWS;
     }
     if (uses == 0 && pipeline->varying_components == 0) {

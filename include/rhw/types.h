@@ -467,6 +467,7 @@ enum rhw_fragment_use {
     RHW_USE_SAMPLE = 128,     ///< sample_id and sample_position; the function is called for every sample
     RHW_USE_SAMPLE_MASK = 256, ///< sample_mask, in and out
     RHW_USE_POINT_COORD = 512, ///< point_coord
+    RHW_USE_FULLY_COVERED = 1024, ///< fully_covered
     RHW_USE_LAYER = 2048,     ///< layer and viewport_index
     RHW_USE_EFFECTS = 65536,   ///< writes to storage, or changes it by atomics: see early_fragment_tests
     /// `color` holds on entry what the targets hold at the fragment's pixel, decoded: what came before it, in the order of

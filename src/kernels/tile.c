@@ -44,6 +44,8 @@ struct pixel_shape {
     bool is_line;
     struct line_pixels line;
     struct conservative_edges edges;
+    bool tells_contained; // edges of pixels that are contained follow
+    struct conservative_edges contained;
 };
 
 // False where the tile has nothing of it.
@@ -52,13 +54,16 @@ static bool set_shape(const struct tile_work *work, const struct rhw_triangle *t
 {
     const struct rhw_pipeline_data *const pipeline = work->pipeline;
     shape->is_line = t->flags & RHW_TRIANGLE_LINE;
+    shape->tells_contained = false;
     if (shape->is_line) {
         shape->line = line_pixels_of(t, pipeline->line_pixels);
         return true;
     }
+    const struct sample_origin origin = center_of_pixel(work->x, work->y);
+    shape->tells_contained = pipeline->def.program.uses & RHW_USE_FULLY_COVERED &&
+                             conservative_setup(&shape->contained, chunk, t, true, origin);
     return conservative_setup(&shape->edges, chunk, t,
-                              pipeline->def.conservative == RHW_CONSERVATIVE_UNDERESTIMATE,
-                              center_of_pixel(work->x, work->y));
+                              pipeline->def.conservative == RHW_CONSERVATIVE_UNDERESTIMATE, origin);
 }
 
 // The pixels of a Bresenham line in the block at (x, y) of the tile.
@@ -116,6 +121,7 @@ static __attribute__((noinline)) void draw_shape(struct tile_work *work, struct 
                                                   : conservative_mask(&shape.edges, x, y);
             const uint64_t mask = pixels & rect_mask(x, y, rect.x0, rect.y0, rect.x1, rect.y1);
             if (mask != 0) {
+                triangle->contained = shape.tells_contained ? conservative_mask(&shape.contained, x, y) : 0;
                 draw_shape_block(work, triangle, x, y, mask);
             }
         }

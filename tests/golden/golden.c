@@ -38,6 +38,7 @@ static const struct scene features[] = {
     {"primitives-bresenham", golden_primitives_draw, 1},
     {"primitives-conservative", golden_primitives_draw, 2},
     {"primitives-stipple", golden_primitives_draw, 3},
+    {"primitives-fully-covered", golden_primitives_draw, 4},
     {"viewports", golden_viewport_draw, 0},
     {"layered-cube", golden_routing_draw, 0},
     {"clipping", golden_clipping_draw, 0},
