@@ -49,7 +49,7 @@ static enum rhw_shading choose_shading(const struct rhw_pipeline_data *pipeline,
     const bool by_rows =
         samples > 1 && (masks_samples(&pipeline->def, samples) || uses & (RHW_USE_DEPTH | RHW_USE_EFFECTS) ||
                         choose_sampling(pipeline, samples) != RHW_SAMPLING_CENTER);
-    if (paths == RHW_PATHS_GENERAL || by_rows || uses & RHW_USE_FULLY_COVERED) {
+    if (paths == RHW_PATHS_GENERAL || by_rows) {
         return RHW_SHADING_ROWS;
     }
     if (uses == 0 && pipeline->varying_components == 0) {
@@ -147,7 +147,8 @@ static struct rhw_draw_plan plan_of(const struct rhw_pipeline_data *pipeline,
 {
     const uint32_t uses = pipeline->def.program.uses;
     const bool reads_targets = uses & (RHW_USE_COLOR_INPUT | RHW_USE_DEPTH_INPUT);
-    paths = reads_targets ? RHW_PATHS_GENERAL : paths; // whose groups are rows
+    // Whose groups are rows.
+    paths = reads_targets || uses & RHW_USE_FULLY_COVERED ? RHW_PATHS_GENERAL : paths;
     struct rhw_draw_plan plan = {.reads_targets = reads_targets,
                                  .shading = choose_shading(pipeline, phase, samples, paths),
                                  .sampling = choose_sampling(pipeline, samples),

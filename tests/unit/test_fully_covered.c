@@ -130,6 +130,36 @@ static void test_elsewhere(void **state)
     }
 }
 
+// Nor of small triangles whose fragments wait beside those of a conservative draw.
+static void test_behind_another(void **state)
+{
+    (void)state;
+    struct rig rig;
+    open_rig(&rig, RHW_PATHS_ALL, 1);
+    const struct rig_vertex large[] = {vertex_at(&rig, 0, 0, 1), vertex_at(&rig, SIZE, 0, 1),
+                                       vertex_at(&rig, 0, SIZE, 1)};
+    struct rig_vertex small[60];
+    for (int i = 0; i < 20; i++) {
+        const float x = 60 + (float)(i % 5) * 8, y = 60 + (float)(i / 5) * 8;
+        small[3 * i] = vertex_at(&rig, x, y, 1);
+        small[3 * i + 1] = vertex_at(&rig, x + 3, y, 1);
+        small[3 * i + 2] = vertex_at(&rig, x, y + 3, 1);
+    }
+    rig_begin(&rig);
+    rig_draw(&rig, large, 3);
+    rig.pipeline.conservative = RHW_CONSERVATIVE_OFF;
+    rig_draw(&rig, small, 60);
+    rig_end(&rig);
+    const float(*pixels)[4] = rig_read_float4(&rig);
+    for (int i = 0; i < 20; i++) {
+        const int p = (60 + i / 5 * 8) * SIZE + 60 + i % 5 * 8;
+        assert_float_equal(pixels[p][0], 1, 0);
+        assert_float_equal(pixels[p][1], 0, 0);
+    }
+    assert_float_equal(pixels[10 * SIZE + 10][1], 1, 0);
+    rig_close(&rig);
+}
+
 static void test_misuse(void **state)
 {
     (void)state;
@@ -146,6 +176,7 @@ static void test_misuse(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {cmocka_unit_test(test_by_hand), cmocka_unit_test(test_contained),
-                                       cmocka_unit_test(test_elsewhere), cmocka_unit_test(test_misuse)};
+                                       cmocka_unit_test(test_elsewhere),
+                                       cmocka_unit_test(test_behind_another), cmocka_unit_test(test_misuse)};
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
