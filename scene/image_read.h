@@ -12,7 +12,7 @@
 const char *scene_image_decode(const void *bytes, size_t size, struct scene_image *image);
 /// Sets has_alpha from the texels.
 void scene_image_find_alpha(struct scene_image *image);
-/// Makes `image` the stand-in for one that is missing: an opaque magenta and black checker, 8×8 RGBA8.
+/// Makes `image` the stand-in for one that is missing: an opaque checker of magenta and dark magenta, 8×8 RGBA8.
 /// False: no memory.
 bool scene_image_stand_in(struct scene_image *image);
 

@@ -172,6 +172,17 @@ struct scene_material *scene_import_add_material(struct scene_import *import)
         .normal_scale = 1,
         .occlusion_strength = 1,
         .alpha_cutoff = 0.5f,
+        .layers = {.clearcoat_normal_scale = 1,
+                   .specular = 1,
+                   .specular_color = {1, 1, 1},
+                   .ior = 1.5f,
+                   .attenuation_distance = __builtin_inff(),
+                   .attenuation_color = {1, 1, 1},
+                   .anisotropy_direction = {1, 0},
+                   .iridescence_ior = 1.3f,
+                   .iridescence_thickness = {100, 400},
+                   .gloss_specular = {1, 1, 1},
+                   .glossiness = 1},
     };
     for (int i = 0; i < SCENE_SLOT_COUNT; i++) {
         material->slots[i] = scene_import_slot_default();
@@ -352,33 +363,18 @@ static void mark_image_uses(struct scene_model *model)
 
 static void set_directory(struct scene_import *import)
 {
-    const char *slash = strrchr(import->model.path, '/');
-    const size_t length = slash == NULL ? 0 : (size_t)(slash - import->model.path) + 1;
+    const char *slash = strrchr(import->name, '/');
+    const size_t length = slash == NULL ? 0 : (size_t)(slash - import->name) + 1;
     char *directory = scene_import_allocate(import, length + 1, 1);
-    memcpy(directory, import->model.path, length);
+    memcpy(directory, import->name, length);
     import->directory = directory;
 }
 
 void scene_import_run(struct scene_import *import)
 {
-    unsigned char start[64] = {0};
-    FILE *file = fopen(import->model.path, "rb");
-    if (file == NULL) {
-        scene_import_fail(import, "cannot be opened: %s", strerror(errno));
-    }
-    const size_t size = fread(start, 1, sizeof start, file);
-    fclose(file);
-    set_directory(import);
     struct scene_model *model = &import->model;
-    if (scene_import_is_gltf(model->path, start, size)) {
-        scene_import_gltf(import);
-    } else if (scene_import_is_ply(model->path, start, size)) {
-        scene_import_ply(import);
-    } else if (scene_import_is_obj(model->path)) {
-        scene_import_obj(import);
-    } else {
-        scene_import_assimp(import);
-    }
+    set_directory(import);
+    scene_import_read(import);
     if (import->variant != NULL && model->variant_count == 0) {
         scene_import_fail(import, "has no variants of its materials");
     }
@@ -397,4 +393,5 @@ void scene_import_run(struct scene_import *import)
         model->up = scene_model_guess_up(model, usual);
         model->up_guessed = model->up != usual;
     }
+    scene_import_dress_points(import);
 }

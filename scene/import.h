@@ -21,6 +21,22 @@ struct scene_import_source {
     int32_t opacity_image;          ///< image whose alpha or brightness becomes the alpha of this one; −1
     bool white;                     ///< with opacity_image: the colour becomes white
     uint32_t raw_width, raw_height; ///< not 0: `bytes` are RGBA8 texels already
+    const struct scene_import_layer
+        *layer; ///< what shines through where the image is not opaque; NULL: nothing
+    const struct scene_import_channels
+        *channels; ///< what the image is made from, instead of a file; NULL: nothing
+};
+
+/// What lies below an image with alpha: another image at the same coordinates, and a colour below that.
+struct scene_import_layer {
+    int32_t image;  ///< added before; −1: none
+    float color[3]; ///< linear
+};
+
+/// Images that become one of a metallic and rough surface, G and B; −1: none. And the channel of each, 0..3.
+struct scene_import_channels {
+    int32_t roughness, metallic;
+    int roughness_channel, metallic_channel;
 };
 
 struct scene_import {
@@ -29,7 +45,9 @@ struct scene_import {
         light_capacity, warning_capacity, unsupported_capacity, source_capacity;
     struct scene_import_source *sources; // one per image
     uint32_t source_count;
-    const char *directory; // of the model file, with a trailing slash; "" for the current one
+    const char *name;      // of the options; else the path of the model
+    const char *ending;    // of the name, without its point; "" where it has none
+    const char *directory; // of the name, with a trailing slash; "" for the current one
     const char *variant;   // of the options
     bool up_is_open;       // model.up is what is usual in the format; the model's shape decides
     FILE *reply;           // what the parent reads
@@ -66,14 +84,28 @@ struct scene_model_light *scene_import_add_light(struct scene_import *import);
 int32_t scene_import_add_image(struct scene_import *import, const char *name,
                                const struct scene_import_source *source);
 struct scene_texture_slot scene_import_slot_default(void);
+/// Makes 8 bits of 16; false for images of floats.
+bool scene_import_make_rgba8(struct scene_import *import, struct scene_image *image);
+/// Makes an image of others that are decoded; false where none could be read.
+bool scene_import_join_channels(struct scene_import *import, struct scene_image *image,
+                                const struct scene_import_channels *channels);
+/// Lays an image over what its source says lies below; it is opaque then.
+void scene_import_lay_image(struct scene_import *import, struct scene_image *image,
+                            const struct scene_import_layer *layer);
+
+/// Reads import->model.path by the reader it is for (import_kind.c).
+void scene_import_read(struct scene_import *import);
 
 // The readers.
 bool scene_import_is_gltf(const char *path, const unsigned char *start, size_t size);
 void scene_import_gltf(struct scene_import *import);
-bool scene_import_is_obj(const char *path);
 void scene_import_obj(struct scene_import *import);
 bool scene_import_is_ply(const char *path, const unsigned char *start, size_t size);
 void scene_import_ply(struct scene_import *import);
+void scene_import_3mf(struct scene_import *import);
+void scene_import_stl(struct scene_import *import);
+/// Fails the import where an FBX is cut; assimp reads it.
+void scene_import_check_fbx(struct scene_import *import);
 void scene_import_assimp(struct scene_import *import);
 
 /// Reads import->model.path completely. What comes out may be sent to the parent.
@@ -112,6 +144,9 @@ void scene_import_make_tangents(struct scene_import *import, struct scene_mesh *
 /// Cuts a polygon of 3 or more corners (indices of positions) into count − 2 triangles: places in `corners`.
 void scene_import_triangulate(const float (*positions)[3], const uint32_t *corners, uint32_t count,
                               uint32_t *triangles);
+
+/// Gives clouds of points a size and, where they have none, colours by height; last, when it is known what is up.
+void scene_import_dress_points(struct scene_import *import);
 
 // Small mathematics (import_math.c). Matrices column major.
 void scene_import_identity(float matrix[16]);

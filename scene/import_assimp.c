@@ -8,7 +8,6 @@
 
 #include <assimp/cimport.h>
 #include <assimp/config.h>
-#include <assimp/importerdesc.h>
 #include <assimp/postprocess.h>
 #include <math.h>
 #include <string.h>
@@ -425,7 +424,9 @@ static const struct aiScene *read_scene(struct scene_import *import)
 {
     struct aiPropertyStore *properties = aiCreatePropertyStore();
     aiSetImportPropertyInteger(properties, AI_CONFIG_IMPORT_NO_SKELETON_MESHES, 1);
-    aiSetImportPropertyInteger(properties, AI_CONFIG_IMPORT_FBX_PRESERVE_PIVOTS, 0);
+    // The matrices that a node of an FBX is made of, each in a node of its own: where assimp 5.2.5 multiplies them, it turns
+    // what exporters aim cameras and lights with the wrong way.
+    aiSetImportPropertyInteger(properties, AI_CONFIG_IMPORT_FBX_PRESERVE_PIVOTS, 1);
     const struct rlimit before = limit_memory(import);
     const struct aiScene *scene = aiImportFileExWithProperties(
         import->model.path, aiProcess_Triangulate | aiProcess_SortByPType | aiProcess_GenUVCoords, NULL,
@@ -444,20 +445,20 @@ static const struct aiScene *read_scene(struct scene_import *import)
     scene_import_fail(import, "cannot be read: %s", error[0] != 0 ? error : "the importer gives no reason");
 }
 
-static const char *format_of(struct scene_import *import)
+// What the importer calls itself.
+static const char *format_of(struct scene_import *import, const struct aiScene *scene)
 {
-    const char *dot = strrchr(import->model.path, '.');
-    char extension[16] = "";
-    for (size_t i = 0; dot != NULL && i < sizeof extension - 1 && dot[1 + i] != 0; i++) {
-        extension[i] = (char)(dot[1 + i] >= 'A' && dot[1 + i] <= 'Z' ? dot[1 + i] + 32 : dot[1 + i]);
+    static const char ending[] = " Importer";
+    const struct aiMetadata *data = scene->mMetaData;
+    for (unsigned i = 0; data != NULL && i < data->mNumProperties; i++) {
+        if (strcmp(data->mKeys[i].data, "SourceAsset_Format") == 0 && data->mValues[i].mType == AI_AISTRING) {
+            const struct aiString *name = data->mValues[i].mData;
+            const size_t length = name->length, tail = strlen(ending);
+            const bool importer = length > tail && strcmp(name->data + length - tail, ending) == 0;
+            return scene_import_string(import, name->data, importer ? length - tail : length);
+        }
     }
-    const struct aiImporterDesc *description = aiGetImporterDesc(extension);
-    if (description == NULL) {
-        return "unknown";
-    }
-    const size_t length = strlen(description->mName);
-    const bool importer = length > 9 && strcmp(description->mName + length - 9, " Importer") == 0;
-    return scene_import_string(import, description->mName, importer ? length - 9 : length);
+    return "unknown";
 }
 
 // What an FBX says of its axes; 1 (y) where it says nothing.
@@ -474,25 +475,23 @@ static int fbx_up_axis(const struct aiScene *scene)
     return 1;
 }
 
-// Assimp turns most formats so that y is up; these it leaves as they are. STL says nothing, but is what is printed.
+// Assimp turns most formats so that y is up; these it leaves as they are.
 static void set_up(struct scene_import *import, const struct aiScene *scene)
 {
-    const char *dot = strrchr(import->model.path, '.'), *ending = dot == NULL ? "" : dot + 1;
-    const bool is_stl = strcasecmp(ending, "stl") == 0;
-    if (is_stl || strcasecmp(ending, "3mf") == 0 || strcasecmp(ending, "amf") == 0) {
+    if (strcasecmp(import->ending, "amf") == 0) {
         import->model.up = SCENE_AXIS_Z;
-    } else if (strcasecmp(ending, "fbx") == 0) {
+    } else if (strcasecmp(import->ending, "fbx") == 0) {
         const int axis = fbx_up_axis(scene);
         import->model.up = axis == 2 ? SCENE_AXIS_Z : axis == 0 ? SCENE_AXIS_X : SCENE_AXIS_Y;
     }
-    import->up_is_open = is_stl || strcasecmp(ending, "off") == 0;
+    import->up_is_open = strcasecmp(import->ending, "off") == 0;
 }
 
 void scene_import_assimp(struct scene_import *import)
 {
     const struct aiScene *scene = read_scene(import);
     struct reader reader = {.import = import, .scene = scene};
-    import->model.format = format_of(import);
+    import->model.format = format_of(import, scene);
     import->model.doubts_cameras = true;
     set_up(import, scene);
     if (scene->mRootNode == NULL) {

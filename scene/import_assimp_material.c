@@ -165,13 +165,16 @@ static void read_textures(const struct reader *reader, struct scene_phong *phong
     read_texture(reader, aiTextureType_AMBIENT_OCCLUSION, &phong->occlusion);
     read_texture(reader, aiTextureType_EMISSIVE, &phong->emissive_map);
     read_texture(reader, aiTextureType_EMISSION_COLOR, &phong->emissive_map);
+    read_texture(reader, aiTextureType_METALNESS, &phong->metallic_map);
+    read_texture(reader, aiTextureType_DIFFUSE_ROUGHNESS, &phong->roughness_map);
     static const struct {
         enum aiTextureType type;
         const char *name;
     } unused[] = {
-        {aiTextureType_SPECULAR, "specular"},     {aiTextureType_SHININESS, "shininess"},
-        {aiTextureType_REFLECTION, "reflection"}, {aiTextureType_DISPLACEMENT, "displacement"},
-        {aiTextureType_METALNESS, "metallic"},    {aiTextureType_DIFFUSE_ROUGHNESS, "roughness"},
+        {aiTextureType_SPECULAR, "specular"},
+        {aiTextureType_SHININESS, "shininess"},
+        {aiTextureType_REFLECTION, "reflection"},
+        {aiTextureType_DISPLACEMENT, "displacement"},
     };
     for (size_t i = 0; i < sizeof unused / sizeof unused[0]; i++) {
         if (aiGetMaterialTextureCount(reader->source, unused[i].type) > 0) {

@@ -11,20 +11,27 @@ enum { GLB_MAGIC = 0x46546c67, GLB_JSON = 0x4e4f534a, GLB_BIN = 0x004e4942, GLB_
 
 // Extensions that are drawn as they are meant.
 static const char *const known_extensions[] = {
-    "EXT_mesh_gpu_instancing",
-    "EXT_meshopt_compression",
-    "EXT_texture_webp",
-    "KHR_draco_mesh_compression",
-    "KHR_lights_punctual",
-    "KHR_materials_emissive_strength",
-    "KHR_materials_pbrSpecularGlossiness",
-    "KHR_materials_unlit",
-    "KHR_materials_variants",
-    "KHR_mesh_quantization",
-    "KHR_meshopt_compression",
-    "KHR_node_visibility",
-    "KHR_texture_basisu",
-    "KHR_texture_transform",
+    "EXT_mesh_gpu_instancing",    "EXT_meshopt_compression",   "EXT_texture_webp",
+    "KHR_draco_mesh_compression", "KHR_lights_punctual",       "KHR_materials_anisotropy",
+    "KHR_materials_clearcoat",    "KHR_materials_dispersion",  "KHR_materials_emissive_strength",
+    "KHR_materials_ior",          "KHR_materials_iridescence", "KHR_materials_pbrSpecularGlossiness",
+    "KHR_materials_sheen",        "KHR_materials_specular",    "KHR_materials_transmission",
+    "KHR_materials_unlit",        "KHR_materials_variants",    "KHR_materials_volume",
+    "KHR_mesh_quantization",      "KHR_meshopt_compression",   "KHR_node_visibility",
+    "KHR_texture_basisu",         "KHR_texture_transform",
+};
+
+// Extensions that say nothing about the picture.
+static const char *const silent_extensions[] = {
+    "EXT_instance_features",
+    "EXT_mesh_features",
+    "EXT_structural_metadata",
+    "FB_geometry_metadata",
+    "KHR_audio_emitter",
+    "KHR_physics_rigid_bodies",
+    "KHR_xmp",
+    "KHR_xmp_json_ld",
+    "MSFT_audio_emitter",
 };
 
 // Typed access --------------------------------------------------------------------------------------
@@ -99,7 +106,7 @@ int64_t scene_gltf_integer(struct scene_gltf *gltf, const json_t *object, const 
     }
     const double number = json_number_value(value); // some exporters write 3.0
     if (!(number >= 0 && number <= 9007199254740992.0) || number != floor(number)) {
-        scene_import_fail(gltf->import, "\"%s\" must be a whole number, 0 or more", key);
+        scene_import_fail(gltf->import, "\"%s\" must be a whole number, 0 to 9007199254740992", key);
     }
     return (int64_t)number;
 }
@@ -229,6 +236,12 @@ static void check_version(struct scene_gltf *gltf)
 {
     const json_t *asset = scene_gltf_object(gltf, gltf->root, "asset");
     const json_t *number = json_object_get(asset, "version"); // glTF 1.0 allowed a number
+    if (json_is_number(number) && json_number_value(number) == 2) {
+        scene_import_warn(
+            gltf->import,
+            "asset.version is the number 2; it must be the string \"2.0\", as which it is read");
+        return;
+    }
     if (json_is_number(number)) {
         scene_import_fail(gltf->import, "is glTF %.1f, which is not supported; only 2.0 is",
                           json_number_value(number));
@@ -246,14 +259,20 @@ static void check_version(struct scene_gltf *gltf)
     }
 }
 
-static bool is_known(const char *extension)
+static bool is_among(const char *const *list, size_t count, const char *extension)
 {
-    for (size_t i = 0; i < sizeof known_extensions / sizeof known_extensions[0]; i++) {
-        if (strcmp(known_extensions[i], extension) == 0) {
+    for (size_t i = 0; i < count; i++) {
+        if (strcmp(list[i], extension) == 0) {
             return true;
         }
     }
     return false;
+}
+
+static bool is_known(const char *extension)
+{
+    return is_among(known_extensions, sizeof known_extensions / sizeof *known_extensions, extension) ||
+           is_among(silent_extensions, sizeof silent_extensions / sizeof *silent_extensions, extension);
 }
 
 static void check_extensions(struct scene_gltf *gltf)

@@ -91,6 +91,12 @@ void scene_gltf_draco(struct scene_gltf *gltf, const json_t *primitive, const js
                       const char *what);
 
 /// Model index of a material; −1 gives the default material.
+// Where a textureInfo object says that an image is read; NULL: nowhere.
+void scene_gltf_slot(struct scene_gltf *gltf, const json_t *info, struct scene_texture_slot *slot);
+// `value` within both; NaN: least.
+float scene_gltf_limited(double value, double least, double most);
+// What the extensions of a material say, after its base has been read.
+void scene_gltf_layers(struct scene_gltf *gltf, const json_t *object, struct scene_material *material);
 uint32_t scene_gltf_material(struct scene_gltf *gltf, int64_t index);
 /// The meshes of a node that stands at `world`.
 struct scene_gltf_meshes scene_gltf_mesh(struct scene_gltf *gltf, const json_t *node, const float world[16]);

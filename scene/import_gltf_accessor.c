@@ -215,7 +215,8 @@ static struct accessor open_accessor(struct scene_gltf *gltf, int64_t index)
                           number);
     }
     if (count < 1 || count > most_elements) {
-        scene_import_fail(gltf->import, "accessors[%lld]: its count must be at least 1", number);
+        scene_import_fail(gltf->import, "accessors[%lld]: its count must be 1 to %lld", number,
+                          (long long)most_elements);
     }
     accessor.count = (uint32_t)count;
     const struct scene_gltf_decoded *decoded = &gltf->accessors[index];

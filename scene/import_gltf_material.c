@@ -103,7 +103,7 @@ static int64_t find_image(struct scene_gltf *gltf, const json_t *texture)
     return scene_gltf_integer(gltf, basis, "source", source);
 }
 
-static void read_slot(struct scene_gltf *gltf, const json_t *info, struct scene_texture_slot *slot)
+void scene_gltf_slot(struct scene_gltf *gltf, const json_t *info, struct scene_texture_slot *slot)
 {
     if (info == NULL) {
         return;
@@ -132,7 +132,7 @@ static void read_slot(struct scene_gltf *gltf, const json_t *info, struct scene_
 
 // Materials -----------------------------------------------------------------------------------------
 
-static float limited(double value, double least, double most)
+float scene_gltf_limited(double value, double least, double most)
 {
     return (float)(value >= least && value <= most ? value : value > most ? most : least); // NaN: least
 }
@@ -141,41 +141,12 @@ static void read_metallic_roughness(struct scene_gltf *gltf, const json_t *pbr,
                                     struct scene_material *material)
 {
     scene_gltf_floats(gltf, pbr, "baseColorFactor", material->base_color, 4);
-    material->metallic = limited(scene_gltf_number(gltf, pbr, "metallicFactor", 1), 0, 1);
-    material->roughness = limited(scene_gltf_number(gltf, pbr, "roughnessFactor", 1), 0, 1);
-    read_slot(gltf, scene_gltf_object(gltf, pbr, "baseColorTexture"),
-              &material->slots[SCENE_SLOT_BASE_COLOR]);
-    read_slot(gltf, scene_gltf_object(gltf, pbr, "metallicRoughnessTexture"),
-              &material->slots[SCENE_SLOT_METALLIC_ROUGHNESS]);
-}
-
-// KHR_materials_pbrSpecularGlossiness: how metallic a surface is follows from how much brighter its specular
-// colour is than the 4 % of a dielectric. Its specular-glossiness texture has no counterpart.
-static void read_specular_glossiness(struct scene_gltf *gltf, const json_t *pbr,
-                                     struct scene_material *material)
-{
-    float diffuse[4] = {1, 1, 1, 1}, specular[3] = {1, 1, 1};
-    scene_gltf_floats(gltf, pbr, "diffuseFactor", diffuse, 4);
-    scene_gltf_floats(gltf, pbr, "specularFactor", specular, 3);
-    material->roughness = 1 - limited(scene_gltf_number(gltf, pbr, "glossinessFactor", 1), 0, 1);
-    read_slot(gltf, scene_gltf_object(gltf, pbr, "diffuseTexture"), &material->slots[SCENE_SLOT_BASE_COLOR]);
-    const bool textured = scene_gltf_object(gltf, pbr, "specularGlossinessTexture") != NULL;
-    float strongest = 0;
-    for (int c = 0; c < 3; c++) {
-        strongest = specular[c] > strongest ? specular[c] : strongest;
-    }
-    const float diffuse_brightness = (diffuse[0] + diffuse[1] + diffuse[2]) / 3;
-    const float metallic =
-        strongest <= 0.04f ? 0 : (strongest - 0.04f) / (strongest - 0.04f + diffuse_brightness);
-    material->metallic = textured ? 0 : limited((double)metallic, 0, 1);
-    for (int c = 0; c < 3; c++) {
-        material->base_color[c] = diffuse[c] + (specular[c] - diffuse[c]) * material->metallic;
-    }
-    material->base_color[3] = diffuse[3];
-    if (textured) {
-        scene_import_unsupported(gltf->import,
-                                 "specular-glossiness textures: the glossiness factor alone is used");
-    }
+    material->metallic = scene_gltf_limited(scene_gltf_number(gltf, pbr, "metallicFactor", 1), 0, 1);
+    material->roughness = scene_gltf_limited(scene_gltf_number(gltf, pbr, "roughnessFactor", 1), 0, 1);
+    scene_gltf_slot(gltf, scene_gltf_object(gltf, pbr, "baseColorTexture"),
+                    &material->slots[SCENE_SLOT_BASE_COLOR]);
+    scene_gltf_slot(gltf, scene_gltf_object(gltf, pbr, "metallicRoughnessTexture"),
+                    &material->slots[SCENE_SLOT_METALLIC_ROUGHNESS]);
 }
 
 static void read_alpha(struct scene_gltf *gltf, const json_t *object, struct scene_material *material)
@@ -195,22 +166,19 @@ static void read_alpha(struct scene_gltf *gltf, const json_t *object, struct sce
 static void read_material(struct scene_gltf *gltf, const json_t *object, struct scene_material *material)
 {
     const json_t *pbr = scene_gltf_object(gltf, object, "pbrMetallicRoughness");
-    const json_t *gloss = scene_gltf_extension(gltf, object, "KHR_materials_pbrSpecularGlossiness");
     const json_t *normal = scene_gltf_object(gltf, object, "normalTexture");
     const json_t *occlusion = scene_gltf_object(gltf, object, "occlusionTexture");
     const json_t *strength = scene_gltf_extension(gltf, object, "KHR_materials_emissive_strength");
     material->name = scene_gltf_name(gltf, object);
-    if (pbr == NULL && gloss != NULL) {
-        read_specular_glossiness(gltf, gloss, material);
-    } else {
-        read_metallic_roughness(gltf, pbr, material);
-    }
-    read_slot(gltf, normal, &material->slots[SCENE_SLOT_NORMAL]);
-    read_slot(gltf, occlusion, &material->slots[SCENE_SLOT_OCCLUSION]);
-    read_slot(gltf, scene_gltf_object(gltf, object, "emissiveTexture"),
-              &material->slots[SCENE_SLOT_EMISSIVE]);
+    read_metallic_roughness(gltf, pbr, material);
+    scene_gltf_layers(gltf, object, material);
+    scene_gltf_slot(gltf, normal, &material->slots[SCENE_SLOT_NORMAL]);
+    scene_gltf_slot(gltf, occlusion, &material->slots[SCENE_SLOT_OCCLUSION]);
+    scene_gltf_slot(gltf, scene_gltf_object(gltf, object, "emissiveTexture"),
+                    &material->slots[SCENE_SLOT_EMISSIVE]);
     material->normal_scale = (float)scene_gltf_number(gltf, normal, "scale", 1);
-    material->occlusion_strength = limited(scene_gltf_number(gltf, occlusion, "strength", 1), 0, 1);
+    material->occlusion_strength =
+        scene_gltf_limited(scene_gltf_number(gltf, occlusion, "strength", 1), 0, 1);
     scene_gltf_floats(gltf, object, "emissiveFactor", material->emissive, 3);
     for (int c = 0; c < 3; c++) {
         material->emissive[c] *= (float)scene_gltf_number(gltf, strength, "emissiveStrength", 1);

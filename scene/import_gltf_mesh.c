@@ -55,6 +55,10 @@ static void read_attributes(struct primitive *primitive)
     mesh->uvs[0] = attribute(primitive, attributes, "TEXCOORD_0", 2, 2);
     mesh->uvs[1] = attribute(primitive, attributes, "TEXCOORD_1", 2, 2);
     mesh->colors = attribute(primitive, attributes, "COLOR_0", 3, 4);
+    if (json_object_get(attributes, "COLOR_1") != NULL) {
+        scene_import_unsupported(primitive->gltf->import,
+                                 "a second set of vertex colours (COLOR_1): ignored");
+    }
 }
 
 // Indices -------------------------------------------------------------------------------------------

@@ -275,6 +275,17 @@ static void join_vertices(struct scene_import *import, struct scene_mesh *mesh)
     free(source);
 }
 
+// The slot whose texture coordinates tangents follow; NULL: the material needs none.
+static const struct scene_texture_slot *find_tangent_slot(const struct scene_material *material)
+{
+    const struct scene_texture_slot *slots = material->slots;
+    const bool turned = material->layers.used && material->layers.anisotropy > 0;
+    return slots[SCENE_SLOT_NORMAL].image >= 0             ? &slots[SCENE_SLOT_NORMAL]
+           : slots[SCENE_SLOT_CLEARCOAT_NORMAL].image >= 0 ? &slots[SCENE_SLOT_CLEARCOAT_NORMAL]
+           : turned                                        ? &slots[SCENE_SLOT_ANISOTROPY]
+                                                           : NULL;
+}
+
 void scene_import_complete_mesh(struct scene_import *import, uint32_t index,
                                 enum scene_import_normals normals, bool join)
 {
@@ -308,8 +319,8 @@ void scene_import_complete_mesh(struct scene_import *import, uint32_t index,
             join_vertices(import, mesh); // the triangles of one flat face share their vertices again
         }
     }
-    const struct scene_texture_slot *slot = &import->model.materials[mesh->material].slots[SCENE_SLOT_NORMAL];
-    if (slot->image < 0 || mesh->uvs[slot->uv_set] == NULL) {
+    const struct scene_texture_slot *slot = find_tangent_slot(&import->model.materials[mesh->material]);
+    if (slot == NULL || mesh->uvs[slot->uv_set] == NULL) {
         free(mesh->tangents);
         mesh->tangents = NULL;
     } else if (mesh->tangents == NULL) {

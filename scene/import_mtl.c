@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// MTL as it is written in the field: the 1995 specification, the PBR extension (Pr, Pm, norm) and file names
-// with blanks.
+// MTL as it is written in the field: the 1995 specification, the PBR extension (Pr, Pm, norm, their maps) and file
+// names with blanks.
 #include "import_mtl.h"
 
 #include <stdlib.h>
@@ -60,21 +60,40 @@ static const struct option *find_option(struct scene_word word)
     return NULL;
 }
 
+static int channel_of(struct scene_word word)
+{
+    return key_is(word, "g") ? 1 : key_is(word, "b") ? 2 : key_is(word, "m") ? 3 : 0;
+}
+
+static void note_unused_option(struct scene_import *import, struct scene_word word)
+{
+    if (key_is(word, "-mm") || key_is(word, "-t") || key_is(word, "-type")) {
+        scene_import_unsupported(import, "%s of textures (MTL): not used", scene_word_string(import, word));
+    }
+}
+
 // Reads the options in front of a file name; the rest of the line is the name.
 static void read_texture(struct scene_import *import, struct scene_line line,
-                         struct scene_phong_texture *texture)
+                         struct scene_phong_texture *texture, float *multiplier)
 {
     float offset[3] = {0, 0, 0}, scale[3] = {1, 1, 1}, ignored[3];
     struct scene_word word, setting = {"", 0};
     struct scene_line before = line;
+    int channel = 0;
     bool clamp = false;
+    *multiplier = 1;
     while (scene_text_word(&line, &word) && find_option(word) != NULL) {
         const struct option *option = find_option(word);
-        float *values = key_is(word, "-o") ? offset : key_is(word, "-s") ? scale : ignored;
+        float *values = key_is(word, "-o")    ? offset
+                        : key_is(word, "-s")  ? scale
+                        : key_is(word, "-bm") ? multiplier
+                                              : ignored;
         if (option->words > 0) {
             scene_text_word(&line, &setting);
         }
         scene_text_numbers(&line, values, option->numbers);
+        channel = key_is(word, "-imfchan") ? channel_of(setting) : channel;
+        note_unused_option(import, word);
         clamp = clamp || (key_is(word, "-clamp") && key_is(setting, "on"));
         before = line;
     }
@@ -84,6 +103,7 @@ static void read_texture(struct scene_import *import, struct scene_line line,
     }
     *texture = scene_phong_texture_default();
     texture->name = scene_word_string(import, name);
+    texture->channel = channel;
     texture->source.file = scene_import_find_file(import, texture->name);
     if (clamp) {
         texture->slot.address_u = texture->slot.address_v = RHW_ADDRESS_CLAMP;
@@ -110,10 +130,16 @@ static bool read_map(struct scene_import *import, struct scene_word key, struct 
         {"norm", &phong->normal},
         {"map_Ke", &phong->emissive_map},
         {"map_emissive", &phong->emissive_map},
+        {"map_Pr", &phong->roughness_map},
+        {"map_Pm", &phong->metallic_map},
     };
     for (size_t i = 0; i < sizeof maps / sizeof maps[0]; i++) {
         if (key_is(key, maps[i].key)) {
-            read_texture(import, line, maps[i].texture);
+            float multiplier;
+            read_texture(import, line, maps[i].texture, &multiplier);
+            const bool relief = maps[i].texture == &phong->height || maps[i].texture == &phong->normal;
+            phong->normal_scale =
+                relief && scene_import_finite(&multiplier, 1) ? multiplier : phong->normal_scale;
             return true;
         }
     }
@@ -125,8 +151,10 @@ static void note_unused_map(struct scene_import *import, struct scene_word key)
     static const struct {
         const char *key, *name;
     } maps[] = {
-        {"map_Ks", "specular"},   {"map_Ns", "shininess"}, {"refl", "reflection"}, {"map_refl", "reflection"},
-        {"disp", "displacement"}, {"map_Pr", "roughness"}, {"map_Pm", "metallic"}, {"map_Ps", "sheen"},
+        {"map_Ks", "specular"},     {"map_Ns", "shininess"},  {"refl", "reflection"},
+        {"map_refl", "reflection"}, {"disp", "displacement"}, {"map_disp", "displacement"},
+        {"map_Ps", "sheen"},        {"map_Pc", "clearcoat"},  {"map_Pcr", "clearcoat"},
+        {"decal", "decal"},
     };
     for (size_t i = 0; i < sizeof maps / sizeof maps[0]; i++) {
         if (key_is(key, maps[i].key)) {
@@ -136,6 +164,19 @@ static void note_unused_map(struct scene_import *import, struct scene_word key)
 }
 
 // Values --------------------------------------------------------------------------------------------
+
+// Numbers of the PBR extension that no surface here has.
+static void note_unused_value(struct scene_import *import, struct scene_word key, float value)
+{
+    static const struct {
+        const char *key, *name;
+    } values[] = {{"Ps", "sheen"}, {"Pc", "clearcoat"}, {"aniso", "anisotropy"}};
+    for (size_t i = 0; i < sizeof values / sizeof values[0]; i++) {
+        if (value != 0 && key_is(key, values[i].key)) {
+            scene_import_unsupported(import, "%s (MTL's %s): not drawn", values[i].name, values[i].key);
+        }
+    }
+}
 
 // One number is a grey. What is no number, as in "Kd spectral …", leaves the colour alone.
 static bool read_color(struct scene_line line, float color[3])
@@ -151,8 +192,8 @@ static bool read_color(struct scene_line line, float color[3])
     return true;
 }
 
-static void read_value(struct scene_word key, struct scene_line line, struct scene_phong *phong,
-                       bool *dissolve)
+static void read_value(struct scene_import *import, struct scene_word key, struct scene_line line,
+                       struct scene_phong *phong, bool *dissolve)
 {
     struct scene_line rest = line;
     float value = 0;
@@ -179,6 +220,8 @@ static void read_value(struct scene_word key, struct scene_line line, struct sce
     } else if (key_is(key, "illum")) {
         phong->unlit = value == 0;
         phong->dull = value == 1;
+    } else {
+        note_unused_value(import, key, value);
     }
 }
 
@@ -212,7 +255,7 @@ bool scene_mtl_read(struct scene_import *import, struct scene_mtl *mtl, const ch
         struct scene_phong *phong = &mtl->materials[current].phong;
         if (!read_map(import, key, line, phong)) {
             note_unused_map(import, key);
-            read_value(key, line, phong, &dissolve);
+            read_value(import, key, line, phong, &dissolve);
         }
     }
     free(bytes);

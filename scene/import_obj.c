@@ -53,17 +53,19 @@ struct obj {
     int smoothing;
     struct corner *polygon; // being read
     size_t polygon_capacity;
+    uint32_t small_faces; // of fewer than three corners
 };
 
-bool scene_import_is_obj(const char *path)
+static bool ends_within_line(const struct obj *obj)
 {
-    const char *dot = strrchr(path, '.');
-    return dot != NULL && strcasecmp(dot, ".obj") == 0;
+    return obj->text.end[-1] != '\n' && obj->text.end[-1] != '\r';
 }
 
 _Noreturn static void refuse(struct obj *obj, const char *problem)
 {
-    scene_import_fail(obj->import, "line %u: %s", obj->text.line, problem);
+    const bool last = obj->text.cursor == obj->text.end && ends_within_line(obj);
+    scene_import_fail(obj->import, "line %u%s: %s", obj->text.line,
+                      last ? ", where the file ends or is cut" : "", problem);
 }
 
 // Vertices ------------------------------------------------------------------------------------------
@@ -217,6 +219,8 @@ static void read_element(struct obj *obj, enum scene_primitive primitive, struct
     }
     if (primitive == SCENE_PRIMITIVE_TRIANGLES && count >= 3) {
         add_element(obj, primitive, obj->polygon, count);
+    } else if (primitive == SCENE_PRIMITIVE_TRIANGLES) {
+        obj->small_faces++;
     }
     for (uint32_t i = 1; primitive == SCENE_PRIMITIVE_LINES && i < count; i++) {
         add_element(obj, primitive, obj->polygon + i - 1, 2);
@@ -443,6 +447,32 @@ static void add_all_points(struct obj *obj)
     }
 }
 
+// The format has no end mark. What is cut ends within a line, as few whole files do, and has vertices that no face has
+// come to.
+static void warn_of_cut(struct obj *obj)
+{
+    if (!ends_within_line(obj)) {
+        return;
+    }
+    bool *used = scene_import_allocate(obj->import, obj->position_count, sizeof *used);
+    size_t left = obj->position_count;
+    for (size_t i = 0; i < obj->part_count; i++) {
+        for (size_t k = 0; k < obj->parts[i].corner_count; k++) {
+            const uint32_t position = obj->parts[i].corners[k].position;
+            if (position < obj->position_count && !used[position]) {
+                used[position] = true;
+                left--;
+            }
+        }
+    }
+    free(used);
+    if (left > 0) {
+        scene_import_warn(obj->import,
+                          "may be cut: it ends within line %u, and %zu of its %zu vertices are in no face",
+                          obj->text.line, left, obj->position_count);
+    }
+}
+
 static void decode_colors(struct obj *obj)
 {
     for (size_t i = 0; i < obj->position_count && obj->colored; i++) {
@@ -473,10 +503,14 @@ void scene_import_obj(struct scene_import *import)
             read_line(&obj, key, line);
         }
     }
-    free(bytes);
     if (obj.position_count == 0) {
         scene_import_fail(import, "is no OBJ model: it has no vertices");
     }
+    if (obj.small_faces > 0) {
+        scene_import_warn(import, "%u faces of fewer than three corners are left out", obj.small_faces);
+    }
+    warn_of_cut(&obj);
+    free(bytes);
     if (obj.part_count == 0) {
         add_all_points(&obj);
     }

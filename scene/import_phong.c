@@ -30,6 +30,9 @@ struct scene_phong scene_phong_default(void)
         .height = none,
         .occlusion = none,
         .emissive_map = none,
+        .roughness_map = none,
+        .metallic_map = none,
+        .normal_scale = 1,
     };
 }
 
@@ -41,6 +44,11 @@ static float limited(float value, float least, float most)
 static bool is_black(const float color[3])
 {
     return !(color[0] > 0 || color[1] > 0 || color[2] > 0);
+}
+
+static bool is_grey(const float color[3])
+{
+    return is_black(color) || (color[0] == color[1] && color[1] == color[2]);
 }
 
 static void decode(const float encoded[3], float color[3])
@@ -98,13 +106,39 @@ static void set_opacity_map(struct scene_import *import, const struct scene_phon
     material->alpha_mode = SCENE_ALPHA_BLEND; // MASK, if the decoded map turns out to be one
 }
 
+// Two maps of one number each; each takes the place of its number, as in Blender.
+static void set_surface_maps(struct scene_import *import, const struct scene_phong *phong,
+                             struct scene_material *material)
+{
+    const struct scene_phong_texture *roughness = &phong->roughness_map, *metallic = &phong->metallic_map;
+    const struct scene_phong_texture *first = roughness->name != NULL ? roughness : metallic;
+    if (first->name == NULL) {
+        return;
+    }
+    struct scene_import_channels *channels = scene_import_allocate(import, 1, sizeof *channels);
+    *channels = (struct scene_import_channels){-1, -1, roughness->channel, metallic->channel};
+    if (roughness->name != NULL) {
+        channels->roughness = find_or_add(import, roughness->name, &roughness->source);
+        material->roughness = 1;
+    }
+    if (metallic->name != NULL) {
+        channels->metallic = find_or_add(import, metallic->name, &metallic->source);
+        material->metallic = 1;
+    }
+    const struct scene_import_source source = {.opacity_image = -1, .channels = channels};
+    struct scene_texture_slot *slot = &material->slots[SCENE_SLOT_METALLIC_ROUGHNESS];
+    *slot = first->slot;
+    slot->image = scene_import_add_image(import, first->name, &source);
+}
+
 // Values --------------------------------------------------------------------------------------------
 
 static void set_base_color(const struct scene_phong *phong, struct scene_material *material)
 {
     const bool textured = phong->color.name != NULL;
-    // A black factor under a texture is an exporter's habit, not a wish.
-    const bool white = phong->colored || (textured && (!phong->described || is_black(phong->diffuse)));
+    // A black or grey factor under a texture is an exporter's habit, not a wish: 3ds Max writes 0.588, Maya 0, Blender
+    // 0.64 or 0.8, and their own readers let the texture take its place. A colour is meant to tint.
+    const bool white = phong->colored || (textured && (!phong->described || is_grey(phong->diffuse)));
     decode(phong->diffuse, material->base_color);
     for (int c = 0; c < 3; c++) {
         material->base_color[c] = white ? 1 : phong->described ? material->base_color[c] : default_grey;
@@ -160,6 +194,8 @@ uint32_t scene_phong_add(struct scene_import *import, const struct scene_phong *
         height.source.height = true;
         set_slot(import, &height, &material->slots[SCENE_SLOT_NORMAL]);
     }
+    material->normal_scale = limited(phong->normal_scale, -10, 10);
+    set_surface_maps(import, phong, material);
     set_slot(import, &phong->occlusion, &material->slots[SCENE_SLOT_OCCLUSION]);
     decode(phong->emissive, material->emissive);
     const bool glows = set_slot(import, &phong->emissive_map, &material->slots[SCENE_SLOT_EMISSIVE]);

@@ -10,6 +10,7 @@ struct scene_phong_texture {
     const char *name; ///< NULL: there is none
     struct scene_import_source source;
     struct scene_texture_slot slot; ///< `image` is not set
+    int channel;                    ///< 0..3, of one that gives a number: red, green, blue or alpha
 };
 
 /// What the file says. Start from scene_phong_default.
@@ -23,7 +24,9 @@ struct scene_phong {
     float metallic, roughness; ///< −1: not said
     bool dull;                 ///< the file asks for no highlights
     bool unlit;
-    struct scene_phong_texture color, opacity_map, normal, height, occlusion, emissive_map;
+    struct scene_phong_texture color, opacity_map, normal, height, occlusion, emissive_map, roughness_map,
+        metallic_map;
+    float normal_scale; ///< of `normal` or `height`
 };
 
 struct scene_phong scene_phong_default(void);

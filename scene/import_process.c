@@ -144,8 +144,10 @@ static void silence(void)
 
 _Noreturn static void run_child(const char *path, const struct scene_model_options *options, int descriptor)
 {
-    struct scene_import import = {
-        .model.path = path, .variant = options->variant, .reply = fdopen(descriptor, "wb")};
+    struct scene_import import = {.model.path = path,
+                                  .name = options->name != NULL ? options->name : path,
+                                  .variant = options->variant,
+                                  .reply = fdopen(descriptor, "wb")};
     if (import.reply == NULL) {
         abort();
     }
@@ -253,6 +255,18 @@ static struct scene_model *map_model(int descriptor, char *error, size_t error_s
     return model;
 }
 
+// The file that the child writes to. It must not stand where a closed standard output stood, which the child silences.
+static int make_reply(void)
+{
+    const int made = memfd_create("rhw-model", MFD_CLOEXEC);
+    if (made < 0 || made > STDERR_FILENO) {
+        return made;
+    }
+    const int moved = fcntl(made, F_DUPFD_CLOEXEC, STDERR_FILENO + 1);
+    close(made);
+    return moved;
+}
+
 struct scene_model *scene_model_load(const char *path, const struct scene_model_options *options, char *error,
                                      size_t error_size)
 {
@@ -263,7 +277,7 @@ struct scene_model *scene_model_load(const char *path, const struct scene_model_
     if (!file_acceptable(path, error, error_size)) {
         return NULL;
     }
-    const int descriptor = memfd_create("rhw-model", MFD_CLOEXEC);
+    const int descriptor = make_reply();
     if (descriptor < 0) {
         refuse(error, error_size, "import could not start: %s", strerror(errno));
         return NULL;

@@ -94,6 +94,29 @@ static bool exists_in_some_case(char *path, size_t known)
     return is_file(path);
 }
 
+// A path of the machine that the model was made on: as much of its end as stands beside the model is meant, or the file
+// alone in one of the folders that archives of models have.
+static const char *find_moved(struct scene_import *import, const char *directory, const char *name)
+{
+    static const char *const folders[] = {"textures/", "texture/",     "tex/",        "maps/",
+                                          "images/",   "../textures/", "../texture/", "../images/"};
+    const char *file = name;
+    for (const char *slash = strchr(name, '/'); slash != NULL; slash = strchr(slash + 1, '/')) {
+        file = slash + 1;
+        char *path = join(import, directory, file);
+        if (exists_in_some_case(path, strlen(directory))) {
+            return path;
+        }
+    }
+    for (size_t i = 0; i < sizeof folders / sizeof folders[0]; i++) {
+        char *path = join(import, join(import, directory, folders[i]), file);
+        if (exists_in_some_case(path, strlen(directory))) {
+            return path;
+        }
+    }
+    return NULL;
+}
+
 const char *scene_import_find_file(struct scene_import *import, const char *name)
 {
     if (strncmp(name, "file://", 7) == 0) {
@@ -123,17 +146,7 @@ const char *scene_import_find_file(struct scene_import *import, const char *name
     if (exists_in_some_case(path, strlen(directory))) {
         return path;
     }
-    // Paths of the machine that the model was made on: what stands beside the model is meant, or in one of the
-    // folders that archives of models have.
-    static const char *const folders[] = {"", "textures/", "../textures/"};
-    const char *slash = strrchr(decoded, '/');
-    for (size_t i = 0; i < sizeof folders / sizeof folders[0]; i++) {
-        path = join(import, join(import, directory, folders[i]), slash == NULL ? decoded : slash + 1);
-        if (exists_in_some_case(path, strlen(directory))) {
-            return path;
-        }
-    }
-    return NULL;
+    return find_moved(import, directory, decoded);
 }
 
 // Decoding ------------------------------------------------------------------------------------------
@@ -149,6 +162,9 @@ static const char *decode_image(struct scene_import *import, uint32_t index)
     struct scene_image *image = &import->model.images[index];
     const struct scene_import_source *source = &import->sources[index];
     const char *problem = source->problem != NULL ? source->problem : "is not there";
+    if (source->channels != NULL) {
+        return NULL; // later, of others
+    }
     if (source->raw_width > 0) {
         image->type = SCENE_IMAGE_RGBA8;
         image->width = source->raw_width;
@@ -205,7 +221,7 @@ static int helper_count(uint32_t images)
 
 // Conversions ---------------------------------------------------------------------------------------
 
-static bool make_rgba8(struct scene_import *import, struct scene_image *image)
+bool scene_import_make_rgba8(struct scene_import *import, struct scene_image *image)
 {
     if (image->type != SCENE_IMAGE_RGBA16) {
         return image->type == SCENE_IMAGE_RGBA8;
@@ -227,7 +243,8 @@ static bool make_rgba8(struct scene_import *import, struct scene_image *image)
 static void apply_opacity(struct scene_import *import, struct scene_image *image, struct scene_image *opacity,
                           bool white)
 {
-    if (opacity->missing || !make_rgba8(import, image) || !make_rgba8(import, opacity)) {
+    if (opacity->missing || !scene_import_make_rgba8(import, image) ||
+        !scene_import_make_rgba8(import, opacity)) {
         return;
     }
     const bool alpha = opacity->has_alpha;
@@ -266,7 +283,7 @@ static bool is_grey(const struct scene_image *image)
 // Normals of a height field: central differences, the whole range of heights as high as 4 texels are broad.
 static void height_to_normals(struct scene_import *import, struct scene_image *image)
 {
-    if (image->missing || !make_rgba8(import, image) || !is_grey(image)) {
+    if (image->missing || !scene_import_make_rgba8(import, image) || !is_grey(image)) {
         return;
     }
     const float scale = 4.0f / 255 / 2;
@@ -333,8 +350,19 @@ static bool colors_something(const struct scene_model *model, uint32_t image)
     return found;
 }
 
-// A stand-in is for colours to show that something is missing, by a checker with hard edges; as a normal or a roughness
-// it would lie.
+// A checker with hard edges in plain magenta: nothing else of the material darkens, tints or thins it.
+static void show_stand_in(struct scene_material *material)
+{
+    struct scene_texture_slot *slot = &material->slots[SCENE_SLOT_BASE_COLOR];
+    slot->min_filter = slot->mag_filter = RHW_FILTER_NEAREST;
+    for (int c = 0; c < 4; c++) {
+        material->base_color[c] = 1;
+    }
+    material->metallic = 0;
+    material->alpha_mode = SCENE_ALPHA_OPAQUE;
+}
+
+// A stand-in is for colours to show that something is missing; as a normal or a roughness it would lie.
 static void drop_missing_data(struct scene_model *model)
 {
     for (uint32_t i = 0; i < model->material_count; i++) {
@@ -345,7 +373,7 @@ static void drop_missing_data(struct scene_model *model)
                 continue;
             }
             if (k == SCENE_SLOT_BASE_COLOR) {
-                slot->min_filter = slot->mag_filter = RHW_FILTER_NEAREST;
+                show_stand_in(material);
                 continue;
             }
             slot->image = -1;
@@ -383,12 +411,20 @@ void scene_import_decode_images(struct scene_import *import)
         }
     }
     for (uint32_t i = 0; i < model->image_count; i++) {
+        const struct scene_import_channels *channels = import->sources[i].channels;
+        if (channels != NULL && !scene_import_join_channels(import, &model->images[i], channels) &&
+            !scene_image_stand_in(&model->images[i])) {
+            scene_import_fail(import, "needs more memory than there is");
+        }
         if (import->sources[i].opacity_image >= 0) {
             apply_opacity(import, &model->images[i], &model->images[import->sources[i].opacity_image],
                           import->sources[i].white);
         }
         if (import->sources[i].height) {
             height_to_normals(import, &model->images[i]);
+        }
+        if (import->sources[i].layer != NULL) {
+            scene_import_lay_image(import, &model->images[i], import->sources[i].layer);
         }
     }
     choose_alpha_modes(import);

@@ -28,6 +28,7 @@ struct scene_mesh {
     float (*uvs[SCENE_UV_SETS])[2];     ///< NULL: the set is absent, read 0,0
     float (*colors)[4];                 ///< linear RGBA, multiplies the base colour; NULL: 1,1,1,1
     float bounds_min[3], bounds_max[3]; ///< of the vertices that indices use
+    float point_radius; ///< of the disc of a point, in the units of the positions; 0: a few pixels, as single points
 };
 
 enum scene_image_type {
@@ -55,13 +56,29 @@ enum scene_slot {
     SCENE_SLOT_NORMAL,             ///< tangent space, +Y up (against v)
     SCENE_SLOT_OCCLUSION,          ///< R
     SCENE_SLOT_EMISSIVE,
+    SCENE_BASE_SLOTS,
+    // Of scene_layers.
+    SCENE_SLOT_CLEARCOAT = SCENE_BASE_SLOTS, ///< R
+    SCENE_SLOT_CLEARCOAT_ROUGHNESS,          ///< G
+    SCENE_SLOT_CLEARCOAT_NORMAL,
+    SCENE_SLOT_SHEEN_COLOR,
+    SCENE_SLOT_SHEEN_ROUGHNESS, ///< A
+    SCENE_SLOT_SPECULAR,        ///< A
+    SCENE_SLOT_SPECULAR_COLOR,
+    SCENE_SLOT_TRANSMISSION,          ///< R
+    SCENE_SLOT_THICKNESS,             ///< G
+    SCENE_SLOT_ANISOTROPY,            ///< R, G direction, B strength
+    SCENE_SLOT_IRIDESCENCE,           ///< R
+    SCENE_SLOT_IRIDESCENCE_THICKNESS, ///< G
+    SCENE_SLOT_GLOSS,                 ///< specular colour, A glossiness
     SCENE_SLOT_COUNT
 };
 
 /// Whether images are read there as colours, decoded from sRGB, and not as data.
 static inline bool scene_slot_is_color(enum scene_slot slot)
 {
-    return slot == SCENE_SLOT_BASE_COLOR || slot == SCENE_SLOT_EMISSIVE;
+    return slot == SCENE_SLOT_BASE_COLOR || slot == SCENE_SLOT_EMISSIVE || slot == SCENE_SLOT_SHEEN_COLOR ||
+           slot == SCENE_SLOT_SPECULAR_COLOR || slot == SCENE_SLOT_GLOSS;
 }
 
 /// Where a material reads an image.
@@ -77,6 +94,25 @@ struct scene_texture_slot {
 
 enum scene_alpha_mode { SCENE_ALPHA_OPAQUE, SCENE_ALPHA_MASK, SCENE_ALPHA_BLEND };
 
+/// What glTF's extensions add to the metallic-roughness model, each as its specification has it (KHR_materials_clearcoat,
+/// _sheen, _specular, _ior, _transmission, _volume, _dispersion, _anisotropy, _iridescence, _pbrSpecularGlossiness).
+struct scene_layers {
+    bool used; ///< false: none, and nothing of this is read
+    float clearcoat, clearcoat_roughness, clearcoat_normal_scale;
+    float sheen_color[3], sheen_roughness;
+    float specular, specular_color[3], ior;
+    float transmission;
+    float thickness;            ///< in the mesh's space; 0: a thin wall
+    float attenuation_distance; ///< +infinity: none
+    float attenuation_color[3];
+    float dispersion;                          ///< 20 over the Abbe number
+    float anisotropy, anisotropy_direction[2]; ///< strength; cosine and sine of the rotation
+    float iridescence, iridescence_ior;
+    float iridescence_thickness[2]; ///< nanometres, where the texture is 0 and 1; without one the second
+    bool glossy; ///< base_color is a diffuse colour, these two take the place of metallic and roughness
+    float gloss_specular[3], glossiness;
+};
+
 /// Metallic-roughness as glTF 2.0 §3.9 defines it; other models of shading are converted on import.
 struct scene_material {
     const char *name;
@@ -87,8 +123,15 @@ struct scene_material {
     enum scene_alpha_mode alpha_mode;
     float alpha_cutoff; ///< for MASK: fragments whose alpha is below are discarded
     bool unlit, double_sided;
+    struct scene_layers layers;
     struct scene_texture_slot slots[SCENE_SLOT_COUNT];
 };
+
+/// Whether light passes through, so that what is behind shows.
+static inline bool scene_material_transmits(const struct scene_material *material)
+{
+    return material->layers.used && material->layers.transmission > 0.0f && !material->unlit;
+}
 
 /// A mesh somewhere in the world. A node whose mesh has several materials gives several instances with
 /// one object id.
@@ -159,8 +202,11 @@ struct scene_model {
 
 /// What to import, and its limits. Zeroed: the defaults.
 struct scene_model_options {
-    unsigned seconds;    ///< of CPU time; 0: 60
-    size_t memory;       ///< bytes of address space; 0: 3/4 of the machine's memory, at most 16 GiB
+    unsigned seconds; ///< of CPU time; 0: 60
+    size_t memory;    ///< bytes of address space; 0: 3/4 of the machine's memory, at most 16 GiB
+    /// What the file is called: its ending tells the format where nothing in it does, and files that it names are looked
+    /// for beside it. NULL: the path.
+    const char *name;
     const char *variant; ///< of the materials, by its name (KHR_materials_variants); NULL: as they are without
 };
 

@@ -5,6 +5,9 @@
 static const struct scene_surface_shaders *const surface_shaders[RHW_ISA_COUNT] =
     RHW_ISA_TABLE(&scene_surface_shaders);
 
+static const struct scene_layered_shaders *const layered_shaders[RHW_ISA_COUNT] =
+    RHW_ISA_TABLE(&scene_layered_shaders);
+
 static const struct scene_screen_shaders *const screen_shaders[RHW_ISA_COUNT] =
     RHW_ISA_TABLE(&scene_screen_shaders);
 
@@ -20,8 +23,10 @@ void scene_program_surface(struct rhw_program *program, enum scene_vertex_kind v
     for (int isa = 0; isa < RHW_ISA_COUNT; isa++) {
         if (surface_shaders[isa]) {
             program->vertex[isa] = surface_shaders[isa]->vertex[vertex];
-            program->fragment[isa] =
-                fragment == SCENE_FRAGMENT_NONE ? NULL : surface_shaders[isa]->fragment[fragment];
+            program->fragment[isa] = fragment == SCENE_FRAGMENT_NONE ? NULL
+                                     : fragment == SCENE_FRAGMENT_LAYERED
+                                         ? layered_shaders[isa]->fragment
+                                         : surface_shaders[isa]->fragment[fragment];
         }
     }
     program->uniform_size = sizeof(struct scene_surface);

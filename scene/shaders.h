@@ -13,10 +13,12 @@
 #include "rhw/types.h"
 
 enum {
-    SCENE_LOBES = 3,      // soft boxes of the environment
-    SCENE_UV_STREAMS = 6, // one for each texture slot at most, and the untransformed set 0
+    SCENE_LOBES = 3, // soft boxes of the environment
+    SCENE_UV_STREAMS =
+        10, // one for each texture of the base, the untransformed set 0, and some of the layers
     SCENE_DATA_OUTPUTS = 8,
-    SCENE_SLOT_ENVIRONMENT = RHW_MAX_TEXTURES - 1
+    SCENE_SLOT_BACKDROP = RHW_MAX_TEXTURES - 2, // slots of a draw; materials have those before
+    SCENE_SLOT_ENVIRONMENT
 };
 
 enum scene_tone { SCENE_TONE_NEUTRAL, SCENE_TONE_ACES, SCENE_TONE_AGX, SCENE_TONE_NONE };
@@ -85,7 +87,9 @@ struct scene_frame {
     const struct scene_shader_light *lights;
     struct scene_environment environment;
     enum scene_tone tone;
-    int32_t write_linear;                    // color[1] takes the light before tone mapping
+    int32_t display_slot, linear_slot; // colour attachments for light after and before tone mapping; −1: none
+    float view_projection[16];         // for what is seen through a surface; depth does not matter
+    float backdrop_levels;             // its texture's, less 1, in slot SCENE_SLOT_BACKDROP
     float line_color[3], plain_color[3];     // wireframe
     float line_half_width;                   // pixels of the pass
     int32_t plain;                           // wireframe over an even surface
@@ -122,6 +126,10 @@ struct scene_surface {
     struct scene_uv_stream streams[SCENE_UV_STREAMS];
 
     int32_t slot_varying[SCENE_SLOT_COUNT]; // where the stream of a slot begins; −1: no texture
+    int32_t slot_unit[SCENE_SLOT_COUNT];    // the draw's texture slot
+    const struct scene_layers *layers;      // of a layered surface
+    float attenuation[3];                   // of its volume: log2 of what a unit of length leaves
+    float thickness;                        // of its volume, in the world
     int32_t uv_varying;                     // untransformed set 0, for the data pass
     uint32_t shared_slots;                  // bits of those that are sampled at once, at the same coordinates
     int32_t occlusion_shared;               // occlusion reads the texel that metallic-roughness read
@@ -136,6 +144,7 @@ struct scene_surface {
     uint32_t triangles_per_id; // 1; 2 where a quad stands for a line or a point
     int32_t is_triangle;
     float half_width; // of lines and points, pixels of the pass
+    float disc[2];    // the least half width and height of points, in clip coordinates
 };
 
 // Uniforms of the background. Colours are linear and premultiplied.
@@ -186,6 +195,7 @@ enum scene_fragment_kind {
     SCENE_FRAGMENT_TEXTURED, // any textures but a normal map
     SCENE_FRAGMENT_MAPPED,   // a normal map too
     SCENE_FRAGMENT_UNLIT,
+    SCENE_FRAGMENT_LAYERED, // extensions of the material, and any textures
     SCENE_FRAGMENT_DATA,
     SCENE_FRAGMENT_SHADOW, // discards what casts no shadow
     SCENE_FRAGMENT_KINDS,
@@ -205,7 +215,11 @@ enum scene_screen_kind {
 
 struct scene_surface_shaders {
     rhw_vertex_function *vertex[SCENE_VERTEX_KINDS];
-    rhw_fragment_function *fragment[SCENE_FRAGMENT_KINDS];
+    rhw_fragment_function *fragment[SCENE_FRAGMENT_KINDS]; // but SCENE_FRAGMENT_LAYERED
+};
+
+struct scene_layered_shaders {
+    rhw_fragment_function *fragment;
 };
 
 struct scene_screen_shaders {
@@ -229,6 +243,7 @@ void scene_program_surface(struct rhw_program *program, enum scene_vertex_kind v
 void scene_program_screen(struct rhw_program *program, enum scene_screen_kind kind);
 
 RHW_ISA_DECLARE(const struct scene_surface_shaders, scene_surface_shaders);
+RHW_ISA_DECLARE(const struct scene_layered_shaders, scene_layered_shaders);
 RHW_ISA_DECLARE(const struct scene_screen_shaders, scene_screen_shaders);
 RHW_ISA_DECLARE(const struct scene_occlusion_shaders, scene_occlusion_shaders);
 RHW_ISA_DECLARE(const struct scene_panorama_shaders, scene_panorama_shaders);

@@ -1,12 +1,7 @@
 // SPDX-License-Identifier: MIT
 // The built-in shaders of surfaces, lines and points, compiled once per instruction set. One inlined body
 // serves all lit variants; its constant arguments drop what a variant does not need.
-#include "shaders_guide.h"
-#include "shaders_pbr.h"
-#include "shaders_shadow.h"
-#include "shaders_tone.h"
-
-#define ALWAYS_INLINE static inline __attribute__((always_inline))
+#include "shaders_fragment.h"
 
 // Vertices ------------------------------------------------------------------------------------------
 
@@ -145,8 +140,8 @@ static void point_vertex(struct rhw_vertex *groups, int count)
         rhw_mat4_mul_point(s->clip, v->attribute[0], clip);
         const rhw_float x = rhw_float_from_int((v->vertex_index & 1) * 2 - 1);
         const rhw_float y = rhw_float_from_int((v->vertex_index & 2) - 1);
-        v->position[0] = clip[0] + x * (s->half_width * pixel[0]) * clip[3];
-        v->position[1] = clip[1] + y * (s->half_width * pixel[1]) * clip[3];
+        v->position[0] = clip[0] + x * rhw_max(s->half_width * pixel[0] * clip[3], s->disc[0]);
+        v->position[1] = clip[1] + y * rhw_max(s->half_width * pixel[1] * clip[3], s->disc[1]);
         v->position[2] = clip[2];
         v->position[3] = clip[3];
         write_position(s, v->attribute[0], v->varying);
@@ -158,190 +153,6 @@ static void point_vertex(struct rhw_vertex *groups, int count)
 }
 
 // Fragments -----------------------------------------------------------------------------------------
-
-ALWAYS_INLINE void sample_slot(const struct rhw_fragment *f, int at, enum scene_slot slot, rhw_float texel[4])
-{
-    const rhw_float uv[2] = {f->varying[at], f->varying[at + 1]};
-    const rhw_float gradient[4] = {f->ddx[at], f->ddx[at + 1], f->ddy[at], f->ddy[at + 1]};
-    rhw_sample_grad(f->textures, (int)slot, uv, gradient, texel);
-}
-
-// Texels by slot; those of scene_surface.shared_slots, once they have been sampled, wait for their use.
-typedef rhw_float slot_texels[SCENE_SLOT_COUNT][4];
-
-ALWAYS_INLINE void sample_shared(const struct rhw_fragment *groups, int count, const struct scene_surface *s,
-                                 slot_texels *texels)
-{
-    if (s->shared_slots) {
-        const int at = s->slot_varying[__builtin_ctz(s->shared_slots)];
-        rhw_sample_groups(groups, count, s->shared_slots, at, texels[0], SCENE_SLOT_COUNT);
-    }
-}
-
-ALWAYS_INLINE const rhw_float *slot_texel(const struct rhw_fragment *f, const struct scene_surface *s,
-                                          enum scene_slot slot, slot_texels texels)
-{
-    if (!(s->shared_slots >> slot & 1)) {
-        sample_slot(f, s->slot_varying[slot], slot, texels[slot]);
-    }
-    return texels[slot];
-}
-
-// Base colour with alpha; clears the lanes of `mask` that the alpha test or the disc of a point discards.
-ALWAYS_INLINE void base_color(struct rhw_fragment *f, const struct scene_surface *s, bool textured,
-                              slot_texels texels, rhw_float color[4])
-{
-    for (int c = 0; c < 4; c++) {
-        color[c] = rhw_splat(s->base_color[c]);
-    }
-    if (s->varying_color >= 0) {
-        for (int c = 0; c < 4; c++) {
-            color[c] = color[c] * f->varying[s->varying_color + c];
-        }
-    }
-    if (textured && s->slot_varying[SCENE_SLOT_BASE_COLOR] >= 0) {
-        const rhw_float *texel = slot_texel(f, s, SCENE_SLOT_BASE_COLOR, texels);
-        for (int c = 0; c < 4; c++) {
-            color[c] = color[c] * texel[c];
-        }
-    }
-    if (s->alpha_cutoff > 0.0f) {
-        f->mask = f->mask & rhw_less_equal(s->alpha_cutoff, color[3]);
-    }
-    if (s->varying_disc >= 0) {
-        const rhw_float *d = &f->varying[s->varying_disc];
-        f->mask = f->mask & rhw_less_equal(rhw_dot2(d, d), 1.0f);
-    }
-    if (s->alpha_mode != SCENE_ALPHA_BLEND) {
-        color[3] = rhw_splat(1.0f);
-    }
-}
-
-// Unit, towards the eye.
-ALWAYS_INLINE void view_direction(const struct scene_frame *frame, const rhw_float position[3],
-                                  rhw_float view[3])
-{
-    if (frame->orthographic) {
-        for (int c = 0; c < 3; c++) {
-            view[c] = rhw_splat(-frame->forward[c]);
-        }
-        return;
-    }
-    for (int c = 0; c < 3; c++) {
-        view[c] = frame->eye[c] - position[c];
-    }
-    rhw_normalize3(view, view);
-}
-
-// Unit, of the side that is seen.
-ALWAYS_INLINE void surface_normal(const struct rhw_fragment *f, const struct scene_surface *s, bool mapped,
-                                  slot_texels texels, rhw_float normal[3])
-{
-    for (int c = 0; c < 3; c++) {
-        normal[c] = f->varying[s->varying_normal + c];
-    }
-    if (mapped && s->slot_varying[SCENE_SLOT_NORMAL] >= 0) {
-        const rhw_float *tangent = &f->varying[s->varying_tangent];
-        const rhw_float *texel = slot_texel(f, s, SCENE_SLOT_NORMAL, texels);
-        rhw_float bitangent[3];
-        rhw_cross(normal, tangent, bitangent);
-        const rhw_float x = (texel[0] * 2.0f - 1.0f) * s->normal_scale;
-        const rhw_float y = (texel[1] * 2.0f - 1.0f) * s->normal_scale * tangent[3];
-        const rhw_float z = texel[2] * 2.0f - 1.0f;
-        for (int c = 0; c < 3; c++) {
-            normal[c] = x * tangent[c] + y * bitangent[c] + z * normal[c];
-        }
-    }
-    rhw_normalize3(normal, normal);
-    rhw_int turn = rhw_splat_int(0);
-    if (!s->is_triangle) {
-        // A line or point has no back: its normal is turned to the eye.
-        rhw_float view[3];
-        view_direction(s->frame, &f->varying[s->varying_position], view);
-        turn = rhw_less(rhw_dot3(normal, view), 0.0f);
-    } else if (s->double_sided) {
-        turn = ~f->front_facing;
-    }
-    for (int c = 0; c < 3; c++) {
-        normal[c] = (rhw_float)((rhw_int)normal[c] ^ (turn & INT32_MIN));
-    }
-}
-
-// Lines of the wireframe: the distance to an edge in pixels is its barycentric weight over the weight's
-// gradient, exact on the edge and to first order beside it. Where triangles get as small as the lines, the
-// lines fade; else a dense mesh would be one blot.
-ALWAYS_INLINE void draw_wire(const struct rhw_fragment *f, const struct scene_surface *s, rhw_float color[4])
-{
-    const struct scene_frame *frame = s->frame;
-    rhw_float distance = rhw_splat(1e30f), height = rhw_splat(1e30f);
-    for (int i = 0; i < 3; i++) {
-        const rhw_float x = f->barycentric_ddx[i], y = f->barycentric_ddy[i];
-        const rhw_float per_weight = rhw_rsqrt(rhw_max(x * x + y * y, 1e-30f));
-        distance = rhw_min(f->barycentric[i] * per_weight, distance);
-        height = rhw_min(per_weight, height);
-    }
-    const rhw_float cover = rhw_saturate(frame->line_half_width + 0.5f - distance);
-    const rhw_float strength = cover * rhw_saturate(height / (8.0f * frame->line_half_width));
-    for (int c = 0; c < 3; c++) {
-        color[c] = rhw_mix(color[c], frame->line_color[c], strength);
-    }
-    color[3] = rhw_mix(color[3], 1.0f, strength);
-}
-
-// `color` is light that has been tone-mapped, `linear` has not; both not yet premultiplied.
-ALWAYS_INLINE void write_output(struct rhw_fragment *f, const struct scene_surface *s, rhw_float color[4],
-                                rhw_float linear[4])
-{
-    if (s->wireframe) {
-        draw_wire(f, s, color);
-        draw_wire(f, s, linear);
-    }
-    for (int c = 0; c < 3; c++) {
-        f->color[0][c] = color[c] * color[3];
-    }
-    f->color[0][3] = color[3];
-    if (s->frame->write_linear) {
-        for (int c = 0; c < 3; c++) {
-            f->color[1][c] = linear[c] * linear[3];
-        }
-        f->color[1][3] = linear[3];
-    }
-}
-
-ALWAYS_INLINE rhw_float view_distance(const struct rhw_fragment *f, const struct scene_frame *frame,
-                                      const rhw_float position[3])
-{
-    if (!frame->orthographic) {
-        return 1.0f / f->coord[3];
-    }
-    rhw_float sum = rhw_splat(0.0f);
-    for (int c = 0; c < 3; c++) {
-        sum += (position[c] - frame->eye[c]) * frame->forward[c];
-    }
-    return sum;
-}
-
-ALWAYS_INLINE rhw_float ambient_open(const struct rhw_fragment *f, const struct scene_frame *frame,
-                                     const rhw_float position[3])
-{
-    const float pixels = 1.0f / frame->samples;
-    return scene_guide_open(&frame->guide, f->coord[0] * pixels, f->coord[1] * pixels + frame->first_row,
-                            view_distance(f, frame, position));
-}
-
-// Dims the light of the lanes that it reaches, those that face it.
-ALWAYS_INLINE void shadow_irradiance(const struct rhw_fragment *f, const struct scene_surface *s,
-                                     const struct scene_shader_light *light, rhw_int facing,
-                                     rhw_float irradiance[3])
-{
-    const int at = s->varying_position;
-    const bool plane = s->is_triangle;
-    const rhw_float open = scene_shadow(light, &f->varying[at], plane ? &f->ddx[at] : NULL,
-                                        plane ? &f->ddy[at] : NULL, f->mask & facing);
-    for (int c = 0; c < 3; c++) {
-        irradiance[c] = irradiance[c] * open;
-    }
-}
 
 // `texels` has those of shared slots.
 ALWAYS_INLINE void shade_lit(struct rhw_fragment *f, const struct scene_surface *s, bool textured,
@@ -378,6 +189,9 @@ ALWAYS_INLINE void shade_lit(struct rhw_fragment *f, const struct scene_surface 
     const rhw_float *position = &f->varying[s->varying_position];
     view_direction(frame, position, reflector.view);
     surface_normal(f, s, mapped, texels, reflector.normal);
+    if (mapped) {
+        bend_to_view(reflector.view, reflector.normal);
+    }
     scene_reflector_set(&reflector, base, metallic, roughness);
     if (frame->guide.occlusion) {
         occlusion = rhw_min(occlusion, ambient_open(f, frame, position));
@@ -394,10 +208,7 @@ ALWAYS_INLINE void shade_lit(struct rhw_fragment *f, const struct scene_surface 
         }
         scene_reflect_light(&reflector, to_light, irradiance, frame->lights[i].size, sum);
     }
-    rhw_float linear[4] = {sum[0], sum[1], sum[2], base[3]};
-    scene_tone_map(frame->tone, sum);
-    rhw_float color[4] = {sum[0], sum[1], sum[2], base[3]};
-    write_output(f, s, color, linear);
+    write_light(f, s, sum, base[3]);
 }
 
 static void lit_fragment(struct rhw_fragment *groups, int count)

@@ -3,12 +3,14 @@
 // material has and what the mesh carries; attributes and varyings that nobody reads are left out.
 #include "surface.h"
 
+#include "elementary.h"
 #include "light.h"
 
 #include <stdlib.h>
 #include <string.h>
 
-static const double line_half_width = 0.75, point_half_width = 2.25; // pixels of the picture
+// Pixels of the picture; the last, the least of points that have a size of their own.
+static const double line_half_width = 0.75, point_half_width = 2.25, disc_half_width = 1.0;
 static const float data_blend_cutoff = 0.5f;
 
 // View ----------------------------------------------------------------------------------------------
@@ -27,6 +29,10 @@ void scene_frame_look(struct scene_frame *frame, const struct scene_camera *came
         frame->eye[i] = (float)camera->eye[i];
         frame->forward[i] = (float)-matrix[4 * i + 2];
     }
+    for (int i = 0; i < 16; i++) {
+        frame->view_projection[i] = (float)view_projection[i];
+    }
+    frame->linear_slot = -1;
     frame->orthographic = camera->orthographic;
     frame->light_count = (int32_t)lighting->count;
     frame->lights = lighting->lights;
@@ -125,7 +131,8 @@ static int32_t add_varying(struct scene_surface_key *key, int32_t components)
     return first;
 }
 
-// A set under a transform, shared with whoever asked for the same before. Streams are the last varyings.
+// A set under a transform, shared with whoever asked for the same before; −1 where there are too many. Streams are the
+// last varyings.
 static int32_t use_stream(struct scene_surface *s, struct scene_surface_key *key,
                           const struct scene_uploaded_mesh *mesh, uint32_t set, const float transform[6])
 {
@@ -135,6 +142,9 @@ static int32_t use_stream(struct scene_surface *s, struct scene_surface_key *key
             memcmp(s->streams[i].transform, transform, sizeof s->streams[i].transform) == 0) {
             return s->varying_uv + 2 * i;
         }
+    }
+    if (s->stream_count == SCENE_UV_STREAMS) {
+        return -1;
     }
     const int32_t at = add_varying(key, 2);
     if (s->stream_count == 0) {
@@ -152,6 +162,7 @@ static void use_slot(struct scene_surface *s, struct scene_surface_key *key,
                      enum scene_slot slot)
 {
     const struct scene_texture_slot *source = &material->slots[slot];
+    s->slot_unit[slot] = (int32_t)slot;
     if (source->image >= 0) {
         s->slot_varying[slot] = use_stream(s, key, mesh, source->uv_set, source->transform);
     }
@@ -162,7 +173,7 @@ static uint32_t shared_slots(const struct scene_surface *s)
 {
     uint32_t slots = 0;
     int32_t stream = -1;
-    for (int slot = 0; slot < SCENE_SLOT_COUNT; slot++) {
+    for (int slot = 0; slot < SCENE_BASE_SLOTS; slot++) {
         const bool read =
             s->slot_varying[slot] >= 0 && !(slot == SCENE_SLOT_OCCLUSION && s->occlusion_shared);
         stream = stream < 0 && read ? s->slot_varying[slot] : stream;
@@ -260,6 +271,36 @@ static void use_color(struct scene_surface *s, struct scene_surface_key *key,
     }
 }
 
+// Textures of layers take the draw's slots after those of the base.
+static void use_layers(struct scene_surface *s, const struct scene_material *material)
+{
+    const struct scene_layers *layers = &material->layers;
+    int32_t unit = SCENE_BASE_SLOTS;
+    for (int slot = SCENE_BASE_SLOTS; slot < SCENE_SLOT_COUNT; slot++) {
+        if (s->slot_varying[slot] >= 0 && unit < SCENE_SLOT_BACKDROP) {
+            s->slot_unit[slot] = unit++;
+        } else {
+            s->slot_varying[slot] = -1;
+        }
+    }
+    s->layers = layers;
+    // The thickness is of the mesh; the world may stretch it, differently along each axis.
+    double stretch = 0.0;
+    for (int axis = 0; axis < 3; axis++) {
+        double square = 0.0;
+        for (int r = 0; r < 3; r++) {
+            square += (double)s->world[4 * r + axis] * (double)s->world[4 * r + axis];
+        }
+        stretch += __builtin_sqrt(square) / 3.0;
+    }
+    s->thickness = layers->thickness * (float)stretch;
+    for (int c = 0; c < 3; c++) {
+        const double color =
+            layers->attenuation_color[c] > 1e-6f ? (double)layers->attenuation_color[c] : 1e-6;
+        s->attenuation[c] = (float)(scene_log(color) / scene_log(2.0) / (double)layers->attenuation_distance);
+    }
+}
+
 static void lay_out_color(struct scene_surface *s, struct scene_surface_key *key,
                           const struct scene_surface_pass *def, const struct scene_uploaded_mesh *mesh,
                           const struct scene_material *material,
@@ -267,7 +308,9 @@ static void lay_out_color(struct scene_surface *s, struct scene_surface_key *key
 {
     const bool plain = def->frame->plain != 0;
     const bool lit = !plain && !material->unlit && mesh->normal >= 0;
-    const bool mapped = lit && mesh->tangent >= 0 && material->slots[SCENE_SLOT_NORMAL].image >= 0;
+    const bool layered = lit && material->layers.used && mesh->kind == SCENE_VERTEX_SURFACE;
+    const bool mapped =
+        lit && mesh->tangent >= 0 && (layered || material->slots[SCENE_SLOT_NORMAL].image >= 0);
     if (lit) {
         use_position(s, key);
         use_normal(s, key, mesh);
@@ -283,16 +326,22 @@ static void lay_out_color(struct scene_surface *s, struct scene_surface_key *key
     }
     if (mesh->kind == SCENE_VERTEX_SURFACE) {
         use_slot(s, key, mesh, material, SCENE_SLOT_BASE_COLOR);
-        for (int slot = SCENE_SLOT_METALLIC_ROUGHNESS; lit && slot < SCENE_SLOT_COUNT; slot++) {
+        const int slots = !lit ? 0 : layered ? SCENE_SLOT_COUNT : SCENE_BASE_SLOTS;
+        for (int slot = SCENE_SLOT_METALLIC_ROUGHNESS; slot < slots; slot++) {
             if (slot != SCENE_SLOT_NORMAL || mapped) {
                 use_slot(s, key, mesh, material, (enum scene_slot)slot);
             }
         }
     }
-    s->occlusion_shared = uploaded->occlusion_shared;
-    s->shared_slots = lit ? shared_slots(s) : 0;
+    if (layered) {
+        use_layers(s, material);
+    } else {
+        s->occlusion_shared = uploaded->occlusion_shared;
+        s->shared_slots = lit ? shared_slots(s) : 0;
+    }
     const bool textured = uploaded->textured && mesh->kind == SCENE_VERTEX_SURFACE;
     key->fragment = !lit       ? SCENE_FRAGMENT_UNLIT
+                    : layered  ? SCENE_FRAGMENT_LAYERED
                     : mapped   ? SCENE_FRAGMENT_MAPPED
                     : textured ? SCENE_FRAGMENT_TEXTURED
                                : SCENE_FRAGMENT_LIT;
@@ -353,6 +402,15 @@ static void lay_out_shadow(struct scene_surface *s, struct scene_surface_key *ke
     }
 }
 
+// A row of the matrix is as long as a unit of the model is wide, or high, in clip coordinates.
+static void set_disc(struct scene_surface *s, float radius)
+{
+    for (int row = 0; row < 2; row++) {
+        const float *m = s->clip + row;
+        s->disc[row] = radius * __builtin_sqrtf(m[0] * m[0] + m[4] * m[4] + m[8] * m[8]);
+    }
+}
+
 static void lay_out(const struct scene_upload *upload, const struct scene_surface_pass *def,
                     uint32_t instance_index, struct scene_surface *s, struct scene_surface_key *key)
 {
@@ -370,15 +428,20 @@ static void lay_out(const struct scene_upload *upload, const struct scene_surfac
                                 .varying_tangent = -1,
                                 .varying_color = -1,
                                 .varying_disc = -1,
-                                .uv_varying = -1,
-                                .slot_varying = {-1, -1, -1, -1, -1}};
+                                .uv_varying = -1};
+    for (int slot = 0; slot < SCENE_SLOT_COUNT; slot++) {
+        s->slot_varying[slot] = -1;
+    }
     s->is_triangle = mesh->kind == SCENE_VERTEX_SURFACE;
     s->triangles_per_id = s->is_triangle ? 1 : 2;
     s->object = instance->object;
     s->first_triangle = upload->first_triangle[instance_index];
-    s->half_width =
-        def->frame->samples * (float)(mesh->kind == SCENE_VERTEX_LINE ? line_half_width : point_half_width);
+    const float radius = upload->model->meshes[instance->mesh].point_radius;
+    s->half_width = def->frame->samples * (float)(mesh->kind == SCENE_VERTEX_LINE ? line_half_width
+                                                  : radius > 0                    ? disc_half_width
+                                                                                  : point_half_width);
     set_matrices(s, def, instance);
+    set_disc(s, radius);
     set_material(s, def, material);
 
     key->vertex = (int32_t)mesh->kind;
@@ -505,8 +568,12 @@ static enum rhw_result record_instance(const struct scene_upload *upload,
     rhw_pass_set_uniforms(context, pass, &surface, sizeof surface);
     for (int s = 0; s < SCENE_SLOT_COUNT; s++) {
         if (surface.slot_varying[s] >= 0) {
-            rhw_pass_set_texture(context, pass, s, material->slots[s].texture, material->slots[s].sampler);
+            rhw_pass_set_texture(context, pass, surface.slot_unit[s], material->slots[s].texture,
+                                 material->slots[s].sampler);
         }
+    }
+    if (surface.layers && def->backdrop.generation) {
+        rhw_pass_set_texture(context, pass, SCENE_SLOT_BACKDROP, def->backdrop, def->backdrop_sampler);
     }
     if (def->environment.generation) {
         rhw_pass_set_texture(context, pass, SCENE_SLOT_ENVIRONMENT, def->environment,
@@ -545,6 +612,10 @@ enum rhw_result scene_surfaces_record(const struct scene_upload *upload,
         const uint32_t mesh = model->instances[items[i].instance].mesh;
         if (def->shadow && upload->meshes[mesh].kind != SCENE_VERTEX_SURFACE) {
             continue; // lines and points have no extent in the world
+        }
+        if ((def->shadow || def->solid) &&
+            scene_material_transmits(&model->materials[model->meshes[mesh].material])) {
+            continue;
         }
         result = record_instance(upload, pipelines, def, pass, items[i].instance);
     }

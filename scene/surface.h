@@ -13,6 +13,7 @@ struct scene_surface_pass {
     const struct scene_frame *frame; ///< must live until the pass has ended
     uint32_t data_outputs;           ///< scene_output of a data pass; 0: a colour pass
     bool shadow;                     ///< depth alone, of what casts a shadow
+    bool solid;                      ///< without what light passes through
     bool unmapped;                   ///< normals of a data pass are those of the mesh, without normal maps
     enum rhw_qualifier interpolate;
     enum scene_wireframe wireframe;
@@ -21,10 +22,12 @@ struct scene_surface_pass {
     double view_projection[16]; ///< depth reversed
     rhw_texture environment;    ///< with frame->environment.mapped: the cube
     rhw_sampler environment_sampler;
+    rhw_texture backdrop; ///< what is seen through surfaces, with levels; null: none is
+    rhw_sampler backdrop_sampler;
 };
 
 /// Sets what a frame has from the camera and the lights, which must outlive it, and `view_projection` for a
-/// picture of that aspect.
+/// picture of that aspect. Light goes to attachment 0 as it is displayed, and nowhere before tone mapping.
 void scene_frame_look(struct scene_frame *frame, const struct scene_camera *camera, double aspect,
                       const struct scene_lighting *lighting, double view_projection[16]);
 

@@ -4,8 +4,8 @@
 #include <stdint.h>
 #include <stdlib.h>
 
-enum rhw_result scene_target_get(rhw_context *context, struct scene_target *target, enum rhw_format format,
-                                 int width, int height)
+static enum rhw_result get(rhw_context *context, struct scene_target *target, enum rhw_format format,
+                           int width, int height, int levels)
 {
     if (target->texture.generation && target->format == format && target->width == width &&
         target->height == height) {
@@ -17,7 +17,20 @@ enum rhw_result scene_target_get(rhw_context *context, struct scene_target *targ
     def.format = format;
     def.width = width;
     def.height = height;
+    def.mip_levels = levels;
     return rhw_texture_create(context, &def, &target->texture);
+}
+
+enum rhw_result scene_target_get(rhw_context *context, struct scene_target *target, enum rhw_format format,
+                                 int width, int height)
+{
+    return get(context, target, format, width, height, 1);
+}
+
+enum rhw_result scene_target_get_levels(rhw_context *context, struct scene_target *target,
+                                        enum rhw_format format, int width, int height)
+{
+    return get(context, target, format, width, height, RHW_MIP_LEVELS_ALL);
 }
 
 void scene_target_destroy(rhw_context *context, struct scene_target *target)

@@ -15,6 +15,9 @@ struct scene_target {
 /// Makes the texture anew unless it is of that format and size already.
 enum rhw_result scene_target_get(rhw_context *context, struct scene_target *target, enum rhw_format format,
                                  int width, int height);
+/// The same with a whole chain of levels.
+enum rhw_result scene_target_get_levels(rhw_context *context, struct scene_target *target,
+                                        enum rhw_format format, int width, int height);
 void scene_target_destroy(rhw_context *context, struct scene_target *target);
 
 /// A texture of one float per texel in memory that shaders can gather from. Zeroed: none.

@@ -6,6 +6,7 @@
 #include "golden_scenes.h"
 
 #include "draw.h"
+#include "panorama.h"
 
 #include <stdio.h>
 #include <stdlib.h>
@@ -223,7 +224,65 @@ static void make_lights(struct scene_model *model)
     memcpy(model->lights, lights, sizeof lights);
 }
 
-static const struct scene_model *make_gallery(void)
+// A layer or two for each material, some with textures.
+static void make_layers(struct scene_material *materials)
+{
+    for (int m = 0; m < MATERIALS; m++) {
+        materials[m].unlit = false;
+        materials[m].alpha_mode = m == 9 ? SCENE_ALPHA_BLEND : SCENE_ALPHA_OPAQUE;
+        struct scene_layers *l = &materials[m].layers;
+        *l = (struct scene_layers){.used = true,
+                                   .clearcoat = m % 5 == 0 ? 0.9f : 0.0f,
+                                   .clearcoat_roughness = 0.1f,
+                                   .clearcoat_normal_scale = 1,
+                                   .specular = 1.0f - 0.05f * (float)m,
+                                   .specular_color = {1, 0.9f, 1.2f},
+                                   .ior = 1.2f + 0.1f * (float)m,
+                                   .sheen_roughness = 0.4f,
+                                   .thickness = 1.2f,
+                                   .attenuation_distance = 1,
+                                   .attenuation_color = {0.9f, 0.5f, 0.3f},
+                                   .anisotropy_direction = {0.6f, 0.8f},
+                                   .iridescence_ior = 1.4f,
+                                   .iridescence_thickness = {100, 500},
+                                   .gloss_specular = {0.5f, 0.3f, 0.2f},
+                                   .glossiness = 0.8f};
+        l->transmission = m % 3 == 1 ? 0.95f : 0.0f;
+        l->dispersion = m == 7 ? 4.0f : 0.0f;
+        l->anisotropy = m == 5 || m == 6 ? 0.8f : 0.0f;
+        l->iridescence = m == 2 || m == 8 ? 1.0f : 0.0f;
+        l->sheen_color[0] = l->sheen_color[1] = m == 3 || m == 11 ? 0.8f : 0.0f;
+        l->glossy = m == 11;
+        materials[m].roughness = 0.03f * (float)m;
+        materials[m].metallic = m == 5 || m == 2 ? 1.0f : 0.0f;
+    }
+    bind(&materials[0], SCENE_SLOT_CLEARCOAT_NORMAL, IMAGE_BUMPS);
+    bind(&materials[4], SCENE_SLOT_THICKNESS, IMAGE_ROUGHNESS);
+    bind(&materials[5], SCENE_SLOT_ANISOTROPY, IMAGE_BUMPS);
+    bind(&materials[8], SCENE_SLOT_IRIDESCENCE_THICKNESS, IMAGE_ROUGHNESS);
+    bind(&materials[10], SCENE_SLOT_TRANSMISSION, IMAGE_ROUGHNESS);
+    bind(&materials[11], SCENE_SLOT_GLOSS, IMAGE_COLORS);
+}
+
+// A sky over a ground, with a window and a sun.
+static const struct scene_panorama *make_panorama(void)
+{
+    enum { WIDTH = 64, HEIGHT = 32 };
+    static float texels[WIDTH * HEIGHT][4];
+    static const struct scene_panorama panorama = {WIDTH, HEIGHT, texels};
+    for (int i = 0; i < WIDTH * HEIGHT; i++) {
+        const int x = i % WIDTH, y = i / WIDTH;
+        const bool window = x / 6 == 7 && y / 5 == 2, sun = x / 2 == 25 && y / 2 == 4;
+        for (int c = 0; c < 3; c++) {
+            const float sky = y < HEIGHT / 2 ? 0.5f + 0.03f * (float)(y * c) : 0.3f - 0.05f * (float)c;
+            texels[i][c] = sun ? 900.0f : window ? 6.0f : sky;
+        }
+        texels[i][3] = 1;
+    }
+    return &panorama;
+}
+
+static const struct scene_model *make_gallery(bool layered)
 {
     struct scene_model *const model = golden_allocate(1, sizeof *model);
     enum { COPIES = MATERIALS + 3 };
@@ -237,6 +296,9 @@ static const struct scene_model *make_gallery(void)
     model->instances = golden_allocate(COPIES, sizeof *model->instances);
     make_images(model->images);
     make_materials(model->materials);
+    if (layered) {
+        make_layers(model->materials);
+    }
     struct scene_mesh shapes[MESHES] = {{.name = ""}, {.name = ""}, {.name = ""}, {.name = ""}};
     make_faces(&shapes[BALL], 6);
     make_faces(&shapes[PLATE], 1);
@@ -310,23 +372,26 @@ static void draw_model(rhw_context *context, const struct scene_model *model, co
 
 void golden_gallery_draw(rhw_context *context, int number, struct golden_images *images)
 {
-    static const struct scene_model *model;
-    if (model == NULL) {
-        model = make_gallery();
+    static const struct scene_model *models[2];
+    const bool layered = number == 4;
+    if (models[layered] == NULL) {
+        models[layered] = make_gallery(layered);
     }
+    const struct scene_model *const model = models[layered];
     struct scene_view view = scene_view_default(model);
     view.width = number == 3 ? 120 : 200;
     view.height = number == 3 ? 160 : 130;
     view.outputs =
         number % 2 ? SCENE_OUTPUT_COLOR | SCENE_OUTPUT_LINEAR | SCENE_OUTPUT_DISPLAY : SCENE_OUTPUT_ALL;
-    static const int supersample[] = {4, 1, 1, 9};
+    static const int supersample[] = {4, 1, 1, 9, 1};
     view.supersample = supersample[number];
     const double aspect = (double)view.width / view.height;
     struct scene_model_camera camera = file_camera(number == 2);
     camera.yfov = 0.25f; // the narrower picture takes a taller angle
-    view.camera = number < 2 ? scene_camera_fit(model, (struct scene_orbit){.azimuth = 25, .elevation = 15},
-                                                0.5, aspect)
-                             : scene_camera_from_model(&camera, aspect);
+    view.camera =
+        number < 2 || layered
+            ? scene_camera_fit(model, (struct scene_orbit){.azimuth = 25, .elevation = 15}, 0.5, aspect)
+            : scene_camera_from_model(&camera, aspect);
     if (number == 1) {
         view.default_lights = true;
         view.wireframe = SCENE_WIREFRAME_OVER;
@@ -338,6 +403,13 @@ void golden_gallery_draw(rhw_context *context, int number, struct golden_images 
     } else if (number == 3) {
         view.interpolate = RHW_NOPERSPECTIVE;
         view.wireframe = SCENE_WIREFRAME_PLAIN;
+    } else if (layered) {
+        view.samples = 4;
+        view.default_lights = true;
+        view.panorama = make_panorama();
+        view.panorama_rotation = 130;
+        view.background = SCENE_BACKGROUND_PANORAMA;
+        view.tone = SCENE_TONE_ACES;
     }
     draw_model(context, model, &view, images);
 }

@@ -252,6 +252,42 @@ run render "$(printf 'a"b\\c\td\351.obj')" $view -o s.png --stats
 check "a strange name" test $status = 0
 check "a strange name in JSON" grep -qF '"model": "a\"b\\c\u0009d\ufffd.obj"' "$folder/log/out"
 
+# Standard input, of formats that have a mark and of those that have none.
+for model in cube.obj cameras.gltf; do
+    succeed render $model $view -o file.png --fit
+    status=0
+    "$rhw" render - $view -o piped.png --fit <$model 2>"$folder/log/err" || status=$?
+    check "$model on standard input" test $status = 0
+    check "$model on standard input is the same" cmp -s file.png piped.png
+done
+refuse 1 "standard input: the file is empty$" render - -o x.png
+status=0
+echo words | "$rhw" info - 2>"$folder/log/err" || status=$?
+check "words on standard input" grep -q "^rhw: standard input: is not a model in a format" "$folder/log/err"
+check "rhw info of standard input" test "$("$rhw" info - <cube.obj | head -1)" = "standard input: Wavefront OBJ"
+
+# With nothing open but the files that are asked for.
+"$rhw" render cube.obj $view -o closed.png <&- >&- 2>&-
+check "standard streams that are closed" cmp -s a.png closed.png
+
+# A picture does not take the model's place.
+cp cube.obj self.png
+ln -s self.png link.png
+for out in self.png ./self.png link.png; do
+    refuse 1 "$out: is the model itself; name another file for the picture$" render self.png -o $out
+done
+refuse 1 "self.png: is the model itself" render self.png -o y.png --stats=self.png
+
+# Everything of the file that is not drawn is said, and --strict takes it for a failure.
+sed 's/"asset": {"version": "2.0"}/"extensionsUsed": ["EXT_a", "EXT_b"], &/' cameras.gltf >used.gltf
+run render used.gltf $view -o x.png --fit
+check "extensions that are not drawn" test $status = 0
+check "the first" grep -q "^rhw: used.gltf: warning: glTF extension EXT_a: ignored$" "$folder/log/err"
+check "the second" grep -q "^rhw: used.gltf: warning: glTF extension EXT_b: ignored$" "$folder/log/err"
+refuse 1 "used.gltf: is not drawn as it is meant, for the reasons above \(2\); --strict allows none" \
+    render used.gltf -o strict.png --strict --quiet
+succeed render cube.obj $view -o strict.png --strict
+
 # A terminal sees what goes on, and nothing of it remains.
 if command -v script >/dev/null 2>&1; then
     script -qec "'$rhw' render cube.obj $view -o s.png" "$folder/log/typescript" >/dev/null 2>&1 </dev/null
@@ -265,6 +301,12 @@ echo "just words" >words.glb
 printf 'o nothing\nvn 0 0 1\n' >bare.obj
 printf 'glTF\2\0\0\0\100\0\0\0' >cut.glb
 mkdir folder.obj
+for ending in usd usda usdc usdz 3dm skp splat; do
+    echo words >scene.$ending
+    refuse 1 "scene.$ending: is .*, which is not supported$" render scene.$ending -o x.png
+done
+echo '#usda 1.0' >scene.txt
+refuse 1 "scene.txt: is USD \(text\), which is not supported$" render scene.txt -o x.png
 refuse 1 "none.obj: cannot be opened: No such file or directory" render none.obj -o x.png
 for model in empty.obj words.txt words.glb bare.obj cut.glb folder.obj; do
     refuse 1 "$model: " render $model -o x.png
@@ -272,6 +314,9 @@ done
 printf 'v 0 0 0\nv 1 0 0\nv nan 1 0\nv 0 1 0\nf 1 2 3\nf 1 2 4\n' >nan.obj
 run render nan.obj $view -o x.png
 check "NaN vertices end in a status, not a crash" test $status -le 1
+printf 'v 0 0 0\nv 1 0 0\nv nan 1 0\nf 1 2 3\n' >bad.obj
+refuse 1 "bad.obj: the file has nothing to draw: mesh .* positions that are not finite are left out, 1 of them$" \
+    render bad.obj -o x.png
 cat >missing.mtl <<'MTL'
 newmtl m
 map_Kd not-there.png

@@ -489,14 +489,125 @@ static void test_variants(void **state)
     assert_string_equal(error, "has no variants of its materials");
 }
 
+// A triangle with one material, its `members` besides the name.
+static struct scene_model *load_material(const char *members)
+{
+    static const float corners[9] = {0, 0, 0, 1, 0, 0, 0, 1, 0};
+    char error[512] = "";
+    write_format(
+        "material.gltf",
+        "{\"asset\":{\"version\":\"2.0\"},\"scenes\":[{\"nodes\":[0]}],\"nodes\":[{\"mesh\":0}],"
+        "\"meshes\":[{\"primitives\":[{\"material\":0,\"attributes\":{\"POSITION\":0}}]}],"
+        "\"materials\":[{\"name\":\"m\",%s}],\"textures\":[{\"source\":0}],\"images\":[{\"uri\":\"no.png\"}],"
+        "\"accessors\":[{\"bufferView\":0,\"componentType\":5126,\"count\":3,\"type\":\"VEC3\","
+        "\"min\":[0,0,0],\"max\":[1,1,0]}],\"bufferViews\":[{\"buffer\":0,\"byteLength\":36}],"
+        "\"buffers\":[{\"byteLength\":36,\"uri\":\"%s\"}]}",
+        members, data_uri(corners, sizeof corners));
+    struct scene_model *model = scene_model_load(path_of("material.gltf"), NULL, error, sizeof error);
+    if (model == NULL) {
+        fail_msg("%s", error);
+    }
+    return model;
+}
+
+static void assert_near(float value, double expected)
+{
+    if (!(fabs((double)value - expected) < 1e-6)) {
+        fail_msg("%g instead of %g", (double)value, expected);
+    }
+}
+
+static void test_layers(void **state)
+{
+    (void)state;
+    struct scene_model *model = load_material("\"doubleSided\":true");
+    const struct scene_layers *l = &model->materials[0].layers;
+    assert_false(l->used);
+    scene_model_free(model);
+    model = load_material(
+        "\"extensions\":{\"KHR_materials_clearcoat\":{\"clearcoatFactor\":0.5,\"clearcoatRoughnessFactor\":0."
+        "25},"
+        "\"KHR_materials_sheen\":{\"sheenColorFactor\":[1,0.5,0],\"sheenRoughnessFactor\":0.75},"
+        "\"KHR_materials_specular\":{\"specularFactor\":0.125,\"specularColorFactor\":[2,1,0]},"
+        "\"KHR_materials_ior\":{\"ior\":1.25},\"KHR_materials_transmission\":{\"transmissionFactor\":0.875},"
+        "\"KHR_materials_volume\":{\"thicknessFactor\":3,\"attenuationDistance\":2,\"attenuationColor\":[0.5,"
+        "1,0]},"
+        "\"KHR_materials_anisotropy\":{\"anisotropyStrength\":0.5,\"anisotropyRotation\":1.5707963267948966},"
+        "\"KHR_materials_iridescence\":{\"iridescenceFactor\":1,\"iridescenceIor\":1.5,"
+        "\"iridescenceThicknessMinimum\":50,\"iridescenceThicknessMaximum\":60},"
+        "\"KHR_materials_dispersion\":{\"dispersion\":0.5}}");
+    l = &model->materials[0].layers;
+    assert_true(l->used && !l->glossy && scene_material_transmits(&model->materials[0]));
+    assert_near(l->clearcoat, 0.5);
+    assert_near(l->clearcoat_roughness, 0.25);
+    assert_near(l->clearcoat_normal_scale, 1);
+    assert_near(l->sheen_color[1], 0.5);
+    assert_near(l->sheen_roughness, 0.75);
+    assert_near(l->specular, 0.125);
+    assert_near(l->specular_color[0], 2);
+    assert_near(l->ior, 1.25);
+    assert_near(l->transmission, 0.875);
+    assert_near(l->thickness, 3);
+    assert_near(l->attenuation_distance, 2);
+    assert_near(l->attenuation_color[0], 0.5);
+    assert_near(l->anisotropy, 0.5);
+    assert_near(l->anisotropy_direction[0], 0);
+    assert_near(l->anisotropy_direction[1], 1);
+    assert_near(l->iridescence, 1);
+    assert_near(l->iridescence_ior, 1.5);
+    assert_near(l->iridescence_thickness[0], 50);
+    assert_near(l->iridescence_thickness[1], 60);
+    assert_near(l->dispersion, 0.5);
+    assert_int_equal(model->unsupported_count, 0);
+    scene_model_free(model);
+    // The older model wins over what stands in for it.
+    model = load_material("\"pbrMetallicRoughness\":{\"baseColorFactor\":[0,0,0,1]},\"extensions\":{"
+                          "\"KHR_materials_pbrSpecularGlossiness\":{\"diffuseFactor\":[0.5,1,1,1],"
+                          "\"specularFactor\":[0.25,0,0],\"glossinessFactor\":0.5}}");
+    l = &model->materials[0].layers;
+    assert_true(l->used && l->glossy);
+    assert_near(model->materials[0].base_color[0], 0.5);
+    assert_near(l->gloss_specular[0], 0.25);
+    assert_near(l->glossiness, 0.5);
+    scene_model_free(model);
+    // Nonsense is held to what there is.
+    model = load_material("\"extensions\":{\"KHR_materials_ior\":{\"ior\":-3},\"KHR_materials_clearcoat\":"
+                          "{\"clearcoatFactor\":7},\"KHR_materials_volume\":{\"attenuationDistance\":-1},"
+                          "\"KHR_materials_transmission\":{\"transmissionFactor\":-2}}");
+    l = &model->materials[0].layers;
+    assert_near(l->ior, 1.5);
+    assert_near(l->clearcoat, 1);
+    assert_true(l->attenuation_distance > 1e30f);
+    assert_false(scene_material_transmits(&model->materials[0]));
+    scene_model_free(model);
+}
+
+// Rules that other viewers forgive, and what is left out.
+static void test_forgiven(void **state)
+{
+    (void)state;
+    struct scene_model *model =
+        load_text("number.gltf",
+                  "{\"asset\":{\"version\":2},\"scenes\":[{\"nodes\":[0]}],\"nodes\":[{\"name\":\"a\"}]}");
+    assert_true(has_warning(model, "asset.version is the number 2; it must be the string \"2.0\""));
+    scene_model_free(model);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_meshopt_filters), cmocka_unit_test(test_meshopt_indices),
-        cmocka_unit_test(test_meshopt_refused), cmocka_unit_test(test_draco),
-        cmocka_unit_test(test_draco_refused),   cmocka_unit_test(test_webp),
-        cmocka_unit_test(test_instancing),      cmocka_unit_test(test_visibility),
-        cmocka_unit_test(test_root_and_child),  cmocka_unit_test(test_variants),
+        cmocka_unit_test(test_forgiven),
+        cmocka_unit_test(test_meshopt_filters),
+        cmocka_unit_test(test_meshopt_indices),
+        cmocka_unit_test(test_meshopt_refused),
+        cmocka_unit_test(test_draco),
+        cmocka_unit_test(test_draco_refused),
+        cmocka_unit_test(test_webp),
+        cmocka_unit_test(test_instancing),
+        cmocka_unit_test(test_visibility),
+        cmocka_unit_test(test_root_and_child),
+        cmocka_unit_test(test_variants),
+        cmocka_unit_test(test_layers),
     };
     return cmocka_run_group_tests(tests, make_directory, remove_directory);
 }

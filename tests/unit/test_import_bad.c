@@ -50,6 +50,16 @@ static const struct {
      "{\"POSITION\":0}}]}],"
      "\"accessors\":[{\"componentType\":5126,\"type\":\"VEC3\",\"count\":4000000000}]}",
      "has 4000000000 elements and no data"},
+    {"most.gltf",
+     "{\"asset\":{\"version\":2},\"nodes\":[{\"mesh\":0}],\"meshes\":[{\"primitives\":[{\"attributes\":"
+     "{\"POSITION\":0}}]}],"
+     "\"accessors\":[{\"componentType\":5126,\"type\":\"VEC3\",\"count\":9007199254740992}]}",
+     "accessors[0]: its count must be 1 to 4294967294"},
+    {"beyond.gltf",
+     "{\"asset\":{\"version\":\"2.0\"},\"nodes\":[{\"mesh\":0}],\"meshes\":[{\"primitives\":[{\"attributes\":"
+     "{\"POSITION\":0}}]}],"
+     "\"accessors\":[{\"componentType\":5126,\"type\":\"VEC3\",\"count\":9e16}]}",
+     "\"count\" must be a whole number, 0 to 9007199254740992"},
     {"past.gltf",
      "{\"asset\":{\"version\":\"2.0\"},\"nodes\":[{\"mesh\":0}],\"meshes\":[{\"primitives\":[{\"attributes\":"
      "{\"POSITION\":0}}]}],"
@@ -96,7 +106,7 @@ static const struct {
      "element face 1\nproperty list uchar int vertex_indices\nend_header\n0 0 0\n3 0 0 -1\n",
      "face 0 refers to vertex -1 of 1"},
     {"text.xyzzy", "not a model\n", "is not a model in a format that can be read"},
-    {"solid.stl", "solid", "cannot be read"},
+    {"solid.stl", "solid", "is no STL model: it has no facets"},
 };
 
 static void test_bad_files(void **state)

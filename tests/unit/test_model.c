@@ -272,7 +272,7 @@ static void test_missing_texture(void **state)
     assert_true(image->missing);
     assert_true(has_warning(model, "nowhere.png"));
     assert_memory_equal(texels[0], ((const uint8_t[]){255, 0, 255, 255}), 4);
-    assert_memory_equal(texels[1], ((const uint8_t[]){0, 0, 0, 255}), 4);
+    assert_memory_equal(texels[1], ((const uint8_t[]){96, 0, 96, 255}), 4);
     scene_model_free(model);
 }
 

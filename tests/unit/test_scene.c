@@ -372,6 +372,42 @@ static void test_lines_and_points(void **state)
     }
 }
 
+// Points of a cloud are discs of a size in the world: here 16 pixels are a unit, and the model is drawn half as large.
+static void test_point_radius(void **state)
+{
+    (void)state;
+    struct tiny t;
+    tiny_make(&t);
+    uint32_t ends[2] = {0, 1};
+    t.mesh.normals = NULL;
+    t.mesh.indices = ends;
+    t.mesh.index_count = 2;
+    t.mesh.primitive = SCENE_PRIMITIVE_POINTS;
+    t.positions[0][0] = -1.0f;
+    t.positions[0][1] = 0.0f;
+    t.positions[1][0] = 1.0f;
+    t.positions[1][1] = 0.0f;
+    tiny_set_bounds(&t);
+    for (int i = 0; i < 3; i++) {
+        t.instances[0].world[5 * i] = 0.5f;
+    }
+    const struct scene_view view = tiny_view(&t, 64);
+    static const struct {
+        float radius;
+        int pixels;
+    } cases[] = {{0.5f, 52}, {0.01f, 4}, {0.0f, 16}}; // centres within 4 of a pixel corner; 1; 2.25
+    for (int i = 0; i < 3; i++) {
+        t.mesh.point_radius = cases[i].radius;
+        struct scene_pictures p = draw_model(&t.model, &view);
+        int lit = 0;
+        for (int k = 0; k < 64 * 64; k++) {
+            lit += p.color[4 * k] == 255;
+        }
+        assert_int_equal(lit, 2 * cases[i].pixels);
+        scene_pictures_free(&p);
+    }
+}
+
 // A line that begins before the camera and ends behind it leaves the picture on the side it heads for.
 static void test_line_through_the_near_plane(void **state)
 {
@@ -502,6 +538,7 @@ int main(void)
         cmocka_unit_test(test_data_outputs),
         cmocka_unit_test(test_normal_map),
         cmocka_unit_test(test_lines_and_points),
+        cmocka_unit_test(test_point_radius),
         cmocka_unit_test(test_line_through_the_near_plane),
         cmocka_unit_test(test_wireframe_marks_edges),
         cmocka_unit_test(test_pictures_do_not_depend_on_the_machine),

@@ -2,7 +2,7 @@
 // rhw info: what is in a model file, as the renderer will see it, and what of it will not be drawn.
 #include "json.h"
 #include "message.h"
-#include "model.h"
+#include "model_input.h"
 #include "options.h"
 #include "verbs.h"
 
@@ -24,7 +24,7 @@ static const char notes[] =
 static const struct cli_verb verb = {
     .name = "info",
     .operands = "MODEL",
-    .summary = "Tells what is in a model file and what of it is not drawn.",
+    .summary = "Tells what is in a model file ('-': standard input) and what of it is not drawn.",
     .options = options,
     .option_count = (int)(sizeof options / sizeof *options),
     .notes = notes,
@@ -34,8 +34,26 @@ static const char *const primitive_names[] = {"triangles", "lines", "points"};
 static const char *const image_type_names[] = {"RGBA8", "RGBA16", "RGBA32F"};
 static const char *const alpha_names[] = {"opaque", "mask", "blend"};
 static const char *const light_names[] = {"directional", "point", "spot"};
-static const char *const slot_names[SCENE_SLOT_COUNT] = {"base_color", "metallic_roughness", "normal",
-                                                         "occlusion", "emissive"};
+static const char *const slot_names[SCENE_SLOT_COUNT] = {
+    [SCENE_SLOT_BASE_COLOR] = "base_color",
+    [SCENE_SLOT_METALLIC_ROUGHNESS] = "metallic_roughness",
+    [SCENE_SLOT_NORMAL] = "normal",
+    [SCENE_SLOT_OCCLUSION] = "occlusion",
+    [SCENE_SLOT_EMISSIVE] = "emissive",
+    [SCENE_SLOT_CLEARCOAT] = "clearcoat",
+    [SCENE_SLOT_CLEARCOAT_ROUGHNESS] = "clearcoat_roughness",
+    [SCENE_SLOT_CLEARCOAT_NORMAL] = "clearcoat_normal",
+    [SCENE_SLOT_SHEEN_COLOR] = "sheen_color",
+    [SCENE_SLOT_SHEEN_ROUGHNESS] = "sheen_roughness",
+    [SCENE_SLOT_SPECULAR] = "specular",
+    [SCENE_SLOT_SPECULAR_COLOR] = "specular_color",
+    [SCENE_SLOT_TRANSMISSION] = "transmission",
+    [SCENE_SLOT_THICKNESS] = "thickness",
+    [SCENE_SLOT_ANISOTROPY] = "anisotropy",
+    [SCENE_SLOT_IRIDESCENCE] = "iridescence",
+    [SCENE_SLOT_IRIDESCENCE_THICKNESS] = "iridescence_thickness",
+    [SCENE_SLOT_GLOSS] = "specular_glossiness",
+};
 static const uint32_t corners[] = {3, 2, 1};
 
 static uint32_t object_count(const struct scene_model *model)
@@ -370,13 +388,13 @@ int cli_info(int argc, char **argv)
         return CLI_USAGE;
     }
 
-    const char *path = parser.operands[0];
-    char error[512];
-    cli_stage("reading", path);
-    struct scene_model *model = scene_model_load(path, NULL, error, sizeof error);
-    cli_stage_end();
+    struct cli_model_input input;
+    struct scene_model *model = NULL;
+    if (cli_model_input_open(&input, parser.operands[0])) {
+        model = cli_model_input_load(&input, NULL);
+    }
+    cli_model_input_close(&input);
     if (model == NULL) {
-        cli_error(path, "%s", error);
         return CLI_FAILED;
     }
     if (json) {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // rhw render: model file in, picture files out. This file is the order of things; what the command line
 // means stands in render_options.c, what becomes of an output in outputs.c.
+#include "model_input.h"
 #include "options.h"
 #include "output_file.h"
 #include "panorama_load.h"
@@ -13,12 +14,13 @@
 #include <string.h>
 #include <time.h>
 
-enum { WARNINGS_SHOWN = 8 };
+enum { WARNINGS_SHOWN = 32 };
 
 static const double degree = 3.14159265358979323846 / 180.0;
 
 struct render {
     struct cli_render_job job;
+    struct cli_model_input input;
     struct scene_model *model;
     struct scene_panorama panorama; // with job.environment
     rhw_context *context;
@@ -76,39 +78,55 @@ static bool plan_files(struct render *render)
             cli_error(job->out, "out of memory");
             return false;
         }
-        if (!cli_output_file_check(render->paths[kind])) {
+        if (!cli_output_file_check(render->paths[kind]) ||
+            cli_model_input_is(&render->input, render->paths[kind])) {
             return false;
         }
         if (job->format == CLI_PICTURE_EXR) {
             break; // one file for all
         }
     }
-    return !job->stats || cli_output_file_check(job->stats_path);
+    return !job->stats ||
+           (cli_output_file_check(job->stats_path) && !cli_model_input_is(&render->input, job->stats_path));
+}
+
+// What was wrong with the file, and what of it is not drawn. Returns how many lines there are.
+static uint32_t warn(const struct render *render)
+{
+    const struct scene_model *model = render->model;
+    const uint32_t count = model->warning_count + model->unsupported_count;
+    for (uint32_t i = 0; i < count && i < WARNINGS_SHOWN && !render->job.quiet; i++) {
+        cli_warning(render->job.model_path, "%s",
+                    i < model->warning_count ? model->warnings[i]
+                                             : model->unsupported[i - model->warning_count]);
+    }
+    if (count > WARNINGS_SHOWN && !render->job.quiet) {
+        cli_warning(render->job.model_path, "%u more warnings; rhw info prints them all",
+                    count - WARNINGS_SHOWN);
+    }
+    return count;
 }
 
 static bool import_model(struct render *render)
 {
     const struct cli_render_job *job = &render->job;
-    const struct scene_model_options options = {.variant = job->variant};
-    char error[512];
     const double start = now_ms();
-    cli_stage("reading", job->model_path);
-    render->model = scene_model_load(job->model_path, &options, error, sizeof error);
-    cli_stage_end();
+    render->model = cli_model_input_load(&render->input, job->variant);
     render->times.import_ms = now_ms() - start;
     if (!render->model) {
-        cli_error(job->model_path, "%s", error);
         return false;
     }
-    const uint32_t count = job->quiet ? 0 : render->model->warning_count;
-    for (uint32_t i = 0; i < count && i < WARNINGS_SHOWN; i++) {
-        cli_warning(job->model_path, "%s", render->model->warnings[i]);
+    const struct scene_model *model = render->model;
+    if (!(model->bounds_min[0] <= model->bounds_max[0])) { // one line, with the reason if there is one
+        const bool reason = model->warning_count > 0;
+        cli_error(job->model_path, "the file has nothing to draw%s%s", reason ? ": " : "",
+                  reason ? model->warnings[0] : "");
+        return false;
     }
-    if (count > WARNINGS_SHOWN) {
-        cli_warning(job->model_path, "%u more warnings; rhw info prints them all", count - WARNINGS_SHOWN);
-    }
-    if (!(render->model->bounds_min[0] <= render->model->bounds_max[0])) {
-        cli_error(job->model_path, "the file has nothing to draw");
+    const uint32_t lines = warn(render);
+    if (job->strict && lines > 0) {
+        cli_error(job->model_path,
+                  "is not drawn as it is meant, for the reasons above (%u); --strict allows none", lines);
         return false;
     }
     return true;
@@ -384,7 +402,12 @@ int cli_render(int argc, char **argv)
     if (!cli_render_job_parse(&render.job, argc, argv, &status)) {
         return status;
     }
-    status = run(&render);
+    status = CLI_FAILED;
+    if (cli_model_input_open(&render.input, render.job.model_path)) {
+        render.job.model_path = render.input.name;
+        status = run(&render);
+    }
+    cli_model_input_close(&render.input);
     scene_pictures_free(&render.pictures);
     if (render.scene) {
         scene_destroy(render.scene);

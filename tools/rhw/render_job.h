@@ -44,6 +44,7 @@ struct cli_render_job {
     enum rhw_paths paths;
     bool stats;
     const char *stats_path; ///< "-": standard output
+    bool strict;            ///< what the file has and is not drawn is an error
 };
 
 enum { CLI_AXES = SCENE_AXIS_MINUS_X + 1 };

@@ -29,7 +29,8 @@ enum {
     OPTION_FORMAT,
     OPTION_ISA,
     OPTION_PATHS,
-    OPTION_STATS
+    OPTION_STATS,
+    OPTION_STRICT
 };
 
 static const struct cli_option options[] = {
@@ -86,6 +87,8 @@ static const struct cli_option options[] = {
      "picture is the same"},
     {"stats", OPTION_STATS, "[FILE]",
      "write the time of each stage, memory and counts as JSON, to standard output\nwithout FILE"},
+    {"strict", OPTION_STRICT, NULL,
+     "no picture where the file has something that is not drawn as it is meant"},
     {"quiet", OPTION_QUIET, NULL, "no warnings"},
 };
 
@@ -114,6 +117,7 @@ static const char notes[] =
     "z, OBJ, PLY and "
     "OFF y,\nunless the model clearly stands on another side, which --stats tells. Numbers stay those of the "
     "file.\n\n"
+    "MODEL may be '-', standard input; files that it names are looked for in the current folder.\n\n"
     "Without --fit, --orbit or --camera the file's first camera is taken; where there is none, or it sees "
     "nothing of\n"
     "the model, the model is fitted into the picture.\n"
@@ -287,6 +291,7 @@ static bool parse_option(struct cli_render_job *job, int id, const char *argumen
     switch (id) {
     case OPTION_OUT: job->out = argument; return true;
     case OPTION_QUIET: job->quiet = true; return true;
+    case OPTION_STRICT: job->strict = true; return true;
     case OPTION_VARIANT: job->variant = argument; return true;
     case OPTION_STATS:
         job->stats = true;

@@ -43,7 +43,7 @@ _rhw_render() { # CURRENT PREVIOUS
         if [[ $1 == -* ]]; then
             _rhw_words "$1" --out --size --samples --supersample --output --bits --format --fit --up --orbit --camera --camera-index \
                 --camera-name --fovy --interpolate --wireframe --background --variant --lights --shadows --ambient-occlusion --environment --environment-rotation --tone-map --exposure --threads --isa --paths \
-                --stats --quiet --help
+                --stats --strict --quiet --help
         else
             _rhw_files "$1"
         fi

@@ -1,0 +1,164 @@
+// SPDX-License-Identifier: MIT
+// The colour passes. Colour is tone-mapped in the fragment function and blended as displayed light, as viewers on the web
+// do: the background then keeps the colour it was given, unlit surfaces keep theirs, and a sample is four bytes.
+#include "draw_state.h"
+
+#include "screen.h"
+
+#include <string.h>
+
+static enum rhw_result draw_samples(struct draw *draw, const enum rhw_format formats[2], int format_count)
+{
+    struct scene *scene = draw->scene;
+    rhw_context *context = scene->upload.context;
+    struct rhw_pass_def def = rhw_pass_def_default();
+    struct scene_background_pass background;
+    scene_background_set(draw, draw->side, draw->first_row, &background);
+    def.color_count = format_count;
+    for (int i = 0; i < format_count; i++) {
+        def.colors[i] = (struct rhw_color_attachment){.texture = scene->targets[TARGET_SAMPLES + i].texture};
+    }
+    memcpy(def.colors[0].clear, background.gradient.top, sizeof background.gradient.top);
+    def.depth = (struct rhw_depth_attachment){
+        .enabled = true, .load = RHW_LOAD_CLEAR, .store = RHW_STORE_DISCARD, .clear = 0.0f};
+    def.samples = draw->view->samples;
+    rhw_pass pass;
+    enum rhw_result result = rhw_pass_begin(context, &def, &pass);
+    if (result != RHW_OK) {
+        return result;
+    }
+    result = scene_background_record(draw, pass, false, formats, format_count, &background);
+    scene_band_viewport(draw, pass, draw->side);
+    struct scene_surface_pass surfaces = {.frame = &draw->frame,
+                                          .interpolate = draw->view->interpolate,
+                                          .wireframe = draw->view->wireframe,
+                                          .format_count = format_count,
+                                          .environment = scene->surroundings.cube,
+                                          .environment_sampler = scene->surroundings.cube_sampler,
+                                          .backdrop = scene->backdrop.texture,
+                                          .backdrop_sampler = scene->backdrop_sampler};
+    memcpy(surfaces.formats, formats, (size_t)format_count * sizeof *formats);
+    memcpy(surfaces.view_projection, draw->view_projection, sizeof surfaces.view_projection);
+    if (result == RHW_OK) {
+        result = scene_surfaces_record(&scene->upload, &scene->pipelines, &surfaces, pass);
+    }
+    struct rhw_stats stats = {0};
+    result = scene_pass_end(context, pass, result, &stats);
+    if (scene_background_is_drawn(draw) && result == RHW_OK) { // the background is no part of the model
+        stats.draws--;
+        stats.vertices_shaded -= 3;
+        stats.triangles_in--;
+        stats.triangles_rasterized--;
+        stats.bin_entries -= (uint64_t)stats.tiles;
+    }
+    scene_draw_add_stats(draw, &stats);
+    return result;
+}
+
+static enum rhw_result resolve(struct draw *draw, int from, int to, enum rhw_format format,
+                               bool straight_alpha)
+{
+    struct scene *scene = draw->scene;
+    rhw_context *context = scene->upload.context;
+    enum rhw_result result = scene_draw_target(draw, to, format, draw->view->width, draw->band_rows);
+    if (result != RHW_OK) {
+        return result;
+    }
+    const struct scene_target *source = &scene->targets[from];
+    const struct scene_resolve uniforms = {
+        .side = draw->side,
+        .straight_alpha = straight_alpha,
+        .inverse_size = {1.0f / (float)source->width, 1.0f / (float)source->height}};
+    rhw_pass pass;
+    result = scene_screen_begin(context, scene->targets[to].texture, &pass);
+    if (result != RHW_OK) {
+        return result;
+    }
+    rhw_pass_set_texture(context, pass, 0, source->texture, scene->nearest);
+    result = scene_screen_record(context, pass, SCENE_SCREEN_RESOLVE, &format, 1, &uniforms);
+    return scene_pass_end(context, pass, result, NULL);
+}
+
+// Reads the band of a picture, from the samples where one is the whole pixel.
+static enum rhw_result finish_band(struct draw *draw, int samples, int resolved, enum rhw_format format,
+                                   bool straight_alpha, void *picture)
+{
+    const double start = scene_milliseconds();
+    const struct scene_target *source = &draw->scene->targets[samples];
+    const bool needed = draw->side > 1 || straight_alpha || source->format != format;
+    const enum rhw_result result = needed ? resolve(draw, samples, resolved, format, straight_alpha) : RHW_OK;
+    const double read = scene_milliseconds();
+    if (result == RHW_OK) {
+        scene_band_read(draw, needed ? resolved : samples, picture);
+    }
+    draw->stats.resolve_ms += read - start;
+    draw->stats.read_ms += scene_milliseconds() - read;
+    return result;
+}
+
+static enum rhw_result draw_color_band(struct draw *draw)
+{
+    struct scene_pictures *pictures = draw->pictures;
+    const bool transparent = draw->view->background == SCENE_BACKGROUND_TRANSPARENT;
+    // Premultiplied colours of a transparent picture are divided by alpha later: 8 bits would not do.
+    const enum rhw_format formats[2] = {pictures->display ? RHW_FORMAT_RGBA32_FLOAT
+                                        : transparent     ? RHW_FORMAT_RGBA16_FLOAT
+                                                          : RHW_FORMAT_RGBA8_SRGB,
+                                        RHW_FORMAT_RGBA32_FLOAT};
+    const int width = draw->view->width * draw->side, height = draw->band_rows * draw->side;
+    const double start = scene_milliseconds();
+    enum rhw_result result = scene_draw_target(draw, TARGET_SAMPLES, formats[0], width, height);
+    if (result == RHW_OK && pictures->linear) {
+        result = scene_draw_target(draw, TARGET_LINEAR_SAMPLES, formats[1], width, height);
+    }
+    if (result == RHW_OK) {
+        result = draw_samples(draw, formats, pictures->linear ? 2 : 1);
+    }
+    draw->stats.color_ms += scene_milliseconds() - start;
+    if (result == RHW_OK && pictures->color) {
+        result = finish_band(draw, TARGET_SAMPLES, TARGET_COLOR, RHW_FORMAT_RGBA8_SRGB, transparent,
+                             pictures->color);
+    }
+    if (result == RHW_OK && pictures->display) {
+        result = finish_band(draw, TARGET_SAMPLES, TARGET_DISPLAY, RHW_FORMAT_RGBA32_FLOAT, transparent,
+                             pictures->display);
+    }
+    if (result == RHW_OK && pictures->linear) {
+        result = finish_band(draw, TARGET_LINEAR_SAMPLES, TARGET_LINEAR, RHW_FORMAT_RGBA32_FLOAT, false,
+                             pictures->linear);
+    }
+    return result;
+}
+
+enum rhw_result scene_draw_color(struct draw *draw)
+{
+    const uint32_t outputs = draw->view->outputs;
+    if (!(outputs & (SCENE_OUTPUT_COLOR | SCENE_OUTPUT_LINEAR | SCENE_OUTPUT_DISPLAY))) {
+        return RHW_OK;
+    }
+    const size_t per_sample =
+        (outputs & SCENE_OUTPUT_DISPLAY ? 16u : 8u) + (outputs & SCENE_OUTPUT_LINEAR ? 16u : 0u);
+    const size_t samples = (size_t)draw->view->supersample;
+    draw->band_rows = scene_band_rows(draw->view->height, (size_t)draw->view->width * per_sample * samples);
+    void *color = NULL, *linear = NULL, *display = NULL;
+    const bool allocated =
+        (!(outputs & SCENE_OUTPUT_COLOR) || scene_band_allocate(draw, RHW_FORMAT_RGBA8_SRGB, &color)) &&
+        (!(outputs & SCENE_OUTPUT_LINEAR) || scene_band_allocate(draw, RHW_FORMAT_RGBA32_FLOAT, &linear)) &&
+        (!(outputs & SCENE_OUTPUT_DISPLAY) || scene_band_allocate(draw, RHW_FORMAT_RGBA32_FLOAT, &display));
+    draw->pictures->color = color;
+    draw->pictures->linear = linear;
+    draw->pictures->display = display;
+    if (!allocated) {
+        return RHW_ERROR_OUT_OF_MEMORY;
+    }
+    draw->frame.linear_slot = linear != NULL ? 1 : -1;
+    enum rhw_result result = scene_draw_light(draw);
+    if (result == RHW_OK) {
+        result = scene_draw_backdrop(draw);
+    }
+    if (result != RHW_OK) {
+        return result;
+    }
+    scene_draw_set_samples(draw, draw->side);
+    return scene_draw_bands(draw, draw_color_band);
+}

@@ -1,0 +1,129 @@
+// SPDX-License-Identifier: MIT
+// Which reader a file is for: by what it begins with where formats have a mark, else by the ending of its name, and where
+// it has none, as on standard input, by what it looks like.
+#include <errno.h>
+#include <string.h>
+#include <strings.h>
+#include <sys/stat.h>
+
+#include "import.h"
+
+enum { LOOKED_AT = 512 };
+
+struct beginning {
+    unsigned char bytes[LOOKED_AT + 1]; // and a 0
+    size_t count;
+    uint64_t file_size;
+};
+
+// Formats that nothing here reads, which would else be refused by a guess of assimp's.
+static const struct {
+    const char *ending, *name;
+} unread[] = {
+    {"usd", "USD"},
+    {"usda", "USD (text)"},
+    {"usdc", "USD (binary)"},
+    {"usdz", "USD (package)"},
+    {"3dm", "Rhino 3DM"},
+    {"skp", "SketchUp"},
+    {"max", "3ds Max"},
+    {"ma", "Maya (text)"},
+    {"mb", "Maya (binary)"},
+    {"c4d", "Cinema 4D"},
+    {"igs", "IGES"},
+    {"iges", "IGES"},
+    {"sldprt", "SolidWorks"},
+    {"splat", "Gaussian splats"},
+    {"spz", "Gaussian splats (SPZ)"},
+};
+
+static struct beginning look(struct scene_import *import)
+{
+    struct beginning start = {.count = 0};
+    struct stat status;
+    FILE *file = fopen(import->model.path, "rb");
+    if (file == NULL) {
+        scene_import_fail(import, "cannot be opened: %s", strerror(errno));
+    }
+    start.count = fread(start.bytes, 1, LOOKED_AT, file);
+    start.file_size = fstat(fileno(file), &status) == 0 ? (uint64_t)status.st_size : 0;
+    fclose(file);
+    return start;
+}
+
+static bool begins_with(const struct beginning *start, const char *mark)
+{
+    return start->count >= strlen(mark) && memcmp(start->bytes, mark, strlen(mark)) == 0;
+}
+
+// Of what assimp reads, FBX is the one of which more must be known than that.
+static const char *find_ending(const struct scene_import *import, const struct beginning *start)
+{
+    const char *slash = strrchr(import->name, '/'), *dot = strrchr(slash == NULL ? import->name : slash, '.');
+    return dot != NULL ? dot + 1 : begins_with(start, "Kaydara FBX") ? "fbx" : "";
+}
+
+static void refuse_unread(struct scene_import *import, const struct beginning *start)
+{
+    const char *name = begins_with(start, "#usda")      ? "USD (text)"
+                       : begins_with(start, "PXR-USDC") ? "USD (binary)"
+                                                        : NULL;
+    for (size_t i = 0; i < sizeof unread / sizeof unread[0] && name == NULL; i++) {
+        name = strcasecmp(import->ending, unread[i].ending) == 0 ? unread[i].name : NULL;
+    }
+    if (name != NULL) {
+        scene_import_fail(import, "is %s, which is not supported", name);
+    }
+}
+
+// Text whose first word that is no comment is one of OBJ's.
+static bool looks_like_obj(const struct beginning *start)
+{
+    static const char *const words[] = {"v ", "vn ", "vt ", "o ", "g ", "mtllib ", "usemtl ", "s "};
+    const char *line = (const char *)start->bytes;
+    while (*line == '#' || *line == '\n' || *line == '\r') {
+        const size_t length = strcspn(line, "\r\n");
+        line += length + strspn(line + length, "\r\n");
+    }
+    bool found = false;
+    for (size_t i = 0; i < sizeof words / sizeof words[0]; i++) {
+        found = found || strncmp(line, words[i], strlen(words[i])) == 0;
+    }
+    return found;
+}
+
+static bool looks_like_stl(const struct beginning *start)
+{
+    const unsigned char *b = start->bytes;
+    const uint64_t facets = b[80] | (uint64_t)b[81] << 8 | (uint64_t)b[82] << 16 | (uint64_t)b[83] << 24;
+    return begins_with(start, "solid ") || (start->count > 84 && start->file_size == 84 + 50 * facets);
+}
+
+static bool ends_in(const struct scene_import *import, const char *ending)
+{
+    return strcasecmp(import->ending, ending) == 0;
+}
+
+void scene_import_read(struct scene_import *import)
+{
+    const struct beginning start = look(import);
+    import->ending = find_ending(import, &start);
+    const bool nameless = import->ending[0] == 0;
+    if (scene_import_is_gltf(import->name, start.bytes, start.count)) {
+        scene_import_gltf(import);
+    } else if (scene_import_is_ply(import->name, start.bytes, start.count)) {
+        scene_import_ply(import);
+    } else if (ends_in(import, "obj") || (nameless && looks_like_obj(&start))) {
+        scene_import_obj(import);
+    } else if (ends_in(import, "3mf") || (nameless && begins_with(&start, "PK\3\4"))) {
+        scene_import_3mf(import);
+    } else if (ends_in(import, "stl") || (nameless && looks_like_stl(&start))) {
+        scene_import_stl(import);
+    } else {
+        refuse_unread(import, &start);
+        if (ends_in(import, "fbx")) {
+            scene_import_check_fbx(import);
+        }
+        scene_import_assimp(import);
+    }
+}

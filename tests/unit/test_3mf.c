@@ -1,0 +1,446 @@
+// SPDX-License-Identifier: MIT
+// 3MF: packages written here, and what becomes of their colours, textures, components and parts. Values by hand.
+#include "model_files.h"
+
+#include <setjmp.h>
+#include <stdarg.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <time.h>
+
+#include <cmocka.h>
+#include <minizip/zip.h>
+
+static const char relationships[] =
+    "<?xml version=\"1.0\"?><Relationships "
+    "xmlns=\"http://schemas.openxmlformats.org/package/2006/relationships\">"
+    "<Relationship Target=\"/3D/3dmodel.model\" Id=\"rel0\" "
+    "Type=\"http://schemas.microsoft.com/3dmanufacturing/2013/01/3dmodel\"/></Relationships>";
+
+#define MESH(triangles)                                                                                  \
+    "<mesh><vertices><vertex x=\"0\" y=\"0\" z=\"0\"/><vertex x=\"1\" y=\"0\" z=\"0\"/><vertex x=\"0\" " \
+    "y=\"1\" "                                                                                           \
+    "z=\"0\"/><vertex x=\"1\" y=\"1\" z=\"0\"/></vertices><triangles>" triangles "</triangles></mesh>"
+
+static zipFile begin_package(const char *name)
+{
+    zipFile zip = zipOpen64(path_of(name), APPEND_STATUS_CREATE);
+    assert_non_null(zip);
+    return zip;
+}
+
+static void add_entry(zipFile zip, const char *name, const void *bytes, size_t size)
+{
+    const zip_fileinfo info = {.dosDate = 1};
+    assert_int_equal(zipOpenNewFileInZip(zip, name, &info, NULL, 0, NULL, 0, NULL, Z_DEFLATED, 6), ZIP_OK);
+    assert_int_equal(zipWriteInFileInZip(zip, bytes, (unsigned)size), ZIP_OK);
+    assert_int_equal(zipCloseFileInZip(zip), ZIP_OK);
+}
+
+// A package with one model: its resources and the items of its build.
+static void add_model(zipFile zip, const char *part, const char *resources, const char *build)
+{
+    char text[8192];
+    snprintf(text, sizeof text,
+             "<?xml version=\"1.0\"?><model unit=\"millimeter\" "
+             "xmlns=\"http://schemas.microsoft.com/3dmanufacturing/core/2015/02\" "
+             "xmlns:m=\"http://schemas.microsoft.com/3dmanufacturing/material/2015/02\" "
+             "xmlns:p=\"http://schemas.microsoft.com/3dmanufacturing/production/2015/06\">"
+             "<metadata name=\"Title\">x<b/></metadata><resources>%s</resources><build>%s</build></model>",
+             resources, build);
+    add_entry(zip, part, text, strlen(text));
+}
+
+static void write_package(const char *name, const char *resources, const char *build)
+{
+    zipFile zip = begin_package(name);
+    add_entry(zip, "_rels/.rels", relationships, strlen(relationships));
+    add_model(zip, "3D/3dmodel.model", resources, build);
+    assert_int_equal(zipClose(zip, NULL), ZIP_OK);
+}
+
+static struct scene_model *load_package(const char *resources, const char *build)
+{
+    write_package("x.3mf", resources, build);
+    return load("x.3mf");
+}
+
+// The mesh of the only instance with this many triangles.
+static const struct scene_mesh *mesh_of(const struct scene_model *model, uint32_t instance)
+{
+    assert_true(instance < model->instance_count);
+    return &model->meshes[model->instances[instance].mesh];
+}
+
+static bool is_unsupported(const struct scene_model *model, const char *part)
+{
+    bool found = false;
+    for (uint32_t i = 0; i < model->unsupported_count; i++) {
+        found = found || strstr(model->unsupported[i], part) != NULL;
+    }
+    return found;
+}
+
+// Colours -------------------------------------------------------------------------------------------
+
+// Triangles have the object's property, one of their own, or one for each corner; sRGB 0x80 is 0.2158605 linear.
+static void test_colors(void **state)
+{
+    (void)state;
+    struct scene_model *model = load_package(
+        "<basematerials id=\"1\"><base name=\"a\" displaycolor=\"#FF0000\"/><base name=\"b\" "
+        "displaycolor=\"#00FF0080\"/></basematerials><m:colorgroup id=\"2\"><m:color color=\"#0000ff\"/>"
+        "<m:color color=\"#808080\"/></m:colorgroup><object id=\"3\" pid=\"1\" pindex=\"0\" "
+        "name=\"thing\">" MESH("<triangle v1=\"0\" v2=\"1\" v3=\"2\"/>"
+                               "<triangle v1=\"1\" v2=\"3\" v3=\"2\" pid=\"2\" p1=\"0\" p2=\"1\" p3=\"0\"/>"
+                               "<triangle v1=\"2\" v2=\"1\" v3=\"0\" p1=\"1\"/>") "</object>",
+        "<item objectid=\"3\" transform=\"1 0 0 0 1 0 0 0 1 10 20 30\"/>");
+    assert_int_equal(model->triangles_drawn, 3);
+    assert_int_equal(model->instance_count, 2); // opaque and blended
+    assert_int_equal(model->up, SCENE_AXIS_Z);
+    assert_string_equal(model->instances[0].name, "thing");
+    assert_floats(model->instances[0].world + 12, (const float[]){10, 20, 30}, 3, 0);
+    const struct scene_mesh *opaque = mesh_of(model, 0), *blended = mesh_of(model, 1);
+    assert_int_equal(opaque->index_count, 6);
+    assert_floats(opaque->colors[opaque->indices[0]], (const float[]){1, 0, 0, 1}, 4, 0);
+    assert_floats(opaque->colors[opaque->indices[3]], (const float[]){0, 0, 1, 1}, 4, 0);
+    const float grey = 0.2158605f;
+    assert_floats(opaque->colors[opaque->indices[4]], (const float[]){grey, grey, grey, 1}, 4, 1e-6f);
+    assert_floats(opaque->positions[opaque->indices[4]], (const float[]){1, 1, 0}, 3, 0);
+    assert_floats(blended->colors[0], (const float[]){0, 1, 0, 128 / 255.0f}, 4, 1e-6f);
+    assert_int_equal(model->materials[opaque->material].alpha_mode, SCENE_ALPHA_OPAQUE);
+    assert_int_equal(model->materials[blended->material].alpha_mode, SCENE_ALPHA_BLEND);
+    assert_floats(model->materials[opaque->material].base_color, (const float[]){1, 1, 1, 1}, 4, 0);
+    scene_model_free(model);
+}
+
+// Without a property, what is not described anywhere: a light grey.
+static void test_plain(void **state)
+{
+    (void)state;
+    struct scene_model *model =
+        load_package("<object id=\"3\">" MESH("<triangle v1=\"0\" v2=\"1\" v3=\"2\"/>") "</object>",
+                     "<item objectid=\"3\"/>");
+    const struct scene_material *material = &model->materials[mesh_of(model, 0)->material];
+    assert_floats(material->base_color, (const float[]){0.6f, 0.6f, 0.6f, 1}, 4, 0);
+    scene_model_free(model);
+}
+
+static void test_metal_and_composites(void **state)
+{
+    (void)state;
+    struct scene_model *model = load_package(
+        "<basematerials id=\"1\"><base displaycolor=\"#FF0000\" displaypropertiesid=\"9\"/><base "
+        "displaycolor=\"#0000FF\"/></basematerials>"
+        "<m:compositematerials id=\"2\" matid=\"1\" matindices=\"0 1\"><m:composite values=\"1 3\"/>"
+        "</m:compositematerials><m:pbmetallicdisplayproperties id=\"9\"><m:pbmetallic name=\"m\" "
+        "metallicness=\"1\" "
+        "roughness=\"0.25\"/></m:pbmetallicdisplayproperties><object id=\"3\">" MESH(
+            "<triangle v1=\"0\" v2=\"1\" v3=\"2\" pid=\"1\" p1=\"0\"/>"
+            "<triangle v1=\"1\" v2=\"3\" v3=\"2\" pid=\"2\" p1=\"0\"/>") "</object>",
+        "<item objectid=\"3\"/>");
+    assert_int_equal(model->instance_count, 2);
+    const struct scene_material *metal = &model->materials[mesh_of(model, 0)->material];
+    assert_floats(&metal->metallic, (const float[]){1}, 1, 0);
+    assert_floats(&metal->roughness, (const float[]){0.25f}, 1, 0);
+    assert_floats(mesh_of(model, 1)->colors[0], (const float[]){0.25f, 0, 0.75f, 1}, 4, 1e-6f);
+    scene_model_free(model);
+}
+
+// Textures ------------------------------------------------------------------------------------------
+
+// A TGA of 1×1 or 2×1 texels with alpha, bottom up, BGRA.
+static size_t make_tga(unsigned char *bytes, int width, const unsigned char *texels)
+{
+    memset(bytes, 0, 18);
+    bytes[2] = 2;
+    bytes[12] = (unsigned char)width;
+    bytes[14] = 1;
+    bytes[16] = 32;
+    bytes[17] = 8;
+    memcpy(bytes + 18, texels, (size_t)width * 4);
+    return 18 + (size_t)width * 4;
+}
+
+static void write_textured(const char *properties, const char *triangle)
+{
+    char resources[4096];
+    unsigned char tga[64];
+    snprintf(
+        resources, sizeof resources,
+        "<basematerials id=\"1\"><base displaycolor=\"#FF0000\"/></basematerials>"
+        "<m:texture2d id=\"2\" path=\"/3D/Textures/A.tga\" tilestyleu=\"clamp\" tilestylev=\"mirror\" "
+        "filter=\"nearest\"/><m:texture2dgroup id=\"4\" texid=\"2\"><m:tex2coord u=\"0.25\" v=\"0.125\"/>"
+        "<m:tex2coord u=\"1\" v=\"0\"/><m:tex2coord u=\"0\" v=\"1\"/></m:texture2dgroup>"
+        "<m:texture2d id=\"5\" path=\"3D/Textures/b.tga\"/><m:texture2dgroup id=\"6\" texid=\"5\">"
+        "<m:tex2coord u=\"0.25\" v=\"0.125\"/><m:tex2coord u=\"1\" v=\"0\"/><m:tex2coord u=\"0\" v=\"1\"/>"
+        "</m:texture2dgroup>%s<object id=\"7\">" MESH("%s") "</object>",
+        properties, triangle);
+    zipFile zip = begin_package("x.3mf");
+    add_entry(zip, "_rels/.rels", relationships, strlen(relationships));
+    add_model(zip, "3D/3dmodel.model", resources, "<item objectid=\"7\"/>");
+    // Opaque green and transparent; half blue.
+    size_t size = make_tga(tga, 2, (const unsigned char[]){0, 255, 0, 255, 0, 255, 0, 0});
+    add_entry(zip, "3d/textures/a.tga", tga, size);
+    size = make_tga(tga, 1, (const unsigned char[]){255, 0, 0, 128});
+    add_entry(zip, "3D/Textures/b.tga", tga, size);
+    assert_int_equal(zipClose(zip, NULL), ZIP_OK);
+}
+
+static void test_texture(void **state)
+{
+    (void)state;
+    write_textured("", "<triangle v1=\"0\" v2=\"1\" v3=\"2\" pid=\"4\" p1=\"0\" p2=\"1\" p3=\"2\"/>");
+    struct scene_model *model = load("x.3mf");
+    assert_int_equal(model->warning_count, 0);
+    const struct scene_mesh *mesh = mesh_of(model, 0);
+    const struct scene_texture_slot *slot = &model->materials[mesh->material].slots[SCENE_SLOT_BASE_COLOR];
+    assert_int_equal(slot->image, 0);
+    assert_int_equal(slot->address_u, RHW_ADDRESS_CLAMP);
+    assert_int_equal(slot->address_v, RHW_ADDRESS_MIRROR);
+    assert_int_equal(slot->mag_filter, RHW_FILTER_NEAREST);
+    assert_floats(mesh->uvs[0][mesh->indices[0]], (const float[]){0.25f, 0.875f}, 2, 0);
+    assert_int_equal(model->images[0].width, 2);
+    scene_model_free(model);
+}
+
+// Half blue over green or nothing over red: by hand, in linear light.
+static void test_layers(void **state)
+{
+    (void)state;
+    write_textured("<m:multiproperties id=\"8\" pids=\"1 6 4\"><m:multi pindices=\"0 0 0\"/><m:multi "
+                   "pindices=\"0 1 1\"/>"
+                   "<m:multi pindices=\"0 2 2\"/></m:multiproperties>",
+                   "<triangle v1=\"0\" v2=\"1\" v3=\"2\" pid=\"8\" p1=\"0\" p2=\"1\" p3=\"2\"/>");
+    struct scene_model *model = load("x.3mf");
+    const struct scene_mesh *mesh = mesh_of(model, 0);
+    const struct scene_material *material = &model->materials[mesh->material];
+    const struct scene_image *image = &model->images[material->slots[SCENE_SLOT_BASE_COLOR].image];
+    const uint8_t *texels = image->texels;
+    assert_int_equal(image->width, 2);
+    assert_memory_equal(texels, ((const uint8_t[]){0, 255, 0, 255}), 4);
+    // 0.498 red and 0.502 blue in linear light are 187 and 188 (0x80 of 255 is 0.50196).
+    assert_memory_equal(texels + 4, ((const uint8_t[]){187, 0, 188, 255}), 4);
+    assert_floats(mesh->colors[0], (const float[]){1, 1, 1, 1}, 4, 0);
+    scene_model_free(model);
+}
+
+static void test_multiplied(void **state)
+{
+    (void)state;
+    write_textured(
+        "<m:multiproperties id=\"8\" pids=\"1 4\" blendmethods=\"multiply\"><m:multi pindices=\"0 0\"/>"
+        "</m:multiproperties>",
+        "<triangle v1=\"0\" v2=\"1\" v3=\"2\" pid=\"8\" p1=\"0\"/>");
+    struct scene_model *model = load("x.3mf");
+    const struct scene_mesh *mesh = mesh_of(model, 0);
+    assert_int_equal(model->image_count, 1);
+    assert_floats(mesh->colors[0], (const float[]){1, 0, 0, 1}, 4, 0);
+    assert_floats(mesh->uvs[0][0], (const float[]){0.25f, 0.875f}, 2, 0);
+    scene_model_free(model);
+}
+
+static void test_missing_texture(void **state)
+{
+    (void)state;
+    struct scene_model *model =
+        load_package("<m:texture2d id=\"2\" path=\"/3D/none.png\"/><m:texture2dgroup id=\"4\" "
+                     "texid=\"2\"><m:tex2coord u=\"0\" "
+                     "v=\"0\"/></m:texture2dgroup><object id=\"3\" pid=\"4\" pindex=\"0\">" MESH(
+                         "<triangle v1=\"0\" v2=\"1\" v3=\"2\"/>") "</object>",
+                     "<item objectid=\"3\"/>");
+    assert_true(has_warning(model, "\"3D/none.png\": is not in the archive"));
+    scene_model_free(model);
+}
+
+// Components ----------------------------------------------------------------------------------------
+
+// A component of a component, in another part of the package: places multiply, and a mesh is kept once.
+static void test_components(void **state)
+{
+    (void)state;
+    zipFile zip = begin_package("x.3mf");
+    add_entry(zip, "_rels/.rels", relationships, strlen(relationships));
+    add_model(zip, "3D/3dmodel.model",
+              "<object id=\"2\"><components><component p:path=\"/3D/Objects/part.model\" objectid=\"1\" "
+              "transform=\"2 0 0 0 2 0 0 0 2 1 0 0\"/><component objectid=\"3\"/></components></object>"
+              "<object id=\"3\"><components><component p:path=\"/3D/Objects/part.model\" objectid=\"1\"/>"
+              "</components></object>",
+              "<item objectid=\"2\" transform=\"0 1 0 -1 0 0 0 0 1 0 0 5\"/>");
+    add_model(zip, "3D/Objects/part.model",
+              "<object id=\"1\">" MESH("<triangle v1=\"0\" v2=\"1\" v3=\"2\"/>") "</object>",
+              "<item objectid=\"1\"/>"); // what another part builds is not built
+    assert_int_equal(zipClose(zip, NULL), ZIP_OK);
+    struct scene_model *model = load("x.3mf");
+    assert_int_equal(model->instance_count, 2);
+    assert_int_equal(model->mesh_count, 1);
+    assert_int_equal(model->instances[0].object, 1);
+    assert_int_equal(model->instances[1].object, 1);
+    // (1, 0, 0) after the component is (3, 0, 0); the item turns x to y and lifts.
+    const float *world = model->instances[0].world;
+    const float point[3] = {world[0] + world[12], world[1] + world[13], world[2] + world[14]};
+    assert_floats(point, (const float[]){0, 3, 5}, 3, 0);
+    scene_model_free(model);
+}
+
+static void test_circle(void **state)
+{
+    (void)state;
+    write_package("x.3mf", "<object id=\"1\"><components><component objectid=\"1\"/></components></object>",
+                  "<item objectid=\"1\"/>");
+    expect_refused("x.3mf", "object 1: its components are nested too deeply or in a circle");
+}
+
+// 2 to the power of 40 triangles in 40 lines.
+static void test_too_many(void **state)
+{
+    (void)state;
+    char resources[8192] = "<object id=\"1\">" MESH("<triangle v1=\"0\" v2=\"1\" v3=\"2\"/>") "</object>";
+    for (int i = 2; i < 42; i++) {
+        sprintf(resources + strlen(resources),
+                "<object id=\"%d\"><components><component objectid=\"%d\"/><component objectid=\"%d\"/>"
+                "</components></object>",
+                i, i - 1, i - 1);
+    }
+    write_package("x.3mf", resources, "<item objectid=\"41\"/>");
+    expect_refused("x.3mf", "stand for more than 1048576 objects");
+}
+
+static void test_beams(void **state)
+{
+    (void)state;
+    struct scene_model *model = load_package(
+        "<object id=\"1\"><mesh><vertices><vertex x=\"0\" y=\"0\" z=\"0\"/><vertex x=\"1\" y=\"0\" z=\"0\"/>"
+        "</vertices><triangles/><b:beamlattice><b:beams><b:beam v1=\"0\" "
+        "v2=\"1\"/></b:beams></b:beamlattice></mesh>"
+        "</object>",
+        "<item objectid=\"1\"/>");
+    assert_int_equal(mesh_of(model, 0)->primitive, SCENE_PRIMITIVE_LINES);
+    assert_int_equal(mesh_of(model, 0)->index_count, 2);
+    assert_true(is_unsupported(model, "thickness of beams"));
+    scene_model_free(model);
+}
+
+static void test_no_build(void **state)
+{
+    (void)state;
+    struct scene_model *model =
+        load_package("<object id=\"3\">" MESH("<triangle v1=\"0\" v2=\"1\" v3=\"2\"/>") "</object>", "");
+    assert_int_equal(model->instance_count, 1);
+    assert_true(has_warning(model, "its build lists nothing"));
+    scene_model_free(model);
+}
+
+// Refusals ------------------------------------------------------------------------------------------
+
+static void test_bad_xml(void **state)
+{
+    (void)state;
+    static const struct {
+        const char *resources, *cause;
+    } cases[] = {
+        {"<object id=\"1\">" MESH("<triangle v1=\"0\" v2=\"1\" v3=\"4\"/>") "</object>",
+         "a triangle's v1, v2 and v3 must be vertices of its mesh"},
+        {"<object id=\"1\"><mesh><vertices><vertex x=\"1\" y=\"a\" z=\"0\"/></vertices></mesh></object>",
+         "a vertex needs x, y and z"},
+        {"<m:colorgroup id=\"1\"><m:color color=\"red\"/></m:colorgroup>",
+         "a color must be #RRGGBB or #RRGGBBAA"},
+        {"<object id=\"-1\"></object>", "is not a whole number from 0 to 2147483647"},
+        {"<object>", "\"3D/3dmodel.model\", line 1: mismatched tag"},
+    };
+    for (size_t i = 0; i < sizeof cases / sizeof cases[0]; i++) {
+        write_package("x.3mf", cases[i].resources, "<item objectid=\"1\"/>");
+        expect_refused("x.3mf", cases[i].cause);
+    }
+}
+
+static void test_doctype(void **state)
+{
+    (void)state;
+    static const char bomb[] =
+        "<!DOCTYPE model [<!ENTITY a \"aaaa\"><!ENTITY b \"&a;&a;\">]><model>&b;</model>";
+    zipFile zip = begin_package("x.3mf");
+    add_entry(zip, "3D/3dmodel.model", bomb, strlen(bomb)); // found without relationships
+    assert_int_equal(zipClose(zip, NULL), ZIP_OK);
+    expect_refused("x.3mf", "a document type is not allowed");
+}
+
+static size_t read_package(unsigned char *bytes, size_t most)
+{
+    FILE *file = fopen(path_of("x.3mf"), "rb");
+    assert_non_null(file);
+    const size_t size = fread(bytes, 1, most, file);
+    fclose(file);
+    return size;
+}
+
+// An archive that claims 4 GiB, and one that claims a terabyte in the field for it, are refused at once.
+static void test_claims(void **state)
+{
+    (void)state;
+    static unsigned char bytes[16384];
+    const clock_t start = clock();
+    write_package("x.3mf", "<object id=\"1\"></object>", "");
+    const size_t size = read_package(bytes, sizeof bytes);
+    size_t entry = 0; // the last of the central directory
+    for (size_t i = 0; i + 4 < size; i++) {
+        entry = memcmp(bytes + i, "PK\1\2", 4) == 0 ? i : entry;
+    }
+    memcpy(bytes + entry + 24, (const unsigned char[]){0xfe, 0xff, 0xff, 0xff}, 4);
+    write_bytes("x.3mf", bytes, size);
+    expect_refused("x.3mf", "claims to be 4294967294 bytes made of");
+    // The 64-bit extra field: its id, 8 bytes, and the size 2^40.
+    static const unsigned char extra[] = {1, 0, 8, 0, 0, 0, 0, 0, 0, 1, 0, 0};
+    const size_t name = bytes[entry + 28], after = entry + 46 + name;
+    memcpy(bytes + entry + 24, (const unsigned char[]){0xff, 0xff, 0xff, 0xff}, 4);
+    bytes[entry + 30] = sizeof extra;
+    memmove(bytes + after + sizeof extra, bytes + after, size - after);
+    memcpy(bytes + after, extra, sizeof extra);
+    bytes[after + sizeof extra + 12] =
+        (unsigned char)(bytes[after + sizeof extra + 12] + sizeof extra); // its size
+    write_bytes("x.3mf", bytes, size + sizeof extra);
+    expect_refused("x.3mf", "at most 2147483648, and 1032 times what it is made of, are read");
+    assert_true((double)(clock() - start) / CLOCKS_PER_SEC < 0.5);
+}
+
+// Cut anywhere, it is one line.
+static void test_cut(void **state)
+{
+    (void)state;
+    static unsigned char bytes[16384];
+    write_package("x.3mf", "<object id=\"1\">" MESH("<triangle v1=\"0\" v2=\"1\" v3=\"2\"/>") "</object>",
+                  "<item objectid=\"1\"/>");
+    const size_t size = read_package(bytes, sizeof bytes);
+    for (size_t cut = 1; cut < size; cut += 37) {
+        write_bytes("x.3mf", bytes, cut);
+        expect_refused("x.3mf", "is cut or no ZIP archive");
+    }
+    const size_t first = 30 + strlen("_rels/.rels") + 20; // within the first entry's data
+    bytes[first] = (unsigned char)~bytes[first];
+    write_bytes("x.3mf", bytes, size);
+    expect_refused("x.3mf", "\"_rels/.rels\" in the archive is damaged");
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(test_colors),
+        cmocka_unit_test(test_plain),
+        cmocka_unit_test(test_metal_and_composites),
+        cmocka_unit_test(test_texture),
+        cmocka_unit_test(test_layers),
+        cmocka_unit_test(test_multiplied),
+        cmocka_unit_test(test_missing_texture),
+        cmocka_unit_test(test_components),
+        cmocka_unit_test(test_circle),
+        cmocka_unit_test(test_too_many),
+        cmocka_unit_test(test_beams),
+        cmocka_unit_test(test_no_build),
+        cmocka_unit_test(test_bad_xml),
+        cmocka_unit_test(test_doctype),
+        cmocka_unit_test(test_claims),
+        cmocka_unit_test(test_cut),
+    };
+    return cmocka_run_group_tests(tests, make_directory, remove_directory);
+}

@@ -1,0 +1,95 @@
+// SPDX-License-Identifier: MIT
+// FBX files that are cut, which assimp would draw as far as they go.
+#include "model_files.h"
+
+#include <setjmp.h>
+#include <stdarg.h>
+#include <stdio.h>
+#include <string.h>
+
+#include <cmocka.h>
+
+static const unsigned char end_mark[16] = {0xf8, 0x5a, 0x8c, 0x6a, 0xde, 0xf5, 0xd9, 0x7e,
+                                           0xec, 0xe9, 0x0c, 0xe3, 0x75, 0x8f, 0x29, 0x0b};
+
+// A file of one empty record, the null record and the footer, in both widths of its numbers. Returns its size.
+static size_t make_binary(unsigned char bytes[256], int version)
+{
+    const size_t word = version >= 7500 ? 8 : 4, record = 3 * word + 1;
+    memset(bytes, 0, 256);
+    memcpy(bytes, "Kaydara FBX Binary  \0\x1a", 22);
+    memcpy(bytes + 23, &version, 4);
+    bytes[27] = (unsigned char)(27 + record + 4); // where it ends
+    bytes[27 + record - 1] = 4;
+    memcpy(bytes + 27 + record, "Test", 4);
+    const size_t footer = 27 + record + 4 + record;
+    memcpy(bytes + footer + 120, end_mark, sizeof end_mark);
+    return footer + 120 + sizeof end_mark;
+}
+
+// A whole one is no model, which is what is said of it then; what is cut is told by the byte.
+static void test_binary(void **state)
+{
+    (void)state;
+    unsigned char bytes[256];
+    for (int version = 7400; version <= 7500; version += 100) {
+        const size_t word = version >= 7500 ? 8 : 4, end = 27 + 3 * word + 1 + 4;
+        const size_t size = make_binary(bytes, version);
+        char cause[128];
+        write_bytes("x.fbx", bytes, size);
+        expect_refused("x.fbx", "cannot be read");
+        snprintf(cause, sizeof cause, "is cut: a part of it should end at byte %zu; it has %zu", end,
+                 end - 1);
+        write_bytes("x.fbx", bytes, end - 1);
+        expect_refused("x.fbx", cause);
+        snprintf(cause, sizeof cause, "is cut: a part of it should begin at byte %zu; it has %zu", end,
+                 end + 3);
+        write_bytes("x.fbx", bytes, end + 3);
+        expect_refused("x.fbx", cause);
+    }
+}
+
+static void test_text(void **state)
+{
+    (void)state;
+    write_text("x.fbx", "; FBX 7.5.0 project file { {\nA: \"{\" {\n}\n");
+    expect_refused("x.fbx", "cannot be read");
+    write_text("x.fbx", "; FBX 7.5.0 project file\nA: \"}\" {\n B: {\n");
+    expect_refused("x.fbx", "is cut: 2 of its sections are open where it ends");
+}
+
+// A light shines along its -Y, which its post-rotation of -90 degrees about X turns to -Z: it is applied backward.
+static void test_light(void **state)
+{
+    (void)state;
+    struct scene_model *model = load_text(
+        "light.fbx",
+        "; FBX 7.4.0 project file\n"
+        "FBXHeaderExtension:  {\n\tFBXHeaderVersion: 1003\n\tFBXVersion: 7400\n}\n"
+        "Objects:  {\n"
+        "\tGeometry: 10, \"Geometry::\", \"Mesh\" {\n"
+        "\t\tVertices: *9 {\n\t\t\ta: 0,0,0,1,0,0,0,1,0\n\t\t}\n"
+        "\t\tPolygonVertexIndex: *3 {\n\t\t\ta: 0,1,-3\n\t\t}\n\t\tGeometryVersion: 124\n\t}\n"
+        "\tModel: 11, \"Model::mesh\", \"Mesh\" {\n\t\tVersion: 232\n\t}\n"
+        "\tNodeAttribute: 20, \"NodeAttribute::\", \"Light\" {\n\t\tProperties70:  {\n"
+        "\t\t\tP: \"LightType\", \"enum\", \"\", \"\",1\n\t\t}\n\t\tTypeFlags: \"Light\"\n\t}\n"
+        "\tModel: 21, \"Model::lamp\", \"Light\" {\n\t\tVersion: 232\n\t\tProperties70:  {\n"
+        "\t\t\tP: \"RotationActive\", \"bool\", \"\", \"\",1\n"
+        "\t\t\tP: \"PostRotation\", \"Vector3D\", \"Vector\", \"\",-90,0,0\n\t\t}\n\t}\n"
+        "}\n"
+        "Connections:  {\n\tC: \"OO\",11,0\n\tC: \"OO\",10,11\n\tC: \"OO\",21,0\n\tC: \"OO\",20,21\n}\n");
+    assert_int_equal(model->light_count, 1);
+    assert_int_equal(model->lights[0].type, SCENE_LIGHT_DIRECTIONAL);
+    assert_floats(model->lights[0].direction, (const float[]){0, 0, -1}, 3, 1e-6f);
+    scene_model_free(model);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(test_binary),
+        cmocka_unit_test(test_text),
+        cmocka_unit_test(test_light),
+    };
+    return cmocka_run_group_tests(tests, make_directory, remove_directory);
+}

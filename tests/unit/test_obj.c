@@ -1,0 +1,155 @@
+// SPDX-License-Identifier: MIT
+// OBJ and MTL beyond their specification: the PBR extension and its maps, options of textures, factors beside textures,
+// and files that are cut.
+#include "model_files.h"
+
+#include <setjmp.h>
+#include <stdarg.h>
+#include <stdio.h>
+#include <string.h>
+
+#include <cmocka.h>
+
+#define TRIANGLE "v 0 0 0\nv 1 0 0\nv 0 1 0\nvt 0 0\nvt 1 0\nvt 0 1\nusemtl m\nf 1/1 2/2 3/3\n"
+
+// A picture of 2×1 texels, RGB.
+static void write_picture(const char *name, const unsigned char texels[6])
+{
+    unsigned char bytes[24] = {[2] = 2, [12] = 2, [14] = 1, [16] = 24};
+    for (int i = 0; i < 2; i++) {
+        for (int c = 0; c < 3; c++) {
+            bytes[18 + 3 * i + c] = texels[3 * i + 2 - c]; // TGA has blue first
+        }
+    }
+    write_bytes(name, bytes, sizeof bytes);
+}
+
+static struct scene_model *load_material(const char *lines)
+{
+    write_format("m.mtl", "newmtl m\n%s", lines);
+    return load_text("m.obj", "mtllib m.mtl\n" TRIANGLE);
+}
+
+static const struct scene_material *material_of(const struct scene_model *model)
+{
+    return &model->materials[model->meshes[0].material];
+}
+
+static bool is_unsupported(const struct scene_model *model, const char *part)
+{
+    bool found = false;
+    for (uint32_t i = 0; i < model->unsupported_count; i++) {
+        found = found || strstr(model->unsupported[i], part) != NULL;
+    }
+    return found;
+}
+
+// Roughness from the green channel of one file, metallic from the other: each takes the place of its number.
+static void test_surface_maps(void **state)
+{
+    (void)state;
+    write_picture("rough.tga", (const unsigned char[]){1, 64, 2, 3, 128, 4});
+    write_picture("metal.tga", (const unsigned char[]){200, 5, 6, 100, 7, 8});
+    struct scene_model *model = load_material(
+        "Pr 0.2\nPm 0.3\nmap_Pr -s 2 2 1 -imfchan g rough.tga\nmap_Pm metal.tga\nPs 0.5\nPc 1\n");
+    assert_int_equal(model->warning_count, 0);
+    const struct scene_material *material = material_of(model);
+    const struct scene_texture_slot *slot = &material->slots[SCENE_SLOT_METALLIC_ROUGHNESS];
+    assert_floats(&material->roughness, (const float[]){1}, 1, 0);
+    assert_floats(&material->metallic, (const float[]){1}, 1, 0);
+    assert_floats(slot->transform, (const float[]){2, 0, 0, 0, 2, -1}, 6, 0);
+    const struct scene_image *image = &model->images[slot->image];
+    assert_int_equal(image->width, 2);
+    assert_memory_equal(image->texels, ((const uint8_t[]){255, 64, 200, 255, 255, 128, 100, 255}), 8);
+    assert_true(image->used_as_data);
+    assert_true(is_unsupported(model, "sheen (MTL's Ps)"));
+    assert_true(is_unsupported(model, "clearcoat (MTL's Pc)"));
+    scene_model_free(model);
+}
+
+// One of the two: the other stays a number.
+static void test_one_surface_map(void **state)
+{
+    (void)state;
+    struct scene_model *model = load_material("Pr 0.2\nPm 0.3\nmap_Pm metal.tga\n");
+    const struct scene_material *material = material_of(model);
+    const struct scene_image *image = &model->images[material->slots[SCENE_SLOT_METALLIC_ROUGHNESS].image];
+    assert_floats(&material->roughness, (const float[]){0.2f}, 1, 0);
+    assert_floats(&material->metallic, (const float[]){1}, 1, 0);
+    assert_memory_equal(image->texels, ((const uint8_t[]){255, 255, 200, 255, 255, 255, 100, 255}), 8);
+    scene_model_free(model);
+}
+
+static void test_missing_surface_map(void **state)
+{
+    (void)state;
+    struct scene_model *model = load_material("map_Pr none.tga\n");
+    assert_true(has_warning(model, "texture \"none.tga\": No such file or directory; left out"));
+    assert_int_equal(material_of(model)->slots[SCENE_SLOT_METALLIC_ROUGHNESS].image, -1);
+    scene_model_free(model);
+}
+
+static void test_emission_and_relief(void **state)
+{
+    (void)state;
+    struct scene_model *model = load_material("Ke 0.5 0 1\nmap_Ke metal.tga\nnorm -bm 2.5 rough.tga\n");
+    const struct scene_material *material = material_of(model);
+    assert_floats(material->emissive, (const float[]){0.21404114f, 0, 1}, 3, 1e-6f);
+    assert_true(material->slots[SCENE_SLOT_EMISSIVE].image >= 0);
+    assert_true(material->slots[SCENE_SLOT_NORMAL].image >= 0);
+    assert_floats(&material->normal_scale, (const float[]){2.5f}, 1, 0);
+    scene_model_free(model);
+}
+
+// Grey beside a texture is what exporters write; a colour is meant.
+static void test_factors(void **state)
+{
+    (void)state;
+    static const struct {
+        const char *lines;
+        float color[4];
+    } cases[] = {
+        {"Kd 0.588 0.588 0.588\nmap_Kd metal.tga\n", {1, 1, 1, 1}},
+        {"Kd 0 0 0\nmap_Kd metal.tga\n", {1, 1, 1, 1}},
+        {"map_Kd metal.tga\n", {1, 1, 1, 1}},
+        {"Kd 1 0.5 0\nmap_Kd metal.tga\n", {1, 0.21404114f, 0, 1}},
+        {"Kd 0.5 0.5 0.5\n", {0.21404114f, 0.21404114f, 0.21404114f, 1}},
+    };
+    for (size_t i = 0; i < sizeof cases / sizeof cases[0]; i++) {
+        struct scene_model *model = load_material(cases[i].lines);
+        assert_floats(material_of(model)->base_color, cases[i].color, 4, 1e-6f);
+        scene_model_free(model);
+    }
+}
+
+static void test_cut(void **state)
+{
+    (void)state;
+    struct scene_model *model = load_text("x.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 1 1 0\nf 1 2 3\nf 2 3");
+    assert_true(
+        has_warning(model, "may be cut: it ends within line 6, and 1 of its 4 vertices are in no face"));
+    assert_true(has_warning(model, "1 faces of fewer than three corners are left out"));
+    scene_model_free(model);
+    write_text("x.obj", "v 0 0 0\nv 1 0");
+    expect_refused("x.obj", "line 2, where the file ends or is cut: a vertex needs three numbers");
+    // Whole ones without a last line end, and with vertices nobody uses.
+    model = load_text("x.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3");
+    assert_int_equal(model->warning_count, 0);
+    scene_model_free(model);
+    model = load_text("x.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 2 2 2\nf 1 2 3\n");
+    assert_int_equal(model->warning_count, 0);
+    scene_model_free(model);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(test_surface_maps),
+        cmocka_unit_test(test_one_surface_map),
+        cmocka_unit_test(test_missing_surface_map),
+        cmocka_unit_test(test_emission_and_relief),
+        cmocka_unit_test(test_factors),
+        cmocka_unit_test(test_cut),
+    };
+    return cmocka_run_group_tests(tests, make_directory, remove_directory);
+}

@@ -1,0 +1,144 @@
+// SPDX-License-Identifier: MIT
+// STL: both conventions for colours of facets, text and binary told apart, and files that are cut.
+#include "model_files.h"
+
+#include <setjmp.h>
+#include <stdarg.h>
+#include <stdio.h>
+#include <string.h>
+
+#include <cmocka.h>
+
+enum { HEADER = 84, FACET = 50 };
+
+// A binary file with `count` facets, the k-th one up at z = k, that says it has `said`; words: what follows each.
+static size_t make_binary(unsigned char *bytes, const char *head, uint32_t said, int count,
+                          const uint16_t *words)
+{
+    memset(bytes, 0, HEADER + (size_t)count * FACET);
+    memcpy(bytes, head, strlen(head));
+    memcpy(bytes + 80, &said, 4);
+    for (int i = 0; i < count; i++) {
+        const float z = (float)i;
+        const float values[12] = {0, 0, 1, 0, 0, z, 1, 0, z, 0, 1, z};
+        memcpy(bytes + HEADER + i * FACET, values, sizeof values);
+        memcpy(bytes + HEADER + i * FACET + 48, &words[i], 2);
+    }
+    return HEADER + (size_t)count * FACET;
+}
+
+static unsigned char bytes[1024];
+
+// The colour of facet `facet`.
+static const float *color_of(const struct scene_model *model, uint32_t facet)
+{
+    const struct scene_mesh *mesh = &model->meshes[0];
+    return mesh->colors[mesh->indices[3 * facet]];
+}
+
+// Red from bit 10 on, where the highest bit says so; 16 of 31 is 0.229275 linear.
+static void test_viscam(void **state)
+{
+    (void)state;
+    const uint16_t words[] = {0x8000 | 31 << 10, 0x8000 | 16, 31 << 10};
+    write_bytes("x.stl", bytes, make_binary(bytes, "solid binary", 3, 3, words));
+    struct scene_model *model = load("x.stl");
+    assert_int_equal(model->warning_count, 0);
+    assert_int_equal(model->triangles_drawn, 3);
+    assert_int_equal(model->up, SCENE_AXIS_Z);
+    assert_floats(color_of(model, 0), (const float[]){1, 0, 0, 1}, 4, 0);
+    assert_floats(color_of(model, 1), (const float[]){0, 0, 0.229275f, 1}, 4, 1e-6f);
+    assert_floats(color_of(model, 2), (const float[]){0.6f, 0.6f, 0.6f, 1}, 4, 0);
+    assert_floats(model->meshes[0].normals[0], (const float[]){0, 0, 1}, 3, 0);
+    scene_model_free(model);
+}
+
+// Red from bit 0 on, where the highest bit does not say that the colour of the head is meant.
+static void test_magics(void **state)
+{
+    (void)state;
+    const uint16_t words[] = {31, 31 << 10, 0x8000 | 31};
+    const char head[] = "COLOR=\x80\xff\x01\xff";
+    write_bytes("x.stl", bytes, make_binary(bytes, head, 3, 3, words));
+    struct scene_model *model = load("x.stl");
+    assert_floats(color_of(model, 0), (const float[]){1, 0, 0, 1}, 4, 0);
+    assert_floats(color_of(model, 1), (const float[]){0, 0, 1, 1}, 4, 0);
+    assert_floats(color_of(model, 2), (const float[]){0.2158605f, 1, 0.000303527f, 1}, 4, 1e-6f);
+    scene_model_free(model);
+}
+
+// Words without the highest bit are anything, so there are no colours.
+static void test_no_colors(void **state)
+{
+    (void)state;
+    const uint16_t words[] = {31, 7};
+    write_bytes("x.stl", bytes, make_binary(bytes, "", 2, 2, words));
+    struct scene_model *model = load("x.stl");
+    assert_null(model->meshes[0].colors);
+    scene_model_free(model);
+}
+
+static void test_counts(void **state)
+{
+    (void)state;
+    const uint16_t words[4] = {0};
+    size_t size = make_binary(bytes, "", 40, 4, words);
+    write_bytes("x.stl", bytes, size);
+    expect_refused("x.stl", "is cut: it ends after 4 of 40 facets");
+    write_bytes("x.stl", bytes, size - 1);
+    expect_refused("x.stl", "is cut: it ends after 3 of 40 facets");
+    write_bytes("x.stl", bytes, 83);
+    expect_refused("x.stl", "is cut: it has 83 bytes, and the head of a binary STL has 84");
+
+    write_bytes("x.stl", bytes, make_binary(bytes, "", 0, 4, words));
+    struct scene_model *model = load("x.stl");
+    assert_int_equal(model->triangles_drawn, 4);
+    assert_true(has_warning(model, "says that it has 0 facets; the 4 that it has are drawn"));
+    scene_model_free(model);
+
+    write_bytes("x.stl", bytes, make_binary(bytes, "", 3, 4, words));
+    model = load("x.stl");
+    assert_int_equal(model->triangles_drawn, 3);
+    assert_true(has_warning(model, "50 bytes after its last facet are ignored"));
+    scene_model_free(model);
+}
+
+#define FACET_TEXT "facet normal 0 0 1\nouter loop\nvertex 0 0 0\nvertex 1 0 0\nvertex 0 1 0\n"
+
+static void test_text(void **state)
+{
+    (void)state;
+    struct scene_model *model = load_text(
+        "x.stl", " SOLID one thing\n" FACET_TEXT "endloop\nendfacet\nendsolid\nsolid empty\nendsolid empty\n"
+                 "solid two\n" FACET_TEXT "vertex 0 0.5 0\nendloop\nendfacet\nendsolid two\n");
+    assert_int_equal(model->warning_count, 0);
+    assert_int_equal(model->instance_count, 2);
+    assert_string_equal(model->instances[0].name, "one thing");
+    assert_string_equal(model->instances[1].name, "two");
+    assert_int_equal(model->instances[1].object, 2);
+    assert_int_equal(model->triangles_drawn, 3); // the last facet has four corners
+    scene_model_free(model);
+}
+
+static void test_cut_text(void **state)
+{
+    (void)state;
+    write_text("x.stl", "solid a\n" FACET_TEXT "endloop\nendfacet\n" FACET_TEXT);
+    expect_refused("x.stl", "is cut: it ends in facet 2");
+    struct scene_model *model = load_text("x.stl", "solid a\n" FACET_TEXT "endloop\nendfacet\n");
+    assert_true(has_warning(model, "has no \"endsolid\" after facet 1: it may be cut"));
+    scene_model_free(model);
+    write_text("x.stl", "solid a\nfacet normal 0 0 1\nouter loop\nvertex 0 0 0\nvertex 1 0\n");
+    expect_refused("x.stl", "line 5: a vertex needs three numbers");
+    write_text("x.stl", "solid a\nfacet normal 0 0 1\nvertex 0 0 0\nendfacet\nendsolid");
+    expect_refused("x.stl", "line 4: a facet needs three vertices");
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(test_viscam), cmocka_unit_test(test_magics), cmocka_unit_test(test_no_colors),
+        cmocka_unit_test(test_counts), cmocka_unit_test(test_text),   cmocka_unit_test(test_cut_text),
+    };
+    return cmocka_run_group_tests(tests, make_directory, remove_directory);
+}

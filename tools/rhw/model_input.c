@@ -1,0 +1,98 @@
+// SPDX-License-Identifier: MIT
+// See model_input.h. Standard input goes into an anonymous file in memory, as readers want to know its size and read it
+// more than once.
+#define _GNU_SOURCE // memfd_create
+#include "model_input.h"
+
+#include <errno.h>
+#include <stdio.h>
+#include <string.h>
+#include <sys/mman.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include "message.h"
+
+static bool write_all(int descriptor, const char *bytes, size_t size)
+{
+    while (size > 0) {
+        const ssize_t step = write(descriptor, bytes, size);
+        if (step < 0 && errno == EINTR) {
+            continue;
+        }
+        if (step <= 0) {
+            return false;
+        }
+        bytes += step;
+        size -= (size_t)step;
+    }
+    return true;
+}
+
+static bool copy_standard_input(int descriptor)
+{
+    char buffer[1 << 16];
+    for (;;) {
+        const ssize_t count = read(STDIN_FILENO, buffer, sizeof buffer);
+        if (count < 0 && errno == EINTR) {
+            continue;
+        }
+        if (count <= 0 || !write_all(descriptor, buffer, (size_t)count)) {
+            return count == 0;
+        }
+    }
+}
+
+bool cli_model_input_open(struct cli_model_input *input, const char *argument)
+{
+    *input = (struct cli_model_input){.name = argument, .path = argument, .descriptor = -1};
+    if (strcmp(argument, "-") != 0) {
+        return true;
+    }
+    input->name = "standard input";
+    input->is_standard_input = true;
+    input->descriptor = memfd_create("rhw-input", MFD_CLOEXEC);
+    if (input->descriptor < 0 || !copy_standard_input(input->descriptor)) {
+        cli_error(input->name, "cannot be read: %s", strerror(errno));
+        return false;
+    }
+    snprintf(input->memory, sizeof input->memory, "/proc/self/fd/%d", input->descriptor);
+    input->path = input->memory;
+    return true;
+}
+
+void cli_model_input_close(struct cli_model_input *input)
+{
+    if (input->descriptor >= 0) {
+        close(input->descriptor);
+    }
+    input->descriptor = -1;
+}
+
+struct scene_model *cli_model_input_load(const struct cli_model_input *input, const char *variant)
+{
+    // What standard input names is looked for in the current folder.
+    const struct scene_model_options options = {.name = input->is_standard_input ? "-" : NULL,
+                                                .variant = variant};
+    char error[512];
+    cli_stage("reading", input->name);
+    struct scene_model *model = scene_model_load(input->path, &options, error, sizeof error);
+    cli_stage_end();
+    if (model == NULL) {
+        cli_error(input->name, "%s", error);
+        return NULL;
+    }
+    model->path = input->name;
+    return model;
+}
+
+bool cli_model_input_is(const struct cli_model_input *input, const char *path)
+{
+    struct stat model, other;
+    const bool same = stat(input->path, &model) == 0 && stat(path, &other) == 0 &&
+                      model.st_dev == other.st_dev && model.st_ino == other.st_ino;
+    if (same) {
+        cli_error(path, "is the model itself; name another file for the picture");
+    }
+    return same;
+}

@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: MIT
+// The model that a command line names: a file, or "-", standard input, which is read to its end first.
+#ifndef CLI_MODEL_INPUT_H
+#define CLI_MODEL_INPUT_H
+
+#include <stdbool.h>
+
+#include "model.h"
+
+struct cli_model_input {
+    const char *name; ///< for messages
+    const char *path; ///< what to open
+    bool is_standard_input;
+    char memory[32]; ///< path of what standard input gave
+    int descriptor;  ///< of that; −1: none
+};
+
+/// Reports failure.
+bool cli_model_input_open(struct cli_model_input *input, const char *argument);
+void cli_model_input_close(struct cli_model_input *input);
+/// scene_model_load; reports failure.
+struct scene_model *cli_model_input_load(const struct cli_model_input *input, const char *variant);
+/// Whether `path` is the file of the model; it would be replaced by a picture. Reports it.
+bool cli_model_input_is(const struct cli_model_input *input, const char *path);
+
+#endif
