@@ -251,7 +251,8 @@ static bool check_states(const struct rhw_context *context, const struct rhw_pip
            check_enum(context, "polygon_mode", "rhw_polygon_mode", (int)def->polygon_mode,
                       RHW_POLYGON_POINT) &&
            check_line_width(context, def->line_width) &&
-           check_enum(context, "line_mode", "rhw_line_mode", (int)def->line_mode, RHW_LINE_BRESENHAM) &&
+           check_enum(context, "line_mode", "rhw_line_mode", (int)def->line_mode,
+                      RHW_LINE_RECTANGULAR_SMOOTH) &&
            check_enum(context, "conservative", "rhw_conservative", (int)def->conservative,
                       RHW_CONSERVATIVE_UNDERESTIMATE) &&
            rhw_check_line_stipple(context, &def->line_stipple, create_name) &&
@@ -526,6 +527,9 @@ static void lay_out_primitives(struct rhw_pipeline_data *data)
     data->triangles_most = most[data->primitive];
     data->is_conservative =
         def->conservative != RHW_CONSERVATIVE_OFF && data->primitive == RHW_PRIMITIVE_TRIANGLES;
+    data->is_smooth =
+        def->line_mode == RHW_LINE_RECTANGULAR_SMOOTH &&
+        (data->primitive == RHW_PRIMITIVE_LINES || data->primitive == RHW_PRIMITIVE_POLYGON_LINES);
     data->line_pixels = (int)(def->line_width + 0.5f);
     data->half_width_24_8 = (double)def->line_width * (RHW_SUBPIXEL / 2);
     const int distances = def->program.clip_distance_count + def->program.cull_distance_count;

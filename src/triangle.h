@@ -60,7 +60,9 @@ enum rhw_triangle_flag {
     // A Bresenham line: not what it covers is drawn, but the line from vertex 0 to vertex 2.
     RHW_TRIANGLE_LINE = 128,
     RHW_TRIANGLE_CONSERVATIVE = 256, // the pixels that it touches or contains
-    RHW_TRIANGLE_STIPPLE = 512       // of a line with a stipple: `phase` says where in the pattern it begins
+    // Of a smooth line: how much of a pixel is covered by the rectangle of which these are three corners.
+    RHW_TRIANGLE_SMOOTH = 1024,
+    RHW_TRIANGLE_STIPPLE = 512 // of a line with a stipple: `phase` says where in the pattern it begins
 };
 
 // One cache line. Vertices stay in submission order.

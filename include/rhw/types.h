@@ -356,7 +356,11 @@ enum rhw_index_type { RHW_INDEX_UINT8, RHW_INDEX_UINT16, RHW_INDEX_UINT32 };
 enum rhw_conservative { RHW_CONSERVATIVE_OFF, RHW_CONSERVATIVE_OVERESTIMATE, RHW_CONSERVATIVE_UNDERESTIMATE };
 /// RECTANGULAR: what lies within half the width of a line, between its ends. BRESENHAM: by the diamond-exit rule one pixel
 /// of each column, or row, that it passes, or as many as the width rounded; all samples of a pixel (Vulkan 1.3 §28.10.1).
-enum rhw_line_mode { RHW_LINE_RECTANGULAR, RHW_LINE_BRESENHAM };
+/// RECTANGULAR_SMOOTH: every pixel that the rectangle touches, all its samples; the alpha of colour 0 is multiplied by the
+/// area of the pixel that it covers, after the fragment function, but for integers (Vulkan 1.3 §28.10, smooth lines;
+/// VK_EXT_line_rasterization). The area is right to 2^−16; what covers less than that is not drawn. Where two lines meet
+/// each blends what it covers. A stipple draws the pixels whose centre lies in a piece that it draws.
+enum rhw_line_mode { RHW_LINE_RECTANGULAR, RHW_LINE_BRESENHAM, RHW_LINE_RECTANGULAR_SMOOTH };
 /// Which parts of a line are drawn (Vulkan 1.3 §28.10, Line Stipple; VK_EXT_line_rasterization): those where bit
 /// ⌊s / factor⌋ mod 16 of the pattern is 1, the lowest being bit 0. Of a Bresenham line s counts its columns, or rows, of
 /// pixels from the beginning; of a rectangular one it is the distance of a sample from the beginning along the line, in

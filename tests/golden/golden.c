@@ -39,6 +39,7 @@ static const struct scene features[] = {
     {"primitives-conservative", golden_primitives_draw, 2},
     {"primitives-stipple", golden_primitives_draw, 3},
     {"primitives-fully-covered", golden_primitives_draw, 4},
+    {"primitives-smooth", golden_primitives_draw, 5},
     {"viewports", golden_viewport_draw, 0},
     {"layered-cube", golden_routing_draw, 0},
     {"clipping", golden_clipping_draw, 0},

@@ -50,6 +50,13 @@ static struct rhw_pipeline_def row_def(int row, enum rhw_topology topology, int 
     def.polygon_mode = (enum rhw_polygon_mode)(row % 4 == 3 ? 0 : row % 4);
     def.line_width = row < 2 ? 0 : 0.75f * (float)row;
     def.line_mode = number == 1 ? RHW_LINE_BRESENHAM : RHW_LINE_RECTANGULAR;
+    if (number == 5) {
+        def.line_mode = RHW_LINE_RECTANGULAR_SMOOTH;
+        def.line_stipple = (struct rhw_line_stipple){row % 3 == 2 ? 3 : 0, 0x6d36};
+        def.targets[0].blend = true;
+        def.targets[0].color =
+            (struct rhw_blend_component){RHW_BLEND_SRC_ALPHA, RHW_BLEND_ONE_MINUS_SRC_ALPHA, RHW_BLEND_ADD};
+    }
     if (number == 3) {
         def.line_mode = row % 2 == 0 ? RHW_LINE_BRESENHAM : RHW_LINE_RECTANGULAR;
         def.line_stipple = (struct rhw_line_stipple){1 + row / 2, 0x72e5};

@@ -326,6 +326,9 @@ RHW_INLINE void queue_rows(struct tile_work *work, struct triangle_work *triangl
     if (block->samples) {
         place_samples(work, block, rows);
     }
+    for (int n = 0; n < rows->count && work->plan.weighs_alpha; n++) {
+        queue->coverage[queue->count + n] = triangle->coverage[rows->row[n]];
+    }
     if (work->plan.keeps_depth || work->plan.keeps_identity) {
         fill_kept(work, triangle, block, rows, queue->count);
     }

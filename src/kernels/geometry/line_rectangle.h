@@ -14,6 +14,7 @@
 
 #include "cull_uncovered.h"
 #include "line_bresenham.h"
+#include "line_smooth.h"
 
 // 8 of the triangles that lines are made of, those that cover something.
 struct line_half8 {
@@ -70,13 +71,13 @@ static unsigned add_rectangles8(struct rhw_geometry_scratch *scratch, const stru
     return drawn;
 }
 
-// Adds lines of either mode.
+// Adds lines of any mode.
 static unsigned add_lines8(struct rhw_geometry_scratch *scratch, const struct rhw_draw_state *state,
                            const struct lines8 *l, unsigned live, struct rhw_triangle_list *list)
 {
-    return state->pipeline->def.line_mode == RHW_LINE_BRESENHAM
-               ? add_bresenham8(state, l, live, list)
-               : add_rectangles8(scratch, state, l, live, list);
+    return state->pipeline->def.line_mode == RHW_LINE_BRESENHAM ? add_bresenham8(state, l, live, list)
+           : state->pipeline->is_smooth                         ? add_smooth8(state, l, live, list)
+                                        : add_rectangles8(scratch, state, l, live, list);
 }
 
 #endif
