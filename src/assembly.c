@@ -81,6 +81,11 @@ static uint32_t primitives_of(enum rhw_topology topology, uint64_t count)
     return count < layout->span ? 0 : (uint32_t)((count - layout->span) / layout->step + 1);
 }
 
+static bool has_restarts(const struct rhw_draw *draw)
+{
+    return draw->indexed && draw->state->pipeline->def.primitive_restart;
+}
+
 // Number of indices up to the next restart index or the end.
 static uint64_t run_length(const struct rhw_draw *draw, uint64_t at, uint64_t count)
 {
@@ -127,7 +132,7 @@ bool rhw_assembly_prepare(struct rhw_draw *draw, uint32_t count, struct rhw_aren
 {
     const struct rhw_pipeline_def *const def = &draw->state->pipeline->def;
     draw->expanded = NULL;
-    if (draw->indexed && def->primitive_restart && run_length(draw, 0, count) < count) {
+    if (has_restarts(draw) && run_length(draw, 0, count) < count) {
         return expand(draw, count, arena);
     }
     // Lists are what ten thousand small draws are made of; a division by a constant is none.
@@ -139,12 +144,29 @@ bool rhw_assembly_prepare(struct rhw_draw *draw, uint32_t count, struct rhw_aren
 uint64_t rhw_assembly_vertices(const struct rhw_draw *draw, uint32_t count)
 {
     uint64_t vertices = 0;
-    for (uint64_t at = 0; draw->expanded && at < count; at++) {
+    const bool restarts = has_restarts(draw);
+    for (uint64_t at = 0; restarts && at < count; at++) {
         const uint64_t run = run_length(draw, at, count);
         vertices += run;
         at += run;
     }
-    return draw->expanded ? vertices : count;
+    return restarts ? vertices : count;
+}
+
+void rhw_assembly_mark_strips(const struct rhw_draw *draw, uint32_t count, uint8_t *begins)
+{
+    const enum rhw_topology topology = draw->state->pipeline->def.topology;
+    const bool restarts = has_restarts(draw);
+    uint32_t primitives = 0;
+    for (uint64_t at = 0; at < count;) {
+        const uint64_t run = restarts ? run_length(draw, at, count) : count;
+        const uint32_t whole = primitives_of(topology, run);
+        if (whole != 0) {
+            begins[primitives] = 1;
+        }
+        primitives += whole;
+        at += run + 1;
+    }
 }
 
 // Elements at .. at + count − 1 of a draw: what its index buffer holds there, 0 past its end; or the positions

@@ -12,6 +12,7 @@
 #include "depth_stencil.h"
 #include "draw_plan.h"
 #include "hidden_surface.h"
+#include "line_stipple.h"
 #include "rhw/shader.h"
 #include "triangle.h"
 
@@ -20,6 +21,7 @@ struct rhw_pipeline_data;
 struct rhw_active_queries;
 struct rhw_draw_feedback;
 struct rhw_shared_vertices;
+struct rhw_strip_stipple;
 
 struct rhw_vertex_stream {
     const unsigned char *bytes; // buffer start plus binding offset
@@ -53,6 +55,8 @@ struct rhw_draw_state {
     int32_t first_step, past_step;
     const struct rhw_active_queries *queries; // NULL: none
     int viewport_index;                       // of `viewport`
+    struct rhw_line_stipple_setting stipple_setting;
+    struct rhw_line_stipple stipple; // of the lines; factor 0: none
 };
 
 struct rhw_draw {
@@ -69,6 +73,8 @@ struct rhw_draw {
     uint32_t triangles_per_instance;
     uint64_t first_triangle; // in the line of all triangles of the pass
     bool indexed;
+    bool is_shaded_first;                          // see effect_vertices.h
+    const struct rhw_strip_stipple *strip_stipple; // NULL: each line begins its pattern anew
     const struct rhw_draw
         *viewports; // RHW_MAX_VIEWPORTS, the same for each viewport; NULL: the first alone is used
 };

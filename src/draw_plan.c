@@ -3,6 +3,7 @@
 #include "draw_plan.h"
 
 #include "depth_stencil.h"
+#include "format.h"
 #include "pipeline.h"
 #include "triangle.h"
 
@@ -141,16 +142,25 @@ static void plan_depth(struct rhw_draw_plan *plan, const struct rhw_pipeline_def
                         compare != RHW_COMPARE_NEVER;
 }
 
+// Integers have no part of themselves.
+static bool weighs_alpha(const struct rhw_pipeline_data *pipeline)
+{
+    return pipeline->is_smooth && pipeline->def.target_count != 0 &&
+           !rhw_format_is_integer(rhw_format_info(pipeline->def.targets[0].format));
+}
+
 static struct rhw_draw_plan plan_of(const struct rhw_pipeline_data *pipeline,
                                     const struct rhw_depth_stencil_state *depth_stencil, enum rhw_phase phase,
                                     int samples, enum rhw_paths paths)
 {
     const uint32_t uses = pipeline->def.program.uses;
     const bool reads_targets = uses & (RHW_USE_COLOR_INPUT | RHW_USE_DEPTH_INPUT);
-    paths = reads_targets ? RHW_PATHS_GENERAL : paths; // whose groups are rows
+    // Whose groups are rows.
+    paths = reads_targets || uses & RHW_USE_FULLY_COVERED || pipeline->is_smooth ? RHW_PATHS_GENERAL : paths;
     struct rhw_draw_plan plan = {.reads_targets = reads_targets,
                                  .shading = choose_shading(pipeline, phase, samples, paths),
                                  .sampling = choose_sampling(pipeline, samples),
+                                 .weighs_alpha = weighs_alpha(pipeline),
                                  .masks_samples = masks_samples(&pipeline->def, samples)};
     const bool shades = plan.shading != RHW_SHADING_NONE;
     plan_depth(&plan, &pipeline->def, depth_stencil, phase, samples, paths);

@@ -73,6 +73,7 @@ struct rhw_draw_plan {
     enum rhw_rule_name early_name;
     enum rhw_sampling sampling; // of a multisampled pass; CENTER in others
     bool reads_targets;         // before the fragment function (kernels/fragment/target_input.h)
+    bool weighs_alpha;          // after the fragment function: by the area that a smooth line covers
     bool masks_samples;         // after the fragment function: by alpha, or the function itself
     bool is_full;               // tests are full ones (kernels/raster/full_test.h)
     bool is_biased;             // depth is

@@ -121,9 +121,9 @@ bool rhw_effect_vertices_find(struct rhw_pass_state *pass, struct rhw_shared_par
 {
     uint64_t count = 0;
     *parts = (struct rhw_shared_parts){0};
-    for (uint32_t d = 0; pass->has_effect_vertices && d < pass->draws.count; d++) {
+    for (uint32_t d = 0; pass->shades_first && d < pass->draws.count; d++) {
         const struct rhw_draw *const draw = rhw_pass_draw_at(pass, d);
-        if (draw->state->pipeline->def.program.vertex_effects && draw->shared) {
+        if (draw->is_shaded_first && draw->shared) {
             count += (uint64_t)draw->instances * rhw_shared_parts_of(draw->shared->count);
             parts->vertices += (uint64_t)draw->instances * draw->shared->count;
         }
@@ -136,7 +136,7 @@ bool rhw_effect_vertices_find(struct rhw_pass_state *pass, struct rhw_shared_par
     struct rhw_shared_part *part = parts->parts;
     for (uint32_t d = 0; part && count != 0 && d < pass->draws.count; d++) {
         const struct rhw_draw *const draw = rhw_pass_draw_at(pass, d);
-        if (draw->state->pipeline->def.program.vertex_effects) {
+        if (draw->is_shaded_first) {
             part = rhw_shared_parts_list(part, draw);
         }
     }

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Vertices whose function has effects: each is shaded once in its pass, whatever chunks and waves there are. They are
+// Vertices whose function has effects, or of strips with a stipple (strip_stipple.h): each is shaded once in its pass,
+// before its first wave, whatever chunks and waves there are. They are
 // shared (shared_vertices.h) for the whole pass, those alone that the draw's primitives name, in the order in which
 // these name them.
 #ifndef RHW_EFFECT_VERTICES_H

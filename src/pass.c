@@ -18,6 +18,7 @@
 #include "lookup.h"
 #include "misuse.h"
 #include "pass_enter.h"
+#include "pass_line_stipple.h"
 #include "pass_run.h"
 #include "pass_state.h"
 #include "pass_storage.h"
@@ -28,6 +29,7 @@
 #include "shared_texels.h"
 #include "shared_vertices.h"
 #include "srgb_texture.h"
+#include "strip_stipple.h"
 #include "texture_access.h"
 #include "transform_feedback.h"
 #include "watch.h"
@@ -625,6 +627,7 @@ static const struct rhw_draw_state *snapshot(struct rhw_pass_state *pass)
     rhw_depth_stencil_init(&state->depth_stencil, &state->pipeline->def, &state->depth_setting,
                            pass->depth_steps);
     set_viewport_map(state);
+    state->stipple = rhw_line_stipple_of(&state->stipple_setting, state->pipeline);
     state->first_step = RHW_SUBPIXEL - pass->pattern->most_0_8 - 1;
     state->past_step = RHW_SUBPIXEL - pass->pattern->least_0_8;
     if (state->pipeline->is_conservative) { // borders of pixels instead
@@ -752,14 +755,16 @@ static void append_draw(struct rhw_pass_state *pass, const struct rhw_draw *draw
     slot->index = pass->draws.count;
     slot->group = pass->context->recording.group;
     slot->first_triangle = pass->triangle_count;
-    const bool effects = state->pipeline->def.program.vertex_effects;
+    const bool stipples = rhw_strip_stipple_needed(slot);
+    slot->is_shaded_first = stipples || state->pipeline->def.program.vertex_effects;
     if (pass->out_of_memory || !rhw_assembly_prepare(slot, count, &pass->arena) ||
-        (effects && !rhw_effect_vertices_prepare(slot, &pass->arena)) ||
+        (stipples && !rhw_strip_stipple_prepare(slot, count, &pass->arena)) ||
+        (slot->is_shaded_first && !rhw_effect_vertices_prepare(slot, &pass->arena)) ||
         (pass->feedback.is_active && !rhw_feedback_add_draw(pass, slot)) || !route_draw(pass, slot)) {
         pass->out_of_memory = true;
         return;
     }
-    pass->has_effect_vertices |= effects;
+    pass->shades_first |= slot->is_shaded_first;
     pass->draws.count++;
     pass->context->recording.draw = pass->draws.count;
     pass->has_large_draws |= slot->indexed && slot->triangles_per_instance >= RHW_SHARING_TRIANGLES;

@@ -26,7 +26,7 @@ static void reset(struct rhw_pass_state *pass, const struct rhw_pass_def *def)
     pass->has_feedback = false;
     pass->triangles_most = 1;
     pass->has_large_draws = false;
-    pass->has_effect_vertices = false;
+    pass->shades_first = false;
     pass->current = NULL;
     pass->out_of_memory = false;
     pass->refused_pipeline = false;

@@ -16,6 +16,7 @@
 #include "query.h"
 #include "scheduler.h"
 #include "shared_vertices.h"
+#include "strip_stipple.h"
 #include "thread.h"
 
 static const size_t default_bin_memory = (size_t)512 << 20; // bytes
@@ -265,18 +266,19 @@ static bool shade_shared_vertices(struct rhw_pass_state *pass, struct rhw_stats 
     return true;
 }
 
-// The same for vertices with effects, of all waves. False when out of memory.
-static bool shade_effect_vertices(struct rhw_pass_state *pass, struct rhw_stats *stats)
+// The same for vertices that are shaded first, of all waves, and what follows from them. False when out of memory.
+static bool shade_first_vertices(struct rhw_pass_state *pass, struct rhw_stats *stats)
 {
     struct rhw_shared_parts parts;
     const uint64_t start = rhw_time_ns();
-    if (!pass->has_effect_vertices) {
+    if (!pass->shades_first) {
         return true;
     }
     if (!rhw_effect_vertices_find(pass, &parts)) {
         return false;
     }
     run_parts(pass, &parts, stats);
+    rhw_strip_stipple_measure(pass);
     stats->front_ms += milliseconds(rhw_time_ns() - start);
     return true;
 }
@@ -445,7 +447,7 @@ enum rhw_result rhw_pass_run(struct rhw_pass_state *pass, struct rhw_stats *stat
     expect_clean(&pass->depth);
     pass->first_wave = true;
     rhw_queries_stamp(pass, 0);
-    if (!shade_effect_vertices(pass, &s)) {
+    if (!shade_first_vertices(pass, &s)) {
         return RHW_ERROR_OUT_OF_MEMORY;
     }
     do {

@@ -132,9 +132,9 @@ struct rhw_pass_state {
 
     struct rhw_draw_list draws;
     uint64_t triangle_count;
-    int triangles_most;       // that tiles draw of a primitive of any draw
-    bool has_effect_vertices; // of some draw
-    bool has_large_draws;     // indexed, of RHW_SHARING_TRIANGLES at least
+    int triangles_most;   // that tiles draw of a primitive of any draw
+    bool shades_first;    // vertices of some draw, before the first wave
+    bool has_large_draws; // indexed, of RHW_SHARING_TRIANGLES at least
 
     struct rhw_chunk *chunks; // of the wave under way
     int chunk_count, chunk_capacity;

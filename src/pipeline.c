@@ -11,6 +11,7 @@
 #include "depth_stencil.h"
 #include "entry.h"
 #include "format.h"
+#include "line_stipple.h"
 #include "lookup.h"
 #include "misuse.h"
 #include "rhw/rhw.h"
@@ -21,7 +22,7 @@ static const char *const create_name = "rhw_pipeline_create";
 static const uint32_t known_uses =
     RHW_USE_COORD | RHW_USE_FACING | RHW_USE_IDS | RHW_USE_BARYCENTRIC | RHW_USE_DISCARD | RHW_USE_DEPTH |
     RHW_USE_BARYCENTRIC_DERIVATIVES | RHW_USE_SAMPLE | RHW_USE_SAMPLE_MASK | RHW_USE_POINT_COORD |
-    RHW_USE_LAYER | RHW_USE_EFFECTS | RHW_USE_COLOR_INPUT | RHW_USE_DEPTH_INPUT;
+    RHW_USE_FULLY_COVERED | RHW_USE_LAYER | RHW_USE_EFFECTS | RHW_USE_COLOR_INPUT | RHW_USE_DEPTH_INPUT;
 
 static bool check_range(const struct rhw_context *context, const char *field, long long value, long long low,
                         long long high)
@@ -250,9 +251,11 @@ static bool check_states(const struct rhw_context *context, const struct rhw_pip
            check_enum(context, "polygon_mode", "rhw_polygon_mode", (int)def->polygon_mode,
                       RHW_POLYGON_POINT) &&
            check_line_width(context, def->line_width) &&
-           check_enum(context, "line_mode", "rhw_line_mode", (int)def->line_mode, RHW_LINE_BRESENHAM) &&
+           check_enum(context, "line_mode", "rhw_line_mode", (int)def->line_mode,
+                      RHW_LINE_RECTANGULAR_SMOOTH) &&
            check_enum(context, "conservative", "rhw_conservative", (int)def->conservative,
                       RHW_CONSERVATIVE_UNDERESTIMATE) &&
+           rhw_check_line_stipple(context, &def->line_stipple, create_name) &&
            check_enum(context, "provoking", "rhw_provoking", (int)def->provoking, RHW_PROVOKING_LAST) &&
            check_enum(context, "cull", "rhw_cull", (int)def->cull, RHW_CULL_BOTH) &&
            check_enum(context, "front", "rhw_winding", (int)def->front, RHW_CLOCKWISE) &&
@@ -524,6 +527,9 @@ static void lay_out_primitives(struct rhw_pipeline_data *data)
     data->triangles_most = most[data->primitive];
     data->is_conservative =
         def->conservative != RHW_CONSERVATIVE_OFF && data->primitive == RHW_PRIMITIVE_TRIANGLES;
+    data->is_smooth =
+        def->line_mode == RHW_LINE_RECTANGULAR_SMOOTH &&
+        (data->primitive == RHW_PRIMITIVE_LINES || data->primitive == RHW_PRIMITIVE_POLYGON_LINES);
     data->line_pixels = (int)(def->line_width + 0.5f);
     data->half_width_24_8 = (double)def->line_width * (RHW_SUBPIXEL / 2);
     const int distances = def->program.clip_distance_count + def->program.cull_distance_count;

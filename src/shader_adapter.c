@@ -105,6 +105,7 @@ static void load_builtins(const struct rhw_fragment *group, int lane, uint32_t u
     for (int c = 0; c < 2 && uses & RHW_USE_POINT_COORD; c++) {
         one->point_coord[c] = group->point_coord[c][lane];
     }
+    one->fully_covered = uses & RHW_USE_FULLY_COVERED ? group->fully_covered[lane] != 0 : false;
     if (uses & RHW_USE_LAYER) {
         one->layer = group->layer[lane];
         one->viewport_index = group->viewport_index[lane];

@@ -133,7 +133,7 @@ bool rhw_shared_vertices_find(struct rhw_pass_state *pass, size_t most, struct r
         if (draw->first_triangle >= last->first + last->count) {
             break;
         }
-        if (!draw->state->pipeline->def.program.vertex_effects && !share(pass, draw, most, wave)) {
+        if (!draw->is_shaded_first && !share(pass, draw, most, wave)) {
             return false;
         }
     }
@@ -145,7 +145,7 @@ bool rhw_shared_vertices_find(struct rhw_pass_state *pass, size_t most, struct r
     struct rhw_shared_part *part = wave->parts;
     for (uint32_t d = first; part && d < end; d++) {
         const struct rhw_draw *const draw = rhw_pass_draw_at(pass, d);
-        if (!draw->state->pipeline->def.program.vertex_effects) {
+        if (!draw->is_shaded_first) {
             part = rhw_shared_parts_list(part, draw);
         }
     }

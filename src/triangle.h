@@ -59,7 +59,10 @@ enum rhw_triangle_flag {
     RHW_TRIANGLE_RECTANGLE = 64, // a point: of what it covers, the pixels x0, y0, x1, y1 alone are drawn
     // A Bresenham line: not what it covers is drawn, but the line from vertex 0 to vertex 2.
     RHW_TRIANGLE_LINE = 128,
-    RHW_TRIANGLE_CONSERVATIVE = 256 // the pixels that it touches or contains
+    RHW_TRIANGLE_CONSERVATIVE = 256, // the pixels that it touches or contains
+    // Of a smooth line: how much of a pixel is covered by the rectangle of which these are three corners.
+    RHW_TRIANGLE_SMOOTH = 1024,
+    RHW_TRIANGLE_STIPPLE = 512 // of a line with a stipple: `phase` says where in the pattern it begins
 };
 
 // One cache line. Vertices stay in submission order.
@@ -69,7 +72,10 @@ struct rhw_triangle {
     uint32_t vertex[3]; // slots in the segment's vertices
     uint32_t primitive; // number in its draw and instance
     uint32_t segment;   // of the chunk
-    uint32_t polygon;   // of the chunk, with RHW_TRIANGLE_POLYGON
+    union {
+        uint32_t polygon; // of the chunk, with RHW_TRIANGLE_POLYGON
+        int32_t phase;    // with RHW_TRIANGLE_STIPPLE (raster/stipple_mask.h)
+    };
     uint16_t flags;
     int16_t x0, y0, x1, y1; // pixels it may cover, within the scissor; x1 and y1 exclusive
     uint16_t layer;         // of the pass

@@ -41,6 +41,7 @@ static const struct {
     {RHW_USE_SAMPLE, "reads sample_id or sample_position; RHW_USE_SAMPLE is missing in its program's uses"},
     {RHW_USE_SAMPLE_MASK, "reads sample_mask; RHW_USE_SAMPLE_MASK is missing in its program's uses"},
     {RHW_USE_POINT_COORD, "reads point_coord; RHW_USE_POINT_COORD is missing in its program's uses"},
+    {RHW_USE_FULLY_COVERED, "reads fully_covered; RHW_USE_FULLY_COVERED is missing in its program's uses"},
     {RHW_USE_DEPTH_INPUT, "reads depth_input; RHW_USE_DEPTH_INPUT is missing in its program's uses"},
     {RHW_USE_LAYER, "reads layer or viewport_index; RHW_USE_LAYER is missing in its program's uses"},
     {RHW_USE_DEPTH, "reads depth; RHW_USE_DEPTH is missing in its program's uses"},
@@ -83,6 +84,9 @@ static void spoil_builtins(struct rhw_fragment *group, uint32_t uses, int32_t ch
     }
     if (!(uses & RHW_USE_POINT_COORD)) {
         spoil(group->point_coord, 2, changed & RHW_USE_POINT_COORD);
+    }
+    if (!(uses & RHW_USE_FULLY_COVERED)) {
+        group->fully_covered = rhw_splat_int(changed & RHW_USE_FULLY_COVERED ? 0 : -1);
     }
     if (!(uses & RHW_USE_DEPTH_INPUT)) {
         spoil(&group->depth_input, 1, changed & RHW_USE_DEPTH_INPUT);

@@ -37,6 +37,7 @@ enum {
     RHW_MAX_CULL_DISTANCES = 8,
     RHW_MAX_POINT_SIZE = 256,    ///< pixels; the least is 1
     RHW_MAX_LINE_WIDTH = 256,    ///< pixels; the least is 1
+    RHW_MAX_LINE_STIPPLE_FACTOR = 256,
     RHW_MAX_STORAGE_BUFFERS = 16, ///< storage slots of a draw
     RHW_MAX_STORAGE_IMAGES = 16,  ///< image slots, of storage images and texel buffers
     RHW_MAX_TEXEL_BUFFER = 1 << 27, ///< texels of one
@@ -355,7 +356,22 @@ enum rhw_index_type { RHW_INDEX_UINT8, RHW_INDEX_UINT16, RHW_INDEX_UINT32 };
 enum rhw_conservative { RHW_CONSERVATIVE_OFF, RHW_CONSERVATIVE_OVERESTIMATE, RHW_CONSERVATIVE_UNDERESTIMATE };
 /// RECTANGULAR: what lies within half the width of a line, between its ends. BRESENHAM: by the diamond-exit rule one pixel
 /// of each column, or row, that it passes, or as many as the width rounded; all samples of a pixel (Vulkan 1.3 §28.10.1).
-enum rhw_line_mode { RHW_LINE_RECTANGULAR, RHW_LINE_BRESENHAM };
+/// RECTANGULAR_SMOOTH: every pixel that the rectangle touches, all its samples; the alpha of colour 0 is multiplied by the
+/// area of the pixel that it covers, after the fragment function, but for integers (Vulkan 1.3 §28.10, smooth lines;
+/// VK_EXT_line_rasterization). The area is right to 2^−16; what covers less than that is not drawn. Where two lines meet
+/// each blends what it covers. A stipple draws the pixels whose centre lies in a piece that it draws.
+enum rhw_line_mode { RHW_LINE_RECTANGULAR, RHW_LINE_BRESENHAM, RHW_LINE_RECTANGULAR_SMOOTH };
+/// Which parts of a line are drawn (Vulkan 1.3 §28.10, Line Stipple; VK_EXT_line_rasterization): those where bit
+/// ⌊s / factor⌋ mod 16 of the pattern is 1, the lowest being bit 0. Of a Bresenham line s counts its columns, or rows, of
+/// pixels from the beginning; of a rectangular one it is the distance of a sample from the beginning along the line, in
+/// pixels, rounded to 1/256. Every line of a list and every edge of a triangle begins with s = 0, a line of a strip where the
+/// one before it ended: with all its columns, or with its length rounded to 1/256 pixel, seen or not. What a plane leaves
+/// of a line that it cuts has the s of that line's beginning where its own is; a line with an end that cannot be snapped
+/// (W <= 0, or beyond the guard band) adds nothing to s. In a strip that names several viewports the first measures.
+struct rhw_line_stipple {
+    int factor; ///< 1..256; 0: no stipple
+    uint16_t pattern;
+};
 /// Of triangles; points and lines have no side. BOTH leaves nothing to rasterize of them.
 enum rhw_cull { RHW_CULL_NONE, RHW_CULL_FRONT, RHW_CULL_BACK, RHW_CULL_BOTH };
 enum rhw_winding { RHW_COUNTER_CLOCKWISE, RHW_CLOCKWISE }; ///< as seen on the screen, y up
@@ -455,6 +471,7 @@ enum rhw_fragment_use {
     RHW_USE_SAMPLE = 128,     ///< sample_id and sample_position; the function is called for every sample
     RHW_USE_SAMPLE_MASK = 256, ///< sample_mask, in and out
     RHW_USE_POINT_COORD = 512, ///< point_coord
+    RHW_USE_FULLY_COVERED = 1024, ///< fully_covered
     RHW_USE_LAYER = 2048,     ///< layer and viewport_index
     RHW_USE_EFFECTS = 65536,   ///< writes to storage, or changes it by atomics: see early_fragment_tests
     /// `color` holds on entry what the targets hold at the fragment's pixel, decoded: what came before it, in the order of
@@ -574,6 +591,7 @@ struct rhw_pipeline_def {
     bool rasterizer_discard; ///< primitives end before they are rasterized: nothing is drawn
     enum rhw_line_mode line_mode; ///< of lines, and of triangles drawn as lines. RECTANGULAR
     enum rhw_conservative conservative; ///< OFF
+    struct rhw_line_stipple line_stipple; ///< of lines, and of triangles drawn as lines. None; see rhw_pass_set_line_stipple
 };
 
 /// DEFAULT clears as CLEAR does, but for a depth of 0, which it takes for 1: clear to depth 0 by CLEAR.

@@ -42,6 +42,7 @@ struct fragment_queue {
     // Of multisampled passes: the samples of each fragment, a bit each, and their depths where they are tested late.
     i8 samples[RHW_FRAGMENT_GROUPS];
     f8 sample_depth[RHW_FRAGMENT_GROUPS][RHW_MAX_SAMPLES];
+    f8 coverage[RHW_FRAGMENT_GROUPS]; // of smooth lines: how much of each pixel is covered
 };
 
 // Texels of the fragments of the triangle under way that are in no group yet (fragment/gather.h).

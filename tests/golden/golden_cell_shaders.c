@@ -82,6 +82,16 @@ static void route(struct rhw_fragment *groups, int count)
     }
 }
 
+static void covered(struct rhw_fragment *groups, int count)
+{
+    for (int g = 0; g < count; g++) {
+        const rhw_float factor = rhw_select(groups[g].fully_covered, rhw_splat(1.0f), rhw_splat(0.5f));
+        for (int c = 0; c < 4; c++) {
+            groups[g].color[0][c] = groups[g].varying[c] * factor;
+        }
+    }
+}
+
 static void point(struct rhw_fragment *groups, int count)
 {
     for (int g = 0; g < count; g++) {
@@ -303,7 +313,7 @@ void RHW_ISA_NAME(golden_cells)(struct rhw_program *program, enum rhw_isa isa, e
 {
     rhw_vertex_function *const vertices[GOLDEN_CELL_VERTICES] = {plain, instanced, screen, sized, routed};
     rhw_fragment_function *const fragments[GOLDEN_CELL_FRAGMENTS] = {
-        value, facing, texture, level, ids, builtins, heights, maths, kinds, point, route};
+        value, facing, texture, level, ids, builtins, heights, maths, kinds, point, route, covered};
     program->vertex[isa] = vertices[vertex];
     program->fragment[isa] = fragments[fragment];
 }

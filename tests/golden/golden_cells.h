@@ -32,6 +32,7 @@ enum golden_cell_fragment {
     GOLDEN_CELL_KINDS,    ///< texture 0 of any kind at varyings 0.., asked as uniforms say
     GOLDEN_CELL_POINT,    ///< varyings 0, 1 times point coordinates
     GOLDEN_CELL_ROUTE,    ///< varyings 0..3, darker by layer and viewport
+    GOLDEN_CELL_COVERED,  ///< varyings 0..3, half as bright where the triangle does not contain the pixel
     GOLDEN_CELL_FRAGMENTS
 };
 

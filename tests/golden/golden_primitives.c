@@ -39,19 +39,31 @@ static struct rhw_pipeline_def row_def(int row, enum rhw_topology topology, int 
     const bool is_lines = topology == RHW_LINE_LIST || topology == RHW_LINE_STRIP ||
                           topology == RHW_LINE_LIST_ADJACENCY || topology == RHW_LINE_STRIP_ADJACENCY;
     const bool is_points = topology == RHW_POINT_LIST || (row % 4 == 2 && !is_lines);
-    struct rhw_pipeline_def def =
-        golden_cells_def(is_points ? GOLDEN_CELL_POINT : GOLDEN_CELL_FACING, RHW_FORMAT_RGBA8_UNORM);
+    const enum golden_cell_fragment fragment = is_points     ? GOLDEN_CELL_POINT
+                                               : number == 4 ? GOLDEN_CELL_COVERED
+                                                             : GOLDEN_CELL_FACING;
+    struct rhw_pipeline_def def = golden_cells_def(fragment, RHW_FORMAT_RGBA8_UNORM);
     if (row != 0) {
-        golden_cells_fill(&def.program, GOLDEN_CELL_SIZED,
-                          is_points ? GOLDEN_CELL_POINT : GOLDEN_CELL_FACING);
+        golden_cells_fill(&def.program, GOLDEN_CELL_SIZED, fragment);
     }
     def.topology = topology;
     def.polygon_mode = (enum rhw_polygon_mode)(row % 4 == 3 ? 0 : row % 4);
     def.line_width = row < 2 ? 0 : 0.75f * (float)row;
     def.line_mode = number == 1 ? RHW_LINE_BRESENHAM : RHW_LINE_RECTANGULAR;
-    def.conservative = number < 2     ? RHW_CONSERVATIVE_OFF
-                       : row % 2 == 0 ? RHW_CONSERVATIVE_OVERESTIMATE
-                                      : RHW_CONSERVATIVE_UNDERESTIMATE;
+    if (number == 5) {
+        def.line_mode = RHW_LINE_RECTANGULAR_SMOOTH;
+        def.line_stipple = (struct rhw_line_stipple){row % 3 == 2 ? 3 : 0, 0x6d36};
+        def.targets[0].blend = true;
+        def.targets[0].color =
+            (struct rhw_blend_component){RHW_BLEND_SRC_ALPHA, RHW_BLEND_ONE_MINUS_SRC_ALPHA, RHW_BLEND_ADD};
+    }
+    if (number == 3) {
+        def.line_mode = row % 2 == 0 ? RHW_LINE_BRESENHAM : RHW_LINE_RECTANGULAR;
+        def.line_stipple = (struct rhw_line_stipple){1 + row / 2, 0x72e5};
+    }
+    def.conservative = number != 2 && number != 4 ? RHW_CONSERVATIVE_OFF
+                       : row % 2 == 0             ? RHW_CONSERVATIVE_OVERESTIMATE
+                                                  : RHW_CONSERVATIVE_UNDERESTIMATE;
     def.depth_test = row >= 4;
     def.cull = row == 5 ? RHW_CULL_BACK : RHW_CULL_NONE;
     def.primitive_restart = row % 2 == 1;

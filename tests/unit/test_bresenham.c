@@ -310,9 +310,9 @@ static void test_misuse(void **state)
     struct rig rig;
     rig_open(&rig, 8, 8);
     rhw_pipeline pipeline;
-    rig.pipeline.line_mode = (enum rhw_line_mode)2;
+    rig.pipeline.line_mode = (enum rhw_line_mode)3;
     assert_int_equal(rhw_pipeline_create(rig.context, &rig.pipeline, &pipeline), RHW_ERROR_MISUSE);
-    rig_expect_misuse(&rig, "line_mode is 2");
+    rig_expect_misuse(&rig, "line_mode is 3");
     rig_close(&rig);
 }
 

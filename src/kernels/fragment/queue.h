@@ -109,6 +109,9 @@ static void shade_queue(struct tile_work *work)
 {
     struct fragment_queue *const queue = &work->scratch->queue;
     run_fragment_function(work, queue->count);
+    for (int g = 0; g < queue->count && work->plan.weighs_alpha; g++) {
+        queue->colors[g][0][3] *= queue->coverage[g];
+    }
     if (work->samples > 1) {
         finish_sample_queue(work);
     } else {

@@ -117,6 +117,14 @@ static void fill_builtins(const struct tile_work *work, int g, const struct tria
     fill_identity(group, uses, triangle);
 }
 
+// Which pixels of a row a triangle contains; none where it is not drawn conservatively.
+static i8 contained_in_row(const struct triangle_work *triangle, int row)
+{
+    return triangle->t->flags & RHW_TRIANGLE_CONSERVATIVE
+               ? i8_from_bits((unsigned)(triangle->contained >> (8 * row)) & 0xff)
+               : i8_splat(0);
+}
+
 // Fills the groups from `first` on with the rows of a block.
 static __attribute__((noinline)) void fill_any_rows(const struct tile_work *work,
                                                     const struct triangle_work *triangle,
@@ -158,6 +166,9 @@ static __attribute__((noinline)) void fill_any_rows(const struct tile_work *work
         interpolate_any(work->scratch->queue.varyings + (first + n) * work->pipeline->varying_components,
                         work->pipeline, triangle, &place.weights, &place.screen);
         fill_builtins(work, first + n, triangle, &place);
+        if (work->pipeline->def.program.uses & RHW_USE_FULLY_COVERED) {
+            work->scratch->queue.groups[first + n].fully_covered = contained_in_row(triangle, row);
+        }
     }
 }
 
@@ -314,6 +325,9 @@ RHW_INLINE void queue_rows(struct tile_work *work, struct triangle_work *triangl
     place_rows(queue, rows, block->x, block->y);
     if (block->samples) {
         place_samples(work, block, rows);
+    }
+    for (int n = 0; n < rows->count && work->plan.weighs_alpha; n++) {
+        queue->coverage[queue->count + n] = triangle->coverage[rows->row[n]];
     }
     if (work->plan.keeps_depth || work->plan.keeps_identity) {
         fill_kept(work, triangle, block, rows, queue->count);

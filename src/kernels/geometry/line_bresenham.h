@@ -10,59 +10,9 @@
 #define RHW_LINE_BRESENHAM_H
 
 #include "../../pipeline.h"
+#include "line_columns.h"
 #include "lines8.h"
 #include "triangle_words.h"
-
-// A line by its major and its minor axis, 24.8.
-struct line_ends {
-    int32_t major[2], minor[2];
-    bool is_y_major;
-};
-
-// The pixel in which a coordinate lies that is moved by less than nothing: on the border of two, the lower.
-static inline int32_t pixel_below(int32_t at)
-{
-    return ((at + RHW_SUBPIXEL - 1) >> RHW_SUBPIXEL_BITS) - 1;
-}
-
-// The first pixel whose centre is not before a coordinate.
-static inline int32_t center_from(int32_t at)
-{
-    return (at + RHW_SUBPIXEL / 2 - 1) >> RHW_SUBPIXEL_BITS;
-}
-
-// Whether an end, moved by (−ε, −ε²), lies in the diamond of its pixel. On the border −ε decides: it leads inwards from the
-// right half; where x is the centre's, there is no border but at the top, and outwards it leads.
-static bool is_in_diamond(const struct line_ends *line, int end)
-{
-    const int32_t center = RHW_SUBPIXEL / 2;
-    const int32_t u = line->major[end] - (pixel_below(line->major[end]) * RHW_SUBPIXEL + center);
-    const int32_t v = line->minor[end] - (pixel_below(line->minor[end]) * RHW_SUBPIXEL + center);
-    const int32_t x = line->is_y_major ? v : u, distance = (u < 0 ? -u : u) + (v < 0 ? -v : v);
-    return distance < center || (distance == center && x > 0);
-}
-
-struct pixel_range {
-    int32_t first, end;
-};
-
-// The columns, or rows, of which a line has a pixel.
-static struct pixel_range major_pixels(const struct line_ends *line)
-{
-    const int forth = line->major[1] > line->major[0];
-    struct pixel_range range = {center_from(line->major[!forth]), center_from(line->major[forth])};
-    const int32_t begin = pixel_below(line->major[0]), end = pixel_below(line->major[1]);
-    if (is_in_diamond(line, 0)) {
-        range.first = begin < range.first ? begin : range.first;
-        range.end = begin >= range.end ? begin + 1 : range.end;
-    }
-    if (is_in_diamond(line, 1) && forth) {
-        range.end = end < range.end ? end : range.end;
-    } else if (is_in_diamond(line, 1)) {
-        range.first = end >= range.first ? end + 1 : range.first;
-    }
-    return range;
-}
 
 // Those across that the line may have a pixel in.
 static struct pixel_range minor_pixels(const struct line_ends *line, int width)
@@ -72,15 +22,24 @@ static struct pixel_range minor_pixels(const struct line_ends *line, int width)
                                 (line->minor[rises] >> RHW_SUBPIXEL_BITS) + 1 + width};
 }
 
-// Of a wide line its first pixels across.
 static struct line_ends ends_of(const struct lines8 *l, int lane, int width)
 {
-    const int32_t half = (width - 1) * (RHW_SUBPIXEL / 2);
-    const int32_t dx = l->x[1][lane] - l->x[0][lane], dy = l->y[1][lane] - l->y[0][lane];
-    const bool is_y_major = (dy < 0 ? -dy : dy) > (dx < 0 ? -dx : dx);
-    const i8 *const major = is_y_major ? l->y : l->x, *const minor = is_y_major ? l->x : l->y;
-    return (struct line_ends){
-        {major[0][lane], major[1][lane]}, {minor[0][lane] - half, minor[1][lane] - half}, is_y_major};
+    const int32_t x[2] = {l->x[0][lane], l->x[1][lane]}, y[2] = {l->y[0][lane], l->y[1][lane]};
+    return line_ends_of(x, y, width);
+}
+
+// Gives 8 lines the phase of column 0, or row 0, from that of their first one.
+static __attribute__((noinline)) void set_column_phases(struct triangle_words *words, const struct lines8 *l,
+                                                        unsigned drawn, int width)
+{
+    i8 phase = i8_splat(0);
+    for (unsigned left = drawn; left != 0; left &= left - 1) {
+        const int lane = __builtin_ctz(left);
+        const struct line_ends line = ends_of(l, lane, width);
+        const struct pixel_range along = major_pixels(&line);
+        phase[lane] = l->phase[lane] + (line.major[1] > line.major[0] ? -along.first : along.end - 1);
+    }
+    set_phases(words, phase);
 }
 
 // Sets the pixels of a line, within the scissor.
@@ -126,6 +85,9 @@ static unsigned add_bresenham8(const struct rhw_draw_state *state, const struct 
     struct triangle_words words;
     struct rhw_tile_range ranges[8];
     fill_words(&words, &t, &pixels, flags, &names);
+    if (state->stipple.factor != 0) {
+        set_column_phases(&words, l, drawn, width);
+    }
     tile_ranges8(ranges, pixels.x0, pixels.y0, pixels.x1, pixels.y1);
     for (unsigned left = drawn; left != 0; left &= left - 1) {
         add_words(list, &words, ranges, __builtin_ctz(left));

@@ -14,6 +14,7 @@
 
 #include "cull_uncovered.h"
 #include "line_bresenham.h"
+#include "line_smooth.h"
 
 // 8 of the triangles that lines are made of, those that cover something.
 struct line_half8 {
@@ -26,8 +27,9 @@ static void set_half8(struct line_half8 *half, const struct rhw_draw_state *stat
                       const struct triangle8 *t, i8 middle, unsigned live, bool culls_uncovered)
 {
     const struct pixel_rect8 pixels = pixel_rect8_of(t, state);
-    const i8 unclamped = rhw_equal_int(l->flags & i8_splat(RHW_TRIANGLE_CLAMP), i8_splat(0));
-    const i8 flags = l->flags | (small_triangles8(t) & unclamped & i8_splat(RHW_TRIANGLE_SMALL));
+    const i8 plain =
+        rhw_equal_int(l->flags & i8_splat(RHW_TRIANGLE_CLAMP | RHW_TRIANGLE_STIPPLE), i8_splat(0));
+    const i8 flags = l->flags | (small_triangles8(t) & plain & i8_splat(RHW_TRIANGLE_SMALL));
     const struct triangle_names8 names = {
         .vertex = {l->vertex[0], middle, l->vertex[1]}, .primitive = l->primitive, .segment = l->segment};
     half->drawn =
@@ -37,6 +39,9 @@ static void set_half8(struct line_half8 *half, const struct rhw_draw_state *stat
     }
     if (half->drawn != 0) {
         fill_words(&half->words, t, &pixels, flags, &names);
+        if (state->stipple.factor != 0) {
+            set_phases(&half->words, l->phase);
+        }
         tile_ranges8(half->ranges, pixels.x0, pixels.y0, pixels.x1, pixels.y1);
     }
 }
@@ -66,13 +71,13 @@ static unsigned add_rectangles8(struct rhw_geometry_scratch *scratch, const stru
     return drawn;
 }
 
-// Adds lines of either mode.
+// Adds lines of any mode.
 static unsigned add_lines8(struct rhw_geometry_scratch *scratch, const struct rhw_draw_state *state,
                            const struct lines8 *l, unsigned live, struct rhw_triangle_list *list)
 {
-    return state->pipeline->def.line_mode == RHW_LINE_BRESENHAM
-               ? add_bresenham8(state, l, live, list)
-               : add_rectangles8(scratch, state, l, live, list);
+    return state->pipeline->def.line_mode == RHW_LINE_BRESENHAM ? add_bresenham8(state, l, live, list)
+           : state->pipeline->is_smooth                         ? add_smooth8(state, l, live, list)
+                                        : add_rectangles8(scratch, state, l, live, list);
 }
 
 #endif

@@ -4,6 +4,7 @@
 #ifndef RHW_LINE_SETUP_H
 #define RHW_LINE_SETUP_H
 
+#include "../../strip_stipple.h"
 #include "clipped_line.h"
 #include "line_rectangle.h"
 
@@ -28,6 +29,20 @@ static unsigned seen_lines8(struct rhw_geometry_scratch *scratch, uint32_t run, 
     return seen;
 }
 
+// Where in their pattern the lines begin.
+static __attribute__((noinline)) i8 phases_of_slice(const struct rhw_segment *segment,
+                                                    const struct run_slice *slice)
+{
+    const struct rhw_draw *const draw = segment->draw;
+    i8 phase = i8_splat(0);
+    for (unsigned left = draw->strip_stipple ? slice->live : 0; left != 0; left &= left - 1) {
+        const int lane = __builtin_ctz(left);
+        const size_t first = (size_t)segment->instance * draw->triangles_per_instance;
+        phase[lane] = draw->strip_stipple->phases[first + slice->first_primitive + (unsigned)lane];
+    }
+    return phase;
+}
+
 // Sets up 8 lines of a run.
 static __attribute__((noinline)) void setup_lines8(struct rhw_geometry_scratch *scratch,
                                                    const struct run_slice *slice,
@@ -43,6 +58,10 @@ static __attribute__((noinline)) void setup_lines8(struct rhw_geometry_scratch *
                            .vertex = {names.vertex[0], names.vertex[1]},
                            .primitive = names.primitive,
                            .segment = names.segment};
+    if (state->stipple.factor != 0) {
+        lines.flags |= i8_splat(RHW_TRIANGLE_STIPPLE);
+        lines.phase = phases_of_slice(&scratch->segments[slice->run], slice);
+    }
     const unsigned seen = seen_lines8(scratch, slice->run, &lines, t.flags_any, t.flags_all, slice->live);
     const unsigned drawn = seen == 0 ? 0 : add_lines8(scratch, state, &lines, seen, list);
     scratch->counters.culled += (unsigned)__builtin_popcount(seen & ~drawn);

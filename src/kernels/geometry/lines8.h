@@ -10,6 +10,7 @@ struct lines8 {
     i8 x[2], y[2]; // 24.8
     i8 flags;      // of their triangles
     i8 vertex[2], primitive, segment;
+    i8 phase; // of lines with a stipple: its place where they begin (raster/stipple_mask.h)
 };
 
 // The corners beside the ends, 24.8; half_width_24_8 away from them.

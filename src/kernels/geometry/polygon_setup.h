@@ -41,6 +41,7 @@ static void flush_parts(struct rhw_geometry_scratch *scratch, const struct rhw_d
     l->flags |= clamp_flags8(state, f8_min(batch->depth[0], batch->depth[1]),
                              f8_max(batch->depth[0], batch->depth[1]));
     if (state->pipeline->primitive == RHW_PRIMITIVE_POLYGON_LINES) {
+        l->flags |= i8_splat(state->stipple.factor != 0 ? RHW_TRIANGLE_STIPPLE : 0);
         add_lines8(scratch, state, l, live, list);
         return;
     }

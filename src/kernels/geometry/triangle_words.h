@@ -75,6 +75,16 @@ RHW_INLINE void fill_words(struct triangle_words *words, const struct triangle8 
     f8_transpose(high);
 }
 
+// Gives 8 triangles their phases, in the place of the polygon's number.
+RHW_INLINE void set_phases(struct triangle_words *words, i8 phase)
+{
+    for (int lane = 0; lane < 8; lane++) {
+        i8 high = (i8)words->high[lane];
+        high[3] = phase[lane];
+        words->high[lane] = (f8)high;
+    }
+}
+
 // Adds triangle `lane` to the list.
 RHW_INLINE void add_words(struct rhw_triangle_list *list, const struct triangle_words *words,
                           const struct rhw_tile_range ranges[8], int lane)

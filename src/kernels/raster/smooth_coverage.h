@@ -1,0 +1,93 @@
+// SPDX-License-Identifier: MIT
+// How much of each pixel's square a smooth line's rectangle covers: its area, but for roundings below 2^−16.
+//
+// The area is the sum over the four sides, each taken from left to right or back, of what lies above it in the square:
+//
+//     ∫ clamp(h(x), 0, 1) dx,    h: the side's height in the square, x: where the side passes through its columns,
+//
+// which is (G(h1) − G(h0)) / slope, where G(h) = h²/2 up to h = 1 and h − 1/2 from there, 0 below 0. A side that hardly
+// changes within a pixel is taken at its middle there.
+#ifndef RHW_SMOOTH_COVERAGE_H
+#define RHW_SMOOTH_COVERAGE_H
+
+#include "../../constants.h"
+#include "../../simd.h"
+#include "../../triangle.h"
+
+// A side, in pixels of the tile.
+struct smooth_side {
+    double x, y, slope;
+    double left, right;
+    double sign; // which way it leads; 0: straight up or down
+};
+
+struct smooth_line {
+    struct smooth_side sides[4];
+};
+
+// `x` and `y`: the tile's first pixel.
+static void smooth_line_set(struct smooth_line *line, const struct rhw_triangle *t, int x, int y)
+{
+    const int32_t *const tx = t->x_24_8, *const ty = t->y_24_8;
+    const int32_t corner_x[4] = {tx[0], tx[1], tx[1] + tx[2] - tx[0], tx[2]};
+    const int32_t corner_y[4] = {ty[0], ty[1], ty[1] + ty[2] - ty[0], ty[2]};
+    const double turn = (double)(tx[1] - tx[0]) * (ty[2] - ty[0]) - (double)(tx[2] - tx[0]) * (ty[1] - ty[0]);
+    for (int i = 0; i < 4; i++) {
+        const int j = (i + 1) % 4;
+        const double dx = corner_x[j] - corner_x[i], dy = corner_y[j] - corner_y[i];
+        const double x0 = (double)corner_x[i] / RHW_SUBPIXEL - x, x1 = (double)corner_x[j] / RHW_SUBPIXEL - x;
+        line->sides[i] = (struct smooth_side){.x = x0,
+                                              .y = (double)corner_y[i] / RHW_SUBPIXEL - y,
+                                              .slope = dx == 0 ? 0 : dy / dx,
+                                              .left = x0 < x1 ? x0 : x1,
+                                              .right = x0 < x1 ? x1 : x0,
+                                              .sign = dx == 0              ? 0
+                                                      : (dx < 0) == (turn < 0) ? -1
+                                                                               : 1};
+    }
+}
+
+// G of the comment above.
+RHW_INLINE d8 area_below(d8 h)
+{
+    const d8 inside = d8_clamp(h, 0, 1), above = d8_clamp(d8_sub(h, d8_splat(1)), 0, 0x1p40);
+    return d8_add(d8_mul(d8_mul(inside, inside), d8_splat(0.5)), above);
+}
+
+// Of 8 columns from x on, in row y.
+RHW_INLINE d8 side_area(const struct smooth_side *side, d8 x, double y)
+{
+    const double least_slope = 0x1p-14;
+    const d8 from = d8_clamp(x, side->left, side->right);
+    const d8 to = d8_clamp(d8_add(x, d8_splat(1)), side->left, side->right);
+    const d8 slope = d8_splat(side->slope), start = d8_splat(side->x), height = d8_splat(side->y - y);
+    const d8 h0 = d8_add(height, d8_mul(slope, d8_sub(from, start)));
+    const d8 h1 = d8_add(height, d8_mul(slope, d8_sub(to, start)));
+    if (side->slope < least_slope && side->slope > -least_slope) {
+        const d8 middle = d8_clamp(d8_mul(d8_add(h0, h1), d8_splat(0.5)), 0, 1);
+        return d8_mul(d8_sub(to, from), middle);
+    }
+    return d8_div(d8_sub(area_below(h1), area_below(h0)), slope);
+}
+
+// The pixels of the block at (x, y) of the tile that the line covers 2^−16 of at least, and how much, by row.
+static uint64_t smooth_mask(const struct smooth_line *line, int x, int y, f8 coverage[RHW_BLOCK])
+{
+    const d8 columns = d8_from_i8(i8_splat(x) + rhw_lane_index);
+    uint64_t mask = 0;
+    for (int row = 0; row < RHW_BLOCK; row++) {
+        d8 area = d8_splat(0);
+        for (int i = 0; i < 4; i++) {
+            const struct smooth_side *const side = &line->sides[i];
+            if (side->sign != 0) {
+                area = d8_add(area, d8_mul(d8_splat(side->sign), side_area(side, columns, y + row)));
+            }
+        }
+        coverage[row] = f8_from_d8(d8_clamp(area, 0, 1));
+        const unsigned drawn = i8_sign_bits(rhw_less_equal(f8_splat(0x1p-16f), coverage[row]));
+        mask |= (uint64_t)drawn << (8 * row);
+    }
+    return mask;
+}
+
+#endif

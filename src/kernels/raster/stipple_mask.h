@@ -1,0 +1,86 @@
+// SPDX-License-Identifier: MIT
+// Which pixels of a line its stipple draws (struct rhw_line_stipple). Places along a line are whole numbers: columns, or
+// rows, of a Bresenham line, 1/256 pixel of a rectangular one. `unit` of them have the same bit of the pattern.
+//
+// The triangle's phase is the place of a Bresenham line's column 0, from which places rise to where the line leads; of a
+// rectangular line it is that of its beginning. Both are known to a whole pattern.
+#ifndef RHW_STIPPLE_MASK_H
+#define RHW_STIPPLE_MASK_H
+
+#include "../../constants.h"
+#include "../../simd.h"
+#include "../../triangle.h"
+
+// Bits of the places that are drawn. Half a place behind each none is a multiple of `unit`, so that no quotient lies where
+// rounding decides.
+static unsigned stippled8(i8 place, int unit, int pattern)
+{
+    const d8 units = d8_div(d8_add(d8_from_i8(place), d8_splat(0.5)), d8_splat(unit));
+    const i8 number = i8_round_d8(d8_sub(units, d8_splat(0.5))) & i8_splat(15);
+    const i8 bit = i8_power2(number) & i8_splat(pattern);
+    return ~i8_sign_bits(rhw_equal_int(bit, i8_splat(0))) & 0xff;
+}
+
+// Those of the block at (x, y) of the target that the stipple of a Bresenham line draws.
+static uint64_t stippled_columns(const struct rhw_triangle *t, const struct rhw_line_stipple *stipple,
+                                 bool is_y_major, int x, int y)
+{
+    const int32_t along = is_y_major ? t->y_24_8[2] - t->y_24_8[0] : t->x_24_8[2] - t->x_24_8[0];
+    const i8 column = i8_splat(is_y_major ? y : x) + rhw_lane_index;
+    const i8 place = i8_splat(t->phase) + (along < 0 ? -column : column);
+    const unsigned bits = stippled8(place, stipple->factor, stipple->pattern);
+    uint64_t mask = 0;
+    for (int row = 0; row < RHW_BLOCK; row++) {
+        const unsigned of_row = !is_y_major ? bits : bits >> row & 1 ? 0xff : 0;
+        mask |= (uint64_t)of_row << (8 * row);
+    }
+    return mask;
+}
+
+// A rectangular line: a point lies (dx·x + dy·y − begin) / length along it. All numbers but the length are integers below
+// 2^50, 1/256 pixel or products of two.
+struct stippled_rectangle {
+    double dx, dy, begin, length;
+    int32_t phase;
+    int unit, pattern;
+};
+
+// Of the halves of a line (geometry/line_rectangle.h) the first has corners a + n, a − n, b + n, and vertex a twice; the
+// second a − n, b − n, b + n.
+static struct stippled_rectangle stippled_rectangle_of(const struct rhw_triangle *t,
+                                                       const struct rhw_line_stipple *stipple)
+{
+    const bool is_first = t->vertex[0] == t->vertex[1];
+    const int to = is_first ? 2 : 1;
+    const double dx = t->x_24_8[to] - t->x_24_8[0], dy = t->y_24_8[to] - t->y_24_8[0];
+    const double twice_a[2] = {
+        is_first ? (double)t->x_24_8[0] + t->x_24_8[1] : 2.0 * t->x_24_8[0] + t->x_24_8[2] - t->x_24_8[1],
+        is_first ? (double)t->y_24_8[0] + t->y_24_8[1] : 2.0 * t->y_24_8[0] + t->y_24_8[2] - t->y_24_8[1]};
+    const d8 length = d8_sqrt(d8_splat(dx * dx + dy * dy));
+    return (struct stippled_rectangle){.dx = dx,
+                                       .dy = dy,
+                                       .begin = (dx * twice_a[0] + dy * twice_a[1]) / 2,
+                                       .length = length.lo[0],
+                                       .phase = t->phase,
+                                       .unit = stipple->factor * RHW_SUBPIXEL,
+                                       .pattern = stipple->pattern};
+}
+
+// Those of a block whose samples it draws; x and y are of the first pixel's sample, 1/256 pixel of the target. What lies
+// before the beginning by the rounding of the rectangle's corners counts as the beginning.
+static uint64_t stippled_samples(const struct stippled_rectangle *line, int64_t x, int64_t y)
+{
+    const d8 columns = d8_mul(d8_from_i8(rhw_lane_index), d8_splat(RHW_SUBPIXEL));
+    const d8 at_x = d8_mul(d8_add(columns, d8_splat((double)x)), d8_splat(line->dx));
+    const double farthest = 1 << 29;
+    uint64_t mask = 0;
+    for (int row = 0; row < RHW_BLOCK; row++) {
+        const double at_y = line->dy * (double)(y + row * RHW_SUBPIXEL) - line->begin;
+        const d8 along = d8_div(d8_add(at_x, d8_splat(at_y)), d8_splat(line->length));
+        const i8 place = i8_round_d8(d8_clamp(along, 0, farthest)) + i8_splat(line->phase);
+        mask |= (uint64_t)stippled8(place, line->unit, line->pattern) << (8 * row);
+    }
+    return mask;
+}
+
+#endif

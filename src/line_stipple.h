@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: MIT
+// The stipple of lines: what is one, and what a pass sets in the place of the pipelines' own.
+#ifndef RHW_LINE_STIPPLE_H
+#define RHW_LINE_STIPPLE_H
+
+#include <stdbool.h>
+
+#include "rhw/types.h"
+
+struct rhw_context;
+
+// What the pass sets.
+struct rhw_line_stipple_setting {
+    bool is_set;
+    struct rhw_line_stipple stipple;
+};
+
+// Reports a factor that is none, for the function `where`.
+bool rhw_check_line_stipple(const struct rhw_context *context, const struct rhw_line_stipple *stipple,
+                            const char *where);
+
+#endif
