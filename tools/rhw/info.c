@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 // rhw info: what is in a model file, as the renderer will see it, and what of it will not be drawn.
+#include "info_layers.h"
 #include "json.h"
 #include "message.h"
 #include "model_input.h"
@@ -94,6 +95,14 @@ static void print_meshes(const struct scene_model *model)
     }
 }
 
+static void print_layer(const char *name, const float *values, int count)
+{
+    printf(", %s", name);
+    for (int i = 0; i < count; i++) {
+        printf(" %.3g", (double)values[i]);
+    }
+}
+
 static void print_materials(const struct scene_model *model)
 {
     printf("\nmaterials: %" PRIu32 "\n", model->material_count);
@@ -113,6 +122,7 @@ static void print_materials(const struct scene_model *model)
             printf(", blend");
         }
         printf("%s%s", material->unlit ? ", unlit" : "", material->double_sided ? ", double-sided" : "");
+        cli_info_layers(&material->layers, print_layer);
         for (int k = 0; k < SCENE_SLOT_COUNT; k++) {
             if (material->slots[k].image >= 0) {
                 printf(", %s image %" PRId32, slot_names[k], material->slots[k].image);
@@ -250,6 +260,15 @@ static void json_meshes(const struct scene_model *model)
     printf("]");
 }
 
+static void json_layer(const char *name, const float *values, int count)
+{
+    if (count == 1) {
+        json_float(name, *values);
+    } else {
+        json_floats(name, values, count);
+    }
+}
+
 static void json_materials(const struct scene_model *model)
 {
     printf(",\n  \"materials\": [");
@@ -265,6 +284,7 @@ static void json_materials(const struct scene_model *model)
         json_float("alpha_cutoff", material->alpha_cutoff);
         json_flag("unlit", material->unlit);
         json_flag("double_sided", material->double_sided);
+        cli_info_layers(&material->layers, json_layer);
         for (int k = 0; k < SCENE_SLOT_COUNT; k++) {
             if (material->slots[k].image >= 0) {
                 printf(", \"%s_image\": %" PRId32, slot_names[k], material->slots[k].image);

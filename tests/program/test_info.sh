@@ -1,0 +1,37 @@
+#!/bin/sh
+# SPDX-License-Identifier: MIT
+# rhw info tells of a material what is drawn of it: the numbers of its layers where they do something, as text and as JSON.
+. "$(dirname "$0")/harness.sh"
+
+cat >layers.gltf <<'END'
+{"asset": {"version": "2.0"},
+ "extensionsUsed": ["KHR_materials_clearcoat", "KHR_materials_sheen", "KHR_materials_ior",
+                    "KHR_materials_pbrSpecularGlossiness"],
+ "materials": [
+  {"name": "velvet", "extensions": {
+    "KHR_materials_sheen": {"sheenColorFactor": [0.5, 0.25, 0], "sheenRoughnessFactor": 0.75},
+    "KHR_materials_clearcoat": {"clearcoatFactor": 0.5}, "KHR_materials_ior": {"ior": 1.5}}},
+  {"name": "gloss", "extensions": {"KHR_materials_pbrSpecularGlossiness": {
+    "specularFactor": [1, 0.5, 0.25], "glossinessFactor": 0.125}}},
+  {"name": "plain"}],
+ "meshes": [{"primitives": [{"attributes": {"POSITION": 0}, "material": 0},
+  {"attributes": {"POSITION": 0}, "material": 1}, {"attributes": {"POSITION": 0}, "material": 2}]}],
+ "nodes": [{"mesh": 0}], "scenes": [{"nodes": [0]}], "scene": 0,
+ "accessors": [{"bufferView": 0, "componentType": 5126, "count": 3, "type": "VEC3", "min": [0, 0, 0], "max": [1, 1, 0]}],
+ "bufferViews": [{"buffer": 0, "byteLength": 36}],
+ "buffers": [{"byteLength": 36, "uri": "data:application/octet-stream;base64,AAAAAAAAAAAAAAAAAACAPwAAAAAAAAAAAAAAAAAAgD8AAAAA"}]}
+END
+
+usual="base 1 1 1 1, metallic 1, roughness 1"
+run info layers.gltf
+check "rhw info" test $status = 0
+check "layers in the order of the list" grep -q \
+    "^ *0  $usual, clearcoat 0.5, sheen_color 0.5 0.25 0, sheen_roughness 0.75  \"velvet\"$" "$folder/log/out"
+check "glossiness" grep -q "gloss_specular 1 0.5 0.25, glossiness 0.125  \"gloss\"$" "$folder/log/out"
+check "no layers" grep -q "^ *2  $usual  \"plain\"$" "$folder/log/out"
+run info --json layers.gltf
+check "JSON" grep -q '"double_sided": false, "clearcoat": 0.5, "sheen_color": \[0.5, 0.25, 0\], "sheen_roughness": 0.75}' \
+    "$folder/log/out"
+check "JSON without layers" grep -q '"plain".*"double_sided": false}' "$folder/log/out"
+
+finish
