@@ -1,6 +1,6 @@
 #!/bin/sh
 # SPDX-License-Identifier: MIT
-# The man page and the shell completion know exactly the options that the program knows.
+# The man page and the shell completion know exactly the options that the program knows; links in documents lead to files.
 . "$(dirname "$0")/harness.sh"
 man=$root/docs/rhw.1
 completion=$root/tools/rhw/completion/rhw.bash
@@ -28,5 +28,14 @@ if command -v groff >/dev/null 2>&1; then
     groff -man -Tutf8 -ww "$man" >/dev/null 2>"$folder/log/err"
     check "man page without warnings: $(cat "$folder/log/err")" test ! -s "$folder/log/err"
 fi
+
+# A link to a place in a file is a link to the file here.
+cd "$root" || exit 1
+for document in *.md docs/*.md examples/*.md; do
+    for link in $(grep -oE '\]\([^)# ]+' "$document" | cut -c 3- | grep -v '^[a-z]*:' | sort -u); do
+        check "link in $document" test -e "$(dirname "$document")/$link"
+    done
+done
+check "links were found" test $checks -gt 150
 
 finish
