@@ -12,29 +12,29 @@ struct layer_number {
     float usual[3];
 };
 
-#define NUMBER(name, count, ...) {#name, offsetof(struct scene_layers, name), count, {__VA_ARGS__}}
+#define NAMED(name) #name, offsetof(struct scene_layers, name)
 
 static const struct layer_number numbers[] = {
-    NUMBER(clearcoat, 1, 0),
-    NUMBER(clearcoat_roughness, 1, 0),
-    NUMBER(sheen_color, 3, 0, 0, 0),
-    NUMBER(sheen_roughness, 1, 0),
-    NUMBER(specular, 1, 1),
-    NUMBER(specular_color, 3, 1, 1, 1),
-    NUMBER(ior, 1, 1.5f),
-    NUMBER(transmission, 1, 0),
-    NUMBER(thickness, 1, 0),
-    NUMBER(attenuation_distance, 1, __builtin_inff()),
-    NUMBER(attenuation_color, 3, 1, 1, 1),
-    NUMBER(dispersion, 1, 0),
-    NUMBER(anisotropy, 1, 0),
-    NUMBER(iridescence, 1, 0),
+    {NAMED(clearcoat), 1, {0}},
+    {NAMED(clearcoat_roughness), 1, {0}},
+    {NAMED(sheen_color), 3, {0, 0, 0}},
+    {NAMED(sheen_roughness), 1, {0}},
+    {NAMED(specular), 1, {1}},
+    {NAMED(specular_color), 3, {1, 1, 1}},
+    {NAMED(ior), 1, {1.5f}},
+    {NAMED(transmission), 1, {0}},
+    {NAMED(thickness), 1, {0}},
+    {NAMED(attenuation_distance), 1, {__builtin_inff()}},
+    {NAMED(attenuation_color), 3, {1, 1, 1}},
+    {NAMED(dispersion), 1, {0}},
+    {NAMED(anisotropy), 1, {0}},
+    {NAMED(iridescence), 1, {0}},
 };
 
 // In the place of metallic and roughness.
 static const struct layer_number gloss_numbers[] = {
-    NUMBER(gloss_specular, 3, -1, -1, -1),
-    NUMBER(glossiness, 1, -1),
+    {NAMED(gloss_specular), 3, {-1, -1, -1}},
+    {NAMED(glossiness), 1, {-1}},
 };
 
 static void tell_unusual(const struct scene_layers *layers, const struct layer_number *number, size_t count,
