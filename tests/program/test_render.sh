@@ -314,6 +314,19 @@ echo words | "$rhw" info - 2>"$folder/log/err" || status=$?
 check "words on standard input" grep -q "^rhw: standard input: is not a model in a format" "$folder/log/err"
 check "rhw info of standard input" test "$("$rhw" info - <cube.obj | head -1)" = "standard input: Wavefront OBJ"
 
+# What is up.
+succeed render cube.obj $view -o up.png --up y
+check "y is what an OBJ has" equal a.png up.png
+succeed render cube.obj $view -o z.png --up z
+if equal a.png z.png; then
+    fail "--up z draws what y does"
+fi
+succeed render cube.obj $view -o up.png --up +z
+check "+z is z" cmp -s z.png up.png
+for axis in w +w +-z Z ''; do
+    refuse 2 "--up: '[^']*' is not x, y, z, -x, -y or -z$" render cube.obj -o x.png --up "$axis"
+done
+
 # With nothing open but the files that are asked for.
 "$rhw" render cube.obj $view -o closed.png <&- >&- 2>&-
 check "standard streams that are closed" cmp -s a.png closed.png

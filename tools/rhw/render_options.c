@@ -210,10 +210,18 @@ const char *const cli_axis_names[CLI_AXES] = {
     [SCENE_AXIS_Y] = "y",        [SCENE_AXIS_Z] = "z",        [SCENE_AXIS_X] = "x",
     [SCENE_AXIS_MINUS_Y] = "-y", [SCENE_AXIS_MINUS_Z] = "-z", [SCENE_AXIS_MINUS_X] = "-x"};
 
+// A plus is allowed, as modellers write it. The list of a message is in the order of the help.
 static bool parse_up(struct cli_render_job *job, const char *argument)
 {
-    const int up = cli_choose("--up", argument, cli_axis_names, CLI_AXES);
-    job->up = (enum scene_axis)up;
+    static const enum scene_axis axes[CLI_AXES] = {
+        SCENE_AXIS_X, SCENE_AXIS_Y, SCENE_AXIS_Z, SCENE_AXIS_MINUS_X, SCENE_AXIS_MINUS_Y, SCENE_AXIS_MINUS_Z};
+    const char *names[CLI_AXES];
+    for (int i = 0; i < CLI_AXES; i++) {
+        names[i] = cli_axis_names[axes[i]];
+    }
+    const bool has_plus = argument[0] == '+' && cli_parse_name(argument + 1, names, 3) >= 0;
+    const int up = cli_choose("--up", argument + has_plus, names, CLI_AXES);
+    job->up = axes[up >= 0 ? up : 0];
     job->has_up = true;
     return up >= 0;
 }
