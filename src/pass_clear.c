@@ -144,6 +144,7 @@ static void draw(rhw_context *context, rhw_pass id, const struct rhw_pass_state 
     rhw_pass_set_uniforms(context, id, &uniforms, sizeof uniforms);
     rhw_pass_set_stencil_reference(context, id, clear->stencil_value, clear->stencil_value);
     rhw_pass_set_stencil_masks(context, id, NULL);
+    rhw_pass_set_depth_bias(context, id, NULL);
     for (int i = 0; i < (clear->rect_count > 0 ? clear->rect_count : 1); i++) {
         rhw_pass_set_scissor(context, id, clear->rect_count > 0 ? &clear->rects[i] : &whole);
         rhw_pass_draw(context, id, 0, 3, (uint32_t)clear->layer, (uint32_t)layers);

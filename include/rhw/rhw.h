@@ -212,7 +212,7 @@ RHW_API void rhw_pass_set_line_stipple(rhw_context *context, rhw_pass pass,
 /// For pipelines with depth_bounds_test: 0 <= least <= most <= 1. 0 and 1 at the start.
 RHW_API void rhw_pass_set_depth_bounds(rhw_context *context, rhw_pass pass, float least, float most);
 /// Clears rectangles of attachments, all samples of them, after what was drawn before and below what is drawn after
-/// (vkCmdClearAttachments). What the pass has set stays and has no say: pipeline, scissor, masks, queries. Every rectangle is
+/// (vkCmdClearAttachments). What the pass has set stays and has no say: pipeline, scissor, masks, depth bias, queries. Every rectangle is
 /// a draw in the numbers of draws.
 RHW_API void rhw_pass_clear_attachments(rhw_context *context, rhw_pass pass, const struct rhw_clear *clear);
 /// Vertices `first`.. of the vertex buffers. A vertex outside its buffer reads 0, 0, 0, 1.

@@ -211,6 +211,7 @@ static void test_what_is_set_stays(void **state)
     rig_cover(&rig, 0.25f, (const float[4]){1, 1, 1, 1}, all);
     rig_begin(&rig);
     rhw_pass_set_scissor(rig.context, rig.recording, &scissor);
+    rhw_pass_set_depth_bias(rig.context, rig.recording, &(struct rhw_depth_bias){.constant = 9000});
     rhw_pass_begin_query(rig.context, rig.recording, query);
     rig_draw(&rig, all, 6);
     const struct rhw_clear clear = {
