@@ -31,6 +31,9 @@ void scene_axis_turn(enum scene_axis up, double direction[3]);
 /// 30 degrees: long enough a lens to keep proportions, short enough to show depth.
 double scene_camera_default_yfov(void);
 
+/// The part of the picture that a fitted camera leaves free on each side.
+double scene_camera_fit_margin(void);
+
 /// The angle from which a model shows best: from the front, a little to the side and from above; a flat
 /// model from the side it faces.
 struct scene_orbit scene_camera_default_orbit(const struct scene_model *model, enum scene_axis up);

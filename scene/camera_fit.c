@@ -156,6 +156,11 @@ static void fit_model(const struct scene_model *model, const double axes[3][3], 
     }
 }
 
+double scene_camera_fit_margin(void)
+{
+    return fit_margin;
+}
+
 struct scene_camera scene_camera_fit(const struct scene_model *model, struct scene_orbit orbit, double yfov,
                                      double aspect)
 {

@@ -103,6 +103,7 @@ enum rhw_result scene_draw(struct scene *scene, const struct scene_view *view,
     enum rhw_result result = RHW_ERROR_OUT_OF_MEMORY;
     if (scene_lighting_create(&draw.lighting, scene->upload.model, &view->camera, view->up,
                               view->default_lights, view->exposure)) {
+        draw.lighting.count = view->no_lights ? 0 : draw.lighting.count;
         result = scene_draw_surround(&draw);
     }
     if (result == RHW_OK) {

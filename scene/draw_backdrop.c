@@ -34,7 +34,7 @@ static enum rhw_result draw_surfaces(struct draw *draw, int width, int height)
     frame.pixel[1] = 2.0f / (float)height;
     struct scene_background_pass background;
     scene_background_set(draw, 1, 0, &background);
-    background.gradient.inverse_height *= 1.0f / side;
+    background.gradient.inverse_side *= 1.0f / side;
     for (int i = 0; i < 2; i++) {
         background.panorama.scale[i] *= 1.0f / side;
     }

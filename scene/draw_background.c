@@ -11,17 +11,22 @@ static const uint8_t gradient_top[3] = {134, 146, 160}, gradient_bottom[3] = {66
 static void set_gradient(const struct draw *draw, int side, int first_row, struct scene_backdrop *backdrop)
 {
     const struct scene_view *view = draw->view;
-    *backdrop = (struct scene_backdrop){.inverse_height = 1.0f / (float)(view->height * side),
-                                        .first_row = (float)(first_row * side)};
+    *backdrop = (struct scene_backdrop){.inverse_height = 1.0f / (float)view->height,
+                                        .first_row = (float)(first_row * side),
+                                        .inverse_side = 1.0f / (float)side};
     if (view->background == SCENE_BACKGROUND_TRANSPARENT) {
         return;
     }
     const bool even = view->background == SCENE_BACKGROUND_COLOR;
     for (int c = 0; c < 3; c++) {
         backdrop->top[c] = scene_color_decode(even ? view->background_color[c] : gradient_top[c]);
-        backdrop->bottom[c] = scene_color_decode(even ? view->background_color[c] : gradient_bottom[c]);
+        backdrop->codes[0][c] = (float)gradient_top[c];
+        backdrop->codes[1][c] = (float)gradient_bottom[c];
     }
-    backdrop->top[3] = backdrop->bottom[3] = 1.0f;
+    backdrop->top[3] = 1.0f;
+    for (int code = 0; code < 256 && !even; code++) {
+        backdrop->decode[code] = scene_color_decode((uint8_t)code);
+    }
 }
 
 static void set_panorama(const struct draw *draw, int side, int first_row, struct scene_panorama_pass *pass)

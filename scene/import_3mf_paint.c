@@ -161,6 +161,11 @@ static int32_t find_image(struct scene_3mf *file, struct scene_3mf_group *textur
         struct scene_import_source source = {.opacity_image = -1, .problem = "is not in the archive"};
         const char *path = texture->path[0] == '/' ? texture->path + 1 : texture->path;
         source.bytes = scene_zip_read_all(file->zip, path, &source.size);
+        if (source.bytes == NULL && path[0] != 0) { // some writers give a path from the model's folder
+            const char *slash = strrchr(path, '/');
+            const char *moved = scene_zip_find_ending(file->zip, slash == NULL ? path : slash);
+            source.bytes = moved == NULL ? NULL : scene_zip_read_all(file->zip, moved, &source.size);
+        }
         texture->image = scene_import_add_image(file->import, path, &source);
     }
     return texture->image;

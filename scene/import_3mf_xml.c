@@ -313,7 +313,7 @@ static void XMLCALL start_element(void *user, const XML_Char *full, const XML_Ch
         } else if (rule->act != NULL) {
             rule->act(xml, attributes);
         }
-        xml->places[++xml->depth] = rule->to;
+        xml->places[++xml->depth] = (int)rule->to;
         return;
     }
     if (here == OUTSIDE) {

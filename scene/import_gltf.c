@@ -275,6 +275,23 @@ static bool is_known(const char *extension)
            is_among(silent_extensions, sizeof silent_extensions / sizeof *silent_extensions, extension);
 }
 
+static void note_extension(struct scene_gltf *gltf, const char *name)
+{
+    if (!is_known(name)) {
+        scene_import_unsupported(gltf->import, "glTF extension %s: ignored", name);
+    }
+}
+
+void scene_gltf_note_extensions(struct scene_gltf *gltf, const json_t *object)
+{
+    const char *name;
+    json_t *value;
+    json_object_foreach(json_object_get(object, "extensions"), name, value)
+    {
+        note_extension(gltf, name);
+    }
+}
+
 static void check_extensions(struct scene_gltf *gltf)
 {
     size_t i;
@@ -291,8 +308,8 @@ static void check_extensions(struct scene_gltf *gltf)
     }
     json_array_foreach(scene_gltf_array(gltf, gltf->root, "extensionsUsed"), i, value)
     {
-        if (json_is_string(value) && !is_known(json_string_value(value))) {
-            scene_import_unsupported(gltf->import, "glTF extension %s: ignored", json_string_value(value));
+        if (json_is_string(value)) {
+            note_extension(gltf, json_string_value(value));
         }
     }
 }

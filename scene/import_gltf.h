@@ -64,6 +64,8 @@ int64_t scene_gltf_integer(struct scene_gltf *gltf, const json_t *object, const 
 bool scene_gltf_floats(struct scene_gltf *gltf, const json_t *object, const char *key, float *values,
                        size_t count);
 json_t *scene_gltf_extension(struct scene_gltf *gltf, const json_t *object, const char *name); ///< or NULL
+/// Tells which extensions of an object are not drawn; files use some that they do not list.
+void scene_gltf_note_extensions(struct scene_gltf *gltf, const json_t *object);
 /// Name of an object as the model keeps it; "" where it has none.
 const char *scene_gltf_name(struct scene_gltf *gltf, const json_t *object);
 /// How many elements a top-level array has, and one of them. An index that does not exist fails the import.

@@ -170,6 +170,7 @@ static void read_material(struct scene_gltf *gltf, const json_t *object, struct 
     const json_t *occlusion = scene_gltf_object(gltf, object, "occlusionTexture");
     const json_t *strength = scene_gltf_extension(gltf, object, "KHR_materials_emissive_strength");
     material->name = scene_gltf_name(gltf, object);
+    scene_gltf_note_extensions(gltf, object);
     read_metallic_roughness(gltf, pbr, material);
     scene_gltf_layers(gltf, object, material);
     scene_gltf_slot(gltf, normal, &material->slots[SCENE_SLOT_NORMAL]);

@@ -264,6 +264,7 @@ static void visit(struct scene_gltf *gltf, uint32_t index, uint32_t *objects)
     const json_t *node = scene_gltf_item(gltf, "nodes", index);
     const float *world = gltf->nodes[index].world;
     const json_t *light = scene_gltf_extension(gltf, node, "KHR_lights_punctual");
+    scene_gltf_note_extensions(gltf, node);
     if (json_object_get(node, "mesh") != NULL) {
         add_instances(gltf, node, world, objects);
     }

@@ -92,6 +92,12 @@ static bool looks_like_obj(const struct beginning *start)
     return found;
 }
 
+static bool looks_like_json(const struct beginning *start)
+{
+    const char *text = (const char *)start->bytes;
+    return text[strspn(text, " \t\r\n")] == '{';
+}
+
 static bool looks_like_stl(const struct beginning *start)
 {
     const unsigned char *b = start->bytes;
@@ -109,7 +115,8 @@ void scene_import_read(struct scene_import *import)
     const struct beginning start = look(import);
     import->ending = find_ending(import, &start);
     const bool nameless = import->ending[0] == 0;
-    if (scene_import_is_gltf(import->name, start.bytes, start.count)) {
+    if (scene_import_is_gltf(import->name, start.bytes, start.count) ||
+        (nameless && looks_like_json(&start))) {
         scene_import_gltf(import);
     } else if (scene_import_is_ply(import->name, start.bytes, start.count)) {
         scene_import_ply(import);

@@ -132,6 +132,8 @@ static bool read_map(struct scene_import *import, struct scene_word key, struct 
         {"map_emissive", &phong->emissive_map},
         {"map_Pr", &phong->roughness_map},
         {"map_Pm", &phong->metallic_map},
+        {"map_Pc", &phong->clearcoat_map},
+        {"map_Pcr", &phong->clearcoat_roughness_map},
     };
     for (size_t i = 0; i < sizeof maps / sizeof maps[0]; i++) {
         if (key_is(key, maps[i].key)) {
@@ -153,8 +155,7 @@ static void note_unused_map(struct scene_import *import, struct scene_word key)
     } maps[] = {
         {"map_Ks", "specular"},     {"map_Ns", "shininess"},  {"refl", "reflection"},
         {"map_refl", "reflection"}, {"disp", "displacement"}, {"map_disp", "displacement"},
-        {"map_Ps", "sheen"},        {"map_Pc", "clearcoat"},  {"map_Pcr", "clearcoat"},
-        {"decal", "decal"},
+        {"map_Ps", "sheen"},        {"decal", "decal"},
     };
     for (size_t i = 0; i < sizeof maps / sizeof maps[0]; i++) {
         if (key_is(key, maps[i].key)) {
@@ -165,17 +166,28 @@ static void note_unused_map(struct scene_import *import, struct scene_word key)
 
 // Values --------------------------------------------------------------------------------------------
 
-// Numbers of the PBR extension that no surface here has.
-static void note_unused_value(struct scene_import *import, struct scene_word key, float value)
+// Numbers of the PBR extension. False: the key is none of them.
+static bool read_surface(struct scene_word key, float value, struct scene_phong *phong)
 {
-    static const struct {
-        const char *key, *name;
-    } values[] = {{"Ps", "sheen"}, {"Pc", "clearcoat"}, {"aniso", "anisotropy"}};
+    const struct {
+        const char *key;
+        float *value;
+    } values[] = {
+        {"Pr", &phong->roughness},
+        {"Pm", &phong->metallic},
+        {"Pc", &phong->clearcoat},
+        {"Pcr", &phong->clearcoat_roughness},
+        {"Ps", &phong->sheen},
+        {"aniso", &phong->anisotropy},
+        {"anisor", &phong->anisotropy_turns},
+    };
     for (size_t i = 0; i < sizeof values / sizeof values[0]; i++) {
-        if (value != 0 && key_is(key, values[i].key)) {
-            scene_import_unsupported(import, "%s (MTL's %s): not drawn", values[i].name, values[i].key);
+        if (key_is(key, values[i].key)) {
+            *values[i].value = value;
+            return true;
         }
     }
+    return false;
 }
 
 // One number is a grey. What is no number, as in "Kd spectral …", leaves the colour alone.
@@ -192,8 +204,8 @@ static bool read_color(struct scene_line line, float color[3])
     return true;
 }
 
-static void read_value(struct scene_import *import, struct scene_word key, struct scene_line line,
-                       struct scene_phong *phong, bool *dissolve)
+static void read_value(struct scene_word key, struct scene_line line, struct scene_phong *phong,
+                       bool *dissolve)
 {
     struct scene_line rest = line;
     float value = 0;
@@ -213,15 +225,9 @@ static void read_value(struct scene_import *import, struct scene_word key, struc
         *dissolve = true;
     } else if (key_is(key, "Tr") && !*dissolve) { // both are written, sometimes; they may contradict
         phong->opacity = 1 - value;
-    } else if (key_is(key, "Pr")) {
-        phong->roughness = value;
-    } else if (key_is(key, "Pm")) {
-        phong->metallic = value;
-    } else if (key_is(key, "illum")) {
+    } else if (!read_surface(key, value, phong) && key_is(key, "illum")) {
         phong->unlit = value == 0;
         phong->dull = value == 1;
-    } else {
-        note_unused_value(import, key, value);
     }
 }
 
@@ -255,7 +261,7 @@ bool scene_mtl_read(struct scene_import *import, struct scene_mtl *mtl, const ch
         struct scene_phong *phong = &mtl->materials[current].phong;
         if (!read_map(import, key, line, phong)) {
             note_unused_map(import, key);
-            read_value(import, key, line, phong, &dissolve);
+            read_value(key, line, phong, &dissolve);
         }
     }
     free(bytes);

@@ -262,6 +262,23 @@ static const char *library_name(struct obj *obj, struct scene_word word)
     return scene_import_string(obj->import, name, word.length);
 }
 
+// A library, or where it is not there, the one that is called as the model is: who renames one renames both.
+static bool read_library(struct obj *obj, const char *name)
+{
+    const char *slash = strrchr(obj->import->name, '/'),
+               *file = slash == NULL ? obj->import->name : slash + 1;
+    const char *dot = strrchr(file, '.');
+    char own[256];
+    snprintf(own, sizeof own, "%.*s.mtl", (int)(dot == NULL ? strlen(file) : (size_t)(dot - file)), file);
+    if (scene_import_find_file(obj->import, name) != NULL ||
+        scene_import_find_file(obj->import, own) == NULL) {
+        return scene_mtl_read(obj->import, &obj->mtl, name);
+    }
+    scene_import_warn(obj->import, "material library \"%s\" is not there; \"%s\" is read", name,
+                      scene_import_string(obj->import, own, sizeof own));
+    return scene_mtl_read(obj->import, &obj->mtl, own);
+}
+
 // One name, maybe with blanks in it, or several names.
 static void read_libraries(struct obj *obj, struct scene_line line)
 {
@@ -275,7 +292,7 @@ static void read_libraries(struct obj *obj, struct scene_line line)
         while (name.start[name.length - 1] == '\\' && scene_text_word(&line, &more)) {
             name.length = (size_t)(more.start + more.length - name.start);
         }
-        const bool found = scene_mtl_read(obj->import, &obj->mtl, library_name(obj, name));
+        const bool found = read_library(obj, library_name(obj, name));
         obj->libraries_complete = obj->libraries_complete && found;
     }
 }

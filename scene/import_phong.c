@@ -5,6 +5,8 @@
 
 #include <string.h>
 
+#include "elementary.h"
+
 // What a surface of no described material looks like: a light grey, neither dull nor shiny.
 static const float default_grey = 0.6f, default_roughness = 0.55f;
 
@@ -33,6 +35,8 @@ struct scene_phong scene_phong_default(void)
         .roughness_map = none,
         .metallic_map = none,
         .normal_scale = 1,
+        .clearcoat_map = none,
+        .clearcoat_roughness_map = none,
     };
 }
 
@@ -106,7 +110,12 @@ static void set_opacity_map(struct scene_import *import, const struct scene_phon
     material->alpha_mode = SCENE_ALPHA_BLEND; // MASK, if the decoded map turns out to be one
 }
 
-// Two maps of one number each; each takes the place of its number, as in Blender.
+static bool is_there(const struct scene_phong_texture *texture)
+{
+    return texture->source.file != NULL || texture->source.bytes != NULL;
+}
+
+// Two maps of one number each; each takes the place of its number, as in Blender, unless it is missing.
 static void set_surface_maps(struct scene_import *import, const struct scene_phong *phong,
                              struct scene_material *material)
 {
@@ -119,11 +128,11 @@ static void set_surface_maps(struct scene_import *import, const struct scene_pho
     *channels = (struct scene_import_channels){-1, -1, roughness->channel, metallic->channel};
     if (roughness->name != NULL) {
         channels->roughness = find_or_add(import, roughness->name, &roughness->source);
-        material->roughness = 1;
+        material->roughness = is_there(roughness) ? 1 : material->roughness;
     }
     if (metallic->name != NULL) {
         channels->metallic = find_or_add(import, metallic->name, &metallic->source);
-        material->metallic = 1;
+        material->metallic = is_there(metallic) ? 1 : material->metallic;
     }
     const struct scene_import_source source = {.opacity_image = -1, .channels = channels};
     struct scene_texture_slot *slot = &material->slots[SCENE_SLOT_METALLIC_ROUGHNESS];
@@ -164,6 +173,28 @@ static void set_surface(const struct scene_phong *phong, struct scene_material *
     material->unlit = phong->unlit;
 }
 
+// MTL's PBR extension, which is as far as such a material goes. Sheen is white and as rough as Blender has it.
+static void set_layers(struct scene_import *import, const struct scene_phong *phong,
+                       struct scene_material *material)
+{
+    const double turn = 2 * 3.14159265358979324;
+    const float sheen_roughness = 0.5f;
+    struct scene_layers *layers = &material->layers;
+    const bool coated = set_slot(import, &phong->clearcoat_map, &material->slots[SCENE_SLOT_CLEARCOAT]);
+    const bool rough =
+        set_slot(import, &phong->clearcoat_roughness_map, &material->slots[SCENE_SLOT_CLEARCOAT_ROUGHNESS]);
+    layers->clearcoat = coated ? 1 : limited(phong->clearcoat, 0, 1);
+    layers->clearcoat_roughness = rough ? 1 : limited(phong->clearcoat_roughness, 0, 1);
+    layers->anisotropy = limited(phong->anisotropy, 0, 1);
+    layers->anisotropy_direction[0] = (float)scene_cos((double)phong->anisotropy_turns * turn);
+    layers->anisotropy_direction[1] = (float)scene_sin((double)phong->anisotropy_turns * turn);
+    layers->sheen_roughness = sheen_roughness;
+    for (int c = 0; c < 3; c++) {
+        layers->sheen_color[c] = limited(phong->sheen, 0, 1);
+    }
+    layers->used = layers->clearcoat > 0 || layers->anisotropy > 0 || phong->sheen > 0;
+}
+
 static void set_opacity(struct scene_import *import, const struct scene_phong *phong,
                         struct scene_material *material)
 {
@@ -196,6 +227,7 @@ uint32_t scene_phong_add(struct scene_import *import, const struct scene_phong *
     }
     material->normal_scale = limited(phong->normal_scale, -10, 10);
     set_surface_maps(import, phong, material);
+    set_layers(import, phong, material);
     set_slot(import, &phong->occlusion, &material->slots[SCENE_SLOT_OCCLUSION]);
     decode(phong->emissive, material->emissive);
     const bool glows = set_slot(import, &phong->emissive_map, &material->slots[SCENE_SLOT_EMISSIVE]);

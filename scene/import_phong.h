@@ -26,7 +26,9 @@ struct scene_phong {
     bool unlit;
     struct scene_phong_texture color, opacity_map, normal, height, occlusion, emissive_map, roughness_map,
         metallic_map;
-    float normal_scale; ///< of `normal` or `height`
+    float normal_scale;                                                        ///< of `normal` or `height`
+    float clearcoat, clearcoat_roughness, sheen, anisotropy, anisotropy_turns; ///< 0: none
+    struct scene_phong_texture clearcoat_map, clearcoat_roughness_map;
 };
 
 struct scene_phong scene_phong_default(void);

@@ -51,7 +51,7 @@ static void add_solid(struct scene_import *import, struct solid *solid)
 static void set_normal(struct solid *solid, size_t first, const float normal[3])
 {
     const float square = normal[0] * normal[0] + normal[1] * normal[1] + normal[2] * normal[2];
-    solid->lacks_normals = solid->lacks_normals || !(square > 1e-12f);
+    solid->lacks_normals = solid->lacks_normals || !(square > 1e-12f && square < 1e12f);
     for (size_t k = 0; k < 3; k++) {
         memcpy(solid->normals[first + k], normal, sizeof solid->normals[first + k]);
     }
@@ -272,12 +272,23 @@ static void read_text(struct scene_import *import, char *bytes, size_t size)
     }
 }
 
+// Past blanks and comments.
+static const char *first_word(const char *text)
+{
+    text += strspn(text, " \t\r\n");
+    while (*text == '#') {
+        text += strcspn(text, "\r\n");
+        text += strspn(text, " \t\r\n");
+    }
+    return text;
+}
+
 // Text begins with "solid"; so do heads of binary files, which have the length that they say or bytes that are no text.
 static bool is_text(const char *bytes, size_t size)
 {
     enum { LOOKED_AT = 512 };
-    const size_t blanks = strspn(bytes, " \t\r\n"), end = size < LOOKED_AT ? size : LOOKED_AT;
-    if (strncasecmp(bytes + blanks, "solid", 5) != 0) {
+    const size_t end = size < LOOKED_AT ? size : LOOKED_AT;
+    if (strncasecmp(first_word(bytes), "solid", 5) != 0) {
         return false;
     }
     if (size >= HEADER && size == HEADER + (uint64_t)FACET * read_32((const unsigned char *)bytes + 80)) {

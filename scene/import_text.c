@@ -99,6 +99,11 @@ struct scene_word scene_text_rest(struct scene_line line)
     while (line.cursor < line.end && is_blank(*line.cursor)) {
         line.cursor++;
     }
+    for (const char *c = line.cursor; c < line.end; c++) {
+        if (*c == '#' && c > line.cursor && is_blank(c[-1]) && (c + 1 == line.end || is_blank(c[1]))) {
+            line.end = c;
+        }
+    }
     while (line.end > line.cursor && is_blank(line.end[-1])) {
         line.end--;
     }

@@ -29,7 +29,7 @@ struct scene_text scene_text_open(struct scene_import *import, char *bytes, size
 bool scene_text_line(struct scene_text *text, bool continued, struct scene_line *line);
 /// The next word of a line; false when there is none.
 bool scene_text_word(struct scene_line *line, struct scene_word *word);
-/// What is left of a line without blanks at its ends.
+/// What is left of a line without blanks at its ends and without a comment: a # that stands alone and what follows.
 struct scene_word scene_text_rest(struct scene_line line);
 bool scene_word_is(struct scene_word word, const char *text); ///< case matters
 /// The number at the start of a word; `length` bytes of it were read. False: it starts with none. "nan" and

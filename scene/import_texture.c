@@ -359,6 +359,7 @@ static void show_stand_in(struct scene_material *material)
         material->base_color[c] = 1;
     }
     material->metallic = 0;
+    material->layers.used = false;
     material->alpha_mode = SCENE_ALPHA_OPAQUE;
 }
 

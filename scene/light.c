@@ -198,7 +198,7 @@ void scene_lighting_surround(struct scene_lighting *lighting, const struct scene
     for (int i = 0; i < 27; i++) {
         e->irradiance[i / 3][i % 3] *= scale;
     }
-    if (!lighting->from_file) { // in place of the key light
+    if (!lighting->from_file && lighting->count > 0) { // in place of the key light
         struct scene_shader_light *sun = &lighting->lights[0];
         *sun = surroundings->sun;
         sun->casts = 1;

@@ -147,11 +147,15 @@ struct scene_surface {
     float disc[2];    // the least half width and height of points, in clip coordinates
 };
 
-// Uniforms of the background. Colours are linear and premultiplied.
+// Uniforms of the background. `top`, linear and premultiplied, is all of it where it is even; between two sRGB codes it is
+// dithered, because the codes between are too few for a smooth run.
 struct scene_backdrop {
-    float top[4], bottom[4];
-    float inverse_height; // of the picture, in pixels of the pass
-    float first_row;      // of this band
+    float top[4];
+    float codes[2][3];    // of the first and the last row, 0..255
+    float inverse_height; // of the picture
+    float first_row;      // of this band, in pixels of the pass
+    float inverse_side;   // pixels of the picture per pixel of the pass
+    float decode[256];    // codes to light
 };
 
 // Uniforms of the passes that make ambient occlusion. View space: x right, y up, z to the viewer; a texel's centre (x, y)

@@ -15,14 +15,30 @@ static void screen_vertex(struct rhw_vertex *groups, int count)
     }
 }
 
+// 0..1, each of 64 levels once in 8 × 8 pixels, neighbours far apart (B. Bayer 1973).
+static rhw_float bayer(rhw_int x, rhw_int y)
+{
+    const rhw_int both = x ^ y;
+    const rhw_int level =
+        (both & 1) << 5 | (y & 1) << 4 | (both & 2) << 2 | (y & 2) << 1 | (both & 4) >> 1 | (y & 4) >> 2;
+    return (rhw_float_from_int(level) + 0.5f) * (1.0f / 64.0f);
+}
+
 static void backdrop_fragment(struct rhw_fragment *groups, int count)
 {
     const struct scene_backdrop *b = groups->uniforms;
     for (int g = 0; g < count; g++) {
-        const rhw_float down = (groups[g].coord[1] + b->first_row) * b->inverse_height;
-        for (int c = 0; c < 4; c++) {
-            groups[g].color[0][c] = b->top[c] + (b->bottom[c] - b->top[c]) * down;
+        const rhw_int column = rhw_int_from_float_unchecked(groups[g].coord[0] * b->inverse_side);
+        const rhw_int row =
+            rhw_int_from_float_unchecked((groups[g].coord[1] + b->first_row) * b->inverse_side);
+        const rhw_float down = (rhw_float_from_int(row) + 0.5f) * b->inverse_height,
+                        threshold = bayer(column, row);
+        for (int c = 0; c < 3; c++) {
+            const rhw_float code = b->codes[0][c] + (b->codes[1][c] - b->codes[0][c]) * down;
+            const rhw_int whole = rhw_int_from_float_unchecked(rhw_floor(code + threshold));
+            groups[g].color[0][c] = rhw_gather(b->decode, 256, whole);
         }
+        groups[g].color[0][3] = rhw_splat(1.0f);
     }
 }
 

@@ -52,6 +52,7 @@ struct scene_view {
     enum scene_background background;
     uint8_t background_color[3]; ///< sRGB, for SCENE_BACKGROUND_COLOR
     bool default_lights;         ///< leave the lights of the file off
+    bool no_lights;              ///< with default_lights: the surroundings alone
     bool shadows;                ///< of the lights
     bool ambient_occlusion;      ///< what stands near dims the light of the surroundings
     const struct scene_panorama

@@ -41,10 +41,11 @@ succeed render cube.obj $view --format png -o plain
 check "--format names the format" cmp -s a.png plain
 succeed render $view -o again.png cube.obj
 check "options stand anywhere" cmp -s a.png again.png
-succeed render cube.obj $view -o c16.png --bits 16
+succeed render cube.obj $view -o c16.png --bits 16 --samples 1
+succeed render cube.obj $view -o one.png --samples 1
 check "16 bit colour" test "$(bytes c16.png 24 2)" = "16 2"
-check "16 bit colour rounds to the 8 bit one" "$rhw" compare a.png c16.png --tolerance 0.501/255 >"$folder/log/compare"
-if equal a.png c16.png; then
+check "16 bit colour rounds to the 8 bit one" "$rhw" compare one.png c16.png --tolerance 0.501/255 >"$folder/log/compare"
+if equal one.png c16.png; then
     fail "16 bit colour has no more precision than 8 bits"
 fi
 
@@ -112,6 +113,53 @@ differs "--wireframe=plain" --wireframe=plain
 differs "--orbit" --orbit 200,10
 differs "--camera" --camera 0,0,9,0,0,0,0,1,0,30
 differs "--fovy" --fovy 80
+differs "--zoom" --zoom 2
+differs "--margin" --margin 20
+differs "--ortho" --ortho
+differs "--orbit with one angle" --orbit 200
+differs "--lights none" --lights none
+succeed render cube.obj $view -o other.png --orbit 200,20
+succeed render cube.obj $view -o one.png --orbit 200
+check "one angle of --orbit is the azimuth, from 20 degrees" equal other.png one.png
+succeed render cube.obj --size 64 -o square.png
+check "--size N is a square" test "$(bytes square.png 16 8)" = "0 0 0 64 0 0 0 64"
+succeed render cube.obj $view -o other.ppm --background '#f00'
+check "three digits of a colour" test "$(bytes other.ppm 13 3)" = "255 0 0"
+succeed render cube.obj $view -o other.ppm --background skyblue
+check "a colour by name" test "$(bytes other.ppm 13 3)" = "135 206 235"
+# A camera that was printed draws the picture again.
+succeed render cube.obj $view -o one.png --orbit 50,10 --zoom 1.5 --print-camera
+succeed render cube.obj $view -o other.png $(cat "$folder/log/out")
+succeed compare one.png other.png --tolerance 2
+# A picture fits its frame exactly without a margin and perspective: the cube from its front is a square.
+succeed render cube.obj --size 64 -o front.ppm --ortho --margin 0 --orbit 0,0 --background black --samples 1
+check "no margin" test "$(bytes front.ppm 13 3)" != "0 0 0"
+# Without -o the picture has the model's name, beside us and not over a file.
+mkdir -p sub && cp cube.mtl sub/ && cp cube.obj sub/named.obj
+succeed sub/named.obj $view
+check "a model by itself is drawn" equal a.png named.png
+refuse 2 "named.png: is there already; name the picture by -o OUT" render sub/named.obj
+# JPEG and WebP: what other programs make of them is what was drawn.
+succeed render cube.obj $view -o a.webp
+check "WebP header" test "$(head -c 4 a.webp)$(bytes a.webp 8 4)" = "RIFF87 69 66 80"
+succeed render cube.obj $view -o a.jpg
+check "JPEG header" test "$(bytes a.jpg 0 2)" = "255 216"
+succeed render cube.obj $view -o low.jpg --quality 10
+check "a lower quality is smaller" test "$(wc -c <low.jpg)" -lt "$(wc -c <a.jpg)"
+succeed render cube.obj $view -o t.webp --background transparent
+succeed render cube.obj $view -o d.jpg --output depth
+if command -v dwebp >/dev/null && command -v djpeg >/dev/null; then
+    dwebp -quiet a.webp -ppm -o back.ppm && check "WebP is lossless" equal a.png back.ppm
+    djpeg a.jpg >back.ppm && succeed compare a.png back.ppm --tolerance 24
+fi
+refuse 2 "--background: a JPEG file cannot be transparent" render cube.obj -o b.jpg --background transparent
+refuse 2 "--bits: a WebP file always holds 8 bits per sample" render cube.obj -o b.webp --bits 16
+refuse 2 "--quality: is for JPEG and WebP files" render cube.obj -o b.png --quality 50
+refuse 2 "--size: a WebP file has at most 16383 pixels" render cube.obj -o b.webp --size 16384
+refuse 2 "--zoom: '0' is not a factor" render cube.obj -o b.png --zoom 0
+refuse 2 "--margin: '50' is not a percentage of 0 to 45" render cube.obj -o b.png --margin 50
+refuse 2 "--zoom: cannot be together with --camera" render cube.obj -o b.png --zoom 2 --camera 0,0,9,0,0,0,0,1,0,30
+refuse 2 "--ortho: cannot be together with --fovy" render cube.obj -o b.png --ortho --fovy 20
 differs "--background" --background black
 differs "--exposure" --exposure=-2
 # A step: its upper edge casts a shadow and its corner is dark.

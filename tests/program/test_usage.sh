@@ -26,7 +26,7 @@ for verb in render compare info bench; do
     [ $verb = bench ] || refuse 2 "$verb: expected " $verb
 done
 
-refuse 2 "render: -o OUT is missing" render cube.obj
+refuse 2 "render: -o OUT is missing" render -
 refuse 2 "extra: one argument too many" render cube.obj extra -o a.png
 refuse 2 "-o: needs an argument|--out: needs an argument" render cube.obj -o
 refuse 2 "'': no format for this ending" render cube.obj -o ""
@@ -34,8 +34,8 @@ refuse 1 "'': cannot be opened" render "" -o a.png
 refuse 2 "--quiet: takes no argument" render cube.obj -o a.png --quiet=1
 refuse 2 "--si.*: needs an argument" render cube.obj -o a.png --size
 
-for size in 0x10 10x0 16385x1 1x16385 -1x5 10 x 10x 10x10x10 1e3x5 99999999999x1 ' 1x1' '1x 1' ''; do
-    refuse 2 "--size: '$size' is not WxH with both 1..16384" render cube.obj -o a.png --size "$size"
+for size in 0x10 10x0 16385x1 1x16385 -1x5 0 16385 -3 x 10x 10x10x10 1e3x5 99999999999x1 ' 1x1' '1x 1' ''; do
+    refuse 2 "--size: '$size' is not WxH or one number, each 1..16384" render cube.obj -o a.png --size "$size"
 done
 for samples in 0 2 3 17 x -4 4.0; do
     refuse 2 "--supersample: '$samples' is not 1, 4, 9 or 16" render cube.obj -o a.png --supersample=$samples
@@ -54,14 +54,14 @@ done
 refuse 2 "--output: 'colour' is no output; there are color, depth, distance, normal, position, uv, object, triangle, bary, all" render cube.obj -o a.png --output depth,colour,normal
 refuse 2 "--output: '' is no output" render cube.obj -o a.png --output depth,
 refuse 2 "--bits: '10' is not 8 or 16" render cube.obj -o a.png --bits 10
-refuse 2 "--format: 'jpg' is not png, exr or ppm" render cube.obj -o a.png --format jpg
+refuse 2 "--format: 'gif' is not png, exr, ppm, jpeg or webp" render cube.obj -o a.png --format gif
 refuse 2 "--background: environment needs --environment FILE" render cube.obj -o a.png --background environment
 refuse 2 "--tone-map: 'filmic' is not neutral, aces, agx or none" render cube.obj -o a.png --tone-map filmic
 refuse 2 "--shadows: 'soft' is not on or off" render cube.obj -o a.png --shadows soft
 refuse 2 "--environment-rotation: 'north' is not a number" render cube.obj -o a.png --environment-rotation north
 refuse 2 "--exposure: '21' is not a number of -20 to 20" render cube.obj -o a.png --exposure 21
 refuse 2 "--exposure: 'nan' is not" render cube.obj -o a.png --exposure nan
-refuse 2 "--lights: 'none' is not file or default" render cube.obj -o a.png --lights none
+refuse 2 "--lights: 'off' is not file, default or none" render cube.obj -o a.png --lights off
 refuse 2 "--fovy: '180' is not an angle" render cube.obj -o a.png --fovy 180
 
 refuse 2 "--camera: '1,2,3' is not ten numbers" render cube.obj -o a.png --camera 1,2,3
@@ -69,14 +69,14 @@ refuse 2 "--camera: .* is not ten numbers" render cube.obj -o a.png --camera 0,0
 refuse 2 "--camera: .* is not ten numbers" render cube.obj -o a.png --camera 0,0,inf,0,0,0,0,1,0,30
 refuse 2 "--camera: " render cube.obj -o a.png --camera 1,1,1,1,1,1,0,1,0,30
 refuse 2 "--camera: " render cube.obj -o a.png --camera 0,0,5,0,0,0,0,1,0,180
-refuse 2 "--orbit: '30' is not two angles" render cube.obj -o a.png --orbit 30
+refuse 2 "--orbit: '30,1,2' is not one or two angles" render cube.obj -o a.png --orbit 30,1,2
 refuse 2 "--orbit: cannot be together with --camera" render cube.obj -o a.png --camera 0,0,5,0,0,0,0,1,0,30 --orbit 1,2
 refuse 2 "--fovy: cannot be together with --camera" render cube.obj -o a.png --camera 0,0,5,0,0,0,0,1,0,30 --fovy 30
 refuse 2 "--camera-index: '-1' is not a number" render cube.obj -o a.png --camera-index=-1
 refuse 2 "--camera-index: cube.obj has no cameras" render cube.obj -o a.png --camera-index 0
 refuse 2 "--camera-name: cube.obj has no cameras" render cube.obj -o a.png --camera-name front
 
-refuse 2 "a.jpg: no format for this ending" render cube.obj -o a.jpg
+refuse 2 "a.gif: no format for this ending" render cube.obj -o a.gif
 refuse 2 "png: no format for this ending" render cube.obj -o png
 refuse 2 ".png: no format for this ending" render cube.obj -o .png
 refuse 2 "--background: a PPM file cannot be transparent" render cube.obj -o a.ppm --background transparent

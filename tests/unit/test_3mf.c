@@ -241,6 +241,27 @@ static void test_multiplied(void **state)
     scene_model_free(model);
 }
 
+// A path that is wrong but for its end.
+static void test_moved_texture(void **state)
+{
+    (void)state;
+    unsigned char tga[64];
+    const size_t size = make_tga(tga, 1, (const unsigned char[]){255, 0, 0, 128});
+    zipFile zip = begin_package("x.3mf");
+    add_model(zip, "3D/3dmodel.model",
+              "<m:texture2d id=\"2\" path=\"./Textures/a.tga\"/><m:texture2dgroup id=\"4\" "
+              "texid=\"2\"><m:tex2coord u=\"0\" "
+              "v=\"0\"/></m:texture2dgroup><object id=\"3\" pid=\"4\" pindex=\"0\">" MESH(
+                  "<triangle v1=\"0\" v2=\"1\" v3=\"2\"/>") "</object>",
+              "<item objectid=\"3\"/>");
+    add_entry(zip, "3D/Textures/A.TGA", tga, size);
+    assert_int_equal(zipClose(zip, NULL), ZIP_OK);
+    struct scene_model *model = load("x.3mf");
+    assert_int_equal(model->warning_count, 0);
+    assert_int_equal(model->images[0].width, 1);
+    scene_model_free(model);
+}
+
 static void test_missing_texture(void **state)
 {
     (void)state;
@@ -432,6 +453,7 @@ int main(void)
         cmocka_unit_test(test_layers),
         cmocka_unit_test(test_multiplied),
         cmocka_unit_test(test_missing_texture),
+        cmocka_unit_test(test_moved_texture),
         cmocka_unit_test(test_components),
         cmocka_unit_test(test_circle),
         cmocka_unit_test(test_too_many),

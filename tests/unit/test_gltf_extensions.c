@@ -489,6 +489,32 @@ static void test_variants(void **state)
     assert_string_equal(error, "has no variants of its materials");
 }
 
+// Rules that other viewers forgive, and what is left out.
+static void test_forgiven(void **state)
+{
+    (void)state;
+    struct scene_model *model =
+        load_text("number.gltf",
+                  "{\"asset\":{\"version\":2},\"scenes\":[{\"nodes\":[0]}],\"nodes\":[{\"name\":\"a\"}]}");
+    assert_true(has_warning(model, "asset.version is the number 2; it must be the string \"2.0\""));
+    scene_model_free(model);
+    // An extension that is used and not listed; one that says nothing about the picture.
+    const float triangle[9] = {0, 0, 0, 1, 0, 0, 0, 1, 0};
+    write_format("used.gltf",
+                 "{\"asset\":{\"version\":\"2.0\"},\"extensionsUsed\":[\"KHR_xmp_json_ld\"],\"scenes\":[{"
+                 "\"nodes\":[0]}],"
+                 "\"nodes\":[{\"mesh\":0}],\"meshes\":[{\"primitives\":[{\"material\":0,\"attributes\":{"
+                 "\"POSITION\":0}}]}],"
+                 "\"materials\":[{\"extensions\":{\"EXT_glow\":{}}}],\"accessors\":[{\"bufferView\":0,"
+                 "\"componentType\":5126,\"count\":3,\"type\":\"VEC3\"}],\"bufferViews\":[{\"buffer\":0,"
+                 "\"byteLength\":36}],\"buffers\":[{\"byteLength\":36,\"uri\":\"%s\"}]}",
+                 data_uri(triangle, sizeof triangle));
+    model = load("used.gltf");
+    assert_int_equal(model->unsupported_count, 1);
+    assert_string_equal(model->unsupported[0], "glTF extension EXT_glow: ignored");
+    scene_model_free(model);
+}
+
 // A triangle with one material, its `members` besides the name.
 static struct scene_model *load_material(const char *members)
 {
@@ -579,17 +605,6 @@ static void test_layers(void **state)
     assert_near(l->clearcoat, 1);
     assert_true(l->attenuation_distance > 1e30f);
     assert_false(scene_material_transmits(&model->materials[0]));
-    scene_model_free(model);
-}
-
-// Rules that other viewers forgive, and what is left out.
-static void test_forgiven(void **state)
-{
-    (void)state;
-    struct scene_model *model =
-        load_text("number.gltf",
-                  "{\"asset\":{\"version\":2},\"scenes\":[{\"nodes\":[0]}],\"nodes\":[{\"name\":\"a\"}]}");
-    assert_true(has_warning(model, "asset.version is the number 2; it must be the string \"2.0\""));
     scene_model_free(model);
 }
 

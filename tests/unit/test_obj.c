@@ -50,8 +50,8 @@ static void test_surface_maps(void **state)
     (void)state;
     write_picture("rough.tga", (const unsigned char[]){1, 64, 2, 3, 128, 4});
     write_picture("metal.tga", (const unsigned char[]){200, 5, 6, 100, 7, 8});
-    struct scene_model *model = load_material(
-        "Pr 0.2\nPm 0.3\nmap_Pr -s 2 2 1 -imfchan g rough.tga\nmap_Pm metal.tga\nPs 0.5\nPc 1\n");
+    struct scene_model *model =
+        load_material("Pr 0.2\nPm 0.3\nmap_Pr -s 2 2 1 -imfchan g rough.tga\nmap_Pm metal.tga\n");
     assert_int_equal(model->warning_count, 0);
     const struct scene_material *material = material_of(model);
     const struct scene_texture_slot *slot = &material->slots[SCENE_SLOT_METALLIC_ROUGHNESS];
@@ -62,8 +62,28 @@ static void test_surface_maps(void **state)
     assert_int_equal(image->width, 2);
     assert_memory_equal(image->texels, ((const uint8_t[]){255, 64, 200, 255, 255, 128, 100, 255}), 8);
     assert_true(image->used_as_data);
-    assert_true(is_unsupported(model, "sheen (MTL's Ps)"));
-    assert_true(is_unsupported(model, "clearcoat (MTL's Pc)"));
+    scene_model_free(model);
+}
+
+// Coats, sheen and anisotropy; a map takes the place of its number.
+static void test_layers(void **state)
+{
+    (void)state;
+    struct scene_model *model =
+        load_material("Ps 0.5\nPc 0.25\nPcr 0.125\nmap_Pc metal.tga\naniso 0.75\nanisor 0.25\n");
+    const struct scene_material *material = material_of(model);
+    const struct scene_layers *layers = &material->layers;
+    assert_true(layers->used);
+    assert_floats(&layers->clearcoat, (const float[]){1}, 1, 0);
+    assert_floats(&layers->clearcoat_roughness, (const float[]){0.125f}, 1, 0);
+    assert_floats(layers->sheen_color, (const float[]){0.5f, 0.5f, 0.5f}, 3, 0);
+    assert_floats(&layers->anisotropy, (const float[]){0.75f}, 1, 0);
+    assert_floats(layers->anisotropy_direction, (const float[]){0, 1}, 2, 1e-6f);
+    assert_true(material->slots[SCENE_SLOT_CLEARCOAT].image >= 0);
+    scene_model_free(model);
+    model = load_material("Pr 0.5\nmap_Ps metal.tga\n");
+    assert_false(material_of(model)->layers.used);
+    assert_true(is_unsupported(model, "sheen textures"));
     scene_model_free(model);
 }
 
@@ -83,9 +103,10 @@ static void test_one_surface_map(void **state)
 static void test_missing_surface_map(void **state)
 {
     (void)state;
-    struct scene_model *model = load_material("map_Pr none.tga\n");
+    struct scene_model *model = load_material("Pr 0.25\nmap_Pr none.tga\n");
     assert_true(has_warning(model, "texture \"none.tga\": No such file or directory; left out"));
     assert_int_equal(material_of(model)->slots[SCENE_SLOT_METALLIC_ROUGHNESS].image, -1);
+    assert_floats(&material_of(model)->roughness, (const float[]){0.25f}, 1, 0);
     scene_model_free(model);
 }
 
@@ -122,6 +143,20 @@ static void test_factors(void **state)
     }
 }
 
+// A # that stands alone begins a comment; one in a name does not.
+static void test_comments(void **state)
+{
+    (void)state;
+    write_text("a b.mtl", "newmtl _Material #25 # of 3ds Max\nKd 1 0 0 # red\n");
+    struct scene_model *model = load_text(
+        "m.obj",
+        "mtllib a b.mtl # beside\nv 0 0 0 # here\nv 1 0 0\nv 0 1 0\nusemtl _Material #25 #\nf 1 2 3 # all\n");
+    assert_int_equal(model->warning_count, 0);
+    assert_string_equal(material_of(model)->name, "_Material #25");
+    assert_floats(material_of(model)->base_color, (const float[]){1, 0, 0, 1}, 4, 0);
+    scene_model_free(model);
+}
+
 static void test_cut(void **state)
 {
     (void)state;
@@ -145,10 +180,12 @@ int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(test_surface_maps),
+        cmocka_unit_test(test_layers),
         cmocka_unit_test(test_one_surface_map),
         cmocka_unit_test(test_missing_surface_map),
         cmocka_unit_test(test_emission_and_relief),
         cmocka_unit_test(test_factors),
+        cmocka_unit_test(test_comments),
         cmocka_unit_test(test_cut),
     };
     return cmocka_run_group_tests(tests, make_directory, remove_directory);

@@ -82,6 +82,21 @@ static void test_longest_end(void **state)
     rmdir(path_of("b"));
 }
 
+// An OBJ that was renamed, with its library.
+static void test_renamed(void **state)
+{
+    (void)state;
+    write_text("new name.mtl", "newmtl m\nKd 1 0 0\n");
+    struct scene_model *model =
+        load_text("new name.obj", "mtllib old.mtl\nv 0 0 0\nv 1 0 0\nv 0 1 0\nusemtl m\nf 1 2 3\n");
+    assert_true(has_warning(model, "material library \"old.mtl\" is not there; \"new name.mtl\" is read"));
+    assert_floats(model->materials[model->meshes[0].material].base_color, (const float[]){1, 0, 0, 1}, 4, 0);
+    scene_model_free(model);
+    model = load_text("other.obj", "mtllib old.mtl\nv 0 0 0\nv 1 0 0\nv 0 1 0\nusemtl m\nf 1 2 3\n");
+    assert_true(has_warning(model, "material library \"old.mtl\": No such file or directory"));
+    scene_model_free(model);
+}
+
 // What stands in for a missing colour is plain magenta, whatever the material does to its texture.
 static void test_stand_in(void **state)
 {
@@ -101,10 +116,8 @@ static void test_stand_in(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_beside),
-        cmocka_unit_test(test_folders),
-        cmocka_unit_test(test_longest_end),
-        cmocka_unit_test(test_stand_in),
+        cmocka_unit_test(test_beside),  cmocka_unit_test(test_folders),  cmocka_unit_test(test_longest_end),
+        cmocka_unit_test(test_renamed), cmocka_unit_test(test_stand_in),
     };
     return cmocka_run_group_tests(tests, make_directory, remove_directory);
 }

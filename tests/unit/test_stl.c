@@ -108,15 +108,31 @@ static void test_counts(void **state)
 static void test_text(void **state)
 {
     (void)state;
-    struct scene_model *model = load_text(
-        "x.stl", " SOLID one thing\n" FACET_TEXT "endloop\nendfacet\nendsolid\nsolid empty\nendsolid empty\n"
-                 "solid two\n" FACET_TEXT "vertex 0 0.5 0\nendloop\nendfacet\nendsolid two\n");
+    struct scene_model *model =
+        load_text("x.stl", " # by hand\n# twice\n SOLID one thing # so called\n" FACET_TEXT
+                           "endloop\nendfacet\nendsolid\nsolid empty\nendsolid empty\n"
+                           "solid two\n" FACET_TEXT "vertex 0 0.5 0\nendloop\nendfacet\nendsolid two\n");
     assert_int_equal(model->warning_count, 0);
     assert_int_equal(model->instance_count, 2);
     assert_string_equal(model->instances[0].name, "one thing");
     assert_string_equal(model->instances[1].name, "two");
     assert_int_equal(model->instances[1].object, 2);
     assert_int_equal(model->triangles_drawn, 3); // the last facet has four corners
+    scene_model_free(model);
+}
+
+// Normals that are none are made from the corners.
+static void test_odd_normals(void **state)
+{
+    (void)state;
+    struct scene_model *model =
+        load_text("x.stl", "solid\n" FACET_TEXT
+                           "endloop\nendfacet\nfacet normal +inf -inf odd\nouter loop\nvertex 0 0 5\n"
+                           "vertex 0 1 5\nvertex 1 0 5\nendloop\nendfacet\nendsolid\n");
+    const struct scene_mesh *mesh = &model->meshes[0];
+    assert_int_equal(model->warning_count, 0);
+    assert_floats(mesh->normals[mesh->indices[0]], (const float[]){0, 0, 1}, 3, 1e-6f);
+    assert_floats(mesh->normals[mesh->indices[3]], (const float[]){0, 0, -1}, 3, 1e-6f);
     scene_model_free(model);
 }
 
@@ -137,8 +153,9 @@ static void test_cut_text(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_viscam), cmocka_unit_test(test_magics), cmocka_unit_test(test_no_colors),
-        cmocka_unit_test(test_counts), cmocka_unit_test(test_text),   cmocka_unit_test(test_cut_text),
+        cmocka_unit_test(test_viscam),   cmocka_unit_test(test_magics), cmocka_unit_test(test_no_colors),
+        cmocka_unit_test(test_counts),   cmocka_unit_test(test_text),   cmocka_unit_test(test_odd_normals),
+        cmocka_unit_test(test_cut_text),
     };
     return cmocka_run_group_tests(tests, make_directory, remove_directory);
 }

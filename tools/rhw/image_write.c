@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// PNG and PPM encoders; see image_write.h. EXR stands in image_write_exr.c.
+// PNG and PPM encoders; see image_write.h. Others stand in files of their own.
 #include "image_write.h"
 
 #include "message.h"
@@ -16,11 +16,16 @@ enum { PNG_LEVEL = 2, PNG_FILTER = SPNG_FILTER_CHOICE_UP };
 
 enum cli_picture_format cli_picture_format_of(const char *path)
 {
-    static const char *const endings[] = {".png", ".exr", ".ppm"};
+    static const struct {
+        const char *ending;
+        enum cli_picture_format format;
+    } endings[] = {{".png", CLI_PICTURE_PNG},  {".exr", CLI_PICTURE_EXR},   {".ppm", CLI_PICTURE_PPM},
+                   {".jpg", CLI_PICTURE_JPEG}, {".jpeg", CLI_PICTURE_JPEG}, {".webp", CLI_PICTURE_WEBP}};
     const size_t length = strlen(path);
-    for (int i = 0; i < 3; i++) {
-        if (length > 4 && strcasecmp(path + length - 4, endings[i]) == 0) {
-            return (enum cli_picture_format)i;
+    for (size_t i = 0; i < sizeof endings / sizeof *endings; i++) {
+        const size_t size = strlen(endings[i].ending);
+        if (length > size && strcasecmp(path + length - size, endings[i].ending) == 0) {
+            return endings[i].format;
         }
     }
     return CLI_PICTURE_UNKNOWN;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Encoders of picture files: PNG (libspng), PPM, and EXR (OpenEXRCore). PNG and PPM ask for one row at a
+// Encoders of picture files: PNG (libspng), PPM, JPEG (libjpeg), WebP (libwebp) and EXR (OpenEXRCore). PNG and PPM ask for one row at a
 // time, so that a conversion to bytes needs no second copy of the picture.
 #ifndef CLI_IMAGE_WRITE_H
 #define CLI_IMAGE_WRITE_H
@@ -8,9 +8,16 @@
 
 #include <stdint.h>
 
-enum cli_picture_format { CLI_PICTURE_UNKNOWN = -1, CLI_PICTURE_PNG, CLI_PICTURE_EXR, CLI_PICTURE_PPM };
+enum cli_picture_format {
+    CLI_PICTURE_UNKNOWN = -1,
+    CLI_PICTURE_PNG,
+    CLI_PICTURE_EXR,
+    CLI_PICTURE_PPM,
+    CLI_PICTURE_JPEG,
+    CLI_PICTURE_WEBP
+};
 
-/// What a file's name ends in (.png, .exr, .ppm; capitals too) says about its format.
+/// What a file's name ends in (.png, .exr, .ppm, .jpg, .jpeg, .webp; capitals too) says about its format.
 enum cli_picture_format cli_picture_format_of(const char *path);
 
 /// Fills one row of a raster: uint8_t or uint16_t samples, as `bits` says.
@@ -38,6 +45,10 @@ struct cli_exr_channel {
 bool cli_png_write(struct cli_output_file *file, const struct cli_raster *raster);
 /// Binary: P5 for one channel, P6 for three. Four are misuse.
 bool cli_ppm_write(struct cli_output_file *file, const struct cli_raster *raster);
+/// 8 bits, one or three channels, quality 1..100, colours at full resolution.
+bool cli_jpeg_write(struct cli_output_file *file, const struct cli_raster *raster, int quality);
+/// 8 bits, at most 16383 pixels each way; quality 1..100, or 0: lossless.
+bool cli_webp_write(struct cli_output_file *file, const struct cli_raster *raster, int quality);
 /// Scan lines, ZIP compression on `threads` threads; the bytes do not depend on their number.
 bool cli_exr_write(struct cli_output_file *file, int width, int height,
                    const struct cli_exr_channel *channels, int channel_count, int threads);

@@ -54,6 +54,10 @@ static int run(int argc, char **argv)
             return verbs[i].run(argc - 1, argv + 1);
         }
     }
+    // A model by itself is drawn.
+    if (word[0] != '-' && (strchr(word, '.') || strchr(word, '/'))) {
+        return cli_render(argc, argv);
+    }
     cli_error(word, "no such %s; see 'rhw --help'", word[0] == '-' ? "option" : "verb");
     return CLI_USAGE;
 }

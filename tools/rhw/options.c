@@ -157,21 +157,29 @@ bool cli_parse_float(const char *text, float *value)
     return true;
 }
 
-bool cli_parse_floats(const char *text, int count, float *values)
+bool cli_parse_numbers(const char *text, int least, int most, double *values, int *count)
 {
-    float parsed[16];
-    if (count > 16) {
-        return false;
-    }
-    for (int i = 0; i < count; i++) {
+    double parsed[16];
+    int found = 0;
+    bool more = most <= 16;
+    while (more) {
         char *end;
-        parsed[i] = strtof(text, &end);
-        if (end == text || !isfinite(parsed[i]) || *end != (i + 1 < count ? ',' : '\0')) {
+        if (found == most) {
             return false;
         }
+        parsed[found] = strtod(text, &end);
+        if (end == text || !isfinite(parsed[found]) || (*end != ',' && *end != '\0')) {
+            return false;
+        }
+        found++;
+        more = *end == ',';
         text = end + 1;
     }
-    memcpy(values, parsed, (size_t)count * sizeof *values);
+    if (found < least) {
+        return false;
+    }
+    memcpy(values, parsed, (size_t)found * sizeof *values);
+    *count = found;
     return true;
 }
 
@@ -179,6 +187,10 @@ bool cli_parse_size(const char *text, int *width, int *height)
 {
     const char *separator = strchr(text, 'x');
     char first[16];
+    if (!separator && cli_parse_int(text, 1, RHW_MAX_TARGET_SIZE, width)) {
+        *height = *width;
+        return true;
+    }
     if (!separator || (size_t)(separator - text) >= sizeof first) {
         return false;
     }
@@ -205,7 +217,12 @@ bool cli_parse_color(const char *text, uint8_t color[3])
 {
     static const struct {
         const char *name, *digits;
-    } named[] = {{"black", "000000"}, {"grey", "808080"}, {"gray", "808080"}, {"white", "ffffff"}};
+    } named[] = {{"black", "000000"},  {"grey", "808080"},    {"gray", "808080"},    {"white", "ffffff"},
+                 {"silver", "c0c0c0"}, {"red", "ff0000"},     {"maroon", "800000"},  {"orange", "ffa500"},
+                 {"yellow", "ffff00"}, {"olive", "808000"},   {"lime", "00ff00"},    {"green", "008000"},
+                 {"cyan", "00ffff"},   {"aqua", "00ffff"},    {"teal", "008080"},    {"blue", "0000ff"},
+                 {"navy", "000080"},   {"magenta", "ff00ff"}, {"fuchsia", "ff00ff"}, {"purple", "800080"},
+                 {"pink", "ffc0cb"},   {"brown", "a52a2a"},   {"beige", "f5f5dc"},   {"skyblue", "87ceeb"}};
     for (size_t i = 0; i < sizeof named / sizeof *named; i++) {
         if (strcmp(text, named[i].name) == 0) {
             text = named[i].digits;

@@ -36,7 +36,7 @@ struct cli_verb {
     const char *notes; ///< paragraphs after the options, or NULL
 };
 
-enum { CLI_OPTIONS_MAX = 40 };
+enum { CLI_OPTIONS_MAX = 60 };
 
 /// State of a walk over the options; fields below the line belong to the parser.
 struct cli_parser {
@@ -70,11 +70,12 @@ void cli_print_help(const struct cli_verb *verb);
 bool cli_parse_int(const char *text, int least, int most, int *value);
 /// Finite numbers only.
 bool cli_parse_float(const char *text, float *value);
-/// Exactly `count` numbers separated by commas.
-bool cli_parse_floats(const char *text, int count, float *values);
-/// "WxH", each 1..RHW_MAX_TARGET_SIZE.
+/// `least`..`most` (16 at most) finite numbers separated by commas; stores how many there are.
+bool cli_parse_numbers(const char *text, int least, int most, double *values, int *count);
+/// "WxH", each 1..RHW_MAX_TARGET_SIZE; "N" for a square.
 bool cli_parse_size(const char *text, int *width, int *height);
-/// "rrggbb" or "rgb" in hexadecimal, with or without a '#' in front, or "black", "grey", "white".
+/// "rrggbb" or "rgb" in hexadecimal, with or without a '#' in front, or one of CSS's better
+/// known names.
 bool cli_parse_color(const char *text, uint8_t color[3]);
 /// The index of `text` among `count` names, or -1.
 int cli_parse_name(const char *text, const char *const *names, int count);

@@ -5,6 +5,7 @@
 #include "options.h"
 #include "output_file.h"
 #include "panorama_load.h"
+#include "render_camera.h"
 #include "render_job.h"
 #include "verbs.h"
 
@@ -14,9 +15,7 @@
 #include <string.h>
 #include <time.h>
 
-enum { WARNINGS_SHOWN = 32 };
-
-static const double degree = 3.14159265358979323846 / 180.0;
+enum { WARNINGS_SHOWN = 32, JPEG_QUALITY = 92 };
 
 struct render {
     struct cli_render_job job;
@@ -132,90 +131,6 @@ static bool import_model(struct render *render)
     return true;
 }
 
-// The camera the job names in the file, or NULL when there is none.
-static const struct scene_model_camera *find_camera(const struct cli_render_job *job,
-                                                    const struct scene_model *model)
-{
-    if (job->camera == CLI_CAMERA_AUTO) {
-        return model->camera_count && job->fovy == 0.0f ? &model->cameras[0] : NULL;
-    }
-    for (uint32_t i = 0; i < model->camera_count; i++) {
-        const bool wanted = job->camera == CLI_CAMERA_INDEX
-                                ? i == (uint32_t)job->camera_index
-                                : strcmp(model->cameras[i].name, job->camera_name) == 0;
-        if (wanted) {
-            return &model->cameras[i];
-        }
-    }
-    return NULL;
-}
-
-static bool report_missing_camera(const struct cli_render_job *job, const struct scene_model *model)
-{
-    if (model->camera_count == 0) {
-        cli_error(job->camera_option, "%s has no cameras", job->model_path);
-    } else if (job->camera == CLI_CAMERA_INDEX) {
-        cli_error(job->camera_option, "%s has the cameras 0..%u only", job->model_path,
-                  model->camera_count - 1);
-    } else {
-        cli_error(job->camera_option, "%s has no camera named '%s'", job->model_path, job->camera_name);
-    }
-    return false;
-}
-
-static bool look_from_numbers(const struct render *render, struct scene_camera *camera)
-{
-    double vectors[3][3];
-    char error[256];
-    for (int i = 0; i < 9; i++) {
-        vectors[i / 3][i % 3] = (double)render->job.look[i];
-    }
-    const double yfov = (double)render->job.look[9] * degree;
-    if (scene_camera_look(camera, render->model, vectors[0], vectors[1], vectors[2], yfov, error,
-                          sizeof error)) {
-        return true;
-    }
-    cli_error("--camera", "%s", error);
-    return false;
-}
-
-static struct scene_camera fit_camera(const struct render *render)
-{
-    const struct cli_render_job *job = &render->job;
-    const enum scene_axis up = job->has_up ? job->up : render->model->up;
-    struct scene_orbit orbit =
-        job->camera == CLI_CAMERA_ORBIT ? job->orbit : scene_camera_default_orbit(render->model, up);
-    orbit.up = up;
-    orbit.whole = job->fit_all;
-    const double yfov = job->fovy > 0.0f ? (double)job->fovy * degree : scene_camera_default_yfov();
-    return scene_camera_fit(render->model, orbit, yfov, (double)job->width / (double)job->height);
-}
-
-static bool choose_camera(struct render *render, struct scene_camera *camera)
-{
-    const struct cli_render_job *job = &render->job;
-    if (job->camera == CLI_CAMERA_LOOK) {
-        return look_from_numbers(render, camera);
-    }
-    const bool fitted = job->camera == CLI_CAMERA_FIT || job->camera == CLI_CAMERA_ORBIT;
-    const struct scene_model_camera *found = fitted ? NULL : find_camera(job, render->model);
-    if (!fitted && !found && job->camera != CLI_CAMERA_AUTO) {
-        return report_missing_camera(job, render->model);
-    }
-    const double aspect = (double)job->width / (double)job->height;
-    *camera = found ? scene_camera_from_model(found, aspect) : fit_camera(render);
-    if (found && job->camera == CLI_CAMERA_AUTO && render->model->doubts_cameras &&
-        !scene_camera_is_believable(render->model, camera, aspect)) {
-        if (!job->quiet) {
-            cli_warning(job->model_path,
-                        "its camera sees next to nothing of the model, which is fitted instead");
-        }
-        *camera = fit_camera(render);
-        render->distrusts_camera = true;
-    }
-    return true;
-}
-
 // False: the command line asks for a view that cannot be.
 static bool set_view(struct render *render)
 {
@@ -232,6 +147,7 @@ static bool set_view(struct render *render)
     view->background = job->background;
     memcpy(view->background_color, job->background_color, sizeof view->background_color);
     view->default_lights = job->default_lights;
+    view->no_lights = job->no_lights;
     view->shadows = job->shadows;
     view->ambient_occlusion = job->ambient_occlusion;
     view->panorama = job->environment ? &render->panorama : NULL;
@@ -240,7 +156,7 @@ static bool set_view(struct render *render)
     view->up = job->has_up ? job->up : render->model->up;
     view->exposure = (double)job->exposure;
     view->outputs = cli_outputs_needed(job->kinds, job->format, job->bits);
-    if (!choose_camera(render, &view->camera)) {
+    if (!cli_camera_choose(job, render->model, &view->camera, &render->distrusts_camera)) {
         return false;
     }
     if (scene_view_check(view, error, sizeof error)) {
@@ -264,7 +180,7 @@ static enum rhw_result draw_again(struct render *render)
 {
     const struct cli_render_job *job = &render->job;
     const bool refit =
-        job->camera == CLI_CAMERA_AUTO && find_camera(job, render->model) && !render->distrusts_camera;
+        job->camera == CLI_CAMERA_AUTO && cli_camera_find(job, render->model) && !render->distrusts_camera;
     if (!job->quiet) {
         cli_warning(job->model_path, refit ? "its camera sees nothing of the model, which is fitted instead"
                                            : "nothing of the model is in the picture");
@@ -272,7 +188,7 @@ static enum rhw_result draw_again(struct render *render)
     if (!refit) {
         return RHW_OK;
     }
-    render->view.camera = fit_camera(render);
+    render->view.camera = cli_camera_fit(job, render->model);
     scene_pictures_free(&render->pictures);
     return scene_draw(render->scene, &render->view, &render->pictures, &render->stats);
 }
@@ -281,7 +197,7 @@ static enum rhw_result draw_again(struct render *render)
 static void warn_of_a_partial_view(const struct render *render)
 {
     const struct cli_render_job *job = &render->job;
-    if (!job->quiet && job->camera == CLI_CAMERA_AUTO && find_camera(job, render->model) &&
+    if (!job->quiet && job->camera == CLI_CAMERA_AUTO && cli_camera_find(job, render->model) &&
         !render->distrusts_camera &&
         !scene_camera_shows_most(render->model, &render->view.camera,
                                  (double)job->width / (double)job->height)) {
@@ -332,8 +248,13 @@ static bool encode_raster(struct render *render, struct cli_output_file *file, e
     cli_output_rasterize(&output, &render->pictures, kind, job->bits,
                          job->background == SCENE_BACKGROUND_TRANSPARENT, render->model->bounds_min,
                          render->model->bounds_max);
-    return job->format == CLI_PICTURE_PNG ? cli_png_write(file, &output.raster)
-                                          : cli_ppm_write(file, &output.raster);
+    switch (job->format) {
+    case CLI_PICTURE_PNG: return cli_png_write(file, &output.raster);
+    case CLI_PICTURE_JPEG:
+        return cli_jpeg_write(file, &output.raster, job->quality ? job->quality : JPEG_QUALITY);
+    case CLI_PICTURE_WEBP: return cli_webp_write(file, &output.raster, job->quality);
+    default: return cli_ppm_write(file, &output.raster);
+    }
 }
 
 // All files are complete before the first gets its name, so that a full disk leaves none of them.
@@ -387,6 +308,9 @@ static int run(struct render *render)
     }
     if (!draw(render) || !write_files(render)) {
         return CLI_FAILED;
+    }
+    if (job->print_camera) {
+        cli_camera_print(&render->view.camera);
     }
     render->times.total_ms = now_ms() - start;
     if (job->stats && !cli_render_report(job, render->model, &render->stats, &render->times)) {

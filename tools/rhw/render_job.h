@@ -16,6 +16,7 @@ enum cli_camera_choice {
 
 struct cli_render_job {
     const char *model_path, *out;
+    char own_out[512];   ///< where `out` points when it was not given
     const char *variant; ///< of the materials; NULL: none
     enum cli_picture_format format;
     int width, height, samples, supersample;
@@ -24,21 +25,25 @@ struct cli_render_job {
     struct scene_orbit orbit;
     bool fit_all, has_up;
     enum scene_axis up; ///< with has_up; else the model's
-    float look[10];
+    double look[10];
     int camera_index;
     const char *camera_name;
+    double zoom;   ///< of a fitted camera
+    double margin; ///< part of the picture, on each side of a fitted model; negative: the default
+    bool orthographic, print_camera;
     float fovy; ///< degrees, of a fitted camera; 0: default
     enum rhw_qualifier interpolate;
     enum scene_wireframe wireframe;
     enum scene_background background;
     uint8_t background_color[3];
-    bool default_lights, shadows, ambient_occlusion, quiet;
+    bool default_lights, no_lights, shadows, ambient_occlusion, quiet;
     float exposure;
     const char *environment; ///< a file; NULL: the studio
     float environment_rotation;
     enum scene_tone tone;
     unsigned kinds; ///< set of 1 << enum cli_output_kind
     int bits;       ///< 0: as the output wants
+    int quality;    ///< of JPEG and WebP; 0: the default
     int threads;
     enum rhw_isa isa; ///< RHW_ISA_COUNT: the best
     enum rhw_paths paths;

@@ -16,7 +16,7 @@ static bool parse_background(struct cli_render_job *job, const char *argument)
         job->background = SCENE_BACKGROUND_DEFAULT;
     } else if (!cli_parse_color(argument, job->background_color)) {
         cli_error("--background",
-                  "'%s' is not a colour (rrggbb, black, grey, white), transparent, environment or default",
+                  "'%s' is not a colour (rrggbb, rgb or a name as red), transparent, environment or default",
                   argument);
         return false;
     }
@@ -34,7 +34,8 @@ static bool parse_switch(const char *option, const char *argument, bool *on)
 bool cli_parse_look(struct cli_render_job *job, int id, const char *argument)
 {
     static const char *const qualifiers[] = {"smooth", "noperspective"},
-                             *const wireframes[] = {"over", "plain"}, *const lights[] = {"file", "default"},
+                             *const wireframes[] = {"over", "plain"},
+                             *const lights[] = {"file", "default", "none"},
                              *const tones[] = {"neutral", "aces", "agx", "none"};
     int choice;
     switch (id) {
@@ -47,8 +48,9 @@ bool cli_parse_look(struct cli_render_job *job, int id, const char *argument)
         job->wireframe = choice == 1 ? SCENE_WIREFRAME_PLAIN : SCENE_WIREFRAME_OVER;
         return choice >= 0;
     case CLI_LOOK_LIGHTS:
-        choice = cli_choose("--lights", argument, lights, 2);
-        job->default_lights = choice == 1;
+        choice = cli_choose("--lights", argument, lights, 3);
+        job->default_lights = choice > 0;
+        job->no_lights = choice == 2;
         return choice >= 0;
     case CLI_LOOK_SHADOWS: return parse_switch("--shadows", argument, &job->shadows);
     case CLI_LOOK_AMBIENT_OCCLUSION:

@@ -29,28 +29,41 @@ enum {
     OPTION_FORMAT,
     OPTION_ISA,
     OPTION_PATHS,
+    OPTION_ZOOM,
+    OPTION_MARGIN,
+    OPTION_ORTHO,
+    OPTION_PRINT_CAMERA,
+    OPTION_QUALITY,
     OPTION_STATS,
     OPTION_STRICT
 };
 
 static const struct cli_option options[] = {
-    {"out", OPTION_OUT, "OUT", "the file to write: .png, .exr or .ppm; '-' is standard output"},
-    {"size", OPTION_SIZE, "WxH", "pixels, each way 1..16384; default 1280x720"},
-    {"samples", OPTION_SAMPLES, "N", "samples of each pixel, for smooth edges: 1, 2, 4, 8 or 16; default 1"},
+    {"out", OPTION_OUT, "OUT",
+     "the file to write: .png, .jpg, .webp, .exr or .ppm; '-' is standard\noutput; default: MODEL's name "
+     "with .png in the current folder, unless there is\nsuch a file"},
+    {"size", OPTION_SIZE, "WxH", "pixels, each way 1..16384, or N for a square; default 1280x720"},
+    {"samples", OPTION_SAMPLES, "N", "samples of each pixel, for smooth edges: 1, 2, 4, 8 or 16; default 4"},
     {"supersample", OPTION_SUPERSAMPLE, "N",
      "pixels drawn and shaded for each one of the picture, which smooths surfaces too and costs as many\n"
      "times as much: 1, 4, 9 or 16; default 1"},
     {"output", OPTION_OUTPUT, "LIST", "what to write, separated by commas; default color (see below)"},
     {"bits", OPTION_BITS, "N", "8 or 16 bits per sample of PNG and PPM; default: as the output needs"},
-    {"format", OPTION_FORMAT, "NAME", "png, exr or ppm, whatever OUT ends in"},
+    {"format", OPTION_FORMAT, "NAME", "png, jpeg, webp, exr or ppm, whatever OUT ends in"},
+    {"quality", OPTION_QUALITY, "N", "of JPEG, 1..100; default 92; of WebP, which is lossless without"},
     {"fit", OPTION_FIT, "[WHAT]",
      "fit the model into the picture, also when the file has cameras: its\nsubject (the default), without a "
      "ground "
      "that would make it a dot, or\nall"},
     {"up", OPTION_UP, "AXIS", "what is up: x, y, z, -x, -y or -z; default: as the file says (see below)"},
-    {"orbit", OPTION_ORBIT, "AZ,EL",
+    {"zoom", OPTION_ZOOM, "FACTOR", "larger, or below 1 smaller, than it is fitted"},
+    {"margin", OPTION_MARGIN, "PERCENT", "left free on each side of it; default 4"},
+    {"ortho", OPTION_ORTHO, NULL, "fit it without perspective"},
+    {"print-camera", OPTION_PRINT_CAMERA, NULL,
+     "print the camera that was used as a --camera option to paste"},
+    {"orbit", OPTION_ORBIT, "AZ[,EL]",
      "fit it from these angles in degrees: azimuth 0 is the front, 90 the\nright side; elevation 90 is "
-     "straight from above; default: 30,20,\nor a flat model from its front"},
+     "straight from above, and 20 where it is left out; default:\n30,20, or a flat model from its front"},
     {"camera", OPTION_CAMERA, "NUMBERS",
      "eye, target and up (three numbers each) and the vertical field of\nview in degrees, separated by "
      "commas"},
@@ -65,7 +78,8 @@ static const struct cli_option options[] = {
      "rrggbb in hexadecimal, black, grey, white, transparent, environment or\ndefault"},
     {"variant", OPTION_VARIANT, "NAME",
      "the materials of this name, of a glTF that offers a choice; see rhw info"},
-    {"lights", CLI_LOOK_LIGHTS, "WHICH", "file (default: those of the file, if any) or default"},
+    {"lights", CLI_LOOK_LIGHTS, "WHICH",
+     "file (default: those of the file, if any), default or none, which leaves the\nsurroundings"},
     {"shadows", CLI_LOOK_SHADOWS, "WHICH", "of the lights: on (the default) or off"},
     {"ambient-occlusion", CLI_LOOK_AMBIENT_OCCLUSION, "WHICH",
      "darken where things stand close together: on (the default) or off"},
@@ -206,18 +220,19 @@ static bool parse_up(struct cli_render_job *job, const char *argument)
 
 static bool parse_camera_option(struct cli_render_job *job, int id, const char *argument)
 {
-    float angles[2];
+    double angles[2] = {0.0, 20.0};
+    int count;
     switch (id) {
     case OPTION_CAMERA:
-        if (cli_parse_floats(argument, 10, job->look)) {
+        if (cli_parse_numbers(argument, 10, 10, job->look, &count)) {
             return choose_camera(job, CLI_CAMERA_LOOK, "--camera");
         }
         cli_error("--camera", "'%s' is not ten numbers: eye, target, up (x,y,z each) and fovy in degrees",
                   argument);
         return false;
     case OPTION_ORBIT:
-        if (!cli_parse_floats(argument, 2, angles)) {
-            cli_error("--orbit", "'%s' is not two angles in degrees: azimuth,elevation", argument);
+        if (!cli_parse_numbers(argument, 1, 2, angles, &count)) {
+            cli_error("--orbit", "'%s' is not one or two angles in degrees: azimuth,elevation", argument);
             return false;
         }
         job->orbit = (struct scene_orbit){.azimuth = angles[0], .elevation = angles[1]};
@@ -231,6 +246,23 @@ static bool parse_camera_option(struct cli_render_job *job, int id, const char *
     case OPTION_CAMERA_NAME:
         job->camera_name = argument;
         return choose_camera(job, CLI_CAMERA_NAME, "--camera-name");
+    case OPTION_ZOOM:
+        if (cli_parse_numbers(argument, 1, 1, &job->zoom, &count) && job->zoom >= 0.01 &&
+            job->zoom <= 100.0) {
+            return true;
+        }
+        cli_error("--zoom", "'%s' is not a factor of 0.01 to 100", argument);
+        return false;
+    case OPTION_MARGIN:
+        if (cli_parse_numbers(argument, 1, 1, &job->margin, &count) && job->margin >= 0.0 &&
+            job->margin <= 45.0) {
+            job->margin /= 100.0;
+            return true;
+        }
+        cli_error("--margin", "'%s' is not a percentage of 0 to 45", argument);
+        return false;
+    case OPTION_ORTHO: job->orthographic = true; return true;
+    case OPTION_PRINT_CAMERA: job->print_camera = true; return true;
     case OPTION_FOVY:
         if (cli_parse_float(argument, &job->fovy) && job->fovy >= 0.01f && job->fovy <= 179.0f) {
             return true;
@@ -243,7 +275,7 @@ static bool parse_camera_option(struct cli_render_job *job, int id, const char *
 
 static bool parse_picture_option(struct cli_render_job *job, int id, const char *argument)
 {
-    static const char *const formats[] = {"png", "exr", "ppm"};
+    static const char *const formats[] = {"png", "exr", "ppm", "jpeg", "webp"};
     const char *bad;
     int format;
     switch (id) {
@@ -251,7 +283,7 @@ static bool parse_picture_option(struct cli_render_job *job, int id, const char 
         if (cli_parse_size(argument, &job->width, &job->height)) {
             return true;
         }
-        cli_error("--size", "'%s' is not WxH with both 1..%d", argument, RHW_MAX_TARGET_SIZE);
+        cli_error("--size", "'%s' is not WxH or one number, each 1..%d", argument, RHW_MAX_TARGET_SIZE);
         return false;
     case OPTION_SAMPLES:
         if (cli_parse_int(argument, 1, 16, &job->samples) && (job->samples & (job->samples - 1)) == 0) {
@@ -279,8 +311,14 @@ static bool parse_picture_option(struct cli_render_job *job, int id, const char 
         }
         cli_error("--bits", "'%s' is not 8 or 16", argument);
         return false;
+    case OPTION_QUALITY:
+        if (cli_parse_int(argument, 1, 100, &job->quality)) {
+            return true;
+        }
+        cli_error("--quality", "'%s' is not a number of 1 to 100", argument);
+        return false;
     default:
-        format = cli_choose("--format", argument, formats, 3);
+        format = cli_choose("--format", argument, formats, 5);
         job->format = (enum cli_picture_format)format;
         return format >= 0;
     }
@@ -311,11 +349,41 @@ static bool parse_option(struct cli_render_job *job, int id, const char *argumen
     case OPTION_FIT:
     case OPTION_CAMERA_INDEX:
     case OPTION_CAMERA_NAME:
+    case OPTION_ZOOM:
+    case OPTION_MARGIN:
+    case OPTION_ORTHO:
+    case OPTION_PRINT_CAMERA:
     case OPTION_FOVY: return parse_camera_option(job, id, argument);
     default:
         return id >= CLI_LOOK_INTERPOLATE ? cli_parse_look(job, id, argument)
                                           : parse_picture_option(job, id, argument);
     }
+}
+
+// MODEL's name with another ending; never over a file that is there, which may be a texture.
+static bool choose_out(struct cli_render_job *job)
+{
+    if (job->out) {
+        return true;
+    }
+    static const char *const endings[] = {"png", "exr", "ppm", "jpg", "webp"};
+    const char *slash = strrchr(job->model_path, '/'), *name = slash ? slash + 1 : job->model_path;
+    const char *dot = strrchr(name, '.');
+    const int length = dot && dot > name ? (int)(dot - name) : (int)strlen(name);
+    const char *ending = endings[job->format == CLI_PICTURE_UNKNOWN ? CLI_PICTURE_PNG : job->format];
+    snprintf(job->own_out, sizeof job->own_out, "%.*s.%s", length, name, ending);
+    if (strcmp(job->model_path, "-") == 0 || length >= (int)sizeof job->own_out - 6) {
+        cli_error("render", "-o OUT is missing: where should the picture go?");
+        return false;
+    }
+    FILE *there = fopen(job->own_out, "rb");
+    if (there) {
+        fclose(there);
+        cli_error(job->own_out, "is there already; name the picture by -o OUT");
+        return false;
+    }
+    job->out = job->own_out;
+    return true;
 }
 
 static bool check_together(struct cli_render_job *job)
@@ -324,16 +392,13 @@ static bool check_together(struct cli_render_job *job)
         cli_error("--background", "environment needs --environment FILE");
         return false;
     }
-    if (!job->out) {
-        cli_error("render", "-o OUT is missing: where should the picture go?");
-        return false;
-    }
     const bool to_stdout = strcmp(job->out, "-") == 0;
     if (job->format == CLI_PICTURE_UNKNOWN) {
         job->format = to_stdout ? CLI_PICTURE_PNG : cli_picture_format_of(job->out);
     }
     if (job->format == CLI_PICTURE_UNKNOWN) {
-        cli_error(job->out, "no format for this ending; name it .png, .exr or .ppm, or give --format");
+        cli_error(job->out,
+                  "no format for this ending; name it .png, .jpg, .webp, .exr or .ppm, or give --format");
         return false;
     }
     if (to_stdout && job->stats && strcmp(job->stats_path, "-") == 0) {
@@ -344,8 +409,24 @@ static bool check_together(struct cli_render_job *job)
         cli_error("--output", "standard output takes one output only");
         return false;
     }
-    if (job->background == SCENE_BACKGROUND_TRANSPARENT && job->format == CLI_PICTURE_PPM) {
-        cli_error("--background", "a PPM file cannot be transparent");
+    const bool jpeg = job->format == CLI_PICTURE_JPEG, webp = job->format == CLI_PICTURE_WEBP;
+    if (job->background == SCENE_BACKGROUND_TRANSPARENT && (jpeg || job->format == CLI_PICTURE_PPM)) {
+        cli_error("--background", "a %s file cannot be transparent", jpeg ? "JPEG" : "PPM");
+        return false;
+    }
+    if (job->bits == 16 && (jpeg || webp)) {
+        cli_error("--bits", "a %s file always holds 8 bits per sample", jpeg ? "JPEG" : "WebP");
+        return false;
+    }
+    if (jpeg || webp) {
+        job->bits = 8;
+    }
+    if (job->quality && !jpeg && !webp) {
+        cli_error("--quality", "is for JPEG and WebP files");
+        return false;
+    }
+    if (webp && (job->width > 16383 || job->height > 16383)) {
+        cli_error("--size", "a WebP file has at most 16383 pixels each way");
         return false;
     }
     if (job->bits && job->format == CLI_PICTURE_EXR) {
@@ -359,6 +440,26 @@ static bool check_together(struct cli_render_job *job)
         return false;
     }
     const bool fitted = job->camera <= CLI_CAMERA_ORBIT;
+    const char *const fit_option = job->orthographic    ? "--ortho"
+                                   : job->margin >= 0.0 ? "--margin"
+                                   : job->zoom != 1.0   ? "--zoom"
+                                                        : NULL;
+    if (fit_option && !fitted) {
+        cli_error(fit_option, "cannot be together with %s", job->camera_option);
+        return false;
+    }
+    if (fit_option && job->camera == CLI_CAMERA_AUTO) {
+        job->camera = CLI_CAMERA_FIT;
+        job->camera_option = fit_option;
+    }
+    if (job->orthographic && (job->fovy > 0.0f || job->print_camera)) {
+        cli_error("--ortho", "cannot be together with %s", job->fovy > 0.0f ? "--fovy" : "--print-camera");
+        return false;
+    }
+    if (job->print_camera && to_stdout) {
+        cli_error("--print-camera", "standard output takes the picture already");
+        return false;
+    }
     if (job->fovy > 0.0f && !fitted) {
         cli_error("--fovy", "cannot be together with %s", job->camera_option);
         return false;
@@ -373,7 +474,9 @@ bool cli_render_job_parse(struct cli_render_job *job, int argc, char **argv, int
                                    .format = CLI_PICTURE_UNKNOWN,
                                    .width = 1280,
                                    .height = 720,
-                                   .samples = 1,
+                                   .samples = 4,
+                                   .zoom = 1.0,
+                                   .margin = -1.0,
                                    .supersample = 1,
                                    .interpolate = RHW_SMOOTH,
                                    .kinds = 1u << CLI_KIND_COLOR,
@@ -391,9 +494,9 @@ bool cli_render_job_parse(struct cli_render_job *job, int argc, char **argv, int
         *status = parser.status;
         return false;
     }
-    if (!cli_parser_operands(&parser, 1, 1) || !check_together(job)) {
+    if (!cli_parser_operands(&parser, 1, 1)) {
         return false;
     }
     job->model_path = parser.operands[0];
-    return true;
+    return choose_out(job) && check_together(job);
 }

@@ -27,21 +27,21 @@ _rhw_render() { # CURRENT PREVIOUS
     --samples) _rhw_words "$1" 1 2 4 8 16 ;;
     --supersample) _rhw_words "$1" 1 4 9 16 ;;
     --bits) _rhw_words "$1" 8 16 ;;
-    --format) _rhw_words "$1" png exr ppm ;;
+    --format) _rhw_words "$1" png jpeg webp exr ppm ;;
     --interpolate) _rhw_words "$1" smooth noperspective ;;
-    --background) _rhw_words "$1" default transparent environment black grey white ;;
+    --background) _rhw_words "$1" default transparent environment black grey white red skyblue ;;
     --up) _rhw_words "$1" x y z -x -y -z ;;
-    --lights) _rhw_words "$1" file default ;;
+    --lights) _rhw_words "$1" file default none ;;
     --tone-map) _rhw_words "$1" neutral aces agx none ;;
     --environment) _rhw_files "$1" ;;
     --shadows | --ambient-occlusion) _rhw_words "$1" on off ;;
     --isa) _rhw_words "$1" baseline avx2 avx512 ;;
     --paths) _rhw_words "$1" all in-order general ;;
-    --size | -s) _rhw_words "$1" 1280x720 1920x1080 1024x1024 3840x2160 ;;
-    --orbit | --camera | --camera-index | --camera-name | --fovy | --variant | --exposure | --environment-rotation | --threads | -j) ;;
+    --size | -s) _rhw_words "$1" 512 1280x720 1920x1080 1024x1024 3840x2160 ;;
+    --orbit | --zoom | --margin | --quality | --camera | --camera-index | --camera-name | --fovy | --variant | --exposure | --environment-rotation | --threads | -j) ;;
     *)
         if [[ $1 == -* ]]; then
-            _rhw_words "$1" --out --size --samples --supersample --output --bits --format --fit --up --orbit --camera --camera-index \
+            _rhw_words "$1" --out --size --samples --supersample --output --bits --format --quality --fit --up --orbit --zoom --margin --ortho --print-camera --camera --camera-index \
                 --camera-name --fovy --interpolate --wireframe --background --variant --lights --shadows --ambient-occlusion --environment --environment-rotation --tone-map --exposure --threads --isa --paths \
                 --stats --strict --quiet --help
         else
@@ -77,7 +77,7 @@ _rhw_bench() {
     --scene) _rhw_list "$1" $(rhw bench --list 2>/dev/null | cut -d ' ' -f 1) ;;
     --isa) _rhw_words "$1" baseline avx2 avx512 ;;
     --peer) _rhw_words "$1" llvmpipe softpipe none ;;
-    --size | -s) _rhw_words "$1" 1280x720 1920x1080 3840x2160 ;;
+    --size | -s) _rhw_words "$1" 512 1280x720 1920x1080 3840x2160 ;;
     --save) _rhw_files "$1" ;;
     --frames | --threads | -j | --peer-threads) ;;
     *)

@@ -1,0 +1,148 @@
+// SPDX-License-Identifier: MIT
+#include "render_camera.h"
+
+#include "elementary.h"
+#include "message.h"
+
+#include <math.h>
+#include <stdio.h>
+#include <string.h>
+
+static const double degree = 3.14159265358979323846 / 180.0;
+
+// The camera the job names in the file, or NULL when there is none.
+const struct scene_model_camera *cli_camera_find(const struct cli_render_job *job,
+                                                 const struct scene_model *model)
+{
+    if (job->camera == CLI_CAMERA_AUTO) {
+        return model->camera_count && job->fovy == 0.0f ? &model->cameras[0] : NULL;
+    }
+    for (uint32_t i = 0; i < model->camera_count; i++) {
+        const bool wanted = job->camera == CLI_CAMERA_INDEX
+                                ? i == (uint32_t)job->camera_index
+                                : strcmp(model->cameras[i].name, job->camera_name) == 0;
+        if (wanted) {
+            return &model->cameras[i];
+        }
+    }
+    return NULL;
+}
+
+static bool report_missing_camera(const struct cli_render_job *job, const struct scene_model *model)
+{
+    if (model->camera_count == 0) {
+        cli_error(job->camera_option, "%s has no cameras", job->model_path);
+    } else if (job->camera == CLI_CAMERA_INDEX) {
+        cli_error(job->camera_option, "%s has the cameras 0..%u only", job->model_path,
+                  model->camera_count - 1);
+    } else {
+        cli_error(job->camera_option, "%s has no camera named '%s'", job->model_path, job->camera_name);
+    }
+    return false;
+}
+
+static bool look_from_numbers(const struct cli_render_job *job, const struct scene_model *model,
+                              struct scene_camera *camera)
+{
+    double vectors[3][3];
+    char error[256];
+    for (int i = 0; i < 9; i++) {
+        vectors[i / 3][i % 3] = job->look[i];
+    }
+    const double yfov = job->look[9] * degree;
+    if (scene_camera_look(camera, model, vectors[0], vectors[1], vectors[2], yfov, error, sizeof error)) {
+        return true;
+    }
+    cli_error("--camera", "%s", error);
+    return false;
+}
+
+// As a lens does: what is seen changes, where from does not.
+static void zoom(struct scene_camera *camera, double factor)
+{
+    if (camera->orthographic) {
+        camera->ymag /= factor;
+    } else {
+        camera->yfov = 2.0 * scene_atan(scene_tan(0.5 * camera->yfov) / factor);
+    }
+}
+
+// A camera with so narrow an angle of view that there is no perspective to speak of, moved to the model.
+static struct scene_camera fit_orthographic(const struct scene_model *model, struct scene_orbit orbit,
+                                            double aspect)
+{
+    const double narrow = 0.1 * degree;
+    struct scene_camera camera = scene_camera_fit(model, orbit, narrow, aspect);
+    double ahead[3], distance2 = 0.0;
+    for (int c = 0; c < 3; c++) {
+        ahead[c] = camera.target[c] - camera.eye[c];
+        distance2 += ahead[c] * ahead[c];
+    }
+    const double distance = sqrt(distance2);
+    camera.orthographic = true;
+    camera.ymag = distance * scene_tan(0.5 * narrow);
+    for (int c = 0; c < 3; c++) {
+        camera.eye[c] = camera.target[c] - ahead[c] / distance * 4.0 * camera.ymag;
+    }
+    scene_camera_enclose(&camera, model);
+    return camera;
+}
+
+struct scene_camera cli_camera_fit(const struct cli_render_job *job, const struct scene_model *model)
+{
+    const enum scene_axis up = job->has_up ? job->up : model->up;
+    struct scene_orbit orbit =
+        job->camera == CLI_CAMERA_ORBIT ? job->orbit : scene_camera_default_orbit(model, up);
+    orbit.up = up;
+    orbit.whole = job->fit_all;
+    const double yfov = job->fovy > 0.0f ? (double)job->fovy * degree : scene_camera_default_yfov();
+    const double aspect = (double)job->width / (double)job->height;
+    struct scene_camera camera = job->orthographic ? fit_orthographic(model, orbit, aspect)
+                                                   : scene_camera_fit(model, orbit, yfov, aspect);
+    const double margin = job->margin < 0.0 ? scene_camera_fit_margin() : job->margin;
+    const double factor = job->zoom * (1.0 - 2.0 * margin) / (1.0 - 2.0 * scene_camera_fit_margin());
+    if (factor < 1.0 || factor > 1.0) {
+        zoom(&camera, factor);
+    }
+    return camera;
+}
+
+bool cli_camera_choose(const struct cli_render_job *job, const struct scene_model *model,
+                       struct scene_camera *camera, bool *distrusted)
+{
+    *distrusted = false;
+    if (job->camera == CLI_CAMERA_LOOK) {
+        return look_from_numbers(job, model, camera);
+    }
+    const bool fitted = job->camera == CLI_CAMERA_FIT || job->camera == CLI_CAMERA_ORBIT;
+    const struct scene_model_camera *found = fitted ? NULL : cli_camera_find(job, model);
+    if (!fitted && !found && job->camera != CLI_CAMERA_AUTO) {
+        return report_missing_camera(job, model);
+    }
+    const double aspect = (double)job->width / (double)job->height;
+    *camera = found ? scene_camera_from_model(found, aspect) : cli_camera_fit(job, model);
+    if (found && job->camera == CLI_CAMERA_AUTO && model->doubts_cameras &&
+        !scene_camera_is_believable(model, camera, aspect)) {
+        if (!job->quiet) {
+            cli_warning(job->model_path,
+                        "its camera sees next to nothing of the model, which is fitted instead");
+        }
+        *camera = cli_camera_fit(job, model);
+        *distrusted = true;
+    }
+    return true;
+}
+
+void cli_camera_print(const struct scene_camera *camera)
+{
+    if (camera->orthographic) {
+        printf("# an orthographic camera of the file: --camera-index or --camera-name gives it again\n");
+        return;
+    }
+    printf("--camera ");
+    for (int i = 0; i < 9; i++) {
+        const double *vector = i < 3 ? camera->eye : i < 6 ? camera->target : camera->up;
+        printf("%.9g,", vector[i % 3]);
+    }
+    printf("%.9g\n", camera->yfov / degree);
+}
