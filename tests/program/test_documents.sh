@@ -5,7 +5,7 @@
 man=$root/docs/rhw.1
 completion=$root/tools/rhw/completion/rhw.bash
 
-for verb in render compare info bench; do
+for verb in render thumbs compare info bench; do
     succeed $verb --help
     options=$(grep -oE '^  (-.,|   ) --[a-z-]+' "$folder/log/out" | grep -oE -- '--[a-z-]+')
     check "$verb has options" test -n "$options"
@@ -18,7 +18,7 @@ for verb in render compare info bench; do
     check "completion of $verb" test "$completed" = "$(echo "$options" | sort | tr '\n' ' ')"
 done
 verbs=$(bash -c ". '$completion'; COMP_WORDS=(rhw ''); COMP_CWORD=1; _rhw; printf '%s ' \"\${COMPREPLY[@]}\"")
-check "completion of verbs" test "$verbs" = "render compare info bench --help --version "
+check "completion of verbs" test "$verbs" = "render thumbs compare info bench --help --version "
 outputs=$(bash -c ". '$completion'; COMP_WORDS=(rhw render --output depth,n); COMP_CWORD=3; _rhw; printf '%s ' \"\${COMPREPLY[@]}\"")
 check "completion within a list" test "$outputs" = "depth,normal "
 succeed --version

@@ -46,7 +46,8 @@ static void test_by_hand(void **state)
     }
     rig.pass.samples = 1;
     rig.pipeline.line_width = 0;
-    rig.pipeline.line_stipple = (struct rhw_line_stipple){1, 0x5555}; // of pixels whose centre is in the piece
+    rig.pipeline.line_stipple =
+        (struct rhw_line_stipple){1, 0x5555}; // of pixels whose centre is in the piece
     const struct rig_vertex s[] = {vertex_at(&rig, 4, 10.5), vertex_at(&rig, 8, 10.5)};
     rig_draw_once(&rig, s, 2);
     const float(*pixels)[4] = rig_read_float4(&rig);
@@ -67,7 +68,8 @@ static struct corners cut(const struct corners *p, bool by_y, double at, double 
     struct corners out = {.count = 0};
     for (int i = 0; i < p->count; i++) {
         const int j = (i + 1) % p->count;
-        const double a = sign * ((by_y ? p->y[i] : p->x[i]) - at), b = sign * ((by_y ? p->y[j] : p->x[j]) - at);
+        const double a = sign * ((by_y ? p->y[i] : p->x[i]) - at),
+                     b = sign * ((by_y ? p->y[j] : p->x[j]) - at);
         if (a <= 0) {
             out.x[out.count] = p->x[i];
             out.y[out.count++] = p->y[i];
@@ -112,12 +114,12 @@ static void test_areas(void **state)
         if (x[0] == x[1] && y[0] == y[1]) {
             continue;
         }
-        const double width = n % 3 == 0 ? 1 : 1 + rig_random_int(&random, 12), dx = x[1] - x[0], dy = y[1] - y[0];
+        const double width = n % 3 == 0 ? 1 : 1 + rig_random_int(&random, 12), dx = x[1] - x[0],
+                     dy = y[1] - y[0];
         const double scale = width / 2 / sqrt(dx * dx + dy * dy);
         const double nx = -rint(dy * scale * 256) / 256, ny = rint(dx * scale * 256) / 256;
-        const struct corners rectangle = {4,
-                                          {x[0] + nx, x[0] - nx, x[1] - nx, x[1] + nx},
-                                          {y[0] + ny, y[0] - ny, y[1] - ny, y[1] + ny}};
+        const struct corners rectangle = {
+            4, {x[0] + nx, x[0] - nx, x[1] - nx, x[1] + nx}, {y[0] + ny, y[0] - ny, y[1] - ny, y[1] + ny}};
         const struct rig_vertex v[] = {vertex_at(&rig, x[0], y[0]), vertex_at(&rig, x[1], y[1])};
         rig.pipeline.line_width = (float)width;
         rig_draw_once(&rig, v, 2);
@@ -125,8 +127,8 @@ static void test_areas(void **state)
         for (int i = 0; i < PIXELS; i++) {
             const double wanted = area_in_pixel(&rectangle, i % SIZE, i / SIZE) / 2;
             if (fabs((double)pixels[i][3] - wanted) > 0x1p-16) {
-                fail_msg("line %d, %g, %g to %g, %g wide %g, pixel %d, %d: %g, expected %g", n, x[0], y[0], x[1],
-                         y[1], width, i % SIZE, i / SIZE, (double)pixels[i][3], wanted);
+                fail_msg("line %d, %g, %g to %g, %g wide %g, pixel %d, %d: %g, expected %g", n, x[0], y[0],
+                         x[1], y[1], width, i % SIZE, i / SIZE, (double)pixels[i][3], wanted);
             }
         }
     }

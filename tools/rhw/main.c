@@ -14,6 +14,7 @@ static const struct {
     int (*run)(int argc, char **argv);
 } verbs[] = {
     {"render", "MODEL -o OUT", "draw a model file and write the picture", cli_render},
+    {"thumbs", "DIR -o OUT", "draw a small picture of every model in a folder", cli_thumbs},
     {"compare", "A B", "differences of two pictures, in numbers and as a picture", cli_compare},
     {"info", "MODEL", "what is in a model file", cli_info},
     {"bench", "", "time scenes, beside another renderer where there is one", cli_bench},

@@ -41,7 +41,7 @@ static void smooth_line_set(struct smooth_line *line, const struct rhw_triangle 
                                               .slope = dx == 0 ? 0 : dy / dx,
                                               .left = x0 < x1 ? x0 : x1,
                                               .right = x0 < x1 ? x1 : x0,
-                                              .sign = dx == 0              ? 0
+                                              .sign = dx == 0                  ? 0
                                                       : (dx < 0) == (turn < 0) ? -1
                                                                                : 1};
     }

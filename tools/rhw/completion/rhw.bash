@@ -87,15 +87,31 @@ _rhw_bench() {
     esac
 }
 
+_rhw_thumbs() { # CURRENT PREVIOUS
+    case $2 in
+    --background) _rhw_words "$1" transparent default black grey white ;;
+    --size | -s) _rhw_words "$1" 128 256 512 ;;
+    --jobs | -j) ;;
+    *)
+        if [[ $1 == -* ]]; then
+            _rhw_words "$1" --out --size --background --force --jobs --quiet --help
+        else
+            _rhw_files "$1"
+        fi
+        ;;
+    esac
+}
+
 _rhw() {
     local current=${COMP_WORDS[COMP_CWORD]} previous=${COMP_WORDS[COMP_CWORD - 1]}
     COMPREPLY=()
     if ((COMP_CWORD == 1)); then
-        _rhw_words "$current" render compare info bench --help --version
+        _rhw_words "$current" render thumbs compare info bench --help --version
         return
     fi
     case ${COMP_WORDS[1]} in
     render) _rhw_render "$current" "$previous" ;;
+    thumbs) _rhw_thumbs "$current" "$previous" ;;
     compare) _rhw_compare "$current" "$previous" ;;
     info) _rhw_info "$current" "$previous" ;;
     bench) _rhw_bench "$current" "$previous" ;;

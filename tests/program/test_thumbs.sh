@@ -1,0 +1,45 @@
+#!/bin/sh
+# SPDX-License-Identifier: MIT
+# rhw thumbs: every model of a folder, what cannot be drawn, what is there already.
+. "$(dirname "$0")/harness.sh"
+make_cube cube
+mkdir -p in/deep/deeper
+cp cube.obj cube.mtl in
+cp cube.obj cube.mtl in/deep
+cp cube.obj in/deep/deeper/CUBE.OBJ
+cp cube.mtl in/deep/deeper
+echo "no model" >in/notes.txt
+succeed thumbs in -o out --size 32
+check "the count" grep -q "^3 drawn, 0 kept, 0 failed$" "$folder/log/out"
+for picture in out/cube.obj.png out/deep/cube.obj.png out/deep/deeper/CUBE.OBJ.png; do
+    check "$picture" test -s "$picture"
+done
+check "nothing else" test "$(find out -type f | wc -l)" = 3
+succeed render cube.obj --size 32 -o one.png --background transparent
+check "a thumbnail is what render draws" "$rhw" compare one.png out/cube.obj.png >"$folder/log/compare"
+
+# A second run draws what is new.
+touch -d '2 hours ago' in/cube.obj in/deep/cube.obj in/deep/deeper/CUBE.OBJ
+touch in/deep/cube.obj
+touch -d '1 hour ago' out/cube.obj.png out/deep/cube.obj.png out/deep/deeper/CUBE.OBJ.png
+succeed thumbs in -o out --size 32
+check "what is newer than its model is kept" grep -q "^1 drawn, 2 kept, 0 failed$" "$folder/log/out"
+succeed thumbs in -o out --size 32 --force --jobs 1
+check "--force" grep -q "^3 drawn, 0 kept, 0 failed$" "$folder/log/out"
+succeed thumbs in -o out --size 32 --force --quiet
+check "--quiet" test ! -s "$folder/log/out"
+
+# One that cannot be drawn is told, the others are drawn, nothing is left of it.
+printf 'solid nothing\n' >in/broken.stl
+run thumbs in -o other --size 16
+check "status 1" test "$status" = 1
+check "the count of failures" grep -q "^3 drawn, 0 kept, 1 failed$" "$folder/log/out"
+check "one line about it" test "$(grep -c 'in/broken.stl: ' "$folder/log/err")" = 1
+check "no half file" test "$(find other -type f | wc -l)" = 3
+
+refuse 2 "thumbs: -o OUT is missing" thumbs in
+refuse 2 "thumbs: expected DIR -o OUT" thumbs -o out
+refuse 2 "--jobs: '0' is not a number of 1 to 64" thumbs in -o out --jobs 0
+refuse 1 "nowhere: cannot be read: No such file or directory" thumbs nowhere -o out -q
+refuse 1 "cube.obj: cannot be made: Not a directory" thumbs in -o cube.obj -q
+finish

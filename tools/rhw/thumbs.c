@@ -1,0 +1,275 @@
+// SPDX-License-Identifier: MIT
+// rhw thumbs: a small picture of every model in a folder. Each is drawn by a process of its own with one thread, as many at
+// a time as there are cores: small models keep all cores busy so, and a file that takes its process down takes no other.
+// What is there and newer than its model is left alone, so a run that was ended goes on where it stopped.
+#include "options.h"
+#include "rhw/rhw.h"
+#include "verbs.h"
+
+#include <dirent.h>
+#include <errno.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <strings.h>
+#include <sys/stat.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+enum {
+    OPTION_OUT = 'o',
+    OPTION_SIZE = 's',
+    OPTION_QUIET = 'q',
+    OPTION_JOBS = 'j',
+    OPTION_BACKGROUND = 256,
+    OPTION_FORCE
+};
+enum { PATH_SIZE = 4096, DEEPEST = 32 };
+
+static const struct cli_option options[] = {
+    {"out", OPTION_OUT, "DIR", "the folder for the pictures, made where it is missing"},
+    {"size", OPTION_SIZE, "WxH", "pixels, each way 1..16384, or N for a square; default 256x256"},
+    {"background", OPTION_BACKGROUND, "COLOR", "as for rhw render; default transparent"},
+    {"force", OPTION_FORCE, NULL, "draw also what is there and newer than its model"},
+    {"jobs", OPTION_JOBS, "N",
+     "models at a time, 1..64; default: one for each core that the process may use"},
+    {"quiet", OPTION_QUIET, NULL, "no warnings, and no count at the end"},
+};
+
+static const char notes[] = "Takes files that end as models do (.glb, .gltf, .obj, .ply, .stl, .3mf, .fbx, "
+                            ".dae, .3ds, .off and more), also in\n"
+                            "folders within DIR. The picture of DIR/a/b.glb is OUT/a/b.glb.png. One line "
+                            "tells of each model that cannot be drawn;\n"
+                            "the others are.\n\n"
+                            "Exit status: 0, 1 when a model could not be drawn, 2 for a wrong command line.";
+
+static const struct cli_verb verb = {
+    .name = "thumbs",
+    .operands = "DIR -o OUT",
+    .summary = "Draws a small picture of every model in a folder.",
+    .options = options,
+    .option_count = (int)(sizeof options / sizeof *options),
+    .notes = notes,
+};
+
+struct thumbs {
+    const char *in, *out, *background;
+    int width, height, jobs;
+    bool quiet, force;
+    int running, drawn, kept, failed;
+};
+
+static bool is_model(const char *name)
+{
+    static const char *const endings[] = {"glb", "gltf", "vrm", "obj", "ply", "stl", "3mf",     "fbx", "dae",
+                                          "3ds", "off",  "amf", "ac",  "ase", "b3d", "blend",   "bvh", "dxf",
+                                          "ifc", "iqm",  "lwo", "lws", "md2", "md3", "md5mesh", "mdl", "ms3d",
+                                          "nff", "ogex", "q3o", "smd", "x",   "x3d"};
+    const char *dot = strrchr(name, '.');
+    for (size_t i = 0; dot && dot > name && i < sizeof endings / sizeof *endings; i++) {
+        if (strcasecmp(dot + 1, endings[i]) == 0) {
+            return true;
+        }
+    }
+    return false;
+}
+
+// Waits for one of the processes that draw.
+static void reap(struct thumbs *t)
+{
+    int status;
+    pid_t child;
+    do {
+        child = wait(&status);
+    } while (child < 0 && errno == EINTR);
+    t->running--;
+    if (child > 0 && WIFEXITED(status) && WEXITSTATUS(status) == CLI_OK) {
+        t->drawn++;
+    } else {
+        t->failed++;
+    }
+}
+
+// In the child: what rhw render does.
+static int draw(const struct thumbs *t, const char *model, const char *picture)
+{
+    char size[32];
+    snprintf(size, sizeof size, "%dx%d", t->width, t->height);
+    const char *arguments[16] = {"render", "--threads", "1",  "--format",     "png",        "-o",
+                                 picture,  "--size",    size, "--background", t->background};
+    int count = 11;
+    if (t->quiet) {
+        arguments[count++] = "--quiet";
+    }
+    arguments[count++] = "--";
+    arguments[count++] = model;
+    return cli_render(count, (char **)arguments);
+}
+
+static bool is_newer(const char *picture, const struct stat *model)
+{
+    struct stat there;
+    if (stat(picture, &there) != 0) {
+        return false;
+    }
+    return there.st_mtim.tv_sec > model->st_mtim.tv_sec ||
+           (there.st_mtim.tv_sec == model->st_mtim.tv_sec && there.st_mtim.tv_nsec >= model->st_mtim.tv_nsec);
+}
+
+static bool start(struct thumbs *t, const char *model, const char *picture, const struct stat *status)
+{
+    if (!t->force && is_newer(picture, status)) {
+        t->kept++;
+        return true;
+    }
+    while (t->running >= t->jobs) {
+        reap(t);
+    }
+    fflush(stdout);
+    const pid_t child = fork();
+    if (child == 0) {
+        const int result = draw(t, model, picture);
+        fflush(stdout);
+        _exit(result);
+    }
+    if (child < 0) {
+        cli_error(model, "no process can be started for it: %s", strerror(errno));
+        return false;
+    }
+    t->running++;
+    return true;
+}
+
+// With the folders that it lies in.
+static bool make_folder(const char *path)
+{
+    char part[PATH_SIZE];
+    struct stat status;
+    int result = 0;
+    for (size_t i = 1; i < PATH_SIZE && path[i - 1] != '\0'; i++) {
+        if ((path[i] == '/' || path[i] == '\0') && path[i - 1] != '/') {
+            memcpy(part, path, i);
+            part[i] = '\0';
+            result = mkdir(part, 0777);
+        }
+    }
+    if (result == 0 || (errno == EEXIST && stat(path, &status) == 0 && S_ISDIR(status.st_mode))) {
+        return true;
+    }
+    cli_error(path, "cannot be made: %s", strerror(errno == EEXIST ? ENOTDIR : errno));
+    return false;
+}
+
+// Adds "/name" and an ending; false where the path gets too long.
+static bool join(char path[PATH_SIZE], const char *folder, const char *name, const char *ending)
+{
+    const int length = snprintf(path, PATH_SIZE, "%s/%s%s", folder, name, ending);
+    if (length < PATH_SIZE) {
+        return true;
+    }
+    cli_error(name, "its path is longer than %d bytes", PATH_SIZE - 1);
+    return false;
+}
+
+static int skip_dots(const struct dirent *entry)
+{
+    return entry->d_name[0] != '.';
+}
+
+static bool walk(struct thumbs *t, const char *in, const char *out, int depth);
+
+// False: nothing more can be done.
+static bool visit(struct thumbs *t, const char *in, const char *out, const char *name, int depth)
+{
+    char model[PATH_SIZE], picture[PATH_SIZE];
+    struct stat status;
+    if (!join(model, in, name, "") || stat(model, &status) != 0) {
+        return true; // it is gone, or a link to nowhere
+    }
+    if (S_ISDIR(status.st_mode)) {
+        return depth >= DEEPEST || !join(picture, out, name, "") || walk(t, model, picture, depth + 1);
+    }
+    if (!S_ISREG(status.st_mode) || !is_model(name) || !join(picture, out, name, ".png")) {
+        return true;
+    }
+    return make_folder(out) && start(t, model, picture, &status);
+}
+
+static bool walk(struct thumbs *t, const char *in, const char *out, int depth)
+{
+    struct dirent **entries;
+    const int count = scandir(in, &entries, skip_dots, alphasort);
+    if (count < 0) {
+        cli_error(in, "cannot be read: %s", strerror(errno));
+        t->failed++;
+        return depth > 0;
+    }
+    bool going = true;
+    for (int i = 0; i < count; i++) {
+        // Pictures may lie within the folder of the models.
+        going = going && visit(t, in, out, entries[i]->d_name, depth);
+        free(entries[i]);
+    }
+    free(entries);
+    return going;
+}
+
+static bool parse_option(struct thumbs *t, int id, const char *argument)
+{
+    switch (id) {
+    case OPTION_OUT: t->out = argument; return true;
+    case OPTION_BACKGROUND: t->background = argument; return true;
+    case OPTION_FORCE: t->force = true; return true;
+    case OPTION_QUIET: t->quiet = true; return true;
+    case OPTION_JOBS:
+        if (cli_parse_int(argument, 1, RHW_MAX_THREADS, &t->jobs)) {
+            return true;
+        }
+        cli_error("--jobs", "'%s' is not a number of 1 to %d", argument, RHW_MAX_THREADS);
+        return false;
+    default:
+        if (cli_parse_size(argument, &t->width, &t->height)) {
+            return true;
+        }
+        cli_error("--size", "'%s' is not WxH or one number, each 1..%d", argument, RHW_MAX_TARGET_SIZE);
+        return false;
+    }
+}
+
+int cli_thumbs(int argc, char **argv)
+{
+    const long cores = sysconf(_SC_NPROCESSORS_ONLN);
+    struct thumbs t = {.width = 256,
+                       .height = 256,
+                       .background = "transparent",
+                       .jobs = cores < 1                 ? 1
+                               : cores > RHW_MAX_THREADS ? RHW_MAX_THREADS
+                                                         : (int)cores};
+    struct cli_parser parser;
+    cli_parser_start(&parser, &verb, argc, argv);
+    int id;
+    while ((id = cli_parser_next(&parser)) > 0) {
+        if (!parse_option(&t, id, parser.argument)) {
+            return CLI_USAGE;
+        }
+    }
+    if (id == CLI_OPTION_STOP) {
+        return parser.status;
+    }
+    if (!cli_parser_operands(&parser, 1, 1)) {
+        return CLI_USAGE;
+    }
+    if (!t.out) {
+        cli_error("thumbs", "-o OUT is missing: where should the pictures go?");
+        return CLI_USAGE;
+    }
+    t.in = parser.operands[0];
+    const bool complete = make_folder(t.out) && walk(&t, t.in, t.out, 0);
+    while (t.running > 0) {
+        reap(&t);
+    }
+    if (!t.quiet) {
+        printf("%d drawn, %d kept, %d failed\n", t.drawn, t.kept, t.failed);
+    }
+    return complete && t.failed == 0 ? CLI_OK : CLI_FAILED;
+}
