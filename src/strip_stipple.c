@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "strip_stipple.h"
 
-#include <math.h>
 #include <string.h>
 
 #include "arena.h"
@@ -41,17 +40,18 @@ bool rhw_strip_stipple_prepare(struct rhw_draw *draw, uint32_t count, struct rhw
     return true;
 }
 
-// √n, rounded to the nearest: the same whatever way the processor rounds. n < 2^50
+// √n, rounded to the nearest, digit by digit in integers. 0 <= n < 2^50
 static int64_t rounded_root(int64_t n)
 {
-    int64_t root = (int64_t)sqrt((double)n);
-    while (root * root > n) {
-        root--;
+    int64_t root = 0, rest = n; // rest = n − root²
+    for (int64_t bit = INT64_C(1) << 24; bit != 0; bit >>= 1) {
+        const int64_t step = (2 * root + bit) * bit; // (root + bit)² − root²
+        if (step <= rest) {
+            rest -= step;
+            root += bit;
+        }
     }
-    while ((root + 1) * (root + 1) <= n) {
-        root++;
-    }
-    return n - root * root > root ? root + 1 : root;
+    return rest > root ? root + 1 : root;
 }
 
 // The places from the beginning of a line to that of the next in its strip.
