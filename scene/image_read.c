@@ -11,6 +11,8 @@
 
 #include "elementary.h"
 #include "image_ktx2.h"
+#include "image_png.h"
+#include "image_reduce.h"
 
 // stb_image declares a function that it never defines; gcc says so at the end of the file.
 #pragma GCC diagnostic ignored "-Wunused-function"
@@ -177,6 +179,41 @@ const char *scene_image_decode(const void *bytes, size_t size, struct scene_imag
     image->size = (size_t)width * (size_t)height * texel;
     image->texels = texels;
     scene_image_find_alpha(image);
+    return NULL;
+}
+
+size_t scene_image_texels(const void *bytes, size_t size)
+{
+    int width = 0, height = 0, channels;
+    if (is_webp(bytes, size)) {
+        WebPGetInfo(bytes, size, &width, &height);
+    } else if (size <= INT_MAX) {
+        stbi_info_from_memory(bytes, (int)size, &width, &height, &channels);
+    }
+    return width > 0 && height > 0 ? (size_t)width * (size_t)height : 0;
+}
+
+const char *scene_image_decode_within(const void *bytes, size_t size, uint32_t side, bool is_color,
+                                      struct scene_image *image)
+{
+    int width, height, channels;
+    if (size <= INT_MAX && scene_image_is_png_of_rows(bytes, size) &&
+        stbi_info_from_memory(bytes, (int)size, &width, &height, &channels) &&
+        scene_reduce_needed((uint32_t)width, (uint32_t)height, side)) {
+        const char *const problem = scene_image_decode_png_reduced(bytes, size, side, is_color, image);
+        if (problem == NULL) {
+            scene_image_find_alpha(image);
+        }
+        return problem;
+    }
+    const char *const problem = scene_image_decode(bytes, size, image);
+    if (problem != NULL || !scene_reduce_needed(image->width, image->height, side)) {
+        return problem;
+    }
+    if (!scene_reduce_image(image, side, is_color)) {
+        free(image->texels);
+        return "outofmem";
+    }
     return NULL;
 }
 

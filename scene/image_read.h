@@ -10,6 +10,11 @@
 /// of `image`; NULL on success, else a short reason (static storage) and `image` is unchanged. Different
 /// threads may call it at once.
 const char *scene_image_decode(const void *bytes, size_t size, struct scene_image *image);
+/// The same, but no longer than `side` each way (image_reduce.h); 0: as it is. `is_color`: what is averaged then is light.
+const char *scene_image_decode_within(const void *bytes, size_t size, uint32_t side, bool is_color,
+                                      struct scene_image *image);
+/// How many texels an image has, by its header; 0: it does not say.
+size_t scene_image_texels(const void *bytes, size_t size);
 /// Sets has_alpha from the texels.
 void scene_image_find_alpha(struct scene_image *image);
 /// Makes `image` the stand-in for one that is missing: an opaque checker of magenta and dark magenta, 8×8 RGBA8.

@@ -349,6 +349,9 @@ static void warn_of_missing_uvs(struct scene_import *import)
 
 static void mark_image_uses(struct scene_model *model)
 {
+    for (uint32_t i = 0; i < model->image_count; i++) {
+        model->images[i].used_as_color = model->images[i].used_as_data = false;
+    }
     for (uint32_t i = 0; i < model->material_count; i++) {
         for (int k = 0; k < SCENE_SLOT_COUNT; k++) {
             const int32_t image = model->materials[i].slots[k].image;
@@ -378,8 +381,9 @@ void scene_import_run(struct scene_import *import)
     if (import->variant != NULL && model->variant_count == 0) {
         scene_import_fail(import, "has no variants of its materials");
     }
-    scene_import_decode_images(import);
     mark_image_uses(model);
+    scene_import_decode_images(import);
+    mark_image_uses(model); // what is missing is not used
     warn_of_missing_uvs(import);
     for (uint32_t i = 0; i < model->mesh_count; i++) {
         bound_mesh(&model->meshes[i]);

@@ -49,6 +49,9 @@ struct scene_import {
     const char *ending;    // of the name, without its point; "" where it has none
     const char *directory; // of the name, with a trailing slash; "" for the current one
     const char *variant;   // of the options
+    uint32_t texture_side; // of the options
+    const char *confine;   // of the options, resolved; NULL: nothing is out of bounds
+    const char *missing;   // why scene_import_find_file gave NULL last
     bool up_is_open;       // model.up is what is usual in the format; the model's shape decides
     FILE *reply;           // what the parent reads
 };
@@ -114,8 +117,10 @@ void scene_import_run(struct scene_import *import);
 // Textures (import_texture.c).
 
 /// Finds the file a model means by `name` (relative, percent-encoded, with backslashes, in other case);
-/// NULL when there is none.
+/// NULL when there is none that may be read, and import->missing says why.
 const char *scene_import_find_file(struct scene_import *import, const char *name);
+/// Whether import->confine lets the file be read.
+bool scene_import_within(const struct scene_import *import, const char *path);
 /// Decodes all images; what cannot be decoded becomes the stand-in, with a warning.
 void scene_import_decode_images(struct scene_import *import);
 

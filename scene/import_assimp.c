@@ -428,9 +428,10 @@ static const struct aiScene *read_scene(struct scene_import *import)
     // what exporters aim cameras and lights with the wrong way.
     aiSetImportPropertyInteger(properties, AI_CONFIG_IMPORT_FBX_PRESERVE_PIVOTS, 1);
     const struct rlimit before = limit_memory(import);
+    struct aiFileIO files = scene_assimp_files(import);
     const struct aiScene *scene = aiImportFileExWithProperties(
-        import->model.path, aiProcess_Triangulate | aiProcess_SortByPType | aiProcess_GenUVCoords, NULL,
-        properties);
+        import->model.path, aiProcess_Triangulate | aiProcess_SortByPType | aiProcess_GenUVCoords,
+        import->confine != NULL ? &files : NULL, properties);
     setrlimit(RLIMIT_AS, &before);
     if (scene != NULL) {
         return scene;

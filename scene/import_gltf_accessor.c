@@ -89,8 +89,8 @@ static void load_buffer(struct scene_gltf *gltf, int64_t index, struct scene_glt
             scene_import_fail(import, "buffers[%d]: its data URI is not valid base64", number);
         }
     } else {
-        const char *problem = "No such file or directory";
         const char *path = scene_import_find_file(import, uri);
+        const char *problem = import->missing;
         if (path != NULL) {
             buffer->bytes = scene_import_read_file(import, path, &buffer->size, &problem);
         }

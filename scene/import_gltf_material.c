@@ -22,7 +22,7 @@ static int32_t add_image(struct scene_gltf *gltf, int64_t index)
     if (uri != NULL && !data) {
         name = scene_import_string(import, uri, strlen(uri));
         source.file = scene_import_find_file(import, uri);
-        source.problem = "No such file or directory";
+        source.problem = import->missing;
     } else if (data) {
         source.bytes = scene_gltf_data_uri(gltf, uri, &source.size);
         source.problem = "its data URI is not valid base64";

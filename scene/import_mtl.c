@@ -105,6 +105,7 @@ static void read_texture(struct scene_import *import, struct scene_line line,
     texture->name = scene_word_string(import, name);
     texture->channel = channel;
     texture->source.file = scene_import_find_file(import, texture->name);
+    texture->source.problem = import->missing;
     if (clamp) {
         texture->slot.address_u = texture->slot.address_v = RHW_ADDRESS_CLAMP;
     }
@@ -233,8 +234,7 @@ static void read_value(struct scene_word key, struct scene_line line, struct sce
 
 bool scene_mtl_read(struct scene_import *import, struct scene_mtl *mtl, const char *name)
 {
-    const char *problem = "No such file or directory";
-    const char *path = scene_import_find_file(import, name);
+    const char *path = scene_import_find_file(import, name), *problem = import->missing;
     size_t size = 0;
     char *bytes = path == NULL ? NULL : scene_import_read_file(import, path, &size, &problem);
     if (bytes == NULL) {

@@ -22,14 +22,7 @@
 
 #include "import.h"
 #include "import_blob.h"
-
-#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
-#define SANITIZED 1
-#elif defined(__has_feature)
-#if __has_feature(address_sanitizer) || __has_feature(thread_sanitizer) || __has_feature(memory_sanitizer)
-#define SANITIZED 1
-#endif
-#endif
+#include "sanitizer.h"
 
 enum {
     DEFAULT_SECONDS = 60,
@@ -37,15 +30,6 @@ enum {
     EXIT_MODEL = 0,  // the reply holds a model
     EXIT_MESSAGE = 3 // the reply holds one line
 };
-
-static bool sanitized(void)
-{
-#ifdef SANITIZED
-    return true;
-#else
-    return false;
-#endif
-}
 
 // Child ---------------------------------------------------------------------------------------------
 
@@ -114,7 +98,7 @@ static void restrict_child(const struct scene_model_options *options)
     const unsigned seconds = options->seconds > 0 ? options->seconds : DEFAULT_SECONDS;
     prctl(PR_SET_PDEATHSIG, SIGKILL);
     limit_core();
-    if (!sanitized()) { // their shadow memory takes terabytes of address space
+    if (!SCENE_SANITIZED) {
         limit_memory(options->memory > 0 ? options->memory : default_memory());
     }
     setlocale(LC_ALL, "C"); // numbers in files have points
@@ -137,7 +121,7 @@ static void silence(void)
     }
     dup2(null, STDIN_FILENO);
     dup2(null, STDOUT_FILENO);
-    if (!sanitized()) {
+    if (!SCENE_SANITIZED) {
         dup2(null, STDERR_FILENO);
     }
 }
@@ -147,12 +131,16 @@ _Noreturn static void run_child(const char *path, const struct scene_model_optio
     struct scene_import import = {.model.path = path,
                                   .name = options->name != NULL ? options->name : path,
                                   .variant = options->variant,
+                                  .texture_side = options->texture_side,
                                   .reply = fdopen(descriptor, "wb")};
     if (import.reply == NULL) {
         abort();
     }
     restrict_child(options);
     silence();
+    if (options->confine != NULL && (import.confine = realpath(options->confine, NULL)) == NULL) {
+        scene_import_fail(&import, "the folder %s, which it may read: %s", options->confine, strerror(errno));
+    }
     scene_import_run(&import);
     if (!scene_blob_write(&import.model, import.reply)) {
         rewind(import.reply);

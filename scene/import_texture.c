@@ -21,6 +21,20 @@ static bool is_file(const char *path)
     return stat(path, &status) == 0 && S_ISREG(status.st_mode);
 }
 
+bool scene_import_within(const struct scene_import *import, const char *path)
+{
+    if (import->confine == NULL) {
+        return true;
+    }
+    char *const resolved = realpath(path, NULL); // links lead nowhere else
+    const size_t length = strlen(import->confine);
+    const bool is_root = length == 1;
+    const bool within = resolved != NULL && strncmp(resolved, import->confine, length) == 0 &&
+                        (is_root || resolved[length] == '/');
+    free(resolved);
+    return within;
+}
+
 static int hex_digit(char c)
 {
     return c >= '0' && c <= '9'   ? c - '0'
@@ -117,7 +131,7 @@ static const char *find_moved(struct scene_import *import, const char *directory
     return NULL;
 }
 
-const char *scene_import_find_file(struct scene_import *import, const char *name)
+static const char *find_anywhere(struct scene_import *import, const char *name)
 {
     if (strncmp(name, "file://", 7) == 0) {
         name += 7;
@@ -149,6 +163,17 @@ const char *scene_import_find_file(struct scene_import *import, const char *name
     return find_moved(import, directory, decoded);
 }
 
+const char *scene_import_find_file(struct scene_import *import, const char *name)
+{
+    const char *path = find_anywhere(import, name);
+    import->missing = "No such file or directory";
+    if (path != NULL && !scene_import_within(import, path)) {
+        import->missing = "lies outside the folder that may be read (--confine)";
+        path = NULL;
+    }
+    return path;
+}
+
 // Decoding ------------------------------------------------------------------------------------------
 
 struct decoding {
@@ -156,6 +181,25 @@ struct decoding {
     const char **problems; // per image; written by the thread that took the image
     atomic_uint next;      // the next image that nobody has taken
 };
+
+// Large images one at a time, so that what they take together, and whether there is memory for it, is not a matter of
+// threads.
+static const char *decode_bytes(const struct scene_import *import, const void *bytes, size_t size,
+                                struct scene_image *image)
+{
+    enum { LARGE = 1 << 25 }; // texels
+    static pthread_mutex_t one_at_a_time = PTHREAD_MUTEX_INITIALIZER;
+    const bool large = scene_image_texels(bytes, size) >= LARGE;
+    if (large) {
+        pthread_mutex_lock(&one_at_a_time);
+    }
+    const char *const problem =
+        scene_image_decode_within(bytes, size, import->texture_side, image->used_as_color, image);
+    if (large) {
+        pthread_mutex_unlock(&one_at_a_time);
+    }
+    return problem;
+}
 
 static const char *decode_image(struct scene_import *import, uint32_t index)
 {
@@ -175,7 +219,7 @@ static const char *decode_image(struct scene_import *import, uint32_t index)
         return NULL;
     }
     if (source->bytes != NULL) {
-        return scene_image_decode(source->bytes, source->size, image);
+        return decode_bytes(import, source->bytes, source->size, image);
     }
     if (source->file == NULL) {
         return problem;
@@ -185,7 +229,7 @@ static const char *decode_image(struct scene_import *import, uint32_t index)
     if (bytes == NULL) {
         return problem;
     }
-    problem = scene_image_decode(bytes, size, image);
+    problem = decode_bytes(import, bytes, size, image);
     free(bytes);
     return problem;
 }
@@ -405,7 +449,9 @@ void scene_import_decode_images(struct scene_import *import)
         if (decoding.problems[i] == NULL) {
             continue;
         }
-        scene_import_warn(import, "texture \"%s\": %s; %s", model->images[i].name, decoding.problems[i],
+        const bool no_memory = strcmp(decoding.problems[i], "outofmem") == 0; // as stb_image says it
+        scene_import_warn(import, "texture \"%s\": %s; %s", model->images[i].name,
+                          no_memory ? "there is not enough memory to read it" : decoding.problems[i],
                           colors_something(model, i) ? "drawn in magenta" : "left out");
         if (!scene_image_stand_in(&model->images[i])) {
             scene_import_fail(import, "needs more memory than there is");

@@ -208,6 +208,8 @@ struct scene_model_options {
     /// for beside it. NULL: the path.
     const char *name;
     const char *variant; ///< of the materials, by its name (KHR_materials_variants); NULL: as they are without
+    uint32_t texture_side; ///< images that are longer are halved until they are not; 0: none is
+    const char *confine;   ///< a folder; nothing outside it is read that the file names. NULL: everything is
 };
 
 /// Reads a model file and its textures in a child process, so that no file can take the caller down.

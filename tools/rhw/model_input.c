@@ -5,6 +5,7 @@
 #include "model_input.h"
 
 #include <errno.h>
+#include <limits.h>
 #include <stdio.h>
 #include <string.h>
 #include <sys/mman.h>
@@ -69,12 +70,22 @@ void cli_model_input_close(struct cli_model_input *input)
     input->descriptor = -1;
 }
 
-struct scene_model *cli_model_input_load(const struct cli_model_input *input, const char *variant)
+// The folder that the model lies in, with nothing after its last slash.
+static void folder_of(const struct cli_model_input *input, char folder[PATH_MAX])
 {
+    const char *slash = input->is_standard_input ? NULL : strrchr(input->path, '/');
+    snprintf(folder, PATH_MAX, "%.*s", slash ? (int)(slash - input->path) + 1 : 1, slash ? input->path : ".");
+}
+
+struct scene_model *cli_model_input_load(const struct cli_model_input *input, const struct cli_budget *budget,
+                                         struct scene_model_options options)
+{
+    char folder[PATH_MAX], error[512];
+    folder_of(input, folder);
     // What standard input names is looked for in the current folder.
-    const struct scene_model_options options = {.name = input->is_standard_input ? "-" : NULL,
-                                                .variant = variant};
-    char error[512];
+    options.name = input->is_standard_input ? "-" : NULL;
+    options.memory = budget->memory;
+    options.confine = !budget->is_confined ? NULL : budget->folder ? budget->folder : folder;
     cli_stage("reading", input->name);
     struct scene_model *model = scene_model_load(input->path, &options, error, sizeof error);
     cli_stage_end();

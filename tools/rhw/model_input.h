@@ -5,6 +5,7 @@
 
 #include <stdbool.h>
 
+#include "budget.h"
 #include "model.h"
 
 struct cli_model_input {
@@ -18,8 +19,9 @@ struct cli_model_input {
 /// Reports failure.
 bool cli_model_input_open(struct cli_model_input *input, const char *argument);
 void cli_model_input_close(struct cli_model_input *input);
-/// scene_model_load; reports failure.
-struct scene_model *cli_model_input_load(const struct cli_model_input *input, const char *variant);
+/// scene_model_load within a budget; options->name, ->memory and ->confine are set here. Reports failure.
+struct scene_model *cli_model_input_load(const struct cli_model_input *input, const struct cli_budget *budget,
+                                         struct scene_model_options options);
 /// Whether `path` is the file of the model; it would be replaced by a picture. Reports it.
 bool cli_model_input_is(const struct cli_model_input *input, const char *path);
 

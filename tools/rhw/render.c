@@ -110,7 +110,9 @@ static bool import_model(struct render *render)
 {
     const struct cli_render_job *job = &render->job;
     const double start = now_ms();
-    render->model = cli_model_input_load(&render->input, job->variant);
+    render->model = cli_model_input_load(
+        &render->input, &job->budget,
+        (struct scene_model_options){.variant = job->variant, .texture_side = job->budget.texture});
     render->times.import_ms = now_ms() - start;
     if (!render->model) {
         return false;
@@ -228,7 +230,9 @@ static bool draw(struct render *render)
     }
     cli_stage_end();
     if (result != RHW_OK) {
-        cli_error(render->job.model_path, "%s", rhw_result_string(result));
+        const bool limited = result == RHW_ERROR_OUT_OF_MEMORY && render->job.budget.memory > 0;
+        cli_error(render->job.model_path, "%s%s", rhw_result_string(result),
+                  limited ? "; --max-memory allows no more" : "");
     }
     return result == RHW_OK;
 }
@@ -298,6 +302,7 @@ static int run(struct render *render)
         cli_error("--isa", "this computer or this build has no %s", rhw_isa_name(job->isa));
         return CLI_FAILED;
     }
+    cli_budget_apply(&job->budget);
     if (!plan_files(render) ||
         (job->environment && !cli_panorama_load(&render->panorama, job->environment)) ||
         !import_model(render)) {

@@ -3,6 +3,7 @@
 #ifndef CLI_RENDER_JOB_H
 #define CLI_RENDER_JOB_H
 
+#include "budget.h"
 #include "outputs.h"
 
 enum cli_camera_choice {
@@ -49,7 +50,8 @@ struct cli_render_job {
     enum rhw_paths paths;
     bool stats;
     const char *stats_path; ///< "-": standard output
-    bool strict;            ///< what the file has and is not drawn is an error
+    struct cli_budget budget;
+    bool strict; ///< what the file has and is not drawn is an error
 };
 
 enum { CLI_AXES = SCENE_AXIS_MINUS_X + 1 };

@@ -99,6 +99,16 @@ static const struct cli_option options[] = {
      "all (the default), in-order (hidden fragments are shaded too) or general (no\nspecial path is taken). "
      "The "
      "picture is the same"},
+    {"max-memory", CLI_BUDGET_MEMORY, "SIZE",
+     "fail when more than this is needed, for example 512M or 2G; default: reading a model may take 3/4 "
+     "of\nthe "
+     "machine's memory, at most 16G"},
+    {"max-texture", CLI_BUDGET_TEXTURE, "N",
+     "halve textures until they are no longer than this; default: 4 times the picture's longer side, "
+     "at\nleast "
+     "1024, or 16384 with a camera that is not fitted"},
+    {"confine", CLI_BUDGET_CONFINE, "[DIR]",
+     "read no file outside this folder that the model names; without DIR outside its\nown"},
     {"stats", OPTION_STATS, "[FILE]",
      "write the time of each stage, memory and counts as JSON, to standard output\nwithout FILE"},
     {"strict", OPTION_STRICT, NULL,
@@ -363,6 +373,9 @@ static bool parse_option(struct cli_render_job *job, int id, const char *argumen
     case OPTION_PRINT_CAMERA:
     case OPTION_FOVY: return parse_camera_option(job, id, argument);
     default:
+        if (id >= CLI_BUDGET_MEMORY) {
+            return cli_parse_budget(&job->budget, id, argument);
+        }
         return id >= CLI_LOOK_INTERPOLATE ? cli_parse_look(job, id, argument)
                                           : parse_picture_option(job, id, argument);
     }
@@ -475,6 +488,16 @@ static bool check_together(struct cli_render_job *job)
     return true;
 }
 
+// Only of a fitted model, or one seen by its own camera, is it known that no part fills the picture many times.
+static void choose_texture_side(struct cli_render_job *job)
+{
+    const int side = job->width > job->height ? job->width : job->height;
+    const int across = job->supersample == 16 ? 4 : job->supersample == 9 ? 3 : job->supersample == 4 ? 2 : 1;
+    if (job->budget.texture == 0 && job->camera <= CLI_CAMERA_ORBIT && job->zoom <= 1.0) {
+        job->budget.texture = cli_budget_texture_side(side * across);
+    }
+}
+
 bool cli_render_job_parse(struct cli_render_job *job, int argc, char **argv, int *status)
 {
     *job = (struct cli_render_job){.shadows = true,
@@ -506,5 +529,9 @@ bool cli_render_job_parse(struct cli_render_job *job, int argc, char **argv, int
         return false;
     }
     job->model_path = parser.operands[0];
-    return choose_out(job) && check_together(job);
+    if (!choose_out(job) || !check_together(job)) {
+        return false;
+    }
+    choose_texture_side(job);
+    return true;
 }

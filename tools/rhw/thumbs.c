@@ -2,6 +2,7 @@
 // rhw thumbs: a small picture of every model in a folder. Each is drawn by a process of its own with one thread, as many at
 // a time as there are cores: small models keep all cores busy so, and a file that takes its process down takes no other.
 // What is there and newer than its model is left alone, so a run that was ended goes on where it stopped.
+#include "budget.h"
 #include "options.h"
 #include "rhw/rhw.h"
 #include "verbs.h"
@@ -22,7 +23,10 @@ enum {
     OPTION_QUIET = 'q',
     OPTION_JOBS = 'j',
     OPTION_BACKGROUND = 256,
-    OPTION_FORCE
+    OPTION_FORCE,
+    OPTION_MEMORY = CLI_BUDGET_MEMORY,
+    OPTION_TEXTURE = CLI_BUDGET_TEXTURE,
+    OPTION_CONFINE = CLI_BUDGET_CONFINE
 };
 enum { PATH_SIZE = 4096, DEEPEST = 32 };
 
@@ -33,6 +37,12 @@ static const struct cli_option options[] = {
     {"force", OPTION_FORCE, NULL, "draw also what is there and newer than its model"},
     {"jobs", OPTION_JOBS, "N",
      "models at a time, 1..64; default: one for each core that the process may use"},
+    {"max-memory", OPTION_MEMORY, "SIZE",
+     "fail for a model that needs more than this, for example 512M or 2G; default: what the machine "
+     "has,\ndivided "
+     "among the models at a time"},
+    {"max-texture", OPTION_TEXTURE, "N", "as for rhw render"},
+    {"confine", OPTION_CONFINE, "FOLDER", "read no file outside this folder that a model names; default DIR"},
     {"quiet", OPTION_QUIET, NULL, "no warnings, and no count at the end"},
 };
 
@@ -56,6 +66,9 @@ struct thumbs {
     const char *in, *out, *background;
     int width, height, jobs;
     bool quiet, force;
+    struct cli_budget budget; // of each model
+    char memory[48], texture[32];
+    char confine[PATH_SIZE + 16];
     int running, drawn, kept, failed;
 };
 
@@ -95,9 +108,14 @@ static int draw(const struct thumbs *t, const char *model, const char *picture)
 {
     char size[32];
     snprintf(size, sizeof size, "%dx%d", t->width, t->height);
-    const char *arguments[16] = {"render", "--threads", "1",  "--format",     "png",        "-o",
+    const char *arguments[20] = {"render", "--threads", "1",  "--format",     "png",        "-o",
                                  picture,  "--size",    size, "--background", t->background};
     int count = 11;
+    arguments[count++] = t->memory;
+    arguments[count++] = t->confine;
+    if (t->budget.texture > 0) {
+        arguments[count++] = t->texture;
+    }
     if (t->quiet) {
         arguments[count++] = "--quiet";
     }
@@ -227,6 +245,9 @@ static bool parse_option(struct thumbs *t, int id, const char *argument)
         }
         cli_error("--jobs", "'%s' is not a number of 1 to %d", argument, RHW_MAX_THREADS);
         return false;
+    case OPTION_MEMORY:
+    case OPTION_TEXTURE:
+    case OPTION_CONFINE: return cli_parse_budget(&t->budget, id, argument);
     default:
         if (cli_parse_size(argument, &t->width, &t->height)) {
             return true;
@@ -234,6 +255,24 @@ static bool parse_option(struct thumbs *t, int id, const char *argument)
         cli_error("--size", "'%s' is not WxH or one number, each 1..%d", argument, RHW_MAX_TARGET_SIZE);
         return false;
     }
+}
+
+// What each process is told; cli_parse_budget has looked at the values.
+static bool share_budget(struct thumbs *t)
+{
+    const size_t megabyte = 1 << 20, least = 256;
+    const long pages = sysconf(_SC_PHYS_PAGES), page = sysconf(_SC_PAGE_SIZE);
+    const size_t machine = pages > 0 && page > 0 ? (size_t)pages * (size_t)page / megabyte : least;
+    const size_t share = machine / (size_t)t->jobs > least ? machine / (size_t)t->jobs : least;
+    snprintf(t->memory, sizeof t->memory, "--max-memory=%zuM",
+             t->budget.memory > 0 ? t->budget.memory / megabyte : share);
+    snprintf(t->texture, sizeof t->texture, "--max-texture=%u", t->budget.texture);
+    const char *const folder = t->budget.folder ? t->budget.folder : t->in;
+    if (snprintf(t->confine, sizeof t->confine, "--confine=%s", folder) < (int)sizeof t->confine) {
+        return true;
+    }
+    cli_error(folder, "its path is longer than %d bytes", PATH_SIZE);
+    return false;
 }
 
 int cli_thumbs(int argc, char **argv)
@@ -264,6 +303,9 @@ int cli_thumbs(int argc, char **argv)
         return CLI_USAGE;
     }
     t.in = parser.operands[0];
+    if (!share_budget(&t)) {
+        return CLI_USAGE;
+    }
     const bool complete = make_folder(t.out) && walk(&t, t.in, t.out, 0);
     while (t.running > 0) {
         reap(&t);

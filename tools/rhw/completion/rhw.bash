@@ -33,7 +33,9 @@ _rhw_render() { # CURRENT PREVIOUS
     --up) _rhw_words "$1" x y z -x -y -z ;;
     --lights) _rhw_words "$1" file default none ;;
     --tone-map) _rhw_words "$1" neutral aces agx none ;;
-    --environment) _rhw_files "$1" ;;
+    --environment | --confine) _rhw_files "$1" ;;
+    --max-memory) _rhw_words "$1" 512M 1G 2G 4G ;;
+    --max-texture) _rhw_words "$1" 1024 2048 4096 8192 16384 ;;
     --shadows | --ambient-occlusion) _rhw_words "$1" on off ;;
     --isa) _rhw_words "$1" baseline avx2 avx512 ;;
     --paths) _rhw_words "$1" all in-order general ;;
@@ -43,7 +45,7 @@ _rhw_render() { # CURRENT PREVIOUS
         if [[ $1 == -* ]]; then
             _rhw_words "$1" --out --size --samples --supersample --output --bits --format --quality --fit --up --orbit --zoom --margin --ortho --print-camera --camera --camera-index \
                 --camera-name --fovy --interpolate --wireframe --background --variant --lights --shadows --ambient-occlusion --environment --environment-rotation --tone-map --exposure --threads --isa --paths \
-                --stats --strict --quiet --help
+                --max-memory --max-texture --confine --stats --strict --quiet --help
         else
             _rhw_files "$1"
         fi
@@ -91,10 +93,13 @@ _rhw_thumbs() { # CURRENT PREVIOUS
     case $2 in
     --background) _rhw_words "$1" transparent default black grey white ;;
     --size | -s) _rhw_words "$1" 128 256 512 ;;
+    --max-memory) _rhw_words "$1" 512M 1G 2G 4G ;;
+    --max-texture) _rhw_words "$1" 1024 2048 4096 8192 16384 ;;
+    --confine) _rhw_files "$1" ;;
     --jobs | -j) ;;
     *)
         if [[ $1 == -* ]]; then
-            _rhw_words "$1" --out --size --background --force --jobs --quiet --help
+            _rhw_words "$1" --out --size --background --force --jobs --max-memory --max-texture --confine --quiet --help
         else
             _rhw_files "$1"
         fi

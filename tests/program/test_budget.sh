@@ -1,0 +1,96 @@
+#!/bin/sh
+# SPDX-License-Identifier: MIT
+# What a file may take and read: --max-memory, --max-texture, --confine.
+. "$(dirname "$0")/harness.sh"
+
+# A picture of one colour, each way as given, and a triangle that shows it.
+make_textured() { # NAME SIDE
+    "$rhw" render cube.obj --size "$2" --background "#336699" --lights none -o "$1.png" --samples 1 -q ||
+        fail "no texture for $1"
+    cat >"$1.gltf" <<GLTF
+{"asset": {"version": "2.0"}, "scene": 0, "scenes": [{"nodes": [0]}], "nodes": [{"mesh": 0}],
+ "buffers": [{"byteLength": 60, "uri": "triangle.bin"}],
+ "bufferViews": [{"buffer": 0, "byteLength": 36}, {"buffer": 0, "byteOffset": 36, "byteLength": 24}],
+ "accessors": [{"bufferView": 0, "componentType": 5126, "count": 3, "type": "VEC3"},
+               {"bufferView": 1, "componentType": 5126, "count": 3, "type": "VEC2"}],
+ "images": [{"uri": "$1.png"}], "textures": [{"source": 0}],
+ "materials": [{"pbrMetallicRoughness": {"baseColorTexture": {"index": 0}}, "extensions": {"KHR_materials_unlit": {}}}],
+ "meshes": [{"primitives": [{"attributes": {"POSITION": 0, "TEXCOORD_0": 1}, "material": 0}]}]}
+GLTF
+}
+make_cube cube
+# (0,0,0) (1,0,0) (0,1,0) and (0,0) (1,0) (0,1), little endian
+printf '\0\0\0\0\0\0\0\0\0\0\0\0\0\0\200\077\0\0\0\0\0\0\0\0\0\0\0\0\0\0\200\077\0\0\0\0' >triangle.bin
+printf '\0\0\0\0\0\0\0\0\0\0\200\077\0\0\0\0\0\0\0\0\0\0\200\077' >>triangle.bin
+
+# Textures: larger than the picture can use they change nothing that is seen, and cost less.
+make_textured wide 4096
+succeed render wide.gltf --size 64 -o small.png --stats=small.json
+succeed render wide.gltf --size 64 -o whole.png --stats=whole.json --max-texture 4096
+run compare small.png whole.png --tolerance 1/255
+check "the same picture within one unit: $(cat "$folder/log/out")" test "$status" = 0
+memory_of() {
+    sed -n 's/.*"process_memory_peak": *\([0-9]*\).*/\1/p' "$1"
+}
+check "less memory" test "$(memory_of small.json)" -lt "$(($(memory_of whole.json) / 2))"
+succeed render wide.gltf --size 64 -o one.png --max-texture 1
+check "one texel for all" test -s one.png
+refuse 2 "--max-texture: '0' is not a number of 1 to 16384" render wide.gltf -o a.png --max-texture 0
+refuse 2 "--max-texture: '20000' is not" render wide.gltf -o a.png --max-texture 20000
+
+# Memory. A sanitizer takes address space without a limit.
+for size in 12 1k 63M -2G 2T nan; do
+    refuse 2 "--max-memory: '$size' is not a size like 512M or 2G, and at least 64M" render cube.obj -o a.png \
+        --max-memory="$size"
+done
+succeed render cube.obj -o cube.png --max-memory 2G
+if ! grep -aq __asan_init "$rhw" && ! grep -aq __tsan_init "$rhw"; then
+    refuse 1 "cube.obj: .*memory" render cube.obj --size 16384 -o a.png --max-memory 512M
+fi
+
+# Files that the model names.
+mkdir -p shop/stock
+cp wide.png shop
+sed 's,"triangle.bin","../triangle.bin",' wide.gltf >shop/outside.gltf
+cp wide.gltf shop/stock/inside.gltf
+sed 's,"wide.png","../wide.png",' wide.gltf >shop/stock/above.gltf
+cp triangle.bin wide.png shop/stock
+succeed render shop/outside.gltf -o free.png --size 32
+refuse 1 'shop/outside.gltf: buffers\[0\]: "../triangle.bin": lies outside the folder that may be read' \
+    render shop/outside.gltf -o a.png --confine
+refuse 1 'shop/outside.gltf: buffers\[0\]: "../triangle.bin": lies outside' render shop/outside.gltf -o a.png \
+    --confine=shop
+succeed render shop/outside.gltf -o b.png --size 32 --confine=.
+run render shop/stock/above.gltf -o c.png --size 32 --confine
+check "a texture outside is missing" grep -q 'texture "../wide.png": lies outside the folder' "$folder/log/err"
+succeed render shop/stock/above.gltf -o d.png --size 32 --confine=shop
+ln -s ../triangle.bin shop/link.bin
+sed 's,"triangle.bin","link.bin",' wide.gltf >shop/link.gltf
+refuse 1 'shop/link.gltf: buffers\[0\]: "link.bin": lies outside' render shop/link.gltf -o a.png --confine
+for place in "$PWD/triangle.bin" "file://$PWD/triangle.bin"; do
+    sed "s,\"triangle.bin\",\"$place\"," wide.gltf >shop/absolute.gltf
+    refuse 1 'shop/absolute.gltf: .*lies outside' render shop/absolute.gltf -o a.png --confine
+done
+sed 's,^mtllib.*,mtllib ../cube.mtl,' cube.obj >shop/cube.obj
+run render shop/cube.obj -o e.png --size 32 --confine
+check "a material library outside" grep -q 'material library "../cube.mtl": lies outside' "$folder/log/err"
+refuse 1 "cube.obj: the folder nowhere, which it may read: No such file or directory" render cube.obj -o a.png \
+    --confine=nowhere
+# assimp opens files itself: a scene of LightWave names its objects.
+cp cube.obj secret.obj
+printf 'LWSC\n3\nLoadObjectLayer 1 %s/secret.obj\n' "$PWD" >shop/scene.lws
+run render shop/scene.lws -o f.png --size 32
+check "assimp opens files" test "$status" = 0
+refuse 1 "shop/scene.lws: the file has nothing to draw" render shop/scene.lws -o a.png --size 32 --confine
+
+# thumbs confines to its folder.
+run thumbs shop -o thumbs --size 16
+for name in outside link absolute; do
+    check "$name.gltf has no thumbnail" test ! -e "thumbs/$name.gltf.png"
+done
+check "stock/above.gltf has one" test -s thumbs/stock/above.gltf.png
+succeed thumbs shop/stock -o free --size 16 --confine shop --max-memory 2G --max-texture 64
+check "--confine of another folder" test -s free/above.gltf.png
+refuse 2 "--max-memory: 'much' is not a size" thumbs shop -o x --max-memory much
+no_temporary_files
+finish

@@ -1,0 +1,69 @@
+// SPDX-License-Identifier: MIT
+// See budget.h.
+#include "budget.h"
+
+#include "options.h"
+#include "sanitizer.h"
+
+#include <stdlib.h>
+#include <strings.h>
+#include <sys/resource.h>
+
+enum { LEAST_MEGABYTES = 64, LEAST_SIDE = 1024 };
+
+// "512M", "2G", "1.5g".
+static bool parse_bytes(const char *text, size_t *bytes)
+{
+    char *end;
+    const double number = strtod(text, &end);
+    const double unit = strcasecmp(end, "G") == 0 ? 0x1p30 : strcasecmp(end, "M") == 0 ? 0x1p20 : 0.0;
+    if (end == text || !(number * unit >= LEAST_MEGABYTES * 0x1p20) || number * unit > 0x1p50) {
+        return false;
+    }
+    *bytes = (size_t)(number * unit);
+    return true;
+}
+
+bool cli_parse_budget(struct cli_budget *budget, int id, const char *argument)
+{
+    int side;
+    switch (id) {
+    case CLI_BUDGET_MEMORY:
+        if (parse_bytes(argument, &budget->memory)) {
+            return true;
+        }
+        cli_error("--max-memory", "'%s' is not a size like 512M or 2G, and at least %dM", argument,
+                  LEAST_MEGABYTES);
+        return false;
+    case CLI_BUDGET_TEXTURE:
+        if (cli_parse_int(argument, 1, RHW_MAX_TARGET_SIZE, &side)) {
+            budget->texture = (uint32_t)side;
+            return true;
+        }
+        cli_error("--max-texture", "'%s' is not a number of 1 to %d", argument, RHW_MAX_TARGET_SIZE);
+        return false;
+    default:
+        budget->is_confined = true;
+        budget->folder = argument;
+        return true;
+    }
+}
+
+void cli_budget_apply(const struct cli_budget *budget)
+{
+    struct rlimit limit;
+    if (budget->memory > 0 && !SCENE_SANITIZED && getrlimit(RLIMIT_AS, &limit) == 0 &&
+        (limit.rlim_max == RLIM_INFINITY || limit.rlim_max > budget->memory)) {
+        limit.rlim_cur = budget->memory;
+        setrlimit(RLIMIT_AS, &limit);
+    }
+}
+
+uint32_t cli_budget_texture_side(int pixels)
+{
+    uint32_t side = LEAST_SIDE;
+    while (side < RHW_MAX_TARGET_SIZE && side * 2 <= 4 * (uint32_t)pixels) {
+        side *= 2;
+    }
+    return side;
+}
