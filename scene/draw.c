@@ -69,6 +69,8 @@ void scene_destroy(struct scene *scene)
     scene_shadows_destroy(context, &scene->shadows);
     scene_surroundings_destroy(context, &scene->surroundings);
     scene_target_destroy(context, &scene->backdrop);
+    scene_peel_destroy(context, &scene->peel);
+    scene_triangle_order_destroy(context, &scene->order);
     if (scene->backdrop_sampler.generation) {
         rhw_sampler_destroy(context, scene->backdrop_sampler);
     }

@@ -53,6 +53,7 @@ static enum rhw_result draw_surfaces(struct draw *draw, int width, int height)
     result = scene_background_record(draw, pass, true, &format, 1, &background);
     struct scene_surface_pass surfaces = {.frame = &frame,
                                           .solid = true,
+                                          .order = &scene->order,
                                           .interpolate = draw->view->interpolate,
                                           .formats = {format},
                                           .format_count = 1,

@@ -7,6 +7,23 @@
 
 #include <string.h>
 
+void scene_color_surfaces(const struct draw *draw, const enum rhw_format *formats, int format_count,
+                          struct scene_surface_pass *surfaces)
+{
+    const struct scene *const scene = draw->scene;
+    *surfaces = (struct scene_surface_pass){.frame = &draw->frame,
+                                            .order = &scene->order,
+                                            .interpolate = draw->view->interpolate,
+                                            .wireframe = draw->view->wireframe,
+                                            .format_count = format_count,
+                                            .environment = scene->surroundings.cube,
+                                            .environment_sampler = scene->surroundings.cube_sampler,
+                                            .backdrop = scene->backdrop.texture,
+                                            .backdrop_sampler = scene->backdrop_sampler};
+    memcpy(surfaces->formats, formats, (size_t)format_count * sizeof *formats);
+    memcpy(surfaces->view_projection, draw->view_projection, sizeof surfaces->view_projection);
+}
+
 static enum rhw_result draw_samples(struct draw *draw, const enum rhw_format formats[2], int format_count)
 {
     struct scene *scene = draw->scene;
@@ -29,16 +46,8 @@ static enum rhw_result draw_samples(struct draw *draw, const enum rhw_format for
     }
     result = scene_background_record(draw, pass, false, formats, format_count, &background);
     scene_band_viewport(draw, pass, draw->side);
-    struct scene_surface_pass surfaces = {.frame = &draw->frame,
-                                          .interpolate = draw->view->interpolate,
-                                          .wireframe = draw->view->wireframe,
-                                          .format_count = format_count,
-                                          .environment = scene->surroundings.cube,
-                                          .environment_sampler = scene->surroundings.cube_sampler,
-                                          .backdrop = scene->backdrop.texture,
-                                          .backdrop_sampler = scene->backdrop_sampler};
-    memcpy(surfaces.formats, formats, (size_t)format_count * sizeof *formats);
-    memcpy(surfaces.view_projection, draw->view_projection, sizeof surfaces.view_projection);
+    struct scene_surface_pass surfaces;
+    scene_color_surfaces(draw, formats, format_count, &surfaces);
     if (result == RHW_OK) {
         result = scene_surfaces_record(&scene->upload, &scene->pipelines, &surfaces, pass);
     }
@@ -112,7 +121,9 @@ static enum rhw_result draw_color_band(struct draw *draw)
         result = scene_draw_target(draw, TARGET_LINEAR_SAMPLES, formats[1], width, height);
     }
     if (result == RHW_OK) {
-        result = draw_samples(draw, formats, pictures->linear ? 2 : 1);
+        const int count = pictures->linear ? 2 : 1;
+        result = scene_peel_wanted(draw) ? scene_peel_draw(draw, formats, count)
+                                         : draw_samples(draw, formats, count);
     }
     draw->stats.color_ms += scene_milliseconds() - start;
     if (result == RHW_OK && pictures->color) {
@@ -139,7 +150,10 @@ enum rhw_result scene_draw_color(struct draw *draw)
     const size_t per_sample =
         (outputs & SCENE_OUTPUT_DISPLAY ? 16u : 8u) + (outputs & SCENE_OUTPUT_LINEAR ? 16u : 0u);
     const size_t samples = (size_t)draw->view->supersample;
-    draw->band_rows = scene_band_rows(draw->view->height, (size_t)draw->view->width * per_sample * samples);
+    const size_t layers =
+        scene_peel_wanted(draw) ? scene_peel_bytes(draw, outputs & SCENE_OUTPUT_LINEAR ? 2 : 1) : 0;
+    draw->band_rows =
+        scene_band_rows(draw->view->height, (size_t)draw->view->width * (per_sample + layers) * samples);
     void *color = NULL, *linear = NULL, *display = NULL;
     const bool allocated =
         (!(outputs & SCENE_OUTPUT_COLOR) || scene_band_allocate(draw, RHW_FORMAT_RGBA8_SRGB, &color)) &&
@@ -153,6 +167,9 @@ enum rhw_result scene_draw_color(struct draw *draw)
     }
     draw->frame.linear_slot = linear != NULL ? 1 : -1;
     enum rhw_result result = scene_draw_light(draw);
+    if (result == RHW_OK) {
+        result = scene_triangle_order_make(&draw->scene->order, &draw->scene->upload, &draw->frame);
+    }
     if (result == RHW_OK) {
         result = scene_draw_backdrop(draw);
     }

@@ -14,6 +14,12 @@
 
 enum { TARGET_COUNT = SCENE_DATA_OUTPUTS + 5 };
 
+// What exact transparency is made of, kept from draw to draw. Zeroed: nothing.
+struct scene_peel {
+    struct scene_target colors[2], layers[2], depths[2];
+    rhw_query any;
+};
+
 struct scene {
     struct scene_upload upload;
     struct scene_surface_pipelines pipelines;
@@ -22,6 +28,8 @@ struct scene {
     struct scene_shadows shadows;
     struct scene_surroundings surroundings;
     struct scene_target backdrop;
+    struct scene_peel peel;
+    struct scene_triangle_order order; // of the draw under way
     rhw_sampler nearest, backdrop_sampler;
     double upload_ms;
 };
@@ -82,6 +90,16 @@ enum rhw_result scene_background_record(const struct draw *draw, rhw_pass pass, 
 // draw_backdrop.c: what is seen through surfaces that light passes through.
 enum rhw_result scene_draw_backdrop(struct draw *draw);
 
+// draw_peel.c: samples of the band whose transparent surfaces lie as they do, whatever their order.
+bool scene_peel_wanted(const struct draw *draw);
+// That a pixel of the samples takes.
+size_t scene_peel_bytes(const struct draw *draw, int format_count);
+enum rhw_result scene_peel_draw(struct draw *draw, const enum rhw_format *formats, int format_count);
+void scene_peel_destroy(rhw_context *context, struct scene_peel *peel);
+
+// draw_color.c: what a colour pass says of its surfaces.
+void scene_color_surfaces(const struct draw *draw, const enum rhw_format *formats, int format_count,
+                          struct scene_surface_pass *surfaces);
 enum rhw_result scene_draw_color(struct draw *draw);
 enum rhw_result scene_draw_data(struct draw *draw);
 

@@ -10,6 +10,11 @@
 enum rhw_result scene_screen_record(rhw_context *context, rhw_pass pass, enum scene_screen_kind kind,
                                     const enum rhw_format *formats, int format_count, const void *uniforms);
 
+/// Records a layer of premultiplied colours over what all attachments have, sample by sample: SCENE_SCREEN_LAYER, whose
+/// textures are bound.
+enum rhw_result scene_screen_lay(rhw_context *context, rhw_pass pass, const enum rhw_format *formats,
+                                 int format_count, const struct scene_layer *layer);
+
 /// Begins a pass that writes every texel of `texture`, and nothing else.
 enum rhw_result scene_screen_begin(rhw_context *context, rhw_texture texture, rhw_pass *pass);
 

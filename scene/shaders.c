@@ -46,6 +46,7 @@ void scene_program_screen(struct rhw_program *program, enum scene_screen_kind ki
     static const uint32_t sizes[SCENE_SCREEN_KINDS] = {
         [SCENE_SCREEN_BACKDROP] = sizeof(struct scene_backdrop),
         [SCENE_SCREEN_RESOLVE] = sizeof(struct scene_resolve),
+        [SCENE_SCREEN_LAYER] = sizeof(struct scene_layer),
         [SCENE_SCREEN_OCCLUSION] = sizeof(struct scene_ambient),
         [SCENE_SCREEN_OCCLUSION_BLUR] = sizeof(struct scene_ambient),
         [SCENE_SCREEN_PANORAMA] = sizeof(struct scene_panorama_pass),

@@ -90,9 +90,10 @@ struct scene_frame {
     int32_t display_slot, linear_slot; // colour attachments for light after and before tone mapping; −1: none
     float view_projection[16];         // for what is seen through a surface; depth does not matter
     float backdrop_levels;             // its texture's, less 1, in slot SCENE_SLOT_BACKDROP
-    float line_color[3], plain_color[3];     // wireframe
-    float line_half_width;                   // pixels of the pass
-    int32_t plain;                           // wireframe over an even surface
+    float line_color[3], plain_color[3]; // wireframe
+    float line_half_width;               // pixels of the pass
+    int32_t plain;                       // wireframe over an even surface
+    int32_t peel_samples; // of the depth that fragments must be nearer than, a texture; 0: no such thing
     int32_t output_slot[SCENE_DATA_OUTPUTS]; // enum scene_data_output to colour attachment; −1: not wanted
 };
 
@@ -127,6 +128,7 @@ struct scene_surface {
 
     int32_t slot_varying[SCENE_SLOT_COUNT]; // where the stream of a slot begins; −1: no texture
     int32_t slot_unit[SCENE_SLOT_COUNT];    // the draw's texture slot
+    int32_t peel_unit;                      // that of the depth, with frame->peel_samples
     const struct scene_layers *layers;      // of a layered surface
     float attenuation[3];                   // of its volume: log2 of what a unit of length leaves
     float thickness;                        // of its volume, in the world
@@ -194,6 +196,11 @@ struct scene_resolve {
     float inverse_size[2];  // of the sample texture
 };
 
+// Uniforms of a layer, which has as many samples as what it goes over.
+struct scene_layer {
+    int32_t samples, count; // count: of textures
+};
+
 enum scene_fragment_kind {
     SCENE_FRAGMENT_LIT,      // no textures
     SCENE_FRAGMENT_TEXTURED, // any textures but a normal map
@@ -209,6 +216,7 @@ enum scene_vertex_kind { SCENE_VERTEX_SURFACE, SCENE_VERTEX_LINE, SCENE_VERTEX_P
 enum scene_screen_kind {
     SCENE_SCREEN_BACKDROP,
     SCENE_SCREEN_RESOLVE,
+    SCENE_SCREEN_LAYER, // textures 0 and 1 over what is there
     SCENE_SCREEN_OCCLUSION,
     SCENE_SCREEN_OCCLUSION_BLUR,
     SCENE_SCREEN_PANORAMA,  // to a face of a cube

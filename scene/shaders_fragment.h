@@ -39,10 +39,28 @@ ALWAYS_INLINE const rhw_float *slot_texel(const struct rhw_fragment *f, const st
     return texels[slot];
 }
 
-// Base colour with alpha; clears the lanes of `mask` that the alpha test or the disc of a point discards.
+// A texel of a texture that has the pass's pixels and samples.
+ALWAYS_INLINE void fetch_here(const struct rhw_fragment *f, int slot, int samples, rhw_float texel[4])
+{
+    const rhw_int at[2] = {rhw_int_from_float_unchecked(f->coord[0]),
+                           rhw_int_from_float_unchecked(f->coord[1])};
+    if (samples > 1) {
+        rhw_sample_fetch_sample(f->textures, slot, at, &f->sample_id, texel);
+    } else {
+        rhw_sample_fetch(f->textures, slot, at, NULL, texel);
+    }
+}
+
+// Base colour with alpha; clears the lanes of `mask` that the alpha test, the disc of a point or a layer that is peeled
+// discards.
 ALWAYS_INLINE void base_color(struct rhw_fragment *f, const struct scene_surface *s, bool textured,
                               slot_texels texels, rhw_float color[4])
 {
+    if (s->frame->peel_samples > 0) {
+        rhw_float behind[4];
+        fetch_here(f, s->peel_unit, s->frame->peel_samples, behind);
+        f->mask = f->mask & rhw_less(behind[0], f->coord[2]);
+    }
     for (int c = 0; c < 4; c++) {
         color[c] = rhw_splat(s->base_color[c]);
     }

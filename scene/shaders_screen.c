@@ -3,6 +3,8 @@
 #include "rhw/shader.h"
 #include "shaders.h"
 
+#include <string.h>
+
 // (−1, −1), (3, −1), (−1, 3): one triangle leaves no diagonal seam to shade twice. Depth 0 is far.
 static void screen_vertex(struct rhw_vertex *groups, int count)
 {
@@ -77,7 +79,28 @@ static void resolve_fragment(struct rhw_fragment *groups, int count)
     }
 }
 
+static void layer_fragment(struct rhw_fragment *groups, int count)
+{
+    const struct scene_layer *layer = groups->uniforms;
+    for (int g = 0; g < count; g++) {
+        const struct rhw_fragment *const f = &groups[g];
+        const rhw_int at[2] = {rhw_int_from_float_unchecked(f->coord[0]),
+                               rhw_int_from_float_unchecked(f->coord[1])};
+        for (int i = 0; i < layer->count; i++) {
+            rhw_float texel[4];
+            if (layer->samples > 1) {
+                rhw_sample_fetch_sample(f->textures, i, at, &f->sample_id, texel);
+            } else {
+                rhw_sample_fetch(f->textures, i, at, NULL, texel);
+            }
+            memcpy(groups[g].color[i], texel, sizeof texel);
+        }
+    }
+}
+
 const struct scene_screen_shaders RHW_ISA_NAME(scene_screen_shaders) = {
     .vertex = screen_vertex,
-    .fragment = {[SCENE_SCREEN_BACKDROP] = backdrop_fragment, [SCENE_SCREEN_RESOLVE] = resolve_fragment},
+    .fragment = {[SCENE_SCREEN_BACKDROP] = backdrop_fragment,
+                 [SCENE_SCREEN_RESOLVE] = resolve_fragment,
+                 [SCENE_SCREEN_LAYER] = layer_fragment},
 };

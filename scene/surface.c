@@ -275,14 +275,16 @@ static void use_color(struct scene_surface *s, struct scene_surface_key *key,
 static void use_layers(struct scene_surface *s, const struct scene_material *material)
 {
     const struct scene_layers *layers = &material->layers;
+    const int32_t end = SCENE_SLOT_BACKDROP - (s->frame->peel_samples > 0);
     int32_t unit = SCENE_BASE_SLOTS;
     for (int slot = SCENE_BASE_SLOTS; slot < SCENE_SLOT_COUNT; slot++) {
-        if (s->slot_varying[slot] >= 0 && unit < SCENE_SLOT_BACKDROP) {
+        if (s->slot_varying[slot] >= 0 && unit < end) {
             s->slot_unit[slot] = unit++;
         } else {
             s->slot_varying[slot] = -1;
         }
     }
+    s->peel_unit = unit;
     s->layers = layers;
     // The thickness is of the mesh; the world may stretch it, differently along each axis.
     double stretch = 0.0;
@@ -345,7 +347,12 @@ static void lay_out_color(struct scene_surface *s, struct scene_surface_key *key
                     : mapped   ? SCENE_FRAGMENT_MAPPED
                     : textured ? SCENE_FRAGMENT_TEXTURED
                                : SCENE_FRAGMENT_LIT;
-    key->blend = material->alpha_mode == SCENE_ALPHA_BLEND && !plain;
+    const bool blended = material->alpha_mode == SCENE_ALPHA_BLEND && !plain;
+    key->blend = blended && def->part != SCENE_SURFACES_PEELED;
+    key->peel = blended && def->part == SCENE_SURFACES_PEELED;
+    if (key->peel) {
+        key->uses |= RHW_USE_COORD | RHW_USE_DISCARD | (def->frame->peel_samples > 1 ? RHW_USE_SAMPLE : 0);
+    }
     if (def->wireframe != SCENE_WIREFRAME_NONE && s->is_triangle) {
         s->wireframe = 1;
         key->uses |= RHW_USE_BARYCENTRIC | RHW_USE_BARYCENTRIC_DERIVATIVES;
@@ -432,6 +439,7 @@ static void lay_out(const struct scene_upload *upload, const struct scene_surfac
     for (int slot = 0; slot < SCENE_SLOT_COUNT; slot++) {
         s->slot_varying[slot] = -1;
     }
+    s->peel_unit = SCENE_BASE_SLOTS;
     s->is_triangle = mesh->kind == SCENE_VERTEX_SURFACE;
     s->triangles_per_id = s->is_triangle ? 1 : 2;
     s->object = instance->object;
@@ -494,7 +502,7 @@ static struct rhw_pipeline_def pipeline_def(const struct scene_surface_key *key)
     def.cull = (enum rhw_cull)key->cull;
     def.front = (enum rhw_winding)key->front;
     def.depth_test = true;
-    def.depth_compare = RHW_COMPARE_GREATER;
+    def.depth_compare = key->peel ? RHW_COMPARE_LESS : RHW_COMPARE_GREATER;
     def.depth_read_only = key->blend != 0;
     def.target_count = key->format_count;
     for (int i = 0; i < key->format_count; i++) {
@@ -579,8 +587,15 @@ static enum rhw_result record_instance(const struct scene_upload *upload,
         rhw_pass_set_texture(context, pass, SCENE_SLOT_ENVIRONMENT, def->environment,
                              def->environment_sampler);
     }
+    if (key.peel) {
+        rhw_pass_set_texture(context, pass, surface.peel_unit, def->peeled, def->peeled_sampler);
+    }
+    const rhw_buffer sorted = key.blend ? scene_triangle_order_of(def->order, instance) : (rhw_buffer){0};
+    if (sorted.generation) {
+        rhw_pass_set_index_buffer(context, pass, sorted, RHW_INDEX_UINT32, 0);
+    }
     // A blended surface with two sides shows its far side through the near one: far side first.
-    const bool twice = key.blend && key.cull == RHW_CULL_NONE && surface.is_triangle;
+    const bool twice = key.blend && !sorted.generation && key.cull == RHW_CULL_NONE && surface.is_triangle;
     for (int side = twice ? 0 : 1; side < 2; side++) {
         if (twice) {
             key.cull = side == 0 ? RHW_CULL_FRONT : RHW_CULL_BACK;
@@ -612,6 +627,10 @@ enum rhw_result scene_surfaces_record(const struct scene_upload *upload,
         const uint32_t mesh = model->instances[items[i].instance].mesh;
         if (def->shadow && upload->meshes[mesh].kind != SCENE_VERTEX_SURFACE) {
             continue; // lines and points have no extent in the world
+        }
+        if ((def->part == SCENE_SURFACES_OPAQUE && items[i].blended) ||
+            (def->part == SCENE_SURFACES_PEELED && !items[i].blended)) {
+            continue;
         }
         if ((def->shadow || def->solid) &&
             scene_material_transmits(&model->materials[model->meshes[mesh].material])) {

@@ -4,9 +4,13 @@
 #define SCENE_SURFACE_H
 
 #include "draw.h"
+#include "triangle_order.h"
 #include "upload.h"
 
 struct scene_lighting;
+
+/// PEELED: blended surfaces without blending, of each pixel the farthest that is nearer than `peeled`.
+enum scene_surface_part { SCENE_SURFACES_ALL, SCENE_SURFACES_OPAQUE, SCENE_SURFACES_PEELED };
 
 /// What a pass wants of every surface.
 struct scene_surface_pass {
@@ -14,7 +18,9 @@ struct scene_surface_pass {
     uint32_t data_outputs;           ///< scene_output of a data pass; 0: a colour pass
     bool shadow;                     ///< depth alone, of what casts a shadow
     bool solid;                      ///< without what light passes through
-    bool unmapped;                   ///< normals of a data pass are those of the mesh, without normal maps
+    enum scene_surface_part part;
+    const struct scene_triangle_order *order; ///< of the triangles of blended surfaces; NULL: the model's
+    bool unmapped; ///< normals of a data pass are those of the mesh, without normal maps
     enum rhw_qualifier interpolate;
     enum scene_wireframe wireframe;
     enum rhw_format formats[RHW_MAX_COLOR_ATTACHMENTS];
@@ -24,6 +30,8 @@ struct scene_surface_pass {
     rhw_sampler environment_sampler;
     rhw_texture backdrop; ///< what is seen through surfaces, with levels; null: none is
     rhw_sampler backdrop_sampler;
+    rhw_texture peeled; ///< with frame->peel_samples: what fragments must be nearer than
+    rhw_sampler peeled_sampler;
 };
 
 /// Sets what a frame has from the camera and the lights, which must outlive it, and `view_projection` for a
@@ -39,7 +47,7 @@ struct scene_surface_key {
     int32_t stream_count;    // the last varyings, which need derivatives
     int32_t position_number; // 1 + that of its varying
     int32_t position_derivatives;
-    int32_t interpolate, uses, cull, front, blend;
+    int32_t interpolate, uses, cull, front, blend, peel;
     int32_t format_count, formats[RHW_MAX_COLOR_ATTACHMENTS];
 };
 

@@ -5,32 +5,39 @@
 #include <stdlib.h>
 
 static enum rhw_result get(rhw_context *context, struct scene_target *target, enum rhw_format format,
-                           int width, int height, int levels)
+                           int width, int height, int levels, int samples)
 {
     if (target->texture.generation && target->format == format && target->width == width &&
-        target->height == height) {
+        target->height == height && target->samples == samples) {
         return RHW_OK;
     }
     scene_target_destroy(context, target);
-    *target = (struct scene_target){.format = format, .width = width, .height = height};
+    *target = (struct scene_target){.format = format, .width = width, .height = height, .samples = samples};
     struct rhw_texture_def def = rhw_texture_def_default();
     def.format = format;
     def.width = width;
     def.height = height;
     def.mip_levels = levels;
+    def.samples = samples;
     return rhw_texture_create(context, &def, &target->texture);
 }
 
 enum rhw_result scene_target_get(rhw_context *context, struct scene_target *target, enum rhw_format format,
                                  int width, int height)
 {
-    return get(context, target, format, width, height, 1);
+    return get(context, target, format, width, height, 1, 1);
 }
 
 enum rhw_result scene_target_get_levels(rhw_context *context, struct scene_target *target,
                                         enum rhw_format format, int width, int height)
 {
-    return get(context, target, format, width, height, RHW_MIP_LEVELS_ALL);
+    return get(context, target, format, width, height, RHW_MIP_LEVELS_ALL, 1);
+}
+
+enum rhw_result scene_target_get_samples(rhw_context *context, struct scene_target *target,
+                                         enum rhw_format format, int width, int height, int samples)
+{
+    return get(context, target, format, width, height, 1, samples);
 }
 
 void scene_target_destroy(rhw_context *context, struct scene_target *target)

@@ -9,7 +9,7 @@
 struct scene_target {
     rhw_texture texture;
     enum rhw_format format;
-    int width, height;
+    int width, height, samples;
 };
 
 /// Makes the texture anew unless it is of that format and size already.
@@ -18,6 +18,9 @@ enum rhw_result scene_target_get(rhw_context *context, struct scene_target *targ
 /// The same with a whole chain of levels.
 enum rhw_result scene_target_get_levels(rhw_context *context, struct scene_target *target,
                                         enum rhw_format format, int width, int height);
+/// The same with several samples of each texel; 1: as scene_target_get.
+enum rhw_result scene_target_get_samples(rhw_context *context, struct scene_target *target,
+                                         enum rhw_format format, int width, int height, int samples);
 void scene_target_destroy(rhw_context *context, struct scene_target *target);
 
 /// A texture of one float per texel in memory that shaders can gather from. Zeroed: none.

@@ -53,6 +53,8 @@ bool scene_view_check(const struct scene_view *view, char *error, size_t error_s
         snprintf(error, error_size, "background: there is no environment to show");
     } else if (view->panorama_rotation - view->panorama_rotation != 0.0) {
         snprintf(error, error_size, "environment: its rotation must be a finite number of degrees");
+    } else if ((unsigned)view->transparency > SCENE_TRANSPARENCY_EXACT) {
+        snprintf(error, error_size, "transparency: must be sorted or exact");
     } else if (!(view->exposure >= -20.0 && view->exposure <= 20.0)) {
         snprintf(error, error_size, "exposure: must lie between -20 and 20 stops");
     } else {

@@ -41,6 +41,12 @@ enum scene_background {
     SCENE_BACKGROUND_TRANSPARENT
 };
 
+/// How surfaces of alpha mode BLEND lie above each other.
+enum scene_transparency {
+    SCENE_TRANSPARENCY_SORTED, ///< meshes by their middle, and the triangles of each by theirs, from back to front
+    SCENE_TRANSPARENCY_EXACT ///< the surfaces of every sample by their depth there, peeled one after the other
+};
+
 struct scene_view {
     int width, height; ///< 1..RHW_MAX_TARGET_SIZE
     int samples; ///< per pixel for colour: 1, 2, 4, 8 or 16, at each of which surfaces are tested, not shaded
@@ -58,9 +64,10 @@ struct scene_view {
     const struct scene_panorama
         *panorama;            ///< lights the model instead of the studio; NULL: none. Outlives the scene
     double panorama_rotation; ///< degrees about what is up, against the clock as seen from there
-    enum scene_tone tone;     ///< how light becomes a picture
-    double exposure;          ///< stops, added to what is chosen for the lights; −20..20
-    uint32_t outputs;         ///< scene_output, at least one
+    enum scene_transparency transparency;
+    enum scene_tone tone; ///< how light becomes a picture
+    double exposure;      ///< stops, added to what is chosen for the lights; −20..20
+    uint32_t outputs;     ///< scene_output, at least one
 };
 
 /// 1280×720, one sample, the whole model fitted, gradient, colour.

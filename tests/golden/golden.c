@@ -73,6 +73,7 @@ static const struct scene features[] = {
     {"gallery-orthographic", golden_gallery_draw, 2},
     {"gallery-wireframe-plain", golden_gallery_draw, 3},
     {"gallery-layers", golden_gallery_draw, 4},
+    {"gallery-transparency", golden_gallery_draw, 5},
     {"spot", golden_model_draw, 0},
     {"spider", golden_model_draw, 1},
 };

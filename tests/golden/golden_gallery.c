@@ -383,13 +383,13 @@ void golden_gallery_draw(rhw_context *context, int number, struct golden_images 
     view.height = number == 3 ? 160 : 130;
     view.outputs =
         number % 2 ? SCENE_OUTPUT_COLOR | SCENE_OUTPUT_LINEAR | SCENE_OUTPUT_DISPLAY : SCENE_OUTPUT_ALL;
-    static const int supersample[] = {4, 1, 1, 9, 1};
+    static const int supersample[] = {4, 1, 1, 9, 1, 1};
     view.supersample = supersample[number];
     const double aspect = (double)view.width / view.height;
     struct scene_model_camera camera = file_camera(number == 2);
     camera.yfov = 0.25f; // the narrower picture takes a taller angle
     view.camera =
-        number < 2 || layered
+        number < 2 || number > 3
             ? scene_camera_fit(model, (struct scene_orbit){.azimuth = 25, .elevation = 15}, 0.5, aspect)
             : scene_camera_from_model(&camera, aspect);
     if (number == 1) {
@@ -410,6 +410,9 @@ void golden_gallery_draw(rhw_context *context, int number, struct golden_images 
         view.panorama_rotation = 130;
         view.background = SCENE_BACKGROUND_PANORAMA;
         view.tone = SCENE_TONE_ACES;
+    } else if (number == 5) {
+        view.samples = 4;
+        view.transparency = SCENE_TRANSPARENCY_EXACT;
     }
     draw_model(context, model, &view, images);
 }

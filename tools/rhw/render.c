@@ -155,6 +155,7 @@ static bool set_view(struct render *render)
     view->panorama = job->environment ? &render->panorama : NULL;
     view->panorama_rotation = (double)job->environment_rotation;
     view->tone = job->tone;
+    view->transparency = job->transparency;
     view->up = job->has_up ? job->up : render->model->up;
     view->exposure = (double)job->exposure;
     view->outputs = cli_outputs_needed(job->kinds, job->format, job->bits);

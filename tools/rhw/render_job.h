@@ -42,6 +42,7 @@ struct cli_render_job {
     const char *environment; ///< a file; NULL: the studio
     float environment_rotation;
     enum scene_tone tone;
+    enum scene_transparency transparency;
     unsigned kinds; ///< set of 1 << enum cli_output_kind
     int bits;       ///< 0: as the output wants
     int quality;    ///< of JPEG and WebP; 0: the default

@@ -33,10 +33,10 @@ static bool parse_switch(const char *option, const char *argument, bool *on)
 
 bool cli_parse_look(struct cli_render_job *job, int id, const char *argument)
 {
-    static const char *const qualifiers[] = {"smooth", "noperspective"},
-                             *const wireframes[] = {"over", "plain"},
-                             *const lights[] = {"file", "default", "none"},
-                             *const tones[] = {"neutral", "aces", "agx", "none"};
+    static const char *const
+        qualifiers[] = {"smooth", "noperspective"},
+        *const wireframes[] = {"over", "plain"}, *const lights[] = {"file", "default", "none"},
+        *const transparencies[] = {"sorted", "exact"}, *const tones[] = {"neutral", "aces", "agx", "none"};
     int choice;
     switch (id) {
     case CLI_LOOK_INTERPOLATE:
@@ -51,6 +51,10 @@ bool cli_parse_look(struct cli_render_job *job, int id, const char *argument)
         choice = cli_choose("--lights", argument, lights, 3);
         job->default_lights = choice > 0;
         job->no_lights = choice == 2;
+        return choice >= 0;
+    case CLI_LOOK_TRANSPARENCY:
+        choice = cli_choose("--transparency", argument, transparencies, 2);
+        job->transparency = (enum scene_transparency)choice;
         return choice >= 0;
     case CLI_LOOK_SHADOWS: return parse_switch("--shadows", argument, &job->shadows);
     case CLI_LOOK_AMBIENT_OCCLUSION:

@@ -15,7 +15,8 @@ enum cli_look_option {
     CLI_LOOK_EXPOSURE,
     CLI_LOOK_ENVIRONMENT,
     CLI_LOOK_ENVIRONMENT_ROTATION,
-    CLI_LOOK_TONE_MAP
+    CLI_LOOK_TONE_MAP,
+    CLI_LOOK_TRANSPARENCY
 };
 
 /// Sets what one of them says. False after a message.

@@ -89,6 +89,10 @@ static const struct cli_option options[] = {
     {"environment-rotation", CLI_LOOK_ENVIRONMENT_ROTATION, "DEGREES", "turn it about what is up"},
     {"tone-map", CLI_LOOK_TONE_MAP, "NAME",
      "how light becomes colours: neutral (the default), aces, agx or none"},
+    {"transparency", CLI_LOOK_TRANSPARENCY, "HOW",
+     "sorted (the default: transparent surfaces by the middles of their triangles) or\nexact (in every "
+     "sample by "
+     "their depth there, which takes a pass for each layer)"},
     {"exposure", CLI_LOOK_EXPOSURE, "STOPS", "brighter by this many factors of two; -20..20"},
     {"threads", OPTION_THREADS, "N",
      "threads to use, 1..64; default: one for each core that the process may\nuse. The picture is the same"},

@@ -32,6 +32,7 @@ _rhw_render() { # CURRENT PREVIOUS
     --background) _rhw_words "$1" default transparent environment black grey white red skyblue ;;
     --up) _rhw_words "$1" x y z -x -y -z ;;
     --lights) _rhw_words "$1" file default none ;;
+    --transparency) _rhw_words "$1" sorted exact ;;
     --tone-map) _rhw_words "$1" neutral aces agx none ;;
     --environment | --confine) _rhw_files "$1" ;;
     --max-memory) _rhw_words "$1" 512M 1G 2G 4G ;;
@@ -44,7 +45,7 @@ _rhw_render() { # CURRENT PREVIOUS
     *)
         if [[ $1 == -* ]]; then
             _rhw_words "$1" --out --size --samples --supersample --output --bits --format --quality --fit --up --orbit --zoom --margin --ortho --print-camera --camera --camera-index \
-                --camera-name --fovy --interpolate --wireframe --background --variant --lights --shadows --ambient-occlusion --environment --environment-rotation --tone-map --exposure --threads --isa --paths \
+                --camera-name --fovy --interpolate --wireframe --background --variant --lights --shadows --ambient-occlusion --environment --environment-rotation --tone-map --transparency --exposure --threads --isa --paths \
                 --max-memory --max-texture --confine --stats --strict --quiet --help
         else
             _rhw_files "$1"
