@@ -27,7 +27,7 @@ for verb in render compare info bench; do
 done
 
 refuse 2 "render: -o OUT is missing" render -
-refuse 2 "extra: one argument too many" render cube.obj extra -o a.png
+refuse 2 "a.png: several models need a \{name\} in OUT" render cube.obj extra -o a.png
 refuse 2 "-o: needs an argument|--out: needs an argument" render cube.obj -o
 refuse 2 "'': no format for this ending" render cube.obj -o ""
 refuse 1 "'': cannot be opened" render "" -o a.png

@@ -1,12 +1,9 @@
 // SPDX-License-Identifier: MIT
 // rhw render: model file in, picture files out. This file is the order of things; what the command line
 // means stands in render_options.c, what becomes of an output in outputs.c.
-#include "model_input.h"
 #include "options.h"
-#include "output_file.h"
-#include "panorama_load.h"
 #include "render_camera.h"
-#include "render_job.h"
+#include "render_state.h"
 #include "verbs.h"
 
 #include <math.h>
@@ -15,78 +12,13 @@
 #include <string.h>
 #include <time.h>
 
-enum { WARNINGS_SHOWN = 32, JPEG_QUALITY = 92 };
+enum { WARNINGS_SHOWN = 32 };
 
-struct render {
-    struct cli_render_job job;
-    struct cli_model_input input;
-    struct scene_model *model;
-    struct scene_panorama panorama; // with job.environment
-    rhw_context *context;
-    struct scene *scene;
-    struct scene_view view;
-    struct scene_pictures pictures;
-    struct scene_draw_stats stats;
-    struct cli_render_times times;
-    char *paths[CLI_KIND_COUNT]; // NULL: not written
-    struct cli_output_file files[CLI_KIND_COUNT];
-    int file_count;        // open ones
-    bool distrusts_camera; // the file's first camera gave way to the fit
-};
-
-static double now_ms(void)
+double cli_milliseconds(void)
 {
     struct timespec time;
     clock_gettime(CLOCK_MONOTONIC, &time);
     return (double)time.tv_sec * 1e3 + (double)time.tv_nsec * 1e-6;
-}
-
-// OUT, or with several outputs OUT with the output's name in it.
-static char *make_path(const struct cli_render_job *job, enum cli_output_kind kind)
-{
-    const char *name = cli_output_name(kind), *out = job->out;
-    const size_t size = strlen(out) + strlen(name) + 2;
-    char *path = malloc(size);
-    if (!path) {
-        return NULL;
-    }
-    const char *place = strstr(out, "{}");
-    const bool several = (job->kinds & (job->kinds - 1)) != 0;
-    if (job->format != CLI_PICTURE_EXR && place) {
-        snprintf(path, size, "%.*s%s%s", (int)(place - out), out, name, place + 2);
-    } else if (job->format == CLI_PICTURE_EXR || !several || kind == CLI_KIND_COLOR) {
-        snprintf(path, size, "%s", out);
-    } else {
-        const char *base = strrchr(out, '/') ? strrchr(out, '/') : out;
-        const char *dot = strrchr(base, '.');
-        const int stem = dot ? (int)(dot - out) : (int)strlen(out);
-        snprintf(path, size, "%.*s.%s%s", stem, out, name, dot ? dot : "");
-    }
-    return path;
-}
-
-static bool plan_files(struct render *render)
-{
-    const struct cli_render_job *job = &render->job;
-    for (int kind = 0; kind < CLI_KIND_COUNT; kind++) {
-        if (!(job->kinds >> kind & 1)) {
-            continue;
-        }
-        render->paths[kind] = make_path(job, (enum cli_output_kind)kind);
-        if (!render->paths[kind]) {
-            cli_error(job->out, "out of memory");
-            return false;
-        }
-        if (!cli_output_file_check(render->paths[kind]) ||
-            cli_model_input_is(&render->input, render->paths[kind])) {
-            return false;
-        }
-        if (job->format == CLI_PICTURE_EXR) {
-            break; // one file for all
-        }
-    }
-    return !job->stats ||
-           (cli_output_file_check(job->stats_path) && !cli_model_input_is(&render->input, job->stats_path));
 }
 
 // What was wrong with the file, and what of it is not drawn. Returns how many lines there are.
@@ -109,11 +41,11 @@ static uint32_t warn(const struct render *render)
 static bool import_model(struct render *render)
 {
     const struct cli_render_job *job = &render->job;
-    const double start = now_ms();
+    const double start = cli_milliseconds();
     render->model = cli_model_input_load(
         &render->input, &job->budget,
         (struct scene_model_options){.variant = job->variant, .texture_side = job->budget.texture});
-    render->times.import_ms = now_ms() - start;
+    render->times.import_ms = cli_milliseconds() - start;
     if (!render->model) {
         return false;
     }
@@ -208,7 +140,18 @@ static void warn_of_a_partial_view(const struct render *render)
     }
 }
 
-static bool draw(struct render *render)
+static bool report(const struct render *render, enum rhw_result result)
+{
+    cli_stage_end();
+    if (result != RHW_OK) {
+        const bool limited = result == RHW_ERROR_OUT_OF_MEMORY && render->job.budget.memory > 0;
+        cli_error(render->job.model_path, "%s%s", rhw_result_string(result),
+                  limited ? "; --max-memory allows no more" : "");
+    }
+    return result == RHW_OK;
+}
+
+static bool open_scene(struct render *render)
 {
     struct rhw_context_def def = rhw_context_def_default();
     def.threads = render->job.threads;
@@ -221,108 +164,136 @@ static bool draw(struct render *render)
     if (result == RHW_OK) {
         result = scene_create(render->context, render->model, &render->scene);
     }
-    if (result == RHW_OK) {
-        result = scene_draw(render->scene, &render->view, &render->pictures, &render->stats);
-    }
+    return report(render, result);
+}
+
+static bool draw(struct render *render)
+{
+    scene_pictures_free(&render->pictures);
+    cli_stage("drawing", render->job.model_path);
+    enum rhw_result result = scene_draw(render->scene, &render->view, &render->pictures, &render->stats);
     if (result == RHW_OK && render->stats.pipeline.triangles_rasterized == 0) {
         result = draw_again(render);
     } else if (result == RHW_OK) {
         warn_of_a_partial_view(render);
     }
-    cli_stage_end();
-    if (result != RHW_OK) {
-        const bool limited = result == RHW_ERROR_OUT_OF_MEMORY && render->job.budget.memory > 0;
-        cli_error(render->job.model_path, "%s%s", rhw_result_string(result),
-                  limited ? "; --max-memory allows no more" : "");
-    }
-    return result == RHW_OK;
+    return report(render, result);
 }
 
-static bool encode_exr(struct render *render, struct cli_output_file *file)
+// A file for each view.
+static int draw_views(struct render *render)
 {
-    struct cli_exr_channel channels[CLI_EXR_CHANNELS_MAX];
-    const int count = cli_outputs_exr_channels(&render->pictures, render->job.kinds, channels);
-    return cli_exr_write(file, render->pictures.width, render->pictures.height, channels, count,
-                         rhw_context_threads(render->context));
+    struct cli_render_job *const job = &render->job;
+    int status = CLI_OK;
+    for (int i = 0; i < job->view_count && status == CLI_OK; i++) {
+        cli_render_files_forget(render);
+        job->orbit = cli_view_orbit(job->views[i]);
+        const bool drawn = cli_render_files_plan(render, i) && set_view(render) && draw(render) &&
+                           cli_render_files_write(render);
+        status = drawn ? CLI_OK : CLI_FAILED;
+    }
+    return status;
 }
 
-static bool encode_raster(struct render *render, struct cli_output_file *file, enum cli_output_kind kind)
+// All views on one sheet.
+static int draw_sheet(struct render *render)
 {
-    const struct cli_render_job *job = &render->job;
-    struct cli_output_raster output;
-    cli_output_rasterize(&output, &render->pictures, kind, job->bits,
-                         job->background == SCENE_BACKGROUND_TRANSPARENT, render->model->bounds_min,
-                         render->model->bounds_max);
-    switch (job->format) {
-    case CLI_PICTURE_PNG: return cli_png_write(file, &output.raster);
-    case CLI_PICTURE_JPEG:
-        return cli_jpeg_write(file, &output.raster, job->quality ? job->quality : JPEG_QUALITY);
-    case CLI_PICTURE_WEBP: return cli_webp_write(file, &output.raster, job->quality);
-    default: return cli_ppm_write(file, &output.raster);
-    }
-}
-
-// All files are complete before the first gets its name, so that a full disk leaves none of them.
-static bool write_files(struct render *render)
-{
-    const double start = now_ms();
-    bool written = true;
-    for (int kind = 0; written && kind < CLI_KIND_COUNT; kind++) {
-        if (!render->paths[kind]) {
-            continue;
+    struct cli_render_job *const job = &render->job;
+    struct scene_pictures sheet = {0};
+    int columns, rows, status = CLI_OK;
+    cli_sheet_grid(job->view_count, &columns, &rows);
+    for (int i = 0; i < job->view_count && status == CLI_OK; i++) {
+        job->orbit = cli_view_orbit(job->views[i]);
+        status = set_view(render) && draw(render) ? CLI_OK : CLI_FAILED;
+        if (status == CLI_OK && i == 0 && !cli_sheet_create(&sheet, &render->pictures, columns, rows)) {
+            cli_error(job->model_path, "there is not enough memory for a sheet of %d views", job->view_count);
+            status = CLI_FAILED;
         }
-        cli_stage("writing", render->paths[kind]);
-        struct cli_output_file *file = &render->files[render->file_count];
-        written = cli_output_file_open(file, render->paths[kind]);
-        if (!written) {
-            break;
-        }
-        render->file_count++;
-        written = (render->job.format == CLI_PICTURE_EXR
-                       ? encode_exr(render, file)
-                       : encode_raster(render, file, (enum cli_output_kind)kind)) &&
-                  cli_output_file_finish(file);
-    }
-    cli_stage_end();
-    for (int i = 0; i < render->file_count; i++) {
-        if (written) {
-            written = cli_output_file_commit(&render->files[i]);
-        } else {
-            cli_output_file_discard(&render->files[i]);
+        if (status == CLI_OK) {
+            cli_sheet_place(&sheet, &render->pictures, i);
         }
     }
-    render->times.encode_ms = now_ms() - start;
-    return written;
+    if (status == CLI_OK) {
+        cli_sheet_end(&sheet, &render->pictures, job->view_count);
+        const struct scene_pictures last = render->pictures;
+        render->pictures = sheet;
+        sheet = last;
+        status = cli_render_files_write(render) ? CLI_OK : CLI_FAILED;
+    }
+    scene_pictures_free(&sheet);
+    return status;
 }
 
 static int run(struct render *render)
 {
-    const double start = now_ms();
+    const double start = cli_milliseconds();
     const struct cli_render_job *job = &render->job;
-    if (job->isa != RHW_ISA_COUNT && !rhw_isa_supported(job->isa)) {
-        cli_error("--isa", "this computer or this build has no %s", rhw_isa_name(job->isa));
+    if (!cli_render_files_check(render) || !import_model(render)) {
         return CLI_FAILED;
     }
-    cli_budget_apply(&job->budget);
-    if (!plan_files(render) ||
-        (job->environment && !cli_panorama_load(&render->panorama, job->environment)) ||
-        !import_model(render)) {
-        return CLI_FAILED;
-    }
-    if (!set_view(render)) {
+    if (!set_view(render)) { // before anything is uploaded
         return CLI_USAGE;
     }
-    if (!draw(render) || !write_files(render)) {
+    if (!open_scene(render)) {
         return CLI_FAILED;
+    }
+    const int status = cli_render_has_file_per_view(job)                ? draw_views(render)
+                       : job->view_count > 0                            ? draw_sheet(render)
+                       : draw(render) && cli_render_files_write(render) ? CLI_OK
+                                                                        : CLI_FAILED;
+    if (status != CLI_OK) {
+        return status;
     }
     if (job->print_camera) {
         cli_camera_print(&render->view.camera);
     }
-    render->times.total_ms = now_ms() - start;
+    render->times.total_ms = cli_milliseconds() - start;
     if (job->stats && !cli_render_report(job, render->model, &render->stats, &render->times)) {
         return CLI_FAILED;
     }
     return CLI_OK;
+}
+
+// What is of one model alone.
+static void forget_model(struct render *render)
+{
+    cli_model_input_close(&render->input);
+    scene_pictures_free(&render->pictures);
+    if (render->scene) {
+        scene_destroy(render->scene);
+    }
+    rhw_context_destroy(render->context);
+    if (render->model) {
+        scene_model_free(render->model);
+    }
+    cli_render_files_forget(render);
+    render->scene = NULL;
+    render->context = NULL;
+    render->model = NULL;
+}
+
+static int render_model(struct render *render, const char *path)
+{
+    render->job.model_path = path;
+    int status = CLI_FAILED;
+    if (cli_model_input_open(&render->input, path)) {
+        render->job.model_path = render->input.name;
+        status = run(render);
+    }
+    forget_model(render);
+    return status;
+}
+
+// The machine is asked before any model.
+static bool prepare(struct render *render)
+{
+    const struct cli_render_job *job = &render->job;
+    if (job->isa != RHW_ISA_COUNT && !rhw_isa_supported(job->isa)) {
+        cli_error("--isa", "this computer or this build has no %s", rhw_isa_name(job->isa));
+        return false;
+    }
+    cli_budget_apply(&job->budget);
+    return !job->environment || cli_panorama_load(&render->panorama, job->environment);
 }
 
 int cli_render(int argc, char **argv)
@@ -332,23 +303,14 @@ int cli_render(int argc, char **argv)
     if (!cli_render_job_parse(&render.job, argc, argv, &status)) {
         return status;
     }
-    status = CLI_FAILED;
-    if (cli_model_input_open(&render.input, render.job.model_path)) {
-        render.job.model_path = render.input.name;
-        status = run(&render);
+    if (!prepare(&render)) {
+        return CLI_FAILED;
     }
-    cli_model_input_close(&render.input);
-    scene_pictures_free(&render.pictures);
-    if (render.scene) {
-        scene_destroy(render.scene);
-    }
-    rhw_context_destroy(render.context);
-    if (render.model) {
-        scene_model_free(render.model);
+    status = CLI_OK;
+    for (int i = 0; i < render.job.model_count && status != CLI_USAGE; i++) {
+        const int each = render_model(&render, render.job.model_paths[i]); // a failure keeps no other from it
+        status = each == CLI_OK ? status : each;
     }
     free(render.panorama.texels);
-    for (int kind = 0; kind < CLI_KIND_COUNT; kind++) {
-        free(render.paths[kind]);
-    }
     return status;
 }

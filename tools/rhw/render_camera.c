@@ -91,8 +91,9 @@ static struct scene_camera fit_orthographic(const struct scene_model *model, str
 struct scene_camera cli_camera_fit(const struct cli_render_job *job, const struct scene_model *model)
 {
     const enum scene_axis up = job->has_up ? job->up : model->up;
-    struct scene_orbit orbit =
-        job->camera == CLI_CAMERA_ORBIT ? job->orbit : scene_camera_default_orbit(model, up);
+    struct scene_orbit orbit = job->camera == CLI_CAMERA_ORBIT || job->camera == CLI_CAMERA_VIEWS
+                                   ? job->orbit
+                                   : scene_camera_default_orbit(model, up);
     orbit.up = up;
     orbit.whole = job->fit_all;
     const double yfov = job->fovy > 0.0f ? (double)job->fovy * degree : scene_camera_default_yfov();
@@ -114,7 +115,7 @@ bool cli_camera_choose(const struct cli_render_job *job, const struct scene_mode
     if (job->camera == CLI_CAMERA_LOOK) {
         return look_from_numbers(job, model, camera);
     }
-    const bool fitted = job->camera == CLI_CAMERA_FIT || job->camera == CLI_CAMERA_ORBIT;
+    const bool fitted = job->camera >= CLI_CAMERA_FIT && job->camera <= CLI_CAMERA_VIEWS;
     const struct scene_model_camera *found = fitted ? NULL : cli_camera_find(job, model);
     if (!fitted && !found && job->camera != CLI_CAMERA_AUTO) {
         return report_missing_camera(job, model);

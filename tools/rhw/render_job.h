@@ -5,25 +5,31 @@
 
 #include "budget.h"
 #include "outputs.h"
+#include "views.h"
 
 enum cli_camera_choice {
     CLI_CAMERA_AUTO,  ///< the file's first camera, or else fitted
     CLI_CAMERA_FIT,   ///< fitted from the default angle
     CLI_CAMERA_ORBIT, ///< fitted from a given angle
+    CLI_CAMERA_VIEWS, ///< fitted from each of several angles
     CLI_CAMERA_LOOK,  ///< eye, target, up, fovy
     CLI_CAMERA_INDEX, ///< a camera of the file
     CLI_CAMERA_NAME
 };
 
 struct cli_render_job {
-    const char *model_path, *out;
-    char own_out[512];   ///< where `out` points when it was not given
-    const char *variant; ///< of the materials; NULL: none
+    const char *const *model_paths;
+    int model_count;
+    const char *model_path; ///< of model_paths, the one whose turn it is
+    const char *out;        ///< {name} stands for that model's, {view} for the view's, {} for the output's
+    char own_out[512];      ///< where `out` points when it was not given
+    const char *variant;    ///< of the materials; NULL: none
     enum cli_picture_format format;
     int width, height, samples, supersample;
     enum cli_camera_choice camera;
     const char *camera_option; ///< the option that chose it, for messages
-    struct scene_orbit orbit;
+    struct scene_orbit orbit;  ///< with ORBIT; with VIEWS that of the view whose turn it is
+    int views[CLI_VIEWS], view_count;
     bool fit_all, has_up;
     enum scene_axis up; ///< with has_up; else the model's
     double look[10];
@@ -65,6 +71,8 @@ struct cli_render_times {
 
 /// Fills the job from the command line. True to go on; else `*status` is what to return.
 bool cli_render_job_parse(struct cli_render_job *job, int argc, char **argv, int *status);
+/// Fills in what follows from the options that were given; reports those that exclude each other.
+bool cli_render_job_complete(struct cli_render_job *job);
 
 /// Writes what --stats promises. Reports failure.
 bool cli_render_report(const struct cli_render_job *job, const struct scene_model *model,

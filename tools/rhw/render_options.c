@@ -18,6 +18,7 @@ enum {
     OPTION_SUPERSAMPLE,
     OPTION_CAMERA,
     OPTION_ORBIT,
+    OPTION_VIEWS,
     OPTION_FIT,
     OPTION_UP,
     OPTION_VARIANT,
@@ -64,6 +65,10 @@ static const struct cli_option options[] = {
     {"orbit", OPTION_ORBIT, "AZ[,EL]",
      "fit it from these angles in degrees: azimuth 0 is the front, 90 the\nright side; elevation 90 is "
      "straight from above, and 20 where it is left out; default:\n30,20, or a flat model from its front"},
+    {"views", OPTION_VIEWS, "LIST",
+     "fit it from each of front, back, left, right, top, bottom and iso, or all: in a\ngrid on one sheet of "
+     "pictures "
+     "of --size, or where OUT has a {view} a file for each"},
     {"camera", OPTION_CAMERA, "NUMBERS",
      "eye, target and up (three numbers each) and the vertical field of\nview in degrees, separated by "
      "commas"},
@@ -135,7 +140,10 @@ static const char notes[] =
     "The ranges behind depth, distance and position stand in the PNG file as a comment.\n\n"
     "With several outputs in PNG or PPM, color takes the name OUT and the others get theirs before the "
     "ending:\n"
-    "out.depth.png. If OUT has a {}, the name of the output takes its place. An EXR holds all outputs in "
+    "out.depth.png. If OUT has a {}, the name of the output takes its place. Several models need an OUT with "
+    "{name},\n"
+    "which stands for a model's name without its ending: rhw render *.glb -o out/{name}.png. An EXR holds "
+    "all outputs in "
     "one\n"
     "file as numbers without any mapping: R G B A (light before tone mapping, premultiplied, without\n"
     "background), depth.Z, distance.Z, normal.XYZA, position.XYZA, uv.UV, object.id, triangle.id (integers, "
@@ -154,8 +162,8 @@ static const char notes[] =
 
 static const struct cli_verb verb = {
     .name = "render",
-    .operands = "MODEL -o OUT",
-    .summary = "Draws a model file (glTF, OBJ, PLY, STL, FBX, 3DS, Collada and more) and writes the picture.",
+    .operands = "MODEL... -o OUT",
+    .summary = "Draws model files (glTF, OBJ, PLY, STL, FBX, 3DS, Collada and more) and writes the picture.",
     .options = options,
     .option_count = (int)(sizeof options / sizeof *options),
     .notes = notes,
@@ -163,7 +171,9 @@ static const struct cli_verb verb = {
 
 static bool choose_camera(struct cli_render_job *job, enum cli_camera_choice choice, const char *option)
 {
-    const bool refines = job->camera == CLI_CAMERA_FIT && choice == CLI_CAMERA_ORBIT; // which fits as well
+    // Which fit as well.
+    const bool turns = choice == CLI_CAMERA_ORBIT || choice == CLI_CAMERA_VIEWS;
+    const bool refines = job->camera == CLI_CAMERA_FIT && turns;
     if (job->camera != CLI_CAMERA_AUTO && job->camera != choice && !refines) {
         cli_error(option, "cannot be together with %s", job->camera_option);
         return false;
@@ -214,10 +224,11 @@ static bool parse_paths(struct cli_render_job *job, const char *argument)
 static bool parse_fit(struct cli_render_job *job, const char *argument)
 {
     static const char *const names[] = {"subject", "all"};
+    const bool turned = job->camera == CLI_CAMERA_ORBIT || job->camera == CLI_CAMERA_VIEWS;
     const int what = argument ? cli_choose("--fit", argument, names, 2) : 0;
     job->fit_all = what == 1;
-    // --orbit fits as well
-    return what >= 0 && (job->camera == CLI_CAMERA_ORBIT || choose_camera(job, CLI_CAMERA_FIT, "--fit"));
+    // --orbit and --views fit as well
+    return what >= 0 && (turned || choose_camera(job, CLI_CAMERA_FIT, "--fit"));
 }
 
 const char *const cli_axis_names[CLI_AXES] = {
@@ -259,6 +270,9 @@ static bool parse_camera_option(struct cli_render_job *job, int id, const char *
         }
         job->orbit = (struct scene_orbit){.azimuth = angles[0], .elevation = angles[1]};
         return choose_camera(job, CLI_CAMERA_ORBIT, "--orbit");
+    case OPTION_VIEWS:
+        return cli_views_parse(argument, job->views, &job->view_count) &&
+               choose_camera(job, CLI_CAMERA_VIEWS, "--views");
     case OPTION_CAMERA_INDEX:
         if (cli_parse_int(argument, 0, 1 << 20, &job->camera_index)) {
             return choose_camera(job, CLI_CAMERA_INDEX, "--camera-index");
@@ -368,6 +382,7 @@ static bool parse_option(struct cli_render_job *job, int id, const char *argumen
         return false;
     case OPTION_CAMERA:
     case OPTION_ORBIT:
+    case OPTION_VIEWS:
     case OPTION_FIT:
     case OPTION_CAMERA_INDEX:
     case OPTION_CAMERA_NAME:
@@ -382,123 +397,6 @@ static bool parse_option(struct cli_render_job *job, int id, const char *argumen
         }
         return id >= CLI_LOOK_INTERPOLATE ? cli_parse_look(job, id, argument)
                                           : parse_picture_option(job, id, argument);
-    }
-}
-
-// MODEL's name with another ending; never over a file that is there, which may be a texture.
-static bool choose_out(struct cli_render_job *job)
-{
-    if (job->out) {
-        return true;
-    }
-    static const char *const endings[] = {"png", "exr", "ppm", "jpg", "webp"};
-    const char *slash = strrchr(job->model_path, '/'), *name = slash ? slash + 1 : job->model_path;
-    const char *dot = strrchr(name, '.');
-    const int length = dot && dot > name ? (int)(dot - name) : (int)strlen(name);
-    const char *ending = endings[job->format == CLI_PICTURE_UNKNOWN ? CLI_PICTURE_PNG : job->format];
-    snprintf(job->own_out, sizeof job->own_out, "%.*s.%s", length, name, ending);
-    if (strcmp(job->model_path, "-") == 0 || length >= (int)sizeof job->own_out - 6) {
-        cli_error("render", "-o OUT is missing: where should the picture go?");
-        return false;
-    }
-    FILE *there = fopen(job->own_out, "rb");
-    if (there) {
-        fclose(there);
-        cli_error(job->own_out, "is there already; name the picture by -o OUT");
-        return false;
-    }
-    job->out = job->own_out;
-    return true;
-}
-
-static bool check_together(struct cli_render_job *job)
-{
-    if (job->background == SCENE_BACKGROUND_PANORAMA && !job->environment) {
-        cli_error("--background", "environment needs --environment FILE");
-        return false;
-    }
-    const bool to_stdout = strcmp(job->out, "-") == 0;
-    if (job->format == CLI_PICTURE_UNKNOWN) {
-        job->format = to_stdout ? CLI_PICTURE_PNG : cli_picture_format_of(job->out);
-    }
-    if (job->format == CLI_PICTURE_UNKNOWN) {
-        cli_error(job->out,
-                  "no format for this ending; name it .png, .jpg, .webp, .exr or .ppm, or give --format");
-        return false;
-    }
-    if (to_stdout && job->stats && strcmp(job->stats_path, "-") == 0) {
-        cli_error("--stats", "standard output takes the picture already; give --stats=FILE");
-        return false;
-    }
-    if (to_stdout && job->format != CLI_PICTURE_EXR && (job->kinds & (job->kinds - 1))) {
-        cli_error("--output", "standard output takes one output only");
-        return false;
-    }
-    const bool jpeg = job->format == CLI_PICTURE_JPEG, webp = job->format == CLI_PICTURE_WEBP;
-    if (job->background == SCENE_BACKGROUND_TRANSPARENT && (jpeg || job->format == CLI_PICTURE_PPM)) {
-        cli_error("--background", "a %s file cannot be transparent", jpeg ? "JPEG" : "PPM");
-        return false;
-    }
-    if (job->bits == 16 && (jpeg || webp)) {
-        cli_error("--bits", "a %s file always holds 8 bits per sample", jpeg ? "JPEG" : "WebP");
-        return false;
-    }
-    if (jpeg || webp) {
-        job->bits = 8;
-    }
-    if (job->quality && !jpeg && !webp) {
-        cli_error("--quality", "is for JPEG and WebP files");
-        return false;
-    }
-    if (webp && (job->width > 16383 || job->height > 16383)) {
-        cli_error("--size", "a WebP file has at most 16383 pixels each way");
-        return false;
-    }
-    if (job->bits && job->format == CLI_PICTURE_EXR) {
-        cli_error("--bits", "an EXR file always holds 32 bits per sample");
-        return false;
-    }
-    const int side = job->supersample == 16 ? 4 : job->supersample == 9 ? 3 : job->supersample == 4 ? 2 : 1;
-    if (job->width * side > RHW_MAX_TARGET_SIZE || job->height * side > RHW_MAX_TARGET_SIZE) {
-        cli_error("--supersample", "%d are too many for %dx%d: %d times each must not exceed %d",
-                  job->supersample, job->width, job->height, side, RHW_MAX_TARGET_SIZE);
-        return false;
-    }
-    const bool fitted = job->camera <= CLI_CAMERA_ORBIT;
-    const char *const fit_option = job->orthographic    ? "--ortho"
-                                   : job->margin >= 0.0 ? "--margin"
-                                   : job->zoom != 1.0   ? "--zoom"
-                                                        : NULL;
-    if (fit_option && !fitted) {
-        cli_error(fit_option, "cannot be together with %s", job->camera_option);
-        return false;
-    }
-    if (fit_option && job->camera == CLI_CAMERA_AUTO) {
-        job->camera = CLI_CAMERA_FIT;
-        job->camera_option = fit_option;
-    }
-    if (job->orthographic && (job->fovy > 0.0f || job->print_camera)) {
-        cli_error("--ortho", "cannot be together with %s", job->fovy > 0.0f ? "--fovy" : "--print-camera");
-        return false;
-    }
-    if (job->print_camera && to_stdout) {
-        cli_error("--print-camera", "standard output takes the picture already");
-        return false;
-    }
-    if (job->fovy > 0.0f && !fitted) {
-        cli_error("--fovy", "cannot be together with %s", job->camera_option);
-        return false;
-    }
-    return true;
-}
-
-// Only of a fitted model, or one seen by its own camera, is it known that no part fills the picture many times.
-static void choose_texture_side(struct cli_render_job *job)
-{
-    const int side = job->width > job->height ? job->width : job->height;
-    const int across = job->supersample == 16 ? 4 : job->supersample == 9 ? 3 : job->supersample == 4 ? 2 : 1;
-    if (job->budget.texture == 0 && job->camera <= CLI_CAMERA_ORBIT && job->zoom <= 1.0) {
-        job->budget.texture = cli_budget_texture_side(side * across);
     }
 }
 
@@ -529,13 +427,11 @@ bool cli_render_job_parse(struct cli_render_job *job, int argc, char **argv, int
         *status = parser.status;
         return false;
     }
-    if (!cli_parser_operands(&parser, 1, 1)) {
+    if (!cli_parser_operands(&parser, 1, argc)) {
         return false;
     }
-    job->model_path = parser.operands[0];
-    if (!choose_out(job) || !check_together(job)) {
-        return false;
-    }
-    choose_texture_side(job);
-    return true;
+    job->model_paths = (const char *const *)parser.operands;
+    job->model_count = parser.operand_count;
+    job->model_path = job->model_paths[0];
+    return cli_render_job_complete(job);
 }

@@ -41,10 +41,11 @@ _rhw_render() { # CURRENT PREVIOUS
     --isa) _rhw_words "$1" baseline avx2 avx512 ;;
     --paths) _rhw_words "$1" all in-order general ;;
     --size | -s) _rhw_words "$1" 512 1280x720 1920x1080 1024x1024 3840x2160 ;;
+    --views) _rhw_list "$1" all front back left right top bottom iso ;;
     --orbit | --zoom | --margin | --quality | --camera | --camera-index | --camera-name | --fovy | --variant | --exposure | --environment-rotation | --threads | -j) ;;
     *)
         if [[ $1 == -* ]]; then
-            _rhw_words "$1" --out --size --samples --supersample --output --bits --format --quality --fit --up --orbit --zoom --margin --ortho --print-camera --camera --camera-index \
+            _rhw_words "$1" --out --size --samples --supersample --output --bits --format --quality --fit --up --orbit --views --zoom --margin --ortho --print-camera --camera --camera-index \
                 --camera-name --fovy --interpolate --wireframe --background --variant --lights --shadows --ambient-occlusion --environment --environment-rotation --tone-map --transparency --exposure --threads --isa --paths \
                 --max-memory --max-texture --confine --stats --strict --quiet --help
         else

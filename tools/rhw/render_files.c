@@ -1,0 +1,174 @@
+// SPDX-License-Identifier: MIT
+// The files of one model's pictures: their names, and how they come to be, all or none.
+#include "output_file.h"
+#include "render_state.h"
+
+#include "message.h"
+
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+enum { JPEG_QUALITY = 92 };
+
+// OUT with the names of the model and the view. The view counts from 0; −1: there is none.
+static bool expand_out(struct render *render, int view)
+{
+    const struct cli_render_job *const job = &render->job;
+    const char *const slash = strrchr(job->model_path, '/'), *const base =
+                                                                 slash ? slash + 1 : job->model_path;
+    const char *const dot = strrchr(base, '.');
+    const int stem = dot && dot > base ? (int)(dot - base) : (int)strlen(base);
+    size_t at = 0;
+    for (const char *in = job->out; *in && at < sizeof render->out;) {
+        const size_t room = sizeof render->out - at;
+        if (strncmp(in, "{name}", 6) == 0) {
+            at += (size_t)snprintf(render->out + at, room, "%.*s", stem, base);
+            in += 6;
+        } else if (view >= 0 && strncmp(in, "{view}", 6) == 0) {
+            at += (size_t)snprintf(render->out + at, room, "%s", cli_view_name(job->views[view]));
+            in += 6;
+        } else {
+            render->out[at++] = *in++;
+        }
+    }
+    if (at >= sizeof render->out) {
+        cli_error(job->out, "is longer than %zu bytes", sizeof render->out - 1);
+        return false;
+    }
+    render->out[at] = '\0';
+    return true;
+}
+
+// `out`, or with several outputs that with the output's name in it.
+static char *make_path(const struct cli_render_job *job, const char *out, enum cli_output_kind kind)
+{
+    const char *name = cli_output_name(kind);
+    const size_t size = strlen(out) + strlen(name) + 2;
+    char *path = malloc(size);
+    if (!path) {
+        return NULL;
+    }
+    const char *place = strstr(out, "{}");
+    const bool several = (job->kinds & (job->kinds - 1)) != 0;
+    if (job->format != CLI_PICTURE_EXR && place) {
+        snprintf(path, size, "%.*s%s%s", (int)(place - out), out, name, place + 2);
+    } else if (job->format == CLI_PICTURE_EXR || !several || kind == CLI_KIND_COLOR) {
+        snprintf(path, size, "%s", out);
+    } else {
+        const char *base = strrchr(out, '/') ? strrchr(out, '/') : out;
+        const char *dot = strrchr(base, '.');
+        const int stem = dot ? (int)(dot - out) : (int)strlen(out);
+        snprintf(path, size, "%.*s.%s%s", stem, out, name, dot ? dot : "");
+    }
+    return path;
+}
+
+void cli_render_files_forget(struct render *render)
+{
+    for (int kind = 0; kind < CLI_KIND_COUNT; kind++) {
+        free(render->paths[kind]);
+        render->paths[kind] = NULL;
+    }
+    render->file_count = 0;
+}
+
+bool cli_render_files_plan(struct render *render, int view)
+{
+    const struct cli_render_job *job = &render->job;
+    if (!expand_out(render, view)) {
+        return false;
+    }
+    for (int kind = 0; kind < CLI_KIND_COUNT; kind++) {
+        if (!(job->kinds >> kind & 1)) {
+            continue;
+        }
+        render->paths[kind] = make_path(job, render->out, (enum cli_output_kind)kind);
+        if (!render->paths[kind]) {
+            cli_error(render->out, "out of memory");
+            return false;
+        }
+        if (!cli_output_file_check(render->paths[kind]) ||
+            cli_model_input_is(&render->input, render->paths[kind])) {
+            return false;
+        }
+        if (job->format == CLI_PICTURE_EXR) {
+            break; // one file for all
+        }
+    }
+    return !job->stats ||
+           (cli_output_file_check(job->stats_path) && !cli_model_input_is(&render->input, job->stats_path));
+}
+
+static bool encode_exr(struct render *render, struct cli_output_file *file)
+{
+    struct cli_exr_channel channels[CLI_EXR_CHANNELS_MAX];
+    const int count = cli_outputs_exr_channels(&render->pictures, render->job.kinds, channels);
+    return cli_exr_write(file, render->pictures.width, render->pictures.height, channels, count,
+                         rhw_context_threads(render->context));
+}
+
+static bool encode_raster(struct render *render, struct cli_output_file *file, enum cli_output_kind kind)
+{
+    const struct cli_render_job *job = &render->job;
+    struct cli_output_raster output;
+    cli_output_rasterize(&output, &render->pictures, kind, job->bits,
+                         job->background == SCENE_BACKGROUND_TRANSPARENT, render->model->bounds_min,
+                         render->model->bounds_max);
+    switch (job->format) {
+    case CLI_PICTURE_PNG: return cli_png_write(file, &output.raster);
+    case CLI_PICTURE_JPEG:
+        return cli_jpeg_write(file, &output.raster, job->quality ? job->quality : JPEG_QUALITY);
+    case CLI_PICTURE_WEBP: return cli_webp_write(file, &output.raster, job->quality);
+    default: return cli_ppm_write(file, &output.raster);
+    }
+}
+
+// All files are complete before the first gets its name, so that a full disk leaves none of them.
+bool cli_render_files_write(struct render *render)
+{
+    const double start = cli_milliseconds();
+    bool written = true;
+    for (int kind = 0; written && kind < CLI_KIND_COUNT; kind++) {
+        if (!render->paths[kind]) {
+            continue;
+        }
+        cli_stage("writing", render->paths[kind]);
+        struct cli_output_file *file = &render->files[render->file_count];
+        written = cli_output_file_open(file, render->paths[kind]);
+        if (!written) {
+            break;
+        }
+        render->file_count++;
+        written = (render->job.format == CLI_PICTURE_EXR
+                       ? encode_exr(render, file)
+                       : encode_raster(render, file, (enum cli_output_kind)kind)) &&
+                  cli_output_file_finish(file);
+    }
+    cli_stage_end();
+    for (int i = 0; i < render->file_count; i++) {
+        if (written) {
+            written = cli_output_file_commit(&render->files[i]);
+        } else {
+            cli_output_file_discard(&render->files[i]);
+        }
+    }
+    render->times.encode_ms = cli_milliseconds() - start;
+    return written;
+}
+
+bool cli_render_has_file_per_view(const struct cli_render_job *job)
+{
+    return strstr(job->out, "{view}") != NULL;
+}
+
+bool cli_render_files_check(struct render *render)
+{
+    const int files = cli_render_has_file_per_view(&render->job) ? render->job.view_count : 1;
+    bool planned = true;
+    for (int i = 0; i < files && planned; i++) {
+        cli_render_files_forget(render);
+        planned = cli_render_files_plan(render, cli_render_has_file_per_view(&render->job) ? i : -1);
+    }
+    return planned;
+}

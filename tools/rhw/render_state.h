@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: MIT
+// What the files of rhw render share while it works.
+#ifndef CLI_RENDER_STATE_H
+#define CLI_RENDER_STATE_H
+
+#include "model_input.h"
+#include "output_file.h"
+#include "panorama_load.h"
+#include "render_job.h"
+
+struct render {
+    struct cli_render_job job;
+    struct cli_model_input input;
+    struct scene_model *model;
+    struct scene_panorama panorama; // with job.environment
+    rhw_context *context;
+    struct scene *scene;
+    struct scene_view view;
+    struct scene_pictures pictures;
+    struct scene_draw_stats stats;
+    struct cli_render_times times;
+    char out[4096];              // job.out with names in place
+    char *paths[CLI_KIND_COUNT]; // NULL: not written
+    struct cli_output_file files[CLI_KIND_COUNT];
+    int file_count;        // open ones
+    bool distrusts_camera; // the file's first camera gave way to the fit
+};
+
+double cli_milliseconds(void);
+
+// render_files.c
+
+/// Whether OUT stands for a file for each view.
+bool cli_render_has_file_per_view(const struct cli_render_job *job);
+/// Reports what would keep any of the files from being written.
+bool cli_render_files_check(struct render *render);
+/// Sets the paths of the next picture, or of that view, counted from 0; −1: there are none. Reports failure.
+bool cli_render_files_plan(struct render *render, int view);
+/// Writes the pictures into all of them or none. Reports failure.
+bool cli_render_files_write(struct render *render);
+void cli_render_files_forget(struct render *render);
+
+#endif

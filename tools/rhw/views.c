@@ -1,0 +1,195 @@
+// SPDX-License-Identifier: MIT
+// See views.h. A sheet is made of every output alike: what is empty in it is what the outputs have where nothing is.
+#include "views.h"
+
+#include "message.h"
+
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+static const struct {
+    const char *name;
+    double azimuth, elevation;
+} directions[CLI_VIEWS] = {
+    {"front", 0, 0},
+    {"back", 180, 0},
+    {"left", -90, 0},
+    {"right", 90, 0},
+    {"top", 0, 90},
+    {"bottom", 0, -90},
+    {"iso", 45, 35.264389682754654}, // down the diagonal of a cube
+};
+
+const char *cli_view_name(int view)
+{
+    return directions[view].name;
+}
+
+struct scene_orbit cli_view_orbit(int view)
+{
+    return (struct scene_orbit){.azimuth = directions[view].azimuth, .elevation = directions[view].elevation};
+}
+
+static int find_view(const char *name, size_t length)
+{
+    int found = -1;
+    for (int i = 0; i < CLI_VIEWS; i++) {
+        if (strlen(directions[i].name) == length && memcmp(directions[i].name, name, length) == 0) {
+            found = i;
+        }
+    }
+    return found;
+}
+
+bool cli_views_parse(const char *list, int views[CLI_VIEWS], int *count)
+{
+    *count = 0;
+    if (strcmp(list, "all") == 0) {
+        for (*count = 0; *count < CLI_VIEWS; ++*count) {
+            views[*count] = *count;
+        }
+        return true;
+    }
+    unsigned seen = 0;
+    for (const char *name = list;; name++) {
+        const size_t length = strcspn(name, ",");
+        const int view = find_view(name, length);
+        if (view < 0 || seen >> view & 1) {
+            cli_error("--views",
+                      view < 0
+                          ? "'%.*s' is no view; there are front, back, left, right, top, bottom, iso, all"
+                          : "'%.*s' stands there twice",
+                      (int)length, name);
+            return false;
+        }
+        seen |= 1u << view;
+        views[(*count)++] = view;
+        name += length;
+        if (!*name) {
+            return true;
+        }
+    }
+}
+
+void cli_sheet_grid(int count, int *columns, int *rows)
+{
+    enum { MOST_COLUMNS = 4 };
+    int least = 0;
+    for (int across = 1; across <= MOST_COLUMNS; across++) {
+        const int down = (count + across - 1) / across, empty = across * down - count;
+        if (across >= down && (least == 0 || empty < least - 1)) {
+            least = empty + 1;
+            *columns = across;
+            *rows = down;
+        }
+    }
+}
+
+// One picture of a draw, and what a pixel of it is where nothing is.
+struct plane {
+    unsigned char *pixels;
+    size_t pixel;
+    float empty;
+};
+
+enum { PLANES = 11 };
+
+static void list_planes(const struct scene_pictures *p, struct plane planes[PLANES])
+{
+    const struct plane list[PLANES] = {
+        {p->color, 4, 0.0f},
+        {(void *)p->linear, 16, 0.0f},
+        {(void *)p->display, 16, 0.0f},
+        {(void *)p->depth, 4, 1.0f},
+        {(void *)p->distance, 4, INFINITY},
+        {(void *)p->normal, 16, 0.0f},
+        {(void *)p->position, 16, 0.0f},
+        {(void *)p->uv, 16, 0.0f},
+        {(void *)p->barycentric, 16, 0.0f},
+        {(void *)p->object, 4, 0.0f},
+        {(void *)p->triangle, 4, 0.0f},
+    };
+    memcpy(planes, list, sizeof list);
+}
+
+static void fill(struct plane *plane, size_t pixels)
+{
+    for (size_t i = 0; i < pixels && !(plane->empty <= 0.0f); i++) {
+        memcpy(plane->pixels + i * sizeof plane->empty, &plane->empty, sizeof plane->empty);
+    }
+}
+
+bool cli_sheet_create(struct scene_pictures *sheet, const struct scene_pictures *cell, int columns, int rows)
+{
+    *sheet = (struct scene_pictures){.width = cell->width * columns, .height = cell->height * rows};
+    const size_t pixels = (size_t)sheet->width * (size_t)sheet->height;
+    struct plane planes[PLANES];
+    list_planes(cell, planes);
+    bool complete = true;
+    for (int i = 0; i < PLANES; i++) {
+        const bool wanted = planes[i].pixels != NULL;
+        planes[i].pixels = wanted ? calloc(pixels, planes[i].pixel) : NULL;
+        complete = complete && (!wanted || planes[i].pixels != NULL);
+        if (planes[i].pixels) {
+            fill(&planes[i], pixels);
+        }
+    }
+    sheet->color = planes[0].pixels;
+    sheet->linear = (void *)planes[1].pixels;
+    sheet->display = (void *)planes[2].pixels;
+    sheet->depth = (void *)planes[3].pixels;
+    sheet->distance = (void *)planes[4].pixels;
+    sheet->normal = (void *)planes[5].pixels;
+    sheet->position = (void *)planes[6].pixels;
+    sheet->uv = (void *)planes[7].pixels;
+    sheet->barycentric = (void *)planes[8].pixels;
+    sheet->object = (void *)planes[9].pixels;
+    sheet->triangle = (void *)planes[10].pixels;
+    if (!complete) {
+        scene_pictures_free(sheet);
+    }
+    return complete;
+}
+
+// Where row `y` of a place begins.
+static size_t start_of(const struct scene_pictures *sheet, const struct scene_pictures *cell, int place,
+                       int y)
+{
+    const int columns = sheet->width / cell->width;
+    const size_t row = (size_t)(place / columns) * (size_t)cell->height + (size_t)y;
+    return row * (size_t)sheet->width + (size_t)(place % columns) * (size_t)cell->width;
+}
+
+void cli_sheet_place(struct scene_pictures *sheet, const struct scene_pictures *cell, int place)
+{
+    struct plane to[PLANES], from[PLANES];
+    list_planes(sheet, to);
+    list_planes(cell, from);
+    for (int i = 0; i < PLANES; i++) {
+        const size_t row = (size_t)cell->width * from[i].pixel;
+        for (int y = 0; y < cell->height && from[i].pixels; y++) {
+            memcpy(to[i].pixels + start_of(sheet, cell, place, y) * to[i].pixel,
+                   from[i].pixels + (size_t)y * row, row);
+        }
+    }
+}
+
+void cli_sheet_end(struct scene_pictures *sheet, const struct scene_pictures *cell, int place)
+{
+    const int places = sheet->width / cell->width * (sheet->height / cell->height);
+    for (; place < places; place++) {
+        for (int y = 0; y < cell->height; y++) {
+            const size_t first = (size_t)y * (size_t)cell->width * 4;
+            for (int x = 0; x < cell->width; x++) {
+                const size_t at = (start_of(sheet, cell, place, y) + (size_t)x) * 4;
+                if (sheet->color) {
+                    memcpy(&sheet->color[at], &cell->color[first], 4);
+                }
+                if (sheet->display) {
+                    memcpy(&sheet->display[at], &cell->display[first], 4 * sizeof *sheet->display);
+                }
+            }
+        }
+    }
+}
