@@ -42,8 +42,8 @@ struct rhw_fragment {
                                      ///< one after the other, RHW_MAX_COLOR_ATTACHMENTS targets each
     rhw_int mask;                    ///< −1 live, 0 dead; clear lanes to discard them
     rhw_float depth;                 ///< out, with RHW_USE_DEPTH; holds the interpolated depth on entry
-    /// x, y in pixels from the top left (centres at .5), z, 1/w. z is the depth that is tested and, in D32_FLOAT,
-    /// stored, bit for bit; equal positions give equal z in every pipeline.
+    /// x, y in pixels from the top left (centres at .5, also where values are a centroid's), z, 1/w. z is the depth that is
+    /// tested and, in D32_FLOAT, stored, bit for bit; equal positions give equal z in every pipeline.
     rhw_float coord[4];
     rhw_int front_facing;            ///< −1 or 0
     rhw_int primitive;               ///< triangle in its draw, of the instance

@@ -13,18 +13,24 @@
 
 #include "judge.h"
 #include "peer_gles.h"
+#include "primitive_judge.h"
 #include "probe.h"
 #include "progress.h"
+#include "sampling_judge.h"
 #include "table.h"
 
 enum { MAX_JOBS = 64, MAX_PEERS = 4 };
+// One scene of so many is drawn at samples, centroids and offsets too, and one as points and lines.
+enum { SAMPLING_STRIDE = 7, PRIMITIVE_STRIDE = 5 };
 
 // ULP of the largest vertex value; docs/exactness.md adds up the first three. Behind a vertex with W <= 0 weights on
 // the screen, and with them errors, may be larger.
 static const double bound[QUANTITY_COUNT] = {
-    [QUANTITY_SMOOTH] = 5.6,      [QUANTITY_NOPERSPECTIVE] = 5.6, [QUANTITY_DEPTH] = 0.51,
-    [QUANTITY_INVERSE_W] = 0.51,  [QUANTITY_SPACE] = 1,           [QUANTITY_SCREEN] = 3,
-    [QUANTITY_DERIVATIVE] = 1.05,
+    [QUANTITY_SMOOTH] = 5.6,        [QUANTITY_NOPERSPECTIVE] = 5.6, [QUANTITY_DEPTH] = 0.51,
+    [QUANTITY_INVERSE_W] = 0.51,    [QUANTITY_SPACE] = 1,           [QUANTITY_SCREEN] = 3,
+    [QUANTITY_DERIVATIVE] = 1.05,   [QUANTITY_SAMPLE] = 5.6,        [QUANTITY_CENTROID] = 5.6,
+    [QUANTITY_SAMPLE_DEPTH] = 0.51, [QUANTITY_OFFSET] = 5,          [QUANTITY_POINT_COORD] = 1,
+    [QUANTITY_LINE] = 5.6,          [QUANTITY_BRESENHAM] = 5.6,     [QUANTITY_PRIMITIVE_DEPTH] = 0.51,
 };
 
 // How a budget of fragments is shared out. Families of tiny triangles cost up to 60 times more per fragment.
@@ -120,9 +126,11 @@ static void *work(void *argument)
     const struct options *const o = w->options;
     struct probe *const probe = probe_create(1, o->isa);
     struct judge *const judge = judge_create();
+    struct sampling_judge *const sampling = sampling_judge_create(o->isa);
+    struct primitive_judge *const primitives = primitive_judge_create(o->isa);
     struct scene *const scene = malloc(sizeof *scene);
     struct agenda agenda = agenda_start(o, o->fragments, o->jobs, w->number);
-    w->failed = !probe || !judge || !scene;
+    w->failed = !probe || !judge || !sampling || !primitives || !scene;
     for (enum family family; !w->failed && (family = agenda_turn(&agenda, w->results)) != FAMILY_COUNT;) {
         scene_make(scene, family, o->seed, o->index + agenda.next[family]);
         agenda.next[family] += (uint64_t)o->jobs;
@@ -132,9 +140,17 @@ static void *work(void *argument)
         if (image) {
             judge_compare(judge, image, &o->mode, w->results);
         }
+        if (scene->index % SAMPLING_STRIDE == 0) {
+            w->failed = !sampling_judge_compare(sampling, scene, w->results) || w->failed;
+        }
+        if (scene->index % PRIMITIVE_STRIDE == 0) {
+            w->failed = !primitive_judge_compare(primitives, scene, w->results) || w->failed;
+        }
         atomic_store_explicit(&w->part, agenda.part, memory_order_relaxed);
     }
     free(scene);
+    primitive_judge_destroy(primitives);
+    sampling_judge_destroy(sampling);
     judge_destroy(judge);
     probe_destroy(probe);
     atomic_store(&w->ended, true);
@@ -317,6 +333,8 @@ static int replay(const struct options *o)
     struct probe *const probe = probe_create(1, o->isa);
     struct peer *const peer = o->peer_count != 0 ? peer_open(o->peer[0], &why) : NULL;
     struct judge *const judge = judge_create();
+    struct sampling_judge *const sampling = sampling_judge_create(o->isa);
+    struct primitive_judge *const primitives = primitive_judge_create(o->isa);
     struct scene *const scene = calloc(1, sizeof *scene);
     struct judge_results *const results = calloc(1, sizeof *results);
     struct judge_mode mode = o->mode;
@@ -338,11 +356,17 @@ static int replay(const struct options *o)
                 judge_explain(judge, image, o->x, o->y);
             }
             judge_compare(judge, image, &mode, results);
+            if (sampling && primitives && !peer) {
+                sampling_judge_compare(sampling, scene, results);
+                primitive_judge_compare(primitives, scene, results);
+            }
             status = report(results) ? 0 : 1;
         }
     }
     free(results);
     free(scene);
+    primitive_judge_destroy(primitives);
+    sampling_judge_destroy(sampling);
     judge_destroy(judge);
     peer_close(peer);
     probe_destroy(probe);

@@ -28,11 +28,32 @@ struct judge {
 };
 
 static const char *const quantity_names[QUANTITY_COUNT] = {
-    "smooth", "noperspective", "depth", "1/W", "a,b,c", "r,s,t", "derivative",
+    "smooth",
+    "noperspective",
+    "depth",
+    "1/W",
+    "a,b,c",
+    "r,s,t",
+    "derivative",
+    "at samples",
+    "at centroids",
+    "depth at samples",
+    "interpolate_at",
+    "point coordinate",
+    "along lines",
+    "along Bresenham lines",
+    "depth of points, lines",
 };
 
 static const char *const equality_names[EQUALITY_COUNT] = {
-    "coverage", "order", "flat", "constant", "facing", "depth buffer",
+    "coverage",
+    "order",
+    "flat",
+    "constant",
+    "facing",
+    "depth buffer",
+    "place in the pixel",
+    "coverage of points or lines",
 };
 
 const char *judge_quantity_name(enum quantity quantity)

@@ -19,6 +19,16 @@ enum quantity {
     QUANTITY_SPACE,      // a, b, c: of 1
     QUANTITY_SCREEN,     // r, s, t: of 1
     QUANTITY_DERIVATIVE, // of the largest d(weight)·value
+    // sampling_judge.h:
+    QUANTITY_SAMPLE,       // smooth and noperspective at every sample
+    QUANTITY_CENTROID,     // the same at the centroid
+    QUANTITY_SAMPLE_DEPTH, // at every sample
+    QUANTITY_OFFSET,       // rhw_interpolate_at
+    // primitive_judge.h:
+    QUANTITY_POINT_COORD,     // of 1
+    QUANTITY_LINE,            // smooth and noperspective along rectangular lines
+    QUANTITY_BRESENHAM,       // the same along Bresenham lines, between their ends
+    QUANTITY_PRIMITIVE_DEPTH, // of points and lines
     QUANTITY_COUNT
 };
 
@@ -29,7 +39,9 @@ enum equality {
     EQUAL_FLAT,
     EQUAL_CONSTANT,
     EQUAL_FACING,
-    EQUAL_DEPTH, // the depth attachment and the fragment's depth
+    EQUAL_DEPTH,     // the depth attachment and the fragment's depth
+    EQUAL_PLACE,     // where in its pixel a fragment of a multisampled pass has its values
+    EQUAL_PRIMITIVE, // which pixels points and lines cover, how often
     EQUALITY_COUNT
 };
 

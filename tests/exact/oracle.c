@@ -250,6 +250,26 @@ void oracle_triangle_set(struct oracle_triangle *t, const struct oracle_view *vi
     }
 }
 
+void oracle_triangle_set_snapped(struct oracle_triangle *t, const struct oracle_view *view,
+                                 const int32_t corner_24_8[3][2], const float position[3][4])
+{
+    float w[3], z[3];
+    t->view = *view;
+    t->empty = t->clipped = t->ambiguous = false;
+    t->snapped = true;
+    t->corner_count = 3;
+    memcpy(t->position, position, sizeof t->position);
+    memcpy(t->vertex_24_8, corner_24_8, sizeof t->vertex_24_8);
+    memcpy(t->corner_24_8, corner_24_8, sizeof t->vertex_24_8);
+    for (int i = 0; i < 3; i++) {
+        z[i] = position[i][2];
+        w[i] = position[i][3];
+    }
+    t->w_exponent = to_integers(3, w, t->w);
+    t->z_exponent = to_integers(3, z, t->z);
+    set_snapped_edges(t);
+}
+
 // Takes over[], under[] and exponent and fills in the doubles beside them.
 static void finish_form(struct oracle_form *f)
 {
@@ -476,6 +496,23 @@ void oracle_sample_at(struct oracle_sample *s, const struct oracle_triangle *t, 
             mpz_addmul_ui(s->line[i], t->edge[i][0], (unsigned long)x);
         }
     }
+    finish_sample(s, t);
+}
+
+void oracle_sample_beside(struct oracle_sample *s, const struct oracle_triangle *t, int x, int y,
+                          const int by_24_8[2])
+{
+    mpz_t term;
+    mpz_init(term);
+    const long at[2] = {256 * (long)x + by_24_8[0], 256 * (long)y + by_24_8[1]};
+    for (int i = 0; i < 3; i++) {
+        mpz_mul_2exp(s->line[i], t->edge[i][2], 8);
+        for (int axis = 0; axis < 2; axis++) {
+            mpz_mul_si(term, t->edge[i][axis], at[axis]);
+            mpz_add(s->line[i], s->line[i], term);
+        }
+    }
+    mpz_clear(term);
     finish_sample(s, t);
 }
 

@@ -86,6 +86,11 @@ bool oracle_snap(const struct oracle_view *view, const float position[4], int32_
 void oracle_triangle_set(struct oracle_triangle *t, const struct oracle_view *view,
                          const float position[3][4]);
 
+// The same for a triangle that a renderer places on the screen itself, with W and Z of these positions; W > 0. Its corners
+// turn round an area. Nothing is cut.
+void oracle_triangle_set_snapped(struct oracle_triangle *t, const struct oracle_view *view,
+                                 const int32_t corner_24_8[3][2], const float position[3][4]);
+
 void oracle_form_smooth(struct oracle_form *f, const struct oracle_triangle *t, const float value[3]);
 void oracle_form_noperspective(struct oracle_form *f, const struct oracle_triangle *t, const float value[3]);
 // After the viewport's depth range, before it is clamped to it.
@@ -102,6 +107,10 @@ void oracle_rows(const struct oracle_triangle *t, int *y0, int *y1);
 // Edge values at the centre of pixel (x, y), and one pixel further right.
 void oracle_sample_at(struct oracle_sample *s, const struct oracle_triangle *t, int x, int y);
 void oracle_sample_right(struct oracle_sample *s, const struct oracle_triangle *t);
+// At `by`/256 pixel from the centre of pixel (x, y). All edge values are 256 times those of the centre, which is one common
+// factor.
+void oracle_sample_beside(struct oracle_sample *s, const struct oracle_triangle *t, int x, int y,
+                          const int by_24_8[2]);
 
 // The least 1/W that the triangle's points in front of the eye have; the linear 1/W does not go below it.
 double oracle_least_inverse_w(const struct oracle_triangle *t);

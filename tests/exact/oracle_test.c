@@ -548,6 +548,53 @@ static void test_derivative_against_secant(void **state)
     oracle_triangle_clear(&t);
 }
 
+// Beside a pixel's centre a triangle has what its copy, placed as far the other way, has at the centre.
+static void test_beside_is_the_triangle_moved(void **state)
+{
+    (void)state;
+    struct random r = random_start(13, 14, 15);
+    struct oracle_triangle t, moved;
+    struct oracle_form f, moved_f;
+    struct oracle_sample s, at;
+    oracle_triangle_init(&t);
+    oracle_triangle_init(&moved);
+    oracle_form_init(&f);
+    oracle_form_init(&moved_f);
+    oracle_sample_init(&s);
+    oracle_sample_init(&at);
+    for (int n = 0; n < 200; n++) {
+        const int by[2] = {random_below(&r, 257) - 128, random_below(&r, 257) - 128};
+        float position[3][4], value[3];
+        int32_t corner[3][2];
+        for (int i = 0; i < 3; i++) {
+            const int x = 128 + random_below(&r, 3840), y = 128 + random_below(&r, 3840);
+            place(position[i], x, y, 0.5, random_scale(&r, 0, 4));
+            value[i] = (float)random_between(&r, -1, 1);
+            corner[i][0] = x - by[0];
+            corner[i][1] = y - by[1];
+        }
+        oracle_triangle_set(&t, &small_view, (const float(*)[4])position);
+        if (t.empty) {
+            continue;
+        }
+        oracle_triangle_set_snapped(&moved, &small_view, (const int32_t(*)[2])corner,
+                                    (const float(*)[4])position);
+        oracle_form_smooth(&f, &t, value);
+        oracle_form_smooth(&moved_f, &moved, value);
+        oracle_sample_beside(&s, &t, n % 16, n / 16, by);
+        oracle_sample_at(&at, &moved, n % 16, n / 16);
+        assert_true(s.inside == at.inside);
+        assert_true(oracle_value(&f, &s) == oracle_value(&moved_f, &at));
+        assert_true(oracle_error(&moved_f, &at, oracle_value(&f, &s), oracle_ulp(1)) < 1e-6);
+    }
+    oracle_sample_clear(&at);
+    oracle_sample_clear(&s);
+    oracle_form_clear(&moved_f);
+    oracle_form_clear(&f);
+    oracle_triangle_clear(&moved);
+    oracle_triangle_clear(&t);
+}
+
 static void test_ulp(void **state)
 {
     (void)state;
@@ -571,6 +618,7 @@ int main(void)
         cmocka_unit_test(test_clip_by_hand),
         cmocka_unit_test(test_clip_against_definition),
         cmocka_unit_test(test_derivative_against_secant),
+        cmocka_unit_test(test_beside_is_the_triangle_moved),
     };
     return cmocka_run_group_tests_name("oracle", tests, NULL, NULL);
 }
