@@ -138,8 +138,7 @@ static bool create_pipeline(struct primitive_judge *j, rhw_pipeline *pipeline)
     def.topology = j->shape == SHAPE_POINT ? RHW_POINT_LIST : RHW_LINE_LIST;
     def.line_mode = j->shape == SHAPE_BRESENHAM ? RHW_LINE_BRESENHAM : RHW_LINE_RECTANGULAR;
     def.line_width = (float)j->size_24_8 / 256;
-    def.depth_range =
-        j->scene->view.minus_one_to_one ? RHW_DEPTH_MINUS_ONE_TO_ONE : RHW_DEPTH_ZERO_TO_ONE;
+    def.depth_range = j->scene->view.minus_one_to_one ? RHW_DEPTH_MINUS_ONE_TO_ONE : RHW_DEPTH_ZERO_TO_ONE;
     def.target_count = TARGETS;
     for (int i = 0; i < TARGETS; i++) {
         def.targets[i].format = i == COUNT ? RHW_FORMAT_R32_FLOAT : RHW_FORMAT_RGBA32_FLOAT;
@@ -333,7 +332,7 @@ static struct diamond_line diamond_line_of(const struct primitive *p, int down_2
     struct diamond_line line;
     for (int i = 0; i < 2; i++) {
         const wide x = (p->at_24_8[i][0] - down_24_8[0]) * diamond_unit - epsilon,
-                       y = (p->at_24_8[i][1] - down_24_8[1]) * diamond_unit - epsilon2;
+                   y = (p->at_24_8[i][1] - down_24_8[1]) * diamond_unit - epsilon2;
         line.u[i] = x + y;
         line.v[i] = x - y;
     }
@@ -350,7 +349,7 @@ static bool in_square(wide u, wide v)
 static bool leaves_diamond(const struct diamond_line *line, int x, int y)
 {
     const wide half = 128 * diamond_unit, center_x = (256 * x + 128) * diamond_unit,
-                   center_y = (256 * y + 128) * diamond_unit;
+               center_y = (256 * y + 128) * diamond_unit;
     wide u[2], v[2];
     for (int i = 0; i < 2; i++) {
         u[i] = line->u[i] - center_x - center_y;
@@ -361,7 +360,7 @@ static bool leaves_diamond(const struct diamond_line *line, int x, int y)
         return false;
     }
     const wide du = u[1] - u[0], dv = v[1] - v[0], through = du * -v[0] - dv * -u[0],
-                   reach = ((du < 0 ? -du : du) + (dv < 0 ? -dv : dv)) * half;
+               reach = ((du < 0 ? -du : du) + (dv < 0 ? -dv : dv)) * half;
     return -reach < through && through < reach;
 }
 
@@ -555,9 +554,9 @@ bool primitive_judge_compare(struct primitive_judge *j, const struct scene *scen
     j->results = results;
     for (int shape = 0; shape < SHAPES; shape++) {
         j->shape = (enum shape)shape;
-        j->size_24_8 =
-            shape == SHAPE_BRESENHAM ? 256 * (1 + random_below(&random, MAX_WIDTH) * random_below(&random, 2))
-                                     : 256 + random_below(&random, (MAX_WIDTH - 1) * 256 + 1);
+        j->size_24_8 = shape == SHAPE_BRESENHAM
+                           ? 256 * (1 + random_below(&random, MAX_WIDTH) * random_below(&random, 2))
+                           : 256 + random_below(&random, (MAX_WIDTH - 1) * 256 + 1);
         collect(j);
         if (j->primitive_count == 0) {
             continue;

@@ -187,8 +187,7 @@ static bool record(struct sampling_judge *j, const rhw_texture targets[TARGETS])
     if (rhw_pass_begin(j->context, &def, &pass) != RHW_OK) {
         return false;
     }
-    rhw_pass_set_pipeline(j->context, pass,
-                          j->pipeline[j->mode][j->scene->topology][view->minus_one_to_one]);
+    rhw_pass_set_pipeline(j->context, pass, j->pipeline[j->mode][j->scene->topology][view->minus_one_to_one]);
     rhw_pass_set_vertex_buffer(j->context, pass, 0, j->vertices, 0);
     rhw_pass_set_uniforms(j->context, pass, offset, sizeof offset);
     const struct rhw_viewport viewport = {view->x,      view->y,         view->width,
@@ -214,9 +213,9 @@ static bool draw(struct sampling_judge *j)
     bool ok = created == TARGETS && record(j, targets);
     for (int i = 0; i < TARGETS && ok; i++) {
         for (int s = 0; s < j->samples && ok; s++) {
-            ok = (j->samples == 1 ? rhw_texture_read(j->context, targets[i], 0, j->seen[i][s], 0)
-                                  : rhw_texture_read_sample(j->context, targets[i], s, j->seen[i][s], 0)) ==
-                 RHW_OK;
+            ok = (j->samples == 1
+                      ? rhw_texture_read(j->context, targets[i], 0, j->seen[i][s], 0)
+                      : rhw_texture_read_sample(j->context, targets[i], s, j->seen[i][s], 0)) == RHW_OK;
         }
     }
     while (created > 0) {
@@ -298,10 +297,10 @@ static struct bounds bounds_of(const struct oracle_triangle *t)
         }
     }
     const int width = t->view.target_width, height = t->view.target_height;
-    return t->empty ? (struct bounds){0, 0, 0, 0}
-                    : (struct bounds){clamp(least[0] >> 8, 0, width), clamp(least[1] >> 8, 0, height),
-                                      clamp((most[0] >> 8) + 1, 0, width),
-                                      clamp((most[1] >> 8) + 1, 0, height)};
+    return t->empty
+               ? (struct bounds){0, 0, 0, 0}
+               : (struct bounds){clamp(least[0] >> 8, 0, width), clamp(least[1] >> 8, 0, height),
+                                 clamp((most[0] >> 8) + 1, 0, width), clamp((most[1] >> 8) + 1, 0, height)};
 }
 
 static struct bounds cover_samples(struct sampling_judge *j)
@@ -486,8 +485,8 @@ static void compare_offset(struct sampling_judge *j, const struct fragment *f)
             const struct oracle_form *const form = &j->form[q][i];
             if (is_measured(j, i)) {
                 const double size = fmax(form->vertex_max, largest_change(j, form));
-                const double error = oracle_error(form, &j->beside, (double)j->seen[q][0][f->pixel][i],
-                                                  oracle_ulp(size));
+                const double error =
+                    oracle_error(form, &j->beside, (double)j->seen[q][0][f->pixel][i], oracle_ulp(size));
                 measure(j, QUANTITY_OFFSET, f, q == SMOOTH ? error / fmax(1, spread) : error, i);
             }
         }
@@ -507,9 +506,8 @@ static void compare_triangle(struct sampling_judge *j, int number)
     const struct bounds b = cover_samples(j);
     for (int y = b.y0; y < b.y1; y++) {
         for (int x = b.x0; x < b.x1; x++) {
-            const struct fragment f = {
-                .at = {(int)scene->family, number, x, y, 0, scene->seed, scene->index},
-                .pixel = y * scene->view.target_width + x};
+            const struct fragment f = {.at = {(int)scene->family, number, x, y, 0, scene->seed, scene->index},
+                                       .pixel = y * scene->view.target_width + x};
             if (j->covered[f.pixel] != 0) {
                 compare[j->mode](j, &f);
             }

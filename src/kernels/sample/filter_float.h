@@ -17,13 +17,13 @@
 #include "reference.h"
 #include "texel_fetch.h"
 
-// What one call needs at every level. s and t are folded coordinates.
+// What one call needs at every level. s and t are folded coordinates, `nearest` what the nearest filter takes in their place.
 struct float_source {
     const struct rhw_texture_data *texture;
     const struct rhw_format_info *format; // of the texture
     const struct rhw_sampler_data *sampler;
     bool border; // along u or v
-    f8 s, t;
+    f8 s, t, nearest[2];
     const f8
         *reference; // of a sampler that compares: texels become 1 where the comparison holds, else 0; or NULL
 };
@@ -67,8 +67,8 @@ static inline void fetch_texels(const struct float_source *source, const struct 
 
 static inline void filter_nearest(const struct float_source *source, const struct rhw_mip *mip, f8 texel[4])
 {
-    i8 x = rhw_int_from_float_unchecked(rhw_floor(source->s * (float)mip->width));
-    i8 y = rhw_int_from_float_unchecked(rhw_floor(source->t * (float)mip->height));
+    i8 x = rhw_int_from_float_unchecked(rhw_floor(source->nearest[0] * (float)mip->width));
+    i8 y = rhw_int_from_float_unchecked(rhw_floor(source->nearest[1] * (float)mip->height));
     // s = 1 stands for a coordinate just below the edge where the texture repeats.
     if (source->sampler->def.address_u != RHW_ADDRESS_BORDER) {
         x = rhw_min_int(x, i8_splat(mip->width - 1));
@@ -152,14 +152,17 @@ static __attribute__((noinline)) void sample_float(const struct rhw_binding *bin
     const struct rhw_sampler_data *const sampler = binding->sampler;
     const struct rhw_sampler_def *const def = &sampler->def;
     const f8 reference = reference_of(texture->info, request);
-    const struct float_source source = {.reference = def->compares ? &reference : NULL,
-                                        .texture = texture,
-                                        .format = texture->info,
-                                        .sampler = sampler,
-                                        .border = def->address_u == RHW_ADDRESS_BORDER ||
-                                                  def->address_v == RHW_ADDRESS_BORDER,
-                                        .s = fold_coordinate(def->address_u, request->coordinates[0]),
-                                        .t = fold_coordinate(def->address_v, request->coordinates[1])};
+    const f8 u = request->coordinates[0], v = request->coordinates[1];
+    const f8 s = fold_coordinate(def->address_u, u), t = fold_coordinate(def->address_v, v);
+    const struct float_source source = {
+        .reference = def->compares ? &reference : NULL,
+        .texture = texture,
+        .format = texture->info,
+        .sampler = sampler,
+        .border = def->address_u == RHW_ADDRESS_BORDER || def->address_v == RHW_ADDRESS_BORDER,
+        .s = s,
+        .t = t,
+        .nearest = {nearest_coordinate(def->address_u, u, s), nearest_coordinate(def->address_v, v, t)}};
     const f8 zero = rhw_splat(0.0f);
     const f8 limited = rhw_clamp(level_of_detail(texture, sampler, request->gradient, request->lod),
                                  rhw_splat(def->lod_min), rhw_splat(def->lod_max));

@@ -30,6 +30,18 @@ static inline f8 fold_coordinate(enum rhw_address address, f8 u)
     }
 }
 
+// Of a folded coordinate, what says which texel it lies in. Where MIRROR runs backwards a texel begins at its other edge
+// (Vulkan 1.3, "Wrapping Operation": −1 − i), so that the coordinate counts as just below itself.
+static inline f8 nearest_coordinate(enum rhw_address address, f8 u, f8 folded)
+{
+    const f8 zero = rhw_splat(0.0f);
+    if (address != RHW_ADDRESS_MIRROR) {
+        return folded;
+    }
+    const i8 is_backward = rhw_less(rhw_splat(1.0f), u - 2.0f * rhw_floor(0.5f * u));
+    return (f8)((i8)folded + (is_backward & rhw_less(zero, folded))); // a float's neighbour towards 0
+}
+
 // Texel coordinates that may lie one outside a level, moved into it. A repeated or mirrored edge is already exact:
 // folding leaves −1 and `size` only for the neighbour across the edge. Border texels are clamped as well,
 // and replaced after the fetch.
