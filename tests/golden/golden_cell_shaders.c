@@ -144,6 +144,20 @@ static void level(struct rhw_fragment *groups, int count)
     }
 }
 
+// As far as half a pixel in x and four in y, smooth and as it were without perspective.
+static void offset(struct rhw_fragment *groups, int count)
+{
+    for (int g = 0; g < count; g++) {
+        struct rhw_fragment *f = &groups[g];
+        const rhw_float by[2] = {rhw_fract(f->coord[0] * 0.37f) - 0.5f,
+                                 rhw_fract(f->coord[1] * 0.29f) * 8.0f - 4.0f};
+        f->color[0][0] = rhw_interpolate_at(f, 0, 3, by);
+        f->color[0][1] = rhw_interpolate_at(f, 1, 3, by);
+        f->color[0][2] = rhw_interpolate_at(f, 2, -1, by);
+        f->color[0][3] = rhw_interpolate_at(f, 3, 3, by);
+    }
+}
+
 // What one group asks of a texture of any kind.
 static void ask(const struct golden_kind_uniforms *u, struct rhw_fragment *f)
 {
@@ -313,7 +327,7 @@ void RHW_ISA_NAME(golden_cells)(struct rhw_program *program, enum rhw_isa isa, e
 {
     rhw_vertex_function *const vertices[GOLDEN_CELL_VERTICES] = {plain, instanced, screen, sized, routed};
     rhw_fragment_function *const fragments[GOLDEN_CELL_FRAGMENTS] = {
-        value, facing, texture, level, ids, builtins, heights, maths, kinds, point, route, covered};
+        value, facing, texture, level, ids, builtins, heights, maths, kinds, point, route, covered, offset};
     program->vertex[isa] = vertices[vertex];
     program->fragment[isa] = fragments[fragment];
 }

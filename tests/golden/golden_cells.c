@@ -26,6 +26,7 @@ void golden_cells_fill(struct rhw_program *program, enum golden_cell_vertex vert
         [GOLDEN_CELL_POINT] = RHW_USE_POINT_COORD,
         [GOLDEN_CELL_ROUTE] = RHW_USE_LAYER,
         [GOLDEN_CELL_COVERED] = RHW_USE_FULLY_COVERED,
+        [GOLDEN_CELL_OFFSET] = RHW_USE_COORD,
     };
     static golden_cells_function *const copies[RHW_ISA_COUNT] = RHW_ISA_TABLE(golden_cells);
     for (int isa = 0; isa < RHW_ISA_COUNT; isa++) {

@@ -33,6 +33,7 @@ enum golden_cell_fragment {
     GOLDEN_CELL_POINT,    ///< varyings 0, 1 times point coordinates
     GOLDEN_CELL_ROUTE,    ///< varyings 0..3, darker by layer and viewport
     GOLDEN_CELL_COVERED,  ///< varyings 0..3, half as bright where the triangle does not contain the pixel
+    GOLDEN_CELL_OFFSET,   ///< varyings 0..2 at offsets that differ from pixel to pixel; varying 3 is W
     GOLDEN_CELL_FRAGMENTS
 };
 

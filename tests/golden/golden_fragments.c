@@ -65,6 +65,36 @@ void golden_builtins_draw(rhw_context *context, int number, struct golden_images
     golden_board_keep(&board, images);
 }
 
+// Two slopes in perspective, one of which is cut; 1, 4 and 8 samples, from centres, centroids and samples.
+void golden_offsets_draw(rhw_context *context, int number, struct golden_images *images)
+{
+    (void)number;
+    enum { SIDE = 64, SAMPLINGS = RHW_SAMPLING_SAMPLE + 1 };
+    static const int counts[] = {1, 4, 8};
+    static const struct golden_vertex vertices[] = {
+        {{-0.9f, -0.9f, 0, 1}, {0, 1, 0.3f, 1}},       {{3.2f, -3.6f, 2, 4}, {1, 0, 0.9f, 4}},
+        {{0, 1.8f, 1, 2}, {0.5f, -1, 0.1f, 2}},        {{-2.8f, 0.4f, 1, 3}, {1, 1, 0, 3}},
+        {{0.4f, 0.1f, 0.2f, -0.5f}, {0, 1, 1, -0.5f}}, {{0.9f, 0.8f, 0.3f, 1}, {0, 0.2f, 1, 1}}};
+    const enum rhw_format format = RHW_FORMAT_RGBA32_FLOAT;
+    for (size_t i = 0; i < sizeof counts / sizeof *counts; i++) {
+        struct golden_board board;
+        golden_board_make(&board, context, SAMPLINGS * SIDE, SIDE, &format, 1);
+        board.def.samples = counts[i];
+        golden_board_begin(&board);
+        rhw_pass_set_vertex_buffer(context, board.pass, 0, golden_buffer(context, vertices, sizeof vertices),
+                                   0);
+        for (int sampling = 0; sampling < SAMPLINGS; sampling++) {
+            struct rhw_pipeline_def def = golden_cells_def(GOLDEN_CELL_OFFSET, format);
+            def.program.varyings[0].sampling = (enum rhw_sampling)sampling;
+            golden_cell(context, board.pass, sampling, 0, SIDE, SIDE);
+            rhw_pass_set_pipeline(context, board.pass, golden_pipeline(context, &def));
+            rhw_pass_draw(context, board.pass, 0, 6, 0, 1);
+        }
+        golden_board_end(&board);
+        golden_board_keep(&board, images);
+    }
+}
+
 void golden_heights_draw(rhw_context *context, int number, struct golden_images *images)
 {
     (void)number;

@@ -33,6 +33,9 @@ golden_draw_function golden_stencil_draw; ///< operations, masks, bias, clamping
 golden_draw_function
     golden_samples_draw; ///< 2 << number samples; sampling, masks, alpha, early and late, lines
 
+// golden_stencil_views.c
+golden_draw_function golden_stencil_views_draw; ///< stencil of every format that a pass left, sampled as bytes
+
 // golden_primitives.c
 golden_draw_function
     golden_primitives_draw; ///< points, lines, polygon modes, adjacency, clip and cull distances
@@ -56,7 +59,8 @@ golden_draw_function
 golden_draw_function golden_chain_draw; ///< what one pass draws, the next samples
 
 // golden_blocks.c
-golden_draw_function golden_blocks_draw; ///< every compressed format, in levels that end within a block
+golden_draw_function
+    golden_blocks_draw; ///< every compressed format, in levels that end within a block; 1: in parts
 // golden_kinds.c
 golden_draw_function golden_kinds_draw; ///< textures of every kind, asked in every way
 golden_draw_function
@@ -70,6 +74,7 @@ golden_draw_function
 
 // golden_fragments.c
 golden_draw_function golden_builtins_draw; ///< coordinates, weights, derivatives, ids as floats and integers
+golden_draw_function golden_offsets_draw;  ///< rhw_interpolate_at; centres, centroids and samples
 golden_draw_function golden_heights_draw;  ///< fragment depth, discard, derivatives
 golden_draw_function golden_maths_draw; ///< shader maths; 0: ordinary arguments, 1: the whole range of floats
 golden_draw_function golden_single_draw; ///< the one-at-a-time form of vertex and fragment functions
