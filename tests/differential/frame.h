@@ -15,7 +15,8 @@ enum {
     FRAME_VERTICES = 8192,
     FRAME_INDICES = 1024,
     FRAME_INSTANCES = 16,
-    FRAME_NUMBERS = 1024, // what queries, transform feedback and storage buffers give
+    FRAME_IMAGE_SIDE = 32,
+    FRAME_NUMBERS = FRAME_IMAGE_SIDE * FRAME_IMAGE_SIDE, // what queries, feedback and storage give
     FRAME_UNIFORMS = 4,
     FRAME_TEXTURES = 2,
     FRAME_SNAP = 256 // positions are whole parts of a pixel, as both renderers round them
@@ -63,6 +64,7 @@ enum frame_extra {
     FRAME_OCCLUSION, // numbers[i]: whether draw i had samples that passed
     FRAME_FEEDBACK,  // numbers: positions and values of the first draw, captured
     FRAME_STORAGE,   // numbers: a storage buffer of words in slot 0
+    FRAME_IMAGE,     // numbers: texels of a storage image in slot 0, R32_UINT, FRAME_IMAGE_SIDE each way
     FRAME_BLIT       // a region of the first target is blitted into the second
 };
 

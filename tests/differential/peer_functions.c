@@ -52,6 +52,8 @@ bool peer_functions_find(const struct gles *gles, struct peer_functions *functio
         {"glMemoryBarrier", &functions->memory_barrier},
         {"glPixelStorei", &functions->pixel_store_i},
         {"glGetProgramInfoLog", &functions->get_program_info_log},
+        {"glBindImageTexture", &functions->bind_image_texture},
+        {"glGetInternalformativ", &functions->get_internal_format_iv},
     };
     for (size_t i = 0; i < sizeof names / sizeof *names; i++) {
         if (!gles_find(gles, names[i].name, names[i].at)) {

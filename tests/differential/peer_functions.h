@@ -50,6 +50,8 @@ struct peer_functions {
     PFNGLMEMORYBARRIERPROC memory_barrier;
     PFNGLPIXELSTOREIPROC pixel_store_i;
     PFNGLGETPROGRAMINFOLOGPROC get_program_info_log;
+    PFNGLBINDIMAGETEXTUREPROC bind_image_texture;
+    PFNGLGETINTERNALFORMATIVPROC get_internal_format_iv;
 };
 
 // False where the driver lacks one.

@@ -12,7 +12,7 @@ static const char prelude[] =
     "precision highp sampler2DArray; precision highp samplerCubeArray; precision highp sampler2DShadow;\n"
     "precision highp usampler2D; precision highp isampler2D; precision highp usampler3D;\n"
     "precision highp usampler2DArray; precision highp samplerCubeShadow; precision highp "
-    "sampler2DArrayShadow;\n"
+    "sampler2DArrayShadow; precision highp samplerCubeArrayShadow;\n"
     "uniform vec4 uniforms[4];\n";
 
 static GLuint compile(const struct gles *gl, GLenum type, const char *const *pieces, GLsizei count)

@@ -2,6 +2,8 @@
 // See peer_state.h. y is turned, so the front has the opposite winding.
 #include "peer_state.h"
 
+#include <GLES2/gl2ext.h>
+
 static const GLenum compares[] = {
     [RHW_COMPARE_LESS] = GL_LESS,
     [RHW_COMPARE_NEVER] = GL_NEVER,
@@ -175,6 +177,9 @@ void peer_state_set_sampler(const struct gles *gl, const struct peer_functions *
     more->tex_parameter_f(target, GL_TEXTURE_MIN_LOD, sampler->lod_min);
     if (sampler->lod_max != 0) {
         more->tex_parameter_f(target, GL_TEXTURE_MAX_LOD, sampler->lod_max);
+    }
+    if (sampler->max_anisotropy > 1) {
+        more->tex_parameter_f(target, GL_TEXTURE_MAX_ANISOTROPY_EXT, sampler->max_anisotropy);
     }
     if (sampler->compares) {
         gl->tex_parameter_i(target, GL_TEXTURE_COMPARE_MODE, GL_COMPARE_REF_TO_TEXTURE);

@@ -11,7 +11,7 @@
 struct here {
     rhw_context *context;
     const struct frame *frame;
-    rhw_texture targets[FRAME_TARGETS], depth, textures[FRAME_TEXTURES];
+    rhw_texture targets[FRAME_TARGETS], depth, textures[FRAME_TEXTURES], image;
     rhw_sampler samplers[FRAME_TEXTURES];
     rhw_buffer vertices, indices, instances, numbers;
     rhw_query queries[FRAME_DRAWS];
@@ -82,6 +82,12 @@ static void make_resources(struct here *h)
     h->indices = make_buffer(h, f->indices, (size_t)f->index_count * sizeof *f->indices);
     h->instances = make_buffer(h, f->instances, sizeof f->instances);
     h->numbers = make_buffer(h, zeros, sizeof zeros);
+    if (f->extra == FRAME_IMAGE) {
+        const struct rhw_texture_def image = {
+            .format = RHW_FORMAT_R32_UINT, .width = FRAME_IMAGE_SIDE, .height = FRAME_IMAGE_SIDE};
+        keep(h, rhw_texture_create(h->context, &image, &h->image));
+        keep(h, rhw_texture_write(h->context, h->image, 0, zeros, 0));
+    }
     for (int i = 0; f->extra == FRAME_OCCLUSION && i < f->draw_count; i++) {
         const struct rhw_query_def query = {.kind = RHW_QUERY_ANY_PASSED};
         keep(h, rhw_query_create(h->context, &query, &h->queries[i]));
@@ -191,6 +197,9 @@ static void draw_all(struct here *h)
     for (int i = 0; i < f->texture_count; i++) {
         rhw_pass_set_texture(h->context, h->pass, i, h->textures[i], h->samplers[i]);
     }
+    if (f->extra == FRAME_IMAGE) {
+        rhw_pass_set_storage_image(h->context, h->pass, 0, h->image, 0);
+    }
     if (f->extra == FRAME_STORAGE) {
         rhw_pass_set_storage_buffer(h->context, h->pass, 0, h->numbers, 0, 0);
     }
@@ -223,7 +232,8 @@ static void read_numbers(struct here *h, struct drawn *drawn)
         }
         return;
     }
-    keep(h, rhw_buffer_read(h->context, h->numbers, 0, words, sizeof words));
+    keep(h, h->frame->extra == FRAME_IMAGE ? rhw_texture_read(h->context, h->image, 0, words, 0)
+                                           : rhw_buffer_read(h->context, h->numbers, 0, words, sizeof words));
     for (int i = 0; i < FRAME_NUMBERS; i++) {
         float number;
         memcpy(&number, &words[i], sizeof number);
@@ -256,6 +266,7 @@ static void release(struct here *h)
     for (int i = 0; i < FRAME_TARGETS; i++) {
         rhw_texture_destroy(h->context, h->targets[i]);
     }
+    rhw_texture_destroy(h->context, h->image);
     for (int i = 0; i < FRAME_TEXTURES; i++) {
         rhw_texture_destroy(h->context, h->textures[i]);
         rhw_sampler_destroy(h->context, h->samplers[i]);

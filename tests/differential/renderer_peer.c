@@ -16,7 +16,7 @@ struct peer {
     struct peer_programs programs;
     // --- of the frame that is drawn
     GLuint targets[FRAME_TARGETS], depth, textures[FRAME_TEXTURES], framebuffers[2], samples[FRAME_TARGETS];
-    GLuint buffers[4], queries[FRAME_DRAWS];
+    GLuint buffers[4], queries[FRAME_DRAWS], image;
 };
 
 static unsigned char texels[FRAME_SIDE * FRAME_SIDE * 16];
@@ -120,6 +120,18 @@ static void make_targets(struct peer *p, const struct frame *f)
     }
 }
 
+static void make_image(struct peer *p)
+{
+    static const GLuint zeros[FRAME_NUMBERS];
+    p->gl.gen_textures(1, &p->image);
+    p->gl.active_texture(GL_TEXTURE0 + FRAME_TEXTURES);
+    p->gl.bind_texture(GL_TEXTURE_2D, p->image);
+    p->gl.tex_storage_2d(GL_TEXTURE_2D, 1, GL_R32UI, FRAME_IMAGE_SIDE, FRAME_IMAGE_SIDE);
+    p->gl.tex_sub_image_2d(GL_TEXTURE_2D, 0, 0, 0, FRAME_IMAGE_SIDE, FRAME_IMAGE_SIDE, GL_RED_INTEGER,
+                           GL_UNSIGNED_INT, zeros);
+    p->more.bind_image_texture(0, p->image, 0, GL_FALSE, 0, GL_READ_WRITE, GL_R32UI);
+}
+
 static void make_buffers(struct peer *p, const struct frame *f)
 {
     enum { VERTICES, INSTANCES, INDICES, NUMBERS };
@@ -180,6 +192,9 @@ static void draw_one(struct peer *p, const struct frame *f, int index)
     p->gl.uniform_4fv(p->gl.get_uniform_location(program, "uniforms"), FRAME_UNIFORMS, d->uniforms[0]);
     for (int i = 0; i < f->texture_count; i++) {
         p->gl.uniform_1i(p->gl.get_uniform_location(program, names[i]), i);
+    }
+    if (f->extra == FRAME_IMAGE) {
+        p->more.memory_barrier(GL_SHADER_IMAGE_ACCESS_BARRIER_BIT); // what draws before this one stored
     }
     p->more.vertex_attrib_divisor(2, (GLuint)least_one(d->instance_step));
     peer_state_set(&p->gl, &p->more, f, d);
@@ -256,6 +271,19 @@ static void read_target(const struct peer *p, const struct frame *f, int target,
     }
 }
 
+static void read_image(const struct peer *p, double *numbers)
+{
+    static GLuint words[FRAME_NUMBERS][4];
+    p->more.memory_barrier(GL_ALL_BARRIER_BITS);
+    p->gl.bind_framebuffer(GL_FRAMEBUFFER, p->framebuffers[1]);
+    p->gl.framebuffer_texture_2d(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_TEXTURE_2D, p->image, 0);
+    p->gl.read_buffer(GL_COLOR_ATTACHMENT0);
+    p->gl.read_pixels(0, 0, FRAME_IMAGE_SIDE, FRAME_IMAGE_SIDE, GL_RGBA_INTEGER, GL_UNSIGNED_INT, words);
+    for (int i = 0; i < FRAME_NUMBERS; i++) {
+        numbers[i] = (double)words[i][0];
+    }
+}
+
 static void read_numbers(const struct peer *p, const struct frame *f, double *numbers)
 {
     if (f->extra == FRAME_OCCLUSION) {
@@ -265,6 +293,10 @@ static void read_numbers(const struct peer *p, const struct frame *f, double *nu
             numbers[i] = passed != 0;
         }
         p->more.delete_queries(f->draw_count, p->queries);
+        return;
+    }
+    if (f->extra == FRAME_IMAGE) {
+        read_image(p, numbers);
         return;
     }
     const GLenum kind = f->extra == FRAME_FEEDBACK ? GL_TRANSFORM_FEEDBACK_BUFFER : GL_SHADER_STORAGE_BUFFER;
@@ -290,6 +322,8 @@ static void release(struct peer *p, const struct frame *f)
     p->gl.delete_textures(f->texture_count, p->textures);
     p->gl.delete_renderbuffers(f->target_count, p->samples);
     p->gl.delete_renderbuffers(1, &p->depth);
+    p->gl.delete_textures(1, &p->image);
+    p->image = 0;
     p->gl.delete_buffers(4, p->buffers);
     p->depth = 0;
 }
@@ -322,6 +356,26 @@ const char *peer_name(const struct peer *p)
     return p->gl.name;
 }
 
+const char *peer_lacks(const struct peer *p, const struct frame *f)
+{
+    enum { MOST = 16 };
+    GLint counts[MOST] = {0};
+    bool has_samples = f->samples <= 1;
+    p->more.get_internal_format_iv(GL_RENDERBUFFER, texel_pair_find(f->formats[0])->internal, GL_SAMPLES,
+                                   MOST, counts);
+    for (int i = 0; i < MOST; i++) {
+        has_samples = has_samples || counts[i] == f->samples;
+    }
+    const char *const extensions = (const char *)p->gl.get_string(GL_EXTENSIONS);
+    for (int i = 0; i < f->texture_count; i++) {
+        if (f->textures[i].sampler.max_anisotropy > 1 &&
+            !(extensions && strstr(extensions, "GL_EXT_texture_filter_anisotropic"))) {
+            return "the peer has no anisotropic filter";
+        }
+    }
+    return has_samples ? NULL : "the peer has no such number of samples";
+}
+
 bool draw_there(struct peer *p, const struct frame *f, struct drawn *drawn)
 {
     make_targets(p, f);
@@ -329,6 +383,9 @@ bool draw_there(struct peer *p, const struct frame *f, struct drawn *drawn)
         make_texture(p, &f->textures[i], i);
     }
     make_buffers(p, f);
+    if (f->extra == FRAME_IMAGE) {
+        make_image(p);
+    }
     const GLenum status = p->gl.check_framebuffer_status(GL_FRAMEBUFFER);
     if (status == GL_FRAMEBUFFER_COMPLETE) {
         clear(p, f);

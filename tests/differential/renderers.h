@@ -14,6 +14,8 @@ struct peer;
 struct peer *peer_open(const char **why);
 void peer_close(struct peer *peer);
 const char *peer_name(const struct peer *peer);
+// What the frame asks for that the peer has not: NULL, or in words.
+const char *peer_lacks(const struct peer *peer, const struct frame *frame);
 bool draw_there(struct peer *peer, const struct frame *frame, struct drawn *drawn);
 
 #endif

@@ -24,6 +24,7 @@ struct scene_list primitive_scenes(void);
 struct scene_list test_scenes(void); // depth, stencil, queries
 struct scene_list output_scenes(void);
 struct scene_list texture_scenes(void);
+struct scene_list shadow_scenes(void);
 struct scene_list filter_scenes(void);
 struct scene_list sample_scenes(void);
 struct scene_list storage_scenes(void);

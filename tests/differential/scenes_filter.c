@@ -136,6 +136,45 @@ static void gradients(struct frame *f)
     add_rates(f, &gradient);
 }
 
+// Cells in which v runs 1 to `ratio` times as fast as u, from row to row; u over 1/2 to 4 texels a pixel: a little
+// more than powers of 2, from the nearest level, or also between them.
+static void add_stretched(struct frame *f, float most, int ratio, bool between)
+{
+    struct frame_texture *const t =
+        begin(f, RHW_FILTER_LINEAR, between ? RHW_MIP_FILTER_LINEAR : RHW_MIP_FILTER_NEAREST);
+    t->def.format = f->formats[0] = RHW_FORMAT_RGBA16_FLOAT;
+    t->plain = true;
+    t->sampler.max_anisotropy = most;
+    for (int i = 0; i < 64; i++) {
+        const float from = 0.0131f + 0.017f * (float)i;
+        const float rate = between ? (float)(1 + i % 8) / 4 : 1.05f * (float)(1 << i % 4) / 4;
+        const float low[4] = {from, from, 0, 0};
+        const float high[4] = {from + rate, from + rate * (1 + (float)(i / 8 * (ratio - 1)) / 7), 0, 1};
+        frame_add_quad(f, 32 * (i % 8), 32 * (i / 8), 32, 32, 0, low, high);
+    }
+    frame_add_draw(f, frame_draw_default(f, &implicit));
+}
+
+static void stretched_4(struct frame *f)
+{
+    add_stretched(f, 4, 4, false);
+}
+
+static void stretched_16(struct frame *f)
+{
+    add_stretched(f, 16, 16, false);
+}
+
+static void stretched_between(struct frame *f)
+{
+    add_stretched(f, 16, 16, true);
+}
+
+static void stretched_beyond(struct frame *f)
+{
+    add_stretched(f, 2, 16, true);
+}
+
 static void magnify(struct frame *f)
 {
     struct frame_texture *const t = begin(f, RHW_FILTER_LINEAR, RHW_MIP_FILTER_NEAREST);
@@ -152,6 +191,13 @@ static const char rough_logarithm[] = "for the level the peer takes log2 of the 
                                       "linear between powers of 2: up to 0.043 of a level "
                                       "low";
 
+// Seen cell by cell.
+static const char whole_levels[] = "the peer takes the level of the footprint's shorter side, rounded down, "
+                                   "however long the other is; here it lies "
+                                   "between levels, and the other counts where it is beyond max_anisotropy "
+                                   "times as long (Vulkan, Image Level(s) "
+                                   "Selection)";
+
 struct scene_list filter_scenes(void)
 {
     static const struct scene scenes[] = {
@@ -166,6 +212,10 @@ struct scene_list filter_scenes(void)
         {"texture, trilinear half floats", implicit_halves, rough_logarithm, 8192, 2},
         {"texture with a bias", biased, rough_logarithm, 1024, 255},
         {"textureGrad", gradients, coarse_weights, 4, 2},
+        {"anisotropy 4", stretched_4, NULL, 0, 0},
+        {"anisotropy 16", stretched_16, NULL, 0, 0},
+        {"anisotropy 16, between levels", stretched_between, whole_levels, 33000, 481},
+        {"anisotropy 2, footprints of up to 16", stretched_beyond, whole_levels, 60416, 1920},
     };
     return (struct scene_list){scenes, sizeof scenes / sizeof *scenes};
 }

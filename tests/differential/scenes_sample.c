@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Four samples a pixel, resolved.
+// Several samples a pixel, resolved: four, and as many as the peer has.
 #include <string.h>
 
 #include "scenes.h"
@@ -162,6 +162,42 @@ static void halves(struct frame *f)
     f->formats[0] = f->draws[0].state.targets[0].format = RHW_FORMAT_RGBA16_FLOAT;
 }
 
+static void begin_with(struct frame *f, const struct shader_pair *shaders, int samples)
+{
+    begin(f, shaders);
+    f->samples = samples;
+}
+
+static void values_2(struct frame *f)
+{
+    begin_with(f, &sample_color, 2);
+}
+
+static void values_8(struct frame *f)
+{
+    begin_with(f, &sample_color, 8);
+}
+
+static void values_16(struct frame *f)
+{
+    begin_with(f, &sample_color, 16);
+}
+
+static void positions_2(struct frame *f)
+{
+    begin_with(f, &position_color, 2);
+}
+
+static void positions_8(struct frame *f)
+{
+    begin_with(f, &position_color, 8);
+}
+
+static void positions_16(struct frame *f)
+{
+    begin_with(f, &position_color, 16);
+}
+
 struct scene_list sample_scenes(void)
 {
     static const struct scene scenes[] = {
@@ -181,6 +217,12 @@ struct scene_list sample_scenes(void)
          "encoded again",
          10, 2},
         {"4 samples: RGBA16F", halves, NULL, 0, 0},
+        {"2 samples: values at samples", values_2, NULL, 0, 0},
+        {"2 samples: ids and positions", positions_2, NULL, 0, 0},
+        {"8 samples: values at samples", values_8, NULL, 0, 0},
+        {"8 samples: ids and positions", positions_8, NULL, 0, 0},
+        {"16 samples: values at samples", values_16, NULL, 0, 0},
+        {"16 samples: ids and positions", positions_16, NULL, 0, 0},
     };
     return (struct scene_list){scenes, sizeof scenes / sizeof *scenes};
 }

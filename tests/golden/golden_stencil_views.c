@@ -17,7 +17,9 @@ static void count_layers(rhw_context *context, rhw_texture stencil, int first)
     for (int i = 0; i < 3 * LAYERS; i++) {
         const float w = 1 + (float)(i % 4);
         for (int c = 0; c < 4; c++) {
-            vertices[i].position[c] = c == 3 ? w : c == 2 ? 0.5f * w : golden_random(&random, -1.2f, 1.2f) * w;
+            vertices[i].position[c] = c == 3   ? w
+                                      : c == 2 ? 0.5f * w
+                                               : golden_random(&random, -1.2f, 1.2f) * w;
             vertices[i].value[c] = 1;
         }
     }
@@ -44,7 +46,9 @@ void golden_stencil_views_draw(rhw_context *context, int number, struct golden_i
     (void)number;
     enum { VIEWS = 3 };
     static const enum rhw_swizzle swizzles[VIEWS][4] = {
-        {0}, {RHW_SWIZZLE_ALPHA, RHW_SWIZZLE_RED, RHW_SWIZZLE_RED, RHW_SWIZZLE_ZERO}, {RHW_SWIZZLE_ONE, RHW_SWIZZLE_BLUE}};
+        {0},
+        {RHW_SWIZZLE_ALPHA, RHW_SWIZZLE_RED, RHW_SWIZZLE_RED, RHW_SWIZZLE_ZERO},
+        {RHW_SWIZZLE_ONE, RHW_SWIZZLE_BLUE}};
     const enum rhw_format target = RHW_FORMAT_RGBA32_UINT;
     const struct rhw_sampler_def state = {.min_filter = RHW_FILTER_NEAREST,
                                           .mag_filter = RHW_FILTER_NEAREST,
@@ -68,7 +72,8 @@ void golden_stencil_views_draw(rhw_context *context, int number, struct golden_i
     rhw_pass_set_pipeline(context, board.pass, golden_pipeline(context, &def));
     rhw_pass_set_vertex_buffer(context, board.pass, 0, golden_buffer(context, corners, sizeof corners), 0);
     for (int cell = 0; cell < FORMATS * VIEWS; cell++) {
-        struct rhw_texture_view_def view = {.texture = stencils[cell % FORMATS], .format = RHW_FORMAT_R8_UINT};
+        struct rhw_texture_view_def view = {.texture = stencils[cell % FORMATS],
+                                            .format = RHW_FORMAT_R8_UINT};
         rhw_texture made;
         for (int c = 0; c < 4; c++) {
             view.swizzle[c] = swizzles[cell / FORMATS][c];
