@@ -55,6 +55,12 @@ enum rhw_result scene_create(rhw_context *context, const struct scene_model *mod
     return RHW_OK;
 }
 
+enum rhw_result scene_set_pose(struct scene *scene, const struct scene_model *pose)
+{
+    scene_triangle_order_destroy(scene->upload.context, &scene->order);
+    return scene_upload_pose(&scene->upload, pose);
+}
+
 void scene_destroy(struct scene *scene)
 {
     if (!scene) {

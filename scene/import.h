@@ -49,6 +49,9 @@ struct scene_import {
     const char *ending;    // of the name, without its point; "" where it has none
     const char *directory; // of the name, with a trailing slash; "" for the current one
     const char *variant;   // of the options
+    const char *animation; // of the options
+    double time;           // of the options, with is_posed
+    bool is_posed, without_images;
     uint32_t texture_side; // of the options
     const char *confine;   // of the options, resolved; NULL: nothing is out of bounds
     const char *missing;   // why scene_import_find_file gave NULL last

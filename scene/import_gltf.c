@@ -378,10 +378,6 @@ void scene_import_gltf(struct scene_import *import)
     gltf.materials = none_made(&gltf, "materials");
     gltf.images = none_made(&gltf, "images");
     read_variants(&gltf);
-    const size_t animations = scene_gltf_count(&gltf, "animations");
-    if (animations > 0) {
-        scene_import_unsupported(import, "%zu animation%s: drawn at rest", animations,
-                                 animations == 1 ? "" : "s");
-    }
+    scene_gltf_animate(&gltf);
     scene_gltf_scene(&gltf);
 }

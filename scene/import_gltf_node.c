@@ -65,7 +65,8 @@ static void compose(const float t[3], const float q[4], const float s[3], float 
     memcpy(matrix + 12, t, 3 * sizeof *t);
 }
 
-static void local_matrix(struct scene_gltf *gltf, const json_t *node, float matrix[16])
+static void local_matrix(struct scene_gltf *gltf, const json_t *node, const struct scene_gltf_node *place,
+                         float matrix[16])
 {
     float t[3] = {0, 0, 0}, q[4] = {0, 0, 0, 1}, s[3] = {1, 1, 1};
     if (scene_gltf_floats(gltf, node, "matrix", matrix, 16)) {
@@ -74,7 +75,8 @@ static void local_matrix(struct scene_gltf *gltf, const json_t *node, float matr
     scene_gltf_floats(gltf, node, "translation", t, 3);
     scene_gltf_floats(gltf, node, "rotation", q, 4);
     scene_gltf_floats(gltf, node, "scale", s, 3);
-    compose(t, q, s, matrix);
+    compose(place->translation != NULL ? place->translation : t,
+            place->rotation != NULL ? place->rotation : q, place->scale != NULL ? place->scale : s, matrix);
 }
 
 // Pushes the children of a node, the first on top.
@@ -97,7 +99,7 @@ static void place_nodes(struct scene_gltf *gltf, struct stack *stack)
     while (stack->count > 0) {
         const uint32_t index = stack->nodes[--stack->count];
         struct scene_gltf_node *node = &gltf->nodes[index];
-        local_matrix(gltf, scene_gltf_item(gltf, "nodes", index), node->world);
+        local_matrix(gltf, scene_gltf_item(gltf, "nodes", index), node, node->world);
         if (node->parent != no_parent) {
             scene_import_multiply(gltf->nodes[node->parent].world, node->world, node->world);
         }
@@ -168,10 +170,11 @@ static void add_many(struct scene_gltf *gltf, const json_t *node, struct scene_g
     free(scales);
 }
 
-static void add_instances(struct scene_gltf *gltf, const json_t *node, const float world[16],
+static void add_instances(struct scene_gltf *gltf, const json_t *node, const struct scene_gltf_node *place,
                           uint32_t *objects)
 {
-    const struct scene_gltf_meshes meshes = scene_gltf_mesh(gltf, node, world);
+    const float *const world = place->world;
+    const struct scene_gltf_meshes meshes = scene_gltf_mesh(gltf, node, place);
     float identity[16];
     if (meshes.in_world) {
         scene_import_identity(identity);
@@ -266,7 +269,7 @@ static void visit(struct scene_gltf *gltf, uint32_t index, uint32_t *objects)
     const json_t *light = scene_gltf_extension(gltf, node, "KHR_lights_punctual");
     scene_gltf_note_extensions(gltf, node);
     if (json_object_get(node, "mesh") != NULL) {
-        add_instances(gltf, node, world, objects);
+        add_instances(gltf, node, &gltf->nodes[index], objects);
     }
     if (json_object_get(node, "camera") != NULL) {
         add_camera(gltf, node, world);

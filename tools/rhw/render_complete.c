@@ -189,6 +189,35 @@ static bool check_several(const struct cli_render_job *job)
     return job->view_count == 0 || has_view || check_sheet(job);
 }
 
+// Pictures that follow one another.
+static bool check_movement(const struct cli_render_job *job)
+{
+    const bool moves = cli_render_moves(job), is_sequence = strstr(job->out, "{frame}") != NULL;
+    const char *const option = job->turntable > 0 ? "--turntable" : "--animate";
+    const char *const other = job->view_count > 0                ? "--views"
+                              : job->stats                       ? "--stats"
+                              : job->print_camera                ? "--print-camera"
+                              : job->rate > 0.0 && job->has_time ? "--time"
+                                                                 : NULL;
+    if (is_sequence && !moves) {
+        cli_error(job->out, "{frame} needs --animate or --turntable");
+        return false;
+    }
+    if (moves && other) {
+        cli_error(option, "cannot be together with %s", other);
+        return false;
+    }
+    if (moves && !is_sequence && job->format != CLI_PICTURE_PNG && job->format != CLI_PICTURE_WEBP) {
+        cli_error(job->out, "only .png and .webp hold pictures that move; with a {frame} each gets a file");
+        return false;
+    }
+    if (moves && !is_sequence && (job->kinds & (job->kinds - 1))) {
+        cli_error("--output", "a file that moves has one output; with a {frame} in OUT there can be several");
+        return false;
+    }
+    return true;
+}
+
 // Only of a fitted model, or one seen by its own camera, is it known that no part fills the picture many times.
 static void choose_texture_side(struct cli_render_job *job)
 {
@@ -205,7 +234,8 @@ bool cli_render_job_complete(struct cli_render_job *job)
         cli_error("--background", "environment needs --environment FILE");
         return false;
     }
-    if (!choose_out(job) || !check_format(job) || !check_camera(job) || !check_several(job)) {
+    if (!choose_out(job) || !check_format(job) || !check_camera(job) || !check_several(job) ||
+        !check_movement(job)) {
         return false;
     }
     choose_texture_side(job);

@@ -11,8 +11,8 @@
 
 enum { JPEG_QUALITY = 92 };
 
-// OUT with the names of the model and the view. The view counts from 0; −1: there is none.
-static bool expand_out(struct render *render, int view)
+// OUT with the names of the model, and of the view or the frame, which count from 0; −1: there is none.
+static bool expand_out(struct render *render, int number)
 {
     const struct cli_render_job *const job = &render->job;
     const char *const slash = strrchr(job->model_path, '/'), *const base =
@@ -25,9 +25,12 @@ static bool expand_out(struct render *render, int view)
         if (strncmp(in, "{name}", 6) == 0) {
             at += (size_t)snprintf(render->out + at, room, "%.*s", stem, base);
             in += 6;
-        } else if (view >= 0 && strncmp(in, "{view}", 6) == 0) {
-            at += (size_t)snprintf(render->out + at, room, "%s", cli_view_name(job->views[view]));
+        } else if (number >= 0 && number < job->view_count && strncmp(in, "{view}", 6) == 0) {
+            at += (size_t)snprintf(render->out + at, room, "%s", cli_view_name(job->views[number]));
             in += 6;
+        } else if (number >= 0 && strncmp(in, "{frame}", 7) == 0) {
+            at += (size_t)snprintf(render->out + at, room, "%04d", number);
+            in += 7;
         } else {
             render->out[at++] = *in++;
         }
@@ -73,10 +76,10 @@ void cli_render_files_forget(struct render *render)
     render->file_count = 0;
 }
 
-bool cli_render_files_plan(struct render *render, int view)
+bool cli_render_files_plan(struct render *render, int number)
 {
     const struct cli_render_job *job = &render->job;
-    if (!expand_out(render, view)) {
+    if (!expand_out(render, number)) {
         return false;
     }
     for (int kind = 0; kind < CLI_KIND_COUNT; kind++) {
@@ -108,13 +111,20 @@ static bool encode_exr(struct render *render, struct cli_output_file *file)
                          rhw_context_threads(render->context));
 }
 
+void cli_render_rasterize(const struct render *render, enum cli_output_kind kind,
+                          struct cli_output_raster *output)
+{
+    const struct cli_render_job *job = &render->job;
+    cli_output_rasterize(output, &render->pictures, kind, job->bits,
+                         job->background == SCENE_BACKGROUND_TRANSPARENT, render->model->bounds_min,
+                         render->model->bounds_max);
+}
+
 static bool encode_raster(struct render *render, struct cli_output_file *file, enum cli_output_kind kind)
 {
     const struct cli_render_job *job = &render->job;
     struct cli_output_raster output;
-    cli_output_rasterize(&output, &render->pictures, kind, job->bits,
-                         job->background == SCENE_BACKGROUND_TRANSPARENT, render->model->bounds_min,
-                         render->model->bounds_max);
+    cli_render_rasterize(render, kind, &output);
     switch (job->format) {
     case CLI_PICTURE_PNG: return cli_png_write(file, &output.raster);
     case CLI_PICTURE_JPEG:
@@ -168,7 +178,8 @@ bool cli_render_files_check(struct render *render)
     bool planned = true;
     for (int i = 0; i < files && planned; i++) {
         cli_render_files_forget(render);
-        planned = cli_render_files_plan(render, cli_render_has_file_per_view(&render->job) ? i : -1);
+        const bool has_number = cli_render_has_file_per_view(&render->job) || cli_render_moves(&render->job);
+        planned = cli_render_files_plan(render, has_number ? i : -1);
     }
     return planned;
 }
