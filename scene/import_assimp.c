@@ -476,6 +476,39 @@ static int fbx_up_axis(const struct aiScene *scene)
     return 1;
 }
 
+// What an FBX says of its unit: so many centimetres; 0 where it says nothing.
+static double fbx_unit(const struct aiScene *scene)
+{
+    const struct aiMetadata *data = scene->mMetaData;
+    for (unsigned i = 0; data != NULL && i < data->mNumProperties; i++) {
+        const struct aiMetadataEntry *const entry = &data->mValues[i];
+        float narrow;
+        double wide;
+        if (strcmp(data->mKeys[i].data, "UnitScaleFactor") != 0) {
+            continue;
+        }
+        if (entry->mType == AI_DOUBLE) {
+            memcpy(&wide, entry->mData, sizeof wide);
+            return wide;
+        }
+        if (entry->mType == AI_FLOAT) {
+            memcpy(&narrow, entry->mData, sizeof narrow);
+            return (double)narrow;
+        }
+    }
+    return 0;
+}
+
+static void set_unit(struct scene_import *import, const struct aiScene *scene)
+{
+    const double centimetres = strcasecmp(import->ending, "fbx") == 0 ? fbx_unit(scene) : 0;
+    char text[32];
+    snprintf(text, sizeof text, "%.6g mm", centimetres * 10);
+    if (centimetres > 0 && centimetres < 1e6) {
+        import->model.unit = centimetres == 100 ? "metre" : scene_import_string(import, text, sizeof text);
+    }
+}
+
 // Assimp turns most formats so that y is up; these it leaves as they are.
 static void set_up(struct scene_import *import, const struct aiScene *scene)
 {
@@ -495,6 +528,7 @@ void scene_import_assimp(struct scene_import *import)
     import->model.format = format_of(import, scene);
     import->model.doubts_cameras = true;
     set_up(import, scene);
+    set_unit(import, scene);
     if (scene->mRootNode == NULL) {
         scene_import_fail(import, "has no nodes");
     }

@@ -74,11 +74,14 @@ static const struct layout image_layout = {COUNT(image_fields), image_fields};
 static const struct layout instance_layout = {COUNT(instance_fields), instance_fields};
 static const struct layout camera_layout = {COUNT(camera_fields), camera_fields};
 static const struct layout light_layout = {COUNT(light_fields), light_fields};
+static const struct field extension_fields[] = {STRING(scene_model_extension, name)};
+static const struct layout extension_layout = {COUNT(extension_fields), extension_fields};
 static const struct layout animation_layout = {COUNT(animation_fields), animation_fields};
 
 static const struct field model_fields[] = {
     STRING(scene_model, path),
     STRING(scene_model, format),
+    STRING(scene_model, unit),
     STRUCTS(scene_model, meshes, mesh_count, sizeof(struct scene_mesh), &mesh_layout),
     STRUCTS(scene_model, materials, material_count, sizeof(struct scene_material), &material_layout),
     STRUCTS(scene_model, images, image_count, sizeof(struct scene_image), &image_layout),
@@ -87,6 +90,8 @@ static const struct field model_fields[] = {
     STRUCTS(scene_model, lights, light_count, sizeof(struct scene_model_light), &light_layout),
     STRUCTS(scene_model, animations, animation_count, sizeof(struct scene_model_animation),
             &animation_layout),
+    STRUCTS(scene_model, extensions, extension_count, sizeof(struct scene_model_extension),
+            &extension_layout),
     {FIELD_STRINGS, offsetof(struct scene_model, warnings), offsetof(struct scene_model, warning_count),
      sizeof(char *), false, true, NULL},
     {FIELD_STRINGS, offsetof(struct scene_model, unsupported),

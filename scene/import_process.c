@@ -129,6 +129,7 @@ static void silence(void)
 _Noreturn static void run_child(const char *path, const struct scene_model_options *options, int descriptor)
 {
     struct scene_import import = {.model.path = path,
+                                  .model.unit = "",
                                   .name = options->name != NULL ? options->name : path,
                                   .variant = options->variant,
                                   .texture_side = options->texture_side,

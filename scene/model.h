@@ -185,14 +185,21 @@ struct scene_model_animation {
     uint32_t channel_count;
 };
 
+/// An extension of the format that the file uses.
+struct scene_model_extension {
+    const char *name;
+    bool is_required, is_drawn; ///< or is about no picture
+};
+
 struct scene_model {
     const char *path;   ///< as it was given
     const char *format; ///< for example "glTF 2.0" or "Stanford Polygon Library (PLY)"
+    const char *unit; ///< of lengths, "metre" or "25 mm", as the file or its format says; "" where neither does
     enum scene_axis up; ///< what the format says, or where it says little, what the model stands on
     bool up_guessed;
     bool doubts_cameras; ///< of a format whose cameras are often wrong
     uint32_t mesh_count, material_count, image_count, instance_count, camera_count, light_count,
-        animation_count;
+        animation_count, extension_count;
     struct scene_mesh *meshes;
     struct scene_material *materials;
     struct scene_image *images;
@@ -200,6 +207,7 @@ struct scene_model {
     struct scene_model_camera *cameras;
     struct scene_model_light *lights;
     struct scene_model_animation *animations;
+    struct scene_model_extension *extensions;
     float bounds_min[3], bounds_max[3]; ///< of all instances, in the world; min > max: nothing to draw
     uint64_t triangles_stored, triangles_drawn; ///< in the meshes / after instancing
     uint32_t warning_count, unsupported_count, variant_count;
