@@ -123,6 +123,7 @@ struct scene_material {
     enum scene_alpha_mode alpha_mode;
     float alpha_cutoff; ///< for MASK: fragments whose alpha is below are discarded
     bool unlit, double_sided;
+    bool is_ground; ///< shows nothing but the shadow on it; of no file
     struct scene_layers layers;
     struct scene_texture_slot slots[SCENE_SLOT_COUNT];
 };

@@ -106,8 +106,9 @@ static inline rhw_int scene_shadow_texel(const struct scene_shadow_map *map, rhw
 static inline rhw_float scene_shadow_reference(const struct scene_shadow_point *p, rhw_int column,
                                                rhw_int row, rhw_float bias)
 {
-    return p->depth + p->slope[0] * (rhw_float_from_int(column) + 0.5f - p->column) +
-           p->slope[1] * (rhw_float_from_int(row) + 0.5f - p->row) + bias;
+    const rhw_float depth = p->depth + p->slope[0] * (rhw_float_from_int(column) + 0.5f - p->column) +
+                            p->slope[1] * (rhw_float_from_int(row) + 0.5f - p->row) + bias;
+    return rhw_max(depth, 0.0f); // beyond all that casts shadows, where the map is empty, nothing does
 }
 
 /// Radius of the penumbra in texels, from the mean distance of what casts it; −1 where nothing does, −2 where everything

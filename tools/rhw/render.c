@@ -87,6 +87,7 @@ static bool set_view(struct render *render)
     view->default_lights = job->default_lights;
     view->no_lights = job->no_lights;
     view->shadows = job->shadows;
+    view->ground = job->ground;
     view->ambient_occlusion = job->ambient_occlusion;
     view->panorama = job->environment ? &render->panorama : NULL;
     view->panorama_rotation = (double)job->environment_rotation;

@@ -99,6 +99,8 @@ static const struct cli_option options[] = {
     {"lights", CLI_LOOK_LIGHTS, "WHICH",
      "file (default: those of the file, if any), default or none, which leaves the\nsurroundings"},
     {"shadows", CLI_LOOK_SHADOWS, "WHICH", "of the lights: on (the default) or off"},
+    {"ground", CLI_LOOK_GROUND, NULL,
+     "let the model cast a soft shadow on a ground that does not show otherwise"},
     {"ambient-occlusion", CLI_LOOK_AMBIENT_OCCLUSION, "WHICH",
      "darken where things stand close together: on (the default) or off"},
     {"environment", CLI_LOOK_ENVIRONMENT, "FILE",

@@ -48,7 +48,7 @@ _rhw_render() { # CURRENT PREVIOUS
     *)
         if [[ $1 == -* ]]; then
             _rhw_words "$1" --out --size --samples --supersample --output --bits --format --quality --fit --up --orbit --views --zoom --margin --ortho --print-camera --camera --camera-index \
-                --camera-name --fovy --interpolate --wireframe --background --variant --animation --time --animate --turntable --lights --shadows --ambient-occlusion --environment --environment-rotation --tone-map --transparency --exposure --threads --isa --paths \
+                --camera-name --fovy --interpolate --wireframe --background --variant --animation --time --animate --turntable --lights --shadows --ground --ambient-occlusion --environment --environment-rotation --tone-map --transparency --exposure --threads --isa --paths \
                 --max-memory --max-texture --confine --stats --strict --quiet --help
         else
             _rhw_files "$1"
