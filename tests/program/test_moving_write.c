@@ -140,8 +140,8 @@ static void check_apng(const uint8_t *bytes, size_t size, int channels)
                 check_picture(&png, frame, channels);
             }
             frame++;
-            const uint8_t expected[22] = {0, 0, 0, WIDTH, 0, 0, 0, HEIGHT, 0, 0,
-                                          0, 0, 0, 0,     0, 0, 0, 100, 2997 >> 8, 2997 & 255};
+            const uint8_t expected[22] = {0, 0, 0, WIDTH, 0, 0, 0, HEIGHT, 0,         0,
+                                          0, 0, 0, 0,     0, 0, 0, 100,    2997 >> 8, 2997 & 255};
             assert_int_equal(length, 26);
             assert_int_equal(load32(data), next++);
             assert_memory_equal(data + 4, expected, sizeof expected);
