@@ -85,5 +85,34 @@ refuse 2 ".*\{frame\} needs --animate or --turntable" render move.gltf -o 'a-{fr
 refuse 2 "--animate: cannot be together with --time" render move.gltf -o a.png --animate 10 --time 1
 refuse 2 "--turntable: cannot be together with --views" render move.gltf -o a.png --turntable 10 --views top
 refuse 2 "--animate: cannot be together with --stats" render move.gltf -o a.png --animate 10 --stats=x.json
+# A bar, long along x; and a ground far below it that is no part of what is fitted.
+cat >bar.obj <<'OBJ'
+o bar
+v -20 0 -1
+v 20 0 -1
+v 20 0 1
+v -20 0 1
+f 1 4 3 2
+OBJ
+cp bar.obj ground.obj
+cat >>ground.obj <<'OBJ'
+v 0 -1 0
+v 20 1 0
+v -20 1 0
+f 5 6 7
+o ground
+v -5000 -9 -5000
+v 5000 -9 -5000
+v 5000 -9 5000
+v -5000 -9 5000
+f 11 10 9 8
+OBJ
+# A camera that stands goes around, and what comes nearer or gets further than it was stays in the picture.
+succeed render bar.obj -o 'b-{frame}.png' --turntable 4 --size 60 --output object --camera 0,4,30,0,0,0,0,1,0,70
+succeed render bar.obj -o around.png --size 60 --output object --camera 30,4,0,0,0,0,0,1,0,70
+check "a standing camera turns" "$rhw" compare b-0001.png around.png >"$folder/log/compare"
+# The ground is drawn though it is not fitted.
+succeed render ground.obj -o 'd-{frame}.ppm' --turntable 2 --size 60 --output object --orbit 0,60
+check "the ground is there" test "$(pixels d-0000.ppm)" -gt 9000
 no_temporary_files
 finish

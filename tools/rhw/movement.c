@@ -11,7 +11,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-enum { POSES_SEEN = 12, DEFAULT_RATE = 30, PROFILE = 128, SPOKES = 64 };
+enum { POSES_SEEN = 12, DEFAULT_RATE = 30 };
 
 static double animation_seconds(const struct cli_render_job *job, const struct scene_model *model)
 {
@@ -131,122 +131,6 @@ static struct scene_model merge(struct scene_model *const *poses, int count, str
     return all;
 }
 
-// How far from the axis things are at each height.
-struct profile {
-    double low, high;       // along the axis
-    double radius[PROFILE]; // negative: nothing is there
-    double side[2][3];      // across it, with it a right-handed system
-};
-
-static double dot(const double a[3], const double b[3])
-{
-    return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
-}
-
-static void measure_profile(const struct cli_movement *movement, const struct scene_model *all,
-                            struct profile *profile)
-{
-    for (int i = 0; i < PROFILE; i++) {
-        profile->radius[i] = -1.0;
-    }
-    const struct scene_subject subject = scene_subject_find(all);
-    for (uint32_t i = 0; i < all->instance_count; i++) {
-        const struct scene_instance *const instance = &all->instances[i];
-        const struct scene_mesh *const mesh = &all->meshes[instance->mesh];
-        for (uint32_t v = 0; v < mesh->vertex_count && scene_subject_has(&subject, all, i); v++) {
-            double from[3];
-            for (int r = 0; r < 3; r++) {
-                from[r] = (double)instance->world[12 + r] - movement->center[r];
-                for (int c = 0; c < 3; c++) {
-                    from[r] += (double)instance->world[4 * c + r] * (double)mesh->positions[v][c];
-                }
-            }
-            const double x = dot(from, profile->side[0]), y = dot(from, profile->side[1]);
-            const double part = (dot(from, movement->axis) - profile->low) / (profile->high - profile->low);
-            const int at = part <= 0.0 ? 0 : part >= 1.0 ? PROFILE - 1 : (int)(part * PROFILE);
-            profile->radius[at] = fmax(profile->radius[at], sqrt(x * x + y * y));
-        }
-    }
-}
-
-// The rings that the profile sweeps, around the axis, as vertices of a mesh.
-static uint32_t make_rings(const struct cli_movement *movement, const struct profile *profile,
-                           float (*positions)[3])
-{
-    uint32_t count = 0;
-    for (int i = 0; i < 2 * PROFILE; i++) {
-        const double radius = profile->radius[i / 2];
-        const double height =
-            profile->low + (profile->high - profile->low) * (double)((i + 1) / 2) / (double)PROFILE;
-        for (int k = 0; k < SPOKES && radius >= 0.0; k++) {
-            double sine, cosine;
-            scene_sin_cos_degrees(360.0 * k / SPOKES, &sine, &cosine);
-            for (int c = 0; c < 3; c++) {
-                positions[count][c] =
-                    (float)(movement->center[c] + movement->axis[c] * height +
-                            radius * (profile->side[0][c] * cosine + profile->side[1][c] * sine));
-            }
-            count++;
-        }
-    }
-    return count;
-}
-
-// What a turntable sweeps.
-static bool fit_to_rings(struct cli_movement *movement, struct render *render, const struct scene_model *all)
-{
-    struct profile *const profile = malloc(sizeof *profile);
-    float(*const positions)[3] = malloc((size_t)2 * PROFILE * SPOKES * sizeof *positions);
-    if (!profile || !positions) {
-        free(profile);
-        free(positions);
-        cli_error(render->job.model_path, "out of memory");
-        return false;
-    }
-    profile->low = INFINITY;
-    profile->high = -INFINITY;
-    for (int k = 0; k < 8; k++) {
-        double from[3];
-        for (int c = 0; c < 3; c++) {
-            from[c] = (double)(k >> c & 1 ? all->bounds_max[c] : all->bounds_min[c]) - movement->center[c];
-        }
-        profile->low = fmin(profile->low, dot(from, movement->axis));
-        profile->high = fmax(profile->high, dot(from, movement->axis));
-    }
-    profile->high = profile->high > profile->low ? profile->high : profile->low + 1e-9;
-    const int first = movement->axis[0] * movement->axis[0] > 0.5 ? 1 : 0;
-    memset(profile->side, 0, sizeof profile->side);
-    profile->side[0][first] = 1.0; // axes are those of the world
-    profile->side[1][movement->axis[1] * movement->axis[1] > 0.5 || first == 1 ? 2 : 1] = 1.0;
-    measure_profile(movement, all, profile);
-    struct scene_mesh mesh = {.name = "", .primitive = SCENE_PRIMITIVE_POINTS, .positions = positions};
-    mesh.vertex_count = make_rings(movement, profile, positions);
-    struct scene_instance instance = {.name = ""};
-    instance.world[0] = instance.world[5] = instance.world[10] = instance.world[15] = 1.0f;
-    struct scene_model rings = *all;
-    rings.meshes = &mesh;
-    rings.instances = &instance;
-    rings.mesh_count = rings.instance_count = 1;
-    for (uint32_t v = 0; v < mesh.vertex_count; v++) {
-        for (int c = 0; c < 3; c++) {
-            rings.bounds_min[c] = v ? fminf(rings.bounds_min[c], positions[v][c]) : positions[v][c];
-            rings.bounds_max[c] = v ? fmaxf(rings.bounds_max[c], positions[v][c]) : positions[v][c];
-        }
-    }
-    memcpy(mesh.bounds_min, rings.bounds_min, sizeof mesh.bounds_min);
-    memcpy(mesh.bounds_max, rings.bounds_max, sizeof mesh.bounds_max);
-    // The angle at which the model itself shows best.
-    if (render->job.camera != CLI_CAMERA_ORBIT) {
-        const enum scene_axis up = render->job.has_up ? render->job.up : all->up;
-        render->job.orbit = scene_camera_default_orbit(all, up);
-        render->job.camera = CLI_CAMERA_ORBIT;
-    }
-    render->view.camera = cli_camera_fit(&render->job, &rings);
-    free(profile);
-    free(positions);
-    return true;
-}
-
 static bool fit_to_all(struct cli_movement *movement, struct render *render, struct scene_model *const *poses,
                        int count)
 {
@@ -257,7 +141,7 @@ static bool fit_to_all(struct cli_movement *movement, struct render *render, str
     }
     struct scene_mesh *const mesh_list = malloc((meshes + 1) * sizeof *mesh_list);
     struct scene_instance *const instance_list = malloc((instances + 1) * sizeof *instance_list);
-    bool fitted = mesh_list && instance_list;
+    const bool fitted = mesh_list && instance_list;
     if (fitted) {
         const struct scene_model all = merge(poses, count, mesh_list, instance_list);
         const struct scene_subject subject = scene_subject_find(&all);
@@ -269,12 +153,15 @@ static bool fit_to_all(struct cli_movement *movement, struct render *render, str
         const struct cli_render_job *const job = &render->job;
         const bool has_own = job->camera == CLI_CAMERA_AUTO && job->turntable == 0 &&
                              cli_camera_find(job, render->model) && !render->distrusts_camera;
-        if (job->camera > CLI_CAMERA_ORBIT || has_own) {
-            scene_camera_enclose(&render->view.camera, &all);
+        if (job->camera <= CLI_CAMERA_ORBIT && !has_own) {
+            render->view.camera = job->turntable > 0 ? cli_camera_fit_turn(job, &all, movement->center)
+                                                     : cli_camera_fit(job, &all);
         } else if (job->turntable > 0) {
-            fitted = fit_to_rings(movement, render, &all);
+            struct scene_orbit orbit = {.up = job->has_up ? job->up : all.up};
+            memcpy(orbit.turn_center, movement->center, sizeof orbit.turn_center);
+            scene_camera_enclose_turn(&render->view.camera, &all, &orbit);
         } else {
-            render->view.camera = cli_camera_fit(job, &all);
+            scene_camera_enclose(&render->view.camera, &all);
         }
     } else {
         cli_error(render->job.model_path, "out of memory");
@@ -299,6 +186,11 @@ bool cli_movement_camera(struct cli_movement *movement, struct render *render)
         cli_movement_free_pose(poses[p]);
     }
     return complete;
+}
+
+static double dot(const double a[3], const double b[3])
+{
+    return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
 }
 
 static void turn(const struct cli_movement *movement, double sine, double cosine, const double center[3],
