@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// See moving_write.h. An animated PNG (PNG, third edition, §11.3.4) is the chunks of ordinary ones: those of the first
+// See moving_write.h. An animated PNG (PNG, third edition, §11.3.6) is the chunks of ordinary ones: those of the first
 // picture as they are, of the others their image data under another name, each behind a chunk that says when it is shown.
 #include "moving_write.h"
 

@@ -3,12 +3,28 @@
 #include "output_file.h"
 #include "render_job.h"
 
-#include "message.h"
+#include "options.h"
 
 #include <stdio.h>
 #include <string.h>
+#include <unistd.h>
 
 // MODEL's name with another ending; never over a file that is there, which may be a texture.
+// An argument that stands apart from its option, where that does not have to have one, is taken for a model.
+static bool check_models(const struct cli_render_job *job)
+{
+    static const char *const arguments[] = {"all", "subject", "over", "plain"};
+    for (int i = 0; i < job->model_count && job->model_count > 1; i++) {
+        const int found = cli_parse_name(job->model_paths[i], arguments, 4);
+        if (found >= 0 && access(job->model_paths[i], F_OK) != 0) {
+            cli_error(job->model_paths[i], "is no model; it belongs to %s=%s, with the sign between them",
+                      found < 2 ? "--fit" : "--wireframe", arguments[found]);
+            return false;
+        }
+    }
+    return true;
+}
+
 static bool choose_out(struct cli_render_job *job)
 {
     if (job->out) {
@@ -234,8 +250,8 @@ bool cli_render_job_complete(struct cli_render_job *job)
         cli_error("--background", "environment needs --environment FILE");
         return false;
     }
-    if (!choose_out(job) || !check_format(job) || !check_camera(job) || !check_several(job) ||
-        !check_movement(job)) {
+    if (!check_models(job) || !choose_out(job) || !check_format(job) || !check_camera(job) ||
+        !check_several(job) || !check_movement(job)) {
         return false;
     }
     choose_texture_side(job);
