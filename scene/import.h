@@ -156,6 +156,17 @@ void scene_import_triangulate(const float (*positions)[3], const uint32_t *corne
 /// Gives clouds of points a size and, where they have none, colours by height; last, when it is known what is up.
 void scene_import_dress_points(struct scene_import *import);
 
+// Poses (import_pose.c).
+
+/// The number of the model's animation that is wanted, by its name, or its number where none has that name; −1: there is
+/// none.
+int64_t scene_import_find_animation(const struct scene_import *import);
+/// Spherical linear interpolation the short way (glTF 2.0 §C.4); not made unit.
+void scene_import_slerp(const float from[4], const float to[4], double part, float result[4]);
+/// Scaled, then turned by a quaternion of any length, then moved.
+void scene_import_compose(const float translation[3], const float rotation[4], const float scale[3],
+                          float matrix[16]);
+
 // Small mathematics (import_math.c). Matrices column major.
 void scene_import_identity(float matrix[16]);
 void scene_import_multiply(const float a[16], const float b[16], float product[16]); ///< may alias

@@ -4,7 +4,6 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "elementary.h"
 #include "import_gltf.h"
 
 enum interpolation { STEP, LINEAR, CUBIC };
@@ -39,29 +38,6 @@ static struct moment find_moment(const struct sampler *sampler, double time)
     return moment;
 }
 
-static double dot4(const float *a, const float *b)
-{
-    return (double)a[0] * (double)b[0] + (double)a[1] * (double)b[1] + (double)a[2] * (double)b[2] +
-           (double)a[3] * (double)b[3];
-}
-
-// §C.4, spherical linear interpolation, the short way.
-static void slerp(const float *from, const float *to, double part, float *result)
-{
-    const double cosine = dot4(from, to), size = cosine < 0.0 ? -cosine : cosine;
-    double near = 1.0 - part, far = part;
-    if (size < 0.9995) { // else the arc is as good as straight
-        const double angle = 2.0 * scene_atan(__builtin_sqrt((1.0 - size) / (1.0 + size)));
-        const double sine = scene_sin(angle);
-        near = scene_sin(angle * near) / sine;
-        far = scene_sin(angle * far) / sine;
-    }
-    far = cosine < 0.0 ? -far : far;
-    for (int c = 0; c < 4; c++) {
-        result[c] = (float)((double)from[c] * near + (double)to[c] * far);
-    }
-}
-
 // §C.5: cubic Hermite splines with the tangents of the keys.
 static double hermite(const float *key, const float *next, size_t width, size_t c,
                       const struct moment *moment)
@@ -84,7 +60,7 @@ static void sample(const struct sampler *sampler, double time, bool is_rotation,
             result[c] = (float)hermite(key, next, width, c, &moment);
         }
     } else if (is_rotation) {
-        slerp(key, next, moment.part, result);
+        scene_import_slerp(key, next, moment.part, result);
     } else {
         for (size_t c = 0; c < width; c++) {
             result[c] = (float)((double)key[c] + ((double)next[c] - (double)key[c]) * moment.part);
@@ -206,24 +182,6 @@ static void list_animations(struct scene_gltf *gltf)
     }
 }
 
-// By its name, or its number where none has that name.
-static int64_t find_animation(struct scene_gltf *gltf, const char *wanted)
-{
-    const struct scene_model *const model = &gltf->import->model;
-    if (wanted == NULL) {
-        return 0;
-    }
-    for (uint32_t i = 0; i < model->animation_count; i++) {
-        if (strcmp(model->animations[i].name, wanted) == 0) {
-            return i;
-        }
-    }
-    char *end;
-    const unsigned long number = strtoul(wanted, &end, 10);
-    return *wanted >= '0' && *wanted <= '9' && *end == 0 && number < model->animation_count ? (int64_t)number
-                                                                                            : -1;
-}
-
 void scene_gltf_animate(struct scene_gltf *gltf)
 {
     struct scene_import *const import = gltf->import;
@@ -239,7 +197,7 @@ void scene_gltf_animate(struct scene_gltf *gltf)
     if (count == 0) {
         return; // told where other formats are too
     }
-    const int64_t index = find_animation(gltf, import->animation);
+    const int64_t index = scene_import_find_animation(import);
     if (index < 0) {
         scene_import_fail(import, "has no animation '%s'; rhw info lists those that it has",
                           import->animation);

@@ -45,26 +45,6 @@ static void find_parents(struct scene_gltf *gltf)
     }
 }
 
-// Scaled, then turned by a quaternion of any length, then moved.
-static void compose(const float t[3], const float q[4], const float s[3], float matrix[16])
-{
-    const float square = q[0] * q[0] + q[1] * q[1] + q[2] * q[2] + q[3] * q[3];
-    const float scale = square > 0 ? 1 / __builtin_sqrtf(square) : 0;
-    const float x = q[0] * scale, y = q[1] * scale, z = q[2] * scale, w = square > 0 ? q[3] * scale : 1;
-    const float rotation[9] = {
-        1 - 2 * (y * y + z * z), 2 * (x * y + z * w),     2 * (x * z - y * w),
-        2 * (x * y - z * w),     1 - 2 * (x * x + z * z), 2 * (y * z + x * w),
-        2 * (x * z + y * w),     2 * (y * z - x * w),     1 - 2 * (x * x + y * y),
-    };
-    scene_import_identity(matrix);
-    for (int column = 0; column < 3; column++) {
-        for (int row = 0; row < 3; row++) {
-            matrix[4 * column + row] = rotation[3 * column + row] * s[column];
-        }
-    }
-    memcpy(matrix + 12, t, 3 * sizeof *t);
-}
-
 static void local_matrix(struct scene_gltf *gltf, const json_t *node, const struct scene_gltf_node *place,
                          float matrix[16])
 {
@@ -75,8 +55,9 @@ static void local_matrix(struct scene_gltf *gltf, const json_t *node, const stru
     scene_gltf_floats(gltf, node, "translation", t, 3);
     scene_gltf_floats(gltf, node, "rotation", q, 4);
     scene_gltf_floats(gltf, node, "scale", s, 3);
-    compose(place->translation != NULL ? place->translation : t,
-            place->rotation != NULL ? place->rotation : q, place->scale != NULL ? place->scale : s, matrix);
+    scene_import_compose(place->translation != NULL ? place->translation : t,
+                         place->rotation != NULL ? place->rotation : q,
+                         place->scale != NULL ? place->scale : s, matrix);
 }
 
 // Pushes the children of a node, the first on top.
@@ -159,9 +140,9 @@ static void add_many(struct scene_gltf *gltf, const json_t *node, struct scene_g
     float *scales = instance_attribute(gltf, attributes, "SCALE", 3, &count);
     for (uint32_t i = 0; i < count; i++) {
         float place[16];
-        compose(moves != NULL ? moves + 3 * (size_t)i : no_move,
-                turns != NULL ? turns + 4 * (size_t)i : no_turn,
-                scales != NULL ? scales + 3 * (size_t)i : no_scale, place);
+        scene_import_compose(moves != NULL ? moves + 3 * (size_t)i : no_move,
+                             turns != NULL ? turns + 4 * (size_t)i : no_turn,
+                             scales != NULL ? scales + 3 * (size_t)i : no_scale, place);
         scene_import_multiply(world, place, place);
         add_instance(gltf, node, meshes, place, ++*objects);
     }

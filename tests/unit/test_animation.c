@@ -178,6 +178,48 @@ static void test_scale_and_weights(void **state)
     scene_model_free(model);
 }
 
+// A file that assimp reads: keys at ticks 0 and 4, four of them a second; a bone that moves two of three vertices.
+static void test_other_formats(void **state)
+{
+    (void)state;
+    write_text("move.x", "xof 0303txt 0032\n"
+                         "AnimTicksPerSecond { 4; }\n"
+                         "Frame leaf { FrameTransformMatrix { "
+                         "1.0,0.0,0.0,0.0,0.0,1.0,0.0,0.0,0.0,0.0,1.0,0.0,0.0,0.0,0.0,1.0;; }\n"
+                         " Mesh m { 3; 0.0;0.0;0.0;, 1.0;0.0;0.0;, 0.0;1.0;0.0;; 1; 3;0,1,2;;\n"
+                         "  XSkinMeshHeader { 1; 1; 1; }\n"
+                         "  SkinWeights { \"bone\"; 2; 1, 2; 1.0, 0.5; "
+                         "1.0,0.0,0.0,0.0,0.0,1.0,0.0,0.0,0.0,0.0,1.0,0.0,0.0,0.0,0.0,1.0;; } } }\n"
+                         "Frame bone { FrameTransformMatrix { "
+                         "1.0,0.0,0.0,0.0,0.0,1.0,0.0,0.0,0.0,0.0,1.0,0.0,0.0,0.0,0.0,1.0;; } }\n"
+                         "AnimationSet S { Animation A { {bone} AnimationKey { 2; 2; 0;3;0.0,0.0,0.0;;, "
+                         "4;3;8.0,2.0,0.0;;; } } }\n");
+    struct scene_model *model = load("move.x");
+    assert_int_equal(model->animation_count, 1);
+    assert_true(model->animations[0].seconds == 1.0f);
+    assert_int_equal(model->unsupported_count, 2); // at rest, and its skin as stored
+    scene_model_free(model);
+    static const double times[4] = {-1, 0.5, 0.75, 3};
+    static const float moved[4] = {0, 4, 6, 8};
+    for (int i = 0; i < 4; i++) {
+        model = pose_of("move.x", "S", times[i]);
+        assert_int_equal(model->unsupported_count, 0);
+        const struct scene_mesh *const mesh = &model->meshes[0];
+        int found = 0;
+        for (uint32_t v = 0; v < mesh->vertex_count; v++) {
+            const float *const p = mesh->positions[v];
+            // 0, 0, 0 has no bone; 1, 0, 0 and 0, 1, 0, whose weight is made 1, go with it.
+            const bool still = p[0] == 0.0f && p[1] == 0.0f;
+            const bool first = p[0] == 1.0f + moved[i] && p[1] == moved[i] / 4;
+            const bool second = p[0] == moved[i] && p[1] == 1.0f + moved[i] / 4;
+            found |= (still ? 1 : 0) | (first ? 2 : 0) | (second ? 4 : 0);
+        }
+        assert_int_equal(found, 7);
+        scene_model_free(model);
+    }
+    expect_refused_pose("move.x", "walk", "has no animation 'walk'");
+}
+
 static void test_bad_files(void **state)
 {
     (void)state;
@@ -223,9 +265,9 @@ static void test_bad_files(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_translation), cmocka_unit_test(test_cubic),
-        cmocka_unit_test(test_rotation),    cmocka_unit_test(test_scale_and_weights),
-        cmocka_unit_test(test_bad_files),
+        cmocka_unit_test(test_translation),   cmocka_unit_test(test_cubic),
+        cmocka_unit_test(test_rotation),      cmocka_unit_test(test_scale_and_weights),
+        cmocka_unit_test(test_other_formats), cmocka_unit_test(test_bad_files),
     };
     return cmocka_run_group_tests(tests, make_directory, remove_directory);
 }

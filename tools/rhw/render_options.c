@@ -88,7 +88,7 @@ static const struct cli_option options[] = {
     {"variant", OPTION_VARIANT, "NAME",
      "the materials of this name, of a glTF that offers a choice; see rhw info"},
     {"animation", OPTION_ANIMATION, "NAME",
-     "which animation of a glTF, by its name or number; default the first; see rhw info"},
+     "which animation, by its name or number; default the first; see rhw info"},
     {"time", OPTION_TIME, "SECONDS", "draw the model as the animation has it then; default: at rest"},
     {"animate", OPTION_ANIMATE, "FPS",
      "draw all of the animation, so many pictures a second: into one .png or .webp\nthat moves, or where OUT "
