@@ -4,6 +4,7 @@
 
 #include <float.h>
 #include <stdio.h>
+#include <string.h>
 
 #include "camera_math.h"
 #include "elementary.h"
@@ -54,7 +55,9 @@ static void camera_axes(const struct scene_camera *camera, double right[3], doub
 
 // Near and far planes around the model's boxes. Something behind the eye puts the near plane at a small
 // part of the far one; the drawing code reverses depth, so the ratio costs no precision.
-void scene_camera_enclose(struct scene_camera *camera, const struct scene_model *model)
+// `turn` NULL: the model stands still.
+static void enclose(struct scene_camera *camera, const struct scene_model *model,
+                    const struct scene_turn *turn)
 {
     double axes[3][3];
     camera_axes(camera, axes[0], axes[1], axes[2]);
@@ -66,19 +69,39 @@ void scene_camera_enclose(struct scene_camera *camera, const struct scene_model 
             const float p[3] = {(corner & 1 ? mesh->bounds_max : mesh->bounds_min)[0],
                                 (corner & 2 ? mesh->bounds_max : mesh->bounds_min)[1],
                                 (corner & 4 ? mesh->bounds_max : mesh->bounds_min)[2]};
-            double q[3];
+            double q[3], middle, reach = 0.0;
             scene_place_point(model->instances[i].world, p, q);
-            const double distance = eye - scene_dot(axes[2], q);
-            if (scene_finite3(q)) {
-                nearest = distance < nearest ? distance : nearest;
-                furthest = distance > furthest ? distance : furthest;
+            if (!scene_finite3(q)) {
+                continue;
             }
+            if (turn) {
+                scene_turn_range(turn, q, axes[2], &middle, &reach);
+            } else {
+                middle = scene_dot(axes[2], q);
+            }
+            const double distance = eye - middle;
+            nearest = distance - reach < nearest ? distance - reach : nearest;
+            furthest = distance + reach > furthest ? distance + reach : furthest;
         }
     }
     const double fallback = 1.0;
     camera->zfar = furthest > 0.0 ? furthest * 1.001 : fallback;
     const double closest = camera->zfar / 8192.0;
     camera->znear = nearest * 0.999 > closest && nearest <= furthest ? nearest * 0.999 : closest;
+}
+
+void scene_camera_enclose(struct scene_camera *camera, const struct scene_model *model)
+{
+    enclose(camera, model, NULL);
+}
+
+void scene_camera_enclose_turn(struct scene_camera *camera, const struct scene_model *model,
+                               const struct scene_orbit *orbit)
+{
+    struct scene_turn turn = {.axis = {0.0, 1.0, 0.0}};
+    memcpy(turn.center, orbit->turn_center, sizeof turn.center);
+    scene_axis_turn(orbit->up, turn.axis);
+    enclose(camera, model, &turn);
 }
 
 // Within a millionth of a radian or so: right and left would be rounding alone.

@@ -23,6 +23,10 @@ struct scene_orbit {
     double azimuth, elevation;
     enum scene_axis up;
     bool whole; ///< also what is no part of the subject (subject.h) is brought into the picture
+    /// The model will turn around the vertical line through `turn_center`: what it sweeps is brought into the picture, and
+    /// that line into the middle.
+    bool turns;
+    double turn_center[3];
 };
 
 /// Turns a direction of a world with y up to what it is with another.
@@ -52,6 +56,9 @@ bool scene_camera_look(struct scene_camera *camera, const struct scene_model *mo
 
 /// Puts the near and the far plane around the model.
 void scene_camera_enclose(struct scene_camera *camera, const struct scene_model *model);
+/// Around all that the model sweeps when it turns as the orbit says.
+void scene_camera_enclose_turn(struct scene_camera *camera, const struct scene_model *model,
+                               const struct scene_orbit *orbit);
 
 /// A camera of the file. Where the picture's aspect ratio differs from the camera's, all of what the camera
 /// frames stays in the picture.

@@ -96,22 +96,49 @@ struct scene_orbit scene_camera_default_orbit(const struct scene_model *model, e
 // Extreme values over all vertices, in camera axes (right, up, back).
 struct fit {
     double tan_x, tan_y;
+    bool turns;
+    struct scene_turn turn; // in these axes; each vertex takes all places on its circle
     double x_plus, x_minus; // max of x + tan_x z, min of x − tan_x z
     double y_plus, y_minus;
     double z_min, z_max;
     uint64_t count;
 };
 
+static double larger(double a, double b)
+{
+    return a > b ? a : b;
+}
+
+static double smaller(double a, double b)
+{
+    return a < b ? a : b;
+}
+
 static void fit_vertex(struct fit *fit, const double p[3])
 {
-    const double values[4] = {p[0] + fit->tan_x * p[2], p[0] - fit->tan_x * p[2], p[1] + fit->tan_y * p[2],
-                              p[1] - fit->tan_y * p[2]};
-    fit->x_plus = values[0] > fit->x_plus ? values[0] : fit->x_plus;
-    fit->x_minus = values[1] < fit->x_minus ? values[1] : fit->x_minus;
-    fit->y_plus = values[2] > fit->y_plus ? values[2] : fit->y_plus;
-    fit->y_minus = values[3] < fit->y_minus ? values[3] : fit->y_minus;
-    fit->z_min = p[2] < fit->z_min ? p[2] : fit->z_min;
-    fit->z_max = p[2] > fit->z_max ? p[2] : fit->z_max;
+    fit->x_plus = larger(p[0] + fit->tan_x * p[2], fit->x_plus);
+    fit->x_minus = smaller(p[0] - fit->tan_x * p[2], fit->x_minus);
+    fit->y_plus = larger(p[1] + fit->tan_y * p[2], fit->y_plus);
+    fit->y_minus = smaller(p[1] - fit->tan_y * p[2], fit->y_minus);
+    fit->z_min = smaller(p[2], fit->z_min);
+    fit->z_max = larger(p[2], fit->z_max);
+    fit->count++;
+}
+
+static void fit_circle(struct fit *fit, const double p[3])
+{
+    const double values[5][3] = {
+        {1, 0, fit->tan_x}, {1, 0, -fit->tan_x}, {0, 1, fit->tan_y}, {0, 1, -fit->tan_y}, {0, 0, 1}};
+    double middle[5], reach[5];
+    for (int i = 0; i < 5; i++) {
+        scene_turn_range(&fit->turn, p, values[i], &middle[i], &reach[i]);
+    }
+    fit->x_plus = larger(middle[0] + reach[0], fit->x_plus);
+    fit->x_minus = smaller(middle[1] - reach[1], fit->x_minus);
+    fit->y_plus = larger(middle[2] + reach[2], fit->y_plus);
+    fit->y_minus = smaller(middle[3] - reach[3], fit->y_minus);
+    fit->z_min = smaller(middle[4] - reach[4], fit->z_min);
+    fit->z_max = larger(middle[4] + reach[4], fit->z_max);
     fit->count++;
 }
 
@@ -149,7 +176,9 @@ static void fit_model(const struct scene_model *model, const double axes[3][3], 
                 q[r] = rows[r][0] * (double)p[0] + rows[r][1] * (double)p[1] + rows[r][2] * (double)p[2] +
                        rows[r][3];
             }
-            if (used && scene_finite3(q)) {
+            if (used && scene_finite3(q) && fit->turns) {
+                fit_circle(fit, q);
+            } else if (used && scene_finite3(q)) {
                 fit_vertex(fit, q);
             }
         }
@@ -186,7 +215,14 @@ struct scene_camera scene_camera_fit(const struct scene_model *model, struct sce
                       .y_plus = -DBL_MAX,
                       .y_minus = DBL_MAX,
                       .z_min = DBL_MAX,
-                      .z_max = -DBL_MAX};
+                      .z_max = -DBL_MAX,
+                      .turns = orbit.turns};
+    double vertical[3] = {0.0, 1.0, 0.0};
+    scene_axis_turn(orbit.up, vertical);
+    for (int i = 0; i < 3; i++) {
+        fit.turn.center[i] = scene_dot(axes[i], orbit.turn_center);
+        fit.turn.axis[i] = scene_dot(axes[i], vertical);
+    }
     fit_model(model, axes, orbit.whole, &fit);
     double place[3] = {0.0, 0.0, 4.0}, distance = 4.0; // in camera axes
     if (fit.count > 0) {
@@ -217,6 +253,10 @@ struct scene_camera scene_camera_fit(const struct scene_model *model, struct sce
         camera.target[i] = camera.eye[i] - back[i] * distance;
         camera.up[i] = up[i];
     }
-    scene_camera_enclose(&camera, model);
+    if (orbit.turns) {
+        scene_camera_enclose_turn(&camera, model, &orbit);
+    } else {
+        scene_camera_enclose(&camera, model);
+    }
     return camera;
 }

@@ -31,6 +31,30 @@ static inline bool scene_finite3(const double a[3])
     return a[0] - a[0] == 0.0 && a[1] - a[1] == 0.0 && a[2] - a[2] == 0.0;
 }
 
+/// The line that something turns around; `axis` has length 1.
+struct scene_turn {
+    double center[3], axis[3];
+};
+
+/// A point and a linear function, `along`·p: of all points on the point's circle the function has values from `middle` − `reach`
+/// to `middle` + `reach`: the reach is the radius times what of the function lies across the axis.
+static inline void scene_turn_range(const struct scene_turn *turn, const double point[3],
+                                    const double along[3], double *middle, double *reach)
+{
+    double from[3], radius2 = 0.0;
+    for (int c = 0; c < 3; c++) {
+        from[c] = point[c] - turn->center[c];
+    }
+    const double height = scene_dot(from, turn->axis), slope = scene_dot(along, turn->axis);
+    for (int c = 0; c < 3; c++) {
+        const double across = from[c] - height * turn->axis[c];
+        radius2 += across * across;
+    }
+    const double across2 = scene_dot(along, along) - slope * slope;
+    *middle = scene_dot(along, turn->center) + height * slope;
+    *reach = across2 > 0.0 ? __builtin_sqrt(radius2 * across2) : 0.0;
+}
+
 static inline void scene_place_point(const float m[16], const float p[3], double result[3])
 {
     for (int i = 0; i < 3; i++) {

@@ -55,6 +55,12 @@ enum rhw_result scene_create(rhw_context *context, const struct scene_model *mod
     return RHW_OK;
 }
 
+enum rhw_result scene_set_pose(struct scene *scene, const struct scene_model *pose)
+{
+    scene_triangle_order_destroy(scene->upload.context, &scene->order);
+    return scene_upload_pose(&scene->upload, pose);
+}
+
 void scene_destroy(struct scene *scene)
 {
     if (!scene) {
@@ -66,6 +72,7 @@ void scene_destroy(struct scene *scene)
         scene_target_destroy(context, &scene->targets[i]);
     }
     scene_guide_destroy(context, &scene->guide);
+    scene_ground_destroy(&scene->ground);
     scene_shadows_destroy(context, &scene->shadows);
     scene_surroundings_destroy(context, &scene->surroundings);
     scene_target_destroy(context, &scene->backdrop);

@@ -37,6 +37,9 @@ struct scene; ///< an uploaded model
 /// Uploads `model`, which must outlive the scene. The scene belongs to the context; destroy it first.
 enum rhw_result scene_create(rhw_context *context, const struct scene_model *model, struct scene **scene);
 void scene_destroy(struct scene *scene);
+/// Draws another pose of the model from now on: its meshes and instances, with the materials and images that are uploaded.
+/// `pose` has as many of those and must outlive the scene, or the next pose. On failure destroy the scene.
+enum rhw_result scene_set_pose(struct scene *scene, const struct scene_model *pose);
 
 /// Draws a view that scene_view_check accepts. `stats` may be NULL. On failure `*pictures` is zeroed.
 enum rhw_result scene_draw(struct scene *scene, const struct scene_view *view,

@@ -24,6 +24,22 @@ void scene_color_surfaces(const struct draw *draw, const enum rhw_format *format
     memcpy(surfaces->view_projection, draw->view_projection, sizeof surfaces->view_projection);
 }
 
+enum rhw_result scene_color_record(const struct draw *draw, const struct scene_surface_pass *surfaces,
+                                   rhw_pass pass)
+{
+    struct scene *const scene = draw->scene;
+    enum rhw_result result = RHW_OK;
+    if (scene->ground.is_made) {
+        struct scene_surface_pass below = *surfaces;
+        below.part = SCENE_SURFACES_ALL;
+        below.order = NULL;
+        below.wireframe = SCENE_WIREFRAME_NONE;
+        result = scene_surfaces_record(&scene->ground.upload, &scene->pipelines, &below, pass);
+    }
+    return result == RHW_OK ? scene_surfaces_record(&scene->upload, &scene->pipelines, surfaces, pass)
+                            : result;
+}
+
 static enum rhw_result draw_samples(struct draw *draw, const enum rhw_format formats[2], int format_count)
 {
     struct scene *scene = draw->scene;
@@ -49,7 +65,7 @@ static enum rhw_result draw_samples(struct draw *draw, const enum rhw_format for
     struct scene_surface_pass surfaces;
     scene_color_surfaces(draw, formats, format_count, &surfaces);
     if (result == RHW_OK) {
-        result = scene_surfaces_record(&scene->upload, &scene->pipelines, &surfaces, pass);
+        result = scene_color_record(draw, &surfaces, pass);
     }
     struct rhw_stats stats = {0};
     result = scene_pass_end(context, pass, result, &stats);

@@ -36,16 +36,28 @@ static double subject_radius(const struct scene_model *model)
     return 0.5 * __builtin_sqrt(square);
 }
 
+static enum rhw_result prepare_ground(struct draw *draw)
+{
+    struct scene *const scene = draw->scene;
+    if (!draw->view->ground || draw->frame.plain) {
+        scene_ground_destroy(&scene->ground);
+        return RHW_OK;
+    }
+    return scene_ground_make(&scene->ground, scene->upload.context, scene->upload.model, draw->view->up);
+}
+
 enum rhw_result scene_draw_light(struct draw *draw)
 {
     struct scene *scene = draw->scene;
     const struct scene_view *view = draw->view;
-    if (!(view->ambient_occlusion || view->shadows) || draw->frame.plain) {
-        return RHW_OK;
-    }
     const double start = scene_milliseconds();
-    enum rhw_result result = scene_guide_draw(&scene->guide, &scene->upload, &scene->pipelines, view,
-                                              &draw->frame, draw->view_projection);
+    enum rhw_result result = prepare_ground(draw);
+    if (result != RHW_OK || !(view->ambient_occlusion || view->shadows) || draw->frame.plain) {
+        return result;
+    }
+    result =
+        scene_guide_draw(&scene->guide, &scene->upload, scene->ground.is_made ? &scene->ground.upload : NULL,
+                         &scene->pipelines, view, &draw->frame, draw->view_projection);
     if (result == RHW_OK && view->ambient_occlusion) {
         result = scene_guide_occlude(&scene->guide, scene->upload.context, scene->nearest, view,
                                      occlusion_reach * subject_radius(scene->upload.model));

@@ -97,7 +97,7 @@ static enum rhw_result draw_opaque(struct draw *draw, const enum rhw_format *for
     scene_color_surfaces(draw, formats, format_count, &surfaces);
     surfaces.part = SCENE_SURFACES_OPAQUE;
     if (result == RHW_OK) {
-        result = scene_surfaces_record(&scene->upload, &scene->pipelines, &surfaces, pass);
+        result = scene_color_record(draw, &surfaces, pass);
     }
     struct rhw_stats stats = {0};
     result = scene_pass_end(context, pass, result, &stats);

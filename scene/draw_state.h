@@ -5,6 +5,7 @@
 #define SCENE_DRAW_STATE_H
 
 #include "draw.h"
+#include "ground.h"
 #include "guide.h"
 #include "light.h"
 #include "panorama.h"
@@ -25,6 +26,7 @@ struct scene {
     struct scene_surface_pipelines pipelines;
     struct scene_target targets[TARGET_COUNT];
     struct scene_guide guide;
+    struct scene_ground ground; // with view.ground
     struct scene_shadows shadows;
     struct scene_surroundings surroundings;
     struct scene_target backdrop;
@@ -100,6 +102,9 @@ void scene_peel_destroy(rhw_context *context, struct scene_peel *peel);
 // draw_color.c: what a colour pass says of its surfaces.
 void scene_color_surfaces(const struct draw *draw, const enum rhw_format *formats, int format_count,
                           struct scene_surface_pass *surfaces);
+// Records them, above the ground where there is one.
+enum rhw_result scene_color_record(const struct draw *draw, const struct scene_surface_pass *surfaces,
+                                   rhw_pass pass);
 enum rhw_result scene_draw_color(struct draw *draw);
 enum rhw_result scene_draw_data(struct draw *draw);
 

@@ -85,8 +85,9 @@ void scene_guide_place(const struct scene_guide_rays *rays, double x, double y, 
 // Passes --------------------------------------------------------------------------------------------
 
 enum rhw_result scene_guide_draw(struct scene_guide *guide, const struct scene_upload *upload,
-                                 struct scene_surface_pipelines *pipelines, const struct scene_view *view,
-                                 const struct scene_frame *frame, const double view_projection[16])
+                                 const struct scene_upload *ground, struct scene_surface_pipelines *pipelines,
+                                 const struct scene_view *view, const struct scene_frame *frame,
+                                 const double view_projection[16])
 {
     rhw_context *context = upload->context;
     enum rhw_result result = resize(guide, context, view);
@@ -123,7 +124,10 @@ enum rhw_result scene_guide_draw(struct scene_guide *guide, const struct scene_u
                                           .height = (float)((double)view->height / part),
                                           .depth_max = 1.0f};
     rhw_pass_set_viewport(context, pass, &viewport);
-    result = scene_surfaces_record(upload, pipelines, &surfaces, pass);
+    result = ground ? scene_surfaces_record(ground, pipelines, &surfaces, pass) : RHW_OK;
+    if (result == RHW_OK) {
+        result = scene_surfaces_record(upload, pipelines, &surfaces, pass);
+    }
     return scene_pass_end(context, pass, result, NULL);
 }
 

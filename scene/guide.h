@@ -17,9 +17,11 @@ struct scene_guide {
 };
 
 /// Draws the guide of a view. `frame` and `view_projection` are those of scene_frame_look.
+/// `ground` may be NULL.
 enum rhw_result scene_guide_draw(struct scene_guide *guide, const struct scene_upload *upload,
-                                 struct scene_surface_pipelines *pipelines, const struct scene_view *view,
-                                 const struct scene_frame *frame, const double view_projection[16]);
+                                 const struct scene_upload *ground, struct scene_surface_pipelines *pipelines,
+                                 const struct scene_view *view, const struct scene_frame *frame,
+                                 const double view_projection[16]);
 
 /// Fills the plane of ambient occlusion: the part of its hemisphere that a pixel's surface sees open within `radius` of the
 /// world, weighted by the cosine; 1 where nothing is.

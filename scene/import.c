@@ -381,6 +381,9 @@ void scene_import_run(struct scene_import *import)
     if (import->variant != NULL && model->variant_count == 0) {
         scene_import_fail(import, "has no variants of its materials");
     }
+    if (import->is_posed && model->animation_count == 0) {
+        scene_import_fail(import, "has no animations that can be played");
+    }
     mark_image_uses(model);
     scene_import_decode_images(import);
     mark_image_uses(model); // what is missing is not used

@@ -49,6 +49,9 @@ struct scene_import {
     const char *ending;    // of the name, without its point; "" where it has none
     const char *directory; // of the name, with a trailing slash; "" for the current one
     const char *variant;   // of the options
+    const char *animation; // of the options
+    double time;           // of the options, with is_posed
+    bool is_posed, without_images;
     uint32_t texture_side; // of the options
     const char *confine;   // of the options, resolved; NULL: nothing is out of bounds
     const char *missing;   // why scene_import_find_file gave NULL last
@@ -152,6 +155,17 @@ void scene_import_triangulate(const float (*positions)[3], const uint32_t *corne
 
 /// Gives clouds of points a size and, where they have none, colours by height; last, when it is known what is up.
 void scene_import_dress_points(struct scene_import *import);
+
+// Poses (import_pose.c).
+
+/// The number of the model's animation that is wanted, by its name, or its number where none has that name; −1: there is
+/// none.
+int64_t scene_import_find_animation(const struct scene_import *import);
+/// Spherical linear interpolation the short way (glTF 2.0 §C.4); not made unit.
+void scene_import_slerp(const float from[4], const float to[4], double part, float result[4]);
+/// Scaled, then turned by a quaternion of any length, then moved.
+void scene_import_compose(const float translation[3], const float rotation[4], const float scale[3],
+                          float matrix[16]);
 
 // Small mathematics (import_math.c). Matrices column major.
 void scene_import_identity(float matrix[16]);

@@ -233,6 +233,13 @@ static void add_item(struct scene_3mf_xml *xml, const char **attributes)
     file->items[file->item_count++] = item;
 }
 
+static void begin_model(struct scene_3mf_xml *xml, const char **attributes)
+{
+    if (xml->part == 0) {
+        xml->file->import->model.unit = scene_3mf_string(xml, attributes, "unit", "millimeter");
+    }
+}
+
 // Elements ------------------------------------------------------------------------------------------
 
 struct rule {
@@ -246,7 +253,7 @@ struct rule {
 static const struct rule rules[] = {
     {VERTICES, "vertex", LEAF, add_vertex, 0},
     {TRIANGLES, "triangle", LEAF, add_triangle, 0},
-    {OUTSIDE, "model", MODEL, NULL, 0},
+    {OUTSIDE, "model", MODEL, begin_model, 0},
     {MODEL, "resources", RESOURCES, NULL, 0},
     {MODEL, "build", BUILD, NULL, 0},
     {BUILD, "item", LEAF, add_item, 0},

@@ -169,7 +169,9 @@ static void add_mesh(struct reader *reader, uint32_t index)
     if (mesh.index_count == 0) {
         make_points(reader, &mesh);
     }
-    if (source->mNumBones > 0) {
+    if (scene_assimp_is_skinned(import, source)) {
+        scene_assimp_skin(import, reader->scene, index, &mesh);
+    } else if (source->mNumBones > 0) {
         scene_import_unsupported(import, "skins: drawn in the pose the meshes are stored in");
     }
     if (source->mNumAnimMeshes > 0) {
@@ -184,7 +186,7 @@ static void add_mesh(struct reader *reader, uint32_t index)
 
 // Nodes ---------------------------------------------------------------------------------------------
 
-static void copy_matrix(const struct aiMatrix4x4 *m, float matrix[16])
+void scene_assimp_matrix(const struct aiMatrix4x4 *m, float matrix[16])
 {
     const float columns[16] = {m->a1, m->b1, m->c1, m->d1, m->a2, m->b2, m->c2, m->d2,
                                m->a3, m->b3, m->c3, m->d3, m->a4, m->b4, m->c4, m->d4};
@@ -196,7 +198,7 @@ static void add_node(struct reader *reader, const struct aiNode *node, const flo
     enum { DEEPEST = 4096 };
     struct scene_import *import = reader->import;
     float world[16];
-    copy_matrix(&node->mTransformation, world);
+    scene_assimp_matrix(&node->mTransformation, world);
     scene_import_multiply(parent, world, world);
     if (++reader->depth > DEEPEST) {
         scene_import_fail(import, "its nodes are nested too deeply");
@@ -213,6 +215,9 @@ static void add_node(struct reader *reader, const struct aiNode *node, const flo
         instance->mesh = reader->meshes[node->mMeshes[i]];
         instance->object = reader->objects;
         memcpy(instance->world, world, sizeof world);
+        if (scene_assimp_is_skinned(import, reader->scene->mMeshes[node->mMeshes[i]])) {
+            scene_import_identity(instance->world);
+        }
     }
     for (uint32_t i = 0; i < node->mNumChildren; i++) {
         if (node->mChildren[i] != NULL) { // the reader of RAW files leaves gaps
@@ -227,7 +232,7 @@ static bool find_node(const struct aiNode *node, const struct aiString *name, co
                       float world[16])
 {
     float here[16];
-    copy_matrix(&node->mTransformation, here);
+    scene_assimp_matrix(&node->mTransformation, here);
     scene_import_multiply(parent, here, here);
     if (strcmp(node->mName.data, name->data) == 0) {
         memcpy(world, here, sizeof here);
@@ -476,6 +481,39 @@ static int fbx_up_axis(const struct aiScene *scene)
     return 1;
 }
 
+// What an FBX says of its unit: so many centimetres; 0 where it says nothing.
+static double fbx_unit(const struct aiScene *scene)
+{
+    const struct aiMetadata *data = scene->mMetaData;
+    for (unsigned i = 0; data != NULL && i < data->mNumProperties; i++) {
+        const struct aiMetadataEntry *const entry = &data->mValues[i];
+        float narrow;
+        double wide;
+        if (strcmp(data->mKeys[i].data, "UnitScaleFactor") != 0) {
+            continue;
+        }
+        if (entry->mType == AI_DOUBLE) {
+            memcpy(&wide, entry->mData, sizeof wide);
+            return wide;
+        }
+        if (entry->mType == AI_FLOAT) {
+            memcpy(&narrow, entry->mData, sizeof narrow);
+            return (double)narrow;
+        }
+    }
+    return 0;
+}
+
+static void set_unit(struct scene_import *import, const struct aiScene *scene)
+{
+    const double centimetres = strcasecmp(import->ending, "fbx") == 0 ? fbx_unit(scene) : 0;
+    char text[32];
+    snprintf(text, sizeof text, "%.6g mm", centimetres * 10);
+    if (centimetres > 0 && centimetres < 1e6) {
+        import->model.unit = centimetres == 100 ? "metre" : scene_import_string(import, text, sizeof text);
+    }
+}
+
 // Assimp turns most formats so that y is up; these it leaves as they are.
 static void set_up(struct scene_import *import, const struct aiScene *scene)
 {
@@ -495,9 +533,11 @@ void scene_import_assimp(struct scene_import *import)
     import->model.format = format_of(import, scene);
     import->model.doubts_cameras = true;
     set_up(import, scene);
+    set_unit(import, scene);
     if (scene->mRootNode == NULL) {
         scene_import_fail(import, "has no nodes");
     }
+    scene_assimp_pose(import, scene);
     reader.meshes = scene_import_allocate(import, scene->mNumMeshes, sizeof *reader.meshes);
     reader.materials = scene_import_allocate(import, scene->mNumMaterials, sizeof *reader.materials);
     for (uint32_t i = 0; i < scene->mNumMaterials; i++) {
@@ -517,9 +557,5 @@ void scene_import_assimp(struct scene_import *import)
     }
     for (uint32_t i = 0; i < scene->mNumLights; i++) {
         add_light(&reader, scene->mLights[i], middle);
-    }
-    if (scene->mNumAnimations > 0) {
-        scene_import_unsupported(import, "%u animation%s: drawn at rest", scene->mNumAnimations,
-                                 scene->mNumAnimations == 1 ? "" : "s");
     }
 }

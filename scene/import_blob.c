@@ -66,6 +66,7 @@ static const struct field image_fields[] = {
 static const struct field instance_fields[] = {STRING(scene_instance, name)};
 static const struct field camera_fields[] = {STRING(scene_model_camera, name)};
 static const struct field light_fields[] = {STRING(scene_model_light, name)};
+static const struct field animation_fields[] = {STRING(scene_model_animation, name)};
 
 static const struct layout mesh_layout = {COUNT(mesh_fields), mesh_fields};
 static const struct layout material_layout = {COUNT(material_fields), material_fields};
@@ -73,16 +74,24 @@ static const struct layout image_layout = {COUNT(image_fields), image_fields};
 static const struct layout instance_layout = {COUNT(instance_fields), instance_fields};
 static const struct layout camera_layout = {COUNT(camera_fields), camera_fields};
 static const struct layout light_layout = {COUNT(light_fields), light_fields};
+static const struct field extension_fields[] = {STRING(scene_model_extension, name)};
+static const struct layout extension_layout = {COUNT(extension_fields), extension_fields};
+static const struct layout animation_layout = {COUNT(animation_fields), animation_fields};
 
 static const struct field model_fields[] = {
     STRING(scene_model, path),
     STRING(scene_model, format),
+    STRING(scene_model, unit),
     STRUCTS(scene_model, meshes, mesh_count, sizeof(struct scene_mesh), &mesh_layout),
     STRUCTS(scene_model, materials, material_count, sizeof(struct scene_material), &material_layout),
     STRUCTS(scene_model, images, image_count, sizeof(struct scene_image), &image_layout),
     STRUCTS(scene_model, instances, instance_count, sizeof(struct scene_instance), &instance_layout),
     STRUCTS(scene_model, cameras, camera_count, sizeof(struct scene_model_camera), &camera_layout),
     STRUCTS(scene_model, lights, light_count, sizeof(struct scene_model_light), &light_layout),
+    STRUCTS(scene_model, animations, animation_count, sizeof(struct scene_model_animation),
+            &animation_layout),
+    STRUCTS(scene_model, extensions, extension_count, sizeof(struct scene_model_extension),
+            &extension_layout),
     {FIELD_STRINGS, offsetof(struct scene_model, warnings), offsetof(struct scene_model, warning_count),
      sizeof(char *), false, true, NULL},
     {FIELD_STRINGS, offsetof(struct scene_model, unsupported),

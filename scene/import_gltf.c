@@ -292,8 +292,38 @@ void scene_gltf_note_extensions(struct scene_gltf *gltf, const json_t *object)
     }
 }
 
+static bool lists(struct scene_gltf *gltf, const char *list, const char *name)
+{
+    bool found = false;
+    size_t i;
+    json_t *value;
+    json_array_foreach(scene_gltf_array(gltf, gltf->root, list), i, value)
+    {
+        found = found || (json_is_string(value) && strcmp(json_string_value(value), name) == 0);
+    }
+    return found;
+}
+
+static void list_extensions(struct scene_gltf *gltf)
+{
+    struct scene_model *const model = &gltf->import->model;
+    const json_t *const used = scene_gltf_array(gltf, gltf->root, "extensionsUsed");
+    const size_t most = json_array_size(used);
+    model->extensions = scene_import_allocate(gltf->import, most, sizeof *model->extensions);
+    for (size_t i = 0; i < most; i++) {
+        const char *const name = json_string_value(json_array_get(used, i));
+        if (name != NULL) {
+            model->extensions[model->extension_count++] =
+                (struct scene_model_extension){.name = scene_import_string(gltf->import, name, strlen(name)),
+                                               .is_required = lists(gltf, "extensionsRequired", name),
+                                               .is_drawn = is_known(name)};
+        }
+    }
+}
+
 static void check_extensions(struct scene_gltf *gltf)
 {
+    list_extensions(gltf);
     size_t i;
     json_t *value;
     json_array_foreach(scene_gltf_array(gltf, gltf->root, "extensionsRequired"), i, value)
@@ -369,6 +399,7 @@ void scene_import_gltf(struct scene_import *import)
     check_version(&gltf);
     check_extensions(&gltf);
     import->model.format = "glTF 2.0";
+    import->model.unit = "metre"; // §3.4
     gltf.buffers = scene_import_allocate(import, scene_gltf_count(&gltf, "buffers"), sizeof *gltf.buffers);
     gltf.views = scene_import_allocate(import, scene_gltf_count(&gltf, "bufferViews"), sizeof *gltf.views);
     gltf.accessors =
@@ -378,10 +409,6 @@ void scene_import_gltf(struct scene_import *import)
     gltf.materials = none_made(&gltf, "materials");
     gltf.images = none_made(&gltf, "images");
     read_variants(&gltf);
-    const size_t animations = scene_gltf_count(&gltf, "animations");
-    if (animations > 0) {
-        scene_import_unsupported(import, "%zu animation%s: drawn at rest", animations,
-                                 animations == 1 ? "" : "s");
-    }
+    scene_gltf_animate(&gltf);
     scene_gltf_scene(&gltf);
 }

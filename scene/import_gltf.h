@@ -28,6 +28,9 @@ struct scene_gltf_node {
     uint32_t parent; // UINT32_MAX: a root
     bool placed;     // `world` is set
     bool in_scene, visited;
+    const float *translation, *rotation, *scale,
+        *weights; // where an animation has them; NULL: the node's own
+    size_t weight_count;
 };
 
 /// The meshes that one glTF mesh became, one per primitive.
@@ -100,8 +103,11 @@ float scene_gltf_limited(double value, double least, double most);
 // What the extensions of a material say, after its base has been read.
 void scene_gltf_layers(struct scene_gltf *gltf, const json_t *object, struct scene_material *material);
 uint32_t scene_gltf_material(struct scene_gltf *gltf, int64_t index);
-/// The meshes of a node that stands at `world`.
-struct scene_gltf_meshes scene_gltf_mesh(struct scene_gltf *gltf, const json_t *node, const float world[16]);
+/// The meshes of a node that stands there.
+struct scene_gltf_meshes scene_gltf_mesh(struct scene_gltf *gltf, const json_t *node,
+                                         const struct scene_gltf_node *place);
+/// Lists the animations in the model, and sets what the one that is wanted says of the nodes.
+void scene_gltf_animate(struct scene_gltf *gltf);
 /// Places all nodes, then adds the instances, cameras and lights of the scene.
 void scene_gltf_scene(struct scene_gltf *gltf);
 

@@ -157,14 +157,19 @@ static void add_scaled(float *values, int width, const float *deltas, uint32_t c
     }
 }
 
-static void apply_morphs(struct primitive *primitive, const json_t *weights)
+struct weights {
+    const float *values;
+    size_t count;
+};
+
+static void apply_morphs(struct primitive *primitive, struct weights weights)
 {
     struct scene_mesh *mesh = &primitive->mesh;
     size_t i;
     json_t *target;
     json_array_foreach(scene_gltf_array(primitive->gltf, primitive->object, "targets"), i, target)
     {
-        const float weight = (float)json_number_value(json_array_get(weights, i));
+        const float weight = i < weights.count ? weights.values[i] : 0;
         if (weight == 0) {
             continue;
         }
@@ -306,8 +311,8 @@ static int64_t find_material(const struct primitive *primitive)
 
 // Entry ---------------------------------------------------------------------------------------------
 
-static bool make_primitive(struct primitive *primitive, const char *name, const json_t *weights, int64_t skin,
-                           const float world[16])
+static bool make_primitive(struct primitive *primitive, const char *name, struct weights weights,
+                           int64_t skin, const float world[16])
 {
     struct scene_gltf *gltf = primitive->gltf;
     if (!json_is_object(primitive->object)) {
@@ -339,17 +344,35 @@ static bool make_primitive(struct primitive *primitive, const char *name, const 
     return true;
 }
 
-struct scene_gltf_meshes scene_gltf_mesh(struct scene_gltf *gltf, const json_t *node, const float world[16])
+// Of an animation, the node, or its mesh.
+static struct weights find_weights(struct scene_gltf *gltf, const json_t *node, const json_t *mesh,
+                                   const struct scene_gltf_node *place)
+{
+    if (place->weights != NULL) {
+        return (struct weights){place->weights, place->weight_count};
+    }
+    const json_t *const own = scene_gltf_array(gltf, node, "weights");
+    const json_t *const list = own != NULL ? own : scene_gltf_array(gltf, mesh, "weights");
+    const size_t count = json_array_size(list);
+    float *const values = scene_import_allocate(gltf->import, count, sizeof *values);
+    for (size_t i = 0; i < count; i++) {
+        values[i] = (float)json_number_value(json_array_get(list, i));
+    }
+    return (struct weights){values, count};
+}
+
+struct scene_gltf_meshes scene_gltf_mesh(struct scene_gltf *gltf, const json_t *node,
+                                         const struct scene_gltf_node *place)
 {
     const int64_t index = scene_gltf_integer(gltf, node, "mesh", -1);
     const json_t *object = scene_gltf_item(gltf, "meshes", index);
     const int64_t skin = scene_gltf_integer(gltf, node, "skin", -1);
-    const json_t *own_weights = scene_gltf_array(gltf, node, "weights");
-    const json_t *weights = own_weights != NULL ? own_weights : scene_gltf_array(gltf, object, "weights");
-    const bool shared = skin < 0 && own_weights == NULL; // the same for every node that uses the mesh
+    // The same for every node that uses the mesh?
+    const bool shared = skin < 0 && place->weights == NULL && scene_gltf_array(gltf, node, "weights") == NULL;
     if (shared && gltf->meshes[index].made) {
         return gltf->meshes[index];
     }
+    const struct weights weights = find_weights(gltf, node, object, place);
     struct scene_gltf_meshes meshes = {gltf->import->model.mesh_count, 0, true, skin >= 0};
     const char *name = scene_gltf_name(gltf, object);
     size_t i;
@@ -358,7 +381,7 @@ struct scene_gltf_meshes scene_gltf_mesh(struct scene_gltf *gltf, const json_t *
     {
         struct primitive primitive = {
             .gltf = gltf, .object = part, .mesh_number = (int)index, .number = (int)i};
-        meshes.count += make_primitive(&primitive, name, weights, skin, world);
+        meshes.count += make_primitive(&primitive, name, weights, skin, place->world);
     }
     if (shared) {
         gltf->meshes[index] = meshes;

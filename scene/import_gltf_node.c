@@ -45,27 +45,8 @@ static void find_parents(struct scene_gltf *gltf)
     }
 }
 
-// Scaled, then turned by a quaternion of any length, then moved.
-static void compose(const float t[3], const float q[4], const float s[3], float matrix[16])
-{
-    const float square = q[0] * q[0] + q[1] * q[1] + q[2] * q[2] + q[3] * q[3];
-    const float scale = square > 0 ? 1 / __builtin_sqrtf(square) : 0;
-    const float x = q[0] * scale, y = q[1] * scale, z = q[2] * scale, w = square > 0 ? q[3] * scale : 1;
-    const float rotation[9] = {
-        1 - 2 * (y * y + z * z), 2 * (x * y + z * w),     2 * (x * z - y * w),
-        2 * (x * y - z * w),     1 - 2 * (x * x + z * z), 2 * (y * z + x * w),
-        2 * (x * z + y * w),     2 * (y * z - x * w),     1 - 2 * (x * x + y * y),
-    };
-    scene_import_identity(matrix);
-    for (int column = 0; column < 3; column++) {
-        for (int row = 0; row < 3; row++) {
-            matrix[4 * column + row] = rotation[3 * column + row] * s[column];
-        }
-    }
-    memcpy(matrix + 12, t, 3 * sizeof *t);
-}
-
-static void local_matrix(struct scene_gltf *gltf, const json_t *node, float matrix[16])
+static void local_matrix(struct scene_gltf *gltf, const json_t *node, const struct scene_gltf_node *place,
+                         float matrix[16])
 {
     float t[3] = {0, 0, 0}, q[4] = {0, 0, 0, 1}, s[3] = {1, 1, 1};
     if (scene_gltf_floats(gltf, node, "matrix", matrix, 16)) {
@@ -74,7 +55,9 @@ static void local_matrix(struct scene_gltf *gltf, const json_t *node, float matr
     scene_gltf_floats(gltf, node, "translation", t, 3);
     scene_gltf_floats(gltf, node, "rotation", q, 4);
     scene_gltf_floats(gltf, node, "scale", s, 3);
-    compose(t, q, s, matrix);
+    scene_import_compose(place->translation != NULL ? place->translation : t,
+                         place->rotation != NULL ? place->rotation : q,
+                         place->scale != NULL ? place->scale : s, matrix);
 }
 
 // Pushes the children of a node, the first on top.
@@ -97,7 +80,7 @@ static void place_nodes(struct scene_gltf *gltf, struct stack *stack)
     while (stack->count > 0) {
         const uint32_t index = stack->nodes[--stack->count];
         struct scene_gltf_node *node = &gltf->nodes[index];
-        local_matrix(gltf, scene_gltf_item(gltf, "nodes", index), node->world);
+        local_matrix(gltf, scene_gltf_item(gltf, "nodes", index), node, node->world);
         if (node->parent != no_parent) {
             scene_import_multiply(gltf->nodes[node->parent].world, node->world, node->world);
         }
@@ -157,9 +140,9 @@ static void add_many(struct scene_gltf *gltf, const json_t *node, struct scene_g
     float *scales = instance_attribute(gltf, attributes, "SCALE", 3, &count);
     for (uint32_t i = 0; i < count; i++) {
         float place[16];
-        compose(moves != NULL ? moves + 3 * (size_t)i : no_move,
-                turns != NULL ? turns + 4 * (size_t)i : no_turn,
-                scales != NULL ? scales + 3 * (size_t)i : no_scale, place);
+        scene_import_compose(moves != NULL ? moves + 3 * (size_t)i : no_move,
+                             turns != NULL ? turns + 4 * (size_t)i : no_turn,
+                             scales != NULL ? scales + 3 * (size_t)i : no_scale, place);
         scene_import_multiply(world, place, place);
         add_instance(gltf, node, meshes, place, ++*objects);
     }
@@ -168,10 +151,11 @@ static void add_many(struct scene_gltf *gltf, const json_t *node, struct scene_g
     free(scales);
 }
 
-static void add_instances(struct scene_gltf *gltf, const json_t *node, const float world[16],
+static void add_instances(struct scene_gltf *gltf, const json_t *node, const struct scene_gltf_node *place,
                           uint32_t *objects)
 {
-    const struct scene_gltf_meshes meshes = scene_gltf_mesh(gltf, node, world);
+    const float *const world = place->world;
+    const struct scene_gltf_meshes meshes = scene_gltf_mesh(gltf, node, place);
     float identity[16];
     if (meshes.in_world) {
         scene_import_identity(identity);
@@ -266,7 +250,7 @@ static void visit(struct scene_gltf *gltf, uint32_t index, uint32_t *objects)
     const json_t *light = scene_gltf_extension(gltf, node, "KHR_lights_punctual");
     scene_gltf_note_extensions(gltf, node);
     if (json_object_get(node, "mesh") != NULL) {
-        add_instances(gltf, node, world, objects);
+        add_instances(gltf, node, &gltf->nodes[index], objects);
     }
     if (json_object_get(node, "camera") != NULL) {
         add_camera(gltf, node, world);

@@ -129,9 +129,14 @@ static void silence(void)
 _Noreturn static void run_child(const char *path, const struct scene_model_options *options, int descriptor)
 {
     struct scene_import import = {.model.path = path,
+                                  .model.unit = "",
                                   .name = options->name != NULL ? options->name : path,
                                   .variant = options->variant,
                                   .texture_side = options->texture_side,
+                                  .animation = options->animation,
+                                  .time = options->time,
+                                  .is_posed = options->is_posed,
+                                  .without_images = options->without_images,
                                   .reply = fdopen(descriptor, "wb")};
     if (import.reply == NULL) {
         abort();

@@ -429,10 +429,26 @@ static void drop_missing_data(struct scene_model *model)
     }
 }
 
+// A white texel for each image.
+static void leave_images_out(struct scene_import *import)
+{
+    for (uint32_t i = 0; i < import->model.image_count; i++) {
+        struct scene_image *const image = &import->model.images[i];
+        image->type = SCENE_IMAGE_RGBA8;
+        image->width = image->height = 1;
+        image->size = 4;
+        image->texels = memset(scene_import_allocate(import, 4, 1), UINT8_MAX, 4);
+    }
+}
+
 void scene_import_decode_images(struct scene_import *import)
 {
     enum { MOST_HELPERS = 8 };
     struct scene_model *model = &import->model;
+    if (import->without_images) {
+        leave_images_out(import);
+        return;
+    }
     struct decoding decoding = {import, NULL, 0};
     decoding.problems = scene_import_allocate(import, model->image_count, sizeof *decoding.problems);
     pthread_t helpers[MOST_HELPERS];

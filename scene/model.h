@@ -123,6 +123,7 @@ struct scene_material {
     enum scene_alpha_mode alpha_mode;
     float alpha_cutoff; ///< for MASK: fragments whose alpha is below are discarded
     bool unlit, double_sided;
+    bool is_ground; ///< shows nothing but the shadow on it; of no file
     struct scene_layers layers;
     struct scene_texture_slot slots[SCENE_SLOT_COUNT];
 };
@@ -178,19 +179,36 @@ struct scene_model_light {
     float inner_cos, outer_cos; ///< cosines of the half angles of a spot's cone; inner_cos > outer_cos
 };
 
+/// A movement that the file has; scene_model_options shows a moment of it.
+struct scene_model_animation {
+    const char *name;
+    float seconds; ///< when its last key is
+    uint32_t channel_count;
+};
+
+/// An extension of the format that the file uses.
+struct scene_model_extension {
+    const char *name;
+    bool is_required, is_drawn; ///< or is about no picture
+};
+
 struct scene_model {
     const char *path;   ///< as it was given
     const char *format; ///< for example "glTF 2.0" or "Stanford Polygon Library (PLY)"
+    const char *unit; ///< of lengths, "metre" or "25 mm", as the file or its format says; "" where neither does
     enum scene_axis up; ///< what the format says, or where it says little, what the model stands on
     bool up_guessed;
     bool doubts_cameras; ///< of a format whose cameras are often wrong
-    uint32_t mesh_count, material_count, image_count, instance_count, camera_count, light_count;
+    uint32_t mesh_count, material_count, image_count, instance_count, camera_count, light_count,
+        animation_count, extension_count;
     struct scene_mesh *meshes;
     struct scene_material *materials;
     struct scene_image *images;
     struct scene_instance *instances;
     struct scene_model_camera *cameras;
     struct scene_model_light *lights;
+    struct scene_model_animation *animations;
+    struct scene_model_extension *extensions;
     float bounds_min[3], bounds_max[3]; ///< of all instances, in the world; min > max: nothing to draw
     uint64_t triangles_stored, triangles_drawn; ///< in the meshes / after instancing
     uint32_t warning_count, unsupported_count, variant_count;
@@ -208,6 +226,10 @@ struct scene_model_options {
     /// for beside it. NULL: the path.
     const char *name;
     const char *variant; ///< of the materials, by its name (KHR_materials_variants); NULL: as they are without
+    bool is_posed;       ///< not at rest, but as an animation has it at `time`
+    const char *animation; ///< its name, or its number where none has that name; NULL: the first
+    double time;           ///< seconds; before the first key and after the last it stands still
+    bool without_images;   ///< they are not read: a single white texel stands for each
     uint32_t texture_side; ///< images that are longer are halved until they are not; 0: none is
     const char *confine;   ///< a folder; nothing outside it is read that the file names. NULL: everything is
 };

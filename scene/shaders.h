@@ -206,6 +206,7 @@ enum scene_fragment_kind {
     SCENE_FRAGMENT_TEXTURED, // any textures but a normal map
     SCENE_FRAGMENT_MAPPED,   // a normal map too
     SCENE_FRAGMENT_UNLIT,
+    SCENE_FRAGMENT_GROUND,  // the shadow on it alone
     SCENE_FRAGMENT_LAYERED, // extensions of the material, and any textures
     SCENE_FRAGMENT_DATA,
     SCENE_FRAGMENT_SHADOW, // discards what casts no shadow

@@ -12,9 +12,11 @@
 #include "rhw/shader.h"
 #include "shaders.h"
 
-enum { SCENE_SHADOW_SEARCHES = 12, SCENE_SHADOW_TAPS = 20 };
+// Where a first look finds a penumbra, and where that is wide, as many more as SCENE_SHADOW_MORE and SCENE_SHADOW_FINE.
+enum { SCENE_SHADOW_SEARCHES = 12, SCENE_SHADOW_MORE = 24, SCENE_SHADOW_TAPS = 20, SCENE_SHADOW_FINE = 44 };
 
 static const float scene_shadow_widest = 24.0f; // texels, the radius of the widest filter
+static const float scene_shadow_wide = 5.0f;    // texels, the radius of a filter that takes more taps
 static const float scene_shadow_steepest =
     8.0f; // of the planes that are followed: depth per width, both in the world
 
@@ -37,6 +39,30 @@ static inline void scene_shadow_seed(int n, int count, float seed[2])
         {0.939321f, 0.343039f},   {-0.924346f, 0.381556f}, {0.423846f, -0.905734f}, {0.299284f, 0.954164f},
         {-0.865211f, -0.501408f}, {0.976676f, -0.214719f}, {-0.575129f, 0.818062f}, {-0.128511f, -0.991708f},
         {0.764649f, 0.644447f},   {-0.999146f, 0.041318f}, {0.708829f, -0.705380f}, {-0.046191f, 0.998933f}};
+    const float radius = __builtin_sqrtf(((float)n + 0.5f) / (float)count);
+    seed[0] = turns[n][0] * radius;
+    seed[1] = turns[n][1] * radius;
+}
+
+// Of a second disc, between those of the first.
+static inline void scene_shadow_seed_between(int n, int count, float seed[2])
+{
+    static const float turns[SCENE_SHADOW_FINE][2] = {
+        {0.362375f, 0.932032f},   {-0.896783f, -0.442471f}, {0.960145f, -0.279504f},
+        {-0.519179f, 0.854666f},  {-0.194492f, -0.980904f}, {0.806004f, 0.591911f},
+        {-0.994152f, 0.107991f},  {0.660110f, -0.751169f},  {0.020663f, 0.999786f},
+        {-0.690583f, -0.723254f}, {0.997765f, 0.066823f},   {-0.780859f, 0.624707f},
+        {0.153797f, -0.988102f},  {0.554048f, 0.832485f},   {-0.970873f, -0.239594f},
+        {0.877735f, -0.479146f},  {-0.323556f, 0.946209f},  {-0.400575f, -0.916264f},
+        {0.914299f, 0.405040f},   {-0.947776f, 0.318936f},  {0.483422f, -0.875387f},
+        {0.234855f, 0.972030f},   {-0.829772f, -0.558103f}, {0.988841f, -0.148975f},
+        {-0.628509f, 0.777802f},  {-0.061955f, -0.998079f}, {0.719876f, 0.694103f},
+        {-0.999674f, -0.025540f}, {0.754381f, -0.656437f},  {-0.112840f, 0.993613f},
+        {-0.587972f, -0.808882f}, {0.979944f, 0.199275f},   {-0.857188f, 0.515003f},
+        {0.284184f, -0.958770f},  {0.438091f, 0.898931f},   {-0.930254f, -0.366917f},
+        {0.933789f, -0.357824f},  {-0.446840f, 0.894614f},  {-0.274817f, -0.961497f},
+        {0.852123f, 0.523342f},   {-0.981841f, 0.189705f},  {0.595835f, -0.803107f},
+        {0.103140f, 0.994667f},   {-0.747940f, -0.663766f}};
     const float radius = __builtin_sqrtf(((float)n + 0.5f) / (float)count);
     seed[0] = turns[n][0] * radius;
     seed[1] = turns[n][1] * radius;
@@ -106,60 +132,95 @@ static inline rhw_int scene_shadow_texel(const struct scene_shadow_map *map, rhw
 static inline rhw_float scene_shadow_reference(const struct scene_shadow_point *p, rhw_int column,
                                                rhw_int row, rhw_float bias)
 {
-    return p->depth + p->slope[0] * (rhw_float_from_int(column) + 0.5f - p->column) +
-           p->slope[1] * (rhw_float_from_int(row) + 0.5f - p->row) + bias;
+    const rhw_float depth = p->depth + p->slope[0] * (rhw_float_from_int(column) + 0.5f - p->column) +
+                            p->slope[1] * (rhw_float_from_int(row) + 0.5f - p->row) + bias;
+    return rhw_max(depth, 0.0f); // beyond all that casts shadows, where the map is empty, nothing does
+}
+
+// What blocks the light at a place of the disc within reach is added to the sum of distances and the count.
+static inline void scene_shadow_search(const struct scene_shadow_map *map, const struct scene_shadow_point *p,
+                                       const float seed[2], rhw_float reach, rhw_float *sum, rhw_float *count)
+{
+    const rhw_float bias = p->step * (1.0f + 0.1f * reach);
+    const rhw_int column = scene_shadow_texel(map, p->column + seed[0] * reach);
+    const rhw_int row = scene_shadow_texel(map, p->row + seed[1] * reach);
+    const rhw_float depth = rhw_gather(map->depth, map->pitch * map->size, row * map->pitch + column);
+    const rhw_int blocks = rhw_less(scene_shadow_reference(p, column, row, bias), depth);
+    const rhw_float distance =
+        map->perspective ? map->range / rhw_max(depth, 1e-20f) : (1.0f - depth) * map->range;
+    *sum += rhw_select(blocks, distance, 0.0f);
+    *count += rhw_select(blocks, 1.0f, 0.0f);
 }
 
 /// Radius of the penumbra in texels, from the mean distance of what casts it; −1 where nothing does, −2 where everything
 /// within reach does.
 static inline rhw_float scene_shadow_penumbra(const struct scene_shadow_map *map,
-                                              const struct scene_shadow_point *p)
+                                              const struct scene_shadow_point *p, rhw_int who)
 {
     const rhw_float reach = rhw_clamp(map->softness * p->distance / p->per_texel, 1.5f, scene_shadow_widest);
-    const rhw_float bias = p->step * (1.0f + 0.1f * reach);
     rhw_float sum = rhw_splat(0.0f), count = rhw_splat(0.0f);
+    float seed[2];
     for (int n = 0; n < SCENE_SHADOW_SEARCHES; n++) {
-        float seed[2];
         scene_shadow_seed(n, SCENE_SHADOW_SEARCHES, seed);
-        const rhw_int column = scene_shadow_texel(map, p->column + seed[0] * reach);
-        const rhw_int row = scene_shadow_texel(map, p->row + seed[1] * reach);
-        const rhw_float depth = rhw_gather(map->depth, map->pitch * map->size, row * map->pitch + column);
-        const rhw_int blocks = rhw_less(scene_shadow_reference(p, column, row, bias), depth);
-        const rhw_float distance =
-            map->perspective ? map->range / rhw_max(depth, 1e-20f) : (1.0f - depth) * map->range;
-        sum += rhw_select(blocks, distance, 0.0f);
-        count += rhw_select(blocks, 1.0f, 0.0f);
+        scene_shadow_search(map, p, seed, reach, &sum, &count);
     }
-    const rhw_int some = rhw_less(0.0f, count);
+    const rhw_int some = rhw_less(0.0f, count), all = rhw_less((float)SCENE_SHADOW_SEARCHES - 0.5f, count);
+    const rhw_int partly = some & ~all;
+    if (rhw_any(partly & who)) { // in steps of a dozen the penumbra would show steps
+        rhw_float finer_sum = sum, finer_count = count;
+        for (int n = 0; n < SCENE_SHADOW_MORE; n++) {
+            scene_shadow_seed_between(n, SCENE_SHADOW_MORE, seed);
+            scene_shadow_search(map, p, seed, reach, &finer_sum, &finer_count);
+        }
+        sum = rhw_select(partly, finer_sum, sum);
+        count = rhw_select(partly, finer_count, count);
+    }
     const rhw_float mean = sum / rhw_select(some, count, 1.0f);
     const rhw_float radius =
         rhw_clamp(map->softness * (p->distance - mean) / p->per_texel, 1.0f, scene_shadow_widest);
-    const rhw_int all = rhw_less((float)SCENE_SHADOW_SEARCHES - 0.5f, count);
     return rhw_select(some, rhw_select(all, -2.0f, radius), -1.0f);
+}
+
+// What of a tap, a linear filter of four texels at a place of the disc, the light reaches.
+static inline rhw_float scene_shadow_tap(const struct scene_shadow_map *map,
+                                         const struct scene_shadow_point *p, const float seed[2],
+                                         rhw_float radius)
+{
+    const rhw_float bias = p->step * (0.7f + 0.1f * radius);
+    const rhw_float x = p->column + seed[0] * radius - 0.5f, y = p->row + seed[1] * radius - 0.5f;
+    const rhw_float left = rhw_floor(x), top = rhw_floor(y);
+    rhw_float sum = rhw_splat(0.0f);
+    for (int i = 0; i < 4; i++) {
+        const rhw_int column = scene_shadow_texel(map, left + (float)(i & 1));
+        const rhw_int row = scene_shadow_texel(map, top + (float)(i >> 1));
+        const rhw_float depth = rhw_gather(map->depth, map->pitch * map->size, row * map->pitch + column);
+        const rhw_float share = (i & 1 ? x - left : 1.0f - (x - left)) * (i & 2 ? y - top : 1.0f - (y - top));
+        const rhw_int open = rhw_less_equal(depth, scene_shadow_reference(p, column, row, bias));
+        sum += rhw_select(open, share, 0.0f);
+    }
+    return sum;
 }
 
 /// The part of the light that arrives, by a filter of `radius` texels.
 static inline rhw_float scene_shadow_filter(const struct scene_shadow_map *map,
-                                            const struct scene_shadow_point *p, rhw_float radius)
+                                            const struct scene_shadow_point *p, rhw_float radius, rhw_int who)
 {
-    const rhw_float bias = p->step * (0.7f + 0.1f * radius);
     rhw_float sum = rhw_splat(0.0f);
+    float seed[2];
     for (int n = 0; n < SCENE_SHADOW_TAPS; n++) {
-        float seed[2];
         scene_shadow_seed(n, SCENE_SHADOW_TAPS, seed);
-        const rhw_float x = p->column + seed[0] * radius - 0.5f, y = p->row + seed[1] * radius - 0.5f;
-        const rhw_float left = rhw_floor(x), top = rhw_floor(y);
-        for (int i = 0; i < 4; i++) {
-            const rhw_int column = scene_shadow_texel(map, left + (float)(i & 1));
-            const rhw_int row = scene_shadow_texel(map, top + (float)(i >> 1));
-            const rhw_float depth = rhw_gather(map->depth, map->pitch * map->size, row * map->pitch + column);
-            const rhw_float share =
-                (i & 1 ? x - left : 1.0f - (x - left)) * (i & 2 ? y - top : 1.0f - (y - top));
-            const rhw_int open = rhw_less_equal(depth, scene_shadow_reference(p, column, row, bias));
-            sum += rhw_select(open, share, 0.0f);
-        }
+        sum += scene_shadow_tap(map, p, seed, radius);
     }
-    return sum * (1.0f / SCENE_SHADOW_TAPS);
+    const rhw_float few = sum * (1.0f / SCENE_SHADOW_TAPS);
+    const rhw_int wide = rhw_less(scene_shadow_wide, radius);
+    if (!rhw_any(wide & who)) {
+        return few;
+    }
+    for (int n = 0; n < SCENE_SHADOW_FINE; n++) {
+        scene_shadow_seed_between(n, SCENE_SHADOW_FINE, seed);
+        sum += scene_shadow_tap(map, p, seed, radius);
+    }
+    return rhw_select(wide, sum * (1.0f / (SCENE_SHADOW_TAPS + SCENE_SHADOW_FINE)), few);
 }
 
 /// The part of the light, 0..1, that arrives at those of the lanes `who` that lie in the map; 1 elsewhere.
@@ -170,11 +231,11 @@ static inline rhw_float scene_shadow_look(const struct scene_shadow_map *map,
     if (!rhw_any(mine)) {
         return rhw_splat(1.0f);
     }
-    const rhw_float radius = scene_shadow_penumbra(map, p);
+    const rhw_float radius = scene_shadow_penumbra(map, p, mine);
     const rhw_int partly = rhw_less(0.0f, radius) & mine;
     rhw_float open = rhw_select(rhw_equal(radius, -2.0f), 0.0f, 1.0f);
     if (rhw_any(partly)) {
-        open = rhw_select(partly, scene_shadow_filter(map, p, rhw_max(radius, 1.0f)), open);
+        open = rhw_select(partly, scene_shadow_filter(map, p, rhw_max(radius, 1.0f), partly), open);
     }
     return rhw_select(mine, open, 1.0f);
 }

@@ -211,6 +211,48 @@ ALWAYS_INLINE void shade_lit(struct rhw_fragment *f, const struct scene_surface 
     write_light(f, s, sum, base[3]);
 }
 
+// How much of the light that a white ground would have is missing; it fades out with the vertex colour's alpha.
+ALWAYS_INLINE void shade_ground(struct rhw_fragment *f, const struct scene_surface *s)
+{
+    const struct scene_frame *frame = s->frame;
+    const rhw_float *position = &f->varying[s->varying_position];
+    const rhw_float white[4] = {rhw_splat(1.0f), rhw_splat(1.0f), rhw_splat(1.0f), rhw_splat(1.0f)};
+    const rhw_float zero = rhw_splat(0.0f);
+    struct scene_reflector reflector;
+    slot_texels texels;
+    view_direction(frame, position, reflector.view);
+    surface_normal(f, s, false, texels, reflector.normal);
+    scene_reflector_set(&reflector, white, zero, white[0]);
+    rhw_float lit[3] = {zero, zero, zero}, open[3] = {zero, zero, zero};
+    const rhw_float occlusion = frame->guide.occlusion ? ambient_open(f, frame, position) : white[0];
+    scene_reflect_environment(&reflector, &frame->environment, f->textures, white[0], occlusion, lit);
+    scene_reflect_environment(&reflector, &frame->environment, f->textures, white[0], white[0], open);
+    for (int i = 0; i < frame->light_count; i++) {
+        rhw_float to_light[3], irradiance[3];
+        scene_light_at(&frame->lights[i], position, to_light, irradiance);
+        scene_reflect_light(&reflector, to_light, irradiance, frame->lights[i].size, open);
+        if (frame->lights[i].map_count > 0) {
+            shadow_irradiance(f, s, &frame->lights[i], rhw_less(0.0f, rhw_dot3(reflector.normal, to_light)),
+                              irradiance);
+        }
+        scene_reflect_light(&reflector, to_light, irradiance, frame->lights[i].size, lit);
+    }
+    // An even ground occludes itself a little by the measure of the screen; it must not show.
+    const rhw_float left = (lit[0] + lit[1] + lit[2]) / rhw_max(open[0] + open[1] + open[2], 1e-20f);
+    const rhw_float missing = rhw_saturate((0.97f - left) * (1.0f / 0.97f));
+    const rhw_float near = f->varying[s->varying_color + 3];
+    rhw_float color[4] = {zero, zero, zero, missing * near * near * (3.0f - 2.0f * near)};
+    rhw_float linear[4] = {zero, zero, zero, color[3]};
+    write_output(f, s, color, linear);
+}
+
+static void ground_fragment(struct rhw_fragment *groups, int count)
+{
+    for (int g = 0; g < count; g++) {
+        shade_ground(&groups[g], groups->uniforms);
+    }
+}
+
 static void lit_fragment(struct rhw_fragment *groups, int count)
 {
     const struct scene_surface *s = groups->uniforms;
@@ -359,6 +401,7 @@ const struct scene_surface_shaders RHW_ISA_NAME(scene_surface_shaders) = {
                  [SCENE_FRAGMENT_TEXTURED] = textured_fragment,
                  [SCENE_FRAGMENT_MAPPED] = mapped_fragment,
                  [SCENE_FRAGMENT_UNLIT] = unlit_fragment,
+                 [SCENE_FRAGMENT_GROUND] = ground_fragment,
                  [SCENE_FRAGMENT_DATA] = data_fragment,
                  [SCENE_FRAGMENT_SHADOW] = shadow_fragment},
 };

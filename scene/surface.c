@@ -342,11 +342,12 @@ static void lay_out_color(struct scene_surface *s, struct scene_surface_key *key
         s->shared_slots = lit ? shared_slots(s) : 0;
     }
     const bool textured = uploaded->textured && mesh->kind == SCENE_VERTEX_SURFACE;
-    key->fragment = !lit       ? SCENE_FRAGMENT_UNLIT
-                    : layered  ? SCENE_FRAGMENT_LAYERED
-                    : mapped   ? SCENE_FRAGMENT_MAPPED
-                    : textured ? SCENE_FRAGMENT_TEXTURED
-                               : SCENE_FRAGMENT_LIT;
+    key->fragment = material->is_ground ? SCENE_FRAGMENT_GROUND
+                    : !lit              ? SCENE_FRAGMENT_UNLIT
+                    : layered           ? SCENE_FRAGMENT_LAYERED
+                    : mapped            ? SCENE_FRAGMENT_MAPPED
+                    : textured          ? SCENE_FRAGMENT_TEXTURED
+                                        : SCENE_FRAGMENT_LIT;
     const bool blended = material->alpha_mode == SCENE_ALPHA_BLEND && !plain;
     key->blend = blended && def->part != SCENE_SURFACES_PEELED;
     key->peel = blended && def->part == SCENE_SURFACES_PEELED;
@@ -461,6 +462,7 @@ static void lay_out(const struct scene_upload *upload, const struct scene_surfac
     for (int i = 0; i < def->format_count; i++) {
         key->formats[i] = (int32_t)def->formats[i];
     }
+    key->ground = material->is_ground;
     use_attribute(key, mesh, 0);
     if (mesh->kind == SCENE_VERTEX_LINE) {
         use_attribute(key, mesh, 1);
@@ -502,7 +504,11 @@ static struct rhw_pipeline_def pipeline_def(const struct scene_surface_key *key)
     def.cull = (enum rhw_cull)key->cull;
     def.front = (enum rhw_winding)key->front;
     def.depth_test = true;
-    def.depth_compare = key->peel ? RHW_COMPARE_LESS : RHW_COMPARE_GREATER;
+    // It is drawn before all else, and reaches beyond the planes that enclose the model.
+    def.depth_clip_disabled = key->ground != 0;
+    def.depth_compare = key->ground ? RHW_COMPARE_GREATER_EQUAL
+                        : key->peel ? RHW_COMPARE_LESS
+                                    : RHW_COMPARE_GREATER;
     def.depth_read_only = key->blend != 0;
     def.target_count = key->format_count;
     for (int i = 0; i < key->format_count; i++) {

@@ -47,7 +47,7 @@ struct scene_surface_key {
     int32_t stream_count;    // the last varyings, which need derivatives
     int32_t position_number; // 1 + that of its varying
     int32_t position_derivatives;
-    int32_t interpolate, uses, cull, front, blend, peel;
+    int32_t interpolate, uses, cull, front, blend, peel, ground;
     int32_t format_count, formats[RHW_MAX_COLOR_ATTACHMENTS];
 };
 

@@ -201,23 +201,34 @@ static void count_triangles(struct scene_upload *upload)
     }
 }
 
+// Meshes and where they stand.
+static enum rhw_result upload_shape(struct scene_upload *upload)
+{
+    const struct scene_model *const model = upload->model;
+    upload->meshes = calloc((size_t)model->mesh_count + 1, sizeof *upload->meshes);
+    upload->first_triangle = calloc((size_t)model->instance_count + 1, sizeof *upload->first_triangle);
+    if (!upload->meshes || !upload->first_triangle) {
+        return RHW_ERROR_OUT_OF_MEMORY;
+    }
+    enum rhw_result result = RHW_OK;
+    for (uint32_t i = 0; i < model->mesh_count && result == RHW_OK; i++) {
+        result = upload_mesh(upload->context, &model->meshes[i], &upload->meshes[i]);
+    }
+    count_triangles(upload);
+    return result;
+}
+
 enum rhw_result scene_upload_create(rhw_context *context, const struct scene_model *model,
                                     struct scene_upload *upload)
 {
     *upload = (struct scene_upload){.context = context, .model = model};
     // One more than needed: calloc(0) may return NULL.
-    upload->meshes = calloc((size_t)model->mesh_count + 1, sizeof *upload->meshes);
     upload->images = calloc((size_t)model->image_count + 1, sizeof *upload->images);
     upload->materials = calloc((size_t)model->material_count + 1, sizeof *upload->materials);
     upload->combined.images = calloc((size_t)model->material_count + 1, sizeof *upload->combined.images);
-    upload->first_triangle = calloc((size_t)model->instance_count + 1, sizeof *upload->first_triangle);
-    enum rhw_result result = RHW_OK;
-    if (!upload->meshes || !upload->images || !upload->materials || !upload->combined.images ||
-        !upload->first_triangle) {
-        result = RHW_ERROR_OUT_OF_MEMORY;
-    }
-    for (uint32_t i = 0; i < model->mesh_count && result == RHW_OK; i++) {
-        result = upload_mesh(context, &model->meshes[i], &upload->meshes[i]);
+    enum rhw_result result = RHW_ERROR_OUT_OF_MEMORY;
+    if (upload->images && upload->materials && upload->combined.images) {
+        result = upload_shape(upload);
     }
     for (uint32_t i = 0; i < model->image_count && result == RHW_OK; i++) {
         result = scene_upload_image(context, model, i, &upload->images[i]);
@@ -229,7 +240,6 @@ enum rhw_result scene_upload_create(rhw_context *context, const struct scene_mod
         scene_upload_destroy(upload);
         return result;
     }
-    count_triangles(upload);
     return RHW_OK;
 }
 
@@ -247,13 +257,29 @@ static void destroy_texture(rhw_context *context, rhw_texture texture)
     }
 }
 
-void scene_upload_destroy(struct scene_upload *upload)
+static void destroy_shape(struct scene_upload *upload)
 {
-    const struct scene_model *model = upload->model;
-    for (uint32_t i = 0; upload->meshes && i < model->mesh_count; i++) {
+    for (uint32_t i = 0; upload->meshes && i < upload->model->mesh_count; i++) {
         destroy_buffer(upload->context, upload->meshes[i].vertices);
         destroy_buffer(upload->context, upload->meshes[i].indices);
     }
+    free(upload->meshes);
+    free(upload->first_triangle);
+    upload->meshes = NULL;
+    upload->first_triangle = NULL;
+}
+
+enum rhw_result scene_upload_pose(struct scene_upload *upload, const struct scene_model *pose)
+{
+    destroy_shape(upload);
+    upload->model = pose;
+    return upload_shape(upload);
+}
+
+void scene_upload_destroy(struct scene_upload *upload)
+{
+    const struct scene_model *model = upload->model;
+    destroy_shape(upload);
     for (uint32_t i = 0; upload->images && i < model->image_count; i++) {
         destroy_texture(upload->context, upload->images[i].color);
         destroy_texture(upload->context, upload->images[i].data);
@@ -269,10 +295,8 @@ void scene_upload_destroy(struct scene_upload *upload)
             }
         }
     }
-    free(upload->meshes);
     free(upload->images);
     free(upload->materials);
     free(upload->combined.images);
-    free(upload->first_triangle);
     *upload = (struct scene_upload){0};
 }

@@ -46,6 +46,9 @@ struct scene_upload {
 /// On failure everything is released again.
 enum rhw_result scene_upload_create(rhw_context *context, const struct scene_model *model,
                                     struct scene_upload *upload);
+/// Takes meshes and instances from another pose of the same model, which then must outlive the upload; materials and images
+/// stay. On failure the upload is as good as empty, to be destroyed.
+enum rhw_result scene_upload_pose(struct scene_upload *upload, const struct scene_model *pose);
 void scene_upload_destroy(struct scene_upload *upload);
 
 #endif

@@ -60,6 +60,7 @@ struct scene_view {
     bool default_lights;         ///< leave the lights of the file off
     bool no_lights;              ///< with default_lights: the surroundings alone
     bool shadows;                ///< of the lights
+    bool ground;                 ///< below the model, of which only the shadow on it shows, in colour outputs
     bool ambient_occlusion;      ///< what stands near dims the light of the surroundings
     const struct scene_panorama
         *panorama;            ///< lights the model instead of the studio; NULL: none. Outlives the scene

@@ -49,13 +49,13 @@ static const struct shader_pair cube = {
                 "void main() { float lit = texture(texture0, vec4(around(), values.z)); " PAINT,
     .fragment1 = paint_cube};
 static const struct shader_pair array = {
-    .fragment =
-        "uniform sampler2DArrayShadow texture0; out vec4 color; void main() {\n"
-        "float lit = texture(texture0, vec4(values.xy, values.z * 5.0, values.z)); " PAINT,
+    .fragment = "uniform sampler2DArrayShadow texture0; out vec4 color; void main() {\n"
+                "float lit = texture(texture0, vec4(values.xy, values.z * 5.0, values.z)); " PAINT,
     .fragment1 = paint_array};
 static const struct shader_pair cubes = {
-    .fragment = "uniform samplerCubeArrayShadow texture0; out vec4 color;\n" AROUND
-                "void main() { float lit = texture(texture0, vec4(around(), values.x * 2.0), values.z); " PAINT,
+    .fragment =
+        "uniform samplerCubeArrayShadow texture0; out vec4 color;\n" AROUND
+        "void main() { float lit = texture(texture0, vec4(around(), values.x * 2.0), values.z); " PAINT,
     .fragment1 = paint_cubes};
 
 static void add(struct frame *f, const struct shader_pair *shaders, enum rhw_texture_kind kind, int layers,

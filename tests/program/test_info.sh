@@ -6,7 +6,9 @@
 cat >layers.gltf <<'END'
 {"asset": {"version": "2.0"},
  "extensionsUsed": ["KHR_materials_clearcoat", "KHR_materials_sheen", "KHR_materials_ior",
-                    "KHR_materials_pbrSpecularGlossiness"],
+                    "KHR_materials_pbrSpecularGlossiness", "ACME_glow"],
+ "animations": [{"name": "wave", "samplers": [{"input": 1, "output": 0}],
+                 "channels": [{"sampler": 0, "target": {"node": 0, "path": "translation"}}]}],
  "materials": [
   {"name": "velvet", "extensions": {
     "KHR_materials_sheen": {"sheenColorFactor": [0.5, 0.25, 0], "sheenRoughnessFactor": 0.75},
@@ -17,7 +19,8 @@ cat >layers.gltf <<'END'
  "meshes": [{"primitives": [{"attributes": {"POSITION": 0}, "material": 0},
   {"attributes": {"POSITION": 0}, "material": 1}, {"attributes": {"POSITION": 0}, "material": 2}]}],
  "nodes": [{"mesh": 0}], "scenes": [{"nodes": [0]}], "scene": 0,
- "accessors": [{"bufferView": 0, "componentType": 5126, "count": 3, "type": "VEC3", "min": [0, 0, 0], "max": [1, 1, 0]}],
+ "accessors": [{"bufferView": 0, "componentType": 5126, "count": 3, "type": "VEC3", "min": [0, 0, 0], "max": [1, 1, 0]},
+  {"bufferView": 0, "componentType": 5126, "count": 3, "type": "SCALAR", "min": [0], "max": [2.5]}],
  "bufferViews": [{"buffer": 0, "byteLength": 36}],
  "buffers": [{"byteLength": 36, "uri": "data:application/octet-stream;base64,AAAAAAAAAAAAAAAAAACAPwAAAAAAAAAAAAAAAAAAgD8AAAAA"}]}
 END
@@ -29,7 +32,18 @@ check "layers in the order of the list" grep -q \
     "^ *0  $usual, clearcoat 0.5, sheen_color 0.5 0.25 0, sheen_roughness 0.75  \"velvet\"$" "$folder/log/out"
 check "glossiness" grep -q "gloss_specular 1 0.5 0.25, glossiness 0.125  \"gloss\"$" "$folder/log/out"
 check "no layers" grep -q "^ *2  $usual  \"plain\"$" "$folder/log/out"
+check "the unit" grep -q "^unit:      metre$" "$folder/log/out"
+check "the size" grep -q "^size:      1 x 1 x 0$" "$folder/log/out"
+check "what is up" grep -q "^up:        y, by its format$" "$folder/log/out"
+check "memory: 3 of each mesh's vertices of 24 bytes, 3 indices" grep -q "^memory:    0.0 MiB of meshes, 0.0 MiB of textures$" \
+    "$folder/log/out"
+check "extensions" grep -q "^  KHR_materials_sheen: drawn$" "$folder/log/out"
+check "an ignored one" grep -q "^  ACME_glow: ignored$" "$folder/log/out"
+check "animations" grep -q '^    0  2.5 s, 1 channels  "wave"$' "$folder/log/out"
 run info --json layers.gltf
+check "JSON of an animation" grep -q '{"name": "wave", "seconds": 2.5, "channels": 1}' "$folder/log/out"
+check "JSON of an extension" grep -q '{"name": "ACME_glow", "required": false, "drawn": false}' "$folder/log/out"
+check "JSON of bytes" grep -q '"mesh_bytes": 252,$' "$folder/log/out"
 check "JSON" grep -q '"double_sided": false, "clearcoat": 0.5, "sheen_color": \[0.5, 0.25, 0\], "sheen_roughness": 0.75}' \
     "$folder/log/out"
 check "JSON without layers" grep -q '"plain".*"double_sided": false}' "$folder/log/out"

@@ -95,6 +95,18 @@ for channel in R G B A depth.Z distance.Z normal.X normal.Y normal.Z normal.A po
     check "EXR channel $channel" grep -q "^$channel " "$folder/log/out"
 done
 check "21 EXR channels" test "$(wc -l <"$folder/log/out")" = 23
+# To a pipe as into a file; with the camera and the names of objects.
+"$rhw" render cube.obj $view --format exr -o - --output all | cat >pipe.exr
+check "EXR to a pipe" cmp -s pipe.exr all.exr
+succeed render cube.obj -o camera.exr --size 32 --camera 1,2,5,1,2,0,0,1,0,90
+matrix() { # NAME NUMBER: a float of a matrix in camera.exr, in hexadecimal
+    at=$(grep -abo "$1" camera.exr | head -n 1 | cut -d : -f 1)
+    od -A n -t x4 -j $((at + ${#1} + 1 + 5 + 4 + 4 * $2)) -N 4 camera.exr | tr -d ' '
+}
+check "worldToCamera moves by -1 -2 -5" test "$(matrix worldToCamera 12) $(matrix worldToCamera 13) $(matrix worldToCamera 14)" = \
+    "bf800000 c0000000 c0a00000"
+check "worldToNDC at 90 degrees" test "$(matrix worldToNDC 0) $(matrix worldToNDC 5)" = "3f800000 3f800000"
+check "objectNames" grep -aq objectNames camera.exr
 succeed render cube.obj $view -o some.exr --output depth,triangle
 refuse 1 "some.exr: has no channel" compare all.exr some.exr
 

@@ -53,6 +53,8 @@ mkdir deep
 cp cube.obj deep
 refuse 2 "out.png: several models need a \{name\} in OUT" render cube.obj other.obj -o out.png
 refuse 2 "render: -o OUT is missing: several models" render cube.obj other.obj
+refuse 2 "all: is no model; it belongs to --fit=all" render --fit all cube.obj -o out.png
+refuse 2 "plain: is no model; it belongs to --wireframe=plain" render cube.obj --wireframe plain -o out.png
 refuse 2 "deep/cube.obj: has the name of cube.obj" render cube.obj deep/cube.obj -o '{name}.png'
 refuse 2 "render: standard input cannot be one of several models" render cube.obj - -o '{name}.png'
 refuse 2 "--stats: is for one model" render cube.obj other.obj -o '{name}.png' --stats

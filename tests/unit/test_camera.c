@@ -70,6 +70,46 @@ static void test_fit_touches_the_margin(void **state)
     }
 }
 
+// A model that turns stays within the margin all around, and touches it somewhere on the way.
+static void test_fit_of_what_turns(void **state)
+{
+    (void)state;
+    const double aspect = 1.5, center[3] = {0.5, -1.0, 2.0};
+    struct tiny t;
+    tiny_make(&t);
+    t.positions[0][2] = 3.0f;
+    t.positions[2][1] = 6.0f;
+    t.positions[3][0] = -5.0f;
+    tiny_set_bounds(&t);
+    for (int up = SCENE_AXIS_Y; up <= SCENE_AXIS_Z; up++) {
+        const int axis = up == SCENE_AXIS_Y ? 1 : 2, u = (axis + 1) % 3, v = (axis + 2) % 3;
+        for (double elevation = -90.0; elevation <= 90.0; elevation += 30.0) {
+            struct scene_orbit orbit = {
+                .azimuth = 77.0, .elevation = elevation, .up = (enum scene_axis)up, .turns = true};
+            memcpy(orbit.turn_center, center, sizeof center);
+            const struct scene_camera camera = scene_camera_fit(&t.model, orbit, 0.6, aspect);
+            double m[16], widest = 0.0, middle[3];
+            view_projection(&camera, aspect, m);
+            for (int i = 0; i < 4 * 3600; i++) {
+                const double angle = i / 4 * (pi / 1800.0);
+                const float *const from = t.positions[i % 4];
+                const double a = (double)from[u] - center[u], b = (double)from[v] - center[v];
+                double p[3], ndc[3];
+                p[axis] = (double)from[axis];
+                p[u] = center[u] + a * cos(angle) - b * sin(angle);
+                p[v] = center[v] + a * sin(angle) + b * cos(angle);
+                project(m, p, ndc);
+                widest = fmax(widest, fmax(fabs(ndc[0]), fabs(ndc[1])));
+                assert_true(ndc[2] > 0.0 && ndc[2] < 1.0);
+            }
+            assert_true(widest < 0.92 + 1e-9);
+            assert_true(widest > 0.92 - 1e-5);
+            project(m, center, middle);
+            tiny_assert_close(middle[0], 0.0, 1e-9);
+        }
+    }
+}
+
 static void test_fit_angles(void **state)
 {
     (void)state;
@@ -321,6 +361,7 @@ int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(test_fit_touches_the_margin),
+        cmocka_unit_test(test_fit_of_what_turns),
         cmocka_unit_test(test_fit_angles),
         cmocka_unit_test(test_fit_of_degenerate_models),
         cmocka_unit_test(test_default_orbit_faces_flat_models),

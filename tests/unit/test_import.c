@@ -419,17 +419,24 @@ static size_t write_blob(unsigned char *bytes, size_t capacity)
     }
     struct scene_image image = {.name = "image", .width = 1, .height = 1, .size = 4, .texels = texel};
     struct scene_instance instance = {.name = "node"};
+    struct scene_model_animation animation = {.name = "walk", .seconds = 2.5f, .channel_count = 3};
+    struct scene_model_extension extension = {.name = "KHR_extension", .is_drawn = true};
     const char *warning = "a warning";
     struct scene_model model = {.path = "p",
                                 .format = "f",
+                                .unit = "metre",
                                 .mesh_count = 1,
                                 .material_count = 1,
                                 .image_count = 1,
                                 .instance_count = 1,
+                                .animation_count = 1,
+                                .extension_count = 1,
                                 .meshes = &mesh,
                                 .materials = &material,
                                 .images = &image,
                                 .instances = &instance,
+                                .animations = &animation,
+                                .extensions = &extension,
                                 .warning_count = 1,
                                 .warnings = &warning};
     FILE *file = tmpfile();
@@ -454,6 +461,10 @@ static void test_blob(void **state)
     struct scene_model *model = scene_blob_read(copy, size);
     assert_non_null(model);
     assert_string_equal(model->warnings[0], "a warning");
+    assert_string_equal(model->unit, "metre");
+    assert_string_equal(model->animations[0].name, "walk");
+    assert_int_equal(model->animations[0].channel_count, 3);
+    assert_string_equal(model->extensions[0].name, "KHR_extension");
     assert_string_equal(model->meshes[0].name, "mesh");
     assert_floats(model->meshes[0].positions[1], (const float[]){1, 0, 0}, 3, 0);
     assert_null(model->meshes[0].colors);

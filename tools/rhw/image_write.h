@@ -41,6 +41,13 @@ struct cli_exr_channel {
     int pixel_stride;  ///< bytes; rows are tightly packed
 };
 
+/// What an EXR file says beside its channels: the standard attributes worldToCamera and worldToNDC, and objectNames.
+struct cli_exr_about {
+    double world_to_camera[16], world_to_ndc[16]; ///< column major, for column vectors
+    const char **objects;                         ///< names of the ids from 1 on
+    int object_count;
+};
+
 /// All of them report failure in one line and return false; the caller then discards the file.
 bool cli_png_write(struct cli_output_file *file, const struct cli_raster *raster);
 /// Binary: P5 for one channel, P6 for three. Four are misuse.
@@ -49,8 +56,9 @@ bool cli_ppm_write(struct cli_output_file *file, const struct cli_raster *raster
 bool cli_jpeg_write(struct cli_output_file *file, const struct cli_raster *raster, int quality);
 /// 8 bits, at most 16383 pixels each way; quality 1..100, or 0: lossless.
 bool cli_webp_write(struct cli_output_file *file, const struct cli_raster *raster, int quality);
-/// Scan lines, ZIP compression on `threads` threads; the bytes do not depend on their number.
+/// Scan lines, ZIP compression on `threads` threads; the bytes do not depend on their number. `about` may be NULL.
 bool cli_exr_write(struct cli_output_file *file, int width, int height,
-                   const struct cli_exr_channel *channels, int channel_count, int threads);
+                   const struct cli_exr_channel *channels, int channel_count,
+                   const struct cli_exr_about *about, int threads);
 
 #endif

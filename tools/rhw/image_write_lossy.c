@@ -2,6 +2,7 @@
 // JPEG and WebP encoders; see image_write.h.
 #include "image_write.h"
 
+#include "image_webp.h"
 #include "message.h"
 
 #include <errno.h>
@@ -10,7 +11,6 @@
 #include <string.h>
 
 #include <jpeglib.h>
-#include <webp/encode.h>
 
 // JPEG ----------------------------------------------------------------------------------------------
 
@@ -103,25 +103,37 @@ static bool import_webp(WebPPicture *picture, const struct cli_raster *raster)
     return imported;
 }
 
+bool cli_webp_prepare(WebPConfig *config, WebPPicture *picture, const struct cli_raster *raster, int quality)
+{
+    if (!WebPConfigInit(config) || !WebPPictureInit(picture)) {
+        return false;
+    }
+    if (quality == 0) {
+        WebPConfigLosslessPreset(config, 2);
+        config->exact = 1; // colours under full transparency too
+    } else {
+        config->quality = (float)quality;
+    }
+    picture->use_argb = quality == 0;
+    picture->width = raster->width;
+    picture->height = raster->height;
+    const bool imported = import_webp(picture, raster);
+    if (!imported) {
+        WebPPictureFree(picture);
+    }
+    return imported;
+}
+
 bool cli_webp_write(struct cli_output_file *file, const struct cli_raster *raster, int quality)
 {
     WebPConfig config;
     WebPPicture picture;
-    bool written = WebPConfigInit(&config) && WebPPictureInit(&picture);
+    errno = 0;
+    bool written = cli_webp_prepare(&config, &picture, raster, quality);
     if (written) {
-        if (quality == 0) {
-            WebPConfigLosslessPreset(&config, 2);
-            config.exact = 1; // colours under full transparency too
-        } else {
-            config.quality = (float)quality;
-        }
-        picture.use_argb = quality == 0;
-        picture.width = raster->width;
-        picture.height = raster->height;
         picture.writer = write_webp;
         picture.custom_ptr = file->stream;
-        errno = 0;
-        written = import_webp(&picture, raster) && WebPEncode(&config, &picture);
+        written = WebPEncode(&config, &picture);
         WebPPictureFree(&picture);
     }
     if (!written) {

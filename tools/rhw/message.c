@@ -22,6 +22,18 @@ void cli_stage(const char *work, const char *subject)
     stage_shown = true;
 }
 
+void cli_progress(const char *subject, int done, int count)
+{
+    enum { WIDTH = 24 };
+    if (!isatty(STDERR_FILENO)) {
+        return;
+    }
+    const int filled = (int)((long long)done * WIDTH / count);
+    fprintf(stderr, "\r\033[Kdrawing %.100s [%.*s%.*s] %d of %d", subject, filled, "########################",
+            WIDTH - filled, "........................", done, count);
+    stage_shown = true;
+}
+
 void cli_stage_end(void)
 {
     if (stage_shown) {

@@ -13,5 +13,7 @@ void cli_warning(const char *subject, const char *format, ...) __attribute__((fo
 /// cli_stage_end. Says nothing where stderr is no terminal.
 void cli_stage(const char *work, const char *subject);
 void cli_stage_end(void);
+/// A stage with a bar: how many pictures of `count` are done.
+void cli_progress(const char *subject, int done, int count);
 
 #endif

@@ -42,9 +42,13 @@ static bool import_model(struct render *render)
 {
     const struct cli_render_job *job = &render->job;
     const double start = cli_milliseconds();
-    render->model = cli_model_input_load(
-        &render->input, &job->budget,
-        (struct scene_model_options){.variant = job->variant, .texture_side = job->budget.texture});
+    render->model =
+        cli_model_input_load(&render->input, &job->budget,
+                             (struct scene_model_options){.variant = job->variant,
+                                                          .is_posed = job->is_posed || job->rate > 0.0,
+                                                          .animation = job->animation,
+                                                          .time = job->time,
+                                                          .texture_side = job->budget.texture});
     render->times.import_ms = cli_milliseconds() - start;
     if (!render->model) {
         return false;
@@ -83,6 +87,7 @@ static bool set_view(struct render *render)
     view->default_lights = job->default_lights;
     view->no_lights = job->no_lights;
     view->shadows = job->shadows;
+    view->ground = job->ground;
     view->ambient_occlusion = job->ambient_occlusion;
     view->panorama = job->environment ? &render->panorama : NULL;
     view->panorama_rotation = (double)job->environment_rotation;
@@ -167,6 +172,12 @@ static bool open_scene(struct render *render)
     return report(render, result);
 }
 
+bool cli_render_draw(struct render *render)
+{
+    scene_pictures_free(&render->pictures);
+    return report(render, scene_draw(render->scene, &render->view, &render->pictures, &render->stats));
+}
+
 static bool draw(struct render *render)
 {
     scene_pictures_free(&render->pictures);
@@ -236,6 +247,9 @@ static int run(struct render *render)
     }
     if (!open_scene(render)) {
         return CLI_FAILED;
+    }
+    if (cli_render_moves(job)) {
+        return cli_render_frames(render) ? CLI_OK : CLI_FAILED;
     }
     const int status = cli_render_has_file_per_view(job)                ? draw_views(render)
                        : job->view_count > 0                            ? draw_sheet(render)

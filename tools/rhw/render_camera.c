@@ -84,11 +84,17 @@ static struct scene_camera fit_orthographic(const struct scene_model *model, str
     for (int c = 0; c < 3; c++) {
         camera.eye[c] = camera.target[c] - ahead[c] / distance * 4.0 * camera.ymag;
     }
-    scene_camera_enclose(&camera, model);
+    if (orbit.turns) {
+        scene_camera_enclose_turn(&camera, model, &orbit);
+    } else {
+        scene_camera_enclose(&camera, model);
+    }
     return camera;
 }
 
-struct scene_camera cli_camera_fit(const struct cli_render_job *job, const struct scene_model *model)
+// `turn_center` NULL: the model stands still.
+static struct scene_camera fit(const struct cli_render_job *job, const struct scene_model *model,
+                               const double *turn_center)
 {
     const enum scene_axis up = job->has_up ? job->up : model->up;
     struct scene_orbit orbit = job->camera == CLI_CAMERA_ORBIT || job->camera == CLI_CAMERA_VIEWS
@@ -96,6 +102,10 @@ struct scene_camera cli_camera_fit(const struct cli_render_job *job, const struc
                                    : scene_camera_default_orbit(model, up);
     orbit.up = up;
     orbit.whole = job->fit_all;
+    orbit.turns = turn_center != NULL;
+    if (turn_center) {
+        memcpy(orbit.turn_center, turn_center, sizeof orbit.turn_center);
+    }
     const double yfov = job->fovy > 0.0f ? (double)job->fovy * degree : scene_camera_default_yfov();
     const double aspect = (double)job->width / (double)job->height;
     struct scene_camera camera = job->orthographic ? fit_orthographic(model, orbit, aspect)
@@ -106,6 +116,17 @@ struct scene_camera cli_camera_fit(const struct cli_render_job *job, const struc
         zoom(&camera, factor);
     }
     return camera;
+}
+
+struct scene_camera cli_camera_fit(const struct cli_render_job *job, const struct scene_model *model)
+{
+    return fit(job, model, NULL);
+}
+
+struct scene_camera cli_camera_fit_turn(const struct cli_render_job *job, const struct scene_model *model,
+                                        const double center[3])
+{
+    return fit(job, model, center);
 }
 
 bool cli_camera_choose(const struct cli_render_job *job, const struct scene_model *model,

@@ -3,12 +3,28 @@
 #include "output_file.h"
 #include "render_job.h"
 
-#include "message.h"
+#include "options.h"
 
 #include <stdio.h>
 #include <string.h>
+#include <unistd.h>
 
 // MODEL's name with another ending; never over a file that is there, which may be a texture.
+// An argument that stands apart from its option, where that does not have to have one, is taken for a model.
+static bool check_models(const struct cli_render_job *job)
+{
+    static const char *const arguments[] = {"all", "subject", "over", "plain"};
+    for (int i = 0; i < job->model_count && job->model_count > 1; i++) {
+        const int found = cli_parse_name(job->model_paths[i], arguments, 4);
+        if (found >= 0 && access(job->model_paths[i], F_OK) != 0) {
+            cli_error(job->model_paths[i], "is no model; it belongs to %s=%s, with the sign between them",
+                      found < 2 ? "--fit" : "--wireframe", arguments[found]);
+            return false;
+        }
+    }
+    return true;
+}
+
 static bool choose_out(struct cli_render_job *job)
 {
     if (job->out) {
@@ -189,6 +205,35 @@ static bool check_several(const struct cli_render_job *job)
     return job->view_count == 0 || has_view || check_sheet(job);
 }
 
+// Pictures that follow one another.
+static bool check_movement(const struct cli_render_job *job)
+{
+    const bool moves = cli_render_moves(job), is_sequence = strstr(job->out, "{frame}") != NULL;
+    const char *const option = job->turntable > 0 ? "--turntable" : "--animate";
+    const char *const other = job->view_count > 0                ? "--views"
+                              : job->stats                       ? "--stats"
+                              : job->print_camera                ? "--print-camera"
+                              : job->rate > 0.0 && job->has_time ? "--time"
+                                                                 : NULL;
+    if (is_sequence && !moves) {
+        cli_error(job->out, "{frame} needs --animate or --turntable");
+        return false;
+    }
+    if (moves && other) {
+        cli_error(option, "cannot be together with %s", other);
+        return false;
+    }
+    if (moves && !is_sequence && job->format != CLI_PICTURE_PNG && job->format != CLI_PICTURE_WEBP) {
+        cli_error(job->out, "only .png and .webp hold pictures that move; with a {frame} each gets a file");
+        return false;
+    }
+    if (moves && !is_sequence && (job->kinds & (job->kinds - 1))) {
+        cli_error("--output", "a file that moves has one output; with a {frame} in OUT there can be several");
+        return false;
+    }
+    return true;
+}
+
 // Only of a fitted model, or one seen by its own camera, is it known that no part fills the picture many times.
 static void choose_texture_side(struct cli_render_job *job)
 {
@@ -205,7 +250,8 @@ bool cli_render_job_complete(struct cli_render_job *job)
         cli_error("--background", "environment needs --environment FILE");
         return false;
     }
-    if (!choose_out(job) || !check_format(job) || !check_camera(job) || !check_several(job)) {
+    if (!check_models(job) || !choose_out(job) || !check_format(job) || !check_camera(job) ||
+        !check_several(job) || !check_movement(job)) {
         return false;
     }
     choose_texture_side(job);

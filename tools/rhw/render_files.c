@@ -11,8 +11,8 @@
 
 enum { JPEG_QUALITY = 92 };
 
-// OUT with the names of the model and the view. The view counts from 0; −1: there is none.
-static bool expand_out(struct render *render, int view)
+// OUT with the names of the model, and of the view or the frame, which count from 0; −1: there is none.
+static bool expand_out(struct render *render, int number)
 {
     const struct cli_render_job *const job = &render->job;
     const char *const slash = strrchr(job->model_path, '/'), *const base =
@@ -25,9 +25,12 @@ static bool expand_out(struct render *render, int view)
         if (strncmp(in, "{name}", 6) == 0) {
             at += (size_t)snprintf(render->out + at, room, "%.*s", stem, base);
             in += 6;
-        } else if (view >= 0 && strncmp(in, "{view}", 6) == 0) {
-            at += (size_t)snprintf(render->out + at, room, "%s", cli_view_name(job->views[view]));
+        } else if (number >= 0 && number < job->view_count && strncmp(in, "{view}", 6) == 0) {
+            at += (size_t)snprintf(render->out + at, room, "%s", cli_view_name(job->views[number]));
             in += 6;
+        } else if (number >= 0 && strncmp(in, "{frame}", 7) == 0) {
+            at += (size_t)snprintf(render->out + at, room, "%04d", number);
+            in += 7;
         } else {
             render->out[at++] = *in++;
         }
@@ -73,10 +76,10 @@ void cli_render_files_forget(struct render *render)
     render->file_count = 0;
 }
 
-bool cli_render_files_plan(struct render *render, int view)
+bool cli_render_files_plan(struct render *render, int number)
 {
     const struct cli_render_job *job = &render->job;
-    if (!expand_out(render, view)) {
+    if (!expand_out(render, number)) {
         return false;
     }
     for (int kind = 0; kind < CLI_KIND_COUNT; kind++) {
@@ -100,21 +103,60 @@ bool cli_render_files_plan(struct render *render, int view)
            (cli_output_file_check(job->stats_path) && !cli_model_input_is(&render->input, job->stats_path));
 }
 
+// The camera, and the names of the ids of objects; free those.
+static bool describe(const struct render *render, struct cli_exr_about *about)
+{
+    const struct scene_camera *const camera = &render->view.camera;
+    const struct scene_model *const model = render->model;
+    double projection[16];
+    uint32_t largest = 0;
+    for (uint32_t i = 0; i < model->instance_count; i++) {
+        largest = model->instances[i].object > largest ? model->instances[i].object : largest;
+    }
+    *about = (struct cli_exr_about){.object_count = (int)largest,
+                                    .objects = calloc((size_t)largest + 1, sizeof *about->objects)};
+    scene_camera_view(camera, about->world_to_camera);
+    scene_camera_projection(camera, (double)render->view.width / render->view.height, projection);
+    scene_matrix_multiply(projection, about->world_to_camera, about->world_to_ndc);
+    for (uint32_t i = 0; about->objects && i < model->instance_count; i++) {
+        about->objects[model->instances[i].object - 1] = model->instances[i].name;
+    }
+    for (uint32_t i = 0; i < largest && about->objects; i++) {
+        about->objects[i] = about->objects[i] ? about->objects[i] : ""; // of nodes that are left out
+    }
+    return about->objects != NULL;
+}
+
 static bool encode_exr(struct render *render, struct cli_output_file *file)
 {
     struct cli_exr_channel channels[CLI_EXR_CHANNELS_MAX];
     const int count = cli_outputs_exr_channels(&render->pictures, render->job.kinds, channels);
-    return cli_exr_write(file, render->pictures.width, render->pictures.height, channels, count,
-                         rhw_context_threads(render->context));
+    struct cli_exr_about about;
+    if (!describe(render, &about)) {
+        cli_error(file->path, "out of memory");
+        return false;
+    }
+    const bool is_sheet = render->job.view_count > 0 && !cli_render_has_file_per_view(&render->job);
+    const bool written = cli_exr_write(file, render->pictures.width, render->pictures.height, channels, count,
+                                       is_sheet ? NULL : &about, rhw_context_threads(render->context));
+    free(about.objects);
+    return written;
+}
+
+void cli_render_rasterize(const struct render *render, enum cli_output_kind kind,
+                          struct cli_output_raster *output)
+{
+    const struct cli_render_job *job = &render->job;
+    cli_output_rasterize(output, &render->pictures, kind, job->bits,
+                         job->background == SCENE_BACKGROUND_TRANSPARENT, render->model->bounds_min,
+                         render->model->bounds_max);
 }
 
 static bool encode_raster(struct render *render, struct cli_output_file *file, enum cli_output_kind kind)
 {
     const struct cli_render_job *job = &render->job;
     struct cli_output_raster output;
-    cli_output_rasterize(&output, &render->pictures, kind, job->bits,
-                         job->background == SCENE_BACKGROUND_TRANSPARENT, render->model->bounds_min,
-                         render->model->bounds_max);
+    cli_render_rasterize(render, kind, &output);
     switch (job->format) {
     case CLI_PICTURE_PNG: return cli_png_write(file, &output.raster);
     case CLI_PICTURE_JPEG:
@@ -168,7 +210,8 @@ bool cli_render_files_check(struct render *render)
     bool planned = true;
     for (int i = 0; i < files && planned; i++) {
         cli_render_files_forget(render);
-        planned = cli_render_files_plan(render, cli_render_has_file_per_view(&render->job) ? i : -1);
+        const bool has_number = cli_render_has_file_per_view(&render->job) || cli_render_moves(&render->job);
+        planned = cli_render_files_plan(render, has_number ? i : -1);
     }
     return planned;
 }

@@ -24,6 +24,12 @@ struct cli_render_job {
     const char *out;        ///< {name} stands for that model's, {view} for the view's, {} for the output's
     char own_out[512];      ///< where `out` points when it was not given
     const char *variant;    ///< of the materials; NULL: none
+    bool is_posed;          ///< as an animation has it at `time`
+    const char *animation;  ///< its name or number; NULL: the first
+    double time;            ///< seconds
+    bool has_time;
+    double rate;   ///< pictures per second of it; 0: it is not played
+    int turntable; ///< pictures of a whole turn; 0: none
     enum cli_picture_format format;
     int width, height, samples, supersample;
     enum cli_camera_choice camera;
@@ -43,7 +49,7 @@ struct cli_render_job {
     enum scene_wireframe wireframe;
     enum scene_background background;
     uint8_t background_color[3];
-    bool default_lights, no_lights, shadows, ambient_occlusion, quiet;
+    bool default_lights, no_lights, shadows, ground, ambient_occlusion, quiet;
     float exposure;
     const char *environment; ///< a file; NULL: the studio
     float environment_rotation;
@@ -71,6 +77,11 @@ struct cli_render_times {
 
 /// Fills the job from the command line. True to go on; else `*status` is what to return.
 bool cli_render_job_parse(struct cli_render_job *job, int argc, char **argv, int *status);
+/// Whether there are several pictures that follow one another.
+static inline bool cli_render_moves(const struct cli_render_job *job)
+{
+    return job->rate > 0.0 || job->turntable > 0;
+}
 /// Fills in what follows from the options that were given; reports those that exclude each other.
 bool cli_render_job_complete(struct cli_render_job *job);
 

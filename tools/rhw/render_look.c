@@ -56,6 +56,7 @@ bool cli_parse_look(struct cli_render_job *job, int id, const char *argument)
         choice = cli_choose("--transparency", argument, transparencies, 2);
         job->transparency = (enum scene_transparency)choice;
         return choice >= 0;
+    case CLI_LOOK_GROUND: job->ground = true; return true;
     case CLI_LOOK_SHADOWS: return parse_switch("--shadows", argument, &job->shadows);
     case CLI_LOOK_AMBIENT_OCCLUSION:
         return parse_switch("--ambient-occlusion", argument, &job->ambient_occlusion);

@@ -16,7 +16,8 @@ enum cli_look_option {
     CLI_LOOK_ENVIRONMENT,
     CLI_LOOK_ENVIRONMENT_ROTATION,
     CLI_LOOK_TONE_MAP,
-    CLI_LOOK_TRANSPARENCY
+    CLI_LOOK_TRANSPARENCY,
+    CLI_LOOK_GROUND
 };
 
 /// Sets what one of them says. False after a message.

@@ -22,6 +22,10 @@ enum {
     OPTION_FIT,
     OPTION_UP,
     OPTION_VARIANT,
+    OPTION_ANIMATION,
+    OPTION_TIME,
+    OPTION_ANIMATE,
+    OPTION_TURNTABLE,
     OPTION_CAMERA_INDEX,
     OPTION_CAMERA_NAME,
     OPTION_FOVY,
@@ -83,9 +87,20 @@ static const struct cli_option options[] = {
      "rrggbb in hexadecimal, black, grey, white, transparent, environment or\ndefault"},
     {"variant", OPTION_VARIANT, "NAME",
      "the materials of this name, of a glTF that offers a choice; see rhw info"},
+    {"animation", OPTION_ANIMATION, "NAME",
+     "which animation, by its name or number; default the first; see rhw info"},
+    {"time", OPTION_TIME, "SECONDS", "draw the model as the animation has it then; default: at rest"},
+    {"animate", OPTION_ANIMATE, "FPS",
+     "draw all of the animation, so many pictures a second: into one .png or .webp\nthat moves, or where OUT "
+     "has a "
+     "{frame} a file for each"},
+    {"turntable", OPTION_TURNTABLE, "N",
+     "the same from N places around the model; with --animate while it moves"},
     {"lights", CLI_LOOK_LIGHTS, "WHICH",
      "file (default: those of the file, if any), default or none, which leaves the\nsurroundings"},
     {"shadows", CLI_LOOK_SHADOWS, "WHICH", "of the lights: on (the default) or off"},
+    {"ground", CLI_LOOK_GROUND, NULL,
+     "let the model cast a soft shadow on a ground that does not show otherwise"},
     {"ambient-occlusion", CLI_LOOK_AMBIENT_OCCLUSION, "WHICH",
      "darken where things stand close together: on (the default) or off"},
     {"environment", CLI_LOOK_ENVIRONMENT, "FILE",
@@ -360,9 +375,44 @@ static bool parse_picture_option(struct cli_render_job *job, int id, const char 
     }
 }
 
+static bool parse_movement_option(struct cli_render_job *job, int id, const char *argument)
+{
+    int count;
+    switch (id) {
+    case OPTION_ANIMATION:
+        job->is_posed = true;
+        job->animation = argument;
+        return true;
+    case OPTION_TIME:
+        job->is_posed = true;
+        job->has_time = true;
+        if (cli_parse_numbers(argument, 1, 1, &job->time, &count)) {
+            return true;
+        }
+        cli_error("--time", "'%s' is not a number of seconds", argument);
+        return false;
+    case OPTION_ANIMATE:
+        if (cli_parse_numbers(argument, 1, 1, &job->rate, &count) && job->rate >= 0.1 && job->rate <= 240.0) {
+            return true;
+        }
+        cli_error("--animate", "'%s' is not a number of pictures a second, 0.1 to 240", argument);
+        return false;
+    default:
+        if (cli_parse_int(argument, 2, 10000, &job->turntable)) {
+            return true;
+        }
+        cli_error("--turntable", "'%s' is not a number of 2 to 10000", argument);
+        return false;
+    }
+}
+
 static bool parse_option(struct cli_render_job *job, int id, const char *argument)
 {
     switch (id) {
+    case OPTION_ANIMATION:
+    case OPTION_TIME:
+    case OPTION_ANIMATE:
+    case OPTION_TURNTABLE: return parse_movement_option(job, id, argument);
     case OPTION_OUT: job->out = argument; return true;
     case OPTION_QUIET: job->quiet = true; return true;
     case OPTION_STRICT: job->strict = true; return true;

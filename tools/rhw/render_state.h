@@ -28,14 +28,24 @@ struct render {
 
 double cli_milliseconds(void);
 
+// render.c: draws the view. Reports failure.
+bool cli_render_draw(struct render *render);
+
+// render_frames.c: all pictures of a model that moves, with the camera that is set for its first. Reports failure; the scene
+// is gone then.
+bool cli_render_frames(struct render *render);
+
 // render_files.c
 
 /// Whether OUT stands for a file for each view.
 bool cli_render_has_file_per_view(const struct cli_render_job *job);
 /// Reports what would keep any of the files from being written.
 bool cli_render_files_check(struct render *render);
-/// Sets the paths of the next picture, or of that view, counted from 0; −1: there are none. Reports failure.
-bool cli_render_files_plan(struct render *render, int view);
+/// Sets the paths of the next picture, that of a view or frame, counted from 0; −1: there are none. Reports failure.
+bool cli_render_files_plan(struct render *render, int number);
+/// One output of what is drawn as a raster.
+void cli_render_rasterize(const struct render *render, enum cli_output_kind kind,
+                          struct cli_output_raster *output);
 /// Writes the pictures into all of them or none. Reports failure.
 bool cli_render_files_write(struct render *render);
 void cli_render_files_forget(struct render *render);

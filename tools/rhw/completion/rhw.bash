@@ -42,11 +42,13 @@ _rhw_render() { # CURRENT PREVIOUS
     --paths) _rhw_words "$1" all in-order general ;;
     --size | -s) _rhw_words "$1" 512 1280x720 1920x1080 1024x1024 3840x2160 ;;
     --views) _rhw_list "$1" all front back left right top bottom iso ;;
-    --orbit | --zoom | --margin | --quality | --camera | --camera-index | --camera-name | --fovy | --variant | --exposure | --environment-rotation | --threads | -j) ;;
+    --animate) _rhw_words "$1" 12 24 30 60 ;;
+    --turntable) _rhw_words "$1" 24 36 60 120 ;;
+    --animation | --time | --orbit | --zoom | --margin | --quality | --camera | --camera-index | --camera-name | --fovy | --variant | --exposure | --environment-rotation | --threads | -j) ;;
     *)
         if [[ $1 == -* ]]; then
             _rhw_words "$1" --out --size --samples --supersample --output --bits --format --quality --fit --up --orbit --views --zoom --margin --ortho --print-camera --camera --camera-index \
-                --camera-name --fovy --interpolate --wireframe --background --variant --lights --shadows --ambient-occlusion --environment --environment-rotation --tone-map --transparency --exposure --threads --isa --paths \
+                --camera-name --fovy --interpolate --wireframe --background --variant --animation --time --animate --turntable --lights --shadows --ground --ambient-occlusion --environment --environment-rotation --tone-map --transparency --exposure --threads --isa --paths \
                 --max-memory --max-texture --confine --stats --strict --quiet --help
         else
             _rhw_files "$1"

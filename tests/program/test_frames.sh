@@ -1,0 +1,118 @@
+#!/bin/sh
+# SPDX-License-Identifier: MIT
+# Models that move: --time, --animation, --animate, --turntable.
+. "$(dirname "$0")/harness.sh"
+make_cube cube
+# A triangle that moves to the right within a second, and one animation that does nothing.
+base64 -d >move.bin <<'B64'
+AAAAAAAAAAAAAAAAAACAPwAAAAAAAAAAAAAAAAAAgD8AAAAAAAAAAAAAgD8AAAAAAAAAAAAAAAAAAABAAAAAAAAAAAA=
+B64
+cat >move.gltf <<'GLTF'
+{"asset": {"version": "2.0"}, "scene": 0, "scenes": [{"nodes": [0]}], "nodes": [{"mesh": 0, "name": "n"}],
+ "buffers": [{"byteLength": 68, "uri": "move.bin"}],
+ "bufferViews": [{"buffer": 0, "byteLength": 36}, {"buffer": 0, "byteOffset": 36, "byteLength": 8},
+                 {"buffer": 0, "byteOffset": 44, "byteLength": 24}],
+ "accessors": [{"bufferView": 0, "componentType": 5126, "count": 3, "type": "VEC3"},
+               {"bufferView": 1, "componentType": 5126, "count": 2, "type": "SCALAR", "min": [0], "max": [1]},
+               {"bufferView": 2, "componentType": 5126, "count": 2, "type": "VEC3"}],
+ "materials": [{"doubleSided": true}],
+ "meshes": [{"primitives": [{"attributes": {"POSITION": 0}, "material": 0}]}],
+ "animations": [{"name": "slide", "samplers": [{"input": 1, "output": 2}],
+                 "channels": [{"sampler": 0, "target": {"node": 0, "path": "translation"}}]},
+                {"name": "rest", "samplers": [], "channels": []}]}
+GLTF
+look=1.5,0.5,8,1.5,0.5,0,0,1,0,30
+
+# Each of a sequence is what --time draws.
+succeed render move.gltf -o 'f-{frame}.png' --animate 4 --size 60 --camera $look
+check "4 pictures of a second" test "$(find . -name 'f-*.png' | sort | tr -d '\n')" = \
+    ./f-0000.png./f-0001.png./f-0002.png./f-0003.png
+i=0
+for time in 0 0.25 0.5 .75; do
+    succeed render move.gltf -o time.png --time $time --size 60 --camera $look
+    check "frame $i" cmp -s time.png "f-000$i.png"
+    i=$((i + 1))
+done
+check "it moves" sh -c '! cmp -s f-0000.png f-0003.png'
+succeed render move.gltf -o rest.png --animation rest --size 60 --camera $look
+check "another animation" cmp -s rest.png f-0000.png
+succeed render move.gltf -o end.png --time 9 --size 60 --camera $look
+succeed render move.gltf -o one.png --time 1 --size 60 --camera $look
+check "after the last key" cmp -s end.png one.png
+
+# A fitted camera stands still and sees all of it: the triangle has as many pixels in every picture.
+succeed render move.gltf -o 'g-{frame}.ppm' --animate 4 --size 60 --fit --ortho --orbit 0,0 --output object
+pixels() {
+    tail -c $((60 * 60 * 3)) "$1" | tr -d '\000' | wc -c
+}
+for i in 1 2 3; do
+    near=$(($(pixels g-0000.ppm) - $(pixels "g-000$i.ppm")))
+    check "frame $i is whole: $near" test $((near * near * 100)) -le $(($(pixels g-0000.ppm) * $(pixels g-0000.ppm)))
+done
+check "there is one" test "$(pixels g-0003.ppm)" -gt 300
+
+# Files that move. The chunks of an animated PNG: acTL with the count, a control for each frame.
+count() { # FILE TEXT
+    grep -ao "$2" "$1" | wc -l
+}
+succeed render move.gltf -o move.apng --animate 8 --size 40
+check "8 frames" test "$(count move.apng fcTL)" = 8
+check "one control" test "$(count move.apng acTL)" = 1
+check "data of the other frames" test "$(count move.apng fdAT)" -ge 7
+succeed render move.gltf -o 's-{frame}.png' --animate 8 --size 40
+check "the first picture is what others see" "$rhw" compare move.apng s-0000.png >"$folder/log/compare"
+succeed render move.gltf -o move.webp --animate 8 --size 40
+check "WebP" test "$(count move.webp ANMF)" = 8
+succeed render move.gltf -o lossy.webp --animate 8 --size 40 --quality 30
+succeed render move.gltf --animate 5 --turntable 6 -o both.png --size 40
+check "a turn of 6" test "$(count both.png fcTL)" = 6
+
+# A turntable of a still model: the first and the opposite picture of a cube of one colour show the same outline.
+succeed render cube.obj -o 't-{frame}.png' --turntable 4 --size 48 --output depth
+check "4 places" test "$(find . -name 't-*.png' | wc -l)" = 4
+check "half a turn" "$rhw" compare t-0000.png t-0002.png --tolerance 1/1000 >"$folder/log/compare"
+succeed render cube.obj -o 'c-{frame}.png' --turntable 4 --size 48
+check "but another colour" sh -c '! cmp -s c-0000.png c-0001.png'
+
+refuse 1 "cube.obj: has no animations that can be played" render cube.obj -o a.png --animate 10
+refuse 1 "move.gltf: has no animation 'dance'" render move.gltf -o a.png --animation dance
+refuse 2 "--time: 'soon' is not a number of seconds" render move.gltf -o a.png --time soon
+refuse 2 "--animate: '0' is not a number of pictures a second, 0.1 to 240" render move.gltf -o a.png --animate 0
+refuse 2 "--turntable: '1' is not a number of 2 to 10000" render move.gltf -o a.png --turntable 1
+refuse 2 "a.jpg: only .png and .webp hold pictures that move" render move.gltf -o a.jpg --animate 10
+refuse 2 "--output: a file that moves has one output" render move.gltf -o a.png --animate 10 --output color,depth
+refuse 2 ".*\{frame\} needs --animate or --turntable" render move.gltf -o 'a-{frame}.png'
+refuse 2 "--animate: cannot be together with --time" render move.gltf -o a.png --animate 10 --time 1
+refuse 2 "--turntable: cannot be together with --views" render move.gltf -o a.png --turntable 10 --views top
+refuse 2 "--animate: cannot be together with --stats" render move.gltf -o a.png --animate 10 --stats=x.json
+# A bar, long along x; and a ground far below it that is no part of what is fitted.
+cat >bar.obj <<'OBJ'
+o bar
+v -20 0 -1
+v 20 0 -1
+v 20 0 1
+v -20 0 1
+f 1 4 3 2
+OBJ
+cp bar.obj ground.obj
+cat >>ground.obj <<'OBJ'
+v 0 -1 0
+v 20 1 0
+v -20 1 0
+f 5 6 7
+o ground
+v -5000 -9 -5000
+v 5000 -9 -5000
+v 5000 -9 5000
+v -5000 -9 5000
+f 11 10 9 8
+OBJ
+# A camera that stands goes around, and what comes nearer or gets further than it was stays in the picture.
+succeed render bar.obj -o 'b-{frame}.png' --turntable 4 --size 60 --output object --camera 0,4,30,0,0,0,0,1,0,70
+succeed render bar.obj -o around.png --size 60 --output object --camera 30,4,0,0,0,0,0,1,0,70
+check "a standing camera turns" "$rhw" compare b-0001.png around.png >"$folder/log/compare"
+# The ground is drawn though it is not fitted.
+succeed render ground.obj -o 'd-{frame}.ppm' --turntable 2 --size 60 --output object --orbit 0,60
+check "the ground is there" test "$(pixels d-0000.ppm)" -gt 9000
+no_temporary_files
+finish

@@ -1,0 +1,116 @@
+// SPDX-License-Identifier: MIT
+// The ground that shows nothing but the shadow on it: below the subject, in colour alone, for every axis that may be up.
+#include "tiny_model.h"
+
+#include <string.h>
+
+enum { SIZE = 64 };
+
+static void draw(const struct tiny *t, const struct scene_view *view, struct scene_pictures *pictures)
+{
+    const struct rhw_context_def def = rhw_context_def_default();
+    rhw_context *context;
+    struct scene *scene;
+    assert_int_equal(rhw_context_create(&def, &context), RHW_OK);
+    assert_int_equal(scene_create(context, &t->model, &scene), RHW_OK);
+    assert_int_equal(scene_draw(scene, view, pictures, NULL), RHW_OK);
+    scene_destroy(scene);
+    rhw_context_destroy(context);
+}
+
+// The upright square from in front and above; y is turned to what is up.
+static struct scene_view make_view(struct tiny *t, enum scene_axis up)
+{
+    tiny_make(t);
+    t->material.unlit = false;
+    t->material.double_sided = true;
+    t->model.up = up;
+    for (int v = 0; v < 4; v++) {
+        double p[3] = {(double)t->positions[v][0] * 0.5, (double)t->positions[v][1], 0}, n[3] = {0, 0, 1};
+        scene_axis_turn(up, p);
+        scene_axis_turn(up, n);
+        for (int c = 0; c < 3; c++) {
+            t->positions[v][c] = (float)p[c];
+            t->normals[v][c] = (float)n[c];
+        }
+    }
+    tiny_set_bounds(t);
+    struct scene_view view = scene_view_default(&t->model);
+    view.width = view.height = SIZE;
+    view.up = up;
+    view.ground = true;
+    view.background = SCENE_BACKGROUND_TRANSPARENT;
+    view.outputs = SCENE_OUTPUT_LINEAR | SCENE_OUTPUT_OBJECT | SCENE_OUTPUT_DEPTH;
+    const struct scene_orbit orbit = {.azimuth = 0, .elevation = 35, .up = up};
+    view.camera = scene_camera_fit(&t->model, orbit, 0.9, 1.0);
+    return view;
+}
+
+// How much of the picture that no object covers is darkened, and the most.
+static double shade_beside(const struct scene_pictures *p, double *most)
+{
+    double sum = 0.0;
+    *most = 0.0;
+    for (int i = 0; i < SIZE * SIZE; i++) {
+        const double alpha = (double)p->linear[4 * i + 3];
+        // Edges of the square itself are drawn with one sample: all or nothing.
+        if (p->object[i] == 0) {
+            assert_true(p->linear[4 * i] == 0.0f);
+            sum += alpha;
+            *most = alpha > *most ? alpha : *most;
+        }
+    }
+    return sum / (SIZE * SIZE);
+}
+
+static void the_shadow_alone_shows(void **state)
+{
+    (void)state;
+    double first = 0.0;
+    for (int up = SCENE_AXIS_Y; up <= SCENE_AXIS_MINUS_X; up++) {
+        struct tiny t;
+        struct scene_view view = make_view(&t, (enum scene_axis)up);
+        struct scene_pictures with, without, dark;
+        double most, none;
+        draw(&t, &view, &with);
+        const double shade = shade_beside(&with, &most);
+        assert_true(shade > 0.005 && most > 0.15 && most < 0.95);
+        first = up == 0 ? shade : first;
+        tiny_assert_close(shade, first, 1e-6);
+        assert_true(with.linear[3] == 0.0f); // nothing far away
+        view.ground = false;
+        draw(&t, &view, &without);
+        tiny_assert_close(shade_beside(&without, &none), 0.0, 0.0);
+        assert_memory_equal(with.object, without.object, sizeof(uint32_t) * SIZE * SIZE);
+        assert_memory_equal(with.depth, without.depth, sizeof(float) * SIZE * SIZE);
+        // Without light that is missing somewhere nothing shows.
+        view.ground = true;
+        view.shadows = view.ambient_occlusion = false;
+        draw(&t, &view, &dark);
+        tiny_assert_close(shade_beside(&dark, &none), 0.0, 0.0);
+        scene_pictures_free(&with);
+        scene_pictures_free(&without);
+        scene_pictures_free(&dark);
+    }
+}
+
+static void from_below_there_is_none(void **state)
+{
+    (void)state;
+    struct tiny t;
+    struct scene_view view = make_view(&t, SCENE_AXIS_Y);
+    const struct scene_orbit orbit = {.azimuth = 0, .elevation = -35, .up = SCENE_AXIS_Y};
+    view.camera = scene_camera_fit(&t.model, orbit, 0.9, 1.0);
+    struct scene_pictures pictures;
+    double most;
+    draw(&t, &view, &pictures);
+    tiny_assert_close(shade_beside(&pictures, &most), 0.0, 0.0);
+    scene_pictures_free(&pictures);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {cmocka_unit_test(the_shadow_alone_shows),
+                                       cmocka_unit_test(from_below_there_is_none)};
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}

@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: MIT
+// What rhw info prints of a model, as text (info_text.c) and as JSON (info_json.c), and what both count and call alike.
+#ifndef CLI_INFO_PRINT_H
+#define CLI_INFO_PRINT_H
+
+#include "model.h"
+
+void cli_info_print_text(const struct scene_model *model);
+void cli_info_print_json(const struct scene_model *model);
+
+// By the enums of model.h.
+extern const char *const cli_primitive_names[],
+    *const cli_image_type_names[], *const cli_alpha_names[], *const cli_light_names[],
+                                                                 *const cli_slot_names[SCENE_SLOT_COUNT];
+
+uint32_t cli_info_objects(const struct scene_model *model);
+/// Lines, points or triangles.
+uint32_t cli_info_elements(const struct scene_mesh *mesh);
+bool cli_info_draws_anything(const struct scene_model *model);
+/// Bytes of vertices and indices, and of textures with their mip chains, when they are drawn.
+uint64_t cli_info_mesh_bytes(const struct scene_model *model);
+uint64_t cli_info_texture_bytes(const struct scene_model *model);
+
+#endif

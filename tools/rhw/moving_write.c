@@ -1,0 +1,200 @@
+// SPDX-License-Identifier: MIT
+// See moving_write.h. An animated PNG (PNG, third edition, §11.3.6) is the chunks of ordinary ones: those of the first
+// picture as they are, of the others their image data under another name, each behind a chunk that says when it is shown.
+#include "moving_write.h"
+
+#include "image_webp.h"
+#include "message.h"
+
+#include <errno.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include <webp/mux.h>
+#include <zlib.h>
+
+static bool fail(const struct cli_moving *moving)
+{
+    cli_error(moving->file->path, "cannot be written: %s", strerror(errno ? errno : ENOMEM));
+    return false;
+}
+
+// APNG ----------------------------------------------------------------------------------------------
+
+static void store_big_endian(unsigned char *to, uint32_t value)
+{
+    for (int i = 0; i < 4; i++) {
+        to[i] = (unsigned char)(value >> (24 - 8 * i));
+    }
+}
+
+static uint32_t load_big_endian(const unsigned char *from)
+{
+    return (uint32_t)from[0] << 24 | (uint32_t)from[1] << 16 | (uint32_t)from[2] << 8 | from[3];
+}
+
+// `head` goes before `data` in the same chunk.
+static bool write_chunk(FILE *stream, const char name[4], const void *head, size_t head_size,
+                        const void *data, size_t size)
+{
+    unsigned char start[8], end[4];
+    store_big_endian(start, (uint32_t)(head_size + size));
+    memcpy(start + 4, name, 4);
+    uLong check = crc32(crc32(0, start + 4, 4), head, (uInt)head_size);
+    check = size > 0 ? crc32(check, data, (uInt)size) : check;
+    store_big_endian(end, (uint32_t)check);
+    return fwrite(start, 1, sizeof start, stream) == sizeof start &&
+           fwrite(head, 1, head_size, stream) == head_size && fwrite(data, 1, size, stream) == size &&
+           fwrite(end, 1, sizeof end, stream) == sizeof end;
+}
+
+static bool write_animation_control(const struct cli_moving *moving)
+{
+    unsigned char control[8] = {0}; // frames; 0: played without end
+    store_big_endian(control, (uint32_t)moving->frame_count);
+    return write_chunk(moving->file->stream, "acTL", control, sizeof control, "", 0);
+}
+
+static bool write_frame_control(struct cli_moving *moving, const struct cli_raster *raster)
+{
+    enum { PARTS = 100 }; // of a second, per frame, in the fraction that is its delay
+    unsigned char control[26] = {0};
+    const unsigned divisor = (unsigned)(moving->rate * PARTS + 0.5);
+    store_big_endian(control, moving->sequence++);
+    store_big_endian(control + 4, (uint32_t)raster->width);
+    store_big_endian(control + 8, (uint32_t)raster->height);
+    control[21] = PARTS;
+    control[22] = (unsigned char)(divisor >> 8);
+    control[23] = (unsigned char)divisor; // disposal and blending 0: each picture takes the place of the last
+    return write_chunk(moving->file->stream, "fcTL", control, sizeof control, "", 0);
+}
+
+// One chunk of an ordinary PNG file.
+static bool write_part(struct cli_moving *moving, const struct cli_raster *raster, const unsigned char *chunk,
+                       size_t size, bool *begun)
+{
+    FILE *const stream = moving->file->stream;
+    const bool is_data = memcmp(chunk + 4, "IDAT", 4) == 0, first = moving->frame == 0;
+    bool written = true;
+    if (is_data && !*begun) {
+        *begun = true;
+        written = (!first || write_animation_control(moving)) && write_frame_control(moving, raster);
+    }
+    if (!written || memcmp(chunk + 4, "IEND", 4) == 0) {
+        return written;
+    }
+    if (first) {
+        return fwrite(chunk, 1, size + 12, stream) == size + 12;
+    }
+    unsigned char number[4];
+    store_big_endian(number, moving->sequence);
+    moving->sequence += is_data;
+    return !is_data || write_chunk(stream, "fdAT", number, sizeof number, chunk + 8, size);
+}
+
+static bool add_png(struct cli_moving *moving, const struct cli_raster *raster)
+{
+    enum { SIGNATURE = 8 };
+    char *bytes = NULL;
+    size_t size = 0;
+    struct cli_output_file memory = *moving->file;
+    memory.stream = open_memstream(&bytes, &size);
+    if (!memory.stream) {
+        return fail(moving);
+    }
+    bool written = cli_png_write(&memory, raster);
+    const bool closed = fclose(memory.stream) == 0;
+    if (written && !(closed && size > SIGNATURE)) {
+        written = fail(moving);
+    }
+    errno = 0;
+    bool begun = false, stored = true;
+    if (written && moving->frame == 0) {
+        stored = fwrite(bytes, 1, SIGNATURE, moving->file->stream) == SIGNATURE;
+    }
+    for (size_t at = SIGNATURE; written && stored && at + 12 <= size;) {
+        const unsigned char *const chunk = (const unsigned char *)bytes + at;
+        const size_t length = load_big_endian(chunk);
+        stored = write_part(moving, raster, chunk, length, &begun);
+        at += length + 12;
+    }
+    free(bytes);
+    return written && (stored || fail(moving));
+}
+
+// WebP ----------------------------------------------------------------------------------------------
+
+static bool open_webp(struct cli_moving *moving, const struct cli_raster *raster)
+{
+    WebPAnimEncoderOptions options;
+    if (!WebPAnimEncoderOptionsInit(&options)) {
+        return false;
+    }
+    moving->webp = WebPAnimEncoderNew(raster->width, raster->height, &options);
+    return moving->webp != NULL;
+}
+
+static int milliseconds(const struct cli_moving *moving)
+{
+    return (int)(moving->frame * 1000.0 / moving->rate + 0.5);
+}
+
+static bool add_webp(struct cli_moving *moving, const struct cli_raster *raster)
+{
+    WebPConfig config;
+    WebPPicture picture;
+    if ((!moving->webp && !open_webp(moving, raster)) ||
+        !cli_webp_prepare(&config, &picture, raster, moving->quality)) {
+        return fail(moving);
+    }
+    const bool added = WebPAnimEncoderAdd(moving->webp, &picture, milliseconds(moving), &config);
+    WebPPictureFree(&picture);
+    if (!added) {
+        cli_error(moving->file->path, "cannot be written: %s", WebPAnimEncoderGetError(moving->webp));
+    }
+    return added;
+}
+
+static bool finish_webp(struct cli_moving *moving)
+{
+    WebPData data = {0};
+    bool written = moving->webp && WebPAnimEncoderAdd(moving->webp, NULL, milliseconds(moving), NULL) &&
+                   WebPAnimEncoderAssemble(moving->webp, &data);
+    errno = 0;
+    written = written && fwrite(data.bytes, 1, data.size, moving->file->stream) == data.size;
+    WebPDataClear(&data);
+    return written || fail(moving);
+}
+
+// Both ----------------------------------------------------------------------------------------------
+
+void cli_moving_open(struct cli_moving *moving, struct cli_output_file *file, enum cli_picture_format format,
+                     int frame_count, double rate, int quality)
+{
+    *moving = (struct cli_moving){
+        .file = file, .format = format, .frame_count = frame_count, .rate = rate, .quality = quality};
+}
+
+bool cli_moving_add(struct cli_moving *moving, const struct cli_raster *raster)
+{
+    errno = 0;
+    const bool added =
+        moving->format == CLI_PICTURE_WEBP ? add_webp(moving, raster) : add_png(moving, raster);
+    moving->frame++;
+    return added;
+}
+
+bool cli_moving_finish(struct cli_moving *moving)
+{
+    if (moving->format == CLI_PICTURE_WEBP) {
+        return finish_webp(moving);
+    }
+    errno = 0;
+    return write_chunk(moving->file->stream, "IEND", "", 0, "", 0) || fail(moving);
+}
+
+void cli_moving_close(struct cli_moving *moving)
+{
+    WebPAnimEncoderDelete(moving->webp);
+    moving->webp = NULL;
+}
