@@ -175,7 +175,7 @@ static double largest_of(const double v[3])
     return fmax(fmax(fabs(v[0]), fabs(v[1])), fabs(v[2]));
 }
 
-// Offsets as in GLSL, and farther, whose places lie in the triangle. The docstring's error, with 5 in place of 20, which takes
+// Offsets as in GLSL, and farther, whose places lie in the triangle. The docstring's error, with 5 in place of 32, which takes
 // triangles of more extreme W (tests/exact).
 static void test_against_the_formulas(void **state)
 {
