@@ -13,7 +13,7 @@
 #include <stddef.h>
 #include <stdint.h>
 
-enum { BENCH_MIP_LEVELS = 15, BENCH_DRAW_TEXTURES = 5, BENCH_PASS_COLORS = 4, BENCH_LIGHTS = 32 };
+enum { BENCH_MIP_LEVELS = 15, BENCH_DRAW_TEXTURES = 6, BENCH_PASS_COLORS = 4, BENCH_LIGHTS = 32 };
 
 // What a vertex may have, in this order, as floats one after the other.
 enum bench_attribute {
@@ -91,6 +91,14 @@ enum bench_shader {
     BENCH_SHADER_PBR_MAPPED, // metallic-roughness and normals too
     BENCH_SHADER_PBR_MASKED, // the same; a texel whose alpha is below the cutoff is discarded, and both sides show
     BENCH_SHADER_PBR_FULL, // mapped, occlusion and emission too
+    // The same with the shadows of the light, from a map that is the last texture; and what draws that.
+    BENCH_SHADER_PBR_BASE_SHADOWED,
+    BENCH_SHADER_PBR_MAPPED_SHADOWED,
+    BENCH_SHADER_PBR_MASKED_SHADOWED,
+    BENCH_SHADER_PBR_FULL_SHADOWED,
+    BENCH_SHADER_PBR_HAIR, // no texture; blended, and both sides show
+    BENCH_SHADER_PBR_CAST,
+    BENCH_SHADER_PBR_CAST_MASKED,
     BENCH_SHADERS
 };
 
@@ -115,7 +123,8 @@ enum bench_depth {
 enum bench_blend {
     BENCH_BLEND_OFF,
     BENCH_BLEND_OVER, // by source alpha
-    BENCH_BLEND_ADD
+    BENCH_BLEND_ADD,
+    BENCH_BLEND_PREMULTIPLIED // over, of colours that are multiplied by alpha already
 };
 
 enum bench_stencil {

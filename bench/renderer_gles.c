@@ -24,9 +24,9 @@ static void set_depth(const struct gles *gl, const struct bench_draw *draw)
 
 static void set_blend(const struct gles *gl, const struct bench_draw *draw)
 {
-    const bool over = draw->blend == BENCH_BLEND_OVER;
     switch_on(gl, draw->blend != BENCH_BLEND_OFF, GL_BLEND);
-    gl->blend_func(over ? GL_SRC_ALPHA : GL_ONE, over ? GL_ONE_MINUS_SRC_ALPHA : GL_ONE);
+    gl->blend_func(draw->blend == BENCH_BLEND_OVER ? GL_SRC_ALPHA : GL_ONE,
+                   draw->blend == BENCH_BLEND_ADD ? GL_ONE : GL_ONE_MINUS_SRC_ALPHA);
 }
 
 static void set_stencil(const struct gles *gl, const struct bench_draw *draw)

@@ -6,6 +6,7 @@
 #include "process.h"
 #include "renderer_rhw.h"
 #include "scene_pbr.h"
+#include "shadow.h"
 #include "shaders_bench.h"
 
 #include <stdio.h>
@@ -83,7 +84,7 @@ static enum rhw_result record_surfaces(struct bench_state *s, rhw_pass pass)
 {
     const struct bench_surfaces *const surfaces = s->scene->surfaces;
     struct scene_surface_pass def = {
-        .frame = &surfaces->frame, .formats = {RHW_FORMAT_RGBA8_SRGB}, .format_count = 1};
+        .frame = &surfaces->frame, .order = &s->order, .formats = {RHW_FORMAT_RGBA8_SRGB}, .format_count = 1};
     memcpy(def.view_projection, surfaces->view_projection, sizeof def.view_projection);
     return scene_surfaces_record(&s->upload, &s->surface_pipelines, &def, pass);
 }
@@ -123,6 +124,11 @@ static void record_draws(const struct bench_state *s, rhw_pass pass, uint32_t fi
 
 static bool run_pass(struct bench_state *s, const struct bench_pass *pass, uint64_t *fragments)
 {
+    const struct bench_surfaces *const surfaces = s->scene->surfaces;
+    if (surfaces && pass->color_count == 0) {
+        return scene_shadow_draw(&s->upload, &s->surface_pipelines, &surfaces->light_frame, &surfaces->map,
+                                 &s->map) == RHW_OK;
+    }
     const struct rhw_pass_def def = describe(s, pass);
     struct rhw_stats stats;
     rhw_pass id;
@@ -130,7 +136,7 @@ static bool run_pass(struct bench_state *s, const struct bench_pass *pass, uint6
         return false;
     }
     enum rhw_result recorded = RHW_OK;
-    if (s->scene->surfaces) {
+    if (surfaces) {
         recorded = record_surfaces(s, id);
     } else {
         record_draws(s, id, pass->first_draw, pass->draw_count);

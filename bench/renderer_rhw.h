@@ -7,6 +7,7 @@
 #include "bench_scene.h"
 #include "rhw/rhw.h"
 #include "surface.h"
+#include "target.h"
 
 enum { BENCH_FILTERS = BENCH_COMPARE + 1 };
 
@@ -22,6 +23,8 @@ struct bench_state {
     rhw_texture color, depth;   // the picture
     struct scene_upload upload; // of the model of a physically based scene, instead of the above
     struct scene_surface_pipelines surface_pipelines;
+    struct scene_triangle_order order;
+    struct scene_plane map; // what shadows are looked up in, of such a scene
 };
 
 // Makes everything of `state->scene` in `state->context`. What there is after a failure is for bench_rhw_drop, which

@@ -128,7 +128,9 @@ static void set_targets(struct rhw_pipeline_def *def, const struct bench_scene *
                         const struct bench_pass *pass, const struct bench_draw *draw)
 {
     const enum rhw_blend_factor dst =
-        draw->blend == BENCH_BLEND_OVER ? RHW_BLEND_ONE_MINUS_SRC_ALPHA : RHW_BLEND_ONE;
+        draw->blend == BENCH_BLEND_OVER || draw->blend == BENCH_BLEND_PREMULTIPLIED
+            ? RHW_BLEND_ONE_MINUS_SRC_ALPHA
+            : RHW_BLEND_ONE;
     const enum rhw_blend_factor src = draw->blend == BENCH_BLEND_OVER ? RHW_BLEND_SRC_ALPHA : RHW_BLEND_ONE;
     def->target_count = pass->color_count;
     for (int i = 0; i < pass->color_count; i++) {
@@ -194,12 +196,26 @@ static bool make_pipelines(struct bench_state *s)
     return works;
 }
 
+static bool make_map(struct bench_state *s)
+{
+    struct scene_shadow_map *const map = &s->scene->surfaces->map;
+    if (!s->scene->surfaces->is_shadowed) {
+        return true;
+    }
+    const bool made =
+        scene_plane_create(s->context, RHW_FORMAT_D32_FLOAT, map->size, map->size, &s->map) == RHW_OK;
+    map->depth = s->map.texels;
+    map->pitch = s->map.pitch;
+    return made;
+}
+
 bool bench_rhw_upload(struct bench_state *s)
 {
     const struct bench_scene *const scene = s->scene;
     if (scene->surfaces) {
-        return make_picture(s, RHW_FORMAT_RGBA8_SRGB, &s->color) &&
-               scene_upload_create(s->context, scene->surfaces->model, &s->upload) == RHW_OK;
+        return make_picture(s, RHW_FORMAT_RGBA8_SRGB, &s->color) && make_map(s) &&
+               scene_upload_create(s->context, scene->surfaces->model, &s->upload) == RHW_OK &&
+               scene_triangle_order_make(&s->order, &s->upload, &scene->surfaces->frame) == RHW_OK;
     }
     s->vertices = calloc((size_t)scene->mesh_count + 1, sizeof *s->vertices);
     s->indices = calloc((size_t)scene->mesh_count + 1, sizeof *s->indices);
@@ -241,6 +257,8 @@ void bench_rhw_drop(struct bench_state *s)
         rhw_sampler_destroy(s->context, s->samplers[i]);
     }
     scene_surface_pipelines_destroy(s->context, &s->surface_pipelines);
+    scene_plane_destroy(s->context, &s->map);
+    scene_triangle_order_destroy(s->context, &s->order);
     if (s->upload.model) {
         scene_upload_destroy(&s->upload);
     }

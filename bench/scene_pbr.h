@@ -11,7 +11,13 @@
 #include "light.h"
 #include "model.h"
 
-enum bench_pbr_variant { BENCH_PBR_HELMET, BENCH_PBR_SPONZA };
+enum bench_pbr_variant {
+    BENCH_PBR_HELMET,
+    BENCH_PBR_SPONZA,
+    BENCH_PBR_HELMET_SHADOWED,
+    BENCH_PBR_SPONZA_SHADOWED,
+    BENCH_PBR_HAIR
+};
 
 bool bench_make_pbr(const struct bench_scene_entry *entry, struct bench_scene *scene, int width, int height,
                     char *why, size_t why_size);
@@ -35,14 +41,18 @@ struct bench_frame_uniforms {
     float sky[4], ground[4];
     float lobe_direction[SCENE_LOBES][4], lobe_color[SCENE_LOBES][4];
     float diffuse[4];
+    float map_rows[3][4];                  // of a shadow map: world to column, row and depth
+    float map_size, unit, range, softness; // see struct scene_shadow_map
 };
 
 struct bench_surfaces {
     // For rhw.
     struct scene_model *model;
     struct scene_lighting lighting;
-    struct scene_frame frame;
-    double view_projection[16]; // depth reversed
+    struct scene_frame frame, light_frame; // what the camera and the light see
+    bool is_shadowed;
+    struct scene_shadow_map map; // where it is; its plane is the renderer's
+    double view_projection[16];  // depth reversed
     // For peers.
     struct bench_frame_uniforms frame_uniforms;
     struct bench_surface_uniforms *uniforms; // per draw

@@ -4,6 +4,9 @@
 // variant does not need is left out when it is compiled, as it is there.
 #include "scene_pbr.h"
 #include "shaders_glsl.h"
+#include "shaders_shadow.h"
+
+#include <stdio.h>
 
 static const char vertex_main[] =
     "precision highp float;\n"
@@ -29,8 +32,8 @@ static const char vertex_main[] =
 
 static const char fragment_formulas[] =
     "precision highp float;\n"
-    "uniform vec4 u[13], f[16];\n"
-    "uniform sampler2D map0, map1, map2, map3, map4;\n"
+    "uniform vec4 u[13], f[17];\n"
+    "uniform sampler2D map0, map1, map2, map3, map4, map5;\n"
     "in vec3 varying_position, varying_normal; in vec2 varying_uv;\n"
     "#ifdef MAPPED\n"
     "in vec4 varying_tangent;\n"
@@ -101,7 +104,11 @@ static const char fragment_formulas[] =
 
 static const char fragment_main[] =
     "void main() {\n"
+    "#ifdef BLENDED\n"
+    "    vec4 base = u[10];\n"
+    "#else\n"
     "    vec4 base = u[10] * texture(map0, varying_uv);\n"
+    "#endif\n"
     "#ifdef MASKED\n"
     "    if (base.a < u[11].w) discard;\n"
     "#endif\n"
@@ -124,7 +131,7 @@ static const char fragment_main[] =
     "    emissive *= texture(map4, varying_uv).rgb;\n"
     "#endif\n"
     "    r.normal = normalize(r.normal);\n"
-    "#ifdef MASKED\n"
+    "#if defined(MASKED) || defined(BLENDED)\n"
     "    if (!gl_FrontFacing) r.normal = -r.normal;\n"
     "#endif\n"
     "#ifdef MAPPED\n"
@@ -136,8 +143,12 @@ static const char fragment_main[] =
     "    r.alpha = rough * rough;\n"
     "    r.n_dot_v = clamp(dot(r.normal, r.view), 1.0 / 1024.0, 1.0);\n"
     "    vec3 sum = emissive + reflect_environment(r, roughness, occlusion) +\n"
-    "        reflect_light(r, f[1].xyz, f[2].rgb, f[1].w);\n"
+    "        reflect_light(r, f[1].xyz, f[2].rgb * open_to_light(r.normal), f[1].w);\n"
+    "#ifdef BLENDED\n"
+    "    target = vec4(tone_map(sum) * base.a, base.a);\n"
+    "#else\n"
     "    target = vec4(tone_map(sum), 1.0);\n"
+    "#endif\n"
     "}\n";
 
 static const char *const heads[BENCH_SHADERS] = {
@@ -145,10 +156,121 @@ static const char *const heads[BENCH_SHADERS] = {
     [BENCH_SHADER_PBR_MAPPED] = "#version 300 es\n#define MAPPED\n",
     [BENCH_SHADER_PBR_MASKED] = "#version 300 es\n#define MAPPED\n#define MASKED\n",
     [BENCH_SHADER_PBR_FULL] = "#version 300 es\n#define MAPPED\n#define FULL\n",
+    [BENCH_SHADER_PBR_BASE_SHADOWED] = "#version 300 es\n#define SHADOWED map1\n",
+    [BENCH_SHADER_PBR_MAPPED_SHADOWED] = "#version 300 es\n#define MAPPED\n#define SHADOWED map3\n",
+    [BENCH_SHADER_PBR_MASKED_SHADOWED] =
+        "#version 300 es\n#define MAPPED\n#define MASKED\n#define SHADOWED map3\n",
+    [BENCH_SHADER_PBR_FULL_SHADOWED] =
+        "#version 300 es\n#define MAPPED\n#define FULL\n#define SHADOWED map5\n",
+    [BENCH_SHADER_PBR_HAIR] = "#version 300 es\n#define BLENDED\n",
+    [BENCH_SHADER_PBR_CAST] = "#version 300 es\n",
+    [BENCH_SHADER_PBR_CAST_MASKED] = "#version 300 es\n#define MASKED\n",
 };
 
 _Static_assert(sizeof(struct bench_surface_uniforms) == 13 * 16, "`u` of the shaders");
-_Static_assert(sizeof(struct bench_frame_uniforms) <= 16 * 16, "`f` of the shaders");
+_Static_assert(sizeof(struct bench_frame_uniforms) == 17 * 16, "`f` of the shaders");
+
+// scene/shaders_shadow.h, for one parallel map. Where nothing casts a shadow, all of the light arrives.
+static const char fragment_shadow[] =
+    "#ifndef SHADOWED\n"
+    "float open_to_light(vec3 normal) { return 1.0; }\n"
+    "#else\n"
+    "struct point { vec3 place; vec2 slope; float step, per_texel, distance; };\n"
+    "float stored(ivec2 texel) {\n"
+    "    return 1.0 - texelFetch(SHADOWED, clamp(texel, ivec2(0), ivec2(int(f[16].x) - 1)), 0).r;\n"
+    "}\n"
+    "ivec2 texel_at(vec2 place) { return ivec2(clamp(place, 0.0, f[16].x - 1.0)); }\n"
+    "float reference(point p, ivec2 texel, float bias) {\n"
+    "    return max(p.place.z + dot(p.slope, vec2(texel) + 0.5 - p.place.xy) + bias, 0.0);\n"
+    "}\n"
+    "void search(point p, vec2 seed, float reach, inout float sum, inout float count) {\n"
+    "    ivec2 texel = texel_at(p.place.xy + seed * reach);\n"
+    "    float depth = stored(texel);\n"
+    "    if (reference(p, texel, p.step * (1.0 + 0.1 * reach)) < depth) {\n"
+    "        sum += (1.0 - depth) * f[16].z;\n"
+    "        count += 1.0;\n"
+    "    }\n"
+    "}\n"
+    "float tap(point p, vec2 seed, float radius) {\n"
+    "    float bias = p.step * (0.7 + 0.1 * radius), sum = 0.0;\n"
+    "    vec2 at = p.place.xy + seed * radius - 0.5, corner = floor(at), part = at - corner;\n"
+    "    for (int i = 0; i < 4; i++) {\n"
+    "        vec2 side = vec2(i & 1, i >> 1);\n"
+    "        ivec2 texel = texel_at(corner + side);\n"
+    "        vec2 share = mix(1.0 - part, part, side);\n"
+    "        if (stored(texel) <= reference(p, texel, bias)) sum += share.x * share.y;\n"
+    "    }\n"
+    "    return sum;\n"
+    "}\n"
+    "float open_to_light(vec3 normal) {\n"
+    "    if (dot(normal, f[1].xyz) <= 0.0) return 1.0;\n"
+    "    vec3 position = varying_position, dx = dFdx(position), dy = dFdy(position);\n"
+    "    mat3 rows = transpose(mat3(f[13].xyz, f[14].xyz, f[15].xyz));\n"
+    "    point p;\n"
+    "    p.place = rows * position + vec3(f[13].w, f[14].w, f[15].w);\n"
+    "    if (any(lessThanEqual(p.place.xy, vec2(0.0))) || any(greaterThanEqual(p.place.xy, vec2(f[16].x))))\n"
+    "        return 1.0;\n"
+    "    p.distance = (1.0 - p.place.z) * f[16].z;\n"
+    "    p.per_texel = 1.0 / f[16].y;\n"
+    "    p.step = 1.0 / (f[16].y * f[16].z);\n"
+    "    vec3 x = rows * dx, y = rows * dy;\n"
+    "    float area = x.x * y.y - x.y * y.x, scale = abs(area) < 1e-30 ? 0.0 : 1.0 / area;\n"
+    "    p.slope = clamp(vec2(y.y * x.z - x.y * y.z, x.x * y.z - y.x * x.z) * scale, -8.0 * p.step,\n"
+    "        8.0 * p.step);\n"
+    "    float reach = clamp(f[16].w * p.distance / p.per_texel, 1.5, 24.0), sum = 0.0, count = 0.0;\n"
+    "    for (int n = 0; n < 12; n++) search(p, searches[n], reach, sum, count);\n"
+    "    if (count == 0.0) return 1.0;\n"
+    "    if (count > 11.5) return 0.0;\n"
+    "    for (int n = 0; n < 24; n++) search(p, more[n], reach, sum, count);\n"
+    "    float radius = clamp(f[16].w * (p.distance - sum / count) / p.per_texel, 1.0, 24.0), lit = 0.0;\n"
+    "    for (int n = 0; n < 20; n++) lit += tap(p, taps[n], radius);\n"
+    "    if (radius <= 5.0) return lit / 20.0;\n"
+    "    for (int n = 0; n < 44; n++) lit += tap(p, fine[n], radius);\n"
+    "    return lit / 64.0;\n"
+    "}\n"
+    "#endif\n";
+
+static const char cast_main[] = "precision highp float;\n"
+                                "uniform vec4 u[13];\n"
+                                "uniform sampler2D map0;\n"
+                                "in vec2 varying_uv;\n"
+                                "void main() {\n"
+                                "#ifdef MASKED\n"
+                                "    if ((u[10] * texture(map0, varying_uv)).a < u[11].w) discard;\n"
+                                "#endif\n"
+                                "}\n";
+
+typedef void seed_function(int n, int count, float seed[2]);
+
+static int print_seeds(char *text, size_t size, const char *name, int count, seed_function *get)
+{
+    int length = snprintf(text, size, "const vec2 %s[%d] = vec2[%d](", name, count, count);
+    for (int n = 0; n < count; n++) {
+        float seed[2];
+        get(n, count, seed);
+        length += snprintf(text + length, size - (size_t)length, "%svec2(%.9g, %.9g)", n ? ", " : "",
+                           (double)seed[0], (double)seed[1]);
+    }
+    return length + snprintf(text + length, size - (size_t)length, ");\n");
+}
+
+// Everything before `main`, the places of the discs among it.
+static const char *formulas(void)
+{
+    static char text[sizeof fragment_formulas + sizeof fragment_shadow + 8192];
+    if (text[0] == 0) {
+        size_t at = (size_t)snprintf(text, sizeof text, "%s#ifdef SHADOWED\n", fragment_formulas);
+        at += (size_t)print_seeds(text + at, sizeof text - at, "searches", SCENE_SHADOW_SEARCHES,
+                                  scene_shadow_seed);
+        at += (size_t)print_seeds(text + at, sizeof text - at, "more", SCENE_SHADOW_MORE,
+                                  scene_shadow_seed_between);
+        at += (size_t)print_seeds(text + at, sizeof text - at, "taps", SCENE_SHADOW_TAPS, scene_shadow_seed);
+        at += (size_t)print_seeds(text + at, sizeof text - at, "fine", SCENE_SHADOW_FINE,
+                                  scene_shadow_seed_between);
+        snprintf(text + at, sizeof text - at, "#endif\n%s", fragment_shadow);
+    }
+    return text;
+}
 
 void bench_glsl_pbr(enum bench_shader shader, const char *vertex[BENCH_GLSL_PIECES],
                     const char *fragment[BENCH_GLSL_PIECES])
@@ -156,6 +278,6 @@ void bench_glsl_pbr(enum bench_shader shader, const char *vertex[BENCH_GLSL_PIEC
     vertex[0] = fragment[0] = heads[shader];
     vertex[1] = vertex_main;
     vertex[2] = vertex[3] = fragment[3] = "";
-    fragment[1] = fragment_formulas;
-    fragment[2] = fragment_main;
+    fragment[1] = shader >= BENCH_SHADER_PBR_CAST ? cast_main : formulas();
+    fragment[2] = shader >= BENCH_SHADER_PBR_CAST ? "" : fragment_main;
 }

@@ -147,7 +147,7 @@ static double bounds_diagonal(const struct scene_model *model)
 // Drawing -------------------------------------------------------------------------------------------
 
 // From the rows of the map, whose columns and rows are those of the viewport.
-static void map_projection(const struct scene_shadow_map *map, double m[16])
+void scene_shadow_projection(const struct scene_shadow_map *map, double m[16])
 {
     for (int c = 0; c < 4; c++) {
         const double w = (double)map->rows[3][c], scale = 2.0 / map->size;
@@ -156,6 +156,25 @@ static void map_projection(const struct scene_shadow_map *map, double m[16])
         m[4 * c + 2] = (double)map->rows[2][c];
         m[4 * c + 3] = w;
     }
+}
+
+enum rhw_result scene_shadow_draw(const struct scene_upload *upload,
+                                  struct scene_surface_pipelines *pipelines, const struct scene_frame *frame,
+                                  const struct scene_shadow_map *map, const struct scene_plane *plane)
+{
+    struct scene_surface_pass surfaces = {.frame = frame, .shadow = true};
+    scene_shadow_projection(map, surfaces.view_projection);
+    struct rhw_pass_def def = rhw_pass_def_default();
+    def.color_count = 0;
+    def.depth =
+        (struct rhw_depth_attachment){.enabled = true, .texture = plane->texture, .load = RHW_LOAD_CLEAR};
+    rhw_pass pass;
+    enum rhw_result result = rhw_pass_begin(upload->context, &def, &pass);
+    if (result == RHW_OK) {
+        result = scene_surfaces_record(upload, pipelines, &surfaces, pass);
+        result = scene_pass_end(upload->context, pass, result, NULL);
+    }
+    return result;
 }
 
 static enum rhw_result draw_map(const struct scene_upload *upload, struct scene_surface_pipelines *pipelines,
@@ -168,19 +187,7 @@ static enum rhw_result draw_map(const struct scene_upload *upload, struct scene_
         own.eye[c] = (float)light->origin[c];
         own.forward[c] = (float)light->ahead[c];
     }
-    struct scene_surface_pass surfaces = {.frame = &own, .shadow = true};
-    map_projection(map, surfaces.view_projection);
-    struct rhw_pass_def def = rhw_pass_def_default();
-    def.color_count = 0;
-    def.depth =
-        (struct rhw_depth_attachment){.enabled = true, .texture = plane->texture, .load = RHW_LOAD_CLEAR};
-    rhw_pass pass;
-    enum rhw_result result = rhw_pass_begin(upload->context, &def, &pass);
-    if (result == RHW_OK) {
-        result = scene_surfaces_record(upload, pipelines, &surfaces, pass);
-        result = scene_pass_end(upload->context, pass, result, NULL);
-    }
-    return result;
+    return scene_shadow_draw(upload, pipelines, &own, map, plane);
 }
 
 // Sets a map, gives it a plane and draws it.
@@ -252,6 +259,26 @@ static enum rhw_result cast(struct scene_shadows *shadows, const struct scene_up
     light->maps = &shadows->maps[first];
     light->map_count = result == RHW_OK ? count : 0;
     return result;
+}
+
+struct scene_shadow_map scene_shadow_cover(const struct scene_model *model,
+                                           const struct scene_shader_light *light, const double up[3])
+{
+    struct scene_shadow_map map = {.size = SCENE_SHADOW_SIZE, .softness = light->softness};
+    const double ahead[3] = {-(double)light->direction[0], -(double)light->direction[1],
+                             -(double)light->direction[2]};
+    const struct frame f = look(ahead, up);
+    struct box2 box = {{1e300, 1e300}, {-1e300, -1e300}};
+    for (int corner = 0; corner < 8; corner++) {
+        const double p[3] = {(double)(corner & 1 ? model->bounds_max : model->bounds_min)[0],
+                             (double)(corner & 2 ? model->bounds_max : model->bounds_min)[1],
+                             (double)(corner & 4 ? model->bounds_max : model->bounds_min)[2]};
+        extend(&box, &f, p);
+    }
+    double near, far;
+    find_range(model, &f, &near, &far);
+    set_parallel(&map, &f, &box, near, far);
+    return map;
 }
 
 enum rhw_result scene_shadows_draw(struct scene_shadows *shadows, const struct scene_upload *upload,

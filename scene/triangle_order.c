@@ -68,33 +68,43 @@ static void set_keys(struct sorting *sorting, const struct scene_mesh *mesh, con
     }
 }
 
-static enum rhw_result sort_instance(const struct scene_upload *upload, const struct scene_frame *frame,
-                                     uint32_t instance, rhw_buffer *indices)
+bool scene_triangle_order_sort(const struct scene_mesh *mesh, const float world[16], const float forward[3],
+                               uint32_t *sorted)
 {
-    const struct scene_instance *const place = &upload->model->instances[instance];
-    const struct scene_mesh *const mesh = &upload->model->meshes[place->mesh];
     struct sorting sorting = {.count = mesh->index_count / 3};
-    uint32_t *const memory = malloc((size_t)sorting.count * 7 * sizeof *memory);
+    uint32_t *const memory = malloc((size_t)sorting.count * 4 * sizeof *memory);
     if (!memory) {
-        return RHW_ERROR_OUT_OF_MEMORY;
+        return false;
     }
     sorting.keys = memory;
     sorting.spare_keys = memory + sorting.count;
     sorting.triangles = memory + (size_t)sorting.count * 2;
     sorting.spare_triangles = memory + (size_t)sorting.count * 3;
-    uint32_t *const sorted = memory + (size_t)sorting.count * 4;
-    set_keys(&sorting, mesh, place->world, frame->forward);
+    set_keys(&sorting, mesh, world, forward);
     for (int digit = 0; digit < DIGITS; digit++) {
         sort_by_digit(&sorting, digit);
     }
     for (uint32_t t = 0; t < sorting.count; t++) {
         memcpy(&sorted[(size_t)t * 3], &mesh->indices[(size_t)sorting.triangles[t] * 3], 3 * sizeof *sorted);
     }
-    struct rhw_buffer_def def = rhw_buffer_def_default();
-    def.size = (size_t)sorting.count * 3 * sizeof *sorted;
-    def.data = sorted;
-    const enum rhw_result result = rhw_buffer_create(upload->context, &def, indices);
     free(memory);
+    return true;
+}
+
+static enum rhw_result sort_instance(const struct scene_upload *upload, const struct scene_frame *frame,
+                                     uint32_t instance, rhw_buffer *indices)
+{
+    const struct scene_instance *const place = &upload->model->instances[instance];
+    const struct scene_mesh *const mesh = &upload->model->meshes[place->mesh];
+    struct rhw_buffer_def def = rhw_buffer_def_default();
+    def.size = (size_t)mesh->index_count * sizeof *mesh->indices;
+    uint32_t *const sorted = malloc(def.size);
+    enum rhw_result result = RHW_ERROR_OUT_OF_MEMORY;
+    if (sorted && scene_triangle_order_sort(mesh, place->world, frame->forward, sorted)) {
+        def.data = sorted;
+        result = rhw_buffer_create(upload->context, &def, indices);
+    }
+    free(sorted);
     return result;
 }
 

@@ -12,6 +12,10 @@ struct scene_triangle_order {
     uint32_t count; // of instances
 };
 
+/// The indices of a mesh of triangles, from back to front as seen along `forward`; equal ones keep their order. False: no
+/// memory.
+bool scene_triangle_order_sort(const struct scene_mesh *mesh, const float world[16], const float forward[3],
+                               uint32_t *sorted);
 /// Sorts the triangles of all instances with a material that blends by the distance of their middles along the view; equal
 /// ones keep their order.
 enum rhw_result scene_triangle_order_make(struct scene_triangle_order *order,

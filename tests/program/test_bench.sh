@@ -6,7 +6,7 @@
 tiny="--size 96x54 --frames 2"
 
 succeed bench --list
-check "list names the scenes" test "$(grep -cE "^(fill_flat|overdraw|painter|sphere_1m_depth|bunny_lit|sponza|pbr_helmet|pbr_sponza|context|texture|mips|process|lines_1m|points_1m|shadow_volumes|shadow_map|reflection|deferred|particles) " "$folder/log/out")" = 19
+check "list names the scenes" test "$(grep -cE "^(fill_flat|overdraw|painter|sphere_1m_depth|bunny_lit|sponza|pbr_helmet|pbr_sponza|context|texture|mips|process|lines_1m|points_1m|shadow_volumes|shadow_map|reflection|deferred|particles|shadowed_helmet|shadowed_sponza|hair) " "$folder/log/out")" = 22
 
 succeed bench $tiny --peer none --scene fill --threads 2
 check "table has its rows" test "$(grep -cE '^fill_(flat|color|blend|tex) ' "$folder/log/out")" = 4
@@ -49,7 +49,7 @@ fi
 check "process: nothing left" test -z "$(ls leaves)"
 
 # The peer, or one line that says why there is none.
-run bench $tiny --scene fill_blend,sphere_10k,points,shadow,reflection,deferred,particles,empty,draws_10k,context,texture,mips --json
+run bench $tiny --scene fill_blend,sphere_10k,points,shadow_,reflection,deferred,particles,empty,draws_10k,context,texture,mips --json
 check "with the peer: status" test "$status" = 0
 if grep -q 'not compared with' "$folder/log/err"; then
     check "without Mesa: one line" test "$(wc -l <"$folder/log/err")" = 1
@@ -65,10 +65,10 @@ mkdir -p models/gltf/sponza
 cp "$root/tests/program/patches.gltf" models/gltf/DamagedHelmet.glb
 cp "$root/tests/program/patches.gltf" models/gltf/sponza/Sponza.gltf
 status=0
-RHW_MODELS=$PWD/models "$rhw" bench --size 320x180 --frames 1 --scene pbr --csv >"$folder/log/out" 2>"$folder/log/err" || status=$?
+RHW_MODELS=$PWD/models "$rhw" bench --size 320x180 --frames 1 --scene pbr,shadowed,hair --csv >"$folder/log/out" 2>"$folder/log/err" || status=$?
 check "physically based: status" test "$status" = 0
 check "physically based: pictures agree" sh -c "! grep -v 'not compared with' '$folder/log/err'"
-check "physically based: both scenes" test "$(grep -cE '^pbr_(helmet|sponza),' "$folder/log/out")" = 2
+check "physically based: all scenes" test "$(grep -cE '^((pbr|shadowed)_(helmet|sponza)|hair),' "$folder/log/out")" = 5
 
 # What the twin has no shader for is left out, not drawn differently.
 sed 's/"scale": \[1, 0.9, 0.4\]/"scale": [-1, 0.9, 0.4]/' "$root/tests/program/patches.gltf" >models/gltf/DamagedHelmet.glb
