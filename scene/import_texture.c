@@ -465,9 +465,11 @@ void scene_import_decode_images(struct scene_import *import)
         if (decoding.problems[i] == NULL) {
             continue;
         }
-        const bool no_memory = strcmp(decoding.problems[i], "outofmem") == 0; // as stb_image says it
-        scene_import_warn(import, "texture \"%s\": %s; %s", model->images[i].name,
-                          no_memory ? "there is not enough memory to read it" : decoding.problems[i],
+        if (strcmp(decoding.problems[i], "outofmem") == 0) { // as stb_image says it; no fault of the file
+            scene_import_fail(import, "needs more memory than there is for texture \"%s\"",
+                              model->images[i].name);
+        }
+        scene_import_warn(import, "texture \"%s\": %s; %s", model->images[i].name, decoding.problems[i],
                           colors_something(model, i) ? "drawn in magenta" : "left out");
         if (!scene_image_stand_in(&model->images[i])) {
             scene_import_fail(import, "needs more memory than there is");

@@ -45,6 +45,8 @@ for size in 12 1k 63M -2G 2T nan; do
 done
 succeed render cube.obj -o cube.png --max-memory 2G
 if ! grep -aq __asan_init "$rhw" && ! grep -aq __tsan_init "$rhw"; then
+    refuse 1 'wide.gltf: needs more memory than there is for texture "wide.png"' render wide.gltf -o a.png \
+        --max-memory 80M --max-texture 4096 --threads 1
     refuse 1 "cube.obj: .*memory" render cube.obj --size 16384 -o a.png --max-memory 512M
 fi
 
