@@ -78,7 +78,7 @@ static uint32_t crc_of(const uint8_t *data, size_t size)
 {
     uint32_t crc = UINT32_MAX;
     for (size_t i = 0; i < size * 8; i++) {
-        const uint32_t bit = (crc ^ data[i / 8] >> i % 8) & 1;
+        const uint32_t bit = (crc ^ (uint32_t)data[i / 8] >> i % 8) & 1;
         crc = crc >> 1 ^ (bit ? 0xEDB88320u : 0);
     }
     return ~crc;
