@@ -117,13 +117,16 @@ void scene_import_assimp(struct scene_import *import);
 /// Reads import->model.path completely. What comes out may be sent to the parent.
 void scene_import_run(struct scene_import *import);
 
-// Textures (import_texture.c).
+// Files (import_file.c).
 
 /// Finds the file a model means by `name` (relative, percent-encoded, with backslashes, in other case);
 /// NULL when there is none that may be read, and import->missing says why.
 const char *scene_import_find_file(struct scene_import *import, const char *name);
 /// Whether import->confine lets the file be read.
 bool scene_import_within(const struct scene_import *import, const char *path);
+
+// Textures (import_texture.c).
+
 /// Decodes all images; what cannot be decoded becomes the stand-in, with a warning.
 void scene_import_decode_images(struct scene_import *import);
 
