@@ -7,6 +7,7 @@
 //   fuzz RHW mutate COUNT SEED PATH...         COUNT mutations of the files below PATH
 //
 // A file that breaks a promise is kept beside the working directory as crasher-N.EXT.
+#define _GNU_SOURCE // memmem
 #include <ctype.h>
 #include <dirent.h>
 #include <errno.h>
@@ -63,9 +64,25 @@ static const char *extension(const char *path)
     return dot != NULL && (slash == NULL || dot > slash) ? dot : "";
 }
 
+static bool ends_in(const char *path, const char *const endings[3])
+{
+    bool found = false;
+    for (int i = 0; i < 3 && endings[i] != NULL; i++) {
+        found = found || strcmp(extension(path), endings[i]) == 0;
+    }
+    return found;
+}
+
 static bool is_image(const char *path)
 {
-    return strcmp(extension(path), ".png") == 0 || strcmp(extension(path), ".ktx2") == 0;
+    static const char *const endings[3] = {".png", ".ktx2", ".webp"};
+    return ends_in(path, endings);
+}
+
+static bool is_panorama(const char *path)
+{
+    static const char *const endings[3] = {".hdr", ".exr"};
+    return ends_in(path, endings);
 }
 
 static int compare_files(const void *a, const void *b)
@@ -245,15 +262,33 @@ static bool check_run(struct fuzz *fuzz, const char *const arguments[], bool ren
     return check_messages(status, problem, size) && check_files(render && status == 0, problem, size);
 }
 
-// Both verbs on one file. False when a promise was broken.
-static bool check_model(struct fuzz *fuzz, const char *model, const char *name)
+// Whether the text of a model speaks of animations, which are then played.
+static bool is_animated(const char *model)
+{
+    size_t size;
+    unsigned char *data = load(model, &size);
+    const bool found =
+        memmem(data, size, "\"animations\"", 12) != NULL || memmem(data, size, "AnimationSet", 12) != NULL;
+    free(data);
+    return found;
+}
+
+// Both verbs on one file, `rhw render` with one more option where that is not NULL, and where the file is animated also at
+// a moment. False when a promise was broken.
+static bool check_model(struct fuzz *fuzz, const char *model, const char *name, const char *option)
 {
     const char *const info[] = {fuzz->rhw, "info", model, NULL};
-    const char *const render[] = {fuzz->rhw, "render", model,       "-o", "out.png",
-                                  "--size",  "32x32",  "--threads", "2",  NULL};
+    const char *render[] = {fuzz->rhw, "render",    model, "-o", "out.png", "--size",
+                            "32x32",   "--threads", "2",   NULL, NULL,      NULL};
     char problem[1024] = "";
-    if (check_run(fuzz, info, false, problem, sizeof problem) &&
-        check_run(fuzz, render, true, problem, sizeof problem)) {
+    render[9] = option;
+    bool fine = check_run(fuzz, info, false, problem, sizeof problem) &&
+                check_run(fuzz, render, true, problem, sizeof problem);
+    if (fine && is_animated(model)) {
+        render[9] = "--time=1.5";
+        fine = check_run(fuzz, render, true, problem, sizeof problem);
+    }
+    if (fine) {
         return true;
     }
     fuzz->failures++;
@@ -275,9 +310,22 @@ static bool check_image(struct fuzz *fuzz, const char *image)
     save("../square.mtl", material, (size_t)length);
     save("../square.obj", square, sizeof square - 1);
     free(data);
-    const bool fine = check_model(fuzz, "../square.obj", image);
+    const bool fine = check_model(fuzz, "../square.obj", image, NULL) &&
+                      check_model(fuzz, "../square.obj", image, "--max-texture=3");
     unlink("../image.png");
     unlink("../square.mtl");
+    unlink("../square.obj");
+    return fine;
+}
+
+// A square in the light of the panorama.
+static bool check_panorama(struct fuzz *fuzz, const char *panorama)
+{
+    static const char square[] = "v -1 -1 0\nv 1 -1 0\nv 1 1 0\nv -1 1 0\nf 1 2 3 4\n";
+    char option[1200];
+    snprintf(option, sizeof option, "--environment=%s", panorama);
+    save("../square.obj", square, sizeof square - 1);
+    const bool fine = check_model(fuzz, "../square.obj", panorama, option);
     unlink("../square.obj");
     return fine;
 }
@@ -285,7 +333,10 @@ static bool check_image(struct fuzz *fuzz, const char *image)
 static void replay(struct fuzz *fuzz)
 {
     for (int i = 0; i < fuzz->file_count; i++) {
-        check_model(fuzz, fuzz->files[i].path, fuzz->files[i].path);
+        check_model(fuzz, fuzz->files[i].path, fuzz->files[i].path, NULL);
+        if (is_panorama(fuzz->files[i].path)) {
+            check_panorama(fuzz, fuzz->files[i].path);
+        }
         if (is_image(fuzz->files[i].path)) {
             check_image(fuzz, fuzz->files[i].path);
         }
@@ -358,7 +409,7 @@ static size_t repeat_part(unsigned char *data, size_t size, size_t room)
 }
 
 // The rest of another seed from the same place on.
-static size_t splice(unsigned char *data, size_t size, const struct file *other, size_t room)
+static size_t splice_other(unsigned char *data, size_t size, const struct file *other, size_t room)
 {
     const size_t at = pick((uint32_t)size + 1);
     if (at >= other->size) {
@@ -379,7 +430,7 @@ static size_t mutate(const struct fuzz *fuzz, unsigned char *data, size_t size, 
         case 3: size = plant_number(data, size, room); break;
         case 4: size = cut_out(data, size); break;
         case 5: size = repeat_part(data, size, room); break;
-        default: size = splice(data, size, &fuzz->files[pick((uint32_t)fuzz->file_count)], room);
+        default: size = splice_other(data, size, &fuzz->files[pick((uint32_t)fuzz->file_count)], room);
         }
     }
     return size;
@@ -415,7 +466,9 @@ static void fuzz_models(struct fuzz *fuzz, int count)
         char path[64], kept[80];
         snprintf(path, sizeof path, "../model%.16s", extension(seed->path));
         save(path, data, size);
-        const bool fine = is_image(path) ? check_image(fuzz, path) : check_model(fuzz, path, seed->path);
+        const bool fine = is_image(path)      ? check_image(fuzz, path)
+                          : is_panorama(path) ? check_panorama(fuzz, path)
+                                              : check_model(fuzz, path, seed->path, NULL);
         if (!fine) {
             snprintf(kept, sizeof kept, "../../crasher-%d%.16s", i, extension(seed->path));
             save(kept, data, size);
