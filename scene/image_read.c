@@ -12,6 +12,7 @@
 #include "elementary.h"
 #include "image_ktx2.h"
 #include "image_png.h"
+#include "image_radiance.h"
 #include "image_reduce.h"
 
 // stb_image declares a function that it never defines; gcc says so at the end of the file.
@@ -82,6 +83,10 @@ static int supply_ended(void *user)
 // Radiance files: what is missing at the end stb_image takes for black.
 static float *decode_radiance(const void *bytes, size_t size, int *width, int *height, const char **problem)
 {
+    *problem = scene_radiance_problem(bytes, size);
+    if (*problem != NULL) {
+        return NULL;
+    }
     const stbi_io_callbacks callbacks = {supply_read, supply_skip, supply_ended};
     struct supply supply = {.bytes = bytes, .size = size};
     int channels = 0;
