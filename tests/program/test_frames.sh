@@ -74,6 +74,14 @@ check "half a turn" "$rhw" compare t-0000.png t-0002.png --tolerance 1/1000 >"$f
 succeed render cube.obj -o 'c-{frame}.png' --turntable 4 --size 48
 check "but another colour" sh -c '! cmp -s c-0000.png c-0001.png'
 
+# A bar on a terminal, and on nothing else.
+if command -v script >/dev/null 2>&1; then
+    script -qec "$rhw render move.gltf -o bar.png --animate 4 --size 16" /dev/null </dev/null >bar.txt 2>&1
+    check "a bar on a terminal" grep -q '\[######\.*\] 1 of 4' bar.txt
+    check "which is the only line" test "$(tr '\r' '\n' <bar.txt | grep -c 'reading.*gltf')" = 1
+    rm bar.txt bar.png
+fi
+
 refuse 1 "cube.obj: has no animations that can be played" render cube.obj -o a.png --animate 10
 refuse 1 "move.gltf: has no animation 'dance'" render move.gltf -o a.png --animation dance
 refuse 2 "--time: 'soon' is not a number of seconds" render move.gltf -o a.png --time soon

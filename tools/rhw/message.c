@@ -11,11 +11,19 @@
 
 enum { LINE_LENGTH = 2048 }; // bytes; longer lines are cut
 
-static bool stage_shown;
+static bool stage_shown, has_bar;
+
+static void clear_stage(void)
+{
+    if (stage_shown) {
+        fputs("\r\033[K", stderr);
+    }
+    stage_shown = false;
+}
 
 void cli_stage(const char *work, const char *subject)
 {
-    if (!isatty(STDERR_FILENO)) {
+    if (has_bar || !isatty(STDERR_FILENO)) {
         return;
     }
     fprintf(stderr, "\r\033[K%s %.200s", work, subject);
@@ -31,15 +39,20 @@ void cli_progress(const char *subject, int done, int count)
     const int filled = (int)((long long)done * WIDTH / count);
     fprintf(stderr, "\r\033[Kdrawing %.100s [%.*s%.*s] %d of %d", subject, filled, "########################",
             WIDTH - filled, "........................", done, count);
-    stage_shown = true;
+    stage_shown = has_bar = true;
+}
+
+void cli_progress_end(void)
+{
+    has_bar = false;
+    clear_stage();
 }
 
 void cli_stage_end(void)
 {
-    if (stage_shown) {
-        fputs("\r\033[K", stderr);
+    if (!has_bar) {
+        clear_stage();
     }
-    stage_shown = false;
 }
 
 static void print_line(const char *subject, const char *prefix, const char *format, va_list arguments)
@@ -58,7 +71,7 @@ static void print_line(const char *subject, const char *prefix, const char *form
             *c = '?';
         }
     }
-    cli_stage_end();
+    clear_stage();
     fprintf(stderr, "%s\n", line);
 }
 

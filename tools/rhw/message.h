@@ -13,7 +13,8 @@ void cli_warning(const char *subject, const char *format, ...) __attribute__((fo
 /// cli_stage_end. Says nothing where stderr is no terminal.
 void cli_stage(const char *work, const char *subject);
 void cli_stage_end(void);
-/// A stage with a bar: how many pictures of `count` are done.
+/// A bar: how many pictures of `count` are done. Stages show nothing until its end.
 void cli_progress(const char *subject, int done, int count);
+void cli_progress_end(void);
 
 #endif

@@ -25,6 +25,7 @@ static enum cli_output_kind only_kind(const struct cli_render_job *job)
 static bool draw_frame(struct render *render, const struct cli_movement *movement,
                        const struct scene_camera *first, int frame, struct scene_model **pose)
 {
+    cli_progress(render->job.model_path, frame, movement->frame_count);
     if (movement->seconds > 0.0) {
         struct scene_model *const next = cli_movement_pose(movement, render, frame);
         if (!next) {
@@ -39,7 +40,6 @@ static bool draw_frame(struct render *render, const struct cli_movement *movemen
         }
     }
     render->view.camera = cli_movement_turned(movement, first, &render->job, frame);
-    cli_progress(render->job.model_path, frame, movement->frame_count);
     return cli_render_draw(render);
 }
 
@@ -78,7 +78,7 @@ static bool draw_moving(struct render *render, const struct cli_movement *moveme
     }
     going = going && cli_moving_finish(&moving);
     cli_moving_close(&moving);
-    cli_stage_end();
+    cli_progress_end();
     if (going && cli_output_file_finish(&file)) {
         return cli_output_file_commit(&file);
     }
@@ -96,7 +96,7 @@ bool cli_render_frames(struct render *render)
     }
     const bool drawn = is_sequence(&render->job) ? draw_sequence(render, &movement, &pose)
                                                  : draw_moving(render, &movement, &pose);
-    cli_stage_end();
+    cli_progress_end();
     // The scene still has the last pose.
     scene_destroy(render->scene);
     render->scene = NULL;
