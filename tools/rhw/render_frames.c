@@ -90,8 +90,12 @@ bool cli_render_frames(struct render *render)
 {
     struct cli_movement movement;
     struct scene_model *pose = NULL;
-    if (!cli_movement_plan(&movement, &render->job, render->model) ||
-        !cli_movement_camera(&movement, render)) {
+    if (!cli_movement_plan(&movement, &render->job, render->model)) {
+        return false;
+    }
+    cli_progress(render->job.model_path, 0, movement.frame_count);
+    if (!cli_movement_camera(&movement, render)) {
+        cli_progress_end();
         return false;
     }
     const bool drawn = is_sequence(&render->job) ? draw_sequence(render, &movement, &pose)
