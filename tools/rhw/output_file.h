@@ -14,7 +14,7 @@ struct cli_output_file {
     bool seekable;    ///< false for a pipe or a device, which is written directly
     // ---
     char *target, *temporary; ///< NULL: written directly
-    int pending;              ///< slot in the list of files that a signal removes
+    int pending;              ///< entry in the list of files that a signal removes
 };
 
 /// Makes SIGINT, SIGTERM, SIGHUP and SIGPIPE remove the temporary files before they end the process, and a
