@@ -14,6 +14,7 @@
 #include <stdlib.h>
 #include <string.h>
 #include <sys/stat.h>
+#include <sys/time.h>
 #include <unistd.h>
 
 enum {
@@ -26,11 +27,13 @@ static struct {
     const char *volatile names[PENDING_MAX]; // NULL: free; the strings outlive their entry
     volatile pid_t owner; // a forked child inherits the handler but must not remove its parent's files
     volatile sig_atomic_t dying;
+    char late[512]; // what is said at the deadline
+    size_t late_size;
     pthread_mutex_t lock; // of what follows, and of taking an entry
     unsigned long created;
 } pending = {.lock = PTHREAD_MUTEX_INITIALIZER};
 
-static void remove_pending_and_die(int number)
+static void remove_pending(void)
 {
     if (getpid() == pending.owner) {
         pending.dying = 1;
@@ -40,14 +43,45 @@ static void remove_pending_and_die(int number)
             }
         }
     }
+}
+
+static void remove_pending_and_die(int number)
+{
+    remove_pending();
     signal(number, SIG_DFL);
     raise(number);
+}
+
+static void remove_pending_and_tell(int number)
+{
+    (void)number;
+    remove_pending();
+    const ssize_t written = write(STDERR_FILENO, pending.late, pending.late_size);
+    (void)written;
+    _exit(1);
+}
+
+void cli_output_files_deadline(double seconds, const char *subject)
+{
+    const int size = snprintf(pending.late, sizeof pending.late,
+                              "rhw: %.400s: takes longer than --max-time, %g seconds\n", subject, seconds);
+    pending.late_size = (size_t)size;
+    struct sigaction action = {.sa_handler = remove_pending_and_tell};
+    const struct itimerval timer = {
+        .it_value = {.tv_sec = (time_t)seconds,
+                     .tv_usec = (suseconds_t)((seconds - (double)(time_t)seconds) * 1e6)}};
+    sigemptyset(&action.sa_mask);
+    sigaction(SIGALRM, &action, NULL);
+    setitimer(ITIMER_REAL, &timer, NULL);
 }
 
 void cli_output_files_guard(void)
 {
     static const int deadly[] = {SIGINT, SIGTERM, SIGHUP, SIGPIPE};
     pending.owner = getpid();
+    for (int i = 0; i < PENDING_MAX; i++) {
+        pending.names[i] = NULL; // those of the process that forked this one
+    }
     for (size_t i = 0; i < sizeof deadly / sizeof *deadly; i++) {
         struct sigaction action, old;
         memset(&action, 0, sizeof action);

@@ -36,6 +36,7 @@ _rhw_render() { # CURRENT PREVIOUS
     --tone-map) _rhw_words "$1" neutral aces agx none ;;
     --environment | --confine) _rhw_files "$1" ;;
     --max-memory) _rhw_words "$1" 512M 1G 2G 4G ;;
+    --max-time) _rhw_words "$1" 10 60 300 ;;
     --max-texture) _rhw_words "$1" 1024 2048 4096 8192 16384 ;;
     --shadows | --ambient-occlusion) _rhw_words "$1" on off ;;
     --isa) _rhw_words "$1" baseline avx2 avx512 ;;
@@ -49,7 +50,7 @@ _rhw_render() { # CURRENT PREVIOUS
         if [[ $1 == -* ]]; then
             _rhw_words "$1" --out --size --samples --supersample --output --bits --format --quality --fit --up --orbit --views --zoom --margin --ortho --print-camera --camera --camera-index \
                 --camera-name --fovy --interpolate --wireframe --background --variant --animation --time --animate --turntable --lights --shadows --ground --ambient-occlusion --environment --environment-rotation --tone-map --transparency --exposure --threads --isa --paths \
-                --max-memory --max-texture --confine --stats --strict --quiet --help
+                --max-memory --max-time --max-texture --confine --stats --strict --quiet --help
         else
             _rhw_files "$1"
         fi
@@ -98,12 +99,13 @@ _rhw_thumbs() { # CURRENT PREVIOUS
     --background) _rhw_words "$1" transparent default black grey white ;;
     --size | -s) _rhw_words "$1" 128 256 512 ;;
     --max-memory) _rhw_words "$1" 512M 1G 2G 4G ;;
+    --max-time) _rhw_words "$1" 10 60 300 ;;
     --max-texture) _rhw_words "$1" 1024 2048 4096 8192 16384 ;;
     --confine) _rhw_files "$1" ;;
     --jobs | -j) ;;
     *)
         if [[ $1 == -* ]]; then
-            _rhw_words "$1" --out --size --background --force --jobs --max-memory --max-texture --confine --quiet --help
+            _rhw_words "$1" --out --size --background --force --jobs --max-memory --max-time --max-texture --confine --quiet --help
         else
             _rhw_files "$1"
         fi
