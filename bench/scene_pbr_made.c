@@ -2,6 +2,8 @@
 // See scene_pbr_made.h.
 #include "scene_pbr_made.h"
 
+#include "elementary.h"
+
 #include <stdbool.h>
 #include <stdint.h>
 #include <stdio.h>
@@ -119,10 +121,10 @@ static void write_sphere(FILE *model, double x, double y)
 {
     const double pi = 3.14159265358979323846, radius = 0.46;
     for (int i = 0; i <= STACKS; i++) {
-        const double down = pi * i / STACKS, ring = __builtin_sin(down);
+        const double down = pi * i / STACKS, ring = scene_sin(down);
         for (int k = 0; k < SLICES; k++) {
             const double turn = 2.0 * pi * k / SLICES;
-            const double n[3] = {ring * __builtin_cos(turn), __builtin_cos(down), ring * __builtin_sin(turn)};
+            const double n[3] = {ring * scene_cos(turn), scene_cos(down), ring * scene_sin(turn)};
             fprintf(model, "v %.6f %.6f %.6f\nvn %.6f %.6f %.6f\n", x + radius * n[0], y + radius * n[1],
                     radius * n[2], n[0], n[1], n[2]);
         }

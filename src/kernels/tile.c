@@ -392,6 +392,8 @@ static void load_tile(const struct tile_work *work)
         return;
     }
     work->scratch->depth.direction = 0;
+    work->scratch->depth.has_ranges = false;
+    work->scratch->depth.unranged = 0;
     for (int i = 0; i < pass->color_count; i++) {
         load_attachment(work, &pass->colors[i], 0, work->scratch->color[i]);
     }

@@ -114,6 +114,25 @@ static inline uint64_t triangle_mask(const struct triangle_edges *triangle, int 
     return mask;
 }
 
+// Of the 8 blocks side by side in a tile, a bit for each that the triangle leaves out, and each that an edge crosses.
+struct block_row {
+    unsigned outside, crossed;
+};
+
+// Those at row y of the tile. An edge that crosses the tile is within 63·(|a| + |b|) < 2^31 in all of it.
+static inline struct block_row block_row_of(const struct triangle_edges *triangle, int y)
+{
+    i8 outside = i8_splat(0), crossed = i8_splat(0);
+    for (int i = 0; i < triangle->count; i++) {
+        const struct edge *const edge = &triangle->edges[i];
+        const i8 first = i8_splat((int32_t)(edge->q + (int64_t)edge->b * y)) +
+                         i8_splat(RHW_BLOCK * edge->a) * rhw_lane_index;
+        outside |= first + i8_splat((int32_t)edge->high);
+        crossed |= first + i8_splat((int32_t)edge->low);
+    }
+    return (struct block_row){i8_sign_bits(outside), i8_sign_bits(crossed)};
+}
+
 // This is what a triangle, clipped or not, covers in one tile.
 struct coverage {
     int count; // of triangles that reach into the tile: of 1, or of the fan of a clipped polygon
