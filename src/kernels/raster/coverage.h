@@ -36,13 +36,20 @@ static inline struct sample_origin center_of_pixel(int x, int y)
     return (struct sample_origin){sample_of_pixel(x), sample_of_pixel(y)};
 }
 
-// `sign` is −1 for a triangle whose vertices turn the negative way.
+// e of the edge from (x0, y0) to (x1, y1) at a point. `sign` is −1 for a triangle whose vertices turn the negative way.
+static inline int64_t edge_value(int32_t x0, int32_t y0, int32_t x1, int32_t y1, int32_t sign,
+                                 struct sample_origin point)
+{
+    const int32_t a = sign * (y0 - y1), b = sign * (x1 - x0);
+    return a * (point.x - x0) + b * (point.y - y0);
+}
+
 static inline struct edge make_edge(int32_t x0, int32_t y0, int32_t x1, int32_t y1, int32_t sign,
                                     struct sample_origin origin)
 {
     const int32_t a = sign * (y0 - y1), b = sign * (x1 - x0);
     const bool top_left = a > 0 || (a == 0 && b > 0);
-    const int64_t e = a * (origin.x - x0) + b * (origin.y - y0);
+    const int64_t e = edge_value(x0, y0, x1, y1, sign, origin);
     return (struct edge){a, b, (e - (top_left ? 0 : 1)) >> RHW_SUBPIXEL_BITS,
                          (RHW_BLOCK - 1) * ((int64_t)min_int(a, 0) + min_int(b, 0)),
                          (RHW_BLOCK - 1) * ((int64_t)max_int(a, 0) + max_int(b, 0))};

@@ -7,6 +7,7 @@
 #define RHW_TRIANGLE_LARGE_H
 
 #include "../fragment/constant_color.h"
+#include "../fragment/explained_fragment.h"
 #include "../fragment/gather.h"
 #include "../raster/depth_range.h"
 #include "../raster/hiz.h"
@@ -60,11 +61,17 @@ static void draw_block(struct tile_work *work, struct triangle_work *triangle, i
     f8 z[RHW_BLOCK];
     struct block block = {.x = x, .y = y, .at = block_offset(work, &triangle->planes, x, y), .z = z};
     block.leaves_triangle = leaves_triangle(triangle, &block.at);
-    if (plan->needs_depth) {
+    if (plan->needs_depth || work->explained) {
         depth_rows(work, triangle, &block, mask, z);
+    }
+    if (work->explained) {
+        explain_covered(work, x, y, 0, mask, z);
     }
     if (plan->tests_early) {
         mask = test_depth(work, triangle, &block, mask);
+    }
+    if (work->explained) {
+        explain_passed(work, x, y, 0, mask);
     }
     if (mask == 0 || plan->shading == RHW_SHADING_NONE) {
         return;
