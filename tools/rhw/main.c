@@ -16,6 +16,7 @@ static const struct {
     {"render", "MODEL -o OUT", "draw a model file and write the picture", cli_render},
     {"thumbs", "DIR -o OUT", "draw a small picture of every model in a folder", cli_thumbs},
     {"compare", "A B", "differences of two pictures, in numbers and as a picture", cli_compare},
+    {"explain", "MODEL --at X,Y", "how a pixel of the picture got its value, step by step", cli_explain},
     {"info", "MODEL", "what is in a model file", cli_info},
     {"bench", "", "time scenes, beside another renderer where there is one", cli_bench},
 };
