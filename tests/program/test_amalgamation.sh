@@ -49,10 +49,9 @@ rm -r again
 check "a bare compile says nothing" quiet "$compiler" -O2 -pthread -c rhw.c
 ar rc librhw.a rhw.o
 check "it shows no other symbols, and has no state" "$root/tests/unit/symbols.sh" librhw.a
-check "all warnings" quiet "$compiler" -Wall -Wextra -fsyntax-only rhw.c
 for other in gcc clang; do
     command -v $other >/dev/null || continue
-    check "$other takes it" quiet $other -fsyntax-only rhw.c
+    check "$other has nothing to warn of" quiet $other -Wall -Wextra -fsyntax-only rhw.c
 done
 
 # Bytes, of the instruction sets that there are.
@@ -82,6 +81,12 @@ esac
 printf '#include "rhw.h"\n#include "rhw.h"\nint main() { return rhw_version() ? 0 : 1; }\n' >program.cpp
 check "rhw.h is C++ too" quiet "$cxx" -Wall -Wextra -Wno-psabi program.cpp rhw.o -pthread -o program
 check "a C++ program runs" ./program
+
+# The first program of the documents.
+sed -n '/^#include/,/^```/{/^```/!p}' "$root/docs/hello.md" | sed 's/<rhw\/.*\.h>/"rhw.h"/' >hello.c
+check "the program of docs/hello.md" quiet "$compiler" -O2 -pthread -ffp-contract=off hello.c rhw.o -o hello
+check "it runs" ./hello
+check "it draws" test "$(head -c 15 hello.ppm | tr '\n' ' ')" = "P6 512 512 255 "
 
 # What equal bytes ask for holds within the file, whatever the flags, or the flags are refused.
 case $(uname -m) in
