@@ -56,6 +56,8 @@ const struct bench_scene_entry bench_scene_entries[] = {
      bench_make_pbr, BENCH_PBR_HELMET_SHADOWED},
     {"shadowed_sponza", "pbr_sponza with the same", bench_make_pbr, BENCH_PBR_SPONZA_SHADOWED},
     {"hair", "160,000 transparent triangles, sorted, physically based", bench_make_pbr, BENCH_PBR_HAIR},
+    {"transmission", "12 spheres of glass, smooth and rough, that show what lies behind", bench_make_pbr,
+     BENCH_PBR_GLASS},
     {"shadow_volumes", "50 bodies on a floor, their shadows counted in stencil", bench_make_shadow_volumes,
      0},
     {"shadow_map", "100,000 triangles and a shadow map of 2048x2048, 3x3 footprints compared",

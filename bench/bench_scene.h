@@ -50,6 +50,7 @@ enum bench_format {
 
 enum bench_filter {
     BENCH_TRILINEAR, // and repeated
+    BENCH_LEVELS,    // and held to the edge
     BENCH_LINEAR,    // of level 0, held to the edge
     BENCH_FETCH,     // texels by whole numbers
     BENCH_COMPARE    // the part of four texels, by their weights, that is not nearer than a reference
@@ -96,7 +97,9 @@ enum bench_shader {
     BENCH_SHADER_PBR_MAPPED_SHADOWED,
     BENCH_SHADER_PBR_MASKED_SHADOWED,
     BENCH_SHADER_PBR_FULL_SHADOWED,
-    BENCH_SHADER_PBR_HAIR, // no texture; blended, and both sides show
+    BENCH_SHADER_PBR_HAIR,        // no texture; blended, and both sides show
+    BENCH_SHADER_PBR_GLASS,       // what lies behind, bent, blurred and dimmed, from the last texture
+    BENCH_SHADER_PBR_BASE_LINEAR, // base colour as light, before tone mapping
     BENCH_SHADER_PBR_CAST,
     BENCH_SHADER_PBR_CAST_MASKED,
     BENCH_SHADERS
@@ -163,6 +166,7 @@ struct bench_pass {
     int face;                      // of colors[0], where that is a cube
     enum bench_pass_depth depth;
     int depth_texture;
+    bool makes_levels; // of colors[0], after it
     float clear[4]; // of all colours. In the picture alpha 0, which no shader writes, tells what is not covered
     uint32_t first_draw, draw_count;
 };

@@ -44,6 +44,7 @@ static bool load(struct gles *gl, PFNEGLGETPROCADDRESSPROC find)
         {"glGenTextures", &gl->gen_textures},
         {"glBindTexture", &gl->bind_texture},
         {"glActiveTexture", &gl->active_texture},
+        {"glGenerateMipmap", &gl->generate_mipmap},
         {"glTexStorage2D", &gl->tex_storage_2d},
         {"glTexSubImage2D", &gl->tex_sub_image_2d},
         {"glCompressedTexImage2D", &gl->compressed_tex_image_2d},

@@ -40,6 +40,7 @@ struct gles {
     PFNGLBINDTEXTUREPROC bind_texture;
     PFNGLACTIVETEXTUREPROC active_texture;
     PFNGLTEXSTORAGE2DPROC tex_storage_2d;
+    PFNGLGENERATEMIPMAPPROC generate_mipmap;
     PFNGLTEXSUBIMAGE2DPROC tex_sub_image_2d;
     PFNGLCOMPRESSEDTEXIMAGE2DPROC compressed_tex_image_2d;
     PFNGLTEXPARAMETERIPROC tex_parameter_i;

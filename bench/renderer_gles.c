@@ -120,6 +120,11 @@ static void run_pass(const struct gles_state *s, uint32_t number)
     if (sampled) {
         gles_resolve(s);
     }
+    if (pass->makes_levels) {
+        gl->active_texture(GL_TEXTURE0);
+        gl->bind_texture(GL_TEXTURE_2D, s->textures[pass->colors[0]]);
+        gl->generate_mipmap(GL_TEXTURE_2D);
+    }
 }
 
 static bool frame(struct bench_renderer *renderer)

@@ -56,8 +56,7 @@ static void set_filter(const struct gles_state *s, GLenum kind, enum bench_filte
 {
     const struct gles *const gl = &s->gl;
     const GLint near = filter == BENCH_FETCH ? GL_NEAREST : GL_LINEAR;
-    gl->tex_parameter_i(kind, GL_TEXTURE_MIN_FILTER,
-                        filter == BENCH_TRILINEAR ? GL_LINEAR_MIPMAP_LINEAR : near);
+    gl->tex_parameter_i(kind, GL_TEXTURE_MIN_FILTER, filter <= BENCH_LEVELS ? GL_LINEAR_MIPMAP_LINEAR : near);
     gl->tex_parameter_i(kind, GL_TEXTURE_MAG_FILTER, near);
     if (filter != BENCH_TRILINEAR) {
         gl->tex_parameter_i(kind, GL_TEXTURE_WRAP_S, GL_CLAMP_TO_EDGE);

@@ -80,11 +80,19 @@ static bool open_and_close(const struct rhw_context_def *def)
     return result == RHW_OK;
 }
 
-static enum rhw_result record_surfaces(struct bench_state *s, rhw_pass pass)
+static enum rhw_result record_surfaces(struct bench_state *s, rhw_pass pass, bool to_picture)
 {
     const struct bench_surfaces *const surfaces = s->scene->surfaces;
     struct scene_surface_pass def = {
-        .frame = &surfaces->frame, .order = &s->order, .formats = {RHW_FORMAT_RGBA8_SRGB}, .format_count = 1};
+        .frame = to_picture ? &surfaces->frame : &surfaces->light_frame,
+        .solid = !to_picture,
+        .order = &s->order,
+        .formats = {to_picture ? RHW_FORMAT_RGBA8_SRGB : RHW_FORMAT_RGBA16_FLOAT},
+        .format_count = 1};
+    if (surfaces->is_glass && to_picture) {
+        def.backdrop = s->textures[s->scene->texture_count - 1];
+        def.backdrop_sampler = s->samplers[BENCH_LEVELS];
+    }
     memcpy(def.view_projection, surfaces->view_projection, sizeof def.view_projection);
     return scene_surfaces_record(&s->upload, &s->surface_pipelines, &def, pass);
 }
@@ -137,13 +145,15 @@ static bool run_pass(struct bench_state *s, const struct bench_pass *pass, uint6
     }
     enum rhw_result recorded = RHW_OK;
     if (surfaces) {
-        recorded = record_surfaces(s, id);
+        recorded = record_surfaces(s, id, pass->colors[0] == BENCH_PICTURE);
     } else {
         record_draws(s, id, pass->first_draw, pass->draw_count);
     }
     const enum rhw_result ended = rhw_pass_end(s->context, id, &stats);
     *fragments += ended == RHW_OK ? stats.fragments_shaded : 0;
-    return recorded == RHW_OK && ended == RHW_OK;
+    return recorded == RHW_OK && ended == RHW_OK &&
+           (!pass->makes_levels ||
+            rhw_texture_generate_mips(s->context, s->textures[pass->colors[0]]) == RHW_OK);
 }
 
 static bool open_texture(rhw_context *context)

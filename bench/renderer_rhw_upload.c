@@ -39,27 +39,32 @@ static bool make_meshes(struct bench_state *s)
     return true;
 }
 
+static bool make_texture(struct bench_state *s, uint32_t i)
+{
+    const struct bench_texture *const texture = &s->scene->textures[i];
+    if (!texture->target && !texture->texels[0]) {
+        return true; // of a slot that no draw reads
+    }
+    struct rhw_texture_def def = rhw_texture_def_default();
+    def.format = formats[texture->format];
+    def.kind = texture->cube ? RHW_TEXTURE_CUBE : RHW_TEXTURE_2D;
+    def.width = texture->width;
+    def.height = texture->height;
+    def.mip_levels = texture->levels;
+    const bool made = rhw_texture_create(s->context, &def, &s->textures[i]) == RHW_OK;
+    for (int level = 0; made && level < texture->levels && !texture->target; level++) {
+        rhw_texture_write(s->context, s->textures[i], level, texture->texels[level], 0);
+    }
+    return made;
+}
+
 static bool make_textures(struct bench_state *s)
 {
-    for (uint32_t i = 0; i < s->scene->texture_count; i++) {
-        const struct bench_texture *const texture = &s->scene->textures[i];
-        if (!texture->target && !texture->texels[0]) {
-            continue; // of a slot that no draw reads
-        }
-        struct rhw_texture_def def = rhw_texture_def_default();
-        def.format = formats[texture->format];
-        def.kind = texture->cube ? RHW_TEXTURE_CUBE : RHW_TEXTURE_2D;
-        def.width = texture->width;
-        def.height = texture->height;
-        def.mip_levels = texture->levels;
-        if (rhw_texture_create(s->context, &def, &s->textures[i]) != RHW_OK) {
-            return false;
-        }
-        for (int level = 0; level < texture->levels && !texture->target; level++) {
-            rhw_texture_write(s->context, s->textures[i], level, texture->texels[level], 0);
-        }
+    bool made = true;
+    for (uint32_t i = 0; made && i < s->scene->texture_count; i++) {
+        made = make_texture(s, i);
     }
-    return true;
+    return made;
 }
 
 static bool make_samplers(struct bench_state *s)
@@ -68,6 +73,8 @@ static bool make_samplers(struct bench_state *s)
         struct rhw_sampler_def def = rhw_sampler_def_default();
         if (filter != BENCH_TRILINEAR) {
             def.address_u = def.address_v = RHW_ADDRESS_CLAMP;
+        }
+        if (filter > BENCH_LEVELS) {
             def.mip_filter = RHW_MIP_FILTER_NONE;
         }
         def.max_anisotropy = filter == BENCH_TRILINEAR ? (float)s->scene->max_anisotropy : 0.0f;
@@ -209,13 +216,26 @@ static bool make_map(struct bench_state *s)
     return made;
 }
 
+// What a model has, scene/ uploads; what is drawn for it to be seen through is the scene's last texture.
+static bool upload_surfaces(struct bench_state *s)
+{
+    const struct bench_scene *const scene = s->scene;
+    if (scene->surfaces->is_glass) {
+        s->textures = calloc(scene->texture_count, sizeof *s->textures);
+        if (!s->textures || !make_samplers(s) || !make_texture(s, scene->texture_count - 1)) {
+            return false;
+        }
+    }
+    return make_picture(s, RHW_FORMAT_RGBA8_SRGB, &s->color) && make_map(s) &&
+           scene_upload_create(s->context, scene->surfaces->model, &s->upload) == RHW_OK &&
+           scene_triangle_order_make(&s->order, &s->upload, &scene->surfaces->frame) == RHW_OK;
+}
+
 bool bench_rhw_upload(struct bench_state *s)
 {
     const struct bench_scene *const scene = s->scene;
     if (scene->surfaces) {
-        return make_picture(s, RHW_FORMAT_RGBA8_SRGB, &s->color) && make_map(s) &&
-               scene_upload_create(s->context, scene->surfaces->model, &s->upload) == RHW_OK &&
-               scene_triangle_order_make(&s->order, &s->upload, &scene->surfaces->frame) == RHW_OK;
+        return upload_surfaces(s);
     }
     s->vertices = calloc((size_t)scene->mesh_count + 1, sizeof *s->vertices);
     s->indices = calloc((size_t)scene->mesh_count + 1, sizeof *s->indices);

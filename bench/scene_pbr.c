@@ -4,14 +4,15 @@
 #include "scene_pbr.h"
 
 #include "rhw/rhw.h"
+#include "elementary.h"
 #include "scene_model.h"
+#include "scene_pbr_made.h"
 #include "shadow.h"
 #include "surface.h"
 
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
-#include <unistd.h>
 
 static const char helmet_path[] = "gltf/DamagedHelmet.glb"; // in the folder of models
 
@@ -100,6 +101,10 @@ static enum bench_shader find_shader(const struct scene_instance *instance,
         *texture_count = 0;
         return material->double_sided && material->slots[0].image < 0 ? BENCH_SHADER_PBR_HAIR : BENCH_SHADERS;
     }
+    if (scene_material_transmits(material)) {
+        *texture_count = 0;
+        return BENCH_SHADER_PBR_GLASS;
+    }
     for (int s = 0; s < SCENE_SLOT_COUNT; s++) {
         slots |= material->slots[s].image >= 0 ? 1u << s : 0;
     }
@@ -133,6 +138,16 @@ static struct bench_surface_uniforms make_uniforms(const struct scene_instance *
     memcpy(u.world, look.world, sizeof u.world);
     memcpy(u.color, material->base_color, sizeof u.color);
     memcpy(u.emissive, material->emissive, sizeof u.emissive);
+    if (scene_material_transmits(material)) { // and the world does not stretch it
+        const struct scene_layers *const layers = &material->layers;
+        for (int c = 0; c < 3; c++) {
+            u.attenuation[c] = (float)(scene_log((double)layers->attenuation_color[c]) / scene_log(2.0) /
+                                       (double)layers->attenuation_distance);
+        }
+        u.thickness = layers->thickness;
+        u.ior = layers->ior;
+        u.transmission = layers->transmission;
+    }
     scene_matrix_normal(world, normal);
     for (int i = 0; i < 9; i++) {
         u.normal[i / 3 * 4 + i % 3] = (float)normal[i];
@@ -146,9 +161,9 @@ static void make_shadowed(struct bench_scene *scene, uint32_t i, uint32_t items)
     double light[16];
     struct bench_draw *const seen = &scene->draws[items + i], *const cast = &scene->draws[i];
     struct bench_surface_uniforms *const uniforms = scene->surfaces->uniforms;
-    const bool masked = cast->shader == BENCH_SHADER_PBR_MASKED;
-    *seen = *cast;
-    uniforms[items + i] = uniforms[i];
+    const bool masked = seen->shader == BENCH_SHADER_PBR_MASKED;
+    *cast = *seen;
+    uniforms[i] = uniforms[items + i];
     seen->shader += BENCH_SHADER_PBR_BASE_SHADOWED - BENCH_SHADER_PBR_BASE;
     seen->textures[seen->texture_count++] = scene->texture_count - 1;
     cast->shader = masked ? BENCH_SHADER_PBR_CAST_MASKED : BENCH_SHADER_PBR_CAST;
@@ -169,7 +184,32 @@ static void make_shadowed(struct bench_scene *scene, uint32_t i, uint32_t items)
     }
 }
 
-// In the order in which rhw draws them.
+// What is seen through glass, which is drawn first too, as light.
+static void make_seen_through(struct bench_scene *scene, const struct bench_draw *seen)
+{
+    const uint32_t number = scene->passes[0].draw_count++;
+    struct bench_draw *const draw = &scene->draws[number];
+    *draw = *seen;
+    draw->shader = draw->shader == BENCH_SHADER_PBR_BASE ? BENCH_SHADER_PBR_BASE_LINEAR : BENCH_SHADERS;
+    scene->surfaces->uniforms[number] = scene->surfaces->uniforms[seen - scene->draws];
+}
+
+static void make_draw(struct bench_draw *draw, const struct scene_instance *instance,
+                      const struct scene_material *material)
+{
+    const bool blends = material->alpha_mode == SCENE_ALPHA_BLEND;
+    draw->shader = find_shader(instance, material, &draw->texture_count);
+    draw->mesh = instance->mesh;
+    draw->depth = blends ? BENCH_DEPTH_TEST : BENCH_DEPTH_LESS;
+    draw->blend = blends ? BENCH_BLEND_PREMULTIPLIED : BENCH_BLEND_OFF;
+    draw->cull_back = !material->double_sided;
+    for (int s = 0; s < draw->texture_count; s++) {
+        const bool as_color = scene_slot_is_color((enum scene_slot)s);
+        draw->textures[s] = 2 * (uint32_t)material->slots[s].image + (as_color ? 0 : 1);
+    }
+}
+
+// In the order in which rhw draws them. Those of the picture come after those of the pass before it.
 static bool make_draws(struct bench_scene *scene, const struct scene_camera *camera, double aspect)
 {
     const struct scene_model *const model = scene->surfaces->model;
@@ -177,32 +217,35 @@ static bool make_draws(struct bench_scene *scene, const struct scene_camera *cam
     scene->surfaces->uniforms =
         calloc(2 * (size_t)model->instance_count + 1, sizeof *scene->surfaces->uniforms);
     bool works = items && scene->surfaces->uniforms;
-    const bool shadowed = scene->surfaces->is_shadowed;
+    const bool shadowed = scene->surfaces->is_shadowed, glass = scene->surfaces->is_glass;
     const uint32_t count =
         works ? (uint32_t)scene_surface_items_list(model, &scene->surfaces->frame, true, items) : 0;
-    scene->draw_count = shadowed ? 2 * count : count;
-    scene->passes[0].draw_count = scene->passes[shadowed].draw_count = count;
-    scene->passes[shadowed].first_draw = shadowed ? count : 0;
+    const uint32_t first = shadowed || glass ? count : 0;
+    scene->draw_count = first + count;
+    scene->passes[0].draw_count = shadowed ? count : 0;
     for (uint32_t i = 0; works && i < count; i++) {
         const struct scene_instance *const instance = &model->instances[items[i].instance];
         const struct scene_material *const material =
             &model->materials[model->meshes[instance->mesh].material];
-        struct bench_draw *const draw = &scene->draws[i];
-        draw->shader = find_shader(instance, material, &draw->texture_count);
-        draw->mesh = instance->mesh;
-        const bool blends = material->alpha_mode == SCENE_ALPHA_BLEND;
-        draw->depth = blends ? BENCH_DEPTH_TEST : BENCH_DEPTH_LESS;
-        draw->blend = blends ? BENCH_BLEND_PREMULTIPLIED : BENCH_BLEND_OFF;
-        draw->cull_back = !material->double_sided;
-        for (int s = 0; s < draw->texture_count; s++) {
-            const bool as_color = scene_slot_is_color((enum scene_slot)s);
-            draw->textures[s] = 2 * (uint32_t)material->slots[s].image + (as_color ? 0 : 1);
-        }
-        scene->surfaces->uniforms[i] = make_uniforms(instance, material, camera, aspect);
+        struct bench_draw *const draw = &scene->draws[first + i];
+        make_draw(draw, instance, material);
+        scene->surfaces->uniforms[first + i] = make_uniforms(instance, material, camera, aspect);
         works = draw->shader != BENCH_SHADERS;
         if (works && shadowed) {
             make_shadowed(scene, i, count);
+        } else if (works && glass && draw->shader != BENCH_SHADER_PBR_GLASS) {
+            make_seen_through(scene, draw);
+        } else if (draw->shader == BENCH_SHADER_PBR_GLASS) {
+            draw->textures[draw->texture_count++] = scene->texture_count - 1;
         }
+    }
+    struct bench_pass *const picture = &scene->passes[scene->pass_count - 1];
+    picture->first_draw = first;
+    picture->draw_count = count;
+    // All of them are there for each renderer to make a program of, drawn or not.
+    for (uint32_t i = scene->passes[0].draw_count; glass && i < first; i++) {
+        scene->draws[i] = scene->draws[first];
+        scene->surfaces->uniforms[i] = scene->surfaces->uniforms[first];
     }
     free(items);
     return works;
@@ -218,6 +261,7 @@ static struct bench_frame_uniforms make_frame_uniforms(const struct scene_frame 
     append(f.eye, frame->eye, 3);
     append(f.light, light->direction, 3);
     append(f.light_color, light->color, 3);
+    append(f.view_projection, frame->view_projection, 16);
     append(f.up, e->up, 3);
     append(f.sky, e->sky, 3);
     append(f.ground, e->ground, 3);
@@ -251,16 +295,26 @@ static void cast_shadows(struct bench_surfaces *surfaces, const struct scene_cam
 }
 
 // The studio's light, whatever the file has: one directional light is what the GLSL knows.
-static bool look(struct bench_surfaces *surfaces, const struct scene_camera *camera, double aspect)
+static bool look(const struct bench_scene *scene, const struct scene_camera *camera, double aspect)
 {
+    struct bench_surfaces *const surfaces = scene->surfaces;
     if (!scene_lighting_create(&surfaces->lighting, surfaces->model, camera, SCENE_AXIS_Y, true, 0.0)) {
         return false;
     }
     scene_frame_look(&surfaces->frame, camera, aspect, &surfaces->lighting, surfaces->view_projection);
     surfaces->frame.samples = 1.0f;
+    if (surfaces->is_glass) {
+        surfaces->frame.backdrop_levels = (float)(scene->textures[scene->texture_count - 1].levels - 1);
+    }
     surfaces->frame_uniforms = make_frame_uniforms(&surfaces->frame);
+    surfaces->frame_uniforms.backdrop_levels = surfaces->frame.backdrop_levels;
     if (surfaces->is_shadowed) {
         cast_shadows(surfaces, camera);
+    }
+    if (surfaces->is_glass) {
+        surfaces->light_frame = surfaces->frame;
+        surfaces->light_frame.display_slot = -1;
+        surfaces->light_frame.linear_slot = 0;
     }
     return true;
 }
@@ -273,63 +327,6 @@ void bench_surfaces_free(struct bench_surfaces *surfaces)
         free(surfaces->uniforms);
         free(surfaces);
     }
-}
-
-// Strands of 8 pieces that hang from a ball, written to a file, which is read as any other.
-static bool write_hair(const char *folder, char path[64])
-{
-    enum { STRANDS = 10000, PIECES = 8 };
-    char library[64];
-    snprintf(path, 64, "%s/hair.obj", folder);
-    snprintf(library, sizeof library, "%s/hair.mtl", folder);
-    FILE *const materials = fopen(library, "w"), *const model = fopen(path, "w");
-    if (materials) {
-        fputs("newmtl hair\nKd 0.45 0.27 0.12\nd 0.35\nPr 0.5\n", materials);
-        fclose(materials);
-    }
-    if (!model) {
-        return false;
-    }
-    fputs("mtllib hair.mtl\nusemtl hair\n", model);
-    uint32_t random = 1;
-    for (int i = 0; i < STRANDS; i++) {
-        double at[3];
-        for (int c = 0; c < 3; c++) {
-            random = random * 1664525u + 1013904223u;
-            at[c] = (double)(random >> 8) / 0x1p23 - 1.0;
-        }
-        const double length = __builtin_sqrt(at[0] * at[0] + at[1] * at[1] + at[2] * at[2]) + 1e-3;
-        for (int k = 0; k <= PIECES; k++) { // outwards, then down
-            const double t = (double)k / PIECES, width = 0.012 * (1.0 - 0.8 * t);
-            const double out = 1.0 + 0.45 * t;
-            const double p[3] = {at[0] / length * out, at[1] / length * out - 0.8 * t * t,
-                                 at[2] / length * out};
-            fprintf(model, "v %.6f %.6f %.6f\nv %.6f %.6f %.6f\n", p[0] - width, p[1], p[2] + width,
-                    p[0] + width, p[1], p[2] - width);
-            if (k > 0) {
-                fputs("f -4 -3 -1 -2\n", model);
-            }
-        }
-    }
-    return fclose(model) == 0;
-}
-
-static struct scene_model *make_hair(char *why, size_t why_size)
-{
-    char folder[] = "/tmp/rhw-hair-XXXXXX", path[64], library[64];
-    struct scene_model *model = NULL;
-    if (!mkdtemp(folder)) {
-        snprintf(why, why_size, "no folder can be made in /tmp");
-        return NULL;
-    }
-    if (write_hair(folder, path)) {
-        model = scene_model_load(path, NULL, why, why_size);
-    }
-    snprintf(library, sizeof library, "%s/hair.mtl", folder);
-    unlink(path);
-    unlink(library);
-    rmdir(folder);
-    return model;
 }
 
 // The file's order becomes that from back to front, which both draw.
@@ -352,13 +349,44 @@ static bool sort_blended(struct bench_surfaces *surfaces)
     return sorted;
 }
 
-static void make_passes(struct bench_scene *scene)
+// The power of two that is nearest to a side of the picture: of odd sides each API makes levels in its own way.
+static int power_of_two(int side)
 {
-    const int map = (int)scene->texture_count - 1;
-    const bool shadowed = scene->surfaces->is_shadowed;
-    scene->passes[shadowed] =
+    int power = 1;
+    while (3 * power < 2 * side) {
+        power *= 2;
+    }
+    return power;
+}
+
+// A chain down to one texel.
+static struct bench_texture seen_through(int width, int height)
+{
+    const int side[2] = {power_of_two(width), power_of_two(height)};
+    int levels = 1;
+    while ((side[0] > side[1] ? side[0] : side[1]) >> levels > 0) {
+        levels++;
+    }
+    return (struct bench_texture){.width = side[0],
+                                  .height = side[1],
+                                  .levels = levels,
+                                  .format = BENCH_RGBA16F,
+                                  .filter = BENCH_LEVELS,
+                                  .target = true};
+}
+
+static void make_passes(struct bench_scene *scene, int width, int height)
+{
+    const int map = (int)scene->texture_count - 1; // or what is seen through glass
+    const struct bench_surfaces *const surfaces = scene->surfaces;
+    scene->passes[scene->pass_count - 1] =
         (struct bench_pass){.color_count = 1, .colors = {BENCH_PICTURE}, .depth = BENCH_PASS_DEPTH};
-    if (shadowed) {
+    if (surfaces->is_glass) {
+        scene->passes[0] = (struct bench_pass){
+            .color_count = 1, .colors = {map}, .depth = BENCH_PASS_DEPTH, .makes_levels = true};
+        scene->textures[map] = seen_through(width, height);
+    }
+    if (surfaces->is_shadowed) {
         scene->passes[0] = (struct bench_pass){.depth = BENCH_PASS_DEPTH_KEPT, .depth_texture = map};
         scene->textures[map] = (struct bench_texture){.width = SCENE_SHADOW_SIZE,
                                                       .height = SCENE_SHADOW_SIZE,
@@ -369,41 +397,51 @@ static void make_passes(struct bench_scene *scene)
     }
 }
 
+static struct scene_model *load_model(const struct bench_scene_entry *entry, char *why, size_t why_size)
+{
+    switch (entry->variant) {
+    case BENCH_PBR_HAIR: return bench_make_hair(why, why_size);
+    case BENCH_PBR_GLASS: return bench_make_glass(why, why_size);
+    case BENCH_PBR_HELMET:
+    case BENCH_PBR_HELMET_SHADOWED: return bench_model_load(helmet_path, why, why_size);
+    default: return bench_model_load(bench_sponza_path, why, why_size);
+    }
+}
+
 bool bench_make_pbr(const struct bench_scene_entry *entry, struct bench_scene *scene, int width, int height,
                     char *why, size_t why_size)
 {
-    const bool helmet = entry->variant == BENCH_PBR_HELMET || entry->variant == BENCH_PBR_HELMET_SHADOWED;
-    const bool hair = entry->variant == BENCH_PBR_HAIR;
-    const bool shadowed = entry->variant >= BENCH_PBR_HELMET_SHADOWED && !hair;
+    const bool shadowed =
+        entry->variant == BENCH_PBR_HELMET_SHADOWED || entry->variant == BENCH_PBR_SPONZA_SHADOWED;
+    const bool sponza = entry->variant == BENCH_PBR_SPONZA || entry->variant == BENCH_PBR_SPONZA_SHADOWED;
+    const bool glass = entry->variant == BENCH_PBR_GLASS, before = shadowed || glass;
     const double aspect = (double)width / (double)height;
     scene->surfaces = calloc(1, sizeof *scene->surfaces);
-    struct scene_model *const model =
-        !scene->surfaces ? NULL
-        : hair           ? make_hair(why, why_size)
-                         : bench_model_load(helmet ? helmet_path : bench_sponza_path, why, why_size);
+    struct scene_model *const model = scene->surfaces ? load_model(entry, why, why_size) : NULL;
     if (!model) {
         return false;
     }
     scene->surfaces->model = model;
     const struct scene_camera camera =
-        helmet || hair ? scene_camera_fit(model, scene_camera_default_orbit(model, SCENE_AXIS_Y),
-                                          scene_camera_default_yfov(), aspect)
-                       : bench_sponza_camera;
+        sponza ? bench_sponza_camera
+               : scene_camera_fit(model, scene_camera_default_orbit(model, SCENE_AXIS_Y),
+                                  scene_camera_default_yfov(), aspect);
     scene->mesh_count = model->mesh_count;
-    scene->texture_count = 2 * model->image_count + shadowed;
-    scene->draw_count = model->instance_count * (shadowed ? 2 : 1);
-    scene->pass_count = shadowed ? 2 : 1;
+    scene->texture_count = 2 * model->image_count + before;
+    scene->draw_count = model->instance_count * (before ? 2 : 1);
+    scene->pass_count = before ? 2 : 1;
     scene->surfaces->is_shadowed = shadowed;
+    scene->surfaces->is_glass = glass;
     scene->unit = BENCH_TRIANGLES;
     scene->work = (double)model->triangles_drawn;
     // Quads of pixels give the peer its derivatives, which at edges are of no surface: there its penumbras differ.
     scene->tolerance = (struct bench_tolerance){.color = 6, .outliers = shadowed ? 5e-3 : 5e-4};
     bool works = bench_scene_allocate(scene);
     if (works) {
-        make_passes(scene);
+        make_passes(scene, width, height);
     }
-    works = works && look(scene->surfaces, &camera, aspect) && sort_blended(scene->surfaces) &&
-            make_textures(scene, model);
+    works =
+        works && look(scene, &camera, aspect) && sort_blended(scene->surfaces) && make_textures(scene, model);
     for (uint32_t i = 0; works && i < scene->mesh_count; i++) {
         works = make_mesh(&model->meshes[i], &scene->meshes[i]);
     }

@@ -16,7 +16,8 @@ enum bench_pbr_variant {
     BENCH_PBR_SPONZA,
     BENCH_PBR_HELMET_SHADOWED,
     BENCH_PBR_SPONZA_SHADOWED,
-    BENCH_PBR_HAIR
+    BENCH_PBR_HAIR,
+    BENCH_PBR_GLASS
 };
 
 bool bench_make_pbr(const struct bench_scene_entry *entry, struct bench_scene *scene, int width, int height,
@@ -30,6 +31,8 @@ struct bench_surface_uniforms {
     float color[4];            // base colour
     float emissive[3], cutoff; // of the alpha test
     float metallic, roughness, normal_scale, occlusion_strength;
+    float attenuation[3], thickness; // of glass: log2 of what a unit of length leaves
+    float ior, transmission, unused[2];
 };
 
 // What they read once per frame.
@@ -43,14 +46,17 @@ struct bench_frame_uniforms {
     float diffuse[4];
     float map_rows[3][4];                  // of a shadow map: world to column, row and depth
     float map_size, unit, range, softness; // see struct scene_shadow_map
+    float view_projection[16];
+    float backdrop_levels, unused[3]; // of the texture that is seen through glass, less 1
 };
 
 struct bench_surfaces {
     // For rhw.
     struct scene_model *model;
     struct scene_lighting lighting;
-    struct scene_frame frame, light_frame; // what the camera and the light see
-    bool is_shadowed;
+    struct scene_frame frame,
+        light_frame; // of the picture; of what is drawn before, seen by the light or as light
+    bool is_shadowed, is_glass;
     struct scene_shadow_map map; // where it is; its plane is the renderer's
     double view_projection[16];  // depth reversed
     // For peers.

@@ -14,7 +14,7 @@ static const char vertex_main[] =
     "layout(location = 1) in vec3 normal;\n"
     "layout(location = 2) in vec2 uv;\n"
     "layout(location = 4) in vec4 tangent;\n"
-    "uniform vec4 u[13];\n"
+    "uniform vec4 u[15];\n"
     "out vec3 varying_position, varying_normal; out vec2 varying_uv;\n"
     "#ifdef MAPPED\n"
     "out vec4 varying_tangent;\n"
@@ -32,7 +32,7 @@ static const char vertex_main[] =
 
 static const char fragment_formulas[] =
     "precision highp float;\n"
-    "uniform vec4 u[13], f[17];\n"
+    "uniform vec4 u[15], f[22];\n"
     "uniform sampler2D map0, map1, map2, map3, map4, map5;\n"
     "in vec3 varying_position, varying_normal; in vec2 varying_uv;\n"
     "#ifdef MAPPED\n"
@@ -104,7 +104,7 @@ static const char fragment_formulas[] =
 
 static const char fragment_main[] =
     "void main() {\n"
-    "#ifdef BLENDED\n"
+    "#if defined(BLENDED) || defined(GLASS)\n"
     "    vec4 base = u[10];\n"
     "#else\n"
     "    vec4 base = u[10] * texture(map0, varying_uv);\n"
@@ -142,10 +142,16 @@ static const char fragment_main[] =
     "    float rough = clamp(roughness, 0.045, 1.0);\n"
     "    r.alpha = rough * rough;\n"
     "    r.n_dot_v = clamp(dot(r.normal, r.view), 1.0 / 1024.0, 1.0);\n"
+    "#ifdef GLASS\n"
+    "    vec3 sum = emissive + glass(r, rough);\n"
+    "#else\n"
     "    vec3 sum = emissive + reflect_environment(r, roughness, occlusion) +\n"
     "        reflect_light(r, f[1].xyz, f[2].rgb * open_to_light(r.normal), f[1].w);\n"
+    "#endif\n"
     "#ifdef BLENDED\n"
     "    target = vec4(tone_map(sum) * base.a, base.a);\n"
+    "#elif defined(LINEAR)\n"
+    "    target = vec4(sum, 1.0);\n"
     "#else\n"
     "    target = vec4(tone_map(sum), 1.0);\n"
     "#endif\n"
@@ -163,12 +169,54 @@ static const char *const heads[BENCH_SHADERS] = {
     [BENCH_SHADER_PBR_FULL_SHADOWED] =
         "#version 300 es\n#define MAPPED\n#define FULL\n#define SHADOWED map5\n",
     [BENCH_SHADER_PBR_HAIR] = "#version 300 es\n#define BLENDED\n",
+    [BENCH_SHADER_PBR_GLASS] = "#version 300 es\n#define GLASS\n",
+    [BENCH_SHADER_PBR_BASE_LINEAR] = "#version 300 es\n#define LINEAR\n",
     [BENCH_SHADER_PBR_CAST] = "#version 300 es\n",
     [BENCH_SHADER_PBR_CAST_MASKED] = "#version 300 es\n#define MASKED\n",
 };
 
-_Static_assert(sizeof(struct bench_surface_uniforms) == 13 * 16, "`u` of the shaders");
-_Static_assert(sizeof(struct bench_frame_uniforms) == 17 * 16, "`f` of the shaders");
+_Static_assert(sizeof(struct bench_surface_uniforms) == 15 * 16, "`u` of the shaders");
+_Static_assert(sizeof(struct bench_frame_uniforms) == 22 * 16, "`f` of the shaders");
+
+// scene/shaders_layered.c and scene/shaders_layers.h, for a volume that lets all light through and has no texture.
+static const char fragment_glass[] =
+    "#ifdef GLASS\n"
+    "vec3 look_through(reflector r, float rough) {\n"
+    "    float eta = 1.0 / u[14].x, thickness = u[13].w;\n"
+    "    float inside = sqrt(max(1.0 - eta * eta * (1.0 - r.n_dot_v * r.n_dot_v), 0.0));\n"
+    "    vec3 bent = (eta * r.n_dot_v - inside) * r.normal - eta * r.view;\n"
+    "    vec3 direction = thickness > 0.0 ? bent : -r.view, leaves = varying_position + direction * "
+    "thickness;\n"
+    "    vec4 clip = f[17] * leaves.x + f[18] * leaves.y + f[19] * leaves.z + f[20];\n"
+    "    vec2 at = vec2(0.5) + vec2(0.5, -0.5) * clip.xy / max(clip.w, 1e-6);\n"
+    "    float blur = max(rough - 0.045, 0.0) * (u[14].x > 1.5 ? 1.0 : 2.0 * u[14].x - 2.0);\n"
+    "    vec4 light = textureLod(map0, at, blur * f[21].x);\n"
+    "    return light.rgb + (1.0 - light.a) * environment_reflection(direction, blur * blur);\n"
+    "}\n"
+    "vec3 glass(reflector r, float rough) {\n"
+    "    float step = (u[14].x - 1.0) / (u[14].x + 1.0);\n"
+    "    r.f0 = vec3(min(step * step, 1.0));\n"
+    "    vec3 behind = look_through(r, rough) * r.diffuse * exp2(u[13].xyz * u[13].w);\n"
+    "    vec3 mirrored = environment_reflection(reflect(-r.view, r.normal), r.alpha);\n"
+    "    vec2 brdf = environment_brdf(rough, r.n_dot_v);\n"
+    "    float lost = 1.0 / (brdf.x + brdf.y) - 1.0;\n"
+    "    vec3 single = r.f0 * brdf.x + brdf.y, specular = single * (1.0 + r.f0 * lost);\n"
+    "    vec3 body = mix(environment_diffuse(r.normal) * r.diffuse, behind, u[14].y);\n"
+    "    vec3 sum = mirrored * specular + body * (1.0 - min(single, 1.0));\n"
+    "    vec3 halfway = normalize(f[1].xyz + r.view);\n"
+    "    float n_dot_l = clamp(dot(r.normal, f[1].xyz), 0.0, 1.0);\n"
+    "    float n_dot_h = clamp(dot(r.normal, halfway), 0.0, 1.0);\n"
+    "    float h_dot_v = clamp(dot(halfway, r.view), 0.0, 1.0);\n"
+    "    float alpha = min(r.alpha + f[1].w, 1.0), alpha2 = alpha * alpha;\n"
+    "    float base = 1.0 - n_dot_h * n_dot_h * (1.0 - alpha2);\n"
+    "    float ggx = alpha2 * inverse_pi /\n"
+    "        (base * base * smith(n_dot_l, alpha2) * smith(r.n_dot_v, alpha2));\n"
+    "    float away = 1.0 - h_dot_v, away2 = away * away;\n"
+    "    vec3 reflectance = r.f0 + (1.0 - r.f0) * (away2 * away2 * away);\n"
+    "    vec3 lit = (1.0 - reflectance) * (1.0 - u[14].y) * r.diffuse * inverse_pi + reflectance * ggx;\n"
+    "    return sum + f[2].rgb * n_dot_l * lit;\n"
+    "}\n"
+    "#endif\n";
 
 // scene/shaders_shadow.h, for one parallel map. Where nothing casts a shadow, all of the light arrives.
 static const char fragment_shadow[] =
@@ -231,7 +279,7 @@ static const char fragment_shadow[] =
     "#endif\n";
 
 static const char cast_main[] = "precision highp float;\n"
-                                "uniform vec4 u[13];\n"
+                                "uniform vec4 u[15];\n"
                                 "uniform sampler2D map0;\n"
                                 "in vec2 varying_uv;\n"
                                 "void main() {\n"
@@ -257,7 +305,7 @@ static int print_seeds(char *text, size_t size, const char *name, int count, see
 // Everything before `main`, the places of the discs among it.
 static const char *formulas(void)
 {
-    static char text[sizeof fragment_formulas + sizeof fragment_shadow + 8192];
+    static char text[sizeof fragment_formulas + sizeof fragment_shadow + sizeof fragment_glass + 8192];
     if (text[0] == 0) {
         size_t at = (size_t)snprintf(text, sizeof text, "%s#ifdef SHADOWED\n", fragment_formulas);
         at += (size_t)print_seeds(text + at, sizeof text - at, "searches", SCENE_SHADOW_SEARCHES,
@@ -267,7 +315,7 @@ static const char *formulas(void)
         at += (size_t)print_seeds(text + at, sizeof text - at, "taps", SCENE_SHADOW_TAPS, scene_shadow_seed);
         at += (size_t)print_seeds(text + at, sizeof text - at, "fine", SCENE_SHADOW_FINE,
                                   scene_shadow_seed_between);
-        snprintf(text + at, sizeof text - at, "#endif\n%s", fragment_shadow);
+        snprintf(text + at, sizeof text - at, "#endif\n%s%s", fragment_shadow, fragment_glass);
     }
     return text;
 }

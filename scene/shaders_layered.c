@@ -162,9 +162,11 @@ static void look_through(const struct rhw_fragment *f, const struct scene_surfac
     const float blur = ior > 1.5f ? 1.0f : 2.0f * ior - 2.0f;
     const rhw_float rough = rhw_max(m->roughness - 0.045f, 0.0f) * blur;
     rhw_sample_lod(f->textures, SCENE_SLOT_BACKDROP, uv, rough * frame->backdrop_levels, light);
-    scene_environment_reflection(&frame->environment, f->textures, direction, rough * rough, around);
-    for (int c = 0; c < 3; c++) {
-        light[c] += (1.0f - light[3]) * around[c];
+    if (rhw_any(f->mask & rhw_less(light[3], 1.0f))) { // where the picture covers all, this adds nothing
+        scene_environment_reflection(&frame->environment, f->textures, direction, rough * rough, around);
+        for (int c = 0; c < 3; c++) {
+            light[c] += (1.0f - light[3]) * around[c];
+        }
     }
 }
 
@@ -197,7 +199,9 @@ ALWAYS_INLINE void shade(struct rhw_fragment *f, const struct scene_surface *s)
     const rhw_float *position = &f->varying[s->varying_position], one = rhw_splat(1.0f),
                     zero = rhw_splat(0.0f);
     const bool mapped = s->varying_tangent >= 0;
-    struct scene_layered m = {.under_sheen = one, .under_coat = one, .transmission = zero};
+    struct scene_layered m; // what no layer sets, none reads
+    m.under_sheen = m.under_coat = one;
+    m.transmission = zero;
     m.anisotropic = l->anisotropy > 0.0f && mapped;
     m.has_sheen = l->sheen_color[0] > 0.0f || l->sheen_color[1] > 0.0f || l->sheen_color[2] > 0.0f;
     m.has_coat = l->clearcoat > 0.0f;

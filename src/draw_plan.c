@@ -122,6 +122,16 @@ static void plan_rules(struct rhw_draw_plan *plan, const struct rhw_pipeline_def
     }
 }
 
+// Whether a draw does no more than to change stencil by what the depth test says.
+static bool settles_blocks(const struct rhw_draw_plan *plan, const struct rhw_pipeline_def *def,
+                           const struct rhw_depth_stencil_state *depth_stencil)
+{
+    return depth_stencil->tests_stencil && depth_stencil->face[0].compare == RHW_COMPARE_ALWAYS &&
+           depth_stencil->face[1].compare == RHW_COMPARE_ALWAYS && !depth_stencil->tests_bounds &&
+           !depth_stencil->counts_by_test && def->depth_test && direction_of(def->depth_compare) != 0 &&
+           !plan->moves_depth && plan->shading == RHW_SHADING_NONE && plan->early.open == RHW_OPEN_IGNORED;
+}
+
 static void plan_depth(struct rhw_draw_plan *plan, const struct rhw_pipeline_def *def,
                        const struct rhw_depth_stencil_state *depth_stencil, enum rhw_phase phase, int samples,
                        enum rhw_paths paths)
@@ -135,6 +145,7 @@ static void plan_depth(struct rhw_draw_plan *plan, const struct rhw_pipeline_def
     plan_rules(plan, def, phase);
     plan->early_name = general || plan->is_full ? RHW_RULE_ANY : name_of(plan->early);
     plan->tests_early = plan->depth_mode == RHW_DEPTH_EARLY || plan->depth_mode == RHW_DEPTH_EARLY_REJECT;
+    plan->settles_blocks = !general && samples == 1 && settles_blocks(plan, def, depth_stencil);
     // What lies behind a bound may still round to it, or change the stencil.
     const bool can_be_bounded = depth_stencil->rejects_early && depth_stencil->depth_steps == 0;
     plan->depth_direction = def->depth_test && !general && can_be_bounded ? direction_of(compare) : 0;

@@ -76,14 +76,15 @@ struct rhw_draw_plan {
     bool weighs_alpha;          // after the fragment function: by the area that a smooth line covers
     bool masks_samples;         // after the fragment function: by alpha, or the function itself
     bool is_full;               // tests are full ones (kernels/raster/full_test.h)
-    bool is_biased;             // depth is
-    bool tests_early;           // with `early`
-    bool needs_depth;           // depth is tested, or given to the fragment function
-    bool keeps_depth;           // groups carry it
-    bool keeps_identity;        // groups of RHW_SHADING_SMOOTH carry facing or ids
-    bool needs_screen;          // weights on the screen are wanted
-    bool needs_distance;        // derivatives that change from pixel to pixel are wanted
-    bool is_skipped;            // nothing is drawn in this phase
+    bool settles_blocks; // full, but depth stays and stencil follows the depth test alone (kernels/raster/depth_range.h)
+    bool is_biased;      // depth is
+    bool tests_early;    // with `early`
+    bool needs_depth;    // depth is tested, or given to the fragment function
+    bool keeps_depth;    // groups carry it
+    bool keeps_identity; // groups of RHW_SHADING_SMOOTH carry facing or ids
+    bool needs_screen;   // weights on the screen are wanted
+    bool needs_distance; // derivatives that change from pixel to pixel are wanted
+    bool is_skipped;     // nothing is drawn in this phase
     // RHW_TRIANGLE_SMALL where small triangles have a path of their own (kernels/tile/triangle_small.h), and where
     // those that do not take it are covered by spans; else 0. What is biased is looked at one by one.
     uint16_t small_flag, biased_small_flag, span_flag;

@@ -29,6 +29,8 @@ static void reset(struct rhw_pass_state *pass, const struct rhw_pass_def *def)
     pass->shades_first = false;
     pass->current = NULL;
     pass->out_of_memory = false;
+    pass->paths = pass->context->paths;
+    pass->explained.ask.fragment = NULL;
     pass->refused_pipeline = false;
     pass->color_count = def->color_count;
     memset(&pass->pending, 0, sizeof pass->pending);

@@ -9,6 +9,7 @@
 #include "clean_tiles.h"
 #include "constants.h"
 #include "draw_list.h"
+#include "explained.h"
 #include "rhw/shader.h"
 #include "sample_pattern.h"
 #include "texture.h"
@@ -110,7 +111,8 @@ struct rhw_pass_state {
     bool has_stencil;
     struct rhw_attachment stencil;
     struct rhw_mip stencil_plane, stencil_resolve; // of textures, as a target and to resolve into
-    enum rhw_paths paths;                          // of the context
+    enum rhw_paths paths;                          // of the context, or the general one
+    struct rhw_explained explained;
 
     struct rhw_arena arena; // states, uniforms, draws
     struct rhw_bound bound;

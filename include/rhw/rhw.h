@@ -4,6 +4,7 @@
 #define RHW_RHW_H
 
 #include "limits.h"
+#include "explain.h"
 #include "transfer.h"
 #include "transform_feedback.h"
 #include "types.h"

@@ -9,6 +9,7 @@
 #include "raster/line_pixels.h"
 #include "raster/smooth_coverage.h"
 #include "tile/draw_state.h"
+#include "tile/explained_triangle.h"
 #include "tile/resolve.h"
 #include "tile/stippled_line.h"
 #include "tile/triangle_large.h"
@@ -209,29 +210,48 @@ static void draw_any(struct tile_work *work, struct triangle_work *triangle, con
     }
 }
 
-// Draws triangle `lane` of the setup.
-static void draw_triangle(struct tile_work *work, const struct rhw_chunk *chunk,
-                          struct triangle_setup8 *setup, int lane)
+// Begins triangle `lane` of the setup; gives its draw's flag of small triangles, 0 where it is to take no path of theirs.
+RHW_INLINE uint16_t begin_triangle(struct tile_work *work, struct triangle_work *triangle,
+                                   const struct rhw_chunk *chunk, struct triangle_setup8 *setup, int lane)
 {
     const struct rhw_triangle *const t = setup->read->triangle[lane];
     const struct rhw_segment *const segment = &chunk->segments[t->segment];
     if (segment->draw != work->draw) {
         set_draw(work, segment->draw);
     }
+    triangle->segment = segment;
+    triangle->t = t;
+    triangle->setup = setup;
+    triangle->lane = lane;
+    triangle->has_planes = triangle->has_values = false;
+    const uint16_t small_flag = work->plan.small_flag; // 0 for what is biased
+    return !(t->flags & small_flag) && work->plan.is_biased ? bias_triangle(work, triangle, setup)
+                                                            : small_flag;
+}
+
+static void draw_triangle(struct tile_work *work, const struct rhw_chunk *chunk,
+                          struct triangle_setup8 *setup, int lane)
+{
     struct triangle_work triangle;
-    triangle.segment = segment;
-    triangle.t = t;
-    triangle.setup = setup;
-    triangle.lane = lane;
-    triangle.has_planes = triangle.has_values = false;
-    uint16_t small_flag = work->plan.small_flag; // 0 for what is biased
-    if (!(t->flags & small_flag) && work->plan.is_biased) {
-        small_flag = bias_triangle(work, &triangle, setup);
-    }
-    if (t->flags & small_flag && !(setup->exact >> lane & 1)) {
+    const uint16_t small_flag = begin_triangle(work, &triangle, chunk, setup, lane);
+    if (triangle.t->flags & small_flag && !(setup->exact >> lane & 1)) {
         draw_small(work, &triangle);
     } else if (!work->plan.is_skipped) {
         draw_any(work, &triangle, chunk);
+    }
+}
+
+// Draws the triangles of a batch by the general path, and tells of those that cover a sample.
+static __attribute__((noinline)) void explain_batch(struct tile_work *work, const struct rhw_chunk *chunk,
+                                                    struct triangle_setup8 *setup)
+{
+    for (int i = 0; i < setup->read->count; i++) {
+        struct sample_content before;
+        struct triangle_work triangle;
+        explain_begin(work, &before);
+        begin_triangle(work, &triangle, chunk, setup, i);
+        draw_any(work, &triangle, chunk);
+        explain_end(work, &before, &triangle);
     }
 }
 
@@ -248,6 +268,10 @@ static void draw_batch(struct tile_work *work, const struct rhw_chunk *chunk, co
     struct rhw_tile_scratch *const scratch = work->scratch;
     const bool backwards = work->phase == RHW_PHASE_BACKWARDS;
     setup_triangles8(&setup, work, chunk, read);
+    if (work->explained) {
+        explain_batch(work, chunk, &setup);
+        return;
+    }
     for (int i = 0; i < read->count; i++) {
         if (backwards && is_hidden(work)) {
             break;
@@ -392,6 +416,8 @@ static void load_tile(const struct tile_work *work)
         return;
     }
     work->scratch->depth.direction = 0;
+    work->scratch->depth.has_ranges = false;
+    work->scratch->depth.unranged = 0;
     for (int i = 0; i < pass->color_count; i++) {
         load_attachment(work, &pass->colors[i], 0, work->scratch->color[i]);
     }
@@ -440,7 +466,10 @@ void RHW_ISA_NAME(rhw_draw_tile)(struct rhw_pass_state *pass, int number, int wo
                              .y = tile_y * RHW_TILE,
                              .width = min_int(pass->width - tile_x * RHW_TILE, RHW_TILE),
                              .height = min_int(pass->height - tile_y * RHW_TILE, RHW_TILE),
-                             .samples = pass->pattern->count};
+                             .samples = pass->pattern->count,
+                             .explained = pass->explained.ask.fragment && pass->explained.tile == number
+                                              ? &pass->explained
+                                              : NULL};
     const int bins = list_bins(&work);
     if (bins == 0 && !resolves_loaded(&work)) {
         pass_tile_through(&work);

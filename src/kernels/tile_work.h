@@ -138,7 +138,8 @@ struct tile_work {
     bool is_scissored;         // the scissor, or the target's end, leaves out pixels of the tile
     bool constant_is_ready;    // the draw's constant colour was made
     bool orders_lanes; // of multisampled passes: a group may cover a sample twice, and the last is seen
-    uint64_t fragments_before; // of `counters`, when the state was set
+    uint64_t fragments_before;       // of `counters`, when the state was set
+    struct rhw_explained *explained; // NULL: it is of another tile, or none is asked for
 };
 
 // Tells where a block at (x, y) of the tile lies from the anchor.

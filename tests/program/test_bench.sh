@@ -6,7 +6,7 @@
 tiny="--size 96x54 --frames 2"
 
 succeed bench --list
-check "list names the scenes" test "$(grep -cE "^(fill_flat|overdraw|painter|sphere_1m_depth|bunny_lit|sponza|pbr_helmet|pbr_sponza|context|texture|mips|process|lines_1m|points_1m|shadow_volumes|shadow_map|reflection|deferred|particles|shadowed_helmet|shadowed_sponza|hair) " "$folder/log/out")" = 22
+check "list names the scenes" test "$(grep -cE "^(fill_flat|overdraw|painter|sphere_1m_depth|bunny_lit|sponza|pbr_helmet|pbr_sponza|context|texture|mips|process|lines_1m|points_1m|shadow_volumes|shadow_map|reflection|deferred|particles|shadowed_helmet|shadowed_sponza|hair|transmission) " "$folder/log/out")" = 23
 
 succeed bench $tiny --peer none --scene fill --threads 2
 check "table has its rows" test "$(grep -cE '^fill_(flat|color|blend|tex) ' "$folder/log/out")" = 4
@@ -65,10 +65,10 @@ mkdir -p models/gltf/sponza
 cp "$root/tests/program/patches.gltf" models/gltf/DamagedHelmet.glb
 cp "$root/tests/program/patches.gltf" models/gltf/sponza/Sponza.gltf
 status=0
-RHW_MODELS=$PWD/models "$rhw" bench --size 320x180 --frames 1 --scene pbr,shadowed,hair --csv >"$folder/log/out" 2>"$folder/log/err" || status=$?
+RHW_MODELS=$PWD/models "$rhw" bench --size 320x180 --frames 1 --scene pbr,shadowed,hair,transmission --csv >"$folder/log/out" 2>"$folder/log/err" || status=$?
 check "physically based: status" test "$status" = 0
 check "physically based: pictures agree" sh -c "! grep -v 'not compared with' '$folder/log/err'"
-check "physically based: all scenes" test "$(grep -cE '^((pbr|shadowed)_(helmet|sponza)|hair),' "$folder/log/out")" = 5
+check "physically based: all scenes" test "$(grep -cE '^((pbr|shadowed)_(helmet|sponza)|hair|transmission),' "$folder/log/out")" = 6
 
 # What the twin has no shader for is left out, not drawn differently.
 sed 's/"scale": \[1, 0.9, 0.4\]/"scale": [-1, 0.9, 0.4]/' "$root/tests/program/patches.gltf" >models/gltf/DamagedHelmet.glb

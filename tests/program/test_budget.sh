@@ -50,6 +50,40 @@ if ! grep -aq __asan_init "$rhw" && ! grep -aq __tsan_init "$rhw"; then
     refuse 1 "cube.obj: .*memory" render cube.obj --size 16384 -o a.png --max-memory 512M
 fi
 
+# Time: of a process, and for thumbs of each model.
+for seconds in 0 -1 1e9 soon nan; do
+    refuse 2 "--max-time: '$seconds' is not a number of seconds, 0.1 to 86400" render cube.obj -o a.png \
+        --max-time="$seconds"
+done
+succeed render cube.obj -o cube.png --max-time 600
+refuse 1 "cube.obj: takes longer than --max-time, 0.5 seconds" render cube.obj -o late.apng --turntable 10000 \
+    --size 1024 --max-time 0.5
+mkdir late
+cp cube.obj cube.mtl late
+run thumbs late -o slow --size 8192 --max-time 0.3
+check "thumbs, too late: status" test "$status" = 1
+check "thumbs, too late: says so" grep -q '^rhw: late/cube.obj: takes longer than --max-time, 0.3 seconds$' "$folder/log/err"
+check "no half picture" test "$(find slow -type f | wc -l)" = 0
+
+# A signal to thumbs and what it started leaves no temporary file.
+setsid "$rhw" thumbs late -o slow --size 8192 2>/dev/null &
+tries=0
+while [ -z "$(find slow -name '.rhw-*')" ] && [ $tries -lt 300 ]; do
+    sleep 0.02
+    tries=$((tries + 1))
+done
+check "a temporary file" test $tries -lt 300
+kill -TERM "-$!"
+status=0
+wait $! || status=$?
+check "ended by the signal" test "$status" = 143
+tries=0
+while [ -n "$(find slow -type f)" ] && [ $tries -lt 100 ]; do
+    sleep 0.02
+    tries=$((tries + 1))
+done
+check "which is gone" test "$(find slow -type f | wc -l)" = 0
+
 # Files that the model names.
 mkdir -p shop/stock
 cp wide.png shop

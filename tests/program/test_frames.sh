@@ -67,6 +67,28 @@ succeed render move.gltf -o lossy.webp --animate 8 --size 40 --quality 30
 succeed render move.gltf --animate 5 --turntable 6 -o both.png --size 40
 check "a turn of 6" test "$(count both.png fcTL)" = 6
 
+# Several are encoded at once, and are what one after the other gives.
+for threads in 1 5; do
+    succeed render move.gltf -o "many-$threads.apng" --animate 30 --size 90 --threads $threads
+    succeed render move.gltf -o "many-$threads.webp" --animate 30 --size 90 --threads $threads
+    mkdir "many-$threads"
+    succeed render move.gltf -o "many-$threads/{frame}.png" --animate 30 --size 90 --output color,depth --threads $threads
+done
+check "a file that moves, by 5 threads" cmp -s many-1.apng many-5.apng
+check "WebP, by 5 threads" cmp -s many-1.webp many-5.webp
+check "60 files" test "$(find many-5 -name '*.png' | wc -l)" = 60
+check "the same, by 5 threads" diff -r many-1 many-5
+
+# What cannot be written ends the work, with a line for it, and leaves nothing half.
+for out in big.apng big.webp 'big-{frame}.png'; do
+    status=0
+    (ulimit -f 4; exec "$rhw" render move.gltf -o "$out" --animate 30 --size 300 --threads 4) 2>"$folder/log/err" || status=$?
+    check "$out: status" test "$status" = 1
+    check "$out: says so" grep -q '^rhw: big.*: cannot be written: File too large$' "$folder/log/err"
+    check "$out: leaves nothing" sh -c '! ls big* >/dev/null 2>&1'
+    no_temporary_files
+done
+
 # A turntable of a still model: the first and the opposite picture of a cube of one colour show the same outline.
 succeed render cube.obj -o 't-{frame}.png' --turntable 4 --size 48 --output depth
 check "4 places" test "$(find . -name 't-*.png' | wc -l)" = 4

@@ -51,7 +51,10 @@ static size_t make_movie(enum cli_picture_format format, int channels, int quali
         const struct frame frame = {i, channels};
         struct cli_raster raster;
         set_frame(&raster, &frame);
-        assert_true(cli_moving_add(&movie, &raster));
+        struct cli_moving_frame encoded;
+        assert_true(cli_moving_encode(&movie, &raster, &encoded));
+        assert_true(cli_moving_add(&movie, &raster, &encoded));
+        cli_moving_forget(&encoded);
     }
     assert_true(cli_moving_finish(&movie));
     cli_moving_close(&movie);

@@ -3,6 +3,7 @@
 #include "budget.h"
 
 #include "options.h"
+#include "output_file.h"
 #include "sanitizer.h"
 
 #include <stdlib.h>
@@ -26,7 +27,7 @@ static bool parse_bytes(const char *text, size_t *bytes)
 
 bool cli_parse_budget(struct cli_budget *budget, int id, const char *argument)
 {
-    int side;
+    int side, count;
     switch (id) {
     case CLI_BUDGET_MEMORY:
         if (parse_bytes(argument, &budget->memory)) {
@@ -34,6 +35,13 @@ bool cli_parse_budget(struct cli_budget *budget, int id, const char *argument)
         }
         cli_error("--max-memory", "'%s' is not a size like 512M or 2G, and at least %dM", argument,
                   LEAST_MEGABYTES);
+        return false;
+    case CLI_BUDGET_TIME:
+        if (cli_parse_numbers(argument, 1, 1, &budget->seconds, &count) && budget->seconds >= 0.1 &&
+            budget->seconds <= 86400.0) {
+            return true;
+        }
+        cli_error("--max-time", "'%s' is not a number of seconds, 0.1 to 86400", argument);
         return false;
     case CLI_BUDGET_TEXTURE:
         if (cli_parse_int(argument, 1, RHW_MAX_TARGET_SIZE, &side)) {
@@ -49,13 +57,16 @@ bool cli_parse_budget(struct cli_budget *budget, int id, const char *argument)
     }
 }
 
-void cli_budget_apply(const struct cli_budget *budget)
+void cli_budget_apply(const struct cli_budget *budget, const char *subject)
 {
     struct rlimit limit;
     if (budget->memory > 0 && !SCENE_SANITIZED && getrlimit(RLIMIT_AS, &limit) == 0 &&
         (limit.rlim_max == RLIM_INFINITY || limit.rlim_max > budget->memory)) {
         limit.rlim_cur = budget->memory;
         setrlimit(RLIMIT_AS, &limit);
+    }
+    if (budget->seconds > 0.0) {
+        cli_output_files_deadline(budget->seconds, subject);
     }
 }
 

@@ -3,6 +3,7 @@
 #include "message.h"
 
 #include <ctype.h>
+#include <pthread.h>
 #include <stdarg.h>
 #include <stdbool.h>
 #include <stdio.h>
@@ -12,6 +13,7 @@
 enum { LINE_LENGTH = 2048 }; // bytes; longer lines are cut
 
 static bool stage_shown, has_bar;
+static pthread_mutex_t lock = PTHREAD_MUTEX_INITIALIZER; // of these; pictures are encoded by several threads
 
 static void clear_stage(void)
 {
@@ -23,11 +25,12 @@ static void clear_stage(void)
 
 void cli_stage(const char *work, const char *subject)
 {
-    if (has_bar || !isatty(STDERR_FILENO)) {
-        return;
+    pthread_mutex_lock(&lock);
+    if (!has_bar && isatty(STDERR_FILENO)) {
+        fprintf(stderr, "\r\033[K%s %.200s", work, subject);
+        stage_shown = true;
     }
-    fprintf(stderr, "\r\033[K%s %.200s", work, subject);
-    stage_shown = true;
+    pthread_mutex_unlock(&lock);
 }
 
 void cli_progress(const char *subject, int done, int count)
@@ -36,23 +39,29 @@ void cli_progress(const char *subject, int done, int count)
     if (!isatty(STDERR_FILENO)) {
         return;
     }
+    pthread_mutex_lock(&lock);
     const int filled = (int)((long long)done * WIDTH / count);
     fprintf(stderr, "\r\033[Kdrawing %.100s [%.*s%.*s] %d of %d", subject, filled, "########################",
             WIDTH - filled, "........................", done, count);
     stage_shown = has_bar = true;
+    pthread_mutex_unlock(&lock);
 }
 
 void cli_progress_end(void)
 {
+    pthread_mutex_lock(&lock);
     has_bar = false;
     clear_stage();
+    pthread_mutex_unlock(&lock);
 }
 
 void cli_stage_end(void)
 {
+    pthread_mutex_lock(&lock);
     if (!has_bar) {
         clear_stage();
     }
+    pthread_mutex_unlock(&lock);
 }
 
 static void print_line(const char *subject, const char *prefix, const char *format, va_list arguments)
@@ -71,8 +80,10 @@ static void print_line(const char *subject, const char *prefix, const char *form
             *c = '?';
         }
     }
+    pthread_mutex_lock(&lock);
     clear_stage();
     fprintf(stderr, "%s\n", line);
+    pthread_mutex_unlock(&lock);
 }
 
 void cli_error(const char *subject, const char *format, ...)

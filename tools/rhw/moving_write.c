@@ -92,34 +92,36 @@ static bool write_part(struct cli_moving *moving, const struct cli_raster *raste
     return !is_data || write_chunk(stream, "fdAT", number, sizeof number, chunk + 8, size);
 }
 
-static bool add_png(struct cli_moving *moving, const struct cli_raster *raster)
+enum { SIGNATURE = 8 };
+
+static bool encode_png(const struct cli_moving *moving, const struct cli_raster *raster,
+                       struct cli_moving_frame *frame)
 {
-    enum { SIGNATURE = 8 };
-    char *bytes = NULL;
-    size_t size = 0;
     struct cli_output_file memory = *moving->file;
-    memory.stream = open_memstream(&bytes, &size);
+    errno = 0;
+    memory.stream = open_memstream(&frame->bytes, &frame->size);
     if (!memory.stream) {
         return fail(moving);
     }
-    bool written = cli_png_write(&memory, raster);
+    const bool written = cli_png_write(&memory, raster);
     const bool closed = fclose(memory.stream) == 0;
-    if (written && !(closed && size > SIGNATURE)) {
-        written = fail(moving);
-    }
-    errno = 0;
+    return written && ((closed && frame->size > SIGNATURE) || fail(moving));
+}
+
+static bool add_png(struct cli_moving *moving, const struct cli_raster *raster,
+                    const struct cli_moving_frame *frame)
+{
     bool begun = false, stored = true;
-    if (written && moving->frame == 0) {
-        stored = fwrite(bytes, 1, SIGNATURE, moving->file->stream) == SIGNATURE;
+    if (moving->frame == 0) {
+        stored = fwrite(frame->bytes, 1, SIGNATURE, moving->file->stream) == SIGNATURE;
     }
-    for (size_t at = SIGNATURE; written && stored && at + 12 <= size;) {
-        const unsigned char *const chunk = (const unsigned char *)bytes + at;
+    for (size_t at = SIGNATURE; stored && at + 12 <= frame->size;) {
+        const unsigned char *const chunk = (const unsigned char *)frame->bytes + at;
         const size_t length = load_big_endian(chunk);
         stored = write_part(moving, raster, chunk, length, &begun);
         at += length + 12;
     }
-    free(bytes);
-    return written && (stored || fail(moving));
+    return stored || fail(moving);
 }
 
 // WebP ----------------------------------------------------------------------------------------------
@@ -175,11 +177,25 @@ void cli_moving_open(struct cli_moving *moving, struct cli_output_file *file, en
         .file = file, .format = format, .frame_count = frame_count, .rate = rate, .quality = quality};
 }
 
-bool cli_moving_add(struct cli_moving *moving, const struct cli_raster *raster)
+bool cli_moving_encode(const struct cli_moving *moving, const struct cli_raster *raster,
+                       struct cli_moving_frame *frame)
+{
+    *frame = (struct cli_moving_frame){0};
+    return moving->format == CLI_PICTURE_WEBP || encode_png(moving, raster, frame);
+}
+
+void cli_moving_forget(struct cli_moving_frame *frame)
+{
+    free(frame->bytes);
+    *frame = (struct cli_moving_frame){0};
+}
+
+bool cli_moving_add(struct cli_moving *moving, const struct cli_raster *raster,
+                    const struct cli_moving_frame *frame)
 {
     errno = 0;
     const bool added =
-        moving->format == CLI_PICTURE_WEBP ? add_webp(moving, raster) : add_png(moving, raster);
+        moving->format == CLI_PICTURE_WEBP ? add_webp(moving, raster) : add_png(moving, raster, frame);
     moving->frame++;
     return added;
 }

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Temporary file beside the target, renamed at the end; see output_file.h. Signals need the one piece of
 // process-wide state in the program: a fixed list of names that the handler, which may call nothing but
-// async-signal-safe functions, can walk and unlink.
+// async-signal-safe functions, can walk and unlink. Files may be open in several threads.
 #include "output_file.h"
 
 #include "message.h"
@@ -9,14 +9,16 @@
 #include <errno.h>
 #include <fcntl.h>
 #include <libgen.h>
+#include <pthread.h>
 #include <signal.h>
 #include <stdlib.h>
 #include <string.h>
 #include <sys/stat.h>
+#include <sys/time.h>
 #include <unistd.h>
 
 enum {
-    PENDING_MAX = 16,      // files open at a time: every kind of picture, the statistics, and room
+    PENDING_MAX = 256, // files open at a time: every kind of some pictures that are encoded at once, and room
     BUFFER_SIZE = 1 << 18, // bytes; encoders write in pieces of a few KiB
     NAME_ATTEMPTS = 1000
 };
@@ -24,25 +26,62 @@ enum {
 static struct {
     const char *volatile names[PENDING_MAX]; // NULL: free; the strings outlive their entry
     volatile pid_t owner; // a forked child inherits the handler but must not remove its parent's files
-} pending;
+    volatile sig_atomic_t dying;
+    char late[512]; // what is said at the deadline
+    size_t late_size;
+    pthread_mutex_t lock; // of what follows, and of taking an entry
+    unsigned long created;
+} pending = {.lock = PTHREAD_MUTEX_INITIALIZER};
 
-static void remove_pending_and_die(int number)
+static void remove_pending(void)
 {
     if (getpid() == pending.owner) {
+        pending.dying = 1;
         for (int i = 0; i < PENDING_MAX; i++) {
             if (pending.names[i]) {
                 unlink(pending.names[i]);
             }
         }
     }
+}
+
+static void remove_pending_and_die(int number)
+{
+    remove_pending();
     signal(number, SIG_DFL);
     raise(number);
+}
+
+static void remove_pending_and_tell(int number)
+{
+    (void)number;
+    remove_pending();
+    const ssize_t written = write(STDERR_FILENO, pending.late, pending.late_size);
+    (void)written;
+    _exit(1);
+}
+
+void cli_output_files_deadline(double seconds, const char *subject)
+{
+    const int size = snprintf(pending.late, sizeof pending.late,
+                              "rhw: %.400s: takes longer than --max-time, %g seconds\n", subject, seconds);
+    pending.late_size = (size_t)size;
+    struct sigaction action = {.sa_handler = remove_pending_and_tell};
+    const struct itimerval timer = {
+        .it_value = {.tv_sec = (time_t)seconds,
+                     .tv_usec = (suseconds_t)((seconds - (double)(time_t)seconds) * 1e6)}};
+    sigemptyset(&action.sa_mask);
+    sigaction(SIGALRM, &action, NULL);
+    setitimer(ITIMER_REAL, &timer, NULL);
 }
 
 void cli_output_files_guard(void)
 {
     static const int deadly[] = {SIGINT, SIGTERM, SIGHUP, SIGPIPE};
     pending.owner = getpid();
+    for (int i = 0; i < PENDING_MAX; i++) {
+        pending.names[i] = NULL; // those of the process that forked this one
+    }
     for (size_t i = 0; i < sizeof deadly / sizeof *deadly; i++) {
         struct sigaction action, old;
         memset(&action, 0, sizeof action);
@@ -119,27 +158,40 @@ static char *resolve(const char *path)
     return resolved ? resolved : errno == ENOENT ? strdup(path) : NULL;
 }
 
-// Creates DIRECTORY/.rhw-PID-N.tmp. Signals wait until the name is in the list: a file that exists is
-// always one that the handler knows.
-static int create_guarded(char *name, size_t size, const char *directory, int slot)
+// Takes an entry of the list for DIRECTORY/.rhw-PID-N.tmp; false where none is free. `name` then holds that.
+static bool take_entry(struct cli_output_file *file, char *name, size_t size, const char *directory)
 {
-    sigset_t all, before;
-    sigfillset(&all);
-    sigprocmask(SIG_SETMASK, &all, &before);
+    pthread_mutex_lock(&pending.lock);
+    file->pending = -1;
+    for (int i = 0; i < PENDING_MAX && file->pending < 0; i++) {
+        file->pending = pending.names[i] ? -1 : i;
+    }
+    if (file->pending >= 0) {
+        snprintf(name, size, "%s/.rhw-%ld-%lu.tmp", directory, (long)getpid(), pending.created++);
+        pending.names[file->pending] = name;
+    }
+    pthread_mutex_unlock(&pending.lock);
+    return file->pending >= 0;
+}
+
+// The name is in the list before the file is there, so that the handler knows every file that exists.
+static int create_guarded(struct cli_output_file *file, char *name, size_t size, const char *directory)
+{
     int descriptor = -1;
-    for (int attempt = 0; attempt < NAME_ATTEMPTS; attempt++) {
-        snprintf(name, size, "%s/.rhw-%ld-%d.tmp", directory, (long)getpid(), attempt);
+    errno = EEXIST; // one that a process of this number left behind
+    for (int attempt = 0; attempt < NAME_ATTEMPTS && descriptor < 0 && errno == EEXIST; attempt++) {
+        if (!take_entry(file, name, size, directory)) {
+            errno = EMFILE;
+            return -1;
+        }
         descriptor = open(name, O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
-        if (descriptor >= 0 || errno != EEXIST) {
-            break;
+        if (descriptor < 0) {
+            pending.names[file->pending] = NULL;
         }
     }
-    if (descriptor >= 0) {
-        pending.names[slot] = name;
+    if (descriptor >= 0 && pending.dying) {
+        unlink(name); // the handler has been here
     }
-    const int cause = errno;
-    sigprocmask(SIG_SETMASK, &before, NULL);
-    errno = cause;
     return descriptor;
 }
 
@@ -148,7 +200,7 @@ static int open_temporary(struct cli_output_file *file)
     char *directory = directory_of(file->target);
     const size_t size = directory ? strlen(directory) + 64 : 0;
     char *name = directory ? malloc(size) : NULL;
-    const int descriptor = name ? create_guarded(name, size, directory, file->pending) : -1;
+    const int descriptor = name ? create_guarded(file, name, size, directory) : -1;
     const int cause = errno;
     if (descriptor >= 0) {
         file->temporary = name;
@@ -158,16 +210,6 @@ static int open_temporary(struct cli_output_file *file)
     free(directory);
     errno = cause;
     return descriptor;
-}
-
-static int find_free_slot(void)
-{
-    for (int i = 0; i < PENDING_MAX; i++) {
-        if (!pending.names[i]) {
-            return i;
-        }
-    }
-    return -1;
 }
 
 static int open_target(struct cli_output_file *file)
@@ -183,9 +225,7 @@ static int open_target(struct cli_output_file *file)
         return open(file->path, O_WRONLY | O_CLOEXEC);
     }
     file->target = resolve(file->path);
-    file->pending = find_free_slot();
-    if (!file->target || file->pending < 0) {
-        errno = file->target ? EMFILE : errno;
+    if (!file->target) {
         return -1;
     }
     const int descriptor = open_temporary(file);

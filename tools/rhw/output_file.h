@@ -14,12 +14,15 @@ struct cli_output_file {
     bool seekable;    ///< false for a pipe or a device, which is written directly
     // ---
     char *target, *temporary; ///< NULL: written directly
-    int pending;              ///< slot in the list of files that a signal removes
+    int pending;              ///< entry in the list of files that a signal removes
 };
 
 /// Makes SIGINT, SIGTERM, SIGHUP and SIGPIPE remove the temporary files before they end the process, and a
-/// file size limit an ordinary write error. Call once, first.
+/// file size limit an ordinary write error. Call first, and in
+/// each process that is forked.
 void cli_output_files_guard(void);
+/// From now on the process ends after so many seconds, with status 1, a line about `subject`, and no temporary file.
+void cli_output_files_deadline(double seconds, const char *subject);
 
 /// Reports what would keep `path` from being written, as far as that can be known before anything is
 /// written: so that no one waits for a picture that cannot be kept. "-" is standard output.

@@ -306,7 +306,7 @@ static bool prepare(struct render *render)
         cli_error("--isa", "this computer or this build has no %s", rhw_isa_name(job->isa));
         return false;
     }
-    cli_budget_apply(&job->budget);
+    cli_budget_apply(&job->budget, job->model_count > 1 ? "render" : job->model_paths[0]);
     return !job->environment || cli_panorama_load(&render->panorama, job->environment);
 }
 

@@ -9,7 +9,6 @@
 #include <string.h>
 #include <unistd.h>
 
-// MODEL's name with another ending; never over a file that is there, which may be a texture.
 // An argument that stands apart from its option, where that does not have to have one, is taken for a model.
 static bool check_models(const struct cli_render_job *job)
 {
@@ -25,6 +24,7 @@ static bool check_models(const struct cli_render_job *job)
     return true;
 }
 
+// MODEL's name with another ending; never over a file that is there, which may be a texture.
 static bool choose_out(struct cli_render_job *job)
 {
     if (job->out) {

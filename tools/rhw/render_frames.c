@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: MIT
 // Pictures that follow one another, of a model that is animated or turned: files with a number in their names, or one that
 // moves.
+#include "frame_writer.h"
 #include "message.h"
-#include "movement.h"
-#include "moving_write.h"
+#include "pose_reader.h"
 
+#include <stdlib.h>
 #include <string.h>
 
 static bool is_sequence(const struct cli_render_job *job)
@@ -12,74 +13,84 @@ static bool is_sequence(const struct cli_render_job *job)
     return strstr(job->out, "{frame}") != NULL;
 }
 
-static enum cli_output_kind only_kind(const struct cli_render_job *job)
+// Pictures in the making.
+struct frames {
+    struct render *render;
+    struct cli_movement movement;
+    struct scene_camera first;     // that of the first picture
+    struct cli_pose_reader reader; // of a model that is animated
+    struct scene_model *pose;      // what the scene shows; NULL: the model as it was read
+};
+
+static bool pose_next(struct frames *frames)
 {
-    int kind = 0;
-    while (!(job->kinds >> kind & 1)) {
-        kind++;
+    struct render *const render = frames->render;
+    struct scene_model *const next = cli_pose_reader_next(&frames->reader);
+    if (!next) {
+        return false;
     }
-    return (enum cli_output_kind)kind;
+    const enum rhw_result result = scene_set_pose(render->scene, next);
+    cli_movement_free_pose(frames->pose);
+    frames->pose = next;
+    if (result != RHW_OK) {
+        cli_error(render->job.model_path, "%s", rhw_result_string(result));
+    }
+    return result == RHW_OK;
 }
 
 // The pose and the camera of a picture, drawn.
-static bool draw_frame(struct render *render, const struct cli_movement *movement,
-                       const struct scene_camera *first, int frame, struct scene_model **pose)
+static bool draw_frame(struct frames *frames, int frame)
 {
+    struct render *const render = frames->render;
+    const struct cli_movement *const movement = &frames->movement;
     cli_progress(render->job.model_path, frame, movement->frame_count);
-    if (movement->seconds > 0.0) {
-        struct scene_model *const next = cli_movement_pose(movement, render, frame);
-        if (!next) {
-            return false;
-        }
-        const enum rhw_result result = scene_set_pose(render->scene, next);
-        cli_movement_free_pose(*pose);
-        *pose = next;
-        if (result != RHW_OK) {
-            cli_error(render->job.model_path, "%s", rhw_result_string(result));
-            return false;
-        }
+    if (movement->seconds > 0.0 && !pose_next(frames)) {
+        return false;
     }
-    render->view.camera = cli_movement_turned(movement, first, &render->job, frame);
+    render->view.camera = cli_movement_turned(movement, &frames->first, &render->job, frame);
     return cli_render_draw(render);
 }
 
-static bool draw_sequence(struct render *render, const struct cli_movement *movement,
-                          struct scene_model **pose)
+// Into files of their own, or into `moving`.
+static bool draw_all(struct frames *frames, struct cli_moving *moving)
 {
-    const struct scene_camera first = render->view.camera;
-    bool going = true;
-    for (int frame = 0; frame < movement->frame_count && going; frame++) {
+    struct render *const render = frames->render;
+    struct cli_frame_writer *const writer = cli_frame_writer_open(render, moving);
+    bool going = writer != NULL;
+    for (int frame = 0; frame < frames->movement.frame_count && going; frame++) {
         cli_render_files_forget(render);
-        going = draw_frame(render, movement, &first, frame, pose) && cli_render_files_plan(render, frame) &&
-                cli_render_files_write(render);
+        going = draw_frame(frames, frame) && (moving || cli_render_files_plan(render, frame)) &&
+                cli_frame_writer_add(writer, render);
     }
-    return going;
+    return writer && (cli_frame_writer_close(writer) & going);
 }
 
-static bool draw_moving(struct render *render, const struct cli_movement *movement, struct scene_model **pose)
+// The one file there is.
+static char *take_path(struct render *render)
 {
-    const struct cli_render_job *const job = &render->job;
-    const struct scene_camera first = render->view.camera;
-    const enum cli_output_kind kind = only_kind(job);
+    int kind = 0;
+    while (!render->paths[kind]) {
+        kind++;
+    }
+    char *const path = render->paths[kind];
+    render->paths[kind] = NULL;
+    return path;
+}
+
+static bool draw_moving(struct frames *frames, const char *path)
+{
+    const struct cli_render_job *const job = &frames->render->job;
     struct cli_output_file file;
     struct cli_moving moving;
-    if (!cli_output_file_open(&file, render->paths[kind])) {
+    if (!cli_output_file_open(&file, path)) {
         return false;
     }
-    cli_moving_open(&moving, &file, job->format, movement->frame_count, movement->rate, job->quality);
-    bool going = true;
-    for (int frame = 0; frame < movement->frame_count && going; frame++) {
-        struct cli_output_raster output;
-        going = draw_frame(render, movement, &first, frame, pose);
-        if (going) {
-            cli_render_rasterize(render, kind, &output);
-            going = cli_moving_add(&moving, &output.raster);
-        }
-    }
-    going = going && cli_moving_finish(&moving);
+    cli_moving_open(&moving, &file, job->format, frames->movement.frame_count, frames->movement.rate,
+                    job->quality);
+    const bool drawn = draw_all(frames, &moving) && cli_moving_finish(&moving);
     cli_moving_close(&moving);
     cli_progress_end();
-    if (going && cli_output_file_finish(&file)) {
+    if (drawn && cli_output_file_finish(&file)) {
         return cli_output_file_commit(&file);
     }
     cli_output_file_discard(&file);
@@ -88,22 +99,30 @@ static bool draw_moving(struct render *render, const struct cli_movement *moveme
 
 bool cli_render_frames(struct render *render)
 {
-    struct cli_movement movement;
-    struct scene_model *pose = NULL;
-    if (!cli_movement_plan(&movement, &render->job, render->model)) {
+    struct frames frames = {.render = render};
+    if (!cli_movement_plan(&frames.movement, &render->job, render->model)) {
         return false;
     }
-    cli_progress(render->job.model_path, 0, movement.frame_count);
-    if (!cli_movement_camera(&movement, render)) {
+    cli_progress(render->job.model_path, 0, frames.movement.frame_count);
+    if (!cli_movement_camera(&frames.movement, render)) {
         cli_progress_end();
         return false;
     }
-    const bool drawn = is_sequence(&render->job) ? draw_sequence(render, &movement, &pose)
-                                                 : draw_moving(render, &movement, &pose);
+    frames.first = render->view.camera;
+    const bool animated = frames.movement.seconds > 0.0;
+    if (animated) {
+        cli_pose_reader_open(&frames.reader, &frames.movement, render);
+    }
+    char *const path = is_sequence(&render->job) ? NULL : take_path(render);
+    const bool drawn = path ? draw_moving(&frames, path) : draw_all(&frames, NULL);
+    free(path);
+    if (animated) {
+        cli_pose_reader_close(&frames.reader);
+    }
     cli_progress_end();
     // The scene still has the last pose.
     scene_destroy(render->scene);
     render->scene = NULL;
-    cli_movement_free_pose(pose);
+    cli_movement_free_pose(frames.pose);
     return drawn;
 }

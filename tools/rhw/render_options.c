@@ -127,6 +127,8 @@ static const struct cli_option options[] = {
      "fail when more than this is needed, for example 512M or 2G; default: reading a model may take 3/4 "
      "of\nthe "
      "machine's memory, at most 16G"},
+    {"max-time", CLI_BUDGET_TIME, "SECONDS",
+     "fail when the whole of it takes longer, 0.1..86400; reading a model may always take\n60"},
     {"max-texture", CLI_BUDGET_TEXTURE, "N",
      "halve textures until they are no longer than this; default: 4 times the picture's longer side, "
      "at\nleast "

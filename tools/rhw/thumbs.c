@@ -4,6 +4,7 @@
 // What is there and newer than its model is left alone, so a run that was ended goes on where it stopped.
 #include "budget.h"
 #include "options.h"
+#include "output_file.h"
 #include "rhw/rhw.h"
 #include "verbs.h"
 
@@ -25,6 +26,7 @@ enum {
     OPTION_BACKGROUND = 256,
     OPTION_FORCE,
     OPTION_MEMORY = CLI_BUDGET_MEMORY,
+    OPTION_TIME = CLI_BUDGET_TIME,
     OPTION_TEXTURE = CLI_BUDGET_TEXTURE,
     OPTION_CONFINE = CLI_BUDGET_CONFINE
 };
@@ -41,6 +43,7 @@ static const struct cli_option options[] = {
      "fail for a model that needs more than this, for example 512M or 2G; default: what the machine "
      "has,\ndivided "
      "among the models at a time"},
+    {"max-time", OPTION_TIME, "SECONDS", "fail for a model that takes longer, 0.1..86400; default 120"},
     {"max-texture", OPTION_TEXTURE, "N", "as for rhw render"},
     {"confine", OPTION_CONFINE, "FOLDER", "read no file outside this folder that a model names; default DIR"},
     {"quiet", OPTION_QUIET, NULL, "no warnings, and no count at the end"},
@@ -67,7 +70,7 @@ struct thumbs {
     int width, height, jobs;
     bool quiet, force;
     struct cli_budget budget; // of each model
-    char memory[48], texture[32];
+    char memory[48], seconds[32], texture[32];
     char confine[PATH_SIZE + 16];
     int running, drawn, kept, failed;
 };
@@ -108,11 +111,13 @@ static int draw(const struct thumbs *t, const char *model, const char *picture)
 {
     char size[32];
     snprintf(size, sizeof size, "%dx%d", t->width, t->height);
+    cli_output_files_guard();
     const char *arguments[20] = {"render", "--threads", "1",  "--format",     "png",        "-o",
                                  picture,  "--size",    size, "--background", t->background};
     int count = 11;
     arguments[count++] = t->memory;
     arguments[count++] = t->confine;
+    arguments[count++] = t->seconds;
     if (t->budget.texture > 0) {
         arguments[count++] = t->texture;
     }
@@ -246,6 +251,7 @@ static bool parse_option(struct thumbs *t, int id, const char *argument)
         cli_error("--jobs", "'%s' is not a number of 1 to %d", argument, RHW_MAX_THREADS);
         return false;
     case OPTION_MEMORY:
+    case OPTION_TIME:
     case OPTION_TEXTURE:
     case OPTION_CONFINE: return cli_parse_budget(&t->budget, id, argument);
     default:
@@ -266,6 +272,8 @@ static bool share_budget(struct thumbs *t)
     const size_t share = machine / (size_t)t->jobs > least ? machine / (size_t)t->jobs : least;
     snprintf(t->memory, sizeof t->memory, "--max-memory=%zuM",
              t->budget.memory > 0 ? t->budget.memory / megabyte : share);
+    snprintf(t->seconds, sizeof t->seconds, "--max-time=%g",
+             t->budget.seconds > 0.0 ? t->budget.seconds : 120.0);
     snprintf(t->texture, sizeof t->texture, "--max-texture=%u", t->budget.texture);
     const char *const folder = t->budget.folder ? t->budget.folder : t->in;
     if (snprintf(t->confine, sizeof t->confine, "--confine=%s", folder) < (int)sizeof t->confine) {

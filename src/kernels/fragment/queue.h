@@ -9,6 +9,7 @@
 #include "../raster/full_test.h"
 #include "../tile_work.h"
 #include "blend.h"
+#include "explained_fragment.h"
 #include "sample_queue.h"
 
 static void run_fragment_function(const struct tile_work *work, int count)
@@ -92,6 +93,9 @@ RHW_INLINE void finish_queue(struct tile_work *work)
             queue->only_full_rows = queue->only_full_rows && queue->live[g] == 0xff;
         }
     }
+    for (int g = 0; g < queue->count && work->explained; g++) {
+        explain_written(work, g, queue->live[g]);
+    }
     for (int t = 0; t < work->pass->color_count; t++) {
         const enum rhw_blend_path path = work->state->blend[t].path;
         if (path == BLEND_RGBA8_REPLACE) {
@@ -109,6 +113,9 @@ static void shade_queue(struct tile_work *work)
 {
     struct fragment_queue *const queue = &work->scratch->queue;
     run_fragment_function(work, queue->count);
+    if (work->explained) {
+        explain_shaded(work);
+    }
     for (int g = 0; g < queue->count && work->plan.weighs_alpha; g++) {
         queue->colors[g][0][3] *= queue->coverage[g];
     }

@@ -163,6 +163,11 @@ static __attribute__((noinline)) void fill_any_rows(const struct tile_work *work
             clipped_row_set(&clipped, planes, triangle->clipped, &block->at, row);
             clipped_row_replace(&clipped, &place.weights, &place.screen);
         }
+        if (work->explained) {
+            explain_weights(work, (block->y + row) * RHW_TILE + block->x, rows->bits[n],
+                            work->plan.sampling == RHW_SAMPLING_SAMPLE ? block->samples->only : -1,
+                            place.position, &place.weights, &place.screen);
+        }
         interpolate_any(work->scratch->queue.varyings + (first + n) * work->pipeline->varying_components,
                         work->pipeline, triangle, &place.weights, &place.screen);
         fill_builtins(work, first + n, triangle, &place);

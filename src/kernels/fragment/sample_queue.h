@@ -7,6 +7,7 @@
 #include "../raster/full_test.h"
 #include "blend.h"
 #include "expand.h"
+#include "explained_fragment.h"
 
 // Lanes whose fragment covers sample s.
 RHW_INLINE unsigned lanes_of_sample(i8 samples, int s)
@@ -163,6 +164,9 @@ static __attribute__((noinline)) void finish_sample_queue(struct tile_work *work
         const i8 samples = drops ? finish_samples(work, g) : queue->samples[g];
         for (int t = 0; t < work->pass->color_count && def->alpha_to_one; t++) {
             queue->colors[g][t][3] = f8_splat(1);
+        }
+        if (work->explained) {
+            explain_written(work, g, lanes_of_sample(samples, work->explained->ask.sample));
         }
         blend_samples(work, g, samples);
     }

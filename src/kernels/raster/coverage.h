@@ -36,13 +36,20 @@ static inline struct sample_origin center_of_pixel(int x, int y)
     return (struct sample_origin){sample_of_pixel(x), sample_of_pixel(y)};
 }
 
-// `sign` is −1 for a triangle whose vertices turn the negative way.
+// e of the edge from (x0, y0) to (x1, y1) at a point. `sign` is −1 for a triangle whose vertices turn the negative way.
+static inline int64_t edge_value(int32_t x0, int32_t y0, int32_t x1, int32_t y1, int32_t sign,
+                                 struct sample_origin point)
+{
+    const int32_t a = sign * (y0 - y1), b = sign * (x1 - x0);
+    return a * (point.x - x0) + b * (point.y - y0);
+}
+
 static inline struct edge make_edge(int32_t x0, int32_t y0, int32_t x1, int32_t y1, int32_t sign,
                                     struct sample_origin origin)
 {
     const int32_t a = sign * (y0 - y1), b = sign * (x1 - x0);
     const bool top_left = a > 0 || (a == 0 && b > 0);
-    const int64_t e = a * (origin.x - x0) + b * (origin.y - y0);
+    const int64_t e = edge_value(x0, y0, x1, y1, sign, origin);
     return (struct edge){a, b, (e - (top_left ? 0 : 1)) >> RHW_SUBPIXEL_BITS,
                          (RHW_BLOCK - 1) * ((int64_t)min_int(a, 0) + min_int(b, 0)),
                          (RHW_BLOCK - 1) * ((int64_t)max_int(a, 0) + max_int(b, 0))};
@@ -112,6 +119,25 @@ static inline uint64_t triangle_mask(const struct triangle_edges *triangle, int 
         q[2] += step[2];
     }
     return mask;
+}
+
+// Of the 8 blocks side by side in a tile, a bit for each that the triangle leaves out, and each that an edge crosses.
+struct block_row {
+    unsigned outside, crossed;
+};
+
+// Those at row y of the tile. An edge that crosses the tile is within 63·(|a| + |b|) < 2^31 in all of it.
+static inline struct block_row block_row_of(const struct triangle_edges *triangle, int y)
+{
+    i8 outside = i8_splat(0), crossed = i8_splat(0);
+    for (int i = 0; i < triangle->count; i++) {
+        const struct edge *const edge = &triangle->edges[i];
+        const i8 first = i8_splat((int32_t)(edge->q + (int64_t)edge->b * y)) +
+                         i8_splat(RHW_BLOCK * edge->a) * rhw_lane_index;
+        outside |= first + i8_splat((int32_t)edge->high);
+        crossed |= first + i8_splat((int32_t)edge->low);
+    }
+    return (struct block_row){i8_sign_bits(outside), i8_sign_bits(crossed)};
 }
 
 // This is what a triangle, clipped or not, covers in one tile.

@@ -62,6 +62,10 @@ static void set_state(struct tile_work *work, const struct rhw_draw_state *state
     }
     work->scratch->gathered.overtakes = false;
     work->tests_bounds = work->samples == 1 && hiz_follow(depth, &work->plan);
+    if (work->plan.moves_depth) {
+        depth->has_ranges = false;
+        depth->unranged = 0;
+    }
     for (int g = 0; g < RHW_FRAGMENT_GROUPS; g++) {
         struct rhw_fragment *const group = &queue->groups[g];
         const int offset = g * pipeline->varying_components;

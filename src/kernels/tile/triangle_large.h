@@ -7,7 +7,9 @@
 #define RHW_TRIANGLE_LARGE_H
 
 #include "../fragment/constant_color.h"
+#include "../fragment/explained_fragment.h"
 #include "../fragment/gather.h"
+#include "../raster/depth_range.h"
 #include "../raster/hiz.h"
 #include "span_blocks.h"
 #include "triangle_planes.h"
@@ -59,11 +61,17 @@ static void draw_block(struct tile_work *work, struct triangle_work *triangle, i
     f8 z[RHW_BLOCK];
     struct block block = {.x = x, .y = y, .at = block_offset(work, &triangle->planes, x, y), .z = z};
     block.leaves_triangle = leaves_triangle(triangle, &block.at);
-    if (plan->needs_depth) {
+    if (plan->needs_depth || work->explained) {
         depth_rows(work, triangle, &block, mask, z);
+    }
+    if (work->explained) {
+        explain_covered(work, x, y, 0, mask, z);
     }
     if (plan->tests_early) {
         mask = test_depth(work, triangle, &block, mask);
+    }
+    if (work->explained) {
+        explain_passed(work, x, y, 0, mask);
     }
     if (mask == 0 || plan->shading == RHW_SHADING_NONE) {
         return;
@@ -157,14 +165,46 @@ static unsigned hidden_blocks(struct tile_work *work, struct triangle_work *tria
                       planes->anchor_y - work->y, y);
 }
 
-static bool is_hidden_block(const struct tile_work *work, const struct triangle_work *triangle,
-                            unsigned hidden, int x, int y)
+// Whether what is known of blocks of the triangle's plane holds for the one at (x, y): its bit is set, and depth in it is
+// the plane's.
+static bool holds_for_block(const struct tile_work *work, const struct triangle_work *triangle,
+                            unsigned known, int x, int y)
 {
-    if (!(hidden >> (x / RHW_BLOCK) & 1)) {
+    if (!(known >> (x / RHW_BLOCK) & 1)) {
         return false;
     }
     const struct anchor_offset at = block_offset(work, &triangle->planes, x, y);
     return !leaves_triangle(triangle, &at);
+}
+
+// Of the row of blocks at y those that stencil can be changed in without a test; none where the draw is another.
+static struct settled_blocks settled_blocks(struct tile_work *work, struct triangle_work *triangle, int y)
+{
+    // Rows of blocks that are tested before a look at all of the tile's depth pays.
+    enum { ROWS_UNRANGED = 8 };
+    struct tile_depth *const depth = &work->scratch->depth;
+    const struct planes *const planes = &triangle->planes;
+    if (!work->plan.settles_blocks || (!depth->has_ranges && depth->unranged++ < ROWS_UNRANGED)) {
+        return (struct settled_blocks){0, 0};
+    }
+    if (!depth->has_ranges) {
+        ranges_refresh(depth);
+    }
+    if (!triangle->has_planes) {
+        set_planes(work, triangle);
+    }
+    if (planes->kind != PLANES_LINEAR) {
+        return (struct settled_blocks){0, 0};
+    }
+    return settle_blocks(depth, work->plan.early.compare, plane_of(&planes->quantities, QUANTITY_Z),
+                         planes->anchor_x - work->x, planes->anchor_y - work->y, y, triangle->clamps_depth);
+}
+
+// What a settled block's fragments do to stencil.
+static enum rhw_stencil_operation settled_operation(const struct rhw_stencil_rule *face,
+                                                    struct settled_blocks settled, int x)
+{
+    return settled.passed >> (x / RHW_BLOCK) & 1 ? face->pass : face->depth_fail;
 }
 
 static void draw_blocks(struct tile_work *work, struct triangle_work *triangle,
@@ -172,18 +212,36 @@ static void draw_blocks(struct tile_work *work, struct triangle_work *triangle,
 {
     const struct tile_rect rect = rect_of(work, triangle->t);
     const bool is_cut = work->is_scissored || triangle->t->flags & RHW_TRIANGLE_RECTANGLE;
+    const struct rhw_stencil_rule *const face =
+        &work->state->depth_stencil.face[triangle->t->flags & RHW_TRIANGLE_BACK ? 1 : 0];
+    const unsigned columns = 0xffu << (rect.x0 / RHW_BLOCK) & 0xffu >> ((RHW_TILE - rect.x1) / RHW_BLOCK);
     for (int y = rect.y0 & -RHW_BLOCK; y < rect.y1; y += RHW_BLOCK) {
         const int row0 = max_int(rect.y0 - y, 0), row1 = min_int(rect.y1 - y, RHW_BLOCK);
-        const unsigned hidden = hidden_blocks(work, triangle, y);
-        for (int x = rect.x0 & -RHW_BLOCK; x < rect.x1; x += RHW_BLOCK) {
-            if (is_hidden_block(work, triangle, hidden, x, y)) {
+        unsigned hidden = hidden_blocks(work, triangle, y);
+        const struct settled_blocks settled = settled_blocks(work, triangle, y);
+        hidden |= (face->pass == RHW_STENCIL_KEEP ? settled.passed : 0) |
+                  (face->depth_fail == RHW_STENCIL_KEEP ? settled.failed : 0);
+        struct block_row row = {0, ~0u};
+        if (coverage->count == 1) {
+            row = block_row_of(&coverage->triangles[0], y);
+        }
+        for (unsigned left = columns & ~row.outside; left != 0; left &= left - 1) {
+            const int column = __builtin_ctz(left), x = column * RHW_BLOCK;
+            if (holds_for_block(work, triangle, hidden, x, y)) {
                 continue;
             }
-            uint64_t mask = coverage_mask(coverage, x, y, row0, row1);
+            uint64_t mask =
+                row.crossed >> column & 1 ? coverage_mask(coverage, x, y, row0, row1) : ~(uint64_t)0;
             if (is_cut) {
                 mask &= rect_mask(x, y, rect.x0, rect.y0, rect.x1, rect.y1);
             }
-            if (mask != 0) {
+            if (mask == 0) {
+                continue;
+            }
+            if (holds_for_block(work, triangle, settled.passed | settled.failed, x, y)) {
+                change_stencil_block(&work->scratch->depth, x, y, mask, face,
+                                     settled_operation(face, settled, x));
+            } else {
                 draw_block(work, triangle, x, y, mask);
             }
         }

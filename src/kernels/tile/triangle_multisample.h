@@ -6,6 +6,7 @@
 #define RHW_TRIANGLE_MULTISAMPLE_H
 
 #include "../fragment/constant_color.h"
+#include "../fragment/explained_fragment.h"
 #include "../fragment/gather.h"
 #include "triangle_planes.h"
 
@@ -153,16 +154,22 @@ static void draw_sampled_block(struct tile_work *work, struct triangle_work *tri
         if (!triangle->has_planes) {
             set_planes(work, triangle);
         }
-        for (int s = 0; s < work->samples && plan->needs_depth; s++) {
+        for (int s = 0; s < work->samples && (plan->needs_depth || work->explained); s++) {
             if (block->mask[s] != 0) {
                 const struct block at = block_at(work, triangle, block, s);
                 depth_rows(work, triangle, &at, block->mask[s], block->z[s]);
             }
         }
     }
+    for (int s = 0; s < work->samples && work->explained; s++) {
+        explain_covered(work, block->x, block->y, s, block->mask[s], block->z[s]);
+    }
     if (plan->tests_early) {
         test_samples(work, triangle, block);
         any = any_sample(work, block);
+    }
+    for (int s = 0; s < work->samples && work->explained; s++) {
+        explain_passed(work, block->x, block->y, s, block->mask[s]);
     }
     if (any == 0 || plan->shading == RHW_SHADING_NONE) {
         return;
