@@ -71,7 +71,8 @@ static void release_label(struct rhw_memory *memory, char *label)
 
 void rhw_label_copy(char copy[RHW_LABEL_SIZE], const char *label)
 {
-    size_t length = label == NULL ? 0 : strnlen(label, RHW_LABEL_SIZE);
+    const char *const end = label == NULL ? NULL : memchr(label, 0, RHW_LABEL_SIZE);
+    size_t length = label == NULL ? 0 : end == NULL ? RHW_LABEL_SIZE : (size_t)(end - label);
     if (length == RHW_LABEL_SIZE) {
         do { // back to where a character begins; one has 4 bytes at most
             length--;

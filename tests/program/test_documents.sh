@@ -1,11 +1,12 @@
 #!/bin/sh
 # SPDX-License-Identifier: MIT
-# The man page and the shell completion know exactly the options that the program knows; links in documents lead to files.
+# The man page and the shells' completions know exactly the options that the program knows; links in documents lead to
+# files.
 . "$(dirname "$0")/harness.sh"
 man=$root/docs/rhw.1
 completion=$root/tools/rhw/completion/rhw.bash
 
-for verb in render thumbs compare info bench; do
+for verb in render thumbs compare explain info bench; do
     succeed $verb --help
     options=$(grep -oE '^  (-.,|   ) --[a-z-]+' "$folder/log/out" | grep -oE -- '--[a-z-]+')
     check "$verb has options" test -n "$options"
@@ -18,16 +19,42 @@ for verb in render thumbs compare info bench; do
     check "completion of $verb" test "$completed" = "$(echo "$options" | sort | tr '\n' ' ')"
 done
 verbs=$(bash -c ". '$completion'; COMP_WORDS=(rhw ''); COMP_CWORD=1; _rhw; printf '%s ' \"\${COMPREPLY[@]}\"")
-check "completion of verbs" test "$verbs" = "render thumbs compare info bench --help --version "
+check "completion of verbs" test "$verbs" = "render thumbs compare explain info bench --help --version "
 outputs=$(bash -c ". '$completion'; COMP_WORDS=(rhw render --output depth,n); COMP_CWORD=3; _rhw; printf '%s ' \"\${COMPREPLY[@]}\"")
 check "completion within a list" test "$outputs" = "depth,normal "
+mkdir made
+check "completions are made" "$root/script/completions" "$rhw" made
+for file in rhw.bash _rhw rhw.fish; do
+    check "script/completions was run after the last change: $file" cmp "made/$file" "$root/tools/rhw/completion/$file"
+done
+rm -r made
+if command -v zsh >/dev/null 2>&1; then
+    check "zsh reads its completion" zsh -n "$root/tools/rhw/completion/_rhw"
+fi
+if command -v fish >/dev/null 2>&1; then
+    export HOME="$folder/work"
+    fish_says() { # WORDS: how fish completes them, a line each
+        fish --no-config -c "source $root/tools/rhw/completion/rhw.fish; complete -C '$1'" | cut -f 1 | tr '\n' ' '
+    }
+    check "fish: verbs" test "$(fish_says 'rhw ')" = "bench compare explain info render thumbs "
+    check "fish: options" test "$(fish_says 'rhw info --')" = "--help --json "
+    check "fish: within a list" test "$(fish_says 'rhw render --output depth,n')" = "depth,normal "
+fi
 succeed --version
 version=$(sed 's/rhw //' "$folder/log/out")
-check "man page: version" grep -q "\"rhw $version\"" "$man"
-if command -v groff >/dev/null 2>&1; then
-    groff -man -Tutf8 -ww "$man" >/dev/null 2>"$folder/log/err"
-    check "man page without warnings: $(cat "$folder/log/err")" test ! -s "$folder/log/err"
-fi
+for man in "$root/docs/rhw.1" "$root/docs/rhw.3"; do
+    check "$man: version" grep -q "\"rhw $version\"" "$man"
+    if command -v groff >/dev/null 2>&1; then
+        groff -man -Tutf8 -ww "$man" >/dev/null 2>"$folder/log/err"
+        check "$man without warnings: $(cat "$folder/log/err")" test ! -s "$folder/log/err"
+    fi
+done
+for word in $(grep -oE '\brhw_[a-z_0-9]+' "$root/docs/rhw.3" | sort -u); do
+    check "rhw(3): $word is in a header" grep -qw -- "$word" "$root"/include/rhw/*.h "$root/src/rhw-shaders.cmake"
+done
+for header in $(grep -oE 'rhw/[a-z_]+\.h' "$root/docs/rhw.3" | sort -u); do
+    check "rhw(3): $header is there" test -e "$root/include/$header"
+done
 
 # A link to a place in a file is a link to the file here.
 cd "$root" || exit 1

@@ -44,7 +44,11 @@ refuse() { # PATTERN COMMAND...: fails, and says what PATTERN matches
 # Installed in one place and moved to another: nothing names the first.
 check "install" cmake --install "$build" --prefix "$folder/first"
 mv first prefix
+check "a man page of the library" test -s prefix/share/man/man3/rhw.3
 if [ -x prefix/bin/rhw ]; then # a build of the library alone has no program
+    for file in man/man1/rhw.1 bash-completion/completions/rhw zsh/site-functions/_rhw fish/vendor_completions.d/rhw.fish; do
+        check "installed: $file" test -s prefix/share/$file
+    done
     check "types of models for desktops" grep -q 'glob pattern="\*.ply"' prefix/share/mime/packages/rhw-models.xml
     check "thumbnails for desktops" grep -q 'application/x-ply' prefix/share/thumbnailers/rhw.thumbnailer
 fi

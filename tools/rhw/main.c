@@ -29,7 +29,7 @@ static void print_program_help(void)
            "rhw %s, a 3D renderer for the CPU: exact, the same bytes on every machine.\n\n",
            rhw_version());
     for (int i = 0; i < VERB_COUNT; i++) {
-        printf("  rhw %-7s %-14s %s\n", verbs[i].name, verbs[i].operands, verbs[i].summary);
+        printf("  rhw %-7s %-15s %s\n", verbs[i].name, verbs[i].operands, verbs[i].summary);
     }
     printf("\n  help, --help             print this and exit; 'rhw VERB --help' explains a verb\n"
            "  --version                print the version and exit\n\n"

@@ -1,0 +1,44 @@
+# SPDX-License-Identifier: MIT
+# What cpack makes of a build on Debian: rhw, the program, and librhw-dev, the static library with headers, CMake and
+# pkg-config packages; none of them needs the other. script/package builds and calls it.
+set(RHW_MAINTAINER "the rhw authors <rhw@localhost>" CACHE STRING "Who stands in the Debian packages as their maintainer")
+set(CPACK_GENERATOR DEB)
+set(CPACK_PACKAGE_NAME rhw)
+set(CPACK_PACKAGE_CONTACT "${RHW_MAINTAINER}")
+set(CPACK_PACKAGE_DESCRIPTION_SUMMARY "3D rendering on the CPU, exact and the same on every machine")
+set(CPACK_PACKAGING_INSTALL_PREFIX /usr)
+set(CPACK_STRIP_FILES ON)
+set(CPACK_INSTALL_DEFAULT_DIRECTORY_PERMISSIONS
+  OWNER_READ OWNER_WRITE OWNER_EXECUTE GROUP_READ GROUP_EXECUTE WORLD_READ WORLD_EXECUTE)
+
+set(CPACK_DEB_COMPONENT_INSTALL ON)
+set(CPACK_COMPONENTS_GROUPING IGNORE)
+set(CPACK_COMPONENTS_ALL development)
+set(CPACK_DEBIAN_FILE_NAME DEB-DEFAULT)
+set(CPACK_DEBIAN_PACKAGE_RELEASE 1)
+set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_NAME librhw-dev)
+set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_SECTION libdevel)
+set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_SUGGESTS "cmake, pkgconf")
+set(CPACK_DEBIAN_DEVELOPMENT_DESCRIPTION "librhw draws triangles, lines and points with shaders written in C, without a
+graphics card, a display or a driver. Coverage is exact, and a scene gives the
+same bytes on every machine, whatever the number of threads and the
+instruction set.
+.
+This package has the library, its headers and what CMake and pkg-config need.")
+if(RHW_PROGRAM)
+  list(APPEND CPACK_COMPONENTS_ALL program)
+  set(CPACK_DEBIAN_PROGRAM_PACKAGE_NAME rhw)
+  set(CPACK_DEBIAN_PROGRAM_PACKAGE_SECTION graphics)
+  set(CPACK_DEBIAN_PROGRAM_PACKAGE_SHLIBDEPS ON)
+  set(CPACK_DEBIAN_PROGRAM_DESCRIPTION "rhw draws glTF, OBJ, PLY, STL, FBX and other model files and writes the
+picture, or depth, normals, positions, ids and whatever else is known about
+every pixel. It makes thumbnails of folders, compares pictures and tells what
+is in a model file. It needs no graphics card, no display and no driver.
+.
+This package has the program.")
+endif()
+# What Debian has elsewhere than others do, and what only a Debian package has.
+set(CPACK_PRE_BUILD_SCRIPTS ${CMAKE_CURRENT_LIST_DIR}/debian_layout.cmake)
+set(CPACK_RHW_SOURCE ${PROJECT_SOURCE_DIR})
+set(CPACK_RHW_PACKAGES "development=librhw-dev;program=rhw")
+include(CPack)

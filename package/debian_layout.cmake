@@ -1,0 +1,27 @@
+# SPDX-License-Identifier: MIT
+# cpack runs this on what is installed for the packages, a folder for each component, before it packs them.
+cmake_policy(VERSION 3.22)
+foreach(pair IN LISTS CPACK_RHW_PACKAGES)
+  string(REGEX MATCH "^(.*)=(.*)$" pair "${pair}")
+  set(component ${CMAKE_MATCH_1})
+  set(package ${CMAKE_MATCH_2})
+  set(share ${CPACK_TEMPORARY_DIRECTORY}/${component}${CPACK_PACKAGING_INSTALL_PREFIX}/share)
+  if(NOT IS_DIRECTORY ${CPACK_TEMPORARY_DIRECTORY}/${component})
+    continue()
+  endif()
+  if(EXISTS ${share}/zsh/site-functions)
+    file(RENAME ${share}/zsh/site-functions ${share}/zsh/vendor-completions)
+  endif()
+  file(GLOB pages ${share}/man/man*/*.[0-9])
+  set(doc ${share}/doc/${package})
+  file(MAKE_DIRECTORY ${doc})
+  configure_file(${CPACK_RHW_SOURCE}/package/copyright ${doc}/copyright COPYONLY)
+  configure_file(${CPACK_RHW_SOURCE}/CHANGELOG.md ${doc}/changelog COPYONLY)
+  file(WRITE ${doc}/changelog.Debian "rhw (${CPACK_PACKAGE_VERSION}-${CPACK_DEBIAN_PACKAGE_RELEASE}) unstable; urgency=medium
+
+  * See changelog.gz.
+
+ -- ${CPACK_PACKAGE_CONTACT}  Mon, 23 Nov 2026 00:00:00 +0000
+")
+  execute_process(COMMAND gzip -9n ${pages} ${doc}/changelog ${doc}/changelog.Debian COMMAND_ERROR_IS_FATAL ANY)
+endforeach()

@@ -1,0 +1,109 @@
+#!/bin/sh
+# SPDX-License-Identifier: MIT
+# The Debian packages that cpack makes of a build: what they say of themselves, and what they do in an empty root, where
+# they are installed, used and removed.
+# usage: test_package.sh BUILD_FOLDER SOURCE_ROOT C_COMPILER
+set -u
+
+build=$(realpath "$1")
+root=$(realpath "$2")
+compiler=$3
+for tool in cpack dpkg dpkg-deb dpkg-shlibdeps file pkg-config; do
+    command -v $tool >/dev/null 2>&1 || { echo "no $tool here"; exit 77; }
+done
+failures=0
+checks=0
+folder=$(mktemp -d)
+trap 'rm -rf "$folder"' EXIT
+trap 'exit 1' INT TERM
+cd "$folder" || exit 1
+chmod 755 .
+
+check() { # DESCRIPTION COMMAND...
+    checks=$((checks + 1))
+    description=$1
+    shift
+    "$@" >log 2>&1 || {
+        failures=$((failures + 1))
+        echo "FAILED: $description: $*" >&2
+        tail -20 log >&2
+    }
+}
+
+says() { # PACKAGE FIELD PATTERN
+    check "$1: $2 is $(dpkg-deb -f "$1"_*.deb "$2")" sh -c "dpkg-deb -f $1_*.deb $2 | grep -Eq '$3'"
+}
+
+has() { # PACKAGE PATH...: relative to usr
+    package=$1
+    shift
+    dpkg-deb -c "$package"_*.deb | awk '{ print $6 }' >"$package.files"
+    for path in "$@"; do
+        check "$package has $path" grep -Eq "^\./usr/$path\$" "$package.files"
+    done
+}
+
+check "cpack" cpack -G DEB --config "$build/CPackConfig.cmake" -B "$folder"
+rm -rf _CPack_Packages
+packages=$(ls ./*.deb | sed 's/^\.\///; s/_.*//')
+check "there are packages: $packages" test -s "$(ls librhw-dev_*.deb)"
+version=$("$compiler" -E -dM "$root/include/rhw/base.h" | awk '/RHW_VERSION_/ { print $3 }' | paste -sd .)
+for package in $packages; do
+    says "$package" Version "^$version-1\$"
+    says "$package" Architecture "^$(dpkg --print-architecture)\$"
+    says "$package" Maintainer ".+ <.+@.+>"
+    says "$package" Description "^ This package has "
+    has "$package" "share/doc/$package/copyright" "share/doc/$package/changelog.gz"
+    if command -v lintian >/dev/null 2>&1; then
+        # Who maintains it is said by who builds it; what pkg-config gives beside -I and -D is what equal bytes want.
+        check "lintian" lintian --allow-root --fail-on error --suppress-tags \
+            bogus-mail-host,bogus-mail-host-in-debian-changelog,pkg-config-bad-directive,dir-or-file-in-opt \
+            "$(ls "$package"_*.deb)"
+    fi
+done
+
+says librhw-dev Section '^libdevel$'
+has librhw-dev 'include/rhw/rhw.h' 'lib/.*/?rhw-config.cmake' 'lib/.*/?pkgconfig/rhw.pc' 'share/man/man3/rhw.3.gz' \
+    'lib/.*/?librhw.a'
+# An empty root with dpkg's own records and nothing else.
+as_root=
+[ "$(id -u)" = 0 ] || as_root=$(command -v fakeroot || echo none)
+mkdir -p clean/var/lib/dpkg/info clean/var/lib/dpkg/updates
+touch clean/var/lib/dpkg/status
+if [ "$as_root" = none ]; then
+    for package in ./*.deb; do
+        check "unpack" dpkg-deb -x "$package" clean
+    done
+else
+    check "install" $as_root dpkg --root="$folder/clean" --log=/dev/null --force-not-root,depends --install ./*.deb
+fi
+usr=$folder/clean/usr
+check "nothing names the build" sh -c "! grep -rl '$build' $usr/lib $usr/share"
+
+if [ -x "$usr/bin/rhw" ]; then
+    says rhw Section '^graphics$'
+    says rhw Depends 'libc6 .*libspng0'
+    has rhw bin/rhw share/man/man1/rhw.1.gz share/bash-completion/completions/rhw share/zsh/vendor-completions/_rhw \
+        share/fish/vendor_completions.d/rhw.fish share/thumbnailers/rhw.thumbnailer share/mime/packages/rhw-models.xml
+    mkdir work
+    printf 'v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n' >work/triangle.obj
+    check "the program draws" "$usr/bin/rhw" render work/triangle.obj -s 64 -o work/installed.png
+    check "as that of the build" "$build/rhw" render work/triangle.obj -s 64 -o work/built.png
+    check "the same bytes" cmp work/installed.png work/built.png
+    check "it has no debugging symbols" sh -c "file -L $usr/bin/rhw | grep -q ', stripped'"
+fi
+
+# A program of a user, by pkg-config.
+pkgconfig=$(dirname "$(find "$usr" -name rhw.pc)")
+sed -n '/^#include/,/^```/{/^```/!p}' "$root/docs/hello.md" >hello.c
+check "a program is compiled" sh -c "$compiler -O2 hello.c \$(PKG_CONFIG_PATH=$pkgconfig pkg-config --cflags --libs rhw) -o hello"
+check "it runs" ./hello
+check "it drew" test -s hello.ppm
+
+if [ "$as_root" != none ]; then
+    check "remove" $as_root dpkg --root="$folder/clean" --log=/dev/null --force-not-root,depends --purge $packages
+    check "nothing is left" test -z "$(find clean -path clean/var -prune -o -type f -print)"
+fi
+
+echo "$checks checks, $failures failed"
+[ "$failures" = 0 ]
