@@ -4,6 +4,7 @@
 #include "frame_writer.h"
 
 #include "message.h"
+#include "sanitizer.h"
 
 #include <pthread.h>
 #include <stdlib.h>
@@ -112,8 +113,9 @@ struct cli_frame_writer *cli_frame_writer_open(const struct render *render, stru
         cli_error(render->job.model_path, "out of memory");
         return NULL;
     }
-    const int threads = rhw_context_threads(render->context),
-              most = threads < THREADS_MAX ? threads : THREADS_MAX;
+    const bool forks = SCENE_SANITIZED && render->job.rate > 0.0; // see pose_reader.c
+    const int threads = forks ? 0 : rhw_context_threads(render->context);
+    const int most = threads < THREADS_MAX ? threads : THREADS_MAX;
     writer->moving = moving;
     pthread_mutex_init(&writer->lock, NULL);
     pthread_cond_init(&writer->changed, NULL);

@@ -2,6 +2,8 @@
 // See pose_reader.h.
 #include "pose_reader.h"
 
+#include "sanitizer.h"
+
 static void *read_one(void *user)
 {
     struct cli_pose_reader *const reader = user;
@@ -9,10 +11,12 @@ static void *read_one(void *user)
     return NULL;
 }
 
+// Reading forks a process. libc sees to it that its locks are free in there; a sanitizer does not, whose allocator another
+// thread may hold.
 static void begin(struct cli_pose_reader *reader)
 {
     reader->pose = NULL;
-    reader->reads = reader->frame < reader->movement->frame_count &&
+    reader->reads = !SCENE_SANITIZED && reader->frame < reader->movement->frame_count &&
                     pthread_create(&reader->thread, NULL, read_one, reader) == 0;
 }
 
