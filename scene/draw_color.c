@@ -3,6 +3,7 @@
 // do: the background then keeps the colour it was given, unlit surfaces keep theirs, and a sample is four bytes.
 #include "draw_state.h"
 
+#include "explain.h"
 #include "screen.h"
 
 #include <string.h>
@@ -35,9 +36,48 @@ enum rhw_result scene_color_record(const struct draw *draw, const struct scene_s
         below.order = NULL;
         below.wireframe = SCENE_WIREFRAME_NONE;
         result = scene_surfaces_record(&scene->ground.upload, &scene->pipelines, &below, pass);
+        for (uint32_t i = 0; below.log && i < below.log->count; i++) {
+            below.log->draws[i].instance =
+                below.log->draws[i].instance >= 0 ? SCENE_DRAWN_GROUND : below.log->draws[i].instance;
+        }
     }
     return result == RHW_OK ? scene_surfaces_record(&scene->upload, &scene->pipelines, surfaces, pass)
                             : result;
+}
+
+// A history that is told while a pass ends.
+struct telling {
+    const struct scene_explain *explain;
+    struct scene_draw_log log;
+    int first_row;
+};
+
+static void tell(void *user, const struct rhw_explained_fragment *fragment)
+{
+    const struct telling *const telling = user;
+    if (fragment->draw < telling->log.count) {
+        telling->explain->fragment(telling->explain->user, fragment, &telling->log.draws[fragment->draw],
+                                   telling->first_row);
+    }
+}
+
+// Asks for it where the view does and the sample lies in the band. False without memory.
+static bool begin_telling(struct telling *telling, const struct draw *draw, rhw_pass pass)
+{
+    const struct scene_explain *const explain = draw->view->explain;
+    *telling = (struct telling){.explain = explain, .first_row = draw->first_row};
+    if (!explain || explain->y < draw->first_row || explain->y >= draw->first_row + draw->band_rows) {
+        telling->explain = NULL;
+        return true;
+    }
+    const struct rhw_explain ask = {.x = explain->x,
+                                    .y = explain->y - draw->first_row,
+                                    .sample = explain->sample,
+                                    .fragment = tell,
+                                    .user = telling};
+    rhw_pass_explain(draw->scene->upload.context, pass, &ask);
+    return !scene_background_is_drawn(draw) ||
+           scene_draw_log_add(&telling->log, SCENE_DRAWN_BACKGROUND, NULL);
 }
 
 static enum rhw_result draw_samples(struct draw *draw, const enum rhw_format formats[2], int format_count)
@@ -60,15 +100,23 @@ static enum rhw_result draw_samples(struct draw *draw, const enum rhw_format for
     if (result != RHW_OK) {
         return result;
     }
-    result = scene_background_record(draw, pass, false, formats, format_count, &background);
+    struct telling telling;
+    if (!begin_telling(&telling, draw, pass)) {
+        result = RHW_ERROR_OUT_OF_MEMORY;
+    }
+    if (result == RHW_OK) {
+        result = scene_background_record(draw, pass, false, formats, format_count, &background);
+    }
     scene_band_viewport(draw, pass, draw->side);
     struct scene_surface_pass surfaces;
     scene_color_surfaces(draw, formats, format_count, &surfaces);
+    surfaces.log = telling.explain ? &telling.log : NULL;
     if (result == RHW_OK) {
         result = scene_color_record(draw, &surfaces, pass);
     }
     struct rhw_stats stats = {0};
     result = scene_pass_end(context, pass, result, &stats);
+    scene_draw_log_free(&telling.log);
     if (scene_background_is_drawn(draw) && result == RHW_OK) { // the background is no part of the model
         stats.draws--;
         stats.vertices_shaded -= 3;

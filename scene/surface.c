@@ -226,6 +226,9 @@ static enum rhw_result record_instance(const struct scene_upload *upload,
         }
         rhw_pass_set_pipeline(context, pass, pipeline);
         rhw_pass_draw_indexed(context, pass, 0, mesh->index_count, 0, 0, 1);
+        if (def->log && !scene_draw_log_add(def->log, (int32_t)instance, &surface)) {
+            return RHW_ERROR_OUT_OF_MEMORY;
+        }
     }
     return RHW_OK;
 }

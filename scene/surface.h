@@ -4,6 +4,7 @@
 #define SCENE_SURFACE_H
 
 #include "draw.h"
+#include "explain.h"
 #include "triangle_order.h"
 #include "upload.h"
 
@@ -20,6 +21,7 @@ struct scene_surface_pass {
     bool solid;                      ///< without what light passes through
     enum scene_surface_part part;
     const struct scene_triangle_order *order; ///< of the triangles of blended surfaces; NULL: the model's
+    struct scene_draw_log *log;               ///< gets what each draw draws; NULL: nothing does
     bool unmapped; ///< normals of a data pass are those of the mesh, without normal maps
     enum rhw_qualifier interpolate;
     enum scene_wireframe wireframe;

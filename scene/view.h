@@ -47,6 +47,8 @@ enum scene_transparency {
     SCENE_TRANSPARENCY_EXACT ///< the surfaces of every sample by their depth there, peeled one after the other
 };
 
+struct scene_explain;
+
 struct scene_view {
     int width, height; ///< 1..RHW_MAX_TARGET_SIZE
     int samples; ///< per pixel for colour: 1, 2, 4, 8 or 16, at each of which surfaces are tested, not shaded
@@ -69,6 +71,8 @@ struct scene_view {
     enum scene_tone tone; ///< how light becomes a picture
     double exposure;      ///< stops, added to what is chosen for the lights; −20..20
     uint32_t outputs;     ///< scene_output, at least one
+    /// Whose history is told while colour is drawn; NULL: none. Without supersampling, and SORTED.
+    const struct scene_explain *explain;
 };
 
 /// 1280×720, one sample, the whole model fitted, gradient, colour.

@@ -16,6 +16,7 @@ static const struct {
     {"render", "MODEL -o OUT", "draw a model file and write the picture", cli_render},
     {"thumbs", "DIR -o OUT", "draw a small picture of every model in a folder", cli_thumbs},
     {"compare", "A B", "differences of two pictures, in numbers and as a picture", cli_compare},
+    {"explain", "MODEL --at X,Y", "how a pixel of the picture got its value, step by step", cli_explain},
     {"info", "MODEL", "what is in a model file", cli_info},
     {"bench", "", "time scenes, beside another renderer where there is one", cli_bench},
 };
@@ -28,7 +29,7 @@ static void print_program_help(void)
            "rhw %s, a 3D renderer for the CPU: exact, the same bytes on every machine.\n\n",
            rhw_version());
     for (int i = 0; i < VERB_COUNT; i++) {
-        printf("  rhw %-7s %-14s %s\n", verbs[i].name, verbs[i].operands, verbs[i].summary);
+        printf("  rhw %-7s %-15s %s\n", verbs[i].name, verbs[i].operands, verbs[i].summary);
     }
     printf("\n  help, --help             print this and exit; 'rhw VERB --help' explains a verb\n"
            "  --version                print the version and exit\n\n"

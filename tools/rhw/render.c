@@ -156,7 +156,7 @@ static bool report(const struct render *render, enum rhw_result result)
     return result == RHW_OK;
 }
 
-static bool open_scene(struct render *render)
+bool cli_render_open_scene(struct render *render)
 {
     struct rhw_context_def def = rhw_context_def_default();
     def.threads = render->job.threads;
@@ -235,6 +235,16 @@ static int draw_sheet(struct render *render)
     return status;
 }
 
+int cli_render_open(struct render *render, const char *path)
+{
+    render->job.model_path = path;
+    if (!cli_model_input_open(&render->input, path)) {
+        return CLI_FAILED;
+    }
+    render->job.model_path = render->input.name;
+    return !import_model(render) ? CLI_FAILED : set_view(render) ? CLI_OK : CLI_USAGE;
+}
+
 static int run(struct render *render)
 {
     const double start = cli_milliseconds();
@@ -245,7 +255,7 @@ static int run(struct render *render)
     if (!set_view(render)) { // before anything is uploaded
         return CLI_USAGE;
     }
-    if (!open_scene(render)) {
+    if (!cli_render_open_scene(render)) {
         return CLI_FAILED;
     }
     if (cli_render_moves(job)) {
@@ -268,8 +278,7 @@ static int run(struct render *render)
     return CLI_OK;
 }
 
-// What is of one model alone.
-static void forget_model(struct render *render)
+void cli_render_forget_model(struct render *render)
 {
     cli_model_input_close(&render->input);
     scene_pictures_free(&render->pictures);
@@ -294,12 +303,11 @@ static int render_model(struct render *render, const char *path)
         render->job.model_path = render->input.name;
         status = run(render);
     }
-    forget_model(render);
+    cli_render_forget_model(render);
     return status;
 }
 
-// The machine is asked before any model.
-static bool prepare(struct render *render)
+bool cli_render_prepare(struct render *render)
 {
     const struct cli_render_job *job = &render->job;
     if (job->isa != RHW_ISA_COUNT && !rhw_isa_supported(job->isa)) {
@@ -317,7 +325,7 @@ int cli_render(int argc, char **argv)
     if (!cli_render_job_parse(&render.job, argc, argv, &status)) {
         return status;
     }
-    if (!prepare(&render)) {
+    if (!cli_render_prepare(&render)) {
         return CLI_FAILED;
     }
     status = CLI_OK;

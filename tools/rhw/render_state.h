@@ -28,8 +28,18 @@ struct render {
 
 double cli_milliseconds(void);
 
-// render.c: draws the view. Reports failure.
+// render.c
+
+/// Asks the machine for what the job wants. Reports failure.
+bool cli_render_prepare(struct render *render);
+/// Reads the model and sets the view; a cli_status. Nothing is uploaded yet.
+int cli_render_open(struct render *render, const char *path);
+/// Makes the context and the scene. Reports failure.
+bool cli_render_open_scene(struct render *render);
+/// Draws the view. Reports failure.
 bool cli_render_draw(struct render *render);
+/// Frees what is of one model alone.
+void cli_render_forget_model(struct render *render);
 
 // render_frames.c: all pictures of a model that moves, with the camera that is set for its first. Reports failure; the scene
 // is gone then.

@@ -82,6 +82,13 @@ _rhw_compare() { # CURRENT PREVIOUS
     esac
 }
 
+_rhw_explain() { # CURRENT PREVIOUS
+    case $2 in
+    --at | --sample) ;;
+    *) _rhw_rest "$1" file --at --sample --json --help ;;
+    esac
+}
+
 _rhw_info() { # CURRENT PREVIOUS
     case $2 in
     *) _rhw_rest "$1" file --json --help ;;
@@ -104,11 +111,11 @@ _rhw() {
     local current=${COMP_WORDS[COMP_CWORD]} previous=${COMP_WORDS[COMP_CWORD - 1]}
     COMPREPLY=()
     if ((COMP_CWORD == 1)); then
-        _rhw_words "$current" render thumbs compare info bench --help --version
+        _rhw_words "$current" render thumbs compare explain info bench --help --version
         return
     fi
     case ${COMP_WORDS[1]} in
-    render | thumbs | compare | info | bench) "_rhw_${COMP_WORDS[1]}" "$current" "$previous" ;;
+    render | thumbs | compare | explain | info | bench) "_rhw_${COMP_WORDS[1]}" "$current" "$previous" ;;
     esac
 }
 

@@ -1,0 +1,120 @@
+#!/bin/sh
+# SPDX-License-Identifier: MIT
+# rhw explain: the history of a pixel, and the numbers of what is seen there.
+. "$(dirname "$0")/harness.sh"
+make_cube cube
+
+field() { # FILE NAME: the first number, or the list of numbers, of that name
+    sed -n "s/.*\"$2\": *\(\[[^]]*\]\|[^,}]*\).*/\1/p" "$1" | head -1
+}
+
+# A floor of two triangles with W from 2 to 10, straight ahead of a camera on the z axis, and a red one behind it.
+cat >floor.mtl <<'MTL'
+newmtl front
+Kd 0.2 0.4 0.8
+newmtl glass
+Kd 0.9 0.1 0.1
+d 0.5
+MTL
+cat >floor.obj <<'OBJ'
+mtllib floor.mtl
+v -4 -1 8
+v 4 -1 8
+v 4 -1 0
+v -4 -1 0
+vt 0 0
+vt 1 0
+vt 1 1
+vt 0 1
+o floor
+usemtl front
+f 1/1 2/2 3/3 4/4
+v -4 -0.9 8
+v 4 -0.9 8
+v 4 -0.9 0
+v -4 -0.9 0
+o glass
+usemtl glass
+f 5 6 7 8
+v -4 -1.5 8
+v 4 -1.5 8
+v 4 -1.5 0
+v -4 -1.5 0
+o cellar
+usemtl front
+f 9 10 11 12
+OBJ
+look="--camera 0,0,10,0,0,0,0,1,0,60 --size 160x120 --lights none"
+succeed explain floor.obj --at 80,100 $look
+cp "$folder/log/out" told.txt
+check "names the pixel" grep -q '^floor.obj: pixel (80, 100) of 160x120, sample 0 of 4, is #' told.txt
+check "the background first" grep -q '^  1. the background: written$' told.txt
+check "the floor" grep -Eq '[0-9]\. floor, triangle [01], (front|back): depth 0\.[0-9]+, there is 0' told.txt
+check "the cellar is hidden, or drawn over" grep -Eq 'cellar, triangle [01]' told.txt
+check "the glass is seen" grep -q '^What is seen: glass, triangle' told.txt
+check "as it is blended" sh -c "grep -A1 'glass, triangle .*written' told.txt | grep -q 'becomes'"
+check "edges" grep -Eq '^    e_2 = [0-9]+$' told.txt
+check "the division" grep -q '1/W_P = r/W_0 + s/W_1 + t/W_2' told.txt
+check "three ways" grep -Eq '^    position z +[-0-9.e+]+ +[-0-9.e+]+' told.txt
+check "within the bound" test "$(sed -n 's/^The largest error is \([0-9]*\)\..*/\1/p' told.txt)" -lt 6
+
+# The same numbers for a program; and the picture's.
+succeed explain floor.obj --at 80,100 $look --samples 1 --json
+cp "$folder/log/out" told.json
+succeed render floor.obj -o picture.ppm $look --samples 1
+check "the colour is that of the picture" test "$(field told.json color | tr -d '"#')" = \
+    "$(tail -c $((160 * 120 * 3)) picture.ppm | tail -c +$(((100 * 160 + 80) * 3 + 1)) | head -c 3 | od -An -tx1 | tr -d ' \n')"
+check "sample in the middle" test "$(field told.json sample)" = "0"
+if command -v python3 >/dev/null 2>&1; then
+    check "every fragment's numbers agree" python3 - told.json <<'PY'
+import json, sys
+told = json.load(open(sys.argv[1]))
+fragments = [f for f in told["fragments"] if "varyings" in f]
+assert len(fragments) >= 2, "the floor, the glass, and perhaps the cellar"
+assert [f["color_before"] for f in told["fragments"][1:]] == [f["color_after"] for f in told["fragments"][:-1]]
+for f in fragments:
+    assert f["sample"] == [80 * 256 + 128, 100 * 256 + 128]
+    assert sum(f["edges"]) == f["sum"] and all(0 <= e <= f["sum"] for e in f["edges"])
+    for mine, exact in zip(f["screen"], f["screen_exact"]):
+        assert abs(mine - exact) < 1e-14
+    over = [edge / f["sum"] / corner[3] for edge, corner in zip(f["edges"], f["clip"])]
+    assert abs(sum(over) - f["inverse_w"][0]) < 1e-14 and abs(f["inverse_w_exact"][0] - f["inverse_w"][0]) < 1e-15
+    for mine, exact, part in zip(f["space"], f["space_exact"], over):
+        assert abs(mine - exact) < 3e-7 and abs(exact - part / sum(over)) < 1e-12
+    for v in f["varyings"]:
+        assert v["error_ulp"] < 6
+        space = sum(w * i for w, i in zip(f["space_exact"], v["vertices"]))
+        naive = sum(w * i for w, i in zip(f["screen_exact"], v["vertices"]))
+        largest = max(abs(i) for i in v["vertices"]) + 1e-30
+        assert abs(space - v["exact"]) < 1e-6 * largest and abs(naive - v["naive"]) < 1e-6 * largest
+z = [v for v in fragments[0]["varyings"] if v["name"] == "position z"][0]
+assert abs(z["naive"] - z["exact"]) > 0.1, "a floor shows why one divides"
+PY
+fi
+
+# Where nothing is, and what is clipped.
+succeed explain cube.obj --at 0,0 --size 64
+check "nothing of the model" grep -q '^Nothing of the model is seen here.$' "$folder/log/out"
+succeed explain floor.obj --at 80,110 --camera 0,0,4,0,0,0,0,1,0,90 --size 160x120
+check "cut by the near plane" grep -q 'behind the eye\|The triangle is clipped' "$folder/log/out"
+for sample in 1 2 3; do
+    succeed explain floor.obj --at 80,100 $look --sample $sample
+    check "sample $sample" grep -q "sample $sample of 4" "$folder/log/out"
+done
+succeed explain --help
+check "help" grep -q -- '--at X,Y' "$folder/log/out"
+
+refuse 2 "explain: --at X,Y is missing: which pixel\?" explain cube.obj
+refuse 2 "--at: '5' is not the X,Y of a pixel, from 0,0 on" explain cube.obj --at 5
+refuse 2 "--at: '1.5,2' is not the X,Y of a pixel" explain cube.obj --at 1.5,2
+refuse 2 "--at: '-1,2' is not the X,Y of a pixel" explain cube.obj --at -1,2
+refuse 2 "--at: 64,3 lies outside the picture, which is 64x64" explain cube.obj --at=64,3 --size 64
+refuse 2 "--sample: '16' is not a number of 0 to 15" explain cube.obj --at 1,1 --sample 16
+refuse 2 "--sample: 4 is too many: a pixel has 4, 0 to 3" explain cube.obj --at 1,1 --sample 4
+refuse 2 "--supersample: cannot be explained" explain cube.obj --at 1,1 --supersample 4
+refuse 2 "--transparency: cannot be explained" explain cube.obj --at 1,1 --transparency exact
+refuse 2 "--views: cannot be explained" explain cube.obj --at 1,1 --views top
+refuse 2 "--no-such-thing: no such option" explain cube.obj --at 1,1 --no-such-thing
+refuse 1 "missing.obj: cannot be opened" explain missing.obj --at 1,1
+no_temporary_files
+finish

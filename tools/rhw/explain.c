@@ -1,0 +1,202 @@
+// SPDX-License-Identifier: MIT
+// rhw explain: the picture that rhw render draws, and the history of one of its samples. The options that say what is drawn
+// are those of rhw render, which reads them.
+#include "explain_write.h"
+#include "options.h"
+#include "render_state.h"
+#include "verbs.h"
+
+#include <stdlib.h>
+#include <string.h>
+
+enum { OPTION_AT = 256, OPTION_SAMPLE, OPTION_JSON, OPTION_HELP = 'h' };
+
+static const struct cli_option options[] = {
+    {"at", OPTION_AT, "X,Y", "the pixel, from the top left of the picture"},
+    {"sample", OPTION_SAMPLE, "N", "which of its samples, 0..15; default 0"},
+    {"json", OPTION_JSON, NULL, "the same as JSON, with every fragment's numbers"},
+};
+
+static const char notes[] =
+    "The other options are those of rhw render that say what is drawn: --size, --camera, --orbit, --fit,\n"
+    "--samples, --background, --environment, --time and the rest.\n\n"
+    "Tells every fragment that came to the sample, in the order of drawing, what became of it, and for the "
+    "one\n"
+    "that is seen how its value follows: the edges, r, s, t on the screen, 1/W, a, b, c in space, and every\n"
+    "varying three ways: naive (r, s, t), by the formula in exact arithmetic, and as the pipeline wrote "
+    "it.\n\n"
+    "Exit status: 0, 1 when the work failed, 2 for a wrong command line.";
+
+static const struct cli_verb verb = {.name = "explain",
+                                     .operands = "MODEL --at X,Y",
+                                     .summary = "Tells how a pixel of the picture got its value.",
+                                     .options = options,
+                                     .option_count = sizeof options / sizeof *options,
+                                     .notes = notes};
+
+struct question {
+    int x, y, sample;
+    bool has_place, is_json, wants_help;
+    int argc; // what is left for rhw render
+    char **argv;
+};
+
+// The argument of `name`, which is that option of argv[*i] or the word behind it; NULL: it is another.
+static const char *argument_of(const char *name, int argc, char **argv, int *i)
+{
+    const size_t length = strlen(name);
+    if (strncmp(argv[*i], name, length) != 0 || (argv[*i][length] != '\0' && argv[*i][length] != '=')) {
+        return NULL;
+    }
+    if (argv[*i][length] == '=') {
+        return argv[*i] + length + 1;
+    }
+    return *i + 1 < argc ? argv[++*i] : "";
+}
+
+static bool take_option(struct question *q, int argc, char **argv, int *i, bool *taken)
+{
+    const char *argument;
+    double place[2];
+    int count;
+    *taken = true;
+    if ((argument = argument_of("--at", argc, argv, i))) {
+        q->has_place = cli_parse_numbers(argument, 2, 2, place, &count) && place[0] >= 0 && place[1] >= 0 &&
+                       place[0] < RHW_MAX_TARGET_SIZE && place[1] < RHW_MAX_TARGET_SIZE &&
+                       place[0] == (int)place[0] && place[1] == (int)place[1];
+        if (!q->has_place) {
+            cli_error("--at", "'%s' is not the X,Y of a pixel, from 0,0 on", argument);
+            return false;
+        }
+        q->x = (int)place[0];
+        q->y = (int)place[1];
+    } else if ((argument = argument_of("--sample", argc, argv, i))) {
+        if (!cli_parse_int(argument, 0, 15, &q->sample)) {
+            cli_error("--sample", "'%s' is not a number of 0 to 15", argument);
+            return false;
+        }
+    } else if (strcmp(argv[*i], "--json") == 0) {
+        q->is_json = true;
+    } else if (strcmp(argv[*i], "--help") == 0 || strcmp(argv[*i], "-h") == 0) {
+        q->wants_help = true;
+    } else {
+        *taken = false;
+    }
+    return true;
+}
+
+// What is not explain's own goes on to rhw render, which writes nothing here.
+static bool parse(struct question *q, int argc, char **argv)
+{
+    static char render[] = "render", out[] = "--out=-", format[] = "--format=png";
+    *q = (struct question){.argv = calloc((size_t)argc + 4, sizeof *q->argv)};
+    if (!q->argv) {
+        cli_error("explain", "out of memory");
+        return false;
+    }
+    q->argv[q->argc++] = render;
+    q->argv[q->argc++] = out;
+    q->argv[q->argc++] = format;
+    bool is_operand = false;
+    for (int i = 1; i < argc; i++) {
+        bool taken = false;
+        is_operand = is_operand || strcmp(argv[i], "--") == 0;
+        if (!is_operand && !take_option(q, argc, argv, &i, &taken)) {
+            return false;
+        }
+        if (!taken) {
+            q->argv[q->argc++] = argv[i];
+        }
+    }
+    if (!q->wants_help && !q->has_place) {
+        cli_error("explain", "--at X,Y is missing: which pixel?");
+        return false;
+    }
+    return true;
+}
+
+// What has no one pass whose history could be told.
+static bool check(const struct question *q, const struct cli_render_job *job)
+{
+    const char *const option = job->supersample > 1                             ? "--supersample"
+                               : job->transparency != SCENE_TRANSPARENCY_SORTED ? "--transparency"
+                               : job->view_count > 0                            ? "--views"
+                               : cli_render_moves(job)                          ? "--animate and --turntable"
+                               : job->kinds != 1u << CLI_KIND_COLOR             ? "--output"
+                               : job->model_count > 1 || strcmp(job->out, "-") != 0 ? "several models, and -o"
+                                                                                    : NULL;
+    if (option) {
+        cli_error(option, "cannot be explained");
+        return false;
+    }
+    if (q->x >= job->width || q->y >= job->height) {
+        cli_error("--at", "%d,%d lies outside the picture, which is %dx%d", q->x, q->y, job->width,
+                  job->height);
+        return false;
+    }
+    if (q->sample >= job->samples) {
+        cli_error("--sample", "%d is too many: a pixel has %d, 0 to %d", q->sample, job->samples,
+                  job->samples - 1);
+        return false;
+    }
+    return true;
+}
+
+static bool tell(const struct question *q, struct render *render)
+{
+    struct cli_history history = {0};
+    const struct scene_explain explain = {
+        .x = q->x, .y = q->y, .sample = q->sample, .fragment = cli_history_add, .user = &history};
+    render->view.explain = &explain;
+    bool told = cli_render_open_scene(render) && cli_render_draw(render);
+    if (told && history.failed) {
+        cli_error(render->job.model_path, "out of memory");
+        told = false;
+    }
+    if (told) {
+        struct cli_explanation explanation = {.model_path = render->job.model_path,
+                                              .model = render->model,
+                                              .history = &history,
+                                              .x = q->x,
+                                              .y = q->y,
+                                              .sample = q->sample,
+                                              .samples = render->view.samples,
+                                              .width = render->view.width,
+                                              .height = render->view.height};
+        const size_t at = (size_t)q->y * (size_t)render->view.width + (size_t)q->x;
+        memcpy(explanation.color, render->pictures.color + 4 * at, sizeof explanation.color);
+        (q->is_json ? cli_explain_json : cli_explain_text)(&explanation);
+    }
+    cli_history_free(&history);
+    return told;
+}
+
+int cli_explain(int argc, char **argv)
+{
+    struct question question;
+    struct render render = {0};
+    int status = CLI_USAGE;
+    if (!parse(&question, argc, argv)) {
+        free(question.argv);
+        return status;
+    }
+    if (question.wants_help) {
+        cli_print_help(&verb);
+        free(question.argv);
+        return CLI_OK;
+    }
+    if (cli_render_job_parse(&render.job, question.argc, question.argv, &status) &&
+        check(&question, &render.job)) {
+        status = CLI_FAILED;
+        if (cli_render_prepare(&render)) {
+            status = cli_render_open(&render, render.job.model_paths[0]);
+        }
+        if (status == CLI_OK && !tell(&question, &render)) {
+            status = CLI_FAILED;
+        }
+        cli_render_forget_model(&render);
+        free(render.panorama.texels);
+    }
+    free(question.argv);
+    return status;
+}

@@ -1,0 +1,130 @@
+// SPDX-License-Identifier: MIT
+// The same for programs; see explain_write.h.
+#include "exact_weights.h"
+#include "explain_write.h"
+#include "json.h"
+
+#include <inttypes.h>
+#include <stdio.h>
+
+static void print_name(const char *name)
+{
+    printf(", ");
+    cli_json_string(stdout, name);
+    printf(": ");
+}
+
+// Seventeen digits, which give a double back.
+static void print_doubles(const char *name, const double *numbers, int count)
+{
+    print_name(name);
+    printf("[");
+    for (int i = 0; i < count; i++) {
+        printf("%s%.17g", i ? ", " : "", numbers[i]);
+    }
+    printf("]");
+}
+
+static void print_floats(const char *name, const float *numbers, int count)
+{
+    print_name(name);
+    printf("[");
+    for (int i = 0; i < count; i++) {
+        printf(i ? ", " : "");
+        cli_json_number(stdout, (double)numbers[i]);
+    }
+    printf("]");
+}
+
+static void print_exact(const struct cli_past_fragment *past, const struct cli_exact_weights *w)
+{
+    const struct rhw_explained_fragment *const f = &past->told;
+    printf(",\n   \"edges\": [%" PRId64 ", %" PRId64 ", %" PRId64 "], \"sum\": %" PRId64, w->edge[0],
+           w->edge[1], w->edge[2], w->sum);
+    const double screen[3] = {mpq_get_d(w->screen[0]), mpq_get_d(w->screen[1]), mpq_get_d(w->screen[2])};
+    const double space[3] = {mpq_get_d(w->space[0]), mpq_get_d(w->space[1]), mpq_get_d(w->space[2])};
+    const double inverse_w = mpq_get_d(w->inverse_w);
+    print_doubles("screen_exact", screen, 3);
+    print_doubles("inverse_w_exact", &inverse_w, 1);
+    print_doubles("space_exact", space, 3);
+    printf(",\n   \"varyings\": [");
+    for (int i = 0; i < f->component_count; i++) {
+        char name[SCENE_COMPONENT_NAME];
+        struct cli_three_ways ways;
+        cli_exact_component(w, f, i, &ways);
+        scene_component_name(&past->drawn.surface, i, name);
+        printf("%s\n    {\"name\": ", i ? "," : "");
+        cli_json_string(stdout, name);
+        const float vertices[3] = {f->vertex_varyings[0][i], f->vertex_varyings[1][i],
+                                   f->vertex_varyings[2][i]};
+        print_floats("vertices", vertices, 3);
+        printf(", \"naive\": ");
+        cli_json_number(stdout, ways.naive);
+        printf(", \"exact\": ");
+        cli_json_number(stdout, ways.exact);
+        printf(", \"pipeline\": ");
+        cli_json_number(stdout, (double)ways.written);
+        printf(", \"error_ulp\": ");
+        cli_json_number(stdout, ways.error);
+        printf("}");
+    }
+    printf("]");
+}
+
+static void print_fragment(const struct cli_past_fragment *past, const struct scene_model *model)
+{
+    static const char *const fates[] = {"failed_early", "discarded", "failed_late", "written"};
+    const struct rhw_explained_fragment *const f = &past->told;
+    struct cli_exact_weights weights;
+    printf("{\"draw\": %" PRIu32 ", \"instance\": %d, \"node\": ", f->draw, past->drawn.instance);
+    cli_json_string(stdout, cli_history_subject(past, model));
+    printf(", \"triangle\": %" PRIu32 ", \"front_facing\": %s, \"fate\": \"%s\", \"covered\": %" PRIu32
+           ",\n   \"depth\": ",
+           f->primitive, f->front_facing ? "true" : "false", fates[f->fate], f->covered);
+    cli_json_number(stdout, (double)f->depth);
+    print_floats("depth_before_after", (const float[]){f->depth_before, f->depth_after}, 2);
+    print_floats("color_before", f->color_before[0], 4);
+    print_floats("color_after", f->color_after[0], 4);
+    if (f->is_shaded) {
+        print_floats("output", f->output[0], 4);
+    }
+    printf(",\n   \"clip\": [");
+    for (int i = 0; i < 3; i++) {
+        printf("%s[", i ? ", " : "");
+        for (int c = 0; c < 4; c++) {
+            printf(c ? ", " : "");
+            cli_json_number(stdout, (double)f->position[i][c]);
+        }
+        printf("]");
+    }
+    printf("], \"clipped\": %s", f->is_clipped ? "true" : "false");
+    if (f->is_snapped) {
+        printf(", \"snapped\": [[%d, %d], [%d, %d], [%d, %d]]", f->x[0], f->y[0], f->x[1], f->y[1], f->x[2],
+               f->y[2]);
+    }
+    printf(", \"sample\": [%d, %d]", f->sample_x, f->sample_y);
+    if (f->is_shaded) {
+        print_doubles("screen", f->screen, 3);
+        print_doubles("inverse_w", &f->inverse_w, 1);
+        print_floats("space", f->weights, 3);
+    }
+    if (past->drawn.instance != SCENE_DRAWN_BACKGROUND && cli_exact_weights_set(&weights, f)) {
+        print_exact(past, &weights);
+        cli_exact_weights_free(&weights);
+    }
+    printf("}");
+}
+
+void cli_explain_json(const struct cli_explanation *e)
+{
+    printf("{\"model\": ");
+    cli_json_string(stdout, e->model_path);
+    printf(", \"size\": [%d, %d], \"pixel\": [%d, %d], \"sample\": %d, \"samples\": %d,\n"
+           " \"color\": \"#%02x%02x%02x\",\n \"fragments\": [",
+           e->width, e->height, e->x, e->y, e->sample, e->samples, e->color[0], e->color[1], e->color[2]);
+    for (int i = 0; i < e->history->count; i++) {
+        printf("%s\n  ", i ? "," : "");
+        print_fragment(&e->history->fragments[i], e->model);
+    }
+    printf("]}\n");
+}
