@@ -46,7 +46,8 @@ static struct scene_model *load(bool (*write)(const char *folder), char *why, si
 static bool write_text(const char *folder, int file, const char *text)
 {
     FILE *const stream = open_file(folder, file);
-    return stream && (fputs(text, stream) >= 0) & (fclose(stream) == 0);
+    const bool written = stream && fputs(text, stream) >= 0;
+    return stream && fclose(stream) == 0 && written;
 }
 
 // Hair ----------------------------------------------------------------------------------------------

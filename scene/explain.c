@@ -2,6 +2,8 @@
 // See explain.h.
 #include "explain.h"
 
+#include "rhw/shader.h"
+
 #include <stdio.h>
 #include <stdlib.h>
 
@@ -30,13 +32,62 @@ void scene_draw_log_free(struct scene_draw_log *log)
     *log = (struct scene_draw_log){0};
 }
 
-static const char *slot_name(const struct scene_surface *surface, int first)
+// Textures ------------------------------------------------------------------------------------------
+
+const char *scene_slot_name(enum scene_slot slot)
 {
     static const char *const names[SCENE_BASE_SLOTS] = {"base color", "metallic-roughness", "normal map",
                                                         "occlusion", "emission"};
+    return slot < SCENE_BASE_SLOTS ? names[slot] : "a layer";
+}
+
+// The library samples 8 places at once: all of them are this one.
+static void look_at(const struct rhw_explained_fragment *fragment, int unit, int first,
+                    struct scene_texture_look *look)
+{
+    const rhw_float uv[2] = {rhw_splat(fragment->varyings[first]), rhw_splat(fragment->varyings[first + 1])};
+    const rhw_float gradient[4] = {rhw_splat(fragment->ddx[first]), rhw_splat(fragment->ddx[first + 1]),
+                                   rhw_splat(fragment->ddy[first]), rhw_splat(fragment->ddy[first + 1])};
+    const struct rhw_sample_request request = {.coordinates = uv, .gradient = gradient};
+    rhw_float lod[2], texel[4];
+    rhw_int size[3];
+    rhw_sample(fragment->textures, unit, &request, texel);
+    rhw_sample_query_lod(fragment->textures, unit, &request, lod);
+    look->level = lod[0][0];
+    const rhw_int level = rhw_splat_int((int)look->level);
+    rhw_sample_size(fragment->textures, unit, &level, size);
+    look->width = size[0][0];
+    look->height = size[1][0];
+    for (int i = 0; i < 2; i++) {
+        look->uv[i] = fragment->varyings[first + i];
+        look->place[i] = look->uv[i] * (float)size[i][0] - 0.5f;
+    }
+    for (int c = 0; c < 4; c++) {
+        look->texel[c] = texel[c][0];
+    }
+}
+
+int scene_texture_looks(const struct rhw_explained_fragment *fragment, const struct scene_surface *surface,
+                        struct scene_texture_look looks[SCENE_SLOT_COUNT])
+{
+    int count = 0;
+    for (int slot = 0; slot < SCENE_SLOT_COUNT && fragment->is_shaded; slot++) {
+        const int first = surface->slot_varying[slot];
+        if (first >= 0 && fragment->textures) {
+            looks[count].slot = (enum scene_slot)slot;
+            look_at(fragment, surface->slot_unit[slot], first, &looks[count++]);
+        }
+    }
+    return count;
+}
+
+// Names ---------------------------------------------------------------------------------------------
+
+static const char *stream_name(const struct scene_surface *surface, int first)
+{
     for (int slot = 0; slot < SCENE_SLOT_COUNT; slot++) {
         if (surface->slot_varying[slot] == first) {
-            return slot < SCENE_BASE_SLOTS ? names[slot] : "a layer";
+            return scene_slot_name((enum scene_slot)slot);
         }
     }
     return "nothing";
@@ -61,7 +112,7 @@ void scene_component_name(const struct scene_surface *s, int component, char nam
     }
     const int part = s->varying_uv >= 0 && component >= s->varying_uv ? (component - s->varying_uv) % 2 : -1;
     if (part >= 0) {
-        snprintf(name, SCENE_COMPONENT_NAME, "uv of %s %c", slot_name(s, component - part), "uv"[part]);
+        snprintf(name, SCENE_COMPONENT_NAME, "uv of %s %c", stream_name(s, component - part), "uv"[part]);
     } else {
         snprintf(name, SCENE_COMPONENT_NAME, "component %d", component);
     }

@@ -15,6 +15,16 @@ struct scene_drawn {
     struct scene_surface surface;
 };
 
+/// A texture that the fragment function of a surface reads, at the coordinates that it has.
+struct scene_texture_look {
+    enum scene_slot slot;
+    float uv[2];
+    float level;       ///< that is read, between two of them with a fraction
+    int width, height; ///< of the finer of the two
+    float place[2];    ///< in its texels, from the middle of the first: those around it are mixed
+    float texel[4];    ///< what sampling gives; colours are light
+};
+
 struct scene_explain {
     int x, y;   ///< of the picture
     int sample; ///< of the pixel, 0..samples − 1
@@ -24,6 +34,12 @@ struct scene_explain {
                      const struct scene_drawn *drawn, int first_row);
     void *user;
 };
+
+/// The looks of a surface's shaded fragment, while that is told; returns how many there are, SCENE_SLOT_COUNT at most.
+int scene_texture_looks(const struct rhw_explained_fragment *fragment, const struct scene_surface *surface,
+                        struct scene_texture_look looks[SCENE_SLOT_COUNT]);
+/// "base color", "normal map", ..
+const char *scene_slot_name(enum scene_slot slot);
 
 enum { SCENE_COMPONENT_NAME = 32 };
 /// "normal x", "uv of base color u", ..: what a component of the varyings is.

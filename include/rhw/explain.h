@@ -6,6 +6,8 @@
 
 #include "types.h"
 
+struct rhw_bindings;
+
 /// What became of a fragment.
 enum rhw_fragment_fate {
     RHW_FRAGMENT_FAILED_EARLY, ///< depth bounds, stencil or depth test, before the fragment function
@@ -53,6 +55,7 @@ struct rhw_explained_fragment {
     const bool *has_derivatives; ///< of each component
     const float *ddx, *ddy;      ///< per pixel, where the component has them
     float output[RHW_MAX_COLOR_ATTACHMENTS][4]; ///< what the function returned
+    const struct rhw_bindings *textures; ///< what it may sample: rhw_sample of these gives what it gave there
 };
 
 /// Is called by a thread of the context while the pass ends, one call after the other. Calls of the library are misuse.

@@ -92,6 +92,22 @@ assert abs(z["naive"] - z["exact"]) > 0.1, "a floor shows why one divides"
 PY
 fi
 
+# A texture of one colour, #336699, shows at any level as the light of that colour.
+sed 's/^newmtl front/&\nmap_Kd tile.ppm/; s/^Kd 0.2 0.4 0.8/Kd 1 1 1/; s/^d 0.5/d 1/' floor.mtl >tile.mtl
+sed 's/floor.mtl/tile.mtl/; /^usemtl glass/,$d' floor.obj >tile.obj
+{
+    printf 'P6\n16 16\n255\n'
+    i=0
+    while [ $i -lt 256 ]; do
+        printf '3f\231'
+        i=$((i + 1))
+    done
+} >tile.ppm
+succeed explain tile.obj --at 80,100 $look --json
+check "the texel: $(field "$folder/log/out" texel)" sh -c "grep -Eq '\"texel\": \[0.033[0-9]*, 0.13[0-9]*, 0.318[0-9]*, 1\]' '$folder/log/out'"
+succeed explain tile.obj --at 80,100 $look
+check "level and texels" grep -Eq '^    base color +level [0-9.]+; level [0-4] has [0-9]+x[0-9]+ texels' "$folder/log/out"
+
 # Where nothing is, and what is clipped.
 succeed explain cube.obj --at 0,0 --size 64
 check "nothing of the model" grep -q '^Nothing of the model is seen here.$' "$folder/log/out"

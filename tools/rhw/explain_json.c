@@ -71,6 +71,22 @@ static void print_exact(const struct cli_past_fragment *past, const struct cli_e
     printf("]");
 }
 
+static void print_textures(const struct cli_past_fragment *past)
+{
+    printf(",\n   \"textures\": [");
+    for (int i = 0; i < past->look_count; i++) {
+        const struct scene_texture_look *const look = &past->looks[i];
+        printf("%s\n    {\"slot\": \"%s\", \"level\": ", i ? "," : "", scene_slot_name(look->slot));
+        cli_json_number(stdout, (double)look->level);
+        printf(", \"level_size\": [%d, %d]", look->width, look->height);
+        print_floats("uv", look->uv, 2);
+        print_floats("place", look->place, 2);
+        print_floats("texel", look->texel, 4);
+        printf("}");
+    }
+    printf("]");
+}
+
 static void print_fragment(const struct cli_past_fragment *past, const struct scene_model *model)
 {
     static const char *const fates[] = {"failed_early", "discarded", "failed_late", "written"};
@@ -108,6 +124,7 @@ static void print_fragment(const struct cli_past_fragment *past, const struct sc
         print_doubles("inverse_w", &f->inverse_w, 1);
         print_floats("space", f->weights, 3);
     }
+    print_textures(past);
     if (past->drawn.instance != SCENE_DRAWN_BACKGROUND && cli_exact_weights_set(&weights, f)) {
         print_exact(past, &weights);
         cli_exact_weights_free(&weights);

@@ -134,6 +134,24 @@ static void print_components(const struct cli_past_fragment *past, const struct 
     printf("\nThe largest error is %.2f ULP; rhw promises 8 (docs/exactness.md).\n", worst);
 }
 
+static void print_textures(const struct cli_past_fragment *past)
+{
+    if (past->look_count > 0) {
+        printf("\nIts textures there. The level follows from how far u and v go from pixel to pixel; around "
+               "a place lie\n"
+               "the four texels that are mixed, in this level and, by its fraction, in the next:\n\n");
+    }
+    for (int i = 0; i < past->look_count; i++) {
+        const struct scene_texture_look *const look = &past->looks[i];
+        printf("    %-20s level %.4g; level %d has %dx%d texels, and the place is (%.3f, %.3f)\n"
+               "    %20s gives ",
+               scene_slot_name(look->slot), (double)look->level, (int)look->level, look->width, look->height,
+               (double)look->place[0], (double)look->place[1], "");
+        print_color(look->texel);
+        printf("\n");
+    }
+}
+
 static void print_derivation(const struct cli_past_fragment *past, const struct scene_model *model)
 {
     const struct rhw_explained_fragment *const f = &past->told;
@@ -157,6 +175,7 @@ static void print_derivation(const struct cli_past_fragment *past, const struct 
     print_perspective(f, &weights);
     printf("\nDepth is linear on the screen: Z_P/W_P = %.9g at the sample.\n", (double)f->depth);
     print_components(past, &weights);
+    print_textures(past);
     cli_exact_weights_free(&weights);
 }
 

@@ -32,6 +32,7 @@ static bool keep_values(struct cli_past_fragment *past, const struct rhw_explain
     memcpy(past->values + 3 * count, from->varyings, size);
     past->told.varyings = past->values + 3 * count;
     past->told.ddx = past->told.ddy = NULL;
+    past->told.textures = NULL;
     return true;
 }
 
@@ -45,6 +46,9 @@ void cli_history_add(void *user, const struct rhw_explained_fragment *fragment,
     }
     struct cli_past_fragment *const past = &history->fragments[history->count];
     *past = (struct cli_past_fragment){.told = *fragment, .drawn = *drawn};
+    if (drawn->instance >= 0) {
+        past->look_count = scene_texture_looks(fragment, &drawn->surface, past->looks);
+    }
     if (!keep_values(past, fragment)) {
         history->failed = true;
         return;

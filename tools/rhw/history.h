@@ -9,6 +9,8 @@
 struct cli_past_fragment {
     struct rhw_explained_fragment told; ///< its arrays are those below; rows count from the top of the picture
     struct scene_drawn drawn;
+    int look_count;
+    struct scene_texture_look looks[SCENE_SLOT_COUNT];
     float *values; ///< [4][component_count]: at the three vertices and at the sample
 };
 

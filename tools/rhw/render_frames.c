@@ -62,7 +62,8 @@ static bool draw_all(struct frames *frames, struct cli_moving *moving)
         going = draw_frame(frames, frame) && (moving || cli_render_files_plan(render, frame)) &&
                 cli_frame_writer_add(writer, render);
     }
-    return writer && (cli_frame_writer_close(writer) & going);
+    const bool written = writer && cli_frame_writer_close(writer);
+    return going && written;
 }
 
 // The one file there is.
