@@ -45,7 +45,8 @@ static const char *find_root(struct scene_3mf *file)
 {
     size_t size;
     const char *text = scene_zip_read_all(file->zip, "_rels/.rels", &size);
-    for (const char *element = text; element != NULL; element = strstr(element + 1, "<Relationship ")) {
+    const char *const first = text == NULL ? NULL : strstr(text, "<Relationship ");
+    for (const char *element = first; element != NULL; element = strstr(element + 1, "<Relationship ")) {
         const char *end = strchr(element, '>');
         const char *type = end == NULL ? NULL : find_value(file->import, element, end, "Type");
         if (type != NULL && strstr(type, "/3dmodel") != NULL) {
@@ -65,6 +66,21 @@ static int compare_objects(const void *left, const void *right)
 {
     const struct scene_3mf_object *a = left, *b = right;
     return a->part != b->part ? (a->part > b->part) - (a->part < b->part) : (a->id > b->id) - (a->id < b->id);
+}
+
+// After sorting: ids of a part are those of one thing each (Core, 3.4), else which one is meant is left to chance.
+static void check_ids(const struct scene_3mf *file)
+{
+    for (uint32_t i = 1; i < file->group_count; i++) {
+        if (compare_groups(&file->groups[i - 1], &file->groups[i]) == 0) {
+            scene_import_fail(file->import, "has two groups of properties with id %u", file->groups[i].id);
+        }
+    }
+    for (uint32_t i = 1; i < file->object_count; i++) {
+        if (compare_objects(&file->objects[i - 1], &file->objects[i]) == 0) {
+            scene_import_fail(file->import, "has two objects with id %u", file->objects[i].id);
+        }
+    }
 }
 
 void scene_import_3mf(struct scene_import *import)
@@ -89,5 +105,6 @@ void scene_import_3mf(struct scene_import *import)
     if (file.object_count > 0) {
         qsort(file.objects, file.object_count, sizeof *file.objects, compare_objects);
     }
+    check_ids(&file);
     scene_3mf_build(&file);
 }

@@ -70,7 +70,9 @@ static void lay(struct scene_3mf_paint *paint, const struct scene_3mf_paint *abo
     const float alpha = above->color[3];
     if (above->texture != NULL && !multiplied) {
         paint->below = paint->texture != NULL && same_place(paint, above) ? paint->texture : NULL;
-        memcpy(paint->ground, paint->layered ? paint->ground : paint->color, sizeof paint->ground);
+        if (!paint->layered) {
+            memcpy(paint->ground, paint->color, sizeof paint->ground);
+        }
         paint->layered = true;
     }
     for (int c = 0; c < 3; c++) {
@@ -84,6 +86,7 @@ static void lay(struct scene_3mf_paint *paint, const struct scene_3mf_paint *abo
     } else if (!multiplied && alpha >= 1) {
         paint->texture = paint->below = NULL;
         paint->layered = false;
+        memset(paint->ground, 0, sizeof paint->ground);
     }
     if (above->roughness >= 0) {
         paint->metallic = above->metallic;

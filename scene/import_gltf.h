@@ -100,6 +100,8 @@ void scene_gltf_draco(struct scene_gltf *gltf, const json_t *primitive, const js
 void scene_gltf_slot(struct scene_gltf *gltf, const json_t *info, struct scene_texture_slot *slot);
 // `value` within both; NaN: least.
 float scene_gltf_limited(double value, double least, double most);
+/// The same for a factor of colour and alpha: 0..10⁶, and 0..1.
+void scene_gltf_limit_color(float color[4]);
 // What the extensions of a material say, after its base has been read.
 void scene_gltf_layers(struct scene_gltf *gltf, const json_t *object, struct scene_material *material);
 uint32_t scene_gltf_material(struct scene_gltf *gltf, int64_t index);

@@ -31,7 +31,8 @@ static void read_clearcoat(struct scene_gltf *gltf, const json_t *object, struct
     const json_t *normal = scene_gltf_object(gltf, object, "clearcoatNormalTexture");
     layers->clearcoat = number(gltf, object, "clearcoatFactor", 0, 1);
     layers->clearcoat_roughness = number(gltf, object, "clearcoatRoughnessFactor", 0, 1);
-    layers->clearcoat_normal_scale = (float)scene_gltf_number(gltf, normal, "scale", 1);
+    layers->clearcoat_normal_scale =
+        scene_gltf_limited(scene_gltf_number(gltf, normal, "scale", 1), -1e6, 1e6);
     texture(gltf, object, "clearcoatTexture", material, SCENE_SLOT_CLEARCOAT);
     texture(gltf, object, "clearcoatRoughnessTexture", material, SCENE_SLOT_CLEARCOAT_ROUGHNESS);
     texture(gltf, object, "clearcoatNormalTexture", material, SCENE_SLOT_CLEARCOAT_NORMAL);
@@ -107,6 +108,7 @@ static void read_gloss(struct scene_gltf *gltf, const json_t *object, struct sce
     }
     material->slots[SCENE_SLOT_BASE_COLOR].image = material->slots[SCENE_SLOT_METALLIC_ROUGHNESS].image = -1;
     scene_gltf_floats(gltf, object, "diffuseFactor", material->base_color, 4);
+    scene_gltf_limit_color(material->base_color);
     color(gltf, object, "specularFactor", layers->gloss_specular);
     layers->glossiness = number(gltf, object, "glossinessFactor", 1, 1);
     texture(gltf, object, "diffuseTexture", material, SCENE_SLOT_BASE_COLOR);
@@ -118,7 +120,7 @@ static void read_dispersion(struct scene_gltf *gltf, const json_t *object, struc
     material->layers.dispersion = number(gltf, object, "dispersion", 0, 100);
 }
 
-// A draw has a limited number of textures; nobody was seen to need more.
+// A draw has RHW_MAX_TEXTURES, of which the base material, the surroundings and what lies behind take the others.
 static void drop_textures(struct scene_gltf *gltf, struct scene_material *material)
 {
     int count = 0;

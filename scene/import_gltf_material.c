@@ -137,10 +137,18 @@ float scene_gltf_limited(double value, double least, double most)
     return (float)(value >= least && value <= most ? value : value > most ? most : least); // NaN: least
 }
 
+void scene_gltf_limit_color(float color[4])
+{
+    for (int c = 0; c < 4; c++) {
+        color[c] = scene_gltf_limited((double)color[c], 0, c == 3 ? 1 : 1e6);
+    }
+}
+
 static void read_metallic_roughness(struct scene_gltf *gltf, const json_t *pbr,
                                     struct scene_material *material)
 {
     scene_gltf_floats(gltf, pbr, "baseColorFactor", material->base_color, 4);
+    scene_gltf_limit_color(material->base_color);
     material->metallic = scene_gltf_limited(scene_gltf_number(gltf, pbr, "metallicFactor", 1), 0, 1);
     material->roughness = scene_gltf_limited(scene_gltf_number(gltf, pbr, "roughnessFactor", 1), 0, 1);
     scene_gltf_slot(gltf, scene_gltf_object(gltf, pbr, "baseColorTexture"),
@@ -177,7 +185,7 @@ static void read_material(struct scene_gltf *gltf, const json_t *object, struct 
     scene_gltf_slot(gltf, occlusion, &material->slots[SCENE_SLOT_OCCLUSION]);
     scene_gltf_slot(gltf, scene_gltf_object(gltf, object, "emissiveTexture"),
                     &material->slots[SCENE_SLOT_EMISSIVE]);
-    material->normal_scale = (float)scene_gltf_number(gltf, normal, "scale", 1);
+    material->normal_scale = scene_gltf_limited(scene_gltf_number(gltf, normal, "scale", 1), -1e6, 1e6);
     material->occlusion_strength =
         scene_gltf_limited(scene_gltf_number(gltf, occlusion, "strength", 1), 0, 1);
     scene_gltf_floats(gltf, object, "emissiveFactor", material->emissive, 3);

@@ -52,9 +52,12 @@ _Noreturn void scene_import_fail(struct scene_import *import, const char *format
 }
 
 // A soft limit never above the hard one that we were started with.
-static rlim_t soft_limit(rlim_t wanted, rlim_t hard)
+// What is wanted, or what is allowed already where that is less.
+static rlim_t soft_limit(rlim_t wanted, const struct rlimit *limit)
 {
-    return hard == RLIM_INFINITY || wanted < hard ? wanted : hard;
+    rlim_t least = wanted;
+    least = limit->rlim_max != RLIM_INFINITY && limit->rlim_max < least ? limit->rlim_max : least;
+    return limit->rlim_cur != RLIM_INFINITY && limit->rlim_cur < least ? limit->rlim_cur : least;
 }
 
 static void limit_core(void)
@@ -67,7 +70,7 @@ static void limit_time(unsigned seconds)
 {
     struct rlimit limit;
     if (getrlimit(RLIMIT_CPU, &limit) == 0) {
-        limit.rlim_cur = soft_limit(seconds, limit.rlim_max);
+        limit.rlim_cur = soft_limit(seconds, &limit);
         setrlimit(RLIMIT_CPU, &limit);
     }
     alarm(seconds * WALL_FACTOR);
@@ -77,7 +80,7 @@ static void limit_memory(size_t bytes)
 {
     struct rlimit limit;
     if (getrlimit(RLIMIT_AS, &limit) == 0) {
-        limit.rlim_cur = soft_limit(bytes, limit.rlim_max);
+        limit.rlim_cur = soft_limit(bytes, &limit);
         setrlimit(RLIMIT_AS, &limit);
     }
 }

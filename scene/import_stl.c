@@ -226,6 +226,9 @@ static void read_line(struct reader *reader, struct scene_word key, struct scene
 {
     struct scene_word word;
     if (key_is(key, "vertex")) {
+        if (!reader->in_facet) {
+            refuse(reader, "a vertex stands outside of a facet");
+        }
         read_vertex(reader, line);
     } else if (key_is(key, "facet")) {
         reader->in_facet = true;

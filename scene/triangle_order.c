@@ -48,7 +48,8 @@ static void sort_by_digit(struct sorting *sorting, int digit)
     sorting->spare_triangles = triangles;
 }
 
-// Thrice the distance of each triangle's middle along the view, but for what all have in common.
+// Thrice the distance of each triangle's middle along the view; where the mesh stands is left out, which is the same for
+// all of them.
 static void set_keys(struct sorting *sorting, const struct scene_mesh *mesh, const float world[16],
                      const float forward[3])
 {

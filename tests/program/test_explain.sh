@@ -108,6 +108,21 @@ check "the texel: $(field "$folder/log/out" texel)" sh -c "grep -Eq '\"texel\": 
 succeed explain tile.obj --at 80,100 $look
 check "level and texels" grep -Eq '^    base color +level [0-9.]+; level [0-4] has [0-9]+x[0-9]+ texels' "$folder/log/out"
 
+# The picture of the triangle.
+succeed explain tile.obj --at 80,100 $look --picture triangle.svg
+check "the picture" grep -q '<svg xmlns' triangle.svg
+check "its three shares" test "$(grep -c 'fill-opacity' triangle.svg)" = 3
+check "81 pixels" test "$(grep -c "stroke='#888'" triangle.svg)" = 81
+check "its numbers" grep -q "1/W = r/W_0 + s/W_1 + t/W_2 = 0\." triangle.svg
+if command -v python3 >/dev/null 2>&1; then
+    check "well formed" python3 -c "import xml.dom.minidom; xml.dom.minidom.parse('triangle.svg')"
+fi
+run explain cube.obj --at 0,0 --size 64 --picture none.svg
+check "nothing to draw: status" test "$status" = 1
+check "nothing to draw: says so" grep -q '^rhw: none.svg: not drawn: nothing of the model is seen there$' "$folder/log/err"
+check "nothing to draw: no file" test ! -e none.svg
+refuse 2 "--picture: 'a.png' is not the name of a .svg file" explain cube.obj --at 1,1 --picture a.png
+
 # Where nothing is, and what is clipped.
 succeed explain cube.obj --at 0,0 --size 64
 check "nothing of the model" grep -q '^Nothing of the model is seen here.$' "$folder/log/out"

@@ -29,6 +29,12 @@ check "--force" grep -q "^3 drawn, 0 kept, 0 failed$" "$folder/log/out"
 succeed thumbs in -o out --size 32 --force --quiet
 check "--quiet" test ! -s "$folder/log/out"
 
+# A link to a folder is not followed: it may lead back.
+ln -s . in/here
+ln -s .. in/deep/above
+succeed thumbs in -o out --size 32 --force
+check "links to folders" grep -q "^3 drawn, 0 kept, 0 failed$" "$folder/log/out"
+
 # One that cannot be drawn is told, the others are drawn, nothing is left of it.
 printf 'solid nothing\n' >in/broken.stl
 run thumbs in -o other --size 16

@@ -313,6 +313,34 @@ static void test_circle(void **state)
     expect_refused("x.3mf", "object 1: its components are nested too deeply or in a circle");
 }
 
+// Which of the two is meant would be left to chance.
+static void test_two_of_one_id(void **state)
+{
+    (void)state;
+    write_package(
+        "x.3mf",
+        "<object id=\"1\">" MESH("<triangle v1=\"0\" v2=\"1\" v3=\"2\"/>") "</object>"
+                                                                           "<object id=\"1\">" MESH(
+                                                                               "<triangle v1=\"0\" v2=\"2\" "
+                                                                               "v3=\"1\"/>") "</object>",
+        "<item objectid=\"1\"/>");
+    expect_refused("x.3mf", "has two objects with id 1");
+}
+
+static void test_empty_relationships(void **state)
+{
+    (void)state;
+    zipFile zip = begin_package("x.3mf");
+    add_entry(zip, "_rels/.rels", "", 0);
+    add_model(zip, "3D/3dmodel.model",
+              "<object id=\"1\">" MESH("<triangle v1=\"0\" v2=\"1\" v3=\"2\"/>") "</object>",
+              "<item objectid=\"1\"/>");
+    assert_int_equal(zipClose(zip, NULL), ZIP_OK);
+    struct scene_model *model = load("x.3mf");
+    assert_int_equal(model->instance_count, 1);
+    scene_model_free(model);
+}
+
 // 2 to the power of 40 triangles in 40 lines.
 static void test_too_many(void **state)
 {
@@ -457,6 +485,8 @@ int main(void)
         cmocka_unit_test(test_components),
         cmocka_unit_test(test_circle),
         cmocka_unit_test(test_too_many),
+        cmocka_unit_test(test_two_of_one_id),
+        cmocka_unit_test(test_empty_relationships),
         cmocka_unit_test(test_beams),
         cmocka_unit_test(test_no_build),
         cmocka_unit_test(test_bad_xml),

@@ -148,6 +148,8 @@ static void test_cut_text(void **state)
     expect_refused("x.stl", "line 5: a vertex needs three numbers");
     write_text("x.stl", "solid a\nfacet normal 0 0 1\nvertex 0 0 0\nendfacet\nendsolid");
     expect_refused("x.stl", "line 4: a facet needs three vertices");
+    write_text("x.stl", "solid a\n" FACET_TEXT "endloop\nendfacet\nvertex 5 5 5\nendsolid");
+    expect_refused("x.stl", "a vertex stands outside of a facet");
 }
 
 int main(void)

@@ -3,18 +3,20 @@
 // are those of rhw render, which reads them.
 #include "explain_write.h"
 #include "options.h"
+#include "output_file.h"
 #include "render_state.h"
 #include "verbs.h"
 
 #include <stdlib.h>
 #include <string.h>
 
-enum { OPTION_AT = 256, OPTION_SAMPLE, OPTION_JSON, OPTION_HELP = 'h' };
+enum { OPTION_AT = 256, OPTION_SAMPLE, OPTION_JSON, OPTION_PICTURE };
 
 static const struct cli_option options[] = {
     {"at", OPTION_AT, "X,Y", "the pixel, from the top left of the picture"},
     {"sample", OPTION_SAMPLE, "N", "which of its samples, 0..15; default 0"},
     {"json", OPTION_JSON, NULL, "the same as JSON, with every fragment's numbers"},
+    {"picture", OPTION_PICTURE, "FILE", "draw the triangle around the pixel too, into a .svg file"},
 };
 
 static const char notes[] =
@@ -37,7 +39,8 @@ static const struct cli_verb verb = {.name = "explain",
 struct question {
     int x, y, sample;
     bool has_place, is_json, wants_help;
-    int argc; // what is left for rhw render
+    const char *picture; // a file; NULL: none
+    int argc;            // what is left for rhw render
     char **argv;
 };
 
@@ -75,6 +78,13 @@ static bool take_option(struct question *q, int argc, char **argv, int *i, bool 
             cli_error("--sample", "'%s' is not a number of 0 to 15", argument);
             return false;
         }
+    } else if ((argument = argument_of("--picture", argc, argv, i))) {
+        const size_t length = strlen(argument);
+        if (length < 5 || strcmp(argument + length - 4, ".svg") != 0) {
+            cli_error("--picture", "'%s' is not the name of a .svg file", argument);
+            return false;
+        }
+        q->picture = argument;
     } else if (strcmp(argv[*i], "--json") == 0) {
         q->is_json = true;
     } else if (strcmp(argv[*i], "--help") == 0 || strcmp(argv[*i], "-h") == 0) {
@@ -134,6 +144,9 @@ static bool check(const struct question *q, const struct cli_render_job *job)
                   job->height);
         return false;
     }
+    if (q->picture && !cli_output_file_check(q->picture)) {
+        return false;
+    }
     if (q->sample >= job->samples) {
         cli_error("--sample", "%d is too many: a pixel has %d, 0 to %d", q->sample, job->samples,
                   job->samples - 1);
@@ -154,18 +167,18 @@ static bool tell(const struct question *q, struct render *render)
         told = false;
     }
     if (told) {
-        struct cli_explanation explanation = {.model_path = render->job.model_path,
-                                              .model = render->model,
-                                              .history = &history,
-                                              .x = q->x,
-                                              .y = q->y,
-                                              .sample = q->sample,
-                                              .samples = render->view.samples,
-                                              .width = render->view.width,
-                                              .height = render->view.height};
-        const size_t at = (size_t)q->y * (size_t)render->view.width + (size_t)q->x;
-        memcpy(explanation.color, render->pictures.color + 4 * at, sizeof explanation.color);
+        const struct cli_explanation explanation = {.model_path = render->job.model_path,
+                                                    .model = render->model,
+                                                    .history = &history,
+                                                    .x = q->x,
+                                                    .y = q->y,
+                                                    .sample = q->sample,
+                                                    .samples = render->view.samples,
+                                                    .width = render->view.width,
+                                                    .height = render->view.height,
+                                                    .picture = render->pictures.color};
         (q->is_json ? cli_explain_json : cli_explain_text)(&explanation);
+        told = !q->picture || cli_explain_picture(&explanation, q->picture);
     }
     cli_history_free(&history);
     return told;

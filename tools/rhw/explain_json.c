@@ -134,11 +134,12 @@ static void print_fragment(const struct cli_past_fragment *past, const struct sc
 
 void cli_explain_json(const struct cli_explanation *e)
 {
+    const uint8_t *const c = cli_explained_color(e);
     printf("{\"model\": ");
     cli_json_string(stdout, e->model_path);
     printf(", \"size\": [%d, %d], \"pixel\": [%d, %d], \"sample\": %d, \"samples\": %d,\n"
            " \"color\": \"#%02x%02x%02x\",\n \"fragments\": [",
-           e->width, e->height, e->x, e->y, e->sample, e->samples, e->color[0], e->color[1], e->color[2]);
+           e->width, e->height, e->x, e->y, e->sample, e->samples, c[0], c[1], c[2]);
     for (int i = 0; i < e->history->count; i++) {
         printf("%s\n  ", i ? "," : "");
         print_fragment(&e->history->fragments[i], e->model);

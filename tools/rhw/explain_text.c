@@ -181,7 +181,7 @@ static void print_derivation(const struct cli_past_fragment *past, const struct 
 
 void cli_explain_text(const struct cli_explanation *e)
 {
-    const uint8_t *const c = e->color;
+    const uint8_t *const c = cli_explained_color(e);
     printf("%s: pixel (%d, %d) of %dx%d", e->model_path, e->x, e->y, e->width, e->height);
     if (e->samples > 1) {
         printf(", sample %d of %d", e->sample, e->samples);

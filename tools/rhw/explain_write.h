@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// How rhw explain says what it found: as a worked example to read, and as JSON.
+// How rhw explain says what it found: as a worked example to read, as JSON, and as a picture.
 #ifndef CLI_EXPLAIN_WRITE_H
 #define CLI_EXPLAIN_WRITE_H
 
@@ -10,10 +10,18 @@ struct cli_explanation {
     const struct scene_model *model;
     const struct cli_history *history;
     int x, y, sample, samples, width, height;
-    uint8_t color[4]; ///< of the picture there, sRGB
+    const uint8_t *picture; ///< [height][width][4], sRGB
 };
 
 void cli_explain_text(const struct cli_explanation *explanation);
 void cli_explain_json(const struct cli_explanation *explanation);
+/// Draws the triangle of what is seen around the pixel into an SVG file. Reports failure.
+bool cli_explain_picture(const struct cli_explanation *explanation, const char *path);
+
+/// The pixel itself, [4].
+static inline const uint8_t *cli_explained_color(const struct cli_explanation *e)
+{
+    return e->picture + 4 * ((size_t)e->y * (size_t)e->width + (size_t)e->x);
+}
 
 #endif

@@ -38,7 +38,8 @@ bool cli_movement_plan(struct cli_movement *movement, const struct cli_render_jo
     const double frames =
         job->turntable > 0 ? job->turntable : ceil(movement->seconds * movement->rate - 1e-6);
     if (frames > MOST_FRAMES) {
-        cli_error("--animate", "%.0f pictures are more than %d", frames, MOST_FRAMES);
+        cli_error(job->turntable > 0 ? "--turntable" : "--animate", "%.0f pictures are more than %d", frames,
+                  MOST_FRAMES);
         return false;
     }
     movement->frame_count = frames < 1.0 ? 1 : (int)frames;

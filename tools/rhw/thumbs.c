@@ -205,15 +205,32 @@ static bool walk(struct thumbs *t, const char *in, const char *out, int depth);
 static bool visit(struct thumbs *t, const char *in, const char *out, const char *name, int depth)
 {
     char model[PATH_SIZE], picture[PATH_SIZE];
-    struct stat status;
-    if (!join(model, in, name, "") || stat(model, &status) != 0) {
+    struct stat status, link;
+    if (!join(model, in, name, "")) {
+        t->failed++;
+        return true;
+    }
+    if (stat(model, &status) != 0 || lstat(model, &link) != 0) {
         return true; // it is gone, or a link to nowhere
     }
-    if (S_ISDIR(status.st_mode)) {
-        return depth >= DEEPEST || !join(picture, out, name, "") || walk(t, model, picture, depth + 1);
+    if (S_ISDIR(status.st_mode) && S_ISLNK(link.st_mode)) {
+        return true; // it may lead back here
     }
-    if (!S_ISREG(status.st_mode) || !is_model(name) || !join(picture, out, name, ".png")) {
+    const bool is_folder = S_ISDIR(status.st_mode);
+    if (!is_folder && (!S_ISREG(status.st_mode) || !is_model(name))) {
         return true;
+    }
+    if (is_folder && depth >= DEEPEST) {
+        cli_error(model, "lies deeper than %d folders", DEEPEST);
+        t->failed++;
+        return true;
+    }
+    if (!join(picture, out, name, is_folder ? "" : ".png")) {
+        t->failed++;
+        return true;
+    }
+    if (is_folder) {
+        return walk(t, model, picture, depth + 1);
     }
     return make_folder(out) && start(t, model, picture, &status);
 }

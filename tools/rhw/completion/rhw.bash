@@ -84,8 +84,9 @@ _rhw_compare() { # CURRENT PREVIOUS
 
 _rhw_explain() { # CURRENT PREVIOUS
     case $2 in
+    --picture) _rhw_files "$1" ;;
     --at | --sample) ;;
-    *) _rhw_rest "$1" file --at --sample --json --help ;;
+    *) _rhw_rest "$1" file --at --sample --json --picture --help ;;
     esac
 }
 
