@@ -18,7 +18,7 @@ struct solid {
     const char *name;
     float (*positions)[3], (*normals)[3], (*colors)[4]; // of corners; colors NULL: none
     size_t corners, position_capacity, normal_capacity;
-    bool lacks_normals; // of some facet
+    bool has_normals; // some facet does
 };
 
 static void add_solid(struct scene_import *import, struct solid *solid)
@@ -32,7 +32,7 @@ static void add_solid(struct scene_import *import, struct solid *solid)
     mesh->name = solid->name;
     mesh->vertex_count = mesh->index_count = (uint32_t)solid->corners;
     mesh->positions = solid->positions;
-    mesh->normals = solid->lacks_normals ? NULL : solid->normals;
+    mesh->normals = solid->has_normals ? solid->normals : NULL;
     mesh->colors = solid->colors;
     mesh->indices = scene_import_allocate(import, solid->corners, sizeof *mesh->indices);
     for (uint32_t i = 0; i < mesh->index_count; i++) {
@@ -47,11 +47,41 @@ static void add_solid(struct scene_import *import, struct solid *solid)
     scene_import_complete_mesh(import, instance->mesh, SCENE_IMPORT_SMOOTH, solid->corners > 3);
 }
 
-// The normal of a facet, for its three corners.
-static void set_normal(struct solid *solid, size_t first, const float normal[3])
+static bool is_normal(const float v[3])
 {
-    const float square = normal[0] * normal[0] + normal[1] * normal[1] + normal[2] * normal[2];
-    solid->lacks_normals = solid->lacks_normals || !(square > 1e-12f && square < 1e12f);
+    const float square = v[0] * v[0] + v[1] * v[1] + v[2] * v[2];
+    return square > 1e-12f && square < 1e12f; // neither is NaN
+}
+
+// That of a triangle; (0, 0, 1) where it has no area.
+static void find_normal(const float (*corners)[3], float normal[3])
+{
+    double along[2][3], cross[3], square = 0.0;
+    for (int c = 0; c < 3; c++) {
+        along[0][c] = (double)corners[1][c] - (double)corners[0][c];
+        along[1][c] = (double)corners[2][c] - (double)corners[0][c];
+    }
+    for (int c = 0; c < 3; c++) {
+        const int d = (c + 1) % 3, e = (c + 2) % 3;
+        cross[c] = along[0][d] * along[1][e] - along[0][e] * along[1][d];
+        square += cross[c] * cross[c];
+    }
+    const bool has_area = square > 0.0 && square < 1e300;
+    for (int c = 0; c < 3; c++) {
+        normal[c] = has_area ? (float)(cross[c] / __builtin_sqrt(square)) : c == 2 ? 1.0f : 0.0f;
+    }
+}
+
+// The normal of a facet, for its three corners, which are there. Where the file gives zeros, as programs write for facets
+// without an area, it is that of the corners.
+static void set_normal(struct solid *solid, size_t first, const float given[3])
+{
+    float normal[3] = {given[0], given[1], given[2]};
+    if (is_normal(given)) {
+        solid->has_normals = true;
+    } else {
+        find_normal((const float(*)[3])solid->positions + first, normal);
+    }
     for (size_t k = 0; k < 3; k++) {
         memcpy(solid->normals[first + k], normal, sizeof solid->normals[first + k]);
     }

@@ -121,6 +121,23 @@ static void test_text(void **state)
     scene_model_free(model);
 }
 
+// One facet without a normal, as those without an area have none, leaves the others flat: two that meet at an angle which would be smooth.
+static void test_one_lacks_a_normal(void **state)
+{
+    (void)state;
+    struct scene_model *model = load_text(
+        "x.stl",
+        "solid\n" FACET_TEXT "endloop\nendfacet\nfacet normal 0 -0.6 0.8\nouter loop\nvertex 0 0 0\n"
+        "vertex 0 -0.8 -0.6\nvertex 1 0 0\nendloop\nendfacet\nfacet normal 0 0 0\nouter loop\nvertex 0 0 0\n"
+        "vertex 1 0 0\nvertex 1 0 0\nendloop\nendfacet\nendsolid\n");
+    const struct scene_mesh *mesh = &model->meshes[0];
+    for (uint32_t k = 0; k < 3; k++) {
+        assert_floats(mesh->normals[mesh->indices[k]], (const float[]){0, 0, 1}, 3, 0);
+        assert_floats(mesh->normals[mesh->indices[3 + k]], (const float[]){0, -0.6f, 0.8f}, 3, 1e-6f);
+    }
+    scene_model_free(model);
+}
+
 // Normals that are none are made from the corners.
 static void test_odd_normals(void **state)
 {
@@ -155,8 +172,13 @@ static void test_cut_text(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_viscam),   cmocka_unit_test(test_magics), cmocka_unit_test(test_no_colors),
-        cmocka_unit_test(test_counts),   cmocka_unit_test(test_text),   cmocka_unit_test(test_odd_normals),
+        cmocka_unit_test(test_viscam),
+        cmocka_unit_test(test_magics),
+        cmocka_unit_test(test_no_colors),
+        cmocka_unit_test(test_counts),
+        cmocka_unit_test(test_text),
+        cmocka_unit_test(test_odd_normals),
+        cmocka_unit_test(test_one_lacks_a_normal),
         cmocka_unit_test(test_cut_text),
     };
     return cmocka_run_group_tests(tests, make_directory, remove_directory);
