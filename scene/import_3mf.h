@@ -106,7 +106,8 @@ struct scene_3mf {
     size_t item_count, item_capacity;
     struct scene_3mf_look *looks;
     size_t look_count, look_capacity;
-    uint32_t placed; ///< components that were followed
+    int layered_count; ///< looks with an image of their own, of a texture over a colour
+    uint32_t placed;   ///< components that were followed
 };
 
 /// Reads one part of the package; those that it names are added to the list.

@@ -209,6 +209,9 @@ static uint32_t add_material(struct scene_3mf *file, const struct scene_3mf_pain
     return index;
 }
 
+// Each is a copy of its texture.
+enum { MOST_LAYERED = 64 };
+
 static bool same_look(const struct scene_3mf_paint *a, const struct scene_3mf_paint *b)
 {
     return a->texture == b->texture && a->described == b->described && a->metallic == b->metallic &&
@@ -224,6 +227,15 @@ uint32_t scene_3mf_material(struct scene_3mf *file, const struct scene_3mf_paint
             return look->material;
         }
     }
+    if (paint->layered && file->layered_count == MOST_LAYERED) {
+        struct scene_3mf_paint above = *paint; // without what lies below
+        scene_import_unsupported(file->import, "what lies below textures: in %d colours alone", MOST_LAYERED);
+        above.layered = false;
+        above.below = NULL;
+        memset(above.ground, 0, sizeof above.ground);
+        return scene_3mf_material(file, &above, blended);
+    }
+    file->layered_count += paint->layered;
     const uint32_t material = add_material(file, paint, blended);
     scene_import_reserve(file->import, &file->looks, &file->look_capacity, file->look_count + 1,
                          sizeof *file->looks);

@@ -8,7 +8,7 @@
 
 // Fewer are single points, which are drawn as such. Discs of this many spacings overlap, also where points are
 // a little farther apart than elsewhere; none is larger than this part of the cloud.
-enum { LEAST_POINTS = 64, FINEST_GRID = 512, POINTS_PER_CELL = 4 };
+enum { LEAST_POINTS = 64, FINEST_GRID = 512, LEAST_GRID = 64, POINTS_PER_CELL = 4 };
 static const float radius_per_spacing = 1.2f, most_of_cloud = 0.03f;
 
 // Cells of a grid over the mesh that hold a point. `bits` has room for all cells.
@@ -34,10 +34,14 @@ static size_t count_cells(const struct scene_mesh *mesh, float cell, int cells, 
 // and tells its area.
 static float find_spacing(struct scene_import *import, const struct scene_mesh *mesh, float extent)
 {
+    int finest = FINEST_GRID;
+    while (finest > LEAST_GRID && (uint32_t)finest / 2 >= mesh->vertex_count) {
+        finest /= 2; // with fewer points than cells along a side no cell holds several
+    }
     uint64_t *bits =
-        scene_import_allocate(import, (size_t)FINEST_GRID * FINEST_GRID * FINEST_GRID / 64, sizeof *bits);
+        scene_import_allocate(import, (size_t)finest * (size_t)finest * (size_t)finest / 64, sizeof *bits);
     float spacing = 0;
-    for (int cells = FINEST_GRID; cells > 0 && spacing == 0; cells /= 2) {
+    for (int cells = finest; cells > 0 && spacing == 0; cells /= 2) {
         const float cell = extent / (float)cells;
         const size_t occupied = count_cells(mesh, cell, cells, bits);
         if (occupied * POINTS_PER_CELL <= mesh->vertex_count) {

@@ -41,7 +41,7 @@ static void add_entry(zipFile zip, const char *name, const void *bytes, size_t s
 // A package with one model: its resources and the items of its build.
 static void add_model(zipFile zip, const char *part, const char *resources, const char *build)
 {
-    char text[8192];
+    char text[32768];
     snprintf(text, sizeof text,
              "<?xml version=\"1.0\"?><model unit=\"millimeter\" "
              "xmlns=\"http://schemas.microsoft.com/3dmanufacturing/core/2015/02\" "
@@ -165,7 +165,7 @@ static size_t make_tga(unsigned char *bytes, int width, const unsigned char *tex
 
 static void write_textured(const char *properties, const char *triangle)
 {
-    char resources[4096];
+    char resources[24576];
     unsigned char tga[64];
     snprintf(
         resources, sizeof resources,
@@ -223,6 +223,33 @@ static void test_layers(void **state)
     // 0.498 red and 0.502 blue in linear light are 187 and 188 (0x80 of 255 is 0.50196).
     assert_memory_equal(texels + 4, ((const uint8_t[]){187, 0, 188, 255}), 4);
     assert_floats(mesh->colors[0], (const float[]){1, 1, 1, 1}, 4, 0);
+    scene_model_free(model);
+}
+
+// A texture over each of 80 colours: the first 64 get an image of their own, the others show the texture alone.
+static void test_many_colors_below(void **state)
+{
+    (void)state;
+    enum { COLORS = 80, LAYERED = 64 };
+    static char properties[8192], triangles[8192];
+    size_t at = (size_t)snprintf(properties, sizeof properties, "<m:colorgroup id=\"9\">"), end = 0;
+    for (int i = 0; i < COLORS; i++) {
+        at += (size_t)snprintf(properties + at, sizeof properties - at, "<m:color color=\"#%02X0000\"/>", i);
+    }
+    at += (size_t)snprintf(properties + at, sizeof properties - at,
+                           "</m:colorgroup><m:multiproperties id=\"8\" pids=\"9 4\">");
+    for (int i = 0; i < COLORS; i++) {
+        at += (size_t)snprintf(properties + at, sizeof properties - at, "<m:multi pindices=\"%d 0\"/>", i);
+        end += (size_t)snprintf(triangles + end, sizeof triangles - end,
+                                "<triangle v1=\"0\" v2=\"1\" v3=\"2\" pid=\"8\" p1=\"%d\"/>", i);
+    }
+    snprintf(properties + at, sizeof properties - at, "</m:multiproperties>");
+    write_textured(properties, triangles);
+    struct scene_model *model = load("x.3mf");
+    assert_int_equal(model->image_count, LAYERED + 1);
+    assert_int_equal(model->triangles_drawn, COLORS);
+    assert_int_equal(model->unsupported_count, 1);
+    assert_string_equal(model->unsupported[0], "what lies below textures: in 64 colours alone");
     scene_model_free(model);
 }
 
@@ -485,6 +512,7 @@ int main(void)
         cmocka_unit_test(test_components),
         cmocka_unit_test(test_circle),
         cmocka_unit_test(test_too_many),
+        cmocka_unit_test(test_many_colors_below),
         cmocka_unit_test(test_two_of_one_id),
         cmocka_unit_test(test_empty_relationships),
         cmocka_unit_test(test_beams),
