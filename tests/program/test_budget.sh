@@ -68,11 +68,11 @@ check "no half picture" test "$(find slow -type f | wc -l)" = 0
 # A signal to thumbs and what it started leaves no temporary file.
 setsid "$rhw" thumbs late -o slow --size 8192 2>/dev/null &
 tries=0
-while [ -z "$(find slow -name '.rhw-*')" ] && [ $tries -lt 300 ]; do
+while [ -z "$(find slow -name '.rhw-*')" ] && [ $tries -lt 3000 ]; do
     sleep 0.02
     tries=$((tries + 1))
 done
-check "a temporary file" test $tries -lt 300
+check "a temporary file" test $tries -lt 3000
 kill -TERM "-$!"
 status=0
 wait $! || status=$?
