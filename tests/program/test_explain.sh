@@ -144,6 +144,7 @@ refuse 2 "--sample: '16' is not a number of 0 to 15" explain cube.obj --at 1,1 -
 refuse 2 "--sample: 4 is too many: a pixel has 4, 0 to 3" explain cube.obj --at 1,1 --sample 4
 refuse 2 "--supersample: cannot be explained" explain cube.obj --at 1,1 --supersample 4
 refuse 2 "--transparency: cannot be explained" explain cube.obj --at 1,1 --transparency exact
+refuse 2 "--out: explain writes no picture; --picture" explain cube.obj --at 1,1 -o a.png
 refuse 2 "--views: cannot be explained" explain cube.obj --at 1,1 --views top
 refuse 2 "--no-such-thing: no such option" explain cube.obj --at 1,1 --no-such-thing
 refuse 1 "missing.obj: cannot be opened" explain missing.obj --at 1,1

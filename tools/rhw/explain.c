@@ -133,10 +133,13 @@ static bool check(const struct question *q, const struct cli_render_job *job)
                                : job->view_count > 0                            ? "--views"
                                : cli_render_moves(job)                          ? "--animate and --turntable"
                                : job->kinds != 1u << CLI_KIND_COLOR             ? "--output"
-                               : job->model_count > 1 || strcmp(job->out, "-") != 0 ? "several models, and -o"
-                                                                                    : NULL;
+                                                                                : NULL;
     if (option) {
         cli_error(option, "cannot be explained");
+        return false;
+    }
+    if (strcmp(job->out, "-") != 0) {
+        cli_error("--out", "explain writes no picture; --picture FILE.svg draws the triangle");
         return false;
     }
     if (q->x >= job->width || q->y >= job->height) {
