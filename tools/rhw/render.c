@@ -6,10 +6,7 @@
 #include "render_state.h"
 #include "verbs.h"
 
-#include <math.h>
-#include <stdio.h>
 #include <stdlib.h>
-#include <string.h>
 #include <time.h>
 
 double cli_milliseconds(void)
