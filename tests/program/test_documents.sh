@@ -56,10 +56,18 @@ for header in $(grep -oE 'rhw/[a-z_]+\.h' "$root/docs/rhw.3" | sort -u); do
     check "rhw(3): $header is there" test -e "$root/include/$header"
 done
 
+# The README's line of the exactness table is the table's.
+grep -E '^\| (all families|smooth) \|' "$root/README.md" >rows
+check "rows of the table in README.md" test "$(wc -l <rows)" = 2
+while read -r row; do
+    check "README.md has what docs/exactness.md measured: $row" grep -qxF "$row" "$root/docs/exactness.md"
+done <rows
+
 # A link to a place in a file is a link to the file here.
 cd "$root" || exit 1
 for document in *.md docs/*.md examples/*.md; do
-    for link in $(grep -oE '\]\([^)# ]+' "$document" | cut -c 3- | grep -v '^[a-z]*:' | sort -u); do
+    for link in $({ grep -oE '\]\([^)# ]+' "$document" | cut -c 3-; grep -oE '(src|href)="[^"#]+' "$document" | sed 's/.*"//'; } |
+        grep -v '^[a-z]*:' | sort -u); do
         check "link in $document" test -e "$(dirname "$document")/$link"
     done
 done

@@ -168,7 +168,7 @@ int cli_explain(int argc, char **argv)
         free(question.argv);
         return CLI_OK;
     }
-    if (cli_render_job_parse(&render.job, question.argc, question.argv, &status) &&
+    if (cli_render_job_parse(&render.job, &verb, question.argc, question.argv, &status) &&
         check(&question, &render.job)) {
         status = CLI_FAILED;
         if (cli_render_prepare(&render)) {

@@ -165,7 +165,7 @@ int cli_render(int argc, char **argv)
 {
     struct render render = {0};
     int status;
-    if (!cli_render_job_parse(&render.job, argc, argv, &status)) {
+    if (!cli_render_job_parse(&render.job, NULL, argc, argv, &status)) {
         return status;
     }
     if (!cli_render_prepare(&render)) {

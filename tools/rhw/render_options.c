@@ -452,7 +452,8 @@ static bool parse_option(struct cli_render_job *job, int id, const char *argumen
     }
 }
 
-bool cli_render_job_parse(struct cli_render_job *job, int argc, char **argv, int *status)
+bool cli_render_job_parse(struct cli_render_job *job, const struct cli_verb *asked, int argc, char **argv,
+                          int *status)
 {
     *job = (struct cli_render_job){.shadows = true,
                                    .ambient_occlusion = true,
@@ -466,8 +467,13 @@ bool cli_render_job_parse(struct cli_render_job *job, int argc, char **argv, int
                                    .interpolate = RHW_SMOOTH,
                                    .kinds = 1u << CLI_KIND_COLOR,
                                    .isa = RHW_ISA_COUNT};
+    struct cli_verb spoken = verb; // the options are ours, the messages speak of the verb that was typed
+    if (asked) {
+        spoken.name = asked->name;
+        spoken.operands = asked->operands;
+    }
     struct cli_parser parser;
-    cli_parser_start(&parser, &verb, argc, argv);
+    cli_parser_start(&parser, &spoken, argc, argv);
     *status = CLI_USAGE;
     int id;
     while ((id = cli_parser_next(&parser)) > 0) {
@@ -479,7 +485,7 @@ bool cli_render_job_parse(struct cli_render_job *job, int argc, char **argv, int
         *status = parser.status;
         return false;
     }
-    if (!cli_parser_operands(&parser, 1, argc)) {
+    if (!cli_parser_operands(&parser, 1, asked ? 1 : argc)) {
         return false;
     }
     job->model_paths = (const char *const *)parser.operands;
