@@ -180,7 +180,11 @@ static bool tell(const struct question *q, struct render *render)
                                                     .width = render->view.width,
                                                     .height = render->view.height,
                                                     .picture = render->pictures.color};
-        (q->is_json ? cli_explain_json : cli_explain_text)(&explanation);
+        if (q->is_json) {
+            cli_explain_json(&explanation);
+        } else {
+            cli_explain_text(stdout, &explanation);
+        }
         told = !q->picture || cli_explain_picture(&explanation, q->picture);
     }
     cli_history_free(&history);

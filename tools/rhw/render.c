@@ -48,7 +48,8 @@ static bool import_model(struct render *render)
                                                           .is_posed = job->is_posed || job->rate > 0.0,
                                                           .animation = job->animation,
                                                           .time = job->time,
-                                                          .texture_side = job->budget.texture});
+                                                          .texture_side = job->budget.texture,
+                                                          .progress = render->progress});
     render->times.import_ms = cli_milliseconds() - start;
     if (!render->model) {
         return false;
@@ -69,8 +70,7 @@ static bool import_model(struct render *render)
     return true;
 }
 
-// False: the command line asks for a view that cannot be.
-static bool set_view(struct render *render)
+bool cli_render_set_view(struct render *render)
 {
     const struct cli_render_job *job = &render->job;
     struct scene_view *view = &render->view;
@@ -199,7 +199,7 @@ static int draw_views(struct render *render)
     for (int i = 0; i < job->view_count && status == CLI_OK; i++) {
         cli_render_files_forget(render);
         job->orbit = cli_view_orbit(job->views[i]);
-        const bool drawn = cli_render_files_plan(render, i) && set_view(render) && draw(render) &&
+        const bool drawn = cli_render_files_plan(render, i) && cli_render_set_view(render) && draw(render) &&
                            cli_render_files_write(render);
         status = drawn ? CLI_OK : CLI_FAILED;
     }
@@ -215,7 +215,7 @@ static int draw_sheet(struct render *render)
     cli_sheet_grid(job->view_count, &columns, &rows);
     for (int i = 0; i < job->view_count && status == CLI_OK; i++) {
         job->orbit = cli_view_orbit(job->views[i]);
-        status = set_view(render) && draw(render) ? CLI_OK : CLI_FAILED;
+        status = cli_render_set_view(render) && draw(render) ? CLI_OK : CLI_FAILED;
         if (status == CLI_OK && i == 0 && !cli_sheet_create(&sheet, &render->pictures, columns, rows)) {
             cli_error(job->model_path, "there is not enough memory for a sheet of %d views", job->view_count);
             status = CLI_FAILED;
@@ -242,7 +242,7 @@ int cli_render_open(struct render *render, const char *path)
         return CLI_FAILED;
     }
     render->job.model_path = render->input.name;
-    return !import_model(render) ? CLI_FAILED : set_view(render) ? CLI_OK : CLI_USAGE;
+    return !import_model(render) ? CLI_FAILED : cli_render_set_view(render) ? CLI_OK : CLI_USAGE;
 }
 
 static int run(struct render *render)
@@ -252,7 +252,7 @@ static int run(struct render *render)
     if (!cli_render_files_check(render) || !import_model(render)) {
         return CLI_FAILED;
     }
-    if (!set_view(render)) { // before anything is uploaded
+    if (!cli_render_set_view(render)) { // before anything is uploaded
         return CLI_USAGE;
     }
     if (!cli_render_open_scene(render)) {

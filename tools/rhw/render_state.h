@@ -11,6 +11,7 @@
 struct render {
     struct cli_render_job job;
     struct cli_model_input input;
+    struct scene_progress *progress; // of the import; NULL: nobody looks
     struct scene_model *model;
     struct scene_panorama panorama; // with job.environment
     rhw_context *context;
@@ -34,6 +35,8 @@ double cli_milliseconds(void);
 bool cli_render_prepare(struct render *render);
 /// Reads the model and sets the view; a cli_status. Nothing is uploaded yet.
 int cli_render_open(struct render *render, const char *path);
+/// Sets the view as the job says. False, after a report: the command line asks for one that cannot be.
+bool cli_render_set_view(struct render *render);
 /// Makes the context and the scene. Reports failure.
 bool cli_render_open_scene(struct render *render);
 /// Draws the view. Reports failure.
