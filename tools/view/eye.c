@@ -115,7 +115,8 @@ static void turn(double axes[3][3], const double vertical[3], double right, doub
     const double rises = asin(sine > 1.0 ? 1.0 : sine < -1.0 ? -1.0 : sine) + up;
     const double elevation = rises > most ? most : rises < -most ? -most : rises;
     for (int c = 0; c < 3; c++) {
-        turned[c] = (level[c] * cos(right) + side[c] * sin(right)) * cos(elevation) + vertical[c] * sin(elevation);
+        turned[c] =
+            (level[c] * cos(right) + side[c] * sin(right)) * cos(elevation) + vertical[c] * sin(elevation);
     }
 }
 

@@ -46,6 +46,9 @@ extern const int view_key_count;
 
 /// NULL: it does nothing.
 const struct view_key *view_key_find(SDL_Keycode code);
+/// A line for each.
 void view_keys_print(FILE *out);
+/// Two in a line.
+void view_keys_print_beside(FILE *out);
 
 #endif

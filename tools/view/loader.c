@@ -42,8 +42,8 @@ static void release(struct view_loader *loader)
 struct view_loader *view_loader_start(const struct cli_render_job *job, const char *path, void (*wake)(void))
 {
     struct view_loader *const loader = calloc(1, sizeof *loader);
-    void *const page = mmap(NULL, sizeof(struct scene_progress), PROT_READ | PROT_WRITE,
-                            MAP_SHARED | MAP_ANONYMOUS, -1, 0);
+    void *const page =
+        mmap(NULL, sizeof(struct scene_progress), PROT_READ | PROT_WRITE, MAP_SHARED | MAP_ANONYMOUS, -1, 0);
     if (!loader || page == MAP_FAILED) {
         cli_error(path, "out of memory");
         free(loader);

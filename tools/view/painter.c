@@ -45,11 +45,12 @@ struct view_painter {
     double doing_since;
 
     // Of the thread alone.
-    struct render render; // its model is the pose that is shown
+    struct render render;            // its model is the pose that is shown
     struct scene_model *base, *pose; // as it was read; NULL, or as it is posed now
     struct moment base_moment, pose_moment;
-    int level;          // of coarseness
-    int saved;          // files
+    double drawn_ms; // what the last picture took
+    int level;       // of coarseness
+    int saved;       // files
 };
 
 static void say(struct view_painter *p, const char *doing)
@@ -182,8 +183,8 @@ static uint8_t *make_pixels(const struct render *render)
     const enum cli_output_kind kind = (enum cli_output_kind)__builtin_ctz(render->job.kinds);
     cli_render_rasterize(render, kind, &output);
     const int width = output.raster.width, height = output.raster.height, channels = output.raster.channels;
-    uint8_t *const pixels = malloc((size_t)width * (size_t)height * 4),
-                   *const row = malloc((size_t)width * (size_t)channels);
+    uint8_t *const pixels = malloc((size_t)width * (size_t)height * 4), *const row = malloc((size_t)width *
+                                                                                            (size_t)channels);
     for (int y = 0; y < height && pixels && row; y++) {
         output.raster.row(output.raster.user, y, row);
         for (int x = 0; x < width; x++) {
@@ -212,23 +213,24 @@ static bool draw(struct view_painter *p, const struct cli_render_job *job, int l
     }
     say(p, "Drawing");
     coarsen(&render->job, level);
-    return cli_render_set_view(render) && cli_render_draw(render);
+    const double start = cli_milliseconds();
+    const bool drawn = cli_render_set_view(render) && cli_render_draw(render);
+    p->drawn_ms = cli_milliseconds() - start;
+    return drawn;
 }
 
 static void paint(struct view_painter *p, const struct view_order *order)
 {
     const int level = order->hurries ? p->level : 0;
-    const double start = cli_milliseconds();
     if (!draw(p, &order->job, level)) {
         return;
     }
     const struct render *const render = &p->render;
-    const double ms = cli_milliseconds() - start;
     struct view_picture picture = {.pixels = make_pixels(render),
                                    .width = render->pictures.width,
                                    .height = render->pictures.height,
                                    .is_coarse = level > 0,
-                                   .ms = ms,
+                                   .ms = p->drawn_ms,
                                    .triangles = render->stats.pipeline.triangles_in,
                                    .threads = rhw_context_threads(render->context),
                                    .isa = rhw_context_isa(render->context)};
@@ -236,9 +238,9 @@ static void paint(struct view_painter *p, const struct view_order *order)
         cli_error(render->job.model_path, "out of memory");
         return;
     }
-    if (order->hurries && ms > SLOW_MS) {
+    if (order->hurries && p->drawn_ms > SLOW_MS) {
         p->level += p->level < LEVEL_LAST;
-    } else if (order->hurries && ms < QUICK_MS) {
+    } else if (order->hurries && p->drawn_ms < QUICK_MS) {
         p->level -= p->level > 0;
     }
     pthread_mutex_lock(&p->lock);
@@ -310,8 +312,8 @@ static char *save(struct view_painter *p, const struct cli_render_job *wanted)
     return saved ? strdup(text) : NULL;
 }
 
-static void run_errand(struct view_painter *p, enum view_errand errand, const struct cli_render_job *job, int x,
-                       int y)
+static void run_errand(struct view_painter *p, enum view_errand errand, const struct cli_render_job *job,
+                       int x, int y)
 {
     char *const text = errand == VIEW_ERRAND_EXPLAIN ? explain(p, job, x, y) : save(p, job);
     if (text) {

@@ -55,9 +55,11 @@ int view_panel_last(const struct view_window *window, const char *text)
     return over > 0 ? over : 0;
 }
 
-void view_panel_draw(const struct view_window *window, enum view_corner corner, const char *text, int first_line)
+void view_panel_draw(const struct view_window *window, enum view_corner corner, const char *text,
+                     int first_line)
 {
-    const int scale = scale_of(window, text), edge = scale * (MARGIN + BORDER), width = scale * widest_line(text);
+    const int scale = scale_of(window, text), edge = scale * (MARGIN + BORDER),
+              width = scale * widest_line(text);
     const int left_over = line_count(text) - first_line, most = room(window, scale),
               count = left_over < most ? left_over : most;
     if (count <= 0) {
@@ -69,15 +71,17 @@ void view_panel_draw(const struct view_window *window, enum view_corner corner, 
                     : corner == VIEW_BOTTOM_LEFT ? window->height - edge - height
                                                  : (window->height - height) / 2;
     SDL_SetRenderDrawBlendMode(window->renderer, SDL_BLENDMODE_BLEND);
-    SDL_SetRenderDrawColor(window->renderer, 20, 22, 26, 208);
-    SDL_RenderFillRect(window->renderer, &(SDL_Rect){left - scale * MARGIN, top - scale * MARGIN,
-                                                     width + 2 * scale * MARGIN, height + 2 * scale * MARGIN});
+    SDL_SetRenderDrawColor(window->renderer, 20, 22, 26, 216);
+    SDL_RenderFillRect(window->renderer,
+                       &(SDL_Rect){left - scale * MARGIN, top - scale * MARGIN, width + 2 * scale * MARGIN,
+                                   height + 2 * scale * MARGIN});
     SDL_SetRenderDrawColor(window->renderer, 236, 238, 242, SDL_ALPHA_OPAQUE);
     const char *line = text;
     for (int i = 0; i < first_line; i++) {
         line = next_line(line);
     }
     for (int i = 0; i < count; i++, line = next_line(line)) {
-        view_text_draw(window->renderer, left, top + i * scale * VIEW_TEXT_LINE, scale, line, strcspn(line, "\n"));
+        view_text_draw(window->renderer, left, top + i * scale * VIEW_TEXT_LINE, scale, line,
+                       strcspn(line, "\n"));
     }
 }

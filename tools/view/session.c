@@ -72,7 +72,6 @@ static void take_model(struct view_session *s)
     view_session_touch(s, false);
 }
 
-
 // Of another model there are no variants, animations or cameras that the command line could have named.
 static void drop_model(struct view_session *s, char *path)
 {

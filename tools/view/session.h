@@ -14,12 +14,12 @@
 struct view_session {
     struct view_window window;
     struct view_painter *painter;
-    struct view_loader *loader;     // NULL: nothing is being read
+    struct view_loader *loader;      // NULL: nothing is being read
     const struct scene_model *model; // that the painter has, as it was read; NULL: none yet
-    char **dropped;                 // the files that were dragged in, which models are named by until the end
+    char **dropped; // the files that were dragged in, which models are named by until the end
     int dropped_count;
 
-    struct cli_render_job job;   // what is drawn, but for its camera, size and moment
+    struct cli_render_job job; // what is drawn, but for its camera, size and moment
     struct view_eye eye, first_eye;
     double vertical[3];          // what is up
     double extent;               // of the model: half its diagonal
@@ -39,9 +39,9 @@ struct view_session {
     bool changed, in_motion; // since the last order; by something that goes on
     double changed_at;       // on the clock
     bool hurried;            // the last order was drawn in a hurry: it is drawn again at rest
-    bool drags, moved; // a mouse button is down; and was moved since
-    int button;        // which
-    int from_x, from_y; // where it went down
+    bool drags, moved;       // a mouse button is down; and was moved since
+    int button;              // which
+    int from_x, from_y;      // where it went down
 };
 
 /// Until the window is closed; a cli_status.

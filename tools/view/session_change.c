@@ -53,7 +53,7 @@ struct view_order view_session_order(const struct view_session *s)
 // A thousandth of a second is what --time is told.
 static void set_time(struct view_session *s, double time)
 {
-    const double wrapped = time - s->duration * floor(time / s->duration);
+    const double wrapped = s->duration > 0.0 ? time - s->duration * floor(time / s->duration) : 0.0;
     s->job.is_posed = true;
     s->job.time = floor(wrapped * 1e3) / 1e3;
 }
@@ -68,7 +68,7 @@ void view_session_play(struct view_session *s)
 
 static bool is_animated(struct view_session *s)
 {
-    if (s->duration > 0.0) {
+    if (s->model->animation_count > 0) {
         return true;
     }
     view_session_note(s, "The model has no animation");
@@ -147,9 +147,9 @@ static void choose_background(struct view_session *s, bool back)
     const int count = s->job.environment ? 5 : 4;
     int at = 0;
     for (int i = 0; i < count; i++) {
-        const bool same = choices[i].background == s->job.background &&
-                          (choices[i].background != SCENE_BACKGROUND_COLOR ||
-                           choices[i].level == s->job.background_color[0]);
+        const bool same =
+            choices[i].background == s->job.background && (choices[i].background != SCENE_BACKGROUND_COLOR ||
+                                                           choices[i].level == s->job.background_color[0]);
         at = same ? i : at;
     }
     at = turn(at, count, back);
@@ -303,6 +303,7 @@ static bool act_on_picture(struct view_session *s, const struct view_key *key, b
 void view_session_act(struct view_session *s, SDL_Keycode code, bool shift)
 {
     const struct view_key *const key = view_key_find(code);
+    view_session_note(s, "%s", ""); // what was said has been read
     if (!key || act_on_window(s, key->action) || !s->model) {
         return;
     }

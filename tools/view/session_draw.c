@@ -33,7 +33,8 @@ static void draw_info(const struct view_session *s)
              shown->is_coarse || s->job.samples == 1 ? "" : "s", shown->ms, rate, shown->threads,
              shown->threads == 1 ? "" : "s", rhw_isa_name(shown->isa));
     if (s->job.is_posed) {
-        snprintf(more, sizeof more, "  %s %.2f of %.2f s", s->plays ? "plays" : "at", s->job.time, s->duration);
+        snprintf(more, sizeof more, "  %s %.2f of %.2f s", s->plays ? "plays" : "at", s->job.time,
+                 s->duration);
         append(line, sizeof line, more);
     }
     double ms;
@@ -51,7 +52,7 @@ static void draw_help(struct view_session *s)
     char text[4096];
     FILE *const out = fmemopen(text, sizeof text, "w");
     if (out) {
-        view_keys_print(out);
+        view_keys_print_beside(out);
         fclose(out);
         const int last = view_panel_last(&s->window, text);
         s->help_line = s->help_line < 0 ? 0 : s->help_line > last ? last : s->help_line;
@@ -62,7 +63,9 @@ static void draw_help(struct view_session *s)
 static void draw_explanation(struct view_session *s)
 {
     const int last = view_panel_last(&s->window, s->explanation);
-    s->explanation_line = s->explanation_line < 0 ? 0 : s->explanation_line > last ? last : s->explanation_line;
+    s->explanation_line = s->explanation_line < 0      ? 0
+                          : s->explanation_line > last ? last
+                                                       : s->explanation_line;
     view_panel_draw(&s->window, VIEW_TOP_LEFT, s->explanation, s->explanation_line);
 }
 
@@ -81,7 +84,8 @@ static void draw_progress(struct view_session *s)
     }
     view_panel_draw(&s->window, s->shown.width == 0 ? VIEW_MIDDLE : VIEW_TOP_LEFT, line, 0);
     pthread_mutex_lock(&s->notice_lock);
-    const bool is_new = s->notice[0] && (cli_milliseconds() - s->noticed_at < NOTICE_SHOWN_MS || s->has_failed);
+    const bool is_new =
+        s->notice[0] && (cli_milliseconds() - s->noticed_at < NOTICE_SHOWN_MS || s->has_failed);
     snprintf(line, sizeof line, "%s", is_new && !s->loader ? s->notice : "");
     pthread_mutex_unlock(&s->notice_lock);
     view_panel_draw(&s->window, VIEW_TOP_LEFT, line, 0);
@@ -90,7 +94,7 @@ static void draw_progress(struct view_session *s)
 void view_session_draw(struct view_session *s)
 {
     view_window_draw_picture(&s->window);
-    if (s->shows_info) {
+    if (s->shows_info && !s->shows_help && !s->explanation) {
         draw_info(s);
     }
     if (s->explanation) {

@@ -49,6 +49,9 @@ static int walk(SDL_Renderer *renderer, int x, int y, int scale, const char *lin
 {
     int at = 0; // before it is enlarged
     for (size_t i = 0; i < length; i++) {
+        if ((line[i] & 0xC0) == 0x80) {
+            continue; // of a character whose first byte was drawn
+        }
         const bool printable = line[i] >= ' ' && line[i] <= '~';
         const char letter = printable ? line[i] : '?';
         const bool in_column = i >= 2 && letter != ' ' && line[i - 1] == ' ' && line[i - 2] == ' ';

@@ -16,7 +16,11 @@ static const struct cli_option options[] = {
 static const char notes[] =
     "The other options are those of rhw render that say what is drawn: --size (of the window), --samples,\n"
     "--output, --camera, --fit, --time, --environment and the rest.\n\n"
-    "A file dragged into the window is opened. While the view moves, pictures are drawn as coarsely as it takes "
+    "The window writes what C copies and F12 saves, and what a click explains, to standard output; pictures "
+    "are\n"
+    "saved in the current folder.\n"
+    "A file dragged into the window is opened. While the view moves, pictures are drawn as coarsely as it "
+    "takes "
     "to be\n"
     "fast; at rest they are those of rhw render, byte for byte.\n\n"
     "Exit status: 0, 1 when the work failed, 2 for a wrong command line.";
@@ -31,16 +35,16 @@ static const struct cli_verb verb = {.name = "view",
 // What a window has no place for.
 static bool check(const struct cli_render_job *job)
 {
-    const char *const option = job->view_count > 0                    ? "--views"
-                               : cli_render_moves(job)                ? "--animate and --turntable"
-                               : job->kinds & (job->kinds - 1)        ? "--output with several outputs"
-                               : job->orthographic                    ? "--ortho"
-                               : job->stats                           ? "--stats"
-                               : job->print_camera                    ? "--print-camera"
-                               : job->budget.seconds > 0.0            ? "--max-time"
-                               : strcmp(job->out, "-") != 0           ? "--out"
-                               : job->format != CLI_PICTURE_PNG       ? "--format"
-                                                                      : NULL;
+    const char *const option = job->view_count > 0                   ? "--views"
+                               : cli_render_moves(job)               ? "--animate and --turntable"
+                               : job->kinds & (job->kinds - 1)       ? "--output with several outputs"
+                               : job->orthographic                   ? "--ortho"
+                               : job->stats                          ? "--stats"
+                               : job->print_camera                   ? "--print-camera"
+                               : job->budget.seconds > 0.0           ? "--max-time"
+                               : strcmp(job->out, "{name}.png") != 0 ? "--out"
+                               : job->format != CLI_PICTURE_PNG      ? "--format"
+                                                                     : NULL;
     if (option) {
         cli_error(option, "cannot be shown in a window");
         return false;
@@ -54,9 +58,8 @@ static bool check(const struct cli_render_job *job)
 
 bool view_job_parse(struct view_job *job, int argc, char **argv, int *status)
 {
-    static char render[] = "render", out[] = "--out=-", format[] = "--format=png",
-                texture[] = "--max-texture=16384";
-    *job = (struct view_job){.argv = calloc((size_t)argc + 5, sizeof *job->argv)};
+    static char render[] = "render", out[] = "--out={name}.png", texture[] = "--max-texture=16384";
+    *job = (struct view_job){.argv = calloc((size_t)argc + 4, sizeof *job->argv)};
     *status = CLI_FAILED;
     if (!job->argv) {
         cli_error("view", "out of memory");
@@ -65,7 +68,6 @@ bool view_job_parse(struct view_job *job, int argc, char **argv, int *status)
     int count = 0;
     job->argv[count++] = render;
     job->argv[count++] = out;
-    job->argv[count++] = format;
     job->argv[count++] = texture;
     bool is_operand = false;
     for (int i = 1; i < argc; i++) {

@@ -5,7 +5,9 @@
 
 #include "render_job.h"
 
-enum { VIEW_TEXTURE_SIDE = RHW_MAX_TARGET_SIZE }; ///< of textures, which are not reduced: one may come near to them
+enum {
+    VIEW_TEXTURE_SIDE = RHW_MAX_TARGET_SIZE
+}; ///< of textures, which are not reduced: one may come near to them
 
 struct view_job {
     struct cli_render_job render;

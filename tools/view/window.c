@@ -18,12 +18,11 @@ bool view_window_open(struct view_window *window, int width, int height, bool is
     if (SDL_Init(SDL_INIT_VIDEO) != 0) {
         return report("there is no display to open a window on");
     }
-    const Uint32 flags = SDL_WINDOW_RESIZABLE | SDL_WINDOW_ALLOW_HIGHDPI |
-                         (is_fullscreen ? SDL_WINDOW_FULLSCREEN_DESKTOP : 0);
+    const Uint32 flags =
+        SDL_WINDOW_RESIZABLE | SDL_WINDOW_ALLOW_HIGHDPI | (is_fullscreen ? SDL_WINDOW_FULLSCREEN_DESKTOP : 0);
     window->window =
         SDL_CreateWindow("rhw", SDL_WINDOWPOS_CENTERED, SDL_WINDOWPOS_CENTERED, width, height, flags);
-    window->renderer =
-        window->window ? SDL_CreateRenderer(window->window, -1, SDL_RENDERER_SOFTWARE) : NULL;
+    window->renderer = window->window ? SDL_CreateRenderer(window->window, -1, SDL_RENDERER_SOFTWARE) : NULL;
     if (!window->renderer) {
         return report("no window can be opened");
     }
