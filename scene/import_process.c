@@ -18,6 +18,7 @@
 #include <sys/resource.h>
 #include <sys/stat.h>
 #include <sys/wait.h>
+#include <time.h>
 #include <unistd.h>
 
 #include "import.h"
@@ -140,6 +141,7 @@ _Noreturn static void run_child(const char *path, const struct scene_model_optio
                                   .time = options->time,
                                   .is_posed = options->is_posed,
                                   .without_images = options->without_images,
+                                  .progress = options->progress,
                                   .reply = fdopen(descriptor, "wb")};
     if (import.reply == NULL) {
         abort();
@@ -263,6 +265,23 @@ static int make_reply(void)
     return moved;
 }
 
+// The end of the child; a negative number: there is none.
+static pid_t wait_for(pid_t child, struct scene_progress *progress, int *status)
+{
+    const struct timespec pause = {.tv_nsec = 5000000};
+    pid_t waited;
+    do {
+        waited = waitpid(child, status, progress ? WNOHANG : 0);
+        if (waited == 0) {
+            if (__atomic_load_n(&progress->stop, __ATOMIC_RELAXED) != 0) {
+                kill(child, SIGKILL);
+            }
+            nanosleep(&pause, NULL);
+        }
+    } while (waited == 0 || (waited < 0 && errno == EINTR));
+    return waited;
+}
+
 struct scene_model *scene_model_load(const char *path, const struct scene_model_options *options, char *error,
                                      size_t error_size)
 {
@@ -283,14 +302,11 @@ struct scene_model *scene_model_load(const char *path, const struct scene_model_
         run_child(path, options, descriptor);
     }
     int status = 0;
-    pid_t waited = child;
-    if (child > 0) {
-        do {
-            waited = waitpid(child, &status, 0);
-        } while (waited < 0 && errno == EINTR);
-    }
+    const pid_t waited = child > 0 ? wait_for(child, options->progress, &status) : child;
     struct scene_model *model = NULL;
-    if (waited < 0) {
+    if (waited > 0 && options->progress && __atomic_load_n(&options->progress->stop, __ATOMIC_RELAXED) != 0) {
+        refuse(error, error_size, "import was stopped");
+    } else if (waited < 0) {
         refuse(error, error_size, "import could not start: %s", strerror(errno));
     } else if (child_finished(status, descriptor, options, error, error_size)) {
         model = map_model(descriptor, error, error_size);

@@ -148,7 +148,11 @@ static bool tell(const struct question *q, struct render *render)
         !cli_explain_draw(render, q->x, q->y, q->sample, &history, &explanation)) {
         return false;
     }
-    (q->is_json ? cli_explain_json : cli_explain_text)(&explanation);
+    if (q->is_json) {
+        cli_explain_json(&explanation);
+    } else {
+        cli_explain_text(stdout, &explanation);
+    }
     const bool told = !q->picture || cli_explain_picture(&explanation, q->picture);
     cli_history_free(&history);
     return told;

@@ -26,7 +26,8 @@ static bool import_model(struct render *render)
                                                           .is_posed = job->is_posed || job->rate > 0.0,
                                                           .animation = job->animation,
                                                           .time = job->time,
-                                                          .texture_side = job->budget.texture});
+                                                          .texture_side = job->budget.texture,
+                                                          .progress = render->progress});
     render->times.import_ms = cli_milliseconds() - start;
     if (!render->model) {
         return false;

@@ -11,6 +11,7 @@
 struct render {
     struct cli_render_job job;
     struct cli_model_input input;
+    struct scene_progress *progress; // of the import; NULL: nobody looks
     struct scene_model *model;
     struct scene_panorama panorama; // with job.environment
     rhw_context *context;
