@@ -232,6 +232,9 @@ struct scene_model_options {
     bool without_images;   ///< they are not read: a single white texel stands for each
     uint32_t texture_side; ///< images that are longer are halved until they are not; 0: none is
     const char *confine;   ///< a folder; nothing outside it is read that the file names. NULL: everything is
+    /// Asked several times a second by the thread that waits; false: the import is given up. NULL: nobody is asked.
+    bool (*goes_on)(void *user);
+    void *user;
 };
 
 /// Reads a model file and its textures in a child process, so that no file can take the caller down.
