@@ -27,7 +27,9 @@ static bool import_model(struct render *render)
                                                           .animation = job->animation,
                                                           .time = job->time,
                                                           .texture_side = job->budget.texture,
-                                                          .progress = render->progress});
+                                                          .progress = render->progress,
+                                                          .goes_on = render->goes_on,
+                                                          .user = render->user});
     render->times.import_ms = cli_milliseconds() - start;
     if (!render->model) {
         return false;

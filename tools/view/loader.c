@@ -21,8 +21,14 @@ struct view_loader {
     void (*wake)(void);
     pthread_t thread;
     int status;
-    atomic_bool done;
+    atomic_bool done, stopped;
 };
+
+static bool goes_on(void *user)
+{
+    struct view_loader *const loader = user;
+    return !atomic_load(&loader->stopped);
+}
 
 static void *load(void *user)
 {
@@ -49,7 +55,7 @@ struct view_loader *view_loader_start(const struct cli_render_job *job, const ch
         free(loader);
         return NULL;
     }
-    loader->render = (struct render){.job = *job, .progress = page};
+    loader->render = (struct render){.job = *job, .progress = page, .goes_on = goes_on, .user = loader};
     loader->path = path;
     loader->started = cli_milliseconds();
     loader->wake = wake;
@@ -90,6 +96,7 @@ bool view_loader_take(struct view_loader *loader, struct render *read)
     const bool found = loader->status == CLI_OK;
     *read = loader->render;
     read->progress = NULL;
+    read->goes_on = NULL;
     if (!found) {
         cli_render_forget_model(read);
     }
@@ -106,7 +113,7 @@ void view_loader_stop(struct view_loader *loader)
         pthread_detach(loader->thread); // may wait for standard input for ever; the process ends soon
         return;
     }
-    __atomic_store_n(&loader->render.progress->stop, 1, __ATOMIC_RELAXED);
+    atomic_store(&loader->stopped, true);
     struct render read;
     if (view_loader_take(loader, &read)) {
         cli_render_forget_model(&read);

@@ -49,10 +49,6 @@ static bool check(const struct cli_render_job *job)
         cli_error(option, "cannot be shown in a window");
         return false;
     }
-    if (job->model_count > 1) {
-        cli_error(job->model_paths[1], "one argument too many; see 'rhw view --help'");
-        return false;
-    }
     return true;
 }
 
@@ -85,7 +81,7 @@ bool view_job_parse(struct view_job *job, int argc, char **argv, int *status)
             job->argv[count++] = argv[i];
         }
     }
-    if (!cli_render_job_parse(&job->render, count, job->argv, status)) {
+    if (!cli_render_job_parse(&job->render, &verb, count, job->argv, status)) {
         return false;
     }
     *status = CLI_USAGE;
