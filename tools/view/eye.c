@@ -177,6 +177,12 @@ void view_eye_fly(struct view_eye *eye, const double way[3])
     round_all(eye);
 }
 
+double view_eye_distance(const struct view_eye *eye)
+{
+    double axes[3][3];
+    return axes_of(eye, axes);
+}
+
 void view_eye_numbers(const struct view_eye *eye, double numbers[10])
 {
     memcpy(numbers, eye->eye, sizeof eye->eye);

@@ -24,6 +24,8 @@ void view_eye_pan(struct view_eye *eye, double right, double up);
 void view_eye_zoom(struct view_eye *eye, double right, double up, double factor);
 /// Flies to the right, upwards and ahead, in the world's units.
 void view_eye_fly(struct view_eye *eye, const double way[3]);
+/// Of the target.
+double view_eye_distance(const struct view_eye *eye);
 /// The ten numbers of --camera.
 void view_eye_numbers(const struct view_eye *eye, double numbers[10]);
 

@@ -165,6 +165,18 @@ static void coarsen(struct cli_render_job *job, int level)
     job->height = job->height / divisors[level] > LEAST_SIDE ? job->height / divisors[level] : LEAST_SIDE;
 }
 
+// Of the next picture in a hurry, after what the last one took. Each level takes a third of the one before, or so.
+static void choose_level(struct view_painter *p, bool hurried)
+{
+    int level = hurried ? p->level : 0;
+    double expected_ms = p->drawn_ms;
+    while (expected_ms > SLOW_MS && level < LEVEL_LAST) {
+        expected_ms /= 3.0;
+        level++;
+    }
+    p->level = hurried && p->drawn_ms < QUICK_MS && level > 0 ? level - 1 : level;
+}
+
 // A transparent pixel over fields, as it is usual.
 static void lay_over_fields(uint8_t *pixel, int x, int y)
 {
@@ -238,11 +250,7 @@ static void paint(struct view_painter *p, const struct view_order *order)
         cli_error(render->job.model_path, "out of memory");
         return;
     }
-    if (order->hurries && p->drawn_ms > SLOW_MS) {
-        p->level += p->level < LEVEL_LAST;
-    } else if (order->hurries && p->drawn_ms < QUICK_MS) {
-        p->level -= p->level > 0;
-    }
+    choose_level(p, order->hurries);
     pthread_mutex_lock(&p->lock);
     free(p->has_picture ? p->picture.pixels : NULL);
     p->picture = picture;

@@ -50,7 +50,7 @@ static void take_model(struct view_session *s)
     }
     view_painter_show(s->painter, &read);
     s->model = read.model;
-    s->job.model_path = read.input.name;
+    s->job.model_path = read.input.is_standard_input ? "-" : read.input.name;
     double size2 = 0.0;
     for (int c = 0; c < 3; c++) {
         const double size = (double)read.model->bounds_max[c] - (double)read.model->bounds_min[c];
@@ -106,15 +106,19 @@ static void handle(struct view_session *s, const SDL_Event *event)
     }
 }
 
-static void handle_all(struct view_session *s, int timeout)
+// True where there was any.
+static bool handle_all(struct view_session *s, int timeout)
 {
     SDL_Event event;
+    bool any = false;
     for (int found = SDL_WaitEventTimeout(&event, timeout); found; found = SDL_PollEvent(&event)) {
         handle(s, &event);
+        any = true;
     }
     if (view_window_measure(&s->window)) {
         view_session_touch(s, true);
     }
+    return any;
 }
 
 // What the threads have made.
@@ -130,6 +134,7 @@ static void take_all(struct view_session *s)
         free(picture.pixels);
         picture.pixels = NULL;
         s->shown = picture;
+        s->awaits = false;
     }
     char *const text = view_painter_take_text(s->painter, &errand);
     if (!text) {
@@ -151,7 +156,7 @@ static void take_all(struct view_session *s)
 
 static void order(struct view_session *s)
 {
-    const bool rests = cli_milliseconds() - s->changed_at > REST_MS;
+    const bool rests = !s->drags && cli_milliseconds() - s->changed_at > REST_MS;
     if (!s->model || !(s->changed || (s->hurried && rests))) {
         return;
     }
@@ -159,23 +164,26 @@ static void order(struct view_session *s)
     wanted.hurries = s->changed && s->in_motion;
     s->hurried = wanted.hurries;
     s->changed = s->in_motion = false;
+    s->awaits = true;
     view_painter_draw(s->painter, &wanted);
 }
 
 static void run(struct view_session *s)
 {
     double before = cli_milliseconds();
-    bool flies = false;
+    bool flies = false, tells = true;
     while (s->is_open) {
         const bool is_busy = flies || s->plays || s->hurried || s->loader || s->shown.width == 0;
-        handle_all(s, is_busy ? FRAME_MS : NOTICE_MS);
+        const bool stirs = handle_all(s, is_busy ? FRAME_MS : NOTICE_MS);
         const double now = cli_milliseconds();
         flies = view_session_fly(s, (now - before) / 1e3);
         before = now;
         take_all(s);
         view_session_play(s);
         order(s);
-        view_session_draw(s);
+        if (stirs || is_busy || tells) { // what takes time, or is shown for a while, changes by itself
+            tells = view_session_draw(s) || s->awaits;
+        }
     }
 }
 

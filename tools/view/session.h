@@ -38,6 +38,7 @@ struct view_session {
 
     bool changed, in_motion; // since the last order; by something that goes on
     double changed_at;       // on the clock
+    bool awaits;             // the picture of the last order
     bool hurried;            // the last order was drawn in a hurry: it is drawn again at rest
     bool drags, moved;       // a mouse button is down; and was moved since
     int button;              // which
@@ -68,6 +69,7 @@ bool view_session_fly(struct view_session *s, double seconds);
 
 // session_draw.c: what stands in the window.
 
-void view_session_draw(struct view_session *s);
+/// True where something in it is there for a while only.
+bool view_session_draw(struct view_session *s);
 
 #endif

@@ -69,8 +69,23 @@ static void draw_explanation(struct view_session *s)
     view_panel_draw(&s->window, VIEW_TOP_LEFT, s->explanation, s->explanation_line);
 }
 
-// What is being read or prepared, in the middle as long as there is nothing else to see; else what was said last.
-static void draw_progress(struct view_session *s)
+// What was said last, for a while. True where there is something.
+static bool draw_notice(struct view_session *s)
+{
+    char line[sizeof s->notice];
+    pthread_mutex_lock(&s->notice_lock);
+    const bool is_new =
+        s->notice[0] && (cli_milliseconds() - s->noticed_at < NOTICE_SHOWN_MS || s->has_failed);
+    memcpy(line, s->notice, sizeof line);
+    pthread_mutex_unlock(&s->notice_lock);
+    if (is_new) {
+        view_panel_draw(&s->window, VIEW_TOP_LEFT, line, 0);
+    }
+    return is_new;
+}
+
+// What is being read or prepared; in the middle as long as there is nothing else to see. True where there is something.
+static bool draw_progress(struct view_session *s)
 {
     char line[512] = "";
     double ms;
@@ -83,27 +98,25 @@ static void draw_progress(struct view_session *s)
         snprintf(line, sizeof line, "Drag a model file into this window");
     }
     view_panel_draw(&s->window, s->shown.width == 0 ? VIEW_MIDDLE : VIEW_TOP_LEFT, line, 0);
-    pthread_mutex_lock(&s->notice_lock);
-    const bool is_new =
-        s->notice[0] && (cli_milliseconds() - s->noticed_at < NOTICE_SHOWN_MS || s->has_failed);
-    snprintf(line, sizeof line, "%s", is_new && !s->loader ? s->notice : "");
-    pthread_mutex_unlock(&s->notice_lock);
-    view_panel_draw(&s->window, VIEW_TOP_LEFT, line, 0);
+    return line[0] || doing;
 }
 
-void view_session_draw(struct view_session *s)
+bool view_session_draw(struct view_session *s)
 {
     view_window_draw_picture(&s->window);
     if (s->shows_info && !s->shows_help && !s->explanation) {
         draw_info(s);
     }
+    bool changes = false;
     if (s->explanation) {
         draw_explanation(s);
     } else {
-        draw_progress(s);
+        changes = draw_progress(s);
+        changes = (!s->loader && draw_notice(s)) || changes;
     }
     if (s->shows_help) {
         draw_help(s);
     }
     SDL_RenderPresent(s->window.renderer);
+    return changes;
 }

@@ -8,7 +8,8 @@ enum { CLICK_PIXELS = 3, WHEEL_LINES = 3 };
 
 static const double turn_of_height = 3.14159265358979323846; // radians, for a drag over the window's height
 static const double zoom_of_notch = 0.85;
-static const double speed = 0.6, fast = 4.0; // of flying: times the model's extent in a second
+static const double nearest = 1e-4, farthest = 1e4; // that one can zoom to: times the model's extent
+static const double speed = 0.6, fast = 4.0;        // of flying: times the model's extent in a second
 
 static bool flies(void)
 {
@@ -72,9 +73,12 @@ static void scroll(struct view_session *s, int up)
     int x, y, pixel_x, pixel_y;
     SDL_GetMouseState(&x, &y);
     view_window_pixel(&s->window, x, y, &pixel_x, &pixel_y);
-    const double half = 0.5 * s->window.height;
-    view_eye_zoom(&s->eye, (pixel_x - 0.5 * s->window.width) / half, (half - pixel_y) / half,
-                  pow(zoom_of_notch, up));
+    const double half = 0.5 * s->window.height, factor = pow(zoom_of_notch, up),
+                 distance = view_eye_distance(&s->eye) * factor / s->extent;
+    if (distance < nearest || distance > farthest) {
+        return;
+    }
+    view_eye_zoom(&s->eye, (pixel_x - 0.5 * s->window.width) / half, (half - pixel_y) / half, factor);
     view_session_touch(s, true);
 }
 

@@ -35,7 +35,7 @@ _rhw_render() { # CURRENT PREVIOUS
     --size | -s) _rhw_words "$1" 512 1280x720 1920x1080 1024x1024 3840x2160 ;;
     --samples) _rhw_words "$1" 1 2 4 8 16 ;;
     --supersample) _rhw_words "$1" 1 4 9 16 ;;
-    --output) _rhw_list "$1" color depth distance normal position uv object triangle bary all ;;
+    --output) _rhw_list "$1" color depth distance normal position uv object triangle bary overdraw tiles plan all ;;
     --bits) _rhw_words "$1" 8 16 ;;
     --format) _rhw_words "$1" png jpeg webp exr ppm ;;
     --up) _rhw_words "$1" x y z -x -y -z ;;
