@@ -89,3 +89,11 @@ def matrix(value: Any, name: str) -> np.ndarray:
     if array.shape == (3, 4):
         array = np.vstack([array, [0, 0, 0, 1]])
     return floats(array, name, (4, 4), np.float64)
+
+
+def product(a: np.ndarray, b: np.ndarray) -> np.ndarray:
+    """a @ b of (4, 4) matrices with its sums in a fixed order: libraries for linear algebra choose theirs by the machine."""
+    total = a[:, 0, None] * b[None, 0, :]
+    for k in range(1, 4):
+        total = total + a[:, k, None] * b[None, k, :]
+    return total

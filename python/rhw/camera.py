@@ -50,7 +50,7 @@ class View:
         pair = np.asarray(_rhw.camera_matrices(numbers, width / height))
         self.view = np.ascontiguousarray(pair[0].T)
         self.projection = np.ascontiguousarray(pair[1].T)
-        self.matrix = self.projection @ self.view
+        self.matrix = _arrays.product(self.projection, self.view)
 
     @property
     def eye(self) -> np.ndarray:

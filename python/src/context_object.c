@@ -36,6 +36,7 @@ static void destroy_item(rhw_context *context, struct python_item *item)
     case PYTHON_ITEM_SAMPLER: rhw_sampler_destroy(context, item->id.sampler); break;
     case PYTHON_ITEM_PIPELINE: rhw_pipeline_destroy(context, item->id.pipeline); break;
     case PYTHON_ITEM_SCENE: scene_destroy(item->id.scene); break;
+    case PYTHON_ITEM_PASS: rhw_pass_cancel(context, item->id.pass); break;
     }
     Py_XDECREF(item->kept);
     free(item->block);

@@ -10,7 +10,8 @@ enum python_item_kind {
     PYTHON_ITEM_TEXTURE,
     PYTHON_ITEM_SAMPLER,
     PYTHON_ITEM_PIPELINE,
-    PYTHON_ITEM_SCENE
+    PYTHON_ITEM_SCENE,
+    PYTHON_ITEM_PASS ///< that is recorded; destroyed: cancelled
 };
 
 /// Something in a context that a Python object owns.
@@ -23,6 +24,7 @@ struct python_item {
         rhw_sampler sampler;
         rhw_pipeline pipeline;
         struct scene *scene;
+        rhw_pass pass;
     } id;
     PyObject *kept; ///< lives until the item is destroyed; may be NULL
     void *block;    ///< of malloc: the same

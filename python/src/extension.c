@@ -38,7 +38,8 @@ bool python_work_goes_on(void *user)
 
 static int add_functions(PyObject *module)
 {
-    PyMethodDef *const tables[] = {python_model_functions, python_camera_functions, python_encode_functions};
+    PyMethodDef *const tables[] = {python_model_functions, python_camera_functions, python_encode_functions,
+                                   python_resource_functions};
     for (size_t i = 0; i < sizeof tables / sizeof *tables; i++) {
         if (PyModule_AddFunctions(module, tables[i]) < 0) {
             return -1;
@@ -61,7 +62,8 @@ static int fill(PyObject *module)
         return -1;
     }
     return add_functions(module) < 0 || python_add_memory(module) < 0 || python_add_contexts(module) < 0 ||
-                   python_add_models(module) < 0 || python_add_scenes(module) < 0
+                   python_add_models(module) < 0 || python_add_scenes(module) < 0 ||
+                   python_add_resources(module) < 0 || python_add_passes(module) < 0
                ? -1
                : 0;
 }

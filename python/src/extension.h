@@ -26,9 +26,12 @@ int python_add_memory(PyObject *module);
 int python_add_contexts(PyObject *module);
 int python_add_models(PyObject *module);
 int python_add_scenes(PyObject *module);
+int python_add_resources(PyObject *module);
+int python_add_passes(PyObject *module);
 
 // Functions of the module, by file.
-extern PyMethodDef python_model_functions[], python_camera_functions[], python_encode_functions[];
+extern PyMethodDef python_model_functions[], python_camera_functions[], python_encode_functions[],
+    python_resource_functions[];
 
 /// Work without the interpreter's lock that looks for signals now and then.
 struct python_work {
