@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // rhw for node, pages and workers: see index.d.ts, which has the documentation, and README.md, which has examples.
 import { bytesOf, Instance, RhwError } from './instance.js';
-import { allWords, drawingWords, readingWords } from './words.js';
+import { allWords, drawingOptions, drawingWords, readingWords } from './words.js';
 
 export { RhwError };
 
@@ -66,9 +66,8 @@ export async function load(model, options = {}) {
 }
 
 export async function render(model, options = {}) {
-    const words = allWords(options);
-    const scene = await open(model, options, words);
-    const picture = scene.draw(words, options.outputs);
+    const scene = await open(model, options, allWords(options));
+    const picture = scene.render(drawingOptions(options));
     return { ...picture, warnings: [...scene.warnings, ...picture.warnings] };
 }
 
@@ -124,7 +123,17 @@ export class Scene {
     }
 
     render(options = {}) {
-        return this.draw(drawingWords(options), options.outputs);
+        const names = [options.outputs ?? 'color'].flat();
+        checkOutputs(names);
+        const bits = names.reduce((sum, name) => sum | outputs[name].bit, 0);
+        this.#ask('_web_scene_render', drawingWords(options), bits);
+        const view = this.#view();
+        const pixels = view.width * view.height;
+        const pictures = names.map((name) => {
+            const { bit, Type, count } = outputs[name];
+            return [name, this.#instance.copyOut(Type, this.#call('_web_scene_picture', bit), pixels * count)];
+        });
+        return { ...view, ...Object.fromEntries(pictures), warnings: this.#instance.messages() };
     }
 
     explain(x, y, { sample = 0, ...options } = {}) {
@@ -138,21 +147,6 @@ export class Scene {
 
     close() {
         this.#instance = undefined; // and with it all of its memory
-    }
-
-    /** @internal */
-    draw(words, wanted = ['color']) {
-        const names = [wanted].flat();
-        checkOutputs(names);
-        const bits = names.reduce((sum, name) => sum | outputs[name].bit, 0);
-        this.#ask('_web_scene_render', words, bits);
-        const view = this.#view();
-        const pixels = view.width * view.height;
-        const pictures = names.map((name) => {
-            const { bit, Type, count } = outputs[name];
-            return [name, this.#instance.copyOut(Type, this.#call('_web_scene_picture', bit), pixels * count)];
-        });
-        return { ...view, ...Object.fromEntries(pictures), warnings: this.#instance.messages() };
     }
 
     // Calls an entry point of the module with this scene.

@@ -93,3 +93,9 @@ export function allWords(options) {
 export function drawingWords(options) {
     return wordsOf(options, drawing, others.drawing);
 }
+
+/** Those of render that are for a scene's. */
+export function drawingOptions(options) {
+    const names = [...others.drawing, ...Object.keys(drawing)];
+    return Object.fromEntries(Object.entries(options).filter(([name]) => names.includes(name)));
+}
