@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
-// What the package promises, checked wherever modules run: check(rhw, read) takes the package and a function that gives the
-// bytes of a file of prepare.js, and returns how many checks there were and a line for each that failed.
+// What the package promises, checked wherever modules run: check(rhw, read, threads) takes the package, a function that gives
+// the bytes of a file of prepare.js, and how many threads should draw, and returns how many checks there were and a line for
+// each that failed.
 
 const decoder = new TextDecoder();
 
@@ -59,11 +60,13 @@ async function checkPictures(checks, rhw, read, cases) {
     }
 }
 
-async function checkScene(checks, rhw, read, data) {
+async function checkScene(checks, rhw, read, data, threads) {
     const first = data.cases[0];
     const scene = await rhw.load(await read(first.model), { name: 'BoxTextured.glb' });
     const { samples } = samplesOf(await read(first.picture));
-    checks.samples('a scene draws', withoutAlpha(scene.render().color), samples);
+    const drawn = scene.render();
+    checks.samples('a scene draws', withoutAlpha(drawn.color), samples);
+    checks.same('threads', drawn.threads, threads);
     scene.render({ size: 50, orbit: 100 });
     checks.samples('and again, after another view', withoutAlpha(scene.render().color), samples);
     const { camera } = scene.view({ size: 50, orbit: 100 });
@@ -126,6 +129,7 @@ async function checkErrors(checks, rhw, read, data) {
     await checks.fails('an option that is none', rhw.render(box, { sise: 4 }), /^rhw: 'sise' is no option; there are name, /);
     await checks.fails('a bad value', rhw.render(box, { samples: 3 }), /^rhw: --samples: '3' is not 1, 2, 4, 8 or 16$/);
     await checks.fails('a bad output', rhw.render(box, { outputs: ['depht'] }), /^rhw: outputs: 'depht' is no output; /);
+    await checks.fails('no threads', rhw.render(box, { threads: 0 }), /^rhw: threads: '0' is not a number from 1$/);
     await checks.fails('a bad camera', rhw.render(box, { camera: 7 }), /^rhw: --camera-index: model has no cameras$/);
     await checks.fails('a variant that is not there', rhw.load(box, { variant: 'red' }), /^rhw: model: has no variants/);
     const scene = await rhw.load(box);
@@ -178,11 +182,11 @@ async function checkTriangles(checks, rhw) {
     await bad('a word', { cull: 'both' }, /^rhw: cull: 'both' is not one of none, front, back$/);
 }
 
-export async function check(rhw, read) {
+export async function check(rhw, read, threads) {
     const checks = new Checks();
     const data = JSON.parse(decoder.decode(await read('data.json')));
     await checkPictures(checks, rhw, read, data.cases);
-    await checkScene(checks, rhw, read, data);
+    await checkScene(checks, rhw, read, data, threads);
     await checkErrors(checks, rhw, read, data);
     await checkTriangles(checks, rhw);
     return { count: checks.count, failures: checks.failures };

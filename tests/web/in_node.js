@@ -9,7 +9,7 @@ import * as rhw from 'rhw';
 import { check } from './checks.js';
 
 function checkHere(folder) {
-    return check(rhw, async (name) => new Uint8Array(await readFile(join(folder, name))));
+    return check(rhw, async (name) => new Uint8Array(await readFile(join(folder, name))), 1);
 }
 
 function checkInWorker(folder) {

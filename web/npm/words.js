@@ -61,7 +61,7 @@ const drawing = {
 };
 
 // Names of options that are no words.
-const others = { reading: ['name', 'files'], drawing: ['outputs'] };
+const others = { reading: ['name', 'files', 'threads'], drawing: ['outputs'] };
 
 function wordsOf(options, table, known) {
     return Object.entries(options).flatMap(([name, value]) => {
