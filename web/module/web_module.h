@@ -46,6 +46,8 @@ const void *web_scene_picture(const struct web_scene *scene, uint32_t output);
 /// view in degrees, half the height of an orthographic picture; near and far plane.
 enum { WEB_VIEW_NUMBERS = 16 };
 const double *web_scene_view(struct web_scene *scene);
+/// That drew last.
+int web_scene_threads(const struct web_scene *scene);
 /// Prints what rhw explain --json does, a line with a form feed alone, and what it does without. False after a message.
 bool web_scene_explain(struct web_scene *scene, char *words, size_t size, int x, int y, int sample);
 /// Prints what rhw info --json does.

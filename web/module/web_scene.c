@@ -124,6 +124,11 @@ EMSCRIPTEN_KEEPALIVE const double *web_scene_view(struct web_scene *scene)
     return scene->view;
 }
 
+EMSCRIPTEN_KEEPALIVE int web_scene_threads(const struct web_scene *scene)
+{
+    return scene->render.stats.pipeline.threads;
+}
+
 EMSCRIPTEN_KEEPALIVE bool web_scene_explain(struct web_scene *scene, char *words, size_t size, int x, int y,
                                             int sample)
 {

@@ -51,6 +51,12 @@ export interface LoadOptions {
     maxTexture?: number;
     /** Fail where the file has something that is not drawn as it is meant, instead of a warning. */
     strict?: boolean;
+    /**
+     * Threads to draw with. The default is one for each core in a page that is
+     * [cross-origin isolated](https://developer.mozilla.org/docs/Web/API/Window/crossOriginIsolated), and a greater number
+     * means that; elsewhere, node included, it is always 1. The picture is the same.
+     */
+    threads?: number;
 }
 
 /**
@@ -174,6 +180,8 @@ export type Picture<Name extends OutputName = 'color'> = Pick<Outputs, Name> & {
     width: number;
     height: number;
     camera: ViewCamera;
+    /** That drew it. */
+    threads: number;
     /** Lines that the program would print as warnings. */
     warnings: string[];
 };
@@ -212,7 +220,7 @@ export class Scene {
      *   pixel's samples, 0 where that is left out
      */
     explain(x: number, y: number, options?: RenderOptions & { sample?: number }): Explanation;
-    /** Gives the memory back. The scene cannot be used after that. Without it memory goes when the scene is collected. */
+    /** Ends the scene's threads and gives its memory back. It cannot be used after that. */
     close(): void;
 }
 

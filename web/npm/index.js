@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // rhw for node, pages and workers: see index.d.ts, which has the documentation, and README.md, which has examples.
-import { bytesOf, Instance, RhwError } from './instance.js';
-import { allWords, drawingWords, readingWords } from './words.js';
+import { bytesOf, Instance, mostThreads, RhwError } from './instance.js';
+import { allWords, drawingOptions, drawingWords, readingWords } from './words.js';
 
 export { RhwError };
 
@@ -46,19 +46,28 @@ async function read(model, name, files, words) {
     throw reply.length > 0 ? new RhwError(`rhw: ${name}: ${new TextDecoder().decode(reply)}`) : reader.error();
 }
 
+function threadsOf({ threads = mostThreads() }) {
+    if (!Number.isInteger(threads) || threads < 1) {
+        throw new RhwError(`rhw: threads: '${threads}' is not a number from 1`);
+    }
+    return Math.min(threads, mostThreads());
+}
+
 async function open(model, options, words) {
     const { files = {} } = options;
+    const threads = threadsOf(options);
     const name = (options.name ?? 'model').replace(/^\/+/, ''); // its place is in the module's memory
     const all = [...words, '--', name];
     const bytes = await read(model, name, files, all);
-    const instance = await Instance.create();
+    const instance = await Instance.create(threads);
     const address = instance.copyIn(bytes);
     const handle = instance.withWords(all, (at, size) =>
         instance.module._web_scene_open(address, bytes.length, at, size));
     if (handle === 0) {
+        instance.end();
         throw instance.error();
     }
-    return new Scene({ instance, handle, warnings: instance.messages() });
+    return new Scene({ instance, handle, threads, warnings: instance.messages() });
 }
 
 export async function load(model, options = {}) {
@@ -66,10 +75,13 @@ export async function load(model, options = {}) {
 }
 
 export async function render(model, options = {}) {
-    const words = allWords(options);
-    const scene = await open(model, options, words);
-    const picture = scene.draw(words, options.outputs);
-    return { ...picture, warnings: [...scene.warnings, ...picture.warnings] };
+    const scene = await open(model, options, allWords(options));
+    try {
+        const picture = scene.render(drawingOptions(options));
+        return { ...picture, warnings: [...scene.warnings, ...picture.warnings] };
+    } finally {
+        scene.close();
+    }
 }
 
 // Scenes ---------------------------------------------------------------------------------------------------------
@@ -100,12 +112,14 @@ function checkOutputs(names) {
 export class Scene {
     #instance;
     #handle;
+    #threads;
     #warnings;
 
     /** @internal scenes are made by load */
-    constructor({ instance, handle, warnings }) {
+    constructor({ instance, handle, threads, warnings }) {
         this.#instance = instance;
         this.#handle = handle;
+        this.#threads = threads;
         this.#warnings = warnings;
     }
 
@@ -124,7 +138,18 @@ export class Scene {
     }
 
     render(options = {}) {
-        return this.draw(drawingWords(options), options.outputs);
+        const names = [options.outputs ?? 'color'].flat();
+        checkOutputs(names);
+        const bits = names.reduce((sum, name) => sum | outputs[name].bit, 0);
+        this.#ask('_web_scene_render', drawingWords(options), bits);
+        const view = this.#view();
+        const pixels = view.width * view.height;
+        const pictures = names.map((name) => {
+            const { bit, Type, count } = outputs[name];
+            return [name, this.#instance.copyOut(Type, this.#call('_web_scene_picture', bit), pixels * count)];
+        });
+        const threads = this.#call('_web_scene_threads');
+        return { ...view, ...Object.fromEntries(pictures), threads, warnings: this.#instance.messages() };
     }
 
     explain(x, y, { sample = 0, ...options } = {}) {
@@ -137,22 +162,8 @@ export class Scene {
     }
 
     close() {
+        this.#instance?.end();
         this.#instance = undefined; // and with it all of its memory
-    }
-
-    /** @internal */
-    draw(words, wanted = ['color']) {
-        const names = [wanted].flat();
-        checkOutputs(names);
-        const bits = names.reduce((sum, name) => sum | outputs[name].bit, 0);
-        this.#ask('_web_scene_render', words, bits);
-        const view = this.#view();
-        const pixels = view.width * view.height;
-        const pictures = names.map((name) => {
-            const { bit, Type, count } = outputs[name];
-            return [name, this.#instance.copyOut(Type, this.#call('_web_scene_picture', bit), pixels * count)];
-        });
-        return { ...view, ...Object.fromEntries(pictures), warnings: this.#instance.messages() };
     }
 
     // Calls an entry point of the module with this scene.
@@ -172,7 +183,8 @@ export class Scene {
     // The same with words that choose a view, of which more may be the last.
     #ask(name, words, ...values) {
         const instance = this.#instance;
-        const done = instance?.withWords([...words, '--', 'model'], (address, size) =>
+        const all = [`--threads=${this.#threads}`, ...words, '--', 'model'];
+        const done = instance?.withWords(all, (address, size) =>
             this.#call(name, address, size, ...values));
         if (!done) {
             throw instance?.error() ?? new RhwError('rhw: the scene is closed');

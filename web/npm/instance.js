@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Instances of the WebAssembly module (web/module/web_module.h), each with memory of its own, and what goes in and out of
-// them. The module is compiled once.
-import createRhw from './rhw.js';
+// Instances of the WebAssembly modules (web/module/web_module.h), each with memory of its own, and what goes in and out of
+// them. Either module, for one thread or for several, is loaded when it is first wanted, once.
 
 /** A failure that rhw tells of; its message is the line that the program prints. */
 export class RhwError extends Error {
@@ -11,8 +10,7 @@ export class RhwError extends Error {
     }
 }
 
-async function compile() {
-    const url = new URL('./rhw.wasm', import.meta.url);
+async function fetchModule(url) {
     if (url.protocol === 'file:' && typeof process === 'object') {
         const { readFile } = await import('node:fs/promises');
         return WebAssembly.compile(await readFile(url));
@@ -26,7 +24,32 @@ async function compile() {
         : WebAssembly.compile(await response.arrayBuffer());
 }
 
-let compiled;
+const single = { path: './rhw.wasm', script: () => import('./rhw.js') };
+const threaded = { path: './rhw-threads.wasm', script: () => import('./rhw-threads.js') };
+
+async function loadKind(kind) {
+    const [module, { default: create }] = await Promise.all([
+        fetchModule(new URL(kind.path, import.meta.url)),
+        kind.script(),
+    ]);
+    return { module, create };
+}
+
+function loaded(kind) {
+    kind.loading ??= loadKind(kind).catch((error) => {
+        kind.loading = undefined; // the network may be back the next time
+        throw error;
+    });
+    return kind.loading;
+}
+
+/** How many threads can draw here: they share memory, which pages may do where they are cross-origin isolated. */
+export function mostThreads() {
+    const most = 64; // RHW_MAX_THREADS
+    return globalThis.crossOriginIsolated && typeof Worker === 'function'
+        ? Math.min(navigator.hardwareConcurrency, most)
+        : 1;
+}
 
 /** The bytes of an ArrayBuffer or a view of one. `what` names them where they are none. */
 export function bytesOf(source, what) {
@@ -40,16 +63,14 @@ export function bytesOf(source, what) {
 }
 
 export class Instance {
-    static async create() {
-        compiled ??= compile();
-        const module = await compiled.catch((error) => {
-            compiled = undefined; // the network may be back the next time
-            throw error;
-        });
+    /** @param threads that its contexts will have at most */
+    static async create(threads = 1) {
+        const { module, create } = await loaded(threads > 1 ? threaded : single);
         const instance = new Instance();
         instance.said = [];
         instance.complaints = [];
-        instance.module = await createRhw({
+        instance.module = await create({
+            helpThreads: threads - 1, // beside the one that calls; web/CMakeLists.txt makes workers for them
             instantiateWasm(imports, done) {
                 WebAssembly.instantiate(module, imports).then((made) => done(made, module));
                 return {};
@@ -58,6 +79,11 @@ export class Instance {
             printErr: (line) => instance.complaints.push(line), // of libraries; rhw's own lines are messages()
         });
         return instance;
+    }
+
+    /** Ends its workers. Its memory goes when nobody holds it. */
+    end() {
+        this.module.PThread?.terminateAllThreads();
     }
 
     /** Bytes in the module's memory, 64-byte aligned. */

@@ -61,7 +61,7 @@ const drawing = {
 };
 
 // Names of options that are no words.
-const others = { reading: ['name', 'files'], drawing: ['outputs'] };
+const others = { reading: ['name', 'files', 'threads'], drawing: ['outputs'] };
 
 function wordsOf(options, table, known) {
     return Object.entries(options).flatMap(([name, value]) => {
@@ -92,4 +92,10 @@ export function allWords(options) {
 /** Of the methods of a scene. */
 export function drawingWords(options) {
     return wordsOf(options, drawing, others.drawing);
+}
+
+/** Those of render that are for a scene's. */
+export function drawingOptions(options) {
+    const names = [...others.drawing, ...Object.keys(drawing)];
+    return Object.fromEntries(Object.entries(options).filter(([name]) => names.includes(name)));
 }
