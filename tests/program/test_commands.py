@@ -127,7 +127,8 @@ def give_models(folder):
                        "part.stl": models / "assimp/models/STL/Wuson.stl",
                        "scene.glb": models / "assimp/models/glTF2/BoxTextured-glTF-Binary/BoxTextured.glb",
                        "expected.png": folder / "examples/00_hello.png",
-                       "actual.png": folder / "examples/00_hello.png"}.items():
+                       "actual.png": folder / "examples/00_hello.png",
+                       "models": models / "glmark2/models"}.items():
         (folder / name).symlink_to(file)
 
 
