@@ -48,6 +48,9 @@ GIVEN = {
     r"bench --save": "bench --frames 1 --size 160x90 --peer none --scene fill_flat --save",
 }
 
+# Without these it is skipped.
+NEEDED = ["cmake", "make", "pkg-config", "cc", "c++", "/usr/share/assimp/models", "/usr/share/glmark2/models"]
+
 FILE_NAMED = re.compile(r"(?:-o|--out|--difference|--picture|--show \w+|-B) ([a-z][\w./-]*)")
 STATUS_NAMED = re.compile(r"#.*\bexit status (\d):")
 OUTSIDE = re.compile(r"^ {4}(?:script/|build/|build-test/|rhw |cc |cmake |make |\./)|That is `rhw", re.M)
@@ -158,6 +161,10 @@ def run(commands, folder):
 
 
 def main():
+    for name in NEEDED:
+        if not shutil.which(name) and not Path(name).is_dir():
+            print(f"no {name} here")
+            return 77
     build, root = (Path(argument).resolve() for argument in sys.argv[1:])
     used, count = set(), 0
     pages = {page: (root / page).read_text(encoding="utf-8") for page in PAGES}
