@@ -73,6 +73,10 @@ struct scene_view {
     uint32_t outputs;     ///< scene_output, at least one
     /// Whose history is told while colour is drawn; NULL: none. Without supersampling, and SORTED.
     const struct scene_explain *explain;
+    /// Asked between the bands of a large picture, on the thread that draws; false: the draw is given up, and fails.
+    /// NULL: nobody is asked.
+    bool (*goes_on)(void *user);
+    void *user;
 };
 
 /// 1280×720, one sample, the whole model fitted, gradient, colour.

@@ -31,6 +31,7 @@ NOT_RUN = {
     r"script/(format|completions build/rhw|gallery)": "writes into the sources; script/test, program_documents and "
                                                       "program_gallery ask for what it writes",
     r".*/golden tests/golden/scenes\.txt --update": "half a minute; the test golden draws the same scenes",
+    r"build/rhw view .*": "opens a window; program_view looks at one",
     r"script/package|dpkg -i .*": "program_package does it",
     r"cc -O2 -pthread (-c rhw\.c|-ffp-contract=off program\.c rhw\.o)": "half a minute; program_amalgamation does it",
     r"cmake -S rhw .*-DRHW_SANITIZE=thread.*|cmake --build build-thread .*|export PKG_CONFIG_PATH=~/rhw-thread/.*"

@@ -6,7 +6,7 @@
 man=$root/docs/rhw.1
 completion=$root/tools/rhw/completion/rhw.bash
 
-for verb in render thumbs compare explain info bench; do
+for verb in render thumbs compare explain view info bench; do
     succeed $verb --help
     options=$(grep -oE '^  (-.,|   ) --[a-z-]+' "$folder/log/out" | grep -oE -- '--[a-z-]+')
     check "$verb has options" test -n "$options"
@@ -19,7 +19,7 @@ for verb in render thumbs compare explain info bench; do
     check "completion of $verb" test "$completed" = "$(echo "$options" | sort | tr '\n' ' ')"
 done
 verbs=$(bash -c ". '$completion'; COMP_WORDS=(rhw ''); COMP_CWORD=1; _rhw; printf '%s ' \"\${COMPREPLY[@]}\"")
-check "completion of verbs" test "$verbs" = "render thumbs compare explain info bench --help --version "
+check "completion of verbs" test "$verbs" = "render thumbs compare explain view info bench --help --version "
 outputs=$(bash -c ". '$completion'; COMP_WORDS=(rhw render --output depth,n); COMP_CWORD=3; _rhw; printf '%s ' \"\${COMPREPLY[@]}\"")
 check "completion within a list" test "$outputs" = "depth,normal "
 mkdir made
@@ -36,7 +36,7 @@ if command -v fish >/dev/null 2>&1; then
     fish_says() { # WORDS: how fish completes them, a line each
         fish --no-config -c "source $root/tools/rhw/completion/rhw.fish; complete -C '$1'" | cut -f 1 | tr '\n' ' '
     }
-    check "fish: verbs" test "$(fish_says 'rhw ')" = "bench compare explain info render thumbs "
+    check "fish: verbs" test "$(fish_says 'rhw ')" = "bench compare explain info render thumbs view "
     check "fish: options" test "$(fish_says 'rhw info --')" = "--help --json "
     check "fish: within a list" test "$(fish_says 'rhw render --output depth,n')" = "depth,normal "
 fi

@@ -14,7 +14,7 @@ succeed --help
 cp "$folder/log/out" help.txt
 succeed help
 check "help as a word" cmp "$folder/log/out" help.txt
-for verb in render compare explain info bench; do
+for verb in render compare explain view info bench; do
     check "help lists $verb" grep -Eq "^  rhw $verb " "$folder/log/out"
 done
 for verb in render compare info bench; do

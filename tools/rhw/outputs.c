@@ -7,6 +7,7 @@
 
 #include <math.h>
 #include <stdio.h>
+#include <stdlib.h>
 #include <string.h>
 
 static const char *const names[CLI_KIND_COUNT] = {"color", "depth",  "distance", "normal", "position",
@@ -335,4 +336,26 @@ int cli_outputs_exr_channels(const struct scene_pictures *pictures, unsigned kin
         }
     }
     return count;
+}
+
+bool cli_outputs_exr_describe(const struct scene_model *model, const struct scene_camera *camera,
+                              double aspect, struct cli_exr_about *about)
+{
+    double projection[16];
+    uint32_t largest = 0;
+    for (uint32_t i = 0; i < model->instance_count; i++) {
+        largest = model->instances[i].object > largest ? model->instances[i].object : largest;
+    }
+    *about = (struct cli_exr_about){.object_count = (int)largest,
+                                    .objects = calloc((size_t)largest + 1, sizeof *about->objects)};
+    scene_camera_view(camera, about->world_to_camera);
+    scene_camera_projection(camera, aspect, projection);
+    scene_matrix_multiply(projection, about->world_to_camera, about->world_to_ndc);
+    for (uint32_t i = 0; about->objects && i < model->instance_count; i++) {
+        about->objects[model->instances[i].object - 1] = model->instances[i].name;
+    }
+    for (uint32_t i = 0; i < largest && about->objects; i++) {
+        about->objects[i] = about->objects[i] ? about->objects[i] : ""; // of nodes that are left out
+    }
+    return about->objects != NULL;
 }

@@ -90,6 +90,12 @@ _rhw_explain() { # CURRENT PREVIOUS
     esac
 }
 
+_rhw_view() { # CURRENT PREVIOUS
+    case $2 in
+    *) _rhw_rest "$1" file --fullscreen --help ;;
+    esac
+}
+
 _rhw_info() { # CURRENT PREVIOUS
     case $2 in
     *) _rhw_rest "$1" file --json --help ;;
@@ -112,11 +118,11 @@ _rhw() {
     local current=${COMP_WORDS[COMP_CWORD]} previous=${COMP_WORDS[COMP_CWORD - 1]}
     COMPREPLY=()
     if ((COMP_CWORD == 1)); then
-        _rhw_words "$current" render thumbs compare explain info bench --help --version
+        _rhw_words "$current" render thumbs compare explain view info bench --help --version
         return
     fi
     case ${COMP_WORDS[1]} in
-    render | thumbs | compare | explain | info | bench) "_rhw_${COMP_WORDS[1]}" "$current" "$previous" ;;
+    render | thumbs | compare | explain | view | info | bench) "_rhw_${COMP_WORDS[1]}" "$current" "$previous" ;;
     esac
 }
 
