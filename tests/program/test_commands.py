@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: MIT
 """The commands of the documents, run as their readers run them: those in the ```sh blocks of each page below, in one shell
-per page, and the EXAMPLES of rhw(1). Each must end with status 0, or with the one that its comment names, and leave the
+per page, and the EXAMPLES of rhw(1) and rhw(3). Each must end with status 0, or with the one that its comment names, and leave the
 files behind that it names. docs/gallery.md has a test of its own, program_gallery.
 
 usage: test_commands.py BUILD_FOLDER SOURCE_ROOT
@@ -88,10 +88,10 @@ def commands_of(page, text):
     return [command for command in commands if command.text]
 
 
-def examples_of(manual):
+def examples_of(page, manual):
     """The commands of a manual page's EXAMPLES."""
-    section = re.search(r"^\.SH EXAMPLES\n\.nf\n(.*?)^\.fi", manual, re.M | re.S).group(1)
-    return [Command("docs/rhw.1", line.replace("\\-", "-")) for line in section.splitlines()]
+    section = re.search(r"^\.SH EXAMPLES\n.*?^\.nf\n(.*?)^\.fi", manual, re.M | re.S).group(1)
+    return [Command(page, line.replace("\\-", "-")) for line in section.splitlines()]
 
 
 def to_run(commands, used):
@@ -177,7 +177,9 @@ def main():
         if found := OUTSIDE.search(text):
             fail(f"{page}: a command outside of the sh blocks: {found.group()}")
     todo = {page: to_run(commands_of(page, text), used) for page, text in pages.items()}
-    todo["docs/rhw.1"] = to_run(examples_of((root / "docs" / "rhw.1").read_text(encoding="utf-8")), used)
+    for manual in ("docs/rhw.1", "docs/rhw.3"):
+        todo[manual] = to_run(examples_of(manual, (root / manual).read_text(encoding="utf-8")), used)
+    todo["docs/embedding.md"] += todo.pop("docs/rhw.3")  # where the library is installed
     for page, commands in todo.items():
         if not commands:
             continue
