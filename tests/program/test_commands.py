@@ -1,8 +1,8 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: MIT
-"""The commands of the documents, run as their readers run them: those in the ```sh blocks of each page below, in one shell
-per page, and the EXAMPLES of rhw(1). Each must end with status 0, or with the one that its comment names, and leave the
-files behind that it names. docs/gallery.md has a test of its own, program_gallery.
+"""The commands of the documents, run as their readers run them: those in the ```sh blocks of every page, in one shell
+per page, and the EXAMPLES of rhw(1) and rhw(3). Each must end with status 0, or with the one that its comment names,
+and leave the files behind that it names. docs/gallery.md has a test of its own, program_gallery.
 
 usage: test_commands.py BUILD_FOLDER SOURCE_ROOT
 
@@ -18,26 +18,41 @@ import tempfile
 import time
 from pathlib import Path
 
-PAGES = ["README.md", "CONTRIBUTING.md", "examples/README.md", "docs/hello.md", "docs/embedding.md", "docs/shaders.md",
-         "docs/opengl.md", "docs/outputs.md", "docs/comparison.md", "docs/architecture.md", "docs/changing.md",
-         "docs/determinism.md", "docs/exactness.md", "docs/differential.md", "docs/performance.md"]
+PAGES = ["*.md", "docs/*.md", "*/README.md"]
 
 # Commands that are not run here, as regular expressions of a whole command, and why.
+BUILDS = "builds what is under test here"
+MINUTES = "takes minutes, and is about times or chance"
+ELSEWHERE = "needs the compilers of other machines"
+ONE_FILE = "half a minute; program_amalgamation does it"
+SANITIZED = "builds the library anew; program_embedding does it in script/test thread"
 NOT_RUN = {
-    r"script/(build|demo)": "they build what is under test here",
+    r"script/build": BUILDS,
+    r"script/demo": BUILDS,
     r"(CTEST_ARGS='.*' )?script/test( \w+)?": "runs this test",
-    r"script/(bench|isas|growth|instructions( .*)?|fuzz \d+)": "takes minutes, and is about times or chance",
-    r"script/(determinism.*|windows)": "needs the compilers of other machines",
-    r"script/(format|completions build/rhw|gallery)": "writes into the sources; script/test, program_documents and "
-                                                      "program_gallery ask for what it writes",
+    r"script/bench": MINUTES,
+    r"script/isas": MINUTES,
+    r"script/growth": MINUTES,
+    r"script/instructions( .*)?": MINUTES,
+    r"script/fuzz \d+": MINUTES,
+    r"script/determinism( .*)?": ELSEWHERE,
+    r"script/windows": ELSEWHERE,
+    r"script/format": "writes into the sources; script/test has --check",
+    r"script/completions build/rhw": "writes into the sources; program_documents compares",
+    r"script/gallery": "writes into the sources; program_gallery compares",
     r".*/golden tests/golden/scenes\.txt --update": "half a minute; the test golden draws the same scenes",
-    r"script/package|dpkg -i .*": "program_package does it",
-    r"cc -O2 -pthread (-c rhw\.c|-ffp-contract=off program\.c rhw\.o)": "half a minute; program_amalgamation does it",
-    r"cmake -S rhw .*-DRHW_SANITIZE=thread.*|cmake --build build-thread .*|export PKG_CONFIG_PATH=~/rhw-thread/.*"
-    r"|make -B .*=thread\" threads": "builds the library anew; program_embedding does it in script/test thread",
+    r"build/rhw view .*": "opens a window; program_view looks at one",
+    r"script/package": "program_package does it",
+    r"dpkg -i .*": "program_package unpacks instead, for which it need not be root",
+    r"cc -O2 -pthread -c rhw\.c": ONE_FILE,
+    r"cc -O2 -pthread -ffp-contract=off program\.c rhw\.o": ONE_FILE,
+    r"cmake -S rhw .*-DRHW_SANITIZE=thread.*": SANITIZED,
+    r"cmake --build build-thread .*": SANITIZED,
+    r"export PKG_CONFIG_PATH=~/rhw-thread/.*": SANITIZED,
+    r"make -B .*=thread\" threads": SANITIZED,
 }
 
-# What the pages leave to their reader, or what a test need not wait for: expressions in a command, and what takes their place.
+# What the pages leave to their reader, or a test need not wait for: expressions in a command, and what takes their place.
 GIVEN = {
     r"^script/build && ": "",
     r"\bMODEL\b": "/usr/share/glmark2/models/bunny.obj",
@@ -47,6 +62,9 @@ GIVEN = {
     r"bench --scene fill": "bench --frames 1 --size 160x90 --peer none --scene fill_flat",
     r"bench --save": "bench --frames 1 --size 160x90 --peer none --scene fill_flat --save",
 }
+
+# Without these it is skipped.
+NEEDED = ["cmake", "make", "pkg-config", "cc", "c++", "/usr/share/assimp/models", "/usr/share/glmark2/models"]
 
 FILE_NAMED = re.compile(r"(?:-o|--out|--difference|--picture|--show \w+|-B) ([a-z][\w./-]*)")
 STATUS_NAMED = re.compile(r"#.*\bexit status (\d):")
@@ -84,10 +102,10 @@ def commands_of(page, text):
     return [command for command in commands if command.text]
 
 
-def examples_of(manual):
+def examples_of(page, manual):
     """The commands of a manual page's EXAMPLES."""
-    section = re.search(r"^\.SH EXAMPLES\n\.nf\n(.*?)^\.fi", manual, re.M | re.S).group(1)
-    return [Command("docs/rhw.1", line.replace("\\-", "-")) for line in section.splitlines()]
+    section = re.search(r"^\.SH EXAMPLES\n.*?^\.nf\n(.*?)^\.fi", manual, re.M | re.S).group(1)
+    return [Command(page, line.replace("\\-", "-")) for line in section.splitlines()]
 
 
 def to_run(commands, used):
@@ -127,7 +145,8 @@ def give_models(folder):
                        "part.stl": models / "assimp/models/STL/Wuson.stl",
                        "scene.glb": models / "assimp/models/glTF2/BoxTextured-glTF-Binary/BoxTextured.glb",
                        "expected.png": folder / "examples/00_hello.png",
-                       "actual.png": folder / "examples/00_hello.png"}.items():
+                       "actual.png": folder / "examples/00_hello.png",
+                       "models": models / "glmark2/models"}.items():
         (folder / name).symlink_to(file)
 
 
@@ -139,57 +158,65 @@ def run(commands, folder):
     unwanted = {"CMAKE_PREFIX_PATH", "PKG_CONFIG_PATH", "MAKEFLAGS", "MAKELEVEL", "CFLAGS", "CXXFLAGS", "LDFLAGS"}
     environment = {name: value for name, value in os.environ.items() if name not in unwanted}
     environment.update(HOME=str(folder / "home"), PATH=f"{folder}/bin:{os.environ['PATH']}")
-    script = "".join(f"{{ {command.text}\n}} >said.{i} 2>&1 </dev/null\necho $? >&3\n" for i, command in enumerate(commands))
+    script = "".join(f"{{ {command.text}\n}} >said.{i} 2>&1 </dev/null\necho $? >&3\n"
+                     for i, command in enumerate(commands))
     with open(folder / "statuses", "w", encoding="utf-8") as statuses:
         subprocess.run(["sh", "-c", f"exec 3>&{statuses.fileno()}\n{script}"], cwd=folder, env=environment,
                        pass_fds=[statuses.fileno()], check=False)
     ended = (folder / "statuses").read_text(encoding="utf-8").split()
     output = ""
     for i, command in enumerate(commands):
-        said = (folder / f"said.{i}").read_text(encoding="utf-8", errors="replace") if i < len(ended) else "it was not run"
+        if i >= len(ended):
+            fail(f"{command}: was not run, as the shell had ended")
+            continue
+        said = (folder / f"said.{i}").read_text(encoding="utf-8", errors="replace")
         output += said
-        if i >= len(ended) or int(ended[i]) != command.status:
-            fail(f"{command}: status {ended[i] if i < len(ended) else 'none'}, not {command.status}\n{said[-1500:]}")
+        if int(ended[i]) != command.status:
+            fail(f"{command}: status {ended[i]}, not {command.status}\n{said[-1500:]}")
         for name in FILE_NAMED.findall(command.text):
             if not (folder / name).exists():
                 fail(f"{command}: there is no {name}")
     return output
 
 
+def run_page(page, commands, text, root, build):
+    """Runs a page's commands; what its blocks without a language quote is what they say."""
+    with tempfile.TemporaryDirectory() as name:
+        folder = Path(name)
+        make_checkout(folder, root, build)
+        give_models(folder)
+        started = time.monotonic()
+        output = run(commands, folder)
+        print(f"{time.monotonic() - started:6.1f} s  {len(commands)} commands of {page}", flush=True)
+    for line in "".join(block for language, block in blocks_of(text) if not language).splitlines():
+        if line not in output:
+            fail(f"{page}: no command says: {line}")
+
+
 def main():
+    for name in NEEDED:
+        if not shutil.which(name) and not Path(name).is_dir():
+            print(f"no {name} here")
+            return 77
     build, root = (Path(argument).resolve() for argument in sys.argv[1:])
-    used, count = set(), 0
-    pages = {page: (root / page).read_text(encoding="utf-8") for page in PAGES}
-    for page in sorted(root.glob("*.md")) + sorted(root.glob("*/*.md")):
-        name = str(page.relative_to(root))
-        if "```sh\n" in page.read_text(encoding="utf-8") and name not in PAGES and name != "docs/gallery.md":
-            fail(f"{name} has commands, and is none of the pages that are tried")
-    for page, text in pages.items():
-        if found := OUTSIDE.search(text):
-            fail(f"{page}: a command outside of the sh blocks: {found.group()}")
-    todo = {page: to_run(commands_of(page, text), used) for page, text in pages.items()}
-    todo["docs/rhw.1"] = to_run(examples_of((root / "docs" / "rhw.1").read_text(encoding="utf-8")), used)
+    found = {str(page.relative_to(root)) for pattern in PAGES for page in root.glob(pattern)} - {"docs/gallery.md"}
+    texts = {page: (root / page).read_text(encoding="utf-8") for page in sorted(found)}
+    used, todo = set(), {}
+    for page, text in texts.items():
+        if stray := OUTSIDE.search(text):
+            fail(f"{page}: a command outside of the sh blocks: {stray.group()}")
+        todo[page] = to_run(commands_of(page, text), used)
+    for manual in ("docs/rhw.1", "docs/rhw.3"):
+        texts[manual] = (root / manual).read_text(encoding="utf-8")
+        todo[manual] = to_run(examples_of(manual, texts[manual]), used)
+    todo["docs/embedding.md"] += todo.pop("docs/rhw.3")  # where the library is installed
     for page, commands in todo.items():
-        if not commands:
-            continue
-        with tempfile.TemporaryDirectory() as name:
-            folder = Path(name)
-            make_checkout(folder, root, build)
-            give_models(folder)
-            started = time.monotonic()
-            output = run(commands, folder)
-            print(f"{time.monotonic() - started:6.1f} s  {len(commands)} commands of {page}", flush=True)
-        count += len(commands)
-        # A block without a language is what the page's commands say.
-        if page == "README.md":
-            quoted = [block for language, block in blocks_of(pages[page]) if not language]
-            for line in "".join(quoted).splitlines():
-                if line not in output:
-                    fail(f"{page}: no command says: {line}")
-    for rule in list(NOT_RUN) + list(GIVEN):
+        if commands:
+            run_page(page, commands, texts[page], root, build)
+    for rule in [*NOT_RUN, *GIVEN]:
         if rule not in used:
             fail(f"no command is meant by the rule {rule}")
-    print(f"{count} commands, {len(failures)} failures")
+    print(f"{sum(map(len, todo.values()))} commands, {len(failures)} failures")
     return bool(failures)
 
 
