@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: MIT
-// An import that another thread looks at, and ends.
+// An import that others look at, and give up.
 #define _GNU_SOURCE // MAP_ANONYMOUS
 #include "model_files.h"
 
 #include <errno.h>
-#include <pthread.h>
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stdio.h>
@@ -12,7 +11,6 @@
 #include <string.h>
 #include <sys/mman.h>
 #include <sys/wait.h>
-#include <unistd.h>
 
 #include <cmocka.h>
 
@@ -22,12 +20,6 @@ static struct scene_progress *make_progress(void)
         mmap(NULL, sizeof *progress, PROT_READ | PROT_WRITE, MAP_SHARED | MAP_ANONYMOUS, -1, 0);
     assert_true(progress != MAP_FAILED);
     return progress;
-}
-
-static struct scene_model *load_watched(struct scene_progress *progress, char error[256])
-{
-    const struct scene_model_options options = {.progress = progress};
-    return scene_model_load(path_of("m.obj"), &options, error, 256);
 }
 
 // Two textures, of which one is missing: that is done too.
@@ -46,7 +38,8 @@ static void test_images_are_counted(void **state)
     char error[256] = "";
     struct scene_progress *const progress = make_progress();
     write_model();
-    struct scene_model *const model = load_watched(progress, error);
+    const struct scene_model_options options = {.progress = progress};
+    struct scene_model *const model = scene_model_load(path_of("m.obj"), &options, error, sizeof error);
     assert_non_null(model);
     assert_int_equal(model->image_count, 2);
     assert_int_equal(progress->image_count, 2);
@@ -69,34 +62,30 @@ static void write_large_model(void)
     free(text);
 }
 
-static void *stop_soon(void *user)
+static bool asked_three_times(void *user)
 {
-    struct scene_progress *const progress = user;
-    usleep(20000);
-    __atomic_store_n(&progress->stop, 1, __ATOMIC_RELAXED);
-    return NULL;
+    int *const times = user;
+    return ++*times < 3;
 }
 
 // There is no model then, and no process is left.
-static void test_an_import_can_be_stopped(void **state)
+static void test_an_import_can_be_given_up(void **state)
 {
     (void)state;
     char error[256] = "";
-    pthread_t other;
-    struct scene_progress *const progress = make_progress();
+    int times = 0;
+    const struct scene_model_options options = {.goes_on = asked_three_times, .user = &times};
     write_large_model();
-    assert_int_equal(pthread_create(&other, NULL, stop_soon, progress), 0);
-    assert_null(load_watched(progress, error));
-    pthread_join(other, NULL);
-    assert_string_equal(error, "import was stopped");
+    assert_null(scene_model_load(path_of("m.obj"), &options, error, sizeof error));
+    assert_int_equal(times, 3);
+    assert_string_equal(error, "import was given up");
     assert_int_equal(waitpid(-1, NULL, WNOHANG), -1);
     assert_int_equal(errno, ECHILD);
-    munmap(progress, sizeof *progress);
 }
 
 int main(void)
 {
     const struct CMUnitTest tests[] = {cmocka_unit_test(test_images_are_counted),
-                                       cmocka_unit_test(test_an_import_can_be_stopped)};
+                                       cmocka_unit_test(test_an_import_can_be_given_up)};
     return cmocka_run_group_tests(tests, make_directory, remove_directory);
 }
