@@ -5,8 +5,6 @@
 usage: page.py PAGE-FOLDER STAGE_REPLAY SCREENSHOT-FOLDER
 """
 import base64
-import functools
-import http.server
 import os
 import struct
 import subprocess
@@ -27,15 +25,12 @@ CHAPTERS = ["first", "triangle", "floor", "clip", "steps", "depth"]  # those wit
 FIRST_PICTURE = 5.0  # seconds, of a machine that does other things too; what it took is printed
 
 
-class Folder(http.server.SimpleHTTPRequestHandler):
-    extensions_map = {**http.server.SimpleHTTPRequestHandler.extensions_map, ".wasm": "application/wasm", ".js": "text/javascript"}
-
-    def log_message(self, *_):
-        pass
+sys.path.insert(0, os.path.join(os.path.dirname(__file__), "..", "..", "web"))
+import serve  # noqa: E402: it stands beside the page
 
 
-def serve(folder):
-    server = http.server.ThreadingHTTPServer(("127.0.0.1", 0), functools.partial(Folder, directory=folder))
+def start_server(folder):
+    server = serve.make_server(folder)
     threading.Thread(target=server.serve_forever, daemon=True).start()
     return f"http://127.0.0.1:{server.server_port}/index.html"
 
@@ -53,7 +48,7 @@ class Page(unittest.TestCase):
     @classmethod
     def setUpClass(cls):
         cls.browser = start_browser()
-        cls.url = serve(sys.argv[1])
+        cls.url = start_server(sys.argv[1])
         cls.size(1440, 900)
 
     @classmethod
@@ -245,6 +240,41 @@ class Page(unittest.TestCase):
             self.check_native("first")
         finally:
             self.size(1440, 900)
+
+    # One's own model
+
+    def open_sample(self):
+        self.script("document.getElementById('model').scrollIntoView()")
+        self.wait("document.querySelector('#model [data-name=picture] button').hasAttribute('aria-pressed')")
+        self.node("#model .sample").click()
+        self.wait("document.querySelector('#model .view').dataset.drawn === 'still'", 60)
+
+    def test_a_model_is_turned_and_explained(self):
+        self.open_sample()
+        self.assertIn("12", self.node("#model .info").text)  # triangles of a box
+        picture = "return document.querySelector('#model canvas').toDataURL()"
+        before = self.script(picture)
+        self.drag("#model canvas", 120, 40)
+        self.wait("document.querySelector('#model .view').dataset.drawn === 'still'", 60)
+        self.assertNotEqual(self.script(picture), before)
+        x, y = self.middle("#model canvas")
+        actions = ActionBuilder(self.browser)
+        actions.pointer_action.move_to_location(x, y).pointer_down().pointer_up()
+        actions.perform()
+        self.wait("document.querySelector('#model .explained').textContent.includes('1/W_P = r/W_0')", 60)
+        for value in ["normal", "depth", "uv", "triangle"]:
+            before = self.script(picture)
+            self.node(f"#model button[value='{value}']").click()
+            self.wait(f"document.querySelector('#model canvas').toDataURL() !== {before!r}", 60)
+        self.browser.save_screenshot(os.path.join(sys.argv[3], "model.png"))
+
+    def test_a_file_that_is_no_model(self):
+        self.open_sample()
+        with tempfile.NamedTemporaryFile(suffix=".glb") as file:
+            file.write(b"no model at all")
+            file.flush()
+            self.node("#model input").send_keys(file.name)
+            self.wait("document.querySelector('#model .state').textContent.includes('rhw: ')", 60)
 
     # Speed: printed, and not held to what a busy machine may not reach.
 
