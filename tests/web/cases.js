@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Pictures that the package must draw as the program does, byte for byte: the options of one, and the command line of the
-// other, which are written down apart. Models are those of Debian's assimp-testmodels.
+// Pictures that the package must draw as the program does, byte for byte: the options of one, and the command line of
+// the other, which are written down apart. Models are those of Debian's assimp-testmodels.
 const box = 'glTF2/BoxTextured-glTF-Binary/BoxTextured.glb';
 
 export const cases = [
@@ -10,11 +10,12 @@ export const cases = [
         model: box,
         options: {
             size: [301, 207], samples: 1, supersample: 4, orbit: [-40, 35], zoom: 1.25, margin: 10, up: 'z', fovy: 50,
-            background: '4682b4', shadows: false, ambientOcclusion: false, toneMap: 'aces', exposure: -0.5, ground: true,
+            background: '4682b4', shadows: false, ambientOcclusion: false, toneMap: 'aces', exposure: -0.5,
+            ground: true,
         },
         words: [
-            '--size=301x207', '--samples=1', '--supersample=4', '--orbit=-40,35', '--zoom=1.25', '--margin=10', '--up=z',
-            '--fovy=50', '--background=4682b4', '--shadows=off', '--ambient-occlusion=off', '--tone-map=aces',
+            '--size=301x207', '--samples=1', '--supersample=4', '--orbit=-40,35', '--zoom=1.25', '--margin=10',
+            '--up=z', '--fovy=50', '--background=4682b4', '--shadows=off', '--ambient-occlusion=off', '--tone-map=aces',
             '--exposure=-0.5', '--ground',
         ],
     },
@@ -58,7 +59,12 @@ export const cases = [
         options: { size: [400, 300], samples: 8 },
         words: ['--size=400x300', '--samples=8'],
     },
-    { name: 'animation', model: 'glTF2/simple_skin/simple_skin.gltf', options: { size: 128, time: 0.5 }, words: ['--size=128', '--time=0.5'] },
+    {
+        name: 'animation',
+        model: 'glTF2/simple_skin/simple_skin.gltf',
+        options: { size: 128, time: 0.5 },
+        words: ['--size=128', '--time=0.5'],
+    },
     { name: 'ply', model: 'PLY/Wuson.ply', options: { size: 200 }, words: ['--size=200'] },
     { name: 'points', model: 'PLY/points.ply', options: { size: 200 }, words: ['--size=200'] },
     { name: 'stl', model: 'STL/Spider_binary.stl', options: { size: 200 }, words: ['--size=200'] },

@@ -1,13 +1,14 @@
 // SPDX-License-Identifier: MIT
-// What the package promises, checked wherever modules run: check(rhw, read, threads) takes the package, a function that gives
-// the bytes of a file of prepare.js, and how many threads should draw, and returns how many checks there were and a line for
-// each that failed.
+// What the package promises, checked wherever modules run: check(rhw, read, threads) takes the package, a function
+// that gives the bytes of a file of prepare.js, and how many threads should draw, and returns how many checks there
+// were and a line for each that failed.
 
 const decoder = new TextDecoder();
 
 /** The samples behind the header of a PPM file: of 8 bits, or of 16, the high byte first. */
 function samplesOf(ppm) {
-    const [, width, height, most] = /^P6\s+(\d+)\s+(\d+)\s+(\d+)\s/.exec(decoder.decode(ppm.subarray(0, 64))).map(Number);
+    const header = decoder.decode(ppm.subarray(0, 64));
+    const [, width, height, most] = /^P6\s+(\d+)\s+(\d+)\s+(\d+)\s/.exec(header).map(Number);
     const wide = most > 255, count = 3 * width * height;
     const bytes = ppm.subarray(ppm.length - count * (wide ? 2 : 1));
     const samples = wide ? Uint16Array.from({ length: count }, (_, i) => bytes[2 * i] * 256 + bytes[2 * i + 1]) : bytes;
@@ -82,7 +83,8 @@ async function checkScene(checks, rhw, read, data, threads) {
     const { text, model, ...explained } = scene.explain(x, y, { sample });
     const { model: path, ...wanted } = JSON.parse(decoder.decode(await read(data.json)));
     checks.same('explain', explained, wanted);
-    checks.same('explain as text', `${text}\n`.slice(model.length), decoder.decode(await read(data.text)).slice(path.length));
+    const wantedText = decoder.decode(await read(data.text));
+    checks.same('explain as text', `${text}\n`.slice(model.length), wantedText.slice(path.length));
     checkData(checks, scene, samplesOf(await read(data.normals)).samples);
 
     scene.close();
@@ -91,7 +93,9 @@ async function checkScene(checks, rhw, read, data, threads) {
 }
 
 function checkData(checks, scene, normals) {
-    const outputs = ['color', 'linear', 'depth', 'distance', 'normal', 'position', 'uv', 'object', 'triangle', 'barycentric'];
+    const outputs = [
+        'color', 'linear', 'depth', 'distance', 'normal', 'position', 'uv', 'object', 'triangle', 'barycentric',
+    ];
     const drawn = scene.render({ size: [97, 61], outputs });
     const to16 = (value) => Math.floor(Math.fround(Math.fround(value * 65535) + 0.5));
     const mapped = drawn.normal.reduce((list, value, i) => {
@@ -126,12 +130,15 @@ async function checkErrors(checks, rhw, read, data) {
     await checks.fails('a cut model', rhw.load(box.subarray(0, 1000), { name: 'cut.glb' }), /^rhw: cut\.glb: .+/);
     await checks.fails('a format that is not read', rhw.load(box.subarray(20), { name: 'a.fbx' }),
                        /^rhw: a\.fbx: is FBX, which is not read here; glTF, OBJ, PLY, STL and 3MF are$/);
-    await checks.fails('an option that is none', rhw.render(box, { sise: 4 }), /^rhw: 'sise' is no option; there are name, /);
+    await checks.fails('an option that is none', rhw.render(box, { sise: 4 }),
+                       /^rhw: 'sise' is no option; there are name, /);
     await checks.fails('a bad value', rhw.render(box, { samples: 3 }), /^rhw: --samples: '3' is not 1, 2, 4, 8 or 16$/);
-    await checks.fails('a bad output', rhw.render(box, { outputs: ['depht'] }), /^rhw: outputs: 'depht' is no output; /);
+    await checks.fails('a bad output', rhw.render(box, { outputs: ['depht'] }),
+                       /^rhw: outputs: 'depht' is no output; /);
     await checks.fails('no threads', rhw.render(box, { threads: 0 }), /^rhw: threads: '0' is not a number from 1$/);
     await checks.fails('a bad camera', rhw.render(box, { camera: 7 }), /^rhw: --camera-index: model has no cameras$/);
-    await checks.fails('a variant that is not there', rhw.load(box, { variant: 'red' }), /^rhw: model: has no variants/);
+    await checks.fails('a variant that is not there', rhw.load(box, { variant: 'red' }),
+                       /^rhw: model: has no variants/);
     const scene = await rhw.load(box);
     await checks.fails('a pixel outside', (async () => scene.explain(1280, 0))(),
                        /^rhw: --at: 1280,0 lies outside the picture, which is 1280x720$/);
@@ -140,7 +147,8 @@ async function checkErrors(checks, rhw, read, data) {
     const obj = new TextEncoder().encode('mtllib no.mtl\nv 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n');
     const { warnings } = await rhw.render(obj, { name: 'a.obj', size: 8 });
     checks.that('a warning', warnings.length === 1 && /^rhw: a\.obj: warning: .*no\.mtl/.test(warnings[0]), warnings);
-    await checks.fails('a warning with strict', rhw.render(obj, { name: 'a.obj', strict: true }), /^rhw: a\.obj: is not drawn as /);
+    await checks.fails('a warning with strict', rhw.render(obj, { name: 'a.obj', strict: true }),
+                       /^rhw: a\.obj: is not drawn as /);
 }
 
 async function checkTriangles(checks, rhw) {
@@ -157,8 +165,8 @@ async function checkTriangles(checks, rhw) {
     // W is 1 below and 3 above: at a quarter of the height r, s, t are not a, b, c.
     const slope = new Float32Array([-1, -1, 0, 1, 1, -1, 0, 1, -3, 3, 0, 3]);
     const one = await rhw.rasterize({ size: [1, 2], positions: slope });
-    // The pixels' centres are (1/2, 1/2) and (1/2, 3/2) from the top left: on the screen t = 3/4 and 1/4, s = 1/2, so the
-    // upper one is outside and in the lower one r = 1/4; 1/W = 3/4 + 1/12, and a, b, c = 3/10, 6/10, 1/10.
+    // The pixels' centres are (1/2, 1/2) and (1/2, 3/2) from the top left: on the screen t = 3/4 and 1/4, s = 1/2, so
+    // the upper one is outside and in the lower one r = 1/4; 1/W = 3/4 + 1/12, and a, b, c = 3/10, 6/10, 1/10.
     checks.same('ids in perspective', [...one.ids], [0, 1]);
     const close = [0.3, 0.6, 0.1].every((weight, i) => Math.abs(one.barycentric[4 + i] - weight) < 1e-7);
     checks.that('weights in perspective', close, one.barycentric);
@@ -176,8 +184,10 @@ async function checkTriangles(checks, rhw) {
     await bad('no size', { size: 0 }, /^rhw: rasterize: size 0x0: width and height must lie between 1 and 16384$/);
     await bad('too much', { size: 16384 }, /^rhw: needs more memory than there is/);
     await bad('positions of doubles', { positions: new Float64Array(9) }, /^rhw: positions: must be a Float32Array/);
-    await bad('an index too large', { indices: new Uint32Array([0, 1, 4]) }, /^rhw: rasterize: index 4 at 2: there are 4 positions$/);
-    await bad('too few indices', { indices: new Uint32Array(4) }, /^rhw: rasterize: 4 indices: a triangle takes three$/);
+    await bad('an index too large', { indices: new Uint32Array([0, 1, 4]) },
+              /^rhw: rasterize: index 4 at 2: there are 4 positions$/);
+    await bad('too few indices', { indices: new Uint32Array(4) },
+              /^rhw: rasterize: 4 indices: a triangle takes three$/);
     await bad('a short matrix', { matrix: new Float32Array(9) }, /^rhw: matrix: must be a Float32Array of 16 numbers/);
     await bad('a word', { cull: 'both' }, /^rhw: cull: 'both' is not one of none, front, back$/);
 }

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// The checks in a worker of a page, with one thread and, cross-origin isolated, with all: node in_browser.js BROWSER DATA, in
-// a folder with the package installed. BROWSER is Chromium or what takes its options; a server for it runs here, and ends
-// when the page has said how it went.
+// The checks in a worker of a page, with one thread and, cross-origin isolated, with all: node in_browser.js BROWSER
+// DATA, in a folder with the package installed. BROWSER is Chromium or what takes its options; a server for it runs
+// here, and ends when the page has said how it went.
 import { spawn } from 'node:child_process';
 import { once } from 'node:events';
 import { mkdtemp, readFile, rm } from 'node:fs/promises';
@@ -29,7 +29,9 @@ const isolation = {
 const worker = `import * as rhw from '/node_modules/rhw/index.js';
 import { check } from '/checks.js';
 const read = async (name) => new Uint8Array(await (await fetch('/data/' + name)).arrayBuffer());
-check(rhw, read, crossOriginIsolated ? navigator.hardwareConcurrency : 1).then(postMessage, (error) => postMessage({ count: 1, failures: [String(error?.stack ?? error)] }));`;
+const threads = crossOriginIsolated ? navigator.hardwareConcurrency : 1;
+const fail = (error) => postMessage({ count: 1, failures: [String(error?.stack ?? error)] });
+check(rhw, read, threads).then(postMessage, fail);`;
 
 async function contentOf(path) {
     const made = { '/': page, '/worker.js': worker }[path];
@@ -52,7 +54,7 @@ function serve(headers, told) {
         }
         try {
             const content = await contentOf(path);
-            response.setHeader('content-type', types[extname(path)] ?? (path === '/' ? 'text/html' : 'application/octet-stream'));
+            response.setHeader('content-type', types[path === '/' ? '.html' : extname(path)] ?? 'application/octet-stream');
             response.end(content);
         } catch {
             response.writeHead(404).end();

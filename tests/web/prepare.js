@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// What the checks compare with: node prepare.js RHW MODELS FOLDER writes the models of cases.js and what the program RHW
-// makes of them, and data.json, which says where.
+// What the checks compare with: node prepare.js RHW MODELS FOLDER writes the models of cases.js and what the program
+// RHW makes of them, and data.json, which says where.
 import { execFileSync } from 'node:child_process';
 import { copyFileSync, mkdirSync, writeFileSync } from 'node:fs';
 import { basename, dirname, join } from 'node:path';

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// From a job and a model in memory to pictures in memory: the part of rhw render that opens no file, which the WebAssembly
-// module shares.
+// From a job and a model in memory to pictures in memory: the part of rhw render that opens no file, which the
+// WebAssembly module shares.
 #include "render_camera.h"
 #include "render_state.h"
 

@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: MIT
 // What the WebAssembly module gives to JavaScript, which web/npm/index.js makes an interface of.
 //
-// An instance of the module has one of two parts. One reads a model file, writes what it read to a file in memory and is
-// thrown away, as the process of import_process.c is natively: what a hostile file does to it ends with it. The other takes
-// those bytes and draws; it lives as long as anybody draws. So reading may leave memory behind and leave by exit().
+// An instance of the module has one of two parts. One reads a model file, writes what it read to a file in memory and
+// is thrown away, as the process of import_process.c is natively: what a hostile file does to it ends with it. The
+// other takes those bytes and draws; it lives as long as anybody draws. So reading may leave memory behind and leave
+// by exit().
 //
 // Options arrive as the words of rhw render's command line, each with a 0 behind it, and go through the program's own
 // parser: the same names, defaults, limits and messages. Functions that can fail begin a new list of messages
@@ -17,23 +18,24 @@
 const char *web_messages(void);
 void web_messages_clear(void);
 
-/// 64-byte aligned, as web_scene_open wants it; NULL: no memory. web_free takes what is from here and what is from malloc.
+/// 64-byte aligned, as web_scene_open wants it; NULL: no memory. web_free takes what is from here and what is from
+/// malloc.
 void *web_allocate(size_t size);
 void web_free(void *memory);
 
 /// Fills a job from `size` bytes of words, which must live as long as the job. False after a message.
 bool web_job_parse(struct cli_render_job *job, char *words, size_t size);
 
-/// web_read.c: reads the model file that the words name and writes it to WEB_REPLY. Ends the instance by exit: 0, or 3 when
-/// WEB_REPLY holds one line that says why not.
+/// web_read.c: reads the model file that the words name and writes it to WEB_REPLY. Ends the instance by exit: 0, or
+/// 3 when WEB_REPLY holds one line that says why not.
 #define WEB_REPLY "/reply"
 int web_read(char *words, size_t size);
 
 // web_scene.c: a model and what is needed to draw it again and again.
 struct web_scene;
 
-/// Takes the bytes that web_read wrote, in memory of web_allocate, in any case. `words` are those of that call. NULL after
-/// a message.
+/// Takes the bytes that web_read wrote, in memory of web_allocate, in any case. `words` are those of that call. NULL
+/// after a message.
 struct web_scene *web_scene_open(void *bytes, size_t size, char *words, size_t words_size);
 void web_scene_close(struct web_scene *scene);
 /// Chooses the view that the words ask for and draws nothing. False after a message.
@@ -42,8 +44,8 @@ bool web_scene_look(struct web_scene *scene, char *words, size_t size);
 bool web_scene_render(struct web_scene *scene, char *words, size_t size, uint32_t outputs);
 /// The picture of one scene_output that was drawn last, or NULL; valid until the scene draws again or is closed.
 const void *web_scene_picture(const struct web_scene *scene, uint32_t output);
-/// Of the view that was chosen last: width, height; eye, target and up; 1 for an orthographic camera, the vertical angle of
-/// view in degrees, half the height of an orthographic picture; near and far plane.
+/// Of the view that was chosen last: width, height; eye, target and up; 1 for an orthographic camera, the vertical
+/// angle of view in degrees, half the height of an orthographic picture; near and far plane.
 enum { WEB_VIEW_NUMBERS = 16 };
 const double *web_scene_view(struct web_scene *scene);
 /// That drew last.

@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: MIT
 
 /**
- * rhw draws 3D models on the CPU, byte for byte as the program `rhw` does it on any machine, and tells of every pixel how it
- * got its value.
+ * rhw draws 3D models on the CPU, byte for byte as the program `rhw` does it on any machine, and tells of every pixel
+ * how it got its value.
  *
  * Everything runs where it is called and takes its time: in a page, call it in a worker.
  *
- * What goes wrong is an {@link RhwError}, whose message is one line that names the thing and the rule, as the program prints
- * it: `rhw: --samples: '3' is not 1, 2, 4, 8 or 16`. Functions that return promises reject with it, the methods of a
- * {@link Scene} throw it.
+ * What goes wrong is an {@link RhwError}, whose message is one line that names the thing and the rule, as the program
+ * prints it: `rhw: --samples: '3' is not 1, 2, 4, 8 or 16`. Functions that return promises reject with it, the
+ * methods of a {@link Scene} throw it.
  *
  * @packageDocumentation
  */
@@ -29,8 +29,9 @@ export type Vector = readonly [x: number, y: number, z: number];
 /** How a model file is read. */
 export interface LoadOptions {
     /**
-     * What the file is called. Its ending tells the format where its content does not, and messages name it. Without a name
-     * the format is told from the content alone, which suffices for .glb, .gltf, .ply, .stl, .3mf and most .obj.
+     * What the file is called. Its ending tells the format where its content does not, and messages name it. Without
+     * a name the format is told from the content alone, which suffices for .glb, .gltf, .ply, .stl, .3mf and most
+     * .obj.
      */
     name?: string;
     /**
@@ -52,16 +53,16 @@ export interface LoadOptions {
     /** Fail where the file has something that is not drawn as it is meant, instead of a warning. */
     strict?: boolean;
     /**
-     * Threads to draw with. The default is one for each core in a page that is
-     * [cross-origin isolated](https://developer.mozilla.org/docs/Web/API/Window/crossOriginIsolated), and a greater number
-     * means that; elsewhere, node included, it is always 1. The picture is the same.
+     * Threads to draw with. The default is one for each core in a page that is [cross-origin
+     * isolated](https://developer.mozilla.org/docs/Web/API/Window/crossOriginIsolated), and a greater number means
+     * that; elsewhere, node included, it is always 1. The picture is the same.
      */
     threads?: number;
 }
 
 /**
- * Reads a model: glTF 2.0 (.glb, and .gltf with its files; Draco, meshopt, WebP and KTX2 included), OBJ, PLY, STL or 3MF.
- * A file that makes the reader crash does no harm to anything else.
+ * Reads a model: glTF 2.0 (.glb, and .gltf with its files; Draco, meshopt, WebP and KTX2 included), OBJ, PLY, STL or
+ * 3MF. A file that makes the reader crash does no harm to anything else.
  *
  * @param model the bytes of the file; they are copied
  * @returns a scene, to be drawn as often as one likes
@@ -137,11 +138,14 @@ export interface RenderOptions {
      */
     camera?: Camera | number | string;
     /**
-     * Fit the model from these angles, degrees: azimuth 0 is its front, 90 its right side; elevation 90 looks straight down
-     * and is 20 where it is left out. The default is `[30, 20]`.
+     * Fit the model from these angles, degrees: azimuth 0 is its front, 90 its right side; elevation 90 looks
+     * straight down and is 20 where it is left out. The default is `[30, 20]`.
      */
     orbit?: number | readonly [azimuth: number, elevation: number];
-    /** Fit the model, also where the file has cameras: its subject (`true`), without a ground that would make it a dot, or all. */
+    /**
+     * Fit the model, also where the file has cameras: its subject (`true`), without a ground that would make it a
+     * dot, or all.
+     */
     fit?: boolean | 'subject' | 'all';
     /** What is up in the world. The default is what the file says. */
     up?: 'x' | 'y' | 'z' | '-x' | '-y' | '-z';
@@ -169,7 +173,10 @@ export interface RenderOptions {
     ambientOcclusion?: boolean;
     /** How light becomes colours. The default is `neutral`. */
     toneMap?: 'neutral' | 'aces' | 'agx' | 'none';
-    /** Transparent surfaces by the middles of their triangles (the default), or in every sample by their depth there. */
+    /**
+     * Transparent surfaces by the middles of their triangles (the default), or in every sample by their depth
+     * there.
+     */
     transparency?: 'sorted' | 'exact';
     /** Brighter by this many factors of two, -20 to 20. */
     exposure?: number;
@@ -197,22 +204,28 @@ export function render<Name extends OutputName = 'color'>(
     options?: LoadOptions & RenderOptions & { outputs?: readonly Name[] },
 ): Promise<Picture<Name>>;
 
-/** A model in memory of its own, which {@link load} makes. Its methods do their work at once; they throw {@link RhwError}. */
+/**
+ * A model in memory of its own, which {@link load} makes. Its methods do their work at once; they throw {@link
+ * RhwError}.
+ */
 export class Scene {
     private constructor();
     /** What the file has that is not drawn as it is meant, a line each. */
     readonly warnings: string[];
     /** What is in the file. */
     info(): ModelInfo;
-    /** The view that {@link Scene.render} would draw, without drawing it: where a fitted camera stands, to go on from there. */
+    /**
+     * The view that {@link Scene.render} would draw, without drawing it: where a fitted camera stands, to go on
+     * from there.
+     */
     view(options?: RenderOptions): { width: number; height: number; camera: ViewCamera };
     /** Draws a view. Nothing of the model is taken in again, so a control may call it frame after frame. */
     render<Name extends OutputName = 'color'>(
         options?: RenderOptions & { outputs?: readonly Name[] },
     ): Picture<Name>;
     /**
-     * Tells how a pixel got its value: every fragment that came to it, and of the one that is seen the whole derivation, in
-     * exact arithmetic beside what the pipeline computed.
+     * Tells how a pixel got its value: every fragment that came to it, and of the one that is seen the whole
+     * derivation, in exact arithmetic beside what the pipeline computed.
      *
      * @param x from the left, 0 to width − 1
      * @param y from the top, 0 to height − 1
@@ -333,7 +346,10 @@ export interface ExplainedFragment {
     screen_exact?: Triple;
     inverse_w_exact?: [number];
     space_exact?: Triple;
-    /** Every component of every varying: at the vertices, as if mixed on the screen, exact, and as the pipeline wrote it. */
+    /**
+     * Every component of every varying: at the vertices, as if mixed on the screen, exact, and as the pipeline
+     * wrote it.
+     */
     varyings?: {
         name: string;
         vertices: Triple;
@@ -365,17 +381,23 @@ export interface Triangles {
     /** Pixels, each way 1 to 16384; one number for a square. */
     size: number | readonly [width: number, height: number];
     /**
-     * The vertices, one after the other: X, Y, Z, W in homogeneous clip coordinates, y up; with `components: 3` x, y, z, and
-     * W is 1. What lies outside −W ≤ X, Y ≤ W, 0 ≤ Z ≤ W is cut off; W ≤ 0 is allowed. A triangle with a number that is not
-     * finite is not drawn.
+     * The vertices, one after the other: X, Y, Z, W in homogeneous clip coordinates, y up; with `components: 3` x, y,
+     * z, and W is 1. What lies outside −W ≤ X, Y ≤ W, 0 ≤ Z ≤ W is cut off; W ≤ 0 is allowed. A triangle with a
+     * number that is not finite is not drawn.
      */
     positions: Float32Array;
     components?: 3 | 4;
-    /** Three for each triangle, each below the number of vertices. Without them the vertices are taken in their order. */
+    /**
+     * Three for each triangle, each below the number of vertices. Without them the vertices are taken in their
+     * order.
+     */
     indices?: Uint32Array;
     /** 16 numbers, column by column, from the positions to clip coordinates. Without it they are such. */
     matrix?: Float32Array;
-    /** Triangles that are left out: those whose vertices run clockwise on the screen are back faces. The default is `none`. */
+    /**
+     * Triangles that are left out: those whose vertices run clockwise on the screen are back faces. The default is
+     * `none`.
+     */
     cull?: 'none' | 'front' | 'back';
     /** Of the depth that is in view, after the division by W: WebGPU's and Vulkan's (the default), or OpenGL's. */
     depthRange?: 'zero-to-one' | 'minus-one-to-one';
@@ -389,12 +411,15 @@ export interface Fragments {
     ids: Uint32Array;
     /** 0 near to 1 far; 1 where there is none. [height × width] */
     depth: Float32Array;
-    /** a, b, c: the weights of its vertices in space, right in perspective, then 0; zeros where there is none. [height × width × 4] */
+    /**
+     * a, b, c: the weights of its vertices in space, right in perspective, then 0; zeros where there is none.
+     * [height × width × 4]
+     */
     barycentric: Float32Array;
 }
 
 /**
- * Rasterizes triangles without a model: which one is nearest at every pixel, how deep, and where on it. Coverage is exact: a
- * pixel on an edge that two triangles share belongs to exactly one of them.
+ * Rasterizes triangles without a model: which one is nearest at every pixel, how deep, and where on it. Coverage is
+ * exact: a pixel on an edge that two triangles share belongs to exactly one of them.
  */
 export function rasterize(triangles: Triangles): Promise<Fragments>;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Instances of the WebAssembly modules (web/module/web_module.h), each with memory of its own, and what goes in and out of
-// them. Either module, for one thread or for several, is loaded when it is first wanted, once.
+// Instances of the WebAssembly modules (web/module/web_module.h), each with memory of its own, and what goes in and
+// out of them. Either module, for one thread or for several, is loaded when it is first wanted, once.
 
 /** A failure that rhw tells of; its message is the line that the program prints. */
 export class RhwError extends Error {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Options as the words of rhw render's command line, which the module gives to the program's own parser: names, defaults,
-// limits and messages are the program's.
+// Options as the words of rhw render's command line, which the module gives to the program's own parser: names,
+// defaults, limits and messages are the program's.
 import { RhwError } from './instance.js';
 
 const asIs = (name) => (value) => [`--${name}=${value}`];
@@ -69,7 +69,8 @@ function wordsOf(options, table, known) {
             return [];
         }
         if (!Object.hasOwn(table, name)) {
-            throw new RhwError(`rhw: '${name}' is no option; there are ${[...known, ...Object.keys(table)].join(', ')}`);
+            const names = [...known, ...Object.keys(table)];
+            throw new RhwError(`rhw: '${name}' is no option; there are ${names.join(', ')}`);
         }
         const words = table[name](value);
         if (words.some((word) => word.includes('\0'))) {
