@@ -71,6 +71,19 @@ for document in *.md docs/*.md examples/*.md; do
         check "link in $document" test -e "$(dirname "$document")/$link"
     done
 done
+
+# A link to a place in a page is one to a heading, as GitHub names them.
+places() { # PAGE
+    sed -n 's/^##* //p' "$1" | tr '[:upper:]' '[:lower:]' | sed 's/[^a-z0-9 _-]//g; s/ /-/g'
+}
+for document in *.md docs/*.md examples/*.md; do
+    for link in $(grep -oE '\]\([^) :]*#[^) ]+' "$document" | cut -c 3- | grep -v '\.[ch]#' | sort -u); do
+        page=${link%%#*}
+        check "place of a link in $document: $link" sh -c 'grep -qxF -- "$1"' sh "${link#*#}" <<TEXT
+$(places "${page:+$(dirname "$document")/}${page:-$document}")
+TEXT
+    done
+done
 check "links were found" test $checks -gt 150
 
 finish
