@@ -114,8 +114,8 @@ def test_ctrl_c_ends_a_draw():
 def test_ctrl_c_ends_an_import(tmp_path):
     path = tmp_path / "large.obj"
     line = b"v 1 2 3\nv 4 5 6\nv 7 8 1\nf -1 -2 -3\n"
-    path.write_bytes(line * 600000)
-    assert interrupted(lambda: rhw.load(path), 0.2) < 1
+    path.write_bytes(line * 1500000)  # a second or more
+    assert interrupted(lambda: rhw.load(path), 0.2) < 0.4
 
 
 def test_other_threads_run_meanwhile():
@@ -133,7 +133,8 @@ def test_other_threads_run_meanwhile():
 
 
 def test_after_a_fork():
-    model.render(20)
+    parents = rhw.Context(threads=2)
+    model.render(20, context=parents)
     reading, writing = os.pipe()
     child = os.fork()
     if child == 0:
@@ -141,6 +142,8 @@ def test_after_a_fork():
         try:
             picture = model.render(20).png()
             os.write(writing, picture)
+            with pytest.raises(RuntimeError, match="does not live on in a forked process"):
+                model.render(20, context=parents)
             status = 0
         finally:
             os._exit(status)

@@ -99,6 +99,20 @@ def test_opencv_camera_puts_points_where_opencv_does(square):
     assert np.allclose(pictures["position"][inside][:, 1], y[inside], atol=1e-4)
 
 
+def test_a_part_of_a_larger_picture():
+    """A principal point moved by whole pixels: the same colours, ambient occlusion and shadows among them."""
+    model = rhw.load(model_file("glTF2/2CylinderEngine-glTF-Binary/2CylinderEngine.glb"))
+    least, most = model.bounds.astype(float)
+    extrinsic = np.diag([1.0, -1, -1, 1])
+    extrinsic[:3, 3] = -extrinsic[:3, :3] @ (least + most) / 2 + [0, 0, np.linalg.norm(most - least)]
+
+    def colors(size, cx, cy):
+        return model.render(size, rhw.Camera.intrinsics(170, 160, cx, cy, extrinsic), background=(0, 0, 0))["color"]
+
+    whole, part = colors((192, 144), 95.5, 71.5), colors((96, 72), 31.5, 23.5)
+    assert np.abs(whole[48:120, 64:160].astype(int) - part).mean() < 0.6  # occlusion is sampled by a pattern
+
+
 def test_pose_and_look_at_agree(box_obj):
     model = rhw.load(box_obj)
     looking = rhw.Camera.look_at((4, 3, 5), (1, 0, 0), fovy=33)
