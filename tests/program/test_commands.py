@@ -23,7 +23,7 @@ PAGES = ["*.md", "docs/*.md", "*/README.md"]
 # Commands that are not run here, as regular expressions of a whole command, and why.
 BUILDS = "builds what is under test here"
 MINUTES = "takes minutes, and is about times or chance"
-ELSEWHERE = "needs the compilers of other machines"
+ELSEWHERE = "needs compilers for other machines"
 ONE_FILE = "half a minute; program_amalgamation does it"
 SANITIZED = "builds the library anew; program_embedding does it in script/test thread"
 NOT_RUN = {
@@ -37,6 +37,8 @@ NOT_RUN = {
     r"script/fuzz \d+": MINUTES,
     r"script/determinism( .*)?": ELSEWHERE,
     r"script/windows": ELSEWHERE,
+    r"script/web": ELSEWHERE,
+    r"script/web-test": ELSEWHERE,
     r"script/format": "writes into the sources; script/test has --check",
     r"script/completions build/rhw": "writes into the sources; program_documents compares",
     r"script/gallery": "writes into the sources; program_gallery compares",
