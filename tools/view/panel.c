@@ -33,10 +33,10 @@ static int widest_line(const char *text)
     return widest;
 }
 
-// Letters grow with the window, of 640 columns and 360 rows for each step, as long as the lines have room.
+// Letters grow with the window, from 900×500 pixels on, as long as the lines have room.
 static int scale_of(const struct view_window *window, const char *text)
 {
-    const int wide = window->width / 640, high = window->height / 360,
+    const int wide = 1 + (window->width + 700) / 1600, high = 1 + (window->height + 350) / 850,
               fit = window->width / (widest_line(text) + 2 * (MARGIN + BORDER));
     const int most = wide < high ? wide : high, scale = most < fit ? most : fit;
     return scale > 1 ? scale : 1;

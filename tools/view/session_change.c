@@ -222,7 +222,7 @@ static void copy(struct view_session *s)
         SDL_SetClipboardText(line);
         printf("%s\n", line);
         fflush(stdout);
-        view_session_note(s, "Copied: %s", line);
+        view_session_note(s, "Copied the rhw render that draws this");
     }
     free(line);
 }

@@ -15,7 +15,7 @@ static void append(char *line, size_t size, const char *text)
     snprintf(line + used, size - used, "%s", text);
 }
 
-// One line of what is seen and what it takes.
+// What is seen, and below it what that takes.
 static void draw_info(const struct view_session *s)
 {
     static const char *const wires[] = {"", ", wireframe", ", plain wireframe"};
@@ -26,7 +26,7 @@ static void draw_info(const struct view_session *s)
         return;
     }
     const double rate = shown->ms > 0.0 ? (double)shown->triangles / shown->ms * 1e-3 : 0.0;
-    snprintf(line, sizeof line, "%s%s%s  %dx%d%s  %d sample%s  %.1f ms  %.2f M triangles/s  %d thread%s  %s",
+    snprintf(line, sizeof line, "%s%s%s  %dx%d%s  %d sample%s\n%.1f ms  %.2f M triangles/s  %d thread%s  %s",
              cli_output_name(kind), kind == CLI_KIND_COLOR ? wires[s->job.wireframe] : "",
              s->job.interpolate == RHW_NOPERSPECTIVE ? ", noperspective" : "", shown->width, shown->height,
              shown->is_coarse ? " coarse" : "", shown->is_coarse ? 1 : s->job.samples,
