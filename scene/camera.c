@@ -196,17 +196,22 @@ void scene_camera_projection(const struct scene_camera *camera, double aspect, d
         matrix[i] = 0.0;
     }
     const double n = camera->znear, f = camera->zfar;
+    const double stretch = camera->stretch > 0.0 ? camera->stretch : 1.0;
     if (camera->orthographic) {
-        matrix[0] = 1.0 / (camera->ymag * aspect);
+        matrix[0] = stretch / (camera->ymag * aspect);
         matrix[5] = 1.0 / camera->ymag;
         matrix[10] = 1.0 / (n - f);
+        matrix[12] = camera->shift[0];
+        matrix[13] = camera->shift[1];
         matrix[14] = n / (n - f);
         matrix[15] = 1.0;
         return;
     }
     const double scale = 1.0 / scene_tangent_of_half(camera->yfov);
-    matrix[0] = scale / aspect;
+    matrix[0] = scale * stretch / aspect;
     matrix[5] = scale;
+    matrix[8] = 0.0 - camera->shift[0]; // no negative zero
+    matrix[9] = 0.0 - camera->shift[1];
     matrix[10] = f == 0.0 ? -1.0 : f / (n - f);
     matrix[14] = f == 0.0 ? -n : n * f / (n - f);
     matrix[11] = -1.0;

@@ -15,6 +15,8 @@ struct scene_camera {
     double yfov;        ///< radians, the whole angle from the bottom to the top of the picture; perspective
     double ymag;        ///< half the height of the picture in the world; orthographic
     double znear, zfar; ///< distances along the view; zfar 0: infinitely far (perspective only)
+    double stretch;     ///< of the picture's width: pixels that are not square; 0: 1
+    double shift[2]; ///< where in the picture the axis of the view lies, −1..1, right and up: a principal point
 };
 
 /// Degrees. With y up azimuth 0 looks at the model's front (from +Z), 90 from its left hand side (+X); elevation 90 looks

@@ -100,7 +100,8 @@ enum rhw_result scene_draw_bands(struct draw *draw, enum rhw_result (*draw_band)
     for (draw->first_row = 0; draw->first_row < draw->view->height && result == RHW_OK;
          draw->first_row += draw->band_rows) {
         draw->frame.first_row = (float)draw->first_row;
-        result = draw_band(draw);
+        const bool goes_on = !draw->view->goes_on || draw->view->goes_on(draw->view->user);
+        result = goes_on ? draw_band(draw) : RHW_ERROR_UNSUPPORTED; // who gave it up looks at no result
     }
     return result;
 }

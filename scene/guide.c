@@ -58,9 +58,9 @@ struct scene_guide_rays scene_guide_rays(const struct scene_view *view)
     const double part = divisor(view);
     struct scene_guide_rays rays = {.orthographic = view->camera.orthographic};
     rays.ray[0] = 2.0 * part / view->width / projection[0];
-    rays.ray[1] = -1.0 / projection[0];
+    rays.ray[1] = (-1.0 - view->camera.shift[0]) / projection[0];
     rays.ray[2] = -2.0 * part / view->height / projection[5];
-    rays.ray[3] = 1.0 / projection[5];
+    rays.ray[3] = (1.0 - view->camera.shift[1]) / projection[5];
     for (int r = 0; r < 3; r++) {
         rays.eye[r] = view->camera.eye[r];
         for (int c = 0; c < 3; c++) {

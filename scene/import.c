@@ -377,7 +377,7 @@ void scene_import_run(struct scene_import *import)
 {
     struct scene_model *model = &import->model;
     set_directory(import);
-    scene_import_read(import);
+    import->read(import);
     if (import->variant != NULL && model->variant_count == 0) {
         scene_import_fail(import, "has no variants of its materials");
     }

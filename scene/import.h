@@ -39,8 +39,14 @@ struct scene_import_channels {
     int roughness_channel, metallic_channel;
 };
 
+struct scene_import;
+/// Fills the model from what import->model.path or import->arrays name.
+typedef void scene_import_reader(struct scene_import *import);
+
 struct scene_import {
-    struct scene_model model; // arrays grow in place; capacities below
+    scene_import_reader *read;
+    const struct scene_arrays *arrays; // NULL: a file is read
+    struct scene_model model;          // arrays grow in place; capacities below
     uint32_t mesh_capacity, material_capacity, image_capacity, instance_capacity, camera_capacity,
         light_capacity, warning_capacity, unsupported_capacity, source_capacity;
     struct scene_import_source *sources; // one per image
@@ -52,11 +58,12 @@ struct scene_import {
     const char *animation; // of the options
     double time;           // of the options, with is_posed
     bool is_posed, without_images;
-    uint32_t texture_side; // of the options
-    const char *confine;   // of the options, resolved; NULL: nothing is out of bounds
-    const char *missing;   // why scene_import_find_file gave NULL last
-    bool up_is_open;       // model.up is what is usual in the format; the model's shape decides
-    FILE *reply;           // what the parent reads
+    uint32_t texture_side;           // of the options
+    const char *confine;             // of the options, resolved; NULL: nothing is out of bounds
+    struct scene_progress *progress; // of the options
+    const char *missing;             // why scene_import_find_file gave NULL last
+    bool up_is_open;                 // model.up is what is usual in the format; the model's shape decides
+    FILE *reply;                     // what the parent reads
 };
 
 /// Sends one line to the parent and ends the process.
@@ -101,6 +108,10 @@ void scene_import_lay_image(struct scene_import *import, struct scene_image *ima
 
 /// Reads import->model.path by the reader it is for (import_kind.c).
 void scene_import_read(struct scene_import *import);
+/// Runs a reader in a child process (import_process.c), as scene_model_load does.
+struct scene_model *scene_import_start(const struct scene_import *import,
+                                       const struct scene_model_options *options, char *error,
+                                       size_t error_size);
 
 // The readers.
 bool scene_import_is_gltf(const char *path, const unsigned char *start, size_t size);

@@ -18,6 +18,7 @@
 #include <sys/resource.h>
 #include <sys/stat.h>
 #include <sys/wait.h>
+#include <time.h>
 #include <unistd.h>
 
 #include "import.h"
@@ -129,18 +130,20 @@ static void silence(void)
     }
 }
 
-_Noreturn static void run_child(const char *path, const struct scene_model_options *options, int descriptor)
+_Noreturn static void run_child(const struct scene_import *start, const struct scene_model_options *options,
+                                int descriptor)
 {
-    struct scene_import import = {.model.path = path,
-                                  .model.unit = "",
-                                  .name = options->name != NULL ? options->name : path,
-                                  .variant = options->variant,
-                                  .texture_side = options->texture_side,
-                                  .animation = options->animation,
-                                  .time = options->time,
-                                  .is_posed = options->is_posed,
-                                  .without_images = options->without_images,
-                                  .reply = fdopen(descriptor, "wb")};
+    struct scene_import import = *start;
+    import.model.unit = "";
+    import.name = options->name != NULL ? options->name : import.model.path;
+    import.variant = options->variant;
+    import.texture_side = options->texture_side;
+    import.animation = options->animation;
+    import.time = options->time;
+    import.is_posed = options->is_posed;
+    import.without_images = options->without_images;
+    import.progress = options->progress;
+    import.reply = fdopen(descriptor, "wb");
     if (import.reply == NULL) {
         abort();
     }
@@ -251,6 +254,13 @@ static struct scene_model *map_model(int descriptor, char *error, size_t error_s
     return model;
 }
 
+// A small part of a second: who waits and asks is not to take the child's processor, nor to add to its time.
+static void rest(void)
+{
+    const struct timespec pause = {.tv_nsec = 2000000};
+    nanosleep(&pause, NULL);
+}
+
 // The file that the child writes to. It must not stand where a closed standard output stood, which the child silences.
 static int make_reply(void)
 {
@@ -263,16 +273,33 @@ static int make_reply(void)
     return moved;
 }
 
-struct scene_model *scene_model_load(const char *path, const struct scene_model_options *options, char *error,
-                                     size_t error_size)
+// Waits for the child to end; kills it where nobody wants it any more. False with a line in `error`.
+static bool wait_for_child(pid_t child, const struct scene_model_options *options, int *status, char *error,
+                           size_t error_size)
 {
-    static const struct scene_model_options defaults = {0};
-    if (options == NULL) {
-        options = &defaults;
+    bool goes_on = true;
+    for (;;) {
+        const pid_t waited = waitpid(child, status, options->goes_on != NULL && goes_on ? WNOHANG : 0);
+        if (waited == child) {
+            return goes_on || refuse(error, error_size, "import was given up");
+        }
+        if (waited < 0 && errno != EINTR) {
+            return refuse(error, error_size, "import could not start: %s", strerror(errno));
+        }
+        if (waited == 0) {
+            rest();
+            goes_on = options->goes_on(options->user);
+            if (!goes_on) {
+                kill(child, SIGKILL);
+            }
+        }
     }
-    if (!file_acceptable(path, error, error_size)) {
-        return NULL;
-    }
+}
+
+struct scene_model *scene_import_start(const struct scene_import *import,
+                                       const struct scene_model_options *options, char *error,
+                                       size_t error_size)
+{
     const int descriptor = make_reply();
     if (descriptor < 0) {
         refuse(error, error_size, "import could not start: %s", strerror(errno));
@@ -280,23 +307,29 @@ struct scene_model *scene_model_load(const char *path, const struct scene_model_
     }
     const pid_t child = fork();
     if (child == 0) {
-        run_child(path, options, descriptor);
+        run_child(import, options, descriptor);
     }
     int status = 0;
-    pid_t waited = child;
-    if (child > 0) {
-        do {
-            waited = waitpid(child, &status, 0);
-        } while (waited < 0 && errno == EINTR);
-    }
     struct scene_model *model = NULL;
-    if (waited < 0) {
+    if (child < 0) {
         refuse(error, error_size, "import could not start: %s", strerror(errno));
-    } else if (child_finished(status, descriptor, options, error, error_size)) {
+    } else if (wait_for_child(child, options, &status, error, error_size) &&
+               child_finished(status, descriptor, options, error, error_size)) {
         model = map_model(descriptor, error, error_size);
     }
     close(descriptor);
     return model;
+}
+
+struct scene_model *scene_model_load(const char *path, const struct scene_model_options *options, char *error,
+                                     size_t error_size)
+{
+    static const struct scene_model_options defaults = {0};
+    if (!file_acceptable(path, error, error_size)) {
+        return NULL;
+    }
+    const struct scene_import import = {.read = scene_import_read, .model.path = path};
+    return scene_import_start(&import, options != NULL ? options : &defaults, error, error_size);
 }
 
 void scene_model_free(struct scene_model *model)

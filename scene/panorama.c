@@ -425,13 +425,15 @@ struct scene_panorama_pass scene_surroundings_background(const struct scene_surr
     scene_camera_view(camera, matrix);
     // An orthographic camera has no angle of view, but a background all of one colour would be no background.
     const double yfov = camera->orthographic ? scene_camera_default_yfov() : camera->yfov;
-    const double up = scene_tangent_of_half(yfov), right = up * view->width / view->height;
+    const double stretch = camera->stretch > 0.0 ? camera->stretch : 1.0;
+    const double up = scene_tangent_of_half(yfov), right = up * view->width / view->height / stretch;
     struct scene_panorama_pass pass = {.level = picture_level(s->panorama, 2.0 * up / view->height),
                                        .strength = s->environment.strength};
     for (int c = 0; c < 3; c++) {
         pass.axes[0][c] = (float)(matrix[4 * c] * right);
         pass.axes[1][c] = (float)(-matrix[4 * c + 1] * up);
-        pass.axes[2][c] = (float)-matrix[4 * c + 2];
+        pass.axes[2][c] = (float)(-matrix[4 * c + 2] - matrix[4 * c] * right * camera->shift[0] -
+                                  matrix[4 * c + 1] * up * camera->shift[1]);
     }
     set_turn(s->up, s->rotation, pass.turn);
     return pass;

@@ -148,7 +148,11 @@ static bool tell(const struct question *q, struct render *render)
         !cli_explain_draw(render, q->x, q->y, q->sample, &history, &explanation)) {
         return false;
     }
-    (q->is_json ? cli_explain_json : cli_explain_text)(&explanation);
+    if (q->is_json) {
+        cli_explain_json(&explanation);
+    } else {
+        cli_explain_text(stdout, &explanation);
+    }
     const bool told = !q->picture || cli_explain_picture(&explanation, q->picture);
     cli_history_free(&history);
     return told;
@@ -168,7 +172,7 @@ int cli_explain(int argc, char **argv)
         free(question.argv);
         return CLI_OK;
     }
-    if (cli_render_job_parse(&render.job, question.argc, question.argv, &status) &&
+    if (cli_render_job_parse(&render.job, &verb, question.argc, question.argv, &status) &&
         check(&question, &render.job)) {
         status = CLI_FAILED;
         if (cli_render_prepare(&render)) {

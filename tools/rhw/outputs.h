@@ -17,6 +17,9 @@ enum cli_output_kind {
     CLI_KIND_OBJECT,
     CLI_KIND_TRIANGLE,
     CLI_KIND_BARY,
+    CLI_KIND_OVERDRAW, ///< from here on what is no part of `all`
+    CLI_KIND_TILES,
+    CLI_KIND_PLAN,
     CLI_KIND_COUNT
 };
 
@@ -49,5 +52,10 @@ enum { CLI_EXR_CHANNELS_MAX = 32 };
 /// The channels of all `kinds`; returns their number.
 int cli_outputs_exr_channels(const struct scene_pictures *pictures, unsigned kinds,
                              struct cli_exr_channel channels[CLI_EXR_CHANNELS_MAX]);
+
+/// The camera, and the names of the ids of objects, which live as long as the model; free `about->objects`. False: there is
+/// not enough memory.
+bool cli_outputs_exr_describe(const struct scene_model *model, const struct scene_camera *camera,
+                              double aspect, struct cli_exr_about *about);
 
 #endif

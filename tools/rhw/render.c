@@ -26,7 +26,10 @@ static bool import_model(struct render *render)
                                                           .is_posed = job->is_posed || job->rate > 0.0,
                                                           .animation = job->animation,
                                                           .time = job->time,
-                                                          .texture_side = job->budget.texture});
+                                                          .texture_side = job->budget.texture,
+                                                          .progress = render->progress,
+                                                          .goes_on = render->goes_on,
+                                                          .user = render->user});
     render->times.import_ms = cli_milliseconds() - start;
     if (!render->model) {
         return false;
@@ -165,7 +168,7 @@ int cli_render(int argc, char **argv)
 {
     struct render render = {0};
     int status;
-    if (!cli_render_job_parse(&render.job, argc, argv, &status)) {
+    if (!cli_render_job_parse(&render.job, NULL, argc, argv, &status)) {
         return status;
     }
     if (!cli_render_prepare(&render)) {

@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include "render_camera.h"
 
-#include "elementary.h"
+#include "camera_frame.h"
 #include "message.h"
 
-#include <math.h>
 #include <stdio.h>
 #include <string.h>
 
@@ -57,41 +56,6 @@ static bool look_from_numbers(const struct cli_render_job *job, const struct sce
     return false;
 }
 
-// As a lens does: what is seen changes, where from does not.
-static void zoom(struct scene_camera *camera, double factor)
-{
-    if (camera->orthographic) {
-        camera->ymag /= factor;
-    } else {
-        camera->yfov = 2.0 * scene_atan(scene_tan(0.5 * camera->yfov) / factor);
-    }
-}
-
-// A camera with so narrow an angle of view that there is no perspective to speak of, moved to the model.
-static struct scene_camera fit_orthographic(const struct scene_model *model, struct scene_orbit orbit,
-                                            double aspect)
-{
-    const double narrow = 0.1 * degree;
-    struct scene_camera camera = scene_camera_fit(model, orbit, narrow, aspect);
-    double ahead[3], distance2 = 0.0;
-    for (int c = 0; c < 3; c++) {
-        ahead[c] = camera.target[c] - camera.eye[c];
-        distance2 += ahead[c] * ahead[c];
-    }
-    const double distance = sqrt(distance2);
-    camera.orthographic = true;
-    camera.ymag = distance * scene_tan(0.5 * narrow);
-    for (int c = 0; c < 3; c++) {
-        camera.eye[c] = camera.target[c] - ahead[c] / distance * 4.0 * camera.ymag;
-    }
-    if (orbit.turns) {
-        scene_camera_enclose_turn(&camera, model, &orbit);
-    } else {
-        scene_camera_enclose(&camera, model);
-    }
-    return camera;
-}
-
 // `turn_center` NULL: the model stands still.
 static struct scene_camera fit(const struct cli_render_job *job, const struct scene_model *model,
                                const double *turn_center)
@@ -106,16 +70,12 @@ static struct scene_camera fit(const struct cli_render_job *job, const struct sc
     if (turn_center) {
         memcpy(orbit.turn_center, turn_center, sizeof orbit.turn_center);
     }
-    const double yfov = job->fovy > 0.0f ? (double)job->fovy * degree : scene_camera_default_yfov();
-    const double aspect = (double)job->width / (double)job->height;
-    struct scene_camera camera = job->orthographic ? fit_orthographic(model, orbit, aspect)
-                                                   : scene_camera_fit(model, orbit, yfov, aspect);
-    const double margin = job->margin < 0.0 ? scene_camera_fit_margin() : job->margin;
-    const double factor = job->zoom * (1.0 - 2.0 * margin) / (1.0 - 2.0 * scene_camera_fit_margin());
-    if (factor < 1.0 || factor > 1.0) {
-        zoom(&camera, factor);
-    }
-    return camera;
+    const struct scene_framing framing = {.orbit = orbit,
+                                          .yfov = (double)job->fovy * degree,
+                                          .orthographic = job->orthographic,
+                                          .zoom = job->zoom,
+                                          .margin = job->margin};
+    return scene_camera_frame(model, &framing, (double)job->width / (double)job->height);
 }
 
 struct scene_camera cli_camera_fit(const struct cli_render_job *job, const struct scene_model *model)

@@ -103,36 +103,13 @@ bool cli_render_files_plan(struct render *render, int number)
            (cli_output_file_check(job->stats_path) && !cli_model_input_is(&render->input, job->stats_path));
 }
 
-// The camera, and the names of the ids of objects; free those.
-static bool describe(const struct render *render, struct cli_exr_about *about)
-{
-    const struct scene_camera *const camera = &render->view.camera;
-    const struct scene_model *const model = render->model;
-    double projection[16];
-    uint32_t largest = 0;
-    for (uint32_t i = 0; i < model->instance_count; i++) {
-        largest = model->instances[i].object > largest ? model->instances[i].object : largest;
-    }
-    *about = (struct cli_exr_about){.object_count = (int)largest,
-                                    .objects = calloc((size_t)largest + 1, sizeof *about->objects)};
-    scene_camera_view(camera, about->world_to_camera);
-    scene_camera_projection(camera, (double)render->view.width / render->view.height, projection);
-    scene_matrix_multiply(projection, about->world_to_camera, about->world_to_ndc);
-    for (uint32_t i = 0; about->objects && i < model->instance_count; i++) {
-        about->objects[model->instances[i].object - 1] = model->instances[i].name;
-    }
-    for (uint32_t i = 0; i < largest && about->objects; i++) {
-        about->objects[i] = about->objects[i] ? about->objects[i] : ""; // of nodes that are left out
-    }
-    return about->objects != NULL;
-}
-
 static bool encode_exr(struct render *render, struct cli_output_file *file)
 {
     struct cli_exr_channel channels[CLI_EXR_CHANNELS_MAX];
     const int count = cli_outputs_exr_channels(&render->pictures, render->job.kinds, channels);
     struct cli_exr_about about;
-    if (!describe(render, &about)) {
+    const double aspect = (double)render->view.width / render->view.height;
+    if (!cli_outputs_exr_describe(render->model, &render->view.camera, aspect, &about)) {
         cli_error(file->path, "out of memory");
         return false;
     }

@@ -11,6 +11,10 @@
 struct render {
     struct cli_render_job job;
     struct cli_model_input input;
+    // Of the import, as in struct scene_model_options:
+    struct scene_progress *progress;
+    bool (*goes_on)(void *user);
+    void *user;
     struct scene_model *model;
     struct scene_panorama panorama; // with job.environment
     rhw_context *context;

@@ -26,7 +26,7 @@ bool web_job_parse(struct cli_render_job *job, char *words, size_t size)
         argv[argc++] = word;
     }
     argv[argc] = NULL;
-    return cli_render_job_parse(job, argc, argv, &status);
+    return cli_render_job_parse(job, NULL, argc, argv, &status);
 }
 
 EMSCRIPTEN_KEEPALIVE void *web_allocate(size_t size)

@@ -143,7 +143,7 @@ EMSCRIPTEN_KEEPALIVE bool web_scene_explain(struct web_scene *scene, char *words
     }
     cli_explain_json(&explanation);
     puts("\f");
-    cli_explain_text(&explanation);
+    cli_explain_text(stdout, &explanation);
     fflush(stdout);
     cli_history_free(&history);
     return true;

@@ -1,0 +1,99 @@
+# SPDX-License-Identifier: MIT
+"""Arguments as arrays of the shape and type that the extension takes, or an exception that names argument and rule."""
+
+from __future__ import annotations
+
+from typing import Any, Optional, Sequence
+
+import numpy as np
+
+
+def _read(value: Any, name: str) -> np.ndarray:
+    """The array of an argument: NumPy's own, a buffer, or by DLPack one of another library that lies in main memory."""
+    if isinstance(value, np.ndarray):
+        return value
+    if hasattr(value, "__dlpack__") and not hasattr(value, "__array__"):
+        cpu = 1  # kDLCPU of dlpack.h
+        if value.__dlpack_device__()[0] != cpu:
+            raise TypeError(f"{name}: must lie in main memory, not on a device")
+        return np.from_dlpack(value)
+    try:
+        return np.asarray(value)
+    except Exception as error:
+        raise TypeError(f"{name}: cannot be read as an array: {error}") from error
+
+
+def _shape_text(shape: Sequence[Optional[int]]) -> str:
+    inner = ", ".join("N" if extent is None else str(extent) for extent in shape)
+    return f"({inner},)" if len(shape) == 1 else f"({inner})"
+
+
+def _check_shape(array: np.ndarray, name: str, shape: Sequence[Optional[int]]) -> None:
+    fits = array.ndim == len(shape) and all(
+        wanted is None or wanted == got for wanted, got in zip(shape, array.shape))
+    if not fits:
+        raise ValueError(f"{name}: must have the shape {_shape_text(shape)}, not {array.shape}")
+
+
+def floats(value: Any, name: str, shape: Sequence[Optional[int]], dtype: Any = np.float32) -> np.ndarray:
+    """A contiguous array of finite floats; None in `shape` is any extent."""
+    array = _read(value, name)
+    if array.dtype.kind not in "fiu":
+        raise TypeError(f"{name}: must be of numbers, not {array.dtype}")
+    _check_shape(array, name, shape)
+    with np.errstate(over="ignore"):
+        array = np.ascontiguousarray(array, dtype)
+    if not np.isfinite(array).all():
+        raise ValueError(f"{name}: every number must be finite, as {np.dtype(dtype)} too")
+    return array
+
+
+def indices(value: Any, name: str, shape: Sequence[Optional[int]], count: int) -> np.ndarray:
+    """A contiguous array of uint32, each below `count`."""
+    array = _read(value, name)
+    if array.dtype.kind not in "iu":
+        raise TypeError(f"{name}: must be of integers, not {array.dtype}")
+    _check_shape(array, name, shape)
+    if array.size and (int(array.min()) < 0 or int(array.max()) >= count):
+        worst = int(array.min()) if int(array.min()) < 0 else int(array.max())
+        raise ValueError(f"{name}: must lie between 0 and {count - 1}, the last of {count} vertices, not {worst}")
+    return np.ascontiguousarray(array, np.uint32)
+
+
+def texels(value: Any, name: str) -> np.ndarray:
+    """A contiguous (H, W, 4) array of uint8 of an image with 1, 3 or 4 channels."""
+    array = _read(value, name)
+    if array.dtype != np.uint8:
+        raise TypeError(f"{name}: must be of uint8, not {array.dtype}")
+    if array.ndim == 2:
+        array = array[:, :, None]
+    if array.ndim != 3 or array.shape[2] not in (1, 3, 4) or array.size == 0:
+        raise ValueError(f"{name}: must have the shape (H, W), (H, W, 3) or (H, W, 4), not {array.shape}")
+    full = np.full(array.shape[:2] + (4,), 255, np.uint8)
+    full[:, :, :3] = array[:, :, :3]
+    if array.shape[2] == 4:
+        full[:, :, 3] = array[:, :, 3]
+    return full
+
+
+def choice(value: Any, name: str, choices: Sequence[str]) -> int:
+    """The place of a name among those there are."""
+    if value not in choices:
+        raise ValueError(f"{name}: {value!r} is not one of {', '.join(choices)}")
+    return choices.index(value)
+
+
+def matrix(value: Any, name: str) -> np.ndarray:
+    """A (4, 4) matrix of float64 for column vectors; (3, 4) gets its last row."""
+    array = _read(value, name)
+    if array.shape == (3, 4):
+        array = np.vstack([array, [0, 0, 0, 1]])
+    return floats(array, name, (4, 4), np.float64)
+
+
+def product(a: np.ndarray, b: np.ndarray) -> np.ndarray:
+    """a @ b of (4, 4) matrices with its sums in a fixed order: libraries for linear algebra choose theirs by the machine."""
+    total = a[:, 0, None] * b[None, 0, :]
+    for k in range(1, 4):
+        total = total + a[:, k, None] * b[None, k, :]
+    return total

@@ -1,0 +1,196 @@
+# SPDX-License-Identifier: MIT
+"""Models from arrays, and from meshes and scenes as trimesh has them."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, replace
+from typing import Any, List, Optional, Sequence, Tuple
+
+import numpy as np
+
+from . import _arrays, _rhw
+
+_ALPHAS = ("opaque", "mask", "blend")
+
+
+def _linear(colors: Any, name: str, rows: int) -> np.ndarray:
+    """(rows, 4) linear float32 of colours: uint8 are sRGB, alpha is linear."""
+    array = np.asarray(colors)
+    if array.ndim != 2 or array.shape[0] != rows or array.shape[1] not in (3, 4):
+        raise ValueError(f"{name}: must have the shape ({rows}, 3) or ({rows}, 4), not {array.shape}")
+    full = np.ones((rows, 4), np.float32)
+    if array.dtype == np.uint8:
+        full[:, :3] = np.asarray(_rhw.srgb_light())[array[:, :3]]
+        if array.shape[1] == 4:
+            full[:, 3] = array[:, 3] / np.float32(255)
+    else:
+        full[:, :array.shape[1]] = _arrays.floats(array, name, array.shape)
+    return full
+
+
+def _color(value: Sequence[float], name: str, count: Tuple[int, ...]) -> Tuple[float, ...]:
+    array = np.asarray(value)
+    if array.shape not in [(each,) for each in count]:
+        raise ValueError(f"{name}: must have {' or '.join(map(str, count))} numbers, not {value!r}")
+    numbers = _arrays.floats(array, name, array.shape).tolist()
+    if min(numbers) < 0:
+        raise ValueError(f"{name}: no number may be negative, not {value!r}")
+    return tuple(numbers)
+
+
+def _part(value: float, name: str) -> float:
+    if not 0 <= value <= 1:
+        raise ValueError(f"{name}: must lie between 0 and 1, not {value!r}")
+    return float(value)
+
+
+@dataclass(frozen=True)
+class Surface:
+    """What a material is made of, as Model has it."""
+
+    color: Sequence[float]
+    metallic: float
+    roughness: float
+    emissive: Sequence[float]
+    alpha: Optional[str]
+    double_sided: bool
+    unlit: bool
+    texture: Optional[np.ndarray] = None
+
+    def textured(self, texture: Any) -> "Surface":
+        return self if texture is None else replace(self, texture=_arrays.texels(texture, "texture"))
+
+    def row(self, name: str, image: int) -> Tuple[Any, ...]:
+        color = _color(self.color, "color", (3, 4))
+        color = color if len(color) == 4 else color + (1.0,)
+        seen_through = color[3] < 1 or (self.texture is not None and bool((self.texture[:, :, 3] < 255).any()))
+        alpha = self.alpha or ("blend" if seen_through else "opaque")
+        return (name, color, _color(self.emissive, "emissive", (3,)), _part(self.metallic, "metallic"),
+                _part(self.roughness, "roughness"), _arrays.choice(alpha, "alpha", _ALPHAS), 0.5, self.unlit,
+                self.double_sided, image)
+
+
+class Geometry:
+    """Arrays of one mesh in the shape that the extension takes."""
+
+    def __init__(self, vertices: Any, faces: Any, normals: Any, uv: Any, colors: Any, face_colors: Any, smooth: bool):
+        self.smooth = smooth
+        self.vertices = _arrays.floats(vertices, "vertices", (None, 3))
+        count = len(self.vertices)
+        if count == 0:
+            raise ValueError("vertices: there are none")
+        self.corners = 3
+        self.faces: Optional[np.ndarray] = None
+        if faces is not None:
+            shape = np.shape(faces)
+            self.corners = shape[1] if len(shape) == 2 and shape[1] in (1, 2, 3) else 3
+            self.faces = _arrays.indices(faces, "faces", (None, self.corners), count)
+            if len(self.faces) == 0:
+                raise ValueError("faces: there are none")
+        elif count % 3:
+            raise ValueError(f"faces: without them the vertices must be whole triangles, not {count} vertices")
+        self.normals = None if normals is None else _arrays.floats(normals, "normals", (count, 3))
+        self.uv = None if uv is None else _arrays.floats(uv, "uv", (count, 2))
+        self.colors = None if colors is None else _linear(colors, "colors", count)
+        if face_colors is not None:
+            self._split(face_colors)
+
+    def _split(self, face_colors: Any) -> None:
+        """Gives every corner a vertex of its own, so that a face has one colour."""
+        if self.colors is not None:
+            raise ValueError("face_colors: there are colors too")
+        if self.faces is not None:
+            flat = self.faces.reshape(-1)
+            if self.normals is None and self.smooth and self.corners == 3:
+                self.normals = _smooth_normals(self.vertices, self.faces)
+            self.vertices = np.ascontiguousarray(self.vertices[flat])
+            self.normals = None if self.normals is None else np.ascontiguousarray(self.normals[flat])
+            self.uv = None if self.uv is None else np.ascontiguousarray(self.uv[flat])
+            self.faces = np.arange(len(flat), dtype=np.uint32).reshape(-1, self.corners)
+        rows = len(self.vertices) // self.corners
+        self.colors = np.repeat(_linear(face_colors, "face_colors", rows), self.corners, axis=0)
+
+    def row(self, name: str, material: int) -> Tuple[Any, ...]:
+        return (name, self.corners, self.smooth, material, self.vertices, self.normals, self.uv, self.colors,
+                self.faces)
+
+
+def _smooth_normals(vertices: np.ndarray, faces: np.ndarray) -> np.ndarray:
+    """The mean of the normals around each vertex, by area."""
+    corners = vertices.astype(np.float64)[faces]
+    areas = np.cross(corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 0])
+    sums = np.zeros((len(vertices), 3))
+    for corner in range(3):
+        np.add.at(sums, faces[:, corner], areas)
+    lengths = np.sqrt((sums * sums).sum(axis=1, keepdims=True))
+    return np.where(lengths > 0, sums / np.where(lengths > 0, lengths, 1), (0, 0, 1)).astype(np.float32)
+
+
+class Arrays:
+    """Meshes, materials, images and instances on their way to the extension."""
+
+    def __init__(self, name: str):
+        self._name = name
+        self._meshes: List[Tuple[Any, ...]] = []
+        self._materials: List[Tuple[Any, ...]] = []
+        self._images: List[Tuple[Any, ...]] = []
+        self._instances: List[Tuple[Any, ...]] = []
+
+    def place(self, mesh: int, world: np.ndarray, name: str) -> None:
+        matrix = np.ascontiguousarray(_arrays.matrix(world, "world").T.astype(np.float32))
+        self._instances.append((name, mesh, matrix))
+
+    def add_mesh(self, geometry: Geometry, surface: Surface, name: str) -> int:
+        image = -1
+        if surface.texture is not None:
+            if geometry.uv is None:
+                raise ValueError("texture: needs uv, which say where on it the vertices lie")
+            image = len(self._images)
+            self._images.append((name, surface.texture))
+        self._meshes.append(geometry.row(name, len(self._materials)))
+        self._materials.append(surface.row(name, image))
+        return len(self._meshes) - 1
+
+    def add(self, geometry: Geometry, surface: Surface, world: np.ndarray, name: str) -> None:
+        self.place(self.add_mesh(geometry, surface, name), world, name)
+
+    def add_trimesh(self, mesh: Any, surface: Surface, smooth: bool, world: np.ndarray) -> None:
+        geometry, painted = _from_trimesh(mesh, surface, smooth)
+        self.add(geometry, painted, world, self._name)
+
+    def add_scene(self, scene: Any, surface: Surface, smooth: bool) -> None:
+        numbers = {}
+        for name, mesh in scene.geometry.items():
+            if hasattr(mesh, "faces"):
+                numbers[name] = self.add_mesh(*_from_trimesh(mesh, surface, smooth), str(name))
+        for node in scene.graph.nodes_geometry:
+            world, name = scene.graph[node]
+            if name in numbers:
+                self.place(numbers[name], world, str(node))
+        if not self._instances:
+            raise ValueError("scene: it has no node with a mesh of triangles")
+
+    def make(self, up: int) -> Any:
+        return _rhw.make(self._name, up, tuple(self._meshes), tuple(self._materials), tuple(self._images),
+                         tuple(self._instances))
+
+
+def _texture_of(material: Any) -> Optional[np.ndarray]:
+    for name in ("baseColorTexture", "image"):
+        image = getattr(material, name, None)
+        if image is not None:
+            return np.array(image.convert("RGBA")) if hasattr(image, "convert") else np.asarray(image)
+    return None
+
+
+def _from_trimesh(mesh: Any, surface: Surface, smooth: bool) -> Tuple[Geometry, Surface]:
+    visual = getattr(mesh, "visual", None)
+    kind = getattr(visual, "kind", None)
+    uv = getattr(visual, "uv", None) if kind == "texture" else None
+    texture = _texture_of(getattr(visual, "material", None)) if uv is not None else None
+    geometry = Geometry(mesh.vertices, mesh.faces, None,
+                        None if uv is None else np.asarray(uv, np.float64) * (1, -1) + (0, 1),  # its v points up
+                        visual.vertex_colors if kind == "vertex" else None,
+                        visual.face_colors if kind == "face" else None, smooth)
+    painted = kind in ("vertex", "face") or texture is not None
+    return geometry, (replace(surface, color=(1, 1, 1)) if painted else surface).textured(texture)

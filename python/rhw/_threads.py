@@ -1,0 +1,28 @@
+# SPDX-License-Identifier: MIT
+"""The context of each thread, made when it is first needed."""
+
+from __future__ import annotations
+
+import os
+import threading
+
+from . import _rhw
+
+_local = threading.local()
+
+
+def _forget() -> None:
+    # In a forked child the threads of the parent's contexts are not there.
+    global _local
+    _local = threading.local()
+
+
+os.register_at_fork(after_in_child=_forget)
+
+
+def context() -> _rhw.Context:
+    """The calling thread's context."""
+    found = getattr(_local, "context", None)
+    if found is None:
+        found = _local.context = _rhw.Context()
+    return found

@@ -1,0 +1,232 @@
+# SPDX-License-Identifier: MIT
+"""Where a picture is taken from."""
+
+from __future__ import annotations
+
+import math
+from typing import TYPE_CHECKING, Any, Callable, Optional, Sequence, Tuple, Union
+
+import numpy as np
+
+from . import _arrays, _rhw
+
+if TYPE_CHECKING:
+    from .model import Model
+
+AXES = ("y", "z", "x", "-y", "-z", "-x")  #: what may be up, in the order of the extension
+
+_DEGREE = math.pi / 180
+
+
+def axis(up: Optional[str]) -> int:
+    """The number of an axis; -1, the model's own, for None."""
+    return -1 if up is None else _arrays.choice(up, "up", AXES)
+
+
+def _vector(value: Any, name: str) -> Tuple[float, float, float]:
+    return tuple(_arrays.floats(value, name, (3,), np.float64).tolist())  # type: ignore[return-value]
+
+
+def _number(value: Any, name: str, least: float, most: float) -> float:
+    try:
+        number = float(value)
+    except (TypeError, ValueError):
+        raise TypeError(f"{name}: must be a number, not {value!r}") from None
+    if not least <= number <= most:
+        raise ValueError(f"{name}: must lie between {least:g} and {most:g}, not {number:g}")
+    return number
+
+
+class View:
+    """A camera as it takes a certain picture of a certain model.
+
+    view: (4, 4) float64, world to camera, which looks along its -z with y up.
+    projection: (4, 4) float64, camera to clip space, whose depth is 0 near and 1 far.
+    matrix: projection @ view. All are for column vectors.
+    """
+
+    def __init__(self, numbers: Tuple[Any, ...], width: int, height: int):
+        self.numbers = numbers
+        pair = np.asarray(_rhw.camera_matrices(numbers, width / height))
+        self.view = np.ascontiguousarray(pair[0].T)
+        self.projection = np.ascontiguousarray(pair[1].T)
+        self.matrix = _arrays.product(self.projection, self.view)
+
+    @property
+    def eye(self) -> np.ndarray:
+        """(3,) float64: where the camera stands."""
+        return np.array(self.numbers[0])
+
+    @property
+    def orthographic(self) -> bool:
+        return bool(self.numbers[3])
+
+    @property
+    def near(self) -> float:
+        """The distance of the near plane along the view."""
+        return float(self.numbers[6])
+
+    @property
+    def far(self) -> float:
+        """The distance of the far plane; infinity where there is none."""
+        return float(self.numbers[7]) or math.inf
+
+
+_Resolve = Callable[["Model", int, int], Tuple[Any, ...]]
+
+
+class Camera:
+    """Where a picture is taken from and through which lens; made by one of the functions below.
+
+    >>> rhw.Camera.fit()                                      # as `rhw render --fit`
+    >>> rhw.Camera.orbit(215, 22, margin=12)                  # --orbit 215,22 --margin 12
+    >>> rhw.Camera.look_at((3, 2, 5), (0, 0, 0), fovy=40)     # --camera
+    >>> rhw.Camera.of_model(0)                                # --camera-index; a string: --camera-name
+    >>> rhw.Camera.from_matrix(pose, fovy=40)                 # camera to world, looking along -z, y up
+    >>> rhw.Camera.intrinsics(fx, fy, cx, cy, extrinsic)      # as OpenCV means them
+
+    Angles are degrees. Near and far planes lie around the model unless they are given.
+    """
+
+    def __init__(self, resolve: _Resolve, text: str):
+        self._resolve = resolve
+        self._text = text
+
+    def __repr__(self) -> str:
+        return f"rhw.Camera.{self._text}"
+
+    def at(self, model: "Model", size: Union[int, Tuple[int, int]]) -> View:
+        """The camera as it takes a picture of that size, (width, height), of the model."""
+        width, height = (size, size) if isinstance(size, int) else size
+        return View(self._resolve(model, width, height), width, height)
+
+    @classmethod
+    def fit(cls, **options: Any) -> "Camera":
+        """As near as it can be with all of the model in the picture, from the angle that shows it best.
+
+        Takes the options of `orbit`.
+        """
+        return cls._fitted(None, "fit", options)
+
+    @classmethod
+    def orbit(cls, azimuth: float, elevation: float = 20.0, **options: Any) -> "Camera":
+        """As near as it can be with all of the model in the picture, from a given angle.
+
+        azimuth, elevation: 0, 0 looks at the model's front; 90, 0 from its left hand side; elevation 90 straight down.
+        up: 'y', 'z', 'x', '-y', '-z' or '-x'; None: what the model's format says.
+        whole: also what is far from the rest, as a ground or a sky.
+        fovy: the angle from the bottom to the top of the picture, 0.01 to 179; None: 30.
+        orthographic: without perspective.
+        zoom: what is seen is so many times as large, 0.01 to 100.
+        margin: percent of the picture that stay free on each side, 0 to 45; None: 4.
+        """
+        angles = (_number(azimuth, "azimuth", -1e6, 1e6), _number(elevation, "elevation", -1e6, 1e6))
+        return cls._fitted(angles, f"orbit({azimuth}, {elevation})", options)
+
+    @classmethod
+    def _fitted(cls, angles: Optional[Tuple[float, float]], text: str, options: dict) -> "Camera":
+        def fit(up: Optional[str] = None, whole: bool = False, fovy: Optional[float] = None,
+                orthographic: bool = False, zoom: float = 1.0, margin: Optional[float] = None) -> _Resolve:
+            degrees = 0.0 if fovy is None else float(np.float32(_number(fovy, "fovy", 0.01, 179)))
+            part = -1.0 if margin is None else _number(margin, "margin", 0, 45) / 100
+            larger = _number(zoom, "zoom", 0.01, 100)
+            number = axis(up)
+            return lambda model, width, height: _rhw.camera_fit(
+                model._model, width / height, angles, number, whole, degrees, orthographic, larger, part)
+
+        return cls(fit(**options), text)
+
+    @classmethod
+    def look_at(cls, eye: Sequence[float], target: Sequence[float], up: Sequence[float] = (0, 1, 0),
+                fovy: float = 30.0) -> "Camera":
+        """From a point to a point. `up` need not be at a right angle to the view; fovy: 0.01 to 179 degrees."""
+        vectors = _vector(eye, "eye"), _vector(target, "target"), _vector(up, "up")
+        degrees = _number(fovy, "fovy", 0.01, 179)
+        return cls(lambda model, width, height: _rhw.camera_look(model._model, *vectors, degrees),
+                   f"look_at({eye}, {target})")
+
+    @classmethod
+    def of_model(cls, which: Union[int, str] = 0) -> "Camera":
+        """A camera of the file, by number or name. All of what it frames is in the picture, whatever its shape."""
+        def resolve(model: "Model", width: int, height: int) -> Tuple[Any, ...]:
+            names = [camera.name for camera in model.cameras]
+            if isinstance(which, str) and which in names:
+                return _rhw.camera_of_file(model._model, width / height, names.index(which))
+            if not isinstance(which, str) and 0 <= which < len(names):
+                return _rhw.camera_of_file(model._model, width / height, which)
+            raise ValueError(f"camera: the model has {len(names)} cameras, and {which!r} is none of them")
+
+        return cls(resolve, f"of_model({which!r})")
+
+    @classmethod
+    def from_matrix(cls, pose: Any, fovy: float = 30.0, *, height: Optional[float] = None,
+                    near: Optional[float] = None, far: Optional[float] = None) -> "Camera":
+        """From a pose, as glTF, OpenGL, trimesh and pyrender have them.
+
+        pose: (4, 4) or (3, 4), camera to world for column vectors; the camera looks along its -z with y up. Turned and
+        moved, not scaled.
+        fovy: degrees. height: of the picture in the world, for a camera without perspective, instead of fovy.
+        """
+        world = _arrays.matrix(pose, "pose")
+        _check_turn(world, "pose")
+        numbers = _posed(world[:3, 3], -world[:3, 2], world[:3, 1])
+        lens = (False, _number(fovy, "fovy", 0.01, 179) * _DEGREE, 0.0)
+        if height is not None:
+            lens = (True, 0.0, 0.5 * _number(height, "height", 1e-30, 1e30))
+        return cls(_planes(lambda width, height: (*numbers, *lens, 0.0, 0.0, 1.0, (0.0, 0.0)), near, far),
+                   "from_matrix(...)")
+
+    @classmethod
+    def intrinsics(cls, fx: float, fy: float, cx: float, cy: float, extrinsic: Any = None, *,
+                   near: Optional[float] = None, far: Optional[float] = None) -> "Camera":
+        """A camera as OpenCV means it.
+
+        fx, fy, cx, cy: in pixels of the picture that is drawn; (0, 0) is the middle of the pixel at the top left.
+        extrinsic: (4, 4) or (3, 4), world to camera for column vectors; x right, y down, z forward. None: the camera
+        stands at the origin.
+        A point at (X, Y, Z) before the camera is drawn at column fx X / Z + cx, row fy Y / Z + cy.
+        """
+        fx, fy = _number(fx, "fx", 1e-6, 1e9), _number(fy, "fy", 1e-6, 1e9)
+        cx, cy = _number(cx, "cx", -1e9, 1e9), _number(cy, "cy", -1e9, 1e9)
+        view = np.eye(4) if extrinsic is None else _arrays.matrix(extrinsic, "extrinsic")
+        _check_turn(view, "extrinsic")
+        rows, moved = view[:3, :3].tolist(), view[:3, 3].tolist()
+        eye = [-sum(rows[r][c] * moved[r] for r in range(3)) for c in range(3)]
+        numbers = _posed(eye, view[2, :3], -view[1, :3])
+
+        def lens(width: int, height: int) -> Tuple[Any, ...]:
+            # OpenCV counts from the middle of the first pixel, the pipeline from its corner.
+            shift = (2 * (cx + 0.5) / width - 1, 1 - 2 * (cy + 0.5) / height)
+            return (*numbers, False, _rhw.lens_angle(height, fy), 0.0, 0.0, 0.0, fx / fy, shift)
+
+        return cls(_planes(lens, near, far), f"intrinsics({fx}, {fy}, {cx}, {cy})")
+
+
+def _check_turn(matrix: np.ndarray, name: str) -> None:
+    turn = matrix[:3, :3]
+    if np.abs(turn @ turn.T - np.eye(3)).max() > 1e-3 or np.linalg.det(turn) < 0:
+        raise ValueError(f"{name}: must turn and move, not scale, shear or mirror")
+
+
+def _posed(eye: Any, ahead: Any, up: Any) -> Tuple[Tuple[float, ...], ...]:
+    stands = [float(value) for value in eye]
+    return (tuple(stands), tuple(a + float(b) for a, b in zip(stands, ahead)), tuple(float(value) for value in up))
+
+
+def _planes(lens: Callable[[int, int], Tuple[Any, ...]], near: Optional[float],
+            far: Optional[float]) -> _Resolve:
+    """Puts planes that were not given around the model."""
+    if near is not None:
+        near = _number(near, "near", 1e-30, 1e30)
+    if far is not None:
+        far = _number(far, "far", 1e-30, math.inf)
+
+    def resolve(model: "Model", width: int, height: int) -> Tuple[Any, ...]:
+        numbers = list(_rhw.camera_enclose(model._model, lens(width, height)))
+        if near is not None:
+            numbers[6] = near
+        if far is not None:
+            numbers[7] = 0.0 if math.isinf(far) else far
+        return tuple(numbers)
+
+    return resolve

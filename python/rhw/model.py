@@ -1,0 +1,354 @@
+# SPDX-License-Identifier: MIT
+"""Models: read from files or made from arrays, and drawn."""
+
+from __future__ import annotations
+
+import math
+import os
+import threading
+import warnings
+from dataclasses import dataclass
+from typing import Any, Dict, Iterable, List, Optional, Sequence, Tuple, Union
+
+import numpy as np
+
+from . import _arrays, _rhw, _threads
+from .camera import AXES, Camera, axis
+from .pictures import OUTPUTS, Pictures
+
+
+@dataclass(frozen=True)
+class Mesh:
+    """One kind of primitive and one material. Arrays are read-only views of the model's memory; None: there are none.
+
+    vertices (N, 3), normals (N, 3), tangents (N, 4), uv and uv2 (N, 2), colors (N, 4): float32. uv: u right, v down.
+    colors: linear RGBA, which multiply the material's. faces (M, 3), of lines (M, 2), of points (M, 1): uint32.
+    material: the number of one of Model.materials.
+    """
+
+    name: str
+    material: int
+    vertices: np.ndarray
+    faces: np.ndarray
+    normals: Optional[np.ndarray]
+    tangents: Optional[np.ndarray]
+    uv: Optional[np.ndarray]
+    uv2: Optional[np.ndarray]
+    colors: Optional[np.ndarray]
+
+
+@dataclass(frozen=True)
+class Material:
+    """Metallic-roughness as glTF 2.0 defines it; other models of shading become that when they are read.
+
+    textures: numbers of Model.images by what they are for: 'base_color', 'metallic_roughness', 'normal', ...
+    """
+
+    name: str
+    base_color: Tuple[float, float, float, float]
+    metallic: float
+    roughness: float
+    emissive: Tuple[float, float, float]
+    alpha_mode: str
+    alpha_cutoff: float
+    unlit: bool
+    double_sided: bool
+    textures: Dict[str, int]
+
+
+@dataclass(frozen=True)
+class Image:
+    """texels: (H, W, 4) uint8, uint16 or float32. missing: it could not be read, and this stands in its place."""
+
+    name: str
+    texels: np.ndarray
+    missing: bool
+
+
+@dataclass(frozen=True)
+class Node:
+    """A mesh in the world. `object` is the number that the output `object` shows; a node whose mesh has several materials
+    is here several times with the same one. world: (4, 4) float32 for column vectors."""
+
+    name: str
+    mesh: int
+    object: int
+    world: np.ndarray
+
+
+@dataclass(frozen=True)
+class ModelCamera:
+    """A camera of the file, which looks along its own -z with +y up. yfov: radians; zfar 0: infinitely far."""
+
+    name: str
+    world: np.ndarray
+    orthographic: bool
+    yfov: float
+    aspect: float
+    xmag: float
+    ymag: float
+    znear: float
+    zfar: float
+
+
+@dataclass(frozen=True)
+class Light:
+    """KHR_lights_punctual. type: 'directional', 'point' or 'spot'; direction: the way the light travels."""
+
+    name: str
+    type: str
+    position: Tuple[float, float, float]
+    direction: Tuple[float, float, float]
+    color: Tuple[float, float, float]
+    intensity: float
+    range: float
+    inner_cos: float
+    outer_cos: float
+
+
+@dataclass(frozen=True)
+class Animation:
+    """A movement that the file has; rhw.load shows a moment of it."""
+
+    name: str
+    seconds: float
+
+
+def _view(memory: Any) -> Optional[np.ndarray]:
+    return None if memory is None else np.asarray(memory)
+
+
+def _mesh(about: Dict[str, Any]) -> Mesh:
+    arrays = ("vertices", "faces", "normals", "tangents", "uv", "uv2", "colors")
+    return Mesh(name=about["name"], material=about["material"], **{key: _view(about[key]) for key in arrays})
+
+
+def _placed(about: Dict[str, Any]) -> Dict[str, Any]:
+    return {**about, "world": np.asarray(about["world"]).T}
+
+
+#: How light becomes a picture, the lights, and the rest of what `render` chooses from, in the order of the extension.
+_TONES = ("neutral", "aces", "agx", "none")
+_LIGHTS = ("file", "default", "none")
+_TRANSPARENCIES = ("sorted", "exact")
+_WIREFRAMES = ("none", "over", "plain")
+_INTERPOLATIONS = ("smooth", "noperspective")
+_BACKGROUNDS = {"default": 0, "transparent": 3}
+
+Size = Union[int, Tuple[int, int]]
+
+
+class Model:
+    """A model, read by `rhw.load` or made here from arrays.
+
+    >>> model = rhw.Model(vertices, faces)                      # (N, 3) and (M, 3) arrays
+    >>> model = rhw.Model(vertices, faces, colors=rgb, smooth=False)
+    >>> model = rhw.Model(vertices, faces, uv=uv, texture=image, roughness=0.4)
+    >>> model = rhw.Model(mesh)                                 # a trimesh.Trimesh, trimesh.Scene or what looks like one
+    >>> model.render(400)["depth"]
+
+    vertices: (N, 3) floats, or an object with `vertices` and `faces`, or a scene with `geometry` and `graph`, as those of
+      trimesh.
+    faces: (M, 3) integers, of triangles whose front is counter-clockwise; (M, 2): of lines; (M, 1): of points. None: the
+      vertices are triangles in their order.
+    normals: (N, 3). None: they are made, smooth across edges that are not sharp, or flat with smooth=False.
+    uv: (N, 2), u right, v down as the rows of an image. texture: (H, W), (H, W, 3) or (H, W, 4) uint8, sRGB.
+    colors: (N, 3) or (N, 4) for vertices, or (M, 3), (M, 4) for faces, where face_colors says so: uint8 are sRGB, floats
+      linear, 0 to 1.
+    color: (r, g, b) or (r, g, b, a), linear, of all of it. metallic, roughness: 0 to 1. emissive: (r, g, b).
+    alpha: 'opaque', 'mask' (below 0.5 is cut out) or 'blend'; None: 'blend' where `color` or `texture` is not opaque.
+    double_sided: its back is seen too. unlit: shows its colours as they are.
+    up: what is up in the world, 'y', 'z', ...
+
+    Triangle k of `faces` is k + 1 in the output `triangle`. Arrays are copied. A Model may be drawn by several threads at
+    once: each draws it in its own context.
+
+    Attributes, all read-only: meshes, materials, images, nodes, cameras, lights, animations (tuples); variants, warnings,
+    unsupported (tuples of str); path, format, unit, up (str); bounds ((2, 3) float32, least and most in the world).
+    """
+
+    def __init__(self, vertices: Any, faces: Any = None, *, normals: Any = None, uv: Any = None, colors: Any = None,
+                 face_colors: Any = None, texture: Any = None, color: Sequence[float] = (0.8, 0.8, 0.8),
+                 metallic: float = 0.0, roughness: float = 0.6, emissive: Sequence[float] = (0, 0, 0),
+                 alpha: Optional[str] = None, double_sided: bool = True, unlit: bool = False, smooth: bool = True,
+                 up: str = "y", name: str = "array"):
+        from . import _make  # which knows Model too
+
+        surface = _make.Surface(color=color, metallic=metallic, roughness=roughness, emissive=emissive, alpha=alpha,
+                                double_sided=double_sided, unlit=unlit)
+        arrays = _make.Arrays(name)
+        if hasattr(vertices, "geometry") and hasattr(vertices, "graph"):
+            arrays.add_scene(vertices, surface, smooth)
+        elif hasattr(vertices, "vertices"):
+            arrays.add_trimesh(vertices, surface, smooth, np.eye(4))
+        else:
+            mesh = _make.Geometry(vertices, faces, normals, uv, colors, face_colors, smooth)
+            arrays.add(mesh, surface.textured(texture), np.eye(4), name)
+        self._take(arrays.make(_arrays.choice(up, "up", AXES)))
+
+    def _take(self, model: Any) -> None:
+        self._model = model
+        self._local = threading.local()
+        about = _rhw.describe(model)
+        self.path: str = about["path"]
+        self.format: str = about["format"]
+        self.unit: str = about["unit"]
+        self.up: str = AXES[about["up"]]
+        self.meshes = tuple(map(_mesh, about["meshes"]))
+        self.materials = tuple(Material(**each) for each in about["materials"])
+        self.images = tuple(Image(each["name"], np.asarray(each["texels"]), each["missing"]) for each in about["images"])
+        self.nodes = tuple(Node(**_placed(each)) for each in about["nodes"])
+        self.cameras = tuple(ModelCamera(**_placed(each)) for each in about["cameras"])
+        self.lights = tuple(Light(**each) for each in about["lights"])
+        self.animations = tuple(Animation(**each) for each in about["animations"])
+        self.variants: Tuple[str, ...] = about["variants"]
+        self.warnings: Tuple[str, ...] = about["warnings"]
+        self.unsupported: Tuple[str, ...] = about["unsupported"]
+        self.bounds_tuples = (about["bounds_min"], about["bounds_max"])
+
+    @property
+    def bounds(self) -> np.ndarray:
+        """(2, 3) float32: the least and the greatest corner of all nodes, in the world."""
+        return np.array(self.bounds_tuples, np.float32)
+
+    def __repr__(self) -> str:
+        triangles = sum(len(self.meshes[node.mesh].faces) for node in self.nodes)
+        return f"<rhw.Model {self.path!r}: {len(self.nodes)} nodes, {triangles} faces, {len(self.materials)} materials>"
+
+    def render(self, size: Size = (1280, 720), camera: Optional[Camera] = None, *,
+               outputs: Union[str, Iterable[str]] = ("color",), samples: int = 4, supersample: int = 1,
+               background: Union[str, Sequence[int]] = "default", lights: str = "file", shadows: bool = True,
+               ground: bool = False, ambient_occlusion: bool = True, tone: str = "neutral", exposure: float = 0.0,
+               transparency: str = "sorted", wireframe: str = "none", interpolate: str = "smooth",
+               up: Optional[str] = None, context: Optional[_rhw.Context] = None) -> Pictures:
+        """Draws the model. The arrays hold the numbers that `rhw render` with the same options writes.
+
+        size: (width, height), or one number for both, 1 to 16384.
+        camera: see Camera; None: the first one of the file or, where it has none that shows the model, Camera.fit().
+        outputs: names of pictures, see Pictures: 'color', 'depth', 'distance', 'normal', 'position', 'uv', 'object',
+          'triangle', 'barycentric', 'linear', 'display'.
+        samples: of a pixel, 1, 2, 4, 8 or 16. supersample: pixels that are drawn for one, 1, 4, 9 or 16.
+        background: 'default', 'transparent', or (r, g, b) of 0 to 255.
+        lights: 'file', 'default' (a studio instead of those of the file) or 'none' (its surroundings alone).
+        shadows; ground: a shadow below the model; ambient_occlusion.
+        tone: 'neutral', 'aces', 'agx' or 'none'. exposure: stops, -20 to 20.
+        transparency: 'sorted' or 'exact'. wireframe: 'none', 'over' or 'plain'.
+        interpolate: 'smooth', or 'noperspective' to see why one divides by w.
+        up: where the sky is; None: as the model says.
+        context: the threads that draw; None: the calling thread's own.
+
+        The interpreter's lock is released meanwhile; Ctrl-C ends the draw of a large picture between its bands.
+        """
+        width, height = _size(size)
+        names = _outputs(outputs)
+        chosen = Camera.fit() if camera is None else camera
+        tuple_of = chosen._resolve(self, width, height)
+        of_file = False
+        if camera is None and self.cameras:
+            tuple_of, of_file = self._first_camera(tuple_of, width, height)
+        kind, color = _background(background)
+        scene, threads = self._scene(context)
+
+        def draw_some(numbers: Tuple[Any, ...], some: List[str]) -> Tuple[Dict[str, Any], int]:
+            return scene.draw((width, height), int(samples), int(supersample), numbers, axis(up),
+                              _arrays.choice(interpolate, "interpolate", _INTERPOLATIONS),
+                              _arrays.choice(wireframe, "wireframe", _WIREFRAMES), kind, color,
+                              _arrays.choice(lights, "lights", _LIGHTS), shadows, ground, ambient_occlusion,
+                              _arrays.choice(transparency, "transparency", _TRANSPARENCIES),
+                              _arrays.choice(tone, "tone", _TONES), float(exposure),
+                              sum(OUTPUTS[each] for each in some))
+
+        def draw(numbers: Tuple[Any, ...]) -> Tuple[Dict[str, Any], int]:
+            # Beside `display` the colours would be rounded from it, and not be those of the program.
+            apart = [["display"]] if {"color", "display"} <= set(names) else []
+            first, rasterized = draw_some(numbers, [each for each in names if [each] not in apart])
+            for some in apart:
+                first.update(draw_some(numbers, some)[0])
+            return first, rasterized
+
+        drawn, rasterized = draw(tuple_of)
+        if rasterized == 0 and of_file:
+            warnings.warn(f"{self.path}: its camera sees nothing of the model, which is fitted instead", stacklevel=2)
+            tuple_of = chosen._resolve(self, width, height)
+            drawn, rasterized = draw(tuple_of)
+        elif rasterized == 0:
+            warnings.warn(f"{self.path}: nothing of the model is in the picture", stacklevel=2)
+        from .camera import View
+
+        arrays = {each: np.asarray(drawn[each]) for each in names}
+        return Pictures(arrays, (width, height), View(tuple_of, width, height), self, kind == 3, threads)
+
+    def _first_camera(self, fitted: Tuple[Any, ...], width: int, height: int) -> Tuple[Tuple[Any, ...], bool]:
+        """The file's first camera, unless it is of a format whose cameras are often wrong and sees next to nothing."""
+        numbers = _rhw.camera_of_file(self._model, width / height, 0)
+        believable, _ = _rhw.camera_judge(self._model, numbers, width / height)
+        return (numbers, True) if believable else (fitted, False)
+
+    def _scene(self, context: Optional[_rhw.Context]) -> Tuple[Any, int]:
+        """The model in a context's memory; a thread keeps the last one."""
+        wanted = _threads.context() if context is None else context
+        kept = getattr(self._local, "scene", None)
+        if kept is None or kept[0] is not wanted:
+            self._local.scene = kept = (wanted, _rhw.Scene(wanted, self._model))
+        return kept[1], wanted.threads
+
+    def _repr_png_(self) -> bytes:
+        return self.render((640, 480)).png()
+
+
+def _size(size: Size) -> Tuple[int, int]:
+    pair = (size, size) if isinstance(size, (int, np.integer)) else tuple(size)
+    if len(pair) != 2 or not all(isinstance(each, (int, np.integer)) for each in pair):
+        raise TypeError(f"size: must be (width, height) or one number, not {size!r}")
+    width, height = int(pair[0]), int(pair[1])
+    if not (1 <= width <= 16384 and 1 <= height <= 16384):
+        raise ValueError(f"size: width and height must lie between 1 and 16384, not {width}, {height}")
+    return width, height
+
+
+def _outputs(outputs: Union[str, Iterable[str]]) -> List[str]:
+    names = [outputs] if isinstance(outputs, str) else list(outputs)
+    if not names:
+        raise ValueError("outputs: there must be one at least of " + ", ".join(OUTPUTS))
+    for each in names:
+        _arrays.choice(each, "outputs", tuple(OUTPUTS))
+    return list(dict.fromkeys(names))
+
+
+def _background(background: Union[str, Sequence[int]]) -> Tuple[int, Tuple[int, int, int]]:
+    if isinstance(background, str):
+        _arrays.choice(background, "background", tuple(_BACKGROUNDS))
+        return _BACKGROUNDS[background], (0, 0, 0)
+    values = tuple(background)
+    if len(values) != 3 or not all(isinstance(each, (int, np.integer)) and 0 <= each <= 255 for each in values):
+        raise ValueError(f"background: must be 'default', 'transparent' or three numbers of 0 to 255, not {background!r}")
+    return 1, (int(values[0]), int(values[1]), int(values[2]))
+
+
+def load(path: Union[str, "os.PathLike[str]"], *, variant: Optional[str] = None,
+         animation: Union[None, int, str] = None, time: Optional[float] = None, confine: Union[None, str] = None,
+         max_seconds: int = 0, max_memory: int = 0, max_texture: int = 0) -> Model:
+    """Reads a model: glTF 2, OBJ, PLY, STL, 3MF, FBX and what else `rhw info` reads.
+
+    variant: of the materials, by name. animation, time: a moment of a movement, by name or number, in seconds.
+    confine: a folder; nothing outside it is read that the file names.
+    max_seconds: of processor time, 0: 60. max_memory: bytes, 0: 3/4 of the machine's, at most 16 GiB.
+    max_texture: images are halved until no side is longer; 0: as they are.
+
+    The file is read in a process of its own, so that a hostile one cannot take yours down. What was wrong with it and was
+    met is in Model.warnings, what is not drawn in Model.unsupported. rhw.Error where it cannot be read;
+    FileNotFoundError where there is none.
+    """
+    name = os.fspath(path)
+    if not os.path.lexists(name):
+        raise FileNotFoundError(2, "no such file", str(name))
+    if time is not None and not math.isfinite(time):
+        raise ValueError(f"time: must be a finite number of seconds, not {time}")
+    posed = animation is not None or time is not None
+    model = Model.__new__(Model)
+    model._take(_rhw.load(os.fsencode(name), variant, posed, None if animation is None else str(animation),
+                          time or 0.0, confine, max_seconds, max_memory, max_texture))
+    if not model.nodes:
+        reason = ": " + model.warnings[0] if model.warnings else ""
+        raise _rhw.Error(f"{name}: the file has nothing to draw{reason}")
+    return model

@@ -1,0 +1,123 @@
+# SPDX-License-Identifier: MIT
+"""What a render gives, and how it becomes files."""
+
+from __future__ import annotations
+
+import os
+from typing import Any, Dict, Iterable, Optional, Tuple
+
+import numpy as np
+
+from . import _arrays, _files, _rhw
+from .camera import View
+
+#: Outputs and their bits in the extension.
+OUTPUTS = {"color": 1, "linear": 2, "depth": 4, "distance": 8, "normal": 16, "position": 32, "uv": 64,
+           "object": 128, "triangle": 256, "barycentric": 512, "display": 1024}
+
+#: Outputs in the order of the program's `--output`.
+_FILE_KINDS = ("color", "depth", "distance", "normal", "position", "uv", "object", "triangle", "barycentric")
+
+
+class Pictures(Dict[str, np.ndarray]):
+    """The pictures of one render: a dictionary of arrays, rows from top to bottom, on the memory they were drawn to.
+
+    color        (H, W, 4) uint8    what a screen shows: sRGB, straight alpha
+    linear       (H, W, 4) float32  light before tone mapping, premultiplied, without background
+    display      (H, W, 4) float32  `color` before it is sRGB encoded and rounded
+    depth        (H, W)    float32  0 near to 1 far; 1 where nothing is
+    distance     (H, W)    float32  along the view, in units of the model; infinity where nothing is
+    normal       (H, W, 4) float32  unit, in the world, turned to the viewer; then 1. All 0 where nothing is
+    position     (H, W, 4) float32  in the world; then 1. All 0 where nothing is
+    uv           (H, W, 4) float32  u, v, 0, 1. All 0 where nothing is
+    barycentric  (H, W, 4) float32  weights of the triangle's vertices; then 1. All 0 where nothing is
+    object       (H, W)    uint32   `Node.object`; 0 where nothing is
+    triangle     (H, W)    uint32   1 + the number of the triangle, nodes in their order; 0 where nothing is
+
+    Outputs from `depth` on show the nearest surface at the middle of the pixel, whatever the number of samples.
+    Arrays go to other libraries without a copy: torch.from_numpy(p['depth']), jax.dlpack.from_dlpack(p['depth']).
+
+    size: (width, height). view: the camera, with its matrices. In a notebook the picture shows itself.
+    """
+
+    def __init__(self, arrays: Dict[str, np.ndarray], size: Tuple[int, int], view: View, model: Any,
+                 transparent: bool, threads: int):
+        super().__init__(arrays)
+        self.size = size
+        self.view = view
+        self._model = model
+        self._transparent = transparent
+        self._threads = threads
+
+    def png(self, output: str = "color", bits: Optional[int] = None) -> bytes:
+        """The bytes of the PNG that `rhw render --output` writes of one output.
+
+        Data has no colours of its own: depths are grey, from white (near) to a tenth (far), by default with 16 bits;
+        vectors are scaled to colours, ids scattered over them.
+
+        bits: 8 or 16; None: 16 for depth and distance, else 8. Of `color` 16 bits want the output `display`.
+        """
+        if bits not in (None, 8, 16):
+            raise ValueError(f"bits: must be 8 or 16, not {bits!r}")
+        return self._png("png", output, bits or 0)
+
+    def _png(self, name: str, output: str, bits: int) -> bytes:
+        kind = _arrays.choice(output, "output", _FILE_KINDS)
+        return _rhw.encode_output(name, self._checked(), self.size, kind, bits, self._transparent,
+                                  *self._model.bounds_tuples)
+
+    def exr(self, outputs: Optional[Iterable[str]] = None) -> bytes:
+        """The bytes of the EXR that `rhw render` writes: layers of 32 bits, with the camera and the objects' names.
+
+        outputs: None: all that were drawn. The colour of an EXR is the output `linear`.
+        """
+        return self._exr("exr", outputs)
+
+    def _exr(self, name: str, outputs: Optional[Iterable[str]]) -> bytes:
+        wanted = [output for output in self if output not in ("color", "display")] if outputs is None else outputs
+        layers = ["color" if output == "linear" else output for output in wanted]
+        kinds = 0
+        for layer in layers:
+            kinds |= 1 << _arrays.choice(layer, "outputs", _FILE_KINDS)
+        if not kinds:
+            raise ValueError("outputs: an EXR has at least one of linear, " + ", ".join(_FILE_KINDS[1:]))
+        return _rhw.encode_exr(name, self._checked(), self.size, kinds, self.view.numbers, self._model._model,
+                               self._threads)
+
+    def save(self, path: _files.Path, output: str = "color", bits: Optional[int] = None) -> None:
+        """Writes a picture. The file appears whole or not at all.
+
+        path: ends in .png, of one output; or in .exr, of all that were drawn.
+        """
+        name = os.fspath(path)
+        if name.lower().endswith(".exr"):
+            _files.write(name, self._exr(name, None))
+        elif name.lower().endswith(".png"):
+            _files.write(name, self.png(output, bits))
+        else:
+            raise ValueError(f"{name}: must end in .png or .exr")
+
+    def _checked(self) -> Dict[str, np.ndarray]:
+        return {name: np.ascontiguousarray(array) for name, array in self.items() if name in OUTPUTS}
+
+    def _repr_png_(self) -> bytes:
+        output = "color" if "color" in self else next(name for name in self if name in _FILE_KINDS)
+        return self.png(output)
+
+
+def write_png(path: _files.Path, image: Any, *, srgb: bool = True) -> None:
+    """Writes an array as a PNG, as it is. The file appears whole or not at all.
+
+    image: (H, W), (H, W, 1), (H, W, 3) or (H, W, 4), uint8 or uint16; alpha is straight.
+    srgb: the file says that its numbers are colours of sRGB; False: that they are numbers.
+    """
+    array = np.asarray(image)
+    if array.dtype not in (np.uint8, np.uint16):
+        raise TypeError(f"image: must be of uint8 or uint16, not {array.dtype}")
+    if array.ndim == 2:
+        array = array[:, :, None]
+    if array.ndim != 3:
+        raise ValueError(f"image: must have two or three dimensions, not {array.ndim}")
+    name = os.fspath(path)
+    bits = 8 * array.dtype.itemsize
+    _files.write(name, _rhw.encode_png(name, np.ascontiguousarray(array), bits, srgb))

@@ -1,0 +1,381 @@
+# SPDX-License-Identifier: MIT
+"""The pipeline: buffers, textures, pipelines and passes, for depth maps, id maps and colours of millions of triangles.
+
+    >>> size = 1280, 960
+    >>> targets = {"color": Texture(size, "rgba8_srgb"), "triangle": Texture(size, "r32_uint")}
+    >>> pipeline = Pipeline(targets, colors="float32")
+    >>> positions, faces, colors = Buffer(vertices), Buffer(triangles), Buffer(rgba)
+    >>> with Pass(targets, depth=True) as draw:
+    ...     draw(pipeline, positions, faces, colors=colors, matrix=view.matrix)
+    >>> targets["triangle"].array            # (960, 1280) uint32: no copy
+
+Buffers and textures stand on memory that `.array` shows: what is written there is drawn, what is drawn can be read there. A
+pass is recorded between the beginning and the end of its `with`, and drawn at its end; from its beginning on what it uses
+is left alone. Where the block is left by an exception nothing is drawn.
+"""
+
+from __future__ import annotations
+
+from types import TracebackType
+from typing import Any, Dict, Iterable, Mapping, Optional, Sequence, Tuple, Type, Union
+
+import numpy as np
+
+from . import _arrays, _rhw, _threads
+from .model import Size, _size
+
+#: Outputs in the order of the extension, and the format that a target of each usually has.
+OUTPUTS = {"color": "rgba8_srgb", "depth": "r32_float", "distance": "r32_float", "normal": "rgba32_float",
+           "position": "rgba32_float", "uv": "rg32_float", "barycentric": "rgba32_float", "object": "r32_uint",
+           "triangle": "r32_uint"}
+
+#: Texel formats: channels and NumPy's type of each.
+FORMATS: Dict[str, Tuple[int, Any]] = {
+    "r8_unorm": (1, np.uint8), "rg8_unorm": (2, np.uint8), "rgba8_unorm": (4, np.uint8), "rgba8_srgb": (4, np.uint8),
+    "r16_unorm": (1, np.uint16), "rgba16_unorm": (4, np.uint16), "r16_float": (1, np.float16),
+    "rgba16_float": (4, np.float16), "r32_float": (1, np.float32), "rg32_float": (2, np.float32),
+    "rgba32_float": (4, np.float32), "r32_uint": (1, np.uint32), "d32_float": (1, np.float32)}
+
+_TOPOLOGIES = ("triangles", "triangle_strip", "triangle_fan", "points", "lines", "line_strip")
+_CULLS = ("none", "front", "back")
+_COMPARES = ("less", "never", "equal", "less_equal", "greater", "not_equal", "greater_equal", "always")
+_INTERPOLATIONS = ("smooth", "noperspective", "flat")
+_FILTERS = ("linear", "nearest")
+_ADDRESSES = ("repeat", "mirror", "clamp", "border")
+
+# rhw_vertex_format of the extension: floats by their number of components, and bytes of 0 to 1.
+_FLOATS = {1: 0, 2: 1, 3: 2, 4: 3}
+_BYTES4 = 11
+
+
+class Buffer:
+    """An array that passes read: positions, colours, faces.
+
+    data: an array, which is copied; or a shape, for zeros of `dtype`.
+    array: the memory that is drawn from, of the same shape; write to it between passes.
+    """
+
+    def __init__(self, data: Any, dtype: Any = None, *, context: Optional[_rhw.Context] = None):
+        is_shape = isinstance(data, (int, np.integer)) or (
+            isinstance(data, tuple) and all(isinstance(each, (int, np.integer)) for each in data))
+        source = np.zeros(0) if is_shape else _arrays._read(data, "data")
+        kind = np.dtype(dtype if dtype is not None else np.float32 if is_shape else source.dtype)
+        shape = (data if isinstance(data, tuple) else (int(data),)) if is_shape else source.shape
+        if kind.kind not in "fiu":
+            raise TypeError(f"data: must be of numbers, not {kind}")
+        count = 1
+        for extent in shape:
+            if extent < 0:
+                raise ValueError(f"data: no extent may be negative, not {shape}")
+            count *= int(extent)
+        if count == 0:
+            raise ValueError(f"data: must have elements, not the shape {tuple(shape)}")
+        self._context = _threads.context() if context is None else context
+        self._resource = _rhw.buffer(self._context, count * kind.itemsize)
+        memory = np.asarray(self._resource.memory)
+        self.array: np.ndarray = memory[:count * kind.itemsize].view(kind).reshape(shape)
+        if not is_shape:
+            np.copyto(self.array, source, casting="unsafe")
+
+    def __len__(self) -> int:
+        return len(self.array)
+
+    def __repr__(self) -> str:
+        return f"rhw.pipeline.Buffer({self.array.shape}, {self.array.dtype})"
+
+
+class Texture:
+    """Texels that passes draw into or sample.
+
+    size: (width, height), or one number for both.
+    format: one of FORMATS; d32_float is that of depth tests.
+    mips: with levels for sampling, see generate_mips.
+    array: the texels of the first level, (H, W) or (H, W, channels), rows from top to bottom. Rows stand 64 bytes apart or
+    a multiple of that; numpy.ascontiguousarray packs them.
+    """
+
+    def __init__(self, size: Size, format: str = "rgba8_srgb", *, mips: bool = False,
+                 context: Optional[_rhw.Context] = None):
+        self.size = _size(size)
+        _arrays.choice(format, "format", tuple(FORMATS))
+        self.format = format
+        self._context = _threads.context() if context is None else context
+        width, height = self.size
+        self._resource, pitch = _rhw.texture(self._context, _rhw.formats[format], width, height, mips)
+        channels, kind = FORMATS[format]
+        item = np.dtype(kind).itemsize
+        shape: Tuple[int, ...] = (height, width) if channels == 1 else (height, width, channels)
+        strides = (pitch, channels * item, item)[:len(shape)]
+        self.array = np.ndarray(shape, kind, np.asarray(self._resource.memory), 0, strides)
+
+    @classmethod
+    def of(cls, image: Any, *, srgb: bool = True, context: Optional[_rhw.Context] = None) -> "Texture":
+        """A texture of an image, (H, W), (H, W, 3) or (H, W, 4) uint8, with its levels. srgb: colours, not numbers."""
+        texels = _arrays.texels(image, "image")
+        texture = cls((texels.shape[1], texels.shape[0]), "rgba8_srgb" if srgb else "rgba8_unorm", mips=True,
+                      context=context)
+        texture.array[...] = texels
+        texture.generate_mips()
+        return texture
+
+    def generate_mips(self) -> None:
+        """Makes the smaller levels of what is in the first, after it was written. Formats that filters read."""
+        _rhw.generate_mips(self._resource)
+
+    def __repr__(self) -> str:
+        return f"rhw.pipeline.Texture({self.size}, {self.format!r})"
+
+
+class Sampler:
+    """How textures are read. filter: 'linear' or 'nearest'; address: 'repeat', 'mirror', 'clamp' or 'border' (0, 0, 0, 0);
+    anisotropy: 1 to 16 samples."""
+
+    def __init__(self, filter: str = "linear", address: str = "repeat", anisotropy: float = 1.0, *,
+                 context: Optional[_rhw.Context] = None):
+        if not 1 <= anisotropy <= 16:
+            raise ValueError(f"anisotropy: must lie between 1 and 16, not {anisotropy!r}")
+        self._context = _threads.context() if context is None else context
+        self._resource = _rhw.sampler(self._context, _arrays.choice(filter, "filter", _FILTERS),
+                                      _arrays.choice(address, "address", _ADDRESSES), float(anisotropy))
+
+
+Targets = Mapping[str, Texture]
+
+
+class Pipeline:
+    """What becomes of vertices and pixels.
+
+    outputs: what is drawn, in the order of a pass's targets: a dictionary of textures or of names of formats, or names alone,
+      whose targets have the usual formats. 'color' (what vertices, texture and draw have, multiplied), 'depth', 'distance',
+      'normal', 'position', 'uv', 'barycentric', 'object' (the draw's number), 'triangle' (its first_triangle + the number of
+      the triangle in it). Empty: depth alone.
+    positions: numbers of each, 3 or 4. colors: None, 'float32' or 'uint8', four of each. uv, normals: whether there are.
+    texture: draws have one, at uv.
+    topology: 'triangles', 'triangle_strip', 'triangle_fan', 'points', 'lines', 'line_strip'.
+    cull: 'none', 'front' or 'back'; front is counter-clockwise as seen.
+    depth: what a fragment's must be, beside that of the target, to be drawn, 'less', 'greater', ...; None: no test.
+    depth_write: whether it is kept then. blend: colours are laid over what is there by their alpha.
+    interpolate: 'smooth', 'noperspective' or 'flat' (of each triangle's first vertex).
+    """
+
+    def __init__(self, outputs: Union[Mapping[str, Union[str, Texture]], Iterable[str]] = ("color",), *,
+                 positions: int = 3, colors: Optional[str] = None, uv: bool = False, normals: bool = False,
+                 texture: bool = False, topology: str = "triangles", cull: str = "none", depth: Optional[str] = "less",
+                 depth_write: bool = True, blend: bool = False, interpolate: str = "smooth",
+                 context: Optional[_rhw.Context] = None):
+        self.outputs = _formats_of(outputs)
+        if positions not in (3, 4):
+            raise ValueError(f"positions: must be 3 or 4, not {positions!r}")
+        if colors not in (None, "float32", "uint8"):
+            raise ValueError(f"colors: must be None, 'float32' or 'uint8', not {colors!r}")
+        if not uv and (texture or "uv" in self.outputs):
+            raise ValueError("uv: needed by " + ("texture" if texture else "the output uv"))
+        if not normals and "normal" in self.outputs:
+            raise ValueError("normals: needed by the output normal")
+        if blend and self.outputs.get("color") == "r32_uint":
+            raise ValueError("blend: not into integers")
+        #: What draws must give: columns and NumPy's type.
+        self._attributes: Dict[str, Tuple[int, Any]] = {"positions": (positions, np.float32)}
+        kinds = [_FLOATS[positions], -1, -1, -1]
+        if colors:
+            self._attributes["colors"] = (4, np.dtype(colors).type)
+            kinds[1] = _FLOATS[4] if colors == "float32" else _BYTES4
+        if uv:
+            self._attributes["uv"] = (2, np.float32)
+            kinds[2] = _FLOATS[2]
+        if normals:
+            self._attributes["normals"] = (3, np.float32)
+            kinds[3] = _FLOATS[3]
+        self._textured = texture
+        self._corners = {"triangles": 3, "lines": 2}.get(topology, 1)
+        self._context = _threads.context() if context is None else context
+        names = tuple(OUTPUTS)
+        self._resource = _rhw.pipeline(
+            self._context, tuple(kinds), texture, _arrays.choice(interpolate, "interpolate", _INTERPOLATIONS),
+            _arrays.choice(topology, "topology", _TOPOLOGIES), _arrays.choice(cull, "cull", _CULLS), depth is not None,
+            0 if depth is None else _arrays.choice(depth, "depth", _COMPARES), depth_write, blend,
+            tuple((names.index(name), _rhw.formats[each]) for name, each in self.outputs.items()))
+
+
+def _formats_of(outputs: Any) -> Dict[str, str]:
+    if not isinstance(outputs, Mapping):
+        outputs = {name: None for name in ([outputs] if isinstance(outputs, str) else outputs)}
+    found = {}
+    for name, wanted in outputs.items():
+        _arrays.choice(name, "outputs", tuple(OUTPUTS))
+        form = wanted.format if isinstance(wanted, Texture) else OUTPUTS[name] if wanted is None else wanted
+        _arrays.choice(form, "outputs", tuple(FORMATS))
+        if (form == "r32_uint") != (OUTPUTS[name] == "r32_uint") or form == "d32_float":
+            raise ValueError(f"outputs: {name} cannot be drawn into {form}")
+        found[name] = form
+    return found
+
+
+_Clear = Union[float, Sequence[float]]
+
+
+class Pass:
+    """Draws into textures, as a context manager that is called for each draw.
+
+    targets: textures by the output that is drawn into them, in the order of the pipelines' outputs.
+    depth: True: one that nobody keeps; a texture of d32_float: that one; False: none.
+    clear: by output, what a target is cleared to before: one number, or as many as it has channels, linear; 0. Of
+      'depth_test': the depth, 1. What is not named is cleared too; load: True keeps what is there.
+    samples: of a pixel, 1, 2, 4, 8 or 16; targets get their mean, and of integers the first.
+    size: of the picture where there is no target, (width, height).
+    stats: after the end, how many triangles came in, how many were rasterized, how many fragments shaded.
+    """
+
+    def __init__(self, targets: Optional[Targets] = None, *, depth: Union[bool, Texture] = False,
+                 clear: Optional[Mapping[str, _Clear]] = None, load: bool = False, samples: int = 1,
+                 size: Optional[Size] = None, context: Optional[_rhw.Context] = None):
+        targets = dict(targets or {})
+        clear = dict(clear or {})
+        textures = list(targets.values()) + ([depth] if isinstance(depth, Texture) else [])
+        for texture in textures:
+            if not isinstance(texture, Texture):
+                raise TypeError(f"targets: must be textures, not {type(texture).__name__}")
+            if texture.size != textures[0].size:
+                raise ValueError(f"targets: must be of one size, not {textures[0].size} and {texture.size}")
+        if isinstance(depth, Texture) and depth.format != "d32_float":
+            raise ValueError(f"depth: must be a texture of d32_float, not {depth.format}")
+        if samples not in (1, 2, 4, 8, 16):
+            raise ValueError(f"samples: must be 1, 2, 4, 8 or 16, not {samples!r}")
+        for name in clear:
+            _arrays.choice(name, "clear", (*targets, "depth_test"))
+        self.formats = _formats_of(targets)
+        self.stats: Dict[str, int] = {}
+        if not textures and size is None:
+            raise ValueError("size: must be given where there are no targets")
+        self._size = textures[0].size if textures else _size(size)  # type: ignore[arg-type]
+        self._context = (textures[0]._context if textures else _threads.context()) if context is None else context
+        colors = tuple((texture._resource, load, *_clear_of(clear.get(name, 0), name, texture.format))
+                       for name, texture in targets.items())
+        far, = _arrays.floats([clear.get("depth_test", 1.0)], "clear", (1,)).tolist()
+        if not 0 <= far <= 1:
+            raise ValueError(f"clear: depth_test must lie between 0 and 1, not {far}")
+        held = depth._resource if isinstance(depth, Texture) else None
+        self._def = (self._context, self._size, samples, colors, depth is not False, held, load and held is not None, far)
+        self._pass: Any = None
+
+    def __enter__(self) -> "Pass":
+        self._pass = _rhw.Pass(*self._def)
+        return self
+
+    def __exit__(self, kind: Optional[Type[BaseException]], error: Optional[BaseException],
+                 trace: Optional[TracebackType]) -> None:
+        if kind is None:
+            self.stats = self._pass.end()
+        else:
+            self._pass.cancel()
+
+    def viewport(self, x: float, y: float, width: float, height: float) -> None:
+        """Where -1..1 goes from now on: pixels from the top left."""
+        self._recorded().viewport(x, y, width, height)
+
+    def _recorded(self) -> Any:
+        if self._pass is None:
+            raise ValueError("the pass is recorded within its `with` alone")
+        return self._pass
+
+    def __call__(self, pipeline: Pipeline, positions: Any, faces: Any = None, *, colors: Any = None, uv: Any = None,
+                 normals: Any = None, matrix: Any = None, world: Any = None, color: Sequence[float] = (1, 1, 1, 1),
+                 texture: Optional[Texture] = None, sampler: Optional[Sampler] = None, object: int = 1,
+                 first_triangle: int = 1) -> None:
+        """Records a draw.
+
+        positions: (N, 3) or (N, 4) float32; colors: (N, 4) float32, or uint8 of 0 to 1 linear; uv: (N, 2) float32; normals:
+        (N, 3) float32, of any length. faces: (M, 3) uint32, (M, 2) of lines, (M, 1) of points; None: the vertices in their
+        order. An index beyond the vertices reads zeros. Arrays become buffers for this draw; a Buffer of your own is used
+        as it is.
+        matrix: (4, 4), world to clip space for column vectors, as View.matrix; clip space has y up and depth 0 to W. None:
+        positions are clip coordinates already.
+        world: (4, 4), positions and normals to the world. color: (r, g, b, a), which multiplies.
+        object: the number for the output `object`; first_triangle: that of the first triangle for `triangle`.
+        """
+        recorded = self._recorded()
+        if self.formats != pipeline.outputs or list(self.formats) != list(pipeline.outputs):
+            raise ValueError(f"pipeline: draws {pipeline.outputs}, the targets are {self.formats}")
+        given = {"positions": positions, "colors": colors, "uv": uv, "normals": normals}
+        buffers = self._attributes(pipeline, given)
+        count, indices = self._faces(pipeline, faces, len(buffers[0]))
+        if pipeline._textured != (texture is not None):
+            raise ValueError("texture: " + ("missing" if texture is None else "the pipeline has none"))
+        if texture is not None and sampler is None:
+            sampler = Sampler(context=self._context)
+        for value, name in ((object, "object"), (first_triangle, "first_triangle")):
+            if not 0 <= value < 2**32:
+                raise ValueError(f"{name}: must lie between 0 and 4294967295, not {value}")
+        recorded.draw(pipeline._resource, tuple(each._resource for each in buffers),
+                      None if indices is None else indices._resource, count,
+                      None if texture is None else texture._resource, None if sampler is None else sampler._resource,
+                      _matrices(matrix, world, color), int(object), int(first_triangle))
+
+    def _attributes(self, pipeline: Pipeline, given: Mapping[str, Any]) -> Sequence[Buffer]:
+        buffers = []
+        for name, value in given.items():
+            wanted = pipeline._attributes.get(name)
+            if wanted is None or value is None:
+                if wanted is not None:
+                    raise ValueError(f"{name}: missing; the pipeline reads them")
+                if value is not None:
+                    raise ValueError(f"{name}: the pipeline does not read them")
+                continue
+            buffer = value if isinstance(value, Buffer) else Buffer(_typed(value, name, wanted[1]), context=self._context)
+            array = buffer.array
+            if array.ndim != 2 or array.shape[1] != wanted[0] or array.dtype != wanted[1]:
+                raise ValueError(f"{name}: must have the shape (N, {wanted[0]}) and be of {np.dtype(wanted[1])}, "
+                                 f"not {array.shape} of {array.dtype}")
+            if buffers and len(buffer) != len(buffers[0]):
+                raise ValueError(f"{name}: must be as many as positions, {len(buffers[0])}, not {len(buffer)}")
+            buffers.append(buffer)
+        return buffers
+
+    def _faces(self, pipeline: Pipeline, faces: Any, vertices: int) -> Tuple[int, Optional[Buffer]]:
+        if faces is None:
+            return vertices, None
+        if not isinstance(faces, Buffer):
+            array = _arrays._read(faces, "faces")
+            faces = Buffer(_arrays.indices(array, "faces", (None,) * array.ndim, vertices), context=self._context)
+        array = faces.array
+        if array.dtype != np.uint32:
+            raise ValueError(f"faces: must be of uint32, not {array.dtype}")
+        if array.size % pipeline._corners:
+            raise ValueError(f"faces: must be a multiple of {pipeline._corners} indices, not {array.size}")
+        return array.size, faces
+
+
+def _typed(value: Any, name: str, kind: Any) -> np.ndarray:
+    array = _arrays._read(value, name)
+    if array.dtype.kind not in "fiu" or (kind is np.uint8 and array.dtype != np.uint8):
+        raise TypeError(f"{name}: must be of {np.dtype(kind)}, not {array.dtype}")
+    return np.ascontiguousarray(array, kind)
+
+
+def _clear_of(value: _Clear, name: str, form: str) -> Tuple[Tuple[float, ...], bool]:
+    channels = FORMATS[form][0]
+    array = np.atleast_1d(np.asarray(value, np.float64))
+    if array.ndim != 1 or len(array) not in (1, channels) or np.isnan(array).any():
+        raise ValueError(f"clear: {name} must be one number or {channels}, not {value!r}")
+    numbers = array.tolist() * (channels if len(array) == 1 else 1)
+    is_integer = form == "r32_uint"
+    if is_integer and not (0 <= numbers[0] < 2**32 and numbers[0] == int(numbers[0])):
+        raise ValueError(f"clear: {name} must be a whole number of 0 to 4294967295, not {value!r}")
+    return tuple(numbers + [0.0] * (4 - channels)), is_integer
+
+
+def _matrices(matrix: Any, world: Any, color: Sequence[float]) -> np.ndarray:
+    """45 floats: positions to clip space and to the world, normals to the world, column by column, and the colour."""
+    clip = np.eye(4) if matrix is None else _arrays.matrix(matrix, "matrix")
+    place = np.eye(4) if world is None else _arrays.matrix(world, "world")
+    both = _arrays.product(clip, place)
+    a, b, c = place[:3, 0], place[:3, 1], place[:3, 2]
+    cofactors = np.stack([_cross(b, c), _cross(c, a), _cross(a, b)])
+    if sum((a * cofactors[0]).tolist()) < 0:  # it mirrors
+        cofactors = -cofactors
+    tint = _arrays.floats(color, "color", (4,), np.float64)
+    return np.concatenate([both.T.reshape(-1), place.T.reshape(-1), cofactors.reshape(-1), tint]).astype(np.float32)
+
+
+def _cross(a: np.ndarray, b: np.ndarray) -> np.ndarray:
+    return a[[1, 2, 0]] * b[[2, 0, 1]] - a[[2, 0, 1]] * b[[1, 2, 0]]

@@ -1,0 +1,183 @@
+// SPDX-License-Identifier: MIT
+#include "camera_numbers.h"
+
+#include "camera_frame.h"
+#include "elementary.h"
+#include "memory_object.h"
+#include "model_object.h"
+
+#include <stdlib.h>
+#include <string.h>
+
+static const double degree = 3.14159265358979323846 / 180.0;
+
+bool python_camera_read(PyObject *tuple, struct scene_camera *c)
+{
+    int orthographic;
+    *c = (struct scene_camera){0};
+    if (!PyTuple_Check(tuple)) {
+        PyErr_SetString(PyExc_TypeError, "camera: must be a tuple of numbers");
+        return false;
+    }
+    if (!PyArg_ParseTuple(tuple, "(ddd)(ddd)(ddd)pddddd(dd):camera", &c->eye[0], &c->eye[1], &c->eye[2],
+                          &c->target[0], &c->target[1], &c->target[2], &c->up[0], &c->up[1], &c->up[2],
+                          &orthographic, &c->yfov, &c->ymag, &c->znear, &c->zfar, &c->stretch, &c->shift[0],
+                          &c->shift[1])) {
+        return false;
+    }
+    c->orthographic = orthographic != 0;
+    return true;
+}
+
+static PyObject *camera_tuple(const struct scene_camera *c)
+{
+    return Py_BuildValue("((ddd)(ddd)(ddd)Nddddd(dd))", c->eye[0], c->eye[1], c->eye[2], c->target[0],
+                         c->target[1], c->target[2], c->up[0], c->up[1], c->up[2],
+                         PyBool_FromLong(c->orthographic), c->yfov, c->ymag, c->znear, c->zfar, c->stretch,
+                         c->shift[0], c->shift[1]);
+}
+
+// (model, aspect, (azimuth, elevation) or None, up or −1, whole, fovy in degrees, orthographic, zoom, margin)
+static PyObject *camera_fit(PyObject *module, PyObject *arguments)
+{
+    (void)module;
+    PyObject *object, *angles;
+    double aspect, fovy;
+    int up, whole, orthographic;
+    struct scene_framing framing = {0};
+    if (!PyArg_ParseTuple(arguments, "OdOipdpdd:camera_fit", &object, &aspect, &angles, &up, &whole, &fovy,
+                          &orthographic, &framing.zoom, &framing.margin)) {
+        return NULL;
+    }
+    const struct scene_model *model = python_model_get(object);
+    if (!model) {
+        return NULL;
+    }
+    const enum scene_axis axis = up < 0 ? model->up : (enum scene_axis)up;
+    if (angles == Py_None) {
+        framing.orbit = scene_camera_default_orbit(model, axis);
+    } else if (!PyArg_ParseTuple(angles, "dd:orbit", &framing.orbit.azimuth, &framing.orbit.elevation)) {
+        return NULL;
+    }
+    framing.orbit.up = axis;
+    framing.orbit.whole = whole != 0;
+    framing.yfov = fovy * degree;
+    framing.orthographic = orthographic != 0;
+    const struct scene_camera camera = scene_camera_frame(model, &framing, aspect);
+    return camera_tuple(&camera);
+}
+
+// (model, aspect, index), which the model has
+static PyObject *camera_of_file(PyObject *module, PyObject *arguments)
+{
+    (void)module;
+    PyObject *object;
+    double aspect;
+    unsigned index;
+    const struct scene_model *model;
+    if (!PyArg_ParseTuple(arguments, "OdI:camera_of_file", &object, &aspect, &index) ||
+        !(model = python_model_get(object))) {
+        return NULL;
+    }
+    if (index >= model->camera_count) {
+        PyErr_SetString(PyExc_IndexError, "camera: the model has no such camera");
+        return NULL;
+    }
+    const struct scene_camera camera = scene_camera_from_model(&model->cameras[index], aspect);
+    return camera_tuple(&camera);
+}
+
+// (model, eye, target, up, fovy in degrees)
+static PyObject *camera_look(PyObject *module, PyObject *arguments)
+{
+    (void)module;
+    PyObject *object;
+    double eye[3], target[3], up[3], fovy;
+    const struct scene_model *model;
+    if (!PyArg_ParseTuple(arguments, "O(ddd)(ddd)(ddd)d:camera_look", &object, &eye[0], &eye[1], &eye[2],
+                          &target[0], &target[1], &target[2], &up[0], &up[1], &up[2], &fovy) ||
+        !(model = python_model_get(object))) {
+        return NULL;
+    }
+    struct scene_camera camera;
+    char error[256];
+    if (!scene_camera_look(&camera, model, eye, target, up, fovy * degree, error, sizeof error)) {
+        PyErr_SetString(PyExc_ValueError, error);
+        return NULL;
+    }
+    return camera_tuple(&camera);
+}
+
+// (model, camera): with near and far planes around the model
+static PyObject *camera_enclose(PyObject *module, PyObject *arguments)
+{
+    (void)module;
+    PyObject *object, *tuple;
+    struct scene_camera camera;
+    const struct scene_model *model;
+    if (!PyArg_ParseTuple(arguments, "OO:camera_enclose", &object, &tuple) ||
+        !(model = python_model_get(object)) || !python_camera_read(tuple, &camera)) {
+        return NULL;
+    }
+    scene_camera_enclose(&camera, model);
+    return camera_tuple(&camera);
+}
+
+// (model, camera, aspect): (whether `rhw render` would take it unasked, whether it shows most of the model)
+static PyObject *camera_judge(PyObject *module, PyObject *arguments)
+{
+    (void)module;
+    PyObject *object, *tuple;
+    double aspect;
+    struct scene_camera camera;
+    const struct scene_model *model;
+    if (!PyArg_ParseTuple(arguments, "OOd:camera_judge", &object, &tuple, &aspect) ||
+        !(model = python_model_get(object)) || !python_camera_read(tuple, &camera)) {
+        return NULL;
+    }
+    const bool believable = !model->doubts_cameras || scene_camera_is_believable(model, &camera, aspect);
+    return Py_BuildValue("(NN)", PyBool_FromLong(believable),
+                         PyBool_FromLong(scene_camera_shows_most(model, &camera, aspect)));
+}
+
+// (camera, aspect): world to camera and camera to clip space, doubles, column major
+static PyObject *camera_matrices(PyObject *module, PyObject *arguments)
+{
+    (void)module;
+    PyObject *tuple;
+    double aspect;
+    struct scene_camera camera;
+    if (!PyArg_ParseTuple(arguments, "Od:camera_matrices", &tuple, &aspect) ||
+        !python_camera_read(tuple, &camera)) {
+        return NULL;
+    }
+    double(*matrices)[16] = malloc(2 * sizeof *matrices);
+    if (!matrices) {
+        return PyErr_NoMemory();
+    }
+    scene_camera_view(&camera, matrices[0]);
+    scene_camera_projection(&camera, aspect, matrices[1]);
+    return python_memory_take(matrices, (struct python_shape){"<f8", 3, {2, 4, 4}});
+}
+
+// (height, fy): the angle in radians from the bottom to the top of a picture of so many rows. Python's own arc tangent is the C
+// library's, which differs from machine to machine.
+static PyObject *lens_angle(PyObject *module, PyObject *arguments)
+{
+    (void)module;
+    int height;
+    double fy;
+    if (!PyArg_ParseTuple(arguments, "id:lens_angle", &height, &fy)) {
+        return NULL;
+    }
+    return PyFloat_FromDouble(2.0 * scene_atan(height / (2.0 * fy)));
+}
+
+PyMethodDef python_camera_functions[] = {{"camera_fit", camera_fit, METH_VARARGS, NULL},
+                                         {"camera_of_file", camera_of_file, METH_VARARGS, NULL},
+                                         {"camera_look", camera_look, METH_VARARGS, NULL},
+                                         {"camera_enclose", camera_enclose, METH_VARARGS, NULL},
+                                         {"camera_judge", camera_judge, METH_VARARGS, NULL},
+                                         {"camera_matrices", camera_matrices, METH_VARARGS, NULL},
+                                         {"lens_angle", lens_angle, METH_VARARGS, NULL},
+                                         {0}};

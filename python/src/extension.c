@@ -1,0 +1,83 @@
+// SPDX-License-Identifier: MIT
+// The module rhw._rhw.
+#include "extension.h"
+
+PyObject *python_error;
+
+PyTypeObject *python_add_type(PyObject *module, const char *name, PyType_Spec *spec)
+{
+    PyObject *type = PyType_FromSpec(spec);
+    if (!type) {
+        return NULL;
+    }
+    Py_INCREF(type); // one for us, one for the module
+    if (name && PyModule_AddObject(module, name, type) < 0) {
+        Py_DECREF(type);
+        Py_DECREF(type);
+        return NULL;
+    }
+    return (PyTypeObject *)type;
+}
+
+void python_free(PyObject *self)
+{
+    PyTypeObject *type = Py_TYPE(self);
+    const freefunc release = (freefunc)(uintptr_t)PyType_GetSlot(type, Py_tp_free);
+    release(self);
+    Py_DECREF(type); // instances of types from specifications hold theirs
+}
+
+bool python_work_goes_on(void *user)
+{
+    struct python_work *work = user;
+    PyEval_RestoreThread(work->state);
+    const bool goes_on = PyErr_CheckSignals() == 0;
+    work->state = PyEval_SaveThread();
+    return goes_on;
+}
+
+static int add_functions(PyObject *module)
+{
+    PyMethodDef *const tables[] = {python_model_functions, python_camera_functions, python_encode_functions,
+                                   python_resource_functions};
+    for (size_t i = 0; i < sizeof tables / sizeof *tables; i++) {
+        if (PyModule_AddFunctions(module, tables[i]) < 0) {
+            return -1;
+        }
+    }
+    return 0;
+}
+
+static int fill(PyObject *module)
+{
+    python_error = PyErr_NewExceptionWithDoc("rhw.Error",
+                                             "The work failed: one line that names the thing and the cause.",
+                                             PyExc_RuntimeError, NULL);
+    if (!python_error) {
+        return -1;
+    }
+    Py_INCREF(python_error);
+    if (PyModule_AddObject(module, "Error", python_error) < 0 ||
+        PyModule_AddStringConstant(module, "version", rhw_version()) < 0) {
+        return -1;
+    }
+    return add_functions(module) < 0 || python_add_memory(module) < 0 || python_add_contexts(module) < 0 ||
+                   python_add_models(module) < 0 || python_add_scenes(module) < 0 ||
+                   python_add_resources(module) < 0 || python_add_passes(module) < 0
+               ? -1
+               : 0;
+}
+
+PyMODINIT_FUNC PyInit__rhw(void);
+
+PyMODINIT_FUNC PyInit__rhw(void)
+{
+    static struct PyModuleDef definition = {PyModuleDef_HEAD_INIT, .m_name = "rhw._rhw",
+                                            .m_doc = "The extension below rhw.", .m_size = -1};
+    PyObject *module = PyModule_Create(&definition);
+    if (module && fill(module) < 0) {
+        Py_DECREF(module);
+        return NULL;
+    }
+    return module;
+}

@@ -1,0 +1,320 @@
+// SPDX-License-Identifier: MIT
+// A pass: recorded by Python, run without the interpreter's lock. It holds what it draws with until it has ended.
+#include "builtin_shaders.h"
+#include "memory_object.h"
+#include "resource_object.h"
+
+#include <stdlib.h>
+#include <string.h>
+
+struct pass {
+    PyObject_HEAD PyObject *context;
+    struct python_item *item; // whose `kept` is a list of what the pass draws with; NULL: it has ended
+};
+
+static PyTypeObject *pass_type;
+
+static void pass_free(PyObject *self)
+{
+    struct pass *pass = (struct pass *)self;
+    if (pass->item) {
+        python_context_destroy_item(pass->context, pass->item);
+    }
+    Py_XDECREF(pass->context);
+    python_free(self);
+}
+
+static bool is_recorded(const struct pass *pass)
+{
+    if (!pass->item) {
+        PyErr_SetString(PyExc_ValueError, "the pass has ended");
+    }
+    return pass->item != NULL;
+}
+
+// The item of a resource, which the pass keeps from now on.
+static const struct python_item *keep(PyObject *context, PyObject *kept, PyObject *object,
+                                      enum python_item_kind kind, const char *name)
+{
+    const struct python_item *item = python_resource_get(object, context, kind, name);
+    return item && PyList_Append(kept, object) == 0 ? item : NULL;
+}
+
+// Beginning -----------------------------------------------------------------------------------------
+
+// (texture, load, (r, g, b, a) or (integer, 0, 0, 0), is integer)
+static bool read_color(PyObject *tuple, PyObject *context, PyObject *kept, struct rhw_color_attachment *color)
+{
+    PyObject *object;
+    int load, is_integer;
+    double clear[4];
+    const struct python_item *item;
+    if (!PyArg_ParseTuple(tuple, "Op(dddd)p", &object, &load, &clear[0], &clear[1], &clear[2], &clear[3],
+                          &is_integer) ||
+        !(item = keep(context, kept, object, PYTHON_ITEM_TEXTURE, "targets"))) {
+        return false;
+    }
+    color->texture = item->id.texture;
+    color->load = load ? RHW_LOAD_LOAD : RHW_LOAD_CLEAR;
+    for (int i = 0; i < 4; i++) {
+        if (is_integer) {
+            color->clear_integer[i] = (int32_t)(uint32_t)clear[i];
+        } else {
+            color->clear[i] = (float)clear[i];
+        }
+    }
+    return true;
+}
+
+static bool read_def(PyObject *arguments, PyObject **context, PyObject *kept, struct rhw_pass_def *def)
+{
+    PyObject *colors, *depth;
+    int has_depth, loads_depth;
+    *def = (struct rhw_pass_def){0};
+    if (!PyArg_ParseTuple(arguments, "O(ii)iO!pOpf:Pass", context, &def->width, &def->height, &def->samples,
+                          &PyTuple_Type, &colors, &has_depth, &depth, &loads_depth, &def->depth.clear) ||
+        !python_context_check(*context)) {
+        return false;
+    }
+    def->color_count = (int)PyTuple_Size(colors);
+    if (def->color_count > RHW_MAX_COLOR_ATTACHMENTS) {
+        PyErr_Format(PyExc_ValueError, "targets: there may be %d at most", RHW_MAX_COLOR_ATTACHMENTS);
+        return false;
+    }
+    for (int i = 0; i < def->color_count; i++) {
+        if (!read_color(PyTuple_GetItem(colors, i), *context, kept, &def->colors[i])) {
+            return false;
+        }
+    }
+    def->depth.enabled = has_depth != 0;
+    def->depth.load = loads_depth ? RHW_LOAD_LOAD : RHW_LOAD_CLEAR;
+    def->depth.store = depth == Py_None ? RHW_STORE_DISCARD : RHW_STORE_STORE;
+    if (depth != Py_None) {
+        const struct python_item *item = keep(*context, kept, depth, PYTHON_ITEM_TEXTURE, "depth");
+        def->depth.texture = item ? item->id.texture : (rhw_texture){0};
+        return item != NULL;
+    }
+    return true;
+}
+
+static bool begin(struct pass *pass, PyObject *context, const struct rhw_pass_def *def, PyObject *kept)
+{
+    struct python_item *item = calloc(1, sizeof *item);
+    rhw_context *handle = item ? python_context_enter(context) : NULL;
+    if (!handle) {
+        free(item);
+        return PyErr_Occurred() ? false : PyErr_NoMemory() != NULL;
+    }
+    item->kind = PYTHON_ITEM_PASS;
+    const enum rhw_result result = rhw_pass_begin(handle, def, &item->id.pass);
+    if (!python_context_leave(context, result)) {
+        free(item);
+        return false;
+    }
+    Py_INCREF(kept);
+    item->kept = kept;
+    Py_INCREF(context);
+    pass->context = context;
+    pass->item = item;
+    return true;
+}
+
+// (context, (width, height), samples, colours, has depth, depth texture or None, depth is loaded, depth's clear value)
+static PyObject *pass_make(PyTypeObject *type, PyObject *arguments, PyObject *keywords)
+{
+    (void)keywords;
+    PyObject *context, *kept = PyList_New(0);
+    struct rhw_pass_def def;
+    const allocfunc allocate = (allocfunc)(uintptr_t)PyType_GetSlot(type, Py_tp_alloc);
+    PyObject *self = NULL;
+    if (kept && read_def(arguments, &context, kept, &def)) {
+        self = allocate(type, 0);
+        if (self && !begin((struct pass *)self, context, &def, kept)) {
+            Py_DECREF(self);
+            self = NULL;
+        }
+    }
+    Py_XDECREF(kept);
+    return self;
+}
+
+// Drawing -------------------------------------------------------------------------------------------
+
+struct draw {
+    const struct python_item *pipeline, *indices, *texture, *sampler;
+    rhw_buffer buffers[BUILTIN_ATTRIBUTES];
+    int buffer_count;
+    unsigned count;
+    struct builtin_uniforms uniforms;
+};
+
+static bool read_uniforms(PyObject *matrices, struct builtin_uniforms *uniforms)
+{
+    struct python_array array;
+    if (!python_array_read(matrices, "matrices", "<f4", &array)) {
+        return false;
+    }
+    if (array.count != 45) {
+        PyErr_SetString(PyExc_ValueError, "matrices: must be 45 floats");
+        return false;
+    }
+    const float *values = array.data;
+    memcpy(uniforms->clip, values, sizeof uniforms->clip);
+    memcpy(uniforms->world, values + 16, sizeof uniforms->world);
+    memcpy(uniforms->normal, values + 32, sizeof uniforms->normal);
+    memcpy(uniforms->color, values + 41, sizeof uniforms->color);
+    return true;
+}
+
+static bool read_optional(PyObject *context, PyObject *kept, PyObject *object, enum python_item_kind kind,
+                          const char *name, const struct python_item **item)
+{
+    *item = object == Py_None ? NULL : keep(context, kept, object, kind, name);
+    return object == Py_None || *item;
+}
+
+static bool read_draw(const struct pass *pass, PyObject *arguments, struct draw *draw)
+{
+    PyObject *pipeline, *buffers, *indices, *texture, *sampler, *matrices, *kept = pass->item->kept;
+    *draw = (struct draw){0};
+    if (!PyArg_ParseTuple(arguments, "OO!OIOOOII:draw", &pipeline, &PyTuple_Type, &buffers, &indices,
+                          &draw->count, &texture, &sampler, &matrices, &draw->uniforms.object,
+                          &draw->uniforms.first_triangle) ||
+        !(draw->pipeline = keep(pass->context, kept, pipeline, PYTHON_ITEM_PIPELINE, "pipeline")) ||
+        !read_optional(pass->context, kept, indices, PYTHON_ITEM_BUFFER, "faces", &draw->indices) ||
+        !read_optional(pass->context, kept, texture, PYTHON_ITEM_TEXTURE, "texture", &draw->texture) ||
+        !read_optional(pass->context, kept, sampler, PYTHON_ITEM_SAMPLER, "sampler", &draw->sampler) ||
+        !read_uniforms(matrices, &draw->uniforms)) {
+        return false;
+    }
+    draw->buffer_count = (int)PyTuple_Size(buffers);
+    for (int i = 0; i < draw->buffer_count && i < BUILTIN_ATTRIBUTES; i++) {
+        const struct python_item *item =
+            keep(pass->context, kept, PyTuple_GetItem(buffers, i), PYTHON_ITEM_BUFFER, "attributes");
+        if (!item) {
+            return false;
+        }
+        draw->buffers[i] = item->id.buffer;
+    }
+    return true;
+}
+
+static void record(rhw_context *context, rhw_pass pass, const struct draw *draw)
+{
+    rhw_pass_set_pipeline(context, pass, draw->pipeline->id.pipeline);
+    for (int i = 0; i < draw->buffer_count; i++) {
+        rhw_pass_set_vertex_buffer(context, pass, i, draw->buffers[i], 0);
+    }
+    rhw_pass_set_uniforms(context, pass, &draw->uniforms, sizeof draw->uniforms);
+    if (draw->texture && draw->sampler) {
+        rhw_pass_set_texture(context, pass, 0, draw->texture->id.texture, draw->sampler->id.sampler);
+    }
+    if (draw->indices) {
+        rhw_pass_set_index_buffer(context, pass, draw->indices->id.buffer, RHW_INDEX_UINT32, 0);
+        rhw_pass_draw_indexed(context, pass, 0, draw->count, 0, 0, 1);
+    } else {
+        rhw_pass_draw(context, pass, 0, draw->count, 0, 1);
+    }
+}
+
+static PyObject *none_if(bool good)
+{
+    if (good) {
+        Py_INCREF(Py_None);
+    }
+    return good ? Py_None : NULL;
+}
+
+// (pipeline, vertex buffers, index buffer or None, count, texture or None, sampler or None, matrices, object, first triangle)
+static PyObject *pass_draw(PyObject *self, PyObject *arguments)
+{
+    struct pass *pass = (struct pass *)self;
+    struct draw draw;
+    if (!is_recorded(pass) || !read_draw(pass, arguments, &draw)) {
+        return NULL;
+    }
+    rhw_context *context = python_context_enter(pass->context);
+    if (!context) {
+        return NULL;
+    }
+    record(context, pass->item->id.pass, &draw);
+    return none_if(python_context_leave(pass->context, RHW_OK));
+}
+
+// (x, y, width, height)
+static PyObject *pass_viewport(PyObject *self, PyObject *arguments)
+{
+    struct pass *pass = (struct pass *)self;
+    struct rhw_viewport viewport = {.depth_max = 1.0f};
+    if (!PyArg_ParseTuple(arguments, "ffff:viewport", &viewport.x, &viewport.y, &viewport.width,
+                          &viewport.height) ||
+        !is_recorded(pass)) {
+        return NULL;
+    }
+    rhw_context *context = python_context_enter(pass->context);
+    if (!context) {
+        return NULL;
+    }
+    rhw_pass_set_viewport(context, pass->item->id.pass, &viewport);
+    return none_if(python_context_leave(pass->context, RHW_OK));
+}
+
+// Ending --------------------------------------------------------------------------------------------
+
+static PyObject *pass_cancel(PyObject *self, PyObject *nothing)
+{
+    (void)nothing;
+    struct pass *pass = (struct pass *)self;
+    if (!is_recorded(pass)) {
+        return NULL;
+    }
+    struct python_item *item = pass->item;
+    pass->item = NULL;
+    python_context_destroy_item(pass->context, item);
+    return none_if(true);
+}
+
+static PyObject *pass_end(PyObject *self, PyObject *nothing)
+{
+    (void)nothing;
+    struct pass *pass = (struct pass *)self;
+    rhw_context *context = is_recorded(pass) ? python_context_enter(pass->context) : NULL;
+    if (!context) {
+        return NULL;
+    }
+    struct python_item *item = pass->item;
+    pass->item = NULL;
+    struct rhw_stats stats = {0};
+    enum rhw_result result;
+    Py_BEGIN_ALLOW_THREADS result = rhw_pass_end(context, item->id.pass, &stats);
+    Py_END_ALLOW_THREADS
+        // Misuse while it was recorded: the call that it was raised it, and the rest is drawn.
+        const bool left = python_context_leave(pass->context, result == RHW_ERROR_MISUSE ? RHW_OK : result);
+    Py_DECREF(item->kept);
+    free(item);
+    if (!left) {
+        return NULL;
+    }
+    return Py_BuildValue("{s:K,s:K,s:K}", "triangles_in", (unsigned long long)stats.triangles_in,
+                         "triangles_rasterized", (unsigned long long)stats.triangles_rasterized,
+                         "fragments_shaded", (unsigned long long)stats.fragments_shaded);
+}
+
+int python_add_passes(PyObject *module)
+{
+    static PyMethodDef methods[] = {{"draw", pass_draw, METH_VARARGS, NULL},
+                                    {"viewport", pass_viewport, METH_VARARGS, NULL},
+                                    {"end", pass_end, METH_NOARGS, NULL},
+                                    {"cancel", pass_cancel, METH_NOARGS, NULL},
+                                    {0}};
+    static PyType_Slot slots[] = {{Py_tp_new, (void *)(uintptr_t)pass_make},
+                                  {Py_tp_dealloc, (void *)(uintptr_t)pass_free},
+                                  {Py_tp_methods, methods},
+                                  {0, NULL}};
+    static PyType_Spec spec = {.name = "rhw._rhw.Pass",
+                               .basicsize = sizeof(struct pass),
+                               .flags = Py_TPFLAGS_DEFAULT,
+                               .slots = slots};
+    pass_type = python_add_type(module, "Pass", &spec);
+    return pass_type ? 0 : -1;
+}

@@ -1,0 +1,177 @@
+// SPDX-License-Identifier: MIT
+// A model in a context's memory, which draws its pictures.
+#include "camera_numbers.h"
+#include "context_object.h"
+#include "memory_object.h"
+#include "model_object.h"
+#include "picture_fields.h"
+
+#include <stdlib.h>
+
+struct scene_object {
+    PyObject_HEAD PyObject *context, *model; // keeps them alive
+    const struct scene_model *source;
+    struct python_item *item;
+};
+
+static PyTypeObject *scene_type;
+
+static void scene_free(PyObject *self)
+{
+    struct scene_object *scene = (struct scene_object *)self;
+    if (scene->item) {
+        python_context_destroy_item(scene->context, scene->item);
+    }
+    Py_XDECREF(scene->context);
+    Py_XDECREF(scene->model);
+    python_free(self);
+}
+
+static PyObject *scene_make(PyTypeObject *type, PyObject *arguments, PyObject *keywords)
+{
+    (void)keywords;
+    PyObject *context, *model;
+    if (!PyArg_ParseTuple(arguments, "OO:Scene", &context, &model) || !python_context_check(context)) {
+        return NULL;
+    }
+    const struct scene_model *source = python_model_get(model);
+    const allocfunc allocate = (allocfunc)(uintptr_t)PyType_GetSlot(type, Py_tp_alloc);
+    struct scene_object *scene = source ? (struct scene_object *)allocate(type, 0) : NULL;
+    if (!scene) {
+        return NULL;
+    }
+    Py_INCREF(context);
+    Py_INCREF(model);
+    scene->context = context;
+    scene->model = model;
+    scene->source = source;
+    struct python_item *item = calloc(1, sizeof *item);
+    rhw_context *handle = item ? python_context_enter(context) : NULL;
+    if (!handle) {
+        free(item);
+        Py_DECREF(scene);
+        return PyErr_Occurred() ? NULL : PyErr_NoMemory();
+    }
+    item->kind = PYTHON_ITEM_SCENE;
+    Py_INCREF(model);
+    item->kept = model; // also where the scene's end has to wait
+    enum rhw_result result;
+    Py_BEGIN_ALLOW_THREADS result = scene_create(handle, source, &item->id.scene);
+    Py_END_ALLOW_THREADS const bool left = python_context_leave(context, result);
+    if (result == RHW_OK) {
+        scene->item = item;
+    } else {
+        Py_DECREF(model);
+        free(item);
+    }
+    if (!left) {
+        Py_DECREF(scene);
+        return NULL;
+    }
+    return (PyObject *)scene;
+}
+
+// Adds one picture to the dictionary, which owns it then.
+static bool add_picture(PyObject *dictionary, const struct python_picture_field *field, int width, int height)
+{
+    if (!*field->texels) {
+        return true;
+    }
+    const struct python_shape shape = {
+        field->type, field->channels > 1 ? 3 : 2, {height, width, field->channels}};
+    PyObject *memory = python_memory_take(*field->texels, shape);
+    *field->texels = NULL;
+    const bool added = memory && PyDict_SetItemString(dictionary, field->name, memory) == 0;
+    Py_XDECREF(memory);
+    return added;
+}
+
+static PyObject *pictures_dictionary(struct scene_pictures *pictures)
+{
+    struct python_picture_field fields[PYTHON_PICTURES];
+    python_picture_fields(pictures, fields);
+    PyObject *dictionary = PyDict_New();
+    bool added = dictionary != NULL;
+    for (int i = 0; added && i < PYTHON_PICTURES; i++) {
+        added = add_picture(dictionary, &fields[i], pictures->width, pictures->height);
+    }
+    scene_pictures_free(pictures);
+    if (!added) {
+        Py_XDECREF(dictionary);
+        return NULL;
+    }
+    return dictionary;
+}
+
+// Everything of struct scene_view, in its order; see rhw/model.py. False with an exception.
+static bool read_view(const struct scene_object *scene, PyObject *arguments, struct scene_view *view)
+{
+    PyObject *camera;
+    int interpolate, wireframe, background, lights, shadows, ground, occlusion, transparency, tone, up;
+    char error[256];
+    *view = (struct scene_view){.goes_on = python_work_goes_on};
+    if (!PyArg_ParseTuple(arguments, "(ii)iiOiiii(bbb)ipppiidI:draw", &view->width, &view->height,
+                          &view->samples, &view->supersample, &camera, &up, &interpolate, &wireframe,
+                          &background, &view->background_color[0], &view->background_color[1],
+                          &view->background_color[2], &lights, &shadows, &ground, &occlusion, &transparency,
+                          &tone, &view->exposure, &view->outputs) ||
+        !python_camera_read(camera, &view->camera)) {
+        return false;
+    }
+    view->up = up < 0 ? scene->source->up : (enum scene_axis)up;
+    view->interpolate = (enum rhw_qualifier)interpolate;
+    view->wireframe = (enum scene_wireframe)wireframe;
+    view->background = (enum scene_background)background;
+    view->default_lights = lights > 0;
+    view->no_lights = lights == 2;
+    view->shadows = shadows != 0;
+    view->ground = ground != 0;
+    view->ambient_occlusion = occlusion != 0;
+    view->transparency = (enum scene_transparency)transparency;
+    view->tone = (enum scene_tone)tone;
+    if (!scene_view_check(view, error, sizeof error)) {
+        PyErr_SetString(PyExc_ValueError, error);
+        return false;
+    }
+    return true;
+}
+
+// Returns (pictures, triangles that were rasterized).
+static PyObject *draw(PyObject *self, PyObject *arguments)
+{
+    struct scene_object *scene = (struct scene_object *)self;
+    struct scene_view view;
+    if (!read_view(scene, arguments, &view) || !python_context_enter(scene->context)) {
+        return NULL;
+    }
+    struct scene_pictures pictures;
+    struct scene_draw_stats stats;
+    struct python_work work = {PyEval_SaveThread()};
+    view.user = &work;
+    const enum rhw_result result = scene_draw(scene->item->id.scene, &view, &pictures, &stats);
+    PyEval_RestoreThread(work.state);
+    if (!python_context_leave(scene->context, result)) {
+        scene_pictures_free(&pictures);
+        return NULL;
+    }
+    PyObject *dictionary = pictures_dictionary(&pictures);
+    if (!dictionary) {
+        return NULL;
+    }
+    return Py_BuildValue("(NK)", dictionary, (unsigned long long)stats.pipeline.triangles_rasterized);
+}
+
+int python_add_scenes(PyObject *module)
+{
+    static PyMethodDef methods[] = {{"draw", draw, METH_VARARGS, NULL}, {0}};
+    static PyType_Slot slots[] = {{Py_tp_new, (void *)(uintptr_t)scene_make},
+                                  {Py_tp_dealloc, (void *)(uintptr_t)scene_free},
+                                  {Py_tp_methods, methods},
+                                  {0, NULL}};
+    static PyType_Spec spec = {.name = "rhw._rhw.Scene",
+                               .basicsize = sizeof(struct scene_object),
+                               .flags = Py_TPFLAGS_DEFAULT,
+                               .slots = slots};
+    scene_type = python_add_type(module, "Scene", &spec);
+    return scene_type ? 0 : -1;
+}

@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: MIT
+// A model made from arrays in memory instead of a file. It goes the way of files: through the same child process, with the
+// same completion of normals and the same checks, so that a mesh is drawn as it would be from a glTF.
+#ifndef SCENE_MODEL_ARRAYS_H
+#define SCENE_MODEL_ARRAYS_H
+
+#include "model.h"
+
+/// How normals are made where there are none.
+enum scene_arrays_normals { SCENE_ARRAYS_SMOOTH, SCENE_ARRAYS_FLAT };
+
+/// Tightly packed; NULL: there are none.
+struct scene_array_mesh {
+    const char *name;
+    enum scene_primitive primitive;
+    enum scene_arrays_normals shading;
+    uint32_t material, vertex_count, index_count;
+    const float (*positions)[3]; ///< not NULL
+    const float (*normals)[3];
+    const float (*uvs)[2];
+    const float (*colors)[4]; ///< linear
+    const uint32_t *indices;  ///< NULL: the vertices in their order
+};
+
+struct scene_array_image {
+    const char *name;
+    uint32_t width, height;
+    const uint8_t (*texels)[4]; ///< sRGB
+};
+
+struct scene_array_material {
+    const char *name;
+    float base_color[4], emissive[3];
+    float metallic, roughness, alpha_cutoff;
+    enum scene_alpha_mode alpha_mode;
+    bool unlit, double_sided;
+    int32_t image; ///< of the base colour; −1: none
+};
+
+struct scene_array_instance {
+    const char *name;
+    uint32_t mesh;
+    float world[16]; ///< column major
+};
+
+struct scene_arrays {
+    const char *name; ///< in the place of a path
+    enum scene_axis up;
+    const struct scene_array_mesh *meshes;
+    const struct scene_array_image *images;
+    const struct scene_array_material *materials;
+    const struct scene_array_instance *instances;
+    uint32_t mesh_count, image_count, material_count, instance_count;
+};
+
+/// Copies the arrays, which must stay as they are meanwhile. Indices that are out of range fail; what is not finite is left
+/// out as it is of a file. Otherwise as scene_model_load.
+struct scene_model *scene_model_make(const struct scene_arrays *arrays,
+                                     const struct scene_model_options *options, char *error,
+                                     size_t error_size);
+
+#endif

@@ -1,0 +1,153 @@
+# SPDX-License-Identifier: MIT
+"""Bad input is an exception of one line that names the thing and the rule, and long work ends when it is asked to."""
+
+import os
+import signal
+import threading
+import time
+
+import numpy as np
+import pytest
+
+import rhw
+
+V = np.array([[0, 0, 0], [1, 0, 0], [1, 1, 0], [0, 1, 0]], np.float32)
+F = np.array([[0, 1, 2], [0, 2, 3]])
+model = rhw.Model(V, F)
+
+
+@pytest.mark.parametrize("call, kind, line", [
+    (lambda: rhw.load("/nowhere/x.glb"), FileNotFoundError, "no such file: '/nowhere/x.glb'"),
+    (lambda: rhw.load(__file__), rhw.Error, "test_errors.py: is not a model"),
+    (lambda: rhw.load(os.path.dirname(__file__)), rhw.Error, "is a directory"),
+    (lambda: rhw.load("x\0y"), (ValueError, FileNotFoundError), ""),
+    (lambda: rhw.Model(V, F + 3), ValueError, "faces: must lie between 0 and 3, the last of 4 vertices, not 6"),
+    (lambda: rhw.Model(V, F - 1), ValueError, "faces: .* not -1"),
+    (lambda: rhw.Model(V, F * 0.5), TypeError, "faces: must be of integers, not float64"),
+    (lambda: rhw.Model(V[:, :2], F), ValueError, r"vertices: must have the shape \(N, 3\), not \(4, 2\)"),
+    (lambda: rhw.Model(V * np.nan, F), ValueError, "vertices: every number must be finite"),
+    (lambda: rhw.Model(V * 1e300, F), ValueError, "vertices: every number must be finite"),
+    (lambda: rhw.Model(V.astype(complex), F), TypeError, "vertices: must be of numbers, not complex128"),
+    (lambda: rhw.Model(np.zeros((0, 3)), F), ValueError, "vertices: there are none"),
+    (lambda: rhw.Model(V, np.zeros((0, 3), int)), ValueError, "faces: there are none"),
+    (lambda: rhw.Model(V), ValueError, "faces: .* not 4 vertices"),
+    (lambda: rhw.Model([[1], [2, 3]], F), (TypeError, ValueError), "vertices: "),
+    (lambda: rhw.Model(V, F, normals=V[:2]), ValueError, r"normals: must have the shape \(4, 3\)"),
+    (lambda: rhw.Model(V, F, colors=V[:, :2]), ValueError, "colors: must have the shape"),
+    (lambda: rhw.Model(V, F, texture=np.zeros((2, 2, 3), np.uint8)), ValueError, "texture: needs uv"),
+    (lambda: rhw.Model(V, F, uv=V[:, :2], texture=np.zeros((2, 2))), TypeError, "texture: must be of uint8"),
+    (lambda: rhw.Model(V, F, uv=V[:, :2], texture=np.zeros((0, 2), np.uint8)), ValueError, "texture: must have"),
+    (lambda: rhw.Model(V, F, roughness=2), ValueError, "roughness: must lie between 0 and 1"),
+    (lambda: rhw.Model(V, F, color=(1, 2)), ValueError, "color: must have 3 or 4 numbers"),
+    (lambda: rhw.Model(V, F, up="w"), ValueError, "up: 'w' is not one of"),
+    (lambda: model.render(0), ValueError, "size: width and height must lie between 1 and 16384"),
+    (lambda: model.render("big"), TypeError, "size: "),
+    (lambda: model.render(9, samples=3), ValueError, "samples 3: must be 1, 2, 4, 8 or 16"),
+    (lambda: model.render(9, supersample=5), ValueError, "supersample 5: must be"),
+    (lambda: model.render(9, outputs=()), ValueError, "outputs: there must be one"),
+    (lambda: model.render(9, outputs="colour"), ValueError, "outputs: 'colour' is not one of"),
+    (lambda: model.render(9, tone="x"), ValueError, "tone: "),
+    (lambda: model.render(9, exposure=99), ValueError, "exposure: must lie between -20 and 20"),
+    (lambda: model.render(9, background=(1, 2, 256)), ValueError, "background: must be"),
+    (lambda: model.render(9, context=7), (TypeError, AttributeError), ""),
+    (lambda: model.render(9, rhw.Camera.of_model(0)), ValueError, "camera: the model has 0 cameras"),
+    (lambda: model.render(9, rhw.Camera.look_at((0, 0, 0), (0, 0, 0))), ValueError, "eye and target must be different"),
+    (lambda: rhw.Camera.look_at((0, 0, 1), (0, 0, 0), fovy=180), ValueError, "fovy: must lie between 0.01 and 179"),
+    (lambda: rhw.Camera.from_matrix(np.eye(3)), ValueError, r"pose: must have the shape \(4, 4\)"),
+    (lambda: rhw.Camera.from_matrix(2 * np.eye(4)), ValueError, "pose: must turn and move"),
+    (lambda: rhw.Camera.intrinsics(0, 1, 2, 3), ValueError, "fx: must lie between"),
+    (lambda: rhw.Context(threads=-1), ValueError, "threads: must lie between 0 and 64, not -1"),
+    (lambda: rhw.Context(isa="sse9"), ValueError, "isa: this computer or this build has no sse9"),
+    (lambda: model.render(9).save("x.gif"), ValueError, "x.gif: must end in .png or .exr"),
+    (lambda: model.render(9).png("depth"), ValueError, "outputs: 'depth'.* was not drawn"),
+    (lambda: model.render(9).exr(), ValueError, "outputs: an EXR has"),
+    (lambda: rhw.write_png("x.png", np.zeros((2, 2, 2), np.uint8)), ValueError, "image: must have"),
+    (lambda: rhw.write_png("x.png", np.zeros((2, 2))), TypeError, "image: must be of uint8 or uint16"),
+])
+def test_one_line(call, kind, line, tmp_path, monkeypatch):
+    monkeypatch.chdir(tmp_path)
+    with pytest.raises(kind, match=line) as caught:
+        call()
+    assert "\n" not in str(caught.value)
+    assert os.listdir(tmp_path) == []
+
+
+def test_a_full_place_keeps_the_older_file(tmp_path):
+    (tmp_path / "x.png").write_bytes(b"older")
+    os.chmod(tmp_path, 0o500)
+    try:
+        if os.access(tmp_path, os.W_OK):
+            pytest.skip("root may write anywhere")
+        with pytest.raises(OSError):
+            rhw.write_png(tmp_path / "x.png", np.zeros((2, 2), np.uint8))
+    finally:
+        os.chmod(tmp_path, 0o700)
+    assert (tmp_path / "x.png").read_bytes() == b"older"
+
+
+def interrupted(work, after=0.3):
+    """Seconds from the signal until KeyboardInterrupt is there."""
+    sent = []
+
+    def send():
+        sent.append(time.monotonic())
+        os.kill(os.getpid(), signal.SIGINT)
+
+    timer = threading.Timer(after, send)
+    timer.start()
+    try:
+        with pytest.raises(KeyboardInterrupt):
+            work()
+        return time.monotonic() - sent[0]
+    finally:
+        timer.cancel()
+
+
+def test_ctrl_c_ends_a_draw():
+    def work():
+        model.render(16384, samples=16, outputs="object")
+        model.render(16384, samples=16, supersample=1)
+    assert interrupted(work) < 5
+    assert model.render(20)["color"].any()  # the context is as good as ever
+
+
+def test_ctrl_c_ends_an_import(tmp_path):
+    path = tmp_path / "large.obj"
+    line = b"v 1 2 3\nv 4 5 6\nv 7 8 1\nf -1 -2 -3\n"
+    path.write_bytes(line * 1500000)  # a second or more
+    assert interrupted(lambda: rhw.load(path), 0.2) < 0.4
+
+
+def test_other_threads_run_meanwhile():
+    steps = 0
+
+    def draw():
+        rhw.Model(V, F).render(2000, samples=8)
+
+    thread = threading.Thread(target=draw)
+    thread.start()
+    while thread.is_alive():
+        steps += 1
+        time.sleep(0.001)
+    assert steps > 20
+
+
+def test_after_a_fork():
+    parents = rhw.Context(threads=2)
+    model.render(20, context=parents)
+    reading, writing = os.pipe()
+    child = os.fork()
+    if child == 0:
+        status = 1
+        try:
+            picture = model.render(20).png()
+            os.write(writing, picture)
+            with pytest.raises(RuntimeError, match="does not live on in a forked process"):
+                model.render(20, context=parents)
+            status = 0
+        finally:
+            os._exit(status)
+    os.close(writing)
+    with os.fdopen(reading, "rb") as pipe:
+        assert pipe.read() == model.render(20).png()
+    assert os.waitpid(child, 0)[1] == 0

@@ -1,0 +1,45 @@
+# SPDX-License-Identifier: MIT
+"""The examples draw the pictures that stand beside them, and the commands of the documents work."""
+
+import json
+import os
+import re
+import subprocess
+import sys
+from pathlib import Path
+
+import pytest
+
+from conftest import model_file
+
+ROOT = Path(__file__).resolve().parents[2]
+EXAMPLES = sorted((ROOT / "python/examples").glob("*.py"))
+
+
+@pytest.mark.parametrize("example", EXAMPLES, ids=lambda path: path.stem)
+def test_example(example, tmp_path):
+    model = [model_file("glTF2/2CylinderEngine-glTF-Binary/2CylinderEngine.glb")] if "MODEL" in example.read_text() else []
+    out = tmp_path / "out.png"
+    subprocess.run([sys.executable, "-B", example, *model, out], check=True, stdout=subprocess.DEVNULL)
+    told = subprocess.run([os.environ["RHW_PROGRAM"], "compare", "--json", out, example.with_suffix(".png")],
+                          capture_output=True, text=True).stdout
+    # NumPy's sine differs from machine to machine in its last bit, and with it perhaps a pixel at an edge.
+    assert max(channel["mean"] for channel in json.loads(told)["channels"]) < 1e-3
+
+
+def test_examples_are_there():
+    assert len(EXAMPLES) >= 4
+
+
+def test_recipes_of_the_documents(tmp_path, monkeypatch, box_obj):
+    """Every block of Python in docs/python.md runs, one after the other, on a model called chair.glb."""
+    monkeypatch.chdir(tmp_path)
+    model = model_file("glTF2/BoxTextured-glTF-Binary/BoxTextured.glb")
+    (tmp_path / "chair.glb").write_bytes(Path(model).read_bytes())
+    text = (ROOT / "docs/python.md").read_text()
+    blocks = re.findall(r"```python\n(.*?)```", text, re.S)
+    assert len(blocks) >= 6
+    names = {}
+    for block in blocks:
+        exec(compile(block, "docs/python.md", "exec"), names)
+    assert (tmp_path / "chair.png").exists()

@@ -1,0 +1,164 @@
+# SPDX-License-Identifier: MIT
+"""Models from arrays and from what looks like trimesh."""
+
+import numpy as np
+import pytest
+
+import rhw
+
+FRONT = rhw.Camera.orbit(0, 0)
+
+
+def sphere(rows=24, columns=32):
+    v, u = np.meshgrid(np.linspace(0, np.pi, rows + 1), np.linspace(0, 2 * np.pi, columns + 1), indexing="ij")
+    vertices = np.stack([np.sin(v) * np.sin(u), np.cos(v), np.sin(v) * np.cos(u)], axis=-1).reshape(-1, 3)
+    a = (np.arange(rows)[:, None] * (columns + 1) + np.arange(columns)).reshape(-1)
+    faces = np.concatenate([np.stack([a, a + columns + 1, a + columns + 2], 1), np.stack([a, a + columns + 2, a + 1], 1)])
+    return vertices, faces, np.stack([u / (2 * np.pi), v / np.pi], axis=-1).reshape(-1, 2)
+
+
+def test_ids_are_the_faces_given():
+    vertices, faces, _ = sphere()
+    pictures = rhw.Model(vertices, faces).render(200, outputs=("triangle", "barycentric", "position"))
+    seen = pictures["triangle"] > 0
+    assert seen.sum() > 10000
+    corners = vertices[faces[pictures["triangle"][seen] - 1]]
+    weights = pictures["barycentric"][seen][:, :3]
+    assert np.allclose((corners * weights[:, :, None]).sum(axis=1), pictures["position"][seen][:, :3], atol=1e-5)
+
+
+def test_same_as_from_a_file(tmp_path, program):
+    """What is made from arrays is drawn as the glTF with the same arrays."""
+    import base64
+    import json
+    vertices, faces, _ = sphere(8, 8)
+    normals = vertices.astype(np.float32)
+    data = [vertices.astype("<f4").tobytes(), normals.tobytes(), faces.astype("<u4").tobytes()]
+    uri = "data:application/octet-stream;base64," + base64.b64encode(b"".join(data)).decode()
+    starts = np.cumsum([0] + [len(each) for each in data])
+    (tmp_path / "s.gltf").write_text(json.dumps({
+        "asset": {"version": "2.0"}, "buffers": [{"uri": uri, "byteLength": int(starts[-1])}],
+        "bufferViews": [{"buffer": 0, "byteOffset": int(starts[i]), "byteLength": len(data[i])} for i in range(3)],
+        "accessors": [{"bufferView": i, "componentType": 5126, "count": len(vertices), "type": "VEC3",
+                       "min": [-1, -1, -1], "max": [1, 1, 1]} for i in range(2)] +
+                     [{"bufferView": 2, "componentType": 5125, "count": faces.size, "type": "SCALAR"}],
+        "materials": [{"doubleSided": True, "pbrMetallicRoughness": {
+            "baseColorFactor": [0.5, 0.25, 0.125, 1], "metallicFactor": 0.25, "roughnessFactor": 0.5}}],
+        "meshes": [{"primitives": [{"attributes": {"POSITION": 0, "NORMAL": 1}, "indices": 2, "material": 0}]}],
+        "nodes": [{"mesh": 0}], "scenes": [{"nodes": [0]}], "scene": 0}))
+    model = rhw.Model(vertices, faces, normals=normals, color=(0.5, 0.25, 0.125), metallic=0.25, roughness=0.5)
+    assert model.render(100).png() == program(tmp_path / "s.gltf", "s.png", "--size", "100")
+
+
+def test_colors(square):
+    vertices, faces = square
+    unlit = dict(unlit=True, color=(1, 1, 1))
+    bytes_ = rhw.Model(vertices, faces, face_colors=np.array([[200, 10, 30], [5, 250, 90]], np.uint8), **unlit)
+    picture = bytes_.render(40, FRONT, samples=1, tone="none")["color"]
+    assert set(map(tuple, picture[10:30, 10:30, :3].reshape(-1, 3))) == {(200, 10, 30), (5, 250, 90)}
+    light = rhw.Model(vertices, faces, colors=np.full((4, 3), 0.25), **unlit).render(40, FRONT, outputs="linear")
+    assert np.allclose(light["linear"][20, 20], [0.25, 0.25, 0.25, 1], atol=2e-3)  # held in half floats
+
+
+def test_texture(square):
+    vertices, faces = square
+    texels = np.zeros((2, 2, 3), np.uint8)
+    texels[0, 0], texels[0, 1], texels[1, 0], texels[1, 1] = (250, 0, 0), (0, 250, 0), (0, 0, 250), (250, 250, 0)
+    texels = texels.repeat(16, axis=0).repeat(16, axis=1)  # so that filters mix no two of them here
+    uv = vertices[:, :2] * (1, -1) + (0, 1)
+    model = rhw.Model(vertices, faces, uv=uv, texture=texels, unlit=True, color=(1, 1, 1))
+    picture = model.render(80, FRONT, samples=1, tone="none")["color"].astype(int)
+    for row, column, wanted in ((20, 20, (250, 0, 0)), (20, 60, (0, 250, 0)), (60, 20, (0, 0, 250)), (60, 60, (250, 250, 0))):
+        assert np.abs(picture[row, column, :3] - wanted).max() < 2, (row, column)
+    assert model.images[0].texels.shape == (32, 32, 4)
+
+
+def test_flat_and_smooth():
+    vertices, faces, _ = sphere(6, 8)
+    flat = rhw.Model(vertices, faces, smooth=False).render(60, outputs="normal")["normal"]
+    smooth = rhw.Model(vertices, faces).render(60, outputs="normal")["normal"]
+    assert len(np.unique(flat.reshape(-1, 4), axis=0)) < 60 < len(np.unique(smooth.reshape(-1, 4), axis=0))
+
+
+def test_points_and_lines(square):
+    vertices, _ = square
+    lines = rhw.Model(vertices, np.array([[0, 1], [1, 2]])).render(40, FRONT, outputs="triangle")["triangle"]
+    points = rhw.Model(vertices, np.arange(4)[:, None]).render(40, FRONT, outputs="triangle")["triangle"]
+    assert set(np.unique(lines)) == {0, 1, 2} and set(np.unique(points)) == {0, 1, 2, 3, 4}
+
+
+class Visual:
+    def __init__(self, kind=None, **members):
+        self.kind = kind
+        self.__dict__.update(members)
+
+
+class Trimesh:
+    """What rhw asks of a trimesh.Trimesh."""
+
+    def __init__(self, vertices, faces, visual=None):
+        self.vertices, self.faces, self.visual = vertices, faces, visual or Visual()
+
+
+class Graph(dict):
+    nodes_geometry = property(lambda self: list(self))
+
+
+class Scene:
+    def __init__(self, geometry, graph):
+        self.geometry, self.graph = geometry, Graph(graph)
+
+
+def test_trimesh(square):
+    vertices, faces = square
+    red = np.array([[255, 0, 0, 255]] * 4, np.uint8)
+    mesh = Trimesh(vertices.astype(float), faces, Visual("vertex", vertex_colors=red))
+    assert np.array_equal(rhw.Model(mesh).meshes[0].colors, [[1, 0, 0, 1]] * 4)
+    faced = rhw.Model(Trimesh(vertices, faces, Visual("face", face_colors=red[:2])))
+    assert faced.meshes[0].faces.shape == (2, 3)
+
+
+def test_trimesh_texture(square):
+    vertices, faces = square
+    image = np.zeros((32, 32, 3), np.uint8)
+    image[:16] = 250  # above; trimesh's v points up
+    visual = Visual("texture", uv=vertices[:, :2], material=Visual(image=image))
+    picture = rhw.Model(Trimesh(vertices, faces, visual), unlit=True).render(80, FRONT, tone="none")["color"]
+    assert picture[15, 40, 0] > 200 > 5 > picture[65, 40, 0]
+
+
+def test_trimesh_scene(square):
+    vertices, faces = square
+    moved = np.eye(4)
+    moved[0, 3] = 2
+    scene = Scene({"a": Trimesh(vertices, faces)}, {"first": (np.eye(4), "a"), "second": (moved, "a")})
+    model = rhw.Model(scene)
+    assert [node.name for node in model.nodes] == ["first", "second"] and len(model.meshes) == 1
+    assert np.allclose(model.bounds, [[0, 0, 0], [3, 1, 0]])
+    assert np.array_equal(model.nodes[1].world, moved.astype(np.float32))
+    objects = model.render((90, 30), FRONT, outputs="object")["object"]
+    assert set(np.unique(objects)) == {0, 1, 2}
+
+
+def test_arrays_of_others(square):
+    """Buffers, lists and what only speaks DLPack."""
+    vertices, faces = square
+
+    class Speaker:
+        def __init__(self, array, device=1):
+            self.array, self.device = array, device
+
+        def __dlpack__(self, stream=None):
+            return self.array.__dlpack__()
+
+        def __dlpack_device__(self):
+            return self.device, 0
+
+    wanted = rhw.Model(vertices, faces).render(30, FRONT).png()
+    writable = vertices.copy()
+    for given in (Speaker(writable), vertices.tolist(), memoryview(vertices), np.asfortranarray(vertices)):
+        assert rhw.Model(given, faces.tolist()).render(30, FRONT).png() == wanted
+    with pytest.raises(TypeError, match="vertices: must lie in main memory"):
+        rhw.Model(Speaker(writable, device=2), faces)
+    torch = pytest.importorskip("torch", reason="torch is not installed")
+    assert rhw.Model(torch.from_numpy(writable), torch.from_numpy(faces)).render(30, FRONT).png() == wanted
