@@ -144,6 +144,8 @@ async function checkErrors(checks, rhw, read, data) {
                        /^rhw: --at: 1280,0 lies outside the picture, which is 1280x720$/);
     await checks.fails('what cannot be explained', (async () => scene.explain(0, 0, { supersample: 4 }))(),
                        /^rhw: --supersample: cannot be explained$/);
+    await checks.fails('pictures of 4 GiB', (async () => scene.render({ size: 16384, outputs: ['normal'] }))(),
+                       /^rhw: model: Out of memory$/);
     const obj = new TextEncoder().encode('mtllib no.mtl\nv 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n');
     const { warnings } = await rhw.render(obj, { name: 'a.obj', size: 8 });
     checks.that('a warning', warnings.length === 1 && /^rhw: a\.obj: warning: .*no\.mtl/.test(warnings[0]), warnings);

@@ -15,20 +15,6 @@ function writeFile(fs, name, bytes) {
     fs.writeFile(path, bytesOf(bytes, name));
 }
 
-// Runs web_read, which ends its instance. Returns how.
-function exitOf(reader, name, words) {
-    return reader.withWords(words, (address, size) => {
-        try {
-            return reader.module._web_read(address, size);
-        } catch (end) {
-            if (end?.name === 'ExitStatus') {
-                return end.status;
-            }
-            throw reader.crash(name, end);
-        }
-    });
-}
-
 // The model in an instance of its own, as the bytes that a scene stands on.
 async function read(model, name, files, words) {
     const reader = await Instance.create();
@@ -38,7 +24,7 @@ async function read(model, name, files, words) {
     }
     writeFile(fs, name, model);
     fs.chdir(folder);
-    const status = exitOf(reader, name, words);
+    const status = reader.withWords(words, (...place) => reader.call(name, '_web_read', ...place));
     const reply = fs.readFile('/reply');
     if (status === 0) {
         return reply;
@@ -61,8 +47,8 @@ async function open(model, options, words) {
     const bytes = await read(model, name, files, all);
     const instance = await Instance.create(threads);
     const address = instance.copyIn(bytes);
-    const handle = instance.withWords(all, (at, size) =>
-        instance.module._web_scene_open(address, bytes.length, at, size));
+    const handle = instance.withWords(all, (...place) =>
+        instance.call(name, '_web_scene_open', address, bytes.length, ...place));
     if (handle === 0) {
         instance.end();
         throw instance.error();
@@ -166,28 +152,24 @@ export class Scene {
         this.#instance = undefined; // and with it all of its memory
     }
 
+    #held() {
+        if (this.#instance === undefined || this.#instance.crashed) {
+            throw new RhwError(`rhw: the scene ${this.#instance ? 'has crashed' : 'is closed'}`);
+        }
+        return this.#instance;
+    }
+
     // Calls an entry point of the module with this scene.
     #call(name, ...values) {
-        if (this.#instance === undefined) {
-            throw new RhwError('rhw: the scene is closed');
-        }
-        try {
-            return this.#instance.module[name](this.#handle, ...values);
-        } catch (trap) {
-            const error = this.#instance.crash('scene', trap);
-            this.close();
-            throw error;
-        }
+        return this.#held().call('scene', name, this.#handle, ...values);
     }
 
     // The same with words that choose a view, of which more may be the last.
     #ask(name, words, ...values) {
-        const instance = this.#instance;
         const all = [`--threads=${this.#threads}`, ...words, '--', 'model'];
-        const done = instance?.withWords(all, (address, size) =>
-            this.#call(name, address, size, ...values));
-        if (!done) {
-            throw instance?.error() ?? new RhwError('rhw: the scene is closed');
+        const instance = this.#held();
+        if (!instance.withWords(all, (...place) => this.#call(name, ...place, ...values))) {
+            throw instance.error();
         }
     }
 
@@ -231,6 +213,16 @@ function checkArray(option, array, Type, rule, fits = () => true) {
 
 let rasterizer;
 
+async function rasterizerInstance() {
+    rasterizer ??= Instance.create();
+    const instance = await rasterizer.catch((error) => {
+        rasterizer = undefined;
+        throw error;
+    });
+    rasterizer = instance.crashed ? undefined : rasterizer;
+    return instance.crashed ? rasterizerInstance() : instance;
+}
+
 // What lies in the module's memory for a call, and is freed after it.
 class Lent {
     #instance;
@@ -273,8 +265,7 @@ export async function rasterize(triangles) {
         checkArray('matrix', matrix, Float32Array, 'of 16 numbers, column by column', (length) => length === 16);
     }
     const rules = [choose('cull', cull, culls), choose('depthRange', depthRange, depthRanges)];
-    rasterizer ??= Instance.create();
-    const instance = await rasterizer;
+    const instance = await rasterizerInstance();
     const lent = new Lent(instance);
     try {
         const vertices = positions.length / components;
@@ -283,7 +274,7 @@ export async function rasterize(triangles) {
         const [ids, depth, barycentric] = [4, 4, 16].map((size) => lent.room(Math.max(pixels, 1) * size));
         const words = [width, height, asked[0], components, vertices, asked[1], indices?.length ?? vertices, asked[2],
                        ...rules, ids, depth, barycentric];
-        if (!instance.module._web_rasterize(lent.give(Uint32Array.from(words)))) {
+        if (!instance.call('rasterize', '_web_rasterize', lent.give(Uint32Array.from(words)))) {
             throw instance.error();
         }
         return {
@@ -293,12 +284,6 @@ export async function rasterize(triangles) {
             depth: instance.copyOut(Float32Array, depth, pixels),
             barycentric: instance.copyOut(Float32Array, barycentric, 4 * pixels),
         };
-    } catch (trap) {
-        if (trap instanceof RhwError) {
-            throw trap;
-        }
-        rasterizer = undefined;
-        throw instance.crash('rasterize', trap);
     } finally {
         lent.takeBack();
     }

@@ -12,7 +12,7 @@ export class RhwError extends Error {
 
 async function fetchModule(url) {
     if (url.protocol === 'file:' && typeof process === 'object') {
-        const { readFile } = await import('node:fs/promises');
+        const { readFile } = await import(/* webpackIgnore: true */ /* @vite-ignore */ 'node:fs/promises');
         return WebAssembly.compile(await readFile(url));
     }
     const response = await fetch(url);
@@ -24,14 +24,12 @@ async function fetchModule(url) {
         : WebAssembly.compile(await response.arrayBuffer());
 }
 
-const single = { path: './rhw.wasm', script: () => import('./rhw.js') };
-const threaded = { path: './rhw-threads.wasm', script: () => import('./rhw-threads.js') };
+// Addresses in the form that bundlers look for.
+const single = { url: new URL('./rhw.wasm', import.meta.url), script: () => import('./rhw.js') };
+const threaded = { url: new URL('./rhw-threads.wasm', import.meta.url), script: () => import('./rhw-threads.js') };
 
 async function loadKind(kind) {
-    const [module, { default: create }] = await Promise.all([
-        fetchModule(new URL(kind.path, import.meta.url)),
-        kind.script(),
-    ]);
+    const [module, { default: create }] = await Promise.all([fetchModule(kind.url), kind.script()]);
     return { module, create };
 }
 
@@ -69,6 +67,7 @@ export class Instance {
         const instance = new Instance();
         instance.said = [];
         instance.complaints = [];
+        instance.crashed = false;
         instance.module = await create({
             helpThreads: threads - 1, // beside the one that calls; web/CMakeLists.txt makes workers for them
             instantiateWasm(imports, done) {
@@ -96,7 +95,9 @@ export class Instance {
     }
 
     free(address) {
-        this.module._web_free(address);
+        if (!this.crashed) {
+            this.module._web_free(address);
+        }
     }
 
     /** Copies an ArrayBuffer or a view of one into the module's memory. */
@@ -136,10 +137,19 @@ export class Instance {
         return this.said.splice(0).join('\n');
     }
 
-    /** What has trapped as an error: nothing can be gone on with in this instance. */
-    crash(subject, trap) {
-        const why = this.complaints.find((line) => !line.startsWith('Aborted')) ?? trap?.message ?? trap;
-        return new RhwError(`rhw: ${subject}: needs more memory than there is, or crashed (${why})`);
+    /** Calls an entry point. What traps is an error about `subject`, and leaves nothing that could be gone on with. */
+    call(subject, name, ...values) {
+        try {
+            return this.module[name](...values);
+        } catch (trap) {
+            if (trap?.name === 'ExitStatus') {
+                return trap.status; // of web_read, which ends so
+            }
+            const why = this.complaints.find((line) => !line.startsWith('Aborted')) ?? trap?.message ?? trap;
+            this.crashed = true;
+            this.end();
+            throw new RhwError(`rhw: ${subject}: needs more memory than there is, or crashed (${why})`);
+        }
     }
 
     /** The last message as an error. */
