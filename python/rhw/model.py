@@ -250,12 +250,13 @@ class Model:
         scene, threads = self._scene(context)
 
         def draw_some(numbers: Tuple[Any, ...], some: List[str]) -> Tuple[Dict[str, Any], int]:
-            return scene.draw((width, height), int(samples), int(supersample), numbers, axis(up),
+            return scene.draw((width, height), _arrays.one_of(samples, "samples", (1, 2, 4, 8, 16)),
+                              _arrays.one_of(supersample, "supersample", (1, 4, 9, 16)), numbers, axis(up),
                               _arrays.choice(interpolate, "interpolate", _INTERPOLATIONS),
                               _arrays.choice(wireframe, "wireframe", _WIREFRAMES), kind, color,
                               _arrays.choice(lights, "lights", _LIGHTS), shadows, ground, ambient_occlusion,
                               _arrays.choice(transparency, "transparency", _TRANSPARENCIES),
-                              _arrays.choice(tone, "tone", _TONES), float(exposure),
+                              _arrays.choice(tone, "tone", _TONES), _arrays.number(exposure, "exposure", -20, 20),
                               sum(OUTPUTS[each] for each in some))
 
         def draw(numbers: Tuple[Any, ...]) -> Tuple[Dict[str, Any], int]:
@@ -299,7 +300,7 @@ class Model:
 def _size(size: Size) -> Tuple[int, int]:
     pair = (size, size) if isinstance(size, (int, np.integer)) else tuple(size)
     if len(pair) != 2 or not all(isinstance(each, (int, np.integer)) for each in pair):
-        raise TypeError(f"size: must be (width, height) or one number, not {size!r}")
+        raise TypeError(f"size: must be (width, height) or one number, not {_arrays.text(size)}")
     width, height = int(pair[0]), int(pair[1])
     if not (1 <= width <= 16384 and 1 <= height <= 16384):
         raise ValueError(f"size: width and height must lie between 1 and 16384, not {width}, {height}")
@@ -321,7 +322,7 @@ def _background(background: Union[str, Sequence[int]]) -> Tuple[int, Tuple[int, 
         return _BACKGROUNDS[background], (0, 0, 0)
     values = tuple(background)
     if len(values) != 3 or not all(isinstance(each, (int, np.integer)) and 0 <= each <= 255 for each in values):
-        raise ValueError(f"background: must be 'default', 'transparent' or three numbers of 0 to 255, not {background!r}")
+        raise ValueError(f"background: must be 'default', 'transparent' or three numbers of 0 to 255, not {_arrays.text(background)}")
     return 1, (int(values[0]), int(values[1]), int(values[2]))
 
 

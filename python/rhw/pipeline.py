@@ -132,11 +132,10 @@ class Sampler:
 
     def __init__(self, filter: str = "linear", address: str = "repeat", anisotropy: float = 1.0, *,
                  context: Optional[_rhw.Context] = None):
-        if not 1 <= anisotropy <= 16:
-            raise ValueError(f"anisotropy: must lie between 1 and 16, not {anisotropy!r}")
+        samples = _arrays.number(anisotropy, "anisotropy", 1, 16)
         self._context = _threads.context() if context is None else context
         self._resource = _rhw.sampler(self._context, _arrays.choice(filter, "filter", _FILTERS),
-                                      _arrays.choice(address, "address", _ADDRESSES), float(anisotropy))
+                                      _arrays.choice(address, "address", _ADDRESSES), samples)
 
 
 Targets = Mapping[str, Texture]
@@ -164,10 +163,9 @@ class Pipeline:
                  depth_write: bool = True, blend: bool = False, interpolate: str = "smooth",
                  context: Optional[_rhw.Context] = None):
         self.outputs = _formats_of(outputs)
-        if positions not in (3, 4):
-            raise ValueError(f"positions: must be 3 or 4, not {positions!r}")
-        if colors not in (None, "float32", "uint8"):
-            raise ValueError(f"colors: must be None, 'float32' or 'uint8', not {colors!r}")
+        _arrays.one_of(positions, "positions", (3, 4))
+        if colors is not None:
+            _arrays.choice(colors, "colors", ("float32", "uint8"))
         if not uv and (texture or "uv" in self.outputs):
             raise ValueError("uv: needed by " + ("texture" if texture else "the output uv"))
         if not normals and "normal" in self.outputs:
@@ -239,8 +237,7 @@ class Pass:
                 raise ValueError(f"targets: must be of one size, not {textures[0].size} and {texture.size}")
         if isinstance(depth, Texture) and depth.format != "d32_float":
             raise ValueError(f"depth: must be a texture of d32_float, not {depth.format}")
-        if samples not in (1, 2, 4, 8, 16):
-            raise ValueError(f"samples: must be 1, 2, 4, 8 or 16, not {samples!r}")
+        _arrays.one_of(samples, "samples", (1, 2, 4, 8, 16))
         for name in clear:
             _arrays.choice(name, "clear", (*targets, "depth_test"))
         self.formats = _formats_of(targets)
@@ -303,13 +300,12 @@ class Pass:
             raise ValueError("texture: " + ("missing" if texture is None else "the pipeline has none"))
         if texture is not None and sampler is None:
             sampler = Sampler(context=self._context)
-        for value, name in ((object, "object"), (first_triangle, "first_triangle")):
-            if not 0 <= value < 2**32:
-                raise ValueError(f"{name}: must lie between 0 and 4294967295, not {value}")
+        numbers = [_arrays.whole(value, name, 0, 2**32 - 1)
+                   for value, name in ((object, "object"), (first_triangle, "first_triangle"))]
         recorded.draw(pipeline._resource, tuple(each._resource for each in buffers),
                       None if indices is None else indices._resource, count,
                       None if texture is None else texture._resource, None if sampler is None else sampler._resource,
-                      _matrices(matrix, world, color), int(object), int(first_triangle))
+                      _matrices(matrix, world, color), *numbers)
 
     def _attributes(self, pipeline: Pipeline, given: Mapping[str, Any]) -> Sequence[Buffer]:
         buffers = []
@@ -356,11 +352,11 @@ def _clear_of(value: _Clear, name: str, form: str) -> Tuple[Tuple[float, ...], b
     channels = FORMATS[form][0]
     array = np.atleast_1d(np.asarray(value, np.float64))
     if array.ndim != 1 or len(array) not in (1, channels) or np.isnan(array).any():
-        raise ValueError(f"clear: {name} must be one number or {channels}, not {value!r}")
+        raise ValueError(f"clear: {name} must be one number or {channels}, not {_arrays.text(value)}")
     numbers = array.tolist() * (channels if len(array) == 1 else 1)
     is_integer = form == "r32_uint"
     if is_integer and not (0 <= numbers[0] < 2**32 and numbers[0] == int(numbers[0])):
-        raise ValueError(f"clear: {name} must be a whole number of 0 to 4294967295, not {value!r}")
+        raise ValueError(f"clear: {name} must be a whole number of 0 to 4294967295, not {_arrays.text(value)}")
     return tuple(numbers + [0.0] * (4 - channels)), is_integer
 
 

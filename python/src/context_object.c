@@ -10,7 +10,8 @@
 #include <unistd.h>
 
 struct context {
-    PyObject_HEAD rhw_context *handle;
+    PyObject ob_base;
+    rhw_context *handle;
     PyThread_type_lock lock;
     unsigned long holder; // the thread whose turn it is, or 0
     pid_t process;        // that made it: worker threads do not live on in a fork

@@ -10,7 +10,8 @@
 #include <stdlib.h>
 
 struct model {
-    PyObject_HEAD struct scene_model *model;
+    PyObject ob_base;
+    struct scene_model *model;
 };
 
 static PyTypeObject *model_type;

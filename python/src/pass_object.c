@@ -8,7 +8,8 @@
 #include <string.h>
 
 struct pass {
-    PyObject_HEAD PyObject *context;
+    PyObject ob_base;
+    PyObject *context;
     struct python_item *item; // whose `kept` is a list of what the pass draws with; NULL: it has ended
 };
 

@@ -10,7 +10,8 @@
 #include <string.h>
 
 struct resource {
-    PyObject_HEAD PyObject *context, *memory; // memory may be NULL
+    PyObject ob_base;
+    PyObject *context, *memory; // memory may be NULL
     struct python_item *item;
 };
 
