@@ -126,7 +126,7 @@ def matrix(value: Any, name: str) -> np.ndarray:
 
 
 def product(a: np.ndarray, b: np.ndarray) -> np.ndarray:
-    """a @ b of (4, 4) matrices with its sums in a fixed order: libraries for linear algebra choose theirs by the machine."""
+    """a @ b of (4, 4) matrices, summed in a fixed order: libraries for linear algebra choose theirs by the machine."""
     total = a[:, 0, None] * b[None, 0, :]
     for k in range(1, 4):
         total = total + a[:, k, None] * b[None, k, :]

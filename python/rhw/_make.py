@@ -59,8 +59,9 @@ class Surface:
         color = color if len(color) == 4 else color + (1.0,)
         seen_through = color[3] < 1 or (self.texture is not None and bool((self.texture[:, :, 3] < 255).any()))
         alpha = self.alpha or ("blend" if seen_through else "opaque")
-        return (name, color, _color(self.emissive, "emissive", (3,)), _arrays.number(self.metallic, "metallic", 0, 1),
-                _arrays.number(self.roughness, "roughness", 0, 1), _arrays.choice(alpha, "alpha", _ALPHAS), 0.5, self.unlit,
+        return (name, color, _color(self.emissive, "emissive", (3,)),
+                _arrays.number(self.metallic, "metallic", 0, 1), _arrays.number(self.roughness, "roughness", 0, 1),
+                _arrays.choice(alpha, "alpha", _ALPHAS), 0.5, self.unlit,
                 self.double_sided, image)
 
 

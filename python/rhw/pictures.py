@@ -63,7 +63,7 @@ class Pictures(Dict[str, np.ndarray]):
     def _png(self, name: str, output: str, bits: int) -> bytes:
         kind = _arrays.choice(output, "output", _FILE_KINDS)
         return _rhw.encode_output(name, self._checked(), self.size, kind, bits, self._transparent,
-                                  *self._model.bounds_tuples)
+                                  *self._model._bounds)
 
     def exr(self, outputs: Optional[Iterable[str]] = None) -> bytes:
         """The bytes of the EXR that `rhw render` writes: layers of 32 bits, with the camera and the objects' names.

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// The interpreter's lock is released while the library draws, so a second thread may come to a context meanwhile: it waits
-// for a lock of the context's own. Objects are collected on any thread, and must not wait: what cannot be destroyed at once
-// is put on a list, which the turn that is under way empties at its end.
+// The interpreter's lock is released while the library draws, so a second thread may come to a context meanwhile: it
+// waits for a lock of the context's own. Objects are collected on any thread, and must not wait: what cannot be
+// destroyed at once is put on a list, which the turn that is under way empties at its end.
 #include "context_object.h"
 
 #include <stdio.h>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Models: read from a file, or described to Python as dictionaries whose arrays stand on the model's own memory. What is
-// made from arrays stands in model_make.c.
+// Models: read from a file, or described to Python as dictionaries whose arrays stand on the model's own memory. What
+// is made from arrays stands in model_make.c.
 #include "memory_object.h"
 #include "model_make.h"
 #include "model_object.h"

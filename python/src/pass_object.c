@@ -226,7 +226,8 @@ static PyObject *none_if(bool good)
     return good ? Py_None : NULL;
 }
 
-// (pipeline, vertex buffers, index buffer or None, count, texture or None, sampler or None, matrices, object, first triangle)
+// (pipeline, vertex buffers, index buffer or None, count, texture or None, sampler or None, matrices, object, first
+// triangle)
 static PyObject *pass_draw(PyObject *self, PyObject *arguments)
 {
     struct pass *pass = (struct pass *)self;
