@@ -1,9 +1,10 @@
 # SPDX-License-Identifier: MIT
 """Builds the package: CMake makes the extension, and the libraries that it needs beyond libc are taken along.
 
-Most of those libraries come as shared objects alone, so they cannot be linked into the extension. They go into rhw/lib, where
-the extension's RPATH finds them, and the wheel then runs wherever the libc is as new as that of the machine that built it.
-The environment variable RHW_BUILD_DIR names a CMake build of the checkout to build in, instead of one of its own.
+Most of those libraries come as shared objects alone, so they cannot be linked into the extension. They go into
+rhw/lib, where the extension's RPATH finds them, and the wheel then runs wherever the libc is as new as that of the
+machine that built it. The environment variable RHW_BUILD_DIR names a CMake build of the checkout to build in, instead
+of one of its own.
 """
 
 import os
@@ -58,8 +59,8 @@ class BuildExtension(build_ext):
         build = Path(os.environ.get("RHW_BUILD_DIR") or Path(self.build_temp).resolve() / "cmake")
         if not (build / "CMakeCache.txt").exists():
             generator = ["-G", "Ninja"] if shutil.which("ninja") else []
-            subprocess.run(["cmake", "-S", ROOT, "-B", build, *generator, "-DCMAKE_BUILD_TYPE=Release", "-DRHW_PYTHON=ON",
-                            "-DRHW_PROGRAM=OFF", "-DRHW_EXAMPLES=OFF", "-DRHW_INSTALL=OFF",
+            subprocess.run(["cmake", "-S", ROOT, "-B", build, *generator, "-DCMAKE_BUILD_TYPE=Release",
+                            "-DRHW_PYTHON=ON", "-DRHW_PROGRAM=OFF", "-DRHW_EXAMPLES=OFF", "-DRHW_INSTALL=OFF",
                             f"-DPython3_EXECUTABLE={sys.executable}"], check=True)
         subprocess.run(["cmake", "--build", build, "--target", "rhw_python", "--parallel", str(os.cpu_count())],
                        check=True)

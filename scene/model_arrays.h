@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// A model made from arrays in memory instead of a file. It goes the way of files: through the same child process, with the
-// same completion of normals and the same checks, so that a mesh is drawn as it would be from a glTF.
+// A model made from arrays in memory instead of a file. It goes the way of files: through the same child process,
+// with the same completion of normals and the same checks, so that a mesh is drawn as it would be from a glTF.
 #ifndef SCENE_MODEL_ARRAYS_H
 #define SCENE_MODEL_ARRAYS_H
 
@@ -53,8 +53,8 @@ struct scene_arrays {
     uint32_t mesh_count, image_count, material_count, instance_count;
 };
 
-/// Copies the arrays, which must stay as they are meanwhile. Indices that are out of range fail; what is not finite is left
-/// out as it is of a file. Otherwise as scene_model_load.
+/// Copies the arrays, which must stay as they are meanwhile. Indices that are out of range fail; what is not finite
+/// is left out as it is of a file. Otherwise as scene_model_load.
 struct scene_model *scene_model_make(const struct scene_arrays *arrays,
                                      const struct scene_model_options *options, char *error,
                                      size_t error_size);

@@ -23,9 +23,9 @@ pipeline              buffers, textures and passes, for what no model and no mat
 Context               how many threads draw; nothing that is drawn depends on it
 Error                 the work failed: one line that names the thing and the cause
 
-Mistakes in arguments are TypeError and ValueError, whose line names the argument and the rule. Arrays are rows from top to
-bottom: a picture of size=(640, 480) has the shape (480, 640). Matrices are for column vectors; the world is right-handed.
-What is drawn is what the program `rhw render` draws with the same options, to the last bit.
+Mistakes in arguments are TypeError and ValueError, whose line names the argument and the rule. Arrays are rows from
+top to bottom: a picture of size=(640, 480) has the shape (480, 640). Matrices are for column vectors; the world is
+right-handed. What is drawn is what the program `rhw render` draws with the same options, to the last bit.
 """
 
 from . import _rhw, pipeline
@@ -36,5 +36,5 @@ from .pictures import Pictures, write_png
 
 __version__: str = _rhw.version
 
-__all__ = ["Animation", "Camera", "Context", "Error", "Image", "Light", "Material", "Mesh", "Model", "ModelCamera", "Node",
-           "Pictures", "View", "load", "pipeline", "write_png"]
+__all__ = ["Animation", "Camera", "Context", "Error", "Image", "Light", "Material", "Mesh", "Model", "ModelCamera",
+           "Node", "Pictures", "View", "load", "pipeline", "write_png"]

@@ -76,11 +76,45 @@ def texels(value: Any, name: str) -> np.ndarray:
     return full
 
 
+def text(value: Any) -> str:
+    """A value for a message: on one line, and short."""
+    line = " ".join(repr(value).split())
+    return line if len(line) <= 60 else line[:57] + "..."
+
+
 def choice(value: Any, name: str, choices: Sequence[str]) -> int:
     """The place of a name among those there are."""
-    if value not in choices:
-        raise ValueError(f"{name}: {value!r} is not one of {', '.join(choices)}")
+    if not isinstance(value, str) or value not in choices:
+        raise ValueError(f"{name}: {text(value)} is not one of {', '.join(choices)}")
     return choices.index(value)
+
+
+def number(value: Any, name: str, least: float, most: float) -> float:
+    """A number in a range, both ends included."""
+    try:
+        found = float(value)
+    except (TypeError, ValueError, OverflowError):
+        raise TypeError(f"{name}: must be a number, not {text(value)}") from None
+    if not least <= found <= most:
+        raise ValueError(f"{name}: must lie between {least:g} and {most:g}, not {found:g}")
+    return found
+
+
+def whole(value: Any, name: str, least: int, most: int) -> int:
+    """A whole number in a range, both ends included."""
+    if not isinstance(value, (int, np.integer)):
+        raise TypeError(f"{name}: must be a whole number, not {text(value)}")
+    if not least <= value <= most:
+        raise ValueError(f"{name}: must lie between {least} and {most}, not {text(int(value))}")
+    return int(value)
+
+
+def one_of(value: Any, name: str, choices: Sequence[int]) -> int:
+    """A whole number of a few."""
+    if not isinstance(value, (int, np.integer)) or value not in choices:
+        listed = ", ".join(map(str, choices[:-1])) + f" or {choices[-1]}"
+        raise ValueError(f"{name}: must be {listed}, not {text(value)}")
+    return int(value)
 
 
 def matrix(value: Any, name: str) -> np.ndarray:
@@ -92,7 +126,7 @@ def matrix(value: Any, name: str) -> np.ndarray:
 
 
 def product(a: np.ndarray, b: np.ndarray) -> np.ndarray:
-    """a @ b of (4, 4) matrices with its sums in a fixed order: libraries for linear algebra choose theirs by the machine."""
+    """a @ b of (4, 4) matrices, summed in a fixed order: libraries for linear algebra choose theirs by the machine."""
     total = a[:, 0, None] * b[None, 0, :]
     for k in range(1, 4):
         total = total + a[:, k, None] * b[None, k, :]

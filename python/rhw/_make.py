@@ -31,17 +31,11 @@ def _linear(colors: Any, name: str, rows: int) -> np.ndarray:
 def _color(value: Sequence[float], name: str, count: Tuple[int, ...]) -> Tuple[float, ...]:
     array = np.asarray(value)
     if array.shape not in [(each,) for each in count]:
-        raise ValueError(f"{name}: must have {' or '.join(map(str, count))} numbers, not {value!r}")
+        raise ValueError(f"{name}: must have {' or '.join(map(str, count))} numbers, not {_arrays.text(value)}")
     numbers = _arrays.floats(array, name, array.shape).tolist()
     if min(numbers) < 0:
-        raise ValueError(f"{name}: no number may be negative, not {value!r}")
+        raise ValueError(f"{name}: no number may be negative, not {_arrays.text(value)}")
     return tuple(numbers)
-
-
-def _part(value: float, name: str) -> float:
-    if not 0 <= value <= 1:
-        raise ValueError(f"{name}: must lie between 0 and 1, not {value!r}")
-    return float(value)
 
 
 @dataclass(frozen=True)
@@ -65,8 +59,9 @@ class Surface:
         color = color if len(color) == 4 else color + (1.0,)
         seen_through = color[3] < 1 or (self.texture is not None and bool((self.texture[:, :, 3] < 255).any()))
         alpha = self.alpha or ("blend" if seen_through else "opaque")
-        return (name, color, _color(self.emissive, "emissive", (3,)), _part(self.metallic, "metallic"),
-                _part(self.roughness, "roughness"), _arrays.choice(alpha, "alpha", _ALPHAS), 0.5, self.unlit,
+        return (name, color, _color(self.emissive, "emissive", (3,)),
+                _arrays.number(self.metallic, "metallic", 0, 1), _arrays.number(self.roughness, "roughness", 0, 1),
+                _arrays.choice(alpha, "alpha", _ALPHAS), 0.5, self.unlit,
                 self.double_sided, image)
 
 

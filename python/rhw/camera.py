@@ -27,16 +27,6 @@ def _vector(value: Any, name: str) -> Tuple[float, float, float]:
     return tuple(_arrays.floats(value, name, (3,), np.float64).tolist())  # type: ignore[return-value]
 
 
-def _number(value: Any, name: str, least: float, most: float) -> float:
-    try:
-        number = float(value)
-    except (TypeError, ValueError):
-        raise TypeError(f"{name}: must be a number, not {value!r}") from None
-    if not least <= number <= most:
-        raise ValueError(f"{name}: must lie between {least:g} and {most:g}, not {number:g}")
-    return number
-
-
 class View:
     """A camera as it takes a certain picture of a certain model.
 
@@ -120,16 +110,16 @@ class Camera:
         zoom: what is seen is so many times as large, 0.01 to 100.
         margin: percent of the picture that stay free on each side, 0 to 45; None: 4.
         """
-        angles = (_number(azimuth, "azimuth", -1e6, 1e6), _number(elevation, "elevation", -1e6, 1e6))
-        return cls._fitted(angles, f"orbit({azimuth}, {elevation})", options)
+        angles = (_arrays.number(azimuth, "azimuth", -1e6, 1e6), _arrays.number(elevation, "elevation", -1e6, 1e6))
+        return cls._fitted(angles, f"orbit({angles[0]:g}, {angles[1]:g})", options)
 
     @classmethod
     def _fitted(cls, angles: Optional[Tuple[float, float]], text: str, options: dict) -> "Camera":
         def fit(up: Optional[str] = None, whole: bool = False, fovy: Optional[float] = None,
                 orthographic: bool = False, zoom: float = 1.0, margin: Optional[float] = None) -> _Resolve:
-            degrees = 0.0 if fovy is None else float(np.float32(_number(fovy, "fovy", 0.01, 179)))
-            part = -1.0 if margin is None else _number(margin, "margin", 0, 45) / 100
-            larger = _number(zoom, "zoom", 0.01, 100)
+            degrees = 0.0 if fovy is None else float(np.float32(_arrays.number(fovy, "fovy", 0.01, 179)))
+            part = -1.0 if margin is None else _arrays.number(margin, "margin", 0, 45) / 100
+            larger = _arrays.number(zoom, "zoom", 0.01, 100)
             number = axis(up)
             return lambda model, width, height: _rhw.camera_fit(
                 model._model, width / height, angles, number, whole, degrees, orthographic, larger, part)
@@ -141,9 +131,9 @@ class Camera:
                 fovy: float = 30.0) -> "Camera":
         """From a point to a point. `up` need not be at a right angle to the view; fovy: 0.01 to 179 degrees."""
         vectors = _vector(eye, "eye"), _vector(target, "target"), _vector(up, "up")
-        degrees = _number(fovy, "fovy", 0.01, 179)
+        degrees = _arrays.number(fovy, "fovy", 0.01, 179)
         return cls(lambda model, width, height: _rhw.camera_look(model._model, *vectors, degrees),
-                   f"look_at({eye}, {target})")
+                   f"look_at({vectors[0]}, {vectors[1]})")
 
     @classmethod
     def of_model(cls, which: Union[int, str] = 0) -> "Camera":
@@ -152,11 +142,11 @@ class Camera:
             names = [camera.name for camera in model.cameras]
             if isinstance(which, str) and which in names:
                 return _rhw.camera_of_file(model._model, width / height, names.index(which))
-            if not isinstance(which, str) and 0 <= which < len(names):
+            if isinstance(which, (int, np.integer)) and 0 <= which < len(names):
                 return _rhw.camera_of_file(model._model, width / height, which)
-            raise ValueError(f"camera: the model has {len(names)} cameras, and {which!r} is none of them")
+            raise ValueError(f"camera: the model has {len(names)} cameras, and {_arrays.text(which)} is none of them")
 
-        return cls(resolve, f"of_model({which!r})")
+        return cls(resolve, f"of_model({_arrays.text(which)})")
 
     @classmethod
     def from_matrix(cls, pose: Any, fovy: float = 30.0, *, height: Optional[float] = None,
@@ -170,9 +160,9 @@ class Camera:
         world = _arrays.matrix(pose, "pose")
         _check_turn(world, "pose")
         numbers = _posed(world[:3, 3], -world[:3, 2], world[:3, 1])
-        lens = (False, _number(fovy, "fovy", 0.01, 179) * _DEGREE, 0.0)
+        lens = (False, _arrays.number(fovy, "fovy", 0.01, 179) * _DEGREE, 0.0)
         if height is not None:
-            lens = (True, 0.0, 0.5 * _number(height, "height", 1e-30, 1e30))
+            lens = (True, 0.0, 0.5 * _arrays.number(height, "height", 1e-30, 1e30))
         return cls(_planes(lambda width, height: (*numbers, *lens, 0.0, 0.0, 1.0, (0.0, 0.0)), near, far),
                    "from_matrix(...)")
 
@@ -186,8 +176,8 @@ class Camera:
         stands at the origin.
         A point at (X, Y, Z) before the camera is drawn at column fx X / Z + cx, row fy Y / Z + cy.
         """
-        fx, fy = _number(fx, "fx", 1e-6, 1e9), _number(fy, "fy", 1e-6, 1e9)
-        cx, cy = _number(cx, "cx", -1e9, 1e9), _number(cy, "cy", -1e9, 1e9)
+        fx, fy = _arrays.number(fx, "fx", 1e-6, 1e9), _arrays.number(fy, "fy", 1e-6, 1e9)
+        cx, cy = _arrays.number(cx, "cx", -1e9, 1e9), _arrays.number(cy, "cy", -1e9, 1e9)
         view = np.eye(4) if extrinsic is None else _arrays.matrix(extrinsic, "extrinsic")
         _check_turn(view, "extrinsic")
         rows, moved = view[:3, :3].tolist(), view[:3, 3].tolist()
@@ -199,7 +189,7 @@ class Camera:
             shift = (2 * (cx + 0.5) / width - 1, 1 - 2 * (cy + 0.5) / height)
             return (*numbers, False, _rhw.lens_angle(height, fy), 0.0, 0.0, 0.0, fx / fy, shift)
 
-        return cls(_planes(lens, near, far), f"intrinsics({fx}, {fy}, {cx}, {cy})")
+        return cls(_planes(lens, near, far), f"intrinsics({fx:g}, {fy:g}, {cx:g}, {cy:g})")
 
 
 def _check_turn(matrix: np.ndarray, name: str) -> None:
@@ -217,9 +207,9 @@ def _planes(lens: Callable[[int, int], Tuple[Any, ...]], near: Optional[float],
             far: Optional[float]) -> _Resolve:
     """Puts planes that were not given around the model."""
     if near is not None:
-        near = _number(near, "near", 1e-30, 1e30)
+        near = _arrays.number(near, "near", 1e-30, 1e30)
     if far is not None:
-        far = _number(far, "far", 1e-30, math.inf)
+        far = _arrays.number(far, "far", 1e-30, math.inf)
 
     def resolve(model: "Model", width: int, height: int) -> Tuple[Any, ...]:
         numbers = list(_rhw.camera_enclose(model._model, lens(width, height)))

@@ -13,7 +13,7 @@ from typing import Any, Dict, Iterable, List, Optional, Sequence, Tuple, Union
 import numpy as np
 
 from . import _arrays, _rhw, _threads
-from .camera import AXES, Camera, axis
+from .camera import AXES, Camera, View, axis
 from .pictures import OUTPUTS, Pictures
 
 
@@ -67,8 +67,8 @@ class Image:
 
 @dataclass(frozen=True)
 class Node:
-    """A mesh in the world. `object` is the number that the output `object` shows; a node whose mesh has several materials
-    is here several times with the same one. world: (4, 4) float32 for column vectors."""
+    """A mesh in the world. `object` is the number that the output `object` shows; a node whose mesh has several
+    materials is here several times with the same one. world: (4, 4) float32 for column vectors."""
 
     name: str
     mesh: int
@@ -144,27 +144,28 @@ class Model:
     >>> model = rhw.Model(vertices, faces)                      # (N, 3) and (M, 3) arrays
     >>> model = rhw.Model(vertices, faces, colors=rgb, smooth=False)
     >>> model = rhw.Model(vertices, faces, uv=uv, texture=image, roughness=0.4)
-    >>> model = rhw.Model(mesh)                                 # a trimesh.Trimesh, trimesh.Scene or what looks like one
+    >>> model = rhw.Model(mesh)                                 # a mesh or a scene of trimesh, or what looks like one
     >>> model.render(400)["depth"]
 
-    vertices: (N, 3) floats, or an object with `vertices` and `faces`, or a scene with `geometry` and `graph`, as those of
-      trimesh.
-    faces: (M, 3) integers, of triangles whose front is counter-clockwise; (M, 2): of lines; (M, 1): of points. None: the
-      vertices are triangles in their order.
+    vertices: (N, 3) floats, or an object with `vertices` and `faces`, or a scene with `geometry` and `graph`, as
+      those of trimesh.
+    faces: (M, 3) integers, of triangles whose front is counter-clockwise; (M, 2): of lines; (M, 1): of points. None:
+      the vertices are triangles in their order.
     normals: (N, 3). None: they are made, smooth across edges that are not sharp, or flat with smooth=False.
     uv: (N, 2), u right, v down as the rows of an image. texture: (H, W), (H, W, 3) or (H, W, 4) uint8, sRGB.
-    colors: (N, 3) or (N, 4) for vertices, or (M, 3), (M, 4) for faces, where face_colors says so: uint8 are sRGB, floats
-      linear, 0 to 1.
+    colors: (N, 3) or (N, 4), of vertices; face_colors: (M, 3) or (M, 4), of faces. uint8 are sRGB, floats linear, 0 to
+      1.
     color: (r, g, b) or (r, g, b, a), linear, of all of it. metallic, roughness: 0 to 1. emissive: (r, g, b).
     alpha: 'opaque', 'mask' (below 0.5 is cut out) or 'blend'; None: 'blend' where `color` or `texture` is not opaque.
     double_sided: its back is seen too. unlit: shows its colours as they are.
     up: what is up in the world, 'y', 'z', ...
 
-    Triangle k of `faces` is k + 1 in the output `triangle`. Arrays are copied. A Model may be drawn by several threads at
-    once: each draws it in its own context.
+    Triangle k of `faces` is k + 1 in the output `triangle`. Arrays are copied. A Model may be drawn by several
+    threads at once: each draws it in its own context.
 
-    Attributes, all read-only: meshes, materials, images, nodes, cameras, lights, animations (tuples); variants, warnings,
-    unsupported (tuples of str); path, format, unit, up (str); bounds ((2, 3) float32, least and most in the world).
+    Attributes, all read-only: meshes, materials, images, nodes, cameras, lights, animations (tuples); variants,
+    warnings, unsupported (tuples of str); path, format, unit, up (str); bounds ((2, 3) float32, least and most in the
+    world).
     """
 
     def __init__(self, vertices: Any, faces: Any = None, *, normals: Any = None, uv: Any = None, colors: Any = None,
@@ -196,7 +197,8 @@ class Model:
         self.up: str = AXES[about["up"]]
         self.meshes = tuple(map(_mesh, about["meshes"]))
         self.materials = tuple(Material(**each) for each in about["materials"])
-        self.images = tuple(Image(each["name"], np.asarray(each["texels"]), each["missing"]) for each in about["images"])
+        self.images = tuple(Image(each["name"], np.asarray(each["texels"]), each["missing"])
+                            for each in about["images"])
         self.nodes = tuple(Node(**_placed(each)) for each in about["nodes"])
         self.cameras = tuple(ModelCamera(**_placed(each)) for each in about["cameras"])
         self.lights = tuple(Light(**each) for each in about["lights"])
@@ -204,12 +206,12 @@ class Model:
         self.variants: Tuple[str, ...] = about["variants"]
         self.warnings: Tuple[str, ...] = about["warnings"]
         self.unsupported: Tuple[str, ...] = about["unsupported"]
-        self.bounds_tuples = (about["bounds_min"], about["bounds_max"])
+        self._bounds = (about["bounds_min"], about["bounds_max"])
 
     @property
     def bounds(self) -> np.ndarray:
         """(2, 3) float32: the least and the greatest corner of all nodes, in the world."""
-        return np.array(self.bounds_tuples, np.float32)
+        return np.array(self._bounds, np.float32)
 
     def __repr__(self) -> str:
         triangles = sum(len(self.meshes[node.mesh].faces) for node in self.nodes)
@@ -250,12 +252,13 @@ class Model:
         scene, threads = self._scene(context)
 
         def draw_some(numbers: Tuple[Any, ...], some: List[str]) -> Tuple[Dict[str, Any], int]:
-            return scene.draw((width, height), int(samples), int(supersample), numbers, axis(up),
+            return scene.draw((width, height), _arrays.one_of(samples, "samples", (1, 2, 4, 8, 16)),
+                              _arrays.one_of(supersample, "supersample", (1, 4, 9, 16)), numbers, axis(up),
                               _arrays.choice(interpolate, "interpolate", _INTERPOLATIONS),
                               _arrays.choice(wireframe, "wireframe", _WIREFRAMES), kind, color,
                               _arrays.choice(lights, "lights", _LIGHTS), shadows, ground, ambient_occlusion,
                               _arrays.choice(transparency, "transparency", _TRANSPARENCIES),
-                              _arrays.choice(tone, "tone", _TONES), float(exposure),
+                              _arrays.choice(tone, "tone", _TONES), _arrays.number(exposure, "exposure", -20, 20),
                               sum(OUTPUTS[each] for each in some))
 
         def draw(numbers: Tuple[Any, ...]) -> Tuple[Dict[str, Any], int]:
@@ -273,15 +276,13 @@ class Model:
             drawn, rasterized = draw(tuple_of)
         elif rasterized == 0:
             warnings.warn(f"{self.path}: nothing of the model is in the picture", stacklevel=2)
-        from .camera import View
-
         arrays = {each: np.asarray(drawn[each]) for each in names}
         return Pictures(arrays, (width, height), View(tuple_of, width, height), self, kind == 3, threads)
 
     def _first_camera(self, fitted: Tuple[Any, ...], width: int, height: int) -> Tuple[Tuple[Any, ...], bool]:
         """The file's first camera, unless it is of a format whose cameras are often wrong and sees next to nothing."""
         numbers = _rhw.camera_of_file(self._model, width / height, 0)
-        believable, _ = _rhw.camera_judge(self._model, numbers, width / height)
+        believable = _rhw.camera_is_believable(self._model, numbers, width / height)
         return (numbers, True) if believable else (fitted, False)
 
     def _scene(self, context: Optional[_rhw.Context]) -> Tuple[Any, int]:
@@ -299,7 +300,7 @@ class Model:
 def _size(size: Size) -> Tuple[int, int]:
     pair = (size, size) if isinstance(size, (int, np.integer)) else tuple(size)
     if len(pair) != 2 or not all(isinstance(each, (int, np.integer)) for each in pair):
-        raise TypeError(f"size: must be (width, height) or one number, not {size!r}")
+        raise TypeError(f"size: must be (width, height) or one number, not {_arrays.text(size)}")
     width, height = int(pair[0]), int(pair[1])
     if not (1 <= width <= 16384 and 1 <= height <= 16384):
         raise ValueError(f"size: width and height must lie between 1 and 16384, not {width}, {height}")
@@ -321,7 +322,8 @@ def _background(background: Union[str, Sequence[int]]) -> Tuple[int, Tuple[int, 
         return _BACKGROUNDS[background], (0, 0, 0)
     values = tuple(background)
     if len(values) != 3 or not all(isinstance(each, (int, np.integer)) and 0 <= each <= 255 for each in values):
-        raise ValueError(f"background: must be 'default', 'transparent' or three numbers of 0 to 255, not {background!r}")
+        raise ValueError("background: must be 'default', 'transparent' or three numbers of 0 to 255, "
+                         f"not {_arrays.text(background)}")
     return 1, (int(values[0]), int(values[1]), int(values[2]))
 
 
@@ -335,8 +337,8 @@ def load(path: Union[str, "os.PathLike[str]"], *, variant: Optional[str] = None,
     max_seconds: of processor time, 0: 60. max_memory: bytes, 0: 3/4 of the machine's, at most 16 GiB.
     max_texture: images are halved until no side is longer; 0: as they are.
 
-    The file is read in a process of its own, so that a hostile one cannot take yours down. What was wrong with it and was
-    met is in Model.warnings, what is not drawn in Model.unsupported. rhw.Error where it cannot be read;
+    The file is read in a process of its own, so that a hostile one cannot take yours down. What was wrong with it and
+    was met is in Model.warnings, what is not drawn in Model.unsupported. rhw.Error where it cannot be read;
     FileNotFoundError where there is none.
     """
     name = os.fspath(path)

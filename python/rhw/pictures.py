@@ -57,14 +57,13 @@ class Pictures(Dict[str, np.ndarray]):
 
         bits: 8 or 16; None: 16 for depth and distance, else 8. Of `color` 16 bits want the output `display`.
         """
-        if bits not in (None, 8, 16):
-            raise ValueError(f"bits: must be 8 or 16, not {bits!r}")
-        return self._png("png", output, bits or 0)
+        wanted = 0 if bits is None else _arrays.one_of(bits, "bits", (8, 16))
+        return self._png("png", output, wanted)
 
     def _png(self, name: str, output: str, bits: int) -> bytes:
         kind = _arrays.choice(output, "output", _FILE_KINDS)
         return _rhw.encode_output(name, self._checked(), self.size, kind, bits, self._transparent,
-                                  *self._model.bounds_tuples)
+                                  *self._model._bounds)
 
     def exr(self, outputs: Optional[Iterable[str]] = None) -> bytes:
         """The bytes of the EXR that `rhw render` writes: layers of 32 bits, with the camera and the objects' names.

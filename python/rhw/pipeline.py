@@ -9,9 +9,9 @@
     ...     draw(pipeline, positions, faces, colors=colors, matrix=view.matrix)
     >>> targets["triangle"].array            # (960, 1280) uint32: no copy
 
-Buffers and textures stand on memory that `.array` shows: what is written there is drawn, what is drawn can be read there. A
-pass is recorded between the beginning and the end of its `with`, and drawn at its end; from its beginning on what it uses
-is left alone. Where the block is left by an exception nothing is drawn.
+Buffers and textures stand on memory that `.array` shows: what is written there is drawn, what is drawn can be read
+there. A pass is recorded between the beginning and the end of its `with`, and drawn at its end; from its beginning on
+what it uses is left alone. Where the block is left by an exception nothing is drawn.
 """
 
 from __future__ import annotations
@@ -90,8 +90,8 @@ class Texture:
     size: (width, height), or one number for both.
     format: one of FORMATS; d32_float is that of depth tests.
     mips: with levels for sampling, see generate_mips.
-    array: the texels of the first level, (H, W) or (H, W, channels), rows from top to bottom. Rows stand 64 bytes apart or
-    a multiple of that; numpy.ascontiguousarray packs them.
+    array: the texels of the first level, (H, W) or (H, W, channels), rows from top to bottom. Rows stand 64 bytes
+    apart or a multiple of that; numpy.ascontiguousarray packs them.
     """
 
     def __init__(self, size: Size, format: str = "rgba8_srgb", *, mips: bool = False,
@@ -127,16 +127,18 @@ class Texture:
 
 
 class Sampler:
-    """How textures are read. filter: 'linear' or 'nearest'; address: 'repeat', 'mirror', 'clamp' or 'border' (0, 0, 0, 0);
-    anisotropy: 1 to 16 samples."""
+    """How textures are read.
+
+    filter: 'linear' or 'nearest'. address: 'repeat', 'mirror', 'clamp' or 'border', which is 0, 0, 0, 0.
+    anisotropy: 1 to 16 samples.
+    """
 
     def __init__(self, filter: str = "linear", address: str = "repeat", anisotropy: float = 1.0, *,
                  context: Optional[_rhw.Context] = None):
-        if not 1 <= anisotropy <= 16:
-            raise ValueError(f"anisotropy: must lie between 1 and 16, not {anisotropy!r}")
+        samples = _arrays.number(anisotropy, "anisotropy", 1, 16)
         self._context = _threads.context() if context is None else context
         self._resource = _rhw.sampler(self._context, _arrays.choice(filter, "filter", _FILTERS),
-                                      _arrays.choice(address, "address", _ADDRESSES), float(anisotropy))
+                                      _arrays.choice(address, "address", _ADDRESSES), samples)
 
 
 Targets = Mapping[str, Texture]
@@ -145,11 +147,12 @@ Targets = Mapping[str, Texture]
 class Pipeline:
     """What becomes of vertices and pixels.
 
-    outputs: what is drawn, in the order of a pass's targets: a dictionary of textures or of names of formats, or names alone,
-      whose targets have the usual formats. 'color' (what vertices, texture and draw have, multiplied), 'depth', 'distance',
-      'normal', 'position', 'uv', 'barycentric', 'object' (the draw's number), 'triangle' (its first_triangle + the number of
-      the triangle in it). Empty: depth alone.
-    positions: numbers of each, 3 or 4. colors: None, 'float32' or 'uint8', four of each. uv, normals: whether there are.
+    outputs: what is drawn, in the order of a pass's targets: a dictionary of textures or of names of formats, or
+      names alone, whose targets have the usual formats. 'color' (what vertices, texture and draw have, multiplied),
+      'depth', 'distance', 'normal', 'position', 'uv', 'barycentric', 'object' (the draw's number), 'triangle' (its
+      first_triangle + the number of the triangle in it). Empty: depth alone.
+    positions: numbers of each, 3 or 4. colors: None, 'float32' or 'uint8', four of each. uv, normals: whether there
+      are.
     texture: draws have one, at uv.
     topology: 'triangles', 'triangle_strip', 'triangle_fan', 'points', 'lines', 'line_strip'.
     cull: 'none', 'front' or 'back'; front is counter-clockwise as seen.
@@ -164,10 +167,9 @@ class Pipeline:
                  depth_write: bool = True, blend: bool = False, interpolate: str = "smooth",
                  context: Optional[_rhw.Context] = None):
         self.outputs = _formats_of(outputs)
-        if positions not in (3, 4):
-            raise ValueError(f"positions: must be 3 or 4, not {positions!r}")
-        if colors not in (None, "float32", "uint8"):
-            raise ValueError(f"colors: must be None, 'float32' or 'uint8', not {colors!r}")
+        _arrays.one_of(positions, "positions", (3, 4))
+        if colors is not None:
+            _arrays.choice(colors, "colors", ("float32", "uint8"))
         if not uv and (texture or "uv" in self.outputs):
             raise ValueError("uv: needed by " + ("texture" if texture else "the output uv"))
         if not normals and "normal" in self.outputs:
@@ -239,8 +241,7 @@ class Pass:
                 raise ValueError(f"targets: must be of one size, not {textures[0].size} and {texture.size}")
         if isinstance(depth, Texture) and depth.format != "d32_float":
             raise ValueError(f"depth: must be a texture of d32_float, not {depth.format}")
-        if samples not in (1, 2, 4, 8, 16):
-            raise ValueError(f"samples: must be 1, 2, 4, 8 or 16, not {samples!r}")
+        _arrays.one_of(samples, "samples", (1, 2, 4, 8, 16))
         for name in clear:
             _arrays.choice(name, "clear", (*targets, "depth_test"))
         self.formats = _formats_of(targets)
@@ -255,7 +256,8 @@ class Pass:
         if not 0 <= far <= 1:
             raise ValueError(f"clear: depth_test must lie between 0 and 1, not {far}")
         held = depth._resource if isinstance(depth, Texture) else None
-        self._def = (self._context, self._size, samples, colors, depth is not False, held, load and held is not None, far)
+        self._def = (self._context, self._size, samples, colors, depth is not False, held, load and held is not None,
+                     far)
         self._pass: Any = None
 
     def __enter__(self) -> "Pass":
@@ -284,12 +286,12 @@ class Pass:
                  first_triangle: int = 1) -> None:
         """Records a draw.
 
-        positions: (N, 3) or (N, 4) float32; colors: (N, 4) float32, or uint8 of 0 to 1 linear; uv: (N, 2) float32; normals:
-        (N, 3) float32, of any length. faces: (M, 3) uint32, (M, 2) of lines, (M, 1) of points; None: the vertices in their
-        order. An index beyond the vertices reads zeros. Arrays become buffers for this draw; a Buffer of your own is used
-        as it is.
-        matrix: (4, 4), world to clip space for column vectors, as View.matrix; clip space has y up and depth 0 to W. None:
-        positions are clip coordinates already.
+        positions: (N, 3) or (N, 4) float32; colors: (N, 4) float32, or uint8 of 0 to 1 linear; uv: (N, 2) float32;
+        normals: (N, 3) float32, of any length. faces: (M, 3) uint32, (M, 2) of lines, (M, 1) of points; None: the
+        vertices in their order. An index beyond the vertices reads zeros. Arrays become buffers for this draw; a
+        Buffer of your own is used as it is.
+        matrix: (4, 4), world to clip space for column vectors, as View.matrix; clip space has y up and depth 0 to W.
+        None: positions are clip coordinates already.
         world: (4, 4), positions and normals to the world. color: (r, g, b, a), which multiplies.
         object: the number for the output `object`; first_triangle: that of the first triangle for `triangle`.
         """
@@ -303,13 +305,12 @@ class Pass:
             raise ValueError("texture: " + ("missing" if texture is None else "the pipeline has none"))
         if texture is not None and sampler is None:
             sampler = Sampler(context=self._context)
-        for value, name in ((object, "object"), (first_triangle, "first_triangle")):
-            if not 0 <= value < 2**32:
-                raise ValueError(f"{name}: must lie between 0 and 4294967295, not {value}")
+        numbers = [_arrays.whole(value, name, 0, 2**32 - 1)
+                   for value, name in ((object, "object"), (first_triangle, "first_triangle"))]
         recorded.draw(pipeline._resource, tuple(each._resource for each in buffers),
                       None if indices is None else indices._resource, count,
                       None if texture is None else texture._resource, None if sampler is None else sampler._resource,
-                      _matrices(matrix, world, color), int(object), int(first_triangle))
+                      _matrices(matrix, world, color), *numbers)
 
     def _attributes(self, pipeline: Pipeline, given: Mapping[str, Any]) -> Sequence[Buffer]:
         buffers = []
@@ -321,7 +322,9 @@ class Pass:
                 if value is not None:
                     raise ValueError(f"{name}: the pipeline does not read them")
                 continue
-            buffer = value if isinstance(value, Buffer) else Buffer(_typed(value, name, wanted[1]), context=self._context)
+            buffer = value
+            if not isinstance(value, Buffer):
+                buffer = Buffer(_typed(value, name, wanted[1]), context=self._context)
             array = buffer.array
             if array.ndim != 2 or array.shape[1] != wanted[0] or array.dtype != wanted[1]:
                 raise ValueError(f"{name}: must have the shape (N, {wanted[0]}) and be of {np.dtype(wanted[1])}, "
@@ -356,11 +359,11 @@ def _clear_of(value: _Clear, name: str, form: str) -> Tuple[Tuple[float, ...], b
     channels = FORMATS[form][0]
     array = np.atleast_1d(np.asarray(value, np.float64))
     if array.ndim != 1 or len(array) not in (1, channels) or np.isnan(array).any():
-        raise ValueError(f"clear: {name} must be one number or {channels}, not {value!r}")
+        raise ValueError(f"clear: {name} must be one number or {channels}, not {_arrays.text(value)}")
     numbers = array.tolist() * (channels if len(array) == 1 else 1)
     is_integer = form == "r32_uint"
     if is_integer and not (0 <= numbers[0] < 2**32 and numbers[0] == int(numbers[0])):
-        raise ValueError(f"clear: {name} must be a whole number of 0 to 4294967295, not {value!r}")
+        raise ValueError(f"clear: {name} must be a whole number of 0 to 4294967295, not {_arrays.text(value)}")
     return tuple(numbers + [0.0] * (4 - channels)), is_integer
 
 

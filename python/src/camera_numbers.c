@@ -123,21 +123,19 @@ static PyObject *camera_enclose(PyObject *module, PyObject *arguments)
     return camera_tuple(&camera);
 }
 
-// (model, camera, aspect): (whether `rhw render` would take it unasked, whether it shows most of the model)
-static PyObject *camera_judge(PyObject *module, PyObject *arguments)
+// (model, camera, aspect): whether `rhw render` would take this camera of the file unasked
+static PyObject *camera_is_believable(PyObject *module, PyObject *arguments)
 {
     (void)module;
     PyObject *object, *tuple;
     double aspect;
     struct scene_camera camera;
     const struct scene_model *model;
-    if (!PyArg_ParseTuple(arguments, "OOd:camera_judge", &object, &tuple, &aspect) ||
+    if (!PyArg_ParseTuple(arguments, "OOd:camera_is_believable", &object, &tuple, &aspect) ||
         !(model = python_model_get(object)) || !python_camera_read(tuple, &camera)) {
         return NULL;
     }
-    const bool believable = !model->doubts_cameras || scene_camera_is_believable(model, &camera, aspect);
-    return Py_BuildValue("(NN)", PyBool_FromLong(believable),
-                         PyBool_FromLong(scene_camera_shows_most(model, &camera, aspect)));
+    return PyBool_FromLong(!model->doubts_cameras || scene_camera_is_believable(model, &camera, aspect));
 }
 
 // (camera, aspect): world to camera and camera to clip space, doubles, column major
@@ -160,8 +158,8 @@ static PyObject *camera_matrices(PyObject *module, PyObject *arguments)
     return python_memory_take(matrices, (struct python_shape){"<f8", 3, {2, 4, 4}});
 }
 
-// (height, fy): the angle in radians from the bottom to the top of a picture of so many rows. Python's own arc tangent is the C
-// library's, which differs from machine to machine.
+// (height, fy): the angle in radians from the bottom to the top of a picture of so many rows. Python's own arc
+// tangent is the C library's, which differs from machine to machine.
 static PyObject *lens_angle(PyObject *module, PyObject *arguments)
 {
     (void)module;
@@ -177,7 +175,7 @@ PyMethodDef python_camera_functions[] = {{"camera_fit", camera_fit, METH_VARARGS
                                          {"camera_of_file", camera_of_file, METH_VARARGS, NULL},
                                          {"camera_look", camera_look, METH_VARARGS, NULL},
                                          {"camera_enclose", camera_enclose, METH_VARARGS, NULL},
-                                         {"camera_judge", camera_judge, METH_VARARGS, NULL},
+                                         {"camera_is_believable", camera_is_believable, METH_VARARGS, NULL},
                                          {"camera_matrices", camera_matrices, METH_VARARGS, NULL},
                                          {"lens_angle", lens_angle, METH_VARARGS, NULL},
                                          {0}};

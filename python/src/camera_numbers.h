@@ -5,8 +5,8 @@
 
 #include "extension.h"
 
-/// Reads ((x, y, z) eye, target, up, orthographic, yfov, ymag, znear, zfar, stretch, (x, y) shift), the members of struct
-/// scene_camera. False with an exception.
+/// Reads ((x, y, z) eye, target, up, orthographic, yfov, ymag, znear, zfar, stretch, (x, y) shift), the members of
+/// struct scene_camera. False with an exception.
 bool python_camera_read(PyObject *tuple, struct scene_camera *camera);
 
 #endif

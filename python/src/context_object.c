@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// The interpreter's lock is released while the library draws, so a second thread may come to a context meanwhile: it waits
-// for a lock of the context's own. Objects are collected on any thread, and must not wait: what cannot be destroyed at once
-// is put on a list, which the turn that is under way empties at its end.
+// The interpreter's lock is released while the library draws, so a second thread may come to a context meanwhile: it
+// waits for a lock of the context's own. Objects are collected on any thread, and must not wait: what cannot be
+// destroyed at once is put on a list, which the turn that is under way empties at its end.
 #include "context_object.h"
 
 #include <stdio.h>
@@ -10,7 +10,8 @@
 #include <unistd.h>
 
 struct context {
-    PyObject_HEAD rhw_context *handle;
+    PyObject ob_base;
+    rhw_context *handle;
     PyThread_type_lock lock;
     unsigned long holder; // the thread whose turn it is, or 0
     pid_t process;        // that made it: worker threads do not live on in a fork

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Pictures as the bytes of files, by the encoders of the program: what is written from Python is what `rhw render` writes.
-// They report failure through cli_error, which the program prints; here it becomes an exception.
+// Pictures as the bytes of files, by the encoders of the program: what is written from Python is what `rhw render`
+// writes. They report failure through cli_error, which the program prints; here it becomes an exception.
 #include "camera_numbers.h"
 #include "memory_object.h"
 #include "model_object.h"
@@ -146,7 +146,8 @@ static bool has_pictures(struct scene_pictures *p, uint32_t needed)
     return true;
 }
 
-// (name, pictures, (width, height), kind, bits or 0, transparent, bounds_min, bounds_max): `kind` is an output of the program
+// (name, pictures, (width, height), kind, bits or 0, transparent, bounds_min, bounds_max): `kind` is an output of the
+// program
 static PyObject *encode_output(PyObject *module, PyObject *arguments)
 {
     (void)module;

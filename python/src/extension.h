@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: MIT
 // What the files of the extension share. The extension is thin: it has the objects that hold memory of the library, and
-// functions that draw without the interpreter's lock. Names, defaults and the checks of arguments that a user sees stand in
-// the Python modules above it, so that what is here may take its arguments for well formed, and only must not crash.
+// functions that draw without the interpreter's lock. Names, defaults and the checks of arguments that a user sees
+// stand in the Python modules above it, so that what is here may take its arguments for well formed, and only must
+// not crash.
 //
-// It keeps to the limited API of CPython 3.9, so that one binary serves every later one. The buffer protocol joined that in
-// 3.11; arrays therefore pass both ways by __array_interface__, a dictionary with an address, which NumPy gives and takes
-// without a copy. DLPack and buffers of others are NumPy's to convert, in rhw/_arrays.py.
+// It keeps to the limited API of CPython 3.9, so that one binary serves every later one. The buffer protocol joined
+// that in 3.11; arrays therefore pass both ways by __array_interface__, a dictionary with an address, which NumPy
+// gives and takes without a copy. DLPack and buffers of others are NumPy's to convert, in rhw/_arrays.py.
 #ifndef PYTHON_EXTENSION_H
 #define PYTHON_EXTENSION_H
 
@@ -38,8 +39,8 @@ struct python_work {
     PyThreadState *state;
 };
 
-/// The goes_on of struct scene_view and scene_model_options; `user` is a struct python_work whose state was saved. False
-/// with an exception set where a handler raised one, as that of Ctrl-C does.
+/// The goes_on of struct scene_view and scene_model_options; `user` is a struct python_work whose state was saved.
+/// False with an exception set where a handler raised one, as that of Ctrl-C does.
 bool python_work_goes_on(void *user);
 
 #endif

@@ -2,11 +2,12 @@
 #include "memory_object.h"
 
 #include <stdlib.h>
-#include <string.h>
 
 struct memory {
-    PyObject_HEAD void *data;
-    PyObject *owner; // NULL: the memory is this object's own
+    PyObject ob_base;
+    void *data;
+    PyObject *owner; // of the memory; NULL: this object
+    void *block;     // that it is freed by
     struct python_shape shape;
 };
 
@@ -49,22 +50,21 @@ static void memory_free(PyObject *self)
     if (memory->owner) {
         Py_DECREF(memory->owner);
     } else {
-        free(memory->data);
+        free(memory->block);
     }
     python_free(self);
 }
 
-static PyObject *make(PyObject *owner, void *data, struct python_shape shape)
+static PyObject *make(PyObject *owner, void *block, void *data, struct python_shape shape)
 {
     struct memory *memory = PyObject_New(struct memory, memory_type);
     if (!memory) {
-        if (!owner) {
-            free(data);
-        }
+        free(block);
         return NULL;
     }
     Py_XINCREF(owner);
     memory->owner = owner;
+    memory->block = block;
     memory->data = data;
     memory->shape = shape;
     return (PyObject *)memory;
@@ -72,23 +72,24 @@ static PyObject *make(PyObject *owner, void *data, struct python_shape shape)
 
 PyObject *python_memory_take(void *data, struct python_shape shape)
 {
-    return data ? make(NULL, data, shape) : PyErr_NoMemory();
+    return data ? make(NULL, data, data, shape) : PyErr_NoMemory();
 }
 
 PyObject *python_memory_of(PyObject *owner, const void *data, struct python_shape shape)
 {
-    return make(owner, (void *)(uintptr_t)data, shape);
+    return make(owner, NULL, (void *)(uintptr_t)data, shape);
 }
 
+// By calloc, whose large blocks are pages that are not there until they are touched.
 PyObject *python_memory_aligned(size_t size, void **data)
 {
     const size_t most = (size_t)PY_SSIZE_T_MAX - RHW_MEMORY_ALIGNMENT;
-    const size_t rounded = (size + RHW_MEMORY_ALIGNMENT - 1) / RHW_MEMORY_ALIGNMENT * RHW_MEMORY_ALIGNMENT;
-    *data = size <= most ? aligned_alloc(RHW_MEMORY_ALIGNMENT, rounded) : NULL;
-    if (*data) {
-        memset(*data, 0, rounded);
+    unsigned char *block = size <= most ? calloc(1, size + RHW_MEMORY_ALIGNMENT) : NULL;
+    if (!block) {
+        return PyErr_NoMemory();
     }
-    return python_memory_take(*data, (struct python_shape){"|u1", 1, {(Py_ssize_t)size}});
+    *data = block + (RHW_MEMORY_ALIGNMENT - (uintptr_t)block % RHW_MEMORY_ALIGNMENT);
+    return make(NULL, block, *data, (struct python_shape){"|u1", 1, {(Py_ssize_t)size}});
 }
 
 // Arrays passed in ----------------------------------------------------------------------------------

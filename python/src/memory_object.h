@@ -14,7 +14,7 @@ struct python_shape {
     Py_ssize_t extent[PYTHON_MAX_DIMENSIONS];
 };
 
-/// An object that owns `data`, of malloc or aligned_alloc, also on failure. NULL on failure, or where `data` is NULL.
+/// An object that owns `data`, of malloc, also on failure. NULL on failure, or where `data` is NULL.
 PyObject *python_memory_take(void *data, struct python_shape shape);
 /// A part of what `owner` holds, which it keeps alive; arrays on it are read-only.
 PyObject *python_memory_of(PyObject *owner, const void *data, struct python_shape shape);

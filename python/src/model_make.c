@@ -2,7 +2,8 @@
 // Models from arrays, which rhw/model.py has brought into shape. The tuples are
 //
 //     mesh      (name, corners, smooth, material, vertices, normals, uv, colors, faces), arrays or None
-//     material  (name, (r, g, b, a), (r, g, b) emissive, metallic, roughness, alpha mode, cutoff, unlit, double sided, image)
+//     material  (name, (r, g, b, a), (r, g, b) emissive, metallic, roughness, alpha mode, cutoff, unlit,
+//               double sided, image)
 //     image     (name, texels)
 //     instance  (name, mesh, world), column major
 //

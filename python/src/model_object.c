@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Models: read from a file, or described to Python as dictionaries whose arrays stand on the model's own memory. What is
-// made from arrays stands in model_make.c.
+// Models: read from a file, or described to Python as dictionaries whose arrays stand on the model's own memory. What
+// is made from arrays stands in model_make.c.
 #include "memory_object.h"
 #include "model_make.h"
 #include "model_object.h"
@@ -10,7 +10,8 @@
 #include <stdlib.h>
 
 struct model {
-    PyObject_HEAD struct scene_model *model;
+    PyObject ob_base;
+    struct scene_model *model;
 };
 
 static PyTypeObject *model_type;

@@ -8,7 +8,8 @@
 #include <string.h>
 
 struct pass {
-    PyObject_HEAD PyObject *context;
+    PyObject ob_base;
+    PyObject *context;
     struct python_item *item; // whose `kept` is a list of what the pass draws with; NULL: it has ended
 };
 
@@ -225,7 +226,8 @@ static PyObject *none_if(bool good)
     return good ? Py_None : NULL;
 }
 
-// (pipeline, vertex buffers, index buffer or None, count, texture or None, sampler or None, matrices, object, first triangle)
+// (pipeline, vertex buffers, index buffer or None, count, texture or None, sampler or None, matrices, object, first
+// triangle)
 static PyObject *pass_draw(PyObject *self, PyObject *arguments)
 {
     struct pass *pass = (struct pass *)self;

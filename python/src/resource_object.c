@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// One type for what passes are made with. Buffers and textures stand on memory that NumPy sees too, so that what is drawn is
-// read, and what is to be drawn is written, in place.
+// One type for what passes are made with. Buffers and textures stand on memory that NumPy sees too, so that what is
+// drawn is read, and what is to be drawn is written, in place.
 #include "resource_object.h"
 
 #include "builtin_shaders.h"
@@ -10,7 +10,8 @@
 #include <string.h>
 
 struct resource {
-    PyObject_HEAD PyObject *context, *memory; // memory may be NULL
+    PyObject ob_base;
+    PyObject *context, *memory; // memory may be NULL
     struct python_item *item;
 };
 

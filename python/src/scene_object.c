@@ -9,7 +9,8 @@
 #include <stdlib.h>
 
 struct scene_object {
-    PyObject_HEAD PyObject *context, *model; // keeps them alive
+    PyObject ob_base;
+    PyObject *context, *model; // keeps them alive
     const struct scene_model *source;
     struct python_item *item;
 };

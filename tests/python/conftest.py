@@ -12,12 +12,18 @@ import rhw
 MODELS = "/usr/share/assimp/models"
 
 
+#: For programs that tests start: a sanitizer that was loaded before Python is not theirs.
+ENVIRONMENT = {key: value for key, value in os.environ.items() if key != "LD_PRELOAD"}
+SANITIZED = "LD_PRELOAD" in os.environ
+
+
 @pytest.fixture
 def program(tmp_path):
     """Runs `rhw render MODEL -o NAME ...` and gives the bytes of the file."""
     def run(model, name, *options):
         out = tmp_path / ("program." + name)
-        subprocess.run([os.environ["RHW_PROGRAM"], "render", str(model), "-o", str(out), "--quiet", *options], check=True)
+        subprocess.run([os.environ["RHW_PROGRAM"], "render", str(model), "-o", str(out), "--quiet", *options],
+                       check=True, env=ENVIRONMENT)
         return out.read_bytes()
     return run
 

@@ -10,7 +10,7 @@ from pathlib import Path
 
 import pytest
 
-from conftest import model_file
+from conftest import ENVIRONMENT, model_file
 
 ROOT = Path(__file__).resolve().parents[2]
 EXAMPLES = sorted((ROOT / "python/examples").glob("*.py"))
@@ -22,7 +22,7 @@ def test_example(example, tmp_path):
     out = tmp_path / "out.png"
     subprocess.run([sys.executable, "-B", example, *model, out], check=True, stdout=subprocess.DEVNULL)
     told = subprocess.run([os.environ["RHW_PROGRAM"], "compare", "--json", out, example.with_suffix(".png")],
-                          capture_output=True, text=True).stdout
+                          capture_output=True, text=True, env=ENVIRONMENT).stdout
     # NumPy's sine differs from machine to machine in its last bit, and with it perhaps a pixel at an edge.
     assert max(channel["mean"] for channel in json.loads(told)["channels"]) < 1e-3
 

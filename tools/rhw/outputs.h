@@ -53,8 +53,8 @@ enum { CLI_EXR_CHANNELS_MAX = 32 };
 int cli_outputs_exr_channels(const struct scene_pictures *pictures, unsigned kinds,
                              struct cli_exr_channel channels[CLI_EXR_CHANNELS_MAX]);
 
-/// The camera, and the names of the ids of objects, which live as long as the model; free `about->objects`. False: there is
-/// not enough memory.
+/// The camera, and the names of the ids of objects, which live as long as the model; free `about->objects`. False:
+/// there is not enough memory.
 bool cli_outputs_exr_describe(const struct scene_model *model, const struct scene_camera *camera,
                               double aspect, struct cli_exr_about *about);
 
