@@ -58,6 +58,16 @@ check "the division" grep -q '1/W_P = r/W_0 + s/W_1 + t/W_2' told.txt
 check "three ways" grep -Eq '^    position z +[-0-9.e+]+ +[-0-9.e+]+' told.txt
 check "within the bound" test "$(sed -n 's/^The largest error is \([0-9]*\)\..*/\1/p' told.txt)" -lt 6
 
+# A floor that reaches behind the eye has corners nowhere on the screen: the weights follow from the homogeneous triangle.
+sed 's/^v \(.*\) 8$/v \1 30/' floor.obj >long.obj
+for way in smooth noperspective; do
+    succeed explain long.obj --at 80,100 $look --interpolate $way
+    cp "$folder/log/out" told.txt
+    check "the corners are not snapped" grep -Eq '^    0 .* -20$' told.txt
+    check "the weights in space" grep -Eq '^    a = 0\.[0-9]+ +the pipeline has 0\.[0-9]+$' told.txt
+    check "within the bound" test "$(sed -n 's/^The largest error is \([0-9]*\)\..*/\1/p' told.txt)" -lt 6
+done
+
 # The same numbers for a program; and the picture's.
 succeed explain floor.obj --at 80,100 $look --samples 1 --json
 cp "$folder/log/out" told.json

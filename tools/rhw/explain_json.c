@@ -39,8 +39,10 @@ static void print_floats(const char *name, const float *numbers, int count)
 static void print_exact(const struct cli_past_fragment *past, const struct cli_exact_weights *w)
 {
     const struct rhw_explained_fragment *const f = &past->told;
-    printf(",\n   \"edges\": [%" PRId64 ", %" PRId64 ", %" PRId64 "], \"sum\": %" PRId64, w->edge[0],
-           w->edge[1], w->edge[2], w->sum);
+    if (w->is_snapped) {
+        printf(",\n   \"edges\": [%" PRId64 ", %" PRId64 ", %" PRId64 "], \"sum\": %" PRId64, w->edge[0],
+               w->edge[1], w->edge[2], w->sum);
+    }
     const double screen[3] = {mpq_get_d(w->screen[0]), mpq_get_d(w->screen[1]), mpq_get_d(w->screen[2])};
     const double space[3] = {mpq_get_d(w->space[0]), mpq_get_d(w->space[1]), mpq_get_d(w->space[2])};
     const double inverse_w = mpq_get_d(w->inverse_w);
@@ -87,13 +89,13 @@ static void print_textures(const struct cli_past_fragment *past)
     printf("]");
 }
 
-static void print_fragment(const struct cli_past_fragment *past, const struct scene_model *model)
+static void print_fragment(const struct cli_explanation *e, const struct cli_past_fragment *past)
 {
     static const char *const fates[] = {"failed_early", "discarded", "failed_late", "written"};
     const struct rhw_explained_fragment *const f = &past->told;
     struct cli_exact_weights weights;
     printf("{\"draw\": %" PRIu32 ", \"instance\": %d, \"node\": ", f->draw, past->drawn.instance);
-    cli_json_string(stdout, cli_history_subject(past, model));
+    cli_json_string(stdout, cli_history_subject(past, e->model));
     printf(", \"triangle\": %" PRIu32 ", \"front_facing\": %s, \"fate\": \"%s\", \"covered\": %" PRIu32
            ",\n   \"depth\": ",
            f->primitive, f->front_facing ? "true" : "false", fates[f->fate], f->covered);
@@ -125,7 +127,8 @@ static void print_fragment(const struct cli_past_fragment *past, const struct sc
         print_floats("space", f->weights, 3);
     }
     print_textures(past);
-    if (past->drawn.instance != SCENE_DRAWN_BACKGROUND && cli_exact_weights_set(&weights, f)) {
+    if (past->drawn.instance != SCENE_DRAWN_BACKGROUND &&
+        cli_exact_weights_set(&weights, f, e->width, e->height)) {
         print_exact(past, &weights);
         cli_exact_weights_free(&weights);
     }
@@ -142,7 +145,7 @@ void cli_explain_json(const struct cli_explanation *e)
            e->width, e->height, e->x, e->y, e->sample, e->samples, c[0], c[1], c[2]);
     for (int i = 0; i < e->history->count; i++) {
         printf("%s\n  ", i ? "," : "");
-        print_fragment(&e->history->fragments[i], e->model);
+        print_fragment(e, &e->history->fragments[i]);
     }
     printf("]}\n");
 }

@@ -171,7 +171,8 @@ bool cli_explain_picture(const struct cli_explanation *e, const char *path)
     const struct cli_past_fragment *const seen = cli_history_seen(e->history);
     struct cli_exact_weights weights;
     struct cli_output_file file;
-    if (!seen || !cli_exact_weights_set(&weights, &seen->told)) {
+    if (!seen || !seen->told.is_snapped ||
+        !cli_exact_weights_set(&weights, &seen->told, e->width, e->height)) {
         cli_error(path, seen ? "not drawn: a vertex of the triangle lies nowhere on the screen"
                              : "not drawn: nothing of the model is seen there");
         return false;

@@ -162,12 +162,37 @@ static void print_textures(FILE *out, const struct cli_past_fragment *past)
     }
 }
 
-static void print_derivation(FILE *out, const struct cli_past_fragment *past, const struct scene_model *model)
+// Without a division of areas: a vertex behind the eye has none on the screen.
+static void print_homogeneous(FILE *out, const struct rhw_explained_fragment *f,
+                              const struct cli_exact_weights *w)
+{
+    static const char space[] = "abc", screen[] = "rst";
+    fprintf(
+        out,
+        "A vertex lies behind the eye or too far away to be snapped. P = (%.6g, %.6g) is still a mixture of\n"
+        "the vertices, and seen from P the X and Y of the mixture are 0; that leaves one a : b : c:\n\n",
+        (f->sample_x >> 8) + (double)f->place[0], (f->sample_y >> 8) + (double)f->place[1]);
+    for (int i = 0; i < 3; i++) {
+        fprintf(out, "    %c = %.9g      the pipeline has %.9g\n", space[i], mpq_get_d(w->space[i]),
+                (double)f->weights[i]);
+    }
+    fprintf(out,
+            "\n    W_P = a W_0 + b W_1 + c W_2\n"
+            "    1/W_P = %.17g      the pipeline has %.17g\n\n"
+            "and its weights on the screen, which may be of any size and sign:\n\n",
+            mpq_get_d(w->inverse_w), f->inverse_w);
+    for (int i = 0; i < 3; i++) {
+        fprintf(out, "    %c = %c W_%d/W_P = %.17g      the pipeline has %.17g\n", screen[i], space[i], i,
+                mpq_get_d(w->screen[i]), f->screen[i]);
+    }
+}
+
+static void print_derivation(FILE *out, const struct cli_explanation *e, const struct cli_past_fragment *past)
 {
     const struct rhw_explained_fragment *const f = &past->told;
     struct cli_exact_weights weights;
     fprintf(out, "\nWhat is seen: ");
-    print_triangle_name(out, past, model);
+    print_triangle_name(out, past, e->model);
     fprintf(out, ".\nIts vertices in homogeneous clip coordinates, and where they were snapped to:\n\n");
     print_vertices(out, f);
     if (f->is_clipped) {
@@ -175,16 +200,16 @@ static void print_derivation(FILE *out, const struct cli_past_fragment *past, co
                 "\nThe triangle is clipped: what it covers is the polygon that the view leaves of it.\n");
     }
     fprintf(out, "\n");
-    if (!cli_exact_weights_set(&weights, f)) {
-        fprintf(
-            out,
-            "A vertex lies behind the eye or too far away to be snapped: values follow from the homogeneous\n"
-            "triangle, and the pipeline has 1/W_P = %.17g, r = %.9g, s = %.9g, t = %.9g.\n",
-            f->inverse_w, f->screen[0], f->screen[1], f->screen[2]);
+    if (!cli_exact_weights_set(&weights, f, e->width, e->height)) {
+        fprintf(out, "It has no area.\n");
         return;
     }
-    print_edges(out, f, &weights);
-    print_perspective(out, f, &weights);
+    if (weights.is_snapped) {
+        print_edges(out, f, &weights);
+        print_perspective(out, f, &weights);
+    } else {
+        print_homogeneous(out, f, &weights);
+    }
     fprintf(out, "\nDepth is linear on the screen: Z_P/W_P = %.9g at the sample.\n", (double)f->depth);
     print_components(out, past, &weights);
     print_textures(out, past);
@@ -202,7 +227,7 @@ void cli_explain_text(FILE *out, const struct cli_explanation *e)
     print_history(out, e);
     const struct cli_past_fragment *const seen = cli_history_seen(e->history);
     if (seen) {
-        print_derivation(out, seen, e->model);
+        print_derivation(out, e, seen);
     } else {
         fprintf(out, "\nNothing of the model is seen here.\n");
     }
