@@ -67,7 +67,8 @@ while (screen(path, width, height) == pixels) == (len(sys.argv) > 4):
     time.sleep(0.01)
 PY
 mkfifo "$folder/number"
-Xvfb -displayfd 3 -screen 0 ${WIDTH}x${HEIGHT}x24 -nolisten tcp -fbdir "$folder/display" 3>"$folder/number" 2>"$folder/log/xvfb" &
+# Without -noreset the server begins anew when its last client goes, and refuses the next meanwhile.
+Xvfb -displayfd 3 -screen 0 ${WIDTH}x${HEIGHT}x24 -nolisten tcp -noreset -fbdir "$folder/display" 3>"$folder/number" 2>"$folder/log/xvfb" &
 server=$!
 viewer=
 trap 'kill $server $viewer 2>/dev/null; wait; rm -rf "$folder"' EXIT
