@@ -33,7 +33,8 @@ EMSCRIPTEN_KEEPALIVE int web_read(char *words, size_t size)
     if (!reply || !web_job_parse(&job, words, size)) {
         return EXIT_MESSAGE; // web_messages has it
     }
-    struct scene_import import = {.model.path = job.model_path,
+    struct scene_import import = {.read = scene_import_read,
+                                  .model.path = job.model_path,
                                   .model.unit = "",
                                   .name = job.model_path,
                                   .variant = job.variant,
