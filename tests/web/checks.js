@@ -95,6 +95,7 @@ async function checkScene(checks, rhw, read, data, threads) {
 function checkData(checks, scene, normals) {
     const outputs = [
         'color', 'linear', 'depth', 'distance', 'normal', 'position', 'uv', 'object', 'triangle', 'barycentric',
+        'overdraw', 'tiles', 'plan',
     ];
     const drawn = scene.render({ size: [97, 61], outputs });
     const to16 = (value) => Math.floor(Math.fround(Math.fround(value * 65535) + 0.5));
@@ -106,7 +107,8 @@ function checkData(checks, scene, normals) {
     }, []);
     checks.samples('normals', mapped, normals);
     const pixels = 97 * 61;
-    checks.same('sizes of outputs', outputs.map((name) => drawn[name].length / pixels), [4, 4, 1, 1, 4, 4, 4, 1, 1, 4]);
+    const sizes = outputs.map((name) => drawn[name].length / pixels);
+    checks.same('sizes of outputs', sizes, [4, 4, 1, 1, 4, 4, 4, 1, 1, 4, 1, 1, 1]);
     let seen = 0, wrong = 0;
     for (let i = 0; i < pixels; i++) {
         const [a, b, c, hit] = drawn.barycentric.subarray(4 * i, 4 * i + 4);
@@ -114,7 +116,8 @@ function checkData(checks, scene, normals) {
         seen += nothing ? 0 : 1;
         wrong += nothing !== (drawn.depth[i] === 1) || nothing !== (drawn.distance[i] === Infinity) ||
                  nothing !== (drawn.object[i] === 0) || nothing !== (hit === 0) || drawn.triangle[i] > 12 ||
-                 (!nothing && Math.abs(a + b + c - 1) > 1e-6);
+                 (!nothing && Math.abs(a + b + c - 1) > 1e-6) ||
+                 (!nothing && (drawn.overdraw[i] < 1 || drawn.tiles[i] === 0 || drawn.plan[i] === 0));
     }
     checks.that('something is seen, and something is not', seen > pixels / 10 && seen < (pixels * 9) / 10, seen);
     checks.same('data outputs agree on where nothing is', wrong, 0);

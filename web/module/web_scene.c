@@ -107,6 +107,9 @@ EMSCRIPTEN_KEEPALIVE const void *web_scene_picture(const struct web_scene *scene
     case SCENE_OUTPUT_OBJECT: return pictures->object;
     case SCENE_OUTPUT_TRIANGLE: return pictures->triangle;
     case SCENE_OUTPUT_BARYCENTRIC: return pictures->barycentric;
+    case SCENE_OUTPUT_OVERDRAW: return pictures->overdraw;
+    case SCENE_OUTPUT_TILES: return pictures->tiles;
+    case SCENE_OUTPUT_PLAN: return pictures->plan;
     default: return NULL;
     }
 }

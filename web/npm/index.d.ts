@@ -93,6 +93,15 @@ export interface Outputs {
     triangle: Uint32Array;
     /** a, b, c: the weights of the three vertices in space, then 1; four zeros where nothing is. */
     barycentric: Float32Array;
+    /** How many surfaces lie above each other at the centre of the pixel, seen or not. */
+    overdraw: Float32Array;
+    /** How many triangles the pixel's tile has: where the work is. */
+    tiles: Uint32Array;
+    /**
+     * How the model was drawn in that tile: 1 in order, 2 depth first, 4 from the last triangle on, or several of them
+     * added up; 0 where none of it is.
+     */
+    plan: Uint32Array;
 }
 
 /** The name of an output. */

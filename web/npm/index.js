@@ -84,6 +84,9 @@ const outputs = {
     object: { bit: 128, Type: Uint32Array, count: 1 },
     triangle: { bit: 256, Type: Uint32Array, count: 1 },
     barycentric: { bit: 512, Type: Float32Array, count: 4 },
+    overdraw: { bit: 2048, Type: Float32Array, count: 1 },
+    tiles: { bit: 4096, Type: Uint32Array, count: 1 },
+    plan: { bit: 8192, Type: Uint32Array, count: 1 },
 };
 
 function checkOutputs(names) {
