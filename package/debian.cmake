@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: MIT
-# What cpack makes of a build on Debian: rhw, the program, and librhw-dev, the static library with headers, CMake and
-# pkg-config packages; none of them needs the other. script/package builds and calls it.
+# What cpack makes of a build on Debian: rhw, the program, rhw-view, its window, and librhw-dev, the static library with headers, CMake and
+# pkg-config packages. Of these rhw-view alone needs another, rhw. script/package builds and calls it.
 set(RHW_MAINTAINER "the rhw authors <rhw@localhost>" CACHE STRING "Who stands in the Debian packages as their maintainer")
 set(CPACK_GENERATOR DEB)
 set(CPACK_PACKAGE_NAME rhw)
@@ -37,8 +37,21 @@ is in a model file. It needs no graphics card, no display and no driver.
 .
 This package has the program.")
 endif()
+if(TARGET rhw_view)
+  list(APPEND CPACK_COMPONENTS_ALL view)
+  set(CPACK_DEBIAN_VIEW_PACKAGE_NAME rhw-view)
+  set(CPACK_DEBIAN_VIEW_PACKAGE_SECTION graphics)
+  set(CPACK_DEBIAN_VIEW_PACKAGE_SHLIBDEPS ON)
+  set(CPACK_DEBIAN_VIEW_PACKAGE_DEPENDS rhw)
+  set(CPACK_DEBIAN_VIEW_DESCRIPTION "rhw view shows a model in a window: orbit, pan, zoom, fly, play its animations,
+switch to depth, normals, ids and whatever else is known about every pixel, and
+click on one to be told how it got its value. Pictures are those that rhw
+render writes, byte for byte, and need no graphics card.
+.
+This package has the window, which needs SDL2 and a display; rhw does not.")
+endif()
 # What Debian has elsewhere than others do, and what only a Debian package has.
 set(CPACK_PRE_BUILD_SCRIPTS ${CMAKE_CURRENT_LIST_DIR}/debian_layout.cmake)
 set(CPACK_RHW_SOURCE ${PROJECT_SOURCE_DIR})
-set(CPACK_RHW_PACKAGES "development=librhw-dev;program=rhw")
+set(CPACK_RHW_PACKAGES "development=librhw-dev;program=rhw;view=rhw-view")
 include(CPack)

@@ -23,6 +23,9 @@ void scene_pictures_free(struct scene_pictures *pictures)
     free(pictures->barycentric);
     free(pictures->object);
     free(pictures->triangle);
+    free(pictures->overdraw);
+    free(pictures->tiles);
+    free(pictures->plan);
     *pictures = (struct scene_pictures){0};
 }
 

@@ -18,6 +18,8 @@ struct scene_pictures {
     float *depth, *distance;
     float *normal, *position, *uv, *barycentric; ///< [4]
     uint32_t *object, *triangle;
+    float *overdraw;
+    uint32_t *tiles, *plan;
 };
 
 void scene_pictures_free(struct scene_pictures *pictures);

@@ -109,6 +109,8 @@ enum rhw_result scene_draw_bands(struct draw *draw, enum rhw_result (*draw_band)
 bool scene_band_allocate(const struct draw *draw, enum rhw_format format, void **picture)
 {
     const size_t bands = ((size_t)draw->view->height + (size_t)draw->band_rows - 1) / (size_t)draw->band_rows;
-    *picture = malloc(bands * (size_t)draw->band_rows * (size_t)draw->view->width * rhw_format_size(format));
+    const uint64_t pixels = (uint64_t)bands * (uint64_t)draw->band_rows * (uint64_t)draw->view->width;
+    const uint64_t size = pixels * rhw_format_size(format);
+    *picture = size < SIZE_MAX ? malloc((size_t)size) : NULL; // 4 GiB and more where addresses have 32 bits
     return *picture != NULL;
 }

@@ -101,7 +101,9 @@ static enum rhw_result draw_samples(struct draw *draw, const enum rhw_format for
         return result;
     }
     struct telling telling;
-    if (!begin_telling(&telling, draw, pass)) {
+    struct scene_work work;
+    const bool is_told = begin_telling(&telling, draw, pass), is_noted = scene_work_begin(draw, pass, &work);
+    if (!is_told || !is_noted) {
         result = RHW_ERROR_OUT_OF_MEMORY;
     }
     if (result == RHW_OK) {
@@ -117,6 +119,7 @@ static enum rhw_result draw_samples(struct draw *draw, const enum rhw_format for
     struct rhw_stats stats = {0};
     result = scene_pass_end(context, pass, result, &stats);
     scene_draw_log_free(&telling.log);
+    scene_work_end(draw, &work);
     if (scene_background_is_drawn(draw) && result == RHW_OK) { // the background is no part of the model
         stats.draws--;
         stats.vertices_shaded -= 3;
@@ -208,7 +211,8 @@ static enum rhw_result draw_color_band(struct draw *draw)
 enum rhw_result scene_draw_color(struct draw *draw)
 {
     const uint32_t outputs = draw->view->outputs;
-    if (!(outputs & (SCENE_OUTPUT_COLOR | SCENE_OUTPUT_LINEAR | SCENE_OUTPUT_DISPLAY))) {
+    if (!(outputs & (SCENE_OUTPUT_COLOR | SCENE_OUTPUT_LINEAR | SCENE_OUTPUT_DISPLAY | SCENE_OUTPUT_TILES |
+                     SCENE_OUTPUT_PLAN))) {
         return RHW_OK;
     }
     const size_t per_sample =
@@ -218,14 +222,18 @@ enum rhw_result scene_draw_color(struct draw *draw)
         scene_peel_wanted(draw) ? scene_peel_bytes(draw, outputs & SCENE_OUTPUT_LINEAR ? 2 : 1) : 0;
     draw->band_rows =
         scene_band_rows(draw->view->height, (size_t)draw->view->width * (per_sample + layers) * samples);
-    void *color = NULL, *linear = NULL, *display = NULL;
+    void *color = NULL, *linear = NULL, *display = NULL, *tiles = NULL, *plan = NULL;
     const bool allocated =
         (!(outputs & SCENE_OUTPUT_COLOR) || scene_band_allocate(draw, RHW_FORMAT_RGBA8_SRGB, &color)) &&
         (!(outputs & SCENE_OUTPUT_LINEAR) || scene_band_allocate(draw, RHW_FORMAT_RGBA32_FLOAT, &linear)) &&
-        (!(outputs & SCENE_OUTPUT_DISPLAY) || scene_band_allocate(draw, RHW_FORMAT_RGBA32_FLOAT, &display));
+        (!(outputs & SCENE_OUTPUT_DISPLAY) || scene_band_allocate(draw, RHW_FORMAT_RGBA32_FLOAT, &display)) &&
+        (!(outputs & SCENE_OUTPUT_TILES) || scene_band_allocate(draw, RHW_FORMAT_R32_UINT, &tiles)) &&
+        (!(outputs & SCENE_OUTPUT_PLAN) || scene_band_allocate(draw, RHW_FORMAT_R32_UINT, &plan));
     draw->pictures->color = color;
     draw->pictures->linear = linear;
     draw->pictures->display = display;
+    draw->pictures->tiles = tiles;
+    draw->pictures->plan = plan;
     if (!allocated) {
         return RHW_ERROR_OUT_OF_MEMORY;
     }

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The data pass: what is nearest at the centre of every pixel, in as many targets as were asked for.
+// The data pass: what is nearest at the centre of every pixel, in as many targets as were asked for; and a pass of its own,
+// without depth, that counts what there is at all.
 #include "draw_state.h"
 
 #include "screen.h"
@@ -19,7 +20,22 @@ static const struct {
     [SCENE_DATA_OBJECT] = {SCENE_OUTPUT_OBJECT, RHW_FORMAT_R32_UINT},
     [SCENE_DATA_TRIANGLE] = {SCENE_OUTPUT_TRIANGLE, RHW_FORMAT_R32_UINT},
     [SCENE_DATA_BARYCENTRIC] = {SCENE_OUTPUT_BARYCENTRIC, RHW_FORMAT_RGBA32_FLOAT},
+    [SCENE_DATA_OVERDRAW] = {SCENE_OUTPUT_OVERDRAW, RHW_FORMAT_R32_FLOAT},
 };
+
+static bool is_drawn(const struct draw *draw, int i)
+{
+    return draw->data[i] && draw->data_pass & data_outputs[i].output;
+}
+
+static bool is_any_drawn(const struct draw *draw)
+{
+    bool any = false;
+    for (int i = 0; i < SCENE_DATA_OUTPUTS; i++) {
+        any = any || is_drawn(draw, i);
+    }
+    return any;
+}
 
 static enum rhw_result draw_data_band(struct draw *draw)
 {
@@ -29,11 +45,13 @@ static enum rhw_result draw_data_band(struct draw *draw)
     struct scene_surface_pass surfaces = {.frame = &draw->frame, .interpolate = draw->view->interpolate};
     struct rhw_pass_def def = rhw_pass_def_default();
     def.color_count = 0;
-    def.depth = (struct rhw_depth_attachment){
-        .enabled = true, .load = RHW_LOAD_CLEAR, .store = RHW_STORE_DISCARD, .clear = 0.0f};
+    def.depth = (struct rhw_depth_attachment){.enabled = draw->data_pass != SCENE_OUTPUT_OVERDRAW,
+                                              .load = RHW_LOAD_CLEAR,
+                                              .store = RHW_STORE_DISCARD,
+                                              .clear = 0.0f};
     for (int i = 0; i < SCENE_DATA_OUTPUTS; i++) {
         draw->frame.output_slot[i] = -1;
-        if (!draw->data[i]) {
+        if (!is_drawn(draw, i)) {
             continue;
         }
         const enum rhw_result result = scene_draw_target(draw, TARGET_DATA + i, data_outputs[i].format,
@@ -62,7 +80,7 @@ static enum rhw_result draw_data_band(struct draw *draw)
     scene_draw_add_stats(draw, &stats);
     const double drawn = scene_milliseconds();
     for (int i = 0; i < SCENE_DATA_OUTPUTS && result == RHW_OK; i++) {
-        if (draw->data[i]) {
+        if (is_drawn(draw, i)) {
             scene_band_read(draw, TARGET_DATA + i, draw->data[i]);
         }
     }
@@ -96,10 +114,18 @@ enum rhw_result scene_draw_data(struct draw *draw)
     pictures->object = draw->data[SCENE_DATA_OBJECT];
     pictures->triangle = draw->data[SCENE_DATA_TRIANGLE];
     pictures->barycentric = draw->data[SCENE_DATA_BARYCENTRIC];
+    pictures->overdraw = draw->data[SCENE_DATA_OVERDRAW];
     if (!allocated) {
         return RHW_ERROR_OUT_OF_MEMORY;
     }
     draw->frame.plain = 0;
     scene_draw_set_samples(draw, 1);
-    return scene_draw_bands(draw, draw_data_band);
+    enum rhw_result result = RHW_OK;
+    const uint32_t passes[2] = {draw->view->outputs & ~(uint32_t)SCENE_OUTPUT_OVERDRAW,
+                                draw->view->outputs & SCENE_OUTPUT_OVERDRAW};
+    for (int i = 0; i < 2 && result == RHW_OK; i++) {
+        draw->data_pass = passes[i];
+        result = is_any_drawn(draw) ? scene_draw_bands(draw, draw_data_band) : RHW_OK;
+    }
+    return result;
 }

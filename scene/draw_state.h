@@ -51,6 +51,7 @@ struct draw {
     int side;                       // of the sample grid
     int band_rows, first_row;       // of the picture
     void *data[SCENE_DATA_OUTPUTS]; // the pictures of data outputs
+    uint32_t data_pass;             // the outputs of the data pass under way
 };
 
 double scene_milliseconds(void);
@@ -98,6 +99,16 @@ bool scene_peel_wanted(const struct draw *draw);
 size_t scene_peel_bytes(const struct draw *draw, int format_count);
 enum rhw_result scene_peel_draw(struct draw *draw, const enum rhw_format *formats, int format_count);
 void scene_peel_destroy(rhw_context *context, struct scene_peel *peel);
+
+// draw_work.c: what the work on the tiles of a colour pass is.
+struct scene_work {
+    struct rhw_tile_report *reports; // NULL: the view does not want to know
+    int count;
+};
+// False without memory, where the pass must not be ended with success.
+bool scene_work_begin(const struct draw *draw, rhw_pass pass, struct scene_work *work);
+// Into the pictures, of a band that is drawn.
+void scene_work_end(const struct draw *draw, struct scene_work *work);
 
 // draw_color.c: what a colour pass says of its surfaces.
 void scene_color_surfaces(const struct draw *draw, const enum rhw_format *formats, int format_count,

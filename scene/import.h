@@ -58,11 +58,12 @@ struct scene_import {
     const char *animation; // of the options
     double time;           // of the options, with is_posed
     bool is_posed, without_images;
-    uint32_t texture_side; // of the options
-    const char *confine;   // of the options, resolved; NULL: nothing is out of bounds
-    const char *missing;   // why scene_import_find_file gave NULL last
-    bool up_is_open;       // model.up is what is usual in the format; the model's shape decides
-    FILE *reply;           // what the parent reads
+    uint32_t texture_side;           // of the options
+    const char *confine;             // of the options, resolved; NULL: nothing is out of bounds
+    struct scene_progress *progress; // of the options
+    const char *missing;             // why scene_import_find_file gave NULL last
+    bool up_is_open;                 // model.up is what is usual in the format; the model's shape decides
+    FILE *reply;                     // what the parent reads
 };
 
 /// Sends one line to the parent and ends the process.

@@ -142,6 +142,7 @@ _Noreturn static void run_child(const struct scene_import *start, const struct s
     import.time = options->time;
     import.is_posed = options->is_posed;
     import.without_images = options->without_images;
+    import.progress = options->progress;
     import.reply = fdopen(descriptor, "wb");
     if (import.reply == NULL) {
         abort();

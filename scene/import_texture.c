@@ -79,6 +79,9 @@ static void *decode_some(void *argument)
             return NULL;
         }
         decoding->problems[index] = decode_image(decoding->import, index);
+        if (decoding->import->progress != NULL) {
+            __atomic_fetch_add(&decoding->import->progress->images, 1, __ATOMIC_RELAXED);
+        }
     }
 }
 
@@ -284,6 +287,9 @@ void scene_import_decode_images(struct scene_import *import)
     if (import->without_images) {
         leave_images_out(import);
         return;
+    }
+    if (import->progress != NULL) {
+        __atomic_store_n(&import->progress->image_count, model->image_count, __ATOMIC_RELAXED);
     }
     struct decoding decoding = {import, NULL, 0};
     decoding.problems = scene_import_allocate(import, model->image_count, sizeof *decoding.problems);

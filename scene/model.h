@@ -218,6 +218,12 @@ struct scene_model {
     size_t size;              ///< bytes of the one allocation that all of this lives in
 };
 
+/// How far an import is: for another thread while one is under way, which reads it by the __atomic built-ins. Zeroed before;
+/// in memory that forked processes share (mmap with MAP_SHARED).
+struct scene_progress {
+    uint32_t image_count, images; ///< to be decoded, 0 until that begins; of them, done
+};
+
 /// What to import, and its limits. Zeroed: the defaults.
 struct scene_model_options {
     unsigned seconds; ///< of CPU time; 0: 60
@@ -232,6 +238,7 @@ struct scene_model_options {
     bool without_images;   ///< they are not read: a single white texel stands for each
     uint32_t texture_side; ///< images that are longer are halved until they are not; 0: none is
     const char *confine;   ///< a folder; nothing outside it is read that the file names. NULL: everything is
+    struct scene_progress *progress; ///< NULL: nobody asks
     /// Asked several times a second by the thread that waits; false: the import is given up. NULL: nobody is asked.
     bool (*goes_on)(void *user);
     void *user;

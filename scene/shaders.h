@@ -16,7 +16,7 @@ enum {
     SCENE_LOBES = 3, // soft boxes of the environment
     SCENE_UV_STREAMS =
         10, // one for each texture of the base, the untransformed set 0, and some of the layers
-    SCENE_DATA_OUTPUTS = 8,
+    SCENE_DATA_OUTPUTS = 9,
     SCENE_SLOT_BACKDROP = RHW_MAX_TEXTURES - 2, // slots of a draw; materials have those before
     SCENE_SLOT_ENVIRONMENT
 };
@@ -105,7 +105,8 @@ enum scene_data_output {
     SCENE_DATA_UV,
     SCENE_DATA_OBJECT,
     SCENE_DATA_TRIANGLE,
-    SCENE_DATA_BARYCENTRIC
+    SCENE_DATA_BARYCENTRIC,
+    SCENE_DATA_OVERDRAW
 };
 
 // A texture coordinate set under a transform; slots that share both share a stream.

@@ -384,6 +384,9 @@ static void data_fragment(struct rhw_fragment *groups, int count)
             write_vector(f, slots[SCENE_DATA_UV], at < 0 ? zero : f->varying[at],
                          at < 0 ? zero : f->varying[at + 1], zero);
         }
+        if (slots[SCENE_DATA_OVERDRAW] >= 0) {
+            f->color[slots[SCENE_DATA_OVERDRAW]][0] = rhw_splat(1.0f); // is added to what is there
+        }
         if (slots[SCENE_DATA_BARYCENTRIC] >= 0) {
             const rhw_float *b = f->barycentric;
             const bool inside = s->is_triangle;

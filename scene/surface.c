@@ -116,7 +116,7 @@ static struct rhw_pipeline_def pipeline_def(const struct scene_surface_key *key)
     def.buffers[0].stride = (uint32_t)key->stride;
     def.cull = (enum rhw_cull)key->cull;
     def.front = (enum rhw_winding)key->front;
-    def.depth_test = true;
+    def.depth_test = !key->counts;
     // It is drawn before all else, and reaches beyond the planes that enclose the model.
     def.depth_clip_disabled = key->ground != 0;
     def.depth_compare = key->ground ? RHW_COMPARE_GREATER_EQUAL
@@ -127,11 +127,12 @@ static struct rhw_pipeline_def pipeline_def(const struct scene_surface_key *key)
     for (int i = 0; i < key->format_count; i++) {
         struct rhw_color_target *target = &def.targets[i];
         target->format = (enum rhw_format)key->formats[i];
-        target->blend = key->blend != 0;
+        target->blend = key->blend || key->counts;
         // The shader's colours are premultiplied.
         const struct rhw_blend_component over = {RHW_BLEND_ONE, RHW_BLEND_ONE_MINUS_SRC_ALPHA, RHW_BLEND_ADD};
+        const struct rhw_blend_component sum = {RHW_BLEND_ONE, RHW_BLEND_ONE, RHW_BLEND_ADD};
         if (target->blend) {
-            target->color = target->alpha = over;
+            target->color = target->alpha = key->counts ? sum : over;
         }
     }
     return def;

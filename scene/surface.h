@@ -50,6 +50,7 @@ struct scene_surface_key {
     int32_t position_number; // 1 + that of its varying
     int32_t position_derivatives;
     int32_t interpolate, uses, cull, front, blend, peel, ground;
+    int32_t counts; // adds to the target, whatever is nearer
     int32_t format_count, formats[RHW_MAX_COLOR_ATTACHMENTS];
 };
 

@@ -308,6 +308,7 @@ static void lay_out_data(struct scene_surface *s, struct scene_surface_key *key,
         }
     }
     key->fragment = SCENE_FRAGMENT_DATA;
+    key->counts = outputs == SCENE_OUTPUT_OVERDRAW;
     key->uses |= outputs & (SCENE_OUTPUT_DEPTH | SCENE_OUTPUT_DISTANCE) ? RHW_USE_COORD : 0;
     key->uses |= outputs & SCENE_OUTPUT_TRIANGLE ? RHW_USE_IDS : 0;
     key->uses |= outputs & SCENE_OUTPUT_BARYCENTRIC ? RHW_USE_BARYCENTRIC : 0;

@@ -45,7 +45,7 @@ bool scene_view_check(const struct scene_view *view, char *error, size_t error_s
         snprintf(error, error_size,
                  "size %dx%d with %d pixels for one: %d times width and height must not exceed %d",
                  view->width, view->height, view->supersample, side, limit);
-    } else if (view->outputs == 0 || (view->outputs & ~(uint32_t)SCENE_OUTPUT_ALL)) {
+    } else if (view->outputs == 0 || (view->outputs & ~(uint32_t)(SCENE_OUTPUT_ALL | SCENE_OUTPUT_WORK))) {
         snprintf(error, error_size, "outputs: none, or unknown ones, asked for");
     } else if (view->interpolate != RHW_SMOOTH && view->interpolate != RHW_NOPERSPECTIVE) {
         snprintf(error, error_size, "interpolate: must be smooth or noperspective");
@@ -55,6 +55,9 @@ bool scene_view_check(const struct scene_view *view, char *error, size_t error_s
         snprintf(error, error_size, "environment: its rotation must be a finite number of degrees");
     } else if ((unsigned)view->transparency > SCENE_TRANSPARENCY_EXACT) {
         snprintf(error, error_size, "transparency: must be sorted or exact");
+    } else if (view->transparency == SCENE_TRANSPARENCY_EXACT &&
+               view->outputs & (SCENE_OUTPUT_TILES | SCENE_OUTPUT_PLAN)) {
+        snprintf(error, error_size, "transparency: of exact there is no one pass whose tiles could be shown");
     } else if (!(view->exposure >= -20.0 && view->exposure <= 20.0)) {
         snprintf(error, error_size, "exposure: must lie between -20 and 20 stops");
     } else {

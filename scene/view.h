@@ -25,7 +25,13 @@ enum scene_output {
         256, ///< R32_UINT: 1 + number of the triangle (line, point), instances in their order
     SCENE_OUTPUT_BARYCENTRIC = 512, ///< RGBA32F: perspective-correct a, b, c; w as above
     SCENE_OUTPUT_DISPLAY = 1024,    ///< RGBA32F: COLOR before it is sRGB encoded and rounded to 8 bits
-    SCENE_OUTPUT_ALL = 2047
+    SCENE_OUTPUT_ALL = 2047,        ///< of what is seen; those below are of the work
+    SCENE_OUTPUT_OVERDRAW =
+        2048, ///< R32F: how many surfaces lie above each other at the pixel's centre, seen or not
+    SCENE_OUTPUT_TILES = 4096, ///< R32_UINT: triangles that the pixel's tile has in the colour pass
+    SCENE_OUTPUT_PLAN =
+        8192, ///< R32_UINT: or-ed rhw_tile_plan of the model in that tile; 0: none of it is there
+    SCENE_OUTPUT_WORK = SCENE_OUTPUT_OVERDRAW | SCENE_OUTPUT_TILES | SCENE_OUTPUT_PLAN
 };
 
 enum scene_wireframe {

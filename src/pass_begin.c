@@ -31,6 +31,7 @@ static void reset(struct rhw_pass_state *pass, const struct rhw_pass_def *def)
     pass->out_of_memory = false;
     pass->paths = pass->context->paths;
     pass->explained.ask.fragment = NULL;
+    pass->tile_reports = NULL;
     pass->refused_pipeline = false;
     pass->color_count = def->color_count;
     memset(&pass->pending, 0, sizeof pass->pending);

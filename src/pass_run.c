@@ -283,6 +283,15 @@ static bool shade_first_vertices(struct rhw_pass_state *pass, struct rhw_stats *
     return true;
 }
 
+static void draw_tile(struct rhw_pass_state *pass, int tile, int worker)
+{
+    const uint64_t start = pass->tile_reports ? rhw_time_ns() : 0;
+    pass->context->kernels->tile(pass, tile, worker);
+    if (pass->tile_reports) {
+        pass->tile_reports[tile].busy_ms += milliseconds(rhw_time_ns() - start);
+    }
+}
+
 // Every worker has tiles of its own, the same in every frame, and takes those of others when it has none left: memory
 // that the same core wrote last costs half as much to write again. There are as many calls as tiles, so each call finds
 // one: what others took before it is less than all.
@@ -298,7 +307,7 @@ static void run_tile(void *user, int index, int worker)
         }
         const int tile = atomic_fetch_add_explicit(&owner->next_tile, 1, memory_order_relaxed);
         if (tile < owner->end_tile) {
-            pass->context->kernels->tile(pass, tile, worker);
+            draw_tile(pass, tile, worker);
             return;
         }
     }

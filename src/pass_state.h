@@ -11,6 +11,7 @@
 #include "draw_list.h"
 #include "explained.h"
 #include "rhw/shader.h"
+#include "rhw/tiles.h"
 #include "sample_pattern.h"
 #include "texture.h"
 #include "transform_feedback.h"
@@ -113,6 +114,7 @@ struct rhw_pass_state {
     struct rhw_mip stencil_plane, stencil_resolve; // of textures, as a target and to resolve into
     enum rhw_paths paths;                          // of the context, or the general one
     struct rhw_explained explained;
+    struct rhw_tile_report *tile_reports; // of all tiles; NULL: nobody asks
 
     struct rhw_arena arena; // states, uniforms, draws
     struct rhw_bound bound;

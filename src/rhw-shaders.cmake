@@ -58,7 +58,9 @@ function(rhw_add_shaders target)
       continue()
     endif()
     add_library(${copy} OBJECT ${ARGN})
-    set_target_properties(${copy} PROPERTIES POSITION_INDEPENDENT_CODE ON)
+    if(NOT EMSCRIPTEN) # WebAssembly modules are linked once, and smaller without
+      set_target_properties(${copy} PROPERTIES POSITION_INDEPENDENT_CODE ON)
+    endif()
     foreach(property C_STANDARD C_STANDARD_REQUIRED C_EXTENSIONS C_VISIBILITY_PRESET
         CXX_STANDARD CXX_STANDARD_REQUIRED CXX_EXTENSIONS CXX_VISIBILITY_PRESET)
       get_target_property(value ${target} ${property})

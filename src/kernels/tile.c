@@ -390,17 +390,25 @@ static struct bin_run run_from(const struct bin *first, const struct bin *end)
     return run;
 }
 
+// How a run is drawn.
+static enum rhw_tile_plan choose_plan(const struct tile_work *work, struct bin_run run)
+{
+    const enum rhw_hidden_surface hidden = run.first->chunk->hidden.kind;
+    return hidden == RHW_HIDDEN_BACKWARDS                             ? RHW_TILE_BACKWARDS
+           : hidden == RHW_HIDDEN_DEPTH_FIRST && overdraws(work, run) ? RHW_TILE_DEPTH_FIRST
+                                                                      : RHW_TILE_IN_ORDER;
+}
+
 static void draw_bins(struct tile_work *work, const struct bin *first, const struct bin *end)
 {
     while (first < end) {
         const struct bin_run run = run_from(first, end);
-        const enum rhw_hidden_surface hidden = first->chunk->hidden.kind;
-        if (hidden == RHW_HIDDEN_BACKWARDS) {
-            draw_backwards(work, run);
-        } else if (hidden == RHW_HIDDEN_DEPTH_FIRST && overdraws(work, run)) {
-            draw_depth_first(work, run);
-        } else {
-            draw_run(work, run, RHW_PHASE_ONLY);
+        const enum rhw_tile_plan plan = choose_plan(work, run);
+        work->plans |= plan;
+        switch (plan) {
+        case RHW_TILE_BACKWARDS: draw_backwards(work, run); break;
+        case RHW_TILE_DEPTH_FIRST: draw_depth_first(work, run); break;
+        case RHW_TILE_IN_ORDER: draw_run(work, run, RHW_PHASE_ONLY); break;
         }
         first = run.end;
     }
@@ -452,6 +460,18 @@ static void pass_tile_through(const struct tile_work *work)
     }
 }
 
+// `before`: what the worker had counted before this tile.
+static __attribute__((noinline)) void report(const struct tile_work *work, struct rhw_tile_report *to,
+                                             int bins, const struct rhw_counters *before)
+{
+    to->plans |= work->plans;
+    to->fragments_shaded += work->counters->fragments - before->fragments;
+    to->fragment_groups += work->counters->groups - before->groups;
+    for (int i = 0; i < bins; i++) {
+        to->triangles += work->scratch->bins[i].end - work->scratch->bins[i].first;
+    }
+}
+
 void RHW_ISA_NAME(rhw_draw_tile)(struct rhw_pass_state *pass, int number, int worker)
 {
     const int tiles = pass->tiles_x * pass->tiles_y, tile = number % tiles;
@@ -475,7 +495,11 @@ void RHW_ISA_NAME(rhw_draw_tile)(struct rhw_pass_state *pass, int number, int wo
         pass_tile_through(&work);
         return;
     }
+    const struct rhw_counters before = *work.counters;
     load_tile(&work);
     draw_bins(&work, scratch->bins, scratch->bins + bins);
     store_tile(&work);
+    if (pass->tile_reports) {
+        report(&work, &pass->tile_reports[number], bins, &before);
+    }
 }

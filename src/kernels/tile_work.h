@@ -140,6 +140,7 @@ struct tile_work {
     bool orders_lanes; // of multisampled passes: a group may cover a sample twice, and the last is seen
     uint64_t fragments_before;       // of `counters`, when the state was set
     struct rhw_explained *explained; // NULL: it is of another tile, or none is asked for
+    uint32_t plans;                  // rhw_tile_plan of the runs that were drawn
 };
 
 // Tells where a block at (x, y) of the tile lies from the anchor.

@@ -73,6 +73,21 @@ for length in 5 20 200 2000; do
     head -c $length one.exr >cut.exr
     refuse 1 "cut.exr: not a valid EXR file" compare cut.exr one.exr
 done
+succeed render cube.obj --size 64x48 -o a.webp
+succeed compare a.png a.webp
+succeed render cube.obj --size 64x48 -o clear.webp --background transparent
+succeed render cube.obj --size 64x48 -o clear.png --background transparent
+succeed compare clear.png clear.webp
+run compare a.webp clear.webp
+check "WebP with alpha" grep -Eq "^A +1 " "$folder/log/out"
+for length in 12 20 30 200; do
+    head -c $length a.webp >cut.webp
+    refuse 1 "cut.webp: the WebP file ends too early" compare cut.webp a.webp
+done
+{ head -c 12 a.webp && echo "no chunk that WebP has, but long enough to be one"; } >words.webp
+refuse 1 "words.webp: not a valid WebP file" compare words.webp a.webp
+succeed render cube.obj --size 64x48 -o moving.webp --turntable 3
+refuse 1 "moving.webp: moves; 'rhw render' with a \{frame\} in OUT" compare moving.webp a.webp
 head -c 20 a.ppm >cut.ppm
 refuse 1 "cut.ppm: the PPM file ends too early" compare cut.ppm a.ppm
 printf 'P6\n0 2\n255\n' >zero.ppm

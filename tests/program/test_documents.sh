@@ -6,7 +6,7 @@
 man=$root/docs/rhw.1
 completion=$root/tools/rhw/completion/rhw.bash
 
-for verb in render thumbs compare explain info bench; do
+for verb in render thumbs compare explain view info bench; do
     succeed $verb --help
     options=$(grep -oE '^  (-.,|   ) --[a-z-]+' "$folder/log/out" | grep -oE -- '--[a-z-]+')
     check "$verb has options" test -n "$options"
@@ -19,7 +19,7 @@ for verb in render thumbs compare explain info bench; do
     check "completion of $verb" test "$completed" = "$(echo "$options" | sort | tr '\n' ' ')"
 done
 verbs=$(bash -c ". '$completion'; COMP_WORDS=(rhw ''); COMP_CWORD=1; _rhw; printf '%s ' \"\${COMPREPLY[@]}\"")
-check "completion of verbs" test "$verbs" = "render thumbs compare explain info bench --help --version "
+check "completion of verbs" test "$verbs" = "render thumbs compare explain view info bench --help --version "
 outputs=$(bash -c ". '$completion'; COMP_WORDS=(rhw render --output depth,n); COMP_CWORD=3; _rhw; printf '%s ' \"\${COMPREPLY[@]}\"")
 check "completion within a list" test "$outputs" = "depth,normal "
 mkdir made
@@ -36,7 +36,7 @@ if command -v fish >/dev/null 2>&1; then
     fish_says() { # WORDS: how fish completes them, a line each
         fish --no-config -c "source $root/tools/rhw/completion/rhw.fish; complete -C '$1'" | cut -f 1 | tr '\n' ' '
     }
-    check "fish: verbs" test "$(fish_says 'rhw ')" = "bench compare explain info render thumbs "
+    check "fish: verbs" test "$(fish_says 'rhw ')" = "bench compare explain info render thumbs view "
     check "fish: options" test "$(fish_says 'rhw info --')" = "--help --json "
     check "fish: within a list" test "$(fish_says 'rhw render --output depth,n')" = "depth,normal "
 fi
@@ -56,11 +56,32 @@ for header in $(grep -oE 'rhw/[a-z_]+\.h' "$root/docs/rhw.3" | sort -u); do
     check "rhw(3): $header is there" test -e "$root/include/$header"
 done
 
+# The README's line of the exactness table is the table's.
+grep -E '^\| (all families|smooth) \|' "$root/README.md" >rows
+check "rows of the table in README.md" test "$(wc -l <rows)" = 2
+while read -r row; do
+    check "README.md has what docs/exactness.md measured: $row" grep -qxF "$row" "$root/docs/exactness.md"
+done <rows
+
 # A link to a place in a file is a link to the file here.
 cd "$root" || exit 1
 for document in *.md docs/*.md examples/*.md; do
-    for link in $(grep -oE '\]\([^)# ]+' "$document" | cut -c 3- | grep -v '^[a-z]*:' | sort -u); do
+    for link in $({ grep -oE '\]\([^)# ]+' "$document" | cut -c 3-; grep -oE '(src|href)="[^"#]+' "$document" | sed 's/.*"//'; } |
+        grep -v '^[a-z]*:' | sort -u); do
         check "link in $document" test -e "$(dirname "$document")/$link"
+    done
+done
+
+# A link to a place in a page is one to a heading, as GitHub names them.
+places() { # PAGE
+    sed -n 's/^##* //p' "$1" | tr '[:upper:]' '[:lower:]' | sed 's/[^a-z0-9 _-]//g; s/ /-/g'
+}
+for document in *.md docs/*.md examples/*.md; do
+    for link in $(grep -oE '\]\([^) :]*#[^) ]+' "$document" | cut -c 3- | grep -v '\.[ch]#' | sort -u); do
+        page=${link%%#*}
+        check "place of a link in $document: $link" sh -c 'grep -qxF -- "$1"' sh "${link#*#}" <<TEXT
+$(places "${page:+$(dirname "$document")/}${page:-$document}")
+TEXT
     done
 done
 check "links were found" test $checks -gt 150

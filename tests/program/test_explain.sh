@@ -136,6 +136,8 @@ succeed explain --help
 check "help" grep -q -- '--at X,Y' "$folder/log/out"
 
 refuse 2 "explain: --at X,Y is missing: which pixel\?" explain cube.obj
+refuse 2 "explain: expected MODEL --at X,Y; see 'rhw explain --help'" explain --at 1,1
+refuse 2 "cube.obj: one argument too many; see 'rhw explain --help'" explain cube.obj cube.obj --at 1,1
 refuse 2 "--at: '5' is not the X,Y of a pixel, from 0,0 on" explain cube.obj --at 5
 refuse 2 "--at: '1.5,2' is not the X,Y of a pixel" explain cube.obj --at 1.5,2
 refuse 2 "--at: '-1,2' is not the X,Y of a pixel" explain cube.obj --at -1,2
@@ -146,7 +148,7 @@ refuse 2 "--supersample: cannot be explained" explain cube.obj --at 1,1 --supers
 refuse 2 "--transparency: cannot be explained" explain cube.obj --at 1,1 --transparency exact
 refuse 2 "--out: explain writes no picture; --picture" explain cube.obj --at 1,1 -o a.png
 refuse 2 "--views: cannot be explained" explain cube.obj --at 1,1 --views top
-refuse 2 "--no-such-thing: no such option" explain cube.obj --at 1,1 --no-such-thing
+refuse 2 "--no-such-thing: no such option; see 'rhw explain --help'" explain cube.obj --at 1,1 --no-such-thing
 refuse 1 "missing.obj: cannot be opened" explain missing.obj --at 1,1
 no_temporary_files
 finish

@@ -3,24 +3,7 @@
 # Models that move: --time, --animation, --animate, --turntable.
 . "$(dirname "$0")/harness.sh"
 make_cube cube
-# A triangle that moves to the right within a second, and one animation that does nothing.
-base64 -d >move.bin <<'B64'
-AAAAAAAAAAAAAAAAAACAPwAAAAAAAAAAAAAAAAAAgD8AAAAAAAAAAAAAgD8AAAAAAAAAAAAAAAAAAABAAAAAAAAAAAA=
-B64
-cat >move.gltf <<'GLTF'
-{"asset": {"version": "2.0"}, "scene": 0, "scenes": [{"nodes": [0]}], "nodes": [{"mesh": 0, "name": "n"}],
- "buffers": [{"byteLength": 68, "uri": "move.bin"}],
- "bufferViews": [{"buffer": 0, "byteLength": 36}, {"buffer": 0, "byteOffset": 36, "byteLength": 8},
-                 {"buffer": 0, "byteOffset": 44, "byteLength": 24}],
- "accessors": [{"bufferView": 0, "componentType": 5126, "count": 3, "type": "VEC3"},
-               {"bufferView": 1, "componentType": 5126, "count": 2, "type": "SCALAR", "min": [0], "max": [1]},
-               {"bufferView": 2, "componentType": 5126, "count": 2, "type": "VEC3"}],
- "materials": [{"doubleSided": true}],
- "meshes": [{"primitives": [{"attributes": {"POSITION": 0}, "material": 0}]}],
- "animations": [{"name": "slide", "samplers": [{"input": 1, "output": 2}],
-                 "channels": [{"sampler": 0, "target": {"node": 0, "path": "translation"}}]},
-                {"name": "rest", "samplers": [], "channels": []}]}
-GLTF
+make_moving move
 look=1.5,0.5,8,1.5,0.5,0,0,1,0,30
 
 # Each of a sequence is what --time draws.

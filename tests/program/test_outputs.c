@@ -188,6 +188,48 @@ static void test_ids(void **state)
     }
 }
 
+// None is black, the most is white, and more is lighter.
+static void test_overdraw(void **state)
+{
+    (void)state;
+    float overdraw[PIXELS] = {0, 1, 2, 3, 8, 5};
+    const struct scene_pictures pictures = {.width = WIDTH, .height = HEIGHT, .overdraw = overdraw};
+    struct cli_output_raster output;
+    uint16_t samples[PIXELS][3];
+    rasterize(&pictures, CLI_KIND_OVERDRAW, 0, false, &output, samples[0]);
+    const uint16_t ends[2][3] = {{0, 0, 0}, {255, 255, 255}}, quarter[3] = {89, 26, 128};
+    assert_memory_equal(samples[0], ends[0], sizeof ends[0]);
+    assert_memory_equal(samples[4], ends[1], sizeof ends[1]);
+    assert_memory_equal(samples[2], quarter, sizeof quarter);
+    static const int rising[PIXELS] = {0, 1, 2, 3, 5, 4};
+    for (int i = 1; i < PIXELS; i++) {
+        const uint16_t *const less = samples[rising[i - 1]], *const more = samples[rising[i]];
+        assert_true(less[0] + 2 * less[1] < more[0] + 2 * more[1]);
+    }
+    assert_non_null(strstr(output.raster.comment, "white is 8"));
+}
+
+// 0.65 of the tile's colour and 0.35 of the grey of the picture, which is r + 2 g + b.
+static void test_tiles_and_plans(void **state)
+{
+    (void)state;
+    uint32_t tiles[PIXELS] = {0, 4, 8, 0, 0, 16}, plan[PIXELS] = {0, 1, 2, 4, 3, 0};
+    uint8_t color[PIXELS][4] = {{0}, {0}, {0}, {0}, {0}, {100, 200, 20, 255}};
+    const struct scene_pictures pictures = {
+        .width = WIDTH, .height = HEIGHT, .color = color[0], .tiles = tiles, .plan = plan};
+    struct cli_output_raster output;
+    uint16_t samples[PIXELS][3];
+    rasterize(&pictures, CLI_KIND_TILES, 0, false, &output, samples[0]);
+    const uint16_t of_tiles[PIXELS][3] = {{0, 0, 0}, {58, 17, 83}, {141, 33, 41},
+                                          {0, 0, 0}, {0, 0, 0},    {211, 211, 211}};
+    assert_memory_equal(samples, of_tiles, sizeof of_tiles);
+    assert_non_null(strstr(output.raster.comment, "white is 16"));
+    rasterize(&pictures, CLI_KIND_PLAN, 0, false, &output, samples[0]);
+    const uint16_t of_plans[PIXELS][3] = {{0, 0, 0},     {41, 83, 166}, {166, 91, 17},
+                                          {33, 133, 50}, {104, 87, 91}, {46, 46, 46}};
+    assert_memory_equal(samples, of_plans, sizeof of_plans);
+}
+
 static void test_names_and_needs(void **state)
 {
     (void)state;
@@ -199,12 +241,15 @@ static void test_names_and_needs(void **state)
     assert_int_equal(cli_outputs_needed(kinds, CLI_PICTURE_PPM, 16),
                      SCENE_OUTPUT_DISPLAY | SCENE_OUTPUT_DEPTH);
     assert_int_equal(cli_outputs_needed(kinds, CLI_PICTURE_EXR, 0), SCENE_OUTPUT_LINEAR | SCENE_OUTPUT_DEPTH);
+    assert_int_equal(cli_outputs_needed(1u << CLI_KIND_PLAN, CLI_PICTURE_PNG, 0),
+                     SCENE_OUTPUT_PLAN | SCENE_OUTPUT_COLOR);
+    assert_int_equal(cli_outputs_needed(1u << CLI_KIND_PLAN, CLI_PICTURE_EXR, 0), SCENE_OUTPUT_PLAN);
     assert_false(cli_outputs_parse("color,dept", &kinds, &bad));
     assert_string_equal(bad, "dept");
     assert_false(cli_outputs_parse("color,", &kinds, &bad));
     assert_false(cli_outputs_parse("", &kinds, &bad));
     assert_true(cli_outputs_parse("all", &kinds, &bad));
-    assert_int_equal(kinds, (1u << CLI_KIND_COUNT) - 1);
+    assert_int_equal(kinds, (1u << CLI_KIND_OVERDRAW) - 1); // what is of the work is asked for by name
     for (int kind = 0; kind < CLI_KIND_COUNT; kind++) {
         assert_true(cli_outputs_parse(cli_output_name((enum cli_output_kind)kind), &kinds, &bad));
         assert_int_equal(kinds, 1u << kind);
@@ -221,6 +266,8 @@ int main(void)
         cmocka_unit_test(test_vectors),
         cmocka_unit_test(test_uv),
         cmocka_unit_test(test_ids),
+        cmocka_unit_test(test_overdraw),
+        cmocka_unit_test(test_tiles_and_plans),
         cmocka_unit_test(test_names_and_needs),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);

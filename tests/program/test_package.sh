@@ -93,6 +93,15 @@ if [ -x "$usr/bin/rhw" ]; then
     check "it has no debugging symbols" sh -c "file -L $usr/bin/rhw | grep -q ', stripped'"
 fi
 
+if [ -x "$usr/bin/rhw-view" ]; then
+    says rhw-view Section '^graphics$'
+    says rhw-view Depends 'libsdl2-2.0-0'
+    says rhw-view Depends '(^|, )rhw(,|$)'
+    has rhw-view bin/rhw-view share/man/man1/rhw-view.1.gz share/applications/rhw-view.desktop
+    check "rhw does without SDL2" sh -c "! dpkg-deb -f rhw_*.deb Depends | grep -q sdl"
+    check "rhw finds it" sh -c "'$usr/bin/rhw' view --help | grep -q '^Usage: rhw view'"
+fi
+
 # A program of a user, by pkg-config.
 pkgconfig=$(dirname "$(find "$usr" -name rhw.pc)")
 sed -n '/^#include/,/^```/{/^```/!p}' "$root/docs/hello.md" >hello.c

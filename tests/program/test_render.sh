@@ -26,6 +26,21 @@ succeed render cube.obj $view -o d8.png --output depth --bits 8
 check "depth in 8 bits" test "$(bytes d8.png 24 2)" = "8 0"
 succeed render cube.obj $view -o n16.png --output normal --bits 16
 check "normals in 16 bits" test "$(bytes n16.png 24 2)" = "16 2"
+
+# What shows the work: the same with any threads, into all kinds of files and on sheets.
+for threads in 1 2; do
+    succeed render cube.obj $view -o work-$threads.png --output overdraw,tiles --threads $threads
+done
+for output in overdraw tiles; do
+    check "$output with any threads" cmp -s work-1.$output.png work-2.$output.png
+done
+check "the most is told" sh -c "grep -a -q 'surfaces above each other: black is none, white is 2' work-1.overdraw.png"
+succeed render cube.obj $view -o work.exr --output overdraw,tiles,plan
+for channel in overdraw.count tiles.triangles plan.bits; do
+    check "EXR has $channel" grep -a -q $channel work.exr
+done
+succeed render cube.obj $view -o sheet.png --output plan --views front,top
+refuse 2 "render: transparency: of exact there is no one pass" render cube.obj -o a.png --output tiles --transparency exact
 succeed render cube.obj -o A.PNG
 check "default size" test "$(bytes A.PNG 16 8)" = "0 0 5 0 0 0 2 208"
 

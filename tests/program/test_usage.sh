@@ -14,7 +14,7 @@ succeed --help
 cp "$folder/log/out" help.txt
 succeed help
 check "help as a word" cmp "$folder/log/out" help.txt
-for verb in render compare explain info bench; do
+for verb in render compare explain view info bench; do
     check "help lists $verb" grep -Eq "^  rhw $verb " "$folder/log/out"
 done
 for verb in render compare info bench; do
@@ -51,7 +51,7 @@ refuse 2 "--wireframe: 'red' is not over or plain" render cube.obj -o a.png --wi
 for color in redd '#12' 12345g 1234567 ''; do
     refuse 2 "--background: '$color' is not a colour" render cube.obj -o a.png --background "$color"
 done
-refuse 2 "--output: 'colour' is no output; there are color, depth, distance, normal, position, uv, object, triangle, bary, all" render cube.obj -o a.png --output depth,colour,normal
+refuse 2 "--output: 'colour' is no output; there are color, depth, distance, normal, position, uv, object, triangle, bary, overdraw, tiles, plan, all" render cube.obj -o a.png --output depth,colour,normal
 refuse 2 "--output: '' is no output" render cube.obj -o a.png --output depth,
 refuse 2 "--bits: '10' is not 8 or 16" render cube.obj -o a.png --bits 10
 refuse 2 "--format: 'gif' is not png, exr, ppm, jpeg or webp" render cube.obj -o a.png --format gif

@@ -2,9 +2,9 @@
 # What unit tests are made of beside their own file; tests/windows makes some of them too.
 
 # These look into scene/ as well; those compare textures with a model of them.
-set(scene_tests test_elementary test_model test_import test_import_bad test_scene test_camera test_light test_shadow test_panorama test_layers test_ground test_transparency
+set(scene_tests test_elementary test_import_progress test_work_outputs test_model test_import test_import_bad test_scene test_camera test_light test_shadow test_panorama test_layers test_ground test_transparency
   test_animation test_image_reduce test_gltf_extensions test_ktx2 test_3mf test_stl test_obj test_point_clouds test_resources test_fbx)
-set(tiny_tests test_scene test_camera test_light test_shadow test_panorama test_layers test_ground test_transparency)
+set(tiny_tests test_scene test_work_outputs test_camera test_light test_shadow test_panorama test_layers test_ground test_transparency)
 set(texture_tests test_texture test_sample test_sample_compare test_texture_kinds test_anisotropy)
 set(kind_tests test_texture_kinds test_anisotropy)
 set(texel_tests test_texel_formats)

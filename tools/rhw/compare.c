@@ -25,11 +25,12 @@ static const struct cli_option options[] = {
 };
 
 static const char notes[] =
-    "Reads PNG (8 and 16 bit), PPM, PGM and EXR. Samples of PNG and PPM are taken as fractions of full "
-    "scale, so\n"
-    "that 8 and 16 bit files can be compared, a missing alpha channel is opaque; those of EXR are taken as "
-    "they\n"
-    "are and compared channel by channel. Two NaNs are equal, a NaN and a number differ without limit.\n"
+    "Reads PNG (8 and 16 bit), WebP that does not move, PPM, PGM and EXR. Samples of PNG, WebP and PPM are "
+    "taken\n"
+    "as fractions of full scale, so that 8 and 16 bit files can be compared, a missing alpha channel is "
+    "opaque;\n"
+    "those of EXR are taken as they are and compared channel by channel. Two NaNs are equal, a NaN "
+    "and a\nnumber differ without limit. "
     "PSNR refers to full scale, for EXR to the largest value that A has in the channel.\n"
     "The picture is black where A and B are equal; else from blue (1/1024 or less) over green, yellow and "
     "red to\n"

@@ -17,10 +17,18 @@ static int64_t edge_of(const struct rhw_explained_fragment *f, int i, int32_t x,
     return a * (x - f->x[j]) + b * (y - f->y[j]);
 }
 
+// In halves: GMP takes longs, which have 32 bits on some systems.
+static void set_integer(mpz_t z, int64_t value)
+{
+    mpz_set_si(z, (long)(value >> 32));
+    mpz_mul_2exp(z, z, 32);
+    mpz_add_ui(z, z, (unsigned long)(value & UINT32_MAX));
+}
+
 static void set_ratio(mpq_t q, int64_t numerator, int64_t denominator)
 {
-    mpz_set_si(mpq_numref(q), numerator);
-    mpz_set_si(mpq_denref(q), denominator);
+    set_integer(mpq_numref(q), numerator);
+    set_integer(mpq_denref(q), denominator);
     mpq_canonicalize(q);
 }
 
@@ -102,7 +110,8 @@ void cli_exact_component(const struct cli_exact_weights *w, const struct rhw_exp
         ways->naive = ways->exact = ways->error = (double)NAN;
         return;
     }
-    mpq_inits(value, difference, NULL);
+    mpq_init(value);
+    mpq_init(difference);
     weigh(value, w->screen, f, component);
     ways->naive = mpq_get_d(value);
     if (f->qualifiers[component] == RHW_SMOOTH) {
@@ -115,5 +124,6 @@ void cli_exact_component(const struct cli_exact_weights *w, const struct rhw_exp
     mpq_sub(difference, difference, value);
     mpq_abs(difference, difference);
     ways->error = mpq_get_d(difference) / ulp_of(f, component);
-    mpq_clears(value, difference, NULL);
+    mpq_clear(value);
+    mpq_clear(difference);
 }

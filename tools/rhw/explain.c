@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
 // rhw explain: the picture that rhw render draws, and the history of one of its samples. The options that say what is drawn
 // are those of rhw render, which reads them.
+#include "explain_draw.h"
 #include "explain_write.h"
 #include "options.h"
 #include "output_file.h"
-#include "render_state.h"
 #include "verbs.h"
 
 #include <stdlib.h>
@@ -125,64 +125,35 @@ static bool parse(struct question *q, int argc, char **argv)
     return true;
 }
 
-// What has no one pass whose history could be told.
+// What rhw render would do and explain does not.
 static bool check(const struct question *q, const struct cli_render_job *job)
 {
-    const char *const option = job->supersample > 1                             ? "--supersample"
-                               : job->transparency != SCENE_TRANSPARENCY_SORTED ? "--transparency"
-                               : job->view_count > 0                            ? "--views"
-                               : cli_render_moves(job)                          ? "--animate and --turntable"
-                               : job->kinds != 1u << CLI_KIND_COLOR             ? "--output"
-                                                                                : NULL;
-    if (option) {
-        cli_error(option, "cannot be explained");
+    if (job->kinds != 1u << CLI_KIND_COLOR) {
+        cli_error("--output", "cannot be explained");
         return false;
     }
     if (strcmp(job->out, "-") != 0) {
         cli_error("--out", "explain writes no picture; --picture FILE.svg draws the triangle");
         return false;
     }
-    if (q->x >= job->width || q->y >= job->height) {
-        cli_error("--at", "%d,%d lies outside the picture, which is %dx%d", q->x, q->y, job->width,
-                  job->height);
-        return false;
-    }
-    if (q->picture && !cli_output_file_check(q->picture)) {
-        return false;
-    }
-    if (q->sample >= job->samples) {
-        cli_error("--sample", "%d is too many: a pixel has %d, 0 to %d", q->sample, job->samples,
-                  job->samples - 1);
-        return false;
-    }
-    return true;
+    return cli_explain_check(job, q->x, q->y, q->sample) &&
+           (!q->picture || cli_output_file_check(q->picture));
 }
 
 static bool tell(const struct question *q, struct render *render)
 {
-    struct cli_history history = {0};
-    const struct scene_explain explain = {
-        .x = q->x, .y = q->y, .sample = q->sample, .fragment = cli_history_add, .user = &history};
-    render->view.explain = &explain;
-    bool told = cli_render_open_scene(render) && cli_render_draw(render);
-    if (told && history.failed) {
-        cli_error(render->job.model_path, "out of memory");
-        told = false;
+    struct cli_history history;
+    struct cli_explanation explanation;
+    if (!cli_render_open_scene(render) ||
+        !cli_explain_draw(render, q->x, q->y, q->sample, &history, &explanation)) {
+        return false;
     }
-    if (told) {
-        const struct cli_explanation explanation = {.model_path = render->job.model_path,
-                                                    .model = render->model,
-                                                    .history = &history,
-                                                    .x = q->x,
-                                                    .y = q->y,
-                                                    .sample = q->sample,
-                                                    .samples = render->view.samples,
-                                                    .width = render->view.width,
-                                                    .height = render->view.height,
-                                                    .picture = render->pictures.color};
-        (q->is_json ? cli_explain_json : cli_explain_text)(&explanation);
-        told = !q->picture || cli_explain_picture(&explanation, q->picture);
+    if (q->is_json) {
+        cli_explain_json(&explanation);
+    } else {
+        cli_explain_text(stdout, &explanation);
     }
+    const bool told = !q->picture || cli_explain_picture(&explanation, q->picture);
     cli_history_free(&history);
     return told;
 }
@@ -201,7 +172,7 @@ int cli_explain(int argc, char **argv)
         free(question.argv);
         return CLI_OK;
     }
-    if (cli_render_job_parse(&render.job, question.argc, question.argv, &status) &&
+    if (cli_render_job_parse(&render.job, &verb, question.argc, question.argv, &status) &&
         check(&question, &render.job)) {
         status = CLI_FAILED;
         if (cli_render_prepare(&render)) {

@@ -6,90 +6,96 @@
 #include <inttypes.h>
 #include <stdio.h>
 
-static void print_triangle_name(const struct cli_past_fragment *past, const struct scene_model *model)
+static void print_triangle_name(FILE *out, const struct cli_past_fragment *past,
+                                const struct scene_model *model)
 {
     const char *const subject = cli_history_subject(past, model);
     if (past->drawn.instance == SCENE_DRAWN_BACKGROUND) {
-        printf("the background");
+        fprintf(out, "the background");
         return;
     }
-    printf("%s%s%striangle %" PRIu32 ", %s", subject, *subject ? ", " : "", "", past->told.primitive,
-           past->told.front_facing ? "front" : "back");
+    fprintf(out, "%s%s%striangle %" PRIu32 ", %s", subject, *subject ? ", " : "", "", past->told.primitive,
+            past->told.front_facing ? "front" : "back");
 }
 
-static void print_color(const float color[4])
+static void print_color(FILE *out, const float color[4])
 {
-    printf("(%.4g, %.4g, %.4g, %.4g)", (double)color[0], (double)color[1], (double)color[2],
-           (double)color[3]);
+    fprintf(out, "(%.4g, %.4g, %.4g, %.4g)", (double)color[0], (double)color[1], (double)color[2],
+            (double)color[3]);
 }
 
 // One line for each fragment.
-static void print_history(const struct cli_explanation *e)
+static void print_history(FILE *out, const struct cli_explanation *e)
 {
     const int count = e->history->count;
-    printf("%d fragment%s came here, in the order of drawing. Depth is reversed: 1 at the near plane, 0 at\n"
-           "infinity, and the greater one is seen.\n\n",
-           count, count == 1 ? "" : "s");
+    fprintf(out,
+            "%d fragment%s came here, in the order of drawing. Depth is reversed: 1 at the near plane, 0 at\n"
+            "infinity, and the greater one is seen.\n\n",
+            count, count == 1 ? "" : "s");
     for (int i = 0; i < count; i++) {
         const struct cli_past_fragment *const past = &e->history->fragments[i];
         const struct rhw_explained_fragment *const f = &past->told;
-        printf("%3d. ", i + 1);
-        print_triangle_name(past, e->model);
+        fprintf(out, "%3d. ", i + 1);
+        print_triangle_name(out, past, e->model);
         if (past->drawn.instance != SCENE_DRAWN_BACKGROUND) {
-            printf(": depth %.9g, there is %.9g: ", (double)f->depth, (double)f->depth_before);
+            fprintf(out, ": depth %.9g, there is %.9g: ", (double)f->depth, (double)f->depth_before);
         } else {
-            printf(": ");
+            fprintf(out, ": ");
         }
-        printf("%s", cli_fate_name(f->fate));
+        fprintf(out, "%s", cli_fate_name(f->fate));
         if (f->fate == RHW_FRAGMENT_WRITTEN) {
-            printf("\n     color ");
-            print_color(f->color_before[0]);
-            printf(" becomes ");
-            print_color(f->color_after[0]);
+            fprintf(out, "\n     color ");
+            print_color(out, f->color_before[0]);
+            fprintf(out, " becomes ");
+            print_color(out, f->color_after[0]);
             if (f->is_shaded) {
-                printf("; its shader gave ");
-                print_color(f->output[0]);
+                fprintf(out, "; its shader gave ");
+                print_color(out, f->output[0]);
             }
         }
-        printf("\n");
+        fprintf(out, "\n");
     }
 }
 
-static void print_vertices(const struct rhw_explained_fragment *f)
+static void print_vertices(FILE *out, const struct rhw_explained_fragment *f)
 {
-    printf(
+    fprintf(
+        out,
         "    vertex            X             Y             Z             W   screen x, y in 1/256 pixel\n");
     for (int i = 0; i < 3; i++) {
-        printf("    %d     %13.9g %13.9g %13.9g %13.9g", i, (double)f->position[i][0],
-               (double)f->position[i][1], (double)f->position[i][2], (double)f->position[i][3]);
+        fprintf(out, "    %d     %13.9g %13.9g %13.9g %13.9g", i, (double)f->position[i][0],
+                (double)f->position[i][1], (double)f->position[i][2], (double)f->position[i][3]);
         if (f->is_snapped) {
-            printf("   %" PRId32 ", %" PRId32 "  = (%.4f, %.4f)", f->x[i], f->y[i], f->x[i] / 256.0,
-                   f->y[i] / 256.0);
+            fprintf(out, "   %" PRId32 ", %" PRId32 "  = (%.4f, %.4f)", f->x[i], f->y[i], f->x[i] / 256.0,
+                    f->y[i] / 256.0);
         }
-        printf("\n");
+        fprintf(out, "\n");
     }
 }
 
-static void print_edges(const struct rhw_explained_fragment *f, const struct cli_exact_weights *w)
+static void print_edges(FILE *out, const struct rhw_explained_fragment *f, const struct cli_exact_weights *w)
 {
-    printf("Values are taken at P = (%.6g, %.6g). The edge functions there, in 1/65536 pixel²; the one of\n"
-           "vertex i belongs to the edge opposite to it, and all are above 0 inside:\n\n",
-           (f->sample_x >> 8) + (double)f->place[0], (f->sample_y >> 8) + (double)f->place[1]);
+    fprintf(out,
+            "Values are taken at P = (%.6g, %.6g). The edge functions there, in 1/65536 pixel²; the one of\n"
+            "vertex i belongs to the edge opposite to it, and all are above 0 inside:\n\n",
+            (f->sample_x >> 8) + (double)f->place[0], (f->sample_y >> 8) + (double)f->place[1]);
     for (int i = 0; i < 3; i++) {
-        printf("    e_%d = %" PRId64 "\n", i, w->edge[i]);
+        fprintf(out, "    e_%d = %" PRId64 "\n", i, w->edge[i]);
     }
-    printf("    sum = %" PRId64 ", twice the triangle's area\n\n", w->sum);
+    fprintf(out, "    sum = %" PRId64 ", twice the triangle's area\n\n", w->sum);
     static const char names[3] = {'r', 's', 't'};
-    printf("On the screen P lies at\n\n");
+    fprintf(out, "On the screen P lies at\n\n");
     for (int i = 0; i < 3; i++) {
-        printf("    %c = e_%d / sum = %.17g      the pipeline has %.17g\n", names[i], i,
-               mpq_get_d(w->screen[i]), f->screen[i]);
+        fprintf(out, "    %c = e_%d / sum = %.17g      the pipeline has %.17g\n", names[i], i,
+                mpq_get_d(w->screen[i]), f->screen[i]);
     }
 }
 
-static void print_perspective(const struct rhw_explained_fragment *f, const struct cli_exact_weights *w)
+static void print_perspective(FILE *out, const struct rhw_explained_fragment *f,
+                              const struct cli_exact_weights *w)
 {
-    printf(
+    fprintf(
+        out,
         "\nSeen in perspective the triangle is not flat to the eye: what is linear on the screen is 1/W.\n\n"
         "    1/W_P = r/W_0 + s/W_1 + t/W_2\n"
         "          = %.9g/%.9g + %.9g/%.9g + %.9g/%.9g\n"
@@ -99,99 +105,105 @@ static void print_perspective(const struct rhw_explained_fragment *f, const stru
         (double)f->position[1][3], mpq_get_d(w->screen[2]), (double)f->position[2][3],
         mpq_get_d(w->inverse_w), f->inverse_w, 1.0 / f->inverse_w);
     static const char *const names = "abc", *const screen = "rst";
-    printf("So in space P lies at\n\n");
+    fprintf(out, "So in space P lies at\n\n");
     for (int i = 0; i < 3; i++) {
-        printf("    %c = %c W_P/W_%d = %.9g%s", names[i], screen[i], i, mpq_get_d(w->space[i]),
-               i > 0 ? "" : "\n");
+        fprintf(out, "    %c = %c W_P/W_%d = %.9g%s", names[i], screen[i], i, mpq_get_d(w->space[i]),
+                i > 0 ? "" : "\n");
         if (i > 0) {
-            printf("      the pipeline has %.9g\n", (double)f->weights[i]);
+            fprintf(out, "      the pipeline has %.9g\n", (double)f->weights[i]);
         }
     }
 }
 
-static void print_components(const struct cli_past_fragment *past, const struct cli_exact_weights *w)
+static void print_components(FILE *out, const struct cli_past_fragment *past,
+                             const struct cli_exact_weights *w)
 {
     static const char *const qualifiers[] = {"a I_0 + b I_1 + c I_2", "r I_0 + s I_1 + t I_2", "flat"};
     const struct rhw_explained_fragment *const f = &past->told;
     double worst = 0.0;
-    printf("\nEvery varying three ways. Naive is r I_0 + s I_1 + t I_2, as if the triangle were flat to the "
-           "eye;\n"
-           "exact is %s in rational arithmetic; the error is that of the pipeline, in ULP of the\n"
-           "largest of the three vertex values.\n\n",
-           f->component_count > 0 ? qualifiers[f->qualifiers[0]] : "the formula");
-    printf("    %-24s %13s %13s %13s   %15s %15s %15s  %6s\n", "", "I_0", "I_1", "I_2", "naive", "exact",
-           "pipeline", "error");
+    fprintf(out,
+            "\nEvery varying three ways. Naive is r I_0 + s I_1 + t I_2, as if the triangle were flat to the "
+            "eye;\n"
+            "exact is %s in rational arithmetic; the error is that of the pipeline, in ULP of the\n"
+            "largest of the three vertex values.\n\n",
+            f->component_count > 0 ? qualifiers[f->qualifiers[0]] : "the formula");
+    fprintf(out, "    %-24s %13s %13s %13s   %15s %15s %15s  %6s\n", "", "I_0", "I_1", "I_2", "naive",
+            "exact", "pipeline", "error");
     for (int i = 0; i < f->component_count; i++) {
         char name[SCENE_COMPONENT_NAME];
         struct cli_three_ways ways;
         cli_exact_component(w, f, i, &ways);
         scene_component_name(&past->drawn.surface, i, name);
-        printf("    %-24s %13.7g %13.7g %13.7g   %15.9g %15.9g %15.9g  %6.2f\n", name,
-               (double)f->vertex_varyings[0][i], (double)f->vertex_varyings[1][i],
-               (double)f->vertex_varyings[2][i], ways.naive, ways.exact, (double)ways.written, ways.error);
+        fprintf(out, "    %-24s %13.7g %13.7g %13.7g   %15.9g %15.9g %15.9g  %6.2f\n", name,
+                (double)f->vertex_varyings[0][i], (double)f->vertex_varyings[1][i],
+                (double)f->vertex_varyings[2][i], ways.naive, ways.exact, (double)ways.written, ways.error);
         worst = ways.error > worst ? ways.error : worst;
     }
-    printf("\nThe largest error is %.2f ULP; rhw promises 8 (docs/exactness.md).\n", worst);
+    fprintf(out, "\nThe largest error is %.2f ULP; rhw promises 8 (docs/exactness.md).\n", worst);
 }
 
-static void print_textures(const struct cli_past_fragment *past)
+static void print_textures(FILE *out, const struct cli_past_fragment *past)
 {
     if (past->look_count > 0) {
-        printf("\nIts textures there. The level follows from how far u and v go from pixel to pixel; around "
-               "a place lie\n"
-               "the four texels that are mixed, in this level and, by its fraction, in the next:\n\n");
+        fprintf(out,
+                "\nIts textures there. The level follows from how far u and v go from pixel to pixel; around "
+                "a place lie\n"
+                "the four texels that are mixed, in this level and, by its fraction, in the next:\n\n");
     }
     for (int i = 0; i < past->look_count; i++) {
         const struct scene_texture_look *const look = &past->looks[i];
-        printf("    %-20s level %.4g; level %d has %dx%d texels, and the place is (%.3f, %.3f)\n"
-               "    %20s gives ",
-               scene_slot_name(look->slot), (double)look->level, (int)look->level, look->width, look->height,
-               (double)look->place[0], (double)look->place[1], "");
-        print_color(look->texel);
-        printf("\n");
+        fprintf(out,
+                "    %-20s level %.4g; level %d has %dx%d texels, and the place is (%.3f, %.3f)\n"
+                "    %20s gives ",
+                scene_slot_name(look->slot), (double)look->level, (int)look->level, look->width, look->height,
+                (double)look->place[0], (double)look->place[1], "");
+        print_color(out, look->texel);
+        fprintf(out, "\n");
     }
 }
 
-static void print_derivation(const struct cli_past_fragment *past, const struct scene_model *model)
+static void print_derivation(FILE *out, const struct cli_past_fragment *past, const struct scene_model *model)
 {
     const struct rhw_explained_fragment *const f = &past->told;
     struct cli_exact_weights weights;
-    printf("\nWhat is seen: ");
-    print_triangle_name(past, model);
-    printf(".\nIts vertices in homogeneous clip coordinates, and where they were snapped to:\n\n");
-    print_vertices(f);
+    fprintf(out, "\nWhat is seen: ");
+    print_triangle_name(out, past, model);
+    fprintf(out, ".\nIts vertices in homogeneous clip coordinates, and where they were snapped to:\n\n");
+    print_vertices(out, f);
     if (f->is_clipped) {
-        printf("\nThe triangle is clipped: what it covers is the polygon that the view leaves of it.\n");
+        fprintf(out,
+                "\nThe triangle is clipped: what it covers is the polygon that the view leaves of it.\n");
     }
-    printf("\n");
+    fprintf(out, "\n");
     if (!cli_exact_weights_set(&weights, f)) {
-        printf(
+        fprintf(
+            out,
             "A vertex lies behind the eye or too far away to be snapped: values follow from the homogeneous\n"
             "triangle, and the pipeline has 1/W_P = %.17g, r = %.9g, s = %.9g, t = %.9g.\n",
             f->inverse_w, f->screen[0], f->screen[1], f->screen[2]);
         return;
     }
-    print_edges(f, &weights);
-    print_perspective(f, &weights);
-    printf("\nDepth is linear on the screen: Z_P/W_P = %.9g at the sample.\n", (double)f->depth);
-    print_components(past, &weights);
-    print_textures(past);
+    print_edges(out, f, &weights);
+    print_perspective(out, f, &weights);
+    fprintf(out, "\nDepth is linear on the screen: Z_P/W_P = %.9g at the sample.\n", (double)f->depth);
+    print_components(out, past, &weights);
+    print_textures(out, past);
     cli_exact_weights_free(&weights);
 }
 
-void cli_explain_text(const struct cli_explanation *e)
+void cli_explain_text(FILE *out, const struct cli_explanation *e)
 {
     const uint8_t *const c = cli_explained_color(e);
-    printf("%s: pixel (%d, %d) of %dx%d", e->model_path, e->x, e->y, e->width, e->height);
+    fprintf(out, "%s: pixel (%d, %d) of %dx%d", e->model_path, e->x, e->y, e->width, e->height);
     if (e->samples > 1) {
-        printf(", sample %d of %d", e->sample, e->samples);
+        fprintf(out, ", sample %d of %d", e->sample, e->samples);
     }
-    printf(", is #%02x%02x%02x in the picture.\n", c[0], c[1], c[2]);
-    print_history(e);
+    fprintf(out, ", is #%02x%02x%02x in the picture.\n", c[0], c[1], c[2]);
+    print_history(out, e);
     const struct cli_past_fragment *const seen = cli_history_seen(e->history);
     if (seen) {
-        print_derivation(seen, e->model);
+        print_derivation(out, seen, e->model);
     } else {
-        printf("\nNothing of the model is seen here.\n");
+        fprintf(out, "\nNothing of the model is seen here.\n");
     }
 }

@@ -5,6 +5,8 @@
 
 #include "history.h"
 
+#include <stdio.h>
+
 struct cli_explanation {
     const char *model_path;
     const struct scene_model *model;
@@ -13,7 +15,7 @@ struct cli_explanation {
     const uint8_t *picture; ///< [height][width][4], sRGB
 };
 
-void cli_explain_text(const struct cli_explanation *explanation);
+void cli_explain_text(FILE *out, const struct cli_explanation *explanation);
 void cli_explain_json(const struct cli_explanation *explanation);
 /// Draws the triangle of what is seen around the pixel into an SVG file. Reports failure.
 bool cli_explain_picture(const struct cli_explanation *explanation, const char *path);

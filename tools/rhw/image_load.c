@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: MIT
-// PNG and PPM decoders and access to samples; see image_load.h. EXR stands in image_load_exr.c. libspng
-// expands every kind of PNG to RGBA; spng's choices for palettes and key colours are thus ours.
+// PNG and PPM decoders and access to samples; see image_load.h. EXR stands in image_load_exr.c, WebP in
+// image_load_webp.c. libspng expands every kind of PNG to RGBA; spng's choices for palettes and key colours are thus ours.
 #include "image_load.h"
 
 #include "image_load_exr.h"
+#include "image_load_webp.h"
 #include "message.h"
 #include "rhw/types.h"
 
@@ -173,10 +174,23 @@ static bool load_ppm(struct cli_loaded_image *image, const char *path, FILE *str
     return true;
 }
 
+static bool load_webp(struct cli_loaded_image *image, const char *path, FILE *stream)
+{
+    if (!cli_image_load_webp(image, path, stream)) {
+        return false;
+    }
+    image->full_scale = 255.0;
+    if (!describe_rgba(image, 4, CLI_SAMPLE_U8)) {
+        cli_error(path, "out of memory");
+        return false;
+    }
+    return true;
+}
+
 static bool load_stream(struct cli_loaded_image *image, const char *path, FILE *stream)
 {
     static const uint8_t png_magic[] = {0x89, 'P', 'N', 'G'}, exr_magic[] = {0x76, 0x2F, 0x31, 0x01};
-    uint8_t magic[4] = {0};
+    uint8_t magic[12] = {0};
     const size_t got = fread(magic, 1, sizeof magic, stream);
     if (ferror(stream)) {
         cli_error(path, "%s", strerror(errno));
@@ -190,16 +204,19 @@ static bool load_stream(struct cli_loaded_image *image, const char *path, FILE *
         cli_error(path, "%s", strerror(errno));
         return false;
     }
-    if (memcmp(magic, png_magic, sizeof magic) == 0) {
+    if (memcmp(magic, png_magic, sizeof png_magic) == 0) {
         return load_png(image, path, stream);
     }
-    if (memcmp(magic, exr_magic, sizeof magic) == 0) {
+    if (memcmp(magic, exr_magic, sizeof exr_magic) == 0) {
         return cli_image_load_exr(image, path);
+    }
+    if (memcmp(magic, "RIFF", 4) == 0 && memcmp(magic + 8, "WEBP", 4) == 0) {
+        return load_webp(image, path, stream);
     }
     if (magic[0] == 'P' && magic[1] && strchr("2356", magic[1])) {
         return load_ppm(image, path, stream);
     }
-    cli_error(path, "not a picture that rhw reads (PNG, EXR, PPM, PGM)");
+    cli_error(path, "not a picture that rhw reads (PNG, WebP, EXR, PPM, PGM)");
     return false;
 }
 

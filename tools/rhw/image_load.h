@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Pictures that `compare` reads: PNG (any kind), PPM and PGM, EXR. Samples stay in the type the file has, so
+// Pictures that `compare` reads: PNG (any kind), WebP, PPM and PGM, EXR. Samples stay in the type the file has, so
 // that ids of 32 bits and 16 bit colours arrive unharmed; a row of one channel is handed out as doubles.
 #ifndef CLI_IMAGE_LOAD_H
 #define CLI_IMAGE_LOAD_H
@@ -21,7 +21,7 @@ struct cli_image_channel {
 
 struct cli_loaded_image {
     int width, height; ///< 1..RHW_MAX_TARGET_SIZE
-    bool encoded; ///< PNG, PPM: R, G, B, A in fractions of full scale; false: EXR, the file's own channels
+    bool encoded; ///< PNG, WebP, PPM: R, G, B, A in fractions of full scale; false: EXR, the file's own channels
     double full_scale; ///< what a stored sample is divided by: 65535/65535 and 255/255 give the same bits
     struct cli_image_channel *channels;
     int channel_count;

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// What rhw info prints of a model, as text (info_text.c) and as JSON (info_json.c), and what both count and call alike.
+// What rhw info prints of a model, as text (info_text.c) and as JSON (info_json.c), and what both count and call alike
+// (info_count.c).
 #ifndef CLI_INFO_PRINT_H
 #define CLI_INFO_PRINT_H
 

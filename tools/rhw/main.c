@@ -17,6 +17,7 @@ static const struct {
     {"thumbs", "DIR -o OUT", "draw a small picture of every model in a folder", cli_thumbs},
     {"compare", "A B", "differences of two pictures, in numbers and as a picture", cli_compare},
     {"explain", "MODEL --at X,Y", "how a pixel of the picture got its value, step by step", cli_explain},
+    {"view", "MODEL", "show a model in a window", cli_view},
     {"info", "MODEL", "what is in a model file", cli_info},
     {"bench", "", "time scenes, beside another renderer where there is one", cli_bench},
 };

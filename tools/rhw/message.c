@@ -13,6 +13,8 @@
 enum { LINE_LENGTH = 2048 }; // bytes; longer lines are cut
 
 static bool stage_shown, has_bar;
+static void (*listener)(void *user, const char *line);
+static void *listener_user;
 static pthread_mutex_t lock = PTHREAD_MUTEX_INITIALIZER; // of these; pictures are encoded by several threads
 
 static void clear_stage(void)
@@ -83,6 +85,17 @@ static void print_line(const char *subject, const char *prefix, const char *form
     pthread_mutex_lock(&lock);
     clear_stage();
     fprintf(stderr, "%s\n", line);
+    if (listener) {
+        listener(listener_user, line + strlen("rhw: "));
+    }
+    pthread_mutex_unlock(&lock);
+}
+
+void cli_message_listen(void (*hear)(void *user, const char *line), void *user)
+{
+    pthread_mutex_lock(&lock);
+    listener = hear;
+    listener_user = user;
     pthread_mutex_unlock(&lock);
 }
 

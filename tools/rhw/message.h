@@ -9,6 +9,9 @@ void cli_error(const char *subject, const char *format, ...) __attribute__((form
 /// The same with "warning: " before the cause.
 void cli_warning(const char *subject, const char *format, ...) __attribute__((format(printf, 2, 3)));
 
+/// Gives the lines of both to `hear` as well, without "rhw: ", from whatever thread has one; NULL: to nobody.
+void cli_message_listen(void (*hear)(void *user, const char *line), void *user);
+
 /// Says on a terminal what goes on ("reading", "sponza.gltf") until the next stage, line or
 /// cli_stage_end. Says nothing where stderr is no terminal.
 void cli_stage(const char *work, const char *subject);

@@ -90,7 +90,9 @@ struct scene_model *cli_model_input_load(const struct cli_model_input *input, co
     struct scene_model *model = scene_model_load(input->path, &options, error, sizeof error);
     cli_stage_end();
     if (model == NULL) {
-        cli_error(input->name, "%s", error);
+        if (!options.goes_on || options.goes_on(options.user)) {
+            cli_error(input->name, "%s", error);
+        } // else who stopped it knows
         return NULL;
     }
     model->path = input->name;

@@ -62,7 +62,7 @@ struct pose {
     struct scene_model *read;
 };
 
-static struct scene_model *read_pose(const struct render *render, double time)
+struct scene_model *cli_pose_read(const struct render *render, double time)
 {
     const struct cli_render_job *const job = &render->job;
     const struct scene_model *const base = render->model;
@@ -94,7 +94,7 @@ static struct scene_model *read_pose(const struct render *render, double time)
 struct scene_model *cli_movement_pose(const struct cli_movement *movement, const struct render *render,
                                       int frame)
 {
-    return read_pose(render, time_of(movement, frame));
+    return cli_pose_read(render, time_of(movement, frame));
 }
 
 void cli_movement_free_pose(struct scene_model *model)
@@ -179,7 +179,7 @@ bool cli_movement_camera(struct cli_movement *movement, struct render *render)
     const int count = movement->seconds > 0.0 ? most : 1;
     bool complete = true;
     for (int p = 0; p < count && movement->seconds > 0.0 && complete; p++) {
-        poses[p] = read_pose(render, movement->seconds * p / count);
+        poses[p] = cli_pose_read(render, movement->seconds * p / count);
         complete = poses[p] != NULL;
     }
     complete = complete && fit_to_all(movement, render, poses, count);

@@ -15,8 +15,10 @@ struct cli_movement {
 /// How many pictures there are and how fast, for a model that has been read. Reports an animation that it lacks.
 bool cli_movement_plan(struct cli_movement *movement, const struct cli_render_job *job,
                        const struct scene_model *model);
-/// Reads the pose of a picture, with the materials and images of `render->model`, which it borrows; NULL after a report.
-/// Free it by cli_movement_free_pose.
+/// Reads the pose at a time in seconds, with the materials and images of `render->model`, which it borrows; NULL after a
+/// report. Free it by cli_movement_free_pose.
+struct scene_model *cli_pose_read(const struct render *render, double time);
+/// The same of a picture.
 struct scene_model *cli_movement_pose(const struct cli_movement *movement, const struct render *render,
                                       int frame);
 void cli_movement_free_pose(struct scene_model *pose);

@@ -10,13 +10,14 @@
 #include <stdlib.h>
 #include <string.h>
 
-static const char *const names[CLI_KIND_COUNT] = {"color", "depth",  "distance", "normal", "position",
-                                                  "uv",    "object", "triangle", "bary"};
+static const char *const names[CLI_KIND_COUNT] = {"color",    "depth",    "distance", "normal",
+                                                  "position", "uv",       "object",   "triangle",
+                                                  "bary",     "overdraw", "tiles",    "plan"};
 
 static const uint32_t drawn[CLI_KIND_COUNT] = {
-    SCENE_OUTPUT_COLOR,  SCENE_OUTPUT_DEPTH,    SCENE_OUTPUT_DISTANCE,
-    SCENE_OUTPUT_NORMAL, SCENE_OUTPUT_POSITION, SCENE_OUTPUT_UV,
-    SCENE_OUTPUT_OBJECT, SCENE_OUTPUT_TRIANGLE, SCENE_OUTPUT_BARYCENTRIC};
+    SCENE_OUTPUT_COLOR,       SCENE_OUTPUT_DEPTH,    SCENE_OUTPUT_DISTANCE, SCENE_OUTPUT_NORMAL,
+    SCENE_OUTPUT_POSITION,    SCENE_OUTPUT_UV,       SCENE_OUTPUT_OBJECT,   SCENE_OUTPUT_TRIANGLE,
+    SCENE_OUTPUT_BARYCENTRIC, SCENE_OUTPUT_OVERDRAW, SCENE_OUTPUT_TILES,    SCENE_OUTPUT_PLAN};
 
 const char *cli_output_name(enum cli_output_kind kind)
 {
@@ -42,7 +43,7 @@ bool cli_outputs_parse(const char *list, unsigned *kinds, const char **bad)
         if (kind >= 0) {
             found |= 1u << kind;
         } else if (length == 3 && memcmp(name, "all", 3) == 0) {
-            found = (1u << CLI_KIND_COUNT) - 1;
+            found = (1u << CLI_KIND_OVERDRAW) - 1;
         } else {
             *bad = name;
             return false;
@@ -70,6 +71,8 @@ uint32_t cli_outputs_needed(unsigned kinds, enum cli_picture_format format, int 
         } else {
             needed |= drawn[kind];
         }
+        const bool over_picture = kind == CLI_KIND_TILES || kind == CLI_KIND_PLAN;
+        needed |= over_picture && format != CLI_PICTURE_EXR ? SCENE_OUTPUT_COLOR : 0;
     }
     return needed;
 }
@@ -193,6 +196,65 @@ static void id_row(const void *user, int y, void *row)
     }
 }
 
+// Black, violet, red, yellow, white: ever lighter. `part` 0..1.
+static void heat(float part, float color[3])
+{
+    static const float stops[5][3] = {
+        {0, 0, 0}, {0.35f, 0.1f, 0.5f}, {0.85f, 0.2f, 0.25f}, {1, 0.75f, 0.2f}, {1, 1, 1}};
+    const float place = part * 4.0f;
+    const int stop = place < 3.0f ? (int)place : 3;
+    for (int c = 0; c < 3; c++) {
+        color[c] = stops[stop][c] + (place - (float)stop) * (stops[stop + 1][c] - stops[stop][c]);
+    }
+}
+
+static void overdraw_row(const void *user, int y, void *row)
+{
+    const struct cli_output_raster *output = user;
+    const float *from = output->floats + (size_t)y * (size_t)output->raster.width;
+    for (size_t x = 0; x < (size_t)output->raster.width; x++) {
+        float color[3];
+        heat(from[x] * output->scale[0], color);
+        for (size_t i = 0; i < 3; i++) {
+            store(output, row, x * 3 + i, color[i]);
+        }
+    }
+}
+
+// What a tile's plans look like: each has a colour, several the mean of theirs.
+static void plan_color(uint32_t plans, float color[3])
+{
+    static const float colors[3][3] = {{0.25f, 0.5f, 1}, {1, 0.55f, 0.1f}, {0.2f, 0.8f, 0.3f}};
+    color[0] = color[1] = color[2] = 0.0f;
+    for (int plan = 0; plan < 3; plan++) {
+        for (int c = 0; c < 3 && plans >> plan & 1; c++) {
+            color[c] += colors[plan][c] / (float)__builtin_popcount(plans);
+        }
+    }
+}
+
+// Over the picture in grey, so that one sees what lies in the tile.
+static void tile_row(const void *user, int y, void *row)
+{
+    const struct cli_output_raster *output = user;
+    const size_t first = (size_t)y * (size_t)output->raster.width;
+    const bool is_plan = output->ids == output->pictures->plan;
+    for (size_t x = 0; x < (size_t)output->raster.width; x++) {
+        const uint8_t *const seen = output->pictures->color + 4 * (first + x);
+        const float grey = (float)(seen[0] + 2 * seen[1] + seen[2]) / (4.0f * 255.0f);
+        const uint32_t value = output->ids[first + x];
+        float color[3];
+        if (is_plan) {
+            plan_color(value, color);
+        } else {
+            heat((float)value * output->scale[0], color);
+        }
+        for (size_t i = 0; i < 3; i++) {
+            store(output, row, x * 3 + i, 0.65f * color[i] + 0.35f * grey);
+        }
+    }
+}
+
 // Range of the values that show something; an empty picture gives 0..1.
 static void find_range(const struct cli_output_raster *output, float *least, float *most)
 {
@@ -256,12 +318,51 @@ static void set_ids(struct cli_output_raster *output, const uint32_t *ids)
     output->raster.row = id_row;
 }
 
+// White is the most there is.
+static void set_heat(struct cli_output_raster *output, float most, const char *name)
+{
+    output->scale[0] = most > 0.0f ? 1.0f / most : 0.0f;
+    snprintf(output->raster.comment, sizeof output->raster.comment, "%s: black is none, white is %.9g", name,
+             (double)most);
+}
+
+static void set_overdraw(struct cli_output_raster *output, size_t pixels)
+{
+    float most = 0.0f;
+    output->floats = output->pictures->overdraw;
+    output->raster.row = overdraw_row;
+    for (size_t i = 0; i < pixels; i++) {
+        most = output->floats[i] > most ? output->floats[i] : most;
+    }
+    set_heat(output, most, "surfaces above each other");
+}
+
+static void set_tiles(struct cli_output_raster *output, size_t pixels)
+{
+    uint32_t most = 0;
+    output->ids = output->pictures->tiles;
+    output->raster.row = tile_row;
+    for (size_t i = 0; i < pixels; i++) {
+        most = output->ids[i] > most ? output->ids[i] : most;
+    }
+    set_heat(output, (float)most, "triangles of the tile");
+}
+
+static void set_plan(struct cli_output_raster *output)
+{
+    output->ids = output->pictures->plan;
+    output->raster.row = tile_row;
+    snprintf(output->raster.comment, sizeof output->raster.comment,
+             "how tiles are drawn: blue in order, orange depth first, green backwards");
+}
+
 void cli_output_rasterize(struct cli_output_raster *output, const struct scene_pictures *pictures,
                           enum cli_output_kind kind, int bits, bool transparent, const float bounds_min[3],
                           const float bounds_max[3])
 {
     static const float minus_one[3] = {-1, -1, -1}, zero[3] = {0, 0, 0}, one[3] = {1, 1, 1};
     *output = (struct cli_output_raster){.pictures = pictures};
+    const size_t pixels = (size_t)pictures->width * (size_t)pictures->height;
     const bool grey = kind == CLI_KIND_DEPTH || kind == CLI_KIND_DISTANCE;
     output->raster = (struct cli_raster){.width = pictures->width,
                                          .height = pictures->height,
@@ -288,6 +389,9 @@ void cli_output_rasterize(struct cli_output_raster *output, const struct scene_p
         break;
     case CLI_KIND_OBJECT: set_ids(output, pictures->object); break;
     case CLI_KIND_TRIANGLE: set_ids(output, pictures->triangle); break;
+    case CLI_KIND_OVERDRAW: set_overdraw(output, pixels); break;
+    case CLI_KIND_TILES: set_tiles(output, pixels); break;
+    case CLI_KIND_PLAN: set_plan(output); break;
     case CLI_KIND_BARY:
     case CLI_KIND_COUNT: set_vector(output, pictures->barycentric, zero, one); break;
     }
@@ -326,6 +430,9 @@ int cli_outputs_exr_channels(const struct scene_pictures *pictures, unsigned kin
         [CLI_KIND_UV] = {{"uv.U", "uv.V"}, 2, pictures->uv, false, 16},
         [CLI_KIND_OBJECT] = {{"object.id"}, 1, pictures->object, true, 4},
         [CLI_KIND_TRIANGLE] = {{"triangle.id"}, 1, pictures->triangle, true, 4},
+        [CLI_KIND_OVERDRAW] = {{"overdraw.count"}, 1, pictures->overdraw, false, 4},
+        [CLI_KIND_TILES] = {{"tiles.triangles"}, 1, pictures->tiles, true, 4},
+        [CLI_KIND_PLAN] = {{"plan.bits"}, 1, pictures->plan, true, 4},
         [CLI_KIND_BARY] = {{"bary.a", "bary.b", "bary.c"}, 3, pictures->barycentric, false, 16},
     };
     int count = 0;

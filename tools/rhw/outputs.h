@@ -17,6 +17,9 @@ enum cli_output_kind {
     CLI_KIND_OBJECT,
     CLI_KIND_TRIANGLE,
     CLI_KIND_BARY,
+    CLI_KIND_OVERDRAW, ///< from here on what is no part of `all`
+    CLI_KIND_TILES,
+    CLI_KIND_PLAN,
     CLI_KIND_COUNT
 };
 

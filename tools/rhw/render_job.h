@@ -4,6 +4,7 @@
 #define CLI_RENDER_JOB_H
 
 #include "budget.h"
+#include "options.h"
 #include "outputs.h"
 #include "views.h"
 
@@ -75,8 +76,10 @@ struct cli_render_times {
     double import_ms, encode_ms, total_ms;
 };
 
-/// Fills the job from the command line. True to go on; else `*status` is what to return.
-bool cli_render_job_parse(struct cli_render_job *job, int argc, char **argv, int *status);
+/// Fills the job from the command line of `asked`, a verb that draws one model as rhw render would; NULL: of rhw render
+/// itself, which takes several. True to go on; else `*status` is what to return.
+bool cli_render_job_parse(struct cli_render_job *job, const struct cli_verb *asked, int argc, char **argv,
+                          int *status);
 /// Whether there are several pictures that follow one another.
 static inline bool cli_render_moves(const struct cli_render_job *job)
 {

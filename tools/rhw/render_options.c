@@ -154,6 +154,10 @@ static const char notes[] =
     "  triangle  a colour for each triangle\n"
     "  bary      the weights a, b, c of the three vertices in red, green and blue\n"
     "  all       all of these\n"
+    "and of the work (dark to light is none to the most, which the file's comment tells):\n"
+    "  overdraw  how many surfaces lie above each other, seen or not\n"
+    "  tiles     triangles of the pixel's tile of 64x64, over the picture in grey\n"
+    "  plan      how hidden surfaces are left out there: blue in order, orange depth first, green backwards\n"
     "The ranges behind depth, distance and position stand in the PNG file as a comment.\n\n"
     "With several outputs in PNG or PPM, color takes the name OUT and the others get theirs before the "
     "ending:\n"
@@ -452,7 +456,8 @@ static bool parse_option(struct cli_render_job *job, int id, const char *argumen
     }
 }
 
-bool cli_render_job_parse(struct cli_render_job *job, int argc, char **argv, int *status)
+bool cli_render_job_parse(struct cli_render_job *job, const struct cli_verb *asked, int argc, char **argv,
+                          int *status)
 {
     *job = (struct cli_render_job){.shadows = true,
                                    .ambient_occlusion = true,
@@ -466,8 +471,13 @@ bool cli_render_job_parse(struct cli_render_job *job, int argc, char **argv, int
                                    .interpolate = RHW_SMOOTH,
                                    .kinds = 1u << CLI_KIND_COLOR,
                                    .isa = RHW_ISA_COUNT};
+    struct cli_verb spoken = verb; // the options are ours, the messages speak of the verb that was typed
+    if (asked) {
+        spoken.name = asked->name;
+        spoken.operands = asked->operands;
+    }
     struct cli_parser parser;
-    cli_parser_start(&parser, &verb, argc, argv);
+    cli_parser_start(&parser, &spoken, argc, argv);
     *status = CLI_USAGE;
     int id;
     while ((id = cli_parser_next(&parser)) > 0) {
@@ -479,7 +489,7 @@ bool cli_render_job_parse(struct cli_render_job *job, int argc, char **argv, int
         *status = parser.status;
         return false;
     }
-    if (!cli_parser_operands(&parser, 1, argc)) {
+    if (!cli_parser_operands(&parser, 1, asked ? 1 : argc)) {
         return false;
     }
     job->model_paths = (const char *const *)parser.operands;

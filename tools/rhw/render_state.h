@@ -11,6 +11,10 @@
 struct render {
     struct cli_render_job job;
     struct cli_model_input input;
+    // Of the import, as in struct scene_model_options:
+    struct scene_progress *progress;
+    bool (*goes_on)(void *user);
+    void *user;
     struct scene_model *model;
     struct scene_panorama panorama; // with job.environment
     rhw_context *context;
@@ -34,12 +38,22 @@ double cli_milliseconds(void);
 bool cli_render_prepare(struct render *render);
 /// Reads the model and sets the view; a cli_status. Nothing is uploaded yet.
 int cli_render_open(struct render *render, const char *path);
+/// Frees what is of one model alone.
+void cli_render_forget_model(struct render *render);
+
+// render_draw.c
+
+/// Warns of what the model has and is not drawn as it is meant. False after a message: nothing can be drawn, or with --strict
+/// not all of it.
+bool cli_render_accept(const struct render *render);
+/// False after a message: the job asks for a view that cannot be.
+bool cli_render_set_view(struct render *render);
 /// Makes the context and the scene. Reports failure.
 bool cli_render_open_scene(struct render *render);
 /// Draws the view. Reports failure.
 bool cli_render_draw(struct render *render);
-/// Frees what is of one model alone.
-void cli_render_forget_model(struct render *render);
+/// Draws the view, or where the file's own camera sees nothing, one that is fitted. Reports failure.
+bool cli_render_draw_seen(struct render *render);
 
 // render_frames.c: all pictures of a model that moves, with the camera that is set for its first. Reports failure; the scene
 // is gone then.

@@ -93,7 +93,7 @@ struct plane {
     float empty;
 };
 
-enum { PLANES = 11 };
+enum { PLANES = 14 };
 
 static void list_planes(const struct scene_pictures *p, struct plane planes[PLANES])
 {
@@ -109,6 +109,9 @@ static void list_planes(const struct scene_pictures *p, struct plane planes[PLAN
         {(void *)p->barycentric, 16, 0.0f},
         {(void *)p->object, 4, 0.0f},
         {(void *)p->triangle, 4, 0.0f},
+        {(void *)p->overdraw, 4, 0.0f},
+        {(void *)p->tiles, 4, 0.0f},
+        {(void *)p->plan, 4, 0.0f},
     };
     memcpy(planes, list, sizeof list);
 }
@@ -146,6 +149,9 @@ bool cli_sheet_create(struct scene_pictures *sheet, const struct scene_pictures 
     sheet->barycentric = (void *)planes[8].pixels;
     sheet->object = (void *)planes[9].pixels;
     sheet->triangle = (void *)planes[10].pixels;
+    sheet->overdraw = (void *)planes[11].pixels;
+    sheet->tiles = (void *)planes[12].pixels;
+    sheet->plan = (void *)planes[13].pixels;
     if (!complete) {
         scene_pictures_free(sheet);
     }

@@ -35,7 +35,7 @@ _rhw_render() { # CURRENT PREVIOUS
     --size | -s) _rhw_words "$1" 512 1280x720 1920x1080 1024x1024 3840x2160 ;;
     --samples) _rhw_words "$1" 1 2 4 8 16 ;;
     --supersample) _rhw_words "$1" 1 4 9 16 ;;
-    --output) _rhw_list "$1" color depth distance normal position uv object triangle bary all ;;
+    --output) _rhw_list "$1" color depth distance normal position uv object triangle bary overdraw tiles plan all ;;
     --bits) _rhw_words "$1" 8 16 ;;
     --format) _rhw_words "$1" png jpeg webp exr ppm ;;
     --up) _rhw_words "$1" x y z -x -y -z ;;
@@ -90,6 +90,12 @@ _rhw_explain() { # CURRENT PREVIOUS
     esac
 }
 
+_rhw_view() { # CURRENT PREVIOUS
+    case $2 in
+    *) _rhw_rest "$1" file --fullscreen --help ;;
+    esac
+}
+
 _rhw_info() { # CURRENT PREVIOUS
     case $2 in
     *) _rhw_rest "$1" file --json --help ;;
@@ -112,11 +118,11 @@ _rhw() {
     local current=${COMP_WORDS[COMP_CWORD]} previous=${COMP_WORDS[COMP_CWORD - 1]}
     COMPREPLY=()
     if ((COMP_CWORD == 1)); then
-        _rhw_words "$current" render thumbs compare explain info bench --help --version
+        _rhw_words "$current" render thumbs compare explain view info bench --help --version
         return
     fi
     case ${COMP_WORDS[1]} in
-    render | thumbs | compare | explain | info | bench) "_rhw_${COMP_WORDS[1]}" "$current" "$previous" ;;
+    render | thumbs | compare | explain | view | info | bench) "_rhw_${COMP_WORDS[1]}" "$current" "$previous" ;;
     esac
 }
 

@@ -7,14 +7,15 @@ function __rhw_list -d 'Words, each behind what stands before the last comma'
 end
 
 complete -c rhw -f
-complete -c rhw -n 'not __fish_seen_subcommand_from render thumbs compare explain info bench' -a render -d 'draw a model file and write the picture'
-complete -c rhw -n 'not __fish_seen_subcommand_from render thumbs compare explain info bench' -a thumbs -d 'draw a small picture of every model in a folder'
-complete -c rhw -n 'not __fish_seen_subcommand_from render thumbs compare explain info bench' -a compare -d 'differences of two pictures, in numbers and as a picture'
-complete -c rhw -n 'not __fish_seen_subcommand_from render thumbs compare explain info bench' -a explain -d 'how a pixel of the picture got its value, step by step'
-complete -c rhw -n 'not __fish_seen_subcommand_from render thumbs compare explain info bench' -a info -d 'what is in a model file'
-complete -c rhw -n 'not __fish_seen_subcommand_from render thumbs compare explain info bench' -a bench -d 'time scenes, beside another renderer where there is one'
-complete -c rhw -n 'not __fish_seen_subcommand_from render thumbs compare explain info bench' -l help
-complete -c rhw -n 'not __fish_seen_subcommand_from render thumbs compare explain info bench' -l version
+complete -c rhw -n 'not __fish_seen_subcommand_from render thumbs compare explain view info bench' -a render -d 'draw a model file and write the picture'
+complete -c rhw -n 'not __fish_seen_subcommand_from render thumbs compare explain view info bench' -a thumbs -d 'draw a small picture of every model in a folder'
+complete -c rhw -n 'not __fish_seen_subcommand_from render thumbs compare explain view info bench' -a compare -d 'differences of two pictures, in numbers and as a picture'
+complete -c rhw -n 'not __fish_seen_subcommand_from render thumbs compare explain view info bench' -a explain -d 'how a pixel of the picture got its value, step by step'
+complete -c rhw -n 'not __fish_seen_subcommand_from render thumbs compare explain view info bench' -a view -d 'show a model in a window'
+complete -c rhw -n 'not __fish_seen_subcommand_from render thumbs compare explain view info bench' -a info -d 'what is in a model file'
+complete -c rhw -n 'not __fish_seen_subcommand_from render thumbs compare explain view info bench' -a bench -d 'time scenes, beside another renderer where there is one'
+complete -c rhw -n 'not __fish_seen_subcommand_from render thumbs compare explain view info bench' -l help
+complete -c rhw -n 'not __fish_seen_subcommand_from render thumbs compare explain view info bench' -l version
 
 set -l seen '__fish_seen_subcommand_from render'
 complete -c rhw -n "$seen" -F
@@ -22,7 +23,7 @@ complete -c rhw -n "$seen" -s o -l out -r -F -d 'the file to write'
 complete -c rhw -n "$seen" -s s -l size -x -a '512 1280x720 1920x1080 1024x1024 3840x2160' -d 'pixels, each way 1..16384, or N for a square'
 complete -c rhw -n "$seen" -l samples -x -a '1 2 4 8 16' -d 'samples of each pixel, for smooth edges'
 complete -c rhw -n "$seen" -l supersample -x -a '1 4 9 16' -d 'pixels drawn and shaded for each one of the picture, which smooths surfaces too and costs as many times as much'
-complete -c rhw -n "$seen" -l output -x -a '(__rhw_list color depth distance normal position uv object triangle bary all)' -d 'what to write, separated by commas'
+complete -c rhw -n "$seen" -l output -x -a '(__rhw_list color depth distance normal position uv object triangle bary overdraw tiles plan all)' -d 'what to write, separated by commas'
 complete -c rhw -n "$seen" -l bits -x -a '8 16' -d '8 or 16 bits per sample of PNG and PPM'
 complete -c rhw -n "$seen" -l format -x -a 'png jpeg webp exr ppm' -d 'png, jpeg, webp, exr or ppm, whatever OUT ends in'
 complete -c rhw -n "$seen" -l quality -x -d 'of JPEG, 1..100'
@@ -94,6 +95,11 @@ complete -c rhw -n "$seen" -l at -x -d 'the pixel, from the top left of the pict
 complete -c rhw -n "$seen" -l sample -x -d 'which of its samples, 0..15'
 complete -c rhw -n "$seen" -l json -d 'the same as JSON, with every fragment\'s numbers'
 complete -c rhw -n "$seen" -l picture -r -F -d 'draw the triangle around the pixel too, into a .svg file'
+complete -c rhw -n "$seen" -s h -l help -d 'print this and exit'
+
+set -l seen '__fish_seen_subcommand_from view'
+complete -c rhw -n "$seen" -F
+complete -c rhw -n "$seen" -l fullscreen -d 'fill the screen'
 complete -c rhw -n "$seen" -s h -l help -d 'print this and exit'
 
 set -l seen '__fish_seen_subcommand_from info'

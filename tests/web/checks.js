@@ -1,0 +1,205 @@
+// SPDX-License-Identifier: MIT
+// What the package promises, checked wherever modules run: check(rhw, read, threads) takes the package, a function
+// that gives the bytes of a file of prepare.js, and how many threads should draw, and returns how many checks there
+// were and a line for each that failed.
+
+const decoder = new TextDecoder();
+
+/** The samples behind the header of a PPM file: of 8 bits, or of 16, the high byte first. */
+function samplesOf(ppm) {
+    const header = decoder.decode(ppm.subarray(0, 64));
+    const [, width, height, most] = /^P6\s+(\d+)\s+(\d+)\s+(\d+)\s/.exec(header).map(Number);
+    const wide = most > 255, count = 3 * width * height;
+    const bytes = ppm.subarray(ppm.length - count * (wide ? 2 : 1));
+    const samples = wide ? Uint16Array.from({ length: count }, (_, i) => bytes[2 * i] * 256 + bytes[2 * i + 1]) : bytes;
+    return { width, height, samples };
+}
+
+function firstDifference(a, b) {
+    return a.length === b.length ? a.findIndex((value, i) => value !== b[i]) : Math.min(a.length, b.length);
+}
+
+class Checks {
+    count = 0;
+    failures = [];
+
+    that(what, holds, more = '') {
+        this.count++;
+        if (!holds) {
+            this.failures.push(`${what}${more === '' ? '' : `: ${more}`}`);
+        }
+    }
+
+    same(what, got, wanted) {
+        this.that(what, JSON.stringify(got) === JSON.stringify(wanted), JSON.stringify(got)?.slice(0, 300));
+    }
+
+    samples(what, got, wanted) {
+        const at = firstDifference(got, wanted);
+        this.that(what, at < 0, `sample ${at} of ${wanted.length} is ${got[at]}, not ${wanted[at]}`);
+    }
+
+    async fails(what, promise, pattern) {
+        const error = await promise.then(() => undefined, (reason) => reason);
+        this.that(what, error?.name === 'RhwError' && pattern.test(error.message), String(error));
+    }
+}
+
+function withoutAlpha(color) {
+    return color.filter((_, i) => i % 4 !== 3);
+}
+
+async function checkPictures(checks, rhw, read, cases) {
+    for (const { name, model, files, options, picture } of cases) {
+        const beside = await Promise.all(files.map(async (file) => [file.split('/').pop(), await read(file)]));
+        const drawn = await rhw.render(await read(model), {
+            ...options, name: model.split('/').pop(), files: Object.fromEntries(beside),
+        });
+        const { width, height, samples } = samplesOf(await read(picture));
+        checks.same(`${name}: size`, [drawn.width, drawn.height], [width, height]);
+        checks.samples(`${name}: pixels`, withoutAlpha(drawn.color), samples);
+    }
+}
+
+async function checkScene(checks, rhw, read, data, threads) {
+    const first = data.cases[0];
+    const scene = await rhw.load(await read(first.model), { name: 'BoxTextured.glb' });
+    const { samples } = samplesOf(await read(first.picture));
+    const drawn = scene.render();
+    checks.samples('a scene draws', withoutAlpha(drawn.color), samples);
+    checks.same('threads', drawn.threads, threads);
+    scene.render({ size: 50, orbit: 100 });
+    checks.samples('and again, after another view', withoutAlpha(scene.render().color), samples);
+    const { camera } = scene.view({ size: 50, orbit: 100 });
+    checks.samples('a camera can be given back', scene.render({ size: 50, camera, samples: 1 }).color,
+                   scene.render({ size: 50, orbit: 100, samples: 1 }).color);
+
+    const { file, ...info } = JSON.parse(decoder.decode(await read(data.info)));
+    const { file: name, ...own } = scene.info();
+    checks.same('info', own, info);
+    checks.same('info has the name', name, 'BoxTextured.glb');
+
+    const { x, y, sample } = data.explained;
+    const { text, model, ...explained } = scene.explain(x, y, { sample });
+    const { model: path, ...wanted } = JSON.parse(decoder.decode(await read(data.json)));
+    checks.same('explain', explained, wanted);
+    const wantedText = decoder.decode(await read(data.text));
+    checks.same('explain as text', `${text}\n`.slice(model.length), wantedText.slice(path.length));
+    checkData(checks, scene, samplesOf(await read(data.normals)).samples);
+
+    scene.close();
+    await checks.fails('a closed scene', (async () => scene.render())(), /^rhw: the scene is closed$/);
+    await checks.fails('and its info', (async () => scene.info())(), /^rhw: the scene is closed$/);
+}
+
+function checkData(checks, scene, normals) {
+    const outputs = [
+        'color', 'linear', 'depth', 'distance', 'normal', 'position', 'uv', 'object', 'triangle', 'barycentric',
+    ];
+    const drawn = scene.render({ size: [97, 61], outputs });
+    const to16 = (value) => Math.floor(Math.fround(Math.fround(value * 65535) + 0.5));
+    const mapped = drawn.normal.reduce((list, value, i) => {
+        if (i % 4 !== 3) {
+            list.push(drawn.normal[i - (i % 4) + 3] === 0 ? 0 : to16(Math.fround(Math.fround(value + 1) * 0.5)));
+        }
+        return list;
+    }, []);
+    checks.samples('normals', mapped, normals);
+    const pixels = 97 * 61;
+    checks.same('sizes of outputs', outputs.map((name) => drawn[name].length / pixels), [4, 4, 1, 1, 4, 4, 4, 1, 1, 4]);
+    let seen = 0, wrong = 0;
+    for (let i = 0; i < pixels; i++) {
+        const [a, b, c, hit] = drawn.barycentric.subarray(4 * i, 4 * i + 4);
+        const nothing = drawn.triangle[i] === 0;
+        seen += nothing ? 0 : 1;
+        wrong += nothing !== (drawn.depth[i] === 1) || nothing !== (drawn.distance[i] === Infinity) ||
+                 nothing !== (drawn.object[i] === 0) || nothing !== (hit === 0) || drawn.triangle[i] > 12 ||
+                 (!nothing && Math.abs(a + b + c - 1) > 1e-6);
+    }
+    checks.that('something is seen, and something is not', seen > pixels / 10 && seen < (pixels * 9) / 10, seen);
+    checks.same('data outputs agree on where nothing is', wrong, 0);
+    const { fragments } = scene.explain(48, 30, { size: [97, 61], samples: 1 });
+    checks.same('explain and ids agree', fragments.findLast(({ fate }) => fate === 'written').triangle + 1,
+                drawn.triangle[30 * 97 + 48]);
+}
+
+async function checkErrors(checks, rhw, read, data) {
+    const box = await read(data.cases[0].model);
+    await checks.fails('no model', rhw.load(new Uint8Array(0), { name: 'a.glb' }), /^rhw: a\.glb: /);
+    await checks.fails('a model that is no bytes', rhw.load('box.glb'), /^rhw: model: must be a Uint8Array/);
+    await checks.fails('a cut model', rhw.load(box.subarray(0, 1000), { name: 'cut.glb' }), /^rhw: cut\.glb: .+/);
+    await checks.fails('a format that is not read', rhw.load(box.subarray(20), { name: 'a.fbx' }),
+                       /^rhw: a\.fbx: is FBX, which is not read here; glTF, OBJ, PLY, STL and 3MF are$/);
+    await checks.fails('an option that is none', rhw.render(box, { sise: 4 }),
+                       /^rhw: 'sise' is no option; there are name, /);
+    await checks.fails('a bad value', rhw.render(box, { samples: 3 }), /^rhw: --samples: '3' is not 1, 2, 4, 8 or 16$/);
+    await checks.fails('a bad output', rhw.render(box, { outputs: ['depht'] }),
+                       /^rhw: outputs: 'depht' is no output; /);
+    await checks.fails('no threads', rhw.render(box, { threads: 0 }), /^rhw: threads: '0' is not a number from 1$/);
+    await checks.fails('a bad camera', rhw.render(box, { camera: 7 }), /^rhw: --camera-index: model has no cameras$/);
+    await checks.fails('a variant that is not there', rhw.load(box, { variant: 'red' }),
+                       /^rhw: model: has no variants/);
+    const scene = await rhw.load(box);
+    await checks.fails('a pixel outside', (async () => scene.explain(1280, 0))(),
+                       /^rhw: --at: 1280,0 lies outside the picture, which is 1280x720$/);
+    await checks.fails('what cannot be explained', (async () => scene.explain(0, 0, { supersample: 4 }))(),
+                       /^rhw: --supersample: cannot be explained$/);
+    await checks.fails('pictures of 4 GiB', (async () => scene.render({ size: 16384, outputs: ['normal'] }))(),
+                       /^rhw: model: Out of memory$/);
+    const obj = new TextEncoder().encode('mtllib no.mtl\nv 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n');
+    const { warnings } = await rhw.render(obj, { name: 'a.obj', size: 8 });
+    checks.that('a warning', warnings.length === 1 && /^rhw: a\.obj: warning: .*no\.mtl/.test(warnings[0]), warnings);
+    await checks.fails('a warning with strict', rhw.render(obj, { name: 'a.obj', strict: true }),
+                       /^rhw: a\.obj: is not drawn as /);
+}
+
+async function checkTriangles(checks, rhw) {
+    const square = new Float32Array([-1, -1, 0.5, 1, -1, 0.5, -1, 1, 0.5, 1, 1, 0.5]);
+    const indices = new Uint32Array([0, 1, 2, 2, 1, 3]);
+    // The diagonal goes through the centres of four pixels, of which it is the left edge of the second triangle.
+    const two = await rhw.rasterize({ size: 4, positions: square, components: 3, indices });
+    checks.same('ids', [...two.ids], [2, 2, 2, 2, 1, 2, 2, 2, 1, 1, 2, 2, 1, 1, 1, 2]);
+    checks.that('depth', two.depth.every((depth) => depth === 0.5));
+    const turnedAway = new Uint32Array([0, 1, 2, 3, 1, 2]);
+    const back = await rhw.rasterize({ size: 4, positions: square, components: 3, indices: turnedAway, cull: 'back' });
+    checks.same('culled', [...back.ids], [0, 0, 0, 0, 1, 0, 0, 0, 1, 1, 0, 0, 1, 1, 1, 0]);
+
+    // W is 1 below and 3 above: at a quarter of the height r, s, t are not a, b, c.
+    const slope = new Float32Array([-1, -1, 0, 1, 1, -1, 0, 1, -3, 3, 0, 3]);
+    const one = await rhw.rasterize({ size: [1, 2], positions: slope });
+    // The pixels' centres are (1/2, 1/2) and (1/2, 3/2) from the top left: on the screen t = 3/4 and 1/4, s = 1/2, so
+    // the upper one is outside and in the lower one r = 1/4; 1/W = 3/4 + 1/12, and a, b, c = 3/10, 6/10, 1/10.
+    checks.same('ids in perspective', [...one.ids], [0, 1]);
+    const close = [0.3, 0.6, 0.1].every((weight, i) => Math.abs(one.barycentric[4 + i] - weight) < 1e-7);
+    checks.that('weights in perspective', close, one.barycentric);
+
+    const turned = new Float32Array([0, 1, 0, 0, -1, 0, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1]); // a quarter, against the clock
+    const moved = await rhw.rasterize({ size: 4, positions: square, components: 3, indices, matrix: turned });
+    checks.same('a matrix', [...moved.ids], [2, 2, 2, 1, 2, 2, 1, 1, 2, 1, 1, 1, 1, 1, 1, 1]);
+    const nearer = new Float32Array([-1, -1, 0.9, 3, -1, 0.9, -1, 3, 0.9, -1, -1, 0.1, 3, -1, 0.1, -1, 3, 0.1]);
+    checks.same('the nearer one', [...(await rhw.rasterize({ size: 1, positions: nearer, components: 3 })).ids], [2]);
+    const none = await rhw.rasterize({ size: 2, positions: new Float32Array(0) });
+    checks.same('no triangles', [[...none.ids], [...none.depth]], [[0, 0, 0, 0], [1, 1, 1, 1]]);
+
+    const good = { size: 4, positions: square, components: 3, indices };
+    const bad = (what, change, pattern) => checks.fails(what, rhw.rasterize({ ...good, ...change }), pattern);
+    await bad('no size', { size: 0 }, /^rhw: rasterize: size 0x0: width and height must lie between 1 and 16384$/);
+    await bad('too much', { size: 16384 }, /^rhw: needs more memory than there is/);
+    await bad('positions of doubles', { positions: new Float64Array(9) }, /^rhw: positions: must be a Float32Array/);
+    await bad('an index too large', { indices: new Uint32Array([0, 1, 4]) },
+              /^rhw: rasterize: index 4 at 2: there are 4 positions$/);
+    await bad('too few indices', { indices: new Uint32Array(4) },
+              /^rhw: rasterize: 4 indices: a triangle takes three$/);
+    await bad('a short matrix', { matrix: new Float32Array(9) }, /^rhw: matrix: must be a Float32Array of 16 numbers/);
+    await bad('a word', { cull: 'both' }, /^rhw: cull: 'both' is not one of none, front, back$/);
+}
+
+export async function check(rhw, read, threads) {
+    const checks = new Checks();
+    const data = JSON.parse(decoder.decode(await read('data.json')));
+    await checkPictures(checks, rhw, read, data.cases);
+    await checkScene(checks, rhw, read, data, threads);
+    await checkErrors(checks, rhw, read, data);
+    await checkTriangles(checks, rhw);
+    return { count: checks.count, failures: checks.failures };
+}

@@ -1,0 +1,169 @@
+// SPDX-License-Identifier: MIT
+// From a job and a model in memory to pictures in memory: the part of rhw render that opens no file, which the
+// WebAssembly module shares.
+#include "render_camera.h"
+#include "render_state.h"
+
+#include "message.h"
+
+#include <stdio.h>
+#include <string.h>
+
+enum { WARNINGS_SHOWN = 32 };
+
+// What was wrong with the file, and what of it is not drawn. Returns how many lines there are.
+static uint32_t warn(const struct render *render)
+{
+    const struct scene_model *model = render->model;
+    const uint32_t count = model->warning_count + model->unsupported_count;
+    for (uint32_t i = 0; i < count && i < WARNINGS_SHOWN && !render->job.quiet; i++) {
+        cli_warning(render->job.model_path, "%s",
+                    i < model->warning_count ? model->warnings[i]
+                                             : model->unsupported[i - model->warning_count]);
+    }
+    if (count > WARNINGS_SHOWN && !render->job.quiet) {
+        cli_warning(render->job.model_path, "%u more warnings; rhw info prints them all",
+                    count - WARNINGS_SHOWN);
+    }
+    return count;
+}
+
+bool cli_render_accept(const struct render *render)
+{
+    const struct cli_render_job *job = &render->job;
+    const struct scene_model *model = render->model;
+    if (!(model->bounds_min[0] <= model->bounds_max[0])) { // one line, with the reason if there is one
+        const bool reason = model->warning_count > 0;
+        cli_error(job->model_path, "the file has nothing to draw%s%s", reason ? ": " : "",
+                  reason ? model->warnings[0] : "");
+        return false;
+    }
+    const uint32_t lines = warn(render);
+    if (job->strict && lines > 0) {
+        cli_error(job->model_path,
+                  "is not drawn as it is meant, for the reasons above (%u); --strict allows none", lines);
+        return false;
+    }
+    return true;
+}
+
+bool cli_render_set_view(struct render *render)
+{
+    const struct cli_render_job *job = &render->job;
+    struct scene_view *view = &render->view;
+    char error[256];
+    *view = scene_view_default(render->model);
+    view->width = job->width;
+    view->height = job->height;
+    view->samples = job->samples;
+    view->supersample = job->supersample;
+    view->interpolate = job->interpolate;
+    view->wireframe = job->wireframe;
+    view->background = job->background;
+    memcpy(view->background_color, job->background_color, sizeof view->background_color);
+    view->default_lights = job->default_lights;
+    view->no_lights = job->no_lights;
+    view->shadows = job->shadows;
+    view->ground = job->ground;
+    view->ambient_occlusion = job->ambient_occlusion;
+    view->panorama = job->environment ? &render->panorama : NULL;
+    view->panorama_rotation = (double)job->environment_rotation;
+    view->tone = job->tone;
+    view->transparency = job->transparency;
+    view->up = job->has_up ? job->up : render->model->up;
+    view->exposure = (double)job->exposure;
+    view->outputs = cli_outputs_needed(job->kinds, job->format, job->bits);
+    if (!cli_camera_choose(job, render->model, &view->camera, &render->distrusts_camera)) {
+        return false;
+    }
+    if (scene_view_check(view, error, sizeof error)) {
+        return true;
+    }
+    cli_error("render", "%s", error);
+    return false;
+}
+
+static void log_line(void *user, enum rhw_log_level level, const char *message)
+{
+    const struct cli_render_job *job = user;
+    if (level == RHW_LOG_WARNING && !job->quiet) {
+        cli_warning(job->model_path, "%s", message);
+    }
+}
+
+// Nothing was seen. Who asked for that view gets it, with a warning; but a camera that merely stands in the
+// file, as many exporters leave one, is no reason for an empty picture.
+static enum rhw_result draw_again(struct render *render)
+{
+    const struct cli_render_job *job = &render->job;
+    const bool refit =
+        job->camera == CLI_CAMERA_AUTO && cli_camera_find(job, render->model) && !render->distrusts_camera;
+    if (!job->quiet) {
+        cli_warning(job->model_path, refit ? "its camera sees nothing of the model, which is fitted instead"
+                                           : "nothing of the model is in the picture");
+    }
+    if (!refit) {
+        return RHW_OK;
+    }
+    render->view.camera = cli_camera_fit(job, render->model);
+    scene_pictures_free(&render->pictures);
+    return scene_draw(render->scene, &render->view, &render->pictures, &render->stats);
+}
+
+// The camera of a file that nobody asked for may stand within the model, or look past most of it.
+static void warn_of_a_partial_view(const struct render *render)
+{
+    const struct cli_render_job *job = &render->job;
+    if (!job->quiet && job->camera == CLI_CAMERA_AUTO && cli_camera_find(job, render->model) &&
+        !render->distrusts_camera &&
+        !scene_camera_shows_most(render->model, &render->view.camera,
+                                 (double)job->width / (double)job->height)) {
+        cli_warning(job->model_path, "the file's camera shows part of the model; --fit shows all");
+    }
+}
+
+static bool report(const struct render *render, enum rhw_result result)
+{
+    cli_stage_end();
+    if (result != RHW_OK) {
+        const bool limited = result == RHW_ERROR_OUT_OF_MEMORY && render->job.budget.memory > 0;
+        cli_error(render->job.model_path, "%s%s", rhw_result_string(result),
+                  limited ? "; --max-memory allows no more" : "");
+    }
+    return result == RHW_OK;
+}
+
+bool cli_render_open_scene(struct render *render)
+{
+    struct rhw_context_def def = rhw_context_def_default();
+    def.threads = render->job.threads;
+    def.isa_limit = rhw_isa_up_to(render->job.isa);
+    def.paths = render->job.paths;
+    def.log = log_line;
+    def.user = &render->job;
+    cli_stage("drawing", render->job.model_path);
+    enum rhw_result result = rhw_context_create(&def, &render->context);
+    if (result == RHW_OK) {
+        result = scene_create(render->context, render->model, &render->scene);
+    }
+    return report(render, result);
+}
+
+bool cli_render_draw(struct render *render)
+{
+    scene_pictures_free(&render->pictures);
+    return report(render, scene_draw(render->scene, &render->view, &render->pictures, &render->stats));
+}
+
+bool cli_render_draw_seen(struct render *render)
+{
+    scene_pictures_free(&render->pictures);
+    cli_stage("drawing", render->job.model_path);
+    enum rhw_result result = scene_draw(render->scene, &render->view, &render->pictures, &render->stats);
+    if (result == RHW_OK && render->stats.pipeline.triangles_rasterized == 0) {
+        result = draw_again(render);
+    } else if (result == RHW_OK) {
+        warn_of_a_partial_view(render);
+    }
+    return report(render, result);
+}

@@ -1,0 +1,122 @@
+// SPDX-License-Identifier: MIT
+// What stands in the window: the picture, and over it what there is to say; see session.h.
+#include "keys.h"
+#include "panel.h"
+#include "session.h"
+
+#include <stdio.h>
+#include <string.h>
+
+enum { NOTICE_SHOWN_MS = 6000, PATIENCE_MS = 400 };
+
+static void append(char *line, size_t size, const char *text)
+{
+    const size_t used = strlen(line);
+    snprintf(line + used, size - used, "%s", text);
+}
+
+// What is seen, and below it what that takes.
+static void draw_info(const struct view_session *s)
+{
+    static const char *const wires[] = {"", ", wireframe", ", plain wireframe"};
+    const struct view_picture *const shown = &s->shown;
+    const enum cli_output_kind kind = (enum cli_output_kind)__builtin_ctz(s->job.kinds);
+    char line[400], more[96];
+    if (shown->width == 0) {
+        return;
+    }
+    const double rate = shown->ms > 0.0 ? (double)shown->triangles / shown->ms * 1e-3 : 0.0;
+    snprintf(line, sizeof line, "%s%s%s  %dx%d%s  %d sample%s\n%.1f ms  %.2f M triangles/s  %d thread%s  %s",
+             cli_output_name(kind), kind == CLI_KIND_COLOR ? wires[s->job.wireframe] : "",
+             s->job.interpolate == RHW_NOPERSPECTIVE ? ", noperspective" : "", shown->width, shown->height,
+             shown->is_coarse ? " coarse" : "", shown->is_coarse ? 1 : s->job.samples,
+             shown->is_coarse || s->job.samples == 1 ? "" : "s", shown->ms, rate, shown->threads,
+             shown->threads == 1 ? "" : "s", rhw_isa_name(shown->isa));
+    if (s->job.is_posed) {
+        snprintf(more, sizeof more, "  %s %.2f of %.2f s", s->plays ? "plays" : "at", s->job.time,
+                 s->duration);
+        append(line, sizeof line, more);
+    }
+    double ms;
+    const char *const doing = view_painter_doing(s->painter, &ms);
+    if (doing && ms > PATIENCE_MS) {
+        snprintf(more, sizeof more, "  %s: %.1f s", doing, ms / 1e3);
+        append(line, sizeof line, more);
+    }
+    append(line, sizeof line, "  H: help");
+    view_panel_draw(&s->window, VIEW_BOTTOM_LEFT, line, 0);
+}
+
+static void draw_help(struct view_session *s)
+{
+    char text[4096];
+    FILE *const out = fmemopen(text, sizeof text, "w");
+    if (out) {
+        view_keys_print_beside(out);
+        fclose(out);
+        const int last = view_panel_last(&s->window, text);
+        s->help_line = s->help_line < 0 ? 0 : s->help_line > last ? last : s->help_line;
+        view_panel_draw(&s->window, VIEW_MIDDLE, text, s->help_line);
+    }
+}
+
+static void draw_explanation(struct view_session *s)
+{
+    const int last = view_panel_last(&s->window, s->explanation);
+    s->explanation_line = s->explanation_line < 0      ? 0
+                          : s->explanation_line > last ? last
+                                                       : s->explanation_line;
+    view_panel_draw(&s->window, VIEW_TOP_LEFT, s->explanation, s->explanation_line);
+}
+
+// What was said last, for a while. True where there is something.
+static bool draw_notice(struct view_session *s)
+{
+    char line[sizeof s->notice];
+    pthread_mutex_lock(&s->notice_lock);
+    const bool is_new =
+        s->notice[0] && (cli_milliseconds() - s->noticed_at < NOTICE_SHOWN_MS || s->has_failed);
+    memcpy(line, s->notice, sizeof line);
+    pthread_mutex_unlock(&s->notice_lock);
+    if (is_new) {
+        view_panel_draw(&s->window, VIEW_TOP_LEFT, line, 0);
+    }
+    return is_new;
+}
+
+// What is being read or prepared; in the middle as long as there is nothing else to see. True where there is something.
+static bool draw_progress(struct view_session *s)
+{
+    char line[512] = "";
+    double ms;
+    const char *const doing = view_painter_doing(s->painter, &ms);
+    if (s->loader) {
+        view_loader_describe(s->loader, line, sizeof line);
+    } else if (doing && s->shown.width == 0) {
+        snprintf(line, sizeof line, "%s: %.1f s", doing, ms / 1e3);
+    } else if (s->has_failed) {
+        snprintf(line, sizeof line, "Drag a model file into this window");
+    }
+    view_panel_draw(&s->window, s->shown.width == 0 ? VIEW_MIDDLE : VIEW_TOP_LEFT, line, 0);
+    return line[0] || doing;
+}
+
+bool view_session_draw(struct view_session *s)
+{
+    view_window_draw_picture(&s->window);
+    if (s->shows_info && !s->shows_help && !s->explanation) {
+        draw_info(s);
+    }
+    bool changes = false;
+    if (s->explanation) {
+        draw_explanation(s);
+    } else {
+        changes = draw_progress(s);
+        changes = (!s->loader && draw_notice(s)) || changes;
+    }
+    if (s->shows_help) {
+        draw_help(s);
+    }
+    SDL_RenderPresent(s->window.renderer);
+    return changes;
+}

@@ -1,0 +1,156 @@
+// SPDX-License-Identifier: MIT
+// A model that JavaScript holds, and the pictures of it: rhw render, explain and info without files.
+#include "explain_draw.h"
+#include "import_blob.h"
+#include "info_print.h"
+#include "message.h"
+#include "web_module.h"
+
+#include <emscripten.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+struct web_scene {
+    struct render render;
+    void *bytes; // the model stands on them
+    char *name;
+    double view[WEB_VIEW_NUMBERS];
+};
+
+EMSCRIPTEN_KEEPALIVE void web_scene_close(struct web_scene *scene)
+{
+    scene_pictures_free(&scene->render.pictures);
+    scene_destroy(scene->render.scene);
+    rhw_context_destroy(scene->render.context);
+    web_free(scene->bytes);
+    free(scene->name);
+    free(scene);
+}
+
+static bool open_model(struct web_scene *scene, size_t size, char *words, size_t words_size)
+{
+    struct render *const render = &scene->render;
+    if (!web_job_parse(&render->job, words, words_size)) {
+        return false;
+    }
+    scene->name = strdup(render->job.model_path);
+    render->model = scene_blob_read(scene->bytes, size);
+    if (!scene->name || !render->model) {
+        cli_error(render->job.model_path, "import sent a damaged model");
+        return false;
+    }
+    render->model->path = scene->name;
+    render->job.model_path = scene->name;
+    return cli_render_accept(render);
+}
+
+EMSCRIPTEN_KEEPALIVE struct web_scene *web_scene_open(void *bytes, size_t size, char *words,
+                                                      size_t words_size)
+{
+    web_messages_clear();
+    struct web_scene *const scene = calloc(1, sizeof *scene);
+    if (!scene) {
+        web_free(bytes);
+        cli_error("render", "out of memory");
+        return NULL;
+    }
+    scene->bytes = bytes;
+    if (!open_model(scene, size, words, words_size)) {
+        web_scene_close(scene);
+        return NULL;
+    }
+    return scene;
+}
+
+static bool look(struct web_scene *scene, char *words, size_t size)
+{
+    web_messages_clear();
+    if (!web_job_parse(&scene->render.job, words, size)) {
+        return false;
+    }
+    scene->render.job.model_path = scene->name;
+    return cli_render_set_view(&scene->render);
+}
+
+static bool open_scene(struct web_scene *scene)
+{
+    return scene->render.scene || cli_render_open_scene(&scene->render);
+}
+
+EMSCRIPTEN_KEEPALIVE bool web_scene_look(struct web_scene *scene, char *words, size_t size)
+{
+    return look(scene, words, size);
+}
+
+EMSCRIPTEN_KEEPALIVE bool web_scene_render(struct web_scene *scene, char *words, size_t size,
+                                           uint32_t outputs)
+{
+    if (!look(scene, words, size)) {
+        return false;
+    }
+    scene->render.view.outputs = outputs;
+    return open_scene(scene) && cli_render_draw_seen(&scene->render);
+}
+
+EMSCRIPTEN_KEEPALIVE const void *web_scene_picture(const struct web_scene *scene, uint32_t output)
+{
+    const struct scene_pictures *const pictures = &scene->render.pictures;
+    switch ((enum scene_output)output) {
+    case SCENE_OUTPUT_COLOR: return pictures->color;
+    case SCENE_OUTPUT_LINEAR: return pictures->linear;
+    case SCENE_OUTPUT_DEPTH: return pictures->depth;
+    case SCENE_OUTPUT_DISTANCE: return pictures->distance;
+    case SCENE_OUTPUT_NORMAL: return pictures->normal;
+    case SCENE_OUTPUT_POSITION: return pictures->position;
+    case SCENE_OUTPUT_UV: return pictures->uv;
+    case SCENE_OUTPUT_OBJECT: return pictures->object;
+    case SCENE_OUTPUT_TRIANGLE: return pictures->triangle;
+    case SCENE_OUTPUT_BARYCENTRIC: return pictures->barycentric;
+    default: return NULL;
+    }
+}
+
+EMSCRIPTEN_KEEPALIVE const double *web_scene_view(struct web_scene *scene)
+{
+    static const double degree = 3.14159265358979323846 / 180.0;
+    const struct scene_view *const view = &scene->render.view;
+    const struct scene_camera *const c = &view->camera;
+    const double numbers[WEB_VIEW_NUMBERS] = {view->width,      view->height, c->eye[0],    c->eye[1],
+                                              c->eye[2],        c->target[0], c->target[1], c->target[2],
+                                              c->up[0],         c->up[1],     c->up[2],     c->orthographic,
+                                              c->yfov / degree, c->ymag,      c->znear,     c->zfar};
+    memcpy(scene->view, numbers, sizeof numbers);
+    return scene->view;
+}
+
+EMSCRIPTEN_KEEPALIVE int web_scene_threads(const struct web_scene *scene)
+{
+    return scene->render.stats.pipeline.threads;
+}
+
+EMSCRIPTEN_KEEPALIVE bool web_scene_explain(struct web_scene *scene, char *words, size_t size, int x, int y,
+                                            int sample)
+{
+    struct cli_history history;
+    struct cli_explanation explanation;
+    if (!look(scene, words, size) || !cli_explain_check(&scene->render.job, x, y, sample)) {
+        return false;
+    }
+    scene->render.view.outputs = SCENE_OUTPUT_COLOR;
+    if (!open_scene(scene) || !cli_explain_draw(&scene->render, x, y, sample, &history, &explanation)) {
+        return false;
+    }
+    cli_explain_json(&explanation);
+    puts("\f");
+    cli_explain_text(stdout, &explanation);
+    fflush(stdout);
+    cli_history_free(&history);
+    return true;
+}
+
+EMSCRIPTEN_KEEPALIVE void web_scene_info(const struct web_scene *scene)
+{
+    cli_info_print_json(scene->render.model);
+    fflush(stdout);
+}

@@ -1,0 +1,425 @@
+// SPDX-License-Identifier: MIT
+
+/**
+ * rhw draws 3D models on the CPU, byte for byte as the program `rhw` does it on any machine, and tells of every pixel
+ * how it got its value.
+ *
+ * Everything runs where it is called and takes its time: in a page, call it in a worker.
+ *
+ * What goes wrong is an {@link RhwError}, whose message is one line that names the thing and the rule, as the program
+ * prints it: `rhw: --samples: '3' is not 1, 2, 4, 8 or 16`. Functions that return promises reject with it, the
+ * methods of a {@link Scene} throw it.
+ *
+ * @packageDocumentation
+ */
+
+/** What rhw tells when something goes wrong. */
+export class RhwError extends Error {
+    readonly name: 'RhwError';
+}
+
+/** The bytes of a file. */
+export type Bytes = ArrayBuffer | ArrayBufferView;
+
+/** Three numbers: a place or a direction in the world of the model. */
+export type Vector = readonly [x: number, y: number, z: number];
+
+// Reading ---------------------------------------------------------------------------------------------------------
+
+/** How a model file is read. */
+export interface LoadOptions {
+    /**
+     * What the file is called. Its ending tells the format where its content does not, and messages name it. Without
+     * a name the format is told from the content alone, which suffices for .glb, .gltf, .ply, .stl, .3mf and most
+     * .obj.
+     */
+    name?: string;
+    /**
+     * The files beside it that it names, textures, buffers and .mtl files, by their paths as seen from the model:
+     * `{ 'box.mtl': …, 'textures/wood.png': … }`. What is missing is warned of, and drawn in magenta.
+     */
+    files?: Readonly<Record<string, Bytes>>;
+    /** The materials of this name, of a glTF that offers a choice; see {@link ModelInfo.variants}. */
+    variant?: string;
+    /** Which animation, by its name or number; see {@link ModelInfo.animations}. The default is the first. */
+    animation?: string | number;
+    /** Seconds: the model as its animation has it then. Without it the model is at rest. */
+    time?: number;
+    /**
+     * Textures are halved until neither side is longer, 1 to 16384 texels. {@link load} leaves them as they are;
+     * {@link render} chooses by the size of the picture, as the program does.
+     */
+    maxTexture?: number;
+    /** Fail where the file has something that is not drawn as it is meant, instead of a warning. */
+    strict?: boolean;
+    /**
+     * Threads to draw with. The default is one for each core in a page that is [cross-origin
+     * isolated](https://developer.mozilla.org/docs/Web/API/Window/crossOriginIsolated), and a greater number means
+     * that; elsewhere, node included, it is always 1. The picture is the same.
+     */
+    threads?: number;
+}
+
+/**
+ * Reads a model: glTF 2.0 (.glb, and .gltf with its files; Draco, meshopt, WebP and KTX2 included), OBJ, PLY, STL or
+ * 3MF. A file that makes the reader crash does no harm to anything else.
+ *
+ * @param model the bytes of the file; they are copied
+ * @returns a scene, to be drawn as often as one likes
+ */
+export function load(model: Bytes, options?: LoadOptions): Promise<Scene>;
+
+// Pictures --------------------------------------------------------------------------------------------------------
+
+/** Pictures of several kinds can be drawn at a time. Rows run from top to bottom, pixels from left to right. */
+export interface Outputs {
+    /** RGBA, sRGB encoded, alpha not multiplied in: what `ImageData` takes. */
+    color: Uint8ClampedArray;
+    /** RGBA of light before tone mapping, linear, premultiplied, without the background. */
+    linear: Float32Array;
+    /** 0 at the near plane to 1 at the far plane, linear on the screen; 1 where nothing is. */
+    depth: Float32Array;
+    /** Along the view, in the units of the model; `Infinity` where nothing is. */
+    distance: Float32Array;
+    /** x, y, z in the world, of length 1, turned to the viewer, then 1; four zeros where nothing is. */
+    normal: Float32Array;
+    /** x, y, z in the world, then 1; four zeros where nothing is. */
+    position: Float32Array;
+    /** u, v of the first set, 0, then 1; four zeros where nothing is. v runs down. */
+    uv: Float32Array;
+    /** The number of the node that is seen, from 1; 0 where nothing is. */
+    object: Uint32Array;
+    /** 1 + the number of the triangle, line or point that is seen; 0 where nothing is. */
+    triangle: Uint32Array;
+    /** a, b, c: the weights of the three vertices in space, then 1; four zeros where nothing is. */
+    barycentric: Float32Array;
+}
+
+/** The name of an output. */
+export type OutputName = keyof Outputs;
+
+/** From where to where: the numbers of an option `--camera`. */
+export interface Camera {
+    eye: Vector;
+    target: Vector;
+    /** Which way is up in the picture; not along the view. The default is `[0, 1, 0]`. */
+    up?: Vector;
+    /** The whole angle of view from the bottom to the top of the picture, degrees, 0.01 to 179. The default is 30. */
+    fovy?: number;
+}
+
+/** The camera that a picture was drawn with. Without `orthographic` it can be given back as a {@link Camera}. */
+export interface ViewCamera {
+    eye: [number, number, number];
+    target: [number, number, number];
+    up: [number, number, number];
+    /** Degrees; absent in an orthographic view. */
+    fovy?: number;
+    /** Present in a view without perspective, which only {@link RenderOptions.ortho} and a file's own camera give. */
+    orthographic?: true;
+    /** Of the whole picture in the world; of an orthographic view. */
+    height?: number;
+    /** Distances of the planes that enclose the model; `far` may be `Infinity`. */
+    near: number;
+    far: number;
+}
+
+/** Which view is drawn, and how: options of `rhw render` by their names there. */
+export interface RenderOptions {
+    /** Pixels, each way 1 to 16384; one number for a square. The default is `[1280, 720]`. */
+    size?: number | readonly [width: number, height: number];
+    /** Samples of each pixel, for smooth edges. The default is 4. Data outputs are never smoothed. */
+    samples?: 1 | 2 | 4 | 8 | 16;
+    /** Pixels drawn and shaded for each one of the picture. The default is 1. */
+    supersample?: 1 | 4 | 9 | 16;
+    /**
+     * A camera, or one of the file by its number or name. Without it, {@link RenderOptions.orbit} and
+     * {@link RenderOptions.fit} the file's first camera is taken, or else the model is fitted into the picture.
+     */
+    camera?: Camera | number | string;
+    /**
+     * Fit the model from these angles, degrees: azimuth 0 is its front, 90 its right side; elevation 90 looks
+     * straight down and is 20 where it is left out. The default is `[30, 20]`.
+     */
+    orbit?: number | readonly [azimuth: number, elevation: number];
+    /**
+     * Fit the model, also where the file has cameras: its subject (`true`), without a ground that would make it a
+     * dot, or all.
+     */
+    fit?: boolean | 'subject' | 'all';
+    /** What is up in the world. The default is what the file says. */
+    up?: 'x' | 'y' | 'z' | '-x' | '-y' | '-z';
+    /** Larger than it is fitted, or below 1 smaller; 0.01 to 100. */
+    zoom?: number;
+    /** Percent of the picture left free on each side of a fitted model, 0 to 45. The default is 4. */
+    margin?: number;
+    /** Fit without perspective. */
+    ortho?: boolean;
+    /** The vertical angle of view of a fitted camera, degrees. The default is 30. */
+    fovy?: number;
+    /** `noperspective` shows what is wrong with values that are mixed on the screen. */
+    interpolate?: 'smooth' | 'noperspective';
+    /** Edges over the shaded surface (`true`, `over`) or over a plain one. */
+    wireframe?: boolean | 'over' | 'plain';
+    /** `rrggbb` or `rgb` in hexadecimal, the name of a colour, `transparent`, or `default`, a soft gradient. */
+    background?: string;
+    /** Those of the file, if it has any; the default ones; or none but the surroundings. */
+    lights?: 'file' | 'default' | 'none';
+    /** Of the lights. The default is `true`. */
+    shadows?: boolean;
+    /** Let the model cast a soft shadow on a ground that does not show otherwise. */
+    ground?: boolean;
+    /** Darken where things stand close together. The default is `true`. */
+    ambientOcclusion?: boolean;
+    /** How light becomes colours. The default is `neutral`. */
+    toneMap?: 'neutral' | 'aces' | 'agx' | 'none';
+    /**
+     * Transparent surfaces by the middles of their triangles (the default), or in every sample by their depth
+     * there.
+     */
+    transparency?: 'sorted' | 'exact';
+    /** Brighter by this many factors of two, -20 to 20. */
+    exposure?: number;
+}
+
+/** What is drawn in one go: the pictures that were asked for, and the view. */
+export type Picture<Name extends OutputName = 'color'> = Pick<Outputs, Name> & {
+    width: number;
+    height: number;
+    camera: ViewCamera;
+    /** That drew it. */
+    threads: number;
+    /** Lines that the program would print as warnings. */
+    warnings: string[];
+};
+
+/**
+ * Reads a model and draws it: the bytes of `rhw render` with the same options.
+ *
+ * @param model the bytes of the file, see {@link load}
+ * @param options with `outputs`, the pictures that are wanted; the default is `['color']`
+ */
+export function render<Name extends OutputName = 'color'>(
+    model: Bytes,
+    options?: LoadOptions & RenderOptions & { outputs?: readonly Name[] },
+): Promise<Picture<Name>>;
+
+/**
+ * A model in memory of its own, which {@link load} makes. Its methods do their work at once; they throw {@link
+ * RhwError}.
+ */
+export class Scene {
+    private constructor();
+    /** What the file has that is not drawn as it is meant, a line each. */
+    readonly warnings: string[];
+    /** What is in the file. */
+    info(): ModelInfo;
+    /**
+     * The view that {@link Scene.render} would draw, without drawing it: where a fitted camera stands, to go on
+     * from there.
+     */
+    view(options?: RenderOptions): { width: number; height: number; camera: ViewCamera };
+    /** Draws a view. Nothing of the model is taken in again, so a control may call it frame after frame. */
+    render<Name extends OutputName = 'color'>(
+        options?: RenderOptions & { outputs?: readonly Name[] },
+    ): Picture<Name>;
+    /**
+     * Tells how a pixel got its value: every fragment that came to it, and of the one that is seen the whole
+     * derivation, in exact arithmetic beside what the pipeline computed.
+     *
+     * @param x from the left, 0 to width − 1
+     * @param y from the top, 0 to height − 1
+     * @param options those the picture was drawn with, without `supersample` and exact `transparency`; and which of the
+     *   pixel's samples, 0 where that is left out
+     */
+    explain(x: number, y: number, options?: RenderOptions & { sample?: number }): Explanation;
+    /** Ends the scene's threads and gives its memory back. It cannot be used after that. */
+    close(): void;
+}
+
+// What is told ----------------------------------------------------------------------------------------------------
+
+/** What `rhw info --json` prints. Numbers that are not finite are `null`. */
+export interface ModelInfo {
+    file: string;
+    /** For example `glTF 2.0`. */
+    format: string;
+    triangles_drawn: number;
+    triangles_stored: number;
+    objects: number;
+    draws: number;
+    bounds: { empty: true } | { empty: false; min: [number, number, number]; max: [number, number, number] };
+    /** Of lengths, for example `metre`; empty where the file does not say. */
+    unit: string;
+    up: 'x' | 'y' | 'z' | '-x' | '-y' | '-z';
+    up_from: 'shape' | 'format';
+    mesh_bytes: number;
+    texture_bytes: number;
+    meshes: {
+        name: string;
+        primitive: 'triangles' | 'lines' | 'points';
+        count: number;
+        vertices: number;
+        material: number;
+        normals: boolean;
+        tangents: boolean;
+        uv0: boolean;
+        uv1: boolean;
+        colors: boolean;
+    }[];
+    materials: ({
+        name: string;
+        base_color: [number, number, number, number];
+        metallic: number;
+        roughness: number;
+        emissive: [number, number, number];
+        alpha_mode: 'opaque' | 'mask' | 'blend';
+        alpha_cutoff: number;
+        unlit: boolean;
+        double_sided: boolean;
+    } & Record<string, unknown>)[];
+    images: {
+        name: string;
+        width: number;
+        height: number;
+        type: 'RGBA8' | 'RGBA16' | 'RGBA32F';
+        alpha: boolean;
+        missing: boolean;
+        color: boolean;
+        data: boolean;
+    }[];
+    cameras: ({ name: string; type: 'orthographic' | 'perspective' } & Record<string, unknown>)[];
+    lights: ({ name: string; type: 'directional' | 'point' | 'spot' } & Record<string, unknown>)[];
+    animations: { name: string; seconds: number; channels: number }[];
+    extensions: { name: string; required: boolean; drawn: boolean }[];
+    variants: string[];
+    warnings: string[];
+    unsupported: string[];
+}
+
+/** Three numbers, one for each vertex. */
+export type Triple = [number, number, number];
+
+/** A fragment that came to the sample. The notation is that of rhw's docs/exactness.md. */
+export interface ExplainedFragment {
+    /** The draw of the pass, from 0. */
+    draw: number;
+    /** The instance of the model; -1 the background, -2 the ground. */
+    instance: number;
+    /** The name of its node. */
+    node: string;
+    /** In its draw, from 0. */
+    triangle: number;
+    front_facing: boolean;
+    fate: 'failed_early' | 'discarded' | 'failed_late' | 'written';
+    /** The samples of the pixel that it covers, a bit each. */
+    covered: number;
+    /** 1 near to 0 far: reversed. */
+    depth: number;
+    depth_before_after: [number, number];
+    color_before: [number, number, number, number];
+    color_after: [number, number, number, number];
+    /** What its shader gave, where that ran. */
+    output?: [number, number, number, number];
+    /** X, Y, Z, W of the vertices. */
+    clip: [number, number, number, number][];
+    clipped: boolean;
+    /** Where the vertices were snapped to, 1/256 pixel; absent where one cannot be. */
+    snapped?: [number, number][];
+    /** The sample, 1/256 pixel. */
+    sample: [number, number];
+    /** r, s, t: the weights on the screen; with `inverse_w`, 1/W, and `space`, a, b, c, where its shader ran. */
+    screen?: Triple;
+    inverse_w?: [number];
+    space?: Triple;
+    textures: {
+        slot: string;
+        level: number;
+        level_size: [number, number];
+        uv: [number, number];
+        place: [number, number];
+        texel: [number, number, number, number];
+    }[];
+    /** The edge functions and their sum, 1/65536 pixel², and what follows from them in exact arithmetic. */
+    edges?: Triple;
+    sum?: number;
+    screen_exact?: Triple;
+    inverse_w_exact?: [number];
+    space_exact?: Triple;
+    /**
+     * Every component of every varying: at the vertices, as if mixed on the screen, exact, and as the pipeline
+     * wrote it.
+     */
+    varyings?: {
+        name: string;
+        vertices: Triple;
+        naive: number | null;
+        exact: number | null;
+        pipeline: number | null;
+        error_ulp: number | null;
+    }[];
+}
+
+/** What `rhw explain --json` prints, and as `text` what it prints without: a worked example to read. */
+export interface Explanation {
+    model: string;
+    size: [width: number, height: number];
+    pixel: [x: number, y: number];
+    sample: number;
+    samples: number;
+    /** `#rrggbb`: the pixel in the picture. */
+    color: string;
+    /** In the order of drawing; the background is one of them. */
+    fragments: ExplainedFragment[];
+    text: string;
+}
+
+// Triangles without a model ---------------------------------------------------------------------------------------
+
+/** Triangles to be rasterized, and where to. */
+export interface Triangles {
+    /** Pixels, each way 1 to 16384; one number for a square. */
+    size: number | readonly [width: number, height: number];
+    /**
+     * The vertices, one after the other: X, Y, Z, W in homogeneous clip coordinates, y up; with `components: 3` x, y,
+     * z, and W is 1. What lies outside −W ≤ X, Y ≤ W, 0 ≤ Z ≤ W is cut off; W ≤ 0 is allowed. A triangle with a
+     * number that is not finite is not drawn.
+     */
+    positions: Float32Array;
+    components?: 3 | 4;
+    /**
+     * Three for each triangle, each below the number of vertices. Without them the vertices are taken in their
+     * order.
+     */
+    indices?: Uint32Array;
+    /** 16 numbers, column by column, from the positions to clip coordinates. Without it they are such. */
+    matrix?: Float32Array;
+    /**
+     * Triangles that are left out: those whose vertices run clockwise on the screen are back faces. The default is
+     * `none`.
+     */
+    cull?: 'none' | 'front' | 'back';
+    /** Of the depth that is in view, after the division by W: WebGPU's and Vulkan's (the default), or OpenGL's. */
+    depthRange?: 'zero-to-one' | 'minus-one-to-one';
+}
+
+/** What is nearest at the centre of every pixel, rows from top to bottom. */
+export interface Fragments {
+    width: number;
+    height: number;
+    /** 1 + the number of the triangle; 0 where there is none. [height × width] */
+    ids: Uint32Array;
+    /** 0 near to 1 far; 1 where there is none. [height × width] */
+    depth: Float32Array;
+    /**
+     * a, b, c: the weights of its vertices in space, right in perspective, then 0; zeros where there is none.
+     * [height × width × 4]
+     */
+    barycentric: Float32Array;
+}
+
+/**
+ * Rasterizes triangles without a model: which one is nearest at every pixel, how deep, and where on it. Coverage is
+ * exact: a pixel on an edge that two triangles share belongs to exactly one of them.
+ */
+export function rasterize(triangles: Triangles): Promise<Fragments>;

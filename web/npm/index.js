@@ -1,0 +1,290 @@
+// SPDX-License-Identifier: MIT
+// rhw for node, pages and workers: see index.d.ts, which has the documentation, and README.md, which has examples.
+import { bytesOf, Instance, mostThreads, RhwError } from './instance.js';
+import { allWords, drawingOptions, drawingWords, readingWords } from './words.js';
+
+export { RhwError };
+
+// Reading --------------------------------------------------------------------------------------------------------
+
+const folder = '/model';
+
+function writeFile(fs, name, bytes) {
+    const path = `${folder}/${name}`;
+    fs.mkdirTree(path.slice(0, path.lastIndexOf('/')));
+    fs.writeFile(path, bytesOf(bytes, name));
+}
+
+// The model in an instance of its own, as the bytes that a scene stands on.
+async function read(model, name, files, words) {
+    const reader = await Instance.create();
+    const { FS: fs } = reader.module;
+    for (const [path, bytes] of Object.entries(files)) {
+        writeFile(fs, path, bytes);
+    }
+    writeFile(fs, name, model);
+    fs.chdir(folder);
+    const status = reader.withWords(words, (...place) => reader.call(name, '_web_read', ...place));
+    const reply = fs.readFile('/reply');
+    if (status === 0) {
+        return reply;
+    }
+    throw reply.length > 0 ? new RhwError(`rhw: ${name}: ${new TextDecoder().decode(reply)}`) : reader.error();
+}
+
+function threadsOf({ threads = mostThreads() }) {
+    if (!Number.isInteger(threads) || threads < 1) {
+        throw new RhwError(`rhw: threads: '${threads}' is not a number from 1`);
+    }
+    return Math.min(threads, mostThreads());
+}
+
+async function open(model, options, words) {
+    const { files = {} } = options;
+    const threads = threadsOf(options);
+    const name = (options.name ?? 'model').replace(/^\/+/, ''); // its place is in the module's memory
+    const all = [...words, '--', name];
+    const bytes = await read(model, name, files, all);
+    const instance = await Instance.create(threads);
+    const address = instance.copyIn(bytes);
+    const handle = instance.withWords(all, (...place) =>
+        instance.call(name, '_web_scene_open', address, bytes.length, ...place));
+    if (handle === 0) {
+        instance.end();
+        throw instance.error();
+    }
+    return new Scene({ instance, handle, threads, warnings: instance.messages() });
+}
+
+export async function load(model, options = {}) {
+    return open(model, options, readingWords(options));
+}
+
+export async function render(model, options = {}) {
+    const scene = await open(model, options, allWords(options));
+    try {
+        const picture = scene.render(drawingOptions(options));
+        return { ...picture, warnings: [...scene.warnings, ...picture.warnings] };
+    } finally {
+        scene.close();
+    }
+}
+
+// Scenes ---------------------------------------------------------------------------------------------------------
+
+// By the bits of enum scene_output (scene/view.h): the type of the elements, and how many a pixel has.
+const outputs = {
+    color: { bit: 1, Type: Uint8ClampedArray, count: 4 },
+    linear: { bit: 2, Type: Float32Array, count: 4 },
+    depth: { bit: 4, Type: Float32Array, count: 1 },
+    distance: { bit: 8, Type: Float32Array, count: 1 },
+    normal: { bit: 16, Type: Float32Array, count: 4 },
+    position: { bit: 32, Type: Float32Array, count: 4 },
+    uv: { bit: 64, Type: Float32Array, count: 4 },
+    object: { bit: 128, Type: Uint32Array, count: 1 },
+    triangle: { bit: 256, Type: Uint32Array, count: 1 },
+    barycentric: { bit: 512, Type: Float32Array, count: 4 },
+};
+
+function checkOutputs(names) {
+    const unknown = names.find((name) => !Object.hasOwn(outputs, name));
+    if (unknown !== undefined || names.length === 0) {
+        throw new RhwError(`rhw: outputs: ${unknown === undefined ? 'none' : `'${unknown}'`} is no output; there are ` +
+                           Object.keys(outputs).join(', '));
+    }
+}
+
+
+export class Scene {
+    #instance;
+    #handle;
+    #threads;
+    #warnings;
+
+    /** @internal scenes are made by load */
+    constructor({ instance, handle, threads, warnings }) {
+        this.#instance = instance;
+        this.#handle = handle;
+        this.#threads = threads;
+        this.#warnings = warnings;
+    }
+
+    get warnings() {
+        return [...this.#warnings];
+    }
+
+    info() {
+        this.#call('_web_scene_info');
+        return JSON.parse(this.#instance.takeSaid());
+    }
+
+    view(options = {}) {
+        this.#ask('_web_scene_look', drawingWords(options));
+        return this.#view();
+    }
+
+    render(options = {}) {
+        const names = [options.outputs ?? 'color'].flat();
+        checkOutputs(names);
+        const bits = names.reduce((sum, name) => sum | outputs[name].bit, 0);
+        this.#ask('_web_scene_render', drawingWords(options), bits);
+        const view = this.#view();
+        const pixels = view.width * view.height;
+        const pictures = names.map((name) => {
+            const { bit, Type, count } = outputs[name];
+            return [name, this.#instance.copyOut(Type, this.#call('_web_scene_picture', bit), pixels * count)];
+        });
+        const threads = this.#call('_web_scene_threads');
+        return { ...view, ...Object.fromEntries(pictures), threads, warnings: this.#instance.messages() };
+    }
+
+    explain(x, y, { sample = 0, ...options } = {}) {
+        if (![x, y, sample].every((number) => Number.isInteger(number) && number >= 0 && number < 16384)) {
+            throw new RhwError(`rhw: --at: ${x},${y}, sample ${sample} is no sample of a pixel, from 0,0 on`);
+        }
+        this.#ask('_web_scene_explain', drawingWords(options), x, y, sample);
+        const [json, text] = this.#instance.takeSaid().split('\n\f\n');
+        return { ...JSON.parse(json), text };
+    }
+
+    close() {
+        this.#instance?.end();
+        this.#instance = undefined; // and with it all of its memory
+    }
+
+    #held() {
+        if (this.#instance === undefined || this.#instance.crashed) {
+            throw new RhwError(`rhw: the scene ${this.#instance ? 'has crashed' : 'is closed'}`);
+        }
+        return this.#instance;
+    }
+
+    // Calls an entry point of the module with this scene.
+    #call(name, ...values) {
+        return this.#held().call('scene', name, this.#handle, ...values);
+    }
+
+    // The same with words that choose a view, of which more may be the last.
+    #ask(name, words, ...values) {
+        const all = [`--threads=${this.#threads}`, ...words, '--', 'model'];
+        const instance = this.#held();
+        if (!instance.withWords(all, (...place) => this.#call(name, ...place, ...values))) {
+            throw instance.error();
+        }
+    }
+
+    // The one that was chosen last; the numbers are those of web_scene_view.
+    #view() {
+        const [width, height, ...n] = this.#instance.copyOut(Float64Array, this.#call('_web_scene_view'), 16);
+        const [orthographic, fovy, halfHeight, near, far] = n.slice(9);
+        return {
+            width,
+            height,
+            camera: {
+                eye: n.slice(0, 3),
+                target: n.slice(3, 6),
+                up: n.slice(6, 9),
+                ...(orthographic ? { orthographic: true, height: 2 * halfHeight } : { fovy }),
+                near,
+                far: far === 0 ? Infinity : far,
+            },
+        };
+    }
+}
+
+// Triangles ------------------------------------------------------------------------------------------------------
+
+const culls = ['none', 'front', 'back'];
+const depthRanges = ['zero-to-one', 'minus-one-to-one'];
+
+function choose(option, name, names) {
+    const choice = names.indexOf(name);
+    if (choice < 0) {
+        throw new RhwError(`rhw: ${option}: '${name}' is not one of ${names.join(', ')}`);
+    }
+    return choice;
+}
+
+function checkArray(option, array, Type, rule, fits = () => true) {
+    if (!(array instanceof Type) || !fits(array.length)) {
+        throw new RhwError(`rhw: ${option}: must be a ${Type.name} ${rule}`);
+    }
+}
+
+let rasterizer;
+
+async function rasterizerInstance() {
+    rasterizer ??= Instance.create();
+    const instance = await rasterizer.catch((error) => {
+        rasterizer = undefined;
+        throw error;
+    });
+    rasterizer = instance.crashed ? undefined : rasterizer;
+    return instance.crashed ? rasterizerInstance() : instance;
+}
+
+// What lies in the module's memory for a call, and is freed after it.
+class Lent {
+    #instance;
+    #addresses = [];
+
+    constructor(instance) {
+        this.#instance = instance;
+    }
+
+    give(array) {
+        this.#addresses.push(array === undefined ? 0 : this.#instance.copyIn(array));
+        return this.#addresses.at(-1);
+    }
+
+    room(size) {
+        this.#addresses.push(this.#instance.allocate(size));
+        return this.#addresses.at(-1);
+    }
+
+    takeBack() {
+        this.#addresses.forEach((address) => this.#instance.free(address));
+    }
+}
+
+export async function rasterize(triangles) {
+    const { positions, indices, matrix, components = 4, cull = 'none', depthRange = 'zero-to-one' } = triangles;
+    const [width, height] = [triangles.size].flat().length === 1 ? [triangles.size, triangles.size] : triangles.size;
+    if (![width, height].every(Number.isInteger)) {
+        throw new RhwError(`rhw: size: '${triangles.size}' is not [width, height] or one number`);
+    }
+    if (components !== 3 && components !== 4) {
+        throw new RhwError(`rhw: components: '${components}' is not 3 or 4`);
+    }
+    checkArray('positions', positions, Float32Array, `of ${components} numbers for each vertex`,
+               (length) => length % components === 0);
+    if (indices !== undefined) {
+        checkArray('indices', indices, Uint32Array, 'of 3 numbers for each triangle');
+    }
+    if (matrix !== undefined) {
+        checkArray('matrix', matrix, Float32Array, 'of 16 numbers, column by column', (length) => length === 16);
+    }
+    const rules = [choose('cull', cull, culls), choose('depthRange', depthRange, depthRanges)];
+    const instance = await rasterizerInstance();
+    const lent = new Lent(instance);
+    try {
+        const vertices = positions.length / components;
+        const pixels = width * height;
+        const asked = [lent.give(positions), lent.give(indices), lent.give(matrix)];
+        const [ids, depth, barycentric] = [4, 4, 16].map((size) => lent.room(Math.max(pixels, 1) * size));
+        const words = [width, height, asked[0], components, vertices, asked[1], indices?.length ?? vertices, asked[2],
+                       ...rules, ids, depth, barycentric];
+        if (!instance.call('rasterize', '_web_rasterize', lent.give(Uint32Array.from(words)))) {
+            throw instance.error();
+        }
+        return {
+            width,
+            height,
+            ids: instance.copyOut(Uint32Array, ids, pixels),
+            depth: instance.copyOut(Float32Array, depth, pixels),
+            barycentric: instance.copyOut(Float32Array, barycentric, 4 * pixels),
+        };
+    } finally {
+        lent.takeBack();
+    }
+}

@@ -1,0 +1,102 @@
+// SPDX-License-Identifier: MIT
+// Options as the words of rhw render's command line, which the module gives to the program's own parser: names,
+// defaults, limits and messages are the program's.
+import { RhwError } from './instance.js';
+
+const asIs = (name) => (value) => [`--${name}=${value}`];
+const onOff = (name) => (value) => [`--${name}=${value ? 'on' : 'off'}`];
+const flag = (name) => (value) => (value ? [`--${name}`] : []);
+const list = (name) => (value) => [`--${name}=${[value].flat().join(',')}`];
+
+// true: the option without its argument.
+const optional = (name) => (value) => (value === true ? [`--${name}`] : value === false ? [] : [`--${name}=${value}`]);
+
+function size(value) {
+    return [`--size=${[value].flat().join('x')}`];
+}
+
+function camera(value) {
+    if (typeof value === 'number') {
+        return [`--camera-index=${value}`];
+    }
+    if (typeof value === 'string') {
+        return [`--camera-name=${value}`];
+    }
+    if (value.orthographic) {
+        throw new RhwError('rhw: camera: an orthographic one is fitted (ortho: true), or one of the file');
+    }
+    return [`--camera=${[value.eye, value.target, value.up ?? [0, 1, 0], value.fovy ?? 30].flat().join(',')}`];
+}
+
+const reading = {
+    variant: asIs('variant'),
+    animation: asIs('animation'),
+    time: asIs('time'),
+    maxTexture: asIs('max-texture'),
+    strict: flag('strict'),
+};
+
+const drawing = {
+    size,
+    samples: asIs('samples'),
+    supersample: asIs('supersample'),
+    camera,
+    orbit: list('orbit'),
+    fit: optional('fit'),
+    up: asIs('up'),
+    zoom: asIs('zoom'),
+    margin: asIs('margin'),
+    ortho: flag('ortho'),
+    fovy: asIs('fovy'),
+    interpolate: asIs('interpolate'),
+    wireframe: optional('wireframe'),
+    background: asIs('background'),
+    lights: asIs('lights'),
+    shadows: onOff('shadows'),
+    ground: flag('ground'),
+    ambientOcclusion: onOff('ambient-occlusion'),
+    toneMap: asIs('tone-map'),
+    transparency: asIs('transparency'),
+    exposure: asIs('exposure'),
+};
+
+// Names of options that are no words.
+const others = { reading: ['name', 'files', 'threads'], drawing: ['outputs'] };
+
+function wordsOf(options, table, known) {
+    return Object.entries(options).flatMap(([name, value]) => {
+        if (value === undefined || known.includes(name)) {
+            return [];
+        }
+        if (!Object.hasOwn(table, name)) {
+            const names = [...known, ...Object.keys(table)];
+            throw new RhwError(`rhw: '${name}' is no option; there are ${names.join(', ')}`);
+        }
+        const words = table[name](value);
+        if (words.some((word) => word.includes('\0'))) {
+            throw new RhwError(`rhw: ${name}: a character with code 0 is in it`);
+        }
+        return words;
+    });
+}
+
+/** Of load. Textures stay as large as they are, since nobody knows yet how large pictures will be. */
+export function readingWords(options) {
+    return ['--max-texture=16384', ...wordsOf(options, reading, others.reading)];
+}
+
+/** Of render, in one go. */
+export function allWords(options) {
+    return wordsOf(options, { ...reading, ...drawing }, [...others.reading, ...others.drawing]);
+}
+
+/** Of the methods of a scene. */
+export function drawingWords(options) {
+    return wordsOf(options, drawing, others.drawing);
+}
+
+/** Those of render that are for a scene's. */
+export function drawingOptions(options) {
+    const names = [...others.drawing, ...Object.keys(drawing)];
+    return Object.fromEntries(Object.entries(options).filter(([name]) => names.includes(name)));
+}

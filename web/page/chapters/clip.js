@@ -1,0 +1,85 @@
+// SPDX-License-Identifier: MIT
+// The derivation in homogeneous clip coordinates, with a triangle that may reach behind the eye: W passes through 0 and
+// below, and the weights of what is seen stay right.
+import { showDerivation, termsOf } from '../derivation.js';
+import { language, say } from '../language.js';
+import { formula, short } from '../math.js';
+import { METHOD, PATTERN } from '../stage.js';
+import { chapterTerms } from '../tips.js';
+import { TopView } from '../topview.js';
+import { View } from '../view.js';
+import { within } from './first.js';
+
+const NEAR = 0.5;
+
+// X, Y, Z, W of A, B and C, and of P as their mixture: the three equations that the derivation begins with.
+function showCoordinates(table, terms) {
+  table.replaceChildren();
+  table.lang = language();
+  const row = (cells, tag = 'td') => {
+    const line = table.insertRow();
+    for (const cell of cells) {
+      line.appendChild(document.createElement(tag)).append(cell);
+    }
+    return line;
+  };
+  row(['', ...['X', 'Y', 'Z', 'W'].map((axis) => formula(axis))], 'th');
+  for (const name of ['A', 'B', 'C', 'P']) {
+    const values = ['X', 'Y', 'Z', 'W'].map((axis) => `${axis}_${name}`);
+    const line = row([name, ...values.map((term) => formula(term, { [term]: short(terms[term]) }))]);
+    line.classList.toggle('behind', terms[`W_${name}`] <= 0);
+  }
+}
+
+// What P has as a mixture in space.
+function withPoint(terms) {
+  for (const axis of ['X', 'Y', 'Z']) {
+    terms[`${axis}_P`] = terms.a * terms[`${axis}_A`] + terms.b * terms[`${axis}_B`] + terms.c * terms[`${axis}_C`];
+  }
+  return terms;
+}
+
+function showBehind(note, corners) {
+  const behind = corners.filter((corner) => corner.at[2] > -1e-9).length;
+  note.textContent = say(
+    behind
+      ? {
+          en: 'A corner is behind the eye: its W is below 0, dividing it would put it on the wrong side. Only the part in front of the near plane is filled, and its r, s, t may be negative or large; a, b, c are not.',
+          zh: '有顶点在眼睛后面：它的 W 小于 0，直接相除会落到错误的一侧。只填充近平面前的部分；其 r、s、t 可能为负或很大，而 a、b、c 不会。',
+        }
+      : { en: 'All corners are in front of the eye.', zh: '所有顶点都在眼睛前方。' },
+  );
+}
+
+export function start(section, stage) {
+  const corners = [
+    { at: [-1.6, -0.9, -3.4], color: [1, 0.55, 0.5], uv: [0, 0] },
+    { at: [1.9, 0.9, -4.2], color: [0.55, 0.9, 0.6], uv: [1, 0] },
+    { at: [0.2, -0.55, 0.6], color: [0.6, 0.7, 1], uv: [0.5, 1] },
+  ];
+  const scene = {
+    camera: { eye: [0, 0, 0], target: [0, 0, -1], yfov: 60, near: NEAR, far: 50 },
+    corners,
+    limit: within([-2.8, -2, -5.5], [2.8, 2, 1.4]),
+    triangleOf: () => corners,
+    draw: (to) => to.triangle(corners, METHOD.correct, PATTERN.checker),
+  };
+  const panel = section.querySelector('.derivation');
+  const [table, note] = [section.querySelector('table.clip'), section.querySelector('.behind')];
+  const view = new View(stage, section.querySelector('.view'), scene, (numbers, pixel) => {
+    showDerivation(panel, numbers, pixel);
+    showBehind(note, corners);
+    if (numbers) {
+      showCoordinates(table, withPoint(termsOf(numbers)));
+    }
+    top.update(numbers);
+  });
+  const planes = [
+    { distance: 0, name: 'W = 0' },
+    { distance: NEAR, name: { en: 'near', zh: '近平面' } },
+  ];
+  const top = new TopView(section.querySelector('.above'), view, { x: [-3.4, 3.4], z: [-5.6, 1.6] }, planes);
+  chapterTerms(section, () => view.numbers && withPoint(termsOf(view.numbers)), [view, top]);
+  view.pick([0.45, 0.62]);
+  return view;
+}

@@ -1,0 +1,155 @@
+// SPDX-License-Identifier: MIT
+// In the plane: an edge AB in front of the eye, its picture A'B', and a point between them. Halfway on the screen is not halfway
+// in space, and the distance Z of the point is not the mixture of the distances, but 1/Z is that of 1/Z.
+import { language, whenLanguage } from '../language.js';
+import { formula, short } from '../math.js';
+import { draggable, points, set, svg } from '../svg.js';
+import { chapterTerms } from '../tips.js';
+import { clamp } from '../vector.js';
+
+const RANGE = { x: [-3.4, 3.4], z: [-0.4, 8] }; // of the drawing; the eye is at 0, the screen at z = 1
+
+class Drawing {
+  constructor(node, changed) {
+    this.ends = [
+      [-1.35, 3],
+      [2.1, 7],
+    ];
+    this.q = 0.5;
+    this.changed = changed;
+    this.root = svg(node, 'svg', { class: 'top' });
+    this.rays = [0, 1, 2].map(() => svg(this.root, 'line', { class: 'ray' }));
+    this.screen = svg(this.root, 'line', { class: 'plane' });
+    this.edge = svg(this.root, 'line', { class: 'edge' });
+    this.picture = svg(this.root, 'line', { class: 'picture' });
+    this.half = svg(this.root, 'circle', { class: 'half', r: 4 });
+    svg(this.root, 'circle', { class: 'eye', r: 5 });
+    this.handles = this.ends.map((end, i) => this.#end(end, 'AB'[i]));
+    this.p = this.#mark('P', 'P');
+    this.shadow = this.#mark("P'", "P'");
+    this.pictures = ["A'", "B'"].map((name) => svg(this.root, 'text', { class: 'caption' }, name));
+    draggable(this.shadow, {
+      move: (dx) => this.#slide(dx / this.scale),
+      step: (dx) => this.#slide(dx / 100),
+    });
+    new ResizeObserver(() => this.update()).observe(node);
+  }
+
+  #end(end, name) {
+    const node = svg(this.root, 'g', { class: `handle corner${name}`, tabindex: 0, role: 'button', 'aria-label': name });
+    svg(node, 'circle', { class: 'reach', r: 18 });
+    svg(node, 'circle', { class: 'dot', r: 7 });
+    svg(node, 'text', { x: 11, y: 5 }, name);
+    const by = (dx, dy) => {
+      end[0] = clamp(end[0] + dx / this.scale, -3.2, 3.2);
+      end[1] = clamp(end[1] - dy / this.scale, 1.1, 7.8);
+      this.update();
+    };
+    draggable(node, { move: by, step: (dx, dy) => by(4 * dx, 4 * dy) });
+    return node;
+  }
+
+  #mark(name, label) {
+    const node = svg(this.root, 'g', { class: 'handle mark', tabindex: label === 'P' ? -1 : 0, 'aria-label': label });
+    svg(node, 'circle', { class: 'reach', r: 16 });
+    svg(node, 'circle', { r: 6 });
+    svg(node, 'text', { x: 10, y: 16 }, name);
+    return node;
+  }
+
+  #slide(dx) {
+    const [from, to] = this.ends.map(([x, z]) => x / z);
+    this.set(this.q + (Math.abs(to - from) < 0.01 ? 0 : dx / (to - from)));
+  }
+
+  set(q) {
+    this.q = clamp(q, 0, 1);
+    this.update();
+  }
+
+  // Weights on the screen and in space, and Z there three ways.
+  numbers() {
+    const [zA, zB] = this.ends.map(([, z]) => z);
+    const [r, s] = [1 - this.q, this.q];
+    const inverse = r / zA + s / zB;
+    const terms = { r, s, Z_A: zA, Z_B: zB, Z_P: 1 / inverse, a: r / zA / inverse, b: s / zB / inverse };
+    return { ...terms, N_P: r * zA + s * zB };
+  }
+
+  #at([x, z]) {
+    return [this.root.clientWidth / 2 + x * this.scale, this.root.clientHeight - 14 - (z - RANGE.z[0]) * this.scale];
+  }
+
+  #line(node, from, to) {
+    const [[x1, y1], [x2, y2]] = [this.#at(from), this.#at(to)];
+    set(node, { x1, y1, x2, y2 });
+  }
+
+  update() {
+    const { clientWidth: width, clientHeight: height } = this.root;
+    if (!width) {
+      return;
+    }
+    this.scale = Math.min(width / (RANGE.x[1] - RANGE.x[0]), (height - 28) / (RANGE.z[1] - RANGE.z[0]));
+    set(this.root, { viewBox: `0 0 ${width} ${height}` });
+    const { a, b } = this.numbers();
+    const [from, to] = this.ends;
+    const p = [a * from[0] + b * to[0], a * from[1] + b * to[1]];
+    [from, to, p].forEach((end, i) => this.#line(this.rays[i], [0, 0], end));
+    this.#line(this.screen, [-1.4, 1], [1.4, 1]);
+    this.#line(this.edge, from, to);
+    this.#line(this.picture, [from[0] / from[1], 1], [to[0] / to[1], 1]);
+    this.ends.forEach(([x, z], i) => {
+      const [left, top] = this.#at([x / z, 1]);
+      set(this.pictures[i], { x: left + (i === 0 ? -22 : 8), y: top + 18 });
+    });
+    const middle = this.#at([(from[0] + to[0]) / 2, (from[1] + to[1]) / 2]);
+    set(this.half, { cx: middle[0], cy: middle[1] });
+    const eye = this.#at([0, 0]);
+    set(this.root.querySelector('.eye'), { cx: eye[0], cy: eye[1] });
+    this.ends.forEach((end, i) => set(this.handles[i], { transform: `translate(${this.#at(end)})` }));
+    set(this.p, { transform: `translate(${this.#at(p)})` });
+    set(this.shadow, { transform: `translate(${this.#at([p[0] / p[1], 1])})` });
+    this.changed();
+  }
+
+  point(term) {
+    const corner = { Z_A: this.ends[0], Z_B: this.ends[1] }[term];
+    this.marked ??= svg(this.root, 'polyline', { class: 'distance' });
+    const to = corner && this.#at(corner);
+    set(this.marked, { points: to ? points([[to[0], this.#at([0, 0])[1]], to]) : '' });
+  }
+}
+
+const LINES = [
+  ['r', 'r'],
+  ['s', 's'],
+  ['[1|Z_P] = [r|Z_A] + [s|Z_B]', 'Z_P'],
+  ['a = r·[Z_P|Z_A]', 'a'],
+  ['b = s·[Z_P|Z_B]', 'b'],
+  ['r·Z_A + s·Z_B', 'N_P'],
+];
+
+export function start(section) {
+  const panel = section.querySelector('.lines');
+  const show = () => {
+    const terms = drawing.numbers();
+    panel.replaceChildren();
+    panel.lang = language();
+    for (const [text, term] of LINES) {
+      const row = panel.appendChild(document.createElement('div'));
+      row.className = term === 'N_P' ? 'line naive' : 'line';
+      const value = { [term]: short(terms[term]) };
+      const isName = term === 'Z_P';
+      row.append(formula(text), formula(isName ? ', Z_P =' : '='), formula(term, value));
+    }
+  };
+  const drawing = new Drawing(section.querySelector('.plane-room'), show);
+  section.querySelector('.on-screen').addEventListener('click', () => drawing.set(0.5));
+  section.querySelector('.in-space').addEventListener('click', () => {
+    const [zA, zB] = drawing.ends.map(([, z]) => z);
+    drawing.set(zB / (zA + zB));
+  });
+  whenLanguage(() => drawing.update());
+  chapterTerms(section, () => drawing.numbers(), [drawing]);
+}

@@ -1,0 +1,167 @@
+// SPDX-License-Identifier: MIT
+// The derivation of one pixel with its numbers: formulas whose terms can be pointed at, each with its value.
+import { exactWeights, threeWays } from './exact.js';
+import { language, say } from './language.js';
+import { formula, long, short } from './math.js';
+
+const NAMES = ['A', 'B', 'C'];
+
+const MEANINGS = {
+  e: {
+    en: 'edge function: twice the area of the part of the triangle opposite to the corner, an integer, in 1/65536 pixel²',
+    zh: '边函数：与该顶点相对的小三角形面积的两倍，是整数，单位 1/65536 像素²',
+  },
+  r: { en: 'weight of A on the screen: the part of the area that is opposite to A', zh: 'A 的屏幕权重：A 对面的面积所占比例' },
+  s: { en: 'weight of B on the screen', zh: 'B 的屏幕权重' },
+  t: { en: 'weight of C on the screen', zh: 'C 的屏幕权重' },
+  a: { en: 'weight of A in space', zh: 'A 的空间权重' },
+  b: { en: 'weight of B in space', zh: 'B 的空间权重' },
+  c: { en: 'weight of C in space', zh: 'C 的空间权重' },
+  W: { en: 'distance from the eye, along the view', zh: '沿视线方向到眼睛的距离' },
+  X: { en: 'clip coordinate', zh: '裁剪坐标' },
+  Y: { en: 'clip coordinate', zh: '裁剪坐标' },
+  Z: { en: 'clip coordinate', zh: '裁剪坐标' },
+  u: { en: 'texture coordinate', zh: '纹理坐标' },
+  v: { en: 'texture coordinate', zh: '纹理坐标' },
+  I: { en: 'green, of the three colour values', zh: '颜色中的绿色分量' },
+  d: { en: 'depth: Z/W', zh: '深度：Z/W' },
+};
+
+/** What a term means, in words. */
+export const meaningOf = (term) => say(MEANINGS[term.split('_')[0]] ?? '');
+
+/** {term: number} of an explained pixel; terms as in the formulas. */
+export function termsOf(n) {
+  const terms = { r: n.r, s: n.s, t: n.t, a: n.a, b: n.b, c: n.c, W_P: 1 / n.inverse_w, d_P: n.depth };
+  NAMES.forEach((name, i) => {
+    for (const axis of ['X', 'Y', 'Z', 'W', 'e', 'u', 'v']) {
+      terms[`${axis}_${name}`] = n[`${axis}_${i}`];
+    }
+    terms[`I_${name}`] = n[`green_${i}`];
+  });
+  terms.e_P = terms.e_A + terms.e_B + terms.e_C;
+  return terms;
+}
+
+// A formula on a line of its own, and behind it what its right side is: with numbers, or as one number.
+function line(parent, text, behind) {
+  const row = parent.appendChild(document.createElement('div'));
+  row.className = 'line';
+  row.append(formula(text));
+  if (behind) {
+    row.append(formula(`= ${behind.text}`, behind.values));
+  }
+  return row;
+}
+
+const number = (term, terms) => ({ text: term, values: { [term]: short(terms[term]) } });
+
+function section(parent, title) {
+  const block = parent.appendChild(document.createElement('section'));
+  const head = block.appendChild(document.createElement('h4'));
+  head.textContent = say(title);
+  return block;
+}
+
+const TITLES = {
+  screen: { en: '1. On the screen: areas', zh: '1. 屏幕上：面积之比' },
+  divide: { en: '2. What is linear there is 1/W', zh: '2. 在屏幕上线性的是 1/W' },
+  space: { en: '3. In space: divide', zh: '3. 回到空间：除以 W' },
+  u: { en: '4. The texture coordinate u', zh: '4. 纹理坐标 u' },
+  green: { en: '4. The green of its colour', zh: '4. 颜色的绿色分量' },
+};
+
+const SPACE = [
+  ['a = r·[W_P|W_A]', 'a'],
+  ['b = s·[W_P|W_B]', 'b'],
+  ['c = t·[W_P|W_C]', 'c'],
+];
+const INVERSE = '[1|W_P] = [r|W_A] + [s|W_B] + [t|W_C]';
+
+function screenSection(parent, n, terms) {
+  const block = section(parent, TITLES.screen);
+  if (!Number.isNaN(n.e_0)) {
+    line(block, 'r : s : t = e_A : e_B : e_C');
+  }
+  const row = line(block, 'r', number('r', terms));
+  for (const term of ['s', 't']) {
+    row.append(formula(`, ${term} = `), formula(term, number(term, terms).values));
+  }
+}
+
+function divideSection(parent, terms) {
+  const block = section(parent, TITLES.divide);
+  const values = Object.fromEntries(Object.entries(terms).map(([term, value]) => [term, short(value)]));
+  line(block, INVERSE);
+  line(block, '', { text: INVERSE.split(' = ')[1], values });
+  line(block, 'W_P', number('W_P', terms));
+}
+
+function spaceSection(parent, terms) {
+  const block = section(parent, TITLES.space);
+  for (const [text, term] of SPACE) {
+    line(block, text, number(term, terms));
+  }
+}
+
+function tableRow(table, name, how, value, kind) {
+  const row = table.insertRow();
+  row.className = kind;
+  for (const cell of [say(name), how, value]) {
+    row.insertCell().append(cell);
+  }
+}
+
+/** A value three ways, by its name in the numbers: "u", "v", "red". */
+export function threeWaysOf(n, name) {
+  const weights = exactWeights([n.e_0, n.e_1, n.e_2], [n.W_0, n.W_1, n.W_2]);
+  const values = [n[`${name}_0`], n[`${name}_1`], n[`${name}_2`]];
+  return weights && threeWays(weights, values, n[name], n.smooth === 1);
+}
+
+const digits = (value) => long(Number(value.toPrecision(9)));
+
+// `name`: which value, "u" or "green"
+function valueSection(parent, n, name) {
+  const block = section(parent, TITLES[name]);
+  const table = block.appendChild(document.createElement('table'));
+  const ways = threeWaysOf(n, name);
+  const mix = (weights) => weights.reduce((sum, weight, i) => sum + weight * n[`${name}_${i}`], 0);
+  const naive = ways ? ways.naive : mix([n.r, n.s, n.t]);
+  const exact = ways ? ways.exact : mix([n.a, n.b, n.c]);
+  const symbol = name === 'u' ? 'u' : 'I';
+  const sum = (weights) => formula(weights.map((weight, i) => `${weight}·${symbol}_${NAMES[i]}`).join(' + '));
+  tableRow(table, { en: 'naive', zh: '未校正' }, sum(['r', 's', 't']), digits(naive), 'naive');
+  tableRow(table, { en: 'correct', zh: '正确' }, sum(['a', 'b', 'c']), digits(exact), 'correct');
+  tableRow(table, { en: 'rhw wrote', zh: 'rhw 写出' }, n.smooth === 1 ? 'smooth' : 'noperspective', digits(n[name]), 'written');
+  const note = block.appendChild(document.createElement('p'));
+  note.className = 'note';
+  if (ways) {
+    const error = ways.error.toFixed(2);
+    note.textContent = say({
+      en: `Naive and correct are computed in exact arithmetic here; rhw is ${error} ULP from the one it was asked for.`,
+      zh: `前两行在此用精确有理数算出；rhw 与所要求的一行相差 ${error} ULP。`,
+    });
+  }
+}
+
+/** Fills `panel` with the derivation of a pixel's value `name`, u or green; numbers null: says what to do. */
+export function showDerivation(panel, n, pixel, name = 'u') {
+  panel.replaceChildren();
+  panel.lang = language();
+  const head = panel.appendChild(document.createElement('p'));
+  head.className = 'pixel';
+  if (!n) {
+    head.textContent = say({
+      en: pixel ? 'No triangle here.' : 'Point at a pixel to see how it got its value.',
+      zh: pixel ? '这里没有三角形。' : '指向一个像素，看它的值从何而来。',
+    });
+    return;
+  }
+  head.textContent = say({ en: `Pixel P = (${pixel})`, zh: `像素 P = (${pixel})` });
+  const terms = termsOf(n);
+  screenSection(panel, n, terms);
+  divideSection(panel, terms);
+  spaceSection(panel, terms);
+  valueSection(panel, n, name);
+}

@@ -1,0 +1,92 @@
+// SPDX-License-Identifier: MIT
+// Begins: loads the library, starts each chapter when it comes near, and the two switches.
+import { language, setLanguage, whenLanguage } from './language.js';
+import { typeset } from './math.js';
+import { Stage } from './stage.js';
+import { startTips } from './tips.js';
+
+const compiled = WebAssembly.compileStreaming(fetch('stage.wasm'));
+
+function keep(name, value) {
+  try {
+    localStorage.setItem(name, value);
+  } catch {
+    // A page from a file, or one that may keep nothing, forgets.
+  }
+}
+
+function kept(name) {
+  try {
+    return localStorage.getItem(name);
+  } catch {
+    return null;
+  }
+}
+
+function startLanguage() {
+  const button = document.querySelector('#language');
+  button.addEventListener('click', () => {
+    setLanguage(language() === 'en' ? 'zh' : 'en');
+    keep('language', language());
+  });
+  whenLanguage(() => {
+    button.textContent = language() === 'en' ? '中文' : 'English';
+  });
+  setLanguage(kept('language') ?? (navigator.language.startsWith('zh') ? 'zh' : 'en'));
+}
+
+function startTheme() {
+  const dark = matchMedia('(prefers-color-scheme: dark)');
+  const set = (theme) => {
+    document.documentElement.dataset.theme = theme;
+  };
+  set(kept('theme') ?? (dark.matches ? 'dark' : 'light'));
+  document.querySelector('#theme').addEventListener('click', () => {
+    set(document.documentElement.dataset.theme === 'dark' ? 'light' : 'dark');
+    keep('theme', document.documentElement.dataset.theme);
+  });
+}
+
+/** By name: the pictures of the page, for tests and the curious. */
+window.rhw = { views: {} };
+
+function startChapter(section, stage) {
+  const name = section.id;
+  import(`./chapters/${name}.js`)
+    .then(({ start }) => {
+      const view = start(section, stage);
+      window.rhw.views[name] = view;
+      whenLanguage(() => view?.update());
+    })
+    .catch((error) => fail(section, error));
+}
+
+function fail(section, error) {
+  const note = section.querySelector('.view') ?? section;
+  note.dataset.error = error.message;
+  console.error(error);
+}
+
+function startChapters(stage) {
+  const near = new IntersectionObserver(
+    (entries) => {
+      for (const { isIntersecting, target } of entries) {
+        if (isIntersecting) {
+          near.unobserve(target);
+          startChapter(target, stage);
+        }
+      }
+    },
+    { rootMargin: '600px' },
+  );
+  document.querySelectorAll('section.chapter').forEach((section) => near.observe(section));
+}
+
+startLanguage();
+startTheme();
+typeset(document);
+startTips();
+compiled
+  .then(Stage.create)
+  .then(startChapters)
+  .catch((error) => fail(document.querySelector('#first'), error));

@@ -1,0 +1,297 @@
+// SPDX-License-Identifier: MIT
+// A picture of the page: a canvas that a stage draws into, what lies over it (corners to drag, a line between two ways of
+// drawing, the pixel that is explained and what a term means there), and the pointer.
+import { nextFrame } from './frame.js';
+import { language, say, whenLanguage } from './language.js';
+import { draggable, points, set, svg } from './svg.js';
+import { add, basis, clamp } from './vector.js';
+
+const MAX_PIXELS = 1280; // across
+const REST = 160; // ms without a change until the picture is refined
+
+export class View {
+  /**
+   * `figure` has room for it. `scene` is {camera, corners: [{at, color, uv}..], split: 0..1 or undefined, draw(stage, view),
+   * samples, width}; `changed(numbers)` is called when the picture or the pixel did.
+   */
+  constructor(stage, figure, scene, changed = () => {}) {
+    this.stage = stage;
+    this.scene = scene;
+    this.changed = changed;
+    this.figure = figure;
+    this.canvas = document.createElement('canvas');
+    this.canvas.tabIndex = 0;
+    this.overlay = document.createElementNS('http://www.w3.org/2000/svg', 'svg');
+    figure.prepend(this.canvas, this.overlay);
+    this.pixel = null; // by parts of the picture, so that it stays where it was when the size changes
+    this.refined = false;
+    this.#build();
+    this.#listen();
+    new ResizeObserver(() => this.update()).observe(figure);
+    new IntersectionObserver(([entry]) => {
+      this.seen = entry.isIntersecting;
+      this.update();
+    }).observe(figure);
+  }
+
+  // What lies over the picture ----------------------------------------------------------------------
+
+  #build() {
+    this.outline = svg(this.overlay, 'g', { class: 'outline' });
+    this.part = svg(this.overlay, 'polygon', { class: 'part' });
+    this.ray = svg(this.overlay, 'g', { class: 'rays' });
+    this.mark = svg(this.overlay, 'g', { class: 'mark' });
+    svg(this.mark, 'circle', { r: 5 });
+    svg(this.mark, 'text', { x: 8, y: -8 }, 'P');
+    if (this.scene.split !== undefined) {
+      this.#buildSplit();
+    }
+    this.handles = this.scene.corners.map((corner, i) => this.#buildHandle(corner, 'ABC'[i]));
+  }
+
+  #buildSplit() {
+    this.divider = svg(this.overlay, 'g', { class: 'divider', tabindex: 0, role: 'slider' });
+    svg(this.divider, 'line', { class: 'wide' });
+    svg(this.divider, 'line', { class: 'thin' });
+    svg(this.divider, 'rect', { x: -15, width: 30, height: 30, rx: 15 });
+    svg(this.divider, 'path', { d: 'M-4,-5 L-9,0 L-4,5 M4,-5 L9,0 L4,5' });
+    this.names = ['naive', 'correct'].map((name) => svg(this.overlay, 'text', { class: `name ${name}`, y: 24 }));
+    whenLanguage(() => {
+      this.names[0].textContent = say({ en: 'naive', zh: '未校正' });
+      this.names[1].textContent = say({ en: 'divided by w', zh: '除以 w' });
+      this.divider.setAttribute('aria-label', say({ en: 'between naive and correct', zh: '未校正与校正的分界' }));
+    });
+    const to = (part) => {
+      this.scene.split = clamp(part, 0, 1);
+      this.update(true);
+    };
+    draggable(this.divider, {
+      move: (dx) => to(this.scene.split + dx / this.figure.clientWidth),
+      step: (dx) => to(this.scene.split + dx / 50),
+    });
+  }
+
+  #buildHandle(corner, name) {
+    const node = svg(this.overlay, 'g', { class: `handle corner${name}`, tabindex: 0, role: 'button' });
+    svg(node, 'circle', { class: 'reach', r: 22 });
+    svg(node, 'circle', { class: 'dot', r: 8 });
+    svg(node, 'text', { x: 12, y: 5 }, name);
+    whenLanguage(() =>
+      node.setAttribute(
+        'aria-label',
+        say({ en: `corner ${name}: arrow keys, page up and down`, zh: `顶点 ${name}：方向键与翻页键移动` }),
+      ),
+    );
+    draggable(node, {
+      move: (dx, dy, event) => (event.shiftKey ? this.#push(corner, -dy) : this.#shift(corner, dx, dy)),
+      step: (dx, dy, deeper) => (deeper ? this.#push(corner, 10 * deeper) : this.#shift(corner, 4 * dx, 4 * dy)),
+    });
+    node.addEventListener('wheel', (event) => {
+      event.preventDefault();
+      this.#push(corner, -Math.sign(event.deltaY) * 12);
+    });
+    return node;
+  }
+
+  // Moves a corner across the view, so that it stays under the pointer.
+  #shift(corner, dx, dy) {
+    const { right, up } = basis(this.scene.camera);
+    const w = Math.abs(this.stageClip(corner.at)[3]);
+    const scale = (2 * Math.tan((this.scene.camera.yfov * Math.PI) / 360) * w) / this.figure.clientHeight;
+    this.moveCorner(corner, add(add(corner.at, right, dx * scale), up, -dy * scale));
+  }
+
+  // Moves it along the view.
+  #push(corner, distance) {
+    this.moveCorner(corner, add(corner.at, basis(this.scene.camera).forward, distance / 100));
+  }
+
+  moveCorner(corner, at) {
+    corner.at = this.scene.limit ? this.scene.limit(at) : at;
+    this.update(true);
+  }
+
+  // The pointer ----------------------------------------------------------------------------------------
+
+  #listen() {
+    const at = (event) => {
+      const box = this.canvas.getBoundingClientRect();
+      return [(event.clientX - box.left) / box.width, (event.clientY - box.top) / box.height];
+    };
+    this.canvas.addEventListener('pointermove', (event) => {
+      if (event.pointerType === 'mouse' && event.buttons === 0) {
+        this.pick(at(event));
+      }
+    });
+    this.canvas.addEventListener('pointerdown', (event) => this.pick(at(event)));
+    if (this.scene.turn) {
+      draggable(this.canvas, {
+        move: (dx, dy, event) => {
+          this.scene.turn(dx, dy);
+          this.pixel = at(event);
+          this.update(true);
+        },
+        step: (dx, dy) => this.#stepPixel(dx, dy),
+      });
+    }
+  }
+
+  #stepPixel(dx, dy) {
+    const [x, y] = this.pixel ?? [0.5, 0.5];
+    this.pick([x + dx / this.canvas.width, y + dy / this.canvas.height]);
+  }
+
+  /** Explains the pixel at these parts of the picture's width and height. */
+  pick([x, y]) {
+    this.pixel = [clamp(x, 0, 0.999999), clamp(y, 0, 0.999999)];
+    nextFrame(this.explain);
+  }
+
+  explain = () => {
+    if (!this.pixel || !this.canvas.width) {
+      return;
+    }
+    this.#prepare();
+    const [x, y] = [Math.floor(this.pixel[0] * this.canvas.width), Math.floor(this.pixel[1] * this.canvas.height)];
+    this.numbers = this.stage.explain(x, y);
+    this.#place();
+    this.changed(this.numbers, [x, y]);
+  };
+
+  // Drawing --------------------------------------------------------------------------------------------
+
+  /** Something changed; `moving`: and may go on changing, so speed counts. */
+  update(moving = false) {
+    this.moving = moving;
+    nextFrame(this.#frame);
+    clearTimeout(this.timer);
+    if (moving) {
+      this.timer = setTimeout(() => this.update(), REST);
+    }
+  }
+
+  // Tells the stage everything, as others use it too.
+  #prepare() {
+    const { scene, stage, canvas } = this;
+    stage.resize(canvas.width, canvas.height, this.moving ? 1 : (scene.samples ?? 4));
+    stage.camera(scene.camera);
+    stage.clear(scene.background ?? [0.09, 0.11, 0.14]);
+    scene.draw(stage, this);
+  }
+
+  #frame = () => {
+    const width = this.figure.clientWidth;
+    if (!this.seen || width === 0) {
+      return;
+    }
+    const across = this.scene.width ?? Math.min(Math.round(width * Math.min(devicePixelRatio, 2)), MAX_PIXELS);
+    const height = Math.round((across * this.figure.clientHeight) / width);
+    if (this.canvas.width !== across || this.canvas.height !== height) {
+      this.canvas.width = across;
+      this.canvas.height = height;
+    }
+    this.#prepare();
+    const image = new ImageData(this.stage.draw(), across, height);
+    this.canvas.getContext('2d', { alpha: false }).putImageData(image, 0, 0);
+    this.script = this.stage.script();
+    this.drawnAt ??= performance.now();
+    this.figure.dataset.drawn = this.moving ? 'moving' : 'still';
+    this.clips = this.scene.corners.map((corner) => this.stageClip(corner.at));
+    this.#place();
+    if (this.pixel) {
+      this.explain();
+    } else {
+      this.changed(null, null);
+    }
+  };
+
+  stageClip(point) {
+    this.stage.camera(this.scene.camera);
+    return this.stage.clip(point);
+  }
+
+  // To CSS pixels; null behind the eye.
+  #onScreen([x, y, , w]) {
+    const { clientWidth, clientHeight } = this.figure;
+    return w > 1e-6 ? [((x / w + 1) / 2) * clientWidth, ((1 - y / w) / 2) * clientHeight] : null;
+  }
+
+  #place() {
+    const { clientWidth: width, clientHeight: height } = this.figure;
+    set(this.overlay, { viewBox: `0 0 ${width} ${height}` });
+    this.handles.forEach((handle, i) => {
+      const at = this.clips && this.#onScreen(this.clips[i]);
+      handle.toggleAttribute('hidden', !at);
+      if (at) {
+        const seen = [clamp(at[0], 10, width - 10), clamp(at[1], 10, height - 10)];
+        set(handle, { transform: `translate(${seen})` });
+        handle.classList.toggle('away', seen[0] !== at[0] || seen[1] !== at[1]);
+      }
+    });
+    this.mark.toggleAttribute('hidden', !this.pixel);
+    if (this.pixel) {
+      set(this.mark, { transform: `translate(${this.pixel[0] * width},${this.pixel[1] * height})` });
+    }
+    if (this.divider) {
+      const x = this.scene.split * width;
+      set(this.divider, { transform: `translate(${x},0)`, 'aria-valuenow': Math.round(100 * this.scene.split) });
+      this.divider.querySelectorAll('line').forEach((line) => set(line, { y2: height }));
+      set(this.divider.querySelector('rect'), { y: height - 48 });
+      set(this.divider.querySelector('path'), { transform: `translate(0,${height - 33})` });
+      set(this.names[0], { x: x - 12, 'text-anchor': 'end' });
+      set(this.names[1], { x: x + 12 });
+    }
+    this.#placeOutline();
+    this.#placePart();
+  }
+
+  // Of the triangle that is explained, with the names of its corners, unless it is the one with handles.
+  #placeOutline() {
+    this.outline.replaceChildren();
+    const on = this.numbers && cornersOf(this.numbers).map((clip) => this.#onScreen(clip));
+    const held = this.scene.triangleOf?.(this.numbers?.triangle) === this.scene.corners;
+    if (!on || !on.every(Boolean) || held) {
+      return;
+    }
+    svg(this.outline, 'polygon', { points: points(on) });
+    on.forEach(([x, y], i) => {
+      const [width, height] = [this.figure.clientWidth, this.figure.clientHeight];
+      const at = { x: clamp(x, 14, width - 14), y: clamp(y, 18, height - 8), class: `corner${'ABC'[i]}` };
+      svg(this.outline, 'text', at, 'ABC'[i]);
+    });
+  }
+
+  // Pointing at a term ---------------------------------------------------------------------------------
+
+  /** Shows where a term is in the picture; null: none. */
+  point(term) {
+    this.term = term;
+    this.#placePart();
+  }
+
+  // r, s, t and a, b, c belong to the triangle between P and two corners; what has a corner's name to the corner.
+  #placePart() {
+    const corners = this.numbers ? cornersOf(this.numbers) : null;
+    const on = corners && corners.map((clip) => this.#onScreen(clip));
+    const p = this.pixel && [this.pixel[0] * this.figure.clientWidth, this.pixel[1] * this.figure.clientHeight];
+    const i = PARTS[this.term];
+    const corner = CORNERS[this.term?.split('_')[1]];
+    const showPart = on && p && i !== undefined && on[(i + 1) % 3] && on[(i + 2) % 3];
+    set(this.part, {
+      points: showPart ? points([p, on[(i + 1) % 3], on[(i + 2) % 3]]) : '',
+      class: `part corner${'ABC'[i]}`,
+    });
+    this.ray.replaceChildren();
+    const at = on && corner !== undefined ? on[corner] : this.term?.endsWith('_P') ? p : null;
+    if (at) {
+      svg(this.ray, 'circle', { cx: at[0], cy: at[1], r: 16 });
+    }
+    this.overlay.lang = language();
+  }
+}
+
+const PARTS = { r: 0, s: 1, t: 2, a: 0, b: 1, c: 2, e_A: 0, e_B: 1, e_C: 2 };
+const CORNERS = { A: 0, B: 1, C: 2 };
+
+/** The clip coordinates of the corners of an explained triangle. */
+export const cornersOf = (n) => [0, 1, 2].map((i) => ['X', 'Y', 'Z', 'W'].map((axis) => n[`${axis}_${i}`]));
