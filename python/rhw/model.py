@@ -335,7 +335,8 @@ def load(path: Union[str, "os.PathLike[str]"], *, variant: Optional[str] = None,
     variant: of the materials, by name. animation, time: a moment of a movement, by name or number, in seconds.
     confine: a folder; nothing outside it is read that the file names.
     max_seconds: of processor time, 0: 60. max_memory: bytes, 0: 3/4 of the machine's, at most 16 GiB.
-    max_texture: images are halved until no side is longer; 0: as they are.
+    max_texture: images are halved until no side is longer; 0: as they are. `rhw render`, which knows the size of its
+      picture, halves what that cannot use: its option --max-texture says how far.
 
     The file is read in a process of its own, so that a hostile one cannot take yours down. What was wrong with it and
     was met is in Model.warnings, what is not drawn in Model.unsupported. rhw.Error where it cannot be read;

@@ -6,40 +6,40 @@
 
 #include "rhw/isa.h"
 
-enum builtin_attribute { BUILTIN_POSITIONS, BUILTIN_COLORS, BUILTIN_UV, BUILTIN_NORMALS, BUILTIN_ATTRIBUTES };
+enum python_attribute { PYTHON_POSITIONS, PYTHON_COLORS, PYTHON_UV, PYTHON_NORMALS, PYTHON_ATTRIBUTES };
 
 /// As the outputs of a model are, and in this order in rhw/pipeline.py.
-enum builtin_output {
-    BUILTIN_COLOR, ///< of the vertices, times the texture, times the draw's
-    BUILTIN_DEPTH,
-    BUILTIN_DISTANCE, ///< W of the clip coordinates
-    BUILTIN_NORMAL,
-    BUILTIN_POSITION, ///< in the world
-    BUILTIN_UV_OUTPUT,
-    BUILTIN_BARYCENTRIC,
-    BUILTIN_OBJECT,
-    BUILTIN_TRIANGLE,
-    BUILTIN_OUTPUTS
+enum python_output {
+    PYTHON_COLOR, ///< of the vertices, times the texture, times the draw's
+    PYTHON_DEPTH,
+    PYTHON_DISTANCE, ///< W of the clip coordinates
+    PYTHON_NORMAL,
+    PYTHON_POSITION, ///< in the world
+    PYTHON_UV_OUTPUT,
+    PYTHON_BARYCENTRIC,
+    PYTHON_OBJECT,
+    PYTHON_TRIANGLE,
+    PYTHON_OUTPUTS
 };
 
-enum builtin_varying {
-    BUILTIN_VARYING_COLOR,
-    BUILTIN_VARYING_UV,
-    BUILTIN_VARYING_NORMAL,
-    BUILTIN_VARYING_POSITION,
-    BUILTIN_VARYINGS
+enum python_varying {
+    PYTHON_VARYING_COLOR,
+    PYTHON_VARYING_UV,
+    PYTHON_VARYING_NORMAL,
+    PYTHON_VARYING_POSITION,
+    PYTHON_VARYINGS
 };
 
 /// `user` of a pipeline's program. −1: there is none.
-struct builtin_layout {
-    int32_t attribute[BUILTIN_ATTRIBUTES]; ///< place among the attributes
-    int32_t varying[BUILTIN_VARYINGS];     ///< first component
-    int32_t target[BUILTIN_OUTPUTS];
+struct python_layout {
+    int32_t attribute[PYTHON_ATTRIBUTES]; ///< place among the attributes
+    int32_t varying[PYTHON_VARYINGS];     ///< first component
+    int32_t target[PYTHON_OUTPUTS];
     bool is_textured;
 };
 
 /// Matrices column major.
-struct builtin_uniforms {
+struct python_uniforms {
     float clip[16]; ///< from the positions
     float world[16];
     float normal[9]; ///< carries normals to the world; of any length
@@ -47,7 +47,7 @@ struct builtin_uniforms {
     uint32_t object, first_triangle;
 };
 
-RHW_ISA_DECLARE(rhw_vertex_function, builtin_vertex);
-RHW_ISA_DECLARE(rhw_fragment_function, builtin_fragment);
+RHW_ISA_DECLARE(rhw_vertex_function, python_vertex);
+RHW_ISA_DECLARE(rhw_fragment_function, python_fragment);
 
 #endif

@@ -143,13 +143,13 @@ static PyObject *pass_make(PyTypeObject *type, PyObject *arguments, PyObject *ke
 
 struct draw {
     const struct python_item *pipeline, *indices, *texture, *sampler;
-    rhw_buffer buffers[BUILTIN_ATTRIBUTES];
+    rhw_buffer buffers[PYTHON_ATTRIBUTES];
     int buffer_count;
     unsigned count;
-    struct builtin_uniforms uniforms;
+    struct python_uniforms uniforms;
 };
 
-static bool read_uniforms(PyObject *matrices, struct builtin_uniforms *uniforms)
+static bool read_uniforms(PyObject *matrices, struct python_uniforms *uniforms)
 {
     struct python_array array;
     if (!python_array_read(matrices, "matrices", "<f4", &array)) {
@@ -189,7 +189,7 @@ static bool read_draw(const struct pass *pass, PyObject *arguments, struct draw 
         return false;
     }
     draw->buffer_count = (int)PyTuple_Size(buffers);
-    for (int i = 0; i < draw->buffer_count && i < BUILTIN_ATTRIBUTES; i++) {
+    for (int i = 0; i < draw->buffer_count && i < PYTHON_ATTRIBUTES; i++) {
         const struct python_item *item =
             keep(pass->context, kept, PyTuple_GetItem(buffers, i), PYTHON_ITEM_BUFFER, "attributes");
         if (!item) {

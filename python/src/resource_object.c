@@ -217,15 +217,15 @@ static PyObject *sampler(PyObject *module, PyObject *arguments)
 // Pipelines -----------------------------------------------------------------------------------------
 
 struct request {
-    int attributes[BUILTIN_ATTRIBUTES]; // enum rhw_vertex_format, or −1
+    int attributes[PYTHON_ATTRIBUTES]; // enum rhw_vertex_format, or −1
     int is_textured, qualifier, topology, cull, depth_test, depth_compare, depth_write, blend;
-    PyObject *outputs; // (enum builtin_output, enum rhw_format) of each target
+    PyObject *outputs; // (enum python_output, enum rhw_format) of each target
 };
 
 static void add_attributes(const struct request *request, struct rhw_pipeline_def *def,
-                           struct builtin_layout *layout)
+                           struct python_layout *layout)
 {
-    for (int a = 0; a < BUILTIN_ATTRIBUTES; a++) {
+    for (int a = 0; a < PYTHON_ATTRIBUTES; a++) {
         layout->attribute[a] = -1;
         if (request->attributes[a] >= 0) {
             layout->attribute[a] = def->attribute_count;
@@ -236,33 +236,32 @@ static void add_attributes(const struct request *request, struct rhw_pipeline_de
 }
 
 static void add_varyings(const struct request *request, struct rhw_pipeline_def *def,
-                         struct builtin_layout *layout)
+                         struct python_layout *layout)
 {
-    static const int components[BUILTIN_VARYINGS] = {4, 2, 3, 3};
-    const bool wanted[BUILTIN_VARYINGS] = {
-        [BUILTIN_VARYING_COLOR] =
-            layout->target[BUILTIN_COLOR] >= 0 && layout->attribute[BUILTIN_COLORS] >= 0,
-        [BUILTIN_VARYING_UV] = request->is_textured || layout->target[BUILTIN_UV_OUTPUT] >= 0,
-        [BUILTIN_VARYING_NORMAL] = layout->target[BUILTIN_NORMAL] >= 0,
-        [BUILTIN_VARYING_POSITION] = layout->target[BUILTIN_POSITION] >= 0};
+    static const int components[PYTHON_VARYINGS] = {4, 2, 3, 3};
+    const bool wanted[PYTHON_VARYINGS] = {
+        [PYTHON_VARYING_COLOR] = layout->target[PYTHON_COLOR] >= 0 && layout->attribute[PYTHON_COLORS] >= 0,
+        [PYTHON_VARYING_UV] = request->is_textured || layout->target[PYTHON_UV_OUTPUT] >= 0,
+        [PYTHON_VARYING_NORMAL] = layout->target[PYTHON_NORMAL] >= 0,
+        [PYTHON_VARYING_POSITION] = layout->target[PYTHON_POSITION] >= 0};
     int next = 0;
-    for (int v = 0; v < BUILTIN_VARYINGS; v++) {
+    for (int v = 0; v < PYTHON_VARYINGS; v++) {
         layout->varying[v] = wanted[v] ? next : -1;
         if (wanted[v]) {
             next += components[v];
             def->program.varyings[def->program.varying_count++] =
                 (struct rhw_varying){.components = components[v],
                                      .qualifier = (enum rhw_qualifier)request->qualifier,
-                                     .derivatives = v == BUILTIN_VARYING_UV && request->is_textured};
+                                     .derivatives = v == PYTHON_VARYING_UV && request->is_textured};
         }
     }
 }
 
 static bool add_targets(const struct request *request, struct rhw_pipeline_def *def,
-                        struct builtin_layout *layout)
+                        struct python_layout *layout)
 {
     const Py_ssize_t count = PyTuple_Size(request->outputs);
-    for (int o = 0; o < BUILTIN_OUTPUTS; o++) {
+    for (int o = 0; o < PYTHON_OUTPUTS; o++) {
         layout->target[o] = -1;
     }
     if (count < 0 || count > RHW_MAX_COLOR_ATTACHMENTS) {
@@ -276,7 +275,7 @@ static bool add_targets(const struct request *request, struct rhw_pipeline_def *
         }
         layout->target[output] = i;
         def->targets[i] = (struct rhw_color_target){.format = (enum rhw_format)format};
-        if (request->blend && output == BUILTIN_COLOR) {
+        if (request->blend && output == PYTHON_COLOR) {
             const struct rhw_blend_component over = {RHW_BLEND_SRC_ALPHA, RHW_BLEND_ONE_MINUS_SRC_ALPHA,
                                                      RHW_BLEND_ADD};
             def->targets[i].blend = true;
@@ -295,14 +294,14 @@ static enum rhw_result create_pipeline(rhw_context *context, const void *def, st
 
 static PyObject *make_pipeline(PyObject *context, const struct request *request)
 {
-    struct builtin_layout *layout = calloc(1, sizeof *layout);
+    struct python_layout *layout = calloc(1, sizeof *layout);
     if (!layout) {
         return PyErr_NoMemory();
     }
     struct rhw_pipeline_def def = rhw_pipeline_def_default();
-    def.program = (struct rhw_program){.vertex = RHW_ISA_TABLE(builtin_vertex),
-                                       .fragment = RHW_ISA_TABLE(builtin_fragment),
-                                       .uniform_size = sizeof(struct builtin_uniforms),
+    def.program = (struct rhw_program){.vertex = RHW_ISA_TABLE(python_vertex),
+                                       .fragment = RHW_ISA_TABLE(python_fragment),
+                                       .uniform_size = sizeof(struct python_uniforms),
                                        .user = layout};
     if (!add_targets(request, &def, layout)) {
         free(layout);
@@ -311,13 +310,13 @@ static PyObject *make_pipeline(PyObject *context, const struct request *request)
     layout->is_textured = request->is_textured != 0;
     add_attributes(request, &def, layout);
     add_varyings(request, &def, layout);
-    if (layout->target[BUILTIN_DEPTH] >= 0 || layout->target[BUILTIN_DISTANCE] >= 0) {
+    if (layout->target[PYTHON_DEPTH] >= 0 || layout->target[PYTHON_DISTANCE] >= 0) {
         def.program.uses |= RHW_USE_COORD;
     }
-    if (layout->target[BUILTIN_TRIANGLE] >= 0) {
+    if (layout->target[PYTHON_TRIANGLE] >= 0) {
         def.program.uses |= RHW_USE_IDS;
     }
-    if (layout->target[BUILTIN_BARYCENTRIC] >= 0) {
+    if (layout->target[PYTHON_BARYCENTRIC] >= 0) {
         def.program.uses |= RHW_USE_BARYCENTRIC;
     }
     if (def.target_count == 0) {

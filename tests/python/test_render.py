@@ -167,3 +167,19 @@ def test_a_notebook_shows_it(box_obj):
     model = rhw.load(box_obj)
     assert model._repr_png_().startswith(b"\x89PNG")
     assert model.render(20, outputs="depth")._repr_png_().startswith(b"\x89PNG")
+
+
+def test_large_textures(box_obj, program):
+    """The program halves images that its picture cannot use; rhw.load, which knows no picture, does so when it is told."""
+    folder = box_obj.parent
+    noise = np.random.default_rng(3).integers(0, 256, (2048, 2048, 3), np.uint8)
+    rhw.write_png(folder / "noise.png", noise)
+    (folder / "boxes.mtl").write_text("newmtl m0\nmap_Kd noise.png\n")
+    (folder / "plate.obj").write_text("mtllib boxes.mtl\nusemtl m0\nv 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\n"
+                                      "vt 0 0\nvt 1 0\nvt 1 1\nvt 0 1\nf 1/1 2/2 3/3 4/4\n")
+    path = folder / "plate.obj"
+    small, full = rhw.load(path, max_texture=1024), rhw.load(path)
+    assert small.images[0].texels.shape == (1024, 1024, 4) and full.images[0].texels.shape == (2048, 2048, 4)
+    assert np.array_equal(full.images[0].texels[..., :3], noise)
+    assert small.render(64).png() == program(path, "small.png", "--size", "64")
+    assert full.render(64).png() == program(path, "full.png", "--size", "64", "--max-texture", "16384")
