@@ -41,6 +41,31 @@ const char *scene_slot_name(enum scene_slot slot)
     return slot < SCENE_BASE_SLOTS ? names[slot] : "a layer";
 }
 
+// The four texels of a level around u, v, as the sampler's address mode finds them: what it gives at the middle of each.
+static void look_around(const struct rhw_explained_fragment *fragment, int unit, const float uv[2], int level,
+                        float texels[4][4])
+{
+    const rhw_int number = rhw_splat_int(level);
+    const rhw_float lod = rhw_splat((float)level);
+    rhw_int size[3];
+    rhw_sample_size(fragment->textures, unit, &number, size);
+    rhw_float at[2], texel[4];
+    for (int i = 0; i < 2; i++) {
+        const float side = (float)(size[i][0] > 0 ? size[i][0] : 1);
+        const float first = rhw_floor(rhw_splat(uv[i] * side - 0.5f))[0];
+        for (int lane = 0; lane < RHW_LANES; lane++) {
+            at[i][lane] = (first + 0.5f + (float)(lane >> i & 1)) / side;
+        }
+    }
+    const struct rhw_sample_request request = {.coordinates = at, .lod = &lod};
+    rhw_sample(fragment->textures, unit, &request, texel);
+    for (int i = 0; i < 4; i++) {
+        for (int c = 0; c < 4; c++) {
+            texels[i][c] = texel[c][i];
+        }
+    }
+}
+
 // The library samples 8 places at once: all of them are this one.
 static void look_at(const struct rhw_explained_fragment *fragment, int unit, int first,
                     struct scene_texture_look *look)
@@ -64,6 +89,9 @@ static void look_at(const struct rhw_explained_fragment *fragment, int unit, int
     }
     for (int c = 0; c < 4; c++) {
         look->texel[c] = texel[c][0];
+    }
+    for (int i = 0; i < 2; i++) {
+        look_around(fragment, unit, look->uv, (int)look->level + i, look->texels[i]);
     }
 }
 

@@ -22,7 +22,10 @@ struct scene_texture_look {
     float level;       ///< that is read, between two of them with a fraction
     int width, height; ///< of the finer of the two
     float place[2];    ///< in its texels, from the middle of the first: those around it are mixed
-    float texel[4];    ///< what sampling gives; colours are light
+    float texels
+        [2][4]
+        [4]; ///< around the place, top left, top right, below: in that level, and in the next one at its place
+    float texel[4]; ///< what sampling gives; colours are light
 };
 
 struct scene_explain {

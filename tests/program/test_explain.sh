@@ -115,8 +115,26 @@ sed 's/floor.mtl/tile.mtl/; /^usemtl glass/,$d' floor.obj >tile.obj
 } >tile.ppm
 succeed explain tile.obj --at 80,100 $look --json
 check "the texel: $(field "$folder/log/out" texel)" sh -c "grep -Eq '\"texel\": \[0.033[0-9]*, 0.13[0-9]*, 0.318[0-9]*, 1\]' '$folder/log/out'"
+check "the texels are that too" sh -c "grep -Eq '\"texels\": \[\[\[0.033[0-9]*, 0.13[0-9]*, 0.318[0-9]*, 1\], \[0.033' '$folder/log/out'"
 succeed explain tile.obj --at 80,100 $look
 check "level and texels" grep -Eq '^    base color +level [0-9.]+; level [0-4] has [0-9]+x[0-9]+ texels' "$folder/log/out"
+
+# Shares of the four texels make what sampling gives, where one level is read.
+box=/usr/share/assimp/models/glTF2/BoxTextured-glTF-Binary/BoxTextured.glb
+if [ -f $box ] && command -v python3 >/dev/null 2>&1; then
+    succeed explain $box --at 600,317 --json
+    check "the shares make the texel" python3 - "$folder/log/out" <<'PY'
+import json, math, sys
+look = [f for f in json.load(open(sys.argv[1]))["fragments"] if f["textures"]][-1]["textures"][0]
+assert look["level"] == 0 and len(look["texels"]) == 1
+x, y = (place - math.floor(place) for place in look["place"])
+for channel in range(3):
+    corners = [texel[channel] for texel in look["texels"][0]]
+    mixed = (corners[0] * (1 - x) + corners[1] * x) * (1 - y) + (corners[2] * (1 - x) + corners[3] * x) * y
+    assert abs(mixed - look["texel"][channel]) < 1e-4, (mixed, look["texel"])
+assert max(corners) > min(corners), "a place where the picture changes"
+PY
+fi
 
 # The picture of the triangle.
 succeed explain tile.obj --at 80,100 $look --picture triangle.svg

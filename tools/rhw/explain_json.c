@@ -73,6 +73,22 @@ static void print_exact(const struct cli_past_fragment *past, const struct cli_e
     printf("]");
 }
 
+// Of the finer level and, where the level has a fraction, of the next.
+static void print_texels(const struct scene_texture_look *look)
+{
+    const int levels = look->level > (float)(int)look->level ? 2 : 1;
+    printf(", \"texels\": [");
+    for (int i = 0; i < 4 * levels; i++) {
+        printf("%s[", i == 0 ? "[" : i % 4 == 0 ? "], [" : ", ");
+        for (int c = 0; c < 4; c++) {
+            printf(c ? ", " : "");
+            cli_json_number(stdout, (double)look->texels[i / 4][i % 4][c]);
+        }
+        printf("]");
+    }
+    printf("]]");
+}
+
 static void print_textures(const struct cli_past_fragment *past)
 {
     printf(",\n   \"textures\": [");
@@ -84,6 +100,7 @@ static void print_textures(const struct cli_past_fragment *past)
         print_floats("uv", look->uv, 2);
         print_floats("place", look->place, 2);
         print_floats("texel", look->texel, 4);
+        print_texels(look);
         printf("}");
     }
     printf("]");

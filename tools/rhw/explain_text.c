@@ -4,6 +4,7 @@
 #include "explain_write.h"
 
 #include <inttypes.h>
+#include <math.h>
 #include <stdio.h>
 
 static void print_triangle_name(FILE *out, const struct cli_past_fragment *past,
@@ -142,6 +143,25 @@ static void print_components(FILE *out, const struct cli_past_fragment *past,
     fprintf(out, "\nThe largest error is %.2f ULP; rhw promises 8 (docs/exactness.md).\n", worst);
 }
 
+// The four texels that are mixed in a level, each with its share there.
+static void print_texels(FILE *out, const struct scene_texture_look *look, int next)
+{
+    const float side[2] = {(float)look->width, (float)look->height};
+    double part[2];
+    for (int i = 0; i < 2; i++) {
+        const double half = next && side[i] > 1.0f ? floor((double)side[i] / 2.0) : (double)side[i];
+        const double place = (double)look->uv[i] * half - 0.5;
+        part[i] = place - floor(place);
+    }
+    fprintf(out, "    %20s level %d:\n", "", (int)look->level + next);
+    for (int i = 0; i < 4; i++) {
+        const double share = ((i & 1) != 0 ? part[0] : 1.0 - part[0]) * (i > 1 ? part[1] : 1.0 - part[1]);
+        fprintf(out, "    %20s   %.4f of ", "", share);
+        print_color(out, look->texels[next][i]);
+        fprintf(out, "\n");
+    }
+}
+
 static void print_textures(FILE *out, const struct cli_past_fragment *past)
 {
     if (past->look_count > 0) {
@@ -159,6 +179,10 @@ static void print_textures(FILE *out, const struct cli_past_fragment *past)
                 (double)look->place[0], (double)look->place[1], "");
         print_color(out, look->texel);
         fprintf(out, "\n");
+        print_texels(out, look, 0);
+        if (look->level > floorf(look->level)) {
+            print_texels(out, look, 1);
+        }
     }
 }
 

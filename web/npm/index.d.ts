@@ -348,6 +348,8 @@ export interface ExplainedFragment {
         uv: [number, number];
         place: [number, number];
         texel: [number, number, number, number];
+        /** The four around the place, top left, top right, below, of this level and, by its fraction, of the next. */
+        texels: [number, number, number, number][][];
     }[];
     /** The edge functions and their sum, 1/65536 pixel², and what follows from them in exact arithmetic. */
     edges?: Triple;
