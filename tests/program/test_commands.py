@@ -45,6 +45,7 @@ NOT_RUN = {
     r".*/golden tests/golden/scenes\.txt --update": "half a minute; the test golden draws the same scenes",
     r"build/rhw view .*": "opens a window; program_view looks at one",
     r"script/package": "program_package does it",
+    r"env/bin/pip install --no-build-isolation \./python( *#.*)?": "compiles the library; python_wheel installs one",
     r"dpkg -i .*": "program_package installs into a root of its own",
     r"cc -O2 -pthread -c rhw\.c": ONE_FILE,
     r"cc -O2 -pthread -ffp-contract=off program\.c rhw\.o": ONE_FILE,

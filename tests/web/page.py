@@ -154,12 +154,21 @@ class Page(unittest.TestCase):
                 self.still(name)
                 self.check_native(name)
 
-    def test_exact_column(self):
+    def check_exact_column(self, name):
         """The exact value lies within 8 ULP of what was written, and the naive one elsewhere."""
-        rows = self.browser.find_elements(By.CSS_SELECTOR, "#first .derivation tr td:last-child")
+        rows = self.browser.find_elements(By.CSS_SELECTOR, f"#{name} .derivation tr td:last-child")
         naive, exact, wrote = (float(row.text.replace("−", "-")) for row in rows)
         self.assertLess(abs(exact - wrote), 8 * 2**-24)
         self.assertGreater(abs(naive - exact), 0.01)
+        said = self.node(f"#{name} .derivation .note").text
+        self.assertLess(float(said.split("rhw is ")[1].split(" ULP")[0]), 8)
+
+    def test_exact_column(self):
+        self.check_exact_column("first")
+
+    def test_exact_column_with_a_corner_behind_the_eye(self):
+        self.show("clip")
+        self.check_exact_column("clip")
 
     # Hands
 

@@ -112,23 +112,25 @@ function tableRow(table, name, how, value, kind) {
   }
 }
 
-/** A value three ways, by its name in the numbers: "u", "v", "red". */
-export function threeWaysOf(n, name) {
-  const weights = exactWeights([n.e_0, n.e_1, n.e_2], [n.W_0, n.W_1, n.W_2]);
+/** A value three ways, by its name in the numbers ("u", "v", "red"), in a picture of [width, height]. */
+export function threeWaysOf(n, name, size) {
+  const weights = exactWeights({
+    edges: [n.e_0, n.e_1, n.e_2],
+    corners: [0, 1, 2].map((i) => ['X', 'Y', 'Z', 'W'].map((axis) => n[`${axis}_${i}`])),
+    place: [n.x_P, n.y_P],
+    size,
+  });
   const values = [n[`${name}_0`], n[`${name}_1`], n[`${name}_2`]];
-  return weights && threeWays(weights, values, n[name], n.smooth === 1);
+  return threeWays(weights, values, n[name], n.smooth === 1);
 }
 
 const digits = (value) => long(Number(value.toPrecision(9)));
 
 // `name`: which value, "u" or "green"
-function valueSection(parent, n, name) {
+function valueSection(parent, n, name, size) {
   const block = section(parent, TITLES[name]);
   const table = block.appendChild(document.createElement('table'));
-  const ways = threeWaysOf(n, name);
-  const mix = (weights) => weights.reduce((sum, weight, i) => sum + weight * n[`${name}_${i}`], 0);
-  const naive = ways ? ways.naive : mix([n.r, n.s, n.t]);
-  const exact = ways ? ways.exact : mix([n.a, n.b, n.c]);
+  const { naive, exact, error } = threeWaysOf(n, name, size);
   const symbol = name === 'u' ? 'u' : 'I';
   const sum = (weights) => formula(weights.map((weight, i) => `${weight}·${symbol}_${NAMES[i]}`).join(' + '));
   tableRow(table, { en: 'naive', zh: '未校正' }, sum(['r', 's', 't']), digits(naive), 'naive');
@@ -136,17 +138,14 @@ function valueSection(parent, n, name) {
   tableRow(table, { en: 'rhw wrote', zh: 'rhw 写出' }, n.smooth === 1 ? 'smooth' : 'noperspective', digits(n[name]), 'written');
   const note = block.appendChild(document.createElement('p'));
   note.className = 'note';
-  if (ways) {
-    const error = ways.error.toFixed(2);
-    note.textContent = say({
-      en: `Naive and correct are computed in exact arithmetic here; rhw is ${error} ULP from the one it was asked for.`,
-      zh: `前两行在此用精确有理数算出；rhw 与所要求的一行相差 ${error} ULP。`,
-    });
-  }
+  note.textContent = say({
+    en: `Naive and correct are computed in exact arithmetic here; rhw is ${error.toFixed(2)} ULP from the one it was asked for.`,
+    zh: `前两行在此用精确有理数算出；rhw 与所要求的一行相差 ${error.toFixed(2)} ULP。`,
+  });
 }
 
-/** Fills `panel` with the derivation of a pixel's value `name`, u or green; numbers null: says what to do. */
-export function showDerivation(panel, n, pixel, name = 'u') {
+/** Fills `panel` with the derivation of a pixel's value `name`, u or green; numbers null: says what to do. `size`: the picture's. */
+export function showDerivation(panel, n, pixel, size, name = 'u') {
   panel.replaceChildren();
   panel.lang = language();
   const head = panel.appendChild(document.createElement('p'));
@@ -163,5 +162,5 @@ export function showDerivation(panel, n, pixel, name = 'u') {
   screenSection(panel, n, terms);
   divideSection(panel, terms);
   spaceSection(panel, terms);
-  valueSection(panel, n, name);
+  valueSection(panel, n, name, size);
 }

@@ -2,6 +2,8 @@
 // The formulas of perspective in exact arithmetic: every float, double and edge function is a rational number, and BigInt
 // adds and multiplies those without rounding. A rational is [numerator, denominator], the denominator above 0.
 
+const ZERO = [0n, 1n];
+
 const gcd = (a, b) => {
   while (b) {
     [a, b] = [b, a % b];
@@ -51,21 +53,44 @@ const ulpOfFloat = (value) => {
 };
 
 const weigh = (weights, values) =>
-  weights.reduce((sum, weight, i) => plus(sum, times(weight, fromNumber(values[i]))), [0n, 1n]);
+  weights.reduce((sum, weight, i) => plus(sum, times(weight, fromNumber(values[i]))), ZERO);
 
-/**
- * r, s, t, 1/W and a, b, c of a pixel from its edge functions and the W of the corners, exactly; null where the edges are not
- * known (a corner that could not be snapped).
- */
-export function exactWeights(edges, ws) {
-  if (edges.some(Number.isNaN)) {
-    return null;
-  }
+// By areas on the screen: r, s, t first.
+function bySnapped(edges, ws) {
   const sum = edges.reduce((total, edge) => total + BigInt(edge), 0n);
   const screen = edges.map((edge) => rational(BigInt(edge), sum));
   const parts = screen.map((weight, i) => over(weight, fromNumber(ws[i])));
   const inverseW = parts.reduce(plus);
   return { screen, inverseW, space: parts.map((part) => over(part, inverseW)) };
+}
+
+// A corner lies nowhere on the screen: P is the mixture of the corners whose X and Y, seen from P, vanish, so a : b : c are the
+// 2 x 2 determinants of the other two corners. `place` is P in 1/256 pixel.
+function byHomogeneous(corners, place, size) {
+  const seen = corners.map(([x, y, , w]) =>
+    [x, -y].map((value, k) => {
+      const middle = rational(BigInt(size[k] * 128 - place[k]), 256n);
+      return plus(times(fromNumber(value), rational(BigInt(size[k]), 2n)), times(fromNumber(w), middle));
+    }),
+  );
+  const areas = seen.map((_, i) => {
+    const [[x1, y1], [x2, y2]] = [seen[(i + 1) % 3], seen[(i + 2) % 3]];
+    return minus(times(x1, y2), times(y1, x2));
+  });
+  const space = areas.map((area) => over(area, areas.reduce(plus)));
+  const w = space.map((weight, i) => times(weight, fromNumber(corners[i][3])));
+  const inverseW = over([1n, 1n], w.reduce(plus));
+  return { screen: w.map((part) => times(part, inverseW)), inverseW, space };
+}
+
+/**
+ * r, s, t, 1/W and a, b, c of a pixel, exactly: from its edge functions, or where those are NaN from the corners [X, Y, Z, W], the
+ * place of the pixel's middle in 1/256 pixel, and the picture's size.
+ */
+export function exactWeights({ edges, corners, place, size }) {
+  return edges.some(Number.isNaN)
+    ? byHomogeneous(corners, place, size)
+    : bySnapped(edges, corners.map((corner) => corner[3]));
 }
 
 /** A value three ways: naive and exact as doubles, and how far `written` is from exact in ULP of the largest vertex value. */

@@ -155,7 +155,7 @@ export class View {
     const [x, y] = [Math.floor(this.pixel[0] * this.canvas.width), Math.floor(this.pixel[1] * this.canvas.height)];
     this.numbers = this.stage.explain(x, y);
     this.#place();
-    this.changed(this.numbers, [x, y]);
+    this.changed(this.numbers, [x, y], [this.canvas.width, this.canvas.height]);
   };
 
   // Drawing --------------------------------------------------------------------------------------------

@@ -66,8 +66,8 @@ export function start(section, stage) {
   };
   const panel = section.querySelector('.derivation');
   const [table, note] = [section.querySelector('table.clip'), section.querySelector('.behind')];
-  const view = new View(stage, section.querySelector('.view'), scene, (numbers, pixel) => {
-    showDerivation(panel, numbers, pixel);
+  const view = new View(stage, section.querySelector('.view'), scene, (numbers, pixel, size) => {
+    showDerivation(panel, numbers, pixel, size);
     showBehind(note, corners);
     if (numbers) {
       showCoordinates(table, withPoint(termsOf(numbers)));

@@ -47,8 +47,8 @@ export function start(section, stage) {
     },
   };
   const panel = section.querySelector('.derivation');
-  const view = new View(stage, section.querySelector('.view'), scene, (numbers, pixel) => {
-    showDerivation(panel, numbers, pixel);
+  const view = new View(stage, section.querySelector('.view'), scene, (numbers, pixel, size) => {
+    showDerivation(panel, numbers, pixel, size);
     top.update(numbers);
   });
   const top = new TopView(section.querySelector('.above'), view, { x: [-2.6, 2.6], z: [-2.6, 3.1] });

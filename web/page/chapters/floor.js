@@ -46,8 +46,8 @@ export function start(section, stage) {
     },
   };
   const panel = section.querySelector('.derivation');
-  const view = new View(stage, section.querySelector('.view'), scene, (numbers, pixel) =>
-    showDerivation(panel, numbers, pixel),
+  const view = new View(stage, section.querySelector('.view'), scene, (numbers, pixel, size) =>
+    showDerivation(panel, numbers, pixel, size),
   );
   choice(section, 'method', (value) => {
     scene.method = value;
