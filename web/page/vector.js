@@ -11,9 +11,9 @@ export const cross = (a, b) => [
 export const normalize = (a) => a.map((value) => value / Math.sqrt(dot(a, a)));
 export const clamp = (value, low, high) => Math.min(Math.max(value, low), high);
 
-/** Right, up and forward of a camera {eye, target}. */
-export function basis({ eye, target }) {
+/** Right, up and forward of a camera {eye, target, up}; y is up where that is left out. */
+export function basis({ eye, target, up = [0, 1, 0] }) {
   const forward = normalize(add(target, eye, -1));
-  const right = normalize(cross(forward, [0, 1, 0]));
+  const right = normalize(cross(forward, up));
   return { right, up: cross(right, forward), forward };
 }

@@ -2,220 +2,215 @@
 // A model of one's own: dropped in, looked at from all sides, and explained pixel by pixel. The work is done in a worker.
 import { choice } from '../controls.js';
 import { say, whenLanguage } from '../language.js';
+import { Library } from '../library.js';
+import { centered, moved, panned, turned } from '../orbit.js';
 import { draggable } from '../svg.js';
-import { add, basis, clamp, cross, dot, normalize } from '../vector.js';
+import { clamp } from '../vector.js';
 
 const SAMPLE = 'models/box.glb';
 const AGREEABLE = 40; // ms for a picture while it moves
 const REST = 180; // ms until it is refined
+const CLICK = 4; // CSS pixels that a pointer may go and still have clicked
+const MODEL = /\.(gl[bt]f?|obj|ply|stl|3mf)$/i;
 
-// Calls of the worker, answered in turn.
-class Library {
-  #worker = new Worker(new URL('../model_worker.js', import.meta.url), { type: 'module' });
-  #waiting = new Map();
-  #count = 0;
+class ModelView {
+  #library = new Library();
+  #scale = 1; // of the picture's size while it moves
+  #moving = false;
+  #drawing = false;
+  #again = false; // what is being drawn has become old
 
-  constructor() {
-    this.#worker.onmessage = ({ data: { id, result, error } }) => {
-      const { done, fail } = this.#waiting.get(id);
-      this.#waiting.delete(id);
-      error === undefined ? done(result) : fail(new Error(error));
-    };
-    this.#worker.onerror = (event) => {
-      event.preventDefault();
-      const error = new Error(event.message || 'the library could not be loaded');
-      this.#waiting.forEach(({ fail }) => fail(error));
-      this.#waiting.clear();
-    };
+  constructor(section) {
+    this.figure = section.querySelector('.view');
+    this.canvas = section.querySelector('canvas');
+    this.note = section.querySelector('.state');
+    this.info = section.querySelector('.info');
+    this.text = section.querySelector('.explained');
+    new ResizeObserver(() => this.draw()).observe(this.figure);
+    whenLanguage(() => this.#describe());
   }
 
-  ask(call, what = {}) {
-    const id = ++this.#count;
-    return new Promise((done, fail) => {
-      this.#waiting.set(id, { done, fail });
-      this.#worker.postMessage({ id, call, ...what });
-    });
-  }
-}
-
-// Turns around the target about the camera's own right and the world's up.
-function turned(camera, dx, dy) {
-  const { right } = basis(camera);
-  const rotate = (v, axis, angle) => {
-    const [c, s] = [Math.cos(angle), Math.sin(angle)];
-    const k = dot(axis, v) * (1 - c);
-    return v.map((value, i) => value * c + cross(axis, v)[i] * s + axis[i] * k);
-  };
-  const from = add(camera.eye, camera.target, -1);
-  const lifted = rotate(from, right, -dy * 0.006);
-  const steep = Math.abs(dot(normalize(lifted), camera.up)) > 0.995;
-  return { ...camera, eye: add(camera.target, rotate(steep ? from : lifted, camera.up, -dx * 0.006)) };
-}
-
-export function start(section) {
-  const library = new Library();
-  const [figure, canvas, note] = ['.view', '.view canvas', '.state'].map((name) => section.querySelector(name));
-  const [info, text] = [section.querySelector('.info'), section.querySelector('.explained')];
-  const state = { camera: null, picture: 'color', interpolate: 'smooth', scale: 1, moving: false, busy: false, again: false };
-
-  const tell = (texts) => {
-    note.textContent = say(texts);
-    note.hidden = note.textContent === '';
-  };
-  const fail = (error) => tell(error.message);
-
-  const size = (scale) => {
-    const across = Math.min(Math.round(figure.clientWidth * Math.min(devicePixelRatio, 2)), 1280) * scale;
-    return [Math.max(1, Math.round(across)), Math.max(1, Math.round((across * figure.clientHeight) / figure.clientWidth))];
-  };
-  const options = (moving) => ({
-    size: size(moving ? state.scale : 1),
-    samples: moving ? 1 : 4,
-    camera: state.camera,
-    interpolate: state.interpolate,
-    ambientOcclusion: !moving,
-  });
-
-  async function draw() {
-    if (!state.camera || state.busy) {
-      state.again = state.busy;
-      return;
-    }
-    state.busy = true;
-    const started = performance.now();
-    const moving = state.moving;
-    try {
-      const drawn = await library.ask('draw', { picture: state.picture, options: options(moving) });
-      canvas.width = drawn.width;
-      canvas.height = drawn.height;
-      canvas.getContext('2d').putImageData(new ImageData(drawn.image, drawn.width, drawn.height), 0, 0);
-      figure.dataset.drawn = moving ? 'moving' : 'still';
-      if (moving) {
-        state.scale = clamp(state.scale * Math.sqrt(AGREEABLE / (performance.now() - started)), 0.2, 1);
-      }
-    } catch (error) {
-      fail(error);
-    }
-    state.busy = false;
-    if (state.again) {
-      state.again = false;
-      draw();
-    }
+  #tell(text) {
+    this.note.textContent = text;
+    this.note.hidden = text === '';
   }
 
-  function change(camera) {
-    state.camera = camera;
-    state.moving = true;
-    clearTimeout(state.timer);
-    state.timer = setTimeout(() => {
-      state.moving = false;
-      draw();
-    }, REST);
-    draw();
-  }
-
-  function describe() {
-    if (state.model) {
-      const { format, triangles_drawn: triangles, materials } = state.model.info;
-      info.textContent = say({
-        en: `${state.name}: ${format}, ${triangles} triangles, ${materials.length} materials.`,
-        zh: `${state.name}：${format}，${triangles} 个三角形，${materials.length} 种材质。`,
+  #describe() {
+    if (this.model) {
+      const { format, triangles_drawn: triangles, materials } = this.model;
+      this.info.textContent = say({
+        en: `${this.name}: ${format}, ${triangles} triangles, ${materials.length} materials.`,
+        zh: `${this.name}：${format}，${triangles} 个三角形，${materials.length} 种材质。`,
       });
     }
   }
 
-  async function open(model, name, files = {}) {
-    tell({ en: `Reading ${name} …`, zh: `正在读取 ${name} …` });
-    figure.dataset.drawn = '';
+  // Reading ------------------------------------------------------------------------------------------
+
+  /** Takes the place of what was shown, if it can be read. `files`: those that it names. */
+  async open(bytes, name, files = {}) {
+    this.#tell(say({ en: `Reading ${name} …`, zh: `正在读取 ${name} …` }));
+    this.figure.dataset.drawn = '';
     try {
-      state.model = await library.ask('open', { model, name, files });
-      state.name = name;
-      state.camera = await library.ask('view', { options: { size: size(1) } });
-      state.moving = false;
-      text.textContent = '';
-      describe();
-      tell(state.model.warnings.join('\n'));
-      draw();
+      const { info, warnings } = await this.#library.ask('open', { model: bytes, name, files });
+      const { eye, target, up, fovy = 30 } = await this.#library.ask('view', { options: { size: this.#size(1) } });
+      const camera = { eye, target, up, fovy }; // in perspective, also where the file's is without
+      Object.assign(this, { model: info, name });
+      this.middle = info.bounds.empty ? camera.target : info.bounds.min.map((low, i) => (low + info.bounds.max[i]) / 2);
+      this.camera = centered(camera, this.middle, info.up);
+      this.text.textContent = '';
+      this.#describe();
+      this.#tell(warnings.join('\n'));
     } catch (error) {
-      fail(error);
+      this.#tell(error.message);
     }
+    this.draw();
   }
 
-  // Of several files one is the model; the others are those that it names.
-  async function openFiles(list) {
+  /** Of several files one is the model; the others are those that it names. */
+  async openFiles(list) {
     const read = await Promise.all([...list].map(async (file) => [file.name, await file.arrayBuffer()]));
-    const main = read.find(([name]) => /\.(gl[bt]f?|obj|ply|stl|3mf)$/i.test(name)) ?? read[0];
+    const main = read.find(([name]) => MODEL.test(name)) ?? read[0];
     if (main) {
-      open(main[1], main[0], Object.fromEntries(read.filter((file) => file !== main)));
+      await this.open(main[1], main[0], Object.fromEntries(read.filter((file) => file !== main)));
     }
   }
 
-  async function explain(x, y) {
-    const wanted = options(false);
-    const at = [Math.floor(x * wanted.size[0]), Math.floor(y * wanted.size[1])];
+  // Drawing ------------------------------------------------------------------------------------------
+
+  #size(scale) {
+    const { clientWidth: width, clientHeight: height } = this.figure;
+    const across = Math.min(Math.round(width * Math.min(devicePixelRatio, 2)), 1280) * scale;
+    return [Math.max(1, Math.round(across)), Math.max(1, Math.round((across * height) / width))];
+  }
+
+  #options(moving) {
+    const coarse = moving ? { samples: 1, ambientOcclusion: false } : { samples: 4 };
+    return { size: this.#size(moving ? this.#scale : 1), camera: this.camera, interpolate: this.interpolate, ...coarse };
+  }
+
+  // Pictures that move are as large as can be drawn in time.
+  async #drawOnce(moving) {
+    const started = performance.now();
+    const { image, width, height } = await this.#library.ask('draw', {
+      picture: this.picture,
+      options: this.#options(moving),
+    });
+    this.canvas.width = width;
+    this.canvas.height = height;
+    this.canvas.getContext('2d').putImageData(new ImageData(image, width, height), 0, 0);
+    this.figure.dataset.drawn = moving ? 'moving' : 'still';
+    if (moving) {
+      this.#scale = clamp(this.#scale * Math.sqrt(AGREEABLE / (performance.now() - started)), 0.2, 1);
+    }
+  }
+
+  /** Draws what is asked for now, once what is being drawn is done. */
+  async draw() {
+    this.#again = this.#drawing;
+    if (!this.camera || this.#drawing) {
+      return;
+    }
+    this.#drawing = true;
     try {
-      text.textContent = await library.ask('explain', { x: at[0], y: at[1], options: wanted });
+      await this.#drawOnce(this.#moving);
     } catch (error) {
-      fail(error);
+      this.#tell(error.message);
+    }
+    this.#drawing = false;
+    if (this.#again) {
+      this.draw();
     }
   }
 
+  #change(camera) {
+    this.camera = camera;
+    this.#moving = true;
+    clearTimeout(this.timer);
+    this.timer = setTimeout(() => {
+      this.#moving = false;
+      this.draw();
+    }, REST);
+    this.draw();
+  }
+
+  turn(dx, dy) {
+    this.#change(turned(this.camera, this.middle, dx, dy));
+  }
+
+  pan(dx, dy) {
+    this.#change(panned(this.camera, dx / this.figure.clientHeight, dy / this.figure.clientHeight));
+  }
+
+  zoom(factor) {
+    this.#change(moved(this.camera, factor));
+  }
+
+  /** The pixel at these parts of the picture's width and height, as text. */
+  async explain(x, y) {
+    const options = this.#options(false);
+    try {
+      const at = { x: Math.floor(x * options.size[0]), y: Math.floor(y * options.size[1]) };
+      this.text.textContent = await this.#library.ask('explain', { ...at, options });
+    } catch (error) {
+      this.#tell(error.message);
+    }
+  }
+}
+
+function listenForFiles(section, view) {
   const input = section.querySelector('input[type="file"]');
-  input.addEventListener('change', () => openFiles(input.files));
+  input.addEventListener('change', () => view.openFiles(input.files));
   section.querySelector('.choose').addEventListener('click', () => input.click());
   section.querySelector('.sample').addEventListener('click', async () => {
     const response = await fetch(SAMPLE);
-    open(await response.arrayBuffer(), 'box.glb');
+    view.open(await response.arrayBuffer(), 'box.glb');
   });
   for (const kind of ['dragover', 'drop']) {
     section.addEventListener(kind, (event) => {
       event.preventDefault();
       if (kind === 'drop') {
-        openFiles(event.dataTransfer.files);
+        view.openFiles(event.dataTransfer.files);
       }
     });
   }
+}
 
-  let moved = 0;
-  canvas.addEventListener('pointerdown', () => (moved = 0));
+function listenForHands(view) {
+  const { canvas } = view;
+  let way = 0; // of the pointer since it went down
+  canvas.addEventListener('pointerdown', () => (way = 0));
   canvas.addEventListener('pointerup', (event) => {
     const box = canvas.getBoundingClientRect();
-    if (moved < 4 && state.camera) {
-      explain((event.clientX - box.left) / box.width, (event.clientY - box.top) / box.height);
+    if (way < CLICK && view.camera) {
+      view.explain((event.clientX - box.left) / box.width, (event.clientY - box.top) / box.height);
     }
   });
-  const pan = (dx, dy) => {
-    const { right, up } = basis(state.camera);
-    const from = add(state.camera.eye, state.camera.target, -1);
-    const unit = Math.sqrt(dot(from, from)) / figure.clientHeight / 1.8;
-    const shift = add(add([0, 0, 0], right, -dx * unit), up, dy * unit);
-    change({ ...state.camera, eye: add(state.camera.eye, shift), target: add(state.camera.target, shift) });
-  };
-  const zoom = (factor) => {
-    const from = add(state.camera.eye, state.camera.target, -1);
-    change({ ...state.camera, eye: add(state.camera.target, from, factor) });
-  };
   draggable(canvas, {
     move(dx, dy, event) {
-      moved += Math.abs(dx) + Math.abs(dy);
-      if (state.camera) {
-        event.shiftKey ? pan(dx, dy) : change(turned(state.camera, dx, dy));
+      way += Math.abs(dx) + Math.abs(dy);
+      if (view.camera) {
+        event.shiftKey ? view.pan(dx, dy) : view.turn(dx, dy);
       }
     },
-    step: (dx, dy, deeper) => state.camera && (deeper ? zoom(1 - 0.1 * deeper) : change(turned(state.camera, 12 * dx, 12 * dy))),
+    step: (dx, dy, deeper) => view.camera && (deeper ? view.zoom(1 - 0.1 * deeper) : view.turn(12 * dx, 12 * dy)),
   });
   canvas.addEventListener('wheel', (event) => {
-    if (state.camera) {
+    if (view.camera) {
       event.preventDefault();
-      zoom(Math.exp(event.deltaY * 0.001));
+      view.zoom(Math.exp(event.deltaY * 0.001));
     }
   });
+}
+
+export function start(section) {
+  const view = new ModelView(section);
   for (const name of ['picture', 'interpolate']) {
     choice(section, name, (value) => {
-      state[name] = value;
-      draw();
+      view[name] = value;
+      view.draw();
     });
   }
-  new ResizeObserver(() => draw()).observe(figure);
-  whenLanguage(describe);
+  listenForFiles(section, view);
+  listenForHands(view);
 }
