@@ -70,8 +70,8 @@ class Page(unittest.TestCase):
         said = [line["message"] for line in self.browser.get_log("browser") if line["level"] == "SEVERE"]
         self.assertEqual(said, [], "the console stays empty")
 
-    def script(self, text):
-        return self.browser.execute_script(text)
+    def script(self, text, *arguments):
+        return self.browser.execute_script(text, *arguments)
 
     def wait(self, condition, seconds=20):
         end = time.monotonic() + seconds
@@ -103,6 +103,18 @@ class Page(unittest.TestCase):
             pointer.move_to_location(x + dx * step // 4, y + dy * step // 4)
         pointer.pointer_up()
         actions.perform()
+
+    def swipe(self, selector, dy, beside=0):
+        """A real finger, which scrolls where it may, so far beside the node's middle."""
+        x, y = self.middle(selector)
+        x += beside
+        point = lambda at: [{"x": x, "y": at}]  # noqa: E731
+        touch = lambda kind, points: self.browser.execute_cdp_cmd(  # noqa: E731
+            "Input.dispatchTouchEvent", {"type": kind, "touchPoints": points})
+        touch("touchStart", point(y))
+        for part in range(1, 11):
+            touch("touchMove", point(y + dy * part / 10))
+        touch("touchEnd", [])
 
     def corner(self, number, name="first"):
         return self.script(f"return rhw.views.{name}.scene.corners[{number}].at")
@@ -184,9 +196,18 @@ class Page(unittest.TestCase):
         self.assertGreater(self.corner(1)[2], -1.6)
 
     def test_corners_under_a_finger(self):
-        before = self.corner(2)
-        self.drag("#first .view .cornerC .dot", -50, 30, kind="touch")
-        self.assertLess(self.corner(2)[0], before[0])
+        self.size(390, 844, touch=True)
+        try:
+            self.setUp()
+            before, x = self.corner(2), self.middle("#first .view .cornerC .dot")
+            self.swipe("#first .view .cornerC .dot", 60)
+            self.assertEqual(self.script("return scrollY"), 0, "the page stays")
+            self.assertLess(self.corner(2)[1], before[1])
+            self.assertAlmostEqual(self.middle("#first .view .cornerC .dot")[1], x[1] + 60, delta=3)
+            self.swipe("#first canvas", -120, beside=-140)
+            self.wait("scrollY > 50")  # where there is nothing to drag the page scrolls
+        finally:
+            self.size(1440, 900)
 
     def test_corners_by_keys(self):
         handle = self.node("#first .view .cornerA")
@@ -243,6 +264,9 @@ class Page(unittest.TestCase):
             for language in ["en", "zh"]:
                 for name in [*CHAPTERS, "inverse"]:
                     self.show(name)
+                    for button in self.browser.find_elements(By.CSS_SELECTOR, f"#{name} .choice button"):
+                        self.script("arguments[0].click()", button)
+                        self.assertLessEqual(self.script("return document.documentElement.scrollWidth"), 390, f"{name} fits")
                     self.assertLessEqual(self.script("return document.documentElement.scrollWidth"), 390, f"{name} fits")
                     self.browser.save_screenshot(os.path.join(sys.argv[3], f"phone_{language}_{name}.png"))
                 self.script("document.querySelector('#language').click()")

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // The derivation of one pixel with its numbers: formulas whose terms can be pointed at, each with its value.
 import { exactWeights, threeWays } from './exact.js';
-import { language, say } from './language.js';
+import { say } from './language.js';
 import { formula, long, short } from './math.js';
 
 const NAMES = ['A', 'B', 'C'];
@@ -11,7 +11,7 @@ const MEANINGS = {
     en: 'edge function: twice the area of the part of the triangle opposite to the corner, an integer, in 1/65536 pixel²',
     zh: '边函数：与该顶点相对的小三角形面积的两倍，是整数，单位 1/65536 像素²',
   },
-  r: { en: 'weight of A on the screen: the part of the area that is opposite to A', zh: 'A 的屏幕权重：A 对面的面积所占比例' },
+  r: { en: 'weight of A on the screen', zh: 'A 的屏幕权重' },
   s: { en: 'weight of B on the screen', zh: 'B 的屏幕权重' },
   t: { en: 'weight of C on the screen', zh: 'C 的屏幕权重' },
   a: { en: 'weight of A in space', zh: 'A 的空间权重' },
@@ -25,10 +25,16 @@ const MEANINGS = {
   v: { en: 'texture coordinate', zh: '纹理坐标' },
   I: { en: 'green, of the three colour values', zh: '颜色中的绿色分量' },
   d: { en: 'depth: Z/W', zh: '深度：Z/W' },
+  x: { en: 'X/W: place on the screen, −1 to 1', zh: 'X/W：屏幕位置，−1 到 1' },
+  y: { en: 'Y/W: place on the screen, −1 to 1', zh: 'Y/W：屏幕位置，−1 到 1' },
+  i: { en: '1/W', zh: '1/W' },
+  q: { en: 'u/W', zh: 'u/W' },
+  column: { en: 'pixels from the left', zh: '距左边的像素数' },
+  row: { en: 'pixels from the top', zh: '距上边的像素数' },
 };
 
 /** What a term means, in words. */
-export const meaningOf = (term) => say(MEANINGS[term.split('_')[0]] ?? '');
+export const meaningOf = (term) => say(MEANINGS[term] ?? MEANINGS[term.split('_')[0]] ?? '');
 
 /** {term: number} of an explained pixel; terms as in the formulas. */
 export function termsOf(n) {
@@ -39,7 +45,10 @@ export function termsOf(n) {
     }
     terms[`I_${name}`] = n[`green_${i}`];
   });
-  terms.e_P = terms.e_A + terms.e_B + terms.e_C;
+  for (const axis of ['X', 'Y', 'Z']) {
+    terms[`${axis}_P`] = n.a * terms[`${axis}_A`] + n.b * terms[`${axis}_B`] + n.c * terms[`${axis}_C`];
+  }
+  terms.u_P = n.u;
   return terms;
 }
 
@@ -83,9 +92,8 @@ function screenSection(parent, n, terms) {
   if (!Number.isNaN(n.e_0)) {
     line(block, 'r : s : t = e_A : e_B : e_C');
   }
-  const row = line(block, 'r', number('r', terms));
-  for (const term of ['s', 't']) {
-    row.append(formula(`, ${term} = `), formula(term, number(term, terms).values));
+  for (const term of ['r', 's', 't']) {
+    line(block, term, number(term, terms)).classList.add('beside');
   }
 }
 
@@ -135,19 +143,18 @@ function valueSection(parent, n, name, size) {
   const sum = (weights) => formula(weights.map((weight, i) => `${weight}·${symbol}_${NAMES[i]}`).join(' + '));
   tableRow(table, { en: 'naive', zh: '未校正' }, sum(['r', 's', 't']), digits(naive), 'naive');
   tableRow(table, { en: 'correct', zh: '正确' }, sum(['a', 'b', 'c']), digits(exact), 'correct');
-  tableRow(table, { en: 'rhw wrote', zh: 'rhw 写出' }, n.smooth === 1 ? 'smooth' : 'noperspective', digits(n[name]), 'written');
+  tableRow(table, { en: 'rhw wrote', zh: 'rhw 的结果' }, n.smooth === 1 ? 'smooth' : 'noperspective', digits(n[name]), 'written');
   const note = block.appendChild(document.createElement('p'));
   note.className = 'note';
   note.textContent = say({
-    en: `Naive and correct are computed in exact arithmetic here; rhw is ${error.toFixed(2)} ULP from the one it was asked for.`,
-    zh: `前两行在此用精确有理数算出；rhw 与所要求的一行相差 ${error.toFixed(2)} ULP。`,
+    en: `Naive and correct are computed in exact arithmetic here; rhw is ${error.toFixed(2)} ULP of the largest corner value from the one it was asked for.`,
+    zh: `前两行在此用精确有理数算出；rhw 与所要求的一行相差 ${error.toFixed(2)} ULP（以顶点最大值计）。`,
   });
 }
 
 /** Fills `panel` with the derivation of a pixel's value `name`, u or green; numbers null: says what to do. `size`: the picture's. */
 export function showDerivation(panel, n, pixel, size, name = 'u') {
   panel.replaceChildren();
-  panel.lang = language();
   const head = panel.appendChild(document.createElement('p'));
   head.className = 'pixel';
   if (!n) {

@@ -62,7 +62,8 @@ function startChapter(section, stage) {
 }
 
 function fail(section, error) {
-  const note = section.querySelector('.view') ?? section;
+  const note = section.querySelector('.view') ?? section.appendChild(document.createElement('figure'));
+  note.classList.add('view');
   note.dataset.error = error.message;
   console.error(error);
 }

@@ -9,7 +9,7 @@ function element(name, children = [], term) {
   node.append(...children);
   if (term) {
     node.dataset.term = term;
-    node.setAttribute('tabindex', '0');
+    node.setAttribute('tabindex', '-1');
   }
   return node;
 }
@@ -30,7 +30,7 @@ function termNode(term, values, before) {
   }
   const node = nameOf(term);
   node.dataset.term = term;
-  node.setAttribute('tabindex', '0');
+  node.setAttribute('tabindex', '-1');
   return node;
 }
 

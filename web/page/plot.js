@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Curves over a line of pixels: each {name, values [count], kind, scale}, all over the same places, 0..1 across.
-import { language, say } from './language.js';
+// Curves over a line of pixels: each {name, values [count], kind, scale}, all over the same places: the middles of as many pixels.
+import { say } from './language.js';
 import { points, set, svg } from './svg.js';
 
 const [LEFT, TOP, BOTTOM] = [12, 14, 24];
@@ -22,7 +22,6 @@ export class Plot {
     if (!curves || width === 0) {
       return;
     }
-    this.root.lang = language();
     set(this.root, { viewBox: `0 0 ${width} ${height}` });
     const x = (part) => LEFT + part * (width - 2 * LEFT);
     const floor = height - BOTTOM;
@@ -37,7 +36,7 @@ export class Plot {
   }
 
   #curve({ values, kind }, largest, x, floor) {
-    const list = values.map((value, i) => [x(i / (values.length - 1)), floor - (value / largest) * (floor - TOP)]);
+    const list = values.map((value, i) => [x((i + 0.5) / values.length), floor - (value / largest) * (floor - TOP)]);
     svg(this.root, 'polyline', { class: `curve ${kind}`, points: points(list.filter(([, y]) => Number.isFinite(y))) });
   }
 }

@@ -20,43 +20,50 @@ export function svg(parent, name, attributes = {}, text = '') {
 
 export const points = (list) => list.map(([x, y]) => `${x.toFixed(2)},${y.toFixed(2)}`).join(' ');
 
+const KEYS = {
+  ArrowLeft: [-1, 0, 0],
+  ArrowRight: [1, 0, 0],
+  ArrowUp: [0, -1, 0],
+  ArrowDown: [0, 1, 0],
+  PageUp: [0, 0, 1],
+  PageDown: [0, 0, -1],
+};
+
 /**
- * Lets a node be dragged by mouse, pen, finger and keyboard: `move(dx, dy, event)` in CSS pixels, `step(dx, dy, deeper)` for
- * arrow keys and page up and down. Pointers that are already down keep what they hold.
+ * Lets a node be dragged by mouse, pen and one finger: `move(dx, dy, event)` in CSS pixels; and by keys: `step(dx, dy, deeper)`
+ * for arrows, page up and down. A finger that drags does not scroll the page, unless `scrolls`.
  */
-export function draggable(node, { move, step, end = () => {} }) {
+export function draggable(node, { move, step, scrolls = false }) {
+  if (!scrolls) {
+    // touch-action is for elements of HTML and whole drawings, not for parts of them.
+    node.addEventListener('touchstart', (event) => event.preventDefault(), { passive: false });
+  }
   node.addEventListener('pointerdown', (event) => {
+    if (!event.isPrimary || event.button !== 0) {
+      return;
+    }
     event.preventDefault();
     event.stopPropagation();
     node.setPointerCapture(event.pointerId);
     node.focus({ preventScroll: true });
     let last = [event.clientX, event.clientY];
-    const follow = (at) => {
-      move(at.clientX - last[0], at.clientY - last[1], at);
-      last = [at.clientX, at.clientY];
-    };
-    const stop = () => {
-      node.removeEventListener('pointermove', follow);
-      end();
-    };
-    node.addEventListener('pointermove', follow);
-    node.addEventListener('pointerup', stop, { once: true });
-    node.addEventListener('pointercancel', stop, { once: true });
+    const drag = new AbortController();
+    const listen = (kind, callback) => node.addEventListener(kind, callback, { signal: drag.signal });
+    listen('pointermove', (at) => {
+      if (at.pointerId === event.pointerId) {
+        move(at.clientX - last[0], at.clientY - last[1], at);
+        last = [at.clientX, at.clientY];
+      }
+    });
+    for (const kind of ['pointerup', 'pointercancel']) {
+      listen(kind, (at) => at.pointerId === event.pointerId && drag.abort());
+    }
   });
   node.addEventListener('keydown', (event) => {
-    const keys = {
-      ArrowLeft: [-1, 0, 0],
-      ArrowRight: [1, 0, 0],
-      ArrowUp: [0, -1, 0],
-      ArrowDown: [0, 1, 0],
-      PageUp: [0, 0, 1],
-      PageDown: [0, 0, -1],
-    };
-    if (keys[event.key]) {
+    if (KEYS[event.key]) {
       event.preventDefault();
       event.stopPropagation();
-      step(...keys[event.key]);
-      end();
+      step(...KEYS[event.key]);
     }
   });
 }

@@ -2,16 +2,23 @@
 // Pointing at a term of a formula: its value with all digits and what it means in a small box, the same term elsewhere in
 // the chapter marked, and its place in the chapter's pictures.
 import { meaningOf } from './derivation.js';
+import { say } from './language.js';
 import { formula, long } from './math.js';
 
 const chapters = new Map(); // section → {terms(), views}
 
-/** A chapter's terms ({term: number} or null, asked when needed) and the views that can point at them. */
-export function chapterTerms(section, terms, views) {
-  chapters.set(section, { terms, views });
+/**
+ * A chapter's terms ({term: number} or null, asked when needed), the views that can point at them, and what they mean where
+ * that is not the usual ({"Z": {en, zh}}).
+ */
+export function chapterTerms(section, terms, views, meanings = {}) {
+  chapters.set(section, { terms, views, meanings });
+  new MutationObserver(() => refresh(section)).observe(section, { childList: true, subtree: true });
+  refresh(section);
 }
 
 let box;
+let pointed = null; // {section, term}
 
 function markAlike(section, term) {
   section.querySelectorAll('.alike').forEach((node) => node.classList.remove('alike'));
@@ -20,16 +27,20 @@ function markAlike(section, term) {
   }
 }
 
-function show(node, section, term) {
-  const value = chapters.get(section).terms()?.[term];
+function tell(section, term) {
+  const { terms, meanings } = chapters.get(section);
+  const value = terms()?.[term];
   box.replaceChildren(formula(term));
   if (Number.isFinite(value)) {
     box.append(` = ${long(value)}`);
   }
+  const own = meanings[term.split('_')[0]];
   const meaning = document.createElement('small');
-  meaning.textContent = meaningOf(term);
+  meaning.textContent = own ? say(own) : meaningOf(term);
   box.append(meaning);
-  box.hidden = false;
+}
+
+function placeAt(node) {
   const at = node.getBoundingClientRect();
   const left = Math.min(Math.max(8, at.left), innerWidth - box.offsetWidth - 8);
   const above = at.top - box.offsetHeight - 8;
@@ -37,18 +48,48 @@ function show(node, section, term) {
   box.style.top = `${(above > 0 ? above : at.bottom + 8) + scrollY}px`;
 }
 
+// The term that is pointed at, or none.
+function show(section, term) {
+  pointed = term ? { section, term } : null;
+  for (const [other, { views }] of chapters) {
+    const here = other === section ? term : null;
+    markAlike(other, here);
+    views.forEach((view) => view.point(here));
+  }
+  box.hidden = !pointed;
+  if (pointed) {
+    tell(section, term);
+  }
+}
+
 function point(event) {
   const node = event.target.closest?.('[data-term]');
   const section = node?.closest('section.chapter');
-  for (const [other, { views }] of chapters) {
-    const term = other === section ? node.dataset.term : null;
-    markAlike(other, term);
-    views.forEach((view) => view.point(term));
+  show(section, chapters.has(section) ? node.dataset.term : null);
+  if (pointed) {
+    placeAt(node);
   }
-  if (section && chapters.has(section)) {
-    show(node, section, node.dataset.term);
-  } else {
-    box.hidden = true;
+}
+
+// A panel was written anew: its terms are marked again, with the values of now.
+function refresh(section) {
+  section.querySelector('[data-term]')?.setAttribute('tabindex', '0');
+  if (pointed?.section === section) {
+    markAlike(section, pointed.term);
+    tell(section, pointed.term);
+  }
+}
+
+// Terms are one stop of the tab key for each chapter, its first; arrows go on from there.
+function step(event) {
+  const section = event.target.closest?.('section.chapter');
+  const way = { ArrowRight: 1, ArrowDown: 1, ArrowLeft: -1, ArrowUp: -1 }[event.key];
+  if (event.key === 'Escape') {
+    show(section, null);
+  } else if (way && event.target.dataset?.term) {
+    event.preventDefault();
+    const terms = [...section.querySelectorAll('[data-term]')];
+    terms[terms.indexOf(event.target) + way]?.focus();
   }
 }
 
@@ -61,4 +102,5 @@ export function startTips() {
   for (const kind of ['pointerover', 'focusin', 'pointerdown']) {
     document.addEventListener(kind, point);
   }
+  document.addEventListener('keydown', step);
 }

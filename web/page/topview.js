@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // The scene from above: the eye, what it sees, the picture's plane, the triangle with corners to drag in depth, the ray through
 // the pixel and the point P that it meets. Here one sees why halfway on the screen is not halfway in space.
-import { language, say } from './language.js';
+import { say } from './language.js';
 import { draggable, points, set, svg } from './svg.js';
 import { add, basis, clamp } from './vector.js';
 
@@ -115,7 +115,6 @@ export class TopView {
     if (!this.#layout()) {
       return;
     }
-    this.root.lang = language();
     const corners = this.view.scene.corners.map((corner) => this.#at(corner.at));
     set(this.triangle, { points: points(corners) });
     corners.forEach((at, i) => set(this.handles[i], { transform: `translate(${at})` }));

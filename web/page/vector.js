@@ -11,6 +11,9 @@ export const cross = (a, b) => [
 export const normalize = (a) => a.map((value) => value / Math.sqrt(dot(a, a)));
 export const clamp = (value, low, high) => Math.min(Math.max(value, low), high);
 
+/** Holds a point between two corners of a box. */
+export const within = (low, high) => (at) => at.map((value, i) => clamp(value, low[i], high[i]));
+
 /** Right, up and forward of a camera {eye, target, up}; y is up where that is left out. */
 export function basis({ eye, target, up = [0, 1, 0] }) {
   const forward = normalize(add(target, eye, -1));

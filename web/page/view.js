@@ -2,12 +2,17 @@
 // A picture of the page: a canvas that a stage draws into, what lies over it (corners to drag, a line between two ways of
 // drawing, the pixel that is explained and what a term means there), and the pointer.
 import { nextFrame } from './frame.js';
-import { language, say, whenLanguage } from './language.js';
+import { say, whenLanguage } from './language.js';
 import { draggable, points, set, svg } from './svg.js';
 import { add, basis, clamp } from './vector.js';
 
 const MAX_PIXELS = 1280; // across
+const LAST = 0.999999; // of a picture's width or height
 const REST = 160; // ms without a change until the picture is refined
+
+// The terms that are a share of the triangle, by the corner they belong to; corners by their names.
+const PARTS = { r: 0, s: 1, t: 2, a: 0, b: 1, c: 2, e_A: 0, e_B: 1, e_C: 2 };
+const CORNERS = { A: 0, B: 1, C: 2 };
 
 export class View {
   /**
@@ -24,7 +29,6 @@ export class View {
     this.overlay = document.createElementNS('http://www.w3.org/2000/svg', 'svg');
     figure.prepend(this.canvas, this.overlay);
     this.pixel = null; // by parts of the picture, so that it stays where it was when the size changes
-    this.refined = false;
     this.#build();
     this.#listen();
     new ResizeObserver(() => this.update()).observe(figure);
@@ -87,8 +91,10 @@ export class View {
       step: (dx, dy, deeper) => (deeper ? this.#push(corner, 10 * deeper) : this.#shift(corner, 4 * dx, 4 * dy)),
     });
     node.addEventListener('wheel', (event) => {
-      event.preventDefault();
-      this.#push(corner, -Math.sign(event.deltaY) * 12);
+      if (node === document.activeElement) {
+        event.preventDefault(); // of what was not taken hold of the page scrolls
+        this.#push(corner, clamp(-event.deltaY, -40, 40) / 4);
+      }
     });
     return node;
   }
@@ -128,11 +134,22 @@ export class View {
       draggable(this.canvas, {
         move: (dx, dy, event) => {
           this.scene.turn(dx, dy);
-          this.pixel = at(event);
+          this.pixel = at(event).map((part) => clamp(part, 0, LAST));
           this.update(true);
         },
         step: (dx, dy) => this.#stepPixel(dx, dy),
+        scrolls: true,
       });
+    } else {
+      this.canvas.addEventListener('keydown', (event) => this.#onKey(event));
+    }
+  }
+
+  #onKey(event) {
+    const step = { ArrowLeft: [-1, 0], ArrowRight: [1, 0], ArrowUp: [0, -1], ArrowDown: [0, 1] }[event.key];
+    if (step) {
+      event.preventDefault();
+      this.#stepPixel(...step);
     }
   }
 
@@ -143,7 +160,7 @@ export class View {
 
   /** Explains the pixel at these parts of the picture's width and height. */
   pick([x, y]) {
-    this.pixel = [clamp(x, 0, 0.999999), clamp(y, 0, 0.999999)];
+    this.pixel = [clamp(x, 0, LAST), clamp(y, 0, LAST)];
     nextFrame(this.explain);
   }
 
@@ -154,8 +171,10 @@ export class View {
     this.#prepare();
     const [x, y] = [Math.floor(this.pixel[0] * this.canvas.width), Math.floor(this.pixel[1] * this.canvas.height)];
     this.numbers = this.stage.explain(x, y);
+    this.place = [x, y];
+    this.size = [this.canvas.width, this.canvas.height];
     this.#place();
-    this.changed(this.numbers, [x, y], [this.canvas.width, this.canvas.height]);
+    this.changed(this.numbers, this.place, this.size);
   };
 
   // Drawing --------------------------------------------------------------------------------------------
@@ -182,6 +201,7 @@ export class View {
   #frame = () => {
     const width = this.figure.clientWidth;
     if (!this.seen || width === 0) {
+      this.changed(this.numbers ?? null, this.place ?? null, this.size); // in the language of now
       return;
     }
     const across = this.scene.width ?? Math.min(Math.round(width * Math.min(devicePixelRatio, 2)), MAX_PIXELS);
@@ -225,6 +245,8 @@ export class View {
       if (at) {
         const seen = [clamp(at[0], 10, width - 10), clamp(at[1], 10, height - 10)];
         set(handle, { transform: `translate(${seen})` });
+        const side = seen[0] > width - 34 ? { x: -12, 'text-anchor': 'end' } : { x: 12, 'text-anchor': 'start' };
+        set(handle.querySelector('text'), side);
         handle.classList.toggle('away', seen[0] !== at[0] || seen[1] !== at[1]);
       }
     });
@@ -248,6 +270,10 @@ export class View {
   // Of the triangle that is explained, with the names of its corners, unless it is the one with handles.
   #placeOutline() {
     this.outline.replaceChildren();
+    const cut = this.scene.outline?.(this.numbers)?.map((clip) => this.#onScreen(clip));
+    if (cut?.every(Boolean)) {
+      svg(this.outline, 'polygon', { points: points(cut) });
+    }
     const on = this.numbers && cornersOf(this.numbers).map((clip) => this.#onScreen(clip));
     const held = this.scene.triangleOf?.(this.numbers?.triangle) === this.scene.corners;
     if (!on || !on.every(Boolean) || held) {
@@ -286,12 +312,8 @@ export class View {
     if (at) {
       svg(this.ray, 'circle', { cx: at[0], cy: at[1], r: 16 });
     }
-    this.overlay.lang = language();
   }
 }
-
-const PARTS = { r: 0, s: 1, t: 2, a: 0, b: 1, c: 2, e_A: 0, e_B: 1, e_C: 2 };
-const CORNERS = { A: 0, B: 1, C: 2 };
 
 /** The clip coordinates of the corners of an explained triangle. */
 export const cornersOf = (n) => [0, 1, 2].map((i) => ['X', 'Y', 'Z', 'W'].map((axis) => n[`${axis}_${i}`]));

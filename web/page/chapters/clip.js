@@ -2,20 +2,19 @@
 // The derivation in homogeneous clip coordinates, with a triangle that may reach behind the eye: W passes through 0 and
 // below, and the weights of what is seen stay right.
 import { showDerivation, termsOf } from '../derivation.js';
-import { language, say } from '../language.js';
+import { say } from '../language.js';
 import { formula, short } from '../math.js';
 import { METHOD, PATTERN } from '../stage.js';
 import { chapterTerms } from '../tips.js';
 import { TopView } from '../topview.js';
+import { within } from '../vector.js';
 import { View } from '../view.js';
-import { within } from './first.js';
 
 const NEAR = 0.5;
 
 // X, Y, Z, W of A, B and C, and of P as their mixture: the three equations that the derivation begins with.
 function showCoordinates(table, terms) {
   table.replaceChildren();
-  table.lang = language();
   const row = (cells, tag = 'td') => {
     const line = table.insertRow();
     for (const cell of cells) {
@@ -31,24 +30,21 @@ function showCoordinates(table, terms) {
   }
 }
 
-// What P has as a mixture in space.
-function withPoint(terms) {
-  for (const axis of ['X', 'Y', 'Z']) {
-    terms[`${axis}_P`] = terms.a * terms[`${axis}_A`] + terms.b * terms[`${axis}_B`] + terms.c * terms[`${axis}_C`];
-  }
-  return terms;
-}
+const SOME_BEHIND = {
+  en: 'Not all corners are in front of the eye: where W is below 0, dividing would put a corner on the wrong side, and where it is 0 there is nothing to divide by. Only what lies beyond the near plane is filled, and its r, s, t may be negative or large; a, b, c are not.',
+  zh: '并非所有顶点都在眼睛前方：W 小于 0 时相除会落到错误的一侧，W 等于 0 时无法相除。只填充近平面之外（更远）的部分；其 r、s、t 可能为负或很大，而 a、b、c 不会。',
+};
+// By how many corners are not in front of the eye.
+const BEHIND = [
+  { en: 'All corners are in front of the eye.', zh: '所有顶点都在眼睛前方。' },
+  SOME_BEHIND,
+  SOME_BEHIND,
+  { en: 'All corners are behind the eye: nothing is seen.', zh: '所有顶点都在眼睛后方：什么也看不到。' },
+];
 
 function showBehind(note, corners) {
   const behind = corners.filter((corner) => corner.at[2] > -1e-9).length;
-  note.textContent = say(
-    behind
-      ? {
-          en: 'A corner is behind the eye: its W is below 0, dividing it would put it on the wrong side. Only the part in front of the near plane is filled, and its r, s, t may be negative or large; a, b, c are not.',
-          zh: '有顶点在眼睛后面：它的 W 小于 0，直接相除会落到错误的一侧。只填充近平面前的部分；其 r、s、t 可能为负或很大，而 a、b、c 不会。',
-        }
-      : { en: 'All corners are in front of the eye.', zh: '所有顶点都在眼睛前方。' },
-  );
+  note.textContent = say(BEHIND[behind]);
 }
 
 export function start(section, stage) {
@@ -69,8 +65,9 @@ export function start(section, stage) {
   const view = new View(stage, section.querySelector('.view'), scene, (numbers, pixel, size) => {
     showDerivation(panel, numbers, pixel, size);
     showBehind(note, corners);
+    table.hidden = !numbers;
     if (numbers) {
-      showCoordinates(table, withPoint(termsOf(numbers)));
+      showCoordinates(table, termsOf(numbers));
     }
     top.update(numbers);
   });
@@ -79,7 +76,7 @@ export function start(section, stage) {
     { distance: NEAR, name: { en: 'near', zh: '近平面' } },
   ];
   const top = new TopView(section.querySelector('.above'), view, { x: [-3.4, 3.4], z: [-5.6, 1.6] }, planes);
-  chapterTerms(section, () => view.numbers && withPoint(termsOf(view.numbers)), [view, top]);
+  chapterTerms(section, () => view.numbers && termsOf(view.numbers), [view, top]);
   view.pick([0.45, 0.62]);
   return view;
 }

@@ -6,8 +6,8 @@ import { formula, short } from '../math.js';
 import { legend, Plot } from '../plot.js';
 import { METHOD, PATTERN } from '../stage.js';
 import { chapterTerms } from '../tips.js';
+import { within } from '../vector.js';
 import { View } from '../view.js';
-import { within } from './first.js';
 
 const SAMPLES = 48; // of the plot
 const ROWS = 27; // of the small picture that they are taken from

@@ -4,7 +4,7 @@ import { showDerivation, termsOf } from '../derivation.js';
 import { METHOD, PATTERN } from '../stage.js';
 import { chapterTerms } from '../tips.js';
 import { TopView } from '../topview.js';
-import { clamp } from '../vector.js';
+import { within } from '../vector.js';
 import { View } from '../view.js';
 
 const white = [1, 1, 1];
@@ -19,14 +19,11 @@ const TRIANGLES = [
   [FLOOR[0], FLOOR[2], FLOOR[3]],
 ];
 
-/** `limits` keep the corners where one can get hold of them. */
-export const within = (low, high) => (at) => at.map((value, i) => clamp(value, low[i], high[i]));
-
 export function start(section, stage) {
   const corners = [
     { at: [-0.9, 0.15, 0.75], color: [1, 0.15, 0.1], uv: [0, 0] },
     { at: [1.15, 0.25, -1.6], color: [0.1, 0.85, 0.2], uv: [1, 0] },
-    { at: [0.1, 1.3, -0.4], color: [0.2, 0.35, 1], uv: [0.5, 1] },
+    { at: [0.45, 1.3, 0.25], color: [0.2, 0.35, 1], uv: [0.5, 1] },
   ];
   const triangles = [...TRIANGLES, corners];
   const scene = {

@@ -1,19 +1,20 @@
 // SPDX-License-Identifier: MIT
 // In the plane: an edge AB in front of the eye, its picture A'B', and a point between them. Halfway on the screen is not halfway
 // in space, and the distance Z of the point is not the mixture of the distances, but 1/Z is that of 1/Z.
-import { language, whenLanguage } from '../language.js';
+import { whenLanguage } from '../language.js';
 import { formula, short } from '../math.js';
 import { draggable, points, set, svg } from '../svg.js';
 import { chapterTerms } from '../tips.js';
 import { clamp } from '../vector.js';
 
-const RANGE = { x: [-3.4, 3.4], z: [-0.4, 8] }; // of the drawing; the eye is at 0, the screen at z = 1
+const RANGE = { x: [-3.2, 3.2], z: [-0.3, 7.4] }; // of the drawing; the eye is at 0
+const SCREEN = 2; // its distance: 1 would be as good, and smaller
 
 class Drawing {
   constructor(node, changed) {
     this.ends = [
-      [-1.35, 3],
-      [2.1, 7],
+      [-2, 3],
+      [2.7, 7],
     ];
     this.q = 0.5;
     this.changed = changed;
@@ -26,6 +27,10 @@ class Drawing {
     svg(this.root, 'circle', { class: 'eye', r: 5 });
     this.handles = this.ends.map((end, i) => this.#end(end, 'AB'[i]));
     this.p = this.#mark('P', 'P');
+    draggable(this.p, {
+      move: (dx, dy) => this.#slideAlong(dx / this.scale, -dy / this.scale),
+      step: (dx, dy) => this.#slideAlong(dx / 20, -dy / 20),
+    });
     this.shadow = this.#mark("P'", "P'");
     this.pictures = ["A'", "B'"].map((name) => svg(this.root, 'text', { class: 'caption' }, name));
     draggable(this.shadow, {
@@ -42,7 +47,7 @@ class Drawing {
     svg(node, 'text', { x: 11, y: 5 }, name);
     const by = (dx, dy) => {
       end[0] = clamp(end[0] + dx / this.scale, -3.2, 3.2);
-      end[1] = clamp(end[1] - dy / this.scale, 1.1, 7.8);
+      end[1] = clamp(end[1] - dy / this.scale, SCREEN + 0.2, 7.2);
       this.update();
     };
     draggable(node, { move: by, step: (dx, dy) => by(4 * dx, 4 * dy) });
@@ -50,15 +55,23 @@ class Drawing {
   }
 
   #mark(name, label) {
-    const node = svg(this.root, 'g', { class: 'handle mark', tabindex: label === 'P' ? -1 : 0, 'aria-label': label });
+    const node = svg(this.root, 'g', { class: 'handle mark', tabindex: 0, role: 'button', 'aria-label': label });
     svg(node, 'circle', { class: 'reach', r: 16 });
     svg(node, 'circle', { r: 6 });
     svg(node, 'text', { x: 10, y: 16 }, name);
     return node;
   }
 
+  // P along the edge: q follows from its weight there.
+  #slideAlong(dx, dz) {
+    const [[x1, z1], [x2, z2]] = this.ends;
+    const length = (x2 - x1) ** 2 + (z2 - z1) ** 2;
+    const b = clamp(this.numbers().b + (dx * (x2 - x1) + dz * (z2 - z1)) / length, 0, 1);
+    this.set((b * z2) / ((1 - b) * z1 + b * z2));
+  }
+
   #slide(dx) {
-    const [from, to] = this.ends.map(([x, z]) => x / z);
+    const [from, to] = this.ends.map(([x, z]) => (SCREEN * x) / z);
     this.set(this.q + (Math.abs(to - from) < 0.01 ? 0 : dx / (to - from)));
   }
 
@@ -72,8 +85,9 @@ class Drawing {
     const [zA, zB] = this.ends.map(([, z]) => z);
     const [r, s] = [1 - this.q, this.q];
     const inverse = r / zA + s / zB;
-    const terms = { r, s, Z_A: zA, Z_B: zB, Z_P: 1 / inverse, a: r / zA / inverse, b: s / zB / inverse };
-    return { ...terms, N_P: r * zA + s * zB };
+    const [a, b] = [r / zA / inverse, s / zB / inverse];
+    const terms = { r, s, Z_A: zA, Z_B: zB, Z_P: 1 / inverse, a, b };
+    return terms;
   }
 
   #at([x, z]) {
@@ -96,11 +110,12 @@ class Drawing {
     const [from, to] = this.ends;
     const p = [a * from[0] + b * to[0], a * from[1] + b * to[1]];
     [from, to, p].forEach((end, i) => this.#line(this.rays[i], [0, 0], end));
-    this.#line(this.screen, [-1.4, 1], [1.4, 1]);
+    this.#line(this.screen, [-2.4, SCREEN], [2.4, SCREEN]);
     this.#line(this.edge, from, to);
-    this.#line(this.picture, [from[0] / from[1], 1], [to[0] / to[1], 1]);
-    this.ends.forEach(([x, z], i) => {
-      const [left, top] = this.#at([x / z, 1]);
+    const onScreen = ([x, z]) => [(SCREEN * x) / z, SCREEN];
+    this.#line(this.picture, onScreen(from), onScreen(to));
+    this.ends.forEach((end, i) => {
+      const [left, top] = this.#at(onScreen(end));
       set(this.pictures[i], { x: left + (i === 0 ? -22 : 8), y: top + 18 });
     });
     const middle = this.#at([(from[0] + to[0]) / 2, (from[1] + to[1]) / 2]);
@@ -109,7 +124,7 @@ class Drawing {
     set(this.root.querySelector('.eye'), { cx: eye[0], cy: eye[1] });
     this.ends.forEach((end, i) => set(this.handles[i], { transform: `translate(${this.#at(end)})` }));
     set(this.p, { transform: `translate(${this.#at(p)})` });
-    set(this.shadow, { transform: `translate(${this.#at([p[0] / p[1], 1])})` });
+    set(this.shadow, { transform: `translate(${this.#at(onScreen(p))})` });
     this.changed();
   }
 
@@ -127,7 +142,6 @@ const LINES = [
   ['[1|Z_P] = [r|Z_A] + [s|Z_B]', 'Z_P'],
   ['a = r·[Z_P|Z_A]', 'a'],
   ['b = s·[Z_P|Z_B]', 'b'],
-  ['r·Z_A + s·Z_B', 'N_P'],
 ];
 
 export function start(section) {
@@ -135,14 +149,16 @@ export function start(section) {
   const show = () => {
     const terms = drawing.numbers();
     panel.replaceChildren();
-    panel.lang = language();
     for (const [text, term] of LINES) {
       const row = panel.appendChild(document.createElement('div'));
-      row.className = term === 'N_P' ? 'line naive' : 'line';
+      row.className = 'line';
       const value = { [term]: short(terms[term]) };
       const isName = term === 'Z_P';
       row.append(formula(text), formula(isName ? ', Z_P =' : '='), formula(term, value));
     }
+    const naive = panel.appendChild(document.createElement('div'));
+    naive.className = 'line naive';
+    naive.append(formula('r·Z_A + s·Z_B'), formula(`= ${short(terms.r * terms.Z_A + terms.s * terms.Z_B)}`));
   };
   const drawing = new Drawing(section.querySelector('.plane-room'), show);
   section.querySelector('.on-screen').addEventListener('click', () => drawing.set(0.5));
@@ -151,5 +167,7 @@ export function start(section) {
     drawing.set(zB / (zA + zB));
   });
   whenLanguage(() => drawing.update());
-  chapterTerms(section, () => drawing.numbers(), [drawing]);
+  chapterTerms(section, () => drawing.numbers(), [drawing], {
+    Z: { en: 'distance from the eye', zh: '到眼睛的距离' },
+  });
 }

@@ -19,6 +19,7 @@ class ModelView {
   #moving = false;
   #drawing = false;
   #again = false; // what is being drawn has become old
+  #opened = 0; // how many models were asked for
 
   constructor(section) {
     this.figure = section.querySelector('.view');
@@ -26,6 +27,7 @@ class ModelView {
     this.note = section.querySelector('.state');
     this.info = section.querySelector('.info');
     this.text = section.querySelector('.explained');
+    this.spot = section.querySelector('.spot');
     new ResizeObserver(() => this.draw()).observe(this.figure);
     whenLanguage(() => this.#describe());
   }
@@ -39,7 +41,7 @@ class ModelView {
     if (this.model) {
       const { format, triangles_drawn: triangles, materials } = this.model;
       this.info.textContent = say({
-        en: `${this.name}: ${format}, ${triangles} triangles, ${materials.length} materials.`,
+        en: `${this.name}: ${format}; triangles: ${triangles}; materials: ${materials.length}.`,
         zh: `${this.name}：${format}，${triangles} 个三角形，${materials.length} 种材质。`,
       });
     }
@@ -49,16 +51,20 @@ class ModelView {
 
   /** Takes the place of what was shown, if it can be read. `files`: those that it names. */
   async open(bytes, name, files = {}) {
+    const turn = ++this.#opened;
     this.#tell(say({ en: `Reading ${name} …`, zh: `正在读取 ${name} …` }));
     this.figure.dataset.drawn = '';
     try {
       const { info, warnings } = await this.#library.ask('open', { model: bytes, name, files });
       const { eye, target, up, fovy = 30 } = await this.#library.ask('view', { options: { size: this.#size(1) } });
+      if (turn !== this.#opened) {
+        return; // another was chosen meanwhile
+      }
       const camera = { eye, target, up, fovy }; // in perspective, also where the file's is without
       Object.assign(this, { model: info, name });
       this.middle = info.bounds.empty ? camera.target : info.bounds.min.map((low, i) => (low + info.bounds.max[i]) / 2);
       this.camera = centered(camera, this.middle, info.up);
-      this.text.textContent = '';
+      this.#forget();
       this.#describe();
       this.#tell(warnings.join('\n'));
     } catch (error) {
@@ -123,8 +129,22 @@ class ModelView {
     }
   }
 
+  // What was told of a pixel of another picture.
+  #forget() {
+    this.text.textContent = '';
+    this.spot.hidden = true;
+  }
+
+  /** Draws from another camera, or with other settings, those of a choice. */
+  set(changes) {
+    Object.assign(this, changes);
+    this.#forget();
+    this.draw();
+  }
+
   #change(camera) {
     this.camera = camera;
+    this.#forget();
     this.#moving = true;
     clearTimeout(this.timer);
     this.timer = setTimeout(() => {
@@ -149,9 +169,14 @@ class ModelView {
   /** The pixel at these parts of the picture's width and height, as text. */
   async explain(x, y) {
     const options = this.#options(false);
+    Object.assign(this.spot.style, { left: `${100 * x}%`, top: `${100 * y}%` });
+    this.spot.hidden = false;
+    this.#tell(say({ en: 'Explaining …', zh: '正在解释 …' }));
     try {
       const at = { x: Math.floor(x * options.size[0]), y: Math.floor(y * options.size[1]) };
       this.text.textContent = await this.#library.ask('explain', { ...at, options });
+      this.#tell('');
+      this.text.scrollIntoView({ block: 'nearest', behavior: 'smooth' });
     } catch (error) {
       this.#tell(error.message);
     }
@@ -160,24 +185,56 @@ class ModelView {
 
 function listenForFiles(section, view) {
   const input = section.querySelector('input[type="file"]');
-  input.addEventListener('change', () => view.openFiles(input.files));
+  input.addEventListener('change', async () => {
+    await view.openFiles(input.files);
+    input.value = ''; // the same file may have been mended
+  });
   section.querySelector('.choose').addEventListener('click', () => input.click());
   section.querySelector('.sample').addEventListener('click', async () => {
     const response = await fetch(SAMPLE);
-    view.open(await response.arrayBuffer(), 'box.glb');
+    view.open(await response.arrayBuffer(), SAMPLE.split('/').at(-1));
   });
-  for (const kind of ['dragover', 'drop']) {
-    section.addEventListener(kind, (event) => {
+  // Wherever on the page: a browser would leave it for the file.
+  for (const kind of ['dragover', 'dragleave', 'drop']) {
+    document.addEventListener(kind, (event) => {
       event.preventDefault();
-      if (kind === 'drop') {
+      view.figure.classList.toggle('over', kind === 'dragover');
+      if (kind === 'drop' && event.dataTransfer.files.length > 0) {
+        section.scrollIntoView();
         view.openFiles(event.dataTransfer.files);
       }
     });
   }
 }
 
+// Two fingers: what lies between them moves with their middle, and grows with their distance.
+function listenForPinch(view) {
+  const { canvas } = view;
+  const fingers = new Map();
+  const of = () => {
+    const [a, b] = [...fingers.values()];
+    return { x: (a.x + b.x) / 2, y: (a.y + b.y) / 2, apart: Math.hypot(a.x - b.x, a.y - b.y) };
+  };
+  canvas.addEventListener('pointerdown', (event) => fingers.set(event.pointerId, { x: event.clientX, y: event.clientY }));
+  canvas.addEventListener('pointermove', (event) => {
+    if (fingers.size !== 2 || !fingers.has(event.pointerId) || !view.camera) {
+      return;
+    }
+    const before = of();
+    fingers.set(event.pointerId, { x: event.clientX, y: event.clientY });
+    const after = of();
+    view.pan(after.x - before.x, after.y - before.y);
+    view.zoom(before.apart / Math.max(after.apart, 1));
+  });
+  for (const kind of ['pointerup', 'pointercancel']) {
+    canvas.addEventListener(kind, (event) => fingers.delete(event.pointerId));
+  }
+  return () => fingers.size > 1;
+}
+
 function listenForHands(view) {
   const { canvas } = view;
+  const pinches = listenForPinch(view);
   let way = 0; // of the pointer since it went down
   canvas.addEventListener('pointerdown', () => (way = 0));
   canvas.addEventListener('pointerup', (event) => {
@@ -189,14 +246,14 @@ function listenForHands(view) {
   draggable(canvas, {
     move(dx, dy, event) {
       way += Math.abs(dx) + Math.abs(dy);
-      if (view.camera) {
+      if (view.camera && !pinches()) {
         event.shiftKey ? view.pan(dx, dy) : view.turn(dx, dy);
       }
     },
     step: (dx, dy, deeper) => view.camera && (deeper ? view.zoom(1 - 0.1 * deeper) : view.turn(12 * dx, 12 * dy)),
   });
   canvas.addEventListener('wheel', (event) => {
-    if (view.camera) {
+    if (view.camera && canvas === document.activeElement) {
       event.preventDefault();
       view.zoom(Math.exp(event.deltaY * 0.001));
     }
@@ -206,10 +263,7 @@ function listenForHands(view) {
 export function start(section) {
   const view = new ModelView(section);
   for (const name of ['picture', 'interpolate']) {
-    choice(section, name, (value) => {
-      view[name] = value;
-      view.draw();
-    });
+    choice(section, name, (value) => view.set({ [name]: value }));
   }
   listenForFiles(section, view);
   listenForHands(view);

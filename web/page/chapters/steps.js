@@ -2,12 +2,12 @@
 // A picture of few, large pixels, step by step: clip coordinates, the division, what the raster mixes, and the recovery of u.
 import { choice } from '../controls.js';
 import { termsOf } from '../derivation.js';
-import { language } from '../language.js';
+import { say } from '../language.js';
 import { formula, short } from '../math.js';
 import { METHOD, PATTERN } from '../stage.js';
 import { chapterTerms } from '../tips.js';
-import { View } from '../view.js';
-import { within } from './first.js';
+import { within } from '../vector.js';
+import { cornersOf, View } from '../view.js';
 
 const COLUMNS = 64;
 
@@ -19,48 +19,76 @@ const STEPS = {
   recover: { pattern: PATTERN.uv, terms: ['u'] },
 };
 // Formulas for the columns that are no plain term; a place on the screen is rounded to 1/256 pixel.
-const HEADS = { x: '[X|W]', y: '[Y|W]', d: '[Z|W]', i: '[1|W]', q: '[u|W]', u: 'u' };
+const HEADS = {
+  x: '[X|W]',
+  y: '[Y|W]',
+  column: { en: 'column', zh: '列' },
+  row: { en: 'row', zh: '行' },
+  d: '[Z|W]',
+  i: '[1|W]',
+  q: '[u|W]',
+};
 
-// The terms of every corner and of P, those of the division and of the raster among them.
-function stepTerms(n) {
+// The terms of every corner and of P, those of the division and of the raster among them, and of the corners that clipping
+// made: [{name, clip}..].
+function stepTerms(n, polygon, [width, height]) {
   const terms = termsOf(n);
-  for (const axis of ['X', 'Y', 'Z']) {
-    terms[`${axis}_P`] = terms.a * terms[`${axis}_A`] + terms.b * terms[`${axis}_B`] + terms.c * terms[`${axis}_C`];
+  for (const { name, clip } of polygon) {
+    ['X', 'Y', 'Z', 'W'].forEach((axis, i) => (terms[`${axis}_${name}`] = clip[i]));
   }
-  terms.u_P = n.u;
-  for (const name of ['A', 'B', 'C', 'P']) {
+  for (const name of [...new Set(['A', 'B', 'C', 'P', ...polygon.map((corner) => corner.name)])]) {
     const over = 1 / terms[`W_${name}`];
+    const round = (value) => Math.round(value * 256) / 256;
     terms[`x_${name}`] = terms[`X_${name}`] * over;
     terms[`y_${name}`] = terms[`Y_${name}`] * over;
+    terms[`column_${name}`] = round(((1 + terms[`x_${name}`]) / 2) * width);
+    terms[`row_${name}`] = round(((1 - terms[`y_${name}`]) / 2) * height);
     terms[`d_${name}`] = terms[`Z_${name}`] * over;
     terms[`i_${name}`] = over;
     terms[`q_${name}`] = terms[`u_${name}`] * over;
   }
-  ['A', 'B', 'C', 'P'].forEach((name, i) => {
-    terms[`column_${name}`] = n[`x_${i < 3 ? i : 'P'}`] / 256;
-    terms[`row_${name}`] = n[`y_${i < 3 ? i : 'P'}`] / 256;
-  });
   return terms;
 }
 
-function showTable(table, terms, step) {
+// What the near plane, Z = 0, leaves of a triangle: Sutherland and Hodgman's walk round it.
+function clipped(corners) {
+  const polygon = [];
+  corners.forEach((clip, i) => {
+    const [name, next] = ['ABC'[i], (i + 1) % 3];
+    const other = corners[next];
+    if (clip[2] >= 0) {
+      polygon.push({ name, clip });
+    }
+    if (clip[2] >= 0 !== other[2] >= 0) {
+      const k = clip[2] / (clip[2] - other[2]);
+      const at = clip.map((value, axis) => value + k * (other[axis] - value));
+      polygon.push({ name: [name, 'ABC'[next]].sort().join(''), clip: at });
+    }
+  });
+  return polygon;
+}
+
+function showTable(table, terms, step, polygon) {
   table.replaceChildren();
-  table.lang = language();
   const row = (cells, tag) => {
     const line = table.insertRow();
     cells.forEach((cell) => line.appendChild(document.createElement(tag)).append(cell));
+    return line;
   };
   const names = STEPS[step].terms;
-  row(['', ...names.map((name) => formula(HEADS[name] ?? name))], 'th');
-  for (const corner of ['A', 'B', 'C', 'P']) {
+  row(['', ...names.map((name) => formula(say(HEADS[name] ?? name)))], 'th');
+  const left = polygon.map(({ name }) => name);
+  const all = { clip: [...new Set(['A', 'B', 'C', ...left])], divide: left }[step] ?? ['A', 'B', 'C'];
+  for (const corner of [...all, 'P']) {
     const cells = names.map((name) => `${name}_${corner}`);
-    row([corner, ...cells.map((term) => formula(term, { [term]: short(terms[term]) }))], 'td');
+    const line = row([corner, ...cells.map((term) => formula(term, { [term]: short(terms[term]) }))], 'td');
+    line.classList.toggle('behind', step === 'clip' && 'ABC'.includes(corner) && !left.includes(corner));
   }
 }
 
 export function start(section, stage) {
   const corners = [
-    { at: [-1.2, -0.85, -2], color: [1, 0.2, 0.15], uv: [0, 0] },
+    { at: [-0.5, -0.42, -0.8], color: [1, 0.2, 0.15], uv: [0, 0] },
     { at: [3.6, -0.4, -6], color: [0.2, 0.8, 0.3], uv: [1, 0] },
     { at: [-0.5, 1.2, -3], color: [0.3, 0.45, 1], uv: [0, 1] },
   ];
@@ -71,15 +99,17 @@ export function start(section, stage) {
     samples: 1,
     limit: within([-4, -2, -9], [6, 2, -0.4]),
     triangleOf: () => corners,
+    outline: (n) => (n ? clipped(cornersOf(n)).map(({ clip }) => clip) : null),
     draw(to) {
       to.triangle(corners, METHOD.correct, STEPS[this.step].pattern);
     },
   };
   const table = section.querySelector('table.step');
-  const view = new View(stage, section.querySelector('.view'), scene, (numbers) => {
+  const view = new View(stage, section.querySelector('.view'), scene, (numbers, _pixel, size) => {
     table.hidden = !numbers;
     if (numbers) {
-      showTable(table, stepTerms(numbers), scene.step);
+      const polygon = clipped(cornersOf(numbers));
+      showTable(table, stepTerms(numbers, polygon, size), scene.step, polygon);
     }
   });
   choice(section, 'step', (value) => {
@@ -87,7 +117,11 @@ export function start(section, stage) {
     section.querySelectorAll('[data-step]').forEach((node) => (node.hidden = node.dataset.step !== value));
     view.update();
   });
-  chapterTerms(section, () => view.numbers && stepTerms(view.numbers), [view]);
+  chapterTerms(
+    section,
+    () => view.numbers && stepTerms(view.numbers, clipped(cornersOf(view.numbers)), view.size),
+    [view],
+  );
   view.pick([0.43, 0.5]);
   return view;
 }

@@ -5,8 +5,8 @@ import { choice } from '../controls.js';
 import { showDerivation, termsOf } from '../derivation.js';
 import { METHOD, PATTERN } from '../stage.js';
 import { chapterTerms } from '../tips.js';
+import { within } from '../vector.js';
 import { View } from '../view.js';
-import { within } from './first.js';
 
 const SIZE = 512;
 
