@@ -244,6 +244,8 @@ class Model:
         width, height = _size(size)
         names = _outputs(outputs)
         chosen = Camera.fit() if camera is None else camera
+        if not isinstance(chosen, Camera):
+            raise TypeError(f"camera: must be an rhw.Camera, as rhw.Camera.orbit(30, 20) makes one, not {_arrays.text(camera)}")
         tuple_of = chosen._resolve(self, width, height)
         of_file = False
         if camera is None and self.cameras:
@@ -298,7 +300,7 @@ class Model:
 
 
 def _size(size: Size) -> Tuple[int, int]:
-    pair = (size, size) if isinstance(size, (int, np.integer)) else tuple(size)
+    pair = tuple(size) if isinstance(size, (tuple, list, np.ndarray)) else (size, size)
     if len(pair) != 2 or not all(isinstance(each, (int, np.integer)) for each in pair):
         raise TypeError(f"size: must be (width, height) or one number, not {_arrays.text(size)}")
     width, height = int(pair[0]), int(pair[1])

@@ -267,7 +267,7 @@ if ! ldd "$rhw" | grep -Eq 'lib(a|ub|t)san'; then
     "$rhw" view - <endless >said 2>complained &
     viewer=$!
     check "a window while it reads" until_true has_window
-    closes 1
+    closes 0 # nothing has failed
     kill $feeder
 fi
 

@@ -43,6 +43,8 @@ model = rhw.Model(V, F)
     (lambda: rhw.Model(V, F, up="w"), ValueError, "up: 'w' is not one of"),
     (lambda: model.render(0), ValueError, "size: width and height must lie between 1 and 16384"),
     (lambda: model.render("big"), TypeError, "size: "),
+    (lambda: model.render(64.5), TypeError, "size: must be"),
+    (lambda: model.render(64, (30, 20)), TypeError, "camera: must be an rhw.Camera"),
     (lambda: model.render(9, samples=3), ValueError, "samples: must be 1, 2, 4, 8 or 16, not 3"),
     (lambda: model.render(9, supersample=5), ValueError, "supersample: must be 1, 4, 9 or 16, not 5"),
     (lambda: model.render(9, outputs=()), ValueError, "outputs: there must be one"),

@@ -3,6 +3,7 @@
 #include "text.h"
 
 #include <stdbool.h>
+#include <string.h>
 
 #pragma GCC diagnostic push
 #pragma GCC diagnostic ignored "-Wconversion" // of a header that is not ours
@@ -53,13 +54,14 @@ static int walk(SDL_Renderer *renderer, int x, int y, int scale, const char *lin
             continue; // of a character whose first byte was drawn
         }
         const bool printable = line[i] >= ' ' && line[i] <= '~';
-        const char letter = printable ? line[i] : '?';
+        const bool squared = i + 1 < length && memcmp(&line[i], "\u00b2", 2) == 0;
+        const char letter = printable ? line[i] : squared ? '2' : '?';
         const bool in_column = i >= 2 && letter != ' ' && line[i - 1] == ' ' && line[i - 2] == ' ';
         if (in_column && at < COLUMN * (int)i) {
             at = COLUMN * (int)i;
         }
         if (renderer && letter != ' ') {
-            draw_letter(renderer, x + scale * at, y, scale, letter);
+            draw_letter(renderer, x + scale * at, squared ? y - 2 * scale : y, scale, letter);
         }
         at += letter_width(letter);
     }
