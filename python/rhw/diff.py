@@ -21,12 +21,12 @@ after the other in the order of the picture. `context` says how many threads the
 
 from __future__ import annotations
 
-from typing import Any, Optional, Sequence, Tuple
+from typing import Any, List, Optional, Sequence, Tuple
 
 import numpy as np
 
 from . import _rhw, _threads
-from ._arrays import _read, floats, indices, whole
+from ._arrays import _read, choice, floats, indices, whole
 
 _MOST = 16384  # rows and columns, RHW_MAX_TARGET_SIZE
 
@@ -210,3 +210,122 @@ def interpolate_grad(attr: Any, rast: Any, tri: Any, to_values: Any, rast_db: An
     to_rast_db = np.empty_like(rast) if slopes else None
     _rhw.diff_interpolate_grad((*arguments, to_values, to_slopes), to_attr, to_rast, to_rast_db)
     return to_attr, to_rast, to_rast_db
+
+
+# Textures --------------------------------------------------------------------------------------------------------------
+
+_FILTERS = ("nearest", "linear", "linear-mipmap-nearest", "linear-mipmap-linear")
+_BOUNDARIES = ("cube", "wrap", "clamp", "zero")
+
+
+def _texels(value: Any, name: str, cube: bool) -> np.ndarray:
+    array = floats(value, name, (None,) * (5 if cube else 4))
+    sides = array.shape[-3:-1]
+    if array.size == 0 or max(array.shape[-3:]) > _MOST or (cube and (array.shape[1] != 6 or sides[0] != sides[1])):
+        raise ValueError(f"{name}: must have the shape {'(B, 6, N, N, C)' if cube else '(B, H, W, C)'}, not {array.shape}")
+    return array
+
+
+def _halved(texels: np.ndarray) -> np.ndarray:
+    """The next level: means of 2 by 2 texels, or of two where the level is one texel high or wide."""
+    for axis in (-3, -2):
+        extent = texels.shape[axis]
+        if extent > 1:
+            if extent % 2:
+                raise ValueError(f"tex: sides that are halved must be even, not {extent}; max_mip_level limits how often")
+            even, odd = (np.take(texels, range(k, extent, 2), axis) for k in (0, 1))
+            texels = (even + odd) * np.float32(0.5)
+    return texels
+
+
+def texture_construct_mip(tex: Any, max_mip_level: Optional[int] = None, cube_mode: bool = False) -> List[np.ndarray]:
+    """The levels above `tex`, each the mean of the one before, down to one texel or `max_mip_level`."""
+    levels = [_texels(tex, "tex", cube_mode)]
+    most = _MOST if max_mip_level is None else whole(max_mip_level, "max_mip_level", 0, _MOST)
+    while len(levels) <= most and max(levels[-1].shape[-3:-1]) > 1:
+        levels.append(_halved(levels[-1]))
+    return levels[1:]
+
+
+def texture_construct_mip_grad(to_tex: np.ndarray, to_mip: Sequence[np.ndarray]) -> np.ndarray:
+    """The gradient of the texture from its own and those of the levels that were made of it."""
+    levels = [to_tex, *to_mip]
+    gradient = levels.pop()
+    while levels:
+        below = levels.pop()
+        for axis in (-2, -3):
+            if below.shape[axis] > 1:
+                gradient = np.repeat(gradient, 2, axis) * np.float32(0.5)
+        gradient = below + gradient
+    return gradient
+
+
+def _sampling(tex: Any, uv: Any, uv_da: Any, mip_level_bias: Any, mip: Any, filter_mode: str, boundary_mode: str,
+              max_mip_level: Optional[int], context: Optional[_rhw.Context],
+              ) -> Tuple[Tuple[np.ndarray, ...], Tuple[Any, ...], Tuple[int, ...]]:
+    """Levels, the first arguments of the extension, and the shape of what is read."""
+    if filter_mode == "auto":
+        filter_mode = "linear" if uv_da is None and mip_level_bias is None else "linear-mipmap-linear"
+    filtering, boundary = choice(filter_mode, "filter_mode", _FILTERS), choice(boundary_mode, "boundary_mode", _BOUNDARIES)
+    cube = boundary_mode == "cube"
+    tex, uv = _texels(tex, "tex", cube), floats(uv, "uv", (None, None, None, 3 if cube else 2))
+    if uv.size == 0 or uv.shape[1] * uv.shape[2] > 2**31:
+        raise ValueError(f"uv: must have at least one pixel, not {uv.shape}")
+    if tex.shape[0] not in (1, len(uv)):
+        raise ValueError(f"tex: must have 1 or {len(uv)} images, not {tex.shape[0]}")
+    if filtering >= 2 and uv_da is None and mip_level_bias is None:
+        raise ValueError(f"uv_da, mip_level_bias: one of them must be given for {filter_mode}")
+    if uv_da is not None:
+        uv_da = floats(uv_da, "uv_da", uv.shape[:3] + (2 * uv.shape[3],))
+    if mip_level_bias is not None:
+        mip_level_bias = floats(mip_level_bias, "mip_level_bias", uv.shape[:3])
+    levels = [tex]
+    if filtering >= 2:
+        most = None if max_mip_level is None else whole(max_mip_level, "max_mip_level", 0, _MOST)
+        made = texture_construct_mip(tex, most, cube) if mip is None else list(mip)
+        for k, level in enumerate(made[:most], 1):
+            wanted = tex.shape[:-3] + tuple(max(side >> k, 1) for side in tex.shape[-3:-1]) + tex.shape[-1:]
+            levels.append(floats(level, f"mip[{k - 1}]", wanted))
+    threads = (context or _threads.context()).threads
+    description = (tuple(levels), len(tex), *tex.shape[-3:], filtering, boundary, len(uv), uv.shape[1] * uv.shape[2], threads)
+    return tuple(levels), (description, uv, uv_da, mip_level_bias), uv.shape[:3] + tex.shape[-1:]
+
+
+def texture(tex: Any, uv: Any, uv_da: Any = None, mip_level_bias: Any = None, mip: Optional[Sequence[Any]] = None,
+            filter_mode: str = "auto", boundary_mode: str = "wrap", max_mip_level: Optional[int] = None, *,
+            context: Optional[_rhw.Context] = None) -> np.ndarray:
+    """A texture at coordinates.
+
+    tex: (B or 1, H, W, C), of a cube (B or 1, 6, N, N, C) with the faces +x, -x, +y, -y, +z, -z
+    uv: (B, h, w, 2), 0 to 1 across the texture, row 0 at v = 0; of a cube directions (B, h, w, 3) of any length
+    uv_da: their slopes as interpolate gives them, which choose levels; mip_level_bias: (B, h, w), added to the level
+    mip: levels above `tex`; None: means of it, made anew
+    filter_mode: 'nearest', 'linear', 'linear-mipmap-nearest', 'linear-mipmap-linear'; 'auto': the last, or 'linear' where
+        nothing chooses levels
+    boundary_mode: 'wrap', 'clamp', 'zero' or 'cube'
+
+    Returns (B, h, w, C). Directions of length 0 read 0, and have no gradient.
+    """
+    _, arguments, shape = _sampling(tex, uv, uv_da, mip_level_bias, mip, filter_mode, boundary_mode, max_mip_level, context)
+    values = np.empty(shape, np.float32)
+    _rhw.diff_texture(*arguments, values)
+    return values
+
+
+def texture_grad(tex: Any, uv: Any, to_values: Any, uv_da: Any = None, mip_level_bias: Any = None,
+                 mip: Optional[Sequence[Any]] = None, filter_mode: str = "auto", boundary_mode: str = "wrap",
+                 max_mip_level: Optional[int] = None, *, context: Optional[_rhw.Context] = None,
+                 ) -> Tuple[np.ndarray, np.ndarray, Optional[np.ndarray], Optional[np.ndarray], List[np.ndarray]]:
+    """The gradients of `tex`, `uv`, `uv_da`, `mip_level_bias` and `mip` from that of what texture gives.
+
+    Where `mip` is None, what its levels would have got is in that of `tex`. Choices of a nearest texel or level have none.
+    """
+    levels, arguments, shape = _sampling(tex, uv, uv_da, mip_level_bias, mip, filter_mode, boundary_mode, max_mip_level,
+                                         context)
+    to_levels = tuple(np.zeros_like(level) for level in levels)
+    to_uv, to_uv_da, to_bias = (None if array is None else np.empty_like(array) for array in arguments[1:])
+    _rhw.diff_texture_grad((*arguments, floats(to_values, "to_values", shape)), to_levels, to_uv, to_uv_da, to_bias)
+    to_tex, to_mip = to_levels[0], list(to_levels[1:])
+    if mip is None:
+        to_tex, to_mip = texture_construct_mip_grad(to_tex, to_mip), []
+    return to_tex, to_uv, to_uv_da, to_bias, to_mip
