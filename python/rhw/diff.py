@@ -329,3 +329,67 @@ def texture_grad(tex: Any, uv: Any, to_values: Any, uv_da: Any = None, mip_level
     if mip is None:
         to_tex, to_mip = texture_construct_mip_grad(to_tex, to_mip), []
     return to_tex, to_uv, to_uv_da, to_bias, to_mip
+
+
+# Silhouettes -----------------------------------------------------------------------------------------------------------
+
+
+def antialias_construct_topology_hash(tri: Any) -> np.ndarray:
+    """Which vertex lies beyond each edge: (T, 3) uint32, of the edge across from each corner; 2^32 - 1 where none does.
+
+    Where more than two triangles share an edge, each has the next one's vertex.
+    """
+    tri = indices(tri, "tri", (None, 3), 2**31)
+    ends = np.sort(np.stack([tri[:, [1, 2]], tri[:, [2, 0]], tri[:, [0, 1]]], axis=1).reshape(-1, 2).astype(np.int64), axis=1)
+    edges = ends[:, 0] << 32 | ends[:, 1]
+    order = np.argsort(edges, kind="stable")
+    first = np.ones(len(order), bool)
+    first[1:] = edges[order][1:] != edges[order][:-1]
+    group = np.cumsum(first) - 1
+    starts = np.flatnonzero(first)
+    last = np.append(first[1:], True)[:len(order)]
+    following = np.where(last, starts[group], np.arange(len(order)) + 1)
+    beyond = tri.reshape(-1)[order[following]]
+    beyond[first & last] = 2**32 - 1
+    result = np.empty(tri.size, np.uint32)
+    result[order] = beyond
+    return result.reshape(tri.shape)
+
+
+def _silhouettes(color: Any, rast: Any, pos: Any, tri: Any, topology_hash: Any,
+                 context: Optional[_rhw.Context]) -> Tuple[Any, ...]:
+    rast = _rast(rast)
+    color = floats(color, "color", rast.shape[:3] + (None,))
+    whole(color.shape[-1], "color: number of channels", 1, _MOST)
+    pos, shared = _batched(pos, "pos", 4)
+    if not shared and len(pos) != len(rast):
+        raise ValueError(f"pos: must have {len(rast)} images, as rast has, not {len(pos)}")
+    tri = indices(tri, "tri", (None, 3), pos.shape[-2])
+    if topology_hash is None:
+        topology_hash = antialias_construct_topology_hash(tri)
+    opposite = indices(topology_hash, "topology_hash", tri.shape, 2**32)
+    return _mesh(tri, pos.shape[-2], rast.shape, context), color, color.shape[-1], rast, pos, shared, opposite
+
+
+def antialias(color: Any, rast: Any, pos: Any, tri: Any, topology_hash: Any = None, *,
+              context: Optional[_rhw.Context] = None) -> np.ndarray:
+    """A picture whose silhouettes lie where the triangles end, and not at the next pixel: they move with `pos`.
+
+    color: (B, H, W, C); rast, pos, tri: of rasterize; topology_hash: of antialias_construct_topology_hash
+
+    Triangles that meet at an edge must name the same vertices, or the edge counts as a silhouette. Triangles with a vertex
+    behind the eye are left as they are.
+    """
+    arguments = _silhouettes(color, rast, pos, tri, topology_hash, context)
+    result = np.empty_like(arguments[1])
+    _rhw.diff_antialias(*arguments, result)
+    return result
+
+
+def antialias_grad(color: Any, rast: Any, pos: Any, tri: Any, to_result: Any, topology_hash: Any = None, *,
+                   context: Optional[_rhw.Context] = None) -> Tuple[np.ndarray, np.ndarray]:
+    """The gradients of `color` and `pos` from that of what antialias gives; that of z is 0."""
+    arguments = _silhouettes(color, rast, pos, tri, topology_hash, context)
+    to_color, to_pos = np.empty_like(arguments[1]), np.empty_like(arguments[4])
+    _rhw.diff_antialias_grad((*arguments, _like(to_result, "to_result", to_color)), to_color, to_pos)
+    return to_color, to_pos
