@@ -99,7 +99,14 @@ static bool find_ending(const struct work *work, size_t place, int axis, struct 
 {
     const struct diff_mesh *const mesh = &work->mesh;
     const size_t step = axis ? mesh->width : 1, image = place / diff_mesh_pixels(mesh);
+    const size_t x = place % mesh->width, y = place / mesh->width % mesh->height;
+    if (axis ? y + 1 == mesh->height : x + 1 == mesh->width) {
+        return false;
+    }
     const float *const here = work->rast + 4 * place, *const there = here + 4 * step;
+    if (here[3] == there[3]) {
+        return false;
+    }
     const bool is_here = here[3] > 0 && (!(there[3] > 0) || here[2] < there[2]);
     size_t triangle, edge = 0;
     if (!diff_mesh_triangle(mesh, is_here ? here[3] : there[3], &triangle)) {
@@ -137,13 +144,10 @@ static void find_shares(void *data, size_t row)
     const struct diff_mesh *const mesh = &work->mesh;
     for (size_t x = 0; x < mesh->width; x++) {
         const size_t place = row * mesh->width + x;
-        const bool has_next[2] = {x + 1 < mesh->width, row % mesh->height + 1 < mesh->height};
         for (int axis = 0; axis < 2; axis++) {
-            const size_t next = place + (axis ? mesh->width : 1);
             struct ending ending;
             work->share[place][axis] = 0.0f;
-            if (has_next[axis] && work->rast[4 * place + 3] != work->rast[4 * next + 3] &&
-                find_ending(work, place, axis, &ending)) {
+            if (find_ending(work, place, axis, &ending)) {
                 work->share[place][axis] = ending.near == place ? ending.share : -ending.share;
             }
         }
@@ -236,8 +240,7 @@ static void move_image(void *data, size_t image)
     for (size_t place = image * pixels; place < (image + 1) * pixels; place++) {
         for (int axis = 0; axis < 2; axis++) {
             struct ending ending;
-            if (work->share[place][axis] == 0 || !find_ending(work, place, axis, &ending) ||
-                !ending.is_free) {
+            if (!find_ending(work, place, axis, &ending) || !ending.is_free) { // a share of 0 moves too
                 continue;
             }
             const size_t target = ending.share > 0 ? ending.other : ending.near;
