@@ -65,14 +65,15 @@ def _mesh(tri: np.ndarray, vertices: int, shape: Sequence[int], context: Optiona
     if vertices < 1:
         raise ValueError("pos: must have at least one vertex")
     images, height, width = shape[:3]
-    return tri, vertices, images, height, width, (context or _threads.context()).threads
+    # A copy, which nobody changes once its numbers were checked.
+    return tri.copy(), vertices, images, height, width, (context or _threads.context()).threads
 
 
 def _ranges(ranges: Any, triangles: int) -> np.ndarray:
     array = indices(ranges, "ranges", (None, 2), triangles + 1)
     if len(array) == 0 or (array.sum(axis=1, dtype=np.int64) > triangles).any():
         raise ValueError(f"ranges: there must be one, and each end at or before {triangles}, the number of triangles")
-    return array
+    return array.copy()
 
 
 # Rasterization ---------------------------------------------------------------------------------------------------------
@@ -234,7 +235,7 @@ def _halved(texels: np.ndarray) -> np.ndarray:
             if extent % 2:
                 raise ValueError(f"tex: sides that are halved must be even, not {extent}; max_mip_level limits how often")
             even, odd = (np.take(texels, range(k, extent, 2), axis) for k in (0, 1))
-            texels = (even + odd) * np.float32(0.5)
+            texels = even * np.float32(0.5) + odd * np.float32(0.5)
     return texels
 
 
@@ -282,10 +283,12 @@ def _sampling(tex: Any, uv: Any, uv_da: Any, mip_level_bias: Any, mip: Any, filt
     levels = [tex]
     if filtering >= 2:
         most = None if max_mip_level is None else whole(max_mip_level, "max_mip_level", 0, _MOST)
-        made = texture_construct_mip(tex, most, cube) if mip is None else list(mip)
-        for k, level in enumerate(made[:most], 1):
-            wanted = tex.shape[:-3] + tuple(max(side >> k, 1) for side in tex.shape[-3:-1]) + tex.shape[-1:]
-            levels.append(floats(level, f"mip[{k - 1}]", wanted))
+        if mip is None:
+            levels += texture_construct_mip(tex, most, cube)
+        else:
+            for k, level in enumerate(list(mip)[:most], 1):
+                wanted = tex.shape[:-3] + tuple(max(side >> k, 1) for side in tex.shape[-3:-1]) + tex.shape[-1:]
+                levels.append(floats(level, f"mip[{k - 1}]", wanted))
     threads = (context or _threads.context()).threads
     description = (tuple(levels), len(tex), *tex.shape[-3:], filtering, boundary, len(uv), uv.shape[1] * uv.shape[2], threads)
     return tuple(levels), (description, uv, uv_da, mip_level_bias), uv.shape[:3] + tex.shape[-1:]

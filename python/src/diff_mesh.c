@@ -95,6 +95,8 @@ struct sorting {
     const struct diff_mesh *mesh;
     const float *rast;
     struct diff_pixels *pixels;
+    uint32_t
+        *triangle; // of every pixel, UINT32_MAX: none: `rast` is read once, as another thread may write to it
 };
 
 static void sort_image(void *data, size_t image)
@@ -105,18 +107,21 @@ static void sort_image(void *data, size_t image)
     const float *const rast = sorting->rast + 4 * count * image;
     uint32_t *const first = sorting->pixels->first + image * (mesh->triangles + 2);
     uint32_t *const pixel = sorting->pixels->pixel + image * count;
-    size_t triangle;
+    uint32_t *const triangle = sorting->triangle + image * count;
     for (size_t i = 0; i < count; i++) {
-        if (diff_mesh_triangle(mesh, rast[4 * i + 3], &triangle)) {
-            first[triangle + 2]++;
+        size_t t;
+        const bool is_there = diff_mesh_triangle(mesh, rast[4 * i + 3], &t);
+        triangle[i] = is_there ? (uint32_t)t : UINT32_MAX;
+        if (is_there) {
+            first[t + 2]++;
         }
     }
     for (size_t t = 2; t < mesh->triangles + 2; t++) {
         first[t] += first[t - 1];
     }
     for (size_t i = 0; i < count; i++) {
-        if (diff_mesh_triangle(mesh, rast[4 * i + 3], &triangle)) {
-            pixel[first[triangle + 1]++] = (uint32_t)i;
+        if (triangle[i] != UINT32_MAX) {
+            pixel[first[triangle[i] + 1]++] = (uint32_t)i;
         }
     }
 }
@@ -125,13 +130,16 @@ bool diff_pixels_make(const struct diff_mesh *mesh, const float *rast, struct di
 {
     pixels->first = calloc(mesh->images * (mesh->triangles + 2), sizeof *pixels->first);
     pixels->pixel = malloc(mesh->images * diff_mesh_pixels(mesh) * sizeof *pixels->pixel);
-    if (!pixels->first || !pixels->pixel) {
+    struct sorting sorting = {mesh, rast, pixels,
+                              malloc(mesh->images * diff_mesh_pixels(mesh) * sizeof *sorting.triangle)};
+    const bool good = pixels->first && pixels->pixel && sorting.triangle;
+    if (good) {
+        diff_jobs_run(mesh->threads, mesh->images, sort_image, &sorting);
+    } else {
         diff_pixels_free(pixels);
-        return false;
     }
-    struct sorting sorting = {mesh, rast, pixels};
-    diff_jobs_run(mesh->threads, mesh->images, sort_image, &sorting);
-    return true;
+    free(sorting.triangle);
+    return good;
 }
 
 void diff_pixels_free(struct diff_pixels *pixels)
