@@ -8,6 +8,7 @@ import subprocess
 import sys
 from pathlib import Path
 
+import numpy as np
 import pytest
 
 from conftest import ENVIRONMENT, SANITIZED, model_file
@@ -47,3 +48,19 @@ def test_recipes_of_the_documents(tmp_path, monkeypatch, box_obj):
     for block in blocks:
         exec(compile(block, "docs/python.md", "exec"), names)
     assert (tmp_path / "chair.png").exists()
+
+
+def test_recipes_of_learning():
+    """Every block of docs/learning.md; the two of them draw the same picture."""
+    text = (ROOT / "docs/learning.md").read_text()
+    blocks = re.findall(r"```python\n(.*?)```", text, re.S)
+    assert len(blocks) == 2
+    arrays, tensors = {}, {}
+    exec(compile(blocks[1], "docs/learning.md", "exec"), arrays)
+    assert arrays["to_pos"].any()
+    if SANITIZED:
+        pytest.skip("torch is not made for a sanitizer that is loaded before it")
+    pytest.importorskip("torch", reason="torch is not here: script/bootstrap learn")
+    exec(compile(blocks[0], "docs/learning.md", "exec"), tensors)
+    assert np.array_equal(tensors["image"].detach().numpy(), arrays["image"])
+    assert np.allclose(tensors["pos"].grad.numpy(), arrays["to_pos"], rtol=1e-5, atol=1e-7)
