@@ -33,7 +33,7 @@ def test_example(example, tmp_path):
 
 
 def test_examples_are_there():
-    assert len(EXAMPLES) >= 6
+    assert len(EXAMPLES) >= 8
 
 
 def test_recipes_of_the_documents(tmp_path, monkeypatch, box_obj):
