@@ -20,6 +20,7 @@ load, Model, Camera   models, and where they are seen from
 Pictures              what a render gives: a dictionary of NumPy arrays
 write_png             an array as a file
 pipeline              buffers, textures and passes, for what no model and no material is needed for
+diff                  rasterization with gradients, for those who learn from images; rhw.torch has it for autograd
 Context               how many threads draw; nothing that is drawn depends on it
 Error                 the work failed: one line that names the thing and the cause
 
@@ -28,7 +29,7 @@ top to bottom: a picture of size=(640, 480) has the shape (480, 640). Matrices a
 right-handed. What is drawn is what the program `rhw render` draws with the same options, to the last bit.
 """
 
-from . import _rhw, pipeline
+from . import _rhw, diff, pipeline
 from ._rhw import Context, Error
 from .camera import Camera, View
 from .model import Animation, Image, Light, Material, Mesh, Model, ModelCamera, Node, load
@@ -37,4 +38,4 @@ from .pictures import Pictures, write_png
 __version__: str = _rhw.version
 
 __all__ = ["Animation", "Camera", "Context", "Error", "Image", "Light", "Material", "Mesh", "Model", "ModelCamera",
-           "Node", "Pictures", "View", "load", "pipeline", "write_png"]
+           "Node", "Pictures", "View", "diff", "load", "pipeline", "write_png"]

@@ -38,8 +38,15 @@ bool python_work_goes_on(void *user)
 
 static int add_functions(PyObject *module)
 {
-    PyMethodDef *const tables[] = {python_model_functions, python_camera_functions, python_encode_functions,
-                                   python_resource_functions};
+    PyMethodDef *const tables[] = {python_model_functions,
+                                   python_camera_functions,
+                                   python_encode_functions,
+                                   python_resource_functions,
+                                   python_diff_rasterize_functions,
+                                   python_diff_rasterize_grad_functions,
+                                   python_diff_interpolate_functions,
+                                   python_diff_texture_functions,
+                                   python_diff_antialias_functions};
     for (size_t i = 0; i < sizeof tables / sizeof *tables; i++) {
         if (PyModule_AddFunctions(module, tables[i]) < 0) {
             return -1;

@@ -104,7 +104,7 @@ static bool read_shape(PyObject *shape, const char *name, struct python_array *a
 {
     const Py_ssize_t dimensions = shape && PyTuple_Check(shape) ? PyTuple_Size(shape) : -1;
     if (dimensions < 0 || dimensions > PYTHON_MAX_DIMENSIONS) {
-        return refuse(name, "an array of at most three dimensions");
+        return refuse(name, "an array of at most five dimensions");
     }
     array->dimensions = (int)dimensions;
     array->count = 1;

@@ -5,7 +5,7 @@
 
 #include "extension.h"
 
-enum { PYTHON_MAX_DIMENSIONS = 3 };
+enum { PYTHON_MAX_DIMENSIONS = 5 };
 
 /// Elements as __array_interface__ has them.
 struct python_shape {

@@ -8,9 +8,10 @@ import subprocess
 import sys
 from pathlib import Path
 
+import numpy as np
 import pytest
 
-from conftest import ENVIRONMENT, model_file
+from conftest import ENVIRONMENT, SANITIZED, model_file
 
 ROOT = Path(__file__).resolve().parents[2]
 EXAMPLES = sorted((ROOT / "python/examples").glob("*.py"))
@@ -19,6 +20,10 @@ EXAMPLES = sorted((ROOT / "python/examples").glob("*.py"))
 @pytest.mark.parametrize("example", EXAMPLES, ids=lambda path: path.stem)
 def test_example(example, tmp_path):
     model = [model_file("glTF2/2CylinderEngine-glTF-Binary/2CylinderEngine.glb")] if "MODEL" in example.read_text() else []
+    if "rhw.torch" in example.read_text():
+        if SANITIZED:
+            pytest.skip("torch is not made for a sanitizer that is loaded before it")
+        pytest.importorskip("torch", reason="torch is not here: script/bootstrap learn")
     out = tmp_path / "out.png"
     subprocess.run([sys.executable, "-B", example, *model, out], check=True, stdout=subprocess.DEVNULL)
     told = subprocess.run([os.environ["RHW_PROGRAM"], "compare", "--json", out, example.with_suffix(".png")],
@@ -28,7 +33,7 @@ def test_example(example, tmp_path):
 
 
 def test_examples_are_there():
-    assert len(EXAMPLES) >= 4
+    assert len(EXAMPLES) >= 8
 
 
 def test_recipes_of_the_documents(tmp_path, monkeypatch, box_obj):
@@ -43,3 +48,19 @@ def test_recipes_of_the_documents(tmp_path, monkeypatch, box_obj):
     for block in blocks:
         exec(compile(block, "docs/python.md", "exec"), names)
     assert (tmp_path / "chair.png").exists()
+
+
+def test_recipes_of_learning():
+    """Every block of docs/learning.md; the two of them draw the same picture."""
+    text = (ROOT / "docs/learning.md").read_text()
+    blocks = re.findall(r"```python\n(.*?)```", text, re.S)
+    assert len(blocks) == 2
+    arrays, tensors = {}, {}
+    exec(compile(blocks[1], "docs/learning.md", "exec"), arrays)
+    assert arrays["to_pos"].any()
+    if SANITIZED:
+        pytest.skip("torch is not made for a sanitizer that is loaded before it")
+    pytest.importorskip("torch", reason="torch is not here: script/bootstrap learn")
+    exec(compile(blocks[0], "docs/learning.md", "exec"), tensors)
+    assert np.array_equal(tensors["image"].detach().numpy(), arrays["image"])
+    assert np.allclose(tensors["pos"].grad.numpy(), arrays["to_pos"], rtol=1e-5, atol=1e-7)

@@ -9,6 +9,7 @@ import numpy as np
 import pytest
 
 import rhw
+import rhw.diff as dr
 from conftest import SANITIZED
 from rhw.pipeline import Buffer, Pass, Pipeline, Sampler, Texture
 
@@ -37,6 +38,9 @@ def fresh(name):
     """Good arguments of each call, by keyword."""
     targets = {"color": Texture(8)}
     model = rhw.Model(V, F)
+    clip = np.concatenate([V, np.ones((3, 1), np.float32)], 1)[None]
+    rast, rast_db = dr.rasterize(clip, F, (4, 6))
+    three, uv, sides = rast[..., :3].copy(), rast[..., :2].copy(), np.ones((1, 6, 4, 4, 3), np.float32)
     buffers = {"positions": Buffer(V), "faces": Buffer(F, np.uint32)}
 
     def draw(**keywords):
@@ -70,12 +74,25 @@ def fresh(name):
         "Pass": (lambda **k: Pass(**k).__enter__(), dict(targets=targets, depth=True, clear=None, load=False, samples=1, size=None)),
         "draw": (draw, dict(**buffers, colors=None, uv=None, normals=None, matrix=None, world=None, color=(1, 1, 1, 1),
                             texture=None, sampler=None, object=1, first_triangle=1)),
+        "rasterize": (dr.rasterize, dict(pos=clip, tri=F, resolution=(4, 6), ranges=None, context=None)),
+        "rasterize_grad": (dr.rasterize_grad, dict(pos=clip, tri=F, rast=rast, to_rast=rast, to_rast_db=rast_db)),
+        "interpolate": (dr.interpolate, dict(attr=V, rast=rast, tri=F, rast_db=rast_db, diff_attrs=[0, 2])),
+        "interpolate_grad": (dr.interpolate_grad, dict(attr=V, rast=rast, tri=F, to_values=three, rast_db=rast_db,
+                                                       to_slopes=rast_db, diff_attrs=[0, 2])),
+        "texture": (dr.texture, dict(tex=sides[:, 0], uv=uv, uv_da=rast_db, mip_level_bias=None, mip=None, filter_mode="auto",
+                                     boundary_mode="zero", max_mip_level=1)),
+        "texture_grad": (dr.texture_grad, dict(tex=sides, uv=three, to_values=three, filter_mode="linear", boundary_mode="cube")),
+        "antialias": (dr.antialias, dict(color=three, rast=rast, pos=clip, tri=F, topology_hash=None)),
+        "antialias_grad": (dr.antialias_grad, dict(color=three, rast=rast, pos=clip, tri=F, to_result=three,
+                                                   topology_hash=None)),
         "write_png": (lambda **k: rhw.write_png("/dev/null", **k), dict(image=np.zeros((2, 2), np.uint8), srgb=True)),
     }[name]
 
 
 @pytest.mark.parametrize("name", ["Model", "render", "load", "orbit", "look_at", "from_matrix", "intrinsics", "Context",
-                                  "Buffer", "Texture", "Texture.of", "Sampler", "Pipeline", "Pass", "draw", "write_png"])
+                                  "Buffer", "Texture", "Texture.of", "Sampler", "Pipeline", "Pass", "draw", "write_png",
+                                  "rasterize", "rasterize_grad", "interpolate", "interpolate_grad", "texture", "texture_grad",
+                                  "antialias", "antialias_grad"])
 def test_hostile_arguments(name):
     choose = random.Random(name)
     call, good = fresh(name)
@@ -92,6 +109,27 @@ def test_hostile_arguments(name):
             refused += 1
             assert "\n" not in str(error) and len(str(error)) < 400, keywords
     assert refused > 20
+
+
+def test_numbers_that_are_no_pixels_are_left_alone():
+    """Triangles that are not there, coordinates and slopes of any size, positions of any sign."""
+    choose = np.random.default_rng(3)
+    extremes = np.array([0, -0.0, 1, -1, 2, 7, 1e-38, -1e-30, 1e9, 3e38, -3e38, 2**31, 2**32, 0.5, 1e4], np.float32)
+
+    def any_of(*shape):
+        return choose.choice(extremes, shape)
+
+    for _ in range(60):
+        pos, tri, rast = any_of(2, 5, 4), choose.integers(0, 5, (6, 3)), any_of(2, 4, 6, 4)
+        dr.rasterize(pos, tri, (4, 6))
+        with np.errstate(all="ignore"):
+            dr.rasterize_grad(pos, tri, rast, any_of(2, 4, 6, 4), any_of(2, 4, 6, 4))
+            dr.interpolate_grad(any_of(2, 5, 3), rast, tri, any_of(2, 4, 6, 3), any_of(2, 4, 6, 4), any_of(2, 4, 6, 6), "all")
+            dr.antialias_grad(any_of(2, 4, 6, 3), rast, pos, tri, any_of(2, 4, 6, 3))
+            for boundary, sides, n in (("cube", (6, 4, 4), 3), ("wrap", (4, 8), 2), ("clamp", (4, 8), 2), ("zero", (4, 8), 2)):
+                for mode in ("nearest", "linear", "linear-mipmap-nearest", "linear-mipmap-linear"):
+                    dr.texture_grad(any_of(1, *sides, 2), any_of(2, 4, 6, n), any_of(2, 4, 6, 2), any_of(2, 4, 6, 2 * n),
+                                    any_of(2, 4, 6), None, mode, boundary)
 
 
 @pytest.mark.skipif(SANITIZED, reason="sanitizers cannot fork beside threads that allocate")

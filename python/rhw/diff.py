@@ -1,0 +1,398 @@
+# SPDX-License-Identifier: MIT
+"""Rasterization with gradients, for those who learn from images: NumPy arrays in and out, every gradient by a function.
+
+The operations, shapes and conventions are those of nvdiffrast; rhw.torch has them for autograd.
+
+    >>> rast, rast_db = rhw.diff.rasterize(pos, tri, (256, 256))
+    >>> color, _ = rhw.diff.interpolate(attributes, rast, tri)
+    >>> image = rhw.diff.antialias(color, rast, pos, tri)
+    >>> to_color, to_pos = rhw.diff.antialias_grad(color, rast, pos, tri, image - reference)
+    >>> to_attributes, to_rast, _ = rhw.diff.interpolate_grad(attributes, rast, tri, to_color)
+    >>> to_pos += rhw.diff.rasterize_grad(pos, tri, rast, to_rast)
+
+B images of H rows and W columns are drawn at once. Positions are clip coordinates as in OpenGL: x, y and z from -w to w,
+y upwards, and row 0 is the lowest. Arrays are float32, indices whole numbers. `pos` of the shape (B, V, 4) has the vertices
+of every image; (V, 4) is one set for all, and `ranges` (B, 2) then says which triangles an image has, by the first and
+their number.
+
+Nothing depends on how many threads work, gradients neither: where many pixels add to one vertex or texel, they do so one
+after the other in the order of the picture. `context` says how many threads there are, else all cores work.
+"""
+
+from __future__ import annotations
+
+from typing import Any, List, Optional, Sequence, Tuple
+
+import numpy as np
+
+from . import _rhw, _threads
+from ._arrays import _read, choice, floats, indices, whole
+
+_MOST = 16384  # rows and columns, RHW_MAX_TARGET_SIZE
+
+
+def _size(resolution: Any) -> Tuple[int, int]:
+    try:
+        height, width = resolution
+    except (TypeError, ValueError):
+        raise TypeError("resolution: must be (height, width)") from None
+    return whole(height, "resolution", 1, _MOST), whole(width, "resolution", 1, _MOST)
+
+
+def _batched(value: Any, name: str, columns: Optional[int], images: Optional[int] = None) -> Tuple[np.ndarray, bool]:
+    """An array (B, N, columns), or (N, columns) with True; (1, N, columns) is shared where there are more images."""
+    array = _read(value, name)
+    if array.ndim == 2:
+        return floats(array, name, (None, columns)), True
+    array = floats(array, name, (None, None, columns))
+    if images is not None and array.shape[0] not in (1, images):
+        raise ValueError(f"{name}: must have 1 or {images} images, not {array.shape[0]}")
+    return array, images is not None and array.shape[0] == 1
+
+
+def _rast(value: Any, name: str = "rast") -> np.ndarray:
+    array = floats(value, name, (None, None, None, 4))
+    if array.size == 0 or max(array.shape[1:3]) > _MOST:
+        raise ValueError(f"{name}: must have at least one pixel and at most {_MOST} rows and columns, not {array.shape}")
+    return array
+
+
+def _like(value: Any, name: str, array: np.ndarray) -> np.ndarray:
+    return floats(value, name, array.shape)
+
+
+def _mesh(tri: np.ndarray, vertices: int, shape: Sequence[int], context: Optional[_rhw.Context]) -> Tuple[Any, ...]:
+    if vertices < 1:
+        raise ValueError("pos: must have at least one vertex")
+    images, height, width = shape[:3]
+    # A copy, which nobody changes once its numbers were checked.
+    return tri.copy(), vertices, images, height, width, (context or _threads.context()).threads
+
+
+def _ranges(ranges: Any, triangles: int) -> np.ndarray:
+    array = indices(ranges, "ranges", (None, 2), triangles + 1)
+    if len(array) == 0 or (array.sum(axis=1, dtype=np.int64) > triangles).any():
+        raise ValueError(f"ranges: there must be one, and each end at or before {triangles}, the number of triangles")
+    return array.copy()
+
+
+# Rasterization ---------------------------------------------------------------------------------------------------------
+
+
+def _rasterize(pos: Any, tri: Any, resolution: Any, ranges: Any, context: Optional[_rhw.Context],
+               before: Optional[np.ndarray], depths: bool) -> Tuple[np.ndarray, np.ndarray, Optional[np.ndarray]]:
+    size = _size(resolution)
+    pos, shared = _batched(pos, "pos", 4)
+    if shared and ranges is None:
+        raise ValueError("ranges: must be given where pos has the shape (V, 4)")
+    tri = indices(tri, "tri", (None, 3), pos.shape[-2])
+    ranges = _ranges(ranges, len(tri)) if shared else None
+    shape = (len(ranges) if shared else len(pos), *size)
+    rast, rast_db = np.zeros(shape + (4,), np.float32), np.zeros(shape + (4,), np.float32)
+    found = np.ones(shape, np.float32) if depths else None
+    if len(tri) and shape[0]:
+        context = context or _threads.context()
+        _rhw.diff_rasterize(context, _mesh(tri, pos.shape[-2], shape, context), pos, shared, ranges, rast, rast_db, before,
+                            found)
+    return rast, rast_db, found
+
+
+def rasterize(pos: Any, tri: Any, resolution: Tuple[int, int], ranges: Any = None, *,
+              context: Optional[_rhw.Context] = None) -> Tuple[np.ndarray, np.ndarray]:
+    """What every pixel sees.
+
+    pos: (B, V, 4), or (V, 4) with `ranges`; tri: (T, 3); resolution: (H, W)
+
+    Returns `rast` (B, H, W, 4) with u, v, z/w and the triangle's number + 1, all 0 where there is none; and `rast_db`
+    (B, H, W, 4) with du/dX, du/dY, dv/dX, dv/dY per pixel. u, v and 1 - u - v are the weights of the triangle's vertices in
+    space. Of triangles at equal depth the first is seen. Pixels and weights are those of the library, of positions rounded
+    to 1/256 pixel (docs/exactness.md).
+    """
+    return _rasterize(pos, tri, resolution, ranges, context, None, False)[:2]
+
+
+def rasterize_grad(pos: Any, tri: Any, rast: Any, to_rast: Any, to_rast_db: Any = None, *,
+                   context: Optional[_rhw.Context] = None) -> np.ndarray:
+    """The gradient of `pos` from those of `rast` and, where given, `rast_db`.
+
+    As in nvdiffrast, z/w and the triangle's number have none, nor has z. Positions are taken as they are, not rounded.
+    """
+    rast = _rast(rast)
+    pos, shared = _batched(pos, "pos", 4)
+    if not shared and len(pos) != len(rast):
+        raise ValueError(f"pos: must have {len(rast)} images, as rast has, not {len(pos)}")
+    tri = indices(tri, "tri", (None, 3), pos.shape[-2])
+    result = np.zeros_like(pos)
+    _rhw.diff_rasterize_grad(_mesh(tri, pos.shape[-2], rast.shape, context), pos, shared, rast,
+                             _like(to_rast, "to_rast", rast),
+                             None if to_rast_db is None else _like(to_rast_db, "to_rast_db", rast), result)
+    return result
+
+
+class DepthPeeler:
+    """One layer after the other: what is seen, then what lies behind that, and so on.
+
+        >>> with rhw.diff.DepthPeeler(pos, tri, (256, 256)) as peeler:
+        ...     for _ in range(3):
+        ...         rast, rast_db = peeler.rasterize_next_layer()
+
+    The arguments are those of rasterize. What lies at the depth of the layer before is left out.
+    """
+
+    def __init__(self, pos: Any, tri: Any, resolution: Tuple[int, int], ranges: Any = None, *,
+                 context: Optional[_rhw.Context] = None) -> None:
+        self._arguments = pos, tri, resolution, ranges, context
+        self._depths: Optional[np.ndarray] = None
+
+    def __enter__(self) -> "DepthPeeler":
+        return self
+
+    def __exit__(self, *exception: Any) -> None:
+        self._depths = None
+
+    def rasterize_next_layer(self) -> Tuple[np.ndarray, np.ndarray]:
+        """As rasterize, of the next layer."""
+        rast, rast_db, self._depths = _rasterize(*self._arguments, self._depths, True)
+        return rast, rast_db
+
+
+# Attributes ------------------------------------------------------------------------------------------------------------
+
+
+def _interpolation(attr: Any, rast: Any, tri: Any, rast_db: Any, diff_attrs: Any,
+                   context: Optional[_rhw.Context]) -> Tuple[np.ndarray, bool, np.ndarray, Tuple[Any, ...]]:
+    """What the calls of both directions begin with."""
+    rast = _rast(rast)
+    attr, shared = _batched(attr, "attr", None, len(rast))
+    channels = whole(attr.shape[-1], "attr: number of attributes", 1, 1024)
+    tri = indices(tri, "tri", (None, 3), attr.shape[-2])
+    if diff_attrs is None:
+        selected = np.zeros(0, np.uint32)
+    elif isinstance(diff_attrs, str) and diff_attrs == "all":
+        selected = np.arange(channels, dtype=np.uint32)
+    else:
+        selected = np.array([whole(a, "diff_attrs", 0, channels - 1) for a in diff_attrs], np.uint32)
+    if len(selected) > 1024:
+        raise ValueError("diff_attrs: must be 1024 at most")
+    if len(selected) and rast_db is None:
+        raise ValueError("rast_db: must be given where diff_attrs is")
+    rast_db = _like(rast_db, "rast_db", rast) if len(selected) else None
+    mesh = _mesh(tri, attr.shape[-2], rast.shape, context)
+    return attr, shared, rast, (mesh, attr, channels, shared, rast, rast_db, selected)
+
+
+def interpolate(attr: Any, rast: Any, tri: Any, rast_db: Any = None, diff_attrs: Any = None, *,
+                context: Optional[_rhw.Context] = None) -> Tuple[np.ndarray, np.ndarray]:
+    """Attributes of vertices at pixels, and their slopes.
+
+    attr: (B, V, A), or (1, V, A) or (V, A) for all images; diff_attrs: those whose slopes are wanted, or "all"
+
+    Returns (B, H, W, A), and (B, H, W, 2 D) with d/dX and d/dY per pixel of each of the D in `diff_attrs`.
+    """
+    _, _, rast, arguments = _interpolation(attr, rast, tri, rast_db, diff_attrs, context)
+    values = np.empty(rast.shape[:3] + (arguments[2],), np.float32)
+    slopes = np.empty(rast.shape[:3] + (2 * len(arguments[6]),), np.float32)
+    _rhw.diff_interpolate(*arguments, values, slopes)
+    return values, slopes
+
+
+def interpolate_grad(attr: Any, rast: Any, tri: Any, to_values: Any, rast_db: Any = None, to_slopes: Any = None,
+                     diff_attrs: Any = None, *, context: Optional[_rhw.Context] = None,
+                     ) -> Tuple[np.ndarray, np.ndarray, Optional[np.ndarray]]:
+    """The gradients of `attr`, `rast` and, with slopes, `rast_db`, from those of what interpolate gives."""
+    attr, _, rast, arguments = _interpolation(attr, rast, tri, rast_db, diff_attrs, context)
+    slopes = 2 * len(arguments[6])
+    to_values = floats(to_values, "to_values", rast.shape[:3] + (arguments[2],))
+    if slopes:
+        to_slopes = floats(to_slopes, "to_slopes", rast.shape[:3] + (slopes,))
+    else:
+        to_slopes = np.empty(rast.shape[:3] + (0,), np.float32)
+    to_attr, to_rast = np.empty_like(attr), np.empty_like(rast)
+    to_rast_db = np.empty_like(rast) if slopes else None
+    _rhw.diff_interpolate_grad((*arguments, to_values, to_slopes), to_attr, to_rast, to_rast_db)
+    return to_attr, to_rast, to_rast_db
+
+
+# Textures --------------------------------------------------------------------------------------------------------------
+
+_FILTERS = ("nearest", "linear", "linear-mipmap-nearest", "linear-mipmap-linear")
+_BOUNDARIES = ("cube", "wrap", "clamp", "zero")
+
+
+def _texels(value: Any, name: str, cube: bool) -> np.ndarray:
+    array = floats(value, name, (None,) * (5 if cube else 4))
+    sides = array.shape[-3:-1]
+    if array.size == 0 or max(array.shape[-3:]) > _MOST or (cube and (array.shape[1] != 6 or sides[0] != sides[1])):
+        raise ValueError(f"{name}: must have the shape {'(B, 6, N, N, C)' if cube else '(B, H, W, C)'}, not {array.shape}")
+    return array
+
+
+def _halved(texels: np.ndarray) -> np.ndarray:
+    """The next level: means of 2 by 2 texels, or of two where the level is one texel high or wide."""
+    for axis in (-3, -2):
+        extent = texels.shape[axis]
+        if extent > 1:
+            if extent % 2:
+                raise ValueError(f"tex: sides that are halved must be even, not {extent}; max_mip_level limits how often")
+            even, odd = (np.take(texels, range(k, extent, 2), axis) for k in (0, 1))
+            texels = even * np.float32(0.5) + odd * np.float32(0.5)
+    return texels
+
+
+def texture_construct_mip(tex: Any, max_mip_level: Optional[int] = None, cube_mode: bool = False) -> List[np.ndarray]:
+    """The levels above `tex`, each the mean of the one before, down to one texel or `max_mip_level`."""
+    levels = [_texels(tex, "tex", cube_mode)]
+    most = _MOST if max_mip_level is None else whole(max_mip_level, "max_mip_level", 0, _MOST)
+    while len(levels) <= most and max(levels[-1].shape[-3:-1]) > 1:
+        levels.append(_halved(levels[-1]))
+    return levels[1:]
+
+
+def texture_construct_mip_grad(to_tex: np.ndarray, to_mip: Sequence[np.ndarray]) -> np.ndarray:
+    """The gradient of the texture from its own and those of the levels that were made of it."""
+    levels = [to_tex, *to_mip]
+    gradient = levels.pop()
+    while levels:
+        below = levels.pop()
+        for axis in (-2, -3):
+            if below.shape[axis] > 1:
+                gradient = np.repeat(gradient, 2, axis) * np.float32(0.5)
+        gradient = below + gradient
+    return gradient
+
+
+def _sampling(tex: Any, uv: Any, uv_da: Any, mip_level_bias: Any, mip: Any, filter_mode: str, boundary_mode: str,
+              max_mip_level: Optional[int], context: Optional[_rhw.Context],
+              ) -> Tuple[Tuple[np.ndarray, ...], Tuple[Any, ...], Tuple[int, ...]]:
+    """Levels, the first arguments of the extension, and the shape of what is read."""
+    if filter_mode == "auto":
+        filter_mode = "linear" if uv_da is None and mip_level_bias is None else "linear-mipmap-linear"
+    filtering, boundary = choice(filter_mode, "filter_mode", _FILTERS), choice(boundary_mode, "boundary_mode", _BOUNDARIES)
+    cube = boundary_mode == "cube"
+    tex, uv = _texels(tex, "tex", cube), floats(uv, "uv", (None, None, None, 3 if cube else 2))
+    if uv.size == 0 or uv.shape[1] * uv.shape[2] > 2**31:
+        raise ValueError(f"uv: must have at least one pixel, not {uv.shape}")
+    if tex.shape[0] not in (1, len(uv)):
+        raise ValueError(f"tex: must have 1 or {len(uv)} images, not {tex.shape[0]}")
+    if filtering >= 2 and uv_da is None and mip_level_bias is None:
+        raise ValueError(f"uv_da, mip_level_bias: one of them must be given for {filter_mode}")
+    if uv_da is not None:
+        uv_da = floats(uv_da, "uv_da", uv.shape[:3] + (2 * uv.shape[3],))
+    if mip_level_bias is not None:
+        mip_level_bias = floats(mip_level_bias, "mip_level_bias", uv.shape[:3])
+    levels = [tex]
+    if filtering >= 2:
+        most = None if max_mip_level is None else whole(max_mip_level, "max_mip_level", 0, _MOST)
+        if mip is None:
+            levels += texture_construct_mip(tex, most, cube)
+        else:
+            for k, level in enumerate(list(mip)[:most], 1):
+                wanted = tex.shape[:-3] + tuple(max(side >> k, 1) for side in tex.shape[-3:-1]) + tex.shape[-1:]
+                levels.append(floats(level, f"mip[{k - 1}]", wanted))
+    threads = (context or _threads.context()).threads
+    description = (tuple(levels), len(tex), *tex.shape[-3:], filtering, boundary, len(uv), uv.shape[1] * uv.shape[2], threads)
+    return tuple(levels), (description, uv, uv_da, mip_level_bias), uv.shape[:3] + tex.shape[-1:]
+
+
+def texture(tex: Any, uv: Any, uv_da: Any = None, mip_level_bias: Any = None, mip: Optional[Sequence[Any]] = None,
+            filter_mode: str = "auto", boundary_mode: str = "wrap", max_mip_level: Optional[int] = None, *,
+            context: Optional[_rhw.Context] = None) -> np.ndarray:
+    """A texture at coordinates.
+
+    tex: (B or 1, H, W, C), of a cube (B or 1, 6, N, N, C) with the faces +x, -x, +y, -y, +z, -z
+    uv: (B, h, w, 2), 0 to 1 across the texture, row 0 at v = 0; of a cube directions (B, h, w, 3) of any length
+    uv_da: their slopes as interpolate gives them, which choose levels; mip_level_bias: (B, h, w), added to the level
+    mip: levels above `tex`; None: means of it, made anew
+    filter_mode: 'nearest', 'linear', 'linear-mipmap-nearest', 'linear-mipmap-linear'; 'auto': the last, or 'linear' where
+        nothing chooses levels
+    boundary_mode: 'wrap', 'clamp', 'zero' or 'cube'
+
+    Returns (B, h, w, C). Directions of length 0 read 0, and have no gradient.
+    """
+    _, arguments, shape = _sampling(tex, uv, uv_da, mip_level_bias, mip, filter_mode, boundary_mode, max_mip_level, context)
+    values = np.empty(shape, np.float32)
+    _rhw.diff_texture(*arguments, values)
+    return values
+
+
+def texture_grad(tex: Any, uv: Any, to_values: Any, uv_da: Any = None, mip_level_bias: Any = None,
+                 mip: Optional[Sequence[Any]] = None, filter_mode: str = "auto", boundary_mode: str = "wrap",
+                 max_mip_level: Optional[int] = None, *, context: Optional[_rhw.Context] = None,
+                 ) -> Tuple[np.ndarray, np.ndarray, Optional[np.ndarray], Optional[np.ndarray], List[np.ndarray]]:
+    """The gradients of `tex`, `uv`, `uv_da`, `mip_level_bias` and `mip` from that of what texture gives.
+
+    Where `mip` is None, what its levels would have got is in that of `tex`. Choices of a nearest texel or level have none.
+    """
+    levels, arguments, shape = _sampling(tex, uv, uv_da, mip_level_bias, mip, filter_mode, boundary_mode, max_mip_level,
+                                         context)
+    to_levels = tuple(np.zeros_like(level) for level in levels)
+    to_uv, to_uv_da, to_bias = (None if array is None else np.empty_like(array) for array in arguments[1:])
+    _rhw.diff_texture_grad((*arguments, floats(to_values, "to_values", shape)), to_levels, to_uv, to_uv_da, to_bias)
+    to_tex, to_mip = to_levels[0], list(to_levels[1:])
+    if mip is None:
+        to_tex, to_mip = texture_construct_mip_grad(to_tex, to_mip), []
+    return to_tex, to_uv, to_uv_da, to_bias, to_mip
+
+
+# Silhouettes -----------------------------------------------------------------------------------------------------------
+
+
+def antialias_construct_topology_hash(tri: Any) -> np.ndarray:
+    """Which vertex lies beyond each edge: (T, 3) uint32, of the edge across from each corner; 2^32 - 1 where none does.
+
+    Where more than two triangles share an edge, each has the next one's vertex.
+    """
+    tri = indices(tri, "tri", (None, 3), 2**31)
+    ends = np.sort(np.stack([tri[:, [1, 2]], tri[:, [2, 0]], tri[:, [0, 1]]], axis=1).reshape(-1, 2).astype(np.int64), axis=1)
+    edges = ends[:, 0] << 32 | ends[:, 1]
+    order = np.argsort(edges, kind="stable")
+    first = np.ones(len(order), bool)
+    first[1:] = edges[order][1:] != edges[order][:-1]
+    group = np.cumsum(first) - 1
+    starts = np.flatnonzero(first)
+    last = np.append(first[1:], True)[:len(order)]
+    following = np.where(last, starts[group], np.arange(len(order)) + 1)
+    beyond = tri.reshape(-1)[order[following]]
+    beyond[first & last] = 2**32 - 1
+    result = np.empty(tri.size, np.uint32)
+    result[order] = beyond
+    return result.reshape(tri.shape)
+
+
+def _silhouettes(color: Any, rast: Any, pos: Any, tri: Any, topology_hash: Any,
+                 context: Optional[_rhw.Context]) -> Tuple[Any, ...]:
+    rast = _rast(rast)
+    color = floats(color, "color", rast.shape[:3] + (None,))
+    whole(color.shape[-1], "color: number of channels", 1, _MOST)
+    pos, shared = _batched(pos, "pos", 4)
+    if not shared and len(pos) != len(rast):
+        raise ValueError(f"pos: must have {len(rast)} images, as rast has, not {len(pos)}")
+    tri = indices(tri, "tri", (None, 3), pos.shape[-2])
+    if topology_hash is None:
+        topology_hash = antialias_construct_topology_hash(tri)
+    opposite = indices(topology_hash, "topology_hash", tri.shape, 2**32)
+    return _mesh(tri, pos.shape[-2], rast.shape, context), color, color.shape[-1], rast, pos, shared, opposite
+
+
+def antialias(color: Any, rast: Any, pos: Any, tri: Any, topology_hash: Any = None, *,
+              context: Optional[_rhw.Context] = None) -> np.ndarray:
+    """A picture whose silhouettes lie where the triangles end, and not at the next pixel: they move with `pos`.
+
+    color: (B, H, W, C); rast, pos, tri: of rasterize; topology_hash: of antialias_construct_topology_hash
+
+    Triangles that meet at an edge must name the same vertices, or the edge counts as a silhouette. Triangles with a vertex
+    behind the eye are left as they are.
+    """
+    arguments = _silhouettes(color, rast, pos, tri, topology_hash, context)
+    result = np.empty_like(arguments[1])
+    _rhw.diff_antialias(*arguments, result)
+    return result
+
+
+def antialias_grad(color: Any, rast: Any, pos: Any, tri: Any, to_result: Any, topology_hash: Any = None, *,
+                   context: Optional[_rhw.Context] = None) -> Tuple[np.ndarray, np.ndarray]:
+    """The gradients of `color` and `pos` from that of what antialias gives; that of z is 0."""
+    arguments = _silhouettes(color, rast, pos, tri, topology_hash, context)
+    to_color, to_pos = np.empty_like(arguments[1]), np.empty_like(arguments[4])
+    _rhw.diff_antialias_grad((*arguments, _like(to_result, "to_result", to_color)), to_color, to_pos)
+    return to_color, to_pos
