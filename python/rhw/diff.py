@@ -86,6 +86,7 @@ def _rasterize(pos: Any, tri: Any, resolution: Any, ranges: Any, context: Option
     if shared and ranges is None:
         raise ValueError("ranges: must be given where pos has the shape (V, 4)")
     tri = indices(tri, "tri", (None, 3), pos.shape[-2])
+    whole(len(tri), "tri: number of triangles", 0, 2**24)  # what a float counts to
     ranges = _ranges(ranges, len(tri)) if shared else None
     shape = (len(ranges) if shared else len(pos), *size)
     rast, rast_db = np.zeros(shape + (4,), np.float32), np.zeros(shape + (4,), np.float32)
