@@ -11,12 +11,14 @@ bool scene_work_begin(const struct draw *draw, rhw_pass pass, struct scene_work 
     if (!draw->pictures->tiles && !draw->pictures->plan) {
         return true;
     }
-    work->count = rhw_pass_tile_count(context, pass);
-    work->reports = calloc((size_t)work->count, sizeof *work->reports);
-    if (work->reports) {
-        rhw_pass_report_tiles(context, pass, work->reports, work->count);
+    const int count = rhw_pass_tile_count(context, pass);
+    work->reports = calloc((size_t)count, sizeof *work->reports);
+    if (!work->reports) {
+        return false;
     }
-    return work->reports != NULL;
+    work->count = count;
+    rhw_pass_report_tiles(context, pass, work->reports, count);
+    return true;
 }
 
 // Without the background, which is one triangle over the whole picture, without a depth test: it goes backwards, which what
@@ -25,7 +27,7 @@ static struct rhw_tile_report of_the_model(const struct draw *draw, const struct
 {
     struct rhw_tile_report model = *report;
     if (scene_background_is_drawn(draw)) {
-        model.triangles--;
+        model.triangles -= model.triangles > 0;
         model.plans = model.triangles > 0 ? model.plans & ~(uint32_t)RHW_TILE_BACKWARDS : 0;
     }
     return model;

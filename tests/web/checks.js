@@ -186,6 +186,7 @@ async function checkTriangles(checks, rhw) {
 
     const good = { size: 4, positions: square, components: 3, indices };
     const bad = (what, change, pattern) => checks.fails(what, rhw.rasterize({ ...good, ...change }), pattern);
+    await bad('a size beyond 32 bits', { size: [-4294967196, 100] }, /^rhw: rasterize: size -4294967196x100: width and height/);
     await bad('no size', { size: 0 }, /^rhw: rasterize: size 0x0: width and height must lie between 1 and 16384$/);
     await bad('too much', { size: 16384 }, /^rhw: needs more memory than there is/);
     await bad('positions of doubles', { positions: new Float64Array(9) }, /^rhw: positions: must be a Float32Array/);

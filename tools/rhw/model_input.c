@@ -46,7 +46,7 @@ static bool copy_standard_input(int descriptor)
 
 bool cli_model_input_open(struct cli_model_input *input, const char *argument)
 {
-    *input = (struct cli_model_input){.name = argument, .path = argument, .descriptor = -1};
+    *input = (struct cli_model_input){.name = argument, .argument = argument, .descriptor = -1};
     if (strcmp(argument, "-") != 0) {
         return true;
     }
@@ -58,7 +58,6 @@ bool cli_model_input_open(struct cli_model_input *input, const char *argument)
         return false;
     }
     snprintf(input->memory, sizeof input->memory, "/proc/self/fd/%d", input->descriptor);
-    input->path = input->memory;
     return true;
 }
 
@@ -70,11 +69,18 @@ void cli_model_input_close(struct cli_model_input *input)
     input->descriptor = -1;
 }
 
+// What to open.
+static const char *path_of(const struct cli_model_input *input)
+{
+    return input->is_standard_input ? input->memory : input->argument;
+}
+
 // The folder that the model lies in, with nothing after its last slash.
 static void folder_of(const struct cli_model_input *input, char folder[PATH_MAX])
 {
-    const char *slash = input->is_standard_input ? NULL : strrchr(input->path, '/');
-    snprintf(folder, PATH_MAX, "%.*s", slash ? (int)(slash - input->path) + 1 : 1, slash ? input->path : ".");
+    const char *const path = path_of(input), *const slash =
+                                                 input->is_standard_input ? NULL : strrchr(path, '/');
+    snprintf(folder, PATH_MAX, "%.*s", slash ? (int)(slash - path) + 1 : 1, slash ? path : ".");
 }
 
 struct scene_model *cli_model_input_load(const struct cli_model_input *input, const struct cli_budget *budget,
@@ -87,7 +93,7 @@ struct scene_model *cli_model_input_load(const struct cli_model_input *input, co
     options.memory = budget->memory;
     options.confine = !budget->is_confined ? NULL : budget->folder ? budget->folder : folder;
     cli_stage("reading", input->name);
-    struct scene_model *model = scene_model_load(input->path, &options, error, sizeof error);
+    struct scene_model *model = scene_model_load(path_of(input), &options, error, sizeof error);
     cli_stage_end();
     if (model == NULL) {
         if (!options.goes_on || options.goes_on(options.user)) {
@@ -102,7 +108,7 @@ struct scene_model *cli_model_input_load(const struct cli_model_input *input, co
 bool cli_model_input_is(const struct cli_model_input *input, const char *path)
 {
     struct stat model, other;
-    const bool same = stat(input->path, &model) == 0 && stat(path, &other) == 0 &&
+    const bool same = stat(path_of(input), &model) == 0 && stat(path, &other) == 0 &&
                       model.st_dev == other.st_dev && model.st_ino == other.st_ino;
     if (same) {
         cli_error(path, "is the model itself; name another file for the picture");

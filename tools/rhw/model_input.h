@@ -8,9 +8,10 @@
 #include "budget.h"
 #include "model.h"
 
+/// May be copied; one of the copies is closed.
 struct cli_model_input {
-    const char *name; ///< for messages
-    const char *path; ///< what to open
+    const char *name;     ///< for messages
+    const char *argument; ///< of the command line
     bool is_standard_input;
     char memory[32]; ///< path of what standard input gave
     int descriptor;  ///< of that; −1: none

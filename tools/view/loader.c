@@ -109,11 +109,11 @@ void view_loader_stop(struct view_loader *loader)
     if (!loader) {
         return;
     }
+    atomic_store(&loader->stopped, true);
     if (strcmp(loader->path, "-") == 0 && !view_loader_is_done(loader)) {
         pthread_detach(loader->thread); // may wait for standard input for ever; the process ends soon
         return;
     }
-    atomic_store(&loader->stopped, true);
     struct render read;
     if (view_loader_take(loader, &read)) {
         cli_render_forget_model(&read);

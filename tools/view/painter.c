@@ -118,8 +118,8 @@ static bool set_pose(struct view_painter *p)
     struct scene_model *const pose = is_base ? NULL : cli_pose_read(render, wanted.time);
     const bool posed = (is_base || pose) && scene_set_pose(render->scene, is_base ? p->base : pose) == RHW_OK;
     if (!posed) {
+        forget_scene(p); // first: it may stand on the pose
         cli_movement_free_pose(pose);
-        forget_scene(p);
         return false;
     }
     cli_movement_free_pose(p->pose);

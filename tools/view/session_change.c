@@ -197,7 +197,11 @@ static void fit(struct view_session *s)
         radius2 += 0.25 * (high - low) * (high - low);
         s->eye.target[c] = 0.5 * (low + high);
     }
-    const double distance = sqrt(radius2) / sin(across < half ? across : half);
+    if (!(length2 > 0.0)) {
+        return;
+    }
+    const double least = 1e-3 * s->extent, radius = sqrt(radius2); // a point has none
+    const double distance = (radius > least ? radius : least) / sin(across < half ? across : half);
     for (int c = 0; c < 3; c++) {
         s->eye.eye[c] = s->eye.target[c] + way[c] * distance / sqrt(length2);
     }

@@ -75,8 +75,8 @@ static void scroll(struct view_session *s, int up)
     view_window_pixel(&s->window, x, y, &pixel_x, &pixel_y);
     const double half = 0.5 * s->window.height, factor = pow(zoom_of_notch, up),
                  distance = view_eye_distance(&s->eye) * factor / s->extent;
-    if (distance < nearest || distance > farthest) {
-        return;
+    if ((factor < 1.0 && distance < nearest) || (factor > 1.0 && distance > farthest)) {
+        return; // the way back is open
     }
     view_eye_zoom(&s->eye, (pixel_x - 0.5 * s->window.width) / half, (half - pixel_y) / half, factor);
     view_session_touch(s, true);

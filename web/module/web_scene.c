@@ -90,6 +90,11 @@ EMSCRIPTEN_KEEPALIVE bool web_scene_render(struct web_scene *scene, char *words,
         return false;
     }
     scene->render.view.outputs = outputs;
+    char error[256];
+    if (!scene_view_check(&scene->render.view, error, sizeof error)) {
+        cli_error("render", "%s", error);
+        return false;
+    }
     return open_scene(scene) && cli_render_draw_seen(&scene->render);
 }
 

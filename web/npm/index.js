@@ -250,11 +250,16 @@ class Lent {
     }
 }
 
+const maxSide = 16384; // RHW_MAX_TARGET_SIZE
+
 export async function rasterize(triangles) {
     const { positions, indices, matrix, components = 4, cull = 'none', depthRange = 'zero-to-one' } = triangles;
     const [width, height] = [triangles.size].flat().length === 1 ? [triangles.size, triangles.size] : triangles.size;
     if (![width, height].every(Number.isInteger)) {
         throw new RhwError(`rhw: size: '${triangles.size}' is not [width, height] or one number`);
+    }
+    if (![width, height].every((side) => side >= 1 && side <= maxSide)) { // before there is room for it
+        throw new RhwError(`rhw: rasterize: size ${width}x${height}: width and height must lie between 1 and ${maxSide}`);
     }
     if (components !== 3 && components !== 4) {
         throw new RhwError(`rhw: components: '${components}' is not 3 or 4`);
