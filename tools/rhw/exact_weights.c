@@ -98,7 +98,8 @@ static bool set_homogeneous(struct cli_exact_weights *w, const struct rhw_explai
                             const mpq_t scale[2], const mpq_t middle[2])
 {
     mpq_t at[3][2], sum, term;
-    mpq_inits(sum, term, NULL);
+    mpq_init(sum);
+    mpq_init(term);
     for (int i = 0; i < 3; i++) {
         for (int k = 0; k < 2; k++) {
             mpq_init(at[i][k]);
@@ -125,9 +126,11 @@ static bool set_homogeneous(struct cli_exact_weights *w, const struct rhw_explai
     }
     for (int i = 0; i < 3; i++) {
         mpq_mul(w->screen[i], w->screen[i], w->inverse_w);
-        mpq_clears(at[i][0], at[i][1], NULL);
+        mpq_clear(at[i][0]);
+        mpq_clear(at[i][1]);
     }
-    mpq_clears(sum, term, NULL);
+    mpq_clear(sum);
+    mpq_clear(term);
     return is_seen;
 }
 
@@ -136,13 +139,19 @@ static bool set_by_viewport(struct cli_exact_weights *w, const struct rhw_explai
                             int32_t y, int width, int height)
 {
     mpq_t scale[2], middle[2];
-    mpq_inits(scale[0], scale[1], middle[0], middle[1], NULL);
+    for (int k = 0; k < 2; k++) { // one by one, as mini-gmp has it
+        mpq_init(scale[k]);
+        mpq_init(middle[k]);
+    }
     set_ratio(scale[0], width, 2);
     set_ratio(scale[1], -height, 2);
     set_ratio(middle[0], (int64_t)width * 128 - x, 256);
     set_ratio(middle[1], (int64_t)height * 128 - y, 256);
     const bool set = set_homogeneous(w, f, (const mpq_t *)scale, (const mpq_t *)middle);
-    mpq_clears(scale[0], scale[1], middle[0], middle[1], NULL);
+    for (int k = 0; k < 2; k++) {
+        mpq_clear(scale[k]);
+        mpq_clear(middle[k]);
+    }
     return set;
 }
 
