@@ -161,7 +161,8 @@ static bool check_sizes(const struct work *work, Py_ssize_t levels)
                       work->shape.width - 1 < size && work->channels - 1 < size && work->images - 1 < most &&
                       work->pixels - 1 < most && (work->copies == 1 || work->copies == work->images) &&
                       work->threads >= 1 && work->shape.filter <= DIFF_MIP_LINEAR &&
-                      work->shape.boundary <= DIFF_ZERO;
+                      work->shape.boundary <= DIFF_ZERO &&
+                      (work->shape.boundary != DIFF_CUBE || work->shape.height == work->shape.width);
     if (!fits) {
         PyErr_SetString(PyExc_ValueError, "tex: too large");
     }

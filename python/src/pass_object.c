@@ -33,6 +33,19 @@ static bool is_recorded(const struct pass *pass)
     return pass->item != NULL;
 }
 
+// The pass's context, to be left again. Threads wait for their turn, and one of them may have ended the pass meanwhile.
+static rhw_context *enter(const struct pass *pass)
+{
+    rhw_context *context = is_recorded(pass) ? python_context_enter(pass->context) : NULL;
+    if (context && !pass->item) {
+        if (python_context_leave(pass->context, RHW_OK)) {
+            is_recorded(pass); // says that it has ended
+        }
+        return NULL;
+    }
+    return context;
+}
+
 // The item of a resource, which the pass keeps from now on.
 static const struct python_item *keep(PyObject *context, PyObject *kept, PyObject *object,
                                       enum python_item_kind kind, const char *name)
@@ -235,7 +248,7 @@ static PyObject *pass_draw(PyObject *self, PyObject *arguments)
     if (!is_recorded(pass) || !read_draw(pass, arguments, &draw)) {
         return NULL;
     }
-    rhw_context *context = python_context_enter(pass->context);
+    rhw_context *context = enter(pass);
     if (!context) {
         return NULL;
     }
@@ -253,7 +266,7 @@ static PyObject *pass_viewport(PyObject *self, PyObject *arguments)
         !is_recorded(pass)) {
         return NULL;
     }
-    rhw_context *context = python_context_enter(pass->context);
+    rhw_context *context = enter(pass);
     if (!context) {
         return NULL;
     }
@@ -280,7 +293,7 @@ static PyObject *pass_end(PyObject *self, PyObject *nothing)
 {
     (void)nothing;
     struct pass *pass = (struct pass *)self;
-    rhw_context *context = is_recorded(pass) ? python_context_enter(pass->context) : NULL;
+    rhw_context *context = enter(pass);
     if (!context) {
         return NULL;
     }

@@ -273,6 +273,10 @@ static bool add_targets(const struct request *request, struct rhw_pipeline_def *
         if (!PyArg_ParseTuple(PyTuple_GetItem(request->outputs, i), "ii", &output, &format)) {
             return false;
         }
+        if (output < 0 || output >= PYTHON_OUTPUTS) {
+            PyErr_Format(PyExc_ValueError, "outputs: there is no %d", output);
+            return false;
+        }
         layout->target[output] = i;
         def->targets[i] = (struct rhw_color_target){.format = (enum rhw_format)format};
         if (request->blend && output == PYTHON_COLOR) {
