@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // The beginning of a pass: its definition is checked, and everything is reset. pass_attach.c takes its attachments, pass.c
-// records into it.
+// and the files beside it record into it.
 #include <string.h>
 
 #include "context.h"

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // The pass under way: its attachments, the state that recording changes, its draws, and the workers that run it. All of
-// it is data; pass.c records into it, pass_run.c and the kernels draw from it.
+// it is data; the other pass_ files record into it, pass_run.c and the kernels draw from it.
 #ifndef RHW_PASS_STATE_H
 #define RHW_PASS_STATE_H
 

@@ -1,0 +1,90 @@
+// SPDX-License-Identifier: MIT
+// Recording: the pipeline of the next draw, which must fit the attachments of the pass.
+#include "context.h"
+#include "entry.h"
+#include "format.h"
+#include "lookup.h"
+#include "misuse.h"
+#include "pass_enter.h"
+#include "pass_state.h"
+#include "pipeline.h"
+#include "rhw/rhw.h"
+
+// A definition whose targets are those of another, for depth alone, is right; but a reason to look at first.
+static bool forgets_count(const struct rhw_pipeline_def *def)
+{
+    return def->target_count == 0 && def->targets[0].format != RHW_FORMAT_NONE;
+}
+
+// A pipeline draws into what it was made for.
+static bool targets_match(const struct rhw_pass_state *pass, rhw_pipeline id,
+                          const struct rhw_pipeline_data *pipeline, const char *where)
+{
+    struct rhw_context *const context = pass->context;
+    if (!rhw_check(context, pipeline->def.target_count == pass->color_count,
+                   "%s: %s has %d targets%s; the pass has %d colour attachments", where,
+                   rhw_name_of(&context->pipelines, id.index).text, pipeline->def.target_count,
+                   forgets_count(&pipeline->def) ? " (targets[0] is set and target_count is 0)" : "",
+                   pass->color_count)) {
+        return false;
+    }
+    for (int i = 0; i < pass->color_count; i++) {
+        if (!rhw_check(context, pipeline->def.targets[i].format == pass->colors[i].format,
+                       "%s: target %d of %s is %s; the attachment is %s", where, i,
+                       rhw_name_of(&context->pipelines, id.index).text,
+                       rhw_format_info(pipeline->def.targets[i].format)->name,
+                       rhw_format_info(pass->colors[i].format)->name)) {
+            return false;
+        }
+    }
+    return rhw_check(context,
+                     pass->has_depth || !(pipeline->def.depth_test || pipeline->def.depth_bounds_test),
+                     "%s: %s tests depth; the pass has no depth attachment", where,
+                     rhw_name_of(&context->pipelines, id.index).text) &&
+           rhw_check(context, pass->has_depth || !(pipeline->def.program.uses & RHW_USE_DEPTH_INPUT),
+                     "%s: %s reads depth_input; the pass has no depth attachment", where,
+                     rhw_name_of(&context->pipelines, id.index).text) &&
+           rhw_check(context, pass->has_stencil || !pipeline->def.stencil_test,
+                     "%s: %s tests stencil; the pass has no stencil attachment", where,
+                     rhw_name_of(&context->pipelines, id.index).text);
+}
+
+// Under validation: what a pass of one sample has no use for. The pipeline may be meant for others too, hence no misuse.
+static void warn_of_samples(const struct rhw_pass_state *pass, rhw_pipeline id,
+                            const struct rhw_pipeline_def *def, const char *where)
+{
+    const char *const name = def->alpha_to_coverage           ? "alpha_to_coverage"
+                             : def->alpha_to_one              ? "alpha_to_one"
+                             : def->sample_mask != UINT32_MAX ? "sample_mask"
+                                                              : NULL;
+    if (name != NULL && pass->pattern->count == 1) {
+        rhw_context_log(pass->context, RHW_LOG_WARNING,
+                        "%s: %s has %s set and the pass has one sample a pixel; it has no effect", where,
+                        rhw_name_of(&pass->context->pipelines, id.index).text, name);
+    }
+}
+
+void rhw_pass_set_pipeline(rhw_context *context, rhw_pass id, rhw_pipeline pipeline_id)
+{
+    static const char *const where = "rhw_pass_set_pipeline";
+    struct rhw_pass_state *const pass = rhw_pass_enter(context, id, where);
+    if (!pass) {
+        return;
+    }
+    const struct rhw_pipeline_data *const pipeline = rhw_context_pipeline(context, pipeline_id, where);
+    if (pipeline &&
+        rhw_check(context, !pass->feedback.is_active, "%s: transform feedback is under way; end it first",
+                  where) &&
+        targets_match(pass, pipeline_id, pipeline, where)) {
+        rhw_pool_use(&context->pipelines, pipeline_id.index, context->recording.generation);
+        if (context->findings && pass->pending.pipeline != pipeline) {
+            warn_of_samples(pass, pipeline_id, &pipeline->def, where);
+        }
+        pass->pending_changed |= pass->pending.pipeline != pipeline;
+        pass->pending.pipeline = pipeline;
+        pass->bound.pipeline = pipeline_id;
+    } else {
+        pass->refused_pipeline = true;
+    }
+    rhw_context_leave(context);
+}
