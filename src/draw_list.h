@@ -79,20 +79,35 @@ struct rhw_draw {
         *viewports; // RHW_MAX_VIEWPORTS, the same for each viewport; NULL: the first alone is used
 };
 
-// The part of a chunk that belongs to one instance of one draw.
+// The part of a chunk that belongs to one instance of one draw, or to several that are in the chunk as a whole.
 struct rhw_segment {
     const struct rhw_draw *draw;
-    uint32_t instance;
+    uint32_t instance; // the first
     int vertex_stride; // floats
     float *vertices;   // rhw_vertex_record by slot
 };
+
+struct rhw_primitive_id {
+    uint32_t instance, primitive;
+};
+
+// Tells an instance of the draw, first_instance not included, and the number in it of a triangle of the segment.
+static inline struct rhw_primitive_id rhw_primitive_id_of(const struct rhw_segment *segment,
+                                                          uint32_t primitive)
+{
+    const uint32_t each = segment->draw->triangles_per_instance;
+    if (primitive < each) { // mostly
+        return (struct rhw_primitive_id){segment->instance, primitive};
+    }
+    return (struct rhw_primitive_id){segment->instance + primitive / each, primitive % each};
+}
 
 // What the front end counts in a chunk: a chunk that is not drawn in its wave is run again in the next.
 struct rhw_front_counters {
     uint64_t vertices_shaded, dropped, clipped, culled, rasterized, entries;
 };
 
-// What a query counts of the part of a chunk that belongs to one instance of one draw.
+// What a query counts of a segment.
 struct rhw_counted_run {
     const struct rhw_active_queries *queries;
     uint64_t clipping_primitives;

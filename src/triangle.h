@@ -70,7 +70,7 @@ struct rhw_triangle {
     _Alignas(64) int32_t x_24_8[3];
     int32_t y_24_8[3];
     uint32_t vertex[3]; // slots in the segment's vertices
-    uint32_t primitive; // number in its draw and instance
+    uint32_t primitive; // number in its draw, counted on through the instances of the segment
     uint32_t segment;   // of the chunk
     union {
         uint32_t polygon; // of the chunk, with RHW_TRIANGLE_POLYGON

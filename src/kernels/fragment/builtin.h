@@ -14,9 +14,10 @@ struct identity {
 static inline struct identity identity_of(const struct triangle_work *triangle)
 {
     const struct rhw_draw *const draw = triangle->segment->draw;
+    const struct rhw_primitive_id id = rhw_primitive_id_of(triangle->segment, triangle->t->primitive);
     return (struct identity){.front_facing = triangle->t->flags & RHW_TRIANGLE_BACK ? 0 : -1,
-                             .primitive = (int32_t)triangle->t->primitive,
-                             .instance = (int32_t)(draw->first_instance + triangle->segment->instance),
+                             .primitive = (int32_t)id.primitive,
+                             .instance = (int32_t)(draw->first_instance + id.instance),
                              .draw = (int32_t)draw->index};
 }
 

@@ -38,42 +38,63 @@ static bool use_shared(struct rhw_run *run, struct rhw_segment *segment, const s
     return true;
 }
 
-// Assembles and shades. `first_primitive`: of the run's first triangle in its draw and instance. False when out of
-// memory.
-static bool start_run(struct rhw_worker *worker, const struct rhw_draw *draw, uint32_t instance,
-                      uint32_t first_primitive, uint32_t count)
+// What a run has of a draw: `count` primitives of an instance, or all of several.
+struct run_extent {
+    uint32_t instance, instances;
+    uint32_t first_primitive, count; // of an instance
+};
+
+// Assembles and shades. False when out of memory.
+static bool start_run(struct rhw_worker *worker, const struct rhw_draw *draw, const struct run_extent *extent)
 {
     struct rhw_geometry_scratch *const scratch = worker->geometry;
     struct rhw_segment *const segment = &scratch->segments[scratch->run_count];
     struct rhw_run *const run = &scratch->runs[scratch->run_count];
     uint32_t(*const room)[3] = scratch->indices + scratch->index_count;
-    *run = (struct rhw_run){.indices = rhw_assembly_fetch(draw, first_primitive, count, room),
-                            .count = count,
-                            .first_primitive = first_primitive};
+    *run = (struct rhw_run){.indices = rhw_assembly_fetch(draw, extent->first_primitive, extent->count, room),
+                            .count = extent->count,
+                            .first_primitive = extent->first_primitive};
     scratch->run_count++;
-    scratch->index_count += count;
-    if (use_shared(run, segment, draw, instance)) {
+    scratch->index_count += extent->count * extent->instances;
+    if (use_shared(run, segment, draw, extent->instance)) {
         return true;
     }
     struct rhw_snapped_vertex *const snapped = scratch->vertices + scratch->vertex_count;
-    const uint32_t vertices = list_vertices(scratch, run, draw, room);
+    const uint32_t each = list_vertices(scratch, run, draw, room), vertices = each * extent->instances;
+    if (extent->instances > 1) {
+        repeat_instance(scratch, run, room, each, extent->instances);
+    }
     const uint32_t rounded_up = (vertices + 7) & ~7u;
     const struct rhw_pipeline_data *const pipeline = draw->state->pipeline;
     const int stride = rhw_vertex_stride(pipeline->varying_components + pipeline->extra_components);
     const size_t size = (size_t)rounded_up * (size_t)stride * sizeof(float);
     run->vertices = snapped;
-    *segment =
-        (struct rhw_segment){draw, instance, stride, rhw_arena_alloc(&worker->arena, size, RHW_CACHE_LINE)};
+    *segment = (struct rhw_segment){draw, extent->instance, stride,
+                                    rhw_arena_alloc(&worker->arena, size, RHW_CACHE_LINE)};
     if (!segment->vertices) {
         return false;
     }
-    shade_vertices(scratch, segment, snapped, vertices);
+    shade_vertices(scratch, segment, snapped, vertices, each);
     scratch->counters.vertices_shaded += vertices;
     scratch->vertex_count += rounded_up;
     return true;
 }
 
-// Assembles and shades what the chunk has of each instance of each draw. False when out of memory.
+// What comes next of a draw: `at` and `most` count triangles, of the draw and of the chunk.
+static struct run_extent next_extent(const struct rhw_draw *draw, uint64_t at, uint64_t most)
+{
+    const uint32_t each = draw->triangles_per_instance;
+    struct run_extent extent = {(uint32_t)(at / each), 1, (uint32_t)(at % each), 0};
+    extent.count = each - extent.first_primitive;
+    extent.count = most < extent.count ? (uint32_t)most : extent.count;
+    if (extent.count == each && each <= RHW_SMALL_INSTANCE && !draw->shared) {
+        const uint64_t fit = most / each, left = draw->instances - extent.instance;
+        extent.instances = (uint32_t)(fit < left ? fit : left);
+    }
+    return extent;
+}
+
+// Assembles and shades what the chunk has of each draw. False when out of memory.
 static bool start_runs(const struct rhw_pass_state *pass, const struct rhw_chunk *chunk,
                        struct rhw_worker *worker)
 {
@@ -84,15 +105,11 @@ static bool start_runs(const struct rhw_pass_state *pass, const struct rhw_chunk
         const uint64_t draw_end =
             draw->first_triangle + (uint64_t)draw->triangles_per_instance * draw->instances;
         while (at < end && at < draw_end) {
-            const uint64_t in_draw = at - draw->first_triangle;
-            const uint32_t instance = (uint32_t)(in_draw / draw->triangles_per_instance);
-            const uint32_t first = (uint32_t)(in_draw % draw->triangles_per_instance);
-            uint32_t count = draw->triangles_per_instance - first;
-            count = end - at < count ? (uint32_t)(end - at) : count;
-            if (!start_run(worker, draw, instance, first, count)) {
+            const struct run_extent extent = next_extent(draw, at - draw->first_triangle, end - at);
+            if (!start_run(worker, draw, &extent)) {
                 return false;
             }
-            at += count;
+            at += (uint64_t)extent.count * extent.instances;
         }
     }
     return true;
@@ -293,7 +310,7 @@ static void shade_shared_part(const struct rhw_pass_state *pass, const struct rh
         scratch->unique[i] =
             segment.draw->base_vertex + (part->shared->indices ? part->shared->indices[slot] : slot);
     }
-    shade_vertices(scratch, &segment, part->shared->snapped + part->first, part->count);
+    shade_vertices(scratch, &segment, part->shared->snapped + part->first, part->count, part->count);
     worker->counters.vertex_ns += rhw_time_ns() - start;
 }
 

@@ -13,6 +13,9 @@ enum {
     // Groups of 8 vertices per call of the vertex function: enough to hide the call, few enough that their
     // attributes and varyings stay in the first cache level. At most RHW_MAX_GROUPS.
     RHW_VERTEX_GROUPS = 8,
+    // Triangles of an instance, at most, for its run to go on through the next instances. Larger ones fill groups of 8
+    // vertices and 8 triangles by themselves.
+    RHW_SMALL_INSTANCE = 64,
     // Entries of the table that finds vertices again, a power of two. Direct mapped by vertex index: a miss only
     // shades a vertex twice.
     RHW_VERTEX_CACHE = 8192,
@@ -32,7 +35,7 @@ struct rhw_cache_entry {
     uint32_t index, stamp; // see look_up_slots
 };
 
-// The part of a chunk that belongs to one instance of one draw, on its way to a segment.
+// The part of a chunk that becomes a segment.
 struct rhw_run {
     const uint32_t (*indices)[3]; // of each triangle's vertices: in the draw's index buffer or in the scratch
     uint32_t first_slot;          // the vertex index whose slot is 0; the others follow

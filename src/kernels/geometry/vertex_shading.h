@@ -86,25 +86,45 @@ static void store_records(const struct rhw_draw_state *state, const struct rhw_v
     }
 }
 
-// The element that all vertices of the instance read; in every lane.
-static const uint32_t *instance_elements(const struct rhw_segment *segment,
-                                         const struct rhw_vertex_layout *layout, uint32_t elements[8])
+// Tells the instances, first_instance not included, of 8 vertices from `slot` on, where each instance has `each`. What
+// fills up the last group may count as the next one's.
+static __attribute__((noinline)) void several_instances(const struct rhw_segment *segment, uint32_t slot,
+                                                        uint32_t each, uint32_t instances[8])
 {
+    const uint32_t last = segment->draw->instances - 1;
+    uint32_t instance = segment->instance + slot / each;
+    uint32_t left = each - slot % each;
     for (int lane = 0; lane < 8; lane++) {
-        elements[lane] = segment->draw->first_instance + segment->instance / layout->instance_step;
+        instances[lane] = instance < last ? instance : last;
+        left--;
+        instance += left == 0;
+        left = left == 0 ? each : left;
+    }
+}
+
+// The elements that vertices of these instances read.
+static const uint32_t *instance_elements(const struct rhw_draw *draw, const struct rhw_vertex_layout *layout,
+                                         const uint32_t instances[8], uint32_t elements[8])
+{
+    const uint32_t step = layout->instance_step;
+    for (int lane = 0; lane < 8; lane++) {
+        elements[lane] = draw->first_instance + (step == 1 ? instances[lane] : instances[lane] / step);
     }
     return elements;
 }
 
-// Makes group `g` ready for the vertex function; its vertices are those from `slot` on.
+// Makes group `g` ready for the vertex function; its vertices are those from `slot` on, `each` of an instance.
 static void fetch_group(struct rhw_geometry_scratch *scratch, const struct rhw_segment *segment, int g,
-                        uint32_t slot)
+                        uint32_t slot, uint32_t each)
 {
     const struct rhw_draw_state *const state = segment->draw->state;
     const struct rhw_pipeline_def *const def = &state->pipeline->def;
-    const uint32_t instance = segment->draw->first_instance + segment->instance;
     struct rhw_vertex *const group = &scratch->groups[g];
-    uint32_t element[8];
+    uint32_t instances[8], element[8];
+    i8_store(instances, i8_splat((int32_t)segment->instance));
+    if (slot + 8 > each) {
+        several_instances(segment, slot, each, instances);
+    }
     memcpy(element, &scratch->unique[slot], sizeof element);
     for (int a = 0; a < def->attribute_count; a++) {
         const struct rhw_attribute *const attribute = &def->attributes[a];
@@ -113,7 +133,7 @@ static void fetch_group(struct rhw_geometry_scratch *scratch, const struct rhw_s
         const struct rhw_vertex_stream *const stream = &state->streams[attribute->buffer];
         uint32_t stepped[8];
         const uint32_t *const elements =
-            layout->per_instance ? instance_elements(segment, layout, stepped) : element;
+            layout->per_instance ? instance_elements(segment->draw, layout, instances, stepped) : element;
         f8 *const out = scratch->attributes[g][a];
         if (scratch->special_paths && lies_inside(stream, fetch, layout->stride, elements)) {
             fetch_inside(stream, fetch, layout->stride, elements, out);
@@ -123,7 +143,7 @@ static void fetch_group(struct rhw_geometry_scratch *scratch, const struct rhw_s
     }
     group->attribute = (const f8(*)[4])scratch->attributes[g];
     group->vertex_index = i8_load(element);
-    group->instance_index = i8_splat((int32_t)instance);
+    group->instance_index = i8_load(instances) + i8_splat((int32_t)segment->draw->first_instance);
     group->uniforms = segment->draw->uniforms;
     group->user = def->program.user;
     group->textures = state->textures;
@@ -140,10 +160,10 @@ static __attribute__((noinline)) void mask_vertices(struct rhw_geometry_scratch 
     }
 }
 
-// Shades `count` vertices, whose indices are scratch->unique, into the segment. `count` is rounded up to 8:
-// the last group repeats its last vertex, and there is room for it.
+// Shades `count` vertices, `each` of an instance, whose indices are scratch->unique, into the segment. `count` is rounded
+// up to 8: the last group repeats its last vertex, and there is room for it.
 static void shade_vertices(struct rhw_geometry_scratch *scratch, const struct rhw_segment *segment,
-                           struct rhw_snapped_vertex *vertices, uint32_t count)
+                           struct rhw_snapped_vertex *vertices, uint32_t count, uint32_t each)
 {
     const struct rhw_draw_state *const state = segment->draw->state;
     const struct rhw_pipeline_data *const pipeline = state->pipeline;
@@ -154,7 +174,7 @@ static void shade_vertices(struct rhw_geometry_scratch *scratch, const struct rh
     for (uint32_t first = 0; first < total; first += RHW_VERTEX_GROUPS) {
         const int groups = (int)(total - first < RHW_VERTEX_GROUPS ? total - first : RHW_VERTEX_GROUPS);
         for (int g = 0; g < groups; g++) {
-            fetch_group(scratch, segment, g, 8 * (first + (uint32_t)g));
+            fetch_group(scratch, segment, g, 8 * (first + (uint32_t)g), each);
         }
         const bool has_effects = pipeline->def.program.vertex_effects;
         if (has_effects) {

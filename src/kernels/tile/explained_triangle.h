@@ -43,9 +43,10 @@ static void describe_triangle(struct rhw_explained *e, const struct rhw_segment 
 {
     struct rhw_explained_fragment *const f = &e->fragment;
     const struct rhw_pipeline_data *const pipeline = segment->draw->state->pipeline;
+    const struct rhw_primitive_id id = rhw_primitive_id_of(segment, t->primitive);
     f->draw = segment->draw->index;
-    f->instance = segment->instance;
-    f->primitive = t->primitive;
+    f->instance = id.instance;
+    f->primitive = id.primitive;
     f->label = pipeline->def.label ? pipeline->def.label : "";
     f->front_facing = !(t->flags & RHW_TRIANGLE_BACK);
     f->is_clipped = t->flags & RHW_TRIANGLE_POLYGON;

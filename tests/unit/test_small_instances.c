@@ -1,0 +1,156 @@
+// SPDX-License-Identifier: MIT
+// Instances of few triangles, of which the front end takes several at once: each triangle has the vertices, the attributes
+// and the ids of its own instance, also where a chunk ends within one and where clipping makes vertices.
+#include "harness.h"
+
+#include <math.h>
+#include <string.h>
+
+// Three triangles each, so that chunks of 8192 end within an instance; triangle n of all covers pixel n.
+enum { SIZE = 256, EACH = 3, INSTANCES = SIZE * SIZE / EACH, FIRST = 5, STEP = 4, BASE = 2 };
+
+// Vertices are corners 0, 1, 2 of triangles 0, 1, 2 of an instance, `BASE` before the first.
+static void place(struct rhw_vertex *vertex)
+{
+    const rhw_int number = vertex->vertex_index - BASE;
+    const rhw_int pixel = (vertex->instance_index - FIRST) * EACH + number / 3, corner = number % 3;
+    const rhw_float column = rhw_float_from_int(pixel % SIZE), row = rhw_float_from_int(pixel / SIZE);
+    // Corners at (0.25, 0.25), (0.25, 1), (1, 0.25) of the pixel.
+    const rhw_float x =
+        column + rhw_select(rhw_equal_int(corner, rhw_splat_int(2)), rhw_splat(1), rhw_splat(0.25f));
+    const rhw_float y =
+        row + rhw_select(rhw_equal_int(corner, rhw_splat_int(1)), rhw_splat(1), rhw_splat(0.25f));
+    vertex->position[0] = x * (2.0f / SIZE) - 1.0f;
+    vertex->position[1] = 1.0f - y * (2.0f / SIZE);
+    vertex->position[2] = rhw_splat(0);
+    vertex->position[3] = rhw_splat(1);
+    vertex->varying[0] = vertex->attribute[0][0];
+    vertex->varying[1] = vertex->attribute[1][0];
+}
+
+static void place_groups(struct rhw_vertex *groups, int count)
+{
+    for (int g = 0; g < count; g++) {
+        place(&groups[g]);
+    }
+}
+
+// Cuts a corner off every triangle of odd instances, but not the pixel's centre.
+static void place_clipped(struct rhw_vertex *groups, int count)
+{
+    for (int g = 0; g < count; g++) {
+        place(&groups[g]);
+        const rhw_int corner = (groups[g].vertex_index - BASE) % 3;
+        const rhw_int cut = rhw_equal_int(corner, rhw_splat_int(2)) &
+                            rhw_equal_int(groups[g].instance_index & 1, rhw_splat_int(1));
+        groups[g].clip_distance[0] = rhw_select(cut, rhw_splat(-0.1f), rhw_splat(1));
+    }
+}
+
+static void tell(struct rhw_fragment *groups, int count)
+{
+    for (int g = 0; g < count; g++) {
+        groups[g].color[0][0] = rhw_float_from_int(groups[g].instance);
+        groups[g].color[0][1] = rhw_float_from_int(groups[g].primitive);
+        groups[g].color[0][2] = groups[g].varying[0];
+        groups[g].color[0][3] = groups[g].varying[1];
+    }
+}
+
+// Attribute 0 steps with the instances, attribute 1 with STEP of them.
+static void open_rig(struct rig *rig)
+{
+    rig_open(rig, SIZE, SIZE);
+    rig_set_program(rig, place_groups, tell);
+    rig->pipeline.program.uses = RHW_USE_IDS;
+    rig->pipeline.program.varyings[0] = (struct rhw_varying){.components = 2, .qualifier = RHW_FLAT};
+    rig->pipeline.program.varying_count = 1;
+    for (int i = 0; i < 2; i++) {
+        rig->pipeline.attributes[i] = (struct rhw_attribute){.format = RHW_VERTEX_FLOAT1, .buffer = i};
+        rig->pipeline.buffers[i] = (struct rhw_vertex_layout){.stride = 4, .per_instance = true};
+    }
+    rig->pipeline.buffers[1].instance_step = STEP;
+    rig->pipeline.attribute_count = rig->pipeline.buffer_count = 2;
+}
+
+static void begin(struct rig *rig)
+{
+    static float numbers[FIRST + INSTANCES];
+    for (int i = 0; i < FIRST + INSTANCES; i++) {
+        numbers[i] = (float)i * 0.5f;
+    }
+    rig_begin(rig);
+    rig_use_pipeline(rig);
+    rig_use_vertices(rig, 0, numbers, sizeof numbers);
+    rig_use_vertices(rig, 1, numbers, sizeof numbers);
+}
+
+static void check_pixels(struct rig *rig)
+{
+    const float(*pixels)[4] = rig_read_float4(rig);
+    for (int n = 0; n < INSTANCES * EACH; n++) {
+        const int instance = n / EACH;
+        const float expected[4] = {(float)(FIRST + instance), (float)(n % EACH),
+                                   (float)(FIRST + instance) * 0.5f, (float)(FIRST + instance / STEP) * 0.5f};
+        if (memcmp(pixels[n], expected, sizeof expected) != 0) {
+            fail_msg("pixel %d has %g %g %g %g, not %g %g %g %g", n, (double)pixels[n][0],
+                     (double)pixels[n][1], (double)pixels[n][2], (double)pixels[n][3], (double)expected[0],
+                     (double)expected[1], (double)expected[2], (double)expected[3]);
+        }
+    }
+}
+
+static void test_lists(void **state)
+{
+    (void)state;
+    struct rig rig;
+    open_rig(&rig);
+    begin(&rig);
+    rhw_pass_draw(rig.context, rig.recording, BASE, 3 * EACH, FIRST, INSTANCES);
+    rig_end(&rig);
+    assert_int_equal(rig.stats.triangles_in, INSTANCES * EACH);
+    check_pixels(&rig);
+    rig_close(&rig);
+}
+
+// In an order of their own, and far apart, so that they are found by a table.
+static void test_indices(void **state)
+{
+    (void)state;
+    static const uint16_t orders[2][3 * EACH] = {{1, 2, 0, 3, 4, 5, 8, 6, 7}, {0, 1, 2, 3, 4, 5, 6, 7, 8}};
+    for (int i = 0; i < 2; i++) {
+        struct rig rig;
+        open_rig(&rig);
+        begin(&rig);
+        rig_use_indices(&rig, RHW_INDEX_UINT16, orders[i], sizeof orders[i]);
+        rhw_pass_draw_indexed(rig.context, rig.recording, 0, 3 * EACH, BASE, FIRST, INSTANCES);
+        rig_end(&rig);
+        check_pixels(&rig);
+        rig_close(&rig);
+    }
+}
+
+static void test_clipped(void **state)
+{
+    (void)state;
+    struct rig rig;
+    open_rig(&rig);
+    rig_set_program(&rig, place_clipped, tell);
+    rig.pipeline.program.clip_distance_count = 1;
+    begin(&rig);
+    rhw_pass_draw(rig.context, rig.recording, BASE, 3 * EACH, FIRST, INSTANCES);
+    rig_end(&rig);
+    assert_true(rig.stats.triangles_clipped > 0);
+    check_pixels(&rig);
+    rig_close(&rig);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(test_lists),
+        cmocka_unit_test(test_indices),
+        cmocka_unit_test(test_clipped),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}
