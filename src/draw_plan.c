@@ -190,7 +190,8 @@ static struct rhw_draw_plan plan_of(const struct rhw_pipeline_data *pipeline,
         plan.biased_small_flag = plan.is_biased ? small : 0;
         plan.span_flag = RHW_TRIANGLE_SMALL;
     }
-    const bool any_group = plan.shading == RHW_SHADING_SMOOTH || plan.shading == RHW_SHADING_NONE;
+    const bool any_group = plan.shading == RHW_SHADING_SMOOTH || plan.shading == RHW_SHADING_ANY ||
+                           plan.shading == RHW_SHADING_NONE;
     if (paths != RHW_PATHS_GENERAL && samples > 1 && !plan.is_skipped && phase != RHW_PHASE_BACKWARDS &&
         any_group && !plan.is_full) {
         plan.sampled_small_flag = RHW_TRIANGLE_SMALL;

@@ -61,6 +61,7 @@ struct packed_triangle {
     const float *varyings[3], *provoking;
     struct plane n1, n2;    // weights on the screen
     int anchor_x, anchor_y; // pixels, in the tile
+    bool clamps_depth;      // of multisampled passes: the others hold depth to its range anyway
     int32_t front_facing, primitive, instance, draw;
 };
 

@@ -170,7 +170,7 @@ static struct rhw_pipeline_def pipeline_def_of(const struct scene_input *in, con
     return def;
 }
 
-// As pass.c derives it when a draw is recorded.
+// As pass_draw_state.c derives it when a draw is recorded.
 static void set_draw_state(struct rhw_draw_state *state, const struct scene *scene,
                            const struct scene_input *in, const struct scene_draw *draw)
 {

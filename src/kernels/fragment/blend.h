@@ -232,17 +232,42 @@ RHW_INLINE void blend_group(const struct rhw_blend_state *state, const f8 *color
     }
 }
 
-// Puts the texels of a scattered group side by side for blending, and back.
-RHW_INLINE void gather_texels(const int32_t at[8], const unsigned char *texels, size_t size,
-                              unsigned char *out)
+// Whether a path puts words of 4 bytes in the place of texels, whatever those held.
+RHW_INLINE bool replaces_words(const struct rhw_blend_state *state)
+{
+    switch (state->path) {
+    case BLEND_RGBA8_REPLACE:
+    case BLEND_BITS_REPLACE: return true;
+    case BLEND_SRGB8_REPLACE: return state->writes_all;
+    case BLEND_FLOAT_REPLACE:
+        return state->format->codec == RHW_CODEC_FLOAT32 && state->format->channels == 1;
+    default: return false;
+    }
+}
+
+// Gives those words.
+RHW_INLINE i8 replacing_words(const struct rhw_blend_state *state, const f8 *color)
+{
+    switch (state->path) {
+    case BLEND_RGBA8_REPLACE: return unorm8_texels(color);
+    case BLEND_SRGB8_REPLACE: return srgb8_texels(color);
+    case BLEND_FLOAT_REPLACE: return (i8)canonical_nan(color[0]);
+    default: return (i8)color[0];
+    }
+}
+
+// Scattered groups -------------------------------------------------------------------------------------
+
+RHW_INLINE void gather_sized(const int32_t at[8], const unsigned char *texels, size_t size,
+                             unsigned char *out)
 {
     for (int i = 0; i < 8; i++) {
         memcpy(out + (size_t)i * size, texels + (size_t)at[i] * size, size);
     }
 }
 
-RHW_INLINE void scatter_texels(const int32_t at[8], unsigned bits, unsigned char *texels, size_t size,
-                               const unsigned char *from)
+RHW_INLINE void scatter_sized(const int32_t at[8], unsigned bits, unsigned char *texels, size_t size,
+                              const unsigned char *from)
 {
     if (bits == 0xff) {
         for (int i = 0; i < 8; i++) {
@@ -253,6 +278,30 @@ RHW_INLINE void scatter_texels(const int32_t at[8], unsigned bits, unsigned char
     for (; bits != 0; bits &= bits - 1) {
         const int lane = __builtin_ctz(bits);
         memcpy(texels + (size_t)at[lane] * size, from + (size_t)lane * size, size);
+    }
+}
+
+// Puts the texels of a scattered group side by side for blending, and back. The usual sizes are constants: 16 calls of
+// memcpy would take longer than the blending.
+RHW_INLINE void gather_texels(const int32_t at[8], const unsigned char *texels, size_t size,
+                              unsigned char *out)
+{
+    switch (size) {
+    case 4: gather_sized(at, texels, 4, out); break;
+    case 8: gather_sized(at, texels, 8, out); break;
+    case 16: gather_sized(at, texels, 16, out); break;
+    default: gather_sized(at, texels, size, out); break;
+    }
+}
+
+RHW_INLINE void scatter_texels(const int32_t at[8], unsigned bits, unsigned char *texels, size_t size,
+                               const unsigned char *from)
+{
+    switch (size) {
+    case 4: scatter_sized(at, bits, texels, 4, from); break;
+    case 8: scatter_sized(at, bits, texels, 8, from); break;
+    case 16: scatter_sized(at, bits, texels, 16, from); break;
+    default: scatter_sized(at, bits, texels, size, from); break;
     }
 }
 

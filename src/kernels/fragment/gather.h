@@ -23,6 +23,14 @@ RHW_INLINE struct anchor_offset texel_offsets(const struct tile_work *work, cons
                                   d8_from_i8(y - i8_splat(planes->anchor_y - work->y))};
 }
 
+// A pixel's centre may lie beyond its triangle where samples do not; the plane is followed there, as rows do.
+RHW_INLINE f8 scattered_depth(const struct tile_work *work, const struct triangle_work *triangle,
+                              const struct anchor_offset *at)
+{
+    const f8 z = f8_from_d8(plane_value8(plane_of(&triangle->planes.quantities, QUANTITY_Z), at->dx, at->dy));
+    return work->samples == 1 || triangle->clamps_depth ? viewport_clamp(&work->scratch->depth, z) : z;
+}
+
 // Fills the queue's next `count` groups with the fragments at `texel`, 8 each.
 RHW_INLINE void fill_scattered(const struct tile_work *work, const struct triangle_work *triangle,
                                const int32_t *texel, int count, enum derivatives derivatives)
@@ -42,8 +50,7 @@ RHW_INLINE void fill_scattered(const struct tile_work *work, const struct triang
             smooth_derivatives(queue, first + n, pipeline, triangle->derivatives, &at, squared);
         }
         if (work->plan.keeps_depth) {
-            const d8 z = plane_value8(plane_of(&planes->quantities, QUANTITY_Z), at.dx, at.dy);
-            queue->groups[first + n].depth = viewport_clamp(&work->scratch->depth, f8_from_d8(z));
+            queue->groups[first + n].depth = scattered_depth(work, triangle, &at);
         }
     }
     f8 *const varyings = queue->varyings + first * pipeline->varying_components;
@@ -79,8 +86,7 @@ static __attribute__((noinline)) void fill_any_scattered(const struct tile_work 
             screen.c[n] = f8_from_d8(place.screen.t);
         }
         if (work->plan.keeps_depth) {
-            const d8 z = plane_value8(plane_of(&planes->quantities, QUANTITY_Z), at.dx, at.dy);
-            queue->groups[g].depth = viewport_clamp(&work->scratch->depth, f8_from_d8(z));
+            queue->groups[g].depth = scattered_depth(work, triangle, &at);
         }
         fill_builtins(work, g, triangle, &place);
     }

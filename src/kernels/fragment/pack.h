@@ -237,7 +237,10 @@ static void pack_group(struct tile_work *work, unsigned bits)
     const struct packed_weights lanes = {b, c, b,
                                          c}; // nothing asks for those on the screen where they are not wanted
     if (work->plan.keeps_depth) {
-        group->depth = viewport_clamp(&work->scratch->depth, f8_from_d8(quantity[QUANTITY_Z]));
+        group->depth = f8_from_d8(quantity[QUANTITY_Z]);
+        if (work->samples == 1) {
+            group->depth = viewport_clamp(&work->scratch->depth, group->depth);
+        }
     }
     if (work->samples > 1 && work->plan.depth_mode >= RHW_DEPTH_LATE) {
         for (int s = 0; s < work->samples; s++) {
@@ -321,6 +324,7 @@ static const struct packed_triangle *pack_triangle(struct tile_work *work, struc
     struct packed_triangle *const to = &partial->triangles[partial->triangle_count++ % RHW_PACKED_TRIANGLES];
     to->anchor_x = triangle->planes.anchor_x - work->x;
     to->anchor_y = triangle->planes.anchor_y - work->y;
+    to->clamps_depth = work->samples > 1 && triangle->clamps_depth;
     for (int i = 0; i < 3; i++) {
         to->varyings[i] = triangle->v[i]->varyings;
     }
@@ -364,6 +368,13 @@ static void pack_sample_depths(const struct tile_work *work, struct plane z, int
     }
 }
 
+// As viewport_clamp does.
+static double clamp_depth(const struct tile_depth *depth, double z)
+{
+    const float value = (float)z, above = value > depth->least ? value : depth->least;
+    return (double)(above < depth->most ? above : depth->most);
+}
+
 // Adds gathered fragment i of a triangle whose planes are `planes`.
 RHW_INLINE void pack_fragment(struct tile_work *work, const struct quantity_planes *planes,
                               const struct packed_triangle *packed, int i, enum packed_parts parts)
@@ -382,6 +393,10 @@ RHW_INLINE void pack_fragment(struct tile_work *work, const struct quantity_plan
     }
     if (parts == PACKED_ANY) {
         partial->samples[n] = work->scratch->gathered.samples[i];
+    }
+    if (parts == PACKED_ANY && packed->clamps_depth) {
+        partial->quantities[n][QUANTITY_Z] =
+            clamp_depth(&work->scratch->depth, partial->quantities[n][QUANTITY_Z]);
     }
     if (parts == PACKED_ANY && work->samples > 1 && work->plan.depth_mode >= RHW_DEPTH_LATE) {
         pack_sample_depths(work, plane_of(planes, QUANTITY_Z), n, dx, dy);

@@ -58,6 +58,7 @@ RHW_INLINE void blend_target(const struct tile_work *work, int t, enum rhw_blend
     struct fragment_queue *const queue = &work->scratch->queue;
     unsigned char *const texels = work->scratch->color[t];
     const int count = queue->count;
+    const bool replaces = replaces_words(&state);
     const bool is_common = path == BLEND_RGBA8_REPLACE || path == BLEND_RGBA8_OVER;
     if (is_common && queue->only_full_rows && state.texel_mask[0] == UINT32_MAX) {
         state.texel_mask[0] = UINT32_MAX; // known from here on
@@ -75,9 +76,12 @@ RHW_INLINE void blend_target(const struct tile_work *work, int t, enum rhw_blend
         }
         _Alignas(32) unsigned char lanes[8 * 16];
         const int32_t *const at = queue->texels[g];
-        if (path != BLEND_RGBA8_REPLACE) {
-            gather_texels(at, texels, size, lanes);
+        if (replaces) {
+            i8_store(lanes, replacing_words(&state, color));
+            scatter_sized(at, queue->live[g], texels, 4, lanes);
+            continue;
         }
+        gather_texels(at, texels, size, lanes);
         blend_group(&state, color, i8_splat(-1), lanes);
         scatter_texels(at, queue->live[g], texels, size, lanes);
     }

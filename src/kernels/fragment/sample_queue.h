@@ -114,10 +114,10 @@ RHW_INLINE void blend_scattered_samples(const struct tile_work *work, int t, int
     const struct fragment_queue *const queue = &work->scratch->queue;
     const struct rhw_blend_state *const state = &work->state->blend[t];
     const size_t size = work->pass->colors[t].texel_size;
-    const bool replaces = state->path == BLEND_RGBA8_REPLACE;
+    const bool replaces = replaces_words(state);
     _Alignas(32) unsigned char lanes[8 * 16];
     if (replaces) {
-        i8_store(lanes, unorm8_texels(queue->colors[g][t]));
+        i8_store(lanes, replacing_words(state, queue->colors[g][t]));
     }
     for (int s = 0; s < (expanded == 0 ? 1 : work->samples); s++) {
         const unsigned bits = lanes_of_sample(samples, s) & (s == 0 ? 0xff : expanded);
@@ -126,7 +126,7 @@ RHW_INLINE void blend_scattered_samples(const struct tile_work *work, int t, int
             continue;
         }
         if (replaces) {
-            scatter_texels(queue->texels[g], bits, texels, 4, lanes);
+            scatter_sized(queue->texels[g], bits, texels, 4, lanes);
             continue;
         }
         gather_texels(queue->texels[g], texels, size, lanes);
