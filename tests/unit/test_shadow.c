@@ -148,20 +148,6 @@ static void test_beyond_the_map_is_light(void **state)
 
 // Scenes --------------------------------------------------------------------------------------------
 
-static struct scene_pictures draw_scene(const struct tiny *t, const struct scene_view *view)
-{
-    struct rhw_context_def def = rhw_context_def_default();
-    rhw_context *context;
-    struct scene *scene;
-    struct scene_pictures pictures;
-    assert_int_equal(rhw_context_create(&def, &context), RHW_OK);
-    assert_int_equal(scene_create(context, &t->model, &scene), RHW_OK);
-    assert_int_equal(scene_draw(scene, view, &pictures, NULL), RHW_OK);
-    scene_destroy(scene);
-    rhw_context_destroy(context);
-    return pictures;
-}
-
 static void place(struct scene_instance *instance, float scale, float x, float y, float z)
 {
     tiny_identity(instance->world);
@@ -206,9 +192,9 @@ static struct scene_view floor_view(const struct tiny *t, int size)
 static void check_shadow(struct tiny *t)
 {
     struct scene_view view = floor_view(t, 64);
-    struct scene_pictures with = draw_scene(t, &view);
+    struct scene_pictures with = tiny_draw(t, &view);
     view.shadows = false;
-    struct scene_pictures without = draw_scene(t, &view);
+    struct scene_pictures without = tiny_draw(t, &view);
     // The square's shadow lies a unit to the right; light comes from the left at 45 degrees.
     static const double points[][3] = {{1.0, 0.0, 1},  {0.6, 0.4, 1}, {1.4, -0.4, 1},
                                        {-1.0, 0.0, 0}, {0.0, 0.0, 0}, {1.0, 0.7, 0},
@@ -278,9 +264,9 @@ static void test_what_casts_no_shadow(void **state)
             t.material.base_color[3] = 0.4f;
         }
         struct scene_view view = floor_view(&t, 64);
-        struct scene_pictures with = draw_scene(&t, &view);
+        struct scene_pictures with = tiny_draw(&t, &view);
         view.shadows = false;
-        struct scene_pictures without = draw_scene(&t, &view);
+        struct scene_pictures without = tiny_draw(&t, &view);
         tiny_assert_close(brightness(&with, 1.0, 0.0), brightness(&without, 1.0, 0.0), 1e-6);
         scene_pictures_free(&with);
         scene_pictures_free(&without);
@@ -328,9 +314,9 @@ static void test_corner(void **state)
     t.light = (struct scene_model_light){
         .type = SCENE_LIGHT_DIRECTIONAL, .direction = {0, 0, 1}, .color = {1, 1, 1}, .intensity = 1};
     view.ambient_occlusion = true;
-    struct scene_pictures with = draw_scene(&t, &view);
+    struct scene_pictures with = tiny_draw(&t, &view);
     view.ambient_occlusion = false;
-    struct scene_pictures without = draw_scene(&t, &view);
+    struct scene_pictures without = tiny_draw(&t, &view);
     // The reach is 0.12 of half the diagonal of the bounds, which is 0.6 here.
     const double at_corner = brightness(&with, 0.02, 0) / brightness(&without, 0.02, 0);
     const double far = brightness(&with, 1.6, 0) / brightness(&without, 1.6, 0);
@@ -360,10 +346,10 @@ static void test_open_square(void **state)
         view.outputs = SCENE_OUTPUT_LINEAR;
         view.camera.eye[2] = 20;
         view.camera.zfar = 100;
-        struct scene_pictures with = draw_scene(&t, &view);
+        struct scene_pictures with = tiny_draw(&t, &view);
         view.ambient_occlusion = false;
         view.shadows = false;
-        struct scene_pictures without = draw_scene(&t, &view);
+        struct scene_pictures without = tiny_draw(&t, &view);
         for (size_t i = 0; i < 4 * 128 * 128; i++) {
             tiny_assert_close((double)with.linear[i], (double)without.linear[i], 0.01);
         }

@@ -6,20 +6,6 @@
 
 enum { SIZE = 256, TILE = 64 }; // the square −1..1 is pixels 64..191: four tiles of sixteen
 
-static struct scene_pictures draw(const struct tiny *t, const struct scene_view *view)
-{
-    const struct rhw_context_def def = rhw_context_def_default();
-    rhw_context *context;
-    struct scene *scene;
-    struct scene_pictures pictures;
-    assert_int_equal(rhw_context_create(&def, &context), RHW_OK);
-    assert_int_equal(scene_create(context, &t->model, &scene), RHW_OK);
-    assert_int_equal(scene_draw(scene, view, &pictures, NULL), RHW_OK);
-    scene_destroy(scene);
-    rhw_context_destroy(context);
-    return pictures;
-}
-
 // Two squares, the second behind the first and half a square to the right.
 static void make_two(struct tiny *t)
 {
@@ -46,7 +32,7 @@ static void test_overdraw(void **state)
         struct scene_view view = tiny_view(&t, SIZE);
         view.outputs = SCENE_OUTPUT_OVERDRAW | SCENE_OUTPUT_OBJECT;
         view.camera.eye[2] = kind == 2 ? -5.0 : 5.0;
-        struct scene_pictures p = draw(&t, &view);
+        struct scene_pictures p = tiny_draw(&t, &view);
         for (int i = 0; i < SIZE * SIZE; i++) {
             const int squares = kind == 2 ? 0 : squares_at(i % SIZE, i / SIZE);
             assert_int_equal((int)p.overdraw[i], squares);
@@ -68,7 +54,7 @@ static void test_tiles(void **state)
             view.outputs = SCENE_OUTPUT_TILES | SCENE_OUTPUT_PLAN;
             view.supersample = supersample;
             view.background = background == 0 ? SCENE_BACKGROUND_DEFAULT : SCENE_BACKGROUND_COLOR;
-            struct scene_pictures p = draw(&t, &view);
+            struct scene_pictures p = tiny_draw(&t, &view);
             assert_null(p.color);
             uint32_t most = 0;
             for (int y = 0; y < SIZE; y += TILE / 4) {

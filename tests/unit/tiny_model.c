@@ -99,3 +99,17 @@ struct scene_view tiny_view(const struct tiny *t, int size)
     view.background_color[2] = 30;
     return view;
 }
+
+struct scene_pictures tiny_draw(const struct tiny *t, const struct scene_view *view)
+{
+    const struct rhw_context_def def = rhw_context_def_default();
+    rhw_context *context;
+    struct scene *scene;
+    struct scene_pictures pictures;
+    assert_int_equal(rhw_context_create(&def, &context), RHW_OK);
+    assert_int_equal(scene_create(context, &t->model, &scene), RHW_OK);
+    assert_int_equal(scene_draw(scene, view, &pictures, NULL), RHW_OK);
+    scene_destroy(scene);
+    rhw_context_destroy(context);
+    return pictures;
+}

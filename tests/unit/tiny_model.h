@@ -31,6 +31,9 @@ void tiny_set_bounds(struct tiny *t);
 /// Orthographic, so that the square −1..1 is the middle half of an 8×8 picture: pixels 2..5.
 struct scene_view tiny_view(const struct tiny *t, int size);
 
+/// Draws it in a context of its own. Free the pictures by scene_pictures_free.
+struct scene_pictures tiny_draw(const struct tiny *t, const struct scene_view *view);
+
 void tiny_identity(float m[16]);
 void tiny_assert_close(double value, double expected, double tolerance);
 
