@@ -112,12 +112,13 @@ static bool is_parallel(const double a[3], const double b[3])
     return !(scene_dot(product, product) > 1e-12 * scene_dot(a, a) * scene_dot(b, b));
 }
 
-bool scene_camera_look(struct scene_camera *camera, const struct scene_model *model, const double eye[3],
-                       const double target[3], const double up[3], double yfov, char *error,
-                       size_t error_size)
+// Places a camera whose lens is set already. `bad_lens`: why it cannot be; NULL: it can.
+static bool look(struct scene_camera *camera, const struct scene_model *model, const double eye[3],
+                 const double target[3], const double up[3], const char *bad_lens, char *error,
+                 size_t error_size)
 {
     const double direction[3] = {target[0] - eye[0], target[1] - eye[1], target[2] - eye[2]};
-    const char *cause = NULL;
+    const char *cause = bad_lens;
     if (!scene_finite3(eye) || !scene_finite3(target) || !scene_finite3(up)) {
         cause = "every number must be finite";
     } else if (!(scene_dot(direction, direction) > 0.0) || !scene_finite3(direction)) {
@@ -126,14 +127,11 @@ bool scene_camera_look(struct scene_camera *camera, const struct scene_model *mo
         cause = "up must not be zero";
     } else if (is_parallel(direction, up)) {
         cause = "up must not be parallel to the view";
-    } else if (!(yfov >= 0.01 * (pi / 180.0) && yfov <= 179.0 * (pi / 180.0))) {
-        cause = "the field of view must lie between 0.01 and 179 degrees";
     }
     if (cause) {
         snprintf(error, error_size, "not a camera: %s", cause);
         return false;
     }
-    *camera = (struct scene_camera){.yfov = yfov};
     for (int i = 0; i < 3; i++) {
         camera->eye[i] = eye[i];
         camera->target[i] = target[i];
@@ -141,6 +139,27 @@ bool scene_camera_look(struct scene_camera *camera, const struct scene_model *mo
     }
     scene_camera_enclose(camera, model);
     return true;
+}
+
+bool scene_camera_look(struct scene_camera *camera, const struct scene_model *model, const double eye[3],
+                       const double target[3], const double up[3], double yfov, char *error,
+                       size_t error_size)
+{
+    const bool has_angle = yfov >= 0.01 * (pi / 180.0) && yfov <= 179.0 * (pi / 180.0);
+    *camera = (struct scene_camera){.yfov = yfov};
+    return look(camera, model, eye, target, up,
+                has_angle ? NULL : "the field of view must lie between 0.01 and 179 degrees", error,
+                error_size);
+}
+
+bool scene_camera_look_orthographic(struct scene_camera *camera, const struct scene_model *model,
+                                    const double eye[3], const double target[3], const double up[3],
+                                    double height, char *error, size_t error_size)
+{
+    const bool has_height = height > 0.0 && height <= DBL_MAX;
+    *camera = (struct scene_camera){.orthographic = true, .ymag = 0.5 * height};
+    return look(camera, model, eye, target, up,
+                has_height ? NULL : "the height of what is seen must be above 0", error, error_size);
 }
 
 struct scene_camera scene_camera_from_model(const struct scene_model_camera *source, double aspect)

@@ -56,6 +56,11 @@ bool scene_camera_look(struct scene_camera *camera, const struct scene_model *mo
                        const double target[3], const double up[3], double yfov, char *error,
                        size_t error_size);
 
+/// The same without perspective; `height` of the whole picture in the world, above 0.
+bool scene_camera_look_orthographic(struct scene_camera *camera, const struct scene_model *model,
+                                    const double eye[3], const double target[3], const double up[3],
+                                    double height, char *error, size_t error_size);
+
 /// Puts the near and the far plane around the model.
 void scene_camera_enclose(struct scene_camera *camera, const struct scene_model *model);
 /// Around all that the model sweeps when it turns as the orbit says.

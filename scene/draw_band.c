@@ -111,6 +111,10 @@ bool scene_band_allocate(const struct draw *draw, enum rhw_format format, void *
     const size_t bands = ((size_t)draw->view->height + (size_t)draw->band_rows - 1) / (size_t)draw->band_rows;
     const uint64_t pixels = (uint64_t)bands * (uint64_t)draw->band_rows * (uint64_t)draw->view->width;
     const uint64_t size = pixels * rhw_format_size(format);
-    *picture = size < SIZE_MAX ? malloc((size_t)size) : NULL; // 4 GiB and more where addresses have 32 bits
+    if (size >= SIZE_MAX) { // 4 GiB and more where addresses have 32 bits
+        *picture = NULL;
+        return false;
+    }
+    *picture = draw->view->allocate ? draw->view->allocate((size_t)size) : malloc((size_t)size);
     return *picture != NULL;
 }

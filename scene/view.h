@@ -83,6 +83,8 @@ struct scene_view {
     /// NULL: nobody is asked.
     bool (*goes_on)(void *user);
     void *user;
+    /// Gives the memory of a picture, which free() gives back, on the thread that draws; NULL: malloc does.
+    void *(*allocate)(size_t size);
 };
 
 /// 1280×720, one sample, the whole model fitted, gradient, colour.

@@ -158,6 +158,13 @@ check "a colour by name" test "$(bytes other.ppm 13 3)" = "135 206 235"
 succeed render cube.obj $view -o one.png --orbit 50,10 --zoom 1.5 --print-camera
 succeed render cube.obj $view -o other.png $(cat "$folder/log/out")
 succeed compare one.png other.png --tolerance 2
+succeed render cube.obj $view -o one.png --ortho --orbit 50,10 --zoom 1.5 --print-camera
+check "it says that it has no perspective" grep -Eq '^--ortho --camera ([-0-9.e]+,){9}[0-9.]+$' "$folder/log/out"
+succeed render cube.obj $view -o other.png $(cat "$folder/log/out")
+succeed compare one.png other.png --tolerance 2
+succeed render cube.obj -o square.ppm --size 64 --samples 1 --background black --output object --ortho \
+    --camera 0,0,9,0,0,0,0,1,0,4
+check "the tenth number is the height then" test "$(tail -c 12288 square.ppm | od -An -v -tu1 -w3 | grep -cv '^ *0 *0 *0$')" = 1024
 # A picture fits its frame exactly without a margin and perspective: the cube from its front is a square.
 succeed render cube.obj --size 64 -o front.ppm --ortho --margin 0 --orbit 0,0 --background black --samples 1
 check "no margin" test "$(bytes front.ppm 13 3)" != "0 0 0"

@@ -70,6 +70,8 @@ refuse 2 "--camera: .* is not ten numbers" render cube.obj -o a.png --camera 0,0
 refuse 2 "--camera: " render cube.obj -o a.png --camera 1,1,1,1,1,1,0,1,0,30
 refuse 2 "--camera: " render cube.obj -o a.png --camera 0,0,5,0,0,0,0,1,0,180
 refuse 2 "--orbit: '30,1,2' is not one or two angles" render cube.obj -o a.png --orbit 30,1,2
+refuse 2 "--camera: not a camera: the height of what is seen must be above 0" render cube.obj -o a.png --ortho --camera 0,0,5,0,0,0,0,1,0,0
+refuse 2 "--ortho: cannot be together with --camera-index" render cube.obj -o a.png --ortho --camera-index 0
 refuse 2 "--orbit: cannot be together with --camera" render cube.obj -o a.png --camera 0,0,5,0,0,0,0,1,0,30 --orbit 1,2
 refuse 2 "--fovy: cannot be together with --camera" render cube.obj -o a.png --camera 0,0,5,0,0,0,0,1,0,30 --fovy 30
 refuse 2 "--camera-index: '-1' is not a number" render cube.obj -o a.png --camera-index=-1

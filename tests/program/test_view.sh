@@ -2,7 +2,9 @@
 # SPDX-License-Identifier: MIT
 # rhw view: keys are pressed in a window of a display of its own, and what is on that display is compared with pictures of
 # rhw render, byte for byte. Nothing waits for a time: each step waits for what it wants to see.
+# usage: test_view.sh RHW SOURCES DROP_FILE
 . "$(dirname "$0")/harness.sh"
+drop_file=$(realpath "$3")
 for tool in Xvfb xdotool python3; do
     command -v $tool >/dev/null 2>&1 || { echo "no $tool here"; exit 77; }
 done
@@ -33,39 +35,6 @@ rm -r alone said
 # The display's pixels lie in a file in the form of xwd.
 mkdir "$folder/display"
 screen=$folder/display/Xvfb_screen0
-cat >"$folder/seen.py" <<'PY'
-"""seen.py SCREEN PICTURE SECONDS: waits until the top left of the screen is the PPM or PGM; 0: it is. With `not` behind:
-until it is something else."""
-import struct, sys, time
-
-def screen(path, width, height):
-    data = open(path, "rb").read()
-    header = struct.unpack(">25I", data[:100])
-    start, stride = header[0] + 12 * header[19], header[12]
-    rows = bytearray()
-    for y in range(height):
-        row = data[start + y * stride:start + y * stride + 4 * width]
-        rgb = bytearray(3 * width)
-        rgb[0::3], rgb[1::3], rgb[2::3] = row[2::4], row[1::4], row[0::4]
-        rows += rgb
-    return bytes(rows)
-
-def picture(path):
-    data = open(path, "rb").read()
-    lines = [line for line in data.split(b"\n", 8) if not line.startswith(b"#")]
-    width, height = map(int, lines[1].split())
-    channels = 3 if lines[0] == b"P6" else 1
-    pixels = data[-width * height * channels:]
-    return width, height, pixels if channels == 3 else bytes(v for v in pixels for _ in range(3))
-
-path, wanted, seconds = sys.argv[1], sys.argv[2], float(sys.argv[3])
-width, height, pixels = picture(wanted)
-end = time.monotonic() + seconds
-while (screen(path, width, height) == pixels) == (len(sys.argv) > 4):
-    if time.monotonic() > end:
-        sys.exit(1)
-    time.sleep(0.01)
-PY
 mkfifo "$folder/number"
 # Without -noreset the server begins anew when its last client goes, and refuses the next meanwhile.
 Xvfb -displayfd 3 -screen 0 ${WIDTH}x${HEIGHT}x24 -nolisten tcp -noreset -fbdir "$folder/display" 3>"$folder/number" 2>"$folder/log/xvfb" &
@@ -82,6 +51,18 @@ until_true() { # COMMAND...: tries until it succeeds
         [ $tries -lt $((PATIENCE * 20)) ] || return 1
         sleep 0.05
     done
+}
+
+display() { # VERB ARGUMENT...: of display.py
+    python3 "$root/tests/program/display.py" "$screen" "$@"
+}
+
+shown() { # PICTURE: waits until it is what is seen
+    display seen "$1" $PATIENCE
+}
+
+unseen() { # PICTURE
+    display unseen "$1" $PATIENCE
 }
 
 lines() {
@@ -117,7 +98,7 @@ seen() { # DESCRIPTION
     ask
     # shellcheck disable=SC2086
     "$rhw" $asked -o want.ppm || fail "$1: rhw $asked"
-    check "$1: rhw $asked" python3 "$folder/seen.py" "$screen" want.ppm $PATIENCE
+    check "$1: rhw $asked" shown want.ppm
 }
 
 # Presses keys and looks; the command line then has the words.
@@ -131,6 +112,34 @@ key() { # KEYS WORDS
     esac
 }
 
+# Until a model is there, C does nothing.
+awaits() { # CONDITION: presses C until that holds
+    until_true sh -c "xdotool key c; sleep 0.1; $1" || fail "no command line for which $1"
+    press z
+}
+
+shows_model() {
+    awaits '[ -s said ]'
+}
+
+drop() { # TYPE DATA: onto the window, as a file manager does
+    check "the window takes $2" "$drop_file" "$(xdotool search --onlyvisible --name rhw | tail -1)" "$1" "$2"
+}
+
+drop_model() { # PATH
+    drop text/uri-list "file://$(realpath "$1")"
+}
+
+# Presses a key that changes the pose, and keeps the process that reads it from ever coming to its end.
+press_for_ever() { # KEY
+    : >ready
+    display freeze $viewer >ready &
+    freezer=$!
+    until_true test -s ready
+    press "$1"
+    wait $freezer || fail "no pose was read"
+}
+
 closes() { # STATUS
     press Escape
     status=0
@@ -139,10 +148,8 @@ closes() { # STATUS
     check "it ends with $1: $status, $(cat complained)" test $status = "$1"
 }
 
-# Until a model is there, C does nothing.
 view cube.obj --samples 2
-until_true sh -c 'xdotool key c; sleep 0.1; [ -s said ]'
-press z
+shows_model
 seen "the picture of the beginning"
 first=$asked
 key 2 "--output normal"
@@ -209,8 +216,32 @@ before=$(lines)
 xdotool mousemove 160 120 click 1
 until_true grep -q '^The largest error is' said || fail "a click explains nothing"
 seen_text=$(tail -n +$((before + 1)) said)
-check "it is open" python3 "$folder/seen.py" "$screen" want.ppm $PATIENCE not
-press Escape
+explained() { # X Y
+    display explained want.ppm "$1" "$2" >place 2>reason
+}
+until_true explained 160 120 || fail "the explanation: $(tail -1 reason)"
+read -r width height <place
+display grab $WIDTH $HEIGHT open.ppm
+press Down
+check "it scrolls" unseen open.ppm
+press Up
+check "and back" shown open.ppm
+xdotool click 5
+check "the wheel scrolls it" unseen open.ppm
+press Home
+check "to its beginning" shown open.ppm
+press End
+check "to its end" unseen open.ppm
+# Another pixel, clicked in the small picture, and seen in another output.
+xdotool mousemove 30 20 click 1
+x=$((61 * WIDTH / (2 * width))) y=$((41 * HEIGHT / (2 * height)))
+until_true grep -q ": pixel ($x, $y) of ${WIDTH}x$HEIGHT" said || fail "not ($x, $y): $(grep ': pixel' said)"
+until_true explained $x $y || fail "the explanation of another: $(tail -1 reason)"
+press 2
+# shellcheck disable=SC2086
+"$rhw" $asked --output normal -o want.ppm
+until_true explained $x $y || fail "the explanation over normals: $(tail -1 reason)"
+press 1 Escape
 seen "the explanation is closed"
 # shellcheck disable=SC2086
 run explain --at 160,120 ${asked#render}
@@ -218,30 +249,28 @@ check "it is that of rhw explain" test "$seen_text" = "$(cat "$folder/log/out")"
 
 # Help, a file, another size.
 press h
-check "help" python3 "$folder/seen.py" "$screen" want.ppm $PATIENCE not
+check "help" unseen want.ppm
 press F1
-check "no help" python3 "$folder/seen.py" "$screen" want.ppm $PATIENCE
+check "no help" shown want.ppm
 press Tab
-check "the line" python3 "$folder/seen.py" "$screen" want.ppm $PATIENCE not
+check "the line" unseen want.ppm
 press Tab F12
 until_true grep -q '^Saved cube-1.png$' said || fail "F12 saves nothing"
 # shellcheck disable=SC2086
 succeed $asked -o want.png
 check "what F12 saves" cmp cube-1.png want.png
 xdotool search --onlyvisible --name rhw windowsize 260 200
-until_true sh -c 'xdotool key c; sleep 0.1; tail -1 said | grep -q -e "--size 260x200"' || fail "it is not resized"
-press z
+awaits 'tail -1 said | grep -q -e "--size 260x200"'
 seen "another size"
 check "nothing was said" test ! -s complained
 closes 0
 
 # Animations.
 view move.gltf --camera 1.5,0.5,8,1.5,0.5,0,0,1,0,30
-until_true sh -c 'xdotool key c; sleep 0.1; [ -s said ]'
-press z
+shows_model
 seen "at rest"
 press space
-check "it plays" python3 "$folder/seen.py" "$screen" want.ppm $PATIENCE not
+check "it plays" unseen want.ppm
 cp want.ppm rest.ppm
 press space
 seen "a moment"
@@ -253,22 +282,138 @@ check "which stands still: $asked" cmp rest.ppm want.ppm
 press r
 seen "the pose of the beginning"
 check "which has no time: $asked" cmp rest.ppm want.ppm
+key comma "--time 0.966" # it goes round
+key period "--time 0"
+key period "--time 0.033"
+key period "--time 0.066"
+key comma "--time 0.033"
+key comma "--time 0"
+# A key that is held steps on, but does nothing else again and again.
+# shellcheck disable=SC2086
+"$rhw" $(echo "$asked" | sed 's/--time 0/--time 0.033/') -o step.ppm
+xdotool keydown period
+check "a step" shown step.ppm
+check "another one" unseen step.ppm
+xdotool keyup period
+seen "a moment"
+before=$(lines)
+xdotool keydown c
+until_true sh -c "[ \$(wc -l <said) -gt $before ]"
+sleep 1
+xdotool keyup c
+check "a key that is held acts once" test "$(lines)" = $((before + 1))
+# A pose that cannot be read: what is seen stays, and the window works on.
+press r
+seen "at rest again"
+mv move.bin gone.bin
+press period
+until_true grep -q '^rhw: move.gltf: ' complained || fail "a pose that cannot be read is not told of"
+press z
+check "the picture stays" shown want.ppm
+mv gone.bin move.bin
+key period "--time 0.066"
 closes 0
 
-# Files that cannot be read; and one that never comes to its end, for which a sanitized window waits (tools/view/loader.c).
+# The animation of the command line is where N goes on from and R leads back to.
+view move.gltf --animation slide --time 0.5
+shows_model
+seen "the animation that was named"
+first=$asked
+key n "--animation 1 --time 0"
+key n "--animation 0 --time 0"
+press r
+seen "the moment of the beginning"
+check "R leads back: $asked" test "$asked" = "$first"
+
+# A file that is dropped and cannot be read: what is shown stays as it was. Text is no file.
 echo "no model" >broken.glb
+drop_model broken.glb
+until_true grep -q '^rhw: /.*/broken.glb: ' complained || fail "a dropped file is not told of"
+press z
+seen "what was shown"
+check "it is what it was: $asked" test "$asked" = "$first"
+drop text/plain "a text"
+# A pose that takes for ever is given up for another model, and when the window is closed.
+cp move.gltf quick
+python3 -c 'print(open("quick").read().rstrip()[:-1] + ", \"extras\": [" + "0," * 4000000 + "0]}")' >move.gltf
+press_for_ever period
+drop_model cube.obj
+awaits 'tail -1 said | grep -q cube.obj'
+seen "the model that was dropped"
+check "nothing of the command line is left: $asked" sh -c "! echo '$asked' | grep -q -e --time -e --animation"
+closes 0
+cp quick quick.gltf
+view quick.gltf
+shows_model
+mv move.gltf quick.gltf
+press_for_ever period
+closes 0
+mv quick move.gltf
+
+# A name is no pattern.
+cp cube.obj 'a{name}{}.obj'
+view 'a{name}{}.obj'
+shows_model
+press F12
+until_true grep -qx 'Saved a{name}{}-1.png' said || fail "F12 saves nothing of a{name}{}.obj: $(tail -1 said)"
+check "it is there" test -s 'a{name}{}-1.png'
+closes 0
+
+# A camera without perspective.
+sed 's/"nodes": \[0\]/"nodes": [0, 1]/; s/"name": "n"}/"name": "n"}, {"camera": 0, "translation": [0.5, 0.25, 4]}/
+    s/"asset"/"cameras": [{"type": "orthographic", "orthographic": {"xmag": 2, "ymag": 1.5, "znear": 0.1, "zfar": 9}}], "asset"/' \
+    move.gltf >flat.gltf
+view flat.gltf
+shows_model
+seen "the camera of the file"
+check "it has no perspective: $asked" sh -c "echo '$asked' | grep -q -e ' --ortho --camera [^ ]*,3 '"
+"$rhw" render flat.gltf --size ${WIDTH}x$HEIGHT -o file.ppm 2>/dev/null
+succeed compare file.ppm want.ppm --tolerance 2
+moves "zoom without perspective" mousemove 160 120 click 4
+check "zoom changes how much is seen: $asked" sh -c "echo '$asked' | grep -q -e ',2.55 '"
+moves "orbit without perspective" mousemove 160 120 mousedown 1 mousemove 190 130 mousemove 200 140 mouseup 1
+moves "fit without perspective" key f
+closes 0
+view cube.obj --ortho
+shows_model
+seen "--ortho"
+check "it is --ortho: $asked" sh -c "echo '$asked' | grep -q -e ' --ortho '"
+closes 0
+
+# A model from standard input is read again for each pose.
+"$rhw" view --size ${WIDTH}x$HEIGHT - <move.gltf >said 2>complained &
+viewer=$!
+check "a window" until_true has_window
+press Tab
+shows_model
+press period
+awaits 'tail -1 said | grep -q -e " --time 0"'
+check "the pose is drawn" unseen rest.ppm
+press F12
+until_true grep -q '^Saved ' said || fail "F12 saves nothing of standard input"
+closes 0
+
+# A file that cannot be read; and standard input without an end.
 view broken.glb
 until_true grep -q '^rhw: broken.glb: ' complained || fail "a broken file is not told of"
 closes 1
-if ! ldd "$rhw" | grep -Eq 'lib(a|ub|t)san'; then
-    mkfifo endless
-    sleep 1000 >endless &
-    feeder=$!
-    "$rhw" view - <endless >said 2>complained &
+mkfifo endless
+sleep 1000 >endless &
+feeder=$!
+view_endless() {
+    "$rhw" view --size ${WIDTH}x$HEIGHT - <endless >said 2>complained &
     viewer=$!
     check "a window while it reads" until_true has_window
-    closes 0 # nothing has failed
-    kill $feeder
-fi
+    press Tab
+}
+view_endless
+closes 0 # nothing has failed
+view_endless
+drop_model cube.obj
+shows_model
+seen "what was dropped while standard input was read"
+check "nothing was said: $(cat complained)" test ! -s complained
+closes 0
+kill $feeder
 
 finish

@@ -278,6 +278,16 @@ static void test_look_refuses_what_is_no_camera(void **state)
     assert_false(scene_camera_look(&camera, &t.model, eye, target, eye, 0.7, error, sizeof error));
     assert_false(scene_camera_look(&camera, &t.model, eye, target, along, 0.7, error, sizeof error));
     assert_string_equal(error, "not a camera: up must not be parallel to the view");
+    assert_true(scene_camera_look_orthographic(&camera, &t.model, eye, target, up, 3.0, error, sizeof error));
+    assert_true(camera.orthographic && camera.zfar > camera.znear);
+    tiny_assert_close(camera.ymag, 1.5, 0.0);
+    assert_false(scene_camera_look_orthographic(&camera, &t.model, eye, eye, up, 3.0, error, sizeof error));
+    for (int i = 0; i < 4; i++) {
+        const double heights[4] = {0.0, -1.0, NAN, INFINITY};
+        assert_false(scene_camera_look_orthographic(&camera, &t.model, eye, target, up, heights[i], error,
+                                                    sizeof error));
+        assert_string_equal(error, "not a camera: the height of what is seen must be above 0");
+    }
     // A camera of a file may look along its `up`: the rows of the view matrix are still perpendicular and of length 1.
     memcpy(camera.up, eye, sizeof eye);
     double m[16];

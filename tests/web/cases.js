@@ -38,6 +38,12 @@ export const cases = [
         words: ['--size=64x200', '--ortho', '--fit=all', '--wireframe=plain'],
     },
     {
+        name: 'orthographic camera',
+        model: box,
+        options: { size: 64, camera: { eye: [1.5, 0.7, 2.1], target: [0, 0.1, 0], orthographic: true, height: 1.6 } },
+        words: ['--size=64', '--ortho', '--camera=1.5,0.7,2.1,0,0.1,0,0,1,0,1.6'],
+    },
+    {
         name: 'large texture',
         model: 'glTF2/2CylinderEngine-glTF-Binary/2CylinderEngine.glb',
         options: { size: [320, 200], maxTexture: 64 },

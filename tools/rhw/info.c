@@ -44,7 +44,7 @@ int cli_info(int argc, char **argv)
 
     struct cli_model_input input;
     struct scene_model *model = NULL;
-    if (cli_model_input_open(&input, parser.operands[0])) {
+    if (cli_model_input_open(&input, parser.operands[0], NULL, NULL)) {
         const struct cli_budget unlimited = {0};
         model = cli_model_input_load(&input, &unlimited, (struct scene_model_options){0});
     }

@@ -2,15 +2,14 @@
 // Lines on stderr; see message.h.
 #include "message.h"
 
-#include <ctype.h>
+#include "message_line.h"
+
 #include <pthread.h>
 #include <stdarg.h>
 #include <stdbool.h>
 #include <stdio.h>
 #include <string.h>
 #include <unistd.h>
-
-enum { LINE_LENGTH = 2048 }; // bytes; longer lines are cut
 
 static bool stage_shown, has_bar;
 static void (*listener)(void *user, const char *line);
@@ -68,20 +67,9 @@ void cli_stage_end(void)
 
 static void print_line(const char *subject, const char *prefix, const char *format, va_list arguments)
 {
-    char line[LINE_LENGTH];
-    const char *named = strcmp(subject, "-") == 0 ? "standard output" : *subject ? subject : "''";
-    const int used = snprintf(line, sizeof line, "rhw: %s: %s", named, prefix);
-    if (used < 0) {
-        return;
-    }
-    if ((size_t)used < sizeof line) {
-        vsnprintf(line + used, sizeof line - (size_t)used, format, arguments);
-    }
-    for (char *c = line; *c; c++) {
-        if (iscntrl((unsigned char)*c)) {
-            *c = '?';
-        }
-    }
+    char line[CLI_MESSAGE_LINE];
+    cli_message_line(line, strcmp(subject, "-") == 0 ? "standard output" : subject, prefix, format,
+                     arguments);
     pthread_mutex_lock(&lock);
     clear_stage();
     fprintf(stderr, "%s\n", line);

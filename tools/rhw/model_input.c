@@ -6,6 +6,7 @@
 
 #include <errno.h>
 #include <limits.h>
+#include <poll.h>
 #include <stdio.h>
 #include <string.h>
 #include <sys/mman.h>
@@ -30,10 +31,27 @@ static bool write_all(int descriptor, const char *bytes, size_t size)
     return true;
 }
 
-static bool copy_standard_input(int descriptor)
+// Waits until there is something to read, its end too. False where nobody wants it any more.
+static bool wait_for_input(bool (*goes_on)(void *user), void *user)
+{
+    enum { PATIENCE_MS = 50 };
+    struct pollfd input = {.fd = STDIN_FILENO, .events = POLLIN};
+    int ready = 0;
+    while (goes_on && ready == 0 && goes_on(user)) {
+        ready = poll(&input, 1, PATIENCE_MS);
+    }
+    return !goes_on || ready != 0;
+}
+
+// False with errno; 0: it was given up.
+static bool copy_standard_input(int descriptor, bool (*goes_on)(void *user), void *user)
 {
     char buffer[1 << 16];
     for (;;) {
+        if (!wait_for_input(goes_on, user)) {
+            errno = 0;
+            return false;
+        }
         const ssize_t count = read(STDIN_FILENO, buffer, sizeof buffer);
         if (count < 0 && errno == EINTR) {
             continue;
@@ -44,7 +62,8 @@ static bool copy_standard_input(int descriptor)
     }
 }
 
-bool cli_model_input_open(struct cli_model_input *input, const char *argument)
+bool cli_model_input_open(struct cli_model_input *input, const char *argument, bool (*goes_on)(void *user),
+                          void *user)
 {
     *input = (struct cli_model_input){.name = argument, .argument = argument, .descriptor = -1};
     if (strcmp(argument, "-") != 0) {
@@ -53,8 +72,10 @@ bool cli_model_input_open(struct cli_model_input *input, const char *argument)
     input->name = "standard input";
     input->is_standard_input = true;
     input->descriptor = memfd_create("rhw-input", MFD_CLOEXEC);
-    if (input->descriptor < 0 || !copy_standard_input(input->descriptor)) {
-        cli_error(input->name, "cannot be read: %s", strerror(errno));
+    if (input->descriptor < 0 || !copy_standard_input(input->descriptor, goes_on, user)) {
+        if (errno != 0) {
+            cli_error(input->name, "cannot be read: %s", strerror(errno));
+        }
         return false;
     }
     snprintf(input->memory, sizeof input->memory, "/proc/self/fd/%d", input->descriptor);

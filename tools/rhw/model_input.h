@@ -17,8 +17,10 @@ struct cli_model_input {
     int descriptor;  ///< of that; −1: none
 };
 
-/// Reports failure.
-bool cli_model_input_open(struct cli_model_input *input, const char *argument);
+/// `goes_on` is asked several times a second while standard input is read; false gives it up, without a report. NULL: nobody
+/// is asked. Reports failure.
+bool cli_model_input_open(struct cli_model_input *input, const char *argument, bool (*goes_on)(void *user),
+                          void *user);
 void cli_model_input_close(struct cli_model_input *input);
 /// scene_model_load within a budget; options->name, ->memory and ->confine are set here. Reports failure.
 struct scene_model *cli_model_input_load(const struct cli_model_input *input, const struct cli_budget *budget,

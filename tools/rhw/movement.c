@@ -13,17 +13,19 @@
 
 enum { POSES_SEEN = 12, DEFAULT_RATE = 30 };
 
+uint32_t cli_movement_animation(const struct cli_render_job *job, const struct scene_model *model)
+{
+    for (uint32_t i = 0; job->animation && i < model->animation_count; i++) {
+        if (strcmp(model->animations[i].name, job->animation) == 0) {
+            return i;
+        }
+    }
+    return job->animation ? (uint32_t)atoi(job->animation) : 0; // the reader has looked at it
+}
+
 static double animation_seconds(const struct cli_render_job *job, const struct scene_model *model)
 {
-    uint32_t chosen = 0;
-    bool named = false;
-    for (uint32_t i = 0; job->animation && i < model->animation_count && !named; i++) {
-        named = strcmp(model->animations[i].name, job->animation) == 0;
-        chosen = named ? i : chosen;
-    }
-    if (job->animation && !named) {
-        chosen = (uint32_t)atoi(job->animation); // the reader has looked at it
-    }
+    const uint32_t chosen = cli_movement_animation(job, model);
     return chosen < model->animation_count ? (double)model->animations[chosen].seconds : 0.0;
 }
 
@@ -73,7 +75,9 @@ struct scene_model *cli_pose_read(const struct render *render, double time)
                                                                  .is_posed = true,
                                                                  .animation = job->animation,
                                                                  .time = time,
-                                                                 .without_images = true})
+                                                                 .without_images = true,
+                                                                 .goes_on = render->goes_on,
+                                                                 .user = render->user})
              : NULL;
     if (!read || read->material_count != base->material_count || read->image_count != base->image_count) {
         if (!pose || read) {

@@ -81,14 +81,22 @@ static int draw_sheet(struct render *render)
     return status;
 }
 
-int cli_render_open(struct render *render, const char *path)
+bool cli_render_take_input(struct render *render, const char *path)
 {
     render->job.model_path = path;
-    if (!cli_model_input_open(&render->input, path)) {
-        return CLI_FAILED;
-    }
+    const bool opened = cli_model_input_open(&render->input, path, render->goes_on, render->user);
     render->job.model_path = render->input.name;
+    return opened;
+}
+
+int cli_render_read(struct render *render)
+{
     return !import_model(render) ? CLI_FAILED : cli_render_set_view(render) ? CLI_OK : CLI_USAGE;
+}
+
+int cli_render_open(struct render *render, const char *path)
+{
+    return cli_render_take_input(render, path) ? cli_render_read(render) : CLI_FAILED;
 }
 
 static int run(struct render *render)
@@ -143,12 +151,7 @@ void cli_render_forget_model(struct render *render)
 
 static int render_model(struct render *render, const char *path)
 {
-    render->job.model_path = path;
-    int status = CLI_FAILED;
-    if (cli_model_input_open(&render->input, path)) {
-        render->job.model_path = render->input.name;
-        status = run(render);
-    }
+    const int status = cli_render_take_input(render, path) ? run(render) : CLI_FAILED;
     cli_render_forget_model(render);
     return status;
 }

@@ -48,12 +48,15 @@ static bool look_from_numbers(const struct cli_render_job *job, const struct sce
     for (int i = 0; i < 9; i++) {
         vectors[i / 3][i % 3] = job->look[i];
     }
-    const double yfov = job->look[9] * degree;
-    if (scene_camera_look(camera, model, vectors[0], vectors[1], vectors[2], yfov, error, sizeof error)) {
-        return true;
+    const bool looks = job->orthographic
+                           ? scene_camera_look_orthographic(camera, model, vectors[0], vectors[1], vectors[2],
+                                                            job->look[9], error, sizeof error)
+                           : scene_camera_look(camera, model, vectors[0], vectors[1], vectors[2],
+                                               job->look[9] * degree, error, sizeof error);
+    if (!looks) {
+        cli_error("--camera", "%s", error);
     }
-    cli_error("--camera", "%s", error);
-    return false;
+    return looks;
 }
 
 // `turn_center` NULL: the model stands still.
@@ -117,14 +120,10 @@ bool cli_camera_choose(const struct cli_render_job *job, const struct scene_mode
 
 void cli_camera_print(const struct scene_camera *camera)
 {
-    if (camera->orthographic) {
-        printf("# an orthographic camera of the file: --camera-index or --camera-name gives it again\n");
-        return;
-    }
-    printf("--camera ");
+    printf("%s--camera ", camera->orthographic ? "--ortho " : "");
     for (int i = 0; i < 9; i++) {
         const double *vector = i < 3 ? camera->eye : i < 6 ? camera->target : camera->up;
         printf("%.9g,", vector[i % 3]);
     }
-    printf("%.9g\n", camera->yfov / degree);
+    printf("%.9g\n", camera->orthographic ? 2.0 * camera->ymag : camera->yfov / degree);
 }

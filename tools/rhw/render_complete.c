@@ -109,10 +109,11 @@ static bool check_camera(struct cli_render_job *job)
         return false;
     }
     const bool fitted = job->camera <= CLI_CAMERA_VIEWS;
-    const char *const fit_option = job->orthographic    ? "--ortho"
-                                   : job->margin >= 0.0 ? "--margin"
-                                   : job->zoom != 1.0   ? "--zoom"
-                                                        : NULL;
+    const bool is_look = job->camera == CLI_CAMERA_LOOK;
+    const char *const fit_option = job->orthographic && !is_look ? "--ortho"
+                                   : job->margin >= 0.0          ? "--margin"
+                                   : job->zoom != 1.0            ? "--zoom"
+                                                                 : NULL;
     if (fit_option && !fitted) {
         cli_error(fit_option, "cannot be together with %s", job->camera_option);
         return false;
@@ -121,8 +122,8 @@ static bool check_camera(struct cli_render_job *job)
         job->camera = CLI_CAMERA_FIT;
         job->camera_option = fit_option;
     }
-    if (job->orthographic && (job->fovy > 0.0f || job->print_camera)) {
-        cli_error("--ortho", "cannot be together with %s", job->fovy > 0.0f ? "--fovy" : "--print-camera");
+    if (job->orthographic && job->fovy > 0.0f) {
+        cli_error("--ortho", "cannot be together with --fovy");
         return false;
     }
     if (job->print_camera && strcmp(job->out, "-") == 0) {

@@ -73,6 +73,8 @@ bool cli_render_set_view(struct render *render)
     view->up = job->has_up ? job->up : render->model->up;
     view->exposure = (double)job->exposure;
     view->outputs = cli_outputs_needed(job->kinds, job->format, job->bits);
+    view->goes_on = render->goes_on;
+    view->user = render->user;
     if (!cli_camera_choose(job, render->model, &view->camera, &render->distrusts_camera)) {
         return false;
     }
@@ -124,8 +126,9 @@ static void warn_of_a_partial_view(const struct render *render)
 
 static bool report(const struct render *render, enum rhw_result result)
 {
+    const bool was_given_up = result != RHW_OK && render->goes_on && !render->goes_on(render->user);
     cli_stage_end();
-    if (result != RHW_OK) {
+    if (result != RHW_OK && !was_given_up) {
         const bool limited = result == RHW_ERROR_OUT_OF_MEMORY && render->job.budget.memory > 0;
         cli_error(render->job.model_path, "%s%s", rhw_result_string(result),
                   limited ? "; --max-memory allows no more" : "");

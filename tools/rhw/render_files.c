@@ -103,6 +103,17 @@ bool cli_render_files_plan(struct render *render, int number)
            (cli_output_file_check(job->stats_path) && !cli_model_input_is(&render->input, job->stats_path));
 }
 
+bool cli_render_files_name(struct render *render, const char *path)
+{
+    const int kind = __builtin_ctz(render->job.kinds);
+    render->paths[kind] = strdup(path);
+    if (!render->paths[kind]) {
+        cli_error(path, "out of memory");
+        return false;
+    }
+    return cli_output_file_check(path) && !cli_model_input_is(&render->input, path);
+}
+
 static bool encode_exr(struct render *render, struct cli_output_file *file)
 {
     struct cli_exr_channel channels[CLI_EXR_CHANNELS_MAX];

@@ -13,7 +13,7 @@ enum cli_camera_choice {
     CLI_CAMERA_FIT,   ///< fitted from the default angle
     CLI_CAMERA_ORBIT, ///< fitted from a given angle
     CLI_CAMERA_VIEWS, ///< fitted from each of several angles
-    CLI_CAMERA_LOOK,  ///< eye, target, up, fovy
+    CLI_CAMERA_LOOK,  ///< eye, target, up, fovy or with `orthographic` the height of what is seen
     CLI_CAMERA_INDEX, ///< a camera of the file
     CLI_CAMERA_NAME
 };

@@ -63,7 +63,7 @@ static const struct cli_option options[] = {
     {"up", OPTION_UP, "AXIS", "what is up: x, y, z, -x, -y or -z; default: as the file says (see below)"},
     {"zoom", OPTION_ZOOM, "FACTOR", "larger, or below 1 smaller, than it is fitted"},
     {"margin", OPTION_MARGIN, "PERCENT", "left free on each side of it; default 4"},
-    {"ortho", OPTION_ORTHO, NULL, "fit it without perspective"},
+    {"ortho", OPTION_ORTHO, NULL, "fit it, or look with --camera, without perspective"},
     {"print-camera", OPTION_PRINT_CAMERA, NULL,
      "print the camera that was used as a --camera option to paste"},
     {"orbit", OPTION_ORBIT, "AZ[,EL]",
@@ -74,8 +74,8 @@ static const struct cli_option options[] = {
      "pictures "
      "of --size, or where OUT has a {view} a file for each"},
     {"camera", OPTION_CAMERA, "NUMBERS",
-     "eye, target and up (three numbers each) and the vertical field of\nview in degrees, separated by "
-     "commas"},
+     "eye, target and up (three numbers each) and the vertical field of\nview in degrees, or with --ortho "
+     "the height of what is seen, separated by commas"},
     {"camera-index", OPTION_CAMERA_INDEX, "N", "a camera of the file, counted from 0; see rhw info"},
     {"camera-name", OPTION_CAMERA_NAME, "NAME", "a camera of the file"},
     {"fovy", OPTION_FOVY, "DEGREES", "vertical field of view of a fitted camera; default 30"},
@@ -281,8 +281,11 @@ static bool parse_camera_option(struct cli_render_job *job, int id, const char *
         if (cli_parse_numbers(argument, 10, 10, job->look, &count)) {
             return choose_camera(job, CLI_CAMERA_LOOK, "--camera");
         }
-        cli_error("--camera", "'%s' is not ten numbers: eye, target, up (x,y,z each) and fovy in degrees",
-                  argument);
+        cli_error(
+            "--camera",
+            "'%s' is not ten numbers: eye, target, up (x,y,z each) and fovy in degrees, or with --ortho the "
+            "height of what is seen",
+            argument);
         return false;
     case OPTION_ORBIT:
         if (!cli_parse_numbers(argument, 1, 2, angles, &count)) {

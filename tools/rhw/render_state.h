@@ -11,8 +11,9 @@
 struct render {
     struct cli_render_job job;
     struct cli_model_input input;
-    // Of the import, as in struct scene_model_options:
-    struct scene_progress *progress;
+    struct scene_progress *progress; // of the import, as in struct scene_model_options
+    /// Asked while a model or standard input is read and between the bands of a picture; false: it is given up, without a
+    /// report. NULL: nobody is asked.
     bool (*goes_on)(void *user);
     void *user;
     struct scene_model *model;
@@ -38,6 +39,10 @@ double cli_milliseconds(void);
 bool cli_render_prepare(struct render *render);
 /// Reads the model and sets the view; a cli_status. Nothing is uploaded yet.
 int cli_render_open(struct render *render, const char *path);
+/// The first half of it: standard input to its end, where the path is "-". Reports failure.
+bool cli_render_take_input(struct render *render, const char *path);
+/// And the second.
+int cli_render_read(struct render *render);
 /// Frees what is of one model alone.
 void cli_render_forget_model(struct render *render);
 
@@ -67,6 +72,8 @@ bool cli_render_has_file_per_view(const struct cli_render_job *job);
 bool cli_render_files_check(struct render *render);
 /// Sets the paths of the next picture, that of a view or frame, counted from 0; −1: there are none. Reports failure.
 bool cli_render_files_plan(struct render *render, int number);
+/// Sets the path of the picture of one output, as it stands there. Reports failure.
+bool cli_render_files_name(struct render *render, const char *path);
 /// One output of what is drawn as a raster.
 void cli_render_rasterize(const struct render *render, enum cli_output_kind kind,
                           struct cli_output_raster *output);

@@ -123,7 +123,7 @@ char *view_command_line(const struct cli_render_job *job)
     const enum cli_output_kind kind = (enum cli_output_kind)__builtin_ctz(job->kinds);
     fputs("rhw render ", out);
     put_model(out, job);
-    fputs(" --camera ", out);
+    fputs(job->orthographic ? " --ortho --camera " : " --camera ", out);
     for (int i = 0; i < 10; i++) {
         fprintf(out, "%s%.9g", i > 0 ? "," : "", job->look[i]);
     }

@@ -53,7 +53,7 @@ static double axes_of(const struct view_eye *eye, double axes[3][3])
 
 static double half_height(const struct view_eye *eye, double distance)
 {
-    return distance * tan(0.5 * eye->fovy * degree);
+    return eye->orthographic ? 0.5 * eye->height : distance * tan(0.5 * eye->fovy * degree);
 }
 
 static double to_nine_digits(double number)
@@ -71,13 +71,29 @@ static void round_all(struct view_eye *eye)
         eye->up[c] = to_nine_digits(eye->up[c]);
     }
     eye->fovy = to_nine_digits(eye->fovy);
+    eye->height = to_nine_digits(eye->height);
+}
+
+// Without perspective nobody sees from where: as far back as the model is large, so that nothing of it comes to lie behind
+// the eye when that turns around it. An eye that stands within the model stays, since it cuts that open.
+static void step_back(struct view_eye *eye, const double ahead[3], const struct scene_model *model)
+{
+    double nearest = 0.0, size2 = 0.0;
+    for (int c = 0; c < 3; c++) {
+        const double low = (double)model->bounds_min[c], high = (double)model->bounds_max[c];
+        nearest += ((ahead[c] > 0.0 ? low : high) - eye->eye[c]) * ahead[c];
+        size2 += (high - low) * (high - low);
+    }
+    if (nearest >= 0.0) {
+        add(eye->eye, ahead, -sqrt(size2));
+    }
 }
 
 void view_eye_set(struct view_eye *eye, const struct scene_camera *camera, const struct scene_model *model)
 {
-    enum { ORTHOGRAPHIC_FOVY = 30 };
     double axes[3][3], center[3], size[3];
-    *eye = (struct view_eye){.fovy = camera->orthographic ? ORTHOGRAPHIC_FOVY : camera->yfov / degree};
+    *eye = (struct view_eye){
+        .orthographic = camera->orthographic, .fovy = camera->yfov / degree, .height = 2.0 * camera->ymag};
     memcpy(eye->eye, camera->eye, sizeof eye->eye);
     memcpy(eye->target, camera->target, sizeof eye->target);
     memcpy(eye->up, camera->up, sizeof eye->up);
@@ -92,9 +108,8 @@ void view_eye_set(struct view_eye *eye, const struct scene_camera *camera, const
     const double distance = ahead > least ? ahead : least > 0.0 ? least : 1.0;
     memcpy(eye->target, eye->eye, sizeof eye->target);
     add(eye->target, axes[2], distance);
-    if (camera->orthographic) { // as much of the middle is seen
-        memcpy(eye->eye, eye->target, sizeof eye->eye);
-        add(eye->eye, axes[2], -camera->ymag / tan(0.5 * eye->fovy * degree));
+    if (eye->orthographic) {
+        step_back(eye, axes[2], model);
     }
     round_all(eye);
 }
@@ -164,23 +179,45 @@ void view_eye_zoom(struct view_eye *eye, double right, double up, double factor)
     double axes[3][3];
     const double distance = axes_of(eye, axes), half = half_height(eye, distance);
     move(eye, axes, right * half * (1.0 - factor), up * half * (1.0 - factor), 0.0);
-    memcpy(eye->eye, eye->target, sizeof eye->eye);
-    add(eye->eye, axes[2], -distance * factor);
+    if (eye->orthographic) {
+        eye->height *= factor;
+    } else {
+        memcpy(eye->eye, eye->target, sizeof eye->eye);
+        add(eye->eye, axes[2], -distance * factor);
+    }
     round_all(eye);
 }
 
 void view_eye_fly(struct view_eye *eye, const double way[3])
 {
     double axes[3][3];
-    axes_of(eye, axes);
-    move(eye, axes, way[0], way[1], way[2]);
+    const double distance = axes_of(eye, axes);
+    move(eye, axes, way[0], way[1], eye->orthographic ? 0.0 : way[2]);
+    eye->height *= exp(-way[2] / distance);
     round_all(eye);
 }
 
-double view_eye_distance(const struct view_eye *eye)
+void view_eye_fit(struct view_eye *eye, const double middle[3], double radius, double aspect)
 {
     double axes[3][3];
-    return axes_of(eye, axes);
+    const double before = axes_of(eye, axes), half = 0.5 * eye->fovy * degree,
+                 across = atan(tan(half) * aspect);
+    memcpy(eye->target, middle, sizeof eye->target);
+    memcpy(eye->eye, middle, sizeof eye->eye);
+    if (eye->orthographic) {
+        eye->height = 2.0 * radius / (aspect < 1.0 ? aspect : 1.0);
+        add(eye->eye, axes[2], -(before > 2.0 * radius ? before : 2.0 * radius));
+    } else {
+        add(eye->eye, axes[2], -radius / sin(across < half ? across : half));
+    }
+    round_all(eye);
+}
+
+double view_eye_scale(const struct view_eye *eye)
+{
+    double axes[3][3];
+    const double distance = axes_of(eye, axes);
+    return eye->orthographic ? eye->height : distance;
 }
 
 void view_eye_numbers(const struct view_eye *eye, double numbers[10])
@@ -188,5 +225,5 @@ void view_eye_numbers(const struct view_eye *eye, double numbers[10])
     memcpy(numbers, eye->eye, sizeof eye->eye);
     memcpy(numbers + 3, eye->target, sizeof eye->target);
     memcpy(numbers + 6, eye->up, sizeof eye->up);
-    numbers[9] = eye->fovy;
+    numbers[9] = eye->orthographic ? eye->height : eye->fovy;
 }

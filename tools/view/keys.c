@@ -4,11 +4,13 @@
 
 #include <stdio.h>
 
+enum { PAGE = 16, ALL = 1 << 20 }; // lines
+
 const struct view_key view_keys[] = {
     {0, VIEW_NOTHING, 0, "drag", "orbit"},
     {0, VIEW_NOTHING, 0, "right drag", "pan; so does Shift drag"},
     {0, VIEW_NOTHING, 0, "middle drag", "look around; so does Ctrl drag"},
-    {0, VIEW_NOTHING, 0, "wheel", "zoom to the pointer"},
+    {0, VIEW_NOTHING, 0, "wheel", "zoom to the pointer, or scroll text"},
     {0, VIEW_NOTHING, 0, "W A S D Q E", "fly; faster with Shift"},
     {0, VIEW_NOTHING, 0, "click", "explain the pixel"},
     {SDLK_f, VIEW_FIT, 0, "F", "fit the model into the window"},
@@ -23,6 +25,12 @@ const struct view_key view_keys[] = {
     {SDLK_h, VIEW_HELP, 0, "H, F1", "this help, or not"},
     {SDLK_F1, VIEW_HELP, 0, NULL, NULL},
     {SDLK_F11, VIEW_FULLSCREEN, 0, "F11", "fill the screen, or not"},
+    {SDLK_UP, VIEW_SCROLL, -1, "Up Down", "scroll text; Page and End too"},
+    {SDLK_DOWN, VIEW_SCROLL, 1, NULL, NULL},
+    {SDLK_PAGEUP, VIEW_SCROLL, -PAGE, NULL, NULL},
+    {SDLK_PAGEDOWN, VIEW_SCROLL, PAGE, NULL, NULL},
+    {SDLK_HOME, VIEW_SCROLL, -ALL, NULL, NULL},
+    {SDLK_END, VIEW_SCROLL, ALL, NULL, NULL},
     {SDLK_ESCAPE, VIEW_LEAVE, 0, "Esc", "close what is open, or the window"},
     {SDLK_1, VIEW_OUTPUT, CLI_KIND_COLOR, "1", "color"},
     {SDLK_2, VIEW_OUTPUT, CLI_KIND_NORMAL, "2", "normals"},

@@ -30,6 +30,7 @@ enum view_action {
     VIEW_INFO,
     VIEW_HELP,
     VIEW_FULLSCREEN,
+    VIEW_SCROLL, ///< by as many lines as the argument says
     VIEW_LEAVE
 };
 

@@ -22,6 +22,7 @@ struct view_loader {
     pthread_t thread;
     int status;
     atomic_bool done, stopped;
+    atomic_bool forks, waits; // see stand_still
 };
 
 static bool goes_on(void *user)
@@ -30,10 +31,32 @@ static bool goes_on(void *user)
     return !atomic_load(&loader->stopped);
 }
 
+// Reading forks a process; see pose_reader.c. A sanitized window therefore stands still from then on until it is done.
+static void stand_still(struct view_loader *loader)
+{
+    while (SCENE_SANITIZED && atomic_load(&loader->forks) && !atomic_load(&loader->done)) {
+        atomic_store(&loader->waits, true);
+        sched_yield();
+    }
+}
+
+static void wait_for_stillness(struct view_loader *loader)
+{
+    atomic_store(&loader->forks, true);
+    loader->wake();
+    while (SCENE_SANITIZED && !atomic_load(&loader->waits) && goes_on(loader)) {
+        sched_yield();
+    }
+}
+
 static void *load(void *user)
 {
     struct view_loader *const loader = user;
-    loader->status = cli_render_open(&loader->render, loader->path);
+    loader->status = CLI_FAILED;
+    if (cli_render_take_input(&loader->render, loader->path)) {
+        wait_for_stillness(loader);
+        loader->status = cli_render_read(&loader->render);
+    }
     atomic_store(&loader->done, true);
     loader->wake();
     return NULL;
@@ -64,15 +87,12 @@ struct view_loader *view_loader_start(const struct cli_render_job *job, const ch
         release(loader);
         return NULL;
     }
-    // Reading forks a process; see pose_reader.c.
-    while (SCENE_SANITIZED && !view_loader_is_done(loader)) {
-        sched_yield();
-    }
     return loader;
 }
 
-bool view_loader_is_done(const struct view_loader *loader)
+bool view_loader_is_done(struct view_loader *loader)
 {
+    stand_still(loader);
     return atomic_load(&loader->done);
 }
 
@@ -96,7 +116,7 @@ bool view_loader_take(struct view_loader *loader, struct render *read)
     const bool found = loader->status == CLI_OK;
     *read = loader->render;
     read->progress = NULL;
-    read->goes_on = NULL;
+    read->goes_on = read->view.goes_on = NULL;
     if (!found) {
         cli_render_forget_model(read);
     }
@@ -110,10 +130,6 @@ void view_loader_stop(struct view_loader *loader)
         return;
     }
     atomic_store(&loader->stopped, true);
-    if (strcmp(loader->path, "-") == 0 && !view_loader_is_done(loader)) {
-        pthread_detach(loader->thread); // may wait for standard input for ever; the process ends soon
-        return;
-    }
     struct render read;
     if (view_loader_take(loader, &read)) {
         cli_render_forget_model(&read);

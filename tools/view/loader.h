@@ -10,7 +10,7 @@ struct view_loader;
 /// Begins to read `path`, which must outlive the loader, as the job says; `wake` is called by its thread at the end. NULL
 /// after a report.
 struct view_loader *view_loader_start(const struct cli_render_job *job, const char *path, void (*wake)(void));
-bool view_loader_is_done(const struct view_loader *loader);
+bool view_loader_is_done(struct view_loader *loader);
 /// Says how far it is, for the eye.
 void view_loader_describe(const struct view_loader *loader, char *line, size_t size);
 /// Frees a loader that is done. True where there is a model: `*read` has it, its input and a view of it then, for the caller

@@ -33,12 +33,12 @@ static int widest_line(const char *text)
     return widest;
 }
 
-// Letters grow with the window, from 900×500 pixels on, as long as the lines have room.
+// As the window has them, as long as the lines have room.
 static int scale_of(const struct view_window *window, const char *text)
 {
-    const int wide = 1 + (window->width + 700) / 1600, high = 1 + (window->height + 350) / 850,
+    const int most = view_window_text_scale(window),
               fit = window->width / (widest_line(text) + 2 * (MARGIN + BORDER));
-    const int most = wide < high ? wide : high, scale = most < fit ? most : fit;
+    const int scale = most < fit ? most : fit;
     return scale > 1 ? scale : 1;
 }
 

@@ -3,7 +3,6 @@
 // a picture.
 #include "session.h"
 
-#include "movement.h"
 #include "options.h"
 
 #include <math.h>
@@ -32,10 +31,15 @@ static void hear(void *user, const char *line)
 
 // Models ---------------------------------------------------------------------------------------------
 
-static void read_model(struct view_session *s, const char *path)
+// What is shown stays as it is meanwhile.
+static void read_model(struct view_session *s, const char *path, const struct cli_render_job *job)
 {
+    struct cli_render_job fitted = *job;
+    fitted.width = s->window.width;
+    fitted.height = s->window.height;
     view_loader_stop(s->loader);
-    s->loader = view_loader_start(&s->job, path, wake);
+    s->loader = view_loader_start(&fitted, path, wake);
+    s->has_failed = !s->loader && !s->model;
 }
 
 // What is shown from now on, and where from.
@@ -49,8 +53,12 @@ static void take_model(struct view_session *s)
         return;
     }
     view_painter_show(s->painter, &read);
+    view_session_close_explanation(s);
     s->model = read.model;
     s->job.model_path = read.input.is_standard_input ? "-" : read.input.name;
+    s->job.variant = read.job.variant;
+    s->first = (struct view_moment){read.job.is_posed, read.job.time, read.job.animation};
+    view_session_rewind(s);
     double size2 = 0.0;
     for (int c = 0; c < 3; c++) {
         const double size = (double)read.model->bounds_max[c] - (double)read.model->bounds_min[c];
@@ -61,20 +69,22 @@ static void take_model(struct view_session *s)
     s->extent = size2 > 0.0 ? 0.5 * sqrt(size2) : 1.0;
     view_eye_set(&s->eye, &read.view.camera, read.model);
     s->first_eye = s->eye;
-    struct cli_movement movement;
-    struct cli_render_job played = s->job;
-    played.rate = 1.0;
-    s->duration = cli_movement_plan(&movement, &played, read.model) ? movement.seconds : 0.0;
     char title[300];
     const char *const slash = strrchr(read.input.name, '/');
     snprintf(title, sizeof title, "%.250s - rhw", slash ? slash + 1 : read.input.name);
     SDL_SetWindowTitle(s->window.window, title);
+    if (read.model->animation_count > 0 && !s->job.is_posed) { // better advice than the warning of the import
+        view_session_note(s, "Space plays the animation%s",
+                          read.model->animation_count > 1 ? "; N: the next one" : "");
+    }
     view_session_touch(s, false);
 }
 
 // Of another model there are no variants, animations or cameras that the command line could have named.
 static void drop_model(struct view_session *s, char *path)
 {
+    struct cli_render_job job = s->job;
+    view_session_note(s, "%s", ""); // it was of the model before
     char **const more = realloc(s->dropped, (size_t)(s->dropped_count + 1) * sizeof *more);
     if (!more) {
         SDL_free(path);
@@ -82,10 +92,11 @@ static void drop_model(struct view_session *s, char *path)
     }
     s->dropped = more;
     s->dropped[s->dropped_count++] = path;
-    s->job.variant = s->job.animation = NULL;
-    s->job.is_posed = s->first_posed = s->plays = false;
-    s->job.camera = CLI_CAMERA_AUTO;
-    read_model(s, path);
+    job.variant = job.animation = NULL;
+    job.is_posed = false;
+    job.time = 0.0;
+    job.camera = CLI_CAMERA_AUTO;
+    read_model(s, path, &job);
 }
 
 // Events ---------------------------------------------------------------------------------------------
@@ -95,9 +106,11 @@ static void handle(struct view_session *s, const SDL_Event *event)
     switch (event->type) {
     case SDL_QUIT: s->is_open = false; break;
     case SDL_KEYDOWN:
-        view_session_act(s, event->key.keysym.sym, (event->key.keysym.mod & KMOD_SHIFT) != 0);
+        view_session_act(s, event->key.keysym.sym, (event->key.keysym.mod & KMOD_SHIFT) != 0,
+                         event->key.repeat != 0);
         break;
     case SDL_DROPFILE: drop_model(s, event->drop.file); break;
+    case SDL_DROPTEXT: SDL_free(event->drop.file); break; // an address, say
     case SDL_MOUSEBUTTONDOWN:
     case SDL_MOUSEBUTTONUP:
     case SDL_MOUSEMOTION:
@@ -121,34 +134,47 @@ static bool handle_all(struct view_session *s, int timeout)
     return any;
 }
 
+// A picture, or that there is none.
+static void take_picture(struct view_session *s, struct view_picture *picture)
+{
+    s->awaits = false;
+    if (!picture->pixels) {
+        s->plays = false;
+        s->has_failed = s->shown.width == 0;
+        return;
+    }
+    s->has_failed = !view_window_set_picture(&s->window, picture);
+    s->is_open = s->is_open && !s->has_failed;
+    free(picture->pixels);
+    picture->pixels = NULL;
+    s->shown = *picture;
+}
+
+static void take_answer(struct view_session *s, const struct view_answer *answer)
+{
+    fputs(answer->text, stdout);
+    fflush(stdout);
+    if (answer->errand == VIEW_ERRAND_EXPLAIN) {
+        view_session_open_explanation(s, answer);
+    } else {
+        view_session_note(s, "%.*s", (int)strcspn(answer->text, "\n"), answer->text);
+        free(answer->text);
+    }
+}
+
 // What the threads have made.
 static void take_all(struct view_session *s)
 {
     struct view_picture picture;
-    enum view_errand errand;
     if (s->loader && view_loader_is_done(s->loader)) {
         take_model(s);
     }
     if (view_painter_take_picture(s->painter, &picture)) {
-        s->is_open = view_window_set_picture(&s->window, &picture) && s->is_open;
-        free(picture.pixels);
-        picture.pixels = NULL;
-        s->shown = picture;
-        s->awaits = false;
+        take_picture(s, &picture);
     }
-    char *const text = view_painter_take_text(s->painter, &errand);
-    if (!text) {
-        return;
-    }
-    fputs(text, stdout);
-    fflush(stdout);
-    if (errand == VIEW_ERRAND_EXPLAIN) {
-        free(s->explanation);
-        s->explanation = text;
-        s->explanation_line = 0;
-    } else {
-        view_session_note(s, "%.*s", (int)strcspn(text, "\n"), text);
-        free(text);
+    const struct view_answer answer = view_painter_take_answer(s->painter);
+    if (answer.errand != VIEW_ERRAND_NONE) {
+        take_answer(s, &answer);
     }
 }
 
@@ -173,7 +199,8 @@ static void run(struct view_session *s)
     double before = cli_milliseconds();
     bool flies = false, tells = true;
     while (s->is_open) {
-        const bool is_busy = flies || s->plays || s->hurried || s->loader || s->shown.width == 0;
+        const bool is_busy =
+            flies || s->plays || s->hurried || s->loader || (s->awaits && s->shown.width == 0);
         const bool stirs = handle_all(s, is_busy ? FRAME_MS : NOTICE_MS);
         const double now = cli_milliseconds();
         flies = view_session_fly(s, (now - before) / 1e3);
@@ -189,11 +216,7 @@ static void run(struct view_session *s)
 
 int view_session_run(const struct view_job *job, const struct scene_panorama *panorama)
 {
-    struct view_session s = {.job = job->render,
-                             .is_open = true,
-                             .shows_info = true,
-                             .first_posed = job->render.is_posed,
-                             .first_time = job->render.time};
+    struct view_session s = {.job = job->render, .is_open = true, .shows_info = true};
     s.job.bits = 0;
     pthread_mutex_init(&s.notice_lock, NULL);
     if (view_window_open(&s.window, s.job.width, s.job.height, job->is_fullscreen)) {
@@ -202,7 +225,7 @@ int view_session_run(const struct view_job *job, const struct scene_panorama *pa
         s.painter = view_painter_start(panorama, wake);
         s.is_open = s.painter != NULL;
         if (s.painter) {
-            read_model(&s, s.job.model_paths[0]);
+            read_model(&s, s.job.model_paths[0], &s.job);
             run(&s);
             SDL_HideWindow(s.window.window);
             view_loader_stop(s.loader);
@@ -212,7 +235,7 @@ int view_session_run(const struct view_job *job, const struct scene_panorama *pa
     }
     view_window_close(&s.window);
     pthread_mutex_destroy(&s.notice_lock);
-    free(s.explanation);
+    view_session_close_explanation(&s);
     for (int i = 0; i < s.dropped_count; i++) {
         SDL_free(s.dropped[i]);
     }

@@ -13,6 +13,7 @@
 
 void view_session_touch(struct view_session *s, bool in_motion)
 {
+    s->version++;
     s->changed = true;
     s->in_motion = in_motion;
     s->changed_at = cli_milliseconds();
@@ -36,79 +37,17 @@ static enum cli_output_kind kind_of(const struct view_session *s)
 
 struct view_order view_session_order(const struct view_session *s)
 {
-    struct view_order order = {.job = s->job};
+    struct view_order order = {.job = s->job, .version = s->version};
     struct cli_render_job *const job = &order.job;
     const enum cli_output_kind kind = kind_of(s);
     job->width = s->window.width;
     job->height = s->window.height;
     job->camera = CLI_CAMERA_LOOK;
+    job->orthographic = s->eye.orthographic;
     view_eye_numbers(&s->eye, job->look);
     job->quiet = true; // what there is to warn of was said when the file was read
     job->bits = kind == CLI_KIND_DEPTH || kind == CLI_KIND_DISTANCE ? 8 : 0; // as a window has
     return order;
-}
-
-// Animations -----------------------------------------------------------------------------------------
-
-// A thousandth of a second is what --time is told.
-static void set_time(struct view_session *s, double time)
-{
-    const double wrapped = s->duration > 0.0 ? time - s->duration * floor(time / s->duration) : 0.0;
-    s->job.is_posed = true;
-    s->job.time = floor(wrapped * 1e3) / 1e3;
-}
-
-void view_session_play(struct view_session *s)
-{
-    if (s->plays) {
-        set_time(s, (cli_milliseconds() - s->played_from) / 1e3);
-        view_session_touch(s, true);
-    }
-}
-
-static bool is_animated(struct view_session *s)
-{
-    if (s->model->animation_count > 0) {
-        return true;
-    }
-    view_session_note(s, "The model has no animation");
-    return false;
-}
-
-static void play(struct view_session *s)
-{
-    if (is_animated(s)) {
-        s->plays = !s->plays;
-        s->played_from = cli_milliseconds() - (s->job.is_posed ? s->job.time : 0.0) * 1e3;
-    }
-}
-
-static void step(struct view_session *s, int direction)
-{
-    if (is_animated(s)) {
-        s->plays = false;
-        set_time(s, (s->job.is_posed ? s->job.time : 0.0) + direction / 30.0);
-    }
-}
-
-// By number, as names need not be different.
-static void next_animation(struct view_session *s)
-{
-    static const char *const numbers[] = {"0", "1", "2",  "3",  "4",  "5",  "6",  "7",
-                                          "8", "9", "10", "11", "12", "13", "14", "15"};
-    enum { MOST = sizeof numbers / sizeof *numbers };
-    if (!is_animated(s)) {
-        return;
-    }
-    const uint32_t count = s->model->animation_count < MOST ? s->model->animation_count : MOST;
-    const uint32_t next = (uint32_t)(s->job.animation ? atoi(s->job.animation) + 1 : 1) % count;
-    s->job.animation = numbers[next];
-    s->duration = (double)s->model->animations[next].seconds;
-    s->played_from = cli_milliseconds();
-    s->job.is_posed = true;
-    s->job.time = 0.0;
-    view_session_note(s, "Animation %u of %u: %s", next + 1, s->model->animation_count,
-                      s->model->animations[next].name);
 }
 
 // Choices --------------------------------------------------------------------------------------------
@@ -185,35 +124,23 @@ static void choose_samples(struct view_session *s, bool back)
 // All of the model, seen from where it is seen now: the ball around it in the picture.
 static void fit(struct view_session *s)
 {
-    const double half = 0.5 * s->eye.fovy * (3.14159265358979323846 / 180.0);
-    const double across = atan(tan(half) * s->window.width / s->window.height);
     const struct scene_subject subject = scene_subject_find(s->model);
-    double way[3], radius2 = 0.0, length2 = 0.0;
+    double middle[3], radius2 = 0.0;
     for (int c = 0; c < 3; c++) {
         const double low = subject.is_all ? (double)s->model->bounds_min[c] : subject.low[c],
                      high = subject.is_all ? (double)s->model->bounds_max[c] : subject.high[c];
-        way[c] = s->eye.eye[c] - s->eye.target[c];
-        length2 += way[c] * way[c];
+        middle[c] = 0.5 * (low + high);
         radius2 += 0.25 * (high - low) * (high - low);
-        s->eye.target[c] = 0.5 * (low + high);
-    }
-    if (!(length2 > 0.0)) {
-        return;
     }
     const double least = 1e-3 * s->extent, radius = sqrt(radius2); // a point has none
-    const double distance = (radius > least ? radius : least) / sin(across < half ? across : half);
-    for (int c = 0; c < 3; c++) {
-        s->eye.eye[c] = s->eye.target[c] + way[c] * distance / sqrt(length2);
-    }
-    view_eye_pan(&s->eye, 0.0, 0.0); // to nine digits
+    view_eye_fit(&s->eye, middle, radius > least ? radius : least,
+                 (double)s->window.width / s->window.height);
 }
 
 static void reset(struct view_session *s)
 {
     s->eye = s->first_eye;
-    s->plays = false;
-    s->job.is_posed = s->first_posed;
-    s->job.time = s->first_time;
+    view_session_rewind(s);
 }
 
 // Errands --------------------------------------------------------------------------------------------
@@ -237,22 +164,19 @@ static void save(struct view_session *s)
     view_painter_send(s->painter, VIEW_ERRAND_SAVE, &order, 0, 0);
 }
 
-void view_session_explain(struct view_session *s, int x, int y)
+bool view_session_scroll(struct view_session *s, int lines)
 {
-    const struct view_order order = view_session_order(s);
-    const char *const option = view_job_unexplained(&order.job);
-    if (option) {
-        view_session_note(s, "What %s draws cannot be explained", option);
-    } else {
-        view_painter_send(s->painter, VIEW_ERRAND_EXPLAIN, &order, x, y);
+    int *const line = s->explanation.text ? &s->explanation.line : s->shows_help ? &s->help_line : NULL;
+    if (line) {
+        *line += lines; // what draws it knows its end
     }
+    return line != NULL;
 }
 
 static void leave(struct view_session *s)
 {
-    if (s->explanation) {
-        free(s->explanation);
-        s->explanation = NULL;
+    if (s->explanation.text) {
+        view_session_close_explanation(s);
     } else if (s->shows_help) {
         s->shows_help = false;
     } else {
@@ -263,15 +187,16 @@ static void leave(struct view_session *s)
 // Keys -----------------------------------------------------------------------------------------------
 
 // What concerns the window alone. False: it is another action.
-static bool act_on_window(struct view_session *s, enum view_action action)
+static bool act_on_window(struct view_session *s, const struct view_key *key)
 {
-    switch (action) {
+    switch (key->action) {
     case VIEW_INFO: s->shows_info = !s->shows_info; return true;
     case VIEW_HELP:
         s->shows_help = !s->shows_help;
         s->help_line = 0;
         return true;
     case VIEW_FULLSCREEN: view_window_toggle_fullscreen(&s->window); return true;
+    case VIEW_SCROLL: view_session_scroll(s, key->argument); return true;
     case VIEW_LEAVE: leave(s); return true;
     default: return false;
     }
@@ -296,26 +221,33 @@ static bool act_on_picture(struct view_session *s, const struct view_key *key, b
     case VIEW_ISA: choose_isa(s); break;
     case VIEW_FIT: fit(s); break;
     case VIEW_RESET: reset(s); break;
-    case VIEW_PLAY: play(s); break;
-    case VIEW_STEP: step(s, key->argument); break;
-    case VIEW_ANIMATION: next_animation(s); break;
+    case VIEW_PLAY: view_session_play_or_pause(s); break;
+    case VIEW_STEP: view_session_step(s, key->argument); break;
+    case VIEW_ANIMATION: view_session_next_animation(s); break;
     default: return false;
     }
     return true;
 }
 
-void view_session_act(struct view_session *s, SDL_Keycode code, bool shift)
+void view_session_act(struct view_session *s, SDL_Keycode code, bool shift, bool repeats)
 {
     const struct view_key *const key = view_key_find(code);
+    if (repeats && !(key && (key->action == VIEW_STEP || key->action == VIEW_SCROLL))) {
+        return; // a key that is held would switch to and fro
+    }
     view_session_note(s, "%s", ""); // what was said has been read
-    if (!key || act_on_window(s, key->action) || !s->model) {
+    if (!key || act_on_window(s, key) || !s->model) {
         return;
     }
+    const int version = s->version;
     if (act_on_picture(s, key, shift)) {
         view_session_touch(s, false);
     } else if (key->action == VIEW_COPY) {
         copy(s);
     } else if (key->action == VIEW_SAVE) {
         save(s);
+    }
+    if (key->action == VIEW_OUTPUT || key->action == VIEW_NEXT_OUTPUT) {
+        s->version = version; // the same places are seen
     }
 }

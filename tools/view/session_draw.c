@@ -60,15 +60,6 @@ static void draw_help(struct view_session *s)
     }
 }
 
-static void draw_explanation(struct view_session *s)
-{
-    const int last = view_panel_last(&s->window, s->explanation);
-    s->explanation_line = s->explanation_line < 0      ? 0
-                          : s->explanation_line > last ? last
-                                                       : s->explanation_line;
-    view_panel_draw(&s->window, VIEW_TOP_LEFT, s->explanation, s->explanation_line);
-}
-
 // What was said last, for a while. True where there is something.
 static bool draw_notice(struct view_session *s)
 {
@@ -103,20 +94,17 @@ static bool draw_progress(struct view_session *s)
 
 bool view_session_draw(struct view_session *s)
 {
+    view_session_place_picture(s);
     view_window_draw_picture(&s->window);
-    if (s->shows_info && !s->shows_help && !s->explanation) {
+    if (s->explanation.text) {
+        view_session_draw_explanation(s);
+    } else if (s->shows_info && !s->shows_help) {
         draw_info(s);
     }
-    bool changes = false;
-    if (s->explanation) {
-        draw_explanation(s);
-    } else {
-        changes = draw_progress(s);
-        changes = (!s->loader && draw_notice(s)) || changes;
-    }
+    const bool works = draw_progress(s), tells = !s->loader && draw_notice(s);
     if (s->shows_help) {
         draw_help(s);
     }
     SDL_RenderPresent(s->window.renderer);
-    return changes;
+    return works || tells;
 }

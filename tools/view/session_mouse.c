@@ -65,17 +65,15 @@ static void move(struct view_session *s, const SDL_MouseMotionEvent *motion)
 // What is open scrolls; else the view zooms.
 static void scroll(struct view_session *s, int up)
 {
-    int *const line = s->explanation ? &s->explanation_line : s->shows_help ? &s->help_line : NULL;
-    if (line) {
-        *line -= WHEEL_LINES * up; // what draws it knows its end
+    if (view_session_scroll(s, -WHEEL_LINES * up) || !s->model) {
         return;
     }
     int x, y, pixel_x, pixel_y;
     SDL_GetMouseState(&x, &y);
     view_window_pixel(&s->window, x, y, &pixel_x, &pixel_y);
     const double half = 0.5 * s->window.height, factor = pow(zoom_of_notch, up),
-                 distance = view_eye_distance(&s->eye) * factor / s->extent;
-    if ((factor < 1.0 && distance < nearest) || (factor > 1.0 && distance > farthest)) {
+                 seen = view_eye_scale(&s->eye) * factor / s->extent;
+    if ((factor < 1.0 && seen < nearest) || (factor > 1.0 && seen > farthest)) {
         return; // the way back is open
     }
     view_eye_zoom(&s->eye, (pixel_x - 0.5 * s->window.width) / half, (half - pixel_y) / half, factor);
@@ -107,11 +105,7 @@ void view_session_mouse(struct view_session *s, const SDL_Event *event)
         break;
     case SDL_MOUSEBUTTONUP: release(s, &event->button); break;
     case SDL_MOUSEMOTION: move(s, &event->motion); break;
-    case SDL_MOUSEWHEEL:
-        if (s->model) {
-            scroll(s, event->wheel.y);
-        }
-        break;
+    case SDL_MOUSEWHEEL: scroll(s, event->wheel.y); break;
     default: break;
     }
 }

@@ -38,7 +38,6 @@ static bool check(const struct cli_render_job *job)
     const char *const option = job->view_count > 0                   ? "--views"
                                : cli_render_moves(job)               ? "--animate and --turntable"
                                : job->kinds & (job->kinds - 1)       ? "--output with several outputs"
-                               : job->orthographic                   ? "--ortho"
                                : job->stats                          ? "--stats"
                                : job->print_camera                   ? "--print-camera"
                                : job->budget.seconds > 0.0           ? "--max-time"
@@ -86,11 +85,4 @@ bool view_job_parse(struct view_job *job, int argc, char **argv, int *status)
     }
     *status = CLI_USAGE;
     return check(&job->render);
-}
-
-const char *view_job_unexplained(const struct cli_render_job *job)
-{
-    return job->supersample > 1                             ? "--supersample"
-           : job->transparency != SCENE_TRANSPARENCY_SORTED ? "--transparency exact"
-                                                            : NULL;
 }

@@ -17,7 +17,5 @@ struct view_job {
 
 /// True to go on; else `*status` is what to return.
 bool view_job_parse(struct view_job *job, int argc, char **argv, int *status);
-/// Whether a picture of the job can be explained; NULL, or the option that keeps it from being.
-const char *view_job_unexplained(const struct cli_render_job *job);
 
 #endif

@@ -4,6 +4,8 @@
 
 #include "message.h"
 
+#include <math.h>
+
 static bool report(const char *what)
 {
     cli_error("view", "%s: %s", what, SDL_GetError());
@@ -28,6 +30,7 @@ bool view_window_open(struct view_window *window, int width, int height, bool is
     }
     SDL_SetWindowMinimumSize(window->window, 160, 120);
     view_window_measure(window);
+    window->place = (SDL_Rect){0, 0, window->width, window->height};
     return true;
 }
 
@@ -56,8 +59,18 @@ void view_window_pixel(const struct view_window *window, int x, int y, int *pixe
 {
     int width, height;
     SDL_GetWindowSize(window->window, &width, &height);
-    *pixel_x = width > 0 ? (int)((int64_t)x * window->width / width) : 0;
-    *pixel_y = height > 0 ? (int)((int64_t)y * window->height / height) : 0;
+    const SDL_Rect *const place = &window->place;
+    const double right = width > 0 ? ((double)x + 0.5) * window->width / width - place->x : 0.0,
+                 down = height > 0 ? ((double)y + 0.5) * window->height / height - place->y : 0.0;
+    *pixel_x = (int)floor(right * window->width / place->w);
+    *pixel_y = (int)floor(down * window->height / place->h);
+}
+
+// Letters grow with the window, from 900×500 pixels on.
+int view_window_text_scale(const struct view_window *window)
+{
+    const int wide = 1 + (window->width + 700) / 1600, high = 1 + (window->height + 350) / 850;
+    return wide < high ? wide : high;
 }
 
 void view_window_toggle_fullscreen(struct view_window *window)
@@ -91,6 +104,6 @@ void view_window_draw_picture(const struct view_window *window)
     SDL_SetRenderDrawColor(window->renderer, 44, 46, 50, SDL_ALPHA_OPAQUE);
     SDL_RenderClear(window->renderer);
     if (window->texture) {
-        SDL_RenderCopy(window->renderer, window->texture, NULL, NULL);
+        SDL_RenderCopy(window->renderer, window->texture, NULL, &window->place);
     }
 }

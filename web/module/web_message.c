@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 // The program's messages, kept for JavaScript instead of written to stderr; nobody looks on, so there are no stages.
 #include "message.h"
+#include "message_line.h"
 #include "web_module.h"
 
-#include <ctype.h>
 #include <emscripten.h>
 #include <stdarg.h>
 #include <stdio.h>
@@ -27,14 +27,8 @@ EMSCRIPTEN_KEEPALIVE void web_messages_clear(void)
 
 static void add_line(const char *subject, const char *prefix, const char *format, va_list arguments)
 {
-    char line[2048];
-    const int length = snprintf(line, sizeof line, "rhw: %s: %s", *subject ? subject : "''", prefix);
-    if (length >= 0 && (size_t)length < sizeof line) {
-        vsnprintf(line + length, sizeof line - (size_t)length, format, arguments);
-    }
-    for (char *c = line; *c; c++) {
-        *c = iscntrl((unsigned char)*c) ? '?' : *c;
-    }
+    char line[CLI_MESSAGE_LINE];
+    cli_message_line(line, subject, prefix, format, arguments);
     const size_t size = strlen(line);
     if (used + size + 2 <= ROOM) {
         memcpy(lines + used, line, size);

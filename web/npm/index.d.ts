@@ -115,16 +115,20 @@ export interface Camera {
     up?: Vector;
     /** The whole angle of view from the bottom to the top of the picture, degrees, 0.01 to 179. The default is 30. */
     fovy?: number;
+    /** Without perspective: `height` says then how much is seen, not `fovy`. */
+    orthographic?: boolean;
+    /** Of the whole picture in the world; of an orthographic camera. */
+    height?: number;
 }
 
-/** The camera that a picture was drawn with. Without `orthographic` it can be given back as a {@link Camera}. */
+/** The camera that a picture was drawn with. It can be given back as a {@link Camera}. */
 export interface ViewCamera {
     eye: [number, number, number];
     target: [number, number, number];
     up: [number, number, number];
     /** Degrees; absent in an orthographic view. */
     fovy?: number;
-    /** Present in a view without perspective, which only {@link RenderOptions.ortho} and a file's own camera give. */
+    /** Present in a view without perspective. */
     orthographic?: true;
     /** Of the whole picture in the world; of an orthographic view. */
     height?: number;

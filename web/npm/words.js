@@ -15,17 +15,19 @@ function size(value) {
     return [`--size=${[value].flat().join('x')}`];
 }
 
-function camera(value) {
+function camera(value, options) {
     if (typeof value === 'number') {
         return [`--camera-index=${value}`];
     }
     if (typeof value === 'string') {
         return [`--camera-name=${value}`];
     }
-    if (value.orthographic) {
-        throw new RhwError('rhw: camera: an orthographic one is fitted (ortho: true), or one of the file');
+    if (options.ortho && !value.orthographic) {
+        throw new RhwError('rhw: ortho: cannot be together with a camera in perspective; give that orthographic: true');
     }
-    return [`--camera=${[value.eye, value.target, value.up ?? [0, 1, 0], value.fovy ?? 30].flat().join(',')}`];
+    const lens = value.orthographic ? value.height : (value.fovy ?? 30);
+    const numbers = [value.eye, value.target, value.up ?? [0, 1, 0], lens].flat().join(',');
+    return [...(value.orthographic ? ['--ortho'] : []), `--camera=${numbers}`];
 }
 
 const reading = {
@@ -72,7 +74,7 @@ function wordsOf(options, table, known) {
             const names = [...known, ...Object.keys(table)];
             throw new RhwError(`rhw: '${name}' is no option; there are ${names.join(', ')}`);
         }
-        const words = table[name](value);
+        const words = table[name](value, options);
         if (words.some((word) => word.includes('\0'))) {
             throw new RhwError(`rhw: ${name}: a character with code 0 is in it`);
         }
