@@ -296,6 +296,8 @@ class Page(unittest.TestCase):
         actions.pointer_action.move_to_location(x, y).pointer_down().pointer_up()
         actions.perform()
         self.wait("document.querySelector('#model .explained').textContent.includes('1/W_P = r/W_0')", 60)
+        self.drag("#model canvas", 40, 0)
+        self.assertEqual(self.script("return document.querySelector('#model .explained').textContent"), "", "it was of another picture")
         for value in ["normal", "depth", "uv", "triangle"]:
             self.script(remember)
             self.node(f"#model button[value='{value}']").click()

@@ -56,7 +56,7 @@ function startChapter(section, stage) {
     .then(({ start }) => {
       const view = start(section, stage);
       window.rhw.views[name] = view;
-      whenLanguage(() => view?.update());
+      whenLanguage(() => view?.retell());
     })
     .catch((error) => fail(section, error));
 }

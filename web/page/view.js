@@ -177,6 +177,12 @@ export class View {
     this.changed(this.numbers, this.place, this.size);
   };
 
+  /** What was told, in the language of now. */
+  retell() {
+    this.changed(this.numbers ?? null, this.place ?? null, this.size);
+    this.update();
+  }
+
   // Drawing --------------------------------------------------------------------------------------------
 
   /** Something changed; `moving`: and may go on changing, so speed counts. */
@@ -201,7 +207,6 @@ export class View {
   #frame = () => {
     const width = this.figure.clientWidth;
     if (!this.seen || width === 0) {
-      this.changed(this.numbers ?? null, this.place ?? null, this.size); // in the language of now
       return;
     }
     const across = this.scene.width ?? Math.min(Math.round(width * Math.min(devicePixelRatio, 2)), MAX_PIXELS);

@@ -32,6 +32,7 @@ static struct {
     rhw_pipeline pipelines[2][2]; // smooth? knows its place?
     int width, height, samples;
     double clip_from_world[16];
+    float near;
     float clear[4];
     struct corner corners[3];
     struct triangle triangles[STAGE_MAX_TRIANGLES];
@@ -169,6 +170,7 @@ bool stage_camera(double eye_x, double eye_y, double eye_z, double target_x, dou
                                         .yfov = yfov * (3.14159265358979323846 / 180),
                                         .znear = near,
                                         .zfar = far};
+    stage.near = (float)near;
     double view[16], projection[16];
     scene_camera_view(&camera, view);
     scene_camera_projection(&camera, (double)stage.width / stage.height, projection);
@@ -249,7 +251,7 @@ static void world_from_screen(float rows[4][4])
     }
 }
 
-// Corners behind the eye have a 1/W below 0, and what is seen one without a bound: then 1/near, W being the distance.
+// Corners behind the eye have a 1/W below 0; of what is seen none is above 1/near, W being the distance.
 static float largest_inverse_w(const struct triangle *triangle)
 {
     float smallest = triangle->corners[0].vertex.clip[3];
@@ -257,7 +259,7 @@ static float largest_inverse_w(const struct triangle *triangle)
         const float w = triangle->corners[i].vertex.clip[3];
         smallest = w < smallest ? w : smallest;
     }
-    return smallest > 0 ? 1 / smallest : 1;
+    return 1 / (smallest > stage.near ? smallest : stage.near);
 }
 
 static void set_uniforms(const struct triangle *triangle, struct stage_uniforms *uniforms)

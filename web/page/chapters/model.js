@@ -251,6 +251,7 @@ function listenForHands(view) {
       }
     },
     step: (dx, dy, deeper) => view.camera && (deeper ? view.zoom(1 - 0.1 * deeper) : view.turn(12 * dx, 12 * dy)),
+    scrolls: true, // until there is a model, which page.css sees to
   });
   canvas.addEventListener('wheel', (event) => {
     if (view.camera && canvas === document.activeElement) {
