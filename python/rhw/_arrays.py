@@ -3,24 +3,37 @@
 
 from __future__ import annotations
 
-from typing import Any, Optional, Sequence
+import os
+from typing import Any, List, Optional, Sequence, Tuple, Union
 
 import numpy as np
 
+Size = Union[int, Tuple[int, int]]
 
-def _read(value: Any, name: str) -> np.ndarray:
+
+def _of_dlpack(value: Any, name: str) -> np.ndarray:
+    cpu = 1  # kDLCPU of dlpack.h
+    if tuple(value.__dlpack_device__())[:1] != (cpu,):
+        raise TypeError(f"{name}: must lie in main memory, not on a device")
+    return np.from_dlpack(value)
+
+
+def read(value: Any, name: str) -> np.ndarray:
     """The array of an argument: NumPy's own, a buffer, or by DLPack one of another library that lies in main memory."""
     if isinstance(value, np.ndarray):
-        return value
-    if hasattr(value, "__dlpack__") and not hasattr(value, "__array__"):
-        cpu = 1  # kDLCPU of dlpack.h
-        if value.__dlpack_device__()[0] != cpu:
-            raise TypeError(f"{name}: must lie in main memory, not on a device")
-        return np.from_dlpack(value)
+        return np.asarray(value)  # of what looks different, as masked arrays do, what it is
     try:
+        if hasattr(value, "__dlpack__") and not hasattr(value, "__array__"):
+            return _of_dlpack(value, name)
         return np.asarray(value)
     except Exception as error:
-        raise TypeError(f"{name}: cannot be read as an array: {error}") from error
+        told = str(error)
+        raise TypeError(told if told.startswith(f"{name}: ") else f"{name}: cannot be read as an array: {line(told)}") from error
+
+
+def packed(array: np.ndarray, dtype: Any) -> np.ndarray:
+    """The array with elements of that type one behind the other, where the processor wants them: the same one if it has."""
+    return np.require(array, dtype, ["C_CONTIGUOUS", "ALIGNED"])
 
 
 def _shape_text(shape: Sequence[Optional[int]]) -> str:
@@ -37,12 +50,12 @@ def _check_shape(array: np.ndarray, name: str, shape: Sequence[Optional[int]]) -
 
 def floats(value: Any, name: str, shape: Sequence[Optional[int]], dtype: Any = np.float32) -> np.ndarray:
     """A contiguous array of finite floats; None in `shape` is any extent."""
-    array = _read(value, name)
+    array = read(value, name)
     if array.dtype.kind not in "fiu":
         raise TypeError(f"{name}: must be of numbers, not {array.dtype}")
     _check_shape(array, name, shape)
     with np.errstate(over="ignore"):
-        array = np.ascontiguousarray(array, dtype)
+        array = packed(array, dtype)
     if not np.isfinite(array).all():
         raise ValueError(f"{name}: every number must be finite, as {np.dtype(dtype)} too")
     return array
@@ -50,19 +63,19 @@ def floats(value: Any, name: str, shape: Sequence[Optional[int]], dtype: Any = n
 
 def indices(value: Any, name: str, shape: Sequence[Optional[int]], count: int) -> np.ndarray:
     """A contiguous array of uint32, each below `count`."""
-    array = _read(value, name)
+    array = read(value, name)
     if array.dtype.kind not in "iu":
         raise TypeError(f"{name}: must be of integers, not {array.dtype}")
     _check_shape(array, name, shape)
     if array.size and (int(array.min()) < 0 or int(array.max()) >= count):
         worst = int(array.min()) if int(array.min()) < 0 else int(array.max())
         raise ValueError(f"{name}: must lie between 0 and {count - 1}, the last of {count} vertices, not {worst}")
-    return np.ascontiguousarray(array, np.uint32)
+    return packed(array, np.uint32)
 
 
 def texels(value: Any, name: str) -> np.ndarray:
     """A contiguous (H, W, 4) array of uint8 of an image with 1, 3 or 4 channels."""
-    array = _read(value, name)
+    array = read(value, name)
     if array.dtype != np.uint8:
         raise TypeError(f"{name}: must be of uint8, not {array.dtype}")
     if array.ndim == 2:
@@ -76,10 +89,15 @@ def texels(value: Any, name: str) -> np.ndarray:
     return full
 
 
+def line(told: str, most: int = 200) -> str:
+    """A text for a message: on one line, and short."""
+    words = " ".join(told.split())
+    return words if len(words) <= most else words[:most - 3] + "..."
+
+
 def text(value: Any) -> str:
-    """A value for a message: on one line, and short."""
-    line = " ".join(repr(value).split())
-    return line if len(line) <= 60 else line[:57] + "..."
+    """A value for a message."""
+    return line(repr(value), 60)
 
 
 def choice(value: Any, name: str, choices: Sequence[str]) -> int:
@@ -92,6 +110,8 @@ def choice(value: Any, name: str, choices: Sequence[str]) -> int:
 def number(value: Any, name: str, least: float, most: float) -> float:
     """A number in a range, both ends included."""
     try:
+        if isinstance(value, (str, bytes, bytearray)):
+            raise TypeError
         found = float(value)
     except (TypeError, ValueError, OverflowError):
         raise TypeError(f"{name}: must be a number, not {text(value)}") from None
@@ -117,12 +137,67 @@ def one_of(value: Any, name: str, choices: Sequence[int]) -> int:
     return int(value)
 
 
+def flag(value: Any, name: str) -> bool:
+    """Yes or no: what else counts as true in Python, as the text 'off' does, is rarely meant so."""
+    if not isinstance(value, (bool, np.bool_)):
+        raise TypeError(f"{name}: must be True or False, not {text(value)}")
+    return bool(value)
+
+
+def words(value: Any, name: str) -> str:
+    """A text as others can have it: in UTF-8, and without a zero, which would end it."""
+    if not isinstance(value, str):
+        raise TypeError(f"{name}: must be a str, not {text(value)}")
+    if "\0" in value or value != shown(value):
+        raise ValueError(f"{name}: must be a text in UTF-8 without zeros, not {text(value)}")
+    return value
+
+
+def shown(name: str) -> str:
+    """A path for messages, with something else for bytes that are no text."""
+    return name.encode("utf-8", "replace").decode("utf-8")
+
+
+def path(value: Any, name: str) -> str:
+    """A path as a text, in which bytes that are none stand as Python's os.fsdecode has them."""
+    try:
+        found = os.fsdecode(value)
+        os.fsencode(found)
+    except UnicodeEncodeError:
+        raise ValueError(f"{name}: must be a path, not {text(value)}") from None
+    except TypeError:
+        raise TypeError(f"{name}: must be a path, not {text(value)}") from None
+    if "\0" in found:
+        raise ValueError(f"{name}: must not have a zero character, as {text(value)} has")
+    return found
+
+
+def listed(value: Any, name: str, what: str) -> List[Any]:
+    """What an argument goes through."""
+    try:
+        return list(value)
+    except TypeError:
+        raise TypeError(f"{name}: must be {what}, not {text(value)}") from None
+
+
+def size(value: Any) -> Tuple[int, int]:
+    """(width, height), or one number for both."""
+    is_pair = isinstance(value, (tuple, list)) or (isinstance(value, np.ndarray) and value.ndim == 1)
+    pair = tuple(value) if is_pair else (value, value)
+    if len(pair) != 2 or not all(isinstance(each, (int, np.integer)) for each in pair):
+        raise TypeError(f"size: must be (width, height) or one number, not {text(value)}")
+    width, height = int(pair[0]), int(pair[1])
+    if not (1 <= width <= 16384 and 1 <= height <= 16384):
+        raise ValueError(f"size: width and height must lie between 1 and 16384, not {width}, {height}")
+    return width, height
+
+
 def matrix(value: Any, name: str) -> np.ndarray:
     """A (4, 4) matrix of float64 for column vectors; (3, 4) gets its last row."""
-    array = _read(value, name)
-    if array.shape == (3, 4):
-        array = np.vstack([array, [0, 0, 0, 1]])
-    return floats(array, name, (4, 4), np.float64)
+    array = read(value, name)
+    if array.shape != (3, 4):
+        return floats(array, name, (4, 4), np.float64)
+    return np.vstack([floats(array, name, (3, 4), np.float64), [0, 0, 0, 1]])
 
 
 def product(a: np.ndarray, b: np.ndarray) -> np.ndarray:

@@ -3,11 +3,34 @@
 
 from __future__ import annotations
 
+import contextlib
 import os
-import tempfile
-from typing import Union
+import secrets
+from typing import BinaryIO, Iterator, Union
 
 Path = Union[str, "os.PathLike[str]"]
+
+TEMPORARY = ".rhw-"  #: what the names of files begin with that are being written
+
+
+@contextlib.contextmanager
+def replacing(path: Path) -> Iterator[BinaryIO]:
+    """A file beside a place, which gets its name at the end of the block. It is gone where that is left by an exception."""
+    target = os.path.realpath(path)  # a link stays one
+    temporary = os.path.join(os.path.dirname(target), TEMPORARY + secrets.token_hex(8))
+    try:
+        # What others may do with it is the system's to say: to ask for the process's mask is to change it for other threads.
+        handle = os.open(temporary, os.O_WRONLY | os.O_CREAT | os.O_EXCL, 0o666)
+        try:
+            with os.fdopen(handle, "wb") as file:
+                yield file
+            os.replace(temporary, target)
+        except BaseException:
+            os.unlink(temporary)
+            raise
+    except OSError as error:
+        error.filename, error.filename2 = os.fspath(path), None  # not the name of today
+        raise
 
 
 def write(path: Path, data: bytes) -> None:
@@ -17,15 +40,5 @@ def write(path: Path, data: bytes) -> None:
         with open(name, "wb") as file:
             file.write(data)
         return
-    target = os.path.realpath(name)  # a link stays one
-    handle, temporary = tempfile.mkstemp(prefix=".rhw-", dir=os.path.dirname(target) or ".")
-    try:
-        with os.fdopen(handle, "wb") as file:
-            file.write(data)
-        umask = os.umask(0)
-        os.umask(umask)
-        os.chmod(temporary, 0o666 & ~umask)
-        os.replace(temporary, target)
-    except BaseException:
-        os.unlink(temporary)
-        raise
+    with replacing(name) as file:
+        file.write(data)

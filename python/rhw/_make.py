@@ -15,7 +15,7 @@ _ALPHAS = ("opaque", "mask", "blend")
 
 def _linear(colors: Any, name: str, rows: int) -> np.ndarray:
     """(rows, 4) linear float32 of colours: uint8 are sRGB, alpha is linear."""
-    array = np.asarray(colors)
+    array = _arrays.read(colors, name)
     if array.ndim != 2 or array.shape[0] != rows or array.shape[1] not in (3, 4):
         raise ValueError(f"{name}: must have the shape ({rows}, 3) or ({rows}, 4), not {array.shape}")
     full = np.ones((rows, 4), np.float32)
@@ -29,7 +29,7 @@ def _linear(colors: Any, name: str, rows: int) -> np.ndarray:
 
 
 def _color(value: Sequence[float], name: str, count: Tuple[int, ...]) -> Tuple[float, ...]:
-    array = np.asarray(value)
+    array = _arrays.read(value, name)
     if array.shape not in [(each,) for each in count]:
         raise ValueError(f"{name}: must have {' or '.join(map(str, count))} numbers, not {_arrays.text(value)}")
     numbers = _arrays.floats(array, name, array.shape).tolist()
@@ -58,18 +58,18 @@ class Surface:
         color = _color(self.color, "color", (3, 4))
         color = color if len(color) == 4 else color + (1.0,)
         seen_through = color[3] < 1 or (self.texture is not None and bool((self.texture[:, :, 3] < 255).any()))
-        alpha = self.alpha or ("blend" if seen_through else "opaque")
+        alpha = ("blend" if seen_through else "opaque") if self.alpha is None else self.alpha
         return (name, color, _color(self.emissive, "emissive", (3,)),
                 _arrays.number(self.metallic, "metallic", 0, 1), _arrays.number(self.roughness, "roughness", 0, 1),
-                _arrays.choice(alpha, "alpha", _ALPHAS), 0.5, self.unlit,
-                self.double_sided, image)
+                _arrays.choice(alpha, "alpha", _ALPHAS), 0.5, _arrays.flag(self.unlit, "unlit"),
+                _arrays.flag(self.double_sided, "double_sided"), image)
 
 
 class Geometry:
     """Arrays of one mesh in the shape that the extension takes."""
 
     def __init__(self, vertices: Any, faces: Any, normals: Any, uv: Any, colors: Any, face_colors: Any, smooth: bool):
-        self.smooth = smooth
+        self.smooth = _arrays.flag(smooth, "smooth")
         self.vertices = _arrays.floats(vertices, "vertices", (None, 3))
         count = len(self.vertices)
         if count == 0:
@@ -77,7 +77,8 @@ class Geometry:
         self.corners = 3
         self.faces: Optional[np.ndarray] = None
         if faces is not None:
-            shape = np.shape(faces)
+            faces = _arrays.read(faces, "faces")
+            shape = faces.shape
             self.corners = shape[1] if len(shape) == 2 and shape[1] in (1, 2, 3) else 3
             self.faces = _arrays.indices(faces, "faces", (None, self.corners), count)
             if len(self.faces) == 0:
@@ -125,7 +126,7 @@ class Arrays:
     """Meshes, materials, images and instances on their way to the extension."""
 
     def __init__(self, name: str):
-        self._name = name
+        self._name = _arrays.words(name, "name")
         self._meshes: List[Tuple[Any, ...]] = []
         self._materials: List[Tuple[Any, ...]] = []
         self._images: List[Tuple[Any, ...]] = []

@@ -5,8 +5,9 @@ from __future__ import annotations
 
 import os
 import threading
+from typing import Optional
 
-from . import _rhw
+from . import _arrays, _rhw
 
 _local = threading.local()
 
@@ -26,3 +27,12 @@ def context() -> _rhw.Context:
     if found is None:
         found = _local.context = _rhw.Context()
     return found
+
+
+def chosen(given: Optional[_rhw.Context]) -> _rhw.Context:
+    """The argument `context` of many functions: None is the calling thread's."""
+    if given is None:
+        return context()
+    if not isinstance(given, _rhw.Context):
+        raise TypeError(f"context: must be an rhw.Context, not {_arrays.text(given)}")
+    return given

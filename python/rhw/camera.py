@@ -4,7 +4,7 @@
 from __future__ import annotations
 
 import math
-from typing import TYPE_CHECKING, Any, Callable, Optional, Sequence, Tuple, Union
+from typing import TYPE_CHECKING, Any, Callable, Dict, Optional, Sequence, Tuple, Union
 
 import numpy as np
 
@@ -87,7 +87,7 @@ class Camera:
 
     def at(self, model: "Model", size: Union[int, Tuple[int, int]]) -> View:
         """The camera as it takes a picture of that size, (width, height), of the model."""
-        width, height = (size, size) if isinstance(size, int) else size
+        width, height = _arrays.size(size)
         return View(self._resolve(model, width, height), width, height)
 
     @classmethod
@@ -121,8 +121,9 @@ class Camera:
             part = -1.0 if margin is None else _arrays.number(margin, "margin", 0, 45) / 100
             larger = _arrays.number(zoom, "zoom", 0.01, 100)
             number = axis(up)
+            flags = _arrays.flag(whole, "whole"), _arrays.flag(orthographic, "orthographic")
             return lambda model, width, height: _rhw.camera_fit(
-                model._model, width / height, angles, number, whole, degrees, orthographic, larger, part)
+                model._model, width / height, angles, number, flags[0], degrees, flags[1], larger, part)
 
         return cls(fit(**options), text)
 

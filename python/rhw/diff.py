@@ -10,13 +10,14 @@ The operations, shapes and conventions are those of nvdiffrast; rhw.torch has th
     >>> to_attributes, to_rast, _ = rhw.diff.interpolate_grad(attributes, rast, tri, to_color)
     >>> to_pos += rhw.diff.rasterize_grad(pos, tri, rast, to_rast)
 
-B images of H rows and W columns are drawn at once. Positions are clip coordinates as in OpenGL: x, y and z from -w to w,
-y upwards, and row 0 is the lowest. Arrays are float32, indices whole numbers. `pos` of the shape (B, V, 4) has the vertices
-of every image; (V, 4) is one set for all, and `ranges` (B, 2) then says which triangles an image has, by the first and
-their number.
+B images of H rows and W columns are drawn at once. Positions are clip coordinates as in OpenGL: x, y and z from -w to w, y
+upwards, and row 0 is the lowest. Arrays are float32 and finite: NaN and infinity are refused. Indices are whole numbers.
+`pos` of the shape (B, V, 4) has the vertices of every image; (V, 4) is one set for all, and `ranges` (B, 2) then says which
+triangles an image has, by the first and their number.
 
 Nothing depends on how many threads work, gradients neither: where many pixels add to one vertex or texel, they do so one
-after the other in the order of the picture. `context` says how many threads there are, else all cores work.
+after the other in the order of the picture, in double precision. `context` says how many threads there are, else all cores
+work. The interpreter's lock is released meanwhile; Ctrl-C ends a call within a moment, and rasterize after an image.
 """
 
 from __future__ import annotations
@@ -26,7 +27,7 @@ from typing import Any, List, Optional, Sequence, Tuple
 import numpy as np
 
 from . import _rhw, _threads
-from ._arrays import _read, choice, floats, indices, whole
+from ._arrays import choice, flag, floats, indices, listed, read, text, whole
 
 _MOST = 16384  # rows and columns, RHW_MAX_TARGET_SIZE
 
@@ -35,16 +36,18 @@ def _size(resolution: Any) -> Tuple[int, int]:
     try:
         height, width = resolution
     except (TypeError, ValueError):
-        raise TypeError("resolution: must be (height, width)") from None
+        raise TypeError(f"resolution: must be (height, width), not {text(resolution)}") from None
     return whole(height, "resolution", 1, _MOST), whole(width, "resolution", 1, _MOST)
 
 
 def _batched(value: Any, name: str, columns: Optional[int], images: Optional[int] = None) -> Tuple[np.ndarray, bool]:
     """An array (B, N, columns), or (N, columns) with True; (1, N, columns) is shared where there are more images."""
-    array = _read(value, name)
+    array = read(value, name)
+    array = floats(array, name, (None, columns) if array.ndim == 2 else (None, None, columns))
+    if array.shape[-2] < 1:
+        raise ValueError(f"{name}: must have at least one vertex")
     if array.ndim == 2:
-        return floats(array, name, (None, columns)), True
-    array = floats(array, name, (None, None, columns))
+        return array, True
     if images is not None and array.shape[0] not in (1, images):
         raise ValueError(f"{name}: must have 1 or {images} images, not {array.shape[0]}")
     return array, images is not None and array.shape[0] == 1
@@ -62,11 +65,9 @@ def _like(value: Any, name: str, array: np.ndarray) -> np.ndarray:
 
 
 def _mesh(tri: np.ndarray, vertices: int, shape: Sequence[int], context: Optional[_rhw.Context]) -> Tuple[Any, ...]:
-    if vertices < 1:
-        raise ValueError("pos: must have at least one vertex")
     images, height, width = shape[:3]
     # A copy, which nobody changes once its numbers were checked.
-    return tri.copy(), vertices, images, height, width, (context or _threads.context()).threads
+    return tri.copy(), vertices, images, height, width, _threads.chosen(context).threads
 
 
 def _ranges(ranges: Any, triangles: int) -> np.ndarray:
@@ -92,7 +93,7 @@ def _rasterize(pos: Any, tri: Any, resolution: Any, ranges: Any, context: Option
     rast, rast_db = np.zeros(shape + (4,), np.float32), np.zeros(shape + (4,), np.float32)
     found = np.ones(shape, np.float32) if depths else None
     if len(tri) and shape[0]:
-        context = context or _threads.context()
+        context = _threads.chosen(context)
         _rhw.diff_rasterize(context, _mesh(tri, pos.shape[-2], shape, context), pos, shared, ranges, rast, rast_db, before,
                             found)
     return rast, rast_db, found
@@ -123,7 +124,7 @@ def rasterize_grad(pos: Any, tri: Any, rast: Any, to_rast: Any, to_rast_db: Any 
     if not shared and len(pos) != len(rast):
         raise ValueError(f"pos: must have {len(rast)} images, as rast has, not {len(pos)}")
     tri = indices(tri, "tri", (None, 3), pos.shape[-2])
-    result = np.zeros_like(pos)
+    result = np.empty_like(pos)
     _rhw.diff_rasterize_grad(_mesh(tri, pos.shape[-2], rast.shape, context), pos, shared, rast,
                              _like(to_rast, "to_rast", rast),
                              None if to_rast_db is None else _like(to_rast_db, "to_rast_db", rast), result)
@@ -172,7 +173,8 @@ def _interpolation(attr: Any, rast: Any, tri: Any, rast_db: Any, diff_attrs: Any
     elif isinstance(diff_attrs, str) and diff_attrs == "all":
         selected = np.arange(channels, dtype=np.uint32)
     else:
-        selected = np.array([whole(a, "diff_attrs", 0, channels - 1) for a in diff_attrs], np.uint32)
+        places = listed(diff_attrs, "diff_attrs", "'all' or a list of numbers")
+        selected = np.array([whole(a, "diff_attrs", 0, channels - 1) for a in places], np.uint32)
     if len(selected) > 1024:
         raise ValueError("diff_attrs: must be 1024 at most")
     if len(selected) and rast_db is None:
@@ -242,16 +244,28 @@ def _halved(texels: np.ndarray) -> np.ndarray:
 
 def texture_construct_mip(tex: Any, max_mip_level: Optional[int] = None, cube_mode: bool = False) -> List[np.ndarray]:
     """The levels above `tex`, each the mean of the one before, down to one texel or `max_mip_level`."""
-    levels = [_texels(tex, "tex", cube_mode)]
+    levels = [_texels(tex, "tex", flag(cube_mode, "cube_mode"))]
     most = _MOST if max_mip_level is None else whole(max_mip_level, "max_mip_level", 0, _MOST)
     while len(levels) <= most and max(levels[-1].shape[-3:-1]) > 1:
         levels.append(_halved(levels[-1]))
     return levels[1:]
 
 
-def texture_construct_mip_grad(to_tex: np.ndarray, to_mip: Sequence[np.ndarray]) -> np.ndarray:
+def _level_shape(tex: np.ndarray, level: int) -> Tuple[int, ...]:
+    return tex.shape[:-3] + tuple(max(side >> level, 1) for side in tex.shape[-3:-1]) + tex.shape[-1:]
+
+
+def texture_construct_mip_grad(to_tex: Any, to_mip: Sequence[Any]) -> np.ndarray:
     """The gradient of the texture from its own and those of the levels that were made of it."""
-    levels = [to_tex, *to_mip]
+    to_tex = read(to_tex, "to_tex")
+    to_tex = floats(to_tex, "to_tex", (None,) * (5 if to_tex.ndim == 5 else 4))
+    levels = [to_tex]
+    for k, level in enumerate(listed(to_mip, "to_mip", "a list of arrays"), 1):
+        levels.append(floats(level, f"to_mip[{k - 1}]", _level_shape(to_tex, k)))
+    return _collected(levels)
+
+
+def _collected(levels: List[np.ndarray]) -> np.ndarray:
     gradient = levels.pop()
     while levels:
         below = levels.pop()
@@ -266,9 +280,9 @@ def _sampling(tex: Any, uv: Any, uv_da: Any, mip_level_bias: Any, mip: Any, filt
               max_mip_level: Optional[int], context: Optional[_rhw.Context],
               ) -> Tuple[Tuple[np.ndarray, ...], Tuple[Any, ...], Tuple[int, ...]]:
     """Levels, the first arguments of the extension, and the shape of what is read."""
-    if filter_mode == "auto":
-        filter_mode = "linear" if uv_da is None and mip_level_bias is None else "linear-mipmap-linear"
-    filtering, boundary = choice(filter_mode, "filter_mode", _FILTERS), choice(boundary_mode, "boundary_mode", _BOUNDARIES)
+    filtering, boundary = choice(filter_mode, "filter_mode", (*_FILTERS, "auto")), choice(boundary_mode, "boundary_mode", _BOUNDARIES)
+    if filtering == len(_FILTERS):
+        filtering = 1 if uv_da is None and mip_level_bias is None else 3
     cube = boundary_mode == "cube"
     tex, uv = _texels(tex, "tex", cube), floats(uv, "uv", (None, None, None, 3 if cube else 2))
     if uv.size == 0 or uv.shape[1] * uv.shape[2] > 2**31:
@@ -276,7 +290,7 @@ def _sampling(tex: Any, uv: Any, uv_da: Any, mip_level_bias: Any, mip: Any, filt
     if tex.shape[0] not in (1, len(uv)):
         raise ValueError(f"tex: must have 1 or {len(uv)} images, not {tex.shape[0]}")
     if filtering >= 2 and uv_da is None and mip_level_bias is None:
-        raise ValueError(f"uv_da, mip_level_bias: one of them must be given for {filter_mode}")
+        raise ValueError(f"uv_da, mip_level_bias: one of them must be given for {_FILTERS[filtering]}")
     if uv_da is not None:
         uv_da = floats(uv_da, "uv_da", uv.shape[:3] + (2 * uv.shape[3],))
     if mip_level_bias is not None:
@@ -287,10 +301,9 @@ def _sampling(tex: Any, uv: Any, uv_da: Any, mip_level_bias: Any, mip: Any, filt
         if mip is None:
             levels += texture_construct_mip(tex, most, cube)
         else:
-            for k, level in enumerate(list(mip)[:most], 1):
-                wanted = tex.shape[:-3] + tuple(max(side >> k, 1) for side in tex.shape[-3:-1]) + tex.shape[-1:]
-                levels.append(floats(level, f"mip[{k - 1}]", wanted))
-    threads = (context or _threads.context()).threads
+            for k, level in enumerate(listed(mip, "mip", "a list of arrays")[:most], 1):
+                levels.append(floats(level, f"mip[{k - 1}]", _level_shape(tex, k)))
+    threads = _threads.chosen(context).threads
     description = (tuple(levels), len(tex), *tex.shape[-3:], filtering, boundary, len(uv), uv.shape[1] * uv.shape[2], threads)
     return tuple(levels), (description, uv, uv_da, mip_level_bias), uv.shape[:3] + tex.shape[-1:]
 
@@ -326,12 +339,12 @@ def texture_grad(tex: Any, uv: Any, to_values: Any, uv_da: Any = None, mip_level
     """
     levels, arguments, shape = _sampling(tex, uv, uv_da, mip_level_bias, mip, filter_mode, boundary_mode, max_mip_level,
                                          context)
-    to_levels = tuple(np.zeros_like(level) for level in levels)
+    to_levels = tuple(np.empty_like(level) for level in levels)
     to_uv, to_uv_da, to_bias = (None if array is None else np.empty_like(array) for array in arguments[1:])
     _rhw.diff_texture_grad((*arguments, floats(to_values, "to_values", shape)), to_levels, to_uv, to_uv_da, to_bias)
     to_tex, to_mip = to_levels[0], list(to_levels[1:])
     if mip is None:
-        to_tex, to_mip = texture_construct_mip_grad(to_tex, to_mip), []
+        to_tex, to_mip = _collected(list(to_levels)), []
     return to_tex, to_uv, to_uv_da, to_bias, to_mip
 
 

@@ -3,7 +3,6 @@
 
 from __future__ import annotations
 
-import math
 import os
 import threading
 import warnings
@@ -13,6 +12,7 @@ from typing import Any, Dict, Iterable, List, Optional, Sequence, Tuple, Union
 import numpy as np
 
 from . import _arrays, _rhw, _threads
+from ._arrays import Size
 from .camera import AXES, Camera, View, axis
 from .pictures import OUTPUTS, Pictures
 
@@ -135,9 +135,6 @@ _WIREFRAMES = ("none", "over", "plain")
 _INTERPOLATIONS = ("smooth", "noperspective")
 _BACKGROUNDS = {"default": 0, "transparent": 3}
 
-Size = Union[int, Tuple[int, int]]
-
-
 class Model:
     """A model, read by `rhw.load` or made here from arrays.
 
@@ -241,7 +238,9 @@ class Model:
 
         The interpreter's lock is released meanwhile; Ctrl-C ends the draw of a large picture between its bands.
         """
-        width, height = _size(size)
+        width, height = _arrays.size(size)
+        flags = [_arrays.flag(value, name) for value, name in
+                 ((shadows, "shadows"), (ground, "ground"), (ambient_occlusion, "ambient_occlusion"))]
         names = _outputs(outputs)
         chosen = Camera.fit() if camera is None else camera
         if not isinstance(chosen, Camera):
@@ -258,7 +257,7 @@ class Model:
                               _arrays.one_of(supersample, "supersample", (1, 4, 9, 16)), numbers, axis(up),
                               _arrays.choice(interpolate, "interpolate", _INTERPOLATIONS),
                               _arrays.choice(wireframe, "wireframe", _WIREFRAMES), kind, color,
-                              _arrays.choice(lights, "lights", _LIGHTS), shadows, ground, ambient_occlusion,
+                              _arrays.choice(lights, "lights", _LIGHTS), *flags,
                               _arrays.choice(transparency, "transparency", _TRANSPARENCIES),
                               _arrays.choice(tone, "tone", _TONES), _arrays.number(exposure, "exposure", -20, 20),
                               sum(OUTPUTS[each] for each in some))
@@ -289,7 +288,7 @@ class Model:
 
     def _scene(self, context: Optional[_rhw.Context]) -> Tuple[Any, int]:
         """The model in a context's memory; a thread keeps the last one."""
-        wanted = _threads.context() if context is None else context
+        wanted = _threads.chosen(context)
         kept = getattr(self._local, "scene", None)
         if kept is None or kept[0] is not wanted:
             self._local.scene = kept = (wanted, _rhw.Scene(wanted, self._model))
@@ -299,18 +298,8 @@ class Model:
         return self.render((640, 480)).png()
 
 
-def _size(size: Size) -> Tuple[int, int]:
-    pair = tuple(size) if isinstance(size, (tuple, list, np.ndarray)) else (size, size)
-    if len(pair) != 2 or not all(isinstance(each, (int, np.integer)) for each in pair):
-        raise TypeError(f"size: must be (width, height) or one number, not {_arrays.text(size)}")
-    width, height = int(pair[0]), int(pair[1])
-    if not (1 <= width <= 16384 and 1 <= height <= 16384):
-        raise ValueError(f"size: width and height must lie between 1 and 16384, not {width}, {height}")
-    return width, height
-
-
 def _outputs(outputs: Union[str, Iterable[str]]) -> List[str]:
-    names = [outputs] if isinstance(outputs, str) else list(outputs)
+    names = [outputs] if isinstance(outputs, str) else _arrays.listed(outputs, "outputs", "names")
     if not names:
         raise ValueError("outputs: there must be one at least of " + ", ".join(OUTPUTS))
     for each in names:
@@ -322,7 +311,7 @@ def _background(background: Union[str, Sequence[int]]) -> Tuple[int, Tuple[int, 
     if isinstance(background, str):
         _arrays.choice(background, "background", tuple(_BACKGROUNDS))
         return _BACKGROUNDS[background], (0, 0, 0)
-    values = tuple(background)
+    values = _arrays.listed(background, "background", "'default', 'transparent' or three numbers")
     if len(values) != 3 or not all(isinstance(each, (int, np.integer)) and 0 <= each <= 255 for each in values):
         raise ValueError("background: must be 'default', 'transparent' or three numbers of 0 to 255, "
                          f"not {_arrays.text(background)}")
@@ -330,7 +319,8 @@ def _background(background: Union[str, Sequence[int]]) -> Tuple[int, Tuple[int, 
 
 
 def load(path: Union[str, "os.PathLike[str]"], *, variant: Optional[str] = None,
-         animation: Union[None, int, str] = None, time: Optional[float] = None, confine: Union[None, str] = None,
+         animation: Union[None, int, str] = None, time: Optional[float] = None,
+         confine: Union[None, str, "os.PathLike[str]"] = None,
          max_seconds: int = 0, max_memory: int = 0, max_texture: int = 0) -> Model:
     """Reads a model: glTF 2, OBJ, PLY, STL, 3MF, FBX and what else `rhw info` reads.
 
@@ -344,15 +334,20 @@ def load(path: Union[str, "os.PathLike[str]"], *, variant: Optional[str] = None,
     was met is in Model.warnings, what is not drawn in Model.unsupported. rhw.Error where it cannot be read;
     FileNotFoundError where there is none.
     """
-    name = os.fspath(path)
+    name = _arrays.path(path, "path")
+    if variant is not None:
+        _arrays.words(variant, "variant")
+    if animation is not None and not isinstance(animation, str):
+        animation = str(_arrays.whole(animation, "animation", 0, 2**31 - 1))
+    moment = 0.0 if time is None else _arrays.number(time, "time", -1e30, 1e30)
+    within = None if confine is None else os.fsencode(_arrays.path(confine, "confine"))
+    limits = [_arrays.whole(value, limit, 0, most) for value, limit, most in
+              ((max_seconds, "max_seconds", 2**31 - 1), (max_memory, "max_memory", 2**63 - 1), (max_texture, "max_texture", 16384))]
     if not os.path.lexists(name):
-        raise FileNotFoundError(2, "no such file", str(name))
-    if time is not None and not math.isfinite(time):
-        raise ValueError(f"time: must be a finite number of seconds, not {time}")
+        raise FileNotFoundError(2, "no such file", name)
     posed = animation is not None or time is not None
     model = Model.__new__(Model)
-    model._take(_rhw.load(os.fsencode(name), variant, posed, None if animation is None else str(animation),
-                          time or 0.0, confine, max_seconds, max_memory, max_texture))
+    model._take(_rhw.load(os.fsencode(name), variant, posed, animation, moment, within, *limits))
     if not model.nodes:
         reason = ": " + model.warnings[0] if model.warnings else ""
         raise _rhw.Error(f"{name}: the file has nothing to draw{reason}")

@@ -3,7 +3,6 @@
 
 from __future__ import annotations
 
-import os
 from typing import Any, Dict, Iterable, Optional, Tuple
 
 import numpy as np
@@ -74,7 +73,8 @@ class Pictures(Dict[str, np.ndarray]):
 
     def _exr(self, name: str, outputs: Optional[Iterable[str]]) -> bytes:
         wanted = [output for output in self if output not in ("color", "display")] if outputs is None else outputs
-        layers = ["color" if output == "linear" else output for output in wanted]
+        names = [wanted] if isinstance(wanted, str) else _arrays.listed(wanted, "outputs", "names")
+        layers = ["color" if isinstance(output, str) and output == "linear" else output for output in names]
         kinds = 0
         for layer in layers:
             kinds |= 1 << _arrays.choice(layer, "outputs", _FILE_KINDS)
@@ -88,16 +88,16 @@ class Pictures(Dict[str, np.ndarray]):
 
         path: ends in .png, of one output; or in .exr, of all that were drawn.
         """
-        name = os.fspath(path)
+        name = _arrays.path(path, "path")
         if name.lower().endswith(".exr"):
-            _files.write(name, self._exr(name, None))
+            _files.write(name, self._exr(_arrays.shown(name), None))
         elif name.lower().endswith(".png"):
             _files.write(name, self.png(output, bits))
         else:
             raise ValueError(f"{name}: must end in .png or .exr")
 
     def _checked(self) -> Dict[str, np.ndarray]:
-        return {name: np.ascontiguousarray(array) for name, array in self.items() if name in OUTPUTS}
+        return {name: _arrays.packed(_arrays.read(array, name), None) for name, array in self.items() if name in OUTPUTS}
 
     def _repr_png_(self) -> bytes:
         output = "color" if "color" in self else next(name for name in self if name in _FILE_KINDS)
@@ -110,13 +110,13 @@ def write_png(path: _files.Path, image: Any, *, srgb: bool = True) -> None:
     image: (H, W), (H, W, 1), (H, W, 3) or (H, W, 4), uint8 or uint16; alpha is straight.
     srgb: the file says that its numbers are colours of sRGB; False: that they are numbers.
     """
-    array = np.asarray(image)
+    array = _arrays.read(image, "image")
     if array.dtype not in (np.uint8, np.uint16):
         raise TypeError(f"image: must be of uint8 or uint16, not {array.dtype}")
     if array.ndim == 2:
         array = array[:, :, None]
     if array.ndim != 3:
         raise ValueError(f"image: must have two or three dimensions, not {array.ndim}")
-    name = os.fspath(path)
-    bits = 8 * array.dtype.itemsize
-    _files.write(name, _rhw.encode_png(name, np.ascontiguousarray(array), bits, srgb))
+    name = _arrays.path(path, "path")
+    kind = array.dtype.newbyteorder("=")
+    _files.write(name, _rhw.encode_png(_arrays.shown(name), _arrays.packed(array, kind), 8 * kind.itemsize, _arrays.flag(srgb, "srgb")))

@@ -22,7 +22,7 @@ from typing import Any, Dict, Iterable, Mapping, Optional, Sequence, Tuple, Type
 import numpy as np
 
 from . import _arrays, _rhw, _threads
-from .model import Size, _size
+from ._arrays import Size
 
 #: Outputs in the order of the extension, and the format that a target of each usually has.
 OUTPUTS = {"color": "rgba8_srgb", "depth": "r32_float", "distance": "r32_float", "normal": "rgba32_float",
@@ -58,11 +58,11 @@ class Buffer:
     def __init__(self, data: Any, dtype: Any = None, *, context: Optional[_rhw.Context] = None):
         is_shape = isinstance(data, (int, np.integer)) or (
             isinstance(data, tuple) and all(isinstance(each, (int, np.integer)) for each in data))
-        source = np.zeros(0) if is_shape else _arrays._read(data, "data")
-        kind = np.dtype(dtype if dtype is not None else np.float32 if is_shape else source.dtype)
+        source = np.zeros(0) if is_shape else _arrays.read(data, "data")
+        kind = _type_of(dtype) if dtype is not None else np.dtype(np.float32) if is_shape else source.dtype.newbyteorder("=")
         shape = (data if isinstance(data, tuple) else (int(data),)) if is_shape else source.shape
-        if kind.kind not in "fiu":
-            raise TypeError(f"data: must be of numbers, not {kind}")
+        if kind.kind not in "fiu" or (not is_shape and source.dtype.kind not in "fiu"):
+            raise TypeError(f"data: must be of numbers, not {kind if is_shape else source.dtype}")
         count = 1
         for extent in shape:
             if extent < 0:
@@ -70,7 +70,9 @@ class Buffer:
             count *= int(extent)
         if count == 0:
             raise ValueError(f"data: must have elements, not the shape {tuple(shape)}")
-        self._context = _threads.context() if context is None else context
+        if count > 2**56:
+            raise ValueError(f"data: there is no memory for the shape {_arrays.text(tuple(shape))}")
+        self._context = _threads.chosen(context)
         self._resource = _rhw.buffer(self._context, count * kind.itemsize)
         memory = np.asarray(self._resource.memory)
         self.array: np.ndarray = memory[:count * kind.itemsize].view(kind).reshape(shape)
@@ -96,12 +98,13 @@ class Texture:
 
     def __init__(self, size: Size, format: str = "rgba8_srgb", *, mips: bool = False,
                  context: Optional[_rhw.Context] = None):
-        self.size = _size(size)
+        self.size = _arrays.size(size)
         _arrays.choice(format, "format", tuple(FORMATS))
         self.format = format
-        self._context = _threads.context() if context is None else context
+        levels = _arrays.flag(mips, "mips")
+        self._context = _threads.chosen(context)
         width, height = self.size
-        self._resource, pitch = _rhw.texture(self._context, _rhw.formats[format], width, height, mips)
+        self._resource, pitch = _rhw.texture(self._context, _rhw.formats[format], width, height, levels)
         channels, kind = FORMATS[format]
         item = np.dtype(kind).itemsize
         shape: Tuple[int, ...] = (height, width) if channels == 1 else (height, width, channels)
@@ -112,7 +115,7 @@ class Texture:
     def of(cls, image: Any, *, srgb: bool = True, context: Optional[_rhw.Context] = None) -> "Texture":
         """A texture of an image, (H, W), (H, W, 3) or (H, W, 4) uint8, with its levels. srgb: colours, not numbers."""
         texels = _arrays.texels(image, "image")
-        texture = cls((texels.shape[1], texels.shape[0]), "rgba8_srgb" if srgb else "rgba8_unorm", mips=True,
+        texture = cls((texels.shape[1], texels.shape[0]), "rgba8_srgb" if _arrays.flag(srgb, "srgb") else "rgba8_unorm", mips=True,
                       context=context)
         texture.array[...] = texels
         texture.generate_mips()
@@ -136,7 +139,7 @@ class Sampler:
     def __init__(self, filter: str = "linear", address: str = "repeat", anisotropy: float = 1.0, *,
                  context: Optional[_rhw.Context] = None):
         samples = _arrays.number(anisotropy, "anisotropy", 1, 16)
-        self._context = _threads.context() if context is None else context
+        self._context = _threads.chosen(context)
         self._resource = _rhw.sampler(self._context, _arrays.choice(filter, "filter", _FILTERS),
                                       _arrays.choice(address, "address", _ADDRESSES), samples)
 
@@ -166,7 +169,9 @@ class Pipeline:
                  texture: bool = False, topology: str = "triangles", cull: str = "none", depth: Optional[str] = "less",
                  depth_write: bool = True, blend: bool = False, interpolate: str = "smooth",
                  context: Optional[_rhw.Context] = None):
-        self.outputs = _formats_of(outputs)
+        self.outputs = _formats_of(outputs, "outputs")
+        uv, normals, texture, depth_write, blend = (_arrays.flag(value, name) for value, name in (
+            (uv, "uv"), (normals, "normals"), (texture, "texture"), (depth_write, "depth_write"), (blend, "blend")))
         _arrays.one_of(positions, "positions", (3, 4))
         if colors is not None:
             _arrays.choice(colors, "colors", ("float32", "uint8"))
@@ -189,26 +194,29 @@ class Pipeline:
             self._attributes["normals"] = (3, np.float32)
             kinds[3] = _FLOATS[3]
         self._textured = texture
+        shape = _arrays.choice(topology, "topology", _TOPOLOGIES)
         self._corners = {"triangles": 3, "lines": 2}.get(topology, 1)
-        self._context = _threads.context() if context is None else context
+        self._context = _threads.chosen(context)
         names = tuple(OUTPUTS)
         self._resource = _rhw.pipeline(
             self._context, tuple(kinds), texture, _arrays.choice(interpolate, "interpolate", _INTERPOLATIONS),
-            _arrays.choice(topology, "topology", _TOPOLOGIES), _arrays.choice(cull, "cull", _CULLS), depth is not None,
+            shape, _arrays.choice(cull, "cull", _CULLS), depth is not None,
             0 if depth is None else _arrays.choice(depth, "depth", _COMPARES), depth_write, blend,
             tuple((names.index(name), _rhw.formats[each]) for name, each in self.outputs.items()))
 
 
-def _formats_of(outputs: Any) -> Dict[str, str]:
-    if not isinstance(outputs, Mapping):
-        outputs = {name: None for name in ([outputs] if isinstance(outputs, str) else outputs)}
+def _formats_of(outputs: Any, argument: str) -> Dict[str, str]:
+    if isinstance(outputs, Mapping):
+        pairs = list(outputs.items())
+    else:
+        pairs = [(name, None) for name in ([outputs] if isinstance(outputs, str) else _arrays.listed(outputs, argument, "names"))]
     found = {}
-    for name, wanted in outputs.items():
-        _arrays.choice(name, "outputs", tuple(OUTPUTS))
+    for name, wanted in pairs:
+        _arrays.choice(name, argument, tuple(OUTPUTS))
         form = wanted.format if isinstance(wanted, Texture) else OUTPUTS[name] if wanted is None else wanted
-        _arrays.choice(form, "outputs", tuple(FORMATS))
+        _arrays.choice(form, argument, tuple(FORMATS))
         if (form == "r32_uint") != (OUTPUTS[name] == "r32_uint") or form == "d32_float":
-            raise ValueError(f"outputs: {name} cannot be drawn into {form}")
+            raise ValueError(f"{argument}: {name} cannot be drawn into {form}")
         found[name] = form
     return found
 
@@ -231,8 +239,10 @@ class Pass:
     def __init__(self, targets: Optional[Targets] = None, *, depth: Union[bool, Texture] = False,
                  clear: Optional[Mapping[str, _Clear]] = None, load: bool = False, samples: int = 1,
                  size: Optional[Size] = None, context: Optional[_rhw.Context] = None):
-        targets = dict(targets or {})
-        clear = dict(clear or {})
+        targets, clear = _dictionary(targets, "targets"), _dictionary(clear, "clear")
+        if not isinstance(depth, Texture):
+            depth = _arrays.flag(depth, "depth")
+        load = _arrays.flag(load, "load")
         textures = list(targets.values()) + ([depth] if isinstance(depth, Texture) else [])
         for texture in textures:
             if not isinstance(texture, Texture):
@@ -244,12 +254,12 @@ class Pass:
         _arrays.one_of(samples, "samples", (1, 2, 4, 8, 16))
         for name in clear:
             _arrays.choice(name, "clear", (*targets, "depth_test"))
-        self.formats = _formats_of(targets)
+        self.formats = _formats_of(targets, "targets")
         self.stats: Dict[str, int] = {}
         if not textures and size is None:
             raise ValueError("size: must be given where there are no targets")
-        self._size = textures[0].size if textures else _size(size)  # type: ignore[arg-type]
-        self._context = (textures[0]._context if textures else _threads.context()) if context is None else context
+        self._size = textures[0].size if textures else _arrays.size(size)
+        self._context = textures[0]._context if textures and context is None else _threads.chosen(context)
         colors = tuple((texture._resource, load, *_clear_of(clear.get(name, 0), name, texture.format))
                        for name, texture in targets.items())
         far, = _arrays.floats([clear.get("depth_test", 1.0)], "clear", (1,)).tolist()
@@ -267,13 +277,14 @@ class Pass:
     def __exit__(self, kind: Optional[Type[BaseException]], error: Optional[BaseException],
                  trace: Optional[TracebackType]) -> None:
         if kind is None:
-            self.stats = self._pass.end()
+            self.stats = self._recorded().end()
         else:
-            self._pass.cancel()
+            self._recorded().cancel()
 
     def viewport(self, x: float, y: float, width: float, height: float) -> None:
         """Where -1..1 goes from now on: pixels from the top left."""
-        self._recorded().viewport(x, y, width, height)
+        corner = [_arrays.number(value, name, -1e9, 1e9) for value, name in ((x, "x"), (y, "y"), (width, "width"), (height, "height"))]
+        self._recorded().viewport(*corner)
 
     def _recorded(self) -> Any:
         if self._pass is None:
@@ -296,6 +307,9 @@ class Pass:
         object: the number for the output `object`; first_triangle: that of the first triangle for `triangle`.
         """
         recorded = self._recorded()
+        for value, name, kind in ((pipeline, "pipeline", Pipeline), (texture, "texture", Texture), (sampler, "sampler", Sampler)):
+            if not isinstance(value, kind) and (value is not None or kind is Pipeline):
+                raise TypeError(f"{name}: must be a {kind.__name__}, not {_arrays.text(value)}")
         if self.formats != pipeline.outputs or list(self.formats) != list(pipeline.outputs):
             raise ValueError(f"pipeline: draws {pipeline.outputs}, the targets are {self.formats}")
         given = {"positions": positions, "colors": colors, "uv": uv, "normals": normals}
@@ -338,7 +352,9 @@ class Pass:
         if faces is None:
             return vertices, None
         if not isinstance(faces, Buffer):
-            array = _arrays._read(faces, "faces")
+            array = _arrays.read(faces, "faces")
+            if array.size == 0:
+                raise ValueError("faces: there are none")
             faces = Buffer(_arrays.indices(array, "faces", (None,) * array.ndim, vertices), context=self._context)
         array = faces.array
         if array.dtype != np.uint32:
@@ -349,18 +365,36 @@ class Pass:
 
 
 def _typed(value: Any, name: str, kind: Any) -> np.ndarray:
-    array = _arrays._read(value, name)
+    array = _arrays.read(value, name)
     if array.dtype.kind not in "fiu" or (kind is np.uint8 and array.dtype != np.uint8):
         raise TypeError(f"{name}: must be of {np.dtype(kind)}, not {array.dtype}")
-    return np.ascontiguousarray(array, kind)
+    if array.size == 0:
+        raise ValueError(f"{name}: there are none")
+    with np.errstate(over="ignore"):
+        return _arrays.packed(array, kind)
+
+
+def _type_of(dtype: Any) -> np.dtype:
+    try:
+        return np.dtype(dtype).newbyteorder("=")
+    except Exception as error:
+        raise TypeError(f"dtype: must be a type of numbers: {_arrays.line(str(error))}") from error
+
+
+def _dictionary(value: Any, name: str) -> Dict[Any, Any]:
+    if value is None:
+        return {}
+    if not isinstance(value, Mapping):
+        raise TypeError(f"{name}: must be a dictionary, not {_arrays.text(value)}")
+    return dict(value)
 
 
 def _clear_of(value: _Clear, name: str, form: str) -> Tuple[Tuple[float, ...], bool]:
     channels = FORMATS[form][0]
-    array = np.atleast_1d(np.asarray(value, np.float64))
-    if array.ndim != 1 or len(array) not in (1, channels) or np.isnan(array).any():
+    array = np.atleast_1d(_arrays.read(value, "clear"))
+    if array.dtype.kind not in "fiu" or array.ndim != 1 or len(array) not in (1, channels) or np.isnan(array).any():
         raise ValueError(f"clear: {name} must be one number or {channels}, not {_arrays.text(value)}")
-    numbers = array.tolist() * (channels if len(array) == 1 else 1)
+    numbers = array.astype(np.float64).tolist() * (channels if len(array) == 1 else 1)
     is_integer = form == "r32_uint"
     if is_integer and not (0 <= numbers[0] < 2**32 and numbers[0] == int(numbers[0])):
         raise ValueError(f"clear: {name} must be a whole number of 0 to 4294967295, not {_arrays.text(value)}")

@@ -15,11 +15,8 @@ bool python_camera_read(PyObject *tuple, struct scene_camera *c)
 {
     int orthographic;
     *c = (struct scene_camera){0};
-    if (!PyTuple_Check(tuple)) {
-        PyErr_SetString(PyExc_TypeError, "camera: must be a tuple of numbers");
-        return false;
-    }
-    if (!PyArg_ParseTuple(tuple, "(ddd)(ddd)(ddd)pddddd(dd):camera", &c->eye[0], &c->eye[1], &c->eye[2],
+    if (!python_is_tuple(tuple, "camera") ||
+        !PyArg_ParseTuple(tuple, "(ddd)(ddd)(ddd)pddddd(dd):camera", &c->eye[0], &c->eye[1], &c->eye[2],
                           &c->target[0], &c->target[1], &c->target[2], &c->up[0], &c->up[1], &c->up[2],
                           &orthographic, &c->yfov, &c->ymag, &c->znear, &c->zfar, &c->stretch, &c->shift[0],
                           &c->shift[1])) {
@@ -50,13 +47,14 @@ static PyObject *camera_fit(PyObject *module, PyObject *arguments)
         return NULL;
     }
     const struct scene_model *model = python_model_get(object);
-    if (!model) {
+    if (!model || (up >= 0 && !python_is_choice(up, SCENE_AXIS_Y, SCENE_AXIS_MINUS_X, "up"))) {
         return NULL;
     }
     const enum scene_axis axis = up < 0 ? model->up : (enum scene_axis)up;
     if (angles == Py_None) {
         framing.orbit = scene_camera_default_orbit(model, axis);
-    } else if (!PyArg_ParseTuple(angles, "dd:orbit", &framing.orbit.azimuth, &framing.orbit.elevation)) {
+    } else if (!python_is_tuple(angles, "orbit") ||
+               !PyArg_ParseTuple(angles, "dd:orbit", &framing.orbit.azimuth, &framing.orbit.elevation)) {
         return NULL;
     }
     framing.orbit.up = axis;
@@ -171,6 +169,36 @@ static PyObject *lens_angle(PyObject *module, PyObject *arguments)
     return PyFloat_FromDouble(2.0 * scene_atan(height / (2.0 * fy)));
 }
 
+// (degrees): sine and cosine, the same on every machine too
+static PyObject *sin_cos_degrees(PyObject *module, PyObject *argument)
+{
+    (void)module;
+    const double degrees = PyFloat_AsDouble(argument);
+    if (degrees == -1.0 && PyErr_Occurred()) {
+        return NULL;
+    }
+    double sine, cosine;
+    scene_sin_cos_degrees(degrees, &sine, &cosine);
+    return Py_BuildValue("(dd)", sine, cosine);
+}
+
+// (up, (x, y, z)): a direction of a world with y up, as it is where another axis is up
+static PyObject *axis_turn(PyObject *module, PyObject *arguments)
+{
+    (void)module;
+    int up;
+    double v[3];
+    if (!PyArg_ParseTuple(arguments, "i(ddd):axis_turn", &up, &v[0], &v[1], &v[2])) {
+        return NULL;
+    }
+    if (up < SCENE_AXIS_Y || up > SCENE_AXIS_MINUS_X) {
+        PyErr_SetString(PyExc_ValueError, "up: there is no such axis");
+        return NULL;
+    }
+    scene_axis_turn((enum scene_axis)up, v);
+    return Py_BuildValue("(ddd)", v[0], v[1], v[2]);
+}
+
 PyMethodDef python_camera_functions[] = {{"camera_fit", camera_fit, METH_VARARGS, NULL},
                                          {"camera_of_file", camera_of_file, METH_VARARGS, NULL},
                                          {"camera_look", camera_look, METH_VARARGS, NULL},
@@ -178,4 +206,6 @@ PyMethodDef python_camera_functions[] = {{"camera_fit", camera_fit, METH_VARARGS
                                          {"camera_is_believable", camera_is_believable, METH_VARARGS, NULL},
                                          {"camera_matrices", camera_matrices, METH_VARARGS, NULL},
                                          {"lens_angle", lens_angle, METH_VARARGS, NULL},
+                                         {"sin_cos_degrees", sin_cos_degrees, METH_O, NULL},
+                                         {"axis_turn", axis_turn, METH_VARARGS, NULL},
                                          {0}};

@@ -140,21 +140,51 @@ static int find_isa(const char *name)
     return -1;
 }
 
+static bool read_threads(PyObject *given, int *threads)
+{
+    PyObject *whole = PyNumber_Index(given);
+    if (!whole) {
+        PyErr_Clear();
+        PyErr_SetString(PyExc_TypeError, "threads: must be a whole number");
+        return false;
+    }
+    int overflow;
+    const long number = PyLong_AsLongAndOverflow(whole, &overflow);
+    const bool fits = !overflow && number >= 0 && number <= RHW_MAX_THREADS;
+    if (fits) {
+        *threads = (int)number;
+    } else {
+        PyErr_Format(PyExc_ValueError, "threads: must lie between 0 and %d, not %S", RHW_MAX_THREADS, whole);
+    }
+    Py_DECREF(whole);
+    return fits;
+}
+
+static bool read_isa(PyObject *given, int *isa)
+{
+    PyObject *bytes = PyUnicode_Check(given) ? PyUnicode_AsUTF8String(given) : NULL;
+    const char *const name = bytes ? PyBytes_AsString(bytes) : NULL;
+    *isa = name ? find_isa(name) : -1;
+    const bool there = *isa >= 0 && rhw_isa_supported((enum rhw_isa) * isa);
+    if (!there) {
+        PyErr_Clear(); // of a text that is none in UTF-8
+        PyErr_Format(name ? PyExc_ValueError : PyExc_TypeError,
+                     name ? "isa: this computer or this build has no %.99s"
+                          : "isa: must be a str, of those that Context names",
+                     name);
+    }
+    Py_XDECREF(bytes);
+    return there;
+}
+
 static PyObject *context_make(PyTypeObject *type, PyObject *arguments, PyObject *keywords)
 {
     static char *names[] = {"threads", "isa", NULL};
+    PyObject *threads_given = NULL, *isa_given = NULL;
     int threads = 0, isa = RHW_ISA_COUNT;
-    const char *isa_name = NULL;
-    if (!PyArg_ParseTupleAndKeywords(arguments, keywords, "|iz:Context", names, &threads, &isa_name)) {
-        return NULL;
-    }
-    if (threads < 0 || threads > RHW_MAX_THREADS) {
-        PyErr_Format(PyExc_ValueError, "threads: must lie between 0 and %d, not %d", RHW_MAX_THREADS,
-                     threads);
-        return NULL;
-    }
-    if (isa_name && ((isa = find_isa(isa_name)) < 0 || !rhw_isa_supported((enum rhw_isa)isa))) {
-        PyErr_Format(PyExc_ValueError, "isa: this computer or this build has no %s", isa_name);
+    if (!PyArg_ParseTupleAndKeywords(arguments, keywords, "|OO:Context", names, &threads_given, &isa_given) ||
+        (threads_given && !read_threads(threads_given, &threads)) ||
+        (isa_given && isa_given != Py_None && !read_isa(isa_given, &isa))) {
         return NULL;
     }
     const allocfunc allocate = (allocfunc)(uintptr_t)PyType_GetSlot(type, Py_tp_alloc);

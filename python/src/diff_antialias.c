@@ -7,7 +7,6 @@
 // cuts the way at a part d of it, counted from the pixel that sees the triangle: the pixels are weighed as if each ended
 // there instead of half way. One of the two is changed: with d above 1/2 the other gets d − 1/2 of the triangle's colour,
 // else the triangle's pixel gets 1/2 − d of the other's.
-#include "diff_jobs.h"
 #include "diff_mesh.h"
 
 #include <math.h>
@@ -16,16 +15,19 @@
 
 struct work {
     struct diff_mesh mesh;
-    float *colors, *rast,
-        *positions; // [images][height][width][channels], ...[4]; positions as diff_rasterize.c has them
-    size_t channels, position_stride;
+    const float *colors, *rast; // [images][height][width][channels], ...[4]
+    const float *positions;     // as diff_rasterize.c has them
+    size_t channels, position_stride, position_floats;
     const uint32_t *
         opposite; // [triangles][3]: of edge k, which lies across from corner k, the vertex beyond; UINT32_MAX
-    float *result; // as colors; backwards the gradient of the result
+    float *result;          // as colors
+    const float *to_result; // backwards the gradient of the result; else NULL
     float *color_gradient, *position_gradient;
     float (*share)
         [2]; // by pixels of all images: of the pairs with the pixel to the right and that in the row above
-    double *sums; // [images][vertices][3]: gradients of x, y and w
+    double *sums; // [images][sum_pitch], of it [vertices][3]: gradients of x, y and w
+    size_t sum_pitch;
+    size_t first_row; // of each image, that a job begins with
 };
 
 // A triangle that ends between two pixels. `share` above 0: that much of the triangle's colour goes to the other pixel; below
@@ -174,40 +176,28 @@ static int find_pairs(const struct work *work, size_t place, size_t other[4], fl
     return count;
 }
 
+// Colours forwards. Backwards, where the shares are those of the transposed matrix: what a pixel took from another it owes
+// to that, and what it gave away it does not have.
 static void blend_row(void *data, size_t row)
 {
     const struct work *work = data;
+    const bool backwards = work->to_result != NULL;
+    const float *const from = backwards ? work->to_result : work->colors;
+    float *const to = backwards ? work->color_gradient : work->result;
     for (size_t x = 0; x < work->mesh.width; x++) {
         const size_t place = row * work->mesh.width + x;
-        const float *const color = work->colors + place * work->channels;
-        float *const result = work->result + place * work->channels;
+        const float *const own = from + place * work->channels;
+        float *const result = to + place * work->channels;
         size_t other[4];
         float taken[4];
         const int pairs = find_pairs(work, place, other, taken);
-        memcpy(result, color, work->channels * sizeof *result);
+        memcpy(result, own, work->channels * sizeof *result);
         for (int i = 0; i < pairs; i++) {
-            for (size_t c = 0; taken[i] > 0 && c < work->channels; c++) {
-                result[c] += taken[i] * (work->colors[other[i] * work->channels + c] - color[c]);
-            }
-        }
-    }
-}
-
-static void blend_row_back(void *data, size_t row)
-{
-    const struct work *work = data;
-    for (size_t x = 0; x < work->mesh.width; x++) {
-        const size_t place = row * work->mesh.width + x;
-        const float *const gradient = work->result + place * work->channels;
-        float *const result = work->color_gradient + place * work->channels;
-        size_t other[4];
-        float taken[4];
-        const int pairs = find_pairs(work, place, other, taken);
-        memcpy(result, gradient, work->channels * sizeof *result);
-        for (int i = 0; i < pairs; i++) {
-            const float *const theirs = work->result + other[i] * work->channels;
+            const float *const theirs = from + other[i] * work->channels;
+            const float less = taken[i] > 0 ? taken[i] : 0, signed_more = backwards ? -taken[i] : taken[i];
+            const float more = signed_more > 0 ? signed_more : 0;
             for (size_t c = 0; c < work->channels; c++) {
-                result[c] -= taken[i] * (taken[i] > 0 ? gradient[c] : theirs[c]);
+                result[c] += more * theirs[c] - less * own[c];
             }
         }
     }
@@ -220,7 +210,7 @@ static void move_ends(const struct work *work, size_t image, const struct ending
     const double half[2] = {0.5 * (double)work->mesh.width, 0.5 * (double)work->mesh.height};
     for (int i = 0; i < 2; i++) {
         const float *const p = work->positions + image * work->position_stride + 4 * ending->end[i];
-        double *const sum = work->sums + 3 * (image * work->mesh.vertices + ending->end[i]);
+        double *const sum = work->sums + image * work->sum_pitch + 3 * ending->end[i];
         const double w = p[3], weight = gradient * (i ? ending->part : 1 - ending->part);
         double on_screen[2];
         on_screen[ending->axis] = ending->sign * weight;
@@ -232,12 +222,22 @@ static void move_ends(const struct work *work, size_t image, const struct ending
     }
 }
 
-// Silhouettes are few pixels, so one thread has all of an image.
+enum { PIXELS_OF_JOB = 1 << 18 };
+
+static size_t rows_of_job(const struct diff_mesh *mesh)
+{
+    return PIXELS_OF_JOB / mesh->width; // not 0: widths end at 2^14
+}
+
+// Silhouettes are few pixels, so one thread has all of an image's rows that are at hand.
 static void move_image(void *data, size_t image)
 {
     const struct work *work = data;
-    const size_t pixels = diff_mesh_pixels(&work->mesh);
-    for (size_t place = image * pixels; place < (image + 1) * pixels; place++) {
+    const struct diff_mesh *const mesh = &work->mesh;
+    const size_t end_row = work->first_row + rows_of_job(mesh);
+    const size_t first = image * diff_mesh_pixels(mesh);
+    const size_t end = first + (end_row < mesh->height ? end_row : mesh->height) * mesh->width;
+    for (size_t place = first + work->first_row * mesh->width; place < end; place++) {
         for (int axis = 0; axis < 2; axis++) {
             struct ending ending;
             if (!find_ending(work, place, axis, &ending) || !ending.is_free) { // a share of 0 moves too
@@ -246,7 +246,7 @@ static void move_image(void *data, size_t image)
             const size_t target = ending.share > 0 ? ending.other : ending.near;
             double gradient = 0;
             for (size_t c = 0; c < work->channels; c++) {
-                gradient += (double)work->result[target * work->channels + c] *
+                gradient += (double)work->to_result[target * work->channels + c] *
                             (work->colors[ending.near * work->channels + c] -
                              work->colors[ending.other * work->channels + c]);
             }
@@ -261,9 +261,9 @@ static void add_images(const struct work *work)
     const size_t copies = work->position_stride ? work->mesh.images : 1, images = work->mesh.images / copies;
     for (size_t i = 0; i < copies * vertices; i++) {
         double sum[3] = {0};
-        for (size_t image = 0; image < images; image++) {
+        for (size_t image = i / vertices; image < i / vertices + images; image++) {
             for (size_t c = 0; c < 3; c++) {
-                sum[c] += work->sums[3 * (image * vertices + i) + c];
+                sum[c] += work->sums[image * work->sum_pitch + 3 * (i % vertices) + c];
             }
         }
         float *const result = work->position_gradient + 4 * i;
@@ -274,19 +274,22 @@ static void add_images(const struct work *work)
     }
 }
 
-static bool run(struct work *work, bool backwards)
+static bool run(struct work *work)
 {
-    const struct diff_mesh *const mesh = &work->mesh;
+    struct diff_mesh *const mesh = &work->mesh;
+    const bool backwards = work->to_result != NULL;
     const size_t rows = mesh->images * mesh->height;
     work->share = malloc(mesh->images * diff_mesh_pixels(mesh) * sizeof *work->share);
-    work->sums = backwards ? calloc(mesh->images * mesh->vertices, 3 * sizeof *work->sums) : NULL;
+    work->sums = backwards ? diff_sums(mesh->images, 3 * mesh->vertices, &work->sum_pitch) : NULL;
     const bool good = work->share && (work->sums || !backwards);
     if (good) {
-        diff_jobs_run(mesh->threads, rows, find_shares, work);
-        diff_jobs_run(mesh->threads, rows, backwards ? blend_row_back : blend_row, work);
+        diff_jobs_run(&mesh->crew, rows, find_shares, work);
+        diff_jobs_run(&mesh->crew, rows, blend_row, work);
     }
     if (good && backwards) {
-        diff_jobs_run(mesh->threads, mesh->images, move_image, work);
+        for (; work->first_row < mesh->height; work->first_row += rows_of_job(mesh)) {
+            diff_jobs_run(&mesh->crew, mesh->images, move_image, work);
+        }
         add_images(work);
     }
     free(work->share);
@@ -295,7 +298,7 @@ static bool run(struct work *work, bool backwards)
 }
 
 // (mesh, colours, channels, rast, positions, whether all images have the same, opposite vertices, result)
-static bool read_work(PyObject *arguments, struct work *work)
+static bool read_work(PyObject *arguments, struct work *work, bool backwards)
 {
     PyObject *mesh, *colors, *rast, *positions, *opposite, *result;
     Py_ssize_t channels;
@@ -311,32 +314,30 @@ static bool read_work(PyObject *arguments, struct work *work)
         return false;
     }
     const size_t pixels = work->mesh.images * diff_mesh_pixels(&work->mesh), floats = 4 * work->mesh.vertices;
+    const size_t values = diff_times(pixels, (size_t)channels);
     work->opposite = array.data;
     work->channels = (size_t)channels;
     work->position_stride = shared ? 0 : floats;
-    return diff_floats(colors, "color", pixels * work->channels, &work->colors) &&
+    work->position_floats = shared ? floats : diff_times(work->mesh.images, floats);
+    return diff_floats(colors, "color", values, &work->colors) &&
            diff_floats(rast, "rast", 4 * pixels, &work->rast) &&
-           diff_floats(positions, "pos", shared ? floats : work->mesh.images * floats, &work->positions) &&
-           diff_floats(result, "result", pixels * work->channels, &work->result);
+           diff_floats(positions, "pos", work->position_floats, &work->positions) &&
+           (backwards ? diff_floats(result, "to_result", values, &work->to_result)
+                      : diff_result(result, "result", values, &work->result));
 }
 
-static PyObject *run_free(struct work *work, bool backwards)
+static PyObject *run_free(struct work *work)
 {
-    bool good;
-    Py_BEGIN_ALLOW_THREADS good = run(work, backwards);
-    Py_END_ALLOW_THREADS if (!good)
-    {
-        return PyErr_NoMemory();
-    }
-    Py_INCREF(Py_None);
-    return Py_None;
+    diff_crew_begin(&work->mesh.crew);
+    const bool good = run(work);
+    return diff_crew_end(&work->mesh.crew, good);
 }
 
 static PyObject *antialias(PyObject *module, PyObject *arguments)
 {
     (void)module;
     struct work work = {0};
-    return read_work(arguments, &work) ? run_free(&work, false) : NULL;
+    return read_work(arguments, &work, false) ? run_free(&work) : NULL;
 }
 
 // (the arguments of diff_antialias, with the gradient of the result, gradients of colours, of positions)
@@ -347,16 +348,15 @@ static PyObject *antialias_grad(PyObject *module, PyObject *arguments)
     struct work work = {0};
     if (!PyArg_ParseTuple(arguments, "O!OO:diff_antialias_grad", &PyTuple_Type, &forward, &colors,
                           &positions) ||
-        !read_work(forward, &work)) {
+        !read_work(forward, &work, true)) {
         return NULL;
     }
-    const size_t pixels = work.mesh.images * diff_mesh_pixels(&work.mesh), floats = 4 * work.mesh.vertices;
-    if (!diff_floats(colors, "result", pixels * work.channels, &work.color_gradient) ||
-        !diff_floats(positions, "result", work.position_stride ? work.mesh.images * floats : floats,
-                     &work.position_gradient)) {
+    const size_t pixels = work.mesh.images * diff_mesh_pixels(&work.mesh);
+    if (!diff_result(colors, "result", diff_times(pixels, work.channels), &work.color_gradient) ||
+        !diff_result(positions, "result", work.position_floats, &work.position_gradient)) {
         return NULL;
     }
-    return run_free(&work, true);
+    return run_free(&work);
 }
 
 PyMethodDef python_diff_antialias_functions[] = {{"diff_antialias", antialias, METH_VARARGS, NULL},

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
 // Attributes of vertices at pixels, A = u A0 + v A1 + (1 − u − v) A2, with slopes by the chain rule, and both backwards.
-#include "diff_jobs.h"
 #include "diff_mesh.h"
 
 #include <stdlib.h>
@@ -8,12 +7,14 @@
 
 struct work {
     struct diff_mesh mesh;
-    float *attributes;       // [images or 1][vertices][channels]
+    const float *attributes; // [images or 1][vertices][channels]
     size_t attribute_stride; // floats from image to image; 0: all have the same
+    size_t attribute_floats; // in all
     size_t channels, slope_channels;
-    const uint32_t *selected; // channels whose slopes are wanted
-    float *rast, *rast_db;    // rast_db: NULL without slopes
-    float *values, *slopes;   // [pixel][channels], [pixel][slope_channels][2]; backwards their gradients
+    const uint32_t *selected;           // channels whose slopes are wanted
+    const float *rast, *rast_db;        // rast_db: NULL without slopes
+    float *values, *slopes;             // [pixel][channels], [pixel][slope_channels][2]
+    const float *to_values, *to_slopes; // backwards their gradients
     float *attribute_gradient, *rast_gradient, *rast_db_gradient;
     struct diff_corners corners;
     struct diff_pixels pixels;
@@ -60,8 +61,8 @@ static void interpolate_pixel(const struct work *work, size_t image, size_t plac
 
 static void give_pixel(const struct work *work, size_t image, size_t place)
 {
-    const float *const values = work->values + place * work->channels;
-    const float *const slopes = work->slopes + 2 * place * work->slope_channels;
+    const float *const values = work->to_values + place * work->channels;
+    const float *const slopes = work->to_slopes + 2 * place * work->slope_channels;
     double to_uv[2] = {0}, to_db[4] = {0};
     size_t triangle;
     const float *corner[3];
@@ -108,12 +109,12 @@ static void collect_pixel(const struct work *work, size_t place, size_t k, doubl
 {
     const float *const rast = work->rast + 4 * place, *const db = slope_weights(work, place);
     const float weights[3] = {rast[0], rast[1], 1.0f - rast[0] - rast[1]};
-    const float *const values = work->values + place * work->channels;
+    const float *const values = work->to_values + place * work->channels;
     for (size_t c = 0; c < work->channels; c++) {
         sum[c] += (double)weights[k] * values[c];
     }
     for (size_t i = 0; i < work->slope_channels; i++) {
-        const float *const slope = work->slopes + 2 * (place * work->slope_channels + i);
+        const float *const slope = work->to_slopes + 2 * (place * work->slope_channels + i);
         const float dx = k == 2 ? -db[0] - db[2] : db[2 * k], dy = k == 2 ? -db[1] - db[3] : db[2 * k + 1];
         sum[work->selected[i]] += (double)dx * slope[0] + (double)dy * slope[1];
     }
@@ -161,13 +162,13 @@ static void collect_vertices(void *data, size_t job)
 
 static bool run_backwards(struct work *work)
 {
-    const struct diff_mesh *const mesh = &work->mesh;
-    diff_jobs_run(mesh->threads, mesh->images * mesh->height, give_row, work);
+    struct diff_mesh *const mesh = &work->mesh;
+    diff_jobs_run(&mesh->crew, mesh->images * mesh->height, give_row, work);
     const bool good =
         diff_corners_make(mesh, &work->corners) && diff_pixels_make(mesh, work->rast, &work->pixels);
     if (good) {
         const size_t copies = work->attribute_stride ? mesh->images : 1;
-        diff_jobs_run(mesh->threads, copies * jobs_of_image(work), collect_vertices, work);
+        diff_jobs_run(&mesh->crew, copies * jobs_of_image(work), collect_vertices, work);
     }
     diff_corners_free(&work->corners);
     diff_pixels_free(&work->pixels);
@@ -175,7 +176,7 @@ static bool run_backwards(struct work *work)
 }
 
 // (mesh, attributes, channels, whether all images have the same, rast, rast_db or None, selected channels, values, slopes)
-static bool read_work(PyObject *tuple, struct work *work)
+static bool read_work(PyObject *tuple, struct work *work, bool backwards)
 {
     PyObject *mesh, *attributes, *rast, *rast_db, *selected, *values, *slopes;
     Py_ssize_t channels;
@@ -199,27 +200,31 @@ static bool read_work(PyObject *tuple, struct work *work)
     work->channels = (size_t)channels;
     work->slope_channels = (size_t)choice.count;
     const size_t pixels = work->mesh.images * diff_mesh_pixels(&work->mesh);
-    const size_t floats = work->mesh.vertices * work->channels;
+    const size_t floats = diff_times(work->mesh.vertices, work->channels);
+    const size_t all_values = diff_times(pixels, work->channels);
+    const size_t all_slopes = diff_times(2 * pixels, work->slope_channels);
     work->attribute_stride = shared ? 0 : floats;
-    return diff_floats(attributes, "attr", shared ? floats : work->mesh.images * floats, &work->attributes) &&
+    work->attribute_floats = shared ? floats : diff_times(work->mesh.images, floats);
+    return diff_floats(attributes, "attr", work->attribute_floats, &work->attributes) &&
            diff_floats(rast, "rast", 4 * pixels, &work->rast) &&
            (work->slope_channels ? diff_floats : diff_floats_optional)(rast_db, "rast_db", 4 * pixels,
                                                                        &work->rast_db) &&
-           diff_floats(values, "values", pixels * work->channels, &work->values) &&
-           diff_floats(slopes, "slopes", 2 * pixels * work->slope_channels, &work->slopes);
+           (backwards ? diff_floats(values, "to_values", all_values, &work->to_values) &&
+                            diff_floats(slopes, "to_slopes", all_slopes, &work->to_slopes)
+                      : diff_result(values, "values", all_values, &work->values) &&
+                            diff_result(slopes, "slopes", all_slopes, &work->slopes));
 }
 
 static PyObject *interpolate(PyObject *module, PyObject *arguments)
 {
     (void)module;
     struct work work = {0};
-    if (!read_work(arguments, &work)) {
+    if (!read_work(arguments, &work, false)) {
         return NULL;
     }
-    Py_BEGIN_ALLOW_THREADS diff_jobs_run(work.mesh.threads, work.mesh.images * work.mesh.height,
-                                         interpolate_row, &work);
-    Py_END_ALLOW_THREADS Py_INCREF(Py_None);
-    return Py_None;
+    diff_crew_begin(&work.mesh.crew);
+    diff_jobs_run(&work.mesh.crew, work.mesh.images * work.mesh.height, interpolate_row, &work);
+    return diff_crew_end(&work.mesh.crew, true);
 }
 
 // (the arguments of diff_interpolate, with gradients of values and slopes, gradients of attributes, of rast, of rast_db or
@@ -231,25 +236,18 @@ static PyObject *interpolate_grad(PyObject *module, PyObject *arguments)
     struct work work = {0};
     if (!PyArg_ParseTuple(arguments, "O!OOO:diff_interpolate_grad", &PyTuple_Type, &forward, &attributes,
                           &rast, &rast_db) ||
-        !read_work(forward, &work)) {
+        !read_work(forward, &work, true)) {
         return NULL;
     }
     const size_t pixels = work.mesh.images * diff_mesh_pixels(&work.mesh);
-    const size_t floats = work.mesh.vertices * work.channels;
-    if (!diff_floats(attributes, "result", work.attribute_stride ? work.mesh.images * floats : floats,
-                     &work.attribute_gradient) ||
-        !diff_floats(rast, "result", 4 * pixels, &work.rast_gradient) ||
-        !diff_floats_optional(rast_db, "result", 4 * pixels, &work.rast_db_gradient)) {
+    if (!diff_result(attributes, "result", work.attribute_floats, &work.attribute_gradient) ||
+        !diff_result(rast, "result", 4 * pixels, &work.rast_gradient) ||
+        !diff_result_optional(rast_db, "result", 4 * pixels, &work.rast_db_gradient)) {
         return NULL;
     }
-    bool good;
-    Py_BEGIN_ALLOW_THREADS good = run_backwards(&work);
-    Py_END_ALLOW_THREADS if (!good)
-    {
-        return PyErr_NoMemory();
-    }
-    Py_INCREF(Py_None);
-    return Py_None;
+    diff_crew_begin(&work.mesh.crew);
+    const bool good = run_backwards(&work);
+    return diff_crew_end(&work.mesh.crew, good);
 }
 
 PyMethodDef python_diff_interpolate_functions[] = {

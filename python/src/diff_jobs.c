@@ -3,37 +3,108 @@
 
 #include <pthread.h>
 #include <stdatomic.h>
+#include <stdlib.h>
+#include <string.h>
+#include <time.h>
 
-enum { MAX_THREADS = 64 }; // as rhw_context_def.threads
+enum { CACHE_LINE = 64 };
+
+static const uint64_t look_ns =
+    50000000; // between two looks for signals, for which another Python thread has to stop
 
 struct jobs {
-    atomic_size_t next; // the only thing that threads share; what they write is the functions'
-    size_t count;
+    // Written by every thread that takes a job; alone on its cache line, beside what all of them read.
+    _Alignas(CACHE_LINE) atomic_size_t next;
+    _Alignas(CACHE_LINE) size_t count;
     void (*function)(void *data, size_t job);
     void *data;
 };
 
-static void *work(void *argument)
+static uint64_t now_ns(void)
+{
+    struct timespec now;
+    clock_gettime(CLOCK_MONOTONIC, &now);
+    return (uint64_t)now.tv_sec * 1000000000u + (uint64_t)now.tv_nsec;
+}
+
+void diff_crew_begin(struct diff_crew *crew)
+{
+    crew->looked_ns = now_ns();
+    crew->gave_up = false;
+    crew->python.state = PyEval_SaveThread();
+}
+
+PyObject *diff_crew_end(struct diff_crew *crew, bool good)
+{
+    PyEval_RestoreThread(crew->python.state);
+    if (crew->gave_up) {
+        return NULL;
+    }
+    if (!good) {
+        return PyErr_NoMemory();
+    }
+    Py_INCREF(Py_None);
+    return Py_None;
+}
+
+bool diff_crew_goes_on(struct diff_crew *crew)
+{
+    if (!crew->gave_up && now_ns() - crew->looked_ns >= look_ns) {
+        crew->gave_up = !python_work_goes_on(&crew->python);
+        crew->looked_ns = now_ns();
+    }
+    return !crew->gave_up;
+}
+
+static bool take(struct jobs *jobs)
+{
+    const size_t job = atomic_fetch_add(&jobs->next, 1);
+    if (job < jobs->count) {
+        jobs->function(jobs->data, job);
+    }
+    return job < jobs->count;
+}
+
+static void *help(void *argument)
 {
     struct jobs *jobs = argument;
-    size_t job;
-    while ((job = atomic_fetch_add(&jobs->next, 1)) < jobs->count) {
-        jobs->function(jobs->data, job);
+    while (take(jobs)) {
     }
     return NULL;
 }
 
-void diff_jobs_run(int threads, size_t count, void (*function)(void *data, size_t job), void *data)
+void diff_jobs_run(struct diff_crew *crew, size_t count, void (*function)(void *data, size_t job), void *data)
 {
+    if (crew->gave_up) {
+        return;
+    }
     struct jobs jobs = {.count = count, .function = function, .data = data};
-    pthread_t others[MAX_THREADS];
+    pthread_t others[RHW_MAX_THREADS];
     int started = 0;
-    while (started + 1 < threads && started + 1 < MAX_THREADS && (size_t)started + 1 < count &&
-           pthread_create(&others[started], NULL, work, &jobs) == 0) {
+    while (started + 1 < crew->threads && started + 1 < RHW_MAX_THREADS && (size_t)started + 1 < count &&
+           pthread_create(&others[started], NULL, help, &jobs) == 0) {
         started++;
     }
-    work(&jobs);
+    while (take(&jobs)) {
+        if (!diff_crew_goes_on(crew)) {
+            atomic_store(&jobs.next, count); // the others finish what they have
+        }
+    }
     for (int i = 0; i < started; i++) {
         pthread_join(others[i], NULL);
     }
+}
+
+double *diff_sums(size_t rows, size_t columns, size_t *pitch)
+{
+    const size_t of_line = CACHE_LINE / sizeof(double), most = PY_SSIZE_T_MAX / sizeof(double);
+    *pitch = (columns + of_line - 1) / of_line * of_line;
+    if (*pitch == 0 || rows == 0 || *pitch > most / rows) {
+        return NULL;
+    }
+    double *const sums = aligned_alloc(CACHE_LINE, rows * *pitch * sizeof *sums);
+    if (sums) {
+        memset(sums, 0, rows * *pitch * sizeof *sums);
+    }
+    return sums;
 }

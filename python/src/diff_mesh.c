@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "diff_mesh.h"
 
-#include "diff_jobs.h"
-
 #include <stdlib.h>
 
 // Below 2^31 pixels in all, of at most 2^14 by 2^14 each, so that numbers of pixels fit 32 bits, and of floats size_t.
@@ -25,8 +23,9 @@ bool diff_mesh_read(PyObject *tuple, struct diff_mesh *mesh)
     PyObject *object;
     Py_ssize_t vertices, images, height, width;
     struct python_array corners;
-    if (!PyArg_ParseTuple(tuple, "Onnnni:mesh", &object, &vertices, &images, &height, &width,
-                          &mesh->threads) ||
+    if (!python_is_tuple(tuple, "mesh") ||
+        !PyArg_ParseTuple(tuple, "Onnnni:mesh", &object, &vertices, &images, &height, &width,
+                          &mesh->crew.threads) ||
         !python_array_read(object, "tri", "<u4", &corners)) {
         return false;
     }
@@ -126,7 +125,7 @@ static void sort_image(void *data, size_t image)
     }
 }
 
-bool diff_pixels_make(const struct diff_mesh *mesh, const float *rast, struct diff_pixels *pixels)
+bool diff_pixels_make(struct diff_mesh *mesh, const float *rast, struct diff_pixels *pixels)
 {
     pixels->first = calloc(mesh->images * (mesh->triangles + 2), sizeof *pixels->first);
     pixels->pixel = malloc(mesh->images * diff_mesh_pixels(mesh) * sizeof *pixels->pixel);
@@ -134,7 +133,7 @@ bool diff_pixels_make(const struct diff_mesh *mesh, const float *rast, struct di
                               malloc(mesh->images * diff_mesh_pixels(mesh) * sizeof *sorting.triangle)};
     const bool good = pixels->first && pixels->pixel && sorting.triangle;
     if (good) {
-        diff_jobs_run(mesh->threads, mesh->images, sort_image, &sorting);
+        diff_jobs_run(&mesh->crew, mesh->images, sort_image, &sorting);
     } else {
         diff_pixels_free(pixels);
     }
@@ -149,22 +148,53 @@ void diff_pixels_free(struct diff_pixels *pixels)
     *pixels = (struct diff_pixels){0};
 }
 
-bool diff_floats(PyObject *object, const char *name, size_t count, float **values)
+size_t diff_times(size_t a, size_t b)
 {
-    struct python_array array;
-    if (!python_array_read(object, name, "<f4", &array)) {
+    return b != 0 && a > SIZE_MAX / b ? SIZE_MAX : a * b;
+}
+
+static bool read_floats(PyObject *object, const char *name, size_t count, struct python_array *array)
+{
+    if (!python_array_read(object, name, "<f4", array)) {
         return false;
     }
-    if ((size_t)array.count != count) {
-        PyErr_Format(PyExc_ValueError, "%s: must have %zu numbers, not %zd", name, count, array.count);
+    if ((size_t)array->count != count) {
+        PyErr_Format(PyExc_ValueError, "%s: must have %zu numbers, not %zd", name, count, array->count);
+        return false;
+    }
+    return true;
+}
+
+bool diff_floats(PyObject *object, const char *name, size_t count, const float **values)
+{
+    struct python_array array;
+    const bool read = read_floats(object, name, count, &array);
+    *values = read ? array.data : NULL;
+    return read;
+}
+
+bool diff_floats_optional(PyObject *object, const char *name, size_t count, const float **values)
+{
+    *values = NULL;
+    return object == Py_None || diff_floats(object, name, count, values);
+}
+
+bool diff_result(PyObject *object, const char *name, size_t count, float **values)
+{
+    struct python_array array;
+    if (!read_floats(object, name, count, &array)) {
+        return false;
+    }
+    if (array.is_read_only) {
+        PyErr_Format(PyExc_ValueError, "%s: must not be read-only", name);
         return false;
     }
     *values = array.data;
     return true;
 }
 
-bool diff_floats_optional(PyObject *object, const char *name, size_t count, float **values)
+bool diff_result_optional(PyObject *object, const char *name, size_t count, float **values)
 {
     *values = NULL;
-    return object == Py_None || diff_floats(object, name, count, values);
+    return object == Py_None || diff_result(object, name, count, values);
 }

@@ -5,6 +5,7 @@
 #ifndef PYTHON_DIFF_MESH_H
 #define PYTHON_DIFF_MESH_H
 
+#include "diff_jobs.h"
 #include "memory_object.h"
 
 /// Sizes that are at least 1 (but for `triangles`), and whose products were found to fit by diff_mesh_read.
@@ -12,7 +13,7 @@ struct diff_mesh {
     const uint32_t *corners; ///< [triangles][3], each below `vertices`
     size_t triangles, vertices;
     size_t images, height, width;
-    int threads;
+    struct diff_crew crew;
 };
 
 /// Corners by vertex: corner 3 · triangle + k of all triangles, those of vertex v at first[v] .. first[v + 1] − 1, ascending.
@@ -36,11 +37,16 @@ bool diff_mesh_triangle(const struct diff_mesh *mesh, float id, size_t *triangle
 bool diff_corners_make(const struct diff_mesh *mesh, struct diff_corners *corners);
 void diff_corners_free(struct diff_corners *corners);
 /// `rast`: [images][height][width][4]. The same.
-bool diff_pixels_make(const struct diff_mesh *mesh, const float *rast, struct diff_pixels *pixels);
+bool diff_pixels_make(struct diff_mesh *mesh, const float *rast, struct diff_pixels *pixels);
 void diff_pixels_free(struct diff_pixels *pixels);
 
+/// The product; SIZE_MAX, which no array has, where it does not fit.
+size_t diff_times(size_t a, size_t b);
 /// Reads an array of so many floats; one that is optional may be None, which gives NULL. False with an exception.
-bool diff_floats(PyObject *object, const char *name, size_t count, float **values);
-bool diff_floats_optional(PyObject *object, const char *name, size_t count, float **values);
+bool diff_floats(PyObject *object, const char *name, size_t count, const float **values);
+bool diff_floats_optional(PyObject *object, const char *name, size_t count, const float **values);
+/// The same of one that is written to.
+bool diff_result(PyObject *object, const char *name, size_t count, float **values);
+bool diff_result_optional(PyObject *object, const char *name, size_t count, float **values);
 
 #endif

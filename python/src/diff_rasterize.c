@@ -8,11 +8,12 @@
 
 struct work {
     struct diff_mesh mesh;
-    float *positions;       // [images or 1][vertices][4]
+    const float *positions; // [images or 1][vertices][4]
     size_t position_stride; // floats from image to image; 0: all have the same
     const uint32_t *ranges; // [images][2]: first triangle and count; NULL: all of them
     float *values, *slopes; // [images][height][width][4]
-    float *before, *depths; // [images][height][width]; NULL: nothing is peeled; not asked for
+    const float *before;    // [images][height][width]: depths of the layer before; NULL: nothing is peeled
+    float *depths;          // the same of this layer; NULL: not asked for
 };
 
 // What a call makes in the context; null ids are ones that were not made.
@@ -156,11 +157,12 @@ static enum rhw_result draw_image(rhw_context *context, const struct work *work,
     return result;
 }
 
-static enum rhw_result draw(rhw_context *context, const struct work *work)
+static enum rhw_result draw(rhw_context *context, struct work *work)
 {
     struct items items = {0};
     enum rhw_result result = make_items(context, work, &items);
-    for (size_t image = 0; result == RHW_OK && image < work->mesh.images; image++) {
+    for (size_t image = 0;
+         result == RHW_OK && image < work->mesh.images && diff_crew_goes_on(&work->mesh.crew); image++) {
         result = draw_image(context, work, &items, image);
     }
     free_items(context, &items);
@@ -199,25 +201,26 @@ static PyObject *rasterize(PyObject *module, PyObject *arguments)
     }
     const size_t pixels = work.mesh.images * diff_mesh_pixels(&work.mesh), floats = 4 * work.mesh.vertices;
     work.position_stride = shared ? 0 : floats;
-    if (!diff_floats(positions, "pos", shared ? floats : work.mesh.images * floats, &work.positions) ||
-        !read_ranges(ranges, &work) || !diff_floats(values, "rast", 4 * pixels, &work.values) ||
-        !diff_floats(slopes, "rast_db", 4 * pixels, &work.slopes) ||
+    if (!diff_floats(positions, "pos", shared ? floats : diff_times(work.mesh.images, floats),
+                     &work.positions) ||
+        !read_ranges(ranges, &work) || !diff_result(values, "rast", 4 * pixels, &work.values) ||
+        !diff_result(slopes, "rast_db", 4 * pixels, &work.slopes) ||
         !diff_floats_optional(before, "before", pixels, &work.before) ||
-        !diff_floats_optional(depths, "depths", pixels, &work.depths)) {
+        !diff_result_optional(depths, "depths", pixels, &work.depths)) {
         return NULL;
     }
     rhw_context *handle = python_context_enter(context);
     if (!handle) {
         return NULL;
     }
-    enum rhw_result result;
-    Py_BEGIN_ALLOW_THREADS result = draw(handle, &work);
-    Py_END_ALLOW_THREADS if (!python_context_leave(context, result))
-    {
+    diff_crew_begin(&work.mesh.crew);
+    const enum rhw_result result = draw(handle, &work);
+    PyObject *const none = diff_crew_end(&work.mesh.crew, true);
+    if (!python_context_leave(context, result)) {
+        Py_XDECREF(none);
         return NULL;
     }
-    Py_INCREF(Py_None);
-    return Py_None;
+    return none;
 }
 
 PyMethodDef python_diff_rasterize_functions[] = {{"diff_rasterize", rasterize, METH_VARARGS, NULL}, {0}};

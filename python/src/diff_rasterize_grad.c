@@ -5,7 +5,6 @@
 // "Triangle scan conversion using 2D homogeneous coordinates", 1997. What follows is that backwards, in doubles.
 //
 // First every pixel finds what it gives to its three corners, then every vertex adds up what it gets (diff_mesh.h).
-#include "diff_jobs.h"
 #include "diff_mesh.h"
 
 #include <math.h>
@@ -16,13 +15,14 @@ enum { CORNER_FLOATS = 9 }; // x, y, w of three corners
 
 struct work {
     struct diff_mesh mesh;
-    float *positions, *rast, *gradient; // as diff_rasterize.c has them; `gradient` of rast
-    float *slope_gradient;              // NULL: none
-    float *result;                      // as positions
+    const float *positions, *rast, *gradient; // as diff_rasterize.c has them; `gradient` of rast
+    const float *slope_gradient;              // NULL: none
+    float *result;                            // as positions
     size_t position_stride, image;
     struct diff_corners corners;
     struct diff_pixels pixels;
     float (*given)[CORNER_FLOATS]; // by the pixels of the image
+    double (*sums)[3]; // by vertex: of x, y, w, from one image after the other where they share positions
 };
 
 static void cross(const double a[3], const double b[3], double product[3])
@@ -125,7 +125,10 @@ static void collect_vertex(const struct work *work, size_t vertex)
 {
     const uint32_t *const first = work->pixels.first + work->image * (work->mesh.triangles + 2);
     const uint32_t *const pixels = work->pixels.pixel + work->image * diff_mesh_pixels(&work->mesh);
-    double sum[3] = {0};
+    double *const sum = work->sums[vertex];
+    if (work->position_stride) {
+        memset(sum, 0, sizeof work->sums[vertex]);
+    }
     for (size_t i = work->corners.first[vertex]; i < work->corners.first[vertex + 1]; i++) {
         const size_t triangle = work->corners.corner[i] / 3, corner = work->corners.corner[i] % 3;
         for (uint32_t j = first[triangle]; j < first[triangle + 1]; j++) {
@@ -136,9 +139,10 @@ static void collect_vertex(const struct work *work, size_t vertex)
         }
     }
     float *const result = work->result + work->image * work->position_stride + 4 * vertex;
-    result[0] += (float)sum[0];
-    result[1] += (float)sum[1];
-    result[3] += (float)sum[2];
+    result[0] = (float)sum[0];
+    result[1] = (float)sum[1];
+    result[2] = 0.0f;
+    result[3] = (float)sum[2];
 }
 
 static void collect_vertices(void *data, size_t job)
@@ -152,23 +156,25 @@ static void collect_vertices(void *data, size_t job)
 
 static bool run(struct work *work)
 {
-    const struct diff_mesh *const mesh = &work->mesh;
+    struct diff_mesh *const mesh = &work->mesh;
     work->given = malloc(diff_mesh_pixels(mesh) * sizeof *work->given);
-    const bool good = work->given && diff_corners_make(mesh, &work->corners) &&
+    work->sums = calloc(mesh->vertices, sizeof *work->sums);
+    const bool good = work->given && work->sums && diff_corners_make(mesh, &work->corners) &&
                       diff_pixels_make(mesh, work->rast, &work->pixels);
     for (work->image = 0; good && work->image < mesh->images; work->image++) {
-        diff_jobs_run(mesh->threads, mesh->height, give_row, work);
-        diff_jobs_run(mesh->threads, (mesh->vertices + VERTICES_OF_JOB - 1) / VERTICES_OF_JOB,
-                      collect_vertices, work);
+        diff_jobs_run(&mesh->crew, mesh->height, give_row, work);
+        diff_jobs_run(&mesh->crew, (mesh->vertices + VERTICES_OF_JOB - 1) / VERTICES_OF_JOB, collect_vertices,
+                      work);
     }
     diff_corners_free(&work->corners);
     diff_pixels_free(&work->pixels);
     free(work->given);
+    free(work->sums);
     return good;
 }
 
 // (mesh, positions, whether all images have the same, rast, gradient of rast, gradient of rast_db or None, gradient of
-// positions, zeroed)
+// positions)
 static PyObject *rasterize_grad(PyObject *module, PyObject *arguments)
 {
     (void)module;
@@ -182,23 +188,18 @@ static PyObject *rasterize_grad(PyObject *module, PyObject *arguments)
     }
     const size_t values = 4 * work.mesh.images * diff_mesh_pixels(&work.mesh),
                  floats = 4 * work.mesh.vertices;
-    const size_t all = shared ? floats : work.mesh.images * floats;
+    const size_t all = shared ? floats : diff_times(work.mesh.images, floats);
     work.position_stride = shared ? 0 : floats;
     if (!diff_floats(positions, "pos", all, &work.positions) ||
         !diff_floats(rast, "rast", values, &work.rast) ||
         !diff_floats(gradient, "gradient", values, &work.gradient) ||
         !diff_floats_optional(slope_gradient, "gradient_db", values, &work.slope_gradient) ||
-        !diff_floats(result, "result", all, &work.result)) {
+        !diff_result(result, "result", all, &work.result)) {
         return NULL;
     }
-    bool good;
-    Py_BEGIN_ALLOW_THREADS good = run(&work);
-    Py_END_ALLOW_THREADS if (!good)
-    {
-        return PyErr_NoMemory();
-    }
-    Py_INCREF(Py_None);
-    return Py_None;
+    diff_crew_begin(&work.mesh.crew);
+    const bool good = run(&work);
+    return diff_crew_end(&work.mesh.crew, good);
 }
 
 PyMethodDef python_diff_rasterize_grad_functions[] = {

@@ -256,6 +256,16 @@ void diff_read(const struct diff_shape *shape, const float *uv, const float *uv_
     }
 }
 
+// Whether the level follows the footprint: not beyond all levels, and not where slopes are not finite.
+static bool follows_footprint(const struct diff_reading *reading)
+{
+    bool follows = false;
+    for (int i = 0; i < 4; i++) {
+        follows |= reading->level_along[i] != 0;
+    }
+    return follows;
+}
+
 static void put(const struct diff_reading *reading, int which, double value, int stride, float *to)
 {
     to[reading->axis[which] * stride] += (float)(reading->sign[which] * value);
@@ -267,7 +277,7 @@ static void read_cube_back(const struct diff_reading *reading, const float *uv_d
     const double m = reading->m, over[2] = {reading->a / m, reading->b / m};
     double to[3] = {to_st[0] / (2 * m), to_st[1] / (2 * m), 0}; // of a, b, m
     to[M] = -over[0] * to[A] - over[1] * to[B];
-    for (int k = 0; uv_da && to_uv_da && k < 2; k++) {
+    for (int k = 0; uv_da && to_uv_da && follows_footprint(reading) && k < 2; k++) {
         const double m_slope = reading->sign[M] * uv_da[2 * reading->axis[M] + k];
         double to_m_slope = 0;
         for (int i = A; i <= B; i++) { // footprint = (slope − over · m_slope) / 2m

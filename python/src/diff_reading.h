@@ -40,6 +40,7 @@ size_t diff_level_width(const struct diff_shape *shape, int level);
 size_t diff_level_height(const struct diff_shape *shape, int level); ///< of a face
 
 /// `uv`: 2 coordinates, of a cube 3; `uv_da`: twice as many slopes, or NULL; `bias`: of the level, or alone the level.
+/// Slopes that are no numbers choose level 0, infinite ones the last; neither have a gradient, nor `uv` one through them.
 void diff_read(const struct diff_shape *shape, const float *uv, const float *uv_da, float bias,
                struct diff_reading *reading);
 

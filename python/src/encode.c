@@ -60,6 +60,16 @@ static bool write_png(struct cli_output_file *file, const void *user)
     return cli_png_write(file, user);
 }
 
+// Whether samples of a file may have so many bits. False with an exception.
+static bool is_depth(int bits, bool may_be_default)
+{
+    if (bits != 8 && bits != 16 && !(may_be_default && bits == 0)) {
+        PyErr_Format(PyExc_ValueError, "bits: must be 8 or 16, not %d", bits);
+        return false;
+    }
+    return true;
+}
+
 // Arrays as they are --------------------------------------------------------------------------------
 
 struct plain {
@@ -83,7 +93,7 @@ static PyObject *encode_png(PyObject *module, PyObject *arguments)
     int bits, srgb;
     struct python_array texels;
     if (!PyArg_ParseTuple(arguments, "sOip:encode_png", &name, &object, &bits, &srgb) ||
-        !python_array_read(object, "image", bits == 16 ? "<u2" : "|u1", &texels)) {
+        !is_depth(bits, false) || !python_array_read(object, "image", bits == 16 ? "<u2" : "|u1", &texels)) {
         return NULL;
     }
     const Py_ssize_t channels = texels.dimensions == 3 ? texels.extent[2] : 0;
@@ -107,28 +117,42 @@ static PyObject *encode_png(PyObject *module, PyObject *arguments)
 
 // Pictures of a render ------------------------------------------------------------------------------
 
-// The arrays of the dictionary, which it keeps alive, as pictures of that size. False with an exception.
-static bool read_pictures(PyObject *dictionary, struct scene_pictures *p)
+static bool read_picture(PyObject *object, const struct python_picture_field *kind,
+                         const struct scene_pictures *p)
+{
+    struct python_array array;
+    if (!python_array_read(object, kind->name, kind->type, &array)) {
+        return false;
+    }
+    if (array.count != (Py_ssize_t)p->width * p->height * kind->channels) {
+        PyErr_Format(PyExc_ValueError, "%s: must be of %d by %d pixels with %d channels", kind->name,
+                     p->width, p->height, kind->channels);
+        return false;
+    }
+    *kind->texels = array.data;
+    return true;
+}
+
+// A copy of the dictionary, which keeps its arrays alive whatever others do to the dictionary, as pictures of that size. NULL
+// with an exception.
+static PyObject *read_pictures(PyObject *dictionary, struct scene_pictures *p)
 {
     struct python_picture_field kinds[PYTHON_PICTURES];
     python_picture_fields(p, kinds);
-    for (int i = 0; i < PYTHON_PICTURES; i++) {
-        PyObject *object = PyDict_GetItemString(dictionary, kinds[i].name);
-        struct python_array array;
-        if (!object) {
-            continue;
-        }
-        if (!python_array_read(object, kinds[i].name, kinds[i].type, &array)) {
-            return false;
-        }
-        if (array.count != (Py_ssize_t)p->width * p->height * kinds[i].channels) {
-            PyErr_Format(PyExc_ValueError, "%s: must be of %d by %d pixels with %d channels", kinds[i].name,
-                         p->width, p->height, kinds[i].channels);
-            return false;
-        }
-        *kinds[i].texels = array.data;
+    if (p->width < 1 || p->height < 1 || p->width > RHW_MAX_TARGET_SIZE || p->height > RHW_MAX_TARGET_SIZE) {
+        PyErr_Format(PyExc_ValueError, "size: width and height must lie between 1 and %d",
+                     RHW_MAX_TARGET_SIZE);
+        return NULL;
     }
-    return true;
+    PyObject *const copy = PyDict_Copy(dictionary);
+    for (int i = 0; copy && i < PYTHON_PICTURES; i++) {
+        PyObject *object = PyDict_GetItemString(copy, kinds[i].name);
+        if (object && !read_picture(object, &kinds[i], p)) {
+            Py_DECREF(copy);
+            return NULL;
+        }
+    }
+    return copy;
 }
 
 // Whether what those kinds are made of is there. False with an exception.
@@ -152,20 +176,25 @@ static PyObject *encode_output(PyObject *module, PyObject *arguments)
 {
     (void)module;
     const char *name;
-    PyObject *dictionary;
+    PyObject *dictionary, *kept, *bytes = NULL;
     int kind, bits, transparent;
     float low[3], high[3];
     struct scene_pictures pictures = {0};
     if (!PyArg_ParseTuple(arguments, "sO!(ii)iip(fff)(fff):encode_output", &name, &PyDict_Type, &dictionary,
                           &pictures.width, &pictures.height, &kind, &bits, &transparent, &low[0], &low[1],
                           &low[2], &high[0], &high[1], &high[2]) ||
-        !read_pictures(dictionary, &pictures) ||
-        !has_pictures(&pictures, cli_outputs_needed(1u << kind, CLI_PICTURE_PNG, bits))) {
+        !python_is_choice(kind, CLI_KIND_COLOR, CLI_KIND_BARY, "output") || !is_depth(bits, true) ||
+        !(kept = read_pictures(dictionary, &pictures))) {
         return NULL;
     }
-    struct cli_output_raster output;
-    cli_output_rasterize(&output, &pictures, (enum cli_output_kind)kind, bits, transparent != 0, low, high);
-    return encode(&(struct encoding){write_png, &output.raster}, name);
+    if (has_pictures(&pictures, cli_outputs_needed(1u << kind, CLI_PICTURE_PNG, bits))) {
+        struct cli_output_raster output;
+        cli_output_rasterize(&output, &pictures, (enum cli_output_kind)kind, bits, transparent != 0, low,
+                             high);
+        bytes = encode(&(struct encoding){write_png, &output.raster}, name);
+    }
+    Py_DECREF(kept);
+    return bytes;
 }
 
 struct exr {
@@ -182,12 +211,22 @@ static bool write_exr(struct cli_output_file *file, const void *user)
                          exr->about.objects ? &exr->about : NULL, exr->threads);
 }
 
+// Whether those are outputs of a model, one at least. False with an exception.
+static bool is_set(unsigned kinds)
+{
+    if (kinds == 0 || kinds >= 1u << (CLI_KIND_BARY + 1)) {
+        PyErr_SetString(PyExc_ValueError, "outputs: none, or unknown ones, asked for");
+        return false;
+    }
+    return true;
+}
+
 // (name, pictures, (width, height), kinds, camera, model, threads)
 static PyObject *encode_exr(PyObject *module, PyObject *arguments)
 {
     (void)module;
     const char *name;
-    PyObject *dictionary, *camera_tuple, *object;
+    PyObject *dictionary, *camera_tuple, *object, *kept, *bytes = NULL;
     unsigned kinds;
     struct exr exr = {0};
     struct scene_camera camera;
@@ -195,18 +234,20 @@ static PyObject *encode_exr(PyObject *module, PyObject *arguments)
     if (!PyArg_ParseTuple(arguments, "sO!(ii)IOOi:encode_exr", &name, &PyDict_Type, &dictionary,
                           &exr.pictures.width, &exr.pictures.height, &kinds, &camera_tuple, &object,
                           &exr.threads) ||
-        !read_pictures(dictionary, &exr.pictures) ||
-        !has_pictures(&exr.pictures, cli_outputs_needed(kinds, CLI_PICTURE_EXR, 0)) ||
-        !python_camera_read(camera_tuple, &camera) || !(model = python_model_get(object))) {
+        !python_is_choice(exr.threads, 0, RHW_MAX_THREADS, "threads") || !is_set(kinds) ||
+        !python_camera_read(camera_tuple, &camera) || !(model = python_model_get(object)) ||
+        !(kept = read_pictures(dictionary, &exr.pictures))) {
         return NULL;
     }
-    exr.channel_count = cli_outputs_exr_channels(&exr.pictures, kinds, exr.channels);
-    if (!cli_outputs_exr_describe(model, &camera, (double)exr.pictures.width / exr.pictures.height,
-                                  &exr.about)) {
-        return PyErr_NoMemory();
+    if (has_pictures(&exr.pictures, cli_outputs_needed(kinds, CLI_PICTURE_EXR, 0))) {
+        const double aspect = (double)exr.pictures.width / exr.pictures.height;
+        exr.channel_count = cli_outputs_exr_channels(&exr.pictures, kinds, exr.channels);
+        bytes = cli_outputs_exr_describe(model, &camera, aspect, &exr.about)
+                    ? encode(&(struct encoding){write_exr, &exr}, name)
+                    : PyErr_NoMemory();
+        free(exr.about.objects);
     }
-    PyObject *bytes = encode(&(struct encoding){write_exr, &exr}, name);
-    free(exr.about.objects);
+    Py_DECREF(kept);
     return bytes;
 }
 

@@ -19,6 +19,32 @@ PyTypeObject *python_add_type(PyObject *module, const char *name, PyType_Spec *s
     return (PyTypeObject *)type;
 }
 
+PyObject *python_refuse_new(PyTypeObject *type, PyObject *arguments, PyObject *keywords)
+{
+    (void)arguments;
+    (void)keywords;
+    PyErr_Format(PyExc_TypeError, "%R: is made by functions of rhw alone", (PyObject *)type);
+    return NULL;
+}
+
+bool python_is_tuple(PyObject *object, const char *name)
+{
+    if (!PyTuple_Check(object)) {
+        PyErr_Format(PyExc_TypeError, "%s: must be a tuple", name);
+        return false;
+    }
+    return true;
+}
+
+bool python_is_choice(int value, int least, int most, const char *name)
+{
+    if (value < least || value > most) {
+        PyErr_Format(PyExc_ValueError, "%s: there is no %d", name, value);
+        return false;
+    }
+    return true;
+}
+
 void python_free(PyObject *self)
 {
     PyTypeObject *type = Py_TYPE(self);

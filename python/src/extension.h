@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 // What the files of the extension share. The extension is thin: it has the objects that hold memory of the library, and
 // functions that draw without the interpreter's lock. Names, defaults and the checks of arguments that a user sees
-// stand in the Python modules above it, so that what is here may take its arguments for well formed, and only must
-// not crash.
+// stand in the Python modules above it, so that what is here says no more than which argument it cannot take. But it takes
+// nothing on trust other than the address of an array, so that no call crashes, whoever makes it.
 //
 // It keeps to the limited API of CPython 3.9, so that one binary serves every later one. The buffer protocol joined
 // that in 3.11; arrays therefore pass both ways by __array_interface__, a dictionary with an address, which NumPy
@@ -19,8 +19,16 @@ extern PyObject *python_error; ///< rhw.Error
 
 /// Makes a type of a specification and adds it to the module under a name, or not where that is NULL. NULL on failure.
 PyTypeObject *python_add_type(PyObject *module, const char *name, PyType_Spec *spec);
+/// The tp_new of types whose objects are made by functions of this module alone.
+PyObject *python_refuse_new(PyTypeObject *type, PyObject *arguments, PyObject *keywords);
 /// Gives an object of such a type back, in its tp_dealloc.
 void python_free(PyObject *self);
+
+/// Whether it is a tuple, as PyArg_ParseTuple wants it; else with an exception that names it.
+bool python_is_tuple(PyObject *object, const char *name);
+
+/// Whether a number that stands for one of several things does; else with an exception that names the argument.
+bool python_is_choice(int value, int least, int most, const char *name);
 
 // Each file adds what it has; −1 on failure.
 int python_add_memory(PyObject *module);

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "memory_object.h"
 
+#include "picture_memory.h"
+
 #include <stdlib.h>
 
 struct memory {
@@ -8,6 +10,7 @@ struct memory {
     void *data;
     PyObject *owner; // of the memory; NULL: this object
     void *block;     // that it is freed by
+    bool is_picture; // the block is of a picture
     struct python_shape shape;
 };
 
@@ -44,13 +47,31 @@ static PyObject *array_interface(PyObject *self, void *closure)
                          "data", address, read_only);
 }
 
+static size_t bytes_of(const struct python_shape *shape)
+{
+    size_t bytes = (size_t)(shape->type[2] - '0');
+    for (int i = 0; i < shape->dimensions; i++) {
+        bytes *= (size_t)shape->extent[i];
+    }
+    return bytes;
+}
+
+static void free_block(struct memory *memory)
+{
+    if (memory->is_picture) {
+        python_picture_release(memory->block, bytes_of(&memory->shape));
+    } else {
+        free(memory->block);
+    }
+}
+
 static void memory_free(PyObject *self)
 {
     struct memory *memory = (struct memory *)self;
     if (memory->owner) {
         Py_DECREF(memory->owner);
     } else {
-        free(memory->block);
+        free_block(memory);
     }
     python_free(self);
 }
@@ -65,6 +86,7 @@ static PyObject *make(PyObject *owner, void *block, void *data, struct python_sh
     Py_XINCREF(owner);
     memory->owner = owner;
     memory->block = block;
+    memory->is_picture = false;
     memory->data = data;
     memory->shape = shape;
     return (PyObject *)memory;
@@ -73,6 +95,15 @@ static PyObject *make(PyObject *owner, void *block, void *data, struct python_sh
 PyObject *python_memory_take(void *data, struct python_shape shape)
 {
     return data ? make(NULL, data, data, shape) : PyErr_NoMemory();
+}
+
+PyObject *python_memory_take_picture(void *data, struct python_shape shape)
+{
+    PyObject *memory = python_memory_take(data, shape);
+    if (memory) {
+        ((struct memory *)memory)->is_picture = true;
+    }
+    return memory;
 }
 
 PyObject *python_memory_of(PyObject *owner, const void *data, struct python_shape shape)
@@ -100,6 +131,9 @@ static bool refuse(const char *name, const char *rule)
     return false;
 }
 
+// No element has more than 8 bytes: a product of extents that is larger fits no memory.
+static const Py_ssize_t most_elements = PY_SSIZE_T_MAX / 8;
+
 static bool read_shape(PyObject *shape, const char *name, struct python_array *array)
 {
     const Py_ssize_t dimensions = shape && PyTuple_Check(shape) ? PyTuple_Size(shape) : -1;
@@ -112,6 +146,9 @@ static bool read_shape(PyObject *shape, const char *name, struct python_array *a
         array->extent[i] = PyLong_AsSsize_t(PyTuple_GetItem(shape, i));
         if (array->extent[i] < 0) {
             return PyErr_Occurred() ? false : refuse(name, "an array");
+        }
+        if (array->extent[i] > 0 && array->count > most_elements / array->extent[i]) {
+            return refuse(name, "an array that fits the memory");
         }
         array->count *= array->extent[i];
     }
@@ -137,7 +174,14 @@ static bool read_interface(PyObject *interface, const char *name, const char *ty
         return refuse(name, "an array whose elements lie one behind the other");
     }
     array->data = PyLong_AsVoidPtr(PyTuple_GetItem(data, 0));
-    return !PyErr_Occurred() && read_shape(PyDict_GetItemString(interface, "shape"), name, array);
+    array->is_read_only = PyObject_IsTrue(PyTuple_GetItem(data, 1)) != 0;
+    if (PyErr_Occurred() || !read_shape(PyDict_GetItemString(interface, "shape"), name, array)) {
+        return false;
+    }
+    const uintptr_t element = (uintptr_t)(type[2] - '0'); // bytes: "<f4"
+    return (array->data && (uintptr_t)array->data % element == 0) || array->count == 0
+               ? true
+               : refuse(name, "an array whose elements lie where their type may lie");
 }
 
 bool python_array_read(PyObject *object, const char *name, const char *type, struct python_array *array)
@@ -156,7 +200,7 @@ bool python_array_read(PyObject *object, const char *name, const char *type, str
 bool python_array_read_optional(PyObject *object, const char *name, const char *type,
                                 struct python_array *array)
 {
-    *array = (struct python_array){0};
+    *array = (struct python_array){.is_none = true};
     return object == Py_None || python_array_read(object, name, type, array);
 }
 
@@ -164,6 +208,7 @@ int python_add_memory(PyObject *module)
 {
     static PyGetSetDef members[] = {{"__array_interface__", array_interface, NULL, NULL, NULL}, {0}};
     static PyType_Slot slots[] = {{Py_tp_dealloc, (void *)(uintptr_t)memory_free},
+                                  {Py_tp_new, (void *)(uintptr_t)python_refuse_new},
                                   {Py_tp_getset, members},
                                   {Py_tp_doc, (void *)(uintptr_t) "Memory that NumPy arrays stand on."},
                                   {0, NULL}};

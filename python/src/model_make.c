@@ -19,7 +19,7 @@
 // Whether there are `count` rows of so many columns, or no array at all.
 static bool has_rows(const struct python_array *array, const char *name, Py_ssize_t count, Py_ssize_t columns)
 {
-    if (!array->data ||
+    if (array->is_none ||
         (array->dimensions == 2 && array->extent[0] == count && array->extent[1] == columns)) {
         return true;
     }
@@ -47,8 +47,12 @@ static bool read_mesh(PyObject *tuple, void *element)
         !has_rows(&uv, "uv", count, 2) || !has_rows(&colors, "colors", count, 4)) {
         return false;
     }
-    if (count > INT32_MAX || faces.count > INT32_MAX) {
-        PyErr_SetString(PyExc_ValueError, "vertices, faces: more than 2147483647");
+    if (count < 1 || count > INT32_MAX || faces.count > INT32_MAX) {
+        PyErr_SetString(PyExc_ValueError, "vertices, faces: none, or more than 2147483647");
+        return false;
+    }
+    if (corners < 1 || corners > 3 || (faces.is_none ? count : faces.count) % corners != 0) {
+        PyErr_SetString(PyExc_ValueError, "faces: must have 1, 2 or 3 corners each");
         return false;
     }
     mesh->primitive = corners == 3   ? SCENE_PRIMITIVE_TRIANGLES
@@ -72,7 +76,8 @@ static bool read_material(PyObject *tuple, void *element)
     if (!PyArg_ParseTuple(tuple, "s(ffff)(fff)ffifppi", &m->name, &m->base_color[0], &m->base_color[1],
                           &m->base_color[2], &m->base_color[3], &m->emissive[0], &m->emissive[1],
                           &m->emissive[2], &m->metallic, &m->roughness, &mode, &m->alpha_cutoff, &unlit,
-                          &double_sided, &m->image)) {
+                          &double_sided, &m->image) ||
+        !python_is_choice(mode, SCENE_ALPHA_OPAQUE, SCENE_ALPHA_BLEND, "alpha")) {
         return false;
     }
     m->alpha_mode = (enum scene_alpha_mode)mode;
@@ -115,21 +120,34 @@ static bool read_instance(PyObject *tuple, void *element)
     return true;
 }
 
+// One of the four kinds of elements that models are made of.
+struct kind {
+    const char *name;
+    size_t size;
+    bool (*read)(PyObject *tuple, void *element);
+    uint32_t *count;
+};
+
 // An array of what the tuples say; NULL with an exception.
-static void *read_all(PyObject *tuples, size_t size, bool (*read)(PyObject *, void *), uint32_t *count)
+static void *read_all(PyObject *tuples, const struct kind *kind)
 {
     const Py_ssize_t length = PyTuple_Size(tuples);
-    char *elements = length < 0 ? NULL : calloc((size_t)length + 1, size);
+    if (length > INT32_MAX) {
+        PyErr_Format(PyExc_ValueError, "%s: more than 2147483647", kind->name);
+        return NULL;
+    }
+    char *elements = calloc((size_t)length + 1, kind->size);
     if (!elements) {
-        return PyErr_Occurred() ? NULL : PyErr_NoMemory();
+        return PyErr_NoMemory();
     }
     for (Py_ssize_t i = 0; i < length; i++) {
-        if (!read(PyTuple_GetItem(tuples, i), elements + (size_t)i * size)) {
+        PyObject *const tuple = PyTuple_GetItem(tuples, i);
+        if (!python_is_tuple(tuple, kind->name) || !kind->read(tuple, elements + (size_t)i * kind->size)) {
             free(elements);
             return NULL;
         }
     }
-    *count = (uint32_t)length;
+    *kind->count = (uint32_t)length;
     return elements;
 }
 
@@ -140,8 +158,9 @@ static PyObject *make_from(const struct scene_arrays *arrays)
     const struct scene_model_options options = {.goes_on = python_work_goes_on, .user = &work};
     struct scene_model *model = scene_model_make(arrays, &options, error, sizeof error);
     PyEval_RestoreThread(work.state);
-    if (PyErr_Occurred()) {
-        return NULL; // a signal's handler ended the import
+    if (PyErr_Occurred()) { // a signal's handler ended the import, perhaps when it was done
+        scene_model_free(model);
+        return NULL;
     }
     if (!model) {
         PyErr_Format(PyExc_ValueError, "%s: %s", arrays->name, error);
@@ -154,25 +173,31 @@ PyObject *python_model_make(PyObject *module, PyObject *arguments)
 {
     (void)module;
     struct scene_arrays arrays = {0};
-    PyObject *meshes, *materials, *images, *instances;
-    int up;
-    if (!PyArg_ParseTuple(arguments, "siOOOO:make", &arrays.name, &up, &meshes, &materials, &images,
-                          &instances)) {
+    const struct kind kinds[] = {
+        {"meshes", sizeof *arrays.meshes, read_mesh, &arrays.mesh_count},
+        {"materials", sizeof *arrays.materials, read_material, &arrays.material_count},
+        {"images", sizeof *arrays.images, read_image, &arrays.image_count},
+        {"instances", sizeof *arrays.instances, read_instance, &arrays.instance_count}};
+    enum { KINDS = sizeof kinds / sizeof *kinds };
+    PyObject *tuples[KINDS];
+    void *elements[KINDS] = {0};
+    int up, count = 0;
+    if (!PyArg_ParseTuple(arguments, "siO!O!O!O!:make", &arrays.name, &up, &PyTuple_Type, &tuples[0],
+                          &PyTuple_Type, &tuples[1], &PyTuple_Type, &tuples[2], &PyTuple_Type, &tuples[3]) ||
+        !python_is_choice(up, SCENE_AXIS_Y, SCENE_AXIS_MINUS_X, "up")) {
         return NULL;
     }
     arrays.up = (enum scene_axis)up;
-    void *const read[] = {
-        read_all(meshes, sizeof *arrays.meshes, read_mesh, &arrays.mesh_count),
-        read_all(materials, sizeof *arrays.materials, read_material, &arrays.material_count),
-        read_all(images, sizeof *arrays.images, read_image, &arrays.image_count),
-        read_all(instances, sizeof *arrays.instances, read_instance, &arrays.instance_count)};
-    arrays.meshes = read[0];
-    arrays.materials = read[1];
-    arrays.images = read[2];
-    arrays.instances = read[3];
-    PyObject *model = read[0] && read[1] && read[2] && read[3] ? make_from(&arrays) : NULL;
-    for (int i = 0; i < 4; i++) {
-        free(read[i]);
+    while (count < KINDS && (elements[count] = read_all(tuples[count], &kinds[count]))) {
+        count++;
+    }
+    arrays.meshes = elements[0];
+    arrays.materials = elements[1];
+    arrays.images = elements[2];
+    arrays.instances = elements[3];
+    PyObject *model = count == KINDS ? make_from(&arrays) : NULL;
+    for (int i = 0; i < KINDS; i++) {
+        free(elements[i]);
     }
     return model;
 }

@@ -48,29 +48,30 @@ static PyObject *load(PyObject *module, PyObject *arguments)
 {
     (void)module;
     struct scene_model_options options = {.goes_on = python_work_goes_on};
-    PyObject *path;
-    const char *confine = NULL;
+    PyObject *path, *confine;
     int is_posed;
     unsigned long long memory;
-    if (!PyArg_ParseTuple(arguments, "O!zpzdzIKI:load", &PyBytes_Type, &path, &options.variant, &is_posed,
+    if (!PyArg_ParseTuple(arguments, "O!zpzdOIKI:load", &PyBytes_Type, &path, &options.variant, &is_posed,
                           &options.animation, &options.time, &confine, &options.seconds, &memory,
                           &options.texture_side)) {
         return NULL;
     }
-    const char *name = PyBytes_AsString(path);
-    if (!name) {
-        return NULL;
+    char *name, *folder = NULL;
+    if (PyBytes_AsStringAndSize(path, &name, NULL) < 0 ||
+        (confine != Py_None && PyBytes_AsStringAndSize(confine, &folder, NULL) < 0)) {
+        return NULL; // a path has no zero byte
     }
     options.is_posed = is_posed != 0;
-    options.confine = confine;
+    options.confine = folder;
     options.memory = (size_t)memory;
     char error[512];
     struct python_work work = {PyEval_SaveThread()};
     options.user = &work;
     struct scene_model *model = scene_model_load(name, &options, error, sizeof error);
     PyEval_RestoreThread(work.state);
-    if (PyErr_Occurred()) {
-        return NULL; // a signal's handler ended the import
+    if (PyErr_Occurred()) { // a signal's handler ended the import, perhaps when it was done
+        scene_model_free(model);
+        return NULL;
     }
     if (!model) {
         PyErr_Format(python_error, "%s: %s", name, error);
@@ -251,7 +252,9 @@ PyMethodDef python_model_functions[] = {{"load", load, METH_VARARGS, NULL},
 
 int python_add_models(PyObject *module)
 {
-    static PyType_Slot slots[] = {{Py_tp_dealloc, (void *)(uintptr_t)model_free}, {0, NULL}};
+    static PyType_Slot slots[] = {{Py_tp_dealloc, (void *)(uintptr_t)model_free},
+                                  {Py_tp_new, (void *)(uintptr_t)python_refuse_new},
+                                  {0, NULL}};
     static PyType_Spec spec = {.name = "rhw._rhw.Model",
                                .basicsize = sizeof(struct model),
                                .flags = Py_TPFLAGS_DEFAULT,

@@ -63,19 +63,23 @@ static bool read_color(PyObject *tuple, PyObject *context, PyObject *kept, struc
     int load, is_integer;
     double clear[4];
     const struct python_item *item;
-    if (!PyArg_ParseTuple(tuple, "Op(dddd)p", &object, &load, &clear[0], &clear[1], &clear[2], &clear[3],
+    if (!python_is_tuple(tuple, "targets") ||
+        !PyArg_ParseTuple(tuple, "Op(dddd)p", &object, &load, &clear[0], &clear[1], &clear[2], &clear[3],
                           &is_integer) ||
         !(item = keep(context, kept, object, PYTHON_ITEM_TEXTURE, "targets"))) {
         return false;
     }
+    if (is_integer && !(clear[0] >= 0 && clear[0] <= UINT32_MAX)) {
+        PyErr_SetString(PyExc_ValueError, "clear: must be a number of 32 bits");
+        return false;
+    }
     color->texture = item->id.texture;
     color->load = load ? RHW_LOAD_LOAD : RHW_LOAD_CLEAR;
-    for (int i = 0; i < 4; i++) {
-        if (is_integer) {
-            color->clear_integer[i] = (int32_t)(uint32_t)clear[i];
-        } else {
-            color->clear[i] = (float)clear[i];
-        }
+    if (is_integer) {
+        color->clear_integer[0] = (int32_t)(uint32_t)clear[0];
+    }
+    for (int i = 0; !is_integer && i < 4; i++) {
+        color->clear[i] = (float)clear[i];
     }
     return true;
 }
@@ -187,28 +191,44 @@ static bool read_optional(PyObject *context, PyObject *kept, PyObject *object, e
     return object == Py_None || *item;
 }
 
+// What runs code of Python's comes first, as that may end the pass.
 static bool read_draw(const struct pass *pass, PyObject *arguments, struct draw *draw)
 {
-    PyObject *pipeline, *buffers, *indices, *texture, *sampler, *matrices, *kept = pass->item->kept;
+    PyObject *pipeline, *buffers, *indices, *texture, *sampler, *matrices;
     *draw = (struct draw){0};
     if (!PyArg_ParseTuple(arguments, "OO!OIOOOII:draw", &pipeline, &PyTuple_Type, &buffers, &indices,
                           &draw->count, &texture, &sampler, &matrices, &draw->uniforms.object,
                           &draw->uniforms.first_triangle) ||
-        !(draw->pipeline = keep(pass->context, kept, pipeline, PYTHON_ITEM_PIPELINE, "pipeline")) ||
+        !read_uniforms(matrices, &draw->uniforms) || !is_recorded(pass)) {
+        return false;
+    }
+    PyObject *const kept = pass->item->kept;
+    if (!(draw->pipeline = keep(pass->context, kept, pipeline, PYTHON_ITEM_PIPELINE, "pipeline")) ||
         !read_optional(pass->context, kept, indices, PYTHON_ITEM_BUFFER, "faces", &draw->indices) ||
         !read_optional(pass->context, kept, texture, PYTHON_ITEM_TEXTURE, "texture", &draw->texture) ||
-        !read_optional(pass->context, kept, sampler, PYTHON_ITEM_SAMPLER, "sampler", &draw->sampler) ||
-        !read_uniforms(matrices, &draw->uniforms)) {
+        !read_optional(pass->context, kept, sampler, PYTHON_ITEM_SAMPLER, "sampler", &draw->sampler)) {
+        return false;
+    }
+    if (PyTuple_Size(buffers) < 1 || PyTuple_Size(buffers) > PYTHON_ATTRIBUTES) {
+        PyErr_Format(PyExc_ValueError, "attributes: there must be 1 to %d", (int)PYTHON_ATTRIBUTES);
         return false;
     }
     draw->buffer_count = (int)PyTuple_Size(buffers);
-    for (int i = 0; i < draw->buffer_count && i < PYTHON_ATTRIBUTES; i++) {
+    for (int i = 0; i < draw->buffer_count; i++) {
         const struct python_item *item =
             keep(pass->context, kept, PyTuple_GetItem(buffers, i), PYTHON_ITEM_BUFFER, "attributes");
         if (!item) {
             return false;
         }
         draw->buffers[i] = item->id.buffer;
+    }
+    // What lies outside of buffers reads 0, and may be drawn for minutes.
+    const size_t most = draw->indices ? python_resource_bytes(indices) / sizeof(uint32_t)
+                                      : python_resource_bytes(PyTuple_GetItem(buffers, 0)) / sizeof(float);
+    if (draw->count > most) {
+        PyErr_Format(PyExc_ValueError, "count: must be at most %zu, as many as there are, not %u", most,
+                     draw->count);
+        return false;
     }
     return true;
 }
@@ -245,7 +265,7 @@ static PyObject *pass_draw(PyObject *self, PyObject *arguments)
 {
     struct pass *pass = (struct pass *)self;
     struct draw draw;
-    if (!is_recorded(pass) || !read_draw(pass, arguments, &draw)) {
+    if (!read_draw(pass, arguments, &draw)) {
         return NULL;
     }
     rhw_context *context = enter(pass);

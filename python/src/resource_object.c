@@ -12,6 +12,7 @@
 struct resource {
     PyObject ob_base;
     PyObject *context, *memory; // memory may be NULL
+    size_t bytes;
     struct python_item *item;
 };
 
@@ -42,6 +43,11 @@ const struct python_item *python_resource_get(PyObject *object, PyObject *contex
         return resource->item;
     }
     return NULL;
+}
+
+size_t python_resource_bytes(PyObject *object)
+{
+    return ((struct resource *)object)->bytes;
 }
 
 // Makes an item by a call of the library, and the object that owns it. `memory` is given away, and so is `block`.
@@ -110,7 +116,11 @@ static PyObject *buffer(PyObject *module, PyObject *arguments)
     def.size = (size_t)size;
     def.memory_size = def.size + RHW_MEMORY_PADDING;
     PyObject *memory = python_memory_aligned(def.memory_size, &def.memory);
-    return memory ? make(context, PYTHON_ITEM_BUFFER, memory, NULL, create_buffer, &def) : NULL;
+    PyObject *made = memory ? make(context, PYTHON_ITEM_BUFFER, memory, NULL, create_buffer, &def) : NULL;
+    if (made) {
+        ((struct resource *)made)->bytes = def.size;
+    }
+    return made;
 }
 
 // Textures ------------------------------------------------------------------------------------------
@@ -270,11 +280,12 @@ static bool add_targets(const struct request *request, struct rhw_pipeline_def *
     }
     for (int i = 0; i < count; i++) {
         int output, format;
-        if (!PyArg_ParseTuple(PyTuple_GetItem(request->outputs, i), "ii", &output, &format)) {
+        PyObject *const pair = PyTuple_GetItem(request->outputs, i);
+        if (!python_is_tuple(pair, "outputs") || !PyArg_ParseTuple(pair, "ii", &output, &format)) {
             return false;
         }
-        if (output < 0 || output >= PYTHON_OUTPUTS) {
-            PyErr_Format(PyExc_ValueError, "outputs: there is no %d", output);
+        if (output < 0 || output >= PYTHON_OUTPUTS || layout->target[output] >= 0) {
+            PyErr_Format(PyExc_ValueError, "outputs: there is no %d, or there are two", output);
             return false;
         }
         layout->target[output] = i;
@@ -296,6 +307,18 @@ static enum rhw_result create_pipeline(rhw_context *context, const void *def, st
     return rhw_pipeline_create(context, def, &item->id.pipeline);
 }
 
+// Whether what the shaders read is there. False with an exception.
+static bool has_attributes(const struct request *request, const struct python_layout *layout)
+{
+    const bool reads_uv = request->is_textured || layout->target[PYTHON_UV_OUTPUT] >= 0;
+    if (layout->attribute[PYTHON_POSITIONS] < 0 || (reads_uv && layout->attribute[PYTHON_UV] < 0) ||
+        (layout->target[PYTHON_NORMAL] >= 0 && layout->attribute[PYTHON_NORMALS] < 0)) {
+        PyErr_SetString(PyExc_ValueError, "attributes: there are not all that the outputs are made of");
+        return false;
+    }
+    return true;
+}
+
 static PyObject *make_pipeline(PyObject *context, const struct request *request)
 {
     struct python_layout *layout = calloc(1, sizeof *layout);
@@ -307,12 +330,12 @@ static PyObject *make_pipeline(PyObject *context, const struct request *request)
                                        .fragment = RHW_ISA_TABLE(python_fragment),
                                        .uniform_size = sizeof(struct python_uniforms),
                                        .user = layout};
-    if (!add_targets(request, &def, layout)) {
+    layout->is_textured = request->is_textured != 0;
+    add_attributes(request, &def, layout);
+    if (!add_targets(request, &def, layout) || !has_attributes(request, layout)) {
         free(layout);
         return NULL;
     }
-    layout->is_textured = request->is_textured != 0;
-    add_attributes(request, &def, layout);
     add_varyings(request, &def, layout);
     if (layout->target[PYTHON_DEPTH] >= 0 || layout->target[PYTHON_DISTANCE] >= 0) {
         def.program.uses |= RHW_USE_COORD;
@@ -358,8 +381,10 @@ PyMethodDef python_resource_functions[] = {
 int python_add_resources(PyObject *module)
 {
     static PyGetSetDef members[] = {{"memory", get_memory, NULL, NULL, NULL}, {0}};
-    static PyType_Slot slots[] = {
-        {Py_tp_dealloc, (void *)(uintptr_t)resource_free}, {Py_tp_getset, members}, {0, NULL}};
+    static PyType_Slot slots[] = {{Py_tp_dealloc, (void *)(uintptr_t)resource_free},
+                                  {Py_tp_new, (void *)(uintptr_t)python_refuse_new},
+                                  {Py_tp_getset, members},
+                                  {0, NULL}};
     static PyType_Spec spec = {.name = "rhw._rhw.Resource",
                                .basicsize = sizeof(struct resource),
                                .flags = Py_TPFLAGS_DEFAULT,

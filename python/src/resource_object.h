@@ -9,4 +9,7 @@
 const struct python_item *python_resource_get(PyObject *object, PyObject *context, enum python_item_kind kind,
                                               const char *name);
 
+/// Of a buffer.
+size_t python_resource_bytes(PyObject *resource);
+
 #endif

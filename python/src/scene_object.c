@@ -5,6 +5,7 @@
 #include "memory_object.h"
 #include "model_object.h"
 #include "picture_fields.h"
+#include "picture_memory.h"
 
 #include <stdlib.h>
 
@@ -80,7 +81,7 @@ static bool add_picture(PyObject *dictionary, const struct python_picture_field 
     }
     const struct python_shape shape = {
         field->type, field->channels > 1 ? 3 : 2, {height, width, field->channels}};
-    PyObject *memory = python_memory_take(*field->texels, shape);
+    PyObject *memory = python_memory_take_picture(*field->texels, shape);
     *field->texels = NULL;
     const bool added = memory && PyDict_SetItemString(dictionary, field->name, memory) == 0;
     Py_XDECREF(memory);
@@ -110,13 +111,18 @@ static bool read_view(const struct scene_object *scene, PyObject *arguments, str
     PyObject *camera;
     int interpolate, wireframe, background, lights, shadows, ground, occlusion, transparency, tone, up;
     char error[256];
-    *view = (struct scene_view){.goes_on = python_work_goes_on};
+    *view = (struct scene_view){.goes_on = python_work_goes_on, .allocate = python_picture_allocate};
     if (!PyArg_ParseTuple(arguments, "(ii)iiOiiii(bbb)ipppiidI:draw", &view->width, &view->height,
                           &view->samples, &view->supersample, &camera, &up, &interpolate, &wireframe,
                           &background, &view->background_color[0], &view->background_color[1],
                           &view->background_color[2], &lights, &shadows, &ground, &occlusion, &transparency,
                           &tone, &view->exposure, &view->outputs) ||
-        !python_camera_read(camera, &view->camera)) {
+        !python_camera_read(camera, &view->camera) ||
+        (up >= 0 && !python_is_choice(up, SCENE_AXIS_Y, SCENE_AXIS_MINUS_X, "up")) ||
+        !python_is_choice(wireframe, SCENE_WIREFRAME_NONE, SCENE_WIREFRAME_PLAIN, "wireframe") ||
+        !python_is_choice(background, SCENE_BACKGROUND_DEFAULT, SCENE_BACKGROUND_TRANSPARENT, "background") ||
+        !python_is_choice(lights, 0, 2, "lights") ||
+        !python_is_choice(tone, SCENE_TONE_NEUTRAL, SCENE_TONE_NONE, "tone")) {
         return false;
     }
     view->up = up < 0 ? scene->source->up : (enum scene_axis)up;

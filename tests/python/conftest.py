@@ -42,8 +42,7 @@ def square():
     return vertices, np.array([[0, 1, 2], [0, 2, 3]])
 
 
-@pytest.fixture
-def box_obj(tmp_path):
+def write_boxes(folder):
     """A file with two boxes of different colours, one of them turned."""
     corners = [(x, y, z) for z in (0, 1) for y in (0, 1) for x in (0, 1)]
     sides = [(1, 3, 4, 2), (5, 6, 8, 7), (1, 2, 6, 5), (3, 7, 8, 4), (1, 5, 7, 3), (2, 4, 8, 6)]
@@ -52,9 +51,20 @@ def box_obj(tmp_path):
         lines += [f"o box{box}", f"usemtl m{box}"]
         lines += [f"v {x + shift} {y + 0.2 * shift * x} {z}" for x, y, z in corners]
         lines += ["f " + " ".join(str(8 * box + i) for i in side) for side in sides]
-    (tmp_path / "boxes.mtl").write_text("newmtl m0\nKd 0.8 0.2 0.1\nnewmtl m1\nKd 0.1 0.3 0.9\n")
-    (tmp_path / "boxes.obj").write_text("\n".join(lines) + "\n")
-    return tmp_path / "boxes.obj"
+    (folder / "boxes.mtl").write_text("newmtl m0\nKd 0.8 0.2 0.1\nnewmtl m1\nKd 0.1 0.3 0.9\n")
+    (folder / "boxes.obj").write_text("\n".join(lines) + "\n")
+    return folder / "boxes.obj"
+
+
+@pytest.fixture
+def box_obj(tmp_path):
+    return write_boxes(tmp_path)
+
+
+@pytest.fixture(scope="session")
+def boxes(tmp_path_factory):
+    """The same, for all tests: to be read."""
+    return write_boxes(tmp_path_factory.mktemp("boxes"))
 
 
 @pytest.fixture(params=[1, 3])

@@ -158,6 +158,20 @@ def test_bytes_do_not_depend_on_threads():
     assert found[0] == found[1] == found[2]
 
 
+def test_many_images_add_to_one_position():
+    """Images that share positions: the sum of their gradients, of which most are a part of 2^-24 of the first."""
+    pos = np.array([[-1, -1, 0, 1], [3, -1, 0, 1], [-1, 3, 0, 1]], np.float32)
+    images = 20000
+    rast, _ = dr.rasterize(pos, [[0, 1, 2]], (1, 1), np.tile([[0, 1]], (images, 1)))
+    to_rast = np.zeros_like(rast)
+    to_rast[:, ..., :2] = 1e-3
+    to_rast[0, ..., :2] = 2e4
+    of_one = dr.rasterize_grad(pos, [[0, 1, 2]], rast[:1], np.ones_like(rast[:1])).astype(np.float64)
+    wanted = of_one * (2e4 + (images - 1) * np.float64(np.float32(1e-3)))
+    assert of_one.any()
+    assert np.allclose(dr.rasterize_grad(pos, [[0, 1, 2]], rast, to_rast), wanted, rtol=1e-6)
+
+
 GOOD = dict(pos=np.zeros((1, 3, 4), np.float32), tri=[[0, 1, 2]], resolution=(4, 4))
 
 

@@ -7,6 +7,7 @@ import pytest
 import rhw
 import rhw.diff as dr
 from diff_reference import check_gradient
+from rhw import _rhw
 
 FILTERS = ["nearest", "linear", "linear-mipmap-nearest", "linear-mipmap-linear"]
 BOUNDARIES = ["wrap", "clamp", "zero"]
@@ -189,6 +190,49 @@ def test_bytes_do_not_depend_on_threads(cube):
         grads = dr.texture_grad(tex, uv, values, uv_da, bias, context=context, **options)
         found.append([values.tobytes()] + [array.tobytes() for array in grads[:4]])
     assert found[0] == found[1] == found[2]
+
+
+def test_a_million_pixels_add_to_a_texel():
+    """Each is a part of 2^-24 of what is there already: sums of floats would not see it."""
+    random = np.random.default_rng(4)
+    uv = random.uniform(0.3, 0.7, (1, 1000, 1000, 2)).astype(np.float32)
+    to_values = random.uniform(0.5e-3, 1.5e-3, (1, 1000, 1000, 1)).astype(np.float32)
+    to_values[0, 0, 0] = 2e4
+    tex = np.ones((1, 1, 2, 1), np.float32)
+    part = np.float64(uv[..., 0]) * 2 - 0.5  # of the second texel
+    wanted = [((1 - part) * to_values[..., 0]).sum(), (part * to_values[..., 0]).sum()]
+    found = []
+    for threads in (1, 3):
+        to_tex = dr.texture_grad(tex, uv, to_values, boundary_mode="clamp", context=rhw.Context(threads=threads))[0]
+        assert to_tex.reshape(-1) == pytest.approx(wanted, rel=1e-7)
+        found.append(to_tex.tobytes())
+    assert found[0] == found[1]
+
+    # The slope of the loss, a number of double precision, when the first texel moves.
+    moved = [np.array([1 + step, 1.0]) for step in (-1e-3, 1e-3)]
+    losses = [((texels[0] * (1 - part) + texels[1] * part) * to_values[..., 0]).sum() for texels in moved]
+    assert to_tex[0, 0, 0, 0] == pytest.approx((losses[1] - losses[0]) / 2e-3, rel=1e-7)
+
+
+@pytest.mark.parametrize("boundary", ["cube", "wrap"])
+def test_slopes_that_are_no_numbers_have_no_gradient(boundary):
+    """rhw.diff refuses them; an array that another thread writes to may have some nevertheless."""
+    tex, uv, uv_da, bias = scene(5, cube=boundary == "cube", shared=True)
+    tex = tex[:1].copy()
+    broken = np.zeros(uv.shape[:3], bool)
+    broken[:, ::2] = True
+    for wrong in (np.nan, np.inf):
+        uv_da[broken, 1] = wrong
+        bias[broken] = 64.5  # so that a level between two is read even where the slopes say the least there is
+        with pytest.raises(ValueError, match="^uv_da: every number must be finite"):
+            dr.texture_grad(tex, uv, np.zeros(uv.shape[:3] + (3,)), uv_da, bias, boundary_mode=boundary)
+        levels = (tex, *dr.texture_construct_mip(tex, cube_mode=boundary == "cube"))
+        to_values = np.ones(uv.shape[:3] + (3,), np.float32)
+        description = (levels, 1, *tex.shape[-3:], 3, ["cube", "wrap"].index(boundary), 2, 99, 2)
+        results = [np.full_like(level, 7) for level in levels], *(np.full_like(a, 7) for a in (uv, uv_da, bias))
+        _rhw.diff_texture_grad((description, uv, uv_da, bias, to_values), tuple(results[0]), *results[1:])
+        assert np.isfinite(results[1]).all() and results[1].any() and not results[2][broken].any()
+        assert np.isfinite(results[3]).all() and all(np.isfinite(level).all() for level in results[0])
 
 
 @pytest.mark.parametrize("wrong, line", [

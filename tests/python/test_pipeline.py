@@ -235,7 +235,7 @@ def drawn(*arguments, of=None, into=None, **keywords):
      ValueError, "attachment"),
     (lambda: Pass(target)(pipeline, CORNERS), ValueError, "the pass is recorded within its `with` alone"),
     (lambda: Pass({"color": Texture(3), "uv": Texture(4, "rg32_float")}), ValueError, "targets: must be of one size"),
-    (lambda: Pass({"triangle": Texture(3)}), ValueError, "outputs: triangle cannot be drawn into rgba8_srgb"),
+    (lambda: Pass({"triangle": Texture(3)}), ValueError, "targets: triangle cannot be drawn into rgba8_srgb"),
     (lambda: Pass({"color": 3}), TypeError, "targets: must be textures, not int"),
     (lambda: Pass(target, depth=target["color"]), ValueError, "depth: must be a texture of d32_float"),
     (lambda: Pass(target, clear={"uv": 1}), ValueError, "clear: 'uv' is not one of color, depth_test"),

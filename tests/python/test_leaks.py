@@ -1,0 +1,139 @@
+# SPDX-License-Identifier: MIT
+"""What fails, and what ends, gives its memory back."""
+
+import ctypes
+import gc
+import os
+import warnings
+
+import numpy as np
+import pytest
+
+import rhw
+import rhw.diff as dr
+from conftest import SANITIZED
+from rhw import _rhw
+from rhw.pipeline import Buffer, Pass, Pipeline, Texture
+
+if SANITIZED:
+    pytest.skip("a sanitizer keeps what was freed for a while", allow_module_level=True)
+
+
+class Usage(ctypes.Structure):
+    """struct mallinfo2 of glibc."""
+    _fields_ = [(name, ctypes.c_size_t) for name in ("arena", "ordblks", "smblks", "hblks", "hblkhd", "usmblks", "fsmblks",
+                                                     "uordblks", "fordblks", "keepcost")]
+
+
+try:
+    usage = ctypes.CDLL(None).mallinfo2
+    usage.restype = Usage
+except AttributeError:
+    pytest.skip("the C library does not count its memory", allow_module_level=True)
+
+
+def bytes_in_use():
+    """Of malloc, and pages of the process."""
+    gc.collect()
+    found = usage()
+    with open("/proc/self/statm") as file:
+        return found.uordblks + found.hblkhd, int(file.read().split()[1]) * os.sysconf("SC_PAGESIZE")
+
+
+V = np.random.default_rng(1).random((3000, 3), np.float32)
+F = np.arange(3000, dtype=np.uint32).reshape(-1, 3)
+NOBODY = ((0.0,) * 3,) * 3 + (False, 0.0, 0.0, 0.0, 0.0, 1.0, (0.0, 0.0))
+MATERIAL = ("m", (1.0,) * 4, (0.0,) * 3, 0.0, 0.5, 0, 0.5, False, True, -1)
+WORLD = np.eye(4, dtype=np.float32)
+context = rhw.Context(threads=2)
+model = rhw.Model(V, F)
+
+
+def made(faces=F, node=0, last=()):
+    return _rhw.make("m", 0, (("mesh", 3, True, 0, V, None, None, None, faces),), (MATERIAL,), (), (("n", node, WORLD), *last))
+
+
+def torn_pass():
+    target = {"color": Texture(64)}
+    with Pass(target) as draw:
+        draw(Pipeline(target, depth=None), V, F)
+        raise ValueError("in the middle")
+
+
+@pytest.mark.parametrize("times, call", [
+    (300, lambda: made(faces=F + 1)),
+    (300, lambda: made(node=7)),
+    (300, lambda: made(last=(3,))),
+    (300, lambda: rhw.Model(V, F, colors=V[:7])),
+    (300, lambda: rhw.load("/nowhere")),
+    (30, lambda: rhw.load(__file__)),
+    (300, lambda: rhw.Context(threads=99)),
+    (300, lambda: rhw.Context(isa="none")),
+    (300, lambda: Buffer((2**40, 2**20), context=context)),
+    (300, lambda: _rhw.texture(context, 9999, 500, 500, False)),
+    (300, lambda: _rhw.sampler(context, 77, 0, 1.0)),
+    (300, lambda: _rhw.pipeline(context, (2, -1, -1, -1), False, 0, 99, 0, True, 0, True, False, ((0, 3),))),
+    (300, lambda: _rhw.pipeline(context, (2, -1, -1, -1), False, 0, 0, 0, True, 0, True, False, ((0, 3), (9, 3)))),
+    (300, lambda: _rhw.Pass(context, (0, 0), 1, (), True, None, False, 1.0)),
+    (300, torn_pass),
+    (100, lambda: _rhw.Scene(context, model._model).draw((8, 8), 1, 1, NOBODY, 0, 0, 0, 0, (0, 0, 0), 0, True, True, False, 0, 0, 0.0, 1)),
+    (300, lambda: rhw.write_png("/nowhere/x.png", np.zeros((99, 99, 3), np.uint8))),
+    (300, lambda: _rhw.encode_output("x", {"color": V}, (8, 8), 0, 8, False, (0.0,) * 3, (1.0,) * 3)),
+    (300, lambda: _rhw.encode_exr("x", {}, (8, 8), 1, NOBODY, model._model, 1)),
+    (300, lambda: dr.texture_grad(np.ones((1, 64, 64, 3)), np.ones((1, 9, 9, 2)), np.ones((1, 9, 8, 3)))),
+    (300, lambda: _rhw.diff_rasterize_grad((F, 3000, 1, 64, 64, 1), V, True, V, V, None, V)),
+])
+def test_what_fails(times, call):
+    check(times, call, fails=True)
+
+
+def whole_chain():
+    pos = np.concatenate([V, np.ones((3000, 1), np.float32)], 1)[None]
+    rast, rast_db = dr.rasterize(pos, F, (64, 64), context=context)
+    values, slopes = dr.interpolate(V, rast, F, rast_db, "all", context=context)
+    dr.interpolate_grad(V, rast, F, values, rast_db, slopes, "all", context=context)
+    dr.rasterize_grad(pos, F, rast, rast, rast_db, context=context)
+    dr.texture_grad(np.ones((1, 64, 64, 3)), rast[..., :2], values, rast_db, context=context)
+    dr.antialias_grad(values, rast, pos, F, values, context=context)
+
+
+def drawn_pass():
+    target = {"color": Texture(64), "triangle": Texture(64, "r32_uint")}
+    with Pass(target, depth=True) as draw:
+        draw(Pipeline(target), V, F, texture=None)
+
+
+@pytest.mark.parametrize("times, call", [
+    (100, lambda: rhw.Model(V, F).render(20, context=context).png()),
+    (100, lambda: model.render(20, outputs=("linear", "depth")).exr()),
+    (100, lambda: rhw.Context(threads=3).threads),
+    (200, whole_chain),
+    (300, drawn_pass),
+    (300, lambda: Texture.of(np.zeros((64, 64, 3), np.uint8))),
+])
+def test_what_ends(times, call):
+    check(times, call, fails=False)
+
+
+def check(times, call, fails):
+    def once():
+        try:
+            call()
+            failed = False
+        except (ValueError, TypeError, OSError, MemoryError, rhw.Error):
+            failed = True
+        assert failed == fails
+
+    with warnings.catch_warnings():
+        warnings.simplefilter("ignore")
+        for _ in range(max(10, times // 10)):
+            once()
+        for _ in range(5):  # what is kept for later grows once or twice; a leak does each time
+            before = bytes_in_use()
+            for _ in range(times):
+                once()
+            after = bytes_in_use()
+            grown = after[0] - before[0], after[1] - before[1]
+            if grown[0] < 16 * times + 6000 and grown[1] < 6e6:  # less than any object of the extension each time
+                return
+    assert grown == (0, 0)
