@@ -12,17 +12,9 @@ import numpy as np
 
 import rhw
 import rhw.diff as dr
+from diff_sphere import sphere
 
-IMAGES, SIDES, SIZE = 16, 158, (512, 512)
-
-
-def sphere():
-    """A grid around a sphere, its poles included."""
-    t, p = np.meshgrid(np.linspace(0, np.pi, SIDES + 1), np.linspace(0, 2 * np.pi, SIDES + 1), indexing="ij")
-    vertices = np.stack([np.sin(t) * np.cos(p), np.cos(t), np.sin(t) * np.sin(p)], -1).reshape(-1, 3)
-    a = (np.arange(SIDES)[:, None] * (SIDES + 1) + np.arange(SIDES)).ravel()
-    faces = [np.stack([a, a + 1, a + SIDES + 1], 1), np.stack([a + 1, a + SIDES + 2, a + SIDES + 1], 1)]
-    return vertices.astype(np.float32), np.concatenate(faces).astype(np.uint32)
+IMAGES, SIZE = 16, (512, 512)
 
 
 def milliseconds(function, **keywords):
