@@ -1,0 +1,106 @@
+# SPDX-License-Identifier: MIT
+"""The folder of a data set: what lies where, and files that are there whole and are not written twice.
+
+Pictures lie in DIR/MODEL/. DIR/.rhw/ keeps the plan and, beside the description of each model, a record of each view with
+the hashes of its files, which is written after them: a view that has one is finished.
+"""
+
+from __future__ import annotations
+
+import hashlib
+import json
+import os
+from typing import Any, Dict, Iterable, List, NamedTuple, Set, Tuple
+
+from .. import _files
+from .errors import Failure
+
+RECORDS = ".rhw"
+
+
+class ViewNames(NamedTuple):
+    """What a view's files are called, with the outputs in each, and its record."""
+
+    files: Dict[str, List[str]]
+    record: str
+
+
+def plan_path(folder: str) -> str:
+    return os.path.join(folder, RECORDS, "plan.json")
+
+
+def model_path(folder: str, name: str) -> str:
+    return os.path.join(folder, RECORDS, name, "model.json")
+
+
+def manifest_path(folder: str) -> str:
+    return os.path.join(folder, "manifest.json")
+
+
+def encode(value: Any) -> bytes:
+    """JSON by rules that do not depend on the machine: Python writes the shortest digits that give a float back."""
+    return (json.dumps(value, ensure_ascii=False, allow_nan=False) + "\n").encode()
+
+
+def read(path: str) -> Dict[str, Any]:
+    """A file with a JSON object."""
+    with open(path, "rb") as file:
+        data = file.read()
+    try:
+        value = json.loads(data)
+    except ValueError as error:
+        raise Failure(f"{path}: is not JSON: {error}") from None
+    if not isinstance(value, dict):
+        raise Failure(f"{path}: must be a JSON object")
+    return value
+
+
+def digest(path: str) -> str:
+    """The SHA-256 of a file."""
+    sha = hashlib.sha256()
+    with open(path, "rb") as file:
+        while data := file.read(1 << 20):
+            sha.update(data)
+    return sha.hexdigest()
+
+
+def put(path: str, data: bytes) -> None:
+    """Writes a file, unless it is there with these bytes."""
+    try:
+        with open(path, "rb") as file:
+            if file.read() == data:
+                return
+    except FileNotFoundError:
+        pass
+    _files.write(path, data)
+
+
+def places(folder: str, name: str) -> Tuple[str, str]:
+    """Where a model's pictures lie, and their records."""
+    return os.path.join(folder, name), os.path.join(folder, RECORDS, name)
+
+
+def listing(folder: str, name: str) -> Set[str]:
+    """Names of all files there are of a model, of its pictures and of its records."""
+    found: Set[str] = set()
+    for place in places(folder, name):
+        try:
+            found.update(os.listdir(place))
+        except FileNotFoundError:
+            pass
+    return found
+
+
+def has(folder: str, name: str, view: ViewNames) -> bool:
+    """Whether a view is finished."""
+    place, records = places(folder, name)
+    return os.path.exists(os.path.join(records, view.record)) and all(
+        os.path.exists(os.path.join(place, file)) for file in view.files)
+
+
+def sweep(folder: str, names: Iterable[str]) -> None:
+    """Removes what killed runs had begun to write."""
+    for place in (folder, os.path.join(folder, RECORDS), *(place for name in names for place in places(folder, name))):
+        for file in os.listdir(place):
+            if file.startswith(_files.TEMPORARY):
+                os.unlink(os.path.join(place, file))

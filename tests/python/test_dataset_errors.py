@@ -1,0 +1,193 @@
+# SPDX-License-Identifier: MIT
+"""What is wrong with a request, a model or a place is one line, and leaves nothing half done."""
+
+import json
+import os
+import re
+import shutil
+
+import pytest
+
+from dataset_runs import files, manifest, run
+from rhw.dataset.main import main
+
+POSE = [[1, 0, 0, 0], [0, 1, 0, 0], [0, 0, 1, 5], [0, 0, 0, 1]]
+
+
+def say(capsys, *arguments):
+    """Runs it here: the exit status and what was said."""
+    with pytest.raises(SystemExit) as ended:
+        main([str(each) for each in arguments])
+    return ended.value.code, capsys.readouterr().err
+
+
+@pytest.mark.parametrize("arguments, line", [
+    ("", "no MODEL was given"),
+    ("m.obj", "--out: must say which folder"),
+    ("m.obj --out", "--out: expected one argument"),
+    ("m.obj --out o --nonsense", "unrecognized arguments: --nonsense"),
+    ("m.obj --out o --view 3", "unrecognized arguments: --view"),
+    ("m.obj m.obj --out o", "m.obj: is given twice"),
+    ("m.obj ./m.obj --out o", r"./m.obj: would have the name 'm.obj', as m.obj has"),
+    ("@nowhere.txt --out o", "No such file or directory: 'nowhere.txt'"),
+    ("m.obj --out o --views 0", "--views: must be a whole number from 1 to 10000000, not '0'"),
+    ("m.obj --out o --views 2.5", "--views: must be a whole number"),
+    ("m.obj --out o --size 0x3", "--size: must be WIDTHxHEIGHT or one number, of 1 to 16384, not '0x3'"),
+    ("m.obj --out o --size 20000", "--size: must be"),
+    ("m.obj --out o --outputs color,foo", "--outputs: 'foo' is not one of color, linear"),
+    ("m.obj --out o --outputs color,color:npz", "--outputs: 'color' is there twice"),
+    ("m.obj --out o --outputs distance:png", "--outputs: 'distance' is written as exr or npz, not as 'png'"),
+    ("m.obj --out o --outputs color:", "--outputs: 'color' is written as png or npz, not as ''"),
+    ("m.obj --out o --elevation 40,-40", "--elevation: must have the lower number first, not 40,-40"),
+    ("m.obj --out o --elevation -40,100", "--elevation: must lie between -90 and 90, not 100"),
+    ("m.obj --out o --elevation 1,2,3", "--elevation: must be 2 numbers with commas between, not '1,2,3'"),
+    ("m.obj --out o --fovy nan", "--fovy: must lie between 0.01 and 179, not nan"),
+    ("m.obj --out o --fovy wide", "--fovy: must be a number, not 'wide'"),
+    ("m.obj --out o --radius 0", "--radius: must lie between 0.001 and"),
+    ("m.obj --out o --radius 1 --distance 2", "--radius: says nothing beside --distance"),
+    ("m.obj --out o --center 1,2", "--center: must be 3 numbers"),
+    ("m.obj --out o --up w", "--up: invalid choice: 'w'"),
+    ("m.obj --out o --samples 3", "--samples: invalid choice: 3"),
+    ("m.obj --out o --background pink", "--background: must be rrggbb in hexadecimal"),
+    ("m.obj --out o --shadows maybe", "--shadows: must be on or off, not 'maybe'"),
+    ("m.obj --out o --threads 0", "-j/--threads: must be a whole number from 1 to 64, not '0'"),
+    ("m.obj --out o --shard 0/3", "--shard: must be NUMBER/COUNT, from 1/COUNT to COUNT/COUNT, not '0/3'"),
+    ("m.obj --out o --shard 4/3", "--shard: must be"),
+    ("m.obj --out o --shard 1/2 --scheduler tcp://x:1", "--shard: says nothing beside --scheduler"),
+    ("m.obj --out o --cameras c.json --views 3", "--views: says nothing beside --cameras"),
+    ("m.obj --verify o", "--verify OUT: needs no models"),
+])
+def test_a_wrong_command_line(arguments, line, tmp_path, monkeypatch, capsys):
+    monkeypatch.chdir(tmp_path)
+    status, said = say(capsys, *arguments.split())
+    assert status == 2 and re.fullmatch(r"rhw\.dataset: .*\n", said) and line in said
+    assert os.listdir(tmp_path) == []
+
+
+@pytest.mark.parametrize("about, line", [
+    ("{", "c.json: is not JSON"),
+    ("[]", "c.json: must be a JSON object"),
+    ({}, "c.json: frames: must be a list of cameras"),
+    ({"frames": []}, "c.json: frames: must be a list of cameras"),
+    ({"frames": [7]}, "c.json: frames[0]: must be an object with transform_matrix"),
+    ({"fl_x": 9, "frames": [{}]}, "c.json: frames[0]: transform_matrix: must be 4 rows of 4 numbers"),
+    ({"fl_x": 9, "frames": [{"transform_matrix": POSE}, {"transform_matrix": [[1, 2], 3, 4]}]}, "frames[1]: transform_matrix: must be"),
+    ({"fl_x": 9, "frames": [{"transform_matrix": [[2, 0, 0, 0], *POSE[1:]]}]}, "transform_matrix: must turn and move"),
+    ({"fl_x": 9, "frames": [{"transform_matrix": [[-1, 0, 0, 0], *POSE[1:]]}]}, "transform_matrix: must turn and move"),
+    ({"fl_x": 9, "frames": [{"transform_matrix": [["1", 0, 0, 0], *POSE[1:]]}]}, "must be a number from -1e+30 to 1e+30, not '1'"),
+    ({"frames": [{"transform_matrix": POSE}]}, "frames[0]: fl_x or camera_angle_x: must say what the lens is"),
+    ({"fl_x": 9, "k1": 0.1, "frames": [{"transform_matrix": POSE}]}, "frames[0]: k1: distortion of a lens is not drawn"),
+    ({"fl_x": 9, "w": 10, "h": 20, "frames": [{"transform_matrix": POSE}]}, "w, h: are 10, 20, which is no scaled 64, 48"),
+    ({"fl_x": float("nan"), "frames": [{"transform_matrix": POSE}]}, "fl_x: must be a number"),
+    ({"camera_angle_x": 4, "frames": [{"transform_matrix": POSE}]}, "camera_angle_x: must be a number from 0.0001 to 3.1, not 4"),
+])
+def test_a_wrong_file_of_cameras(about, line, tmp_path, monkeypatch, capsys):
+    monkeypatch.chdir(tmp_path)
+    (tmp_path / "c.json").write_text(about if isinstance(about, str) else json.dumps(about))
+    status, said = say(capsys, "m.obj", "--cameras", "c.json", "--size", "64x48", "--out", "o")
+    assert status == 1 and re.fullmatch(r"rhw\.dataset: .*\n", said) and line in said
+    assert os.listdir(tmp_path) == ["c.json"]
+
+
+def test_a_folder_of_others(boxes, tmp_path, capsys):
+    (tmp_path / "thesis.tex").write_text("years")
+    assert say(capsys, boxes, "--out", tmp_path) == (1, f"rhw.dataset: {tmp_path}: holds other files; take a new or empty folder\n")
+    assert "Not a directory" in say(capsys, boxes, "--out", tmp_path / "thesis.tex/x")[1]
+    assert os.listdir(tmp_path) == ["thesis.tex"]
+
+
+@pytest.mark.parametrize("changed, line", [
+    (("--samples", 1), "render.samples is 4 there, not 1"),
+    (("--outputs", "color,object"), 'outputs.object is null there, not "exr"'),
+    (("--views", 4), "cameras.sphere.views is 3 there, not 4"),
+    (("--seed", 4), "cameras.sphere.seed is 0 there, not 4"),
+    (("--size", 21), "size[0] is 20 there, not 21"),
+    (("other.obj",), "models are 1 there, not 2"),
+])
+def test_another_request_in_the_same_folder(boxes, tmp_path, capsys, changed, line):
+    out = tmp_path / "set"
+    asked = (boxes, "--views", 3, "--size", 20, "--out", out, "--shard", "1/3")
+    run(*asked)
+    before = files(out)
+    status, said = say(capsys, *asked, *changed)
+    assert (status, said) == (1, f"rhw.dataset: {out}: has another data set: {line}; take another folder\n")
+    assert files(out) == before
+
+
+def test_models_that_cannot_be_drawn(boxes, tmp_path):
+    """Others are drawn; without what is broken the manifest is written only when that is asked for."""
+    shutil.copy(boxes, tmp_path / "good.obj")
+    (tmp_path / "bad.obj").write_bytes(b"\0\1\2")
+    asked = (tmp_path / "bad.obj", tmp_path / "good.obj", tmp_path / "gone.obj", "--views", 3, "--size", 20, "--out",
+             tmp_path / "set")
+    said = run(*asked, status=1).splitlines()
+    assert len(said) == 4 and all(line.startswith("rhw.dataset: ") for line in said), said
+    assert sum("bad.obj: " in line for line in said) == 1
+    assert f"rhw.dataset: {tmp_path}/gone.obj: No such file or directory" in said
+    assert "2 of 3 models cannot be drawn" in said[-1] and not (tmp_path / "set/manifest.json").exists()
+    run(*asked, "--skip-failed")
+    assert [model["name"] for model in manifest(tmp_path / "set")["models"]] == ["good"]
+    assert "no model can be drawn" in run(tmp_path / "bad.obj", "--skip-failed", "--out", tmp_path / "none", status=1)
+
+
+def test_models_with_faults(boxes, tmp_path):
+    """A material library that is not there is told once; with --strict nothing is drawn."""
+    shutil.copy(boxes, tmp_path / "plain.obj")
+    asked = (tmp_path / "plain.obj", "--views", 3, "--size", 20)
+    said = run(*asked, "--out", tmp_path / "set")
+    assert said.count("\n") == 1 and said.startswith(f"rhw.dataset: {tmp_path}/plain.obj: ")
+    model, = manifest(tmp_path / "set")["models"]
+    assert said.endswith(model["warnings"][0] + "\n")
+    assert run(*asked, "--out", tmp_path / "again", "-q") == ""
+    assert "1 of 1 model cannot be drawn" in run(*asked, "--out", tmp_path / "strict", "--strict", status=1)
+
+
+def test_a_model_that_has_changed(boxes, tmp_path):
+    """Its own file, and one that it names."""
+    for name in ("boxes.obj", "boxes.mtl"):
+        shutil.copy(boxes.parent / name, tmp_path)
+    asked = (tmp_path / "boxes.obj", "--views", 3, "--size", 20, "--out", tmp_path / "set")
+    run(*asked, "--shard", "1/3")
+    older = (tmp_path / "boxes.mtl").read_text()
+    (tmp_path / "boxes.mtl").write_text(older.replace("0.8", "0.1"))
+    assert "has changed since" in run(*asked, status=1)
+    (tmp_path / "boxes.mtl").write_text(older)
+    run(*asked)
+    (tmp_path / "set/manifest.json").unlink()
+    (tmp_path / "boxes.obj").write_text((tmp_path / "boxes.obj").read_text() + "# more\n")
+    assert "boxes.obj: has changed since" in run(*asked, status=1)
+    assert not (tmp_path / "set/manifest.json").exists()
+
+
+def test_ids_that_a_png_cannot_hold(tmp_path):
+    (tmp_path / "many.obj").write_text("v 0 0 0\nv 1 0 0\nv 0 1 0\n" + "f 1 2 3\n" * 65536)
+    asked = (tmp_path / "many.obj", "--views", 1, "--size", 20, "--outputs")
+    said = run(*asked, "triangle:png", "--out", tmp_path / "png", status=1)
+    assert "has 65536 triangles, and a PNG counts to 65535; take triangle:exr" in said
+    run(*asked, "triangle:npz", "--out", tmp_path / "npz")
+
+
+@pytest.mark.parametrize("name, line", [("manifest.json", "manifest.json: is not JSON"), (".rhw/plan.json", "plan.json: is not of")])
+def test_a_damaged_folder(boxes, tmp_path, capsys, name, line):
+    out = tmp_path / "set"
+    run(boxes, "--views", 1, "--size", 20, "--out", out)
+    (out / name).write_text("{}" if "plan" in name else "{")
+    arguments = ("--verify", out) if name == "manifest.json" else (boxes, "--out", out)
+    status, said = say(capsys, *arguments)
+    assert status == 1 and line in said and said.count("\n") == 1
+    for damaged in ("{}", '{"format": "rhw.dataset 1"}', '{"format": "rhw.dataset 1", "models": [7]}'):
+        (out / "manifest.json").write_text(damaged)
+        assert say(capsys, "--verify", out)[1].count("\n") == 1
+
+
+def test_a_place_that_cannot_be_written(boxes, tmp_path, capsys):
+    """The line names the file; what was begun of it is gone."""
+    out = tmp_path / "set"
+    run(boxes, "--views", 3, "--size", 20, "--out", out, "--shard", "1/3")
+    (out / "boxes/0002.png").mkdir()
+    status, said = say(capsys, boxes, "--views", 3, "--size", 20, "--out", out)
+    assert status == 1
+    assert said == f"rhw.dataset: {out}/boxes/0002.png: Is a directory; the same command goes on from here\n"
+    (out / "boxes/0002.png").rmdir()
+    run(boxes, "--views", 3, "--size", 20, "--out", out)
+    assert not [name for name in files(out) if "/.rhw-" in name]

@@ -1,0 +1,118 @@
+# SPDX-License-Identifier: MIT
+"""Runs of rhw.dataset that are killed, shared out and begun again make the data set of one run."""
+
+import os
+import pty
+import shutil
+import signal
+import subprocess
+import time
+
+import pytest
+
+from dataset_runs import command, files, manifest, marks, records, run, start, wait_for
+
+#: Slow enough to be ended in the middle.
+SLOW = ("--views", 40, "--size", 160, "--samples", 16, "--outputs", "color,distance,object:png,triangle:npz")
+
+
+@pytest.fixture(scope="module")
+def whole(tmp_path_factory, boxes):
+    """What one run makes."""
+    folder = tmp_path_factory.mktemp("whole") / "set"
+    run(boxes, *SLOW, "--out", folder)
+    return files(folder)
+
+
+@pytest.mark.parametrize("number", [signal.SIGKILL, signal.SIGINT, signal.SIGTERM])
+def test_ended_and_begun_again(whole, boxes, tmp_path, number):
+    process = start(boxes, *SLOW, "--out", tmp_path / "set")
+    wait_for(lambda: len(records(tmp_path / "set")) >= 6, "the sixth view")
+    sent = time.monotonic()
+    process.send_signal(number)
+    said = process.communicate(timeout=30)[1]
+    assert process.returncode == -number and time.monotonic() - sent < 5
+    assert said == ("rhw.dataset: ended; the same command goes on from here\n" if number == signal.SIGINT else "")
+    there, before = files(tmp_path / "set"), marks(tmp_path / "set")
+    assert 6 <= len(records(tmp_path / "set")) < 40 and "manifest.json" not in there
+    # What has a name is whole: the bytes of the run that was not ended.
+    named = {name: sha for name, sha in there.items() if "/.rhw-" not in name}
+    assert named.items() <= whole.items()
+    assert "is not finished" in run("--verify", tmp_path / "set", status=1)
+
+    run(boxes, *SLOW, "--out", tmp_path / "set")
+    assert files(tmp_path / "set") == whole  # nothing half is left
+    after = marks(tmp_path / "set")
+    assert {name: after[name] for name in named} == {name: before[name] for name in named}
+
+    run(boxes, *SLOW, "--out", tmp_path / "set")
+    assert marks(tmp_path / "set") == after
+
+
+def test_what_is_missing_is_drawn(whole, boxes, tmp_path):
+    """Pictures without their record are compared, not written; what somebody removed is there again."""
+    run(boxes, *SLOW, "--out", tmp_path / "set")
+    before = marks(tmp_path / "set")
+    for name in (".rhw/boxes/0003.json", "boxes/0005.npz", "manifest.json"):
+        (tmp_path / "set" / name).unlink()
+    run(boxes, *SLOW, "--out", tmp_path / "set")
+    assert files(tmp_path / "set") == whole
+    after = marks(tmp_path / "set")
+    assert {name for name in whole if after[name] != before[name]} <= {".rhw/boxes/0003.json", "boxes/0005.npz", "manifest.json"}
+
+
+@pytest.mark.parametrize("threads", [1, 2, 5])
+def test_any_number_of_threads(whole, boxes, tmp_path, threads):
+    run(boxes, *SLOW, "--out", tmp_path / "set", "-j", threads)
+    assert files(tmp_path / "set") == whole
+
+
+def test_shards(whole, boxes, tmp_path):
+    """Parts in any order, two at the same time, and a run that finds everything there."""
+    parts = [start(boxes, *SLOW, "--out", tmp_path / "set", "--shard", f"{part}/3") for part in (3, 1)]
+    for part in parts:
+        said = part.communicate(timeout=60)
+        assert part.returncode == 0, said
+    assert len(records(tmp_path / "set")) == 27 and not (tmp_path / "set/manifest.json").exists()
+    run(boxes, *SLOW, "--out", tmp_path / "set", "--shard", "2/3")
+    before = marks(tmp_path / "set")
+    run(boxes, *SLOW, "--out", tmp_path / "set")
+    assert files(tmp_path / "set") == whole
+    after = marks(tmp_path / "set")
+    assert {name: after[name] for name in before} == before
+
+
+def test_from_elsewhere(whole, boxes, tmp_path, monkeypatch):
+    """A model may be called otherwise when a run goes on; the manifest keeps what it was called first."""
+    run(boxes, *SLOW, "--out", tmp_path / "set", "--shard", "1/2")
+    monkeypatch.chdir(boxes.parent)
+    run("boxes.obj", *SLOW, "--out", os.path.relpath(tmp_path / "set"))
+    assert files(tmp_path / "set") == whole
+    assert manifest(tmp_path / "set")["models"][0]["path"] == str(boxes)
+
+
+def test_verify(boxes, tmp_path):
+    out = tmp_path / "set"
+    run(boxes, "--views", 3, "--size", 20, "--outputs", "color,object", "--out", out)
+    assert run("--verify", out) == ""
+    data = bytearray((out / "boxes/0001.exr").read_bytes())
+    data[len(data) // 2] ^= 1
+    (out / "boxes/0001.exr").write_bytes(data)
+    (out / "boxes/0002.png").unlink()
+    assert run("--verify", out, status=1).splitlines() == [
+        f"rhw.dataset: {out}/boxes/0001.exr: has changed", f"rhw.dataset: {out}/boxes/0002.png: is missing",
+        f"rhw.dataset: {out}: 2 of 6 files are not those of the manifest"]
+    shutil.copy(boxes, tmp_path / "else.obj")
+    assert "is no data set" in run("--verify", tmp_path, status=1)
+
+
+def test_a_terminal_is_told_how_far_it_is(boxes, tmp_path):
+    ours, theirs = pty.openpty()
+    process = subprocess.Popen(command(boxes, "--views", 5, "--size", 20, "--out", tmp_path / "set"), stderr=theirs,
+                               stdout=subprocess.PIPE, text=True)
+    said = process.communicate()[0]
+    os.close(theirs)
+    shown = os.read(ours, 10000).decode()
+    os.close(ours)
+    assert shown.startswith("\r0 of 5 views\r") and "\r5 of 5 views" in shown and "\n" not in shown
+    assert said == f"{tmp_path}/set: 5 views of 1 model, 5 drawn now: {tmp_path}/set/manifest.json\n"
