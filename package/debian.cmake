@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: MIT
-# What cpack makes of a build on Debian: rhw, the program, rhw-view, its window, and librhw-dev, the static library with headers, CMake and
-# pkg-config packages. Of these rhw-view alone needs another, rhw. script/package builds and calls it.
+# What cpack makes of a build on Debian: rhw, the program; rhw-view, its window; librhw with its ABI in the name, the shared
+# library; and librhw-dev, the static one with headers, CMake and pkg-config packages. rhw-view needs rhw, and librhw-dev
+# the shared library, of the same build. script/package builds and calls it.
 set(RHW_MAINTAINER "the rhw authors <rhw@localhost>" CACHE STRING "Who stands in the Debian packages as their maintainer")
 set(CPACK_GENERATOR DEB)
 set(CPACK_PACKAGE_NAME rhw)
@@ -13,18 +14,36 @@ set(CPACK_INSTALL_DEFAULT_DIRECTORY_PERMISSIONS
 
 set(CPACK_DEB_COMPONENT_INSTALL ON)
 set(CPACK_COMPONENTS_GROUPING IGNORE)
-set(CPACK_COMPONENTS_ALL development)
+set(CPACK_COMPONENTS_ALL development library)
 set(CPACK_DEBIAN_FILE_NAME DEB-DEFAULT)
 set(CPACK_DEBIAN_PACKAGE_RELEASE 1)
+get_target_property(abi rhw_shared SOVERSION)
+set(librhw librhw${abi}) # Debian's way: several of them can be installed beside each other
+set(CPACK_DEBIAN_LIBRARY_PACKAGE_NAME ${librhw})
+set(CPACK_DEBIAN_LIBRARY_PACKAGE_SECTION libs)
+# What cpack would write by itself calls ldconfig from scripts, which Debian gave up for triggers.
+file(WRITE ${PROJECT_BINARY_DIR}/package/triggers "activate-noawait ldconfig\n")
+file(WRITE ${PROJECT_BINARY_DIR}/package/shlibs "librhw ${abi} ${librhw} (>= ${PROJECT_VERSION})\n")
+set(CPACK_DEBIAN_LIBRARY_PACKAGE_CONTROL_EXTRA
+  ${PROJECT_BINARY_DIR}/package/triggers ${PROJECT_BINARY_DIR}/package/shlibs)
+set(CPACK_DEBIAN_LIBRARY_PACKAGE_CONTROL_STRICT_PERMISSION ON)
+set(CPACK_DEBIAN_LIBRARY_DESCRIPTION "librhw draws triangles, lines and points with shaders written in C, without a
+graphics card, a display or a driver. Coverage is exact, and a scene gives the
+same bytes on every machine, whatever the number of threads and the
+instruction set.
+.
+This package has the shared library, for programs that are linked with it.")
 set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_NAME librhw-dev)
 set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_SECTION libdevel)
+set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_DEPENDS "${librhw} (= ${PROJECT_VERSION}-${CPACK_DEBIAN_PACKAGE_RELEASE})")
 set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_SUGGESTS "cmake, pkgconf")
 set(CPACK_DEBIAN_DEVELOPMENT_DESCRIPTION "librhw draws triangles, lines and points with shaders written in C, without a
 graphics card, a display or a driver. Coverage is exact, and a scene gives the
 same bytes on every machine, whatever the number of threads and the
 instruction set.
 .
-This package has the library, its headers and what CMake and pkg-config need.")
+This package has the static library, the headers and what CMake and pkg-config
+need.")
 if(RHW_PROGRAM)
   list(APPEND CPACK_COMPONENTS_ALL program)
   set(CPACK_DEBIAN_PROGRAM_PACKAGE_NAME rhw)
@@ -53,5 +72,5 @@ endif()
 # What Debian has elsewhere than others do, and what only a Debian package has.
 set(CPACK_PRE_BUILD_SCRIPTS ${CMAKE_CURRENT_LIST_DIR}/debian_layout.cmake)
 set(CPACK_RHW_SOURCE ${PROJECT_SOURCE_DIR})
-set(CPACK_RHW_PACKAGES "development=librhw-dev;program=rhw;view=rhw-view")
+set(CPACK_RHW_PACKAGES "library=${librhw};development=librhw-dev;program=rhw;view=rhw-view")
 include(CPack)

@@ -1,6 +1,13 @@
 # SPDX-License-Identifier: MIT
 # cpack runs this on what is installed for the packages, a folder for each component, before it packs them.
 cmake_policy(VERSION 3.22)
+# What the shared library needs, which cpack finds out of programs alone without scripts that call ldconfig.
+file(GLOB_RECURSE library ${CPACK_TEMPORARY_DIRECTORY}/library/librhw.so.*.*.*)
+file(WRITE ${CPACK_TEMPORARY_DIRECTORY}/needs/debian/control "Source: rhw\n\nPackage: librhw\nArchitecture: any\n")
+execute_process(COMMAND dpkg-shlibdeps -O ${library} WORKING_DIRECTORY ${CPACK_TEMPORARY_DIRECTORY}/needs
+  OUTPUT_VARIABLE needs OUTPUT_STRIP_TRAILING_WHITESPACE COMMAND_ERROR_IS_FATAL ANY)
+string(REPLACE "shlibs:Depends=" "" CPACK_DEBIAN_LIBRARY_PACKAGE_DEPENDS "${needs}")
+file(REMOVE_RECURSE ${CPACK_TEMPORARY_DIRECTORY}/needs)
 foreach(pair IN LISTS CPACK_RHW_PACKAGES)
   string(REGEX MATCH "^(.*)=(.*)$" pair "${pair}")
   set(component ${CMAKE_MATCH_1})

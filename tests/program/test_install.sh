@@ -1,14 +1,15 @@
 #!/bin/sh
 # SPDX-License-Identifier: MIT
-# The installed library, as a project of its own meets it: examples/project is built with find_package and
-# rhw_add_shaders, and with pkg-config and make, and draws the same bytes with every copy of its shaders.
+# The installed libraries, as a project of its own meets them: examples/project is built with find_package and
+# rhw_add_shaders, and with pkg-config and make, and draws the same bytes with every copy of its shaders; and a program is
+# linked with the static and the shared library in every way there is.
 # usage: test_install.sh BUILD_FOLDER SOURCE_ROOT C_COMPILER
 set -u
 
 build=$(realpath "$1")
 root=$(realpath "$2")
 export CC="$3"
-for tool in pkg-config make objdump; do
+for tool in pkg-config make objdump readelf; do
     command -v $tool >/dev/null 2>&1 || { echo "no $tool here"; exit 77; }
 done
 failures=0
@@ -85,6 +86,75 @@ for program in make/ripples cmake/build/ripples; do
         esac
     done
 done
+
+# A program with each of the libraries. Which one rhw is, and whether both are there, the build was told.
+setting() { # NAME: what it is in the build
+    sed -n "s/^$1:[A-Z]*=//p" "$build/CMakeCache.txt"
+}
+case $(setting BUILD_SHARED_LIBS) in ON) kind=shared ;; *) kind=static ;; esac
+kinds=$kind
+[ "$(setting RHW_BOTH_LIBRARIES)" != ON ] || kinds="static shared"
+sed -n '/^#include/,/^```/{/^```/!p}' "$root/docs/hello.md" >hello.c
+needs() { # PROGRAM KIND: the shared library, or not
+    readelf -d "$1" >dynamic
+    case $2 in
+    shared) grep -q 'NEEDED.*\[librhw\.so\.[0-9]*\.[0-9]*\]' dynamic ;;
+    *) ! grep -q 'NEEDED.*librhw' dynamic ;;
+    esac
+}
+draws() { # PROGRAM KIND: is linked as it should be, and draws what the first one draws
+    check "$1 is linked with the $2 library" needs "./$1" "$2"
+    rm -f hello.ppm
+    check "$1 runs" "./$1"
+    [ -f first.ppm ] || cp hello.ppm first.ppm
+    check "$1 draws the same" cmp hello.ppm first.ppm
+}
+links() { # PROGRAM PKG-CONFIG-ARGUMENT...
+    program=$1
+    shift
+    check "$program is built" sh -c "$CC -O2 hello.c $* -o $program"
+}
+version=$("$CC" -E -dM "$root/include/rhw/base.h" | awk '/RHW_VERSION_/ { print $3 }' | paste -sd .)
+for one in $kinds; do
+    case $one in
+    static) check "librhw.a" test -s "$library/librhw.a" ;;
+    shared)
+        check "librhw.so leads to that of the version" test "$(readlink -f "$library/librhw.so")" = "$(realpath "$library")/librhw.so.$version"
+        check "its name is that of its ABI" sh -c "readelf -d '$library/librhw.so' | grep -q 'SONAME.*\[librhw.so.${version%.*}\]'"
+        check "it says what it shows" "$root/tests/unit/symbols.sh" "$library/librhw.so"
+        ;;
+    esac
+    links "pc_$one" "\$(pkg-config --cflags --libs rhw-$one)"
+    draws "pc_$one" $one
+done
+links pc_rhw '$(pkg-config --cflags --libs rhw)'
+draws pc_rhw $kind
+case $kinds in
+*static*)
+    links pc_wholly_static '-static $(pkg-config --static --cflags --libs rhw)'
+    draws pc_wholly_static static
+    ;;
+esac
+mkdir linked
+cat >linked/CMakeLists.txt <<'CMAKE'
+cmake_minimum_required(VERSION 3.22)
+project(linked LANGUAGES C)
+find_package(rhw REQUIRED)
+foreach(library IN LISTS LIBRARIES)
+  add_executable(cmake_${library} ../hello.c)
+  target_link_libraries(cmake_${library} PRIVATE rhw::${library})
+endforeach()
+CMAKE
+libraries=rhw
+for one in $kinds; do
+    libraries="$libraries;rhw_$one"
+done
+check "linked configures" cmake -S linked -B linked/build -DCMAKE_PREFIX_PATH="$folder/prefix" -DLIBRARIES="$libraries"
+check "linked builds" cmake --build linked/build
+for one in $kinds; do
+    draws linked/build/cmake_rhw_$one $one
+done
+draws linked/build/cmake_rhw $kind
 
 # The copies see what their target has, also what it is given after the call, and a target may be called for twice.
 mkdir given given/folder

@@ -62,9 +62,20 @@ for package in $packages; do
     fi
 done
 
+# The shared library has its ABI in its package's name, so that an older one can stay beside it.
+abi=${version%.*}
+says librhw$abi Section '^libs$'
+says librhw$abi Depends '^libc6 '
+has librhw$abi "lib/.*/?librhw.so.$abi" "lib/.*/?librhw.so.$version"
+check "librhw$abi has nothing else" sh -c "! grep -Ev '/\$|librhw|share/doc/' librhw$abi.files"
+dpkg-deb -e librhw"$abi"_*.deb control
+check "who links it is told the package" grep -q "^librhw $abi librhw$abi" control/shlibs
+check "the loader is told of it" grep -q '^activate-noawait ldconfig$' control/triggers
+rm -r control
 says librhw-dev Section '^libdevel$'
+says librhw-dev Depends "librhw$abi \\(= $version-1\\)"
 has librhw-dev 'include/rhw/rhw.h' 'lib/.*/?rhw-config.cmake' 'lib/.*/?pkgconfig/rhw.pc' 'share/man/man3/rhw.3.gz' \
-    'lib/.*/?librhw.a'
+    'lib/.*/?librhw.a' 'lib/.*/?librhw.so' 'lib/.*/?pkgconfig/rhw-static.pc' 'lib/.*/?pkgconfig/rhw-shared.pc'
 # An empty root with dpkg's own records and nothing else.
 as_root=
 [ "$(id -u)" = 0 ] || as_root=$(command -v fakeroot || echo none)
@@ -108,6 +119,12 @@ sed -n '/^#include/,/^```/{/^```/!p}' "$root/docs/hello.md" >hello.c
 check "a program is compiled" sh -c "$compiler -O2 hello.c \$(PKG_CONFIG_PATH=$pkgconfig pkg-config --cflags --libs rhw) -o hello"
 check "it runs" ./hello
 check "it drew" test -s hello.ppm
+mv hello.ppm static.ppm
+check "another with the shared library" sh -c \
+    "$compiler -O2 hello.c \$(PKG_CONFIG_PATH=$pkgconfig pkg-config --cflags --libs rhw-shared) -o hello"
+check "it runs" env LD_LIBRARY_PATH="$(dirname "$pkgconfig")" ./hello
+check "it does not without" sh -c '! ./hello'
+check "the same bytes" cmp hello.ppm static.ppm
 
 if [ "$as_root" != none ]; then
     check "remove" $as_root dpkg --root="$folder/clean" --log=/dev/null --force-not-root,depends --purge $packages
