@@ -17,6 +17,7 @@ From another place, with less light, of your own mesh:
     >>> rhw.Model(vertices, faces, colors=colors).render(400, camera)
 
 load, Model, Camera   models, and where they are seen from
+Environment           light from a panorama
 Pictures              what a render gives: a dictionary of NumPy arrays
 write_png             an array as a file
 pipeline              buffers, textures and passes, for what no model and no material is needed for
@@ -32,10 +33,11 @@ right-handed. What is drawn is what the program `rhw render` draws with the same
 from . import _rhw, diff, pipeline
 from ._rhw import Context, Error
 from .camera import Camera, View
+from .environment import Environment
 from .model import Animation, Image, Light, Material, Mesh, Model, ModelCamera, Node, load
 from .pictures import Pictures, write_png
 
 __version__: str = _rhw.version
 
-__all__ = ["Animation", "Camera", "Context", "Error", "Image", "Light", "Material", "Mesh", "Model", "ModelCamera",
+__all__ = ["Animation", "Camera", "Context", "Environment", "Error", "Image", "Light", "Material", "Mesh", "Model", "ModelCamera",
            "Node", "Pictures", "View", "diff", "load", "pipeline", "write_png"]

@@ -40,12 +40,12 @@ def _color(value: Sequence[float], name: str, count: Tuple[int, ...]) -> Tuple[f
 
 @dataclass(frozen=True)
 class Surface:
-    """What a material is made of, as Model has it."""
+    """What a material is made of, as Model has it. None: nobody said so."""
 
-    color: Sequence[float]
-    metallic: float
-    roughness: float
-    emissive: Sequence[float]
+    color: Optional[Sequence[float]]
+    metallic: Optional[float]
+    roughness: Optional[float]
+    emissive: Optional[Sequence[float]]
     alpha: Optional[str]
     double_sided: bool
     unlit: bool
@@ -54,7 +54,14 @@ class Surface:
     def textured(self, texture: Any) -> "Surface":
         return self if texture is None else replace(self, texture=_arrays.texels(texture, "texture"))
 
+    def where_unsaid(self, **values: Any) -> "Surface":
+        """With what is None as given here."""
+        return replace(self, **{key: value for key, value in values.items() if getattr(self, key) is None})
+
     def row(self, name: str, image: int) -> Tuple[Any, ...]:
+        if any(each is None for each in (self.color, self.metallic, self.roughness, self.emissive)):
+            usual = self.where_unsaid(color=(0.8, 0.8, 0.8), metallic=0.0, roughness=0.6, emissive=(0, 0, 0))
+            return usual.row(name, image)
         color = _color(self.color, "color", (3, 4))
         color = color if len(color) == 4 else color + (1.0,)
         seen_through = color[3] < 1 or (self.texture is not None and bool((self.texture[:, :, 3] < 255).any()))
@@ -188,5 +195,22 @@ def _from_trimesh(mesh: Any, surface: Surface, smooth: bool) -> Tuple[Geometry, 
                         None if uv is None else np.asarray(uv, np.float64) * (1, -1) + (0, 1),  # its v points up
                         visual.vertex_colors if kind == "vertex" else None,
                         visual.face_colors if kind == "face" else None, smooth)
-    painted = kind in ("vertex", "face") or texture is not None
-    return geometry, (replace(surface, color=(1, 1, 1)) if painted else surface).textured(texture)
+    if kind == "texture":
+        return geometry, _of_material(visual.material, surface, texture is not None).textured(texture)
+    return geometry, surface.where_unsaid(color=(1, 1, 1)) if kind in ("vertex", "face") else surface
+
+
+def _of_material(material: Any, surface: Surface, is_textured: bool) -> Surface:
+    """What a material of trimesh says: one by metallic and roughness has what glTF's have, another a colour alone."""
+    if not hasattr(material, "baseColorFactor"):
+        diffuse = getattr(material, "diffuse", None)
+        plain = None if diffuse is None or is_textured else _linear([diffuse], "diffuse", 1)[0].tolist()
+        return surface.where_unsaid(color=(1, 1, 1) if is_textured else plain)
+    factor = material.baseColorFactor
+    color = (1.0, 1.0, 1.0) if factor is None else np.asarray(factor)
+    if isinstance(color, np.ndarray) and color.dtype == np.uint8:
+        color = color / 255.0  # linear all the same
+    said = {"color": color, "metallic": material.metallicFactor, "roughness": material.roughnessFactor,
+            "emissive": material.emissiveFactor, "alpha": material.alphaMode and material.alphaMode.lower()}
+    usual = {"metallic": 1.0, "roughness": 1.0, "alpha": "opaque"}
+    return surface.where_unsaid(**{key: usual.get(key) if value is None else value for key, value in said.items()})

@@ -14,6 +14,7 @@ import numpy as np
 from . import _arrays, _rhw, _threads
 from ._arrays import Size
 from .camera import AXES, Camera, View, axis
+from .environment import Environment, chosen
 from .pictures import OUTPUTS, Pictures
 
 
@@ -133,7 +134,8 @@ _LIGHTS = ("file", "default", "none")
 _TRANSPARENCIES = ("sorted", "exact")
 _WIREFRAMES = ("none", "over", "plain")
 _INTERPOLATIONS = ("smooth", "noperspective")
-_BACKGROUNDS = {"default": 0, "transparent": 3}
+_BACKGROUNDS = {"default": 0, "environment": 2, "transparent": 3}
+
 
 class Model:
     """A model, read by `rhw.load` or made here from arrays.
@@ -152,7 +154,8 @@ class Model:
     uv: (N, 2), u right, v down as the rows of an image. texture: (H, W), (H, W, 3) or (H, W, 4) uint8, sRGB.
     colors: (N, 3) or (N, 4), of vertices; face_colors: (M, 3) or (M, 4), of faces. uint8 are sRGB, floats linear, 0 to
       1.
-    color: (r, g, b) or (r, g, b, a), linear, of all of it. metallic, roughness: 0 to 1. emissive: (r, g, b).
+    color: (r, g, b) or (r, g, b, a), linear, of all of it. metallic, roughness: 0 to 1. emissive: (r, g, b). None: what
+      the material of a trimesh says; else 0.8 grey, 0, 0.6 and black.
     alpha: 'opaque', 'mask' (below 0.5 is cut out) or 'blend'; None: 'blend' where `color` or `texture` is not opaque.
     double_sided: its back is seen too. unlit: shows its colours as they are.
     up: what is up in the world, 'y', 'z', ...
@@ -166,9 +169,9 @@ class Model:
     """
 
     def __init__(self, vertices: Any, faces: Any = None, *, normals: Any = None, uv: Any = None, colors: Any = None,
-                 face_colors: Any = None, texture: Any = None, color: Sequence[float] = (0.8, 0.8, 0.8),
-                 metallic: float = 0.0, roughness: float = 0.6, emissive: Sequence[float] = (0, 0, 0),
-                 alpha: Optional[str] = None, double_sided: bool = True, unlit: bool = False, smooth: bool = True,
+                 face_colors: Any = None, texture: Any = None, color: Optional[Sequence[float]] = None,
+                 metallic: Optional[float] = None, roughness: Optional[float] = None,
+                 emissive: Optional[Sequence[float]] = None, alpha: Optional[str] = None, double_sided: bool = True, unlit: bool = False, smooth: bool = True,
                  up: str = "y", name: str = "array"):
         from . import _make  # which knows Model too
 
@@ -219,7 +222,9 @@ class Model:
                background: Union[str, Sequence[int]] = "default", lights: str = "file", shadows: bool = True,
                ground: bool = False, ambient_occlusion: bool = True, tone: str = "neutral", exposure: float = 0.0,
                transparency: str = "sorted", wireframe: str = "none", interpolate: str = "smooth",
-               up: Optional[str] = None, context: Optional[_rhw.Context] = None) -> Pictures:
+               environment: Union[None, Environment, str, "os.PathLike[str]", np.ndarray] = None,
+               environment_rotation: float = 0.0, up: Optional[str] = None,
+               context: Optional[_rhw.Context] = None) -> Pictures:
         """Draws the model. The arrays hold the numbers that `rhw render` with the same options writes.
 
         size: (width, height), or one number for both, 1 to 16384.
@@ -227,12 +232,14 @@ class Model:
         outputs: names of pictures, see Pictures: 'color', 'depth', 'distance', 'normal', 'position', 'uv', 'object',
           'triangle', 'barycentric', 'linear', 'display'.
         samples: of a pixel, 1, 2, 4, 8 or 16. supersample: pixels that are drawn for one, 1, 4, 9 or 16.
-        background: 'default', 'transparent', or (r, g, b) of 0 to 255.
+        background: 'default', 'transparent', 'environment', or (r, g, b) of 0 to 255.
         lights: 'file', 'default' (a studio instead of those of the file) or 'none' (its surroundings alone).
         shadows; ground: a shadow below the model; ambient_occlusion.
         tone: 'neutral', 'aces', 'agx' or 'none'. exposure: stops, -20 to 20.
         transparency: 'sorted' or 'exact'. wireframe: 'none', 'over' or 'plain'.
         interpolate: 'smooth', or 'noperspective' to see why one divides by w.
+        environment: a panorama that lights the model instead of a studio: an Environment, the path of an .hdr or .exr
+          file, or an array as Environment takes it. environment_rotation: degrees about what is up.
         up: where the sky is; None: as the model says.
         context: the threads that draw; None: the calling thread's own.
 
@@ -242,14 +249,18 @@ class Model:
         flags = [_arrays.flag(value, name) for value, name in
                  ((shadows, "shadows"), (ground, "ground"), (ambient_occlusion, "ambient_occlusion"))]
         names = _outputs(outputs)
-        chosen = Camera.fit() if camera is None else camera
-        if not isinstance(chosen, Camera):
+        kind, color = _background(background)
+        light = chosen(environment)
+        if kind == _BACKGROUNDS["environment"] and light is None:
+            raise ValueError("background: 'environment' needs an environment")
+        turned = _arrays.number(environment_rotation, "environment_rotation", -1e6, 1e6)
+        seen_by = Camera.fit() if camera is None else camera
+        if not isinstance(seen_by, Camera):
             raise TypeError(f"camera: must be an rhw.Camera, as rhw.Camera.orbit(30, 20) makes one, not {_arrays.text(camera)}")
-        tuple_of = chosen._resolve(self, width, height)
+        tuple_of = seen_by._resolve(self, width, height)
         of_file = False
         if camera is None and self.cameras:
             tuple_of, of_file = self._first_camera(tuple_of, width, height)
-        kind, color = _background(background)
         scene, threads = self._scene(context)
 
         def draw_some(numbers: Tuple[Any, ...], some: List[str]) -> Tuple[Dict[str, Any], int]:
@@ -260,7 +271,7 @@ class Model:
                               _arrays.choice(lights, "lights", _LIGHTS), *flags,
                               _arrays.choice(transparency, "transparency", _TRANSPARENCIES),
                               _arrays.choice(tone, "tone", _TONES), _arrays.number(exposure, "exposure", -20, 20),
-                              sum(OUTPUTS[each] for each in some))
+                              sum(OUTPUTS[each] for each in some), light, turned)
 
         def draw(numbers: Tuple[Any, ...]) -> Tuple[Dict[str, Any], int]:
             # Beside `display` the colours would be rounded from it, and not be those of the program.
@@ -273,7 +284,7 @@ class Model:
         drawn, rasterized = draw(tuple_of)
         if rasterized == 0 and of_file:
             warnings.warn(f"{self.path}: its camera sees nothing of the model, which is fitted instead", stacklevel=2)
-            tuple_of = chosen._resolve(self, width, height)
+            tuple_of = seen_by._resolve(self, width, height)
             drawn, rasterized = draw(tuple_of)
         elif rasterized == 0:
             warnings.warn(f"{self.path}: nothing of the model is in the picture", stacklevel=2)
@@ -311,10 +322,10 @@ def _background(background: Union[str, Sequence[int]]) -> Tuple[int, Tuple[int, 
     if isinstance(background, str):
         _arrays.choice(background, "background", tuple(_BACKGROUNDS))
         return _BACKGROUNDS[background], (0, 0, 0)
-    values = _arrays.listed(background, "background", "'default', 'transparent' or three numbers")
+    values = _arrays.listed(background, "background", "'default', 'transparent', 'environment' or three numbers")
     if len(values) != 3 or not all(isinstance(each, (int, np.integer)) and 0 <= each <= 255 for each in values):
-        raise ValueError("background: must be 'default', 'transparent' or three numbers of 0 to 255, "
-                         f"not {_arrays.text(background)}")
+        raise ValueError("background: must be 'default', 'transparent', 'environment' or three numbers of 0 to "
+                         f"255, not {_arrays.text(background)}")
     return 1, (int(values[0]), int(values[1]), int(values[2]))
 
 

@@ -40,6 +40,7 @@ static void destroy_item(rhw_context *context, struct python_item *item)
     case PYTHON_ITEM_PASS: rhw_pass_cancel(context, item->id.pass); break;
     }
     Py_XDECREF(item->kept);
+    Py_XDECREF(item->panorama);
     free(item->block);
     free(item);
 }

@@ -26,8 +26,9 @@ struct python_item {
         struct scene *scene;
         rhw_pass pass;
     } id;
-    PyObject *kept; ///< lives until the item is destroyed; may be NULL
-    void *block;    ///< of malloc: the same
+    PyObject *kept;     ///< lives until the item is destroyed; may be NULL
+    PyObject *panorama; ///< of a scene, which it was drawn in last: the same
+    void *block;        ///< of malloc: the same
 };
 
 /// Whether it is a context; else with an exception.

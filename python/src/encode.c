@@ -1,31 +1,17 @@
 // SPDX-License-Identifier: MIT
 // Pictures as the bytes of files, by the encoders of the program: what is written from Python is what `rhw render`
-// writes. They report failure through cli_error, which the program prints; here it becomes an exception.
+// writes.
 #include "camera_numbers.h"
 #include "memory_object.h"
 #include "model_object.h"
 #include "picture_fields.h"
+#include "problem.h"
 
-#include "message.h"
 #include "outputs.h"
 
-#include <stdarg.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
-
-static _Thread_local char problem[512]; // what an encoder reported on this thread; "" for nothing
-
-void cli_error(const char *subject, const char *format, ...)
-{
-    va_list arguments;
-    va_start(arguments, format);
-    const int used = snprintf(problem, sizeof problem, "%s: ", subject);
-    if (used >= 0 && (size_t)used < sizeof problem) {
-        vsnprintf(problem + used, sizeof problem - (size_t)used, format, arguments);
-    }
-    va_end(arguments);
-}
 
 // Encodes into memory without the interpreter's lock.
 struct encoding {
@@ -38,7 +24,7 @@ static PyObject *encode(const struct encoding *encoding, const char *name)
     char *bytes = NULL;
     size_t size = 0;
     bool written = false;
-    problem[0] = 0;
+    python_problem_forget();
     Py_BEGIN_ALLOW_THREADS struct cli_output_file file = {.stream = open_memstream(&bytes, &size),
                                                           .path = name};
     if (file.stream) {
@@ -49,6 +35,7 @@ static PyObject *encode(const struct encoding *encoding, const char *name)
     if (written) {
         result = PyBytes_FromStringAndSize(bytes, (Py_ssize_t)size);
     } else {
+        const char *const problem = python_problem();
         PyErr_SetString(python_error, problem[0] ? problem : "there is not enough memory for the file");
     }
     free(bytes);

@@ -67,6 +67,7 @@ static int add_functions(PyObject *module)
     PyMethodDef *const tables[] = {python_model_functions,
                                    python_camera_functions,
                                    python_encode_functions,
+                                   python_panorama_functions,
                                    python_resource_functions,
                                    python_diff_rasterize_functions,
                                    python_diff_rasterize_grad_functions,
@@ -96,7 +97,8 @@ static int fill(PyObject *module)
     }
     return add_functions(module) < 0 || python_add_memory(module) < 0 || python_add_contexts(module) < 0 ||
                    python_add_models(module) < 0 || python_add_scenes(module) < 0 ||
-                   python_add_resources(module) < 0 || python_add_passes(module) < 0
+                   python_add_resources(module) < 0 || python_add_passes(module) < 0 ||
+                   python_add_panoramas(module) < 0
                ? -1
                : 0;
 }

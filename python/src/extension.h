@@ -37,11 +37,13 @@ int python_add_models(PyObject *module);
 int python_add_scenes(PyObject *module);
 int python_add_resources(PyObject *module);
 int python_add_passes(PyObject *module);
+int python_add_panoramas(PyObject *module);
 
 // Functions of the module, by file.
 extern PyMethodDef python_model_functions[], python_camera_functions[], python_encode_functions[],
-    python_resource_functions[], python_diff_rasterize_functions[], python_diff_rasterize_grad_functions[],
-    python_diff_interpolate_functions[], python_diff_texture_functions[], python_diff_antialias_functions[];
+    python_panorama_functions[], python_resource_functions[], python_diff_rasterize_functions[],
+    python_diff_rasterize_grad_functions[], python_diff_interpolate_functions[],
+    python_diff_texture_functions[], python_diff_antialias_functions[];
 
 /// Work without the interpreter's lock that looks for signals now and then.
 struct python_work {

@@ -4,6 +4,7 @@
 #include "context_object.h"
 #include "memory_object.h"
 #include "model_object.h"
+#include "panorama_object.h"
 #include "picture_fields.h"
 #include "picture_memory.h"
 
@@ -105,18 +106,20 @@ static PyObject *pictures_dictionary(struct scene_pictures *pictures)
     return dictionary;
 }
 
-// Everything of struct scene_view, in its order; see rhw/model.py. False with an exception.
-static bool read_view(const struct scene_object *scene, PyObject *arguments, struct scene_view *view)
+// Everything of struct scene_view, in its order, the panorama last; see rhw/model.py. False with an exception.
+static bool read_view(const struct scene_object *scene, PyObject *arguments, struct scene_view *view,
+                      PyObject **panorama)
 {
     PyObject *camera;
     int interpolate, wireframe, background, lights, shadows, ground, occlusion, transparency, tone, up;
     char error[256];
     *view = (struct scene_view){.goes_on = python_work_goes_on, .allocate = python_picture_allocate};
-    if (!PyArg_ParseTuple(arguments, "(ii)iiOiiii(bbb)ipppiidI:draw", &view->width, &view->height,
+    if (!PyArg_ParseTuple(arguments, "(ii)iiOiiii(bbb)ipppiidIOd:draw", &view->width, &view->height,
                           &view->samples, &view->supersample, &camera, &up, &interpolate, &wireframe,
                           &background, &view->background_color[0], &view->background_color[1],
                           &view->background_color[2], &lights, &shadows, &ground, &occlusion, &transparency,
-                          &tone, &view->exposure, &view->outputs) ||
+                          &tone, &view->exposure, &view->outputs, panorama, &view->panorama_rotation) ||
+        (*panorama != Py_None && !(view->panorama = python_panorama_get(*panorama))) ||
         !python_camera_read(camera, &view->camera) ||
         (up >= 0 && !python_is_choice(up, SCENE_AXIS_Y, SCENE_AXIS_MINUS_X, "up")) ||
         !python_is_choice(wireframe, SCENE_WIREFRAME_NONE, SCENE_WIREFRAME_PLAIN, "wireframe") ||
@@ -143,14 +146,25 @@ static bool read_view(const struct scene_object *scene, PyObject *arguments, str
     return true;
 }
 
+// While the scene has what it made of a panorama, no other one may get its address.
+static void keep_panorama(struct python_item *item, PyObject *panorama)
+{
+    PyObject *const older = item->panorama;
+    Py_INCREF(panorama);
+    item->panorama = panorama;
+    Py_XDECREF(older);
+}
+
 // Returns (pictures, triangles that were rasterized).
 static PyObject *draw(PyObject *self, PyObject *arguments)
 {
     struct scene_object *scene = (struct scene_object *)self;
     struct scene_view view;
-    if (!read_view(scene, arguments, &view) || !python_context_enter(scene->context)) {
+    PyObject *panorama;
+    if (!read_view(scene, arguments, &view, &panorama) || !python_context_enter(scene->context)) {
         return NULL;
     }
+    keep_panorama(scene->item, panorama);
     struct scene_pictures pictures;
     struct scene_draw_stats stats;
     struct python_work work = {PyEval_SaveThread()};

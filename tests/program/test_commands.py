@@ -46,6 +46,8 @@ NOT_RUN = {
     r"build/rhw view .*": "opens a window; program_view looks at one",
     r"script/package": "program_package does it",
     r"env/bin/pip install --no-build-isolation \./python( *#.*)?": "compiles the library; python_wheel installs one",
+    r"python -m rhw\.dataset .*": "python_package runs them from the page",
+    r"dask-(scheduler|worker) .*": "ends when it is told to; python_package starts some",
     r"dpkg -i .*": "program_package installs into a root of its own",
     r"cc -O2 -pthread -c rhw\.c": ONE_FILE,
     r"cc -O2 -pthread -ffp-contract=off program\.c rhw\.o": ONE_FILE,

@@ -2,6 +2,7 @@
 """What the tests share: models small enough to write down, and the program to compare with."""
 
 import os
+import signal
 import subprocess
 
 import numpy as np
@@ -11,6 +12,9 @@ import rhw
 
 MODELS = "/usr/share/assimp/models"
 
+
+# A shell's background jobs ignore Ctrl-C, and what they start does too.
+signal.signal(signal.SIGINT, signal.default_int_handler)
 
 #: For programs that tests start: a sanitizer that was loaded before Python is not theirs.
 ENVIRONMENT = {key: value for key, value in os.environ.items() if key != "LD_PRELOAD"}

@@ -64,7 +64,8 @@ def fresh(name):
         "render": (model.render, dict(size=8, camera=None, outputs=("color",), samples=1, supersample=1, background="default",
                                       lights="file", shadows=True, ground=False, ambient_occlusion=False, tone="none",
                                       exposure=0.0, transparency="sorted", wireframe="none", interpolate="smooth", up=None,
-                                      context=None)),
+                                      environment=None, environment_rotation=0.0, context=None)),
+        "Environment": (rhw.Environment, dict(light=np.ones((2, 4, 3)))),
         "load": (rhw.load, dict(path="/nowhere", variant=None, animation=None, time=None, confine=None, max_seconds=1,
                                 max_memory=0, max_texture=0)),
         "of_model": (lambda camera: rhw.Camera.of_model(camera).at(model, 8), dict(camera=0)),
@@ -111,7 +112,7 @@ def fresh(name):
 
 @pytest.mark.parametrize("name", ["of_model", "at", "png", "exr", "save", "viewport", "peel", "construct_mip", "construct_mip_grad",
                                   "topology", "Model", "render", "load", "orbit", "look_at", "from_matrix", "intrinsics", "Context",
-                                  "Buffer", "Texture", "Texture.of", "Sampler", "Pipeline", "Pass", "draw", "write_png",
+                                  "Buffer", "Environment", "Texture", "Texture.of", "Sampler", "Pipeline", "Pass", "draw", "write_png",
                                   "rasterize", "rasterize_grad", "interpolate", "interpolate_grad", "texture", "texture_grad",
                                   "antialias", "antialias_grad"])
 def test_hostile_arguments(name):

@@ -110,7 +110,12 @@ def calls():
         "Model": (_rhw.Model, ()),
         "Resource": (_rhw.Resource, ()),
         "Scene": (_rhw.Scene, (context, model)),
-        "Scene.draw": (scene.draw, ((6, 5), 1, 1, CAMERA, 0, 0, 0, 0, (1, 2, 3), 0, True, True, False, 0, 0, 0.0, 1 | 4)),
+        "Scene.draw": (scene.draw, ((6, 5), 1, 1, CAMERA, 0, 0, 0, 0, (1, 2, 3), 0, True, True, False, 0, 0, 0.0, 1 | 4, None,
+                                   0.0)),
+        "Panorama": (_rhw.Panorama, ()),
+        "panorama": (_rhw.panorama, (np.ones((2, 4, 4), np.float32),)),
+        "panorama_read": (_rhw.panorama_read, (b"/nowhere/x.hdr",)),
+        "panorama_texels": (_rhw.panorama_texels, (_rhw.panorama(np.ones((2, 4, 4), np.float32)),)),
         "Pass": (begun, (context, (4, 3), 1, ((target, False, (0, 0, 0, 0), False),), True, None, False, 1.0)),
         "Pass.draw": (recorded(lambda made, *arguments: made.draw(*arguments)), drawing),
         "Pass.viewport": (recorded(lambda made, *arguments: made.viewport(*arguments)), (0.0, 0.0, 2.0, 2.0)),
@@ -190,11 +195,11 @@ def test_hostile_arguments(name):
             refused += 1
             assert "\n" not in str(error)
     call_again, good = calls()[name]
-    if name in ("Memory", "Model", "Resource"):
+    if name in ("Memory", "Model", "Panorama", "Resource"):
         assert refused == 1  # they are made by functions alone
     else:
         assert name in ("Error", "srgb_light") or refused > tries / 10
-        if name not in ("camera_of_file", "load"):
+        if name not in ("camera_of_file", "load", "panorama_read"):
             call_again(*good)
 
 

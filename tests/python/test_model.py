@@ -5,6 +5,7 @@ import numpy as np
 import pytest
 
 import rhw
+from conftest import model_file
 
 FRONT = rhw.Camera.orbit(0, 0)
 
@@ -125,6 +126,38 @@ def test_trimesh_texture(square):
     visual = Visual("texture", uv=vertices[:, :2], material=Visual(image=image))
     picture = rhw.Model(Trimesh(vertices, faces, visual), unlit=True).render(80, FRONT, tone="none")["color"]
     assert picture[15, 40, 0] > 200 > 5 > picture[65, 40, 0]
+
+
+def test_trimesh_materials(square):
+    """What glTF says of a material that trimesh has read, colours of a plain one, and what the caller says instead."""
+    vertices, faces = square
+    told = dict(baseColorFactor=np.array([51, 102, 153, 255], np.uint8), metallicFactor=None, roughnessFactor=0.25,
+                emissiveFactor=np.array([0, 0.5, 0]), alphaMode="MASK", baseColorTexture=None)
+    mesh = Trimesh(vertices, faces, Visual("texture", uv=None, material=Visual(**told)))
+    made = rhw.Model(mesh).materials[0]
+    assert np.allclose(made.base_color, (0.2, 0.4, 0.6, 1)) and np.allclose(made.emissive, (0, 0.5, 0))
+    assert (made.metallic, made.roughness, made.alpha_mode) == (1, 0.25, "mask")
+    said = rhw.Model(mesh, color=(1, 0, 0), metallic=0.5, alpha="opaque").materials[0]
+    assert (said.base_color, said.metallic, said.roughness, said.alpha_mode) == ((1, 0, 0, 1), 0.5, 0.25, "opaque")
+    plain = Trimesh(vertices, faces, Visual("texture", uv=None, material=Visual(diffuse=np.array([255, 188, 0, 255], np.uint8))))
+    assert np.allclose(rhw.Model(plain).materials[0].base_color, (1, 0.5029, 0, 1), atol=1e-4)
+    assert rhw.Model(plain).materials[0].roughness == rhw.Model(vertices, faces).materials[0].roughness == np.float32(0.6)
+
+
+def test_trimesh_itself():
+    """Debian 12 has none: where Python has it, what it reads is drawn as what we read."""
+    trimesh = pytest.importorskip("trimesh", reason="trimesh is not here, and Debian has none")
+    for name in ("glTF2/BoxTextured-glTF-Binary/BoxTextured.glb", "glTF2/2CylinderEngine-glTF-Binary/2CylinderEngine.glb"):
+        path = model_file(name)
+        theirs, ours = rhw.Model(trimesh.load(path)), rhw.load(path)
+        assert len(theirs.nodes) == len(ours.nodes) and np.allclose(theirs.bounds, ours.bounds, atol=1e-3)
+        a, b = (model.render(120, rhw.Camera.orbit(30, 20), outputs=("color", "object")) for model in (theirs, ours))
+        assert ((a["object"] > 0) == (b["object"] > 0)).mean() > 0.999
+        assert np.abs(a["color"].astype(int) - b["color"]).mean() < 2
+    ball = trimesh.creation.icosphere(subdivisions=2)
+    ball.visual.face_colors = np.arange(len(ball.faces))[:, None] % [255, 7, 11, 256] * [1, 30, 20, 0] + [0, 0, 0, 255]
+    seen = rhw.Model(ball).render(60, outputs="triangle")["triangle"]
+    assert 100 < len(np.unique(seen)) <= 1 + len(ball.faces)
 
 
 def test_trimesh_scene(square):

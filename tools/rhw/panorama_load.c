@@ -21,7 +21,7 @@ static bool allocate(struct scene_panorama *p, const char *path)
     return p->texels != NULL;
 }
 
-static void clean(struct scene_panorama *p)
+void cli_panorama_clean(struct scene_panorama *p)
 {
     for (size_t i = 0; i < (size_t)p->width * (size_t)p->height; i++) {
         for (int c = 0; c < 3; c++) {
@@ -117,7 +117,7 @@ bool cli_panorama_load(struct scene_panorama *panorama, const char *path)
     const bool loaded = radiance ? load_radiance(panorama, path, stream) : load_exr(panorama, path);
     fclose(stream);
     if (loaded) {
-        clean(panorama);
+        cli_panorama_clean(panorama);
     }
     return loaded;
 }

@@ -6,5 +6,5 @@
 draws each model from 48 places on a sphere and writes chairs/MODEL/0000.png, 0000.exr and so on, and, when all are there,
 chairs/manifest.json: cameras, lenses, names of objects, and the hash of every file. A run that was ended goes on with the
 same command. The same files come of it on every machine and with any number of threads, on one machine, on those of a Dask
-scheduler or of a Slurm array: docs/datasets.md, and `python -m rhw.dataset --help`.
+scheduler or of a Slurm array: docs/dataset.md, and `python -m rhw.dataset --help`.
 """

@@ -1,0 +1,11 @@
+// SPDX-License-Identifier: MIT
+// What the program's readers and writers of files report: it prints that, here it becomes an exception.
+#ifndef PYTHON_PROBLEM_H
+#define PYTHON_PROBLEM_H
+
+/// Begins anew, before one of them is called on this thread.
+void python_problem_forget(void);
+/// What one of them reported on this thread since, "SUBJECT: CAUSE"; "" for nothing.
+const char *python_problem(void);
+
+#endif
