@@ -101,7 +101,7 @@ enum rhw_result scene_draw_bands(struct draw *draw, enum rhw_result (*draw_band)
          draw->first_row += draw->band_rows) {
         draw->frame.first_row = (float)draw->first_row;
         const bool goes_on = !draw->view->goes_on || draw->view->goes_on(draw->view->user);
-        result = goes_on ? draw_band(draw) : RHW_ERROR_UNSUPPORTED; // who gave it up looks at no result
+        result = goes_on ? draw_band(draw) : RHW_ERROR_GIVEN_UP;
     }
     return result;
 }

@@ -67,6 +67,10 @@ struct rhw_context {
     struct rhw_pass_state *pass; // created with the context, reused by every pass
     struct rhw_recording recording;
     struct rhw_findings *findings; // what validation found in the pass; NULL: nothing is validated
+
+    bool (*goes_on)(void *user); // asked while a pass runs; NULL: nobody is
+    void *goes_on_user;
+    _Atomic bool given_up; // the pass that runs. Written by the thread that ends it
 };
 
 #endif

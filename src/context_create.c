@@ -226,6 +226,15 @@ int rhw_context_threads(const rhw_context *context)
     return rhw_check(context, context != NULL, "rhw_context_threads: context is NULL") ? context->threads : 0;
 }
 
+void rhw_context_set_goes_on(rhw_context *context, bool (*goes_on)(void *user), void *user)
+{
+    if (rhw_context_enter(context, "rhw_context_set_goes_on")) {
+        context->goes_on = goes_on;
+        context->goes_on_user = user;
+        rhw_context_leave(context);
+    }
+}
+
 enum rhw_isa rhw_context_isa(const rhw_context *context)
 {
     return rhw_check(context, context != NULL, "rhw_context_isa: context is NULL") ? context->isa

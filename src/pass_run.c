@@ -207,6 +207,19 @@ static void end_wave(struct rhw_pass_state *pass, int end)
     }
 }
 
+// Asks the program on its own thread, worker 0; the others hear of it.
+static bool is_given_up(rhw_context *context, int worker)
+{
+    if (!context->goes_on || atomic_load_explicit(&context->given_up, memory_order_relaxed)) {
+        return context->goes_on;
+    }
+    const bool given_up = worker == 0 && !context->goes_on(context->goes_on_user);
+    if (given_up) {
+        atomic_store_explicit(&context->given_up, true, memory_order_relaxed);
+    }
+    return given_up;
+}
+
 // Chunks are claimed in order. The wave ends before the first that finds the memory used up, or behind the first whose
 // bins were too large for all of its triangles; what others make of later chunks meanwhile is made again.
 static void run_chunk(void *user, int index, int worker)
@@ -214,7 +227,8 @@ static void run_chunk(void *user, int index, int worker)
     struct rhw_pass_state *const pass = user;
     struct rhw_chunk *const chunk = &pass->chunks[index];
     const struct rhw_arena *const arena = &pass->workers[worker].arena;
-    if (index >= atomic_load_explicit(&pass->wave_end, memory_order_relaxed)) {
+    if (index >= atomic_load_explicit(&pass->wave_end, memory_order_relaxed) ||
+        is_given_up(pass->context, worker)) {
         return;
     }
     if (index != 0 && atomic_load_explicit(&pass->geometry, memory_order_relaxed) >= bin_limit(pass)) {
@@ -240,7 +254,9 @@ struct parts_task {
 static void run_part(void *user, int index, int worker)
 {
     const struct parts_task *const task = user;
-    task->pass->context->kernels->shared_part(task->pass, &task->parts[index], worker);
+    if (!is_given_up(task->pass->context, worker)) {
+        task->pass->context->kernels->shared_part(task->pass, &task->parts[index], worker);
+    }
 }
 
 static void run_parts(struct rhw_pass_state *pass, const struct rhw_shared_parts *parts,
@@ -300,6 +316,9 @@ static void run_tile(void *user, int index, int worker)
     struct rhw_pass_state *const pass = user;
     const int threads = pass->context->threads;
     (void)index;
+    if (is_given_up(pass->context, worker)) {
+        return;
+    }
     for (int i = 0; i < threads; i++) {
         struct rhw_worker *const owner = &pass->workers[(worker + i) % threads];
         if (atomic_load_explicit(&owner->next_tile, memory_order_relaxed) >= owner->end_tile) {
@@ -343,7 +362,7 @@ static void sum_front(const struct rhw_pass_state *pass, struct rhw_stats *stats
 }
 
 // Runs the front end over the next wave, which starts at `at` and moves it to where it ended. Where that is may depend
-// on the threads; what is drawn does not depend on waves. False when out of memory.
+// on the threads; what is drawn does not depend on waves. False when out of memory or given up.
 static bool run_front(struct rhw_pass_state *pass, struct position *at, struct rhw_stats *stats)
 {
     struct rhw_context *const context = pass->context;
@@ -357,7 +376,7 @@ static bool run_front(struct rhw_pass_state *pass, struct position *at, struct r
     pass->failed = false;
     stats->front_busy_ms +=
         milliseconds(rhw_scheduler_run(context->scheduler, run_chunk, pass, pass->chunk_count));
-    if (pass->failed) {
+    if (pass->failed || atomic_load(&context->given_up)) {
         return false;
     }
     pass->chunk_count = pass->wave_end;
@@ -427,6 +446,11 @@ static void sum_counters(const struct rhw_pass_state *pass, struct rhw_stats *st
     }
 }
 
+static enum rhw_result failure(const rhw_context *context)
+{
+    return atomic_load(&context->given_up) ? RHW_ERROR_GIVEN_UP : RHW_ERROR_OUT_OF_MEMORY;
+}
+
 static void expect_clean(struct rhw_attachment *attachment)
 {
     if (attachment->load != RHW_LOAD_LOAD) {
@@ -455,6 +479,7 @@ enum rhw_result rhw_pass_run(struct rhw_pass_state *pass, struct rhw_stats *stat
     }
     expect_clean(&pass->depth);
     pass->first_wave = true;
+    atomic_store(&context->given_up, false);
     rhw_queries_stamp(pass, 0);
     if (!shade_first_vertices(pass, &s)) {
         return RHW_ERROR_OUT_OF_MEMORY;
@@ -462,14 +487,20 @@ enum rhw_result rhw_pass_run(struct rhw_pass_state *pass, struct rhw_stats *stat
     do {
         const uint64_t start = rhw_time_ns();
         if (!run_front(pass, &at, &s)) {
-            return RHW_ERROR_OUT_OF_MEMORY;
+            return failure(context);
         }
         pass->last_wave = at.triangle == pass->triangle_count;
         if (!pass->last_wave && !transients_ready(pass)) {
             return RHW_ERROR_OUT_OF_MEMORY;
         }
         const uint64_t middle = rhw_time_ns();
+        if (is_given_up(context, 0)) { // the caller may get no tile, where others are quick
+            return RHW_ERROR_GIVEN_UP;
+        }
         s.back_busy_ms += milliseconds(run_tiles(pass));
+        if (atomic_load(&context->given_up)) {
+            return RHW_ERROR_GIVEN_UP;
+        }
         s.front_ms += milliseconds(middle - start);
         s.back_ms += milliseconds(rhw_time_ns() - middle);
         s.flushes += !pass->last_wave;

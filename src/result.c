@@ -18,6 +18,7 @@ const char *rhw_result_string(enum rhw_result result)
     case RHW_ERROR_UNSUPPORTED: return "This build or this CPU does not support what was asked";
     case RHW_ERROR_THREAD: return "The operating system refused a thread";
     case RHW_ERROR_MISUSE: return "The library was misused; the assert hook received the message";
+    case RHW_ERROR_GIVEN_UP: return "Given up, as the program asked";
     }
     return "Unknown result";
 }

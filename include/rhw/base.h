@@ -25,6 +25,7 @@ enum rhw_result {
     RHW_ERROR_UNSUPPORTED,   ///< this build or this CPU cannot do what was asked
     RHW_ERROR_THREAD,        ///< the operating system refused a thread
     RHW_ERROR_MISUSE,        ///< the assert hook returned; the message went there
+    RHW_ERROR_GIVEN_UP,      ///< the program wanted it no longer; see rhw_context_set_goes_on
 };
 
 /// One short English sentence without a full stop; static storage.

@@ -126,9 +126,8 @@ static void warn_of_a_partial_view(const struct render *render)
 
 static bool report(const struct render *render, enum rhw_result result)
 {
-    const bool was_given_up = result != RHW_OK && render->goes_on && !render->goes_on(render->user);
     cli_stage_end();
-    if (result != RHW_OK && !was_given_up) {
+    if (result != RHW_OK && result != RHW_ERROR_GIVEN_UP) {
         const bool limited = result == RHW_ERROR_OUT_OF_MEMORY && render->job.budget.memory > 0;
         cli_error(render->job.model_path, "%s%s", rhw_result_string(result),
                   limited ? "; --max-memory allows no more" : "");

@@ -1,0 +1,101 @@
+// SPDX-License-Identifier: MIT
+// Passes that the program gives up while they run (rhw_context_set_goes_on): wherever that is, the pass says so, nobody is
+// asked again, and the next one draws as if nothing had been.
+#include "harness.h"
+
+#include <string.h>
+
+enum { SIZE = 320, TRIANGLES = 600 };
+
+struct patience {
+    int left, asked;
+};
+
+static bool goes_on(void *user)
+{
+    struct patience *const patience = user;
+    patience->asked++;
+    return patience->left-- > 0;
+}
+
+static void fill(struct rig *rig, struct rig_vertex *vertices)
+{
+    uint64_t random = 3;
+    for (int i = 0; i < 3 * TRIANGLES; i++) {
+        rig_place(rig, rig_random_float(&random, 0, SIZE), rig_random_float(&random, 0, SIZE),
+                  rig_random_float(&random, 0, 1), 1, vertices[i].position);
+        for (int c = 0; c < 4; c++) {
+            vertices[i].value[c] = rig_random_float(&random, 0, 1);
+        }
+    }
+}
+
+static enum rhw_result draw(struct rig *rig, const struct rig_vertex *vertices)
+{
+    rig_begin(rig);
+    rig_draw(rig, vertices, 3 * TRIANGLES);
+    return rhw_pass_end(rig->context, rig->recording, NULL);
+}
+
+static void check(int threads, size_t bin_memory)
+{
+    static struct rig_vertex vertices[3 * TRIANGLES];
+    struct rhw_context_def def = rhw_context_def_default();
+    def.threads = threads;
+    def.bin_memory = bin_memory;
+    struct rig rig;
+    rig_open_with(&rig, SIZE, SIZE, &def);
+    fill(&rig, vertices);
+    assert_int_equal(draw(&rig, vertices), RHW_OK);
+    const uint64_t whole = rig_hash(&rig, 0);
+
+    struct patience patience = {.left = 1 << 30};
+    rhw_context_set_goes_on(rig.context, goes_on, &patience);
+    assert_int_equal(draw(&rig, vertices), RHW_OK);
+    assert_int_equal(rig_hash(&rig, 0), whole);
+    const int all = patience.asked;
+    assert_true(all > (threads == 1 ? 25 : 0)); // tiles, chunks, and once between them
+
+    for (int left = 0; left < all && threads == 1; left++) {
+        patience = (struct patience){.left = left};
+        assert_int_equal(draw(&rig, vertices), RHW_ERROR_GIVEN_UP);
+        assert_int_equal(patience.asked, left + 1);
+    }
+    for (int turn = 0; turn < 50; turn++) { // the other threads are somewhere
+        patience = (struct patience){0};
+        assert_int_equal(draw(&rig, vertices), RHW_ERROR_GIVEN_UP);
+        assert_int_equal(patience.asked, 1);
+    }
+    rhw_context_set_goes_on(rig.context, NULL, NULL);
+    assert_int_equal(draw(&rig, vertices), RHW_OK);
+    assert_int_equal(rig_hash(&rig, 0), whole);
+    rig_close(&rig);
+}
+
+static void test_one_thread(void **state)
+{
+    (void)state;
+    check(1, 0);
+}
+
+static void test_one_thread_in_waves(void **state)
+{
+    (void)state;
+    check(1, 1 << 12);
+}
+
+static void test_four_threads(void **state)
+{
+    (void)state;
+    check(4, 0);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(test_one_thread),
+        cmocka_unit_test(test_one_thread_in_waves),
+        cmocka_unit_test(test_four_threads),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}
