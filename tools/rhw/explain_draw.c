@@ -6,11 +6,22 @@
 
 bool cli_explain_check(const struct cli_render_job *job, int x, int y, int sample)
 {
-    const char *const option = job->supersample > 1                             ? "--supersample"
-                               : job->transparency != SCENE_TRANSPARENCY_SORTED ? "--transparency"
-                               : job->view_count > 0                            ? "--views"
-                               : cli_render_moves(job)                          ? "--animate and --turntable"
-                                                                                : NULL;
+    const struct scene_view grid = {.supersample = job->supersample};
+    const int side = scene_view_grid_side(&grid);
+    if (side > 1) {
+        cli_error("--supersample",
+                  "cannot be explained; --size %dx%d --at %d,%d explains the first of the %d pixels",
+                  side * job->width, side * job->height, side * x, side * y, job->supersample);
+        return false;
+    }
+    if (job->transparency != SCENE_TRANSPARENCY_SORTED) {
+        cli_error("--transparency",
+                  "cannot be explained; without it the same surfaces are told in another order");
+        return false;
+    }
+    const char *const option = job->view_count > 0     ? "--views"
+                               : cli_render_moves(job) ? "--animate and --turntable"
+                                                       : NULL;
     if (option) {
         cli_error(option, "cannot be explained");
         return false;
