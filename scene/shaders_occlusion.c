@@ -4,7 +4,10 @@
 // Jarabo, "Practical Realtime Strategies for Accurate Indirect Occlusion", SIGGRAPH 2016, "GTAO").
 //
 // Directions and steps follow a pattern of 4 × 4 pixels, so that 16 pixels together look along 32 directions; a blur of
-// just that width, which does not mix surfaces, makes them even.
+// just that width, which does not mix surfaces, makes them even. A surface under an open sky is to come out as 1 all over,
+// or flat ground gets bands: directions are spread evenly around the line of sight, not over the screen; what lies in the
+// surface's own plane is no horizon of it, although it may be sampled a little beside the direction asked for; and two
+// directions may see more than 1, of which the other pixels take their part.
 #include "rhw/shader.h"
 #include "shaders.h"
 
@@ -13,6 +16,20 @@
 enum { SLICES = 2, STEPS = 5 };
 
 static const float pi = 3.14159265358979f;
+
+// Higher above the plane of a surface, in parts of how far away it is, than the rounding of normals in 16 bits: such a
+// thing stands over it.
+static const float least_height = 1e-3f;
+
+// A pixel's surface, in view space.
+struct seen_surface {
+    rhw_float coord[2];
+    rhw_float point[3], normal[3];
+    rhw_float view[3];            // to the eye, as the next two a unit vector
+    rhw_float right[3], above[3]; // across it
+    rhw_float slope[2];           // of the line of sight, by depth
+    rhw_float reach;              // texels
+};
 
 // Where the surface of a texel lies in view space; `distance` as the guide has it.
 ALWAYS_INLINE void place(const struct scene_ambient *o, rhw_float x, rhw_float y, rhw_float distance,
@@ -56,60 +73,74 @@ ALWAYS_INLINE void view_normal(const struct rhw_fragment *f, const struct scene_
     }
 }
 
+// The line of sight, and two directions across it.
+ALWAYS_INLINE void look_along(const struct scene_ambient *o, rhw_float distance, struct seen_surface *p)
+{
+    const rhw_float to_eye[3] = {-p->point[0], -p->point[1], -p->point[2]};
+    const rhw_float forward[3] = {rhw_splat(0.0f), rhw_splat(0.0f), rhw_splat(1.0f)};
+    rhw_normalize3(o->orthographic ? forward : to_eye, p->view);
+    const rhw_float across[3] = {p->view[2], rhw_splat(0.0f), -p->view[0]};
+    rhw_normalize3(across, p->right);
+    rhw_cross(p->view, p->right, p->above);
+    for (int c = 0; c < 2; c++) {
+        p->slope[c] = o->orthographic ? rhw_splat(0.0f) : p->point[c] / distance;
+    }
+}
+
 // The highest cosine, towards the eye, of what stands along (dx, dy) within the radius; `lowest` is the cosine of the
 // surface's own horizon. What is far from the pixel counts less, so that the radius leaves no edge.
-ALWAYS_INLINE rhw_float horizon(const struct scene_ambient *o, const rhw_float coord[2],
-                                const rhw_float point[3], const rhw_float view[3], rhw_float dx, rhw_float dy,
-                                rhw_float jitter, rhw_float lowest)
+ALWAYS_INLINE rhw_float horizon(const struct scene_ambient *o, const struct seen_surface *p, rhw_float dx,
+                                rhw_float dy, rhw_float jitter, rhw_float lowest)
 {
     const float inverse_radius2 = 1.0f / (o->radius * o->radius);
     rhw_float highest = lowest;
     for (int k = 0; k < STEPS; k++) {
         const rhw_float along = (jitter + (float)k) * (1.0f / STEPS);
         const rhw_float spread = along * along; // near ones matter most
-        const rhw_float x = rhw_floor(coord[0] + dx * spread), y = rhw_floor(coord[1] + dy * spread);
+        // Beyond the picture's edge there is what is on it, there.
+        const rhw_float x = rhw_clamp(rhw_floor(p->coord[0] + dx * spread), 0.0f, (float)(o->width - 1)),
+                        y = rhw_clamp(rhw_floor(p->coord[1] + dy * spread), 0.0f, (float)(o->height - 1));
         const rhw_float distance = rhw_gather(o->distance, o->pitch * o->height, texel_index(o, x, y));
         rhw_float other[3];
         place(o, x + 0.5f, y + 0.5f, distance, other);
         for (int c = 0; c < 3; c++) {
-            other[c] -= point[c];
+            other[c] -= p->point[c];
         }
         const rhw_float length2 = rhw_dot3(other, other);
-        const rhw_float cosine = rhw_dot3(other, view) * rhw_rsqrt(rhw_max(length2, 1e-30f));
+        const rhw_float inverse = rhw_rsqrt(rhw_max(length2, 1e-30f));
         const rhw_float weight = rhw_saturate(1.0f - length2 * inverse_radius2);
-        const rhw_int real = rhw_less(distance, 1e30f) & rhw_less(0.0f, weight) & rhw_less(0.0f, length2);
-        const rhw_float faded = rhw_mix(lowest, cosine, weight);
+        const rhw_float height = rhw_dot3(other, p->normal) * inverse;
+        const rhw_int real =
+            rhw_less(distance, 1e30f) & rhw_less(0.0f, weight) & rhw_less(least_height, height);
+        const rhw_float faded = rhw_mix(lowest, rhw_dot3(other, p->view) * inverse, weight);
         highest = rhw_select(real, rhw_max(highest, faded), highest);
     }
     return highest;
 }
 
-// The open part of one slice of the hemisphere, along the angle `turn` of the screen.
-ALWAYS_INLINE rhw_float open_part(const struct scene_ambient *o, const rhw_float coord[2],
-                                  const rhw_float point[3], const rhw_float normal[3],
-                                  const rhw_float view[3], rhw_float reach, rhw_float turn, rhw_float jitter)
+// The open part of one slice of the hemisphere, at the angle `turn` about the line of sight.
+ALWAYS_INLINE rhw_float open_part(const struct scene_ambient *o, const struct seen_surface *p, rhw_float turn,
+                                  rhw_float jitter)
 {
-    rhw_float sine, cosine, ortho[3], axis[3], projected[3];
+    rhw_float sine, cosine, direction[3], axis[3], projected[3];
     rhw_sincos(turn, &sine, &cosine);
-    const rhw_float direction[3] = {cosine, sine, rhw_splat(0.0f)};
-    const rhw_float along_view = rhw_dot3(direction, view);
     for (int c = 0; c < 3; c++) {
-        ortho[c] = direction[c] - along_view * view[c];
+        direction[c] = cosine * p->right[c] + sine * p->above[c];
     }
-    rhw_cross(ortho, view, axis);
-    rhw_normalize3(axis, axis);
-    const rhw_float beside = rhw_dot3(normal, axis);
+    rhw_cross(direction, p->view, axis);
+    const rhw_float beside = rhw_dot3(p->normal, axis);
     for (int c = 0; c < 3; c++) {
-        projected[c] = normal[c] - axis[c] * beside;
+        projected[c] = p->normal[c] - axis[c] * beside;
     }
     const rhw_float length = rhw_sqrt(rhw_max(rhw_dot3(projected, projected), 1e-12f));
-    const rhw_float cos_n = rhw_clamp(rhw_dot3(projected, view) / length, -1.0f, 1.0f);
-    const rhw_float n = rhw_copysign(rhw_acos(cos_n), rhw_dot3(ortho, projected));
+    const rhw_float cos_n = rhw_clamp(rhw_dot3(projected, p->view) / length, -1.0f, 1.0f);
+    const rhw_float n = rhw_copysign(rhw_acos(cos_n), rhw_dot3(direction, projected));
     const rhw_float sin_n = rhw_sin(n);
     // The surface's own horizons: cos(n ± π/2).
-    const rhw_float dx = cosine * reach, dy = -sine * reach;
-    const rhw_float ahead = horizon(o, coord, point, view, dx, dy, jitter, -sin_n);
-    const rhw_float behind = horizon(o, coord, point, view, -dx, -dy, jitter, sin_n);
+    const rhw_float dx = (direction[0] + direction[2] * p->slope[0]) * p->reach,
+                    dy = -(direction[1] + direction[2] * p->slope[1]) * p->reach;
+    const rhw_float ahead = horizon(o, p, dx, dy, jitter, -sin_n);
+    const rhw_float behind = horizon(o, p, -dx, -dy, jitter, sin_n);
     const rhw_float h1 = rhw_acos(rhw_clamp(ahead, -1.0f, 1.0f));
     const rhw_float h0 = -rhw_acos(rhw_clamp(behind, -1.0f, 1.0f));
     const rhw_float arc0 = cos_n + 2.0f * h0 * sin_n - rhw_cos(2.0f * h0 - n);
@@ -122,21 +153,21 @@ static void occlusion_fragment(struct rhw_fragment *groups, int count)
     const struct scene_ambient *o = groups->uniforms;
     for (int g = 0; g < count; g++) {
         struct rhw_fragment *f = &groups[g];
-        const rhw_float coord[2] = {f->coord[0], f->coord[1]};
-        const rhw_float x = rhw_floor(coord[0]), y = rhw_floor(coord[1]);
+        struct seen_surface p = {.coord = {f->coord[0], f->coord[1]}};
+        const rhw_float x = rhw_floor(p.coord[0]), y = rhw_floor(p.coord[1]);
         const rhw_float distance = rhw_gather(o->distance, o->pitch * o->height, texel_index(o, x, y));
         f->color[0][0] = rhw_splat(1.0f);
         const rhw_int some = rhw_less(distance, 1e30f);
-        const rhw_float reach = rhw_min(radius_texels(o, distance), o->most_texels);
-        if (!rhw_any(f->mask & some & rhw_less(1.0f, reach))) {
+        p.reach = rhw_min(radius_texels(o, distance), o->most_texels);
+        const rhw_int is_wide = some & rhw_less(1.0f, p.reach);
+        if (!rhw_any(f->mask & is_wide)) {
             continue;
         }
-        rhw_float point[3], normal[3], view[3], sum = rhw_splat(0.0f);
-        place(o, coord[0], coord[1], rhw_select(some, distance, 1.0f), point);
-        view_normal(f, o, normal);
-        const rhw_float to_eye[3] = {-point[0], -point[1], -point[2]};
-        const rhw_float forward[3] = {rhw_splat(0.0f), rhw_splat(0.0f), rhw_splat(1.0f)};
-        rhw_normalize3(o->orthographic ? forward : to_eye, view);
+        const rhw_float held = rhw_select(some, distance, 1.0f);
+        rhw_float sum = rhw_splat(0.0f);
+        place(o, p.coord[0], p.coord[1], held, p.point);
+        view_normal(f, o, p.normal);
+        look_along(o, held, &p);
         // 16 directions and 4 places along them, spread over 4 × 4 pixels.
         const rhw_int column = rhw_int_from_float_unchecked(x), row = rhw_int_from_float_unchecked(y);
         const rhw_int cell = ((((column + row) & 3) << 2) + (column & 3));
@@ -144,11 +175,16 @@ static void occlusion_fragment(struct rhw_fragment *groups, int count)
         const rhw_float jitter = 0.25f + rhw_float_from_int((row - column) & 3) * 0.25f;
         for (int s = 0; s < SLICES; s++) {
             const rhw_float turn = (rotation + (float)s) * (pi / (float)SLICES);
-            sum += open_part(o, coord, point, normal, view, reach, turn, jitter);
+            sum += open_part(o, &p, turn, jitter);
         }
-        const rhw_float open = rhw_saturate(sum * (1.0f / SLICES));
-        f->color[0][0] = rhw_select(some & rhw_less(1.0f, reach), open, 1.0f);
+        f->color[0][0] = rhw_select(is_wide, sum * (1.0f / SLICES), 1.0f);
     }
+}
+
+// What has the place of a texel in the pattern where that is outside of the picture.
+ALWAYS_INLINE rhw_float within(rhw_float x, float size)
+{
+    return rhw_select(rhw_less(x, 0.0f), x + 4.0f, rhw_select(rhw_less(size, x), x - 4.0f, x));
 }
 
 // Five texels in a row or a column, the outer ones counting half: as wide as the pattern. A texel counts as far as it lies
@@ -173,8 +209,8 @@ static void blur_fragment(struct rhw_fragment *groups, int count)
         view_normal(f, o, normal);
         const rhw_float tolerance = o->radius * (0.08f + 2.0f / radius_texels(o, held));
         for (int k = -2; k <= 2; k++) {
-            const rhw_float x = coord[0] + (upright ? 0.0f : (float)k),
-                            y = coord[1] + (upright ? (float)k : 0.0f);
+            const rhw_float x = upright ? coord[0] : within(coord[0] + (float)k, (float)o->width),
+                            y = upright ? within(coord[1] + (float)k, (float)o->height) : coord[1];
             const rhw_int at = texel_index(o, rhw_floor(x), rhw_floor(y));
             const rhw_float there = rhw_gather(o->distance, o->pitch * o->height, at);
             const rhw_float value = rhw_gather(o->source, o->pitch * o->height, at);
@@ -189,7 +225,9 @@ static void blur_fragment(struct rhw_fragment *groups, int count)
             sum += rhw_select(real, weight * value, 0.0f);
             weights += rhw_select(real, weight, 0.0f);
         }
-        f->color[0][0] = rhw_select(some & rhw_less(0.0f, weights), sum / weights, 1.0f);
+        const rhw_float even = sum / weights;
+        f->color[0][0] =
+            rhw_select(some & rhw_less(0.0f, weights), upright ? rhw_min(even, 1.0f) : even, 1.0f);
     }
 }
 

@@ -237,7 +237,7 @@ ALWAYS_INLINE void shade_ground(struct rhw_fragment *f, const struct scene_surfa
         }
         scene_reflect_light(&reflector, to_light, irradiance, frame->lights[i].size, lit);
     }
-    // An even ground occludes itself a little by the measure of the screen; it must not show.
+    // Where an object covers pixels of the pattern that occlusion is made with, the rest is uneven; it must not show.
     const rhw_float left = (lit[0] + lit[1] + lit[2]) / rhw_max(open[0] + open[1] + open[2], 1e-20f);
     const rhw_float missing = rhw_saturate((0.97f - left) * (1.0f / 0.97f));
     const rhw_float near = f->varying[s->varying_color + 3];

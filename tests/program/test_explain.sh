@@ -122,6 +122,8 @@ check "level and texels" grep -Eq '^    base color +level [0-9.]+; level [0-4] h
 # Shares of the four texels make what sampling gives, where one level is read.
 box=/usr/share/assimp/models/glTF2/BoxTextured-glTF-Binary/BoxTextured.glb
 if [ -f $box ] && command -v python3 >/dev/null 2>&1; then
+    succeed explain $box --at 600,317
+    check "a place beyond the edge" grep -q 'beyond the edge, where it repeats' "$folder/log/out"
     succeed explain $box --at 600,317 --json
     check "the shares make the texel" python3 - "$folder/log/out" <<'PY'
 import json, math, sys
@@ -151,9 +153,25 @@ check "nothing to draw: says so" grep -q '^rhw: none.svg: not drawn: nothing of 
 check "nothing to draw: no file" test ! -e none.svg
 refuse 2 "--picture: 'a.png' is not the name of a .svg file" explain cube.obj --at 1,1 --picture a.png
 
+# A sample that is covered while the middle of its pixel is not.
+printf 'v 0 0 0\nv 1.3 0 0\nv 0 1 0\nf 1 2 3\n' >edge.obj
+succeed explain edge.obj --at 31,31 --size 64 --sample 3
+check "outside" grep -q '^P lies outside: the triangle covers the sample, ' "$folder/log/out"
+check "e_0 is below 0" grep -q '^    e_0 = -' "$folder/log/out"
+succeed explain edge.obj --at 30,33 --size 64
+check "inside" sh -c "! grep -q 'P lies outside' '$folder/log/out'"
+
 # Where nothing is, and what is clipped.
 succeed explain cube.obj --at 0,0 --size 64
-check "nothing of the model" grep -q '^Nothing of the model is seen here.$' "$folder/log/out"
+check "nothing of the model" grep -q '^Nothing of the model is seen here; the nearest pixel that shows it is ([0-9]*, [0-9]*)\.$' "$folder/log/out"
+near=$(sed -n 's/^Nothing.*is (\([0-9]*\), \([0-9]*\))\.$/\1,\2/p' "$folder/log/out")
+succeed explain cube.obj --at 0,0 --size 64 --json
+check "JSON has it too" grep -q "\"nearest\": \[$(echo "$near" | sed 's/,/, /')\]" "$folder/log/out"
+succeed explain cube.obj --at "$near" --size 64
+check "there is something" grep -q '^What is seen: ' "$folder/log/out"
+check "colors are told of" grep -q '^of sRGB: #[0-9a-f]*, the mean of the samples\.$' "$folder/log/out"
+succeed explain cube.obj --at 0,0 --size 64 --camera 0,0,9,0,0,18,0,1,0,20 --quiet
+check "nothing at all" grep -q '^Nothing of the model is seen here\.$' "$folder/log/out"
 succeed explain floor.obj --at 80,110 --camera 0,0,4,0,0,0,0,1,0,90 --size 160x120
 check "cut by the near plane" grep -q 'behind the eye\|The triangle is clipped' "$folder/log/out"
 for sample in 1 2 3; do
@@ -172,8 +190,8 @@ refuse 2 "--at: '-1,2' is not the X,Y of a pixel" explain cube.obj --at -1,2
 refuse 2 "--at: 64,3 lies outside the picture, which is 64x64" explain cube.obj --at=64,3 --size 64
 refuse 2 "--sample: '16' is not a number of 0 to 15" explain cube.obj --at 1,1 --sample 16
 refuse 2 "--sample: 4 is too many: a pixel has 4, 0 to 3" explain cube.obj --at 1,1 --sample 4
-refuse 2 "--supersample: cannot be explained" explain cube.obj --at 1,1 --supersample 4
-refuse 2 "--transparency: cannot be explained" explain cube.obj --at 1,1 --transparency exact
+refuse 2 "--supersample: cannot be explained; --size 2560x1440 --at 2,6 explains the first of the 4 pixels" explain cube.obj --at 1,3 --supersample 4
+refuse 2 "--transparency: cannot be explained; without it the same surfaces are told in another order" explain cube.obj --at 1,1 --transparency exact
 refuse 2 "--out: explain writes no picture; --picture" explain cube.obj --at 1,1 -o a.png
 refuse 2 "--views: cannot be explained" explain cube.obj --at 1,1 --views top
 refuse 2 "--no-such-thing: no such option; see 'rhw explain --help'" explain cube.obj --at 1,1 --no-such-thing

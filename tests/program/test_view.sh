@@ -250,6 +250,19 @@ check "it is that of rhw explain" test "$seen_text" = "$(cat "$folder/log/out")"
 # Help, a file, another size.
 press h
 check "help" unseen want.ppm
+# In a window as small as this one the help is one column, with room on both sides, which scrolls.
+beside() { # PICTURE: the first and the last column of pixels
+    python3 -c 'import sys
+data = open(sys.argv[1], "rb").read().split(b"\n", 3)
+width, pixels = int(data[1].split()[0]) * 3, data[3]
+sys.stdout.buffer.write(b"".join(pixels[i : i + 3] + pixels[i + width - 3 : i + width] for i in range(0, len(pixels), width)))' "$1"
+}
+display grab $WIDTH $HEIGHT help.ppm
+beside want.ppm >want.columns
+beside help.ppm >help.columns
+check "it has room" cmp want.columns help.columns
+press End
+check "it scrolls" unseen help.ppm
 press F1
 check "no help" shown want.ppm
 press Tab

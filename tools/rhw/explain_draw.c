@@ -6,11 +6,22 @@
 
 bool cli_explain_check(const struct cli_render_job *job, int x, int y, int sample)
 {
-    const char *const option = job->supersample > 1                             ? "--supersample"
-                               : job->transparency != SCENE_TRANSPARENCY_SORTED ? "--transparency"
-                               : job->view_count > 0                            ? "--views"
-                               : cli_render_moves(job)                          ? "--animate and --turntable"
-                                                                                : NULL;
+    const struct scene_view grid = {.supersample = job->supersample};
+    const int side = scene_view_grid_side(&grid);
+    if (side > 1) {
+        cli_error("--supersample",
+                  "cannot be explained; --size %dx%d --at %d,%d explains the first of the %d pixels",
+                  side * job->width, side * job->height, side * x, side * y, job->supersample);
+        return false;
+    }
+    if (job->transparency != SCENE_TRANSPARENCY_SORTED) {
+        cli_error("--transparency",
+                  "cannot be explained; without it the same surfaces are told in another order");
+        return false;
+    }
+    const char *const option = job->view_count > 0     ? "--views"
+                               : cli_render_moves(job) ? "--animate and --turntable"
+                                                       : NULL;
     if (option) {
         cli_error(option, "cannot be explained");
         return false;
@@ -27,6 +38,23 @@ bool cli_explain_check(const struct cli_render_job *job, int x, int y, int sampl
     return true;
 }
 
+// For who asked where nothing is.
+static void find_nearest(const uint32_t *objects, struct cli_explanation *e)
+{
+    int64_t least = INT64_MAX;
+    for (int y = 0; y < e->height; y++) {
+        for (int x = 0; x < e->width; x++) {
+            const int64_t dx = x - e->x, dy = y - e->y, distance2 = dx * dx + dy * dy;
+            if (objects[(size_t)y * (size_t)e->width + (size_t)x] != 0 && distance2 < least) {
+                least = distance2;
+                e->has_nearest = true;
+                e->nearest_x = x;
+                e->nearest_y = y;
+            }
+        }
+    }
+}
+
 bool cli_explain_draw(struct render *render, int x, int y, int sample, struct cli_history *history,
                       struct cli_explanation *explanation)
 {
@@ -34,6 +62,7 @@ bool cli_explain_draw(struct render *render, int x, int y, int sample, struct cl
     const struct scene_explain explain = {
         .x = x, .y = y, .sample = sample, .fragment = cli_history_add, .user = history};
     render->view.explain = &explain;
+    render->view.outputs |= SCENE_OUTPUT_OBJECT;
     bool drawn = cli_render_draw(render);
     render->view.explain = NULL;
     if (drawn && history->failed) {
@@ -54,5 +83,6 @@ bool cli_explain_draw(struct render *render, int x, int y, int sample, struct cl
                                             .width = render->view.width,
                                             .height = render->view.height,
                                             .picture = render->pictures.color};
+    find_nearest(render->pictures.object, explanation);
     return true;
 }

@@ -164,5 +164,9 @@ void cli_explain_json(const struct cli_explanation *e)
         printf("%s\n  ", i ? "," : "");
         print_fragment(e, &e->history->fragments[i]);
     }
-    printf("]}\n");
+    printf("]");
+    if (!cli_history_seen(e->history) && e->has_nearest) {
+        printf(",\n \"nearest\": [%d, %d]", e->nearest_x, e->nearest_y);
+    }
+    printf("}\n");
 }

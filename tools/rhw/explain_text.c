@@ -29,10 +29,13 @@ static void print_color(FILE *out, const float color[4])
 static void print_history(FILE *out, const struct cli_explanation *e)
 {
     const int count = e->history->count;
-    fprintf(out,
-            "%d fragment%s came here, in the order of drawing. Depth is reversed: 1 at the near plane, 0 at\n"
-            "infinity, and the greater one is seen.\n\n",
-            count, count == 1 ? "" : "s");
+    const uint8_t *const c = cli_explained_color(e);
+    fprintf(
+        out,
+        "%d fragment%s came here, in the order of drawing. Depth is reversed: 1 at the near plane, 0 at\n"
+        "infinity, and the greater one is seen. Colors are linear light, which the picture has in 8 bits\n"
+        "of sRGB: #%02x%02x%02x%s.\n\n",
+        count, count == 1 ? "" : "s", c[0], c[1], c[2], e->samples > 1 ? ", the mean of the samples" : "");
     for (int i = 0; i < count; i++) {
         const struct cli_past_fragment *const past = &e->history->fragments[i];
         const struct rhw_explained_fragment *const f = &past->told;
@@ -84,6 +87,11 @@ static void print_edges(FILE *out, const struct rhw_explained_fragment *f, const
         fprintf(out, "    e_%d = %" PRId64 "\n", i, w->edge[i]);
     }
     fprintf(out, "    sum = %" PRId64 ", twice the triangle's area\n\n", w->sum);
+    if (w->edge[0] < 0 || w->edge[1] < 0 || w->edge[2] < 0) {
+        fprintf(out, "P lies outside: the triangle covers the sample, but not the middle of the pixel. What "
+                     "follows goes\n"
+                     "on beyond its edge.\n\n");
+    }
     static const char names[3] = {'r', 's', 't'};
     fprintf(out, "On the screen P lies at\n\n");
     for (int i = 0; i < 3; i++) {
@@ -162,21 +170,35 @@ static void print_texels(FILE *out, const struct scene_texture_look *look, int n
     }
 }
 
+static bool is_beyond(const struct scene_texture_look *look)
+{
+    return look->uv[0] < 0.0f || look->uv[0] > 1.0f || look->uv[1] < 0.0f || look->uv[1] > 1.0f;
+}
+
 static void print_textures(FILE *out, const struct cli_past_fragment *past)
 {
     if (past->look_count > 0) {
-        fprintf(out,
-                "\nIts textures there. The level follows from how far u and v go from pixel to pixel; around "
-                "a place lie\n"
-                "the four texels that are mixed, in this level and, by its fraction, in the next:\n\n");
+        fprintf(
+            out,
+            "\nIts textures there. The level follows from how far u and v go from pixel to pixel; the place "
+            "in "
+            "it is u\n"
+            "and v times its size, less half a texel. Around it lie the four texels that are mixed, in this "
+            "level and,\n"
+            "by its fraction, in the next:\n\n");
     }
     for (int i = 0; i < past->look_count; i++) {
         const struct scene_texture_look *const look = &past->looks[i];
         fprintf(out,
-                "    %-20s level %.4g; level %d has %dx%d texels, and the place is (%.3f, %.3f)\n"
+                "    %-20s level %.4g; level %d has %dx%d texels, and the place is (%.3f, %.3f)%s\n"
                 "    %20s gives ",
                 scene_slot_name(look->slot), (double)look->level, (int)look->level, look->width, look->height,
-                (double)look->place[0], (double)look->place[1], "");
+                (double)look->place[0], (double)look->place[1],
+                is_beyond(look)
+                    ? ",\n                         beyond the edge, where it repeats or goes on as the "
+                      "file says"
+                    : "",
+                "");
         print_color(out, look->texel);
         fprintf(out, "\n");
         print_texels(out, look, 0);
@@ -240,6 +262,15 @@ static void print_derivation(FILE *out, const struct cli_explanation *e, const s
     cli_exact_weights_free(&weights);
 }
 
+static void print_nothing(FILE *out, const struct cli_explanation *e)
+{
+    fprintf(out, "\nNothing of the model is seen here");
+    if (e->has_nearest) {
+        fprintf(out, "; the nearest pixel that shows it is (%d, %d)", e->nearest_x, e->nearest_y);
+    }
+    fprintf(out, ".\n");
+}
+
 void cli_explain_text(FILE *out, const struct cli_explanation *e)
 {
     const uint8_t *const c = cli_explained_color(e);
@@ -253,6 +284,6 @@ void cli_explain_text(FILE *out, const struct cli_explanation *e)
     if (seen) {
         print_derivation(out, e, seen);
     } else {
-        fprintf(out, "\nNothing of the model is seen here.\n");
+        print_nothing(out, e);
     }
 }

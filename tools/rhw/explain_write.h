@@ -5,6 +5,8 @@
 
 #include "history.h"
 
+#include <stdbool.h>
+#include <stdint.h>
 #include <stdio.h>
 
 struct cli_explanation {
@@ -13,6 +15,8 @@ struct cli_explanation {
     const struct cli_history *history;
     int x, y, sample, samples, width, height;
     const uint8_t *picture; ///< [height][width][4], sRGB
+    bool has_nearest;       ///< where the model is seen; else it is seen nowhere in the picture
+    int nearest_x, nearest_y;
 };
 
 void cli_explain_text(FILE *out, const struct cli_explanation *explanation);

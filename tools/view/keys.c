@@ -10,7 +10,7 @@ const struct view_key view_keys[] = {
     {0, VIEW_NOTHING, 0, "drag", "orbit"},
     {0, VIEW_NOTHING, 0, "right drag", "pan; so does Shift drag"},
     {0, VIEW_NOTHING, 0, "middle drag", "look around; so does Ctrl drag"},
-    {0, VIEW_NOTHING, 0, "wheel", "zoom to the pointer, or scroll text"},
+    {0, VIEW_NOTHING, 0, "wheel", "zoom to the pointer; scroll text"},
     {0, VIEW_NOTHING, 0, "W A S D Q E", "fly; faster with Shift"},
     {0, VIEW_NOTHING, 0, "click", "explain the pixel"},
     {SDLK_f, VIEW_FIT, 0, "F", "fit the model into the window"},

@@ -42,6 +42,11 @@ static int scale_of(const struct view_window *window, const char *text)
     return scale > 1 ? scale : 1;
 }
 
+bool view_panel_fits(const struct view_window *window, const char *text)
+{
+    return widest_line(text) + 2 * (MARGIN + BORDER) <= window->width;
+}
+
 // How many lines there is room for.
 static int room(const struct view_window *window, int scale)
 {

@@ -47,13 +47,27 @@ static void draw_info(const struct view_session *s)
     view_panel_draw(&s->window, VIEW_BOTTOM_LEFT, line, 0);
 }
 
+static bool print_help(char *text, size_t size, bool in_one_column)
+{
+    FILE *const out = fmemopen(text, size, "w");
+    if (!out) {
+        return false;
+    }
+    if (in_one_column) {
+        fputs("Up, Down, wheel: scroll\n", out);
+        view_keys_print(out);
+    } else {
+        view_keys_print_beside(out);
+    }
+    fclose(out);
+    return true;
+}
+
 static void draw_help(struct view_session *s)
 {
     char text[4096];
-    FILE *const out = fmemopen(text, sizeof text, "w");
-    if (out) {
-        view_keys_print_beside(out);
-        fclose(out);
+    const bool is_there = print_help(text, sizeof text, false);
+    if (is_there && (view_panel_fits(&s->window, text) || print_help(text, sizeof text, true))) {
         const int last = view_panel_last(&s->window, text);
         s->help_line = s->help_line < 0 ? 0 : s->help_line > last ? last : s->help_line;
         view_panel_draw(&s->window, VIEW_MIDDLE, text, s->help_line);

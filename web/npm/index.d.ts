@@ -386,6 +386,8 @@ export interface Explanation {
     color: string;
     /** In the order of drawing; the background is one of them. */
     fragments: ExplainedFragment[];
+    /** Where nothing of the model is seen: the nearest pixel that shows it; absent where no pixel does. */
+    nearest?: [x: number, y: number];
     text: string;
 }
 
