@@ -99,9 +99,12 @@ class Pictures(Dict[str, np.ndarray]):
     def _checked(self) -> Dict[str, np.ndarray]:
         return {name: _arrays.packed(_arrays.read(array, name), None) for name, array in self.items() if name in OUTPUTS}
 
-    def _repr_png_(self) -> bytes:
-        output = "color" if "color" in self else next(name for name in self if name in _FILE_KINDS)
-        return self.png(output)
+    def __repr__(self) -> str:
+        return f"<rhw.Pictures {self.size[0]} x {self.size[1]}: {', '.join(self)}>"
+
+    def _repr_png_(self) -> Optional[bytes]:
+        output = "color" if "color" in self else next((name for name in self if name in _FILE_KINDS), None)
+        return None if output is None else self.png(output)
 
 
 def write_png(path: _files.Path, image: Any, *, srgb: bool = True) -> None:
