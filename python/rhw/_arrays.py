@@ -55,10 +55,29 @@ def floats(value: Any, name: str, shape: Sequence[Optional[int]], dtype: Any = n
         raise TypeError(f"{name}: must be of numbers, not {array.dtype}")
     _check_shape(array, name, shape)
     with np.errstate(over="ignore"):
-        array = packed(array, dtype)
+        return finite(packed(array, dtype), name)
+
+
+def finite(array: np.ndarray, name: str) -> np.ndarray:
+    """The array, where every number of it is one."""
     if not np.isfinite(array).all():
-        raise ValueError(f"{name}: every number must be finite, as {np.dtype(dtype)} too")
+        raise ValueError(f"{name}: every number must be finite, as {array.dtype} too")
     return array
+
+
+def converted(array: np.ndarray, name: str, kind: np.dtype) -> np.ndarray:
+    """The same numbers in another type: integers that it has, or floats as near as it has them."""
+    if kind.kind == "f":
+        with np.errstate(over="ignore"):
+            return array.astype(kind)
+    limits = np.iinfo(kind)
+    if array.dtype.kind == "f":
+        within = (array >= limits.min) & (array < float(limits.max) + 1) & (array == np.rint(array))
+    else:
+        within = (array >= limits.min) & (array <= limits.max)
+    if not within.all():
+        raise ValueError(f"{name}: must be of numbers that {kind} has, not {array[~within].flat[0]}")
+    return array.astype(kind)
 
 
 def indices(value: Any, name: str, shape: Sequence[Optional[int]], count: int) -> np.ndarray:
@@ -120,9 +139,14 @@ def number(value: Any, name: str, least: float, most: float) -> float:
     return found
 
 
+def is_whole(value: Any) -> bool:
+    """Whether it is a whole number; True and False are none."""
+    return isinstance(value, (int, np.integer)) and not isinstance(value, bool)
+
+
 def whole(value: Any, name: str, least: int, most: int) -> int:
     """A whole number in a range, both ends included."""
-    if not isinstance(value, (int, np.integer)):
+    if not is_whole(value):
         raise TypeError(f"{name}: must be a whole number, not {text(value)}")
     if not least <= value <= most:
         raise ValueError(f"{name}: must lie between {least} and {most}, not {text(int(value))}")
@@ -131,7 +155,7 @@ def whole(value: Any, name: str, least: int, most: int) -> int:
 
 def one_of(value: Any, name: str, choices: Sequence[int]) -> int:
     """A whole number of a few."""
-    if not isinstance(value, (int, np.integer)) or value not in choices:
+    if not is_whole(value) or value not in choices:
         listed = ", ".join(map(str, choices[:-1])) + f" or {choices[-1]}"
         raise ValueError(f"{name}: must be {listed}, not {text(value)}")
     return int(value)
@@ -184,7 +208,7 @@ def size(value: Any) -> Tuple[int, int]:
     """(width, height), or one number for both."""
     is_pair = isinstance(value, (tuple, list)) or (isinstance(value, np.ndarray) and value.ndim == 1)
     pair = tuple(value) if is_pair else (value, value)
-    if len(pair) != 2 or not all(isinstance(each, (int, np.integer)) for each in pair):
+    if len(pair) != 2 or not all(map(is_whole, pair)):
         raise TypeError(f"size: must be (width, height) or one number, not {text(value)}")
     width, height = int(pair[0]), int(pair[1])
     if not (1 <= width <= 16384 and 1 <= height <= 16384):

@@ -29,8 +29,9 @@ def replacing(path: Path) -> Iterator[BinaryIO]:
             os.unlink(temporary)
             raise
     except OSError as error:
-        error.filename, error.filename2 = os.fspath(path), None  # not the name of today
-        raise
+        if error.errno is None:
+            raise
+        raise OSError(error.errno, error.strerror, os.fspath(path)) from None  # not the name of today
 
 
 def write(path: Path, data: bytes) -> None:

@@ -24,7 +24,11 @@ def _linear(colors: Any, name: str, rows: int) -> np.ndarray:
         if array.shape[1] == 4:
             full[:, 3] = array[:, 3] / np.float32(255)
     else:
-        full[:, :array.shape[1]] = _arrays.floats(array, name, array.shape)
+        floats = _arrays.floats(array, name, array.shape)
+        if floats.size and not 0 <= floats.min() <= floats.max() <= 1:
+            worst = floats.min() if floats.min() < 0 else floats.max()
+            raise ValueError(f"{name}: must lie between 0 and 1, or be uint8, not {worst:g}")
+        full[:, :array.shape[1]] = floats
     return full
 
 
@@ -191,7 +195,9 @@ def _from_trimesh(mesh: Any, surface: Surface, smooth: bool) -> Tuple[Geometry, 
     kind = getattr(visual, "kind", None)
     uv = getattr(visual, "uv", None) if kind == "texture" else None
     texture = _texture_of(getattr(visual, "material", None)) if uv is not None else None
-    geometry = Geometry(mesh.vertices, mesh.faces, None,
+    # A cloud of points has no faces.
+    faces = mesh.faces if hasattr(mesh, "faces") else np.arange(len(mesh.vertices))[:, None]
+    geometry = Geometry(mesh.vertices, faces, None,
                         None if uv is None else np.asarray(uv, np.float64) * (1, -1) + (0, 1),  # its v points up
                         visual.vertex_colors if kind == "vertex" else None,
                         visual.face_colors if kind == "face" else None, smooth)

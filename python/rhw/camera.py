@@ -87,19 +87,24 @@ class Camera:
 
     def at(self, model: "Model", size: Union[int, Tuple[int, int]]) -> View:
         """The camera as it takes a picture of that size, (width, height), of the model."""
+        if not hasattr(model, "_model"):
+            raise TypeError(f"model: must be an rhw.Model, not {_arrays.text(model)}")
         width, height = _arrays.size(size)
         return View(self._resolve(model, width, height), width, height)
 
     @classmethod
-    def fit(cls, **options: Any) -> "Camera":
+    def fit(cls, *, up: Optional[str] = None, whole: bool = False, fovy: Optional[float] = None, orthographic: bool = False,
+            zoom: float = 1.0, margin: Optional[float] = None) -> "Camera":
         """As near as it can be with all of the model in the picture, from the angle that shows it best.
 
-        Takes the options of `orbit`.
+        The options are those of `orbit`.
         """
-        return cls._fitted(None, "fit", options)
+        return cls._fitted(None, "fit()", up, whole, fovy, orthographic, zoom, margin)
 
     @classmethod
-    def orbit(cls, azimuth: float, elevation: float = 20.0, **options: Any) -> "Camera":
+    def orbit(cls, azimuth: float, elevation: float = 20.0, *, up: Optional[str] = None, whole: bool = False,
+              fovy: Optional[float] = None, orthographic: bool = False, zoom: float = 1.0,
+              margin: Optional[float] = None) -> "Camera":
         """As near as it can be with all of the model in the picture, from a given angle.
 
         azimuth, elevation: 0, 0 looks at the model's front; 90, 0 from its left hand side; elevation 90 straight down.
@@ -111,21 +116,18 @@ class Camera:
         margin: percent of the picture that stay free on each side, 0 to 45; None: 4.
         """
         angles = (_arrays.number(azimuth, "azimuth", -1e6, 1e6), _arrays.number(elevation, "elevation", -1e6, 1e6))
-        return cls._fitted(angles, f"orbit({angles[0]:g}, {angles[1]:g})", options)
+        return cls._fitted(angles, f"orbit({angles[0]:g}, {angles[1]:g})", up, whole, fovy, orthographic, zoom, margin)
 
     @classmethod
-    def _fitted(cls, angles: Optional[Tuple[float, float]], text: str, options: dict) -> "Camera":
-        def fit(up: Optional[str] = None, whole: bool = False, fovy: Optional[float] = None,
-                orthographic: bool = False, zoom: float = 1.0, margin: Optional[float] = None) -> _Resolve:
-            degrees = 0.0 if fovy is None else float(np.float32(_arrays.number(fovy, "fovy", 0.01, 179)))
-            part = -1.0 if margin is None else _arrays.number(margin, "margin", 0, 45) / 100
-            larger = _arrays.number(zoom, "zoom", 0.01, 100)
-            number = axis(up)
-            flags = _arrays.flag(whole, "whole"), _arrays.flag(orthographic, "orthographic")
-            return lambda model, width, height: _rhw.camera_fit(
-                model._model, width / height, angles, number, flags[0], degrees, flags[1], larger, part)
-
-        return cls(fit(**options), text)
+    def _fitted(cls, angles: Optional[Tuple[float, float]], text: str, up: Optional[str], whole: bool, fovy: Optional[float],
+                orthographic: bool, zoom: float, margin: Optional[float]) -> "Camera":
+        degrees = 0.0 if fovy is None else float(np.float32(_arrays.number(fovy, "fovy", 0.01, 179)))
+        part = -1.0 if margin is None else _arrays.number(margin, "margin", 0, 45) / 100
+        larger = _arrays.number(zoom, "zoom", 0.01, 100)
+        number = axis(up)
+        flags = _arrays.flag(whole, "whole"), _arrays.flag(orthographic, "orthographic")
+        return cls(lambda model, width, height: _rhw.camera_fit(
+            model._model, width / height, angles, number, flags[0], degrees, flags[1], larger, part), text)
 
     @classmethod
     def look_at(cls, eye: Sequence[float], target: Sequence[float], up: Sequence[float] = (0, 1, 0),
@@ -197,6 +199,8 @@ def _check_turn(matrix: np.ndarray, name: str) -> None:
     turn = matrix[:3, :3]
     if np.abs(turn @ turn.T - np.eye(3)).max() > 1e-3 or np.linalg.det(turn) < 0:
         raise ValueError(f"{name}: must turn and move, not scale, shear or mirror")
+    if np.abs(matrix[3] - (0, 0, 0, 1)).max() > 1e-6:
+        raise ValueError(f"{name}: its last row must be 0, 0, 0, 1, not {_arrays.text(matrix[3].tolist())}")
 
 
 def _posed(eye: Any, ahead: Any, up: Any) -> Tuple[Tuple[float, ...], ...]:
@@ -212,12 +216,21 @@ def _planes(lens: Callable[[int, int], Tuple[Any, ...]], near: Optional[float],
     if far is not None:
         far = _arrays.number(far, "far", 1e-30, math.inf)
 
+    def check(given: float, enclosing: float) -> None:
+        if given >= enclosing > 0:
+            raise ValueError(f"near: must be less than far, {enclosing:g}, not {given:g}")
+
+    if near is not None and far is not None:
+        check(near, far)
+
     def resolve(model: "Model", width: int, height: int) -> Tuple[Any, ...]:
         numbers = list(_rhw.camera_enclose(model._model, lens(width, height)))
         if near is not None:
             numbers[6] = near
         if far is not None:
             numbers[7] = 0.0 if math.isinf(far) else far
+        if not numbers[3]:
+            check(numbers[6], numbers[7])
         return tuple(numbers)
 
     return resolve

@@ -323,7 +323,7 @@ def _background(background: Union[str, Sequence[int]]) -> Tuple[int, Tuple[int, 
         _arrays.choice(background, "background", tuple(_BACKGROUNDS))
         return _BACKGROUNDS[background], (0, 0, 0)
     values = _arrays.listed(background, "background", "'default', 'transparent', 'environment' or three numbers")
-    if len(values) != 3 or not all(isinstance(each, (int, np.integer)) and 0 <= each <= 255 for each in values):
+    if len(values) != 3 or not all(_arrays.is_whole(each) and 0 <= each <= 255 for each in values):
         raise ValueError("background: must be 'default', 'transparent', 'environment' or three numbers of 0 to "
                          f"255, not {_arrays.text(background)}")
     return 1, (int(values[0]), int(values[1]), int(values[2]))

@@ -99,9 +99,12 @@ class Pictures(Dict[str, np.ndarray]):
     def _checked(self) -> Dict[str, np.ndarray]:
         return {name: _arrays.packed(_arrays.read(array, name), None) for name, array in self.items() if name in OUTPUTS}
 
-    def _repr_png_(self) -> bytes:
-        output = "color" if "color" in self else next(name for name in self if name in _FILE_KINDS)
-        return self.png(output)
+    def __repr__(self) -> str:
+        return f"<rhw.Pictures {self.size[0]} x {self.size[1]}: {', '.join(self)}>"
+
+    def _repr_png_(self) -> Optional[bytes]:
+        output = "color" if "color" in self else next((name for name in self if name in _FILE_KINDS), None)
+        return None if output is None else self.png(output)
 
 
 def write_png(path: _files.Path, image: Any, *, srgb: bool = True) -> None:
@@ -115,8 +118,9 @@ def write_png(path: _files.Path, image: Any, *, srgb: bool = True) -> None:
         raise TypeError(f"image: must be of uint8 or uint16, not {array.dtype}")
     if array.ndim == 2:
         array = array[:, :, None]
-    if array.ndim != 3:
-        raise ValueError(f"image: must have two or three dimensions, not {array.ndim}")
+    if array.ndim != 3 or array.shape[2] not in (1, 3, 4) or not 1 <= min(array.shape[:2]) <= max(array.shape[:2]) <= 16384:
+        raise ValueError("image: must have the shape (H, W), (H, W, 1), (H, W, 3) or (H, W, 4), of 1 to 16384 rows and columns, "
+                         f"not {_arrays.read(image, 'image').shape}")
     name = _arrays.path(path, "path")
     kind = array.dtype.newbyteorder("=")
     _files.write(name, _rhw.encode_png(_arrays.shown(name), _arrays.packed(array, kind), 8 * kind.itemsize, _arrays.flag(srgb, "srgb")))

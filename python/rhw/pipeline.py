@@ -56,8 +56,7 @@ class Buffer:
     """
 
     def __init__(self, data: Any, dtype: Any = None, *, context: Optional[_rhw.Context] = None):
-        is_shape = isinstance(data, (int, np.integer)) or (
-            isinstance(data, tuple) and all(isinstance(each, (int, np.integer)) for each in data))
+        is_shape = _arrays.is_whole(data) or (isinstance(data, tuple) and all(map(_arrays.is_whole, data)))
         source = np.zeros(0) if is_shape else _arrays.read(data, "data")
         kind = _type_of(dtype) if dtype is not None else np.dtype(np.float32) if is_shape else source.dtype.newbyteorder("=")
         shape = (data if isinstance(data, tuple) else (int(data),)) if is_shape else source.shape
@@ -72,12 +71,13 @@ class Buffer:
             raise ValueError(f"data: must have elements, not the shape {tuple(shape)}")
         if count > 2**56:
             raise ValueError(f"data: there is no memory for the shape {_arrays.text(tuple(shape))}")
+        source = source if is_shape else _arrays.converted(source, "data", kind)
         self._context = _threads.chosen(context)
         self._resource = _rhw.buffer(self._context, count * kind.itemsize)
         memory = np.asarray(self._resource.memory)
         self.array: np.ndarray = memory[:count * kind.itemsize].view(kind).reshape(shape)
         if not is_shape:
-            np.copyto(self.array, source, casting="unsafe")
+            np.copyto(self.array, source)
 
     def __len__(self) -> int:
         return len(self.array)
@@ -299,8 +299,9 @@ class Pass:
 
         positions: (N, 3) or (N, 4) float32; colors: (N, 4) float32, or uint8 of 0 to 1 linear; uv: (N, 2) float32;
         normals: (N, 3) float32, of any length. faces: (M, 3) uint32, (M, 2) of lines, (M, 1) of points; None: the
-        vertices in their order. An index beyond the vertices reads zeros. Arrays become buffers for this draw; a
-        Buffer of your own is used as it is.
+        vertices in their order. Arrays become buffers for this draw, and what is in them is checked; a Buffer of your
+        own is used as it is: an index beyond the vertices reads zeros, and a triangle with a position that is no number
+        is not drawn.
         matrix: (4, 4), world to clip space for column vectors, as View.matrix; clip space has y up and depth 0 to W.
         None: positions are clip coordinates already.
         world: (4, 4), positions and normals to the world. color: (r, g, b, a), which multiplies.
@@ -326,6 +327,10 @@ class Pass:
                       None if texture is None else texture._resource, None if sampler is None else sampler._resource,
                       _matrices(matrix, world, color), *numbers)
 
+    def _check_context(self, buffer: Buffer, name: str) -> None:
+        if buffer._context is not self._context:
+            raise ValueError(f"{name}: belongs to another context")
+
     def _attributes(self, pipeline: Pipeline, given: Mapping[str, Any]) -> Sequence[Buffer]:
         buffers = []
         for name, value in given.items():
@@ -343,6 +348,7 @@ class Pass:
             if array.ndim != 2 or array.shape[1] != wanted[0] or array.dtype != wanted[1]:
                 raise ValueError(f"{name}: must have the shape (N, {wanted[0]}) and be of {np.dtype(wanted[1])}, "
                                  f"not {array.shape} of {array.dtype}")
+            self._check_context(buffer, name)
             if buffers and len(buffer) != len(buffers[0]):
                 raise ValueError(f"{name}: must be as many as positions, {len(buffers[0])}, not {len(buffer)}")
             buffers.append(buffer)
@@ -356,6 +362,7 @@ class Pass:
             if array.size == 0:
                 raise ValueError("faces: there are none")
             faces = Buffer(_arrays.indices(array, "faces", (None,) * array.ndim, vertices), context=self._context)
+        self._check_context(faces, "faces")
         array = faces.array
         if array.dtype != np.uint32:
             raise ValueError(f"faces: must be of uint32, not {array.dtype}")
@@ -371,7 +378,7 @@ def _typed(value: Any, name: str, kind: Any) -> np.ndarray:
     if array.size == 0:
         raise ValueError(f"{name}: there are none")
     with np.errstate(over="ignore"):
-        return _arrays.packed(array, kind)
+        return _arrays.finite(_arrays.packed(array, kind), name)
 
 
 def _type_of(dtype: Any) -> np.dtype:
@@ -410,8 +417,10 @@ def _matrices(matrix: Any, world: Any, color: Sequence[float]) -> np.ndarray:
     cofactors = np.stack([_cross(b, c), _cross(c, a), _cross(a, b)])
     if sum((a * cofactors[0]).tolist()) < 0:  # it mirrors
         cofactors = -cofactors
-    tint = _arrays.floats(color, "color", (4,), np.float64)
-    return np.concatenate([both.T.reshape(-1), place.T.reshape(-1), cofactors.reshape(-1), tint]).astype(np.float32)
+    tint = _arrays.floats(color, "color", (4,))
+    with np.errstate(over="ignore"):
+        numbers = np.concatenate([both.T.reshape(-1), place.T.reshape(-1), cofactors.reshape(-1), tint]).astype(np.float32)
+    return _arrays.finite(numbers, "matrix" if world is None else "matrix, world")
 
 
 def _cross(a: np.ndarray, b: np.ndarray) -> np.ndarray:

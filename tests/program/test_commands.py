@@ -42,6 +42,7 @@ NOT_RUN = {
     r"script/format": "writes into the sources; script/test has --check",
     r"script/completions build/rhw": "writes into the sources; program_documents compares",
     r"script/gallery": "writes into the sources; program_gallery compares",
+    r"script/notebook": "writes into the sources; python_package compares",
     r".*/golden tests/golden/scenes\.txt --update": "half a minute; the test golden draws the same scenes",
     r"build/rhw view .*": "opens a window; program_view looks at one",
     r"script/package": "program_package does it",

@@ -40,4 +40,4 @@ def test_views_of_the_bunny(tmp_path):
     path = os.pathsep.join([str(tmp_path), os.environ.get("PYTHONPATH", "")])
     lines = told("python_speed.py", "--rounds", "2", PYTHONPATH=path)
     assert lines[0] == "pyrender is left out: pyrender is not wanted here"
-    assert "69666 triangles, 640 x 480" in lines[1] and len(lines) == 7
+    assert "69666 triangles, 640 x 480" in lines[1] and len(lines) == 8

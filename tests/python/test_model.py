@@ -119,6 +119,13 @@ def test_trimesh(square):
     assert faced.meshes[0].faces.shape == (2, 3)
 
 
+def test_trimesh_points(square):
+    """A cloud of points has no faces."""
+    cloud = Visual(vertices=square[0], visual=Visual("vertex", vertex_colors=np.array([[0, 0, 255, 255]] * 4, np.uint8)))
+    model = rhw.Model(cloud)
+    assert model.meshes[0].faces.shape == (4, 1) and np.array_equal(model.meshes[0].colors, [[0, 0, 1, 1]] * 4)
+
+
 def test_trimesh_texture(square):
     vertices, faces = square
     image = np.zeros((32, 32, 3), np.uint8)
@@ -154,6 +161,7 @@ def test_trimesh_itself():
         a, b = (model.render(120, rhw.Camera.orbit(30, 20), outputs=("color", "object")) for model in (theirs, ours))
         assert ((a["object"] > 0) == (b["object"] > 0)).mean() > 0.999
         assert np.abs(a["color"].astype(int) - b["color"]).mean() < 2
+    assert rhw.Model(trimesh.PointCloud(np.eye(3), colors=[[255, 0, 0]] * 3)).meshes[0].colors[2].tolist() == [1, 0, 0, 1]
     ball = trimesh.creation.icosphere(subdivisions=2)
     ball.visual.face_colors = np.arange(len(ball.faces))[:, None] % [255, 7, 11, 256] * [1, 30, 20, 0] + [0, 0, 0, 255]
     seen = rhw.Model(ball).render(60, outputs="triangle")["triangle"]

@@ -132,6 +132,7 @@ def test_buffers_are_read_in_place():
         with Pass(target) as draw:
             draw(pipeline, positions, Buffer(FACES))
         assert (shown == 255).sum() == part * part * shown.size
+    assert Buffer([[0.0, 7.0]], np.uint8).array.tolist() == [[0, 7]] and Buffer([2**40], np.float32).array[0] == 2**40
     assert Buffer((5, 3)).array.shape == (5, 3) and Buffer(4, np.uint32).array.dtype == np.uint32
 
 
@@ -230,7 +231,21 @@ def drawn(*arguments, of=None, into=None, **keywords):
     (lambda: drawn(CORNERS, of=Pipeline(("triangle",))), ValueError, "pipeline: draws"),
     (lambda: drawn(CORNERS, of=Pipeline({"color": "rgba8_unorm"})), ValueError, "pipeline: draws"),
     (lambda: drawn(CORNERS, of=Pipeline(target, context=rhw.Context(1))), ValueError, "pipeline: belongs to another context"),
-    (lambda: drawn(Buffer(CORNERS, context=rhw.Context(1))), ValueError, "attributes: belongs to another context"),
+    (lambda: drawn(Buffer(CORNERS, context=rhw.Context(1))), ValueError, "positions: belongs to another context"),
+    (lambda: drawn(CORNERS, Buffer(FACES, context=rhw.Context(1))), ValueError, "faces: belongs to another context"),
+    (lambda: drawn(CORNERS * np.nan), ValueError, "positions: every number must be finite"),
+    (lambda: drawn(CORNERS * 1e300), ValueError, "positions: every number must be finite, as float32 too"),
+    (lambda: drawn(CORNERS, of=Pipeline(target, colors="float32"), colors=np.full((4, 4), np.inf)), ValueError, "colors: every number"),
+    (lambda: drawn(CORNERS, matrix=np.eye(4) * 1e200), ValueError, "matrix: every number must be finite, as float32 too"),
+    (lambda: drawn(CORNERS, matrix=np.eye(4) * 1e30, world=np.eye(4) * 1e30), ValueError, "matrix, world: every number"),
+    (lambda: drawn(CORNERS, color=(1e300, 1, 1, 1)), ValueError, "color: every number must be finite, as float32 too"),
+    (lambda: Buffer([1.0, np.nan], np.uint32), ValueError, "data: must be of numbers that uint32 has, not nan"),
+    (lambda: Buffer([0.5], np.uint32), ValueError, "data: must be of numbers that uint32 has, not 0.5"),
+    (lambda: Buffer([2.0**64], np.uint64), ValueError, "data: must be of numbers that uint64 has"),
+    (lambda: Buffer(FACES.astype(int) - 1, np.uint32), ValueError, "data: must be of numbers that uint32 has, not -1"),
+    (lambda: Buffer([256], np.uint8), ValueError, "data: must be of numbers that uint8 has, not 256"),
+    (lambda: Buffer(True), TypeError, "data: must be of numbers, not bool"),
+    (lambda: Texture(True), TypeError, "size: must be"),
     (lambda: drawn(CORNERS, texture=target["color"], of=Pipeline(target, uv=True, texture=True), uv=CORNERS[:, :2]),
      ValueError, "attachment"),
     (lambda: Pass(target)(pipeline, CORNERS), ValueError, "the pass is recorded within its `with` alone"),

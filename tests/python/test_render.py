@@ -167,6 +167,8 @@ def test_a_notebook_shows_it(box_obj):
     model = rhw.load(box_obj)
     assert model._repr_png_().startswith(b"\x89PNG")
     assert model.render(20, outputs="depth")._repr_png_().startswith(b"\x89PNG")
+    light = model.render((20, 10), outputs=("linear", "display"))
+    assert light._repr_png_() is None and repr(light) == "<rhw.Pictures 20 x 10: linear, display>"
 
 
 def test_large_textures(box_obj, program):
